@@ -1,0 +1,110 @@
+# libcylint: `make help` lists what can be made.
+# CC CXX CFLAGS CPPFLAGS LDFLAGS LDLIBS AR PREFIX BINDIR LIBDIR INCLUDEDIR
+# MANDIR DESTDIR PKG_CONFIG are yours; ours stand around them.
+CC         ?= cc
+CXX        ?= c++
+PKG_CONFIG ?= pkg-config
+CFLAGS     ?= -O2 -g
+CXXFLAGS   ?= -O2 -g
+BUILD      ?= build
+PREFIX     ?= /usr/local
+BINDIR     ?= $(PREFIX)/bin
+LIBDIR     ?= $(PREFIX)/lib
+INCLUDEDIR ?= $(PREFIX)/include
+MANDIR     ?= $(PREFIX)/share/man
+
+version := $(shell sed -n 's/^.define CYLINT_VERSION "\(.*\)"/\1/p' include/cylint.h)
+major   := $(firstword $(subst ., ,$(version)))
+
+# What is optional: `make MPFR= check` and the like switch it off.
+have     = $(shell echo 'int main(void){return 0;}' > $(BUILD)/.probe.$(2) && \
+             $(1) -o $(BUILD)/.probe $(BUILD)/.probe.$(2) $(3) 2>/dev/null && echo yes)
+$(shell mkdir -p $(BUILD))
+CXX17   ?= $(call have,$(CXX) -std=c++17 -include charconv,cc,)
+MPFR    ?= $(call have,$(CC) -include stdio.h -include mpfr.h,c,-lmpfr -lgmp)
+GSL     ?= $(call have,$(CC) -include gsl/gsl_rng.h,c,-lgsl -lgslcblas -lm)
+
+warn    := -Wall -Wextra -Wpedantic -Wconversion
+ours    := -std=c99 $(warn) -Iinclude -MMD -MP
+exactly := -ffp-contract=off -fno-fast-math
+compile  = $(CC) $(ours) $(CPPFLAGS) $(CFLAGS) $(extra) $(exactly)
+
+lib_objects   := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/methods/*.c))
+tool_sources  := $(filter-out tools/cylint/numbers_c.c,$(wildcard tools/cylint/*.c))
+tool_objects  := $(patsubst %.c,$(BUILD)/%.o,$(tool_sources)) \
+                 $(BUILD)/tools/cylint/$(if $(CXX17),numbers_cxx.o,numbers_c.o)
+test_common   := $(BUILD)/tests/families.o $(if $(MPFR),$(BUILD)/tests/oracle.o)
+test_programs := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_*.c))
+test_scripts  := $(wildcard tests/test_*.sh)
+test_libs     := $(if $(MPFR),-lmpfr -lgmp) $(if $(GSL),-lgsl -lgslcblas)
+
+all: $(BUILD)/libcylint.a $(BUILD)/libcylint.so $(BUILD)/cylint ## the library and the command
+
+$(BUILD)/libcylint.a: $(lib_objects)
+	$(AR) rcs $@ $^
+
+$(BUILD)/libcylint.so: $(lib_objects)
+	$(CC) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,libcylint.so.$(major) -o $@ $^ -lm
+
+$(BUILD)/cylint: $(tool_objects) $(BUILD)/libcylint.a
+	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lm
+
+$(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden
+$(BUILD)/tools/%.o: extra := -D_POSIX_C_SOURCE=200809L
+$(BUILD)/tests/%.o: extra := -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
+	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
+
+$(BUILD)/%.o: %.c
+	@mkdir -p $(@D)
+	$(compile) -c -o $@ $<
+
+$(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 $(warn) -MMD -MP $(CPPFLAGS) $(CXXFLAGS) -c -o $@ $<
+
+$(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(test_common) $(BUILD)/libcylint.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
+
+demo: all ## scan a generated forest and show what was hit
+	@BUILD=$(BUILD) sh tools/demo/demo.sh
+
+check: all $(test_programs) ## run every test
+	@$(if $(MPFR),,echo 'note: no MPFR, tests against the oracle are skipped')
+	@BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' sh tests/run.sh $(test_programs) $(test_scripts)
+
+sanitize: ## the tests under the address and undefined-behaviour sanitizers
+	$(MAKE) BUILD=$(BUILD)/sanitize check \
+	  CFLAGS='-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
+	  CXXFLAGS='-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all'
+
+deps: ## install what the tests need (Debian)
+	@sh tools/deps.sh
+
+install: all ## into $(DESTDIR)$(PREFIX)
+	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(INCLUDEDIR) \
+	  $(DESTDIR)$(MANDIR)/man1 $(DESTDIR)$(MANDIR)/man3
+	install -m 755 $(BUILD)/cylint $(DESTDIR)$(BINDIR)
+	install -m 644 $(BUILD)/libcylint.a $(DESTDIR)$(LIBDIR)
+	install -m 755 $(BUILD)/libcylint.so $(DESTDIR)$(LIBDIR)/libcylint.so.$(version)
+	ln -sf libcylint.so.$(version) $(DESTDIR)$(LIBDIR)/libcylint.so.$(major)
+	ln -sf libcylint.so.$(major) $(DESTDIR)$(LIBDIR)/libcylint.so
+	install -m 644 include/cylint.h include/cylint_methods.h $(DESTDIR)$(INCLUDEDIR)
+	sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|' \
+	  src/cylint.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc
+	for m in man/*.1; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man1; done
+	for m in man/*.3; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man3; done
+
+uninstall: ## what install put there
+	rm -f $(DESTDIR)$(BINDIR)/cylint $(DESTDIR)$(LIBDIR)/libcylint.* \
+	  $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc $(DESTDIR)$(INCLUDEDIR)/cylint.h \
+	  $(DESTDIR)$(INCLUDEDIR)/cylint_methods.h $(DESTDIR)$(MANDIR)/man[13]/cylint*
+
+clean: ## what was built
+	rm -rf $(BUILD)
+
+help: ## this list
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1	\2/p' Makefile
+
+.PHONY: all demo check sanitize deps install uninstall clean help
+.SECONDARY:
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

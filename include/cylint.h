@@ -1,0 +1,283 @@
+/*
+ * cylint - where does a line meet a cylinder or a cone?
+ *
+ * Every answer is about the real numbers that the given doubles are: nothing
+ * is normalised, nothing is compared with a tolerance.
+ *
+ * Conventions, once for the whole file:
+ *
+ *   - Space is right-handed; any one unit of length serves.
+ *   - A line is o + t d.  t is in multiples of d, which need not be a unit
+ *     vector.  A segment's d is the difference of its end points as real
+ *     numbers, not rounded.
+ *   - A point of a shape has an axial coordinate z: 0 at the base, 1 at the
+ *     top, z proportional to the distance from the base plane.
+ *   - Making a shape or a line can fail and says why by a status.  Asking
+ *     never fails: a shape or line that was refused answers "miss" with the
+ *     flag CYLINT_FLAG_INVALID.
+ *   - The library allocates nothing, prints nothing, keeps no state and does
+ *     not touch errno or the locale.  All functions may be called from any
+ *     number of threads; shapes and lines are plain structs without pointers
+ *     and may be copied, stored in arrays and sent through pipes.
+ *   - Null pointers are the caller's mistake.
+ *
+ * Accuracy is stated in cylint(3), section ACCURACY.
+ */
+#ifndef CYLINT_H
+#define CYLINT_H
+
+#define CYLINT_VERSION_MAJOR 0
+#define CYLINT_VERSION_MINOR 1
+#define CYLINT_VERSION_PATCH 0
+#define CYLINT_VERSION "0.1.0"
+
+#if defined(__GNUC__) && !defined(CYLINT_STATIC)
+#define CYLINT_API __attribute__((visibility("default")))
+#else
+#define CYLINT_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ------------------------------------------------------------- status -- */
+
+typedef enum cylint_status {
+    CYLINT_OK = 0,
+    CYLINT_ENONFINITE,  /* a coordinate, radius or factor is not finite */
+    CYLINT_EAXIS,       /* the axis (or the height vector) has no length */
+    CYLINT_EDEGENERATE, /* the vectors a, b, h are linearly dependent */
+    CYLINT_ERADIUS,     /* a radius is negative, or all radii are zero */
+    CYLINT_EANGLE,      /* a half angle outside the open range (0, 90) */
+    CYLINT_EENDS,       /* not a value of cylint_ends */
+    CYLINT_EDIRECTION,  /* a direction, or a segment, of no length */
+    CYLINT_EDOMAIN,     /* tmin > tmax, or one of them is not a number */
+    CYLINT_EMETHOD      /* a published method does not answer for this */
+} cylint_status;
+
+/* A short English text for a status, static, lower case, no full stop. */
+CYLINT_API const char *cylint_strerror(int status);
+
+/* -------------------------------------------------------------- shapes -- */
+
+/* How a shape ends.  The first four bound it by the planes z = 0 and z = 1
+ * and differ only in which of the two caps can be hit: the relation is
+ * always that of the line to the closed solid. */
+typedef enum cylint_ends {
+    CYLINT_CAPPED = 0, /* both caps: a closed solid */
+    CYLINT_OPEN,       /* no caps: a tube */
+    CYLINT_CAP_0,      /* the cap at z = 0 only */
+    CYLINT_CAP_1,      /* the cap at z = 1 only */
+    CYLINT_INFINITE,   /* unbounded: whole cylinder, double cone */
+    CYLINT_NAPPE       /* the unbounded nappe that holds the base, or, where
+                          the base is the apex, the one that holds the top;
+                          a cylinder has one nappe, all of itself */
+} cylint_ends;
+
+typedef enum cylint_kind {
+    CYLINT_KIND_NONE = 0, /* what a refused shape is */
+    CYLINT_KIND_CYLINDER, /* circular, constant radius */
+    CYLINT_KIND_CONE,     /* circular, radius linear in z: frustum or cone */
+    CYLINT_KIND_ACONE,    /* circular cone by apex, axis and half angle */
+    CYLINT_KIND_ECYLINDER,/* elliptic, possibly oblique, constant section */
+    CYLINT_KIND_ECONE     /* elliptic, section scaled linearly in z */
+} cylint_kind;
+
+/*
+ * A prepared shape.  Made by one of the constructors below; its members are
+ * for the library.  Of use to a reader: kind and ends.
+ */
+typedef struct cylint_shape {
+    int kind;              /* cylint_kind */
+    int ends;              /* cylint_ends */
+    double base[3];        /* p0, c, or the apex v */
+    double top[3];         /* p1; circular kinds made from two points only */
+    double axis[3];        /* p1 - p0, h, or u: the nearest doubles ... */
+    double axis_lo[3];     /* ... and what they miss (p1 - p0 exactly) */
+    double a[3], b[3];     /* elliptic kinds: conjugate semi-axes */
+    double r0, r1;         /* radii at z = 0, 1; elliptic: 1, k; acone:
+                              0 and the tangent of the half angle */
+    double dr, dr_lo;      /* r1 - r0 exactly, as a pair */
+    int scale;             /* binary exponent of the largest length */
+    int flip;              /* elliptic: a.(b x h) < 0 */
+} cylint_shape;
+
+/*
+ * Constructors.  Each fills *shape and returns CYLINT_OK, or returns what is
+ * wrong and leaves a shape that every query answers with "miss".  Any finite
+ * doubles will do, subnormal and huge ones included.
+ *
+ * cylint_cylinder   the points within r of the axis from p0 to p1.
+ *                   EAXIS: p0 = p1.  ERADIUS: not r > 0.
+ * cylint_cone       the points within r0 + (r1 - r0) z of the axis from p0
+ *                   to p1; r0 = 0 or r1 = 0 gives a pointed cone, r0 = r1 a
+ *                   cylinder.  ERADIUS: a radius < 0, or both 0.
+ * cylint_elliptic_cylinder
+ *                   c + x a + y b + z h with x^2 + y^2 <= 1.  a, b, h: any
+ *                   three independent vectors, oblique ones included.
+ *                   EDEGENERATE: a.(b x h) = 0, decided exactly.
+ * cylint_elliptic_cone
+ *                   the same with x^2 + y^2 <= (1 + (k-1) z)^2; k >= 0
+ *                   scales the top, k = 1 gives an elliptic cylinder, k = 0
+ *                   an elliptic cone with its apex at c + h.
+ * cylint_angle_cone the double cone with apex v about the line through v
+ *                   along u whose rulings make `degrees` with the axis,
+ *                   0 < degrees < 90.  Stored by the nearest double to the
+ *                   tangent.  z = 0 at v, z = 1 at v + u; the nappe and the
+ *                   bounded shapes are on the side u points into.
+ * cylint_tangent_cone
+ *                   the same from the tangent itself, which is then exact.
+ */
+CYLINT_API cylint_status cylint_cylinder(cylint_shape *shape,
+    const double p0[3], const double p1[3], double r, cylint_ends ends);
+CYLINT_API cylint_status cylint_cone(cylint_shape *shape,
+    const double p0[3], double r0, const double p1[3], double r1,
+    cylint_ends ends);
+CYLINT_API cylint_status cylint_elliptic_cylinder(cylint_shape *shape,
+    const double c[3], const double a[3], const double b[3],
+    const double h[3], cylint_ends ends);
+CYLINT_API cylint_status cylint_elliptic_cone(cylint_shape *shape,
+    const double c[3], const double a[3], const double b[3],
+    const double h[3], double k, cylint_ends ends);
+CYLINT_API cylint_status cylint_angle_cone(cylint_shape *shape,
+    const double v[3], const double u[3], double degrees, cylint_ends ends);
+CYLINT_API cylint_status cylint_tangent_cone(cylint_shape *shape,
+    const double v[3], const double u[3], double tangent, cylint_ends ends);
+
+/* --------------------------------------------------------------- lines -- */
+
+/* A line with its domain [tmin, tmax], which infinities may bound. */
+typedef struct cylint_line {
+    double o[3];
+    double d[3];    /* the direction: the nearest doubles ... */
+    double d_lo[3]; /* ... and what they miss (0 unless a segment) */
+    double tmin, tmax;
+    int valid;      /* 0: refused, answers "miss" */
+} cylint_line;
+
+/*
+ * cylint_whole_line all t.            cylint_ray      t >= 0.
+ * cylint_segment    from a to b: o = a, d = b - a exactly, 0 <= t <= 1.
+ * cylint_span       tmin <= t <= tmax; either may be infinite.
+ *
+ * ENONFINITE, EDIRECTION (no length), EDOMAIN.
+ */
+CYLINT_API cylint_status cylint_whole_line(cylint_line *line,
+    const double o[3], const double d[3]);
+CYLINT_API cylint_status cylint_ray(cylint_line *line,
+    const double o[3], const double d[3]);
+CYLINT_API cylint_status cylint_segment(cylint_line *line,
+    const double a[3], const double b[3]);
+CYLINT_API cylint_status cylint_span(cylint_line *line,
+    const double o[3], const double d[3], double tmin, double tmax);
+
+/* ------------------------------------------------------------- queries -- */
+
+/* The whole line against the closed solid, whatever domain and caps. */
+typedef enum cylint_relation {
+    CYLINT_MISS = 0, /* no common point */
+    CYLINT_TOUCH,    /* one common point, not interior */
+    CYLINT_ALONG,    /* a piece of the boundary longer than a point: a
+                        ruling, or a chord in a cap's plane */
+    CYLINT_CROSS     /* a point of the interior is met */
+} cylint_relation;
+
+typedef enum cylint_part {
+    CYLINT_LATERAL = 0, /* the lateral surface, rims and apex included */
+    CYLINT_CAP0,
+    CYLINT_CAP1
+} cylint_part;
+
+typedef enum cylint_side {
+    CYLINT_ENTERING = 0, /* the overlap of line and solid begins */
+    CYLINT_LEAVING,      /* the overlap ends */
+    CYLINT_BOTH          /* both at once: a touch, or the apex of a double
+                            cone met from within */
+} cylint_side;
+
+/* What to compute.  What is not wanted is not computed and not written;
+ * relation and n always are.  NEAREST asks for the first hit only. */
+enum {
+    CYLINT_WANT_T       = 1 << 0,
+    CYLINT_WANT_PART    = 1 << 1, /* part and side */
+    CYLINT_WANT_POINT   = 1 << 2,
+    CYLINT_WANT_NORMAL  = 1 << 3,
+    CYLINT_WANT_Z       = 1 << 4,
+    CYLINT_WANT_PHI     = 1 << 5,
+    CYLINT_WANT_NEAREST = 1 << 6, /* n is 0 or 1: the hit with the least t */
+    CYLINT_WANT_FAST    = 1 << 7, /* t within a few ulp, see ACCURACY */
+    CYLINT_WANT_COUNT   = 0,      /* relation and number only */
+    CYLINT_WANT_ALL     = (1 << 6) - 1
+};
+
+enum { CYLINT_FLAG_INVALID = 1 }; /* a refused line or shape was asked */
+
+typedef struct cylint_hit {
+    double t;
+    double point[3];  /* o + t d */
+    double normal[3]; /* outward unit normal: of the cap on a cap, of the
+                         lateral surface elsewhere, rims included; at an
+                         apex along the axis, away from the solid; at the
+                         apex of a double cone along the axis, against d
+                         (perpendicular to d: towards the base) */
+    double z;         /* axial coordinate: 0 at the base, 1 at the top */
+    double phi;       /* angle about the axis over 2 pi, in [0, 1).
+                         Elliptic kinds: from a towards b.  Circular kinds:
+                         from e x axis, turning right-handed about the axis,
+                         e being the coordinate direction in which the axis
+                         has its smallest component in size (the first such).
+                         0 on the axis. */
+    int part;         /* cylint_part */
+    int side;         /* cylint_side */
+} cylint_hit;
+
+typedef struct cylint_answer {
+    int relation;     /* cylint_relation, of the whole line */
+    int n;            /* hits in the domain on parts that are present */
+    int flags;        /* CYLINT_FLAG_... */
+    cylint_hit hit[2];/* the first n are written, t ascending */
+} cylint_answer;
+
+/*
+ * cylint_intersect - where a line meets a shape
+ *
+ * Writes *answer and returns its n.  Hits are the points where line and
+ * solid begin and stop to overlap, so there are at most two, and of a capped
+ * shape an unbounded line never meets just one, but for a touch.  A hit is
+ * kept if it lies on a part that is present and in the line's domain, ends
+ * included.  A point of a rim counts once and as lateral.
+ *
+ *   down an open tube           cross, no hit
+ *   along a ruling, bounded     along, hits on the two rims
+ *   along a ruling, unbounded   along, no hit (a nappe: its apex)
+ *   in a cap's plane            along, hits on the rim; touch at one point
+ *   through the apex of a       inside: cross, one hit; outside: touch;
+ *   double cone                 on it: along, no hit
+ *
+ * Relation, n, part and side are exact; t is the double nearest to the root
+ * (ties to even, beyond the largest double: infinite).
+ */
+CYLINT_API int cylint_intersect(const cylint_shape *shape,
+    const cylint_line *line, unsigned want, cylint_answer *answer);
+
+/* 1 if the line meets a present part of the shape within its domain. */
+CYLINT_API int cylint_occluded(const cylint_shape *shape,
+    const cylint_line *line);
+
+/* +1 inside the solid, 0 on its boundary, -1 outside; exact.  A refused
+ * shape, or a point that is not finite: -1. */
+CYLINT_API int cylint_contains(const cylint_shape *shape,
+    const double point[3]);
+
+/* The least axis-parallel box that holds the solid, each side rounded
+ * outward by at most a few units in the last place; +-HUGE_VAL where it is
+ * unbounded.  A refused shape: lo = +HUGE_VAL, hi = -HUGE_VAL. */
+CYLINT_API void cylint_bounds(const cylint_shape *shape,
+    double lo[3], double hi[3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

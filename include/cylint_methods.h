@@ -1,0 +1,51 @@
+/*
+ * cylint_methods - the published ways to meet a cylinder or a cone
+ *
+ * Each is what its author published, in double precision, corrected where
+ * the print is wrong; the correction stands beside the code with its
+ * reference.  They are here to be compared, not to be relied upon: how far
+ * each can be trusted is measured by `make bench`.  For answers, call
+ * cylint_intersect().
+ *
+ * Full references: cylint(3), REFERENCES.
+ */
+#ifndef CYLINT_METHODS_H
+#define CYLINT_METHODS_H
+
+#include "cylint.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * A method answers as cylint_intersect() does: relation, n, hits with t and
+ * part (further members of hits by the caller's want, see below), for the
+ * shapes and ends it is published for; otherwise it writes a miss with
+ * CYLINT_FLAG_INVALID and returns CYLINT_EMETHOD.
+ */
+typedef cylint_status cylint_method_fn(const cylint_shape *shape,
+    const cylint_line *line, unsigned want, cylint_answer *answer);
+
+CYLINT_API cylint_method_fn cylint_shene_cylinder;   /* Gems IV  */
+CYLINT_API cylint_method_fn cylint_shene_cone;       /* Gems V   */
+CYLINT_API cylint_method_fn cylint_gullotti;         /* elliptic, by affine map */
+CYLINT_API cylint_method_fn cylint_closest_points;   /* d^2 of closest points */
+CYLINT_API cylint_method_fn cylint_quadratic;        /* plain b^2 - 4ac */
+CYLINT_API cylint_method_fn cylint_cychosz_waggenspack; /* Gems IV */
+
+typedef struct cylint_method {
+    const char *name;      /* as in cylint --method=NAME */
+    const char *source;    /* one line: author, title, where */
+    const char *shapes;    /* one line: the shapes and ends it answers for */
+    cylint_method_fn *answer;
+} cylint_method;
+
+/* All of them; the last entry's name is NULL. */
+CYLINT_API const cylint_method *cylint_methods(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

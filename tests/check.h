@@ -1,0 +1,48 @@
+/*
+ * check.h - the test harness, one page
+ *
+ * A test is a function whose name states a property.  CHECK(cond) counts a
+ * failure and says where; REPORT(...) adds what a person needs to repeat it,
+ * in the command's own input format.  A program ends with
+ *
+ *     int main(void) { RUN(name); RUN(other_name); return check_end(); }
+ *
+ * and prints `N passed, N failed`, which tests/run.sh adds up.
+ */
+#ifndef CYLINT_CHECK_H
+#define CYLINT_CHECK_H
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static int check_passed, check_failed, check_bad;
+
+#define CHECK_SHOWN 10 /* failures printed in full per test */
+
+#define CHECK(cond) \
+    ((cond) ? 1 : (check_bad++ < CHECK_SHOWN ? \
+        (fprintf(stderr, "%s:%d: not true: %s\n", \
+                 __FILE__, __LINE__, #cond), 0) : 0))
+
+#define REPORT(...) \
+    (check_bad <= CHECK_SHOWN ? (void)(fprintf(stderr, "    " __VA_ARGS__), \
+        fputc('\n', stderr)) : (void)0)
+
+#define RUN(test) do { \
+        check_bad = 0; \
+        test(); \
+        if (check_bad) { \
+            check_failed++; \
+            fprintf(stderr, "FAILED %s (%d)\n", #test, check_bad); \
+        } else { \
+            check_passed++; \
+        } \
+    } while (0)
+
+static int check_end(void)
+{
+    printf("%d passed, %d failed\n", check_passed, check_failed);
+    return check_failed != 0;
+}
+
+#endif
