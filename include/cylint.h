@@ -92,15 +92,15 @@ typedef struct cylint_shape {
     int kind;              /* cylint_kind */
     int ends;              /* cylint_ends */
     double base[3];        /* p0, c, or the apex v */
-    double top[3];         /* p1; circular kinds made from two points only */
+    double top[3];         /* p1; cylinder and cone only */
     double axis[3];        /* p1 - p0, h, or u: the nearest doubles ... */
-    double axis_lo[3];     /* ... and what they miss (p1 - p0 exactly) */
+    double axis_lo[3];     /* ... and what they miss: axis + axis_lo is
+                              p1 - p0 exactly, unless that overflows */
     double a[3], b[3];     /* elliptic kinds: conjugate semi-axes */
     double r0, r1;         /* radii at z = 0, 1; elliptic: 1, k; acone:
                               0 and the tangent of the half angle */
-    double dr, dr_lo;      /* r1 - r0 exactly, as a pair */
-    int scale;             /* binary exponent of the largest length */
-    int flip;              /* elliptic: a.(b x h) < 0 */
+    double dr, dr_lo;      /* r1 - r0 exactly, as a pair; acone: the tangent */
+    int flip;              /* elliptic: 1 where a.(b x h) < 0 */
 } cylint_shape;
 
 /*
@@ -151,8 +151,11 @@ CYLINT_API cylint_status cylint_tangent_cone(cylint_shape *shape,
 typedef struct cylint_line {
     double o[3];
     double d[3];    /* the direction: the nearest doubles ... */
-    double d_lo[3]; /* ... and what they miss (0 unless a segment) */
+    double d_lo[3]; /* ... and what they miss: d + d_lo is b - a exactly,
+                       unless that overflows; 0 unless a segment */
+    double end[3];  /* a segment's b */
     double tmin, tmax;
+    int segment;    /* 1: the direction is end - o */
     int valid;      /* 0: refused, answers "miss" */
 } cylint_line;
 
