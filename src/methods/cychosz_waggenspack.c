@@ -1,0 +1,95 @@
+/*
+ * cychosz_waggenspack.c - line and circular cylinder, clipped by two planes
+ *
+ * [Cychosz & Waggenspack 1994]: the functions they call intcyl and clipobj.
+ * Answers for circular cylinders, with any ends: clipobj tells which surface
+ * each end lies on, and what is not present is dropped.
+ *
+ * With the ray's direction and the axis of length one, RC from the base to
+ * the ray's origin and n = direction x axis, the shortest distance of the
+ * two lines is d = |RC.n| / |n|, attained at t = -(RC x axis).n / |n|^2.
+ * O, the unit vector along n x axis, is perpendicular to the axis in the
+ * plane of the ray and the axis's direction; the half chord along the ray is
+ * s = |sqrt(r^2 - d^2) / (direction.O)|.
+ *
+ * Corrected, all of it in clipobj and its use:
+ *   - A ray parallel to the axis and inside enters at -1e21 and leaves at
+ *     1e21, which are meant to be infinite and then pass for hits of the
+ *     unbounded cylinder.  They are infinite here.
+ *   - A far plane met exactly where the object begins (a line through a rim)
+ *     neither clips nor rejects: the whole chord beyond the plane remains.
+ *     It is a touch.
+ *   - "in < out" and, for lines parallel to a plane, "dw >= 0: miss" leave
+ *     the boundary out, so tangents and lines in a cap's plane miss.  Here
+ *     solids are closed.
+ */
+#include "methods.h"
+
+static cylint_chord when_parallel(const double RC[3], const double axis[3],
+                                  double radius)
+{
+    double D[3];
+
+    along(RC, -dot(RC, axis), axis, D);
+    return parallel_chord(length(D) - radius);
+}
+
+static cylint_chord intcyl(const double RC[3], const double raycos[3],
+                           const double axis[3], double radius)
+{
+    double n[3], O[3];
+
+    cross(raycos, axis, n);
+    if (dot(n, n) == 0)
+        return when_parallel(RC, axis, radius);
+    const double ln = unit(n, n);
+    const double d = fabs(dot(RC, n));
+    if (!(d <= radius))
+        return no_chord();
+
+    cross(RC, axis, O);
+    const double t = -dot(O, n) / ln;
+    if (d == radius)
+        return chord_between(CYLINT_TOUCH, t, t);
+    cross(n, axis, O);
+    unit(O, O);
+    const double s = fabs(sqrt(radius * radius - d * d) / dot(raycos, O));
+    return chord_between(CYLINT_CROSS, t - s, t + s);
+}
+
+/* The planes normal.p + distance = 0, their normals pointing out. */
+static void clipobj(cylint_chord *chord, const cylint_line *line,
+                    const double raycos[3], const double axis[3],
+                    const cylint_shape *shape)
+{
+    const double low = -dot(axis, shape->base);
+    const double high = -dot(axis, shape->top);
+    const double climb = dot(axis, raycos), height = dot(axis, line->o);
+    const cylint_affine above_low = {height + low, climb};
+    const cylint_affine below_high = {-(height + high), -climb};
+
+    cylint_chord_clip(chord, above_low, CYLINT_CAP0);
+    cylint_chord_clip(chord, below_high, CYLINT_CAP1);
+}
+
+cylint_status cylint_cychosz_waggenspack(const cylint_shape *shape,
+    const cylint_line *line, unsigned want, cylint_answer *answer)
+{
+    double raycos[3], axis[3], RC[3];
+
+    if (shape->kind != CYLINT_KIND_CYLINDER)
+        return cylint_method_not_for_this(answer);
+    if (!line->valid) {
+        cylint_method_refuse(answer);
+        return CYLINT_OK;
+    }
+    const double speed = unit(line->d, raycos);
+    unit(shape->axis, axis);
+    minus(line->o, shape->base, RC);
+    cylint_chord chord = intcyl(RC, raycos, axis, shape->r0);
+    if (is_bounded(shape))
+        clipobj(&chord, line, raycos, axis, shape);
+    chord.t[0] /= speed; /* from distance along the ray to multiples of d */
+    chord.t[1] /= speed;
+    return cylint_method_report(shape, line, want, &chord, answer);
+}

@@ -1,0 +1,117 @@
+/*
+ * gullotti.c - line and elliptic cylinder, by an affine map
+ *
+ * [Gullotti].  Answers for circular and elliptic cylinders, with any ends.
+ *
+ * M maps the cylinder of radius 1 and height 1 on the z axis to the one
+ * asked about; the line is mapped by the inverse of M, met there with the
+ * unit cylinder by a quadratic, and t is the same in both spaces.
+ *
+ * Corrected:
+ *   - M is published as T R S, translation, rotation and scaling.  R, made
+ *     from the directions of a, b and c, is a rotation only if these are
+ *     orthogonal.  M = [a b c C] needs no such thing: oblique elliptic
+ *     cylinders come for free.
+ *   - The leading coefficient v'.v' - (v'.h)^2 subtracts the axial share it
+ *     has just added and cancels; it is v'x^2 + v'y^2, and likewise the
+ *     other two coefficients.
+ *   - "The discriminant is 0 and the line is parallel, so it lies on the
+ *     surface": for every parallel line the first two coefficients vanish,
+ *     so the discriminant is 0 at any distance.  The constant term decides:
+ *     negative inside, zero on the surface, positive outside.
+ *   - The axial test takes the points in world space against the local unit
+ *     vector h.  It belongs into local space: 0 <= z' <= 1.
+ *   - Lines parallel to the axis return before they reach the caps.
+ *
+ * Kept: the translation is folded into the inverse of M, so a scene far from
+ * the origin costs digits.
+ */
+#include "methods.h"
+
+/* The rows of M's inverse: N p + offset. */
+typedef struct inverse {
+    double row[3][3];
+    double offset[3];
+} inverse;
+
+/* A circular cylinder's a and b: any two of length r, perpendicular to the
+ * axis and to each other. */
+static void semi_axes(const cylint_shape *shape, double a[3], double b[3])
+{
+    double height[3];
+
+    if (shape->kind == CYLINT_KIND_ECYLINDER) {
+        for (int i = 0; i < 3; i++) {
+            a[i] = shape->a[i];
+            b[i] = shape->b[i];
+        }
+        return;
+    }
+    cylint_phi_origin(shape->axis, a);
+    unit(a, a);
+    unit(shape->axis, height);
+    cross(height, a, b);
+    for (int i = 0; i < 3; i++) {
+        a[i] *= shape->r0;
+        b[i] *= shape->r0;
+    }
+}
+
+static inverse inverse_of(const cylint_shape *shape)
+{
+    inverse m;
+    double a[3], b[3];
+    const double *c = shape->axis;
+
+    semi_axes(shape, a, b);
+    cross(b, c, m.row[0]);
+    cross(c, a, m.row[1]);
+    cross(a, b, m.row[2]);
+    const double det = dot(m.row[2], c);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++)
+            m.row[i][j] /= det;
+        m.offset[i] = -dot(m.row[i], shape->base);
+    }
+    return m;
+}
+
+/* The unit cylinder x^2 + y^2 <= 1 and the line p + t v. */
+static cylint_chord chord_of(const double p[3], const double v[3])
+{
+    const double a = v[0] * v[0] + v[1] * v[1];
+    const double b = 2 * (v[0] * p[0] + v[1] * p[1]);
+    const double c = p[0] * p[0] + p[1] * p[1] - 1;
+    const double disc = b * b - 4 * a * c;
+
+    if (a == 0)
+        return parallel_chord(c);
+    if (!(disc >= 0))
+        return no_chord();
+    const double s = sqrt(disc);
+    return chord_between(disc > 0 ? CYLINT_CROSS : CYLINT_TOUCH,
+                         (-b - s) / (2 * a), (-b + s) / (2 * a));
+}
+
+cylint_status cylint_gullotti(const cylint_shape *shape,
+    const cylint_line *line, unsigned want, cylint_answer *answer)
+{
+    double p[3], v[3];
+
+    if (shape->kind != CYLINT_KIND_CYLINDER &&
+        shape->kind != CYLINT_KIND_ECYLINDER)
+        return cylint_method_not_for_this(answer);
+    if (!line->valid) {
+        cylint_method_refuse(answer);
+        return CYLINT_OK;
+    }
+    const inverse m = inverse_of(shape);
+    for (int i = 0; i < 3; i++) {
+        p[i] = dot(m.row[i], line->o) + m.offset[i];
+        v[i] = dot(m.row[i], line->d);
+    }
+    const cylint_affine z = {p[2], v[2]};
+    cylint_chord chord = chord_of(p, v);
+    cylint_chord_ends(&chord, shape, z);
+    return cylint_method_report(shape, line, want, &chord, answer);
+}

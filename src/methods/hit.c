@@ -1,0 +1,146 @@
+/*
+ * hit.c - what a published method's hit can tell: point, normal, z and phi
+ *
+ * No author defines these, so they are computed from the hit's point in one
+ * place, in plain double, as cylint.h defines them.
+ *
+ * A point is c + x a + y b + z h, and inside where x^2 + y^2 <= rho(z)^2.
+ * A circular shape is that with a = e x axis, b perpendicular to it and to
+ * the axis, both of length one.
+ */
+#include "methods.h"
+
+typedef struct frame {
+    double x_of[3], y_of[3], z_of[3]; /* the gradients of x, y and z */
+    double rho, drho;                 /* rho(z) = rho + drho z */
+} frame;
+
+void cylint_phi_origin(const double axis[3], double out[3])
+{
+    int least = 0;
+    double e[3] = {0, 0, 0};
+
+    for (int i = 1; i < 3; i++)
+        if (fabs(axis[i]) < fabs(axis[least]))
+            least = i;
+    e[least] = 1;
+    cross(e, axis, out);
+}
+
+static void scaled_cross(const double a[3], const double b[3], double by,
+                         double out[3])
+{
+    cross(a, b, out);
+    for (int i = 0; i < 3; i++)
+        out[i] /= by;
+}
+
+static frame frame_of(const cylint_shape *shape)
+{
+    frame f;
+    const double *h = shape->axis;
+
+    if (shape->kind == CYLINT_KIND_ECYLINDER ||
+        shape->kind == CYLINT_KIND_ECONE) {
+        double normal[3];
+        cross(shape->a, shape->b, normal);
+        const double det = dot(normal, h);
+        scaled_cross(shape->b, h, det, f.x_of);
+        scaled_cross(h, shape->a, det, f.y_of);
+        scaled_cross(shape->a, shape->b, det, f.z_of);
+        f.rho = 1;
+        f.drho = shape->r1 - 1;
+        return f;
+    }
+    double origin[3];
+    const double size = length(h);
+    cylint_phi_origin(h, origin);
+    unit(origin, f.x_of);
+    scaled_cross(h, f.x_of, size, f.y_of);
+    for (int i = 0; i < 3; i++)
+        f.z_of[i] = h[i] / size / size;
+    f.rho = shape->r0;
+    f.drho = shape->kind == CYLINT_KIND_ACONE ? shape->r1 * size
+                                              : shape->r1 - shape->r0;
+    return f;
+}
+
+/* Along the axis, away from the solid; of a double cone against d, and
+ * where d is perpendicular to it, towards the base. */
+static void normal_at_apex(const cylint_shape *shape, const frame *f,
+                           const double d[3], double normal[3])
+{
+    double sign = f->drho < 0 ? 1 : -1;
+
+    if (shape->ends == CYLINT_INFINITE) {
+        const double climb = dot(d, shape->axis);
+        sign = climb < 0 ? 1 : -1;
+    }
+    for (int i = 0; i < 3; i++)
+        normal[i] = sign * shape->axis[i];
+    unit(normal, normal);
+}
+
+/* x^2 + y^2 = rho^2: half the gradient is x dx + y dy - rho drho dz. */
+static void normal_at(const cylint_shape *shape, const frame *f,
+                      const double d[3], double x, double y, double z,
+                      int part, double normal[3])
+{
+    if (part != CYLINT_LATERAL) {
+        const double sign = part == CYLINT_CAP0 ? -1 : 1;
+        for (int i = 0; i < 3; i++)
+            normal[i] = sign * f->z_of[i];
+        unit(normal, normal);
+        return;
+    }
+    if (x == 0 && y == 0) {
+        normal_at_apex(shape, f, d, normal);
+        return;
+    }
+    const double slope = (f->rho + f->drho * z) * f->drho;
+    for (int i = 0; i < 3; i++)
+        normal[i] = x * f->x_of[i] + y * f->y_of[i] - slope * f->z_of[i];
+    unit(normal, normal);
+}
+
+static double turn(double x, double y)
+{
+    const double two_pi = 6.283185307179586; /* 2 pi to nearest */
+    const double phi = atan2(y, x) / two_pi;
+    const double positive = phi < 0 ? phi + 1 : phi;
+
+    return positive < 1 ? positive + 0.0 : 0;
+}
+
+void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
+    unsigned want, double t, int part, int side, cylint_hit *hit)
+{
+    const unsigned placed = CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
+                            CYLINT_WANT_PHI;
+    double point[3], D[3];
+
+    if (want & CYLINT_WANT_T)
+        hit->t = t;
+    if (want & CYLINT_WANT_PART) {
+        hit->part = part;
+        hit->side = side;
+    }
+    if (!(want & (placed | CYLINT_WANT_POINT)))
+        return;
+    along(line->o, t, line->d, point);
+    if (want & CYLINT_WANT_POINT)
+        for (int i = 0; i < 3; i++)
+            hit->point[i] = point[i];
+    if (!(want & placed))
+        return;
+
+    const frame f = frame_of(shape);
+    minus(point, shape->base, D);
+    const double x = dot(D, f.x_of), y = dot(D, f.y_of), z = dot(D, f.z_of);
+    if (want & CYLINT_WANT_Z)
+        hit->z = z;
+    if (want & CYLINT_WANT_PHI)
+        hit->phi = x == 0 && y == 0 ? 0 : turn(x, y);
+    if (want & CYLINT_WANT_NORMAL)
+        normal_at(shape, &f, line->d, x, y, z, part, hit->normal);
+}

@@ -1,0 +1,156 @@
+/*
+ * quadratic.c - the plain quadratic, as every textbook has it
+ *
+ * Not one author's: with D = o - base the lateral surface is a quadric in
+ * o + t d, its coefficients are expanded dot products, and the roots are
+ * (-B +- sqrt(B^2 - 4AC)) / 2A.  It is here as the measure of the others:
+ * B^2 - 4AC loses every digit once |D| is some 1e8 radii.
+ *
+ * Answers for all shapes and all ends.
+ */
+#include "methods.h"
+
+/* A t^2 + B t + C <= 0 inside; rho has the sign of the nappe. */
+typedef struct quadric {
+    double A, B, C;
+    cylint_affine rho, z;
+} quadric;
+
+/*
+ * Circular: |w|^2 |D|^2 - (w.D)^2 is |w|^2 times the squared distance from
+ * the axis, and rho = r0 + dr (w.D)/|w|^2.  Times |w|^2 once more,
+ *
+ *   |w|^4 |D|^2 - |w|^2 (w.D)^2 - (r0 |w|^2 + dr w.D)^2
+ *
+ * has no quotient; a cylinder (dr = 0) needs only the first factor.
+ */
+static quadric circular(const cylint_shape *shape, const cylint_line *line)
+{
+    quadric q;
+    const double *d = line->d, *w = shape->axis;
+    double D[3];
+
+    minus(line->o, shape->base, D);
+    const double ww = dot(w, w), wd = dot(w, d), wD = dot(w, D);
+    const double dr = shape->r1 - shape->r0;
+    q.A = ww * dot(d, d) - wd * wd;
+    q.B = 2 * (ww * dot(d, D) - wd * wD);
+    q.C = ww * dot(D, D) - wD * wD;
+    q.rho.at = shape->r0 * ww + dr * wD;
+    q.rho.slope = dr * wd;
+    q.z.at = wD / ww;
+    q.z.slope = wd / ww;
+    if (dr == 0) {
+        q.C -= shape->r0 * shape->r0 * ww;
+        return q;
+    }
+    q.A = ww * q.A - q.rho.slope * q.rho.slope;
+    q.B = ww * q.B - 2 * q.rho.at * q.rho.slope;
+    q.C = ww * q.C - q.rho.at * q.rho.at;
+    return q;
+}
+
+/* By apex and tangent: |w|^2 |D|^2 - (1 + k^2) (w.D)^2. */
+static quadric by_angle(const cylint_shape *shape, const cylint_line *line)
+{
+    quadric q;
+    const double *d = line->d, *w = shape->axis;
+    double D[3];
+
+    minus(line->o, shape->base, D);
+    const double ww = dot(w, w), wd = dot(w, d), wD = dot(w, D);
+    const double factor = 1 + shape->r1 * shape->r1;
+    q.A = ww * dot(d, d) - factor * wd * wd;
+    q.B = 2 * (ww * dot(d, D) - factor * wd * wD);
+    q.C = ww * dot(D, D) - factor * wD * wD;
+    q.rho.at = wD;
+    q.rho.slope = wd;
+    q.z.at = wD / ww;
+    q.z.slope = wd / ww;
+    return q;
+}
+
+/* Elliptic: x = D.(b x h)/det and so on; x^2 + y^2 - (1 + (k-1) z)^2. */
+static quadric elliptic(const cylint_shape *shape, const cylint_line *line)
+{
+    quadric q;
+    double D[3], bh[3], ha[3], ab[3];
+
+    minus(line->o, shape->base, D);
+    cross(shape->b, shape->axis, bh);
+    cross(shape->axis, shape->a, ha);
+    cross(shape->a, shape->b, ab);
+    const double det = dot(ab, shape->axis);
+    const double x = dot(D, bh) / det, dx = dot(line->d, bh) / det;
+    const double y = dot(D, ha) / det, dy = dot(line->d, ha) / det;
+    q.z.at = dot(D, ab) / det;
+    q.z.slope = dot(line->d, ab) / det;
+    q.rho.at = 1 + (shape->r1 - 1) * q.z.at;
+    q.rho.slope = (shape->r1 - 1) * q.z.slope;
+    q.A = dx * dx + dy * dy - q.rho.slope * q.rho.slope;
+    q.B = 2 * (x * dx + y * dy - q.rho.at * q.rho.slope);
+    q.C = x * x + y * y - q.rho.at * q.rho.at;
+    return q;
+}
+
+/* The line is parallel to a ruling: one root, or a cylinder's line parallel
+ * to the axis, or a cone's that lies in a tangent plane. */
+static cylint_chord linear_chord(const quadric *q, int is_cone)
+{
+    if (!is_cone || q->B == 0)
+        return parallel_chord(q->C);
+    const double t = -q->C / q->B;
+    return q->B > 0 ? chord_between(CYLINT_CROSS, -INFINITY, t)
+                    : chord_between(CYLINT_CROSS, t, INFINITY);
+}
+
+static cylint_chord chord_of(const quadric *q, int is_cone)
+{
+    if (q->A == 0)
+        return linear_chord(q, is_cone);
+    const double disc = q->B * q->B - 4 * q->A * q->C;
+    if (!(disc >= 0))
+        return no_chord();
+
+    const double s = sqrt(disc);
+    const double t0 = (-q->B - s) / (2 * q->A);
+    const double t1 = (-q->B + s) / (2 * q->A);
+    if (q->A > 0)
+        return chord_between(disc > 0 ? CYLINT_CROSS : CYLINT_TOUCH, t0, t1);
+    /* steeper than the rulings: inside but for the gap between the nappes */
+    cylint_chord chord = chord_between(CYLINT_CROSS, t1, t0);
+    chord.gap = 1;
+    return chord;
+}
+
+cylint_status cylint_quadratic(const cylint_shape *shape,
+    const cylint_line *line, unsigned want, cylint_answer *answer)
+{
+    quadric q;
+
+    switch (shape->kind) {
+    case CYLINT_KIND_CYLINDER:
+    case CYLINT_KIND_CONE:
+        q = circular(shape, line);
+        break;
+    case CYLINT_KIND_ACONE:
+        q = by_angle(shape, line);
+        break;
+    case CYLINT_KIND_ECYLINDER:
+    case CYLINT_KIND_ECONE:
+        q = elliptic(shape, line);
+        break;
+    default:
+        return cylint_method_not_for_this(answer);
+    }
+    if (!line->valid) {
+        cylint_method_refuse(answer);
+        return CYLINT_OK;
+    }
+    const int is_cone = shape->r0 != shape->r1;
+    cylint_chord chord = chord_of(&q, is_cone);
+    if (is_cone && shape->ends != CYLINT_INFINITE)
+        cylint_chord_nappe(&chord, q.rho);
+    cylint_chord_ends(&chord, shape, q.z);
+    return cylint_method_report(shape, line, want, &chord, answer);
+}

@@ -1,0 +1,71 @@
+/*
+ * report.c - from a chord to the answer cylint_intersect() would give
+ *
+ * Relation of the whole line; the chord's ends as hits, ascending; of these
+ * the ones on a part that is present and in the line's domain.
+ */
+#include "methods.h"
+
+void cylint_method_refuse(cylint_answer *answer)
+{
+    answer->relation = CYLINT_MISS;
+    answer->n = 0;
+    answer->flags = CYLINT_FLAG_INVALID;
+}
+
+cylint_status cylint_method_not_for_this(cylint_answer *answer)
+{
+    cylint_method_refuse(answer);
+    return CYLINT_EMETHOD;
+}
+
+static int is_present(const cylint_shape *shape, int part)
+{
+    switch (part) {
+    case CYLINT_CAP0:
+        return shape->ends == CYLINT_CAPPED || shape->ends == CYLINT_CAP_0;
+    case CYLINT_CAP1:
+        return shape->ends == CYLINT_CAPPED || shape->ends == CYLINT_CAP_1;
+    default:
+        return 1;
+    }
+}
+
+static void add_hit(const cylint_shape *shape, const cylint_line *line,
+                    unsigned want, double t, int part, int side,
+                    cylint_answer *answer)
+{
+    if (!(t > -INFINITY && t < INFINITY)) /* no end there, or not a number */
+        return;
+    if (!(t >= line->tmin && t <= line->tmax) || !is_present(shape, part))
+        return;
+    if (answer->n == 1 && (want & CYLINT_WANT_NEAREST))
+        return;
+    cylint_method_hit(shape, line, want, t, part, side,
+                      &answer->hit[answer->n]);
+    answer->n++;
+}
+
+cylint_status cylint_method_report(const cylint_shape *shape,
+    const cylint_line *line, unsigned want, const cylint_chord *chord,
+    cylint_answer *answer)
+{
+    answer->relation = chord->relation;
+    answer->n = 0;
+    answer->flags = 0;
+    if (chord->relation == CYLINT_MISS)
+        return CYLINT_OK;
+
+    const int one_point = chord->relation == CYLINT_TOUCH ||
+                          (chord->gap && chord->t[0] == chord->t[1]);
+    if (one_point) {
+        add_hit(shape, line, want, chord->t[0], chord->part[0], CYLINT_BOTH,
+                answer);
+        return CYLINT_OK;
+    }
+    const int first = chord->gap ? CYLINT_LEAVING : CYLINT_ENTERING;
+    const int second = chord->gap ? CYLINT_ENTERING : CYLINT_LEAVING;
+    add_hit(shape, line, want, chord->t[0], chord->part[0], first, answer);
+    add_hit(shape, line, want, chord->t[1], chord->part[1], second, answer);
+    return CYLINT_OK;
+}

@@ -1,0 +1,180 @@
+/*
+ * shene_cone.c - line and double cone, by a plane through the apex
+ *
+ * [Shene 1995].  Answers for a circular double cone, by apex and angle or by
+ * two radii (whose apex and angle are then computed); not for a nappe, nor
+ * bounded ones, nor a "cone" of equal radii, which has no apex.
+ *
+ * The cone has the apex V, the axis v and the half angle a; the line is
+ * D + t d; v and d are of length one.  The plane through V and the line, of
+ * normal n = d x (D - V), cuts the cone in two rulings V + s delta, in one
+ * (a tangent plane) or in V alone.  Each ruling that is not parallel to the
+ * line meets it at
+ *
+ *   t = ((V - D) x delta).(d x delta) / |d x delta|^2.
+ *
+ * Left out in the print, and added:
+ *   - The derivation of delta.  With n of length one let theta be the angle
+ *     from the axis to the plane, sin theta = |v.n|, and m the unit vector
+ *     along the axis's projection v - (v.n) n, which has length cos theta;
+ *     k = n x m completes the plane's frame.  delta = cos b m + sin b k lies
+ *     on the cone where delta.v = cos a, and m.v = cos theta, k.v = 0 give
+ *         cos b = cos a / cos theta,   delta = cos b m +- sin b k,
+ *     which exists for theta <= a.  [Checked against the quadratic.]
+ *   - v parallel to n: theta is a right angle, the plane meets V alone.
+ *   - The line through V: n vanishes.  It is a ruling if |d.v| = cos a, and
+ *     else meets the cone in V alone, from inside if |d.v| > cos a.
+ *   - The line parallel to a ruling: that ruling is not met, and there is
+ *     one intersection.
+ *
+ * A cylinder is the limit of V at infinity: the plane parallel to the axis
+ * through the line cuts it in two parallel lines.
+ */
+#include "methods.h"
+
+typedef struct cone {
+    double V[3], v[3];
+    double cosine; /* of the half angle */
+} cone;
+
+static cone cone_of(const cylint_shape *shape)
+{
+    cone c;
+    const double size = unit(shape->axis, c.v);
+    double tangent = shape->r1;
+    double to_apex = 0;
+
+    if (shape->kind == CYLINT_KIND_CONE) {
+        const double dr = shape->r1 - shape->r0;
+        to_apex = -shape->r0 / dr;
+        tangent = dr / size;
+    }
+    along(shape->base, to_apex, shape->axis, c.V);
+    c.cosine = 1 / sqrt(1 + tangent * tangent);
+    return c;
+}
+
+static cylint_chord chord_with_gap(double t0, double t1)
+{
+    cylint_chord chord = chord_between(CYLINT_CROSS, t0, t1);
+    chord.gap = 1;
+    return chord;
+}
+
+/* The line passes through V. */
+static cylint_chord through_apex(const cone *c, const double to_V[3],
+                                 const double d[3])
+{
+    const double steep = fabs(dot(d, c->v));
+    const double t = dot(to_V, d);
+
+    if (steep == c->cosine)
+        return chord_between(CYLINT_ALONG, -INFINITY, INFINITY);
+    if (steep > c->cosine)
+        return chord_with_gap(t, t);
+    return chord_between(CYLINT_TOUCH, t, t);
+}
+
+/* Where D + t d meets the ruling V + s delta; 0 if it is parallel to it. */
+static int meet_ruling(const double to_V[3], const double d[3],
+                       const double delta[3], double *t)
+{
+    double across[3], reach[3];
+
+    cross(d, delta, across);
+    const double size2 = dot(across, across);
+    if (size2 == 0)
+        return 0;
+    cross(to_V, delta, reach);
+    *t = dot(reach, across) / size2;
+    return 1;
+}
+
+/* Only the ruling `met` is met, at t; the line is parallel to `other`.  On
+ * the nappe of delta's positive multiples it is inside towards +other, on
+ * the opposite one towards -other. */
+static cylint_chord half_line(const double to_V[3], const double d[3],
+                              const double met[3], const double other[3],
+                              double t)
+{
+    const double s = t * dot(d, met) - dot(to_V, met);
+    const int ahead = (s > 0) == (dot(d, other) > 0);
+
+    return ahead ? chord_between(CYLINT_CROSS, t, INFINITY)
+                 : chord_between(CYLINT_CROSS, -INFINITY, t);
+}
+
+/* The plane cuts the cone in the rulings along delta[0] and delta[1]. */
+static cylint_chord across_rulings(const cone *c, const double to_V[3],
+                                   const double d[3],
+                                   const double delta[2][3])
+{
+    double t0, t1;
+    const int met0 = meet_ruling(to_V, d, delta[0], &t0);
+    const int met1 = meet_ruling(to_V, d, delta[1], &t1);
+
+    if (!met0 && !met1)
+        return no_chord();
+    if (!met1)
+        return half_line(to_V, d, delta[0], delta[1], t0);
+    if (!met0)
+        return half_line(to_V, d, delta[1], delta[0], t1);
+
+    const double low = t0 < t1 ? t0 : t1, high = t0 < t1 ? t1 : t0;
+    if (fabs(dot(d, c->v)) > c->cosine)
+        return chord_with_gap(low, high);
+    return chord_between(CYLINT_CROSS, low, high);
+}
+
+static cylint_chord chord_of(const cone *c, const double to_V[3],
+                             const double d[3])
+{
+    double n[3], m[3], k[3], delta[2][3];
+
+    cross(to_V, d, n); /* d x (D - V) */
+    if (dot(n, n) == 0)
+        return through_apex(c, to_V, d);
+    unit(n, n);
+    along(c->v, -dot(c->v, n), n, m);
+    const double cos_theta = unit(m, m); /* 0: v parallel to n, m is void */
+    if (!(c->cosine <= cos_theta))
+        return no_chord();
+
+    const double cos_b = c->cosine / cos_theta;
+    if (cos_b == 1) {
+        double t;
+        if (!meet_ruling(to_V, d, m, &t))
+            return no_chord();
+        return chord_between(CYLINT_TOUCH, t, t);
+    }
+    const double sin_b = sqrt(1 - cos_b * cos_b);
+    cross(n, m, k);
+    for (int i = 0; i < 3; i++) {
+        delta[0][i] = cos_b * m[i] + sin_b * k[i];
+        delta[1][i] = cos_b * m[i] - sin_b * k[i];
+    }
+    return across_rulings(c, to_V, d, (const double (*)[3])delta);
+}
+
+cylint_status cylint_shene_cone(const cylint_shape *shape,
+    const cylint_line *line, unsigned want, cylint_answer *answer)
+{
+    double d[3], to_V[3];
+    const int is_cone = shape->kind == CYLINT_KIND_ACONE ||
+                        (shape->kind == CYLINT_KIND_CONE &&
+                         shape->r0 != shape->r1);
+
+    if (!is_cone || shape->ends != CYLINT_INFINITE)
+        return cylint_method_not_for_this(answer);
+    if (!line->valid) {
+        cylint_method_refuse(answer);
+        return CYLINT_OK;
+    }
+    const cone c = cone_of(shape);
+    const double speed = unit(line->d, d);
+    minus(c.V, line->o, to_V);
+    cylint_chord chord = chord_of(&c, to_V, d);
+    chord.t[0] /= speed; /* from distance along d to multiples of it */
+    chord.t[1] /= speed;
+    return cylint_method_report(shape, line, want, &chord, answer);
+}
