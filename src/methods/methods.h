@@ -5,7 +5,7 @@
  * solid: its chord.  What its author left to the reader is here, so that
  * every method does it alike: clipping the chord by the planes of the ends
  * (chord.c), turning it into a cylint_answer (report.c) and telling a hit's
- * point, normal, z and phi (hit.c).
+ * point, normal, z and phi (tell.c).
  *
  * Everything is plain double arithmetic, without tolerances and without
  * certificates: the methods are here to be measured.  They see a segment's

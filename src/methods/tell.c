@@ -1,5 +1,5 @@
 /*
- * hit.c - what a published method's hit can tell: point, normal, z and phi
+ * tell.c - what a published method's hit can tell: point, normal, z and phi
  *
  * No author defines these, so they are computed from the hit's point in one
  * place, in plain double, as cylint.h defines them.

@@ -1,0 +1,670 @@
+/*
+ * The published methods: each agrees with a reference in long double on
+ * well-conditioned input of its shape, keeps the contract of
+ * cylint_intersect() on degenerate input that doubles hold exactly, and
+ * refuses what it was not published for.  What the print gets wrong is
+ * test_misprints.c's.
+ *
+ * The reference knows no method: it maps the line to the shape's own
+ * coordinates, collects every parameter at which anything could change
+ * (lateral roots, planes of the ends), and asks between them whether a
+ * point is inside.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_methods.h"
+
+typedef long double real;
+
+#define SEED 20240229u
+#define TRIALS 20000
+#define AGREEMENT 1e-9L /* what is asked of the methods, relative */
+
+/* -------------------------------------------------------------- random -- */
+
+static unsigned long long state = SEED;
+
+static double between(double low, double high)
+{
+    state = state * 6364136223846793005ull + 1442695040888963407ull;
+    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
+}
+
+static void random_vector(double size, double out[3])
+{
+    double length2;
+    do {
+        length2 = 0;
+        for (int i = 0; i < 3; i++) {
+            out[i] = between(-1, 1);
+            length2 += out[i] * out[i];
+        }
+    } while (length2 > 1 || length2 < 0.01);
+    for (int i = 0; i < 3; i++)
+        out[i] *= size / sqrt(length2);
+}
+
+/* The top's radius over the base's: pointed, narrowing or widening, but not
+ * so nearly 1 that the apex is far away. */
+static double random_ratio(void)
+{
+    const double pick = between(0, 4);
+    return pick < 1 ? 0 : pick < 2.5 ? between(0, 0.9) : between(1.1, 2);
+}
+
+static void random_shape(int kind, cylint_ends ends, cylint_shape *shape)
+{
+    double p[3], h[3], q[3], a[3], b[3];
+    const double r = between(0.5, 2);
+    const double ratio = random_ratio();
+
+    random_vector(between(0, 5), p);
+    random_vector(between(1, 4), h);
+    random_vector(between(0.5, 2), a);
+    random_vector(between(0.5, 2), b);
+    for (int i = 0; i < 3; i++)
+        q[i] = p[i] + h[i];
+    switch (kind) {
+    case CYLINT_KIND_CYLINDER:
+        cylint_cylinder(shape, p, q, r, ends);
+        break;
+    case CYLINT_KIND_CONE:
+        cylint_cone(shape, p, r, q, ratio * r, ends);
+        break;
+    case CYLINT_KIND_ACONE:
+        cylint_tangent_cone(shape, p, h, between(0.3, 2), ends);
+        break;
+    case CYLINT_KIND_ECYLINDER:
+        cylint_elliptic_cylinder(shape, p, a, b, h, ends);
+        break;
+    default:
+        cylint_elliptic_cone(shape, p, a, b, h, ratio, ends);
+    }
+}
+
+/* A line aimed at somewhere near the shape: about half of them hit it. */
+static void random_line(const cylint_shape *shape, cylint_line *line)
+{
+    double o[3], d[3], off[3], target[3];
+    const double z = between(-0.3, 1.3), speed = between(0.1, 10);
+
+    random_vector(between(0, 2), off);
+    random_vector(between(5, 10), o);
+    for (int i = 0; i < 3; i++) {
+        target[i] = shape->base[i] + z * shape->axis[i] + off[i];
+        o[i] += shape->base[i];
+        d[i] = speed * (target[i] - o[i]) / 10;
+    }
+    switch ((int)between(0, 4)) {
+    case 0:
+        cylint_whole_line(line, o, d);
+        break;
+    case 1:
+        cylint_ray(line, o, d);
+        break;
+    case 2:
+        cylint_segment(line, o, target);
+        break;
+    default:
+        cylint_span(line, o, d, between(-20, 0), between(0, 20) / speed);
+    }
+}
+
+/* ----------------------------------------------------------- reference -- */
+
+/* A point in the shape's coordinates: off[] is the offset from the axis in
+ * units in which the lateral surface is |off| = |rho|. */
+typedef struct place {
+    real off[3], z, rho;
+} place;
+
+static real determinant(const real m[3][3])
+{
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+static int is_elliptic(const cylint_shape *shape)
+{
+    return shape->kind == CYLINT_KIND_ECYLINDER ||
+           shape->kind == CYLINT_KIND_ECONE;
+}
+
+/* Of a vector from the base; rho without its constant part. */
+static place place_of_vector(const cylint_shape *shape, const real D[3])
+{
+    place at = {{0, 0, 0}, 0, 0};
+    const double *h = shape->axis;
+
+    if (is_elliptic(shape)) { /* Cramer: D = x a + y b + z h */
+        const double *column[3] = {shape->a, shape->b, h};
+        real m[3][3], x[3];
+        for (int i = 0; i < 9; i++)
+            m[i / 3][i % 3] = column[i / 3][i % 3];
+        const real det = determinant((const real (*)[3])m);
+        for (int i = 0; i < 3; i++) {
+            real n[3][3];
+            memcpy(n, m, sizeof n);
+            memcpy(n[i], D, sizeof n[i]);
+            x[i] = determinant((const real (*)[3])n) / det;
+        }
+        at.off[0] = x[0];
+        at.off[1] = x[1];
+        at.z = x[2];
+        at.rho = (shape->r1 - 1.0L) * at.z;
+        return at;
+    }
+    real hh = 0, hD = 0;
+    for (int i = 0; i < 3; i++) {
+        hh += (real)h[i] * h[i];
+        hD += h[i] * D[i];
+    }
+    at.z = hD / hh;
+    for (int i = 0; i < 3; i++)
+        at.off[i] = D[i] - at.z * h[i];
+    at.rho = shape->kind == CYLINT_KIND_ACONE
+                 ? shape->r1 * sqrtl(hh) * at.z
+                 : ((real)shape->r1 - shape->r0) * at.z;
+    return at;
+}
+
+static place place_of_point(const cylint_shape *shape, const real p[3])
+{
+    real D[3];
+    for (int i = 0; i < 3; i++)
+        D[i] = p[i] - shape->base[i];
+    place at = place_of_vector(shape, D);
+    at.rho += is_elliptic(shape) ? 1 : shape->r0;
+    return at;
+}
+
+static int bounded(const cylint_shape *shape)
+{
+    return shape->ends != CYLINT_INFINITE && shape->ends != CYLINT_NAPPE;
+}
+
+/* < 0 inside the lateral surface, both nappes taken together. */
+static real excess(const place *at)
+{
+    return at->off[0] * at->off[0] + at->off[1] * at->off[1] +
+           at->off[2] * at->off[2] - at->rho * at->rho;
+}
+
+static int inside_at(const cylint_shape *shape, const cylint_line *line,
+                     real t)
+{
+    real p[3];
+    for (int i = 0; i < 3; i++)
+        p[i] = line->o[i] + t * line->d[i];
+    const place at = place_of_point(shape, p);
+    if (!(excess(&at) < 0))
+        return 0;
+    if (shape->ends != CYLINT_INFINITE && at.rho < 0)
+        return 0;
+    return !bounded(shape) || (at.z > 0 && at.z < 1);
+}
+
+typedef struct event {
+    real t;
+    int part;
+} event;
+
+/* Where anything could change, ascending; -1 where that is ill-conditioned:
+ * nearly tangent, nearly along a ruling. */
+static int events(const cylint_shape *shape, const cylint_line *line,
+                  event e[4])
+{
+    real o[3], d[3], A, B, C;
+    int n = 0;
+
+    for (int i = 0; i < 3; i++) {
+        o[i] = line->o[i];
+        d[i] = line->d[i];
+    }
+    const place p = place_of_point(shape, o), v = place_of_vector(shape, d);
+    A = excess(&v);
+    C = excess(&p);
+    B = -p.rho * v.rho;
+    for (int i = 0; i < 3; i++)
+        B += p.off[i] * v.off[i];
+    const real disc = B * B - A * C;
+    if (fabsl(A) < 1e-2L * (A + 2 * v.rho * v.rho) ||
+        fabsl(disc) < 1e-2L * B * B)
+        return -1;
+    if (disc > 0) {
+        const real q = -(B + (B < 0 ? -sqrtl(disc) : sqrtl(disc)));
+        e[n++] = (event){q / A, CYLINT_LATERAL};
+        e[n++] = (event){C / q, CYLINT_LATERAL};
+    }
+    if (bounded(shape)) {
+        e[n++] = (event){-p.z / v.z, CYLINT_CAP0};
+        e[n++] = (event){(1 - p.z) / v.z, CYLINT_CAP1};
+    }
+    for (int i = 1; i < n; i++)
+        for (int j = i; j > 0 && e[j].t < e[j - 1].t; j--) {
+            const event swap = e[j];
+            e[j] = e[j - 1];
+            e[j - 1] = swap;
+        }
+    for (int i = 1; i < n; i++)
+        if (e[i].t - e[i - 1].t < 1e-3L * (1 + fabsl(e[i].t)))
+            return -1;
+    return n;
+}
+
+/* The answer, or 0 where the case is not well-conditioned. */
+static int reference(const cylint_shape *shape, const cylint_line *line,
+                     cylint_answer *want, real t[2])
+{
+    event e[4];
+    const int n = events(shape, line, e);
+    int before, after;
+
+    if (n < 0)
+        return 0;
+    want->relation = CYLINT_MISS;
+    want->n = 0;
+    if (n == 0)
+        return 1;
+    before = inside_at(shape, line, e[0].t - 1);
+    for (int i = 0; i < n; i++, before = after) {
+        const real next = i + 1 < n ? (e[i].t + e[i + 1].t) / 2 : e[i].t + 1;
+        after = inside_at(shape, line, next);
+        if (before || after)
+            want->relation = CYLINT_CROSS;
+        if (fabsl(e[i].t - line->tmin) < 1e-6L ||
+            fabsl(e[i].t - line->tmax) < 1e-6L)
+            return 0;
+        const int open = shape->ends == CYLINT_OPEN ||
+                         (e[i].part == CYLINT_CAP0 &&
+                          shape->ends == CYLINT_CAP_1) ||
+                         (e[i].part == CYLINT_CAP1 &&
+                          shape->ends == CYLINT_CAP_0);
+        if (before == after || (open && e[i].part != CYLINT_LATERAL) ||
+            e[i].t < line->tmin || e[i].t > line->tmax)
+            continue;
+        want->hit[want->n].part = e[i].part;
+        want->hit[want->n].side = after ? CYLINT_ENTERING : CYLINT_LEAVING;
+        t[want->n++] = e[i].t;
+    }
+    return 1;
+}
+
+/* ----------------------------------------------------------- agreement -- */
+
+static void report_case(const char *method, const cylint_shape *s,
+                        const cylint_line *l)
+{
+    static const char *const kinds[] = {"none", "cylinder", "cone", "acone",
+                                        "ecylinder", "econe"};
+    REPORT("%s, seed %u: span %a %a %a %a %a %a %a %a; %s ends %d",
+           method, SEED, l->o[0], l->o[1], l->o[2], l->d[0], l->d[1],
+           l->d[2], l->tmin, l->tmax, kinds[s->kind], s->ends);
+    REPORT("base %a %a %a axis %a %a %a radii %a %a", s->base[0], s->base[1],
+           s->base[2], s->axis[0], s->axis[1], s->axis[2], s->r0, s->r1);
+    if (is_elliptic(s))
+        REPORT("a %a %a %a b %a %a %a", s->a[0], s->a[1], s->a[2], s->b[0],
+               s->b[1], s->b[2]);
+}
+
+/* How far the point moves in local coordinates on a step along `way`. */
+static real change(const cylint_shape *shape, const cylint_hit *hit,
+                   const real way[3], int part)
+{
+    const real step = 1e-5L;
+    real p[3], m[3];
+    for (int i = 0; i < 3; i++) {
+        p[i] = hit->point[i] + step * way[i];
+        m[i] = hit->point[i] - step * way[i];
+    }
+    const place a = place_of_point(shape, p), b = place_of_point(shape, m);
+    if (part == CYLINT_LATERAL)
+        return (excess(&a) - excess(&b)) / (2 * step);
+    return (part == CYLINT_CAP1 ? a.z - b.z : b.z - a.z) / (2 * step);
+}
+
+/* The normal is the direction of the gradient; z and the point agree with t,
+ * and phi points from the axis to the hit. */
+static int members_agree(const cylint_shape *shape, const cylint_line *line,
+                         const cylint_hit *hit)
+{
+    real gradient[3], size = 0, along = 0, p[3];
+    int good = 1;
+
+    for (int i = 0; i < 3; i++) {
+        const real way[3] = {i == 0, i == 1, i == 2};
+        gradient[i] = change(shape, hit, way, hit->part);
+        size += gradient[i] * gradient[i];
+        along += gradient[i] * hit->normal[i];
+        p[i] = line->o[i] + (real)hit->t * line->d[i];
+        good = good && fabsl(p[i] - hit->point[i]) < 1e-12L;
+    }
+    good = good && fabsl(along / sqrtl(size) - 1) < 1e-9L;
+    const place at = place_of_point(shape, p);
+    good = good && fabsl(at.z - hit->z) < 1e-9L;
+    if (is_elliptic(shape)) {
+        const real turn = 2 * acosl(-1) * hit->phi;
+        const real off = hypotl(at.off[0], at.off[1]);
+        good = good && fabsl(off * cosl(turn) - at.off[0]) < 1e-9L &&
+               fabsl(off * sinl(turn) - at.off[1]) < 1e-9L;
+    }
+    return good && hit->phi >= 0 && hit->phi < 1;
+}
+
+static int same_answer(const cylint_shape *shape, const cylint_line *line,
+                       const cylint_answer *got, const cylint_answer *want,
+                       const real t[2])
+{
+    if (got->relation != want->relation || got->n != want->n || got->flags)
+        return 0;
+    for (int i = 0; i < got->n; i++) {
+        const cylint_hit *g = &got->hit[i];
+        if (g->part != want->hit[i].part || g->side != want->hit[i].side ||
+            !(fabsl(g->t - t[i]) <= AGREEMENT * (1 + fabsl(t[i]))) ||
+            !members_agree(shape, line, g))
+            return 0;
+    }
+    return 1;
+}
+
+static int answers_for(const char *name, int kind, int ends)
+{
+    const int unbounded = ends == CYLINT_INFINITE || ends == CYLINT_NAPPE;
+
+    if (!strcmp(name, "quadratic"))
+        return 1;
+    if (!strcmp(name, "shene-cylinder"))
+        return kind == CYLINT_KIND_CYLINDER && unbounded;
+    if (!strcmp(name, "shene-cone"))
+        return (kind == CYLINT_KIND_ACONE || kind == CYLINT_KIND_CONE) &&
+               ends == CYLINT_INFINITE;
+    if (!strcmp(name, "gullotti"))
+        return kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_ECYLINDER;
+    return kind == CYLINT_KIND_CYLINDER;
+}
+
+static void compare(const cylint_method *method, int kind, int ends)
+{
+    cylint_shape shape;
+    cylint_line line;
+    cylint_answer got, want;
+    real t[2];
+    int hits = 0, compared = 0;
+
+    for (int i = 0; i < TRIALS; i++) {
+        random_shape(kind, (cylint_ends)ends, &shape);
+        random_line(&shape, &line);
+        if (!reference(&shape, &line, &want, t))
+            continue;
+        compared++;
+        CHECK(method->answer(&shape, &line, CYLINT_WANT_ALL, &got) ==
+              CYLINT_OK);
+        hits += got.n;
+        if (!CHECK(same_answer(&shape, &line, &got, &want, t)))
+            report_case(method->name, &shape, &line);
+    }
+    if (!CHECK(compared > TRIALS / 4 && hits > TRIALS / 8))
+        REPORT("%s, kind %d ends %d: %d compared, %d hits", method->name,
+               kind, ends, compared, hits);
+}
+
+static void every_method_agrees_with_long_double(void)
+{
+    for (const cylint_method *m = cylint_methods(); m->name; m++)
+        for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE;
+             kind++)
+            for (int ends = CYLINT_CAPPED; ends <= CYLINT_NAPPE; ends++)
+                if (answers_for(m->name, kind, ends))
+                    compare(m, kind, ends);
+}
+
+static void what_a_method_is_not_published_for_is_refused(void)
+{
+    cylint_shape shape;
+    cylint_line line;
+    cylint_answer answer;
+    int refused = 0;
+
+    for (const cylint_method *m = cylint_methods(); m->name; m++)
+        for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE;
+             kind++)
+            for (int ends = CYLINT_CAPPED; ends <= CYLINT_NAPPE; ends++) {
+                if (answers_for(m->name, kind, ends))
+                    continue;
+                random_shape(kind, (cylint_ends)ends, &shape);
+                random_line(&shape, &line);
+                CHECK(m->answer(&shape, &line, CYLINT_WANT_ALL, &answer) ==
+                      CYLINT_EMETHOD);
+                CHECK(answer.relation == CYLINT_MISS && answer.n == 0 &&
+                      answer.flags == CYLINT_FLAG_INVALID);
+                refused++;
+            }
+    CHECK(refused == 28 + 28 + 18 + 24 + 24);
+}
+
+static void refused_shapes_and_lines_miss_with_the_flag(void)
+{
+    const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, x[3] = {1, 0, 0};
+    cylint_shape good, cone, bad;
+    cylint_line line, no_line;
+    cylint_answer answer;
+
+    cylint_cylinder(&good, o, up, 1, CYLINT_INFINITE);
+    cylint_tangent_cone(&cone, o, up, 1, CYLINT_INFINITE);
+    CHECK(cylint_cylinder(&bad, o, o, 1, CYLINT_INFINITE) == CYLINT_EAXIS);
+    cylint_whole_line(&line, o, x);
+    CHECK(cylint_whole_line(&no_line, o, o) == CYLINT_EDIRECTION);
+    for (const cylint_method *m = cylint_methods(); m->name; m++) {
+        const cylint_shape *shape =
+            answers_for(m->name, CYLINT_KIND_CYLINDER, CYLINT_INFINITE)
+                ? &good : &cone;
+        CHECK(m->answer(shape, &no_line, CYLINT_WANT_ALL, &answer) ==
+              CYLINT_OK);
+        CHECK(answer.relation == CYLINT_MISS && answer.n == 0 &&
+              answer.flags == CYLINT_FLAG_INVALID);
+        CHECK(m->answer(&bad, &line, CYLINT_WANT_ALL, &answer) ==
+              CYLINT_EMETHOD);
+        CHECK(answer.flags == CYLINT_FLAG_INVALID && answer.n == 0);
+    }
+}
+
+static void the_table_names_each_method_once(void)
+{
+    int n = 0;
+    for (const cylint_method *m = cylint_methods(); m->name; m++, n++) {
+        CHECK(m->answer && m->source[0] && m->shapes[0]);
+        for (const cylint_method *k = cylint_methods(); k != m; k++)
+            CHECK(strcmp(k->name, m->name) && k->answer != m->answer);
+    }
+    CHECK(n == 6);
+}
+
+/* ------------------------------------------------------------ contract -- */
+
+#define NO CYLINT_MISS
+#define TO CYLINT_TOUCH
+#define AL CYLINT_ALONG
+#define CR CYLINT_CROSS
+
+/* One case: a line and what is due. */
+typedef struct due {
+    int ends;
+    double o[3], d[3];
+    int relation, n;
+    double t[2];
+    int part[2];
+} due;
+
+static void check_due(const cylint_method *m, const cylint_shape *shape,
+                      const due *c)
+{
+    cylint_line line;
+    cylint_answer a;
+
+    cylint_whole_line(&line, c->o, c->d);
+    CHECK(m->answer(shape, &line, CYLINT_WANT_ALL, &a) == CYLINT_OK);
+    int good = a.relation == c->relation && a.n == c->n && a.flags == 0;
+    for (int i = 0; good && i < c->n; i++)
+        good = a.hit[i].part == c->part[i] &&
+               fabsl(a.hit[i].t - (real)c->t[i]) <= AGREEMENT;
+    if (!CHECK(good)) {
+        report_case(m->name, shape, &line);
+        REPORT("relation %d n %d t %a %a, due %d %d %a %a", a.relation, a.n,
+               a.hit[0].t, a.hit[1].t, c->relation, c->n, c->t[0], c->t[1]);
+    }
+}
+
+/* Radius 1 about the z axis, 0 <= z <= 2. */
+static const due of_a_cylinder[] = {
+    {CYLINT_INFINITE, {-3, 0, 5}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
+    {CYLINT_INFINITE, {1, -3, 5}, {0, 1, 0}, TO, 1, {3}, {0}},
+    {CYLINT_INFINITE, {2, -3, 5}, {0, 1, 0}, NO, 0, {0}, {0}},
+    {CYLINT_INFINITE, {0.5, 0, 5}, {0, 0, 1}, CR, 0, {0}, {0}},
+    {CYLINT_INFINITE, {0, -1, 5}, {0, 0, 1}, AL, 0, {0}, {0}},
+    {CYLINT_INFINITE, {0, -2, 5}, {0, 0, 1}, NO, 0, {0}, {0}},
+    {CYLINT_NAPPE, {-3, 0, 5}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
+    {CYLINT_NAPPE, {0, -1, 5}, {0, 0, 1}, AL, 0, {0}, {0}},
+    {CYLINT_CAPPED, {-3, 0, 1}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
+    {CYLINT_CAPPED, {-3, 0, 5}, {1, 0, 0}, NO, 0, {0}, {0}},
+    {CYLINT_CAPPED, {1, -3, 1}, {0, 1, 0}, TO, 1, {3}, {0}},
+    {CYLINT_CAPPED, {1, -3, 3}, {0, 1, 0}, NO, 0, {0}, {0}},
+    /* down the axis, down a ruling, and back */
+    {CYLINT_CAPPED, {0.5, 0, 5}, {0, 0, -1}, CR, 2, {3, 5}, {2, 1}},
+    {CYLINT_CAP_0, {0.5, 0, 5}, {0, 0, -1}, CR, 1, {5}, {1}},
+    {CYLINT_CAP_1, {0.5, 0, 5}, {0, 0, -1}, CR, 1, {3}, {2}},
+    {CYLINT_OPEN, {0.5, 0, 5}, {0, 0, -1}, CR, 0, {0}, {0}},
+    {CYLINT_CAPPED, {0, -1, 5}, {0, 0, -1}, AL, 2, {3, 5}, {0, 0}},
+    {CYLINT_OPEN, {0, -1, -1}, {0, 0, 1}, AL, 2, {1, 3}, {0, 0}},
+    {CYLINT_CAPPED, {0, -2, 5}, {0, 0, -1}, NO, 0, {0}, {0}},
+    /* in the planes of the caps: a chord, a tangent, beside */
+    {CYLINT_CAPPED, {-3, 0, 0}, {1, 0, 0}, AL, 2, {2, 4}, {0, 0}},
+    {CYLINT_CAPPED, {-3, 0, 2}, {1, 0, 0}, AL, 2, {2, 4}, {0, 0}},
+    {CYLINT_CAPPED, {1, -3, 2}, {0, 1, 0}, TO, 1, {3}, {0}},
+    {CYLINT_OPEN, {1, -3, 0}, {0, 1, 0}, TO, 1, {3}, {0}},
+};
+
+static void cylinder_methods_keep_the_contract(void)
+{
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2};
+    const int n = sizeof of_a_cylinder / sizeof *of_a_cylinder;
+
+    for (const cylint_method *m = cylint_methods(); m->name; m++)
+        for (int i = 0; i < n; i++) {
+            const due *c = &of_a_cylinder[i];
+            cylint_shape shape;
+            if (!answers_for(m->name, CYLINT_KIND_CYLINDER, c->ends))
+                continue;
+            cylint_cylinder(&shape, p0, p1, 1, (cylint_ends)c->ends);
+            check_due(m, &shape, c);
+        }
+}
+
+/* Apex at the origin, about the z axis, tangent 3/4; z = 1 at (0, 0, 4). */
+static const due of_a_cone[] = {
+    {CYLINT_INFINITE, {-8, 0, 4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
+    {CYLINT_INFINITE, {-8, 0, -4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
+    {CYLINT_INFINITE, {3, 0, 0}, {0, 0, 1}, CR, 2, {-4, 4}, {0, 0}},
+    {CYLINT_INFINITE, {0, 0, -4}, {0, 0, 1}, CR, 1, {4}, {0}},
+    {CYLINT_INFINITE, {-8, 0, 0}, {1, 0, 0}, TO, 1, {8}, {0}},
+    {CYLINT_INFINITE, {8, 3, 0}, {1, 0, 0}, NO, 0, {0}, {0}},
+    {CYLINT_NAPPE, {-8, 0, 4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
+    {CYLINT_NAPPE, {-8, 0, -4}, {1, 0, 0}, NO, 0, {0}, {0}},
+    {CYLINT_NAPPE, {3, 0, 0}, {0, 0, 1}, CR, 1, {4}, {0}},
+    {CYLINT_NAPPE, {3, 0, 0}, {0, 0, -1}, CR, 1, {-4}, {0}},
+    {CYLINT_NAPPE, {0, 0, -4}, {0, 0, 1}, CR, 1, {4}, {0}},
+    {CYLINT_NAPPE, {-8, 0, 0}, {1, 0, 0}, TO, 1, {8}, {0}},
+    {CYLINT_CAPPED, {0, 0, -4}, {0, 0, 1}, CR, 2, {4, 8}, {0, 2}},
+    {CYLINT_OPEN, {0, 0, -4}, {0, 0, 1}, CR, 1, {4}, {0}},
+    {CYLINT_CAPPED, {0, 0, 8}, {0, 0, -1}, CR, 2, {4, 8}, {2, 0}},
+    {CYLINT_CAPPED, {-8, 0, 0}, {1, 0, 0}, TO, 1, {8}, {0}},
+    {CYLINT_CAPPED, {-8, 0, 4}, {1, 0, 0}, AL, 2, {5, 11}, {0, 0}},
+};
+
+static void cone_methods_keep_the_contract(void)
+{
+    const double v[3] = {0, 0, 0}, u[3] = {0, 0, 4};
+    const int n = sizeof of_a_cone / sizeof *of_a_cone;
+
+    for (const cylint_method *m = cylint_methods(); m->name; m++)
+        for (int i = 0; i < n; i++) {
+            const due *c = &of_a_cone[i];
+            cylint_shape by_angle, by_radii;
+            if (!answers_for(m->name, CYLINT_KIND_CONE, c->ends))
+                continue;
+            cylint_tangent_cone(&by_angle, v, u, 0.75,
+                                (cylint_ends)c->ends);
+            check_due(m, &by_angle, c);
+            cylint_cone(&by_radii, v, 0, u, 3, (cylint_ends)c->ends);
+            check_due(m, &by_radii, c);
+        }
+}
+
+/* Parallel to a ruling, along one, and in the tangent plane of one: tangent
+ * 1, about the z axis, so that the quadratic's coefficients are exact. */
+static const due of_a_right_angled_cone[] = {
+    {CYLINT_INFINITE, {0, 0, -1}, {1, 0, 1}, CR, 1, {0.5}, {0}},
+    {CYLINT_INFINITE, {0, 0, 1}, {1, 0, 1}, CR, 1, {-0.5}, {0}},
+    {CYLINT_INFINITE, {1, 0, 1}, {1, 0, 1}, AL, 0, {0}, {0}},
+    {CYLINT_INFINITE, {0, 1, 0}, {1, 0, 1}, NO, 0, {0}, {0}},
+    {CYLINT_NAPPE, {0, 0, 1}, {1, 0, 1}, CR, 1, {-0.5}, {0}},
+    {CYLINT_NAPPE, {0, 0, -1}, {1, 0, 1}, NO, 0, {0}, {0}},
+    {CYLINT_NAPPE, {1, 0, 1}, {1, 0, 1}, AL, 1, {-1}, {0}},
+    {CYLINT_CAPPED, {0, 0, 0.5}, {1, 0, 1}, CR, 2, {-0.25, 0.5}, {0, 2}},
+    {CYLINT_CAPPED, {1, 0, 1}, {1, 0, 1}, AL, 2, {-1, 0}, {0, 0}},
+};
+
+static void lines_parallel_to_a_ruling_are_told_apart(void)
+{
+    const double v[3] = {0, 0, 0}, u[3] = {0, 0, 1};
+    const cylint_method *m = cylint_methods();
+    const int n = sizeof of_a_right_angled_cone /
+                  sizeof *of_a_right_angled_cone;
+
+    while (strcmp(m->name, "quadratic"))
+        m++;
+    for (int i = 0; i < n; i++) {
+        const due *c = &of_a_right_angled_cone[i];
+        cylint_shape by_angle, by_radii;
+        cylint_tangent_cone(&by_angle, v, u, 1, (cylint_ends)c->ends);
+        check_due(m, &by_angle, c);
+        cylint_cone(&by_radii, v, 0, u, 1, (cylint_ends)c->ends);
+        check_due(m, &by_radii, c);
+    }
+}
+
+static void only_what_is_wanted_is_written(void)
+{
+    const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1};
+    const double from[3] = {-3, 0, 0.5}, x[3] = {1, 0, 0};
+    cylint_shape shape;
+    cylint_line line;
+    cylint_answer a;
+
+    cylint_cylinder(&shape, o, up, 1, CYLINT_INFINITE);
+    cylint_whole_line(&line, from, x);
+    memset(&a, 0x55, sizeof a);
+    const cylint_answer before = a;
+    cylint_quadratic(&shape, &line, CYLINT_WANT_COUNT, &a);
+    CHECK(a.relation == CYLINT_CROSS && a.n == 2);
+    CHECK(!memcmp(a.hit, before.hit, sizeof a.hit));
+    cylint_quadratic(&shape, &line, CYLINT_WANT_NEAREST | CYLINT_WANT_T, &a);
+    CHECK(a.n == 1 && a.hit[0].t == 2);
+    CHECK(!memcmp(&a.hit[0].z, &before.hit[0].z, sizeof(double)));
+    CHECK(!memcmp(&a.hit[1], &before.hit[1], sizeof a.hit[1]));
+}
+
+int main(void)
+{
+    RUN(every_method_agrees_with_long_double);
+    RUN(what_a_method_is_not_published_for_is_refused);
+    RUN(refused_shapes_and_lines_miss_with_the_flag);
+    RUN(the_table_names_each_method_once);
+    RUN(cylinder_methods_keep_the_contract);
+    RUN(cone_methods_keep_the_contract);
+    RUN(lines_parallel_to_a_ruling_are_told_apart);
+    RUN(only_what_is_wanted_is_written);
+    return check_end();
+}
