@@ -26,6 +26,7 @@ typedef long double real;
 
 static unsigned long long state = SEED;
 
+/* The high bits of a linear congruence, MMIX's [Knuth 1997, 3.3.4]. */
 static double between(double low, double high)
 {
     state = state * 6364136223846793005ull + 1442695040888963407ull;
