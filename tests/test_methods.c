@@ -1,9 +1,8 @@
 /*
  * The published methods: each agrees with a reference in long double on
- * well-conditioned input of its shape, keeps the contract of
- * cylint_intersect() on degenerate input that doubles hold exactly, and
- * refuses what it was not published for.  What the print gets wrong is
- * test_misprints.c's.
+ * well-conditioned input of its shape, and refuses what it was not published
+ * for.  Degenerate input is test_methods_contract.c's; what the print gets
+ * wrong, test_misprints.c's.
  *
  * The reference knows no method: it maps the line to the shape's own
  * coordinates, collects every parameter at which anything could change
@@ -13,8 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "check.h"
-#include "cylint_methods.h"
+#include "method_cases.h"
 
 typedef long double real;
 
@@ -296,21 +294,6 @@ static int reference(const cylint_shape *shape, const cylint_line *line,
 
 /* ----------------------------------------------------------- agreement -- */
 
-static void report_case(const char *method, const cylint_shape *s,
-                        const cylint_line *l)
-{
-    static const char *const kinds[] = {"none", "cylinder", "cone", "acone",
-                                        "ecylinder", "econe"};
-    REPORT("%s, seed %u: span %a %a %a %a %a %a %a %a; %s ends %d",
-           method, SEED, l->o[0], l->o[1], l->o[2], l->d[0], l->d[1],
-           l->d[2], l->tmin, l->tmax, kinds[s->kind], s->ends);
-    REPORT("base %a %a %a axis %a %a %a radii %a %a", s->base[0], s->base[1],
-           s->base[2], s->axis[0], s->axis[1], s->axis[2], s->r0, s->r1);
-    if (is_elliptic(s))
-        REPORT("a %a %a %a b %a %a %a", s->a[0], s->a[1], s->a[2], s->b[0],
-               s->b[1], s->b[2]);
-}
-
 /* How far the point moves in local coordinates on a step along `way`. */
 static real change(const cylint_shape *shape, const cylint_hit *hit,
                    const real way[3], int part)
@@ -371,22 +354,6 @@ static int same_answer(const cylint_shape *shape, const cylint_line *line,
     return 1;
 }
 
-static int answers_for(const char *name, int kind, int ends)
-{
-    const int unbounded = ends == CYLINT_INFINITE || ends == CYLINT_NAPPE;
-
-    if (!strcmp(name, "quadratic"))
-        return 1;
-    if (!strcmp(name, "shene-cylinder"))
-        return kind == CYLINT_KIND_CYLINDER && unbounded;
-    if (!strcmp(name, "shene-cone"))
-        return (kind == CYLINT_KIND_ACONE || kind == CYLINT_KIND_CONE) &&
-               ends == CYLINT_INFINITE;
-    if (!strcmp(name, "gullotti"))
-        return kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_ECYLINDER;
-    return kind == CYLINT_KIND_CYLINDER;
-}
-
 static void compare(const cylint_method *method, int kind, int ends)
 {
     cylint_shape shape;
@@ -420,6 +387,42 @@ static void every_method_agrees_with_long_double(void)
             for (int ends = CYLINT_CAPPED; ends <= CYLINT_NAPPE; ends++)
                 if (answers_for(m->name, kind, ends))
                     compare(m, kind, ends);
+}
+
+/* phi leaps from 1 to 0. */
+static int same_turn(double a, double b)
+{
+    const double apart = fabs(a - b);
+    return apart < 1e-9 || 1 - apart < 1e-9;
+}
+
+static void hits_tell_what_the_librarys_hits_tell(void)
+{
+    cylint_shape shape;
+    cylint_line line;
+    cylint_answer got, want;
+    real t[2];
+
+    for (int i = 0; i < TRIALS; i++) {
+        random_shape(1 + i % 5, (cylint_ends)(i / 5 % 6), &shape);
+        random_line(&shape, &line);
+        if (!reference(&shape, &line, &got, t))
+            continue;
+        cylint_quadratic(&shape, &line, CYLINT_WANT_ALL, &got);
+        cylint_intersect(&shape, &line, CYLINT_WANT_ALL, &want);
+        int good = got.relation == want.relation && got.n == want.n;
+        for (int k = 0; good && k < got.n; k++) {
+            const cylint_hit *g = &got.hit[k], *w = &want.hit[k];
+            good = g->part == w->part && g->side == w->side &&
+                   fabs(g->t - w->t) <= 1e-9 * (1 + fabs(w->t)) &&
+                   fabs(g->z - w->z) <= 1e-9 && same_turn(g->phi, w->phi);
+            for (int j = 0; good && j < 3; j++)
+                good = fabs(g->point[j] - w->point[j]) <= 1e-9 &&
+                       fabs(g->normal[j] - w->normal[j]) <= 1e-9;
+        }
+        if (!CHECK(good))
+            report_case("quadratic", &shape, &line);
+    }
 }
 
 static void what_a_method_is_not_published_for_is_refused(void)
@@ -483,189 +486,13 @@ static void the_table_names_each_method_once(void)
     CHECK(n == 6);
 }
 
-/* ------------------------------------------------------------ contract -- */
-
-#define NO CYLINT_MISS
-#define TO CYLINT_TOUCH
-#define AL CYLINT_ALONG
-#define CR CYLINT_CROSS
-
-/* One case: a line and what is due. */
-typedef struct due {
-    int ends;
-    double o[3], d[3];
-    int relation, n;
-    double t[2];
-    int part[2];
-} due;
-
-static void check_due(const cylint_method *m, const cylint_shape *shape,
-                      const due *c)
-{
-    cylint_line line;
-    cylint_answer a;
-
-    cylint_whole_line(&line, c->o, c->d);
-    CHECK(m->answer(shape, &line, CYLINT_WANT_ALL, &a) == CYLINT_OK);
-    int good = a.relation == c->relation && a.n == c->n && a.flags == 0;
-    for (int i = 0; good && i < c->n; i++)
-        good = a.hit[i].part == c->part[i] &&
-               fabsl(a.hit[i].t - (real)c->t[i]) <= AGREEMENT;
-    if (!CHECK(good)) {
-        report_case(m->name, shape, &line);
-        REPORT("relation %d n %d t %a %a, due %d %d %a %a", a.relation, a.n,
-               a.hit[0].t, a.hit[1].t, c->relation, c->n, c->t[0], c->t[1]);
-    }
-}
-
-/* Radius 1 about the z axis, 0 <= z <= 2. */
-static const due of_a_cylinder[] = {
-    {CYLINT_INFINITE, {-3, 0, 5}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
-    {CYLINT_INFINITE, {1, -3, 5}, {0, 1, 0}, TO, 1, {3}, {0}},
-    {CYLINT_INFINITE, {2, -3, 5}, {0, 1, 0}, NO, 0, {0}, {0}},
-    {CYLINT_INFINITE, {0.5, 0, 5}, {0, 0, 1}, CR, 0, {0}, {0}},
-    {CYLINT_INFINITE, {0, -1, 5}, {0, 0, 1}, AL, 0, {0}, {0}},
-    {CYLINT_INFINITE, {0, -2, 5}, {0, 0, 1}, NO, 0, {0}, {0}},
-    {CYLINT_NAPPE, {-3, 0, 5}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
-    {CYLINT_NAPPE, {0, -1, 5}, {0, 0, 1}, AL, 0, {0}, {0}},
-    {CYLINT_CAPPED, {-3, 0, 1}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
-    {CYLINT_CAPPED, {-3, 0, 5}, {1, 0, 0}, NO, 0, {0}, {0}},
-    {CYLINT_CAPPED, {1, -3, 1}, {0, 1, 0}, TO, 1, {3}, {0}},
-    {CYLINT_CAPPED, {1, -3, 3}, {0, 1, 0}, NO, 0, {0}, {0}},
-    /* down the axis, down a ruling, and back */
-    {CYLINT_CAPPED, {0.5, 0, 5}, {0, 0, -1}, CR, 2, {3, 5}, {2, 1}},
-    {CYLINT_CAP_0, {0.5, 0, 5}, {0, 0, -1}, CR, 1, {5}, {1}},
-    {CYLINT_CAP_1, {0.5, 0, 5}, {0, 0, -1}, CR, 1, {3}, {2}},
-    {CYLINT_OPEN, {0.5, 0, 5}, {0, 0, -1}, CR, 0, {0}, {0}},
-    {CYLINT_CAPPED, {0, -1, 5}, {0, 0, -1}, AL, 2, {3, 5}, {0, 0}},
-    {CYLINT_OPEN, {0, -1, -1}, {0, 0, 1}, AL, 2, {1, 3}, {0, 0}},
-    {CYLINT_CAPPED, {0, -2, 5}, {0, 0, -1}, NO, 0, {0}, {0}},
-    /* in the planes of the caps: a chord, a tangent, beside */
-    {CYLINT_CAPPED, {-3, 0, 0}, {1, 0, 0}, AL, 2, {2, 4}, {0, 0}},
-    {CYLINT_CAPPED, {-3, 0, 2}, {1, 0, 0}, AL, 2, {2, 4}, {0, 0}},
-    {CYLINT_CAPPED, {1, -3, 2}, {0, 1, 0}, TO, 1, {3}, {0}},
-    {CYLINT_OPEN, {1, -3, 0}, {0, 1, 0}, TO, 1, {3}, {0}},
-};
-
-static void cylinder_methods_keep_the_contract(void)
-{
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2};
-    const int n = sizeof of_a_cylinder / sizeof *of_a_cylinder;
-
-    for (const cylint_method *m = cylint_methods(); m->name; m++)
-        for (int i = 0; i < n; i++) {
-            const due *c = &of_a_cylinder[i];
-            cylint_shape shape;
-            if (!answers_for(m->name, CYLINT_KIND_CYLINDER, c->ends))
-                continue;
-            cylint_cylinder(&shape, p0, p1, 1, (cylint_ends)c->ends);
-            check_due(m, &shape, c);
-        }
-}
-
-/* Apex at the origin, about the z axis, tangent 3/4; z = 1 at (0, 0, 4). */
-static const due of_a_cone[] = {
-    {CYLINT_INFINITE, {-8, 0, 4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
-    {CYLINT_INFINITE, {-8, 0, -4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
-    {CYLINT_INFINITE, {3, 0, 0}, {0, 0, 1}, CR, 2, {-4, 4}, {0, 0}},
-    {CYLINT_INFINITE, {0, 0, -4}, {0, 0, 1}, CR, 1, {4}, {0}},
-    {CYLINT_INFINITE, {-8, 0, 0}, {1, 0, 0}, TO, 1, {8}, {0}},
-    {CYLINT_INFINITE, {8, 3, 0}, {1, 0, 0}, NO, 0, {0}, {0}},
-    {CYLINT_NAPPE, {-8, 0, 4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
-    {CYLINT_NAPPE, {-8, 0, -4}, {1, 0, 0}, NO, 0, {0}, {0}},
-    {CYLINT_NAPPE, {3, 0, 0}, {0, 0, 1}, CR, 1, {4}, {0}},
-    {CYLINT_NAPPE, {3, 0, 0}, {0, 0, -1}, CR, 1, {-4}, {0}},
-    {CYLINT_NAPPE, {0, 0, -4}, {0, 0, 1}, CR, 1, {4}, {0}},
-    {CYLINT_NAPPE, {-8, 0, 0}, {1, 0, 0}, TO, 1, {8}, {0}},
-    {CYLINT_CAPPED, {0, 0, -4}, {0, 0, 1}, CR, 2, {4, 8}, {0, 2}},
-    {CYLINT_OPEN, {0, 0, -4}, {0, 0, 1}, CR, 1, {4}, {0}},
-    {CYLINT_CAPPED, {0, 0, 8}, {0, 0, -1}, CR, 2, {4, 8}, {2, 0}},
-    {CYLINT_CAPPED, {-8, 0, 0}, {1, 0, 0}, TO, 1, {8}, {0}},
-    {CYLINT_CAPPED, {-8, 0, 4}, {1, 0, 0}, AL, 2, {5, 11}, {0, 0}},
-};
-
-static void cone_methods_keep_the_contract(void)
-{
-    const double v[3] = {0, 0, 0}, u[3] = {0, 0, 4};
-    const int n = sizeof of_a_cone / sizeof *of_a_cone;
-
-    for (const cylint_method *m = cylint_methods(); m->name; m++)
-        for (int i = 0; i < n; i++) {
-            const due *c = &of_a_cone[i];
-            cylint_shape by_angle, by_radii;
-            if (!answers_for(m->name, CYLINT_KIND_CONE, c->ends))
-                continue;
-            cylint_tangent_cone(&by_angle, v, u, 0.75,
-                                (cylint_ends)c->ends);
-            check_due(m, &by_angle, c);
-            cylint_cone(&by_radii, v, 0, u, 3, (cylint_ends)c->ends);
-            check_due(m, &by_radii, c);
-        }
-}
-
-/* Parallel to a ruling, along one, and in the tangent plane of one: tangent
- * 1, about the z axis, so that the quadratic's coefficients are exact. */
-static const due of_a_right_angled_cone[] = {
-    {CYLINT_INFINITE, {0, 0, -1}, {1, 0, 1}, CR, 1, {0.5}, {0}},
-    {CYLINT_INFINITE, {0, 0, 1}, {1, 0, 1}, CR, 1, {-0.5}, {0}},
-    {CYLINT_INFINITE, {1, 0, 1}, {1, 0, 1}, AL, 0, {0}, {0}},
-    {CYLINT_INFINITE, {0, 1, 0}, {1, 0, 1}, NO, 0, {0}, {0}},
-    {CYLINT_NAPPE, {0, 0, 1}, {1, 0, 1}, CR, 1, {-0.5}, {0}},
-    {CYLINT_NAPPE, {0, 0, -1}, {1, 0, 1}, NO, 0, {0}, {0}},
-    {CYLINT_NAPPE, {1, 0, 1}, {1, 0, 1}, AL, 1, {-1}, {0}},
-    {CYLINT_CAPPED, {0, 0, 0.5}, {1, 0, 1}, CR, 2, {-0.25, 0.5}, {0, 2}},
-    {CYLINT_CAPPED, {1, 0, 1}, {1, 0, 1}, AL, 2, {-1, 0}, {0, 0}},
-};
-
-static void lines_parallel_to_a_ruling_are_told_apart(void)
-{
-    const double v[3] = {0, 0, 0}, u[3] = {0, 0, 1};
-    const cylint_method *m = cylint_methods();
-    const int n = sizeof of_a_right_angled_cone /
-                  sizeof *of_a_right_angled_cone;
-
-    while (strcmp(m->name, "quadratic"))
-        m++;
-    for (int i = 0; i < n; i++) {
-        const due *c = &of_a_right_angled_cone[i];
-        cylint_shape by_angle, by_radii;
-        cylint_tangent_cone(&by_angle, v, u, 1, (cylint_ends)c->ends);
-        check_due(m, &by_angle, c);
-        cylint_cone(&by_radii, v, 0, u, 1, (cylint_ends)c->ends);
-        check_due(m, &by_radii, c);
-    }
-}
-
-static void only_what_is_wanted_is_written(void)
-{
-    const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1};
-    const double from[3] = {-3, 0, 0.5}, x[3] = {1, 0, 0};
-    cylint_shape shape;
-    cylint_line line;
-    cylint_answer a;
-
-    cylint_cylinder(&shape, o, up, 1, CYLINT_INFINITE);
-    cylint_whole_line(&line, from, x);
-    memset(&a, 0x55, sizeof a);
-    const cylint_answer before = a;
-    cylint_quadratic(&shape, &line, CYLINT_WANT_COUNT, &a);
-    CHECK(a.relation == CYLINT_CROSS && a.n == 2);
-    CHECK(!memcmp(a.hit, before.hit, sizeof a.hit));
-    cylint_quadratic(&shape, &line, CYLINT_WANT_NEAREST | CYLINT_WANT_T, &a);
-    CHECK(a.n == 1 && a.hit[0].t == 2);
-    CHECK(!memcmp(&a.hit[0].z, &before.hit[0].z, sizeof(double)));
-    CHECK(!memcmp(&a.hit[1], &before.hit[1], sizeof a.hit[1]));
-}
-
 int main(void)
 {
+    printf("note: seed %u\n", SEED);
     RUN(every_method_agrees_with_long_double);
+    RUN(hits_tell_what_the_librarys_hits_tell);
     RUN(what_a_method_is_not_published_for_is_refused);
     RUN(refused_shapes_and_lines_miss_with_the_flag);
     RUN(the_table_names_each_method_once);
-    RUN(cylinder_methods_keep_the_contract);
-    RUN(cone_methods_keep_the_contract);
-    RUN(lines_parallel_to_a_ruling_are_told_apart);
-    RUN(only_what_is_wanted_is_written);
     return check_end();
 }

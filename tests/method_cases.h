@@ -1,0 +1,87 @@
+/*
+ * method_cases.h - what the tests of the published methods share
+ */
+#ifndef CYLINT_METHOD_CASES_H
+#define CYLINT_METHOD_CASES_H
+
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_methods.h"
+
+/* Which shapes and ends each method is published for. */
+static int answers_for(const char *name, int kind, int ends)
+{
+    const int unbounded = ends == CYLINT_INFINITE || ends == CYLINT_NAPPE;
+
+    if (!strcmp(name, "quadratic"))
+        return 1;
+    if (!strcmp(name, "shene-cylinder"))
+        return kind == CYLINT_KIND_CYLINDER && unbounded;
+    if (!strcmp(name, "shene-cone"))
+        return (kind == CYLINT_KIND_ACONE || kind == CYLINT_KIND_CONE) &&
+               ends == CYLINT_INFINITE;
+    if (!strcmp(name, "gullotti"))
+        return kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_ECYLINDER;
+    return kind == CYLINT_KIND_CYLINDER;
+}
+
+static int put(char *text, const char *word, const double *x, int n)
+{
+    int used = sprintf(text, "%s", word);
+    for (int i = 0; i < n; i++)
+        used += sprintf(text + used, " %a", x[i]);
+    return used;
+}
+
+static int put_line(char *text, const cylint_line *l)
+{
+    const int unbounded = l->tmax > 1e300;
+    const char *word = !unbounded ? "span" : l->tmin == 0 ? "ray" : "line";
+    int used = put(text, word, l->o, 3);
+
+    used += put(text + used, "", l->d, 3);
+    if (unbounded)
+        return used;
+    return used + sprintf(text + used, " %a %a", l->tmin, l->tmax);
+}
+
+static void put_shape(char *text, const cylint_shape *s)
+{
+    const double degrees = 57.29577951308232; /* 180 / pi */
+    static const char *const kinds[] = {"none", "cylinder", "cone", "acone",
+                                        "ecylinder", "econe"};
+    static const char *const ends[] = {"capped", "open", "cap0", "cap1",
+                                       "infinite", "nappe"};
+    const int elliptic = s->kind >= CYLINT_KIND_ECYLINDER;
+    const int has_top = s->kind <= CYLINT_KIND_CONE;
+    int used = put(text, kinds[s->kind], s->base, 3);
+
+    if (s->kind == CYLINT_KIND_CONE)
+        used += put(text + used, "", &s->r0, 1);
+    if (elliptic) {
+        used += put(text + used, "", s->a, 3);
+        used += put(text + used, "", s->b, 3);
+    }
+    used += put(text + used, "", has_top ? s->top : s->axis, 3);
+    if (s->kind == CYLINT_KIND_ACONE)
+        used += sprintf(text + used, " %.17g", atan(s->r1) * degrees);
+    else if (s->kind != CYLINT_KIND_ECYLINDER)
+        used += put(text + used, "", &s->r1, 1);
+    sprintf(text + used, " ends=%s", ends[s->ends]);
+}
+
+/* A case as a record of the command; a segment by its rounded difference,
+ * as the methods see it. */
+static void report_case(const char *method, const cylint_shape *s,
+                        const cylint_line *l)
+{
+    char line[400], shape[700];
+
+    put_line(line, l);
+    put_shape(shape, s);
+    REPORT("--method=%s: %s  %s", method, line, shape);
+}
+
+#endif
