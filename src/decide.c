@@ -1,0 +1,381 @@
+/*
+ * decide.c - the sign of each form: a filter, then pairs, then every digit
+ *
+ * A filter's answer is final when the value exceeds the bound on its error
+ * (bounds.h).  Comparisons are written so that a NaN falls to the next
+ * arithmetic.
+ */
+#include "internal.h"
+
+/* -------------------------------------------------------- scaling ------ */
+
+double cylint_scaled(double x, int e)
+{
+    if (x == 0 || !(fabs(x) <= DBL_MAX))
+        return x;
+    if (fabs(x) < DBL_MIN) {
+        x *= 0x1p60;
+        e -= 60;
+    }
+    const int k = cylint_exponent(x), sum = k + e;
+    const double m = x * cylint_power_of_two(-k / 2)
+                       * cylint_power_of_two(-k - -k / 2);
+    if (sum > 1000)
+        return m * 0x1p1000 * cylint_power_of_two(sum < 1100 ? sum - 1000
+                                                             : 100);
+    if (sum >= -1000)
+        return m * cylint_power_of_two(sum);
+    return m * cylint_power_of_two(sum > -1200 ? sum + 1000 : -200)
+             * 0x1p-1000; /* the one step that may round */
+}
+
+static void scale_vector(double to[3], const double from[3], int e)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = cylint_scaled(from[i], e);
+}
+
+void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
+                              const double from[3], int e)
+{
+    for (int i = 0; i < 3; i++) {
+        const pair d = two_diff(cylint_scaled(to[i], e),
+                                cylint_scaled(from[i], e));
+        hi[i] = d.hi;
+        lo[i] = d.lo;
+    }
+}
+
+static int dimensionless_radii(const cylint_shape *s)
+{
+    return s->kind >= CYLINT_KIND_ACONE;
+}
+
+static double largest_length(const cylint_shape *s)
+{
+    double most = cylint_largest(s->axis);
+    if (s->kind >= CYLINT_KIND_ECYLINDER) {
+        const double a = cylint_largest(s->a), b = cylint_largest(s->b);
+        most = a > most ? a : most;
+        most = b > most ? b : most;
+    }
+    if (!dimensionless_radii(s)) {
+        most = s->r0 > most ? s->r0 : most;
+        most = s->r1 > most ? s->r1 : most;
+    }
+    return most;
+}
+
+int cylint_length_exponent(const cylint_shape *s)
+{
+    const double most = largest_length(s);
+    if (most <= DBL_MAX)
+        return most < DBL_MIN ? cylint_exponent(most * 0x1p60) - 60
+                              : cylint_exponent(most);
+    return 1024;
+}
+
+static int within_window(double x)
+{
+    return x >= 1 / CYLINT_WINDOW && x <= CYLINT_WINDOW;
+}
+
+static int filters_apply(const cylint_shape *s, const cylint_line *l)
+{
+    double far = 0;
+    for (int i = 0; i < 3; i++) {
+        const double d = fabs(l->o[i] - s->base[i]);
+        far = d > far ? d : far;
+    }
+    return within_window(cylint_largest(l->d)) &&
+           within_window(largest_length(s)) && far <= CYLINT_WINDOW &&
+           (!dimensionless_radii(s) || s->r1 <= CYLINT_WINDOW);
+}
+
+/* Copies of shape and line with lengths near 1 and a direction near 1.
+ * What underflows here is covered by CYLINT_UNDERFLOW. */
+static void scale_query(cylint_query *q)
+{
+    const cylint_shape *s = q->shape;
+    const cylint_line *l = q->line;
+    const int e = -cylint_length_exponent(s);
+    cylint_shape *to = &q->scaled_shape;
+    *to = *s;
+    scale_vector(to->base, s->base, e);
+    if (s->kind <= CYLINT_KIND_CONE) {
+        scale_vector(to->top, s->top, e);
+        cylint_scaled_difference(to->axis, to->axis_lo,
+                                 s->top, s->base, e);
+        to->r0 = cylint_scaled(s->r0, e);
+        to->r1 = cylint_scaled(s->r1, e);
+        const pair dr = two_diff(to->r1, to->r0);
+        to->dr = dr.hi;
+        to->dr_lo = dr.lo;
+    } else {
+        scale_vector(to->axis, s->axis, e);
+        scale_vector(to->a, s->a, e);
+        scale_vector(to->b, s->b, e);
+    }
+    const double most = cylint_largest(l->d);
+    const int f = most > DBL_MAX ? -1024
+                : most < DBL_MIN ? 60 - cylint_exponent(most * 0x1p60)
+                                 : -cylint_exponent(most);
+    q->scaled_line = *l;
+    scale_vector(q->scaled_line.o, l->o, e);
+    if (l->segment) {
+        cylint_scaled_difference(q->scaled_line.d, q->scaled_line.d_lo,
+                                 l->end, l->o, f);
+    } else {
+        scale_vector(q->scaled_line.d, l->d, f);
+    }
+    q->near_shape = to;
+    q->near_line = &q->scaled_line;
+    q->t_exponent = f - e;
+    q->filters = filters_apply(to, &q->scaled_line);
+}
+
+/* -------------------------------------------------------- letters ------ */
+
+static ball ball_of(double x)
+{
+    return (ball){x, fabs(x)};
+}
+
+static void load_ball(cylint_query *q)
+{
+    const cylint_shape *s = q->near_shape;
+    const cylint_line *l = q->near_line;
+    letters_ball *L = &q->ball;
+    L->kind = s->kind;
+    for (int i = 0; i < 3; i++) {
+        L->u[i] = ball_of(l->d[i]);
+        L->w[i] = ball_of(s->axis[i]);
+        L->D[0][i] = ball_of(l->o[i] - s->base[i]);
+    }
+    if (s->kind >= CYLINT_KIND_ECYLINDER)
+        for (int i = 0; i < 3; i++) {
+            L->a[i] = ball_of(s->a[i]);
+            L->b[i] = ball_of(s->flip ? -s->b[i] : s->b[i]);
+        }
+    L->r[0] = ball_of(s->r0);
+    L->r[1] = ball_of(s->r1);
+    L->dr = ball_of(s->dr);
+    L->one = ball_of(1);
+    prepare_shape_ball(L);
+}
+
+static const letters_ball *ball_with_top(cylint_query *q)
+{
+    if (!(q->ready & CYLINT_READY_TOP)) {
+        letters_ball *L = &q->ball;
+        for (int i = 0; i < 3; i++)
+            L->D[1][i] = L->kind <= CYLINT_KIND_CONE
+                ? ball_of(q->near_line->o[i] - q->near_shape->top[i])
+                : ball_sub(L->D[0][i], L->w[i]);
+        prepare_top_ball(L);
+        q->ready |= CYLINT_READY_TOP;
+    }
+    return &q->ball;
+}
+
+static wide wide_of(double hi, double lo)
+{
+    return (wide){{hi, lo}, fabs(hi)};
+}
+
+static wide wide_difference(double x, double y)
+{
+    const pair d = two_diff(x, y);
+    return (wide){d, fabs(d.hi)};
+}
+
+const letters_wide *cylint_wide(cylint_query *q)
+{
+    if (q->ready & CYLINT_READY_WIDE)
+        return &q->wide;
+    q->ready |= CYLINT_READY_WIDE;
+    const cylint_shape *s = q->near_shape;
+    const cylint_line *l = q->near_line;
+    letters_wide *L = &q->wide;
+    L->kind = s->kind;
+    for (int i = 0; i < 3; i++) {
+        L->u[i] = wide_of(l->d[i], l->d_lo[i]);
+        L->w[i] = wide_of(s->axis[i], s->axis_lo[i]);
+        L->D[0][i] = wide_difference(l->o[i], s->base[i]);
+        L->D[1][i] = s->kind <= CYLINT_KIND_CONE
+                   ? wide_difference(l->o[i], s->top[i])
+                   : wide_sub(L->D[0][i], L->w[i]);
+    }
+    if (s->kind >= CYLINT_KIND_ECYLINDER)
+        for (int i = 0; i < 3; i++) {
+            L->a[i] = wide_of(s->a[i], 0);
+            L->b[i] = wide_of(s->flip ? -s->b[i] : s->b[i], 0);
+        }
+    L->r[0] = wide_of(s->r0, 0);
+    L->r[1] = wide_of(s->r1, 0);
+    L->dr = wide_of(s->dr, s->dr_lo);
+    L->one = wide_of(1, 0);
+    prepare_shape_wide(L);
+    prepare_line_wide(L);
+    prepare_top_wide(L);
+    return L;
+}
+
+static exact exact_difference(cylint_arena *arena, double x, double y)
+{
+    const int used = arena->used;
+    const exact ex = cylint_exact_from(arena, x);
+    const exact ey = cylint_exact_from(arena, y);
+    return cylint_exact_keep(arena, used,
+        cylint_exact_add(arena, ex, cylint_exact_neg(ey)));
+}
+
+static void load_exact(cylint_query *q, letters_exact *L)
+{
+    const cylint_shape *s = q->shape;
+    const cylint_line *l = q->line;
+    cylint_arena *m = L->arena;
+    for (int i = 0; i < 3; i++) {
+        L->u[i] = l->segment ? exact_difference(m, l->end[i], l->o[i])
+                             : cylint_exact_from(m, l->d[i]);
+        L->D[0][i] = exact_difference(m, l->o[i], s->base[i]);
+        if (s->kind <= CYLINT_KIND_CONE) {
+            L->w[i] = exact_difference(m, s->top[i], s->base[i]);
+            L->D[1][i] = exact_difference(m, l->o[i], s->top[i]);
+        } else {
+            L->w[i] = cylint_exact_from(m, s->axis[i]);
+            L->D[1][i] = cylint_exact_add(m, L->D[0][i],
+                                          cylint_exact_neg(L->w[i]));
+        }
+        if (s->kind >= CYLINT_KIND_ECYLINDER) {
+            L->a[i] = cylint_exact_from(m, s->a[i]);
+            L->b[i] = cylint_exact_from(m, s->flip ? -s->b[i] : s->b[i]);
+        }
+    }
+    L->r[0] = cylint_exact_from(m, s->r0);
+    L->r[1] = cylint_exact_from(m, s->r1);
+    L->dr = s->kind == CYLINT_KIND_ACONE
+          ? L->r[1] : exact_difference(m, s->r1, s->r0);
+    L->one = cylint_exact_from(m, 1);
+}
+
+const letters_exact *cylint_exact(cylint_query *q)
+{
+    if (q->ready & CYLINT_READY_EXACT)
+        return &q->exact;
+    q->ready |= CYLINT_READY_EXACT;
+    letters_exact *L = &q->exact;
+    L->kind = q->shape->kind;
+    L->arena = &q->arena;
+    cylint_arena_open(L->arena);
+    load_exact(q, L);
+    prepare_shape_exact(L);
+    prepare_line_exact(L);
+    prepare_top_exact(L);
+    return L;
+}
+
+void cylint_query_open(cylint_query *q, const cylint_shape *shape,
+                       const cylint_line *line)
+{
+    q->shape = q->near_shape = shape;
+    q->line = q->near_line = line;
+    q->kind = shape->kind;
+    q->ends = shape->ends;
+    q->t_exponent = 0;
+    q->ready = 0;
+    q->filters = filters_apply(shape, line);
+    if (!q->filters)
+        scale_query(q);
+    if (q->filters) {
+        load_ball(q);
+        prepare_line_ball(&q->ball);
+    }
+}
+
+/* ---------------------------------------------------------- signs ------ */
+
+static int certain_ball(ball x)
+{
+    return fabs(x.v) > ball_error(x);
+}
+
+static int certain_wide(wide x)
+{
+    return fabs(x.v.hi) > wide_error(x);
+}
+
+/* The cascade, for a form with the given further arguments. */
+#define DECIDE(q, balls, form, ...)                                         \
+    do {                                                                    \
+        if ((q)->filters) {                                                 \
+            const ball b_ = form##_ball(balls __VA_ARGS__);                 \
+            if (certain_ball(b_))                                           \
+                return cylint_sign(b_.v);                                   \
+            const wide w_ = form##_wide(cylint_wide(q) __VA_ARGS__);        \
+            if (certain_wide(w_))                                           \
+                return cylint_sign(w_.v.hi);                                \
+        }                                                                   \
+        const letters_exact *x_ = cylint_exact(q);                          \
+        const int used_ = (q)->arena.used;                                  \
+        const int sign_ = form##_exact(x_ __VA_ARGS__).sign;                \
+        (q)->arena.used = used_;                                            \
+        return sign_;                                                       \
+    } while (0)
+
+#define COMMA ,
+
+int cylint_sign_alpha(cylint_query *q, int cap)
+{
+    DECIDE(q, (cap ? ball_with_top(q) : &q->ball), form_alpha, COMMA cap);
+}
+
+int cylint_sign_det(cylint_query *q)
+{
+    DECIDE(q, &q->ball, form_det,);
+}
+
+int cylint_sign_beta(cylint_query *q)
+{
+    DECIDE(q, &q->ball, form_beta,);
+}
+
+int cylint_sign_E(cylint_query *q, int cap)
+{
+    DECIDE(q, (cap ? ball_with_top(q) : &q->ball), form_E, COMMA cap);
+}
+
+int cylint_sign_N(cylint_query *q, int cap)
+{
+    DECIDE(q, (cap ? ball_with_top(q) : &q->ball), form_N, COMMA cap);
+}
+
+int cylint_sign_G(cylint_query *q)
+{
+    DECIDE(q, &q->ball, form_G,);
+}
+
+int cylint_sign_A(cylint_query *q)
+{
+    DECIDE(q, &q->ball, form_A,);
+}
+
+int cylint_sign_B(cylint_query *q)
+{
+    DECIDE(q, &q->ball, form_B,);
+}
+
+int cylint_sign_C(cylint_query *q)
+{
+    DECIDE(q, &q->ball, form_C,);
+}
+
+int cylint_sign_T(cylint_query *q)
+{
+    DECIDE(q, &q->ball, form_T,);
+}
+
+int cylint_sign_rho0(cylint_query *q)
+{
+    DECIDE(q, &q->ball, form_rho0,);
+}

@@ -1,0 +1,171 @@
+/*
+ * exact.c - schoolbook integers with a limb exponent
+ *
+ * Numbers here have one to a dozen limbs when the data are ordinary, so the
+ * simplest algorithms are also the fast ones.  Alignment is by whole limbs:
+ * a double is shifted once, when it is placed, and never again.
+ */
+#include "exact.h"
+
+#include <string.h>
+
+#include "internal.h"
+
+static uint32_t *take(cylint_arena *arena, int n)
+{
+    uint32_t *limb = arena->limb + arena->used;
+    arena->used += n;
+    if (arena->used > arena->most)
+        arena->most = arena->used;
+    return limb;
+}
+
+/* Drops zero limbs at both ends; the top of the arena follows. */
+static exact trimmed(cylint_arena *arena, uint32_t *limb, int n,
+                     int exponent, int sign)
+{
+    while (n > 0 && limb[n - 1] == 0)
+        n--;
+    arena->used = (int)(limb - arena->limb) + n;
+    if (n == 0)
+        return (exact){limb, 0, 0, 0};
+    while (*limb == 0) {
+        limb++;
+        n--;
+        exponent++;
+    }
+    return (exact){limb, n, exponent, sign};
+}
+
+exact cylint_exact_from(cylint_arena *arena, double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    const int biased = (int)(bits >> 52 & 0x7ff);
+    uint64_t mantissa = bits & 0xfffffffffffffu;
+    if (biased != 0)
+        mantissa |= (uint64_t)1 << 52;
+    /* x = mantissa 2^(position - 34*32), position from 14 on */
+    const int position = (biased ? biased : 1) - 1075 + 34 * 32;
+    const int shift = position % 32;
+    uint32_t *limb = take(arena, 3);
+    const uint64_t low = (mantissa & 0xffffffffu) << shift;
+    const uint64_t high = ((mantissa >> 32) << shift) + (low >> 32);
+    limb[0] = (uint32_t)low;
+    limb[1] = (uint32_t)high;
+    limb[2] = (uint32_t)(high >> 32);
+    return trimmed(arena, limb, 3, position / 32 - 34, bits >> 63 ? -1 : 1);
+}
+
+static int top_of(exact x)
+{
+    return x.exponent + x.n;
+}
+
+static uint32_t limb_at(exact x, int position)
+{
+    const int i = position - x.exponent;
+    return i >= 0 && i < x.n ? x.limb[i] : 0;
+}
+
+/* The sign of |x| - |y|. */
+static int compare_sizes(exact x, exact y)
+{
+    if (top_of(x) != top_of(y))
+        return top_of(x) > top_of(y) ? 1 : -1;
+    const int low = x.exponent < y.exponent ? x.exponent : y.exponent;
+    for (int i = top_of(x) - 1; i >= low; i--)
+        if (limb_at(x, i) != limb_at(y, i))
+            return limb_at(x, i) > limb_at(y, i) ? 1 : -1;
+    return 0;
+}
+
+/* |x| + |y|, or |x| - |y| where |x| > |y|. */
+static exact combine(cylint_arena *arena, exact x, exact y, int subtract)
+{
+    const int low = x.exponent < y.exponent ? x.exponent : y.exponent;
+    const int top = top_of(x) > top_of(y) ? top_of(x) : top_of(y);
+    const int n = top - low;
+    uint32_t *limb = take(arena, n + 1);
+    uint64_t carry = (uint64_t)subtract;
+    const uint32_t flip = subtract ? 0xffffffffu : 0;
+    for (int i = 0; i < n; i++) {
+        carry += limb_at(x, low + i);
+        carry += limb_at(y, low + i) ^ flip;
+        limb[i] = (uint32_t)carry;
+        carry >>= 32;
+    }
+    limb[n] = subtract ? 0 : (uint32_t)carry;
+    return trimmed(arena, limb, n + 1, low, x.sign);
+}
+
+exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
+{
+    if (x.sign == 0)
+        return y;
+    if (y.sign == 0)
+        return x;
+    if (x.sign == y.sign)
+        return combine(arena, x, y, 0);
+    const int larger = compare_sizes(x, y);
+    if (larger == 0)
+        return (exact){arena->limb, 0, 0, 0};
+    return larger > 0 ? combine(arena, x, y, 1) : combine(arena, y, x, 1);
+}
+
+exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
+{
+    if (x.sign == 0 || y.sign == 0)
+        return (exact){arena->limb, 0, 0, 0};
+    uint32_t *limb = take(arena, x.n + y.n);
+    memset(limb, 0, (size_t)(x.n + y.n) * sizeof *limb);
+    for (int i = 0; i < x.n; i++) {
+        const uint64_t xi = x.limb[i];
+        uint64_t carry = 0;
+        for (int j = 0; j < y.n; j++) {
+            carry += xi * y.limb[j] + limb[i + j];
+            limb[i + j] = (uint32_t)carry;
+            carry >>= 32;
+        }
+        limb[i + y.n] = (uint32_t)carry;
+    }
+    return trimmed(arena, limb, x.n + y.n, x.exponent + y.exponent,
+                   x.sign * y.sign);
+}
+
+exact cylint_exact_keep(cylint_arena *arena, int used, exact x)
+{
+    if (x.n > 0 && x.limb >= arena->limb + used) {
+        memmove(arena->limb + used, x.limb, (size_t)x.n * sizeof *x.limb);
+        x.limb = arena->limb + used;
+        used += x.n;
+    }
+    arena->used = used;
+    return x;
+}
+
+pair cylint_exact_round(exact x, int *e)
+{
+    /* The first 128 bits below the leading one, as four 32-bit digits. */
+    const int top = top_of(x);
+    uint32_t digit[5];
+    for (int i = 0; i < 5; i++)
+        digit[i] = limb_at(x, top - 1 - i);
+    int lead = 31;
+    while (!(digit[0] >> lead & 1))
+        lead--;
+    double weight = cylint_power_of_two(-lead);
+    const double hi = digit[0] * weight; /* in [1, 2) */
+    weight *= 0x1p-32;
+    const pair second = two_sum(hi, digit[1] * weight);
+    weight *= 0x1p-32;
+    const pair third = two_sum(second.lo, digit[2] * weight);
+    weight *= 0x1p-32;
+    double lo = third.lo + digit[3] * weight;
+    lo += digit[4] * (weight * 0x1p-32);
+    const pair tail = fast_two_sum(third.hi, lo);
+    pair sum = fast_two_sum(second.hi, tail.hi);
+    sum = fast_two_sum(sum.hi, sum.lo + tail.lo);
+    *e = 32 * (top - 1) + lead;
+    return x.sign < 0 ? pair_neg(sum) : sum;
+}

@@ -1,0 +1,332 @@
+/*
+ * forms.h - the mathematics, stated once
+ *
+ * Every sign that decides a verdict and every coefficient of a root is a
+ * polynomial in the data.  They stand here as straight-line code over an
+ * arithmetic that the including file names by macros:
+ *
+ *   NUM                     the type of a number
+ *   FORM(name)              how the functions of this arithmetic are called
+ *   ADD SUB MUL (x, y)      its operations
+ *   MEMORY                  a declaration in the letters, if it needs room
+ *   BEGIN, RETURN(x)        first and last words of a form, for arithmetics
+ *                           whose intermediate results need to be let go
+ *
+ * The letters.  Line A + t u; D_i = A - p_i, the origin seen from the centre
+ * of cap i; M_i = D_i x u, its moment about that centre.
+ *
+ * Circular kinds: axis w, vv = w.w, n = u x w, z = P.w/vv.  With X = P x w
+ * (length: distance times |w|) the lateral surface is s |X|^2 = rho^2, where
+ *
+ *   cylinder   s = 1,  rho^2 = r0^2 vv
+ *   cone       s = vv, rho = r0 vv + dr P.w          (both sides times vv)
+ *   acone      s = 1,  rho = k P.w                   (r0 = 0, dr = r1 = k)
+ *
+ * Elliptic kinds: semi-axes a, b, height w; e = a x b, p = b x w, q = w x a,
+ * det = a.p > 0; x = P.p/det, y = P.q/det, z = P.e/det.  With X = (P.p, P.q)
+ * the surface is |X|^2 = rho^2, rho = det + kappa P.e, kappa = k - 1 = dr.
+ *
+ * Along the line X = X0 + t X1 and rho = rho0 + t rho1, so
+ *
+ *   Q(t) = A t^2 + 2 B t + C,   A = s X1.X1 - rho1^2, and so on,
+ *
+ * Q < 0 within.  Its discriminant, by Lagrange's identity in the Minkowski
+ * form (s, s, s, -1), is s (|rho0 X1 - rho1 X0|^2 - s |X0 x X1|^2), and both
+ * terms depend on the line's moment only, not on where its origin lies:
+ *
+ *   B^2 - A C = S G
+ *   cylinder   S = vv     G = r0^2 |n|^2 - (w.M)^2
+ *   cone       S = vv^2   G = vv |r0 n - dr M|^2 - (vv + dr^2) (w.M)^2
+ *   acone      S = vv     G = the same with r0 = 0, dr = k and 1 for the
+ *                             lone vv: k^2 vv |M|^2 - (1 + k^2) (w.M)^2
+ *   elliptic   S = det^2  G = (U + kappa b.M)^2 + (V - kappa a.M)^2 - (w.M)^2
+ *                             with U = u.p, V = u.q
+ *
+ * This is what keeps the digits: b^2 - ac loses them all at a far origin.
+ *
+ * Where the line meets the plane of cap i, the same moments tell (beta
+ * being u.w, or u.e; the point is P = w x M_i / beta):
+ *
+ *   E_i = -beta^2 (distance^2 - radius^2): positive within the cap's disc
+ *   N_i = dQ/dz up to a positive factor: on which side of the chord's middle
+ *
+ * The side's roots are never compared with the planes: the signs of E_0,
+ * E_1, N_0, N_1 and G say in which order they come.
+ */
+
+typedef struct {
+    MEMORY
+    int kind;
+    NUM u[3], w[3], D[2][3], r[2], dr; /* the caller fills these, */
+    NUM a[3], b[3], one;               /* a, b for elliptic kinds; one = 1 */
+    NUM vv, n[3];                      /* circular */
+    NUM e[3], p[3], q[3], det, U, V;   /* elliptic */
+    NUM beta, M[2][3];
+} FORM(letters);
+
+static inline NUM FORM(dot)(const FORM(letters) *L,
+                            const NUM x[3], const NUM y[3])
+{
+    BEGIN
+    NUM sum = ADD(ADD(MUL(x[0], y[0]), MUL(x[1], y[1])), MUL(x[2], y[2]));
+    RETURN(sum)
+}
+
+static inline NUM FORM(minor)(const FORM(letters) *L, const NUM x[3],
+                              const NUM y[3], int i, int j)
+{
+    BEGIN
+    NUM m = SUB(MUL(x[i], y[j]), MUL(x[j], y[i]));
+    RETURN(m)
+}
+
+static inline void FORM(cross)(const FORM(letters) *L, const NUM x[3],
+                               const NUM y[3], NUM xy[3])
+{
+    xy[0] = FORM(minor)(L, x, y, 1, 2);
+    xy[1] = FORM(minor)(L, x, y, 2, 0);
+    xy[2] = FORM(minor)(L, x, y, 0, 1);
+}
+
+static inline int FORM(elliptic)(const FORM(letters) *L)
+{
+    return L->kind >= CYLINT_KIND_ECYLINDER;
+}
+
+/* The axial functional: z grows with P.axial. */
+static inline const NUM *FORM(axial)(const FORM(letters) *L)
+{
+    return FORM(elliptic)(L) ? L->e : L->w;
+}
+
+/* What depends on the shape alone. */
+static inline void FORM(prepare_shape)(FORM(letters) *L)
+{
+    if (FORM(elliptic)(L)) {
+        FORM(cross)(L, L->a, L->b, L->e);
+        FORM(cross)(L, L->b, L->w, L->p);
+        FORM(cross)(L, L->w, L->a, L->q);
+        L->det = FORM(dot)(L, L->a, L->p);
+    } else {
+        L->vv = FORM(dot)(L, L->w, L->w);
+    }
+}
+
+/* What every question about a line needs. */
+static inline void FORM(prepare_line)(FORM(letters) *L)
+{
+    if (FORM(elliptic)(L)) {
+        L->U = FORM(dot)(L, L->u, L->p);
+        L->V = FORM(dot)(L, L->u, L->q);
+    } else {
+        FORM(cross)(L, L->u, L->w, L->n);
+    }
+    L->beta = FORM(dot)(L, L->u, FORM(axial)(L));
+    FORM(cross)(L, L->D[0], L->u, L->M[0]);
+}
+
+static inline void FORM(prepare_top)(FORM(letters) *L)
+{
+    FORM(cross)(L, L->D[1], L->u, L->M[1]);
+}
+
+/* z of the origin from cap i's plane, times a positive factor. */
+static inline NUM FORM(form_alpha)(const FORM(letters) *L, int i)
+{
+    return FORM(dot)(L, L->D[i], FORM(axial)(L));
+}
+
+static inline NUM FORM(form_det)(const FORM(letters) *L)
+{
+    return L->det;
+}
+
+static inline NUM FORM(form_beta)(const FORM(letters) *L)
+{
+    return L->beta;
+}
+
+/* rho = rho0 + t rho1 along the line. */
+static inline NUM FORM(form_rho0)(const FORM(letters) *L)
+{
+    BEGIN
+    NUM rho;
+    switch (L->kind) {
+    case CYLINT_KIND_CYLINDER:
+        rho = L->r[0];
+        break;
+    case CYLINT_KIND_CONE:
+        rho = ADD(MUL(L->r[0], L->vv),
+                  MUL(L->dr, FORM(form_alpha)(L, 0)));
+        break;
+    case CYLINT_KIND_ACONE:
+        rho = MUL(L->dr, FORM(form_alpha)(L, 0));
+        break;
+    default:
+        rho = ADD(L->det, MUL(L->dr, FORM(form_alpha)(L, 0)));
+    }
+    RETURN(rho)
+}
+
+static inline NUM FORM(form_rho1)(const FORM(letters) *L)
+{
+    return MUL(L->dr, L->beta);
+}
+
+static inline NUM FORM(form_E)(const FORM(letters) *L, int i)
+{
+    BEGIN
+    NUM x = MUL(L->r[i], L->beta), E;
+    if (FORM(elliptic)(L)) {
+        NUM am = FORM(dot)(L, L->a, L->M[i]);
+        NUM bm = FORM(dot)(L, L->b, L->M[i]);
+        E = SUB(MUL(x, x), ADD(MUL(am, am), MUL(bm, bm)));
+    } else {
+        NUM P[3], x2 = MUL(x, x);
+        FORM(cross)(L, L->w, L->M[i], P);
+        if (L->kind == CYLINT_KIND_ACONE)
+            x2 = MUL(x2, L->vv);
+        E = SUB(x2, FORM(dot)(L, P, P));
+    }
+    RETURN(E)
+}
+
+static inline NUM FORM(form_N)(const FORM(letters) *L, int i)
+{
+    BEGIN
+    NUM N;
+    if (FORM(elliptic)(L)) {
+        NUM am = FORM(dot)(L, L->a, L->M[i]);
+        NUM bm = FORM(dot)(L, L->b, L->M[i]);
+        N = SUB(MUL(am, L->V), MUL(bm, L->U));
+    } else {
+        N = FORM(dot)(L, L->M[i], L->n);
+        if (L->kind == CYLINT_KIND_CONE)
+            N = MUL(L->vv, N);
+    }
+    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ECYLINDER)
+        N = SUB(N, MUL(MUL(L->r[i], L->dr), MUL(L->beta, L->beta)));
+    RETURN(N)
+}
+
+static inline NUM FORM(form_G)(const FORM(letters) *L)
+{
+    BEGIN
+    NUM h = FORM(dot)(L, L->w, L->M[0]), h2 = MUL(h, h), G;
+    switch (L->kind) {
+    case CYLINT_KIND_CYLINDER:
+        G = SUB(MUL(MUL(L->r[0], L->r[0]), FORM(dot)(L, L->n, L->n)), h2);
+        break;
+    case CYLINT_KIND_CONE: {
+        NUM Y[3];
+        for (int i = 0; i < 3; i++)
+            Y[i] = SUB(MUL(L->r[0], L->n[i]), MUL(L->dr, L->M[0][i]));
+        G = SUB(MUL(L->vv, FORM(dot)(L, Y, Y)),
+                MUL(ADD(L->vv, MUL(L->dr, L->dr)), h2));
+        break;
+    }
+    case CYLINT_KIND_ACONE: {
+        NUM k2 = MUL(L->dr, L->dr);
+        G = SUB(MUL(MUL(k2, L->vv), FORM(dot)(L, L->M[0], L->M[0])),
+                MUL(ADD(L->one, k2), h2));
+        break;
+    }
+    case CYLINT_KIND_ECYLINDER:
+        G = SUB(ADD(MUL(L->U, L->U), MUL(L->V, L->V)), h2);
+        break;
+    default: {
+        NUM x = ADD(L->U, MUL(L->dr, FORM(dot)(L, L->b, L->M[0])));
+        NUM y = SUB(L->V, MUL(L->dr, FORM(dot)(L, L->a, L->M[0])));
+        G = SUB(ADD(MUL(x, x), MUL(y, y)), h2);
+    }
+    }
+    RETURN(G)
+}
+
+/* The factor between G and the discriminant, as a square root if one
+ * exists: cone vv, elliptic det.  Cylinder and acone have S = vv itself. */
+static inline NUM FORM(form_root_of_S)(const FORM(letters) *L)
+{
+    return FORM(elliptic)(L) ? L->det : L->vv;
+}
+
+static inline NUM FORM(form_A)(const FORM(letters) *L)
+{
+    BEGIN
+    NUM A;
+    if (FORM(elliptic)(L)) {
+        A = ADD(MUL(L->U, L->U), MUL(L->V, L->V));
+    } else {
+        A = FORM(dot)(L, L->n, L->n);
+        if (L->kind == CYLINT_KIND_CONE)
+            A = MUL(L->vv, A);
+    }
+    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ECYLINDER) {
+        NUM rho1 = FORM(form_rho1)(L);
+        A = SUB(A, MUL(rho1, rho1));
+    }
+    RETURN(A)
+}
+
+/* X0 of the line's origin: three numbers, or two for elliptic kinds. */
+static inline int FORM(radial)(const FORM(letters) *L, NUM X[3])
+{
+    if (!FORM(elliptic)(L)) {
+        FORM(cross)(L, L->D[0], L->w, X);
+        return 3;
+    }
+    X[0] = FORM(dot)(L, L->D[0], L->p);
+    X[1] = FORM(dot)(L, L->D[0], L->q);
+    return 2;
+}
+
+static inline NUM FORM(form_B)(const FORM(letters) *L)
+{
+    BEGIN
+    NUM X[3], B;
+    FORM(radial)(L, X);
+    if (FORM(elliptic)(L)) {
+        B = ADD(MUL(X[0], L->U), MUL(X[1], L->V));
+    } else {
+        B = FORM(dot)(L, X, L->n);
+        if (L->kind == CYLINT_KIND_CONE)
+            B = MUL(L->vv, B);
+    }
+    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ECYLINDER)
+        B = SUB(B, MUL(FORM(form_rho0)(L), FORM(form_rho1)(L)));
+    RETURN(B)
+}
+
+/* C = Q at the line's origin: the one to ask where a point lies. */
+static inline NUM FORM(form_C)(const FORM(letters) *L)
+{
+    BEGIN
+    NUM X[3], C, rho = FORM(form_rho0)(L), rho2 = MUL(rho, rho);
+    if (FORM(radial)(L, X) == 2) {
+        C = ADD(MUL(X[0], X[0]), MUL(X[1], X[1]));
+    } else {
+        C = FORM(dot)(L, X, X);
+        if (L->kind == CYLINT_KIND_CONE)
+            C = MUL(L->vv, C);
+        else if (L->kind == CYLINT_KIND_CYLINDER)
+            rho2 = MUL(rho2, L->vv);
+    }
+    C = SUB(C, rho2);
+    RETURN(C)
+}
+
+/* rho at the vertex of Q times A/s: on which nappe a chord lies. */
+static inline NUM FORM(form_T)(const FORM(letters) *L)
+{
+    BEGIN
+    NUM T;
+    if (FORM(elliptic)(L)) {
+        NUM x = ADD(L->U, MUL(L->dr, FORM(dot)(L, L->b, L->M[0])));
+        NUM y = SUB(L->V, MUL(L->dr, FORM(dot)(L, L->a, L->M[0])));
+        T = ADD(MUL(L->U, x), MUL(L->V, y));
+    } else {
+        T = SUB(MUL(L->r[0], FORM(dot)(L, L->n, L->n)),
+                MUL(L->dr, FORM(dot)(L, L->M[0], L->n)));
+    }
+    RETURN(T)
+}

@@ -1,0 +1,238 @@
+/*
+ * internal.h - what the library's files tell each other
+ *
+ * Which way the calls point: query.c -> decide.c, root.c, hit.c -> exact.c.
+ */
+#ifndef CYLINT_INTERNAL_H
+#define CYLINT_INTERNAL_H
+
+#include <float.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "bounds.h"
+#include "cylint.h"
+#include "eft.h"
+#include "exact.h"
+
+#if defined(__FAST_MATH__) || defined(__FINITE_MATH_ONLY__) && \
+    __FINITE_MATH_ONLY__
+#error "libcylint is exact arithmetic: do not compile it with -ffast-math"
+#endif
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
+#error "libcylint needs doubles without excess precision (-mfpmath=sse)"
+#endif
+
+/* 2^e for -1022 <= e <= 1023. */
+static inline double cylint_power_of_two(int e)
+{
+    const uint64_t bits = (uint64_t)(e + 1023) << 52;
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* The e of 2^e <= |x| < 2^(e+1) for normal x; below -1022 otherwise. */
+static inline int cylint_exponent(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return (int)(bits >> 52 & 0x7ff) - 1023;
+}
+
+/* By the bits: right for subnormals even where they are taken for zero. */
+static inline int cylint_sign(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits << 1 == 0 ? 0 : bits >> 63 ? -1 : 1;
+}
+
+static inline double cylint_largest(const double x[3])
+{
+    const double xy = fabs(x[0]) > fabs(x[1]) ? fabs(x[0]) : fabs(x[1]);
+    return xy > fabs(x[2]) ? xy : fabs(x[2]);
+}
+
+/* x 2^e, rounded at most once. */
+double cylint_scaled(double x, int e);
+
+/* to - from, scaled by 2^e, as pairs; e brings both below overflow. */
+void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
+                              const double from[3], int e);
+
+/* Exponent of a shape's largest length (of its axis, where radii are
+ * factors), even where top - base overflows. */
+int cylint_length_exponent(const cylint_shape *s);
+
+/* The double nearest to the tangent of an angle in (0, 90) degrees. */
+double cylint_tangent(double degrees);
+
+/* ------------------------------------------- the three arithmetics ----- */
+
+/* A double and the size of what was summed up to it (bounds.h). */
+typedef struct {
+    double v, size;
+} ball;
+
+static inline ball ball_add(ball x, ball y)
+{
+    return (ball){x.v + y.v, x.size + y.size};
+}
+static inline ball ball_sub(ball x, ball y)
+{
+    return (ball){x.v - y.v, x.size + y.size};
+}
+static inline ball ball_mul(ball x, ball y)
+{
+    return (ball){x.v * y.v, x.size * y.size};
+}
+
+#define NUM ball
+#define FORM(name) name##_ball
+#define ADD(x, y) ball_add(x, y)
+#define SUB(x, y) ball_sub(x, y)
+#define MUL(x, y) ball_mul(x, y)
+#define MEMORY
+#define BEGIN (void)L;
+#define RETURN(x) return x;
+#include "forms.h"
+#undef NUM
+#undef FORM
+#undef ADD
+#undef SUB
+#undef MUL
+
+/* A pair of doubles, likewise. */
+typedef struct {
+    pair v;
+    double size;
+} wide;
+
+static inline wide wide_add(wide x, wide y)
+{
+    return (wide){pair_add(x.v, y.v), x.size + y.size};
+}
+static inline wide wide_sub(wide x, wide y)
+{
+    return (wide){pair_sub(x.v, y.v), x.size + y.size};
+}
+static inline wide wide_mul(wide x, wide y)
+{
+    return (wide){pair_mul(x.v, y.v), x.size * y.size};
+}
+
+#define NUM wide
+#define FORM(name) name##_wide
+#define ADD(x, y) wide_add(x, y)
+#define SUB(x, y) wide_sub(x, y)
+#define MUL(x, y) wide_mul(x, y)
+#include "forms.h"
+#undef NUM
+#undef FORM
+#undef ADD
+#undef SUB
+#undef MUL
+#undef MEMORY
+#undef BEGIN
+#undef RETURN
+
+/* Every digit. */
+#define NUM exact
+#define FORM(name) name##_exact
+#define ADD(x, y) cylint_exact_add(L->arena, x, y)
+#define SUB(x, y) cylint_exact_add(L->arena, x, cylint_exact_neg(y))
+#define MUL(x, y) cylint_exact_mul(L->arena, x, y)
+#define MEMORY cylint_arena *arena;
+#define BEGIN const int used_before = L->arena->used;
+#define RETURN(x) return cylint_exact_keep(L->arena, used_before, x);
+#include "forms.h"
+#undef NUM
+#undef FORM
+#undef ADD
+#undef SUB
+#undef MUL
+#undef MEMORY
+#undef BEGIN
+#undef RETURN
+
+static inline double ball_error(ball x)
+{
+    return CYLINT_FILTER_BOUND * x.size + CYLINT_UNDERFLOW;
+}
+
+static inline double wide_error(wide x)
+{
+    return CYLINT_PAIR_BOUND * x.size + CYLINT_UNDERFLOW;
+}
+
+/* --------------------------------------------------- one question ------ */
+
+enum { /* what of cylint_query has been made */
+    CYLINT_READY_TOP = 1,
+    CYLINT_READY_WIDE = 2,
+    CYLINT_READY_EXACT = 4,
+    CYLINT_READY_QUADRATIC = 8
+};
+
+typedef struct {
+    const cylint_shape *shape; /* as given: what exact answers are about */
+    const cylint_line *line;
+    int kind, ends;
+    int filters;               /* 0: data too wild, exact stage only */
+    int t_exponent;            /* t = 2^t_exponent * t of the filters */
+    const cylint_shape *near_shape; /* what the filters see: as given, or */
+    const cylint_line *near_line;   /* scaled by powers of two */
+    cylint_shape scaled_shape;
+    cylint_line scaled_line;
+    unsigned ready;            /* which letters are there */
+    letters_ball ball;
+    letters_wide wide;
+    letters_exact exact;
+    exact exact_coefficient[3];/* A, B, C */
+    cylint_arena arena;
+} cylint_query;
+
+void cylint_query_open(cylint_query *q, const cylint_shape *shape,
+                       const cylint_line *line);
+
+/* The letters of the slower arithmetics, made when first asked for. */
+const letters_wide *cylint_wide(cylint_query *q);
+const letters_exact *cylint_exact(cylint_query *q);
+
+/* Exact signs of the forms, by the cheapest arithmetic that is certain. */
+int cylint_sign_alpha(cylint_query *q, int cap);
+int cylint_sign_beta(cylint_query *q);
+int cylint_sign_det(cylint_query *q); /* before shape->flip is set */
+int cylint_sign_E(cylint_query *q, int cap);
+int cylint_sign_N(cylint_query *q, int cap);
+int cylint_sign_G(cylint_query *q);
+int cylint_sign_A(cylint_query *q);
+int cylint_sign_B(cylint_query *q);
+int cylint_sign_C(cylint_query *q);
+int cylint_sign_T(cylint_query *q);
+int cylint_sign_rho0(cylint_query *q);
+
+/* Places on the line where something begins or ends. */
+typedef enum {
+    ROOT_ENTRY, /* of the lateral quadric, Q falling */
+    ROOT_EXIT,  /* ... rising */
+    ROOT_DOUBLE,/* both at once: G = 0 */
+    ROOT_APEX,  /* rho = 0 */
+    ROOT_CAP0,  /* the planes */
+    ROOT_CAP1
+} cylint_root;
+
+/* The double nearest to the root; *more is what it misses, nearly. */
+double cylint_root_value(cylint_query *q, cylint_root root, double *more);
+
+/* The sign of root - m, exactly. */
+int cylint_root_against(cylint_query *q, cylint_root root, double m);
+
+/* The wanted members of a hit but part and side.  t + more is the root;
+ * apex: whether the hit is the apex of a cone. */
+void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
+                         double more, int part, int apex, unsigned want,
+                         cylint_hit *hit);
+
+#endif

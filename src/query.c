@@ -1,0 +1,295 @@
+/*
+ * query.c - one line and one shape: from signs to relation and hits
+ *
+ * A bounded shape is convex, so the line overlaps it in one interval:
+ * [where the lateral quadric Q <= 0] and [where 0 <= z <= 1].  Which of these
+ * ends the interval is read off the signs of forms.h at the two cap planes;
+ * no root is computed for it and none is compared with another.
+ */
+#include "internal.h"
+
+typedef struct {
+    cylint_root root;
+    int part, side, apex;
+} stop;
+
+typedef struct {
+    int relation, n;
+    stop at[2]; /* ascending */
+} overlap;
+
+static overlap none(void)
+{
+    overlap v = {CYLINT_MISS, 0, {{ROOT_APEX, 0, 0, 0}, {ROOT_APEX, 0, 0, 0}}};
+    return v;
+}
+
+static overlap one(int relation, cylint_root root, int side, int apex)
+{
+    overlap v = none();
+    v.relation = relation;
+    v.n = 1;
+    v.at[0] = (stop){root, CYLINT_LATERAL, side, apex};
+    return v;
+}
+
+static overlap two(int relation, stop first, stop last)
+{
+    overlap v = none();
+    v.relation = relation;
+    v.n = 2;
+    v.at[0] = first;
+    v.at[1] = last;
+    v.at[0].side = CYLINT_ENTERING;
+    v.at[1].side = CYLINT_LEAVING;
+    return v;
+}
+
+static stop lateral(cylint_root root)
+{
+    return (stop){root, CYLINT_LATERAL, 0, 0};
+}
+
+static int radius_is_zero(const cylint_query *q, int cap)
+{
+    return cylint_sign(cap ? q->shape->r1 : q->shape->r0) == 0;
+}
+
+/* Where the line pierces a cap's plane within the cap (E > 0) or on its rim
+ * (E = 0; the apex where the cap has shrunk to it). */
+static stop pierced(const cylint_query *q, int cap, int E)
+{
+    const int part = cap ? CYLINT_CAP1 : CYLINT_CAP0;
+    return (stop){cap ? ROOT_CAP1 : ROOT_CAP0, E > 0 ? part : CYLINT_LATERAL,
+                  0, E == 0 && radius_is_zero(q, cap)};
+}
+
+static overlap touch_rim(const cylint_query *q, int cap)
+{
+    const stop s = pierced(q, cap, 0);
+    return one(CYLINT_TOUCH, s.root, CYLINT_BOTH, s.apex);
+}
+
+/* Q <= 0 on one interval between its roots: a chord, a point or nothing. */
+static overlap chord(cylint_query *q, int relation, int apex)
+{
+    const int G = cylint_sign_G(q);
+    if (G < 0)
+        return none();
+    if (G == 0)
+        return one(CYLINT_TOUCH, ROOT_DOUBLE, CYLINT_BOTH, apex);
+    return two(relation, lateral(ROOT_ENTRY), lateral(ROOT_EXIT));
+}
+
+/* The line runs parallel to the caps. */
+static overlap level(cylint_query *q)
+{
+    const int above0 = cylint_sign_alpha(q, 0);
+    if (above0 < 0)
+        return none();
+    const int above1 = cylint_sign_alpha(q, 1);
+    if (above1 > 0)
+        return none();
+    if (above0 != 0 && above1 != 0)
+        return chord(q, CYLINT_CROSS, 0);
+    return chord(q, CYLINT_ALONG, radius_is_zero(q, above1 == 0));
+}
+
+/* Bounded shapes, the line not parallel to the caps: `first` is the plane it
+ * comes to first; up is the sign of dz/dt. */
+static overlap slab(cylint_query *q, int up)
+{
+    const int first = up > 0 ? 0 : 1, last = 1 - first;
+    const int Ef = cylint_sign_E(q, first), El = cylint_sign_E(q, last);
+    const stop begin = Ef >= 0 ? pierced(q, first, Ef) : lateral(ROOT_ENTRY);
+    const stop end = El >= 0 ? pierced(q, last, El) : lateral(ROOT_EXIT);
+
+    if (Ef > 0 || El > 0)
+        return two(CYLINT_CROSS, begin, end);
+    if (Ef == 0 && El == 0) /* Q' = 0 at a rim as well: Q vanishes */
+        return two(cylint_sign_N(q, first) == 0 ? CYLINT_ALONG : CYLINT_CROSS,
+                   begin, end);
+    if (Ef == 0)
+        return up * cylint_sign_N(q, first) < 0
+             ? two(CYLINT_CROSS, begin, end) : touch_rim(q, first);
+    if (El == 0)
+        return up * cylint_sign_N(q, last) > 0
+             ? two(CYLINT_CROSS, begin, end) : touch_rim(q, last);
+    if (up * cylint_sign_N(q, first) < 0 && up * cylint_sign_N(q, last) > 0)
+        return chord(q, CYLINT_CROSS, 0);
+    return none();
+}
+
+static overlap bounded(cylint_query *q)
+{
+    const int up = cylint_sign_beta(q);
+    return up == 0 ? level(q) : slab(q, up);
+}
+
+/* A whole cylinder; or what a parallel line is to any unbounded shape. */
+static overlap parallel(cylint_query *q)
+{
+    const int C = cylint_sign_C(q);
+    overlap v = none();
+    v.relation = C < 0 ? CYLINT_CROSS : C == 0 ? CYLINT_ALONG : CYLINT_MISS;
+    return v;
+}
+
+static overlap whole_cylinder(cylint_query *q)
+{
+    return cylint_sign_A(q) == 0 ? parallel(q) : chord(q, CYLINT_CROSS, 0);
+}
+
+static overlap double_cone(cylint_query *q)
+{
+    const int A = cylint_sign_A(q);
+    if (A > 0) {
+        overlap v = chord(q, CYLINT_CROSS, 0);
+        if (v.n == 1)
+            v.at[0].apex = cylint_sign_T(q) == 0;
+        return v;
+    }
+    if (cylint_sign_G(q) == 0)
+        return A < 0 ? one(CYLINT_CROSS, ROOT_DOUBLE, CYLINT_BOTH, 1)
+                     : parallel(q);
+    if (A == 0)
+        return cylint_sign_B(q) > 0
+             ? one(CYLINT_CROSS, ROOT_EXIT, CYLINT_LEAVING, 0)
+             : one(CYLINT_CROSS, ROOT_ENTRY, CYLINT_ENTERING, 0);
+    overlap v = two(CYLINT_CROSS, lateral(ROOT_EXIT), lateral(ROOT_ENTRY));
+    v.at[0].side = CYLINT_LEAVING;
+    v.at[1].side = CYLINT_ENTERING;
+    return v;
+}
+
+/* The nappe where rho >= 0. */
+static overlap nappe(cylint_query *q)
+{
+    const int A = cylint_sign_A(q);
+    if (A > 0) {
+        const int G = cylint_sign_G(q);
+        if (G < 0)
+            return none();
+        const int T = cylint_sign_T(q);
+        return T < 0 ? none() : chord(q, CYLINT_CROSS, T == 0);
+    }
+    /* A <= 0: rho changes along the line, and grows with t or shrinks */
+    const int grows = cylint_sign_beta(q) * cylint_sign(q->shape->dr);
+    const int side = grows > 0 ? CYLINT_ENTERING : CYLINT_LEAVING;
+    const cylint_root root = grows > 0 ? ROOT_ENTRY : ROOT_EXIT;
+    if (cylint_sign_G(q) == 0) {
+        if (A < 0)
+            return one(CYLINT_CROSS, ROOT_APEX, side, 1);
+        return cylint_sign_C(q) == 0
+             ? one(CYLINT_ALONG, ROOT_APEX, side, 1) : none();
+    }
+    if (A == 0 && cylint_sign_B(q) * grows > 0)
+        return none(); /* the half-line lies in the other nappe */
+    return one(CYLINT_CROSS, root, side, 0);
+}
+
+static overlap overlap_of(cylint_query *q)
+{
+    if (q->ends < CYLINT_INFINITE)
+        return bounded(q);
+    if (q->kind == CYLINT_KIND_CYLINDER || q->kind == CYLINT_KIND_ECYLINDER)
+        return whole_cylinder(q);
+    return q->ends == CYLINT_NAPPE ? nappe(q) : double_cone(q);
+}
+
+/* ------------------------------------------------------- the domain ---- */
+
+static int present(int ends, int part)
+{
+    return part == CYLINT_LATERAL || ends == CYLINT_CAPPED ||
+           ends == (part == CYLINT_CAP0 ? CYLINT_CAP_0 : CYLINT_CAP_1);
+}
+
+/* Whether tmin <= root <= tmax, knowing the root's nearest double: only
+ * where that equals a limit is there more to ask. */
+static int in_domain(cylint_query *q, cylint_root root, double t)
+{
+    const double tmin = q->line->tmin, tmax = q->line->tmax;
+    if (t < tmin || t > tmax)
+        return 0;
+    if (t == tmin && fabs(tmin) <= DBL_MAX &&
+        cylint_root_against(q, root, tmin) < 0)
+        return 0;
+    return !(t == tmax && fabs(tmax) <= DBL_MAX &&
+             cylint_root_against(q, root, tmax) > 0);
+}
+
+static int unlimited(const cylint_line *line)
+{
+    return line->tmin < -DBL_MAX && line->tmax > DBL_MAX;
+}
+
+int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
+                     unsigned want, cylint_answer *answer)
+{
+    answer->relation = CYLINT_MISS;
+    answer->n = 0;
+    answer->flags = 0;
+    if (shape->kind == CYLINT_KIND_NONE || !line->valid) {
+        answer->flags = CYLINT_FLAG_INVALID;
+        return 0;
+    }
+    cylint_query q;
+    cylint_query_open(&q, shape, line);
+    const overlap v = overlap_of(&q);
+    answer->relation = v.relation;
+    const unsigned roots = CYLINT_WANT_T | CYLINT_WANT_POINT |
+        CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
+    for (int i = 0; i < v.n; i++) {
+        double t = 0, more = 0;
+        if (!present(q.ends, v.at[i].part))
+            continue;
+        if ((want & roots) || !unlimited(line)) {
+            t = cylint_root_value(&q, v.at[i].root, &more);
+            if (!in_domain(&q, v.at[i].root, t))
+                continue;
+        }
+        cylint_hit *hit = &answer->hit[answer->n++];
+        if (want & CYLINT_WANT_T)
+            hit->t = t;
+        if (want & CYLINT_WANT_PART) {
+            hit->part = v.at[i].part;
+            hit->side = v.at[i].side;
+        }
+        if (want & roots & ~(unsigned)CYLINT_WANT_T)
+            cylint_describe_hit(&q, v.at[i].root, t, more, v.at[i].part,
+                                v.at[i].apex, want, hit);
+        if (want & CYLINT_WANT_NEAREST)
+            break;
+    }
+    return answer->n;
+}
+
+int cylint_occluded(const cylint_shape *shape, const cylint_line *line)
+{
+    cylint_answer answer;
+    return cylint_intersect(shape, line, CYLINT_WANT_NEAREST, &answer);
+}
+
+int cylint_contains(const cylint_shape *shape, const double point[3])
+{
+    static const double along[3] = {1, 0, 0};
+    cylint_line line;
+    if (shape->kind == CYLINT_KIND_NONE ||
+        cylint_whole_line(&line, point, along) != CYLINT_OK)
+        return -1;
+    cylint_query q;
+    cylint_query_open(&q, shape, &line);
+    int within = 1; /* the least of the signs */
+    if (q.ends < CYLINT_INFINITE) {
+        const int above = cylint_sign_alpha(&q, 0);
+        const int below = -cylint_sign_alpha(&q, 1);
+        within = above < below ? above : below;
+    } else if (q.ends == CYLINT_NAPPE) {
+        within = cylint_sign_rho0(&q);
+    }
+    if (within < 0)
+        return -1;
+    const int lateral_sign = -cylint_sign_C(&q);
+    return lateral_sign < within ? lateral_sign : within;
+}

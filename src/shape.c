@@ -1,0 +1,256 @@
+/*
+ * shape.c - making and checking shapes and lines
+ *
+ * The only place where anything can fail.  What is refused is left in a
+ * state that every query answers with "miss".
+ */
+#include "internal.h"
+
+const char *cylint_strerror(int status)
+{
+    switch (status) {
+    case CYLINT_OK:
+        return "no error";
+    case CYLINT_ENONFINITE:
+        return "a number is not finite";
+    case CYLINT_EAXIS:
+        return "the axis has no length";
+    case CYLINT_EDEGENERATE:
+        return "the vectors a, b, h are linearly dependent";
+    case CYLINT_ERADIUS:
+        return "a radius is negative, or all radii are zero";
+    case CYLINT_EANGLE:
+        return "the half angle is not between 0 and 90 degrees";
+    case CYLINT_EENDS:
+        return "no such kind of ends";
+    case CYLINT_EDIRECTION:
+        return "the direction has no length";
+    case CYLINT_EDOMAIN:
+        return "the domain is empty or not a number";
+    case CYLINT_EMETHOD:
+        return "this method does not answer for such a shape";
+    default:
+        return "unknown status";
+    }
+}
+
+static int finite3(const double x[3])
+{
+    return fabs(x[0]) <= DBL_MAX && fabs(x[1]) <= DBL_MAX &&
+           fabs(x[2]) <= DBL_MAX;
+}
+
+static int zero3(const double x[3])
+{
+    return cylint_sign(x[0]) == 0 && cylint_sign(x[1]) == 0 &&
+           cylint_sign(x[2]) == 0;
+}
+
+static int equal3(const double x[3], const double y[3])
+{
+    for (int i = 0; i < 3; i++) {
+        uint64_t a, b;
+        memcpy(&a, &x[i], sizeof a);
+        memcpy(&b, &y[i], sizeof b);
+        if (a != b && !(cylint_sign(x[i]) == 0 && cylint_sign(y[i]) == 0))
+            return 0;
+    }
+    return 1;
+}
+
+static void copy3(double to[3], const double from[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = from[i];
+}
+
+static void difference3(double hi[3], double lo[3], const double to[3],
+                        const double from[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const pair d = two_diff(to[i], from[i]);
+        hi[i] = d.hi;
+        lo[i] = fabs(d.hi) <= DBL_MAX ? d.lo : 0;
+    }
+}
+
+static int ends_exist(int ends)
+{
+    return ends >= CYLINT_CAPPED && ends <= CYLINT_NAPPE;
+}
+
+static void clear_shape(cylint_shape *shape)
+{
+    memset(shape, 0, sizeof *shape);
+}
+
+cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
+                          const double p1[3], double r1, cylint_ends ends)
+{
+    clear_shape(shape);
+    if (!finite3(p0) || !finite3(p1) || !(fabs(r0) <= DBL_MAX) ||
+        !(fabs(r1) <= DBL_MAX))
+        return CYLINT_ENONFINITE;
+    if (cylint_sign(r0) < 0 || cylint_sign(r1) < 0 ||
+        (cylint_sign(r0) == 0 && cylint_sign(r1) == 0))
+        return CYLINT_ERADIUS;
+    if (equal3(p0, p1))
+        return CYLINT_EAXIS;
+    if (!ends_exist(ends))
+        return CYLINT_EENDS;
+    copy3(shape->base, p0);
+    copy3(shape->top, p1);
+    difference3(shape->axis, shape->axis_lo, p1, p0);
+    shape->r0 = r0;
+    shape->r1 = r1;
+    const pair dr = two_diff(r1, r0);
+    shape->dr = dr.hi;
+    shape->dr_lo = dr.lo;
+    shape->ends = ends;
+    shape->kind = cylint_sign(dr.hi) == 0 ? CYLINT_KIND_CYLINDER
+                                          : CYLINT_KIND_CONE;
+    return CYLINT_OK;
+}
+
+cylint_status cylint_cylinder(cylint_shape *shape, const double p0[3],
+                              const double p1[3], double r, cylint_ends ends)
+{
+    return cylint_cone(shape, p0, r, p1, r, ends);
+}
+
+/* The sign of a.(b x h), exactly. */
+static int orientation(const cylint_shape *shape)
+{
+    static const double along[3] = {1, 0, 0};
+    cylint_line line;
+    cylint_whole_line(&line, shape->base, along);
+    cylint_query q;
+    cylint_query_open(&q, shape, &line);
+    return cylint_sign_det(&q);
+}
+
+cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
+                                   const double a[3], const double b[3],
+                                   const double h[3], double k,
+                                   cylint_ends ends)
+{
+    clear_shape(shape);
+    if (!finite3(c) || !finite3(a) || !finite3(b) || !finite3(h) ||
+        !(fabs(k) <= DBL_MAX))
+        return CYLINT_ENONFINITE;
+    if (cylint_sign(k) < 0)
+        return CYLINT_ERADIUS;
+    if (zero3(h))
+        return CYLINT_EAXIS;
+    if (!ends_exist(ends))
+        return CYLINT_EENDS;
+    copy3(shape->base, c);
+    copy3(shape->axis, h);
+    copy3(shape->a, a);
+    copy3(shape->b, b);
+    shape->r0 = 1;
+    shape->r1 = k;
+    const pair dr = two_diff(k, 1);
+    shape->dr = dr.hi;
+    shape->dr_lo = dr.lo;
+    shape->ends = ends;
+    shape->kind = cylint_sign(dr.hi) == 0 ? CYLINT_KIND_ECYLINDER
+                                          : CYLINT_KIND_ECONE;
+    const int det = orientation(shape);
+    shape->flip = det < 0;
+    if (det == 0) {
+        clear_shape(shape);
+        return CYLINT_EDEGENERATE;
+    }
+    return CYLINT_OK;
+}
+
+cylint_status cylint_elliptic_cylinder(cylint_shape *shape,
+    const double c[3], const double a[3], const double b[3],
+    const double h[3], cylint_ends ends)
+{
+    return cylint_elliptic_cone(shape, c, a, b, h, 1, ends);
+}
+
+cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
+                                  const double u[3], double tangent,
+                                  cylint_ends ends)
+{
+    clear_shape(shape);
+    if (!finite3(v) || !finite3(u) || !(fabs(tangent) <= DBL_MAX))
+        return CYLINT_ENONFINITE;
+    if (cylint_sign(tangent) <= 0)
+        return CYLINT_EANGLE;
+    if (zero3(u))
+        return CYLINT_EAXIS;
+    if (!ends_exist(ends))
+        return CYLINT_EENDS;
+    copy3(shape->base, v);
+    copy3(shape->axis, u);
+    shape->r1 = shape->dr = tangent;
+    shape->ends = ends;
+    shape->kind = CYLINT_KIND_ACONE;
+    return CYLINT_OK;
+}
+
+cylint_status cylint_angle_cone(cylint_shape *shape, const double v[3],
+                                const double u[3], double degrees,
+                                cylint_ends ends)
+{
+    clear_shape(shape);
+    if (!(fabs(degrees) <= DBL_MAX))
+        return CYLINT_ENONFINITE;
+    if (!(degrees > 0 && degrees < 90))
+        return CYLINT_EANGLE;
+    return cylint_tangent_cone(shape, v, u, cylint_tangent(degrees), ends);
+}
+
+/* --------------------------------------------------------------- lines -- */
+
+cylint_status cylint_span(cylint_line *line, const double o[3],
+                          const double d[3], double tmin, double tmax)
+{
+    memset(line, 0, sizeof *line);
+    if (!finite3(o) || !finite3(d))
+        return CYLINT_ENONFINITE;
+    if (zero3(d))
+        return CYLINT_EDIRECTION;
+    if (!(tmin <= tmax))
+        return CYLINT_EDOMAIN;
+    copy3(line->o, o);
+    copy3(line->d, d);
+    line->tmin = tmin;
+    line->tmax = tmax;
+    line->valid = 1;
+    return CYLINT_OK;
+}
+
+cylint_status cylint_whole_line(cylint_line *line, const double o[3],
+                                const double d[3])
+{
+    return cylint_span(line, o, d, -HUGE_VAL, HUGE_VAL);
+}
+
+cylint_status cylint_ray(cylint_line *line, const double o[3],
+                         const double d[3])
+{
+    return cylint_span(line, o, d, 0, HUGE_VAL);
+}
+
+cylint_status cylint_segment(cylint_line *line, const double a[3],
+                             const double b[3])
+{
+    memset(line, 0, sizeof *line);
+    if (!finite3(a) || !finite3(b))
+        return CYLINT_ENONFINITE;
+    if (equal3(a, b))
+        return CYLINT_EDIRECTION;
+    copy3(line->o, a);
+    copy3(line->end, b);
+    difference3(line->d, line->d_lo, b, a);
+    line->tmin = 0;
+    line->tmax = 1;
+    line->segment = 1;
+    line->valid = 1;
+    return CYLINT_OK;
+}
