@@ -21,18 +21,46 @@ typedef struct due {
     int part[2];
 } due;
 
+/* The library itself as a method, so that what is due is held to the same
+ * contract as the methods are. */
+static cylint_status intersect(const cylint_shape *shape,
+                               const cylint_line *line, unsigned want,
+                               cylint_answer *answer)
+{
+    cylint_intersect(shape, line, want, answer);
+    return CYLINT_OK;
+}
+
+static const cylint_method the_library = {"intersect", "", "", intersect};
+
+/* Of the same hit, told by a method and by the library. */
+static int tell_the_same(const cylint_hit *a, const cylint_hit *b)
+{
+    const double apart = fabs(a->phi - b->phi);
+    int good = a->part == b->part && a->side == b->side &&
+               fabs(a->t - b->t) <= 1e-12 && fabs(a->z - b->z) <= 1e-12 &&
+               (apart <= 1e-12 || 1 - apart <= 1e-12);
+
+    for (int i = 0; i < 3; i++)
+        good = good && fabs(a->point[i] - b->point[i]) <= 1e-12 &&
+               fabs(a->normal[i] - b->normal[i]) <= 1e-12;
+    return good;
+}
+
 static void check_due(const cylint_method *m, const cylint_shape *shape,
                       const due *c)
 {
     cylint_line line;
-    cylint_answer a;
+    cylint_answer a, library;
 
     cylint_whole_line(&line, c->o, c->d);
+    cylint_intersect(shape, &line, CYLINT_WANT_ALL, &library);
     CHECK(m->answer(shape, &line, CYLINT_WANT_ALL, &a) == CYLINT_OK);
     int good = a.relation == c->relation && a.n == c->n && a.flags == 0;
     for (int i = 0; good && i < c->n; i++)
         good = a.hit[i].part == c->part[i] &&
-               fabs(a.hit[i].t - c->t[i]) <= 1e-12;
+               fabs(a.hit[i].t - c->t[i]) <= 1e-12 &&
+               tell_the_same(&a.hit[i], &library.hit[i]);
     if (!CHECK(good)) {
         report_case(m->name, shape, &line);
         REPORT("relation %d n %d t %a %a, due %d %d %a %a", a.relation, a.n,
@@ -69,31 +97,34 @@ static const due of_a_cylinder[] = {
     {CYLINT_OPEN, {1, -3, 0}, {0, 1, 0}, TO, 1, {3}, {0}},
 };
 
-/* The library itself as a method, so that what is due is held to the same
- * contract as the methods are. */
-static cylint_status intersect(const cylint_shape *shape,
-                               const cylint_line *line, unsigned want,
-                               cylint_answer *answer)
+/* The same case on four times the size: no t changes. */
+static due times_four(const due *c)
 {
-    cylint_intersect(shape, line, want, answer);
-    return CYLINT_OK;
+    due scaled = *c;
+    for (int i = 0; i < 3; i++) {
+        scaled.o[i] *= 4;
+        scaled.d[i] *= 4;
+    }
+    return scaled;
 }
-
-static const cylint_method the_library = {"intersect", "", "", intersect};
 
 static void cylinder_methods_keep_the_contract(void)
 {
-    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2};
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, p2[3] = {0, 0, 8};
     const int n = sizeof of_a_cylinder / sizeof *of_a_cylinder;
 
     for (const cylint_method *m = cylint_methods(); m->name; m++)
         for (int i = 0; i < n; i++) {
             const due *c = &of_a_cylinder[i];
-            cylint_shape shape;
+            const due wide = times_four(c);
+            cylint_shape shape, wide_shape;
             cylint_cylinder(&shape, p0, p1, 1, (cylint_ends)c->ends);
+            cylint_cylinder(&wide_shape, p0, p2, 4, (cylint_ends)c->ends);
             check_due(&the_library, &shape, c);
-            if (answers_for(m->name, CYLINT_KIND_CYLINDER, c->ends))
-                check_due(m, &shape, c);
+            if (!answers_for(m->name, CYLINT_KIND_CYLINDER, c->ends))
+                continue;
+            check_due(m, &shape, c);
+            check_due(m, &wide_shape, &wide);
         }
 }
 
@@ -174,6 +205,68 @@ static void lines_parallel_to_a_ruling_are_told_apart(void)
     }
 }
 
+/* Through rims by a diagonal, whose unit vector no double holds: only the
+ * methods that do not normalise can meet both rims. */
+static const due through_rims[] = {
+    {CYLINT_CAPPED, {-3, 0, -2}, {1, 0, 1}, CR, 2, {2, 4}, {0, 0}},
+    {CYLINT_OPEN, {-3, 0, -2}, {1, 0, 1}, CR, 2, {2, 4}, {0, 0}},
+    {CYLINT_CAPPED, {3, 0, -2}, {-2, 0, 2}, CR, 2, {1, 2}, {0, 0}},
+    {CYLINT_CAPPED, {-3, 0, 0}, {1, 0, 1}, TO, 1, {2}, {0}},
+    {CYLINT_OPEN, {-3, 0, 0}, {1, 0, 1}, TO, 1, {2}, {0}},
+    {CYLINT_CAPPED, {-3, 0, -4}, {1, 0, 1}, TO, 1, {4}, {0}},
+    {CYLINT_OPEN, {-3, 0, -4}, {1, 0, 1}, TO, 1, {4}, {0}},
+    {CYLINT_OPEN, {-3, 0, 4}, {1, 0, -1}, CR, 2, {2, 4}, {0, 0}},
+    {CYLINT_CAP_0, {-3, 0, 2}, {1, 0, -1}, TO, 1, {2}, {0}},
+};
+
+static void a_point_of_a_rim_counts_once_and_as_lateral(void)
+{
+    static const char *const names[] = {"quadratic", "gullotti",
+                                        "closest-points"};
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2};
+    const int n = sizeof through_rims / sizeof *through_rims;
+
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < n; i++) {
+            const cylint_method *m = cylint_methods();
+            cylint_shape shape;
+            while (strcmp(m->name, names[k]))
+                m++;
+            cylint_cylinder(&shape, p0, p1, 1,
+                            (cylint_ends)through_rims[i].ends);
+            check_due(&the_library, &shape, &through_rims[i]);
+            check_due(m, &shape, &through_rims[i]);
+        }
+}
+
+/* Lines aimed at the apex pass it by an ulp or two: whatever the quadratic
+ * makes of them, no hit lies on a cap that is not there. */
+static void a_pointed_end_is_never_hit_as_a_cap(void)
+{
+    const double apex[3] = {1, 2, 3}, other[3] = {2, 4, 7};
+    cylint_shape down, up;
+    cylint_answer a;
+    int hits = 0;
+
+    cylint_cone(&down, apex, 0, other, 2, CYLINT_CAPPED);
+    cylint_cone(&up, other, 2, apex, 0, CYLINT_CAPPED);
+    for (int i = 1; i < 1000; i++) {
+        const double d[3] = {1 + i / 7.0, 2 - i / 300.0, 4 + i / 11.0};
+        double o[3];
+        cylint_line line;
+        for (int j = 0; j < 3; j++)
+            o[j] = apex[j] - i / 3.0 * d[j];
+        cylint_whole_line(&line, o, d);
+        cylint_quadratic(&down, &line, CYLINT_WANT_ALL, &a);
+        for (int k = 0; k < a.n; k++, hits++)
+            CHECK(a.hit[k].part != CYLINT_CAP0);
+        cylint_quadratic(&up, &line, CYLINT_WANT_ALL, &a);
+        for (int k = 0; k < a.n; k++, hits++)
+            CHECK(a.hit[k].part != CYLINT_CAP1);
+    }
+    CHECK(hits > 500);
+}
+
 static void only_what_is_wanted_is_written(void)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1};
@@ -200,6 +293,8 @@ int main(void)
     RUN(cylinder_methods_keep_the_contract);
     RUN(cone_methods_keep_the_contract);
     RUN(lines_parallel_to_a_ruling_are_told_apart);
+    RUN(a_point_of_a_rim_counts_once_and_as_lateral);
+    RUN(a_pointed_end_is_never_hit_as_a_cap);
     RUN(only_what_is_wanted_is_written);
     return check_end();
 }
