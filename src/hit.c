@@ -32,7 +32,7 @@ static void normalise(const double x[3], double to[3])
         y[i] = cylint_scaled(x[i], e);
     const double size = sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
     for (int i = 0; i < 3; i++)
-        to[i] = y[i] / size;
+        to[i] = y[i] / size + 0; /* no -0 */
 }
 
 /* The letters with the line's origin moved to the hit. */

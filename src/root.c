@@ -305,9 +305,18 @@ static double settle(cylint_query *q, cylint_root root, uint64_t size)
     return from_bits(size, sign);
 }
 
+/* Makes what stays in the arena; the rest may be let go to its answer. */
+static int settled_arena(cylint_query *q, cylint_root root)
+{
+    if (root < ROOT_APEX)
+        coefficients(q);
+    cylint_exact(q);
+    return q->arena.used;
+}
+
 static double exact_value(cylint_query *q, cylint_root root, double *more)
 {
-    const int used = q->arena.used;
+    const int used = settled_arena(q, root);
     const fraction f = exact_fraction(q, root);
     *more = 0;
     if (f.num.hi == 0) {
@@ -351,9 +360,7 @@ double cylint_root_value(cylint_query *q, cylint_root root, double *more)
 
 int cylint_root_against(cylint_query *q, cylint_root root, double m)
 {
-    cylint_exact(q);
-    coefficients(q);
-    const int used = q->arena.used;
+    const int used = settled_arena(q, root);
     const int sign = against_exact(q, root, cylint_exact_from(&q->arena, m));
     q->arena.used = used;
     return sign;
