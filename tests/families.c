@@ -1,0 +1,977 @@
+/*
+ * families.c - the input every test and benchmark draws from
+ *
+ * Most families set the line by points in the shape's own coordinates
+ * (x a + y b + z h, with x = y = 1 one radius), so that the difficulty is
+ * the same for every kind of shape; families about exact coincidences use
+ * small whole numbers instead, since rounding would destroy what they are
+ * about.  The stream of random numbers starts anew for every case.
+ */
+#include "families.h"
+
+#include <math.h>
+#include <string.h>
+
+static const char *const ends_words[] = {"capped", "open", "cap0", "cap1",
+                                         "infinite", "nappe"};
+static const char *const line_words[] = {"line", "ray", "segment", "span"};
+static const char *const shape_words[] = {"cylinder", "cone", "acone",
+                                          "ecylinder", "econe"};
+
+int family_shape_size(family_shape word)
+{
+    static const int sizes[] = {7, 8, 7, 12, 13};
+    return sizes[word];
+}
+
+int family_line_size(family_line word)
+{
+    return word == FAMILY_SPAN ? 8 : 6;
+}
+
+static void make_line(struct family_case *c)
+{
+    const double *x = c->line_data;
+    switch (c->line_word) {
+    case FAMILY_LINE:
+        c->line_status = cylint_whole_line(&c->line, x, x + 3);
+        break;
+    case FAMILY_RAY:
+        c->line_status = cylint_ray(&c->line, x, x + 3);
+        break;
+    case FAMILY_SEGMENT:
+        c->line_status = cylint_segment(&c->line, x, x + 3);
+        break;
+    case FAMILY_SPAN:
+        c->line_status = cylint_span(&c->line, x, x + 3, x[6], x[7]);
+        break;
+    }
+}
+
+int family_make(struct family_case *c)
+{
+    const double *x = c->shape_data;
+    cylint_shape *s = &c->shape;
+    make_line(c);
+    switch (c->shape_word) {
+    case FAMILY_CYLINDER:
+        c->shape_status = cylint_cylinder(s, x, x + 3, x[6], c->ends);
+        break;
+    case FAMILY_CONE:
+        c->shape_status = cylint_cone(s, x, x[3], x + 4, x[7], c->ends);
+        break;
+    case FAMILY_ACONE:
+        c->shape_status = cylint_angle_cone(s, x, x + 3, x[6], c->ends);
+        break;
+    case FAMILY_ECYLINDER:
+        c->shape_status = cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9,
+                                                   c->ends);
+        break;
+    case FAMILY_ECONE:
+        c->shape_status = cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9,
+                                               x[12], c->ends);
+        break;
+    }
+    return c->line_status == CYLINT_OK && c->shape_status == CYLINT_OK;
+}
+
+void family_print(FILE *to, const struct family_case *c)
+{
+    fputs(line_words[c->line_word], to);
+    for (int i = 0; i < family_line_size(c->line_word); i++) {
+        fprintf(to, " %a", c->line_data[i]);
+    }
+    fprintf(to, "  %s", shape_words[c->shape_word]);
+    for (int i = 0; i < family_shape_size(c->shape_word); i++) {
+        fprintf(to, " %a", c->shape_data[i]);
+    }
+    fprintf(to, "  ends=%s", ends_words[c->ends]);
+}
+
+#ifndef HAVE_GSL
+
+int family_count(void)
+{
+    return 0;
+}
+
+const char *family_name(int family)
+{
+    (void)family;
+    return "";
+}
+
+void family_case(uint64_t seed, int family, uint64_t index,
+                 struct family_case *out)
+{
+    (void)seed, (void)family, (void)index;
+    memset(out, 0, sizeof *out);
+}
+
+#else
+
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+
+/* ------------------------------------------------------ random numbers -- */
+
+static gsl_rng *rng;
+
+/* The finaliser of MurmurHash3: neighbours get unrelated streams. */
+static uint64_t mixed(uint64_t x)
+{
+    x = (x ^ x >> 33) * UINT64_C(0xff51afd7ed558ccd);
+    x = (x ^ x >> 33) * UINT64_C(0xc4ceb9fe1a85ec53);
+    return x ^ x >> 33;
+}
+
+static double between(double low, double high)
+{
+    return low + (high - low) * gsl_rng_uniform(rng);
+}
+
+static int one_of(int n)
+{
+    return (int)gsl_rng_uniform_int(rng, (unsigned long)n);
+}
+
+static int chance(double p)
+{
+    return gsl_rng_uniform(rng) < p;
+}
+
+static int whole_between(int low, int high)
+{
+    return low + one_of(high - low + 1);
+}
+
+/* 10^x with x even between the two */
+static double power(double low, double high)
+{
+    return pow(10, between(low, high));
+}
+
+/* a small number of either sign, or exactly 0 */
+static double small(double low, double high)
+{
+    return chance(0.1) ? 0 : (chance(0.5) ? 1 : -1) * power(low, high);
+}
+
+static double stepped(double x, int ulps)
+{
+    for (; ulps > 0; ulps--) {
+        x = nextafter(x, HUGE_VAL);
+    }
+    for (; ulps < 0; ulps++) {
+        x = nextafter(x, -HUGE_VAL);
+    }
+    return x;
+}
+
+/* -------------------------------------------------------- little vectors -- */
+
+static void set3(double to[3], double x, double y, double z)
+{
+    to[0] = x;
+    to[1] = y;
+    to[2] = z;
+}
+
+static void copy3(double to[3], const double from[3])
+{
+    set3(to, from[0], from[1], from[2]);
+}
+
+static void cross3(double to[3], const double u[3], const double v[3])
+{
+    set3(to, u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+         u[0] * v[1] - u[1] * v[0]);
+}
+
+static double length3(const double v[3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static void scale3(double v[3], double by)
+{
+    set3(v, v[0] * by, v[1] * by, v[2] * by);
+}
+
+static void random_direction(double d[3])
+{
+    gsl_ran_dir_3d(rng, &d[0], &d[1], &d[2]);
+}
+
+/* ------------------------------------------------ shapes by their frame -- */
+
+/* Points c + x a + y b + z h; the surface is x^2 + y^2 = rho(z)^2 with
+ * rho = 1 + (k - 1) z.  For a cone by its angle the apex is at z = 0 and
+ * rho = z. */
+typedef struct frame {
+    double c[3], a[3], b[3], h[3], k;
+    int by_angle;
+} frame;
+
+static double rho(const frame *f, double z)
+{
+    return f->by_angle ? z : 1 + (f->k - 1) * z;
+}
+
+static void place(const frame *f, double x, double y, double z, double p[3])
+{
+    for (int i = 0; i < 3; i++) {
+        p[i] = f->c[i] + x * f->a[i] + y * f->b[i] + z * f->h[i];
+    }
+}
+
+static void vary(const frame *f, double x, double y, double z, double d[3])
+{
+    for (int i = 0; i < 3; i++) {
+        d[i] = x * f->a[i] + y * f->b[i] + z * f->h[i];
+    }
+}
+
+static family_shape any_word(void)
+{
+    return (family_shape)one_of(5);
+}
+
+static family_shape cone_word(void)
+{
+    static const family_shape cones[] = {FAMILY_CONE, FAMILY_ACONE,
+                                         FAMILY_ECONE};
+    return cones[one_of(3)];
+}
+
+/* A frame for shapes of this word: radius r, height h, of any direction;
+ * elliptic ones with unequal axes, often oblique. */
+static void make_frame(frame *f, family_shape word, double r, double h)
+{
+    double other[3];
+    set3(f->c, between(-1, 1), between(-1, 1), between(-1, 1));
+    random_direction(f->h);
+    random_direction(other);
+    cross3(f->a, f->h, other);
+    scale3(f->a, 1 / length3(f->a));
+    cross3(f->b, f->h, f->a);
+    f->by_angle = word == FAMILY_ACONE;
+    f->k = word == FAMILY_CONE || word == FAMILY_ECONE
+         ? chance(0.3) ? 0 : between(0, 2) : 1;
+    if (word >= FAMILY_ECYLINDER && chance(0.7)) {
+        for (int i = 0; i < 3; i++) {
+            f->b[i] += 0.7 * f->a[i];
+            f->h[i] += 0.5 * f->a[i] - 0.3 * f->b[i];
+        }
+    }
+    scale3(f->a, r);
+    scale3(f->b, word >= FAMILY_ECYLINDER ? r * power(-0.5, 0.5) : r);
+    scale3(f->h, h);
+}
+
+static void write_shape(struct family_case *out, family_shape word,
+                        const frame *f)
+{
+    const double degree = 57.29577951308232; /* 180 / pi */
+    double *x = out->shape_data;
+    const double r = length3(f->a);
+    out->shape_word = word;
+    copy3(x, f->c);
+    switch (word) {
+    case FAMILY_CYLINDER:
+        place(f, 0, 0, 1, x + 3);
+        x[6] = r;
+        break;
+    case FAMILY_CONE:
+        x[3] = r;
+        place(f, 0, 0, 1, x + 4);
+        x[7] = r * f->k;
+        if (chance(0.5)) { /* the narrow end may be the base */
+            double p[4];
+            memcpy(p, x, sizeof p);
+            memcpy(x, x + 4, sizeof p);
+            memcpy(x + 4, p, sizeof p);
+            if (x[3] == 0 && x[7] == 0) {
+                x[3] = r;
+            }
+        }
+        break;
+    case FAMILY_ACONE:
+        copy3(x + 3, f->h);
+        x[6] = atan(r / length3(f->h)) * degree;
+        break;
+    case FAMILY_ECONE:
+        x[12] = f->k; /* fall through */
+    case FAMILY_ECYLINDER:
+        copy3(x + 3, f->a);
+        copy3(x + 6, f->b);
+        copy3(x + 9, f->h);
+        break;
+    }
+}
+
+static cylint_ends any_ends(void)
+{
+    return chance(0.4) ? CYLINT_CAPPED : (cylint_ends)one_of(6);
+}
+
+/* The line through p with direction d, as any kind of line. */
+static void write_line(struct family_case *out, const double p[3],
+                       const double d[3])
+{
+    double *x = out->line_data;
+    out->line_word = (family_line)one_of(4);
+    copy3(x, p);
+    copy3(x + 3, d);
+    if (out->line_word == FAMILY_SEGMENT) {
+        for (int i = 0; i < 3; i++) {
+            x[i + 3] += p[i];
+        }
+    } else if (out->line_word == FAMILY_SPAN) {
+        x[6] = between(-2, 1);
+        x[7] = chance(0.2) ? HUGE_VAL : x[6] + between(0, 4);
+    }
+}
+
+/* The same, the origin moved back by `back` directions. */
+static void write_line_from(struct family_case *out, const double p[3],
+                            const double d[3], double back)
+{
+    double o[3];
+    for (int i = 0; i < 3; i++) {
+        o[i] = p[i] - back * d[i];
+    }
+    write_line(out, o, d);
+}
+
+static void simple_frame(frame *f, family_shape word)
+{
+    make_frame(f, word, between(0.2, 2), between(0.2, 3));
+}
+
+static double any_z(const frame *f)
+{
+    return f->by_angle ? between(0.05, 1) : between(0, 1);
+}
+
+/* A point of the lateral surface, `factor` times as far from the axis. */
+static void surface_point(const frame *f, double z, double factor,
+                          double p[3])
+{
+    const double turn = between(0, 6.283185307179586);
+    const double r = rho(f, z) * factor;
+    place(f, r * cos(turn), r * sin(turn), z, p);
+}
+
+/* ------------------------------------------------------------ families -- */
+
+/* A line through two points in a box about the shape. */
+static void aim(struct family_case *out, const frame *f, double size)
+{
+    double p[3], q[3];
+    place(f, between(-size, size), between(-size, size),
+          between(-size, 1 + size), p);
+    place(f, between(-1, 1), between(-1, 1), between(0, 1), q);
+    for (int i = 0; i < 3; i++) {
+        q[i] -= p[i];
+    }
+    scale3(q, power(-0.5, 0.5));
+    write_line(out, p, q);
+}
+
+static void ordinary(struct family_case *out)
+{
+    frame f;
+    const family_shape word = any_word();
+    simple_frame(&f, word);
+    write_shape(out, word, &f);
+    aim(out, &f, 3);
+}
+
+static void on_the_surface(struct family_case *out)
+{
+    frame f;
+    double p[3], d[3];
+    const family_shape word = any_word();
+    simple_frame(&f, word);
+    write_shape(out, word, &f);
+    surface_point(&f, any_z(&f), 1, p);
+    random_direction(d);
+    write_line(out, p, d);
+    out->line_word = chance(0.8) ? FAMILY_RAY : FAMILY_LINE;
+}
+
+static void far_origin(struct family_case *out)
+{
+    frame f;
+    double p[3], d[3];
+    const family_shape word = any_word();
+    simple_frame(&f, word);
+    write_shape(out, word, &f);
+    surface_point(&f, any_z(&f), chance(0.5) ? 1 : between(0, 1.5), p);
+    random_direction(d);
+    write_line_from(out, p, d, power(3, 8));
+}
+
+static int is_point(const struct family_case *c, int i)
+{
+    return i < 3 || (c->shape_word == FAMILY_CYLINDER && i < 6) ||
+           (c->shape_word == FAMILY_CONE && i >= 4 && i < 7);
+}
+
+/* Everything moved by v. */
+static void translate(struct family_case *c, const double v[3])
+{
+    for (int i = 0; i < family_shape_size(c->shape_word); i++) {
+        if (is_point(c, i)) {
+            const int after_radius = c->shape_word == FAMILY_CONE && i >= 4;
+            c->shape_data[i] += v[(after_radius ? i - 1 : i) % 3];
+        }
+    }
+    for (int i = 0; i < (c->line_word == FAMILY_SEGMENT ? 6 : 3); i++) {
+        c->line_data[i] += v[i % 3];
+    }
+}
+
+static void translated(struct family_case *out)
+{
+    double v[3];
+    ordinary(out);
+    random_direction(v);
+    scale3(v, power(4, 8));
+    translate(out, v);
+}
+
+static void grazing(struct family_case *out)
+{
+    frame f;
+    double p[3], d[3];
+    const family_shape word = any_word();
+    simple_frame(&f, word);
+    write_shape(out, word, &f);
+    const double z = any_z(&f), turn = between(0, 6.283185307179586);
+    const double r = rho(&f, z), slope = rho(&f, 1) - rho(&f, 0);
+    const double x = cos(turn), y = sin(turn), off = 1 + small(-16, -4);
+    const double around = between(-1, 1), up = between(-1, 1);
+    place(&f, r * x * off, r * y * off, z, p);
+    vary(&f, -around * y + up * slope * x, around * x + up * slope * y, up,
+         d);
+    write_line_from(out, p, d, between(-3, 3));
+}
+
+static void nearly_parallel(struct family_case *out)
+{
+    frame f;
+    double p[3], d[3], aside[3];
+    const family_shape word = any_word();
+    simple_frame(&f, word);
+    write_shape(out, word, &f);
+    surface_point(&f, any_z(&f), chance(0.3) ? 1 : between(0, 1.2), p);
+    copy3(d, f.h);
+    random_direction(aside);
+    const double by = power(-12, -3);
+    for (int i = 0; i < 3; i++) {
+        d[i] += by * aside[i];
+    }
+    write_line_from(out, p, d, between(-2, 2));
+}
+
+/* ----- whole numbers: coincidences that are exact ---------------------- */
+
+static void whole_vector(double v[3], int most)
+{
+    do {
+        set3(v, whole_between(-most, most), whole_between(-most, most),
+             whole_between(-most, most));
+    } while (v[0] == 0 && v[1] == 0 && v[2] == 0);
+}
+
+/* A shape of small whole numbers; most axes along a coordinate. */
+static void whole_shape(struct family_case *out)
+{
+    double *x = out->shape_data, h[3];
+    out->shape_word = any_word();
+    set3(x, whole_between(-3, 3), whole_between(-3, 3), whole_between(-3, 3));
+    whole_vector(h, 3);
+    if (chance(0.6)) {
+        set3(h, 0, 0, 0);
+        h[one_of(3)] = whole_between(1, 4);
+    }
+    switch (out->shape_word) {
+    case FAMILY_CYLINDER:
+        set3(x + 3, x[0] + h[0], x[1] + h[1], x[2] + h[2]);
+        x[6] = whole_between(1, 5);
+        break;
+    case FAMILY_CONE:
+        x[3] = whole_between(0, 5);
+        set3(x + 4, x[0] + h[0], x[1] + h[1], x[2] + h[2]);
+        x[7] = x[3] == 0 ? whole_between(1, 5) : whole_between(0, 5);
+        break;
+    case FAMILY_ACONE:
+        copy3(x + 3, h);
+        x[6] = chance(0.8) ? 45 : whole_between(1, 89);
+        break;
+    case FAMILY_ECONE:
+        x[12] = chance(0.5) ? 0 : 0.5 * whole_between(0, 4); /* fall through */
+    case FAMILY_ECYLINDER:
+        whole_vector(x + 3, 3);
+        whole_vector(x + 6, 3);
+        copy3(x + 9, h);
+        if (chance(0.5)) { /* a box of axes */
+            const int i = one_of(3);
+            set3(x + 3, 0, 0, 0);
+            set3(x + 6, 0, 0, 0);
+            set3(x + 9, 0, 0, 0);
+            x[3 + i] = whole_between(1, 4);
+            x[6 + (i + 1) % 3] = whole_between(1, 4);
+            x[9 + (i + 2) % 3] = whole_between(1, 4);
+        }
+        break;
+    }
+    out->ends = any_ends();
+}
+
+static void integer_grid(struct family_case *out)
+{
+    double p[3], d[3];
+    whole_shape(out);
+    set3(p, whole_between(-6, 6), whole_between(-6, 6), whole_between(-6, 6));
+    whole_vector(d, chance(0.5) ? 1 : 3);
+    write_line(out, p, d);
+    if (out->line_word == FAMILY_SPAN) {
+        out->line_data[6] = whole_between(-4, 1);
+        out->line_data[7] = out->line_data[6] + whole_between(0, 5);
+    }
+}
+
+/* The axis of a case's shape, as written. */
+static void axis_of(const struct family_case *c, double h[3])
+{
+    const double *x = c->shape_data;
+    switch (c->shape_word) {
+    case FAMILY_CYLINDER:
+        set3(h, x[3] - x[0], x[4] - x[1], x[5] - x[2]);
+        break;
+    case FAMILY_CONE:
+        set3(h, x[4] - x[0], x[5] - x[1], x[6] - x[2]);
+        break;
+    case FAMILY_ACONE:
+        copy3(h, x + 3);
+        break;
+    default:
+        copy3(h, x + 9);
+        break;
+    }
+}
+
+static void exactly_parallel(struct family_case *out)
+{
+    double p[3], d[3];
+    whole_shape(out);
+    axis_of(out, d);
+    scale3(d, ldexp(chance(0.5) ? 1 : -1, whole_between(-3, 3)));
+    for (int i = 0; i < 3; i++) {
+        p[i] = out->shape_data[i] + whole_between(-5, 5);
+    }
+    if (out->shape_word >= FAMILY_ECYLINDER && chance(0.5)) { /* on it */
+        const int axis = chance(0.5) ? 3 : 6;
+        for (int i = 0; i < 3; i++) {
+            p[i] = out->shape_data[i] + out->shape_data[axis + i];
+        }
+    }
+    write_line(out, p, d);
+    if (chance(0.2)) {
+        const int i = one_of(6);
+        out->line_data[i] = stepped(out->line_data[i], whole_between(-4, 4));
+    }
+}
+
+/*
+ * Lines tangent in whole numbers.  The radius is the hypotenuse of a
+ * Pythagorean triple (p, q, r) in the plane of two coordinates, the axis
+ * along the third: the line through axis + (p, q) along (-q, p), tilted by
+ * any whole amount along the axis, touches the cylinder; with dr = -r and
+ * h = 1 the ruling's direction (-p, -q, 1) may be added on a cone.
+ */
+static void pythagorean(struct family_case *out)
+{
+    static const int triples[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17},
+                                     {7, 24, 25}, {20, 21, 29}, {1, 0, 1}};
+    const int *t = triples[one_of(6)];
+    const int i = one_of(3), j = (i + 1) % 3, k = (i + 2) % 3;
+    double *x = out->shape_data, p[3] = {0, 0, 0}, d[3] = {0, 0, 0};
+    const int cone = chance(0.5), along = whole_between(-3, 3);
+    memset(x, 0, 13 * sizeof *x);
+    out->shape_word = cone ? FAMILY_CONE : FAMILY_CYLINDER;
+    x[cone ? 3 : 6] = t[2];
+    x[(cone ? 4 : 3) + k] = 1;
+    p[i] = t[0];
+    p[j] = t[1];
+    d[i] = -t[1] - (cone ? along * t[0] : 0);
+    d[j] = t[0] - (cone ? along * t[1] : 0);
+    d[k] = along;
+    const double back = whole_between(-3, 3), up = cone ? 0 : between(0, 1);
+    p[k] = floor(up * 4) / 4;
+    write_line_from(out, p, d, back);
+    double v[3] = {whole_between(-9, 9), whole_between(-9, 9),
+                   whole_between(-9, 9)};
+    translate(out, v);
+    if (chance(0.6)) {
+        const int n = one_of(6 + family_shape_size(out->shape_word));
+        double *moved = n < 6 ? &out->line_data[n] : &x[n - 6];
+        if (*moved != 0) {
+            *moved = stepped(*moved, whole_between(-4, 4));
+        }
+    }
+    out->ends = any_ends();
+}
+
+/* ----- scales ----------------------------------------------------------- */
+
+static void multiply(double *x, int n, double by)
+{
+    for (int i = 0; i < n; i++) {
+        x[i] *= by;
+    }
+}
+
+/* Lengths times `by`; directions of lines and factors stay. */
+static void enlarge(struct family_case *c, double by)
+{
+    const int factor = c->shape_word == FAMILY_ACONE ||
+                       c->shape_word == FAMILY_ECONE;
+    multiply(c->shape_data, family_shape_size(c->shape_word) - factor, by);
+    multiply(c->line_data, c->line_word == FAMILY_SEGMENT ? 6 : 3, by);
+}
+
+static void scaled(struct family_case *out)
+{
+    const double by = power(-100, 100);
+    ordinary(out);
+    enlarge(out, by);
+    multiply(out->line_data + 3, out->line_word == FAMILY_SEGMENT ? 0 : 3,
+             by);
+}
+
+static void scaled_apart(struct family_case *out)
+{
+    frame f;
+    const family_shape word = any_word();
+    make_frame(&f, word, power(-100, 100), power(-100, 100));
+    scale3(f.c, power(-100, 100));
+    write_shape(out, word, &f);
+    aim(out, &f, 3);
+    multiply(out->line_data + 3, out->line_word == FAMILY_SEGMENT ? 0 : 3,
+             power(-100, 100));
+}
+
+static void wild_radius(struct family_case *out)
+{
+    frame f;
+    const family_shape word = any_word();
+    make_frame(&f, word, chance(0.5) ? 1e12 : 1e-12, between(0.2, 3));
+    write_shape(out, word, &f);
+    aim(out, &f, 1.5);
+}
+
+static void not_unit(struct family_case *out)
+{
+    ordinary(out);
+    multiply(out->line_data + 3, out->line_word == FAMILY_SEGMENT ? 0 : 3,
+             power(-8, 8));
+}
+
+static void needle_or_disc(struct family_case *out)
+{
+    frame f;
+    const family_shape word = any_word();
+    const double r = between(0.5, 1);
+    make_frame(&f, word, r, r * (chance(0.5) ? 1e6 : 1e-6));
+    write_shape(out, word, &f);
+    aim(out, &f, 1.5);
+}
+
+/* Exponents near one end of the range. */
+static void subnormal(struct family_case *out)
+{
+    ordinary(out);
+    enlarge(out, ldexp(1, whole_between(-1074, -1000)));
+    multiply(out->line_data + 3, out->line_word == FAMILY_SEGMENT ? 0 : 3,
+             ldexp(1, whole_between(-1074, 0)));
+}
+
+static void huge(struct family_case *out)
+{
+    ordinary(out);
+    enlarge(out, ldexp(1, whole_between(980, 1019)));
+    multiply(out->line_data + 3, out->line_word == FAMILY_SEGMENT ? 0 : 3,
+             ldexp(1, whole_between(0, 1020)));
+}
+
+/* Every number with an exponent of its own. */
+static void mixed_exponents(struct family_case *out)
+{
+    const int deep = chance(0.3) ? 1074 : 60;
+    integer_grid(out);
+    for (int i = 0; i < 6; i++) {
+        out->line_data[i] *= ldexp(between(1, 2), whole_between(-deep, 60));
+    }
+    const int n = family_shape_size(out->shape_word);
+    for (int i = 0; i < n; i++) {
+        const int angle = out->shape_word == FAMILY_ACONE && i == 6;
+        out->shape_data[i] *= angle ? 1 : ldexp(between(1, 2),
+                                                whole_between(-deep, 60));
+    }
+}
+
+/* ----- cones ------------------------------------------------------------ */
+
+/* z of the apex; 0.5, any point, where there is none. */
+static double apex_z(const frame *f)
+{
+    return f->by_angle ? 0 : f->k != 1 ? 1 / (1 - f->k) : 0.5;
+}
+
+static void near_the_apex(struct family_case *out)
+{
+    frame f;
+    double p[3], d[3], aside[3];
+    const family_shape word = cone_word();
+    simple_frame(&f, word);
+    write_shape(out, word, &f);
+    place(&f, 0, 0, apex_z(&f), p);
+    random_direction(aside);
+    random_direction(d);
+    const double by = small(-17, -1);
+    for (int i = 0; i < 3; i++) {
+        p[i] += by * aside[i];
+    }
+    write_line_from(out, p, d, between(-2, 2));
+}
+
+static void near_a_ruling(struct family_case *out)
+{
+    frame f;
+    double p[3], q[3], d[3], aside[3];
+    const family_shape word = cone_word();
+    simple_frame(&f, word);
+    write_shape(out, word, &f);
+    const double turn = between(0, 6.283185307179586), z = any_z(&f);
+    const double r0 = rho(&f, 0), r1 = rho(&f, 1), x = cos(turn);
+    const double y = sin(turn), off = small(-16, -3), tilt = small(-16, -3);
+    place(&f, r0 * x, r0 * y, 0, p);
+    place(&f, r1 * x, r1 * y, 1, q);
+    random_direction(aside);
+    for (int i = 0; i < 3; i++) {
+        d[i] = q[i] - p[i] + tilt * aside[(i + 1) % 3];
+        p[i] += z * (q[i] - p[i]) + off * aside[i];
+    }
+    write_line_from(out, p, d, between(-2, 2));
+}
+
+static void narrow_or_wide(struct family_case *out)
+{
+    frame f;
+    const family_shape word = cone_word();
+    make_frame(&f, word, chance(0.5) ? 1e-8 : 1e8, between(0.5, 2));
+    write_shape(out, word, &f);
+    aim(out, &f, 1.5);
+}
+
+/* Exactly through the apex, then perhaps moved by a few ulp. */
+static void through_the_apex(struct family_case *out)
+{
+    double d[3], apex[3], h[3];
+    do {
+        whole_shape(out);
+    } while (out->shape_word == FAMILY_CYLINDER ||
+             out->shape_word == FAMILY_ECYLINDER);
+    axis_of(out, h);
+    double z = 0;
+    if (out->shape_word == FAMILY_CONE) {
+        out->shape_data[7] = 0;
+        out->shape_data[3] = whole_between(1, 5);
+        z = 1;
+    } else if (out->shape_word == FAMILY_ECONE) {
+        out->shape_data[12] = chance(0.5) ? 0 : 0.5;
+        z = out->shape_data[12] == 0 ? 1 : 2;
+    }
+    for (int i = 0; i < 3; i++) {
+        apex[i] = out->shape_data[i] + z * h[i];
+    }
+    whole_vector(d, 5);
+    write_line_from(out, apex, d, whole_between(-4, 4));
+    if (chance(0.4)) {
+        const int i = one_of(6);
+        out->line_data[i] = stepped(out->line_data[i], whole_between(-4, 4));
+    }
+}
+
+/* Steep enough to meet both nappes. */
+static void both_nappes(struct family_case *out)
+{
+    frame f;
+    double p[3], d[3];
+    const family_shape word = cone_word();
+    simple_frame(&f, word);
+    write_shape(out, word, &f);
+    const double apex = apex_z(&f), slope = fabs(rho(&f, 1) - rho(&f, 0));
+    place(&f, between(-1, 1), between(-1, 1), apex + between(-1, 1), p);
+    vary(&f, slope * between(-1.1, 1.1), slope * between(-0.4, 0.4), 1, d);
+    write_line_from(out, p, d, between(-2, 2));
+    out->ends = chance(0.7) ? CYLINT_INFINITE : CYLINT_NAPPE;
+}
+
+/* ----- ends ------------------------------------------------------------- */
+
+static void near_a_rim(struct family_case *out)
+{
+    frame f;
+    double p[3], d[3];
+    const family_shape word = any_word();
+    simple_frame(&f, word);
+    write_shape(out, word, &f);
+    const double z = f.by_angle || chance(0.5) ? 1 : 0;
+    surface_point(&f, z + small(-16, -4), 1 + small(-16, -4), p);
+    random_direction(d);
+    write_line_from(out, p, d, between(-3, 3));
+}
+
+static void near_a_cap_plane(struct family_case *out)
+{
+    frame f;
+    double p[3], d[3];
+    const family_shape word = any_word();
+    simple_frame(&f, word);
+    write_shape(out, word, &f);
+    const double z = chance(0.5) ? 1 : 0;
+    place(&f, between(-1, 1), between(-1, 1), z + small(-16, -4), p);
+    vary(&f, between(-1, 1), between(-1, 1), small(-16, -4), d);
+    write_line_from(out, p, d, between(-3, 3));
+}
+
+/* ----- elliptic --------------------------------------------------------- */
+
+static family_shape elliptic_word(void)
+{
+    return chance(0.5) ? FAMILY_ECYLINDER : FAMILY_ECONE;
+}
+
+static void skewed(struct family_case *out)
+{
+    frame f;
+    const family_shape word = elliptic_word();
+    simple_frame(&f, word);
+    const double flat = power(-6, 0);
+    for (int i = 0; i < 3; i++) { /* nearly in one plane */
+        f.h[i] = flat * f.h[i] + f.a[i] + f.b[i];
+    }
+    write_shape(out, word, &f);
+    aim(out, &f, 3);
+}
+
+static void thin(struct family_case *out)
+{
+    frame f;
+    const family_shape word = elliptic_word();
+    simple_frame(&f, word);
+    scale3(chance(0.5) ? f.a : f.b, power(-6, -3));
+    write_shape(out, word, &f);
+    aim(out, &f, 1.5);
+}
+
+/* ----- differences of points -------------------------------------------- */
+
+/* Parts of very different size, so that b - a and p1 - p0 need all of their
+ * digits: large common offsets, ends moved by a few ulp of the offset. */
+static void exact_differences(struct family_case *out)
+{
+    ordinary(out);
+    if (chance(0.5)) {
+        out->shape_word = FAMILY_CYLINDER;
+        out->shape_data[6] = between(0.2, 2);
+        for (int i = 0; i < 3; i++) {
+            out->shape_data[i + 3] = out->shape_data[i] + between(-2, 2);
+        }
+    }
+    out->line_word = FAMILY_SEGMENT;
+    double *x = out->line_data, away[3];
+    for (int i = 0; i < 3; i++) {
+        x[i + 3] = x[i] + between(-6, 6);
+    }
+    random_direction(away);
+    const double far = power(0, 16);
+    for (int i = 0; i < 3; i++) {
+        x[i + 3] += far * away[i]; /* one end far, the other near */
+    }
+    if (out->shape_word == FAMILY_CYLINDER && chance(0.5)) {
+        for (int i = 0; i < 3; i++) { /* the line along the axis, nearly */
+            x[i] = out->shape_data[i] + between(-1, 1);
+            x[i + 3] = out->shape_data[i + 3] + between(-1, 1) * 1e-9;
+        }
+        for (int i = 0; i < 3; i++) {
+            x[i + 3] = x[i] + (out->shape_data[i + 3] - out->shape_data[i]);
+        }
+    }
+}
+
+static const struct {
+    const char *name;
+    void (*make)(struct family_case *out);
+} families[] = {
+    {"ordinary", ordinary},
+    {"origin on the surface", on_the_surface},
+    {"far origin", far_origin},
+    {"translated", translated},
+    {"grazing", grazing},
+    {"nearly parallel", nearly_parallel},
+    {"exactly parallel", exactly_parallel},
+    {"integer grid", integer_grid},
+    {"pythagorean tangents", pythagorean},
+    {"scaled", scaled},
+    {"scaled apart", scaled_apart},
+    {"radius 1e+-12", wild_radius},
+    {"direction not unit", not_unit},
+    {"needle or disc", needle_or_disc},
+    {"near the apex", near_the_apex},
+    {"near a ruling", near_a_ruling},
+    {"narrow or wide cone", narrow_or_wide},
+    {"through the apex", through_the_apex},
+    {"both nappes", both_nappes},
+    {"near a rim", near_a_rim},
+    {"near a cap's plane", near_a_cap_plane},
+    {"elliptic, skewed", skewed},
+    {"elliptic, thin", thin},
+    {"exact differences", exact_differences},
+    {"subnormal", subnormal},
+    {"huge", huge},
+    {"mixed exponents", mixed_exponents},
+};
+
+int family_count(void)
+{
+    return (int)(sizeof families / sizeof families[0]);
+}
+
+const char *family_name(int family)
+{
+    return families[family].name;
+}
+
+void family_case(uint64_t seed, int family, uint64_t index,
+                 struct family_case *out)
+{
+    if (!rng) {
+        rng = gsl_rng_alloc(gsl_rng_taus2);
+    }
+    uint64_t stream = mixed(mixed(mixed(seed) + (uint64_t)family) + index);
+    do { /* numbers that make no shape are drawn again */
+        gsl_rng_set(rng, (unsigned long)(stream & 0xffffffff));
+        memset(out, 0, sizeof *out);
+        out->ends = any_ends();
+        families[family].make(out);
+        stream = mixed(stream + 1);
+    } while (!family_make(out));
+}
+
+#endif

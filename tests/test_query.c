@@ -1,0 +1,297 @@
+/*
+ * test_query.c - the library against the exact oracle, family by family
+ *
+ * Relation, number, parts, sides and every bit of t must agree; what else a
+ * hit can tell must lie within a few units in the last place, whose largest
+ * values are printed.  CYLINT_CASES scales the number of cases a family,
+ * CYLINT_SEED changes them all.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint.h"
+#include "families.h"
+#ifdef HAVE_MPFR
+#include "oracle.h"
+
+enum { CASES = 2000 };
+
+/* What was wrong and how far off, in one family. */
+struct tally {
+    long cases, hits, relation, number, part, t, derived;
+    double point, normal, z, phi; /* worst, in units in the last place */
+};
+
+/* How far off points, normals, z and phi may be, in units in the last place
+ * of the largest coordinate (points), of 1 (normals, phi) and of z itself;
+ * what was observed is printed beside. */
+enum { POINT_ULPS = 4, NORMAL_ULPS = 4, Z_ULPS = 4, PHI_ULPS = 4 };
+
+static uint64_t seed(void)
+{
+    const char *text = getenv("CYLINT_SEED");
+    return text ? strtoull(text, NULL, 10) : 1;
+}
+
+static uint64_t cases(void)
+{
+    const char *text = getenv("CYLINT_CASES");
+    return text ? strtoull(text, NULL, 10) : CASES;
+}
+
+/* The unit in the last place of x, as a double. */
+static double ulp(double x)
+{
+    int e;
+    frexp(x, &e);
+    return x == 0 || e - 53 < -1074 ? ldexp(1, -1074) : ldexp(1, e - 53);
+}
+
+/* |x - y| in units of the last place of `size`; infinities agree. */
+static double ulps_apart(double x, double y, double size)
+{
+    if (x == y) {
+        return 0;
+    }
+    const double off = fabs(x / 2 - y / 2) / ulp(size) * 2;
+    return off == off ? off : HUGE_VAL;
+}
+
+static double larger(double x, double y)
+{
+    return x > y ? x : y;
+}
+
+static double largest3(const double v[3])
+{
+    return larger(larger(fabs(v[0]), fabs(v[1])), fabs(v[2]));
+}
+
+static double vectors_apart(const double x[3], const double y[3],
+                            double size)
+{
+    double worst = 0;
+    for (int i = 0; i < 3; i++) {
+        worst = larger(worst, ulps_apart(x[i], y[i], size));
+    }
+    return worst;
+}
+
+/* Angles just below 1 and at 0 are neighbours. */
+static double turns_apart(double x, double y)
+{
+    const double off = fabs(x - y);
+    return ulps_apart(off > 0.5 ? 1 - off : off, 0, 0.75);
+}
+
+static int compare_derived(struct tally *sum, const cylint_hit *got,
+                           const cylint_hit *want)
+{
+    const double point = vectors_apart(got->point, want->point,
+                                       largest3(want->point));
+    const double normal = vectors_apart(got->normal, want->normal, 0.75);
+    const double z = ulps_apart(got->z, want->z, want->z);
+    const double phi = turns_apart(got->phi, want->phi);
+    sum->point = larger(sum->point, point);
+    sum->normal = larger(sum->normal, normal);
+    sum->z = larger(sum->z, z);
+    sum->phi = larger(sum->phi, phi);
+    return point <= POINT_ULPS && normal <= NORMAL_ULPS && z <= Z_ULPS &&
+           phi <= PHI_ULPS;
+}
+
+static void show(const struct family_case *c, const char *what,
+                 const cylint_answer *got, const cylint_answer *want)
+{
+    const cylint_answer *both[2] = {got, want};
+    fprintf(stderr, "# %s\n", what);
+    family_print(stderr, c);
+    fputc('\n', stderr);
+    for (int k = 0; k < 2; k++) {
+        fprintf(stderr, "#   %s relation %d n %d", k ? "want" : "got ",
+                both[k]->relation, both[k]->n);
+        for (int i = 0; i < both[k]->n; i++) {
+            const cylint_hit *h = &both[k]->hit[i];
+            fprintf(stderr, "\n#     t %a part %d side %d  point %.17g %.17g "
+                    "%.17g  normal %.17g %.17g %.17g  z %.17g phi %.17g",
+                    h->t, h->part, h->side, h->point[0], h->point[1],
+                    h->point[2], h->normal[0], h->normal[1], h->normal[2],
+                    h->z, h->phi);
+        }
+        fputc('\n', stderr);
+    }
+}
+
+/* The first thing that is wrong, or NULL; counts it. */
+static const char *compare(struct tally *sum, const cylint_answer *got,
+                           const cylint_answer *want)
+{
+    const char *wrong = NULL;
+    sum->cases++;
+    sum->hits += want->n;
+    if (got->relation != want->relation) {
+        sum->relation++;
+        return "relation";
+    }
+    if (got->n != want->n || got->flags != want->flags) {
+        sum->number++;
+        return "number of hits";
+    }
+    for (int i = 0; i < want->n && !wrong; i++) {
+        const cylint_hit *g = &got->hit[i], *w = &want->hit[i];
+        if (g->part != w->part || g->side != w->side) {
+            sum->part++;
+            wrong = "part or side";
+        } else if (g->t != w->t) {
+            sum->t++;
+            wrong = "t";
+        } else if (!compare_derived(sum, g, w)) {
+            sum->derived++;
+            wrong = "point, normal, z or phi";
+        }
+    }
+    return wrong;
+}
+
+static void print_tally(const char *name, const struct tally *s)
+{
+    printf("note: %-22s %8ld %8ld %5ld %5ld %5ld %5ld %5ld  %9.3g %9.3g %9.3g"
+           " %9.3g\n", name, s->cases, s->hits, s->relation, s->number,
+           s->part, s->t, s->derived, s->point, s->normal, s->z, s->phi);
+}
+
+static void run_family(int family)
+{
+    struct tally sum = {0};
+    for (uint64_t i = 0; i < cases(); i++) {
+        struct family_case c;
+        cylint_answer got, want;
+        family_case(seed(), family, i, &c);
+        memset(&got, 0, sizeof got);
+        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &got);
+        oracle_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &want);
+        const char *wrong = compare(&sum, &got, &want);
+        if (!CHECK(wrong == NULL) && check_bad <= CHECK_SHOWN) {
+            show(&c, wrong, &got, &want);
+        }
+    }
+    print_tally(family_name(family), &sum);
+}
+
+static void library_answers_as_the_oracle(void)
+{
+    const int only = getenv("CYLINT_FAMILY") ? atoi(getenv("CYLINT_FAMILY"))
+                                             : -1;
+    int bad = 0;
+    printf("note: seed %llu; wrong relation, number, part, t, derived; worst "
+           "point, normal, z, phi in ulp\n", (unsigned long long)seed());
+    for (int family = 0; family < family_count(); family++) {
+        if (only < 0 || family == only) {
+            check_bad = 0; /* so that each family shows its first failures */
+            run_family(family);
+            bad += check_bad;
+        }
+    }
+    check_bad = bad;
+}
+
+/* A point of the line near t, found to be inside or outside. */
+static int inside_at(const struct family_case *c, double t)
+{
+    double p[3];
+    for (int i = 0; i < 3; i++) {
+        p[i] = c->line.o[i] + t * c->line.d[i];
+    }
+    return oracle_contains(&c->shape, p);
+}
+
+/* The oracle against itself by another road: just before and just after
+ * each of its hits, points of the line are in or out as it said. */
+static void oracle_agrees_with_points_sampled_along_the_line(void)
+{
+    for (uint64_t i = 0; i < cases(); i++) {
+        struct family_case c;
+        cylint_answer answer;
+        family_case(seed(), 0, i, &c);
+        if (c.line_word == FAMILY_SEGMENT) {
+            continue; /* its d is rounded */
+        }
+        c.line.tmin = -HUGE_VAL;
+        c.line.tmax = HUGE_VAL;
+        c.shape.ends = c.shape.ends < CYLINT_INFINITE ? CYLINT_CAPPED
+                                                      : c.shape.ends;
+        oracle_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &answer);
+        CHECK(answer.n > 0 || answer.relation == CYLINT_MISS);
+        for (int k = 0; k < answer.n; k++) {
+            const double t = answer.hit[k].t, step = 1e-6;
+            const int in = answer.hit[k].side == CYLINT_ENTERING ? 1 : -1;
+            if (answer.n == 2 &&
+                answer.hit[1].t - answer.hit[0].t < 4 * step) {
+                continue;
+            }
+            if (!CHECK(inside_at(&c, t + step) == in &&
+                       inside_at(&c, t - step) == -in)) {
+                family_print(stderr, &c);
+                fputc('\n', stderr);
+            }
+        }
+    }
+}
+
+static void any_question_has_the_same_answer(void)
+{
+    for (int family = 0; family < family_count(); family++) {
+        for (uint64_t i = 0; i < cases() / 10; i++) {
+            struct family_case c;
+            cylint_answer want;
+            family_case(seed() + 1, family, i, &c);
+            oracle_intersect(&c.shape, &c.line, CYLINT_WANT_NEAREST, &want);
+            if (!CHECK(cylint_occluded(&c.shape, &c.line) == want.n)) {
+                family_print(stderr, &c);
+                fputc('\n', stderr);
+            }
+        }
+    }
+}
+
+static void contains_is_exact(void)
+{
+    for (int family = 0; family < family_count(); family++) {
+        for (uint64_t i = 0; i < cases() / 4; i++) {
+            struct family_case c;
+            family_case(seed() + 2, family, i, &c);
+            const double *o = c.line.o;
+            const int want = oracle_contains(&c.shape, o);
+            if (!CHECK(cylint_contains(&c.shape, o) == want)) {
+                REPORT("want %d, family %s", want, family_name(family));
+                family_print(stderr, &c);
+                fputc('\n', stderr);
+            }
+        }
+    }
+}
+
+int main(void)
+{
+    if (family_count() == 0) {
+        puts("no GSL: no families to draw from");
+        return 77;
+    }
+    RUN(oracle_agrees_with_points_sampled_along_the_line);
+    RUN(library_answers_as_the_oracle);
+    RUN(any_question_has_the_same_answer);
+    RUN(contains_is_exact);
+    return check_end();
+}
+
+#else
+
+int main(void)
+{
+    puts("no MPFR: no oracle to compare with");
+    (void)check_end;
+    return 77;
+}
+
+#endif
