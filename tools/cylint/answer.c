@@ -1,0 +1,254 @@
+/*
+ * answer.c - a block of records becomes a block of answers
+ *
+ * Answers gather in the block.  When there are many they are delivered in
+ * between, since of a scene one line may have a million.
+ */
+#include <stdio.h>
+
+#include "answer.h"
+#include "main.h"
+
+void job_prepare(struct job *job, const struct options *options,
+                 const struct scene *scene)
+{
+    memset(job, 0, sizeof *job);
+    job->options = options;
+    job->scene = scene;
+    if (options->method) {
+        snprintf(job->refusal, sizeof job->refusal,
+                 "method '%s' does not answer%s", options->method->name,
+                 options->scene ? "" : " for this");
+    }
+    progress_start(&job->progress, options->progress);
+}
+
+static int deliver(struct job *job, struct block *b)
+{
+    const int status = output_write(&job->out, b->out.data, b->out.length);
+    b->out.length = 0;
+    report_notes(&job->report, &b->notes, b->name);
+    b->notes.count = 0;
+    return status;
+}
+
+static int deliver_if_full(struct job *job, struct block *b)
+{
+    return b->out.length >= TEXT_FULL ? deliver(job, b) : 0;
+}
+
+static solver solver_of(const struct options *o)
+{
+    return o->method ? o->method->answer : NULL;
+}
+
+/* ------------------------------------------------------------ records -- */
+
+/* The record being answered, and what becomes of it. */
+struct task {
+    struct job *job;
+    struct block *block;
+    struct row row;
+    struct fault fault;
+    int status; /* of a delivery in between */
+};
+
+static void put_answer(struct task *task, int hit)
+{
+    const struct options *o = task->job->options;
+    if (hit || !o->hits_only) {
+        put_row(&task->block->out, &o->fields, &o->style, &task->row);
+    }
+}
+
+/* Returns 0: the method refuses this shape, which is the record's fault. */
+static int refuse_method(struct task *task, size_t shape)
+{
+    task->fault = (struct fault){task->job->refusal, 0, NULL, NULL, shape};
+    return 0;
+}
+
+static int answer_pair(struct task *task)
+{
+    const struct options *o = task->job->options;
+    const struct record *r = &task->block->parsed;
+    cylint_answer answer;
+    if (!ask(solver_of(o), &r->shape, &r->line, o->fields.want, &answer)) {
+        return refuse_method(task, 0);
+    }
+    task->row.answer = &answer;
+    put_answer(task, answer.n > 0);
+    return 1;
+}
+
+static int answer_nearest(struct task *task)
+{
+    const struct options *o = task->job->options;
+    cylint_answer answer;
+    const size_t refused = scene_nearest(task->job->scene, solver_of(o),
+        &task->block->parsed.line, o->fields.want, &answer, &task->row);
+    if (refused > 0) {
+        return refuse_method(task, refused);
+    }
+    put_answer(task, task->row.shape > 0);
+    return 1;
+}
+
+static int answer_count(struct task *task, unsigned long long most)
+{
+    const size_t refused = scene_count(task->job->scene,
+        solver_of(task->job->options), &task->block->parsed.line, most,
+        &task->row);
+    if (refused > 0) {
+        return refuse_method(task, refused);
+    }
+    put_answer(task, task->row.count > 0);
+    return 1;
+}
+
+/* A method is first asked whether it answers for all shapes: a record is
+ * either answered or bad, not half of each. */
+static int answer_all(struct task *task)
+{
+    const struct options *o = task->job->options;
+    const struct scene *scene = task->job->scene;
+    const solver method = solver_of(o);
+    const cylint_line *line = &task->block->parsed.line;
+    const size_t refused = method
+        ? scene_count(scene, method, line, ~0ULL, &task->row) : 0;
+    if (refused > 0) {
+        return refuse_method(task, refused);
+    }
+    for (size_t i = 0; i < scene->count && task->status == 0; i++) {
+        cylint_answer answer;
+        ask(method, &scene->shapes[i], line, o->fields.want, &answer);
+        if (answer.n > 0) {
+            task->row.shape = i + 1;
+            task->row.answer = &answer;
+            put_answer(task, 1);
+            task->status = deliver_if_full(task->job, task->block);
+        }
+    }
+    return 1;
+}
+
+/* Returns whether the parsed record could be answered. */
+static int answer_record(struct task *task)
+{
+    const struct record *r = &task->block->parsed;
+    task->row.tail = r->tail;
+    task->row.tail_length = r->tail_length;
+    switch (task->job->options->query) {
+    case QUERY_PAIRS:
+        return answer_pair(task);
+    case QUERY_NEAREST:
+        return answer_nearest(task);
+    case QUERY_ANY:
+        return answer_count(task, 1);
+    case QUERY_COUNT:
+        return answer_count(task, ~0ULL);
+    default:
+        return answer_all(task);
+    }
+}
+
+static void mark_bad(struct task *task, unsigned long long line,
+                     const char *text)
+{
+    const struct options *o = task->job->options;
+    struct block *b = task->block;
+    take_note(&b->notes, line, task->row.record, text, &task->fault);
+    if (o->bad == BAD_MARK) {
+        put_error(&b->out, &o->fields, &o->style);
+    }
+    b->stopped = o->bad == BAD_STOP;
+}
+
+/* ------------------------------------------------------------- blocks -- */
+
+static void copy_comment(struct block *b, const char *line, const char *end)
+{
+    if (end > line && end[-1] == '\r') {
+        end--;
+    }
+    put_bytes(&b->out, line, (size_t)(end - line));
+    put_char(&b->out, '\n');
+}
+
+static void answer_text(struct task *task)
+{
+    const struct options *o = task->job->options;
+    struct block *b = task->block;
+    const char *end = b->text + b->length;
+    unsigned long long number = b->line;
+    const char *stop;
+    for (const char *line = b->text; line < end && task->status == 0
+         && !b->stopped; line = stop + 1, number++) {
+        stop = end_of_line(line, end);
+        if (is_record(line, stop)) {
+            if (!read_record(&o->grammar, line, stop, &b->parsed,
+                             &task->fault) || !answer_record(task)) {
+                mark_bad(task, number, line);
+            }
+            task->row.record++;
+        } else if (o->comments) {
+            copy_comment(b, line, stop);
+        }
+        if (task->status == 0) {
+            task->status = deliver_if_full(task->job, b);
+        }
+    }
+}
+
+static int take_doubles(struct task *task, const char *bytes, size_t size,
+                        size_t left)
+{
+    double numbers[MOST_NUMBERS];
+    if (left < size) {
+        task->fault = (struct fault){"the input ends within it",
+                                     0, NULL, NULL, 0};
+        return 0;
+    }
+    for (size_t i = 0; i < size / 8; i++) {
+        numbers[i] = get_little_endian(bytes + 8 * i);
+    }
+    return take_record(&task->job->options->grammar, numbers,
+                       &task->block->parsed, &task->fault);
+}
+
+static void answer_doubles(struct task *task)
+{
+    struct block *b = task->block;
+    const size_t size = task->job->in.record_size;
+    for (size_t at = 0; at < b->length && task->status == 0 && !b->stopped;
+         at += size) {
+        if (!take_doubles(task, b->text + at, size, b->length - at)
+            || !answer_record(task)) {
+            mark_bad(task, 0, NULL);
+        }
+        task->row.record++;
+        if (task->status == 0) {
+            task->status = deliver_if_full(task->job, b);
+        }
+    }
+}
+
+int answer_block(struct job *job, struct block *b)
+{
+    struct task task;
+    memset(&task, 0, sizeof task);
+    task.job = job;
+    task.block = b;
+    task.row.record = b->record;
+    if (job->in.record_size > 0) {
+        answer_doubles(&task);
+    } else {
+        answer_text(&task);
+    }
+    if (task.status == 0) {
+        task.status = deliver(job, b);
+    }
+    progress_add(&job->progress, b->records, (double)job->in.bytes,
+                 job->in.total);
+    return task.status;
+}

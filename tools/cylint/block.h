@@ -1,0 +1,36 @@
+/*
+ * block.h - some whole records on their way from input to output
+ *
+ * A block holds everything that changes while its records are answered, so
+ * that several can be under way at once: what was read, where it stood, the
+ * answers, the complaints.
+ */
+#ifndef CYLINT_BLOCK_H
+#define CYLINT_BLOCK_H
+
+#include "grammar.h"
+#include "report.h"
+#include "text.h"
+
+enum {
+    BLOCK_GOAL = 1 << 18,        /* enough to begin answering */
+    BLOCK_ROOM = 2 * LINE_MOST   /* a long line, and what comes with it */
+};
+
+struct block {
+    char *text;       /* whole records, and one byte more: a NUL; but the
+                         last may be the beginning of a line too long, or
+                         a binary record that the input's end cut off */
+    size_t length;
+    const char *name; /* of the file, for messages */
+    unsigned long long line;    /* number of the first line, from 1 */
+    unsigned long long record;  /* number of the first record, from 1 */
+    unsigned long long records; /* how many there are */
+
+    struct text out;
+    struct notes notes;
+    int stopped;      /* at a bad record, by -e stop */
+    struct record parsed; /* the record that is being answered */
+};
+
+#endif

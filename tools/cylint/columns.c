@@ -1,0 +1,362 @@
+/*
+ * columns.c - what can be answered, and how an answer is written
+ *
+ * A new column is a line in the table, and a case in value_of() if no value
+ * of the kind is there yet.
+ */
+#include <math.h>
+
+#include "columns.h"
+#include "numbers.h"
+
+enum value {
+    VALUE_RELATION, VALUE_N, VALUE_T, VALUE_PART, VALUE_SIDE,
+    VALUE_X, VALUE_Y, VALUE_Z, VALUE_NX, VALUE_NY, VALUE_NZ,
+    VALUE_H, VALUE_PHI, VALUE_CHORD, VALUE_RECORD, VALUE_SHAPE, VALUE_COUNT
+};
+
+struct column {
+    const char *name;
+    enum value value;
+    int hit;          /* 0 or 1, for values of a hit */
+    unsigned queries; /* a bit for each enum query */
+    const char *about;
+};
+
+const char *const query_words[] = {
+    [QUERY_PAIRS] = "pairs",
+    [QUERY_NEAREST] = "nearest",
+    [QUERY_ANY] = "any",
+    [QUERY_COUNT] = "count",
+    [QUERY_ALL] = "all",
+    [QUERIES] = NULL
+};
+
+enum {
+    PAIRS = 1 << QUERY_PAIRS,
+    NEAREST = 1 << QUERY_NEAREST,
+    ANY = 1 << QUERY_ANY,
+    COUNT = 1 << QUERY_COUNT,
+    ALL = 1 << QUERY_ALL,
+    EVERY = PAIRS | NEAREST | ANY | COUNT | ALL
+};
+
+#define HIT(name, value, about) \
+    {name "0", value, 0, PAIRS | ALL, about ", first hit"}, \
+    {name "1", value, 1, PAIRS | ALL, about ", second hit"}, \
+    {name, value, 0, NEAREST, about}
+
+static const struct column columns[] = {
+    {"relation", VALUE_RELATION, 0, PAIRS | NEAREST | ALL,
+     "miss, touch, along or cross: the whole line and the closed solid"},
+    {"n", VALUE_N, 0, PAIRS | ALL, "number of hits"},
+    HIT("t", VALUE_T, "where on the line"),
+    HIT("part", VALUE_PART, "lateral, cap0 or cap1"),
+    HIT("side", VALUE_SIDE, "entering, leaving or both"),
+    HIT("x", VALUE_X, "x of the point"),
+    HIT("y", VALUE_Y, "y of the point"),
+    HIT("z", VALUE_Z, "z of the point"),
+    HIT("nx", VALUE_NX, "x of the outward unit normal"),
+    HIT("ny", VALUE_NY, "y of the outward unit normal"),
+    HIT("nz", VALUE_NZ, "z of the outward unit normal"),
+    HIT("h", VALUE_H, "axial coordinate, 0 at the base, 1 at the top"),
+    HIT("phi", VALUE_PHI, "angle about the axis over 2 pi, in [0,1)"),
+    {"chord", VALUE_CHORD, 0, PAIRS | ALL, "t1 - t0"},
+    {"shape", VALUE_SHAPE, 0, NEAREST | ALL,
+     "number of the shape in the scene, from 1; 0 for none"},
+    {"any", VALUE_COUNT, 0, ANY, "1 if a shape is hit, else 0"},
+    {"count", VALUE_COUNT, 0, COUNT, "number of shapes that are hit"},
+    {"id", VALUE_RECORD, 0, EVERY, "number of the record, from 1"},
+    {"record", VALUE_RECORD, 0, ALL, "the same"},
+};
+
+enum { COLUMNS = sizeof columns / sizeof *columns };
+
+const char *default_fields(enum query query)
+{
+    static const char *const defaults[QUERIES] = {
+        [QUERY_PAIRS] = "relation,n,t0,t1",
+        [QUERY_NEAREST] = "shape,t,part",
+        [QUERY_ANY] = "any",
+        [QUERY_COUNT] = "count",
+        [QUERY_ALL] = "record,shape,t0,t1",
+    };
+    return defaults[query];
+}
+
+static unsigned want_of(enum value value)
+{
+    switch (value) {
+    case VALUE_T:
+    case VALUE_CHORD:
+        return CYLINT_WANT_T;
+    case VALUE_PART:
+    case VALUE_SIDE:
+        return CYLINT_WANT_PART;
+    case VALUE_X:
+    case VALUE_Y:
+    case VALUE_Z:
+        return CYLINT_WANT_POINT;
+    case VALUE_NX:
+    case VALUE_NY:
+    case VALUE_NZ:
+        return CYLINT_WANT_NORMAL;
+    case VALUE_H:
+        return CYLINT_WANT_Z;
+    case VALUE_PHI:
+        return CYLINT_WANT_PHI;
+    default:
+        return CYLINT_WANT_COUNT;
+    }
+}
+
+static const struct column *find_column(const char *name, size_t length,
+                                        enum query query)
+{
+    for (int i = 0; i < COLUMNS; i++) {
+        if ((columns[i].queries >> query & 1)
+            && strlen(columns[i].name) == length
+            && memcmp(columns[i].name, name, length) == 0) {
+            return &columns[i];
+        }
+    }
+    return NULL;
+}
+
+/* The first hit is enough unless a column needs both, or their number. */
+static int needs_both_hits(const struct fields *fields)
+{
+    for (int i = 0; i < fields->count; i++) {
+        const struct column *c = fields->column[i];
+        if (c->hit || c->value == VALUE_N || c->value == VALUE_CHORD) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+const char *find_fields(struct fields *fields, const char *names,
+                        enum query query, size_t *length)
+{
+    fields->count = 0;
+    fields->want = 0;
+    for (;;) {
+        *length = strcspn(names, ",");
+        const struct column *c = find_column(names, *length, query);
+        if (!c || fields->count == MOST_FIELDS) {
+            return names;
+        }
+        fields->column[fields->count++] = c;
+        fields->want |= want_of(c->value);
+        if (names[*length] == '\0') {
+            break;
+        }
+        names += *length + 1;
+    }
+    if (!needs_both_hits(fields)) {
+        fields->want |= CYLINT_WANT_NEAREST;
+    }
+    return NULL;
+}
+
+/* ------------------------------------------------------------- values -- */
+
+static double value_of_hit(enum value value, const cylint_hit *hit)
+{
+    switch (value) {
+    case VALUE_T:
+        return hit->t;
+    case VALUE_PART:
+        return hit->part;
+    case VALUE_SIDE:
+        return hit->side;
+    case VALUE_X:
+    case VALUE_Y:
+    case VALUE_Z:
+        return hit->point[value - VALUE_X];
+    case VALUE_NX:
+    case VALUE_NY:
+    case VALUE_NZ:
+        return hit->normal[value - VALUE_NX];
+    case VALUE_H:
+        return hit->z;
+    default:
+        return hit->phi;
+    }
+}
+
+static int is_missing(const struct column *c, const struct row *row)
+{
+    switch (c->value) {
+    case VALUE_RECORD:
+    case VALUE_COUNT:
+    case VALUE_SHAPE:
+        return 0;
+    case VALUE_RELATION:
+    case VALUE_N:
+        return row->answer == NULL;
+    case VALUE_CHORD:
+        return row->answer == NULL || row->answer->n < 2;
+    default:
+        return row->answer == NULL || row->answer->n <= c->hit;
+    }
+}
+
+/* Not of a missing value. */
+static double value_of(const struct column *c, const struct row *row)
+{
+    const cylint_answer *a = row->answer;
+    switch (c->value) {
+    case VALUE_RECORD:
+        return (double)row->record;
+    case VALUE_SHAPE:
+        return (double)row->shape;
+    case VALUE_COUNT:
+        return (double)row->count;
+    case VALUE_RELATION:
+        return a->relation;
+    case VALUE_N:
+        return a->n;
+    case VALUE_CHORD:
+        return a->hit[1].t - a->hit[0].t;
+    default:
+        return value_of_hit(c->value, &a->hit[c->hit]);
+    }
+}
+
+/* The words for a value, or NULL where it is a number. */
+static const char *const *words_of(enum value value)
+{
+    static const char *const relations[] = {
+        [CYLINT_MISS] = "miss", [CYLINT_TOUCH] = "touch",
+        [CYLINT_ALONG] = "along", [CYLINT_CROSS] = "cross"};
+    static const char *const parts[] = {
+        [CYLINT_LATERAL] = "lateral",
+        [CYLINT_CAP0] = "cap0", [CYLINT_CAP1] = "cap1"};
+    static const char *const sides[] = {
+        [CYLINT_ENTERING] = "entering",
+        [CYLINT_LEAVING] = "leaving", [CYLINT_BOTH] = "both"};
+    return value == VALUE_RELATION ? relations
+         : value == VALUE_PART ? parts
+         : value == VALUE_SIDE ? sides : NULL;
+}
+
+static int is_whole(enum value value)
+{
+    return value == VALUE_N || value == VALUE_RECORD
+        || value == VALUE_SHAPE || value == VALUE_COUNT;
+}
+
+/* --------------------------------------------------------------- rows -- */
+
+static void put_missing(struct text *out, const struct style *style,
+                        const struct column *c)
+{
+    put_string(out, style->missing ? style->missing
+                                   : words_of(c->value) ? "-" : "nan");
+}
+
+static void put_value(struct text *out, const struct style *style,
+                      const struct column *c, const struct row *row)
+{
+    const double value = value_of(c, row);
+    const char *const *words = words_of(c->value);
+    if (words) {
+        put_string(out, words[(int)value]);
+    } else if (is_whole(c->value)) {
+        put_whole(out, (unsigned long long)value);
+    } else {
+        out->length += cylint_write_number(out->data + out->length, value,
+                                           style->digits);
+    }
+}
+
+static void put_field(struct text *out, const struct style *style,
+                      const struct column *c, const struct row *row)
+{
+    const int missing = is_missing(c, row);
+    if (style->binary) {
+        put_little_endian(out, missing ? NAN : value_of(c, row));
+    } else if (missing) {
+        put_missing(out, style, c);
+    } else {
+        put_value(out, style, c, row);
+    }
+}
+
+void put_row(struct text *out, const struct fields *fields,
+             const struct style *style, const struct row *row)
+{
+    for (int i = 0; i < fields->count; i++) {
+        if (i > 0 && !style->binary) {
+            put_char(out, style->separator);
+        }
+        put_field(out, style, fields->column[i], row);
+    }
+    if (style->binary) {
+        return;
+    }
+    if (row->tail_length > 0) {
+        put_char(out, style->separator);
+        put_bytes(out, row->tail, row->tail_length);
+    }
+    put_char(out, '\n');
+}
+
+void put_error(struct text *out, const struct fields *fields,
+               const struct style *style)
+{
+    if (!style->binary) {
+        put_string(out, "error");
+    }
+    for (int i = 0; i < fields->count; i++) {
+        if (style->binary) {
+            put_little_endian(out, NAN);
+        } else if (i > 0) {
+            put_char(out, style->separator);
+            put_missing(out, style, fields->column[i]);
+        }
+    }
+    if (!style->binary) {
+        put_char(out, '\n');
+    }
+}
+
+void put_header(struct text *out, const struct fields *fields,
+                const struct style *style)
+{
+    for (int i = 0; i < fields->count; i++) {
+        if (i > 0) {
+            put_char(out, style->separator);
+        }
+        put_string(out, fields->column[i]->name);
+    }
+    put_char(out, '\n');
+}
+
+/* Names and words are shorter than numbers; "error" stands in one field. */
+size_t row_room(const struct fields *fields, const struct style *style)
+{
+    const size_t missing = style->missing ? strlen(style->missing) : 0;
+    const size_t widest = missing > NUMBER_ROOM ? missing : NUMBER_ROOM;
+    return (size_t)(fields->count + 1) * (widest + 1);
+}
+
+void list_columns(void (*print)(const char *name, const char *queries,
+                                const char *about))
+{
+    for (int i = 0; i < COLUMNS; i++) {
+        struct text where;
+        char room[64];
+        where.data = room;
+        where.length = 0;
+        for (int q = 0; q < QUERIES; q++) {
+            if (columns[i].queries >> q & 1) {
+                put_string(&where, where.length > 0 ? "," : "");
+                put_string(&where, query_words[q]);
+            }
+        }
+        put_char(&where, '\0');
+        print(columns[i].name, room, columns[i].about);
+    }
+}

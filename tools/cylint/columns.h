@@ -1,0 +1,73 @@
+/*
+ * columns.h - what can be answered, and how an answer is written
+ *
+ * A column is a name, a value and what must be computed for it.  Which
+ * columns there are depends on the question.
+ */
+#ifndef CYLINT_COLUMNS_H
+#define CYLINT_COLUMNS_H
+
+#include "cylint.h"
+#include "text.h"
+
+enum query {
+    QUERY_PAIRS,   /* a line and a shape in every record */
+    QUERY_NEAREST, /* a scene: the first shape that is hit */
+    QUERY_ANY,     /* whether one is hit */
+    QUERY_COUNT,   /* how many are hit */
+    QUERY_ALL,     /* all that are hit, a row for each */
+    QUERIES
+};
+
+extern const char *const query_words[]; /* in that order, then NULL */
+
+struct column;
+
+enum { MOST_FIELDS = 256 };
+
+/* The columns of a row, and the cylint_intersect() mask they need. */
+struct fields {
+    const struct column *column[MOST_FIELDS];
+    int count;
+    unsigned want;
+};
+
+/* How rows look. */
+struct style {
+    int binary;
+    int digits;          /* as for cylint_write_number() */
+    char separator;
+    const char *missing; /* NULL: nan for a number, - for a word */
+};
+
+/* What a row tells. */
+struct row {
+    unsigned long long record, shape, count;
+    const cylint_answer *answer; /* NULL: there is none, as of no shape */
+    const char *tail;
+    size_t tail_length;
+};
+
+const char *default_fields(enum query query);
+
+/* Fills *fields from names separated by commas.  Returns NULL, or the name
+ * that is none of this query's, or one too many, with its length. */
+const char *find_fields(struct fields *fields, const char *names,
+                        enum query query, size_t *length);
+
+/* The most bytes that a row, or the header, can take beside its tail. */
+size_t row_room(const struct fields *fields, const struct style *style);
+
+void put_row(struct text *out, const struct fields *fields,
+             const struct style *style, const struct row *row);
+/* `error` and missing values, for a bad record. */
+void put_error(struct text *out, const struct fields *fields,
+               const struct style *style);
+void put_header(struct text *out, const struct fields *fields,
+                const struct style *style);
+
+/* For --list=columns: name, TAB, where it is known, TAB, what it is. */
+void list_columns(void (*print)(const char *name, const char *queries,
+                                const char *about));
+
+#endif

@@ -1,0 +1,86 @@
+/*
+ * grammar.h - a record of text or of doubles becomes a line and a shape
+ *
+ *   record = [LINE] [SHAPE [ends=WORD]] [TAIL]
+ *
+ * Pairs have both, a scene's shapes only SHAPE, the lines asked of a scene
+ * only LINE.  With -k the words are left out.
+ */
+#ifndef CYLINT_GRAMMAR_H
+#define CYLINT_GRAMMAR_H
+
+#include <stddef.h>
+
+#include "cylint.h"
+
+enum line_kind { LINE_WHOLE, LINE_RAY, LINE_SEGMENT, LINE_SPAN, LINE_KINDS };
+
+enum shape_kind {
+    SHAPE_CYLINDER, SHAPE_CONE, SHAPE_ECYLINDER, SHAPE_ECONE, SHAPE_ACONE,
+    SHAPE_KINDS
+};
+
+enum { LINE_MOST = 1 << 20 /* bytes of a line, its end not counted */ };
+
+enum { NOT_GIVEN = -1, MOST_NUMBERS = 8 + 13 /* a span and an econe */ };
+
+/* How a kind is written: its word, how many numbers follow and their names. */
+struct kind {
+    const char *word;
+    int numbers;
+    const char *names;
+};
+
+extern const struct kind line_kinds[LINE_KINDS];
+extern const struct kind shape_kinds[SHAPE_KINDS];
+extern const char *const ends_words[]; /* in cylint_ends' order, then NULL */
+
+/* What a record is made of, and what holds where it says nothing. */
+struct grammar {
+    int has_line, has_shape;
+    int line;   /* enum line_kind by -k, or NOT_GIVEN: a word tells */
+    int shape;  /* enum shape_kind likewise */
+    int ends;   /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
+    int has_domain;    /* -t: for lines and rays */
+    double tmin, tmax;
+};
+
+struct record {
+    cylint_line line;
+    cylint_shape shape;
+    const char *tail;  /* without the blanks around it */
+    size_t tail_length;
+};
+
+/* What is wrong with a record.  at..end is the text that is; NULL in binary.
+ * expected: `what` should stand there; otherwise `what` is the matter. */
+struct fault {
+    const char *what;
+    int expected;
+    const char *at, *end;
+    unsigned long long shape; /* of the scene, or 0 */
+};
+
+/* Which of `words` (NULL at the end) the text is; NOT_GIVEN if none. */
+int find_word(const char *const *words, const char *text, size_t length);
+int find_kind(const struct kind *kinds, int count, const char *text,
+              size_t length);
+
+/* Doubles in a record without words. */
+int numbers_of_record(const struct grammar *g);
+
+/* Where the line at p ends: its line feed, or the end of the text. */
+const char *end_of_line(const char *p, const char *end);
+
+/* Whether a line has a record: it is neither blank nor a comment, or it is
+ * too long to tell. */
+int is_record(const char *line, const char *end);
+
+/* Both return whether the record is good, and fill *fault if it is not.
+ * [text, end) is one line without its line feed; *end must be readable. */
+int read_record(const struct grammar *g, const char *text, const char *end,
+                struct record *record, struct fault *fault);
+int take_record(const struct grammar *g, const double *numbers,
+                struct record *record, struct fault *fault);
+
+#endif

@@ -1,0 +1,327 @@
+/*
+ * input.c - blocks of whole records from one file after another
+ *
+ * A block ends with a record's end: what was read beyond it is carried to
+ * the next block.  It is given out as soon as it has a whole record and
+ * reading on would wait, so that a partner on a pipe gets its answer.
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "input.h"
+#include "main.h"
+#include "npy.h"
+
+static int is_stdin(const char *file)
+{
+    return strcmp(file, "-") == 0;
+}
+
+/* The bytes of all files, for the time left; 0 if one cannot tell. */
+static double total_size(char *const *files, int count)
+{
+    double total = 0;
+    for (int i = 0; i < count; i++) {
+        struct stat s;
+        if ((is_stdin(files[i]) ? fstat(0, &s) : stat(files[i], &s)) != 0
+            || !S_ISREG(s.st_mode)) {
+            return 0;
+        }
+        total += (double)s.st_size;
+    }
+    return total;
+}
+
+int input_open(struct input *in, char *const *files, int count,
+               size_t record_size)
+{
+    memset(in, 0, sizeof *in);
+    in->files = files;
+    in->count = count;
+    in->record_size = record_size;
+    in->fd = -1;
+    in->record = 1;
+    in->total = total_size(files, count);
+    in->carry = malloc(BLOCK_ROOM);
+    return in->carry ? 0 : out_of_memory();
+}
+
+static void close_file(struct input *in)
+{
+    if (in->fd > 0) {
+        close(in->fd);
+    }
+    in->fd = -1;
+}
+
+void input_close(struct input *in)
+{
+    close_file(in);
+    free(in->carry);
+    in->carry = NULL;
+}
+
+static int open_next(struct input *in)
+{
+    const char *file = in->files[in->next++];
+    in->name = is_stdin(file) ? "stdin" : file;
+    in->fd = is_stdin(file) ? 0 : open(file, O_RDONLY | O_NOCTTY);
+    if (in->fd < 0) {
+        complain_errno(in->name);
+        return EXIT_IO;
+    }
+    struct stat s;
+    in->regular = fstat(in->fd, &s) == 0 && S_ISREG(s.st_mode);
+    in->line = 1;
+    in->fresh = 1;
+    in->ended = in->promised = 0;
+    in->bytes_given = 0;
+    return 0;
+}
+
+/* ------------------------------------------------------------ reading -- */
+
+static int would_wait(const struct input *in)
+{
+    struct pollfd p = {in->fd, POLLIN, 0};
+    int ready = 1;
+    while (!in->regular && (ready = poll(&p, 1, 0)) < 0 && errno == EINTR) {
+    }
+    return ready == 0;
+}
+
+/* Appends to the block's text.  At the end, and at an error, in->ended. */
+static void read_more(struct input *in, struct block *b)
+{
+    for (;;) {
+        const ssize_t n = read(in->fd, b->text + b->length, BLOCK_GOAL);
+        if (n > 0) {
+            b->length += (size_t)n;
+            in->bytes += (unsigned long long)n;
+            return;
+        }
+        if (n == 0) {
+            in->ended = 1;
+            return;
+        }
+        if (errno == EAGAIN || errno == EWOULDBLOCK) {
+            struct pollfd p = {in->fd, POLLIN, 0};
+            poll(&p, 1, -1);
+        } else if (errno != EINTR) {
+            in->error = errno;
+            in->ended = 1;
+            return;
+        }
+    }
+}
+
+static void drop_front(struct block *b, size_t n)
+{
+    memmove(b->text, b->text + n, b->length - n);
+    b->length -= n;
+}
+
+/* The rest of a line that was refused for its length. */
+static void skip_line(struct input *in, struct block *b)
+{
+    while (in->skipping && !in->ended) {
+        b->length = 0;
+        read_more(in, b);
+        const char *end = memchr(b->text, '\n', b->length);
+        if (end) {
+            drop_front(b, (size_t)(end - b->text) + 1);
+            in->skipping = 0;
+        }
+    }
+    if (in->skipping) {
+        b->length = 0;
+        in->skipping = 0;
+    }
+}
+
+/* ------------------------------------------------------------ records -- */
+
+/* Bytes up to the end of the last whole record; `known` of them are known
+ * to be whole, `seen` were looked at. */
+static size_t find_whole(const struct input *in, const struct block *b,
+                         size_t known, size_t seen)
+{
+    if (in->record_size > 0) {
+        return b->length - b->length % in->record_size;
+    }
+    for (size_t i = b->length; i > seen; i--) {
+        if (b->text[i - 1] == '\n') {
+            return i;
+        }
+    }
+    return known;
+}
+
+/* Reads until there is a whole record and enough, or waiting to be done. */
+static size_t gather(struct input *in, struct block *b)
+{
+    size_t whole = find_whole(in, b, 0, 0);
+    while (!in->ended && !(whole > 0 && (b->length >= BLOCK_GOAL
+                                         || would_wait(in)))) {
+        if (whole == 0 && b->length > LINE_MOST) {
+            in->skipping = 1;
+            return b->length = LINE_MOST + 1;
+        }
+        const size_t seen = b->length;
+        read_more(in, b);
+        whole = find_whole(in, b, whole, seen);
+    }
+    return in->ended && !in->error ? b->length : whole;
+}
+
+static void count_lines(struct input *in, struct block *b)
+{
+    const char *end = b->text + b->length;
+    for (const char *p = b->text; p < end; ) {
+        const char *stop = end_of_line(p, end);
+        b->records += is_record(p, stop) ? 1 : 0;
+        in->line++;
+        p = stop + 1;
+    }
+}
+
+static void count_records(struct input *in, struct block *b)
+{
+    b->name = in->name;
+    b->line = in->record_size > 0 ? 0 : in->line;
+    b->record = in->record;
+    b->records = 0;
+    if (in->record_size > 0) {
+        b->records = (b->length + in->record_size - 1) / in->record_size;
+    } else {
+        count_lines(in, b);
+    }
+    in->record += b->records;
+    in->bytes_given += b->length;
+}
+
+/* -------------------------------------------------- beginning of a file -- */
+
+static void skip_byte_order_mark(struct block *b)
+{
+    if (b->length >= 3 && memcmp(b->text, "\xef\xbb\xbf", 3) == 0) {
+        drop_front(b, 3);
+    }
+}
+
+static int read_until(struct input *in, struct block *b, size_t length)
+{
+    while (b->length < length && npy_begins(b->text, b->length)
+           && !in->ended) {
+        read_more(in, b);
+    }
+    return b->length >= length;
+}
+
+static int skip_npy_header(struct input *in, struct block *b)
+{
+    const char *wrong = NULL;
+    if (!read_until(in, b, NPY_PREFIX) || !npy_begins(b->text, b->length)) {
+        return 0;
+    }
+    const size_t length = npy_length(b->text);
+    unsigned long long rows = 0;
+    if (length == 0) {
+        wrong = ".npy header: the version is not known";
+    } else if (!read_until(in, b, length)) {
+        wrong = ".npy header: the file ends within it";
+    } else {
+        wrong = npy_read(b->text, length,
+                         in->record_size / sizeof(double), &rows);
+    }
+    if (wrong) {
+        complain(in->name, wrong);
+        return EXIT_IO;
+    }
+    drop_front(b, length);
+    in->promised = 1;
+    in->bytes_promised = rows * in->record_size;
+    return 0;
+}
+
+/* What was put off until the block before it was given out. */
+static int finish_file(struct input *in)
+{
+    const int kept = !in->promised || in->bytes_given == in->bytes_promised;
+    close_file(in);
+    if (in->error) {
+        errno = in->error;
+        complain_errno(in->name);
+        return EXIT_IO;
+    }
+    if (!kept) {
+        complain(in->name, "the .npy header promises another number of rows");
+        return EXIT_IO;
+    }
+    return 0;
+}
+
+static int begin_block(struct input *in, struct block *b)
+{
+    memcpy(b->text, in->carry, in->carried);
+    b->length = in->carried;
+    in->carried = 0;
+    skip_line(in, b);
+    return in->fresh && in->record_size > 0 ? skip_npy_header(in, b) : 0;
+}
+
+int input_next(struct input *in, struct block *b)
+{
+    b->length = 0;
+    b->records = 0;
+    b->stopped = 0;
+    b->notes.count = 0;
+    while (b->length == 0) {
+        if (in->fd < 0 || in->ended) {
+            int status = in->fd < 0 ? 0 : finish_file(in);
+            if (status == 0 && in->next == in->count) {
+                return 0;
+            }
+            status = status != 0 ? status : open_next(in);
+            if (status != 0) {
+                return status;
+            }
+        }
+        const int status = begin_block(in, b);
+        if (status != 0) {
+            return status;
+        }
+        const size_t whole = gather(in, b);
+        if (!in->ended) {
+            in->carried = b->length - whole;
+            memcpy(in->carry, b->text + whole, in->carried);
+        }
+        b->length = whole;
+        if (in->fresh && in->record_size == 0) {
+            skip_byte_order_mark(b);
+        }
+        in->fresh = 0;
+        b->text[b->length] = '\0';
+        count_records(in, b);
+    }
+    return 0;
+}
+
+int block_make(struct block *block, size_t row)
+{
+    memset(block, 0, sizeof *block);
+    block->text = malloc(BLOCK_ROOM + 1);
+    block->out.data = malloc(TEXT_FULL + LINE_MOST + row + 2);
+    return block->text && block->out.data ? 0 : out_of_memory();
+}
+
+void block_free(struct block *block)
+{
+    free(block->text);
+    free(block->out.data);
+}

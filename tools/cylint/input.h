@@ -1,0 +1,44 @@
+/*
+ * input.h - blocks of whole records from one file after another
+ */
+#ifndef CYLINT_INPUT_H
+#define CYLINT_INPUT_H
+
+#include "block.h"
+
+struct input {
+    char *const *files; /* "-" is standard input */
+    int count, next;    /* of files; the one to open next */
+    size_t record_size; /* bytes of a binary record; 0: lines of text */
+
+    int fd;             /* -1: none is open */
+    int regular;        /* reading never waits */
+    int ended;          /* the end of the file was seen */
+    int skipping;       /* the rest of a line that was too long */
+    const char *name;
+    char *carry;        /* read, but not yet given out: part of a record */
+    size_t carried;
+    unsigned long long line, record; /* numbers of the next ones */
+
+    int fresh;          /* nothing was given out of this file yet */
+    int promised;       /* a .npy header told how many bytes follow */
+    unsigned long long bytes_promised, bytes_given;
+    int error;          /* errno of a read: to be told after what came before */
+
+    unsigned long long bytes; /* read so far, of all files */
+    double total;             /* bytes of all files; 0: not known */
+};
+
+/* Both return 0 or an exit status, having said what is wrong. */
+int input_open(struct input *in, char *const *files, int count,
+               size_t record_size);
+/* Fills the block; its length is 0 at the end of all input. */
+int input_next(struct input *in, struct block *block);
+
+void input_close(struct input *in);
+
+/* A block's buffers, for answers of at most `row` bytes beside the tail. */
+int block_make(struct block *block, size_t row);
+void block_free(struct block *block);
+
+#endif

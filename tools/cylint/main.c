@@ -1,0 +1,87 @@
+/*
+ * main.c - cylint, the command: records in, answers out
+ *
+ * The locale is never set: numbers have a point everywhere.
+ */
+#include "answer.h"
+#include "main.h"
+
+static int put_first_line(struct job *job, struct block *b)
+{
+    const struct options *o = job->options;
+    if (!o->header) {
+        return 0;
+    }
+    put_header(&b->out, &o->fields, &o->style);
+    const int status = output_write(&job->out, b->out.data, b->out.length);
+    b->out.length = 0;
+    return status;
+}
+
+static int answer_input(struct job *job, struct block *b)
+{
+    int status = put_first_line(job, b);
+    while (status == 0 && !b->stopped
+           && (status = input_next(&job->in, b)) == 0 && b->length > 0) {
+        status = answer_block(job, b);
+    }
+    return status;
+}
+
+static int open_input(struct job *job)
+{
+    const struct options *o = job->options;
+    const size_t size = o->binary_in
+        ? 8 * (size_t)numbers_of_record(&o->grammar) : 0;
+    return input_open(&job->in, o->files, o->file_count, size);
+}
+
+static int run(struct job *job)
+{
+    const struct options *o = job->options;
+    struct block block;
+    int status = output_open(&job->out, o->output, o->files, o->file_count);
+    if (status != 0) {
+        return status;
+    }
+    status = block_make(&block, row_room(&o->fields, &o->style));
+    if (status == 0) {
+        status = open_input(job);
+    }
+    if (status == 0) {
+        status = answer_input(job, &block);
+        input_close(&job->in);
+    }
+    block_free(&block);
+    progress_end(&job->progress);
+    report_end(&job->report);
+    const int closed = output_close(&job->out);
+    if (status != 0 || closed != 0) {
+        return status != 0 ? status : closed;
+    }
+    return job->report.bad > 0 ? EXIT_BAD : EXIT_ANSWERED;
+}
+
+int main(int argc, char **argv)
+{
+    struct options options;
+    struct scene scene = {NULL, 0, 0};
+    struct job job;
+    guard_standard_streams();
+    int status = read_options(&options, argc, argv);
+    if (status != 0) {
+        return status;
+    }
+    if (options.print) {
+        return print_about(options.print);
+    }
+    if (options.scene) {
+        status = scene_read(&scene, options.scene, options.grammar.ends);
+    }
+    if (status == 0) {
+        job_prepare(&job, &options, &scene);
+        status = run(&job);
+    }
+    scene_free(&scene);
+    return status;
+}

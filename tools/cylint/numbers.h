@@ -1,0 +1,48 @@
+/*
+ * numbers.h - text to double and back, the only two number routines
+ *
+ * Two back-ends give the same bytes: numbers.cc (std::from_chars and
+ * std::to_chars) and numbers_c.c (strtod and printf, slower).  Neither looks
+ * at the locale: the command never calls setlocale().
+ */
+#ifndef CYLINT_NUMBERS_H
+#define CYLINT_NUMBERS_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    NUMBER_ROOM = 32,     /* bytes that any written number fits into */
+    NUMBER_SHORTEST = 0,  /* the shortest text that reads back the same */
+    NUMBER_MAX_DIGITS = 17,
+    NUMBER_HEX = -1       /* 0x1.8p+3, the leading digit 1 unless zero */
+};
+
+/*
+ * Reads the number that [text, end) begins with and returns the byte after
+ * it, or NULL if it begins with none.  Correctly rounded; HUGE_VAL with the
+ * number's sign if it is too large, a subnormal or zero if too small.
+ *
+ *   number = [+-] (digits [. [digits]] | . digits) [e [+-] digits]
+ *          | [+-] 0x (hex [. [hex]] | . hex) [p [+-] digits]
+ *
+ * *end must be readable and must not be able to continue a number.
+ */
+const char *cylint_read_number(const char *text, const char *end,
+                               double *value);
+
+/*
+ * Writes value and returns the length.  digits: NUMBER_SHORTEST, NUMBER_HEX
+ * or 1 to 17 significant digits as printf("%.*g") writes them.  The shortest
+ * text is the shorter of fixed and scientific notation, fixed when equal.
+ */
+size_t cylint_write_number(char out[NUMBER_ROOM], double value, int digits);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,458 @@
+/*
+ * options.c - what the command line asks for
+ *
+ * Options may stand anywhere; what follows -- is a file.  A short option's
+ * value is the rest of its argument or the next one, a long one's follows
+ * '=' or is the next argument.
+ */
+#include <limits.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "main.h"
+#include "numbers.h"
+#include "options.h"
+
+enum option_id {
+    OPT_ACCEL = 256, OPT_BINARY_IN, OPT_BINARY_OUT, OPT_ENDS, OPT_HEADER,
+    OPT_HELP, OPT_HITS_ONLY, OPT_LIST, OPT_METHOD, OPT_MISS, OPT_PROGRESS,
+    OPT_VERSION
+};
+
+/* A short option is its letter. */
+struct option {
+    const char *name;
+    int id;
+    int has_value;
+};
+
+static const struct option options_known[] = {
+    {"b", 'b', 0}, {"C", 'C', 0}, {"d", 'd', 1}, {"e", 'e', 1},
+    {"f", 'f', 1}, {"j", 'j', 1}, {"k", 'k', 1}, {"o", 'o', 1},
+    {"p", 'p', 1}, {"q", 'q', 1}, {"s", 's', 1}, {"t", 't', 1},
+    {"x", 'x', 0},
+    {"accel", OPT_ACCEL, 1}, {"binary-in", OPT_BINARY_IN, 0},
+    {"binary-out", OPT_BINARY_OUT, 0}, {"ends", OPT_ENDS, 1},
+    {"header", OPT_HEADER, 0}, {"help", OPT_HELP, 0},
+    {"hits-only", OPT_HITS_ONLY, 0}, {"list", OPT_LIST, 1},
+    {"method", OPT_METHOD, 1}, {"miss", OPT_MISS, 1},
+    {"progress", OPT_PROGRESS, 0}, {"version", OPT_VERSION, 0},
+};
+
+/* What must wait until all options are known. */
+struct pending {
+    const char *kinds, *query, *fields;
+};
+
+static int usage(const char *format, ...)
+{
+    va_list list;
+    fputs("cylint: ", stderr);
+    va_start(list, format);
+    vfprintf(stderr, format, list);
+    va_end(list);
+    fputs("\nTry 'cylint --help'.\n", stderr);
+    return EXIT_USAGE;
+}
+
+static int usage_value(const struct option *o, const char *value,
+                       const char *expected)
+{
+    char shown[4 * 64 + 4];
+    escape_bytes(shown, value, value + strlen(value), 64);
+    return usage("%s%s: expected %s, found '%s'", o->id < 256 ? "-" : "--",
+                 o->name, expected, shown);
+}
+
+/* ------------------------------------------------------------- values -- */
+
+static int read_count(const char *value, int most, int *count)
+{
+    int n = 0;
+    for (const char *p = value; *p >= '0' && *p <= '9' && n <= most; p++) {
+        n = 10 * n + (*p - '0');
+        if (p[1] == '\0' && n >= 1 && n <= most) {
+            *count = n;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A domain's end may be infinite, unlike a record's numbers. */
+static const char *read_bound(const char *p, double *bound)
+{
+    const char *word = p + (*p == '-' || *p == '+');
+    if (strncmp(word, "inf", 3) == 0) {
+        *bound = *p == '-' ? -HUGE_VAL : HUGE_VAL;
+        return word + 3;
+    }
+    const char *after = cylint_read_number(p, p + strlen(p), bound);
+    return after && *bound - *bound == 0 ? after : NULL;
+}
+
+static int read_domain(const char *value, struct grammar *g)
+{
+    const char *p = read_bound(value, &g->tmin);
+    if (!p || *p != ',') {
+        return 0;
+    }
+    p = read_bound(p + 1, &g->tmax);
+    g->has_domain = 1;
+    return p && *p == '\0' && g->tmin <= g->tmax;
+}
+
+static int read_separator(const char *value, char *separator)
+{
+    if (strcmp(value, "\\t") == 0) {
+        *separator = '\t';
+        return 1;
+    }
+    *separator = value[0];
+    return value[0] != '\0' && value[0] != '\n' && value[1] == '\0';
+}
+
+static const cylint_method *find_method(const char *name)
+{
+    const cylint_method *m = cylint_methods();
+    while (m->name && strcmp(m->name, name) != 0) {
+        m++;
+    }
+    return m->name ? m : NULL;
+}
+
+static int read_word(const struct option *o, const char *value,
+                     const char *const *words, const char *expected,
+                     int *index)
+{
+    *index = find_word(words, value, strlen(value));
+    return *index != NOT_GIVEN ? 0 : usage_value(o, value, expected);
+}
+
+static int read_accel(const struct option *o, const char *value)
+{
+    static const char *const words[] = {"auto", "none", "embree", NULL};
+    int index;
+    const int status = read_word(o, value, words, "auto, none or embree",
+                                 &index);
+    return status == 0 && index == 2
+        ? usage("--accel: this cylint was built without Embree") : status;
+}
+
+static int read_method(struct options *options, const struct option *o,
+                       const char *value)
+{
+    options->method = find_method(value);
+    return options->method ? 0
+        : usage_value(o, value, "a method of --list=methods");
+}
+
+static int read_bad_policy(struct options *options, const struct option *o,
+                           const char *value)
+{
+    static const char *const words[] = {"mark", "skip", "stop", NULL};
+    int index;
+    const int status = read_word(o, value, words, "mark, skip or stop",
+                                 &index);
+    options->bad = (enum bad_policy)index;
+    return status;
+}
+
+static int read_list(struct options *options, const struct option *o,
+                     const char *value)
+{
+    static const char *const words[] = {"methods", "shapes", "columns", NULL};
+    int index;
+    options->print = value;
+    return read_word(o, value, words, "methods, shapes or columns", &index);
+}
+
+static int take_value(struct options *options, struct pending *pending,
+                      const struct option *o, const char *value)
+{
+    switch (o->id) {
+    case 'd':
+        return read_separator(value, &options->style.separator) ? 0
+            : usage_value(o, value, "one character");
+    case 'e':
+        return read_bad_policy(options, o, value);
+    case 'f':
+        pending->fields = value;
+        return 0;
+    case 'j':
+        return read_count(value, INT_MAX / 10 - 1, &options->workers) ? 0
+            : usage_value(o, value, "a number of workers");
+    case 'k':
+        pending->kinds = value;
+        return 0;
+    case 'o':
+        options->output = value;
+        return 0;
+    case 'p':
+        return read_count(value, NUMBER_MAX_DIGITS, &options->style.digits)
+            ? 0 : usage_value(o, value, "1 to 17 digits");
+    case 'q':
+        pending->query = value;
+        return 0;
+    case 's':
+        options->scene = value;
+        return 0;
+    case 't':
+        return read_domain(value, &options->grammar) ? 0
+            : usage_value(o, value, "MIN,MAX with MIN <= MAX");
+    case OPT_ACCEL:
+        return read_accel(o, value);
+    case OPT_ENDS:
+        return read_word(o, value, ends_words,
+                         "capped, open, cap0, cap1, infinite or nappe",
+                         &options->grammar.ends);
+    case OPT_LIST:
+        return read_list(options, o, value);
+    case OPT_METHOD:
+        return read_method(options, o, value);
+    default: /* OPT_MISS */
+        options->style.missing = value;
+        return 0;
+    }
+}
+
+static void take_flag(struct options *options, const struct option *o)
+{
+    switch (o->id) {
+    case 'b':
+        options->binary_in = options->style.binary = 1;
+        break;
+    case OPT_BINARY_IN:
+        options->binary_in = 1;
+        break;
+    case OPT_BINARY_OUT:
+        options->style.binary = 1;
+        break;
+    case 'C':
+        options->comments = 1;
+        break;
+    case 'x':
+        options->style.digits = NUMBER_HEX;
+        break;
+    case OPT_HEADER:
+        options->header = 1;
+        break;
+    case OPT_HITS_ONLY:
+        options->hits_only = 1;
+        break;
+    case OPT_PROGRESS:
+        options->progress = 1;
+        break;
+    default: /* OPT_HELP, OPT_VERSION */
+        options->print = o->name;
+    }
+}
+
+/* ---------------------------------------------------------- arguments -- */
+
+static const struct option *find_option(const char *name, size_t length)
+{
+    const size_t count = sizeof options_known / sizeof *options_known;
+    for (size_t i = 0; i < count; i++) {
+        if (strlen(options_known[i].name) == length
+            && memcmp(options_known[i].name, name, length) == 0) {
+            return &options_known[i];
+        }
+    }
+    return NULL;
+}
+
+/* The arguments, and how far they are used up. */
+struct arguments {
+    char **argv;
+    int count, next;
+};
+
+static int take_long(struct options *options, struct pending *pending,
+                     struct arguments *args, const char *name)
+{
+    const size_t length = strcspn(name, "=");
+    const struct option *o = length > 1 ? find_option(name, length) : NULL;
+    char shown[4 * 64 + 4];
+    escape_bytes(shown, name, name + length, 64);
+    if (!o) {
+        return usage("unknown option '--%s'", shown);
+    }
+    if (!o->has_value) {
+        if (name[length] == '=') {
+            return usage("--%s takes no value", shown);
+        }
+        take_flag(options, o);
+        return 0;
+    }
+    if (name[length] == '=') {
+        return take_value(options, pending, o, name + length + 1);
+    }
+    return args->next < args->count
+        ? take_value(options, pending, o, args->argv[args->next++])
+        : usage("--%s needs a value", shown);
+}
+
+static int take_short(struct options *options, struct pending *pending,
+                      struct arguments *args, const char *letters)
+{
+    for (const char *p = letters; *p; p++) {
+        const struct option *o = find_option(p, 1);
+        char shown[8];
+        escape_bytes(shown, p, p + 1, 1);
+        if (!o) {
+            return usage("unknown option '-%s'", shown);
+        }
+        if (!o->has_value) {
+            take_flag(options, o);
+        } else if (p[1]) {
+            return take_value(options, pending, o, p + 1);
+        } else if (args->next < args->count) {
+            return take_value(options, pending, o, args->argv[args->next++]);
+        } else {
+            return usage("-%s needs a value", shown);
+        }
+    }
+    return 0;
+}
+
+static int take_arguments(struct options *options, struct pending *pending,
+                          struct arguments *args)
+{
+    int only_files = 0, status = 0;
+    while (status == 0 && args->next < args->count) {
+        char *arg = args->argv[args->next++];
+        if (only_files || arg[0] != '-' || arg[1] == '\0') {
+            options->files[options->file_count++] = arg;
+        } else if (strcmp(arg, "--") == 0) {
+            only_files = 1;
+        } else if (arg[1] == '-') {
+            status = take_long(options, pending, args, arg + 2);
+        } else {
+            status = take_short(options, pending, args, arg + 1);
+        }
+    }
+    return status;
+}
+
+/* ---------------------------------------------- options upon each other -- */
+
+/* -k LINE,SHAPE, or -k LINE with a scene. */
+static int settle_kinds(struct grammar *g, const char *kinds)
+{
+    const size_t length = strcspn(kinds, ",");
+    const char *shape = kinds[length] ? kinds + length + 1 : NULL;
+    g->line = find_kind(line_kinds, LINE_KINDS, kinds, length);
+    g->shape = shape
+        ? find_kind(shape_kinds, SHAPE_KINDS, shape, strlen(shape))
+        : NOT_GIVEN;
+    if (g->line != NOT_GIVEN && (g->has_shape ? g->shape != NOT_GIVEN
+                                              : shape == NULL)) {
+        return 0;
+    }
+    return usage(g->has_shape
+        ? "-k: expected LINE,SHAPE, as in -k ray,cylinder"
+        : "-k: expected LINE, as in -k ray");
+}
+
+static int settle_query(struct options *options, const char *query)
+{
+    options->query = options->scene ? QUERY_NEAREST : QUERY_PAIRS;
+    if (!query) {
+        return 0;
+    }
+    const int index = find_word(query_words, query, strlen(query));
+    if (index == NOT_GIVEN || index == QUERY_PAIRS) {
+        return usage("-q: expected nearest, any, count or all");
+    }
+    options->query = (enum query)index;
+    return options->scene ? 0 : usage("-q needs a scene, -s FILE");
+}
+
+static int settle_fields(struct options *options, const char *names)
+{
+    size_t length;
+    const char *bad = find_fields(&options->fields,
+        names ? names : default_fields(options->query), options->query,
+        &length);
+    if (!bad) {
+        return 0;
+    }
+    if (options->fields.count == MOST_FIELDS) {
+        return usage("-f: more than %d columns", MOST_FIELDS);
+    }
+    char shown[4 * 64 + 4];
+    escape_bytes(shown, bad, bad + length, 64);
+    return usage("-f: no column '%s' here; see --list=columns", shown);
+}
+
+static int settle_binary(const struct options *options)
+{
+    const struct grammar *g = &options->grammar;
+    if (options->binary_in && g->line == NOT_GIVEN) {
+        return usage("binary input needs the kinds, -k %s",
+                     g->has_shape ? "LINE,SHAPE" : "LINE");
+    }
+    if (options->style.binary && options->header) {
+        return usage("--header: binary output has none");
+    }
+    if (options->style.binary && options->style.missing) {
+        return usage("--miss: in binary output what is missing is NaN");
+    }
+    if (options->comments && (options->binary_in || options->style.binary)) {
+        return usage("-C: only text has comments");
+    }
+    return 0;
+}
+
+static int uses_stdin(const struct options *options)
+{
+    for (int i = 0; i < options->file_count; i++) {
+        if (strcmp(options->files[i], "-") == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int settle(struct options *options, const struct pending *pending)
+{
+    static char dash[] = "-";
+    static char *standard_input[] = {dash};
+    struct grammar *g = &options->grammar;
+    g->has_line = 1;
+    g->has_shape = options->scene == NULL;
+    if (options->file_count == 0) {
+        options->files = standard_input;
+        options->file_count = 1;
+    }
+    if (options->scene && strcmp(options->scene, "-") == 0
+        && uses_stdin(options)) {
+        return usage("the scene and the records are both standard input");
+    }
+    int status = pending->kinds ? settle_kinds(g, pending->kinds) : 0;
+    if (status == 0) {
+        status = settle_query(options, pending->query);
+    }
+    if (status == 0) {
+        status = settle_fields(options, pending->fields);
+    }
+    return status == 0 ? settle_binary(options) : status;
+}
+
+int read_options(struct options *options, int argc, char **argv)
+{
+    struct pending pending = {NULL, NULL, NULL};
+    struct arguments args = {argv, argc, argc > 0};
+    memset(options, 0, sizeof *options);
+    options->grammar.line = NOT_GIVEN;
+    options->grammar.shape = NOT_GIVEN;
+    options->grammar.ends = NOT_GIVEN;
+    options->style.separator = '\t';
+    options->files = argv;
+    const int status = take_arguments(options, &pending, &args);
+    return status != 0 || options->print ? status
+                                         : settle(options, &pending);
+}

@@ -1,0 +1,40 @@
+/*
+ * options.h - what the command line asks for
+ */
+#ifndef CYLINT_OPTIONS_H
+#define CYLINT_OPTIONS_H
+
+#include "columns.h"
+#include "cylint_methods.h"
+#include "grammar.h"
+
+enum bad_policy { BAD_MARK, BAD_SKIP, BAD_STOP };
+
+struct options {
+    struct grammar grammar;
+    const char *scene;     /* NULL: pairs */
+    enum query query;
+    struct fields fields;
+    struct style style;
+    const cylint_method *method; /* NULL: cylint_intersect() */
+    enum bad_policy bad;
+    int binary_in;
+    int workers;           /* 0: as many as there are processors */
+    int comments;          /* copied through */
+    int hits_only, header, progress;
+    const char *output;    /* NULL: standard output */
+    char **files;
+    int file_count;
+
+    const char *print;     /* help, version or the name of a list, and then
+                              nothing else is done */
+};
+
+/* Returns 0 or EXIT_USAGE, having said what is wrong.  Moves the files to
+ * the front of argv, where options->files points. */
+int read_options(struct options *options, int argc, char **argv);
+
+/* Writes to standard output what options->print names. */
+int print_about(const char *what);
+
+#endif

@@ -1,0 +1,95 @@
+/*
+ * output.c - bytes to standard output or a file, all of them or a message
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "main.h"
+#include "output.h"
+#include "report.h"
+
+/* What was closed is made a descriptor that neither reads nor writes, so
+ * that using it fails as it should. */
+void guard_standard_streams(void)
+{
+    for (int fd = 0; fd < 3; fd++) {
+        if (fcntl(fd, F_GETFD) == -1 && errno == EBADF) {
+            (void)open("/dev/null", fd == 0 ? O_WRONLY : O_RDONLY);
+        }
+    }
+}
+
+static int is_among(int fd, char *const *inputs, int count)
+{
+    struct stat out, in;
+    if (fstat(fd, &out) != 0 || !S_ISREG(out.st_mode)) {
+        return 0;
+    }
+    for (int i = 0; i < count; i++) {
+        const int known = strcmp(inputs[i], "-") == 0
+            ? fstat(0, &in) : stat(inputs[i], &in);
+        if (known == 0 && in.st_dev == out.st_dev && in.st_ino == out.st_ino) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+int output_open(struct output *out, const char *name, char *const *inputs,
+                int count)
+{
+    out->name = name ? name : "standard output";
+    out->fd = name ? open(name, O_WRONLY | O_CREAT | O_NOCTTY, 0666) : 1;
+    if (out->fd < 0) {
+        complain_errno(out->name);
+        return EXIT_IO;
+    }
+    if (name && is_among(out->fd, inputs, count)) {
+        complain(out->name, "is both input and output");
+        return EXIT_IO;
+    }
+    struct stat s;
+    if (name && fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode)
+        && ftruncate(out->fd, 0) != 0) {
+        complain_errno(out->name);
+        return EXIT_IO;
+    }
+    /* Tells a closed standard output even when there is nothing to say. */
+    if ((fcntl(out->fd, F_GETFL) & O_ACCMODE) == O_RDONLY) {
+        errno = EBADF;
+        complain_errno(out->name);
+        return EXIT_IO;
+    }
+    return 0;
+}
+
+int output_write(struct output *out, const char *data, size_t length)
+{
+    while (length > 0) {
+        const ssize_t n = write(out->fd, data, length);
+        if (n >= 0) {
+            data += n;
+            length -= (size_t)n;
+        } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
+            struct pollfd p = {out->fd, POLLOUT, 0};
+            poll(&p, 1, -1);
+        } else if (errno != EINTR) {
+            complain_errno(out->name);
+            return EXIT_IO;
+        }
+    }
+    return 0;
+}
+
+int output_close(struct output *out)
+{
+    if (close(out->fd) != 0 && errno != EINTR) {
+        complain_errno(out->name);
+        return EXIT_IO;
+    }
+    return 0;
+}

@@ -1,0 +1,25 @@
+/*
+ * output.h - bytes to standard output or a file, all of them or a message
+ */
+#ifndef CYLINT_OUTPUT_H
+#define CYLINT_OUTPUT_H
+
+#include <stddef.h>
+
+struct output {
+    int fd;
+    const char *name;
+};
+
+/* Descriptors 0 to 2 must be open before any other is: else a file that we
+ * open becomes "standard output".  Call it first. */
+void guard_standard_streams(void);
+
+/* name NULL: standard output.  A file that is also among the inputs is
+ * refused.  All three return 0 or an exit status, having said why. */
+int output_open(struct output *out, const char *name, char *const *inputs,
+                int count);
+int output_write(struct output *out, const char *data, size_t length);
+int output_close(struct output *out);
+
+#endif

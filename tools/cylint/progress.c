@@ -1,0 +1,64 @@
+/*
+ * progress.c - how far the work is, on standard error
+ */
+#include <stdio.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "progress.h"
+
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+void progress_start(struct progress *p, int wanted)
+{
+    p->terminal = isatty(2);
+    p->shown = wanted || p->terminal;
+    p->start = p->last = p->shown ? seconds() : 0;
+    p->dirty = 0;
+    p->records = 0;
+}
+
+static void show(struct progress *p, double now, double bytes, double total)
+{
+    const double spent = now - p->start;
+    fprintf(stderr, "%scylint: %llu records, %.0f/s", p->terminal ? "\r" : "",
+            p->records, spent > 0 ? (double)p->records / spent : 0);
+    if (bytes > 0 && spent > 0) {
+        fprintf(stderr, ", %.1f MB/s", 1e-6 * bytes / spent);
+    }
+    if (total > 0 && bytes > 0 && bytes <= total) {
+        fprintf(stderr, ", %.0f %%, %.0f s left", 100 * bytes / total,
+                spent * (total - bytes) / bytes);
+    }
+    fputs(p->terminal ? "\033[K" : "\n", stderr);
+    p->dirty = p->terminal;
+    p->last = now;
+}
+
+void progress_add(struct progress *p, unsigned long long records,
+                  double bytes, double total)
+{
+    p->records += records;
+    if (!p->shown) {
+        return;
+    }
+    const double now = seconds();
+    const double pause = p->terminal && p->dirty ? 0.2 : 1;
+    if (now - p->last >= pause) {
+        show(p, now, bytes, total);
+    }
+}
+
+void progress_end(struct progress *p)
+{
+    if (p->dirty) {
+        fputs("\r\033[K", stderr);
+    } else if (p->shown && !p->terminal) {
+        show(p, seconds(), 0, 0);
+    }
+}

@@ -1,0 +1,41 @@
+/*
+ * scene.h - the shapes that every line is asked about
+ */
+#ifndef CYLINT_SCENE_H
+#define CYLINT_SCENE_H
+
+#include "columns.h"
+#include "cylint.h"
+#include "cylint_methods.h"
+#include "grammar.h"
+
+struct scene {
+    cylint_shape *shapes;
+    size_t count, room;
+};
+
+/* Reads a file of shapes, one a line.  Returns 0 or an exit status, having
+ * said what is wrong: the first bad line stops it. */
+int scene_read(struct scene *scene, const char *file, int ends);
+void scene_free(struct scene *scene);
+
+/* How one line is asked about one shape: NULL is cylint_intersect(). */
+typedef cylint_method_fn *solver;
+
+/* Returns 0 if the method does not answer for this shape. */
+int ask(solver method, const cylint_shape *shape, const cylint_line *line,
+        unsigned want, cylint_answer *answer);
+int ask_any(solver method, const cylint_shape *shape, const cylint_line *line,
+            int *hit);
+
+/* Both fill *row and return 0, or the number of the shape, from 1, that the
+ * method does not answer for.  *answer is what row->answer points to. */
+size_t scene_nearest(const struct scene *scene, solver method,
+                     const cylint_line *line, unsigned want,
+                     cylint_answer *answer, struct row *row);
+/* Counts the shapes that are hit, `most` of them at most. */
+size_t scene_count(const struct scene *scene, solver method,
+                   const cylint_line *line, unsigned long long most,
+                   struct row *row);
+
+#endif

@@ -1,0 +1,57 @@
+/*
+ * text.c - whole numbers, raw doubles and escaped bytes
+ */
+#include <stdint.h>
+
+#include "text.h"
+
+void put_whole(struct text *t, unsigned long long value)
+{
+    char digits[24];
+    size_t i = sizeof digits;
+    do {
+        digits[--i] = (char)('0' + value % 10);
+        value /= 10;
+    } while (value);
+    put_bytes(t, digits + i, sizeof digits - i);
+}
+
+void put_little_endian(struct text *t, double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    for (int i = 0; i < 8; i++) {
+        put_char(t, (char)(unsigned char)(bits >> 8 * i & 0xff));
+    }
+}
+
+double get_little_endian(const char bytes[8])
+{
+    uint64_t bits = 0;
+    for (int i = 0; i < 8; i++) {
+        bits |= (uint64_t)(unsigned char)bytes[i] << 8 * i;
+    }
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+size_t escape_bytes(char *to, const char *from, const char *end, size_t most)
+{
+    static const char hex[] = "0123456789abcdef";
+    struct text t = {to, 0};
+    const char *last = (size_t)(end - from) > most ? from + most : end;
+    for (const char *p = from; p < last; p++) {
+        const unsigned char c = (unsigned char)*p;
+        if (c >= 0x20 && c < 0x7f && c != '\\') {
+            put_char(&t, *p);
+        } else {
+            put_string(&t, "\\x");
+            put_char(&t, hex[c >> 4]);
+            put_char(&t, hex[c & 15]);
+        }
+    }
+    put_string(&t, last < end ? "..." : "");
+    to[t.length] = '\0';
+    return t.length;
+}

@@ -1,0 +1,51 @@
+/*
+ * text.h - bytes put one after another into room that was made before
+ *
+ * Nothing here allocates: whoever makes a text gives it room for the longest
+ * row it will hold beyond TEXT_FULL, and empties it when it is full.
+ */
+#ifndef CYLINT_TEXT_H
+#define CYLINT_TEXT_H
+
+#include <stddef.h>
+#include <string.h>
+
+enum { TEXT_FULL = 1 << 18 }; /* time to write it out */
+
+struct text {
+    char *data;
+    size_t length;
+};
+
+static inline void put_char(struct text *t, char c)
+{
+    t->data[t->length++] = c;
+}
+
+static inline void put_bytes(struct text *t, const void *bytes, size_t n)
+{
+    memcpy(t->data + t->length, bytes, n);
+    t->length += n;
+}
+
+static inline void put_string(struct text *t, const char *s)
+{
+    put_bytes(t, s, strlen(s));
+}
+
+/* A whole number, in plain digits. */
+void put_whole(struct text *t, unsigned long long value);
+
+/* A double's eight bytes, the lowest first on every machine. */
+void put_little_endian(struct text *t, double value);
+double get_little_endian(const char bytes[8]);
+
+/*
+ * Copies [from, end) with every byte but printable ASCII as \xHH, and the
+ * backslash too, so that what is shown is what was there.  Stops with "..."
+ * after `most` bytes.  Needs room for 4 * most + 4 bytes, ends with a NUL and
+ * returns the length.
+ */
+size_t escape_bytes(char *to, const char *from, const char *end, size_t most);
+
+#endif
