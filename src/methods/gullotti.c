@@ -25,6 +25,9 @@
  *
  * Kept: the translation is folded into the inverse of M, so a scene far from
  * the origin costs digits.
+ *
+ * The inverse is made anew for every line, for a cylint_shape has no place
+ * to keep it; most of the time the method takes here goes into that.
  */
 #include "methods.h"
 
