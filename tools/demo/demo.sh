@@ -1,0 +1,56 @@
+#!/bin/sh
+# demo.sh - a laser scan of a generated forest, from text to text
+#
+# BUILD is the folder that holds the command; what is made stays in
+# BUILD/demo.  AWK chooses the awk.
+set -eu
+LC_ALL=C
+export LC_ALL
+here=$(dirname "$0")
+build=${BUILD:-build}
+awk=${AWK:-awk}
+out=$build/demo
+columns=400 rows=64
+
+# Seconds since 1970, with a fraction where `date` can.
+now()
+{
+    fraction=$(date +%N)
+    case $fraction in
+    *[!0-9]* | '') date +%s ;;
+    *) date +%s.%N ;;
+    esac
+}
+
+mkdir -p "$out"
+$awk -v trees=18 -f "$here/forest.awk" > "$out/forest.scene"
+$awk -v height=1.6 -v azimuth=120 -v lowest=-13 -v highest=47 \
+    -v columns=$columns -v rows=$rows -f "$here/scanner.awk" > "$out/rays.txt"
+
+echo "A forest, one shape a line, in $out/forest.scene:"
+echo
+sed -n 2,6p "$out/forest.scene"
+echo
+echo "A laser scanner in its midst, one ray a line, in $out/rays.txt:"
+echo
+sed -n 1,3p "$out/rays.txt"
+echo
+echo "Which shape does each ray meet first, how far away, on which part, how"
+echo "high above the ground?"
+echo
+echo "\$ cylint -s forest.scene -f shape,t,part,z rays.txt > answers.txt"
+started=$(now)
+"$build/cylint" -s "$out/forest.scene" -f shape,t,part,z "$out/rays.txt" \
+    > "$out/answers.txt"
+ended=$(now)
+seconds=$($awk -v a="$started" -v b="$ended" 'BEGIN { printf "%.3f", b - a }')
+$awk -f "$here/table.awk" "$out/forest.scene" "$out/answers.txt"
+echo
+echo "The same $((columns * rows)) answers as a picture:"
+echo
+$awk -v columns=$columns -v rows=$rows -v wide=4 -v high=2 \
+    -f "$here/picture.awk" "$out/forest.scene" "$out/answers.txt"
+echo
+sort -t "$(printf '\t')" -k 2,2n "$out/answers.txt" > "$out/by-range.txt"
+$awk -v seconds="$seconds" -f "$here/summary.awk" \
+    "$out/forest.scene" "$out/by-range.txt"
