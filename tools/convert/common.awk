@@ -32,10 +32,11 @@ function note(text)
     print program ": " text | "cat 1>&2"
 }
 
-function note_skipped(count, what)
+function note_skipped(count, what, lacks)
 {
     if (count > 0)
-        note(count " " what (count == 1 ? "" : "s") " skipped")
+        note(count " " what (count == 1 ? "" : "s") " of no " lacks \
+             " skipped")
 }
 
 # Line ends and a byte-order mark as other systems write them.

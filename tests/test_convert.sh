@@ -1,0 +1,324 @@
+#!/bin/sh
+# The converters of tools/convert: small inputs with the scenes they must
+# give, lines they must refuse, and real files where ../shared/data has them.
+# Everything is said once per awk found.
+LC_ALL=C
+export LC_ALL
+build=${BUILD:-build}
+data=../shared/data
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+passed=0 failed=0
+
+# verdict NAME STATUS: counts a test that ended with STATUS 0 as passed.
+verdict()
+{
+    if [ "$2" -eq 0 ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED $AWK: $1"
+    fi
+}
+
+# gives NAME COMMAND...: $scratch/in through the command must give exactly
+# $scratch/expected and exit status 0.
+gives()
+{
+    name=$1
+    shift
+    "$@" < "$scratch/in" > "$scratch/out" 2> "$scratch/messages"
+    status=$?
+    diff "$scratch/expected" "$scratch/out" && [ $status -eq 0 ]
+    verdict "$name" $?
+}
+
+# refuses NAME MESSAGE COMMAND...: exit status 1 and that message alone.
+refuses()
+{
+    name=$1 message=$2
+    shift 2
+    "$@" < "$scratch/in" > "$scratch/out" 2> "$scratch/messages"
+    status=$?
+    [ "$(cat "$scratch/messages")" = "$message" ] && [ $status -eq 1 ] || {
+        echo "exit status $status, message: $(cat "$scratch/messages")"
+        false
+    }
+    verdict "$name" $?
+}
+
+# says NAME MESSAGE: what the last command wrote to standard error.
+says()
+{
+    [ "$(cat "$scratch/messages")" = "$2" ] || {
+        echo "message: $(cat "$scratch/messages")"
+        false
+    }
+    verdict "$1" $?
+}
+
+input() { printf "$1" > "$scratch/in"; }
+expect() { printf "$1" > "$scratch/expected"; }
+
+test_swc()
+{
+    swc=tools/convert/swc2scene
+    input '# neuron\n1 1 0 0 0.50 2 -1\n 2 3 0 0 1e1 1.0 1\n\n3 3 0 1 10 0 2\n'
+    expect 'cone 0 0 1e1 1.0 0 0 0.50 2 2\ncone 0 1 10 0 0 0 1e1 1.0 3\n'
+    gives swc_gives_a_frustum_from_node_to_parent $swc
+    input '2 3 0 0 4 1 1\r\n1 1 0 0 0 2 -1\r\n'
+    expect 'cone 0 0 4 1 0 0 0 2 2\n'
+    gives swc_parents_may_follow_and_lines_may_end_in_cr_lf $swc
+    input '\357\273\2771 1 0 0 0 2 -1\n2 3 0 0 4 1 1'
+    gives swc_may_begin_with_a_mark_and_end_without_a_newline $swc
+    input '1 1 0 0 0 1 -1\n2 0 0.0 0 0 2 1\n3 0 -0 0e5 0 2 2\n4 0 0 0 1 0 3\n5 0 0 0 2 0 4\n'
+    expect 'cone 0 0 1 0 -0 0e5 0 2 4\n'
+    gives swc_edges_that_bound_nothing_are_left_out $swc
+    says swc_edges_left_out_are_counted "swc2scene: 2 edges of no length skipped
+swc2scene: 1 edge of no radius skipped"
+    input '1 1 0 0 0 2 -1\n'
+    expect ''
+    gives swc_a_root_alone_gives_nothing $swc
+
+    cp "$scratch/in" "$scratch/a.swc"
+    printf '1 1 5 5 5 1 -1\n2 1 5 5 6 1 1\n' > "$scratch/b.swc"
+    expect 'cone 5 5 6 1 5 5 5 1 2\n'
+    gives swc_files_number_their_nodes_apart $swc "$scratch/a.swc" \
+        "$scratch/b.swc"
+    printf '1 1 5 5 5 1 -1\n2 1 5 5 6 1 9\n' > "$scratch/b.swc"
+    refuses swc_names_file_and_line_of_a_lost_parent \
+        "swc2scene: $scratch/b.swc:2: no node 9 to be the parent" \
+        $swc "$scratch/a.swc" "$scratch/b.swc"
+    input '1 1 0 0 0 2 -1\n2 1 0 abc 0 2 1\n'
+    refuses swc_refuses_what_is_no_number \
+        'swc2scene: -:2: expected a number, found "abc"' $swc
+    input '1 1 0 0 1e999 2 -1\n'
+    refuses swc_refuses_overflow \
+        'swc2scene: -:1: expected a number, found "1e999"' $swc
+    input '1 1 0 0 nan 2 -1\n'
+    refuses swc_refuses_nan \
+        'swc2scene: -:1: expected a number, found "nan"' $swc
+    input '1 1 0 0 0x10 2 -1\n'
+    refuses swc_refuses_hexadecimal \
+        'swc2scene: -:1: expected a number, found "0x10"' $swc
+    input '1 1 0 0 0 2\n'
+    refuses swc_refuses_short_lines \
+        'swc2scene: -:1: expected 7 fields, found 6' $swc
+    input '1 1 0 0 0 -2 -1\n'
+    refuses swc_refuses_negative_radii \
+        'swc2scene: -:1: negative radius -2' $swc
+    input '1 1 0 0 0 2 -1\n1 1 0 0 3 2 -1\n'
+    refuses swc_refuses_a_node_given_twice \
+        'swc2scene: -:2: node 1 was given before' $swc
+    ! $swc "$scratch/missing" > /dev/null 2>&1
+    verdict swc_fails_on_a_missing_file $?
+}
+
+test_qsm()
+{
+    qsm=tools/convert/qsm2scene
+    input '"cyl_ID","startX","startY","startZ","endX","endY","endZ","radius_cyl"\n7,1,2,3.10,1,2,4,0.50\n'
+    expect 'cylinder 1 2 3.10 1 2 4 0.50 7\n'
+    gives qsm_reads_archi_tables $qsm
+    input 'ID;parentID;radius;start_x;start_y;start_z;end_x;end_y;end_z\n7;0;0.50;1;2;3.10;1;2;4\n'
+    gives qsm_finds_columns_by_name $qsm
+    input 'radius,length,start_x,start_y,start_z,axis_x,axis_y,axis_z\n.5,2,1,2,3,0,0,1\n.5,0,1,2,3,0,0,1\n0,1,1,2,3,0,0,1\n'
+    expect 'cylinder 1 2 3 1 2 5 .5 1\n'
+    gives qsm_takes_axis_and_length_for_the_end $qsm
+    says qsm_cylinders_left_out_are_counted \
+        "qsm2scene: 1 cylinder of no length skipped
+qsm2scene: 1 cylinder of no radius skipped"
+    input '0.5\t2\t1\t2\t3\t0\t0\t1\t0\t2\t1\n0.4\t0.1\t1\t2\t3\t1\t0\t0\t1\t0\t1\n'
+    expect 'cylinder 1 2 3 1 2 5 0.5 1\ncylinder 1 2 3 1.1000000000000001 2 3 0.4 2\n'
+    gives qsm_reads_treeqsm_text $qsm -t
+    input 'radius,startX,startY\n1,2,3\n'
+    refuses qsm_names_the_column_it_misses \
+        'qsm2scene: -:1: the header names no column "startz"' $qsm
+    input 'radius,startX,startY,startZ,endX,endY,endZ\n1,2,3,4,5,6\n'
+    refuses qsm_refuses_short_lines \
+        'qsm2scene: -:2: expected 7 fields, found 6' $qsm
+    input 'radius;startX;startY;startZ;endX;endY;endZ\n1;2;3;4;5;6;7\n0,5;2;3;4;5;6;7\n'
+    refuses qsm_refuses_decimal_commas \
+        'qsm2scene: -:3: expected a number for radius, found "0,5"' $qsm
+}
+
+# atom SERIAL NAME ALT X Y Z ELEMENT: one PDB line.
+atom()
+{
+    printf 'ATOM  %5s %-4s%1sGLY A   1    %8s%8s%8s  1.00  0.00          %2s\n' \
+        "$@"
+}
+
+test_pdb()
+{
+    pdb=tools/convert/pdb2scene
+    { echo 'HEADER    TEST'
+      atom 1 ' CA' '' 0.000 0.000 0.000 C
+      atom 2 ' CB' '' 1.540 0.000 0.000 C
+      atom 3 ' O' '' 3.060 0.000 0.000 O
+      atom 4 ' HA' '' 0.000 1.100 0.000 H
+      atom 5 ' HB' '' 0.700 1.100 0.000 H
+      atom 6 ' S' '' -9.000 0.000 0.000 S; } > "$scratch/in"
+    expect 'cylinder 0.000 0.000 0.000 1.540 0.000 0.000 0.15 1-2
+cylinder 1.540 0.000 0.000 3.060 0.000 0.000 0.15 2-3
+cylinder 0.000 0.000 0.000 0.000 1.100 0.000 0.15 1-4
+cylinder 0.000 0.000 0.000 0.700 1.100 0.000 0.15 1-5
+cylinder 1.540 0.000 0.000 0.700 1.100 0.000 0.15 2-5
+'
+    gives pdb_bonds_by_distance_but_no_two_hydrogens $pdb
+    sed 's/0\.15/2e-1/' "$scratch/expected" > "$scratch/with_radius"
+    mv "$scratch/with_radius" "$scratch/expected"
+    gives pdb_radius_is_an_option $pdb -r 2e-1
+    { atom 1 ' C' A 0.000 0.000 0.000 C
+      atom 2 ' C' B 0.500 0.000 0.000 C
+      atom 3 'CL' A -1.700 0.000 0.000 ''
+      echo ENDMDL
+      atom 4 ' C' '' 0.000 1.500 0.000 C; } > "$scratch/in"
+    expect 'cylinder 0.000 0.000 0.000 -1.700 0.000 0.000 0.15 1-3\n'
+    gives pdb_takes_one_location_and_the_first_model $pdb
+    atom 1 ' C' '' 0.000 oops 0.000 C > "$scratch/in"
+    refuses pdb_refuses_what_is_no_number \
+        'pdb2scene: -:1: expected a number in columns 39 to 46, found "oops"' \
+        $pdb
+    atom 1 'XX' '' 0.000 0.000 0.000 XX > "$scratch/in"
+    refuses pdb_refuses_elements_without_radius \
+        'pdb2scene: -:1: no covalent radius is known for "XX"' $pdb
+    $pdb -r -1 < /dev/null > /dev/null 2>&1
+    [ $? -eq 2 ]
+    verdict pdb_refuses_a_negative_stick $?
+}
+
+test_pov()
+{
+    pov=tools/convert/pov2scene
+    cat > "$scratch/in" <<'POV'
+// cylinder { <0,0,0>, <1,1,1>, 9 }
+camera { location <0, 0, -5> look_at <0, 0, 0> }
+light_source { <1, 2, 3> color rgb 1 cylinder radius 3 }
+#declare Skin = texture { pigment { color rgb <1, 0, 0> } scale 2 };
+cylinder { <0,0,0>, <0,0,1.50>, 0.5 open texture { Skin scale 3 } }
+union {
+  cone {
+    <-1,0,0>, 1e0 /* base
+    cylinder */
+    <0, 0, 3>, 0
+  }
+  sphere { <0,0,0>, 1 translate x }
+  pigment { color "cone {" }
+}
+cylinder{<1,2,3>,<4,5,6>,.25}
+POV
+    expect 'cylinder 0 0 0 0 0 1.50 0.5 ends=open 5\ncone -1 0 0 1e0 0 0 3 0 7\ncylinder 1 2 3 4 5 6 .25 15\n'
+    gives pov_takes_literal_shapes_wherever_they_stand $pov
+    one='cylinder { <0,0,0>, <0,0,1>, 1 }'
+    input "$one\ncylinder { <0,0,0>, <0,0,1>, R }\n"
+    refuses pov_refuses_identifiers \
+        'pov2scene: -:2: expected a literal number, found "R"' $pov
+    input 'cylinder { <0,0,0>, <0,0,1+2>, 1 }\n'
+    refuses pov_refuses_sums 'pov2scene: -:1: expected ">", found "+2"' $pov
+    input 'cone { <0,0,0>, 1, <0,0,1>, 1*3 }\n'
+    refuses pov_refuses_products \
+        'pov2scene: -:1: expected the end of a number, found "*"' $pov
+    input 'cone { <0,0,0>, 1, <0,0,1>, 2\nrotate x*90 }\n'
+    refuses pov_refuses_transformed_shapes \
+        'pov2scene: -:2: a transformed cone' $pov
+    input "union { $one\ntranslate x }\n"
+    refuses pov_refuses_transformed_unions \
+        'pov2scene: -:1: a shape inside a transformed union' $pov
+    input "#declare C = $one\n"
+    refuses pov_refuses_declared_shapes \
+        'pov2scene: -:1: a shape that is only declared' $pov
+    input "#for (I, 0, 3)\n$one\n#end\n"
+    refuses pov_refuses_loops \
+        'pov2scene: -:2: a shape inside a loop, condition or macro' $pov
+    input "difference { $one }\n"
+    refuses pov_refuses_differences \
+        'pov2scene: -:1: a shape inside difference{}' $pov
+    input 'cylinder { <0,0,0>, <0,0,1>'
+    refuses pov_refuses_half_a_shape \
+        'pov2scene: -:1: the file ends inside a block' $pov
+    input 'cylinder { <0,0,0>, <0,0,0>, 1 }'
+    refuses pov_refuses_no_length 'pov2scene: -:1: no length' $pov
+}
+
+# accepted NAME COUNT FILE COMMAND...: the file gives COUNT shapes, all of
+# which `cylint -s` takes: one ray is answered without a message.
+accepted()
+{
+    name=$1 count=$2 file=$3
+    shift 3
+    "$@" "$file" > "$scratch/scene" 2> "$scratch/messages" &&
+        [ "$(wc -l < "$scratch/scene")" -eq "$count" ] &&
+        echo 'ray 1 2 3  1 1 1' |
+        "$build/cylint" -s "$scratch/scene" > "$scratch/out" 2>&1 &&
+        [ "$(wc -l < "$scratch/out")" -eq 1 ]
+    verdict "$name" $?
+}
+
+# Rays from a corner of the scene's box of axis ends to points within it,
+# by the low-discrepancy steps of the plastic number.
+rays_through()
+{
+    $AWK -v rays="$2" '
+    { for (i = 0; i < 3; i++) {
+          if (NR == 1 || $(2 + i) < low[i]) low[i] = $(2 + i)
+          if (NR == 1 || $(2 + i) > high[i]) high[i] = $(2 + i)
+      } }
+    END {
+        step[0] = 0.8191725134; step[1] = 0.6710436067; step[2] = 0.5497004779
+        for (n = 1; n <= rays; n++) {
+            line = "ray " low[0] - 100 " " low[1] - 100 " " low[2] - 100
+            for (i = 0; i < 3; i++) {
+                f = n * step[i]
+                f -= int(f)
+                line = line sprintf(" %.6f",
+                                    100 + f * (high[i] - low[i]))
+            }
+            print line, n
+        }
+    }' "$1"
+}
+
+test_real_files()
+{
+    accepted swc_all_109228_frusta_of_24_neurons_are_accepted 109228 \
+        $data/medulla_top24.swc tools/convert/swc2scene
+    accepted pdb_1922_sticks_of_a_protease_are_accepted 1922 \
+        $data/1hvr.pdb tools/convert/pdb2scene
+    accepted qsm_1231_cylinders_of_a_tree_are_accepted 1231 \
+        $data/tree_archi.csv tools/convert/qsm2scene
+}
+
+# 10,000 rays at the largest neuron: no error, and some, not all, must hit.
+test_scan_of_a_neuron()
+{
+    tools/convert/swc2scene $data/medulla_7114.swc > "$scratch/scene" &&
+        rays_through "$scratch/scene" 10000 > "$scratch/rays" &&
+        "$build/cylint" -s "$scratch/scene" "$scratch/rays" \
+            > "$scratch/out" 2> "$scratch/messages" &&
+        [ ! -s "$scratch/messages" ] &&
+        [ "$(wc -l < "$scratch/out")" -eq 10000 ] &&
+        $AWK '$1 > 0 { hits++ } $NF != NR { wrong++ }
+              END { exit !(hits > 100 && hits < 9900 && !wrong) }' \
+            "$scratch/out"
+    verdict ten_thousand_rays_at_a_neuron_are_answered $?
+}
+
+for AWK in mawk gawk awk; do
+    command -v $AWK > /dev/null || continue
+    [ $AWK = awk ] && [ -n "${tried:-}" ] && continue
+    tried=yes
+    export AWK
+    test_swc
+    test_qsm
+    test_pdb
+    test_pov
+    [ -d $data ] && test_real_files
+done
+if [ -d $data ]; then
+    AWK=awk test_scan_of_a_neuron
+else
+    echo "note: no $data, the tests on real files are left out"
+fi
+echo "$passed passed, $failed failed"
+[ $failed -eq 0 ]
