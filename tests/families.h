@@ -42,6 +42,10 @@ struct family_case {
 int family_count(void);
 const char *family_name(int family);
 
+/* 1 where t itself, as a pair of doubles, is too coarse to say what else a
+ * hit can tell: exponents hundreds apart, hits 1e-17 from an apex. */
+int family_is_wild(int family);
+
 /* Case `index` of a family; line and shape are made (see the statuses). */
 void family_case(uint64_t seed, int family, uint64_t index,
                  struct family_case *out);

@@ -3,16 +3,17 @@
  *
  * Relation, number, parts, sides and every bit of t must agree; what else a
  * hit can tell must lie within a few units in the last place, whose largest
- * values are printed.  CYLINT_CASES scales the number of cases a family,
- * CYLINT_SEED changes them all.
+ * values are printed (in wild families they are printed only).
+ * CYLINT_CASES scales the number of cases a family, CYLINT_SEED changes
+ * them all, CYLINT_FAMILY=n asks for one family.
  */
 #include <math.h>
 #include <string.h>
 
-#include "check.h"
 #include "cylint.h"
 #include "families.h"
 #ifdef HAVE_MPFR
+#include "check.h"
 #include "oracle.h"
 
 enum { CASES = 2000 };
@@ -24,7 +25,7 @@ struct tally {
 };
 
 /* How far off points, normals, z and phi may be, in units in the last place
- * of the largest coordinate (points), of 1 (normals, phi) and of z itself;
+ * of the largest coordinate (points), of 1 (normals, phi), of 1 or z (z);
  * what was observed is printed beside. */
 enum { POINT_ULPS = 4, NORMAL_ULPS = 4, Z_ULPS = 4, PHI_ULPS = 4 };
 
@@ -91,7 +92,7 @@ static int compare_derived(struct tally *sum, const cylint_hit *got,
     const double point = vectors_apart(got->point, want->point,
                                        largest3(want->point));
     const double normal = vectors_apart(got->normal, want->normal, 0.75);
-    const double z = ulps_apart(got->z, want->z, want->z);
+    const double z = ulps_apart(got->z, want->z, larger(fabs(want->z), 0.75));
     const double phi = turns_apart(got->phi, want->phi);
     sum->point = larger(sum->point, point);
     sum->normal = larger(sum->normal, normal);
@@ -125,7 +126,7 @@ static void show(const struct family_case *c, const char *what,
 
 /* The first thing that is wrong, or NULL; counts it. */
 static const char *compare(struct tally *sum, const cylint_answer *got,
-                           const cylint_answer *want)
+                           const cylint_answer *want, int wild)
 {
     const char *wrong = NULL;
     sum->cases++;
@@ -146,9 +147,9 @@ static const char *compare(struct tally *sum, const cylint_answer *got,
         } else if (g->t != w->t) {
             sum->t++;
             wrong = "t";
-        } else if (!compare_derived(sum, g, w)) {
+        } else if (isfinite(w->t) && !compare_derived(sum, g, w)) {
             sum->derived++;
-            wrong = "point, normal, z or phi";
+            wrong = wild ? NULL : "point, normal, z or phi";
         }
     }
     return wrong;
@@ -171,7 +172,8 @@ static void run_family(int family)
         memset(&got, 0, sizeof got);
         cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &got);
         oracle_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &want);
-        const char *wrong = compare(&sum, &got, &want);
+        const char *wrong = compare(&sum, &got, &want,
+                                    family_is_wild(family));
         if (!CHECK(wrong == NULL) && check_bad <= CHECK_SHOWN) {
             show(&c, wrong, &got, &want);
         }
@@ -287,10 +289,11 @@ int main(void)
 
 #else
 
+#include <stdio.h>
+
 int main(void)
 {
     puts("no MPFR: no oracle to compare with");
-    (void)check_end;
     return 77;
 }
 

@@ -1,0 +1,341 @@
+/*
+ * families_draw.h - random numbers, vectors, shapes and lines to build from
+ *
+ * What families.c makes its cases of; included by it alone.
+ */
+#ifndef CYLINT_FAMILIES_DRAW_H
+#define CYLINT_FAMILIES_DRAW_H
+
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+#include <math.h>
+#include <string.h>
+
+#include "families.h"
+
+/* ------------------------------------------------------ random numbers -- */
+
+static gsl_rng *rng;
+
+/* The finaliser of MurmurHash3: neighbours get unrelated streams. */
+static uint64_t mixed(uint64_t x)
+{
+    x = (x ^ x >> 33) * UINT64_C(0xff51afd7ed558ccd);
+    x = (x ^ x >> 33) * UINT64_C(0xc4ceb9fe1a85ec53);
+    return x ^ x >> 33;
+}
+
+static double between(double low, double high)
+{
+    return low + (high - low) * gsl_rng_uniform(rng);
+}
+
+static int one_of(int n)
+{
+    return (int)gsl_rng_uniform_int(rng, (unsigned long)n);
+}
+
+static int chance(double p)
+{
+    return gsl_rng_uniform(rng) < p;
+}
+
+static int whole_between(int low, int high)
+{
+    return low + one_of(high - low + 1);
+}
+
+/* 10^x with x even between the two */
+static double power(double low, double high)
+{
+    return pow(10, between(low, high));
+}
+
+/* a small number of either sign, or exactly 0 */
+static double small(double low, double high)
+{
+    return chance(0.1) ? 0 : (chance(0.5) ? 1 : -1) * power(low, high);
+}
+
+static double stepped(double x, int ulps)
+{
+    for (; ulps > 0; ulps--) {
+        x = nextafter(x, HUGE_VAL);
+    }
+    for (; ulps < 0; ulps++) {
+        x = nextafter(x, -HUGE_VAL);
+    }
+    return x;
+}
+
+/* -------------------------------------------------------- little vectors -- */
+
+static void set3(double to[3], double x, double y, double z)
+{
+    to[0] = x;
+    to[1] = y;
+    to[2] = z;
+}
+
+static void copy3(double to[3], const double from[3])
+{
+    set3(to, from[0], from[1], from[2]);
+}
+
+static void cross3(double to[3], const double u[3], const double v[3])
+{
+    set3(to, u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+         u[0] * v[1] - u[1] * v[0]);
+}
+
+static double length3(const double v[3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static void scale3(double v[3], double by)
+{
+    set3(v, v[0] * by, v[1] * by, v[2] * by);
+}
+
+static void random_direction(double d[3])
+{
+    gsl_ran_dir_3d(rng, &d[0], &d[1], &d[2]);
+}
+
+/* ------------------------------------------------ shapes by their frame -- */
+
+/* Points c + x a + y b + z h; the surface is x^2 + y^2 = rho(z)^2 with
+ * rho = 1 + (k - 1) z.  For a cone by its angle the apex is at z = 0 and
+ * rho = z. */
+typedef struct frame {
+    double c[3], a[3], b[3], h[3], k;
+    int by_angle;
+} frame;
+
+static double rho(const frame *f, double z)
+{
+    return f->by_angle ? z : 1 + (f->k - 1) * z;
+}
+
+static void place(const frame *f, double x, double y, double z, double p[3])
+{
+    for (int i = 0; i < 3; i++) {
+        p[i] = f->c[i] + x * f->a[i] + y * f->b[i] + z * f->h[i];
+    }
+}
+
+static void vary(const frame *f, double x, double y, double z, double d[3])
+{
+    for (int i = 0; i < 3; i++) {
+        d[i] = x * f->a[i] + y * f->b[i] + z * f->h[i];
+    }
+}
+
+static family_shape any_word(void)
+{
+    return (family_shape)one_of(5);
+}
+
+static family_shape cone_word(void)
+{
+    static const family_shape cones[] = {FAMILY_CONE, FAMILY_ACONE,
+                                         FAMILY_ECONE};
+    return cones[one_of(3)];
+}
+
+/* A frame for shapes of this word: radius r, height h, of any direction;
+ * elliptic ones with unequal axes, often oblique. */
+static void make_frame(frame *f, family_shape word, double r, double h)
+{
+    double other[3];
+    set3(f->c, between(-1, 1), between(-1, 1), between(-1, 1));
+    random_direction(f->h);
+    random_direction(other);
+    cross3(f->a, f->h, other);
+    scale3(f->a, 1 / length3(f->a));
+    cross3(f->b, f->h, f->a);
+    f->by_angle = word == FAMILY_ACONE;
+    f->k = word == FAMILY_CONE || word == FAMILY_ECONE
+         ? chance(0.3) ? 0 : between(0, 2) : 1;
+    if (word >= FAMILY_ECYLINDER && chance(0.7)) {
+        for (int i = 0; i < 3; i++) {
+            f->b[i] += 0.7 * f->a[i];
+            f->h[i] += 0.5 * f->a[i] - 0.3 * f->b[i];
+        }
+    }
+    scale3(f->a, r);
+    scale3(f->b, word >= FAMILY_ECYLINDER ? r * power(-0.5, 0.5) : r);
+    scale3(f->h, h);
+}
+
+static void write_shape(struct family_case *out, family_shape word,
+                        const frame *f)
+{
+    const double degree = 57.29577951308232; /* 180 / pi */
+    double *x = out->shape_data;
+    const double r = length3(f->a);
+    out->shape_word = word;
+    copy3(x, f->c);
+    switch (word) {
+    case FAMILY_CYLINDER:
+        place(f, 0, 0, 1, x + 3);
+        x[6] = r;
+        break;
+    case FAMILY_CONE:
+        x[3] = r;
+        place(f, 0, 0, 1, x + 4);
+        x[7] = r * f->k;
+        if (chance(0.5)) { /* the narrow end may be the base */
+            double p[4];
+            memcpy(p, x, sizeof p);
+            memcpy(x, x + 4, sizeof p);
+            memcpy(x + 4, p, sizeof p);
+            if (x[3] == 0 && x[7] == 0) {
+                x[3] = r;
+            }
+        }
+        break;
+    case FAMILY_ACONE:
+        copy3(x + 3, f->h);
+        x[6] = atan(r / length3(f->h)) * degree;
+        break;
+    case FAMILY_ECONE:
+        x[12] = f->k; /* fall through */
+    case FAMILY_ECYLINDER:
+        copy3(x + 3, f->a);
+        copy3(x + 6, f->b);
+        copy3(x + 9, f->h);
+        break;
+    }
+}
+
+static cylint_ends any_ends(void)
+{
+    return chance(0.4) ? CYLINT_CAPPED : (cylint_ends)one_of(6);
+}
+
+/* The line through p with direction d, as any kind of line. */
+static void write_line(struct family_case *out, const double p[3],
+                       const double d[3])
+{
+    double *x = out->line_data;
+    out->line_word = (family_line)one_of(4);
+    copy3(x, p);
+    copy3(x + 3, d);
+    if (out->line_word == FAMILY_SEGMENT) {
+        for (int i = 0; i < 3; i++) {
+            x[i + 3] += p[i];
+        }
+    } else if (out->line_word == FAMILY_SPAN) {
+        x[6] = between(-2, 1);
+        x[7] = chance(0.2) ? HUGE_VAL : x[6] + between(0, 4);
+    }
+}
+
+/* The same, the origin moved back by `back` directions. */
+static void write_line_from(struct family_case *out, const double p[3],
+                            const double d[3], double back)
+{
+    double o[3];
+    for (int i = 0; i < 3; i++) {
+        o[i] = p[i] - back * d[i];
+    }
+    write_line(out, o, d);
+}
+
+static void simple_frame(frame *f, family_shape word)
+{
+    make_frame(f, word, between(0.2, 2), between(0.2, 3));
+}
+
+static double any_z(const frame *f)
+{
+    return f->by_angle ? between(0.05, 1) : between(0, 1);
+}
+
+/* A point of the lateral surface, `factor` times as far from the axis. */
+static void surface_point(const frame *f, double z, double factor,
+                          double p[3])
+{
+    const double turn = between(0, 6.283185307179586);
+    const double r = rho(f, z) * factor;
+    place(f, r * cos(turn), r * sin(turn), z, p);
+}
+
+/* ----------------------------------------------- shapes in whole numbers -- */
+
+static void whole_vector(double v[3], int most)
+{
+    do {
+        set3(v, whole_between(-most, most), whole_between(-most, most),
+             whole_between(-most, most));
+    } while (v[0] == 0 && v[1] == 0 && v[2] == 0);
+}
+
+/* A shape of small whole numbers; most axes along a coordinate. */
+static void whole_shape(struct family_case *out)
+{
+    double *x = out->shape_data, h[3];
+    out->shape_word = any_word();
+    set3(x, whole_between(-3, 3), whole_between(-3, 3), whole_between(-3, 3));
+    whole_vector(h, 3);
+    if (chance(0.6)) {
+        set3(h, 0, 0, 0);
+        h[one_of(3)] = whole_between(1, 4);
+    }
+    switch (out->shape_word) {
+    case FAMILY_CYLINDER:
+        set3(x + 3, x[0] + h[0], x[1] + h[1], x[2] + h[2]);
+        x[6] = whole_between(1, 5);
+        break;
+    case FAMILY_CONE:
+        x[3] = whole_between(0, 5);
+        set3(x + 4, x[0] + h[0], x[1] + h[1], x[2] + h[2]);
+        x[7] = x[3] == 0 ? whole_between(1, 5) : whole_between(0, 5);
+        break;
+    case FAMILY_ACONE:
+        copy3(x + 3, h);
+        x[6] = chance(0.8) ? 45 : whole_between(1, 89);
+        break;
+    case FAMILY_ECONE:
+        x[12] = chance(0.5) ? 0 : 0.5 * whole_between(0, 4); /* fall through */
+    case FAMILY_ECYLINDER:
+        whole_vector(x + 3, 3);
+        whole_vector(x + 6, 3);
+        copy3(x + 9, h);
+        if (chance(0.5)) { /* a box of axes */
+            const int i = one_of(3);
+            set3(x + 3, 0, 0, 0);
+            set3(x + 6, 0, 0, 0);
+            set3(x + 9, 0, 0, 0);
+            x[3 + i] = whole_between(1, 4);
+            x[6 + (i + 1) % 3] = whole_between(1, 4);
+            x[9 + (i + 2) % 3] = whole_between(1, 4);
+        }
+        break;
+    }
+    out->ends = any_ends();
+}
+
+/* The axis of a case's shape, as written. */
+static void axis_of(const struct family_case *c, double h[3])
+{
+    const double *x = c->shape_data;
+    switch (c->shape_word) {
+    case FAMILY_CYLINDER:
+        set3(h, x[3] - x[0], x[4] - x[1], x[5] - x[2]);
+        break;
+    case FAMILY_CONE:
+        set3(h, x[4] - x[0], x[5] - x[1], x[6] - x[2]);
+        break;
+    case FAMILY_ACONE:
+        copy3(h, x + 3);
+        break;
+    default:
+        copy3(h, x + 9);
+        break;
+    }
+}
+
+#endif
