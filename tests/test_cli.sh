@@ -1,0 +1,95 @@
+#!/bin/sh
+# Runs the transcripts of tests/cli.txt and the manual's examples, and sees to
+# it that no option, word or column is without a transcript.
+#
+# A transcript is `$ command`, then the expected output; `! text` is a line
+# of standard error, `? N` the exit status (0 if not said).  `(empty)` stands
+# for an empty line, a blank line ends the transcript, and what stands
+# between transcripts is comment.  All commands share one scratch folder.
+: "${BUILD:=build}"
+root=$(pwd)
+case $BUILD in /*) bin=$BUILD ;; *) bin=$root/$BUILD ;; esac
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+mkdir "$scratch/work"
+PATH=$bin:$PATH
+export PATH
+passed=0 failed=0
+
+verdict() { # true|false, what it was about
+    if [ "$1" = true ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        printf 'FAILED %s\n' "$2"
+    fi
+}
+
+# Runs $command, compares with the files expected.out and expected.err.
+finish() {
+    [ -n "$command" ] || return
+    (cd "$scratch/work" && sh -c "$command") </dev/null \
+        >"$scratch/out" 2>"$scratch/err"
+    echo "? $?" >>"$scratch/err"
+    echo "? $status" >>"$scratch/expected.err"
+    ok=true
+    diff "$scratch/expected.out" "$scratch/out" || ok=false
+    diff "$scratch/expected.err" "$scratch/err" || ok=false
+    verdict $ok "$source: $command"
+    command=
+}
+
+begin() {
+    command=$1 status=0
+    : >"$scratch/expected.out"
+    : >"$scratch/expected.err"
+}
+
+run_transcripts() { # name; transcripts on standard input
+    source=$1 command=
+    while IFS= read -r line; do
+        case $line in
+        '$ '*) finish; begin "${line#??}" ;;
+        '') finish ;;
+        '! '*) printf '%s\n' "${line#??}" >>"$scratch/expected.err" ;;
+        '? '*) status=${line#??} ;;
+        '(empty)') echo >>"$scratch/expected.out" ;;
+        *) [ -z "$command" ] ||
+            printf '%s\n' "$line" >>"$scratch/expected.out" ;;
+        esac
+    done
+    finish
+}
+
+# The literal displays of an mdoc page that hold a command, unescaped.
+examples() {
+    awk '/^\.Bd -literal/ { show = 1; next }
+         /^\.Ed/ { show = 0; print "" }
+         show { gsub(/\\e/, "\\"); gsub(/\\&/, ""); gsub(/\\-/, "-"); print }
+    ' "$1"
+}
+
+covered() { # word: is it in cli.txt, not as a part of another?
+    grep -Eq -e "(^|[^a-z0-9-])$1([^a-z0-9]|\$)" "$root/tests/cli.txt"
+    code=$?
+    verdict "$([ $code -eq 0 ] && echo true || echo false)" \
+        "no transcript for $1"
+}
+
+run_transcripts cli.txt <"$root/tests/cli.txt"
+
+mkdir "$scratch/manual" && rm -rf "$scratch/work" &&
+    mv "$scratch/manual" "$scratch/work"
+examples "$root/man/cylint.1" >"$scratch/examples"
+run_transcripts cylint.1 <"$scratch/examples"
+[ "$(grep -c '^\$ ' "$scratch/examples")" -ge 5 ]
+verdict "$([ $? -eq 0 ] && echo true || echo false)" "the manual has examples"
+
+for word in $(cylint --help | grep -Eo -e ' -(-[a-z-]+|[a-zA-Z])' | sort -u) \
+        line ray segment span capped open cap0 cap1 infinite nappe \
+        $(cylint --list=shapes | cut -f1) $(cylint --list=methods | cut -f1) \
+        $(cylint --list=columns | cut -f1); do
+    covered "$word"
+done
+printf '%d passed, %d failed\n' $passed $failed
+[ $failed -eq 0 ]
