@@ -1,0 +1,225 @@
+#!/bin/sh
+# What a packager and a newcomer do: install to a scratch folder, build the
+# README's example against what was installed, run the README's commands,
+# compile the library without the Makefile, uninstall.
+LC_ALL=C
+export LC_ALL
+build=${BUILD:-build}
+cc=${CC:-cc}
+cxx=${CXX:-c++}
+make=${MAKE:-make}
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+passed=0 failed=0
+root=$scratch/root
+lib=$root/usr/lib
+version=$(sed -n 's/^#define CYLINT_VERSION "\(.*\)"/\1/p' include/cylint.h)
+major=${version%%.*}
+
+verdict()
+{
+    if [ "$2" -eq 0 ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED $1"
+    fi
+}
+
+# quiet COMMAND...: its output is shown only if it fails.
+quiet()
+{
+    "$@" > "$scratch/log" 2>&1 || {
+        echo "failed: $*"
+        cat "$scratch/log"
+        return 1
+    }
+}
+
+# make_here TARGET: with the same build folder and compilers, so that
+# nothing is built anew.
+make_here()
+{
+    quiet $make --no-print-directory BUILD="$build" CC="$cc" CXX="$cxx" \
+        ${CXX17+CXX17="$CXX17"} DESTDIR="$root" PREFIX=/usr "$1"
+}
+
+test_install()
+{
+    make_here install
+    verdict install_succeeds $?
+    for f in bin/cylint lib/libcylint.a lib/libcylint.so \
+        "lib/libcylint.so.$major" "lib/libcylint.so.$version" \
+        lib/pkgconfig/cylint.pc include/cylint.h include/cylint_methods.h \
+        share/man/man1/cylint.1 share/man/man3/cylint.3 \
+        share/man/man3/cylint_methods.3; do
+        [ -s "$root/usr/$f" ]
+        verdict "install_puts_$f" $?
+    done
+    ! grep -l '@[A-Z]*@' "$lib/pkgconfig/cylint.pc"
+    verdict the_pc_file_is_filled_in $?
+    "$root/usr/bin/cylint" --version | grep -q -F "$version"
+    verdict the_installed_command_tells_the_version $?
+}
+
+# block LANGUAGE NUMBER: the text of a fenced block of README.md.
+block()
+{
+    awk -v fence='```'"$1" -v wanted="$2" '
+        inside && /^```/ { inside = 0; next }
+        inside == 2
+        /^```/ && !inside { inside = 1 }
+        $0 == fence && inside == 1 && ++n == wanted { inside = 2 }
+    ' README.md
+}
+
+# The flags of the installed .pc file; by hand where pkg-config is missing.
+flags()
+{
+    if command -v pkg-config > /dev/null; then
+        PKG_CONFIG_LIBDIR=$lib/pkgconfig PKG_CONFIG_SYSROOT_DIR=$root \
+            PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1 \
+            pkg-config "$@" cylint
+    else
+        echo "-I$root/usr/include -L$lib -lcylint"
+    fi
+}
+
+# example NAME LINKING COMPILER FLAGS...: the README's program, compiled so,
+# says what the README says.
+example()
+{
+    name=$1 linking=$2
+    shift 2
+    case $linking in
+    static) with="$(flags --cflags) $lib/libcylint.a -lm" ;;
+    shared) with=$(flags --cflags --libs) ;;
+    esac
+    rm -f "$scratch/example"
+    quiet "$@" -Wall -Wextra -Wpedantic -Werror -o "$scratch/example" \
+        "$scratch/$source" $with $sanitizers &&
+        LD_LIBRARY_PATH=$lib "$scratch/example" > "$scratch/said" &&
+        diff "$scratch/example.said" "$scratch/said"
+    verdict "$name" $?
+}
+
+# A library built with sanitizers wants them when it is linked.
+sanitizers_of()
+{
+    if nm "$lib/libcylint.a" | grep -q '__asan\|__ubsan'; then
+        echo -fsanitize=address,undefined
+    fi
+}
+
+test_example()
+{
+    block c 1 > "$scratch/example.c"
+    block '' 1 > "$scratch/example.said"
+    [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
+    verdict the_readme_has_an_example_and_its_output $?
+    cp "$scratch/example.c" "$scratch/example.cc"
+    sanitizers=$(sanitizers_of)
+    for linking in static shared; do
+        source=example.c
+        example "the_example_as_c_$linking" $linking $cc -std=c99
+        source=example.cc
+        example "the_example_as_cxx_$linking" $linking $cxx -std=c++11
+        command -v clang > /dev/null && [ -z "$sanitizers" ] || continue
+        source=example.c
+        example "the_example_by_clang_$linking" $linking clang -std=c99
+    done
+}
+
+test_symbols()
+{
+    command -v nm > /dev/null || { echo 'note: no nm, symbols are not looked at'; return; }
+    foreign=$(nm -D --defined-only "$lib/libcylint.so" |
+        awk '$3 !~ /^cylint_/ { print $3 }')
+    [ -z "$foreign" ] || { echo "exported: $foreign"; false; }
+    verdict the_shared_library_exports_only_its_own_names $?
+    foreign=$(nm -g --defined-only "$lib/libcylint.a" |
+        awk 'NF == 3 && $3 !~ /^cylint_/ { print $3 }')
+    [ -z "$foreign" ] || { echo "defined: $foreign"; false; }
+    verdict the_static_library_defines_only_its_own_names $?
+    if [ -n "$(sanitizers_of)" ]; then
+        echo 'note: sanitized, so what the library uses is not looked at'
+        return
+    fi
+    # What C99 has in math.h and what compilers make of loops and copies.
+    math='acos asin atan atan2 ceil copysign cos fabs floor fma fmax fmin'
+    math="$math fmod frexp hypot ilogb ldexp log log2 logb lrint modf"
+    math="$math nearbyint nextafter pow rint round scalbln scalbn sin sincos"
+    math="$math sqrt tan trunc sinpi cospi"
+    memory='memcpy memmove memset memcmp strlen strcmp __stack_chk_fail'
+    others='_GLOBAL_OFFSET_TABLE_ __assert_fail'
+    foreign=$(nm -u "$lib/libcylint.a" | awk -v known="$math $memory $others" '
+        BEGIN { n = split(known, name, " ")
+                for (i = 1; i <= n; i++) fine[name[i]] = 1 }
+        $1 == "U" && !($2 in fine) && $2 !~ /^cylint_/ { print $2 }' | sort -u)
+    [ -z "$foreign" ] || { echo "used: $foreign"; false; }
+    verdict the_library_uses_only_mathematics_and_memory $?
+}
+
+test_without_makefile()
+{
+    here=$(pwd)
+    mkdir -p "$scratch/bare/methods" &&
+        for f in src/*.c src/methods/*.c; do
+            object=$scratch/bare/${f#src/}
+            (cd "$scratch" && quiet $cc -O2 -ffp-contract=off \
+                -I"$here/include" -c "$here/$f" -o "${object%.c}.o") || exit 1
+        done &&
+        quiet $cc -I include -o "$scratch/bare/example" \
+            "$scratch/example.c" "$scratch"/bare/*.o \
+            "$scratch"/bare/methods/*.o -lm &&
+        "$scratch/bare/example" | diff "$scratch/example.said" -
+}
+
+# Each `$ ` line of the README's console blocks is run by sh with the installed
+# command in the path; what follows it is what it must say.
+test_readme_commands()
+{
+    here=$(pwd)
+    mkdir "$scratch/steps" "$scratch/work"
+    ln -s "$here/tools" "$scratch/work/tools"
+    awk -v steps="$scratch/steps/" '
+        /^```/ { inside = $0 == "```console"; open = 0; next }
+        !inside { next }
+        /^\$ / { step = sprintf("%s%02d", steps, ++n)
+                 printf "" > (step ".said")
+                 text = substr($0, 3)
+                 print text > (step ".sh")
+                 open = text ~ /\\$/
+                 next }
+        open { print > (step ".sh"); open = /\\$/; next }
+        { print > (step ".said") }
+    ' README.md
+    for step in "$scratch"/steps/*.sh; do
+        (cd "$scratch/work" && PATH=$root/usr/bin:$PATH sh "$step") \
+            > "$scratch/said" 2>&1
+        diff "${step%.sh}.said" "$scratch/said" || { cat "$step"; false; }
+        verdict "readme_command_$(basename "$step" .sh)" $?
+    done
+    [ "$(ls "$scratch/steps" | wc -l)" -ge 6 ]
+    verdict the_readme_shows_commands $?
+}
+
+test_uninstall()
+{
+    make_here uninstall &&
+        left=$(find "$root" ! -type d) && [ -z "$left" ] || {
+        echo "left behind: $left"
+        false
+    }
+    verdict uninstall_leaves_no_file_behind $?
+}
+
+test_install
+test_example
+test_symbols
+(test_without_makefile)
+verdict the_library_compiles_without_the_makefile $?
+test_readme_commands
+test_uninstall
+echo "$passed passed, $failed failed"
+[ $failed -eq 0 ]
