@@ -10,8 +10,10 @@
 #include "report.h"
 
 static const char help[] =
-"cylint [OPTION]... [FILE]...           a line and a shape in every record\n"
-"cylint -s SCENE [OPTION]... [FILE]...  every line against all shapes of SCENE\n"
+"cylint [OPTION]... [FILE]...\n"
+"  a line and a shape in every record\n"
+"cylint -s SCENE [OPTION]... [FILE]...\n"
+"  a line, asked about all shapes of SCENE\n"
 "\n"
 "Where does a line meet a cylinder or a cone?  Reads records from files or\n"
 "standard input (-), one a line, and writes one answer for each.\n"
@@ -23,7 +25,7 @@ static const char help[] =
 "          econe c a b h k    acone v u degrees\n"
 "  WORD    capped open cap0 cap1 infinite nappe\n"
 "\n"
-"  -k LINE,SHAPE      records are bare numbers of these kinds; with -s: -k LINE\n"
+"  -k LINE,SHAPE      records are bare numbers of these kinds; -s: -k LINE\n"
 "  -s FILE            a scene, one SHAPE [ends=WORD] a line\n"
 "  -q QUERY           with -s: nearest (default), any, count or all\n"
 "  -f LIST            output columns, see --list=columns\n"

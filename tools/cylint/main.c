@@ -40,7 +40,7 @@ static int run(struct job *job)
 {
     const struct options *o = job->options;
     struct block block;
-    int status = output_open(&job->out, o->output, o->files, o->file_count);
+    int status = output_open(&job->out, o);
     if (status != 0) {
         return status;
     }

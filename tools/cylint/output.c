@@ -23,38 +23,42 @@ void guard_standard_streams(void)
     }
 }
 
-static int is_among(int fd, char *const *inputs, int count)
+static int is_output(const struct stat *out, const char *file)
 {
-    struct stat out, in;
-    if (fstat(fd, &out) != 0 || !S_ISREG(out.st_mode)) {
+    struct stat in;
+    const int status = strcmp(file, "-") == 0 ? fstat(0, &in)
+                                              : stat(file, &in);
+    return status == 0 && in.st_dev == out->st_dev && in.st_ino == out->st_ino;
+}
+
+/* A regular file loses what it held, so it must not be read from. */
+static int empty_file(const struct output *out, const struct options *o)
+{
+    struct stat s;
+    if (fstat(out->fd, &s) != 0 || !S_ISREG(s.st_mode)) {
         return 0;
     }
-    for (int i = 0; i < count; i++) {
-        const int known = strcmp(inputs[i], "-") == 0
-            ? fstat(0, &in) : stat(inputs[i], &in);
-        if (known == 0 && in.st_dev == out.st_dev && in.st_ino == out.st_ino) {
-            return 1;
-        }
+    int read_too = o->scene != NULL && is_output(&s, o->scene);
+    for (int i = 0; i < o->file_count; i++) {
+        read_too |= is_output(&s, o->files[i]);
+    }
+    if (read_too) {
+        complain(out->name, "is both input and output");
+        return EXIT_IO;
+    }
+    if (ftruncate(out->fd, 0) != 0) {
+        complain_errno(out->name);
+        return EXIT_IO;
     }
     return 0;
 }
 
-int output_open(struct output *out, const char *name, char *const *inputs,
-                int count)
+int output_open(struct output *out, const struct options *o)
 {
+    const char *name = o->output;
     out->name = name ? name : "standard output";
     out->fd = name ? open(name, O_WRONLY | O_CREAT | O_NOCTTY, 0666) : 1;
     if (out->fd < 0) {
-        complain_errno(out->name);
-        return EXIT_IO;
-    }
-    if (name && is_among(out->fd, inputs, count)) {
-        complain(out->name, "is both input and output");
-        return EXIT_IO;
-    }
-    struct stat s;
-    if (name && fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode)
-        && ftruncate(out->fd, 0) != 0) {
         complain_errno(out->name);
         return EXIT_IO;
     }
@@ -64,7 +68,7 @@ int output_open(struct output *out, const char *name, char *const *inputs,
         complain_errno(out->name);
         return EXIT_IO;
     }
-    return 0;
+    return name ? empty_file(out, o) : 0;
 }
 
 int output_write(struct output *out, const char *data, size_t length)

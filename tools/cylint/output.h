@@ -6,6 +6,8 @@
 
 #include <stddef.h>
 
+#include "options.h"
+
 struct output {
     int fd;
     const char *name;
@@ -15,10 +17,9 @@ struct output {
  * open becomes "standard output".  Call it first. */
 void guard_standard_streams(void);
 
-/* name NULL: standard output.  A file that is also among the inputs is
- * refused.  All three return 0 or an exit status, having said why. */
-int output_open(struct output *out, const char *name, char *const *inputs,
-                int count);
+/* All three return 0 or an exit status, having said why.  The file of -o is
+ * refused if it is also read from. */
+int output_open(struct output *out, const struct options *options);
 int output_write(struct output *out, const char *data, size_t length);
 int output_close(struct output *out);
 
