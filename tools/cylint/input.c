@@ -275,6 +275,33 @@ static int begin_block(struct input *in, struct block *b)
     return in->fresh && in->record_size > 0 ? skip_npy_header(in, b) : 0;
 }
 
+/* Leaves a file that was read, if one is open, for the next; none is open
+ * after the last. */
+static int change_file(struct input *in)
+{
+    const int status = in->fd < 0 ? 0 : finish_file(in);
+    if (status != 0 || in->next == in->count) {
+        return status;
+    }
+    return open_next(in);
+}
+
+/* What is gathered beyond the last whole record waits for the next block;
+ * at the end of a file nothing does. */
+static void cut_block(struct input *in, struct block *b, size_t whole)
+{
+    if (!in->ended) {
+        in->carried = b->length - whole;
+        memcpy(in->carry, b->text + whole, in->carried);
+    }
+    b->length = whole;
+    if (in->fresh && in->record_size == 0) {
+        skip_byte_order_mark(b);
+    }
+    in->fresh = 0;
+    b->text[b->length] = '\0';
+}
+
 int input_next(struct input *in, struct block *b)
 {
     b->length = 0;
@@ -283,12 +310,8 @@ int input_next(struct input *in, struct block *b)
     b->notes.count = 0;
     while (b->length == 0) {
         if (in->fd < 0 || in->ended) {
-            int status = in->fd < 0 ? 0 : finish_file(in);
-            if (status == 0 && in->next == in->count) {
-                return 0;
-            }
-            status = status != 0 ? status : open_next(in);
-            if (status != 0) {
+            const int status = change_file(in);
+            if (status != 0 || in->fd < 0) {
                 return status;
             }
         }
@@ -296,17 +319,7 @@ int input_next(struct input *in, struct block *b)
         if (status != 0) {
             return status;
         }
-        const size_t whole = gather(in, b);
-        if (!in->ended) {
-            in->carried = b->length - whole;
-            memcpy(in->carry, b->text + whole, in->carried);
-        }
-        b->length = whole;
-        if (in->fresh && in->record_size == 0) {
-            skip_byte_order_mark(b);
-        }
-        in->fresh = 0;
-        b->text[b->length] = '\0';
+        cut_block(in, b, gather(in, b));
         count_records(in, b);
     }
     return 0;
