@@ -164,7 +164,7 @@ static void load_ball(cylint_query *q)
     prepare_shape_ball(L);
 }
 
-static const letters_ball *ball_with_top(cylint_query *q)
+const letters_ball *cylint_ball_with_top(cylint_query *q)
 {
     if (!(q->ready & CYLINT_READY_TOP)) {
         letters_ball *L = &q->ball;
@@ -189,7 +189,7 @@ static wide wide_difference(double x, double y)
     return (wide){d, fabs(d.hi)};
 }
 
-const letters_wide *cylint_wide(cylint_query *q)
+letters_wide *cylint_wide(cylint_query *q)
 {
     if (q->ready & CYLINT_READY_WIDE)
         return &q->wide;
@@ -216,8 +216,18 @@ const letters_wide *cylint_wide(cylint_query *q)
     L->dr = wide_of(s->dr, s->dr_lo);
     L->one = wide_of(1, 0);
     prepare_shape_wide(L);
-    prepare_line_wide(L);
-    prepare_top_wide(L);
+    L->beta = dot_wide(L, L->u, axial_wide(L));
+    return L;
+}
+
+letters_wide *cylint_wide_line(cylint_query *q)
+{
+    letters_wide *L = cylint_wide(q);
+    if (!(q->ready & CYLINT_READY_WIDE_LINE)) {
+        q->ready |= CYLINT_READY_WIDE_LINE;
+        prepare_line_wide(L);
+        prepare_top_wide(L);
+    }
     return L;
 }
 
@@ -312,7 +322,7 @@ static int certain_wide(wide x)
             const ball b_ = form##_ball(balls __VA_ARGS__);                 \
             if (certain_ball(b_))                                           \
                 return cylint_sign(b_.v);                                   \
-            const wide w_ = form##_wide(cylint_wide(q) __VA_ARGS__);        \
+            const wide w_ = form##_wide(cylint_wide_line(q) __VA_ARGS__);        \
             if (certain_wide(w_))                                           \
                 return cylint_sign(w_.v.hi);                                \
         }                                                                   \
@@ -327,7 +337,7 @@ static int certain_wide(wide x)
 
 int cylint_sign_alpha(cylint_query *q, int cap)
 {
-    DECIDE(q, (cap ? ball_with_top(q) : &q->ball), form_alpha, COMMA cap);
+    DECIDE(q, (cap ? cylint_ball_with_top(q) : &q->ball), form_alpha, COMMA cap);
 }
 
 int cylint_sign_det(cylint_query *q)
@@ -340,14 +350,19 @@ int cylint_sign_beta(cylint_query *q)
     DECIDE(q, &q->ball, form_beta,);
 }
 
+int cylint_sign_along(cylint_query *q)
+{
+    DECIDE(q, &q->ball, form_along,);
+}
+
 int cylint_sign_E(cylint_query *q, int cap)
 {
-    DECIDE(q, (cap ? ball_with_top(q) : &q->ball), form_E, COMMA cap);
+    DECIDE(q, (cap ? cylint_ball_with_top(q) : &q->ball), form_E, COMMA cap);
 }
 
 int cylint_sign_N(cylint_query *q, int cap)
 {
-    DECIDE(q, (cap ? ball_with_top(q) : &q->ball), form_N, COMMA cap);
+    DECIDE(q, (cap ? cylint_ball_with_top(q) : &q->ball), form_N, COMMA cap);
 }
 
 int cylint_sign_G(cylint_query *q)

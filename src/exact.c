@@ -133,6 +133,15 @@ exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
                    x.sign * y.sign);
 }
 
+exact cylint_exact_shifted(cylint_arena *arena, exact x, int e)
+{
+    const int limbs = (e >= 0 ? e : e - 31) / 32;
+    x = cylint_exact_mul(arena, x, cylint_exact_from(arena,
+            cylint_power_of_two(e - 32 * limbs)));
+    x.exponent += limbs;
+    return x;
+}
+
 exact cylint_exact_keep(cylint_arena *arena, int used, exact x)
 {
     if (x.n > 0 && x.limb >= arena->limb + used) {

@@ -48,6 +48,9 @@ static inline exact cylint_exact_neg(exact x)
     return x;
 }
 
+/* x 2^e. */
+exact cylint_exact_shifted(cylint_arena *arena, exact x, int e);
+
 /* Lets go of all that was made since `used`, but for x. */
 exact cylint_exact_keep(cylint_arena *arena, int used, exact x);
 

@@ -146,6 +146,12 @@ static inline NUM FORM(form_beta)(const FORM(letters) *L)
     return L->beta;
 }
 
+/* On which side of the line's direction the axis points. */
+static inline NUM FORM(form_along)(const FORM(letters) *L)
+{
+    return FORM(dot)(L, L->u, L->w);
+}
+
 /* rho = rho0 + t rho1 along the line. */
 static inline NUM FORM(form_rho0)(const FORM(letters) *L)
 {
@@ -276,7 +282,7 @@ static inline int FORM(radial)(const FORM(letters) *L, NUM X[3])
         return 3;
     }
     X[0] = FORM(dot)(L, L->D[0], L->p);
-    X[1] = FORM(dot)(L, L->D[0], L->q);
+    X[1] = X[2] = FORM(dot)(L, L->D[0], L->q);
     return 2;
 }
 
@@ -329,4 +335,48 @@ static inline NUM FORM(form_T)(const FORM(letters) *L)
                 MUL(L->dr, FORM(dot)(L, L->M[0], L->n)));
     }
     RETURN(T)
+}
+
+/* Half the gradient of Q at the origin: outward normal of the lateral
+ * surface through it.  s w x (P x w) - rho dr w, or, for elliptic kinds,
+ * X_p p + X_q q - rho kappa e. */
+static inline void FORM(gradient)(const FORM(letters) *L, NUM N[3])
+{
+    NUM X[3];
+    if (FORM(radial)(L, X) == 2) {
+        for (int i = 0; i < 3; i++)
+            N[i] = ADD(MUL(X[0], L->p[i]), MUL(X[1], L->q[i]));
+    } else {
+        FORM(cross)(L, L->w, X, N);
+        if (L->kind == CYLINT_KIND_CONE)
+            for (int i = 0; i < 3; i++)
+                N[i] = MUL(L->vv, N[i]);
+    }
+    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ECYLINDER) {
+        const NUM k = MUL(FORM(form_rho0)(L), L->dr);
+        for (int i = 0; i < 3; i++)
+            N[i] = SUB(N[i], MUL(k, FORM(axial)(L)[i]));
+    }
+}
+
+/* Where the origin lies about the axis: cosine and sine of phi times one
+ * positive number, but that for circular kinds x wants a factor |w|.  phi
+ * counts from e x w, e the coordinate direction of the given number; for
+ * elliptic kinds from a towards b. */
+static inline void FORM(about_axis)(const FORM(letters) *L, int number,
+                                    NUM *x, NUM *y)
+{
+    if (FORM(elliptic)(L)) {
+        *x = FORM(dot)(L, L->D[0], L->p);
+        *y = FORM(dot)(L, L->D[0], L->q);
+        return;
+    }
+    const int j = (number + 1) % 3, k = (number + 2) % 3;
+    NUM from[3], to[3];
+    from[number] = SUB(L->w[0], L->w[0]);
+    from[j] = SUB(from[number], L->w[k]);
+    from[k] = L->w[j];
+    FORM(cross)(L, L->w, from, to);
+    *x = FORM(dot)(L, L->D[0], from);
+    *y = FORM(dot)(L, L->D[0], to);
 }

@@ -3,149 +3,245 @@
  *
  * Everything is computed in pairs of doubles from the root as a pair, so
  * that a far origin or a thin shape costs no digits, and rounded at the end.
+ * Where the point's coordinates nearly cancel, or the data are too wild for
+ * pairs, the same forms are evaluated in every digit, at a root refined to
+ * some 200 bits.
  */
 #include "internal.h"
 
-static double rounded(wide x)
+/* How far a value may fall below the sizes summed up in it before pairs
+ * leave it less than 60 digits: CYLINT_PAIR_BOUND is below 2^-95. */
+#define CANCELS 0x1p-35
+#define UNDERFLOWS (CYLINT_UNDERFLOW * 0x1p60)
+
+/* A value with a binary exponent of its own. */
+typedef struct {
+    pair v;
+    int e;
+} floating;
+
+static int keeps_digits(wide x, double least)
 {
-    return x.v.hi;
+    return fmax(fabs(x.v.hi), least) > CANCELS * x.size + UNDERFLOWS;
 }
 
-/* o + t d; from a segment's two ends, so that its ends are met exactly. */
-static void hit_point(const cylint_line *l, pair t, double point[3])
+static floating floating_of_wide(wide x)
 {
-    for (int i = 0; i < 3; i++) {
-        if (l->segment && !(fabs(l->d[i]) <= DBL_MAX)) {
-            point[i] = l->o[i] * (1 - t.hi) + l->end[i] * t.hi;
-            continue;
-        }
-        const pair td = pair_mul(t, (pair){l->d[i], l->d_lo[i]});
-        point[i] = pair_add((pair){l->o[i], 0}, td).hi;
-    }
+    return (floating){x.v, 0};
 }
 
-static void normalise(const double x[3], double to[3])
+static floating floating_of_exact(exact x)
 {
-    const int e = -cylint_exponent(cylint_largest(x));
+    floating f = {{0, 0}, 0};
+    if (x.sign != 0)
+        f.v = cylint_exact_round(x, &f.e);
+    return f;
+}
+
+static double rounded(floating x)
+{
+    return cylint_scaled(x.v.hi, x.e);
+}
+
+static void normalise(const floating x[3], int sign, double to[3])
+{
+    int most = 0;
+    for (int i = 1; i < 3; i++)
+        if (x[most].v.hi == 0 || (x[i].v.hi != 0 &&
+            x[i].e + cylint_exponent(x[i].v.hi) >
+            x[most].e + cylint_exponent(x[most].v.hi)))
+            most = i;
+    const int e = x[most].e + cylint_exponent(x[most].v.hi);
     double y[3];
     for (int i = 0; i < 3; i++)
-        y[i] = cylint_scaled(x[i], e);
+        y[i] = cylint_scaled(x[i].v.hi, x[i].e - e);
     const double size = sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
     for (int i = 0; i < 3; i++)
-        to[i] = y[i] / size + 0; /* no -0 */
+        to[i] = sign * y[i] / size + 0; /* no -0 */
 }
 
-/* The letters with the line's origin moved to the hit. */
-static letters_wide at_hit(cylint_query *q, pair t)
+/* atan2(y, x) over 2 pi, in [0, 1). */
+static double turns(floating y, floating x)
 {
-    letters_wide L = *cylint_wide(q);
-    const wide scaled_t = {{cylint_scaled(t.hi, -q->t_exponent),
-                            cylint_scaled(t.lo, -q->t_exponent)},
-                           fabs(t.hi)};
+    const double pi = 3.14159265358979323846;
+    if (y.v.hi == 0 && x.v.hi == 0)
+        return 0;
+    const int e = x.v.hi == 0 || (y.v.hi != 0 && y.e > x.e) ? y.e : x.e;
+    double phi = atan2(cylint_scaled(y.v.hi, y.e - e),
+                       cylint_scaled(x.v.hi, x.e - e)) / (2 * pi);
+    if (phi < 0)
+        phi += 1;
+    return phi < 1 ? phi + 0 : 0;
+}
+
+/* The coordinate along which the axis has its smallest component. */
+static int least_component(const cylint_query *q)
+{
+    const double *axis = q->near_shape->axis;
+    int least = 0;
+    for (int i = 1; i < 3; i++)
+        if (fabs(axis[i]) < fabs(axis[least]))
+            least = i;
+    return least;
+}
+
+/* What the hit's letters give: the same statements for each arithmetic,
+ * NUM x[]: gradient, axial, axis; alpha, height; x, y. */
+enum { GRADIENT = 0, AXIAL = 3, AXIS = 6, ALPHA = 9, HEIGHT, X, Y, FACTS };
+
+#define GATHER(FORM, L, x, q)                                               \
+    do {                                                                    \
+        FORM(gradient)(L, (x) + GRADIENT);                                  \
+        for (int i = 0; i < 3; i++) {                                       \
+            (x)[AXIAL + i] = FORM(axial)(L)[i];                             \
+            (x)[AXIS + i] = (L)->w[i];                                      \
+        }                                                                   \
+        (x)[ALPHA] = FORM(form_alpha)(L, 0);                                \
+        (x)[HEIGHT] = FORM(form_root_of_S)(L);                              \
+        FORM(about_axis)(L, least_component(q), (x) + X, (x) + Y);          \
+    } while (0)
+
+#define WIDE(name) name##_wide
+#define EXACT(name) name##_exact
+
+/* In pairs; 0 where that would leave too few digits. */
+static int facts_in_pairs(cylint_query *q, pair t, int apex, floating *facts)
+{
+    if (!q->filters || q->near_shape != q->shape)
+        return 0;
+    letters_wide *L = cylint_wide(q);
+    const wide at = {t, fabs(t.hi)};
+    wide kept[3], x[FACTS];
+    for (int i = 0; i < 3; i++) {
+        kept[i] = L->D[0][i];
+        L->D[0][i] = wide_add(kept[i], wide_mul(at, L->u[i]));
+    }
+    GATHER(WIDE, L, x, q);
     for (int i = 0; i < 3; i++)
-        L.D[0][i] = wide_add(L.D[0][i], wide_mul(scaled_t, L.u[i]));
-    return L;
+        L->D[0][i] = kept[i];
+    double steepest = 0;
+    for (int i = 0; i < 3; i++)
+        steepest = fmax(steepest, fabs(x[GRADIENT + i].v.hi));
+    int keeps = keeps_digits(x[ALPHA], fabs(x[HEIGHT].v.hi));
+    for (int i = 0; i < 3; i++)
+        keeps &= apex || keeps_digits(x[GRADIENT + i], steepest);
+    if (!apex) {
+        const double X_scale = sqrt(x[HEIGHT].v.hi);
+        const int round = q->kind < CYLINT_KIND_ECYLINDER;
+        const double wx = fabs(x[X].v.hi), wy = fabs(x[Y].v.hi);
+        keeps &= keeps_digits(x[X], round ? wy / X_scale : wy) &&
+                 keeps_digits(x[Y], round ? wx * X_scale : wx);
+    }
+    for (int i = 0; i < FACTS; i++)
+        facts[i] = floating_of_wide(x[i]);
+    return keeps;
 }
 
-/* Half the gradient of Q, times the sign of what keeps it outward:
- * s w x (P x w) - rho dr w, or X_p p + X_q q - rho kappa e. */
-static void lateral_normal(const letters_wide *L, double to[3])
+/* The hit's point as every digit has it. */
+static void exact_point(cylint_query *q, exact t, double point[3])
 {
-    wide X[3], N[3];
-    radial_wide(L, X);
-    if (elliptic_wide(L)) {
-        for (int i = 0; i < 3; i++)
-            N[i] = wide_add(wide_mul(X[0], L->p[i]), wide_mul(X[1], L->q[i]));
-    } else {
-        cross_wide(L, L->w, X, N);
-        if (L->kind == CYLINT_KIND_CONE)
-            for (int i = 0; i < 3; i++)
-                N[i] = wide_mul(L->vv, N[i]);
+    const letters_exact *L = cylint_exact(q);
+    for (int i = 0; i < 3; i++) {
+        const exact o = cylint_exact_from(&q->arena, q->line->o[i]);
+        point[i] = rounded(floating_of_exact(cylint_exact_add(&q->arena, o,
+                       cylint_exact_mul(&q->arena, t, L->u[i])))) + 0;
     }
-    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ECYLINDER) {
-        const wide k = wide_mul(form_rho0_wide(L), L->dr);
-        for (int i = 0; i < 3; i++)
-            N[i] = wide_sub(N[i], wide_mul(k, axial_wide(L)[i]));
-    }
-    const double n[3] = {rounded(N[0]), rounded(N[1]), rounded(N[2])};
-    normalise(n, to);
 }
 
-static void axial_normal(const letters_wide *L, int sign, double to[3])
+static void facts_in_full(cylint_query *q, exact t, floating *facts)
 {
-    const wide *axis = axial_wide(L);
-    const double n[3] = {sign * rounded(axis[0]), sign * rounded(axis[1]),
-                         sign * rounded(axis[2])};
-    normalise(n, to);
+    letters_exact L = *cylint_exact(q);
+    exact x[FACTS];
+    for (int i = 0; i < 3; i++)
+        L.D[0][i] = cylint_exact_add(L.arena, L.D[0][i],
+                                     cylint_exact_mul(L.arena, t, L.u[i]));
+    GATHER(EXACT, &L, x, q);
+    for (int i = 0; i < FACTS; i++)
+        facts[i] = floating_of_exact(x[i]);
+}
+
+/* o + t d in pairs; 0 where that would leave too few digits. */
+static int point_in_pairs(const cylint_query *q, pair t, double point[3])
+{
+    const cylint_line *l = q->line;
+    if (!q->filters || q->near_shape != q->shape || !(fabs(t.hi) > 0x1p-900))
+        return 0;
+    double from = 0, size = 0;
+    for (int i = 0; i < 3; i++) {
+        const pair step = pair_mul(t, (pair){l->d[i], l->d_lo[i]});
+        point[i] = pair_add((pair){l->o[i], 0}, step).hi;
+        from = fmax(from, fabs(l->o[i]) + fabs(step.hi));
+        size = fmax(size, fabs(point[i]));
+    }
+    return size > CANCELS * from;
 }
 
 /* Away from the solid; at a double cone's apex against the line. */
 static int apex_sign(cylint_query *q)
 {
     if (q->ends == CYLINT_INFINITE)
-        return cylint_sign_beta(q) > 0 ? -1 : cylint_sign_beta(q) < 0 ? 1 : -1;
+        return cylint_sign_along(q) < 0 ? 1 : -1;
     return -cylint_sign(q->shape->dr);
 }
 
-static double axial_coordinate(const letters_wide *L)
+static void describe(cylint_query *q, const floating *facts, cylint_root root,
+                     int part, int apex, unsigned want, cylint_hit *hit)
 {
-    const wide alpha = form_alpha_wide(L, 0);
-    return pair_div(alpha.v, form_root_of_S_wide(L).v).hi;
-}
-
-static double turns(double y, double x)
-{
-    const double pi = 3.14159265358979323846;
-    if (y == 0 && x == 0)
-        return 0;
-    double phi = atan2(y, x) / (2 * pi);
-    if (phi < 0)
-        phi += 1;
-    return phi < 1 ? phi + 0 : 0;
-}
-
-static double angle(const letters_wide *L, int flip)
-{
-    wide X[3];
-    if (elliptic_wide(L)) {
-        radial_wide(L, X);
-        return turns(flip ? -rounded(X[1]) : rounded(X[1]), rounded(X[0]));
+    if (want & CYLINT_WANT_NORMAL) {
+        if (part != CYLINT_LATERAL)
+            normalise(facts + AXIAL, part == CYLINT_CAP1 ? 1 : -1, hit->normal);
+        else if (apex)
+            normalise(facts + AXIS, apex_sign(q), hit->normal);
+        else
+            normalise(facts + GRADIENT, 1, hit->normal);
     }
-    int least = 0;
-    for (int i = 1; i < 3; i++)
-        if (fabs(L->w[i].v.hi) < fabs(L->w[least].v.hi))
-            least = i;
-    const wide zero = {{0, 0}, 0};
-    wide e[3] = {zero, zero, zero}, from[3], to[3];
-    e[least] = L->one;
-    cross_wide(L, e, L->w, from);   /* phi = 0 */
-    cross_wide(L, L->w, from, to);  /* a quarter turn on, |w| times longer */
-    const pair x = pair_mul(dot_wide(L, L->D[0], from).v,
-                            pair_sqrt(L->vv.v));
-    return turns(rounded(dot_wide(L, L->D[0], to)), x.hi);
+    if (want & CYLINT_WANT_Z) {
+        const int known = root == ROOT_CAP0 || root == ROOT_CAP1;
+        hit->z = known ? root == ROOT_CAP1
+                       : cylint_scaled(
+                             pair_div(facts[ALPHA].v, facts[HEIGHT].v).hi,
+                             facts[ALPHA].e - facts[HEIGHT].e) + 0;
+    }
+    if (want & CYLINT_WANT_PHI) {
+        floating x = facts[X], y = facts[Y], vv = facts[HEIGHT];
+        if (q->kind < CYLINT_KIND_ECYLINDER) {
+            const int odd = vv.e & 1;
+            const pair even = {vv.v.hi * (odd ? 2 : 1),
+                               vv.v.lo * (odd ? 2 : 1)};
+            x.v = pair_mul(x.v, pair_sqrt(even));
+            x.e += (vv.e - odd) / 2;
+        } else if (q->shape->flip) {
+            y.v = pair_neg(y.v);
+        }
+        hit->phi = apex ? 0 : turns(y, x);
+    }
 }
 
 void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
                          double more, int part, int apex, unsigned want,
                          cylint_hit *hit)
 {
+    const unsigned about_point = CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
+                                 CYLINT_WANT_PHI;
     const pair at = fast_two_sum(t, more);
-    if (want & CYLINT_WANT_POINT)
-        hit_point(q->line, at, hit->point);
-    if (!(want & (CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI)))
-        return;
-    const letters_wide L = at_hit(q, at);
-    if (want & CYLINT_WANT_NORMAL) {
-        if (part != CYLINT_LATERAL)
-            axial_normal(&L, part == CYLINT_CAP1 ? 1 : -1, hit->normal);
-        else if (apex)
-            axial_normal(&L, apex_sign(q), hit->normal);
-        else
-            lateral_normal(&L, hit->normal);
+    floating facts[FACTS];
+    int points = !(want & CYLINT_WANT_POINT), rest = !(want & about_point);
+    if (!points)
+        points = point_in_pairs(q, at, hit->point);
+    if (!rest)
+        rest = facts_in_pairs(q, at, apex, facts);
+    if ((!points || !rest) && fabs(t) <= DBL_MAX) {
+        const int used = cylint_exact_mark(q, root);
+        const exact full = cylint_root_in_full(q, root, at);
+        if (!points)
+            exact_point(q, full, hit->point);
+        if (!rest)
+            facts_in_full(q, full, facts);
+        q->arena.used = used;
+    } else if (!points) {
+        for (int i = 0; i < 3; i++)
+            hit->point[i] = q->line->o[i] + t * q->line->d[i];
     }
-    if (want & CYLINT_WANT_Z)
-        hit->z = root == ROOT_CAP0 ? 0 : root == ROOT_CAP1 ? 1
-               : axial_coordinate(&L);
-    if (want & CYLINT_WANT_PHI)
-        hit->phi = apex ? 0 : angle(&L, q->shape->flip);
+    if (want & about_point)
+        describe(q, facts, root, part, apex, want, hit);
 }

@@ -171,8 +171,9 @@ static inline double wide_error(wide x)
 enum { /* what of cylint_query has been made */
     CYLINT_READY_TOP = 1,
     CYLINT_READY_WIDE = 2,
-    CYLINT_READY_EXACT = 4,
-    CYLINT_READY_QUADRATIC = 8
+    CYLINT_READY_WIDE_LINE = 4,
+    CYLINT_READY_EXACT = 8,
+    CYLINT_READY_QUADRATIC = 16
 };
 
 typedef struct {
@@ -197,13 +198,16 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
                        const cylint_line *line);
 
 /* The letters of the slower arithmetics, made when first asked for. */
-const letters_wide *cylint_wide(cylint_query *q);
+letters_wide *cylint_wide(cylint_query *q);      /* data and shape only */
+letters_wide *cylint_wide_line(cylint_query *q); /* moments as well */
+const letters_ball *cylint_ball_with_top(cylint_query *q);
 const letters_exact *cylint_exact(cylint_query *q);
 
 /* Exact signs of the forms, by the cheapest arithmetic that is certain. */
 int cylint_sign_alpha(cylint_query *q, int cap);
 int cylint_sign_beta(cylint_query *q);
 int cylint_sign_det(cylint_query *q); /* before shape->flip is set */
+int cylint_sign_along(cylint_query *q);
 int cylint_sign_E(cylint_query *q, int cap);
 int cylint_sign_N(cylint_query *q, int cap);
 int cylint_sign_G(cylint_query *q);
@@ -223,11 +227,17 @@ typedef enum {
     ROOT_CAP1
 } cylint_root;
 
-/* The double nearest to the root; *more is what it misses, nearly. */
-double cylint_root_value(cylint_query *q, cylint_root root, double *more);
+/* Whether tmin <= root <= tmax, exactly.  Where t is wanted, it becomes the
+ * double nearest to such a root and *more what that misses, nearly. */
+int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
+                       double *t, double *more);
 
-/* The sign of root - m, exactly. */
-int cylint_root_against(cylint_query *q, cylint_root root, double m);
+/* Makes what must stay in the arena; what comes after it may be let go by
+ * setting arena.used to the answer. */
+int cylint_exact_mark(cylint_query *q, cylint_root root);
+
+/* The root to some 200 bits, from its nearest pair. */
+exact cylint_root_in_full(cylint_query *q, cylint_root root, pair t);
 
 /* The wanted members of a hit but part and side.  t + more is the root;
  * apex: whether the hit is the apex of a cone. */

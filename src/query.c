@@ -205,25 +205,6 @@ static int present(int ends, int part)
            ends == (part == CYLINT_CAP0 ? CYLINT_CAP_0 : CYLINT_CAP_1);
 }
 
-/* Whether tmin <= root <= tmax, knowing the root's nearest double: only
- * where that equals a limit is there more to ask. */
-static int in_domain(cylint_query *q, cylint_root root, double t)
-{
-    const double tmin = q->line->tmin, tmax = q->line->tmax;
-    if (t < tmin || t > tmax)
-        return 0;
-    if (t == tmin && fabs(tmin) <= DBL_MAX &&
-        cylint_root_against(q, root, tmin) < 0)
-        return 0;
-    return !(t == tmax && fabs(tmax) <= DBL_MAX &&
-             cylint_root_against(q, root, tmax) > 0);
-}
-
-static int unlimited(const cylint_line *line)
-{
-    return line->tmin < -DBL_MAX && line->tmax > DBL_MAX;
-}
-
 int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer)
 {
@@ -244,11 +225,9 @@ int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
         double t = 0, more = 0;
         if (!present(q.ends, v.at[i].part))
             continue;
-        if ((want & roots) || !unlimited(line)) {
-            t = cylint_root_value(&q, v.at[i].root, &more);
-            if (!in_domain(&q, v.at[i].root, t))
-                continue;
-        }
+        if (!cylint_root_within(&q, v.at[i].root, (want & roots) != 0,
+                                &t, &more))
+            continue;
         cylint_hit *hit = &answer->hit[answer->n++];
         if (want & CYLINT_WANT_T)
             hit->t = t;

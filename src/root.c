@@ -30,66 +30,111 @@ static int rounds_to_hi(pair t, double error)
     return t.hi + (t.lo + error) == t.hi && t.hi + (t.lo - error) == t.hi;
 }
 
-/* ------------------------------------------------------- in pairs ------ */
+/* ---------------------------------------------- doubles and pairs ------ */
 
-static double relative(wide x)
+static double double_sqrt(double x)
 {
-    return wide_error(x) / fabs(x.v.hi);
+    return sqrt(x);
 }
 
-/* R and its relative error; 0 unless G is certainly positive. */
-static wide wide_radical(const letters_wide *L, double *error)
+#define NUM ball
+#define VALUE double
+#define HIGH(v) (v)
+#define OF(x) (x).v
+#define FORM(name) name##_ball
+#define V_ADD(x, y) ((x) + (y))
+#define V_MUL(x, y) ((x) * (y))
+#define V_NEG(x) (-(x))
+#define V_SQRT(x) double_sqrt(x)
+#define ERROR(x) ball_error(x)
+#define ROUNDING 0x1p-49
+#include "fraction.h"
+#undef NUM
+#undef VALUE
+#undef HIGH
+#undef OF
+#undef FORM
+#undef V_ADD
+#undef V_MUL
+#undef V_NEG
+#undef V_SQRT
+#undef ERROR
+#undef ROUNDING
+
+#define NUM wide
+#define VALUE pair
+#define HIGH(x) ((x).hi)
+#define OF(x) (x).v
+#define FORM(name) name##_wide
+#define V_ADD(x, y) pair_add(x, y)
+#define V_MUL(x, y) pair_mul(x, y)
+#define V_NEG(x) pair_neg(x)
+#define V_SQRT(x) pair_sqrt(x)
+#define ERROR(x) wide_error(x)
+#define ROUNDING 0x1p-98
+#include "fraction.h"
+
+/* A root in doubles, with what is known of it. */
+typedef struct {
+    double t, error;        /* absolute */
+    double slope;           /* A t + B at the root */
+    double slope_error;     /* relative */
+    double bend;            /* A */
+} estimate;
+
+static estimate estimate_of(cylint_query *q, cylint_root root)
 {
-    const wide G = form_G_wide(L);
-    const double eG = relative(G);
-    if (!(G.v.hi > 0 && eG < 0x1p-10)) {
-        *error = 2;
-        return G;
-    }
-    const wide S = form_root_of_S_wide(L);
-    wide R;
-    if (L->kind == CYLINT_KIND_CYLINDER || L->kind == CYLINT_KIND_ACONE)
-        R.v = pair_sqrt(pair_mul(S.v, G.v));
-    else
-        R.v = pair_mul(S.v, pair_sqrt(G.v));
-    *error = eG + relative(S) + 0x1p-98;
-    R.size = fabs(R.v.hi);
-    return R;
+    estimate k = {0, HUGE_VAL, 0, 2, 0};
+    if (!q->filters || root == ROOT_APEX || root == ROOT_DOUBLE)
+        return k;
+    const letters_ball *L = root == ROOT_CAP1 ? cylint_ball_with_top(q)
+                                              : &q->ball;
+    const quotient_ball f = quotient_of_ball(L, root);
+    if (!(f.error < 0x1p-10))
+        return k;
+    k.t = f.num / f.den;
+    k.error = (f.error + 0x1p-49) * fabs(k.t);
+    k.slope = root == ROOT_EXIT ? f.radical : -f.radical;
+    k.slope_error = f.radical_error;
+    k.bend = f.A;
+    return k;
 }
 
-static fraction wide_fraction(const letters_wide *L, cylint_root root)
+/*
+ * One step of Newton's, its residual in pairs.  Around a root t, where
+ * s = A t + B,
+ *
+ *   Q(t0) = 2 s (t0 - t) + A (t0 - t)^2,
+ *   t     = t0 - delta + A (t0 - t)^2 / (2 s),   delta = Q(t0) / (2 s).
+ *
+ * Q(t0) is C for the line with its origin moved to P = D + t0 u.  P is off
+ * by at most eP, and Q, homogeneous of degree 2 in (P, 1), by no more than
+ * 2 eP / |P| of the sizes summed up in it.
+ */
+static pair refined(cylint_query *q, estimate k, double *error)
 {
-    fraction f = {{0, 0}, {1, 0}, 0, 0, 2};
-    wide num, den;
-    if (root == ROOT_CAP0 || root == ROOT_CAP1) {
-        num = form_alpha_wide(L, root == ROOT_CAP1);
-        den = L->beta;
-        f.error = relative(num) + relative(den);
-        num.v = pair_neg(num.v);
-    } else if (root == ROOT_ENTRY || root == ROOT_EXIT) {
-        double eR;
-        const wide B = form_B_wide(L), R = wide_radical(L, &eR);
-        if (eR > 1)
-            return f;
-        const int exits = root == ROOT_EXIT;
-        const pair sum = pair_add(R.v, B.v.hi < 0 ? pair_neg(B.v) : B.v);
-        const double eSum = (wide_error(B) + eR * R.size) / sum.hi + 0x1p-98;
-        if ((B.v.hi < 0) == exits) {
-            den = form_A_wide(L);
-            num.v = exits ? sum : pair_neg(sum);
-            f.error = eSum + relative(den);
-        } else {
-            num = form_C_wide(L);
-            f.error = eSum + relative(num);
-            num.v = exits ? pair_neg(num.v) : num.v;
-            den.v = sum;
-        }
-    } else {
-        return f;
+    letters_wide *L = cylint_wide(q);
+    wide kept[3];
+    const wide t0 = {{k.t, 0}, fabs(k.t)};
+    double from = 0, size = 0;
+    for (int i = 0; i < 3; i++) {
+        kept[i] = L->D[0][i];
+        L->D[0][i] = wide_add(kept[i], wide_mul(t0, L->u[i]));
+        from += L->D[0][i].size;
+        size += fabs(L->D[0][i].v.hi);
     }
-    f.num = num.v;
-    f.den = den.v;
-    return f;
+    for (int i = 0; i < 3; i++)
+        L->D[0][i].size = size;
+    const wide Q = form_C_wide(L);
+    for (int i = 0; i < 3; i++)
+        L->D[0][i] = kept[i];
+    const double s = 2 * fabs(k.slope), delta = Q.v.hi / (2 * k.slope);
+    const double moved = 4 * CYLINT_PAIR_ROUNDING * (from / size) * Q.size;
+    const double off = fabs(delta) + k.error;
+    *error = 1.01 * ((wide_error(Q) + moved) / s +
+                     fabs(delta) * (k.slope_error + 0x1p-50) +
+                     fabs(k.bend) * off / s * off);
+    return fast_two_sum(k.t, -delta);
 }
 
 /* ---------------------------------------------------------- exact ------ */
@@ -106,19 +151,18 @@ static const exact *coefficients(cylint_query *q)
     return q->exact_coefficient;
 }
 
-/* rho at m, or cap's alpha + m beta. */
-static exact linear_at(cylint_query *q, cylint_root root, exact m)
+/* rho at m, or a cap's alpha + m beta; and its slope. */
+static exact linear_at(cylint_query *q, cylint_root root, exact m,
+                       exact *slope_at)
 {
     const letters_exact *L = cylint_exact(q);
     const exact at0 = root == ROOT_APEX
                     ? form_rho0_exact(L)
                     : form_alpha_exact(L, root == ROOT_CAP1);
     const exact slope = root == ROOT_APEX ? form_rho1_exact(L) : L->beta;
-    const int rising = slope.sign;
-    exact sum = cylint_exact_add(L->arena, at0,
-                                 cylint_exact_mul(L->arena, slope, m));
-    sum.sign *= rising;
-    return sum; /* of the sign of m - root */
+    *slope_at = slope;
+    return cylint_exact_add(L->arena, at0,
+                            cylint_exact_mul(L->arena, slope, m));
 }
 
 static int quadratic_against(cylint_query *q, cylint_root root, exact m)
@@ -147,8 +191,11 @@ static int quadratic_against(cylint_query *q, cylint_root root, exact m)
 
 static int against_exact(cylint_query *q, cylint_root root, exact m)
 {
-    if (root >= ROOT_APEX)
-        return -linear_at(q, root, m).sign;
+    if (root >= ROOT_APEX) {
+        exact slope;
+        const exact at_m = linear_at(q, root, m, &slope);
+        return -at_m.sign * slope.sign;
+    }
     return quadratic_against(q, root, m);
 }
 
@@ -164,6 +211,7 @@ static pair sum_of_sizes(pair x, int xe, pair y, int ye, int *e)
     return pair_add(x, (pair){y.hi * w, y.lo * w});
 }
 
+/* R and its exponent. */
 static pair exact_radical(cylint_query *q, int *e)
 {
     const letters_exact *L = cylint_exact(q);
@@ -185,52 +233,58 @@ static pair exact_radical(cylint_query *q, int *e)
     return pair_mul(S, pair_sqrt(G));
 }
 
-/* num or den is exactly 0 only as a root at t = 0: then num is. */
+#define EXACT_ERROR 0x1p-97 /* relative, of a quotient of rounded numbers */
+
+/* - num / den; 0 / 1 where num is exactly 0. */
+static fraction minus_quotient(exact num, exact den)
+{
+    fraction f = {{0, 0}, {1, 0}, 0, 0, EXACT_ERROR};
+    if (num.sign != 0) {
+        f.num = pair_neg(cylint_exact_round(num, &f.num_e));
+        f.den = cylint_exact_round(den, &f.den_e);
+    }
+    return f;
+}
+
+/* The root of c[0] t^2 + 2 c[1] t + c[2], which is the line's quadratic
+ * seen from some point of it. */
+static fraction side_fraction(cylint_query *q, cylint_root root,
+                              const exact c[3])
+{
+    if (root == ROOT_DOUBLE)
+        return minus_quotient(c[1], c[0]);
+    const int exits = root == ROOT_EXIT;
+    fraction f = {{0, 0}, {1, 0}, 0, 0, EXACT_ERROR};
+    int eR, eB = 0;
+    const pair R = exact_radical(q, &eR);
+    pair sum = R;
+    int e = eR;
+    if (c[1].sign != 0) {
+        const pair B = cylint_exact_round(c[1], &eB);
+        sum = sum_of_sizes(B.hi < 0 ? pair_neg(B) : B, eB, R, eR, &e);
+    }
+    if ((c[1].sign < 0) == exits && c[0].sign != 0) {
+        f.num = exits ? sum : pair_neg(sum);
+        f.num_e = e;
+        f.den = cylint_exact_round(c[0], &f.den_e);
+    } else if (c[2].sign != 0) {
+        f.num = cylint_exact_round(c[2], &f.num_e);
+        if (exits)
+            f.num = pair_neg(f.num);
+        f.den = sum;
+        f.den_e = e;
+    }
+    return f;
+}
+
 static fraction exact_fraction(cylint_query *q, cylint_root root)
 {
-    const letters_exact *L = cylint_exact(q);
-    fraction f = {{0, 0}, {1, 0}, 0, 0, 0x1p-97};
-    exact num, den = L->beta;
-    if (root == ROOT_CAP0 || root == ROOT_CAP1) {
-        num = form_alpha_exact(L, root == ROOT_CAP1);
-    } else if (root == ROOT_APEX) {
-        num = form_rho0_exact(L);
-        den = form_rho1_exact(L);
-    } else {
-        const exact *c = coefficients(q);
-        if (root != ROOT_DOUBLE) {
-            int eR, eB = 0;
-            const pair R = exact_radical(q, &eR);
-            const int exits = root == ROOT_EXIT;
-            pair B = {0, 0}, sum = R;
-            int e = eR;
-            if (c[1].sign != 0) {
-                B = cylint_exact_round(c[1], &eB);
-                if (B.hi < 0)
-                    B = pair_neg(B);
-                sum = sum_of_sizes(B, eB, R, eR, &e);
-            }
-            if ((c[1].sign < 0) == exits && c[0].sign != 0) {
-                f.num = exits ? sum : pair_neg(sum);
-                f.num_e = e;
-                f.den = cylint_exact_round(c[0], &f.den_e);
-            } else if (c[2].sign != 0) {
-                f.num = cylint_exact_round(c[2], &f.num_e);
-                if (exits)
-                    f.num = pair_neg(f.num);
-                f.den = sum;
-                f.den_e = e;
-            }
-            return f;
-        }
-        num = c[1];
-        den = c[0];
-    }
-    if (num.sign == 0)
-        return f;
-    f.num = pair_neg(cylint_exact_round(num, &f.num_e));
-    f.den = cylint_exact_round(den, &f.den_e);
-    return f;
+    if (root < ROOT_APEX)
+        return side_fraction(q, root, coefficients(q));
+    const exact zero = {q->arena.limb, 0, 0, 0};
+    exact slope;
+    const exact value = linear_at(q, root, zero, &slope);
+    return minus_quotient(value, slope);
 }
 
 /* Sizes of doubles are handled by their bits from here on, because a
@@ -305,8 +359,7 @@ static double settle(cylint_query *q, cylint_root root, uint64_t size)
     return from_bits(size, sign);
 }
 
-/* Makes what stays in the arena; the rest may be let go to its answer. */
-static int settled_arena(cylint_query *q, cylint_root root)
+int cylint_exact_mark(cylint_query *q, cylint_root root)
 {
     if (root < ROOT_APEX)
         coefficients(q);
@@ -316,7 +369,7 @@ static int settled_arena(cylint_query *q, cylint_root root)
 
 static double exact_value(cylint_query *q, cylint_root root, double *more)
 {
-    const int used = settled_arena(q, root);
+    const int used = cylint_exact_mark(q, root);
     const fraction f = exact_fraction(q, root);
     *more = 0;
     if (f.num.hi == 0) {
@@ -336,32 +389,130 @@ static double exact_value(cylint_query *q, cylint_root root, double *more)
     return value;
 }
 
+/* The sign of root - m, exactly. */
+static int root_against(cylint_query *q, cylint_root root, double m)
+{
+    const int used = cylint_exact_mark(q, root);
+    const int sign = against_exact(q, root, cylint_exact_from(&q->arena, m));
+    q->arena.used = used;
+    return sign;
+}
+
+/* Solves anew from t, whose digits are exact there: those of the small
+ * rest follow upon them.  Returns whether more than the last digits moved. */
+static int solve_from(cylint_query *q, cylint_root root, exact *t)
+{
+    cylint_arena *arena = &q->arena;
+    fraction f;
+    if (root >= ROOT_APEX) {
+        exact slope;
+        const exact value = linear_at(q, root, *t, &slope);
+        f = minus_quotient(value, slope);
+    } else {
+        exact c[3];
+        memcpy(c, coefficients(q), sizeof c);
+        const exact At = cylint_exact_mul(arena, c[0], *t);
+        const exact half = cylint_exact_add(arena, At, c[1]);
+        const exact twice = cylint_exact_add(arena, half, c[1]);
+        c[2] = cylint_exact_add(arena, cylint_exact_mul(arena, twice, *t),
+                                c[2]);
+        c[1] = half;
+        f = side_fraction(q, root, c);
+    }
+    if (f.num.hi == 0)
+        return 0;
+    int e = -100000;
+    if (t->sign != 0)
+        cylint_exact_round(*t, &e);
+    const pair rest = pair_div(f.num, f.den);
+    const exact digits = cylint_exact_add(arena,
+        cylint_exact_from(arena, rest.hi), cylint_exact_from(arena, rest.lo));
+    *t = cylint_exact_add(arena, *t, cylint_exact_shifted(arena, digits,
+                                         f.num_e - f.den_e));
+    return f.num_e - f.den_e > e - 95;
+}
+
+exact cylint_root_in_full(cylint_query *q, cylint_root root, pair t)
+{
+    cylint_arena *arena = &q->arena;
+    const int used = arena->used;
+    exact full = cylint_exact_add(arena, cylint_exact_from(arena, t.hi),
+                                  cylint_exact_from(arena, t.lo));
+    /* one step after a pair gives 200 digits; a t too small or too rough for
+     * a pair takes one or two more */
+    for (int i = 0; i < 3; i++) {
+        const int moved = solve_from(q, root, &full);
+        full = cylint_exact_keep(arena, used, full);
+        if (!moved)
+            break;
+    }
+    return full;
+}
+
 /* -------------------------------------------------------- outside ------ */
 
-double cylint_root_value(cylint_query *q, cylint_root root, double *more)
+/* Whether a certain rounding is also one in the true scale of t, and no
+ * product of t on the way can have underflowed. */
+static int settles(const cylint_query *q, pair t, double error)
 {
-    if (q->filters) {
-        const fraction f = wide_fraction(cylint_wide(q), root);
-        if (f.error < 0x1p-56) {
-            const pair t = pair_div(f.num, f.den);
-            const double error = (f.error + 0x1p-98) * fabs(t.hi);
-            const int e = cylint_exponent(t.hi) + q->t_exponent;
-            if (rounds_to_hi(t, error) && e > -900 && e < 1000) {
-                *more = t.lo;
-                if (q->t_exponent == 0)
-                    return t.hi;
-                *more = cylint_scaled(t.lo, q->t_exponent);
-                return cylint_scaled(t.hi, q->t_exponent);
+    const int e = cylint_exponent(t.hi);
+    return rounds_to_hi(t, error) && e > -300 && e < 300 &&
+           e + q->t_exponent > -900 && e + q->t_exponent < 1000;
+}
+
+static double root_value(cylint_query *q, cylint_root root, estimate k,
+                         double *more)
+{
+    if (q->filters && root != ROOT_APEX && root != ROOT_DOUBLE) {
+        pair t = {0, 0};
+        double error = HUGE_VAL;
+        if (k.slope_error < 1)
+            t = refined(q, k, &error);
+        if (!settles(q, t, error)) {
+            const quotient_wide f = quotient_of_wide(cylint_wide_line(q), root);
+            if (f.error < 0x1p-56) {
+                t = pair_div(f.num, f.den);
+                error = (f.error + 0x1p-98) * fabs(t.hi);
             }
+        }
+        if (settles(q, t, error)) {
+            *more = cylint_scaled(t.lo, q->t_exponent);
+            return cylint_scaled(t.hi, q->t_exponent);
         }
     }
     return exact_value(q, root, more);
 }
 
-int cylint_root_against(cylint_query *q, cylint_root root, double m)
+/* t in the scale of the filters, rounded. */
+static double in_scale(const cylint_query *q, double t)
 {
-    const int used = settled_arena(q, root);
-    const int sign = against_exact(q, root, cylint_exact_from(&q->arena, m));
-    q->arena.used = used;
-    return sign;
+    return q->t_exponent == 0 ? t : cylint_scaled(t, -q->t_exponent);
+}
+
+int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
+                       double *t, double *more)
+{
+    const double tmin = q->line->tmin, tmax = q->line->tmax;
+    const int limited = tmin >= -DBL_MAX || tmax <= DBL_MAX;
+    if (!wanted && !limited)
+        return 1;
+    const estimate k = estimate_of(q, root);
+    if (limited && k.error < HUGE_VAL) {
+        const double from = in_scale(q, tmin), to = in_scale(q, tmax);
+        const double error = 1.01 * k.error + CYLINT_UNDERFLOW;
+        if (k.t + error < from - fabs(from) * 0x1p-50 ||
+            k.t - error > to + fabs(to) * 0x1p-50)
+            return 0;
+        if (!wanted && k.t - error > from + fabs(from) * 0x1p-50 &&
+            k.t + error < to - fabs(to) * 0x1p-50)
+            return 1;
+    }
+    *t = root_value(q, root, k, more);
+    if (*t < tmin || *t > tmax)
+        return 0;
+    if (*t == tmin && fabs(tmin) <= DBL_MAX &&
+        root_against(q, root, tmin) < 0)
+        return 0;
+    return !(*t == tmax && fabs(tmax) <= DBL_MAX &&
+             root_against(q, root, tmax) > 0);
 }

@@ -96,7 +96,7 @@ cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
         return CYLINT_ERADIUS;
     if (equal3(p0, p1))
         return CYLINT_EAXIS;
-    if (!ends_exist(ends))
+    if (!ends_exist((int)ends))
         return CYLINT_EENDS;
     copy3(shape->base, p0);
     copy3(shape->top, p1);
@@ -106,7 +106,7 @@ cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
     const pair dr = two_diff(r1, r0);
     shape->dr = dr.hi;
     shape->dr_lo = dr.lo;
-    shape->ends = ends;
+    shape->ends = (int)ends;
     shape->kind = cylint_sign(dr.hi) == 0 ? CYLINT_KIND_CYLINDER
                                           : CYLINT_KIND_CONE;
     return CYLINT_OK;
@@ -142,7 +142,7 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
         return CYLINT_ERADIUS;
     if (zero3(h))
         return CYLINT_EAXIS;
-    if (!ends_exist(ends))
+    if (!ends_exist((int)ends))
         return CYLINT_EENDS;
     copy3(shape->base, c);
     copy3(shape->axis, h);
@@ -153,7 +153,7 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
     const pair dr = two_diff(k, 1);
     shape->dr = dr.hi;
     shape->dr_lo = dr.lo;
-    shape->ends = ends;
+    shape->ends = (int)ends;
     shape->kind = cylint_sign(dr.hi) == 0 ? CYLINT_KIND_ECYLINDER
                                           : CYLINT_KIND_ECONE;
     const int det = orientation(shape);
@@ -183,12 +183,12 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
         return CYLINT_EANGLE;
     if (zero3(u))
         return CYLINT_EAXIS;
-    if (!ends_exist(ends))
+    if (!ends_exist((int)ends))
         return CYLINT_EENDS;
     copy3(shape->base, v);
     copy3(shape->axis, u);
     shape->r1 = shape->dr = tangent;
-    shape->ends = ends;
+    shape->ends = (int)ends;
     shape->kind = CYLINT_KIND_ACONE;
     return CYLINT_OK;
 }

@@ -1,0 +1,78 @@
+/*
+ * fraction.h - a root as a quotient without cancellation, once for doubles
+ * and once for pairs (root.c names the arithmetic by macros)
+ *
+ * Errors are relative and to first order: the callers' slack of a few per
+ * cent covers the products of errors, each of which is below 2^-10.
+ */
+
+typedef struct {
+    VALUE num, den;
+    double error;                    /* of num / den; above 1: unknown */
+    double radical, radical_error, A;/* of side roots */
+} FORM(quotient);
+
+static double FORM(relative)(NUM x)
+{
+    return ERROR(x) / fabs(HIGH(OF(x)));
+}
+
+/* R = sqrt(S G), unknown unless G is certainly positive. */
+static VALUE FORM(radical)(const FORM(letters) *L, double *error)
+{
+    const NUM G = FORM(form_G)(L), S = FORM(form_root_of_S)(L);
+    const double eG = FORM(relative)(G);
+    *error = 2;
+    if (!(HIGH(OF(G)) > 0 && eG < 0x1p-10))
+        return OF(G);
+    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ACONE) {
+        *error = eG + FORM(relative)(S) + ROUNDING;
+        return V_MUL(OF(S), V_SQRT(OF(G)));
+    }
+    const VALUE SG = V_MUL(OF(S), OF(G));
+    if (HIGH(SG) > 0x1p-900) /* else it may have underflowed */
+        *error = eG + FORM(relative)(S) + ROUNDING;
+    return V_SQRT(SG);
+}
+
+static FORM(quotient) FORM(side_quotient)(const FORM(letters) *L, int exits)
+{
+    FORM(quotient) f;
+    const NUM A = FORM(form_A)(L), B = FORM(form_B)(L);
+    const VALUE R = FORM(radical)(L, &f.radical_error);
+    f.num = f.den = R;
+    f.error = 2;
+    f.radical = HIGH(R);
+    f.A = HIGH(OF(A));
+    if (f.radical_error > 1)
+        return f;
+    const int falls = HIGH(OF(B)) < 0;
+    const VALUE sum = V_ADD(R, falls ? V_NEG(OF(B)) : OF(B));
+    f.error = (ERROR(B) + f.radical_error * f.radical) / HIGH(sum) + ROUNDING;
+    if (falls == exits) {
+        f.num = exits ? sum : V_NEG(sum);
+        f.den = OF(A);
+        f.error += FORM(relative)(A);
+    } else {
+        const NUM C = FORM(form_C)(L);
+        f.num = exits ? V_NEG(OF(C)) : OF(C);
+        f.den = sum;
+        f.error += FORM(relative)(C);
+    }
+    return f;
+}
+
+static FORM(quotient) FORM(quotient_of)(const FORM(letters) *L,
+                                        cylint_root root)
+{
+    if (root == ROOT_ENTRY || root == ROOT_EXIT)
+        return FORM(side_quotient)(L, root == ROOT_EXIT);
+    FORM(quotient) f;
+    const NUM alpha = FORM(form_alpha)(L, root == ROOT_CAP1);
+    f.num = V_NEG(OF(alpha));
+    f.den = OF(L->beta);
+    f.error = FORM(relative)(alpha) + FORM(relative)(L->beta) + ROUNDING;
+    f.radical = f.A = 0;
+    f.radical_error = 2;
+    return f;
+}
