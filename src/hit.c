@@ -9,9 +9,13 @@
  */
 #include "internal.h"
 
-/* How far a value may fall below the sizes summed up in it before pairs
- * leave it less than 60 digits: CYLINT_PAIR_BOUND is below 2^-95. */
-#define CANCELS 0x1p-35
+/* How far a value may fall below the sizes summed up in it before pairs, and
+ * a root known to t_error, leave it less than 60 digits. */
+static double cancels(const cylint_query *q)
+{
+    return 0x1p60 * (CYLINT_PAIR_BOUND + q->t_error);
+}
+
 #define UNDERFLOWS (CYLINT_UNDERFLOW * 0x1p60)
 
 /* A value with a binary exponent of its own. */
@@ -20,9 +24,9 @@ typedef struct {
     int e;
 } floating;
 
-static int keeps_digits(wide x, double least)
+static int keeps_digits(wide x, double least, double cancels)
 {
-    return fmax(fabs(x.v.hi), least) > CANCELS * x.size + UNDERFLOWS;
+    return fmax(fabs(x.v.hi), least) > cancels * x.size + UNDERFLOWS;
 }
 
 static floating floating_of_wide(wide x)
@@ -120,17 +124,18 @@ static int facts_in_pairs(cylint_query *q, pair t, int apex, floating *facts)
     for (int i = 0; i < 3; i++)
         L->D[0][i] = kept[i];
     double steepest = 0;
+    const double lost = cancels(q);
     for (int i = 0; i < 3; i++)
         steepest = fmax(steepest, fabs(x[GRADIENT + i].v.hi));
-    int keeps = keeps_digits(x[ALPHA], fabs(x[HEIGHT].v.hi));
+    int keeps = keeps_digits(x[ALPHA], fabs(x[HEIGHT].v.hi), lost);
     for (int i = 0; i < 3; i++)
-        keeps &= apex || keeps_digits(x[GRADIENT + i], steepest);
+        keeps &= apex || keeps_digits(x[GRADIENT + i], steepest, lost);
     if (!apex) {
         const double X_scale = sqrt(x[HEIGHT].v.hi);
         const int round = q->kind < CYLINT_KIND_ECYLINDER;
         const double wx = fabs(x[X].v.hi), wy = fabs(x[Y].v.hi);
-        keeps &= keeps_digits(x[X], round ? wy / X_scale : wy) &&
-                 keeps_digits(x[Y], round ? wx * X_scale : wx);
+        keeps &= keeps_digits(x[X], round ? wy / X_scale : wy, lost) &&
+                 keeps_digits(x[Y], round ? wx * X_scale : wx, lost);
     }
     for (int i = 0; i < FACTS; i++)
         facts[i] = floating_of_wide(x[i]);
@@ -173,7 +178,7 @@ static int point_in_pairs(const cylint_query *q, pair t, double point[3])
         from = fmax(from, fabs(l->o[i]) + fabs(step.hi));
         size = fmax(size, fabs(point[i]));
     }
-    return size > CANCELS * from;
+    return size > cancels(q) * from;
 }
 
 /* Away from the solid; at a double cone's apex against the line. */

@@ -182,6 +182,7 @@ typedef struct {
     int kind, ends;
     int filters;               /* 0: data too wild, exact stage only */
     int t_exponent;            /* t = 2^t_exponent * t of the filters */
+    double t_error;            /* of the last root as a pair, relative */
     const cylint_shape *near_shape; /* what the filters see: as given, or */
     const cylint_line *near_line;   /* scaled by powers of two */
     cylint_shape scaled_shape;
@@ -236,7 +237,7 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
  * setting arena.used to the answer. */
 int cylint_exact_mark(cylint_query *q, cylint_root root);
 
-/* The root to some 200 bits, from its nearest pair. */
+/* The root to some 200 bits (800 where no filters apply), from a pair. */
 exact cylint_root_in_full(cylint_query *q, cylint_root root, pair t);
 
 /* The wanted members of a hit but part and side.  t + more is the root;

@@ -398,8 +398,8 @@ static int root_against(cylint_query *q, cylint_root root, double m)
     return sign;
 }
 
-/* Solves anew from t, whose digits are exact there: those of the small
- * rest follow upon them.  Returns whether more than the last digits moved. */
+/* Solves anew from t, as if the line began there: the digits of the small
+ * rest follow upon those of t.  Returns 0 if there is no rest. */
 static int solve_from(cylint_query *q, cylint_root root, exact *t)
 {
     cylint_arena *arena = &q->arena;
@@ -421,15 +421,12 @@ static int solve_from(cylint_query *q, cylint_root root, exact *t)
     }
     if (f.num.hi == 0)
         return 0;
-    int e = -100000;
-    if (t->sign != 0)
-        cylint_exact_round(*t, &e);
     const pair rest = pair_div(f.num, f.den);
     const exact digits = cylint_exact_add(arena,
         cylint_exact_from(arena, rest.hi), cylint_exact_from(arena, rest.lo));
     *t = cylint_exact_add(arena, *t, cylint_exact_shifted(arena, digits,
                                          f.num_e - f.den_e));
-    return f.num_e - f.den_e > e - 95;
+    return 1;
 }
 
 exact cylint_root_in_full(cylint_query *q, cylint_root root, pair t)
@@ -438,9 +435,9 @@ exact cylint_root_in_full(cylint_query *q, cylint_root root, pair t)
     const int used = arena->used;
     exact full = cylint_exact_add(arena, cylint_exact_from(arena, t.hi),
                                   cylint_exact_from(arena, t.lo));
-    /* one step after a pair gives 200 digits; a t too small or too rough for
-     * a pair takes one or two more */
-    for (int i = 0; i < 3; i++) {
+    /* each step adds 96 bits; where lengths differ so much that filters do
+     * not apply, what cancels later may be hundreds */
+    for (int steps = q->filters ? 2 : 8; steps > 0; steps--) {
         const int moved = solve_from(q, root, &full);
         full = cylint_exact_keep(arena, used, full);
         if (!moved)
@@ -476,10 +473,12 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
             }
         }
         if (settles(q, t, error)) {
+            q->t_error = error / fabs(t.hi);
             *more = cylint_scaled(t.lo, q->t_exponent);
             return cylint_scaled(t.hi, q->t_exponent);
         }
     }
+    q->t_error = EXACT_ERROR;
     return exact_value(q, root, more);
 }
 
