@@ -43,7 +43,7 @@ int family_count(void);
 const char *family_name(int family);
 
 /* 1 where t itself, as a pair of doubles, is too coarse to say what else a
- * hit can tell: exponents hundreds apart, hits 1e-17 from an apex. */
+ * hit can tell: exponents hundreds apart. */
 int family_is_wild(int family);
 
 /* Case `index` of a family; line and shape are made (see the statuses). */
