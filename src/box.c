@@ -10,7 +10,6 @@
 /* A shape with lengths near 1: true lengths are 2^e times these. */
 typedef struct {
     pair axis[3], a[3], b[3];
-    double r[2];
     int e, kind;
 } scaled;
 
@@ -29,8 +28,6 @@ static scaled scaled_of(const cylint_shape *s)
         k.a[i] = (pair){cylint_scaled(s->a[i], -k.e), 0};
         k.b[i] = (pair){cylint_scaled(s->b[i], -k.e), 0};
     }
-    k.r[0] = dimensionless ? s->r0 : cylint_scaled(s->r0, -k.e);
-    k.r[1] = dimensionless ? s->r1 : cylint_scaled(s->r1, -k.e);
     return k;
 }
 
@@ -39,34 +36,58 @@ static pair squares(pair x, pair y)
     return pair_add(pair_mul(x, x), pair_mul(y, y));
 }
 
+static pair unscaled(pair x, int e)
+{
+    return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
+}
+
 static pair root(pair x)
 {
     return x.hi > 0 ? pair_sqrt(x) : (pair){0, 0};
 }
 
+/* sqrt(x^2 + y^2) 2^*e, whatever the exponents of x and y. */
+static pair hypotenuse(pair x, pair y, int *e)
+{
+    const double most = fmax(fabs(x.hi), fabs(y.hi));
+    const int k = most < DBL_MIN ? cylint_exponent(most * 0x1p60) - 60
+                                 : cylint_exponent(most);
+    *e += k;
+    return root(squares(unscaled(x, -k), unscaled(y, -k)));
+}
+
 /* How far the section of unit radius (circular: at distance 1 from the axis;
- * acone: where the tangent is 1) reaches along coordinate j; *is_exact: no
- * rounding was needed. */
-static pair unit_reach(const scaled *k, int j, int *is_exact)
+ * acone: where the tangent is 1) reaches along coordinate j, times 2^*e;
+ * *is_exact: no rounding was needed. */
+static pair unit_reach(const scaled *k, int j, int *e, int *is_exact)
 {
     const pair zero = {0, 0}, one = {1, 0};
     *is_exact = 0;
+    *e = 0;
     if (k->kind >= CYLINT_KIND_ECYLINDER) {
         const int flat_a = k->a[j].hi == 0, flat_b = k->b[j].hi == 0;
         *is_exact = flat_a || flat_b;
         if (*is_exact)
             return (pair){fabs(flat_a ? k->b[j].hi : k->a[j].hi), 0};
-        return root(squares(k->a[j], k->b[j]));
+        return hypotenuse(k->a[j], k->b[j], e);
     }
-    const pair across = squares(k->axis[(j + 1) % 3], k->axis[(j + 2) % 3]);
-    if (k->kind == CYLINT_KIND_ACONE)
-        return root(across);
-    if (across.hi == 0 || k->axis[j].hi == 0) {
+    const pair y = k->axis[(j + 1) % 3], z = k->axis[(j + 2) % 3];
+    if (y.hi == 0 && z.hi == 0) {
         *is_exact = 1;
-        return across.hi == 0 ? zero : one;
+        return zero;
     }
-    const pair along = pair_mul(k->axis[j], k->axis[j]);
-    return root(pair_div(across, pair_add(across, along)));
+    const pair across = hypotenuse(y, z, e);
+    if (k->kind == CYLINT_KIND_ACONE)
+        return across;
+    if (k->axis[j].hi == 0) {
+        *is_exact = 1;
+        *e = 0;
+        return one;
+    }
+    int whole = 0;
+    const pair length = hypotenuse(unscaled(across, *e), k->axis[j], &whole);
+    *e -= whole;
+    return pair_div(across, length);
 }
 
 static double step(double x, int up)
@@ -103,21 +124,21 @@ static double outward(double center, pair offset, pair reach, int is_exact,
     return step(step(sum.hi, up), up);
 }
 
-static pair unscaled(pair x, int e)
-{
-    return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
-}
-
 /* The disc of cap i, to the box. */
 static void take_disc(const cylint_shape *s, const scaled *k, int cap,
                       double lo[3], double hi[3])
 {
+    const double r = cap ? s->r1 : s->r0;
+    const int er = r < DBL_MIN ? -1022 : cylint_exponent(r);
     for (int j = 0; j < 3; j++) {
-        int is_exact;
-        pair reach = unit_reach(k, j, &is_exact);
-        const int keeps = k->r[cap] == 1 || reach.hi == 1 || reach.hi == 0 ||
-                          k->r[cap] == 0;
-        reach = unscaled(pair_mul(reach, (pair){k->r[cap], 0}), k->e);
+        int is_exact, e;
+        pair reach = unit_reach(k, j, &e, &is_exact);
+        const int keeps = r == 1 || reach.hi == 1 || reach.hi == 0 ||
+                          cylint_sign(r) == 0;
+        if (s->kind >= CYLINT_KIND_ACONE) /* a length by a factor */
+            e += k->e;
+        reach = unscaled(pair_mul(reach, (pair){cylint_scaled(r, -er), 0}),
+                         e + er);
         is_exact = keeps && (is_exact || reach.hi == 0);
         double center = s->base[j];
         pair offset = {0, 0};
