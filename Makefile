@@ -33,7 +33,7 @@ lib_objects   := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/meth
 tool_sources  := $(filter-out tools/cylint/numbers_c.c,$(wildcard tools/cylint/*.c))
 tool_objects  := $(patsubst %.c,$(BUILD)/%.o,$(tool_sources)) \
                  $(BUILD)/tools/cylint/$(if $(CXX17),numbers_cxx.o,numbers_c.o)
-test_common   := $(BUILD)/tests/families.o $(if $(MPFR),$(BUILD)/tests/oracle.o)
+test_common   := $(BUILD)/tests/families.o $(BUILD)/tests/constructed.o $(if $(MPFR),$(BUILD)/tests/oracle.o)
 test_programs := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_*.c))
 test_scripts  := $(wildcard tests/test_*.sh)
 test_libs     := $(if $(MPFR),-lmpfr -lgmp) $(if $(GSL),-lgsl -lgslcblas)
@@ -64,6 +64,13 @@ $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc
 
 $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
+
+# Long runs, not part of `make check`; what they take is said in each file.
+$(BUILD)/tests/stress $(BUILD)/tests/search: %: %.o $(test_common) $(BUILD)/libcylint.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
+
+stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, hours long
+	$(BUILD)/tests/stress
 
 demo: all ## scan a generated forest and show what was hit
 	@BUILD=$(BUILD) sh tools/demo/demo.sh
@@ -105,6 +112,6 @@ clean: ## what was built
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1	\2/p' Makefile
 
-.PHONY: all demo check sanitize deps install uninstall clean help
+.PHONY: all demo stress check sanitize deps install uninstall clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,0 +1,254 @@
+/*
+ * constructed.c - exact coincidences in whole numbers, and their neighbours
+ *
+ * All kinds share one frame: c + x a + y b + z h with a, b, h whole, and the
+ * surface x^2 + y^2 = rho(z)^2.  With a Pythagorean triple p^2 + q^2 = r^2
+ * and a = r a', b = r b' the surface holds c + rho (p a' + q b') + z h; the
+ * line's direction is there tangential, -q a' + p b', and along the ruling,
+ * h + rho' (p a' + q b'), times whole numbers.  Circular kinds have a', b', h
+ * along the coordinates; a cone by its angle has 45 degrees, whose tangent
+ * is 1, and |h| = r, so that its rulings are p a' + q b' + h.
+ */
+#include "constructed.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ------------------------------------------------------ random numbers -- */
+
+static uint64_t state;
+
+/* [Steele, Lea, Flood 2014]: the numbers of SplitMix64. */
+static uint64_t draw(void)
+{
+    uint64_t x = state += UINT64_C(0x9e3779b97f4a7c15);
+    x = (x ^ x >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
+    x = (x ^ x >> 27) * UINT64_C(0x94d049bb133111eb);
+    return x ^ x >> 31;
+}
+
+static void begin(uint64_t seed, uint64_t index)
+{
+    state = seed;
+    state = draw() + index;
+}
+
+static int one_of(int n)
+{
+    return (int)(draw() >> 33) % n;
+}
+
+static int whole(int low, int high)
+{
+    return low + one_of(high - low + 1);
+}
+
+static double any_mantissa(void)
+{
+    return 1 + (double)(draw() >> 12) * 0x1p-52;
+}
+
+/* --------------------------------------------------------------- bases -- */
+
+typedef struct {
+    double c[3], a[3], b[3], h[3]; /* a = a' and b = b' until written */
+    double p, q, r;                /* the triple */
+    double rho0, slope;            /* rho = rho0 + slope z */
+} frame;
+
+static void unit(double v[3], int i, double size)
+{
+    v[0] = v[1] = v[2] = 0;
+    v[i] = size;
+}
+
+static void any_vector(double v[3])
+{
+    for (int i = 0; i < 3; i++)
+        v[i] = whole(-3, 3);
+}
+
+static double triple_product(const frame *f)
+{
+    const double *a = f->a, *b = f->b, *h = f->h;
+    return a[0] * (b[1] * h[2] - b[2] * h[1]) +
+           a[1] * (b[2] * h[0] - b[0] * h[2]) +
+           a[2] * (b[0] * h[1] - b[1] * h[0]);
+}
+
+static void any_frame(frame *f, family_shape word)
+{
+    static const int triples[][3] = {{3, 4, 5},    {4, 3, 5},   {5, 12, 13},
+                                     {15, 8, 17},  {7, 24, 25}, {21, 20, 29},
+                                     {12, 35, 37}, {1, 0, 1},   {0, 1, 1},
+                                     {-3, 4, 5},   {5, -12, 13}};
+    const int *t = triples[one_of((int)(sizeof triples / sizeof *triples))];
+    const int i = one_of(3);
+    f->p = t[0];
+    f->q = t[1];
+    f->r = t[2];
+    f->rho0 = 1;
+    f->slope = 0;
+    any_vector(f->c);
+    do {
+        any_vector(f->a);
+        any_vector(f->b);
+        any_vector(f->h);
+    } while (triple_product(f) == 0);
+    if (word <= FAMILY_ACONE) {
+        unit(f->a, (i + 1) % 3, 1);
+        unit(f->b, (i + 2) % 3, 1);
+        unit(f->h, i, word == FAMILY_ACONE ? f->r : whole(1, 3));
+    }
+    if (word == FAMILY_ACONE) {
+        f->rho0 = 0;
+        f->slope = 1;
+    } else if (word == FAMILY_CONE) {
+        f->rho0 = whole(0, 3);
+        f->slope = f->rho0 == 0 ? whole(1, 3) : whole(-(int)f->rho0, 3);
+    } else if (word == FAMILY_ECONE) {
+        f->slope = 0.5 * whole(-2, 3);
+    }
+}
+
+static void write_shape(struct family_case *c, family_shape word,
+                        const frame *f)
+{
+    double *x = c->shape_data;
+    c->shape_word = word;
+    for (int i = 0; i < 3; i++) {
+        x[i] = f->c[i];
+        x[(word == FAMILY_CONE ? 4 : 3) + i] =
+            word == FAMILY_ACONE ? f->h[i] : f->c[i] + f->h[i];
+        if (word >= FAMILY_ECYLINDER) {
+            x[3 + i] = f->r * f->a[i];
+            x[6 + i] = f->r * f->b[i];
+            x[9 + i] = f->h[i];
+        }
+    }
+    if (word == FAMILY_CYLINDER)
+        x[6] = f->r;
+    if (word == FAMILY_CONE) {
+        x[3] = f->rho0 * f->r;
+        x[7] = (f->rho0 + f->slope) * f->r;
+    }
+    if (word == FAMILY_ACONE)
+        x[6] = 45;
+    if (word == FAMILY_ECONE)
+        x[12] = 1 + f->slope;
+}
+
+/* A line through a point of the surface, of its plane z or of the apex;
+ * quarters of the tangent vectors keep everything exact. */
+static void write_line(struct family_case *c, const frame *f)
+{
+    enum { TANGENT, RIM, RULING, APEX, KINDS };
+    const int what = one_of(KINDS);
+    double z = what == RIM || one_of(3) == 0 ? whole(0, 1) : whole(-1, 5) / 4.;
+    if (what == APEX && f->slope != 0)
+        z = -f->rho0 / f->slope; /* where not exact, only near it */
+    const double rho = f->rho0 + f->slope * z;
+    const double around = what == RULING ? 0 : whole(1, 3);
+    const double up = what == RULING ? whole(1, 3) : whole(-3, 3);
+    const double back = whole(-3, 3);
+    double *o = c->line_data, *d = c->line_data + 3;
+    for (int i = 0; i < 3; i++) {
+        const double radial = f->p * f->a[i] + f->q * f->b[i];
+        d[i] = around * (f->p * f->b[i] - f->q * f->a[i]) +
+               up * (f->h[i] + f->slope * radial);
+        if (what == RIM || what == APEX)
+            d[i] += whole(-2, 2);
+        o[i] = f->c[i] + rho * radial + z * f->h[i] - back * d[i];
+    }
+    c->line_word = (family_line)one_of(4);
+    if (c->line_word == FAMILY_SEGMENT)
+        for (int i = 0; i < 3; i++)
+            d[i] += o[i];
+    o[6] = back; /* a span that begins or ends there */
+    o[7] = back + whole(0, 2);
+}
+
+void constructed_base(uint64_t seed, uint64_t base, struct family_case *out)
+{
+    begin(seed, base);
+    do {
+        frame f;
+        const family_shape word = (family_shape)one_of(5);
+        memset(out, 0, sizeof *out);
+        any_frame(&f, word);
+        write_shape(out, word, &f);
+        write_line(out, &f);
+        out->ends = (cylint_ends)(one_of(2) ? 0 : one_of(6));
+    } while (!family_make(out));
+}
+
+/* ---------------------------------------------------------- neighbours -- */
+
+double constructed_stepped(double x, int ulps)
+{
+    for (; ulps > 0; ulps--)
+        x = nextafter(x, HUGE_VAL);
+    for (; ulps < 0; ulps++)
+        x = nextafter(x, -HUGE_VAL);
+    return x;
+}
+
+int constructed_neighbours(const struct family_case *base)
+{
+    return CONSTRUCTED_SHIFTS * (family_line_size(base->line_word) +
+                                 family_shape_size(base->shape_word));
+}
+
+int constructed_neighbour(const struct family_case *base, int which,
+                          struct family_case *out)
+{
+    const int n = which / CONSTRUCTED_SHIFTS;
+    const int of_line = family_line_size(base->line_word);
+    *out = *base;
+    double *moved = n < of_line ? &out->line_data[n]
+                                : &out->shape_data[n - of_line];
+    *moved = constructed_stepped(*moved, which % CONSTRUCTED_SHIFTS -
+                                         CONSTRUCTED_SHIFTS / 2);
+    return family_make(out);
+}
+
+/* ---------------------------------------------------------------- wild -- */
+
+/* Mostly about one of two sizes, so that shape and line have to do with each
+ * other, else anywhere. */
+static double any_double(const int about[2])
+{
+    const int where = one_of(10);
+    int e = whole(-1074, 1023);
+    if (where < 9)
+        e = about[where < 6 ? 0 : 1] + whole(-8, 8);
+    e = e < -1074 ? -1074 : e > 1023 ? 1023 : e;
+    const double x = ldexp(any_mantissa(), e);
+    return one_of(8) == 0 ? 0 : one_of(2) ? x : -x;
+}
+
+void constructed_wild(uint64_t seed, uint64_t index, struct family_case *out)
+{
+    begin(seed, index);
+    do {
+        double *x = out->shape_data;
+        const int about[2] = {whole(-1074, 1023), whole(-1074, 1023)};
+        memset(out, 0, sizeof *out);
+        out->line_word = (family_line)one_of(3);
+        out->shape_word = (family_shape)one_of(5);
+        out->ends = (cylint_ends)one_of(6);
+        for (int i = 0; i < 6; i++)
+            out->line_data[i] = any_double(about);
+        for (int i = 0; i < 13; i++)
+            x[i] = any_double(about);
+        if (out->shape_word == FAMILY_CONE) {
+            x[3] = fabs(x[3]);
+            x[7] = fabs(x[7]);
+        } else if (out->shape_word <= FAMILY_ACONE) {
+            x[6] = fabs(x[6]);
+        }
+        if (out->shape_word == FAMILY_ACONE)
+            x[6] = fmod(x[6], 90);
+        x[12] = fabs(x[12]);
+    } while (!family_make(out));
+}

@@ -1,0 +1,256 @@
+/*
+ * stress.c - the library against the oracle, for as long as one likes
+ *
+ * Every family, and the constructed coincidences with all their neighbours:
+ * relation, number, parts, sides and every bit of t.  The work is done in
+ * rounds, shared out to processes; a case depends on the seed and its number
+ * alone, not on how many processes there are.
+ *
+ *   CYLINT_CASES    in all, default 1e8      CYLINT_SEED  default 20240
+ *   CYLINT_SECONDS  stop then, whatever      CYLINT_JOBS  default 2
+ */
+#ifdef HAVE_MPFR
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "constructed.h"
+#include "oracle.h"
+
+enum { MOST_FAMILIES = 40, MOST_JOBS = 64, SHOWN = 10 };
+enum { CASES_A_ROUND = 200, BASES_A_ROUND = 4, WILD_A_ROUND = 40 };
+enum { EXTRA = 2 }; /* families beside those of families.c */
+
+static const char *const extra_names[EXTRA] = {"coincidences, neighbours",
+                                               "wild exponents"};
+
+struct tally {
+    long cases, hits, verdicts, roots; /* the last two: wrong ones */
+};
+
+/* What a process says after each round, in one write. */
+struct report {
+    struct tally of[MOST_FAMILIES];
+};
+
+static double number(const char *name, double otherwise)
+{
+    const char *text = getenv(name);
+    return text ? strtod(text, NULL) : otherwise;
+}
+
+static const char *name_of(int family)
+{
+    return family < family_count() ? family_name(family)
+                                   : extra_names[family - family_count()];
+}
+
+/* --------------------------------------------------------- comparing -- */
+
+static void show(const struct family_case *c, const cylint_answer *answer,
+                 const char *whose)
+{
+    char text[1200];
+    FILE *to = fmemopen(text, sizeof text, "w");
+    if (!to)
+        return;
+    family_print(to, c);
+    fprintf(to, "  # %s: relation %d n %d", whose, answer->relation,
+            answer->n);
+    for (int i = 0; i < answer->n; i++)
+        fprintf(to, "  %a part %d side %d", answer->hit[i].t,
+                answer->hit[i].part, answer->hit[i].side);
+    fclose(to);
+    fprintf(stderr, "%s\n", text);
+}
+
+static int same_verdict(const cylint_answer *got, const cylint_answer *want)
+{
+    if (got->relation != want->relation || got->n != want->n ||
+        got->flags != want->flags)
+        return 0;
+    for (int i = 0; i < want->n; i++)
+        if (got->hit[i].part != want->hit[i].part ||
+            got->hit[i].side != want->hit[i].side)
+            return 0;
+    return 1;
+}
+
+static int same_roots(const cylint_answer *got, const cylint_answer *want)
+{
+    for (int i = 0; i < want->n; i++)
+        if (!(got->hit[i].t == want->hit[i].t))
+            return 0;
+    return 1;
+}
+
+static void try_case(const struct family_case *c, struct tally *sum)
+{
+    static int shown;
+    cylint_answer got, want;
+    cylint_intersect(&c->shape, &c->line, CYLINT_WANT_T | CYLINT_WANT_PART,
+                     &got);
+    oracle_intersect(&c->shape, &c->line, CYLINT_WANT_T | CYLINT_WANT_PART,
+                     &want);
+    sum->cases++;
+    sum->hits += want.n;
+    const int verdict = same_verdict(&got, &want);
+    const int good = verdict && same_roots(&got, &want);
+    sum->verdicts += !verdict;
+    sum->roots += verdict && !good;
+    if (!good && shown++ < SHOWN) {
+        show(c, &got, "got");
+        show(c, &want, "want");
+    }
+}
+
+/* ------------------------------------------------------------ working -- */
+
+static void do_round(uint64_t seed, uint64_t round, struct report *said)
+{
+    const int families = family_count();
+    struct family_case c, base;
+    memset(said, 0, sizeof *said);
+    for (int f = 0; f < families; f++) {
+        const int n = family_is_wild(f) ? WILD_A_ROUND : CASES_A_ROUND;
+        for (uint64_t i = 0; i < (uint64_t)n; i++) {
+            family_case(seed, f, round * (uint64_t)n + i, &c);
+            try_case(&c, &said->of[f]);
+        }
+    }
+    for (uint64_t i = 0; i < BASES_A_ROUND; i++) {
+        constructed_base(seed, round * BASES_A_ROUND + i, &base);
+        for (int k = 0; k < constructed_neighbours(&base); k++)
+            if (constructed_neighbour(&base, k, &c))
+                try_case(&c, &said->of[families]);
+    }
+    for (uint64_t i = 0; i < WILD_A_ROUND; i++) {
+        constructed_wild(seed, round * WILD_A_ROUND + i, &c);
+        try_case(&c, &said->of[families + 1]);
+    }
+}
+
+static void work(uint64_t seed, int job, int jobs, long cases, time_t until,
+                 int to)
+{
+    struct report said;
+    long done = 0;
+    for (uint64_t round = (uint64_t)job; done < cases && time(NULL) < until;
+         round += (uint64_t)jobs) {
+        do_round(seed, round, &said);
+        for (int f = 0; f < MOST_FAMILIES; f++)
+            done += said.of[f].cases;
+        if (write(to, &said, sizeof said) != (ssize_t)sizeof said)
+            exit(1);
+    }
+    exit(0);
+}
+
+/* ---------------------------------------------------------- reporting -- */
+
+static long add(struct report *sum, const struct report *said)
+{
+    long cases = 0;
+    for (int f = 0; f < MOST_FAMILIES; f++) {
+        sum->of[f].cases += said->of[f].cases;
+        sum->of[f].hits += said->of[f].hits;
+        sum->of[f].verdicts += said->of[f].verdicts;
+        sum->of[f].roots += said->of[f].roots;
+        cases += sum->of[f].cases;
+    }
+    return cases;
+}
+
+static void progress(double cases, double wanted, time_t began)
+{
+    static time_t last;
+    const time_t now = time(NULL);
+    if (now < last + 10)
+        return;
+    last = now;
+    fprintf(stderr, "%.3g of %.3g cases, %.0f s\n", cases, wanted,
+            difftime(now, began));
+}
+
+/* Reads the reports of all; 0 if a process did not end well. */
+static int collect(int from, int jobs, double wanted, struct report *sum)
+{
+    struct report said;
+    const time_t began = time(NULL);
+    int well = 1;
+    while (read(from, &said, sizeof said) == (ssize_t)sizeof said)
+        progress((double)add(sum, &said), wanted, began);
+    for (int i = 0; i < jobs; i++) {
+        int status;
+        well &= wait(&status) > 0 && status == 0;
+    }
+    return well;
+}
+
+static int print_table(const struct report *sum)
+{
+    struct tally all = {0, 0, 0, 0};
+    puts("family                       cases       hits  wrong verdict"
+         "  wrong t");
+    for (int f = 0; f < family_count() + EXTRA; f++) {
+        const struct tally *t = &sum->of[f];
+        printf("%-24s %9ld  %9ld  %13ld  %7ld\n", name_of(f), t->cases,
+               t->hits, t->verdicts, t->roots);
+        all.cases += t->cases;
+        all.hits += t->hits;
+        all.verdicts += t->verdicts;
+        all.roots += t->roots;
+    }
+    printf("%-24s %9ld  %9ld  %13ld  %7ld\n", "all", all.cases, all.hits,
+           all.verdicts, all.roots);
+    const long failed = all.verdicts + all.roots;
+    printf("%ld passed, %ld failed\n", all.cases - failed, failed);
+    return failed == 0;
+}
+
+int main(void)
+{
+    const double wanted = number("CYLINT_CASES", 1e8);
+    const uint64_t seed = (uint64_t)number("CYLINT_SEED", 20240);
+    const double seconds = number("CYLINT_SECONDS", 1e9);
+    int jobs = (int)number("CYLINT_JOBS", 2), ends[2];
+    jobs = jobs < 1 ? 1 : jobs > MOST_JOBS ? MOST_JOBS : jobs;
+    struct report sum;
+    memset(&sum, 0, sizeof sum);
+    if (pipe(ends) != 0)
+        return 1;
+    const time_t until = time(NULL) + (time_t)seconds;
+    printf("seed %llu, %d processes\n", (unsigned long long)seed, jobs);
+    fflush(stdout);
+    for (int job = 0; job < jobs; job++) {
+        const pid_t pid = fork();
+        if (pid < 0)
+            return 1;
+        if (pid == 0) {
+            close(ends[0]);
+            work(seed, job, jobs, (long)(wanted / jobs), until, ends[1]);
+        }
+    }
+    close(ends[1]);
+    const int well = collect(ends[0], jobs, wanted, &sum);
+    if (!well)
+        puts("a process died");
+    return print_table(&sum) && well ? 0 : 1;
+}
+
+#else
+
+#include <stdio.h>
+
+int main(void)
+{
+    puts("no MPFR: no oracle to compare with");
+    return 77;
+}
+
+#endif
