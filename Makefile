@@ -51,6 +51,8 @@ $(BUILD)/cylint: $(tool_objects) $(BUILD)/libcylint.a
 
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden
 $(BUILD)/tools/%.o: extra := -D_POSIX_C_SOURCE=200809L
+$(BUILD)/tools/bench/%.o: extra := -D_POSIX_C_SOURCE=200809L -Itests \
+	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 $(BUILD)/tests/%.o: extra := -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 
@@ -67,6 +69,12 @@ $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(test_common) $(BUILD)/libcylint
 
 # Long runs, not part of `make check`; what they take is said in each file.
 $(BUILD)/tests/stress $(BUILD)/tests/search: %: %.o $(test_common) $(BUILD)/libcylint.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
+
+bench_programs := $(BUILD)/tools/bench/cost
+bench_common   := $(patsubst %,$(BUILD)/tools/bench/%.o,contestants race timing plain shader $(if $(GSL),gsl_quadratic))
+$(BUILD)/tools/bench/cost: $(BUILD)/tools/bench/cost_inputs.o
+$(bench_programs): %: %.o $(bench_common) $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 
 stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, hours long

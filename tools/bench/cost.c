@@ -1,0 +1,70 @@
+/*
+ * cost.c - what certainty costs beside the plain quadratic
+ *
+ *     cost [BUILD] [ROUNDS]
+ *
+ * One row for each shape, work and mode: ns of the plain quadratic, of the
+ * library, and their quotient, as CSV.  BUILD is copied into the first
+ * column.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "cost_inputs.h"
+#include "race.h"
+
+/* So many that no branch predictor keeps them, so few that they stay in the
+ * second cache: the questions come in a new order every round. */
+enum { QUESTIONS = 2000, MODES = 4, NAMES = 3 };
+
+static const char *const modes[MODES] = {"verdict", "nearest", "both",
+                                         "fast"};
+
+/* Who answers in a mode: `fast` is the library's alone, beside `both`. */
+static const struct contestant *runner(int name, int mode)
+{
+    static const char *const names[NAMES] = {"plain", "quadratic", "cylint"};
+    const int own = name == 2;
+    return contestant_named(names[name], modes[!own && mode == 3 ? 2 : mode]);
+}
+
+static void one_work(const char *build, enum cost_shape shape,
+                     enum cost_work work, struct question *q, int rounds)
+{
+    struct runner runners[NAMES * MODES];
+    int hits;
+    if (!cost_questions(shape, work, q, QUESTIONS, &hits))
+        return;
+    for (int m = 0; m < MODES; m++)
+        for (int i = 0; i < NAMES; i++)
+            runners[NAMES * m + i].contestant = runner(i, m);
+    race(runners, NAMES * MODES, q, QUESTIONS, rounds, 20);
+    for (int m = 0; m < MODES; m++) {
+        const double plain = runners[NAMES * m].least.ns;
+        const double method = runners[NAMES * m + 1].least.ns;
+        const double ours = runners[NAMES * m + 2].least.ns;
+        printf("%s,%s,%s,%.1f,%s,%.2f,%.2f,%.2f,%.3f,%.3f\n", build,
+               cost_shape_name(shape), cost_work_name(work),
+               100.0 * hits / QUESTIONS, modes[m], plain, method, ours,
+               ours / plain, ours / method);
+    }
+    fflush(stdout);
+}
+
+int main(int argc, char **argv)
+{
+    const char *build = argc > 1 ? argv[1] : "-";
+    const int rounds = argc > 2 ? atoi(argv[2]) : 200;
+    struct question *q = malloc(QUESTIONS * sizeof *q);
+    if (!q)
+        return 4;
+    timing_begin();
+    printf("build,shape,work,hits_percent,mode,plain_ns,quadratic_ns,"
+           "cylint_ns,over_plain,over_quadratic\n");
+    for (int shape = 0; shape < COST_SHAPES; shape++)
+        for (int work = 0; work < COST_WORKS; work++)
+            one_work(build, (enum cost_shape)shape, (enum cost_work)work, q,
+                     rounds);
+    free(q);
+    return 0;
+}

@@ -1,0 +1,68 @@
+/*
+ * gsl_quadratic.c - the plain coefficients, solved by the GNU Scientific
+ * Library
+ *
+ * gsl_poly_solve_quadratic avoids the cancellation of -B +- sqrt(...), but
+ * the digits that B^2 - 4AC lost were lost before.  Unbounded shapes only:
+ * it tells the number of roots.
+ */
+#include <gsl/gsl_poly.h>
+
+#include "contestants.h"
+
+static inline double dot(const double u[3], const double v[3])
+{
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+static inline int solve(const struct subject *s, const cylint_line *line,
+                        double t[2])
+{
+    const double *d = line->d, *w = s->shape.axis, *base = s->shape.base;
+    const double D[3] = {line->o[0] - base[0], line->o[1] - base[1],
+                         line->o[2] - base[2]};
+    const double ww = s->axis_axis, wd = dot(w, d), wD = dot(w, D);
+    double A = ww * dot(d, d) - wd * wd;
+    double B = 2 * (ww * dot(d, D) - wd * wD);
+    double C = ww * dot(D, D) - wD * wD;
+    if (s->shape.kind == CYLINT_KIND_CYLINDER) {
+        C -= s->radius;
+    } else {
+        const double rho = s->radius + s->shape.dr * wD;
+        const double slope = s->shape.dr * wd;
+        A = ww * A - slope * slope;
+        B = ww * B - 2 * rho * slope;
+        C = ww * C - rho * rho;
+    }
+    return gsl_poly_solve_quadratic(A, B, C, &t[0], &t[1]);
+}
+
+cylint_status gsl_quadratic(const cylint_shape *shape,
+    const cylint_line *line, unsigned want, cylint_answer *answer)
+{
+    const struct subject *s = (const struct subject *)(const void *)shape;
+    double t[2];
+
+    answer->relation = CYLINT_MISS;
+    answer->n = 0;
+    answer->flags = 0;
+    if (shape->ends != CYLINT_INFINITE || !plain_answers_for(shape)) {
+        answer->flags = CYLINT_FLAG_INVALID;
+        return CYLINT_EMETHOD;
+    }
+    const int n = solve(s, line, t);
+    if (n == 0)
+        return CYLINT_OK;
+    const int touch = n == 2 && t[0] == t[1];
+    answer->relation = touch ? CYLINT_TOUCH : CYLINT_CROSS;
+    for (int i = 0; i < (touch ? 1 : n); i++) {
+        if (t[i] < line->tmin || t[i] > line->tmax)
+            continue;
+        if (want & CYLINT_WANT_T)
+            answer->hit[answer->n].t = t[i];
+        answer->n++;
+        if (want & CYLINT_WANT_NEAREST)
+            break;
+    }
+    return CYLINT_OK;
+}

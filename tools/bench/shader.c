@@ -1,0 +1,64 @@
+/*
+ * shader.c - the capped cylinder of a thousand shaders
+ *
+ * Dot products with the unnormalised axis, the nearer root of the side, and
+ * where that lies beyond a cap, the cap.  It tells the first point of the
+ * whole line, or that there is none: no relation, no second hit, nothing
+ * about a line exactly along the axis (0/0).
+ */
+#include <math.h>
+
+#include "contestants.h"
+
+int shader_answers_for(const cylint_shape *shape)
+{
+    return shape->kind == CYLINT_KIND_CYLINDER &&
+           shape->ends == CYLINT_CAPPED;
+}
+
+static inline double dot(const double u[3], const double v[3])
+{
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+/* 1 and t, or 0.  k2 t^2 + 2 k1 t + k0 is the side. */
+static inline int first_hit(const struct subject *s, const cylint_line *line,
+                            double *t)
+{
+    const double *base = s->shape.base, *ba = s->shape.axis;
+    const double oc[3] = {line->o[0] - base[0], line->o[1] - base[1],
+                          line->o[2] - base[2]};
+    const double baba = s->axis_axis;
+    const double bard = dot(ba, line->d), baoc = dot(ba, oc);
+    const double k2 = baba * dot(line->d, line->d) - bard * bard;
+    const double k1 = baba * dot(oc, line->d) - baoc * bard;
+    const double k0 = baba * dot(oc, oc) - baoc * baoc - s->radius;
+    const double h = k1 * k1 - k2 * k0;
+    if (h < 0)
+        return 0;
+    const double root = sqrt(h);
+    *t = (-k1 - root) / k2;
+    const double y = baoc + *t * bard;
+    if (y > 0 && y < baba)
+        return 1;
+    *t = ((y < 0 ? 0 : baba) - baoc) / bard;
+    return fabs(k1 + k2 * *t) < root;
+}
+
+cylint_status shader_cylinder(const cylint_shape *shape,
+    const cylint_line *line, unsigned want, cylint_answer *answer)
+{
+    const struct subject *s = (const struct subject *)(const void *)shape;
+    double t;
+
+    answer->relation = CYLINT_MISS;
+    answer->n = 0;
+    answer->flags = 0;
+    if (!first_hit(s, line, &t) || t < line->tmin || t > line->tmax)
+        return CYLINT_OK;
+    answer->relation = CYLINT_CROSS;
+    answer->n = 1;
+    if (want & CYLINT_WANT_T)
+        answer->hit[0].t = t;
+    return CYLINT_OK;
+}
