@@ -279,6 +279,27 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
 CYLINT_API void cylint_bounds(const cylint_shape *shape,
     double lo[3], double hi[3]);
 
+/* What cylint_selftest finds.  BROKEN: answers are not to be relied on. */
+enum {
+    CYLINT_SELFTEST_FORMAT     = 1 << 0, /* a double is not IEEE 754's, or not
+                                            in the byte order of integers */
+    CYLINT_SELFTEST_CONTRACTED = 1 << 1, /* a * b + c was rounded once: build
+                                            with -ffp-contract=off */
+    CYLINT_SELFTEST_UNROUNDED  = 1 << 2, /* excess digits, regrouped sums, or
+                                            a quotient or root that is not
+                                            the nearest double */
+    CYLINT_SELFTEST_FLUSHED    = 1 << 3, /* subnormal results become 0 */
+    CYLINT_SELFTEST_ZEROED     = 1 << 4, /* subnormal operands count as 0 */
+    CYLINT_SELFTEST_DIRECTED   = 1 << 5, /* rounding is not to nearest even */
+    CYLINT_SELFTEST_BROKEN     = (1 << 3) - 1
+};
+
+/* How this build computes in the calling thread's floating-point environment
+ * as it is now: 0, or some of the above.  FLUSHED, ZEROED and DIRECTED are
+ * the caller's choice and leave every relation, n, part, side and t as it
+ * is.  No function of this library changes the environment. */
+CYLINT_API int cylint_selftest(void);
+
 #ifdef __cplusplus
 }
 #endif

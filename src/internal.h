@@ -10,18 +10,33 @@
 #include <stdint.h>
 #include <string.h>
 
+/* What the proofs stand on.  What no macro tells, cylint_selftest does. */
+#if defined(__FAST_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    defined(__NO_SIGNED_ZEROS__) || defined(_M_FP_FAST)
+#error "libcylint is exact arithmetic: do not compile it with -ffast-math"
+#endif
+#if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || \
+    DBL_MIN_EXP != -1021
+#error "libcylint needs doubles of IEEE 754, binary64"
+#endif
+/* 1 and 16 widen float and _Float16 only; 2 is the x87's registers. */
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
+#error "libcylint needs doubles without excess precision (-mfpmath=sse)"
+#endif
+#ifndef UINT64_MAX
+#error "libcylint needs uint64_t"
+#endif
+#ifdef __clang__ /* for all that follows; gcc knows only -ffp-contract=off */
+#pragma STDC FP_CONTRACT OFF
+#pragma clang fp reassociate(off)
+#endif
+
 #include "bounds.h"
 #include "cylint.h"
 #include "eft.h"
 #include "exact.h"
-
-#if defined(__FAST_MATH__) || defined(__FINITE_MATH_ONLY__) && \
-    __FINITE_MATH_ONLY__
-#error "libcylint is exact arithmetic: do not compile it with -ffast-math"
-#endif
-#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
-#error "libcylint needs doubles without excess precision (-mfpmath=sse)"
-#endif
 
 /* 2^e for -1022 <= e <= 1023. */
 static inline double cylint_power_of_two(int e)

@@ -1,0 +1,100 @@
+/*
+ * selftest.c - what this build, on this processor, in this thread's
+ * floating-point environment, makes of a double
+ *
+ * Every operand is read from a volatile, so that the sums are done where the
+ * caller runs and not by the compiler; every expression is an ordinary one,
+ * so that the compiler treats it as it treated the rest of the library.
+ */
+#include "internal.h"
+
+/* x, but the compiler does not know it. */
+static double hidden(double x)
+{
+    volatile double v = x;
+    return v;
+}
+
+static uint64_t bits_of(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+/* IEEE 754 binary64, its bytes in the order of an uint64_t's. */
+static int format_differs(void)
+{
+    return sizeof(double) != sizeof(uint64_t) ||
+           bits_of(hidden(-0x1.23456789abcdep-1)) !=
+               UINT64_C(0xbfe23456789abcde) ||
+           bits_of(hidden(0x1p-1074)) != 1;
+}
+
+/* (1 + e)^2 is 1 + 2 e + e^2; rounded in whichever direction, it is no
+ * nearer to 1 + 2 e than a unit in the last place, 4 e^2, unless equal. */
+static int contracts(void)
+{
+    const double e = 0x1p-27, a = hidden(1 + e), b = hidden(1 + e);
+    const double c = hidden(1 + 2 * e), minus_c = hidden(-c);
+    const double added = a * b + minus_c, subtracted = a * b - c;
+    const double reversed = c - a * b;
+    return added == e * e || subtracted == e * e || reversed == -e * e;
+}
+
+/* 1 + 2^-60 has no double near it but 1; more digits, or a compiler that
+ * cancels the ones, would give 2^-60 back. */
+static int keeps_too_much(void)
+{
+    const double one = hidden(1), tiny = hidden(0x1p-60);
+    return (one + tiny) - one == tiny || one + (tiny - one) == tiny;
+}
+
+/* Towards either side 1 loses or gains nothing, and ties go to even. */
+static int rounds_to_nearest(void)
+{
+    const double one = hidden(1), tiny = hidden(0x1p-60);
+    const double half = hidden(0x1p-53), odd = hidden(1 + 0x1p-52);
+    return one + tiny == one && one - tiny == one && one + half == one &&
+           odd + half == 1 + 0x1p-51;
+}
+
+/* Rounded to nearest, of course: no estimates, no refined reciprocals. */
+static int quotients_are_off(void)
+{
+    return hidden(1) / hidden(3) != 0x1.5555555555555p-2 ||
+           hidden(5) / hidden(7) != 0x1.6db6db6db6db7p-1 ||
+           sqrt(hidden(2)) != 0x1.6a09e667f3bcdp+0 ||
+           sqrt(hidden(3)) != 0x1.bb67ae8584caap+0;
+}
+
+static int flushes_results(void)
+{
+    return bits_of(hidden(0x1p-1022) * hidden(0.5)) != UINT64_C(1) << 51;
+}
+
+static int takes_operands_for_zero(void)
+{
+    return bits_of(hidden(0x1p-1030) * hidden(0x1p100)) !=
+           bits_of(hidden(0x1p-930));
+}
+
+int cylint_selftest(void)
+{
+    int found = 0;
+    if (format_differs())
+        found |= CYLINT_SELFTEST_FORMAT;
+    if (contracts())
+        found |= CYLINT_SELFTEST_CONTRACTED;
+    if (keeps_too_much())
+        found |= CYLINT_SELFTEST_UNROUNDED;
+    else if (!rounds_to_nearest())
+        found |= CYLINT_SELFTEST_DIRECTED;
+    else if (quotients_are_off())
+        found |= CYLINT_SELFTEST_UNROUNDED;
+    if (flushes_results())
+        found |= CYLINT_SELFTEST_FLUSHED;
+    if (takes_operands_for_zero())
+        found |= CYLINT_SELFTEST_ZEROED;
+    return found;
+}

@@ -1,0 +1,140 @@
+#!/bin/sh
+# What would break exact arithmetic is refused by the compiler, or found by
+# cylint_selftest() where no macro tells.
+here=$(dirname "$0")
+src=$here/../src
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cc=${CC:-cc}
+flags="-std=c99 -O2 -I$here/../include -I$src"
+passed=0 failed=0
+
+result() { # 0|1 what
+    if [ "$1" -eq 0 ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        printf 'not so: %s\n' "$2"
+        cat "$work/messages"
+    fi
+}
+
+# understood FLAG...: whether the compiler knows these on this processor
+understood() {
+    $cc $flags "$@" -c -o "$work/probe.o" "$work/probe.c" 2>/dev/null
+}
+
+# refused FLAG...: root.c does not compile, for a reason of ours
+refused() {
+    if ! understood "$@"; then
+        printf 'note: %s does not know %s\n' "$cc" "$*"
+        return
+    fi
+    if $cc $flags "$@" -c -o "$work/x.o" "$src/root.c" 2>"$work/messages"
+    then
+        result 1 "refused with $*"
+    else
+        grep -q 'error.*libcylint' "$work/messages"
+        result $? "refused with $* for a reason of ours"
+    fi
+}
+
+# accepted FLAG...
+accepted() {
+    $cc $flags "$@" -c -o "$work/x.o" "$src/root.c" 2>"$work/messages"
+    result $? "accepted with $*"
+}
+
+# found MASK FLAG...: a program whose selftest has all of MASK's bits set,
+# and if MASK is 0 no others
+found() {
+    mask=$1
+    shift
+    if ! understood "$@"; then
+        printf 'note: %s does not know %s\n' "$cc" "$*"
+        return
+    fi
+    $cc $flags "$@" -o "$work/selftest" "$work/main.c" "$src/selftest.c" \
+        -lm 2>"$work/messages" || {
+        printf 'note: %s does not link with %s\n' "$cc" "$*"
+        return
+    }
+    "$work/selftest" >"$work/messages"
+    got=$(cat "$work/messages")
+    if [ "$mask" -eq 0 ]; then
+        [ "$got" -eq 0 ]
+    else
+        [ $((got & mask)) -eq "$mask" ]
+    fi
+    result $? "the selftest finds $mask with $*"
+}
+
+echo 'int probe(void) { return 0; }' >"$work/probe.c"
+cat >"$work/main.c" <<'END'
+#include <cylint.h>
+#include <stdio.h>
+
+int main(void)
+{
+    return printf("%d\n", cylint_selftest()) < 0;
+}
+END
+bit() { # NAME: its value, by asking the compiler
+    cat >"$work/bit.c" <<END
+#include <cylint.h>
+#include <stdio.h>
+
+int main(void)
+{
+    return printf("%d\n", CYLINT_SELFTEST_$1) < 0;
+}
+END
+    $cc $flags -o "$work/bit" "$work/bit.c" && "$work/bit"
+}
+
+accepted -ffp-contract=off
+refused -ffast-math
+refused -Ofast
+refused -ffinite-math-only
+refused -mfpmath=387
+refused -m32 -mfpmath=387
+
+# A header that says what a stranger's machine would.
+for wrong in 'FLT_EVAL_METHOD 2' 'FLT_EVAL_METHOD -1' 'DBL_MANT_DIG 64' \
+             'DBL_MAX_EXP 128' 'FLT_RADIX 16'; do
+    printf '#include_next <float.h>\n#undef %s\n#define %s\n' \
+        "${wrong% *}" "$wrong" >"$work/float.h"
+    refused "-I$work"
+done
+rm "$work/float.h"
+
+found 0 -ffp-contract=off
+found 0 -O0 -ffp-contract=off
+found 0 -O3 -march=native -ffp-contract=off
+if $cc --version | grep -qi clang; then
+    # its pragma holds whatever is asked for
+    found 0 -mfma -ffp-contract=on
+else
+    fused=$(bit CONTRACTED)
+    grep -qw fma /proc/cpuinfo 2>/dev/null &&
+        found "$fused" -mfma -ffp-contract=fast
+    # no macro of gcc 12 tells of these
+    [ "$(printf '__ASSOCIATIVE_MATH__' |
+        $cc -fno-signed-zeros -fno-trapping-math -fassociative-math -E - |
+        tail -n 1)" = __ASSOCIATIVE_MATH__ ] &&
+        found "$(bit UNROUNDED)" -ffp-contract=off -fno-signed-zeros \
+            -fno-trapping-math -fassociative-math
+fi
+# the start-up code that comes with -ffast-math flushes subnormals
+case $($cc -dumpmachine) in x86_64-*)
+    $cc $flags -ffp-contract=off -c -o "$work/own.o" "$src/selftest.c"
+    if $cc -O2 -I"$here/../include" -ffast-math -o "$work/fast" \
+        "$work/main.c" "$work/own.o" -lm 2>"$work/messages"; then
+        "$work/fast" >"$work/messages"
+        [ "$(cat "$work/messages")" -eq $(($(bit FLUSHED) | $(bit ZEROED))) ]
+        result $? 'flushing start-up code is found, and nothing else'
+    fi ;;
+esac
+
+printf '%d passed, %d failed\n' $passed $failed
+[ $failed -eq 0 ]
