@@ -223,7 +223,8 @@ typedef struct cylint_hit {
                          lateral surface elsewhere, rims included; at an
                          apex along the axis, away from the solid; at the
                          apex of a double cone along the axis, against d
-                         (perpendicular to d: towards the base) */
+                         (perpendicular to d: towards the base, or, where
+                         that is the apex itself, against the axis) */
     double z;         /* axial coordinate: 0 at the base, 1 at the top */
     double phi;       /* angle about the axis over 2 pi, in [0, 1).
                          Elliptic kinds: from a towards b.  Circular kinds:

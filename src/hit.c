@@ -153,7 +153,23 @@ static void exact_point(cylint_query *q, exact t, double point[3])
     }
 }
 
-static void facts_in_full(cylint_query *q, exact t, floating *facts)
+/* beta D - alpha u, the direction from the base's centre to where the line
+ * pierces a cap's plane: x and y without any error, times |beta|. */
+static void about_axis_in_plane(cylint_query *q, int cap, exact *x, exact *y)
+{
+    letters_exact L = *cylint_exact(q);
+    exact alpha = form_alpha_exact(&L, cap), beta = L.beta;
+    alpha.sign *= beta.sign;
+    beta.sign *= beta.sign;
+    for (int i = 0; i < 3; i++)
+        L.D[0][i] = cylint_exact_add(L.arena,
+            cylint_exact_mul(L.arena, beta, L.D[cap][i]), cylint_exact_neg(
+            cylint_exact_mul(L.arena, alpha, L.u[i])));
+    about_axis_exact(&L, least_component(q), x, y);
+}
+
+static void facts_in_full(cylint_query *q, cylint_root root, exact t,
+                          floating *facts)
 {
     letters_exact L = *cylint_exact(q);
     exact x[FACTS];
@@ -161,6 +177,8 @@ static void facts_in_full(cylint_query *q, exact t, floating *facts)
         L.D[0][i] = cylint_exact_add(L.arena, L.D[0][i],
                                      cylint_exact_mul(L.arena, t, L.u[i]));
     GATHER(EXACT, &L, x, q);
+    if (root == ROOT_CAP0 || root == ROOT_CAP1)
+        about_axis_in_plane(q, root == ROOT_CAP1, x + X, x + Y);
     for (int i = 0; i < FACTS; i++)
         facts[i] = floating_of_exact(x[i]);
 }
@@ -184,9 +202,13 @@ static int point_in_pairs(const cylint_query *q, pair t, double point[3])
 /* Away from the solid; at a double cone's apex against the line. */
 static int apex_sign(cylint_query *q)
 {
-    if (q->ends == CYLINT_INFINITE)
-        return cylint_sign_along(q) < 0 ? 1 : -1;
-    return -cylint_sign(q->shape->dr);
+    const int grows = cylint_sign(q->shape->dr);
+    if (q->ends != CYLINT_INFINITE)
+        return -grows;
+    const int along = cylint_sign_along(q);
+    if (along == 0) /* towards the base, if that is not the apex itself */
+        return cylint_sign(q->shape->r0) == 0 ? -1 : grows;
+    return -along;
 }
 
 static void describe(cylint_query *q, const floating *facts, cylint_root root,
@@ -228,24 +250,23 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
 {
     const unsigned about_point = CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
                                  CYLINT_WANT_PHI;
-    const pair at = fast_two_sum(t, more);
+    /* a root beyond the doubles is found again from the largest */
+    const pair at = fabs(t) <= DBL_MAX ? fast_two_sum(t, more)
+                                       : (pair){copysign(DBL_MAX, t), 0};
     floating facts[FACTS];
     int points = !(want & CYLINT_WANT_POINT), rest = !(want & about_point);
     if (!points)
         points = point_in_pairs(q, at, hit->point);
     if (!rest)
         rest = facts_in_pairs(q, at, apex, facts);
-    if ((!points || !rest) && fabs(t) <= DBL_MAX) {
+    if (!points || !rest) {
         const int used = cylint_exact_mark(q, root);
         const exact full = cylint_root_in_full(q, root, at);
         if (!points)
             exact_point(q, full, hit->point);
         if (!rest)
-            facts_in_full(q, full, facts);
+            facts_in_full(q, root, full, facts);
         q->arena.used = used;
-    } else if (!points) {
-        for (int i = 0; i < 3; i++)
-            hit->point[i] = q->line->o[i] + t * q->line->d[i];
     }
     if (want & about_point)
         describe(q, facts, root, part, apex, want, hit);

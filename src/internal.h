@@ -252,7 +252,7 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
  * setting arena.used to the answer. */
 int cylint_exact_mark(cylint_query *q, cylint_root root);
 
-/* The root to some 200 bits (800 where no filters apply), from a pair. */
+/* The root to some 1200 bits, from a pair. */
 exact cylint_root_in_full(cylint_query *q, cylint_root root, pair t);
 
 /* The wanted members of a hit but part and side.  t + more is the root;

@@ -435,9 +435,8 @@ exact cylint_root_in_full(cylint_query *q, cylint_root root, pair t)
     const int used = arena->used;
     exact full = cylint_exact_add(arena, cylint_exact_from(arena, t.hi),
                                   cylint_exact_from(arena, t.lo));
-    /* each step adds 96 bits; where lengths differ so much that filters do
-     * not apply, what cancels later may be hundreds */
-    for (int steps = q->filters ? 2 : 8; steps > 0; steps--) {
+    /* each step adds 96 bits; what cancels later may be hundreds */
+    for (int steps = 12; steps > 0; steps--) {
         const int moved = solve_from(q, root, &full);
         full = cylint_exact_keep(arena, used, full);
         if (!moved)
