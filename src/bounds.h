@@ -1,41 +1,88 @@
 /*
  * bounds.h - the only constants that decide anything, with their reasons
  *
+ * `make prove` proves what is called proved here, and that no proved
+ * constant could be 1 % smaller by the same reasoning.
+ *
  * A form is a straight-line program of sums and products.  Let `size` be the
- * same program run on absolute values with every difference a sum.  If no
- * path from a datum to the result meets more than K roundings (those of both
- * factors counted at a product), each at most eps relative, then
+ * same program run on absolute values with every difference a sum.  If one
+ * operation errs by at most eps |x y| or eps (|x| + |y|), and no path from a
+ * datum to the result meets more than K of them (those of both factors
+ * counted at a product), then, by induction over the program,
  *
  *     |computed - true| <= ((1 + eps)^K - 1) size.
  *
- * CYLINT_DEPTH bounds K over all forms: the deepest, G of a cone and of an
- * econe, has 25, a datum known as the high part of a pair counting 1, and Q
- * at a given parameter has 24; tests/test_depth.c counts them by running
- * forms.h over an arithmetic of path lengths.
- *
- * Eps is doubled against rounding to nearest, so that a caller's rounding
- * mode does not matter; the slack covers the roundings of `size` itself.
+ * A datum known only as the high part of a difference counts as one
+ * operation.  Eps is twice what rounding to nearest needs, so that a
+ * caller's rounding mode does not matter to a verdict.
  */
 #ifndef CYLINT_BOUNDS_H
 #define CYLINT_BOUNDS_H
 
-#define CYLINT_DEPTH 30
+/*
+ * K: the deepest form is G of a cone.  tests/test_depth.c runs forms.h over
+ * an arithmetic of path lengths and wants exactly this.  In pairs, where
+ * differences are exact, 17 would do, but only in rounding to nearest.
+ */
+#define CYLINT_DEPTH 25
 
-/* One double rounding is at most 2^-53 (2^-52 in directed modes). */
-#define CYLINT_FILTER_BOUND (CYLINT_DEPTH * 0x1p-52 * (1 + 0x1p-40))
+/* Of K operations and the point D + t u, t exact: differences count one. */
+#define CYLINT_POINT_DEPTH 3
 
-/* One operation on pairs is off by at most 2^-103 times the sizes (eft.h;
- * directed modes: 2^-101). */
-#define CYLINT_PAIR_ROUNDING 0x1p-101
-#define CYLINT_PAIR_BOUND (CYLINT_DEPTH * CYLINT_PAIR_ROUNDING * (1 + 0x1p-40))
+/* One operation on doubles, in any rounding mode. */
+#define CYLINT_ROUNDING 0x1p-52
+
+/* Covers the powers of eps beyond the first; the roundings of `size` and of
+ * the bound's own product and sum; and, of a pair, the size taken from its
+ * high part alone.  Proved. */
+#define CYLINT_SLACK (1 + 0x1p-40)
+
+#define CYLINT_FILTER_BOUND (CYLINT_DEPTH * CYLINT_ROUNDING * CYLINT_SLACK)
+
+/*
+ * One operation on pairs (eft.h), in rounding to nearest: of a sum relative
+ * to |a| + |b|, of a product to |a b|, else of the result.  Proved, for pairs
+ * with |lo| <= ulp(hi)/2.
+ */
+#define CYLINT_PAIR_ADD 0x3p-106
+#define CYLINT_PAIR_MUL 0x9p-106
+#define CYLINT_PAIR_DIV 0x1.1001p-102
+#define CYLINT_PAIR_SQRT 0x1.8001p-104
+
+/*
+ * The same in the directed modes, where |lo| <= ulp(hi) and the low parts of
+ * two_sum and fast_two_sum are themselves rounded.  Proved for low parts off
+ * by at most 2^-104 |s| each; and a round number above both.
+ */
+#define CYLINT_PAIR_ADD_DIRECTED 0x7p-104
+#define CYLINT_PAIR_MUL_DIRECTED 0xep-104
+#define CYLINT_PAIR_ROUNDING 0x1p-100
+
+#define CYLINT_PAIR_BOUND (CYLINT_DEPTH * CYLINT_PAIR_ROUNDING * CYLINT_SLACK)
 
 /*
  * The filters run only where every datum is at most CYLINT_WINDOW in size.
  * An operation that underflows, flushing to zero included, errs by at most
- * 2^-1022, and what multiplies that error later is below 2^(7 * 60 + 9): so
- * the forms, of at most 8 factors, err by less than 2^-590 in all.
+ * 2^-1022, and what multiplies that error later is bounded by the window:
+ * tests/test_depth.c adds up what arrives at the worst form.
  */
 #define CYLINT_WINDOW 0x1p60
-#define CYLINT_UNDERFLOW 0x1p-590
+#define CYLINT_UNDERFLOW 0x1p-586
+
+/*
+ * What root.c multiplies first-order errors by: the terms of second order
+ * and the roundings of the error itself, where the slope is known to 2^-10.
+ * Proved for the smaller.
+ */
+#define CYLINT_NEWTON_SLACK 0x1.0041p0
+#define CYLINT_ROOT_SLACK 1.01
+
+/*
+ * An independent check of the counting: G of a cylinder whose data are at
+ * most 1 in size, evaluated in doubles with every difference rounded, is off
+ * by at most this; its size is then at most 48.  Proved, by intervals.
+ */
+#define CYLINT_CYLINDER_G_ERROR 0x2fp-49
+#define CYLINT_CYLINDER_G_SIZE 48
 
 #endif

@@ -50,7 +50,7 @@ static inline pair two_prod(double a, double b)
 #endif
 }
 
-/* Error below 2^-104 (|a| + |b|). */
+/* Error at most CYLINT_PAIR_ADD (|a| + |b|), bounds.h. */
 static inline pair pair_add(pair a, pair b)
 {
     const pair s = two_sum(a.hi, b.hi);
@@ -67,14 +67,14 @@ static inline pair pair_sub(pair a, pair b)
     return pair_add(a, pair_neg(b));
 }
 
-/* Error below 2^-103 |a b|. */
+/* Error at most CYLINT_PAIR_MUL |a b|. */
 static inline pair pair_mul(pair a, pair b)
 {
     const pair p = two_prod(a.hi, b.hi);
     return fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
-/* Relative error below 2^-102. */
+/* Relative error at most CYLINT_PAIR_DIV. */
 static inline pair pair_div(pair a, pair b)
 {
     const double q = a.hi / b.hi;
@@ -83,7 +83,7 @@ static inline pair pair_div(pair a, pair b)
     return fast_two_sum(q, rest / b.hi);
 }
 
-/* a > 0.  Relative error below 2^-102. */
+/* a > 0.  Relative error at most CYLINT_PAIR_SQRT. */
 static inline pair pair_sqrt(pair a)
 {
     const double s = sqrt(a.hi);

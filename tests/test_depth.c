@@ -1,0 +1,276 @@
+/*
+ * test_depth.c - how many roundings lie between the data and each form
+ *
+ * forms.h is run over an arithmetic of path lengths: a sum is one rounding
+ * more than its longer side, a product one more than both together.  The
+ * longest path over all forms and kinds is what bounds.h says it is, neither
+ * more nor less.
+ */
+#include <string.h>
+
+#include "check.h"
+#include "internal.h"
+
+static int longer(int x, int y)
+{
+    return x > y ? x : y;
+}
+
+#define NUM int
+#define FORM(name) name##_depth
+#define ADD(x, y) (longer(x, y) + 1)
+#define SUB(x, y) (longer(x, y) + 1)
+#define MUL(x, y) ((x) + (y) + 1)
+#define MEMORY
+#define BEGIN (void)L;
+#define RETURN(x) return x;
+#include "forms.h"
+
+/* What a difference of data is to an arithmetic, see decide.c. */
+typedef enum {
+    EXACT_DIFFERENCE,  /* pairs, rounding to nearest */
+    ROUNDED_DIFFERENCE /* doubles, where it is a high part; and pairs in the
+                          directed modes, where the low part is rounded */
+} arithmetic;
+
+enum { FIRST_KIND = CYLINT_KIND_CYLINDER, LAST_KIND = CYLINT_KIND_ECONE,
+       KINDS = LAST_KIND + 1 };
+
+static void load(letters_depth *L, int kind, arithmetic in)
+{
+    const int difference = in == EXACT_DIFFERENCE ? 0 : 1;
+    memset(L, 0, sizeof *L);
+    L->kind = kind;
+    for (int i = 0; i < 3; i++) {
+        L->u[i] = difference; /* a segment's */
+        L->w[i] = kind <= CYLINT_KIND_CONE ? difference : 0;
+        L->D[0][i] = difference;
+        L->D[1][i] = kind <= CYLINT_KIND_CONE
+                   ? difference : SUB(L->D[0][i], L->w[i]);
+    }
+    L->dr = kind == CYLINT_KIND_ACONE ? 0 : difference;
+    prepare_shape_depth(L);
+    prepare_line_depth(L);
+    prepare_top_depth(L);
+}
+
+/* Every polynomial whose value or sign is asked for. */
+typedef enum {
+    ALPHA_0, ALPHA_1, BETA, ALONG, ROOT_OF_S, RHO_0, RHO_1,
+    E_0, E_1, N_0, N_1, G, A, B, C, T, FORMS
+} form;
+
+static const char *const form_name[FORMS] = {
+    "alpha0", "alpha1", "beta", "along", "det or vv", "rho0", "rho1",
+    "E0", "E1", "N0", "N1", "G", "A", "B", "C", "T"
+};
+
+static int depth_of(const letters_depth *L, form f)
+{
+    switch (f) {
+    case ALPHA_0: return form_alpha_depth(L, 0);
+    case ALPHA_1: return form_alpha_depth(L, 1);
+    case BETA: return form_beta_depth(L);
+    case ALONG: return form_along_depth(L);
+    case ROOT_OF_S: return form_root_of_S_depth(L);
+    case RHO_0: return form_rho0_depth(L);
+    case RHO_1: return form_rho1_depth(L);
+    case E_0: return form_E_depth(L, 0);
+    case E_1: return form_E_depth(L, 1);
+    case N_0: return form_N_depth(L, 0);
+    case N_1: return form_N_depth(L, 1);
+    case G: return form_G_depth(L);
+    case A: return form_A_depth(L);
+    case B: return form_B_depth(L);
+    case C: return form_C_depth(L);
+    default: return form_T_depth(L);
+    }
+}
+
+/* The table of one arithmetic; returns its largest entry. */
+static int deepest(arithmetic in, const char *title)
+{
+    static const char *const kind_name[KINDS] = {
+        "", "cylinder", "cone", "acone", "ecylinder", "econe"
+    };
+    int most = 0;
+    printf("note: %-12s", title);
+    for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++)
+        printf(" %9s", kind_name[kind]);
+    for (form f = ALPHA_0; f < FORMS; f++) {
+        printf("\nnote: %-12s", form_name[f]);
+        for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
+            letters_depth L;
+            load(&L, kind, in);
+            const int depth = depth_of(&L, f);
+            most = longer(most, depth);
+            printf(" %9d", depth);
+        }
+    }
+    putchar('\n');
+    return most;
+}
+
+static void the_deepest_form_is_as_deep_as_bounds_h_says(void)
+{
+    const int most = deepest(ROUNDED_DIFFERENCE, "in doubles");
+    if (!CHECK(most == CYLINT_DEPTH))
+        REPORT("depth %d", most);
+}
+
+static void pairs_are_no_deeper(void)
+{
+    CHECK(deepest(EXACT_DIFFERENCE, "in pairs") <= CYLINT_DEPTH);
+}
+
+/* The point of the line at a parameter given as a pair. */
+static void move_to_t(letters_depth *L)
+{
+    const int t = 0;
+    for (int i = 0; i < 3; i++)
+        L->D[0][i] = ADD(L->D[0][i], MUL(t, L->u[i]));
+}
+
+static void a_point_of_the_line_is_as_deep_as_bounds_h_says(void)
+{
+    int most = 0;
+    for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
+        letters_depth L;
+        load(&L, kind, ROUNDED_DIFFERENCE);
+        move_to_t(&L);
+        for (int i = 0; i < 3; i++)
+            most = longer(most, L.D[0][i]);
+    }
+    CHECK(most == CYLINT_POINT_DEPTH);
+}
+
+/* root.c evaluates Q at P = D + t u and accounts for P apart; hit.c uses P
+ * as it comes.  Neither goes deeper than the forms themselves. */
+static void what_a_point_of_the_line_tells_is_no_deeper(void)
+{
+    int most = 0;
+    for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
+        letters_depth L;
+        int facts[5];
+        load(&L, kind, ROUNDED_DIFFERENCE);
+        move_to_t(&L);
+        gradient_depth(&L, facts);
+        about_axis_depth(&L, 0, &facts[3], &facts[4]);
+        for (int i = 0; i < 5; i++)
+            most = longer(most, facts[i]);
+        most = longer(most, form_C_depth(&L));
+    }
+    printf("note: Q, its gradient and the angle at D + t u: %d\n", most);
+    CHECK(most <= CYLINT_DEPTH);
+}
+
+#undef NUM
+#undef FORM
+#undef ADD
+#undef SUB
+#undef MUL
+
+/* ------------------------------------------------------- underflow ----- */
+
+/* How large a number can be within the window, and how far off where each
+ * operation may lose what is too small for it. */
+typedef struct {
+    double size, off;
+} sized;
+
+/* An operation on doubles loses one number below 2^-1022 where a processor
+ * flushes to zero.  On pairs it loses one for each of its steps, twenty at
+ * most: six of two_sum, three of fast_two_sum, eleven of Dekker's product. */
+static double lost_per_operation;
+
+static sized sized_add(sized x, sized y)
+{
+    return (sized){x.size + y.size, x.off + y.off + lost_per_operation};
+}
+
+static sized sized_mul(sized x, sized y)
+{
+    return (sized){x.size * y.size, x.off * y.size + x.size * y.off +
+                                    x.off * y.off + lost_per_operation};
+}
+
+#define NUM sized
+#define FORM(name) name##_sized
+#define ADD(x, y) sized_add(x, y)
+#define SUB(x, y) sized_add(x, y)
+#define MUL(x, y) sized_mul(x, y)
+#include "forms.h"
+
+/* A datum may have lost something when it was scaled, a difference when it
+ * was taken as well. */
+static void load_window(letters_sized *L, int kind)
+{
+    const sized datum = {CYLINT_WINDOW, 0x1p-1022},
+                difference = {CYLINT_WINDOW, 2 * 0x1p-1022 +
+                                             lost_per_operation},
+                one = {1, 0};
+    memset(L, 0, sizeof *L);
+    L->kind = kind;
+    for (int i = 0; i < 3; i++) {
+        L->u[i] = L->D[0][i] = difference;
+        L->w[i] = kind <= CYLINT_KIND_CONE ? difference : datum;
+        L->D[1][i] = kind <= CYLINT_KIND_CONE
+                   ? difference : sized_add(L->D[0][i], L->w[i]);
+        L->a[i] = L->b[i] = datum;
+    }
+    L->r[0] = kind < CYLINT_KIND_ACONE ? datum
+            : (sized){kind != CYLINT_KIND_ACONE, 0};
+    L->r[1] = datum;
+    L->dr = kind == CYLINT_KIND_ACONE ? datum : difference;
+    L->one = one;
+    prepare_shape_sized(L);
+    prepare_line_sized(L);
+    prepare_top_sized(L);
+}
+
+static double lost(const letters_sized *L)
+{
+    const sized of_form[FORMS] = {
+        form_alpha_sized(L, 0), form_alpha_sized(L, 1), form_beta_sized(L),
+        form_along_sized(L), form_root_of_S_sized(L), form_rho0_sized(L),
+        form_rho1_sized(L), form_E_sized(L, 0), form_E_sized(L, 1),
+        form_N_sized(L, 0), form_N_sized(L, 1), form_G_sized(L),
+        form_A_sized(L), form_B_sized(L), form_C_sized(L), form_T_sized(L)
+    };
+    double most = 0;
+    for (form f = ALPHA_0; f < FORMS; f++)
+        most = fmax(most, of_form[f].off);
+    return most;
+}
+
+static double lost_by_any_form(double per_operation)
+{
+    double most = 0;
+    lost_per_operation = per_operation;
+    for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
+        letters_sized L;
+        load_window(&L, kind);
+        most = fmax(most, lost(&L));
+    }
+    return most;
+}
+
+static void what_underflows_stays_below_its_bound(void)
+{
+    const double in_doubles = lost_by_any_form(0x1p-1022),
+                 in_pairs = lost_by_any_form(20 * 0x1p-1022);
+    printf("note: lost by underflow: 2^%.1f in doubles, 2^%.1f in pairs\n",
+           log2(in_doubles), log2(in_pairs));
+    CHECK(in_doubles <= CYLINT_UNDERFLOW && in_pairs <= CYLINT_UNDERFLOW);
+    CHECK(in_pairs > CYLINT_UNDERFLOW / 2);
+}
+
+int main(void)
+{
+    RUN(the_deepest_form_is_as_deep_as_bounds_h_says);
+    RUN(pairs_are_no_deeper);
+    RUN(a_point_of_the_line_is_as_deep_as_bounds_h_says);
+    RUN(what_a_point_of_the_line_tells_is_no_deeper);
+    RUN(what_underflows_stays_below_its_bound);
+    return check_end();
+}
