@@ -1,0 +1,444 @@
+/*
+ * test_budget.c - no error is larger than what budgets.txt promises
+ *
+ * Every line of budgets.txt is measured anew, against the oracle and, for
+ * boxes and tangents, against MPFR; what has no line there is a failure, and
+ * so is a table in cylint(3) that says something else.  CYLINT_CASES and
+ * CYLINT_SEED change what is drawn, CYLINT_MEASURE=1 prints the worst found
+ * of everything, in the format of budgets.txt.
+ *
+ * Errors are between rounded answers: 0 is within half a unit of the truth,
+ * and what is 1 unit off is within 1.5.  Budgets speak of the truth, so half
+ * a unit is added to what is found.
+ */
+#ifdef HAVE_MPFR
+
+#include <mpfr.h>
+#include <string.h>
+
+#include "check.h"
+#include "constructed.h"
+#include "oracle.h"
+#include "ulps.h"
+
+enum { CASES = 1500, WILD_CASES = 300, EXTRA = 2, MOST_LINES = 300 };
+
+static const char *const budgets = "tests/budgets.txt";
+static const char *const manual = "man/cylint.3";
+
+struct budget {
+    char function[20], family[40], kind[20];
+    double ulps, found;
+};
+
+static struct budget lines[MOST_LINES];
+static int line_count;
+
+static uint64_t seed(void)
+{
+    const char *text = getenv("CYLINT_SEED");
+    return text ? strtoull(text, NULL, 10) : 3;
+}
+
+static uint64_t cases(int wild)
+{
+    const char *text = getenv("CYLINT_CASES");
+    return text ? strtoull(text, NULL, 10) : wild ? WILD_CASES : CASES;
+}
+
+/* ------------------------------------------------------------ families -- */
+
+/* A family's name as one word. */
+static const char *family_word(int family)
+{
+    static char word[40];
+    static const char *const extra[EXTRA] = {"coincidences",
+                                             "wild exponents"};
+    const int n = family_count();
+    const char *name = family < n ? family_name(family) : extra[family - n];
+    int k = 0;
+    for (const char *p = name; *p && k < 39; p++) {
+        const int letter = (*p >= 'a' && *p <= 'z') ||
+                           (*p >= '0' && *p <= '9');
+        if (letter || (k > 0 && word[k - 1] != '-'))
+            word[k++] = letter ? *p : '-';
+    }
+    word[k] = '\0';
+    return word;
+}
+
+static int is_wild(int family)
+{
+    const int n = family_count();
+    return family < n ? family_is_wild(family) : family == n + 1;
+}
+
+static int word_is_wild(const char *word)
+{
+    for (int f = 0; f < family_count() + EXTRA; f++)
+        if (strcmp(word, family_word(f)) == 0)
+            return is_wild(f);
+    return 0;
+}
+
+static int make_case(int family, uint64_t i, struct family_case *c)
+{
+    const int n = family_count();
+    if (family < n) {
+        family_case(seed(), family, i, c);
+    } else if (family == n) {
+        struct family_case base;
+        constructed_base(seed(), i / 8, &base);
+        const int all = constructed_neighbours(&base);
+        return constructed_neighbour(&base, (int)(i * 37 % (uint64_t)all), c);
+    } else {
+        constructed_wild(seed(), i, c);
+    }
+    return 1;
+}
+
+/* ----------------------------------------------------------- budgets.txt -- */
+
+static struct budget *line_of(const char *function, const char *family)
+{
+    for (int i = 0; i < line_count; i++)
+        if (strcmp(lines[i].function, function) == 0 &&
+            strcmp(lines[i].family, family) == 0)
+            return &lines[i];
+    return NULL;
+}
+
+static void read_budgets(void)
+{
+    char text[200];
+    FILE *f = fopen(budgets, "r");
+    if (!CHECK(f != NULL))
+        return;
+    while (fgets(text, sizeof text, f)) {
+        struct budget *b = &lines[line_count];
+        if (text[0] == '#' || text[0] == '\n')
+            continue;
+        memset(b, 0, sizeof *b);
+        if (!CHECK(line_count < MOST_LINES &&
+                   sscanf(text, "%19s %39s %lf %19s", b->function, b->family,
+                          &b->ulps, b->kind) == 4))
+            break;
+        CHECK(strcmp(b->kind, "proved") == 0 ||
+              strcmp(b->kind, "observed") == 0);
+        line_count++;
+    }
+    fclose(f);
+}
+
+static void judge(const char *function, const char *family, double found,
+                  const struct family_case *c)
+{
+    struct budget *b = line_of(function, family);
+    if (!b) {
+        if (CHECK(line_count < MOST_LINES)) {
+            b = &lines[line_count++];
+            memset(b, 0, sizeof *b);
+            strcpy(b->function, function);
+            strcpy(b->family, family);
+            b->ulps = -1; /* no such line */
+        }
+        return;
+    }
+    if (!(found <= b->found))
+        b->found = found;
+    if (!getenv("CYLINT_MEASURE") && b->ulps >= 0 &&
+        !CHECK(found <= b->ulps) && check_bad <= CHECK_SHOWN) {
+        REPORT("%s, %s: %g ulp", function, family, found);
+        family_print(stderr, c);
+        fputc('\n', stderr);
+    }
+}
+
+/* ---------------------------------------------------------------- hits -- */
+
+static void measure_hits(int family, const struct family_case *c)
+{
+    cylint_answer got, want, fast;
+    const unsigned fast_t = CYLINT_WANT_T | CYLINT_WANT_FAST;
+    memset(&got, 0, sizeof got);
+    cylint_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &got);
+    cylint_intersect(&c->shape, &c->line, fast_t, &fast);
+    oracle_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &want);
+    if (!CHECK(got.n == want.n && fast.n == want.n &&
+               fast.relation == want.relation))
+        return;
+    for (int i = 0; i < want.n; i++) {
+        double off[MEASURES];
+        const double t = want.hit[i].t;
+        ulps_of_hit(c->line.o, &got.hit[i], &want.hit[i], off);
+        judge("t", "all", 0.5 + off[ULPS_T], c);
+        judge("t-fast", "all", 0.5 + ulps_apart(fast.hit[i].t, t, t), c);
+        for (int k = ULPS_POINT; k < MEASURES; k++)
+            if (fabs(t) <= 0x1.fffffffffffffp1023)
+                judge(measure_names[k], family_word(family), 0.5 + off[k], c);
+    }
+}
+
+/* --------------------------------------------------------------- boxes -- */
+
+enum { BITS = 4400 }; /* any two doubles' sum and product */
+
+static mpfr_t m_[6];
+
+static void set_difference(mpfr_t x, double a, double b)
+{
+    mpfr_set_d(x, a, MPFR_RNDN);
+    mpfr_sub_d(x, x, b, MPFR_RNDN);
+}
+
+/* m_[0] += x^2 in the truth */
+static void add_square(double a, double b)
+{
+    set_difference(m_[2], a, b);
+    mpfr_sqr(m_[2], m_[2], MPFR_RNDN);
+    mpfr_add(m_[0], m_[0], m_[2], MPFR_RNDN);
+}
+
+static void axis_ends(const cylint_shape *s, int i, double *a, double *b)
+{
+    const int points = s->kind <= CYLINT_KIND_CONE;
+    *a = points ? s->top[i] : s->axis[i];
+    *b = points ? s->base[i] : 0;
+}
+
+/* m_[0] = how far the disc of cap i reaches along j. */
+static void true_reach(const cylint_shape *s, int i, int j)
+{
+    double a, b;
+    mpfr_set_zero(m_[0], 1);
+    if (s->kind >= CYLINT_KIND_ECYLINDER) {
+        add_square(s->a[j], 0);
+        add_square(s->b[j], 0);
+    } else {
+        for (int k = 1; k < 3; k++) {
+            axis_ends(s, (j + k) % 3, &a, &b);
+            add_square(a, b);
+        }
+        if (s->kind != CYLINT_KIND_ACONE && !mpfr_zero_p(m_[0])) {
+            mpfr_set(m_[3], m_[0], MPFR_RNDN);
+            axis_ends(s, j, &a, &b);
+            add_square(a, b);
+            mpfr_div(m_[0], m_[3], m_[0], MPFR_RNDN);
+        }
+    }
+    mpfr_sqrt(m_[0], m_[0], MPFR_RNDN);
+    mpfr_mul_d(m_[0], m_[0], i ? s->r1 : s->r0, MPFR_RNDN);
+}
+
+/* m_[1] = the bound of cap i's disc */
+static void true_bound(const cylint_shape *s, int i, int j, int up)
+{
+    true_reach(s, i, j);
+    mpfr_set_d(m_[1], s->base[j], MPFR_RNDN);
+    if (i && s->kind <= CYLINT_KIND_CONE)
+        mpfr_set_d(m_[1], s->top[j], MPFR_RNDN);
+    else if (i)
+        mpfr_add_d(m_[1], m_[1], s->axis[j], MPFR_RNDN);
+    if (up)
+        mpfr_add(m_[1], m_[1], m_[0], MPFR_RNDN);
+    else
+        mpfr_sub(m_[1], m_[1], m_[0], MPFR_RNDN);
+}
+
+/* By how much a side of the box is loose; infinite if it cuts. */
+static double looseness(const cylint_shape *s, int j, int up, double side)
+{
+    true_bound(s, 0, j, up);
+    mpfr_set(m_[4], m_[1], MPFR_RNDN);
+    if (s->ends < CYLINT_INFINITE) {
+        true_bound(s, 1, j, up);
+        if (up ? mpfr_greater_p(m_[1], m_[4]) : mpfr_less_p(m_[1], m_[4]))
+            mpfr_set(m_[4], m_[1], MPFR_RNDN);
+    }
+    const double nearest = mpfr_get_d(m_[4], MPFR_RNDN);
+    if (isinf(side)) {
+        if ((side > 0) != up || isinf(nearest))
+            return (side > 0) != up ? HUGE_VAL : 0;
+        mpfr_set_d(m_[5], up ? 1 : -1, MPFR_RNDN);
+        mpfr_mul_2si(m_[5], m_[5], 1024, MPFR_RNDN);
+    } else {
+        mpfr_set_d(m_[5], side, MPFR_RNDN);
+    }
+    mpfr_sub(m_[5], m_[5], m_[4], MPFR_RNDN);
+    if (!up)
+        mpfr_neg(m_[5], m_[5], MPFR_RNDN);
+    if (mpfr_sgn(m_[5]) < 0)
+        return HUGE_VAL;
+    mpfr_div_d(m_[5], m_[5], ulp(nearest), MPFR_RNDN);
+    return mpfr_get_d(m_[5], MPFR_RNDU);
+}
+
+static void measure_box(int family, const struct family_case *c)
+{
+    const cylint_shape *s = &c->shape;
+    const int constant = s->kind == CYLINT_KIND_CYLINDER ||
+                         s->kind == CYLINT_KIND_ECYLINDER;
+    double box[2][3], a, b;
+    if (s->ends >= CYLINT_INFINITE && !constant)
+        return; /* infinite, or the apex: test_shape.c */
+    cylint_bounds(s, box[0], box[1]);
+    for (int j = 0; j < 3; j++) {
+        axis_ends(s, j, &a, &b);
+        if (s->ends >= CYLINT_INFINITE && a != b)
+            continue;
+        for (int up = 0; up < 2; up++)
+            judge("bounds", family_word(family),
+                  looseness(s, j, up, box[up][j]), c);
+    }
+}
+
+static void measure_tangent(const struct family_case *c)
+{
+    if (c->shape.kind != CYLINT_KIND_ACONE)
+        return;
+    mpfr_t x, pi;
+    mpfr_inits2(1200, x, pi, (mpfr_ptr)NULL);
+    mpfr_const_pi(pi, MPFR_RNDN);
+    mpfr_mul_d(x, pi, c->shape_data[6], MPFR_RNDN);
+    mpfr_div_ui(x, x, 180, MPFR_RNDN);
+    mpfr_tan(x, x, MPFR_RNDN);
+    const double want = mpfr_get_d(x, MPFR_RNDN);
+    judge("tangent", "all", 0.5 + ulps_apart(c->shape.r1, want, want), c);
+    mpfr_clears(x, pi, (mpfr_ptr)NULL);
+}
+
+/* --------------------------------------------------------------- tests -- */
+
+static void no_error_is_above_its_budget(void)
+{
+    for (int i = 0; i < 6; i++)
+        mpfr_init2(m_[i], BITS);
+    for (int f = 0; f < family_count() + EXTRA; f++)
+        for (uint64_t i = 0; i < cases(is_wild(f)); i++) {
+            struct family_case c;
+            if (!make_case(f, i, &c))
+                continue;
+            measure_hits(f, &c);
+            measure_tangent(&c);
+            measure_box(f, &c);
+        }
+    for (int i = 0; i < 6; i++)
+        mpfr_clear(m_[i]);
+    mpfr_free_cache();
+}
+
+static void every_line_is_about_something(void)
+{
+    for (int i = 0; i < line_count; i++)
+        if (!CHECK(lines[i].ulps >= 0 && lines[i].found > 0))
+            REPORT("%s %s: %s", lines[i].function, lines[i].family,
+                   lines[i].ulps < 0 ? "no such line" : "never measured");
+}
+
+/* The largest budget of a function over tame or wild families. */
+static double promised(const char *function, int wild)
+{
+    double most = 0;
+    for (int i = 0; i < line_count; i++)
+        if (strcmp(lines[i].function, function) == 0 &&
+            word_is_wild(lines[i].family) == wild)
+            most = fmax(most, lines[i].ulps);
+    return most;
+}
+
+static int put_row(char *to, const char *what, double ulps, const char *kind)
+{
+    if (isinf(ulps))
+        return sprintf(to, ".It %s Ta - Ta not bounded\n", what);
+    return sprintf(to, ".It %s Ta %g Ta %s\n", what, ulps, kind);
+}
+
+/* What must stand between the marks in cylint(3). */
+static void write_table(char *to)
+{
+    static const char *const named[] = {"point", "normal", "z", "phi"};
+    static const char *const shown[] = {"point", "normal", "z", "\\(*f"};
+    to += sprintf(to, ".Bl -column \"relation, n, part, side\" \"error\" "
+                      "\"correctly rounded\"\n"
+                      ".It Sy answer Ta Sy error Ta Sy kind\n"
+                      ".It relation, n, part, side Ta 0 Ta exact\n");
+    to += put_row(to, "t", promised("t", 0), "correctly rounded");
+    to += put_row(to, "t, fast", promised("t-fast", 0),
+                  line_of("t-fast", "all") ? line_of("t-fast", "all")->kind
+                                           : "");
+    for (int wild = 0; wild < 2; wild++)
+        for (int i = 0; i < 4; i++) {
+            char what[80];
+            sprintf(what, wild ? "%s, wild exponents" : "%s", shown[i]);
+            to += put_row(to, what, promised(named[i], wild), "observed");
+        }
+    to += put_row(to, "a box's sides, outward", promised("bounds", 0),
+                  "observed");
+    to += put_row(to, "tangent of a half angle", promised("tangent", 0),
+                  "observed");
+    sprintf(to, ".El\n");
+}
+
+static void the_manual_shows_these_budgets(void)
+{
+    static char want[4000], got[4000];
+    char text[300];
+    int within = 0;
+    FILE *f = fopen(manual, "r");
+    if (!CHECK(f != NULL))
+        return;
+    write_table(want);
+    while (fgets(text, sizeof text, f)) {
+        if (strcmp(text, ".\\\" budgets end\n") == 0)
+            within = 0;
+        if (within && strlen(got) + strlen(text) < sizeof got)
+            strcat(got, text);
+        if (strcmp(text, ".\\\" budgets begin\n") == 0)
+            within = 1;
+    }
+    fclose(f);
+    if (!CHECK(strcmp(want, got) == 0))
+        fprintf(stderr, "%s should have\n%s", manual, want);
+}
+
+static void print_found(void)
+{
+    const char *before = "";
+    for (int i = 0; i < line_count; i++) {
+        const struct budget *b = &lines[i];
+        if (getenv("CYLINT_MEASURE"))
+            printf("%-8s %-24s %.4g of %g\n", b->function, b->family,
+                   b->found, b->ulps);
+        else if (strcmp(b->function, before) != 0)
+            printf("note: %s within %g, wild %g\n", b->function,
+                   promised(b->function, 0), promised(b->function, 1));
+        before = b->function;
+    }
+}
+
+int main(void)
+{
+    if (family_count() == 0) {
+        puts("no GSL: no families to draw from");
+        return 77;
+    }
+    printf("note: seed %llu\n", (unsigned long long)seed());
+    RUN(read_budgets);
+    RUN(no_error_is_above_its_budget);
+    RUN(every_line_is_about_something);
+    RUN(the_manual_shows_these_budgets);
+    print_found();
+    return check_end();
+}
+
+#else
+
+#include <stdio.h>
+
+int main(void)
+{
+    puts("no MPFR: nothing to measure against");
+    return 77;
+}
+
+#endif
