@@ -71,11 +71,23 @@ $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(test_common) $(BUILD)/libcylint
 $(BUILD)/tests/stress $(BUILD)/tests/search: %: %.o $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 
-bench_programs := $(BUILD)/tools/bench/cost
+# Where the processor has fused multiply-add, a second build with it.
+bench_programs := $(BUILD)/tools/bench/cost $(BUILD)/tools/bench/methods
 bench_common   := $(patsubst %,$(BUILD)/tools/bench/%.o,contestants race timing plain shader $(if $(GSL),gsl_quadratic))
+FMA            ?= $(shell echo 'int main(void){return !__builtin_cpu_supports("fma");}' > $(BUILD)/.fma.c && \
+                    $(CC) -mfma -o $(BUILD)/.fma $(BUILD)/.fma.c 2>/dev/null && $(BUILD)/.fma && echo yes)
 $(BUILD)/tools/bench/cost: $(BUILD)/tools/bench/cost_inputs.o
+$(BUILD)/tools/bench/methods: $(patsubst %,$(BUILD)/tools/bench/%.o,classes statistics truth)
 $(bench_programs): %: %.o $(bench_common) $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
+
+bench_programs: $(bench_programs)
+
+bench: bench_programs ## time against error, tables and charts; QUICK=1: in two minutes
+	@$(if $(GSL),,echo 'bench: no GSL, so no questions to ask (make deps)'; exit 1)
+	@$(if $(MPFR),,echo 'note: no MPFR, errors are not measured')
+	@$(if $(FMA),$(MAKE) BUILD=$(BUILD)/fma CFLAGS='$(CFLAGS) -mfma' bench_programs)
+	@BUILD='$(BUILD)' CC='$(CC)' CFLAGS='$(CFLAGS)' FMA='$(FMA)' QUICK='$(QUICK)' sh tools/bench/bench.sh
 
 stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, hours long
 	$(BUILD)/tests/stress
@@ -120,6 +132,6 @@ clean: ## what was built
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1	\2/p' Makefile
 
-.PHONY: all demo stress check sanitize deps install uninstall clean help
+.PHONY: all bench bench_programs demo stress check sanitize deps install uninstall clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -16,7 +16,7 @@ static inline double dot(const double u[3], const double v[3])
 }
 
 static inline int solve(const struct subject *s, const cylint_line *line,
-                        double t[2])
+                        double *leading, double t[2])
 {
     const double *d = line->d, *w = s->shape.axis, *base = s->shape.base;
     const double D[3] = {line->o[0] - base[0], line->o[1] - base[1],
@@ -34,6 +34,7 @@ static inline int solve(const struct subject *s, const cylint_line *line,
         B = ww * B - 2 * rho * slope;
         C = ww * C - rho * rho;
     }
+    *leading = A;
     return gsl_poly_solve_quadratic(A, B, C, &t[0], &t[1]);
 }
 
@@ -50,12 +51,13 @@ cylint_status gsl_quadratic(const cylint_shape *shape,
         answer->flags = CYLINT_FLAG_INVALID;
         return CYLINT_EMETHOD;
     }
-    const int n = solve(s, line, t);
+    double A;
+    const int n = solve(s, line, &A, t);
     if (n == 0)
         return CYLINT_OK;
-    const int touch = n == 2 && t[0] == t[1];
-    answer->relation = touch ? CYLINT_TOUCH : CYLINT_CROSS;
-    for (int i = 0; i < (touch ? 1 : n); i++) {
+    const int one = n == 2 && t[0] == t[1]; /* steep: a double cone's apex */
+    answer->relation = one && A > 0 ? CYLINT_TOUCH : CYLINT_CROSS;
+    for (int i = 0; i < (one ? 1 : n); i++) {
         if (t[i] < line->tmin || t[i] > line->tmax)
             continue;
         if (want & CYLINT_WANT_T)

@@ -122,7 +122,7 @@ cylint_status plain_quadratic(const cylint_shape *shape,
         return CYLINT_OK;
     if (shape->ends == CYLINT_INFINITE && !(want & CYLINT_WANT_T) &&
         q.A != 0 && line->tmin == -HUGE_VAL && line->tmax == HUGE_VAL) {
-        answer->relation = disc > 0 ? CYLINT_CROSS : CYLINT_TOUCH;
+        answer->relation = disc > 0 || q.A < 0 ? CYLINT_CROSS : CYLINT_TOUCH;
         answer->n = want & CYLINT_WANT_NEAREST || disc == 0 ? 1 : 2;
         return CYLINT_OK;
     }
@@ -134,7 +134,8 @@ cylint_status plain_quadratic(const cylint_shape *shape,
         if (!clip_to_slab(q.z, q.z_slope, s->axis_axis, &t0, &t1))
             return CYLINT_OK;
     }
-    answer->relation = t0 < t1 ? CYLINT_CROSS : CYLINT_TOUCH;
+    answer->relation = q.A == 0 && q.B == 0 && q.C == 0 ? CYLINT_ALONG
+                     : t0 < t1 || q.A < 0 ? CYLINT_CROSS : CYLINT_TOUCH;
     if (!keep(line, want, t0, answer) && t0 < t1)
         keep(line, want, t1, answer);
     return CYLINT_OK;

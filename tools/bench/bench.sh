@@ -1,0 +1,60 @@
+#!/bin/sh
+# make bench: runs the benchmarks of $BUILD, and of $BUILD/fma where $FMA is
+# set, and writes everything to $BUILD/bench.  QUICK=1: under two minutes.
+here=$(dirname "$0")
+out=$BUILD/bench
+mkdir -p "$out" || exit 3
+if [ -n "$QUICK" ]; then
+    rounds=40 cases=400 seconds=0.02
+else
+    rounds=400 cases=100000 seconds=1
+fi
+
+# Each program once per build; the lines of the second without its header.
+# Both builds give the same answers, so only the first is judged.
+measure() {
+    program=$1 csv=$2 first=$3 second=$4
+    "$BUILD/tools/bench/$program" "$flags" $first >"$csv" || exit 1
+    [ -z "$FMA" ] ||
+        "$BUILD/fma/tools/bench/$program" "$flags -mfma" $second |
+        sed 1d >>"$csv"
+}
+
+describe_machine() {
+    sed -n 's/^model name[^:]*: /processor: /p' /proc/cpuinfo 2>/dev/null |
+        head -n 1
+    echo "system:    $(uname -sm)"
+    echo "compiler:  $($CC --version | head -n 1)"
+    echo "flags:     $CFLAGS"
+    echo "commit:    $(git -C "$here" describe --always --dirty 2>/dev/null)"
+}
+
+flags=$(echo " $CFLAGS" | sed 's/ -g[0-9a-z]*//g; s/,/ /g; s/^ *//')
+describe_machine >"$out/machine.txt"
+cat "$out/machine.txt"
+
+echo 'cost beside the plain quadratic ...' >&2
+measure cost "$out/cost.csv" $rounds $rounds
+awk -f "$here/cost.awk" "$out/cost.csv" >"$out/cost.txt"
+
+echo "time against error, $cases cases a family ..." >&2
+measure methods "$out/methods.csv" "$cases $seconds" "0 $seconds"
+awk -f "$here/table.awk" "$out/methods.csv" >"$out/methods.txt"
+
+if command -v gnuplot >/dev/null 2>&1; then
+    sed 1d "$out/methods.csv" | cut -d , -f 2 | uniq | sort -u |
+    while read -r class; do
+        for unit in radii ulp; do
+            svg=$out/$(echo "$class" | tr ' ' -)-$unit.svg
+            awk -v class="$class" -v unit=$unit -v out="$svg" \
+                -f "$here/charts.awk" "$out/methods.csv" | gnuplot
+        done
+    done
+else
+    echo 'note: no gnuplot, no charts (Debian: gnuplot-nox)'
+fi
+cat "$out/methods.txt"
+echo
+cat "$out/cost.txt"
+echo
+echo "all of it: $out/"

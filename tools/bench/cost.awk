@@ -1,0 +1,14 @@
+# What certainty costs, as text: awk -f cost.awk cost.csv
+BEGIN {
+    FS = ","
+    print "ns a question: plain b2-4ac / the quadratic method / cylint, and cylint : plain"
+}
+$1 == "build" { next }
+$1 != build || $2 != shape {
+    build = $1; shape = $2
+    printf "\n%-19s %-13s", build, shape
+    printf "\n%-13s %5s  %-27s %-27s %-27s %s\n", "", "hits", "verdict", "nearest t", "both t", "both t, fast"
+}
+$5 == "verdict" { printf "%-13s %4.0f%%", $3, $4 }
+{ printf "  %5.1f/%5.1f/%6.1f %5.2fx", $6, $7, $8, $9 }
+$5 == "fast" { print "" }

@@ -1,0 +1,139 @@
+/*
+ * methods.c - time against error: every method, every family
+ *
+ *     methods [BUILD] [CASES] [SECONDS]
+ *
+ * Writes CSV: for each class of shapes, family, method and mode the time of
+ * a question and how wrong the answers are.  CASES questions are compared
+ * with the reference; the first of them are timed, SECONDS in all for each
+ * class of each family.  BUILD is copied into the first column.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "classes.h"
+#include "race.h"
+#include "statistics.h"
+
+/* As many as stay in the second cache. */
+enum { TIMED = 2000, CONTESTANTS = 40, ROUNDS = 1000 };
+
+struct event {
+    const char *build;
+    int class_number, family, n_runners, cases;
+    double seconds;
+    struct runner runners[CONTESTANTS];
+    struct record records[CONTESTANTS];
+    struct question questions[TIMED];
+    int n_questions;
+};
+
+static void choose_runners(struct event *e)
+{
+    e->n_runners = 0;
+    for (const struct contestant *c = contestants(); c->name; c++)
+        if (e->n_runners < CONTESTANTS &&
+            contestant_takes(c, &e->questions[0].subject.shape))
+            e->runners[e->n_runners++].contestant = c;
+}
+
+static void draw_questions(struct event *e)
+{
+    uint64_t index = 0;
+    e->n_questions = 0;
+    while (e->n_questions < TIMED &&
+           class_question(e->class_number, e->family, &index,
+                          &e->questions[e->n_questions]))
+        e->n_questions++;
+}
+
+static void judge(struct event *e)
+{
+    uint64_t index = 0;
+    for (int i = 0; i < e->n_runners; i++)
+        record_clear(&e->records[i]);
+    if (!truth_known())
+        return;
+    for (int k = 0; k < e->cases; k++) {
+        struct question q;
+        struct truth truth;
+        if (!class_question(e->class_number, e->family, &index, &q))
+            return;
+        truth_of(&q.subject.shape, &q.line, &truth);
+        for (int i = 0; i < e->n_runners; i++) {
+            const struct contestant *c = e->runners[i].contestant;
+            cylint_answer answer;
+            contestant_answer(c, &q, &answer);
+            record_answer(&e->records[i], &truth, c->want, c->only_hit,
+                          &answer);
+        }
+    }
+}
+
+static void print_header(void)
+{
+    printf("build,shapes,family,method,mode,answered_percent,ns,%s,"
+           "radii_median,radii_99,radii_max,ulp_median,ulp_99,ulp_max,"
+           "wrong_percent,hit_as_miss,miss_as_hit,tangent,along,number,nan,"
+           "cases\n", timing_cycle_kind());
+}
+
+static void print_runner(struct event *e, int i)
+{
+    const struct runner *r = &e->runners[i];
+    struct record *k = &e->records[i];
+    const struct quantiles radii = sample_quantiles(&k->radii);
+    const struct quantiles ulps = sample_quantiles(&k->ulps);
+    printf("%s,%s,%s,%s,%s,%.1f,%.2f,%.1f,", e->build,
+           class_name(e->class_number), family_name(e->family),
+           r->contestant->name, r->contestant->mode,
+           share_answered(r->contestant, e->family), r->least.ns,
+           r->least.cycles);
+    printf("%.3g,%.3g,%.3g,%.3g,%.3g,%.3g,%.4g", radii.median, radii.most99,
+           radii.max, ulps.median, ulps.most99, ulps.max,
+           record_percent_wrong(k));
+    static const enum verdict columns[] = {
+        VERDICT_HIT_AS_MISS, VERDICT_MISS_AS_HIT, VERDICT_TANGENT,
+        VERDICT_ALONG, VERDICT_NUMBER, VERDICT_NAN
+    };
+    for (size_t v = 0; v < sizeof columns / sizeof columns[0]; v++)
+        printf(",%.4g", record_percent(k, columns[v]));
+    printf(",%ld\n", k->answers);
+}
+
+static void hold(struct event *e)
+{
+    draw_questions(e);
+    if (e->n_questions < TIMED)
+        return; /* the family has no such shapes */
+    choose_runners(e);
+    race(e->runners, e->n_runners, e->questions, e->n_questions, ROUNDS,
+         e->seconds);
+    judge(e);
+    for (int i = 0; i < e->n_runners; i++)
+        print_runner(e, i);
+    fflush(stdout);
+}
+
+int main(int argc, char **argv)
+{
+    struct event *e = calloc(1, sizeof *e);
+    if (!e)
+        return 4;
+    e->build = argc > 1 ? argv[1] : "-";
+    e->cases = argc > 2 ? atoi(argv[2]) : 100000;
+    e->seconds = argc > 3 ? atof(argv[3]) : 1;
+    timing_begin();
+    print_header();
+    for (e->class_number = 0; e->class_number < class_count();
+         e->class_number++)
+        for (e->family = 0; e->family < family_count(); e->family++)
+            hold(e);
+    for (int i = 0; i < CONTESTANTS; i++) {
+        sample_free(&e->records[i].radii);
+        sample_free(&e->records[i].ulps);
+    }
+    free(e);
+    return 0;
+}
