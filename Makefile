@@ -68,7 +68,7 @@ $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(test_common) $(BUILD)/libcylint
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 
 # Long runs, not part of `make check`; what they take is said in each file.
-$(BUILD)/tests/stress $(BUILD)/tests/search: %: %.o $(test_common) $(BUILD)/libcylint.a
+$(BUILD)/tests/stress $(BUILD)/tests/search $(BUILD)/tests/records: %: %.o $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 
 # Where the processor has fused multiply-add, a second build with it.
@@ -92,6 +92,12 @@ bench: bench_programs ## time against error, tables and charts; QUICK=1: in two 
 stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, hours long
 	$(BUILD)/tests/stress
 
+check-cross: $(BUILD)/tests/records ## the same bytes from other compilers and processors
+	@BUILD=$(BUILD) sh tests/cross.sh
+
+lint: ## what static analysis says, and how the sources look
+	@BUILD=$(BUILD) CC='$(CC)' sh tests/lint.sh
+
 demo: all ## scan a generated forest and show what was hit
 	@BUILD=$(BUILD) sh tools/demo/demo.sh
 
@@ -106,6 +112,9 @@ sanitize: ## the tests under the address and undefined-behaviour sanitizers
 
 deps: ## install what the tests need (Debian)
 	@sh tools/deps.sh
+
+deps-cross: ## what check-cross and lint need as well (Debian)
+	@sh tools/deps.sh cross
 
 install: all ## into $(DESTDIR)$(PREFIX)
 	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(INCLUDEDIR) \
@@ -130,8 +139,8 @@ clean: ## what was built
 	rm -rf $(BUILD)
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1	\2/p' Makefile
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' Makefile
 
-.PHONY: all bench bench_programs demo stress check sanitize deps install uninstall clean help
+.PHONY: all bench bench_programs demo stress check check-cross lint sanitize deps deps-cross install uninstall clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

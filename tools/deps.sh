@@ -1,7 +1,13 @@
 #!/bin/sh
-# Installs what `make check` needs on Debian and its descendants.  Only what
-# is missing is asked for, so a second run needs neither network nor root.
+# Installs what `make check` needs on Debian and its descendants; with the
+# argument `cross` what `make check-cross` and `make lint` need as well.  Only
+# what is missing is asked for, so a second run needs neither network nor root.
 wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev libgsl-dev mandoc'
+# gcc-multilib would be simpler for -m32, but excludes cross compilers
+[ "$1" = cross ] && wanted="$wanted clang clang-tidy cppcheck qemu-user
+    gcc-aarch64-linux-gnu libc6-dev-arm64-cross
+    gcc-s390x-linux-gnu libc6-dev-s390x-cross
+    libc6-dev-i386 lib32gcc-$(gcc -dumpversion | cut -d . -f 1)-dev"
 missing=
 for p in $wanted; do
     dpkg-query -W -f '${Status}' "$p" 2>/dev/null | grep -q 'ok installed' ||

@@ -1,0 +1,141 @@
+#!/bin/sh
+# What tools other than the compiler say of the sources: cppcheck, clang-tidy,
+# gcc's analyzer, sh -n, mandoc; and how they look: tabs, blanks at line ends,
+# width, file length.  What is not installed is named and passed over.
+# `make lint` runs it; every finding fails.
+cd "$(dirname "$0")/.." || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+passed=0 failed=0 skipped=0
+
+verdict() { # what: passes if nothing was found
+    if [ -s "$work/found" ]; then
+        failed=$((failed + 1))
+        printf 'FAIL %s\n' "$1"
+        head -n 40 "$work/found"
+    else
+        passed=$((passed + 1))
+        printf 'ok   %s\n' "$1"
+    fi
+}
+
+installed() { # tool what-it-checks
+    command -v "$1" >/dev/null && return
+    skipped=$((skipped + 1))
+    printf 'skip %s: no %s\n' "$2" "$1"
+    return 1
+}
+
+git ls-files >"$work/all" 2>/dev/null || find . -type f -not -path './build*' |
+    sed 's|^\./||' >"$work/all"
+while read -r file; do
+    [ -f "$file" ] && printf '%s\n' "$file"
+done <"$work/all" >"$work/files"
+of_kind() { grep -E "$1" "$work/files"; }
+library=$(of_kind '^src/.*\.c$')
+command=$(of_kind '^tools/cylint/.*\.c$')
+sources=$(of_kind '\.(c|cc|h)$')
+scripts=$(of_kind '\.sh$')
+pages=$(of_kind '^man/.*\.[0-9]$')
+options='-std=c99 -Iinclude -Isrc -D_POSIX_C_SOURCE=200809L'
+
+# What was looked into and is as it should be:
+judged() {
+    grep -v \
+        -e 'gullotti\.c:.*Uninitialized variable: m\.row' \
+        -e 'answer\.c:.*StackAddressEscape' \
+        -e 'grammar\.c:.*CallAndMessage' \
+        -e 'options\.c:.*valist\.Uninitialized' \
+        -e 'Nd where does a line meet a cylinder or a cone?' \
+        -e 'referenced manual not found: Xr cylint' \
+        -e 'outdated mandoc\.db'
+    # cross() writes all of a row; task->row is filled anew before each use;
+    # a record has as many numbers as its kinds say; va_start was called; the
+    # name line is a question; our manuals refer to each other before they
+    # are installed.
+}
+
+# ------------------------------------------------------------- analysis --
+
+if installed cppcheck cppcheck; then
+    # Not asked: style, which has other tastes.
+    cppcheck --quiet -j 2 --std=c99 --language=c --inline-suppr -Iinclude \
+        -Isrc --enable=warning,portability,performance --max-configs=4 \
+        --suppress=missingIncludeSystem --suppress=toomanyconfigs \
+        --template='{file}:{line}: {severity}: {message} [{id}]' \
+        $library $command 2>&1 | judged >"$work/found"
+    verdict cppcheck
+fi
+
+if installed clang-tidy clang-tidy; then
+    # Of the analyzer's checks not those that want C11's Annex K.
+    checks='-*,clang-analyzer-*,-clang-analyzer-security.insecureAPI.*'
+    checks=$checks,bugprone-infinite-loop,bugprone-integer-division
+    checks=$checks,bugprone-sizeof-*,bugprone-suspicious-mem*
+    checks=$checks,bugprone-macro-repeated-side-effects
+    for file in $library $command; do
+        printf '%s\n' "$file"
+    done | xargs -n 4 -P 2 sh -c 'checks=$1 options=$2; shift 2
+        clang-tidy --quiet --checks="$checks" "$@" -- $options 2>/dev/null' \
+        sh "$checks" "$options" | grep -E '(warning|error):' |
+        sort -u | judged >"$work/found"
+    verdict clang-tidy
+fi
+
+if installed gcc 'gcc -fanalyzer'; then
+    for file in $library $command; do
+        gcc $options -O1 -fanalyzer -c -o "$work/x.o" "$file" 2>&1
+    done | grep -E '(warning|error):' | sort -u | judged >"$work/found"
+    verdict 'gcc -fanalyzer'
+fi
+
+# -------------------------------------------------- scripts and manuals --
+
+: >"$work/found"
+for file in $scripts; do
+    sh -n "$file" 2>>"$work/found"
+done
+verdict 'sh -n'
+
+if installed mandoc mandoc; then
+    mandoc -T lint -W style $pages 2>&1 | judged >"$work/found"
+    verdict mandoc
+fi
+
+# ------------------------------------------------------------ appearance --
+
+tab=$(printf '\t')
+grep -nE "$tab" $sources $scripts >"$work/found"
+verdict 'no tabs'
+
+grep -nE "[ $tab]+\$" $sources $scripts Makefile README.md >"$work/found"
+verdict 'no blanks at line ends'
+
+# Aligned formulas may stay aligned; beyond these few columns nothing may.
+awk 'length($0) > 80 {
+    printf "%s%s:%d: %d columns\n", length($0) > 84 ? "" : "note: ",
+           FILENAME, FNR, length($0)
+}' $sources >"$work/wide"
+grep -v '^note' "$work/wide" >"$work/found"
+verdict '80 columns'
+grep '^note' "$work/wide"
+
+for file in $sources; do
+    lines=$(wc -l <"$file")
+    [ "$lines" -lt 700 ] || printf '%s: %d lines\n' "$file" "$lines"
+done >"$work/found"
+verdict 'files below 700 lines'
+
+for file in $(cat "$work/files"); do
+    [ ! -s "$file" ] || [ -z "$(tail -c 1 "$file" | tr -d '\n')" ] ||
+        printf '%s\n' "$file"
+done >"$work/found"
+verdict 'every file ends with a newline'
+
+grep -nE '(^|[^[:alnum:]_])(TODO|FIXME|XXX)([^[:alnum:]_]|$)' $sources \
+    $scripts | grep -v '^tests/lint.sh' >"$work/found"
+verdict 'nothing left for later'
+
+[ "$skipped" -eq 0 ] && printf '%d passed, %d failed\n' $passed $failed ||
+    printf '%d passed, %d failed, %d skipped\n' $passed $failed $skipped
+[ "$failed" -eq 0 ]
