@@ -100,6 +100,10 @@ typedef struct cylint_shape {
     double r0, r1;         /* radii at z = 0, 1; elliptic: 1, k; acone:
                               0 and the tangent of the half angle */
     double dr, dr_lo;      /* r1 - r0 exactly, as a pair; acone: the tangent */
+    double size;           /* the largest length */
+    double miss_bound;     /* of G's error at a distance of `size`, for a
+                              direction of size 1 (src/shape.c) */
+    int ordinary;          /* 1: doubles neither over- nor underflow */
     int flip;              /* elliptic: 1 where a.(b x h) < 0 */
 } cylint_shape;
 
@@ -155,6 +159,8 @@ typedef struct cylint_line {
                        unless that overflows; 0 unless a segment */
     double end[3];  /* a segment's b */
     double tmin, tmax;
+    double size;    /* the largest component of d */
+    int ordinary;   /* 1: doubles neither over- nor underflow */
     int segment;    /* 1: the direction is end - o */
     int valid;      /* 0: refused, answers "miss" */
 } cylint_line;

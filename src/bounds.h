@@ -55,7 +55,7 @@
  * by at most 2^-104 |s| each; and a round number above both.
  */
 #define CYLINT_PAIR_ADD_DIRECTED 0x7p-104
-#define CYLINT_PAIR_MUL_DIRECTED 0xep-104
+#define CYLINT_PAIR_MUL_DIRECTED 0xdp-104
 #define CYLINT_PAIR_ROUNDING 0x1p-100
 
 #define CYLINT_PAIR_BOUND (CYLINT_DEPTH * CYLINT_PAIR_ROUNDING * CYLINT_SLACK)
@@ -76,6 +76,14 @@
  */
 #define CYLINT_NEWTON_SLACK 0x1.0041p0
 #define CYLINT_ROOT_SLACK 1.01
+
+/*
+ * And whether hi + (lo + error) rounds to hi is itself asked in doubles: that
+ * decides rightly where the error exceeds the true one by this much of |hi|.
+ * Proved; an error made of CYLINT_PAIR_ROUNDING exceeds what it stands for,
+ * in rounding to nearest, by half.
+ */
+#define CYLINT_NEAREST_MARGIN 0x1p-106
 
 /*
  * An independent check of the counting: G of a cylinder whose data are at

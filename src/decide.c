@@ -80,16 +80,49 @@ static int within_window(double x)
     return x >= 1 / CYLINT_WINDOW && x <= CYLINT_WINDOW;
 }
 
-static int filters_apply(const cylint_shape *s, const cylint_line *l)
+void cylint_measure_line(cylint_line *line)
+{
+    line->size = cylint_largest(line->d);
+    line->ordinary = within_window(line->size);
+}
+
+/*
+ * The size of G (bounds.h) grows with the distance D of the line's origin,
+ * as a quadratic polynomial with positive coefficients: it is below its value
+ * at D = size times max(1, D / size)^2.  Every vector is taken to have its
+ * largest component thrice.
+ */
+void cylint_measure_shape(cylint_shape *s)
+{
+    s->size = largest_length(s);
+    s->ordinary = within_window(s->size) &&
+                  (!dimensionless_radii(s) || s->r1 <= CYLINT_WINDOW);
+    letters_size N;
+    const double w = cylint_largest(s->axis);
+    const double a = fmax(cylint_largest(s->a), cylint_largest(s->b));
+    N.kind = s->kind;
+    for (int i = 0; i < 3; i++) {
+        N.u[i] = N.one = 1;
+        N.w[i] = w;
+        N.a[i] = N.b[i] = a;
+        N.D[0][i] = s->size;
+    }
+    N.r[0] = s->r0;
+    N.r[1] = s->r1;
+    N.dr = fabs(s->dr);
+    prepare_shape_size(&N);
+    prepare_line_size(&N);
+    s->miss_bound = CYLINT_FILTER_BOUND * 1.01 * form_G_size(&N);
+}
+
+int cylint_filters_apply(const cylint_shape *s, const cylint_line *l)
 {
     double far = 0;
     for (int i = 0; i < 3; i++) {
         const double d = fabs(l->o[i] - s->base[i]);
         far = d > far ? d : far;
     }
-    return within_window(cylint_largest(l->d)) &&
-           within_window(largest_length(s)) && far <= CYLINT_WINDOW &&
-           (!dimensionless_radii(s) || s->r1 <= CYLINT_WINDOW);
+    return s->ordinary && l->ordinary && far <= CYLINT_WINDOW;
 }
 
 /* Copies of shape and line with lengths near 1 and a direction near 1.
@@ -128,10 +161,12 @@ static void scale_query(cylint_query *q)
     } else {
         scale_vector(q->scaled_line.d, l->d, f);
     }
+    cylint_measure_shape(to);
+    cylint_measure_line(&q->scaled_line);
     q->near_shape = to;
     q->near_line = &q->scaled_line;
     q->t_exponent = f - e;
-    q->filters = filters_apply(to, &q->scaled_line);
+    q->filters = cylint_filters_apply(to, &q->scaled_line);
 }
 
 /* -------------------------------------------------------- letters ------ */
@@ -294,7 +329,7 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
     q->ends = shape->ends;
     q->t_exponent = 0;
     q->ready = 0;
-    q->filters = filters_apply(shape, line);
+    q->filters = cylint_filters_apply(shape, line);
     if (!q->filters)
         scale_query(q);
     if (q->filters) {

@@ -8,6 +8,7 @@
  *   NUM                     the type of a number
  *   FORM(name)              how the functions of this arithmetic are called
  *   ADD SUB MUL (x, y)      its operations
+ *   INLINE                  how its functions are declared
  *   MEMORY                  a declaration in the letters, if it needs room
  *   BEGIN, RETURN(x)        first and last words of a form, for arithmetics
  *                           whose intermediate results need to be let go
@@ -64,7 +65,7 @@ typedef struct {
     NUM beta, M[2][3];
 } FORM(letters);
 
-static inline NUM FORM(dot)(const FORM(letters) *L,
+INLINE NUM FORM(dot)(const FORM(letters) *L,
                             const NUM x[3], const NUM y[3])
 {
     BEGIN
@@ -72,7 +73,7 @@ static inline NUM FORM(dot)(const FORM(letters) *L,
     RETURN(sum)
 }
 
-static inline NUM FORM(minor)(const FORM(letters) *L, const NUM x[3],
+INLINE NUM FORM(minor)(const FORM(letters) *L, const NUM x[3],
                               const NUM y[3], int i, int j)
 {
     BEGIN
@@ -80,7 +81,7 @@ static inline NUM FORM(minor)(const FORM(letters) *L, const NUM x[3],
     RETURN(m)
 }
 
-static inline void FORM(cross)(const FORM(letters) *L, const NUM x[3],
+INLINE void FORM(cross)(const FORM(letters) *L, const NUM x[3],
                                const NUM y[3], NUM xy[3])
 {
     xy[0] = FORM(minor)(L, x, y, 1, 2);
@@ -88,19 +89,19 @@ static inline void FORM(cross)(const FORM(letters) *L, const NUM x[3],
     xy[2] = FORM(minor)(L, x, y, 0, 1);
 }
 
-static inline int FORM(elliptic)(const FORM(letters) *L)
+INLINE int FORM(elliptic)(const FORM(letters) *L)
 {
     return L->kind >= CYLINT_KIND_ECYLINDER;
 }
 
 /* The axial functional: z grows with P.axial. */
-static inline const NUM *FORM(axial)(const FORM(letters) *L)
+INLINE const NUM *FORM(axial)(const FORM(letters) *L)
 {
     return FORM(elliptic)(L) ? L->e : L->w;
 }
 
 /* What depends on the shape alone. */
-static inline void FORM(prepare_shape)(FORM(letters) *L)
+INLINE void FORM(prepare_shape)(FORM(letters) *L)
 {
     if (FORM(elliptic)(L)) {
         FORM(cross)(L, L->a, L->b, L->e);
@@ -113,7 +114,7 @@ static inline void FORM(prepare_shape)(FORM(letters) *L)
 }
 
 /* What every question about a line needs. */
-static inline void FORM(prepare_line)(FORM(letters) *L)
+INLINE void FORM(prepare_line)(FORM(letters) *L)
 {
     if (FORM(elliptic)(L)) {
         L->U = FORM(dot)(L, L->u, L->p);
@@ -125,35 +126,35 @@ static inline void FORM(prepare_line)(FORM(letters) *L)
     FORM(cross)(L, L->D[0], L->u, L->M[0]);
 }
 
-static inline void FORM(prepare_top)(FORM(letters) *L)
+INLINE void FORM(prepare_top)(FORM(letters) *L)
 {
     FORM(cross)(L, L->D[1], L->u, L->M[1]);
 }
 
 /* z of the origin from cap i's plane, times a positive factor. */
-static inline NUM FORM(form_alpha)(const FORM(letters) *L, int i)
+INLINE NUM FORM(form_alpha)(const FORM(letters) *L, int i)
 {
     return FORM(dot)(L, L->D[i], FORM(axial)(L));
 }
 
-static inline NUM FORM(form_det)(const FORM(letters) *L)
+INLINE NUM FORM(form_det)(const FORM(letters) *L)
 {
     return L->det;
 }
 
-static inline NUM FORM(form_beta)(const FORM(letters) *L)
+INLINE NUM FORM(form_beta)(const FORM(letters) *L)
 {
     return L->beta;
 }
 
 /* On which side of the line's direction the axis points. */
-static inline NUM FORM(form_along)(const FORM(letters) *L)
+INLINE NUM FORM(form_along)(const FORM(letters) *L)
 {
     return FORM(dot)(L, L->u, L->w);
 }
 
 /* rho = rho0 + t rho1 along the line. */
-static inline NUM FORM(form_rho0)(const FORM(letters) *L)
+INLINE NUM FORM(form_rho0)(const FORM(letters) *L)
 {
     BEGIN
     NUM rho;
@@ -174,12 +175,12 @@ static inline NUM FORM(form_rho0)(const FORM(letters) *L)
     RETURN(rho)
 }
 
-static inline NUM FORM(form_rho1)(const FORM(letters) *L)
+INLINE NUM FORM(form_rho1)(const FORM(letters) *L)
 {
     return MUL(L->dr, L->beta);
 }
 
-static inline NUM FORM(form_E)(const FORM(letters) *L, int i)
+INLINE NUM FORM(form_E)(const FORM(letters) *L, int i)
 {
     BEGIN
     NUM x = MUL(L->r[i], L->beta), E;
@@ -197,7 +198,7 @@ static inline NUM FORM(form_E)(const FORM(letters) *L, int i)
     RETURN(E)
 }
 
-static inline NUM FORM(form_N)(const FORM(letters) *L, int i)
+INLINE NUM FORM(form_N)(const FORM(letters) *L, int i)
 {
     BEGIN
     NUM N;
@@ -215,7 +216,7 @@ static inline NUM FORM(form_N)(const FORM(letters) *L, int i)
     RETURN(N)
 }
 
-static inline NUM FORM(form_G)(const FORM(letters) *L)
+INLINE NUM FORM(form_G)(const FORM(letters) *L)
 {
     BEGIN
     NUM h = FORM(dot)(L, L->w, L->M[0]), h2 = MUL(h, h), G;
@@ -251,12 +252,12 @@ static inline NUM FORM(form_G)(const FORM(letters) *L)
 
 /* The factor between G and the discriminant, as a square root if one
  * exists: cone vv, elliptic det.  Cylinder and acone have S = vv itself. */
-static inline NUM FORM(form_root_of_S)(const FORM(letters) *L)
+INLINE NUM FORM(form_root_of_S)(const FORM(letters) *L)
 {
     return FORM(elliptic)(L) ? L->det : L->vv;
 }
 
-static inline NUM FORM(form_A)(const FORM(letters) *L)
+INLINE NUM FORM(form_A)(const FORM(letters) *L)
 {
     BEGIN
     NUM A;
@@ -275,7 +276,7 @@ static inline NUM FORM(form_A)(const FORM(letters) *L)
 }
 
 /* X0 of the line's origin: three numbers, or two for elliptic kinds. */
-static inline int FORM(radial)(const FORM(letters) *L, NUM X[3])
+INLINE int FORM(radial)(const FORM(letters) *L, NUM X[3])
 {
     if (!FORM(elliptic)(L)) {
         FORM(cross)(L, L->D[0], L->w, X);
@@ -286,7 +287,7 @@ static inline int FORM(radial)(const FORM(letters) *L, NUM X[3])
     return 2;
 }
 
-static inline NUM FORM(form_B)(const FORM(letters) *L)
+INLINE NUM FORM(form_B)(const FORM(letters) *L)
 {
     BEGIN
     NUM X[3], B;
@@ -304,7 +305,7 @@ static inline NUM FORM(form_B)(const FORM(letters) *L)
 }
 
 /* C = Q at the line's origin: the one to ask where a point lies. */
-static inline NUM FORM(form_C)(const FORM(letters) *L)
+INLINE NUM FORM(form_C)(const FORM(letters) *L)
 {
     BEGIN
     NUM X[3], C, rho = FORM(form_rho0)(L), rho2 = MUL(rho, rho);
@@ -322,7 +323,7 @@ static inline NUM FORM(form_C)(const FORM(letters) *L)
 }
 
 /* rho at the vertex of Q times A/s: on which nappe a chord lies. */
-static inline NUM FORM(form_T)(const FORM(letters) *L)
+INLINE NUM FORM(form_T)(const FORM(letters) *L)
 {
     BEGIN
     NUM T;
@@ -340,7 +341,7 @@ static inline NUM FORM(form_T)(const FORM(letters) *L)
 /* Half the gradient of Q at the origin: outward normal of the lateral
  * surface through it.  s w x (P x w) - rho dr w, or, for elliptic kinds,
  * X_p p + X_q q - rho kappa e. */
-static inline void FORM(gradient)(const FORM(letters) *L, NUM N[3])
+INLINE void FORM(gradient)(const FORM(letters) *L, NUM N[3])
 {
     NUM X[3];
     if (FORM(radial)(L, X) == 2) {
@@ -363,7 +364,7 @@ static inline void FORM(gradient)(const FORM(letters) *L, NUM N[3])
  * positive number, but that for circular kinds x wants a factor |w|.  phi
  * counts from e x w, e the coordinate direction of the given number; for
  * elliptic kinds from a towards b. */
-static inline void FORM(about_axis)(const FORM(letters) *L, int number,
+INLINE void FORM(about_axis)(const FORM(letters) *L, int number,
                                     NUM *x, NUM *y)
 {
     if (FORM(elliptic)(L)) {

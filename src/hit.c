@@ -10,10 +10,10 @@
 #include "internal.h"
 
 /* How far a value may fall below the sizes summed up in it before pairs, and
- * a root known to t_error, leave it less than 60 digits. */
+ * a root known to t_error, leave it less than 54 bits. */
 static double cancels(const cylint_query *q)
 {
-    return 0x1p60 * (CYLINT_PAIR_BOUND + q->t_error);
+    return 0x1p54 * (CYLINT_PAIR_BOUND + q->t_error);
 }
 
 #define UNDERFLOWS (CYLINT_UNDERFLOW * 0x1p60)

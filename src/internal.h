@@ -80,6 +80,13 @@ void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
  * factors), even where top - base overflows. */
 int cylint_length_exponent(const cylint_shape *s);
 
+/* size, miss_bound and ordinary of a shape; size and ordinary of a line. */
+void cylint_measure_shape(cylint_shape *shape);
+void cylint_measure_line(cylint_line *line);
+
+/* Whether the filters apply to a line and a shape. */
+int cylint_filters_apply(const cylint_shape *s, const cylint_line *l);
+
 /* The double nearest to the tangent of an angle in (0, 90) degrees. */
 double cylint_tangent(double degrees);
 
@@ -103,6 +110,7 @@ static inline ball ball_mul(ball x, ball y)
     return (ball){x.v * y.v, x.size * y.size};
 }
 
+#define INLINE static inline
 #define NUM ball
 #define FORM(name) name##_ball
 #define ADD(x, y) ball_add(x, y)
@@ -111,6 +119,24 @@ static inline ball ball_mul(ball x, ball y)
 #define MEMORY
 #define BEGIN (void)L;
 #define RETURN(x) return x;
+#include "forms.h"
+#undef NUM
+#undef FORM
+#undef ADD
+#undef SUB
+#undef MUL
+
+/* Doubles alone, and sizes alone, where one bound serves many. */
+#define NUM double
+#define FORM(name) name##_double
+#define ADD(x, y) ((x) + (y))
+#define SUB(x, y) ((x) - (y))
+#define MUL(x, y) ((x) * (y))
+#include "forms.h"
+#undef FORM
+#undef SUB
+#define FORM(name) name##_size
+#define SUB(x, y) ((x) + (y))
 #include "forms.h"
 #undef NUM
 #undef FORM

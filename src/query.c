@@ -7,6 +7,7 @@
  * no root is computed for it and none is compared with another.
  */
 #include "internal.h"
+#include "kernels.h"
 
 typedef struct {
     cylint_root root;
@@ -205,27 +206,32 @@ static int present(int ends, int part)
            ends == (part == CYLINT_CAP0 ? CYLINT_CAP_0 : CYLINT_CAP_1);
 }
 
-int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
-                     unsigned want, cylint_answer *answer)
+static const unsigned beside_t = CYLINT_WANT_POINT | CYLINT_WANT_NORMAL |
+                                 CYLINT_WANT_Z | CYLINT_WANT_PHI;
+
+static void describe(cylint_query *q, const stop *at, double t, double more,
+                     unsigned want, cylint_hit *hit)
 {
-    answer->relation = CYLINT_MISS;
-    answer->n = 0;
-    answer->flags = 0;
-    if (shape->kind == CYLINT_KIND_NONE || !line->valid) {
-        answer->flags = CYLINT_FLAG_INVALID;
-        return 0;
-    }
+    if (want & beside_t)
+        cylint_describe_hit(q, at->root, t, more, at->part, at->apex, want,
+                            hit);
+}
+
+/* By signs and, where need be, every digit. */
+static int ask(const cylint_shape *shape, const cylint_line *line,
+               unsigned want, cylint_answer *answer)
+{
     cylint_query q;
     cylint_query_open(&q, shape, line);
     const overlap v = overlap_of(&q);
     answer->relation = v.relation;
-    const unsigned roots = CYLINT_WANT_T | CYLINT_WANT_POINT |
-        CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
+    answer->n = 0;
     for (int i = 0; i < v.n; i++) {
         double t = 0, more = 0;
         if (!present(q.ends, v.at[i].part))
             continue;
-        if (!cylint_root_within(&q, v.at[i].root, (want & roots) != 0,
+        if (!cylint_root_within(&q, v.at[i].root,
+                                (want & (CYLINT_WANT_T | beside_t)) != 0,
                                 &t, &more))
             continue;
         cylint_hit *hit = &answer->hit[answer->n++];
@@ -235,13 +241,93 @@ int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
             hit->part = v.at[i].part;
             hit->side = v.at[i].side;
         }
-        if (want & roots & ~(unsigned)CYLINT_WANT_T)
-            cylint_describe_hit(&q, v.at[i].root, t, more, v.at[i].part,
-                                v.at[i].apex, want, hit);
+        describe(&q, &v.at[i], t, more, want, hit);
         if (want & CYLINT_WANT_NEAREST)
             break;
     }
     return answer->n;
+}
+
+/* What the kernels decided, told in full. */
+static int tell(const cylint_shape *shape, const cylint_line *line,
+                unsigned want, const cylint_kernel_answer *known,
+                cylint_answer *answer)
+{
+    answer->relation = known->relation;
+    answer->n = known->n;
+    if (known->n == 0)
+        return 0;
+    for (int i = 0; i < known->n; i++) {
+        if (want & CYLINT_WANT_T)
+            answer->hit[i].t = known->t[i];
+        if (want & CYLINT_WANT_PART) {
+            answer->hit[i].part = known->part[i];
+            answer->hit[i].side = known->side[i];
+        }
+    }
+    if (want & beside_t) {
+        cylint_query q;
+        cylint_query_open(&q, shape, line);
+        for (int i = 0; i < known->n; i++) {
+            const cylint_root root =
+                known->part[i] == CYLINT_CAP0 ? ROOT_CAP0 :
+                known->part[i] == CYLINT_CAP1 ? ROOT_CAP1 :
+                known->side[i] == CYLINT_ENTERING ? ROOT_ENTRY : ROOT_EXIT;
+            const stop at = {root, known->part[i], known->side[i], 0};
+            q.t_error = known->error[i] / fabs(known->t[i]);
+            describe(&q, &at, known->t[i], known->more[i], want,
+                     &answer->hit[i]);
+        }
+    }
+    return known->n;
+}
+
+/* The most frequent answer first: G < 0 beyond doubt, so that the line does
+ * not come near the lateral surface, whatever the ends. */
+static int passes_by(const cylint_shape *s, const cylint_line *l)
+{
+    letters_double L;
+    if (!s->ordinary || !l->ordinary)
+        return 0;
+    L.kind = s->kind;
+    for (int i = 0; i < 3; i++) {
+        L.u[i] = l->d[i];
+        L.w[i] = s->axis[i];
+        L.D[0][i] = l->o[i] - s->base[i];
+        if (s->kind >= CYLINT_KIND_ECYLINDER) {
+            L.a[i] = s->a[i];
+            L.b[i] = s->flip ? -s->b[i] : s->b[i];
+        }
+    }
+    L.r[0] = s->r0;
+    L.dr = s->dr;
+    L.one = 1;
+    prepare_shape_double(&L);
+    prepare_line_double(&L);
+    const double far = cylint_largest(L.D[0]) / s->size;
+    const double bound = s->miss_bound * (l->size * l->size) *
+                         (far > 1 ? far * far : 1) + CYLINT_UNDERFLOW;
+    return form_G_double(&L) < -bound && far <= CYLINT_WINDOW;
+}
+
+int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
+                     unsigned want, cylint_answer *answer)
+{
+    answer->flags = 0;
+    if (shape->kind == CYLINT_KIND_NONE || !line->valid) {
+        answer->relation = CYLINT_MISS;
+        answer->n = 0;
+        answer->flags = CYLINT_FLAG_INVALID;
+        return 0;
+    }
+    if (passes_by(shape, line)) {
+        answer->relation = CYLINT_MISS;
+        return answer->n = 0;
+    }
+    cylint_kernel_answer known;
+    if (cylint_best_kernels()->one(shape, line, want, &known))
+        return tell(shape, line, want, &known, answer);
+    return ask(shape, line, want, answer);
 }
 
 int cylint_occluded(const cylint_shape *shape, const cylint_line *line)

@@ -109,6 +109,7 @@ cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
     shape->ends = (int)ends;
     shape->kind = cylint_sign(dr.hi) == 0 ? CYLINT_KIND_CYLINDER
                                           : CYLINT_KIND_CONE;
+    cylint_measure_shape(shape);
     return CYLINT_OK;
 }
 
@@ -156,6 +157,7 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
     shape->ends = (int)ends;
     shape->kind = cylint_sign(dr.hi) == 0 ? CYLINT_KIND_ECYLINDER
                                           : CYLINT_KIND_ECONE;
+    cylint_measure_shape(shape);
     const int det = orientation(shape);
     shape->flip = det < 0;
     if (det == 0) {
@@ -190,6 +192,7 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
     shape->r1 = shape->dr = tangent;
     shape->ends = (int)ends;
     shape->kind = CYLINT_KIND_ACONE;
+    cylint_measure_shape(shape);
     return CYLINT_OK;
 }
 
@@ -222,6 +225,7 @@ cylint_status cylint_span(cylint_line *line, const double o[3],
     line->tmin = tmin;
     line->tmax = tmax;
     line->valid = 1;
+    cylint_measure_line(line);
     return CYLINT_OK;
 }
 
@@ -252,5 +256,6 @@ cylint_status cylint_segment(cylint_line *line, const double a[3],
     line->tmax = 1;
     line->segment = 1;
     line->valid = 1;
+    cylint_measure_line(line);
     return CYLINT_OK;
 }

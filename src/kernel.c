@@ -1,0 +1,155 @@
+/*
+ * kernel.c - kernel.h for a single line and shape
+ *
+ * Compiled once as it is and, where the Makefile knows a processor with a
+ * fused multiply-add, again for that: the answers are the same bits.
+ */
+#define CYLINT_NARROW
+#include "kernel.h"
+#include "kernels.h"
+
+#ifndef CYLINT_KERNELS
+#define CYLINT_KERNELS cylint_kernels_plain
+#define CYLINT_KERNELS_NAME "plain"
+#endif
+
+/* The same line and shape in all lanes. */
+INLINE void load_line(lanes_line *to, const cylint_line *l)
+{
+    for (int i = 0; i < 3; i++) {
+        to->o[i] = v_set(l->o[i]);
+        to->u[i] = v_set(l->d[i]);
+        to->u_lo[i] = v_set(l->d_lo[i]);
+    }
+    to->tmin = v_set(l->tmin);
+    to->tmax = v_set(l->tmax);
+}
+
+INLINE void load_shape(lanes_shape *to, const cylint_shape *s,
+                              int kind)
+{
+    for (int i = 0; i < 3; i++) {
+        to->base[i] = v_set(s->base[i]);
+        to->top[i] = v_set(s->top[i]);
+        to->axis[i] = v_set(s->axis[i]);
+        to->axis_lo[i] = v_set(s->axis_lo[i]);
+        if (kind >= CYLINT_KIND_ECYLINDER) {
+            to->a[i] = v_set(s->a[i]);
+            to->b[i] = v_set(s->flip ? -s->b[i] : s->b[i]);
+        }
+    }
+    to->r[0] = v_set(s->r0);
+    to->r[1] = v_set(s->r1);
+    to->dr = v_set(s->dr);
+    to->dr_lo = v_set(s->dr_lo);
+    const int ends = s->ends;
+    const unsigned all = (1u << LANES) - 1;
+    to->cap[0] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_0
+                        ? all : 0);
+    to->cap[1] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_1
+                        ? all : 0);
+}
+
+INLINE void store_root(cylint_kernel_answer *to, int n, const lanes_root *r,
+                       int lane)
+{
+    double x[LANES];
+    v_store(x, r->value);
+    to->t[n] = x[lane];
+    v_store(x, r->more);
+    to->more[n] = x[lane];
+    v_store(x, r->error);
+    to->error[n] = x[lane];
+}
+
+INLINE int first(vm m)
+{
+    return (int)(m_bits(m) & 1);
+}
+
+/* Rounds the roots of the hits, two lanes at once where there are two. */
+INLINE int answer_roots(const lanes_query *q, const lanes_shape *s,
+                               const lanes_line *l, int kind,
+                               const lanes_verdict *v, int from, int to,
+                               cylint_kernel_answer *answer)
+{
+    const int swapped = first(v->leaving_first);
+    const double sign[2] = {swapped ? 1 : -1, swapped ? -1 : 1};
+#if LANES == 2
+    if (to - from == 2) {
+        const bounded_value t = {v_both(v->stop[0].v, v->stop[1].v),
+                                 v_both(v->stop[0].e, v->stop[1].e)};
+        const lanes_root r = round_root(q, s, l, kind, v_load(sign), t,
+                                        v_both(v->part[0], v->part[1]));
+        store_root(answer, 0, &r, 0);
+        store_root(answer, 1, &r, 1);
+        return m_bits(r.sure) == 3;
+    }
+#endif
+    for (int i = from; i < to; i++) {
+        const lanes_root r = round_root(q, s, l, kind, v_set(sign[i]),
+                                        v->stop[i], v->part[i]);
+        if (!first(r.sure))
+            return 0;
+        store_root(answer, i - from, &r, 0);
+    }
+    return 1;
+}
+
+INLINE int answer_one(const cylint_shape *shape,
+                             const cylint_line *line, int kind, int bounded,
+                             unsigned want, cylint_kernel_answer *answer)
+{
+    lanes_shape s;
+    lanes_line l;
+    lanes_query q;
+    load_shape(&s, shape, kind);
+    load_line(&l, line);
+    const unsigned all = (1u << LANES) - 1;
+    const lanes_verdict v = lanes_judge(&q, &s, &l, kind, bounded,
+                                        m_from(all));
+    if (m_any(v.undecided))
+        return 0;
+    answer->relation = first(v.cross) ? CYLINT_CROSS : CYLINT_MISS;
+    const int from = first(v.hit[0]) ? 0 : 1;
+    int to = first(v.hit[1]) ? 2 : 1;
+    if (to - from == 2 && (want & CYLINT_WANT_NEAREST))
+        to = 1;
+    answer->n = to - from;
+    for (int i = from; i < to; i++) {
+        double part[LANES];
+        v_store(part, v.part[i]);
+        answer->part[i - from] = (int)part[0];
+        answer->side[i - from] = first(v.leaving_first) ? !i : i;
+    }
+    const unsigned needs_t = CYLINT_WANT_T | CYLINT_WANT_POINT |
+        CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
+    if (from == to || !(want & needs_t))
+        return 1;
+    return answer_roots(&q, &s, &l, kind, &v, from, to, answer);
+}
+
+/* The constants make a kernel of its own out of each call. */
+static int one(const cylint_shape *shape, const cylint_line *line,
+               unsigned want, cylint_kernel_answer *answer)
+{
+    const int bounded = shape->ends < CYLINT_INFINITE;
+#define KIND(k)                                                             \
+    (bounded ? answer_one(shape, line, k, 1, want, answer)           \
+             : answer_one(shape, line, k, 0, want, answer))
+    switch (shape->kind) {
+    case CYLINT_KIND_CYLINDER:
+        return KIND(CYLINT_KIND_CYLINDER);
+    case CYLINT_KIND_CONE:
+        return shape->ends != CYLINT_NAPPE && KIND(CYLINT_KIND_CONE);
+    case CYLINT_KIND_ACONE:
+        return shape->ends != CYLINT_NAPPE && KIND(CYLINT_KIND_ACONE);
+    case CYLINT_KIND_ECYLINDER:
+        return KIND(CYLINT_KIND_ECYLINDER);
+    default:
+        return shape->ends != CYLINT_NAPPE && KIND(CYLINT_KIND_ECONE);
+    }
+#undef KIND
+}
+
+const cylint_kernels CYLINT_KERNELS = {CYLINT_KERNELS_NAME, one};

@@ -1,0 +1,443 @@
+/*
+ * kernel.h - a line against a shape in every lane: what doubles can decide
+ *
+ * The formulas of forms.h in doubles give the two intervals whose overlap is
+ * the answer, with bounds on their errors; one step of Newton's in pairs of
+ * doubles rounds each root that is wanted.  A lane about which any sign or
+ * rounding is uncertain is marked undecided and must be asked again by
+ * query.c, which always answers.  What is decided is exactly right, so it
+ * does not matter which way an answer came.
+ *
+ * Bounds are those of bounds.h with one simplification: the sizes are summed
+ * up from the largest components of u, w, D, ..., which costs a few
+ * operations in all instead of one beside every operation.
+ */
+#ifndef CYLINT_KERNEL_H
+#define CYLINT_KERNEL_H
+
+#include "bounds.h"
+#include "cylint.h"
+#include "simd.h"
+
+/* Constant arguments are to make a kernel of their own. */
+#ifdef __GNUC__
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
+
+#define BEGIN (void)L;
+#define RETURN(x) return x;
+#define MEMORY
+
+#define NUM vd
+#define FORM(name) name##_lanes
+#define ADD(x, y) ((x) + (y))
+#define SUB(x, y) ((x) - (y))
+#define MUL(x, y) ((x) * (y))
+#include "forms.h"
+#undef FORM
+#undef SUB
+
+#define FORM(name) name##_sizes
+#define SUB(x, y) ((x) + (y))
+#include "forms.h"
+#undef NUM
+#undef FORM
+#undef ADD
+#undef SUB
+#undef MUL
+
+#define NUM vpair
+#define FORM(name) name##_pairs
+#define ADD(x, y) vpair_add(x, y)
+#define SUB(x, y) vpair_sub(x, y)
+#define MUL(x, y) vpair_mul(x, y)
+#include "forms.h"
+#undef NUM
+#undef FORM
+#undef ADD
+#undef SUB
+#undef MUL
+#undef MEMORY
+#undef BEGIN
+#undef RETURN
+
+/* What the lanes hold of lines and shapes; see cylint.h for the members. */
+typedef struct {
+    vd o[3], u[3], u_lo[3], tmin, tmax;
+} lanes_line;
+
+typedef struct {
+    vd base[3], top[3], axis[3], axis_lo[3], a[3], b[3], r[2], dr, dr_lo;
+    vm cap[2]; /* present */
+} lanes_shape;
+
+
+/* A value with a bound on its error. */
+typedef struct {
+    vd v, e;
+} bounded_value;
+
+INLINE vd v_largest(const vd x[3])
+{
+    return v_max(v_max(v_abs(x[0]), v_abs(x[1])), v_abs(x[2]));
+}
+
+INLINE bounded_value with_bound(vd v, vd size)
+{
+    return (bounded_value){v, v_set(CYLINT_FILTER_BOUND) * size +
+                              v_set(CYLINT_UNDERFLOW)};
+}
+
+/* x / y for certain y. */
+INLINE bounded_value quotient(bounded_value x, bounded_value y)
+{
+    const vd inverse = v_set(1) / y.v, t = x.v * inverse;
+    return (bounded_value){t, (x.e + v_abs(t) * y.e) * v_abs(inverse) *
+                              v_set(1.02) + v_abs(t) * v_set(0x1p-50)};
+}
+
+/* cross: the relation is cross; neither cross nor undecided: it is miss.
+ * hit: in the domain, on a part that is present.  leaving_first: the first
+ * stop ends an overlap, the second begins one. */
+typedef struct {
+    vm undecided, cross, hit[2], leaving_first;
+    bounded_value stop[2];
+    vd part[2];
+} lanes_verdict;
+
+/* Clearly of a sign. */
+INLINE vm certain(bounded_value x)
+{
+    return v_lt(v_set(0x1p10) * x.e, v_abs(x.v));
+}
+
+INLINE vm above(bounded_value x, bounded_value y)
+{
+    return v_lt((x.e + y.e) * v_set(1.02), x.v - y.v);
+}
+
+INLINE bounded_value limit(vd t)
+{
+    return (bounded_value){t, v_set(0)};
+}
+
+INLINE bounded_value choose(vm m, bounded_value x, bounded_value y)
+{
+    return (bounded_value){v_select(m, x.v, y.v), v_select(m, x.e, y.e)};
+}
+
+/* The later (or else the earlier) of two stops; errors of both. */
+INLINE bounded_value inner(bounded_value x, bounded_value y, int last)
+{
+    const vm first = v_lt(x.v, y.v);
+    return (bounded_value){v_select(first, last ? y.v : x.v,
+                                    last ? x.v : y.v), v_max(x.e, y.e)};
+}
+
+/* Everything about a lane that later steps need. */
+typedef struct {
+    letters_lanes L;
+    letters_sizes N;   /* the same letters, each its largest component */
+    bounded_value A, B, R, beta, alpha[2];
+} lanes_query;
+
+INLINE void lanes_letters(lanes_query *q, const lanes_shape *s,
+                                 const lanes_line *l, int kind)
+{
+    letters_lanes *L = &q->L;
+    letters_sizes *N = &q->N;
+    const int circular = kind < CYLINT_KIND_ECYLINDER;
+    vd a = v_set(0);
+    L->kind = N->kind = kind;
+    for (int i = 0; i < 3; i++) {
+        L->u[i] = l->u[i];
+        L->w[i] = s->axis[i];
+        L->D[0][i] = l->o[i] - s->base[i];
+        if (kind <= CYLINT_KIND_CONE)
+            L->D[1][i] = l->o[i] - s->top[i];
+        else
+            L->D[1][i] = L->D[0][i] - L->w[i];
+        if (!circular) {
+            L->a[i] = s->a[i];
+            L->b[i] = s->b[i];
+        }
+    }
+    if (!circular)
+        a = v_max(v_largest(s->a), v_largest(s->b));
+    const vd u = v_largest(L->u), w = v_largest(L->w);
+    const vd D = v_max(v_largest(L->D[0]), v_largest(L->D[1]));
+    L->r[0] = N->r[0] = s->r[0];
+    L->r[1] = N->r[1] = s->r[1];
+    L->dr = s->dr;
+    N->dr = v_abs(s->dr);
+    L->one = N->one = v_set(1);
+    for (int i = 0; i < 3; i++) {
+        N->u[i] = u;
+        N->w[i] = w;
+        N->D[0][i] = N->D[1][i] = D;
+        N->a[i] = N->b[i] = a;
+    }
+    prepare_shape_lanes(L);
+    prepare_shape_sizes(N);
+    prepare_line_lanes(L);
+    prepare_line_sizes(N);
+}
+
+/* Lanes whose data lie in the window of bounds.h. */
+INLINE vm lanes_in_window(const lanes_query *q, int kind)
+{
+    const letters_sizes *N = &q->N;
+    const vd most = v_set(CYLINT_WINDOW), least = v_set(1 / CYLINT_WINDOW);
+    vm within = m_and(m_and(v_le(N->u[0], most), v_le(least, N->u[0])),
+                      m_and(v_le(N->w[0], most), v_le(N->D[0][0], most)));
+    vd length = N->w[0];
+    if (kind >= CYLINT_KIND_ECYLINDER) {
+        within = m_and(within, v_le(N->a[0], most));
+        length = v_max(length, N->a[0]);
+    }
+    if (kind < CYLINT_KIND_ACONE)
+        length = v_max(length, v_max(N->r[0], N->r[1]));
+    within = m_and(within, v_le(v_max(N->r[0], N->r[1]), most));
+    return m_and(within, v_le(least, length));
+}
+
+/* The interval in which the lateral quadric is within, of lanes with G > 0:
+ * for one side of a cone it may have no beginning or no end. */
+INLINE void lateral_interval(lanes_query *q, bounded_value G, int kind,
+                                    int bounded, bounded_value stop[2],
+                                    vm *unsure, vm *outside)
+{
+    const letters_lanes *L = &q->L;
+    const letters_sizes *N = &q->N;
+    q->A = with_bound(form_A_lanes(L), form_A_sizes(N));
+    q->B = with_bound(form_B_lanes(L), form_B_sizes(N));
+    const vd S = form_root_of_S_lanes(L);
+    const vd eS = v_set(CYLINT_FILTER_BOUND) * form_root_of_S_sizes(N);
+    const int halves = kind == CYLINT_KIND_CYLINDER ||
+                       kind == CYLINT_KIND_ACONE;
+    /* R = sqrt(S G), or S sqrt(G) where form_root_of_S is a root already;
+     * dR / R <= dG / G + dS / S while these are small */
+    const vd SG = S * G.v;
+    vd R = v_sqrt(halves ? SG : G.v);
+    if (!halves)
+        R = S * R;
+    q->R = (bounded_value){R, R * ((S * G.e + eS * G.v) / SG +
+                                   v_set(0x1p-49))};
+    *unsure = m_or(*unsure, m_not(m_and(certain(q->A), certain(
+                  (bounded_value){S, eS + v_set(CYLINT_UNDERFLOW)}))));
+    if (halves)
+        *unsure = m_or(*unsure, m_not(v_lt(v_set(0x1p-900), SG)));
+    const vd e = (q->B.e + q->R.e) * v_set(1.02);
+    stop[0] = quotient((bounded_value){-q->B.v - R, e}, q->A);
+    stop[1] = quotient((bounded_value){-q->B.v + R, e}, q->A);
+    *outside = v_lt(q->A.v, v_set(0));
+    if (bounded && kind != CYLINT_KIND_CYLINDER &&
+        kind != CYLINT_KIND_ECYLINDER) {
+        /* on the nappe of the solid rho grows along the line, or shrinks */
+        const vd growth = q->beta.v * L->dr;
+        const vm ends = m_and(*outside, v_lt(growth, v_set(0)));
+        const vm begins = m_and(*outside, m_not(v_lt(growth, v_set(0))));
+        stop[0] = choose(ends, limit(v_set(-HUGE_VAL)), stop[0]);
+        stop[1] = choose(begins, limit(v_set(HUGE_VAL)), stop[1]);
+    }
+}
+
+/* The slab between the caps, first plane first. */
+INLINE void slab_interval(lanes_query *q, bounded_value plane[2],
+                                 vm *unsure, vm *up)
+{
+    const letters_lanes *L = &q->L;
+    const vd size = form_alpha_sizes(&q->N, 0);
+    for (int i = 0; i < 2; i++)
+        q->alpha[i] = with_bound(-form_alpha_lanes(L, i), size);
+    *unsure = m_or(*unsure, m_not(certain(q->beta)));
+    *up = v_lt(v_set(0), q->beta.v);
+    const bounded_value at0 = quotient(q->alpha[0], q->beta);
+    const bounded_value at1 = quotient(q->alpha[1], q->beta);
+    plane[0] = choose(*up, at0, at1);
+    plane[1] = choose(*up, at1, at0);
+}
+
+/* Which stops are hits; unsure where a limit is too near. */
+INLINE vm within_domain(bounded_value t, const lanes_line *l,
+                               vm *unsure)
+{
+    const bounded_value from = limit(l->tmin), to = limit(l->tmax);
+    const vm in = m_and(above(t, from), above(to, t));
+    const vm out = m_or(above(from, t), above(t, to));
+    *unsure = m_not(m_or(in, out));
+    return in;
+}
+
+INLINE vm part_present(const lanes_shape *s, vd part)
+{
+    const vm cap0 = v_eq(part, v_set(CYLINT_CAP0));
+    const vm cap1 = v_eq(part, v_set(CYLINT_CAP1));
+    const vm lateral = m_not(m_or(cap0, cap1));
+    return m_or(lateral, m_or(m_and(cap0, s->cap[0]),
+                              m_and(cap1, s->cap[1])));
+}
+
+/*
+ * Relation and hits.  kind is a constant where this is inlined; bounded: the
+ * ends are planes.  An unbounded kind other than cylinder and ecylinder is
+ * the double cone (its nappe is for query.c).  lanes: those in use.
+ */
+INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
+                                        const lanes_line *l, int kind,
+                                        int bounded, vm lanes)
+{
+    const vm none = m_from(0);
+    const vd lateral = v_set(CYLINT_LATERAL), zero = v_set(0);
+    const bounded_value nowhere = {zero, zero};
+    lanes_verdict v = {none, none, {none, none}, none, {nowhere, nowhere},
+                       {lateral, lateral}};
+    lanes_letters(q, s, l, kind);
+    const bounded_value G = with_bound(form_G_lanes(&q->L),
+                                       form_G_sizes(&q->N));
+    const vm window = lanes_in_window(q, kind);
+    const vm alive = m_and(lanes, m_not(m_and(window, v_lt(G.v, -G.e))));
+    if (!m_any(alive))
+        return v;
+
+    const vm positive = v_lt(v_set(0x1p4) * G.e, G.v);
+    vm unsure = m_not(m_and(window, positive)), outside;
+    bounded_value *const stop = v.stop;
+    q->beta = with_bound(q->L.beta, form_beta_sizes(&q->N));
+    lateral_interval(q, G, kind, bounded, stop, &unsure, &outside);
+    if (bounded) {
+        const vd cap0 = v_set(CYLINT_CAP0), cap1 = v_set(CYLINT_CAP1);
+        bounded_value plane[2];
+        vm up;
+        slab_interval(q, plane, &unsure, &up);
+        const vm by_side0 = above(stop[0], plane[0]);
+        const vm by_side1 = above(plane[1], stop[1]);
+        const vm by_cap0 = above(plane[0], stop[0]);
+        const vm by_cap1 = above(stop[1], plane[1]);
+        v.part[0] = v_select(by_side0, lateral, v_select(up, cap0, cap1));
+        v.part[1] = v_select(by_side1, lateral, v_select(up, cap1, cap0));
+        stop[0] = inner(stop[0], plane[0], 1);
+        stop[1] = inner(stop[1], plane[1], 0);
+        const vm apart = above(stop[0], stop[1]);
+        v.cross = m_and(above(stop[1], stop[0]),
+                        m_and(m_or(by_side0, by_cap0),
+                              m_or(by_side1, by_cap1)));
+        unsure = m_or(unsure, m_not(m_or(apart, v.cross)));
+    } else {
+        const bounded_value first = stop[0];
+        v.leaving_first = outside;
+        stop[0] = choose(outside, stop[1], first);
+        stop[1] = choose(outside, first, stop[1]);
+        v.cross = above(stop[1], stop[0]);
+        unsure = m_or(unsure, m_not(v.cross));
+    }
+    v.cross = m_and(m_and(v.cross, alive), m_not(unsure));
+    v.undecided = m_and(alive, unsure);
+    for (int i = 0; i < 2; i++) {
+        vm near;
+        const vm in = within_domain(stop[i], l, &near);
+        const vm there = m_and(v.cross, part_present(s, v.part[i]));
+        v.hit[i] = m_and(there, in);
+        v.undecided = m_or(v.undecided, m_and(there, near));
+    }
+    v.cross = m_and(v.cross, m_not(v.undecided));
+    v.hit[0] = m_and(v.hit[0], v.cross);
+    v.hit[1] = m_and(v.hit[1], v.cross);
+    return v;
+}
+
+/*
+ * How far the unnormalised pairs of simd.h can be off, in units of 2^-106 of
+ * the sizes: with lo below k 2^-53 and the error below e 2^-106, a sum has
+ * k + 1 and e + 2 k + 2, a product k + k' + 1 and e + e' + k k' + 2 (k + k')
+ * + 2, each of these roundings doubled for directed modes.  C of a cone, the
+ * deepest here, has k = 21 and e below 900 (tests/test_depth.c counts).
+ */
+#define CYLINT_LAZY_BOUND (4096 * 0x1p-106)
+
+/* A root rounded: value + more, and whether value is certainly nearest. */
+typedef struct {
+    vd value, more, error;
+    vm sure;
+} lanes_root;
+
+/*
+ * Newton's step in pairs: root.c, refined(), in lanes and for caps too.
+ * exits: +1 in lanes whose lateral root leaves the quadric, -1 elsewhere.
+ */
+INLINE lanes_root round_root(const lanes_query *q,
+                                    const lanes_shape *s,
+                                    const lanes_line *l, int kind, vd exits,
+                                    bounded_value t, vd part)
+{
+    const vd zero = v_set(0);
+    const vm cap = v_lt(zero, part);
+    const vm top = v_eq(part, v_set(CYLINT_CAP1));
+    letters_pairs P;
+    letters_sizes N = q->N;
+    vd from = zero, size = zero;
+    P.kind = kind;
+    for (int i = 0; i < 3; i++) {
+        const int ends = kind <= CYLINT_KIND_CONE;
+        const vd center = ends ? v_select(top, s->top[i], s->base[i])
+                               : s->base[i];
+        vpair D = v_two_sum(l->o[i], -center);
+        P.w[i] = (vpair){s->axis[i], s->axis_lo[i]};
+        if (!ends)
+            D = vpair_sub(D, (vpair){v_select(top, s->axis[i], zero), zero});
+        vpair step = v_two_prod(t.v, l->u[i]);
+        step.lo = step.lo + t.v * l->u_lo[i];
+        const vpair at = vpair_add(D, step);
+        P.D[0][i] = v_fast_two_sum(at.hi, at.lo);
+        from = v_max(from, v_abs(D.hi) + v_abs(step.hi));
+        size = v_max(size, v_abs(at.hi));
+        if (kind >= CYLINT_KIND_ECYLINDER) {
+            P.a[i] = (vpair){s->a[i], zero};
+            P.b[i] = (vpair){s->b[i], zero};
+        }
+    }
+    for (int i = 0; i < 3; i++)
+        N.D[0][i] = size;
+    P.r[0] = (vpair){s->r[0], zero};
+    P.dr = (vpair){s->dr, s->dr_lo};
+    prepare_shape_pairs(&P);
+
+    vd residual = zero, sizes = zero, slope = q->beta.v, slope_e = q->beta.e;
+    vd bend = zero;
+    if (m_any(m_not(cap))) {
+        const vpair Q = form_C_pairs(&P);
+        residual = Q.hi + Q.lo;
+        sizes = form_C_sizes(&N);
+        slope = v_set(2) * exits * q->R.v;
+        slope_e = v_set(2) * q->R.e;
+        bend = v_abs(q->A.v);
+    }
+    if (m_any(cap)) {
+        const vpair plane = form_alpha_pairs(&P, 0);
+        residual = v_select(cap, plane.hi + plane.lo, residual);
+        sizes = v_select(cap, form_alpha_sizes(&N, 0), sizes);
+        slope = v_select(cap, q->beta.v, slope);
+        slope_e = v_select(cap, q->beta.e, slope_e);
+        bend = v_select(cap, zero, bend);
+    }
+    const vd inverse = v_set(1) / slope, delta = residual * inverse;
+    const vd s_size = v_abs(slope), off = v_abs(delta) + t.e;
+    /* as in refined(); P is off by 2^-101 of what it was summed up from */
+    const vd spread = v_set(CYLINT_LAZY_BOUND) +
+                      v_set(0x1p-99) * (from / size);
+    const vd e = v_set(1.02) * v_abs(inverse) *
+        (spread * sizes + v_set(CYLINT_UNDERFLOW) +
+         v_abs(delta) * (slope_e + s_size * v_set(0x1p-50)) +
+         bend * off * off);
+    const vpair r = v_fast_two_sum(t.v, -delta);
+    const vd t_size = v_abs(r.hi);
+    const vm nearest = m_and(v_eq(r.hi + (r.lo + e), r.hi),
+                             v_eq(r.hi + (r.lo - e), r.hi));
+    const vm ordinary = m_and(v_lt(t_size, v_set(0x1p300)),
+                              v_lt(v_set(0x1p-300), t_size));
+    return (lanes_root){r.hi, r.lo, e, m_and(nearest, ordinary)};
+}
+
+#endif

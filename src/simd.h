@@ -1,0 +1,257 @@
+/*
+ * simd.h - a lane vector vd, its mask vm and the few operations on them
+ *
+ * The one place with intrinsics.  vd adds, subtracts, multiplies and divides
+ * by the operators of C; the rest has names here.  The instruction set is
+ * that of the compiler's flags; CYLINT_NARROW asks for the narrowest that has
+ * branch-free masks, for work on one line and one shape.  Without any, lanes
+ * are plain doubles.  Every operation rounds once, so every width gives the
+ * same bits.
+ */
+#ifndef CYLINT_SIMD_H
+#define CYLINT_SIMD_H
+
+#include <math.h>
+#include <string.h>
+
+#if !defined(CYLINT_NARROW) && defined(__AVX512F__)
+
+#include <immintrin.h>
+#define LANES 8
+typedef __m512d vd;
+typedef __mmask8 vm;
+static inline vd v_set(double x) { return _mm512_set1_pd(x); }
+static inline vd v_load(const double *x) { return _mm512_loadu_pd(x); }
+static inline void v_store(double *x, vd v) { _mm512_storeu_pd(x, v); }
+static inline vd v_abs(vd x) { return _mm512_abs_pd(x); }
+static inline vd v_max(vd x, vd y) { return _mm512_max_pd(x, y); }
+static inline vd v_min(vd x, vd y) { return _mm512_min_pd(x, y); }
+static inline vd v_sqrt(vd x) { return _mm512_sqrt_pd(x); }
+static inline vd v_fma(vd x, vd y, vd z) { return _mm512_fmadd_pd(x, y, z); }
+static inline vm v_lt(vd x, vd y)
+{
+    return _mm512_cmp_pd_mask(x, y, _CMP_LT_OQ);
+}
+static inline vm v_le(vd x, vd y)
+{
+    return _mm512_cmp_pd_mask(x, y, _CMP_LE_OQ);
+}
+static inline vm v_eq(vd x, vd y)
+{
+    return _mm512_cmp_pd_mask(x, y, _CMP_EQ_OQ);
+}
+static inline vd v_select(vm m, vd x, vd y)
+{
+    return _mm512_mask_blend_pd(m, y, x);
+}
+static inline vm m_not(vm m) { return (vm)~m; }
+static inline vm m_and(vm a, vm b) { return (vm)(a & b); }
+static inline vm m_or(vm a, vm b) { return (vm)(a | b); }
+static inline unsigned m_bits(vm m) { return m; }
+static inline vm m_from(unsigned bits) { return (vm)bits; }
+#define V_HAS_FMA 1
+
+#elif !defined(CYLINT_NARROW) && defined(__AVX2__) && defined(__FMA__)
+
+#include <immintrin.h>
+#define LANES 4
+typedef __m256d vd;
+typedef __m256d vm;
+static inline vd v_set(double x) { return _mm256_set1_pd(x); }
+static inline vd v_load(const double *x) { return _mm256_loadu_pd(x); }
+static inline void v_store(double *x, vd v) { _mm256_storeu_pd(x, v); }
+static inline vd v_abs(vd x)
+{
+    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), x);
+}
+static inline vd v_max(vd x, vd y) { return _mm256_max_pd(x, y); }
+static inline vd v_min(vd x, vd y) { return _mm256_min_pd(x, y); }
+static inline vd v_sqrt(vd x) { return _mm256_sqrt_pd(x); }
+static inline vd v_fma(vd x, vd y, vd z) { return _mm256_fmadd_pd(x, y, z); }
+static inline vm v_lt(vd x, vd y) { return _mm256_cmp_pd(x, y, _CMP_LT_OQ); }
+static inline vm v_le(vd x, vd y) { return _mm256_cmp_pd(x, y, _CMP_LE_OQ); }
+static inline vm v_eq(vd x, vd y) { return _mm256_cmp_pd(x, y, _CMP_EQ_OQ); }
+static inline vd v_select(vm m, vd x, vd y)
+{
+    return _mm256_blendv_pd(y, x, m);
+}
+static inline vm m_not(vm m)
+{
+    return _mm256_xor_pd(m, _mm256_castsi256_pd(_mm256_set1_epi64x(-1)));
+}
+static inline vm m_and(vm a, vm b) { return _mm256_and_pd(a, b); }
+static inline vm m_or(vm a, vm b) { return _mm256_or_pd(a, b); }
+static inline unsigned m_bits(vm m) { return (unsigned)_mm256_movemask_pd(m); }
+static inline vm m_from(unsigned bits)
+{
+    const __m256i lane = _mm256_set_epi64x(8, 4, 2, 1);
+    return _mm256_castsi256_pd(_mm256_cmpeq_epi64(lane,
+        _mm256_and_si256(lane, _mm256_set1_epi64x((long long)bits))));
+}
+#define V_HAS_FMA 1
+
+#elif defined(__SSE2__)
+
+#include <immintrin.h>
+#define LANES 2
+typedef __m128d vd;
+typedef __m128d vm;
+static inline vd v_set(double x) { return _mm_set1_pd(x); }
+static inline vd v_load(const double *x) { return _mm_loadu_pd(x); }
+static inline void v_store(double *x, vd v) { _mm_storeu_pd(x, v); }
+static inline vd v_abs(vd x) { return _mm_andnot_pd(_mm_set1_pd(-0.0), x); }
+static inline vd v_max(vd x, vd y) { return _mm_max_pd(x, y); }
+static inline vd v_min(vd x, vd y) { return _mm_min_pd(x, y); }
+static inline vd v_sqrt(vd x) { return _mm_sqrt_pd(x); }
+static inline vm v_lt(vd x, vd y) { return _mm_cmplt_pd(x, y); }
+static inline vm v_le(vd x, vd y) { return _mm_cmple_pd(x, y); }
+static inline vm v_eq(vd x, vd y) { return _mm_cmpeq_pd(x, y); }
+static inline vd v_select(vm m, vd x, vd y)
+{
+    return _mm_or_pd(_mm_and_pd(m, x), _mm_andnot_pd(m, y));
+}
+/* The first lanes of two. */
+static inline vd v_both(vd x, vd y) { return _mm_unpacklo_pd(x, y); }
+static inline vm m_not(vm m)
+{
+    return _mm_xor_pd(m, _mm_castsi128_pd(_mm_set1_epi32(-1)));
+}
+static inline vm m_and(vm a, vm b) { return _mm_and_pd(a, b); }
+static inline vm m_or(vm a, vm b) { return _mm_or_pd(a, b); }
+static inline unsigned m_bits(vm m) { return (unsigned)_mm_movemask_pd(m); }
+static inline vm m_from(unsigned bits)
+{
+    return _mm_castsi128_pd(_mm_set_epi32(-(int)(bits >> 1 & 1),
+        -(int)(bits >> 1 & 1), -(int)(bits & 1), -(int)(bits & 1)));
+}
+#ifdef __FMA__
+static inline vd v_fma(vd x, vd y, vd z) { return _mm_fmadd_pd(x, y, z); }
+#define V_HAS_FMA 1
+#else
+#define V_HAS_FMA 0
+#endif
+
+#elif defined(__aarch64__)
+
+#include <arm_neon.h>
+#define LANES 2
+typedef float64x2_t vd;
+typedef uint64x2_t vm;
+static inline vd v_set(double x) { return vdupq_n_f64(x); }
+static inline vd v_load(const double *x) { return vld1q_f64(x); }
+static inline void v_store(double *x, vd v) { vst1q_f64(x, v); }
+static inline vd v_abs(vd x) { return vabsq_f64(x); }
+static inline vd v_max(vd x, vd y) { return vbslq_f64(vcgtq_f64(x, y), x, y); }
+static inline vd v_min(vd x, vd y) { return vbslq_f64(vcltq_f64(x, y), x, y); }
+static inline vd v_sqrt(vd x) { return vsqrtq_f64(x); }
+static inline vd v_fma(vd x, vd y, vd z) { return vfmaq_f64(z, x, y); }
+static inline vm v_lt(vd x, vd y) { return vcltq_f64(x, y); }
+static inline vm v_le(vd x, vd y) { return vcleq_f64(x, y); }
+static inline vm v_eq(vd x, vd y) { return vceqq_f64(x, y); }
+static inline vd v_select(vm m, vd x, vd y) { return vbslq_f64(m, x, y); }
+static inline vd v_both(vd x, vd y) { return vzip1q_f64(x, y); }
+static inline vm m_not(vm m)
+{
+    return veorq_u64(m, vdupq_n_u64(~(uint64_t)0));
+}
+static inline vm m_and(vm a, vm b) { return vandq_u64(a, b); }
+static inline vm m_or(vm a, vm b) { return vorrq_u64(a, b); }
+static inline unsigned m_bits(vm m)
+{
+    return (unsigned)(vgetq_lane_u64(m, 0) & 1) |
+           (unsigned)(vgetq_lane_u64(m, 1) & 2);
+}
+static inline vm m_from(unsigned bits)
+{
+    return vsetq_lane_u64(-(uint64_t)(bits >> 1 & 1),
+                          vdupq_n_u64(-(uint64_t)(bits & 1)), 1);
+}
+#define V_HAS_FMA 1
+
+#else
+
+#define LANES 1
+typedef double vd;
+typedef int vm;
+static inline vd v_set(double x) { return x; }
+static inline vd v_load(const double *x) { return *x; }
+static inline void v_store(double *x, vd v) { *x = v; }
+static inline vd v_abs(vd x) { return fabs(x); }
+static inline vd v_max(vd x, vd y) { return x > y ? x : y; }
+static inline vd v_min(vd x, vd y) { return x < y ? x : y; }
+static inline vd v_sqrt(vd x) { return sqrt(x); }
+static inline vm v_lt(vd x, vd y) { return x < y; }
+static inline vm v_le(vd x, vd y) { return x <= y; }
+static inline vm v_eq(vd x, vd y) { return x == y; }
+static inline vd v_select(vm m, vd x, vd y) { return m ? x : y; }
+static inline vm m_not(vm m) { return !m; }
+static inline vm m_and(vm a, vm b) { return a & b; }
+static inline vm m_or(vm a, vm b) { return a | b; }
+static inline unsigned m_bits(vm m) { return (unsigned)m; }
+static inline vm m_from(unsigned bits) { return (int)bits; }
+#ifdef __FMA__
+static inline vd v_fma(vd x, vd y, vd z) { return __builtin_fma(x, y, z); }
+#define V_HAS_FMA 1
+#else
+#define V_HAS_FMA 0
+#endif
+
+#endif
+
+static inline int m_any(vm m)
+{
+    return m_bits(m) != 0;
+}
+
+/* ------------------------------- sums and products without error (eft.h) */
+
+typedef struct {
+    vd hi, lo;
+} vpair;
+
+static inline vpair v_two_sum(vd a, vd b)
+{
+    const vd s = a + b, bb = s - a;
+    return (vpair){s, (a - (s - bb)) + (b - bb)};
+}
+
+static inline vpair v_fast_two_sum(vd a, vd b)
+{
+    const vd s = a + b;
+    return (vpair){s, b - (s - a)};
+}
+
+static inline vpair v_two_prod(vd a, vd b)
+{
+    const vd p = a * b;
+#if V_HAS_FMA
+    return (vpair){p, v_fma(a, b, -p)};
+#else
+    const vd split = v_set(0x1p27 + 1);
+    const vd ca = split * a, cb = split * b;
+    const vd ah = ca - (ca - a), al = a - ah;
+    const vd bh = cb - (cb - b), bl = b - bh;
+    return (vpair){p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
+#endif
+}
+
+/* Sums and products of pairs that are left unnormalised: lo may grow to
+ * some 30 ulp of what was summed up.  Their error is counted in kernel.h. */
+static inline vpair vpair_add(vpair a, vpair b)
+{
+    const vpair s = v_two_sum(a.hi, b.hi);
+    return (vpair){s.hi, s.lo + (a.lo + b.lo)};
+}
+
+static inline vpair vpair_sub(vpair a, vpair b)
+{
+    return vpair_add(a, (vpair){-b.hi, -b.lo});
+}
+
+static inline vpair vpair_mul(vpair a, vpair b)
+{
+    const vpair p = v_two_prod(a.hi, b.hi);
+    return (vpair){p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi)};
+}
+
+#endif
