@@ -113,7 +113,7 @@ verdict 'no blanks at line ends'
 
 # Aligned formulas may stay aligned; beyond these few columns nothing may.
 awk 'length($0) > 80 {
-    printf "%s%s:%d: %d columns\n", length($0) > 84 ? "" : "note: ",
+    printf "%s%s:%d: %d columns\n", (length($0) > 84 ? "" : "note: "),
            FILENAME, FNR, length($0)
 }' $sources >"$work/wide"
 grep -v '^note' "$work/wide" >"$work/found"
