@@ -105,6 +105,9 @@ check: all $(test_programs) ## run every test
 	@$(if $(MPFR),,echo 'note: no MPFR, tests against the oracle are skipped')
 	@BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' sh tests/run.sh $(test_programs) $(test_scripts)
 
+prove: ## the error bounds, by Gappa; 1 % less must not be provable
+	@BUILD=$(BUILD) CC='$(CC)' sh tests/prove/prove.sh
+
 sanitize: ## the tests under the address and undefined-behaviour sanitizers
 	$(MAKE) BUILD=$(BUILD)/sanitize check \
 	  CFLAGS='-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
@@ -141,6 +144,6 @@ clean: ## what was built
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' Makefile
 
-.PHONY: all bench bench_programs demo stress check check-cross lint sanitize deps deps-cross install uninstall clean help
+.PHONY: all bench bench_programs demo stress check check-cross prove lint sanitize deps deps-cross install uninstall clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

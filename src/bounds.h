@@ -47,7 +47,7 @@
 #define CYLINT_PAIR_ADD 0x3p-106
 #define CYLINT_PAIR_MUL 0x9p-106
 #define CYLINT_PAIR_DIV 0x1.1001p-102
-#define CYLINT_PAIR_SQRT 0x1.8001p-104
+#define CYLINT_PAIR_SQRT 0x1.752p-104
 
 /*
  * The same in the directed modes, where |lo| <= ulp(hi) and the low parts of
@@ -90,7 +90,7 @@
  * most 1 in size, evaluated in doubles with every difference rounded, is off
  * by at most this; its size is then at most 48.  Proved, by intervals.
  */
-#define CYLINT_CYLINDER_G_ERROR 0x2fp-49
+#define CYLINT_CYLINDER_G_ERROR 0x19p-48
 #define CYLINT_CYLINDER_G_SIZE 48
 
 #endif
