@@ -82,26 +82,23 @@ void contestant_answer(const struct contestant *c, const struct question *q,
         cylint_intersect(&q->subject.shape, &q->line, c->want, answer);
 }
 
-long contestant_pass(const struct contestant *c, const struct question *all,
-                     const int *order, int n)
+void contestant_turn(void *entry, const int *order, int n)
 {
-    const unsigned want = c->want;
-    cylint_method_fn *const method = c->answer;
+    const struct entry *e = entry;
+    const struct question *all = e->questions;
+    const unsigned want = e->contestant->want;
+    cylint_method_fn *const method = e->contestant->answer;
     cylint_answer answer;
-    long hits = 0;
 
     if (method) {
         for (int i = 0; i < n; i++) {
             const struct question *q = &all[order[i]];
             method(&q->subject.shape, &q->line, want, &answer);
-            hits += answer.n;
         }
     } else {
         for (int i = 0; i < n; i++) {
             const struct question *q = &all[order[i]];
-            hits += cylint_intersect(&q->subject.shape, &q->line, want,
-                                     &answer);
+            cylint_intersect(&q->subject.shape, &q->line, want, &answer);
         }
     }
-    return hits;
 }

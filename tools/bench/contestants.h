@@ -51,9 +51,14 @@ int contestant_takes(const struct contestant *c, const cylint_shape *shape);
 void contestant_answer(const struct contestant *c, const struct question *q,
                        cylint_answer *answer);
 
-/* Asks all n questions in the order given; the number of hits in all. */
-long contestant_pass(const struct contestant *c, const struct question *all,
-                     const int *order, int n);
+/* A contestant's turn in a race (race.h): all questions, in that order.
+ * The context is an entry. */
+struct entry {
+    const struct contestant *contestant;
+    const struct question *questions;
+};
+
+void contestant_turn(void *entry, const int *order, int n);
 
 /* ------------------------------------------- our own, for comparison -- */
 

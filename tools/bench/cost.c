@@ -21,7 +21,7 @@ static const char *const modes[MODES] = {"verdict", "nearest", "both",
                                          "fast"};
 
 /* Who answers in a mode: `fast` is the library's alone, beside `both`. */
-static const struct contestant *runner(int name, int mode)
+static const struct contestant *contestant(int name, int mode)
 {
     static const char *const names[NAMES] = {"plain", "quadratic", "cylint"};
     const int own = name == 2;
@@ -32,13 +32,15 @@ static void one_work(const char *build, enum cost_shape shape,
                      enum cost_work work, struct question *q, int rounds)
 {
     struct runner runners[NAMES * MODES];
+    struct entry entries[NAMES * MODES];
     int hits;
     if (!cost_questions(shape, work, q, QUESTIONS, &hits))
         return;
-    for (int m = 0; m < MODES; m++)
-        for (int i = 0; i < NAMES; i++)
-            runners[NAMES * m + i].contestant = runner(i, m);
-    race(runners, NAMES * MODES, q, QUESTIONS, rounds, 20);
+    for (int i = 0; i < NAMES * MODES; i++) {
+        entries[i] = (struct entry){contestant(i % NAMES, i / NAMES), q};
+        runners[i] = (struct runner){contestant_turn, &entries[i], {0, 0}};
+    }
+    race(runners, NAMES * MODES, QUESTIONS, rounds, 20);
     for (int m = 0; m < MODES; m++) {
         const double plain = runners[NAMES * m].least.ns;
         const double method = runners[NAMES * m + 1].least.ns;

@@ -23,6 +23,7 @@ struct event {
     const char *build;
     int class_number, family, n_runners, cases;
     double seconds;
+    struct entry entries[CONTESTANTS];
     struct runner runners[CONTESTANTS];
     struct record records[CONTESTANTS];
     struct question questions[TIMED];
@@ -32,10 +33,16 @@ struct event {
 static void choose_runners(struct event *e)
 {
     e->n_runners = 0;
-    for (const struct contestant *c = contestants(); c->name; c++)
-        if (e->n_runners < CONTESTANTS &&
-            contestant_takes(c, &e->questions[0].subject.shape))
-            e->runners[e->n_runners++].contestant = c;
+    for (const struct contestant *c = contestants(); c->name; c++) {
+        const int i = e->n_runners;
+        if (i == CONTESTANTS ||
+            !contestant_takes(c, &e->questions[0].subject.shape))
+            continue;
+        e->entries[i] = (struct entry){c, e->questions};
+        e->runners[i] = (struct runner){contestant_turn, &e->entries[i],
+                                        {0, 0}};
+        e->n_runners++;
+    }
 }
 
 static void draw_questions(struct event *e)
@@ -62,7 +69,7 @@ static void judge(struct event *e)
             return;
         truth_of(&q.subject.shape, &q.line, &truth);
         for (int i = 0; i < e->n_runners; i++) {
-            const struct contestant *c = e->runners[i].contestant;
+            const struct contestant *c = e->entries[i].contestant;
             cylint_answer answer;
             contestant_answer(c, &q, &answer);
             record_answer(&e->records[i], &truth, c->want, c->only_hit,
@@ -81,15 +88,15 @@ static void print_header(void)
 
 static void print_runner(struct event *e, int i)
 {
-    const struct runner *r = &e->runners[i];
+    const struct contestant *c = e->entries[i].contestant;
+    const struct timing least = e->runners[i].least;
     struct record *k = &e->records[i];
     const struct quantiles radii = sample_quantiles(&k->radii);
     const struct quantiles ulps = sample_quantiles(&k->ulps);
     printf("%s,%s,%s,%s,%s,%.1f,%.2f,%.1f,", e->build,
            class_name(e->class_number), family_name(e->family),
-           r->contestant->name, r->contestant->mode,
-           share_answered(r->contestant, e->family), r->least.ns,
-           r->least.cycles);
+           c->name, c->mode, share_answered(c, e->family), least.ns,
+           least.cycles);
     printf("%.3g,%.3g,%.3g,%.3g,%.3g,%.3g,%.4g", radii.median, radii.most99,
            radii.max, ulps.median, ulps.most99, ulps.max,
            record_percent_wrong(k));
@@ -108,8 +115,7 @@ static void hold(struct event *e)
     if (e->n_questions < TIMED)
         return; /* the family has no such shapes */
     choose_runners(e);
-    race(e->runners, e->n_runners, e->questions, e->n_questions, ROUNDS,
-         e->seconds);
+    race(e->runners, e->n_runners, e->n_questions, ROUNDS, e->seconds);
     judge(e);
     for (int i = 0; i < e->n_runners; i++)
         print_runner(e, i);

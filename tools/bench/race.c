@@ -1,5 +1,5 @@
 /*
- * race.c - rounds of timed passes, interleaved
+ * race.c - rounds of timed turns, interleaved
  */
 #include "race.h"
 
@@ -30,21 +30,19 @@ static void shuffle(int *order, int n)
     }
 }
 
-static struct timing time_pass(const struct contestant *c,
-                               const struct question *questions,
-                               const int *order, int n)
+static struct timing time_turn(const struct runner *r, const int *order,
+                               int n)
 {
     const struct timing start = timing_now();
-    contestant_pass(c, questions, order, n);
+    r->turn(r->context, order, n);
     struct timing took = timing_since(start);
     took.ns /= n;
     took.cycles /= n;
     return took;
 }
 
-void race(struct runner *runners, int n_runners,
-          const struct question *questions, int n_questions, int rounds,
-          double seconds)
+void race(struct runner *runners, int n_runners, int n_questions,
+          int rounds, double seconds)
 {
     int *order = malloc((size_t)n_questions * sizeof *order);
     if (!order) {
@@ -62,8 +60,7 @@ void race(struct runner *runners, int n_runners,
         for (int i = 0; i < n_runners; i++) {
             shuffle(order, n_questions);
             timing_keep_least(&runners[i].least,
-                              time_pass(runners[i].contestant, questions,
-                                        order, n_questions));
+                              time_turn(&runners[i], order, n_questions));
         }
     }
     free(order);

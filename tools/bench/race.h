@@ -8,18 +8,21 @@
 #ifndef BENCH_RACE_H
 #define BENCH_RACE_H
 
-#include "contestants.h"
 #include "timing.h"
 
+/* Answers n questions, in the order given or, where the runner has only one
+ * way to go through them, in its own. */
+typedef void turn_fn(void *context, const int *order, int n);
+
 struct runner {
-    const struct contestant *contestant;
+    turn_fn *turn;
+    void *context;
     struct timing least; /* per question */
 };
 
 /* Rounds until each runner had `rounds` turns or the whole race took
  * `seconds`, but at least three. */
-void race(struct runner *runners, int n_runners,
-          const struct question *questions, int n_questions, int rounds,
-          double seconds);
+void race(struct runner *runners, int n_runners, int n_questions,
+          int rounds, double seconds);
 
 #endif
