@@ -15,9 +15,11 @@ fi
 measure() {
     program=$1 csv=$2 first=$3 second=$4
     "$BUILD/tools/bench/$program" "$flags" $first >"$csv" || exit 1
-    [ -z "$FMA" ] ||
-        "$BUILD/fma/tools/bench/$program" "$flags -mfma" $second |
-        sed 1d >>"$csv"
+    [ -n "$FMA" ] || return
+    "$BUILD/fma/tools/bench/$program" "$flags -mfma" $second >"$csv.fma" ||
+        exit 1
+    sed 1d "$csv.fma" >>"$csv"
+    rm "$csv.fma"
 }
 
 describe_machine() {
