@@ -97,11 +97,11 @@ function legend(   m, entries) {
     place(left, height - legend_height, width - left - 10, legend_height - 5)
     print "unset title; unset border; unset tics; unset grid; unset logscale"
     print "set xrange [0:1]; set yrange [0:1]"
-    print "set key at graph 0,1 left top Left reverse vertical maxrows 4 samplen 1.5 width 2 spacing 1.2 font ',12'"
+    printf "set key at graph 0,1 left top Left reverse vertical maxrows %d samplen 1.5 width 2 spacing 1.2 font ',12'\n", key_rows
     printf "plot NaN notitle"
     for (m = 1; m <= n_methods; m++)
         if (used[m] && ++entries) key_entry(sprintf("points pt %d ps %s lc rgb '%s'", fills[m], sizes[m] + 0.1, colours[m]), titles[m])
-    while (entries++ % 4) key_entry("lines lc bgnd", " ") # the rest in a column of its own
+    for (; entries % key_rows; entries++) key_entry("lines lc bgnd", " ") # the rest in a column of its own
     key_entry("points pt 7 ps 1 lc rgb 'black'", "filled: every verdict right")
     key_entry("points pt 6 ps 1 lw 1.3 lc rgb 'black'", "open: some verdicts wrong")
     key_entry("points pt 2 ps 0.8 lw 1.3 lc rgb '" cross "'", "crossed: 1 % or more wrong")
@@ -111,8 +111,11 @@ function legend(   m, entries) {
 
 END {
     if (n_families == 0) exit
+    for (m in used) n_used++
+    key_rows = n_used > 8 ? int((n_used + 1) / 2) : 4 # two columns, and one of signs
+    legend_height = 32 + 20 * key_rows
     down = int((n_families + across - 1) / across)
-    wide = 205; tall = 158; left = 66; top = 62; legend_height = 112; cross = "#c00000"
+    wide = 205; tall = 158; left = 66; top = 62; cross = "#c00000"
     width = left + across * (wide + 8) + 6
     height = top + down * (tall + 32) + 22 + legend_height
     printf "set terminal " terminal "\nset output '%s'\n", width, height, out

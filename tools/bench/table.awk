@@ -48,7 +48,7 @@ $1 != first_build {
     sum[$2, c] += log($7); n[$2, c]++
     all_cycles[$2, c] += log($8 > 0 ? $8 : 1)
     if ($15 != "nan" && $15 + 0 > worst[$2, c] + 0) { worst[$2, c] = $15; worst_in[$2, c] = $3 }
-    if ($10 != "nan" && $10 + 0 >= far[$2, c] + 0) { far[$2, c] = $10; far_in[$2, c] = $3 }
+    if ($13 != "nan" && $13 + 0 >= far[$2, c] + 0) far[$2, c] = $13
     if ($3 == "ordinary") { plain_err[$2, c] = $10; plain_ns[$2, c] = $7 }
 }
 
@@ -80,19 +80,19 @@ function summary(   i, j, k, class, c, row) {
     row = "%-25s %-22s %8s %9s %8s %8s %8s %9s  %s\n"
     printf "ns: built with %s%s\n", first_build, (other_build == "" ? "" : "; ns*: with " other_build)
     printf row, "", "", "ordinary", "ordinary", "all", "all", "all", "worst", ""
-    printf row, "shapes", "method", "ns", "99 % err", "ns", (other_build == "" ? "" : "ns*"), cycles, "99 % err", "most wrong verdicts"
+    printf row, "shapes", "method", "ns", "99 % err", "ns", (other_build == "" ? "" : "ns*"), cycles, "99 % ulp", "most wrong verdicts"
     for (i = 1; i <= n_classes; i++)
         for (j = 1; j <= n_columns[classes[i]]; j++) {
             class = classes[i]; c = columns[class, j]; k = class SUBSEP c
             printf row, (j == 1 ? class : ""), c, time_text(plain_ns[k]), error_text(plain_err[k]),
                 time_text(exp(sum[k] / n[k])), (n_other[k] ? time_text(exp(other[k] / n_other[k])) : ""),
-                time_text(exp(all_cycles[k] / n[k])), (far[k] == "" ? "-" : error_text(far[k])),
+                time_text(exp(all_cycles[k] / n[k])), (far[k] == "" ? "-" : far[k] < 10 ? far[k] : error_text(far[k])),
                 (worst[k] == "" ? "none" : percent(worst[k]) "  " worst_in[k])
         }
 }
 
 END {
     for (i = 1; i <= n_classes; i++) one_class(classes[i])
-    printf "The families together, %s cases of each; errors of the worst family\n", cases
+    printf "The families together, %s cases of each; the error of the worst family is in ulp of t\n", cases
     summary()
 }
