@@ -89,8 +89,23 @@ bench: bench_programs ## time against error, tables and charts; QUICK=1: in two 
 	@$(if $(FMA),$(MAKE) BUILD=$(BUILD)/fma CFLAGS='$(CFLAGS) -mfma' bench_programs)
 	@BUILD='$(BUILD)' CC='$(CC)' CFLAGS='$(CFLAGS)' FMA='$(FMA)' QUICK='$(QUICK)' sh tools/bench/bench.sh
 
-stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, hours long
+stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, an hour or less
 	$(BUILD)/tests/stress
+
+search: $(BUILD)/tests/search ## hill climbing for the worst errors and the slowest query
+	$(BUILD)/tests/search
+
+covered: all $(test_programs)
+	@BUILD=$(BUILD) CC='$(CC)' sh tests/run.sh $(test_programs) tests/test_hard.sh
+
+coverage: ## lines and branches of src/ that the tests reach (needs gcovr)
+	rm -rf $(BUILD)/coverage
+	$(MAKE) BUILD=$(BUILD)/coverage CFLAGS='-g -O0 --coverage' CXXFLAGS='-g -O0 --coverage' covered
+	gcovr --root . --filter src/ $(BUILD)/coverage
+	gcovr --root . --filter src/ --branches $(BUILD)/coverage
+
+mutants: ## do the tests see a changed operator, constant or index? COUNT=300
+	python3 tests/mutants.py --cc '$(CC)' --count $(or $(COUNT),300)
 
 check-cross: $(BUILD)/tests/records ## the same bytes from other compilers and processors
 	@BUILD=$(BUILD) sh tests/cross.sh
@@ -144,6 +159,6 @@ clean: ## what was built
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' Makefile
 
-.PHONY: all bench bench_programs demo stress check check-cross prove lint sanitize deps deps-cross install uninstall clean help
+.PHONY: all bench bench_programs demo stress search covered coverage mutants check check-cross prove lint sanitize deps deps-cross install uninstall clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

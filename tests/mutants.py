@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+"""Do the tests notice when the library is wrong?
+
+Changes one operator, sign, constant or index of the numeric core at a time,
+builds that and runs a fast subset of the tests.  What they let through is
+printed with its line.  A survivor is a test that is missing, a bound that is
+wider than need be, or a change that changes nothing.
+
+    tests/mutants.py [--count N] [--seed N] [--skip N] [--files a.c,b.h]
+
+Needs what `make check` needs, MPFR and GSL among it.  --skip leaves out the
+first N of the seed's sequence, so that a run can be taken up again.
+"""
+import argparse
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+CORE = ["forms.h", "fraction.h", "eft.h", "decide.c", "root.c", "query.c",
+        "exact.c", "hit.c", "box.c"]
+TESTS = [("test_ties", {}), ("test_shape", {}),
+         ("test_query", {"CYLINT_CASES": "100"}),
+         ("test_properties", {"CYLINT_CASES": "100"}),
+         ("test_query", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"})]
+SECONDS = 60  # a test that takes longer hangs
+
+# (pattern, what may stand there instead)
+SWAPS = [
+    (r"(?<= )\+(?= )", ["-"]), (r"(?<= )-(?= )", ["+"]),
+    (r"(?<= )\*(?= )", ["+"]), (r"(?<= )/(?= )", ["*"]),
+    (r"(?<= )<(?= )", ["<=", ">"]), (r"(?<= )>(?= )", [">=", "<"]),
+    (r"(?<= )<=(?= )", ["<"]), (r"(?<= )>=(?= )", [">"]),
+    (r"(?<= )==(?= )", ["!="]), (r"(?<= )!=(?= )", ["=="]),
+    (r"&&", ["||"]), (r"\|\|", ["&&"]),
+    (r"(?<=[(,= ])-(?=[A-Za-z(0-9])", [""]),  # a sign
+    (r"(?<=[ (])!(?=[A-Za-z(])", [""]),
+    (r"\bADD\b", ["SUB"]), (r"\bSUB\b", ["ADD"]),
+    (r"\bpair_add\b", ["pair_sub"]), (r"\bpair_sub\b", ["pair_add"]),
+    (r"\btwo_sum\b", ["two_diff"]), (r"\bfast_two_sum\b", ["two_diff"]),
+    (r"\bROOT_ENTRY\b", ["ROOT_EXIT"]), (r"\bROOT_EXIT\b", ["ROOT_ENTRY"]),
+    (r"\bCYLINT_ENTERING\b", ["CYLINT_LEAVING"]),
+    (r"\bCYLINT_LEAVING\b", ["CYLINT_ENTERING"]),
+    (r"(?<![\w.])[0-9]+(?![\w.])", ["+1"]),   # a constant or an index
+    (r"(?<=p)[-+]?[0-9]+\b", ["+1"]),         # a power of two
+]
+
+
+def without_comments(text):
+    """Comments, strings and directives become blanks of the same length."""
+    blank = lambda m: re.sub(r"[^\n]", " ", m.group())
+    text = re.sub(r"/\*.*?\*/", blank, text, flags=re.S)
+    text = re.sub(r'"[^"\n]*"', blank, text)
+    return re.sub(r"^#(?:[^\n]*\\\n)*[^\n]*", blank, text, flags=re.M)
+
+
+def mutants_of(name, text):
+    code = without_comments(text)
+    for pattern, others in SWAPS:
+        for m in re.finditer(pattern, code):
+            for other in others:
+                if other == "+1":
+                    other = "%d" % (int(m.group()) + 1)
+                yield name, m.start(), m.end(), other
+
+
+def run(command, **more):
+    return subprocess.run(command, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL, **more)
+
+
+class Bench:
+    """A copy of the sources, built once; then one object at a time."""
+
+    def __init__(self, top, work, cc):
+        self.work, self.cc = work, cc
+        for folder in ("src", "include", "tests"):
+            shutil.copytree(os.path.join(top, folder),
+                            os.path.join(work, folder))
+        self.flags = ["-std=c99", "-O1", "-ffp-contract=off", "-Iinclude",
+                      "-Isrc", "-Itests", "-D_POSIX_C_SOURCE=200809L",
+                      "-DHAVE_MPFR", "-DHAVE_GSL"]
+        src = os.path.join(work, "src")
+        self.sources = ["src/" + f for f in os.listdir(src)
+                        if f.endswith(".c")]
+        self.sources += ["src/methods/" + f
+                         for f in os.listdir(os.path.join(src, "methods"))
+                         if f.endswith(".c")]
+        self.programs = sorted({t for t, _ in TESTS})
+        self.common = ["tests/%s.c" % t
+                       for t in ("families", "constructed", "oracle")]
+        tests = ["tests/%s.c" % t for t in self.programs]
+        if not self.compile(self.sources + self.common + tests):
+            sys.exit("mutants: the sources do not compile as they are")
+
+    def compile(self, sources):
+        jobs = [subprocess.Popen([self.cc] + self.flags + ["-c", s, "-o",
+                                 s[:-2] + ".o"], cwd=self.work,
+                                 stdout=subprocess.DEVNULL,
+                                 stderr=subprocess.DEVNULL)
+                for s in sources]
+        return all([job.wait() == 0 for job in jobs])
+
+    def users(self, name):
+        """The library's sources that see this file."""
+        if name.endswith(".c"):
+            return ["src/" + name]
+        seen = []
+        for s in self.sources:
+            rule = subprocess.run([self.cc] + self.flags + ["-MM", s],
+                                  cwd=self.work, capture_output=True,
+                                  text=True).stdout
+            if "src/" + name in rule:
+                seen.append(s)
+        return seen
+
+    def passes(self):
+        """The first test to fail, or None."""
+        objects = [s[:-2] + ".o" for s in self.sources + self.common]
+        for test, environment in TESTS:
+            program = "tests/" + test
+            if run([self.cc, "-o", program, program + ".o"] + objects +
+                   ["-lmpfr", "-lgmp", "-lgsl", "-lgslcblas", "-lm"],
+                   cwd=self.work).returncode != 0:
+                return "link"
+            try:
+                status = run(["./" + program], cwd=self.work, timeout=SECONDS,
+                             env=dict(os.environ, **environment)).returncode
+            except subprocess.TimeoutExpired:
+                return test + " (hangs)"
+            if status != 0:
+                return test
+        return None
+
+
+def try_mutant(bench, texts, mutant, users):
+    name, start, end, other = mutant
+    text, path = texts[name], os.path.join(bench.work, "src", name)
+    with open(path, "w") as f:
+        f.write(text[:start] + other + text[end:])
+    objects = [os.path.join(bench.work, u[:-2] + ".o") for u in users]
+    for o in objects:
+        os.rename(o, o + ".kept")
+    compiled = bench.compile(users)
+    killer = bench.passes() if compiled else "compiler"
+    with open(path, "w") as f:
+        f.write(text)
+    for o in objects:
+        os.replace(o + ".kept", o)
+    return killer
+
+
+def show(texts, mutant):
+    name, start, end, other = mutant
+    text = texts[name]
+    number = text.count("\n", 0, start) + 1
+    line = text.splitlines()[number - 1].strip()
+    return "src/%s:%d: %r -> %r: %s" % (name, number, text[start:end], other,
+                                        line)
+
+
+def main():
+    p = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    p.add_argument("--count", type=int, default=300)
+    p.add_argument("--seed", type=int, default=1)
+    p.add_argument("--skip", type=int, default=0)
+    p.add_argument("--cc", default="cc")
+    p.add_argument("--files", default=",".join(CORE))
+    args = p.parse_args()
+    top = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    with tempfile.TemporaryDirectory() as work:
+        bench = Bench(top, os.path.join(work, "copy"), args.cc)
+        texts = {n: open(os.path.join(bench.work, "src", n)).read()
+                 for n in args.files.split(",")}
+        users = {n: bench.users(n) for n in texts}
+        every = [m for n in texts for m in mutants_of(n, texts[n])]
+        chosen = random.Random(args.seed).sample(every, len(every))
+        chosen = chosen[args.skip:args.skip + args.count]
+        if bench.passes():
+            sys.exit("mutants: a test fails before anything is changed")
+        killed = survived = senseless = 0
+        for mutant in chosen:
+            killer = try_mutant(bench, texts, mutant, users[mutant[0]])
+            killed += killer not in (None, "compiler", "link")
+            senseless += killer in ("compiler", "link")
+            survived += killer is None
+            if killer is None:
+                print(show(texts, mutant), flush=True)
+        print("%d possible, %d tried: %d killed, %d did not compile, "
+              "%d survived" % (len(every), len(chosen), killed, senseless,
+                               survived))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,122 @@
+/*
+ * test_corners.c - inputs made to reach what random ones do not
+ *
+ * Each row was added because a branch of src/ was never taken, or a changed
+ * operator there never noticed, by the families (`make coverage`, `make
+ * mutants`); it says which.  Everything a hit tells must agree with the
+ * oracle.
+ */
+#ifdef HAVE_MPFR
+
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "families.h"
+#include "oracle.h"
+#include "ulps.h"
+
+enum { ULPS = 4 };
+
+struct corner {
+    const char *what;
+    family_line line;
+    double o_d[6];
+    family_shape shape;
+    double data[13];
+    cylint_ends ends;
+};
+
+static const struct corner corners[] = {
+    {"apex normal: u.w needs pairs",
+     FAMILY_LINE, {0, 0, 0, 1, -0x1.fffffffffffffp-1, 0},
+     FAMILY_ACONE, {0, 0, 0, 1, 1, 0, 45}, CYLINT_INFINITE},
+    {"apex normal: u.w needs every digit",
+     FAMILY_LINE, {0, 0, 0, 1, 0, -0x1p-1000},
+     FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_INFINITE},
+    {"apex normal: no filter applies",
+     FAMILY_LINE, {0x1p80, 0x1p80, 0, 1, 1, 0},
+     FAMILY_ACONE, {0, 0, 0, 0, 1, 1, 30}, CYLINT_INFINITE},
+    {"parallel to a ruling: the sign of B needs pairs",
+     FAMILY_LINE, {0x1.0000000000001p0, 0, 1, 1, 0, 1},
+     FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_INFINITE},
+    {"parallel to a ruling: the sign of B needs every digit",
+     FAMILY_LINE, {1, 0, 1, 1, 0, 1},
+     FAMILY_ACONE, {0x1p-106, 0, 0, 0, 0, 1, 45}, CYLINT_INFINITE},
+    {"the same from the other side",
+     FAMILY_LINE, {1, 0, 1, 1, 0, 1},
+     FAMILY_ACONE, {-0x1p-106, 0, 0, 0, 0, 1, 45}, CYLINT_NAPPE},
+    {"a root beyond 2^300 in the filters' scale",
+     FAMILY_LINE, {1, 0, 0, 1, 0x1p-300, 1},
+     FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_INFINITE},
+    {"a root below 2^-300 in the filters' scale",
+     FAMILY_LINE, {0, 0, -0x1p-350, 0, 0, 1},
+     FAMILY_CYLINDER, {0, 0, 0, 0, 0, 1, 1}, CYLINT_CAPPED},
+    {"a root beyond 2^1000 by the line's scale",
+     FAMILY_LINE, {-3, 0, 0.5, 0x1p-1010, 0x1p-1011, 0},
+     FAMILY_CYLINDER, {0, 0, 0, 0, 0, 1, 3}, CYLINT_CAPPED},
+    {"a root below 2^-900 by the line's scale",
+     FAMILY_LINE, {-3, 0, 0.5, 0x1p1000, 0x1p999, 0},
+     FAMILY_CYLINDER, {0, 0, 0, 0, 0, 1, 3}, CYLINT_CAPPED},
+};
+
+static int case_of(const struct corner *from, struct family_case *c)
+{
+    memset(c, 0, sizeof *c);
+    c->line_word = from->line;
+    memcpy(c->line_data, from->o_d, sizeof from->o_d);
+    c->shape_word = from->shape;
+    memcpy(c->shape_data, from->data, sizeof from->data);
+    c->ends = from->ends;
+    return family_make(c);
+}
+
+static int agrees(const struct family_case *c)
+{
+    cylint_answer got, want;
+    memset(&got, 0, sizeof got);
+    cylint_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &got);
+    oracle_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &want);
+    int same = CHECK(got.relation == want.relation) &&
+               CHECK(got.n == want.n);
+    for (int i = 0; same && i < want.n; i++) {
+        double off[MEASURES];
+        ulps_of_hit(c->line.o, &got.hit[i], &want.hit[i], off);
+        same = CHECK(got.hit[i].t == want.hit[i].t) &&
+               CHECK(got.hit[i].part == want.hit[i].part) &&
+               CHECK(got.hit[i].side == want.hit[i].side);
+        for (int k = 0; same && k < MEASURES; k++)
+            same = CHECK(off[k] <= ULPS);
+    }
+    return same;
+}
+
+static void every_corner_agrees_with_the_oracle(void)
+{
+    for (size_t i = 0; i < sizeof corners / sizeof corners[0]; i++) {
+        struct family_case c;
+        if (CHECK(case_of(&corners[i], &c)) && agrees(&c))
+            continue;
+        REPORT("%s", corners[i].what);
+        family_print(stderr, &c);
+        fputc('\n', stderr);
+    }
+}
+
+int main(void)
+{
+    RUN(every_corner_agrees_with_the_oracle);
+    return check_end();
+}
+
+#else
+
+#include <stdio.h>
+
+int main(void)
+{
+    puts("no MPFR: no oracle to compare with");
+    return 77;
+}
+
+#endif
