@@ -103,8 +103,31 @@ static void every_corner_agrees_with_the_oracle(void)
     }
 }
 
+/* A narrow nappe ends at its apex, before the base where its radius grows,
+ * beyond the top where it shrinks, whichever way its axis points; it fills
+ * all that lies on the base's side of it. */
+static void boxes_of_nappes_open_the_right_way(void)
+{
+    for (int which = 0; which < 4; which++) {
+        const double way = which & 1 ? 1 : -1, grows = which & 2 ? 1 : 0;
+        const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, way};
+        const double apex = grows ? -way : 2 * way;
+        double lo[3], hi[3];
+        cylint_shape s;
+        CHECK(cylint_cone(&s, p0, grows ? 0.5 : 1, p1, grows ? 1 : 0.5,
+                          CYLINT_NAPPE) == CYLINT_OK);
+        cylint_bounds(&s, lo, hi);
+        const int up = apex > 0;
+        const double side = up ? hi[2] - apex : apex - lo[2];
+        CHECK(side >= 0 && side <= ULPS * ulp(apex));
+        CHECK(isinf(up ? lo[2] : hi[2]));
+        CHECK(isinf(lo[0]) && isinf(hi[0]) && isinf(lo[1]) && isinf(hi[1]));
+    }
+}
+
 int main(void)
 {
+    RUN(boxes_of_nappes_open_the_right_way);
     RUN(every_corner_agrees_with_the_oracle);
     return check_end();
 }
