@@ -118,7 +118,8 @@ while IFS='|' read -r name compiler flags link runner; do
     else
         failed=$((failed + 1))
         printf 'FAIL %s: %s\n' "$name" "$trouble"
-        diff "$build/exact" "$folder/answers" | grep -c '^>'
+        printf '%d answers differ\n' \
+            "$(diff "$build/exact" "$folder/answers" | grep -c '^>')"
         paste "$build/input" "$build/exact" "$folder/answers" |
             awk -F '\t' '{
                 want = got = ""

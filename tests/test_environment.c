@@ -1,0 +1,438 @@
+/*
+ * test_environment.c - the floating-point environment changes no answer
+ *
+ * Shapes, lines and questions, each in the default environment and in
+ * another one: rounding upward, downward or toward zero, subnormal results
+ * flushed to zero, subnormal operands taken for zero.  Relation, number,
+ * parts, sides, every bit of t, and what the constructors refuse must agree.
+ * CYLINT_CASES scales the number of cases a family, CYLINT_SEED changes
+ * them all, CYLINT_FAMILY=n asks for one family.
+ */
+#include <fenv.h>
+#include <math.h>
+#include <string.h>
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
+#include "check.h"
+#include "cylint.h"
+#include "families.h"
+
+enum { CASES = 400 };
+
+/* -------------------------------------------------------- environments -- */
+
+enum { FLUSH = 1, ZERO = 2 };
+
+struct environment {
+    int rounding; /* fesetround's */
+    int tiny;     /* what happens to subnormals: FLUSH, ZERO or both */
+};
+
+#if defined(__SSE2__)
+enum { MXCSR_ZERO = 1 << 6, MXCSR_FLUSH = 1 << 15 };
+
+static void treat_subnormals(int how)
+{
+    unsigned control = _mm_getcsr() & ~(unsigned)(MXCSR_ZERO | MXCSR_FLUSH);
+    if (how & FLUSH) {
+        control |= MXCSR_FLUSH;
+    }
+    if (how & ZERO) {
+        control |= MXCSR_ZERO;
+    }
+    _mm_setcsr(control);
+}
+
+static int can_treat_subnormals(int how)
+{
+    (void)how;
+    return 1;
+}
+#elif defined(__aarch64__)
+/* One bit for operands and results alike. */
+static void treat_subnormals(int how)
+{
+    uint64_t control;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(control));
+    control = how ? control | 1 << 24 : control & ~(uint64_t)(1 << 24);
+    __asm__ volatile("msr fpcr, %0" : : "r"(control));
+}
+
+static int can_treat_subnormals(int how)
+{
+    return how == (FLUSH | ZERO);
+}
+#else
+static void treat_subnormals(int how)
+{
+    (void)how;
+}
+
+static int can_treat_subnormals(int how)
+{
+    return how == 0;
+}
+#endif
+
+static void enter(struct environment e)
+{
+    fesetround(e.rounding);
+    treat_subnormals(e.tiny);
+}
+
+static void leave(void)
+{
+    fesetround(FE_TONEAREST);
+    treat_subnormals(0);
+}
+
+/* ------------------------------------------------------------- answers -- */
+
+/* All that must be the same. */
+struct answers {
+    int line_status, shape_status, kind, flip;
+    cylint_answer all;
+    int occluded, contains;
+};
+
+static int same_bits(double x, double y)
+{
+    return memcmp(&x, &y, sizeof x) == 0;
+}
+
+/* x.hit is compared member by member: a struct has padding. */
+static const char *difference(const struct answers *x,
+                              const struct answers *y)
+{
+    if (x->line_status != y->line_status ||
+        x->shape_status != y->shape_status) {
+        return "status";
+    }
+    if (x->kind != y->kind || x->flip != y->flip) {
+        return "kind of shape";
+    }
+    if (x->all.relation != y->all.relation) {
+        return "relation";
+    }
+    if (x->all.n != y->all.n || x->all.flags != y->all.flags) {
+        return "number of hits";
+    }
+    for (int i = 0; i < x->all.n; i++) {
+        const cylint_hit *a = &x->all.hit[i], *b = &y->all.hit[i];
+        if (a->part != b->part || a->side != b->side) {
+            return "part or side";
+        }
+        if (!same_bits(a->t, b->t)) {
+            return "t";
+        }
+    }
+    return x->occluded != y->occluded   ? "any hit"
+           : x->contains != y->contains ? "contains"
+                                        : NULL;
+}
+
+static void ask(const struct family_case *c, struct answers *to)
+{
+    memset(to, 0, sizeof *to);
+    to->line_status = (int)c->line_status;
+    to->shape_status = (int)c->shape_status;
+    to->kind = c->shape.kind;
+    to->flip = c->shape.flip;
+    cylint_intersect(&c->shape, &c->line,
+                     CYLINT_WANT_T | CYLINT_WANT_PART, &to->all);
+    to->occluded = cylint_occluded(&c->shape, &c->line);
+    to->contains = cylint_contains(&c->shape, c->line_data);
+}
+
+static void report(const struct family_case *c, const char *what,
+                   const char *where, const struct answers *got,
+                   const struct answers *want)
+{
+    if (check_bad > CHECK_SHOWN) {
+        return;
+    }
+    fprintf(stderr, "# %s differs, %s\n", what, where);
+    family_print(stderr, c);
+    fprintf(stderr, "\n#   got  relation %d n %d t %a %a\n"
+            "#   want relation %d n %d t %a %a\n",
+            got->all.relation, got->all.n, got->all.hit[0].t,
+            got->all.hit[1].t, want->all.relation, want->all.n,
+            want->all.hit[0].t, want->all.hit[1].t);
+}
+
+/* Made here and asked there, made there and asked there, made there and
+ * asked here. */
+static void compare(struct family_case *c, struct environment there)
+{
+    static const char *const where[] = {"asked there", "made and asked there",
+                                        "made there"};
+    struct answers want, got[3];
+    family_make(c);
+    ask(c, &want);
+    enter(there);
+    ask(c, &got[0]);
+    family_make(c);
+    ask(c, &got[1]);
+    leave();
+    ask(c, &got[2]);
+    for (int i = 0; i < 3; i++) {
+        const char *what = difference(&got[i], &want);
+        if (!CHECK(what == NULL)) {
+            report(c, what, where[i], &got[i], &want);
+            return;
+        }
+    }
+}
+
+/* ------------------------------------------------------------ families -- */
+
+static uint64_t setting(const char *name, uint64_t otherwise)
+{
+    const char *text = getenv(name);
+    return text ? strtoull(text, NULL, 10) : otherwise;
+}
+
+static void every_family(struct environment there)
+{
+    const uint64_t cases = setting("CYLINT_CASES", CASES);
+    const uint64_t only = setting("CYLINT_FAMILY", UINT64_MAX);
+    for (int family = 0; family < family_count(); family++) {
+        if (only != UINT64_MAX && only != (uint64_t)family) {
+            continue;
+        }
+        const int bad = check_bad;
+        for (uint64_t i = 0; i < cases; i++) {
+            struct family_case c;
+            family_case(setting("CYLINT_SEED", 1), family, i, &c);
+            compare(&c, there);
+        }
+        if (check_bad > bad) {
+            REPORT("%d of %llu of family %d, %s", check_bad - bad,
+                   (unsigned long long)cases, family, family_name(family));
+        }
+    }
+}
+
+/* ----------------------------------------------- what no family draws --- */
+
+static struct family_case record(family_line line, const double *line_data,
+                                 family_shape shape, const double *shape_data)
+{
+    struct family_case c;
+    memset(&c, 0, sizeof c);
+    c.line_word = line;
+    c.shape_word = shape;
+    memcpy(c.line_data, line_data,
+           (size_t)family_line_size(line) * sizeof(double));
+    memcpy(c.shape_data, shape_data,
+           (size_t)family_shape_size(shape) * sizeof(double));
+    return c;
+}
+
+/* Frusta whose radii differ by a subnormal number, their axes subnormal
+ * too; radii and axes one subnormal from nothing. */
+static void subnormal_differences(struct environment there)
+{
+    static const double size[] = {0x1p-1022, 0x1.8p-1021, 0x1p-1000,
+                                  0x1p-1060, 0x1p-1074};
+    for (int i = 0; i < 5; i++) {
+        for (int ends = CYLINT_CAPPED; ends <= CYLINT_NAPPE; ends++) {
+            const double x = size[i], s = 0x1p-1074;
+            const double line[] = {0, x, -3 * x, x, -x, 4 * x};
+            const double cone[] = {0, 0, x, x, 0, s, 4 * x, x + 2 * s};
+            const double rod[] = {x, x, x, x, x, x + s, x};
+            struct family_case c = record(FAMILY_LINE, line, FAMILY_CONE,
+                                          cone);
+            c.ends = (cylint_ends)ends;
+            compare(&c, there);
+            c = record(FAMILY_SEGMENT, line, FAMILY_CYLINDER, rod);
+            c.ends = (cylint_ends)ends;
+            compare(&c, there);
+        }
+    }
+}
+
+/* A shape of tiny radius far out, or with a subnormal offset that matters
+ * because all else is as small: what a scale brings back must not be lost
+ * before. */
+static void subnormal_offsets(struct environment there)
+{
+    for (int e = 0; e < 70; e++) {
+        const double x = ldexp(1, -1005), y = ldexp(1, -1074 + e);
+        const double line[] = {x + y, y, -3 * x, y, 0x1p-1074, x};
+        const double rod[] = {y, 0x1p-1074, 0, 0, 0x1p-1074, x, x + y};
+        struct family_case c = record(FAMILY_LINE, line, FAMILY_CYLINDER,
+                                      rod);
+        compare(&c, there);
+        c.ends = CYLINT_INFINITE;
+        compare(&c, there);
+    }
+}
+
+/* Domains whose ends, or hits whose t, are subnormal. */
+static void subnormal_domains(struct environment there)
+{
+    const double s = 0x1p-1074;
+    const double rod[] = {0, 0, 0, 0, 0, 3 * s, 1};
+    for (int from = -4; from <= 4; from++) {
+        for (int to = -4; to <= 4; to++) {
+            const double line[] = {0, 0, 0, 0, 0, 1, from * s, to * s};
+            struct family_case c = record(FAMILY_SPAN, line,
+                                          FAMILY_CYLINDER, rod);
+            compare(&c, there);
+        }
+    }
+    const double huge_step[] = {1, 0, -3, 0, 0, 0x1p1023};
+    const double unit[] = {0, 0, 0, 0, 0, 1, 1};
+    struct family_case c = record(FAMILY_RAY, huge_step, FAMILY_CYLINDER,
+                                  unit);
+    compare(&c, there);
+}
+
+/* The tangent of an angle is rounded to nearest, subnormal ones as well. */
+static void angles(struct environment there)
+{
+    const uint64_t cases = setting("CYLINT_CASES", CASES);
+    const double v[] = {0, 0, 0}, u[] = {0, 0, 1};
+    for (uint64_t i = 0; i < 10 * cases; i++) {
+        const double part = (double)(i + 1) / (double)(10 * cases + 1);
+        const double angle = i % 3 == 0   ? 90 * part
+                             : i % 3 == 1 ? 90 - part * 0x1p-20
+                                          : ldexp(part, -1 - (int)(i % 1070));
+        cylint_shape want, got;
+        const cylint_status status = cylint_angle_cone(&want, v, u, angle,
+                                                       CYLINT_CAPPED);
+        enter(there);
+        const cylint_status other = cylint_angle_cone(&got, v, u, angle,
+                                                      CYLINT_CAPPED);
+        leave();
+        if (!CHECK(status == other && same_bits(want.r1, got.r1))) {
+            REPORT("acone 0 0 0  0 0 1  %a: got %a, want %a", angle, got.r1,
+                   want.r1);
+        }
+    }
+}
+
+static void compare_all(int rounding, int tiny)
+{
+    const struct environment there = {rounding, tiny};
+    if (!can_treat_subnormals(tiny)) {
+        return;
+    }
+    every_family(there);
+    subnormal_differences(there);
+    subnormal_offsets(there);
+    subnormal_domains(there);
+    angles(there);
+}
+
+/* --------------------------------------------------------------- tests -- */
+
+static void answers_are_the_same_rounding_upward(void)
+{
+    compare_all(FE_UPWARD, 0);
+}
+
+static void answers_are_the_same_rounding_downward(void)
+{
+    compare_all(FE_DOWNWARD, 0);
+}
+
+static void answers_are_the_same_rounding_toward_zero(void)
+{
+    compare_all(FE_TOWARDZERO, 0);
+}
+
+static void answers_are_the_same_flushing_results(void)
+{
+    compare_all(FE_TONEAREST, FLUSH);
+}
+
+static void answers_are_the_same_taking_operands_for_zero(void)
+{
+    compare_all(FE_TONEAREST, ZERO);
+}
+
+static void answers_are_the_same_doing_both(void)
+{
+    compare_all(FE_TONEAREST, FLUSH | ZERO);
+}
+
+static void answers_are_the_same_doing_all_at_once(void)
+{
+    compare_all(FE_UPWARD, FLUSH | ZERO);
+    compare_all(FE_TOWARDZERO, FLUSH | ZERO);
+}
+
+static void the_selftest_finds_nothing_in_the_default_environment(void)
+{
+    if (!CHECK(cylint_selftest() == 0)) {
+        REPORT("cylint_selftest() is %d", cylint_selftest());
+    }
+}
+
+static void the_selftest_tells_environments_apart(void)
+{
+    static const int directed[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    for (int tiny = 0; tiny <= (FLUSH | ZERO); tiny++) {
+        for (int i = -1; i < 3 && can_treat_subnormals(tiny); i++) {
+            const struct environment there = {
+                i < 0 ? FE_TONEAREST : directed[i], tiny};
+            const int want = (i < 0 ? 0 : CYLINT_SELFTEST_DIRECTED) |
+                             (tiny & FLUSH ? CYLINT_SELFTEST_FLUSHED : 0) |
+                             (tiny & ZERO ? CYLINT_SELFTEST_ZEROED : 0);
+            enter(there);
+            const int found = cylint_selftest();
+            leave();
+            if (!CHECK(found == want)) {
+                REPORT("found %d, not %d", found, want);
+            }
+        }
+    }
+}
+
+/* Asked in an odd environment, the library leaves it as it is. */
+static void no_function_changes_the_environment(void)
+{
+    const struct environment odd = {
+        FE_DOWNWARD, can_treat_subnormals(FLUSH | ZERO) ? FLUSH | ZERO : 0};
+    for (int family = 0; family < family_count(); family++) {
+        struct family_case c;
+        struct answers answers;
+        double lo[3], hi[3];
+        family_case(1, family, 0, &c);
+        enter(odd);
+        const int before = cylint_selftest();
+        family_make(&c);
+        ask(&c, &answers);
+        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &answers.all);
+        cylint_bounds(&c.shape, lo, hi);
+        const int after = cylint_selftest(), rounding = fegetround();
+        leave();
+        CHECK(before == after && rounding == FE_DOWNWARD);
+    }
+}
+
+int main(void)
+{
+    if (family_count() == 0) {
+        puts("no GSL: no families to draw from");
+        return 77;
+    }
+    if (!can_treat_subnormals(FLUSH | ZERO)) {
+        puts("note: no way known to flush subnormals here");
+    }
+    RUN(the_selftest_finds_nothing_in_the_default_environment);
+    RUN(the_selftest_tells_environments_apart);
+    RUN(no_function_changes_the_environment);
+    RUN(answers_are_the_same_flushing_results);
+    RUN(answers_are_the_same_taking_operands_for_zero);
+    RUN(answers_are_the_same_doing_both);
+    RUN(answers_are_the_same_rounding_upward);
+    RUN(answers_are_the_same_rounding_downward);
+    RUN(answers_are_the_same_rounding_toward_zero);
+    RUN(answers_are_the_same_doing_all_at_once);
+    return check_end();
+}
