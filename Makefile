@@ -30,6 +30,13 @@ exactly := -ffp-contract=off -fno-fast-math
 compile  = $(CC) $(ours) $(CPPFLAGS) $(CFLAGS) $(extra) $(exactly)
 
 lib_objects   := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/methods/*.c))
+# kernels once more for each instruction set of this machine's family
+ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
+lib_objects   += $(BUILD)/src/kernel-fma.o $(BUILD)/src/batch-avx2.o $(BUILD)/src/batch-avx512.o
+endif
+FLAGS.fma     := -mavx2 -mfma -DCYLINT_ONE=cylint_one_fma
+FLAGS.avx2    := -mavx2 -mfma -DCYLINT_SHAPES=cylint_shapes_avx2 -DCYLINT_LINES=cylint_lines_avx2
+FLAGS.avx512  := -mavx512f -mavx512vl -mavx512dq -mavx2 -mfma -DCYLINT_SHAPES=cylint_shapes_avx512 -DCYLINT_LINES=cylint_lines_avx512
 tool_sources  := $(filter-out tools/cylint/numbers_c.c,$(wildcard tools/cylint/*.c))
 tool_objects  := $(patsubst %.c,$(BUILD)/%.o,$(tool_sources)) \
                  $(BUILD)/tools/cylint/$(if $(CXX17),numbers_cxx.o,numbers_c.o)
@@ -56,9 +63,18 @@ $(BUILD)/tools/bench/%.o: extra := -D_POSIX_C_SOURCE=200809L -Itests \
 $(BUILD)/tests/%.o: extra := -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 
+$(BUILD)/src/dispatch.o: extra += $(if $(findstring kernel-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
+$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o: extra += -O3
+
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(compile) -c -o $@ $<
+
+$(BUILD)/src/kernel-%.o: src/kernel.c
+	$(compile) $(FLAGS.$*) -c -o $@ $<
+
+$(BUILD)/src/batch-%.o: src/batch.c
+	$(compile) $(FLAGS.$*) -c -o $@ $<
 
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc
 	@mkdir -p $(@D)

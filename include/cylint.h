@@ -37,6 +37,8 @@
 #define CYLINT_API
 #endif
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -306,6 +308,81 @@ enum {
  * the caller's choice and leave every relation, n, part, side and t as it
  * is.  No function of this library changes the environment. */
 CYLINT_API int cylint_selftest(void);
+
+/* ------------------------------------------------------------- batches -- */
+
+/*
+ * Many shapes, prepared: what does not depend on a line is computed once and
+ * laid out for the widest vectors of the processor.  The caller gives the
+ * memory, cylint_pack_bytes(n) bytes at any address, and keeps it and the
+ * shapes, which are read again where doubles cannot decide, as long as the
+ * pack is used.  Shapes are known by their numbers, 0 to n - 1.  A pack is
+ * only read by queries: any number of threads may share it.
+ */
+typedef struct cylint_pack {
+    size_t n;
+    const cylint_shape *shapes;
+    void *memory;
+} cylint_pack;
+
+CYLINT_API size_t cylint_pack_bytes(size_t n);
+CYLINT_API void cylint_pack_shapes(cylint_pack *pack, void *memory,
+                                   const cylint_shape *shapes, size_t n);
+
+/* Many lines, one array per coordinate, n long, at any address.  tmin and
+ * tmax may be NULL: then all are 0, and all infinite.  A line that is not
+ * finite or has no length is invalid: it answers "miss". */
+typedef struct cylint_lines {
+    size_t n;
+    const double *o[3], *d[3];
+    const double *tmin, *tmax;
+} cylint_lines;
+
+/*
+ * Where the answers go: one array per member, as long as there are answers,
+ * apart from all inputs; NULL for what is not wanted, which then costs
+ * nothing.  Of an answer with fewer than two hits, t and part of the missing
+ * ones are NaN and -1.
+ */
+typedef struct cylint_columns {
+    signed char *relation; /* cylint_relation */
+    signed char *n;
+    double *t0, *t1;
+    signed char *part0, *part1; /* cylint_part */
+} cylint_columns;
+
+/* The answers are those of cylint_intersect(), bit for bit, whatever the
+ * processor, the number of shapes or lines and their addresses. */
+
+/* One line against all shapes; answers in the order of the shapes. */
+CYLINT_API void cylint_intersect_shapes(const cylint_pack *pack,
+    const cylint_line *line, const cylint_columns *answers);
+
+/* All lines against one shape; answers in the order of the lines. */
+CYLINT_API void cylint_intersect_lines(const cylint_shape *shape,
+    const cylint_lines *lines, const cylint_columns *answers);
+
+/* Line i against shape i, for as many as there are shapes. */
+CYLINT_API void cylint_intersect_pairs(const cylint_pack *pack,
+    const cylint_lines *lines, const cylint_columns *answers);
+
+/* The number of the shape that the line meets first, its hit in *hit as far
+ * as wanted; the pack's n if it meets none.  Of equal t the lower number. */
+CYLINT_API size_t cylint_nearest(const cylint_pack *pack,
+    const cylint_line *line, unsigned want, cylint_hit *hit);
+
+/* The number of shapes that the line meets; at most `enough`, where that is
+ * not 0: with 1, whether it meets any. */
+CYLINT_API size_t cylint_count(const cylint_pack *pack,
+    const cylint_line *line, size_t enough);
+
+/* The kernels in use, and those this processor can run, best first, by
+ * number from 0; NULL after the last.  cylint_use_kernels() chooses, for
+ * tests and measurements, and says whether there are such; NULL: the best.
+ * Not to be called while queries run. */
+CYLINT_API const char *cylint_kernels_in_use(void);
+CYLINT_API const char *cylint_kernels_name(int number);
+CYLINT_API int cylint_use_kernels(const char *name);
 
 #ifdef __cplusplus
 }

@@ -1,14 +1,86 @@
 /*
  * dispatch.c - which processor is this, and which build of the kernels
  */
+#include <string.h>
+
 #include "kernels.h"
 
-const cylint_kernels *cylint_best_kernels(void)
-{
-#ifdef CYLINT_HAVE_FMA_KERNELS
-    /* both the processor and the system's saved state are checked */
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return &cylint_kernels_fma;
+/* Best first; the last runs anywhere. */
+static const cylint_kernels builds[] = {
+#ifdef CYLINT_BUILDS_X86
+    {"avx512", cylint_one_fma, cylint_shapes_avx512, cylint_lines_avx512},
+    {"avx2", cylint_one_fma, cylint_shapes_avx2, cylint_lines_avx2},
 #endif
-    return &cylint_kernels_plain;
+    {"plain", cylint_one_plain, cylint_shapes_plain, cylint_lines_plain},
+};
+
+enum { BUILDS = sizeof builds / sizeof builds[0] };
+
+/* __builtin_cpu_supports() asks the processor and whether the system saves
+ * the registers. */
+static int runs(int build)
+{
+#ifdef CYLINT_BUILDS_X86
+    if (build == 0)
+        return __builtin_cpu_supports("avx512f") &&
+               __builtin_cpu_supports("avx512vl") &&
+               __builtin_cpu_supports("avx512dq");
+    if (build == 1)
+        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#endif
+    return build == BUILDS - 1;
+}
+
+static int best(void)
+{
+    int build = 0;
+    while (!runs(build))
+        build++;
+    return build;
+}
+
+/* 0: not chosen yet.  Threads that choose at once choose the same. */
+static int chosen;
+
+#ifdef __GNUC__
+#define LOAD(x) __atomic_load_n(&(x), __ATOMIC_RELAXED)
+#define STORE(x, v) __atomic_store_n(&(x), v, __ATOMIC_RELAXED)
+#else
+#define LOAD(x) (x)
+#define STORE(x, v) ((x) = (v))
+#endif
+
+const cylint_kernels *cylint_kernels_used(void)
+{
+    int build = LOAD(chosen) - 1;
+    if (build < 0) {
+        build = best();
+        STORE(chosen, build + 1);
+    }
+    return &builds[build];
+}
+
+const char *cylint_kernels_in_use(void)
+{
+    return cylint_kernels_used()->name;
+}
+
+const char *cylint_kernels_name(int number)
+{
+    for (int build = 0; build < BUILDS; build++)
+        if (runs(build) && number-- == 0)
+            return builds[build].name;
+    return NULL;
+}
+
+int cylint_use_kernels(const char *name)
+{
+    for (int build = 0; build < BUILDS; build++)
+        if (name ? strcmp(name, builds[build].name) == 0 : runs(build)) {
+            if (!runs(build))
+                return 0;
+            STORE(chosen, build + 1);
+            return 1;
+        }
+    return 0;
 }

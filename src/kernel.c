@@ -8,9 +8,8 @@
 #include "kernel.h"
 #include "kernels.h"
 
-#ifndef CYLINT_KERNELS
-#define CYLINT_KERNELS cylint_kernels_plain
-#define CYLINT_KERNELS_NAME "plain"
+#ifndef CYLINT_ONE
+#define CYLINT_ONE cylint_one_plain
 #endif
 
 /* The same line and shape in all lanes. */
@@ -130,7 +129,7 @@ INLINE int answer_one(const cylint_shape *shape,
 }
 
 /* The constants make a kernel of its own out of each call. */
-static int one(const cylint_shape *shape, const cylint_line *line,
+int CYLINT_ONE(const cylint_shape *shape, const cylint_line *line,
                unsigned want, cylint_kernel_answer *answer)
 {
     const int bounded = shape->ends < CYLINT_INFINITE;
@@ -151,5 +150,3 @@ static int one(const cylint_shape *shape, const cylint_line *line,
     }
 #undef KIND
 }
-
-const cylint_kernels CYLINT_KERNELS = {CYLINT_KERNELS_NAME, one};

@@ -294,6 +294,7 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
     const bounded_value nowhere = {zero, zero};
     lanes_verdict v = {none, none, {none, none}, none, {nowhere, nowhere},
                        {lateral, lateral}};
+    q->A = q->B = q->R = q->beta = nowhere;
     lanes_letters(q, s, l, kind);
     const bounded_value G = with_bound(form_G_lanes(&q->L),
                                        form_G_sizes(&q->N));

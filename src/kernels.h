@@ -1,5 +1,6 @@
 /*
- * kernels.h - what each build of kernel.c offers, and which one is used
+ * kernels.h - what each build of kernel.c and batch.c offers, and what a
+ * pack looks like to them
  */
 #ifndef CYLINT_KERNELS_H
 #define CYLINT_KERNELS_H
@@ -13,16 +14,69 @@ typedef struct {
     double t[2], more[2], error[2];
 } cylint_kernel_answer;
 
+/* One line and shape: 1 if decided, 0 to ask by signs. */
+typedef int cylint_kernel_one(const cylint_shape *shape,
+                              const cylint_line *line, unsigned want,
+                              cylint_kernel_answer *answer);
+
+/* Shapes that one kernel serves: number[i] is the shape of lane i.  Columns
+ * are padded to a multiple of 8 lanes by copies of the last shape. */
+enum {
+    COLUMN_BASE = 0, COLUMN_AXIS = 3, COLUMN_AXIS_LO = 6, COLUMN_TOP = 9,
+    COLUMN_A = 6, COLUMN_B = 9, /* elliptic kinds have no low parts, no top */
+    COLUMN_R0 = 12, COLUMN_R1, COLUMN_DR, COLUMN_DR_LO,
+    COLUMN_CAP0, COLUMN_CAP1,   /* 1: present, 0: not */
+    COLUMNS
+};
+
+typedef struct {
+    int kind, bounded;
+    int scalar;            /* no kernel: ask cylint_intersect() */
+    size_t n, stride;      /* of columns, in doubles */
+    const size_t *number;
+    const double *column;
+} cylint_run;
+
+/* A batch job: which lines meet which shapes, and what becomes of it. */
+typedef struct cylint_job cylint_job;
+struct cylint_job {
+    const cylint_shape *shapes;   /* all, by number */
+    const cylint_line *line;      /* one line for all shapes, or NULL */
+    const cylint_lines *lines;    /* one for each number, where line is NULL */
+    unsigned want;
+    double nearest;               /* hits beyond it are of no interest */
+    /* Takes a decided answer; returns 1 when nothing more is wanted. */
+    int (*take)(cylint_job *job, size_t number,
+                const cylint_kernel_answer *answer);
+    size_t best, count, enough;
+    cylint_kernel_answer best_answer;
+    const cylint_columns *columns;
+};
+
+/* A run of shapes, or (one shape, in lanes = all) a stretch of lines from
+ * `first` on.  Returns 1 if the job has enough. */
+typedef int cylint_kernel_shapes(cylint_job *job, const cylint_run *run);
+typedef int cylint_kernel_lines(cylint_job *job, const cylint_shape *shape);
+
 typedef struct {
     const char *name;
-    /* One line, one shape: 1 if decided, 0 to ask query.c. */
-    int (*one)(const cylint_shape *shape, const cylint_line *line,
-               unsigned want, cylint_kernel_answer *answer);
+    cylint_kernel_one *one;
+    cylint_kernel_shapes *shapes;
+    cylint_kernel_lines *lines;
 } cylint_kernels;
 
-extern const cylint_kernels cylint_kernels_plain, cylint_kernels_fma;
+/* The builds: narrow for single questions, wide for batches. */
+extern cylint_kernel_one cylint_one_plain, cylint_one_fma;
+extern cylint_kernel_shapes cylint_shapes_plain, cylint_shapes_avx2,
+    cylint_shapes_avx512;
+extern cylint_kernel_lines cylint_lines_plain, cylint_lines_avx2,
+    cylint_lines_avx512;
 
-/* The best that this processor can run. */
-const cylint_kernels *cylint_best_kernels(void);
+/* Those in use. */
+const cylint_kernels *cylint_kernels_used(void);
+
+/* Asks by the general way: number's shape, its line. */
+void cylint_kernel_ask(const cylint_job *job, const cylint_shape *shape,
+                       size_t number, cylint_kernel_answer *answer);
 
 #endif

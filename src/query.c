@@ -325,7 +325,7 @@ int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
         return answer->n = 0;
     }
     cylint_kernel_answer known;
-    if (cylint_best_kernels()->one(shape, line, want, &known))
+    if (cylint_kernels_used()->one(shape, line, want, &known))
         return tell(shape, line, want, &known, answer);
     return ask(shape, line, want, answer);
 }

@@ -1,0 +1,306 @@
+/*
+ * pack.c - many shapes in columns, and the questions asked of batches
+ *
+ * Shapes are sorted into runs, each for one kernel, keeping their order
+ * within a run; lanes carry the shapes' numbers.
+ */
+#include "internal.h"
+#include "kernels.h"
+
+/* A run for each kind, bounded or not, and one for what no kernel takes. */
+enum { KINDS = CYLINT_KIND_ECONE + 1, RUNS = 2 * KINDS + 1, PADDING = 8 };
+
+typedef struct {
+    cylint_run run[RUNS];
+} pack_head;
+
+static int run_of(const cylint_shape *s)
+{
+    const int bounded = s->ends < CYLINT_INFINITE;
+    const int nappe = s->ends == CYLINT_NAPPE &&
+                      s->kind != CYLINT_KIND_CYLINDER &&
+                      s->kind != CYLINT_KIND_ECYLINDER;
+    if (s->kind == CYLINT_KIND_NONE || !s->ordinary || nappe)
+        return RUNS - 1;
+    return 2 * s->kind + bounded;
+}
+
+static size_t padded(size_t n)
+{
+    return (n + PADDING - 1) / PADDING * PADDING;
+}
+
+/* Room for the head, the numbers, and columns whose padding may add up to
+ * one PADDING a run; and for moving all to an aligned address. */
+size_t cylint_pack_bytes(size_t n)
+{
+    const size_t lanes = n + (size_t)RUNS * PADDING;
+    return sizeof(pack_head) + lanes * sizeof(size_t) +
+           lanes * COLUMNS * sizeof(double) + 3 * 64;
+}
+
+static char *aligned(char *p)
+{
+    return p + (64 - (uintptr_t)p % 64) % 64;
+}
+
+static void fill_lane(double *column, size_t stride, const cylint_shape *s)
+{
+    const int elliptic = s->kind >= CYLINT_KIND_ECYLINDER;
+    for (int i = 0; i < 3; i++) {
+        column[(size_t)(COLUMN_BASE + i) * stride] = s->base[i];
+        column[(size_t)(COLUMN_AXIS + i) * stride] = s->axis[i];
+        column[(size_t)(COLUMN_AXIS_LO + i) * stride] =
+            elliptic ? s->a[i] : s->axis_lo[i];
+        column[(size_t)(COLUMN_TOP + i) * stride] =
+            !elliptic ? s->top[i] : s->flip ? -s->b[i] : s->b[i];
+    }
+    column[COLUMN_R0 * stride] = s->r0;
+    column[COLUMN_R1 * stride] = s->r1;
+    column[COLUMN_DR * stride] = s->dr;
+    column[COLUMN_DR_LO * stride] = s->dr_lo;
+    column[COLUMN_CAP0 * stride] = s->ends == CYLINT_CAPPED ||
+                                   s->ends == CYLINT_CAP_0;
+    column[COLUMN_CAP1 * stride] = s->ends == CYLINT_CAPPED ||
+                                   s->ends == CYLINT_CAP_1;
+}
+
+void cylint_pack_shapes(cylint_pack *pack, void *memory,
+                        const cylint_shape *shapes, size_t n)
+{
+    pack_head *head = (pack_head *)(void *)aligned(memory);
+    size_t *number = (size_t *)(void *)aligned((char *)(head + 1));
+    double *column = (double *)(void *)aligned(
+        (char *)(number + n + (size_t)RUNS * PADDING));
+    size_t *fill[RUNS];
+    pack->n = n;
+    pack->shapes = shapes;
+    pack->memory = head;
+    memset(head, 0, sizeof *head);
+    for (size_t i = 0; i < n; i++)
+        head->run[run_of(&shapes[i])].n++;
+    for (int r = 0; r < RUNS; r++) {
+        cylint_run *run = &head->run[r];
+        run->kind = r / 2;
+        run->bounded = r % 2;
+        run->scalar = r == RUNS - 1;
+        run->stride = padded(run->n);
+        run->number = fill[r] = number;
+        run->column = column;
+        number += run->stride;
+        column += run->stride * COLUMNS;
+    }
+    for (size_t i = 0; i < n; i++)
+        *fill[run_of(&shapes[i])]++ = i;
+    for (int r = 0; r < RUNS; r++) {
+        const cylint_run *run = &head->run[r];
+        double *first = (double *)run->column;
+        for (size_t i = 0; i < run->stride && run->n > 0; i++) {
+            const size_t lane = i < run->n ? i : run->n - 1;
+            fill_lane(first + i, run->stride, &shapes[run->number[lane]]);
+        }
+    }
+}
+
+/* ------------------------------------------------------ the questions -- */
+
+/* The line of a number; 0 if there is no such line. */
+static int line_of(const cylint_job *job, size_t number, cylint_line *line)
+{
+    if (job->line) {
+        *line = *job->line;
+        return line->valid;
+    }
+    const cylint_lines *l = job->lines;
+    const double o[3] = {l->o[0][number], l->o[1][number], l->o[2][number]};
+    const double d[3] = {l->d[0][number], l->d[1][number], l->d[2][number]};
+    return cylint_span(line, o, d, l->tmin ? l->tmin[number] : 0,
+                       l->tmax ? l->tmax[number] : HUGE_VAL) == CYLINT_OK;
+}
+
+void cylint_kernel_ask(const cylint_job *job, const cylint_shape *shape,
+                       size_t number, cylint_kernel_answer *answer)
+{
+    cylint_line line;
+    cylint_answer a;
+    answer->n = 0;
+    answer->relation = CYLINT_MISS;
+    if (!line_of(job, number, &line))
+        return;
+    cylint_intersect(shape, &line, job->want | CYLINT_WANT_PART, &a);
+    answer->relation = a.relation;
+    answer->n = a.n;
+    for (int i = 0; i < a.n; i++) {
+        if (job->want & CYLINT_WANT_T)
+            answer->t[i] = a.hit[i].t;
+        answer->part[i] = a.hit[i].part;
+        answer->side[i] = a.hit[i].side;
+    }
+}
+
+static void ask_pack(const cylint_pack *pack, cylint_job *job)
+{
+    const pack_head *head = pack->memory;
+    const cylint_kernels *kernels = cylint_kernels_used();
+    job->shapes = pack->shapes;
+    job->nearest = HUGE_VAL;
+    if (job->line && !job->line->valid)
+        return;
+    const int scalar = job->line && !job->line->ordinary;
+    for (int r = 0; r < RUNS; r++) {
+        const cylint_run *run = &head->run[r];
+        if (!scalar && !run->scalar) {
+            if (run->n > 0 && kernels->shapes(job, run))
+                return;
+            continue;
+        }
+        for (size_t i = 0; i < run->n; i++) {
+            cylint_kernel_answer answer;
+            const size_t number = run->number[i];
+            cylint_kernel_ask(job, &pack->shapes[number], number, &answer);
+            if (answer.relation != CYLINT_MISS &&
+                job->take(job, number, &answer))
+                return;
+        }
+    }
+}
+
+static int take_nearest(cylint_job *job, size_t number,
+                        const cylint_kernel_answer *answer)
+{
+    if (answer->n > 0 && (answer->t[0] < job->nearest ||
+        (answer->t[0] == job->nearest && number < job->best))) {
+        job->nearest = answer->t[0];
+        job->best = number;
+        job->best_answer = *answer;
+    }
+    return 0;
+}
+
+size_t cylint_nearest(const cylint_pack *pack, const cylint_line *line,
+                      unsigned want, cylint_hit *hit)
+{
+    cylint_job job = {.line = line, .take = take_nearest, .best = pack->n,
+                      .want = CYLINT_WANT_T | CYLINT_WANT_NEAREST};
+    ask_pack(pack, &job);
+    if (job.best == pack->n)
+        return pack->n;
+    if (want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
+                CYLINT_WANT_PHI)) {
+        cylint_answer answer;
+        cylint_intersect(&pack->shapes[job.best], line,
+                         want | CYLINT_WANT_NEAREST, &answer);
+        *hit = answer.hit[0];
+        return job.best;
+    }
+    if (want & CYLINT_WANT_T)
+        hit->t = job.best_answer.t[0];
+    if (want & CYLINT_WANT_PART) {
+        hit->part = job.best_answer.part[0];
+        hit->side = job.best_answer.side[0];
+    }
+    return job.best;
+}
+
+static int take_count(cylint_job *job, size_t number,
+                      const cylint_kernel_answer *answer)
+{
+    (void)number;
+    job->count += answer->n > 0;
+    return job->enough != 0 && job->count == job->enough;
+}
+
+size_t cylint_count(const cylint_pack *pack, const cylint_line *line,
+                    size_t enough)
+{
+    cylint_job job = {.line = line, .take = take_count, .enough = enough,
+                      .want = CYLINT_WANT_NEAREST};
+    ask_pack(pack, &job);
+    return job.count;
+}
+
+/* ------------------------------------------------------------ columns -- */
+
+static void put_answer(const cylint_columns *to, size_t i,
+                       const cylint_kernel_answer *a)
+{
+    if (to->relation)
+        to->relation[i] = (signed char)a->relation;
+    if (to->n)
+        to->n[i] = (signed char)a->n;
+    if (to->t0)
+        to->t0[i] = a->n > 0 ? a->t[0] : NAN;
+    if (to->t1)
+        to->t1[i] = a->n > 1 ? a->t[1] : NAN;
+    if (to->part0)
+        to->part0[i] = (signed char)(a->n > 0 ? a->part[0] : -1);
+    if (to->part1)
+        to->part1[i] = (signed char)(a->n > 1 ? a->part[1] : -1);
+}
+
+static int take_columns(cylint_job *job, size_t number,
+                        const cylint_kernel_answer *answer)
+{
+    put_answer(job->columns, number, answer);
+    return 0;
+}
+
+/* Everything misses until something is found. */
+static cylint_job columns_job(const cylint_columns *to, size_t n)
+{
+    cylint_job job = {.take = take_columns, .columns = to};
+    job.nearest = HUGE_VAL;
+    if (to->t0 || to->t1)
+        job.want |= CYLINT_WANT_T;
+    if (!to->t1 && !to->part1 && !to->n)
+        job.want |= CYLINT_WANT_NEAREST;
+    if (to->relation)
+        memset(to->relation, CYLINT_MISS, n);
+    if (to->n)
+        memset(to->n, 0, n);
+    if (to->part0)
+        memset(to->part0, -1, n);
+    if (to->part1)
+        memset(to->part1, -1, n);
+    for (size_t i = 0; to->t0 && i < n; i++)
+        to->t0[i] = NAN;
+    for (size_t i = 0; to->t1 && i < n; i++)
+        to->t1[i] = NAN;
+    return job;
+}
+
+void cylint_intersect_shapes(const cylint_pack *pack, const cylint_line *line,
+                             const cylint_columns *answers)
+{
+    cylint_job job = columns_job(answers, pack->n);
+    job.line = line;
+    ask_pack(pack, &job);
+}
+
+void cylint_intersect_pairs(const cylint_pack *pack, const cylint_lines *lines,
+                            const cylint_columns *answers)
+{
+    cylint_job job = columns_job(answers, pack->n);
+    job.lines = lines;
+    ask_pack(pack, &job);
+}
+
+void cylint_intersect_lines(const cylint_shape *shape,
+                            const cylint_lines *lines,
+                            const cylint_columns *answers)
+{
+    cylint_job job = columns_job(answers, lines->n);
+    job.lines = lines;
+    job.shapes = shape;
+    const int run = run_of(shape);
+    if (run != RUNS - 1) {
+        cylint_kernels_used()->lines(&job, shape);
+        return;
+    }
+    for (size_t i = 0; i < lines->n; i++) {
+        cylint_kernel_answer answer;
+        cylint_kernel_ask(&job, shape, i, &answer);
+        if (answer.relation != CYLINT_MISS)
+            take_columns(&job, i, &answer);
+    }
+}
