@@ -22,10 +22,10 @@ import tempfile
 
 CORE = ["forms.h", "fraction.h", "eft.h", "decide.c", "root.c", "query.c",
         "exact.c", "hit.c", "box.c"]
-TESTS = [("test_ties", {}), ("test_shape", {}),
+TESTS = [("test_ties", {}), ("test_corners", {}), ("test_shape", {}),
          ("test_query", {"CYLINT_CASES": "100"}),
-         ("test_properties", {"CYLINT_CASES": "100"}),
-         ("test_query", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"})]
+         ("test_query", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
+         ("test_properties", {"CYLINT_CASES": "100"})]
 SECONDS = 60  # a test that takes longer hangs
 
 # (pattern, what may stand there instead)
