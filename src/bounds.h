@@ -52,7 +52,9 @@
 /*
  * The same in the directed modes, where |lo| <= ulp(hi) and the low parts of
  * two_sum and fast_two_sum are themselves rounded.  Proved for low parts off
- * by at most 2^-104 |s| each; and a round number above both.
+ * by at most 2^-104 |s| each, and products exact, as by fused multiply-add
+ * (Dekker's splitting is for rounding to nearest); and a round number above
+ * both.
  */
 #define CYLINT_PAIR_ADD_DIRECTED 0x7p-104
 #define CYLINT_PAIR_MUL_DIRECTED 0xdp-104

@@ -1,0 +1,273 @@
+/*
+ * test_eft.c - error-free sums and products, and pairs within their bounds
+ *
+ * eft.h is compiled twice, with products by Dekker's splitting and by fused
+ * multiply-add, which must agree bit by bit.  The reference is MPFR with
+ * more bits than any of these results has.
+ */
+#include <stdio.h>
+
+#ifdef HAVE_MPFR
+#include <fenv.h>
+#include <math.h>
+#include <mpfr.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "check.h"
+
+#undef __FMA__
+#include "bounds.h"
+#include "eft.h"
+
+#undef CYLINT_EFT_H
+#define __FMA__ 1
+#define pair fused_pair
+#define two_sum fused_two_sum
+#define two_diff fused_two_diff
+#define fast_two_sum fused_fast_two_sum
+#define two_prod fused_two_prod
+#define pair_add fused_pair_add
+#define pair_neg fused_pair_neg
+#define pair_sub fused_pair_sub
+#define pair_mul fused_pair_mul
+#define pair_div fused_pair_div
+#define pair_sqrt fused_pair_sqrt
+#include "eft.h"
+#undef pair
+#undef two_sum
+#undef two_diff
+#undef fast_two_sum
+#undef two_prod
+#undef pair_add
+#undef pair_neg
+#undef pair_sub
+#undef pair_mul
+#undef pair_div
+#undef pair_sqrt
+
+enum { CASES = 60000, BITS = 4500 };
+
+static uint64_t state = 0x2545f4914f6cdd1du;
+
+/* xorshift64* [Vigna 2016] */
+static uint64_t draw(void)
+{
+    state ^= state >> 12;
+    state ^= state << 25;
+    state ^= state >> 27;
+    return state * 0x2545f4914f6cdd1du;
+}
+
+static uint64_t below(uint64_t n)
+{
+    return (draw() >> 11) % n;
+}
+
+/* A double in [1, 2), its mantissa random, sparse, or at an end. */
+static double mantissa(void)
+{
+    switch (below(5)) {
+    case 0:
+        return 1;
+    case 1:
+        return 2 - 0x1p-52 * (double)(1 + below(3));
+    case 2:
+        return 1 + 0x1p-52 * (double)below(4);
+    case 3:
+        return 1 + ldexp(1, -(int)(1 + below(52))) +
+               ldexp(1, -(int)(1 + below(52))) * 0.5;
+    default:
+        return 1 + 0x1p-52 * (double)below((uint64_t)1 << 52);
+    }
+}
+
+/* Exponents as the forms meet them: up to the eighth power of the window. */
+static double any_double(void)
+{
+    const int reach = below(4) ? 8 : 480;
+    const double m = below(2) ? mantissa() : -mantissa();
+    return ldexp(m, (int)below((uint64_t)(2 * reach)) - reach);
+}
+
+static pair any_pair(void)
+{
+    const double hi = any_double();
+    int e;
+    frexp(hi, &e);
+    switch (below(4)) {
+    case 0:
+        return (pair){hi, 0};
+    case 1: /* half an ulp, nearly */
+        return two_sum(hi, ldexp(below(2) ? 2 - 0x1p-52 : -1, e - 55));
+    default:
+        return two_sum(hi, ldexp(below(2) ? mantissa() : -mantissa(),
+                                 e - 55 - (int)below(3)));
+    }
+}
+
+/* Another that cancels against the first, wholly or nearly. */
+static pair against(pair a)
+{
+    pair b = any_pair();
+    switch (below(4)) {
+    case 0:
+        b.hi = -a.hi;
+        b.lo = -a.lo * (double)below(3);
+        break;
+    case 1:
+        b.hi = -nextafter(a.hi, below(2) ? 0 : 2 * a.hi);
+        b.lo = a.lo;
+        break;
+    default:
+        return b;
+    }
+    return two_sum(b.hi, b.lo);
+}
+
+static void both_products_give_the_same_bits(void)
+{
+    for (int i = 0; i < CASES; i++) {
+        const double a = any_double(), b = any_double();
+        const pair p = two_prod(a, b);
+        const fused_pair f = fused_two_prod(a, b);
+        if (!CHECK(p.hi == f.hi && p.lo == f.lo))
+            REPORT("%a %a", a, b);
+    }
+}
+
+static mpfr_t x, y, z;
+
+static void set(mpfr_t to, pair a)
+{
+    mpfr_set_d(to, a.hi, MPFR_RNDN);
+    mpfr_add_d(to, to, a.lo, MPFR_RNDN);
+}
+
+static void sums_and_products_lose_nothing(void)
+{
+    for (int i = 0; i < CASES; i++) {
+        const pair a = {any_double(), 0};
+        const pair b = {below(2) ? against(a).hi : any_double(), 0};
+        set(x, a);
+        set(y, b);
+        mpfr_add(z, x, y, MPFR_RNDN);
+        set(x, two_sum(a.hi, b.hi));
+        if (!CHECK(mpfr_equal_p(x, z)))
+            REPORT("%a + %a", a.hi, b.hi);
+        set(x, a);
+        mpfr_mul(z, x, y, MPFR_RNDN);
+        set(x, two_prod(a.hi, b.hi));
+        if (!CHECK(mpfr_equal_p(x, z)))
+            REPORT("%a * %a", a.hi, b.hi);
+    }
+}
+
+/* |result - z| relative to size. */
+static double off_by(pair result, double size)
+{
+    set(x, result);
+    mpfr_sub(x, x, z, MPFR_RNDN);
+    mpfr_div_d(x, x, size, MPFR_RNDN);
+    return fabs(mpfr_get_d(x, MPFR_RNDN));
+}
+
+typedef struct {
+    double add, mul, div, sqrt;
+} errors;
+
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* Dekker's splitting is for rounding to nearest: elsewhere, fused. */
+static pair product_in_mode(pair a, pair b, int mode)
+{
+    if (mode == FE_TONEAREST)
+        return pair_mul(a, b);
+    const fused_pair p = fused_pair_mul((fused_pair){a.hi, a.lo},
+                                        (fused_pair){b.hi, b.lo});
+    return (pair){p.hi, p.lo};
+}
+
+static errors worst_of_pairs(int mode)
+{
+    errors worst = {0, 0, 0, 0};
+    for (int i = 0; i < CASES; i++) {
+        fesetround(FE_TONEAREST);
+        pair a = any_pair(), b = against(a);
+        if (b.hi == 0)
+            continue;
+        fesetround(mode);
+        const pair sum = pair_add(a, b);
+        const pair product = product_in_mode(a, b, mode);
+        const pair quotient = pair_div(a, b);
+        const pair size = {fabs(a.hi), a.hi < 0 ? -a.lo : a.lo};
+        const pair root = pair_sqrt(size);
+        fesetround(FE_TONEAREST);
+        mpfr_t p, q;
+        mpfr_inits2(BITS, p, q, (mpfr_ptr)0);
+        set(p, a);
+        set(q, b);
+        mpfr_add(z, p, q, MPFR_RNDN);
+        worst.add = larger(worst.add, off_by(sum, fabs(a.hi) + fabs(b.hi)));
+        mpfr_mul(z, p, q, MPFR_RNDN);
+        worst.mul = larger(worst.mul, off_by(product, fabs(a.hi * b.hi)));
+        mpfr_div(z, p, q, MPFR_RNDN);
+        worst.div = larger(worst.div, off_by(quotient, fabs(a.hi / b.hi)));
+        mpfr_abs(p, p, MPFR_RNDN);
+        mpfr_sqrt(z, p, MPFR_RNDN);
+        worst.sqrt = larger(worst.sqrt, off_by(root, sqrt(size.hi)));
+        mpfr_clears(p, q, (mpfr_ptr)0);
+    }
+    return worst;
+}
+
+static void pairs_stay_within_their_bounds(void)
+{
+    const errors e = worst_of_pairs(FE_TONEAREST);
+    printf("note: worst of its bound: sum %.2f, product %.2f, quotient %.2f, "
+           "root %.2f\n", e.add / CYLINT_PAIR_ADD, e.mul / CYLINT_PAIR_MUL,
+           e.div / CYLINT_PAIR_DIV, e.sqrt / CYLINT_PAIR_SQRT);
+    CHECK(e.add <= CYLINT_PAIR_ADD && e.mul <= CYLINT_PAIR_MUL);
+    CHECK(e.div <= CYLINT_PAIR_DIV && e.sqrt <= CYLINT_PAIR_SQRT);
+}
+
+static void other_rounding_modes_stay_within_the_common_bound(void)
+{
+    static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    errors most = {0, 0, 0, 0};
+    for (int i = 0; i < 3; i++) {
+        const errors e = worst_of_pairs(modes[i]);
+        most.add = larger(most.add, e.add);
+        most.mul = larger(most.mul, e.mul);
+    }
+    printf("note: directed modes, worst of the bound: sum %.2f, "
+           "product %.2f\n", most.add / CYLINT_PAIR_ROUNDING,
+           most.mul / CYLINT_PAIR_ROUNDING);
+    CHECK(most.add <= CYLINT_PAIR_ROUNDING);
+    CHECK(most.mul <= CYLINT_PAIR_ROUNDING);
+}
+
+int main(void)
+{
+    mpfr_inits2(BITS, x, y, z, (mpfr_ptr)0);
+    RUN(both_products_give_the_same_bits);
+    RUN(sums_and_products_lose_nothing);
+    RUN(pairs_stay_within_their_bounds);
+    RUN(other_rounding_modes_stay_within_the_common_bound);
+    mpfr_clears(x, y, z, (mpfr_ptr)0);
+    mpfr_free_cache();
+    return check_end();
+}
+
+#else
+
+int main(void)
+{
+    puts("no MPFR: nothing to compare with");
+    return 77;
+}
+
+#endif
