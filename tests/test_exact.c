@@ -1,0 +1,479 @@
+/*
+ * test_exact.c - exact arithmetic against GMP, and the room it takes
+ *
+ * Numbers are compared as integers, times 2^BASE.  How much of the arena is
+ * used is measured where more room follows it than any input can ask for, on
+ * inputs made to ask for much: a search by small changes from random starts.
+ */
+#include <stdio.h>
+
+#ifdef HAVE_MPFR
+#include <gmp.h>
+#include <math.h>
+#include <stddef.h>
+
+#include "check.h"
+#include "internal.h"
+
+enum { BASE = 8192, CASES = 20000 };
+
+static uint64_t state = 0x9e3779b97f4a7c15u;
+
+/* xorshift64* [Vigna 2016] */
+static uint64_t draw(void)
+{
+    state ^= state >> 12;
+    state ^= state << 25;
+    state ^= state >> 27;
+    return state * 0x2545f4914f6cdd1du;
+}
+
+static uint64_t below(uint64_t n)
+{
+    return (draw() >> 11) % n;
+}
+
+static double from_bits(uint64_t bits)
+{
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* Any finite double: zero, subnormal, of every exponent. */
+static double any_double(void)
+{
+    const uint64_t sign = below(2) << 63;
+    switch (below(8)) {
+    case 0:
+        return from_bits(sign);
+    case 1:
+        return from_bits(sign | below((uint64_t)1 << 52));
+    case 2: /* a power of two */
+        return from_bits(sign | below(2047) << 52);
+    default:
+        return from_bits(sign | below(2047) << 52 |
+                         below((uint64_t)1 << 52));
+    }
+}
+
+static void integer_of_double(mpz_t z, double x, int shift)
+{
+    int e;
+    mpz_set_d(z, ldexp(frexp(x, &e), 53));
+    const int up = x == 0 ? 0 : e - 53 + shift;
+    if (up >= 0)
+        mpz_mul_2exp(z, z, (mp_bitcnt_t)up);
+    else
+        mpz_fdiv_q_2exp(z, z, (mp_bitcnt_t)-up);
+}
+
+static void integer_of(mpz_t z, exact x)
+{
+    mpz_import(z, (size_t)x.n, -1, sizeof *x.limb, 0, 0, x.limb);
+    if (x.n > 0)
+        mpz_mul_2exp(z, z, (mp_bitcnt_t)(32 * x.exponent + BASE));
+    if (x.sign < 0)
+        mpz_neg(z, z);
+}
+
+/* Whether x is well made and x 2^shift the integer. */
+static int is_integer(exact x, const mpz_t wanted)
+{
+    mpz_t z;
+    mpz_init(z);
+    integer_of(z, x);
+    const int made = x.sign == 0 ? x.n == 0
+                   : x.n > 0 && x.limb[0] != 0 && x.limb[x.n - 1] != 0;
+    const int same = mpz_cmp(z, wanted) == 0 && mpz_sgn(z) == x.sign;
+    mpz_clear(z);
+    return made && same;
+}
+
+static cylint_arena arena;
+
+static void doubles_are_placed_exactly(void)
+{
+    mpz_t z;
+    mpz_init(z);
+    for (int i = 0; i < CASES; i++) {
+        const double x = any_double();
+        cylint_arena_open(&arena);
+        integer_of_double(z, x, BASE);
+        if (!CHECK(is_integer(cylint_exact_from(&arena, x), z)))
+            REPORT("%a", x);
+    }
+    mpz_clear(z);
+}
+
+enum { TERMS = 6 };
+
+/* A sum whose terms cancel often, exactly and nearly. */
+static exact cancelling_sum(mpz_t sum)
+{
+    double term[TERMS];
+    mpz_t z;
+    mpz_init(z);
+    mpz_set_ui(sum, 0);
+    exact x = cylint_exact_from(&arena, 0);
+    for (int i = 0; i < TERMS; i++) {
+        term[i] = i > 0 && below(2) ? -term[below((uint64_t)i)]
+                                    : any_double();
+        if (below(4) == 0 && fabs(term[i]) < 0x1p1000)
+            term[i] = nextafter(term[i], HUGE_VAL);
+        integer_of_double(z, term[i], BASE);
+        mpz_add(sum, sum, z);
+        x = cylint_exact_add(&arena, x, cylint_exact_from(&arena, term[i]));
+    }
+    mpz_clear(z);
+    return x;
+}
+
+static void sums_are_exact(void)
+{
+    mpz_t z;
+    mpz_init(z);
+    for (int i = 0; i < CASES; i++) {
+        cylint_arena_open(&arena);
+        CHECK(is_integer(cancelling_sum(z), z));
+    }
+    mpz_clear(z);
+}
+
+static void products_of_sums_are_exact(void)
+{
+    mpz_t x, y;
+    mpz_inits(x, y, NULL);
+    for (int i = 0; i < CASES; i++) {
+        cylint_arena_open(&arena);
+        const exact a = cancelling_sum(x), b = cancelling_sum(y);
+        mpz_mul(x, x, y);
+        mpz_fdiv_q_2exp(x, x, BASE);
+        CHECK(is_integer(cylint_exact_mul(&arena, a, b), x));
+    }
+    mpz_clears(x, y, NULL);
+}
+
+static void shifts_are_exact(void)
+{
+    mpz_t x;
+    mpz_init(x);
+    for (int i = 0; i < CASES; i++) {
+        const int e = (int)below(4001) - 2000;
+        cylint_arena_open(&arena);
+        const exact a = cancelling_sum(x);
+        if (e >= 0)
+            mpz_mul_2exp(x, x, (mp_bitcnt_t)e);
+        else
+            mpz_fdiv_q_2exp(x, x, (mp_bitcnt_t)-e);
+        if (!CHECK(is_integer(cylint_exact_shifted(&arena, a, e), x)))
+            REPORT("by 2^%d", e);
+    }
+    mpz_clear(x);
+}
+
+static void what_is_kept_is_all_that_stays(void)
+{
+    mpz_t x, y;
+    mpz_inits(x, y, NULL);
+    for (int i = 0; i < CASES; i++) {
+        cylint_arena_open(&arena);
+        const exact before = cancelling_sum(x);
+        const int used = arena.used;
+        cancelling_sum(y);
+        exact kept = cancelling_sum(y);
+        kept = cylint_exact_keep(&arena, used, kept);
+        CHECK(is_integer(kept, y) && is_integer(before, x));
+        CHECK(arena.used <= used + kept.n);
+        const int end = arena.used;
+        CHECK(is_integer(cylint_exact_keep(&arena, end, before), x));
+        CHECK(arena.used == end);
+    }
+    mpz_clears(x, y, NULL);
+}
+
+/* |x - (hi + lo) 2^e| / |x|. */
+static double rounding_error(const mpz_t x, pair v, int e)
+{
+    mpz_t sum, z;
+    mpf_t off, size;
+    mpz_inits(sum, z, NULL);
+    mpf_init2(off, 256);
+    mpf_init2(size, 256);
+    integer_of_double(sum, v.hi, e + BASE);
+    integer_of_double(z, v.lo, e + BASE);
+    mpz_add(sum, sum, z);
+    mpz_sub(sum, sum, x);
+    mpf_set_z(off, sum);
+    mpf_set_z(size, x);
+    mpf_div(off, off, size);
+    const double relative = fabs(mpf_get_d(off));
+    mpf_clear(off);
+    mpf_clear(size);
+    mpz_clears(sum, z, NULL);
+    return relative;
+}
+
+static void roundings_are_within_their_bound(void)
+{
+    double worst = 0;
+    mpz_t x, y;
+    mpz_inits(x, y, NULL);
+    for (int i = 0; i < CASES; i++) {
+        cylint_arena_open(&arena);
+        exact a = cancelling_sum(x);
+        if (below(2)) {
+            a = cylint_exact_mul(&arena, a, cancelling_sum(y));
+            integer_of(x, a);
+        }
+        if (a.sign == 0)
+            continue;
+        int e;
+        const pair v = cylint_exact_round(a, &e);
+        const double off = rounding_error(x, v, e);
+        worst = fmax(worst, off);
+        CHECK(off < 0x1p-104);
+        CHECK(fabs(v.hi) >= 1 && fabs(v.hi) <= 2 && v.hi + v.lo == v.hi);
+    }
+    printf("note: rounding to a pair is off by at most %.3f 2^-104\n",
+           worst * 0x1p104);
+    mpz_clears(x, y, NULL);
+}
+
+/* ------------------------------------------------- room in the arena --- */
+
+/* The arena is the query's last member, so what overflows it lands here. */
+static struct {
+    cylint_query q;
+    uint32_t spare[1 << 20];
+} roomy;
+
+enum { SHAPE_DATA = 13, DATA = SHAPE_DATA + 6, KINDS = 5 };
+
+typedef struct {
+    double x[DATA];
+    cylint_ends ends;
+    int segment;
+} wild;
+
+/* Both ends of the exponent range, and what lies between. */
+static double wild_double(void)
+{
+    const double sign = below(2) ? 1 : -1;
+    const double m = sign * (1 + (double)below((uint64_t)1 << 52) * 0x1p-52);
+    switch (below(10)) {
+    case 0: case 1: case 2:
+        return m * 0x1p1023;
+    case 3: case 4: case 5:
+        return sign * (double)(1 + below(7)) * 0x1p-1074;
+    case 6:
+        return m * 0x1p-1000;
+    case 7:
+        return cylint_scaled(m, (int)below(2040) - 1020);
+    case 8:
+        return m;
+    default:
+        return 0;
+    }
+}
+
+static wild wild_case(void)
+{
+    wild c;
+    for (int i = 0; i < DATA; i++)
+        c.x[i] = wild_double();
+    c.ends = (cylint_ends)below(6);
+    c.segment = (int)below(2);
+    return c;
+}
+
+static wild changed(wild c)
+{
+    for (uint64_t k = 1 + below(3); k > 0; k--)
+        c.x[below(DATA)] = wild_double();
+    if (below(8) == 0)
+        c.ends = (cylint_ends)below(6);
+    if (below(8) == 0)
+        c.segment = !c.segment;
+    return c;
+}
+
+static int made(const wild *c, int kind, cylint_shape *s, cylint_line *l)
+{
+    const double *x = c->x, *o = x + SHAPE_DATA;
+    cylint_status status;
+    switch (kind) {
+    case 0:
+        status = cylint_cylinder(s, x, x + 3, fabs(x[6]), c->ends);
+        break;
+    case 1:
+        status = cylint_cone(s, x, fabs(x[6]), x + 3, fabs(x[7]), c->ends);
+        break;
+    case 2:
+        status = cylint_tangent_cone(s, x, x + 3, fabs(x[6]), c->ends);
+        break;
+    case 3:
+        status = cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9, c->ends);
+        break;
+    default:
+        status = cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9,
+                                      fabs(x[12]), c->ends);
+    }
+    return status == CYLINT_OK &&
+           (c->segment ? cylint_segment(l, o, o + 3)
+                       : cylint_whole_line(l, o, o + 3)) == CYLINT_OK;
+}
+
+/* Whether there is such a root, so that it may be asked for. */
+static int exists(cylint_query *q, cylint_root root)
+{
+    const int linear = q->kind == CYLINT_KIND_CYLINDER ||
+                       q->kind == CYLINT_KIND_ECYLINDER;
+    const int G = cylint_sign_G(q), A = cylint_sign_A(q);
+    switch (root) {
+    case ROOT_ENTRY:
+        return G > 0 && (A != 0 || cylint_sign_B(q) < 0);
+    case ROOT_EXIT:
+        return G > 0 && (A != 0 || cylint_sign_B(q) > 0);
+    case ROOT_DOUBLE:
+        return G == 0 && A != 0;
+    case ROOT_APEX:
+        return !linear && cylint_sign_beta(q) != 0;
+    default:
+        return cylint_sign_beta(q) != 0;
+    }
+}
+
+/* The most limbs in use while every sign, root and fact is asked for. */
+static int limbs_used(const wild *c, int kind)
+{
+    cylint_shape s;
+    cylint_line l;
+    cylint_hit hit;
+    cylint_query *q = &roomy.q;
+    if (!made(c, kind, &s, &l))
+        return 0;
+    cylint_query_open(q, &s, &l);
+    cylint_exact(q);
+    q->filters = 0; /* nothing is decided before the exact stage */
+    for (int cap = 0; cap < 2; cap++) {
+        cylint_sign_alpha(q, cap);
+        cylint_sign_E(q, cap);
+        cylint_sign_N(q, cap);
+    }
+    cylint_sign_C(q);
+    cylint_sign_T(q);
+    cylint_sign_rho0(q);
+    cylint_sign_along(q);
+    for (cylint_root root = ROOT_ENTRY; root <= ROOT_CAP1; root++) {
+        double t = 0, more = 0;
+        if (!exists(q, root))
+            continue;
+        cylint_root_within(q, root, 1, &t, &more);
+        cylint_describe_hit(q, root, t, more, CYLINT_LATERAL, 0,
+                            CYLINT_WANT_ALL, &hit);
+    }
+    return q->arena.most;
+}
+
+static void print_case(const wild *c, int kind)
+{
+    static const char *const name[KINDS] = {"cylinder", "cone", "acone",
+                                            "ecylinder", "econe"};
+    fprintf(stderr, "    %s ends %d, %s:", name[kind], (int)c->ends,
+            c->segment ? "segment" : "line");
+    for (int i = 0; i < DATA; i++)
+        fprintf(stderr, " %a", c->x[i]);
+    fputc('\n', stderr);
+}
+
+enum { STARTS = 4, CHANGES = 40 };
+
+static int climb(int kind, wild *best)
+{
+    int most = 0;
+    for (int start = 0; start < STARTS; start++) {
+        wild c = wild_case();
+        int used = limbs_used(&c, kind);
+        for (int i = 0; i < CHANGES; i++) {
+            const wild d = changed(c);
+            const int more = limbs_used(&d, kind);
+            if (more >= used) {
+                used = more;
+                c = d;
+            }
+        }
+        if (used > most) {
+            most = used;
+            *best = c;
+        }
+    }
+    return most;
+}
+
+static void wild_exponents_fit_the_arena(void)
+{
+    const size_t end = offsetof(cylint_query, arena) + sizeof(cylint_arena);
+    if (!CHECK(end == sizeof(cylint_query)))
+        return;
+    for (int kind = 0; kind < KINDS; kind++) {
+        wild c;
+        const int most = climb(kind, &c);
+        printf("note: kind %d: %d of %d limbs\n", kind + 1, most,
+               (int)CYLINT_ARENA_LIMBS);
+        if (!CHECK(most <= CYLINT_ARENA_LIMBS))
+            print_case(&c, kind);
+    }
+}
+
+/* Roots 1 - 2^-4194 and the like: their digits come thousands apart, so
+ * each step towards 200 bits must not keep all that lies between. */
+static void digits_far_apart_fit_the_arena(void)
+{
+    const double T = 0x1p-1074, H = 0x1p1023;
+    const wild cases[KINDS] = {
+        {{0, 0, 0, H, T, 0, 0x1p1000, 0, 0, 0, 0, 0, 0,
+          -H, 3 * T, 0, H, 2 * T, 0}, CYLINT_CAPPED, 0},
+        {{0, 0, 0, H, T, 0, 0x1p1000, 0x1.8p1010, 0, 0, 0, 0, 0,
+          -H, 3 * T, 0, H, 2 * T, 0}, CYLINT_CAPPED, 0},
+        {{0, 0, 0, H, T, 0, 0x1p-10, 0, 0, 0, 0, 0, 0,
+          -H, 3 * T, 0, H, 2 * T, 0}, CYLINT_CAPPED, 0},
+        {{0, 0, 0, T, H, T, T, 3 * T, H, H, T, T, 1,
+          -H, 3 * T, 0, H, T, 0}, CYLINT_CAPPED, 0},
+        {{0, 0, 0, T, H, T, T, 3 * T, H, H, T, T, 0x1p1000,
+          -H, 3 * T, 0, H, T, 0}, CYLINT_CAPPED, 0}
+    };
+    int most = 0;
+    for (int kind = 0; kind < KINDS; kind++) {
+        const int used = limbs_used(&cases[kind], kind);
+        most = used > most ? used : most;
+        if (!CHECK(used <= CYLINT_ARENA_LIMBS)) {
+            REPORT("%d limbs", used);
+            print_case(&cases[kind], kind);
+        }
+    }
+    printf("note: digits far apart: %d limbs\n", most);
+}
+
+int main(void)
+{
+    RUN(doubles_are_placed_exactly);
+    RUN(sums_are_exact);
+    RUN(products_of_sums_are_exact);
+    RUN(shifts_are_exact);
+    RUN(what_is_kept_is_all_that_stays);
+    RUN(roundings_are_within_their_bound);
+    RUN(wild_exponents_fit_the_arena);
+    RUN(digits_far_apart_fit_the_arena);
+    return check_end();
+}
+
+#else
+
+int main(void)
+{
+    puts("no MPFR and GMP: nothing to compare with");
+    return 77;
+}
+
+#endif
