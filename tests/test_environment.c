@@ -90,9 +90,13 @@ static void leave(void)
 
 /* ------------------------------------------------------------- answers -- */
 
+/* What the constructors subtract: axis, dr and d, high and low. */
+enum { DIFFERENCES = 14 };
+
 /* All that must be the same. */
 struct answers {
     int line_status, shape_status, kind, flip;
+    double made[DIFFERENCES];
     cylint_answer all;
     int occluded, contains;
 };
@@ -112,6 +116,11 @@ static const char *difference(const struct answers *x,
     }
     if (x->kind != y->kind || x->flip != y->flip) {
         return "kind of shape";
+    }
+    for (int i = 0; i < DIFFERENCES; i++) {
+        if (x->made[i] != y->made[i]) {
+            return "axis, dr or d";
+        }
     }
     if (x->all.relation != y->all.relation) {
         return "relation";
@@ -140,6 +149,14 @@ static void ask(const struct family_case *c, struct answers *to)
     to->shape_status = (int)c->shape_status;
     to->kind = c->shape.kind;
     to->flip = c->shape.flip;
+    for (int i = 0; i < 3; i++) {
+        to->made[i] = c->shape.axis[i];
+        to->made[i + 3] = c->shape.axis_lo[i];
+        to->made[i + 6] = c->line.d[i];
+        to->made[i + 9] = c->line.d_lo[i];
+    }
+    to->made[12] = c->shape.dr;
+    to->made[13] = c->shape.dr_lo;
     cylint_intersect(&c->shape, &c->line,
                      CYLINT_WANT_T | CYLINT_WANT_PART, &to->all);
     to->occluded = cylint_occluded(&c->shape, &c->line);
