@@ -19,7 +19,7 @@
 enum { BLOCK = 256 };
 
 /* Where lanes come from: a run of shapes under one line or a line each, or
- * one shape under many lines.  Constant where inlined. */
+ * one shape under many lines.  Only the first pass is compiled for each. */
 typedef enum { ONE_LINE, ONE_SHAPE, PAIRS } mode;
 
 typedef struct {
@@ -27,6 +27,7 @@ typedef struct {
     const cylint_run *run;     /* ONE_LINE, PAIRS */
     const cylint_shape *shape; /* ONE_SHAPE */
     size_t n;
+    int bounded;
     lanes_line line;           /* ONE_LINE */
     lanes_shape one;           /* ONE_SHAPE */
 } source;
@@ -46,7 +47,7 @@ INLINE vd pick(const double *x, const size_t *at)
     return v_load(v);
 }
 
-INLINE void line_at(const source *from, const size_t *lane, mode m,
+static void line_at(const source *from, const size_t *lane, mode m,
                     lanes_line *l)
 {
     if (m == ONE_LINE) {
@@ -66,7 +67,7 @@ INLINE void line_at(const source *from, const size_t *lane, mode m,
     l->tmax = lines->tmax ? pick(lines->tmax, at) : v_set(HUGE_VAL);
 }
 
-INLINE void shape_at(const source *from, const size_t *lane, mode m,
+static void shape_at(const source *from, const size_t *lane, mode m,
                      int kind, lanes_shape *s)
 {
     if (m == ONE_SHAPE) {
@@ -303,7 +304,7 @@ static int deliver(const source *from, const group *g, const size_t *lane,
 
 /* Second pass: judges the lanes of the list. */
 INLINE int judge_list(const source *from, size_t *list, int n, mode m,
-                      int kind, int bounded)
+                      int kind)
 {
     cylint_job *job = from->job;
     for (int i = n; i % LANES; i++)
@@ -316,7 +317,7 @@ INLINE int judge_list(const source *from, size_t *list, int n, mode m,
         group g;
         line_at(from, list + i, m, &l);
         shape_at(from, list + i, m, kind, &s);
-        lanes_verdict v = lanes_judge(&q, &s, &l, kind, bounded,
+        lanes_verdict v = lanes_judge(&q, &s, &l, kind, from->bounded,
                                       m_from((1u << lanes) - 1));
         if (job->want & CYLINT_WANT_NEAREST && m == ONE_LINE) {
             /* what begins beyond the nearest hit so far is of no interest */
@@ -342,38 +343,53 @@ INLINE int judge_list(const source *from, size_t *list, int n, mode m,
     return 0;
 }
 
-INLINE int work(const source *from, mode m, int kind, int bounded)
+INLINE int block_left(const source *from, size_t start, size_t end, mode m,
+                      int kind, size_t *list)
+{
+    switch (m) { /* a first pass of its own for each */
+    case ONE_LINE:
+        return lanes_left(from, start, end, ONE_LINE, kind, list);
+    case ONE_SHAPE:
+        return lanes_left(from, start, end, ONE_SHAPE, kind, list);
+    default:
+        return lanes_left(from, start, end, PAIRS, kind, list);
+    }
+}
+
+INLINE int work(const source *from, mode m, int kind)
 {
     size_t list[BLOCK + LANES];
     for (size_t start = 0; start < from->n; start += BLOCK) {
         const size_t end = from->n - start < BLOCK ? from->n : start + BLOCK;
-        const int n = lanes_left(from, start, end, m, kind, list);
-        if (n > 0 && judge_list(from, list, n, m, kind, bounded))
+        const int n = block_left(from, start, end, m, kind, list);
+        if (n > 0 && judge_list(from, list, n, m, kind))
             return 1;
     }
     return 0;
 }
 
-#define FOR_KIND(kind, bounded, call)                                       \
-    switch (2 * (kind) + (bounded)) {                                       \
-    case 2 * CYLINT_KIND_CYLINDER: return call(CYLINT_KIND_CYLINDER, 0);    \
-    case 2 * CYLINT_KIND_CYLINDER + 1: return call(CYLINT_KIND_CYLINDER, 1);\
-    case 2 * CYLINT_KIND_CONE: return call(CYLINT_KIND_CONE, 0);            \
-    case 2 * CYLINT_KIND_CONE + 1: return call(CYLINT_KIND_CONE, 1);        \
-    case 2 * CYLINT_KIND_ACONE: return call(CYLINT_KIND_ACONE, 0);          \
-    case 2 * CYLINT_KIND_ACONE + 1: return call(CYLINT_KIND_ACONE, 1);      \
-    case 2 * CYLINT_KIND_ECYLINDER: return call(CYLINT_KIND_ECYLINDER, 0);  \
-    case 2 * CYLINT_KIND_ECYLINDER + 1:                                     \
-        return call(CYLINT_KIND_ECYLINDER, 1);                              \
-    case 2 * CYLINT_KIND_ECONE: return call(CYLINT_KIND_ECONE, 0);          \
-    default: return call(CYLINT_KIND_ECONE, 1);                             \
+static int work_on(const source *from, mode m, int kind)
+{
+    switch (kind) {
+    case CYLINT_KIND_CYLINDER:
+        return work(from, m, CYLINT_KIND_CYLINDER);
+    case CYLINT_KIND_CONE:
+        return work(from, m, CYLINT_KIND_CONE);
+    case CYLINT_KIND_ACONE:
+        return work(from, m, CYLINT_KIND_ACONE);
+    case CYLINT_KIND_ECYLINDER:
+        return work(from, m, CYLINT_KIND_ECYLINDER);
+    default:
+        return work(from, m, CYLINT_KIND_ECONE);
     }
+}
 
 int CYLINT_SHAPES(cylint_job *job, const cylint_run *run)
 {
-    source from = {.job = job, .run = run, .n = run->n};
-    if (job->line) {
-        const cylint_line *l = job->line;
+    source from = {.job = job, .run = run, .n = run->n,
+                   .bounded = run->bounded};
+    const cylint_line *l = job->line;
+    if (l) {
         for (int i = 0; i < 3; i++) {
             from.line.o[i] = v_set(l->o[i]);
             from.line.u[i] = v_set(l->d[i]);
@@ -381,18 +397,14 @@ int CYLINT_SHAPES(cylint_job *job, const cylint_run *run)
         }
         from.line.tmin = v_set(l->tmin);
         from.line.tmax = v_set(l->tmax);
-#define CALL(kind, bounded) work(&from, ONE_LINE, kind, bounded)
-        FOR_KIND(run->kind, run->bounded, CALL)
-#undef CALL
     }
-#define CALL(kind, bounded) work(&from, PAIRS, kind, bounded)
-    FOR_KIND(run->kind, run->bounded, CALL)
-#undef CALL
+    return work_on(&from, l ? ONE_LINE : PAIRS, run->kind);
 }
 
 int CYLINT_LINES(cylint_job *job, const cylint_shape *shape)
 {
-    source from = {.job = job, .shape = shape, .n = job->lines->n};
+    source from = {.job = job, .shape = shape, .n = job->lines->n,
+                   .bounded = shape->ends < CYLINT_INFINITE};
     lanes_shape *s = &from.one;
     const unsigned all = (1u << LANES) - 1;
     for (int i = 0; i < 3; i++) {
@@ -412,7 +424,5 @@ int CYLINT_LINES(cylint_job *job, const cylint_shape *shape)
                        ? all : 0);
     s->cap[1] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_1
                        ? all : 0);
-#define CALL(kind, bounded) work(&from, ONE_SHAPE, kind, bounded)
-    FOR_KIND(shape->kind, ends < CYLINT_INFINITE, CALL)
-#undef CALL
+    return work_on(&from, ONE_SHAPE, shape->kind);
 }

@@ -133,20 +133,21 @@ int CYLINT_ONE(const cylint_shape *shape, const cylint_line *line,
                unsigned want, cylint_kernel_answer *answer)
 {
     const int bounded = shape->ends < CYLINT_INFINITE;
-#define KIND(k)                                                             \
-    (bounded ? answer_one(shape, line, k, 1, want, answer)           \
-             : answer_one(shape, line, k, 0, want, answer))
+    if (shape->ends == CYLINT_NAPPE && shape->kind != CYLINT_KIND_CYLINDER &&
+        shape->kind != CYLINT_KIND_ECYLINDER)
+        return 0;
+#define KIND(kind) answer_one(shape, line, kind, bounded, want, answer)
     switch (shape->kind) {
     case CYLINT_KIND_CYLINDER:
         return KIND(CYLINT_KIND_CYLINDER);
     case CYLINT_KIND_CONE:
-        return shape->ends != CYLINT_NAPPE && KIND(CYLINT_KIND_CONE);
+        return KIND(CYLINT_KIND_CONE);
     case CYLINT_KIND_ACONE:
-        return shape->ends != CYLINT_NAPPE && KIND(CYLINT_KIND_ACONE);
+        return KIND(CYLINT_KIND_ACONE);
     case CYLINT_KIND_ECYLINDER:
         return KIND(CYLINT_KIND_ECYLINDER);
     default:
-        return shape->ends != CYLINT_NAPPE && KIND(CYLINT_KIND_ECONE);
+        return KIND(CYLINT_KIND_ECONE);
     }
 #undef KIND
 }
