@@ -11,11 +11,13 @@
 
 double cylint_scaled(double x, int e)
 {
-    if (x == 0 || !(fabs(x) <= DBL_MAX))
+    if (cylint_sign(x) == 0 || !(fabs(x) <= DBL_MAX))
         return x;
-    if (fabs(x) < DBL_MIN) {
-        x *= 0x1p60;
-        e -= 60;
+    if (cylint_exponent(x) < -1022) { /* by the bits: it may count as 0 */
+        uint64_t bits;
+        memcpy(&bits, &x, sizeof bits);
+        x = cylint_sign(x) * (double)(bits << 12 >> 12);
+        e -= 1074;
     }
     const int k = cylint_exponent(x), sum = k + e;
     const double m = x * cylint_power_of_two(-k / 2)
@@ -275,6 +277,29 @@ static exact exact_difference(cylint_arena *arena, double x, double y)
         cylint_exact_add(arena, ex, cylint_exact_neg(ey)));
 }
 
+/* Nothing in x - y, nor in the error of it, can be subnormal but by this. */
+static int too_small(double x)
+{
+    return cylint_sign(x) != 0 && cylint_exponent(x) < -900;
+}
+
+pair cylint_difference(double x, double y)
+{
+    pair d = two_diff(x, y);
+    if (too_small(x) || too_small(y) || !cylint_rounds_to_nearest()) {
+        cylint_arena arena;
+        cylint_arena_open(&arena);
+        const exact all = exact_difference(&arena, x, y);
+        d.hi = cylint_exact_nearest(all, 0);
+        if (fabs(d.hi) <= DBL_MAX)
+            d.lo = cylint_exact_nearest(cylint_exact_add(&arena, all,
+                cylint_exact_neg(cylint_exact_from(&arena, d.hi))), 0);
+    }
+    if (!(fabs(d.hi) <= DBL_MAX))
+        d.lo = 0;
+    return d;
+}
+
 static void load_exact(cylint_query *q, letters_exact *L)
 {
     const cylint_shape *s = q->shape;
@@ -315,8 +340,86 @@ const letters_exact *cylint_exact(cylint_query *q)
     cylint_arena_open(L->arena);
     load_exact(q, L);
     prepare_shape_exact(L);
-    prepare_line_exact(L);
-    prepare_top_exact(L);
+    return L;
+}
+
+const letters_exact *cylint_exact_line(cylint_query *q)
+{
+    const letters_exact *L = cylint_exact(q);
+    if (!(q->ready & CYLINT_READY_EXACT_LINE)) {
+        q->ready |= CYLINT_READY_EXACT_LINE;
+        prepare_line_exact(&q->exact);
+        prepare_top_exact(&q->exact);
+    }
+    return L;
+}
+
+/* ---------------------------------------------------------- quanta ----- */
+
+/* x is a multiple of 2^quantum and of no higher power. */
+static int quantum(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    if (bits << 1 == 0)
+        return 1 << 20;
+    int e = (int)(bits >> 52 & 0x7ff) - 1075;
+    bits |= (uint64_t)1 << 52; /* the data are not subnormal here, or the */
+    while (!(bits & 1)) {      /* quantum comes out too small: harmless */
+        bits >>= 1;
+        e++;
+    }
+    return e;
+}
+
+static int least_quantum(const double x[3])
+{
+    const int a = quantum(x[0]), b = quantum(x[1]), c = quantum(x[2]);
+    return a < b ? (a < c ? a : c) : (b < c ? b : c);
+}
+
+static void fill3(int to[3], int e)
+{
+    to[0] = to[1] = to[2] = e;
+}
+
+/* Quanta of the data, if the filters see every digit of them. */
+static const letters_quantum *quanta(cylint_query *q)
+{
+    letters_quantum *L = &q->quantum;
+    if (q->ready & CYLINT_READY_QUANTUM)
+        return L;
+    q->ready |= CYLINT_READY_QUANTUM;
+    const cylint_shape *s = q->near_shape;
+    const cylint_line *l = q->near_line;
+    double D[3];
+    q->quanta = q->near_shape == q->shape && s->dr_lo == 0;
+    for (int i = 0; i < 3; i++) {
+        const pair d = two_diff(l->o[i], s->base[i]);
+        q->quanta &= d.lo == 0 && l->d_lo[i] == 0 && s->axis_lo[i] == 0;
+        if (s->kind <= CYLINT_KIND_CONE)
+            q->quanta &= two_diff(l->o[i], s->top[i]).lo == 0;
+        D[i] = d.hi;
+    }
+    if (!q->quanta)
+        return L;
+    L->kind = s->kind;
+    const int eD = least_quantum(D), ew = least_quantum(s->axis);
+    fill3(L->u, least_quantum(l->d));
+    fill3(L->w, ew);
+    fill3(L->D[0], eD);
+    fill3(L->D[1], eD < ew ? eD : ew);
+    if (s->kind >= CYLINT_KIND_ECYLINDER) {
+        fill3(L->a, least_quantum(s->a));
+        fill3(L->b, least_quantum(s->b));
+    }
+    L->r[0] = quantum(s->r0);
+    L->r[1] = quantum(s->r1);
+    L->dr = quantum(s->dr);
+    L->one = 0;
+    prepare_shape_quantum(L);
+    prepare_line_quantum(L);
+    prepare_top_quantum(L);
     return L;
 }
 
@@ -350,6 +453,17 @@ static int certain_wide(wide x)
     return fabs(x.v.hi) > wide_error(x);
 }
 
+/*
+ * Every number on the way to a form is a multiple of its quantum and no
+ * larger than its size.  If the size of the whole is below 2^53 quanta, so
+ * is that of every part that is not multiplied by zero: then nothing was
+ * rounded, and a zero is a zero.  This is what integer grids come to.
+ */
+static int no_rounding(double size, int e)
+{
+    return e > -900 && e < 900 && size < cylint_power_of_two(e + 53);
+}
+
 /* The cascade, for a form with the given further arguments. */
 #define DECIDE(q, balls, form, ...)                                         \
     do {                                                                    \
@@ -357,11 +471,18 @@ static int certain_wide(wide x)
             const ball b_ = form##_ball(balls __VA_ARGS__);                 \
             if (certain_ball(b_))                                           \
                 return cylint_sign(b_.v);                                   \
-            const wide w_ = form##_wide(cylint_wide_line(q) __VA_ARGS__);        \
-            if (certain_wide(w_))                                           \
-                return cylint_sign(w_.v.hi);                                \
+            const letters_quantum *e_ = quanta(q);                          \
+            if ((q)->quanta &&                                              \
+                no_rounding(b_.size, form##_quantum(e_ __VA_ARGS__)))       \
+                return cylint_sign(b_.v);                                   \
+            if (cylint_rounds_to_nearest()) {                               \
+                const wide w_ = form##_wide(cylint_wide_line(q)             \
+                                            __VA_ARGS__);                   \
+                if (certain_wide(w_))                                       \
+                    return cylint_sign(w_.v.hi);                            \
+            }                                                               \
         }                                                                   \
-        const letters_exact *x_ = cylint_exact(q);                          \
+        const letters_exact *x_ = cylint_exact_line(q);                     \
         const int used_ = (q)->arena.used;                                  \
         const int sign_ = form##_exact(x_ __VA_ARGS__).sign;                \
         (q)->arena.used = used_;                                            \

@@ -12,6 +12,8 @@
 
 #include <math.h>
 
+#include "environment.h"
+
 typedef struct {
     double hi, lo;
 } pair;

@@ -153,6 +153,52 @@ exact cylint_exact_keep(cylint_arena *arena, int used, exact x)
     return x;
 }
 
+/* Bit number i of |x|, bit 0 being the one of weight 1. */
+static unsigned bit_at(exact x, int i)
+{
+    const int position = (i >= 0 ? i : i - 31) / 32;
+    return limb_at(x, position) >> (i - 32 * position) & 1;
+}
+
+static int first_bit(exact x)
+{
+    int i = 32 * top_of(x) - 1;
+    while (!bit_at(x, i))
+        i--;
+    return i;
+}
+
+static int any_below(exact x, int i)
+{
+    int lowest = 32 * x.exponent;
+    while (!bit_at(x, lowest))
+        lowest++;
+    return lowest < i;
+}
+
+double cylint_exact_nearest(exact x, int e)
+{
+    if (x.sign == 0)
+        return 0;
+    const int first = first_bit(x), exponent = first + e;
+    uint64_t bits = (uint64_t)0x7ff << 52; /* infinite */
+    if (exponent <= 1023) {
+        const int last = exponent < -1022 ? -1074 - e : first - 52;
+        bits = 0;
+        for (int i = first; i >= last; i--)
+            bits = bits << 1 | bit_at(x, i);
+        if (bit_at(x, last - 1) && (bits & 1 || any_below(x, last - 1)))
+            bits++;
+        if (exponent >= -1022) /* the leading bit adds one more */
+            bits += (uint64_t)(exponent + 1022) << 52;
+    }
+    if (x.sign < 0)
+        bits |= (uint64_t)1 << 63;
+    double nearest;
+    memcpy(&nearest, &bits, sizeof nearest);
+    return nearest;
+}
+
 pair cylint_exact_round(exact x, int *e)
 {
     /* The first 128 bits below the leading one, as four 32-bit digits. */

@@ -26,7 +26,7 @@ typedef struct {
  * factors and what the letters keep; tests/test_exact.c measures the worst
  * case, whose exponents are as wild as they can be.
  */
-enum { CYLINT_ARENA_LIMBS = 12288 };
+enum { CYLINT_ARENA_LIMBS = 20480 };
 
 typedef struct {
     int used, most;
@@ -53,6 +53,10 @@ exact cylint_exact_shifted(cylint_arena *arena, exact x, int e);
 
 /* Lets go of all that was made since `used`, but for x. */
 exact cylint_exact_keep(cylint_arena *arena, int used, exact x);
+
+/* The double nearest to x 2^e, ties to even, beyond the largest infinite, in
+ * whatever floating-point environment. */
+double cylint_exact_nearest(exact x, int e);
 
 /* x = (hi + lo) 2^e with 1 <= |hi| < 2, lo nearly the nearest: the relative
  * error is below 2^-104.  x is not zero. */

@@ -338,26 +338,23 @@ INLINE NUM FORM(form_T)(const FORM(letters) *L)
     RETURN(T)
 }
 
-/* Half the gradient of Q at the origin: outward normal of the lateral
- * surface through it.  s w x (P x w) - rho dr w, or, for elliptic kinds,
- * X_p p + X_q q - rho kappa e. */
-INLINE void FORM(gradient)(const FORM(letters) *L, NUM N[3])
+/* A component of half the gradient of Q at the origin, the outward normal of
+ * the lateral surface through it: s w x (P x w) - rho dr w, or, for elliptic
+ * kinds, X_p p + X_q q - rho kappa e. */
+INLINE NUM FORM(gradient)(const FORM(letters) *L, int i)
 {
-    NUM X[3];
+    BEGIN
+    NUM X[3], N;
     if (FORM(radial)(L, X) == 2) {
-        for (int i = 0; i < 3; i++)
-            N[i] = ADD(MUL(X[0], L->p[i]), MUL(X[1], L->q[i]));
+        N = ADD(MUL(X[0], L->p[i]), MUL(X[1], L->q[i]));
     } else {
-        FORM(cross)(L, L->w, X, N);
+        N = FORM(minor)(L, L->w, X, (i + 1) % 3, (i + 2) % 3);
         if (L->kind == CYLINT_KIND_CONE)
-            for (int i = 0; i < 3; i++)
-                N[i] = MUL(L->vv, N[i]);
+            N = MUL(L->vv, N);
     }
-    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ECYLINDER) {
-        const NUM k = MUL(FORM(form_rho0)(L), L->dr);
-        for (int i = 0; i < 3; i++)
-            N[i] = SUB(N[i], MUL(k, FORM(axial)(L)[i]));
-    }
+    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ECYLINDER)
+        N = SUB(N, MUL(MUL(FORM(form_rho0)(L), L->dr), FORM(axial)(L)[i]));
+    RETURN(N)
 }
 
 /* Where the origin lies about the axis: cosine and sine of phi times one

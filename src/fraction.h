@@ -9,7 +9,7 @@
 typedef struct {
     VALUE num, den;
     double error;                    /* of num / den; above 1: unknown */
-    double radical, radical_error, A;/* of side roots */
+    double radical, radical_error, A;/* of side roots; A: at most |A| */
 } FORM(quotient);
 
 static double FORM(relative)(NUM x)
@@ -35,29 +35,43 @@ static VALUE FORM(radical)(const FORM(letters) *L, double *error)
     return V_SQRT(SG);
 }
 
-static FORM(quotient) FORM(side_quotient)(const FORM(letters) *L, int exits)
+/* |B| + R, which one of the two forms of a root divides by, with its error;
+ * num is for the caller to find.  *near: it is C that belongs there, for of
+ * the two roots this one is nearer to the line's origin. */
+static FORM(quotient) FORM(half_quotient)(const FORM(letters) *L, int exits,
+                                          int *near)
 {
     FORM(quotient) f;
-    const NUM A = FORM(form_A)(L), B = FORM(form_B)(L);
+    const NUM B = FORM(form_B)(L);
     const VALUE R = FORM(radical)(L, &f.radical_error);
-    f.num = f.den = R;
-    f.error = 2;
+    const int falls = HIGH(OF(B)) < 0;
+    f.num = f.den = V_ADD(R, falls ? V_NEG(OF(B)) : OF(B));
     f.radical = HIGH(R);
-    f.A = HIGH(OF(A));
+    f.A = 0;
+    f.error = f.radical_error > 1 ? 2
+            : (ERROR(B) + f.radical_error * f.radical) / HIGH(f.den) +
+              ROUNDING;
+    *near = falls != exits;
+    return f;
+}
+
+static FORM(quotient) FORM(side_quotient)(const FORM(letters) *L, int exits)
+{
+    int near;
+    FORM(quotient) f = FORM(half_quotient)(L, exits, &near);
+    const NUM A = FORM(form_A)(L);
+    f.A = fabs(HIGH(OF(A))) + ERROR(A);
     if (f.radical_error > 1)
         return f;
-    const int falls = HIGH(OF(B)) < 0;
-    const VALUE sum = V_ADD(R, falls ? V_NEG(OF(B)) : OF(B));
-    f.error = (ERROR(B) + f.radical_error * f.radical) / HIGH(sum) + ROUNDING;
-    if (falls == exits) {
+    const VALUE sum = f.den;
+    if (near) {
+        const NUM C = FORM(form_C)(L);
+        f.num = exits ? V_NEG(OF(C)) : OF(C);
+        f.error += FORM(relative)(C);
+    } else {
         f.num = exits ? sum : V_NEG(sum);
         f.den = OF(A);
         f.error += FORM(relative)(A);
-    } else {
-        const NUM C = FORM(form_C)(L);
-        f.num = exits ? V_NEG(OF(C)) : OF(C);
-        f.den = sum;
-        f.error += FORM(relative)(C);
     }
     return f;
 }

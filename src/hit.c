@@ -89,24 +89,8 @@ static int least_component(const cylint_query *q)
     return least;
 }
 
-/* What the hit's letters give: the same statements for each arithmetic,
- * NUM x[]: gradient, axial, axis; alpha, height; x, y. */
+/* What the hit's letters give. */
 enum { GRADIENT = 0, AXIAL = 3, AXIS = 6, ALPHA = 9, HEIGHT, X, Y, FACTS };
-
-#define GATHER(FORM, L, x, q)                                               \
-    do {                                                                    \
-        FORM(gradient)(L, (x) + GRADIENT);                                  \
-        for (int i = 0; i < 3; i++) {                                       \
-            (x)[AXIAL + i] = FORM(axial)(L)[i];                             \
-            (x)[AXIS + i] = (L)->w[i];                                      \
-        }                                                                   \
-        (x)[ALPHA] = FORM(form_alpha)(L, 0);                                \
-        (x)[HEIGHT] = FORM(form_root_of_S)(L);                              \
-        FORM(about_axis)(L, least_component(q), (x) + X, (x) + Y);          \
-    } while (0)
-
-#define WIDE(name) name##_wide
-#define EXACT(name) name##_exact
 
 /* In pairs; 0 where that would leave too few digits. */
 static int facts_in_pairs(cylint_query *q, pair t, int apex, floating *facts)
@@ -120,7 +104,14 @@ static int facts_in_pairs(cylint_query *q, pair t, int apex, floating *facts)
         kept[i] = L->D[0][i];
         L->D[0][i] = wide_add(kept[i], wide_mul(at, L->u[i]));
     }
-    GATHER(WIDE, L, x, q);
+    for (int i = 0; i < 3; i++) {
+        x[GRADIENT + i] = gradient_wide(L, i);
+        x[AXIAL + i] = axial_wide(L)[i];
+        x[AXIS + i] = L->w[i];
+    }
+    x[ALPHA] = form_alpha_wide(L, 0);
+    x[HEIGHT] = form_root_of_S_wide(L);
+    about_axis_wide(L, least_component(q), x + X, x + Y);
     for (int i = 0; i < 3; i++)
         L->D[0][i] = kept[i];
     double steepest = 0;
@@ -171,16 +162,27 @@ static void about_axis_in_plane(cylint_query *q, int cap, exact *x, exact *y)
 static void facts_in_full(cylint_query *q, cylint_root root, exact t,
                           floating *facts)
 {
-    letters_exact L = *cylint_exact(q);
-    exact x[FACTS];
+    letters_exact L = *cylint_exact_line(q);
     for (int i = 0; i < 3; i++)
         L.D[0][i] = cylint_exact_add(L.arena, L.D[0][i],
                                      cylint_exact_mul(L.arena, t, L.u[i]));
-    GATHER(EXACT, &L, x, q);
-    if (root == ROOT_CAP0 || root == ROOT_CAP1)
-        about_axis_in_plane(q, root == ROOT_CAP1, x + X, x + Y);
-    for (int i = 0; i < FACTS; i++)
-        facts[i] = floating_of_exact(x[i]);
+    for (int i = 0; i < FACTS; i++) {
+        const int used = L.arena->used;
+        exact x, y;
+        if (i < AXIAL)
+            x = gradient_exact(&L, i);
+        else if (i < ALPHA)
+            x = i < AXIS ? axial_exact(&L)[i - AXIAL] : L.w[i - AXIS];
+        else if (i < X)
+            x = i == ALPHA ? form_alpha_exact(&L, 0)
+                           : form_root_of_S_exact(&L);
+        else if (root == ROOT_CAP0 || root == ROOT_CAP1)
+            about_axis_in_plane(q, root == ROOT_CAP1, &x, &y);
+        else
+            about_axis_exact(&L, least_component(q), &x, &y);
+        facts[i] = floating_of_exact(i == Y ? y : x);
+        L.arena->used = used;
+    }
 }
 
 /* o + t d in pairs; 0 where that would leave too few digits. */
@@ -251,14 +253,22 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
     const unsigned about_point = CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
                                  CYLINT_WANT_PHI;
     /* a root beyond the doubles is found again from the largest */
-    const pair at = fabs(t) <= DBL_MAX ? fast_two_sum(t, more)
-                                       : (pair){copysign(DBL_MAX, t), 0};
+    pair at = fabs(t) <= DBL_MAX ? fast_two_sum(t, more)
+                                 : (pair){copysign(DBL_MAX, t), 0};
     floating facts[FACTS];
     int points = !(want & CYLINT_WANT_POINT), rest = !(want & about_point);
     if (!points)
         points = point_in_pairs(q, at, hit->point);
     if (!rest)
         rest = facts_in_pairs(q, at, apex, facts);
+    if ((!points || !rest) && q->t_error > CYLINT_PAIR_BOUND) {
+        /* once more, from a root as good as pairs can be */
+        cylint_polish_root(q, root, &at);
+        if (!points)
+            points = point_in_pairs(q, at, hit->point);
+        if (!rest)
+            rest = facts_in_pairs(q, at, apex, facts);
+    }
     if (!points || !rest) {
         const int used = cylint_exact_mark(q, root);
         const exact full = cylint_root_in_full(q, root, at);

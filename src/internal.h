@@ -10,32 +10,10 @@
 #include <stdint.h>
 #include <string.h>
 
-/* What the proofs stand on.  What no macro tells, cylint_selftest does. */
-#if defined(__FAST_MATH__) || \
-    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
-    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
-    defined(__NO_SIGNED_ZEROS__) || defined(_M_FP_FAST)
-#error "libcylint is exact arithmetic: do not compile it with -ffast-math"
-#endif
-#if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || \
-    DBL_MIN_EXP != -1021
-#error "libcylint needs doubles of IEEE 754, binary64"
-#endif
-/* 1 and 16 widen float and _Float16 only; 2 is the x87's registers. */
-#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
-#error "libcylint needs doubles without excess precision (-mfpmath=sse)"
-#endif
-#ifndef UINT64_MAX
-#error "libcylint needs uint64_t"
-#endif
-#ifdef __clang__ /* for all that follows; gcc knows only -ffp-contract=off */
-#pragma STDC FP_CONTRACT OFF
-#pragma clang fp reassociate(off)
-#endif
-
 #include "bounds.h"
 #include "cylint.h"
 #include "eft.h"
+#include "environment.h"
 #include "exact.h"
 
 /* 2^e for -1022 <= e <= 1023. */
@@ -63,11 +41,26 @@ static inline int cylint_sign(double x)
     return bits << 1 == 0 ? 0 : bits >> 63 ? -1 : 1;
 }
 
+/* x < y by the bits, likewise; neither is a NaN. */
+static inline int cylint_less(double x, double y)
+{
+    int64_t a, b;
+    memcpy(&a, &x, sizeof a);
+    memcpy(&b, &y, sizeof b);
+    a = a < 0 ? INT64_MIN - a : a; /* ascending with x, both zeros 0 */
+    b = b < 0 ? INT64_MIN - b : b;
+    return a < b;
+}
+
 static inline double cylint_largest(const double x[3])
 {
     const double xy = fabs(x[0]) > fabs(x[1]) ? fabs(x[0]) : fabs(x[1]);
     return xy > fabs(x[2]) ? xy : fabs(x[2]);
 }
+
+/* x - y as a pair, exactly unless it overflows (then lo = 0), in whatever
+ * floating-point environment. */
+pair cylint_difference(double x, double y);
 
 /* x 2^e, rounded at most once. */
 double cylint_scaled(double x, int e);
@@ -137,6 +130,29 @@ static inline ball ball_mul(ball x, ball y)
 #undef SUB
 #define FORM(name) name##_size
 #define SUB(x, y) ((x) + (y))
+#include "forms.h"
+#undef NUM
+#undef FORM
+#undef ADD
+#undef SUB
+#undef MUL
+
+/* The binary exponent of what a number is certainly a multiple of: the same
+ * formulas over exponents.  A zero is a multiple of anything. */
+static inline int quantum_add(int x, int y)
+{
+    return x < y ? x : y;
+}
+static inline int quantum_mul(int x, int y)
+{
+    return x + y;
+}
+
+#define NUM int
+#define FORM(name) name##_quantum
+#define ADD(x, y) quantum_add(x, y)
+#define SUB(x, y) quantum_add(x, y)
+#define MUL(x, y) quantum_mul(x, y)
 #include "forms.h"
 #undef NUM
 #undef FORM
@@ -214,7 +230,9 @@ enum { /* what of cylint_query has been made */
     CYLINT_READY_WIDE = 2,
     CYLINT_READY_WIDE_LINE = 4,
     CYLINT_READY_EXACT = 8,
-    CYLINT_READY_QUADRATIC = 16
+    CYLINT_READY_EXACT_LINE = 16,
+    CYLINT_READY_QUADRATIC = 32,
+    CYLINT_READY_QUANTUM = 64
 };
 
 typedef struct {
@@ -231,6 +249,8 @@ typedef struct {
     unsigned ready;            /* which letters are there */
     letters_ball ball;
     letters_wide wide;
+    letters_quantum quantum;
+    int quanta;                /* 1: every datum of the filters is exact */
     letters_exact exact;
     exact exact_coefficient[3];/* A, B, C */
     cylint_arena arena;
@@ -243,7 +263,8 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
 letters_wide *cylint_wide(cylint_query *q);      /* data and shape only */
 letters_wide *cylint_wide_line(cylint_query *q); /* moments as well */
 const letters_ball *cylint_ball_with_top(cylint_query *q);
-const letters_exact *cylint_exact(cylint_query *q);
+const letters_exact *cylint_exact(cylint_query *q);      /* likewise */
+const letters_exact *cylint_exact_line(cylint_query *q);
 
 /* Exact signs of the forms, by the cheapest arithmetic that is certain. */
 int cylint_sign_alpha(cylint_query *q, int cap);
@@ -277,6 +298,9 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
 /* Makes what must stay in the arena; what comes after it may be let go by
  * setting arena.used to the answer. */
 int cylint_exact_mark(cylint_query *q, cylint_root root);
+
+/* Finds a root's pair anew where t_error is larger than pairs allow. */
+void cylint_polish_root(cylint_query *q, cylint_root root, pair *t);
 
 /* The root to some 1200 bits, from a pair. */
 exact cylint_root_in_full(cylint_query *q, cylint_root root, pair t);

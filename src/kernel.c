@@ -72,6 +72,8 @@ INLINE int answer_roots(const lanes_query *q, const lanes_shape *s,
                                const lanes_verdict *v, int from, int to,
                                cylint_kernel_answer *answer)
 {
+    if (!cylint_rounds_to_nearest()) /* what follows would certify nothing */
+        return 0;
     const int swapped = first(v->leaving_first);
     const double sign[2] = {swapped ? 1 : -1, swapped ? -1 : 1};
 #if LANES == 2

@@ -24,10 +24,12 @@ typedef struct {
     double error; /* relative, of the quotient; above 1: unknown */
 } fraction;
 
-/* Certain if |t - (hi + lo)| <= error makes hi the nearest double. */
+/* Certain if |t - (hi + lo)| <= error makes hi the nearest double.  In other
+ * rounding modes the additions do not tell, nor do the errors hold. */
 static int rounds_to_hi(pair t, double error)
 {
-    return t.hi + (t.lo + error) == t.hi && t.hi + (t.lo - error) == t.hi;
+    return t.hi + (t.lo + error) == t.hi && t.hi + (t.lo - error) == t.hi &&
+           cylint_rounds_to_nearest();
 }
 
 /* ---------------------------------------------- doubles and pairs ------ */
@@ -79,7 +81,7 @@ typedef struct {
     double t, error;        /* absolute */
     double slope;           /* A t + B at the root */
     double slope_error;     /* relative */
-    double bend;            /* A */
+    double bend;            /* at most |A| */
 } estimate;
 
 static estimate estimate_of(cylint_query *q, cylint_root root)
@@ -101,8 +103,8 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
 }
 
 /*
- * One step of Newton's, its residual in pairs.  Around a root t, where
- * s = A t + B,
+ * One step of Newton's from t0 = k.t + low, its residual in pairs.  Around a
+ * root t, where s = A t + B,
  *
  *   Q(t0) = 2 s (t0 - t) + A (t0 - t)^2,
  *   t     = t0 - delta + A (t0 - t)^2 / (2 s),   delta = Q(t0) / (2 s).
@@ -111,11 +113,11 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
  * by at most eP, and Q, homogeneous of degree 2 in (P, 1), by no more than
  * 2 eP / |P| of the sizes summed up in it.
  */
-static pair refined(cylint_query *q, estimate k, double *error)
+static pair refined(cylint_query *q, estimate k, double low, double *error)
 {
     letters_wide *L = cylint_wide(q);
     wide kept[3];
-    const wide t0 = {{k.t, 0}, fabs(k.t)};
+    const wide t0 = {{k.t, low}, fabs(k.t)};
     double from = 0, size = 0;
     for (int i = 0; i < 3; i++) {
         kept[i] = L->D[0][i];
@@ -129,19 +131,20 @@ static pair refined(cylint_query *q, estimate k, double *error)
     for (int i = 0; i < 3; i++)
         L->D[0][i] = kept[i];
     const double s = 2 * fabs(k.slope), delta = Q.v.hi / (2 * k.slope);
-    const double moved = 4 * CYLINT_PAIR_ROUNDING * (from / size) * Q.size;
+    const double x = CYLINT_POINT_DEPTH * CYLINT_PAIR_ROUNDING * (from / size);
+    const double moved = x * (2 + x) * Q.size;
     const double off = fabs(delta) + k.error;
     *error = 1.01 * ((wide_error(Q) + moved) / s +
                      fabs(delta) * (k.slope_error + 0x1p-50) +
-                     fabs(k.bend) * off / s * off);
-    return fast_two_sum(k.t, -delta);
+                     k.bend * off / s * off);
+    return fast_two_sum(k.t, low - delta);
 }
 
 /* ---------------------------------------------------------- exact ------ */
 
 static const exact *coefficients(cylint_query *q)
 {
-    const letters_exact *L = cylint_exact(q);
+    const letters_exact *L = cylint_exact_line(q);
     if (!(q->ready & CYLINT_READY_QUADRATIC)) {
         q->ready |= CYLINT_READY_QUADRATIC;
         q->exact_coefficient[0] = form_A_exact(L);
@@ -155,7 +158,7 @@ static const exact *coefficients(cylint_query *q)
 static exact linear_at(cylint_query *q, cylint_root root, exact m,
                        exact *slope_at)
 {
-    const letters_exact *L = cylint_exact(q);
+    const letters_exact *L = cylint_exact_line(q);
     const exact at0 = root == ROOT_APEX
                     ? form_rho0_exact(L)
                     : form_alpha_exact(L, root == ROOT_CAP1);
@@ -214,7 +217,7 @@ static pair sum_of_sizes(pair x, int xe, pair y, int ye, int *e)
 /* R and its exponent. */
 static pair exact_radical(cylint_query *q, int *e)
 {
-    const letters_exact *L = cylint_exact(q);
+    const letters_exact *L = cylint_exact_line(q);
     int eS, eG;
     pair S = cylint_exact_round(form_root_of_S_exact(L), &eS);
     pair G = cylint_exact_round(form_G_exact(L), &eG);
@@ -363,7 +366,7 @@ int cylint_exact_mark(cylint_query *q, cylint_root root)
 {
     if (root < ROOT_APEX)
         coefficients(q);
-    cylint_exact(q);
+    cylint_exact_line(q);
     return q->arena.used;
 }
 
@@ -429,6 +432,10 @@ static int solve_from(cylint_query *q, cylint_root root, exact *t)
     return 1;
 }
 
+/* A root may hold thousands of zeros between its digits, as 1 - 2^-4194
+ * does: those beyond are not worth the room. */
+enum { FULL_LIMBS = 48 };
+
 exact cylint_root_in_full(cylint_query *q, cylint_root root, pair t)
 {
     cylint_arena *arena = &q->arena;
@@ -437,7 +444,12 @@ exact cylint_root_in_full(cylint_query *q, cylint_root root, pair t)
                                   cylint_exact_from(arena, t.lo));
     /* each step adds 96 bits; what cancels later may be hundreds */
     for (int steps = 12; steps > 0; steps--) {
+        const exact before = full;
         const int moved = solve_from(q, root, &full);
+        if (full.n > FULL_LIMBS) {
+            arena->used = used + before.n;
+            return before;
+        }
         full = cylint_exact_keep(arena, used, full);
         if (!moved)
             break;
@@ -456,29 +468,93 @@ static int settles(const cylint_query *q, pair t, double error)
            e + q->t_exponent > -900 && e + q->t_exponent < 1000;
 }
 
+/*
+ * A root so near to the line's origin that nothing is left of C in pairs:
+ * C in every digit, over the other half of the quotient in pairs.
+ */
+static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
+{
+    const pair none = {0, 0};
+    const int exits = root == ROOT_EXIT;
+    int near, e = 0;
+    *error = HUGE_VAL;
+    if ((root != ROOT_ENTRY && !exits) || q->near_shape != q->shape)
+        return none;
+    const quotient_wide f =
+        half_quotient_wide(cylint_wide_line(q), exits, &near);
+    if (!near || !(f.error < 0x1p-60))
+        return none;
+    const letters_exact *L = cylint_exact(q);
+    const int used = q->arena.used;
+    const exact C = form_C_exact(L);
+    pair num = none;
+    if (C.sign != 0)
+        num = cylint_exact_round(C, &e);
+    q->arena.used = used;
+    if (C.sign == 0) {
+        *error = 0;
+        return none;
+    }
+    if (!(e > -400 && e < 400))
+        return none;
+    num.hi *= cylint_power_of_two(e);
+    num.lo *= cylint_power_of_two(e);
+    const pair t = pair_div(exits ? pair_neg(num) : num, f.den);
+    *error = (f.error + 0x1p-98) * fabs(t.hi);
+    return t;
+}
+
+/* As far as pairs go: their refinement, their quotient, their quotient with
+ * an exact numerator.  Returns whether the rounding is certain. */
+static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
+                         pair *t, double *error)
+{
+    *error = HUGE_VAL;
+    if (k.slope_error < 0x1p-10)
+        *t = refined(q, k, 0, error);
+    if (settles(q, *t, *error))
+        return 1;
+    const quotient_wide f = quotient_of_wide(cylint_wide_line(q), root);
+    if (f.error < 0x1p-56) {
+        *t = pair_div(f.num, f.den);
+        *error = (f.error + 0x1p-98) * fabs(t->hi);
+        if (settles(q, *t, *error))
+            return 1;
+    }
+    *t = root_near_origin(q, root, error);
+    return *error == 0 || settles(q, *t, *error);
+}
+
 static double root_value(cylint_query *q, cylint_root root, estimate k,
                          double *more)
 {
-    if (q->filters && root != ROOT_APEX && root != ROOT_DOUBLE) {
-        pair t = {0, 0};
-        double error = HUGE_VAL;
-        if (k.slope_error < 1)
-            t = refined(q, k, &error);
-        if (!settles(q, t, error)) {
-            const quotient_wide f = quotient_of_wide(cylint_wide_line(q), root);
-            if (f.error < 0x1p-56) {
-                t = pair_div(f.num, f.den);
-                error = (f.error + 0x1p-98) * fabs(t.hi);
-            }
-        }
-        if (settles(q, t, error)) {
-            q->t_error = error / fabs(t.hi);
-            *more = cylint_scaled(t.lo, q->t_exponent);
-            return cylint_scaled(t.hi, q->t_exponent);
-        }
+    pair t = {0, 0};
+    double error;
+    if (q->filters && root != ROOT_APEX && root != ROOT_DOUBLE &&
+        root_in_pairs(q, root, k, &t, &error)) {
+        q->t_error = error > 0 ? error / fabs(t.hi) : 0;
+        *more = cylint_scaled(t.lo, q->t_exponent);
+        return cylint_scaled(t.hi, q->t_exponent);
     }
     q->t_error = EXACT_ERROR;
     return exact_value(q, root, more);
+}
+
+void cylint_polish_root(cylint_query *q, cylint_root root, pair *t)
+{
+    if (!q->filters || q->t_exponent != 0)
+        return;
+    estimate k = estimate_of(q, root);
+    if (!(k.slope_error < 0x1p-10))
+        return;
+    double error;
+    k.t = t->hi;
+    k.error = q->t_error * fabs(t->hi);
+    const pair better = refined(q, k, t->lo, &error);
+    if (error < k.error) {
+        *t = better;
+        q->t_error = error / fabs(better.hi);
+    }
 }
 
 /* t in the scale of the filters, rounded. */

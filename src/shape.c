@@ -68,9 +68,9 @@ static void difference3(double hi[3], double lo[3], const double to[3],
                         const double from[3])
 {
     for (int i = 0; i < 3; i++) {
-        const pair d = two_diff(to[i], from[i]);
+        const pair d = cylint_difference(to[i], from[i]);
         hi[i] = d.hi;
-        lo[i] = fabs(d.hi) <= DBL_MAX ? d.lo : 0;
+        lo[i] = d.lo;
     }
 }
 
@@ -103,7 +103,7 @@ cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
     difference3(shape->axis, shape->axis_lo, p1, p0);
     shape->r0 = r0;
     shape->r1 = r1;
-    const pair dr = two_diff(r1, r0);
+    const pair dr = cylint_difference(r1, r0);
     shape->dr = dr.hi;
     shape->dr_lo = dr.lo;
     shape->ends = (int)ends;
@@ -151,7 +151,7 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
     copy3(shape->b, b);
     shape->r0 = 1;
     shape->r1 = k;
-    const pair dr = two_diff(k, 1);
+    const pair dr = cylint_difference(k, 1);
     shape->dr = dr.hi;
     shape->dr_lo = dr.lo;
     shape->ends = (int)ends;
@@ -203,7 +203,7 @@ cylint_status cylint_angle_cone(cylint_shape *shape, const double v[3],
     clear_shape(shape);
     if (!(fabs(degrees) <= DBL_MAX))
         return CYLINT_ENONFINITE;
-    if (!(degrees > 0 && degrees < 90))
+    if (cylint_sign(degrees) <= 0 || !(degrees < 90))
         return CYLINT_EANGLE;
     return cylint_tangent_cone(shape, v, u, cylint_tangent(degrees), ends);
 }
@@ -218,7 +218,7 @@ cylint_status cylint_span(cylint_line *line, const double o[3],
         return CYLINT_ENONFINITE;
     if (zero3(d))
         return CYLINT_EDIRECTION;
-    if (!(tmin <= tmax))
+    if (tmin != tmin || tmax != tmax || cylint_less(tmax, tmin))
         return CYLINT_EDOMAIN;
     copy3(line->o, o);
     copy3(line->d, d);

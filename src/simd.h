@@ -14,6 +14,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "environment.h"
+
 #if !defined(CYLINT_NARROW) && defined(__AVX512F__)
 
 #include <immintrin.h>

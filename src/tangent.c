@@ -26,6 +26,16 @@ static pair series(pair x, int first)
     return sum;
 }
 
+/* The double nearest to x 2^e, in whatever rounding mode. */
+static double nearest(pair x, int e)
+{
+    cylint_arena arena;
+    cylint_arena_open(&arena);
+    const exact hi = cylint_exact_from(&arena, x.hi);
+    const exact lo = cylint_exact_from(&arena, x.lo);
+    return cylint_exact_nearest(cylint_exact_add(&arena, hi, lo), e);
+}
+
 double cylint_tangent(double degrees)
 {
     static const pair radian = {0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
@@ -41,7 +51,8 @@ double cylint_tangent(double degrees)
     }
     const pair x = pair_mul(radian, (pair){angle, 0});
     if (e != 0)
-        return cylint_scaled(x.hi, e);
+        return nearest(x, e);
     const pair sine = series(x, 1), cosine = series(x, 0);
-    return steep ? pair_div(cosine, sine).hi : pair_div(sine, cosine).hi;
+    return nearest(steep ? pair_div(cosine, sine) : pair_div(sine, cosine),
+                   0);
 }

@@ -1,0 +1,45 @@
+/*
+ * environment.h - what the proofs ask of compiler, processor and thread
+ *
+ * Included before any arithmetic, so that clang's pragmas reach all of it.
+ */
+#ifndef CYLINT_ENVIRONMENT_H
+#define CYLINT_ENVIRONMENT_H
+
+#include <float.h>
+#include <stdint.h>
+
+/* What no macro tells, cylint_selftest does. */
+#if defined(__FAST_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    defined(__NO_SIGNED_ZEROS__) || defined(_M_FP_FAST)
+#error "libcylint is exact arithmetic: do not compile it with -ffast-math"
+#endif
+#if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || \
+    DBL_MIN_EXP != -1021
+#error "libcylint needs doubles of IEEE 754, binary64"
+#endif
+/* 1 and 16 widen float and _Float16 only; 2 is the x87's registers. */
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
+#error "libcylint needs doubles without excess precision (-mfpmath=sse)"
+#endif
+#ifndef UINT64_MAX
+#error "libcylint needs uint64_t"
+#endif
+#ifdef __clang__ /* for all that follows; gcc knows only -ffp-contract=off */
+#pragma STDC FP_CONTRACT OFF
+#pragma clang fp reassociate(off)
+#endif
+
+/* Whether this thread rounds to nearest now, without which the sums of
+ * eft.h are not free of error and no rounding can be certified.  1 loses or
+ * gains nothing by a tiny number then, and only then on both sides. */
+static inline int cylint_rounds_to_nearest(void)
+{
+    static volatile const double tiny = 0x1p-60; /* not for the compiler */
+    const double x = tiny;
+    return 1 + x == 1 - x;
+}
+
+#endif
