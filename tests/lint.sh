@@ -51,10 +51,10 @@ judged() {
         -e 'referenced manual not found: Xr cylint' \
         -e 'outdated mandoc\.db'
     # cross() writes all of a row; task->row is filled anew before each use;
-    # the letters of circular and elliptic kinds are never mixed, as an
-    # analyzer that forgets the kind on the way believes; a record has as many numbers as its kinds say; va_start was called; the
-    # name line is a question; our manuals refer to each other before they
-    # are installed.
+    # a record has as many numbers as its kinds say; va_start was called; the
+    # letters of circular and elliptic kinds are never mixed, as an analyzer
+    # that forgets the kind on the way believes; the name line is a question;
+    # our manuals refer to each other before they are installed.
 }
 
 # ------------------------------------------------------------- analysis --
