@@ -173,6 +173,12 @@ static void scale_query(cylint_query *q)
 
 /* -------------------------------------------------------- letters ------ */
 
+/* Nothing in x - y, nor in the error of it, can be subnormal but by this. */
+static int too_small(double x)
+{
+    return cylint_sign(x) != 0 && cylint_exponent(x) < -900;
+}
+
 static ball ball_of(double x)
 {
     return (ball){x, fabs(x)};
@@ -275,12 +281,6 @@ static exact exact_difference(cylint_arena *arena, double x, double y)
     const exact ey = cylint_exact_from(arena, y);
     return cylint_exact_keep(arena, used,
         cylint_exact_add(arena, ex, cylint_exact_neg(ey)));
-}
-
-/* Nothing in x - y, nor in the error of it, can be subnormal but by this. */
-static int too_small(double x)
-{
-    return cylint_sign(x) != 0 && cylint_exponent(x) < -900;
 }
 
 pair cylint_difference(double x, double y)
@@ -393,10 +393,16 @@ static const letters_quantum *quanta(cylint_query *q)
     const cylint_shape *s = q->near_shape;
     const cylint_line *l = q->near_line;
     double D[3];
-    q->quanta = q->near_shape == q->shape && s->dr_lo == 0;
+    q->quanta = q->near_shape == q->shape && cylint_sign(s->dr_lo) == 0 &&
+                cylint_rounds_to_nearest();
     for (int i = 0; i < 3; i++) {
+        q->quanta &= !too_small(l->o[i]) && !too_small(l->d[i]) &&
+                     !too_small(s->base[i]) && !too_small(s->axis[i]) &&
+                     !too_small(s->top[i]) && !too_small(s->a[i]) &&
+                     !too_small(s->b[i]);
         const pair d = two_diff(l->o[i], s->base[i]);
-        q->quanta &= d.lo == 0 && l->d_lo[i] == 0 && s->axis_lo[i] == 0;
+        q->quanta &= d.lo == 0 && cylint_sign(l->d_lo[i]) == 0 &&
+                     cylint_sign(s->axis_lo[i]) == 0;
         if (s->kind <= CYLINT_KIND_CONE)
             q->quanta &= two_diff(l->o[i], s->top[i]).lo == 0;
         D[i] = d.hi;

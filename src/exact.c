@@ -13,6 +13,8 @@
 
 static uint32_t *take(cylint_arena *arena, int n)
 {
+    if (arena->used + n > CYLINT_ARENA_LIMBS) /* more than was ever seen: */
+        arena->used = 0; /* a wrong answer then, but no foreign memory */
     uint32_t *limb = arena->limb + arena->used;
     arena->used += n;
     if (arena->used > arena->most)

@@ -22,9 +22,10 @@ typedef struct {
 /*
  * How much room the forms need.  A double's lowest bit is at least 2^-1074
  * and its highest below 2^1024: a leaf takes 67 limbs, a product of d leaves
- * 67 d.  The deepest form (G of a cone, degree 8) holds its own result, two
- * factors and what the letters keep; tests/test_exact.c measures the worst
- * case, whose exponents are as wild as they can be.
+ * 67 d, and forms keep nothing but their result (BEGIN, RETURN).  The most
+ * that inputs of the wildest exponents were seen to take is 10271 limbs
+ * (tests/test_exact.c, a search over what is asked of all kinds); this is
+ * twice that.
  */
 enum { CYLINT_ARENA_LIMBS = 20480 };
 
