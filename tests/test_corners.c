@@ -125,8 +125,28 @@ static void boxes_of_nappes_open_the_right_way(void)
     }
 }
 
+/* A whole cylinder is unbounded along its axis only. */
+static void boxes_of_whole_cylinders_are_bounded_across(void)
+{
+    for (int ends = CYLINT_INFINITE; ends <= CYLINT_NAPPE; ends++) {
+        const double c[3] = {4, 5, 6}, top[3] = {4, 5, 9};
+        const double a[3] = {2, 0, 0}, b[3] = {0, 3, 0}, h[3] = {0, 0, 1};
+        double lo[3], hi[3];
+        cylint_shape s;
+        cylint_cylinder(&s, c, top, 2, (cylint_ends)ends);
+        cylint_bounds(&s, lo, hi);
+        CHECK(lo[0] == 2 && hi[0] == 6 && lo[1] == 3 && hi[1] == 7);
+        CHECK(isinf(lo[2]) && isinf(hi[2]));
+        cylint_elliptic_cylinder(&s, c, a, b, h, (cylint_ends)ends);
+        cylint_bounds(&s, lo, hi);
+        CHECK(lo[0] == 2 && hi[0] == 6 && lo[1] == 2 && hi[1] == 8);
+        CHECK(isinf(lo[2]) && isinf(hi[2]));
+    }
+}
+
 int main(void)
 {
+    RUN(boxes_of_whole_cylinders_are_bounded_across);
     RUN(boxes_of_nappes_open_the_right_way);
     RUN(every_corner_agrees_with_the_oracle);
     return check_end();
