@@ -6,7 +6,8 @@ CXX        ?= c++
 PKG_CONFIG ?= pkg-config
 CFLAGS     ?= -O2 -g
 CXXFLAGS   ?= -O2 -g
-BUILD      ?= build
+PARANOID   ?=
+BUILD      ?= build$(if $(PARANOID),/paranoid)
 PREFIX     ?= /usr/local
 BINDIR     ?= $(PREFIX)/bin
 LIBDIR     ?= $(PREFIX)/lib
@@ -56,7 +57,7 @@ $(BUILD)/libcylint.so: $(lib_objects)
 $(BUILD)/cylint: $(tool_objects) $(BUILD)/libcylint.a
 	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lm
 
-$(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden
+$(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
 $(BUILD)/tools/%.o: extra := -D_POSIX_C_SOURCE=200809L
 $(BUILD)/tools/bench/%.o: extra := -D_POSIX_C_SOURCE=200809L -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
@@ -132,7 +133,7 @@ lint: ## what static analysis says, and how the sources look
 demo: all ## scan a generated forest and show what was hit
 	@BUILD=$(BUILD) sh tools/demo/demo.sh
 
-check: all $(test_programs) ## run every test
+check: all $(test_programs) ## run every test (PARANOID=1: each decision twice)
 	@$(if $(MPFR),,echo 'note: no MPFR, tests against the oracle are skipped')
 	@BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' sh tests/run.sh $(test_programs) $(test_scripts)
 

@@ -213,7 +213,8 @@ INLINE int lanes_left(const source *from, size_t start, size_t end, mode m,
     return n;
 }
 
-/* A judged and rounded group of lanes, for reading one at a time. */
+/* A judged and rounded group of lanes, for reading one at a time; t, more
+ * and error only where t is wanted. */
 typedef struct {
     double t[2][LANES], more[2][LANES], error[2][LANES], part[2][LANES];
     unsigned undecided, cross, hit[2], leaving_first;
@@ -232,10 +233,10 @@ INLINE void round_group(const lanes_query *q, const lanes_shape *s,
             return;
         const vm exits = m_or(m_and(second, m_not(v->leaving_first)),
                               m_and(m_not(second), v->leaving_first));
-        const lanes_root r = round_root(q, s, l, kind,
-            v_select(exits, plus, minus),
-            choose(second, v->stop[1], v->stop[0]),
-            v_select(second, v->part[1], v->part[0]));
+        const bounded_value t = choose(second, v->stop[1], v->stop[0]);
+        const lanes_root r = want & CYLINT_WANT_FAST ? take_root(q, t)
+            : round_root(q, s, l, kind, v_select(exits, plus, minus), t,
+                         v_select(second, v->part[1], v->part[0]));
         v->undecided = m_or(v->undecided, m_and(any, m_not(r.sure)));
         for (int i = 0; i < 2; i++) {
             v_store(g->t[i], r.value);
@@ -248,8 +249,10 @@ INLINE void round_group(const lanes_query *q, const lanes_shape *s,
         if (!m_any(v->hit[i]))
             continue;
         const vm exits = i ? m_not(v->leaving_first) : v->leaving_first;
-        const lanes_root r = round_root(q, s, l, kind,
-            v_select(exits, plus, minus), v->stop[i], v->part[i]);
+        const lanes_root r = want & CYLINT_WANT_FAST
+            ? take_root(q, v->stop[i])
+            : round_root(q, s, l, kind, v_select(exits, plus, minus),
+                         v->stop[i], v->part[i]);
         v->undecided = m_or(v->undecided, m_and(v->hit[i], m_not(r.sure)));
         v_store(g->t[i], r.value);
         v_store(g->more[i], r.more);

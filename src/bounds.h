@@ -95,4 +95,7 @@
 #define CYLINT_CYLINDER_G_ERROR 0x19p-48
 #define CYLINT_CYLINDER_G_SIZE 48
 
+/* What the fast mode promises of t (kernel.h, take_root). */
+#define CYLINT_FAST_BOUND 0x1p-40
+
 #endif

@@ -7,27 +7,25 @@
  */
 #include "internal.h"
 
-/* A shape with lengths near 1: true lengths are 2^e times these. */
+/* The axis as pairs, true lengths being 2^e times these: e is 0 unless the
+ * axis is longer than the largest double. */
 typedef struct {
-    pair axis[3], a[3], b[3];
-    int e, kind;
-} scaled;
+    pair axis[3];
+    int e;
+} long_axis;
 
-static scaled scaled_of(const cylint_shape *s)
+static long_axis axis_of(const cylint_shape *s)
 {
-    scaled k = {.e = cylint_length_exponent(s), .kind = s->kind};
-    double hi[3], lo[3] = {0, 0, 0};
-    const int dimensionless = s->kind >= CYLINT_KIND_ACONE;
-    if (dimensionless)
-        for (int i = 0; i < 3; i++)
-            hi[i] = cylint_scaled(s->axis[i], -k.e);
-    else
+    long_axis k = {.e = 0};
+    const int fits = cylint_largest(s->axis) <= DBL_MAX;
+    double hi[3], lo[3];
+    if (!fits) {
+        k.e = 2;
         cylint_scaled_difference(hi, lo, s->top, s->base, -k.e);
-    for (int i = 0; i < 3; i++) {
-        k.axis[i] = (pair){hi[i], lo[i]};
-        k.a[i] = (pair){cylint_scaled(s->a[i], -k.e), 0};
-        k.b[i] = (pair){cylint_scaled(s->b[i], -k.e), 0};
     }
+    for (int i = 0; i < 3; i++)
+        k.axis[i] = fits ? (pair){s->axis[i], s->axis_lo[i]}
+                         : (pair){hi[i], lo[i]};
     return k;
 }
 
@@ -59,34 +57,34 @@ static pair hypotenuse(pair x, pair y, int *e)
 /* How far the section of unit radius (circular: at distance 1 from the axis;
  * acone: where the tangent is 1) reaches along coordinate j, times 2^*e;
  * *is_exact: no rounding was needed. */
-static pair unit_reach(const scaled *k, int j, int *e, int *is_exact)
+static pair unit_reach(const cylint_shape *s, const long_axis *k, int j,
+                       int *e, int *is_exact)
 {
-    const pair zero = {0, 0}, one = {1, 0};
-    *is_exact = 0;
+    *is_exact = 1;
     *e = 0;
-    if (k->kind >= CYLINT_KIND_ECYLINDER) {
-        const int flat_a = k->a[j].hi == 0, flat_b = k->b[j].hi == 0;
-        *is_exact = flat_a || flat_b;
-        if (*is_exact)
-            return (pair){fabs(flat_a ? k->b[j].hi : k->a[j].hi), 0};
-        return hypotenuse(k->a[j], k->b[j], e);
+    if (s->kind >= CYLINT_KIND_ECYLINDER) {
+        if (cylint_sign(s->a[j]) == 0)
+            return (pair){fabs(s->b[j]), 0};
+        if (cylint_sign(s->b[j]) == 0)
+            return (pair){fabs(s->a[j]), 0};
+        *is_exact = 0;
+        return hypotenuse((pair){s->a[j], 0}, (pair){s->b[j], 0}, e);
     }
+    const pair x = k->axis[j];
     const pair y = k->axis[(j + 1) % 3], z = k->axis[(j + 2) % 3];
-    if (y.hi == 0 && z.hi == 0) {
-        *is_exact = 1;
-        return zero;
-    }
+    if (cylint_sign(y.hi) == 0 && cylint_sign(z.hi) == 0)
+        return (pair){0, 0};
+    if (s->kind != CYLINT_KIND_ACONE && cylint_sign(x.hi) == 0)
+        return (pair){1, 0};
+    *is_exact = 0;
     const pair across = hypotenuse(y, z, e);
-    if (k->kind == CYLINT_KIND_ACONE)
+    if (s->kind == CYLINT_KIND_ACONE)
         return across;
-    if (k->axis[j].hi == 0) {
-        *is_exact = 1;
-        *e = 0;
-        return one;
-    }
-    int whole = 0;
-    const pair length = hypotenuse(unscaled(across, *e), k->axis[j], &whole);
-    *e -= whole;
+    const int ex = cylint_exponent(x.hi), most = ex > *e ? ex : *e;
+    int length_e = 0;
+    const pair length = hypotenuse(unscaled(across, *e - most),
+                                   unscaled(x, -most), &length_e);
+    *e -= most + length_e;
     return pair_div(across, length);
 }
 
@@ -104,9 +102,9 @@ static double step(double x, int up)
     return x;
 }
 
-/* center + offset + reach, outward.  The pairs' errors are far below an
- * ulp of the largest term; where nothing was rounded the sum's own low part
- * tells on which side of hi it lies. */
+/* center + offset + reach, outward.  Where nothing was rounded the sum's own
+ * low part tells on which side of hi it lies; else the pairs' error, below
+ * 2^-98 of what was summed up, is added before the last rounding. */
 static double outward(double center, pair offset, pair reach, int is_exact,
                       int up)
 {
@@ -115,31 +113,34 @@ static double outward(double center, pair offset, pair reach, int is_exact,
     if (!(fabs(sum.hi) <= DBL_MAX))
         return up ? HUGE_VAL : -HUGE_VAL;
     const int terms = (center != 0) + (offset.hi != 0) + (reach.hi != 0);
-    if (is_exact && (terms <= 1 ? far.lo == 0 : terms == 2)) {
-        const double exact_low = sum.lo;
-        if (up ? exact_low <= 0 : exact_low >= 0)
+    is_exact = is_exact && !cylint_too_small(center) &&
+               !cylint_too_small(offset.hi) && !cylint_too_small(reach.hi) &&
+               (terms <= 1 ? far.lo == 0 : terms == 2);
+    if (is_exact) {
+        if (up ? sum.lo <= 0 : sum.lo >= 0)
             return sum.hi;
         return step(sum.hi, up);
     }
-    return step(step(sum.hi, up), up);
+    const double error = (fabs(center) + fabs(offset.hi) + fabs(reach.hi)) *
+                         0x1p-98;
+    const double wide = sum.hi + (up ? sum.lo + error : sum.lo - error);
+    return step(step(wide, up), up);
 }
 
 /* The disc of cap i, to the box. */
-static void take_disc(const cylint_shape *s, const scaled *k, int cap,
-                      double lo[3], double hi[3])
+static void take_disc(const cylint_shape *s, int cap, double lo[3],
+                      double hi[3])
 {
+    const long_axis k = axis_of(s);
     const double r = cap ? s->r1 : s->r0;
     const int er = r < DBL_MIN ? -1022 : cylint_exponent(r);
     for (int j = 0; j < 3; j++) {
         int is_exact, e;
-        pair reach = unit_reach(k, j, &e, &is_exact);
-        const int keeps = r == 1 || reach.hi == 1 || reach.hi == 0 ||
-                          cylint_sign(r) == 0;
-        if (s->kind >= CYLINT_KIND_ACONE) /* a length by a factor */
-            e += k->e;
-        reach = unscaled(pair_mul(reach, (pair){cylint_scaled(r, -er), 0}),
-                         e + er);
-        is_exact = keeps && (is_exact || reach.hi == 0);
+        const pair unit = unit_reach(s, &k, j, &e, &is_exact);
+        const pair reach = unscaled(pair_mul(unit,
+                               (pair){cylint_scaled(r, -er), 0}), e + er);
+        is_exact = cylint_sign(r) == 0 || (is_exact &&
+                   (r == 1 || unit.hi == 1 || cylint_sign(unit.hi) == 0));
         double center = s->base[j];
         pair offset = {0, 0};
         if (cap && s->kind <= CYLINT_KIND_CONE)
@@ -148,8 +149,8 @@ static void take_disc(const cylint_shape *s, const scaled *k, int cap,
             offset = (pair){s->axis[j], 0};
         const double low = outward(center, offset, reach, is_exact, 0);
         const double high = outward(center, offset, reach, is_exact, 1);
-        lo[j] = low < lo[j] ? low : lo[j];
-        hi[j] = high > hi[j] ? high : hi[j];
+        lo[j] = cylint_less(low, lo[j]) ? low : lo[j];
+        hi[j] = cylint_less(hi[j], high) ? high : hi[j];
     }
 }
 
@@ -185,8 +186,10 @@ static void take_nappe(const cylint_shape *s, double lo[3], double hi[3])
     cylint_query q;
     cylint_whole_line(&line, s->base, along);
     cylint_query_open(&q, s, &line);
-    const scaled k = scaled_of(s);
-    const pair dr = {s->dr, s->dr_lo};
+    const long_axis k = axis_of(s);
+    const int er = cylint_exponent(s->r0), ed = cylint_exponent(s->dr);
+    const pair r0 = {cylint_scaled(s->r0, -er), 0};
+    const pair dr = unscaled((pair){s->dr, s->dr_lo}, -ed);
     for (int j = 0; j < 3; j++) {
         lo[j] = -HUGE_VAL;
         hi[j] = HUGE_VAL;
@@ -194,12 +197,15 @@ static void take_nappe(const cylint_shape *s, double lo[3], double hi[3])
             continue;
         /* the apex: p0 - w r0 / dr */
         pair offset = {0, 0};
-        if (cylint_sign(s->r0) != 0 && k.axis[j].hi != 0)
-            offset = pair_neg(pair_div(
-                unscaled(pair_mul(k.axis[j], (pair){s->r0, 0}), k.e), dr));
+        const int ew = cylint_exponent(k.axis[j].hi);
+        const int at_base = cylint_sign(s->r0) == 0 ||
+                            cylint_sign(k.axis[j].hi) == 0;
+        if (!at_base)
+            offset = pair_neg(unscaled(pair_div(pair_mul(
+                unscaled(k.axis[j], -ew), r0), dr), k.e + ew + er - ed));
         const int up = cylint_sign(k.axis[j].hi) * cylint_sign(s->dr) < 0;
         const double apex = outward(s->base[j], offset, (pair){0, 0},
-                                    offset.hi == 0, up);
+                                    at_base, up);
         *(up ? &hi[j] : &lo[j]) = apex;
     }
 }
@@ -225,14 +231,13 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
         }
         return;
     }
-    const scaled k = scaled_of(shape);
-    take_disc(shape, &k, 0, lo, hi);
+    take_disc(shape, 0, lo, hi);
     if (shape->ends < CYLINT_INFINITE) {
-        take_disc(shape, &k, 1, lo, hi);
+        take_disc(shape, 1, lo, hi);
         return;
     }
     for (int j = 0; j < 3; j++)
-        if (cylint_sign(k.axis[j].hi) != 0) {
+        if (cylint_sign(shape->axis[j]) != 0) {
             lo[j] = -HUGE_VAL;
             hi[j] = HUGE_VAL;
         }

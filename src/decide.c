@@ -173,12 +173,6 @@ static void scale_query(cylint_query *q)
 
 /* -------------------------------------------------------- letters ------ */
 
-/* Nothing in x - y, nor in the error of it, can be subnormal but by this. */
-static int too_small(double x)
-{
-    return cylint_sign(x) != 0 && cylint_exponent(x) < -900;
-}
-
 static ball ball_of(double x)
 {
     return (ball){x, fabs(x)};
@@ -286,7 +280,7 @@ static exact exact_difference(cylint_arena *arena, double x, double y)
 pair cylint_difference(double x, double y)
 {
     pair d = two_diff(x, y);
-    if (too_small(x) || too_small(y) || !cylint_rounds_to_nearest()) {
+    if (cylint_too_small(x) || cylint_too_small(y) || !cylint_rounds_to_nearest()) {
         cylint_arena arena;
         cylint_arena_open(&arena);
         const exact all = exact_difference(&arena, x, y);
@@ -383,12 +377,12 @@ static void fill3(int to[3], int e)
     to[0] = to[1] = to[2] = e;
 }
 
-/* Quanta of the data, if the filters see every digit of them. */
+/* Quanta of the data; NULL unless the filters see every digit of them. */
 static const letters_quantum *quanta(cylint_query *q)
 {
     letters_quantum *L = &q->quantum;
     if (q->ready & CYLINT_READY_QUANTUM)
-        return L;
+        return q->quanta ? L : NULL;
     q->ready |= CYLINT_READY_QUANTUM;
     const cylint_shape *s = q->near_shape;
     const cylint_line *l = q->near_line;
@@ -396,10 +390,10 @@ static const letters_quantum *quanta(cylint_query *q)
     q->quanta = q->near_shape == q->shape && cylint_sign(s->dr_lo) == 0 &&
                 cylint_rounds_to_nearest();
     for (int i = 0; i < 3; i++) {
-        q->quanta &= !too_small(l->o[i]) && !too_small(l->d[i]) &&
-                     !too_small(s->base[i]) && !too_small(s->axis[i]) &&
-                     !too_small(s->top[i]) && !too_small(s->a[i]) &&
-                     !too_small(s->b[i]);
+        q->quanta &= !cylint_too_small(l->o[i]) && !cylint_too_small(l->d[i]) &&
+                     !cylint_too_small(s->base[i]) && !cylint_too_small(s->axis[i]) &&
+                     !cylint_too_small(s->top[i]) && !cylint_too_small(s->a[i]) &&
+                     !cylint_too_small(s->b[i]);
         const pair d = two_diff(l->o[i], s->base[i]);
         q->quanta &= d.lo == 0 && cylint_sign(l->d_lo[i]) == 0 &&
                      cylint_sign(s->axis_lo[i]) == 0;
@@ -408,7 +402,7 @@ static const letters_quantum *quanta(cylint_query *q)
         D[i] = d.hi;
     }
     if (!q->quanta)
-        return L;
+        return NULL;
     L->kind = s->kind;
     const int eD = least_quantum(D), ew = least_quantum(s->axis);
     fill3(L->u, least_quantum(l->d));
@@ -473,26 +467,30 @@ static int no_rounding(double size, int e)
 /* The cascade, for a form with the given further arguments. */
 #define DECIDE(q, balls, form, ...)                                         \
     do {                                                                    \
+        int sign_ = 2; /* unknown */                                        \
         if ((q)->filters) {                                                 \
             const ball b_ = form##_ball(balls __VA_ARGS__);                 \
-            if (certain_ball(b_))                                           \
-                return cylint_sign(b_.v);                                   \
-            const letters_quantum *e_ = quanta(q);                          \
-            if ((q)->quanta &&                                              \
-                no_rounding(b_.size, form##_quantum(e_ __VA_ARGS__)))       \
-                return cylint_sign(b_.v);                                   \
-            if (cylint_rounds_to_nearest()) {                               \
+            const letters_quantum *e_;                                      \
+            if (certain_ball(b_)) {                                         \
+                sign_ = cylint_sign(b_.v);                                  \
+            } else if ((e_ = quanta(q)) != NULL && no_rounding(b_.size,     \
+                       form##_quantum(e_ __VA_ARGS__))) {                   \
+                sign_ = cylint_sign(b_.v);                                  \
+            } else if (cylint_rounds_to_nearest()) {                        \
                 const wide w_ = form##_wide(cylint_wide_line(q)             \
                                             __VA_ARGS__);                   \
                 if (certain_wide(w_))                                       \
-                    return cylint_sign(w_.v.hi);                            \
+                    sign_ = cylint_sign(w_.v.hi);                           \
             }                                                               \
         }                                                                   \
+        if (sign_ != 2 && !CYLINT_IS_PARANOID)                              \
+            return sign_;                                                   \
         const letters_exact *x_ = cylint_exact_line(q);                     \
         const int used_ = (q)->arena.used;                                  \
-        const int sign_ = form##_exact(x_ __VA_ARGS__).sign;                \
+        const int exact_ = form##_exact(x_ __VA_ARGS__).sign;               \
         (q)->arena.used = used_;                                            \
-        return sign_;                                                       \
+        cylint_contradiction(sign_ != 2 && sign_ != exact_);                \
+        return exact_;                                                      \
     } while (0)
 
 #define COMMA ,

@@ -78,13 +78,30 @@ static double turns(floating y, floating x)
     return phi < 1 ? phi + 0 : 0;
 }
 
+/* |x| < |y|. */
+static int smaller(pair x, pair y)
+{
+    const double xh = fabs(x.hi), yh = fabs(y.hi);
+    if (xh != yh)
+        return cylint_less(xh, yh);
+    return cylint_less(cylint_sign(x.hi) < 0 ? -x.lo : x.lo,
+                       cylint_sign(y.hi) < 0 ? -y.lo : y.lo);
+}
+
 /* The coordinate along which the axis has its smallest component. */
 static int least_component(const cylint_query *q)
 {
-    const double *axis = q->near_shape->axis;
+    const cylint_shape *s = q->shape;
+    double hi[3], lo[3];
+    for (int i = 0; i < 3; i++) {
+        hi[i] = s->axis[i];
+        lo[i] = s->axis_lo[i];
+    }
+    if (!(cylint_largest(hi) <= DBL_MAX))
+        cylint_scaled_difference(hi, lo, s->top, s->base, -2);
     int least = 0;
     for (int i = 1; i < 3; i++)
-        if (fabs(axis[i]) < fabs(axis[least]))
+        if (smaller((pair){hi[i], lo[i]}, (pair){hi[least], lo[least]}))
             least = i;
     return least;
 }

@@ -41,6 +41,12 @@ static inline int cylint_sign(double x)
     return bits << 1 == 0 ? 0 : bits >> 63 ? -1 : 1;
 }
 
+/* Sums with such a number may have a part that a processor flushes. */
+static inline int cylint_too_small(double x)
+{
+    return cylint_sign(x) != 0 && cylint_exponent(x) < -900;
+}
+
 /* x < y by the bits, likewise; neither is a NaN. */
 static inline int cylint_less(double x, double y)
 {
@@ -82,6 +88,16 @@ int cylint_filters_apply(const cylint_shape *s, const cylint_line *l);
 
 /* The double nearest to the tangent of an angle in (0, 90) degrees. */
 double cylint_tangent(double degrees);
+
+/* A build that asks every question again in every digit (make PARANOID=1). */
+#ifdef CYLINT_PARANOID
+#include <stdlib.h>
+#define CYLINT_IS_PARANOID 1
+#define cylint_contradiction(wrong) ((wrong) ? abort() : (void)0)
+#else
+#define CYLINT_IS_PARANOID 0
+#define cylint_contradiction(wrong) ((void)0)
+#endif
 
 /* ------------------------------------------- the three arithmetics ----- */
 

@@ -70,8 +70,17 @@ INLINE int first(vm m)
 INLINE int answer_roots(const lanes_query *q, const lanes_shape *s,
                                const lanes_line *l, int kind,
                                const lanes_verdict *v, int from, int to,
-                               cylint_kernel_answer *answer)
+                               unsigned want, cylint_kernel_answer *answer)
 {
+    if (want & CYLINT_WANT_FAST) {
+        for (int i = from; i < to; i++) {
+            const lanes_root r = take_root(q, v->stop[i]);
+            if (!first(r.sure))
+                return 0;
+            store_root(answer, i - from, &r, 0);
+        }
+        return 1;
+    }
     if (!cylint_rounds_to_nearest()) /* what follows would certify nothing */
         return 0;
     const int swapped = first(v->leaving_first);
@@ -127,7 +136,7 @@ INLINE int answer_one(const cylint_shape *shape,
         CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
     if (from == to || !(want & needs_t))
         return 1;
-    return answer_roots(&q, &s, &l, kind, &v, from, to, answer);
+    return answer_roots(&q, &s, &l, kind, &v, from, to, want, answer);
 }
 
 /* The constants make a kernel of its own out of each call. */

@@ -364,6 +364,16 @@ typedef struct {
     vm sure;
 } lanes_root;
 
+/* The fast mode: t as the doubles have it, if its error is certainly below
+ * CYLINT_FAST_BOUND of the larger of |t| and the distance of the shape, in
+ * multiples of d. */
+INLINE lanes_root take_root(const lanes_query *q, bounded_value t)
+{
+    const vd far = q->N.D[0][0] / q->N.u[0], size = v_max(v_abs(t.v), far);
+    return (lanes_root){t.v, v_set(0), t.e,
+                        v_le(t.e, v_set(CYLINT_FAST_BOUND) * size)};
+}
+
 /*
  * Newton's step in pairs: root.c, refined(), in lanes and for caps too.
  * exits: +1 in lanes whose lateral root leaves the quadric, -1 elsewhere.

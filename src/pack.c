@@ -146,7 +146,9 @@ static void ask_pack(const cylint_pack *pack, cylint_job *job)
     job->nearest = HUGE_VAL;
     if (job->line && !job->line->valid)
         return;
-    const int scalar = job->line && !job->line->ordinary;
+    /* roots are rounded in lanes only where rounding is to nearest */
+    const int scalar = (job->line && !job->line->ordinary) ||
+                       !cylint_rounds_to_nearest();
     for (int r = 0; r < RUNS; r++) {
         const cylint_run *run = &head->run[r];
         if (!scalar && !run->scalar) {
@@ -181,7 +183,8 @@ size_t cylint_nearest(const cylint_pack *pack, const cylint_line *line,
                       unsigned want, cylint_hit *hit)
 {
     cylint_job job = {.line = line, .take = take_nearest, .best = pack->n,
-                      .want = CYLINT_WANT_T | CYLINT_WANT_NEAREST};
+                      .want = CYLINT_WANT_T | CYLINT_WANT_NEAREST |
+                              (want & CYLINT_WANT_FAST)};
     ask_pack(pack, &job);
     if (job.best == pack->n)
         return pack->n;
@@ -292,8 +295,7 @@ void cylint_intersect_lines(const cylint_shape *shape,
     cylint_job job = columns_job(answers, lines->n);
     job.lines = lines;
     job.shapes = shape;
-    const int run = run_of(shape);
-    if (run != RUNS - 1) {
+    if (run_of(shape) != RUNS - 1 && cylint_rounds_to_nearest()) {
         cylint_kernels_used()->lines(&job, shape);
         return;
     }

@@ -310,6 +310,22 @@ static int passes_by(const cylint_shape *s, const cylint_line *l)
     return form_G_double(&L) < -bound && far <= CYLINT_WINDOW;
 }
 
+#if CYLINT_IS_PARANOID
+static int contradicts(const cylint_shape *shape, const cylint_line *line,
+                       unsigned want, const cylint_kernel_answer *known)
+{
+    cylint_answer a;
+    ask(shape, line, want | CYLINT_WANT_PART, &a);
+    int wrong = a.relation != known->relation || a.n != known->n;
+    for (int i = 0; i < a.n && !wrong; i++)
+        wrong = a.hit[i].part != known->part[i] ||
+                a.hit[i].side != known->side[i] ||
+                ((want & CYLINT_WANT_T) && !(want & CYLINT_WANT_FAST) &&
+                 a.hit[i].t != known->t[i]);
+    return wrong;
+}
+#endif
+
 int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer)
 {
@@ -321,12 +337,16 @@ int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
         return 0;
     }
     if (passes_by(shape, line)) {
+        cylint_contradiction((ask(shape, line, 0, answer),
+                              answer->relation != CYLINT_MISS));
         answer->relation = CYLINT_MISS;
         return answer->n = 0;
     }
     cylint_kernel_answer known;
-    if (cylint_kernels_used()->one(shape, line, want, &known))
+    if (cylint_kernels_used()->one(shape, line, want, &known)) {
+        cylint_contradiction(contradicts(shape, line, want, &known));
         return tell(shape, line, want, &known, answer);
+    }
     return ask(shape, line, want, answer);
 }
 

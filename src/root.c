@@ -532,9 +532,11 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
     double error;
     if (q->filters && root != ROOT_APEX && root != ROOT_DOUBLE &&
         root_in_pairs(q, root, k, &t, &error)) {
+        const double value = cylint_scaled(t.hi, q->t_exponent);
+        cylint_contradiction(exact_value(q, root, more) != value);
         q->t_error = error > 0 ? error / fabs(t.hi) : 0;
         *more = cylint_scaled(t.lo, q->t_exponent);
-        return cylint_scaled(t.hi, q->t_exponent);
+        return value;
     }
     q->t_error = EXACT_ERROR;
     return exact_value(q, root, more);
