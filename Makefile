@@ -18,12 +18,12 @@ version := $(shell sed -n 's/^.define CYLINT_VERSION "\(.*\)"/\1/p' include/cyli
 major   := $(firstword $(subst ., ,$(version)))
 
 # What is optional: `make MPFR= check` and the like switch it off.
-have     = $(shell echo 'int main(void){return 0;}' > $(BUILD)/.probe.$(2) && \
-             $(1) -o $(BUILD)/.probe $(BUILD)/.probe.$(2) $(3) 2>/dev/null && echo yes)
 $(shell mkdir -p $(BUILD))
-CXX17   ?= $(call have,$(CXX) -std=c++17 -include charconv,cc,)
-MPFR    ?= $(call have,$(CC) -include stdio.h -include mpfr.h,c,-lmpfr -lgmp)
-GSL     ?= $(call have,$(CC) -include gsl/gsl_rng.h,c,-lgsl -lgslcblas -lm)
+have     = $(shell echo 'int main(void){return 0;}' | $(1) -o /dev/null -x $(2) - $(3) 2>&1 || echo no)
+optional = $(if $(filter undefined,$(origin $(1))),$(eval $(1) := $(if $(call have,$(2),$(3),$(4)),,yes)))
+$(call optional,CXX17,$(CXX) -std=c++17 -include charconv,c++)
+$(call optional,MPFR,$(CC) -include stdio.h -include mpfr.h,c,-lmpfr -lgmp)
+$(call optional,GSL,$(CC) -include gsl/gsl_rng.h,c,-lgsl -lgslcblas -lm)
 
 warn    := -Wall -Wextra -Wpedantic -Wconversion
 ours    := -std=c99 $(warn) -Iinclude -MMD -MP

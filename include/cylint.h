@@ -217,7 +217,9 @@ enum {
     CYLINT_WANT_Z       = 1 << 4,
     CYLINT_WANT_PHI     = 1 << 5,
     CYLINT_WANT_NEAREST = 1 << 6, /* n is 0 or 1: the hit with the least t */
-    CYLINT_WANT_FAST    = 1 << 7, /* t within a few ulp, see ACCURACY */
+    CYLINT_WANT_FAST    = 1 << 7, /* t in doubles: within 2^-40 of the larger
+                                     of |t| and the base's distance from o in
+                                     multiples of d; a few ulp as a rule */
     CYLINT_WANT_COUNT   = 0,      /* relation and number only */
     CYLINT_WANT_ALL     = (1 << 6) - 1
 };
@@ -283,8 +285,9 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
     const double point[3]);
 
 /* The least axis-parallel box that holds the solid, each side rounded
- * outward by at most a few units in the last place; +-HUGE_VAL where it is
- * unbounded.  A refused shape: lo = +HUGE_VAL, hi = -HUGE_VAL. */
+ * outward by at most 5 units in the last place, or, where coordinate and
+ * reach nearly cancel, by 2^-95 of them; +-HUGE_VAL where it is unbounded.
+ * A refused shape: lo = +HUGE_VAL, hi = -HUGE_VAL. */
 CYLINT_API void cylint_bounds(const cylint_shape *shape,
     double lo[3], double hi[3]);
 
