@@ -81,6 +81,7 @@ $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 $(warn) -MMD -MP $(CPPFLAGS) $(CXXFLAGS) -c -o $@ $<
 
+$(BUILD)/tests/test_batch: test_libs += -pthread
 $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 

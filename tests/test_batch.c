@@ -1,0 +1,746 @@
+/*
+ * test_batch.c - batches answer what single questions answer, bit for bit
+ *
+ * Every batch here lies between pages that cannot be touched, its inputs and
+ * its pack in memory that can only be read while it is asked.  Every build
+ * of the kernels that this processor runs takes its turn.  CYLINT_SEED
+ * changes all cases drawn from the families.
+ */
+#include <math.h>
+#include <pthread.h>
+#include <stdint.h>
+
+#include "check.h"
+#include "cylint.h"
+#include "families.h"
+#include "guarded.h"
+
+enum {
+    MOST = 600,      /* lines or shapes in a batch */
+    FEW = 21,        /* where every address is tried: twice the lanes, more */
+    LINES_ASKED = 24,
+    ALL_COLUMNS = 63
+};
+
+static uint64_t seed(void)
+{
+    const char *text = getenv("CYLINT_SEED");
+    return text ? strtoull(text, NULL, 10) : 1;
+}
+
+/* ------------------------------------------------------------- layout -- */
+
+/* Where arrays lie and which of them there are. */
+struct layout {
+    size_t offset;    /* bytes from an edge, 0 to 63 */
+    int at_end;       /* which edge */
+    int columns;      /* a bit for each member of cylint_columns */
+    int domain;       /* 1: there is tmin, 2: there is tmax */
+};
+
+static const struct layout usual = {0, 1, ALL_COLUMNS, 3};
+
+static struct room line_room[8], answer_room[6], shape_room, pack_room;
+static const size_t answer_size[6] = {1, 1, sizeof(double), sizeof(double),
+                                      1, 1};
+
+static void make_rooms(void)
+{
+    for (int i = 0; i < 8; i++)
+        line_room[i] = guarded_room(MOST * sizeof(double));
+    for (int i = 0; i < 6; i++)
+        answer_room[i] = guarded_room(MOST * answer_size[i]);
+    shape_room = guarded_room(MOST * sizeof(cylint_shape));
+    pack_room = guarded_room(cylint_pack_bytes(MOST));
+}
+
+/* The i-th array's gap: doubles are moved by doubles, bytes by bytes, and
+ * no two arrays alike. */
+static size_t gap_of(const struct layout *at, int i, size_t size)
+{
+    return (at->offset + (size_t)i * size) % (64 / size) * size;
+}
+
+static void lay_pack(cylint_pack *pack, const struct family_case *shapes,
+                     size_t n, const struct layout *at)
+{
+    const size_t bytes = cylint_pack_bytes(n);
+    cylint_shape *to = guarded_place(&shape_room, n * sizeof *to,
+                                     gap_of(at, 3, sizeof(double)),
+                                     at->at_end);
+    for (size_t i = 0; i < n; i++)
+        to[i] = shapes[i].shape;
+    guarded_permit(&shape_room, 0);
+    char *memory = guarded_place(&pack_room, bytes, at->offset, at->at_end);
+    cylint_pack_shapes(pack, memory, to, n);
+    CHECK(guarded_kept(&pack_room, memory, bytes));
+    guarded_permit(&pack_room, 0);
+}
+
+static void lay_lines(cylint_lines *lines, const struct family_case *from,
+                      size_t n, const struct layout *at)
+{
+    double *array[8];
+    for (int i = 0; i < 8; i++)
+        array[i] = guarded_place(&line_room[i], n * sizeof(double),
+                                 gap_of(at, i, sizeof(double)), at->at_end);
+    for (size_t i = 0; i < n; i++) {
+        const cylint_line *l = &from[i].line;
+        for (int k = 0; k < 3; k++) {
+            array[k][i] = l->o[k];
+            array[3 + k][i] = l->d[k];
+        }
+        array[6][i] = l->tmin;
+        array[7][i] = l->tmax;
+    }
+    for (int i = 0; i < 8; i++)
+        guarded_permit(&line_room[i], 0);
+    *lines = (cylint_lines){n, {array[0], array[1], array[2]},
+                            {array[3], array[4], array[5]},
+                            at->domain & 1 ? array[6] : NULL,
+                            at->domain & 2 ? array[7] : NULL};
+}
+
+static void lay_answers(cylint_columns *to, size_t n, const struct layout *at)
+{
+    void *p[6];
+    for (int i = 0; i < 6; i++) {
+        p[i] = guarded_place(&answer_room[i], n * answer_size[i],
+                             gap_of(at, i, answer_size[i]), at->at_end);
+        if (!(at->columns >> i & 1))
+            p[i] = NULL;
+    }
+    *to = (cylint_columns){p[0], p[1], p[2], p[3], p[4], p[5]};
+}
+
+/* Nothing but the answers was written. */
+static void check_rooms(const cylint_columns *a, size_t n)
+{
+    const void *p[6] = {a->relation, a->n, a->t0, a->t1, a->part0, a->part1};
+    for (int i = 0; i < 6; i++)
+        CHECK(guarded_kept(&answer_room[i], p[i],
+                           p[i] ? n * answer_size[i] : 0));
+}
+
+/* ------------------------------------------------------------- answers -- */
+
+/* What a batch makes of a line: its direction as it is stored. */
+static cylint_line column_line(const cylint_line *from, int domain)
+{
+    cylint_line line;
+    cylint_span(&line, from->o, from->d, domain & 1 ? from->tmin : 0,
+                domain & 2 ? from->tmax : HUGE_VAL);
+    return line;
+}
+
+static int same(double x, double y)
+{
+    return memcmp(&x, &y, sizeof x) == 0;
+}
+
+static int missing(const double *t, const signed char *part, size_t i)
+{
+    return (!t || t[i] != t[i]) && (!part || part[i] == -1);
+}
+
+static int answered(const cylint_columns *got, size_t i,
+                    const cylint_answer *want)
+{
+    const double *t[2] = {got->t0, got->t1};
+    const signed char *part[2] = {got->part0, got->part1};
+    if ((got->relation && got->relation[i] != want->relation) ||
+        (got->n && got->n[i] != want->n))
+        return 0;
+    for (int k = 0; k < 2; k++) {
+        if (k >= want->n) {
+            if (!missing(t[k], part[k], i))
+                return 0;
+        } else if ((t[k] && !same(t[k][i], want->hit[k].t)) ||
+                   (part[k] && part[k][i] != want->hit[k].part)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* A record that asks the same of the command, where it has the words. */
+static void show(const struct family_case *line,
+                 const struct family_case *shape)
+{
+    struct family_case record = *shape;
+    record.line_word = line->line_word;
+    memcpy(record.line_data, line->line_data, sizeof record.line_data);
+    fprintf(stderr, "    seed %llu, kernels %s\n    ",
+            (unsigned long long)seed(), cylint_kernels_in_use());
+    family_print(stderr, &record);
+    fputc('\n', stderr);
+}
+
+static void check_answer(const cylint_columns *got, size_t i,
+                         const cylint_line *line,
+                         const struct family_case *line_case,
+                         const struct family_case *shape_case)
+{
+    cylint_answer want;
+    cylint_intersect(&shape_case->shape, line,
+                     CYLINT_WANT_T | CYLINT_WANT_PART, &want);
+    if (CHECK(answered(got, i, &want)) || check_bad > CHECK_SHOWN)
+        return;
+    show(line_case, shape_case);
+    fprintf(stderr, "    %zu: want relation %d n %d", i, want.relation,
+            want.n);
+    for (int k = 0; k < want.n; k++)
+        fprintf(stderr, " t %a part %d", want.hit[k].t, want.hit[k].part);
+    fprintf(stderr, "\n    got relation %d n %d t %a %a part %d %d\n",
+            got->relation ? got->relation[i] : -9, got->n ? got->n[i] : -9,
+            got->t0 ? got->t0[i] : -9, got->t1 ? got->t1[i] : -9,
+            got->part0 ? got->part0[i] : -9, got->part1 ? got->part1[i] : -9);
+}
+
+/* -------------------------------------------------------- the batches --- */
+
+static void check_pairs(const struct family_case *cases, size_t n,
+                        const struct layout *at)
+{
+    cylint_pack pack;
+    cylint_lines lines;
+    cylint_columns got;
+    lay_pack(&pack, cases, n, at);
+    lay_lines(&lines, cases, n, at);
+    lay_answers(&got, n, at);
+    cylint_intersect_pairs(&pack, &lines, &got);
+    check_rooms(&got, n);
+    for (size_t i = 0; i < n; i++) {
+        const cylint_line line = column_line(&cases[i].line, at->domain);
+        check_answer(&got, i, &line, &cases[i], &cases[i]);
+    }
+}
+
+static void check_lines(const struct family_case *shape,
+                        const struct family_case *cases, size_t n,
+                        const struct layout *at)
+{
+    cylint_lines lines;
+    cylint_columns got;
+    lay_lines(&lines, cases, n, at);
+    lay_answers(&got, n, at);
+    cylint_intersect_lines(&shape->shape, &lines, &got);
+    check_rooms(&got, n);
+    for (size_t i = 0; i < n; i++) {
+        const cylint_line line = column_line(&cases[i].line, at->domain);
+        check_answer(&got, i, &line, &cases[i], shape);
+    }
+}
+
+static void check_shapes(const struct family_case *line,
+                         const struct family_case *cases, size_t n,
+                         const struct layout *at)
+{
+    cylint_pack pack;
+    cylint_columns got;
+    lay_pack(&pack, cases, n, at);
+    lay_answers(&got, n, at);
+    cylint_intersect_shapes(&pack, &line->line, &got);
+    check_rooms(&got, n);
+    for (size_t i = 0; i < n; i++)
+        check_answer(&got, i, &line->line, line, &cases[i]);
+}
+
+static const unsigned hit_masks[] = {
+    CYLINT_WANT_T, CYLINT_WANT_PART, CYLINT_WANT_T | CYLINT_WANT_PART,
+    CYLINT_WANT_COUNT, CYLINT_WANT_POINT, CYLINT_WANT_NORMAL, CYLINT_WANT_Z,
+    CYLINT_WANT_PHI, CYLINT_WANT_T | CYLINT_WANT_NORMAL, CYLINT_WANT_ALL
+};
+
+enum { HIT_MASKS = sizeof hit_masks / sizeof *hit_masks };
+
+static int same_bytes(const void *x, const void *y, size_t n)
+{
+    return memcmp(x, y, n) == 0;
+}
+
+static int same_hit(const cylint_hit *x, const cylint_hit *y, unsigned want)
+{
+    return (!(want & CYLINT_WANT_T) || same(x->t, y->t)) &&
+           (!(want & CYLINT_WANT_PART) ||
+            (x->part == y->part && x->side == y->side)) &&
+           (!(want & CYLINT_WANT_POINT) ||
+            same_bytes(x->point, y->point, sizeof x->point)) &&
+           (!(want & CYLINT_WANT_NORMAL) ||
+            same_bytes(x->normal, y->normal, sizeof x->normal)) &&
+           (!(want & CYLINT_WANT_Z) || same(x->z, y->z)) &&
+           (!(want & CYLINT_WANT_PHI) || same(x->phi, y->phi));
+}
+
+static void check_nearest(const cylint_pack *pack, const cylint_line *line,
+                          size_t nearest, const cylint_hit *hit)
+{
+    for (int m = 0; m < HIT_MASKS; m++) {
+        cylint_hit got, untouched;
+        memset(&untouched, GUARDED_UNTOUCHED, sizeof untouched);
+        got = untouched;
+        CHECK(cylint_nearest(pack, line, hit_masks[m], &got) == nearest);
+        if (nearest == pack->n)
+            CHECK(same_bytes(&got, &untouched, sizeof got));
+        else
+            CHECK(same_hit(&got, hit, hit_masks[m]));
+    }
+}
+
+/* Nearest and count, by asking all shapes in their order. */
+static void check_scene(const struct family_case *line,
+                        const struct family_case *cases, size_t n,
+                        const struct layout *at)
+{
+    const int bad = check_bad;
+    size_t nearest = n, count = 0;
+    cylint_answer first = {0}, answer;
+    cylint_pack pack;
+    for (size_t i = 0; i < n; i++) {
+        cylint_intersect(&cases[i].shape, &line->line,
+                         CYLINT_WANT_T | CYLINT_WANT_NEAREST, &answer);
+        count += answer.n > 0;
+        if (answer.n > 0 && (nearest == n ||
+                             answer.hit[0].t < first.hit[0].t)) {
+            nearest = i;
+            first = answer;
+        }
+    }
+    if (nearest < n)
+        cylint_intersect(&cases[nearest].shape, &line->line,
+                         CYLINT_WANT_ALL | CYLINT_WANT_NEAREST, &first);
+    lay_pack(&pack, cases, n, at);
+    check_nearest(&pack, &line->line, nearest, &first.hit[0]);
+    CHECK(cylint_count(&pack, &line->line, 0) == count);
+    for (size_t enough = 1; enough < 4; enough++)
+        CHECK(cylint_count(&pack, &line->line, enough) ==
+              (count < enough ? count : enough));
+    if (check_bad > bad && check_bad <= CHECK_SHOWN)
+        show(line, &cases[nearest < n ? nearest : 0]);
+}
+
+/* ---------------------------------------------------------------- input -- */
+
+static struct family_case drawn[MOST], lined[MOST];
+
+static void draw(int family, uint64_t first, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        family_case(seed(), family, first + i, &drawn[i]);
+}
+
+/* All families in turn, all kinds and ends, now and then what is refused. */
+static void draw_mixed(size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        struct family_case *c = &drawn[i];
+        family_case(seed() + 7, (int)(i % (size_t)family_count()), i, c);
+        if (i % 50 == 49) {
+            c->shape_data[6] = -1;
+            c->shape_data[0] = i % 100 == 99 ? NAN : 0;
+            family_make(c);
+        }
+    }
+}
+
+/* Lines that meet the shape of a case as its own line does, by moving its
+ * origin along it, each beside the line of another case. */
+static void slide(const struct family_case *one, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        struct family_case *c = &lined[i];
+        *c = i % 2 ? drawn[i] : *one;
+        if (i % 2)
+            continue;
+        for (int k = 0; k < 3; k++) {
+            const double step = c->line.d[k] * ((double)i / 8);
+            c->line_data[k] += step;
+            if (c->line_word == FAMILY_SEGMENT)
+                c->line_data[3 + k] += step;
+        }
+        family_make(c);
+    }
+}
+
+/* ----------------------------------------------------------------- tests -- */
+
+static void kernels_are_chosen_by_name(void)
+{
+    int n = 0;
+    while (cylint_kernels_name(n))
+        n++;
+    CHECK(n > 0);
+    CHECK(strcmp(cylint_kernels_name(n - 1), "plain") == 0);
+    CHECK(!cylint_use_kernels("no such kernels"));
+    CHECK(cylint_use_kernels("plain"));
+    CHECK(!cylint_use_kernels(""));
+    CHECK(strcmp(cylint_kernels_in_use(), "plain") == 0);
+    CHECK(cylint_use_kernels(NULL));
+    CHECK(strcmp(cylint_kernels_in_use(), cylint_kernels_name(0)) == 0);
+}
+
+static void pairs_answer_as_single_questions(void)
+{
+    for (int family = 0; family < family_count(); family++) {
+        draw(family, 0, MOST);
+        check_pairs(drawn, MOST, &usual);
+    }
+    draw_mixed(MOST);
+    check_pairs(drawn, MOST, &usual);
+}
+
+static void lines_answer_as_single_questions(void)
+{
+    for (int family = 0; family < family_count(); family++) {
+        draw(family, 1000, MOST);
+        for (size_t i = 0; i < LINES_ASKED; i++) {
+            slide(&drawn[i], 100);
+            check_lines(&drawn[i], lined, 100, &usual);
+        }
+        check_lines(&drawn[LINES_ASKED], drawn, MOST, &usual);
+    }
+}
+
+static void shapes_answer_as_single_questions(void)
+{
+    for (int family = 0; family < family_count(); family++) {
+        draw(family, 2000, 100);
+        for (size_t i = 0; i < LINES_ASKED; i++)
+            check_shapes(&drawn[i], drawn, 100, &usual);
+    }
+    draw_mixed(MOST);
+    for (size_t i = 0; i < 2 * LINES_ASKED; i++)
+        check_shapes(&drawn[i], drawn, MOST, &usual);
+}
+
+static void scenes_answer_as_asking_every_shape(void)
+{
+    for (int family = 0; family < family_count(); family++) {
+        draw(family, 3000, 60);
+        for (size_t i = 0; i < LINES_ASKED; i++)
+            check_scene(&drawn[i], drawn, 60, &usual);
+    }
+    draw_mixed(MOST);
+    for (size_t i = 0; i < 2 * LINES_ASKED; i++)
+        check_scene(&drawn[i], drawn, MOST, &usual);
+}
+
+/* Of one kind and one way to end, so that all lanes are of one run. */
+static void runs_of_one_kind_answer_as_single_questions(void)
+{
+    const int families = family_count();
+    for (int kind = FAMILY_CYLINDER; kind <= FAMILY_ECONE; kind++) {
+        for (int ends = CYLINT_CAPPED; ends <= CYLINT_NAPPE; ends++) {
+            uint64_t index = 5000;
+            for (size_t n = 0; n < 120; index++) {
+                struct family_case *c = &drawn[n];
+                family_case(seed(), (int)(index % (uint64_t)families), index,
+                            c);
+                c->ends = (cylint_ends)ends;
+                n += (int)c->shape_word == kind && family_make(c);
+            }
+            check_pairs(drawn, 120, &usual);
+            for (size_t i = 0; i < 4; i++) {
+                check_shapes(&drawn[i], drawn, 120, &usual);
+                check_scene(&drawn[i], drawn, 120, &usual);
+                check_lines(&drawn[i], drawn, 120, &usual);
+            }
+        }
+    }
+}
+
+static void check_all(size_t n, const struct layout *at)
+{
+    check_pairs(drawn, n, at);
+    check_lines(&drawn[0], lined, n, at);
+    check_shapes(&drawn[0], drawn, n, at);
+    check_scene(&drawn[0], drawn, n, at);
+}
+
+/* A case of one family, its shape among others and its line slid along. */
+static void draw_around(int family)
+{
+    draw_mixed(MOST);
+    family_case(seed(), family, 0, &drawn[0]);
+    slide(&drawn[0], MOST);
+}
+
+static void every_length_is_answered(void)
+{
+    static const size_t longer[] = {31, 255, 256, 257, 263, 264, 511, 513,
+                                    MOST};
+    draw_around(0);
+    for (size_t n = 0; n <= 2 * 8 + 1; n++) {
+        struct layout at = usual;
+        check_all(n, &at);
+        at.at_end = 0;
+        check_all(n, &at);
+    }
+    for (size_t i = 0; i < sizeof longer / sizeof *longer; i++)
+        check_all(longer[i], &usual);
+}
+
+static void every_address_is_served(void)
+{
+    for (int family = 0; family < 2; family++) {
+        draw_around(family);
+        for (size_t offset = 0; offset < 64; offset++) {
+            const struct layout front = {offset, 0, ALL_COLUMNS, 3};
+            const struct layout back = {offset, 1, ALL_COLUMNS, 3};
+            check_all(FEW, &front);
+            check_all(FEW, &back);
+        }
+    }
+}
+
+static void only_wanted_columns_are_written(void)
+{
+    draw_around(0);
+    for (int columns = 0; columns <= ALL_COLUMNS; columns++) {
+        const struct layout at = {0, columns % 2, columns, 3};
+        check_pairs(drawn, 40, &at);
+        check_lines(&drawn[0], lined, 40, &at);
+        check_shapes(&drawn[0], drawn, 40, &at);
+    }
+}
+
+static void an_absent_domain_is_that_of_a_ray(void)
+{
+    draw_around(0);
+    for (int domain = 0; domain < 4; domain++) {
+        const struct layout at = {0, 0, ALL_COLUMNS, domain};
+        check_pairs(drawn, 100, &at);
+        check_lines(&drawn[0], lined, 100, &at);
+    }
+}
+
+static void segments_keep_the_digits_their_directions_lack(void)
+{
+    int asked = 0;
+    draw_mixed(100);
+    for (uint64_t i = 0; asked < 60 && i < 100000; i++) {
+        struct family_case c;
+        family_case(seed(), (int)(i % (uint64_t)family_count()), i, &c);
+        if (c.line_word != FAMILY_SEGMENT ||
+            (c.line.d_lo[0] == 0 && c.line.d_lo[1] == 0 &&
+             c.line.d_lo[2] == 0))
+            continue;
+        drawn[asked++] = c;
+        check_shapes(&c, drawn, 100, &usual);
+        check_scene(&c, drawn, 100, &usual);
+    }
+    CHECK(asked == 60);
+}
+
+/* A cylinder about the z axis, and a line that crosses it. */
+static void make_easy(struct family_case *c)
+{
+    static const double shape[7] = {0, 0, 0, 0, 0, 4, 1};
+    static const double line[6] = {-3, 0.25, 1, 1, 0.125, 0.25};
+    memset(c, 0, sizeof *c);
+    c->line_word = FAMILY_RAY;
+    c->shape_word = FAMILY_CYLINDER;
+    memcpy(c->shape_data, shape, sizeof shape);
+    memcpy(c->line_data, line, sizeof line);
+    family_make(c);
+}
+
+static void a_line_that_makes_no_sense_misses(void)
+{
+    static const double wrong[] = {NAN, HUGE_VAL, -HUGE_VAL};
+    struct family_case bad[40];
+    int n = 0;
+    for (int i = 0; i < 40; i++)
+        make_easy(&bad[i]);
+    for (int k = 0; k < 6; k++)
+        for (int w = 0; w < 3; w++, n++) {
+            cylint_line *l = &bad[2 * n % 40].line;
+            (k < 3 ? l->o : l->d)[k % 3] = wrong[w];
+            l->valid = 0;
+        }
+    memset(bad[36].line.d, 0, sizeof bad[36].line.d);
+    bad[37].line.tmin = 1e300;
+    bad[37].line.tmax = -1e300;
+    bad[38].line.tmin = NAN;
+    bad[39].line.tmax = NAN;
+    check_lines(&bad[0], bad, 40, &usual);
+    check_pairs(bad, 40, &usual);
+    for (int i = 36; i < 40; i++)
+        CHECK(!column_line(&bad[i].line, 3).valid);
+    check_shapes(&bad[0], bad, 40, &usual);
+    check_scene(&bad[0], bad, 40, &usual);
+}
+
+/* tmin just above tmax, where every hit of the line is near. */
+static void an_empty_domain_misses(void)
+{
+    struct family_case lines[FEW];
+    for (int i = 0; i < FEW; i++) {
+        make_easy(&lines[i]);
+        lines[i].line.tmin = 3 + i / 8.;
+        lines[i].line.tmax = 3;
+    }
+    check_lines(&lines[0], lines, FEW, &usual);
+    check_pairs(lines, FEW, &usual);
+}
+
+/* The hard line is the easy one's neighbour in every lane in turn. */
+static void a_hard_lane_does_not_disturb_its_neighbours(void)
+{
+    static const double hard[][6] = {
+        {1, -3, 1, 0, 1, 0},        /* touches: x = 1 */
+        {1, 0, -3, 0, 0, 1},        /* along a ruling */
+        {0.5, 0, -3, 0, 0, 1},      /* parallel, inside */
+        {2, 0, -3, 0, 0, 1},        /* parallel, outside */
+        {-3, 0, 0, 1, 0, 0},        /* in a cap's plane */
+        {-1, 0, 4, 1, 0, -0.5},     /* from the rim */
+        {1, -3e155, 1, 0, 1e300, 0} /* touches, far beyond the filter */
+    };
+    struct family_case cases[FEW];
+    for (size_t h = 0; h < sizeof hard / sizeof *hard; h++) {
+        for (int lane = 0; lane < FEW; lane++) {
+            for (int i = 0; i < FEW; i++)
+                make_easy(&cases[i]);
+            memcpy(cases[lane].line_data, hard[h], sizeof hard[h]);
+            family_make(&cases[lane]);
+            check_lines(&cases[0], cases, FEW, &usual);
+            check_pairs(cases, FEW, &usual);
+        }
+    }
+}
+
+static void a_hard_shape_does_not_disturb_its_neighbours(void)
+{
+    struct family_case cases[FEW], easy;
+    make_easy(&easy);
+    for (int lane = 0; lane < FEW; lane++) {
+        for (int i = 0; i < FEW; i++) {
+            cases[i] = easy;
+            cases[i].shape_data[6] = 1 + i / 64.;
+            family_make(&cases[i]);
+        }
+        /* lines in the plane y = 1 touch the one with radius 1 */
+        struct family_case line = easy;
+        const double touching[6] = {-3, 1, 1, 1, 0, 0};
+        memcpy(line.line_data, touching, sizeof touching);
+        family_make(&line);
+        cases[lane].shape_data[6] = 1;
+        family_make(&cases[lane]);
+        check_shapes(&line, cases, FEW, &usual);
+        check_scene(&line, cases, FEW, &usual);
+    }
+}
+
+/* The same cylinder, said in four ways and met by the same line. */
+static void make_said_in_another_way(struct family_case *c, int way)
+{
+    static const double data[4][13] = {
+        {0, 0, 0, 0, 0, 4, 1}, {0, 0, 0, 1, 0, 0, 4, 1},
+        {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 4},
+        {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 4, 1}
+    };
+    static const family_shape word[4] = {FAMILY_CYLINDER, FAMILY_CONE,
+                                         FAMILY_ECYLINDER, FAMILY_ECONE};
+    make_easy(c);
+    c->shape_word = word[way];
+    memcpy(c->shape_data, data[way], sizeof data[way]);
+    family_make(c);
+}
+
+static void of_equal_t_the_lower_number_is_nearest(void)
+{
+    struct family_case cases[FEW], line;
+    make_easy(&line);
+    for (int turn = 0; turn < 24; turn++) {
+        const int ahead = turn / 4; /* that are missed, or met later */
+        for (int i = 0; i < FEW; i++) {
+            make_said_in_another_way(&cases[i], (i + turn) % 4);
+            if (i < ahead) {
+                cases[i].shape_data[0] += i % 2 ? 0 : 100;
+                cases[i].shape_data[0] += 0.25;
+            }
+            family_make(&cases[i]);
+        }
+        cylint_pack pack;
+        cylint_hit hit;
+        lay_pack(&pack, cases, FEW, &usual);
+        const size_t first = cylint_nearest(&pack, &line.line, CYLINT_WANT_T,
+                                            &hit);
+        CHECK(first == (size_t)ahead);
+        check_scene(&line, cases, FEW, &usual);
+    }
+}
+
+/* -------------------------------------------------------------- threads -- */
+
+struct share {
+    const cylint_pack *pack;
+    size_t nearest[MOST], count[MOST];
+    double t[MOST], t0[MOST];
+};
+
+static void *ask_all(void *at)
+{
+    struct share *s = at;
+    cylint_columns columns = {0};
+    columns.t0 = s->t0;
+    for (size_t i = 0; i < MOST; i++) {
+        cylint_hit hit = {0};
+        s->nearest[i] = cylint_nearest(s->pack, &drawn[i].line,
+                                       CYLINT_WANT_T, &hit);
+        s->t[i] = hit.t;
+        s->count[i] = cylint_count(s->pack, &drawn[i].line, 0);
+        cylint_intersect_shapes(s->pack, &drawn[i].line, &columns);
+    }
+    return NULL;
+}
+
+static void threads_share_a_pack(void)
+{
+    static struct share of[2];
+    pthread_t thread[2];
+    cylint_pack pack;
+    draw_mixed(MOST);
+    lay_pack(&pack, drawn, MOST, &usual);
+    for (int i = 0; i < 2; i++) {
+        of[i].pack = &pack;
+        CHECK(pthread_create(&thread[i], NULL, ask_all, &of[i]) == 0);
+    }
+    for (int i = 0; i < 2; i++)
+        CHECK(pthread_join(thread[i], NULL) == 0);
+    CHECK(same_bytes(&of[0].nearest, &of[1].nearest, sizeof of[0].nearest));
+    CHECK(same_bytes(&of[0].count, &of[1].count, sizeof of[0].count));
+    CHECK(same_bytes(&of[0].t, &of[1].t, sizeof of[0].t));
+    CHECK(same_bytes(&of[0].t0, &of[1].t0, sizeof of[0].t0));
+}
+
+int main(void)
+{
+    const char *kernels;
+    if (family_count() == 0) {
+        puts("no GSL: no families to draw from");
+        return 77;
+    }
+    make_rooms();
+    RUN(kernels_are_chosen_by_name);
+    RUN(threads_share_a_pack);
+    for (int i = 0; (kernels = cylint_kernels_name(i)) != NULL; i++) {
+        cylint_use_kernels(kernels);
+        RUN(pairs_answer_as_single_questions);
+        RUN(lines_answer_as_single_questions);
+        RUN(shapes_answer_as_single_questions);
+        RUN(scenes_answer_as_asking_every_shape);
+        RUN(runs_of_one_kind_answer_as_single_questions);
+        RUN(every_length_is_answered);
+        RUN(every_address_is_served);
+        RUN(only_wanted_columns_are_written);
+        RUN(an_absent_domain_is_that_of_a_ray);
+        RUN(segments_keep_the_digits_their_directions_lack);
+        RUN(a_line_that_makes_no_sense_misses);
+        RUN(an_empty_domain_misses);
+        RUN(a_hard_lane_does_not_disturb_its_neighbours);
+        RUN(a_hard_shape_does_not_disturb_its_neighbours);
+        RUN(of_equal_t_the_lower_number_is_nearest);
+    }
+    return check_end();
+}
