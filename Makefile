@@ -19,7 +19,8 @@ major   := $(firstword $(subst ., ,$(version)))
 
 # What is optional: `make MPFR= check` and the like switch it off.
 $(shell mkdir -p $(BUILD))
-have     = $(shell echo 'int main(void){return 0;}' | $(1) -o /dev/null -x $(2) - $(3) 2>&1 || echo no)
+have     = $(shell p=$(BUILD)/.probe$$$$; echo 'int main(void){return 0;}' | \
+             $(1) -o $$p -x $(2) - $(3) 2>&1 || echo no; rm -f $$p)
 optional = $(if $(filter undefined,$(origin $(1))),$(eval $(1) := $(if $(call have,$(2),$(3),$(4)),,yes)))
 $(call optional,CXX17,$(CXX) -std=c++17 -include charconv,c++)
 $(call optional,MPFR,$(CC) -include stdio.h -include mpfr.h,c,-lmpfr -lgmp)
@@ -59,7 +60,7 @@ $(BUILD)/cylint: $(tool_objects) $(BUILD)/libcylint.a
 
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
 $(BUILD)/tools/%.o: extra := -D_POSIX_C_SOURCE=200809L
-$(BUILD)/tools/bench/%.o: extra := -D_POSIX_C_SOURCE=200809L -Itests \
+$(BUILD)/tools/bench/%.o: extra := -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 $(BUILD)/tests/%.o: extra := -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
@@ -90,12 +91,13 @@ $(BUILD)/tests/stress $(BUILD)/tests/search $(BUILD)/tests/records: %: %.o $(tes
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 
 # Where the processor has fused multiply-add, a second build with it.
-bench_programs := $(BUILD)/tools/bench/cost $(BUILD)/tools/bench/methods
+bench_programs := $(BUILD)/tools/bench/cost $(BUILD)/tools/bench/methods $(BUILD)/tools/bench/batch
 bench_common   := $(patsubst %,$(BUILD)/tools/bench/%.o,contestants race timing plain shader $(if $(GSL),gsl_quadratic))
 FMA            ?= $(shell echo 'int main(void){return !__builtin_cpu_supports("fma");}' > $(BUILD)/.fma.c && \
                     $(CC) -mfma -o $(BUILD)/.fma $(BUILD)/.fma.c 2>/dev/null && $(BUILD)/.fma && echo yes)
 $(BUILD)/tools/bench/cost: $(BUILD)/tools/bench/cost_inputs.o
 $(BUILD)/tools/bench/methods: $(patsubst %,$(BUILD)/tools/bench/%.o,classes statistics truth)
+$(BUILD)/tools/bench/batch: $(patsubst %,$(BUILD)/tools/bench/%.o,batch_scene batch_turns batch_core batch_cases cost_inputs)
 $(bench_programs): %: %.o $(bench_common) $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 

@@ -95,6 +95,13 @@
 #define CYLINT_CYLINDER_G_ERROR 0x19p-48
 #define CYLINT_CYLINDER_G_SIZE 48
 
+/*
+ * C and alpha in the unnormalised pairs of simd.h, in which roots are rounded
+ * in lanes, to nearest only: tests/test_depth.c runs forms.h over what lo and
+ * the error can come to, in units of 2^-53 and 2^-106 of the sizes.
+ */
+#define CYLINT_LAZY_BOUND (512 * 0x1p-106)
+
 /* What the fast mode promises of t (kernel.h, take_root). */
 #define CYLINT_FAST_BOUND 0x1p-40
 

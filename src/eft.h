@@ -1,11 +1,9 @@
 /*
- * eft.h - sums and products without error, and pairs of doubles
+ * eft.h - pairs of doubles
  *
- * A pair (hi, lo), |lo| <= ulp(hi)/2, stands for hi + lo.  The order of
- * operations is the algorithm: do not let a compiler reassociate or contract
- * (internal.h refuses the flags that would).
+ * A pair (hi, lo), |lo| <= ulp(hi)/2, stands for hi + lo.
  *
- * [Dekker 1971], [Knuth TAOCP 2, 4.2.2], [Joldes, Muller, Popescu 2017].
+ * [Joldes, Muller, Popescu 2017].
  */
 #ifndef CYLINT_EFT_H
 #define CYLINT_EFT_H
@@ -18,38 +16,23 @@ typedef struct {
     double hi, lo;
 } pair;
 
-static inline pair two_sum(double a, double b)
-{
-    const double s = a + b, bb = s - a;
-    return (pair){s, (a - (s - bb)) + (b - bb)};
-}
+#define REAL double
+#define PAIR pair
+#define EFT(name) name
+#define BROADCAST(x) (x)
+#ifdef __FMA__
+#define FUSED(a, b, c) __builtin_fma(a, b, c)
+#endif
+#include "sums.h"
+#undef REAL
+#undef PAIR
+#undef EFT
+#undef BROADCAST
+#undef FUSED
 
 static inline pair two_diff(double a, double b)
 {
     return two_sum(a, -b);
-}
-
-/* |a| >= |b|, or a = 0. */
-static inline pair fast_two_sum(double a, double b)
-{
-    const double s = a + b;
-    return (pair){s, b - (s - a)};
-}
-
-/* The error of a product is a double, whichever way it is found, so both
- * ways give the same bits. */
-static inline pair two_prod(double a, double b)
-{
-    const double p = a * b;
-#ifdef __FMA__
-    return (pair){p, __builtin_fma(a, b, -p)};
-#else
-    const double split = 0x1p27 + 1;
-    const double ca = split * a, cb = split * b;
-    const double ah = ca - (ca - a), al = a - ah;
-    const double bh = cb - (cb - b), bl = b - bh;
-    return (pair){p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
-#endif
 }
 
 /* Error at most CYLINT_PAIR_ADD (|a| + |b|), bounds.h. */

@@ -3,7 +3,8 @@
  *
  * Every sign that decides a verdict and every coefficient of a root is a
  * polynomial in the data.  They stand here as straight-line code over an
- * arithmetic that the including file names by macros:
+ * arithmetic that the including file names by macros, the first five of which
+ * end with this file:
  *
  *   NUM                     the type of a number
  *   FORM(name)              how the functions of this arithmetic are called
@@ -378,3 +379,9 @@ INLINE void FORM(about_axis)(const FORM(letters) *L, int number,
     *x = FORM(dot)(L, L->D[0], from);
     *y = FORM(dot)(L, L->D[0], to);
 }
+
+#undef NUM
+#undef FORM
+#undef ADD
+#undef SUB
+#undef MUL

@@ -129,11 +129,6 @@ static inline ball ball_mul(ball x, ball y)
 #define BEGIN (void)L;
 #define RETURN(x) return x;
 #include "forms.h"
-#undef NUM
-#undef FORM
-#undef ADD
-#undef SUB
-#undef MUL
 
 /* Doubles alone, and sizes alone, where one bound serves many. */
 #define NUM double
@@ -142,16 +137,13 @@ static inline ball ball_mul(ball x, ball y)
 #define SUB(x, y) ((x) - (y))
 #define MUL(x, y) ((x) * (y))
 #include "forms.h"
-#undef FORM
-#undef SUB
+
+#define NUM double
 #define FORM(name) name##_size
+#define ADD(x, y) ((x) + (y))
 #define SUB(x, y) ((x) + (y))
+#define MUL(x, y) ((x) * (y))
 #include "forms.h"
-#undef NUM
-#undef FORM
-#undef ADD
-#undef SUB
-#undef MUL
 
 /* The binary exponent of what a number is certainly a multiple of: the same
  * formulas over exponents.  A zero is a multiple of anything. */
@@ -170,11 +162,6 @@ static inline int quantum_mul(int x, int y)
 #define SUB(x, y) quantum_add(x, y)
 #define MUL(x, y) quantum_mul(x, y)
 #include "forms.h"
-#undef NUM
-#undef FORM
-#undef ADD
-#undef SUB
-#undef MUL
 
 /* A pair of doubles, likewise. */
 typedef struct {
@@ -201,11 +188,6 @@ static inline wide wide_mul(wide x, wide y)
 #define SUB(x, y) wide_sub(x, y)
 #define MUL(x, y) wide_mul(x, y)
 #include "forms.h"
-#undef NUM
-#undef FORM
-#undef ADD
-#undef SUB
-#undef MUL
 #undef MEMORY
 #undef BEGIN
 #undef RETURN
@@ -220,11 +202,6 @@ static inline wide wide_mul(wide x, wide y)
 #define BEGIN const int used_before = L->arena->used;
 #define RETURN(x) return cylint_exact_keep(L->arena, used_before, x);
 #include "forms.h"
-#undef NUM
-#undef FORM
-#undef ADD
-#undef SUB
-#undef MUL
 #undef MEMORY
 #undef BEGIN
 #undef RETURN

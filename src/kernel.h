@@ -36,17 +36,13 @@
 #define SUB(x, y) ((x) - (y))
 #define MUL(x, y) ((x) * (y))
 #include "forms.h"
-#undef FORM
-#undef SUB
 
+#define NUM vd
 #define FORM(name) name##_sizes
+#define ADD(x, y) ((x) + (y))
 #define SUB(x, y) ((x) + (y))
+#define MUL(x, y) ((x) * (y))
 #include "forms.h"
-#undef NUM
-#undef FORM
-#undef ADD
-#undef SUB
-#undef MUL
 
 #define NUM vpair
 #define FORM(name) name##_pairs
@@ -54,11 +50,6 @@
 #define SUB(x, y) vpair_sub(x, y)
 #define MUL(x, y) vpair_mul(x, y)
 #include "forms.h"
-#undef NUM
-#undef FORM
-#undef ADD
-#undef SUB
-#undef MUL
 #undef MEMORY
 #undef BEGIN
 #undef RETURN
@@ -72,7 +63,6 @@ typedef struct {
     vd base[3], top[3], axis[3], axis_lo[3], a[3], b[3], r[2], dr, dr_lo;
     vm cap[2]; /* present */
 } lanes_shape;
-
 
 /* A value with a bound on its error. */
 typedef struct {
@@ -348,15 +338,6 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
     v.hit[1] = m_and(v.hit[1], v.cross);
     return v;
 }
-
-/*
- * How far the unnormalised pairs of simd.h can be off, in units of 2^-106 of
- * the sizes: with lo below k 2^-53 and the error below e 2^-106, a sum has
- * k + 1 and e + 2 k + 2, a product k + k' + 1 and e + e' + k k' + 2 (k + k')
- * + 2, each of these roundings doubled for directed modes.  C of a cone, the
- * deepest here, has k = 21 and e below 900 (tests/test_depth.c counts).
- */
-#define CYLINT_LAZY_BOUND (4096 * 0x1p-106)
 
 /* A root rounded: value + more, and whether value is certainly nearest. */
 typedef struct {

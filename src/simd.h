@@ -205,40 +205,27 @@ static inline int m_any(vm m)
     return m_bits(m) != 0;
 }
 
-/* ------------------------------- sums and products without error (eft.h) */
 
 typedef struct {
     vd hi, lo;
 } vpair;
 
-static inline vpair v_two_sum(vd a, vd b)
-{
-    const vd s = a + b, bb = s - a;
-    return (vpair){s, (a - (s - bb)) + (b - bb)};
-}
-
-static inline vpair v_fast_two_sum(vd a, vd b)
-{
-    const vd s = a + b;
-    return (vpair){s, b - (s - a)};
-}
-
-static inline vpair v_two_prod(vd a, vd b)
-{
-    const vd p = a * b;
+#define REAL vd
+#define PAIR vpair
+#define EFT(name) v_##name
+#define BROADCAST(x) v_set(x)
 #if V_HAS_FMA
-    return (vpair){p, v_fma(a, b, -p)};
-#else
-    const vd split = v_set(0x1p27 + 1);
-    const vd ca = split * a, cb = split * b;
-    const vd ah = ca - (ca - a), al = a - ah;
-    const vd bh = cb - (cb - b), bl = b - bh;
-    return (vpair){p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
+#define FUSED(a, b, c) v_fma(a, b, c)
 #endif
-}
+#include "sums.h"
+#undef REAL
+#undef PAIR
+#undef EFT
+#undef BROADCAST
+#undef FUSED
 
-/* Sums and products of pairs that are left unnormalised: lo may grow to
- * some 30 ulp of what was summed up.  Their error is counted in kernel.h. */
+/* Sums and products of pairs that are left unnormalised: lo may grow to some
+ * 30 ulp of what was summed up.  Their error: CYLINT_LAZY_BOUND, bounds.h. */
 static inline vpair vpair_add(vpair a, vpair b)
 {
     const vpair s = v_two_sum(a.hi, b.hi);

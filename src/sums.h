@@ -1,0 +1,40 @@
+/*
+ * sums.h - sums and products without error, once for doubles and for lanes
+ *
+ * The including file names the type REAL, the struct PAIR of hi and lo, the
+ * functions EFT(name), BROADCAST(x) for a constant, and FUSED(a, b, c) for
+ * a b + c in one rounding where there is such an operation.  The order of
+ * operations is the algorithm: a compiler must not reassociate or contract
+ * (environment.h refuses the flags that would).
+ *
+ * [Dekker 1971], [Knuth TAOCP 2, 4.2.2].
+ */
+
+static inline PAIR EFT(two_sum)(REAL a, REAL b)
+{
+    const REAL s = a + b, bb = s - a;
+    return (PAIR){s, (a - (s - bb)) + (b - bb)};
+}
+
+/* |a| >= |b|, or a = 0. */
+static inline PAIR EFT(fast_two_sum)(REAL a, REAL b)
+{
+    const REAL s = a + b;
+    return (PAIR){s, b - (s - a)};
+}
+
+/* The error of a product is a double, whichever way it is found, so both
+ * ways give the same bits. */
+static inline PAIR EFT(two_prod)(REAL a, REAL b)
+{
+    const REAL p = a * b;
+#ifdef FUSED
+    return (PAIR){p, FUSED(a, b, -p)};
+#else
+    const REAL split = BROADCAST(0x1p27 + 1);
+    const REAL ca = split * a, cb = split * b;
+    const REAL ah = ca - (ca - a), al = a - ah;
+    const REAL bh = cb - (cb - b), bl = b - bh;
+    return (PAIR){p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
+#endif
+}
