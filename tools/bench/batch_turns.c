@@ -1,0 +1,218 @@
+/*
+ * batch_turns.c - what a batch is asked, and who answers
+ */
+#include "batch_turns.h"
+
+#include <math.h>
+
+#ifdef __GNUC__
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
+
+static const char *const arrangement_names[] = {
+    "one line", "one shape", "pairs"
+};
+static const char *const asked_names[] = {
+    "count", "any", "nearest", "nearest fast", "relations", "first t",
+    "both t"
+};
+
+const char *arrangement_name(enum arrangement arrangement)
+{
+    return arrangement_names[arrangement];
+}
+
+const char *asked_name(enum asked asked)
+{
+    return asked_names[asked];
+}
+
+int kernels_count(void)
+{
+    int n = 0;
+    while (cylint_kernels_name(n))
+        n++;
+    return n;
+}
+
+size_t turn_tests(const struct turn *t)
+{
+    return t->arrangement == ONE_SHAPE ? t->scene->n_lines
+                                       : t->scene->n_shapes;
+}
+
+/* The shape and the line of test i of question k. */
+INLINE size_t shape_of(enum arrangement a, size_t i, size_t k)
+{
+    return a == ONE_SHAPE ? k : i;
+}
+
+INLINE size_t line_of(enum arrangement a, size_t i, size_t k)
+{
+    return a == ONE_LINE ? k : a == ONE_SHAPE ? i : i + 8 * k;
+}
+
+/* What keeps answers from being computed for nothing. */
+static volatile size_t sink;
+
+/* Constant arguments make a loop of its own out of each call. */
+INLINE void plain_loop(const struct turn *t, size_t k, enum arrangement a,
+                       enum asked asked)
+{
+    static const unsigned wants[ASKED] = {
+        0, 0, CYLINT_WANT_T | CYLINT_WANT_NEAREST,
+        CYLINT_WANT_T | CYLINT_WANT_NEAREST, 0,
+        CYLINT_WANT_T | CYLINT_WANT_NEAREST, CYLINT_WANT_T
+    };
+    const struct scene *s = t->scene;
+    const size_t n = turn_tests(t);
+    size_t found = n, count = 0;
+    double nearest = HUGE_VAL;
+    for (size_t i = 0; i < n; i++) {
+        cylint_answer answer;
+        plain_quadratic(&s->subjects[shape_of(a, i, k)].shape,
+                        &t->lines[line_of(a, i, k)], wants[asked], &answer);
+        if (asked == ASK_RELATIONS)
+            s->relation[i] = (signed char)answer.relation;
+        if (asked == ASK_BOTH)
+            s->n[i] = (signed char)answer.n;
+        if (asked == ASK_FIRST || asked == ASK_BOTH)
+            s->t[0][i] = answer.n > 0 ? answer.hit[0].t : NAN;
+        if (asked == ASK_BOTH)
+            s->t[1][i] = answer.n > 1 ? answer.hit[1].t : NAN;
+        if (answer.n == 0)
+            continue;
+        count++;
+        if (asked == ASK_ANY)
+            break;
+        if (asked == ASK_NEAREST && answer.hit[0].t < nearest) {
+            nearest = answer.hit[0].t;
+            found = i;
+        }
+    }
+    sink = count + found;
+}
+
+INLINE void plain_asked(const struct turn *t, size_t k, enum arrangement a)
+{
+    switch (t->asked) {
+    case ASK_COUNT:
+        plain_loop(t, k, a, ASK_COUNT);
+        return;
+    case ASK_ANY:
+        plain_loop(t, k, a, ASK_ANY);
+        return;
+    case ASK_RELATIONS:
+        plain_loop(t, k, a, ASK_RELATIONS);
+        return;
+    case ASK_FIRST:
+        plain_loop(t, k, a, ASK_FIRST);
+        return;
+    case ASK_BOTH:
+        plain_loop(t, k, a, ASK_BOTH);
+        return;
+    default:
+        plain_loop(t, k, a, ASK_NEAREST);
+    }
+}
+
+static void plain_answers(const struct turn *t, size_t k)
+{
+    switch (t->arrangement) {
+    case ONE_LINE:
+        plain_asked(t, k, ONE_LINE);
+        return;
+    case ONE_SHAPE:
+        plain_asked(t, k, ONE_SHAPE);
+        return;
+    default:
+        plain_asked(t, k, PAIRS);
+    }
+}
+
+static void columns_asked(const struct turn *t, size_t k)
+{
+    const struct scene *s = t->scene;
+    cylint_columns to = {0};
+    if (t->asked == ASK_RELATIONS)
+        to.relation = s->relation;
+    else
+        to.t0 = s->t[0];
+    if (t->asked == ASK_BOTH) {
+        to.n = s->n;
+        to.t1 = s->t[1];
+    }
+    if (t->arrangement == ONE_LINE) {
+        cylint_intersect_shapes(&s->pack, &t->lines[k], &to);
+    } else if (t->arrangement == ONE_SHAPE) {
+        cylint_intersect_lines(&s->shapes[k], &s->columns, &to);
+    } else {
+        cylint_lines from = s->columns;
+        for (int i = 0; i < 3; i++) {
+            from.o[i] += 8 * k;
+            from.d[i] += 8 * k;
+        }
+        cylint_intersect_pairs(&s->pack, &from, &to);
+    }
+}
+
+static void batch_answers(const struct turn *t, size_t k)
+{
+    const cylint_pack *pack = &t->scene->pack;
+    const unsigned want = CYLINT_WANT_T | CYLINT_WANT_NEAREST;
+    cylint_hit hit;
+    switch (t->asked) {
+    case ASK_COUNT:
+        sink = cylint_count(pack, &t->lines[k], 0);
+        return;
+    case ASK_ANY:
+        sink = cylint_count(pack, &t->lines[k], 1);
+        return;
+    case ASK_NEAREST:
+        sink = cylint_nearest(pack, &t->lines[k], want, &hit);
+        return;
+    case ASK_FAST:
+        sink = cylint_nearest(pack, &t->lines[k], want | CYLINT_WANT_FAST,
+                              &hit);
+        return;
+    default:
+        columns_asked(t, k);
+    }
+}
+
+void batch_turn(void *turn, const int *order, int n)
+{
+    const struct turn *t = turn;
+    if (t->kernels)
+        cylint_use_kernels(t->kernels);
+    for (int i = 0; i < n; i++) {
+        if (t->kernels)
+            batch_answers(t, (size_t)order[i]);
+        else
+            plain_answers(t, (size_t)order[i]);
+    }
+}
+
+void turn_shares(const struct turn *t, int questions, double *hits,
+                 double *reached)
+{
+    const size_t n = turn_tests(t);
+    size_t n_hits = 0, n_reached = 0;
+    for (size_t k = 0; k < (size_t)questions; k++)
+        for (size_t i = 0; i < n; i++) {
+            const cylint_line *line =
+                &t->lines[line_of(t->arrangement, i, k)];
+            cylint_shape shape =
+                t->scene->shapes[shape_of(t->arrangement, i, k)];
+            cylint_answer answer;
+            n_hits += cylint_intersect(&shape, line, CYLINT_WANT_COUNT,
+                                       &answer) > 0;
+            shape.ends = CYLINT_INFINITE;
+            cylint_intersect(&shape, line, CYLINT_WANT_COUNT, &answer);
+            n_reached += answer.relation != CYLINT_MISS;
+        }
+    *hits = 100.0 * (double)n_hits / ((double)n * questions);
+    *reached = 100.0 * (double)n_reached / ((double)n * questions);
+}
