@@ -320,8 +320,12 @@ INLINE int judge_list(const source *from, size_t *list, int n, mode m,
         group g;
         line_at(from, list + i, m, &l);
         shape_at(from, list + i, m, kind, &s);
+        /* a line with an empty domain is none (other invalid lines are left
+         * undecided, because their numbers compare to nothing) */
+        const vm in_use = m_and(m_from((1u << lanes) - 1),
+                                v_le(l.tmin, l.tmax));
         lanes_verdict v = lanes_judge(&q, &s, &l, kind, from->bounded,
-                                      m_from((1u << lanes) - 1));
+                                      in_use);
         if (job->want & CYLINT_WANT_NEAREST && m == ONE_LINE) {
             /* what begins beyond the nearest hit so far is of no interest */
             const vd from_here = v_select(v.hit[0], v.stop[0].v, v.stop[1].v);

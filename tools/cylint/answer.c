@@ -106,28 +106,48 @@ static int answer_count(struct task *task, unsigned long long most)
     return 1;
 }
 
-/* A method is first asked whether it answers for all shapes: a record is
- * either answered or bad, not half of each. */
-static int answer_all(struct task *task)
+/* A row if the line hits the shape. */
+static void answer_one_of_all(struct task *task, size_t shape)
 {
     const struct options *o = task->job->options;
+    cylint_answer answer;
+    ask(solver_of(o), &task->job->scene->shapes[shape],
+        &task->block->parsed.line, o->fields.want, &answer);
+    if (answer.n > 0) {
+        task->row.shape = shape + 1;
+        task->row.answer = &answer;
+        put_answer(task, 1);
+        task->status = deliver_if_full(task->job, task->block);
+    }
+}
+
+/* A method is first asked whether it answers for all shapes: a record is
+ * either answered or bad, not half of each. */
+static int answer_all_by_method(struct task *task)
+{
     const struct scene *scene = task->job->scene;
-    const solver method = solver_of(o);
-    const cylint_line *line = &task->block->parsed.line;
-    const size_t refused = method
-        ? scene_count(scene, method, line, ~0ULL, &task->row) : 0;
+    const size_t refused = scene_count(scene, solver_of(task->job->options),
+        &task->block->parsed.line, ~0ULL, &task->row);
     if (refused > 0) {
         return refuse_method(task, refused);
     }
     for (size_t i = 0; i < scene->count && task->status == 0; i++) {
-        cylint_answer answer;
-        ask(method, &scene->shapes[i], line, o->fields.want, &answer);
-        if (answer.n > 0) {
-            task->row.shape = i + 1;
-            task->row.answer = &answer;
-            put_answer(task, 1);
-            task->status = deliver_if_full(task->job, task->block);
-        }
+        answer_one_of_all(task, i);
+    }
+    return 1;
+}
+
+static int answer_all(struct task *task)
+{
+    const size_t count = task->job->scene->count;
+    signed char *const hits = task->block->hits;
+    if (task->job->options->method) {
+        return answer_all_by_method(task);
+    }
+    scene_hits(task->job->scene, &task->block->parsed.line, hits);
+    for (size_t i = next_hit(hits, 0, count);
+         i < count && task->status == 0; i = next_hit(hits, i + 1, count)) {
+        answer_one_of_all(task, i);
     }
     return 1;
 }

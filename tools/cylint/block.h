@@ -31,6 +31,7 @@ struct block {
     struct notes notes;
     int stopped;      /* at a bad record, by -e stop */
     struct record parsed; /* the record that is being answered */
+    signed char *hits;    /* how many it has with each shape of the scene */
 };
 
 #endif

@@ -325,16 +325,19 @@ int input_next(struct input *in, struct block *b)
     return 0;
 }
 
-int block_make(struct block *block, size_t row)
+int block_make(struct block *block, size_t row, size_t shapes)
 {
     memset(block, 0, sizeof *block);
     block->text = malloc(BLOCK_ROOM + 1);
     block->out.data = malloc(TEXT_FULL + LINE_MOST + row + 2);
-    return block->text && block->out.data ? 0 : out_of_memory();
+    block->hits = malloc(shapes + 1);
+    return block->text && block->out.data && block->hits ? 0
+                                                         : out_of_memory();
 }
 
 void block_free(struct block *block)
 {
     free(block->text);
     free(block->out.data);
+    free(block->hits);
 }

@@ -37,8 +37,9 @@ int input_next(struct input *in, struct block *block);
 
 void input_close(struct input *in);
 
-/* A block's buffers, for answers of at most `row` bytes beside the tail. */
-int block_make(struct block *block, size_t row);
+/* A block's buffers, for answers of at most `row` bytes beside the tail, and
+ * for the numbers of hits with so many shapes. */
+int block_make(struct block *block, size_t row, size_t shapes);
 void block_free(struct block *block);
 
 #endif

@@ -44,7 +44,8 @@ static int run(struct job *job)
     if (status != 0) {
         return status;
     }
-    status = block_make(&block, row_room(&o->fields, &o->style));
+    status = block_make(&block, row_room(&o->fields, &o->style),
+                        o->query == QUERY_ALL ? job->scene->count : 0);
     if (status == 0) {
         status = open_input(job);
     }
@@ -65,8 +66,9 @@ static int run(struct job *job)
 int main(int argc, char **argv)
 {
     struct options options;
-    struct scene scene = {NULL, 0, 0};
+    struct scene scene;
     struct job job;
+    memset(&scene, 0, sizeof scene);
     guard_standard_streams();
     int status = read_options(&options, argc, argv);
     if (status != 0) {
@@ -77,6 +79,9 @@ int main(int argc, char **argv)
     }
     if (options.scene) {
         status = scene_read(&scene, options.scene, options.grammar.ends);
+    }
+    if (status == 0 && options.scene && !options.method) {
+        status = scene_pack(&scene);
     }
     if (status == 0) {
         job_prepare(&job, &options, &scene);

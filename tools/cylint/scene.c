@@ -1,11 +1,12 @@
 /*
  * scene.c - the shapes that every line is asked about
  *
- * By asking all of them.  The order of the shapes decides ties, so whatever
- * finds candidates faster must give the lower number of equal t.
+ * The library asks all of them at once; a published method is asked about one
+ * after the other.  Of equal t the lower number is nearest either way.
  */
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "block.h"
 #include "input.h"
@@ -62,7 +63,7 @@ int scene_read(struct scene *scene, const char *file, int ends)
     char *const files[] = {(char *)(uintptr_t)file};
     struct input in;
     struct block block;
-    int status = block_make(&block, 0);
+    int status = block_make(&block, 0, 0);
     if (status == 0) {
         status = input_open(&in, files, 1, 0);
         while (status == 0 && (status = input_next(&in, &block)) == 0
@@ -75,9 +76,22 @@ int scene_read(struct scene *scene, const char *file, int ends)
     return status;
 }
 
+int scene_pack(struct scene *scene)
+{
+    scene->memory = malloc(cylint_pack_bytes(scene->count));
+    if (!scene->memory) {
+        return out_of_memory();
+    }
+    cylint_pack_shapes(&scene->pack, scene->memory, scene->shapes,
+                       scene->count);
+    return 0;
+}
+
 void scene_free(struct scene *scene)
 {
+    free(scene->memory);
     free(scene->shapes);
+    scene->memory = NULL;
     scene->shapes = NULL;
 }
 
@@ -91,35 +105,50 @@ int ask(solver method, const cylint_shape *shape, const cylint_line *line,
     return 1;
 }
 
-int ask_any(solver method, const cylint_shape *shape, const cylint_line *line,
-            int *hit)
+static int ask_any(solver method, const cylint_shape *shape,
+                   const cylint_line *line, int *hit)
 {
     cylint_answer answer;
-    if (!method) {
-        *hit = cylint_occluded(shape, line);
-        return 1;
-    }
     const int answered = ask(method, shape, line, CYLINT_WANT_COUNT, &answer);
     *hit = answered && answer.n > 0;
     return answered;
 }
 
+/* Sets row->shape.  Returns 0, or the shape the method does not answer for. */
+static size_t nearest_by_method(const struct scene *scene, solver method,
+                                const cylint_line *line, struct row *row)
+{
+    const unsigned first = CYLINT_WANT_T | CYLINT_WANT_NEAREST;
+    double t = 0;
+    row->shape = 0;
+    for (size_t i = 0; i < scene->count; i++) {
+        cylint_answer answer;
+        if (!ask(method, &scene->shapes[i], line, first, &answer)) {
+            return i + 1;
+        }
+        if (answer.n > 0 && (row->shape == 0 || answer.hit[0].t < t)) {
+            row->shape = i + 1;
+            t = answer.hit[0].t;
+        }
+    }
+    return 0;
+}
+
+/* What is shown of the shape is asked of that one alone. */
 size_t scene_nearest(const struct scene *scene, solver method,
                      const cylint_line *line, unsigned want,
                      cylint_answer *answer, struct row *row)
 {
-    const unsigned first = CYLINT_WANT_T | CYLINT_WANT_NEAREST;
-    double t = 0;
     row->answer = NULL;
-    row->shape = 0;
-    for (size_t i = 0; i < scene->count; i++) {
-        if (!ask(method, &scene->shapes[i], line, first, answer)) {
-            return i + 1;
+    if (method) {
+        const size_t refused = nearest_by_method(scene, method, line, row);
+        if (refused > 0) {
+            return refused;
         }
-        if (answer->n > 0 && (row->shape == 0 || answer->hit[0].t < t)) {
-            row->shape = i + 1;
-            t = answer->hit[0].t;
-        }
+    } else {
+        cylint_hit hit;
+        const size_t i = cylint_nearest(&scene->pack, line, 0, &hit);
+        row->shape = i < scene->count ? i + 1 : 0;
     }
     if (row->shape > 0) {
         row->answer = answer;
@@ -133,6 +162,11 @@ size_t scene_count(const struct scene *scene, solver method,
                    const cylint_line *line, unsigned long long most,
                    struct row *row)
 {
+    if (!method) {
+        const size_t enough = most < SIZE_MAX ? (size_t)most : 0;
+        row->count = cylint_count(&scene->pack, line, enough);
+        return 0;
+    }
     row->count = 0;
     for (size_t i = 0; i < scene->count && row->count < most; i++) {
         int hit;
@@ -142,4 +176,29 @@ size_t scene_count(const struct scene *scene, solver method,
         row->count += (unsigned long long)hit;
     }
     return 0;
+}
+
+void scene_hits(const struct scene *scene, const cylint_line *line,
+                signed char *n)
+{
+    cylint_columns columns = {0};
+    columns.n = n;
+    cylint_intersect_shapes(&scene->pack, line, &columns);
+}
+
+/* Most shapes are missed: look at eight at a time. */
+size_t next_hit(const signed char *n, size_t from, size_t count)
+{
+    uint64_t eight = 0;
+    while (count - from >= sizeof eight) {
+        memcpy(&eight, n + from, sizeof eight);
+        if (eight != 0) {
+            break;
+        }
+        from += sizeof eight;
+    }
+    while (from < count && n[from] == 0) {
+        from++;
+    }
+    return from;
 }

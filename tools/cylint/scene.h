@@ -12,11 +12,16 @@
 struct scene {
     cylint_shape *shapes;
     size_t count, room;
+    cylint_pack pack; /* of all shapes, once scene_pack() was called */
+    void *memory;     /* the pack's */
 };
 
 /* Reads a file of shapes, one a line.  Returns 0 or an exit status, having
  * said what is wrong: the first bad line stops it. */
 int scene_read(struct scene *scene, const char *file, int ends);
+/* Prepares the shapes for all questions without a method.  Returns 0 or an
+ * exit status. */
+int scene_pack(struct scene *scene);
 void scene_free(struct scene *scene);
 
 /* How one line is asked about one shape: NULL is cylint_intersect(). */
@@ -25,8 +30,6 @@ typedef cylint_method_fn *solver;
 /* Returns 0 if the method does not answer for this shape. */
 int ask(solver method, const cylint_shape *shape, const cylint_line *line,
         unsigned want, cylint_answer *answer);
-int ask_any(solver method, const cylint_shape *shape, const cylint_line *line,
-            int *hit);
 
 /* Both fill *row and return 0, or the number of the shape, from 1, that the
  * method does not answer for.  *answer is what row->answer points to. */
@@ -37,5 +40,12 @@ size_t scene_nearest(const struct scene *scene, solver method,
 size_t scene_count(const struct scene *scene, solver method,
                    const cylint_line *line, unsigned long long most,
                    struct row *row);
+
+/* The shapes that are hit have numbers above 0 in n[0..count); without a
+ * method. */
+void scene_hits(const struct scene *scene, const cylint_line *line,
+                signed char *n);
+/* The first of these from `from` on, or count. */
+size_t next_hit(const signed char *n, size_t from, size_t count);
 
 #endif

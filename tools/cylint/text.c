@@ -16,21 +16,24 @@ void put_whole(struct text *t, unsigned long long value)
     put_bytes(t, digits + i, sizeof digits - i);
 }
 
+/* Eight bytes written out: compilers make one load or store of them. */
 void put_little_endian(struct text *t, double value)
 {
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
-    for (int i = 0; i < 8; i++) {
-        put_char(t, (char)(unsigned char)(bits >> 8 * i & 0xff));
-    }
+#define BYTE(i) (unsigned char)(bits >> 8 * (i))
+    const unsigned char bytes[8] = {BYTE(0), BYTE(1), BYTE(2), BYTE(3),
+                                    BYTE(4), BYTE(5), BYTE(6), BYTE(7)};
+#undef BYTE
+    put_bytes(t, bytes, sizeof bytes);
 }
 
 double get_little_endian(const char bytes[8])
 {
-    uint64_t bits = 0;
-    for (int i = 0; i < 8; i++) {
-        bits |= (uint64_t)(unsigned char)bytes[i] << 8 * i;
-    }
+#define BYTE(i) ((uint64_t)(unsigned char)bytes[i] << 8 * (i))
+    const uint64_t bits = BYTE(0) | BYTE(1) | BYTE(2) | BYTE(3) |
+                          BYTE(4) | BYTE(5) | BYTE(6) | BYTE(7);
+#undef BYTE
     double value;
     memcpy(&value, &bits, sizeof value);
     return value;
