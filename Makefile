@@ -72,10 +72,10 @@ $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(compile) -c -o $@ $<
 
-$(BUILD)/src/kernel-%.o: src/kernel.c
+$(filter $(BUILD)/src/kernel-%,$(lib_objects)): $(BUILD)/src/kernel-%.o: src/kernel.c
 	$(compile) $(FLAGS.$*) -c -o $@ $<
 
-$(BUILD)/src/batch-%.o: src/batch.c
+$(filter $(BUILD)/src/batch-%,$(lib_objects)): $(BUILD)/src/batch-%.o: src/batch.c
 	$(compile) $(FLAGS.$*) -c -o $@ $<
 
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc
@@ -97,7 +97,7 @@ FMA            ?= $(shell echo 'int main(void){return !__builtin_cpu_supports("f
                     $(CC) -mfma -o $(BUILD)/.fma $(BUILD)/.fma.c 2>/dev/null && $(BUILD)/.fma && echo yes)
 $(BUILD)/tools/bench/cost: $(BUILD)/tools/bench/cost_inputs.o
 $(BUILD)/tools/bench/methods: $(patsubst %,$(BUILD)/tools/bench/%.o,classes statistics truth)
-$(BUILD)/tools/bench/batch: $(patsubst %,$(BUILD)/tools/bench/%.o,batch_scene batch_turns batch_core batch_cases cost_inputs)
+$(BUILD)/tools/bench/batch: $(patsubst %,$(BUILD)/tools/bench/%.o,batch_scene batch_turns batch_core batch_cases classes cost_inputs)
 $(bench_programs): %: %.o $(bench_common) $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 
@@ -181,4 +181,5 @@ help: ## this list
 
 .PHONY: all bench bench_programs demo stress search covered coverage mutants check check-cross prove lint sanitize deps deps-cross install uninstall clean help
 .SECONDARY:
+%.d: ;
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -6,11 +6,10 @@
  */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "batch_parts.h"
+#include "classes.h"
 #include "cost_inputs.h"
-#include "families.h"
 #include "kernels.h"
 
 enum { BATCHES = 16, PAIRED = 256, CASES = BATCHES * PAIRED, ROUNDS = 1000,
@@ -78,18 +77,6 @@ static void finish(struct cases *c)
     c->undecided = 100.0 * (double)undecided / CASES;
 }
 
-/* CSV knows no quotes here: a comma in a name becomes nothing. */
-static const char *without_commas(const char *name)
-{
-    static char copy[64];
-    size_t n = 0;
-    for (; *name && n + 1 < sizeof copy; name++)
-        if (*name != ',')
-            copy[n++] = *name;
-    copy[n] = 0;
-    return copy;
-}
-
 static void measure(struct cases *c, double seconds)
 {
     struct case_turn turns[16];
@@ -106,7 +93,7 @@ static void measure(struct cases *c, double seconds)
         struct row r = no_row;
         r.part = c->part;
         r.kernels = cylint_kernels_name(i);
-        r.shapes = without_commas(c->shapes);
+        r.shapes = c->shapes;
         r.arrangement = arrangement_name(PAIRS);
         r.asked = asked_name(ASK_BOTH);
         r.n = PAIRED;
@@ -168,7 +155,7 @@ void measure_families(double seconds)
     c->part = "families";
     c->has_plain = 0;
     for (int family = 0; family < family_count(); family++) {
-        c->shapes = family_name(family);
+        c->shapes = family_label(family);
         draw_family(c, family);
         measure(c, seconds);
     }

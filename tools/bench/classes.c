@@ -68,6 +68,17 @@ int class_question(int class_number, int family, uint64_t *index,
     return 0;
 }
 
+const char *family_label(int family)
+{
+    static char label[64];
+    size_t n = 0;
+    for (const char *c = family_name(family); *c; c++)
+        if (*c != ',' && n + 1 < sizeof label)
+            label[n++] = *c;
+    label[n] = 0;
+    return label;
+}
+
 double share_answered(const struct contestant *c, int family)
 {
     int taken = 0;

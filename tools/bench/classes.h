@@ -19,6 +19,9 @@ const char *class_name(int class_number);
 int class_question(int class_number, int family, uint64_t *index,
                    struct question *q);
 
+/* A family's name without commas, which separate columns of CSV. */
+const char *family_label(int family);
+
 /* Of the family as it is, per cent of the cases a contestant answers. */
 double share_answered(const struct contestant *c, int family);
 

@@ -94,7 +94,7 @@ static void print_runner(struct event *e, int i)
     const struct quantiles radii = sample_quantiles(&k->radii);
     const struct quantiles ulps = sample_quantiles(&k->ulps);
     printf("%s,%s,%s,%s,%s,%.1f,%.2f,%.1f,", e->build,
-           class_name(e->class_number), family_name(e->family),
+           class_name(e->class_number), family_label(e->family),
            c->name, c->mode, share_answered(c, e->family), least.ns,
            least.cycles);
     printf("%.3g,%.3g,%.3g,%.3g,%.3g,%.3g,%.4g", radii.median, radii.most99,
