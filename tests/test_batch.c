@@ -10,116 +10,20 @@
 #include <pthread.h>
 #include <stdint.h>
 
+#include "batch_layout.h"
 #include "check.h"
 #include "cylint.h"
 #include "families.h"
-#include "guarded.h"
 
 enum {
-    MOST = 600,      /* lines or shapes in a batch */
     FEW = 21,        /* where every address is tried: twice the lanes, more */
-    LINES_ASKED = 24,
-    ALL_COLUMNS = 63
+    LINES_ASKED = 24
 };
 
 static uint64_t seed(void)
 {
     const char *text = getenv("CYLINT_SEED");
     return text ? strtoull(text, NULL, 10) : 1;
-}
-
-/* ------------------------------------------------------------- layout -- */
-
-/* Where arrays lie and which of them there are. */
-struct layout {
-    size_t offset;    /* bytes from an edge, 0 to 63 */
-    int at_end;       /* which edge */
-    int columns;      /* a bit for each member of cylint_columns */
-    int domain;       /* 1: there is tmin, 2: there is tmax */
-};
-
-static const struct layout usual = {0, 1, ALL_COLUMNS, 3};
-
-static struct room line_room[8], answer_room[6], shape_room, pack_room;
-static const size_t answer_size[6] = {1, 1, sizeof(double), sizeof(double),
-                                      1, 1};
-
-static void make_rooms(void)
-{
-    for (int i = 0; i < 8; i++)
-        line_room[i] = guarded_room(MOST * sizeof(double));
-    for (int i = 0; i < 6; i++)
-        answer_room[i] = guarded_room(MOST * answer_size[i]);
-    shape_room = guarded_room(MOST * sizeof(cylint_shape));
-    pack_room = guarded_room(cylint_pack_bytes(MOST));
-}
-
-/* The i-th array's gap: doubles are moved by doubles, bytes by bytes, and
- * no two arrays alike. */
-static size_t gap_of(const struct layout *at, int i, size_t size)
-{
-    return (at->offset + (size_t)i * size) % (64 / size) * size;
-}
-
-static void lay_pack(cylint_pack *pack, const struct family_case *shapes,
-                     size_t n, const struct layout *at)
-{
-    const size_t bytes = cylint_pack_bytes(n);
-    cylint_shape *to = guarded_place(&shape_room, n * sizeof *to,
-                                     gap_of(at, 3, sizeof(double)),
-                                     at->at_end);
-    for (size_t i = 0; i < n; i++)
-        to[i] = shapes[i].shape;
-    guarded_permit(&shape_room, 0);
-    char *memory = guarded_place(&pack_room, bytes, at->offset, at->at_end);
-    cylint_pack_shapes(pack, memory, to, n);
-    CHECK(guarded_kept(&pack_room, memory, bytes));
-    guarded_permit(&pack_room, 0);
-}
-
-static void lay_lines(cylint_lines *lines, const struct family_case *from,
-                      size_t n, const struct layout *at)
-{
-    double *array[8];
-    for (int i = 0; i < 8; i++)
-        array[i] = guarded_place(&line_room[i], n * sizeof(double),
-                                 gap_of(at, i, sizeof(double)), at->at_end);
-    for (size_t i = 0; i < n; i++) {
-        const cylint_line *l = &from[i].line;
-        for (int k = 0; k < 3; k++) {
-            array[k][i] = l->o[k];
-            array[3 + k][i] = l->d[k];
-        }
-        array[6][i] = l->tmin;
-        array[7][i] = l->tmax;
-    }
-    for (int i = 0; i < 8; i++)
-        guarded_permit(&line_room[i], 0);
-    *lines = (cylint_lines){n, {array[0], array[1], array[2]},
-                            {array[3], array[4], array[5]},
-                            at->domain & 1 ? array[6] : NULL,
-                            at->domain & 2 ? array[7] : NULL};
-}
-
-static void lay_answers(cylint_columns *to, size_t n, const struct layout *at)
-{
-    void *p[6];
-    for (int i = 0; i < 6; i++) {
-        p[i] = guarded_place(&answer_room[i], n * answer_size[i],
-                             gap_of(at, i, answer_size[i]), at->at_end);
-        if (!(at->columns >> i & 1))
-            p[i] = NULL;
-    }
-    *to = (cylint_columns){p[0], p[1], p[2], p[3], p[4], p[5]};
-}
-
-/* Nothing but the answers was written. */
-static void check_rooms(const cylint_columns *a, size_t n)
-{
-    const void *p[6] = {a->relation, a->n, a->t0, a->t1, a->part0, a->part1};
-    for (int i = 0; i < 6; i++)
-        CHECK(guarded_kept(&answer_room[i], p[i],
-                           p[i] ? n * answer_size[i] : 0));
 }
 
 /* ------------------------------------------------------------- answers -- */
@@ -205,11 +109,11 @@ static void check_pairs(const struct family_case *cases, size_t n,
     cylint_pack pack;
     cylint_lines lines;
     cylint_columns got;
-    lay_pack(&pack, cases, n, at);
+    CHECK(lay_pack(&pack, cases, n, at));
     lay_lines(&lines, cases, n, at);
     lay_answers(&got, n, at);
     cylint_intersect_pairs(&pack, &lines, &got);
-    check_rooms(&got, n);
+    CHECK(only_answers_written(&got, n));
     for (size_t i = 0; i < n; i++) {
         const cylint_line line = column_line(&cases[i].line, at->domain);
         check_answer(&got, i, &line, &cases[i], &cases[i]);
@@ -225,7 +129,7 @@ static void check_lines(const struct family_case *shape,
     lay_lines(&lines, cases, n, at);
     lay_answers(&got, n, at);
     cylint_intersect_lines(&shape->shape, &lines, &got);
-    check_rooms(&got, n);
+    CHECK(only_answers_written(&got, n));
     for (size_t i = 0; i < n; i++) {
         const cylint_line line = column_line(&cases[i].line, at->domain);
         check_answer(&got, i, &line, &cases[i], shape);
@@ -238,10 +142,10 @@ static void check_shapes(const struct family_case *line,
 {
     cylint_pack pack;
     cylint_columns got;
-    lay_pack(&pack, cases, n, at);
+    CHECK(lay_pack(&pack, cases, n, at));
     lay_answers(&got, n, at);
     cylint_intersect_shapes(&pack, &line->line, &got);
-    check_rooms(&got, n);
+    CHECK(only_answers_written(&got, n));
     for (size_t i = 0; i < n; i++)
         check_answer(&got, i, &line->line, line, &cases[i]);
 }
@@ -309,7 +213,7 @@ static void check_scene(const struct family_case *line,
     if (nearest < n)
         cylint_intersect(&cases[nearest].shape, &line->line,
                          CYLINT_WANT_ALL | CYLINT_WANT_NEAREST, &first);
-    lay_pack(&pack, cases, n, at);
+    CHECK(lay_pack(&pack, cases, n, at));
     check_nearest(&pack, &line->line, nearest, &first.hit[0]);
     CHECK(cylint_count(&pack, &line->line, 0) == count);
     for (size_t enough = 1; enough < 4; enough++)
@@ -663,7 +567,7 @@ static void of_equal_t_the_lower_number_is_nearest(void)
         }
         cylint_pack pack;
         cylint_hit hit;
-        lay_pack(&pack, cases, FEW, &usual);
+        CHECK(lay_pack(&pack, cases, FEW, &usual));
         const size_t first = cylint_nearest(&pack, &line.line, CYLINT_WANT_T,
                                             &hit);
         CHECK(first == (size_t)ahead);
@@ -701,7 +605,7 @@ static void threads_share_a_pack(void)
     pthread_t thread[2];
     cylint_pack pack;
     draw_mixed(MOST);
-    lay_pack(&pack, drawn, MOST, &usual);
+    CHECK(lay_pack(&pack, drawn, MOST, &usual));
     for (int i = 0; i < 2; i++) {
         of[i].pack = &pack;
         CHECK(pthread_create(&thread[i], NULL, ask_all, &of[i]) == 0);
