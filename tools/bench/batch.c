@@ -24,7 +24,9 @@
 
 #include "batch_core.h"
 
-enum { CACHED = 512, QUESTIONS = CACHED / 8, RUNNERS = 200, ROUNDS = 1000 };
+/* So many questions that branches are not learned by heart from turn to
+ * turn. */
+enum { CACHED = 512, RUNNERS = 200, ROUNDS = 1000 };
 
 static void print_header(void)
 {
@@ -141,7 +143,7 @@ static void print_cached(const struct cache_race *race)
         struct row r = no_row;
         if (i == 0 || t->scene != t[-1].scene ||
             t->arrangement != t[-1].arrangement)
-            turn_shares(t, QUESTIONS, &hits, &reached);
+            turn_shares(t, CACHED, &hits, &reached);
         if (!t->kernels)
             continue;
         r.part = "cache";
@@ -170,7 +172,7 @@ static void measure_share(struct cache_race *r, double share,
                       scene_radius(kinds[k].kind, share > 0 ? share : 0.1));
         enter_all(r, k, share == 0);
     }
-    race(r->runners, r->n, QUESTIONS, ROUNDS, seconds);
+    race(r->runners, r->n, CACHED, ROUNDS, seconds);
     print_cached(r);
     for (int k = 0; k < KINDS; k++)
         scene_free(&r->scenes[k]);
@@ -192,11 +194,12 @@ static void measure_cache(double seconds)
 /* ------------------------------------------------------------- growth -- */
 
 /* Bytes of a cylinder that the first pass reads: base, axis and radius. */
-enum { FIRST_PASS = 7 * sizeof(double), GROWTH_LINES = 512 };
+enum { FIRST_PASS = 7 * sizeof(double), GROWTH_LINES = 512, TESTS = 1 << 20 };
 
 static int lines_for(size_t n)
 {
-    return n <= 1024 ? GROWTH_LINES : n <= 65536 ? 16 : 2;
+    return n > TESTS / 2 ? 2 : n < TESTS / GROWTH_LINES ? GROWTH_LINES
+                                                        : (int)(TESTS / n);
 }
 
 static void print_growth(const struct runner *runner, const char *kernels,

@@ -51,7 +51,7 @@ INLINE size_t shape_of(enum arrangement a, size_t i, size_t k)
 
 INLINE size_t line_of(enum arrangement a, size_t i, size_t k)
 {
-    return a == ONE_LINE ? k : a == ONE_SHAPE ? i : i + 8 * k;
+    return a == ONE_LINE ? k : a == ONE_SHAPE ? i : i + k;
 }
 
 /* What keeps answers from being computed for nothing. */
@@ -151,8 +151,8 @@ static void columns_asked(const struct turn *t, size_t k)
     } else {
         cylint_lines from = s->columns;
         for (int i = 0; i < 3; i++) {
-            from.o[i] += 8 * k;
-            from.d[i] += 8 * k;
+            from.o[i] += k;
+            from.d[i] += k;
         }
         cylint_intersect_pairs(&s->pack, &from, &to);
     }

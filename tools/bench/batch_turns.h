@@ -34,7 +34,7 @@ struct turn {
 };
 
 /* A turn_fn: question k is line k against all shapes, or shape k against
- * all lines, or all shapes with the lines 8 k further on. */
+ * all lines, or all shapes with the lines k further on. */
 void batch_turn(void *turn, const int *order, int n);
 
 /* How many tests a question is. */

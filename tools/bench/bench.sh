@@ -5,9 +5,9 @@ here=$(dirname "$0")
 out=$BUILD/bench
 mkdir -p "$out" || exit 3
 if [ -n "$QUICK" ]; then
-    rounds=40 cases=400 seconds=0.02
+    rounds=40 cases=400 seconds=0.02 batch_seconds=2 most=4000000
 else
-    rounds=400 cases=100000 seconds=1
+    rounds=400 cases=100000 seconds=1 batch_seconds=20 most=10000000
 fi
 
 # Each program once per build; the lines of the second without its header.
@@ -20,6 +20,19 @@ measure() {
         exit 1
     sed 1d "$csv.fma" >>"$csv"
     rm "$csv.fma"
+}
+
+# As many shapes as fit into half of the memory that is free.
+fitting() {
+    awk -v most="$1" '/^MemAvailable:/ { n = $2 * 1024 / 2 / 700 }
+        END { if (n == 0) n = 1e6; printf "%d", n < most ? n : most }' \
+        /proc/meminfo 2>/dev/null || echo 1000000
+}
+
+draw() { # script, csv and what else awk takes
+    script=$1 csv=$2
+    shift 2
+    awk "$@" -f "$here/$script" "$csv" | gnuplot
 }
 
 describe_machine() {
@@ -43,13 +56,22 @@ echo "time against error, $cases cases a family ..." >&2
 measure methods "$out/methods.csv" "$cases $seconds" "0 $seconds"
 awk -f "$here/table.awk" "$out/methods.csv" >"$out/methods.txt"
 
+most=$(fitting $most)
+echo "batches, up to $most shapes ..." >&2
+"$BUILD/tools/bench/batch" $batch_seconds "$most" >"$out/batch.csv" || exit 1
+awk -f "$here/batch.awk" "$out/batch.csv" >"$out/batch.txt"
+
 if command -v gnuplot >/dev/null 2>&1; then
+    for chart in growth kernels; do
+        draw batch_charts.awk "$out/batch.csv" -v chart=$chart \
+            -v out="$out/batch-$chart.svg"
+    done
     sed 1d "$out/methods.csv" | cut -d , -f 2 | uniq | sort -u |
     while read -r class; do
         for unit in radii ulp; do
             svg=$out/$(echo "$class" | tr ' ' -)-$unit.svg
-            awk -v class="$class" -v unit=$unit -v out="$svg" \
-                -f "$here/charts.awk" "$out/methods.csv" | gnuplot
+            draw charts.awk "$out/methods.csv" -v class="$class" \
+                -v unit=$unit -v out="$svg"
         done
     done
 else
@@ -58,5 +80,7 @@ fi
 cat "$out/methods.txt"
 echo
 cat "$out/cost.txt"
+echo
+cat "$out/batch.txt"
 echo
 echo "all of it: $out/"

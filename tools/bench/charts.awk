@@ -112,10 +112,11 @@ function legend(   m, entries) {
 END {
     if (n_families == 0) exit
     for (m in used) n_used++
+    if (n_families < across) across = n_families
     key_rows = n_used > 8 ? int((n_used + 1) / 2) : 4 # two columns, and one of signs
     legend_height = 32 + 20 * key_rows
     down = int((n_families + across - 1) / across)
-    wide = 205; tall = 158; left = 66; top = 62; cross = "#c00000"
+    wide = 205; tall = down > 1 ? 158 : 215; left = 66; top = 62; cross = "#c00000"
     width = left + across * (wide + 8) + 6
     height = top + down * (tall + 32) + 22 + legend_height
     printf "set terminal " terminal "\nset output '%s'\n", width, height, out
