@@ -1,4 +1,5 @@
 # The measurements of batch.c as text: awk -f batch.awk batch.csv
+# -v readme=1: the table of README.md.
 BEGIN { FS = ","; width["plain"] = 128; width["avx2"] = 256; width["avx512"] = 512 }
 
 function once(list, name) { # keeps names in the order of their first coming
@@ -135,7 +136,34 @@ function cases(part, title,   i, k, name) {
     }
 }
 
+# One kernels' row; the unit is the plain quadratic against cylinders.
+function readme_row(title, shape, to,   h, key, unit, cells) {
+    for (h = 1; h <= many["hits"]; h++) {
+        key = SUBSEP "one line" SUBSEP "nearest" SUBSEP names["hits", h]
+        unit = plain["cylinder" key]
+        if (to == "") cells = cells sprintf(" | %.1f", unit)
+        else cells = cells sprintf(" | %.1f (%.2fx)", ns[shape key, to], ns[shape key, to] / unit)
+    }
+    print "| " title cells " |"
+}
+
+function readme_table(   h, k) {
+    printf "| ns a test"
+    for (h = 1; h <= many["hits"]; h++) printf " | %d %% hits", names["hits", h]
+    print " |"
+    for (h = 0; h <= many["hits"]; h++) printf "|---"
+    print "|"
+    readme_row("cylinders, plain b²-4ac one by one", "cylinder", "")
+    for (k = 1; k <= many["kernels"]; k++)
+        readme_row("cylinders, " called(names["kernels", k]), "cylinder", names["kernels", k])
+    readme_row("cones, " called(names["kernels", 1]), "cone", names["kernels", 1])
+    readme_row("elliptic cylinders, " called(names["kernels", 1]), "elliptic cylinder", names["kernels", 1])
+}
+
+function called(kernels) { return kernels == "plain" ? "no vector flags" : kernels == "avx2" ? "AVX2" : "AVX-512" }
+
 END {
+    if (readme) { readme_table(); exit }
     in_cache()
     beside_cylinders()
     arranged()

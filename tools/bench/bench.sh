@@ -60,12 +60,16 @@ most=$(fitting $most)
 echo "batches, up to $most shapes ..." >&2
 "$BUILD/tools/bench/batch" $batch_seconds "$most" >"$out/batch.csv" || exit 1
 awk -f "$here/batch.awk" "$out/batch.csv" >"$out/batch.txt"
+awk -v readme=1 -f "$here/batch.awk" "$out/batch.csv" >"$out/readme.md"
 
 if command -v gnuplot >/dev/null 2>&1; then
     for chart in growth kernels; do
         draw batch_charts.awk "$out/batch.csv" -v chart=$chart \
             -v out="$out/batch-$chart.svg"
     done
+    draw charts.awk "$out/methods.csv" -v class='cylinder infinite' \
+        -v only='ordinary;far origin;grazing;nearly parallel' \
+        -v unit=radii -v out="$out/time-error.svg" # README's
     sed 1d "$out/methods.csv" | cut -d , -f 2 | uniq | sort -u |
     while read -r class; do
         for unit in radii ulp; do
