@@ -217,7 +217,7 @@ enum {
     CYLINT_WANT_Z       = 1 << 4,
     CYLINT_WANT_PHI     = 1 << 5,
     CYLINT_WANT_NEAREST = 1 << 6, /* n is 0 or 1: the hit with the least t */
-    CYLINT_WANT_FAST    = 1 << 7, /* t in doubles: within 2^-40 of the larger
+    CYLINT_WANT_FAST    = 1 << 7, /* t in doubles: within 2^-34 of the larger
                                      of |t| and the base's distance from o in
                                      multiples of d; a few ulp as a rule */
     CYLINT_WANT_COUNT   = 0,      /* relation and number only */

@@ -234,9 +234,10 @@ INLINE void round_group(const lanes_query *q, const lanes_shape *s,
         const vm exits = m_or(m_and(second, m_not(v->leaving_first)),
                               m_and(m_not(second), v->leaving_first));
         const bounded_value t = choose(second, v->stop[1], v->stop[0]);
-        const lanes_root r = want & CYLINT_WANT_FAST ? take_root(q, t)
-            : round_root(q, s, l, kind, v_select(exits, plus, minus), t,
-                         v_select(second, v->part[1], v->part[0]));
+        lanes_root r = take_root(q, t);
+        if (!(want & CYLINT_WANT_FAST) || m_any(m_and(any, m_not(r.sure))))
+            r = round_root(q, s, l, kind, v_select(exits, plus, minus), t,
+                           v_select(second, v->part[1], v->part[0]));
         v->undecided = m_or(v->undecided, m_and(any, m_not(r.sure)));
         for (int i = 0; i < 2; i++) {
             v_store(g->t[i], r.value);
@@ -249,10 +250,11 @@ INLINE void round_group(const lanes_query *q, const lanes_shape *s,
         if (!m_any(v->hit[i]))
             continue;
         const vm exits = i ? m_not(v->leaving_first) : v->leaving_first;
-        const lanes_root r = want & CYLINT_WANT_FAST
-            ? take_root(q, v->stop[i])
-            : round_root(q, s, l, kind, v_select(exits, plus, minus),
-                         v->stop[i], v->part[i]);
+        lanes_root r = take_root(q, v->stop[i]);
+        if (!(want & CYLINT_WANT_FAST) ||
+            m_any(m_and(v->hit[i], m_not(r.sure))))
+            r = round_root(q, s, l, kind, v_select(exits, plus, minus),
+                           v->stop[i], v->part[i]);
         v->undecided = m_or(v->undecided, m_and(v->hit[i], m_not(r.sure)));
         v_store(g->t[i], r.value);
         v_store(g->more[i], r.more);

@@ -103,6 +103,6 @@
 #define CYLINT_LAZY_BOUND (512 * 0x1p-106)
 
 /* What the fast mode promises of t (kernel.h, take_root). */
-#define CYLINT_FAST_BOUND 0x1p-40
+#define CYLINT_FAST_BOUND 0x1p-34
 
 #endif

@@ -73,13 +73,14 @@ INLINE int answer_roots(const lanes_query *q, const lanes_shape *s,
                                unsigned want, cylint_kernel_answer *answer)
 {
     if (want & CYLINT_WANT_FAST) {
+        int sure = 1;
         for (int i = from; i < to; i++) {
             const lanes_root r = take_root(q, v->stop[i]);
-            if (!first(r.sure))
-                return 0;
+            sure &= first(r.sure);
             store_root(answer, i - from, &r, 0);
         }
-        return 1;
+        if (sure)
+            return 1;
     }
     if (!cylint_rounds_to_nearest()) /* what follows would certify nothing */
         return 0;
