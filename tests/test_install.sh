@@ -130,6 +130,31 @@ test_example()
     done
 }
 
+# display NUMBER: the text of a literal display in cylint(3)'s EXAMPLES.
+display()
+{
+    awk -v wanted="$1" '
+        /^\.Sh/ { examples = $2 == "EXAMPLES" }
+        /^\.Ed/ { inside = 0 }
+        inside { gsub(/\\e/, "\\"); print }
+        examples && /^\.Bd -literal/ && ++n == wanted { inside = 1 }
+    ' man/cylint.3
+}
+
+# A program is followed by what it prints.
+test_manual_examples()
+{
+    sanitizers=$(sanitizers_of)
+    source=example.c
+    for number in 1 3; do
+        display $number > "$scratch/example.c"
+        display $((number + 1)) > "$scratch/example.said"
+        [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
+        verdict "the_manual_has_example_$number" $?
+        example "the_manual_example_$number" static $cc -std=c99
+    done
+}
+
 test_symbols()
 {
     command -v nm > /dev/null || { echo 'note: no nm, symbols are not looked at'; return; }
@@ -221,6 +246,7 @@ test_symbols
 (test_without_makefile)
 verdict the_library_compiles_without_the_makefile $?
 test_readme_commands
+test_manual_examples
 test_uninstall
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]
