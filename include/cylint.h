@@ -15,8 +15,8 @@
  *   - Making a shape or a line can fail and says why by a status.  Asking
  *     never fails: a shape or line that was refused answers "miss" with the
  *     flag CYLINT_FLAG_INVALID.
- *   - The library allocates nothing, prints nothing, keeps no state and does
- *     not touch errno or the locale.  All functions may be called from any
+ *   - The library allocates nothing, prints nothing, keeps no state but which
+ *     kernels it uses, and does not touch errno or the locale.  All functions may be called from any
  *     number of threads; shapes and lines are plain structs without pointers
  *     and may be copied, stored in arrays and sent through pipes.
  *   - Null pointers are the caller's mistake.
@@ -334,7 +334,8 @@ CYLINT_API void cylint_pack_shapes(cylint_pack *pack, void *memory,
 
 /* Many lines, one array per coordinate, n long, at any address.  tmin and
  * tmax may be NULL: then all are 0, and all infinite.  A line that is not
- * finite or has no length is invalid: it answers "miss". */
+ * finite, has no length, or whose tmin <= tmax does not hold is invalid: it
+ * answers "miss". */
 typedef struct cylint_lines {
     size_t n;
     const double *o[3], *d[3];

@@ -25,16 +25,19 @@ static int run_of(const cylint_shape *s)
     return 2 * s->kind + bounded;
 }
 
+/* Whole vectors; and never a power of two of a page, where all columns would
+ * fall into the same sets of the cache. */
 static size_t padded(size_t n)
 {
-    return (n + PADDING - 1) / PADDING * PADDING;
+    const size_t lanes = (n + PADDING - 1) / PADDING * PADDING;
+    return lanes % 256 == 0 && lanes > 0 ? lanes + PADDING : lanes;
 }
 
 /* Room for the head, the numbers, and columns whose padding may add up to
- * one PADDING a run; and for moving all to an aligned address. */
+ * two PADDINGs a run; and for moving all to an aligned address. */
 size_t cylint_pack_bytes(size_t n)
 {
-    const size_t lanes = n + (size_t)RUNS * PADDING;
+    const size_t lanes = n + (size_t)RUNS * 2 * PADDING;
     return sizeof(pack_head) + lanes * sizeof(size_t) +
            lanes * COLUMNS * sizeof(double) + 3 * 64;
 }
@@ -71,7 +74,7 @@ void cylint_pack_shapes(cylint_pack *pack, void *memory,
     pack_head *head = (pack_head *)(void *)aligned(memory);
     size_t *number = (size_t *)(void *)aligned((char *)(head + 1));
     double *column = (double *)(void *)aligned(
-        (char *)(number + n + (size_t)RUNS * PADDING));
+        (char *)(number + n + (size_t)RUNS * 2 * PADDING));
     size_t *fill[RUNS];
     pack->n = n;
     pack->shapes = shapes;
@@ -193,8 +196,16 @@ size_t cylint_nearest(const cylint_pack *pack, const cylint_line *line,
         cylint_answer answer;
         cylint_intersect(&pack->shapes[job.best], line,
                          want | CYLINT_WANT_NEAREST, &answer);
-        *hit = answer.hit[0];
-        return job.best;
+        for (int i = 0; i < 3; i++) {
+            if (want & CYLINT_WANT_POINT)
+                hit->point[i] = answer.hit[0].point[i];
+            if (want & CYLINT_WANT_NORMAL)
+                hit->normal[i] = answer.hit[0].normal[i];
+        }
+        if (want & CYLINT_WANT_Z)
+            hit->z = answer.hit[0].z;
+        if (want & CYLINT_WANT_PHI)
+            hit->phi = answer.hit[0].phi;
     }
     if (want & CYLINT_WANT_T)
         hit->t = job.best_answer.t[0];
