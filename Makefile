@@ -138,7 +138,7 @@ demo: all ## scan a generated forest and show what was hit
 
 check: all $(test_programs) ## run every test (PARANOID=1: each decision twice)
 	@$(if $(MPFR),,echo 'note: no MPFR, tests against the oracle are skipped')
-	@BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' sh tests/run.sh $(test_programs) $(test_scripts)
+	@BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' sh tests/run.sh $(test_programs) $(test_scripts)
 
 prove: ## the error bounds, by Gappa; 1 % less must not be provable
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/prove/prove.sh
