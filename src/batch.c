@@ -144,35 +144,8 @@ INLINE vm pass_by(const lanes_line *l, const lanes_shape *s, int kind)
 {
     letters_lanes L;
     letters_sizes N;
-    vd a = v_set(0);
-    L.kind = N.kind = kind;
-    for (int i = 0; i < 3; i++) {
-        L.u[i] = l->u[i];
-        L.w[i] = s->axis[i];
-        L.D[0][i] = l->o[i] - s->base[i];
-        if (kind >= CYLINT_KIND_ECYLINDER) {
-            L.a[i] = s->a[i];
-            L.b[i] = s->b[i];
-        }
-    }
-    if (kind >= CYLINT_KIND_ECYLINDER)
-        a = v_max(v_largest(s->a), v_largest(s->b));
-    const vd u = v_largest(L.u), w = v_largest(L.w);
-    const vd D = v_largest(L.D[0]);
-    L.r[0] = N.r[0] = s->r[0];
-    L.dr = s->dr;
-    N.dr = v_abs(s->dr);
-    L.one = N.one = v_set(1);
-    for (int i = 0; i < 3; i++) {
-        N.u[i] = u;
-        N.w[i] = w;
-        N.a[i] = N.b[i] = a;
-        N.D[0][i] = D;
-    }
-    prepare_shape_lanes(&L);
-    prepare_shape_sizes(&N);
-    prepare_line_lanes(&L);
-    prepare_line_sizes(&N);
+    lanes_letters(&L, &N, s, l, kind, 0);
+    const vd u = N.u[0], D = N.D[0][0];
     const bounded_value G = with_bound(form_G_lanes(&L), form_G_sizes(&N));
     const vd most = v_set(CYLINT_WINDOW), least = v_set(1 / CYLINT_WINDOW);
     const vm window = m_and(v_le(v_max(u, D), most), v_le(least, u));
@@ -398,15 +371,8 @@ int CYLINT_SHAPES(cylint_job *job, const cylint_run *run)
     source from = {.job = job, .run = run, .n = run->n,
                    .bounded = run->bounded};
     const cylint_line *l = job->line;
-    if (l) {
-        for (int i = 0; i < 3; i++) {
-            from.line.o[i] = v_set(l->o[i]);
-            from.line.u[i] = v_set(l->d[i]);
-            from.line.u_lo[i] = v_set(l->d_lo[i]);
-        }
-        from.line.tmin = v_set(l->tmin);
-        from.line.tmax = v_set(l->tmax);
-    }
+    if (l)
+        broadcast_line(&from.line, l);
     return work_on(&from, l ? ONE_LINE : PAIRS, run->kind);
 }
 
@@ -414,24 +380,6 @@ int CYLINT_LINES(cylint_job *job, const cylint_shape *shape)
 {
     source from = {.job = job, .shape = shape, .n = job->lines->n,
                    .bounded = shape->ends < CYLINT_INFINITE};
-    lanes_shape *s = &from.one;
-    const unsigned all = (1u << LANES) - 1;
-    for (int i = 0; i < 3; i++) {
-        s->base[i] = v_set(shape->base[i]);
-        s->top[i] = v_set(shape->top[i]);
-        s->axis[i] = v_set(shape->axis[i]);
-        s->axis_lo[i] = v_set(shape->axis_lo[i]);
-        s->a[i] = v_set(shape->a[i]);
-        s->b[i] = v_set(shape->flip ? -shape->b[i] : shape->b[i]);
-    }
-    s->r[0] = v_set(shape->r0);
-    s->r[1] = v_set(shape->r1);
-    s->dr = v_set(shape->dr);
-    s->dr_lo = v_set(shape->dr_lo);
-    const int ends = shape->ends;
-    s->cap[0] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_0
-                       ? all : 0);
-    s->cap[1] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_1
-                       ? all : 0);
+    broadcast_shape(&from.one, shape, shape->kind);
     return work_on(&from, ONE_SHAPE, shape->kind);
 }

@@ -68,7 +68,7 @@ static double largest_length(const cylint_shape *s)
     return most;
 }
 
-int cylint_length_exponent(const cylint_shape *s)
+static int length_exponent(const cylint_shape *s)
 {
     const double most = largest_length(s);
     if (most <= DBL_MAX)
@@ -117,7 +117,7 @@ void cylint_measure_shape(cylint_shape *s)
     s->miss_bound = CYLINT_FILTER_BOUND * 1.01 * form_G_size(&N);
 }
 
-int cylint_filters_apply(const cylint_shape *s, const cylint_line *l)
+static int filters_apply(const cylint_shape *s, const cylint_line *l)
 {
     double far = 0;
     for (int i = 0; i < 3; i++) {
@@ -133,7 +133,7 @@ static void scale_query(cylint_query *q)
 {
     const cylint_shape *s = q->shape;
     const cylint_line *l = q->line;
-    const int e = -cylint_length_exponent(s);
+    const int e = -length_exponent(s);
     cylint_shape *to = &q->scaled_shape;
     *to = *s;
     scale_vector(to->base, s->base, e);
@@ -168,7 +168,7 @@ static void scale_query(cylint_query *q)
     q->near_shape = to;
     q->near_line = &q->scaled_line;
     q->t_exponent = f - e;
-    q->filters = cylint_filters_apply(to, &q->scaled_line);
+    q->filters = filters_apply(to, &q->scaled_line);
 }
 
 /* -------------------------------------------------------- letters ------ */
@@ -432,7 +432,7 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
     q->ends = shape->ends;
     q->t_exponent = 0;
     q->ready = 0;
-    q->filters = cylint_filters_apply(shape, line);
+    q->filters = filters_apply(shape, line);
     if (!q->filters)
         scale_query(q);
     if (q->filters) {

@@ -75,16 +75,9 @@ double cylint_scaled(double x, int e);
 void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
                               const double from[3], int e);
 
-/* Exponent of a shape's largest length (of its axis, where radii are
- * factors), even where top - base overflows. */
-int cylint_length_exponent(const cylint_shape *s);
-
 /* size, miss_bound and ordinary of a shape; size and ordinary of a line. */
 void cylint_measure_shape(cylint_shape *shape);
 void cylint_measure_line(cylint_line *line);
-
-/* Whether the filters apply to a line and a shape. */
-int cylint_filters_apply(const cylint_shape *s, const cylint_line *l);
 
 /* The double nearest to the tangent of an angle in (0, 90) degrees. */
 double cylint_tangent(double degrees);

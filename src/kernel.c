@@ -12,43 +12,6 @@
 #define CYLINT_ONE cylint_one_plain
 #endif
 
-/* The same line and shape in all lanes. */
-INLINE void load_line(lanes_line *to, const cylint_line *l)
-{
-    for (int i = 0; i < 3; i++) {
-        to->o[i] = v_set(l->o[i]);
-        to->u[i] = v_set(l->d[i]);
-        to->u_lo[i] = v_set(l->d_lo[i]);
-    }
-    to->tmin = v_set(l->tmin);
-    to->tmax = v_set(l->tmax);
-}
-
-INLINE void load_shape(lanes_shape *to, const cylint_shape *s,
-                              int kind)
-{
-    for (int i = 0; i < 3; i++) {
-        to->base[i] = v_set(s->base[i]);
-        to->top[i] = v_set(s->top[i]);
-        to->axis[i] = v_set(s->axis[i]);
-        to->axis_lo[i] = v_set(s->axis_lo[i]);
-        if (kind >= CYLINT_KIND_ECYLINDER) {
-            to->a[i] = v_set(s->a[i]);
-            to->b[i] = v_set(s->flip ? -s->b[i] : s->b[i]);
-        }
-    }
-    to->r[0] = v_set(s->r0);
-    to->r[1] = v_set(s->r1);
-    to->dr = v_set(s->dr);
-    to->dr_lo = v_set(s->dr_lo);
-    const int ends = s->ends;
-    const unsigned all = (1u << LANES) - 1;
-    to->cap[0] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_0
-                        ? all : 0);
-    to->cap[1] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_1
-                        ? all : 0);
-}
-
 INLINE void store_root(cylint_kernel_answer *to, int n, const lanes_root *r,
                        int lane)
 {
@@ -114,8 +77,8 @@ INLINE int answer_one(const cylint_shape *shape,
     lanes_shape s;
     lanes_line l;
     lanes_query q;
-    load_shape(&s, shape, kind);
-    load_line(&l, line);
+    broadcast_shape(&s, shape, kind);
+    broadcast_line(&l, line);
     const unsigned all = (1u << LANES) - 1;
     const lanes_verdict v = lanes_judge(&q, &s, &l, kind, bounded,
                                         m_from(all));

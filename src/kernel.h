@@ -64,6 +64,43 @@ typedef struct {
     vm cap[2]; /* present */
 } lanes_shape;
 
+/* The same line and shape in all lanes. */
+INLINE void broadcast_line(lanes_line *to, const cylint_line *l)
+{
+    for (int i = 0; i < 3; i++) {
+        to->o[i] = v_set(l->o[i]);
+        to->u[i] = v_set(l->d[i]);
+        to->u_lo[i] = v_set(l->d_lo[i]);
+    }
+    to->tmin = v_set(l->tmin);
+    to->tmax = v_set(l->tmax);
+}
+
+INLINE void broadcast_shape(lanes_shape *to, const cylint_shape *s,
+                            int kind)
+{
+    for (int i = 0; i < 3; i++) {
+        to->base[i] = v_set(s->base[i]);
+        to->top[i] = v_set(s->top[i]);
+        to->axis[i] = v_set(s->axis[i]);
+        to->axis_lo[i] = v_set(s->axis_lo[i]);
+        if (kind >= CYLINT_KIND_ECYLINDER) {
+            to->a[i] = v_set(s->a[i]);
+            to->b[i] = v_set(s->flip ? -s->b[i] : s->b[i]);
+        }
+    }
+    to->r[0] = v_set(s->r0);
+    to->r[1] = v_set(s->r1);
+    to->dr = v_set(s->dr);
+    to->dr_lo = v_set(s->dr_lo);
+    const int ends = s->ends;
+    const unsigned all = (1u << LANES) - 1;
+    to->cap[0] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_0
+                        ? all : 0);
+    to->cap[1] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_1
+                        ? all : 0);
+}
+
 /* A value with a bound on its error. */
 typedef struct {
     vd v, e;
@@ -133,11 +170,11 @@ typedef struct {
     bounded_value A, B, R, beta, alpha[2];
 } lanes_query;
 
-INLINE void lanes_letters(lanes_query *q, const lanes_shape *s,
-                                 const lanes_line *l, int kind)
+/* top: with what only the second cap needs. */
+INLINE void lanes_letters(letters_lanes *L, letters_sizes *N,
+                          const lanes_shape *s, const lanes_line *l,
+                          int kind, int top)
 {
-    letters_lanes *L = &q->L;
-    letters_sizes *N = &q->N;
     const int circular = kind < CYLINT_KIND_ECYLINDER;
     vd a = v_set(0);
     L->kind = N->kind = kind;
@@ -145,9 +182,9 @@ INLINE void lanes_letters(lanes_query *q, const lanes_shape *s,
         L->u[i] = l->u[i];
         L->w[i] = s->axis[i];
         L->D[0][i] = l->o[i] - s->base[i];
-        if (kind <= CYLINT_KIND_CONE)
+        if (top && kind <= CYLINT_KIND_CONE)
             L->D[1][i] = l->o[i] - s->top[i];
-        else
+        else if (top)
             L->D[1][i] = L->D[0][i] - L->w[i];
         if (!circular) {
             L->a[i] = s->a[i];
@@ -157,9 +194,12 @@ INLINE void lanes_letters(lanes_query *q, const lanes_shape *s,
     if (!circular)
         a = v_max(v_largest(s->a), v_largest(s->b));
     const vd u = v_largest(L->u), w = v_largest(L->w);
-    const vd D = v_max(v_largest(L->D[0]), v_largest(L->D[1]));
+    vd D = v_largest(L->D[0]);
     L->r[0] = N->r[0] = s->r[0];
-    L->r[1] = N->r[1] = s->r[1];
+    if (top) {
+        D = v_max(D, v_largest(L->D[1]));
+        L->r[1] = N->r[1] = s->r[1];
+    }
     L->dr = s->dr;
     N->dr = v_abs(s->dr);
     L->one = N->one = v_set(1);
@@ -285,7 +325,7 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
     lanes_verdict v = {none, none, {none, none}, none, {nowhere, nowhere},
                        {lateral, lateral}};
     q->A = q->B = q->R = q->beta = nowhere;
-    lanes_letters(q, s, l, kind);
+    lanes_letters(&q->L, &q->N, s, l, kind, 1);
     const bounded_value G = with_bound(form_G_lanes(&q->L),
                                        form_G_sizes(&q->N));
     const vm window = lanes_in_window(q, kind);

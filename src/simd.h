@@ -27,7 +27,6 @@ static inline vd v_load(const double *x) { return _mm512_loadu_pd(x); }
 static inline void v_store(double *x, vd v) { _mm512_storeu_pd(x, v); }
 static inline vd v_abs(vd x) { return _mm512_abs_pd(x); }
 static inline vd v_max(vd x, vd y) { return _mm512_max_pd(x, y); }
-static inline vd v_min(vd x, vd y) { return _mm512_min_pd(x, y); }
 static inline vd v_sqrt(vd x) { return _mm512_sqrt_pd(x); }
 static inline vd v_fma(vd x, vd y, vd z) { return _mm512_fmadd_pd(x, y, z); }
 static inline vm v_lt(vd x, vd y)
@@ -67,7 +66,6 @@ static inline vd v_abs(vd x)
     return _mm256_andnot_pd(_mm256_set1_pd(-0.0), x);
 }
 static inline vd v_max(vd x, vd y) { return _mm256_max_pd(x, y); }
-static inline vd v_min(vd x, vd y) { return _mm256_min_pd(x, y); }
 static inline vd v_sqrt(vd x) { return _mm256_sqrt_pd(x); }
 static inline vd v_fma(vd x, vd y, vd z) { return _mm256_fmadd_pd(x, y, z); }
 static inline vm v_lt(vd x, vd y) { return _mm256_cmp_pd(x, y, _CMP_LT_OQ); }
@@ -103,7 +101,6 @@ static inline vd v_load(const double *x) { return _mm_loadu_pd(x); }
 static inline void v_store(double *x, vd v) { _mm_storeu_pd(x, v); }
 static inline vd v_abs(vd x) { return _mm_andnot_pd(_mm_set1_pd(-0.0), x); }
 static inline vd v_max(vd x, vd y) { return _mm_max_pd(x, y); }
-static inline vd v_min(vd x, vd y) { return _mm_min_pd(x, y); }
 static inline vd v_sqrt(vd x) { return _mm_sqrt_pd(x); }
 static inline vm v_lt(vd x, vd y) { return _mm_cmplt_pd(x, y); }
 static inline vm v_le(vd x, vd y) { return _mm_cmple_pd(x, y); }
@@ -144,7 +141,6 @@ static inline vd v_load(const double *x) { return vld1q_f64(x); }
 static inline void v_store(double *x, vd v) { vst1q_f64(x, v); }
 static inline vd v_abs(vd x) { return vabsq_f64(x); }
 static inline vd v_max(vd x, vd y) { return vbslq_f64(vcgtq_f64(x, y), x, y); }
-static inline vd v_min(vd x, vd y) { return vbslq_f64(vcltq_f64(x, y), x, y); }
 static inline vd v_sqrt(vd x) { return vsqrtq_f64(x); }
 static inline vd v_fma(vd x, vd y, vd z) { return vfmaq_f64(z, x, y); }
 static inline vm v_lt(vd x, vd y) { return vcltq_f64(x, y); }
@@ -180,7 +176,6 @@ static inline vd v_load(const double *x) { return *x; }
 static inline void v_store(double *x, vd v) { *x = v; }
 static inline vd v_abs(vd x) { return fabs(x); }
 static inline vd v_max(vd x, vd y) { return x > y ? x : y; }
-static inline vd v_min(vd x, vd y) { return x < y ? x : y; }
 static inline vd v_sqrt(vd x) { return sqrt(x); }
 static inline vm v_lt(vd x, vd y) { return x < y; }
 static inline vm v_le(vd x, vd y) { return x <= y; }
