@@ -6,6 +6,8 @@
 #include "answer.h"
 #include "main.h"
 
+const char *const program = "cylint";
+
 static int put_first_line(struct job *job, struct block *b)
 {
     const struct options *o = job->options;

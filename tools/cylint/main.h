@@ -1,8 +1,10 @@
 /*
- * main.h - the command's exit status
+ * main.h - the command's name and exit status
  */
 #ifndef CYLINT_MAIN_H
 #define CYLINT_MAIN_H
+
+extern const char *const program; /* its name, in messages */
 
 enum {
     EXIT_ANSWERED = 0, /* all records; a miss is an answer */

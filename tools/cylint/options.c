@@ -1,17 +1,11 @@
 /*
  * options.c - what the command line asks for
- *
- * Options may stand anywhere; what follows -- is a file.  A short option's
- * value is the rest of its argument or the next one, a long one's follows
- * '=' or is the next argument.
  */
 #include <limits.h>
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
-#include "main.h"
+#include "arguments.h"
 #include "numbers.h"
 #include "options.h"
 
@@ -19,13 +13,6 @@ enum option_id {
     OPT_ACCEL = 256, OPT_BINARY_IN, OPT_BINARY_OUT, OPT_ENDS, OPT_HEADER,
     OPT_HELP, OPT_HITS_ONLY, OPT_LIST, OPT_METHOD, OPT_MISS, OPT_PROGRESS,
     OPT_VERSION
-};
-
-/* A short option is its letter. */
-struct option {
-    const char *name;
-    int id;
-    int has_value;
 };
 
 static const struct option options_known[] = {
@@ -39,6 +26,7 @@ static const struct option options_known[] = {
     {"hits-only", OPT_HITS_ONLY, 0}, {"list", OPT_LIST, 1},
     {"method", OPT_METHOD, 1}, {"miss", OPT_MISS, 1},
     {"progress", OPT_PROGRESS, 0}, {"version", OPT_VERSION, 0},
+    {NULL, 0, 0}
 };
 
 /* What must wait until all options are known. */
@@ -46,40 +34,7 @@ struct pending {
     const char *kinds, *query, *fields;
 };
 
-static int usage(const char *format, ...)
-{
-    va_list list;
-    fputs("cylint: ", stderr);
-    va_start(list, format);
-    vfprintf(stderr, format, list);
-    va_end(list);
-    fputs("\nTry 'cylint --help'.\n", stderr);
-    return EXIT_USAGE;
-}
-
-static int usage_value(const struct option *o, const char *value,
-                       const char *expected)
-{
-    char shown[4 * 64 + 4];
-    escape_bytes(shown, value, value + strlen(value), 64);
-    return usage("%s%s: expected %s, found '%s'", o->id < 256 ? "-" : "--",
-                 o->name, expected, shown);
-}
-
 /* ------------------------------------------------------------- values -- */
-
-static int read_count(const char *value, int most, int *count)
-{
-    int n = 0;
-    for (const char *p = value; *p >= '0' && *p <= '9' && n <= most; p++) {
-        n = 10 * n + (*p - '0');
-        if (p[1] == '\0' && n >= 1 && n <= most) {
-            *count = n;
-            return 1;
-        }
-    }
-    return 0;
-}
 
 /* A domain's end may be infinite, unlike a record's numbers. */
 static const char *read_bound(const char *p, double *bound)
@@ -121,14 +76,6 @@ static const cylint_method *find_method(const char *name)
         m++;
     }
     return m->name ? m : NULL;
-}
-
-static int read_word(const struct option *o, const char *value,
-                     const char *const *words, const char *expected,
-                     int *index)
-{
-    *index = find_word(words, value, strlen(value));
-    return *index != NOT_GIVEN ? 0 : usage_value(o, value, expected);
 }
 
 static int read_accel(const struct option *o, const char *value)
@@ -250,91 +197,21 @@ static void take_flag(struct options *options, const struct option *o)
     }
 }
 
-/* ---------------------------------------------------------- arguments -- */
-
-static const struct option *find_option(const char *name, size_t length)
-{
-    const size_t count = sizeof options_known / sizeof *options_known;
-    for (size_t i = 0; i < count; i++) {
-        if (strlen(options_known[i].name) == length
-            && memcmp(options_known[i].name, name, length) == 0) {
-            return &options_known[i];
-        }
-    }
-    return NULL;
-}
-
-/* The arguments, and how far they are used up. */
-struct arguments {
-    char **argv;
-    int count, next;
+/* The arguments' context: what is asked for, and what must wait. */
+struct asked {
+    struct options *options;
+    struct pending pending;
 };
 
-static int take_long(struct options *options, struct pending *pending,
-                     struct arguments *args, const char *name)
+static int take_option(void *context, const struct option *o,
+                       const char *value)
 {
-    const size_t length = strcspn(name, "=");
-    const struct option *o = length > 1 ? find_option(name, length) : NULL;
-    char shown[4 * 64 + 4];
-    escape_bytes(shown, name, name + length, 64);
-    if (!o) {
-        return usage("unknown option '--%s'", shown);
+    struct asked *asked = context;
+    if (o->has_value) {
+        return take_value(asked->options, &asked->pending, o, value);
     }
-    if (!o->has_value) {
-        if (name[length] == '=') {
-            return usage("--%s takes no value", shown);
-        }
-        take_flag(options, o);
-        return 0;
-    }
-    if (name[length] == '=') {
-        return take_value(options, pending, o, name + length + 1);
-    }
-    return args->next < args->count
-        ? take_value(options, pending, o, args->argv[args->next++])
-        : usage("--%s needs a value", shown);
-}
-
-static int take_short(struct options *options, struct pending *pending,
-                      struct arguments *args, const char *letters)
-{
-    for (const char *p = letters; *p; p++) {
-        const struct option *o = find_option(p, 1);
-        char shown[8];
-        escape_bytes(shown, p, p + 1, 1);
-        if (!o) {
-            return usage("unknown option '-%s'", shown);
-        }
-        if (!o->has_value) {
-            take_flag(options, o);
-        } else if (p[1]) {
-            return take_value(options, pending, o, p + 1);
-        } else if (args->next < args->count) {
-            return take_value(options, pending, o, args->argv[args->next++]);
-        } else {
-            return usage("-%s needs a value", shown);
-        }
-    }
+    take_flag(asked->options, o);
     return 0;
-}
-
-static int take_arguments(struct options *options, struct pending *pending,
-                          struct arguments *args)
-{
-    int only_files = 0, status = 0;
-    while (status == 0 && args->next < args->count) {
-        char *arg = args->argv[args->next++];
-        if (only_files || arg[0] != '-' || arg[1] == '\0') {
-            options->files[options->file_count++] = arg;
-        } else if (strcmp(arg, "--") == 0) {
-            only_files = 1;
-        } else if (arg[1] == '-') {
-            status = take_long(options, pending, args, arg + 2);
-        } else {
-            status = take_short(options, pending, args, arg + 1);
-        }
-    }
-    return status;
 }
 
 /* ---------------------------------------------- options upon each other -- */
@@ -444,15 +321,15 @@ static int settle(struct options *options, const struct pending *pending)
 
 int read_options(struct options *options, int argc, char **argv)
 {
-    struct pending pending = {NULL, NULL, NULL};
-    struct arguments args = {argv, argc, argc > 0};
+    struct asked asked = {options, {NULL, NULL, NULL}};
     memset(options, 0, sizeof *options);
     options->grammar.line = NOT_GIVEN;
     options->grammar.shape = NOT_GIVEN;
     options->grammar.ends = NOT_GIVEN;
     options->style.separator = '\t';
     options->files = argv;
-    const int status = take_arguments(options, &pending, &args);
+    const int status = take_arguments(options_known, argc, argv, take_option,
+                                      &asked, &options->file_count);
     return status != 0 || options->print ? status
-                                         : settle(options, &pending);
+                                         : settle(options, &asked.pending);
 }

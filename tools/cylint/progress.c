@@ -5,6 +5,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "main.h"
 #include "progress.h"
 
 static double seconds(void)
@@ -26,8 +27,8 @@ void progress_start(struct progress *p, int wanted)
 static void show(struct progress *p, double now, double bytes, double total)
 {
     const double spent = now - p->start;
-    fprintf(stderr, "%scylint: %llu records, %.0f/s", p->terminal ? "\r" : "",
-            p->records, spent > 0 ? (double)p->records / spent : 0);
+    fprintf(stderr, "%s%s: %llu records, %.0f/s", p->terminal ? "\r" : "",
+            program, p->records, spent > 0 ? (double)p->records / spent : 0);
     if (bytes > 0 && spent > 0) {
         fprintf(stderr, ", %.1f MB/s", 1e-6 * bytes / spent);
     }

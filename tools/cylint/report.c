@@ -56,10 +56,10 @@ void print_note(const struct note *note, const char *name)
     char escaped[4 * NAME_MOST + 4];
     escape_bytes(escaped, name, name + strlen(name), NAME_MOST);
     if (note->line > 0) {
-        fprintf(stderr, "cylint: %s:%llu:%llu: %s\n", escaped, note->line,
-                note->column, note->text);
+        fprintf(stderr, "%s: %s:%llu:%llu: %s\n", program, escaped,
+                note->line, note->column, note->text);
     } else {
-        fprintf(stderr, "cylint: %s: record %llu: %s\n", escaped,
+        fprintf(stderr, "%s: %s: record %llu: %s\n", program, escaped,
                 note->record, note->text);
     }
 }
@@ -77,7 +77,7 @@ void report_notes(struct report *report, const struct notes *notes,
 void report_end(const struct report *report)
 {
     if (report->bad > NOTES_MOST) {
-        fprintf(stderr, "cylint: %llu bad records in all\n", report->bad);
+        fprintf(stderr, "%s: %llu bad records in all\n", program, report->bad);
     }
 }
 
@@ -85,7 +85,7 @@ void complain(const char *name, const char *what)
 {
     char escaped[4 * NAME_MOST + 4];
     escape_bytes(escaped, name, name + strlen(name), NAME_MOST);
-    fprintf(stderr, "cylint: %s: %s\n", escaped, what);
+    fprintf(stderr, "%s: %s: %s\n", program, escaped, what);
 }
 
 void complain_errno(const char *name)
@@ -95,6 +95,6 @@ void complain_errno(const char *name)
 
 int out_of_memory(void)
 {
-    fputs("cylint: out of memory\n", stderr);
+    fprintf(stderr, "%s: out of memory\n", program);
     return EXIT_MEMORY;
 }

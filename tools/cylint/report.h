@@ -45,10 +45,10 @@ void print_note(const struct note *note, const char *name);
 /* Prints the count, if there were more than ten. */
 void report_end(const struct report *report);
 
-/* `cylint: NAME: WHAT`, NAME escaped. */
+/* `PROGRAM: NAME: WHAT`, NAME escaped. */
 void complain(const char *name, const char *what);
 
-/* `cylint: NAME: what errno says` */
+/* `PROGRAM: NAME: what errno says` */
 void complain_errno(const char *name);
 
 int out_of_memory(void);

@@ -48,7 +48,10 @@ static int read_shapes(struct scene *scene, const struct grammar *g,
             print_note(&b->notes.note[0], b->name);
             return EXIT_BAD;
         }
-        const int status = add_shape(scene, &b->parsed.shape);
+        int status = scene->also ? scene->also(scene, &b->parsed) : 0;
+        if (status == 0) {
+            status = add_shape(scene, &b->parsed.shape);
+        }
         if (status != 0) {
             return status;
         }

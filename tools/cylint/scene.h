@@ -14,6 +14,11 @@ struct scene {
     size_t count, room;
     cylint_pack pack; /* of all shapes, once scene_pack() was called */
     void *memory;     /* the pack's */
+
+    /* What else is done with the record of shape number `count`; NULL:
+     * nothing.  Returns 0 or an exit status. */
+    int (*also)(struct scene *scene, const struct record *record);
+    void *context;    /* of that */
 };
 
 /* Reads a file of shapes, one a line.  Returns 0 or an exit status, having
