@@ -17,6 +17,8 @@ MANDIR     ?= $(PREFIX)/share/man
 version := $(shell sed -n 's/^.define CYLINT_VERSION "\(.*\)"/\1/p' include/cylint.h)
 major   := $(firstword $(subst ., ,$(version)))
 
+comma   := ,
+
 # What is optional: `make MPFR= check` and the like switch it off.
 $(shell mkdir -p $(BUILD))
 have     = $(shell p=$(BUILD)/.probe$$$$; echo 'int main(void){return 0;}' | \
@@ -25,6 +27,8 @@ optional = $(if $(filter undefined,$(origin $(1))),$(eval $(1) := $(if $(call ha
 $(call optional,CXX17,$(CXX) -std=c++17 -include charconv,c++)
 $(call optional,MPFR,$(CC) -include stdio.h -include mpfr.h,c,-lmpfr -lgmp)
 $(call optional,GSL,$(CC) -include gsl/gsl_rng.h,c,-lgsl -lgslcblas -lm)
+# a linker that puts a test's read() in the place of the system's
+$(call optional,WRAP,$(CC) -Wl$(comma)--wrap=read,c)
 
 warn    := -Wall -Wextra -Wpedantic -Wconversion
 ours    := -std=c99 $(warn) -Iinclude -MMD -MP
@@ -55,8 +59,12 @@ $(BUILD)/libcylint.a: $(lib_objects)
 $(BUILD)/libcylint.so: $(lib_objects)
 	$(CC) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,libcylint.so.$(major) -o $@ $^ -lm
 
-$(BUILD)/cylint: $(tool_objects) $(BUILD)/libcylint.a
-	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lm
+# The command, and once more with calls that fail as tests/faults.c is told.
+faulty_calls := read write poll open close malloc calloc realloc posix_memalign free pthread_create
+$(BUILD)/tests/faulty: $(BUILD)/tests/faults.o
+$(BUILD)/tests/faulty: wrapped := $(foreach c,$(faulty_calls),-Wl,--wrap=$(c)) -pthread
+$(BUILD)/cylint $(BUILD)/tests/faulty: $(tool_objects) $(BUILD)/libcylint.a
+	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) $(wrapped) -o $@ $^ $(LDLIBS) -lm
 
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
 $(BUILD)/tools/%.o: extra := -D_POSIX_C_SOURCE=200809L
@@ -136,7 +144,7 @@ lint: ## what static analysis says, and how the sources look
 demo: all ## scan a generated forest and show what was hit
 	@BUILD=$(BUILD) sh tools/demo/demo.sh
 
-check: all $(test_programs) ## run every test (PARANOID=1: each decision twice)
+check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/faulty) ## run every test (PARANOID=1: each decision twice)
 	@$(if $(MPFR),,echo 'note: no MPFR, tests against the oracle are skipped')
 	@BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' sh tests/run.sh $(test_programs) $(test_scripts)
 

@@ -1,0 +1,282 @@
+#!/bin/sh
+# Nothing is lost, reordered or altered when the system serves the command
+# badly, and when it fails the command says so and stops at a line's end.
+# What the system does wrong is said in tests/faults.c; tests/test_hostile.sh
+# has hostile input and the failures that any shell can make.
+: "${BUILD:=build}"
+case $BUILD in /*) bin=$BUILD ;; *) bin=$(pwd)/$BUILD ;; esac
+[ -x "$bin/tests/faulty" ] || {
+    echo "no linker that wraps calls"
+    exit 77
+}
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+cylint=$bin/cylint faulty=$bin/tests/faulty
+passed=0 failed=0
+
+verdict() { # NAME; fails if $wrong is not empty
+    if [ -z "$wrong" ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED $1:$wrong"
+    fi
+    wrong=
+}
+
+# ------------------------------------------------------------ the inputs --
+
+# Records of all kinds with their number as a tail; some are bad, some lines
+# are none.
+awk 'function num(most) { return sprintf("%.17g", (2 * rand() - 1) * most) }
+function three(most) { return num(most) " " num(most) " " num(most) }
+BEGIN {
+    srand(3)
+    split("line ray segment span", lines)
+    split("cylinder cone ecylinder econe acone", shapes)
+    split("7 8 12 13 7", numbers)
+    split("capped open cap0 cap1 infinite nappe", ends)
+    for (i = 1; i <= 9000; i++) {
+        kind = 1 + int(5 * rand())
+        text = lines[l = 1 + int(4 * rand())] " " three(3) " " three(1)
+        if (l == 4) text = text " -2 " 6 * rand()
+        text = text "\t" shapes[kind]
+        for (j = 1; j <= numbers[kind]; j++)
+            text = text ", " (j == 4 && kind == 2 || j == numbers[kind] && kind != 3 \
+                ? 2 * rand() + 0.1 : num(2))
+        if (i % 3 == 0) text = text " ends=" ends[1 + int(6 * rand())]
+        if (i % 701 == 0) text = "nonsense"
+        if (i % 211 == 0) print "# comment\n"
+        print text " r" i (i % 5 == 0 ? "\r" : "")
+    }
+}' >pairs
+awk 'BEGIN { for (i = 0; i < 400; i++) print "cylinder", i % 20, int(i / 20),
+    "0", i % 20 + 0.3, int(i / 20), 1, 0.2 + i / 2000 }' >shapes
+awk 'BEGIN { srand(5); for (i = 1; i <= 4000; i++) print (i % 999 ? "ray" : "way"),
+    20 * rand(), 20 * rand(), "5  " rand() - 0.5, rand() - 0.5, "-1 q" i }' >rays
+# The hits of the pairs are 13 doubles each: rays and cylinders once more.
+"$cylint" --binary-out -f x0,y0,z0,nx0,ny0,nz0,x1,y1,z1,nx1,ny1,nz1,chord \
+    pairs >doubles 2>/dev/null
+
+jobs='pairs scene binary'
+ask() { # PROGRAM JOB [OPTION]...: reads standard input
+    program=$1 job=$2
+    shift 2
+    case $job in
+    pairs) "$program" -f relation,n,t0,t1,part0,part1,id "$@" ;;
+    scene) "$program" -s shapes -q all -f id,shape,t0,t1 "$@" ;;
+    binary) "$program" -b -k ray,cylinder -f n,t0,t1,id "$@" ;;
+    esac
+}
+input_of() {
+    case $1 in pairs) echo pairs ;; scene) echo rays ;; binary) echo doubles ;; esac
+}
+
+# What is right is what one worker answers when nothing goes wrong; that the
+# pairs are all there, in order, is seen by their tails.
+for job in $jobs; do
+    ask "$cylint" $job -j 1 <"$(input_of $job)" >$job.out 2>$job.err
+    [ $? -eq 1 ] && [ -s $job.out ] && [ "$(wc -l <$job.err)" -ge 4 ] ||
+        wrong="$wrong $job"
+done
+cut -f 8 pairs.out | grep -v '^$' >ids
+awk 'BEGIN { for (i = 1; i <= 9000; i++) if (i % 701) print "r" i }' | cmp -s - ids ||
+    wrong="$wrong ids"
+[ "$(wc -l <pairs.out)" -eq 9000 ] || wrong="$wrong count"
+verdict 'what is right has every record in its place'
+
+# ----------------------------------------------------- served, but badly --
+
+same() { # JOB STATUS WHAT: out and err are what is right
+    [ "$2" -eq 1 ] || wrong="$wrong $3: status $2;"
+    cmp -s $1.out out || wrong="$wrong $3: other answers;"
+    cmp -s $1.err err || wrong="$wrong $3: other messages;"
+}
+
+badly() { # NAME FAULTS: from a file and through a pipe
+    for job in $jobs; do
+        for j in 1 2; do
+            CYLINT_FAULTS=$2 ask "$faulty" $job -j $j <"$(input_of $job)" >out 2>err
+            same $job $? "$job -j $j from a file"
+            { cat "$(input_of $job)" | {
+                CYLINT_FAULTS=$2 ask "$faulty" $job -j $j 2>err
+                echo $? >code
+            }; } | cat >out
+            same $job "$(cat code)" "$job -j $j from a pipe"
+        done
+    done
+    verdict "$1"
+}
+
+badly 'wrapped calls that do no harm' 'leaks=1'
+badly 'short reads and writes' 'short=1 leaks=1'
+badly 'interrupted calls' 'eintr=1'
+badly 'calls that would block' 'again=1'
+badly 'polls that say wait' 'wait=1'
+badly 'a storm of signals' 'storm=50'
+badly 'standard input and output that do not block' 'nonblock=1'
+for seed in 2 3; do
+    badly "all at once ($seed)" \
+        "short=$seed eintr=$seed again=$seed wait=$seed storm=300 nonblock=1"
+done
+
+for j in 1 2; do
+    ask "$faulty" pairs -j $j <pairs >out 2>err &
+    pid=$!
+    while kill -STOP $pid && kill -CONT $pid; do
+        :
+    done 2>/dev/null
+    wait $pid
+    same pairs $? "-j $j"
+done
+verdict 'stopped and continued all the time'
+
+# A writer of single bytes, with pauses that let the reader starve: few calls
+# are to be made meanwhile, or it does not wait but ask again and again.
+head -n 3 pairs | cut -c 1-60 >few
+ask "$cylint" pairs <few >few.out 2>few.err
+for j in 1 2; do
+    { i=1
+    while [ $i -le "$(wc -c <few)" ]; do
+        tail -c +$i few | head -c 1
+        [ $((i % 20)) -ne 0 ] || sleep 0.02
+        i=$((i + 1))
+    done; } | {
+        CYLINT_FAULTS='nonblock=1 calls=1000' ask "$faulty" pairs -j $j >out 2>err
+        echo $? >code
+    }
+    same few "$(cat code)" "-j $j"
+done
+verdict 'single bytes, from a pipe that does not block'
+
+# A reader that sleeps while the pipe to it fills up.
+for j in 1 2; do
+    { CYLINT_FAULTS='nonblock=1 calls=2000' ask "$faulty" scene -j $j <rays 2>err
+    echo $? >code; } | { sleep 0.3; cat >out; }
+    same scene "$(cat code)" "-j $j"
+done
+verdict 'a slow reader of a pipe that does not block'
+
+# ------------------------------------------------------------- failures --
+
+stopped() { # STATUS EXPECTED MESSAGE WHAT
+    [ "$1" -eq "$2" ] || wrong="$wrong $4: status $1;"
+    [ "$(grep -cFx "cylint: $3" err)" -eq 1 ] || wrong="$wrong $4: $(head -n 1 err);"
+}
+
+first_lines() { # JOB LINES WHAT: out is the first lines of what is right
+    head -n "$2" $1.out | cmp -s - out || wrong="$wrong $3: other answers;"
+}
+
+# The records that were read whole are answered, whatever was read of the
+# next one.
+whole=$(head -n 5000 pairs | wc -c)
+for bytes in 0 1 $((whole - 1)) $whole $((whole + 1)) 262144; do
+    lines=$(head -n "$(head -c $bytes pairs | wc -l)" pairs | grep -c '^[a-z]')
+    for j in 1 2; do
+        CYLINT_FAULTS="read=$bytes short=5" ask "$faulty" pairs -j $j <pairs >out 2>err
+        stopped $? 3 'stdin: Input/output error' "$bytes -j $j"
+        first_lines pairs "$lines" "$bytes -j $j"
+    done
+done
+verdict 'a read that fails in mid-file'
+
+for j in 1 2; do
+    CYLINT_FAULTS="read=$(($(wc -c <shapes) - 5))" ask "$faulty" scene -j $j <rays >out 2>err
+    stopped $? 3 'shapes: Input/output error' "-j $j"
+    first_lines scene 0 "-j $j"
+done
+verdict 'a read that fails in the scene'
+
+for j in 1 2; do
+    for bytes in 0 1 100000; do
+        CYLINT_FAULTS="write=$bytes short=6 eintr=6" ask "$faulty" pairs -j $j \
+            <pairs >out 2>err
+        stopped $? 3 'standard output: No space left on device' "$bytes -j $j"
+        head -c $bytes pairs.out | cmp -s - out || wrong="$wrong $bytes -j $j: other bytes;"
+    done
+    CYLINT_FAULTS='close=1' ask "$faulty" pairs -j $j -o out <few 2>err
+    CYLINT_FAULTS='close=1' ask "$faulty" pairs -j $j <few >out 2>err
+    stopped $? 3 'standard output: Input/output error' "close -j $j"
+done
+verdict 'a write or a close that fails'
+
+# Ten thousand bytes are where a file must end, or the disk does.
+for j in 1 2; do
+    (ulimit -f 20; trap '' XFSZ; ask "$cylint" pairs -j $j -o limited <pairs 2>err)
+    stopped $? 3 'limited: File too large' "-j $j"
+    head -c "$(wc -c <limited)" pairs.out | cmp -s - limited ||
+        wrong="$wrong -j $j: other bytes;"
+    if mkdir -p disk && mount -t tmpfs -o size=64k none disk 2>/dev/null; then
+        ask "$cylint" pairs -j $j -o disk/full <pairs 2>err
+        stopped $? 3 'disk/full: No space left on device' "-j $j"
+        [ "$(wc -c <disk/full)" -ge 60000 ] &&
+            head -c "$(wc -c <disk/full)" pairs.out | cmp -s - disk/full ||
+            wrong="$wrong disk -j $j: other bytes;"
+        umount disk
+    else
+        echo 'note: no disk can be made and filled here'
+    fi
+done
+verdict 'a file that may not grow, a disk that is full'
+
+# For every n until nothing more is allocated: the n-th allocation fails,
+# alone or with all after it.
+for job in $jobs; do
+    for j in 1 2; do
+        for fault in alloc allocs; do
+            n=0 status=4
+            while [ $status -eq 4 ] && [ $n -lt 200 ]; do
+                n=$((n + 1))
+                CYLINT_FAULTS="$fault=$n leaks=1" ask "$faulty" $job -j $j \
+                    <"$(input_of $job)" >out 2>err
+                status=$?
+                [ $status -ne 4 ] || {
+                    stopped $status 4 'out of memory' "$job -j $j $fault=$n"
+                    first_lines $job "$(wc -l <out)" "$job -j $j $fault=$n"
+                }
+            done
+            same $job $status "$job -j $j $fault=$n"
+            [ $n -ge 5 ] || wrong="$wrong only $n allocations?"
+        done
+    done
+done
+verdict 'out of memory at the n-th allocation, for every n'
+
+n=0 first=
+while [ $n -lt 9 ]; do
+    n=$((n + 1))
+    CYLINT_FAULTS="thread=$n leaks=1" ask "$faulty" pairs -j 4 <pairs >out 2>err
+    same pairs $? "thread=$n"
+done
+verdict 'threads that cannot be made'
+
+for j in 1 2; do
+    { ask "$cylint" pairs -j $j <pairs 2>err; echo $? >code; } | head -n 1 >out
+    [ "$(cat code)" -eq 141 ] && [ ! -s err ] || wrong="$wrong status $(cat code), $(cat err);"
+    first_lines pairs 1 "-j $j"
+    { (trap '' PIPE; ask "$cylint" pairs -j $j <pairs 2>err; echo $? >code); } | head -n 1 >out
+    stopped "$(cat code)" 3 'standard output: Broken pipe' "-j $j, ignored"
+    first_lines pairs 1 "-j $j, ignored"
+done
+verdict 'a reader that leaves'
+
+# Ten million bad records: ten messages and a count, and no more memory than
+# for ten thousand.
+for count in 10000 10000000; do
+    for j in 1 2; do
+        yes x | head -n $count | {
+            CYLINT_FAULTS="rss=$((12000 + 8000 * j))" "$faulty" -j $j -f n 2>err
+            echo $? >code
+        } | uniq -c >out
+        [ "$(cat code)" -eq 1 ] && [ "$(wc -l <err)" -eq 11 ] &&
+            [ "$(tail -n 1 err)" = "cylint: $count bad records in all" ] &&
+            [ "$(echo $(cat out))" = "$count error" ] ||
+            wrong="$wrong $count -j $j: status $(cat code), $(tail -n 1 err)"
+    done
+done
+verdict 'ten million bad records have eleven messages'
+
+printf '%d passed, %d failed\n' $passed $failed
+[ $failed -eq 0 ]
