@@ -20,6 +20,7 @@
  *   calls=N       aborts after N reads, writes and polls
  *   rss=KIB       complains at the end if more was ever resident
  *   leaks=1       complains at the end of memory not freed
+ *   tell=1        says at the end how many allocations there were
  *
  * N counts from 1, bytes from 0.  A complaint is exit status 99.  Each call
  * draws its luck from a counter, so that one thread is unlucky the same way
@@ -43,7 +44,7 @@
 
 static long long partly, eintr, again, waits, storm, nonblock, read_most = -1,
     write_most = -1, close_nth, alloc_nth, alloc_from, thread_from,
-    calls_most, rss_most, leaks;
+    calls_most, rss_most, leaks, tell;
 
 static const struct {
     const char *name;
@@ -54,6 +55,7 @@ static const struct {
     {"read", &read_most}, {"write", &write_most}, {"close", &close_nth},
     {"alloc", &alloc_nth}, {"allocs", &alloc_from}, {"thread", &thread_from},
     {"calls", &calls_most}, {"rss", &rss_most}, {"leaks", &leaks},
+    {"tell", &tell},
 };
 
 static long long draws, calls, allocations, alive, closes, threads,
@@ -119,6 +121,9 @@ __attribute__((constructor)) static void begin(void)
 __attribute__((destructor)) static void end(void)
 {
     struct rusage used;
+    if (tell) {
+        fprintf(stderr, "faults: %lld allocations\n", allocations);
+    }
     getrusage(RUSAGE_SELF, &used);
     if (rss_most && used.ru_maxrss > rss_most) {
         fprintf(stderr, "faults: %ld KiB resident\n", used.ru_maxrss);

@@ -16,6 +16,7 @@
 #include "input.h"
 #include "main.h"
 #include "npy.h"
+#include "output.h"
 
 static int is_stdin(const char *file)
 {
@@ -70,7 +71,7 @@ static int open_next(struct input *in)
 {
     const char *file = in->files[in->next++];
     in->name = is_stdin(file) ? "stdin" : file;
-    in->fd = is_stdin(file) ? 0 : open(file, O_RDONLY | O_NOCTTY);
+    in->fd = is_stdin(file) ? 0 : open_file(file, O_RDONLY);
     if (in->fd < 0) {
         complain_errno(in->name);
         return EXIT_IO;

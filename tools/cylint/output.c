@@ -23,6 +23,15 @@ void guard_standard_streams(void)
     }
 }
 
+int open_file(const char *name, int flags)
+{
+    int fd;
+    do {
+        fd = open(name, flags | O_NOCTTY, 0666);
+    } while (fd < 0 && errno == EINTR);
+    return fd;
+}
+
 static int is_output(const struct stat *out, const char *file)
 {
     struct stat in;
@@ -57,7 +66,7 @@ int output_open(struct output *out, const struct options *o)
 {
     const char *name = o->output;
     out->name = name ? name : "standard output";
-    out->fd = name ? open(name, O_WRONLY | O_CREAT | O_NOCTTY, 0666) : 1;
+    out->fd = name ? open_file(name, O_WRONLY | O_CREAT) : 1;
     if (out->fd < 0) {
         complain_errno(out->name);
         return EXIT_IO;

@@ -17,6 +17,9 @@ struct output {
  * open becomes "standard output".  Call it first. */
 void guard_standard_streams(void);
 
+/* open(), again if a signal interrupts it, as on a pipe without a partner. */
+int open_file(const char *name, int flags);
+
 /* All three return 0 or an exit status, having said why.  The file of -o is
  * refused if it is also read from. */
 int output_open(struct output *out, const struct options *options);
