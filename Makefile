@@ -29,6 +29,12 @@ $(call optional,MPFR,$(CC) -include stdio.h -include mpfr.h,c,-lmpfr -lgmp)
 $(call optional,GSL,$(CC) -include gsl/gsl_rng.h,c,-lgsl -lgslcblas -lm)
 # a linker that puts a test's read() in the place of the system's
 $(call optional,WRAP,$(CC) -Wl$(comma)--wrap=read,c)
+# EMBREE is 3, 4 or nothing; EMBREE_CFLAGS and EMBREE_LIBS say where it is.
+embree   = $(if $(call have,$(CC) $(EMBREE_CFLAGS) -include embree$(1)/rtcore.h,c,$(or $(EMBREE_LIBS),-lembree$(1))),,$(1))
+ifeq ($(origin EMBREE),undefined)
+EMBREE        := $(or $(call embree,4),$(call embree,3))
+endif
+EMBREE_LIBS   ?= -lembree$(EMBREE)
 
 warn    := -Wall -Wextra -Wpedantic -Wconversion
 ours    := -std=c99 $(warn) -Iinclude -MMD -MP
@@ -43,6 +49,7 @@ endif
 FLAGS.fma     := -mavx2 -mfma -DCYLINT_ONE=cylint_one_fma
 FLAGS.avx2    := -mavx2 -mfma -DCYLINT_SHAPES=cylint_shapes_avx2 -DCYLINT_LINES=cylint_lines_avx2
 FLAGS.avx512  := -mavx512f -mavx512vl -mavx512dq -mavx2 -mfma -DCYLINT_SHAPES=cylint_shapes_avx512 -DCYLINT_LINES=cylint_lines_avx512
+embree_objects := $(if $(EMBREE),$(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/embree/*.c)))
 tool_sources  := $(filter-out tools/cylint/numbers_c.c,$(wildcard tools/cylint/*.c))
 tool_objects  := $(patsubst %.c,$(BUILD)/%.o,$(tool_sources)) \
                  $(BUILD)/tools/cylint/$(if $(CXX17),numbers_cxx.o,numbers_c.o)
@@ -59,6 +66,17 @@ $(BUILD)/libcylint.a: $(lib_objects)
 $(BUILD)/libcylint.so: $(lib_objects)
 	$(CC) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,libcylint.so.$(major) -o $@ $^ -lm
 
+# what depends on Embree: nothing, where there is none
+embree_library := $(if $(EMBREE),$(BUILD)/libcylint-embree.a)
+embree_link    := $(if $(EMBREE),$(EMBREE_LIBS))
+all: $(if $(EMBREE),$(BUILD)/libcylint-embree.a $(BUILD)/libcylint-embree.so)
+
+$(BUILD)/libcylint-embree.a: $(embree_objects)
+	$(AR) rcs $@ $^
+
+$(BUILD)/libcylint-embree.so: $(embree_objects) $(BUILD)/libcylint.so
+	$(CC) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,libcylint-embree.so.$(major) -o $@ $^ $(EMBREE_LIBS) -lm
+
 # The command, and once more with calls that fail as tests/faults.c is told.
 faulty_calls := read write poll open close malloc calloc realloc posix_memalign free pthread_create
 $(BUILD)/tests/faulty: $(BUILD)/tests/faults.o
@@ -67,6 +85,7 @@ $(BUILD)/cylint $(BUILD)/tests/faulty: $(tool_objects) $(BUILD)/libcylint.a
 	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) $(wrapped) -o $@ $^ $(LDLIBS) -lm
 
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
+$(BUILD)/src/embree/%.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 $(BUILD)/tools/%.o: extra := -D_POSIX_C_SOURCE=200809L
 $(BUILD)/tools/bench/%.o: extra := -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
@@ -146,6 +165,7 @@ demo: all ## scan a generated forest and show what was hit
 
 check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/faulty) ## run every test (PARANOID=1: each decision twice)
 	@$(if $(MPFR),,echo 'note: no MPFR, tests against the oracle are skipped')
+	@$(if $(EMBREE),,echo 'note: no Embree, its adapter is neither built nor tested')
 	@BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' sh tests/run.sh $(test_programs) $(test_scripts)
 
 prove: ## the error bounds, by Gappa; 1 % less must not be provable
@@ -162,6 +182,18 @@ deps: ## install what the tests need (Debian)
 deps-cross: ## what check-cross and lint need as well (Debian)
 	@sh tools/deps.sh cross
 
+fill_in = sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|' \
+	  -e 's|@EMBREE@|$(EMBREE)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|; s|@EMBREE_CFLAGS@|$(EMBREE_CFLAGS)|'
+
+define install_embree
+install -m 644 $(BUILD)/libcylint-embree.a $(DESTDIR)$(LIBDIR)
+	install -m 755 $(BUILD)/libcylint-embree.so $(DESTDIR)$(LIBDIR)/libcylint-embree.so.$(version)
+	ln -sf libcylint-embree.so.$(version) $(DESTDIR)$(LIBDIR)/libcylint-embree.so.$(major)
+	ln -sf libcylint-embree.so.$(major) $(DESTDIR)$(LIBDIR)/libcylint-embree.so
+	install -m 644 include/cylint_embree.h $(DESTDIR)$(INCLUDEDIR)
+	$(fill_in) src/embree/cylint-embree.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/cylint-embree.pc
+endef
+
 install: all ## into $(DESTDIR)$(PREFIX)
 	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(INCLUDEDIR) \
 	  $(DESTDIR)$(MANDIR)/man1 $(DESTDIR)$(MANDIR)/man3
@@ -171,15 +203,16 @@ install: all ## into $(DESTDIR)$(PREFIX)
 	ln -sf libcylint.so.$(version) $(DESTDIR)$(LIBDIR)/libcylint.so.$(major)
 	ln -sf libcylint.so.$(major) $(DESTDIR)$(LIBDIR)/libcylint.so
 	install -m 644 include/cylint.h include/cylint_methods.h $(DESTDIR)$(INCLUDEDIR)
-	sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|' \
-	  src/cylint.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc
+	$(fill_in) src/cylint.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc
+	$(if $(EMBREE),$(install_embree))
 	for m in man/*.1; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man1; done
 	for m in man/*.3; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man3; done
 
 uninstall: ## what install put there
 	rm -f $(DESTDIR)$(BINDIR)/cylint $(DESTDIR)$(LIBDIR)/libcylint.* \
-	  $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc $(DESTDIR)$(INCLUDEDIR)/cylint.h \
-	  $(DESTDIR)$(INCLUDEDIR)/cylint_methods.h $(DESTDIR)$(MANDIR)/man[13]/cylint*
+	  $(DESTDIR)$(LIBDIR)/libcylint-embree.* $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc \
+	  $(DESTDIR)$(LIBDIR)/pkgconfig/cylint-embree.pc $(DESTDIR)$(INCLUDEDIR)/cylint.h \
+	  $(DESTDIR)$(INCLUDEDIR)/cylint_methods.h $(DESTDIR)$(INCLUDEDIR)/cylint_embree.h $(DESTDIR)$(MANDIR)/man[13]/cylint*
 
 clean: ## what was built
 	rm -rf $(BUILD)

@@ -1,0 +1,201 @@
+/*
+ * adapter.c - making, updating and releasing geometries
+ */
+#include "internal.h"
+#include "moving.h"
+
+int cylint_embree_version(void)
+{
+    return CYLINT_EMBREE;
+}
+
+const char *cylint_embree_strerror(int status)
+{
+    switch (status) {
+    case CYLINT_EMBREE_OK:
+        return "no error";
+    case CYLINT_EMBREE_ESHAPE:
+        return "a shape is refused, unbounded or beyond 1.844e18";
+    case CYLINT_EMBREE_EMOTION:
+        return "a shape cannot move into one of another kind or ends";
+    case CYLINT_EMBREE_EMEMORY:
+        return "out of memory";
+    case CYLINT_EMBREE_EDEVICE:
+        return "the Embree device refused";
+    case CYLINT_EMBREE_EVERSION:
+        return "the device is of another version of Embree";
+    default:
+        return "unknown status";
+    }
+}
+
+/* ---------------------------------------------------------------- boxes -- */
+
+static void box_of(const cylint_embree_data *data, size_t number, int step,
+                   struct RTCBounds *box)
+{
+    const cylint_shape *shape = data->shapes + number;
+    if (data->moved) {
+        cylint_moving_bounds(shape, data->moved + number, step, box);
+        return;
+    }
+    double lo[3], hi[3];
+    cylint_bounds(shape, lo, hi);
+    *box = cylint_float_box(lo, hi);
+}
+
+static void bounds(const struct RTCBoundsFunctionArguments *args)
+{
+    box_of(args->geometryUserPtr, args->primID, (int)args->timeStep,
+           args->bounds_o);
+}
+
+static int is_bounded(const cylint_shape *s)
+{
+    return s->kind != CYLINT_KIND_NONE && s->ends < CYLINT_INFINITE;
+}
+
+static int check_shape(const cylint_embree_data *data, size_t i)
+{
+    const cylint_shape *shape = data->shapes + i;
+    if (i >= RTC_INVALID_GEOMETRY_ID || !is_bounded(shape) ||
+        (data->moved && !is_bounded(data->moved + i)))
+        return CYLINT_EMBREE_ESHAPE;
+    if (data->moved && !cylint_moves_into(shape, data->moved + i))
+        return CYLINT_EMBREE_EMOTION;
+    for (int step = 0; step < (data->moved ? 2 : 1); step++) {
+        struct RTCBounds box;
+        box_of(data, i, step, &box);
+        if (!cylint_keeps_box(&box))
+            return CYLINT_EMBREE_ESHAPE;
+    }
+    return CYLINT_EMBREE_OK;
+}
+
+static int check_shapes(const cylint_embree_data *data,
+                        cylint_embree_problem *problem)
+{
+    for (size_t i = 0; i < data->n; i++) {
+        problem->status = check_shape(data, i);
+        if (problem->status != CYLINT_EMBREE_OK) {
+            problem->shape = i;
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Embree has no call by which one could tell its device of an error, but a
+ * null handle is RTC_ERROR_INVALID_ARGUMENT to it. */
+static void tell_device(RTCGeometry geometry)
+{
+    rtcSetGeometryInstancedScene(geometry, NULL);
+}
+
+/* --------------------------------------------------------------- making -- */
+
+static int fill(RTCGeometry geometry, cylint_embree_data *data,
+                cylint_embree_problem *problem)
+{
+    if (!check_shapes(data, problem)) {
+        tell_device(geometry);
+        return 0;
+    }
+    rtcSetGeometryUserPrimitiveCount(geometry, (unsigned)data->n);
+    rtcCommitGeometry(geometry);
+    return 1;
+}
+
+static void attach(RTCGeometry geometry, cylint_embree_data *data)
+{
+    rtcSetGeometryUserData(geometry, data);
+    rtcSetGeometryTimeStepCount(geometry, data->moved ? 2 : 1);
+    rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
+    rtcSetGeometryBoundsFunction(geometry, bounds, NULL);
+    rtcSetGeometryIntersectFunction(geometry, cylint_embree_trace);
+    rtcSetGeometryOccludedFunction(geometry, cylint_embree_shadow);
+}
+
+static cylint_embree_data *new_data(RTCDevice device,
+                                    const cylint_shape *shapes, size_t n,
+                                    const cylint_embree_options *options)
+{
+    cylint_memory self;
+    if (!cylint_memory_take(&self, device, sizeof(cylint_embree_data)))
+        return NULL;
+    cylint_embree_data *data = self.data;
+    *data = (cylint_embree_data){.self = self, .device = device,
+                                 .shapes = shapes, .n = n};
+    if (options) {
+        data->moved = options->moved;
+        data->how = options->how;
+        data->user = options->user;
+    }
+    return data;
+}
+
+static void free_data(cylint_embree_data *data)
+{
+    cylint_memory self = data->self;
+    cylint_memory_give(&self);
+}
+
+static RTCGeometry make(RTCDevice device, const cylint_shape *shapes,
+                        size_t n, const cylint_embree_options *options,
+                        cylint_embree_problem *problem)
+{
+    if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_VERSION_MAJOR) !=
+        CYLINT_EMBREE) {
+        problem->status = CYLINT_EMBREE_EVERSION;
+        return NULL;
+    }
+    problem->status = CYLINT_EMBREE_EDEVICE;
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    if (!geometry)
+        return NULL;
+    problem->status = CYLINT_EMBREE_EMEMORY;
+    cylint_embree_data *data = new_data(device, shapes, n, options);
+    if (data) {
+        attach(geometry, data);
+        if (fill(geometry, data, problem))
+            return geometry;
+        free_data(data);
+    }
+    rtcReleaseGeometry(geometry);
+    return NULL;
+}
+
+RTCGeometry cylint_embree_geometry(RTCDevice device,
+                                   const cylint_shape *shapes, size_t n,
+                                   const cylint_embree_options *options,
+                                   cylint_embree_problem *problem)
+{
+    cylint_embree_problem here = {CYLINT_EMBREE_OK, 0};
+    RTCGeometry geometry = make(device, shapes, n, options, &here);
+    if (problem)
+        *problem = here;
+    return geometry;
+}
+
+int cylint_embree_update(RTCGeometry geometry, cylint_embree_problem *problem)
+{
+    cylint_embree_problem here = {CYLINT_EMBREE_OK, 0};
+    fill(geometry, rtcGetGeometryUserData(geometry), &here);
+    if (problem)
+        *problem = here;
+    return here.status;
+}
+
+void cylint_embree_release(RTCGeometry geometry)
+{
+    if (!geometry)
+        return;
+    free_data(rtcGetGeometryUserData(geometry));
+    rtcReleaseGeometry(geometry);
+}
+
+size_t cylint_embree_bytes(RTCGeometry geometry)
+{
+    const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
+    return data->self.bytes;
+}

@@ -1,0 +1,42 @@
+/*
+ * api.h - Embree 3 and 4 as one interface, as far as the adapter uses it
+ *
+ * CYLINT_EMBREE is the major version, set by the Makefile.
+ */
+#ifndef CYLINT_EMBREE_API_H
+#define CYLINT_EMBREE_API_H
+
+#if CYLINT_EMBREE == 4
+
+#include <embree4/rtcore.h>
+
+typedef struct RTCRayQueryContext cylint_rtc_context;
+
+#define cylint_rtc_filter_hit(args, filter) \
+    rtcInvokeIntersectFilterFromGeometry(args, filter)
+#define cylint_rtc_filter_shadow(args, filter) \
+    rtcInvokeOccludedFilterFromGeometry(args, filter)
+
+#else
+
+#include <embree3/rtcore.h>
+
+typedef struct RTCIntersectContext cylint_rtc_context;
+
+#define cylint_rtc_filter_hit(args, filter) rtcFilterIntersection(args, filter)
+#define cylint_rtc_filter_shadow(args, filter) rtcFilterOcclusion(args, filter)
+
+#endif
+
+/* The last words of a hit, which a callback takes from the context. */
+#ifdef RTC_GEOMETRY_INSTANCE_ARRAY
+#define CYLINT_INSTANCE_ARRAYS 1
+#else
+#define CYLINT_INSTANCE_ARRAYS 0
+#endif
+
+#if RTC_VERSION_MAJOR != CYLINT_EMBREE
+#error "rtcore.h is not of the Embree that the Makefile asked for"
+#endif
+
+#endif

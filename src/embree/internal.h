@@ -1,0 +1,31 @@
+/*
+ * internal.h - what the adapter's files tell each other
+ *
+ * Which way the calls point: adapter.c -> trace.c -> block.c, and
+ * adapter.c -> group.c -> block.c; all -> memory.c, box.c.
+ */
+#ifndef CYLINT_EMBREE_INTERNAL_H
+#define CYLINT_EMBREE_INTERNAL_H
+
+#include <stdint.h>
+
+#include "api.h"
+#include "cylint_embree.h"
+#include "memory.h"
+
+/* What the geometry's user data points to. */
+typedef struct cylint_embree_data {
+    cylint_memory self;           /* which holds this very struct */
+    RTCDevice device;
+    const cylint_shape *shapes;   /* at time 0 */
+    const cylint_shape *moved;    /* at time 1, or NULL */
+    size_t n;
+    unsigned how;
+    void *user;
+} cylint_embree_data;
+
+/* Callbacks of the geometry. */
+void cylint_embree_trace(const struct RTCIntersectFunctionNArguments *args);
+void cylint_embree_shadow(const struct RTCOccludedFunctionNArguments *args);
+
+#endif

@@ -1,0 +1,296 @@
+/*
+ * trace.c - Embree's callbacks: rays to candidates to hits
+ *
+ * Rays of packets are copied out, asked one by one, and copied back where
+ * they hit.  Whether and where a shape is hit is cylint_intersect()'s word;
+ * everything else only chooses which shapes to ask.
+ */
+#include <string.h>
+
+#include "bounds.h"
+#include "internal.h"
+
+/* One ray at one primitive. */
+typedef struct query {
+    const cylint_embree_data *data;
+    const struct RTCIntersectFunctionNArguments *nearest; /* one of them ... */
+    const struct RTCOccludedFunctionNArguments *any;      /* ... is NULL */
+    cylint_rtc_context *context;
+    unsigned geomID;
+    struct RTCRay *ray;
+    struct RTCHit *hit; /* of nearest */
+    cylint_line line;   /* the ray */
+} query;
+
+static cylint_status line_of(const struct RTCRay *ray, cylint_line *line)
+{
+    const double o[3] = {ray->org_x, ray->org_y, ray->org_z};
+    const double d[3] = {ray->dir_x, ray->dir_y, ray->dir_z};
+    return cylint_span(line, o, d, ray->tnear, ray->tfar);
+}
+
+/* The shape as the ray finds it; between: room for one that moves. */
+static const cylint_shape *shape_at(const cylint_embree_data *data,
+                                    unsigned number, float time,
+                                    cylint_shape *between)
+{
+    if (!data->moved)
+        return data->shapes + number;
+    cylint_embree_between(data->shapes + number, data->moved + number, time,
+                          between);
+    return between;
+}
+
+/* What tfar becomes by a hit at t <= tfar. */
+static float rounded_up(double t, float tfar)
+{
+    const float f = cylint_float_above(t);
+    return f < tfar ? f : tfar;
+}
+
+/* ------------------------------------------------------ which is first -- */
+
+static int same_instance(const struct RTCHit *hit,
+                         const cylint_rtc_context *context)
+{
+    int same = 1;
+    for (int i = 0; i < RTC_MAX_INSTANCE_LEVEL_COUNT; i++) {
+        same &= hit->instID[i] == context->instID[i];
+#if CYLINT_INSTANCE_ARRAYS
+        same &= hit->instPrimID[i] == context->instPrimID[i];
+#endif
+    }
+    return same;
+}
+
+/* The t of the ray's present hit, which tfar shows rounded up. */
+static double present_t(const query *q)
+{
+    cylint_shape between;
+    cylint_answer answer;
+    const cylint_shape *shape = shape_at(q->data, q->hit->primID,
+                                         q->ray->time, &between);
+    const int n = cylint_intersect(shape, &q->line, CYLINT_WANT_T, &answer);
+    for (int i = 0; i < n; i++)
+        if (rounded_up(answer.hit[i].t, q->ray->tfar) == q->ray->tfar)
+            return answer.hit[i].t;
+    return HUGE_VAL; /* the caller's or a filter's, not ours */
+}
+
+/* Whether a hit at t <= tfar comes before the present one.  tfar is the
+ * present t rounded up, so a t that gives a lesser float is less, and only
+ * the same float needs the present t again. */
+static int comes_first(const query *q, unsigned number, double t)
+{
+    if (rounded_up(t, q->ray->tfar) < q->ray->tfar)
+        return 1;
+    if (q->hit->geomID != q->geomID || !(q->hit->primID < q->data->n) ||
+        !same_instance(q->hit, q->context))
+        return 1;
+    const double present = present_t(q);
+    return t < present || (t == present && number < q->hit->primID);
+}
+
+/* ------------------------------------------------------------ one shape -- */
+
+/* The largest float below 1 where phi rounds to that. */
+static float turn(double phi)
+{
+    const float v = (float)phi;
+    return v < 1 ? v : 1 - FLT_EPSILON / 2;
+}
+
+static void describe(const cylint_hit *at, struct RTCHit *hit)
+{
+    hit->Ng_x = (float)at->normal[0];
+    hit->Ng_y = (float)at->normal[1];
+    hit->Ng_z = (float)at->normal[2];
+    hit->u = (float)at->z;
+    hit->v = turn(at->phi);
+}
+
+static void identify(const query *q, unsigned number, struct RTCHit *hit)
+{
+    hit->primID = number;
+    hit->geomID = q->geomID;
+    for (int i = 0; i < RTC_MAX_INSTANCE_LEVEL_COUNT; i++) {
+        hit->instID[i] = q->context->instID[i];
+#if CYLINT_INSTANCE_ARRAYS
+        hit->instPrimID[i] = q->context->instPrimID[i];
+#endif
+    }
+}
+
+#if CYLINT_EMBREE == 4
+struct filtering_context {
+    cylint_rtc_context context;
+    RTCFilterFunctionN filter;
+};
+#endif
+
+static int passes_filters(const query *q, struct RTCHit *hit)
+{
+    int valid = -1;
+    struct RTCFilterFunctionNArguments filter = {
+        &valid, q->data->user, q->context, (struct RTCRayN *)q->ray,
+        (struct RTCHitN *)hit, 1};
+    if (q->nearest)
+        cylint_rtc_filter_hit(q->nearest, &filter);
+    else
+        cylint_rtc_filter_shadow(q->any, &filter);
+#if CYLINT_EMBREE == 4
+    if (valid && q->data->how & CYLINT_EMBREE_CONTEXT_FILTER) {
+        const RTCFilterFunctionN also =
+            ((struct filtering_context *)q->context)->filter;
+        if (also)
+            also(&filter);
+    }
+#endif
+    return valid != 0;
+}
+
+/* Offers a hit to the filters; takes it if they let it pass. */
+static int take(query *q, unsigned number, const cylint_hit *at)
+{
+    const float tfar = q->ray->tfar;
+    struct RTCHit hit = {0};
+    if (!(q->data->how & CYLINT_EMBREE_BARE))
+        describe(at, &hit);
+    identify(q, number, &hit);
+    q->ray->tfar = rounded_up(at->t, tfar);
+    if (!passes_filters(q, &hit)) {
+        q->ray->tfar = tfar;
+        return 0;
+    }
+    if (q->nearest) {
+        *q->hit = hit;
+        q->line.tmax = q->ray->tfar;
+    } else {
+        q->ray->tfar = -HUGE_VALF;
+    }
+    return 1;
+}
+
+static unsigned wanted(const query *q)
+{
+    return q->data->how & CYLINT_EMBREE_BARE ? CYLINT_WANT_T :
+           CYLINT_WANT_T | CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
+           CYLINT_WANT_PHI;
+}
+
+/* 1 if the ray hits the shape and takes the hit. */
+static int try_shape(query *q, unsigned number)
+{
+    cylint_shape between;
+    cylint_answer answer;
+    const cylint_shape *shape = shape_at(q->data, number, q->ray->time,
+                                         &between);
+    const int n = cylint_intersect(shape, &q->line, wanted(q), &answer);
+    for (int i = 0; i < n; i++) {
+        const cylint_hit *at = &answer.hit[i];
+        if (q->nearest && !comes_first(q, number, at->t))
+            return 0;
+        if (take(q, number, at))
+            return 1;
+    }
+    return 0;
+}
+
+/* --------------------------------------------------------------- packets -- */
+
+/* Words of a ray and of a hit, of which packets of N store N each. */
+enum {
+    RAY_WORDS = sizeof(struct RTCRay) / 4,
+    HIT_WORDS = 7 + RTC_MAX_INSTANCE_LEVEL_COUNT * (1 + CYLINT_INSTANCE_ARRAYS)
+};
+
+static void gather(void *one, const void *packet, unsigned words, unsigned N,
+                   unsigned i)
+{
+    for (unsigned k = 0; k < words; k++)
+        memcpy((char *)one + 4 * k, (const char *)packet + 4 * (k * N + i), 4);
+}
+
+static void scatter(void *packet, const void *one, unsigned words, unsigned N,
+                    unsigned i)
+{
+    for (unsigned k = 0; k < words; k++)
+        memcpy((char *)packet + 4 * (k * N + i), (const char *)one + 4 * k, 4);
+}
+
+static int trace_one(query *q, unsigned primID)
+{
+    return line_of(q->ray, &q->line) == CYLINT_OK && try_shape(q, primID);
+}
+
+/* Ray i of the packet; the hit, where there is one, lies behind the rays. */
+static int trace_of_packet(query *q, unsigned primID, void *packet,
+                           unsigned N, unsigned i)
+{
+    struct RTCRay ray;
+    struct RTCHit hit;
+    char *hits = (char *)packet + 4 * RAY_WORDS * N;
+    gather(&ray, packet, RAY_WORDS, N, i);
+    if (q->nearest)
+        gather(&hit, hits, HIT_WORDS, N, i);
+    q->ray = &ray;
+    q->hit = &hit;
+    if (!trace_one(q, primID))
+        return 0;
+    scatter(packet, &ray, RAY_WORDS, N, i);
+    if (q->nearest)
+        scatter(hits, &hit, HIT_WORDS, N, i);
+    return 1;
+}
+
+static void trace(query *q, unsigned primID, int *valid, void *packet,
+                  unsigned N)
+{
+    for (unsigned i = 0; i < N; i++)
+        if (valid[i]) {
+            const int hit = N == 1 ? trace_one(q, primID)
+                                   : trace_of_packet(q, primID, packet, N, i);
+#if CYLINT_EMBREE == 4
+            valid[i] = hit ? -1 : 0;
+#else
+            (void)hit;
+#endif
+        }
+}
+
+void cylint_embree_trace(const struct RTCIntersectFunctionNArguments *args)
+{
+    struct RTCRayHit *one = (struct RTCRayHit *)args->rayhit;
+    query q = {.data = args->geometryUserPtr, .nearest = args,
+               .context = args->context, .geomID = args->geomID,
+               .ray = &one->ray, .hit = &one->hit};
+    trace(&q, args->primID, args->valid, args->rayhit, args->N);
+}
+
+void cylint_embree_shadow(const struct RTCOccludedFunctionNArguments *args)
+{
+    query q = {.data = args->geometryUserPtr, .any = args,
+               .context = args->context, .geomID = args->geomID,
+               .ray = (struct RTCRay *)args->ray};
+    trace(&q, args->primID, args->valid, args->ray, args->N);
+}
+
+void cylint_embree_complete(struct RTCGeometryTy *geometry,
+                            struct RTCRayHit *rayhit)
+{
+    const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
+    const query q = {.data = data, .ray = &rayhit->ray, .hit = &rayhit->hit};
+    cylint_line line;
+    cylint_shape between;
+    cylint_answer answer;
+    if (line_of(q.ray, &line) != CYLINT_OK || !(q.hit->primID < data->n))
+        return;
+    const cylint_shape *shape = shape_at(data, q.hit->primID, q.ray->time,
+                                         &between);
+    const int n = cylint_intersect(shape, &line, CYLINT_WANT_ALL, &answer);
+    for (int i = 0; i < n; i++)
+        if (rounded_up(answer.hit[i].t, q.ray->tfar) == q.ray->tfar) {
+            describe(&answer.hit[i], q.hit);
+            return;
+        }
+}
