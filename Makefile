@@ -55,6 +55,8 @@ tool_objects  := $(patsubst %.c,$(BUILD)/%.o,$(tool_sources)) \
                  $(BUILD)/tools/cylint/$(if $(CXX17),numbers_cxx.o,numbers_c.o)
 test_common   := $(BUILD)/tests/families.o $(BUILD)/tests/constructed.o $(if $(MPFR),$(BUILD)/tests/oracle.o)
 test_programs := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_*.c))
+embree_tests  := $(filter $(BUILD)/tests/test_scene% $(BUILD)/tests/test_embree%,$(test_programs))
+test_programs := $(filter-out $(if $(EMBREE),,$(embree_tests)),$(test_programs))
 test_scripts  := $(wildcard tests/test_*.sh)
 test_libs     := $(if $(MPFR),-lmpfr -lgmp) $(if $(GSL),-lgsl -lgslcblas)
 
@@ -113,6 +115,10 @@ $(BUILD)/tests/test_batch: test_libs += -pthread
 $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 
+$(BUILD)/tests/test_scene: $(BUILD)/tests/scenes.o
+$(embree_tests): %: %.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(EMBREE_LIBS) -pthread -lm
+
 # Long runs, not part of `make check`; what they take is said in each file.
 $(BUILD)/tests/stress $(BUILD)/tests/search $(BUILD)/tests/records: %: %.o $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
@@ -141,6 +147,9 @@ stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, an hour or less
 
 search: $(BUILD)/tests/search ## hill climbing for the worst errors and the slowest query
 	$(BUILD)/tests/search
+
+check-scene: $(BUILD)/tests/test_scene ## scenes against brute force, two minutes or so
+	$(BUILD)/tests/test_scene 1000
 
 covered: all $(test_programs)
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/run.sh $(test_programs) tests/test_hard.sh
@@ -190,7 +199,7 @@ install -m 644 $(BUILD)/libcylint-embree.a $(DESTDIR)$(LIBDIR)
 	install -m 755 $(BUILD)/libcylint-embree.so $(DESTDIR)$(LIBDIR)/libcylint-embree.so.$(version)
 	ln -sf libcylint-embree.so.$(version) $(DESTDIR)$(LIBDIR)/libcylint-embree.so.$(major)
 	ln -sf libcylint-embree.so.$(major) $(DESTDIR)$(LIBDIR)/libcylint-embree.so
-	install -m 644 include/cylint_embree.h $(DESTDIR)$(INCLUDEDIR)
+	install -m 644 include/cylint_embree.h include/cylint_scene.h $(DESTDIR)$(INCLUDEDIR)
 	$(fill_in) src/embree/cylint-embree.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/cylint-embree.pc
 endef
 
@@ -212,7 +221,7 @@ uninstall: ## what install put there
 	rm -f $(DESTDIR)$(BINDIR)/cylint $(DESTDIR)$(LIBDIR)/libcylint.* \
 	  $(DESTDIR)$(LIBDIR)/libcylint-embree.* $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc \
 	  $(DESTDIR)$(LIBDIR)/pkgconfig/cylint-embree.pc $(DESTDIR)$(INCLUDEDIR)/cylint.h \
-	  $(DESTDIR)$(INCLUDEDIR)/cylint_methods.h $(DESTDIR)$(INCLUDEDIR)/cylint_embree.h $(DESTDIR)$(MANDIR)/man[13]/cylint*
+	  $(DESTDIR)$(INCLUDEDIR)/cylint_methods.h $(DESTDIR)$(INCLUDEDIR)/cylint_embree.h $(DESTDIR)$(INCLUDEDIR)/cylint_scene.h $(DESTDIR)$(MANDIR)/man[13]/cylint*
 
 clean: ## what was built
 	rm -rf $(BUILD)
@@ -220,7 +229,7 @@ clean: ## what was built
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' Makefile
 
-.PHONY: all bench bench_programs demo stress search covered coverage mutants check check-cross prove lint sanitize deps deps-cross install uninstall clean help
+.PHONY: check-scene all bench bench_programs demo stress search covered coverage mutants check check-cross prove lint sanitize deps deps-cross install uninstall clean help
 .SECONDARY:
 %.d: ;
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,0 +1,116 @@
+/*
+ * frame.c - lines of doubles in the floats of a scene's own coordinates
+ */
+#include "../eft.h"
+#include "frame.h"
+
+static double largest(const double x[3])
+{
+    return fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2])));
+}
+
+int cylint_frame_make(cylint_frame *frame, const double lo[3],
+                      const double hi[3])
+{
+    double half[3];
+    int e;
+    for (int j = 0; j < 3; j++) {
+        frame->lo[j] = lo[j];
+        frame->hi[j] = hi[j];
+        frame->center[j] = lo[j] / 2 + hi[j] / 2;
+        half[j] = fmax(hi[j] - frame->center[j], frame->center[j] - lo[j]);
+    }
+    const double size = largest(half);
+    if (!(largest(lo) <= CYLINT_FRAME_MOST) ||
+        !(largest(hi) <= CYLINT_FRAME_MOST) || !(size >= CYLINT_FRAME_LEAST))
+        return 0;
+    frexp(size, &e);
+    frame->scale = ldexp(1, -e);
+    return 1;
+}
+
+void cylint_frame_box(const cylint_frame *frame, const double lo[3],
+                      const double hi[3], float box_lo[3], float box_hi[3])
+{
+    for (int j = 0; j < 3; j++) {
+        const double from = (lo[j] - frame->center[j]) * frame->scale;
+        const double to = (hi[j] - frame->center[j]) * frame->scale;
+        box_lo[j] = (float)(from - CYLINT_FRAME_PAD);
+        box_hi[j] = (float)(to + CYLINT_FRAME_PAD);
+    }
+}
+
+/* Where the line's domain begins and ends to be within the frame's box.  A
+ * quotient errs by less than 2^-51 of itself, by what a segment's direction
+ * misses as well; one that underflows moves a point by less than 2^-200 of
+ * the frame.  A 0/0 sets no limit. */
+static void clip(const cylint_frame *f, const cylint_line *line, double *from,
+                 double *to)
+{
+    *from = line->tmin;
+    *to = line->tmax;
+    for (int j = 0; j < 3; j++) {
+        const int up = line->d[j] > 0;
+        double first = ((up ? f->lo[j] : f->hi[j]) - line->o[j]) / line->d[j];
+        double last = ((up ? f->hi[j] : f->lo[j]) - line->o[j]) / line->d[j];
+        first -= fabs(first) * 0x1p-50;
+        last += fabs(last) * 0x1p-50;
+        if (line->d[j] == 0) { /* a direction of -0 has its signs reversed */
+            if (line->o[j] < f->lo[j] || line->o[j] > f->hi[j])
+                *to = -HUGE_VAL;
+            continue;
+        }
+        *from = first > *from ? first : *from;
+        *to = last < *to ? last : *to;
+    }
+}
+
+/*
+ * With e where the clipped domain begins, the ray begins at
+ *
+ *     (o - center + e d) scale,   in pairs,
+ *
+ * which errs by less than 2^-102 of |o - center| + |e d| (bounds.h), so by
+ * 2^-32 of the frame where these are at most 2^70 of it; a quarter of 2^-24,
+ * that is, with what the last rounding and the division by the largest
+ * component of d add.  e is too early by 2^-50 of itself: a line from very
+ * far would begin far outside, where floats are coarse; hence the limits on
+ * o and length.
+ */
+cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
+    const cylint_line *line, cylint_frame_ray *ray)
+{
+    double to;
+    if (!line->valid)
+        return CYLINT_FRAME_PASSED;
+    const double size = largest(line->d);
+    if (!(size <= CYLINT_FRAME_MOST) || !(size >= CYLINT_FRAME_LEAST) ||
+        !(largest(line->o) <= CYLINT_FRAME_MOST) ||
+        !cylint_rounds_to_nearest())
+        return CYLINT_FRAME_WILD;
+    clip(frame, line, &ray->entry, &to);
+    if (ray->entry > to)
+        return CYLINT_FRAME_PASSED;
+    ray->per_t = size * frame->scale;
+    for (int j = 0; j < 3; j++) {
+        const pair from = two_diff(line->o[j], frame->center[j]);
+        pair step = two_prod(ray->entry, line->d[j]);
+        step.lo += ray->entry * line->d_lo[j];
+        const double at = pair_add(from, step).hi * frame->scale;
+        const double far = (fabs(from.hi) + fabs(step.hi)) * frame->scale;
+        if (!(fabs(at) < 2) || !(far <= 0x1p70))
+            return CYLINT_FRAME_WILD;
+        ray->o[j] = (float)at;
+        ray->d[j] = (float)(line->d[j] / size);
+    }
+    ray->length = cylint_frame_reach(ray, to);
+    return ray->length <= 2.5f ? CYLINT_FRAME_ENTERED : CYLINT_FRAME_WILD;
+}
+
+/* Such a root is below the double after t.  The difference and products err
+ * by 2^-51 of s, the float by 2^-24 or by an underflow. */
+float cylint_frame_reach(const cylint_frame_ray *ray, double t)
+{
+    const double s = (nextafter(t, HUGE_VAL) - ray->entry) * ray->per_t;
+    return (float)(s * (1 + 0x1p-23) + 0x1p-100);
+}

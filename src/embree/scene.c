@@ -1,0 +1,422 @@
+/*
+ * scene.c - exact answers about many shapes, most of which are not asked
+ *
+ * Embree walks boxes that hold the shapes and leaves out those that the
+ * line's float ray does not meet, or meets only behind the nearest hit so
+ * far.  Boxes are padded (frame.h), so that a box which holds a hit of the
+ * line is met by the float ray, and that is all that is asked of floats.
+ * Whatever shape is left is asked by cylint_intersect().
+ *
+ * Of Embree this assumes: with RTC_SCENE_FLAG_ROBUST, every primitive whose
+ * box has a point in common with the ray, both taken as real numbers, within
+ * [tnear, tfar], is offered to the callback exactly once; a tfar that a
+ * callback made smaller leaves out only boxes which begin beyond it.
+ */
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "api.h"
+#include "cylint_scene.h"
+#include "frame.h"
+
+enum { MOST_SHAPES = 1 << 28 };
+
+struct cylint_scene {
+    const cylint_shape *shapes;
+    size_t n;
+    cylint_frame frame;
+    uint32_t *boxed;       /* the numbers of the shapes in the hierarchy */
+    uint32_t *loose;       /* and of those beside it, ascending */
+    size_t n_boxed, n_loose;
+    cylint_shape *copies;  /* of the latter, for their pack */
+    void *pack_memory;
+    cylint_pack pack;
+    RTCDevice device;
+    RTCScene tree;
+    size_t own_bytes;
+    ptrdiff_t embree_bytes;
+};
+
+const char *cylint_scene_strerror(int status)
+{
+    switch (status) {
+    case CYLINT_SCENE_OK:
+        return "no error";
+    case CYLINT_SCENE_EMEMORY:
+        return "out of memory";
+    case CYLINT_SCENE_ESIZE:
+        return "too many shapes for one scene";
+    case CYLINT_SCENE_EEMBREE:
+        return "Embree does not run here";
+    default:
+        return "unknown status";
+    }
+}
+
+/* ------------------------------------------------------------ building -- */
+
+/* Whether the shape has a box that a frame can hold; a refused one has
+ * none. */
+static int has_box(const cylint_shape *shape, double lo[3], double hi[3])
+{
+    if (shape->kind == CYLINT_KIND_NONE)
+        return 0;
+    cylint_bounds(shape, lo, hi);
+    for (int j = 0; j < 3; j++)
+        if (!(lo[j] >= -CYLINT_FRAME_MOST && hi[j] <= CYLINT_FRAME_MOST))
+            return 0;
+    return 1;
+}
+
+static void *keep(cylint_scene *s, size_t count, size_t size)
+{
+    s->own_bytes += count * size;
+    return malloc(count > 0 ? count * size : 1);
+}
+
+/* The frame of all that have boxes; 0 if there is none. */
+static int make_frame(cylint_scene *s)
+{
+    double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    double hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < s->n; i++) {
+        double from[3], to[3];
+        if (!has_box(&s->shapes[i], from, to))
+            continue;
+        s->n_boxed++;
+        for (int j = 0; j < 3; j++) {
+            lo[j] = fmin(lo[j], from[j]);
+            hi[j] = fmax(hi[j], to[j]);
+        }
+    }
+    if (s->n_boxed > 0 && cylint_frame_make(&s->frame, lo, hi))
+        return 1;
+    s->n_boxed = 0;
+    return 0;
+}
+
+/* Numbers of boxed shapes, and a pack of the others.  A refused shape is
+ * neither, for no line meets it. */
+static int sort_shapes(cylint_scene *s, int framed)
+{
+    double lo[3], hi[3];
+    size_t valid = 0, boxed = 0, loose = 0;
+    for (size_t i = 0; i < s->n; i++)
+        valid += s->shapes[i].kind != CYLINT_KIND_NONE;
+    s->n_loose = valid - s->n_boxed;
+    s->boxed = keep(s, s->n_boxed, sizeof *s->boxed);
+    s->loose = keep(s, s->n_loose, sizeof *s->loose);
+    s->copies = keep(s, s->n_loose, sizeof *s->copies);
+    s->pack_memory = keep(s, cylint_pack_bytes(s->n_loose), 1);
+    if (!s->boxed || !s->loose || !s->copies || !s->pack_memory)
+        return 0;
+    for (size_t i = 0; i < s->n; i++) {
+        if (framed && has_box(&s->shapes[i], lo, hi)) {
+            s->boxed[boxed++] = (uint32_t)i;
+        } else if (s->shapes[i].kind != CYLINT_KIND_NONE) {
+            s->loose[loose] = (uint32_t)i;
+            s->copies[loose++] = s->shapes[i];
+        }
+    }
+    cylint_pack_shapes(&s->pack, s->pack_memory, s->copies, s->n_loose);
+    return 1;
+}
+
+static void give_bounds(const struct RTCBoundsFunctionArguments *args)
+{
+    const cylint_scene *s = args->geometryUserPtr;
+    double lo[3], hi[3];
+    float box_lo[3], box_hi[3];
+    cylint_bounds(&s->shapes[s->boxed[args->primID]], lo, hi);
+    cylint_frame_box(&s->frame, lo, hi, box_lo, box_hi);
+    args->bounds_o->lower_x = box_lo[0];
+    args->bounds_o->lower_y = box_lo[1];
+    args->bounds_o->lower_z = box_lo[2];
+    args->bounds_o->upper_x = box_hi[0];
+    args->bounds_o->upper_y = box_hi[1];
+    args->bounds_o->upper_z = box_hi[2];
+}
+
+static bool count_bytes(void *scene, ssize_t bytes, bool after)
+{
+    (void)after;
+    cylint_scene *s = scene;
+    __atomic_fetch_add(&s->embree_bytes, bytes, __ATOMIC_RELAXED);
+    return true;
+}
+
+static void ask_nearest(const struct RTCIntersectFunctionNArguments *args);
+static void ask_count(const struct RTCOccludedFunctionNArguments *args);
+
+static cylint_scene_status build_tree(cylint_scene *s, int threads)
+{
+    char config[64];
+    snprintf(config, sizeof config, "threads=%d", threads > 0 ? threads : 0);
+    s->device = rtcNewDevice(config);
+    if (!s->device)
+        return CYLINT_SCENE_EEMBREE;
+    rtcSetDeviceMemoryMonitorFunction(s->device, count_bytes, s);
+    s->tree = rtcNewScene(s->device);
+    RTCGeometry g = rtcNewGeometry(s->device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetSceneFlags(s->tree, RTC_SCENE_FLAG_ROBUST);
+    rtcSetGeometryUserPrimitiveCount(g, (unsigned)s->n_boxed);
+    rtcSetGeometryUserData(g, s);
+    rtcSetGeometryBoundsFunction(g, give_bounds, NULL);
+    rtcSetGeometryIntersectFunction(g, ask_nearest);
+    rtcSetGeometryOccludedFunction(g, ask_count);
+    rtcCommitGeometry(g);
+    rtcAttachGeometry(s->tree, g);
+    rtcReleaseGeometry(g);
+    rtcCommitScene(s->tree);
+    switch (rtcGetDeviceError(s->device)) {
+    case RTC_ERROR_NONE:
+        return CYLINT_SCENE_OK;
+    case RTC_ERROR_OUT_OF_MEMORY:
+        return CYLINT_SCENE_EMEMORY;
+    default:
+        return CYLINT_SCENE_EEMBREE;
+    }
+}
+
+static cylint_scene_status build(cylint_scene *s, int threads)
+{
+    if (s->n > MOST_SHAPES)
+        return CYLINT_SCENE_ESIZE;
+    if (!sort_shapes(s, make_frame(s)))
+        return CYLINT_SCENE_EMEMORY;
+    return s->n_boxed > 0 ? build_tree(s, threads) : CYLINT_SCENE_OK;
+}
+
+cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
+                               int threads, cylint_scene_status *status)
+{
+    cylint_scene *s = calloc(1, sizeof *s);
+    cylint_scene_status result = CYLINT_SCENE_EMEMORY;
+    if (s) {
+        s->shapes = shapes;
+        s->n = n;
+        s->own_bytes = sizeof *s;
+        result = build(s, threads);
+    }
+    if (status)
+        *status = result;
+    if (result == CYLINT_SCENE_OK)
+        return s;
+    cylint_scene_free(s);
+    return NULL;
+}
+
+void cylint_scene_free(cylint_scene *scene)
+{
+    if (!scene)
+        return;
+    if (scene->tree)
+        rtcReleaseScene(scene->tree);
+    if (scene->device)
+        rtcReleaseDevice(scene->device);
+    free(scene->boxed);
+    free(scene->loose);
+    free(scene->copies);
+    free(scene->pack_memory);
+    free(scene);
+}
+
+size_t cylint_scene_bytes(const cylint_scene *scene)
+{
+    return scene->own_bytes + (size_t)scene->embree_bytes;
+}
+
+/* ------------------------------------------------------------- queries -- */
+
+/* One question on its way through the hierarchy; Embree hands its context
+ * to the callbacks. */
+typedef struct {
+    cylint_rtc_context context;
+    const cylint_scene *scene;
+    cylint_line line;      /* tmax: what is beyond is of no interest */
+    cylint_frame_ray ray;
+    size_t best;           /* nearest: its number, and its hit */
+    cylint_hit hit;
+    size_t count, enough;  /* count and all */
+    size_t *numbers, room; /* a heap of the lowest numbers, highest first */
+} question;
+
+static question *question_of(cylint_rtc_context *context)
+{
+    return (question *)(void *)context;
+}
+
+/* Takes the shape's hit if it is the first so far.  Roots that round to t
+ * are no greater than the double above t, so that one bounds what may still
+ * be nearest, or as near with a lower number. */
+static int take_nearest(question *q, size_t number)
+{
+    cylint_answer answer;
+    if (!cylint_intersect(&q->scene->shapes[number], &q->line,
+                          CYLINT_WANT_T | CYLINT_WANT_PART |
+                          CYLINT_WANT_NEAREST, &answer))
+        return 0;
+    const cylint_hit *hit = &answer.hit[0];
+    if (q->best < q->scene->n && (hit->t > q->hit.t ||
+        (hit->t == q->hit.t && number > q->best)))
+        return 0;
+    q->best = number;
+    q->hit = *hit;
+    q->line.tmax = fmin(q->line.tmax, nextafter(hit->t, HUGE_VAL));
+    return 1;
+}
+
+static void sift_down(size_t *heap, size_t n, size_t from)
+{
+    const size_t x = heap[from];
+    size_t child;
+    while ((child = 2 * from + 1) < n) {
+        child += child + 1 < n && heap[child + 1] > heap[child];
+        if (heap[child] <= x)
+            break;
+        heap[from] = heap[child];
+        from = child;
+    }
+    heap[from] = x;
+}
+
+/* Keeps the number if it is one of the lowest. */
+static void keep_number(question *q, size_t number)
+{
+    size_t at = q->count;
+    if (at < q->room) {
+        for (; at > 0 && q->numbers[(at - 1) / 2] < number; at = (at - 1) / 2)
+            q->numbers[at] = q->numbers[(at - 1) / 2];
+        q->numbers[at] = number;
+    } else if (q->room > 0 && number < q->numbers[0]) {
+        q->numbers[0] = number;
+        sift_down(q->numbers, q->room, 0);
+    }
+}
+
+static void sort_heap(size_t *heap, size_t n)
+{
+    while (n-- > 1) {
+        const size_t highest = heap[0];
+        heap[0] = heap[n];
+        heap[n] = highest;
+        sift_down(heap, n, 0);
+    }
+}
+
+/* Whether there are enough now. */
+static int take_count(question *q, size_t number)
+{
+    if (cylint_occluded(&q->scene->shapes[number], &q->line)) {
+        keep_number(q, number);
+        q->count++;
+    }
+    return q->enough != 0 && q->count == q->enough;
+}
+
+static void ask_nearest(const struct RTCIntersectFunctionNArguments *args)
+{
+    question *q = question_of(args->context);
+    if (args->valid[0] && take_nearest(q, q->scene->boxed[args->primID])) {
+        float *tfar = &((struct RTCRayHit *)(void *)args->rayhit)->ray.tfar;
+        *tfar = fminf(*tfar, cylint_frame_reach(&q->ray, q->hit.t));
+    }
+}
+
+static void ask_count(const struct RTCOccludedFunctionNArguments *args)
+{
+    question *q = question_of(args->context);
+    if (args->valid[0] && take_count(q, q->scene->boxed[args->primID]))
+        ((struct RTCRay *)(void *)args->ray)->tfar = -INFINITY;
+}
+
+static struct RTCRay embree_ray(const cylint_frame_ray *r)
+{
+    return (struct RTCRay){
+        .org_x = r->o[0], .org_y = r->o[1], .org_z = r->o[2],
+        .dir_x = r->d[0], .dir_y = r->d[1], .dir_z = r->d[2],
+        .tfar = r->length, .mask = ~0u};
+}
+
+/* Walks the hierarchy, or, where no float ray will do, asks every shape in
+ * it. */
+static void walk(question *q, int nearest)
+{
+    const cylint_scene *s = q->scene;
+    if (s->n_boxed == 0)
+        return;
+    const cylint_frame_verdict verdict =
+        cylint_frame_line(&s->frame, &q->line, &q->ray);
+    if (verdict == CYLINT_FRAME_WILD) {
+        for (size_t i = 0; i < s->n_boxed; i++)
+            if (nearest)
+                take_nearest(q, s->boxed[i]);
+            else if (take_count(q, s->boxed[i]))
+                return;
+    } else if (verdict == CYLINT_FRAME_ENTERED && nearest) {
+        struct RTCRayHit ray = {.ray = embree_ray(&q->ray)};
+        cylint_rtc_nearest(s->tree, &q->context, &ray);
+    } else if (verdict == CYLINT_FRAME_ENTERED) {
+        struct RTCRay ray = embree_ray(&q->ray);
+        cylint_rtc_any(s->tree, &q->context, &ray);
+    }
+}
+
+static void open_question(question *q, const cylint_scene *scene,
+                          const cylint_line *line)
+{
+    cylint_rtc_init(&q->context);
+    q->scene = scene;
+    q->line = *line;
+    q->best = scene->n;
+    q->count = q->enough = q->room = 0;
+}
+
+size_t cylint_scene_nearest(const cylint_scene *scene,
+                            const cylint_line *line, unsigned want,
+                            cylint_hit *hit)
+{
+    question q;
+    open_question(&q, scene, line);
+    const size_t loose = cylint_nearest(&scene->pack, line, 0, &q.hit);
+    if (loose < scene->n_loose)
+        take_nearest(&q, scene->loose[loose]);
+    walk(&q, 1);
+    if (q.best < scene->n && want) {
+        cylint_answer answer;
+        answer.hit[0] = *hit; /* what is not wanted is not written */
+        cylint_intersect(&scene->shapes[q.best], line,
+                         (want & ~(unsigned)CYLINT_WANT_FAST) |
+                         CYLINT_WANT_NEAREST, &answer);
+        *hit = answer.hit[0];
+    }
+    return q.best;
+}
+
+size_t cylint_scene_count(const cylint_scene *scene, const cylint_line *line,
+                          size_t enough)
+{
+    question q;
+    open_question(&q, scene, line);
+    q.enough = enough;
+    q.count = cylint_count(&scene->pack, line, enough);
+    if (enough == 0 || q.count < enough)
+        walk(&q, 0);
+    return q.count;
+}
+
+size_t cylint_scene_all(const cylint_scene *scene, const cylint_line *line,
+                        size_t *numbers, size_t room)
+{
+    question q;
+    open_question(&q, scene, line);
+    q.numbers = numbers;
+    q.room = room;
+    for (size_t i = 0; i < scene->n_loose; i++)
+        take_count(&q, scene->loose[i]);
+    walk(&q, 0);
+    sort_heap(numbers, q.count < room ? q.count : room);
+    return q.count;
+}

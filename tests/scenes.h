@@ -1,0 +1,56 @@
+/*
+ * scenes.h - many shapes, and lines that are hard for a hierarchy of them
+ *
+ * What the tests and benchmarks of cylint_scene draw from.  Scene and line
+ * are fixed by the seed; no library is needed.
+ */
+#ifndef CYLINT_SCENES_H
+#define CYLINT_SCENES_H
+
+#include <stdint.h>
+
+#include "cylint.h"
+
+struct scene_shapes {
+    const char *name;
+    cylint_shape *shapes;
+    size_t n;
+    double lo[3], hi[3]; /* a box of those that have one */
+};
+
+/* Generated kinds of scenes, by number from 0; 0 if there is no such.  The
+ * caller frees *scene by scene_release(). */
+int scene_generate(int kind, size_t n, uint64_t seed,
+                   struct scene_shapes *scene);
+
+/* A scene of the command, cylinders and cones in decimal only, as the
+ * scripts of tools/convert write them, from what the shell command prints.
+ * 0 if there is none. */
+int scene_from(const char *name, const char *command,
+               struct scene_shapes *scene);
+
+void scene_release(struct scene_shapes *scene);
+
+enum scene_lines {
+    LINES_CAMERA,  /* from one eye */
+    LINES_RANDOM,  /* through two points of the box, |d| 1e-8 to 1e8 */
+    LINES_GRAZING, /* tangents at a hit, then moved by 0 to 1e-8 */
+    LINES_AXIS,    /* down an axis, exactly or nearly */
+    LINES_FAR,     /* to a shape from 1e3 to 1e16 sizes of the scene away */
+    LINES_SHADOW,  /* from a rounded hit to a light */
+    LINES_BEYOND,  /* the rest of a line behind a hit */
+    LINES_SEGMENT, /* between points of the box */
+    LINES_SPAN,    /* domains of either sign, and whole lines */
+    LINES_PARALLEL,/* to the coordinate axes, zeros of both signs */
+    LINES_WILD,    /* subnormal or huge data, and lines that are refused */
+    LINES_KINDS
+};
+
+extern const char *const scene_lines_name[LINES_KINDS];
+
+/* Line `index` of a kind; its status. */
+cylint_status scene_line(const struct scene_shapes *scene,
+                         enum scene_lines kind, uint64_t seed, uint64_t index,
+                         cylint_line *line);
+
+#endif

@@ -1,0 +1,347 @@
+/*
+ * test_scene.c - a scene answers what all its shapes answer, bit for bit
+ *
+ * Every kind of scene is asked every kind of line, and so is each shape of
+ * it, by batch: no shape may be missed, none be told that is not hit, none
+ * but the same be nearest, and no bit of its hit differ.  With an argument,
+ * that many lines of each kind for each scene (make check-scene).
+ * CYLINT_SEED changes everything drawn.
+ */
+#include <math.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "scenes.h"
+
+enum { SHAPES = 1500, LINES = 60, THREADS = 8 };
+
+static size_t lines_of_a_kind = LINES;
+
+static uint64_t seed(void)
+{
+    const char *text = getenv("CYLINT_SEED");
+    return text ? strtoull(text, NULL, 10) : 1;
+}
+
+static void *room(size_t bytes)
+{
+    void *p = malloc(bytes > 0 ? bytes : 1);
+    if (!p)
+        abort();
+    return p;
+}
+
+/* ------------------------------------------------------------ one scene -- */
+
+/* A scene both ways. */
+struct asked {
+    struct scene_shapes of;
+    cylint_scene *scene;
+    cylint_pack pack;
+    void *memory;
+    signed char *hits;   /* of all shapes, by brute force */
+    size_t *numbers;
+};
+
+static int open_both(struct asked *a)
+{
+    cylint_scene_status status;
+    a->scene = cylint_scene_new(a->of.shapes, a->of.n, 2, &status);
+    a->memory = room(cylint_pack_bytes(a->of.n));
+    cylint_pack_shapes(&a->pack, a->memory, a->of.shapes, a->of.n);
+    a->hits = room(a->of.n);
+    a->numbers = room(a->of.n * sizeof *a->numbers);
+    return CHECK(a->scene && status == CYLINT_SCENE_OK);
+}
+
+static void close_both(struct asked *a)
+{
+    cylint_scene_free(a->scene);
+    free(a->memory);
+    free(a->hits);
+    free(a->numbers);
+    scene_release(&a->of);
+}
+
+static void show_line(const struct asked *a, const cylint_line *l,
+                      const char *what, size_t got, size_t want)
+{
+    REPORT("scene %s, seed %llu, %s: %zu, by brute force %zu", a->of.name,
+           (unsigned long long)seed(), what, got, want);
+    if (l->segment)
+        REPORT("segment %a %a %a  %a %a %a", l->o[0], l->o[1], l->o[2],
+               l->end[0], l->end[1], l->end[2]);
+    else
+        REPORT("span %a %a %a  %a %a %a  %a %a", l->o[0], l->o[1], l->o[2],
+               l->d[0], l->d[1], l->d[2], l->tmin, l->tmax);
+}
+
+static int same_hit(const cylint_hit *x, const cylint_hit *y)
+{
+    return memcmp(x, y, sizeof *x) == 0;
+}
+
+static void check_nearest(const struct asked *a, const cylint_line *line)
+{
+    cylint_hit got, want;
+    memset(&got, 0x55, sizeof got);
+    memset(&want, 0x55, sizeof want);
+    const size_t i = cylint_scene_nearest(a->scene, line, CYLINT_WANT_ALL,
+                                          &got);
+    const size_t j = cylint_nearest(&a->pack, line, CYLINT_WANT_ALL, &want);
+    if (!CHECK(i == j && same_hit(&got, &want))) {
+        show_line(a, line, "nearest", i, j);
+        if (i < a->of.n && j < a->of.n)
+            REPORT("t %a, by brute force %a", got.t, want.t);
+    }
+}
+
+static void check_numbers(const struct asked *a, const cylint_line *line)
+{
+    cylint_columns columns = {0};
+    size_t count = 0;
+    columns.n = a->hits;
+    cylint_intersect_shapes(&a->pack, line, &columns);
+    for (size_t i = 0; i < a->of.n; i++)
+        count += a->hits[i] > 0;
+    const size_t all = cylint_scene_all(a->scene, line, a->numbers, a->of.n);
+    int same = all == count;
+    for (size_t i = 0, k = 0; i < a->of.n && same; i++)
+        same = a->hits[i] <= 0 || a->numbers[k++] == i;
+    if (!CHECK(same))
+        show_line(a, line, "all", all, count);
+    const size_t some = count / 2, room_left = some;
+    a->numbers[some] = a->of.n;
+    if (!CHECK(cylint_scene_all(a->scene, line, a->numbers, room_left) ==
+               count && a->numbers[some] == a->of.n))
+        show_line(a, line, "all, half the room", all, count);
+    for (size_t i = 0, k = 0; i < a->of.n && k < some; i++)
+        if (a->hits[i] > 0 && !CHECK(a->numbers[k++] == i))
+            show_line(a, line, "all, the lower half", a->numbers[k - 1], i);
+    const size_t counted = cylint_scene_count(a->scene, line, 0);
+    if (!CHECK(counted == count))
+        show_line(a, line, "count", counted, count);
+    const size_t any = cylint_scene_count(a->scene, line, 1);
+    if (!CHECK(any == (count > 0)))
+        show_line(a, line, "any", any, count > 0);
+    const size_t three = cylint_scene_count(a->scene, line, 3);
+    if (!CHECK(three == (count < 3 ? count : 3)))
+        show_line(a, line, "three", three, count);
+}
+
+/* What doubles cannot decide takes brute force far longer. */
+static size_t shapes_of(int kind)
+{
+    struct scene_shapes few;
+    double extreme = 0;
+    if (!scene_generate(kind, 1, seed(), &few))
+        return 0;
+    extreme = fmax(fabs(few.lo[0]), fabs(few.hi[0]));
+    scene_release(&few);
+    return extreme < 1e-30 || extreme > 1e30 ? SHAPES / 30 : SHAPES;
+}
+
+static size_t lines_asked, lines_hit;
+
+static void check_lines(const struct asked *a)
+{
+    for (int kind = 0; kind < LINES_KINDS; kind++)
+        for (size_t i = 0; i < lines_of_a_kind / (kind == LINES_WILD ? 10 : 1);
+             i++) {
+            cylint_line line;
+            cylint_hit hit;
+            scene_line(&a->of, (enum scene_lines)kind, seed(), i, &line);
+            check_nearest(a, &line);
+            check_numbers(a, &line);
+            lines_asked++;
+            lines_hit += cylint_scene_nearest(a->scene, &line, 0, &hit) <
+                         a->of.n;
+        }
+}
+
+static void generated_scenes_answer_as_brute_force_does(void)
+{
+    struct asked a;
+    for (int kind = 0; scene_generate(kind, shapes_of(kind), seed(), &a.of);
+         kind++) {
+        if (open_both(&a))
+            check_lines(&a);
+        close_both(&a);
+    }
+}
+
+static void small_scenes_answer_as_brute_force_does(void)
+{
+    struct asked a;
+    for (size_t n = 1; n <= 20; n++)
+        for (int kind = 0; scene_generate(kind, n, seed(), &a.of); kind++) {
+            if (open_both(&a))
+                for (int lines = 0; lines < LINES_KINDS; lines++) {
+                    cylint_line line;
+                    scene_line(&a.of, (enum scene_lines)lines, seed(), n,
+                               &line);
+                    check_nearest(&a, &line);
+                    check_numbers(&a, &line);
+                }
+            close_both(&a);
+        }
+}
+
+static void real_scenes_answer_as_brute_force_does(void)
+{
+    static const char *const real[][2] = {
+        {"neuron", "tools/convert/swc2scene ../shared/data/medulla_7114.swc "
+                   "2>/dev/null"},
+        {"tree", "tools/convert/qsm2scene ../shared/data/tree_archi.csv "
+                 "2>/dev/null"},
+    };
+    const size_t usual = lines_of_a_kind;
+    lines_of_a_kind = usual > LINES ? usual / 4 : usual / 2;
+    for (size_t i = 0; i < sizeof real / sizeof real[0]; i++) {
+        struct asked a;
+        if (!scene_from(real[i][0], real[i][1], &a.of)) {
+            printf("note: no %s in ../shared/data\n", real[i][0]);
+            continue;
+        }
+        if (open_both(&a))
+            check_lines(&a);
+        close_both(&a);
+    }
+    lines_of_a_kind = usual;
+}
+
+/* ------------------------------------------------------------ contracts -- */
+
+static void a_scene_of_nothing_is_never_hit(void)
+{
+    const double o[3] = {0, 0, 0}, d[3] = {1, 2, 3};
+    cylint_scene *scene = cylint_scene_new(NULL, 0, 1, NULL);
+    cylint_line line;
+    cylint_hit hit;
+    cylint_ray(&line, o, d);
+    if (!CHECK(scene != NULL))
+        return;
+    CHECK(cylint_scene_nearest(scene, &line, CYLINT_WANT_ALL, &hit) == 0);
+    CHECK(cylint_scene_count(scene, &line, 0) == 0);
+    CHECK(cylint_scene_all(scene, &line, NULL, 0) == 0);
+    CHECK(cylint_scene_bytes(scene) > 0);
+    cylint_scene_free(scene);
+    cylint_scene_free(NULL);
+}
+
+static void what_is_not_wanted_is_not_written(void)
+{
+    struct asked a;
+    scene_generate(0, 200, seed(), &a.of);
+    if (open_both(&a))
+        for (size_t i = 0; i < 40; i++)
+            for (unsigned want = 0; want <= CYLINT_WANT_ALL; want++) {
+                cylint_line line;
+                cylint_hit got, by_batch;
+                memset(&got, 0x55, sizeof got);
+                memset(&by_batch, 0x55, sizeof by_batch);
+                scene_line(&a.of, LINES_CAMERA, seed(), i, &line);
+                cylint_scene_nearest(a.scene, &line, want, &got);
+                cylint_nearest(&a.pack, &line, want, &by_batch);
+                CHECK(same_hit(&got, &by_batch));
+            }
+    close_both(&a);
+}
+
+static void what_is_behind_a_hit_is_never_that_hit(void)
+{
+    struct asked a;
+    size_t hits = 0;
+    for (int kind = 0; scene_generate(kind, 500, seed(), &a.of); kind++) {
+        if (open_both(&a))
+            for (size_t i = 0; i < 200; i++) {
+                cylint_line line;
+                cylint_hit hit, next;
+                if (scene_line(&a.of, LINES_RANDOM, seed(), i, &line))
+                    continue;
+                const size_t first = cylint_scene_nearest(a.scene, &line,
+                    CYLINT_WANT_T, &hit);
+                const double o[3] = {line.o[0], line.o[1], line.o[2]};
+                const double d[3] = {line.d[0], line.d[1], line.d[2]};
+                if (first == a.of.n ||
+                    cylint_span(&line, o, d, nextafter(hit.t, HUGE_VAL),
+                                HUGE_VAL))
+                    continue;
+                hits++;
+                if (cylint_scene_nearest(a.scene, &line, CYLINT_WANT_T,
+                                         &next) < a.of.n)
+                    CHECK(next.t > hit.t);
+            }
+        close_both(&a);
+    }
+    CHECK(hits > 500);
+}
+
+/* -------------------------------------------------------------- threads -- */
+
+struct part {
+    const struct asked *asked;
+    uint64_t sum; /* of all answers */
+    pthread_t thread;
+};
+
+static void *answer_part(void *argument)
+{
+    struct part *p = argument;
+    const struct asked *a = p->asked;
+    for (int kind = 0; kind < LINES_KINDS; kind++)
+        for (size_t i = 0; i < LINES; i++) {
+            cylint_line line;
+            cylint_hit hit;
+            size_t numbers[16];
+            uint64_t t = 0;
+            scene_line(&a->of, (enum scene_lines)kind, seed(), i, &line);
+            const size_t n = cylint_scene_nearest(a->scene, &line,
+                                                  CYLINT_WANT_T, &hit);
+            if (n < a->of.n)
+                memcpy(&t, &hit.t, sizeof t);
+            p->sum = p->sum * 31 + n + t;
+            p->sum = p->sum * 31 + cylint_scene_count(a->scene, &line, 2);
+            p->sum = p->sum * 31 + cylint_scene_all(a->scene, &line, numbers,
+                                                    16);
+        }
+    return NULL;
+}
+
+static void threads_share_a_scene_and_get_the_same_answers(void)
+{
+    struct asked a;
+    struct part parts[THREADS];
+    scene_generate(6, SHAPES, seed(), &a.of);
+    if (open_both(&a)) {
+        for (int i = 0; i < THREADS; i++) {
+            parts[i] = (struct part){.asked = &a};
+            if (pthread_create(&parts[i].thread, NULL, answer_part,
+                               &parts[i]) != 0)
+                abort();
+        }
+        for (int i = 0; i < THREADS; i++)
+            pthread_join(parts[i].thread, NULL);
+        for (int i = 1; i < THREADS; i++)
+            CHECK(parts[i].sum == parts[0].sum);
+    }
+    close_both(&a);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc > 1)
+        lines_of_a_kind = strtoull(argv[1], NULL, 10);
+    RUN(generated_scenes_answer_as_brute_force_does);
+    RUN(small_scenes_answer_as_brute_force_does);
+    RUN(real_scenes_answer_as_brute_force_does);
+    RUN(a_scene_of_nothing_is_never_hit);
+    RUN(what_is_not_wanted_is_not_written);
+    RUN(what_is_behind_a_hit_is_never_that_hit);
+    RUN(threads_share_a_scene_and_get_the_same_answers);
+    printf("note: %zu lines, %zu of them hit\n", lines_asked, lines_hit);
+    return check_end();
+}
