@@ -82,9 +82,9 @@ $(BUILD)/libcylint-embree.so: $(embree_objects) $(BUILD)/libcylint.so
 # The command, and once more with calls that fail as tests/faults.c is told.
 faulty_calls := read write poll open close malloc calloc realloc posix_memalign free pthread_create
 $(BUILD)/tests/faulty: $(BUILD)/tests/faults.o
-$(BUILD)/tests/faulty: wrapped := $(foreach c,$(faulty_calls),-Wl,--wrap=$(c)) -pthread
+$(BUILD)/tests/faulty: wrapped := $(foreach c,$(faulty_calls),-Wl,--wrap=$(c))
 $(BUILD)/cylint $(BUILD)/tests/faulty: $(tool_objects) $(BUILD)/libcylint.a
-	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) $(wrapped) -o $@ $^ $(LDLIBS) -lm
+	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) -pthread $(wrapped) -o $@ $^ $(LDLIBS) -lm
 
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
 $(BUILD)/src/embree/%.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)

@@ -40,7 +40,7 @@ static const char help[] =
 "  -C                 copy blank lines and comments through\n"
 "  -b, --binary-in, --binary-out\n"
 "                     little-endian doubles in and out, in, out (needs -k)\n"
-"  -j N               workers\n"
+"  -j N               workers, at most; one for each processor by default\n"
 "  --hits-only        only answers with a hit\n"
 "  --header           column names first\n"
 "  -o FILE            output file\n"

@@ -20,21 +20,33 @@ void job_prepare(struct job *job, const struct options *options,
                  "method '%s' does not answer%s", options->method->name,
                  options->scene ? "" : " for this");
     }
+    turns_prepare(&job->turns);
     progress_start(&job->progress, options->progress);
 }
 
-static int deliver(struct job *job, struct block *b)
+int job_block(const struct job *job, struct block *block)
 {
-    const int status = output_write(&job->out, b->out.data, b->out.length);
+    const struct options *o = job->options;
+    return block_room(block, row_room(&o->fields, &o->style),
+                      o->query == QUERY_ALL ? job->scene->count : 0);
+}
+
+/* Keeps the turn, so that what is left of the block follows. */
+static enum answered deliver(struct job *job, struct block *b)
+{
+    if (!turns_wait(&job->turns, b->ticket)) {
+        return OVERTAKEN;
+    }
+    job->status = output_write(&job->out, b->out.data, b->out.length);
     b->out.length = 0;
     report_notes(&job->report, &b->notes, b->name);
     b->notes.count = 0;
-    return status;
+    return job->status == 0 ? ANSWERED : ANSWERED_LAST;
 }
 
-static int deliver_if_full(struct job *job, struct block *b)
+static enum answered deliver_if_full(struct job *job, struct block *b)
 {
-    return b->out.length >= TEXT_FULL ? deliver(job, b) : 0;
+    return b->out.length >= TEXT_FULL ? deliver(job, b) : ANSWERED;
 }
 
 static solver solver_of(const struct options *o)
@@ -50,7 +62,7 @@ struct task {
     struct block *block;
     struct row row;
     struct fault fault;
-    int status; /* of a delivery in between */
+    enum answered status; /* of a delivery in between */
 };
 
 static void put_answer(struct task *task, int hit)
@@ -131,7 +143,7 @@ static int answer_all_by_method(struct task *task)
     if (refused > 0) {
         return refuse_method(task, refused);
     }
-    for (size_t i = 0; i < scene->count && task->status == 0; i++) {
+    for (size_t i = 0; i < scene->count && task->status == ANSWERED; i++) {
         answer_one_of_all(task, i);
     }
     return 1;
@@ -146,7 +158,8 @@ static int answer_all(struct task *task)
     }
     scene_hits(task->job->scene, &task->block->parsed.line, hits);
     for (size_t i = next_hit(hits, 0, count);
-         i < count && task->status == 0; i = next_hit(hits, i + 1, count)) {
+         i < count && task->status == ANSWERED;
+         i = next_hit(hits, i + 1, count)) {
         answer_one_of_all(task, i);
     }
     return 1;
@@ -202,7 +215,7 @@ static void answer_text(struct task *task)
     const char *end = b->text + b->length;
     unsigned long long number = b->line;
     const char *stop;
-    for (const char *line = b->text; line < end && task->status == 0
+    for (const char *line = b->text; line < end && task->status == ANSWERED
          && !b->stopped; line = stop + 1, number++) {
         stop = end_of_line(line, end);
         if (is_record(line, stop)) {
@@ -214,7 +227,7 @@ static void answer_text(struct task *task)
         } else if (o->comments) {
             copy_comment(b, line, stop);
         }
-        if (task->status == 0) {
+        if (task->status == ANSWERED) {
             task->status = deliver_if_full(task->job, b);
         }
     }
@@ -240,20 +253,31 @@ static void answer_doubles(struct task *task)
 {
     struct block *b = task->block;
     const size_t size = task->job->in.record_size;
-    for (size_t at = 0; at < b->length && task->status == 0 && !b->stopped;
-         at += size) {
+    for (size_t at = 0; at < b->length && task->status == ANSWERED
+         && !b->stopped; at += size) {
         if (!take_doubles(task, b->text + at, size, b->length - at)
             || !answer_record(task)) {
             mark_bad(task, 0, NULL);
         }
         task->row.record++;
-        if (task->status == 0) {
+        if (task->status == ANSWERED) {
             task->status = deliver_if_full(task->job, b);
         }
     }
 }
 
-int answer_block(struct job *job, struct block *b)
+/* The input's end, a failure of it and -e stop end the work. */
+static enum answered finish_block(struct job *job, const struct block *b)
+{
+    progress_add(&job->progress, b->records, (double)b->input, job->in.total);
+    if (b->failure.status != 0) {
+        job->status = b->failure.status;
+        input_complain(b);
+    }
+    return b->length == 0 || b->stopped ? ANSWERED_LAST : ANSWERED;
+}
+
+enum answered answer_block(struct job *job, struct block *b)
 {
     struct task task;
     memset(&task, 0, sizeof task);
@@ -265,10 +289,8 @@ int answer_block(struct job *job, struct block *b)
     } else {
         answer_text(&task);
     }
-    if (task.status == 0) {
+    if (task.status == ANSWERED) {
         task.status = deliver(job, b);
     }
-    progress_add(&job->progress, b->records, (double)job->in.bytes,
-                 job->in.total);
-    return task.status;
+    return task.status == ANSWERED ? finish_block(job, b) : task.status;
 }

@@ -10,25 +10,38 @@
 #include "output.h"
 #include "progress.h"
 #include "scene.h"
+#include "turns.h"
 
-/* What all blocks share.  The first group does not change; the second is
- * for the block whose turn it is to be delivered. */
+/* What all blocks share.  The first group does not change, the second is for
+ * whoever reads, the last for the block whose turn it is to be delivered. */
 struct job {
     const struct options *options;
     const struct scene *scene;
     char refusal[96]; /* said when the method does not answer */
 
     struct input in;
+
+    struct turns turns;
+
     struct output out;
     struct report report;
     struct progress progress;
+    int status; /* with which the work ended */
 };
 
 void job_prepare(struct job *job, const struct options *options,
                  const struct scene *scene);
 
-/* Answers all records of a block and delivers the answers.  Returns 0 or an
- * exit status; b->stopped if a bad record is to end the work. */
-int answer_block(struct job *job, struct block *b);
+/* Makes buffers for the job's blocks; returns whether there is memory. */
+int job_block(const struct job *job, struct block *block);
+
+enum answered {
+    ANSWERED,      /* it is still the block's turn */
+    ANSWERED_LAST, /* so it is, but there will be no other: job->status */
+    OVERTAKEN      /* the work ended before its turn came */
+};
+
+/* Answers all records of a block and delivers the answers in its turn. */
+enum answered answer_block(struct job *job, struct block *b);
 
 #endif

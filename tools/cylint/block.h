@@ -17,15 +17,28 @@ enum {
     BLOCK_ROOM = 2 * LINE_MOST   /* a long line, and what comes with it */
 };
 
+/* Why there is no more input though there should be; status 0: there is no
+ * failure.  Told when all that came before is answered. */
+struct failure {
+    int status;
+    const char *what; /* NULL: errno tells */
+    int error;        /* errno */
+};
+
 struct block {
     char *text;       /* whole records, and one byte more: a NUL; but the
                          last may be the beginning of a line too long, or
                          a binary record that the input's end cut off */
     size_t length;
+    int full;         /* as much as is read at a time: there may be more */
     const char *name; /* of the file, for messages */
     unsigned long long line;    /* number of the first line, from 1 */
     unsigned long long record;  /* number of the first record, from 1 */
     unsigned long long records; /* how many there are */
+
+    unsigned long long ticket;  /* blocks are delivered in this order */
+    unsigned long long input;   /* bytes of input read with it, in all */
+    struct failure failure;     /* of the input behind it */
 
     struct text out;
     struct notes notes;

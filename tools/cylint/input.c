@@ -45,7 +45,7 @@ int input_open(struct input *in, char *const *files, int count,
     in->files = files;
     in->count = count;
     in->record_size = record_size;
-    in->fd = -1;
+    in->fd = in->ending = -1;
     in->record = 1;
     in->total = total_size(files, count);
     in->carry = malloc(BLOCK_ROOM);
@@ -67,14 +67,21 @@ void input_close(struct input *in)
     in->carry = NULL;
 }
 
-static int open_next(struct input *in)
+/* Returns 0: there is no input. */
+static int fail(struct block *b, const char *what, int error)
+{
+    b->failure = (struct failure){EXIT_IO, what, error};
+    b->length = 0;
+    return 0;
+}
+
+static int open_next(struct input *in, struct block *b)
 {
     const char *file = in->files[in->next++];
-    in->name = is_stdin(file) ? "stdin" : file;
+    in->name = b->name = is_stdin(file) ? "stdin" : file;
     in->fd = is_stdin(file) ? 0 : open_file(file, O_RDONLY);
     if (in->fd < 0) {
-        complain_errno(in->name);
-        return EXIT_IO;
+        return fail(b, NULL, errno);
     }
     struct stat s;
     in->regular = fstat(in->fd, &s) == 0 && S_ISREG(s.st_mode);
@@ -82,7 +89,7 @@ static int open_next(struct input *in)
     in->fresh = 1;
     in->ended = in->promised = 0;
     in->bytes_given = 0;
-    return 0;
+    return 1;
 }
 
 /* ------------------------------------------------------------ reading -- */
@@ -96,10 +103,19 @@ static int would_wait(const struct input *in)
     return ready == 0;
 }
 
+/* Returns whether there is anything to read, be it the end. */
+static int wait_for_input(const struct input *in)
+{
+    struct pollfd p[2] = {{in->fd, POLLIN, 0}, {in->ending, POLLIN, 0}};
+    while (!in->regular && poll(p, 2, -1) < 0 && errno == EINTR) {
+    }
+    return in->regular || p[1].revents == 0;
+}
+
 /* Appends to the block's text.  At the end, and at an error, in->ended. */
 static void read_more(struct input *in, struct block *b)
 {
-    for (;;) {
+    while (wait_for_input(in)) {
         const ssize_t n = read(in->fd, b->text + b->length, BLOCK_GOAL);
         if (n > 0) {
             b->length += (size_t)n;
@@ -107,18 +123,14 @@ static void read_more(struct input *in, struct block *b)
             return;
         }
         if (n == 0) {
-            in->ended = 1;
-            return;
+            break;
         }
-        if (errno == EAGAIN || errno == EWOULDBLOCK) {
-            struct pollfd p = {in->fd, POLLIN, 0};
-            poll(&p, 1, -1);
-        } else if (errno != EINTR) {
+        if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) {
             in->error = errno;
-            in->ended = 1;
-            return;
+            break;
         }
     }
+    in->ended = 1;
 }
 
 static void drop_front(struct block *b, size_t n)
@@ -177,6 +189,7 @@ static size_t gather(struct input *in, struct block *b)
         read_more(in, b);
         whole = find_whole(in, b, whole, seen);
     }
+    b->full = b->length >= BLOCK_GOAL;
     return in->ended && !in->error ? b->length : whole;
 }
 
@@ -224,11 +237,12 @@ static int read_until(struct input *in, struct block *b, size_t length)
     return b->length >= length;
 }
 
+/* Returns 0 if it is not to be understood. */
 static int skip_npy_header(struct input *in, struct block *b)
 {
     const char *wrong = NULL;
     if (!read_until(in, b, NPY_PREFIX) || !npy_begins(b->text, b->length)) {
-        return 0;
+        return 1;
     }
     const size_t length = npy_length(b->text);
     unsigned long long rows = 0;
@@ -241,30 +255,26 @@ static int skip_npy_header(struct input *in, struct block *b)
                          in->record_size / sizeof(double), &rows);
     }
     if (wrong) {
-        complain(in->name, wrong);
-        return EXIT_IO;
+        return fail(b, wrong, 0);
     }
     drop_front(b, length);
     in->promised = 1;
     in->bytes_promised = rows * in->record_size;
-    return 0;
+    return 1;
 }
 
-/* What was put off until the block before it was given out. */
-static int finish_file(struct input *in)
+/* What was put off until the block before it was given out.  Returns 0 at a
+ * failure. */
+static int finish_file(struct input *in, struct block *b)
 {
     const int kept = !in->promised || in->bytes_given == in->bytes_promised;
     close_file(in);
+    b->name = in->name;
     if (in->error) {
-        errno = in->error;
-        complain_errno(in->name);
-        return EXIT_IO;
+        return fail(b, NULL, in->error);
     }
-    if (!kept) {
-        complain(in->name, "the .npy header promises another number of rows");
-        return EXIT_IO;
-    }
-    return 0;
+    return kept || fail(b, "the .npy header promises another number of rows",
+                        0);
 }
 
 static int begin_block(struct input *in, struct block *b)
@@ -273,18 +283,15 @@ static int begin_block(struct input *in, struct block *b)
     b->length = in->carried;
     in->carried = 0;
     skip_line(in, b);
-    return in->fresh && in->record_size > 0 ? skip_npy_header(in, b) : 0;
+    return !in->fresh || in->record_size == 0 || skip_npy_header(in, b);
 }
 
-/* Leaves a file that was read, if one is open, for the next; none is open
- * after the last. */
-static int change_file(struct input *in)
+/* Leaves a file that was read, if one is open, for the next.  Returns 0 if
+ * there is none, or at a failure. */
+static int change_file(struct input *in, struct block *b)
 {
-    const int status = in->fd < 0 ? 0 : finish_file(in);
-    if (status != 0 || in->next == in->count) {
-        return status;
-    }
-    return open_next(in);
+    return (in->fd < 0 || finish_file(in, b)) && in->next < in->count
+        && open_next(in, b);
 }
 
 /* What is gathered beyond the last whole record waits for the next block;
@@ -303,37 +310,63 @@ static void cut_block(struct input *in, struct block *b, size_t whole)
     b->text[b->length] = '\0';
 }
 
-int input_next(struct input *in, struct block *b)
+static void fill_block(struct input *in, struct block *b)
 {
-    b->length = 0;
-    b->records = 0;
-    b->stopped = 0;
-    b->notes.count = 0;
     while (b->length == 0) {
-        if (in->fd < 0 || in->ended) {
-            const int status = change_file(in);
-            if (status != 0 || in->fd < 0) {
-                return status;
-            }
+        if ((in->fd < 0 || in->ended) && !change_file(in, b)) {
+            return;
         }
-        const int status = begin_block(in, b);
-        if (status != 0) {
-            return status;
+        if (!begin_block(in, b)) {
+            return;
         }
         cut_block(in, b, gather(in, b));
         count_records(in, b);
     }
-    return 0;
 }
 
-int block_make(struct block *block, size_t row, size_t shapes)
+void input_take(struct input *in, struct block *b)
+{
+    b->length = 0;
+    b->records = 0;
+    b->full = 0;
+    b->stopped = 0;
+    b->notes.count = 0;
+    b->failure.status = 0;
+    fill_block(in, b);
+    b->input = in->bytes;
+}
+
+void input_complain(const struct block *b)
+{
+    if (b->failure.what) {
+        complain(b->name, b->failure.what);
+    } else {
+        errno = b->failure.error;
+        complain_errno(b->name);
+    }
+}
+
+int input_next(struct input *in, struct block *b)
+{
+    input_take(in, b);
+    if (b->failure.status != 0) {
+        input_complain(b);
+    }
+    return b->failure.status;
+}
+
+int block_room(struct block *block, size_t row, size_t shapes)
 {
     memset(block, 0, sizeof *block);
     block->text = malloc(BLOCK_ROOM + 1);
     block->out.data = malloc(TEXT_FULL + LINE_MOST + row + 2);
     block->hits = malloc(shapes + 1);
-    return block->text && block->out.data && block->hits ? 0
-                                                         : out_of_memory();
+    return block->text && block->out.data && block->hits;
+}
+
+int block_make(struct block *block, size_t row, size_t shapes)
+{
+    return block_room(block, row, shapes) ? 0 : out_of_memory();
 }
 
 void block_free(struct block *block)

@@ -24,21 +24,30 @@ struct input {
     int promised;       /* a .npy header told how many bytes follow */
     unsigned long long bytes_promised, bytes_given;
     int error;          /* errno of a read: to be told after what came before */
+    int ending;         /* a descriptor: when it is at its end, waiting for
+                           input is too; -1: none */
 
     unsigned long long bytes; /* read so far, of all files */
     double total;             /* bytes of all files; 0: not known */
 };
 
-/* Both return 0 or an exit status, having said what is wrong. */
+/* Returns 0 or an exit status, having said what is wrong. */
 int input_open(struct input *in, char *const *files, int count,
                size_t record_size);
-/* Fills the block; its length is 0 at the end of all input. */
+/* Fills the block; its length is 0 at the end of all input, and where
+ * block->failure tells of one. */
+void input_take(struct input *in, struct block *block);
+/* Tells the failure. */
+void input_complain(const struct block *block);
+/* The same at once: returns 0 or an exit status, having said what is wrong. */
 int input_next(struct input *in, struct block *block);
 
 void input_close(struct input *in);
 
 /* A block's buffers, for answers of at most `row` bytes beside the tail, and
- * for the numbers of hits with so many shapes. */
+ * for the numbers of hits with so many shapes.  block_room() returns whether
+ * there is memory, block_make() 0 or an exit status, having said it. */
+int block_room(struct block *block, size_t row, size_t shapes);
 int block_make(struct block *block, size_t row, size_t shapes);
 void block_free(struct block *block);
 

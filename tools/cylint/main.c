@@ -3,30 +3,26 @@
  *
  * The locale is never set: numbers have a point everywhere.
  */
-#include "answer.h"
 #include "main.h"
+#include "processors.h"
+#include "workers.h"
 
 const char *const program = "cylint";
 
-static int put_first_line(struct job *job, struct block *b)
+/* Before any worker is there. */
+static int put_first_line(struct job *job)
 {
     const struct options *o = job->options;
+    struct block b;
     if (!o->header) {
         return 0;
     }
-    put_header(&b->out, &o->fields, &o->style);
-    const int status = output_write(&job->out, b->out.data, b->out.length);
-    b->out.length = 0;
-    return status;
-}
-
-static int answer_input(struct job *job, struct block *b)
-{
-    int status = put_first_line(job, b);
-    while (status == 0 && !b->stopped
-           && (status = input_next(&job->in, b)) == 0 && b->length > 0) {
-        status = answer_block(job, b);
+    int status = block_make(&b, row_room(&o->fields, &o->style), 0);
+    if (status == 0) {
+        put_header(&b.out, &o->fields, &o->style);
+        status = output_write(&job->out, b.out.data, b.out.length);
     }
+    block_free(&b);
     return status;
 }
 
@@ -41,21 +37,18 @@ static int open_input(struct job *job)
 static int run(struct job *job)
 {
     const struct options *o = job->options;
-    struct block block;
     int status = output_open(&job->out, o);
     if (status != 0) {
         return status;
     }
-    status = block_make(&block, row_room(&o->fields, &o->style),
-                        o->query == QUERY_ALL ? job->scene->count : 0);
+    status = open_input(job);
     if (status == 0) {
-        status = open_input(job);
+        status = put_first_line(job);
     }
     if (status == 0) {
-        status = answer_input(job, &block);
-        input_close(&job->in);
+        status = workers_run(job, o->workers > 0 ? o->workers : processors());
     }
-    block_free(&block);
+    input_close(&job->in);
     progress_end(&job->progress);
     report_end(&job->report);
     const int closed = output_close(&job->out);
@@ -88,6 +81,7 @@ int main(int argc, char **argv)
     if (status == 0) {
         job_prepare(&job, &options, &scene);
         status = run(&job);
+        turns_destroy(&job.turns);
     }
     scene_free(&scene);
     return status;
