@@ -80,7 +80,7 @@ $(BUILD)/libcylint-embree.so: $(embree_objects) $(BUILD)/libcylint.so
 	$(CC) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,libcylint-embree.so.$(major) -o $@ $^ $(EMBREE_LIBS) -lm
 
 # The command, and once more with calls that fail as tests/faults.c is told.
-faulty_calls := read write poll open close malloc calloc realloc posix_memalign free pthread_create
+faulty_calls := read write poll open close malloc calloc realloc posix_memalign free pipe pthread_create
 $(BUILD)/tests/faulty: $(BUILD)/tests/faults.o
 $(BUILD)/tests/faulty: wrapped := $(foreach c,$(faulty_calls),-Wl,--wrap=$(c))
 $(BUILD)/cylint $(BUILD)/tests/faulty: $(tool_objects) $(BUILD)/libcylint.a

@@ -17,6 +17,7 @@
  *   close=N       the N-th close fails with EIO
  *   alloc=N       the N-th allocation fails; allocs=N: that and all after
  *   thread=N      the N-th thread is not made, nor any after
+ *   pipe=1        no pipe is made
  *   calls=N       aborts after N reads, writes and polls
  *   rss=KIB       complains at the end if more was ever resident
  *   leaks=1       complains at the end of memory not freed
@@ -44,7 +45,7 @@
 
 static long long partly, eintr, again, waits, storm, nonblock, read_most = -1,
     write_most = -1, close_nth, alloc_nth, alloc_from, thread_from,
-    calls_most, rss_most, leaks, tell;
+    pipes, calls_most, rss_most, leaks, tell;
 
 static const struct {
     const char *name;
@@ -54,6 +55,7 @@ static const struct {
     {"wait", &waits}, {"storm", &storm}, {"nonblock", &nonblock},
     {"read", &read_most}, {"write", &write_most}, {"close", &close_nth},
     {"alloc", &alloc_nth}, {"allocs", &alloc_from}, {"thread", &thread_from},
+    {"pipe", &pipes},
     {"calls", &calls_most}, {"rss", &rss_most}, {"leaks", &leaks},
     {"tell", &tell},
 };
@@ -243,6 +245,16 @@ int __wrap_close(int fd)
         return -1;
     }
     return fails(eintr, EINTR) ? -1 : status;
+}
+
+int __real_pipe(int ends[2]);
+int __wrap_pipe(int ends[2])
+{
+    if (pipes) {
+        errno = EMFILE;
+        return -1;
+    }
+    return __real_pipe(ends);
 }
 
 int __real_pthread_create(pthread_t *thread, const pthread_attr_t *attr,

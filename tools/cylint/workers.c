@@ -31,7 +31,8 @@ struct crew {
     struct worker *hired;    /* all but the first */
 
     int ending[2]; /* a pipe: closed when the work is over, so that a worker
-                      that waits for input hears of it */
+                      that waits for input hears of it; made before there is
+                      more than one, else -1 */
 };
 
 static void *work(void *worker);
@@ -57,10 +58,20 @@ static void free_worker(struct worker *w)
     free(w);
 }
 
-/* Where memory or threads are short, those there are go on. */
+static int has_ending(struct crew *crew)
+{
+    if (crew->ending[0] < 0 && pipe(crew->ending) == 0) {
+        fcntl(crew->ending[0], F_SETFD, FD_CLOEXEC);
+        fcntl(crew->ending[1], F_SETFD, FD_CLOEXEC);
+        crew->job->in.ending = crew->ending[0];
+    }
+    return crew->ending[0] >= 0;
+}
+
+/* Where memory, threads or descriptors are short, those there are go on. */
 static void hire(struct crew *crew)
 {
-    struct worker *w = make_worker(crew);
+    struct worker *w = has_ending(crew) ? make_worker(crew) : NULL;
     if (w && pthread_create(&w->thread, NULL, work, w) == 0) {
         w->next = crew->hired;
         crew->hired = w;
@@ -89,6 +100,13 @@ static int take_block(struct crew *crew, struct block *b)
     return !over;
 }
 
+static void close_end(int fd)
+{
+    if (fd >= 0) {
+        close(fd);
+    }
+}
+
 static void *work(void *worker)
 {
     struct worker *w = worker;
@@ -102,25 +120,13 @@ static void *work(void *worker)
             break;
         case ANSWERED_LAST:
             turns_end(&job->turns);
-            close(crew->ending[1]);
+            close_end(crew->ending[1]);
             break;
         default: /* OVERTAKEN */
             break;
         }
     }
     return NULL;
-}
-
-static void open_ending(struct crew *crew)
-{
-    if (crew->most > 1 && pipe(crew->ending) == 0) {
-        fcntl(crew->ending[0], F_SETFD, FD_CLOEXEC);
-        fcntl(crew->ending[1], F_SETFD, FD_CLOEXEC);
-    } else {
-        crew->ending[0] = crew->ending[1] = -1;
-        crew->most = 1;
-    }
-    crew->job->in.ending = crew->ending[0];
 }
 
 /* Nobody is hired any more once the work is over and nobody is reading. */
@@ -135,7 +141,7 @@ static void dismiss(struct crew *crew)
         free_worker(w);
         w = next;
     }
-    close(crew->ending[0]);
+    close_end(crew->ending[0]);
     pthread_mutex_destroy(&crew->reading);
 }
 
@@ -147,7 +153,6 @@ int workers_run(struct job *job, int most)
     if (!first) {
         return out_of_memory();
     }
-    open_ending(&crew);
     work(first);
     dismiss(&crew);
     free_worker(first);
