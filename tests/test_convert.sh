@@ -91,25 +91,25 @@ swc2scene: 1 edge of no radius skipped"
         $swc "$scratch/a.swc" "$scratch/b.swc"
     input '1 1 0 0 0 2 -1\n2 1 0 abc 0 2 1\n'
     refuses swc_refuses_what_is_no_number \
-        'swc2scene: -:2: expected a number, found "abc"' $swc
+        "swc2scene: -:2: expected a number, found 'abc'" $swc
     input '1 1 0 0 1e999 2 -1\n'
     refuses swc_refuses_overflow \
-        'swc2scene: -:1: expected a number, found "1e999"' $swc
+        "swc2scene: -:1: number too large: '1e999'" $swc
     input '1 1 0 0 nan 2 -1\n'
     refuses swc_refuses_nan \
-        'swc2scene: -:1: expected a number, found "nan"' $swc
+        "swc2scene: -:1: expected a number, found 'nan'" $swc
     input '1 1 0 0 0x10 2 -1\n'
     refuses swc_refuses_hexadecimal \
-        'swc2scene: -:1: expected a number, found "0x10"' $swc
+        "swc2scene: -:1: expected a number, found '0x10'" $swc
     input '1 1 0 0 0 2\n'
     refuses swc_refuses_short_lines \
-        'swc2scene: -:1: expected 7 fields, found 6' $swc
+        "swc2scene: -:1: expected a node's number or -1, found the end of the line" $swc
     input '1 1 0 0 0 -2 -1\n'
     refuses swc_refuses_negative_radii \
-        'swc2scene: -:1: negative radius -2' $swc
+        "swc2scene: -:1: negative radius: '-2'" $swc
     input '1 1 0 0 0 2 -1\n1 1 0 0 3 2 -1\n'
     refuses swc_refuses_a_node_given_twice \
-        'swc2scene: -:2: node 1 was given before' $swc
+        "swc2scene: -:2: this node was given before: '1'" $swc
     ! $swc "$scratch/missing" > /dev/null 2>&1
     verdict swc_fails_on_a_missing_file $?
 }
@@ -133,13 +133,13 @@ qsm2scene: 1 cylinder of no radius skipped"
     gives qsm_reads_treeqsm_text $qsm -t
     input 'radius,startX,startY\n1,2,3\n'
     refuses qsm_names_the_column_it_misses \
-        'qsm2scene: -:1: the header names no column "startz"' $qsm
+        "qsm2scene: -:1: the header names no column 'startz'" $qsm
     input 'radius,startX,startY,startZ,endX,endY,endZ\n1,2,3,4,5,6\n'
     refuses qsm_refuses_short_lines \
         'qsm2scene: -:2: expected 7 fields, found 6' $qsm
     input 'radius;startX;startY;startZ;endX;endY;endZ\n1;2;3;4;5;6;7\n0,5;2;3;4;5;6;7\n'
     refuses qsm_refuses_decimal_commas \
-        'qsm2scene: -:3: expected a number for radius, found "0,5"' $qsm
+        "qsm2scene: -:3: expected a number for radius, found '0,5'" $qsm
 }
 
 # atom SERIAL NAME ALT X Y Z ELEMENT: one PDB line.
@@ -178,11 +178,11 @@ cylinder 1.540 0.000 0.000 0.700 1.100 0.000 0.15 2-5
     gives pdb_takes_one_location_and_the_first_model $pdb
     atom 1 ' C' '' 0.000 oops 0.000 C > "$scratch/in"
     refuses pdb_refuses_what_is_no_number \
-        'pdb2scene: -:1: expected a number in columns 39 to 46, found "oops"' \
+        "pdb2scene: -:1: expected a number in columns 39 to 46, found 'oops'" \
         $pdb
     atom 1 'XX' '' 0.000 0.000 0.000 XX > "$scratch/in"
     refuses pdb_refuses_elements_without_radius \
-        'pdb2scene: -:1: no covalent radius is known for "XX"' $pdb
+        "pdb2scene: -:1: no covalent radius is known for 'XX'" $pdb
     $pdb -r -1 < /dev/null > /dev/null 2>&1
     [ $? -eq 2 ]
     verdict pdb_refuses_a_negative_stick $?
@@ -213,12 +213,12 @@ POV
     one='cylinder { <0,0,0>, <0,0,1>, 1 }'
     input "$one\ncylinder { <0,0,0>, <0,0,1>, R }\n"
     refuses pov_refuses_identifiers \
-        'pov2scene: -:2: expected a literal number, found "R"' $pov
+        "pov2scene: -:2: expected a literal number, found 'R'" $pov
     input 'cylinder { <0,0,0>, <0,0,1+2>, 1 }\n'
-    refuses pov_refuses_sums 'pov2scene: -:1: expected ">", found "+2"' $pov
+    refuses pov_refuses_sums "pov2scene: -:1: expected '>', found '+2'" $pov
     input 'cone { <0,0,0>, 1, <0,0,1>, 1*3 }\n'
     refuses pov_refuses_products \
-        'pov2scene: -:1: expected the end of a number, found "*"' $pov
+        "pov2scene: -:1: expected the end of a number, found '*'" $pov
     input 'cone { <0,0,0>, 1, <0,0,1>, 2\nrotate x*90 }\n'
     refuses pov_refuses_transformed_shapes \
         'pov2scene: -:2: a transformed cone' $pov

@@ -7,8 +7,16 @@
 # Is this text a finite decimal number?
 function is_number(text)
 {
-    if (text !~ /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?$/)
-        return 0
+    return is_decimal(text) && is_finite(text)
+}
+
+function is_decimal(text)
+{
+    return text ~ /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?$/
+}
+
+function is_finite(text)
+{
     return text + 0 <= 1.7976931348623157e308 &&
            text + 0 >= -1.7976931348623157e308
 }
@@ -17,6 +25,17 @@ function is_number(text)
 function here()
 {
     return (FILENAME == "" ? "-" : FILENAME) ":" FNR
+}
+
+# In the command's words.
+function refuse_found(expected, text)
+{
+    refuse(here(), "expected " expected ", found " quoted(text))
+}
+
+function quoted(text)
+{
+    return "'" text "'"
 }
 
 # Says what is wrong and ends with exit status 1 (see END of each program).

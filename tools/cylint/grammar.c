@@ -116,19 +116,6 @@ struct reader {
     struct fault *fault;
 };
 
-static int is_blank(char c)
-{
-    return c == ' ' || c == '\t';
-}
-
-static const char *skip_blanks(const char *p, const char *end)
-{
-    while (p < end && is_blank(*p)) {
-        p++;
-    }
-    return p;
-}
-
 static void skip_separator(struct reader *r)
 {
     r->p = skip_blanks(r->p, r->end);
@@ -282,15 +269,23 @@ int is_record(const char *line, const char *end)
     return line < end && *line != '#';
 }
 
-int read_record(const struct grammar *g, const char *text, const char *end,
-                struct record *record, struct fault *fault)
+int trim_line(const char *text, const char **end, struct fault *fault)
 {
-    if (end - text > LINE_MOST) {
+    if (*end - text > LINE_MOST) {
         *fault = (struct fault){"line longer than 1 MiB", 0, text, text, 0};
         return 0;
     }
-    if (end > text && end[-1] == '\r') {
-        end--;
+    if (*end > text && (*end)[-1] == '\r') {
+        --*end;
+    }
+    return 1;
+}
+
+int read_record(const struct grammar *g, const char *text, const char *end,
+                struct record *record, struct fault *fault)
+{
+    if (!trim_line(text, &end, fault)) {
+        return 0;
     }
     struct reader r = {skip_blanks(text, end), end, fault};
     return (!g->has_line || read_line(&r, g, &record->line))

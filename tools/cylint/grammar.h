@@ -69,12 +69,28 @@ int find_kind(const struct kind *kinds, int count, const char *text,
 /* Doubles in a record without words. */
 int numbers_of_record(const struct grammar *g);
 
+static inline int is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
+
+static inline const char *skip_blanks(const char *p, const char *end)
+{
+    while (p < end && is_blank(*p)) {
+        p++;
+    }
+    return p;
+}
+
 /* Where the line at p ends: its line feed, or the end of the text. */
 const char *end_of_line(const char *p, const char *end);
 
 /* Whether a line has a record: it is neither blank nor a comment, or it is
  * too long to tell. */
 int is_record(const char *line, const char *end);
+
+/* Takes a carriage return off the end; a line too long is a fault, and 0. */
+int trim_line(const char *text, const char **end, struct fault *fault);
 
 /* Both return whether the record is good, and fill *fault if it is not.
  * [text, end) is one line without its line feed; *end must be readable. */

@@ -12,6 +12,7 @@
 #include "input.h"
 #include "main.h"
 #include "scene.h"
+#include "swc.h"
 
 static int add_shape(struct scene *scene, const cylint_shape *shape)
 {
@@ -31,6 +32,12 @@ static int add_shape(struct scene *scene, const cylint_shape *shape)
     return 0;
 }
 
+int scene_add(struct scene *scene, const struct record *record)
+{
+    const int status = scene->also ? scene->also(scene, record) : 0;
+    return status != 0 ? status : add_shape(scene, &record->shape);
+}
+
 static int read_shapes(struct scene *scene, const struct grammar *g,
                        struct block *b)
 {
@@ -48,10 +55,7 @@ static int read_shapes(struct scene *scene, const struct grammar *g,
             print_note(&b->notes.note[0], b->name);
             return EXIT_BAD;
         }
-        int status = scene->also ? scene->also(scene, &b->parsed) : 0;
-        if (status == 0) {
-            status = add_shape(scene, &b->parsed.shape);
-        }
+        const int status = scene_add(scene, &b->parsed);
         if (status != 0) {
             return status;
         }
@@ -64,6 +68,8 @@ int scene_read(struct scene *scene, const char *file, int ends)
 {
     const struct grammar g = {0, 1, NOT_GIVEN, NOT_GIVEN, ends, 0, 0, 0};
     char *const files[] = {(char *)(uintptr_t)file};
+    const int is_swc = swc_is_name(file);
+    struct swc swc = {0};
     struct input in;
     struct block block;
     int status = block_make(&block, 0, 0);
@@ -71,10 +77,15 @@ int scene_read(struct scene *scene, const char *file, int ends)
         status = input_open(&in, files, 1, 0);
         while (status == 0 && (status = input_next(&in, &block)) == 0
                && block.length > 0) {
-            status = read_shapes(scene, &g, &block);
+            status = is_swc ? swc_read_nodes(&swc, &block)
+                            : read_shapes(scene, &g, &block);
+        }
+        if (status == 0 && is_swc) {
+            status = swc_add_frusta(&swc, scene, ends, file);
         }
         input_close(&in);
     }
+    swc_free(&swc);
     block_free(&block);
     return status;
 }

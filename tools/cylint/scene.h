@@ -21,8 +21,13 @@ struct scene {
     void *context;    /* of that */
 };
 
-/* Reads a file of shapes, one a line.  Returns 0 or an exit status, having
- * said what is wrong: the first bad line stops it. */
+/* Adds one shape, with what else is done with its record.  Returns 0 or an
+ * exit status. */
+int scene_add(struct scene *scene, const struct record *record);
+
+/* Reads a file of shapes, one a line, or of a neuron's nodes (swc.h).
+ * Returns 0 or an exit status, having said what is wrong: the first bad line
+ * stops it. */
 int scene_read(struct scene *scene, const char *file, int ends);
 /* Prepares the shapes for all questions without a method.  Returns 0 or an
  * exit status. */
