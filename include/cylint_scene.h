@@ -63,6 +63,12 @@ CYLINT_API size_t cylint_scene_nearest(const cylint_scene *scene,
 CYLINT_API size_t cylint_scene_count(const cylint_scene *scene,
     const cylint_line *line, size_t enough);
 
+/* 1 if the line meets a shape other than number `except`; n: any shape.  For
+ * a ray that begins on the surface of a shape, in a point that was rounded:
+ * where the ray leaves a convex solid, it does not meet it again. */
+CYLINT_API int cylint_scene_occluded(const cylint_scene *scene,
+    const cylint_line *line, size_t except);
+
 /* The number of shapes that the line meets.  The lowest `room` of their
  * numbers are written to numbers[0..room), ascending. */
 CYLINT_API size_t cylint_scene_all(const cylint_scene *scene,

@@ -113,6 +113,7 @@ static void check_numbers(const struct asked *a, const cylint_line *line)
         same = a->hits[i] <= 0 || a->numbers[k++] == i;
     if (!CHECK(same))
         show_line(a, line, "all", all, count);
+    const size_t first = count ? a->numbers[0] : a->of.n;
     const size_t some = count / 2, room_left = some;
     a->numbers[some] = a->of.n;
     if (!CHECK(cylint_scene_all(a->scene, line, a->numbers, room_left) ==
@@ -127,6 +128,8 @@ static void check_numbers(const struct asked *a, const cylint_line *line)
     const size_t any = cylint_scene_count(a->scene, line, 1);
     if (!CHECK(any == (count > 0)))
         show_line(a, line, "any", any, count > 0);
+    CHECK(cylint_scene_occluded(a->scene, line, a->of.n) == (count > 0));
+    CHECK(cylint_scene_occluded(a->scene, line, first) == (count > 1));
     const size_t three = cylint_scene_count(a->scene, line, 3);
     if (!CHECK(three == (count < 3 ? count : 3)))
         show_line(a, line, "three", three, count);

@@ -240,6 +240,7 @@ typedef struct {
     size_t best;           /* nearest: its number, and its hit */
     cylint_hit hit;
     size_t count, enough;  /* count and all */
+    size_t except;         /* the number of a shape that is not asked */
     size_t *numbers, room; /* a heap of the lowest numbers, highest first */
 } question;
 
@@ -309,7 +310,8 @@ static void sort_heap(size_t *heap, size_t n)
 /* Whether there are enough now. */
 static int take_count(question *q, size_t number)
 {
-    if (cylint_occluded(&q->scene->shapes[number], &q->line)) {
+    if (number != q->except
+        && cylint_occluded(&q->scene->shapes[number], &q->line)) {
         keep_number(q, number);
         q->count++;
     }
@@ -370,7 +372,7 @@ static void open_question(question *q, const cylint_scene *scene,
     cylint_rtc_init(&q->context);
     q->scene = scene;
     q->line = *line;
-    q->best = scene->n;
+    q->best = q->except = scene->n;
     q->count = q->enough = q->room = 0;
 }
 
@@ -405,6 +407,20 @@ size_t cylint_scene_count(const cylint_scene *scene, const cylint_line *line,
     if (enough == 0 || q.count < enough)
         walk(&q, 0);
     return q.count;
+}
+
+int cylint_scene_occluded(const cylint_scene *scene, const cylint_line *line,
+                          size_t except)
+{
+    question q;
+    open_question(&q, scene, line);
+    q.enough = 1;
+    q.except = except;
+    for (size_t i = 0; i < scene->n_loose; i++)
+        if (take_count(&q, scene->loose[i]))
+            return 1;
+    walk(&q, 0);
+    return q.count > 0;
 }
 
 size_t cylint_scene_all(const cylint_scene *scene, const cylint_line *line,
