@@ -71,7 +71,7 @@ $(BUILD)/libcylint.so: $(lib_objects)
 # what depends on Embree: nothing, where there is none
 embree_library := $(if $(EMBREE),$(BUILD)/libcylint-embree.a)
 embree_link    := $(if $(EMBREE),$(EMBREE_LIBS))
-all: $(if $(EMBREE),$(BUILD)/libcylint-embree.a $(BUILD)/libcylint-embree.so)
+all: $(if $(EMBREE),$(BUILD)/libcylint-embree.a $(BUILD)/libcylint-embree.so $(BUILD)/cylint-embree.so)
 
 $(BUILD)/libcylint-embree.a: $(embree_objects)
 	$(AR) rcs $@ $^
@@ -84,11 +84,18 @@ faulty_calls := read write poll open close malloc calloc realloc posix_memalign 
 $(BUILD)/tests/faulty: $(BUILD)/tests/faults.o
 $(BUILD)/tests/faulty: wrapped := $(foreach c,$(faulty_calls),-Wl,--wrap=$(c))
 $(BUILD)/cylint $(BUILD)/tests/faulty: $(tool_objects) $(BUILD)/libcylint.a
-	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) -pthread $(wrapped) -o $@ $^ $(LDLIBS) -lm
+	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) $(finds_module) -pthread $(wrapped) -o $@ $^ $(LDLIBS) -lm
+
+# what the command loads when it needs Embree, from beside it or ../lib/cylint
+finds_module := $(if $(EMBREE),-Wl$(comma)-rpath$(comma)'$$ORIGIN:$$ORIGIN/../lib/cylint:$(LIBDIR)/cylint' -ldl)
+$(BUILD)/cylint-embree.so: $(BUILD)/tools/cylint/embree/module.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -shared -o $@ $^ $(EMBREE_LIBS) -lm
 
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
 $(BUILD)/src/embree/%.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 $(BUILD)/tools/%.o: extra := -D_POSIX_C_SOURCE=200809L
+$(BUILD)/tools/cylint/embree/%.o: extra := -fPIC -fvisibility=hidden
+$(BUILD)/tools/cylint/search.o: extra += $(if $(EMBREE),-DCYLINT_EMBREE)
 $(BUILD)/tools/bench/%.o: extra := -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 $(BUILD)/tests/%.o: extra := -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
@@ -199,6 +206,8 @@ install -m 644 $(BUILD)/libcylint-embree.a $(DESTDIR)$(LIBDIR)
 	install -m 755 $(BUILD)/libcylint-embree.so $(DESTDIR)$(LIBDIR)/libcylint-embree.so.$(version)
 	ln -sf libcylint-embree.so.$(version) $(DESTDIR)$(LIBDIR)/libcylint-embree.so.$(major)
 	ln -sf libcylint-embree.so.$(major) $(DESTDIR)$(LIBDIR)/libcylint-embree.so
+	install -d $(DESTDIR)$(LIBDIR)/cylint
+	install -m 755 $(BUILD)/cylint-embree.so $(DESTDIR)$(LIBDIR)/cylint
 	install -m 644 include/cylint_embree.h include/cylint_scene.h $(DESTDIR)$(INCLUDEDIR)
 	$(fill_in) src/embree/cylint-embree.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/cylint-embree.pc
 endef
@@ -219,7 +228,7 @@ install: all ## into $(DESTDIR)$(PREFIX)
 
 uninstall: ## what install put there
 	rm -f $(DESTDIR)$(BINDIR)/cylint $(DESTDIR)$(LIBDIR)/libcylint.* \
-	  $(DESTDIR)$(LIBDIR)/libcylint-embree.* $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc \
+	  $(DESTDIR)$(LIBDIR)/libcylint-embree.* $(DESTDIR)$(LIBDIR)/cylint/cylint-embree.so $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc \
 	  $(DESTDIR)$(LIBDIR)/pkgconfig/cylint-embree.pc $(DESTDIR)$(INCLUDEDIR)/cylint.h \
 	  $(DESTDIR)$(INCLUDEDIR)/cylint_methods.h $(DESTDIR)$(INCLUDEDIR)/cylint_embree.h $(DESTDIR)$(INCLUDEDIR)/cylint_scene.h $(DESTDIR)$(MANDIR)/man[13]/cylint*
 

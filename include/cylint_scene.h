@@ -69,10 +69,12 @@ CYLINT_API size_t cylint_scene_count(const cylint_scene *scene,
 CYLINT_API int cylint_scene_occluded(const cylint_scene *scene,
     const cylint_line *line, size_t except);
 
-/* The number of shapes that the line meets.  The lowest `room` of their
- * numbers are written to numbers[0..room), ascending. */
+/* Writes the numbers of the shapes that the line meets, from the number
+ * `first` on, ascending, at most `room` of them, and returns how many: all
+ * of them where that is less than `room`; otherwise the next ones are had by
+ * asking again, from behind the last. */
 CYLINT_API size_t cylint_scene_all(const cylint_scene *scene,
-    const cylint_line *line, size_t *numbers, size_t room);
+    const cylint_line *line, size_t first, size_t *numbers, size_t room);
 
 #ifdef __cplusplus
 }

@@ -99,6 +99,25 @@ static void check_nearest(const struct asked *a, const cylint_line *line)
     }
 }
 
+/* All numbers again, three by three. */
+static void check_threes(const struct asked *a, const cylint_line *line)
+{
+    size_t first = 0, found, number[4] = {0, 0, 0, a->of.n};
+    do {
+        found = cylint_scene_all(a->scene, line, first, number, 3);
+        for (size_t k = 0; k < found; k++) {
+            while (first < a->of.n && a->hits[first] <= 0)
+                first++;
+            if (!CHECK(number[k] == first++))
+                show_line(a, line, "all, by threes", number[k], first - 1);
+        }
+    } while (found == 3);
+    while (first < a->of.n && a->hits[first] <= 0)
+        first++;
+    if (!CHECK(first == a->of.n && number[3] == a->of.n))
+        show_line(a, line, "all, by threes, too few", a->of.n, first);
+}
+
 static void check_numbers(const struct asked *a, const cylint_line *line)
 {
     cylint_columns columns = {0};
@@ -107,21 +126,15 @@ static void check_numbers(const struct asked *a, const cylint_line *line)
     cylint_intersect_shapes(&a->pack, line, &columns);
     for (size_t i = 0; i < a->of.n; i++)
         count += a->hits[i] > 0;
-    const size_t all = cylint_scene_all(a->scene, line, a->numbers, a->of.n);
+    const size_t all = cylint_scene_all(a->scene, line, 0, a->numbers,
+                                        a->of.n);
     int same = all == count;
     for (size_t i = 0, k = 0; i < a->of.n && same; i++)
         same = a->hits[i] <= 0 || a->numbers[k++] == i;
     if (!CHECK(same))
         show_line(a, line, "all", all, count);
     const size_t first = count ? a->numbers[0] : a->of.n;
-    const size_t some = count / 2, room_left = some;
-    a->numbers[some] = a->of.n;
-    if (!CHECK(cylint_scene_all(a->scene, line, a->numbers, room_left) ==
-               count && a->numbers[some] == a->of.n))
-        show_line(a, line, "all, half the room", all, count);
-    for (size_t i = 0, k = 0; i < a->of.n && k < some; i++)
-        if (a->hits[i] > 0 && !CHECK(a->numbers[k++] == i))
-            show_line(a, line, "all, the lower half", a->numbers[k - 1], i);
+    check_threes(a, line);
     const size_t counted = cylint_scene_count(a->scene, line, 0);
     if (!CHECK(counted == count))
         show_line(a, line, "count", counted, count);
@@ -229,7 +242,7 @@ static void a_scene_of_nothing_is_never_hit(void)
         return;
     CHECK(cylint_scene_nearest(scene, &line, CYLINT_WANT_ALL, &hit) == 0);
     CHECK(cylint_scene_count(scene, &line, 0) == 0);
-    CHECK(cylint_scene_all(scene, &line, NULL, 0) == 0);
+    CHECK(cylint_scene_all(scene, &line, 0, NULL, 0) == 0);
     CHECK(cylint_scene_bytes(scene) > 0);
     cylint_scene_free(scene);
     cylint_scene_free(NULL);
@@ -308,8 +321,8 @@ static void *answer_part(void *argument)
                 memcpy(&t, &hit.t, sizeof t);
             p->sum = p->sum * 31 + n + t;
             p->sum = p->sum * 31 + cylint_scene_count(a->scene, &line, 2);
-            p->sum = p->sum * 31 + cylint_scene_all(a->scene, &line, numbers,
-                                                    16);
+            p->sum = p->sum * 31 + cylint_scene_all(a->scene, &line, 0,
+                                                    numbers, 16);
         }
     return NULL;
 }

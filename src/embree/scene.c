@@ -239,9 +239,10 @@ typedef struct {
     cylint_frame_ray ray;
     size_t best;           /* nearest: its number, and its hit */
     cylint_hit hit;
-    size_t count, enough;  /* count and all */
+    size_t count, enough;  /* count */
+    size_t *numbers, room; /* all: a heap of the lowest, the highest first */
+    size_t first;          /* all: lower numbers are of no interest */
     size_t except;         /* the number of a shape that is not asked */
-    size_t *numbers, room; /* a heap of the lowest numbers, highest first */
 } question;
 
 static question *question_of(cylint_rtc_context *context)
@@ -283,18 +284,12 @@ static void sift_down(size_t *heap, size_t n, size_t from)
     heap[from] = x;
 }
 
-/* Keeps the number if it is one of the lowest. */
-static void keep_number(question *q, size_t number)
+static void sift_up(size_t *heap, size_t at)
 {
-    size_t at = q->count;
-    if (at < q->room) {
-        for (; at > 0 && q->numbers[(at - 1) / 2] < number; at = (at - 1) / 2)
-            q->numbers[at] = q->numbers[(at - 1) / 2];
-        q->numbers[at] = number;
-    } else if (q->room > 0 && number < q->numbers[0]) {
-        q->numbers[0] = number;
-        sift_down(q->numbers, q->room, 0);
-    }
+    const size_t x = heap[at];
+    for (; at > 0 && heap[(at - 1) / 2] < x; at = (at - 1) / 2)
+        heap[at] = heap[(at - 1) / 2];
+    heap[at] = x;
 }
 
 static void sort_heap(size_t *heap, size_t n)
@@ -307,14 +302,35 @@ static void sort_heap(size_t *heap, size_t n)
     }
 }
 
+/* Whether the number could be one of the lowest. */
+static int is_low(const question *q, size_t number)
+{
+    return number >= q->first &&
+           (q->count < q->room || number < q->numbers[0]);
+}
+
+static void keep_number(question *q, size_t number)
+{
+    if (q->count < q->room) {
+        q->numbers[q->count] = number;
+        sift_up(q->numbers, q->count++);
+    } else {
+        q->numbers[0] = number;
+        sift_down(q->numbers, q->room, 0);
+    }
+}
+
 /* Whether there are enough now. */
 static int take_count(question *q, size_t number)
 {
-    if (number != q->except
-        && cylint_occluded(&q->scene->shapes[number], &q->line)) {
+    if (number == q->except || (q->numbers && !is_low(q, number)))
+        return 0;
+    if (!cylint_occluded(&q->scene->shapes[number], &q->line))
+        return 0;
+    if (q->numbers)
         keep_number(q, number);
+    else
         q->count++;
-    }
     return q->enough != 0 && q->count == q->enough;
 }
 
@@ -373,7 +389,8 @@ static void open_question(question *q, const cylint_scene *scene,
     q->scene = scene;
     q->line = *line;
     q->best = q->except = scene->n;
-    q->count = q->enough = q->room = 0;
+    q->count = q->enough = 0;
+    q->numbers = NULL;
 }
 
 size_t cylint_scene_nearest(const cylint_scene *scene,
@@ -424,15 +441,18 @@ int cylint_scene_occluded(const cylint_scene *scene, const cylint_line *line,
 }
 
 size_t cylint_scene_all(const cylint_scene *scene, const cylint_line *line,
-                        size_t *numbers, size_t room)
+                        size_t first, size_t *numbers, size_t room)
 {
     question q;
+    if (room == 0)
+        return 0;
     open_question(&q, scene, line);
     q.numbers = numbers;
     q.room = room;
+    q.first = first;
     for (size_t i = 0; i < scene->n_loose; i++)
         take_count(&q, scene->loose[i]);
     walk(&q, 0);
-    sort_heap(numbers, q.count < room ? q.count : room);
+    sort_heap(numbers, q.count);
     return q.count;
 }

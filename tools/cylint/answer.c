@@ -149,19 +149,23 @@ static int answer_all_by_method(struct task *task)
     return 1;
 }
 
+enum { HITS_AT_ONCE = 256 };
+
 static int answer_all(struct task *task)
 {
-    const size_t count = task->job->scene->count;
-    signed char *const hits = task->block->hits;
+    size_t number[HITS_AT_ONCE], found, first = 0;
     if (task->job->options->method) {
         return answer_all_by_method(task);
     }
-    scene_hits(task->job->scene, &task->block->parsed.line, hits);
-    for (size_t i = next_hit(hits, 0, count);
-         i < count && task->status == ANSWERED;
-         i = next_hit(hits, i + 1, count)) {
-        answer_one_of_all(task, i);
-    }
+    do {
+        found = search_hits(&task->job->scene->search,
+            &task->block->parsed.line, task->block->hits, first, number,
+            HITS_AT_ONCE);
+        for (size_t i = 0; i < found && task->status == ANSWERED; i++) {
+            answer_one_of_all(task, number[i]);
+        }
+        first = found > 0 ? number[found - 1] + 1 : 0;
+    } while (found == HITS_AT_ONCE && task->status == ANSWERED);
     return 1;
 }
 

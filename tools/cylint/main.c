@@ -76,7 +76,7 @@ int main(int argc, char **argv)
         status = scene_read(&scene, options.scene, options.grammar.ends);
     }
     if (status == 0 && options.scene && !options.method) {
-        status = scene_pack(&scene);
+        status = scene_prepare(&scene, options.accel, options.workers);
     }
     if (status == 0) {
         job_prepare(&job, &options, &scene);

@@ -78,13 +78,14 @@ static const cylint_method *find_method(const char *name)
     return m->name ? m : NULL;
 }
 
-static int read_accel(const struct option *o, const char *value)
+static int read_accel(struct options *options, const struct option *o,
+                      const char *value)
 {
-    static const char *const words[] = {"auto", "none", "embree", NULL};
     int index;
-    const int status = read_word(o, value, words, "auto, none or embree",
-                                 &index);
-    return status == 0 && index == 2
+    const int status = read_word(o, value, accel_words,
+                                 "auto, none or embree", &index);
+    options->accel = (enum accel)index;
+    return status == 0 && index == ACCEL_EMBREE && !search_has_embree()
         ? usage("--accel: this cylint was built without Embree") : status;
 }
 
@@ -150,7 +151,7 @@ static int take_value(struct options *options, struct pending *pending,
         return read_domain(value, &options->grammar) ? 0
             : usage_value(o, value, "MIN,MAX with MIN <= MAX");
     case OPT_ACCEL:
-        return read_accel(o, value);
+        return read_accel(options, o, value);
     case OPT_ENDS:
         return read_word(o, value, ends_words,
                          "capped, open, cap0, cap1, infinite or nappe",

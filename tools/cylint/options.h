@@ -7,12 +7,14 @@
 #include "columns.h"
 #include "cylint_methods.h"
 #include "grammar.h"
+#include "search.h"
 
 enum bad_policy { BAD_MARK, BAD_SKIP, BAD_STOP };
 
 struct options {
     struct grammar grammar;
     const char *scene;     /* NULL: pairs */
+    enum accel accel;
     enum query query;
     struct fields fields;
     struct style style;

@@ -90,22 +90,16 @@ int scene_read(struct scene *scene, const char *file, int ends)
     return status;
 }
 
-int scene_pack(struct scene *scene)
+int scene_prepare(struct scene *scene, enum accel accel, int threads)
 {
-    scene->memory = malloc(cylint_pack_bytes(scene->count));
-    if (!scene->memory) {
-        return out_of_memory();
-    }
-    cylint_pack_shapes(&scene->pack, scene->memory, scene->shapes,
-                       scene->count);
-    return 0;
+    return search_make(&scene->search, scene->shapes, scene->count, accel,
+                       threads);
 }
 
 void scene_free(struct scene *scene)
 {
-    free(scene->memory);
+    search_free(&scene->search);
     free(scene->shapes);
-    scene->memory = NULL;
     scene->shapes = NULL;
 }
 
@@ -160,8 +154,7 @@ size_t scene_nearest(const struct scene *scene, solver method,
             return refused;
         }
     } else {
-        cylint_hit hit;
-        const size_t i = cylint_nearest(&scene->pack, line, 0, &hit);
+        const size_t i = search_nearest(&scene->search, line);
         row->shape = i < scene->count ? i + 1 : 0;
     }
     if (row->shape > 0) {
@@ -178,7 +171,7 @@ size_t scene_count(const struct scene *scene, solver method,
 {
     if (!method) {
         const size_t enough = most < SIZE_MAX ? (size_t)most : 0;
-        row->count = cylint_count(&scene->pack, line, enough);
+        row->count = search_count(&scene->search, line, enough);
         return 0;
     }
     row->count = 0;
@@ -190,29 +183,4 @@ size_t scene_count(const struct scene *scene, solver method,
         row->count += (unsigned long long)hit;
     }
     return 0;
-}
-
-void scene_hits(const struct scene *scene, const cylint_line *line,
-                signed char *n)
-{
-    cylint_columns columns = {0};
-    columns.n = n;
-    cylint_intersect_shapes(&scene->pack, line, &columns);
-}
-
-/* Most shapes are missed: look at eight at a time. */
-size_t next_hit(const signed char *n, size_t from, size_t count)
-{
-    uint64_t eight = 0;
-    while (count - from >= sizeof eight) {
-        memcpy(&eight, n + from, sizeof eight);
-        if (eight != 0) {
-            break;
-        }
-        from += sizeof eight;
-    }
-    while (from < count && n[from] == 0) {
-        from++;
-    }
-    return from;
 }

@@ -8,12 +8,12 @@
 #include "cylint.h"
 #include "cylint_methods.h"
 #include "grammar.h"
+#include "search.h"
 
 struct scene {
     cylint_shape *shapes;
     size_t count, room;
-    cylint_pack pack; /* of all shapes, once scene_pack() was called */
-    void *memory;     /* the pack's */
+    struct search search; /* once scene_prepare() was called */
 
     /* What else is done with the record of shape number `count`; NULL:
      * nothing.  Returns 0 or an exit status. */
@@ -31,7 +31,7 @@ int scene_add(struct scene *scene, const struct record *record);
 int scene_read(struct scene *scene, const char *file, int ends);
 /* Prepares the shapes for all questions without a method.  Returns 0 or an
  * exit status. */
-int scene_pack(struct scene *scene);
+int scene_prepare(struct scene *scene, enum accel accel, int threads);
 void scene_free(struct scene *scene);
 
 /* How one line is asked about one shape: NULL is cylint_intersect(). */
@@ -50,12 +50,5 @@ size_t scene_nearest(const struct scene *scene, solver method,
 size_t scene_count(const struct scene *scene, solver method,
                    const cylint_line *line, unsigned long long most,
                    struct row *row);
-
-/* The shapes that are hit have numbers above 0 in n[0..count); without a
- * method. */
-void scene_hits(const struct scene *scene, const cylint_line *line,
-                signed char *n);
-/* The first of these from `from` on, or count. */
-size_t next_hit(const signed char *n, size_t from, size_t count);
 
 #endif

@@ -1,0 +1,74 @@
+#!/bin/sh
+# However a scene is searched, `cylint` answers the same bytes.
+: "${BUILD:=build}"
+cylint=$BUILD/cylint
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+passed=0 failed=0
+
+verdict() { # what it was about; the status of the command before
+    if [ "$2" -eq 0 ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        printf 'FAILED %s\n' "$1"
+    fi
+}
+
+# 3,000 sticks and cones at random, 700 discs in a row, and some without end.
+awk 'function at() { return 40 * rand() - 20 }
+BEGIN {
+    srand(7)
+    for (i = 0; i < 3000; i++) {
+        x = at(); y = at(); z = at()
+        printf i % 3 ? "cylinder" : "cone"
+        printf " %.17g %.17g %.17g", x, y, z
+        if (i % 3 == 0) printf " %.17g", rand()
+        printf " %.17g %.17g %.17g %.17g\n", x + rand(), y + rand(),
+               z + rand(), rand() / 4
+    }
+    for (i = 0; i < 700; i++)
+        print "cylinder", 30, 0, i / 8, 30, 0, i / 8 + 0.0625, 0.5
+    for (i = 0; i < 5; i++)
+        print "cylinder", at(), at(), at(), at(), at(), at(), 0.1, \
+              "ends=infinite"
+}' >"$scratch/scene"
+awk 'function at() { return 60 * rand() - 30 }
+BEGIN {
+    srand(8)
+    for (i = 0; i < 400; i++)
+        print substr("ray    line   segment", 1 + 7 * (i % 3), 7), at(),
+              at(), at(), at(), at(), at(), "id" i
+    print "line 30 0 -5  0 0 1"
+    print "line 30 0.5 -5  0 0 1"
+    print "ray 30 0 3.9  0 0 -1"
+    print "ray 3e7 -4e7 5e7  -3 4 -5"
+    print "span 1e300 0 0  -1e297 0 0  -inf inf"
+}' >"$scratch/lines"
+
+for query in nearest any count all; do
+    "$cylint" -s "$scratch/scene" -q $query --accel none -j 1 \
+        "$scratch/lines" >"$scratch/none" 2>"$scratch/complaints"
+    status=$?
+    "$cylint" -s "$scratch/scene" -q $query -j 2 "$scratch/lines" \
+        2>>"$scratch/complaints" | cmp -s - "$scratch/none"
+    verdict "-q $query: --accel auto answers as none does" $?
+    [ $status -eq 1 ] && [ -s "$scratch/none" ]
+    verdict "-q $query answers, and says that one line is bad" $?
+done
+[ "$(grep -c '^401	' "$scratch/none")" -eq 700 ]
+verdict 'a line down 700 discs hits them all' $?
+
+echo 'ray 0 0 0  1 1 1' >"$scratch/line"
+if "$cylint" -s "$scratch/scene" --accel embree "$scratch/line" \
+        >"$scratch/embree" 2>"$scratch/said"; then
+    "$cylint" -s "$scratch/scene" --accel none "$scratch/line" |
+        cmp -s - "$scratch/embree"
+    verdict '--accel embree answers as none does' $?
+else
+    [ "$(head -n 1 "$scratch/said")" = \
+      'cylint: --accel: this cylint was built without Embree' ]
+    verdict '--accel embree is refused where there is none' $?
+fi
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

@@ -1,0 +1,48 @@
+/*
+ * search.h - how the shapes that a line hits are found among all
+ *
+ * By batches of all shapes or, where Embree was built in and it pays, by a
+ * hierarchy of boxes: the answers are the same bits.
+ */
+#ifndef CYLINT_SEARCH_H
+#define CYLINT_SEARCH_H
+
+#include "cylint.h"
+
+enum accel { ACCEL_AUTO, ACCEL_NONE, ACCEL_EMBREE };
+
+extern const char *const accel_words[]; /* in that order, then NULL */
+
+struct search {
+    cylint_pack pack;          /* n = 0, if there is a hierarchy */
+    void *memory;              /* the pack's */
+    struct cylint_scene *tree; /* NULL: by batches */
+    const struct hierarchy *by;/* how the tree is asked */
+    size_t count;
+};
+
+/* Whether Embree was there when this was built. */
+int search_has_embree(void);
+
+/* Prepares `count` shapes, which the caller keeps, by so many threads (0: as
+ * many as there are processors).  Returns 0 or an exit status, having said
+ * what is wrong. */
+int search_make(struct search *s, const cylint_shape *shapes, size_t count,
+                enum accel accel, int threads);
+void search_free(struct search *s);
+
+/* The number of the shape that is hit first, or `count`. */
+size_t search_nearest(const struct search *s, const cylint_line *line);
+
+/* Shapes that are hit; at most `enough`, unless that is 0. */
+size_t search_count(const struct search *s, const cylint_line *line,
+                    size_t enough);
+
+/* Writes the numbers of the shapes from `first` on that are hit, ascending,
+ * `room` of them at most, and returns how many.  hits: a char per shape, to
+ * be left alone until the line is asked from 0 again. */
+size_t search_hits(const struct search *s, const cylint_line *line,
+                   signed char *hits, size_t first, size_t *numbers,
+                   size_t room);
+
+#endif
