@@ -100,6 +100,7 @@ $(BUILD)/tools/bench/%.o: extra := -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 $(BUILD)/tests/%.o: extra := -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
+$(BUILD)/tests/embree_%.o $(BUILD)/tests/test_embree_%.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 
 $(BUILD)/src/dispatch.o: extra += $(if $(findstring kernel-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
 $(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o: extra += -O3
@@ -123,6 +124,7 @@ $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(test_common) $(BUILD)/libcylint
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 
 $(BUILD)/tests/test_scene: $(BUILD)/tests/scenes.o
+$(filter $(BUILD)/tests/test_embree_%,$(embree_tests)): $(patsubst %,$(BUILD)/tests/%.o,embree_rays embree_world scenes)
 $(embree_tests): %: %.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(EMBREE_LIBS) -pthread -lm
 

@@ -30,9 +30,12 @@
  *   geomID, instID, instPrimID   as Embree wants them.
  *
  * Hits on several geometries, or several instances of one, are compared by
- * their floats, by Embree.  Embree finds a shape if its traversal reaches the
- * shape's box, which is tight and rounded outward to float: scenes with
- * RTC_SCENE_FLAG_ROBUST lose nothing there.  Without that flag Embree's own
+ * their floats, by Embree.  Boxes are tight, rounded outward to float, and
+ * then widened by 2^-19 of the longest side of the geometry's box.  So a
+ * scene with RTC_SCENE_FLAG_ROBUST loses nothing, and the nearest is nearest
+ * to the last bit, for rays from within three such sizes.  For rays from
+ * farther away Embree may pass by the nearer, or the lower number, of two
+ * shapes whose t differ by less than 2^-21 of it.  Without that flag its own
  * rounding, some 2^-23 of the ray's origin and of the box's coordinates, may
  * pass by a box that the ray just grazes.
  *

@@ -85,12 +85,6 @@ static void along(double to[3], const double o[3], double t,
 
 /* -------------------------------------------------------------- scenes -- */
 
-enum scene_kind {
-    SCENE_THIN, SCENE_FAT, SCENE_FIBRES, SCENE_NEEDLES, SCENE_DISCS,
-    SCENE_MIXED, SCENE_UNBOUNDED, SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE,
-    SCENE_SMALL, SCENE_HUGE, SCENE_KINDS
-};
-
 static const char *const scene_names[SCENE_KINDS] = {
     "thin", "fat", "fibres", "needles", "discs", "mixed", "unbounded",
     "distant", "lengths", "lattice", "small", "huge"

@@ -18,6 +18,12 @@ struct scene_shapes {
     double lo[3], hi[3]; /* a box of those that have one */
 };
 
+enum scene_kind { /* the first six lie in a cube of side cbrt(n) about 0 */
+    SCENE_THIN, SCENE_FAT, SCENE_FIBRES, SCENE_NEEDLES, SCENE_DISCS,
+    SCENE_MIXED, SCENE_UNBOUNDED, SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE,
+    SCENE_SMALL, SCENE_HUGE, SCENE_KINDS
+};
+
 /* Generated kinds of scenes, by number from 0; 0 if there is no such.  The
  * caller frees *scene by scene_release(). */
 int scene_generate(int kind, size_t n, uint64_t seed,

@@ -46,8 +46,10 @@ static void box_of(const cylint_embree_data *data, size_t number, int step,
 
 static void bounds(const struct RTCBoundsFunctionArguments *args)
 {
-    box_of(args->geometryUserPtr, args->primID, (int)args->timeStep,
-           args->bounds_o);
+    const cylint_embree_data *data = args->geometryUserPtr;
+    struct RTCBounds box;
+    box_of(data, args->primID, (int)args->timeStep, &box);
+    *args->bounds_o = cylint_padded_box(&box, data->pad);
 }
 
 static int is_bounded(const cylint_shape *s)
@@ -55,7 +57,8 @@ static int is_bounded(const cylint_shape *s)
     return s->kind != CYLINT_KIND_NONE && s->ends < CYLINT_INFINITE;
 }
 
-static int check_shape(const cylint_embree_data *data, size_t i)
+static int check_shape(const cylint_embree_data *data, size_t i,
+                       struct RTCBounds *all)
 {
     const cylint_shape *shape = data->shapes + i;
     if (i >= RTC_INVALID_GEOMETRY_ID || !is_bounded(shape) ||
@@ -68,20 +71,24 @@ static int check_shape(const cylint_embree_data *data, size_t i)
         box_of(data, i, step, &box);
         if (!cylint_keeps_box(&box))
             return CYLINT_EMBREE_ESHAPE;
+        cylint_extend_box(all, &box);
     }
     return CYLINT_EMBREE_OK;
 }
 
-static int check_shapes(const cylint_embree_data *data,
+static int check_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
+    struct RTCBounds all = {HUGE_VALF, HUGE_VALF, HUGE_VALF, 0,
+                            -HUGE_VALF, -HUGE_VALF, -HUGE_VALF, 0};
     for (size_t i = 0; i < data->n; i++) {
-        problem->status = check_shape(data, i);
+        problem->status = check_shape(data, i, &all);
         if (problem->status != CYLINT_EMBREE_OK) {
             problem->shape = i;
             return 0;
         }
     }
+    data->pad = cylint_box_pad(&all);
     return 1;
 }
 

@@ -64,4 +64,47 @@ static inline int cylint_keeps_box(const struct RTCBounds *box)
            cylint_keeps_side(box->lower_z, box->upper_z);
 }
 
+static inline void cylint_extend_box(struct RTCBounds *box,
+                                     const struct RTCBounds *by)
+{
+    box->lower_x = fminf(box->lower_x, by->lower_x);
+    box->lower_y = fminf(box->lower_y, by->lower_y);
+    box->lower_z = fminf(box->lower_z, by->lower_z);
+    box->upper_x = fmaxf(box->upper_x, by->upper_x);
+    box->upper_y = fmaxf(box->upper_y, by->upper_y);
+    box->upper_z = fmaxf(box->upper_z, by->upper_z);
+}
+
+/*
+ * Which of two shapes that are hit at nearly the same t is nearer, only the
+ * shapes can tell; but Embree passes by a box whose entry, as it computes it,
+ * is not below tfar (packets: not below, single rays: above).  It computes
+ * (b - o) r, r about 1 / d, in floats: three roundings and a reciprocal good
+ * to some units in the last place, together less than 2^-21 of it.  A box
+ * whose faces are moved out by 2^-21 |b - o| is therefore entered in time.
+ * For origins within three sizes of the geometry's box, a size S being its
+ * longest side, |b - o| is at most 4 S.
+ */
+static inline double cylint_box_pad(const struct RTCBounds *all)
+{
+    const double x = (double)all->upper_x - (double)all->lower_x;
+    const double y = (double)all->upper_y - (double)all->lower_y;
+    const double z = (double)all->upper_z - (double)all->lower_z;
+    return 0x1p-19 * fmax(x, fmax(y, z));
+}
+
+/* The padded box, still one that Embree keeps. */
+static inline struct RTCBounds cylint_padded_box(const struct RTCBounds *box,
+                                                 double pad)
+{
+    const double most = (double)CYLINT_EMBREE_LARGE * (1 - 0x1p-23);
+    const double lo[3] = {fmax(box->lower_x - pad, -most),
+                          fmax(box->lower_y - pad, -most),
+                          fmax(box->lower_z - pad, -most)};
+    const double hi[3] = {fmin(box->upper_x + pad, most),
+                          fmin(box->upper_y + pad, most),
+                          fmin(box->upper_z + pad, most)};
+    return cylint_float_box(lo, hi);
+}
+
 #endif

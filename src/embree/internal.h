@@ -20,6 +20,7 @@ typedef struct cylint_embree_data {
     const cylint_shape *shapes;   /* at time 0 */
     const cylint_shape *moved;    /* at time 1, or NULL */
     size_t n;
+    double pad;                   /* by which boxes are widened for Embree */
     unsigned how;
     void *user;
 } cylint_embree_data;

@@ -29,6 +29,13 @@ static cylint_status line_of(const struct RTCRay *ray, cylint_line *line)
     return cylint_span(line, o, d, ray->tnear, ray->tfar);
 }
 
+/* Behind a hit at t, of which tfar is what is left, lie other roots that are
+ * t when rounded to doubles: they count as equal. */
+static double tmax_after_hit(float tfar)
+{
+    return nextafter((double)tfar, HUGE_VAL);
+}
+
 /* The shape as the ray finds it; between: room for one that moves. */
 static const cylint_shape *shape_at(const cylint_embree_data *data,
                                     unsigned number, float time,
@@ -77,15 +84,21 @@ static double present_t(const query *q)
     return HUGE_VAL; /* the caller's or a filter's, not ours */
 }
 
-/* Whether a hit at t <= tfar comes before the present one.  tfar is the
- * present t rounded up, so a t that gives a lesser float is less, and only
- * the same float needs the present t again. */
+/* Whether the ray's present hit is this geometry's. */
+static int hit_is_ours(const query *q)
+{
+    return q->hit->geomID == q->geomID && q->hit->primID < q->data->n &&
+           same_instance(q->hit, q->context);
+}
+
+/* Whether a hit at t comes before the present one.  tfar is the present t
+ * rounded up, so a t that gives a lesser float is less, and only the same
+ * float needs the present t again. */
 static int comes_first(const query *q, unsigned number, double t)
 {
-    if (rounded_up(t, q->ray->tfar) < q->ray->tfar)
-        return 1;
-    if (q->hit->geomID != q->geomID || !(q->hit->primID < q->data->n) ||
-        !same_instance(q->hit, q->context))
+    if (t > (double)q->ray->tfar)
+        return 0;
+    if (rounded_up(t, q->ray->tfar) < q->ray->tfar || !hit_is_ours(q))
         return 1;
     const double present = present_t(q);
     return t < present || (t == present && number < q->hit->primID);
@@ -107,6 +120,12 @@ static void describe(const cylint_hit *at, struct RTCHit *hit)
     hit->Ng_z = (float)at->normal[2];
     hit->u = (float)at->z;
     hit->v = turn(at->phi);
+}
+
+static void keep_description(const struct RTCHit *old, struct RTCHit *hit)
+{
+    if (old) /* there is none where any hit will do */
+        *hit = *old;
 }
 
 static void identify(const query *q, unsigned number, struct RTCHit *hit)
@@ -154,7 +173,9 @@ static int take(query *q, unsigned number, const cylint_hit *at)
 {
     const float tfar = q->ray->tfar;
     struct RTCHit hit = {0};
-    if (!(q->data->how & CYLINT_EMBREE_BARE))
+    if (q->data->how & CYLINT_EMBREE_BARE)
+        keep_description(q->hit, &hit);
+    else
         describe(at, &hit);
     identify(q, number, &hit);
     q->ray->tfar = rounded_up(at->t, tfar);
@@ -164,7 +185,7 @@ static int take(query *q, unsigned number, const cylint_hit *at)
     }
     if (q->nearest) {
         *q->hit = hit;
-        q->line.tmax = q->ray->tfar;
+        q->line.tmax = tmax_after_hit(q->ray->tfar);
     } else {
         q->ray->tfar = -HUGE_VALF;
     }
@@ -220,7 +241,11 @@ static void scatter(void *packet, const void *one, unsigned words, unsigned N,
 
 static int trace_one(query *q, unsigned primID)
 {
-    return line_of(q->ray, &q->line) == CYLINT_OK && try_shape(q, primID);
+    if (line_of(q->ray, &q->line) != CYLINT_OK)
+        return 0;
+    if (q->nearest && hit_is_ours(q))
+        q->line.tmax = tmax_after_hit(q->ray->tfar);
+    return try_shape(q, primID);
 }
 
 /* Ray i of the packet; the hit, where there is one, lies behind the rays. */
@@ -234,7 +259,8 @@ static int trace_of_packet(query *q, unsigned primID, void *packet,
     if (q->nearest)
         gather(&hit, hits, HIT_WORDS, N, i);
     q->ray = &ray;
-    q->hit = &hit;
+    if (q->nearest)
+        q->hit = &hit;
     if (!trace_one(q, primID))
         return 0;
     scatter(packet, &ray, RAY_WORDS, N, i);
@@ -287,6 +313,7 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
         return;
     const cylint_shape *shape = shape_at(data, q.hit->primID, q.ray->time,
                                          &between);
+    line.tmax = tmax_after_hit(rayhit->ray.tfar);
     const int n = cylint_intersect(shape, &line, CYLINT_WANT_ALL, &answer);
     for (int i = 0; i < n; i++)
         if (rounded_up(answer.hit[i].t, q.ray->tfar) == q.ray->tfar) {

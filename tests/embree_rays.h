@@ -1,0 +1,89 @@
+/*
+ * embree_rays.h - rays for Embree 3 and 4 as words, watched for stray writes
+ *
+ * Embree lays out n rays member by member: member m of ray i is word m n + i,
+ * for n = 1 too; a hit's members follow the ray's.  So one array of words
+ * serves single rays and packets of 4, 8 and 16, and every word that a query
+ * has no right to write can be compared with what it was before.
+ */
+#ifndef CYLINT_EMBREE_RAYS_H
+#define CYLINT_EMBREE_RAYS_H
+
+#include "cylint.h"
+#include "cylint_embree.h"
+#include "embree/api.h"
+
+enum ray_member {
+    RAY_ORG = 0, /* x, y, z */
+    RAY_TNEAR = 3,
+    RAY_DIR = 4, /* x, y, z */
+    RAY_TIME = 7,
+    RAY_TFAR = 8,
+    RAY_MASK,
+    RAY_ID,
+    RAY_FLAGS,
+    HIT_NG = 12, /* x, y, z */
+    HIT_U = 15,
+    HIT_V,
+    HIT_PRIM,
+    HIT_GEOM,
+    HIT_INST,
+#if RTC_VERSION_MAJOR >= 4
+    HIT_INST_PRIM,
+#endif
+    RAY_MEMBERS
+};
+
+enum {
+    RAYS_MOST = 16,
+    RAYS_WORDS = sizeof(struct RTCRayHit16) / 4,
+    RAYS_BEYOND = 16 /* words after the last that nobody may write */
+};
+
+union ray_word {
+    float f;
+    unsigned u;
+};
+
+/* Rays are added one by one; those that were not are inactive. */
+struct rays {
+    union ray_word word[RAYS_WORDS + RAYS_BEYOND];
+    int valid[RAYS_MOST];
+    union ray_word before[RAYS_WORDS + RAYS_BEYOND]; /* when it was asked */
+    int n;
+} __attribute__((aligned(64)));
+
+void rays_begin(struct rays *, int n);
+void rays_add(struct rays *, int i, const float o[3], const float d[3],
+              float tnear, float tfar);
+union ray_word *rays_at(struct rays *, enum ray_member, int i);
+
+/* What to ask with; NULL: nothing special. */
+struct rays_query {
+    RTCFilterFunctionN filter; /* the context's (3), the arguments' (4) */
+    int coherent;
+    void *user; /* for the filter: see rays_user() */
+};
+void rays_intersect(struct rays *, RTCScene, const struct rays_query *);
+void rays_occluded(struct rays *, RTCScene, const struct rays_query *);
+
+/* In a filter: the query's `user`. */
+void *rays_user(const struct RTCFilterFunctionNArguments *);
+
+/* What a filter sees of ray i: its words, ray and hit apart. */
+float rays_filter_t(const struct RTCFilterFunctionNArguments *, int i);
+unsigned rays_filter_prim(const struct RTCFilterFunctionNArguments *, int i);
+
+/* After a query: whether ray i was hit, or is occluded. */
+int rays_hit(struct rays *, int i);
+int rays_shadowed(struct rays *, int i);
+
+/* The words that the last query changed and had no right to: those of
+ * inactive rays, of an active ray's input, beyond the last; after
+ * rays_occluded() all but tfar of active rays. */
+int rays_strayed(const struct rays *, int occlusion);
+
+/* Ray i as a line in doubles, with its domain as it was before the query. */
+cylint_line rays_line(const struct rays *, int i);
+
+#endif

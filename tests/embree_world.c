@@ -1,0 +1,238 @@
+/* embree_world.c - see embree_world.h */
+#include "embree_world.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* -------------------------------------------------------------- device -- */
+
+struct world_memory world_memory;
+
+static int errors;
+static enum RTCError last_error;
+
+static void count_error(void *user, enum RTCError code, const char *text)
+{
+    (void)user;
+    (void)text;
+    errors++;
+    last_error = code;
+}
+
+static bool watch(void *user, ssize_t bytes, bool post)
+{
+    (void)user;
+    (void)post;
+    if (bytes > 0) {
+        const int number = __atomic_add_fetch(&world_memory.asked, 1,
+                                              __ATOMIC_RELAXED);
+        if (number == world_memory.refuse)
+            return false;
+    }
+    __atomic_add_fetch(&world_memory.bytes, (long long)bytes,
+                       __ATOMIC_RELAXED);
+    return true;
+}
+
+RTCDevice world_device(void)
+{
+    static RTCDevice device;
+    if (!device) {
+        device = rtcNewDevice("threads=1");
+        if (!device || rtcGetDeviceProperty(device,
+                RTC_DEVICE_PROPERTY_VERSION_MAJOR) != RTC_VERSION_MAJOR) {
+            fprintf(stderr, "no device of Embree %d\n", RTC_VERSION_MAJOR);
+            exit(1);
+        }
+        rtcSetDeviceErrorFunction(device, count_error, NULL);
+        rtcSetDeviceMemoryMonitorFunction(device, watch, NULL);
+    }
+    return device;
+}
+
+int world_errors(void)
+{
+    const int since = errors;
+    errors = 0;
+    return since;
+}
+
+enum RTCError world_last_error(void)
+{
+    return last_error;
+}
+
+/* --------------------------------------------------------------- scene -- */
+
+int world_make(struct world *w, const cylint_shape *shapes, size_t n,
+               const cylint_embree_options *options)
+{
+    memset(w, 0, sizeof *w);
+    w->shapes = shapes;
+    w->n = n;
+    w->geometry = cylint_embree_geometry(world_device(), shapes, n, options,
+                                         &w->problem);
+    if (!w->geometry)
+        return 0;
+    w->scene = rtcNewScene(world_device());
+    rtcSetSceneFlags(w->scene, (enum RTCSceneFlags)(RTC_SCENE_FLAG_ROBUST |
+#if RTC_VERSION_MAJOR >= 4
+        RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS));
+#else
+        RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+#endif
+    rtcAttachGeometry(w->scene, w->geometry);
+    rtcCommitScene(w->scene);
+    w->room = malloc(cylint_pack_bytes(n) + 1);
+    cylint_pack_shapes(&w->pack, w->room, shapes, n);
+    return w->room != NULL;
+}
+
+void world_free(struct world *w)
+{
+    rtcReleaseScene(w->scene);
+    cylint_embree_release(w->geometry);
+    free(w->room);
+    memset(w, 0, sizeof *w);
+}
+
+/* ------------------------------------------------------------- answers -- */
+
+float world_float_above(double x)
+{
+    const float f = (float)x;
+    return (double)f < x ? nextafterf(f, HUGE_VALF) : f;
+}
+
+static int same(union ray_word word, float f)
+{
+    union ray_word expected;
+    expected.f = f;
+    return word.u == expected.u;
+}
+
+float world_turn(double phi)
+{
+    const float f = (float)phi;
+    return f < 1 ? f : nextafterf(1, 0);
+}
+
+int world_agrees(const struct world *w, struct rays *r, int i, int complete)
+{
+    const cylint_line line = rays_line(r, i);
+    cylint_hit hit;
+    const size_t shape = cylint_nearest(&w->pack, &line, CYLINT_WANT_ALL,
+                                        &hit);
+    int agrees;
+    if (shape == w->n)
+        return !rays_hit(r, i) && rays_at(r, RAY_TFAR, i)->u ==
+            r->before[RAY_TFAR * r->n + i].u;
+    agrees = rays_hit(r, i) && rays_at(r, HIT_PRIM, i)->u == shape &&
+        same(*rays_at(r, RAY_TFAR, i), world_float_above(hit.t));
+    if (complete && agrees) {
+        agrees = same(*rays_at(r, HIT_U, i), (float)hit.z) &&
+            same(*rays_at(r, HIT_V, i), world_turn(hit.phi));
+        for (int k = 0; k < 3; k++)
+            agrees = agrees && same(r->word[(HIT_NG + k) * r->n + i],
+                                    (float)hit.normal[k]);
+    }
+    return agrees;
+}
+
+void world_show(const struct world *w, struct rays *r, int i)
+{
+    const cylint_line line = rays_line(r, i);
+    cylint_hit hit = {0};
+    const size_t shape = cylint_nearest(&w->pack, &line, CYLINT_WANT_ALL,
+                                        &hit);
+    fprintf(stderr, "    span %a %a %a  %a %a %a  %a %a\n", line.o[0],
+            line.o[1], line.o[2], line.d[0], line.d[1], line.d[2], line.tmin,
+            line.tmax);
+    if (shape < w->n)
+        fprintf(stderr, "    library: shape %lu, t %a, z %a, phi %a, "
+                "normal %a %a %a\n", (unsigned long)shape, hit.t, hit.z,
+                hit.phi, hit.normal[0], hit.normal[1], hit.normal[2]);
+    else
+        fprintf(stderr, "    library: no shape\n");
+    fprintf(stderr, "    Embree:  geometry %d, shape %u, t %a, u %a, v %a, "
+            "Ng %a %a %a\n", (int)rays_at(r, HIT_GEOM, i)->u,
+            rays_at(r, HIT_PRIM, i)->u, rays_at(r, RAY_TFAR, i)->f,
+            rays_at(r, HIT_U, i)->f, rays_at(r, HIT_V, i)->f,
+            rays_at(r, HIT_NG, i)->f, r->word[(HIT_NG + 1) * r->n + i].f,
+            r->word[(HIT_NG + 2) * r->n + i].f);
+}
+
+/* --------------------------------------------------- drawing at random -- */
+
+/* [Steele, Lea, Flood 2014]: SplitMix64 */
+double world_uniform(uint64_t *state)
+{
+    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return (double)((z ^ (z >> 31)) >> 40) / 16777216;
+}
+
+/* By the height and the longitude, which are uniform on a sphere. */
+void world_direction(uint64_t *state, float d[3])
+{
+    const double z = 2 * world_uniform(state) - 1;
+    const double angle = 8 * atan(1) * world_uniform(state);
+    const double r = sqrt(1 - z * z);
+    d[0] = (float)(r * cos(angle));
+    d[1] = (float)(r * sin(angle));
+    d[2] = (float)z;
+}
+
+void world_shape(uint64_t *state, int kind, cylint_ends ends,
+                 const double c[3], double length, double radius,
+                 cylint_shape *shape)
+{
+    float axis[3], across[3];
+    double h[3], top[3], a[3], b[3], size = 0;
+    world_direction(state, axis);
+    world_direction(state, across);
+    for (int k = 0; k < 3; k++) {
+        h[k] = length * axis[k];
+        top[k] = c[k] + h[k];
+    }
+    /* a is perpendicular to the axis, b leans along it: oblique */
+    for (int k = 0; k < 3; k++) {
+        const int l = (k + 1) % 3, m = (k + 2) % 3;
+        a[k] = radius * (axis[l] * across[m] - axis[m] * across[l]);
+        size += a[k] * a[k];
+    }
+    for (int k = 0; k < 3; k++) {
+        const int l = (k + 1) % 3, m = (k + 2) % 3;
+        b[k] = (a[l] * axis[m] - a[m] * axis[l]) / 2 + sqrt(size) * axis[k] / 4;
+    }
+    switch (kind) {
+    case CYLINT_KIND_CYLINDER:
+        cylint_cylinder(shape, c, top, radius, ends);
+        break;
+    case CYLINT_KIND_CONE:
+        cylint_cone(shape, c, radius, top,
+                    radius * floor(4 * world_uniform(state)) / 2, ends);
+        break;
+    case CYLINT_KIND_ACONE:
+        cylint_tangent_cone(shape, c, h, radius / length, ends);
+        break;
+    case CYLINT_KIND_ECYLINDER:
+        cylint_elliptic_cylinder(shape, c, a, b, h, ends);
+        break;
+    default:
+        cylint_elliptic_cone(shape, c, a, b, h,
+                             floor(4 * world_uniform(state)) / 2, ends);
+        break;
+    }
+}
+
+void world_shapes(uint64_t *state, int kind, cylint_shape *shapes, size_t n)
+{
+    struct scene_shapes scene;
+    scene_generate(kind, n, (*state)++, &scene);
+    memcpy(shapes, scene.shapes, n * sizeof *shapes);
+    scene_release(&scene);
+}

@@ -1,0 +1,72 @@
+/*
+ * embree_world.h - a device that remembers its errors, a scene of shapes on
+ * it, and what the library says of the same shapes and the same float rays
+ */
+#ifndef CYLINT_EMBREE_WORLD_H
+#define CYLINT_EMBREE_WORLD_H
+
+#include <stdint.h>
+
+#include "embree_rays.h"
+#include "scenes.h"
+
+/* The one device of a test program, its errors counted; memory is watched:
+ * see world_memory. */
+RTCDevice world_device(void);
+int world_errors(void);                 /* since it was asked last */
+enum RTCError world_last_error(void);
+
+/* What the device's memory monitor saw. */
+struct world_memory {
+    long long bytes;  /* in use now */
+    int asked;        /* allocations asked for, the refused one too */
+    int refuse;       /* the number of the one to refuse, from 1; 0: none */
+};
+extern struct world_memory world_memory;
+
+struct world {
+    RTCScene scene;
+    RTCGeometry geometry;
+    const cylint_shape *shapes;
+    size_t n;
+    cylint_pack pack;
+    void *room; /* of the pack */
+    cylint_embree_problem problem;
+};
+
+/* A committed scene, robust, that holds the shapes alone.  1 if it is made;
+ * else w->problem says why it is not. */
+int world_make(struct world *w, const cylint_shape *shapes, size_t n,
+               const cylint_embree_options *options);
+void world_free(struct world *w);
+
+/* The least float that is not below x: how a hit's t is told. */
+float world_float_above(double x);
+
+/* phi as a float below 1: how it is told by v. */
+float world_turn(double phi);
+
+/* Whether the answer to ray i is what cylint_nearest() says, all members,
+ * bit for bit; `complete`: u, v and Ng too. */
+int world_agrees(const struct world *w, struct rays *r, int i, int complete);
+
+/* The ray and what it was answered, beside what the library says. */
+void world_show(const struct world *w, struct rays *r, int i);
+
+/* ------------------------------------------------------ drawing at random */
+
+/* Numbers from a seed, the same everywhere. */
+double world_uniform(uint64_t *state); /* in [0, 1), 24 bits: a float */
+void world_direction(uint64_t *state, float d[3]); /* near unit length */
+
+/* Another n shapes of one of the kinds of scenes that all have a box: up to
+ * SCENE_MIXED, or SCENE_LATTICE. */
+void world_shapes(uint64_t *state, int kind, cylint_shape *shapes, size_t n);
+
+/* A shape of a kind (CYLINT_KIND_CYLINDER ...) about c, of a length and a
+ * radius, its axis in some direction. */
+void world_shape(uint64_t *state, int kind, cylint_ends ends,
+                 const double c[3], double length, double radius,
+                 cylint_shape *shape);
+
+#endif
