@@ -216,7 +216,7 @@ endef
 
 install: all ## into $(DESTDIR)$(PREFIX)
 	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(INCLUDEDIR) \
-	  $(DESTDIR)$(MANDIR)/man1 $(DESTDIR)$(MANDIR)/man3
+	  $(DESTDIR)$(MANDIR)/man1 $(DESTDIR)$(MANDIR)/man3 $(DESTDIR)$(MANDIR)/man7
 	install -m 755 $(BUILD)/cylint $(DESTDIR)$(BINDIR)
 	install -m 644 $(BUILD)/libcylint.a $(DESTDIR)$(LIBDIR)
 	install -m 755 $(BUILD)/libcylint.so $(DESTDIR)$(LIBDIR)/libcylint.so.$(version)
@@ -227,12 +227,13 @@ install: all ## into $(DESTDIR)$(PREFIX)
 	$(if $(EMBREE),$(install_embree))
 	for m in man/*.1; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man1; done
 	for m in man/*.3; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man3; done
+	for m in man/*.7; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man7; done
 
 uninstall: ## what install put there
 	rm -f $(DESTDIR)$(BINDIR)/cylint $(DESTDIR)$(LIBDIR)/libcylint.* \
 	  $(DESTDIR)$(LIBDIR)/libcylint-embree.* $(DESTDIR)$(LIBDIR)/cylint/cylint-embree.so $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc \
 	  $(DESTDIR)$(LIBDIR)/pkgconfig/cylint-embree.pc $(DESTDIR)$(INCLUDEDIR)/cylint.h \
-	  $(DESTDIR)$(INCLUDEDIR)/cylint_methods.h $(DESTDIR)$(INCLUDEDIR)/cylint_embree.h $(DESTDIR)$(INCLUDEDIR)/cylint_scene.h $(DESTDIR)$(MANDIR)/man[13]/cylint*
+	  $(DESTDIR)$(INCLUDEDIR)/cylint_methods.h $(DESTDIR)$(INCLUDEDIR)/cylint_embree.h $(DESTDIR)$(INCLUDEDIR)/cylint_scene.h $(DESTDIR)$(MANDIR)/man[137]/cylint*
 
 clean: ## what was built
 	rm -rf $(BUILD)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs the transcripts of tests/cli.txt and the manual's examples, and sees to
+# Runs the transcripts of tests/cli.txt and the manuals' examples, and sees to
 # it that no option, word or column is without a transcript.
 #
 # A transcript is `$ command`, then the expected output; `! text` is a line
@@ -78,12 +78,15 @@ covered() { # word: is it in cli.txt, not as a part of another?
 
 run_transcripts cli.txt <"$root/tests/cli.txt"
 
-mkdir "$scratch/manual" && rm -rf "$scratch/work" &&
-    mv "$scratch/manual" "$scratch/work"
-examples "$root/man/cylint.1" >"$scratch/examples"
-run_transcripts cylint.1 <"$scratch/examples"
-[ "$(grep -c '^\$ ' "$scratch/examples")" -ge 5 ]
-verdict "$([ $? -eq 0 ] && echo true || echo false)" "the manual has examples"
+for page in cylint.1 cylint.7; do
+    rm -rf "$scratch/work"
+    mkdir "$scratch/work"
+    ln -s "$root/tools" "$scratch/work"
+    examples "$root/man/$page" >"$scratch/examples"
+    run_transcripts $page <"$scratch/examples"
+    [ "$(grep -c '^\$ ' "$scratch/examples")" -ge 5 ]
+    verdict "$([ $? -eq 0 ] && echo true || echo false)" "$page has examples"
+done
 
 for word in $(cylint --help | grep -Eo -e ' -(-[a-z-]+|[a-zA-Z])' | sort -u) \
         line ray segment span capped open cap0 cap1 infinite nappe \

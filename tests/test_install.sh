@@ -52,7 +52,7 @@ test_install()
         "lib/libcylint.so.$major" "lib/libcylint.so.$version" \
         lib/pkgconfig/cylint.pc include/cylint.h include/cylint_methods.h \
         share/man/man1/cylint.1 share/man/man3/cylint.3 \
-        share/man/man3/cylint_methods.3; do
+        share/man/man3/cylint_methods.3 share/man/man7/cylint.7; do
         [ -s "$root/usr/$f" ]
         verdict "install_puts_$f" $?
     done

@@ -1,0 +1,114 @@
+#!/bin/sh
+# The displays of cylint(7) that are not transcripts (those, tests/test_cli.sh
+# runs): shapes of other programs, and the laser scan.  The first line of each
+# is `# NAME`; the rest, about many machines, is run by make check-cluster.
+LC_ALL=C
+export LC_ALL
+here=$(pwd)
+build=${BUILD:-build}
+case $build in /*) ;; *) build=$here/$build ;; esac
+PATH=$build:$PATH
+export PATH
+data=../shared/data
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+passed=0 failed=0
+
+verdict()
+{
+    if [ "$2" -eq 0 ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED $1"
+    fi
+}
+
+# asked_of NAME LINES: each shape of the display with lines around it.
+asked_of()
+{
+    sh tests/recipe.sh "$1" | awk -v lines="$2" '
+        function pick(reach) { return (2 * rand() - 1) * reach }
+        BEGIN { srand(11) }
+        /^#/ || !NF { next }
+        { numbers["cylinder"] = 7; numbers["acone"] = 7; numbers["cone"] = 8
+          numbers["ecylinder"] = 12; numbers["econe"] = 13
+          shape = $1
+          for (i = 2; i <= 1 + numbers[$1]; i++)
+              shape = shape " " $i
+          if ($i ~ /^ends=/)
+              shape = shape " " $(i++)
+          card = ""
+          for (; i <= NF; i++)
+              card = card $i " "
+          for (n = 1; n <= lines; n++) {
+              reach = 2 ^ (n % 7)
+              ox = 1 + pick(80); oy = 2 + pick(80); oz = 3 + pick(80)
+              line = sprintf("%.6f %.6f %.6f  %.6f %.6f %.6f", ox, oy, oz,
+                             1 + pick(reach) - ox, 2 + pick(reach) - oy,
+                             3 + pick(reach) - oz)
+              print "line", line, shape, card "|", line
+          } }'
+}
+
+test_foreign_shapes()
+{
+    for program in mcnp geant4 openmc; do
+        asked_of $program 300 > "$scratch/asked" &&
+            [ "$(wc -l < "$scratch/asked")" -ge 1200 ] &&
+            cylint "$scratch/asked" > "$scratch/answers" &&
+            awk -f tests/foreign.awk "$scratch/answers" > "$scratch/log"
+        status=$?
+        [ $status -eq 0 ] || head -5 "$scratch/log"
+        verdict "${program}_solids_are_met_where_their_manuals_say" $status
+    done
+}
+
+# says NAME TEXT: what the recipe prints in a folder with its files.
+says()
+{
+    ln -sf "$here/tools" "$scratch/tools"
+    sh tests/recipe.sh lidar > "$scratch/lidar"
+    (cd "$scratch" && sh lidar) > "$scratch/said" 2>&1
+    [ "$(cat "$scratch/said")" = "$2" ] || { cat "$scratch/said"; false; }
+    verdict "$1" $?
+}
+
+# Forty trunks; of each, one point 1 cm before the bark and one 5 cm before
+# it, seen from the recipe's scanner at (0, 0, 255.5).
+test_stand_in()
+{
+    awk -v scratch="$scratch" 'BEGIN {
+        table = scratch "/tree.csv"; cloud = scratch "/cloud.txt"
+        print "startX,startY,startZ,endX,endY,endZ,radius_cyl" > table
+        for (n = 0; n < 40; n++) {
+            c = cos(n * 0.157); s = sin(n * 0.157)
+            r = 0.1 + n / 200; d = 10 + n
+            printf "%.9f,%.9f,250,%.9f,%.9f,260,%g\n", d * c, d * s,
+                   d * c, d * s, r > table
+            for (off = 0.01; off < 0.06; off += 0.04)
+                printf "%.9f %.9f 255.5\n", (d - r - off) * c,
+                       (d - r - off) * s > cloud
+        }
+    }'
+    says half_of_the_points_are_near_a_trunk \
+        '40 of 80 points are within 2 cm of a hit: 50.0 %'
+}
+
+test_real_tree()
+{
+    cp $data/tree_archi.csv "$scratch/tree.csv"
+    cp $data/tree_cloud_xyz.txt "$scratch/cloud.txt"
+    says the_scan_of_a_real_tree_is_as_cylint_7_says \
+        "$(sed -n 's/^\.Dl \(.* within 2 cm .*\)/\1/p' man/cylint.7)"
+}
+
+test_foreign_shapes
+test_stand_in
+if [ -d $data ]; then
+    test_real_tree
+else
+    echo "note: no $data, the real tree is left out"
+fi
+echo "$passed passed, $failed failed"
+[ $failed -eq 0 ]
