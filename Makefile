@@ -39,17 +39,20 @@ EMBREE_LIBS   ?= -lembree$(EMBREE)
 warn    := -Wall -Wextra -Wpedantic -Wconversion
 ours    := -std=c99 $(warn) -Iinclude -MMD -MP
 exactly := -ffp-contract=off -fno-fast-math
+# gcc 12 with this on takes (double)(float)x for x where it finds two in a row
+floats  := -fno-tree-slp-vectorize
 compile  = $(CC) $(ours) $(CPPFLAGS) $(CFLAGS) $(extra) $(exactly)
 
 lib_objects   := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/methods/*.c))
 # kernels once more for each instruction set of this machine's family
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
 lib_objects   += $(BUILD)/src/kernel-fma.o $(BUILD)/src/batch-avx2.o $(BUILD)/src/batch-avx512.o
+embree_builds := $(BUILD)/src/embree/lanetest-avx2.o
 endif
+embree_objects := $(if $(EMBREE),$(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/embree/*.c)) $(embree_builds))
 FLAGS.fma     := -mavx2 -mfma -DCYLINT_ONE=cylint_one_fma
 FLAGS.avx2    := -mavx2 -mfma -DCYLINT_SHAPES=cylint_shapes_avx2 -DCYLINT_LINES=cylint_lines_avx2
 FLAGS.avx512  := -mavx512f -mavx512vl -mavx512dq -mavx2 -mfma -DCYLINT_SHAPES=cylint_shapes_avx512 -DCYLINT_LINES=cylint_lines_avx512
-embree_objects := $(if $(EMBREE),$(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/embree/*.c)))
 tool_sources  := $(filter-out tools/cylint/numbers_c.c,$(wildcard tools/cylint/*.c))
 tool_objects  := $(patsubst %.c,$(BUILD)/%.o,$(tool_sources)) \
                  $(BUILD)/tools/cylint/$(if $(CXX17),numbers_cxx.o,numbers_c.o)
@@ -92,18 +95,18 @@ $(BUILD)/cylint-embree.so: $(BUILD)/tools/cylint/embree/module.o $(BUILD)/libcyl
 	$(CC) $(CFLAGS) $(LDFLAGS) -shared -o $@ $^ $(EMBREE_LIBS) -lm
 
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
-$(BUILD)/src/embree/%.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
-$(BUILD)/tools/%.o: extra := -D_POSIX_C_SOURCE=200809L
+$(BUILD)/src/embree/%.o: extra += $(floats) -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS) $(if $(embree_builds),-DCYLINT_BUILDS_X86)
+$(BUILD)/tools/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L
 $(BUILD)/tools/cylint/embree/%.o: extra := -fPIC -fvisibility=hidden
 $(BUILD)/tools/cylint/search.o: extra += $(if $(EMBREE),-DCYLINT_EMBREE)
-$(BUILD)/tools/bench/%.o: extra := -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
+$(BUILD)/tools/bench/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
-$(BUILD)/tests/%.o: extra := -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
+$(BUILD)/tests/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 $(BUILD)/tests/embree_%.o $(BUILD)/tests/test_embree_%.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 
 $(BUILD)/src/dispatch.o: extra += $(if $(findstring kernel-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
-$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o: extra += -O3
+$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/embree/lanetest%.o: extra += -O3
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
@@ -114,6 +117,9 @@ $(filter $(BUILD)/src/kernel-%,$(lib_objects)): $(BUILD)/src/kernel-%.o: src/ker
 
 $(filter $(BUILD)/src/batch-%,$(lib_objects)): $(BUILD)/src/batch-%.o: src/batch.c
 	$(compile) $(FLAGS.$*) -c -o $@ $<
+
+$(embree_builds): $(BUILD)/src/embree/lanetest-%.o: src/embree/lanetest.c
+	$(compile) -mavx2 -mfma -DCYLINT_BLOCK_TEST=cylint_block_test_$* -c -o $@ $<
 
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc
 	@mkdir -p $(@D)

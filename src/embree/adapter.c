@@ -44,7 +44,15 @@ static void box_of(const cylint_embree_data *data, size_t number, int step,
     *box = cylint_float_box(lo, hi);
 }
 
-static void bounds(const struct RTCBoundsFunctionArguments *args)
+static void block_bounds(const struct RTCBoundsFunctionArguments *args)
+{
+    const cylint_embree_data *data = args->geometryUserPtr;
+    struct RTCBounds box;
+    cylint_block_box(data->group.blocks + args->primID, data->shapes, &box);
+    *args->bounds_o = cylint_padded_box(&box, data->pad);
+}
+
+static void shape_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_embree_data *data = args->geometryUserPtr;
     struct RTCBounds box;
@@ -101,6 +109,7 @@ static void tell_device(RTCGeometry geometry)
 
 /* --------------------------------------------------------------- making -- */
 
+/* Takes the shapes as they are now; the blocks before stay where not. */
 static int fill(RTCGeometry geometry, cylint_embree_data *data,
                 cylint_embree_problem *problem)
 {
@@ -108,7 +117,17 @@ static int fill(RTCGeometry geometry, cylint_embree_data *data,
         tell_device(geometry);
         return 0;
     }
-    rtcSetGeometryUserPrimitiveCount(geometry, (unsigned)data->n);
+    if (data->test) {
+        cylint_group group;
+        if (!cylint_group_make(&group, data->device, data->shapes, data->n)) {
+            problem->status = CYLINT_EMBREE_EMEMORY;
+            return 0;
+        }
+        cylint_group_free(&data->group);
+        data->group = group;
+    }
+    rtcSetGeometryUserPrimitiveCount(
+        geometry, (unsigned)(data->test ? data->group.n : data->n));
     rtcCommitGeometry(geometry);
     return 1;
 }
@@ -118,7 +137,8 @@ static void attach(RTCGeometry geometry, cylint_embree_data *data)
     rtcSetGeometryUserData(geometry, data);
     rtcSetGeometryTimeStepCount(geometry, data->moved ? 2 : 1);
     rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
-    rtcSetGeometryBoundsFunction(geometry, bounds, NULL);
+    rtcSetGeometryBoundsFunction(
+        geometry, data->test ? block_bounds : shape_bounds, NULL);
     rtcSetGeometryIntersectFunction(geometry, cylint_embree_trace);
     rtcSetGeometryOccludedFunction(geometry, cylint_embree_shadow);
 }
@@ -138,12 +158,15 @@ static cylint_embree_data *new_data(RTCDevice device,
         data->how = options->how;
         data->user = options->user;
     }
+    if (!(data->how & CYLINT_EMBREE_SINGLE) && !data->moved)
+        data->test = cylint_block_test_used();
     return data;
 }
 
 static void free_data(cylint_embree_data *data)
 {
     cylint_memory self = data->self;
+    cylint_group_free(&data->group);
     cylint_memory_give(&self);
 }
 
@@ -204,5 +227,5 @@ void cylint_embree_release(RTCGeometry geometry)
 size_t cylint_embree_bytes(RTCGeometry geometry)
 {
     const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
-    return data->self.bytes;
+    return data->self.bytes + data->group.memory.bytes;
 }

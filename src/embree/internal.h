@@ -1,8 +1,8 @@
 /*
  * internal.h - what the adapter's files tell each other
  *
- * Which way the calls point: adapter.c -> trace.c -> block.c, and
- * adapter.c -> group.c -> block.c; all -> memory.c, box.c.
+ * Which way the calls point: adapter.c -> group.c -> block.c -> trunk.c, and
+ * trace.c -> lanetest.c.
  */
 #ifndef CYLINT_EMBREE_INTERNAL_H
 #define CYLINT_EMBREE_INTERNAL_H
@@ -11,6 +11,7 @@
 
 #include "api.h"
 #include "cylint_embree.h"
+#include "group.h"
 #include "memory.h"
 
 /* What the geometry's user data points to. */
@@ -23,6 +24,8 @@ typedef struct cylint_embree_data {
     double pad;                   /* by which boxes are widened for Embree */
     unsigned how;
     void *user;
+    cylint_block_test *test;      /* NULL: one shape a primitive */
+    cylint_group group;
 } cylint_embree_data;
 
 /* Callbacks of the geometry. */

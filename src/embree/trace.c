@@ -20,6 +20,8 @@ typedef struct query {
     struct RTCRay *ray;
     struct RTCHit *hit; /* of nearest */
     cylint_line line;   /* the ray */
+    const cylint_block *block; /* NULL: one shape a primitive */
+    int lane;
 } query;
 
 static cylint_status line_of(const struct RTCRay *ray, cylint_line *line)
@@ -194,7 +196,9 @@ static int take(query *q, unsigned number, const cylint_hit *at)
 
 static unsigned wanted(const query *q)
 {
-    return q->data->how & CYLINT_EMBREE_BARE ? CYLINT_WANT_T :
+    const unsigned whose = q->block && q->block->count[q->lane] > 1
+                         ? CYLINT_WANT_Z : 0;
+    return q->data->how & CYLINT_EMBREE_BARE ? CYLINT_WANT_T | whose :
            CYLINT_WANT_T | CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
            CYLINT_WANT_PHI;
 }
@@ -209,12 +213,38 @@ static int try_shape(query *q, unsigned number)
     const int n = cylint_intersect(shape, &q->line, wanted(q), &answer);
     for (int i = 0; i < n; i++) {
         const cylint_hit *at = &answer.hit[i];
+        if (q->block && !cylint_block_owns(q->block, q->lane, at->z))
+            continue;
         if (q->nearest && !comes_first(q, number, at->t))
             return 0;
         if (take(q, number, at))
             return 1;
     }
     return 0;
+}
+
+/* The lanes the ray may meet, nearest first, until none can come first. */
+static int try_block(query *q)
+{
+    const cylint_line *line = &q->line;
+    double least[CYLINT_BLOCK];
+    int hit = 0;
+    unsigned lanes = q->data->test(q->block, line->o, line->d, line->tmin,
+                                   line->tmax, least);
+    while (lanes) {
+        int first = -1;
+        for (int lane = 0; lane < CYLINT_BLOCK; lane++)
+            if (lanes >> lane & 1 && (first < 0 || least[lane] < least[first]))
+                first = lane;
+        if (least[first] > line->tmax)
+            break;
+        lanes &= ~(1u << first);
+        q->lane = first;
+        hit |= try_shape(q, q->block->number[first]);
+        if (hit && q->any)
+            break;
+    }
+    return hit;
 }
 
 /* --------------------------------------------------------------- packets -- */
@@ -245,7 +275,10 @@ static int trace_one(query *q, unsigned primID)
         return 0;
     if (q->nearest && hit_is_ours(q))
         q->line.tmax = tmax_after_hit(q->ray->tfar);
-    return try_shape(q, primID);
+    if (!q->data->test)
+        return try_shape(q, primID);
+    q->block = q->data->group.blocks + primID;
+    return try_block(q);
 }
 
 /* Ray i of the packet; the hit, where there is one, lies behind the rays. */

@@ -1,0 +1,146 @@
+/*
+ * block.c - filling blocks
+ */
+#include "block.h"
+
+#include <string.h>
+
+/*
+ * From the box's middle, which is a float, to its sides it is at most REACH
+ * steps of 2^-k, and more than half as many unless k is limited.  Shorts hold
+ * the rest: radii, at most sqrt(3/2) REACH for a disc in such a box, and
+ * axes that are lengthened below.
+ */
+#define REACH 24000.0
+#define LARGEST 32767.0
+
+/* A step of no less than 2^-126 has a normal inverse, and so has it. */
+static float steps_per_unit(double half)
+{
+    int e;
+    frexp(fmax(half, 0x1p-126) / REACH, &e); /* half / REACH <= 2^e */
+    return ldexpf(1, -(e > -126 ? e : -126));
+}
+
+static float middle(float lower, float upper)
+{
+    return (float)(((double)lower + (double)upper) / 2);
+}
+
+static void place(cylint_block *block, const struct RTCBounds *box)
+{
+    const float lower[3] = {box->lower_x, box->lower_y, box->lower_z};
+    const float upper[3] = {box->upper_x, box->upper_y, box->upper_z};
+    double half = 0;
+    for (int j = 0; j < 3; j++) {
+        block->center[j] = middle(lower[j], upper[j]);
+        const double c = block->center[j];
+        half = fmax(half, fmax(upper[j] - c, c - lower[j]));
+    }
+    block->per_unit = steps_per_unit(half);
+}
+
+/* A cylinder in steps. */
+typedef struct {
+    double p[2][3], r;
+} hull;
+
+static int store(cylint_block *block, int lane, const hull *h)
+{
+    for (int end = 0; end < 2; end++)
+        for (int j = 0; j < 3; j++)
+            if (!(fabs(h->p[end][j]) < LARGEST))
+                return 0;
+    if (!(h->r < LARGEST))
+        return 0;
+    for (int end = 0; end < 2; end++)
+        for (int j = 0; j < 3; j++)
+            block->p[end][j][lane] = (int16_t)lrint(h->p[end][j]);
+    block->r[lane] = (int16_t)ceil(h->r);
+    return 1;
+}
+
+/*
+ * The piece is the hull of two sections; A(z) is on its axis, X in the
+ * section at z, |X - A(z)| <= across off the axis and <= along along it.  Ends
+ * are lengthened by g along the axis, then rounded: the rounded axis passes
+ * A(z) at Q(z), and is less than e = 7/8 step from it, sqrt(3)/2 from the
+ * rounding and the rest (`rough`) from the doubles before.  So
+ *
+ *   X is at most across + e from the rounded axis,
+ *   and along it at most e + along + across sin(a) from Q(z),
+ *
+ * a being the angle between the axes: its ends being moved less than e, the
+ * axis of length l >= 2e turns by sin(a) <= 2 e / (l - 2 e).  g is no less
+ * than what X may stick out, and at least 4, so that no lane is without axis.
+ */
+static int hold(cylint_block *block, int lane, const cylint_trunk *t,
+                cylint_piece piece)
+{
+    const double steps = block->per_unit;
+    const double rough = 0x1p-48 * steps *
+        (fabs(t->base[0]) + fabs(t->base[1]) + fabs(t->base[2]) + t->length +
+         fmax(t->k[0], t->k[1]) * (t->across + t->along));
+    const double e = 0.875 + rough;
+    double z[2];
+    cylint_piece_ends(piece, z);
+    const double k = fmax(t->k[0] + (t->k[1] - t->k[0]) * z[0],
+                          t->k[0] + (t->k[1] - t->k[0]) * z[1]) * steps;
+    const double across = k * t->across, length = t->length * steps;
+    const double l = length * (z[1] - z[0]);
+    const double turn = l > 4 * e ? 2 * e / (l - 2 * e) : 1;
+    const double g = e + k * t->along + across * fmin(turn, 1) + 4;
+    hull h = {.r = across + e};
+    for (int end = 0; end < 2; end++)
+        for (int j = 0; j < 3; j++) {
+            const double unit = t->length > 0 ? t->axis[j] / t->length
+                                              : j == 0;
+            const double from = t->base[j] - (double)block->center[j];
+            h.p[end][j] = (from + z[end] * t->axis[j]) * steps +
+                          (end ? g : -g) * unit;
+        }
+    return rough < 1 && store(block, lane, &h);
+}
+
+void cylint_block_fill(cylint_block *block, const cylint_shape *shapes,
+                       const cylint_block_entry *entries, int used,
+                       const struct RTCBounds *box)
+{
+    memset(block, 0, sizeof *block);
+    place(block, box);
+    block->used = (uint8_t)used;
+    for (int lane = 0; lane < used; lane++) {
+        const cylint_block_entry *entry = entries + lane;
+        cylint_trunk trunk;
+        cylint_trunk_of(&trunk, shapes + entry->number);
+        block->number[lane] = entry->number;
+        block->index[lane] = (uint8_t)entry->piece.index;
+        block->count[lane] = (uint8_t)entry->piece.count;
+        if (!hold(block, lane, &trunk, entry->piece))
+            block->always |= (uint8_t)(1u << lane);
+    }
+}
+
+void cylint_block_box(const cylint_block *block, const cylint_shape *shapes,
+                      struct RTCBounds *box)
+{
+    for (int lane = 0; lane < block->used; lane++) {
+        const cylint_piece piece = {block->index[lane], block->count[lane]};
+        cylint_trunk trunk;
+        cylint_trunk_of(&trunk, shapes + block->number[lane]);
+        const struct RTCBounds b = cylint_piece_box(&trunk, piece);
+        if (lane == 0)
+            *box = b;
+        else
+            cylint_extend_box(box, &b);
+    }
+}
+
+cylint_block_test *cylint_block_test_used(void)
+{
+#ifdef CYLINT_BUILDS_X86
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        return cylint_block_test_avx2;
+#endif
+    return cylint_block_test_plain;
+}

@@ -1,0 +1,29 @@
+/*
+ * group.h - shapes cut into pieces, pieces that lie together in blocks
+ */
+#ifndef CYLINT_EMBREE_GROUP_H
+#define CYLINT_EMBREE_GROUP_H
+
+#include <stddef.h>
+
+#include "block.h"
+#include "memory.h"
+
+typedef struct cylint_group {
+    cylint_memory memory;      /* of the blocks */
+    const cylint_block *blocks;
+    size_t n;
+} cylint_group;
+
+/*
+ * Groups shapes, all bounded and with boxes that Embree keeps, n of them,
+ * fewer than 2^32 - 1.  Returns 0 where memory was refused: nothing is left.
+ * Which blocks come of it depends on Embree; that each shape's every piece is
+ * in one lane of one block does not.
+ */
+int cylint_group_make(cylint_group *group, RTCDevice device,
+                      const cylint_shape *shapes, size_t n);
+
+void cylint_group_free(cylint_group *group);
+
+#endif

@@ -1,0 +1,73 @@
+/*
+ * lanes.h - vectors of floats, for work that only chooses what to ask
+ *
+ * The one place with intrinsics of the adapter.  vf adds, subtracts,
+ * multiplies and divides by the operators of C; the rest has names here.
+ * WIDTH divides 8.  f_mad(x, y, z) is x y + z, rounded once or twice: what is
+ * computed here is bounded, not told, so builds may differ.
+ */
+#ifndef CYLINT_EMBREE_LANES_H
+#define CYLINT_EMBREE_LANES_H
+
+#include <stdint.h>
+
+#if defined(__AVX2__) && defined(__FMA__)
+
+#include <immintrin.h>
+enum { WIDTH = 8 };
+typedef __m256 vf;
+static inline vf f_set(float x) { return _mm256_set1_ps(x); }
+static inline vf f_from_shorts(const int16_t *x)
+{
+    return _mm256_cvtepi32_ps(
+        _mm256_cvtepi16_epi32(_mm_loadu_si128((const __m128i *)x)));
+}
+static inline void f_store(float *x, vf v) { _mm256_storeu_ps(x, v); }
+static inline vf f_mad(vf x, vf y, vf z) { return _mm256_fmadd_ps(x, y, z); }
+static inline vf f_abs(vf x)
+{
+    return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), x);
+}
+static inline vf f_sqrt(vf x) { return _mm256_sqrt_ps(x); }
+/* Bits of the lanes where x > y is not so. */
+static inline unsigned f_not_greater(vf x, vf y)
+{
+    return (unsigned)_mm256_movemask_ps(_mm256_cmp_ps(x, y, _CMP_NGT_UQ));
+}
+
+#elif defined(__SSE2__)
+
+#include <emmintrin.h>
+enum { WIDTH = 4 };
+typedef __m128 vf;
+static inline vf f_set(float x) { return _mm_set1_ps(x); }
+static inline vf f_from_shorts(const int16_t *x)
+{
+    const __m128i s = _mm_loadl_epi64((const __m128i *)x);
+    return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(s, s), 16));
+}
+static inline void f_store(float *x, vf v) { _mm_storeu_ps(x, v); }
+static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
+static inline vf f_abs(vf x) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), x); }
+static inline vf f_sqrt(vf x) { return _mm_sqrt_ps(x); }
+static inline unsigned f_not_greater(vf x, vf y)
+{
+    return (unsigned)_mm_movemask_ps(_mm_cmpngt_ps(x, y));
+}
+
+#else
+
+#include <math.h>
+enum { WIDTH = 1 };
+typedef float vf;
+static inline vf f_set(float x) { return x; }
+static inline vf f_from_shorts(const int16_t *x) { return (float)*x; }
+static inline void f_store(float *x, vf v) { *x = v; }
+static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
+static inline vf f_abs(vf x) { return fabsf(x); }
+static inline vf f_sqrt(vf x) { return sqrtf(x); }
+static inline unsigned f_not_greater(vf x, vf y) { return !(x > y); }
+
+#endif
+
+#endif

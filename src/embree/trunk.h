@@ -1,0 +1,42 @@
+/*
+ * trunk.h - what all bounded shapes look like from far: discs along an axis
+ *
+ * The section at z is centred at base + z axis.  With k(z) = k0 + (k1-k0) z
+ * it reaches k(z) reach[j] from there along coordinate j, k(z) across from
+ * the axis' line, and k(z) along along that.
+ */
+#ifndef CYLINT_EMBREE_TRUNK_H
+#define CYLINT_EMBREE_TRUNK_H
+
+#include "bounds.h"
+#include "cylint_embree.h"
+
+typedef struct cylint_trunk {
+    double base[3], axis[3];
+    double k[2];
+    double reach[3], across, along;
+    double length;             /* of the axis */
+} cylint_trunk;
+
+/* A piece of a shape: number `index` of `count` equal ones along z. */
+typedef struct cylint_piece {
+    int index, count;
+} cylint_piece;
+
+void cylint_trunk_of(cylint_trunk *trunk, const cylint_shape *shape);
+
+/* z of the ends of a piece, and a box that holds it, a little longer: pieces
+ * overlap by 2^-20 of their length, so that a z that is not quite right
+ * still lies in the piece it seems to. */
+void cylint_piece_ends(cylint_piece piece, double z[2]);
+struct RTCBounds cylint_piece_box(const cylint_trunk *trunk,
+                                  cylint_piece piece);
+
+/* The piece that z, in [0, 1], belongs to. */
+static inline int cylint_piece_at(double z, int count)
+{
+    const int index = (int)(z * count);
+    return index < count ? index : count - 1;
+}
+
+#endif
