@@ -192,6 +192,13 @@ check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/faulty) ## run every tes
 	@$(if $(EMBREE),,echo 'note: no Embree, its adapter is neither built nor tested')
 	@BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' sh tests/run.sh $(test_programs) $(test_scripts)
 
+check-embree: $(embree_tests) ## the tests that need Embree, on the one that was found
+	@$(if $(EMBREE),,echo 'check-embree: no Embree (make deps)'; exit 1)
+	@BUILD=$(BUILD) sh tests/run.sh $(filter $(embree_tests),$(test_programs))
+
+check-embree4: all ## the same on Embree 4, fetched from PyPI
+	@BUILD=$(BUILD) CC='$(CC)' sh tests/run.sh tests/test_embree4.sh
+
 prove: ## the error bounds, by Gappa; 1 % less must not be provable
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/prove/prove.sh
 
@@ -247,7 +254,7 @@ clean: ## what was built
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' Makefile
 
-.PHONY: check-scene all bench bench_programs demo stress search covered coverage mutants check check-cross prove lint sanitize deps deps-cross install uninstall clean help
+.PHONY: check-scene all bench bench_programs demo stress search covered coverage mutants check check-cross check-embree check-embree4 prove lint sanitize deps deps-cross install uninstall clean help
 .SECONDARY:
 %.d: ;
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

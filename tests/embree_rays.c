@@ -153,12 +153,15 @@ int rays_shadowed(struct rays *r, int i)
 
 int rays_strayed(const struct rays *r, int occlusion)
 {
+    /* a single hit may end with padding, which is written with it */
+    const int members = r->n == 1 ? (int)sizeof(struct RTCRayHit) / 4
+                                  : (int)RAY_MEMBERS;
     int strayed = 0;
     for (int w = 0; w < RAYS_WORDS + RAYS_BEYOND; w++) {
         const int member = w / r->n, i = w % r->n;
         const int output = member == RAY_TFAR ||
-            (!occlusion && member >= HIT_NG && member < RAY_MEMBERS);
-        strayed += r->word[w].u != r->before[w].u && !(output && r->valid[i]);
+            (!occlusion && member >= HIT_NG && member < members);
+        strayed += r->word[w].u != r->before[w].u && !(output && r->valid[i] < 0);
     }
     return strayed;
 }

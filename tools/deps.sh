@@ -2,7 +2,8 @@
 # Installs what `make check` needs on Debian and its descendants; with the
 # argument `cross` what `make check-cross` and `make lint` need as well.  Only
 # what is missing is asked for, so a second run needs neither network nor root.
-wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev libgsl-dev mandoc'
+wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev libgsl-dev mandoc libembree-dev
+    python3-pip'
 # gcc-multilib would be simpler for -m32, but excludes cross compilers
 [ "$1" = cross ] && wanted="$wanted clang clang-tidy cppcheck qemu-user
     gcc-aarch64-linux-gnu libc6-dev-arm64-cross

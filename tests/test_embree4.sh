@@ -1,0 +1,19 @@
+#!/bin/sh
+# The tests of the adapter and of scenes once more, on Embree 4, where it can
+# be had (tests/embree4/fetch.sh).  EMBREE4=no: not even asked for.
+here=$(dirname "$0")
+build=${BUILD:-build}
+folder=$build/embree4
+[ "$EMBREE4" = no ] && { echo 'EMBREE4=no'; exit 77; }
+library=$(sh "$here/embree4/fetch.sh" "$folder/wheel")
+status=$?
+[ $status -eq 0 ] || { echo "$library"; exit $status; }
+library=$(cd "$(dirname "$library")" && pwd)/$(basename "$library")
+# the library proper is the same: its objects need not be compiled again
+mkdir -p "$folder/src/methods" &&
+    cp -p "$build"/src/*.o "$folder/src/" &&
+    cp -p "$build"/src/methods/*.o "$folder/src/methods/" &&
+    make -s -C "$here/.." BUILD="$folder" EMBREE=4 \
+        CPPFLAGS="$CPPFLAGS -Werror=implicit-function-declaration" \
+        EMBREE_CFLAGS='-Itests/embree4' \
+        EMBREE_LIBS="$library -Wl,-rpath,$(dirname "$library")" check-embree
