@@ -1,0 +1,168 @@
+/*
+ * command.c - fuzzes the whole command
+ *
+ * An input is the arguments in one line, separated by single blanks, then
+ * standard input; what follows a line `%%`, if any, is in whatever file is
+ * read besides.  The command is run twice: with one worker, reading a file,
+ * and with two, reading a pipe a few bytes at a time.  Both must write the
+ * same bytes and exit with the same status.  Nothing else is written:
+ * Makefile puts our open(), read(), write() and close() in the place of the
+ * system's.
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "../../tools/cylint/main.h"
+#include "fuzz.h"
+
+enum { PIPE_MOST = 1 << 15, ARGUMENTS_MOST = 64 };
+
+/* What the run under way reads and writes. */
+static struct {
+    const char *input, *file; /* standard input, all other files */
+    size_t input_size, file_size;
+    int piped;
+    unsigned long long written, hash;
+    char last;
+} now;
+
+int command_main(int argc, char **argv); /* main() of tools/cylint/main.c */
+int __real_open(const char *name, int flags, ...);
+ssize_t __real_read(int fd, void *to, size_t n);
+ssize_t __real_write(int fd, const void *from, size_t n);
+int __real_close(int fd);
+
+/* ------------------------------------------------------------ the files -- */
+
+/* A descriptor from which the bytes can be read. */
+static int readable(const char *bytes, size_t size)
+{
+    char name[] = "/tmp/cylint-fuzz-XXXXXX";
+    const int fd = mkstemp(name);
+    MUST(fd >= 0 && unlink(name) == 0);
+    MUST(__real_write(fd, bytes, size) == (ssize_t)size);
+    MUST(lseek(fd, 0, SEEK_SET) == 0);
+    return fd;
+}
+
+static int piped(const char *bytes, size_t size)
+{
+    int ends[2];
+    MUST(pipe(ends) == 0);
+    MUST(__real_write(ends[1], bytes, size) == (ssize_t)size);
+    MUST(__real_close(ends[1]) == 0);
+    return ends[0];
+}
+
+static void become(int number, int fd)
+{
+    MUST(fd >= 0 && dup2(fd, number) == number);
+    MUST(__real_close(fd) == 0);
+}
+
+int __wrap_open(const char *name, int flags, ...)
+{
+    if ((flags & O_ACCMODE) != O_RDONLY) {
+        return __real_open("/dev/null", flags & O_ACCMODE);
+    }
+    if (name[0] == '/') {
+        errno = ENOENT;
+        return -1;
+    }
+    return readable(now.file, now.file_size);
+}
+
+ssize_t __wrap_read(int fd, void *to, size_t n)
+{
+    return __real_read(fd, to, now.piped && n > 7 ? 7 : n);
+}
+
+ssize_t __wrap_write(int fd, const void *from, size_t n)
+{
+    const char *p = from;
+    (void)fd;
+    for (size_t i = 0; i < n; i++) {
+        now.hash = (now.hash ^ (unsigned char)p[i]) * 0x100000001b3u;
+        now.last = p[i];
+    }
+    now.written += n;
+    return (ssize_t)n;
+}
+
+int __wrap_close(int fd)
+{
+    return fd > 2 ? __real_close(fd) : 0;
+}
+
+/* ------------------------------------------------------------- the runs -- */
+
+/* The command may reorder argv. */
+static int run(const char *line, const char *jobs)
+{
+    char *argv[ARGUMENTS_MOST + 4], *text = strdup(line);
+    int argc = 0;
+    char name[] = "cylint", option[] = "-j", count[] = "1";
+    MUST(text);
+    count[0] = jobs[0];
+    argv[argc++] = name;
+    argv[argc++] = option;
+    argv[argc++] = count;
+    for (char *p = text; *p && argc < ARGUMENTS_MOST; ) {
+        char *blank = strchr(p, ' ');
+        argv[argc++] = p;
+        p = blank ? blank + 1 : p + strlen(p);
+        if (blank) {
+            *blank = '\0';
+        }
+    }
+    argv[argc] = NULL;
+    now.piped = jobs[0] != '1';
+    now.written = now.hash = 0;
+    now.last = '\n';
+    become(0, now.piped ? piped(now.input, now.input_size)
+                        : readable(now.input, now.input_size));
+    become(1, __real_open("/dev/null", O_WRONLY));
+    const int status = command_main(argc, argv);
+    free(text);
+    return status;
+}
+
+/* The first `%%` that is a line; NULL if none is. */
+static const char *find_mark(const char *text, const char *end)
+{
+    for (const char *p = text; end - p >= 3; p++) {
+        if (memcmp(p, "%%\n", 3) == 0 && (p == text || p[-1] == '\n')) {
+            return p;
+        }
+    }
+    return NULL;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    const char *text = (const char *)data, *end = text + size;
+    const char *feed = memchr(data, '\n', size);
+    if (!feed || size > PIPE_MOST) {
+        return 0;
+    }
+    char *line = malloc((size_t)(feed - text) + 1);
+    MUST(line);
+    memcpy(line, text, (size_t)(feed - text));
+    line[feed - text] = '\0';
+    const char *mark = find_mark(feed + 1, end);
+    now.input = feed + 1;
+    now.input_size = (size_t)((mark ? mark : end) - now.input);
+    now.file = mark ? mark + 3 : end;
+    now.file_size = (size_t)(end - now.file);
+    const int status = run(line, "1");
+    const unsigned long long written = now.written, hash = now.hash;
+    MUST(status >= EXIT_ANSWERED && status <= EXIT_IO);
+    MUST(strchr(line, 'b') || now.last == '\n'); /* lines, unless binary */
+    MUST(run(line, "2") == status);
+    MUST(now.written == written && now.hash == hash);
+    free(line);
+    return 0;
+}

@@ -1,0 +1,150 @@
+/*
+ * record.c - fuzzes the grammar of a record and the number routines
+ *
+ * The first two bytes say what a record is made of, the rest is its text.
+ * Numbers are checked against strtod() and by reading what was written.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "../../tools/cylint/grammar.h"
+#include "../../tools/cylint/numbers.h"
+#include "../../tools/cylint/text.h"
+#include "fuzz.h"
+
+static int same_bits(double a, double b)
+{
+    return memcmp(&a, &b, sizeof a) == 0;
+}
+
+static size_t written_length(double value, int digits)
+{
+    char text[NUMBER_ROOM + 1];
+    double again;
+    const size_t n = cylint_write_number(text, value, digits);
+    MUST(n > 0 && n <= NUMBER_ROOM);
+    text[n] = '\n';
+    MUST(cylint_read_number(text, text + n, &again) == text + n);
+    MUST(same_bits(value, again));
+    return n;
+}
+
+static void check_number(const char *text, const char *end)
+{
+    double value, expected;
+    const char *after = cylint_read_number(text, end, &value);
+    if (!after) {
+        return;
+    }
+    MUST(after > text && after <= end);
+    const size_t length = (size_t)(after - text);
+    char *copy = malloc(length + 1);
+    MUST(copy);
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    char *stop;
+    expected = strtod(copy, &stop);
+    MUST(stop == copy + length && same_bits(value, expected));
+    free(copy);
+    if (isfinite(value)) {
+        MUST(written_length(value, NUMBER_SHORTEST)
+             <= written_length(value, NUMBER_MAX_DIGITS));
+        written_length(value, NUMBER_HEX);
+    }
+}
+
+static void check_fault(const struct fault *fault, const char *text,
+                        const char *end)
+{
+    char shown[4 * 32 + 4];
+    MUST(fault->what && fault->what[0] && fault->shape == 0);
+    MUST(text <= fault->at && fault->at <= fault->end && fault->end <= end);
+    const size_t length = escape_bytes(shown, fault->at, fault->end, 32);
+    MUST(length < sizeof shown && strlen(shown) == length);
+}
+
+static void check_record(const struct grammar *g, const struct record *r)
+{
+    cylint_answer answer;
+    MUST(!g->has_line || r->line.valid);
+    MUST(!g->has_shape || r->shape.kind != CYLINT_KIND_NONE);
+    MUST(memchr(r->tail, '\0', r->tail_length) == NULL);
+    if (g->has_line && g->has_shape) {
+        const int n = cylint_intersect(&r->shape, &r->line, CYLINT_WANT_ALL,
+                                       &answer);
+        MUST(n == answer.n && n >= 0 && n <= 2 && answer.flags == 0);
+    }
+}
+
+static struct grammar make_grammar(unsigned a, unsigned b)
+{
+    struct grammar g = {0, 0, NOT_GIVEN, NOT_GIVEN, NOT_GIVEN, 0, 0, 0};
+    g.has_line = a % 3 != 0;
+    g.has_shape = a % 3 != 1;
+    g.line = (int)(a / 3 % (LINE_KINDS + 1)) - 1;
+    g.shape = (int)(a / 15 % (SHAPE_KINDS + 1)) - 1;
+    g.ends = (int)(b % 7) - 1;
+    g.has_domain = b / 7 % 2 != 0;
+    g.tmin = g.has_domain ? -1 : 0;
+    g.tmax = g.has_domain ? HUGE_VAL : 0;
+    return g;
+}
+
+static void check_line(const struct grammar *g, const char *text,
+                       const char *end)
+{
+    struct record record;
+    struct fault fault;
+    if (!is_record(text, end)) {
+        return;
+    }
+    memset(&record, 0, sizeof record);
+    if (read_record(g, text, end, &record, &fault)) {
+        MUST(text <= record.tail && record.tail + record.tail_length <= end);
+        check_record(g, &record);
+    } else {
+        check_fault(&fault, text, end);
+    }
+}
+
+static void check_doubles(const struct grammar *g, const char *bytes,
+                          size_t size)
+{
+    double numbers[MOST_NUMBERS] = {0};
+    struct record record;
+    struct fault fault;
+    if ((g->has_line && g->line == NOT_GIVEN)
+        || (g->has_shape && g->shape == NOT_GIVEN)) {
+        return;
+    }
+    memcpy(numbers, bytes, size < sizeof numbers ? size : sizeof numbers);
+    memset(&record, 0, sizeof record);
+    record.tail = "";
+    if (take_record(g, numbers, &record, &fault)) {
+        check_record(g, &record);
+    } else {
+        MUST(fault.what && fault.what[0]);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    if (size < 2) {
+        return 0;
+    }
+    const struct grammar g = make_grammar(data[0], data[1]);
+    char *text = malloc(size - 1);
+    MUST(text);
+    memcpy(text, data + 2, size - 2);
+    char *end = text + size - 2;
+    *end = '\n';
+    check_doubles(&g, text, size - 2);
+    const char *stop;
+    for (const char *p = text; p < end; p = stop + 1) {
+        stop = end_of_line(p, end);
+        check_number(p, stop);
+        check_line(&g, p, stop);
+    }
+    free(text);
+    return 0;
+}
