@@ -134,6 +134,28 @@ $(filter $(BUILD)/tests/test_embree_%,$(embree_tests)): $(patsubst %,$(BUILD)/te
 $(embree_tests): %: %.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(EMBREE_LIBS) -pthread -lm
 
+# A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
+# replays files; in the fuzzed command the test reads and writes.
+fuzz_programs := $(patsubst %,$(BUILD)/tests/fuzz/%,record command shapes)
+fuzz_calls    := $(foreach c,open read write close,-Wl,--wrap=$(c))
+$(BUILD)/tests/fuzz/main.o: tools/cylint/main.c
+	@mkdir -p $(@D)
+	$(compile) -D_POSIX_C_SOURCE=200809L -Dmain=command_main -c -o $@ $<
+$(BUILD)/tests/fuzz/command: wrapped := $(fuzz_calls) -pthread
+$(fuzz_programs): %: %.o $(BUILD)/tests/fuzz/main.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/replay.o) $(filter-out %/main.o,$(tool_objects)) $(BUILD)/libcylint.a
+	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) $(if $(FUZZER),-fsanitize=fuzzer) $(wrapped) -o $@ $^ $(LDLIBS) -lm
+
+.PHONY: fuzz fuzz_programs
+fuzz_programs: $(fuzz_programs)
+
+sanitized := -fsanitize=address,undefined -fno-sanitize-recover=all
+fuzzed := -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp $(sanitized)
+fuzz: ## libFuzzer on tests/fuzz; SECONDS=60 each (needs clang)
+	$(MAKE) -s BUILD=$(BUILD)/fuzz FUZZER=yes PARANOID=1 CC=clang CXX=clang++ \
+	  CPPFLAGS=-DCYLINT_SHRINK=1024 CFLAGS='-g -O1 $(fuzzed)' \
+	  CXXFLAGS='-g -O1 $(fuzzed)' fuzz_programs
+	@BUILD=$(BUILD)/fuzz SECONDS=$(or $(SECONDS),60) sh tests/fuzz/fuzz.sh
+
 # Long runs, not part of `make check`; what they take is said in each file.
 $(BUILD)/tests/stress $(BUILD)/tests/search $(BUILD)/tests/records: %: %.o $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
@@ -187,7 +209,7 @@ lint: ## what static analysis says, and how the sources look
 demo: all ## scan a generated forest and show what was hit
 	@BUILD=$(BUILD) sh tools/demo/demo.sh
 
-check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/faulty) ## run every test (PARANOID=1: each decision twice)
+check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/faulty $(fuzz_programs)) ## run every test (PARANOID=1: each decision twice)
 	@$(if $(MPFR),,echo 'note: no MPFR, tests against the oracle are skipped')
 	@$(if $(EMBREE),,echo 'note: no Embree, its adapter is neither built nor tested')
 	@BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' sh tests/run.sh $(test_programs) $(test_scripts)
@@ -204,8 +226,7 @@ prove: ## the error bounds, by Gappa; 1 % less must not be provable
 
 sanitize: ## the tests under the address and undefined-behaviour sanitizers
 	$(MAKE) BUILD=$(BUILD)/sanitize check \
-	  CFLAGS='-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
-	  CXXFLAGS='-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all'
+	  CFLAGS='-g -O1 $(sanitized)' CXXFLAGS='-g -O1 $(sanitized)'
 
 deps: ## install what the tests need (Debian)
 	@sh tools/deps.sh

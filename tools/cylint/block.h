@@ -12,11 +12,6 @@
 #include "report.h"
 #include "text.h"
 
-enum {
-    BLOCK_GOAL = 1 << 18,        /* enough to begin answering */
-    BLOCK_ROOM = 2 * LINE_MOST   /* a long line, and what comes with it */
-};
-
 /* Why there is no more input though there should be; status 0: there is no
  * failure.  Told when all that came before is answered. */
 struct failure {

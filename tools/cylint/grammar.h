@@ -12,6 +12,7 @@
 #include <stddef.h>
 
 #include "cylint.h"
+#include "sizes.h"
 
 enum line_kind { LINE_WHOLE, LINE_RAY, LINE_SEGMENT, LINE_SPAN, LINE_KINDS };
 
@@ -19,8 +20,6 @@ enum shape_kind {
     SHAPE_CYLINDER, SHAPE_CONE, SHAPE_ECYLINDER, SHAPE_ECONE, SHAPE_ACONE,
     SHAPE_KINDS
 };
-
-enum { LINE_MOST = 1 << 20 /* bytes of a line, its end not counted */ };
 
 enum { NOT_GIVEN = -1, MOST_NUMBERS = 8 + 13 /* a span and an econe */ };
 

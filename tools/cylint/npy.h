@@ -6,10 +6,9 @@
 
 #include <stddef.h>
 
-enum {
-    NPY_PREFIX = 12,       /* bytes that tell the header's length */
-    NPY_HEADER_MOST = 1 << 16
-};
+#include "sizes.h"
+
+enum { NPY_PREFIX = 12 /* bytes that tell the header's length */ };
 
 /* Whether the bytes begin like a .npy file, as far as they go. */
 int npy_begins(const char *bytes, size_t length);

@@ -10,7 +10,7 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { TEXT_FULL = 1 << 18 }; /* time to write it out */
+#include "sizes.h"
 
 struct text {
     char *data;
