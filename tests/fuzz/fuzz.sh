@@ -1,12 +1,16 @@
 #!/bin/sh
 # Fuzzes each target for $SECONDS and stops at the first finding, which is
 # left in $BUILD.  What is new in the corpus stays in $BUILD too; keep little
-# of it: `TARGET -merge=1 tests/fuzz/corpus/TARGET $BUILD/corpus/TARGET`.
+# of it: TARGET -merge=1 tests/fuzz/corpus/TARGET $BUILD/corpus/TARGET
 for target in ${TARGETS:-record command shapes}; do
     mkdir -p "$BUILD/corpus/$target"
     echo "fuzz: $target, $SECONDS s"
     "$BUILD/tests/fuzz/$target" -max_total_time="$SECONDS" -max_len=4096 \
-        -timeout=20 -rss_limit_mb=4096 -close_fd_mask=2 -print_final_stats=1 \
-        -verbosity=0 -artifact_prefix="$BUILD/" \
-        "$BUILD/corpus/$target" "tests/fuzz/corpus/$target" || exit 1
+        -timeout=20 -close_fd_mask=2 -print_final_stats=1 \
+        -artifact_prefix="$BUILD/" "$BUILD/corpus/$target" \
+        "tests/fuzz/corpus/$target" >"$BUILD/$target.log" 2>&1 || {
+        tail -n 40 "$BUILD/$target.log"
+        exit 1
+    }
+    grep '^Done\|^stat::' "$BUILD/$target.log"
 done
