@@ -16,9 +16,10 @@
  *     never fails: a shape or line that was refused answers "miss" with the
  *     flag CYLINT_FLAG_INVALID.
  *   - The library allocates nothing, prints nothing, keeps no state but which
- *     kernels it uses, and does not touch errno or the locale.  All functions may be called from any
- *     number of threads; shapes and lines are plain structs without pointers
- *     and may be copied, stored in arrays and sent through pipes.
+ *     kernels it uses, and does not touch errno or the locale.  All functions
+ *     may be called from any number of threads; shapes and lines are plain
+ *     structs without pointers and may be copied, stored in arrays and sent
+ *     through pipes.
  *   - Null pointers are the caller's mistake.
  *
  * Accuracy is stated in cylint(3), section ACCURACY.
@@ -102,9 +103,8 @@ typedef struct cylint_shape {
     double r0, r1;         /* radii at z = 0, 1; elliptic: 1, k; acone:
                               0 and the tangent of the half angle */
     double dr, dr_lo;      /* r1 - r0 exactly, as a pair; acone: the tangent */
+    double center[3], ball;/* a ball that holds the solid; infinite: none */
     double size;           /* the largest length */
-    double miss_bound;     /* of G's error at a distance of `size`, for a
-                              direction of size 1 (src/shape.c) */
     int ordinary;          /* 1: doubles neither over- nor underflow */
     int flip;              /* elliptic: 1 where a.(b x h) < 0 */
 } cylint_shape;

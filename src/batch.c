@@ -1,12 +1,13 @@
 /*
  * batch.c - many lines or many shapes, in lanes
  *
- * Compiled once for each instruction set.  A batch is worked through in
- * blocks: first every lane is asked whether its line passes by for certain,
- * which takes the fewest data and operations and neither a division nor a
- * square root; the lanes that are left are then put side by side, judged,
- * and only those that hit have their roots rounded.  What a kernel does not
- * decide is asked one by one, without disturbing its neighbours.
+ * Compiled once for each instruction set.  First every lane is asked whether
+ * its line passes by the ball about its shape, which takes the fewest data
+ * and operations and neither a division nor a square root.  Lanes that are
+ * left are put side by side; as soon as there are enough for a vector they
+ * are judged, and only those that hit have their roots rounded.  What a
+ * kernel does not decide is asked one by one, without disturbing its
+ * neighbours.
  */
 #include "kernel.h"
 #include "kernels.h"
@@ -15,8 +16,6 @@
 #define CYLINT_SHAPES cylint_shapes_plain
 #define CYLINT_LINES cylint_lines_plain
 #endif
-
-enum { BLOCK = 256 };
 
 /* Where lanes come from: a run of shapes under one line or a line each, or
  * one shape under many lines.  Only the first pass is compiled for each. */
@@ -27,163 +26,196 @@ typedef struct {
     const cylint_run *run;     /* ONE_LINE, PAIRS */
     const cylint_shape *shape; /* ONE_SHAPE */
     size_t n;
-    int bounded;
+    int kind, bounded;
     lanes_line line;           /* ONE_LINE */
+    double speed;              /* ONE_LINE: |u|, not less */
     lanes_shape one;           /* ONE_SHAPE */
 } source;
 
-/* The number of a lane. */
-INLINE size_t number_of(const source *from, size_t lane, mode m)
+/* The lines of so many numbers. */
+static void lines_at(const source *from, const size_t *number, lanes_line *l)
 {
-    return m == ONE_SHAPE ? lane : from->run->number[lane];
-}
-
-/* x at the given lanes. */
-INLINE vd pick(const double *x, const size_t *at)
-{
-    double v[LANES];
-    for (int i = 0; i < LANES; i++)
-        v[i] = x[at[i]];
-    return v_load(v);
-}
-
-static void line_at(const source *from, const size_t *lane, mode m,
-                    lanes_line *l)
-{
-    if (m == ONE_LINE) {
-        *l = from->line;
-        return;
-    }
     const cylint_lines *lines = from->job->lines;
-    size_t at[LANES];
-    for (int i = 0; i < LANES; i++)
-        at[i] = number_of(from, lane[i], m);
     for (int i = 0; i < 3; i++) {
-        l->o[i] = pick(lines->o[i], at);
-        l->u[i] = pick(lines->d[i], at);
+        l->o[i] = v_pick(lines->o[i], number);
+        l->u[i] = v_pick(lines->d[i], number);
         l->u_lo[i] = v_set(0);
     }
-    l->tmin = lines->tmin ? pick(lines->tmin, at) : v_set(0);
-    l->tmax = lines->tmax ? pick(lines->tmax, at) : v_set(HUGE_VAL);
+    l->tmin = lines->tmin ? v_pick(lines->tmin, number) : v_set(0);
+    l->tmax = lines->tmax ? v_pick(lines->tmax, number) : v_set(HUGE_VAL);
 }
 
-static void shape_at(const source *from, const size_t *lane, mode m,
-                     int kind, lanes_shape *s)
+static void shapes_at(const source *from, const size_t *number, int kind,
+                      lanes_shape *s)
 {
-    if (m == ONE_SHAPE) {
-        *s = from->one;
-        return;
+    const char *shape[LANES];
+    unsigned cap[2] = {0, 0}, flip = 0;
+    for (int i = 0; i < LANES; i++) {
+        const cylint_shape *one = &from->job->shapes[number[i]];
+        const int ends = one->ends;
+        shape[i] = (const char *)one;
+        cap[0] |= (unsigned)(ends == CYLINT_CAPPED || ends == CYLINT_CAP_0)
+                  << i;
+        cap[1] |= (unsigned)(ends == CYLINT_CAPPED || ends == CYLINT_CAP_1)
+                  << i;
+        flip |= (unsigned)one->flip << i;
     }
-    const size_t stride = from->run->stride;
-    const double *column = from->run->column;
-#define COLUMN(c) pick(column + (size_t)(c) * stride, lane)
-    for (int i = 0; i < 3; i++) {
-        s->base[i] = COLUMN(COLUMN_BASE + i);
-        s->axis[i] = COLUMN(COLUMN_AXIS + i);
-        if (kind >= CYLINT_KIND_ECYLINDER) {
-            s->a[i] = COLUMN(COLUMN_A + i);
-            s->b[i] = COLUMN(COLUMN_B + i);
+/* four members in a row, from `name` on */
+#define MEMBERS(name) v_columns(shape, offsetof(cylint_shape, name), four)
+    vd four[4];
+    MEMBERS(base);
+    for (int i = 0; i < 3; i++)
+        s->base[i] = four[i];
+    MEMBERS(axis);
+    for (int i = 0; i < 3; i++)
+        s->axis[i] = four[i];
+    MEMBERS(r0);
+    s->r[0] = four[0];
+    s->r[1] = four[1];
+    s->dr = four[2];
+    s->dr_lo = four[3];
+    if (kind >= CYLINT_KIND_ECYLINDER) {
+        const vd turn = v_select(m_from(flip), v_set(-1), v_set(1));
+        MEMBERS(a);
+        for (int i = 0; i < 3; i++)
+            s->a[i] = four[i];
+        MEMBERS(b);
+        for (int i = 0; i < 3; i++) {
+            s->b[i] = turn * four[i];
             s->axis_lo[i] = v_set(0);
-        } else {
-            s->axis_lo[i] = COLUMN(COLUMN_AXIS_LO + i);
-            s->top[i] = COLUMN(COLUMN_TOP + i);
         }
-    }
-    s->r[0] = COLUMN(COLUMN_R0);
-    s->r[1] = COLUMN(COLUMN_R1);
-    s->dr = COLUMN(COLUMN_DR);
-    s->dr_lo = COLUMN(COLUMN_DR_LO);
-    s->cap[0] = v_lt(v_set(0), COLUMN(COLUMN_CAP0));
-    s->cap[1] = v_lt(v_set(0), COLUMN(COLUMN_CAP1));
-#undef COLUMN
-}
-
-/* What the first pass needs of lanes from `lane` on, which are in a row. */
-INLINE void row_at(const source *from, size_t lane, mode m, int kind,
-                   lanes_line *l, lanes_shape *s)
-{
-    if (m == ONE_SHAPE) {
-        const cylint_lines *lines = from->job->lines;
-        for (int i = 0; i < 3; i++) {
-            l->o[i] = v_load(lines->o[i] + lane);
-            l->u[i] = v_load(lines->d[i] + lane);
-        }
-        *s = from->one;
-        return;
-    }
-    const size_t stride = from->run->stride;
-    const double *column = from->run->column + lane;
-#define COLUMN(c) v_load(column + (size_t)(c) * stride)
-    for (int i = 0; i < 3; i++) {
-        s->base[i] = COLUMN(COLUMN_BASE + i);
-        s->axis[i] = COLUMN(COLUMN_AXIS + i);
-        if (kind >= CYLINT_KIND_ECYLINDER) {
-            s->a[i] = COLUMN(COLUMN_A + i);
-            s->b[i] = COLUMN(COLUMN_B + i);
-        }
-    }
-    s->r[0] = COLUMN(COLUMN_R0);
-    s->dr = kind == CYLINT_KIND_CYLINDER ? v_set(0) : COLUMN(COLUMN_DR);
-#undef COLUMN
-    if (m == ONE_LINE) {
-        *l = from->line;
     } else {
-        size_t at[LANES];
-        for (int i = 0; i < LANES; i++)
-            at[i] = from->run->number[lane + (size_t)i < from->n
-                                      ? lane + (size_t)i : from->n - 1];
+        MEMBERS(axis_lo);
+        for (int i = 0; i < 3; i++)
+            s->axis_lo[i] = four[i];
+        MEMBERS(top);
+        for (int i = 0; i < 3; i++)
+            s->top[i] = four[i];
+    }
+#undef MEMBERS
+    s->cap[0] = m_from(cap[0]);
+    s->cap[1] = m_from(cap[1]);
+}
+
+/* A ball and a line in every lane. */
+typedef struct {
+    vd center[3], radius, o[3], u[3];
+} lanes_ball;
+
+INLINE void line_of_ball(lanes_ball *b, const lanes_line *l)
+{
+    for (int i = 0; i < 3; i++) {
+        b->o[i] = l->o[i];
+        b->u[i] = l->u[i];
+    }
+}
+
+INLINE void shape_of_ball(lanes_ball *b, const cylint_shape *s)
+{
+    for (int i = 0; i < 3; i++)
+        b->center[i] = v_set(s->center[i]);
+    b->radius = v_set(s->ball);
+}
+
+/* Those of lanes from `lane` on, as far as they differ from lane to lane. */
+INLINE void ball_at(const source *from, size_t lane, mode m, lanes_ball *b)
+{
+    const cylint_lines *lines = from->job->lines;
+    if (m != ONE_SHAPE) {
+        const double *column = from->run->column + lane;
+        const size_t stride = from->run->stride;
+        for (int i = 0; i < 3; i++)
+            b->center[i] = v_load(column + (size_t)(COLUMN_CENTER + i) *
+                                           stride);
+        b->radius = v_load(column + COLUMN_BALL * stride);
+    }
+    if (m == ONE_SHAPE) {
         for (int i = 0; i < 3; i++) {
-            l->o[i] = pick(from->job->lines->o[i], at);
-            l->u[i] = pick(from->job->lines->d[i], at);
+            b->o[i] = v_load(lines->o[i] + lane);
+            b->u[i] = v_load(lines->d[i] + lane);
+        }
+    } else if (m == PAIRS) {
+        const size_t *at = from->run->number + lane;
+        const int in_a_row = lane + LANES <= from->n && /* not padded */
+                             at[LANES - 1] - at[0] == LANES - 1;
+        for (int i = 0; i < 3; i++) {
+            b->o[i] = in_a_row ? v_load(lines->o[i] + at[0])
+                               : v_pick(lines->o[i], at);
+            b->u[i] = in_a_row ? v_load(lines->d[i] + at[0])
+                               : v_pick(lines->d[i], at);
         }
     }
 }
 
-/* The lanes that pass by for certain: G < 0 by more than its error. */
-INLINE vm pass_by(const lanes_line *l, const lanes_shape *s, int kind)
+INLINE void ball_letters(const lanes_ball *b, letters_lanes *L,
+                         letters_sizes *N)
+{
+    for (int i = 0; i < 3; i++) {
+        L->u[i] = b->u[i];
+        L->D[0][i] = b->o[i] - b->center[i];
+    }
+    const vd u = v_largest(L->u), D = v_largest(L->D[0]);
+    for (int i = 0; i < 3; i++) {
+        N->u[i] = u;
+        N->D[0][i] = D;
+    }
+}
+
+/* The lanes that pass by for certain. */
+INLINE vm pass_by(const lanes_ball *b)
 {
     letters_lanes L;
     letters_sizes N;
-    lanes_letters(&L, &N, s, l, kind, 0);
+    ball_letters(b, &L, &N);
+    L.r[0] = N.r[0] = b->radius;
     const vd u = N.u[0], D = N.D[0][0];
-    const bounded_value G = with_bound(form_G_lanes(&L), form_G_sizes(&N));
+    const bounded_value near = with_bound(form_ball_lanes(&L),
+                                          form_ball_sizes(&N));
     const vd most = v_set(CYLINT_WINDOW), least = v_set(1 / CYLINT_WINDOW);
     const vm window = m_and(v_le(v_max(u, D), most), v_le(least, u));
-    return m_and(window, v_lt(G.v, -G.e));
+    return m_and(window, v_lt(near.v, -near.e));
 }
 
-/* First pass over a block: the lanes left, as a list. */
-INLINE int lanes_left(const source *from, size_t start, size_t end, mode m,
-                      int kind, size_t *left)
+/* The number of the lowest 1. */
+INLINE size_t lowest(unsigned bits)
 {
-    int n = 0;
-    for (size_t lane = start; lane < end; lane += LANES) {
-        lanes_line l;
-        lanes_shape s;
-        unsigned in = (1u << LANES) - 1;
-        if (end - lane < LANES) {
-            in = (1u << (end - lane)) - 1;
-            if (m == ONE_SHAPE) { /* do not read beyond the caller's arrays */
-                for (; lane < end; lane++)
-                    left[n++] = lane;
-                break;
-            }
-        }
-        row_at(from, lane, m, kind, &l, &s);
-        unsigned bits = m_bits(m_not(pass_by(&l, &s, kind))) & in;
-        for (; bits; bits &= bits - 1)
 #ifdef __GNUC__
-            left[n++] = lane + (size_t)__builtin_ctz(bits);
+    return (size_t)__builtin_ctz(bits);
 #else
-        {
-            int k = 0;
-            while (!(bits >> k & 1))
-                k++;
-            left[n++] = lane + (size_t)k;
-        }
+    size_t k = 0;
+    while (!(bits >> k & 1))
+        k++;
+    return k;
 #endif
-    }
-    return n;
+}
+
+/* A value of form_foot: where t stands from the foot of a ball's centre. */
+INLINE bounded_value foot(const letters_lanes *L, const letters_sizes *N,
+                          double t)
+{
+    letters_lanes at = *L;
+    letters_sizes size = *N;
+    at.r[0] = v_set(t);
+    size.r[0] = v_set(fabs(t));
+    return with_bound(form_foot_lanes(&at), form_foot_sizes(&size));
+}
+
+/* The lanes whose ball is not for certain beyond the line's domain or the
+ * nearest hit. */
+INLINE unsigned within_reach(const lanes_ball *b, const source *from)
+{
+    const cylint_job *job = from->job;
+    const cylint_line *line = job->line;
+    letters_lanes L;
+    letters_sizes N;
+    ball_letters(b, &L, &N);
+    const vd reach = b->radius * v_set(from->speed);
+    const double end = job->nearest < line->tmax ? job->nearest : line->tmax;
+    const bounded_value first = foot(&L, &N, line->tmin);
+    const bounded_value last = foot(&L, &N, end);
+    const vm before = v_lt(reach, first.v - first.e);
+    const vm beyond = v_lt(last.v + last.e, -reach);
+    return m_bits(m_not(m_or(before, beyond)));
 }
 
 /* A judged and rounded group of lanes, for reading one at a time; t, more
@@ -255,15 +287,13 @@ static void lane_answer(const group *g, int lane, unsigned want,
     }
 }
 
-static int deliver(const source *from, const group *g, const size_t *lane,
-                   int lanes, mode m)
+static int deliver(const source *from, const group *g, const size_t *list,
+                   unsigned told, mode m)
 {
     cylint_job *job = from->job;
-    unsigned bits = (g->undecided | g->cross) & ((1u << lanes) - 1);
-    for (int i = 0; bits >> i; i++) {
-        if (!(bits >> i & 1))
-            continue;
-        const size_t number = number_of(from, lane[i], m);
+    for (; told; told &= told - 1) {
+        const size_t i = lowest(told);
+        const size_t number = list[i];
         cylint_kernel_answer answer;
         if (g->undecided >> i & 1) {
             const cylint_shape *shape = m == ONE_SHAPE
@@ -272,7 +302,7 @@ static int deliver(const source *from, const group *g, const size_t *lane,
             if (answer.relation == CYLINT_MISS)
                 continue;
         } else {
-            lane_answer(g, i, job->want, &answer);
+            lane_answer(g, (int)i, job->want, &answer);
         }
         if (job->take(job, number, &answer))
             return 1;
@@ -280,106 +310,137 @@ static int deliver(const source *from, const group *g, const size_t *lane,
     return 0;
 }
 
-/* Second pass: judges the lanes of the list. */
-INLINE int judge_list(const source *from, size_t *list, int n, mode m,
-                      int kind)
+/* Lanes with the nearest hit so far not behind them. */
+INLINE vm not_beyond(const source *from, mode m, const lanes_verdict *v)
+{
+    const cylint_job *job = from->job;
+    if (m != ONE_LINE || !(job->want & CYLINT_WANT_NEAREST))
+        return m_from((1u << LANES) - 1);
+    const bounded_value t = choose(v->hit[0], v->stop[0], v->stop[1]);
+    return m_not(v_lt(v_set(job->nearest), t.v - t.e));
+}
+
+/* Judges lanes of the list, of which there are at most LANES; the list has
+ * room for as many. */
+INLINE int judge(const source *from, size_t *list, int lanes, mode m,
+                 int kind)
 {
     cylint_job *job = from->job;
-    for (int i = n; i % LANES; i++)
-        list[i] = list[n - 1];
-    for (int i = 0; i < n; i += LANES) {
-        const int lanes = n - i < LANES ? n - i : LANES;
-        lanes_line l;
-        lanes_shape s;
-        lanes_query q;
-        group g;
-        line_at(from, list + i, m, &l);
-        shape_at(from, list + i, m, kind, &s);
-        /* a line with an empty domain is none (other invalid lines are left
-         * undecided, because their numbers compare to nothing) */
-        const vm in_use = m_and(m_from((1u << lanes) - 1),
-                                v_le(l.tmin, l.tmax));
-        lanes_verdict v = lanes_judge(&q, &s, &l, kind, from->bounded,
-                                      in_use);
-        if (job->want & CYLINT_WANT_NEAREST && m == ONE_LINE) {
-            /* what begins beyond the nearest hit so far is of no interest */
-            const vd from_here = v_select(v.hit[0], v.stop[0].v, v.stop[1].v);
-            const vd e = v_select(v.hit[0], v.stop[0].e, v.stop[1].e);
-            const vm beyond = v_lt(v_set(job->nearest), from_here - e);
-            v.hit[0] = m_and(v.hit[0], m_not(beyond));
-            v.hit[1] = m_and(v.hit[1], m_not(beyond));
-        }
-        if (job->want & CYLINT_WANT_T)
-            round_group(&q, &s, &l, kind, job->want, &v, &g);
-        g.undecided = m_bits(v.undecided);
-        g.cross = m_bits(v.cross);
-        g.hit[0] = m_bits(v.hit[0]);
-        g.hit[1] = m_bits(v.hit[1]);
-        g.leaving_first = m_bits(v.leaving_first);
-        v_store(g.part[0], v.part[0]);
-        v_store(g.part[1], v.part[1]);
-        if ((g.undecided | g.cross) != 0 &&
-            deliver(from, &g, list + i, lanes, m))
-            return 1;
-    }
-    return 0;
+    lanes_line line;
+    lanes_shape shape;
+    const lanes_line *l = m == ONE_LINE ? &from->line : &line;
+    const lanes_shape *s = m == ONE_SHAPE ? &from->one : &shape;
+    lanes_query q;
+    group g;
+    for (int i = lanes; i < LANES; i++)
+        list[i] = list[0];
+    if (m != ONE_LINE)
+        lines_at(from, list, &line);
+    if (m != ONE_SHAPE)
+        shapes_at(from, list, kind, &shape);
+    /* a line with an empty domain is none (other invalid lines are left
+     * undecided, because their numbers compare to nothing) */
+    const vm in_use = m_and(m_from((1u << lanes) - 1),
+                            v_le(l->tmin, l->tmax));
+    lanes_verdict v = lanes_judge(&q, s, l, kind, from->bounded, in_use);
+    const vm of_interest = not_beyond(from, m, &v);
+    v.hit[0] = m_and(v.hit[0], of_interest);
+    v.hit[1] = m_and(v.hit[1], of_interest);
+    if (job->want & CYLINT_WANT_T)
+        round_group(&q, s, l, kind, job->want, &v, &g);
+    g.undecided = m_bits(v.undecided);
+    g.hit[0] = m_bits(v.hit[0]);
+    g.hit[1] = m_bits(v.hit[1]);
+    g.cross = m_bits(v.cross);
+    g.leaving_first = m_bits(v.leaving_first);
+    const unsigned told = g.undecided | (job->relations ? g.cross
+                                         : g.hit[0] | g.hit[1]);
+    if (told == 0)
+        return 0;
+    v_store(g.part[0], v.part[0]);
+    v_store(g.part[1], v.part[1]);
+    return deliver(from, &g, list, told, m);
 }
 
-INLINE int block_left(const source *from, size_t start, size_t end, mode m,
-                      int kind, size_t *list)
+static int judge_kind(const source *from, size_t *list, int lanes, mode m)
 {
-    switch (m) { /* a first pass of its own for each */
-    case ONE_LINE:
-        return lanes_left(from, start, end, ONE_LINE, kind, list);
-    case ONE_SHAPE:
-        return lanes_left(from, start, end, ONE_SHAPE, kind, list);
-    default:
-        return lanes_left(from, start, end, PAIRS, kind, list);
-    }
-}
-
-INLINE int work(const source *from, mode m, int kind)
-{
-    size_t list[BLOCK + LANES];
-    for (size_t start = 0; start < from->n; start += BLOCK) {
-        const size_t end = from->n - start < BLOCK ? from->n : start + BLOCK;
-        const int n = block_left(from, start, end, m, kind, list);
-        if (n > 0 && judge_list(from, list, n, m, kind))
-            return 1;
-    }
-    return 0;
-}
-
-static int work_on(const source *from, mode m, int kind)
-{
-    switch (kind) {
+#define JUDGE(kind) \
+    m == ONE_LINE ? judge(from, list, lanes, ONE_LINE, kind) : \
+    judge(from, list, lanes, m, kind)
+    switch (from->kind) {
     case CYLINT_KIND_CYLINDER:
-        return work(from, m, CYLINT_KIND_CYLINDER);
+        return JUDGE(CYLINT_KIND_CYLINDER);
     case CYLINT_KIND_CONE:
-        return work(from, m, CYLINT_KIND_CONE);
+        return JUDGE(CYLINT_KIND_CONE);
     case CYLINT_KIND_ACONE:
-        return work(from, m, CYLINT_KIND_ACONE);
+        return JUDGE(CYLINT_KIND_ACONE);
     case CYLINT_KIND_ECYLINDER:
-        return work(from, m, CYLINT_KIND_ECYLINDER);
+        return JUDGE(CYLINT_KIND_ECYLINDER);
     default:
-        return work(from, m, CYLINT_KIND_ECONE);
+        return JUDGE(CYLINT_KIND_ECONE);
     }
+#undef JUDGE
+}
+
+/* First pass, then the second over what it leaves, group by group. */
+INLINE int work(const source *from, mode m)
+{
+    enum { ROOM = 256 };
+    size_t list[ROOM + LANES], first = 0, end = 0; /* of numbers left */
+    lanes_ball ball;
+    if (m == ONE_LINE)
+        line_of_ball(&ball, &from->line);
+    if (m == ONE_SHAPE)
+        shape_of_ball(&ball, from->shape);
+    for (size_t lane = 0; lane < from->n; lane += LANES) {
+        const size_t rest = from->n - lane;
+        unsigned left = rest < LANES ? (1u << rest) - 1 : (1u << LANES) - 1;
+        if (m != ONE_SHAPE || rest >= LANES) { /* the caller's end there */
+            ball_at(from, lane, m, &ball);
+            left &= m_bits(m_not(pass_by(&ball)));
+        }
+        if (m == ONE_LINE && left && !from->job->relations)
+            left &= within_reach(&ball, from);
+        if (!left)
+            continue;
+        for (unsigned i = 0; i < LANES; i++) { /* no branch to guess */
+            list[end] = m == ONE_SHAPE ? lane + i
+                                       : from->run->number[lane + i];
+            end += left >> i & 1;
+        }
+        if (end - first < LANES)
+            continue;
+        if (judge_kind(from, list + first, LANES, m))
+            return 1;
+        first += LANES;
+        if (end > ROOM - LANES) {
+            memmove(list, list + first, (end - first) * sizeof *list);
+            end -= first;
+            first = 0;
+        }
+    }
+    return end > first &&
+           judge_kind(from, list + first, (int)(end - first), m);
 }
 
 int CYLINT_SHAPES(cylint_job *job, const cylint_run *run)
 {
-    source from = {.job = job, .run = run, .n = run->n,
+    source from = {.job = job, .run = run, .n = run->n, .kind = run->kind,
                    .bounded = run->bounded};
     const cylint_line *l = job->line;
-    if (l)
-        broadcast_line(&from.line, l);
-    return work_on(&from, l ? ONE_LINE : PAIRS, run->kind);
+    if (!l)
+        return work(&from, PAIRS);
+    broadcast_line(&from.line, l);
+    from.speed = sqrt(l->d[0] * l->d[0] + l->d[1] * l->d[1] +
+                      l->d[2] * l->d[2]) * CYLINT_SLACK;
+    return work(&from, ONE_LINE);
 }
 
 int CYLINT_LINES(cylint_job *job, const cylint_shape *shape)
 {
     source from = {.job = job, .shape = shape, .n = job->lines->n,
+                   .kind = shape->kind,
                    .bounded = shape->ends < CYLINT_INFINITE};
     broadcast_shape(&from.one, shape, shape->kind);
-    return work_on(&from, ONE_SHAPE, shape->kind);
+    return work(&from, ONE_SHAPE);
 }

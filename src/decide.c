@@ -88,33 +88,53 @@ void cylint_measure_line(cylint_line *line)
     line->ordinary = within_window(line->size);
 }
 
+static double dot3(const double x[3], const double y[3])
+{
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
+/* Of a disc's points from its centre, and what their direction adds to the
+ * square of their distance from the middle of an oblique shape. */
+static double disc_reach(const cylint_shape *s, double *skew)
+{
+    *skew = 0;
+    if (s->kind == CYLINT_KIND_ACONE)
+        return s->r1 * s->r1 * dot3(s->axis, s->axis);
+    const double r = fmax(s->r0, s->r1);
+    if (s->kind <= CYLINT_KIND_CONE)
+        return r * r;
+    *skew = r * (fabs(dot3(s->a, s->axis)) + fabs(dot3(s->b, s->axis)));
+    return r * r * (fmax(dot3(s->a, s->a), dot3(s->b, s->b)) +
+                    fabs(dot3(s->a, s->b)));
+}
+
 /*
- * The size of G (bounds.h) grows with the distance D of the line's origin,
- * as a quadratic polynomial with positive coefficients: it is below its value
- * at D = size times max(1, D / size)^2.  Every vector is taken to have its
- * largest component thrice.
+ * A ball about the middle of the axis.  A disc's points x a + y b reach as
+ * far as the root of the larger eigenvalue of (aa ab; ab bb), which is at most
+ * max(aa, bb) + |ab|.  The slack covers a dozen roundings of positive terms;
+ * the centre is off by a rounding of each coordinate.
  */
+static void measure_ball(cylint_shape *s)
+{
+    s->ball = HUGE_VAL;
+    if (s->ends >= CYLINT_INFINITE)
+        return;
+    for (int i = 0; i < 3; i++)
+        s->center[i] = s->kind <= CYLINT_KIND_CONE
+                     ? 0.5 * s->base[i] + 0.5 * s->top[i]
+                     : s->base[i] + 0.5 * s->axis[i];
+    double skew;
+    const double reach = disc_reach(s, &skew);
+    s->ball = sqrt(0.25 * dot3(s->axis, s->axis) + reach + skew) *
+              CYLINT_SLACK + 2 * CYLINT_ROUNDING * cylint_largest(s->center);
+}
+
 void cylint_measure_shape(cylint_shape *s)
 {
     s->size = largest_length(s);
     s->ordinary = within_window(s->size) &&
                   (!dimensionless_radii(s) || s->r1 <= CYLINT_WINDOW);
-    letters_size N;
-    const double w = cylint_largest(s->axis);
-    const double a = fmax(cylint_largest(s->a), cylint_largest(s->b));
-    N.kind = s->kind;
-    for (int i = 0; i < 3; i++) {
-        N.u[i] = N.one = 1;
-        N.w[i] = w;
-        N.a[i] = N.b[i] = a;
-        N.D[0][i] = s->size;
-    }
-    N.r[0] = s->r0;
-    N.r[1] = s->r1;
-    N.dr = fabs(s->dr);
-    prepare_shape_size(&N);
-    prepare_line_size(&N);
-    s->miss_bound = CYLINT_FILTER_BOUND * 1.01 * form_G_size(&N);
+    measure_ball(s);
 }
 
 static int filters_apply(const cylint_shape *s, const cylint_line *l)

@@ -251,6 +251,28 @@ INLINE NUM FORM(form_G)(const FORM(letters) *L)
     RETURN(G)
 }
 
+/* Whether the line comes within r_0 of the point that D_0 is seen from, a
+ * ball's centre: below 0 if not.  r^2 |u|^2 - |D x u|^2. */
+INLINE NUM FORM(form_ball)(const FORM(letters) *L)
+{
+    BEGIN
+    NUM M[3], x;
+    FORM(cross)(L, L->D[0], L->u, M);
+    x = SUB(MUL(MUL(L->r[0], L->r[0]), FORM(dot)(L, L->u, L->u)),
+            FORM(dot)(L, M, M));
+    RETURN(x)
+}
+
+/* Where t = r_0 stands from the foot of D_0 on the line: before, at or after
+ * it, in units of |u|. */
+INLINE NUM FORM(form_foot)(const FORM(letters) *L)
+{
+    BEGIN
+    NUM x = ADD(FORM(dot)(L, L->D[0], L->u),
+                MUL(L->r[0], FORM(dot)(L, L->u, L->u)));
+    RETURN(x)
+}
+
 /* The factor between G and the discriminant, as a square root if one
  * exists: cone vv, elliptic det.  Cylinder and acone have S = vv itself. */
 INLINE NUM FORM(form_root_of_S)(const FORM(letters) *L)

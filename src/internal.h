@@ -75,7 +75,7 @@ double cylint_scaled(double x, int e);
 void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
                               const double from[3], int e);
 
-/* size, miss_bound and ordinary of a shape; size and ordinary of a line. */
+/* center, ball, size and ordinary of a shape; size and ordinary of a line. */
 void cylint_measure_shape(cylint_shape *shape);
 void cylint_measure_line(cylint_line *line);
 

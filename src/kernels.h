@@ -19,15 +19,10 @@ typedef int cylint_kernel_one(const cylint_shape *shape,
                               const cylint_line *line, unsigned want,
                               cylint_kernel_answer *answer);
 
-/* Shapes that one kernel serves: number[i] is the shape of lane i.  Columns
- * are padded to a multiple of 8 lanes by copies of the last shape. */
-enum {
-    COLUMN_BASE = 0, COLUMN_AXIS = 3, COLUMN_AXIS_LO = 6, COLUMN_TOP = 9,
-    COLUMN_A = 6, COLUMN_B = 9, /* elliptic kinds have no low parts, no top */
-    COLUMN_R0 = 12, COLUMN_R1, COLUMN_DR, COLUMN_DR_LO,
-    COLUMN_CAP0, COLUMN_CAP1,   /* 1: present, 0: not */
-    COLUMNS
-};
+/* Shapes that one kernel serves: number[i] is the shape of lane i.  The
+ * columns hold the balls about them, padded to a multiple of 8 lanes by
+ * copies of the last. */
+enum { COLUMN_CENTER = 0, COLUMN_BALL = 3, COLUMNS };
 
 typedef struct {
     int kind, bounded;
@@ -44,6 +39,7 @@ struct cylint_job {
     const cylint_line *line;      /* one line for all shapes, or NULL */
     const cylint_lines *lines;    /* one for each number, where line is NULL */
     unsigned want;
+    int relations;                /* asked even where there is no hit */
     double nearest;               /* hits beyond it are of no interest */
     /* Takes a decided answer; returns 1 when nothing more is wanted. */
     int (*take)(cylint_job *job, size_t number,

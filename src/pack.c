@@ -49,23 +49,9 @@ static char *aligned(char *p)
 
 static void fill_lane(double *column, size_t stride, const cylint_shape *s)
 {
-    const int elliptic = s->kind >= CYLINT_KIND_ECYLINDER;
-    for (int i = 0; i < 3; i++) {
-        column[(size_t)(COLUMN_BASE + i) * stride] = s->base[i];
-        column[(size_t)(COLUMN_AXIS + i) * stride] = s->axis[i];
-        column[(size_t)(COLUMN_AXIS_LO + i) * stride] =
-            elliptic ? s->a[i] : s->axis_lo[i];
-        column[(size_t)(COLUMN_TOP + i) * stride] =
-            !elliptic ? s->top[i] : s->flip ? -s->b[i] : s->b[i];
-    }
-    column[COLUMN_R0 * stride] = s->r0;
-    column[COLUMN_R1 * stride] = s->r1;
-    column[COLUMN_DR * stride] = s->dr;
-    column[COLUMN_DR_LO * stride] = s->dr_lo;
-    column[COLUMN_CAP0 * stride] = s->ends == CYLINT_CAPPED ||
-                                   s->ends == CYLINT_CAP_0;
-    column[COLUMN_CAP1 * stride] = s->ends == CYLINT_CAPPED ||
-                                   s->ends == CYLINT_CAP_1;
+    for (int i = 0; i < 3; i++)
+        column[(size_t)(COLUMN_CENTER + i) * stride] = s->center[i];
+    column[COLUMN_BALL * stride] = s->ball;
 }
 
 void cylint_pack_shapes(cylint_pack *pack, void *memory,
@@ -97,11 +83,11 @@ void cylint_pack_shapes(cylint_pack *pack, void *memory,
         *fill[run_of(&shapes[i])]++ = i;
     for (int r = 0; r < RUNS; r++) {
         const cylint_run *run = &head->run[r];
-        double *first = (double *)run->column;
-        for (size_t i = 0; i < run->stride && run->n > 0; i++) {
-            const size_t lane = i < run->n ? i : run->n - 1;
-            fill_lane(first + i, run->stride, &shapes[run->number[lane]]);
-        }
+        for (size_t i = run->n; i < run->stride; i++)
+            *fill[r]++ = run->number[run->n - 1];
+        for (size_t i = 0; i < run->stride; i++)
+            fill_lane((double *)run->column + i, run->stride,
+                      &shapes[run->number[i]]);
     }
 }
 
@@ -263,7 +249,7 @@ static int take_columns(cylint_job *job, size_t number,
 static cylint_job columns_job(const cylint_columns *to, size_t n)
 {
     cylint_job job = {.take = take_columns, .columns = to};
-    job.nearest = HUGE_VAL;
+    job.relations = to->relation != NULL;
     if (to->t0 || to->t1)
         job.want |= CYLINT_WANT_T;
     if (!to->t1 && !to->part1 && !to->n)

@@ -282,32 +282,25 @@ static int tell(const cylint_shape *shape, const cylint_line *line,
     return known->n;
 }
 
-/* The most frequent answer first: G < 0 beyond doubt, so that the line does
- * not come near the lateral surface, whatever the ends. */
+/* The most frequent answer first: beyond doubt the line does not come near
+ * the solid. */
 static int passes_by(const cylint_shape *s, const cylint_line *l)
 {
     letters_double L;
-    if (!s->ordinary || !l->ordinary)
-        return 0;
-    L.kind = s->kind;
+    letters_size N;
     for (int i = 0; i < 3; i++) {
         L.u[i] = l->d[i];
-        L.w[i] = s->axis[i];
-        L.D[0][i] = l->o[i] - s->base[i];
-        if (s->kind >= CYLINT_KIND_ECYLINDER) {
-            L.a[i] = s->a[i];
-            L.b[i] = s->flip ? -s->b[i] : s->b[i];
-        }
+        L.D[0][i] = l->o[i] - s->center[i];
     }
-    L.r[0] = s->r0;
-    L.dr = s->dr;
-    L.one = 1;
-    prepare_shape_double(&L);
-    prepare_line_double(&L);
-    const double far = cylint_largest(L.D[0]) / s->size;
-    const double bound = s->miss_bound * (l->size * l->size) *
-                         (far > 1 ? far * far : 1) + CYLINT_UNDERFLOW;
-    return form_G_double(&L) < -bound && far <= CYLINT_WINDOW;
+    const double far = cylint_largest(L.D[0]);
+    L.r[0] = N.r[0] = s->ball;
+    for (int i = 0; i < 3; i++) {
+        N.u[i] = l->size;
+        N.D[0][i] = far;
+    }
+    return form_ball_double(&L) < -(CYLINT_FILTER_BOUND * form_ball_size(&N) +
+                                    CYLINT_UNDERFLOW) &&
+           s->ordinary && l->ordinary && far <= CYLINT_WINDOW;
 }
 
 #if CYLINT_IS_PARANOID

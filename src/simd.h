@@ -12,6 +12,7 @@
 #define CYLINT_SIMD_H
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "environment.h"
@@ -198,6 +199,62 @@ static inline vd v_fma(vd x, vd y, vd z) { return __builtin_fma(x, y, z); }
 static inline int m_any(vm m)
 {
     return m_bits(m) != 0;
+}
+
+/* x[at[0]], x[at[1]], ... */
+static inline vd v_pick(const double *x, const size_t *at)
+{
+#if LANES == 8
+    return _mm512_set_pd(x[at[7]], x[at[6]], x[at[5]], x[at[4]],
+                         x[at[3]], x[at[2]], x[at[1]], x[at[0]]);
+#elif LANES == 4
+    return _mm256_set_pd(x[at[3]], x[at[2]], x[at[1]], x[at[0]]);
+#else
+    double v[LANES];
+    for (int i = 0; i < LANES; i++)
+        v[i] = x[at[i]];
+    return v_load(v);
+#endif
+}
+
+/* Columns of four numbers from rows of four, `at` bytes from row[0], row[1],
+ * ... on: to[k] holds the k-th of each. */
+static inline void v_columns(const char *const row[LANES], size_t at,
+                             vd to[4])
+{
+#define ROW(i) ((const double *)(const void *)(row[i] + at))
+#if LANES >= 4
+    __m256d c[LANES / 4][4];
+    for (int i = 0; i < LANES; i += 4) {
+        const __m256d r0 = _mm256_loadu_pd(ROW(i));
+        const __m256d r1 = _mm256_loadu_pd(ROW(i + 1));
+        const __m256d r2 = _mm256_loadu_pd(ROW(i + 2));
+        const __m256d r3 = _mm256_loadu_pd(ROW(i + 3));
+        const __m256d even01 = _mm256_unpacklo_pd(r0, r1);
+        const __m256d odd01 = _mm256_unpackhi_pd(r0, r1);
+        const __m256d even23 = _mm256_unpacklo_pd(r2, r3);
+        const __m256d odd23 = _mm256_unpackhi_pd(r2, r3);
+        c[i / 4][0] = _mm256_permute2f128_pd(even01, even23, 0x20);
+        c[i / 4][1] = _mm256_permute2f128_pd(odd01, odd23, 0x20);
+        c[i / 4][2] = _mm256_permute2f128_pd(even01, even23, 0x31);
+        c[i / 4][3] = _mm256_permute2f128_pd(odd01, odd23, 0x31);
+    }
+    for (int k = 0; k < 4; k++)
+#if LANES == 8
+        to[k] = _mm512_insertf64x4(_mm512_castpd256_pd512(c[0][k]),
+                                   c[1][k], 1);
+#else
+        to[k] = c[0][k];
+#endif
+#else
+    for (int k = 0; k < 4; k++) {
+        double v[LANES];
+        for (int i = 0; i < LANES; i++)
+            v[i] = ROW(i)[k];
+        to[k] = v_load(v);
+    }
+#endif
+#undef ROW
 }
 
 

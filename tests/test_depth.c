@@ -67,12 +67,12 @@ static void load(letters_depth *L, int kind, arithmetic in)
 /* Every polynomial whose value or sign is asked for. */
 typedef enum {
     ALPHA_0, ALPHA_1, BETA, ALONG, ROOT_OF_S, RHO_0, RHO_1,
-    E_0, E_1, N_0, N_1, G, A, B, C, T, FORMS
+    E_0, E_1, N_0, N_1, G, A, B, C, T, BALL, FORMS
 } form;
 
 static const char *const form_name[FORMS] = {
     "alpha0", "alpha1", "beta", "along", "det or vv", "rho0", "rho1",
-    "E0", "E1", "N0", "N1", "G", "A", "B", "C", "T"
+    "E0", "E1", "N0", "N1", "G", "A", "B", "C", "T", "ball"
 };
 
 static int depth_of(const letters_depth *L, form f)
@@ -93,7 +93,8 @@ static int depth_of(const letters_depth *L, form f)
     case A: return form_A_depth(L);
     case B: return form_B_depth(L);
     case C: return form_C_depth(L);
-    default: return form_T_depth(L);
+    case T: return form_T_depth(L);
+    default: return form_ball_depth(L);
     }
 }
 
@@ -299,7 +300,8 @@ static double lost(const letters_sized *L)
         form_along_sized(L), form_root_of_S_sized(L), form_rho0_sized(L),
         form_rho1_sized(L), form_E_sized(L, 0), form_E_sized(L, 1),
         form_N_sized(L, 0), form_N_sized(L, 1), form_G_sized(L),
-        form_A_sized(L), form_B_sized(L), form_C_sized(L), form_T_sized(L)
+        form_A_sized(L), form_B_sized(L), form_C_sized(L), form_T_sized(L),
+        form_ball_sized(L)
     };
     double most = 0;
     for (form f = ALPHA_0; f < FORMS; f++)

@@ -69,7 +69,7 @@ found() {
     result $? "the selftest finds $mask with $*"
 }
 
-echo 'int probe(void) { return 0; }' >"$work/probe.c"
+printf '#include <stdint.h>\nint probe(void) { return 0; }\n' >"$work/probe.c" # -m32 may lack headers
 cat >"$work/main.c" <<'END'
 #include <cylint.h>
 #include <stdio.h>

@@ -193,8 +193,8 @@ static void measure_cache(double seconds)
 
 /* ------------------------------------------------------------- growth -- */
 
-/* Bytes of a cylinder that the first pass reads: base, axis and radius. */
-enum { FIRST_PASS = 7 * sizeof(double), GROWTH_LINES = 512, TESTS = 1 << 20 };
+/* Bytes of a shape that the first pass reads: a ball. */
+enum { FIRST_PASS = 4 * sizeof(double), GROWTH_LINES = 512, TESTS = 1 << 20 };
 
 static int lines_for(size_t n)
 {
