@@ -179,6 +179,15 @@ bench: bench_programs ## time against error, tables and charts; QUICK=1: in two 
 	@$(if $(FMA),$(MAKE) BUILD=$(BUILD)/fma CFLAGS='$(CFLAGS) -mfma' bench_programs)
 	@BUILD='$(BUILD)' CC='$(CC)' CFLAGS='$(CFLAGS)' FMA='$(FMA)' QUICK='$(QUICK)' sh tools/bench/bench.sh
 
+# How far questions must go: a library that counts.
+.PHONY: stages count_stages
+$(BUILD)/tools/bench/stages: %: %.o $(test_common) $(BUILD)/libcylint.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
+count_stages: $(BUILD)/tools/bench/stages
+	$< $(CASES)
+stages: ## share of questions that need pairs, exact digits, ..., by family
+	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
+
 stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, an hour or less
 	$(BUILD)/tests/stress
 

@@ -7,6 +7,10 @@
  */
 #include "internal.h"
 
+#ifdef CYLINT_COUNT_STAGES
+unsigned long long cylint_stages[CYLINT_STAGES];
+#endif
+
 /* -------------------------------------------------------- scaling ------ */
 
 double cylint_scaled(double x, int e)
@@ -251,6 +255,7 @@ letters_wide *cylint_wide(cylint_query *q)
     if (q->ready & CYLINT_READY_WIDE)
         return &q->wide;
     q->ready |= CYLINT_READY_WIDE;
+    cylint_reached(PAIRS);
     const cylint_shape *s = q->near_shape;
     const cylint_line *l = q->near_line;
     letters_wide *L = &q->wide;
@@ -348,6 +353,7 @@ const letters_exact *cylint_exact(cylint_query *q)
     if (q->ready & CYLINT_READY_EXACT)
         return &q->exact;
     q->ready |= CYLINT_READY_EXACT;
+    cylint_reached(EXACT);
     letters_exact *L = &q->exact;
     L->kind = q->shape->kind;
     L->arena = &q->arena;
@@ -452,6 +458,7 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
     q->ends = shape->ends;
     q->t_exponent = 0;
     q->ready = 0;
+    cylint_reached(FILTER);
     q->filters = filters_apply(shape, line);
     if (!q->filters)
         scale_query(q);
@@ -495,6 +502,7 @@ static int no_rounding(double size, int e)
                 sign_ = cylint_sign(b_.v);                                  \
             } else if ((e_ = quanta(q)) != NULL && no_rounding(b_.size,     \
                        form##_quantum(e_ __VA_ARGS__))) {                   \
+                cylint_reached(QUANTA);                                     \
                 sign_ = cylint_sign(b_.v);                                  \
             } else if (cylint_rounds_to_nearest()) {                        \
                 const wide w_ = form##_wide(cylint_wide_line(q)             \

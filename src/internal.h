@@ -92,6 +92,23 @@ double cylint_tangent(double degrees);
 #define cylint_contradiction(wrong) ((void)0)
 #endif
 
+/* A build that counts how far questions must go (make stages); not for
+ * several threads. */
+enum {
+    CYLINT_STAGE_FILTER, /* asked one by one: the kernels did not decide */
+    CYLINT_STAGE_QUANTA, /* a sign near 0, but nothing was rounded */
+    CYLINT_STAGE_PAIRS,
+    CYLINT_STAGE_EXACT,
+    CYLINT_STAGE_MIDDLE, /* a root beside the middle of two doubles */
+    CYLINT_STAGES
+};
+#ifdef CYLINT_COUNT_STAGES
+extern CYLINT_API unsigned long long cylint_stages[CYLINT_STAGES];
+#define cylint_reached(stage) ((void)cylint_stages[CYLINT_STAGE_##stage]++)
+#else
+#define cylint_reached(stage) ((void)0)
+#endif
+
 /* ------------------------------------------- the three arithmetics ----- */
 
 /* A double and the size of what was summed up to it (bounds.h). */

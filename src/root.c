@@ -346,6 +346,7 @@ static int against_middle(cylint_query *q, cylint_root root, uint64_t size,
 static double settle(cylint_query *q, cylint_root root, uint64_t size)
 {
     const exact zero = {q->arena.limb, 0, 0, 0};
+    cylint_reached(MIDDLE);
     const int sign = against_exact(q, root, zero);
     if (sign == 0)
         return 0;
