@@ -171,6 +171,13 @@ $(BUILD)/tools/bench/batch: $(patsubst %,$(BUILD)/tools/bench/%.o,batch_scene ba
 $(bench_programs): %: %.o $(bench_common) $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 
+$(BUILD)/tools/bench/scene: %: %.o $(BUILD)/tests/scenes.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(EMBREE_LIBS) -pthread -lm
+
+.PHONY: bench-scene check-scene
+bench-scene: $(if $(EMBREE),$(BUILD)/tools/bench/scene) ## scenes against asking every shape (needs Embree)
+	@BUILD='$(BUILD)' sh tools/bench/scene.sh
+
 bench_programs: $(bench_programs)
 
 bench: bench_programs ## time against error, tables and charts; QUICK=1: in two minutes
@@ -284,7 +291,7 @@ clean: ## what was built
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' Makefile
 
-.PHONY: check-scene all bench bench_programs demo stress search covered coverage mutants check check-cross check-embree check-embree4 prove lint sanitize deps deps-cross install uninstall clean help
+.PHONY: all bench bench_programs demo stress search covered coverage mutants check check-cross check-embree check-embree4 prove lint sanitize deps deps-cross install uninstall clean help
 .SECONDARY:
 %.d: ;
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,0 +1,15 @@
+#!/bin/sh
+# make bench-scene: scenes beside asking every shape; SCENES names the kinds
+# of tests/scenes.h to generate, SIZES how many shapes each has.
+: "${BUILD:=build}" "${SCENES:=0 1 2 5}" "${SIZES:=1000 10000 100000}"
+bench=$BUILD/tools/bench/scene
+neurons=../shared/data/medulla_top24.swc
+if [ -r $neurons ]; then
+    $bench neurons "tools/convert/swc2scene $neurons 2>/dev/null"
+    $bench -j 2 neurons "tools/convert/swc2scene $neurons 2>/dev/null"
+fi
+for kind in $SCENES; do
+    for n in $SIZES; do
+        $bench "$kind" "$n"
+    done
+done
