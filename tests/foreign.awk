@@ -7,7 +7,7 @@
 #
 # inside() is each program's own definition, written down from its manual and
 # from nothing of ours: < 0 inside, > 0 outside.  Along the line its sign must
-# change at the hits, that is between t - step and t + step, and nowhere else.
+# change at the hits, that is within 1e-7 (1 + |t|) of t, and nowhere else.
 
 function max(a, b) { return a > b ? a : b }
 
@@ -106,12 +106,12 @@ function constant(a, b,   i, sign)
     return 1
 }
 
-function changes(t)
+function changes(a)
 {
-    return at(t - step) * at(t + step) < 0
+    return at(a - near(a)) * at(a + near(a)) < 0
 }
 
-BEGIN { step = 1e-7; far = 100 }
+function near(t) { return 1e-7 * (1 + max(t, -t)) }
 
 {
     for (bar = 5; $bar != "|"; bar++)
@@ -121,14 +121,15 @@ BEGIN { step = 1e-7; far = 100 }
         p[i - 5] = $i
     asked[$5]++
     met[$5] += $2 == 2
-    from = -far
     fine = $1 == "miss" ? $2 == 0 : $1 == "cross"
+    from = ($2 > 0 && $3 < 0 ? $3 : 0) - 100
+    to = ($2 > 0 && $(2 + $2) > 0 ? $(2 + $2) : 0) + 100
     for (i = 1; i <= $2; i++) {
         t = $(2 + i)
-        fine = fine && changes(t) && constant(from, t - step)
-        from = t + step
+        fine = fine && changes(t) && constant(from, t - near(t))
+        from = t + near(t)
     }
-    if (!fine || !constant(from, far)) {
+    if (!fine || !constant(from, to)) {
         print "not so: " $0
         wrong++
     }
