@@ -219,6 +219,9 @@ mutants: ## do the tests see a changed operator, constant or index? COUNT=300
 check-cross: $(BUILD)/tests/records ## the same bytes from other compilers and processors
 	@BUILD=$(BUILD) sh tests/cross.sh
 
+check-cluster: all ## cylint by GNU parallel, Slurm and Spark, as cylint(7) says
+	@BUILD=$(BUILD) sh tests/cluster/check.sh
+
 lint: ## what static analysis says, and how the sources look
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/lint.sh
 
@@ -264,6 +267,9 @@ install -m 644 $(BUILD)/libcylint-embree.a $(DESTDIR)$(LIBDIR)
 	$(fill_in) src/embree/cylint-embree.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/cylint-embree.pc
 endef
 
+deps-cluster: ## what check-cluster needs as well (Debian; Spark by pip)
+	@BUILD=$(BUILD) sh tools/deps.sh cluster
+
 install: all ## into $(DESTDIR)$(PREFIX)
 	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(INCLUDEDIR) \
 	  $(DESTDIR)$(MANDIR)/man1 $(DESTDIR)$(MANDIR)/man3 $(DESTDIR)$(MANDIR)/man7
@@ -291,7 +297,7 @@ clean: ## what was built
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' Makefile
 
-.PHONY: all bench bench_programs demo stress search covered coverage mutants check check-cross check-embree check-embree4 prove lint sanitize deps deps-cross install uninstall clean help
+.PHONY: all bench bench_programs demo stress search covered coverage mutants check check-cross check-cluster check-embree check-embree4 prove lint sanitize deps deps-cross deps-cluster install uninstall clean help
 .SECONDARY:
 %.d: ;
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,9 +1,10 @@
 #!/bin/sh
-# usage: sh tests/recipe.sh NAME
-# Prints the display of cylint(7) whose first line is `# NAME`, unescaped.
-awk -v name="$1" '
-    /^\.Bd -literal/ { first = NR + 1; next }
-    /^\.Ed/ { inside = 0 }
-    NR == first { inside = $1 == "#" && $2 ~ "^" name ":?$" }
+# usage: sh tests/recipe.sh [NAME]
+# Prints a display of cylint(7), unescaped: the one behind the comment line
+# `.\" recipe NAME`.  Without a NAME, the names of all.
+awk -v name="${1-}" '
+    /^\.\\" recipe / { found = $3; if (name == "") print found }
+    /^\.Ed/ { inside = 0; found = "" }
     inside { gsub(/\\e/, "\\"); gsub(/\\&/, ""); gsub(/\\-/, "-"); print }
+    /^\.Bd -literal/ { inside = name != "" && found == name }
 ' "$(dirname "$0")/../man/cylint.7"

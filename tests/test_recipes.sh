@@ -103,6 +103,22 @@ test_real_tree()
         "$(sed -n 's/^\.Dl \(.* within 2 cm .*\)/\1/p' man/cylint.7)"
 }
 
+# Every display of the page has a name or is a transcript, and every name is
+# asked for here or by tests/cluster/check.sh.
+test_all_are_run()
+{
+    awk '/^\.\\" recipe/ { named = NR + 1 }
+         /^\.Bd/ && NR != named { getline; if (!/^\$ /) print NR ": " $0 }
+        ' man/cylint.7 > "$scratch/unnamed"
+    for name in $(sh tests/recipe.sh); do
+        grep -Eq "[ ']$name([ ';)]|\$)" tests/test_recipes.sh \
+            tests/cluster/check.sh || echo "$name"
+    done >> "$scratch/unnamed"
+    [ ! -s "$scratch/unnamed" ] || { cat "$scratch/unnamed"; false; }
+    verdict every_display_of_the_page_is_run $?
+}
+
+test_all_are_run
 test_foreign_shapes
 test_stand_in
 if [ -d $data ]; then

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Installs what `make check` needs on Debian and its descendants; with the
-# argument `cross` what `make check-cross` and `make lint` need as well.  Only
+# argument `cross` what `make check-cross` and `make lint` need as well, with
+# `cluster` what `make check-cluster` does: Spark goes to $BUILD/spark.  Only
 # what is missing is asked for, so a second run needs neither network nor root.
 wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev libgsl-dev mandoc libembree-dev
     python3-pip'
@@ -9,14 +10,21 @@ wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev libgsl-dev mand
     gcc-aarch64-linux-gnu libc6-dev-arm64-cross
     gcc-s390x-linux-gnu libc6-dev-s390x-cross
     libc6-dev-i386 lib32gcc-$(gcc -dumpversion | cut -d . -f 1)-dev"
+[ "$1" = cluster ] && wanted="$wanted bash parallel python3 python3-venv"
+[ "$1" = cluster ] && ! command -v java >/dev/null &&
+    wanted="$wanted default-jre-headless"
 missing=
 for p in $wanted; do
     dpkg-query -W -f '${Status}' "$p" 2>/dev/null | grep -q 'ok installed' ||
         missing="$missing $p"
 done
-[ -z "$missing" ] && exit 0
-as_root=
-[ "$(id -u)" -eq 0 ] || as_root=sudo
-$as_root apt-get update -q &&
-    DEBIAN_FRONTEND=noninteractive \
-    $as_root apt-get install -q -y --no-install-recommends $missing
+if [ -n "$missing" ]; then
+    as_root=
+    [ "$(id -u)" -eq 0 ] || as_root=sudo
+    $as_root apt-get update -q &&
+        DEBIAN_FRONTEND=noninteractive \
+        $as_root apt-get install -q -y --no-install-recommends $missing || exit
+fi
+spark=${BUILD:-build}/spark
+[ "$1" != cluster ] || [ -x "$spark/bin/spark-submit" ] ||
+    { python3 -m venv "$spark" && "$spark/bin/pip" install -q 'pyspark==4.*'; }
