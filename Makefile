@@ -27,6 +27,7 @@ optional = $(if $(filter undefined,$(origin $(1))),$(eval $(1) := $(if $(call ha
 $(call optional,CXX17,$(CXX) -std=c++17 -include charconv,c++)
 $(call optional,MPFR,$(CC) -include stdio.h -include mpfr.h,c,-lmpfr -lgmp)
 $(call optional,GSL,$(CC) -include gsl/gsl_rng.h,c,-lgsl -lgslcblas -lm)
+$(call optional,PNG,$(CC) -include png.h,c,-lpng)
 # a linker that puts a test's read() in the place of the system's
 $(call optional,WRAP,$(CC) -Wl$(comma)--wrap=read,c)
 # EMBREE is 3, 4 or nothing; EMBREE_CFLAGS and EMBREE_LIBS say where it is.
@@ -94,11 +95,26 @@ finds_module := $(if $(EMBREE),-Wl$(comma)-rpath$(comma)'$$ORIGIN:$$ORIGIN/../li
 $(BUILD)/cylint-embree.so: $(BUILD)/tools/cylint/embree/module.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -shared -o $@ $^ $(EMBREE_LIBS) -lm
 
+# Pictures of scenes; scenes are read as the command reads them.
+RENDER := $(and $(EMBREE),$(PNG))
+all: $(if $(RENDER),$(BUILD)/cylint-render)
+
+$(BUILD)/tools/cylint.a: $(filter-out %/main.o,$(tool_objects))
+	$(AR) rcs $@ $^
+
+$(BUILD)/cylint-render: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tools/render/*.c)) \
+		$(BUILD)/tools/cylint.a $(embree_library) $(BUILD)/libcylint.a
+	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) $(embree_link) -lpng -pthread -lm
+
+$(BUILD)/tests/pixels: $(BUILD)/tests/pixels.o
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lpng
+
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
 $(BUILD)/src/embree/%.o: extra += $(floats) -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS) $(if $(embree_builds),-DCYLINT_BUILDS_X86)
 $(BUILD)/tools/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L
 $(BUILD)/tools/cylint/embree/%.o: extra := -fPIC -fvisibility=hidden
 $(BUILD)/tools/cylint/search.o: extra += $(if $(EMBREE),-DCYLINT_EMBREE)
+$(BUILD)/tools/render/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Itools/cylint
 $(BUILD)/tools/bench/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 $(BUILD)/tests/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
@@ -228,9 +244,10 @@ lint: ## what static analysis says, and how the sources look
 demo: all ## scan a generated forest and show what was hit
 	@BUILD=$(BUILD) sh tools/demo/demo.sh
 
-check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/faulty $(fuzz_programs)) ## run every test (PARANOID=1: each decision twice)
+check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/faulty $(fuzz_programs)) $(if $(RENDER),$(BUILD)/tests/pixels) ## run every test (PARANOID=1: each decision twice)
 	@$(if $(MPFR),,echo 'note: no MPFR, tests against the oracle are skipped')
 	@$(if $(EMBREE),,echo 'note: no Embree, its adapter is neither built nor tested')
+	@$(if $(PNG),,echo 'note: no libpng, cylint-render is neither built nor tested')
 	@BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' sh tests/run.sh $(test_programs) $(test_scripts)
 
 check-embree: $(embree_tests) ## the tests that need Embree, on the one that was found
@@ -281,12 +298,13 @@ install: all ## into $(DESTDIR)$(PREFIX)
 	install -m 644 include/cylint.h include/cylint_methods.h $(DESTDIR)$(INCLUDEDIR)
 	$(fill_in) src/cylint.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc
 	$(if $(EMBREE),$(install_embree))
+	$(if $(RENDER),install -m 755 $(BUILD)/cylint-render $(DESTDIR)$(BINDIR))
 	for m in man/*.1; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man1; done
 	for m in man/*.3; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man3; done
 	for m in man/*.7; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man7; done
 
 uninstall: ## what install put there
-	rm -f $(DESTDIR)$(BINDIR)/cylint $(DESTDIR)$(LIBDIR)/libcylint.* \
+	rm -f $(DESTDIR)$(BINDIR)/cylint $(DESTDIR)$(BINDIR)/cylint-render $(DESTDIR)$(LIBDIR)/libcylint.* \
 	  $(DESTDIR)$(LIBDIR)/libcylint-embree.* $(DESTDIR)$(LIBDIR)/cylint/cylint-embree.so $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc \
 	  $(DESTDIR)$(LIBDIR)/pkgconfig/cylint-embree.pc $(DESTDIR)$(INCLUDEDIR)/cylint.h \
 	  $(DESTDIR)$(INCLUDEDIR)/cylint_methods.h $(DESTDIR)$(INCLUDEDIR)/cylint_embree.h $(DESTDIR)$(INCLUDEDIR)/cylint_scene.h $(DESTDIR)$(MANDIR)/man[137]/cylint*

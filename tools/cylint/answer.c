@@ -21,7 +21,7 @@ void job_prepare(struct job *job, const struct options *options,
                  options->scene ? "" : " for this");
     }
     turns_prepare(&job->turns);
-    progress_start(&job->progress, options->progress);
+    progress_start(&job->progress, options->progress, "records", 1);
 }
 
 int job_block(const struct job *job, struct block *block)

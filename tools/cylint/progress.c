@@ -15,43 +15,47 @@ static double seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-void progress_start(struct progress *p, int wanted)
+void progress_start(struct progress *p, int wanted, const char *unit,
+                    int in_bytes)
 {
+    p->unit = unit;
+    p->in_bytes = in_bytes;
     p->terminal = isatty(2);
     p->shown = wanted || p->terminal;
     p->start = p->last = p->shown ? seconds() : 0;
     p->dirty = 0;
-    p->records = 0;
+    p->count = 0;
 }
 
-static void show(struct progress *p, double now, double bytes, double total)
+static void show(struct progress *p, double now, double done, double total)
 {
     const double spent = now - p->start;
-    fprintf(stderr, "%s%s: %llu records, %.0f/s", p->terminal ? "\r" : "",
-            program, p->records, spent > 0 ? (double)p->records / spent : 0);
-    if (bytes > 0 && spent > 0) {
-        fprintf(stderr, ", %.1f MB/s", 1e-6 * bytes / spent);
+    fprintf(stderr, "%s%s: %llu %s, %.0f/s", p->terminal ? "\r" : "",
+            program, p->count, p->unit,
+            spent > 0 ? (double)p->count / spent : 0);
+    if (p->in_bytes && done > 0 && spent > 0) {
+        fprintf(stderr, ", %.1f MB/s", 1e-6 * done / spent);
     }
-    if (total > 0 && bytes > 0 && bytes <= total) {
-        fprintf(stderr, ", %.0f %%, %.0f s left", 100 * bytes / total,
-                spent * (total - bytes) / bytes);
+    if (total > 0 && done > 0 && done <= total) {
+        fprintf(stderr, ", %.0f %%, %.0f s left", 100 * done / total,
+                spent * (total - done) / done);
     }
     fputs(p->terminal ? "\033[K" : "\n", stderr);
     p->dirty = p->terminal;
     p->last = now;
 }
 
-void progress_add(struct progress *p, unsigned long long records,
-                  double bytes, double total)
+void progress_add(struct progress *p, unsigned long long count, double done,
+                  double total)
 {
-    p->records += records;
+    p->count += count;
     if (!p->shown) {
         return;
     }
     const double now = seconds();
     const double pause = p->terminal && p->dirty ? 0.2 : 1;
     if (now - p->last >= pause) {
-        show(p, now, bytes, total);
+        show(p, now, done, total);
     }
 }
 

@@ -8,18 +8,21 @@
 #define CYLINT_PROGRESS_H
 
 struct progress {
+    const char *unit;    /* what is counted, in the plural */
+    int in_bytes;        /* how far it is, is told in bytes */
     int shown, terminal; /* shown: at all */
     double start, last;  /* seconds */
     int dirty;           /* a line stands on the terminal */
-    unsigned long long records;
+    unsigned long long count;
 };
 
-void progress_start(struct progress *p, int wanted);
+void progress_start(struct progress *p, int wanted, const char *unit,
+                    int in_bytes);
 
-/* Some more records were answered; `bytes` of `total` (0: not known) were
- * read so far. */
-void progress_add(struct progress *p, unsigned long long records,
-                  double bytes, double total);
+/* So many more are done, which takes the work to `done` of `total` (0: not
+ * known). */
+void progress_add(struct progress *p, unsigned long long count, double done,
+                  double total);
 
 /* Clears the terminal's line, or prints the last figure. */
 void progress_end(struct progress *p);

@@ -1,8 +1,8 @@
 /*
  * scene.h - the shapes that every line is asked about
  */
-#ifndef CYLINT_SCENE_H
-#define CYLINT_SCENE_H
+#ifndef CYLINT_COMMAND_SCENE_H
+#define CYLINT_COMMAND_SCENE_H
 
 #include "columns.h"
 #include "cylint.h"

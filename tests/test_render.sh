@@ -1,0 +1,333 @@
+#!/bin/sh
+# Pictures: their bytes are a PNG's and the same for any number of workers,
+# what is seen is where it should be, shadows and colours included, what goes
+# wrong is said and leaves nothing half written, and the manual's examples
+# run.  Pixels are read by tests/pixels.
+LC_ALL=C
+export LC_ALL
+build=${BUILD:-build}
+case $build in /*) bin=$build ;; *) bin=$(pwd)/$build ;; esac
+page=$(pwd)/man/cylint-render.1
+[ -x "$bin/cylint-render" ] || {
+    echo 'no Embree or no libpng, so no cylint-render'
+    exit 77
+}
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+PATH=$bin:$PATH
+export PATH
+cd "$scratch" || exit 1
+passed=0 failed=0
+
+verdict()
+{
+    if [ "$2" -eq 0 ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED $1"
+    fi
+}
+
+# pixel FILE X Y: red green blue opacity, 0 to 255
+pixel() { "$bin/tests/pixels" "$1" "$2" "$3"; }
+
+# refuses STATUS MESSAGE ARGUMENT...
+refuses()
+{
+    wanted=$1 message=$2
+    shift 2
+    cylint-render "$@" > out 2> messages < /dev/null
+    status=$?
+    [ $status -eq "$wanted" ] && [ ! -s out ] &&
+        [ "$(head -n 1 messages)" = "cylint-render: $message" ] || {
+        echo "exit status $status, message: $(cat messages)"
+        false
+    }
+    verdict "refused: $message" $?
+}
+
+# ------------------------------------------------------------ one picture --
+
+cat > some.scene << 'END'
+cylinder 0 0 0  0 0 2  1  #ff0000
+cone 4 0 0 1  4 0 2 0
+cylinder 0 4 0  0 4 2  0.7 ends=open  #00ff00
+econe 4 4 0  1 0 0  0 0.5 0  0 0.5 2  0.3
+END
+
+test_bytes()
+{
+    for j in 1 2 7; do
+        cylint-render some.scene -o $j.png --size 90x61 --samples 3 -j $j \
+            --ground '#808080' || return 1
+    done
+    cmp 1.png 2.png && cmp 1.png 7.png
+    verdict the_picture_is_the_same_for_any_number_of_workers $?
+    [ "$(od -An -tx1 -N 24 1.png | tr -d ' \n')" = \
+        89504e470d0a1a0a0000000d494844520000005a0000003d ]
+    verdict it_is_a_png_of_the_size_asked_for $?
+    cylint-render - -o - --size 90x61 --samples 3 --ground '#808080' \
+        < some.scene | cmp - 1.png
+    verdict a_scene_and_a_picture_may_be_standard_streams $?
+    cylint-render some.scene -o /dev/stdout --size 90x61 --samples 3 \
+        --ground '#808080' | cmp - 1.png
+    verdict what_is_not_a_regular_file_is_written_to $?
+}
+
+# Looking down x at a cylinder and a cone of height 2 about z = 0: with
+# --ortho the picture is as wide as the scene and 6 % more.
+cat > level.scene << 'END'
+cylinder 0 -2 -1  0 -2 1  1  #ff0000
+cone 0 2 -1 1  0 2 1 0  tail #0000ff more
+END
+
+# brightest FILE X Y CHANNEL: only this channel is far from black there
+brightest()
+{
+    pixel "$1" "$2" "$3" | awk -v c="$4" '{
+        for (i = 1; i <= 3; i++)
+            bad += i == c ? $i < 60 : $i > 20
+        exit bad > 0
+    }'
+}
+
+test_framing()
+{
+    cylint-render level.scene -o level.png --ortho --from 1,0,0 \
+        --size 318x106 --shade plain --background none --samples 1 || return 1
+    # 50 pixels for a unit: y from -3 to 3, z from -1 to 1
+    brightest level.png 59 53 1
+    verdict the_left_shape_is_red $?
+    brightest level.png 259 53 3
+    verdict a_colour_stands_anywhere_in_the_tail $?
+    "$bin/tests/pixels" level.png | awk '
+        $6 > 0 { if (low == "" || $1 < low) low = $1; if ($1 > high) high = $1
+                 if (top == "" || $2 < top) top = $2
+                 if ($2 > bottom) bottom = $2 }
+        # the 6 units fill 318 / 1.06 = 300 pixels, from the 9th on
+        END { exit !(low == 9 && high == 308 && top >= 2 && bottom <= 103 &&
+                     bottom - top == 99) }'
+    verdict the_scene_fills_the_picture_but_for_its_margin $?
+    "$bin/tests/pixels" level.png | awk '
+        # the cone at its foot, at half height and near its apex
+        $2 == 102 && $1 > 159 && $6 { foot++ }
+        $2 == 53 && $1 > 159 && $6 { half++ }
+        $2 == 4 && $1 > 159 && $6 { tip++ }
+        END { exit !(foot >= 98 && half >= 49 && half <= 51 && tip <= 2 &&
+                     foot <= 100) }'
+    verdict a_cone_has_the_outline_of_a_cone $?
+    cylint-render level.scene -o near.png --from 1,0.2,0.3 --size 200x150 \
+        --samples 1 --background none || return 1
+    "$bin/tests/pixels" near.png | awk '
+        $6 { n++; if ($1 < 3 || $1 > 196 || $2 < 3 || $2 > 146) out++ }
+        END { exit !(n > 2000 && !out) }'
+    verdict nothing_is_cut_off_in_perspective $?
+    cylint-render level.scene -o eye.png --eye 10,-2,0 --look-at 0,-2,0 \
+        --size 100x100 --fov 20 --samples 1 --shade plain \
+        --background none || return 1
+    # The upper rim's near point is at the angle atan(1/9), which is
+    # 1/9 / tan(10 degrees) = 63.0 % of the half picture.
+    "$bin/tests/pixels" eye.png | awk '
+        $1 == 50 && $6 { if (top == "") top = $2; bottom = $2 }
+        END { exit !(top == 18 && bottom == 81) }'
+    verdict an_eye_sees_what_its_angle_says $?
+}
+
+# A pillar on a wide plate, the sun at 45 degrees: its shadow is as long as
+# the pillar is high and points away from the sun.
+test_shadow()
+{
+    printf '%s\n' 'cylinder 0 0 -0.1  0 0 0  10  #ffffff' \
+        'cylinder 0 0 0  0 0 4  0.5  #ffffff' > pillar.scene
+    cylint-render pillar.scene -o shadow.png --ortho --from 0.0001,0,1 \
+        --up 0,0,1 --light 0,1,1 --size 424x424 --samples 4 || return 1
+    # from above: y to the right, 20 pixels a unit, the middle at 212
+    "$bin/tests/pixels" shadow.png | awk '
+        $2 == 212 { light[$1] = $3 + $4 + $5 }
+        END { lit = light[300]
+              exit !(light[212 - 60] < 0.8 * lit &&
+                     light[212 - 78] < 0.8 * lit &&
+                     light[212 - 102] > 0.97 * lit) }'
+    verdict a_shadow_is_as_long_as_the_sun_says $?
+    # No surface shades itself by rounding: the plate, far from the pillar,
+    # and a cylinder drawn twice, far from the origin, have no dark pixel.
+    "$bin/tests/pixels" shadow.png | awk '
+        $1 > 240 && $1 < 370 && $2 > 150 && $2 < 270 {
+            s = $3 + $4 + $5
+            if (least == "" || s < least) least = s
+            if (s > most) most = s }
+        END { exit !(least > 0.97 * most) }'
+    verdict a_lit_plate_has_no_dark_specks $?
+    for i in 1 2 3; do
+        echo 'cylinder 1e6 2e6 3e6  1000000.3 2000000.7 3000003  1  #ffffff'
+    done > thrice.scene
+    head -n 1 thrice.scene > once.scene
+    for s in once thrice; do
+        cylint-render $s.scene -o $s.png --samples 4 --size 120x90 || return 1
+    done
+    cmp once.png thrice.png
+    verdict a_shape_drawn_thrice_does_not_shade_itself $?
+}
+
+test_inside()
+{
+    # Into an open tube, towards the sun behind the viewer: the far inner
+    # wall is lit where the near one does not hide the sun.
+    echo 'cylinder 0 0 0  0 0 4  1 ends=open  #ffffff' > tube.scene
+    echo 'cylinder 0 0 0  0 0 4  1 ends=cap1  #ffffff' > lid.scene
+    for s in tube lid; do
+        cylint-render $s.scene -o $s.png --eye 0.9,0,3 --look-at -1,0,3 \
+            --light 1,0,4 --size 40x40 --fov 20 --samples 16 || return 1
+    done
+    bright=$(pixel tube.png 20 20 | awk '{ print $1 + $2 + $3 }')
+    dark=$(pixel lid.png 20 20 | awk '{ print $1 + $2 + $3 }')
+    [ "$bright" -gt 500 ] && [ "$dark" -lt 420 ] || {
+        echo "open $bright, with a lid $dark"
+        false
+    }
+    verdict light_falls_into_a_tube_but_not_through_its_lid $?
+    # the other nappe of a double cone keeps the light off
+    echo 'acone 0 0 0  0 0 1  45  #ffffff' > double.scene
+    echo 'acone 0 0 0  0 0 1  45 ends=nappe  #ffffff' > single.scene
+    for s in double single; do
+        cylint-render $s.scene -o $s.png --eye 0,9,2 --look-at 0,2.05,2 \
+            --light 0,1,-1.3 --size 9x9 --fov 1 --samples 16 || return 1
+    done
+    bright=$(pixel single.png 4 4 | awk '{ print $1 + $2 + $3 }')
+    dark=$(pixel double.png 4 4 | awk '{ print $1 + $2 + $3 }')
+    [ "$bright" -gt $((dark + 100)) ] || {
+        echo "one nappe $bright, both $dark"
+        false
+    }
+    verdict the_other_nappe_shades_the_first $?
+}
+
+# ---------------------------------------------------------------- colours --
+
+# shows NAME COLOURS ARGUMENT...: so many different colours of flat caps
+shows()
+{
+    name=$1 wanted=$2
+    shift 2
+    cylint-render five.scene -o five.png --ortho --from 0,0,1 --up 0,1,0 \
+        --size 200x40 --samples 1 --background none "$@" || return 1
+    found=$("$bin/tests/pixels" five.png | awk '$6 { print $3, $4, $5 }' |
+        sort -u | wc -l)
+    [ "$found" -eq "$wanted" ] || { echo "found $found colours"; false; }
+    verdict "$name" $?
+}
+
+test_colours()
+{
+    for x in '0 0.5 a' '2 0.6 b' '4 0.7 a' '6 0.8 a' '8 0.9 c'; do
+        set -- $x
+        echo "cylinder $1 0 0  $1 0 2  $2  $3"
+    done > five.scene
+    shows one_colour_for_all 1 --shade plain
+    shows each_number_has_its_colour 5 --shade plain --colour number
+    shows each_label_has_its_colour 3 --shade plain --colour label
+    shows each_kind_has_its_colour 1 --shade plain --colour kind
+    shows each_radius_has_its_colour 5 --shade plain --colour radius
+    shows equal_heights_have_equal_colours 1 --shade plain --colour height
+    shows unlinked_shapes_differ 5 --shade plain --colour connected
+    shows normals_are_colours 1 --shade normal
+    # the first and the third are linked by a thread too thin to be seen
+    printf '%s\n' 'cylinder 0 0 0  0 0 2  0.5' 'cone 0 0 0 1e-9 4 -0 0 1e-9' \
+        'cylinder 4 0 2  4 0 0  0.5' 'cylinder 2 0 0 2 0 2 0.5' \
+        'ecylinder 6 0 0  0.5 0 0  0 0.5 0  0 0 2' \
+        'cylinder 8 0 0 8 0 2 0.5' > five.scene
+    shows linked_shapes_agree 4 --shade plain --colour connected
+}
+
+# ------------------------------------------------------------------ faults --
+
+test_faults()
+{
+    refuses 2 "expected one scene, found 0" -o x.png
+    refuses 2 "where to? -o FILE, or -o - for standard output" some.scene
+    refuses 2 "--size: expected WIDTHxHEIGHT, found '3x'" --size 3x
+    refuses 2 "--size: expected WIDTHxHEIGHT, found '0x7'" --size 0x7
+    refuses 2 "--fov: expected degrees above 0 and below 180, found '180'" \
+        --fov 180
+    refuses 2 "--up: expected a direction X,Y,Z, found '0,0,0'" --up 0,0,0
+    refuses 2 "--eye: expected X,Y,Z, found '1,2'" --eye 1,2
+    refuses 2 "--colour: expected number, label, kind, connected, radius,\
+ height or #rrggbb, found '#12345'" --colour '#12345'
+    refuses 2 "--look-at needs --eye" some.scene -o x.png --look-at 0,0,0
+    refuses 2 "--from and --eye exclude each other" some.scene -o x.png \
+        --from 1,0,0 --eye 1,0,0
+    refuses 2 "unknown option '--eyes'" --eyes 1,2,3
+    refuses 3 "no.scene: No such file or directory" no.scene -o x.png
+    refuses 3 "no/x.png: No such file or directory" some.scene -o no/x.png
+    refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full
+    echo 'cylinder 0 0 0  0 0 zero 1' > bad.scene
+    refuses 1 "bad.scene:1:21: expected a number, found 'zero'" \
+        bad.scene -o x.png
+    : > empty.scene
+    refuses 1 "empty.scene: no view of it:\
+ say --eye and --look-at, not along --up" empty.scene -o x.png
+    refuses 1 "some.scene: no view of it:\
+ say --eye and --look-at, not along --up" some.scene -o x.png --from 0,0,1
+    [ ! -e x.png ] && [ -z "$(ls | grep part)" ]
+    verdict what_fails_leaves_no_file $?
+
+    # The old picture stays until the new one is whole.
+    echo old > kept.png
+    (ulimit -f 1; trap '' XFSZ
+     exec cylint-render some.scene -o kept.png --size 200x200 --samples 1) \
+        > out 2> messages
+    [ $? -eq 3 ] && [ "$(cat kept.png)" = old ] && [ -z "$(ls | grep part)" ] &&
+        [ "$(cat messages)" = 'cylint-render: kept.png: File too large' ]
+    verdict a_full_disk_leaves_the_old_picture $?
+    cylint-render some.scene -o kept.png --size 20x20 --samples 1 &&
+        pixel kept.png 3 3 > /dev/null
+    verdict a_picture_replaces_the_old_one $?
+    cylint-render empty.scene -o sky.png --eye 0,0,0 --look-at 1,0,0 \
+        --size 8x8 --background '#123456' &&
+        [ "$(pixel sky.png 4 4)" = '18 52 86 255' ]
+    verdict an_empty_scene_shows_the_background $?
+    cylint-render some.scene -o - --size 20x20 --samples 1 2> messages | cat \
+        > /dev/null
+    [ ! -s messages ]
+    verdict no_progress_but_on_a_terminal $?
+    cylint-render some.scene -o x.png --size 20x20 --progress 2> messages &&
+        grep -q '^cylint-render: traced 400 pixels: [0-9.]* s$' messages
+    verdict progress_when_asked_for $?
+}
+
+# The manual's commands, each of which must succeed and make its picture.
+test_manual()
+{
+    mkdir manual && cd manual || return 1
+    awk '/^\.Bd -literal/ { show = 1; next }
+         /^\.Ed/ { show = 0 }
+         show && /^\$ / { sub(/^\$ /, ""); gsub(/\\e/, "\\"); print }' \
+        "$page" > commands
+    while read -r command; do
+        sh -c "$command" < /dev/null > out 2>&1 || {
+            cat out
+            false
+        }
+        verdict "manual: $command" $?
+    done < commands
+    [ "$(ls *.png | wc -l)" -ge 3 ]
+    verdict the_manual_makes_pictures $?
+    for word in $(cylint-render --help |
+        grep -Eo -e '^  -(-[a-z-]+|[a-zA-Z])' | tr -d - | sort -u); do
+        grep -Eq "(Fl|Fl -|Cm) *-?$(echo "$word" | sed 's/lookat/look-at/')" \
+            "$page"
+        verdict "the manual tells of $word" $?
+    done
+    cd ..
+}
+
+test_bytes
+test_framing
+test_shadow
+test_inside
+test_colours
+test_faults
+test_manual
+echo "$passed passed, $failed failed"
+[ $failed -eq 0 ]

@@ -1,0 +1,32 @@
+/*
+ * boxes.h - the boxes of a scene's bounded shapes
+ */
+#ifndef CYLINT_BOXES_H
+#define CYLINT_BOXES_H
+
+#include <stddef.h>
+
+#include "cylint.h"
+#include "vector.h"
+
+struct box {
+    struct vector low, high;
+};
+
+struct boxes {
+    struct box *box;
+    size_t count;
+    struct vector middle; /* of the box about all */
+    double size;          /* its diagonal; 0: there is no box */
+};
+
+/* Returns 0 or an exit status. */
+int boxes_make(struct boxes *boxes, const cylint_shape *shapes, size_t n);
+void boxes_free(struct boxes *boxes);
+
+struct vector box_middle(const struct box *box);
+
+/* The most of direction . point over all boxes. */
+double reach(const struct boxes *boxes, struct vector direction);
+
+#endif

@@ -1,0 +1,273 @@
+/*
+ * colours.c - a colour for every shape
+ *
+ * Palettes are made in Oklab, where equal steps look equal [Ottosson 2020].
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "colours.h"
+#include "connected.h"
+#include "main.h"
+#include "report.h"
+#include "sampling.h"
+
+const char *const colouring_words[] = {
+    "number", "label", "kind", "connected", "radius", "height", NULL
+};
+
+enum { NO_COLOUR = 1 << 24 };
+
+/* -------------------------------------------------------------- light -- */
+
+/* IEC 61966-2-1 */
+static double light_of_byte(unsigned byte)
+{
+    const double c = byte / 255.0;
+    return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+}
+
+struct vector light_of_colour(uint32_t colour)
+{
+    return vector(light_of_byte(colour >> 16 & 255),
+                  light_of_byte(colour >> 8 & 255),
+                  light_of_byte(colour & 255));
+}
+
+unsigned char byte_of_light(double light)
+{
+    const double x = fmin(fmax(light, 0), 1);
+    const double c = x <= 0.0031308 ? 12.92 * x
+                                    : 1.055 * pow(x, 1 / 2.4) - 0.055;
+    return (unsigned char)(255 * c + 0.5);
+}
+
+/* Lightness, chroma and hue (radians) in Oklab to 0xrrggbb. */
+static uint32_t colour_of_lch(double lightness, double chroma, double hue)
+{
+    const double a = chroma * cos(hue), b = chroma * sin(hue);
+    const double l = lightness + 0.3963377774 * a + 0.2158037573 * b;
+    const double m = lightness - 0.1055613458 * a - 0.0638541728 * b;
+    const double s = lightness - 0.0894841775 * a - 1.2914855480 * b;
+    const double l3 = l * l * l, m3 = m * m * m, s3 = s * s * s;
+    const double light[3] = {
+        4.0767416621 * l3 - 3.3077115913 * m3 + 0.2309699292 * s3,
+        -1.2684380046 * l3 + 2.6097574011 * m3 - 0.3413193965 * s3,
+        -0.0041960863 * l3 - 0.7034186147 * m3 + 1.7076147010 * s3
+    };
+    return (uint32_t)byte_of_light(light[0]) << 16
+         | (uint32_t)byte_of_light(light[1]) << 8
+         | byte_of_light(light[2]);
+}
+
+/* ----------------------------------------------------------- palettes -- */
+
+/* Hues a golden section of the circle apart never come close soon; every
+ * third colour is of another lightness. */
+static uint32_t colour_of_number(size_t n)
+{
+    static const double lightness[3] = {0.74, 0.64, 0.82};
+    const double golden_angle = 2.3999632297286533;
+    return colour_of_lch(lightness[n % 3], 0.125,
+                         0.7 + golden_angle * (double)(n % 100000));
+}
+
+/* Green to brown for thin to thick; blue to yellow for low to high. */
+static uint32_t colour_of_radius(double x)
+{
+    return colour_of_lch(0.72 - 0.22 * x, 0.11 - 0.04 * x, 2.2 - 1.2 * x);
+}
+
+static uint32_t colour_of_height(double x)
+{
+    return colour_of_lch(0.48 + 0.38 * x, 0.11 + 0.02 * x, 4.6 - 2.9 * x);
+}
+
+/* -------------------------------------------------------------- tails -- */
+
+static int hex_digit(char c)
+{
+    return c >= '0' && c <= '9' ? c - '0'
+         : c >= 'a' && c <= 'f' ? c - 'a' + 10
+         : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+int read_colour(const char *text, size_t length, uint32_t *colour)
+{
+    uint32_t value = 0;
+    if (length != 7 || text[0] != '#') {
+        return 0;
+    }
+    for (int i = 1; i < 7; i++) {
+        const int digit = hex_digit(text[i]);
+        if (digit < 0) {
+            return 0;
+        }
+        value = 16 * value + (uint32_t)digit;
+    }
+    *colour = value;
+    return 1;
+}
+
+static int is_separator(char c)
+{
+    return c == ' ' || c == '\t' || c == ',';
+}
+
+/* The first field of the tail that is a colour. */
+static uint32_t colour_in_tail(const char *p, const char *end)
+{
+    while (p < end) {
+        const char *field = p;
+        while (p < end && !is_separator(*p)) {
+            p++;
+        }
+        uint32_t colour;
+        if (read_colour(field, (size_t)(p - field), &colour)) {
+            return colour;
+        }
+        p++;
+    }
+    return NO_COLOUR;
+}
+
+static uint32_t hash_of_text(const char *text, size_t length)
+{
+    uint32_t hash = 0;
+    for (size_t i = 0; i < length; i++) {
+        hash = hash_words(hash, (unsigned char)text[i]);
+    }
+    return hash;
+}
+
+/* Room for so many; those of which nothing was seen have no colour. */
+static int grow(struct colours *c, size_t count)
+{
+    if (count > c->room) {
+        const size_t room = count > 2 * c->room ? count : 2 * c->room;
+        if (room > SIZE_MAX / sizeof *c->of) {
+            return out_of_memory();
+        }
+        uint32_t *of = realloc(c->of, room * sizeof *of);
+        c->of = of ? of : c->of;
+        uint32_t *label = realloc(c->label, room * sizeof *label);
+        c->label = label ? label : c->label;
+        if (!of || !label) {
+            return out_of_memory();
+        }
+        c->room = room;
+    }
+    for (; c->count < count; c->count++) {
+        c->of[c->count] = NO_COLOUR;
+        c->label[c->count] = 0;
+    }
+    return 0;
+}
+
+int colours_take_tail(struct scene *scene, const struct record *record)
+{
+    struct colours *c = scene->context;
+    const size_t number = scene->count;
+    const int status = grow(c, number + 1);
+    if (status == 0) {
+        const char *tail = record->tail;
+        c->of[number] = colour_in_tail(tail, tail + record->tail_length);
+        c->label[number] = hash_of_text(tail, record->tail_length);
+    }
+    return status;
+}
+
+/* --------------------------------------------------------- the others -- */
+
+/* Radii of elliptic shapes: of the circle with their section's area. */
+static double radius_of(const cylint_shape *s)
+{
+    if (s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE) {
+        const struct vector a = vector(s->a[0], s->a[1], s->a[2]);
+        const struct vector b = vector(s->b[0], s->b[1], s->b[2]);
+        return sqrt(length(cross(a, b))) * fmax(s->r0, s->r1);
+    }
+    return fmax(s->r0, s->r1);
+}
+
+/* Halfway between the ends of the axis. */
+static double height_of(const cylint_shape *s, struct vector up)
+{
+    return up.v[0] * (s->base[0] + 0.5 * s->axis[0])
+         + up.v[1] * (s->base[1] + 0.5 * s->axis[1])
+         + up.v[2] * (s->base[2] + 0.5 * s->axis[2]);
+}
+
+static double measure(enum colouring how, const cylint_shape *shape,
+                      struct vector up)
+{
+    return how == COLOUR_RADIUS ? log(radius_of(shape))
+                                : height_of(shape, up);
+}
+
+/* Along a gradient from the least to the greatest value that is finite. */
+static void by_measure(struct colours *c, const struct scene *scene,
+                       enum colouring how, struct vector up)
+{
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (size_t i = 0; i < scene->count; i++) {
+        const double x = measure(how, &scene->shapes[i], up);
+        if (x - x == 0) {
+            least = fmin(least, x);
+            most = fmax(most, x);
+        }
+    }
+    for (size_t i = 0; i < scene->count; i++) {
+        const double x = measure(how, &scene->shapes[i], up);
+        const double share = x - x == 0 && most > least
+            ? (x - least) / (most - least) : 0.5;
+        if (c->of[i] == NO_COLOUR) {
+            c->of[i] = how == COLOUR_RADIUS ? colour_of_radius(share)
+                                            : colour_of_height(share);
+        }
+    }
+}
+
+static uint32_t colour_of_shape(const struct colours *c,
+                                const struct scene *scene,
+                                enum colouring how, uint32_t one, size_t i)
+{
+    switch (how) {
+    case COLOUR_NUMBER:
+        return colour_of_number(i);
+    case COLOUR_LABEL:
+        return c->label[i] ? colour_of_number(c->label[i]) : one;
+    case COLOUR_KIND:
+        return colour_of_number((size_t)scene->shapes[i].kind);
+    default:
+        return one;
+    }
+}
+
+int colours_complete(struct colours *c, const struct scene *scene,
+                     enum colouring how, uint32_t one, struct vector up)
+{
+    int status = grow(c, scene->count);
+    if (status != 0) {
+        return status;
+    }
+    if (how == COLOUR_CONNECTED) {
+        status = connected_groups(scene->shapes, scene->count, c->label);
+    }
+    if (how == COLOUR_RADIUS || how == COLOUR_HEIGHT) {
+        by_measure(c, scene, how, up);
+    }
+    for (size_t i = 0; i < scene->count; i++) {
+        if (c->of[i] == NO_COLOUR) {
+            c->of[i] = how == COLOUR_CONNECTED ? colour_of_number(c->label[i])
+                     : colour_of_shape(c, scene, how, one, i);
+        }
+    }
+    return status;
+}
+
+void colours_free(struct colours *c)
+{
+    free(c->of);
+    free(c->label);
+}

@@ -1,0 +1,118 @@
+/*
+ * connected.c - which shapes hang together
+ *
+ * A table of end points by their bits tells who had one before; groups are
+ * trees of shapes, joined at their roots, the lower number on top.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "connected.h"
+#include "main.h"
+#include "report.h"
+#include "sampling.h"
+
+struct ends {
+    const cylint_shape *shapes;
+    uint32_t *slot;   /* 2 i + e + 1 for end e of shape i; 0: free */
+    size_t slots;     /* a power of two above the number of ends */
+};
+
+static const double *end_point(const struct ends *ends, uint32_t end)
+{
+    const cylint_shape *shape = &ends->shapes[end >> 1];
+    return end & 1 ? shape->top : shape->base;
+}
+
+static uint32_t hash_point(const double p[3])
+{
+    uint32_t hash = 0;
+    for (int i = 0; i < 3; i++) {
+        const double value = p[i] + 0.0; /* -0 becomes 0 */
+        uint32_t words[2];
+        memcpy(words, &value, sizeof words);
+        hash = hash_words(hash_words(hash, words[0]), words[1]);
+    }
+    return hash;
+}
+
+static int same_point(const double p[3], const double q[3])
+{
+    return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+}
+
+/* The first end at the same point, which may be this one. */
+static uint32_t first_end(const struct ends *ends, uint32_t end)
+{
+    const double *p = end_point(ends, end);
+    size_t at = hash_point(p) & (ends->slots - 1);
+    while (ends->slot[at] != 0) {
+        if (same_point(p, end_point(ends, ends->slot[at] - 1))) {
+            return ends->slot[at] - 1;
+        }
+        at = (at + 1) & (ends->slots - 1);
+    }
+    ends->slot[at] = end + 1;
+    return end;
+}
+
+/* The root of i's tree; the way there becomes shorter. */
+static uint32_t root_of(uint32_t *parent, uint32_t i)
+{
+    while (parent[i] != i) {
+        parent[i] = parent[parent[i]];
+        i = parent[i];
+    }
+    return i;
+}
+
+static void join(uint32_t *parent, uint32_t a, uint32_t b)
+{
+    a = root_of(parent, a);
+    b = root_of(parent, b);
+    parent[a < b ? b : a] = a < b ? a : b;
+}
+
+static void join_shapes(const struct ends *ends, size_t n, uint32_t *parent)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const int kind = ends->shapes[i].kind;
+        if (kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_CONE) {
+            join(parent, i, first_end(ends, 2 * i) >> 1);
+            join(parent, i, first_end(ends, 2 * i + 1) >> 1);
+        }
+    }
+}
+
+/* Roots have lower numbers than what hangs below them, so that each is
+ * numbered before it is asked for its number. */
+static void number_groups(uint32_t *group, size_t n)
+{
+    uint32_t groups = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t parent = group[i];
+        group[i] = parent == i ? groups++ : group[parent];
+    }
+}
+
+int connected_groups(const cylint_shape *shapes, size_t n, uint32_t *group)
+{
+    struct ends ends = {shapes, NULL, 2};
+    if (n > UINT32_MAX / 8) {
+        return out_of_memory();
+    }
+    while (ends.slots < 4 * n) {
+        ends.slots *= 2;
+    }
+    ends.slot = calloc(ends.slots, sizeof *ends.slot);
+    if (!ends.slot) {
+        return out_of_memory();
+    }
+    for (uint32_t i = 0; i < n; i++) {
+        group[i] = i;
+    }
+    join_shapes(&ends, n, group);
+    free(ends.slot);
+    number_groups(group, n);
+    return 0;
+}

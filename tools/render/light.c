@@ -1,0 +1,167 @@
+/*
+ * light.c - what colour one sees along a line
+ *
+ * Every surface is matt.  It is lit by a sun, whose disc gives shadows soft
+ * edges, and by the sky, as far as the surface sees it: one ray for each and
+ * sample.  That a ray does not meet the surface it begins on is decided
+ * without a tolerance, see meets_again().
+ */
+#include "colours.h"
+#include "light.h"
+#include "sampling.h"
+
+/* Light that falls on a surface square to it.  Under an open sky both make
+ * white nearly white. */
+static const struct vector SUN = {{2.05, 1.86, 1.58}};
+static const struct vector ZENITH = {{0.50, 0.64, 0.86}};
+static const struct vector HORIZON = {{0.80, 0.80, 0.78}};
+static const struct vector BELOW = {{0.36, 0.33, 0.30}};
+/* What comes back from a surface that hides the sky, as a share of it. */
+static const double BOUNCE = 0.22;
+static const double SUN_RADIUS = 0.025; /* tangent of its angular radius */
+
+enum { FOR_SUN = 1, FOR_SKY = 2 }; /* what samples are drawn for */
+
+/* Where a ray met a shape.  `facing` is the normal on the viewer's side. */
+struct place {
+    size_t number;
+    const cylint_shape *shape;
+    struct vector point, normal, facing;
+};
+
+/* ------------------------------------------------------------- shadows -- */
+
+/*
+ * Whether a ray from a hit, along d, is free.  The hit's point was rounded,
+ * so its shape's surface may lie ahead by a rounding error.  But a line
+ * crosses that surface at most twice, once entering and once leaving, and
+ * which one the ray begins with is known: d.n > 0 leaves the solid, else it
+ * enters.  So the shape is met again only where the crossing that ends the
+ * whole line's is of the other kind: the far wall of an open tube, the other
+ * nappe of a double cone.  Leaving what is convex, one need not even ask.
+ */
+static int meets_again(const struct place *at, const cylint_line *ray,
+                       int leaves)
+{
+    cylint_line line;
+    cylint_answer answer;
+    const int convex = !(at->shape->ends == CYLINT_INFINITE
+                         && at->shape->kind != CYLINT_KIND_CYLINDER
+                         && at->shape->kind != CYLINT_KIND_ECYLINDER);
+    if (leaves && convex) {
+        return 0;
+    }
+    cylint_whole_line(&line, ray->o, ray->d);
+    cylint_intersect(at->shape, &line, CYLINT_WANT_PART, &answer);
+    return answer.n > 0 && answer.hit[answer.n - 1].side
+        == (leaves ? CYLINT_ENTERING : CYLINT_LEAVING);
+}
+
+/*
+ * Another shape may have the same surface there, a cylinder drawn twice for
+ * instance.  The point is within e = 2^-52 |p| of one on that surface, hence
+ * nowhere deeper below the tangent plane, behind which a convex solid stays;
+ * so along the unit vector d the ray has left it after e / |d.n|.
+ */
+static int is_free(const struct stage *stage, const struct place *at,
+                   struct vector d)
+{
+    const double cosine = dot(d, at->normal);
+    const double start = 0x1p-52 * length(at->point) / fabs(cosine);
+    cylint_line ray;
+    return cylint_span(&ray, at->point.v, d.v, start, HUGE_VAL) == CYLINT_OK
+        && !meets_again(at, &ray, cosine > 0)
+        && !cylint_scene_occluded(stage->scene, &ray, at->number);
+}
+
+/* -------------------------------------------------------------- light -- */
+
+static struct vector sky(const struct stage *stage, struct vector d)
+{
+    const double up = dot(d, stage->up);
+    return up > 0 ? mixed(HORIZON, ZENITH, sqrt(up))
+                  : mixed(HORIZON, BELOW, sqrt(-up));
+}
+
+static struct vector from_sun(const struct stage *stage,
+                              const struct place *at, uint32_t i,
+                              uint32_t seed)
+{
+    double disc[2];
+    sample_disc(i, hash_words(seed, FOR_SUN), disc);
+    const struct vector u = perpendicular(stage->sun);
+    const struct vector v = cross(stage->sun, u);
+    const struct vector d = unit(plus(plus(stage->sun,
+        SUN_RADIUS * disc[0], u), SUN_RADIUS * disc[1], v));
+    const double cosine = dot(d, at->facing);
+    return cosine > 0 && is_free(stage, at, d) ? times(cosine, SUN)
+                                               : vector(0, 0, 0);
+}
+
+static struct vector from_sky(const struct stage *stage,
+                              const struct place *at, uint32_t i,
+                              uint32_t seed)
+{
+    const struct vector d = sample_hemisphere(i, hash_words(seed, FOR_SKY),
+                                              at->facing);
+    const struct vector light = sky(stage, d);
+    return is_free(stage, at, d) ? light : times(BOUNCE, light);
+}
+
+static struct vector lit(const struct stage *stage, const struct place *at,
+                         struct vector colour, uint32_t i, uint32_t seed)
+{
+    return filtered(colour, plus(from_sun(stage, at, i, seed), 1,
+                                 from_sky(stage, at, i, seed)));
+}
+
+/* ------------------------------------------------------------- shading -- */
+
+static struct vector shaded(const struct stage *stage, const struct place *at,
+                            const cylint_line *ray, struct vector colour,
+                            uint32_t i, uint32_t seed)
+{
+    const struct vector d = vector(ray->d[0], ray->d[1], ray->d[2]);
+    switch (stage->shading) {
+    case SHADE_NORMAL:
+        return plus(vector(0.5, 0.5, 0.5), 0.5, at->facing);
+    case SHADE_PLAIN:
+        return times(-dot(unit(d), at->facing), colour);
+    default:
+        return lit(stage, at, colour, i, seed);
+    }
+}
+
+/* The ground is there under what stands on it and fades out around it. */
+static double opacity(const struct stage *stage, const struct place *at)
+{
+    if (!stage->has_ground || at->number + 1 < stage->count) {
+        return 1;
+    }
+    const double far = length(minus(at->point, stage->middle)) / stage->size;
+    return exp(-far * far);
+}
+
+struct seen look(const struct stage *stage, const cylint_line *ray,
+                 uint32_t i, uint32_t seed)
+{
+    cylint_hit hit;
+    const size_t shape = cylint_scene_nearest(stage->scene, ray,
+        CYLINT_WANT_POINT | CYLINT_WANT_NORMAL, &hit);
+    if (shape == stage->count) {
+        return (struct seen){vector(0, 0, 0), 0};
+    }
+    const struct vector point = vector(hit.point[0], hit.point[1],
+                                       hit.point[2]);
+    const struct vector normal = vector(hit.normal[0], hit.normal[1],
+                                        hit.normal[2]);
+    const struct vector d = vector(ray->d[0], ray->d[1], ray->d[2]);
+    const struct place at = {
+        shape, &stage->shapes[shape], point, normal,
+        dot(normal, d) > 0 ? times(-1, normal) : normal
+    };
+    const double covered = opacity(stage, &at);
+    const struct vector light = shaded(stage, &at, ray,
+        light_of_colour(stage->colours[shape]), i, seed);
+    return (struct seen){times(covered, light), covered};
+}

@@ -1,0 +1,192 @@
+/*
+ * main.c - cylint-render, a picture of a scene
+ *
+ * The locale is never set: numbers have a point everywhere.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "main.h"
+#include "options.h"
+#include "processors.h"
+#include "report.h"
+#include "stages.h"
+
+const char *const program = "cylint-render";
+
+static const char help[] =
+"cylint-render [OPTION]... SCENE -o FILE\n"
+"\n"
+"Takes a picture of a scene as cylint -s reads it, and writes a PNG.\n"
+"\n"
+"  -o FILE            the picture; - is standard output\n"
+"  --size WxH         pixels, 1280x720 unless said\n"
+"  --samples N        lines a pixel, 8 unless said\n"
+"  -j N               workers; the picture is the same\n"
+"  --eye X,Y,Z        where the camera stands; else it finds a place\n"
+"  --look-at X,Y,Z    what an --eye looks at, else the scene's middle\n"
+"  --from X,Y,Z       only the direction in which it stands\n"
+"  --up X,Y,Z         what is up, 0,0,1 unless said\n"
+"  --fov DEGREES      from bottom to top, 30 unless said\n"
+"  --ortho            parallel lines instead\n"
+"  --zoom FACTOR      enlarge about the picture's centre\n"
+"  --colour HOW       of shapes without a field #rrggbb in their records:\n"
+"                     number, label, kind, connected, radius, height\n"
+"                     or #rrggbb\n"
+"  --shade HOW        light (default), plain or normal\n"
+"  --light X,Y,Z      the direction of the sun\n"
+"  --ground HOW       #rrggbb below the scene, or none (default)\n"
+"  --background HOW   sky (default), #rrggbb or none: transparent\n"
+"  --ends WORD        the ends of shapes that do not say\n"
+"  --progress         tell the progress on standard error\n"
+"  --help, --version\n"
+"\n"
+"Exit status: 0 done, 1 a bad scene, 2 usage, 3 input or output failed,\n"
+"4 out of memory.  See cylint-render(1).\n";
+
+static int print_about(const char *what)
+{
+    fputs(strcmp(what, "help") == 0 ? help
+          : "cylint-render " CYLINT_VERSION "\n", stdout);
+    if (fflush(stdout) != 0) {
+        complain_errno("standard output");
+        return EXIT_IO;
+    }
+    return 0;
+}
+
+/* The ground is a flat cylinder under the scene, so wide that its rim is far
+ * behind where it has faded. */
+static int add_ground(struct scene *scene, struct colours *colours,
+                      const struct options *o, const struct boxes *all)
+{
+    const double radius = 30 * all->size, depth = 0.01 * all->size;
+    const struct vector up = unit(o->viewing.up);
+    const double low = -reach(all, times(-1, up));
+    const struct vector top = plus(all->middle, low - dot(up, all->middle),
+                                   up);
+    const struct vector base = plus(top, -depth, up);
+    const size_t n = scene->count;
+    cylint_shape *shapes = realloc(scene->shapes, (n + 1) * sizeof *shapes);
+    uint32_t *of = realloc(colours->of, (n + 1) * sizeof *of);
+    scene->shapes = shapes ? shapes : scene->shapes;
+    colours->of = of ? of : colours->of;
+    if (!shapes || !of) {
+        return out_of_memory();
+    }
+    of[n] = o->ground;
+    scene->count++;
+    return cylint_cylinder(&shapes[n], base.v, top.v, radius, CYLINT_CAPPED)
+        == CYLINT_OK ? 0 : EXIT_BAD;
+}
+
+/* From the left above the camera, unless it was told. */
+static struct vector sun_of(const struct options *o, const struct view *view)
+{
+    return unit(o->has_sun ? o->sun
+        : plus(plus(times(0.75, unit(o->viewing.up)), -0.7, view->right),
+               -0.45, view->forward));
+}
+
+static int take_picture(const struct options *o, struct stage *stage,
+                        const struct view *view, struct stages *stages)
+{
+    const unsigned long long pixels = (unsigned long long)o->width
+                                    * (unsigned long long)o->height;
+    struct picture picture;
+    const int workers = o->workers > 0 ? o->workers : processors();
+    cylint_scene_status built;
+    cylint_scene *scene = cylint_scene_new(stage->shapes, stage->count,
+                                           workers, &built);
+    if (!scene) {
+        complain(o->scene, cylint_scene_strerror((int)built));
+        return built == CYLINT_SCENE_EMEMORY ? EXIT_MEMORY : EXIT_BAD;
+    }
+    stages_end(stages, "built a scene of", cylint_scene_bytes(scene), "bytes");
+    stage->scene = scene;
+    int status = picture_make(&picture, o->width, o->height,
+                              o->backdrop.transparent ? 4 : 3);
+    if (status == 0) {
+        status = trace(&picture, stage, view, &o->backdrop, o->samples,
+                       workers, o->progress);
+    }
+    stages_end(stages, "traced", pixels, "pixels");
+    cylint_scene_free(scene);
+    if (status == 0) {
+        status = picture_write(&picture, o->output);
+    }
+    stages_end(stages, "wrote", pixels, "pixels");
+    picture_free(&picture);
+    return status;
+}
+
+/* The view is of the scene without its ground. */
+static int set_stage(const struct options *o, struct scene *scene,
+                     struct colours *colours, const struct boxes *boxes,
+                     struct stage *stage, struct view *view)
+{
+    const int has_ground = o->has_ground && boxes->size > 0;
+    const struct vector up = unit(o->viewing.up);
+    int status = colours_complete(colours, scene, o->colouring, o->colour,
+                                  up);
+    if (status == 0 && !view_of_scene(view, &o->viewing, boxes)) {
+        complain(o->scene, "no view of it: "
+                 "say --eye and --look-at, not along --up");
+        status = EXIT_BAD;
+    }
+    if (status == 0 && has_ground) {
+        status = add_ground(scene, colours, o, boxes);
+    }
+    if (status == 0) {
+        *stage = (struct stage){NULL, scene->shapes, scene->count,
+            colours->of, has_ground, boxes->middle, boxes->size, o->shading,
+            sun_of(o, view), up};
+    }
+    return status;
+}
+
+static int prepare(const struct options *o, struct scene *scene,
+                   struct colours *colours, struct stage *stage,
+                   struct view *view)
+{
+    struct boxes boxes;
+    int status = scene_read(scene, o->scene, o->ends);
+    if (status == 0) {
+        status = boxes_make(&boxes, scene->shapes, scene->count);
+        if (status == 0) {
+            status = set_stage(o, scene, colours, &boxes, stage, view);
+        }
+        boxes_free(&boxes);
+    }
+    return status;
+}
+
+int main(int argc, char **argv)
+{
+    struct options options;
+    struct colours colours = {NULL, NULL, 0, 0};
+    struct scene scene;
+    struct stage stage;
+    struct view view;
+    struct stages stages;
+    memset(&scene, 0, sizeof scene);
+    scene.also = colours_take_tail;
+    scene.context = &colours;
+    int status = read_options(&options, argc, argv);
+    if (status != 0 || options.print) {
+        return status != 0 ? status : print_about(options.print);
+    }
+    stages_start(&stages, options.progress);
+    status = picture_try(options.output);
+    if (status == 0) {
+        status = prepare(&options, &scene, &colours, &stage, &view);
+    }
+    if (status == 0) {
+        stages_end(&stages, "read", stage.count, "shapes");
+        status = take_picture(&options, &stage, &view, &stages);
+    }
+    scene_free(&scene);
+    colours_free(&colours);
+    return status;
+}

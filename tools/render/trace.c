@@ -1,0 +1,127 @@
+/*
+ * trace.c - the rows of a picture, shared out among threads
+ *
+ * A worker takes the next row that nobody has; a pixel depends on nothing
+ * but its place.
+ */
+#include <pthread.h>
+#include <stdlib.h>
+
+#include "colours.h"
+#include "main.h"
+#include "progress.h"
+#include "report.h"
+#include "sampling.h"
+#include "trace.h"
+
+struct work {
+    struct picture *picture;
+    const struct stage *stage;
+    const struct view *view;
+    const struct backdrop *backdrop;
+    int samples;
+
+    pthread_mutex_t lock; /* of what follows */
+    int next_row, rows_done;
+    struct progress progress;
+};
+
+/* All pixels have the same places of samples, so that edges are even. */
+static struct seen look_through(const struct work *w, int x, int y)
+{
+    const struct picture *p = w->picture;
+    const uint32_t seed = hash_words((uint32_t)x, (uint32_t)y);
+    struct seen sum = {vector(0, 0, 0), 0};
+    for (int i = 0; i < w->samples; i++) {
+        double at[2] = {0.5, 0.5};
+        cylint_line ray;
+        if (w->samples > 1) {
+            sample_square((uint32_t)i, 0, at);
+        }
+        view_ray(w->view, 2 * (x + at[0]) / p->width - 1,
+                 1 - 2 * (y + at[1]) / p->height, &ray);
+        const struct seen one = look(w->stage, &ray, (uint32_t)i, seed);
+        sum.light = plus(sum.light, 1, one.light);
+        sum.opacity += one.opacity;
+    }
+    const double share = 1.0 / w->samples;
+    return (struct seen){times(share, sum.light), share * sum.opacity};
+}
+
+/* Bright light saturates slowly instead of being cut off. */
+static double exposed(double light)
+{
+    return 1 - exp(-light);
+}
+
+static void put_pixel(const struct work *w, int y, struct seen seen,
+                      unsigned char *bytes)
+{
+    const struct backdrop *b = w->backdrop;
+    const double down = (y + 0.5) / w->picture->height;
+    const struct vector behind = mixed(b->top, b->bottom, down);
+    for (int i = 0; i < 3; i++) {
+        const double light = seen.opacity > 0
+            ? exposed(seen.light.v[i] / seen.opacity) : 0;
+        bytes[i] = byte_of_light(b->transparent ? light
+            : seen.opacity * light + (1 - seen.opacity) * behind.v[i]);
+    }
+    if (b->transparent) {
+        bytes[3] = (unsigned char)(255 * seen.opacity + 0.5);
+    }
+}
+
+static void trace_row(const struct work *w, int y)
+{
+    const struct picture *p = w->picture;
+    unsigned char *bytes = p->pixels
+        + (size_t)y * (size_t)p->width * (size_t)p->channels;
+    for (int x = 0; x < p->width; x++, bytes += p->channels) {
+        put_pixel(w, y, look_through(w, x, y), bytes);
+    }
+}
+
+static void *take_rows(void *context)
+{
+    struct work *w = context;
+    pthread_mutex_lock(&w->lock);
+    while (w->next_row < w->picture->height) {
+        const int y = w->next_row++;
+        pthread_mutex_unlock(&w->lock);
+        trace_row(w, y);
+        pthread_mutex_lock(&w->lock);
+        w->rows_done++;
+        progress_add(&w->progress, 1, w->rows_done, w->picture->height);
+    }
+    pthread_mutex_unlock(&w->lock);
+    return NULL;
+}
+
+/* The caller is the first worker; those that cannot be started are done
+ * without. */
+int trace(struct picture *picture, const struct stage *stage,
+          const struct view *view, const struct backdrop *backdrop,
+          int samples, int workers, int progress)
+{
+    struct work w = {picture, stage, view, backdrop, samples,
+                     PTHREAD_MUTEX_INITIALIZER, 0, 0,
+                     {NULL, 0, 0, 0, 0, 0, 0, 0}};
+    const int most = workers < picture->height ? workers : picture->height;
+    pthread_t *others = malloc((size_t)most * sizeof *others);
+    int started = 0;
+    if (!others) {
+        return out_of_memory();
+    }
+    progress_start(&w.progress, progress, "rows", 0);
+    while (started < most - 1
+           && pthread_create(&others[started], NULL, take_rows, &w) == 0) {
+        started++;
+    }
+    take_rows(&w);
+    while (started > 0) {
+        pthread_join(others[--started], NULL);
+    }
+    progress_end(&w.progress);
+    free(others);
+    return 0;
+}

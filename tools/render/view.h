@@ -1,0 +1,40 @@
+/*
+ * view.h - where the picture is taken from, and a line for each of its points
+ */
+#ifndef CYLINT_VIEW_H
+#define CYLINT_VIEW_H
+
+#include "boxes.h"
+#include "vector.h"
+
+/* What was asked for; what was not is found from the scene. */
+struct viewing {
+    int has_eye, has_from, has_target;
+    struct vector eye;    /* where the camera stands */
+    struct vector from;   /* or only the side it stands on */
+    struct vector target; /* what it looks at, with an eye */
+    struct vector up;
+    double fov;           /* degrees from bottom to top */
+    int parallel;         /* all lines have one direction */
+    double zoom;
+    double aspect;        /* the picture's width over its height */
+};
+
+struct view {
+    struct vector eye;
+    struct vector right, up, forward; /* perpendicular unit vectors */
+    double half_width, half_height;   /* of the picture: at the distance 1
+                                         from the eye, or if parallel as such */
+    int parallel;
+};
+
+/* Fits the scene into the picture where no eye is given.  Returns 0 if it
+ * cannot: no shape is bounded, or up and the direction of view agree. */
+int view_of_scene(struct view *view, const struct viewing *asked,
+                  const struct boxes *boxes);
+
+/* The ray through the point x, y of the picture: -1 to 1 from left to right
+ * and from bottom to top. */
+void view_ray(const struct view *view, double x, double y, cylint_line *ray);
+
+#endif
