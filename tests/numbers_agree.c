@@ -61,14 +61,16 @@ static void check_written(double value)
     }
 }
 
-/* Read alike by both: the same end, the same bits. */
+/* Read alike by both, the same end and the same bits, and as the C library
+ * does, of which the two make different use. */
 static void check_read(const char *text)
 {
     const char *end = text + strlen(text);
     double x = 0, y = 0;
     const char *one = cylint_read_number(text, end, &x);
     const char *two = plain_read_number(text, end, &y);
-    if (!(CHECK(one == two) && CHECK(same(x, y)))) {
+    if (!(CHECK(one == two) && CHECK(same(x, y))
+          && CHECK(!one || same(x, strtod(text, NULL))))) {
         REPORT("'%s': %d bytes, %a and %d bytes, %a", text,
                one ? (int)(one - text) : -1, x,
                two ? (int)(two - text) : -1, y);
@@ -156,6 +158,37 @@ static void random_text_is_read_alike(void)
     }
 }
 
+static void decimals_of_up_to_20_digits_are_read_alike(void)
+{
+    static const char *const behind[] = {"", " ", ",", "\t7", "e1", "E", "x"};
+    for (int i = 0; i < 1000000; i++) {
+        char text[40];
+        const uint64_t digits = next_random() >> (next_random() % 64);
+        const int n = snprintf(text, 30, "%s%0*llu", i % 3 ? "-" : "",
+                               (int)(next_random() % 21),
+                               (unsigned long long)digits);
+        const int point = (int)(next_random() % (uint64_t)n) + 1;
+        memmove(text + point + 1, text + point, (size_t)(n - point));
+        text[point] = '.';
+        strcpy(text + n + 1, behind[next_random() % 7]);
+        check_read(text);
+    }
+}
+
+static void integers_about_2_to_the_53_are_read_alike(void)
+{
+    for (int i = -2000; i < 2000; i++) {
+        char text[40];
+        for (int places = 0; places < 24; places++) {
+            snprintf(text, sizeof text, "%lld%.*s",
+                     (1LL << 53) + i, places, ".00000000000000000000000");
+            check_read(text);
+            snprintf(text, sizeof text, ".%0*lld", places, (1LL << 53) + i);
+            check_read(text);
+        }
+    }
+}
+
 static void long_decimals_near_midpoints_are_read_alike(void)
 {
     for (int i = 0; i < 20000; i++) {
@@ -176,6 +209,8 @@ int main(void)
     RUN(special_values_are_written_alike);
     RUN(every_spelling_is_read_alike);
     RUN(random_text_is_read_alike);
+    RUN(decimals_of_up_to_20_digits_are_read_alike);
+    RUN(integers_about_2_to_the_53_are_read_alike);
     RUN(long_decimals_near_midpoints_are_read_alike);
     return check_end();
 }

@@ -14,6 +14,10 @@
 extern "C" const char *cylint_read_number(const char *text, const char *end,
                                           double *value)
 {
+    const char *const after_short = read_short(text, value);
+    if (after_short) {
+        return after_short;
+    }
     const bool plus = text < end && *text == '+';
     const bool minus = text < end && *text == '-';
     const char *const digits = text + (plus || minus);

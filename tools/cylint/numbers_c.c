@@ -10,6 +10,10 @@
 const char *cylint_read_number(const char *text, const char *end,
                                double *value)
 {
+    const char *const after_short = read_short(text, value);
+    if (after_short) {
+        return after_short;
+    }
     const char *digits = text;
     if (digits < end && (*digits == '+' || *digits == '-')) {
         digits++;

@@ -1,11 +1,13 @@
 /*
  * numbers_common.h - what both number back-ends share, in C and in C++
  *
- * Hexadecimal in both directions and the words for what is not finite.
+ * Short decimals, hexadecimal in both directions and the words for what is
+ * not finite.
  */
 #ifndef CYLINT_NUMBERS_COMMON_H
 #define CYLINT_NUMBERS_COMMON_H
 
+#include <float.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -22,6 +24,56 @@ static int is_hex_digit(char c)
 {
     return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
+
+#if FLT_EVAL_METHOD == 0
+static const char *skip_and_count(const char *p, uint64_t *count)
+{
+    for (; is_digit(*p); p++) {
+        *count = 10 * *count + (uint64_t)(*p - '0');
+    }
+    return p;
+}
+
+/*
+ * What is read as a rule: digits and a point, no exponent.  The digits M,
+ * without the point, and the 10^k that it divides them by are doubles if M <
+ * 2^53 and k <= 22, so that the quotient is rounded once: it is the nearest
+ * double [Clinger 1990].  Needs doubles not to be kept with more digits than
+ * they have.  NULL: not such a number.
+ */
+static const char *read_short(const char *text, double *value)
+{
+    static const double powers[] = {
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
+        1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
+    enum { DIGITS_MOST = 18 /* 10^18 < 2^64, so M is not wrapped round */ };
+    const int minus = *text == '-';
+    const char *const digits = text + (minus || *text == '+');
+    uint64_t m = 0;
+    const char *end = skip_and_count(digits, &m);
+    ptrdiff_t count = end - digits, parts = 0;
+    if (*end == '.') {
+        const char *const part = end + 1;
+        end = skip_and_count(part, &m);
+        parts = end - part;
+        count += parts;
+    }
+    if (count == 0 || count > DIGITS_MOST || m >= (uint64_t)1 << 53
+        || (*end | 0x20) == 'e' || (*end | 0x20) == 'x') {
+        return NULL;
+    }
+    const double size = (double)m / powers[parts];
+    *value = minus ? -size : size;
+    return end;
+}
+#else
+static const char *read_short(const char *text, double *value)
+{
+    (void)text;
+    (void)value;
+    return NULL;
+}
+#endif
 
 /* p is behind the sign. */
 static int begins_hex(const char *p, const char *end)
