@@ -43,9 +43,11 @@ static const char *skip_and_count(const char *p, uint64_t *count)
  */
 static const char *read_short(const char *text, double *value)
 {
-    static const double powers[] = {
-        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
-        1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
+    static const double powers[2][19] = {
+        {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
+         1e13, 1e14, 1e15, 1e16, 1e17, 1e18},
+        {-1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10,
+         -1e11, -1e12, -1e13, -1e14, -1e15, -1e16, -1e17, -1e18}};
     enum { DIGITS_MOST = 18 /* 10^18 < 2^64, so M is not wrapped round */ };
     const int minus = *text == '-';
     const char *const digits = text + (minus || *text == '+');
@@ -62,8 +64,7 @@ static const char *read_short(const char *text, double *value)
         || (*end | 0x20) == 'e' || (*end | 0x20) == 'x') {
         return NULL;
     }
-    const double size = (double)m / powers[parts];
-    *value = minus ? -size : size;
+    *value = (double)(int64_t)m / powers[minus][parts];
     return end;
 }
 #else
