@@ -302,20 +302,15 @@ static exact exact_difference(cylint_arena *arena, double x, double y)
         cylint_exact_add(arena, ex, cylint_exact_neg(ey)));
 }
 
-pair cylint_difference(double x, double y)
+pair cylint_wild_difference(double x, double y)
 {
-    pair d = two_diff(x, y);
-    if (cylint_too_small(x) || cylint_too_small(y) || !cylint_rounds_to_nearest()) {
-        cylint_arena arena;
-        cylint_arena_open(&arena);
-        const exact all = exact_difference(&arena, x, y);
-        d.hi = cylint_exact_nearest(all, 0);
-        if (fabs(d.hi) <= DBL_MAX)
-            d.lo = cylint_exact_nearest(cylint_exact_add(&arena, all,
-                cylint_exact_neg(cylint_exact_from(&arena, d.hi))), 0);
-    }
-    if (!(fabs(d.hi) <= DBL_MAX))
-        d.lo = 0;
+    cylint_arena arena;
+    cylint_arena_open(&arena);
+    const exact all = exact_difference(&arena, x, y);
+    pair d = {cylint_exact_nearest(all, 0), 0};
+    if (fabs(d.hi) <= DBL_MAX)
+        d.lo = cylint_exact_nearest(cylint_exact_add(&arena, all,
+            cylint_exact_neg(cylint_exact_from(&arena, d.hi))), 0);
     return d;
 }
 

@@ -66,7 +66,14 @@ static inline double cylint_largest(const double x[3])
 
 /* x - y as a pair, exactly unless it overflows (then lo = 0), in whatever
  * floating-point environment. */
-pair cylint_difference(double x, double y);
+pair cylint_wild_difference(double x, double y);
+static inline pair cylint_difference(double x, double y)
+{
+    const pair d = two_diff(x, y);
+    const int tame = !cylint_too_small(x) && !cylint_too_small(y) &&
+                     fabs(d.hi) <= DBL_MAX && cylint_rounds_to_nearest();
+    return tame ? d : cylint_wild_difference(x, y);
+}
 
 /* x 2^e, rounded at most once. */
 double cylint_scaled(double x, int e);

@@ -79,28 +79,40 @@ static int ends_exist(int ends)
     return ends >= CYLINT_CAPPED && ends <= CYLINT_NAPPE;
 }
 
-static void clear_shape(cylint_shape *shape)
+/* Every query answers "miss" for what is left. */
+static cylint_status refuse_shape(cylint_shape *shape, cylint_status why)
 {
     memset(shape, 0, sizeof *shape);
+    return why;
 }
+
+static void zero_vector(double x[3])
+{
+    x[0] = x[1] = x[2] = 0;
+}
+
+/* A good shape is written member by member, each once: to clear it first took
+ * as long as all else. */
 
 cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
                           const double p1[3], double r1, cylint_ends ends)
 {
-    clear_shape(shape);
     if (!finite3(p0) || !finite3(p1) || !(fabs(r0) <= DBL_MAX) ||
         !(fabs(r1) <= DBL_MAX))
-        return CYLINT_ENONFINITE;
+        return refuse_shape(shape, CYLINT_ENONFINITE);
     if (cylint_sign(r0) < 0 || cylint_sign(r1) < 0 ||
         (cylint_sign(r0) == 0 && cylint_sign(r1) == 0))
-        return CYLINT_ERADIUS;
+        return refuse_shape(shape, CYLINT_ERADIUS);
     if (equal3(p0, p1))
-        return CYLINT_EAXIS;
+        return refuse_shape(shape, CYLINT_EAXIS);
     if (!ends_exist((int)ends))
-        return CYLINT_EENDS;
+        return refuse_shape(shape, CYLINT_EENDS);
     copy3(shape->base, p0);
     copy3(shape->top, p1);
     difference3(shape->axis, shape->axis_lo, p1, p0);
+    zero_vector(shape->a);
+    zero_vector(shape->b);
+    shape->flip = 0;
     shape->r0 = r0;
     shape->r1 = r1;
     const pair dr = cylint_difference(r1, r0);
@@ -135,18 +147,20 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
                                    const double h[3], double k,
                                    cylint_ends ends)
 {
-    clear_shape(shape);
     if (!finite3(c) || !finite3(a) || !finite3(b) || !finite3(h) ||
         !(fabs(k) <= DBL_MAX))
-        return CYLINT_ENONFINITE;
+        return refuse_shape(shape, CYLINT_ENONFINITE);
     if (cylint_sign(k) < 0)
-        return CYLINT_ERADIUS;
+        return refuse_shape(shape, CYLINT_ERADIUS);
     if (zero3(h))
-        return CYLINT_EAXIS;
+        return refuse_shape(shape, CYLINT_EAXIS);
     if (!ends_exist((int)ends))
-        return CYLINT_EENDS;
+        return refuse_shape(shape, CYLINT_EENDS);
     copy3(shape->base, c);
     copy3(shape->axis, h);
+    zero_vector(shape->axis_lo);
+    zero_vector(shape->top);
+    shape->flip = 0;
     copy3(shape->a, a);
     copy3(shape->b, b);
     shape->r0 = 1;
@@ -160,11 +174,7 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
     cylint_measure_shape(shape);
     const int det = orientation(shape);
     shape->flip = det < 0;
-    if (det == 0) {
-        clear_shape(shape);
-        return CYLINT_EDEGENERATE;
-    }
-    return CYLINT_OK;
+    return det != 0 ? CYLINT_OK : refuse_shape(shape, CYLINT_EDEGENERATE);
 }
 
 cylint_status cylint_elliptic_cylinder(cylint_shape *shape,
@@ -178,17 +188,22 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
                                   const double u[3], double tangent,
                                   cylint_ends ends)
 {
-    clear_shape(shape);
     if (!finite3(v) || !finite3(u) || !(fabs(tangent) <= DBL_MAX))
-        return CYLINT_ENONFINITE;
+        return refuse_shape(shape, CYLINT_ENONFINITE);
     if (cylint_sign(tangent) <= 0)
-        return CYLINT_EANGLE;
+        return refuse_shape(shape, CYLINT_EANGLE);
     if (zero3(u))
-        return CYLINT_EAXIS;
+        return refuse_shape(shape, CYLINT_EAXIS);
     if (!ends_exist((int)ends))
-        return CYLINT_EENDS;
+        return refuse_shape(shape, CYLINT_EENDS);
     copy3(shape->base, v);
     copy3(shape->axis, u);
+    zero_vector(shape->axis_lo);
+    zero_vector(shape->top);
+    zero_vector(shape->a);
+    zero_vector(shape->b);
+    shape->flip = 0;
+    shape->r0 = shape->dr_lo = 0;
     shape->r1 = shape->dr = tangent;
     shape->ends = (int)ends;
     shape->kind = CYLINT_KIND_ACONE;
@@ -200,30 +215,37 @@ cylint_status cylint_angle_cone(cylint_shape *shape, const double v[3],
                                 const double u[3], double degrees,
                                 cylint_ends ends)
 {
-    clear_shape(shape);
     if (!(fabs(degrees) <= DBL_MAX))
-        return CYLINT_ENONFINITE;
+        return refuse_shape(shape, CYLINT_ENONFINITE);
     if (cylint_sign(degrees) <= 0 || !(degrees < 90))
-        return CYLINT_EANGLE;
+        return refuse_shape(shape, CYLINT_EANGLE);
     return cylint_tangent_cone(shape, v, u, cylint_tangent(degrees), ends);
 }
 
 /* --------------------------------------------------------------- lines -- */
 
+static cylint_status refuse_line(cylint_line *line, cylint_status why)
+{
+    memset(line, 0, sizeof *line);
+    return why;
+}
+
 cylint_status cylint_span(cylint_line *line, const double o[3],
                           const double d[3], double tmin, double tmax)
 {
-    memset(line, 0, sizeof *line);
     if (!finite3(o) || !finite3(d))
-        return CYLINT_ENONFINITE;
+        return refuse_line(line, CYLINT_ENONFINITE);
     if (zero3(d))
-        return CYLINT_EDIRECTION;
+        return refuse_line(line, CYLINT_EDIRECTION);
     if (tmin != tmin || tmax != tmax || cylint_less(tmax, tmin))
-        return CYLINT_EDOMAIN;
+        return refuse_line(line, CYLINT_EDOMAIN);
     copy3(line->o, o);
     copy3(line->d, d);
+    zero_vector(line->d_lo);
+    zero_vector(line->end);
     line->tmin = tmin;
     line->tmax = tmax;
+    line->segment = 0;
     line->valid = 1;
     cylint_measure_line(line);
     return CYLINT_OK;
@@ -244,11 +266,10 @@ cylint_status cylint_ray(cylint_line *line, const double o[3],
 cylint_status cylint_segment(cylint_line *line, const double a[3],
                              const double b[3])
 {
-    memset(line, 0, sizeof *line);
     if (!finite3(a) || !finite3(b))
-        return CYLINT_ENONFINITE;
+        return refuse_line(line, CYLINT_ENONFINITE);
     if (equal3(a, b))
-        return CYLINT_EDIRECTION;
+        return refuse_line(line, CYLINT_EDIRECTION);
     copy3(line->o, a);
     copy3(line->end, b);
     difference3(line->d, line->d_lo, b, a);
