@@ -270,7 +270,7 @@ typedef struct cylint_answer {
  *   double cone                 on it: along, no hit
  *
  * Relation, n, part and side are exact; t is the double nearest to the root
- * (ties to even, beyond the largest double: infinite).
+ * (ties to even, beyond the largest double: infinite, zero: never -0).
  */
 CYLINT_API int cylint_intersect(const cylint_shape *shape,
     const cylint_line *line, unsigned want, cylint_answer *answer);

@@ -360,7 +360,7 @@ static double settle(cylint_query *q, cylint_root root, uint64_t size)
         if (beyond > 0 || (beyond == 0 && !(size & 1)))
             break;
     }
-    return from_bits(size, sign);
+    return size > 0 ? from_bits(size, sign) : 0;
 }
 
 int cylint_exact_mark(cylint_query *q, cylint_root root)
