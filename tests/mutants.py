@@ -2,14 +2,18 @@
 """Do the tests notice when the library is wrong?
 
 Changes one operator, sign, constant or index of the numeric core at a time,
-builds that and runs a fast subset of the tests.  What they let through is
-printed with its line.  A survivor is a test that is missing, a bound that is
-wider than need be, or a change that changes nothing.
+builds that and runs the library's tests, the fastest first.  What they let
+through is printed with its line.  A survivor is a test that is missing, a
+bound that is wider than need be, or a change that changes nothing; those that
+were understood stand in tests/mutants.txt, with the reason, and are counted
+but not printed.
 
     tests/mutants.py [--count N] [--seed N] [--skip N] [--files a.c,b.h]
+                     [--again FILE]
 
 Needs what `make check` needs, MPFR and GSL among it.  --skip leaves out the
-first N of the seed's sequence, so that a run can be taken up again.
+first N of the seed's sequence, so that a run can be taken up again; --again
+tries only what an earlier run printed to FILE.
 """
 import argparse
 import os
@@ -24,7 +28,9 @@ CORE = ["forms.h", "fraction.h", "eft.h", "decide.c", "root.c", "query.c",
         "exact.c", "hit.c", "box.c"]
 TESTS = [("test_ties", {}), ("test_corners", {}), ("test_shape", {}),
          ("test_query", {"CYLINT_CASES": "100"}),
-         ("test_query", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"})]
+         ("test_query", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
+         ("test_environment", {}), ("test_exact", {}), ("test_eft", {}),
+         ("test_budget", {}), ("test_properties", {})]
 SECONDS = 60  # a test that takes longer hangs
 
 # (pattern, what may stand there instead)
@@ -76,10 +82,11 @@ class Bench:
 
     def __init__(self, top, work, cc):
         self.work, self.cc = work, cc
-        for folder in ("src", "include", "tests"):
+        for folder in ("src", "include", "tests", "man"):
             shutil.copytree(os.path.join(top, folder),
                             os.path.join(work, folder))
         self.flags = ["-std=c99", "-O1", "-ffp-contract=off", "-Iinclude",
+                      "-fsanitize=bounds", "-fsanitize-undefined-trap-on-error",
                       "-Isrc", "-Itests", "-D_POSIX_C_SOURCE=200809L",
                       "-DHAVE_MPFR", "-DHAVE_GSL"]
         src = os.path.join(work, "src")
@@ -152,13 +159,35 @@ def try_mutant(bench, texts, mutant, users):
     return killer
 
 
-def show(texts, mutant):
+def line_of(texts, mutant):
+    return texts[mutant[0]].count("\n", 0, mutant[1]) + 1
+
+
+def describe(texts, mutant):
+    """What is changed, by its text: line numbers do not last."""
     name, start, end, other = mutant
-    text = texts[name]
-    number = text.count("\n", 0, start) + 1
-    line = text.splitlines()[number - 1].strip()
-    return "src/%s:%d: %r -> %r: %s" % (name, number, text[start:end], other,
-                                        line)
+    line = texts[name].splitlines()[line_of(texts, mutant) - 1].strip()
+    return "%r -> %r: %s" % (texts[name][start:end], other, line)
+
+
+def key(texts, mutant):
+    return "src/%s: %s" % (mutant[0], describe(texts, mutant))
+
+
+def keys_of(path):
+    """Of a run's output, or of mutants.txt, where `#` begins a reason."""
+    with open(path) as f:
+        lines = [line.split("  #")[0].strip() for line in f]
+    return {re.sub(r"^(src/[^:]*):\d+:", r"\1:", line) for line in lines}
+
+
+def choose(args, texts):
+    every = [m for n in texts for m in mutants_of(n, texts[n])]
+    if args.again:
+        again = keys_of(args.again)
+        return every, [m for m in every if key(texts, m) in again]
+    chosen = random.Random(args.seed).sample(every, len(every))
+    return every, chosen[args.skip:args.skip + args.count]
 
 
 def main():
@@ -168,30 +197,36 @@ def main():
     p.add_argument("--skip", type=int, default=0)
     p.add_argument("--cc", default="cc")
     p.add_argument("--files", default=",".join(CORE))
+    p.add_argument("--again")
     args = p.parse_args()
-    top = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    tests = os.path.dirname(os.path.abspath(__file__))
+    understood = keys_of(os.path.join(tests, "mutants.txt"))
     with tempfile.TemporaryDirectory() as work:
-        bench = Bench(top, os.path.join(work, "copy"), args.cc)
+        bench = Bench(os.path.dirname(tests), os.path.join(work, "copy"),
+                      args.cc)
         texts = {n: open(os.path.join(bench.work, "src", n)).read()
                  for n in args.files.split(",")}
         users = {n: bench.users(n) for n in texts}
-        every = [m for n in texts for m in mutants_of(n, texts[n])]
-        chosen = random.Random(args.seed).sample(every, len(every))
-        chosen = chosen[args.skip:args.skip + args.count]
+        every, chosen = choose(args, texts)
         failing = bench.passes()
         if failing:
             sys.exit("mutants: %s fails before anything is changed" % failing)
-        killed = survived = senseless = 0
+        count = dict.fromkeys(("killed", "senseless", "understood",
+                               "survived"), 0)
         for mutant in chosen:
             killer = try_mutant(bench, texts, mutant, users[mutant[0]])
-            killed += killer not in (None, "compiler", "link")
-            senseless += killer in ("compiler", "link")
-            survived += killer is None
-            if killer is None:
-                print(show(texts, mutant), flush=True)
+            fate = ("senseless" if killer in ("compiler", "link") else
+                    "killed" if killer else
+                    "understood" if key(texts, mutant) in understood else
+                    "survived")
+            count[fate] += 1
+            if fate == "survived":
+                print("src/%s:%d: %s" % (mutant[0], line_of(texts, mutant),
+                                         describe(texts, mutant)), flush=True)
         print("%d possible, %d tried: %d killed, %d did not compile, "
-              "%d survived" % (len(every), len(chosen), killed, senseless,
-                               survived))
+              "%d survived as they must, %d survived"
+              % (len(every), len(chosen), count["killed"], count["senseless"],
+                 count["understood"], count["survived"]))
 
 
 if __name__ == "__main__":
