@@ -571,6 +571,8 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
 {
     const double tmin = q->line->tmin, tmax = q->line->tmax;
     const int limited = tmin >= -DBL_MAX || tmax <= DBL_MAX;
+    if (tmin > DBL_MAX || tmax < -DBL_MAX)
+        return 0; /* beyond all numbers, though t may be rounded to that */
     if (!wanted && !limited)
         return 1;
     const estimate k = estimate_of(q, root);

@@ -586,12 +586,28 @@ static void what_is_not_wanted_is_not_written_and_changes_nothing(void)
     }
 }
 
+static int minus_zero(double x)
+{
+    return x == 0 && signbit(x);
+}
+
+static int tells_minus_zero(const cylint_hit *h)
+{
+    return minus_zero(h->t) || minus_zero(h->z) || minus_zero(h->phi) ||
+           minus_zero(h->point[0]) || minus_zero(h->point[1]) ||
+           minus_zero(h->point[2]) || minus_zero(h->normal[0]) ||
+           minus_zero(h->normal[1]) || minus_zero(h->normal[2]);
+}
+
 static void ascending(const struct family_case *c)
 {
     const cylint_answer a = ask(c);
     CHECK(a.n >= 0 && a.n <= 2);
     for (int i = 0; i < a.n; i++) {
         const cylint_hit *h = &a.hit[i];
+        if (!CHECK(!tells_minus_zero(h))) {
+            fail_with(c);
+        }
         if (!isfinite(h->t) || !wholly_finite(&a)) {
             continue;
         }

@@ -266,6 +266,41 @@ static void any_question_has_the_same_answer(void)
     }
 }
 
+static void ends_at(const struct family_case *given, double tmin, double tmax)
+{
+    struct family_case c = *given;
+    cylint_answer got, want;
+    if (cylint_span(&c.line, given->line.o, given->line.d, tmin, tmax) != 0) {
+        return;
+    }
+    cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T, &got);
+    oracle_intersect(&c.shape, &c.line, CYLINT_WANT_T, &want);
+    if (!CHECK(got.n == want.n) || !CHECK(got.n < 1 ||
+                                          got.hit[0].t == want.hit[0].t)) {
+        REPORT("from %a to %a", tmin, tmax);
+        family_print(stderr, &c);
+        fputc('\n', stderr);
+    }
+}
+
+/* The root itself may lie on either side of that. */
+static void a_domain_may_end_where_a_hit_is_rounded(void)
+{
+    for (int family = 0; family < family_count(); family++) {
+        for (uint64_t i = 0; i < cases() / 10; i++) {
+            struct family_case c;
+            cylint_answer a;
+            family_case(seed() + 3, family, i, &c);
+            oracle_intersect(&c.shape, &c.line, CYLINT_WANT_T, &a);
+            for (int k = 0; k < a.n && !c.line.segment; k++) {
+                ends_at(&c, a.hit[k].t, HUGE_VAL);
+                ends_at(&c, -HUGE_VAL, a.hit[k].t);
+                ends_at(&c, a.hit[k].t, a.hit[k].t);
+            }
+        }
+    }
+}
+
 static void contains_is_exact(void)
 {
     for (int family = 0; family < family_count(); family++) {
@@ -292,6 +327,7 @@ int main(void)
     RUN(oracle_agrees_with_points_sampled_along_the_line);
     RUN(library_answers_as_the_oracle);
     RUN(any_question_has_the_same_answer);
+    RUN(a_domain_may_end_where_a_hit_is_rounded);
     RUN(contains_is_exact);
     return check_end();
 }
