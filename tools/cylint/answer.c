@@ -27,8 +27,17 @@ void job_prepare(struct job *job, const struct options *options,
 int job_block(const struct job *job, struct block *block)
 {
     const struct options *o = job->options;
-    return block_room(block, row_room(&o->fields, &o->style),
-                      o->query == QUERY_ALL ? job->scene->count : 0);
+    if (!block_room(block, row_room(&o->fields, &o->style),
+                    o->query == QUERY_ALL ? job->scene->count : 0)) {
+        return 0;
+    }
+    if (o->query == QUERY_PAIRS && !o->method
+        && pairs_answer(o->grammar.line, o->fields.want,
+                        fields_tell_sides(&o->fields))) {
+        block->pairs = pairs_make();
+        return block->pairs != NULL;
+    }
+    return 1;
 }
 
 /* Keeps the turn, so that what is left of the block follows. */
@@ -189,27 +198,94 @@ static int answer_record(struct task *task)
     }
 }
 
+/* Answers the pairs that wait to be asked about together. */
+static void answer_pairs(struct task *task)
+{
+    struct pairs *p = task->block->pairs;
+    const unsigned want = task->job->options->fields.want;
+    if (!p || p->count == 0) {
+        return;
+    }
+    pairs_ask(p, want);
+    for (int i = 0; i < p->count && task->status == ANSWERED; i++) {
+        cylint_answer answer;
+        pairs_get(p, i, want, &answer);
+        task->row.answer = &answer;
+        task->row.tail = p->tail[i];
+        task->row.tail_length = p->tail_length[i];
+        put_answer(task, answer.n > 0);
+        task->row.record++;
+        task->status = deliver_if_full(task->job, task->block);
+    }
+    p->count = 0;
+}
+
+/* A good pair need not be answered yet. */
+static void take_pair(struct task *task)
+{
+    struct pairs *p = task->block->pairs;
+    pairs_take(p);
+    if (p->count == PAIRS_MOST) {
+        answer_pairs(task);
+    }
+}
+
 static void mark_bad(struct task *task, unsigned long long line,
                      const char *text)
 {
     const struct options *o = task->job->options;
     struct block *b = task->block;
+    answer_pairs(task);
     take_note(&b->notes, line, task->row.record, text, &task->fault);
     if (o->bad == BAD_MARK) {
         put_error(&b->out, &o->fields, &o->style);
     }
     b->stopped = o->bad == BAD_STOP;
+    task->row.record++;
+}
+
+static void answer_or_mark(struct task *task, int good,
+                           unsigned long long line, const char *text)
+{
+    if (good && task->block->pairs) {
+        take_pair(task);
+    } else if (good && answer_record(task)) {
+        task->row.record++;
+    } else {
+        mark_bad(task, line, text);
+    }
+    if (task->status == ANSWERED) {
+        task->status = deliver_if_full(task->job, task->block);
+    }
 }
 
 /* ------------------------------------------------------------- blocks -- */
 
-static void copy_comment(struct block *b, const char *line, const char *end)
+static void copy_comment(struct task *task, const char *line,
+                         const char *end)
 {
+    struct block *b = task->block;
+    answer_pairs(task);
     if (end > line && end[-1] == '\r') {
         end--;
     }
     put_bytes(&b->out, line, (size_t)(end - line));
     put_char(&b->out, '\n');
+    if (task->status == ANSWERED) {
+        task->status = deliver_if_full(task->job, b);
+    }
+}
+
+/* Where the next record goes, and whether it is good. */
+static int read_text(struct task *task, const char *line, const char *end)
+{
+    const struct grammar *g = &task->job->options->grammar;
+    struct block *b = task->block;
+    if (!b->pairs) {
+        return read_record(g, line, end, &b->parsed, &task->fault);
+    }
+    const struct parts parts = pairs_place(b->pairs);
+    return read_parts(g, line, end, &parts, &task->fault);
 }
 
 static void answer_text(struct task *task)
@@ -223,16 +299,9 @@ static void answer_text(struct task *task)
          && !b->stopped; line = stop + 1, number++) {
         stop = end_of_line(line, end);
         if (is_record(line, stop)) {
-            if (!read_record(&o->grammar, line, stop, &b->parsed,
-                             &task->fault) || !answer_record(task)) {
-                mark_bad(task, number, line);
-            }
-            task->row.record++;
+            answer_or_mark(task, read_text(task, line, stop), number, line);
         } else if (o->comments) {
-            copy_comment(b, line, stop);
-        }
-        if (task->status == ANSWERED) {
-            task->status = deliver_if_full(task->job, b);
+            copy_comment(task, line, stop);
         }
     }
 }
@@ -240,6 +309,8 @@ static void answer_text(struct task *task)
 static int take_doubles(struct task *task, const char *bytes, size_t size,
                         size_t left)
 {
+    const struct grammar *g = &task->job->options->grammar;
+    struct block *b = task->block;
     double numbers[MOST_NUMBERS];
     if (left < size) {
         task->fault = (struct fault){"the input ends within it",
@@ -249,8 +320,11 @@ static int take_doubles(struct task *task, const char *bytes, size_t size,
     for (size_t i = 0; i < size / 8; i++) {
         numbers[i] = get_little_endian(bytes + 8 * i);
     }
-    return take_record(&task->job->options->grammar, numbers,
-                       &task->block->parsed, &task->fault);
+    if (!b->pairs) {
+        return take_record(g, numbers, &b->parsed, &task->fault);
+    }
+    const struct parts parts = pairs_place(b->pairs);
+    return take_parts(g, numbers, &parts, &task->fault);
 }
 
 static void answer_doubles(struct task *task)
@@ -259,14 +333,8 @@ static void answer_doubles(struct task *task)
     const size_t size = task->job->in.record_size;
     for (size_t at = 0; at < b->length && task->status == ANSWERED
          && !b->stopped; at += size) {
-        if (!take_doubles(task, b->text + at, size, b->length - at)
-            || !answer_record(task)) {
-            mark_bad(task, 0, NULL);
-        }
-        task->row.record++;
-        if (task->status == ANSWERED) {
-            task->status = deliver_if_full(task->job, b);
-        }
+        answer_or_mark(task, take_doubles(task, b->text + at, size,
+                                          b->length - at), 0, NULL);
     }
 }
 
@@ -292,6 +360,9 @@ enum answered answer_block(struct job *job, struct block *b)
         answer_doubles(&task);
     } else {
         answer_text(&task);
+    }
+    if (task.status == ANSWERED) {
+        answer_pairs(&task);
     }
     if (task.status == ANSWERED) {
         task.status = deliver(job, b);

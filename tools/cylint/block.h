@@ -9,6 +9,7 @@
 #define CYLINT_BLOCK_H
 
 #include "grammar.h"
+#include "pairs.h"
 #include "report.h"
 #include "text.h"
 
@@ -38,7 +39,8 @@ struct block {
     struct text out;
     struct notes notes;
     int stopped;      /* at a bad record, by -e stop */
-    struct record parsed; /* the record that is being answered */
+    struct record parsed; /* the record that is being answered; or */
+    struct pairs *pairs;  /* those that are to be, at once; NULL: one by one */
     signed char *hits;    /* how many it has with each shape of the scene */
 };
 

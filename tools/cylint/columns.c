@@ -135,6 +135,16 @@ static int needs_both_hits(const struct fields *fields)
     return 0;
 }
 
+int fields_tell_sides(const struct fields *fields)
+{
+    for (int i = 0; i < fields->count; i++) {
+        if (fields->column[i]->value == VALUE_SIDE) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 const char *find_fields(struct fields *fields, const char *names,
                         enum query query, size_t *length)
 {

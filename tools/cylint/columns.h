@@ -32,6 +32,9 @@ struct fields {
     unsigned want;
 };
 
+/* Whether a row tells on which side a line is of what it hits. */
+int fields_tell_sides(const struct fields *fields);
+
 /* How rows look. */
 struct style {
     int binary;

@@ -237,15 +237,15 @@ static int read_shape(struct reader *r, const struct grammar *g,
 
 /* The rest of the line is copied as it is, but for a NUL, which no text
  * tool behind us would survive. */
-static int read_tail(struct reader *r, struct record *record)
+static int read_tail(struct reader *r, const struct parts *parts)
 {
     const char *end = r->end;
     while (end > r->p && is_blank(end[-1])) {
         end--;
     }
-    record->tail = r->p;
-    record->tail_length = (size_t)(end - r->p);
-    const char *nul = memchr(r->p, '\0', record->tail_length);
+    *parts->tail = r->p;
+    *parts->tail_length = (size_t)(end - r->p);
+    const char *nul = memchr(r->p, '\0', *parts->tail_length);
     if (nul) {
         *r->fault = (struct fault){"unexpected byte", 0, nul, nul + 1, 0};
     }
@@ -281,30 +281,52 @@ int trim_line(const char *text, const char **end, struct fault *fault)
     return 1;
 }
 
-int read_record(const struct grammar *g, const char *text, const char *end,
-                struct record *record, struct fault *fault)
+int read_parts(const struct grammar *g, const char *text, const char *end,
+               const struct parts *parts, struct fault *fault)
 {
     if (!trim_line(text, &end, fault)) {
         return 0;
     }
     struct reader r = {skip_blanks(text, end), end, fault};
-    return (!g->has_line || read_line(&r, g, &record->line))
-        && (!g->has_shape || read_shape(&r, g, &record->shape))
-        && read_tail(&r, record);
+    return (!g->has_line || read_line(&r, g, parts->line))
+        && (!g->has_shape || read_shape(&r, g, parts->shape))
+        && read_tail(&r, parts);
+}
+
+int take_parts(const struct grammar *g, const double *numbers,
+               const struct parts *parts, struct fault *fault)
+{
+    cylint_status status = CYLINT_OK;
+    *parts->tail_length = 0;
+    if (g->has_line) {
+        status = make_line(g, g->line, numbers, parts->line);
+        numbers += line_kinds[g->line].numbers;
+    }
+    if (g->has_shape && status == CYLINT_OK) {
+        status = make_shape(g->shape, g->ends, numbers, parts->shape);
+    }
+    if (status != CYLINT_OK) {
+        *fault = (struct fault){cylint_strerror((int)status), 0, NULL, NULL,
+                                0};
+    }
+    return status == CYLINT_OK;
+}
+
+static struct parts parts_of(struct record *r)
+{
+    return (struct parts){&r->line, &r->shape, &r->tail, &r->tail_length};
+}
+
+int read_record(const struct grammar *g, const char *text, const char *end,
+                struct record *record, struct fault *fault)
+{
+    const struct parts parts = parts_of(record);
+    return read_parts(g, text, end, &parts, fault);
 }
 
 int take_record(const struct grammar *g, const double *numbers,
                 struct record *record, struct fault *fault)
 {
-    cylint_status status = CYLINT_OK;
-    record->tail_length = 0;
-    if (g->has_line) {
-        status = make_line(g, g->line, numbers, &record->line);
-        numbers += line_kinds[g->line].numbers;
-    }
-    if (g->has_shape && status == CYLINT_OK) {
-        status = make_shape(g->shape, g->ends, numbers, &record->shape);
-    }
-    *fault = (struct fault){cylint_strerror((int)status), 0, NULL, NULL, 0};
-    return status == CYLINT_OK;
+    const struct parts parts = parts_of(record);
+    return take_parts(g, numbers, &parts, fault);
 }

@@ -91,11 +91,24 @@ int is_record(const char *line, const char *end);
 /* Takes a carriage return off the end; a line too long is a fault, and 0. */
 int trim_line(const char *text, const char **end, struct fault *fault);
 
-/* Both return whether the record is good, and fill *fault if it is not.
+/* Where a record's parts go: its line and its shape, as far as the grammar
+ * has them. */
+struct parts {
+    cylint_line *line;
+    cylint_shape *shape;
+    const char **tail;
+    size_t *tail_length;
+};
+
+/* All return whether the record is good, and fill *fault if it is not.
  * [text, end) is one line without its line feed; *end must be readable. */
 int read_record(const struct grammar *g, const char *text, const char *end,
                 struct record *record, struct fault *fault);
+int read_parts(const struct grammar *g, const char *text, const char *end,
+               const struct parts *parts, struct fault *fault);
 int take_record(const struct grammar *g, const double *numbers,
                 struct record *record, struct fault *fault);
+int take_parts(const struct grammar *g, const double *numbers,
+               const struct parts *parts, struct fault *fault);
 
 #endif

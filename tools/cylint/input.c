@@ -374,4 +374,5 @@ void block_free(struct block *block)
     free(block->text);
     free(block->out.data);
     free(block->hits);
+    pairs_free(block->pairs);
 }

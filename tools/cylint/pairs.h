@@ -1,0 +1,48 @@
+/*
+ * pairs.h - lines and shapes that are asked about together
+ *
+ * A record's line and shape are put down where the library's batches read
+ * them; the answers are those of one at a time, only sooner.
+ */
+#ifndef CYLINT_PAIRS_H
+#define CYLINT_PAIRS_H
+
+#include "cylint.h"
+#include "grammar.h"
+
+enum { PAIRS_MOST = 256 }; /* their memory, 170 kB, stays in the cache */
+
+struct pairs {
+    int count;
+    cylint_line line;      /* the next pair's, until it is taken */
+    cylint_shape shapes[PAIRS_MOST];
+    double o[3][PAIRS_MOST], d[3][PAIRS_MOST];
+    double tmin[PAIRS_MOST], tmax[PAIRS_MOST];
+    const char *tail[PAIRS_MOST];
+    size_t tail_length[PAIRS_MOST];
+
+    signed char relation[PAIRS_MOST], n[PAIRS_MOST];
+    signed char part0[PAIRS_MOST], part1[PAIRS_MOST];
+    double t0[PAIRS_MOST], t1[PAIRS_MOST];
+    void *memory;          /* for packing the shapes */
+};
+
+/* NULL: no memory. */
+struct pairs *pairs_make(void);
+void pairs_free(struct pairs *pairs);
+
+/* Whether lines of this kind, a cylint_intersect() mask and no column of a
+ * side can be had of batches, in which a direction is three doubles. */
+int pairs_answer(int line_kind, unsigned want, int sides);
+
+/* Where the next pair is to be read to; then, if it is good, taken. */
+struct parts pairs_place(struct pairs *pairs);
+void pairs_take(struct pairs *pairs);
+
+/* Asks about all; then each has an answer, of which only what is wanted and
+ * relation and n are written. */
+void pairs_ask(struct pairs *pairs, unsigned want);
+void pairs_get(const struct pairs *pairs, int i, unsigned want,
+               cylint_answer *answer);
+
+#endif
