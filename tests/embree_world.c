@@ -77,11 +77,10 @@ int world_make(struct world *w, const cylint_shape *shapes, size_t n,
     if (!w->geometry)
         return 0;
     w->scene = rtcNewScene(world_device());
-    rtcSetSceneFlags(w->scene, (enum RTCSceneFlags)(RTC_SCENE_FLAG_ROBUST |
 #if RTC_VERSION_MAJOR >= 4
-        RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS));
+    rtcSetSceneFlags(w->scene, RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS);
 #else
-        RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    rtcSetSceneFlags(w->scene, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
 #endif
     rtcAttachGeometry(w->scene, w->geometry);
     rtcCommitScene(w->scene);

@@ -34,7 +34,7 @@ struct world {
     cylint_embree_problem problem;
 };
 
-/* A committed scene, robust, that holds the shapes alone.  1 if it is made;
+/* A committed scene that holds the shapes alone.  1 if it is made;
  * else w->problem says why it is not. */
 int world_make(struct world *w, const cylint_shape *shapes, size_t n,
                const cylint_embree_options *options);

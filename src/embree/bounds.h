@@ -76,21 +76,33 @@ static inline void cylint_extend_box(struct RTCBounds *box,
 }
 
 /*
- * Which of two shapes that are hit at nearly the same t is nearer, only the
- * shapes can tell; but Embree passes by a box whose entry, as it computes it,
- * is not below tfar (packets: not below, single rays: above).  It computes
- * (b - o) r, r about 1 / d, in floats: three roundings and a reciprocal good
- * to some units in the last place, together less than 2^-21 of it.  A box
- * whose faces are moved out by 2^-21 |b - o| is therefore entered in time.
- * For origins within three sizes of the geometry's box, a size S being its
- * longest side, |b - o| is at most 4 S.
+ * Boxes are widened by what Embree's walk errs.  For user geometries it knows
+ * no robust mode, RTC_SCENE_FLAG_ROBUST or not.  Where a ray crosses a face b
+ * it computes b r - o r, fused or not, in floats, r being 1 / d with an error
+ * of 2^-22 at most (an estimate of 11 bits or more and one Newton step).  So
+ * it errs by at most |r| times
+ *
+ *     2^-22 |b - o| + 2^-24 (|b| + |o|) + 2^-24 |b - o|, and small terms,
+ *     < 2^-21 |b - o| + 2^-23 |b|,          for |o| <= |b| + |b - o|,
+ *
+ * which is what moving the face by the latter does.  Faces are moved out by
+ * more than that for origins within three sizes of the geometry's box, a size
+ * S being its longest side, where |b - o| <= 4 S; M is its largest coordinate.
+ *
+ * That also settles which of two shapes hit at nearly the same t is nearer:
+ * only the shapes can tell, but Embree passes by a box whose entry, as it
+ * computes it, is beyond tfar (single rays), or not below it (packets).
  */
 static inline double cylint_box_pad(const struct RTCBounds *all)
 {
     const double x = (double)all->upper_x - (double)all->lower_x;
     const double y = (double)all->upper_y - (double)all->lower_y;
     const double z = (double)all->upper_z - (double)all->lower_z;
-    return 0x1p-19 * fmax(x, fmax(y, z));
+    const double M = fmax(
+        fmax(fmax(fabs((double)all->lower_x), fabs((double)all->lower_y)),
+             fmax(fabs((double)all->lower_z), fabs((double)all->upper_x))),
+        fmax(fabs((double)all->upper_y), fabs((double)all->upper_z)));
+    return 0x1p-19 * fmax(x, fmax(y, z)) + 0x1p-23 * M;
 }
 
 /* The padded box, still one that Embree keeps. */

@@ -72,18 +72,25 @@ static int same_instance(const struct RTCHit *hit,
     return same;
 }
 
-/* The t of the ray's present hit, which tfar shows rounded up. */
+/* The t of the ray's present hit, which tfar shows rounded up.  Where both
+ * hits of its shape round to that, u tells them apart; bare hits have none:
+ * then it is the first, which without filters is the one that matters, for
+ * it is or will be the ray's. */
 static double present_t(const query *q)
 {
+    double t = HUGE_VAL; /* the caller's or a filter's, not ours */
     cylint_shape between;
     cylint_answer answer;
     const cylint_shape *shape = shape_at(q->data, q->hit->primID,
                                          q->ray->time, &between);
-    const int n = cylint_intersect(shape, &q->line, CYLINT_WANT_T, &answer);
-    for (int i = 0; i < n; i++)
-        if (rounded_up(answer.hit[i].t, q->ray->tfar) == q->ray->tfar)
-            return answer.hit[i].t;
-    return HUGE_VAL; /* the caller's or a filter's, not ours */
+    const int n = cylint_intersect(shape, &q->line,
+                                   CYLINT_WANT_T | CYLINT_WANT_Z, &answer);
+    for (int i = n - 1; i >= 0; i--)
+        if (rounded_up(answer.hit[i].t, q->ray->tfar) == q->ray->tfar &&
+            (t >= HUGE_VAL || q->data->how & CYLINT_EMBREE_BARE ||
+             (float)answer.hit[i].z == q->hit->u))
+            t = answer.hit[i].t;
+    return t;
 }
 
 /* Whether the ray's present hit is this geometry's. */
@@ -93,15 +100,20 @@ static int hit_is_ours(const query *q)
            same_instance(q->hit, q->context);
 }
 
-/* Whether a hit at t comes before the present one.  tfar is the present t
- * rounded up, so a t that gives a lesser float is less, and only the same
- * float needs the present t again. */
-static int comes_first(const query *q, unsigned number, double t)
+/* Whether hit i of a shape comes before the present one.  tfar is the present
+ * t rounded up, so a t that gives a lesser float is less, and only the same
+ * float needs the present t again.  Each hit is tried once: a present one of
+ * the same shape is its other hit. */
+static int comes_first(const query *q, unsigned number,
+                       const cylint_answer *answer, int i)
 {
+    const double t = answer->hit[i].t;
     if (t > (double)q->ray->tfar)
         return 0;
     if (rounded_up(t, q->ray->tfar) < q->ray->tfar || !hit_is_ours(q))
         return 1;
+    if (number == q->hit->primID)
+        return i == 0;
     const double present = present_t(q);
     return t < present || (t == present && number < q->hit->primID);
 }
@@ -215,7 +227,7 @@ static int try_shape(query *q, unsigned number)
         const cylint_hit *at = &answer.hit[i];
         if (q->block && !cylint_block_owns(q->block, q->lane, at->z))
             continue;
-        if (q->nearest && !comes_first(q, number, at->t))
+        if (q->nearest && !comes_first(q, number, &answer, i))
             return 0;
         if (take(q, number, at))
             return 1;

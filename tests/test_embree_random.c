@@ -1,0 +1,198 @@
+/*
+ * test_embree_random.c - nothing missed, nothing false, no other shape first
+ *
+ * All kinds of lines through all kinds of scenes, as float rays, compared
+ * with brute force by cylint_nearest() on the same floats.  From within three
+ * sizes of the scene every answer must be the same to the last bit.  Of rays
+ * from farther away, up to 1e16 sizes, Embree loses some, as cylint_embree.h
+ * says: they are counted, but what is hit must be a hit of the library.
+ *
+ *     test_embree_random [RAYS [SHAPES [SEED]]]
+ */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "embree_world.h"
+
+static int rays_wanted = 100000, shapes_wanted = 200;
+static uint64_t seed = 1;
+
+static const int scenes[] = {
+    SCENE_THIN, SCENE_FAT, SCENE_FIBRES, SCENE_NEEDLES, SCENE_DISCS,
+    SCENE_MIXED, SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE
+};
+enum { SCENES = sizeof scenes / sizeof *scenes };
+
+struct tally {
+    long rays, hits, shadows;
+    long far, far_missed, far_other; /* from farther than three sizes */
+};
+
+/* The line as a ray that Embree can take; 0 if it is none. */
+static int add_line(struct rays *r, int i, const cylint_line *line)
+{
+    float o[3], d[3];
+    const float tnear = (float)fmax(line->tmin, 0), tfar = (float)line->tmax;
+    int length = 0;
+    for (int k = 0; k < 3; k++) {
+        if (!(fabs(line->o[k]) < 1e18 && fabs(line->d[k]) < 1e18))
+            return 0;
+        o[k] = (float)line->o[k];
+        d[k] = (float)line->d[k];
+        /* less is 0 to Embree's boxes: the direction would be another */
+        length |= fabsf(d[k]) > 1e-12f;
+    }
+    if (!length || !(tnear <= tfar))
+        return 0;
+    rays_add(r, i, o, d, tnear, tfar);
+    return 1;
+}
+
+static int is_far(const struct scene_shapes *s, const cylint_line *line)
+{
+    double size = 0;
+    int far = 0;
+    for (int k = 0; k < 3; k++)
+        size = fmax(size, s->hi[k] - s->lo[k]);
+    for (int k = 0; k < 3; k++)
+        far |= line->o[k] < s->lo[k] - 3 * size ||
+               line->o[k] > s->hi[k] + 3 * size;
+    return far;
+}
+
+/* Whether the shape of the answer has a hit there. */
+static int is_a_hit(const struct world *w, struct rays *r, int i)
+{
+    const cylint_line line = rays_line(r, i);
+    const unsigned shape = rays_at(r, HIT_PRIM, i)->u;
+    cylint_answer answer;
+    int n = shape < w->n ? cylint_intersect(&w->shapes[shape], &line,
+                                            CYLINT_WANT_T, &answer) : 0;
+    while (n > 0 && world_float_above(answer.hit[n - 1].t) !=
+                    rays_at(r, RAY_TFAR, i)->f)
+        n--;
+    return n > 0;
+}
+
+static void compare(const struct world *w, const struct scene_shapes *s,
+                    struct rays *r, int i, struct tally *n)
+{
+    const cylint_line line = rays_line(r, i);
+    const int agrees = world_agrees(w, r, i, 1), far = is_far(s, &line);
+    n->rays++;
+    n->hits += rays_hit(r, i);
+    n->far += far;
+    n->far_missed += far && !agrees && !rays_hit(r, i);
+    n->far_other += far && !agrees && rays_hit(r, i);
+    if (!CHECK(agrees || (far && (!rays_hit(r, i) || is_a_hit(w, r, i))))) {
+        REPORT("scene %s, from %s", s->name, far ? "afar" : "near");
+        world_show(w, r, i);
+    }
+}
+
+static void compare_shadow(const struct world *w,
+                           const struct scene_shapes *s, struct rays *r,
+                           int i, struct tally *n)
+{
+    const cylint_line line = rays_line(r, i);
+    const int expected = cylint_count(&w->pack, &line, 1) != 0;
+    n->shadows += expected;
+    if (!CHECK(rays_shadowed(r, i) == expected ||
+               (expected && is_far(s, &line))))
+        world_show(w, r, i);
+}
+
+static void ask(const struct world *w, const struct scene_shapes *s,
+                enum scene_lines kind, uint64_t seed, int rays,
+                struct tally *n)
+{
+    static const int sizes[4] = {1, 4, 8, 16};
+    uint64_t index = 0;
+    for (int asked = 0, turn = 0; asked < rays && index < 100u * (unsigned)rays;
+         turn++) {
+        struct rays r;
+        rays_begin(&r, sizes[turn % 4]);
+        for (int i = 0; i < r.n; i++) {
+            cylint_line line;
+            if (scene_line(s, kind, seed, index++, &line) == CYLINT_OK)
+                asked += add_line(&r, i, &line);
+        }
+        if (r.n == 1 && !r.valid[0])
+            continue;
+        rays_intersect(&r, w->scene, NULL);
+        CHECK(rays_strayed(&r, 0) == 0);
+        for (int i = 0; i < r.n; i++)
+            if (r.valid[i])
+                compare(w, s, &r, i, n);
+        memcpy(r.word, r.before, sizeof r.word);
+        rays_occluded(&r, w->scene, NULL);
+        CHECK(rays_strayed(&r, 1) == 0);
+        for (int i = 0; i < r.n; i++)
+            if (r.valid[i])
+                compare_shadow(w, s, &r, i, n);
+    }
+}
+
+static void answers_are_those_of_brute_force(void)
+{
+    static const unsigned hows[2] = {0, CYLINT_EMBREE_SINGLE};
+    struct tally n = {0};
+    for (int how = 0; how < 2; how++)
+    for (int i = 0; i < SCENES; i++) {
+        struct scene_shapes s;
+        struct world w;
+        cylint_embree_options options = {0};
+        options.how = hows[how];
+        scene_generate(scenes[i], (size_t)shapes_wanted, seed, &s);
+        if (CHECK(world_make(&w, s.shapes, s.n, &options))) {
+            for (int kind = 0; kind < LINES_KINDS; kind++)
+                ask(&w, &s, (enum scene_lines)kind, seed,
+                    1 + rays_wanted / (2 * SCENES * LINES_KINDS), &n);
+            world_free(&w);
+        } else {
+            REPORT("scene %s, shape %lu: %s", s.name,
+                   (unsigned long)w.problem.shape,
+                   cylint_embree_strerror(w.problem.status));
+        }
+        scene_release(&s);
+    }
+    CHECK(n.rays >= rays_wanted && n.hits > n.rays / 4 &&
+          n.hits < n.rays - n.rays / 100);
+    CHECK(n.far < n.rays / 4 && n.far_missed + n.far_other < n.far / 20);
+    printf("note: %ld rays, %ld hit, as by brute force; of %ld from afar "
+           "%ld missed, %ld another nearest\n", n.rays, n.hits, n.far,
+           n.far_missed, n.far_other);
+}
+
+/* Lengths from 1e-6 to 1e7: t has few floats within the small ones, which
+ * then begin and end in the same.  The entry is the hit even where Embree
+ * offers another piece of the shape, with its exit, first. */
+static void hits_of_a_shape_that_share_a_float_are_told_apart(void)
+{
+    struct tally n = {0};
+    for (uint64_t turn = 1; turn <= 8; turn++) {
+        struct scene_shapes s;
+        struct world w;
+        scene_generate(SCENE_LENGTHS, 300, turn, &s);
+        if (CHECK(world_make(&w, s.shapes, s.n, NULL)))
+            ask(&w, &s, LINES_BEYOND, turn, 3000, &n);
+        world_free(&w);
+        scene_release(&s);
+    }
+    CHECK(n.hits > n.rays / 4);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc > 1)
+        rays_wanted = atoi(argv[1]);
+    if (argc > 2)
+        shapes_wanted = atoi(argv[2]);
+    if (argc > 3)
+        seed = strtoull(argv[3], NULL, 10);
+    RUN(answers_are_those_of_brute_force);
+    RUN(hits_of_a_shape_that_share_a_float_are_told_apart);
+    return check_end();
+}
