@@ -124,9 +124,9 @@ INLINE void ball_at(const source *from, size_t lane, mode m, lanes_ball *b)
     if (m != ONE_SHAPE) {
         const double *column = from->run->column + lane;
         const size_t stride = from->run->stride;
-        for (int i = 0; i < 3; i++)
-            b->center[i] = v_load(column + (size_t)(COLUMN_CENTER + i) *
-                                           stride);
+        b->center[0] = v_load(column);
+        b->center[1] = v_load(column + stride);
+        b->center[2] = v_load(column + 2 * stride);
         b->radius = v_load(column + COLUMN_BALL * stride);
     }
     if (m == ONE_SHAPE) {
