@@ -36,7 +36,7 @@ typedef struct {
 static void lines_at(const source *from, const size_t *number, lanes_line *l)
 {
     const cylint_lines *lines = from->job->lines;
-    for (int i = 0; i < 3; i++) {
+    EACH(i, 3) {
         l->o[i] = v_pick(lines->o[i], number);
         l->u[i] = v_pick(lines->d[i], number);
         l->u_lo[i] = v_set(0);
@@ -64,10 +64,10 @@ static void shapes_at(const source *from, const size_t *number, int kind,
 #define MEMBERS(name) v_columns(shape, offsetof(cylint_shape, name), four)
     vd four[4];
     MEMBERS(base);
-    for (int i = 0; i < 3; i++)
+    EACH(i, 3)
         s->base[i] = four[i];
     MEMBERS(axis);
-    for (int i = 0; i < 3; i++)
+    EACH(i, 3)
         s->axis[i] = four[i];
     MEMBERS(r0);
     s->r[0] = four[0];
@@ -77,19 +77,19 @@ static void shapes_at(const source *from, const size_t *number, int kind,
     if (kind >= CYLINT_KIND_ECYLINDER) {
         const vd turn = v_select(m_from(flip), v_set(-1), v_set(1));
         MEMBERS(a);
-        for (int i = 0; i < 3; i++)
+        EACH(i, 3)
             s->a[i] = four[i];
         MEMBERS(b);
-        for (int i = 0; i < 3; i++) {
+        EACH(i, 3) {
             s->b[i] = turn * four[i];
             s->axis_lo[i] = v_set(0);
         }
     } else {
         MEMBERS(axis_lo);
-        for (int i = 0; i < 3; i++)
+        EACH(i, 3)
             s->axis_lo[i] = four[i];
         MEMBERS(top);
-        for (int i = 0; i < 3; i++)
+        EACH(i, 3)
             s->top[i] = four[i];
     }
 #undef MEMBERS
@@ -104,7 +104,7 @@ typedef struct {
 
 INLINE void line_of_ball(lanes_ball *b, const lanes_line *l)
 {
-    for (int i = 0; i < 3; i++) {
+    EACH(i, 3) {
         b->o[i] = l->o[i];
         b->u[i] = l->u[i];
     }
@@ -112,7 +112,7 @@ INLINE void line_of_ball(lanes_ball *b, const lanes_line *l)
 
 INLINE void shape_of_ball(lanes_ball *b, const cylint_shape *s)
 {
-    for (int i = 0; i < 3; i++)
+    EACH(i, 3)
         b->center[i] = v_set(s->center[i]);
     b->radius = v_set(s->ball);
 }
@@ -130,7 +130,7 @@ INLINE void ball_at(const source *from, size_t lane, mode m, lanes_ball *b)
         b->radius = v_load(column + COLUMN_BALL * stride);
     }
     if (m == ONE_SHAPE) {
-        for (int i = 0; i < 3; i++) {
+        EACH(i, 3) {
             b->o[i] = v_load(lines->o[i] + lane);
             b->u[i] = v_load(lines->d[i] + lane);
         }
@@ -138,7 +138,7 @@ INLINE void ball_at(const source *from, size_t lane, mode m, lanes_ball *b)
         const size_t *at = from->run->number + lane;
         const int in_a_row = lane + LANES <= from->n && /* not padded */
                              at[LANES - 1] - at[0] == LANES - 1;
-        for (int i = 0; i < 3; i++) {
+        EACH(i, 3) {
             b->o[i] = in_a_row ? v_load(lines->o[i] + at[0])
                                : v_pick(lines->o[i], at);
             b->u[i] = in_a_row ? v_load(lines->d[i] + at[0])
@@ -150,12 +150,12 @@ INLINE void ball_at(const source *from, size_t lane, mode m, lanes_ball *b)
 INLINE void ball_letters(const lanes_ball *b, letters_lanes *L,
                          letters_sizes *N)
 {
-    for (int i = 0; i < 3; i++) {
+    EACH(i, 3) {
         L->u[i] = b->u[i];
         L->D[0][i] = b->o[i] - b->center[i];
     }
     const vd u = v_largest(L->u), D = v_largest(L->D[0]);
-    for (int i = 0; i < 3; i++) {
+    EACH(i, 3) {
         N->u[i] = u;
         N->D[0][i] = D;
     }
@@ -244,14 +244,14 @@ INLINE void round_group(const lanes_query *q, const lanes_shape *s,
             r = round_root(q, s, l, kind, v_select(exits, plus, minus), t,
                            v_select(second, v->part[1], v->part[0]));
         v->undecided = m_or(v->undecided, m_and(any, m_not(r.sure)));
-        for (int i = 0; i < 2; i++) {
+        EACH(i, 2) {
             v_store(g->t[i], r.value);
             v_store(g->more[i], r.more);
             v_store(g->error[i], r.error);
         }
         return;
     }
-    for (int i = 0; i < 2; i++) {
+    EACH(i, 2) {
         if (!m_any(v->hit[i]))
             continue;
         const vm exits = i ? m_not(v->leaving_first) : v->leaving_first;
@@ -272,7 +272,7 @@ static void lane_answer(const group *g, int lane, unsigned want,
 {
     a->relation = g->cross >> lane & 1 ? CYLINT_CROSS : CYLINT_MISS;
     a->n = 0;
-    for (int i = 0; i < 2; i++) {
+    EACH(i, 2) {
         if (!(g->hit[i] >> lane & 1))
             continue;
         const int swapped = (int)(g->leaving_first >> lane & 1);

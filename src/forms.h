@@ -227,8 +227,9 @@ INLINE NUM FORM(form_G)(const FORM(letters) *L)
         break;
     case CYLINT_KIND_CONE: {
         NUM Y[3];
-        for (int i = 0; i < 3; i++)
-            Y[i] = SUB(MUL(L->r[0], L->n[i]), MUL(L->dr, L->M[0][i]));
+        Y[0] = SUB(MUL(L->r[0], L->n[0]), MUL(L->dr, L->M[0][0]));
+        Y[1] = SUB(MUL(L->r[0], L->n[1]), MUL(L->dr, L->M[0][1]));
+        Y[2] = SUB(MUL(L->r[0], L->n[2]), MUL(L->dr, L->M[0][2]));
         G = SUB(MUL(L->vv, FORM(dot)(L, Y, Y)),
                 MUL(ADD(L->vv, MUL(L->dr, L->dr)), h2));
         break;

@@ -12,95 +12,101 @@
 #define CYLINT_ONE cylint_one_plain
 #endif
 
-INLINE void store_root(cylint_kernel_answer *to, int n, const lanes_root *r,
-                       int lane)
+/* Both stops, rounded or as they are. */
+typedef struct {
+    double t[2], more[2], error[2];
+    unsigned sure; /* bits 0 and 1 */
+} both_roots;
+
+INLINE unsigned first(vm m)
 {
-    double x[LANES];
-    v_store(x, r->value);
-    to->t[n] = x[lane];
-    v_store(x, r->more);
-    to->more[n] = x[lane];
-    v_store(x, r->error);
-    to->error[n] = x[lane];
+    return m_bits(m) & 1;
 }
 
-INLINE int first(vm m)
+INLINE void store_roots(both_roots *to, lanes_root r0, lanes_root r1)
 {
-    return (int)(m_bits(m) & 1);
+    v_store_firsts(to->t, r0.value, r1.value);
+    v_store_firsts(to->more, r0.more, r1.more);
+    v_store_firsts(to->error, r0.error, r1.error);
+    to->sure = first(r0.sure) | first(r1.sure) << 1;
 }
 
-/* Rounds the roots of the hits, two lanes at once where there are two. */
-INLINE int answer_roots(const lanes_query *q, const lanes_shape *s,
-                               const lanes_line *l, int kind,
-                               const lanes_verdict *v, int from, int to,
-                               unsigned want, cylint_kernel_answer *answer)
+INLINE void take_both(both_roots *to, const lanes_query *q,
+                      const lanes_verdict *v)
 {
-    if (want & CYLINT_WANT_FAST) {
-        int sure = 1;
-        for (int i = from; i < to; i++) {
-            const lanes_root r = take_root(q, v->stop[i]);
-            sure &= first(r.sure);
-            store_root(answer, i - from, &r, 0);
-        }
-        if (sure)
-            return 1;
-    }
-    if (!cylint_rounds_to_nearest()) /* what follows would certify nothing */
-        return 0;
-    const int swapped = first(v->leaving_first);
-    const double sign[2] = {swapped ? 1 : -1, swapped ? -1 : 1};
+    store_roots(to, take_root(q, v->stop[0]), take_root(q, v->stop[1]));
+}
+
+/* In two lanes at once where there are two. */
+INLINE void round_both(both_roots *to, const lanes_query *q,
+                       const lanes_shape *s, const lanes_line *l, int kind,
+                       const lanes_verdict *v)
+{
+    const vd plus = v_set(1), minus = v_set(-1);
+    const vd exits = v_select(v->leaving_first, plus, minus);
 #if LANES == 2
-    if (to - from == 2) {
-        const bounded_value t = {v_both(v->stop[0].v, v->stop[1].v),
-                                 v_both(v->stop[0].e, v->stop[1].e)};
-        const lanes_root r = round_root(q, s, l, kind, v_load(sign), t,
-                                        v_both(v->part[0], v->part[1]));
-        store_root(answer, 0, &r, 0);
-        store_root(answer, 1, &r, 1);
-        return m_bits(r.sure) == 3;
-    }
+    const bounded_value t = {v_firsts(v->stop[0].v, v->stop[1].v),
+                             v_firsts(v->stop[0].e, v->stop[1].e)};
+    const lanes_root r = round_root(q, s, l, kind, v_firsts(exits, -exits), t,
+                                    v_firsts(v->part[0], v->part[1]));
+    v_store(to->t, r.value);
+    v_store(to->more, r.more);
+    v_store(to->error, r.error);
+    to->sure = m_bits(r.sure);
+#else
+    store_roots(to, round_root(q, s, l, kind, exits, v->stop[0], v->part[0]),
+                round_root(q, s, l, kind, -exits, v->stop[1], v->part[1]));
 #endif
-    for (int i = from; i < to; i++) {
-        const lanes_root r = round_root(q, s, l, kind, v_set(sign[i]),
-                                        v->stop[i], v->part[i]);
-        if (!first(r.sure))
-            return 0;
-        store_root(answer, i - from, &r, 0);
-    }
-    return 1;
 }
 
 INLINE int answer_one(const cylint_shape *shape,
                              const cylint_line *line, int kind, int bounded,
                              unsigned want, cylint_kernel_answer *answer)
 {
+    const unsigned needs_t = CYLINT_WANT_T | CYLINT_WANT_POINT |
+        CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
     lanes_shape s;
     lanes_line l;
     lanes_query q;
     broadcast_shape(&s, shape, kind);
     broadcast_line(&l, line);
-    const unsigned all = (1u << LANES) - 1;
     const lanes_verdict v = lanes_judge(&q, &s, &l, kind, bounded,
-                                        m_from(all));
+                                        m_from((1u << LANES) - 1));
     if (m_any(v.undecided))
         return 0;
+    unsigned hits = first(v.hit[0]) | first(v.hit[1]) << 1;
+    if (want & CYLINT_WANT_NEAREST && hits & 1)
+        hits = 1;
     answer->relation = first(v.cross) ? CYLINT_CROSS : CYLINT_MISS;
-    const int from = first(v.hit[0]) ? 0 : 1;
-    int to = first(v.hit[1]) ? 2 : 1;
-    if (to - from == 2 && (want & CYLINT_WANT_NEAREST))
-        to = 1;
-    answer->n = to - from;
-    for (int i = from; i < to; i++) {
-        double part[LANES];
-        v_store(part, v.part[i]);
-        answer->part[i - from] = (int)part[0];
-        answer->side[i - from] = first(v.leaving_first) ? !i : i;
-    }
-    const unsigned needs_t = CYLINT_WANT_T | CYLINT_WANT_POINT |
-        CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
-    if (from == to || !(want & needs_t))
+    answer->n = (int)(hits & 1) + (int)(hits >> 1);
+    if (!hits)
         return 1;
-    return answer_roots(&q, &s, &l, kind, &v, from, to, want, answer);
+    both_roots roots = {{0, 0}, {0, 0}, {0, 0}, 0};
+    if (want & needs_t) {
+        if (want & CYLINT_WANT_FAST)
+            take_both(&roots, &q, &v);
+        if (hits & ~roots.sure) {
+            if (!cylint_rounds_to_nearest()) /* would certify nothing */
+                return 0;
+            round_both(&roots, &q, &s, &l, kind, &v);
+            if (hits & ~roots.sure)
+                return 0;
+        }
+    }
+    double part[2];
+    v_store_firsts(part, v.part[0], v.part[1]);
+    int n = 0;
+    EACH(i, 2) {
+        if (!(hits >> i & 1))
+            continue;
+        answer->part[n] = (int)part[i];
+        answer->side[n] = first(v.leaving_first) ? !i : i;
+        answer->t[n] = roots.t[i];
+        answer->more[n] = roots.more[i];
+        answer->error[n] = roots.error[i];
+        n++;
+    }
+    return 1;
 }
 
 /* The constants make a kernel of its own out of each call. */

@@ -26,6 +26,14 @@
 #define INLINE static inline
 #endif
 
+/* A loop of few rounds, written out by the compiler before it decides what
+ * is kept in registers: GCC would leave the arrays in memory. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define EACH(i, n) _Pragma("GCC unroll 4") for (int i = 0; i < (n); i++)
+#else
+#define EACH(i, n) for (int i = 0; i < (n); i++)
+#endif
+
 #define BEGIN (void)L;
 #define RETURN(x) return x;
 #define MEMORY
@@ -67,7 +75,7 @@ typedef struct {
 /* The same line and shape in all lanes. */
 INLINE void broadcast_line(lanes_line *to, const cylint_line *l)
 {
-    for (int i = 0; i < 3; i++) {
+    EACH(i, 3) {
         to->o[i] = v_set(l->o[i]);
         to->u[i] = v_set(l->d[i]);
         to->u_lo[i] = v_set(l->d_lo[i]);
@@ -79,7 +87,7 @@ INLINE void broadcast_line(lanes_line *to, const cylint_line *l)
 INLINE void broadcast_shape(lanes_shape *to, const cylint_shape *s,
                             int kind)
 {
-    for (int i = 0; i < 3; i++) {
+    EACH(i, 3) {
         to->base[i] = v_set(s->base[i]);
         to->top[i] = v_set(s->top[i]);
         to->axis[i] = v_set(s->axis[i]);
@@ -178,7 +186,7 @@ INLINE void lanes_letters(letters_lanes *L, letters_sizes *N,
     const int circular = kind < CYLINT_KIND_ECYLINDER;
     vd a = v_set(0);
     L->kind = N->kind = kind;
-    for (int i = 0; i < 3; i++) {
+    EACH(i, 3) {
         L->u[i] = l->u[i];
         L->w[i] = s->axis[i];
         L->D[0][i] = l->o[i] - s->base[i];
@@ -203,7 +211,7 @@ INLINE void lanes_letters(letters_lanes *L, letters_sizes *N,
     L->dr = s->dr;
     N->dr = v_abs(s->dr);
     L->one = N->one = v_set(1);
-    for (int i = 0; i < 3; i++) {
+    EACH(i, 3) {
         N->u[i] = u;
         N->w[i] = w;
         N->D[0][i] = N->D[1][i] = D;
@@ -280,7 +288,7 @@ INLINE void slab_interval(lanes_query *q, bounded_value plane[2],
 {
     const letters_lanes *L = &q->L;
     const vd size = form_alpha_sizes(&q->N, 0);
-    for (int i = 0; i < 2; i++)
+    EACH(i, 2)
         q->alpha[i] = with_bound(-form_alpha_lanes(L, i), size);
     *unsure = m_or(*unsure, m_not(certain(q->beta)));
     *up = v_lt(v_set(0), q->beta.v);
@@ -366,7 +374,7 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
     }
     v.cross = m_and(m_and(v.cross, alive), m_not(unsure));
     v.undecided = m_and(alive, unsure);
-    for (int i = 0; i < 2; i++) {
+    EACH(i, 2) {
         vm near;
         const vm in = within_domain(stop[i], l, &near);
         const vm there = m_and(v.cross, part_present(s, v.part[i]));
@@ -411,7 +419,7 @@ INLINE lanes_root round_root(const lanes_query *q,
     letters_sizes N = q->N;
     vd from = zero, size = zero;
     P.kind = kind;
-    for (int i = 0; i < 3; i++) {
+    EACH(i, 3) {
         const int ends = kind <= CYLINT_KIND_CONE;
         const vd center = ends ? v_select(top, s->top[i], s->base[i])
                                : s->base[i];
@@ -430,7 +438,7 @@ INLINE lanes_root round_root(const lanes_query *q,
             P.b[i] = (vpair){s->b[i], zero};
         }
     }
-    for (int i = 0; i < 3; i++)
+    EACH(i, 3)
         N.D[0][i] = size;
     P.r[0] = (vpair){s->r[0], zero};
     P.dr = (vpair){s->dr, s->dr_lo};

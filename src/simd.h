@@ -111,7 +111,7 @@ static inline vd v_select(vm m, vd x, vd y)
     return _mm_or_pd(_mm_and_pd(m, x), _mm_andnot_pd(m, y));
 }
 /* The first lanes of two. */
-static inline vd v_both(vd x, vd y) { return _mm_unpacklo_pd(x, y); }
+static inline vd v_firsts(vd x, vd y) { return _mm_unpacklo_pd(x, y); }
 static inline vm m_not(vm m)
 {
     return _mm_xor_pd(m, _mm_castsi128_pd(_mm_set1_epi32(-1)));
@@ -148,7 +148,7 @@ static inline vm v_lt(vd x, vd y) { return vcltq_f64(x, y); }
 static inline vm v_le(vd x, vd y) { return vcleq_f64(x, y); }
 static inline vm v_eq(vd x, vd y) { return vceqq_f64(x, y); }
 static inline vd v_select(vm m, vd x, vd y) { return vbslq_f64(m, x, y); }
-static inline vd v_both(vd x, vd y) { return vzip1q_f64(x, y); }
+static inline vd v_firsts(vd x, vd y) { return vzip1q_f64(x, y); }
 static inline vm m_not(vm m)
 {
     return veorq_u64(m, vdupq_n_u64(~(uint64_t)0));
@@ -200,6 +200,19 @@ static inline int m_any(vm m)
 {
     return m_bits(m) != 0;
 }
+
+#if LANES <= 2
+/* The first lanes of two. */
+static inline void v_store_firsts(double to[2], vd x, vd y)
+{
+#if LANES == 2
+    v_store(to, v_firsts(x, y));
+#else
+    to[0] = x;
+    to[1] = y;
+#endif
+}
+#endif
 
 /* x[at[0]], x[at[1]], ... */
 static inline vd v_pick(const double *x, const size_t *at)
