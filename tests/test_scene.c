@@ -296,6 +296,31 @@ static void what_is_behind_a_hit_is_never_that_hit(void)
     CHECK(hits > 500);
 }
 
+/* Long shapes are in many boxes; a line here crosses more of them than a
+ * question remembers. */
+static void a_shape_that_is_met_in_many_boxes_counts_once(void)
+{
+    enum { LONG = 900 };
+    struct asked a = {.of = {.name = "crossed", .n = LONG}};
+    a.of.shapes = room(LONG * sizeof *a.of.shapes);
+    for (int i = 0; i < LONG; i++) {
+        const double x = i, u = 3 + i % 17, v = i % 2 ? 5 + i % 13 : -4;
+        const double from[3] = {x - 7 * u, -7 * v, -70};
+        const double to[3] = {x + 5 * u, 5 * v, 50};
+        cylint_cylinder(&a.of.shapes[i], from, to, 0.05, CYLINT_CAPPED);
+    }
+    if (open_both(&a))
+        for (int i = 0; i < 40; i++) {
+            cylint_line line;
+            const double o[3] = {-i, 0, 0}, d[3] = {i % 2 ? 1 : 3, 0, 0};
+            CHECK(cylint_whole_line(&line, o, d) == CYLINT_OK);
+            check_numbers(&a, &line);
+            check_nearest(&a, &line);
+            CHECK(cylint_scene_count(a.scene, &line, 0) == LONG);
+        }
+    close_both(&a);
+}
+
 /* -------------------------------------------------------------- threads -- */
 
 struct part {
@@ -357,6 +382,7 @@ int main(int argc, char **argv)
     RUN(a_scene_of_nothing_is_never_hit);
     RUN(what_is_not_wanted_is_not_written);
     RUN(what_is_behind_a_hit_is_never_that_hit);
+    RUN(a_shape_that_is_met_in_many_boxes_counts_once);
     RUN(threads_share_a_scene_and_get_the_same_answers);
     printf("note: %zu lines, %zu of them hit\n", lines_asked, lines_hit);
     return check_end();

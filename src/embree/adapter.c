@@ -48,7 +48,8 @@ static void block_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_embree_data *data = args->geometryUserPtr;
     struct RTCBounds box;
-    cylint_block_box(data->group.blocks + args->primID, data->shapes, &box);
+    const cylint_view view = cylint_plain_view(data->shapes);
+    cylint_block_box(data->group.blocks + args->primID, &view, &box);
     *args->bounds_o = cylint_padded_box(&box, data->pad);
 }
 
@@ -118,8 +119,9 @@ static int fill(RTCGeometry geometry, cylint_embree_data *data,
         return 0;
     }
     if (data->test) {
+        const cylint_view view = cylint_plain_view(data->shapes);
         cylint_group group;
-        if (!cylint_group_make(&group, data->device, data->shapes, data->n)) {
+        if (!cylint_group_make(&group, data->device, &view, NULL, data->n)) {
             problem->status = CYLINT_EMBREE_EMEMORY;
             return 0;
         }

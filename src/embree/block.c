@@ -65,7 +65,8 @@ static int store(cylint_block *block, int lane, const hull *h)
  * section at z, |X - A(z)| <= across off the axis and <= along along it.  Ends
  * are lengthened by g along the axis, then rounded: the rounded axis passes
  * A(z) at Q(z), and is less than e = 7/8 step from it, sqrt(3)/2 from the
- * rounding and the rest (`rough`) from the doubles before.  So
+ * rounding and the rest (`rough`) from the doubles before; and as much as
+ * a line may be off, the piece must be thicker and longer.  So
  *
  *   X is at most across + e from the rounded axis,
  *   and along it at most e + along + across sin(a) from Q(z),
@@ -75,10 +76,10 @@ static int store(cylint_block *block, int lane, const hull *h)
  * than what X may stick out, and at least 4, so that no lane is without axis.
  */
 static int hold(cylint_block *block, int lane, const cylint_trunk *t,
-                cylint_piece piece)
+                cylint_piece piece, double blur)
 {
     const double steps = block->per_unit;
-    const double rough = 0x1p-48 * steps *
+    const double rough = blur * steps + 0x1p-48 * steps *
         (fabs(t->base[0]) + fabs(t->base[1]) + fabs(t->base[2]) + t->length +
          fmax(t->k[0], t->k[1]) * (t->across + t->along));
     const double e = 0.875 + rough;
@@ -102,7 +103,7 @@ static int hold(cylint_block *block, int lane, const cylint_trunk *t,
     return rough < 1 && store(block, lane, &h);
 }
 
-void cylint_block_fill(cylint_block *block, const cylint_shape *shapes,
+void cylint_block_fill(cylint_block *block, const cylint_view *view,
                        const cylint_block_entry *entries, int used,
                        const struct RTCBounds *box)
 {
@@ -112,22 +113,22 @@ void cylint_block_fill(cylint_block *block, const cylint_shape *shapes,
     for (int lane = 0; lane < used; lane++) {
         const cylint_block_entry *entry = entries + lane;
         cylint_trunk trunk;
-        cylint_trunk_of(&trunk, shapes + entry->number);
+        cylint_trunk_of(&trunk, view, entry->number);
         block->number[lane] = entry->number;
         block->index[lane] = (uint8_t)entry->piece.index;
         block->count[lane] = (uint8_t)entry->piece.count;
-        if (!hold(block, lane, &trunk, entry->piece))
+        if (!hold(block, lane, &trunk, entry->piece, view->blur))
             block->always |= (uint8_t)(1u << lane);
     }
 }
 
-void cylint_block_box(const cylint_block *block, const cylint_shape *shapes,
+void cylint_block_box(const cylint_block *block, const cylint_view *view,
                       struct RTCBounds *box)
 {
     for (int lane = 0; lane < block->used; lane++) {
         const cylint_piece piece = {block->index[lane], block->count[lane]};
         cylint_trunk trunk;
-        cylint_trunk_of(&trunk, shapes + block->number[lane]);
+        cylint_trunk_of(&trunk, view, block->number[lane]);
         const struct RTCBounds b = cylint_piece_box(&trunk, piece);
         if (lane == 0)
             *box = b;

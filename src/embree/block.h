@@ -43,12 +43,12 @@ typedef struct cylint_block_entry {
 } cylint_block_entry;
 
 /* Fills a block with 1 to 8 pieces, whose boxes lie within `box`. */
-void cylint_block_fill(cylint_block *block, const cylint_shape *shapes,
+void cylint_block_fill(cylint_block *block, const cylint_view *view,
                        const cylint_block_entry *entries, int used,
                        const struct RTCBounds *box);
 
 /* A box around the block's pieces. */
-void cylint_block_box(const cylint_block *block, const cylint_shape *shapes,
+void cylint_block_box(const cylint_block *block, const cylint_view *view,
                       struct RTCBounds *box);
 
 /*

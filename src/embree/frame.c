@@ -29,17 +29,6 @@ int cylint_frame_make(cylint_frame *frame, const double lo[3],
     return 1;
 }
 
-void cylint_frame_box(const cylint_frame *frame, const double lo[3],
-                      const double hi[3], float box_lo[3], float box_hi[3])
-{
-    for (int j = 0; j < 3; j++) {
-        const double from = (lo[j] - frame->center[j]) * frame->scale;
-        const double to = (hi[j] - frame->center[j]) * frame->scale;
-        box_lo[j] = (float)(from - CYLINT_FRAME_PAD);
-        box_hi[j] = (float)(to + CYLINT_FRAME_PAD);
-    }
-}
-
 /* Where the line's domain begins and ends to be within the frame's box.  A
  * quotient errs by less than 2^-51 of itself, by what a segment's direction
  * misses as well; one that underflows moves a point by less than 2^-200 of
@@ -71,11 +60,13 @@ static void clip(const cylint_frame *f, const cylint_line *line, double *from,
  *     (o - center + e d) scale,   in pairs,
  *
  * which errs by less than 2^-102 of |o - center| + |e d| (bounds.h), so by
- * 2^-32 of the frame where these are at most 2^70 of it; a quarter of 2^-24,
- * that is, with what the last rounding and the division by the largest
- * component of d add.  e is too early by 2^-50 of itself: a line from very
- * far would begin far outside, where floats are coarse; hence the limits on
- * o and length.
+ * 2^-52 of the frame where these are at most 2^50 of it; the last rounding
+ * adds as much, and the direction, off by 2^-52 over a length of at most 2.5,
+ * less than 2^-50 with both: CYLINT_FRAME_BLUR but for the direction, of
+ * which whoever uses it knows.  In units of 2^-24 that is nothing.
+ *
+ * e is too early by 2^-50 of itself: a line from very far would begin far
+ * outside, where floats are coarse; hence the limits on o and length.
  */
 cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
     const cylint_line *line, cylint_frame_ray *ray)
@@ -96,21 +87,26 @@ cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
         const pair from = two_diff(line->o[j], frame->center[j]);
         pair step = two_prod(ray->entry, line->d[j]);
         step.lo += ray->entry * line->d_lo[j];
-        const double at = pair_add(from, step).hi * frame->scale;
+        ray->o[j] = pair_add(from, step).hi * frame->scale;
+        ray->d[j] = line->d[j] / size;
         const double far = (fabs(from.hi) + fabs(step.hi)) * frame->scale;
-        if (!(fabs(at) < 2) || !(far <= 0x1p70))
+        if (!(fabs(ray->o[j]) < 2) || !(far <= 0x1p50))
             return CYLINT_FRAME_WILD;
-        ray->o[j] = (float)at;
-        ray->d[j] = (float)(line->d[j] / size);
     }
     ray->length = cylint_frame_reach(ray, to);
-    return ray->length <= 2.5f ? CYLINT_FRAME_ENTERED : CYLINT_FRAME_WILD;
+    return ray->length <= 2.5 ? CYLINT_FRAME_ENTERED : CYLINT_FRAME_WILD;
 }
 
-/* Such a root is below the double after t.  The difference and products err
- * by 2^-51 of s, the float by 2^-24 or by an underflow. */
-float cylint_frame_reach(const cylint_frame_ray *ray, double t)
+/* Such a root is below the double after t.  Difference and products err by
+ * less than 2^-51 of s. */
+double cylint_frame_reach(const cylint_frame_ray *ray, double t)
 {
     const double s = (nextafter(t, HUGE_VAL) - ray->entry) * ray->per_t;
-    return (float)(s * (1 + 0x1p-23) + 0x1p-100);
+    return s + fabs(s) * 0x1p-50;
+}
+
+/* Rounding to a float takes 2^-24 of s at most, or what underflows. */
+float cylint_frame_float(double s)
+{
+    return (float)(s + fabs(s) * 0x1p-23 + 0x1p-100);
 }

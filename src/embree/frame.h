@@ -27,16 +27,20 @@ typedef struct {
  * of 2^-24, the most that rounding to a float below 2 errs by: the ray's
  * origin, below 2, 1; its direction, components at most 1, over a length of
  * at most 2.5, 2.5; the box 1; all that is done in doubles before, less than
- * 1/2 (cylint_frame_line).  Flushed subnormals err by 2^-126.
+ * 1/2 (cylint_frame_line).  Flushed subnormals err by 2^-126, and the sides
+ * of boxes that are rounded outward only gain.
  */
 #define CYLINT_FRAME_PAD 0x5p-24
 
-/* A line's piece within the frame: o + s d, 0 <= s <= length <= 2.5, where
- * t = entry + s / per_t. */
+/* A line's piece within the frame: o + s d, 0 <= s <= length, where
+ * t = entry + s / per_t, components of d at most 1. */
 typedef struct {
-    float o[3], d[3], length;
+    double o[3], d[3], length;
     double entry, per_t;
 } cylint_frame_ray;
+
+/* How far such a ray may be from its line, while still in doubles. */
+#define CYLINT_FRAME_BLUR 0x1p-50
 
 typedef enum {
     CYLINT_FRAME_PASSED,  /* the line has no point in the frame's box */
@@ -49,15 +53,15 @@ int cylint_frame_make(cylint_frame *frame, const double lo[3],
                       const double hi[3]);
 
 /* Every point of the line's domain within the frame's box is within
- * CYLINT_FRAME_PAD, less a box's rounding, of the ray's point at its s. */
+ * CYLINT_FRAME_BLUR of the ray's point at its s, and within CYLINT_FRAME_PAD,
+ * less a box's rounding, when the ray is rounded to floats; d is off by
+ * 2^-52 of itself. */
 cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
     const cylint_line *line, cylint_frame_ray *ray);
 
-/* A float that is not below the s of any root that rounds to t or less. */
-float cylint_frame_reach(const cylint_frame_ray *ray, double t);
-
-/* A box in the frame, padded. */
-void cylint_frame_box(const cylint_frame *frame, const double lo[3],
-                      const double hi[3], float box_lo[3], float box_hi[3]);
+/* What is not below the s of any root that rounds to t or less; and a float
+ * not below s. */
+double cylint_frame_reach(const cylint_frame_ray *ray, double t);
+float cylint_frame_float(double s);
 
 #endif

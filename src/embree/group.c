@@ -58,29 +58,41 @@ static int pieces_of(const cylint_trunk *t)
     return !(m > 1) ? 1 : (int)fmin(m + 0.5, most);
 }
 
-static size_t count_pieces(const cylint_shape *shapes, size_t n)
+/* The shapes to be grouped. */
+typedef struct {
+    const cylint_view *view;
+    const uint32_t *numbers;
+    size_t n;
+} members;
+
+static uint32_t member(const members *m, size_t i)
+{
+    return m->numbers ? m->numbers[i] : (uint32_t)i;
+}
+
+static size_t count_pieces(const members *m)
 {
     size_t pieces = 0;
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < m->n; i++) {
         cylint_trunk trunk;
-        cylint_trunk_of(&trunk, shapes + i);
+        cylint_trunk_of(&trunk, m->view, member(m, i));
         pieces += (size_t)pieces_of(&trunk);
     }
     return pieces;
 }
 
-static void cut(build_box *boxes, const cylint_shape *shapes, size_t n)
+static void cut(build_box *boxes, const members *m)
 {
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < m->n; i++) {
         cylint_trunk trunk;
-        cylint_trunk_of(&trunk, shapes + i);
+        cylint_trunk_of(&trunk, m->view, member(m, i));
         const int count = pieces_of(&trunk);
         for (int index = 0; index < count; index++) {
             const cylint_piece piece = {index, count};
             const struct RTCBounds b = cylint_piece_box(&trunk, piece);
             *boxes++ = (build_box){b.lower_x, b.lower_y, b.lower_z,
                                    note_of(piece), b.upper_x, b.upper_y,
-                                   b.upper_z, (unsigned)i};
+                                   b.upper_z, member(m, i)};
         }
     }
 }
@@ -173,7 +185,7 @@ static size_t count_blocks(const build *b)
 }
 
 static void fill_blocks(cylint_block *block, const build *b,
-                        const cylint_shape *shapes)
+                        const cylint_view *view)
 {
     size_t i = 0;
     while (i < b->n) {
@@ -192,38 +204,40 @@ static void fill_blocks(cylint_block *block, const build *b,
             else
                 cylint_extend_box(&box, &one);
         }
-        cylint_block_fill(block++, shapes, entries, used, &box);
+        cylint_block_fill(block++, view, entries, used, &box);
         i += (size_t)used;
     }
 }
 
 static int make_blocks(cylint_group *group, RTCDevice device, const build *b,
-                       const cylint_shape *shapes)
+                       const cylint_view *view)
 {
     group->n = count_blocks(b);
     if (!cylint_memory_take(&group->memory, device,
                             group->n * sizeof(cylint_block)))
         return 0;
     group->blocks = group->memory.data;
-    fill_blocks(group->memory.data, b, shapes);
+    fill_blocks(group->memory.data, b, view);
     return 1;
 }
 
 int cylint_group_make(cylint_group *group, RTCDevice device,
-                      const cylint_shape *shapes, size_t n)
+                      const cylint_view *view, const uint32_t *numbers,
+                      size_t n)
 {
+    const members m = {view, numbers, n};
     cylint_memory memory;
     build b;
     *group = (cylint_group){{0}, NULL, 0};
     if (n == 0)
         return 1;
-    b.n = count_pieces(shapes, n);
+    b.n = count_pieces(&m);
     if (!cylint_memory_take(&memory, device, b.n * sizeof *b.boxes))
         return 0;
     b.boxes = memory.data;
-    cut(b.boxes, shapes, n);
+    cut(b.boxes, &m);
     const int made = sort_into_leaves(device, &b) &&
-                     make_blocks(group, device, &b, shapes);
+                     make_blocks(group, device, &b, view);
     cylint_memory_give(&memory);
     return made;
 }

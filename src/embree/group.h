@@ -16,13 +16,14 @@ typedef struct cylint_group {
 } cylint_group;
 
 /*
- * Groups shapes, all bounded and with boxes that Embree keeps, n of them,
- * fewer than 2^32 - 1.  Returns 0 where memory was refused: nothing is left.
+ * Groups the n shapes of the given numbers (NULL: those from 0 on), all
+ * bounded and with boxes that Embree keeps; n < 2^32 - 1.  Returns 0 where memory was refused: nothing is left.
  * Which blocks come of it depends on Embree; that each shape's every piece is
  * in one lane of one block does not.
  */
 int cylint_group_make(cylint_group *group, RTCDevice device,
-                      const cylint_shape *shapes, size_t n);
+                      const cylint_view *view, const uint32_t *numbers,
+                      size_t n);
 
 void cylint_group_free(cylint_group *group);
 

@@ -1,25 +1,30 @@
 /*
  * scene.c - exact answers about many shapes, most of which are not asked
  *
- * Embree walks boxes that hold the shapes and leaves out those that the
+ * Shapes are cut into pieces, and pieces that lie together are blocks of 8
+ * (group.h).  Embree walks the blocks' boxes and leaves out those that the
  * line's float ray does not meet, or meets only behind the nearest hit so
- * far.  Boxes are padded (frame.h), so that a box which holds a hit of the
- * line is met by the float ray, and that is all that is asked of floats.
- * Whatever shape is left is asked by cylint_intersect().
+ * far: boxes are padded (frame.h), so that a box which holds a hit of the
+ * line is met by the float ray.  A block leaves out the pieces that the line
+ * certainly does not meet (block.h).  What is left is asked by
+ * cylint_intersect().
  *
  * Of Embree this assumes: with RTC_SCENE_FLAG_ROBUST, every primitive whose
  * box has a point in common with the ray, both taken as real numbers, within
  * [tnear, tfar], is offered to the callback exactly once; a tfar that a
  * callback made smaller leaves out only boxes which begin beyond it.
  */
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "api.h"
 #include "cylint_scene.h"
 #include "frame.h"
+#include "group.h"
 
 enum { MOST_SHAPES = 1 << 28 };
 
@@ -27,6 +32,9 @@ struct cylint_scene {
     const cylint_shape *shapes;
     size_t n;
     cylint_frame frame;
+    cylint_view view;      /* the shapes in the frame */
+    cylint_group group;    /* of the boxed ones */
+    cylint_block_test *test;
     uint32_t *boxed;       /* the numbers of the shapes in the hierarchy */
     uint32_t *loose;       /* and of those beside it, ascending */
     size_t n_boxed, n_loose;
@@ -57,16 +65,34 @@ const char *cylint_scene_strerror(int status)
 
 /* ------------------------------------------------------------ building -- */
 
-/* Whether the shape has a box that a frame can hold; a refused one has
- * none. */
-static int has_box(const cylint_shape *shape, double lo[3], double hi[3])
+/* How far the section of a shape at z = 0 or 1 reaches from the axis along
+ * coordinate j, or somewhat farther. */
+static double rough_reach(const cylint_shape *s, int end, int j)
 {
-    if (shape->kind == CYLINT_KIND_NONE)
+    const double r = end ? s->r1 : s->r0;
+    if (s->kind >= CYLINT_KIND_ECYLINDER)
+        return r * (fabs(s->a[j]) + fabs(s->b[j]));
+    if (s->kind == CYLINT_KIND_ACONE) /* from the tangent */
+        return r * (fabs(s->axis[0]) + fabs(s->axis[1]) + fabs(s->axis[2]));
+    return r;
+}
+
+/* Whether a frame can hold the shape, and if so a box about it.  No number
+ * comes of more than 6 roundings or errors of its data. */
+static int has_box(const cylint_shape *s, double lo[3], double hi[3])
+{
+    if (s->kind == CYLINT_KIND_NONE || s->ends >= CYLINT_INFINITE)
         return 0;
-    cylint_bounds(shape, lo, hi);
-    for (int j = 0; j < 3; j++)
+    for (int j = 0; j < 3; j++) {
+        const double bottom = rough_reach(s, 0, j), top = rough_reach(s, 1, j);
+        const double base = s->base[j], end = base + s->axis[j];
+        const double more = DBL_MIN + 0x1p-50 *
+            (fabs(base) + fabs(s->axis[j]) + bottom + top);
+        lo[j] = fmin(base - bottom, end - top) - more;
+        hi[j] = fmax(base + bottom, end + top) + more;
         if (!(lo[j] >= -CYLINT_FRAME_MOST && hi[j] <= CYLINT_FRAME_MOST))
             return 0;
+    }
     return 1;
 }
 
@@ -127,16 +153,16 @@ static int sort_shapes(cylint_scene *s, int framed)
 static void give_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_scene *s = args->geometryUserPtr;
-    double lo[3], hi[3];
-    float box_lo[3], box_hi[3];
-    cylint_bounds(&s->shapes[s->boxed[args->primID]], lo, hi);
-    cylint_frame_box(&s->frame, lo, hi, box_lo, box_hi);
-    args->bounds_o->lower_x = box_lo[0];
-    args->bounds_o->lower_y = box_lo[1];
-    args->bounds_o->lower_z = box_lo[2];
-    args->bounds_o->upper_x = box_hi[0];
-    args->bounds_o->upper_y = box_hi[1];
-    args->bounds_o->upper_z = box_hi[2];
+    const double pad = CYLINT_FRAME_PAD;
+    struct RTCBounds b;
+    cylint_block_box(&s->group.blocks[args->primID], &s->view, &b);
+    *args->bounds_o = (struct RTCBounds){
+        cylint_float_below(b.lower_x - pad),
+        cylint_float_below(b.lower_y - pad),
+        cylint_float_below(b.lower_z - pad), 0,
+        cylint_float_above(b.upper_x + pad),
+        cylint_float_above(b.upper_y + pad),
+        cylint_float_above(b.upper_z + pad), 0};
 }
 
 static bool count_bytes(void *scene, ssize_t bytes, bool after)
@@ -150,27 +176,10 @@ static bool count_bytes(void *scene, ssize_t bytes, bool after)
 static void ask_nearest(const struct RTCIntersectFunctionNArguments *args);
 static void ask_count(const struct RTCOccludedFunctionNArguments *args);
 
-static cylint_scene_status build_tree(cylint_scene *s, int threads)
+/* What went wrong at the device, if anything did. */
+static cylint_scene_status device_status(RTCDevice device)
 {
-    char config[64];
-    snprintf(config, sizeof config, "threads=%d", threads > 0 ? threads : 0);
-    s->device = rtcNewDevice(config);
-    if (!s->device)
-        return CYLINT_SCENE_EEMBREE;
-    rtcSetDeviceMemoryMonitorFunction(s->device, count_bytes, s);
-    s->tree = rtcNewScene(s->device);
-    RTCGeometry g = rtcNewGeometry(s->device, RTC_GEOMETRY_TYPE_USER);
-    rtcSetSceneFlags(s->tree, RTC_SCENE_FLAG_ROBUST);
-    rtcSetGeometryUserPrimitiveCount(g, (unsigned)s->n_boxed);
-    rtcSetGeometryUserData(g, s);
-    rtcSetGeometryBoundsFunction(g, give_bounds, NULL);
-    rtcSetGeometryIntersectFunction(g, ask_nearest);
-    rtcSetGeometryOccludedFunction(g, ask_count);
-    rtcCommitGeometry(g);
-    rtcAttachGeometry(s->tree, g);
-    rtcReleaseGeometry(g);
-    rtcCommitScene(s->tree);
-    switch (rtcGetDeviceError(s->device)) {
+    switch (rtcGetDeviceError(device)) {
     case RTC_ERROR_NONE:
         return CYLINT_SCENE_OK;
     case RTC_ERROR_OUT_OF_MEMORY:
@@ -180,13 +189,48 @@ static cylint_scene_status build_tree(cylint_scene *s, int threads)
     }
 }
 
+static void build_tree(cylint_scene *s)
+{
+    RTCGeometry g = rtcNewGeometry(s->device, RTC_GEOMETRY_TYPE_USER);
+    s->tree = rtcNewScene(s->device);
+    rtcSetSceneFlags(s->tree, RTC_SCENE_FLAG_ROBUST);
+    rtcSetGeometryUserPrimitiveCount(g, (unsigned)s->group.n);
+    rtcSetGeometryUserData(g, s);
+    rtcSetGeometryBoundsFunction(g, give_bounds, NULL);
+    rtcSetGeometryIntersectFunction(g, ask_nearest);
+    rtcSetGeometryOccludedFunction(g, ask_count);
+    rtcCommitGeometry(g);
+    rtcAttachGeometry(s->tree, g);
+    rtcReleaseGeometry(g);
+    rtcCommitScene(s->tree);
+}
+
+static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
+{
+    char config[64];
+    snprintf(config, sizeof config, "threads=%d", threads > 0 ? threads : 0);
+    s->device = rtcNewDevice(config);
+    if (!s->device)
+        return CYLINT_SCENE_EEMBREE;
+    rtcSetDeviceMemoryMonitorFunction(s->device, count_bytes, s);
+    s->test = cylint_block_test_used();
+    s->view = (cylint_view){
+        s->shapes, {s->frame.center[0], s->frame.center[1],
+        s->frame.center[2]}, s->frame.scale, CYLINT_FRAME_BLUR};
+    if (!cylint_group_make(&s->group, s->device, &s->view, s->boxed,
+                           s->n_boxed))
+        return CYLINT_SCENE_EMEMORY;
+    build_tree(s);
+    return device_status(s->device);
+}
+
 static cylint_scene_status build(cylint_scene *s, int threads)
 {
     if (s->n > MOST_SHAPES)
         return CYLINT_SCENE_ESIZE;
     if (!sort_shapes(s, make_frame(s)))
         return CYLINT_SCENE_EMEMORY;
-    return s->n_boxed > 0 ? build_tree(s, threads) : CYLINT_SCENE_OK;
+    return s->n_boxed > 0 ? build_hierarchy(s, threads) : CYLINT_SCENE_OK;
 }
 
 cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
@@ -214,6 +258,7 @@ void cylint_scene_free(cylint_scene *scene)
         return;
     if (scene->tree)
         rtcReleaseScene(scene->tree);
+    cylint_group_free(&scene->group);
     if (scene->device)
         rtcReleaseDevice(scene->device);
     free(scene->boxed);
@@ -230,18 +275,26 @@ size_t cylint_scene_bytes(const cylint_scene *scene)
 
 /* ------------------------------------------------------------- queries -- */
 
+/* What is remembered of shapes of several pieces, which are offered again:
+ * some of those that need not be asked again, by the last digits of their
+ * numbers, and all that are counted, as long as there is room. */
+enum { ASKED = 16, COUNTED = 256, COUNTED_MOST = 192, NOBODY = UINT32_MAX };
+
 /* One question on its way through the hierarchy; Embree hands its context
  * to the callbacks. */
 typedef struct {
     cylint_rtc_context context;
     const cylint_scene *scene;
     cylint_line line;      /* tmax: what is beyond is of no interest */
-    cylint_frame_ray ray;
+    cylint_frame_ray ray;  /* nor what is beyond its length */
     size_t best;           /* nearest: its number, and its hit */
     cylint_hit hit;
     size_t count, enough;  /* count */
     size_t *numbers, room; /* all: a heap of the lowest, the highest first */
     size_t first;          /* all: lower numbers are of no interest */
+    uint32_t asked[ASKED];
+    uint32_t counted[COUNTED]; /* a hash table */
+    int n_counted;
     size_t except;         /* the number of a shape that is not asked */
 } question;
 
@@ -320,13 +373,9 @@ static void keep_number(question *q, size_t number)
     }
 }
 
-/* Whether there are enough now. */
-static int take_count(question *q, size_t number)
+/* Takes the number of a shape that is met.  Whether there are enough now. */
+static int take_number(question *q, size_t number)
 {
-    if (number == q->except || (q->numbers && !is_low(q, number)))
-        return 0;
-    if (!cylint_occluded(&q->scene->shapes[number], &q->line))
-        return 0;
     if (q->numbers)
         keep_number(q, number);
     else
@@ -334,28 +383,123 @@ static int take_count(question *q, size_t number)
     return q->enough != 0 && q->count == q->enough;
 }
 
+static int is_wanted(const question *q, size_t number)
+{
+    return number != q->except && (!q->numbers || is_low(q, number));
+}
+
+/* Whether there are enough now. */
+static int take_count(question *q, size_t number)
+{
+    return is_wanted(q, number) &&
+           cylint_occluded(&q->scene->shapes[number], &q->line) &&
+           take_number(q, number);
+}
+
+/* Where the number is, or would be, among the counted ones. */
+static uint32_t *place_of(question *q, uint32_t number)
+{
+    uint32_t at = number * UINT32_C(2654435769) >> 24;
+    while (q->counted[at] != number && q->counted[at] != NOBODY)
+        at = (at + 1) % COUNTED;
+    return &q->counted[at];
+}
+
+static int was_asked(question *q, uint32_t number)
+{
+    uint32_t *asked = &q->asked[number % ASKED];
+    const int was = *asked == number;
+    *asked = number;
+    return was;
+}
+
+/* Whether the shape's first hit lies in the lane's piece.  That piece is sure
+ * to be offered, and no other says so. */
+static int owns_first_hit(const question *q, const cylint_block *block,
+                          int lane)
+{
+    cylint_answer answer;
+    return cylint_intersect(&q->scene->shapes[block->number[lane]], &q->line,
+                            CYLINT_WANT_NEAREST | CYLINT_WANT_Z, &answer) &&
+           cylint_block_owns(block, lane, answer.hit[0].z);
+}
+
+/* As take_count, of a piece among several. */
+static int take_piece(question *q, const cylint_block *block, int lane)
+{
+    const uint32_t number = block->number[lane];
+    uint32_t *place = place_of(q, number);
+    if (*place == number || !is_wanted(q, number))
+        return 0;
+    if (q->n_counted == COUNTED_MOST)
+        return owns_first_hit(q, block, lane) && take_number(q, number);
+    if (was_asked(q, number) ||
+        !cylint_occluded(&q->scene->shapes[number], &q->line))
+        return 0;
+    *place = number;
+    q->n_counted++;
+    return take_number(q, number);
+}
+
+/* The lane, of some, which is first met. */
+static int first_lane(unsigned lanes, const double least[CYLINT_BLOCK])
+{
+    int first = -1;
+    for (int lane = 0; lane < CYLINT_BLOCK; lane++)
+        if (lanes >> lane & 1 && (first < 0 || least[lane] < least[first]))
+            first = lane;
+    return first;
+}
+
+static unsigned lanes_met(const question *q, const cylint_block *block,
+                          double least[CYLINT_BLOCK])
+{
+    return q->scene->test(block, q->ray.o, q->ray.d, 0, q->ray.length, least);
+}
+
 static void ask_nearest(const struct RTCIntersectFunctionNArguments *args)
 {
     question *q = question_of(args->context);
-    if (args->valid[0] && take_nearest(q, q->scene->boxed[args->primID])) {
-        float *tfar = &((struct RTCRayHit *)(void *)args->rayhit)->ray.tfar;
-        *tfar = fminf(*tfar, cylint_frame_reach(&q->ray, q->hit.t));
+    const cylint_block *block = &q->scene->group.blocks[args->primID];
+    float *tfar = &((struct RTCRayHit *)(void *)args->rayhit)->ray.tfar;
+    double least[CYLINT_BLOCK];
+    unsigned lanes = args->valid[0] ? lanes_met(q, block, least) : 0;
+    while (lanes) {
+        const int lane = first_lane(lanes, least);
+        if (least[lane] > q->ray.length)
+            return;
+        lanes &= ~(1u << lane);
+        if ((block->count[lane] > 1 && was_asked(q, block->number[lane])) ||
+            !take_nearest(q, block->number[lane]))
+            continue;
+        q->ray.length = fmin(q->ray.length,
+                             cylint_frame_reach(&q->ray, q->hit.t));
+        *tfar = cylint_frame_float(q->ray.length);
     }
 }
 
 static void ask_count(const struct RTCOccludedFunctionNArguments *args)
 {
     question *q = question_of(args->context);
-    if (args->valid[0] && take_count(q, q->scene->boxed[args->primID]))
-        ((struct RTCRay *)(void *)args->ray)->tfar = -INFINITY;
+    const cylint_block *block = &q->scene->group.blocks[args->primID];
+    double least[CYLINT_BLOCK];
+    unsigned lanes = args->valid[0] ? lanes_met(q, block, least) : 0;
+    for (int lane = 0; lanes >> lane; lane++)
+        if (lanes >> lane & 1 &&
+            (block->count[lane] == 1 ? take_count(q, block->number[lane])
+                                     : take_piece(q, block, lane))) {
+            ((struct RTCRay *)(void *)args->ray)->tfar = -INFINITY;
+            return;
+        }
 }
 
 static struct RTCRay embree_ray(const cylint_frame_ray *r)
 {
     return (struct RTCRay){
-        .org_x = r->o[0], .org_y = r->o[1], .org_z = r->o[2],
-        .dir_x = r->d[0], .dir_y = r->d[1], .dir_z = r->d[2],
-        .tfar = r->length, .mask = ~0u};
+        .org_x = (float)r->o[0], .org_y = (float)r->o[1],
+        .org_z = (float)r->o[2], .dir_x = (float)r->d[0],
+        .dir_y = (float)r->d[1], .dir_z = (float)r->d[2],
+        .tfar = cylint_frame_float(r->length), .mask = ~0u};
 }
 
 /* Walks the hierarchy, or, where no float ray will do, asks every shape in
@@ -378,6 +522,8 @@ static void walk(question *q, int nearest)
         cylint_rtc_nearest(s->tree, &q->context, &ray);
     } else if (verdict == CYLINT_FRAME_ENTERED) {
         struct RTCRay ray = embree_ray(&q->ray);
+        q->n_counted = 0;
+        memset(q->counted, 0xff, sizeof q->counted); /* NOBODY */
         cylint_rtc_any(s->tree, &q->context, &ray);
     }
 }
@@ -391,6 +537,7 @@ static void open_question(question *q, const cylint_scene *scene,
     q->best = q->except = scene->n;
     q->count = q->enough = 0;
     q->numbers = NULL;
+    memset(q->asked, 0xff, sizeof q->asked); /* NOBODY */
 }
 
 size_t cylint_scene_nearest(const cylint_scene *scene,

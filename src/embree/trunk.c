@@ -23,15 +23,11 @@ static void circular(cylint_trunk *t, double ww)
 /* x a + y b with x^2 + y^2 <= 1 reaches sqrt((a.v)^2 + (b.v)^2) along a unit
  * vector v, and across the axis as far as the larger eigenvalue of the Gram
  * matrix of what a and b have across it. */
-static void elliptic(cylint_trunk *t, const cylint_shape *s, double ww)
+static void elliptic(cylint_trunk *t, double a[3], double b[3], double ww)
 {
-    double a[3], b[3];
-    const double aw = dot(s->a, t->axis), bw = dot(s->b, t->axis);
-    for (int j = 0; j < 3; j++) {
-        t->reach[j] = sqrt(s->a[j] * s->a[j] + s->b[j] * s->b[j]);
-        a[j] = s->a[j];
-        b[j] = s->b[j];
-    }
+    const double aw = dot(a, t->axis), bw = dot(b, t->axis);
+    for (int j = 0; j < 3; j++)
+        t->reach[j] = sqrt(a[j] * a[j] + b[j] * b[j]);
     t->across = t->along = sqrt(dot(a, a) + dot(b, b));
     if (!(ww > DBL_MIN * 0x1p60))
         return;
@@ -46,22 +42,29 @@ static void elliptic(cylint_trunk *t, const cylint_shape *s, double ww)
                      2);
 }
 
-void cylint_trunk_of(cylint_trunk *t, const cylint_shape *s)
+void cylint_trunk_of(cylint_trunk *t, const cylint_view *view,
+                     uint32_t number)
 {
+    const cylint_shape *s = view->shapes + number;
+    double a[3], b[3];
     for (int j = 0; j < 3; j++) {
-        t->base[j] = s->base[j];
-        t->axis[j] = s->axis[j];
+        t->base[j] = (s->base[j] - view->center[j]) * view->scale;
+        t->axis[j] = s->axis[j] * view->scale;
+        a[j] = s->a[j] * view->scale;
+        b[j] = s->b[j] * view->scale;
     }
     const double ww = dot(t->axis, t->axis);
     t->length = sqrt(ww);
     t->k[0] = s->r0;
     t->k[1] = s->r1;
-    if (s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE)
-        elliptic(t, s, ww);
-    else
-        circular(t, ww);
-    if (s->kind == CYLINT_KIND_ACONE)
-        t->k[1] = s->r1 * t->length; /* from the tangent */
+    if (s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE) {
+        elliptic(t, a, b, ww);
+        return;
+    }
+    circular(t, ww);
+    t->k[0] *= view->scale;
+    t->k[1] *= s->kind == CYLINT_KIND_ACONE ? t->length /* from the tangent */
+                                            : view->scale;
 }
 
 void cylint_piece_ends(cylint_piece piece, double z[2])

@@ -23,7 +23,21 @@ typedef struct cylint_piece {
     int index, count;
 } cylint_piece;
 
-void cylint_trunk_of(cylint_trunk *trunk, const cylint_shape *shape);
+/* Shapes in coordinates (x - center) scale, scale a power of two.  `blur` is
+ * how far, in these, a line is from where it is said to be. */
+typedef struct cylint_view {
+    const cylint_shape *shapes;
+    double center[3], scale, blur;
+} cylint_view;
+
+/* The shapes as they are. */
+static inline cylint_view cylint_plain_view(const cylint_shape *shapes)
+{
+    return (cylint_view){.shapes = shapes, .scale = 1};
+}
+
+void cylint_trunk_of(cylint_trunk *trunk, const cylint_view *view,
+                     uint32_t number);
 
 /* z of the ends of a piece, and a box that holds it, a little longer: pieces
  * overlap by 2^-20 of their length, so that a z that is not quite right
