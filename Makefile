@@ -264,6 +264,13 @@ sanitize: ## the tests under the address and undefined-behaviour sanitizers
 	$(MAKE) BUILD=$(BUILD)/sanitize check \
 	  CFLAGS='-g -O1 $(sanitized)' CXXFLAGS='-g -O1 $(sanitized)'
 
+threaded := -g -O1 -fsanitize=thread
+.PHONY: check-threads faulty
+faulty: $(BUILD)/cylint $(BUILD)/tests/faulty
+check-threads: ## 8 workers under the thread sanitizer, undisturbed and disturbed
+	$(MAKE) BUILD=$(BUILD)/threads CFLAGS='$(threaded)' CXXFLAGS='$(threaded)' faulty
+	BUILD=$(BUILD)/threads WORKERS=8 sh tests/test_faults.sh
+
 deps: ## install what the tests need (Debian)
 	@sh tools/deps.sh
 

@@ -66,6 +66,7 @@ int output_open(struct output *out, const struct options *o)
 {
     const char *name = o->output;
     out->name = name ? name : "standard output";
+    out->row = o->style.binary ? sizeof(double) * (size_t)o->fields.count : 0;
     out->fd = name ? open_file(name, O_WRONLY | O_CREAT) : 1;
     if (out->fd < 0) {
         complain_errno(out->name);
@@ -80,18 +81,45 @@ int output_open(struct output *out, const struct options *o)
     return name ? empty_file(out, o) : 0;
 }
 
+/* How many of the bytes belong to a row that is not whole. */
+static size_t half_row(const struct output *out, const char *data,
+                       size_t length)
+{
+    if (out->row > 0) {
+        return length % out->row;
+    }
+    size_t whole = length;
+    while (whole > 0 && data[whole - 1] != '\n') {
+        whole--;
+    }
+    return length - whole;
+}
+
+/* A file that cannot take all shall end with a whole row, if nobody else has
+ * written behind us. */
+static void take_back(const struct output *out, size_t length)
+{
+    struct stat s;
+    const off_t at = lseek(out->fd, 0, SEEK_CUR);
+    if (fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode) && at == s.st_size
+        && ftruncate(out->fd, at - (off_t)length) != 0) {
+        complain_errno(out->name);
+    }
+}
+
 int output_write(struct output *out, const char *data, size_t length)
 {
-    while (length > 0) {
-        const ssize_t n = write(out->fd, data, length);
+    size_t done = 0;
+    while (done < length) {
+        const ssize_t n = write(out->fd, data + done, length - done);
         if (n >= 0) {
-            data += n;
-            length -= (size_t)n;
+            done += (size_t)n;
         } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
             struct pollfd p = {out->fd, POLLOUT, 0};
             poll(&p, 1, -1);
         } else if (errno != EINTR) {
             complain_errno(out->name);
+            take_back(out, half_row(out, data, done));
             return EXIT_IO;
         }
     }
