@@ -33,11 +33,11 @@ while read -r file; do
 done <"$work/all" >"$work/files"
 of_kind() { grep -E "$1" "$work/files"; }
 library=$(of_kind '^src/.*\.c$')
-command=$(of_kind '^tools/cylint/.*\.c$')
+command=$(of_kind '^tools/(cylint|render)/.*\.c$')
 sources=$(of_kind '\.(c|cc|h)$')
 scripts=$(of_kind '\.sh$')
 pages=$(of_kind '^man/.*\.[0-9]$')
-options='-std=c99 -Iinclude -Isrc -D_POSIX_C_SOURCE=200809L'
+options='-std=c99 -Iinclude -Isrc -Itools/cylint -D_POSIX_C_SOURCE=200809L'
 
 # What was looked into and is as it should be:
 judged() {

@@ -79,6 +79,20 @@ awk '/as a picture/ { seen = NR }
      END { exit !(rows == 32 && !wide) }' "$scratch/first"
 verdict the_picture_is_32_rows_of_at_most_100_characters $?
 
+# A picture is told of if one was made, else not.
+! grep -q 'forest.png' "$scratch/said" && [ ! -e "$scan/forest.png" ]
+verdict no_picture_is_told_of_where_none_can_be_taken $?
+if [ -x "$build/cylint-render" ]; then
+    cp "$build/cylint-render" "$scratch/bin"
+    demo pictured && tail -n 1 "$scratch/said" | grep -q "$scan/forest.png" &&
+        [ "$(head -c 4 "$scan/forest.png" | tail -c 3)" = PNG ] &&
+        grep -q 'foliage #' "$scan/painted.scene"
+    verdict the_demo_takes_a_picture $?
+    rm "$scratch/bin/cylint-render"
+else
+    echo 'note: no cylint-render, the demo takes no picture'
+fi
+
 # Whoever fails along the way, the demo fails.
 fails()
 {

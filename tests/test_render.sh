@@ -7,7 +7,8 @@ LC_ALL=C
 export LC_ALL
 build=${BUILD:-build}
 case $build in /*) bin=$build ;; *) bin=$(pwd)/$build ;; esac
-page=$(pwd)/man/cylint-render.1
+root=$(pwd)
+page=$root/man/cylint-render.1
 [ -x "$bin/cylint-render" ] || {
     echo 'no Embree or no libpng, so no cylint-render'
     exit 77
@@ -117,7 +118,11 @@ test_framing()
         END { exit !(foot >= 98 && half >= 49 && half <= 51 && tip <= 2 &&
                      foot <= 100) }'
     verdict a_cone_has_the_outline_of_a_cone $?
-    cylint-render level.scene -o near.png --from 1,0.2,0.3 --size 200x150 \
+    awk '{ $2 += 7000; $3 -= 4000; $4 += 500
+           i = $1 == "cone" ? 6 : 5
+           $i += 7000; $(i + 1) -= 4000; $(i + 2) += 500; print }' \
+        level.scene > away.scene
+    cylint-render away.scene -o near.png --from 1,0.2,0.3 --size 200x150 \
         --samples 1 --background none || return 1
     "$bin/tests/pixels" near.png | awk '
         $6 { n++; if ($1 < 3 || $1 > 196 || $2 < 3 || $2 > 146) out++ }
@@ -322,6 +327,51 @@ test_manual()
     cd ..
 }
 
+# The README's commands, on a smaller scale.
+test_readme()
+{
+    mkdir readme && cd readme && ln -s "$root/tools" tools || return 1
+    awk '/^```sh/ { show = 1; n++; next }
+         /^```/ { show = 0 }
+         show { print > ("command" n) }' "$root/README.md"
+    data=$root/../shared/data/medulla_top24.swc
+    if [ -e "$data" ]; then
+        ln -s "$data" medulla_top24.swc
+    else
+        printf '1 1 0 0 0 2 -1\n2 3 0 9 9 1 1\n' > medulla_top24.swc
+    fi
+    for c in $(grep -l cylint-render command*); do
+        sed 's/trees=48/trees=1/; s/960x540/96x54/; s/samples 64/samples 1/' \
+            "$c" > small
+        sh small > out 2>&1 || { cat out; false; }
+        verdict "readme: $(grep -h '[.]png' "$c")" $?
+    done
+    for p in forest neurons; do
+        [ -s "$root/tools/render/$p.png" ] &&
+            "$bin/tests/pixels" $p.png | awk '
+                !($3 $4 $5 in seen) { seen[$3 $4 $5] = 1; n++ }
+                END { exit !(n > 300) }'
+        verdict "the readme's $p is a picture" $?
+    done
+    cd ..
+}
+
+# The forest of the README is the same under each awk.
+test_forest()
+{
+    for awk in awk mawk gawk; do
+        command -v $awk > /dev/null || continue
+        $awk -v trees=2 -f "$root/tools/render/autumn.awk" > $awk.scene
+    done
+    cylint-render awk.scene -o x.png --size 32x20 --samples 1 &&
+        [ "$(wc -l < awk.scene)" -gt 4000 ] && rm x.png
+    verdict a_forest_is_a_scene $?
+    for other in mawk gawk; do
+        [ ! -e $other.scene ] || cmp awk.scene $other.scene
+        verdict "a_forest_is_the_same_under_$other" $?
+    done
+}
+
 test_bytes
 test_framing
 test_shadow
@@ -329,5 +379,7 @@ test_inside
 test_colours
 test_faults
 test_manual
+test_readme
+test_forest
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]

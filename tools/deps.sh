@@ -4,7 +4,7 @@
 # `cluster` what `make check-cluster` does: Spark goes to $BUILD/spark.  Only
 # what is missing is asked for, so a second run needs neither network nor root.
 wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev libgsl-dev mandoc libembree-dev
-    python3-pip'
+    libpng-dev python3-pip'
 # gcc-multilib would be simpler for -m32, but excludes cross compilers
 [ "$1" = cross ] && wanted="$wanted clang clang-tidy cppcheck qemu-user
     gcc-aarch64-linux-gnu libc6-dev-arm64-cross

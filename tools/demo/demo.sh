@@ -54,3 +54,12 @@ echo
 sort -t "$(printf '\t')" -k 2,2n "$out/answers.txt" > "$out/by-range.txt"
 $awk -v seconds="$seconds" -f "$here/summary.awk" \
     "$out/forest.scene" "$out/by-range.txt"
+
+# In colours too, where a picture can be taken.
+[ -x "$build/cylint-render" ] || exit 0
+$awk -f "$here/paint.awk" "$out/forest.scene" > "$out/painted.scene"
+"$build/cylint-render" "$out/painted.scene" -o "$out/forest.png" \
+    --eye -18,-6,9 --look-at 12,0,4.6 --fov 44 --light -0.6,1,1.1 \
+    --size 800x400
+echo
+echo "The forest from behind the scanner, by cylint-render: $out/forest.png"
