@@ -282,9 +282,18 @@ static int tell(const cylint_shape *shape, const cylint_line *line,
     return known->n;
 }
 
-/* The most frequent answer first: beyond doubt the line does not come near
- * the solid. */
-static int passes_by(const cylint_shape *s, const cylint_line *l)
+static int certainly_negative(double x, double size)
+{
+    return x < -(CYLINT_FILTER_BOUND * size + CYLINT_UNDERFLOW);
+}
+
+static void alike(double x[3], double value)
+{
+    x[0] = x[1] = x[2] = value;
+}
+
+/* Beyond doubt the line does not come near the solid. */
+static int passes_ball(const cylint_shape *s, const cylint_line *l)
 {
     letters_double L;
     letters_size N;
@@ -293,14 +302,52 @@ static int passes_by(const cylint_shape *s, const cylint_line *l)
         L.D[0][i] = l->o[i] - s->center[i];
     }
     const double far = cylint_largest(L.D[0]);
+    alike(N.u, l->size);
+    alike(N.D[0], far);
     L.r[0] = N.r[0] = s->ball;
+    return far <= CYLINT_WINDOW &&
+           certainly_negative(form_ball_double(&L), form_ball_size(&N));
+}
+
+/* The same of a solid that no ball holds: G < 0. */
+static int passes_surface(const cylint_shape *s, const cylint_line *l)
+{
+    letters_double L;
+    letters_size N;
+    L.kind = N.kind = s->kind;
     for (int i = 0; i < 3; i++) {
-        N.u[i] = l->size;
-        N.D[0][i] = far;
+        L.u[i] = l->d[i];
+        L.w[i] = s->axis[i];
+        L.D[0][i] = l->o[i] - s->base[i];
+        L.a[i] = s->a[i];
+        L.b[i] = s->flip ? -s->b[i] : s->b[i];
     }
-    return form_ball_double(&L) < -(CYLINT_FILTER_BOUND * form_ball_size(&N) +
-                                    CYLINT_UNDERFLOW) &&
-           s->ordinary && l->ordinary && far <= CYLINT_WINDOW;
+    const double far = cylint_largest(L.D[0]);
+    L.r[0] = N.r[0] = s->r0;
+    L.dr = s->dr;
+    N.dr = fabs(s->dr);
+    L.one = N.one = 1;
+    alike(N.u, l->size);
+    alike(N.w, cylint_largest(L.w));
+    alike(N.D[0], far);
+    if (s->kind >= CYLINT_KIND_ECYLINDER) {
+        alike(N.a, cylint_largest(L.a));
+        alike(N.b, cylint_largest(L.b));
+    }
+    prepare_shape_double(&L);
+    prepare_line_double(&L);
+    prepare_shape_size(&N);
+    prepare_line_size(&N);
+    return far <= CYLINT_WINDOW &&
+           certainly_negative(form_G_double(&L), form_G_size(&N));
+}
+
+/* The most frequent answer, asked first. */
+static int passes_by(const cylint_shape *s, const cylint_line *l)
+{
+    return s->ordinary && l->ordinary &&
+           (s->ends < CYLINT_INFINITE ? passes_ball(s, l)
+                                      : passes_surface(s, l));
 }
 
 #if CYLINT_IS_PARANOID
