@@ -107,47 +107,93 @@ static int least_component(const cylint_query *q)
 }
 
 /* What the hit's letters give. */
-enum { GRADIENT = 0, AXIAL = 3, AXIS = 6, ALPHA = 9, HEIGHT, X, Y, FACTS };
+enum { GRADIENT = 0, AXIAL = 3, AXIS = 6, ALPHA = 9, ALPHA_AT_TOP,
+       X = 11, Y, VV, FACTS };
 
-/* In pairs; 0 where that would leave too few digits. */
-static int facts_in_pairs(cylint_query *q, pair t, int apex, floating *facts)
+/* Groups of facts that are still needed.  Each is found as if it were alone,
+ * so that no answer depends on what else is wanted. */
+typedef struct {
+    int gradient, axial, axis, z, phi;
+} needs;
+
+static needs needs_of(unsigned want, int part, int apex)
+{
+    const int normal = (want & CYLINT_WANT_NORMAL) != 0;
+    const int lateral = part == CYLINT_LATERAL;
+    return (needs){normal && lateral && !apex, normal && !lateral,
+                   normal && lateral && apex, (want & CYLINT_WANT_Z) != 0,
+                   (want & CYLINT_WANT_PHI) != 0 && !apex};
+}
+
+static int any_need(const needs *n)
+{
+    return n->gradient || n->axial || n->axis || n->z || n->phi;
+}
+
+static int gradient_in_pairs(const letters_wide *L, double lost,
+                             floating *facts)
+{
+    wide x[3];
+    double steepest = 0;
+    int keeps = 1;
+    for (int i = 0; i < 3; i++) {
+        x[i] = gradient_wide(L, i);
+        steepest = fmax(steepest, fabs(x[i].v.hi));
+        facts[i] = floating_of_wide(x[i]);
+    }
+    for (int i = 0; i < 3; i++)
+        keeps &= keeps_digits(x[i], steepest, lost);
+    return keeps;
+}
+
+static int z_in_pairs(const letters_wide *L, double lost, floating *facts)
+{
+    const wide alpha = form_alpha_wide(L, 0), top = form_root_of_S_wide(L);
+    facts[ALPHA] = floating_of_wide(alpha);
+    facts[ALPHA_AT_TOP] = floating_of_wide(top);
+    return keeps_digits(alpha, fabs(top.v.hi), lost);
+}
+
+static int angle_in_pairs(const cylint_query *q, const letters_wide *L,
+                          double lost, floating *facts)
+{
+    wide x, y;
+    const wide vv = form_root_of_S_wide(L);
+    about_axis_wide(L, least_component(q), &x, &y);
+    facts[X] = floating_of_wide(x);
+    facts[Y] = floating_of_wide(y);
+    facts[VV] = floating_of_wide(vv);
+    const double wx = fabs(x.v.hi), wy = fabs(y.v.hi);
+    const double scale = q->kind < CYLINT_KIND_ECYLINDER ? sqrt(vv.v.hi) : 1;
+    return keeps_digits(x, wy / scale, lost) &&
+           keeps_digits(y, wx * scale, lost);
+}
+
+/* In pairs; what that would leave with too few digits is needed still. */
+static void facts_in_pairs(cylint_query *q, pair t, needs *need,
+                           floating *facts)
 {
     if (!q->filters || q->near_shape != q->shape)
-        return 0;
+        return;
     letters_wide *L = cylint_wide(q);
     const wide at = {t, fabs(t.hi)};
-    wide kept[3], x[FACTS];
+    const double lost = cancels(q);
+    wide kept[3];
     for (int i = 0; i < 3; i++) {
         kept[i] = L->D[0][i];
         L->D[0][i] = wide_add(kept[i], wide_mul(at, L->u[i]));
+        facts[AXIAL + i] = floating_of_wide(axial_wide(L)[i]);
+        facts[AXIS + i] = floating_of_wide(L->w[i]);
     }
-    for (int i = 0; i < 3; i++) {
-        x[GRADIENT + i] = gradient_wide(L, i);
-        x[AXIAL + i] = axial_wide(L)[i];
-        x[AXIS + i] = L->w[i];
-    }
-    x[ALPHA] = form_alpha_wide(L, 0);
-    x[HEIGHT] = form_root_of_S_wide(L);
-    about_axis_wide(L, least_component(q), x + X, x + Y);
+    need->axial = need->axis = 0;
+    if (need->gradient)
+        need->gradient = !gradient_in_pairs(L, lost, facts + GRADIENT);
+    if (need->z)
+        need->z = !z_in_pairs(L, lost, facts);
+    if (need->phi)
+        need->phi = !angle_in_pairs(q, L, lost, facts);
     for (int i = 0; i < 3; i++)
         L->D[0][i] = kept[i];
-    double steepest = 0;
-    const double lost = cancels(q);
-    for (int i = 0; i < 3; i++)
-        steepest = fmax(steepest, fabs(x[GRADIENT + i].v.hi));
-    int keeps = keeps_digits(x[ALPHA], fabs(x[HEIGHT].v.hi), lost);
-    for (int i = 0; i < 3; i++)
-        keeps &= apex || keeps_digits(x[GRADIENT + i], steepest, lost);
-    if (!apex) {
-        const double X_scale = sqrt(x[HEIGHT].v.hi);
-        const int round = q->kind < CYLINT_KIND_ECYLINDER;
-        const double wx = fabs(x[X].v.hi), wy = fabs(x[Y].v.hi);
-        keeps &= keeps_digits(x[X], round ? wy / X_scale : wy, lost) &&
-                 keeps_digits(x[Y], round ? wx * X_scale : wx, lost);
-    }
-    for (int i = 0; i < FACTS; i++)
-        facts[i] = floating_of_wide(x[i]);
-    return keeps;
 }
 
 /* The hit's point as every digit has it. */
@@ -176,8 +222,14 @@ static void about_axis_in_plane(cylint_query *q, int cap, exact *x, exact *y)
     about_axis_exact(&L, least_component(q), x, y);
 }
 
+static int is_needed(const needs *need, int fact)
+{
+    return fact < AXIAL ? need->gradient : fact < AXIS ? need->axial
+         : fact < ALPHA ? need->axis : fact < X ? need->z : need->phi;
+}
+
 static void facts_in_full(cylint_query *q, cylint_root root, exact t,
-                          floating *facts)
+                          const needs *need, floating *facts)
 {
     letters_exact L = *cylint_exact_line(q);
     for (int i = 0; i < 3; i++)
@@ -186,13 +238,16 @@ static void facts_in_full(cylint_query *q, cylint_root root, exact t,
     for (int i = 0; i < FACTS; i++) {
         const int used = L.arena->used;
         exact x, y;
+        if (!is_needed(need, i))
+            continue;
         if (i < AXIAL)
             x = gradient_exact(&L, i);
         else if (i < ALPHA)
             x = i < AXIS ? axial_exact(&L)[i - AXIAL] : L.w[i - AXIS];
-        else if (i < X)
-            x = i == ALPHA ? form_alpha_exact(&L, 0)
-                           : form_root_of_S_exact(&L);
+        else if (i == ALPHA)
+            x = form_alpha_exact(&L, 0);
+        else if (i == ALPHA_AT_TOP || i == VV)
+            x = form_root_of_S_exact(&L);
         else if (root == ROOT_CAP0 || root == ROOT_CAP1)
             about_axis_in_plane(q, root == ROOT_CAP1, &x, &y);
         else
@@ -245,11 +300,15 @@ static void describe(cylint_query *q, const floating *facts, cylint_root root,
         const int known = root == ROOT_CAP0 || root == ROOT_CAP1;
         hit->z = known ? root == ROOT_CAP1
                        : cylint_scaled(
-                             pair_div(facts[ALPHA].v, facts[HEIGHT].v).hi,
-                             facts[ALPHA].e - facts[HEIGHT].e) + 0;
+                             pair_div(facts[ALPHA].v, facts[ALPHA_AT_TOP].v).hi,
+                             facts[ALPHA].e - facts[ALPHA_AT_TOP].e) + 0;
     }
     if (want & CYLINT_WANT_PHI) {
-        floating x = facts[X], y = facts[Y], vv = facts[HEIGHT];
+        if (apex) {
+            hit->phi = 0;
+            return;
+        }
+        floating x = facts[X], y = facts[Y], vv = facts[VV];
         if (q->kind < CYLINT_KIND_ECYLINDER) {
             const int odd = vv.e & 1;
             const pair even = {vv.v.hi * (odd ? 2 : 1),
@@ -259,7 +318,7 @@ static void describe(cylint_query *q, const floating *facts, cylint_root root,
         } else if (q->shape->flip) {
             y.v = pair_neg(y.v);
         }
-        hit->phi = apex ? 0 : turns(y, x);
+        hit->phi = turns(y, x);
     }
 }
 
@@ -267,34 +326,31 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
                          double more, int part, int apex, unsigned want,
                          cylint_hit *hit)
 {
-    const unsigned about_point = CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
-                                 CYLINT_WANT_PHI;
+    needs need = needs_of(want, part, apex);
+    floating facts[FACTS];
+    int point = (want & CYLINT_WANT_POINT) != 0; /* needed still */
     /* a root beyond the doubles is found again from the largest */
     pair at = fabs(t) <= DBL_MAX ? fast_two_sum(t, more)
                                  : (pair){copysign(DBL_MAX, t), 0};
-    floating facts[FACTS];
-    int points = !(want & CYLINT_WANT_POINT), rest = !(want & about_point);
-    if (!points)
-        points = point_in_pairs(q, at, hit->point);
-    if (!rest)
-        rest = facts_in_pairs(q, at, apex, facts);
-    if ((!points || !rest) && q->t_error > CYLINT_PAIR_BOUND) {
+    if (point)
+        point = !point_in_pairs(q, at, hit->point);
+    if (any_need(&need))
+        facts_in_pairs(q, at, &need, facts);
+    if ((point || any_need(&need)) && q->t_error > CYLINT_PAIR_BOUND) {
         /* once more, from a root as good as pairs can be */
         cylint_polish_root(q, root, &at);
-        if (!points)
-            points = point_in_pairs(q, at, hit->point);
-        if (!rest)
-            rest = facts_in_pairs(q, at, apex, facts);
+        if (point)
+            point = !point_in_pairs(q, at, hit->point);
+        if (any_need(&need))
+            facts_in_pairs(q, at, &need, facts);
     }
-    if (!points || !rest) {
+    if (point || any_need(&need)) {
         const int used = cylint_exact_mark(q, root);
         const exact full = cylint_root_in_full(q, root, at);
-        if (!points)
+        if (point)
             exact_point(q, full, hit->point);
-        if (!rest)
-            facts_in_full(q, root, full, facts);
+        facts_in_full(q, root, full, &need, facts);
         q->arena.used = used;
     }
-    if (want & about_point)
-        describe(q, facts, root, part, apex, want, hit);
+    describe(q, facts, root, part, apex, want, hit);
 }
