@@ -130,15 +130,15 @@ test_example()
     done
 }
 
-# display NUMBER: the text of a literal display in cylint(3)'s EXAMPLES.
+# display PAGE NUMBER: the text of a literal display in a page's EXAMPLES.
 display()
 {
-    awk -v wanted="$1" '
+    awk -v wanted="$2" '
         /^\.Sh/ { examples = $2 == "EXAMPLES" }
         /^\.Ed/ { inside = 0 }
         inside { gsub(/\\e/, "\\"); print }
         examples && /^\.Bd -literal/ && ++n == wanted { inside = 1 }
-    ' man/cylint.3
+    ' "man/$1"
 }
 
 # A program is followed by what it prints.
@@ -146,13 +146,59 @@ test_manual_examples()
 {
     sanitizers=$(sanitizers_of)
     source=example.c
-    for number in 1 3; do
-        display $number > "$scratch/example.c"
-        display $((number + 1)) > "$scratch/example.said"
+    for shown in cylint.3,1 cylint.3,3 cylint_methods.3,1; do
+        page=${shown%,*} number=${shown#*,}
+        display $page $number > "$scratch/example.c"
+        display $page $((number + 1)) > "$scratch/example.said"
         [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
-        verdict "the_manual_has_example_$number" $?
-        example "the_manual_example_$number" static $cc -std=c99
+        verdict "${page}_has_example_$number" $?
+        example "${page}_example_$number" static $cc -std=c99
     done
+}
+
+# The structs that the manuals show have the members of the headers, at the
+# same places: otherwise an array of negative length.
+test_manual_structs()
+{
+    { echo '#include <stddef.h>'
+      echo '#include <cylint_methods.h>'
+      awk '
+        function equal(what, a, b) {
+            print "typedef char same_" ++n "[" what "(" a ") == " \
+                  what "(" b ") ? 1 : -1];"
+        }
+        /^typedef struct cylint_/ {
+            name = $3; names = ""
+            print "typedef struct {"
+            next
+        }
+        !name { next }
+        /^}/ {
+            print "} page_" name ";"
+            equal("sizeof", name, "page_" name)
+            count = split(names, member, " ")
+            for (i = 1; i <= count; i++)
+                equal("offsetof", name ", " member[i],
+                      "page_" name ", " member[i])
+            name = ""
+            next
+        }
+        {
+            gsub(/[/][*].*[*][/]/, "")
+            print
+            count = split($0, part, /[,;]/)
+            for (i = 1; i <= count; i++) {
+                sub(/\[.*/, "", part[i])
+                sub(/.*[ *]/, "", part[i])
+                if (part[i] ~ /^[a-z]/)
+                    names = names " " part[i]
+            }
+        }' man/*.3
+    } > "$scratch/structs.c"
+    [ "$(grep -c '^typedef struct {' "$scratch/structs.c")" -ge 5 ] &&
+        quiet $cc -std=c99 $(flags --cflags) -c -o "$scratch/structs.o" \
+            "$scratch/structs.c"
+    verdict the_manuals_show_the_structs_of_the_headers $?
 }
 
 test_symbols()
@@ -248,6 +294,7 @@ test_symbols
 verdict the_library_compiles_without_the_makefile $?
 test_readme_commands
 test_manual_examples
+test_manual_structs
 test_uninstall
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]

@@ -130,11 +130,13 @@ succeeds()
     verdict $? "$1: $records records in the same bytes, $seconds s"
 }
 
-# Loudly: an exit status, the message, and no whole set of answers.
+# Loudly: an exit status, a message, and no whole set of answers.  The message
+# is the record's, or, where parallel cut that off, parallel's.
 fails()
 {
     timed run_recipe "$1"
-    [ $? -ne 0 ] && grep -q "found 'rye'" "$scratch/log" &&
+    [ $? -ne 0 ] &&
+        grep -q -e "found 'rye'" -e 'This job failed' "$scratch/log" &&
         ! answers_of "$1" 2> /dev/null | cmp -s - "$scratch/expected" &&
         [ ! -e "$scratch/answers/_SUCCESS" ] && [ ! -f "$scratch/answers" ]
     verdict $? "$1: fails for one bad record, $seconds s"
