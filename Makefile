@@ -146,9 +146,11 @@ $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(test_common) $(BUILD)/libcylint
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 
 $(BUILD)/tests/test_scene: $(BUILD)/tests/scenes.o
+$(BUILD)/tests/test_embree_memory.o: extra += $(if $(WRAP),-DWRAPPED)
+$(BUILD)/tests/test_embree_memory: wrapped := $(if $(WRAP),$(foreach c,malloc calloc free,-Wl$(comma)--wrap=$(c)))
 $(filter $(BUILD)/tests/test_embree_%,$(embree_tests)): $(patsubst %,$(BUILD)/tests/%.o,embree_rays embree_world scenes)
 $(embree_tests): %: %.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(EMBREE_LIBS) -pthread -lm
+	$(CC) $(CFLAGS) $(LDFLAGS) $(wrapped) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(EMBREE_LIBS) -pthread -lm
 
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
 # replays files; in the fuzzed command the test reads and writes.
@@ -267,8 +269,10 @@ sanitize: ## the tests under the address and undefined-behaviour sanitizers
 threaded := -g -O1 -fsanitize=thread
 .PHONY: check-threads faulty
 faulty: $(BUILD)/cylint $(BUILD)/tests/faulty
-check-threads: ## 8 workers under the thread sanitizer, undisturbed and disturbed
-	$(MAKE) BUILD=$(BUILD)/threads CFLAGS='$(threaded)' CXXFLAGS='$(threaded)' faulty
+check-threads: ## 8 threads in a scene, 8 workers, under the thread sanitizer
+	$(MAKE) BUILD=$(BUILD)/threads CFLAGS='$(threaded)' CXXFLAGS='$(threaded)' faulty \
+	  $(if $(EMBREE),$(BUILD)/threads/tests/test_embree_threads)
+	$(if $(EMBREE),TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_embree_threads)
 	BUILD=$(BUILD)/threads WORKERS=8 sh tests/test_faults.sh
 
 deps: ## install what the tests need (Debian)

@@ -1,0 +1,264 @@
+/*
+ * test_embree_memory.c - every allocation refused in turn, nothing lost
+ *
+ * What the adapter takes, it takes from the device, whose memory monitor
+ * refuses one allocation after the other; what a scene takes of its own comes
+ * from malloc() and calloc(), which the linker replaces by those below.
+ */
+#include <string.h>
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "embree_world.h"
+
+enum { SHAPES = 300, ENOUGH = 1000 };
+
+/* ------------------------------------------- malloc(), where it is wrapped */
+
+#ifdef WRAPPED
+
+static struct {
+    int watched;
+    int asked, refuse; /* allocations; the number of the one to refuse */
+    int held;          /* blocks that were not given back */
+} heap;
+
+void *__real_malloc(size_t);
+void *__real_calloc(size_t, size_t);
+void __real_free(void *);
+void *__wrap_malloc(size_t);
+void *__wrap_calloc(size_t, size_t);
+void __wrap_free(void *);
+
+static int heap_refuses(void)
+{
+    return heap.watched && ++heap.asked == heap.refuse;
+}
+
+static void *heap_hold(void *p)
+{
+    heap.held += heap.watched && p != NULL;
+    return p;
+}
+
+void *__wrap_malloc(size_t size)
+{
+    return heap_refuses() ? NULL : heap_hold(__real_malloc(size));
+}
+
+void *__wrap_calloc(size_t n, size_t size)
+{
+    return heap_refuses() ? NULL : heap_hold(__real_calloc(n, size));
+}
+
+void __wrap_free(void *p)
+{
+    heap.held -= heap.watched && p != NULL;
+    __real_free(p);
+}
+
+#endif
+
+/* -------------------------------------------------------------- geometry -- */
+
+static void begin(int refuse)
+{
+    world_memory.asked = 0;
+    world_memory.refuse = refuse;
+    world_errors();
+}
+
+/* Whether the refusal came about; then the device was told. */
+static int was_refused(void)
+{
+    const int refused = world_memory.asked >= world_memory.refuse;
+    world_memory.refuse = 0;
+    if (refused)
+        CHECK(world_errors() > 0 &&
+              world_last_error() == RTC_ERROR_OUT_OF_MEMORY);
+    else
+        CHECK(world_errors() == 0);
+    return refused;
+}
+
+static void shapes_of_all_kinds(cylint_shape *shapes, uint64_t seed)
+{
+    world_shapes(&seed, SCENE_MIXED, shapes, SHAPES);
+    seed = 77; /* and long ones, which are cut */
+    world_shapes(&seed, SCENE_FIBRES, shapes, SHAPES / 2);
+}
+
+static void refuse_making(unsigned how, const cylint_shape *moved)
+{
+    cylint_shape shapes[SHAPES];
+    cylint_embree_options options = {0};
+    int refusals = 0, made = 0;
+    options.how = how;
+    options.moved = moved;
+    shapes_of_all_kinds(shapes, 1);
+    for (int k = 1; k < ENOUGH && !made; k++) {
+        const long long bytes = world_memory.bytes;
+        cylint_embree_problem problem = {-1, 0};
+        RTCGeometry geometry;
+        begin(k);
+        geometry = cylint_embree_geometry(world_device(), shapes, SHAPES,
+                                          &options, &problem);
+        if (was_refused()) {
+            refusals++;
+            CHECK(!geometry && problem.status == CYLINT_EMBREE_EMEMORY);
+        } else {
+            made = 1;
+            CHECK(geometry && problem.status == CYLINT_EMBREE_OK);
+        }
+        cylint_embree_release(geometry);
+        CHECK(world_memory.bytes == bytes);
+    }
+    CHECK(made && refusals > 0);
+}
+
+static void making_gives_back_what_it_took(void)
+{
+    cylint_shape moved[SHAPES];
+    shapes_of_all_kinds(moved, 1);
+    refuse_making(0, NULL);
+    refuse_making(CYLINT_EMBREE_SINGLE, NULL);
+    refuse_making(0, moved);
+}
+
+static void ask(struct world *w, uint64_t *state)
+{
+    for (int i = 0; i < 50; i++) {
+        struct rays r;
+        float o[3], d[3];
+        world_direction(state, o);
+        world_direction(state, d);
+        rays_begin(&r, 1);
+        rays_add(&r, 0, o, d, 0, 1e9f);
+        rays_intersect(&r, w->scene, NULL);
+        if (!CHECK(world_agrees(w, &r, 0, 1)))
+            world_show(w, &r, 0);
+    }
+}
+
+/* An update that was refused can be made again. */
+static void updating_gives_back_what_it_took(void)
+{
+    cylint_shape shapes[SHAPES];
+    uint64_t state = 5;
+    for (int how = 0; how < 2; how++) {
+        const long long before = world_memory.bytes;
+        cylint_embree_options options = {0};
+        struct world w;
+        int refusals = 0, made = 0;
+        options.how = how ? CYLINT_EMBREE_SINGLE : 0;
+        shapes_of_all_kinds(shapes, 2);
+        if (!CHECK(world_make(&w, shapes, SHAPES, &options)))
+            return;
+        for (int k = 1; k < ENOUGH && !made; k++) {
+            const long long bytes = world_memory.bytes;
+            int status;
+            begin(k);
+            status = cylint_embree_update(w.geometry, &w.problem);
+            CHECK(status == w.problem.status);
+            if (was_refused()) {
+                refusals++;
+                CHECK(status == CYLINT_EMBREE_EMEMORY);
+                CHECK(world_memory.bytes == bytes);
+            } else {
+                made = 1;
+                CHECK(status == CYLINT_EMBREE_OK);
+            }
+        }
+        CHECK(made && (how || refusals > 0));
+        rtcCommitScene(w.scene);
+        ask(&w, &state);
+        world_free(&w);
+        CHECK(world_memory.bytes == before);
+    }
+}
+
+/* Embree's own hierarchy: what is refused then reaches the error function,
+ * and the scene can be committed again. */
+static void a_refused_commit_can_be_repeated(void)
+{
+    cylint_shape shapes[SHAPES];
+    const long long before = world_memory.bytes;
+    uint64_t state = 6;
+    struct world w;
+    int refusals = 0, made = 0;
+    shapes_of_all_kinds(shapes, 3);
+    if (!CHECK(world_make(&w, shapes, SHAPES, NULL)))
+        return;
+    for (int k = 1; k < ENOUGH && !made; k++) {
+        CHECK(cylint_embree_update(w.geometry, NULL) == CYLINT_EMBREE_OK);
+        begin(k);
+        rtcCommitScene(w.scene);
+        if (was_refused())
+            refusals++;
+        else
+            made = 1;
+    }
+    CHECK(made && refusals > 0);
+    ask(&w, &state);
+    world_free(&w);
+    CHECK(world_memory.bytes == before);
+}
+
+static void a_thousand_geometries_leave_nothing(void)
+{
+    cylint_shape shapes[SHAPES];
+    const long long before = world_memory.bytes;
+    shapes_of_all_kinds(shapes, 4);
+    for (int i = 0; i < 1000; i++) {
+        RTCGeometry g = cylint_embree_geometry(world_device(), shapes,
+                                               (size_t)i % 20, NULL, NULL);
+        if (CHECK(g != NULL))
+            CHECK(cylint_embree_bytes(g) >= (i % 20 ? sizeof shapes[0] : 0));
+        cylint_embree_release(g);
+    }
+    cylint_embree_release(NULL);
+    CHECK(world_memory.bytes == before);
+    CHECK(world_errors() == 0);
+}
+
+/* ---------------------------------------------------------------- scenes -- */
+
+static void a_scene_gives_back_what_it_took(void)
+{
+#ifdef WRAPPED
+    cylint_shape shapes[SHAPES];
+    int refusals = 0, made = 0;
+    shapes_of_all_kinds(shapes, 5);
+    for (int k = 1; k < ENOUGH && !made; k++) {
+        cylint_scene_status status = CYLINT_SCENE_OK;
+        cylint_scene *scene;
+        heap.asked = heap.held = 0;
+        heap.refuse = k;
+        heap.watched = 1;
+        scene = cylint_scene_new(shapes, SHAPES, 1, &status);
+        if (heap.asked >= k) {
+            refusals++;
+            CHECK(!scene && status == CYLINT_SCENE_EMEMORY);
+        } else {
+            made = 1;
+            CHECK(scene && status == CYLINT_SCENE_OK);
+        }
+        cylint_scene_free(scene);
+        heap.watched = 0;
+        CHECK(heap.held == 0);
+    }
+    CHECK(made && refusals > 0);
+#else
+    printf("note: this linker wraps no functions; malloc() is not refused\n");
+#endif
+}
+
+int main(void)
+{
+    RUN(making_gives_back_what_it_took);
+    RUN(updating_gives_back_what_it_took);
+    RUN(a_refused_commit_can_be_repeated);
+    RUN(a_thousand_geometries_leave_nothing);
+    RUN(a_scene_gives_back_what_it_took);
+    return check_end();
+}
