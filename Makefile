@@ -122,7 +122,7 @@ $(BUILD)/tests/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 $(BUILD)/tests/embree_%.o $(BUILD)/tests/test_embree_%.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 
 $(BUILD)/src/dispatch.o: extra += $(if $(findstring kernel-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
-$(BUILD)/src/decide.o $(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/embree/lanetest%.o: extra += -O3
+$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/embree/lanetest%.o: extra += -O3
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)

@@ -121,6 +121,7 @@ static double disc_reach(const cylint_shape *s, double *skew)
 static void measure_ball(cylint_shape *s)
 {
     s->ball = HUGE_VAL;
+    s->center[0] = s->center[1] = s->center[2] = 0;
     if (s->ends >= CYLINT_INFINITE)
         return;
     for (int i = 0; i < 3; i++)

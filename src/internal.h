@@ -44,7 +44,10 @@ static inline int cylint_sign(double x)
 /* Sums with such a number may have a part that a processor flushes. */
 static inline int cylint_too_small(double x)
 {
-    return cylint_sign(x) != 0 && cylint_exponent(x) < -900;
+    const uint64_t least = (uint64_t)(1023 - 900) << 53; /* without the sign */
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return (bits << 1) - 1 < least - 1; /* a zero wraps round */
 }
 
 /* x < y by the bits, likewise; neither is a NaN. */

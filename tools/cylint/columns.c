@@ -171,7 +171,7 @@ const char *find_fields(struct fields *fields, const char *names,
 
 /* ------------------------------------------------------------- values -- */
 
-static double value_of_hit(enum value value, const cylint_hit *hit)
+static inline double value_of_hit(enum value value, const cylint_hit *hit)
 {
     switch (value) {
     case VALUE_T:
@@ -195,7 +195,7 @@ static double value_of_hit(enum value value, const cylint_hit *hit)
     }
 }
 
-static int is_missing(const struct column *c, const struct row *row)
+static inline int is_missing(const struct column *c, const struct row *row)
 {
     switch (c->value) {
     case VALUE_RECORD:
@@ -213,7 +213,7 @@ static int is_missing(const struct column *c, const struct row *row)
 }
 
 /* Not of a missing value. */
-static double value_of(const struct column *c, const struct row *row)
+static inline double value_of(const struct column *c, const struct row *row)
 {
     const cylint_answer *a = row->answer;
     switch (c->value) {
@@ -284,27 +284,36 @@ static void put_value(struct text *out, const struct style *style,
 static void put_field(struct text *out, const struct style *style,
                       const struct column *c, const struct row *row)
 {
-    const int missing = is_missing(c, row);
-    if (style->binary) {
-        put_little_endian(out, missing ? NAN : value_of(c, row));
-    } else if (missing) {
+    if (is_missing(c, row)) {
         put_missing(out, style, c);
     } else {
         put_value(out, style, c, row);
     }
 }
 
+static void put_doubles(struct text *out, const struct fields *fields,
+                        const struct row *row)
+{
+    struct text t = *out;
+    for (int i = 0; i < fields->count; i++) {
+        const struct column *c = fields->column[i];
+        put_little_endian(&t, is_missing(c, row) ? NAN : value_of(c, row));
+    }
+    out->length = t.length;
+}
+
 void put_row(struct text *out, const struct fields *fields,
              const struct style *style, const struct row *row)
 {
+    if (style->binary) {
+        put_doubles(out, fields, row);
+        return;
+    }
     for (int i = 0; i < fields->count; i++) {
-        if (i > 0 && !style->binary) {
+        if (i > 0) {
             put_char(out, style->separator);
         }
         put_field(out, style, fields->column[i], row);
-    }
-    if (style->binary) {
-        return;
     }
     if (row->tail_length > 0) {
         put_char(out, style->separator);

@@ -116,12 +116,15 @@ struct reader {
     struct fault *fault;
 };
 
-static void skip_separator(struct reader *r)
+static inline const char *skip_separator(const char *p, const char *end)
 {
-    r->p = skip_blanks(r->p, r->end);
-    if (r->p < r->end && *r->p == ',') {
-        r->p = skip_blanks(r->p + 1, r->end);
-    }
+    p = skip_blanks(p, end);
+    return p < end && *p == ',' ? skip_blanks(p + 1, end) : p;
+}
+
+static void skip_to(struct reader *r, const char *p)
+{
+    r->p = skip_separator(p, r->end);
 }
 
 static const char *end_of_field(const struct reader *r)
@@ -146,16 +149,16 @@ static int refuse(struct reader *r, const char *what, int expected)
 
 static int read_numbers(struct reader *r, double *v, int count)
 {
+    const char *const end = r->end;
     for (int i = 0; i < count; i++) {
-        const char *after = cylint_read_number(r->p, r->end, &v[i]);
-        if (!after || !(after == r->end || is_blank(*after) || *after == ',')) {
+        const char *after = cylint_read_number(r->p, end, &v[i]);
+        if (!after || !(after == end || is_blank(*after) || *after == ',')) {
             return refuse(r, "a number", 1);
         }
         if (v[i] - v[i] != 0) {
             return refuse(r, "number too large", 0);
         }
-        r->p = after;
-        skip_separator(r);
+        r->p = skip_separator(after, end);
     }
     return 1;
 }
@@ -169,8 +172,7 @@ static int read_kind(struct reader *r, const struct kind *kinds, int count,
         refuse(r, expected, 1);
         return kind;
     }
-    r->p = after;
-    skip_separator(r);
+    skip_to(r, after);
     return kind;
 }
 
@@ -211,8 +213,7 @@ static int read_ends(struct reader *r, int *ends)
     if (*ends == NOT_GIVEN) {
         return refuse(r, ENDS_WORDS, 1);
     }
-    r->p = after;
-    skip_separator(r);
+    skip_to(r, after);
     return 1;
 }
 

@@ -8,6 +8,7 @@
 #define CYLINT_TEXT_H
 
 #include <stddef.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "sizes.h"
@@ -36,9 +37,29 @@ static inline void put_string(struct text *t, const char *s)
 /* A whole number, in plain digits. */
 void put_whole(struct text *t, unsigned long long value);
 
-/* A double's eight bytes, the lowest first on every machine. */
-void put_little_endian(struct text *t, double value);
-double get_little_endian(const char bytes[8]);
+/* A double's eight bytes, the lowest first on every machine: compilers make
+ * one load or store of them. */
+static inline void put_little_endian(struct text *t, double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+#define BYTE(i) (unsigned char)(bits >> 8 * (i))
+    const unsigned char bytes[8] = {BYTE(0), BYTE(1), BYTE(2), BYTE(3),
+                                    BYTE(4), BYTE(5), BYTE(6), BYTE(7)};
+#undef BYTE
+    put_bytes(t, bytes, sizeof bytes);
+}
+
+static inline double get_little_endian(const char bytes[8])
+{
+#define BYTE(i) ((uint64_t)(unsigned char)bytes[i] << 8 * (i))
+    const uint64_t bits = BYTE(0) | BYTE(1) | BYTE(2) | BYTE(3) |
+                          BYTE(4) | BYTE(5) | BYTE(6) | BYTE(7);
+#undef BYTE
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
 
 /*
  * Copies [from, end) with every byte but printable ASCII as \xHH, and the
