@@ -277,6 +277,14 @@ test_faults()
     [ ! -e x.png ] && [ -z "$(ls | grep part)" ]
     verdict what_fails_leaves_no_file $?
 
+    cylint-render some.scene -o - --size 20x20 >&- 2> messages
+    [ $? -eq 3 ] && [ "$(cat messages)" = \
+        'cylint-render: standard output: Bad file descriptor' ]
+    verdict a_closed_standard_output_is_told $?
+    cylint-render some.scene -o y.png --size 20x20 --progress <&- 2>&- >&- &&
+        cylint-render some.scene -o z.png --size 20x20 && cmp y.png z.png
+    verdict closed_streams_do_not_get_into_the_picture $?
+
     # The old picture stays until the new one is whole.
     echo old > kept.png
     (ulimit -f 1; trap '' XFSZ

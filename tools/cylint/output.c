@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "main.h"
+#include "options.h"
 #include "output.h"
 #include "report.h"
 

@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "options.h"
+struct options;
 
 struct output {
     int fd;

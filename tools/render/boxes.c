@@ -24,8 +24,9 @@ struct vector box_middle(const struct box *box)
 
 static void measure_all(struct boxes *boxes)
 {
-    struct box all = boxes->box[0];
-    for (size_t i = 1; i < boxes->count; i++) {
+    struct box all = {{{HUGE_VAL, HUGE_VAL, HUGE_VAL}},
+                      {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}}};
+    for (size_t i = 0; i < boxes->count; i++) {
         for (int k = 0; k < 3; k++) {
             all.low.v[k] = fmin(all.low.v[k], boxes->box[i].low.v[k]);
             all.high.v[k] = fmax(all.high.v[k], boxes->box[i].high.v[k]);

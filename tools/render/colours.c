@@ -140,20 +140,24 @@ static uint32_t hash_of_text(const char *text, size_t length)
     return hash;
 }
 
+static int resize(uint32_t **words, size_t count)
+{
+    uint32_t *more = count <= SIZE_MAX / sizeof *more
+        ? realloc(*words, count * sizeof *more) : NULL;
+    if (!more) {
+        return out_of_memory();
+    }
+    *words = more;
+    return 0;
+}
+
 /* Room for so many; those of which nothing was seen have no colour. */
 static int grow(struct colours *c, size_t count)
 {
     if (count > c->room) {
         const size_t room = count > 2 * c->room ? count : 2 * c->room;
-        if (room > SIZE_MAX / sizeof *c->of) {
-            return out_of_memory();
-        }
-        uint32_t *of = realloc(c->of, room * sizeof *of);
-        c->of = of ? of : c->of;
-        uint32_t *label = realloc(c->label, room * sizeof *label);
-        c->label = label ? label : c->label;
-        if (!of || !label) {
-            return out_of_memory();
+        if (resize(&c->of, room) != 0 || resize(&c->label, room) != 0) {
+            return EXIT_MEMORY;
         }
         c->room = room;
     }

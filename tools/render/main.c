@@ -9,6 +9,7 @@
 
 #include "main.h"
 #include "options.h"
+#include "output.h"
 #include "processors.h"
 #include "report.h"
 #include "stages.h"
@@ -57,28 +58,20 @@ static int print_about(const char *what)
 }
 
 /* The ground is a flat cylinder under the scene, so wide that its rim is far
- * behind where it has faded. */
-static int add_ground(struct scene *scene, struct colours *colours,
-                      const struct options *o, const struct boxes *all)
+ * behind where it has faded.  Its tail has its colour. */
+static int add_ground(struct scene *scene, const char *colour,
+                      struct vector up, const struct boxes *all)
 {
     const double radius = 30 * all->size, depth = 0.01 * all->size;
-    const struct vector up = unit(o->viewing.up);
     const double low = -reach(all, times(-1, up));
     const struct vector top = plus(all->middle, low - dot(up, all->middle),
                                    up);
     const struct vector base = plus(top, -depth, up);
-    const size_t n = scene->count;
-    cylint_shape *shapes = realloc(scene->shapes, (n + 1) * sizeof *shapes);
-    uint32_t *of = realloc(colours->of, (n + 1) * sizeof *of);
-    scene->shapes = shapes ? shapes : scene->shapes;
-    colours->of = of ? of : colours->of;
-    if (!shapes || !of) {
-        return out_of_memory();
-    }
-    of[n] = o->ground;
-    scene->count++;
-    return cylint_cylinder(&shapes[n], base.v, top.v, radius, CYLINT_CAPPED)
-        == CYLINT_OK ? 0 : EXIT_BAD;
+    struct record record;
+    record.tail = colour;
+    record.tail_length = strlen(colour);
+    cylint_cylinder(&record.shape, base.v, top.v, radius, CYLINT_CAPPED);
+    return scene_add(scene, &record);
 }
 
 /* From the left above the camera, unless it was told. */
@@ -126,7 +119,7 @@ static int set_stage(const struct options *o, struct scene *scene,
                      struct colours *colours, const struct boxes *boxes,
                      struct stage *stage, struct view *view)
 {
-    const int has_ground = o->has_ground && boxes->size > 0;
+    const int has_ground = o->ground && boxes->size > 0;
     const struct vector up = unit(o->viewing.up);
     int status = colours_complete(colours, scene, o->colouring, o->colour,
                                   up);
@@ -136,7 +129,7 @@ static int set_stage(const struct options *o, struct scene *scene,
         status = EXIT_BAD;
     }
     if (status == 0 && has_ground) {
-        status = add_ground(scene, colours, o, boxes);
+        status = add_ground(scene, o->ground, up, boxes);
     }
     if (status == 0) {
         *stage = (struct stage){NULL, scene->shapes, scene->count,
@@ -170,6 +163,7 @@ int main(int argc, char **argv)
     struct stage stage;
     struct view view;
     struct stages stages;
+    guard_standard_streams();
     memset(&scene, 0, sizeof scene);
     scene.also = colours_take_tail;
     scene.context = &colours;

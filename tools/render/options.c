@@ -30,7 +30,7 @@ static const struct option options_known[] = {
 enum { MOST_PIXELS = 1 << 16 /* of a side */ };
 
 static const uint32_t SKY_TOP = 0xc3d7ea, SKY_BOTTOM = 0xf6f3ec;
-static const uint32_t CLAY = 0xd9cbb8, EARTH = 0xb5aa97;
+static const uint32_t CLAY = 0xd9cbb8;
 
 /* ------------------------------------------------------------- values -- */
 
@@ -120,11 +120,11 @@ static int read_shading(const struct option *o, const char *value,
     return status;
 }
 
-static int read_ground(const char *value, struct options *options)
+static int read_ground(const char *value, const char **ground)
 {
-    options->has_ground = strcmp(value, "none") != 0;
-    return !options->has_ground
-        || read_colour(value, strlen(value), &options->ground);
+    uint32_t colour;
+    *ground = strcmp(value, "none") != 0 ? value : NULL;
+    return !*ground || read_colour(value, strlen(value), &colour);
 }
 
 /* ------------------------------------------------------------ options -- */
@@ -165,7 +165,7 @@ static const char *take_look(struct options *options, int id,
         return read_colouring(value, options) ? NULL
             : "number, label, kind, connected, radius, height or #rrggbb";
     case OPT_GROUND:
-        return read_ground(value, options) ? NULL : "none or #rrggbb";
+        return read_ground(value, &options->ground) ? NULL : "none or #rrggbb";
     case OPT_LIGHT:
         options->has_sun = 1;
         return read_direction(value, &options->sun) ? NULL
@@ -256,7 +256,6 @@ int read_options(struct options *options, int argc, char **argv)
     options->viewing.fov = 30;
     options->viewing.zoom = 1;
     options->colour = CLAY;
-    options->ground = EARTH;
     read_background("sky", &options->backdrop);
     const int status = take_arguments(options_known, argc, argv, take_option,
                                       options, &files);

@@ -23,8 +23,7 @@ struct options {
     enum shading shading;
     enum colouring colouring;
     uint32_t colour;       /* of shapes without another */
-    int has_ground;
-    uint32_t ground;
+    const char *ground;    /* #rrggbb, or NULL */
     struct backdrop backdrop;
 
     const char *print;     /* help or version, and nothing else is done */

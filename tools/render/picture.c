@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "main.h"
+#include "output.h"
 #include "picture.h"
 #include "report.h"
 
@@ -72,14 +73,14 @@ static int target_open(struct target *t, const char *name)
         t->file = stdout;
         return 0;
     }
-    int flags = O_WRONLY | O_NOCTTY;
+    int flags = O_WRONLY;
     if (is_regular(name)) {
         flags |= O_CREAT | O_EXCL;
         if (name_part(t) != 0) {
             return EXIT_MEMORY;
         }
     }
-    const int fd = open(t->part ? t->part : name, flags, 0666);
+    const int fd = open_file(t->part ? t->part : name, flags);
     t->file = fd >= 0 ? fdopen(fd, "wb") : NULL;
     if (!t->file) {
         const int status = failed(t);
@@ -117,6 +118,8 @@ int picture_try(const char *file)
     const int status = target_open(&t, file);
     if (status == 0) {
         fclose(t.file);
+    }
+    if (status == 0 && t.part) {
         unlink(t.part);
         free(t.part);
     }

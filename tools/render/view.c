@@ -123,20 +123,17 @@ static void stand_back(struct view *view, const struct boxes *boxes)
 static void stand_aside(struct view *view, double aspect,
                         const struct boxes *boxes)
 {
-    const struct vector sides[5] = {
-        view->right, times(-1, view->right), view->up, times(-1, view->up),
-        times(-1, view->forward)
-    };
-    double most[5];
-    for (int k = 0; k < 5; k++) {
-        most[k] = reach(boxes, sides[k]);
-    }
-    view->half_height = 0.5 * MARGIN * fmax(most[2] + most[3],
-                                            (most[0] + most[1]) / aspect);
+    const double right = reach(boxes, view->right);
+    const double left = reach(boxes, times(-1, view->right));
+    const double up = reach(boxes, view->up);
+    const double down = reach(boxes, times(-1, view->up));
+    const double back = reach(boxes, times(-1, view->forward));
+    view->half_height = 0.5 * MARGIN * fmax(up + down,
+                                            (right + left) / aspect);
     view->half_width = aspect * view->half_height;
-    view->eye = plus(plus(times(0.5 * (most[0] - most[1]), view->right),
-                          0.5 * (most[2] - most[3]), view->up),
-                     -most[4], view->forward);
+    view->eye = plus(plus(times(0.5 * (right - left), view->right),
+                          0.5 * (up - down), view->up),
+                     -back, view->forward);
 }
 
 int view_of_scene(struct view *view, const struct viewing *asked,
