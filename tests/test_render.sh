@@ -305,7 +305,7 @@ test_faults()
     [ ! -s messages ]
     verdict no_progress_but_on_a_terminal $?
     cylint-render some.scene -o x.png --size 20x20 --progress 2> messages &&
-        grep -q '^cylint-render: traced 400 pixels: [0-9.]* s$' messages
+        grep -q '^cylint-render: traced 400 pixels: [0-9.]* s, [0-9.]* s of CPU$' messages
     verdict progress_when_asked_for $?
 }
 

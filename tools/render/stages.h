@@ -6,12 +6,13 @@
 
 struct stages {
     int told;      /* on standard error */
-    double last;   /* seconds */
+    double last, last_cpu; /* seconds; of all threads together */
 };
 
 void stages_start(struct stages *stages, int told);
 
-/* Tells how long it took since the last call: `WHAT COUNT UNIT: SECONDS s`. */
+/* Tells how long it took since the last call: `WHAT COUNT UNIT: SECONDS s,
+ * SECONDS s of CPU`. */
 void stages_end(struct stages *stages, const char *what,
                 unsigned long long count, const char *unit);
 
