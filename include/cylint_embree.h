@@ -39,7 +39,9 @@
  * farther away a ray begins, the more likely it passes by a box that it
  * grazes, or answers the farther, or the higher number, of two shapes whose t
  * differ by less than 2^-21 of it (observed: the first miss among 10^6 rays
- * from 10^5 sizes away).  cylint_scene.h has no such limit.
+ * from 10^5 sizes away).  Embree also takes a component of dir below 1e-18 in
+ * size for 1e-18; keep dir as a whole far above.  cylint_scene.h has no such
+ * limits.
  *
  * Filters.  The filter of the geometry is offered the entry and, if that is
  * rejected, the exit, always with N = 1, with all members of the hit filled

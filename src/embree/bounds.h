@@ -78,15 +78,17 @@ static inline void cylint_extend_box(struct RTCBounds *box,
 /*
  * Boxes are widened by what Embree's walk errs.  For user geometries it knows
  * no robust mode, RTC_SCENE_FLAG_ROBUST or not.  Where a ray crosses a face b
- * it computes b r - o r, fused or not, in floats, r being 1 / d with an error
- * of 2^-22 at most (an estimate of 11 bits or more and one Newton step).  So
- * it errs by at most |r| times
+ * it computes b r - o r, fused or not, in floats, r being about 1 / d: an
+ * estimate, off by 1.5 2^-12 at most, and a Newton step, which squares that
+ * and rounds three times, so off by less than 6 2^-24.  The products round by
+ * 2^-24 of |b| and |o|, and so does their difference: it errs by at most |r|
+ * times
  *
- *     2^-22 |b - o| + 2^-24 (|b| + |o|) + 2^-24 |b - o|, and small terms,
- *     < 2^-21 |b - o| + 2^-23 |b|,          for |o| <= |b| + |b - o|,
+ *     2^-24 (6 |b - o| + |b| + |o| + |b - o|)
+ *     <= 2^-21 |b - o| + 2^-23 |b|,         for |o| <= |b| + |b - o|,
  *
  * which is what moving the face by the latter does.  Faces are moved out by
- * more than that for origins within three sizes of the geometry's box, a size
+ * as much for origins within three sizes of the geometry's box, a size
  * S being its longest side, where |b - o| <= 4 S; M is its largest coordinate.
  *
  * That also settles which of two shapes hit at nearly the same t is nearer:

@@ -28,9 +28,12 @@ typedef struct {
  * origin, below 2, 1; its direction, components at most 1, over a length of
  * at most 2.5, 2.5; the box 1; all that is done in doubles before, less than
  * 1/2 (cylint_frame_line).  Flushed subnormals err by 2^-126, and the sides
- * of boxes that are rounded outward only gain.
+ * of boxes that are rounded outward only gain.  And Embree's walk errs
+ * (bounds.h): at a face b, |b| <= 1, that the ray crosses within its length,
+ * |b - o| <= 2.5, by 6 |b - o| for its reciprocal, |b| + |o| for the products
+ * and |b - o| for the difference, together 20.5.
  */
-#define CYLINT_FRAME_PAD 0x5p-24
+#define CYLINT_FRAME_PAD 0x1ap-24
 
 /* A line's piece within the frame: o + s d, 0 <= s <= length, where
  * t = entry + s / per_t, components of d at most 1. */

@@ -9,10 +9,10 @@
  * certainly does not meet (block.h).  What is left is asked by
  * cylint_intersect().
  *
- * Of Embree this assumes: with RTC_SCENE_FLAG_ROBUST, every primitive whose
- * box has a point in common with the ray, both taken as real numbers, within
- * [tnear, tfar], is offered to the callback exactly once; a tfar that a
- * callback made smaller leaves out only boxes which begin beyond it.
+ * Of Embree this assumes: every primitive of which the ray meets the box
+ * within [tnear, tfar], deeper than its walk errs (bounds.h), is offered to
+ * the callback exactly once; a tfar that a callback made smaller leaves out
+ * only boxes which begin beyond it.
  */
 #include <float.h>
 #include <math.h>
@@ -193,7 +193,6 @@ static void build_tree(cylint_scene *s)
 {
     RTCGeometry g = rtcNewGeometry(s->device, RTC_GEOMETRY_TYPE_USER);
     s->tree = rtcNewScene(s->device);
-    rtcSetSceneFlags(s->tree, RTC_SCENE_FLAG_ROBUST);
     rtcSetGeometryUserPrimitiveCount(g, (unsigned)s->group.n);
     rtcSetGeometryUserData(g, s);
     rtcSetGeometryBoundsFunction(g, give_bounds, NULL);
