@@ -8,6 +8,7 @@
  */
 #ifdef HAVE_MPFR
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -103,6 +104,38 @@ static void every_corner_agrees_with_the_oracle(void)
     }
 }
 
+/* Its t is rounded to the largest double, which is where the domain ends. */
+static void a_root_beyond_the_largest_double_is_outside(void)
+{
+    const double o[3] = {0, 0, 0x1.2p-102}, d[3] = {0, 0, 0x1.8p-1073};
+    const double p0[3] = {0, 0, 0x1.8p-49}, p1[3] = {0, 0, 1};
+    cylint_shape s;
+    cylint_line line;
+    cylint_answer a;
+    CHECK(cylint_cylinder(&s, p0, p1, 1, CYLINT_CAPPED) == CYLINT_OK);
+    CHECK(cylint_ray(&line, o, d) == CYLINT_OK);
+    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_T, &a) == 2 &&
+          a.hit[0].t == DBL_MAX);
+    CHECK(cylint_span(&line, o, d, 0, DBL_MAX) == CYLINT_OK);
+    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_T, &a) == 0);
+}
+
+/* A tiny angle below 0 is not the next double to a whole turn, but 0. */
+static void an_angle_stays_below_a_turn(void)
+{
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const double o[3] = {sign * 1e-300, -2, 0.5}, d[3] = {0, 1, 0};
+        const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
+        cylint_shape s;
+        cylint_line line;
+        cylint_answer a;
+        CHECK(cylint_whole_line(&line, o, d) == CYLINT_OK &&
+              cylint_cylinder(&s, p0, p1, 1, CYLINT_CAPPED) == CYLINT_OK);
+        CHECK(cylint_intersect(&s, &line, CYLINT_WANT_PHI, &a) == 2);
+        CHECK(a.hit[0].phi >= 0 && a.hit[0].phi < 1e-300);
+    }
+}
+
 /* A narrow nappe ends at its apex, before the base where its radius grows,
  * beyond the top where it shrinks, whichever way its axis points; it fills
  * all that lies on the base's side of it. */
@@ -147,6 +180,8 @@ static void boxes_of_whole_cylinders_are_bounded_across(void)
 int main(void)
 {
     RUN(boxes_of_whole_cylinders_are_bounded_across);
+    RUN(a_root_beyond_the_largest_double_is_outside);
+    RUN(an_angle_stays_below_a_turn);
     RUN(boxes_of_nappes_open_the_right_way);
     RUN(every_corner_agrees_with_the_oracle);
     return check_end();

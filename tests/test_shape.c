@@ -340,6 +340,29 @@ static void boxes_of_simple_shapes_are_known(void)
     CHECK(outward(lo, hi, all_lo, all_hi, 0));
 }
 
+static void boxes_are_exact_where_nothing_is_rounded(void)
+{
+    const double p0[3] = {4, 5, 6}, p1[3] = {4, 5, 9};
+    cylint_shape s;
+    double lo[3], hi[3];
+
+    const double lo1[3] = {-1, -1, 0}, hi1[3] = {1, 1, 1};
+    cylint_cylinder(&s, origin, axis_z, 1, CYLINT_CAPPED);
+    cylint_bounds(&s, lo, hi);
+    CHECK(outward(lo, hi, lo1, hi1, 0));
+
+    const double lo2[3] = {2, 3, 6}, hi2[3] = {6, 7, 9};
+    cylint_cone(&s, p0, 2, p1, 1, CYLINT_CAPPED);
+    cylint_bounds(&s, lo, hi);
+    CHECK(outward(lo, hi, lo2, hi2, 0));
+
+    const double lo3[3] = {-HUGE_VAL, -HUGE_VAL, 6};
+    const double hi3[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    cylint_cone(&s, p0, 0, p1, 1, CYLINT_NAPPE);
+    cylint_bounds(&s, lo, hi);
+    CHECK(outward(lo, hi, lo3, hi3, 0));
+}
+
 static double dot3(const double u[3], const double v[3])
 {
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
@@ -505,6 +528,7 @@ int main(void)
     RUN(points_that_are_not_finite_are_outside);
     RUN(extreme_shapes_are_accepted);
     RUN(boxes_of_simple_shapes_are_known);
+    RUN(boxes_are_exact_where_nothing_is_rounded);
     RUN(boxes_fit_the_rims);
 #ifdef HAVE_MPFR
     RUN(nothing_of_a_solid_is_outside_its_box);
