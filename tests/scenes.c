@@ -452,7 +452,7 @@ static cylint_status segment_line(dice *r, const struct scene_shapes *s,
     point_in(r, s, from);
     point_in(r, s, to);
     if (bits(r) % 2 == 0) { /* a short one, or one that begins far away */
-        const double k = power(r, -4, bits(r) % 2 ? 0 : 5);
+        const double k = power(r, -4, bits(r) % 2 ? 0 : 13);
         for (int j = 0; j < 3; j++)
             from[j] = to[j] + k * (from[j] - to[j]);
     }
