@@ -15,9 +15,22 @@
 
 const char *const accel_words[] = {"auto", "none", "embree", NULL};
 
-/* From so many shapes on a hierarchy answers a line sooner than a batch
- * (make bench-scene), and is built in less time than the shapes are read. */
-enum { PAYS_FROM = 256 };
+/*
+ * What auto does.  A hierarchy answers sooner than a batch from PAYS_FROM
+ * shapes on, but takes about as long to be made, loading Embree included, as
+ * PAYS_AFTER lines take by batches: 1.3 to 2.4 microseconds a shape against
+ * some 0.9 ns a shape and line (make bench-scene).  Who goes by batches until
+ * then and builds it then needs at most about twice the time that the better
+ * way would have taken, however many lines there will be.
+ */
+enum { PAYS_FROM = 64, PAYS_AFTER = 2048 };
+
+/* The hierarchy, which one of the threads may still be making. */
+struct tree {
+    const struct hierarchy *by;
+    cylint_scene *scene; /* NULL: not there yet, or never */
+    size_t asked;        /* lines, before it was there */
+};
 
 #ifdef CYLINT_EMBREE
 
@@ -51,28 +64,30 @@ static const struct hierarchy *load_hierarchy(const char **why)
 
 #endif
 
-static int make_pack(struct search *s, const cylint_shape *shapes)
+static int make_pack(struct search *s)
 {
     s->memory = malloc(cylint_pack_bytes(s->count));
     if (!s->memory) {
         return out_of_memory();
     }
-    cylint_pack_shapes(&s->pack, s->memory, shapes, s->count);
+    cylint_pack_shapes(&s->pack, s->memory, s->shapes, s->count);
     return 0;
 }
 
 /* Returns an exit status; *why, if it is not 0. */
-static int make_tree(struct search *s, const cylint_shape *shapes,
-                     int threads, const char **why)
+static int make_scene(const struct search *s, const char **why)
 {
     cylint_scene_status status;
-    s->by = load_hierarchy(why);
-    if (!s->by) {
+    struct tree *tree = s->tree;
+    tree->by = load_hierarchy(why);
+    if (!tree->by) {
         return EXIT_USAGE;
     }
-    s->tree = s->by->make(shapes, s->count, threads, &status);
-    *why = s->by->error(status);
-    return s->tree ? 0
+    cylint_scene *scene = tree->by->make(s->shapes, s->count, s->threads,
+                                         &status);
+    *why = tree->by->error(status);
+    __atomic_store_n(&tree->scene, scene, __ATOMIC_RELEASE);
+    return scene ? 0
         : status == CYLINT_SCENE_EMEMORY ? EXIT_MEMORY : EXIT_USAGE;
 }
 
@@ -80,38 +95,72 @@ int search_make(struct search *s, const cylint_shape *shapes, size_t count,
                 enum accel accel, int threads)
 {
     memset(s, 0, sizeof *s);
+    s->shapes = shapes;
     s->count = count;
-    if (accel == ACCEL_EMBREE || (accel == ACCEL_AUTO && count >= PAYS_FROM)) {
-        const char *why;
-        const int status = make_tree(s, shapes, threads, &why);
-        if (status != 0 && accel == ACCEL_EMBREE) {
-            complain("--accel=embree", why);
-            return status;
+    s->threads = threads;
+    if (accel == ACCEL_EMBREE || (accel == ACCEL_AUTO && count >= PAYS_FROM
+                                  && search_has_embree())) {
+        s->tree = calloc(1, sizeof *s->tree);
+        if (!s->tree) {
+            return out_of_memory();
         }
     }
-    return s->tree ? 0 : make_pack(s, shapes);
+    if (accel == ACCEL_EMBREE) {
+        const char *why;
+        const int status = make_scene(s, &why);
+        if (status != 0) {
+            complain("--accel=embree", why);
+        }
+        return status;
+    }
+    return make_pack(s);
 }
 
 void search_free(struct search *s)
 {
-    if (s->tree) {
-        s->by->release(s->tree);
+    if (s->tree && s->tree->scene) {
+        s->tree->by->release(s->tree->scene);
     }
+    free(s->tree);
     free(s->memory);
     memset(s, 0, sizeof *s);
 }
 
+/* The hierarchy, if it is there. */
+static const cylint_scene *scene_of(const struct search *s)
+{
+    return s->tree ? __atomic_load_n(&s->tree->scene, __ATOMIC_ACQUIRE)
+                   : NULL;
+}
+
+/* The same; one line more is to be asked.  The thread that asks the one that
+ * makes it pay makes it, while the others go on by batches. */
+static const cylint_scene *scene_for_line(const struct search *s)
+{
+    const cylint_scene *scene = scene_of(s);
+    const char *why; /* does not matter: batches will do */
+    if (s->tree && !scene
+        && __atomic_add_fetch(&s->tree->asked, 1, __ATOMIC_RELAXED)
+           == PAYS_AFTER) {
+        make_scene(s, &why);
+        scene = scene_of(s);
+    }
+    return scene;
+}
+
 size_t search_nearest(const struct search *s, const cylint_line *line)
 {
+    const cylint_scene *scene = scene_for_line(s);
     cylint_hit hit;
-    return s->tree ? s->by->nearest(s->tree, line, 0, &hit)
+    return scene ? s->tree->by->nearest(scene, line, 0, &hit)
         : cylint_nearest(&s->pack, line, 0, &hit);
 }
 
 size_t search_count(const struct search *s, const cylint_line *line,
                     size_t enough)
 {
-    return s->tree ? s->by->count(s->tree, line, enough)
+    const cylint_scene *scene = scene_for_line(s);
+    return scene ? s->tree->by->count(scene, line, enough)
         : cylint_count(&s->pack, line, enough);
 }
 
@@ -137,8 +186,9 @@ size_t search_hits(const struct search *s, const cylint_line *line,
                    size_t room)
 {
     size_t found = 0;
-    if (s->tree) {
-        return s->by->all(s->tree, line, first, numbers, room);
+    const cylint_scene *scene = first == 0 ? scene_for_line(s) : scene_of(s);
+    if (scene) {
+        return s->tree->by->all(scene, line, first, numbers, room);
     }
     if (first == 0) {
         cylint_columns columns = {0};

@@ -2,7 +2,8 @@
  * search.h - how the shapes that a line hits are found among all
  *
  * By batches of all shapes or, where Embree was built in and it pays, by a
- * hierarchy of boxes: the answers are the same bits.
+ * hierarchy of boxes: the answers are the same bits.  Any number of threads
+ * may ask.
  */
 #ifndef CYLINT_SEARCH_H
 #define CYLINT_SEARCH_H
@@ -14,11 +15,12 @@ enum accel { ACCEL_AUTO, ACCEL_NONE, ACCEL_EMBREE };
 extern const char *const accel_words[]; /* in that order, then NULL */
 
 struct search {
-    cylint_pack pack;          /* n = 0, if there is a hierarchy */
-    void *memory;              /* the pack's */
-    struct cylint_scene *tree; /* NULL: by batches */
-    const struct hierarchy *by;/* how the tree is asked */
+    const cylint_shape *shapes;
     size_t count;
+    cylint_pack pack;  /* unless there is a hierarchy from the beginning */
+    void *memory;      /* the pack's */
+    struct tree *tree; /* NULL: batches only */
+    int threads;       /* to build it */
 };
 
 /* Whether Embree was there when this was built. */
