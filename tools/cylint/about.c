@@ -41,6 +41,7 @@ static const char help[] =
 "  -C                 copy blank lines and comments through\n"
 "  -b, --binary-in, --binary-out\n"
 "                     little-endian doubles in and out, in, out (needs -k)\n"
+"  --npy              binary answers as a .npy array\n"
 "  -j N               workers, at most; one for each processor by default\n"
 "  --hits-only        only answers with a hit\n"
 "  --header           column names first\n"

@@ -5,6 +5,7 @@
  * of what follows: a Python dictionary with the keys descr, fortran_order
  * and shape, padded with blanks.  [NumPy Enhancement Proposal 1]
  */
+#include <stdio.h>
 #include <string.h>
 
 #include "npy.h"
@@ -103,4 +104,22 @@ const char *npy_read(char *header, size_t length, size_t columns,
     }
     *rows = extents[0];
     return NULL;
+}
+
+void npy_write(char header[NPY_WRITTEN], unsigned long long rows,
+               size_t columns)
+{
+    enum { BEFORE = 10, TEXT = NPY_WRITTEN - BEFORE };
+    char text[TEXT + 1];
+    snprintf(text, sizeof text,
+             "{'descr': '<f8', 'fortran_order': False, 'shape': (%llu, %lu), }",
+             rows, (unsigned long)columns);
+    memcpy(header, magic, MAGIC);
+    memcpy(header + MAGIC, "\1\0", 2);
+    header[MAGIC + 2] = TEXT;
+    header[MAGIC + 3] = 0;
+    const size_t length = strlen(text);
+    memcpy(header + BEFORE, text, length);
+    memset(header + BEFORE + length, ' ', TEXT - length);
+    header[NPY_WRITTEN - 1] = '\n';
 }

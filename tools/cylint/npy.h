@@ -8,7 +8,10 @@
 
 #include "sizes.h"
 
-enum { NPY_PREFIX = 12 /* bytes that tell the header's length */ };
+enum {
+    NPY_PREFIX = 12,  /* bytes that tell the header's length */
+    NPY_WRITTEN = 128 /* bytes of a header that we write */
+};
 
 /* Whether the bytes begin like a .npy file, as far as they go. */
 int npy_begins(const char *bytes, size_t length);
@@ -24,5 +27,10 @@ size_t npy_length(const char *bytes);
  */
 const char *npy_read(char *header, size_t length, size_t columns,
                      unsigned long long *rows);
+
+/* The header of an array of so many rows of doubles; of the same length
+ * whatever the numbers. */
+void npy_write(char header[NPY_WRITTEN], unsigned long long rows,
+               size_t columns);
 
 #endif

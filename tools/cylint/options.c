@@ -11,8 +11,8 @@
 
 enum option_id {
     OPT_ACCEL = 256, OPT_BINARY_IN, OPT_BINARY_OUT, OPT_ENDS, OPT_HEADER,
-    OPT_HELP, OPT_HITS_ONLY, OPT_LIST, OPT_METHOD, OPT_MISS, OPT_PROGRESS,
-    OPT_VERSION
+    OPT_HELP, OPT_HITS_ONLY, OPT_LIST, OPT_METHOD, OPT_MISS, OPT_NPY,
+    OPT_PROGRESS, OPT_VERSION
 };
 
 static const struct option options_known[] = {
@@ -24,7 +24,7 @@ static const struct option options_known[] = {
     {"binary-out", OPT_BINARY_OUT, 0}, {"ends", OPT_ENDS, 1},
     {"header", OPT_HEADER, 0}, {"help", OPT_HELP, 0},
     {"hits-only", OPT_HITS_ONLY, 0}, {"list", OPT_LIST, 1},
-    {"method", OPT_METHOD, 1}, {"miss", OPT_MISS, 1},
+    {"method", OPT_METHOD, 1}, {"miss", OPT_MISS, 1}, {"npy", OPT_NPY, 0},
     {"progress", OPT_PROGRESS, 0}, {"version", OPT_VERSION, 0},
     {NULL, 0, 0}
 };
@@ -177,6 +177,9 @@ static void take_flag(struct options *options, const struct option *o)
         break;
     case OPT_BINARY_OUT:
         options->style.binary = 1;
+        break;
+    case OPT_NPY:
+        options->style.binary = options->array = 1;
         break;
     case 'C':
         options->comments = 1;

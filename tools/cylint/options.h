@@ -21,6 +21,7 @@ struct options {
     const cylint_method *method; /* NULL: cylint_intersect() */
     enum bad_policy bad;
     int binary_in;
+    int array;             /* binary answers with a .npy header */
     int workers;           /* 0: as many as there are processors */
     int comments;          /* copied through */
     int hits_only, header, progress;

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "main.h"
+#include "npy.h"
 #include "options.h"
 #include "output.h"
 #include "report.h"
@@ -41,6 +42,13 @@ static int is_output(const struct stat *out, const char *file)
     return status == 0 && in.st_dev == out->st_dev && in.st_ino == out->st_ino;
 }
 
+static int put_array_header(struct output *out, unsigned long long rows)
+{
+    char header[NPY_WRITTEN];
+    npy_write(header, rows, out->row / sizeof(double));
+    return output_write(out, header, sizeof header);
+}
+
 /* A regular file loses what it held, so it must not be read from. */
 static int empty_file(const struct output *out, const struct options *o)
 {
@@ -63,10 +71,31 @@ static int empty_file(const struct output *out, const struct options *o)
     return 0;
 }
 
+/* How many rows there are is known at the end, so there must be a way back. */
+static int begin_array(struct output *out)
+{
+    struct stat s;
+    const int way_back = fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode)
+        && !(fcntl(out->fd, F_GETFL) & O_APPEND);
+    if (!way_back) {
+        complain(out->name, "a .npy array must go to a file");
+        return EXIT_IO;
+    }
+    out->array = (long long)lseek(out->fd, 0, SEEK_CUR);
+    return put_array_header(out, 0);
+}
+
+static int prepare_output(struct output *out, const struct options *o)
+{
+    const int status = o->output ? empty_file(out, o) : 0;
+    return status == 0 && o->array ? begin_array(out) : status;
+}
+
 int output_open(struct output *out, const struct options *o)
 {
     const char *name = o->output;
     out->name = name ? name : "standard output";
+    out->array = -1;
     out->row = o->style.binary ? sizeof(double) * (size_t)o->fields.count : 0;
     out->fd = name ? open_file(name, O_WRONLY | O_CREAT) : 1;
     if (out->fd < 0) {
@@ -79,7 +108,7 @@ int output_open(struct output *out, const struct options *o)
         complain_errno(out->name);
         return EXIT_IO;
     }
-    return name ? empty_file(out, o) : 0;
+    return prepare_output(out, o);
 }
 
 /* How many of the bytes belong to a row that is not whole. */
@@ -127,11 +156,27 @@ int output_write(struct output *out, const char *data, size_t length)
     return 0;
 }
 
+/* Of a file that could not take all, what is behind its end does not count. */
+static int finish_array(struct output *out)
+{
+    struct stat s;
+    const off_t at = lseek(out->fd, 0, SEEK_CUR);
+    if (at == -1 || fstat(out->fd, &s) != 0
+        || lseek(out->fd, (off_t)out->array, SEEK_SET) == -1) {
+        complain_errno(out->name);
+        return EXIT_IO;
+    }
+    const long long end = (long long)(at < s.st_size ? at : s.st_size);
+    const long long rows = end - out->array - NPY_WRITTEN;
+    return put_array_header(out, (unsigned long long)rows / out->row);
+}
+
 int output_close(struct output *out)
 {
+    const int status = out->array >= 0 ? finish_array(out) : 0;
     if (close(out->fd) != 0 && errno != EINTR) {
         complain_errno(out->name);
         return EXIT_IO;
     }
-    return 0;
+    return status;
 }

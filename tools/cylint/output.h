@@ -12,6 +12,7 @@ struct output {
     int fd;
     const char *name;
     size_t row; /* bytes of a binary row; 0: rows are lines */
+    long long array; /* where in the file a .npy header stands; -1: none */
 };
 
 /* Descriptors 0 to 2 must be open before any other is: else a file that we
@@ -23,7 +24,7 @@ int open_file(const char *name, int flags);
 
 /* All three return 0 or an exit status, having said why.  The file of -o is
  * refused if it is also read from.  A file that cannot take all that is
- * written ends with a whole row. */
+ * written ends with a whole row.  A .npy header is completed at the end. */
 int output_open(struct output *out, const struct options *options);
 int output_write(struct output *out, const char *data, size_t length);
 int output_close(struct output *out);
