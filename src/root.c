@@ -566,6 +566,33 @@ static double in_scale(const cylint_query *q, double t)
     return q->t_exponent == 0 ? t : cylint_scaled(t, -q->t_exponent);
 }
 
+/* A root known to an error against the domain: 1 within, -1 outside, 0 too
+ * near a limit to tell. */
+static int placed(const cylint_query *q, double t, double error)
+{
+    const double from = in_scale(q, q->line->tmin);
+    const double to = in_scale(q, q->line->tmax);
+    /* of a limit brought into scale */
+    const double off_from = 0x1p-50 * fmin(fabs(from), DBL_MAX);
+    const double off_to = 0x1p-50 * fmin(fabs(to), DBL_MAX);
+    error = 1.01 * error + CYLINT_UNDERFLOW;
+    if (t + error < from - off_from || t - error > to + off_to)
+        return -1;
+    return t - error > from + off_from && t + error < to - off_to;
+}
+
+/* The same by pairs, which know a root that lies near the line's origin. */
+static int placed_by_pairs(cylint_query *q, cylint_root root)
+{
+    if (!q->filters || root == ROOT_APEX || root == ROOT_DOUBLE)
+        return 0;
+    const quotient_wide f = quotient_of_wide(cylint_wide_line(q), root);
+    if (!(f.error < 0x1p-10))
+        return 0;
+    const double t = pair_div(f.num, f.den).hi;
+    return placed(q, t, (f.error + 0x1p-50) * fabs(t));
+}
+
 int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
                        double *t, double *more)
 {
@@ -576,14 +603,13 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
     if (!wanted && !limited)
         return 1;
     const estimate k = estimate_of(q, root);
-    if (limited && k.error < HUGE_VAL) {
-        const double from = in_scale(q, tmin), to = in_scale(q, tmax);
-        const double error = 1.01 * k.error + CYLINT_UNDERFLOW;
-        if (k.t + error < from - fabs(from) * 0x1p-50 ||
-            k.t - error > to + fabs(to) * 0x1p-50)
+    if (limited) {
+        int place = k.error < HUGE_VAL ? placed(q, k.t, k.error) : 0;
+        if (place == 0)
+            place = placed_by_pairs(q, root);
+        if (place < 0)
             return 0;
-        if (!wanted && k.t - error > from + fabs(from) * 0x1p-50 &&
-            k.t + error < to - fabs(to) * 0x1p-50)
+        if (place > 0 && !wanted)
             return 1;
     }
     *t = root_value(q, root, k, more);
