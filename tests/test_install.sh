@@ -79,7 +79,7 @@ flags()
     if command -v pkg-config > /dev/null; then
         PKG_CONFIG_LIBDIR=$lib/pkgconfig PKG_CONFIG_SYSROOT_DIR=$root \
             PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1 \
-            pkg-config "$@" cylint
+            pkg-config "$@" ${package:-cylint}
     else
         echo "-I$root/usr/include -L$lib -lcylint"
     fi
@@ -154,6 +154,13 @@ test_manual_examples()
         verdict "${page}_has_example_$number" $?
         example "${page}_example_$number" static $cc -std=c99
     done
+    command -v pkg-config > /dev/null &&
+        [ -f "$lib/pkgconfig/cylint-embree.pc" ] || return
+    display cylint_scene.3 1 > "$scratch/example.c"
+    display cylint_scene.3 2 > "$scratch/example.said"
+    package=cylint-embree
+    example cylint_scene.3_example shared $cc -std=c99
+    package=
 }
 
 # The structs that the manuals show have the members of the headers, at the
