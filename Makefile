@@ -213,6 +213,12 @@ count_stages: $(BUILD)/tools/bench/stages
 stages: ## share of questions that need pairs, exact digits, ..., by family
 	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
 
+$(BUILD)/tools/bench/measure: $(BUILD)/tools/bench/measure.o
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+bench-text: all $(BUILD)/tools/bench/measure ## the command beside what else reads numbers; QUICK=1
+	@BUILD='$(BUILD)' QUICK='$(QUICK)' sh tools/bench/text.sh
+
 stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, an hour or less
 	$(BUILD)/tests/stress
 
@@ -326,7 +332,7 @@ clean: ## what was built
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' Makefile
 
-.PHONY: all bench bench_programs demo stress search covered coverage mutants check check-cross check-cluster check-embree check-embree4 prove lint sanitize deps deps-cross deps-cluster install uninstall clean help
+.PHONY: all bench bench-text bench_programs demo stress search covered coverage mutants check check-cross check-cluster check-embree check-embree4 prove lint sanitize deps deps-cross deps-cluster install uninstall clean help
 .SECONDARY:
 %.d: ;
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
