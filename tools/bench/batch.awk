@@ -81,8 +81,8 @@ function arranged(   s, a, h, k, r, key, to) {
             }
 }
 
-# kernel.h divides three times and takes one root where a line meets the
-# lateral surface, and divides twice more for each root that is rounded.
+# kernel.h divides three times and takes one root where a line meets the ball
+# about a shape, and divides twice more for each root that is rounded.
 function limits(   h, k, a, to, key, asked, least, d, r, n) {
     print "\nThe divider: ns a result, and the least that it lets a test of cylinders take (share of what it took)"
     for (k = 1; k <= many["widths"]; k++)

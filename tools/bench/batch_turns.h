@@ -41,7 +41,7 @@ void batch_turn(void *turn, const int *order, int n);
 size_t turn_tests(const struct turn *t);
 
 /* Of the tests of so many questions, per cent that hit; and per cent whose
- * line meets the lateral surface, were it infinite. */
+ * line meets the ball about the shape. */
 void turn_shares(const struct turn *t, int questions, double *hits,
                  double *reached);
 
