@@ -224,7 +224,7 @@ void turn_shares(const struct turn *t, int questions, double *hits,
             cylint_answer answer;
             n_hits += cylint_intersect(&shape, line, CYLINT_WANT_COUNT,
                                        &answer) > 0;
-            n_reached += meets_ball(&shape, line);
+            n_reached += (size_t)meets_ball(&shape, line);
         }
     *hits = 100.0 * (double)n_hits / ((double)n * questions);
     *reached = 100.0 * (double)n_reached / ((double)n * questions);
