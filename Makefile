@@ -277,9 +277,10 @@ threaded := -g -O1 -fsanitize=thread
 faulty: $(BUILD)/cylint $(BUILD)/tests/faulty
 check-threads: ## 8 threads in a scene, 8 workers, under the thread sanitizer
 	$(MAKE) BUILD=$(BUILD)/threads CFLAGS='$(threaded)' CXXFLAGS='$(threaded)' faulty \
-	  $(if $(EMBREE),$(BUILD)/threads/tests/test_embree_threads)
+	  $(if $(EMBREE),$(BUILD)/threads/tests/test_embree_threads) $(if $(RENDER),$(BUILD)/threads/cylint-render)
 	$(if $(EMBREE),TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_embree_threads)
 	BUILD=$(BUILD)/threads WORKERS=8 sh tests/test_faults.sh
+	$(if $(RENDER),BUILD=$(BUILD)/threads sh tests/render_threads.sh)
 
 deps: ## install what the tests need (Debian)
 	@sh tools/deps.sh

@@ -88,10 +88,14 @@ static int take_picture(const struct options *o, struct stage *stage,
     const unsigned long long pixels = (unsigned long long)o->width
                                     * (unsigned long long)o->height;
     struct picture picture;
-    const int workers = o->workers > 0 ? o->workers : processors();
+    /* More builders than processors are none the faster. */
+    const int processors_here = processors();
+    const int workers = o->workers > 0 ? o->workers : processors_here;
+    const int builders = workers < processors_here ? workers
+                                                   : processors_here;
     cylint_scene_status built;
     cylint_scene *scene = cylint_scene_new(stage->shapes, stage->count,
-                                           workers, &built);
+                                           builders, &built);
     if (!scene) {
         complain(o->scene, cylint_scene_strerror((int)built));
         return built == CYLINT_SCENE_EMEMORY ? EXIT_MEMORY : EXIT_BAD;
