@@ -122,7 +122,7 @@ $(BUILD)/tests/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 $(BUILD)/tests/embree_%.o $(BUILD)/tests/test_embree_%.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 
 $(BUILD)/src/dispatch.o: extra += $(if $(findstring kernel-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
-$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/embree/lanetest%.o: extra += -O3
+$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/embree/lanetest%.o $(BUILD)/src/embree/sort.o: extra += -O3
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
@@ -135,7 +135,7 @@ $(filter $(BUILD)/src/batch-%,$(lib_objects)): $(BUILD)/src/batch-%.o: src/batch
 	$(compile) $(FLAGS.$*) -c -o $@ $<
 
 $(embree_builds): $(BUILD)/src/embree/lanetest-%.o: src/embree/lanetest.c
-	$(compile) -mavx2 -mfma -DCYLINT_BLOCK_TEST=cylint_block_test_$* -c -o $@ $<
+	$(compile) -mavx2 -mfma -DCYLINT_BLOCK_TESTS=cylint_block_tests_$* -c -o $@ $<
 
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc
 	@mkdir -p $(@D)
@@ -197,6 +197,14 @@ bench-scene: $(if $(EMBREE),$(BUILD)/tools/bench/scene) ## scenes against asking
 	@BUILD='$(BUILD)' sh tools/bench/scene.sh
 
 bench_programs: $(bench_programs)
+
+$(BUILD)/tools/bench/embree.o $(BUILD)/tools/bench/embree_%.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
+$(BUILD)/tools/bench/embree: $(patsubst %,$(BUILD)/tools/bench/%.o,embree embree_scenes embree_rivals timing) $(embree_library) $(BUILD)/libcylint.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(EMBREE_LIBS) -lm
+
+.PHONY: bench-embree
+bench-embree: $(BUILD)/tools/bench/embree ## scenes beside Embree's own curves; QUICK=1: in a minute
+	$(BUILD)/tools/bench/embree $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree.tsv
 
 bench: bench_programs ## time against error, tables and charts; QUICK=1: in two minutes
 	@$(if $(GSL),,echo 'bench: no GSL, so no questions to ask (make deps)'; exit 1)

@@ -138,16 +138,35 @@ static size_t expected(const struct record *q, int ray, double *t)
     return nearest;
 }
 
+/* Hits of a shape that floats show at t: entry and exit may be one float. */
+static int hits_at(const struct record *q, int ray, unsigned prim, float t)
+{
+    const cylint_line line = rays_line(q->r, ray);
+    cylint_answer answer;
+    int n = 0;
+    const int hits = cylint_intersect(&q->w->shapes[prim], &line,
+                                      CYLINT_WANT_T, &answer);
+    for (int i = 0; i < hits; i++)
+        n += world_float_above(answer.hit[i].t) == t;
+    return n;
+}
+
+/* Offers beyond the hits there are. */
 static int twice(const struct record *q, int which)
 {
     int n = 0;
     const int most = q->offers[which] < MOST_OFFERS ? q->offers[which]
                                                     : MOST_OFFERS;
-    for (int i = 0; i < most; i++)
+    for (int i = 0; i < most; i++) {
+        int same = 1;
         for (int j = 0; j < i; j++)
-            n += q->offer[which][i].prim == q->offer[which][j].prim &&
-                 q->offer[which][i].t == q->offer[which][j].t &&
-                 q->offer[which][i].ray == q->offer[which][j].ray;
+            same += q->offer[which][i].prim == q->offer[which][j].prim &&
+                    q->offer[which][i].t == q->offer[which][j].t &&
+                    q->offer[which][i].ray == q->offer[which][j].ray;
+        n += same > 1 && same > hits_at(q, q->offer[which][i].ray,
+                                        q->offer[which][i].prim,
+                                        q->offer[which][i].t);
+    }
     return n;
 }
 

@@ -39,17 +39,15 @@ static void box_of(const cylint_embree_data *data, size_t number, int step,
         cylint_moving_bounds(shape, data->moved + number, step, box);
         return;
     }
-    double lo[3], hi[3];
-    cylint_bounds(shape, lo, hi);
-    *box = cylint_float_box(lo, hi);
+    const cylint_view view = cylint_plain_view(data->shapes);
+    *box = cylint_trunk_box(&view, (uint32_t)number);
 }
 
 static void block_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_embree_data *data = args->geometryUserPtr;
-    struct RTCBounds box;
-    const cylint_view view = cylint_plain_view(data->shapes);
-    cylint_block_box(data->group.blocks + args->primID, &view, &box);
+    const struct RTCBounds box =
+        cylint_block_box(data->group.blocks + args->primID);
     *args->bounds_o = cylint_padded_box(&box, data->pad);
 }
 
@@ -161,7 +159,7 @@ static cylint_embree_data *new_data(RTCDevice device,
         data->user = options->user;
     }
     if (!(data->how & CYLINT_EMBREE_SINGLE) && !data->moved)
-        data->test = cylint_block_test_used();
+        data->test = cylint_block_tests_used()->ray;
     return data;
 }
 

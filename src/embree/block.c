@@ -6,7 +6,7 @@
 #include <string.h>
 
 /*
- * From the box's middle, which is a float, to its sides it is at most REACH
+ * From the box's centre to its sides it is at most REACH
  * steps of 2^-k, and more than half as many unless k is limited.  Shorts hold
  * the rest: radii, at most sqrt(3/2) REACH for a disc in such a box, and
  * axes that are lengthened below.
@@ -14,30 +14,41 @@
 #define REACH 24000.0
 #define LARGEST 32767.0
 
-/* A step of no less than 2^-126 has a normal inverse, and so has it. */
+/* At most 2^100 a unit: what floats take for zero is no part of a step. */
 static float steps_per_unit(double half)
 {
     int e;
-    frexp(fmax(half, 0x1p-126) / REACH, &e); /* half / REACH <= 2^e */
-    return ldexpf(1, -(e > -126 ? e : -126));
+    frexp(fmax(half, REACH * 0x1p-100) / REACH, &e); /* half / REACH <= 2^e */
+    return ldexpf(1, -e);
 }
 
-static float middle(float lower, float upper)
+static void place(cylint_block *block, const cylint_box *boxes, int used)
 {
-    return (float)(((double)lower + (double)upper) / 2);
-}
-
-static void place(cylint_block *block, const struct RTCBounds *box)
-{
-    const float lower[3] = {box->lower_x, box->lower_y, box->lower_z};
-    const float upper[3] = {box->upper_x, box->upper_y, box->upper_z};
-    double half = 0;
+    double most = 0;
     for (int j = 0; j < 3; j++) {
-        block->center[j] = middle(lower[j], upper[j]);
-        const double c = block->center[j];
-        half = fmax(half, fmax(upper[j] - c, c - lower[j]));
+        float lower = boxes[0].lower[j], upper = boxes[0].upper[j];
+        for (int lane = 1; lane < used; lane++) {
+            lower = fminf(lower, boxes[lane].lower[j]);
+            upper = fmaxf(upper, boxes[lane].upper[j]);
+        }
+        const float c = (float)(((double)lower + (double)upper) / 2);
+        const double half = fmax((double)upper - (double)c,
+                                 (double)c - (double)lower);
+        block->center[j] = c;
+        block->half[j] = cylint_float_above(half);
+        most = fmax(most, half);
     }
-    block->per_unit = steps_per_unit(half);
+    block->per_unit = steps_per_unit(most);
+}
+
+struct RTCBounds cylint_block_box(const cylint_block *block)
+{
+    double lo[3], hi[3];
+    for (int j = 0; j < 3; j++) {
+        lo[j] = (double)block->center[j] - (double)block->half[j];
+        hi[j] = (double)block->center[j] + (double)block->half[j];
+    }
+    return cylint_float_box(lo, hi);
 }
 
 /* A cylinder in steps. */
@@ -104,44 +115,28 @@ static int hold(cylint_block *block, int lane, const cylint_trunk *t,
 }
 
 void cylint_block_fill(cylint_block *block, const cylint_view *view,
-                       const cylint_block_entry *entries, int used,
-                       const struct RTCBounds *box)
+                       const cylint_box *boxes, int used)
 {
     memset(block, 0, sizeof *block);
-    place(block, box);
+    place(block, boxes, used);
     block->used = (uint8_t)used;
     for (int lane = 0; lane < used; lane++) {
-        const cylint_block_entry *entry = entries + lane;
+        const cylint_box *box = boxes + lane;
+        const cylint_piece piece = {box->index, box->count};
         cylint_trunk trunk;
-        cylint_trunk_of(&trunk, view, entry->number);
-        block->number[lane] = entry->number;
-        block->index[lane] = (uint8_t)entry->piece.index;
-        block->count[lane] = (uint8_t)entry->piece.count;
-        if (!hold(block, lane, &trunk, entry->piece, view->blur))
+        cylint_trunk_of(&trunk, view, box->number);
+        block->number[lane] = box->number;
+        block->piece[lane] = (uint8_t)(piece.index | (piece.count - 1) << 4);
+        if (!hold(block, lane, &trunk, piece, view->blur))
             block->always |= (uint8_t)(1u << lane);
     }
 }
 
-void cylint_block_box(const cylint_block *block, const cylint_view *view,
-                      struct RTCBounds *box)
-{
-    for (int lane = 0; lane < block->used; lane++) {
-        const cylint_piece piece = {block->index[lane], block->count[lane]};
-        cylint_trunk trunk;
-        cylint_trunk_of(&trunk, view, block->number[lane]);
-        const struct RTCBounds b = cylint_piece_box(&trunk, piece);
-        if (lane == 0)
-            *box = b;
-        else
-            cylint_extend_box(box, &b);
-    }
-}
-
-cylint_block_test *cylint_block_test_used(void)
+const cylint_block_tests *cylint_block_tests_used(void)
 {
 #ifdef CYLINT_BUILDS_X86
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return cylint_block_test_avx2;
+        return &cylint_block_tests_avx2;
 #endif
-    return cylint_block_test_plain;
+    return &cylint_block_tests_plain;
 }

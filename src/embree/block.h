@@ -3,69 +3,76 @@
  * may meet
  *
  * A block answers in floats, conservatively: a lane is left out only if the
- * line certainly does not meet its piece within the domain.  Lines come in
- * doubles and are moved to the block's centre in doubles, so a block is as
- * discerning far from the origin as near it.  The answers are for
- * cylint_intersect() to give.
+ * line certainly does not meet its piece within the domain.  What comes from
+ * far is moved to the block's centre in doubles, so a block is as discerning
+ * far from the origin as near it.  The answers are for cylint_intersect() to
+ * give.
  */
 #ifndef CYLINT_EMBREE_BLOCK_H
 #define CYLINT_EMBREE_BLOCK_H
 
 #include <stdint.h>
 
+#include "sort.h"
 #include "trunk.h"
 
-enum { CYLINT_BLOCK = 8 };
-
 /*
- * Around `center` all lengths are whole numbers of steps, so three cache
- * lines hold 8 pieces: for each a circular cylinder, from axis point p[0] to
- * p[1] with radius r, that holds the piece.  Conical and elliptic pieces are
- * held by such cylinders too.
+ * Around the box's centre all lengths are whole numbers of steps, so three
+ * cache lines hold 8 pieces: for each a circular cylinder, from axis point
+ * p[0] to p[1] with radius r, that holds the piece.  Conical and elliptic
+ * pieces are held by such cylinders too.
  */
 typedef struct cylint_block {
-    float center[3];
+    float center[3], half[3];      /* box of the pieces */
     float per_unit;                /* steps per unit of length: 2^k */
     int16_t p[2][3][CYLINT_BLOCK];
     int16_t r[CYLINT_BLOCK];
     uint32_t number[CYLINT_BLOCK]; /* of the shape */
-    uint8_t index[CYLINT_BLOCK];   /* of the piece ... */
-    uint8_t count[CYLINT_BLOCK];   /* ... among so many */
+    uint8_t piece[CYLINT_BLOCK];   /* of it: index, and 16 (count - 1) */
     uint8_t used;                  /* lanes */
     uint8_t always;                /* bits: lanes without a cylinder */
-    uint8_t spare[14];
+    uint8_t spare[10];             /* to the end of a cache line */
 } cylint_block;
 
-/* What goes into a block. */
-typedef struct cylint_block_entry {
-    uint32_t number;
-    cylint_piece piece;
-} cylint_block_entry;
-
-/* Fills a block with 1 to 8 pieces, whose boxes lie within `box`. */
+/* Fills a block with 1 to 8 pieces and their boxes. */
 void cylint_block_fill(cylint_block *block, const cylint_view *view,
-                       const cylint_block_entry *entries, int used,
-                       const struct RTCBounds *box);
+                       const cylint_box *boxes, int used);
 
-/* A box around the block's pieces. */
-void cylint_block_box(const cylint_block *block, const cylint_view *view,
-                      struct RTCBounds *box);
+/* The box, which holds those of the pieces. */
+struct RTCBounds cylint_block_box(const cylint_block *block);
+
+static inline cylint_piece cylint_block_piece(const cylint_block *b, int lane)
+{
+    return (cylint_piece){b->piece[lane] & 15, (b->piece[lane] >> 4) + 1};
+}
 
 /*
  * The lanes (bits) whose pieces o + t d may meet within tmin <= t <= tmax;
- * least[lane] is then no larger than the least such t.  d as it is or off by
- * 2^-52 of its length (the high parts of a segment's).
+ * least[lane] is then no larger than the least such t.
+ *
+ *   line   doubles, d as it is or off by 2^-52 of its length (the high parts
+ *          of a segment's);
+ *   ray    floats as they are: faster.
  */
-typedef unsigned cylint_block_test(const cylint_block *block,
-                                   const double o[3], const double d[3],
-                                   double tmin, double tmax,
-                                   double least[CYLINT_BLOCK]);
+typedef unsigned cylint_block_test_line(const cylint_block *block,
+                                        const double o[3], const double d[3],
+                                        double tmin, double tmax,
+                                        double least[CYLINT_BLOCK]);
+typedef unsigned cylint_block_test_ray(const cylint_block *block,
+                                       const struct RTCRay *ray,
+                                       float least[CYLINT_BLOCK]);
 
-/* The build for this processor. */
-cylint_block_test *cylint_block_test_used(void);
+typedef struct cylint_block_tests {
+    cylint_block_test_line *line;
+    cylint_block_test_ray *ray;
+} cylint_block_tests;
+
+/* Those for this processor. */
+const cylint_block_tests *cylint_block_tests_used(void);
 
 /* The builds. */
-extern cylint_block_test cylint_block_test_plain, cylint_block_test_avx2;
+extern const cylint_block_tests cylint_block_tests_plain,
+                                cylint_block_tests_avx2;
 
 /*
  * Whether a hit at z on the lane's shape is that lane's to report.  Of all
@@ -75,8 +82,8 @@ extern cylint_block_test cylint_block_test_plain, cylint_block_test_avx2;
 static inline int cylint_block_owns(const cylint_block *block, int lane,
                                     double z)
 {
-    return block->count[lane] == 1 ||
-           cylint_piece_at(z, block->count[lane]) == block->index[lane];
+    const cylint_piece piece = cylint_block_piece(block, lane);
+    return cylint_piece_at(z, piece.count) == piece.index;
 }
 
 #endif

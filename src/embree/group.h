@@ -18,8 +18,7 @@ typedef struct cylint_group {
 /*
  * Groups the n shapes of the given numbers (NULL: those from 0 on), all
  * bounded and with boxes that Embree keeps; n < 2^32 - 1.  Returns 0 where memory was refused: nothing is left.
- * Which blocks come of it depends on Embree; that each shape's every piece is
- * in one lane of one block does not.
+ * Every piece of every shape is in one lane of one block.
  */
 int cylint_group_make(cylint_group *group, RTCDevice device,
                       const cylint_view *view, const uint32_t *numbers,

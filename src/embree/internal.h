@@ -1,8 +1,8 @@
 /*
  * internal.h - what the adapter's files tell each other
  *
- * Which way the calls point: adapter.c -> group.c -> block.c -> trunk.c, and
- * trace.c -> lanetest.c.
+ * Which way the calls point: adapter.c -> group.c -> block.c -> trunk.c,
+ * group.c -> sort.c, and trace.c -> quick.c, lanetest.c.
  */
 #ifndef CYLINT_EMBREE_INTERNAL_H
 #define CYLINT_EMBREE_INTERNAL_H
@@ -24,7 +24,7 @@ typedef struct cylint_embree_data {
     double pad;                   /* by which boxes are widened for Embree */
     unsigned how;
     void *user;
-    cylint_block_test *test;      /* NULL: one shape a primitive */
+    cylint_block_test_ray *test;  /* NULL: one shape a primitive */
     cylint_group group;
 } cylint_embree_data;
 

@@ -57,6 +57,7 @@ static inline unsigned f_not_greater(vf x, vf y)
 
 #else
 
+#define NO_LANES
 #include <math.h>
 enum { WIDTH = 1 };
 typedef float vf;
@@ -67,6 +68,62 @@ static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
 static inline vf f_abs(vf x) { return fabsf(x); }
 static inline vf f_sqrt(vf x) { return sqrtf(x); }
 static inline unsigned f_not_greater(vf x, vf y) { return !(x > y); }
+
+#endif
+
+/* Four floats, for boxes: x, y, z and one to spare, which v4_xyz() clears. */
+#ifdef NO_LANES
+
+typedef struct {
+    float x[4];
+} v4;
+#define V4_EACH(expression) \
+    v4 r; \
+    for (int i = 0; i < 4; i++) \
+        r.x[i] = expression; \
+    return r;
+static inline v4 v4_load(const float *x) { V4_EACH(x[i]) }
+static inline v4 v4_set(float x) { V4_EACH(x) }
+static inline void v4_store(float *x, v4 a)
+{
+    for (int i = 0; i < 4; i++)
+        x[i] = a.x[i];
+}
+static inline v4 v4_min(v4 a, v4 b) { V4_EACH(a.x[i] < b.x[i] ? a.x[i] : b.x[i]) }
+static inline v4 v4_max(v4 a, v4 b) { V4_EACH(a.x[i] > b.x[i] ? a.x[i] : b.x[i]) }
+static inline v4 v4_add(v4 a, v4 b) { V4_EACH(a.x[i] + b.x[i]) }
+static inline v4 v4_sub(v4 a, v4 b) { V4_EACH(a.x[i] - b.x[i]) }
+static inline v4 v4_mul(v4 a, v4 b) { V4_EACH(a.x[i] * b.x[i]) }
+static inline v4 v4_xyz(v4 a)
+{
+    a.x[3] = 0;
+    return a;
+}
+static inline void v4_truncate(int32_t *to, v4 a)
+{
+    for (int i = 0; i < 4; i++)
+        to[i] = (int32_t)a.x[i];
+}
+
+#else
+
+typedef __m128 v4;
+static inline v4 v4_load(const float *x) { return _mm_loadu_ps(x); }
+static inline v4 v4_set(float x) { return _mm_set1_ps(x); }
+static inline void v4_store(float *x, v4 a) { _mm_storeu_ps(x, a); }
+static inline v4 v4_min(v4 a, v4 b) { return _mm_min_ps(a, b); }
+static inline v4 v4_max(v4 a, v4 b) { return _mm_max_ps(a, b); }
+static inline v4 v4_add(v4 a, v4 b) { return _mm_add_ps(a, b); }
+static inline v4 v4_sub(v4 a, v4 b) { return _mm_sub_ps(a, b); }
+static inline v4 v4_mul(v4 a, v4 b) { return _mm_mul_ps(a, b); }
+static inline v4 v4_xyz(v4 a)
+{
+    return _mm_and_ps(a, _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1)));
+}
+static inline void v4_truncate(int32_t *to, v4 a)
+{
+    _mm_storeu_si128((__m128i *)(void *)to, _mm_cvttps_epi32(a));
+}
 
 #endif
 

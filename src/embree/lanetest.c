@@ -7,14 +7,13 @@
 #include "block.h"
 #include "lanes.h"
 
-#ifndef CYLINT_BLOCK_TEST
-#define CYLINT_BLOCK_TEST cylint_block_test_plain
+#ifndef CYLINT_BLOCK_TESTS
+#define CYLINT_BLOCK_TESTS cylint_block_tests_plain
 #endif
 
 /*
  * In steps around the block's centre a lane is a cylinder: axis p to p + w,
- * radius r.  The line is q + s e, e of unit length, q its point nearest to
- * the centre.  With D = q - p
+ * radius r.  The line is q + s e.  With D = q - p
  *
  *   n = e x w,  f = D.n:           the line passes the axis at |f| / |n|;
  *   T = (D.w)(e.w) - (D.e) ww:     nearest at s = T / nn;
@@ -24,34 +23,34 @@
  * multiplied by nn, so that a line along the axis needs no division; it only
  * makes the errors weigh more.
  *
- * Errors.  u = 2^-24; W = |w|, N = |n| <= W; K = 2^17 bounds |D|, |s| and
- * with r stays below 2^18: the parts of the pieces that count are no farther
- * than sqrt(3) REACH < 2^16 from the centre, nor is q, else the line misses.
+ * Errors.  u = 2^-24; W >= |w|, E >= |e|, N = |n| <= E W.  K bounds D and, as
+ * pieces lie within 2^17 of the centre, counting sizes of components, r < K / 4
+ * and s e where it counts.
  *
- *  - q, e and D are rounded.  The line is displaced by u |q| + u |s| + u |D| <
- *    2^-5, and by `off` from the doubles.  That is a wider and longer lane.
- *  - n is wrong by a vector of at most 2 sqrt(3) u W.
- *    f is wrong by K (2 sqrt(3) u W + 3 u N).
- *    r |n| <= |f| is certainly false if g < |f|, with
- *      g = (r + 2^-5 + off) N + 2 sqrt(3) u 2^18 W + 3 u K N
- *        + 6 u r N (from N and g themselves) <= (r + 1/8 + off) N + W / 8.
+ *  - q, e and D are rounded, by 3 u K in all: a wider and longer lane.  So it
+ *    is by `off`, what q is off before.
+ *  - n is wrong by a vector of at most 2 sqrt(3) u E W,
+ *    f by K (2 sqrt(3) u E W + 3 u N).
+ *    r N <= |f| is certainly false if g < |f|, with
+ *      g = (r + 3 u K + off) N + 2 sqrt(3) u (K + r) E W + 3 u K N
+ *        + 6 u r N (from N and g themselves) <= r N + k E W,
+ *      k = 16 u K + off.
  *    This g serves C too, as (g - f)(g + f) >= r^2 nn - f^2 follows from
  *    g - r N >= the error of f.
- *  - T: the dot products are wrong by 3 u of their bounds K W, W, K, W^2, so T
- *    by 15 u K W^2; where s is within r of the axis, s nn differs from T + C
- *    by what n's error makes of K, r and T, 11 u K W^2 at most, and C is
- *    wrong by 4 u 2^17 W^2.  In all 30 u 2^17 W^2 < W^2 / 4: half of ww is
- *    given, the other quarter for rounding s nn and T / nn, each below 2^18.
- *  - (D.w) nn + (e.w) s nn: 12 u K W^3 < W^3 / 8 for the products, W^3 / 4
- *    from T, and the longer ends, (2^-5 + off) W nn: in all (ww + off nn) W.
+ *  - T: the dot products are wrong by 3 u of their bounds K W, E W, K E, W^2,
+ *    so T by 15 u K E W^2; where s is within r of the axis, s nn differs from
+ *    T + C by what n's error makes of K, r and T, 8 u K E W^2 at most, C is
+ *    wrong by 2 u K E W^2, and rounding s nn and T / nn takes 6 u K E W^2.
+ *    In all less than 3 k E W^2.
+ *  - (D.w) nn + (e.w) s nn: 13 u K E^2 W^3 for the products, 31 from T, and
+ *    the longer ends, (3 u K + off) W nn: in all less than 4 k E^2 W^3.
  *
- * W is taken from above as |w_x| + |w_y| + |w_z|.  What is flushed to zero
- * instead of being subnormal is below 2^-126 and disappears in W / 8 and ww / 2,
- * as every lane has W >= 1.
+ * Both are not small beside W^2 nn and W^3 nn when the line is nearly along
+ * the axis.  What is flushed to zero instead of being subnormal disappears in
+ * k E W, as every lane has W >= 1, and E and K are limited below.
  */
 typedef struct {
-    float q[3], e[3];
-    float off, first, last; /* first and last with `off` and 1/8 to spare */
+    float q[3], e[3], E, k, first, last;
 } lane_line;
 
 static inline vf dot(const vf x[3], const vf y[3])
@@ -74,61 +73,82 @@ static inline unsigned test_lanes(const cylint_block *b, int from,
         const int k = (j + 1) % 3, m = (j + 2) % 3;
         n[j] = f_mad(e[k], w[m], -(e[m] * w[k]));
     }
-    const vf eighth = f_set(0.125f), half = f_set(0.5f), off = f_set(l->off);
-    const vf nn = dot(n, n), f = f_abs(dot(D, n));
     const vf W = f_abs(w[0]) + f_abs(w[1]) + f_abs(w[2]);
-    const vf r = f_from_shorts(b->r + from) + (eighth + off);
-    const vf g = f_mad(r, f_sqrt(nn), W * eighth);
+    const vf nn = dot(n, n), f = f_abs(dot(D, n));
+    const vf kEW = f_set(l->k * l->E) * W;
+    const vf g = f_mad(f_from_shorts(b->r + from), f_sqrt(nn), kEW);
     unsigned met = f_not_greater(f, g);
     if (!met)
         return 0;
     const vf ww = dot(w, w), Dw = dot(D, w), ew = dot(e, w);
     const vf T = f_mad(Dw, ew, -(dot(D, e) * ww));
     const vf C = f_sqrt((g - f) * (g + f) * ww);
-    const vf middle = ww * nn * half;
-    const vf room = f_mad(f_abs(ew), C, f_mad(off, nn, ww) * W);
+    const vf middle = ww * nn * f_set(0.5f);
+    const vf room = f_mad(f_abs(ew), C, kEW * ww * f_set(4 * l->E));
     met &= f_not_greater(f_abs(f_mad(Dw, nn, ew * T) - middle), middle + room);
-    const vf half_ww = ww * half;
-    const vf begin = T - C - half_ww, end = T + C + half_ww;
+    const vf spare = ww * f_set(3 * l->k * l->E);
+    const vf begin = T - C - spare, end = T + C + spare;
     met &= f_not_greater(begin, f_set(l->last) * nn);
     met &= f_not_greater(f_set(l->first) * nn, end);
     f_store(least + from, begin / nn);
     return met;
 }
 
-/* All that q and the domain may be off, in steps, beyond which floats are of
- * no use; and how far q may be from the centre where pieces are met. */
-#define OFF_LIMIT 4096.0
-#define NEAR_LIMIT (65536.0 - OFF_LIMIT)
-#define DOMAIN_LIMIT 262144.0
+static unsigned lanes_in_use(const cylint_block *b)
+{
+    return (1u << b->used) - 1;
+}
+
+static inline unsigned test(const cylint_block *b, const lane_line *l,
+                            float *least)
+{
+    unsigned met = 0;
+    for (int lane = 0; lane < b->used; lane += WIDTH)
+        met |= test_lanes(b, lane, l, least) << lane;
+    return (met | b->always) & lanes_in_use(b);
+}
+
+/* How far a line may begin, in steps, and its E, for floats to be of use. */
+#define FAR_LIMIT 0x1p23f
+#define E_LIMIT 0x1p10f
+#define REACH_OF_PIECES 0x1p17f
+
+/* ------------------------------------------------------- from far: lines -- */
 
 static unsigned all_lanes(const cylint_block *b, double tmin, double *least)
 {
     for (int lane = 0; lane < b->used; lane++)
         least[lane] = tmin;
-    return (1u << b->used) - 1;
+    return lanes_in_use(b);
 }
 
+/* All that q may be off, beyond which floats are of no use. */
+#define OFF_LIMIT 4096.0
+
+/* Farther than pieces are, but for what rounding adds. */
 static float clamp(double s)
 {
-    return (float)fmin(fmax(s, -DOMAIN_LIMIT), DOMAIN_LIMIT);
+    const double most = 0x1p19;
+    return (float)(s < -most ? -most : s > most ? most : s);
 }
 
 /*
- * The line at the block.  o - c, the unit vector, the distance s0 along it and
- * the sums are rounded doubles: the line is displaced, and a t misplaced along
- * it, by less than 11 roundings of |o - c|, here 16.
+ * The line is moved to its point nearest to the block's centre, in doubles,
+ * e being of unit length.  o - c, the unit vector, the distance along it and
+ * the sums are rounded: the line is displaced, and a t misplaced along it, by
+ * less than 11 roundings of |o - c|, here 16.  Should q still be far, the line
+ * misses: sizes of components are at most sqrt(3) of lengths.
  */
-unsigned CYLINT_BLOCK_TEST(const cylint_block *b, const double o[3],
-                           const double d[3], double tmin, double tmax,
-                           double least[CYLINT_BLOCK])
+static unsigned test_line(const cylint_block *b, const double o[3],
+                          const double d[3], double tmin, double tmax,
+                          double least[CYLINT_BLOCK])
 {
     const double dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     if (!(dd > 0x1p-900 && dd < 0x1p900))
         return all_lanes(b, tmin, least);
     const double steps = b->per_unit, length = sqrt(dd), per_length = 1 / length;
     double from[3], along = 0, far = 0, apart = 0;
-    lane_line l;
+    lane_line l = {.E = 2};
     for (int j = 0; j < 3; j++) {
         from[j] = o[j] - (double)b->center[j];
         along += from[j] * (d[j] * per_length);
@@ -140,25 +160,67 @@ unsigned CYLINT_BLOCK_TEST(const cylint_block *b, const double o[3],
     for (int j = 0; j < 3; j++) {
         const double e = d[j] * per_length;
         const double q = (from[j] - along * e) * steps;
-        apart += q * q;
+        apart += fabs(q);
         l.q[j] = (float)q;
         l.e[j] = (float)e;
     }
-    if (apart > NEAR_LIMIT * NEAR_LIMIT)
+    if (apart > (double)REACH_OF_PIECES + 2 * OFF_LIMIT)
         return 0;
-    const double spare = off + 0.125;
-    l.off = cylint_float_above(off);
-    l.first = clamp((tmin * length + along) * steps - spare);
-    l.last = clamp((tmax * length + along) * steps + spare);
+    l.k = cylint_float_above(
+        (apart + (double)REACH_OF_PIECES) * 0x1p-20 + off);
+    l.first = clamp((tmin * length + along) * steps - off);
+    l.last = clamp((tmax * length + along) * steps + off);
     float s[CYLINT_BLOCK];
-    unsigned met = 0;
-    for (int lane = 0; lane < b->used; lane += WIDTH)
-        met |= test_lanes(b, lane, &l, s) << lane;
-    met = (met | b->always) & ((1u << b->used) - 1);
-    for (unsigned left = met; left; left &= left - 1) {
-        const int lane = __builtin_ctz(left);
-        const double t = ((s[lane] - spare) / steps - along) * per_length;
+    const unsigned met = test(b, &l, s);
+    for (int lane = 0; lane < b->used; lane++) {
+        if (!(met >> lane & 1))
+            continue;
+        const double t = (((double)s[lane] - off) / steps - along) * per_length;
         least[lane] = b->always >> lane & 1 || !(t > tmin) ? tmin : t;
     }
     return met;
 }
+
+/* -------------------------------------------------------- from near: rays -- */
+
+static unsigned test_far_ray(const cylint_block *b, const struct RTCRay *ray,
+                             float least[CYLINT_BLOCK])
+{
+    const double o[3] = {ray->org_x, ray->org_y, ray->org_z};
+    const double d[3] = {ray->dir_x, ray->dir_y, ray->dir_z};
+    double t[CYLINT_BLOCK];
+    const unsigned met = test_line(b, o, d, ray->tnear, ray->tfar, t);
+    for (int lane = 0; lane < b->used; lane++)
+        if (met >> lane & 1)
+            least[lane] = cylint_float_below(t[lane]);
+    return met;
+}
+
+/* The ray as it is: e = d, q = o - c, s = t times steps, which are 2^k. */
+static unsigned test_ray(const cylint_block *b, const struct RTCRay *ray,
+                         float least[CYLINT_BLOCK])
+{
+    const float steps = b->per_unit;
+    lane_line l = {
+        .q = {(ray->org_x - b->center[0]) * steps,
+              (ray->org_y - b->center[1]) * steps,
+              (ray->org_z - b->center[2]) * steps},
+        .e = {ray->dir_x, ray->dir_y, ray->dir_z},
+        .first = ray->tnear * steps, .last = ray->tfar * steps};
+    l.E = fabsf(l.e[0]) + fabsf(l.e[1]) + fabsf(l.e[2]);
+    l.k = (fabsf(l.q[0]) + fabsf(l.q[1]) + fabsf(l.q[2]) + REACH_OF_PIECES) *
+          0x1p-20f;
+    if (!(l.k < (FAR_LIMIT + REACH_OF_PIECES) * 0x1p-20f &&
+          l.E > 1 / E_LIMIT && l.E < E_LIMIT))
+        return test_far_ray(b, ray, least);
+    const unsigned met = test(b, &l, least);
+    if (!met)
+        return 0;
+    const float per_step = 1 / steps;
+    for (int lane = 0; lane < b->used; lane++)
+        least[lane] = b->always >> lane & 1 ? -HUGE_VALF
+                                            : least[lane] * per_step;
+    return met;
+}
+
+const cylint_block_tests CYLINT_BLOCK_TESTS = {test_line, test_ray};

@@ -34,7 +34,7 @@ struct cylint_scene {
     cylint_frame frame;
     cylint_view view;      /* the shapes in the frame */
     cylint_group group;    /* of the boxed ones */
-    cylint_block_test *test;
+    cylint_block_test_line *test;
     uint32_t *boxed;       /* the numbers of the shapes in the hierarchy */
     uint32_t *loose;       /* and of those beside it, ascending */
     size_t n_boxed, n_loose;
@@ -154,8 +154,7 @@ static void give_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_scene *s = args->geometryUserPtr;
     const double pad = CYLINT_FRAME_PAD;
-    struct RTCBounds b;
-    cylint_block_box(&s->group.blocks[args->primID], &s->view, &b);
+    const struct RTCBounds b = cylint_block_box(&s->group.blocks[args->primID]);
     *args->bounds_o = (struct RTCBounds){
         cylint_float_below(b.lower_x - pad),
         cylint_float_below(b.lower_y - pad),
@@ -212,7 +211,7 @@ static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
     if (!s->device)
         return CYLINT_SCENE_EEMBREE;
     rtcSetDeviceMemoryMonitorFunction(s->device, count_bytes, s);
-    s->test = cylint_block_test_used();
+    s->test = cylint_block_tests_used()->line;
     s->view = (cylint_view){
         s->shapes, {s->frame.center[0], s->frame.center[1],
         s->frame.center[2]}, s->frame.scale, CYLINT_FRAME_BLUR};
@@ -468,7 +467,7 @@ static void ask_nearest(const struct RTCIntersectFunctionNArguments *args)
         if (least[lane] > q->ray.length)
             return;
         lanes &= ~(1u << lane);
-        if ((block->count[lane] > 1 && was_asked(q, block->number[lane])) ||
+        if ((cylint_block_piece(block, lane).count > 1 && was_asked(q, block->number[lane])) ||
             !take_nearest(q, block->number[lane]))
             continue;
         q->ray.length = fmin(q->ray.length,
@@ -485,7 +484,7 @@ static void ask_count(const struct RTCOccludedFunctionNArguments *args)
     unsigned lanes = args->valid[0] ? lanes_met(q, block, least) : 0;
     for (int lane = 0; lanes >> lane; lane++)
         if (lanes >> lane & 1 &&
-            (block->count[lane] == 1 ? take_count(q, block->number[lane])
+            (cylint_block_piece(block, lane).count == 1 ? take_count(q, block->number[lane])
                                      : take_piece(q, block, lane))) {
             ((struct RTCRay *)(void *)args->ray)->tfar = -INFINITY;
             return;

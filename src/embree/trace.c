@@ -2,13 +2,15 @@
  * trace.c - Embree's callbacks: rays to candidates to hits
  *
  * Rays of packets are copied out, asked one by one, and copied back where
- * they hit.  Whether and where a shape is hit is cylint_intersect()'s word;
- * everything else only chooses which shapes to ask.
+ * they hit.  Whether and where a shape is hit is cylint_intersect()'s word,
+ * which quick.c anticipates where it is certain of it; everything else only
+ * chooses which shapes to ask.
  */
 #include <string.h>
 
 #include "bounds.h"
 #include "internal.h"
+#include "quick.h"
 
 /* One ray at one primitive. */
 typedef struct query {
@@ -19,16 +21,26 @@ typedef struct query {
     unsigned geomID;
     struct RTCRay *ray;
     struct RTCHit *hit; /* of nearest */
-    cylint_line line;   /* the ray */
+    cylint_quick_line line; /* the ray */
     const cylint_block *block; /* NULL: one shape a primitive */
     int lane;
 } query;
 
-static cylint_status line_of(const struct RTCRay *ray, cylint_line *line)
+static cylint_quick_line line_of(const struct RTCRay *ray)
 {
-    const double o[3] = {ray->org_x, ray->org_y, ray->org_z};
-    const double d[3] = {ray->dir_x, ray->dir_y, ray->dir_z};
-    return cylint_span(line, o, d, ray->tnear, ray->tfar);
+    return (cylint_quick_line){{ray->org_x, ray->org_y, ray->org_z},
+                               {ray->dir_x, ray->dir_y, ray->dir_z},
+                               ray->tnear, ray->tfar};
+}
+
+/* The library's answer; none for a line that it refuses. */
+static int ask(const cylint_shape *shape, const cylint_quick_line *l,
+               unsigned want, cylint_answer *answer)
+{
+    cylint_line line;
+    if (cylint_span(&line, l->o, l->d, l->tmin, l->tmax) != CYLINT_OK)
+        return 0;
+    return cylint_intersect(shape, &line, want, answer);
 }
 
 /* Behind a hit at t, of which tfar is what is left, lie other roots that are
@@ -83,8 +95,7 @@ static double present_t(const query *q)
     cylint_answer answer;
     const cylint_shape *shape = shape_at(q->data, q->hit->primID,
                                          q->ray->time, &between);
-    const int n = cylint_intersect(shape, &q->line,
-                                   CYLINT_WANT_T | CYLINT_WANT_Z, &answer);
+    const int n = ask(shape, &q->line, CYLINT_WANT_T | CYLINT_WANT_Z, &answer);
     for (int i = n - 1; i >= 0; i--)
         if (rounded_up(answer.hit[i].t, q->ray->tfar) == q->ray->tfar &&
             (t >= HUGE_VAL || q->data->how & CYLINT_EMBREE_BARE ||
@@ -120,20 +131,20 @@ static int comes_first(const query *q, unsigned number,
 
 /* ------------------------------------------------------------ one shape -- */
 
-/* The largest float below 1 where phi rounds to that. */
-static float turn(double phi)
+static cylint_quick_floats floats_of(const cylint_hit *at)
 {
-    const float v = (float)phi;
-    return v < 1 ? v : 1 - FLT_EPSILON / 2;
+    return (cylint_quick_floats){
+        (float)at->z, cylint_turn(at->phi),
+        {(float)at->normal[0], (float)at->normal[1], (float)at->normal[2]}};
 }
 
-static void describe(const cylint_hit *at, struct RTCHit *hit)
+static void describe(const cylint_quick_floats *floats, struct RTCHit *hit)
 {
-    hit->Ng_x = (float)at->normal[0];
-    hit->Ng_y = (float)at->normal[1];
-    hit->Ng_z = (float)at->normal[2];
-    hit->u = (float)at->z;
-    hit->v = turn(at->phi);
+    hit->Ng_x = floats->normal[0];
+    hit->Ng_y = floats->normal[1];
+    hit->Ng_z = floats->normal[2];
+    hit->u = floats->z;
+    hit->v = floats->phi;
 }
 
 static void keep_description(const struct RTCHit *old, struct RTCHit *hit)
@@ -182,73 +193,139 @@ static int passes_filters(const query *q, struct RTCHit *hit)
     return valid != 0;
 }
 
-/* Offers a hit to the filters; takes it if they let it pass. */
-static int take(query *q, unsigned number, const cylint_hit *at)
+static int is_bare(const query *q)
+{
+    return (q->data->how & CYLINT_EMBREE_BARE) != 0;
+}
+
+/* Offers a hit at t to the filters; takes it if they let it pass. */
+static int take(query *q, unsigned number, float t,
+                const cylint_quick_floats *floats)
 {
     const float tfar = q->ray->tfar;
     struct RTCHit hit = {0};
-    if (q->data->how & CYLINT_EMBREE_BARE)
+    if (is_bare(q))
         keep_description(q->hit, &hit);
     else
-        describe(at, &hit);
+        describe(floats, &hit);
     identify(q, number, &hit);
-    q->ray->tfar = rounded_up(at->t, tfar);
+    q->ray->tfar = t;
     if (!passes_filters(q, &hit)) {
         q->ray->tfar = tfar;
         return 0;
     }
     if (q->nearest) {
         *q->hit = hit;
-        q->line.tmax = tmax_after_hit(q->ray->tfar);
+        q->line.tmax = q->ray->tfar;
     } else {
         q->ray->tfar = -HUGE_VALF;
     }
     return 1;
 }
 
+/* ---- in every digit */
+
 static unsigned wanted(const query *q)
 {
-    const unsigned whose = q->block && q->block->count[q->lane] > 1
-                         ? CYLINT_WANT_Z : 0;
-    return q->data->how & CYLINT_EMBREE_BARE ? CYLINT_WANT_T | whose :
+    return is_bare(q) ? CYLINT_WANT_T | CYLINT_WANT_Z :
            CYLINT_WANT_T | CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
            CYLINT_WANT_PHI;
+}
+
+/* The hits from number `first` on. */
+static int try_exactly(query *q, const cylint_shape *shape, unsigned number,
+                       int first)
+{
+    cylint_answer answer;
+    if (q->nearest && hit_is_ours(q))
+        q->line.tmax = tmax_after_hit(q->ray->tfar);
+    const int n = ask(shape, &q->line, wanted(q), &answer);
+    for (int i = first; i < n; i++) {
+        const cylint_hit *at = &answer.hit[i];
+        if (q->block && !cylint_block_owns(q->block, q->lane, at->z))
+            continue;
+        if (q->nearest && !comes_first(q, number, &answer, i))
+            return 0;
+        const cylint_quick_floats floats = floats_of(at);
+        if (take(q, number, rounded_up(at->t, q->ray->tfar), &floats))
+            return 1;
+    }
+    return 0;
+}
+
+/* ---- in doubles */
+
+/* What tfar becomes by the hit, if that is certain; *after: certainly it
+ * comes after the present one. */
+static int certain_float(const cylint_quick_hit *hit, float tfar, float *t,
+                         int *after)
+{
+    *t = cylint_float_above(hit->t - hit->t_error);
+    *after = *t > tfar;
+    return *t != tfar && cylint_float_above(hit->t + hit->t_error) == *t;
+}
+
+/* Whether the hit is this lane's; 2 where that is uncertain. */
+static int owned(const query *q, const cylint_quick *quick,
+                 const cylint_quick_hit *hit)
+{
+    if (!q->block || cylint_block_piece(q->block, q->lane).count == 1)
+        return 1;
+    double error;
+    const double z = cylint_quick_z(quick, hit, &error);
+    const cylint_piece piece = cylint_block_piece(q->block, q->lane);
+    const int lowest = cylint_piece_at(z - error, piece.count);
+    const int highest = cylint_piece_at(z + error, piece.count);
+    return lowest < highest ? 2 : lowest == piece.index;
+}
+
+/* 1 if the ray takes the hit, 0 if not, -1 where that is uncertain. */
+static int try_hit(query *q, unsigned number, const cylint_quick *quick,
+                   const cylint_quick_hit *hit)
+{
+    cylint_quick_floats floats;
+    float t;
+    int after;
+    const int own = owned(q, quick, hit);
+    if (own == 0)
+        return 0;
+    const int certain = certain_float(hit, q->ray->tfar, &t, &after);
+    if (after)
+        return 0;
+    if (own == 2 || !certain ||
+        !(is_bare(q) || cylint_quick_describe(quick, hit, &floats)))
+        return -1;
+    return take(q, number, t, &floats);
 }
 
 /* 1 if the ray hits the shape and takes the hit. */
 static int try_shape(query *q, unsigned number)
 {
     cylint_shape between;
-    cylint_answer answer;
+    cylint_quick quick;
     const cylint_shape *shape = shape_at(q->data, number, q->ray->time,
                                          &between);
-    const int n = cylint_intersect(shape, &q->line, wanted(q), &answer);
+    const int n = cylint_quick_ask(&quick, shape, &q->line);
     for (int i = 0; i < n; i++) {
-        const cylint_hit *at = &answer.hit[i];
-        if (q->block && !cylint_block_owns(q->block, q->lane, at->z))
-            continue;
-        if (q->nearest && !comes_first(q, number, &answer, i))
-            return 0;
-        if (take(q, number, at))
-            return 1;
+        const int taken = try_hit(q, number, &quick, &quick.hit[i]);
+        if (taken != 0)
+            return taken > 0 ? 1 : try_exactly(q, shape, number, i);
     }
-    return 0;
+    return n < 0 ? try_exactly(q, shape, number, 0) : 0;
 }
 
 /* The lanes the ray may meet, nearest first, until none can come first. */
 static int try_block(query *q)
 {
-    const cylint_line *line = &q->line;
-    double least[CYLINT_BLOCK];
+    float least[CYLINT_BLOCK];
     int hit = 0;
-    unsigned lanes = q->data->test(q->block, line->o, line->d, line->tmin,
-                                   line->tmax, least);
+    unsigned lanes = q->data->test(q->block, q->ray, least);
     while (lanes) {
         int first = -1;
         for (int lane = 0; lane < CYLINT_BLOCK; lane++)
             if (lanes >> lane & 1 && (first < 0 || least[lane] < least[first]))
                 first = lane;
-        if (least[first] > line->tmax)
+        if (least[first] > q->ray->tfar)
             break;
         lanes &= ~(1u << first);
         q->lane = first;
@@ -283,10 +360,7 @@ static void scatter(void *packet, const void *one, unsigned words, unsigned N,
 
 static int trace_one(query *q, unsigned primID)
 {
-    if (line_of(q->ray, &q->line) != CYLINT_OK)
-        return 0;
-    if (q->nearest && hit_is_ours(q))
-        q->line.tmax = tmax_after_hit(q->ray->tfar);
+    q->line = line_of(q->ray);
     if (!q->data->test)
         return try_shape(q, primID);
     q->block = q->data->group.blocks + primID;
@@ -350,19 +424,19 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
                             struct RTCRayHit *rayhit)
 {
     const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
-    const query q = {.data = data, .ray = &rayhit->ray, .hit = &rayhit->hit};
-    cylint_line line;
+    const struct RTCRay *ray = &rayhit->ray;
+    cylint_quick_line line = line_of(ray);
     cylint_shape between;
     cylint_answer answer;
-    if (line_of(q.ray, &line) != CYLINT_OK || !(q.hit->primID < data->n))
+    if (!(rayhit->hit.primID < data->n))
         return;
-    const cylint_shape *shape = shape_at(data, q.hit->primID, q.ray->time,
-                                         &between);
-    line.tmax = tmax_after_hit(rayhit->ray.tfar);
-    const int n = cylint_intersect(shape, &line, CYLINT_WANT_ALL, &answer);
+    line.tmax = tmax_after_hit(ray->tfar);
+    const int n = ask(shape_at(data, rayhit->hit.primID, ray->time, &between),
+                      &line, CYLINT_WANT_ALL, &answer);
     for (int i = 0; i < n; i++)
-        if (rounded_up(answer.hit[i].t, q.ray->tfar) == q.ray->tfar) {
-            describe(&answer.hit[i], q.hit);
+        if (rounded_up(answer.hit[i].t, ray->tfar) == ray->tfar) {
+            const cylint_quick_floats floats = floats_of(&answer.hit[i]);
+            describe(&floats, &rayhit->hit);
             return;
         }
 }

@@ -8,33 +8,28 @@ static double dot(const double x[3], const double y[3])
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
 
-/* A disc across the axis w reaches sqrt(1 - w_j^2 / ww) of its radius, which
- * is computed without the difference; all of it, where squares underflow. */
-static void circular(cylint_trunk *t, double ww)
+static int is_elliptic(const cylint_shape *s)
 {
-    for (int j = 0; j < 3; j++) {
-        const double x = t->axis[(j + 1) % 3], y = t->axis[(j + 2) % 3];
-        t->reach[j] = ww > DBL_MIN * 0x1p60 ? sqrt((x * x + y * y) / ww) : 1;
-    }
-    t->across = 1;
-    t->along = 0;
+    return s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE;
 }
+
+/* Below, squares may have underflowed. */
+#define LEAST_SQUARE (DBL_MIN * 0x1p60)
 
 /* x a + y b with x^2 + y^2 <= 1 reaches sqrt((a.v)^2 + (b.v)^2) along a unit
  * vector v, and across the axis as far as the larger eigenvalue of the Gram
  * matrix of what a and b have across it. */
-static void elliptic(cylint_trunk *t, double a[3], double b[3], double ww)
+static void elliptic(cylint_trunk *t, double ww)
 {
-    const double aw = dot(a, t->axis), bw = dot(b, t->axis);
-    for (int j = 0; j < 3; j++)
-        t->reach[j] = sqrt(a[j] * a[j] + b[j] * b[j]);
-    t->across = t->along = sqrt(dot(a, a) + dot(b, b));
-    if (!(ww > DBL_MIN * 0x1p60))
+    double a[3], b[3];
+    const double aw = dot(t->a, t->axis), bw = dot(t->b, t->axis);
+    t->across = t->along = sqrt(dot(t->a, t->a) + dot(t->b, t->b));
+    if (!(ww > LEAST_SQUARE))
         return;
     t->along = sqrt((aw * aw + bw * bw) / ww);
     for (int j = 0; j < 3; j++) {
-        a[j] -= aw / ww * t->axis[j];
-        b[j] -= bw / ww * t->axis[j];
+        a[j] = t->a[j] - aw / ww * t->axis[j];
+        b[j] = t->b[j] - bw / ww * t->axis[j];
     }
     const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b);
     const double difference = aa - bb;
@@ -46,25 +41,43 @@ void cylint_trunk_of(cylint_trunk *t, const cylint_view *view,
                      uint32_t number)
 {
     const cylint_shape *s = view->shapes + number;
-    double a[3], b[3];
+    const double scale = view->scale;
     for (int j = 0; j < 3; j++) {
-        t->base[j] = (s->base[j] - view->center[j]) * view->scale;
-        t->axis[j] = s->axis[j] * view->scale;
-        a[j] = s->a[j] * view->scale;
-        b[j] = s->b[j] * view->scale;
+        t->base[j] = (s->base[j] - view->center[j]) * scale;
+        t->axis[j] = s->axis[j] * scale;
     }
     const double ww = dot(t->axis, t->axis);
     t->length = sqrt(ww);
-    t->k[0] = s->r0;
-    t->k[1] = s->r1;
-    if (s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE) {
-        elliptic(t, a, b, ww);
+    t->elliptic = is_elliptic(s);
+    t->k[0] = t->elliptic ? s->r0 : s->r0 * scale;
+    t->k[1] = t->elliptic ? s->r1
+            : s->r1 * (s->kind == CYLINT_KIND_ACONE ? t->length : scale);
+    t->across = 1;
+    t->along = 0;
+    if (!t->elliptic)
         return;
+    for (int j = 0; j < 3; j++) {
+        t->a[j] = s->a[j] * scale;
+        t->b[j] = s->b[j] * scale;
     }
-    circular(t, ww);
-    t->k[0] *= view->scale;
-    t->k[1] *= s->kind == CYLINT_KIND_ACONE ? t->length /* from the tangent */
-                                            : view->scale;
+    elliptic(t, ww);
+}
+
+/* A disc across the axis w reaches sqrt(1 - w_j^2 / ww) of its radius, which
+ * is computed without the difference; all of it, where squares underflow. */
+void cylint_trunk_reach(const cylint_trunk *t, double reach[3])
+{
+    double square[3];
+    for (int j = 0; j < 3; j++)
+        square[j] = t->axis[j] * t->axis[j];
+    const double ww = square[0] + square[1] + square[2];
+    const double per_length = 1 / t->length;
+    for (int j = 0; j < 3; j++)
+        reach[j] = t->elliptic
+                 ? sqrt(t->a[j] * t->a[j] + t->b[j] * t->b[j])
+                 : ww > LEAST_SQUARE
+                 ? sqrt(square[(j + 1) % 3] + square[(j + 2) % 3]) * per_length
+                 : 1;
 }
 
 void cylint_piece_ends(cylint_piece piece, double z[2])
@@ -80,7 +93,8 @@ void cylint_piece_ends(cylint_piece piece, double z[2])
  * one sign, or no larger than what is summed up in `size`: the sides are moved
  * out by 2^-48 of that, and by what can underflow.
  */
-struct RTCBounds cylint_piece_box(const cylint_trunk *t, cylint_piece piece)
+struct RTCBounds cylint_piece_box(const cylint_trunk *t,
+                                  const double reach[3], cylint_piece piece)
 {
     double z[2], lo[3], hi[3];
     cylint_piece_ends(piece, z);
@@ -91,11 +105,20 @@ struct RTCBounds cylint_piece_box(const cylint_trunk *t, cylint_piece piece)
             const double center = t->base[j] + z[end] * t->axis[j];
             const double k = t->k[0] + (t->k[1] - t->k[0]) * z[end];
             const double size = fabs(t->base[j]) + fabs(t->axis[j]) +
-                                t->k[0] * t->reach[j] + t->k[1] * t->reach[j];
-            const double out = k * t->reach[j] + size * 0x1p-48 + DBL_MIN;
-            lo[j] = fmin(lo[j], center - out);
-            hi[j] = fmax(hi[j], center + out);
+                                (t->k[0] + t->k[1]) * reach[j];
+            const double out = k * reach[j] + size * 0x1p-48 + DBL_MIN;
+            lo[j] = center - out < lo[j] ? center - out : lo[j];
+            hi[j] = center + out > hi[j] ? center + out : hi[j];
         }
     }
     return cylint_float_box(lo, hi);
+}
+
+struct RTCBounds cylint_trunk_box(const cylint_view *view, uint32_t number)
+{
+    cylint_trunk trunk;
+    double reach[3];
+    cylint_trunk_of(&trunk, view, number);
+    cylint_trunk_reach(&trunk, reach);
+    return cylint_piece_box(&trunk, reach, (cylint_piece){0, 1});
 }

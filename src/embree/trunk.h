@@ -2,8 +2,7 @@
  * trunk.h - what all bounded shapes look like from far: discs along an axis
  *
  * The section at z is centred at base + z axis.  With k(z) = k0 + (k1-k0) z
- * it reaches k(z) reach[j] from there along coordinate j, k(z) across from
- * the axis' line, and k(z) along along that.
+ * it reaches k(z) across from the axis' line and k(z) along along that.
  */
 #ifndef CYLINT_EMBREE_TRUNK_H
 #define CYLINT_EMBREE_TRUNK_H
@@ -14,8 +13,10 @@
 typedef struct cylint_trunk {
     double base[3], axis[3];
     double k[2];
-    double reach[3], across, along;
+    double across, along;
     double length;             /* of the axis */
+    double a[3], b[3];         /* of elliptic shapes */
+    int elliptic;
 } cylint_trunk;
 
 /* A piece of a shape: number `index` of `count` equal ones along z. */
@@ -39,12 +40,18 @@ static inline cylint_view cylint_plain_view(const cylint_shape *shapes)
 void cylint_trunk_of(cylint_trunk *trunk, const cylint_view *view,
                      uint32_t number);
 
+/* The section at z reaches k(z) reach[j] from its centre along coordinate j. */
+void cylint_trunk_reach(const cylint_trunk *trunk, double reach[3]);
+
 /* z of the ends of a piece, and a box that holds it, a little longer: pieces
  * overlap by 2^-20 of their length, so that a z that is not quite right
  * still lies in the piece it seems to. */
 void cylint_piece_ends(cylint_piece piece, double z[2]);
 struct RTCBounds cylint_piece_box(const cylint_trunk *trunk,
-                                  cylint_piece piece);
+                                  const double reach[3], cylint_piece piece);
+
+/* That of all of a shape. */
+struct RTCBounds cylint_trunk_box(const cylint_view *view, uint32_t number);
 
 /* The piece that z, in [0, 1], belongs to. */
 static inline int cylint_piece_at(double z, int count)

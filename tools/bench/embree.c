@@ -1,0 +1,165 @@
+/*
+ * embree.c - shapes in an Embree scene beside Embree's own curves
+ *
+ * usage: embree SECONDS MOST
+ *
+ * Scenes of up to MOST cylinders; about SECONDS for each race of all rivals
+ * over one kind of rays.  One core; the least of several turns counts; ratios
+ * are of rays per second, Embree's cone curves being 1.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+#include "embree_rivals.h"
+#include "timing.h"
+
+enum { RAYS = 100000, MOST_RIVALS = 8 };
+
+/* What renderers do, as Embree advises: subnormal numbers are zero. */
+static void flush_subnormals(void)
+{
+#if defined(__SSE2__)
+    _mm_setcsr(_mm_getcsr() | 0x8040);
+#endif
+}
+
+struct contestant {
+    const char *name;
+    struct rival rival;
+    struct timing least;
+    long hits;
+    double t; /* sum */
+};
+
+static void query_nearest(struct contestant *c, const struct rays *rays)
+{
+    cylint_rtc_context context;
+    cylint_rtc_init(&context);
+    c->hits = 0;
+    c->t = 0;
+    for (int i = 0; i < rays->n; i++) {
+        struct RTCRayHit at;
+        at.ray = rays->ray[i];
+        at.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        cylint_rtc_nearest(c->rival.scene, &context, &at);
+        if (at.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
+            c->hits++;
+            c->t += (double)at.ray.tfar;
+        }
+    }
+}
+
+static void query_any(struct contestant *c, const struct rays *rays)
+{
+    cylint_rtc_context context;
+    cylint_rtc_init(&context);
+    c->hits = 0;
+    c->t = 0;
+    for (int i = 0; i < rays->n; i++) {
+        struct RTCRay ray = rays->ray[i];
+        cylint_rtc_any(c->rival.scene, &context, &ray);
+        c->hits += ray.tfar < 0;
+    }
+}
+
+typedef void query(struct contestant *c, const struct rays *rays);
+
+/* Rounds in which each has a turn, for `seconds`, at least three. */
+static void compete(struct contestant *c, int n, query *ask,
+                    const struct rays *rays, double seconds)
+{
+    const struct timing start = timing_now();
+    for (int i = 0; i < n; i++)
+        c[i].least = (struct timing){HUGE_VAL, HUGE_VAL};
+    for (int round = 0; round < 3 ||
+         timing_since(start).ns < seconds * 1e9; round++)
+        for (int i = 0; i < n; i++) {
+            const struct timing begin = timing_now();
+            ask(&c[i], rays);
+            timing_keep_least(&c[i].least, timing_since(begin));
+        }
+}
+
+static int enter(struct contestant *c, const struct cylinder_kind *kind,
+                 const struct cylinders *cylinders, int all)
+{
+    const char *one = "threads=1";
+    const int segments = segments_for(cylinders, kind);
+    int n = 0;
+    c[n++] = (struct contestant){.name = "curves",
+        .rival = build_curves(cylinders, 1, one)};
+    if (all && segments > 1)
+        c[n++] = (struct contestant){.name = "curves, split by hand",
+            .rival = build_curves(cylinders, segments, one)};
+    c[n++] = (struct contestant){.name = "blocks",
+        .rival = build_shapes(cylinders, 0, one)};
+    if (all) {
+        c[n++] = (struct contestant){.name = "blocks, bare",
+            .rival = build_shapes(cylinders, CYLINT_EMBREE_BARE, one)};
+        c[n++] = (struct contestant){.name = "one a primitive",
+            .rival = build_shapes(cylinders, CYLINT_EMBREE_SINGLE, one)};
+    }
+    return n;
+}
+
+static void show(const char *scene, size_t n, const char *rays,
+                 const struct contestant *c, int rivals, int n_rays)
+{
+    for (int i = 0; i < rivals; i++)
+        printf("%s\t%zu\t%s\t%s\t%.3f\t%.2f\t%.4f\t%.3f\t%.1f\n", scene, n,
+               rays, c[i].name, n_rays / c[i].least.ns * 1e3,
+               c[0].least.ns / c[i].least.ns,
+               (double)c[i].hits / n_rays, c[i].rival.build_seconds,
+               c[i].rival.bytes / (double)n);
+    fflush(stdout);
+}
+
+static void run(const struct cylinder_kind *kind, size_t n, int all,
+                double seconds)
+{
+    struct contestant c[MOST_RIVALS];
+    struct cylinders cylinders = draw_cylinders(kind, n);
+    struct rays wild = draw_incoherent_rays(RAYS);
+    struct rays camera = draw_camera_rays(RAYS);
+    const int rivals = enter(c, kind, &cylinders, all);
+    compete(c, rivals, query_nearest, &wild, seconds);
+    show(kind->name, n, "incoherent", c, rivals, wild.n);
+    compete(c, rivals, query_nearest, &camera, seconds);
+    show(kind->name, n, "coherent", c, rivals, camera.n);
+    compete(c, rivals, query_any, &wild, seconds);
+    show(kind->name, n, "occluded", c, rivals, wild.n);
+    for (int i = 0; i < rivals; i++)
+        free_rival(&c[i].rival);
+    free_rays(&wild);
+    free_rays(&camera);
+    free_cylinders(&cylinders);
+}
+
+int main(int argc, char **argv)
+{
+    const double seconds = argc > 1 ? atof(argv[1]) : 1;
+    const size_t most = argc > 2 ? (size_t)atof(argv[2]) : 1000000;
+    const char *only = argc > 3 ? argv[3] : "";
+    static const struct {
+        const struct cylinder_kind *kind;
+        size_t n;
+        int all;
+    } scenes[] = {{&thin, 1000, 1}, {&fat, 1000, 1},
+                  {&thin, 10000, 0},
+                  {&thin, 100000, 1}, {&fat, 100000, 1}, {&fibre, 100000, 1},
+                  {&thin, 1000000, 1}, {&fat, 1000000, 1},
+                  {&thin, 10000000, 0}};
+    timing_begin();
+    flush_subnormals();
+    printf("scene\tn\trays\trival\tMray/s\tratio\thits/ray\tbuild s\t"
+           "bytes/shape\n");
+    for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++)
+        if (scenes[i].n <= most && strstr(scenes[i].kind->name, only))
+            run(scenes[i].kind, scenes[i].n, scenes[i].all, seconds);
+    return 0;
+}

@@ -1,0 +1,126 @@
+/*
+ * embree_rivals.c - the same cylinders as Embree scenes of several makes
+ */
+#include "embree_rivals.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+static double process_seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static bool count_bytes(void *user, ssize_t bytes, bool post)
+{
+    struct rival *r = user;
+    (void)post;
+    r->bytes += (double)bytes; /* one thread builds */
+    return true;
+}
+
+static void complain(void *user, enum RTCError code, const char *text)
+{
+    (void)user;
+    fprintf(stderr, "embree: %s (%d)\n", text, (int)code);
+    exit(1);
+}
+
+static struct rival *begin(const char *config)
+{
+    struct rival *r = need(sizeof *r);
+    *r = (struct rival){.device = rtcNewDevice(config)};
+    rtcSetDeviceErrorFunction(r->device, complain, NULL);
+    rtcSetDeviceMemoryMonitorFunction(r->device, count_bytes, r);
+    r->scene = rtcNewScene(r->device);
+    return r;
+}
+
+static struct rival finish(struct rival *r, RTCGeometry geometry,
+                           double started)
+{
+    rtcAttachGeometry(r->scene, geometry);
+    rtcCommitScene(r->scene);
+    r->build_seconds = process_seconds() - started;
+    rtcSetDeviceMemoryMonitorFunction(r->device, NULL, NULL);
+    const struct rival made = *r;
+    free(r);
+    return made;
+}
+
+struct rival build_curves(const struct cylinders *c, int segments,
+                          const char *config)
+{
+    struct rival *r = begin(config);
+    const size_t m = (size_t)segments;
+    RTCGeometry g = rtcNewGeometry(r->device,
+                                   RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+    float *vertex = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0,
+        RTC_FORMAT_FLOAT4, 16, c->n * (m + 1));
+    unsigned *index = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0,
+        RTC_FORMAT_UINT, 4, c->n * m);
+    unsigned char *flags = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_FLAGS, 0,
+        RTC_FORMAT_UCHAR, 1, c->n * m);
+    for (size_t i = 0; i < c->n; i++) {
+        for (size_t k = 0; k <= m; k++) {
+            const double z = (double)k / (double)m;
+            for (int j = 0; j < 3; j++)
+                *vertex++ = (float)((1 - z) * (double)c->ends[i][0][j] +
+                                    z * (double)c->ends[i][1][j]);
+            *vertex++ = c->radius[i];
+        }
+        for (size_t k = 0; k < m; k++) {
+            *index++ = (unsigned)(i * (m + 1) + k);
+            *flags++ = (unsigned char)(
+                (k > 0 ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) |
+                (k + 1 < m ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0));
+        }
+    }
+    const double started = process_seconds();
+    rtcSetGeometryMask(g, 0xFFFFFFFFu);
+    rtcCommitGeometry(g);
+    const struct rival made = finish(r, g, started);
+    rtcReleaseGeometry(g);
+    return made;
+}
+
+struct rival build_shapes(const struct cylinders *c, unsigned how,
+                          const char *config)
+{
+    struct rival *r = begin(config);
+    const cylint_embree_options options = {.how = how};
+    const double started = process_seconds();
+    RTCGeometry g = cylint_embree_geometry(r->device, c->shapes, c->n,
+                                           &options, NULL);
+    struct rival made = finish(r, g, started);
+    made.geometry = g;
+    return made;
+}
+
+void free_rival(struct rival *r)
+{
+    if (r->geometry)
+        cylint_embree_release(r->geometry);
+    rtcReleaseScene(r->scene);
+    rtcReleaseDevice(r->device);
+}
+
+int segments_for(const struct cylinders *c, const struct cylinder_kind *kind)
+{
+    double ratios = 0;
+    const size_t n = c->n < 1000 ? c->n : 1000;
+    for (size_t i = 0; i < n; i++) {
+        double lo[3], hi[3];
+        cylint_bounds(&c->shapes[i], lo, hi);
+        const double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
+        const double length = (double)c->radius[i] / kind->radius;
+        const double area = 2 * 3.14159265358979 * (double)c->radius[i] *
+                            (length + (double)c->radius[i]);
+        ratios += sqrt(2 * (x * y + y * z + z * x) / area);
+    }
+    return (int)fmin(fmax(1, ratios / (double)n + 0.5), kind->most_segments);
+}

@@ -1,0 +1,121 @@
+/*
+ * embree_scenes.c - cylinders strewn in a cube, and rays through it
+ */
+#include "embree_scenes.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+const struct cylinder_kind thin = {"thin", 3, 1.0 / 20, 8};
+const struct cylinder_kind fat = {"fat", 1.2, 1.0 / 3, 8};
+const struct cylinder_kind fibre = {"fibre", 10, 1.0 / 500, 32};
+
+void *need(size_t bytes)
+{
+    void *p = malloc(bytes ? bytes : 1);
+    if (!p) {
+        fprintf(stderr, "embree: out of memory\n");
+        exit(4);
+    }
+    return p;
+}
+
+/* In [0, 1): xorshift64*, [Vigna 2016]. */
+static double draw(uint64_t *state)
+{
+    uint64_t x = *state;
+    x ^= x >> 12;
+    x ^= x << 25;
+    x ^= x >> 27;
+    *state = x;
+    return (double)(x * 0x2545F4914F6CDD1Du >> 11) * 0x1p-53;
+}
+
+static void draw_unit(uint64_t *state, double v[3])
+{
+    const double z = 2 * draw(state) - 1, a = 2 * 3.14159265358979 * draw(state);
+    const double r = sqrt(1 - z * z);
+    v[0] = r * cos(a);
+    v[1] = r * sin(a);
+    v[2] = z;
+}
+
+struct cylinders draw_cylinders(const struct cylinder_kind *kind, size_t n)
+{
+    uint64_t state = 20261121;
+    const double length = kind->length / cbrt((double)n);
+    struct cylinders c = {n, need(n * sizeof *c.ends),
+                          need(n * sizeof *c.radius),
+                          need(n * sizeof *c.shapes)};
+    for (size_t i = 0; i < n; i++) {
+        double u[3], p[2][3];
+        draw_unit(&state, u);
+        for (int j = 0; j < 3; j++) {
+            const double middle = draw(&state);
+            for (int end = 0; end < 2; end++) {
+                c.ends[i][end][j] =
+                    (float)(middle + (end - 0.5) * length * u[j]);
+                p[end][j] = c.ends[i][end][j];
+            }
+        }
+        c.radius[i] = (float)(length * kind->radius);
+        cylint_cylinder(&c.shapes[i], p[0], p[1], c.radius[i], CYLINT_CAPPED);
+    }
+    return c;
+}
+
+void free_cylinders(struct cylinders *c)
+{
+    free(c->ends);
+    free(c->radius);
+    free(c->shapes);
+}
+
+static struct RTCRay ray_along(const double o[3], const double d[3])
+{
+    const double size = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    struct RTCRay ray = {0};
+    ray.org_x = (float)o[0];
+    ray.org_y = (float)o[1];
+    ray.org_z = (float)o[2];
+    ray.dir_x = (float)(d[0] / size);
+    ray.dir_y = (float)(d[1] / size);
+    ray.dir_z = (float)(d[2] / size);
+    ray.tfar = HUGE_VALF;
+    ray.mask = 0xFFFFFFFFu;
+    return ray;
+}
+
+struct rays draw_incoherent_rays(int n)
+{
+    uint64_t state = 11261202;
+    struct rays r = {n, need((size_t)n * sizeof *r.ray)};
+    for (int i = 0; i < n; i++) {
+        double o[3], d[3];
+        draw_unit(&state, d);
+        for (int j = 0; j < 3; j++)
+            o[j] = draw(&state);
+        r.ray[i] = ray_along(o, d);
+    }
+    return r;
+}
+
+struct rays draw_camera_rays(int n)
+{
+    const int side = (int)sqrt(n);
+    struct rays r = {side * side, need((size_t)n * sizeof *r.ray)};
+    for (int i = 0; i < r.n; i++) {
+        const double o[3] = {0.5, 0.5, -1};
+        const double d[3] = {(i % side + 0.5) / side - 0.5,
+                             (i / side + 0.5) / side - 0.5, 1};
+        r.ray[i] = ray_along(o, d);
+    }
+    return r;
+}
+
+void free_rays(struct rays *r)
+{
+    free(r->ray);
+}
