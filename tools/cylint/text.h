@@ -43,11 +43,11 @@ static inline void put_little_endian(struct text *t, double value)
 {
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
-#define BYTE(i) (unsigned char)(bits >> 8 * (i))
-    const unsigned char bytes[8] = {BYTE(0), BYTE(1), BYTE(2), BYTE(3),
-                                    BYTE(4), BYTE(5), BYTE(6), BYTE(7)};
-#undef BYTE
-    put_bytes(t, bytes, sizeof bytes);
+    char *const to = t->data + t->length;
+#define PUT(i) to[i] = (char)(unsigned char)(bits >> 8 * (i))
+    PUT(0), PUT(1), PUT(2), PUT(3), PUT(4), PUT(5), PUT(6), PUT(7);
+#undef PUT
+    t->length += 8;
 }
 
 static inline double get_little_endian(const char bytes[8])
