@@ -57,13 +57,14 @@ keep() {
 run() { # PROCESSORS FILE RECORDS NAME COMMAND...
     processors=$1 file=$2 count=$3 name=$4
     shift 4
-    figures=$(on "$processors" "$measure" "$@" 3>&1 <"$file" >/dev/null 2>/dev/null)
+    figures=$(on "$processors" "$measure" "$@" 3>&1 <"$file" >/dev/null \
+        2>/dev/null) || figures=
     keep "$processors" "$file" "$count" "$name" "$figures"
 }
 
 read_by() { # PROCESSORS LIBRARY
     figures=$(on "$1" "$PYTHON" "$here/text_readers.py" "$2" "$text" "$1" \
-        2>/dev/null)
+        2>/dev/null) || figures=
     keep "$1" "$text" ${tenth}0 "$2" "$figures"
 }
 
