@@ -14,7 +14,7 @@
 extern "C" const char *cylint_read_number(const char *text, const char *end,
                                           double *value)
 {
-    const char *const after_short = read_short(text, value);
+    const char *const after_short = read_short(text, end, value);
     if (after_short) {
         return after_short;
     }

@@ -34,6 +34,22 @@ static const char *skip_and_count(const char *p, uint64_t *count)
     return p;
 }
 
+/* Whether none of eight bytes is a separator or a sign: all that is below
+ * '.'.  A borrow may only add to those that are. */
+static int is_solid(const char *p)
+{
+    const uint64_t ones = 0x0101010101010101u;
+    uint64_t x;
+    memcpy(&x, p, sizeof x);
+    return ((x - ones * '.') & ~x & (ones << 7)) == 0;
+}
+
+/* Numbers of 17 characters and more seldom are short: they need not be tried. */
+static int is_long(const char *text, const char *end)
+{
+    return end - text > 17 && (is_solid(text + 1) & is_solid(text + 9));
+}
+
 /*
  * What is read as a rule: digits and a point, no exponent.  The digits M,
  * without the point, and the 10^k that it divides them by are doubles if M <
@@ -41,7 +57,8 @@ static const char *skip_and_count(const char *p, uint64_t *count)
  * double [Clinger 1990].  Needs doubles not to be kept with more digits than
  * they have.  NULL: not such a number.
  */
-static const char *read_short(const char *text, double *value)
+static const char *read_short(const char *text, const char *end,
+                              double *value)
 {
     static const double powers[2][19] = {
         {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
@@ -49,28 +66,33 @@ static const char *read_short(const char *text, double *value)
         {-1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10,
          -1e11, -1e12, -1e13, -1e14, -1e15, -1e16, -1e17, -1e18}};
     enum { DIGITS_MOST = 18 /* 10^18 < 2^64, so M is not wrapped round */ };
+    if (is_long(text, end)) {
+        return NULL;
+    }
     const int minus = *text == '-';
     const char *const digits = text + (minus || *text == '+');
     uint64_t m = 0;
-    const char *end = skip_and_count(digits, &m);
-    ptrdiff_t count = end - digits, parts = 0;
-    if (*end == '.') {
-        const char *const part = end + 1;
-        end = skip_and_count(part, &m);
-        parts = end - part;
+    const char *after = skip_and_count(digits, &m);
+    ptrdiff_t count = after - digits, parts = 0;
+    if (*after == '.') {
+        const char *const part = after + 1;
+        after = skip_and_count(part, &m);
+        parts = after - part;
         count += parts;
     }
     if (count == 0 || count > DIGITS_MOST || m >= (uint64_t)1 << 53
-        || (*end | 0x20) == 'e' || (*end | 0x20) == 'x') {
+        || (*after | 0x20) == 'e' || (*after | 0x20) == 'x') {
         return NULL;
     }
     *value = (double)(int64_t)m / powers[minus][parts];
-    return end;
+    return after;
 }
 #else
-static const char *read_short(const char *text, double *value)
+static const char *read_short(const char *text, const char *end,
+                              double *value)
 {
     (void)text;
+    (void)end;
     (void)value;
     return NULL;
 }
