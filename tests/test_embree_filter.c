@@ -41,15 +41,19 @@ static int passes(rule rule, unsigned prim, float t, int leaving)
 }
 
 /* The hit of the library that is offered: which, or -1. */
-static int offered_hit(const struct record *q, unsigned prim, float t, int ray,
-                       cylint_answer *answer)
+static int offered_hit(const struct record *q, unsigned prim, float t,
+                       float u, int ray, cylint_answer *answer)
 {
     const cylint_line line = rays_line(q->r, ray);
-    int n = prim < q->w->n ? cylint_intersect(&q->w->shapes[prim], &line,
-                                              CYLINT_WANT_ALL, answer) : 0;
-    while (n > 0 && world_float_above(answer->hit[n - 1].t) != t)
-        n--;
-    return n - 1;
+    int number = -1;
+    const int n = prim < q->w->n
+                ? cylint_intersect(&q->w->shapes[prim], &line,
+                                   CYLINT_WANT_ALL, answer) : 0;
+    for (int i = 0; i < n; i++)
+        if (world_float_above(answer->hit[i].t) == t &&
+            (number < 0 || q->bare || (float)answer->hit[i].z == u))
+            number = i;
+    return number;
 }
 
 /* u, v and Ng, which a bare hit has from before. */
@@ -90,8 +94,8 @@ static void filter(struct record *q, int which,
         q->offer[which][q->offers[which]].t = ray[RAY_TFAR].f;
     }
     q->offers[which]++;
-    number = offered_hit(q, hit[HIT_PRIM - HIT_NG].u, ray[RAY_TFAR].f, lane,
-                         &answer);
+    number = offered_hit(q, hit[HIT_PRIM - HIT_NG].u, ray[RAY_TFAR].f,
+                         hit[HIT_U - HIT_NG].f, lane, &answer);
     if (number < 0) {
         q->bad++;
         return;
