@@ -505,8 +505,17 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
     return t;
 }
 
-/* As far as pairs go: their refinement, their quotient, their quotient with
- * an exact numerator.  Returns whether the rounding is certain. */
+/* What the quotient in pairs knows where doubles know too little. */
+static estimate estimate_by_pairs(cylint_root root, const quotient_wide *f,
+                                  pair t, double error)
+{
+    return (estimate){t.hi, error,
+                      root == ROOT_EXIT ? f->radical : -f->radical,
+                      f->radical_error, f->A};
+}
+
+/* As far as pairs go: a refinement of the root in doubles, the quotient in
+ * pairs, its refinement, the quotient with an exact numerator.  Returns whether the rounding is certain. */
 static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
                          pair *t, double *error)
 {
@@ -516,9 +525,14 @@ static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
     if (settles(q, *t, *error))
         return 1;
     const quotient_wide f = quotient_of_wide(cylint_wide_line(q), root);
-    if (f.error < 0x1p-56) {
+    if (f.error < 0x1p-10) {
         *t = pair_div(f.num, f.den);
         *error = (f.error + 0x1p-98) * fabs(t->hi);
+        if (settles(q, *t, *error))
+            return 1;
+        k = estimate_by_pairs(root, &f, *t, *error);
+        if (k.slope_error < 0x1p-10)
+            *t = refined(q, k, t->lo, error);
         if (settles(q, *t, *error))
             return 1;
     }
