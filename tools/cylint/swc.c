@@ -68,8 +68,11 @@ static int grow(struct swc *swc)
         return out_of_memory();
     }
     struct swc_node *nodes = realloc(swc->nodes, room * sizeof *nodes);
-    swc->nodes = nodes ? nodes : swc->nodes;
-    size_t *places = nodes ? calloc(2 * room, sizeof *places) : NULL;
+    if (!nodes) {
+        return out_of_memory();
+    }
+    swc->nodes = nodes;
+    size_t *places = calloc(2 * room, sizeof *places);
     if (!places) {
         return out_of_memory();
     }
