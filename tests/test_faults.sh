@@ -56,6 +56,8 @@ awk 'BEGIN { for (i = 0; i < 400; i++) print "cylinder", i % 20, int(i / 20),
     "0", i % 20 + 0.3, int(i / 20), 1, 0.2 + i / 2000 }' >shapes
 awk 'BEGIN { srand(5); for (i = 1; i <= 4000; i++) print (i % 999 ? "ray" : "way"),
     20 * rand(), 20 * rand(), "5  " rand() - 0.5, rand() - 0.5, "-1 q" i }' >rays
+awk 'BEGIN { for (i = 0; i < 2500; i++) print i, 0, i % 20, int(i / 20) % 20,
+    i % 7 / 9, i / 9000, i ? int((i - 1) * 0.99) : -1 }' >neuron.swc
 # The hits of the pairs are 13 doubles each: rays and cylinders once more.
 "$cylint" --binary-out -f x0,y0,z0,nx0,ny0,nz0,x1,y1,z1,nx1,ny1,nz1,chord \
     pairs >doubles 2>/dev/null
@@ -67,16 +69,17 @@ ask() { # PROGRAM JOB [OPTION]...: reads standard input
     case $job in
     pairs) "$program" -f relation,n,t0,t1,part0,part1,id "$@" ;;
     scene) "$program" -s shapes -q all -f id,shape,t0,t1 "$@" ;;
+    neuron) "$program" -s neuron.swc "$@" ;;
     binary) "$program" -b -k ray,cylinder -f n,t0,t1,id "$@" ;;
     esac
 }
 input_of() {
-    case $1 in pairs) echo pairs ;; scene) echo rays ;; binary) echo doubles ;; esac
+    case $1 in pairs) echo pairs ;; scene | neuron) echo rays ;; binary) echo doubles ;; esac
 }
 
 # What is right is what one worker answers when nothing goes wrong; that the
 # pairs are all there, in order, is seen by their tails.
-for job in $jobs; do
+for job in $jobs neuron; do
     ask "$cylint" $job -j 1 <"$(input_of $job)" >$job.out 2>$job.err
     [ $? -eq 1 ] && [ -s $job.out ] && [ "$(wc -l <$job.err)" -ge 4 ] ||
         wrong="$wrong $job"
@@ -187,6 +190,9 @@ for j in $WORKERS; do
     CYLINT_FAULTS="read=$(($(wc -c <shapes) - 5))" ask "$faulty" scene -j $j <rays >out 2>err
     stopped $? 3 'shapes: Input/output error' "-j $j"
     first_lines scene 0 "-j $j"
+    CYLINT_FAULTS="read=$(($(wc -c <neuron.swc) - 5))" ask "$faulty" neuron -j $j <rays >out 2>err
+    stopped $? 3 'neuron.swc: Input/output error' "-j $j"
+    first_lines neuron 0 "-j $j"
 done
 verdict 'a read that fails in the scene'
 
@@ -230,7 +236,7 @@ done
 verdict 'a file that may not grow, a disk that is full'
 
 # For every n: the n-th allocation fails, alone or with all after it.
-for job in $jobs; do
+for job in $jobs neuron; do
     for j in $WORKERS; do
         CYLINT_FAULTS='tell=1' ask "$faulty" $job -j $j <"$(input_of $job)" 2>&1 >out |
             sed -n 's/^faults: \(.*\) allocations/\1/p' >count
