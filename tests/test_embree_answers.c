@@ -130,9 +130,10 @@ static void packets_answer_and_leave_other_lanes_alone(void)
             struct rays_query query = {0};
             query.coherent = turn & 1;
             rays_begin(&r, sizes[turn % 4]);
-            for (int i = 0; i < r.n; i++)
-                if (r.n == 1 || world_uniform(&state) < 0.7)
-                    aim(&state, &r, i);
+            for (int i = 0; i < r.n; i++) {
+                aim(&state, &r, i); /* inactive rays would hit, too */
+                r.valid[i] = r.n == 1 || world_uniform(&state) < 0.7 ? -1 : 0;
+            }
             rays_intersect(&r, w.scene, &query);
             agrees(&w, &r);
             for (int i = 0; i < r.n; i++) {
@@ -341,6 +342,65 @@ static void equal_and_nearly_equal_hits_are_told_apart(void)
                 rays_add(&r, i, o, d, 0, HUGE_VALF);
             rays_intersect(&r, w.scene, NULL);
             agrees(&w, &r);
+        }
+        world_free(&w);
+    }
+}
+
+/* The same while all move along the ray: at time 1/2 the caps meet it. */
+static void equal_hits_of_moving_shapes_are_told_apart(void)
+{
+    enum { MANY = 40 };
+    cylint_shape shapes[MANY], moved[MANY], now[MANY];
+    const float o[3] = {0.0625f, 0.125f, -8}, d[3] = {0, 0, 1};
+    cylint_embree_options options = {0};
+    struct world w, at;
+    for (int i = 0; i < MANY; i++) {
+        const double away = i % 7 - 3, p0[3] = {0, 0, away},
+            p1[3] = {0, 0, away + 4}, q0[3] = {0, 0, -away},
+            q1[3] = {0, 0, 4 - away};
+        const double r = 1 + 0.125 * (i * 17 % MANY);
+        cylint_cylinder(&shapes[i], p0, p1, r, CYLINT_CAPPED);
+        cylint_cylinder(&moved[i], q0, q1, r, CYLINT_CAPPED);
+        CHECK(!cylint_embree_between(&shapes[i], &moved[i], 0.5, &now[i]));
+    }
+    options.moved = moved;
+    if (!CHECK(world_make(&w, shapes, MANY, &options)))
+        return;
+    at = w;
+    cylint_pack_shapes(&at.pack, w.room, now, MANY);
+    at.shapes = now;
+    for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
+        struct rays r;
+        rays_begin(&r, n);
+        for (int i = 0; i < n; i++) {
+            rays_add(&r, i, o, d, 0, HUGE_VALF);
+            rays_at(&r, RAY_TIME, i)->f = 0.5f;
+        }
+        rays_intersect(&r, w.scene, NULL);
+        agrees(&at, &r);
+        CHECK(rays_at(&r, HIT_PRIM, 0)->u == 0);
+    }
+    world_free(&w);
+}
+
+/* An angle a little less than a whole turn: v is below 1 even so. */
+static void a_whole_turn_is_not_reached(void)
+{
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
+    cylint_shape shape;
+    cylint_cylinder(&shape, p0, p1, 1, CYLINT_CAPPED);
+    for (int how = 0; how < 2; how++) {
+        struct world w = made(&shape, 1, both_ways[how]);
+        for (int k = 24; k < 48; k += 4) {
+            const float o[3] = {-ldexpf(1, -k), -4, 0.5f}, d[3] = {0, 1, 0};
+            struct rays r;
+            rays_begin(&r, 1);
+            rays_add(&r, 0, o, d, 0, HUGE_VALF);
+            rays_intersect(&r, w.scene, NULL);
+            agrees(&w, &r);
+            CHECK(rays_at(&r, HIT_V, 0)->f > 0.99f &&
+                  rays_at(&r, HIT_V, 0)->f < 1);
         }
         world_free(&w);
     }
@@ -830,6 +890,8 @@ int main(void)
     RUN(a_ray_without_direction_hits_nothing);
     RUN(masks_choose_who_is_seen);
     RUN(equal_and_nearly_equal_hits_are_told_apart);
+    RUN(equal_hits_of_moving_shapes_are_told_apart);
+    RUN(a_whole_turn_is_not_reached);
     RUN(instances_answer_for_the_transformed_ray);
     RUN(moving_shapes_are_where_they_are_at_the_rays_time);
     RUN(between_moves_the_constructors_numbers);
