@@ -84,6 +84,16 @@ static void cut(cylint_box *boxes, const members *m)
 
 /* --------------------------------------------------------------- blocks -- */
 
+/* The shapes of a block some blocks ahead, which lie here and there. */
+enum { AHEAD = 4 };
+
+static void fetch_ahead(const cylint_view *view, const cylint_box *boxes,
+                        size_t from, size_t n)
+{
+    for (size_t i = from; i < from + CYLINT_BLOCK && i < n; i++)
+        cylint_fetch_shape(view->shapes + boxes[i].number);
+}
+
 static int make_blocks(cylint_group *group, RTCDevice device,
                        const cylint_box *boxes, size_t n,
                        const cylint_view *view)
@@ -94,6 +104,7 @@ static int make_blocks(cylint_group *group, RTCDevice device,
         return 0;
     cylint_block *blocks = group->memory.data;
     for (size_t i = 0; i < group->n; i++) {
+        fetch_ahead(view, boxes, (i + AHEAD) * CYLINT_BLOCK, n);
         const size_t left = n - i * CYLINT_BLOCK;
         cylint_block_fill(&blocks[i], view, boxes + i * CYLINT_BLOCK,
                           left < CYLINT_BLOCK ? (int)left : CYLINT_BLOCK);

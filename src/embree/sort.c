@@ -11,7 +11,8 @@
 
 #include "lanes.h"
 
-enum { BINS = 16 };
+/* Of more than MANY boxes only the widest axis is looked at. */
+enum { BINS = 16, MANY = 4096 };
 
 typedef struct {
     v4 lower, upper;
@@ -68,6 +69,17 @@ static scale scale_of(const cylint_box *boxes, size_t n)
     return (scale){centers.lower, v4_load(extent)};
 }
 
+static int widest_axis(const scale *s)
+{
+    float x[4];
+    v4_store(x, s->per_bin);
+    int widest = 0;
+    for (int j = 1; j < 3; j++)
+        if (x[j] > 0 && (x[widest] <= 0 || x[j] < x[widest]))
+            widest = j;
+    return widest;
+}
+
 static void bins_of(const cylint_box *b, const scale *s, int32_t bin[4])
 {
     v4_truncate(bin, v4_mul(v4_sub(center_of(b), s->least), s->per_bin));
@@ -78,9 +90,11 @@ typedef struct {
     size_t n[3][BINS];
 } bins;
 
-static void fill(bins *b, const scale *s, const cylint_box *boxes, size_t n)
+/* Axes from `first` to before `end`. */
+static void fill(bins *b, const scale *s, int first, int end,
+                 const cylint_box *boxes, size_t n)
 {
-    for (int j = 0; j < 3; j++)
+    for (int j = first; j < end; j++)
         for (int i = 0; i < BINS; i++) {
             b->box[j][i] = nothing();
             b->n[j][i] = 0;
@@ -89,7 +103,7 @@ static void fill(bins *b, const scale *s, const cylint_box *boxes, size_t n)
         const hull h = hull_of(&boxes[i]);
         int32_t bin[4];
         bins_of(&boxes[i], s, bin);
-        for (int j = 0; j < 3; j++) {
+        for (int j = first; j < end; j++) {
             b->box[j][bin[j]] = joined(b->box[j][bin[j]], h);
             b->n[j][bin[j]]++;
         }
@@ -197,8 +211,10 @@ static size_t divide(cylint_box *boxes, size_t n)
     const scale s = scale_of(boxes, n);
     split best = {FLT_MAX, -1, 0, 0};
     bins b;
-    fill(&b, &s, boxes, n);
-    for (int axis = 0; axis < 3; axis++)
+    const int widest = widest_axis(&s);
+    const int first = n > MANY ? widest : 0, end = n > MANY ? widest + 1 : 3;
+    fill(&b, &s, first, end, boxes, n);
+    for (int axis = first; axis < end; axis++)
         try_axis(&b, axis, n, &best);
     if (best.axis < 0) /* all in one place */
         return whole_blocks(n / 2, n);

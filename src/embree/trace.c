@@ -320,6 +320,9 @@ static int try_block(query *q)
     float least[CYLINT_BLOCK];
     int hit = 0;
     unsigned lanes = q->data->test(q->block, q->ray, least);
+    for (int lane = 0; lane < CYLINT_BLOCK; lane++)
+        if (lanes >> lane & 1)
+            cylint_fetch_shape(q->data->shapes + q->block->number[lane]);
     while (lanes) {
         int first = -1;
         for (int lane = 0; lane < CYLINT_BLOCK; lane++)

@@ -31,6 +31,18 @@ typedef struct cylint_view {
     double center[3], scale, blur;
 } cylint_view;
 
+/* Has what is asked of a shape first be brought into the cache. */
+static inline void cylint_fetch_shape(const cylint_shape *shape)
+{
+#ifdef __GNUC__
+    __builtin_prefetch(shape);
+    __builtin_prefetch(shape->axis);
+    __builtin_prefetch(&shape->dr);
+#else
+    (void)shape;
+#endif
+}
+
 /* The shapes as they are. */
 static inline cylint_view cylint_plain_view(const cylint_shape *shapes)
 {
