@@ -160,6 +160,11 @@ test_manual_examples()
     display cylint_scene.3 2 > "$scratch/example.said"
     package=cylint-embree
     example cylint_scene.3_example shared $cc -std=c99
+    if grep -q lembree3 "$lib/pkgconfig/cylint-embree.pc"; then
+        display cylint_embree.3 1 > "$scratch/example.c"
+        display cylint_embree.3 2 > "$scratch/example.said"
+        example cylint_embree.3_example shared $cc -std=c99
+    fi
     package=
 }
 
