@@ -37,7 +37,7 @@ command=$(of_kind '^tools/(cylint|render)/.*\.c$')
 sources=$(of_kind '\.(c|cc|h)$')
 scripts=$(of_kind '\.sh$')
 pages=$(of_kind '^man/.*\.[0-9]$')
-options='-std=c99 -Iinclude -Isrc -Itools/cylint -D_POSIX_C_SOURCE=200809L'
+options='-std=c99 -Iinclude -Isrc -Itools/cylint -D_POSIX_C_SOURCE=200809L -DCYLINT_EMBREE=3'
 
 # What was looked into and is as it should be:
 judged() {
@@ -45,7 +45,12 @@ judged() {
         -e 'gullotti\.c:.*Uninitialized variable: m\.row' \
         -e 'answer\.c:.*StackAddressEscape' \
         -e 'grammar\.c:.*CallAndMessage' \
-        -e 'options\.c:.*valist\.Uninitialized' \
+        -e '\(options\|arguments\)\.c:.*valist\.Uninitialized' \
+        -e 'boxes\.c:.*CallAndMessage' \
+        -e 'exact\.c:.*right shift is undefined' \
+        -e 'swc\.c:.*memleak' \
+        -e 'sort\.c:.*bugprone-integer-division' \
+        -e 'trace\.c:.*\(autoVariables\|negativeIndex\)' \
         -e 'forms\.h:.*core\.UndefinedBinaryOperatorResult' \
         -e 'Nd where does a line meet a cylinder or a cone?' \
         -e 'referenced manual not found: Xr cylint' \
@@ -53,8 +58,11 @@ judged() {
     # cross() writes all of a row; task->row is filled anew before each use;
     # a record has as many numbers as its kinds say; va_start was called; the
     # letters of circular and elliptic kinds are never mixed, as an analyzer
-    # that forgets the kind on the way believes; the name line is a question;
-    # our manuals refer to each other before they are installed.
+    # that forgets the kind on the way believes; a box has three sides; a
+    # number with limbs has a highest bit; what grows is kept in its struct;
+    # blocks are counted whole; a query lives as long as its packet, and lanes that are left have a
+    # first; the name line is a question; our manuals refer to each other
+    # before they are installed.
 }
 
 # ------------------------------------------------------------- analysis --
