@@ -67,7 +67,7 @@ test_foreign_shapes()
 # says NAME TEXT: what the recipe prints in a folder with its files.
 says()
 {
-    ln -sf "$here/tools" "$scratch/tools"
+    ln -sfn "$here/tools" "$scratch/tools"
     sh tests/recipe.sh lidar > "$scratch/lidar"
     (cd "$scratch" && sh lidar) > "$scratch/said" 2>&1
     [ "$(cat "$scratch/said")" = "$2" ] || { cat "$scratch/said"; false; }
