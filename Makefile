@@ -119,7 +119,7 @@ $(BUILD)/tools/bench/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -It
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 $(BUILD)/tests/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
-$(BUILD)/tests/embree_%.o $(BUILD)/tests/test_embree_%.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
+$(BUILD)/tests/embree_%.o $(BUILD)/tests/test_embree_%.o $(BUILD)/tests/scene_curves.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 
 $(BUILD)/src/dispatch.o: extra += $(if $(findstring kernel-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
 $(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/embree/lanetest%.o $(BUILD)/src/embree/sort.o: extra += -O3
@@ -149,7 +149,8 @@ $(BUILD)/tests/test_scene: $(BUILD)/tests/scenes.o
 $(BUILD)/tests/test_embree_memory.o: extra += $(if $(WRAP),-DWRAPPED)
 $(BUILD)/tests/test_embree_memory: wrapped := $(if $(WRAP),$(foreach c,malloc calloc free,-Wl$(comma)--wrap=$(c)))
 $(filter $(BUILD)/tests/test_embree_%,$(embree_tests)): $(patsubst %,$(BUILD)/tests/%.o,embree_rays embree_world scenes)
-$(embree_tests): %: %.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
+$(BUILD)/tests/scene_curves: $(BUILD)/tests/scenes.o
+$(embree_tests) $(BUILD)/tests/scene_curves: %: %.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) $(wrapped) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(EMBREE_LIBS) -pthread -lm
 
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
@@ -233,8 +234,9 @@ stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, an hour or less
 search: $(BUILD)/tests/search ## hill climbing for the worst errors and the slowest query
 	$(BUILD)/tests/search
 
-check-scene: $(BUILD)/tests/test_scene ## scenes against brute force, two minutes or so
+check-scene: $(BUILD)/tests/test_scene $(BUILD)/tests/scene_curves ## scenes against brute force, two minutes or so
 	$(BUILD)/tests/test_scene 1000
+	$(BUILD)/tests/scene_curves
 
 covered: all $(test_programs)
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/run.sh $(test_programs) tests/test_hard.sh
