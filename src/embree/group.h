@@ -17,7 +17,8 @@ typedef struct cylint_group {
 
 /*
  * Groups the n shapes of the given numbers (NULL: those from 0 on), all
- * bounded and with boxes that Embree keeps; n < 2^32 - 1.  Returns 0 where memory was refused: nothing is left.
+ * bounded and with boxes that Embree keeps; n < 2^32 - 1.  Returns 0 where
+ * memory was refused: nothing is left.
  * Every piece of every shape is in one lane of one block.
  */
 int cylint_group_make(cylint_group *group, RTCDevice device,

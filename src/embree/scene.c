@@ -154,7 +154,8 @@ static void give_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_scene *s = args->geometryUserPtr;
     const double pad = CYLINT_FRAME_PAD;
-    const struct RTCBounds b = cylint_block_box(&s->group.blocks[args->primID]);
+    const struct RTCBounds b =
+        cylint_block_box(&s->group.blocks[args->primID]);
     *args->bounds_o = (struct RTCBounds){
         cylint_float_below(b.lower_x - pad),
         cylint_float_below(b.lower_y - pad),
@@ -403,6 +404,12 @@ static uint32_t *place_of(question *q, uint32_t number)
     return &q->counted[at];
 }
 
+/* Whether the lane's shape is in other lanes, too. */
+static int in_pieces(const cylint_block *block, int lane)
+{
+    return cylint_block_piece(block, lane).count > 1;
+}
+
 static int was_asked(question *q, uint32_t number)
 {
     uint32_t *asked = &q->asked[number % ASKED];
@@ -467,7 +474,7 @@ static void ask_nearest(const struct RTCIntersectFunctionNArguments *args)
         if (least[lane] > q->ray.length)
             return;
         lanes &= ~(1u << lane);
-        if ((cylint_block_piece(block, lane).count > 1 && was_asked(q, block->number[lane])) ||
+        if ((in_pieces(block, lane) && was_asked(q, block->number[lane])) ||
             !take_nearest(q, block->number[lane]))
             continue;
         q->ray.length = fmin(q->ray.length,
@@ -484,8 +491,8 @@ static void ask_count(const struct RTCOccludedFunctionNArguments *args)
     unsigned lanes = args->valid[0] ? lanes_met(q, block, least) : 0;
     for (int lane = 0; lanes >> lane; lane++)
         if (lanes >> lane & 1 &&
-            (cylint_block_piece(block, lane).count == 1 ? take_count(q, block->number[lane])
-                                     : take_piece(q, block, lane))) {
+            (in_pieces(block, lane) ? take_piece(q, block, lane)
+                                    : take_count(q, block->number[lane]))) {
             ((struct RTCRay *)(void *)args->ray)->tfar = -INFINITY;
             return;
         }
