@@ -65,6 +65,8 @@ static void remember(struct rays *r)
     arguments.context = &asked.context; \
     if (query) { \
         asked.user = query->user; \
+        if (query->instance) \
+            asked.context.instID[0] = query->instance; \
         asked.filter = query->filter; \
         arguments.filter = query->filter; \
         arguments.flags = (enum RTCRayQueryFlags)( \
@@ -84,6 +86,8 @@ static void remember(struct rays *r)
     rtcInitIntersectContext(&asked.context); \
     if (query) { \
         asked.user = query->user; \
+        if (query->instance) \
+            asked.context.instID[0] = query->instance; \
         asked.context.filter = query->filter; \
         asked.context.flags = query->coherent \
             ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT \

@@ -63,6 +63,7 @@ struct rays_query {
     RTCFilterFunctionN filter; /* the context's (3), the arguments' (4) */
     int coherent;
     void *user; /* for the filter: see rays_user() */
+    unsigned instance; /* in which the query runs, from 1; 0: in none */
 };
 void rays_intersect(struct rays *, RTCScene, const struct rays_query *);
 void rays_occluded(struct rays *, RTCScene, const struct rays_query *);

@@ -522,6 +522,36 @@ static void instances_answer_for_the_transformed_ray(void)
     }
 }
 
+/* As where an application instances scenes of its own accord: what stands in
+ * the context is the hit's.  (Both Embrees tested allow one level.) */
+static void the_contexts_instance_is_the_hits(void)
+{
+    cylint_shape shapes[SOME];
+    uint64_t state = 13;
+    struct rays_query query = {0};
+    struct world w;
+    int hits = 0;
+    world_shapes(&state, SCENE_LATTICE, shapes, SOME);
+    w = made(shapes, SOME, 0);
+    query.instance = 9;
+    for (int i = 0; i < 400; i++) {
+        static const int sizes[4] = {1, 4, 8, 16};
+        struct rays r;
+        rays_begin(&r, sizes[i % 4]);
+        for (int k = 0; k < r.n; k++)
+            aim(&state, &r, k);
+        rays_intersect(&r, w.scene, &query);
+        agrees(&w, &r);
+        for (int k = 0; k < r.n; k++) {
+            hits += rays_hit(&r, k);
+            CHECK(rays_at(&r, HIT_INST, k)->u ==
+                  (rays_hit(&r, k) ? 9 : RTC_INVALID_GEOMETRY_ID));
+        }
+    }
+    CHECK(hits > 100);
+    world_free(&w);
+}
+
 /* --------------------------------------------------------------- motion -- */
 
 static void moving_shapes_are_where_they_are_at_the_rays_time(void)
@@ -893,6 +923,7 @@ int main(void)
     RUN(equal_hits_of_moving_shapes_are_told_apart);
     RUN(a_whole_turn_is_not_reached);
     RUN(instances_answer_for_the_transformed_ray);
+    RUN(the_contexts_instance_is_the_hits);
     RUN(moving_shapes_are_where_they_are_at_the_rays_time);
     RUN(between_moves_the_constructors_numbers);
     RUN(an_update_takes_over_what_was_changed);
