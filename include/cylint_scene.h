@@ -37,9 +37,9 @@ CYLINT_API const char *cylint_scene_strerror(int status);
  * how many build it, 0 for as many as there are processors.  NULL if that
  * fails; *status says why, unless `status` is NULL.
  *
- * Not in the hierarchy, and so asked one after the other for every line, are
- * shapes without end (infinite, nappe) and those with a coordinate beyond
- * 2^400; and all, if their common box is smaller than 2^-400.
+ * Not in the hierarchy, and so asked in a batch for every line, are shapes
+ * without end (infinite, nappe) and those with a coordinate beyond 2^400; and
+ * all, if their common box is smaller than 2^-400.
  */
 CYLINT_API cylint_scene *cylint_scene_new(const cylint_shape *shapes,
     size_t n, int threads, cylint_scene_status *status);

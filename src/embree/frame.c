@@ -1,6 +1,9 @@
 /*
  * frame.c - lines of doubles in the floats of a scene's own coordinates
  */
+#include <stdint.h>
+#include <string.h>
+
 #include "../eft.h"
 #include "frame.h"
 
@@ -27,6 +30,14 @@ int cylint_frame_make(cylint_frame *frame, const double lo[3],
     frexp(size, &e);
     frame->scale = ldexp(1, -e);
     return 1;
+}
+
+/* By the bits: a processor may take such a number for zero. */
+static int is_subnormal(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits << 1 != 0 && (bits >> 52 & 0x7ff) == 0;
 }
 
 /* Where the line's domain begins and ends to be within the frame's box.  A
@@ -77,7 +88,8 @@ cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
     const double size = largest(line->d);
     if (!(size <= CYLINT_FRAME_MOST) || !(size >= CYLINT_FRAME_LEAST) ||
         !(largest(line->o) <= CYLINT_FRAME_MOST) ||
-        !cylint_rounds_to_nearest())
+        is_subnormal(line->d[0]) || is_subnormal(line->d[1]) ||
+        is_subnormal(line->d[2]) || !cylint_rounds_to_nearest())
         return CYLINT_FRAME_WILD;
     clip(frame, line, &ray->entry, &to);
     if (ray->entry > to)
