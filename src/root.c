@@ -441,8 +441,9 @@ exact cylint_root_in_full(cylint_query *q, cylint_root root, pair t)
 {
     cylint_arena *arena = &q->arena;
     const int used = arena->used;
-    exact full = cylint_exact_add(arena, cylint_exact_from(arena, t.hi),
-                                  cylint_exact_from(arena, t.lo));
+    exact full = cylint_exact_keep(arena, used,
+        cylint_exact_add(arena, cylint_exact_from(arena, t.hi),
+                         cylint_exact_from(arena, t.lo)));
     /* each step adds 96 bits; what cancels later may be hundreds */
     for (int steps = 12; steps > 0; steps--) {
         const exact before = full;

@@ -29,6 +29,9 @@ struct corner {
 };
 
 static const struct corner corners[] = {
+    {"a root whose next digits are too far off, kept where it is safe",
+     FAMILY_LINE, {0, 0, 0, 0, -7, 6},
+     FAMILY_CYLINDER, {6, 0x1.0a0a0a0a0a0ap+907, 0, 0, 0, 0, 6}, CYLINT_CAP_0},
     {"apex normal: u.w needs pairs",
      FAMILY_LINE, {0, 0, 0, 1, -0x1.fffffffffffffp-1, 0},
      FAMILY_ACONE, {0, 0, 0, 1, 1, 0, 45}, CYLINT_INFINITE},
