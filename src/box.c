@@ -47,7 +47,7 @@ static pair root(pair x)
 /* sqrt(x^2 + y^2) 2^*e, whatever the exponents of x and y. */
 static pair hypotenuse(pair x, pair y, int *e)
 {
-    const double most = fmax(fabs(x.hi), fabs(y.hi));
+    const double most = cylint_larger(fabs(x.hi), fabs(y.hi));
     const int k = most < DBL_MIN ? cylint_exponent(most * 0x1p60) - 60
                                  : cylint_exponent(most);
     *e += k;

@@ -104,11 +104,11 @@ static double disc_reach(const cylint_shape *s, double *skew)
     *skew = 0;
     if (s->kind == CYLINT_KIND_ACONE)
         return s->r1 * s->r1 * dot3(s->axis, s->axis);
-    const double r = fmax(s->r0, s->r1);
+    const double r = cylint_larger(s->r0, s->r1);
     if (s->kind <= CYLINT_KIND_CONE)
         return r * r;
     *skew = r * (fabs(dot3(s->a, s->axis)) + fabs(dot3(s->b, s->axis)));
-    return r * r * (fmax(dot3(s->a, s->a), dot3(s->b, s->b)) +
+    return r * r * (cylint_larger(dot3(s->a, s->a), dot3(s->b, s->b)) +
                     fabs(dot3(s->a, s->b)));
 }
 

@@ -26,7 +26,7 @@ typedef struct {
 
 static int keeps_digits(wide x, double least, double cancels)
 {
-    return fmax(fabs(x.v.hi), least) > cancels * x.size + UNDERFLOWS;
+    return cylint_larger(fabs(x.v.hi), least) > cancels * x.size + UNDERFLOWS;
 }
 
 static floating floating_of_wide(wide x)
@@ -138,7 +138,7 @@ static int gradient_in_pairs(const letters_wide *L, double lost,
     int keeps = 1;
     for (int i = 0; i < 3; i++) {
         x[i] = gradient_wide(L, i);
-        steepest = fmax(steepest, fabs(x[i].v.hi));
+        steepest = cylint_larger(steepest, fabs(x[i].v.hi));
         facts[i] = floating_of_wide(x[i]);
     }
     for (int i = 0; i < 3; i++)
@@ -267,8 +267,8 @@ static int point_in_pairs(const cylint_query *q, pair t, double point[3])
     for (int i = 0; i < 3; i++) {
         const pair step = pair_mul(t, (pair){l->d[i], l->d_lo[i]});
         point[i] = pair_add((pair){l->o[i], 0}, step).hi;
-        from = fmax(from, fabs(l->o[i]) + fabs(step.hi));
-        size = fmax(size, fabs(point[i]));
+        from = cylint_larger(from, fabs(l->o[i]) + fabs(step.hi));
+        size = cylint_larger(size, fabs(point[i]));
     }
     return size > cancels(q) * from;
 }

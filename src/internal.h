@@ -61,10 +61,20 @@ static inline int cylint_less(double x, double y)
     return a < b;
 }
 
+/* fmax() and fmin() without NaN: those are calls. */
+static inline double cylint_larger(double x, double y)
+{
+    return x > y ? x : y;
+}
+
+static inline double cylint_smaller(double x, double y)
+{
+    return x < y ? x : y;
+}
+
 static inline double cylint_largest(const double x[3])
 {
-    const double xy = fabs(x[0]) > fabs(x[1]) ? fabs(x[0]) : fabs(x[1]);
-    return xy > fabs(x[2]) ? xy : fabs(x[2]);
+    return cylint_larger(cylint_larger(fabs(x[0]), fabs(x[1])), fabs(x[2]));
 }
 
 /* x - y as a pair, exactly unless it overflows (then lo = 0), in whatever

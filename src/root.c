@@ -588,8 +588,8 @@ static int placed(const cylint_query *q, double t, double error)
     const double from = in_scale(q, q->line->tmin);
     const double to = in_scale(q, q->line->tmax);
     /* of a limit brought into scale */
-    const double off_from = 0x1p-50 * fmin(fabs(from), DBL_MAX);
-    const double off_to = 0x1p-50 * fmin(fabs(to), DBL_MAX);
+    const double off_from = 0x1p-50 * cylint_smaller(fabs(from), DBL_MAX);
+    const double off_to = 0x1p-50 * cylint_smaller(fabs(to), DBL_MAX);
     error = 1.01 * error + CYLINT_UNDERFLOW;
     if (t + error < from - off_from || t - error > to + off_to)
         return -1;
