@@ -203,9 +203,14 @@ $(BUILD)/tools/bench/embree.o $(BUILD)/tools/bench/embree_%.o: extra += -DCYLINT
 $(BUILD)/tools/bench/embree: $(patsubst %,$(BUILD)/tools/bench/%.o,embree embree_scenes embree_rivals timing) $(embree_library) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(EMBREE_LIBS) -lm
 
+counted := cylint_block_tests_used cylint_quick_ask cylint_intersect
+$(BUILD)/tools/bench/embree_counts: $(patsubst %,$(BUILD)/tools/bench/%.o,embree_counts embree_scenes embree_rivals) $(embree_library) $(BUILD)/libcylint.a
+	$(CC) $(CFLAGS) $(LDFLAGS) $(foreach f,$(counted),-Wl,--wrap=$(f)) -o $@ $^ $(EMBREE_LIBS) -lm
+
 .PHONY: bench-embree
-bench-embree: $(BUILD)/tools/bench/embree ## scenes beside Embree's own curves; QUICK=1: in a minute
+bench-embree: $(BUILD)/tools/bench/embree $(if $(WRAP),$(BUILD)/tools/bench/embree_counts) ## scenes beside Embree's own curves; QUICK=1: in a minute
 	$(BUILD)/tools/bench/embree $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree.tsv
+	$(if $(WRAP),$(BUILD)/tools/bench/embree_counts $(if $(QUICK),1e5,1e6) | tee $(BUILD)/embree-counts.tsv)
 
 bench: bench_programs ## time against error, tables and charts; QUICK=1: in two minutes
 	@$(if $(GSL),,echo 'bench: no GSL, so no questions to ask (make deps)'; exit 1)

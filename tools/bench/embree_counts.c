@@ -1,0 +1,105 @@
+/*
+ * embree_counts.c - what is asked for a ray: blocks, pieces, shapes
+ *
+ * The adapter's own calls, counted on their way (linked with --wrap), for the
+ * scenes and rays of embree.c.  usage: embree_counts MOST
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "embree/block.h"
+#include "embree/quick.h"
+#include "embree_rivals.h"
+
+enum { RAYS = 100000 };
+
+static struct {
+    long blocks, pieces, shapes, exactly;
+} asked;
+
+static cylint_block_test_ray *test_ray;
+
+static unsigned count_block(const cylint_block *block,
+                            const struct RTCRay *ray,
+                            float least[CYLINT_BLOCK])
+{
+    const unsigned met = test_ray(block, ray, least);
+    asked.blocks++;
+    for (unsigned left = met; left; left &= left - 1)
+        asked.pieces++;
+    return met;
+}
+
+const cylint_block_tests *__real_cylint_block_tests_used(void);
+const cylint_block_tests *__wrap_cylint_block_tests_used(void);
+const cylint_block_tests *__wrap_cylint_block_tests_used(void)
+{
+    static cylint_block_tests counting;
+    counting = *__real_cylint_block_tests_used();
+    test_ray = counting.ray;
+    counting.ray = count_block;
+    return &counting;
+}
+
+int __real_cylint_quick_ask(cylint_quick *q, const cylint_shape *shape,
+                            const cylint_quick_line *line);
+int __wrap_cylint_quick_ask(cylint_quick *q, const cylint_shape *shape,
+                            const cylint_quick_line *line);
+int __wrap_cylint_quick_ask(cylint_quick *q, const cylint_shape *shape,
+                            const cylint_quick_line *line)
+{
+    asked.shapes++;
+    return __real_cylint_quick_ask(q, shape, line);
+}
+
+int __real_cylint_intersect(const cylint_shape *shape,
+                            const cylint_line *line, unsigned want,
+                            cylint_answer *answer);
+int __wrap_cylint_intersect(const cylint_shape *shape,
+                            const cylint_line *line, unsigned want,
+                            cylint_answer *answer);
+int __wrap_cylint_intersect(const cylint_shape *shape,
+                            const cylint_line *line, unsigned want,
+                            cylint_answer *answer)
+{
+    asked.exactly++;
+    return __real_cylint_intersect(shape, line, want, answer);
+}
+
+static void count(const struct cylinder_kind *kind, size_t n)
+{
+    struct cylinders cylinders = draw_cylinders(kind, n);
+    struct rival rival = build_shapes(&cylinders, 0, "threads=1");
+    for (int camera = 0; camera < 2; camera++) {
+        struct rays rays = camera ? draw_camera_rays(RAYS)
+                                  : draw_incoherent_rays(RAYS);
+        cylint_rtc_context context;
+        cylint_rtc_init(&context);
+        asked.blocks = asked.pieces = asked.shapes = asked.exactly = 0;
+        for (int i = 0; i < rays.n; i++) {
+            struct RTCRayHit at = {.ray = rays.ray[i]};
+            at.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+            cylint_rtc_nearest(rival.scene, &context, &at);
+        }
+        printf("%s\t%zu\t%s\t%.2f\t%.2f\t%.2f\t%.4f\n", kind->name, n,
+               camera ? "coherent" : "incoherent",
+               (double)asked.blocks / rays.n, (double)asked.pieces / rays.n,
+               (double)asked.shapes / rays.n, (double)asked.exactly / rays.n);
+        free_rays(&rays);
+    }
+    free_rival(&rival);
+    free_cylinders(&cylinders);
+}
+
+int main(int argc, char **argv)
+{
+    const size_t most = argc > 1 ? (size_t)atof(argv[1]) : 1000000;
+    printf("scene\tn\trays\tblocks/ray\tpieces/ray\tshapes/ray\texactly/ray\n");
+    for (size_t n = 1000; n <= most; n *= 10)
+        count(&thin, n);
+    for (size_t n = 1000; n <= most; n *= 1000)
+        count(&fat, n);
+    if (most >= 100000)
+        count(&fibre, 100000);
+    return 0;
+}
