@@ -48,7 +48,8 @@
  * in.  So is the filter of Embree 3's intersection context.  Embree 4 does
  * not show the filter of its arguments to user geometries: with
  * CYLINT_EMBREE_CONTEXT_FILTER it is taken from the query context.  A long
- * shape is entered into several boxes, but each of its hits is offered once.
+ * shape is entered into several boxes, but each of its hits is offered once;
+ * the exit may come before the entry where they lie in different boxes.
  *
  * Threads.  Queries only read; any number may run at once.  Making, updating
  * and releasing are like committing: not while anyone traces the geometry.
