@@ -277,7 +277,8 @@ size_t cylint_scene_bytes(const cylint_scene *scene)
 /* What is remembered of shapes of several pieces, which are offered again:
  * some of those that need not be asked again, by the last digits of their
  * numbers, and all that are counted, as long as there is room. */
-enum { ASKED = 16, COUNTED = 256, COUNTED_MOST = 192, NOBODY = UINT32_MAX };
+enum { ASKED = 16, COUNTED = 256, COUNTED_MOST = 192 };
+#define NOBODY UINT32_MAX
 
 /* One question on its way through the hierarchy; Embree hands its context
  * to the callbacks. */

@@ -85,7 +85,7 @@ static int make_scene(const struct search *s, const char **why)
     }
     cylint_scene *scene = tree->by->make(s->shapes, s->count, s->threads,
                                          &status);
-    *why = tree->by->error(status);
+    *why = tree->by->error((int)status);
     __atomic_store_n(&tree->scene, scene, __ATOMIC_RELEASE);
     return scene ? 0
         : status == CYLINT_SCENE_EMEMORY ? EXIT_MEMORY : EXIT_USAGE;
