@@ -225,11 +225,24 @@ typedef struct {
     unsigned undecided, cross, hit[2], leaving_first;
 } group;
 
+/* The roots of lanes in use. */
+INLINE lanes_root roots_of(const lanes_query *q, const lanes_shape *s,
+                           const lanes_line *l, int kind, unsigned want,
+                           vm in_use, vm exits, bounded_value t, vd part)
+{
+    const vd sign = v_select(exits, v_set(1), v_set(-1));
+    if (!(want & CYLINT_WANT_FAST))
+        return round_root(q, s, l, kind, sign, t, part);
+    const lanes_root quick = take_root(q, t);
+    if (!m_any(m_and(in_use, m_not(quick.sure))))
+        return quick;
+    return either_root(quick, round_root(q, s, l, kind, sign, t, part));
+}
+
 INLINE void round_group(const lanes_query *q, const lanes_shape *s,
                         const lanes_line *l, int kind, unsigned want,
                         lanes_verdict *v, group *g)
 {
-    const vd plus = v_set(1), minus = v_set(-1);
     if (want & CYLINT_WANT_NEAREST) {
         /* one root a lane: both places share one rounding */
         const vm second = m_and(v->hit[1], m_not(v->hit[0]));
@@ -238,28 +251,24 @@ INLINE void round_group(const lanes_query *q, const lanes_shape *s,
             return;
         const vm exits = m_or(m_and(second, m_not(v->leaving_first)),
                               m_and(m_not(second), v->leaving_first));
-        const bounded_value t = choose(second, v->stop[1], v->stop[0]);
-        lanes_root r = take_root(q, t);
-        if (!(want & CYLINT_WANT_FAST) || m_any(m_and(any, m_not(r.sure))))
-            r = round_root(q, s, l, kind, v_select(exits, plus, minus), t,
-                           v_select(second, v->part[1], v->part[0]));
+        const lanes_root r =
+            roots_of(q, s, l, kind, want, any, exits,
+                     choose(second, v->stop[1], v->stop[0]),
+                     v_select(second, v->part[1], v->part[0]));
         v->undecided = m_or(v->undecided, m_and(any, m_not(r.sure)));
-        EACH(i, 2) {
+        for (int i = 0; i < 2; i++) {
             v_store(g->t[i], r.value);
             v_store(g->more[i], r.more);
             v_store(g->error[i], r.error);
         }
         return;
     }
-    EACH(i, 2) {
+    for (int i = 0; i < 2; i++) {
         if (!m_any(v->hit[i]))
             continue;
         const vm exits = i ? m_not(v->leaving_first) : v->leaving_first;
-        lanes_root r = take_root(q, v->stop[i]);
-        if (!(want & CYLINT_WANT_FAST) ||
-            m_any(m_and(v->hit[i], m_not(r.sure))))
-            r = round_root(q, s, l, kind, v_select(exits, plus, minus),
-                           v->stop[i], v->part[i]);
+        const lanes_root r = roots_of(q, s, l, kind, want, v->hit[i], exits,
+                                      v->stop[i], v->part[i]);
         v->undecided = m_or(v->undecided, m_and(v->hit[i], m_not(r.sure)));
         v_store(g->t[i], r.value);
         v_store(g->more[i], r.more);

@@ -82,15 +82,21 @@ INLINE int answer_one(const cylint_shape *shape,
     if (!hits)
         return 1;
     both_roots roots = {{0, 0}, {0, 0}, {0, 0}, 0};
-    if (want & needs_t) {
-        if (want & CYLINT_WANT_FAST)
-            take_both(&roots, &q, &v);
-        if (hits & ~roots.sure) {
-            if (!cylint_rounds_to_nearest()) /* would certify nothing */
-                return 0;
-            round_both(&roots, &q, &s, &l, kind, &v);
-            if (hits & ~roots.sure)
-                return 0;
+    if (want & needs_t && want & CYLINT_WANT_FAST)
+        take_both(&roots, &q, &v);
+    if (want & needs_t && hits & ~roots.sure) {
+        both_roots rounded;
+        if (!cylint_rounds_to_nearest()) /* would certify nothing */
+            return 0;
+        round_both(&rounded, &q, &s, &l, kind, &v);
+        if (hits & ~(roots.sure | rounded.sure))
+            return 0;
+        EACH(i, 2) {
+            if (roots.sure >> i & 1)
+                continue;
+            roots.t[i] = rounded.t[i];
+            roots.more[i] = rounded.more[i];
+            roots.error[i] = rounded.error[i];
         }
     }
     double part[2];

@@ -403,6 +403,16 @@ INLINE lanes_root take_root(const lanes_query *q, bounded_value t)
                         v_le(t.e, v_set(CYLINT_FAST_BOUND) * size)};
 }
 
+/* Lane by lane the quick root where that is sure, so that no root depends on
+ * its neighbours. */
+INLINE lanes_root either_root(lanes_root quick, lanes_root slow)
+{
+    return (lanes_root){v_select(quick.sure, quick.value, slow.value),
+                        v_select(quick.sure, quick.more, slow.more),
+                        v_select(quick.sure, quick.error, slow.error),
+                        m_or(quick.sure, slow.sure)};
+}
+
 /*
  * Newton's step in pairs: root.c, refined(), in lanes and for caps too.
  * exits: +1 in lanes whose lateral root leaves the quadric, -1 elsewhere.
