@@ -176,19 +176,6 @@ INLINE vm pass_by(const lanes_ball *b)
     return m_and(window, v_lt(near.v, -near.e));
 }
 
-/* The number of the lowest 1. */
-INLINE size_t lowest(unsigned bits)
-{
-#ifdef __GNUC__
-    return (size_t)__builtin_ctz(bits);
-#else
-    size_t k = 0;
-    while (!(bits >> k & 1))
-        k++;
-    return k;
-#endif
-}
-
 /* A value of form_foot: where t stands from the foot of a ball's centre. */
 INLINE bounded_value foot(const letters_lanes *L, const letters_sizes *N,
                           double t)
@@ -301,7 +288,7 @@ static int deliver(const source *from, const group *g, const size_t *list,
 {
     cylint_job *job = from->job;
     for (; told; told &= told - 1) {
-        const size_t i = lowest(told);
+        const size_t i = (size_t)cylint_lowest(told);
         const size_t number = list[i];
         cylint_kernel_answer answer;
         if (g->undecided >> i & 1) {

@@ -17,6 +17,7 @@
 
 #include "bounds.h"
 #include "cylint.h"
+#include "each.h"
 #include "simd.h"
 
 /* Constant arguments are to make a kernel of their own. */
@@ -24,14 +25,6 @@
 #define INLINE static inline __attribute__((always_inline))
 #else
 #define INLINE static inline
-#endif
-
-/* A loop of few rounds, written out by the compiler before it decides what
- * is kept in registers: GCC would leave the arrays in memory. */
-#if defined(__GNUC__) && !defined(__clang__)
-#define EACH(i, n) _Pragma("GCC unroll 4") for (int i = 0; i < (n); i++)
-#else
-#define EACH(i, n) for (int i = 0; i < (n); i++)
 #endif
 
 #define BEGIN (void)L;

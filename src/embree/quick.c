@@ -13,6 +13,8 @@
 #include <float.h>
 #include <math.h>
 
+#include "../each.h"
+
 static const double eps = 0x1p-49;
 
 static double dot(const double x[3], const double y[3])
@@ -47,8 +49,9 @@ static int in_window(double length)
 typedef enum { MISS, HIT, UNSURE } verdict;
 
 /*
- * The origin is moved by `from` multiples of u to near the base, so that what
- * follows has errors of the shape's size, however far the ray began.  u and
+ * The origin is moved by `from` multiples of u to near the shape, so that what
+ * follows has errors of the shape's size, however far the ray began: to what
+ * is known to be near or, else, to the point nearest to the base.  u and
  * `from` having 24 bits, their product is exact; what is lost in o - base is
  * found again [Moller 1965, Knuth]; so D is wrong by its own roundings only.
  */
@@ -56,6 +59,12 @@ static double lost_by_difference(double x, double y, double difference)
 {
     const double minus_y = difference - x;
     return (x - (difference - minus_y)) - (y + minus_y);
+}
+
+static double place_near(const cylint_quick_line *l, const double D0[3])
+{
+    return fabsf(l->near) <= FLT_MAX
+         ? l->near : (float)(-dot(D0, l->d) / dot(l->d, l->d));
 }
 
 /*
@@ -66,7 +75,7 @@ static int place(cylint_quick *q, const cylint_quick_line *l,
                  const cylint_shape *s)
 {
     double D0[3];
-    for (int j = 0; j < 3; j++) {
+    EACH(j, 3) {
         q->u[j] = l->d[j];
         q->w[j] = s->axis[j];
         D0[j] = l->o[j] - s->base[j];
@@ -80,15 +89,15 @@ static int place(cylint_quick *q, const cylint_quick_line *l,
     if (!in_window(q->U) || !in_window(q->W) || !in_window(q->R) ||
         !(size(D0) < 0x1p90))
         return 0;
-    q->from = (float)(-dot(D0, q->u) / dot(q->u, q->u));
-    for (int j = 0; j < 3; j++)
+    q->from = place_near(l, D0);
+    EACH(j, 3)
         q->D[j] = (D0[j] + q->from * q->u[j]) +
                   lost_by_difference(l->o[j], s->base[j], D0[j]);
     q->Dn = size(q->D);
     q->V = q->W + q->Dn;
     q->alpha = dot(q->D, q->w);
     q->beta = dot(q->u, q->w);
-    return 1;
+    return q->Dn < 0x1p90;
 }
 
 /* The s between which the line is inside the lateral surface. */
@@ -124,12 +133,12 @@ static verdict cut(cylint_quick *q, chord *c)
     const double RR = q->R * q->R, WW = q->W * q->W, UU = q->U * q->U;
     double m[3], g[3];
     cross(q->n, q->u, w);
-    for (int j = 0; j < 3; j++)
+    EACH(j, 3)
         g[j] = q->r0 * q->n[j];
     if (dr != 0) {
         double uD[3];
         cross(uD, q->u, q->D);
-        for (int j = 0; j < 3; j++)
+        EACH(j, 3)
             g[j] += dr * uD[j];
     }
     const double f = dot(q->D, q->n);
@@ -172,7 +181,7 @@ static int find_levels(const cylint_quick *q, const chord *c, int where[2])
 {
     const double e = alpha_error(q, c->most, c->e) + eps * q->ww;
     int certain = 1;
-    for (int i = 0; i < 2; i++) {
+    EACH(i, 2) {
         const double alpha = alpha_at(q, c->s[i]);
         where[i] = alpha < 0 ? -1 : alpha > q->ww;
         certain &= fabs(alpha) > e && fabs(alpha - q->ww) > e;
@@ -236,7 +245,7 @@ int cylint_quick_ask(cylint_quick *q, const cylint_shape *shape,
         return -1;
     if (where[0] * where[1] == 1) /* all of the chord is beyond one end */
         return 0;
-    for (int i = 0; i < 2; i++) {
+    EACH(i, 2) {
         if (!find_stop(q, &c, i, where[i], &q->hit[n]))
             return -1;
         const verdict is = judge(&q->hit[n], q->from, shape->ends, l);
@@ -267,7 +276,7 @@ typedef struct {
 
 static double locate(const cylint_quick *q, double s, place_of_hit *p)
 {
-    for (int j = 0; j < 3; j++)
+    EACH(j, 3)
         p->P[j] = q->D[j] + s * q->u[j];
     cross(p->c, p->P, q->w);
     return eps * (2 * q->Dn + fabs(s) * q->U);
@@ -327,13 +336,13 @@ static void lateral_normal(const cylint_quick *q, const place_of_hit *p,
 {
     const double *w = q->w, *P = p->P, *c = p->c, dr = q->dr;
     double e_c[3];
-    for (int j = 0; j < 3; j++) {
+    EACH(j, 3) {
         const int k = (j + 1) % 3, m = (j + 2) % 3;
         e_c[j] = p->e * (fabs(w[k]) + fabs(w[m])) +
                  eps * (fabs(P[k] * w[m]) + fabs(P[m] * w[k]));
     }
     cross(N, w, c);
-    for (int j = 0; j < 3; j++) {
+    EACH(j, 3) {
         const int k = (j + 1) % 3, m = (j + 2) % 3;
         e[j] = fabs(w[k]) * e_c[m] + fabs(w[m]) * e_c[k] +
                eps * (fabs(w[k] * c[m]) + fabs(w[m] * c[k]));
@@ -343,7 +352,7 @@ static void lateral_normal(const cylint_quick *q, const place_of_hit *p,
     const double lean = (q->r0 + dr * z) * dr;
     const double e_lean = (fabs(dr) * e_z + eps * (q->r0 + fabs(dr * z))) *
                           fabs(dr) + eps * fabs(lean);
-    for (int j = 0; j < 3; j++) {
+    EACH(j, 3) {
         N[j] -= lean * w[j];
         e[j] += (e_lean + eps * fabs(lean)) * fabs(w[j]) + eps * fabs(N[j]);
     }
@@ -352,7 +361,7 @@ static void lateral_normal(const cylint_quick *q, const place_of_hit *p,
 static void cap_normal(const cylint_quick *q, int part, double N[3],
                        double e[3])
 {
-    for (int j = 0; j < 3; j++) {
+    EACH(j, 3) {
         N[j] = part == CYLINT_CAP1 ? q->w[j] : -q->w[j];
         e[j] = eps * fabs(N[j]);
     }
@@ -363,7 +372,7 @@ static int unit_floats(const double N[3], const double e[3], float unit[3])
     const double per_length = 1 / sqrt(dot(N, N));
     const double all = (e[0] + e[1] + e[2]) * per_length;
     int sure = all < 0.25;
-    for (int j = 0; j < 3; j++) {
+    EACH(j, 3) {
         const double x = N[j] * per_length;
         sure &= to_float(x, 2 * e[j] * per_length + fabs(x) * (2 * all + eps),
                          &unit[j]);

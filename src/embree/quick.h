@@ -10,9 +10,11 @@
 
 #include "cylint_embree.h"
 
-/* A line with its domain, as yet unchecked; o and d hold floats. */
+/* A line with its domain, as yet unchecked; o and d hold floats.  near: some t
+ * near the shape, if that is known; else it is not finite. */
 typedef struct cylint_quick_line {
     double o[3], d[3], tmin, tmax;
+    float near;
 } cylint_quick_line;
 
 /* t, within t_error, on a part of the surface; s: t from near the shape. */

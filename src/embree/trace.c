@@ -8,11 +8,12 @@
  */
 #include <string.h>
 
+#include "../each.h"
 #include "bounds.h"
 #include "internal.h"
 #include "quick.h"
 
-/* One ray at one primitive. */
+/* One ray at one primitive; line and lane are set when they are needed. */
 typedef struct query {
     const cylint_embree_data *data;
     const struct RTCIntersectFunctionNArguments *nearest; /* one of them ... */
@@ -30,7 +31,7 @@ static cylint_quick_line line_of(const struct RTCRay *ray)
 {
     return (cylint_quick_line){{ray->org_x, ray->org_y, ray->org_z},
                                {ray->dir_x, ray->dir_y, ray->dir_z},
-                               ray->tnear, ray->tfar};
+                               ray->tnear, ray->tfar, HUGE_VALF};
 }
 
 /* The library's answer; none for a line that it refuses. */
@@ -314,25 +315,36 @@ static int try_shape(query *q, unsigned number)
     return n < 0 ? try_exactly(q, shape, number, 0) : 0;
 }
 
-/* The lanes the ray may meet, nearest first, until none can come first. */
-static int try_block(query *q)
+static void fetch_shapes(const query *q, unsigned lanes)
 {
-    float least[CYLINT_BLOCK];
+    for (; lanes; lanes &= lanes - 1)
+        cylint_fetch_shape(q->data->shapes +
+                           q->block->number[cylint_lowest(lanes)]);
+}
+
+static int nearest_lane(unsigned lanes, const float *least)
+{
+    int first = cylint_lowest(lanes);
+    while ((lanes &= lanes - 1)) {
+        const int lane = cylint_lowest(lanes);
+        first = least[lane] < least[first] ? lane : first;
+    }
+    return first;
+}
+
+/* The lanes the ray may meet, nearest first, until none can come first. */
+static int try_lanes(query *q, unsigned lanes, const float *least)
+{
     int hit = 0;
-    unsigned lanes = q->data->test(q->block, q->ray, least);
-    for (int lane = 0; lane < CYLINT_BLOCK; lane++)
-        if (lanes >> lane & 1)
-            cylint_fetch_shape(q->data->shapes + q->block->number[lane]);
+    fetch_shapes(q, lanes);
     while (lanes) {
-        int first = -1;
-        for (int lane = 0; lane < CYLINT_BLOCK; lane++)
-            if (lanes >> lane & 1 && (first < 0 || least[lane] < least[first]))
-                first = lane;
-        if (least[first] > q->ray->tfar)
+        q->lane = nearest_lane(lanes, least);
+        if (least[q->lane] > q->ray->tfar)
             break;
-        lanes &= ~(1u << first);
-        q->lane = first;
-        hit |= try_shape(q, q->block->number[first]);
+        lanes &= ~(1u << q->lane);
+        q->line.near = least[q->lane] > q->ray->tnear ? least[q->lane]
+                                                      : q->ray->tnear;
+        hit |= try_shape(q, q->block->number[q->lane]);
         if (hit && q->any)
             break;
     }
@@ -361,13 +373,19 @@ static void scatter(void *packet, const void *one, unsigned words, unsigned N,
         memcpy((char *)packet + 4 * (k * N + i), (const char *)one + 4 * k, 4);
 }
 
+/* Most blocks have nothing for the ray: its doubles are made after that. */
 static int trace_one(query *q, unsigned primID)
 {
+    float least[CYLINT_BLOCK];
+    unsigned lanes = 0;
+    if (q->data->test) {
+        q->block = q->data->group.blocks + primID;
+        lanes = q->data->test(q->block, q->ray, least);
+        if (!lanes)
+            return 0;
+    }
     q->line = line_of(q->ray);
-    if (!q->data->test)
-        return try_shape(q, primID);
-    q->block = q->data->group.blocks + primID;
-    return try_block(q);
+    return q->data->test ? try_lanes(q, lanes, least) : try_shape(q, primID);
 }
 
 /* Ray i of the packet; the hit, where there is one, lies behind the rays. */
@@ -406,20 +424,37 @@ static void trace(query *q, unsigned primID, int *valid, void *packet,
         }
 }
 
+/* The pointers; clearing all of a query takes longer than a block does. */
+static void begin(query *q, const cylint_embree_data *data,
+                  cylint_rtc_context *context, unsigned geomID)
+{
+    q->data = data;
+    q->nearest = NULL;
+    q->any = NULL;
+    q->context = context;
+    q->geomID = geomID;
+    q->ray = NULL;
+    q->hit = NULL;
+    q->block = NULL;
+}
+
 void cylint_embree_trace(const struct RTCIntersectFunctionNArguments *args)
 {
     struct RTCRayHit *one = (struct RTCRayHit *)args->rayhit;
-    query q = {.data = args->geometryUserPtr, .nearest = args,
-               .context = args->context, .geomID = args->geomID,
-               .ray = &one->ray, .hit = &one->hit};
+    query q;
+    begin(&q, args->geometryUserPtr, args->context, args->geomID);
+    q.nearest = args;
+    q.ray = &one->ray;
+    q.hit = &one->hit;
     trace(&q, args->primID, args->valid, args->rayhit, args->N);
 }
 
 void cylint_embree_shadow(const struct RTCOccludedFunctionNArguments *args)
 {
-    query q = {.data = args->geometryUserPtr, .any = args,
-               .context = args->context, .geomID = args->geomID,
-               .ray = (struct RTCRay *)args->ray};
+    query q;
+    begin(&q, args->geometryUserPtr, args->context, args->geomID);
+    q.any = args;
+    q.ray = (struct RTCRay *)args->ray;
     trace(&q, args->primID, args->valid, args->ray, args->N);
 }
 

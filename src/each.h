@@ -1,0 +1,28 @@
+/*
+ * each.h - loops of few rounds: over small arrays, over the ones of a mask
+ */
+#ifndef CYLINT_EACH_H
+#define CYLINT_EACH_H
+
+/* Written out by the compiler before it decides what is kept in registers:
+ * GCC would leave the arrays in memory. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define EACH(i, n) _Pragma("GCC unroll 4") for (int i = 0; i < (n); i++)
+#else
+#define EACH(i, n) for (int i = 0; i < (n); i++)
+#endif
+
+/* The number of the lowest 1, of which there is one. */
+static inline int cylint_lowest(unsigned bits)
+{
+#ifdef __GNUC__
+    return __builtin_ctz(bits);
+#else
+    int k = 0;
+    while (!(bits >> k & 1))
+        k++;
+    return k;
+#endif
+}
+
+#endif
