@@ -4,6 +4,7 @@
  * Compiled once as it is and again for AVX2 where the Makefile knows that:
  * the builds may differ in what they let through, not in what they owe.
  */
+#include "../each.h"
 #include "block.h"
 #include "lanes.h"
 
@@ -51,6 +52,7 @@
  */
 typedef struct {
     float q[3], e[3], E, k, first, last;
+    float t_per_s; /* a power of two */
 } lane_line;
 
 static inline vf dot(const vf x[3], const vf y[3])
@@ -58,7 +60,8 @@ static inline vf dot(const vf x[3], const vf y[3])
     return f_mad(x[0], y[0], f_mad(x[1], y[1], x[2] * y[2]));
 }
 
-/* Lanes from `from` on; s of each that is let through is at least least[]. */
+/* Lanes from `from` on; least[] of each that is let through is at most what s
+ * is there, times t_per_s. */
 static inline unsigned test_lanes(const cylint_block *b, int from,
                                   const lane_line *l, float *least)
 {
@@ -90,7 +93,7 @@ static inline unsigned test_lanes(const cylint_block *b, int from,
     const vf begin = T - C - spare, end = T + C + spare;
     met &= f_not_greater(begin, f_set(l->last) * nn);
     met &= f_not_greater(f_set(l->first) * nn, end);
-    f_store(least + from, begin / nn);
+    f_store(least + from, begin / nn * f_set(l->t_per_s));
     return met;
 }
 
@@ -148,7 +151,7 @@ static unsigned test_line(const cylint_block *b, const double o[3],
         return all_lanes(b, tmin, least);
     const double steps = b->per_unit, length = sqrt(dd), per_length = 1 / length;
     double from[3], along = 0, far = 0, apart = 0;
-    lane_line l = {.E = 2};
+    lane_line l = {.E = 2, .t_per_s = 1};
     for (int j = 0; j < 3; j++) {
         from[j] = o[j] - (double)b->center[j];
         along += from[j] * (d[j] * per_length);
@@ -206,7 +209,8 @@ static unsigned test_ray(const cylint_block *b, const struct RTCRay *ray,
               (ray->org_y - b->center[1]) * steps,
               (ray->org_z - b->center[2]) * steps},
         .e = {ray->dir_x, ray->dir_y, ray->dir_z},
-        .first = ray->tnear * steps, .last = ray->tfar * steps};
+        .first = ray->tnear * steps, .last = ray->tfar * steps,
+        .t_per_s = 1 / steps};
     l.E = fabsf(l.e[0]) + fabsf(l.e[1]) + fabsf(l.e[2]);
     l.k = (fabsf(l.q[0]) + fabsf(l.q[1]) + fabsf(l.q[2]) + REACH_OF_PIECES) *
           0x1p-20f;
@@ -214,12 +218,8 @@ static unsigned test_ray(const cylint_block *b, const struct RTCRay *ray,
           l.E > 1 / E_LIMIT && l.E < E_LIMIT))
         return test_far_ray(b, ray, least);
     const unsigned met = test(b, &l, least);
-    if (!met)
-        return 0;
-    const float per_step = 1 / steps;
-    for (int lane = 0; lane < b->used; lane++)
-        least[lane] = b->always >> lane & 1 ? -HUGE_VALF
-                                            : least[lane] * per_step;
+    for (unsigned lanes = met & b->always; lanes; lanes &= lanes - 1)
+        least[cylint_lowest(lanes)] = -HUGE_VALF;
     return met;
 }
 

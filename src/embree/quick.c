@@ -329,23 +329,23 @@ static int to_float(double x, double e, float *f)
 /*
  * The lateral normal, times |w|^2: N = w x (P x w) - r dr w, r = r0 + dr z.
  * Errors by component, so that components that are zero because those of the
- * axis are stay certain.
+ * axis are stay certain; e_c counts what rounding c's products with w adds.
  */
 static void lateral_normal(const cylint_quick *q, const place_of_hit *p,
                            double z, double e_z, double N[3], double e[3])
 {
-    const double *w = q->w, *P = p->P, *c = p->c, dr = q->dr;
-    double e_c[3];
+    const double *w = q->w, dr = q->dr;
+    const double e_P = p->e + eps * size(p->P);
+    double wide[3], e_c[3];
+    EACH(j, 3)
+        wide[j] = fabs(w[j]);
+    EACH(j, 3)
+        e_c[j] = e_P * (wide[(j + 1) % 3] + wide[(j + 2) % 3]) +
+                 eps * fabs(p->c[j]);
+    cross(N, w, p->c);
     EACH(j, 3) {
         const int k = (j + 1) % 3, m = (j + 2) % 3;
-        e_c[j] = p->e * (fabs(w[k]) + fabs(w[m])) +
-                 eps * (fabs(P[k] * w[m]) + fabs(P[m] * w[k]));
-    }
-    cross(N, w, c);
-    EACH(j, 3) {
-        const int k = (j + 1) % 3, m = (j + 2) % 3;
-        e[j] = fabs(w[k]) * e_c[m] + fabs(w[m]) * e_c[k] +
-               eps * (fabs(w[k] * c[m]) + fabs(w[m] * c[k]));
+        e[j] = wide[k] * e_c[m] + wide[m] * e_c[k];
     }
     if (dr == 0)
         return;
