@@ -7,6 +7,12 @@ scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 passed=0 failed=0
 
+# A sanitizer's dlopen() does not look beside the program.
+if grep -q __asan_init "$cylint"; then
+    LD_LIBRARY_PATH=$BUILD${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+    export LD_LIBRARY_PATH
+fi
+
 verdict() { # what it was about; the status of the command before
     if [ "$2" -eq 0 ]; then
         passed=$((passed + 1))
