@@ -130,20 +130,27 @@ static int any_need(const needs *n)
     return n->gradient || n->axial || n->axis || n->z || n->phi;
 }
 
+/* A direction: each component beside the largest. */
+static int vector_in_pairs(const wide x[3], double lost, floating *facts)
+{
+    double most = 0;
+    int keeps = 1;
+    for (int i = 0; i < 3; i++) {
+        most = cylint_larger(most, fabs(x[i].v.hi));
+        facts[i] = floating_of_wide(x[i]);
+    }
+    for (int i = 0; i < 3; i++)
+        keeps &= keeps_digits(x[i], most, lost);
+    return keeps;
+}
+
 static int gradient_in_pairs(const letters_wide *L, double lost,
                              floating *facts)
 {
     wide x[3];
-    double steepest = 0;
-    int keeps = 1;
-    for (int i = 0; i < 3; i++) {
-        x[i] = gradient_wide(L, i);
-        steepest = cylint_larger(steepest, fabs(x[i].v.hi));
-        facts[i] = floating_of_wide(x[i]);
-    }
     for (int i = 0; i < 3; i++)
-        keeps &= keeps_digits(x[i], steepest, lost);
-    return keeps;
+        x[i] = gradient_wide(L, i);
+    return vector_in_pairs(x, lost, facts);
 }
 
 static int z_in_pairs(const letters_wide *L, double lost, floating *facts)
@@ -182,10 +189,11 @@ static void facts_in_pairs(cylint_query *q, pair t, needs *need,
     for (int i = 0; i < 3; i++) {
         kept[i] = L->D[0][i];
         L->D[0][i] = wide_add(kept[i], wide_mul(at, L->u[i]));
-        facts[AXIAL + i] = floating_of_wide(axial_wide(L)[i]);
-        facts[AXIS + i] = floating_of_wide(L->w[i]);
     }
-    need->axial = need->axis = 0;
+    if (need->axial)
+        need->axial = !vector_in_pairs(axial_wide(L), lost, facts + AXIAL);
+    if (need->axis)
+        need->axis = !vector_in_pairs(L->w, lost, facts + AXIS);
     if (need->gradient)
         need->gradient = !gradient_in_pairs(L, lost, facts + GRADIENT);
     if (need->z)
