@@ -84,10 +84,16 @@ typedef struct {
     double bend;            /* at most |A| */
 } estimate;
 
+/* Whether doubles or pairs may tell the root, as a quotient. */
+static int is_quotient(const cylint_query *q, cylint_root root)
+{
+    return q->filters && root != ROOT_APEX && root != ROOT_DOUBLE;
+}
+
 static estimate estimate_of(cylint_query *q, cylint_root root)
 {
     estimate k = {0, HUGE_VAL, 0, 2, 0};
-    if (!q->filters || root == ROOT_APEX || root == ROOT_DOUBLE)
+    if (!is_quotient(q, root))
         return k;
     const letters_ball *L = root == ROOT_CAP1 ? cylint_ball_with_top(q)
                                               : &q->ball;
@@ -516,16 +522,18 @@ static estimate estimate_by_pairs(cylint_root root, const quotient_wide *f,
 }
 
 /* As far as pairs go: a refinement of the root in doubles, the quotient in
- * pairs, its refinement, the quotient with an exact numerator.  Returns whether the rounding is certain. */
+ * pairs (NULL: not found yet), its refinement, the quotient with an exact
+ * numerator.  Returns whether the rounding is certain. */
 static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
-                         pair *t, double *error)
+                         const quotient_wide *known, pair *t, double *error)
 {
     *error = HUGE_VAL;
     if (k.slope_error < 0x1p-10)
         *t = refined(q, k, 0, error);
     if (settles(q, *t, *error))
         return 1;
-    const quotient_wide f = quotient_of_wide(cylint_wide_line(q), root);
+    const quotient_wide f = known ? *known
+                          : quotient_of_wide(cylint_wide_line(q), root);
     if (f.error < 0x1p-10) {
         *t = pair_div(f.num, f.den);
         *error = (f.error + 0x1p-98) * fabs(t->hi);
@@ -542,12 +550,12 @@ static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
 }
 
 static double root_value(cylint_query *q, cylint_root root, estimate k,
-                         double *more)
+                         const quotient_wide *known, double *more)
 {
     pair t = {0, 0};
     double error;
-    if (q->filters && root != ROOT_APEX && root != ROOT_DOUBLE &&
-        root_in_pairs(q, root, k, &t, &error)) {
+    if (is_quotient(q, root) &&
+        root_in_pairs(q, root, k, known, &t, &error)) {
         const double value = cylint_scaled(t.hi, q->t_exponent);
         cylint_contradiction(exact_value(q, root, more) != value);
         q->t_error = error > 0 ? error / fabs(t.hi) : 0;
@@ -597,15 +605,12 @@ static int placed(const cylint_query *q, double t, double error)
 }
 
 /* The same by pairs, which know a root that lies near the line's origin. */
-static int placed_by_pairs(cylint_query *q, cylint_root root)
+static int placed_by_pairs(const cylint_query *q, const quotient_wide *f)
 {
-    if (!q->filters || root == ROOT_APEX || root == ROOT_DOUBLE)
+    if (!(f->error < 0x1p-10))
         return 0;
-    const quotient_wide f = quotient_of_wide(cylint_wide_line(q), root);
-    if (!(f.error < 0x1p-10))
-        return 0;
-    const double t = pair_div(f.num, f.den).hi;
-    return placed(q, t, (f.error + 0x1p-50) * fabs(t));
+    const double t = pair_div(f->num, f->den).hi;
+    return placed(q, t, (f->error + 0x1p-50) * fabs(t));
 }
 
 int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
@@ -618,16 +623,21 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
     if (!wanted && !limited)
         return 1;
     const estimate k = estimate_of(q, root);
+    quotient_wide f;
+    const quotient_wide *known = NULL;
     if (limited) {
         int place = k.error < HUGE_VAL ? placed(q, k.t, k.error) : 0;
-        if (place == 0)
-            place = placed_by_pairs(q, root);
+        if (place == 0 && is_quotient(q, root)) {
+            f = quotient_of_wide(cylint_wide_line(q), root);
+            known = &f;
+            place = placed_by_pairs(q, known);
+        }
         if (place < 0)
             return 0;
         if (place > 0 && !wanted)
             return 1;
     }
-    *t = root_value(q, root, k, more);
+    *t = root_value(q, root, k, known, more);
     if (*t < tmin || *t > tmax)
         return 0;
     if (*t == tmin && fabs(tmin) <= DBL_MAX &&

@@ -60,9 +60,9 @@ judged() {
     # letters of circular and elliptic kinds are never mixed, as an analyzer
     # that forgets the kind on the way believes; a box has three sides; a
     # number with limbs has a highest bit; what grows is kept in its struct;
-    # blocks are counted whole; a query lives as long as its packet, and lanes that are left have a
-    # first; the name line is a question; our manuals refer to each other
-    # before they are installed.
+    # blocks are counted whole; a query lives as long as its packet, and
+    # lanes that are left have a first; the name line is a question; our
+    # manuals refer to each other before they are installed.
 }
 
 # ------------------------------------------------------------- analysis --
