@@ -246,9 +246,11 @@ check-scene: $(BUILD)/tests/test_scene $(BUILD)/tests/scene_curves ## scenes aga
 covered: all $(test_programs)
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/run.sh $(test_programs) tests/test_hard.sh
 
+# counters that threads share are wrong, even negative, unless they are atomic
+counting := -g -O0 --coverage -fprofile-update=atomic
 coverage: ## lines and branches of src/ that the tests reach (needs gcovr)
 	rm -rf $(BUILD)/coverage
-	$(MAKE) BUILD=$(BUILD)/coverage CFLAGS='-g -O0 --coverage' CXXFLAGS='-g -O0 --coverage' covered
+	$(MAKE) BUILD=$(BUILD)/coverage CFLAGS='$(counting)' CXXFLAGS='$(counting)' covered
 	gcovr --root . --filter src/ $(BUILD)/coverage
 	gcovr --root . --filter src/ --branches $(BUILD)/coverage
 

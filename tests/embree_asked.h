@@ -1,0 +1,69 @@
+/*
+ * embree_asked.h - what tests ask of the adapter and of the library alike
+ *
+ * Every question is asked of Embree and of the library, with the ray's floats
+ * taken for doubles, and the answers are compared bit for bit.
+ */
+#ifndef CYLINT_EMBREE_ASKED_H
+#define CYLINT_EMBREE_ASKED_H
+
+#include <math.h>
+
+#include "check.h"
+#include "embree_world.h"
+
+static const unsigned both_ways[2] = {0, CYLINT_EMBREE_SINGLE};
+
+static inline cylint_embree_options options_for(unsigned how)
+{
+    cylint_embree_options options = {0};
+    options.how = how;
+    return options;
+}
+
+static inline struct world made(const cylint_shape *shapes, size_t n,
+                                unsigned how)
+{
+    const cylint_embree_options options = options_for(how);
+    struct world w;
+    if (!CHECK(world_make(&w, shapes, n, &options))) {
+        REPORT("%s, shape %lu", cylint_embree_strerror(w.problem.status),
+               (unsigned long)w.problem.shape);
+        exit(1); /* there is nothing to ask */
+    }
+    return w;
+}
+
+enum { SOME = 200 };
+
+/* A ray to a point among SOME shapes, from as far as three times their cube,
+ * direction of any length in 1e-3 to 1e3; some begin inside. */
+static inline void aim(uint64_t *state, struct rays *r, int i)
+{
+    float o[3], d[3];
+    const double side = cbrt(SOME), far = 3 * world_uniform(state);
+    const double length = pow(10, 6 * world_uniform(state) - 3);
+    world_direction(state, d);
+    for (int k = 0; k < 3; k++) {
+        o[k] = (float)(side * (world_uniform(state) - 0.5 - far * d[k]));
+        d[k] = (float)(length * d[k]);
+    }
+    rays_add(r, i, o, d, 0, HUGE_VALF);
+}
+
+static inline int shadow_expected(const struct world *w,
+                                  const struct rays *r, int i)
+{
+    const cylint_line line = rays_line(r, i);
+    return cylint_count(&w->pack, &line, 1) != 0;
+}
+
+static inline void agrees(const struct world *w, struct rays *r)
+{
+    for (int i = 0; i < r->n; i++)
+        if (r->valid[i] && !CHECK(world_agrees(w, r, i, 1)))
+            world_show(w, r, i);
+    CHECK(rays_strayed(r, 0) == 0);
+}
+
+#endif

@@ -1,0 +1,347 @@
+/*
+ * test_embree_shapes.c - what becomes of the shapes a geometry is given: they
+ * move, are changed, have a box, or are refused by number
+ */
+#include <math.h>
+#include <string.h>
+
+#include "embree_asked.h"
+
+/* --------------------------------------------------------------- motion -- */
+
+static void moving_shapes_are_where_they_are_at_the_rays_time(void)
+{
+    static const float times[4] = {0, 0.25f, 0.5f, 1};
+    cylint_shape shapes[SOME], moved[SOME], now[SOME];
+    cylint_embree_options options = {0};
+    struct world w, at;
+    uint64_t state = 5;
+    int hits = 0;
+    world_shapes(&state, SCENE_MIXED, shapes, SOME);
+    for (int i = 0; i < SOME; i++) {
+        double c[3];
+        for (int k = 0; k < 3; k++)
+            c[k] = world_uniform(&state);
+        world_shape(&state, shapes[i].kind, (cylint_ends)shapes[i].ends, c,
+                    0.3, 0.05, &moved[i]);
+    }
+    options.moved = moved;
+    if (!CHECK(world_make(&w, shapes, SOME, &options)))
+        return;
+    at = w;
+    at.room = malloc(cylint_pack_bytes(SOME));
+    for (int turn = 0; turn < 4; turn++) {
+        for (int i = 0; i < SOME; i++)
+            CHECK(cylint_embree_between(&shapes[i], &moved[i], times[turn],
+                                        &now[i]) == CYLINT_OK);
+        cylint_pack_shapes(&at.pack, at.room, now, SOME);
+        at.shapes = now;
+        for (int i = 0; i < 500; i++) {
+            static const int sizes[4] = {1, 4, 8, 16};
+            struct rays r;
+            rays_begin(&r, sizes[i % 4]);
+            for (int k = 0; k < r.n; k++) {
+                aim(&state, &r, k);
+                rays_at(&r, RAY_TIME, k)->f = times[turn];
+            }
+            rays_intersect(&r, w.scene, NULL);
+            agrees(&at, &r);
+            hits += rays_hit(&r, 0);
+            memcpy(r.word, r.before, sizeof r.word);
+            rays_occluded(&r, w.scene, NULL);
+            for (int k = 0; k < r.n; k++)
+                if (!CHECK(rays_shadowed(&r, k) == shadow_expected(&at, &r, k)))
+                    world_show(&at, &r, k);
+        }
+    }
+    CHECK(hits > 100);
+    free(at.room);
+    world_free(&w);
+}
+
+/* The numbers given to the constructors are what moves. */
+static void between_moves_the_constructors_numbers(void)
+{
+    const double p[2][3] = {{0, 0, 0}, {1, 2, 4}}, q[2][3] = {{0, 0, 2},
+                                                              {8, 2, 4}};
+    double pm[3], qm[3], km = 0.5 * (0.75 + 0.25), x[3] = {1, 0, 0},
+        y[3] = {0, 3, 0}, z[3] = {0, 1, 5};
+    cylint_shape a, b, half, expected;
+    for (int k = 0; k < 3; k++) {
+        pm[k] = 0.5 * (p[0][k] + p[1][k]);
+        qm[k] = 0.5 * (q[0][k] + q[1][k]);
+    }
+#define HALF(MAKE_A, MAKE_B, MAKE_EXPECTED) \
+    CHECK(!(MAKE_A) && !(MAKE_B) && !(MAKE_EXPECTED)); \
+    memset(&half, 0, sizeof half); \
+    CHECK(cylint_embree_between(&a, &b, 0.5, &half) == CYLINT_OK); \
+    CHECK(memcmp(&half, &expected, sizeof half) == 0); \
+    CHECK(cylint_embree_between(&a, &b, 0, &half) == CYLINT_OK); \
+    CHECK(memcmp(&half, &a, sizeof half) == 0); \
+    CHECK(cylint_embree_between(&a, &b, 1, &half) == CYLINT_OK); \
+    CHECK(memcmp(&half, &b, sizeof half) == 0)
+    memset(&a, 0, sizeof a);
+    memset(&b, 0, sizeof b);
+    memset(&expected, 0, sizeof expected);
+    HALF(cylint_cylinder(&a, p[0], q[0], 1, CYLINT_OPEN),
+         cylint_cylinder(&b, p[1], q[1], 2, CYLINT_OPEN),
+         cylint_cylinder(&expected, pm, qm, 1.5, CYLINT_OPEN));
+    HALF(cylint_cone(&a, p[0], 1, q[0], 0, CYLINT_CAP_0),
+         cylint_cone(&b, p[1], 3, q[1], 0.5, CYLINT_CAP_0),
+         cylint_cone(&expected, pm, 2, qm, 0.25, CYLINT_CAP_0));
+    HALF(cylint_tangent_cone(&a, p[0], q[0], 1, CYLINT_CAPPED),
+         cylint_tangent_cone(&b, p[1], q[1], 0.25, CYLINT_CAPPED),
+         cylint_tangent_cone(&expected, pm, qm, 0.625, CYLINT_CAPPED));
+    HALF(cylint_elliptic_cylinder(&a, p[0], x, y, q[0], CYLINT_CAPPED),
+         cylint_elliptic_cylinder(&b, p[1], x, y, z, CYLINT_CAPPED),
+         (z[1] = 0.5, z[2] = 3.5,
+          cylint_elliptic_cylinder(&expected, pm, x, y, z, CYLINT_CAPPED)));
+    z[1] = 1, z[2] = 5;
+    HALF(cylint_elliptic_cone(&a, p[0], x, y, q[0], 0.75, CYLINT_CAPPED),
+         cylint_elliptic_cone(&b, p[1], x, y, z, 0.25, CYLINT_CAPPED),
+         (z[1] = 0.5, z[2] = 3.5, cylint_elliptic_cone(&expected, pm, x, y,
+                                             z, km, CYLINT_CAPPED)));
+#undef HALF
+    /* an axis that vanishes half way */
+    cylint_cylinder(&a, p[0], q[0], 1, CYLINT_CAPPED);
+    cylint_cylinder(&b, q[0], p[0], 1, CYLINT_CAPPED);
+    CHECK(cylint_embree_between(&a, &b, 0.5, &half) == CYLINT_EAXIS);
+    CHECK(half.kind == CYLINT_KIND_NONE);
+}
+
+/* --------------------------------------------------------------- update -- */
+
+static void ask_some(struct world *w, uint64_t *state)
+{
+    for (int i = 0; i < 100; i++) {
+        struct rays r;
+        rays_begin(&r, 4);
+        for (int k = 0; k < 4; k++)
+            aim(state, &r, k);
+        rays_intersect(&r, w->scene, NULL);
+        agrees(w, &r);
+    }
+}
+
+static void an_update_takes_over_what_was_changed(void)
+{
+    cylint_shape shapes[SOME], kept;
+    uint64_t state = 6;
+    for (int how = 0; how < 2; how++) {
+        struct world w;
+        long long bytes;
+        world_shapes(&state, SCENE_THIN, shapes, SOME);
+        w = made(shapes, SOME, both_ways[how]);
+        ask_some(&w, &state);
+        bytes = world_memory.bytes;
+        for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++) {
+            world_shapes(&state, kind, shapes, SOME);
+            CHECK(cylint_embree_update(w.geometry, &w.problem) ==
+                  CYLINT_EMBREE_OK);
+            rtcCommitScene(w.scene);
+            cylint_pack_shapes(&w.pack, w.room, shapes, SOME);
+            ask_some(&w, &state);
+        }
+        /* what a first scene took is enough for the last */
+        world_shapes(&state, SCENE_THIN, shapes, SOME);
+        for (int i = 0; i < 50; i++)
+            CHECK(cylint_embree_update(w.geometry, NULL) == CYLINT_EMBREE_OK);
+        rtcCommitScene(w.scene);
+        CHECK(world_memory.bytes < 2 * bytes);
+        /* a shape that cannot be taken over, and then one that can */
+        kept = shapes[17];
+        cylint_cylinder(&shapes[17], kept.base, kept.base, 1, CYLINT_CAPPED);
+        world_errors();
+        CHECK(cylint_embree_update(w.geometry, &w.problem) ==
+              CYLINT_EMBREE_ESHAPE);
+        CHECK(w.problem.status == CYLINT_EMBREE_ESHAPE &&
+              w.problem.shape == 17);
+        CHECK(world_errors() == 1 &&
+              world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
+        shapes[17] = kept;
+        CHECK(cylint_embree_update(w.geometry, &w.problem) ==
+              CYLINT_EMBREE_OK);
+        rtcCommitScene(w.scene);
+        cylint_pack_shapes(&w.pack, w.room, shapes, SOME);
+        ask_some(&w, &state);
+        world_free(&w);
+    }
+}
+
+/* --------------------------------------------------------------- bounds -- */
+
+/* Embree's box of the shapes holds them, and is wider only by what the header
+ * says and a rounding to float. */
+static void the_scenes_box_is_that_of_the_shapes_and_a_little(void)
+{
+    cylint_shape shapes[SOME];
+    uint64_t state = 7;
+    for (int how = 0; how < 2; how++)
+    for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++)
+    for (int n = 1; n <= SOME; n += 33) {
+        double lo[3], hi[3], least[3], most[3];
+        double size = 0, most_of_all = 0;
+        struct RTCBounds box;
+        const float *lower = &box.lower_x, *upper = &box.upper_x;
+        struct world w;
+        world_shapes(&state, kind, shapes, (size_t)n);
+        w = made(shapes, (size_t)n, both_ways[how]);
+        for (int i = 0; i < n; i++) {
+            cylint_bounds(&shapes[i], lo, hi);
+            for (int k = 0; k < 3; k++) {
+                least[k] = i && least[k] < lo[k] ? least[k] : lo[k];
+                most[k] = i && most[k] > hi[k] ? most[k] : hi[k];
+            }
+        }
+        for (int k = 0; k < 3; k++) {
+            size = fmax(size, most[k] - least[k]);
+            most_of_all = fmax(most_of_all, fmax(-least[k], most[k]));
+        }
+        rtcGetSceneBounds(w.scene, &box);
+        for (int k = 0; k < 3; k++) {
+            const double pad = size * 0x1.1p-19 + 0x1.1p-23 * most_of_all;
+            CHECK(lower[k] < least[k] && lower[k] >=
+                  -nextafterf(world_float_above(pad - least[k]), HUGE_VALF));
+            CHECK(upper[k] > most[k] && upper[k] <=
+                  nextafterf(world_float_above(pad + most[k]), HUGE_VALF));
+        }
+        world_free(&w);
+    }
+}
+
+static void no_shapes_are_a_scene_that_nothing_hits(void)
+{
+    const float o[3] = {0, 0, 0}, d[3] = {0, 0, 1};
+    for (int how = 0; how < 2; how++) {
+        struct world w = made(NULL, 0, both_ways[how]);
+        struct RTCBounds box;
+        for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
+            struct rays r;
+            rays_begin(&r, n);
+            rays_add(&r, 0, o, d, 0, HUGE_VALF);
+            rays_intersect(&r, w.scene, NULL);
+            agrees(&w, &r);
+        }
+        rtcGetSceneBounds(w.scene, &box);
+        CHECK(box.lower_x > box.upper_x);
+        CHECK(cylint_embree_update(w.geometry, NULL) == CYLINT_EMBREE_OK);
+        world_free(&w);
+    }
+    CHECK(world_errors() == 0);
+}
+
+/* -------------------------------------------------------------- refusal -- */
+
+enum { ROW = 30 };
+
+/* Makes a geometry of ROW shapes, of which `first` and the last are bad. */
+static void refused(const cylint_shape *bad, size_t first, int status)
+{
+    cylint_shape shapes[ROW];
+    uint64_t state = 8;
+    world_shapes(&state, SCENE_FAT, shapes, ROW);
+    shapes[first] = shapes[ROW - 1] = *bad;
+    for (int how = 0; how < 2; how++) {
+        const cylint_embree_options options = options_for(both_ways[how]);
+        cylint_embree_problem problem = {0, 0};
+        const long long bytes = world_memory.bytes;
+        world_errors();
+        CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
+                                      &problem));
+        CHECK(problem.status == status && problem.shape == first);
+        CHECK(world_errors() == 1 &&
+              world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
+        CHECK(world_memory.bytes == bytes);
+        CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
+                                      NULL));
+        world_errors();
+    }
+}
+
+static void what_embree_would_drop_is_refused_by_number(void)
+{
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
+    double far[3] = {0, 0, 1.9e18}, near[3] = {0, 0, 1.8e18},
+        nan[3] = {0, 0, NAN};
+    cylint_shape shape;
+    CHECK(cylint_cylinder(&shape, p0, nan, 1, CYLINT_CAPPED));
+    refused(&shape, 0, CYLINT_EMBREE_ESHAPE);
+    CHECK(cylint_cylinder(&shape, p0, p0, 1, CYLINT_CAPPED));
+    refused(&shape, 7, CYLINT_EMBREE_ESHAPE);
+    CHECK(!cylint_cylinder(&shape, p0, p1, 1, CYLINT_INFINITE));
+    refused(&shape, 8, CYLINT_EMBREE_ESHAPE);
+    CHECK(!cylint_angle_cone(&shape, p0, p1, 30, CYLINT_NAPPE));
+    refused(&shape, 9, CYLINT_EMBREE_ESHAPE);
+    CHECK(!cylint_cylinder(&shape, p0, far, 1, CYLINT_CAPPED));
+    refused(&shape, 15, CYLINT_EMBREE_ESHAPE);
+    CHECK(!cylint_cylinder(&shape, p0, p1, 1e300, CYLINT_CAPPED));
+    refused(&shape, 16, CYLINT_EMBREE_ESHAPE);
+    /* and within the limit it is found */
+    CHECK(!cylint_cylinder(&shape, p0, near, 1e17, CYLINT_CAPPED));
+    for (int how = 0; how < 2; how++) {
+        const float o[3] = {0, 1e16f, -1e18f}, d[3] = {0, 0, 1};
+        struct world w = made(&shape, 1, both_ways[how]);
+        struct rays r;
+        rays_begin(&r, 1);
+        rays_add(&r, 0, o, d, 0, HUGE_VALF);
+        rays_intersect(&r, w.scene, NULL);
+        agrees(&w, &r);
+        CHECK(rays_hit(&r, 0));
+        world_free(&w);
+    }
+}
+
+static void motion_that_makes_no_sense_is_refused_by_number(void)
+{
+    cylint_shape shapes[ROW], moved[ROW];
+    cylint_embree_options options = {0};
+    cylint_embree_problem problem;
+    const long long bytes = world_memory.bytes;
+    const double p0[3] = {0, 0, 0}, p1[3] = {1, 0, 0}, p2[3] = {0, 1, 0},
+        p3[3] = {0, 0, 1};
+    uint64_t state = 9;
+    world_shapes(&state, SCENE_FAT, shapes, ROW);
+    memcpy(moved, shapes, sizeof moved);
+    options.moved = moved;
+    cylint_cylinder(&moved[11], p0, p1, 1, CYLINT_OPEN); /* other ends */
+    cylint_elliptic_cylinder(&moved[12], p0, p1, p2, p3, CYLINT_CAPPED);
+    for (int i = 11; i <= 12; i++) {
+        world_errors();
+        CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
+                                      &problem));
+        CHECK(problem.status == CYLINT_EMBREE_EMOTION &&
+              problem.shape == (size_t)i);
+        CHECK(world_errors() == 1 &&
+              world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
+        moved[i] = shapes[i];
+    }
+    cylint_cylinder(&moved[13], p0, p0, 1, CYLINT_CAPPED);
+    CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
+                                  &problem));
+    CHECK(problem.status == CYLINT_EMBREE_ESHAPE && problem.shape == 13);
+    CHECK(world_memory.bytes == bytes);
+    world_errors();
+}
+
+static void every_status_has_its_text(void)
+{
+    for (int s = CYLINT_EMBREE_OK; s <= CYLINT_EMBREE_EVERSION; s++)
+        for (int t = CYLINT_EMBREE_OK; t < s; t++)
+            CHECK(strcmp(cylint_embree_strerror(s),
+                         cylint_embree_strerror(t)) != 0);
+    CHECK(cylint_embree_strerror(-1) && cylint_embree_strerror(99));
+    CHECK(cylint_embree_version() == RTC_VERSION_MAJOR);
+}
+
+int main(void)
+{
+    RUN(moving_shapes_are_where_they_are_at_the_rays_time);
+    RUN(between_moves_the_constructors_numbers);
+    RUN(an_update_takes_over_what_was_changed);
+    RUN(the_scenes_box_is_that_of_the_shapes_and_a_little);
+    RUN(no_shapes_are_a_scene_that_nothing_hits);
+    RUN(what_embree_would_drop_is_refused_by_number);
+    RUN(motion_that_makes_no_sense_is_refused_by_number);
+    RUN(every_status_has_its_text);
+    return check_end();
+}
