@@ -1,26 +1,14 @@
 #!/bin/sh
 # However a scene is searched, `cylint` answers the same bytes.  The lines
 # are more than auto asks by batches before it builds a hierarchy.
-: "${BUILD:=build}"
-cylint=$BUILD/cylint
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-passed=0 failed=0
+. "$(dirname "$0")/verdict.sh"
+cylint=$build/cylint
 
 # A sanitizer's dlopen() does not look beside the program.
 if grep -q __asan_init "$cylint"; then
-    LD_LIBRARY_PATH=$BUILD${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+    LD_LIBRARY_PATH=$build${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
     export LD_LIBRARY_PATH
 fi
-
-verdict() { # what it was about; the status of the command before
-    if [ "$2" -eq 0 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        printf 'FAILED %s\n' "$1"
-    fi
-}
 
 # 3,000 sticks and cones at random, 700 discs in a row, and some without end.
 awk 'function at() { return 40 * rand() - 20 }
@@ -77,5 +65,4 @@ else
       'cylint: --accel: this cylint was built without Embree' ]
     verdict '--accel embree is refused where there is none' $?
 fi
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+check_end

@@ -6,24 +6,9 @@
 # of standard error, `? N` the exit status (0 if not said).  `(empty)` stands
 # for an empty line, a blank line ends the transcript, and what stands
 # between transcripts is comment.  All commands share one scratch folder.
-: "${BUILD:=build}"
-root=$(pwd)
-case $BUILD in /*) bin=$BUILD ;; *) bin=$root/$BUILD ;; esac
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+. "$(dirname "$0")/verdict.sh"
 mkdir "$scratch/work"
-PATH=$bin:$PATH
-export PATH
-passed=0 failed=0
-
-verdict() { # true|false, what it was about
-    if [ "$1" = true ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        printf 'FAILED %s\n' "$2"
-    fi
-}
+PATH=$build:$PATH
 
 # Runs $command, compares with the files expected.out and expected.err.
 finish() {
@@ -32,10 +17,10 @@ finish() {
         >"$scratch/out" 2>"$scratch/err"
     echo "? $?" >>"$scratch/err"
     echo "? $status" >>"$scratch/expected.err"
-    ok=true
-    diff "$scratch/expected.out" "$scratch/out" || ok=false
-    diff "$scratch/expected.err" "$scratch/err" || ok=false
-    verdict $ok "$source: $command"
+    diff "$scratch/expected.out" "$scratch/out"
+    wrong=$?
+    diff "$scratch/expected.err" "$scratch/err" || wrong=1
+    verdict "$source: $command" $wrong
     command=
 }
 
@@ -70,22 +55,20 @@ examples() {
 }
 
 covered() { # word: is it in cli.txt, not as a part of another?
-    grep -Eq -e "(^|[^a-z0-9-])$1([^a-z0-9]|\$)" "$root/tests/cli.txt"
-    code=$?
-    verdict "$([ $code -eq 0 ] && echo true || echo false)" \
-        "no transcript for $1"
+    grep -Eq -e "(^|[^a-z0-9-])$1([^a-z0-9]|\$)" "$top/tests/cli.txt"
+    verdict "no transcript for $1" $?
 }
 
-run_transcripts cli.txt <"$root/tests/cli.txt"
+run_transcripts cli.txt <"$top/tests/cli.txt"
 
 for page in cylint.1 cylint.7; do
     rm -rf "$scratch/work"
     mkdir "$scratch/work"
-    ln -s "$root/tools" "$scratch/work"
-    examples "$root/man/$page" >"$scratch/examples"
+    ln -s "$top/tools" "$scratch/work"
+    examples "$top/man/$page" >"$scratch/examples"
     run_transcripts $page <"$scratch/examples"
     [ "$(grep -c '^\$ ' "$scratch/examples")" -ge 5 ]
-    verdict "$([ $? -eq 0 ] && echo true || echo false)" "$page has examples"
+    verdict "$page has examples" $?
 done
 
 for word in $(cylint --help | grep -Eo -e ' -(-[a-z-]+|[a-zA-Z])' | sort -u) \
@@ -94,5 +77,4 @@ for word in $(cylint --help | grep -Eo -e ' -(-[a-z-]+|[a-zA-Z])' | sort -u) \
         $(cylint --list=columns | cut -f1); do
     covered "$word"
 done
-printf '%d passed, %d failed\n' $passed $failed
-[ $failed -eq 0 ]
+check_end

@@ -2,24 +2,8 @@
 # The converters of tools/convert: small inputs with the scenes they must
 # give, lines they must refuse, and real files where ../shared/data has them.
 # Everything is said once per awk found.
-LC_ALL=C
-export LC_ALL
-build=${BUILD:-build}
+. "$(dirname "$0")/verdict.sh"
 data=../shared/data
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-passed=0 failed=0
-
-# verdict NAME STATUS: counts a test that ended with STATUS 0 as passed.
-verdict()
-{
-    if [ "$2" -eq 0 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED $AWK: $1"
-    fi
-}
 
 # gives NAME COMMAND...: $scratch/in through the command must give exactly
 # $scratch/expected and exit status 0.
@@ -30,7 +14,7 @@ gives()
     "$@" < "$scratch/in" > "$scratch/out" 2> "$scratch/messages"
     status=$?
     diff "$scratch/expected" "$scratch/out" && [ $status -eq 0 ]
-    verdict "$name" $?
+    verdict "$AWK: $name" $?
 }
 
 # refuses NAME MESSAGE COMMAND...: exit status 1 and that message alone.
@@ -44,7 +28,7 @@ refuses()
         echo "exit status $status, message: $(cat "$scratch/messages")"
         false
     }
-    verdict "$name" $?
+    verdict "$AWK: $name" $?
 }
 
 # says NAME MESSAGE: what the last command wrote to standard error.
@@ -54,7 +38,7 @@ says()
         echo "message: $(cat "$scratch/messages")"
         false
     }
-    verdict "$1" $?
+    verdict "$AWK: $1" $?
 }
 
 input() { printf "$1" > "$scratch/in"; }
@@ -111,7 +95,7 @@ swc2scene: 1 edge of no radius skipped"
     refuses swc_refuses_a_node_given_twice \
         "swc2scene: -:2: this node was given before: '1'" $swc
     ! $swc "$scratch/missing" > /dev/null 2>&1
-    verdict swc_fails_on_a_missing_file $?
+    verdict "$AWK: swc_fails_on_a_missing_file" $?
 }
 
 test_qsm()
@@ -185,7 +169,7 @@ cylinder 1.540 0.000 0.000 0.700 1.100 0.000 0.15 2-5
         "pdb2scene: -:1: no covalent radius is known for 'XX'" $pdb
     $pdb -r -1 < /dev/null > /dev/null 2>&1
     [ $? -eq 2 ]
-    verdict pdb_refuses_a_negative_stick $?
+    verdict "$AWK: pdb_refuses_a_negative_stick" $?
 }
 
 test_pov()
@@ -252,7 +236,7 @@ accepted()
         echo 'ray 1 2 3  1 1 1' |
         "$build/cylint" -s "$scratch/scene" > "$scratch/out" 2>&1 &&
         [ "$(wc -l < "$scratch/out")" -eq 1 ]
-    verdict "$name" $?
+    verdict "$AWK: $name" $?
 }
 
 # Rays from a corner of the scene's box of axis ends to points within it,
@@ -301,7 +285,7 @@ test_scan_of_a_neuron()
         $AWK '$1 > 0 { hits++ } $NF != NR { wrong++ }
               END { exit !(hits > 100 && hits < 9900 && !wrong) }' \
             "$scratch/out"
-    verdict ten_thousand_rays_at_a_neuron_are_answered $?
+    verdict "$AWK: ten_thousand_rays_at_a_neuron_are_answered" $?
 }
 
 for AWK in mawk gawk awk; do
@@ -320,5 +304,4 @@ if [ -d $data ]; then
 else
     echo "note: no $data, the tests on real files are left out"
 fi
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+check_end

@@ -1,22 +1,7 @@
 #!/bin/sh
 # The demo: the same bytes each time and under each awk, an account that
 # agrees with the answers, and no failure hidden.
-LC_ALL=C
-export LC_ALL
-build=${BUILD:-build}
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-passed=0 failed=0
-
-verdict()
-{
-    if [ "$2" -eq 0 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED $1"
-    fi
-}
+. "$(dirname "$0")/verdict.sh"
 
 # demo NAME [AWK]: runs the demo in $scratch/bin; what it says goes to
 # $scratch/NAME, without what the clock said.
@@ -101,7 +86,7 @@ fails()
 rm "$scratch/bin/cylint"
 fails awk
 verdict the_demo_fails_without_the_command $?
-printf '#!/bin/sh\n"%s/cylint" "$@"; exit 1\n' "$(cd "$build" && pwd)" \
+printf '#!/bin/sh\n"%s/cylint" "$@"; exit 1\n' "$build" \
     > "$scratch/bin/cylint"
 chmod +x "$scratch/bin/cylint"
 fails awk
@@ -110,5 +95,4 @@ cp "$build/cylint" "$scratch/bin/cylint"
 fails false
 verdict the_demo_fails_when_awk_does $?
 
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+check_end

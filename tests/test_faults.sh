@@ -3,26 +3,18 @@
 # badly, and when it fails the command says so and stops at a line's end.
 # What the system does wrong is said in tests/faults.c; tests/test_hostile.sh
 # has hostile input and the failures that any shell can make.
-: "${BUILD:=build}"
-case $BUILD in /*) bin=$BUILD ;; *) bin=$(pwd)/$BUILD ;; esac
-[ -x "$bin/tests/faulty" ] || {
+. "$(dirname "$0")/verdict.sh"
+[ -x "$build/tests/faulty" ] || {
     echo "no linker that wraps calls"
     exit 77
 }
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
 cd "$scratch" || exit 1
-cylint=$bin/cylint faulty=$bin/tests/faulty
+cylint=$build/cylint faulty=$build/tests/faulty
 : "${WORKERS:=1 2}"
-passed=0 failed=0
 
-verdict() { # NAME; fails if $wrong is not empty
-    if [ -z "$wrong" ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED $1:$wrong"
-    fi
+judge() { # NAME; fails if $wrong is not empty
+    [ -z "$wrong" ]
+    verdict "$1:$wrong" $?
     wrong=
 }
 
@@ -88,7 +80,7 @@ cut -f 8 pairs.out | grep -v '^$' >ids
 awk 'BEGIN { for (i = 1; i <= 9000; i++) if (i % 701) print "r" i }' | cmp -s - ids ||
     wrong="$wrong ids"
 [ "$(wc -l <pairs.out)" -eq 9000 ] || wrong="$wrong count"
-verdict 'what is right has every record in its place'
+judge 'what is right has every record in its place'
 
 # ----------------------------------------------------- served, but badly --
 
@@ -110,7 +102,7 @@ badly() { # NAME FAULTS: from a file and through a pipe
             same $job "$(cat code)" "$job -j $j from a pipe"
         done
     done
-    verdict "$1"
+    judge "$1"
 }
 
 badly 'wrapped calls that do no harm' 'leaks=1'
@@ -134,7 +126,7 @@ for j in $WORKERS; do
     wait $pid
     same pairs $? "-j $j"
 done
-verdict 'stopped and continued all the time'
+judge 'stopped and continued all the time'
 
 # A writer of single bytes, with pauses that let the reader starve: few calls
 # are to be made meanwhile, or it does not wait but ask again and again.
@@ -152,7 +144,7 @@ for j in $WORKERS; do
     }
     same few "$(cat code)" "-j $j"
 done
-verdict 'single bytes, from a pipe that does not block'
+judge 'single bytes, from a pipe that does not block'
 
 # A reader that sleeps while the pipe to it fills up.
 for j in $WORKERS; do
@@ -160,7 +152,7 @@ for j in $WORKERS; do
     echo $? >code; } | { sleep 0.3; cat >out; }
     same scene "$(cat code)" "-j $j"
 done
-verdict 'a slow reader of a pipe that does not block'
+judge 'a slow reader of a pipe that does not block'
 
 # ------------------------------------------------------------- failures --
 
@@ -184,7 +176,7 @@ for bytes in 0 1 $((whole - 1)) $whole $((whole + 1)) 262144; do
         first_lines pairs "$lines" "$bytes -j $j"
     done
 done
-verdict 'a read that fails in mid-file'
+judge 'a read that fails in mid-file'
 
 for j in $WORKERS; do
     CYLINT_FAULTS="read=$(($(wc -c <shapes) - 5))" ask "$faulty" scene -j $j <rays >out 2>err
@@ -194,7 +186,7 @@ for j in $WORKERS; do
     stopped $? 3 'neuron.swc: Input/output error' "-j $j"
     first_lines neuron 0 "-j $j"
 done
-verdict 'a read that fails in the scene'
+judge 'a read that fails in the scene'
 
 for j in $WORKERS; do
     for bytes in 0 1 100000; do
@@ -213,7 +205,7 @@ for j in $WORKERS; do
     CYLINT_FAULTS='close=1' ask "$faulty" pairs -j $j <few >out 2>err
     stopped $? 3 'standard output: Input/output error' "close -j $j"
 done
-verdict 'a write or a close that fails'
+judge 'a write or a close that fails'
 
 # Ten thousand bytes are where a file must end, and 64 KiB where the disk does.
 for j in $WORKERS; do
@@ -233,7 +225,7 @@ for j in $WORKERS; do
         echo 'note: no disk can be made and filled here'
     fi
 done
-verdict 'a file that may not grow, a disk that is full'
+judge 'a file that may not grow, a disk that is full'
 
 # For every n: the n-th allocation fails, alone or with all after it.
 for job in $jobs neuron; do
@@ -257,7 +249,7 @@ for job in $jobs neuron; do
         [ $died -ge 8 ] || wrong="$wrong $job -j $j: only $died of $(cat count) matter?"
     done
 done
-verdict 'out of memory at the n-th allocation, for every n'
+judge 'out of memory at the n-th allocation, for every n'
 
 n=0
 while [ $n -lt 9 ]; do
@@ -267,7 +259,7 @@ while [ $n -lt 9 ]; do
 done
 CYLINT_FAULTS='pipe=1 leaks=1' ask "$faulty" pairs -j 4 <pairs >out 2>err
 same pairs $? 'no pipe'
-verdict 'threads that cannot be made'
+judge 'threads that cannot be made'
 
 for j in $WORKERS; do
     { ask "$cylint" pairs -j $j <pairs 2>err; echo $? >code; } | head -n 1 >out
@@ -278,7 +270,7 @@ for j in $WORKERS; do
     stopped "$(cat code)" 3 'standard output: Broken pipe' "-j $j, ignored"
     first_lines pairs 1 "-j $j, ignored"
 done
-verdict 'a reader that leaves'
+judge 'a reader that leaves'
 
 # Ten million bad records: ten messages and a count, and no more memory than
 # for ten thousand.
@@ -299,15 +291,14 @@ for count in 10000 $many; do
             wrong="$wrong $count -j $j: status $(cat code), $(tail -n 1 err)"
     done
 done
-verdict "$many bad records have eleven messages"
+judge "$many bad records have eleven messages"
 
 # What the command calls to read, write or get memory is wrapped, so that a
 # new way of failing is not overlooked.
-nm -u "$bin"/tools/cylint/*.o | awk '{ print $NF }' | sort -u | grep -Ex \
+nm -u "$build"/tools/cylint/*.o | awk '{ print $NF }' | sort -u | grep -Ex \
     '(f|fd|fre|p|open_mem)open.*|creat|f?read|f?write|[pf]?(read|write)v|pread|pwrite|send|recv|getc.*|fgets|getdelim|getline|mmap|.*alloc|strn?dup|v?asprintf|p?select|ppoll|dup[23]?|pipe|fork|aligned_alloc' |
     grep -Evx 'read|write|fwrite|[mc]alloc|realloc|pipe' >unwrapped
 [ ! -s unwrapped ] || wrong=" $(cat unwrapped)"
-verdict 'there are no other calls that can fail'
+judge 'there are no other calls that can fail'
 
-printf '%d passed, %d failed\n' $passed $failed
-[ $failed -eq 0 ]
+check_end

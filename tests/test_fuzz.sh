@@ -1,12 +1,9 @@
 #!/bin/sh
 # What fuzzing has found worth keeping, run again: tests/fuzz says what each
 # target sees to.  `make fuzz` looks for more.
-: "${BUILD:=build}"
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-passed=0 failed=0
+. "$(dirname "$0")/verdict.sh"
 for target in record command shapes; do
-    program=$BUILD/tests/fuzz/$target
+    program=$build/tests/fuzz/$target
     [ -x "$program" ] || {
         echo "no linker that wraps calls"
         exit 77
@@ -18,14 +15,10 @@ for target in record command shapes; do
         continue
     fi
     for input in tests/fuzz/corpus/$target/*; do
-        if "$program" "$input" 2>"$scratch/messages"; then
-            passed=$((passed + 1))
-        else
-            failed=$((failed + 1))
-            echo "FAILED $program $input"
-            tail -n 5 "$scratch/messages"
-        fi
+        "$program" "$input" 2>"$scratch/messages"
+        verdict "$program $input" $? || tail -n 5 "$scratch/messages"
     done
 done
-printf '%d passed, %d failed\n' $passed $failed
-[ $failed -eq 0 ] && [ $passed -gt 30 ]
+[ $passed -gt 30 ]
+verdict "there is a corpus" $?
+check_end

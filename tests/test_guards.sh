@@ -1,27 +1,18 @@
 #!/bin/sh
 # What would break exact arithmetic is refused by the compiler, or found by
 # cylint_selftest() where no macro tells.
-here=$(dirname "$0")
-src=$here/../src
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+. "$(dirname "$0")/verdict.sh"
+src=$top/src
 cc=${CC:-cc}
-flags="-std=c99 -O2 -I$here/../include -I$src"
-passed=0 failed=0
+flags="-std=c99 -O2 -I$top/include -I$src"
 
-result() { # 0|1 what
-    if [ "$1" -eq 0 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        printf 'not so: %s\n' "$2"
-        cat "$work/messages"
-    fi
+result() { # what status
+    verdict "$1" "$2" || cat "$scratch/messages"
 }
 
 # understood FLAG...: whether the compiler knows these on this processor
 understood() {
-    $cc $flags "$@" -c -o "$work/probe.o" "$work/probe.c" 2>/dev/null
+    $cc $flags "$@" -c -o "$scratch/probe.o" "$scratch/probe.c" 2>/dev/null
 }
 
 # refused FLAG...: root.c does not compile, for a reason of ours
@@ -30,19 +21,19 @@ refused() {
         printf 'note: %s does not know %s\n' "$cc" "$*"
         return
     fi
-    if $cc $flags "$@" -c -o "$work/x.o" "$src/root.c" 2>"$work/messages"
+    if $cc $flags "$@" -c -o "$scratch/x.o" "$src/root.c" 2>"$scratch/messages"
     then
-        result 1 "refused with $*"
+        result "refused with $*" 1
     else
-        grep -q 'error.*libcylint' "$work/messages"
-        result $? "refused with $* for a reason of ours"
+        grep -q 'error.*libcylint' "$scratch/messages"
+        result "refused with $* for a reason of ours" $?
     fi
 }
 
 # accepted FLAG...
 accepted() {
-    $cc $flags "$@" -c -o "$work/x.o" "$src/root.c" 2>"$work/messages"
-    result $? "accepted with $*"
+    $cc $flags "$@" -c -o "$scratch/x.o" "$src/root.c" 2>"$scratch/messages"
+    result "accepted with $*" $?
 }
 
 # found MASK FLAG...: a program whose selftest has all of MASK's bits set,
@@ -54,23 +45,23 @@ found() {
         printf 'note: %s does not know %s\n' "$cc" "$*"
         return
     fi
-    $cc $flags "$@" -o "$work/selftest" "$work/main.c" "$src/selftest.c" \
-        -lm 2>"$work/messages" || {
+    $cc $flags "$@" -o "$scratch/selftest" "$scratch/main.c" "$src/selftest.c" \
+        -lm 2>"$scratch/messages" || {
         printf 'note: %s does not link with %s\n' "$cc" "$*"
         return
     }
-    "$work/selftest" >"$work/messages"
-    got=$(cat "$work/messages")
+    "$scratch/selftest" >"$scratch/messages"
+    got=$(cat "$scratch/messages")
     if [ "$mask" -eq 0 ]; then
         [ "$got" -eq 0 ]
     else
         [ $((got & mask)) -eq "$mask" ]
     fi
-    result $? "the selftest finds $mask with $*"
+    result "the selftest finds $mask with $*" $?
 }
 
-printf '#include <stdint.h>\nint probe(void) { return 0; }\n' >"$work/probe.c" # -m32 may lack headers
-cat >"$work/main.c" <<'END'
+printf '#include <stdint.h>\nint probe(void) { return 0; }\n' >"$scratch/probe.c" # -m32 may lack headers
+cat >"$scratch/main.c" <<'END'
 #include <cylint.h>
 #include <stdio.h>
 
@@ -80,7 +71,7 @@ int main(void)
 }
 END
 bit() { # NAME: its value, by asking the compiler
-    cat >"$work/bit.c" <<END
+    cat >"$scratch/bit.c" <<END
 #include <cylint.h>
 #include <stdio.h>
 
@@ -89,7 +80,7 @@ int main(void)
     return printf("%d\n", CYLINT_SELFTEST_$1) < 0;
 }
 END
-    $cc $flags -o "$work/bit" "$work/bit.c" && "$work/bit"
+    $cc $flags -o "$scratch/bit" "$scratch/bit.c" && "$scratch/bit"
 }
 
 accepted -ffp-contract=off
@@ -103,10 +94,10 @@ refused -m32 -mfpmath=387
 for wrong in 'FLT_EVAL_METHOD 2' 'FLT_EVAL_METHOD -1' 'DBL_MANT_DIG 64' \
              'DBL_MAX_EXP 128' 'FLT_RADIX 16'; do
     printf '#include_next <float.h>\n#undef %s\n#define %s\n' \
-        "${wrong% *}" "$wrong" >"$work/float.h"
-    refused "-I$work"
+        "${wrong% *}" "$wrong" >"$scratch/float.h"
+    refused "-I$scratch"
 done
-rm "$work/float.h"
+rm "$scratch/float.h"
 
 found 0 -ffp-contract=off
 found 0 -O0 -ffp-contract=off
@@ -127,14 +118,13 @@ else
 fi
 # the start-up code that comes with -ffast-math flushes subnormals
 case $($cc -dumpmachine) in x86_64-*)
-    $cc $flags -ffp-contract=off -c -o "$work/own.o" "$src/selftest.c"
-    if $cc -O2 -I"$here/../include" -ffast-math -o "$work/fast" \
-        "$work/main.c" "$work/own.o" -lm 2>"$work/messages"; then
-        "$work/fast" >"$work/messages"
-        [ "$(cat "$work/messages")" -eq $(($(bit FLUSHED) | $(bit ZEROED))) ]
-        result $? 'flushing start-up code is found, and nothing else'
+    $cc $flags -ffp-contract=off -c -o "$scratch/own.o" "$src/selftest.c"
+    if $cc -O2 -I"$top/include" -ffast-math -o "$scratch/fast" \
+        "$scratch/main.c" "$scratch/own.o" -lm 2>"$scratch/messages"; then
+        "$scratch/fast" >"$scratch/messages"
+        [ "$(cat "$scratch/messages")" -eq $(($(bit FLUSHED) | $(bit ZEROED))) ]
+        result 'flushing start-up code is found, and nothing else' $?
     fi ;;
 esac
 
-printf '%d passed, %d failed\n' $passed $failed
-[ $failed -eq 0 ]
+check_end

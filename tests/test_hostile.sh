@@ -1,30 +1,20 @@
 #!/bin/sh
 # The command and input that means it no good: never a crash, never half a
 # line, never a silent loss, and an exit status that says what happened.
-: "${BUILD:=build}"
-case $BUILD in /*) bin=$BUILD ;; *) bin=$(pwd)/$BUILD ;; esac
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+. "$(dirname "$0")/verdict.sh"
 cd "$scratch" || exit 1
-PATH=$bin:$PATH
-export PATH
-passed=0 failed=0
+PATH=$build:$PATH
 good='line 0 0 -1  0 0 1  cylinder 0 0 0  0 0 1  1'
 
 # expect NAME STATUS: the files out and err are as want and want.err, if
 # those exist, and $status is STATUS.  Removes the wants.
 expect() {
-    ok=true
-    [ "$status" = "$2" ] || { echo "status $status, not $2"; ok=false; }
-    if [ -e want ]; then diff want out || ok=false; fi
-    if [ -e want.err ]; then diff want.err err || ok=false; fi
-    grep -Eiq 'sanitizer|runtime error' err && { cat err; ok=false; }
-    if $ok; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED $1"
-    fi
+    wrong=0
+    [ "$status" = "$2" ] || { echo "status $status, not $2"; wrong=1; }
+    if [ -e want ]; then diff want out || wrong=1; fi
+    if [ -e want.err ]; then diff want.err err || wrong=1; fi
+    grep -Eiq 'sanitizer|runtime error' err && { cat err; wrong=1; }
+    verdict "$1" $wrong
     rm -f want want.err
 }
 
@@ -35,7 +25,7 @@ run() {
 
 # A sanitizer reserves more address space than any limit below allows.
 is_sanitized() {
-    grep -q __asan_init "$bin/cylint"
+    grep -q __asan_init "$build/cylint"
 }
 
 # --- bytes that are not text
@@ -287,5 +277,4 @@ kill "$(cat timer)" 2>/dev/null
 printf '2\t%d\n' 1 2 3 4 5 >want
 expect 'a partner on a pipe is answered record by record' 0
 
-printf '%d passed, %d failed\n' $passed $failed
-[ $failed -eq 0 ]
+check_end

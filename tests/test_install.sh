@@ -2,29 +2,14 @@
 # What a packager and a newcomer do: install to a scratch folder, build the
 # README's example against what was installed, run the README's commands,
 # compile the library without the Makefile, uninstall.
-LC_ALL=C
-export LC_ALL
-build=${BUILD:-build}
+. "$(dirname "$0")/verdict.sh"
 cc=${CC:-cc}
 cxx=${CXX:-c++}
 make=${MAKE:-make}
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-passed=0 failed=0
 root=$scratch/root
 lib=$root/usr/lib
 version=$(sed -n 's/^#define CYLINT_VERSION "\(.*\)"/\1/p' include/cylint.h)
 major=${version%%.*}
-
-verdict()
-{
-    if [ "$2" -eq 0 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED $1"
-    fi
-}
 
 # quiet COMMAND...: its output is shown only if it fails.
 quiet()
@@ -40,7 +25,7 @@ quiet()
 # nothing is built anew.
 make_here()
 {
-    quiet $make --no-print-directory BUILD="$build" CC="$cc" CXX="$cxx" \
+    quiet $make --no-print-directory BUILD="${BUILD:-build}" CC="$cc" CXX="$cxx" \
         ${CXX17+CXX17="$CXX17"} DESTDIR="$root" PREFIX=/usr "$1"
 }
 
@@ -308,5 +293,4 @@ test_readme_commands
 test_manual_examples
 test_manual_structs
 test_uninstall
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+check_end

@@ -2,14 +2,9 @@
 # Records of -k are asked about by the hundred, records with words one by one:
 # the answers are the same bytes, whatever the kinds, the columns and what
 # stands between the records.
-: "${BUILD:=build}"
-case $BUILD in /*) bin=$BUILD ;; *) bin=$(pwd)/$BUILD ;; esac
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+. "$(dirname "$0")/verdict.sh"
 cd "$scratch" || exit 1
-PATH=$bin:$PATH
-export PATH
-passed=0 failed=0
+PATH=$build:$PATH
 
 # records KINDS: numbers of one sign and of both, ends, tails, comments and
 # records that are refused; with the words of the kinds, unless bare.
@@ -49,12 +44,8 @@ same() { # name, kinds; the options follow
     echo "$? $(wc -l <messages)" >>want
     cylint -k "$kinds" "$@" bare >out 2>messages
     echo "$? $(wc -l <messages)" >>out
-    if cmp want out && [ "$(wc -l <out)" -gt 100 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED $kinds: $name"
-    fi
+    cmp want out && [ "$(wc -l <out)" -gt 100 ]
+    verdict "$kinds: $name" $?
 }
 
 for line in line ray span; do
@@ -69,5 +60,4 @@ for line in line ray span; do
     done
 done
 
-printf '%d passed, %d failed\n' $passed $failed
-[ $failed -eq 0 ]
+check_end

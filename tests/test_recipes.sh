@@ -2,27 +2,9 @@
 # The displays of cylint(7) that are not transcripts (those, tests/test_cli.sh
 # runs): shapes of other programs, and the laser scan.  The first line of each
 # is `# NAME`; the rest, about many machines, is run by make check-cluster.
-LC_ALL=C
-export LC_ALL
-here=$(pwd)
-build=${BUILD:-build}
-case $build in /*) ;; *) build=$here/$build ;; esac
+. "$(dirname "$0")/verdict.sh"
 PATH=$build:$PATH
-export PATH
 data=../shared/data
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-passed=0 failed=0
-
-verdict()
-{
-    if [ "$2" -eq 0 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED $1"
-    fi
-}
 
 # asked_of NAME LINES: each shape of the display with lines around it.
 asked_of()
@@ -67,7 +49,7 @@ test_foreign_shapes()
 # says NAME TEXT: what the recipe prints in a folder with its files.
 says()
 {
-    ln -sfn "$here/tools" "$scratch/tools"
+    ln -sfn "$top/tools" "$scratch/tools"
     sh tests/recipe.sh lidar > "$scratch/lidar"
     (cd "$scratch" && sh lidar) > "$scratch/said" 2>&1
     [ "$(cat "$scratch/said")" = "$2" ] || { cat "$scratch/said"; false; }
@@ -126,5 +108,4 @@ if [ -d $data ]; then
 else
     echo "note: no $data, the real tree is left out"
 fi
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+check_end

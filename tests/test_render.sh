@@ -3,35 +3,17 @@
 # what is seen is where it should be, shadows and colours included, what goes
 # wrong is said and leaves nothing half written, and the manual's examples
 # run.  Pixels are read by tests/pixels.
-LC_ALL=C
-export LC_ALL
-build=${BUILD:-build}
-case $build in /*) bin=$build ;; *) bin=$(pwd)/$build ;; esac
-root=$(pwd)
-page=$root/man/cylint-render.1
-[ -x "$bin/cylint-render" ] || {
+. "$(dirname "$0")/verdict.sh"
+page=$top/man/cylint-render.1
+[ -x "$build/cylint-render" ] || {
     echo 'no Embree or no libpng, so no cylint-render'
     exit 77
 }
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-PATH=$bin:$PATH
-export PATH
+PATH=$build:$PATH
 cd "$scratch" || exit 1
-passed=0 failed=0
-
-verdict()
-{
-    if [ "$2" -eq 0 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED $1"
-    fi
-}
 
 # pixel FILE X Y: red green blue opacity, 0 to 255
-pixel() { "$bin/tests/pixels" "$1" "$2" "$3"; }
+pixel() { "$build/tests/pixels" "$1" "$2" "$3"; }
 
 # refuses STATUS MESSAGE ARGUMENT...
 refuses()
@@ -102,7 +84,7 @@ test_framing()
     verdict the_left_shape_is_red $?
     brightest level.png 259 53 3
     verdict a_colour_stands_anywhere_in_the_tail $?
-    "$bin/tests/pixels" level.png | awk '
+    "$build/tests/pixels" level.png | awk '
         $6 > 0 { if (low == "" || $1 < low) low = $1; if ($1 > high) high = $1
                  if (top == "" || $2 < top) top = $2
                  if ($2 > bottom) bottom = $2 }
@@ -110,7 +92,7 @@ test_framing()
         END { exit !(low == 9 && high == 308 && top >= 2 && bottom <= 103 &&
                      bottom - top == 99) }'
     verdict the_scene_fills_the_picture_but_for_its_margin $?
-    "$bin/tests/pixels" level.png | awk '
+    "$build/tests/pixels" level.png | awk '
         # the cone at its foot, at half height and near its apex
         $2 == 102 && $1 > 159 && $6 { foot++ }
         $2 == 53 && $1 > 159 && $6 { half++ }
@@ -124,7 +106,7 @@ test_framing()
         level.scene > away.scene
     cylint-render away.scene -o near.png --from 1,0.2,0.3 --size 200x150 \
         --samples 1 --background none || return 1
-    "$bin/tests/pixels" near.png | awk '
+    "$build/tests/pixels" near.png | awk '
         $6 { n++; if ($1 < 3 || $1 > 196 || $2 < 3 || $2 > 146) out++ }
         END { exit !(n > 2000 && !out) }'
     verdict nothing_is_cut_off_in_perspective $?
@@ -133,7 +115,7 @@ test_framing()
         --background none || return 1
     # The upper rim's near point is at the angle atan(1/9), which is
     # 1/9 / tan(10 degrees) = 63.0 % of the half picture.
-    "$bin/tests/pixels" eye.png | awk '
+    "$build/tests/pixels" eye.png | awk '
         $1 == 50 && $6 { if (top == "") top = $2; bottom = $2 }
         END { exit !(top == 18 && bottom == 81) }'
     verdict an_eye_sees_what_its_angle_says $?
@@ -148,7 +130,7 @@ test_shadow()
     cylint-render pillar.scene -o shadow.png --ortho --from 0.0001,0,1 \
         --up 0,0,1 --light 0,1,1 --size 424x424 --samples 4 || return 1
     # from above: y to the right, 20 pixels a unit, the middle at 212
-    "$bin/tests/pixels" shadow.png | awk '
+    "$build/tests/pixels" shadow.png | awk '
         $2 == 212 { light[$1] = $3 + $4 + $5 }
         END { lit = light[300]
               exit !(light[212 - 60] < 0.8 * lit &&
@@ -157,7 +139,7 @@ test_shadow()
     verdict a_shadow_is_as_long_as_the_sun_says $?
     # No surface shades itself by rounding: the plate, far from the pillar,
     # and a cylinder drawn twice, far from the origin, have no dark pixel.
-    "$bin/tests/pixels" shadow.png | awk '
+    "$build/tests/pixels" shadow.png | awk '
         $1 > 240 && $1 < 370 && $2 > 150 && $2 < 270 {
             s = $3 + $4 + $5
             if (least == "" || s < least) least = s
@@ -217,7 +199,7 @@ shows()
     shift 2
     cylint-render five.scene -o five.png --ortho --from 0,0,1 --up 0,1,0 \
         --size 200x40 --samples 1 --background none "$@" || return 1
-    found=$("$bin/tests/pixels" five.png | awk '$6 { print $3, $4, $5 }' |
+    found=$("$build/tests/pixels" five.png | awk '$6 { print $3, $4, $5 }' |
         sort -u | wc -l)
     [ "$found" -eq "$wanted" ] || { echo "found $found colours"; false; }
     verdict "$name" $?
@@ -338,11 +320,11 @@ test_manual()
 # The README's commands, on a smaller scale.
 test_readme()
 {
-    mkdir readme && cd readme && ln -s "$root/tools" tools || return 1
+    mkdir readme && cd readme && ln -s "$top/tools" tools || return 1
     awk '/^```sh/ { show = 1; n++; next }
          /^```/ { show = 0 }
-         show { print > ("command" n) }' "$root/README.md"
-    data=$root/../shared/data/medulla_top24.swc
+         show { print > ("command" n) }' "$top/README.md"
+    data=$top/../shared/data/medulla_top24.swc
     if [ -e "$data" ]; then
         ln -s "$data" medulla_top24.swc
     else
@@ -355,8 +337,8 @@ test_readme()
         verdict "readme: $(grep -h '[.]png' "$c")" $?
     done
     for p in forest neurons; do
-        [ -s "$root/tools/render/$p.png" ] &&
-            "$bin/tests/pixels" $p.png | awk '
+        [ -s "$top/tools/render/$p.png" ] &&
+            "$build/tests/pixels" $p.png | awk '
                 !($3 $4 $5 in seen) { seen[$3 $4 $5] = 1; n++ }
                 END { exit !(n > 300) }'
         verdict "the readme's $p is a picture" $?
@@ -369,7 +351,7 @@ test_forest()
 {
     for awk in awk mawk gawk; do
         command -v $awk > /dev/null || continue
-        $awk -v trees=2 -f "$root/tools/render/autumn.awk" > $awk.scene
+        $awk -v trees=2 -f "$top/tools/render/autumn.awk" > $awk.scene
     done
     cylint-render awk.scene -o x.png --size 32x20 --samples 1 &&
         [ "$(wc -l < awk.scene)" -gt 4000 ] && rm x.png
@@ -389,5 +371,4 @@ test_faults
 test_manual
 test_readme
 test_forest
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+check_end

@@ -2,24 +2,9 @@
 # `cylint -s neuron.swc` against tools/convert/swc2scene: the same shapes in
 # the same order, the same files refused, in the same words, at the column
 # where the bad field begins.
-LC_ALL=C
-export LC_ALL
-build=${BUILD:-build}
+. "$(dirname "$0")/verdict.sh"
 data=../shared/data
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-passed=0 failed=0
 native=$scratch/neuron.swc converted=$scratch/neuron.scene
-
-verdict()
-{
-    if [ "$2" -eq 0 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED $1"
-    fi
-}
 
 # answers SCENE: every hit of the lines, to the last bit, and all messages.
 answers()
@@ -199,5 +184,4 @@ if [ -d $data ]; then
 else
     echo "note: no $data, the test on a real neuron is left out"
 fi
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+check_end

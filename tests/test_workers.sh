@@ -1,28 +1,15 @@
 #!/bin/sh
 # Any number of workers gives the bytes of one: answers, messages, status.
 # And none waits for input when the work is over.
-: "${BUILD:=build}"
-case $BUILD in /*) bin=$BUILD ;; *) bin=$(pwd)/$BUILD ;; esac
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+. "$(dirname "$0")/verdict.sh"
 cd "$scratch" || exit 1
-PATH=$bin:$PATH
-export PATH
-passed=0 failed=0
-
-verdict() { # true|false, what it was about
-    if [ "$1" = true ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        printf 'FAILED %s\n' "$2"
-    fi
-}
+PATH=$build:$PATH
 
 is() { # what it is about; the test's words follow
     about=$1
     shift
-    [ "$@" ] && verdict true "$about" || verdict false "$about"
+    [ "$@" ]
+    verdict "$about" $?
 }
 
 # Eight blocks and more: numbered rays at cylinders, comments, and bad
@@ -51,11 +38,8 @@ same() { # name; the command's arguments follow
     for workers in 2 3 8; do
         cylint -j $workers "$@" >out 2>err
         echo $? >>err
-        if cmp want out && cmp want.err err; then
-            verdict true "$name"
-        else
-            verdict false "$name, -j $workers"
-        fi
+        cmp want out && cmp want.err err
+        verdict "$name, -j $workers" $?
     done
 }
 
@@ -102,5 +86,4 @@ for workers in 1 2 8; do
             -j $workers -o /dev/full
 done
 
-printf '%d passed, %d failed\n' $passed $failed
-[ $failed -eq 0 ]
+check_end
