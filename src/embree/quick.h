@@ -17,30 +17,43 @@ typedef struct cylint_quick_line {
     float near;
 } cylint_quick_line;
 
-/* t, within t_error, on a part of the surface; s: t from near the shape. */
+typedef enum {
+    CYLINT_QUICK_UNSURE = -1, /* ask cylint_intersect() */
+    CYLINT_QUICK_MISS,
+    CYLINT_QUICK_HIT
+} cylint_quick_verdict;
+
+/* A question, as quick.c has it. */
+typedef struct cylint_quick {
+    double w[3], W, ww, per_ww, r0, dr; /* axis, its length; radii */
+    double from, tmin;            /* t = from + s, D + s u from the base */
+    double alpha, beta;           /* D.w, u.w */
+    double n[3], m[3];            /* u x w, D x w */
+    double s[2], a, root, per_root; /* where Q(s) = 0; of s^2 in it; of G */
+    double U, Dn;                 /* sizes */
+    int ends, crosses;
+} cylint_quick;
+
+/* A hit at t and z, within the errors, on a part of the surface; s: t from
+ * near the shape, c = P x w there, k: the radius. */
 typedef struct cylint_quick_hit {
-    double t, t_error, s, s_error;
+    double t, t_error, z, z_error;
+    double s, s_error, c[3], e_c, k, e_k;
     int part;
 } cylint_quick_hit;
 
-/* A question, as quick.c has it, and the hits. */
-typedef struct cylint_quick {
-    double u[3], w[3], ww, r0, dr; /* direction, axis, radii */
-    double from, D[3];             /* t = from + s, D + s u from the base */
-    double alpha, beta;            /* D.w, u.w */
-    double n[3], a;                /* u x w; of s^2 in Q(s) */
-    double U, W, Dn, R, V;         /* sizes */
-    cylint_quick_hit hit[2];
-} cylint_quick;
-
-/* The hits in the domain on parts that are present, t ascending; returns
- * their number, 0 to 2, or -1: ask cylint_intersect(). */
-int cylint_quick_ask(cylint_quick *q, const cylint_shape *shape,
-                     const cylint_quick_line *line);
-
-/* z of a hit within *error. */
-double cylint_quick_z(const cylint_quick *q, const cylint_quick_hit *hit,
-                      double *error);
+/*
+ * Whether the line hits the shape where it enters it: on a part that is
+ * present, at tmin or later.  If it does not, or that is not the hit that is
+ * sought: whether it does where it leaves it.  UNSURE of the first: do not ask
+ * for the second.
+ */
+cylint_quick_verdict cylint_quick_ask(cylint_quick *q,
+                                      const cylint_shape *shape,
+                                      const cylint_quick_line *line,
+                                      cylint_quick_hit *hit);
+cylint_quick_verdict cylint_quick_leave(const cylint_quick *q,
+                                        cylint_quick_hit *hit);
 
 /* What floats show of a hit: z, phi, normal, rounded as the library's
  * doubles would be; 0 where that is not certain. */

@@ -267,16 +267,15 @@ static int certain_float(const cylint_quick_hit *hit, float tfar, float *t,
 }
 
 /* Whether the hit is this lane's; 2 where that is uncertain. */
-static int owned(const query *q, const cylint_quick *quick,
-                 const cylint_quick_hit *hit)
+static int owned(const query *q, const cylint_quick_hit *hit)
 {
-    if (!q->block || cylint_block_piece(q->block, q->lane).count == 1)
+    if (!q->block)
         return 1;
-    double error;
-    const double z = cylint_quick_z(quick, hit, &error);
     const cylint_piece piece = cylint_block_piece(q->block, q->lane);
-    const int lowest = cylint_piece_at(z - error, piece.count);
-    const int highest = cylint_piece_at(z + error, piece.count);
+    if (piece.count == 1)
+        return 1;
+    const int lowest = cylint_piece_at(hit->z - hit->z_error, piece.count);
+    const int highest = cylint_piece_at(hit->z + hit->z_error, piece.count);
     return lowest < highest ? 2 : lowest == piece.index;
 }
 
@@ -287,7 +286,7 @@ static int try_hit(query *q, unsigned number, const cylint_quick *quick,
     cylint_quick_floats floats;
     float t;
     int after;
-    const int own = owned(q, quick, hit);
+    const int own = owned(q, hit);
     if (own == 0)
         return 0;
     const int certain = certain_float(hit, q->ray->tfar, &t, &after);
@@ -306,13 +305,20 @@ static int try_shape(query *q, unsigned number)
     cylint_quick quick;
     const cylint_shape *shape = shape_at(q->data, number, q->ray->time,
                                          &between);
-    const int n = cylint_quick_ask(&quick, shape, &q->line);
-    for (int i = 0; i < n; i++) {
-        const int taken = try_hit(q, number, &quick, &quick.hit[i]);
+    cylint_quick_hit hit;
+    cylint_quick_verdict is = cylint_quick_ask(&quick, shape, &q->line, &hit);
+    for (int i = 0, before = 0; i < 2; i++) {
+        if (i == 1)
+            is = cylint_quick_leave(&quick, &hit);
+        if (is == CYLINT_QUICK_MISS)
+            continue;
+        const int taken = is == CYLINT_QUICK_HIT
+                        ? try_hit(q, number, &quick, &hit) : -1;
         if (taken != 0)
-            return taken > 0 ? 1 : try_exactly(q, shape, number, i);
+            return taken > 0 ? 1 : try_exactly(q, shape, number, before);
+        before++;
     }
-    return n < 0 ? try_exactly(q, shape, number, 0) : 0;
+    return 0;
 }
 
 static void fetch_shapes(const query *q, unsigned lanes)

@@ -41,15 +41,21 @@ const cylint_block_tests *__wrap_cylint_block_tests_used(void)
     return &counting;
 }
 
-int __real_cylint_quick_ask(cylint_quick *q, const cylint_shape *shape,
-                            const cylint_quick_line *line);
-int __wrap_cylint_quick_ask(cylint_quick *q, const cylint_shape *shape,
-                            const cylint_quick_line *line);
-int __wrap_cylint_quick_ask(cylint_quick *q, const cylint_shape *shape,
-                            const cylint_quick_line *line)
+cylint_quick_verdict __real_cylint_quick_ask(cylint_quick *q,
+                                             const cylint_shape *shape,
+                                             const cylint_quick_line *line,
+                                             cylint_quick_hit *hit);
+cylint_quick_verdict __wrap_cylint_quick_ask(cylint_quick *q,
+                                             const cylint_shape *shape,
+                                             const cylint_quick_line *line,
+                                             cylint_quick_hit *hit);
+cylint_quick_verdict __wrap_cylint_quick_ask(cylint_quick *q,
+                                             const cylint_shape *shape,
+                                             const cylint_quick_line *line,
+                                             cylint_quick_hit *hit)
 {
     asked.shapes++;
-    return __real_cylint_quick_ask(q, shape, line);
+    return __real_cylint_quick_ask(q, shape, line, hit);
 }
 
 int __real_cylint_intersect(const cylint_shape *shape,
