@@ -146,9 +146,9 @@ static cylint_quick_verdict cut(cylint_quick *q, const double u[3],
         return CYLINT_QUICK_MISS;
     if (!(G > 16 * e_G))
         return CYLINT_QUICK_UNSURE;
+    const double per_a = 1 / q->a;
     q->root = sqrt(G);
-    const double per_both = 1 / (q->a * q->root), per_a = q->root * per_both;
-    q->per_root = q->a * per_both;
+    q->per_root = 1 / q->root;
     q->s[0] = (-b - q->root) * per_a;
     q->s[1] = (-b + q->root) * per_a;
     return CYLINT_QUICK_HIT;
@@ -161,7 +161,7 @@ static cylint_quick_verdict cut(cylint_quick *q, const double u[3],
  * With X = Dn + |s| U and K = r0 + |dr| X / W the errors are
  *
  *   c: 7 u Dn W + 6 u |s| U W < eps W X, alpha + s beta no more;
- *   k: 23 u K < 3 eps K;
+ *   k: 23 u K < 3 eps K, none of a cylinder's;
  *   Q: e_c (2 |c| + e_c) + e_k (2 |k| + e_k) ww + eps (cc + kk ww).
  *
  * s is on the root's side of the middle if a s + b, which is -+sqrt(G) as
@@ -174,25 +174,30 @@ static cylint_quick_verdict cut(cylint_quick *q, const double u[3],
 static int meet(const cylint_quick *q, double s, cylint_quick_hit *at)
 {
     const double X = q->Dn + fabs(s) * q->U, N = q->U * q->W;
-    const double dr = fabs(q->dr), K = q->r0 + dr * X * (q->W * q->per_ww);
-    const double e_c = eps * q->W * X, e_k = 3 * eps * K;
+    const double e_c = eps * q->W * X;
+    double e_k = 0, e_H = 4 * e_c;
     EACH(j, 3)
         at->c[j] = q->m[j] + s * q->n[j];
     at->s = s;
     at->z = (q->alpha + s * q->beta) * q->per_ww;
-    at->k = q->r0 + q->dr * at->z;
+    at->k = q->r0;
+    if (q->dr != 0) {
+        const double dr = fabs(q->dr), K = q->r0 + dr * X * (q->W * q->per_ww);
+        at->k += q->dr * at->z;
+        e_k = 3 * eps * K;
+        e_H += 8 * eps * dr * K;
+    }
     const double c = size(at->c), cc = dot(at->c, at->c);
     const double kkww = at->k * at->k * q->ww;
-    const double e_Q = e_c * (2 * c + e_c) +
-                       e_k * (2 * fabs(at->k) + e_k) * q->ww +
-                       eps * (cc + kkww);
+    double e_Q = e_c * (2 * c + e_c) + eps * (cc + kkww);
+    if (q->dr != 0)
+        e_Q += e_k * (2 * fabs(at->k) + e_k) * q->ww;
     const double off = (fabs(cc - kkww) + e_Q) * q->per_root;
     at->s_error = 0.6 * off;
     at->e_c = e_c + N * at->s_error + eps * c;
-    at->e_k = e_k + dr * N * q->per_ww * at->s_error;
+    at->e_k = e_k + fabs(q->dr) * N * q->per_ww * at->s_error;
     at->z_error = at->e_c * q->per_ww + eps * fabs(at->z);
-    return (q->root > 9 * q->a * off) &
-           (q->root > N * (4 * e_c + 8 * eps * dr * K));
+    return (q->root > 9 * q->a * off) & (q->root > N * e_H);
 }
 
 /* -1 below the base, 0 between, 1 above the top; 2 where that is uncertain. */
@@ -294,8 +299,8 @@ cylint_quick_verdict cylint_quick_leave(const cylint_quick *q,
  * float, if that is certain. */
 static int to_float(double x, double e, float *f)
 {
-    *f = (float)(x + e) + 0;
-    return (float)(x - e) + 0 == *f;
+    *f = (float)(x + e);
+    return (float)(x - e) == *f;
 }
 
 /* w x c, and its error from e_c, where rounding is counted, by component, so
@@ -303,44 +308,54 @@ static int to_float(double x, double e, float *f)
 static void across(const cylint_quick *q, const cylint_quick_hit *at,
                    double N[3], double e[3])
 {
-    const double *w = q->w;
-    cross(N, w, at->c);
-    e[0] = (fabs(w[1]) + fabs(w[2])) * at->e_c;
-    e[1] = (fabs(w[2]) + fabs(w[0])) * at->e_c;
-    e[2] = (fabs(w[0]) + fabs(w[1])) * at->e_c;
+    const double x = fabs(q->w[0]), y = fabs(q->w[1]), z = fabs(q->w[2]);
+    cross(N, q->w, at->c);
+    e[0] = (y + z) * at->e_c;
+    e[1] = (z + x) * at->e_c;
+    e[2] = (x + y) * at->e_c;
+}
+
+/* N / |N|, the length being wrong by e_length of it. */
+static int unit_floats(const double N[3], const double e[3], double per_length,
+                       double e_length, float unit[3])
+{
+    int sure = 1;
+    EACH(j, 3) {
+        const double x = N[j] * per_length;
+        const double e_x = e[j] * per_length + fabs(x) * e_length;
+        sure &= to_float(x, 1.1 * e_x, &unit[j]);
+    }
+    return sure;
 }
 
 /*
  * The lateral normal is N = w x c - k dr w.  On the surface, where |c| = k
- * |w|, it is as long as k |w| sqrt(ww + dr^2).
+ * |w|, it is as long as k |w| sqrt(ww + dr^2), which is known to 15 u of it,
+ * and to what k is.
  */
 static int lateral_normal(const cylint_quick *q, const cylint_quick_hit *at,
-                          const double across_w[3],
-                          const double e[3], float normal[3])
+                          const double across_w[3], const double e[3],
+                          float normal[3])
 {
-    const double dr = q->dr, slant = dr == 0 ? q->W : sqrt(q->ww + dr * dr);
-    const double k = at->k, per_k = 1 / (k * (q->W * slant));
-    const double lean = k * dr, e_lean = fabs(dr) * (at->e_k + eps * fabs(k));
-    const double of_k = at->e_k * per_k * (q->W * slant) + 3 * eps;
-    int sure = k > 32 * at->e_k;
+    if (q->dr == 0)
+        return unit_floats(across_w, e, q->per_ww / q->r0, 3 * eps, normal);
+    const double dr = q->dr, k = at->k, lean = k * dr;
+    const double e_lean = fabs(dr) * (at->e_k + eps * fabs(k));
+    double N[3], e_N[3];
     EACH(j, 3) {
-        const double x = (across_w[j] - lean * q->w[j]) * per_k;
-        const double e_x = (e[j] + e_lean * fabs(q->w[j])) * per_k +
-                           fabs(x) * of_k;
-        sure &= to_float(x, 1.1 * e_x, &normal[j]);
+        N[j] = across_w[j] - lean * q->w[j];
+        e_N[j] = e[j] + e_lean * fabs(q->w[j]);
     }
-    return sure;
+    return k > 32 * at->e_k &&
+           unit_floats(N, e_N, 1 / (k * (q->W * sqrt(q->ww + dr * dr))),
+                       at->e_k / k + 3 * eps, normal);
 }
 
 static int cap_normal(const cylint_quick *q, int part, float normal[3])
 {
-    const double per_length = (part == CYLINT_CAP1 ? 1 : -1) / q->W;
-    int sure = 1;
-    EACH(j, 3) {
-        const double x = q->w[j] * per_length;
-        sure &= to_float(x, 2 * eps * fabs(x), &normal[j]);
-    }
-    return sure;
+    const double e[3] = {0, 0, 0};
+    return unit_floats(q->w, e, (part == CYLINT_CAP1 ? 1 : -1) / q->W, 2 * eps,
+                       normal);
 }
 
 /* The coordinate along which the axis is least, the first such; -1 where
@@ -348,10 +363,9 @@ static int cap_normal(const cylint_quick *q, int part, float normal[3])
 static int least_component(const double w[3])
 {
     const double x = fabs(w[0]), y = fabs(w[1]), z = fabs(w[2]);
-    const int least = x <= y ? (x <= z ? 0 : 2) : (y <= z ? 1 : 2);
-    const int tied = (x == fabs(w[least])) + (y == fabs(w[least])) +
-                     (z == fabs(w[least])) > 1;
-    return tied && w[least] != 0 ? -1 : least;
+    const double xy = lesser(x, y), least = lesser(xy, z);
+    const int tied = (x <= least) + (y <= least) + (z <= least) > 1;
+    return tied & (least > 0) ? -1 : z < xy ? 2 : y < x;
 }
 
 float cylint_turn(double phi)
@@ -361,17 +375,18 @@ float cylint_turn(double phi)
 }
 
 /*
- * atan2(y, x) over 2 pi, in [0, 1], within TURN_ERROR.  From the nearest of 16
- * directions the angle is at most pi / 16, its tangent t at most 0.2, and the
- * series of atan(t) alternates: what is left out of it is less than the first
- * term that is, 0.2^17 / (34 pi) < 2^-46.2 turns.  The direction's sine and
- * cosine, each product and sum with them, of sizes at most the denominator's,
- * and the quotient round t by less than 10 u; coefficients and sum are right
- * to 10 u of t / (2 pi); two more sums to u of 1.  In all less than 4 u.
+ * atan2(y, x) over 2 pi, in [0, 1], within TURN_ERROR, and *per_far, not less
+ * than 1 over the hypotenuse.  From the nearest of 16 directions the angle is
+ * at most pi / 16, its tangent t at most 0.2, and the series of atan(t)
+ * alternates: what is left out of it is less than the first term that is,
+ * 0.2^17 / (34 pi) < 2^-46.2 turns.  The direction's sine and cosine, each
+ * product and sum with them, of sizes at most the denominator's, and the
+ * quotient round t by less than 10 u; coefficients and sum are right to 10 u of
+ * t / (2 pi); three more sums to u of 1.  In all less than 5 u.
  */
 #define TURN_ERROR 0x1p-46
 
-static double turns(double y, double x)
+static double turns(double y, double x, double *per_far)
 {
     static const double cosine[5] = {
         1, 0.92387953251128675613, 0.70710678118654752440,
@@ -379,21 +394,21 @@ static double turns(double y, double x)
     static const double edge[4] = { /* tangents of pi/16 and so on */
         0.19891236737965800691, 0.66817863791929891999,
         1.49660576266548901760, 5.02733949212584810451};
-    const double per_turn = 0.15915494309189533577; /* 1 / (2 pi) */
-    const double ax = fabs(x), ay = fabs(y);
-    const int k = (ay > edge[0] * ax) + (ay > edge[1] * ax) +
-                  (ay > edge[2] * ax) + (ay > edge[3] * ax);
-    const double t = (ay * cosine[k] - ax * cosine[4 - k]) /
-                     (ax * cosine[k] + ay * cosine[4 - k]);
-    const double z = t * t, zz = z * z;
+    static const double per_turn = 0.15915494309189533577; /* 1 / (2 pi) */
     const double c0 = per_turn, c1 = -per_turn / 3, c2 = per_turn / 5,
                  c3 = -per_turn / 7, c4 = per_turn / 9, c5 = -per_turn / 11,
                  c6 = per_turn / 13, c7 = -per_turn / 15;
+    const double ax = fabs(x), ay = fabs(y);
+    const int k = (ay > edge[0] * ax) + (ay > edge[1] * ax) +
+                  (ay > edge[2] * ax) + (ay > edge[3] * ax);
+    *per_far = 1 / (ax * cosine[k] + ay * cosine[4 - k]);
+    const double t = (ay * cosine[k] - ax * cosine[4 - k]) * *per_far;
+    const double z = t * t, zz = z * z;
     const double sum = (c0 + c1 * z) + zz * (c2 + c3 * z) +
                        (zz * zz) * ((c4 + c5 * z) + zz * (c6 + c7 * z));
-    double turn = k / 16.0 + t * sum;
-    turn = x < 0 ? 0.5 - turn : turn;
-    return y < 0 ? 1 - turn : turn;
+    const double in_quadrant = k * 0.0625 + t * sum;
+    const double in_half = 0.25 - copysign(0.25 - in_quadrant, x);
+    return 0.5 - copysign(0.5 - in_half, y);
 }
 
 /*
@@ -406,18 +421,14 @@ static int describe_phi(const cylint_quick *q, const cylint_quick_hit *at,
     const int least = least_component(q->w);
     if (least < 0)
         return 0;
-    const double x = -at->c[least] * q->W, y = across_w[least];
-    const double e = q->W * at->e_c, far = fabs(x) + fabs(y);
-    if (!(far > 8 * e))
-        return 0;
-    const double turn = turns(y, x);
-    /* the angle turns by less than both errors over the hypotenuse, which is
-     * at least far / sqrt(2), here over 2 pi: 2 sqrt(2) / (2 pi) < 1/2 */
-    const double wide = 0.5 * e / far + TURN_ERROR;
-    if (!(turn > wide) || !(turn < 1 - wide))
-        return 0;
-    *phi = cylint_turn(turn - wide);
-    return cylint_turn(turn + wide) == *phi;
+    double per_far;
+    const double turn = turns(across_w[least], -at->c[least] * q->W, &per_far);
+    /* each is wrong by at most W e_c, so the angle by less than both over the
+     * hypotenuse, here over 2 pi */
+    const double part = q->W * at->e_c * per_far;
+    const double e = 0.35 * part + TURN_ERROR;
+    return (part < 0.125) & (turn > e) & (turn + e < 1 - (double)FLT_EPSILON) &
+           to_float(turn, e, phi);
 }
 
 int cylint_quick_describe(const cylint_quick *q, const cylint_quick_hit *at,
@@ -425,9 +436,9 @@ int cylint_quick_describe(const cylint_quick *q, const cylint_quick_hit *at,
 {
     double across_w[3], e[3];
     across(q, at, across_w, e);
-    return to_float(at->z, at->z_error, &floats->z) &&
+    return to_float(at->z, at->z_error, &floats->z) &
            (at->part == CYLINT_LATERAL
             ? lateral_normal(q, at, across_w, e, floats->normal)
-            : cap_normal(q, at->part, floats->normal)) &&
+            : cap_normal(q, at->part, floats->normal)) &
            describe_phi(q, at, across_w, &floats->phi);
 }
