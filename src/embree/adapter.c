@@ -152,7 +152,8 @@ static cylint_embree_data *new_data(RTCDevice device,
         return NULL;
     cylint_embree_data *data = self.data;
     *data = (cylint_embree_data){.self = self, .device = device,
-                                 .shapes = shapes, .n = n};
+                                 .shapes = shapes, .n = n,
+                                 .quick = cylint_quick_used()};
     if (options) {
         data->moved = options->moved;
         data->how = options->how;

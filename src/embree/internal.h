@@ -13,6 +13,7 @@
 #include "cylint_embree.h"
 #include "group.h"
 #include "memory.h"
+#include "quick.h"
 
 /* What the geometry's user data points to. */
 typedef struct cylint_embree_data {
@@ -25,6 +26,7 @@ typedef struct cylint_embree_data {
     unsigned how;
     void *user;
     cylint_block_test_ray *test;  /* NULL: one shape a primitive */
+    const cylint_quick_build *quick;
     cylint_group group;
 } cylint_embree_data;
 

@@ -7,6 +7,9 @@
  * acone's radius by 6 u.  Those of vectors are of lengths: a cross product's
  * is at most 2 / sqrt(3) of those of its products.  W is the axis's length, U
  * and Dn are sizes of vectors, never less than that.
+ *
+ * Compiled once as it is and again where the processor has fused multiply-add,
+ * contracted: which rounds less, and all that is told is certain either way.
  */
 #include "quick.h"
 
@@ -268,10 +271,9 @@ static cylint_quick_verdict stop(const cylint_quick *q, int i,
                                          : CYLINT_QUICK_UNSURE;
 }
 
-cylint_quick_verdict cylint_quick_ask(cylint_quick *q,
-                                      const cylint_shape *shape,
-                                      const cylint_quick_line *l,
-                                      cylint_quick_hit *at)
+static cylint_quick_verdict enter(cylint_quick *q, const cylint_shape *shape,
+                                  const cylint_quick_line *l,
+                                  cylint_quick_hit *at)
 {
     double D[3];
     q->crosses = 0;
@@ -287,8 +289,7 @@ cylint_quick_verdict cylint_quick_ask(cylint_quick *q,
     return stop(q, 0, at);
 }
 
-cylint_quick_verdict cylint_quick_leave(const cylint_quick *q,
-                                        cylint_quick_hit *at)
+static cylint_quick_verdict leave(const cylint_quick *q, cylint_quick_hit *at)
 {
     return q->crosses ? stop(q, 1, at) : CYLINT_QUICK_MISS;
 }
@@ -368,12 +369,6 @@ static int least_component(const double w[3])
     return tied & (least > 0) ? -1 : z < xy ? 2 : y < x;
 }
 
-float cylint_turn(double phi)
-{
-    const float v = (float)phi;
-    return v < 1 ? v : 1 - FLT_EPSILON / 2;
-}
-
 /*
  * atan2(y, x) over 2 pi, in [0, 1], within TURN_ERROR, and *per_far, not less
  * than 1 over the hypotenuse.  From the nearest of 16 directions the angle is
@@ -431,8 +426,8 @@ static int describe_phi(const cylint_quick *q, const cylint_quick_hit *at,
            to_float(turn, e, phi);
 }
 
-int cylint_quick_describe(const cylint_quick *q, const cylint_quick_hit *at,
-                          cylint_quick_floats *floats)
+static int describe(const cylint_quick *q, const cylint_quick_hit *at,
+                    cylint_quick_floats *floats)
 {
     double across_w[3], e[3];
     across(q, at, across_w, e);
@@ -442,3 +437,21 @@ int cylint_quick_describe(const cylint_quick *q, const cylint_quick_hit *at,
             : cap_normal(q, at->part, floats->normal)) &
            describe_phi(q, at, across_w, &floats->phi);
 }
+
+/* --------------------------------------------------------------- builds -- */
+
+#ifndef CYLINT_QUICK
+#define CYLINT_QUICK cylint_quick_plain
+
+const cylint_quick_build *cylint_quick_used(void)
+{
+#ifdef CYLINT_BUILDS_X86
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        return &cylint_quick_fma;
+#endif
+    return &cylint_quick_plain;
+}
+
+#endif
+
+const cylint_quick_build CYLINT_QUICK = {enter, leave, describe};

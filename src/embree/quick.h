@@ -8,6 +8,8 @@
 #ifndef CYLINT_EMBREE_QUICK_H
 #define CYLINT_EMBREE_QUICK_H
 
+#include <float.h>
+
 #include "cylint_embree.h"
 
 /* A line with its domain, as yet unchecked; o and d hold floats.  near: some t
@@ -42,29 +44,39 @@ typedef struct cylint_quick_hit {
     int part;
 } cylint_quick_hit;
 
-/*
- * Whether the line hits the shape where it enters it: on a part that is
- * present, at tmin or later.  If it does not, or that is not the hit that is
- * sought: whether it does where it leaves it.  UNSURE of the first: do not ask
- * for the second.
- */
-cylint_quick_verdict cylint_quick_ask(cylint_quick *q,
-                                      const cylint_shape *shape,
-                                      const cylint_quick_line *line,
-                                      cylint_quick_hit *hit);
-cylint_quick_verdict cylint_quick_leave(const cylint_quick *q,
-                                        cylint_quick_hit *hit);
-
-/* What floats show of a hit: z, phi, normal, rounded as the library's
- * doubles would be; 0 where that is not certain. */
+/* What floats show of a hit, rounded as the library's doubles would be. */
 typedef struct cylint_quick_floats {
     float z, phi, normal[3];
 } cylint_quick_floats;
 
-int cylint_quick_describe(const cylint_quick *q, const cylint_quick_hit *hit,
-                          cylint_quick_floats *floats);
+/*
+ * enter     whether the line hits the shape where it enters it: on a part
+ *           that is present, at tmin or later;
+ * leave     if it does not, or that is not the hit that is sought: whether it
+ *           does where it leaves it.  Not to be asked after UNSURE;
+ * describe  a hit; 0 where that is not certain.
+ */
+typedef struct cylint_quick_build {
+    cylint_quick_verdict (*enter)(cylint_quick *q, const cylint_shape *shape,
+                                  const cylint_quick_line *line,
+                                  cylint_quick_hit *hit);
+    cylint_quick_verdict (*leave)(const cylint_quick *q,
+                                  cylint_quick_hit *hit);
+    int (*describe)(const cylint_quick *q, const cylint_quick_hit *hit,
+                    cylint_quick_floats *floats);
+} cylint_quick_build;
+
+/* That for this processor. */
+const cylint_quick_build *cylint_quick_used(void);
+
+/* The builds. */
+extern const cylint_quick_build cylint_quick_plain, cylint_quick_fma;
 
 /* phi as a float below 1. */
-float cylint_turn(double phi);
+static inline float cylint_turn(double phi)
+{
+    const float v = (float)phi;
+    return v < 1 ? v : 1 - FLT_EPSILON / 2;
+}
 
 #endif

@@ -293,7 +293,7 @@ static int try_hit(query *q, unsigned number, const cylint_quick *quick,
     if (after)
         return 0;
     if (own == 2 || !certain ||
-        !(is_bare(q) || cylint_quick_describe(quick, hit, &floats)))
+        !(is_bare(q) || q->data->quick->describe(quick, hit, &floats)))
         return -1;
     return take(q, number, t, &floats);
 }
@@ -306,10 +306,11 @@ static int try_shape(query *q, unsigned number)
     const cylint_shape *shape = shape_at(q->data, number, q->ray->time,
                                          &between);
     cylint_quick_hit hit;
-    cylint_quick_verdict is = cylint_quick_ask(&quick, shape, &q->line, &hit);
+    cylint_quick_verdict is = q->data->quick->enter(&quick, shape, &q->line,
+                                                      &hit);
     for (int i = 0, before = 0; i < 2; i++) {
         if (i == 1)
-            is = cylint_quick_leave(&quick, &hit);
+            is = q->data->quick->leave(&quick, &hit);
         if (is == CYLINT_QUICK_MISS)
             continue;
         const int taken = is == CYLINT_QUICK_HIT

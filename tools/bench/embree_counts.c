@@ -41,21 +41,26 @@ const cylint_block_tests *__wrap_cylint_block_tests_used(void)
     return &counting;
 }
 
-cylint_quick_verdict __real_cylint_quick_ask(cylint_quick *q,
-                                             const cylint_shape *shape,
-                                             const cylint_quick_line *line,
-                                             cylint_quick_hit *hit);
-cylint_quick_verdict __wrap_cylint_quick_ask(cylint_quick *q,
-                                             const cylint_shape *shape,
-                                             const cylint_quick_line *line,
-                                             cylint_quick_hit *hit);
-cylint_quick_verdict __wrap_cylint_quick_ask(cylint_quick *q,
-                                             const cylint_shape *shape,
-                                             const cylint_quick_line *line,
-                                             cylint_quick_hit *hit)
+static const cylint_quick_build *quick;
+
+static cylint_quick_verdict count_shape(cylint_quick *q,
+                                        const cylint_shape *shape,
+                                        const cylint_quick_line *line,
+                                        cylint_quick_hit *hit)
 {
     asked.shapes++;
-    return __real_cylint_quick_ask(q, shape, line, hit);
+    return quick->enter(q, shape, line, hit);
+}
+
+const cylint_quick_build *__real_cylint_quick_used(void);
+const cylint_quick_build *__wrap_cylint_quick_used(void);
+const cylint_quick_build *__wrap_cylint_quick_used(void)
+{
+    static cylint_quick_build counting;
+    quick = __real_cylint_quick_used();
+    counting = *quick;
+    counting.enter = count_shape;
+    return &counting;
 }
 
 int __real_cylint_intersect(const cylint_shape *shape,
