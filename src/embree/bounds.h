@@ -11,12 +11,13 @@
 
 #include "api.h"
 
-/* The float after x, which is normal. */
-static inline float cylint_next_float(float x)
+/* x, which is normal, or, if so told, the float after it.  Without branches:
+ * which it is cannot be foreseen. */
+static inline float cylint_float_or_next(float x, int next)
 {
     uint32_t bits;
     memcpy(&bits, &x, sizeof bits);
-    bits = bits >> 31 ? bits - 1 : bits + 1;
+    bits += (uint32_t)next * (1 - 2 * (bits >> 31));
     memcpy(&x, &bits, sizeof x);
     return x;
 }
@@ -28,7 +29,7 @@ static inline float cylint_float_above(double x)
     if (fabs(x) < (double)FLT_MIN)
         return x > 0 ? FLT_MIN : 0;
     const float f = (float)x;
-    return (double)f < x ? cylint_next_float(f) : f;
+    return cylint_float_or_next(f, (double)f < x);
 }
 
 /* The largest not above it, likewise. */

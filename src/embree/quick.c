@@ -52,8 +52,8 @@ static double larger(double x, double y)
 static int in_window(const cylint_quick *q)
 {
     const double R = q->r0 + fabs(q->dr);
-    return (lesser(lesser(R, q->W), q->U) > 0x1p-90) &
-           (larger(larger(R, q->W), larger(q->U, q->Dn)) < 0x1p90);
+    return lesser(lesser(R, q->W), q->U) > 0x1p-90 &&
+           larger(larger(R, q->W), larger(q->U, q->Dn)) < 0x1p90;
 }
 
 /*
@@ -366,7 +366,7 @@ static int least_component(const double w[3])
     const double x = fabs(w[0]), y = fabs(w[1]), z = fabs(w[2]);
     const double xy = lesser(x, y), least = lesser(xy, z);
     const int tied = (x <= least) + (y <= least) + (z <= least) > 1;
-    return tied & (least > 0) ? -1 : z < xy ? 2 : y < x;
+    return tied && least > 0 ? -1 : z < xy ? 2 : y < x;
 }
 
 /*

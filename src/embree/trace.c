@@ -148,12 +148,6 @@ static void describe(const cylint_quick_floats *floats, struct RTCHit *hit)
     hit->v = floats->phi;
 }
 
-static void keep_description(const struct RTCHit *old, struct RTCHit *hit)
-{
-    if (old) /* there is none where any hit will do */
-        *hit = *old;
-}
-
 static void identify(const query *q, unsigned number, struct RTCHit *hit)
 {
     hit->primID = number;
@@ -199,28 +193,27 @@ static int is_bare(const query *q)
     return (q->data->how & CYLINT_EMBREE_BARE) != 0;
 }
 
-/* Offers a hit at t to the filters; takes it if they let it pass. */
+/* Offers a hit at t to the filters; takes it if they let it pass.  The hit is
+ * written where it will stay, so that nothing waits for it to be read. */
 static int take(query *q, unsigned number, float t,
                 const cylint_quick_floats *floats)
 {
     const float tfar = q->ray->tfar;
-    struct RTCHit hit = {0};
-    if (is_bare(q))
-        keep_description(q->hit, &hit);
-    else
-        describe(floats, &hit);
-    identify(q, number, &hit);
+    struct RTCHit spare = {0}, *hit = q->nearest ? q->hit : &spare;
+    const struct RTCHit old = *hit;
+    if (!is_bare(q))
+        describe(floats, hit);
+    identify(q, number, hit);
     q->ray->tfar = t;
-    if (!passes_filters(q, &hit)) {
+    if (!passes_filters(q, hit)) {
         q->ray->tfar = tfar;
+        *hit = old;
         return 0;
     }
-    if (q->nearest) {
-        *q->hit = hit;
+    if (q->nearest)
         q->line.tmax = q->ray->tfar;
-    } else {
+    else
         q->ray->tfar = -HUGE_VALF;
-    }
     return 1;
 }
 
