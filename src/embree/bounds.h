@@ -11,25 +11,32 @@
 
 #include "api.h"
 
-/* x, which is normal, or, if so told, the float after it.  Without branches:
- * which it is cannot be foreseen. */
-static inline float cylint_float_or_next(float x, int next)
+/* The float so many places after x; no subnormal ones between. */
+static inline float cylint_float_after(float x, int places)
 {
     uint32_t bits;
     memcpy(&bits, &x, sizeof bits);
-    bits += (uint32_t)next * (1 - 2 * (bits >> 31));
+    bits += (uint32_t)places * (1 - 2 * (bits >> 31));
     memcpy(&x, &bits, sizeof x);
     return x;
 }
 
 /* The least float not below x, subnormal floats left out: Embree's threads
- * take them for zero. */
+ * take them for zero.  Whether that is the next one cannot be foreseen, so
+ * there is no branch. */
 static inline float cylint_float_above(double x)
 {
     if (fabs(x) < (double)FLT_MIN)
         return x > 0 ? FLT_MIN : 0;
     const float f = (float)x;
-    return cylint_float_or_next(f, (double)f < x);
+    return cylint_float_after(f, (double)f < x);
+}
+
+/* Whether f is that of all numbers within e of x, none of them subnormal. */
+static inline int cylint_is_float_above(float f, double x, double e)
+{
+    return fabs(x) - e > 2 * (double)FLT_MIN && x + e <= (double)f &&
+           x - e > (double)cylint_float_after(f, -1);
 }
 
 /* The largest not above it, likewise. */

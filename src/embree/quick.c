@@ -371,39 +371,40 @@ static int least_component(const double w[3])
 
 /*
  * atan2(y, x) over 2 pi, in [0, 1], within TURN_ERROR, and *per_far, not less
- * than 1 over the hypotenuse.  From the nearest of 16 directions the angle is
- * at most pi / 16, its tangent t at most 0.2, and the series of atan(t)
- * alternates: what is left out of it is less than the first term that is,
- * 0.2^17 / (34 pi) < 2^-46.2 turns.  The direction's sine and cosine, each
- * product and sum with them, of sizes at most the denominator's, and the
- * quotient round t by less than 10 u; coefficients and sum are right to 10 u of
- * t / (2 pi); three more sums to u of 1.  In all less than 5 u.
+ * than 1 over the hypotenuse.  What is left of the angle when signs and the
+ * order of x and y are known differs from pi / 8 by at most that, and has a
+ * tangent t of at most 0.41422 from there.  The series of atan(t) alternates,
+ * so what is left out of it is less than the first term that is,
+ * 0.41422^29 / (58 pi) < 2^-44.3 turns.  The tangent of pi / 8, two sums of
+ * products and the quotient round t by less than 8 u; coefficients and sum are
+ * right to 10 u of t / (2 pi), the last sum to u of 1: in all less than 4 u.
  */
-#define TURN_ERROR 0x1p-46
+#define TURN_ERROR 0x1p-44
 
 static double turns(double y, double x, double *per_far)
 {
-    static const double cosine[5] = {
-        1, 0.92387953251128675613, 0.70710678118654752440,
-        0.38268343236508977173, 0};
-    static const double edge[4] = { /* tangents of pi/16 and so on */
-        0.19891236737965800691, 0.66817863791929891999,
-        1.49660576266548901760, 5.02733949212584810451};
-    static const double per_turn = 0.15915494309189533577; /* 1 / (2 pi) */
-    const double c0 = per_turn, c1 = -per_turn / 3, c2 = per_turn / 5,
-                 c3 = -per_turn / 7, c4 = per_turn / 9, c5 = -per_turn / 11,
-                 c6 = per_turn / 13, c7 = -per_turn / 15;
-    const double ax = fabs(x), ay = fabs(y);
-    const int k = (ay > edge[0] * ax) + (ay > edge[1] * ax) +
-                  (ay > edge[2] * ax) + (ay > edge[3] * ax);
-    *per_far = 1 / (ax * cosine[k] + ay * cosine[4 - k]);
-    const double t = (ay * cosine[k] - ax * cosine[4 - k]) * *per_far;
-    const double z = t * t, zz = z * z;
-    const double sum = (c0 + c1 * z) + zz * (c2 + c3 * z) +
-                       (zz * zz) * ((c4 + c5 * z) + zz * (c6 + c7 * z));
-    const double in_quadrant = k * 0.0625 + t * sum;
-    const double in_half = 0.25 - copysign(0.25 - in_quadrant, x);
-    return 0.5 - copysign(0.5 - in_half, y);
+    static const double tan_eighth = 0.41421356237309504880;
+    #define TERM(n) (0.15915494309189533577 / (n)) /* of 1 / (2 pi) */
+    static const double c[14] = {
+        TERM(1), -TERM(3), TERM(5), -TERM(7), TERM(9), -TERM(11), TERM(13),
+        -TERM(15), TERM(17), -TERM(19), TERM(21), -TERM(23), TERM(25),
+        -TERM(27)};
+#undef TERM
+    const double ax = fabs(x), ay = fabs(y), wider = ax - ay;
+    const double most = larger(ax, ay), least = lesser(ax, ay);
+    *per_far = 1 / (most + least * tan_eighth);
+    const double t = (least - most * tan_eighth) * *per_far;
+    const double z = t * t, z2 = z * z, z4 = z2 * z2, z8 = z4 * z4;
+    const double low = (c[0] + c[1] * z) + z2 * (c[2] + c[3] * z) +
+                       z4 * ((c[4] + c[5] * z) + z2 * (c[6] + c[7] * z));
+    const double high = (c[8] + c[9] * z) + z2 * (c[10] + c[11] * z) +
+                        z4 * (c[12] + c[13] * z);
+    /* mirrored where x and y change places, and at both axes */
+    const double octant = 0.125 - copysign(0.0625, wider);
+    const double quadrant = 0.25 - copysign(0.25 - octant, x);
+    const double half = 0.5 - copysign(0.5 - quadrant, y);
+    const double sign = copysign(1, wider) * copysign(1, x) * copysign(1, y);
+    return half + sign * t * (low + z8 * high);
 }
 
 /*

@@ -249,16 +249,6 @@ static int try_exactly(query *q, const cylint_shape *shape, unsigned number,
 
 /* ---- in doubles */
 
-/* What tfar becomes by the hit, if that is certain; *after: certainly it
- * comes after the present one. */
-static int certain_float(const cylint_quick_hit *hit, float tfar, float *t,
-                         int *after)
-{
-    *t = cylint_float_above(hit->t - hit->t_error);
-    *after = *t > tfar;
-    return *t != tfar && cylint_float_above(hit->t + hit->t_error) == *t;
-}
-
 /* Whether the hit is this lane's; 2 where that is uncertain. */
 static int owned(const query *q, const cylint_quick_hit *hit)
 {
@@ -277,15 +267,12 @@ static int try_hit(query *q, unsigned number, const cylint_quick *quick,
                    const cylint_quick_hit *hit)
 {
     cylint_quick_floats floats;
-    float t;
-    int after;
     const int own = owned(q, hit);
-    if (own == 0)
+    const float t = cylint_float_above(hit->t);
+    const int certain = cylint_is_float_above(t, hit->t, hit->t_error);
+    if (own == 0 || (certain && t > q->ray->tfar))
         return 0;
-    const int certain = certain_float(hit, q->ray->tfar, &t, &after);
-    if (after)
-        return 0;
-    if (own == 2 || !certain ||
+    if (own == 2 || !certain || t == q->ray->tfar ||
         !(is_bare(q) || q->data->quick->describe(quick, hit, &floats)))
         return -1;
     return take(q, number, t, &floats);
