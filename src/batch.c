@@ -167,10 +167,12 @@ INLINE vm pass_by(const lanes_ball *b)
     letters_lanes L;
     letters_sizes N;
     ball_letters(b, &L, &N);
-    L.r[0] = N.r[0] = b->radius;
+    cross_lanes(&L, L.D[0], L.u, L.M[0]);
+    cross_sizes(&N, N.D[0], N.u, N.M[0]);
     const vd u = N.u[0], D = N.D[0][0];
-    const bounded_value near = with_bound(form_ball_lanes(&L),
-                                          form_ball_sizes(&N));
+    const bounded_value near =
+        with_bound(form_ball_lanes(&L, L.M[0], b->radius),
+                   form_ball_sizes(&N, N.M[0], b->radius));
     const vd most = v_set(CYLINT_WINDOW), least = v_set(1 / CYLINT_WINDOW);
     const vm window = m_and(v_le(v_max(u, D), most), v_le(least, u));
     return m_and(window, v_lt(near.v, -near.e));
@@ -205,10 +207,10 @@ INLINE unsigned within_reach(const lanes_ball *b, const source *from)
     return m_bits(m_not(m_or(before, beyond)));
 }
 
-/* A judged and rounded group of lanes, for reading one at a time; t, more
- * and error only where t is wanted. */
+/* A judged and rounded group of lanes, for reading one at a time; t only
+ * where it is wanted. */
 typedef struct {
-    double t[2][LANES], more[2][LANES], error[2][LANES], part[2][LANES];
+    double t[2][LANES], part[2][LANES];
     unsigned undecided, cross, hit[2], leaving_first;
 } group;
 
@@ -218,12 +220,15 @@ INLINE lanes_root roots_of(const lanes_query *q, const lanes_shape *s,
                            vm in_use, vm exits, bounded_value t, vd part)
 {
     const vd sign = v_select(exits, v_set(1), v_set(-1));
+    vd center[3];
+    root_centers(center, s, kind, part);
     if (!(want & CYLINT_WANT_FAST))
-        return round_root(q, s, l, kind, sign, t, part);
+        return round_root(q, s, center, l, kind, 1, sign, t, part);
     const lanes_root quick = take_root(q, t);
     if (!m_any(m_and(in_use, m_not(quick.sure))))
         return quick;
-    return either_root(quick, round_root(q, s, l, kind, sign, t, part));
+    return either_root(quick,
+                       round_root(q, s, center, l, kind, 1, sign, t, part));
 }
 
 INLINE void round_group(const lanes_query *q, const lanes_shape *s,
@@ -243,11 +248,8 @@ INLINE void round_group(const lanes_query *q, const lanes_shape *s,
                      choose(second, v->stop[1], v->stop[0]),
                      v_select(second, v->part[1], v->part[0]));
         v->undecided = m_or(v->undecided, m_and(any, m_not(r.sure)));
-        for (int i = 0; i < 2; i++) {
-            v_store(g->t[i], r.value);
-            v_store(g->more[i], r.more);
-            v_store(g->error[i], r.error);
-        }
+        v_store(g->t[0], r.value);
+        v_store(g->t[1], r.value);
         return;
     }
     for (int i = 0; i < 2; i++) {
@@ -258,8 +260,6 @@ INLINE void round_group(const lanes_query *q, const lanes_shape *s,
                                       v->stop[i], v->part[i]);
         v->undecided = m_or(v->undecided, m_and(v->hit[i], m_not(r.sure)));
         v_store(g->t[i], r.value);
-        v_store(g->more[i], r.more);
-        v_store(g->error[i], r.error);
     }
 }
 
@@ -273,8 +273,6 @@ static void lane_answer(const group *g, int lane, unsigned want,
             continue;
         const int swapped = (int)(g->leaving_first >> lane & 1);
         a->t[a->n] = g->t[i][lane];
-        a->more[a->n] = g->more[i][lane];
-        a->error[a->n] = g->error[i][lane];
         a->part[a->n] = (int)g->part[i][lane];
         a->side[a->n] = swapped ? !i : i;
         a->n++;
@@ -437,6 +435,6 @@ int CYLINT_LINES(cylint_job *job, const cylint_shape *shape)
     source from = {.job = job, .shape = shape, .n = job->lines->n,
                    .kind = shape->kind,
                    .bounded = shape->ends < CYLINT_INFINITE};
-    broadcast_shape(&from.one, shape, shape->kind);
+    broadcast_shape(&from.one, shape);
     return work(&from, ONE_SHAPE);
 }

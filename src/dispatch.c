@@ -8,7 +8,7 @@
 /* Best first; the last runs anywhere. */
 static const cylint_kernels builds[] = {
 #ifdef CYLINT_BUILDS_X86
-    {"avx512", cylint_one_fma, cylint_shapes_avx512, cylint_lines_avx512},
+    {"avx512", cylint_one_avx512, cylint_shapes_avx512, cylint_lines_avx512},
     {"avx2", cylint_one_fma, cylint_shapes_avx2, cylint_lines_avx2},
 #endif
     {"plain", cylint_one_plain, cylint_shapes_plain, cylint_lines_plain},
@@ -39,25 +39,20 @@ static int best(void)
     return build;
 }
 
-/* 0: not chosen yet.  Threads that choose at once choose the same. */
-static int chosen;
+/* NULL: not chosen yet.  Threads that choose at once choose the same. */
+const cylint_kernels *cylint_kernels_chosen;
 
 #ifdef __GNUC__
-#define LOAD(x) __atomic_load_n(&(x), __ATOMIC_RELAXED)
 #define STORE(x, v) __atomic_store_n(&(x), v, __ATOMIC_RELAXED)
 #else
-#define LOAD(x) (x)
 #define STORE(x, v) ((x) = (v))
 #endif
 
-const cylint_kernels *cylint_kernels_used(void)
+const cylint_kernels *cylint_choose_kernels(void)
 {
-    int build = LOAD(chosen) - 1;
-    if (build < 0) {
-        build = best();
-        STORE(chosen, build + 1);
-    }
-    return &builds[build];
+    const cylint_kernels *kernels = &builds[best()];
+    STORE(cylint_kernels_chosen, kernels);
+    return kernels;
 }
 
 const char *cylint_kernels_in_use(void)
@@ -79,7 +74,7 @@ int cylint_use_kernels(const char *name)
         if (name ? strcmp(name, builds[build].name) == 0 : runs(build)) {
             if (!runs(build))
                 return 0;
-            STORE(chosen, build + 1);
+            STORE(cylint_kernels_chosen, &builds[build]);
             return 1;
         }
     return 0;

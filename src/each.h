@@ -1,5 +1,6 @@
 /*
- * each.h - loops of few rounds: over small arrays, over the ones of a mask
+ * each.h - loops of few rounds: over small arrays, over the ones of a mask;
+ * and what is not to be in line
  */
 #ifndef CYLINT_EACH_H
 #define CYLINT_EACH_H
@@ -10,6 +11,13 @@
 #define EACH(i, n) _Pragma("GCC unroll 4") for (int i = 0; i < (n); i++)
 #else
 #define EACH(i, n) for (int i = 0; i < (n); i++)
+#endif
+
+/* A function rarely called, whose registers its callers need not save. */
+#ifdef __GNUC__
+#define ASIDE static __attribute__((noinline))
+#else
+#define ASIDE static
 #endif
 
 /* The number of the lowest 1, of which there is one. */

@@ -20,6 +20,7 @@ typedef struct {
 #define PAIR pair
 #define EFT(name) name
 #define BROADCAST(x) (x)
+#define INLINE static inline
 #ifdef __FMA__
 #define FUSED(a, b, c) __builtin_fma(a, b, c)
 #endif
@@ -29,6 +30,7 @@ typedef struct {
 #undef EFT
 #undef BROADCAST
 #undef FUSED
+#undef INLINE
 
 static inline pair two_diff(double a, double b)
 {

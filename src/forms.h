@@ -252,15 +252,13 @@ INLINE NUM FORM(form_G)(const FORM(letters) *L)
     RETURN(G)
 }
 
-/* Whether the line comes within r_0 of the point that D_0 is seen from, a
- * ball's centre: below 0 if not.  r^2 |u|^2 - |D x u|^2. */
-INLINE NUM FORM(form_ball)(const FORM(letters) *L)
+/* Whether the line, of that moment about a point, comes within r of it: below
+ * 0 if not.  r^2 |u|^2 - |M|^2. */
+INLINE NUM FORM(form_ball)(const FORM(letters) *L, const NUM M[3], NUM r)
 {
     BEGIN
-    NUM M[3], x;
-    FORM(cross)(L, L->D[0], L->u, M);
-    x = SUB(MUL(MUL(L->r[0], L->r[0]), FORM(dot)(L, L->u, L->u)),
-            FORM(dot)(L, M, M));
+    NUM x = SUB(MUL(MUL(r, r), FORM(dot)(L, L->u, L->u)),
+                FORM(dot)(L, M, M));
     RETURN(x)
 }
 

@@ -1,8 +1,15 @@
 /*
- * kernel.c - kernel.h for a single line and shape
+ * kernel.c - one line and one shape: verdicts by signs, roots two at a time
  *
  * Compiled once as it is and, where the Makefile knows a processor with a
  * fused multiply-add, again for that: the answers are the same bits.
+ *
+ * The two lanes are the two caps: each sees the line from its own centre, with
+ * its own radius.  The signs of forms.h at both tell what is met, as in
+ * query.c, slab(), but without a branch; no root is needed for that.  Then the
+ * lanes are the two stops: the plane of a cap where the line pierces it, else
+ * a root of the lateral quadric.  Of an unbounded shape both lanes see the
+ * base.
  */
 #define CYLINT_NARROW
 #include "kernel.h"
@@ -12,129 +19,428 @@
 #define CYLINT_ONE cylint_one_plain
 #endif
 
-/* Both stops, rounded or as they are. */
-typedef struct {
-    double t[2], more[2], error[2];
-    unsigned sure; /* bits 0 and 1 */
-} both_roots;
+#if LANES == 2
 
-INLINE unsigned first(vm m)
+INLINE vm is_positive(bounded_value x)
+{
+    return v_lt(x.e, x.v);
+}
+
+INLINE vm is_negative(bounded_value x)
+{
+    return v_lt(x.v, -x.e);
+}
+
+/* Of the first lane. */
+INLINE int at_base(vm m)
 {
     return m_bits(m) & 1;
 }
 
-INLINE void store_roots(both_roots *to, lanes_root r0, lanes_root r1)
+/* The first lane's in both. */
+INLINE bounded_value of_base(bounded_value x)
 {
-    v_store_firsts(to->t, r0.value, r1.value);
-    v_store_firsts(to->more, r0.more, r1.more);
-    v_store_firsts(to->error, r0.error, r1.error);
-    to->sure = first(r0.sure) | first(r1.sure) << 1;
+    return (bounded_value){v_firsts(x.v, x.v), v_firsts(x.e, x.e)};
 }
 
-INLINE void take_both(both_roots *to, const lanes_query *q,
-                      const lanes_verdict *v)
+/* The letters as both caps see them, and the shape they are made of. */
+INLINE void see(lanes_query *q, lanes_shape *s, const cylint_shape *shape,
+                const cylint_line *line, int kind, int bounded)
 {
-    store_roots(to, take_root(q, v->stop[0]), take_root(q, v->stop[1]));
+    letters_lanes *L = &q->L;
+    const int two_ends = bounded && kind <= CYLINT_KIND_CONE;
+    L->kind = kind;
+    EACH(i, 3) {
+        L->u[i] = v_set(line->d[i]);
+        L->w[i] = s->axis[i] = v_set(shape->axis[i]);
+        s->base[i] = two_ends ? v_two(shape->base[i], shape->top[i])
+                              : v_set(shape->base[i]);
+        L->D[0][i] = v_set(line->o[i]) - s->base[i];
+        if (bounded && !two_ends)
+            L->D[0][i] = L->D[0][i] - v_two(0, shape->axis[i]);
+        if (kind >= CYLINT_KIND_ECYLINDER) {
+            L->a[i] = s->a[i] = v_set(shape->a[i]);
+            L->b[i] = s->b[i] = v_set(shape->flip ? -shape->b[i]
+                                                  : shape->b[i]);
+        }
+    }
+    L->r[0] = s->r[0] = bounded ? v_two(shape->r0, shape->r1)
+                                : v_set(shape->r0);
+    L->dr = s->dr = v_set(shape->dr);
+    L->one = v_set(1);
+    prepare_shape_lanes(L);
+    prepare_line_lanes(L);
 }
 
-/* In two lanes at once where there are two. */
-INLINE void round_both(both_roots *to, const lanes_query *q,
-                       const lanes_shape *s, const lanes_line *l, int kind,
-                       const lanes_verdict *v)
+/* Their sizes. */
+INLINE void measure(lanes_query *q, const cylint_line *line, int kind,
+                    int bounded)
 {
-    const vd plus = v_set(1), minus = v_set(-1);
-    const vd exits = v_select(v->leaving_first, plus, minus);
-#if LANES == 2
-    const bounded_value t = {v_firsts(v->stop[0].v, v->stop[1].v),
-                             v_firsts(v->stop[0].e, v->stop[1].e)};
-    const lanes_root r = round_root(q, s, l, kind, v_firsts(exits, -exits), t,
-                                    v_firsts(v->part[0], v->part[1]));
-    v_store(to->t, r.value);
-    v_store(to->more, r.more);
-    v_store(to->error, r.error);
-    to->sure = m_bits(r.sure);
-#else
-    store_roots(to, round_root(q, s, l, kind, exits, v->stop[0], v->part[0]),
-                round_root(q, s, l, kind, -exits, v->stop[1], v->part[1]));
-#endif
+    const letters_lanes *L = &q->L;
+    letters_sizes *N = &q->N;
+    N->kind = kind;
+    N->r[0] = L->r[0];
+    N->dr = v_abs(L->dr);
+    N->one = L->one;
+    const vd w = v_largest(L->w), D = v_largest(L->D[0]);
+    EACH(i, 3) {
+        N->u[i] = v_set(line->size);
+        N->w[i] = w;
+        N->D[0][i] = bounded ? v_max(D, v_turned(D)) : D;
+        if (kind >= CYLINT_KIND_ECYLINDER)
+            N->a[i] = N->b[i] = v_max(v_largest(L->a), v_largest(L->b));
+    }
+    prepare_shape_sizes(N);
+    prepare_line_sizes(N);
 }
 
-INLINE int answer_one(const cylint_shape *shape,
-                             const cylint_line *line, int kind, int bounded,
-                             unsigned want, cylint_kernel_answer *answer)
+/* What else of shape and line the stops need. */
+INLINE void see_rest(lanes_shape *s, lanes_line *l, const cylint_shape *shape,
+                     const cylint_line *line)
 {
-    const unsigned needs_t = CYLINT_WANT_T | CYLINT_WANT_POINT |
-        CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
+    EACH(i, 3) {
+        l->o[i] = v_set(line->o[i]);
+        l->u[i] = v_set(line->d[i]);
+        l->u_lo[i] = v_set(line->d_lo[i]);
+        s->axis_lo[i] = v_set(shape->axis_lo[i]);
+    }
+    l->tmin = v_set(line->tmin);
+    l->tmax = v_set(line->tmax);
+    s->dr_lo = v_set(shape->dr_lo);
+    broadcast_ends(s, shape->ends);
+}
+
+/* Beyond doubt the line does not come near a bounded shape: the middle of its
+ * axis lies between the centres of the caps, and so do the moments. */
+INLINE int passes_ball(const lanes_query *q, const cylint_shape *shape)
+{
+    const vd twice = v_set(2 * shape->ball);
+    vd M[3], sizes[3];
+    EACH(i, 3) {
+        M[i] = q->L.M[0][i] + v_turned(q->L.M[0][i]);
+        sizes[i] = q->N.M[0][i] + q->N.M[0][i];
+    }
+    const bounded_value near = with_bound(form_ball_lanes(&q->L, M, twice),
+                                          form_ball_sizes(&q->N, sizes, twice));
+    return at_base(is_negative(near));
+}
+
+/* What the signs tell, for certain: the relation, and which caps the line
+ * pierces and which not. */
+typedef struct {
+    int misses, crosses; /* neither: uncertain */
+    vm pierced, spared;
+} verdict;
+
+/*
+ * A bounded shape, which is convex, is crossed if the line pierces a cap
+ * (E > 0) or, sparing both, enters and leaves through the side between them:
+ * N is dQ/dz at the caps up to a positive factor, so that the middle of the
+ * chord lies between them if N_0 < 0 < N_1.  All of that holds of lines
+ * parallel to the caps too, for N_i has the sign of -alpha_i then.
+ */
+INLINE verdict judge_bounded(const lanes_query *q, bounded_value G)
+{
+    const bounded_value E = with_bound(form_E_lanes(&q->L, 0),
+                                       form_E_sizes(&q->N, 0));
+    const bounded_value N = with_bound(form_N_lanes(&q->L, 0),
+                                       form_N_sizes(&q->N, 0));
+    const bounded_value inward = {N.v * v_two(-1, 1), N.e};
+    const vm pierced = is_positive(E), spared = is_negative(E);
+    const int within = m_bits(is_positive(inward)) == 3;
+    const int beyond = m_any(is_negative(inward));
+    const int none = m_bits(spared) == 3;
+    const int misses = at_base(is_negative(G)) | (none & beyond);
+    const int crosses = m_any(pierced) |
+                        (none & within & at_base(is_positive(G)));
+    return (verdict){misses, crosses & !misses, pierced, spared};
+}
+
+/* An unbounded one is crossed if Q has two roots, and missed if it has none:
+ * a line cannot stay inside a double cone.  G > 0 tells that A > 0, but of a
+ * double cone, where A = 0 leaves one root. */
+INLINE verdict judge_unbounded(const lanes_query *q, bounded_value G,
+                               int kind)
+{
+    const vm no_caps = m_from(0);
+    const int none = at_base(is_negative(G));
+    int two = at_base(is_positive(G));
+    if (kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ECYLINDER) {
+        const bounded_value A = with_bound(form_A_lanes(&q->L),
+                                           form_A_sizes(&q->N));
+        two &= at_base(m_or(is_positive(A), is_negative(A)));
+    }
+    return (verdict){none, two, no_caps, no_caps};
+}
+
+/* The ends of the overlap, one a lane. */
+typedef struct {
+    bounded_value t;
+    vd part, exits;      /* exits: -1, or +1 where Q rises */
+    unsigned unsure;     /* bits of lanes */
+    int first;           /* the lane of the lesser t */
+} stops;
+
+/* A stop on the side is the entry root in the lane of the cap that is come
+ * to first, the exit root in the other. */
+INLINE stops stops_bounded(lanes_query *q, bounded_value G, int kind,
+                           const verdict *v)
+{
+    const vm unknown = lateral_quadratic(q, G, kind);
+    q->B = of_base(q->B);
+    q->beta = with_bound(q->L.beta, form_beta_sizes(&q->N));
+    const vm up = v_lt(v_set(0), q->beta.v);
+    const vd exits = v_select(up, v_two(-1, 1), v_two(1, -1));
+    const bounded_value plane = with_bound(-form_alpha_lanes(&q->L, 0),
+                                           form_alpha_sizes(&q->N, 0));
+    const bounded_value over = choose(v->pierced, q->beta, q->A);
+    const vm unsure = m_or(m_not(m_or(v->pierced, v->spared)),
+                           m_or(m_and(m_not(v->pierced), unknown),
+                                m_not(certain(over))));
+    return (stops){
+        quotient(choose(v->pierced, plane, lateral_numerator(q, exits)), over),
+        v_select(v->pierced, v_two(CYLINT_CAP0, CYLINT_CAP1),
+                 v_set(CYLINT_LATERAL)),
+        exits, m_bits(unsure), !at_base(up)
+    };
+}
+
+/* The entry root and the exit root, which come in this order unless A < 0. */
+INLINE stops stops_unbounded(lanes_query *q, bounded_value G, int kind)
+{
+    const vm unknown = lateral_quadratic(q, G, kind);
+    const vd exits = v_two(-1, 1);
+    return (stops){quotient(lateral_numerator(q, exits), q->A),
+                   v_set(CYLINT_LATERAL), exits, m_bits(unknown),
+                   at_base(v_lt(q->A.v, v_set(0)))};
+}
+
+/* The stops that are hits, as bits of lanes. */
+INLINE unsigned hits_of(const stops *at, const lanes_shape *s,
+                        const lanes_line *l, unsigned want, int *unsure)
+{
+    vm near;
+    const vm in = within_domain(at->t, l, &near);
+    const vm present = part_present(s, at->part);
+    const unsigned hits = m_bits(m_and(present, in));
+    *unsure = (at->unsure | m_bits(m_and(present, near))) != 0;
+    return want & CYLINT_WANT_NEAREST && hits == 3 ? 1u << at->first : hits;
+}
+
+/* Both roots.  Returns whether the hits among them are certain. */
+INLINE int roots_of(lanes_root *r, const lanes_query *q, const lanes_shape *s,
+                    const vd center[3], const lanes_line *l, int kind,
+                    int bounded, const stops *at, unsigned want,
+                    unsigned hits)
+{
+    if (want & CYLINT_WANT_FAST) {
+        *r = take_root(q, at->t);
+        if (!(hits & ~m_bits(r->sure)))
+            return 1;
+    }
+    if (!cylint_rounds_to_nearest()) /* would certify nothing */
+        return 0;
+    const lanes_root rounded = round_root(q, s, center, l, kind, bounded,
+                                          at->exits, at->t, at->part);
+    *r = want & CYLINT_WANT_FAST ? either_root(*r, rounded) : rounded;
+    return !(hits & ~m_bits(r->sure));
+}
+
+/* The hits in their order. */
+INLINE void tell(cylint_answer *answer, cylint_root_rest *rest,
+                 const stops *at, const lanes_root *r, unsigned hits,
+                 int bounded, unsigned want)
+{
+    double part[2], t[2], more[2], error[2];
+    int n = 0;
+    v_store(part, at->part);
+    v_store(t, r->value);
+    v_store(more, r->more);
+    v_store(error, r->error);
+    EACH(k, 2) {
+        const int lane = k ^ at->first;
+        if (!(hits >> lane & 1))
+            continue;
+        if (want & CYLINT_WANT_T)
+            answer->hit[n].t = t[lane];
+        if (want & CYLINT_WANT_PART) {
+            answer->hit[n].part = (int)part[lane];
+            answer->hit[n].side = bounded ? k : lane;
+        }
+        if (rest) {
+            rest->more[n] = more[lane];
+            rest->error[n] = error[lane];
+        }
+        n++;
+    }
+    answer->n = n;
+}
+
+/* From the stops on. */
+INLINE int finish(const lanes_query *q, const lanes_shape *s,
+                  const vd center[3], const lanes_line *l, const stops *at,
+                  int kind, int bounded, unsigned want,
+                  cylint_answer *answer, cylint_root_rest *rest)
+{
+    int unsure;
+    lanes_root r = {v_set(0), v_set(0), v_set(0), m_from(0)};
+    const unsigned hits = hits_of(at, s, l, want, &unsure);
+    if (unsure || (hits && want & CYLINT_WANT_T &&
+                   !roots_of(&r, q, s, center, l, kind, bounded, at, want,
+                             hits)))
+        return 0;
+    tell(answer, rest, at, &r, hits, bounded, want);
+    return 1;
+}
+
+/* G, and what the signs tell. */
+INLINE verdict judge(lanes_query *q, lanes_shape *s, bounded_value *G,
+                     const cylint_shape *shape, const cylint_line *line,
+                     int kind, int bounded)
+{
+    see(q, s, shape, line, kind, bounded);
+    measure(q, line, kind, bounded);
+    if (bounded && passes_ball(q, shape))
+        return (verdict){at_base(v_le(q->N.D[0][0], v_set(CYLINT_WINDOW))), 0,
+                         m_from(0), m_from(0)};
+    const vd value = form_G_lanes(&q->L);
+    *G = of_base(with_bound(value, form_G_sizes(&q->N)));
+    verdict v = bounded ? judge_bounded(q, *G) : judge_unbounded(q, *G, kind);
+    const int near = at_base(v_le(q->N.D[0][0], v_set(CYLINT_WINDOW)));
+    v.misses &= near;
+    v.crosses &= near;
+    return v;
+}
+
+/* Relation and number, if they are all that is asked, of all of the line, and
+ * all of the shape is there: then a line that crosses has both its hits. */
+INLINE int ask_in_brief(const cylint_shape *shape, const cylint_line *line,
+                        int kind, int bounded, unsigned want,
+                        cylint_answer *answer)
+{
+    lanes_query q;
+    lanes_shape s;
+    bounded_value G;
+    const verdict v = judge(&q, &s, &G, shape, line, kind, bounded);
+    answer->relation = v.crosses * CYLINT_CROSS; /* CYLINT_MISS is 0 */
+    answer->n = v.crosses << !(want & CYLINT_WANT_NEAREST);
+    return v.misses | v.crosses;
+}
+
+INLINE int ask_in_full(const cylint_shape *shape, const cylint_line *line,
+                       int kind, int bounded, unsigned want,
+                       cylint_answer *answer, cylint_root_rest *rest)
+{
+    lanes_query q;
     lanes_shape s;
     lanes_line l;
+    bounded_value G;
+    const verdict v = judge(&q, &s, &G, shape, line, kind, bounded);
+    answer->relation = v.crosses ? CYLINT_CROSS : CYLINT_MISS;
+    answer->n = 0;
+    if (!v.crosses)
+        return v.misses;
+    see_rest(&s, &l, shape, line);
+    const stops at = bounded ? stops_bounded(&q, G, kind, &v)
+                             : stops_unbounded(&q, G, kind);
+    return finish(&q, &s, s.base, &l, &at, kind, bounded, want, answer,
+                  rest);
+}
+
+/* As a batch asks: a quick t must not depend on how it was asked. */
+ASIDE int ask_intervals(const cylint_shape *shape, const cylint_line *line,
+                        int kind, int bounded, unsigned want,
+                        cylint_answer *answer, cylint_root_rest *rest)
+{
     lanes_query q;
-    broadcast_shape(&s, shape, kind);
+    lanes_shape s;
+    lanes_line l;
+    vd center[3];
+    broadcast_shape(&s, shape);
     broadcast_line(&l, line);
     const lanes_verdict v = lanes_judge(&q, &s, &l, kind, bounded,
                                         m_from((1u << LANES) - 1));
     if (m_any(v.undecided))
         return 0;
-    unsigned hits = first(v.hit[0]) | first(v.hit[1]) << 1;
-    if (want & CYLINT_WANT_NEAREST && hits & 1)
-        hits = 1;
-    answer->relation = first(v.cross) ? CYLINT_CROSS : CYLINT_MISS;
-    answer->n = (int)(hits & 1) + (int)(hits >> 1);
-    if (!hits)
+    answer->relation = m_any(v.cross) ? CYLINT_CROSS : CYLINT_MISS;
+    answer->n = 0;
+    if (!m_any(v.cross))
         return 1;
-    both_roots roots = {{0, 0}, {0, 0}, {0, 0}, 0};
-    if (want & needs_t && want & CYLINT_WANT_FAST)
-        take_both(&roots, &q, &v);
-    if (want & needs_t && hits & ~roots.sure) {
-        both_roots rounded;
-        if (!cylint_rounds_to_nearest()) /* would certify nothing */
-            return 0;
-        round_both(&rounded, &q, &s, &l, kind, &v);
-        if (hits & ~(roots.sure | rounded.sure))
-            return 0;
-        EACH(i, 2) {
-            if (roots.sure >> i & 1)
-                continue;
-            roots.t[i] = rounded.t[i];
-            roots.more[i] = rounded.more[i];
-            roots.error[i] = rounded.error[i];
-        }
-    }
-    double part[2];
-    v_store_firsts(part, v.part[0], v.part[1]);
-    int n = 0;
-    EACH(i, 2) {
-        if (!(hits >> i & 1))
-            continue;
-        answer->part[n] = (int)part[i];
-        answer->side[n] = first(v.leaving_first) ? !i : i;
-        answer->t[n] = roots.t[i];
-        answer->more[n] = roots.more[i];
-        answer->error[n] = roots.error[i];
-        n++;
-    }
-    return 1;
+    const int swapped = !bounded && at_base(v.leaving_first);
+    const stops at = {
+        {v_firsts(v.stop[swapped].v, v.stop[!swapped].v),
+         v_firsts(v.stop[swapped].e, v.stop[!swapped].e)},
+        v_firsts(v.part[0], v.part[1]), v_two(-1, 1), 0, swapped
+    };
+    root_centers(center, &s, kind, at.part);
+    return finish(&q, &s, center, &l, &at, kind, bounded, want, answer,
+                  rest);
 }
 
-/* The constants make a kernel of its own out of each call. */
-int CYLINT_ONE(const cylint_shape *shape, const cylint_line *line,
-               unsigned want, cylint_kernel_answer *answer)
-{
-    const int bounded = shape->ends < CYLINT_INFINITE;
-    if (shape->ends == CYLINT_NAPPE && shape->kind != CYLINT_KIND_CYLINDER &&
-        shape->kind != CYLINT_KIND_ECYLINDER)
-        return 0;
-#define KIND(kind) answer_one(shape, line, kind, bounded, want, answer)
-    switch (shape->kind) {
-    case CYLINT_KIND_CYLINDER:
-        return KIND(CYLINT_KIND_CYLINDER);
-    case CYLINT_KIND_CONE:
-        return KIND(CYLINT_KIND_CONE);
-    case CYLINT_KIND_ACONE:
-        return KIND(CYLINT_KIND_ACONE);
-    case CYLINT_KIND_ECYLINDER:
-        return KIND(CYLINT_KIND_ECYLINDER);
-    default:
-        return KIND(CYLINT_KIND_ECONE);
+/* A kernel of its own for each kind, bounded or not, in brief or in full. */
+#define ARGUMENTS                                                           \
+    const cylint_shape *shape, const cylint_line *line, unsigned want,      \
+    cylint_answer *answer, cylint_root_rest *rest
+#define ASK(kind, bounded)                                                  \
+    static int ask_##kind##_##bounded(ARGUMENTS)                            \
+    {                                                                       \
+        return ask_in_full(shape, line, kind, bounded, want, answer, rest); \
+    }                                                                       \
+    static int brief_##kind##_##bounded(ARGUMENTS)                          \
+    {                                                                       \
+        (void)rest;                                                         \
+        return ask_in_brief(shape, line, kind, bounded, want, answer);      \
     }
-#undef KIND
+ASK(1, 0) ASK(1, 1) ASK(2, 0) ASK(2, 1) ASK(3, 0) ASK(3, 1)
+ASK(4, 0) ASK(4, 1) ASK(5, 0) ASK(5, 1)
+
+static int undecided(ARGUMENTS)
+{
+    (void)shape, (void)line, (void)want, (void)answer, (void)rest;
+    return 0;
 }
+
+/* By kind, ends and brevity. */
+#define WHOLE(kind)  {ask_##kind##_1, brief_##kind##_1}
+#define PARTLY(kind) {ask_##kind##_1, ask_##kind##_1}
+#define ENDLESS(kind) {ask_##kind##_0, brief_##kind##_0}
+#define NOWHERE      {undecided, undecided}
+#define BOUNDED(kind) WHOLE(kind), PARTLY(kind), PARTLY(kind), PARTLY(kind)
+#define CYLINDER(kind) {BOUNDED(kind), ENDLESS(kind), ENDLESS(kind)}
+#define CONE(kind)   {BOUNDED(kind), ENDLESS(kind), NOWHERE}
+static cylint_kernel_one *const kernels[][CYLINT_NAPPE + 1][2] = {
+    {NOWHERE, NOWHERE, NOWHERE, NOWHERE, NOWHERE, NOWHERE},
+    CYLINDER(1), CONE(2), CONE(3), CYLINDER(4), CONE(5)
+};
+
+ASIDE int ask_fast(cylint_kernel_one *ask, ARGUMENTS)
+{
+    return ask(shape, line, want, answer, rest) ||
+           (ask != undecided &&
+            ask_intervals(shape, line, shape->kind,
+                          shape->ends < CYLINT_INFINITE, want, answer, rest));
+}
+
+int CYLINT_ONE(ARGUMENTS)
+{
+    if (!shape->ordinary || !line->ordinary)
+        return 0;
+    const int brief = !(want & (CYLINT_WANT_T | CYLINT_WANT_PART)) &
+                      (line->tmin < -DBL_MAX) & (line->tmax > DBL_MAX);
+    cylint_kernel_one *const ask = kernels[shape->kind][shape->ends][brief];
+    return want & CYLINT_WANT_FAST
+         ? ask_fast(ask, shape, line, want, answer, rest)
+         : ask(shape, line, want, answer, rest);
+}
+
+#else
+
+/* Every question is asked by signs one at a time. */
+int CYLINT_ONE(const cylint_shape *shape, const cylint_line *line,
+               unsigned want, cylint_answer *answer, cylint_root_rest *rest)
+{
+    (void)shape, (void)line, (void)want, (void)answer, (void)rest;
+    return 0;
+}
+
+#endif

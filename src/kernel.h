@@ -20,13 +20,6 @@
 #include "each.h"
 #include "simd.h"
 
-/* Constant arguments are to make a kernel of their own. */
-#ifdef __GNUC__
-#define INLINE static inline __attribute__((always_inline))
-#else
-#define INLINE static inline
-#endif
-
 #define BEGIN (void)L;
 #define RETURN(x) return x;
 #define MEMORY
@@ -77,29 +70,30 @@ INLINE void broadcast_line(lanes_line *to, const cylint_line *l)
     to->tmax = v_set(l->tmax);
 }
 
-INLINE void broadcast_shape(lanes_shape *to, const cylint_shape *s,
-                            int kind)
+INLINE void broadcast_ends(lanes_shape *to, int ends)
+{
+    const unsigned all = (1u << LANES) - 1;
+    to->cap[0] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_0
+                        ? all : 0);
+    to->cap[1] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_1
+                        ? all : 0);
+}
+
+INLINE void broadcast_shape(lanes_shape *to, const cylint_shape *s)
 {
     EACH(i, 3) {
         to->base[i] = v_set(s->base[i]);
         to->top[i] = v_set(s->top[i]);
         to->axis[i] = v_set(s->axis[i]);
         to->axis_lo[i] = v_set(s->axis_lo[i]);
-        if (kind >= CYLINT_KIND_ECYLINDER) {
-            to->a[i] = v_set(s->a[i]);
-            to->b[i] = v_set(s->flip ? -s->b[i] : s->b[i]);
-        }
+        to->a[i] = v_set(s->a[i]);
+        to->b[i] = v_set(s->flip ? -s->b[i] : s->b[i]);
     }
     to->r[0] = v_set(s->r0);
     to->r[1] = v_set(s->r1);
     to->dr = v_set(s->dr);
     to->dr_lo = v_set(s->dr_lo);
-    const int ends = s->ends;
-    const unsigned all = (1u << LANES) - 1;
-    to->cap[0] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_0
-                        ? all : 0);
-    to->cap[1] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_1
-                        ? all : 0);
+    broadcast_ends(to, s->ends);
 }
 
 /* A value with a bound on its error. */
@@ -156,12 +150,11 @@ INLINE bounded_value choose(vm m, bounded_value x, bounded_value y)
     return (bounded_value){v_select(m, x.v, y.v), v_select(m, x.e, y.e)};
 }
 
-/* The later (or else the earlier) of two stops; errors of both. */
+/* The later (or else the earlier) of two stops. */
 INLINE bounded_value inner(bounded_value x, bounded_value y, int last)
 {
     const vm first = v_lt(x.v, y.v);
-    return (bounded_value){v_select(first, last ? y.v : x.v,
-                                    last ? x.v : y.v), v_max(x.e, y.e)};
+    return last ? choose(first, y, x) : choose(first, x, y);
 }
 
 /* Everything about a lane that later steps need. */
@@ -171,10 +164,17 @@ typedef struct {
     bounded_value A, B, R, beta, alpha[2];
 } lanes_query;
 
-/* top: with what only the second cap needs. */
+INLINE void prepare_lanes(letters_lanes *L, letters_sizes *N)
+{
+    prepare_shape_lanes(L);
+    prepare_shape_sizes(N);
+    prepare_line_lanes(L);
+    prepare_line_sizes(N);
+}
+
+/* The letters of lines and shapes in lanes. */
 INLINE void lanes_letters(letters_lanes *L, letters_sizes *N,
-                          const lanes_shape *s, const lanes_line *l,
-                          int kind, int top)
+                          const lanes_shape *s, const lanes_line *l, int kind)
 {
     const int circular = kind < CYLINT_KIND_ECYLINDER;
     vd a = v_set(0);
@@ -183,10 +183,8 @@ INLINE void lanes_letters(letters_lanes *L, letters_sizes *N,
         L->u[i] = l->u[i];
         L->w[i] = s->axis[i];
         L->D[0][i] = l->o[i] - s->base[i];
-        if (top && kind <= CYLINT_KIND_CONE)
-            L->D[1][i] = l->o[i] - s->top[i];
-        else if (top)
-            L->D[1][i] = L->D[0][i] - L->w[i];
+        L->D[1][i] = kind <= CYLINT_KIND_CONE ? l->o[i] - s->top[i]
+                                              : L->D[0][i] - L->w[i];
         if (!circular) {
             L->a[i] = s->a[i];
             L->b[i] = s->b[i];
@@ -195,12 +193,9 @@ INLINE void lanes_letters(letters_lanes *L, letters_sizes *N,
     if (!circular)
         a = v_max(v_largest(s->a), v_largest(s->b));
     const vd u = v_largest(L->u), w = v_largest(L->w);
-    vd D = v_largest(L->D[0]);
+    const vd D = v_max(v_largest(L->D[0]), v_largest(L->D[1]));
     L->r[0] = N->r[0] = s->r[0];
-    if (top) {
-        D = v_max(D, v_largest(L->D[1]));
-        L->r[1] = N->r[1] = s->r[1];
-    }
+    L->r[1] = N->r[1] = s->r[1];
     L->dr = s->dr;
     N->dr = v_abs(s->dr);
     L->one = N->one = v_set(1);
@@ -210,10 +205,7 @@ INLINE void lanes_letters(letters_lanes *L, letters_sizes *N,
         N->D[0][i] = N->D[1][i] = D;
         N->a[i] = N->b[i] = a;
     }
-    prepare_shape_lanes(L);
-    prepare_shape_sizes(N);
-    prepare_line_lanes(L);
-    prepare_line_sizes(N);
+    prepare_lanes(L, N);
 }
 
 /* Lanes whose data lie in the window of bounds.h. */
@@ -234,11 +226,9 @@ INLINE vm lanes_in_window(const lanes_query *q, int kind)
     return m_and(within, v_le(least, length));
 }
 
-/* The interval in which the lateral quadric is within, of lanes with G > 0:
- * for one side of a cone it may have no beginning or no end. */
-INLINE void lateral_interval(lanes_query *q, bounded_value G, int kind,
-                                    int bounded, bounded_value stop[2],
-                                    vm *unsure, vm *outside)
+/* A, B and R = sqrt(S G) of lanes with G > 0.  Returns which of them are not
+ * known well enough for a root. */
+INLINE vm lateral_quadratic(lanes_query *q, bounded_value G, int kind)
 {
     const letters_lanes *L = &q->L;
     const letters_sizes *N = &q->N;
@@ -256,13 +246,31 @@ INLINE void lateral_interval(lanes_query *q, bounded_value G, int kind,
         R = S * R;
     q->R = (bounded_value){R, R * ((S * G.e + eS * G.v) / SG +
                                    v_set(0x1p-49))};
-    *unsure = m_or(*unsure, m_not(m_and(certain(q->A), certain(
-                  (bounded_value){S, eS + v_set(CYLINT_UNDERFLOW)}))));
+    vm known = m_and(certain(q->A), certain(
+                   (bounded_value){S, eS + v_set(CYLINT_UNDERFLOW)}));
+    known = m_and(known, v_lt(v_set(0x1p4) * G.e, G.v));
     if (halves)
-        *unsure = m_or(*unsure, m_not(v_lt(v_set(0x1p-900), SG)));
-    const vd e = (q->B.e + q->R.e) * v_set(1.02);
-    stop[0] = quotient((bounded_value){-q->B.v - R, e}, q->A);
-    stop[1] = quotient((bounded_value){-q->B.v + R, e}, q->A);
+        known = m_and(known, v_lt(v_set(0x1p-900), SG));
+    return m_not(known);
+}
+
+/* What A divides for a root: -1 for the entry root, +1 for the exit root. */
+INLINE bounded_value lateral_numerator(const lanes_query *q, vd exits)
+{
+    return (bounded_value){-q->B.v + exits * q->R.v,
+                           (q->B.e + q->R.e) * v_set(1.02)};
+}
+
+/* The interval in which the lateral quadric is within, of lanes with G > 0:
+ * for one side of a cone it may have no beginning or no end. */
+INLINE void lateral_interval(lanes_query *q, bounded_value G, int kind,
+                                    int bounded, bounded_value stop[2],
+                                    vm *unsure, vm *outside)
+{
+    const letters_lanes *L = &q->L;
+    *unsure = m_or(*unsure, lateral_quadratic(q, G, kind));
+    stop[0] = quotient(lateral_numerator(q, v_set(-1)), q->A);
+    stop[1] = quotient(lateral_numerator(q, v_set(1)), q->A);
     *outside = v_lt(q->A.v, v_set(0));
     if (bounded && kind != CYLINT_KIND_CYLINDER &&
         kind != CYLINT_KIND_ECYLINDER) {
@@ -326,7 +334,7 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
     lanes_verdict v = {none, none, {none, none}, none, {nowhere, nowhere},
                        {lateral, lateral}};
     q->A = q->B = q->R = q->beta = nowhere;
-    lanes_letters(&q->L, &q->N, s, l, kind, 1);
+    lanes_letters(&q->L, &q->N, s, l, kind);
     const bounded_value G = with_bound(form_G_lanes(&q->L),
                                        form_G_sizes(&q->N));
     const vm window = lanes_in_window(q, kind);
@@ -334,8 +342,7 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
     if (!m_any(alive))
         return v;
 
-    const vm positive = v_lt(v_set(0x1p4) * G.e, G.v);
-    vm unsure = m_not(m_and(window, positive)), outside;
+    vm unsure = m_not(window), outside;
     bounded_value *const stop = v.stop;
     q->beta = with_bound(q->L.beta, form_beta_sizes(&q->N));
     lateral_interval(q, G, kind, bounded, stop, &unsure, &outside);
@@ -406,29 +413,38 @@ INLINE lanes_root either_root(lanes_root quick, lanes_root slow)
                         m_or(quick.sure, slow.sure)};
 }
 
+/* From where each lane's root is seen: the centre of its cap, or the base. */
+INLINE void root_centers(vd center[3], const lanes_shape *s, int kind,
+                         vd part)
+{
+    const vm top = v_eq(part, v_set(CYLINT_CAP1));
+    EACH(i, 3)
+        center[i] = kind <= CYLINT_KIND_CONE
+                  ? v_select(top, s->top[i], s->base[i]) : s->base[i];
+}
+
 /*
  * Newton's step in pairs: root.c, refined(), in lanes and for caps too.
  * exits: +1 in lanes whose lateral root leaves the quadric, -1 elsewhere.
+ * A lateral root may be seen from any centre where s->r[0] is the radius.
+ * caps: 0 if there are certainly none.
  */
 INLINE lanes_root round_root(const lanes_query *q,
-                                    const lanes_shape *s,
-                                    const lanes_line *l, int kind, vd exits,
-                                    bounded_value t, vd part)
+                                    const lanes_shape *s, const vd center[3],
+                                    const lanes_line *l, int kind, int caps,
+                                    vd exits, bounded_value t, vd part)
 {
     const vd zero = v_set(0);
-    const vm cap = v_lt(zero, part);
+    const vm cap = caps ? v_lt(zero, part) : m_from(0);
     const vm top = v_eq(part, v_set(CYLINT_CAP1));
     letters_pairs P;
-    letters_sizes N = q->N;
+    letters_sizes N;
     vd from = zero, size = zero;
     P.kind = kind;
     EACH(i, 3) {
-        const int ends = kind <= CYLINT_KIND_CONE;
-        const vd center = ends ? v_select(top, s->top[i], s->base[i])
-                               : s->base[i];
-        vpair D = v_two_sum(l->o[i], -center);
+        vpair D = v_two_sum(l->o[i], -center[i]);
         P.w[i] = (vpair){s->axis[i], s->axis_lo[i]};
-        if (!ends)
+        if (kind > CYLINT_KIND_CONE)
             D = vpair_sub(D, (vpair){v_select(top, s->axis[i], zero), zero});
         vpair step = v_two_prod(t.v, l->u[i]);
         step.lo = step.lo + t.v * l->u_lo[i];
@@ -441,15 +457,23 @@ INLINE lanes_root round_root(const lanes_query *q,
             P.b[i] = (vpair){s->b[i], zero};
         }
     }
-    EACH(i, 3)
+    N.kind = kind;
+    EACH(i, 3) {
+        N.w[i] = q->N.w[i];
         N.D[0][i] = size;
+        if (kind >= CYLINT_KIND_ECYLINDER)
+            N.a[i] = N.b[i] = q->N.a[i];
+    }
+    N.r[0] = q->N.r[0];
+    N.dr = q->N.dr;
+    prepare_shape_sizes(&N);
     P.r[0] = (vpair){s->r[0], zero};
     P.dr = (vpair){s->dr, s->dr_lo};
     prepare_shape_pairs(&P);
 
-    vd residual = zero, sizes = zero, slope = q->beta.v, slope_e = q->beta.e;
+    vd residual = zero, sizes = zero, slope = zero, slope_e = zero;
     vd bend = zero;
-    if (m_any(m_not(cap))) {
+    if (!caps || m_any(m_not(cap))) {
         const vpair Q = form_C_pairs(&P);
         residual = Q.hi + Q.lo;
         sizes = form_C_sizes(&N);
@@ -457,7 +481,7 @@ INLINE lanes_root round_root(const lanes_query *q,
         slope_e = v_set(2) * q->R.e;
         bend = v_abs(q->A.v);
     }
-    if (m_any(cap)) {
+    if (caps && m_any(cap)) {
         const vpair plane = form_alpha_pairs(&P, 0);
         residual = v_select(cap, plane.hi + plane.lo, residual);
         sizes = v_select(cap, form_alpha_sizes(&N, 0), sizes);

@@ -7,17 +7,24 @@
 
 #include "cylint.h"
 
-/* What a kernel decided: relation miss or cross, and the n hits that count,
- * roots as pairs with a bound on their error. */
+/* What a kernel decided: relation miss or cross, and the n hits that count. */
 typedef struct {
     int relation, n, part[2], side[2];
-    double t[2], more[2], error[2];
+    double t[2];
 } cylint_kernel_answer;
 
-/* One line and shape: 1 if decided, 0 to ask by signs. */
+/* What is known of the roots of n hits beside t: root = t + more, but for an
+ * error of at most that. */
+typedef struct {
+    double more[2], error[2];
+} cylint_root_rest;
+
+/* One line and shape: 1 if decided, 0 to ask by signs (as a refused one
+ * always is).  Of the hits t and part are filled in where wanted, and, if it
+ * is not NULL, *rest. */
 typedef int cylint_kernel_one(const cylint_shape *shape,
                               const cylint_line *line, unsigned want,
-                              cylint_kernel_answer *answer);
+                              cylint_answer *answer, cylint_root_rest *rest);
 
 /* Shapes that one kernel serves: number[i] is the shape of lane i.  The
  * columns hold the balls about them, padded to a multiple of 8 lanes by
@@ -62,14 +69,25 @@ typedef struct {
 } cylint_kernels;
 
 /* The builds: narrow for single questions, wide for batches. */
-extern cylint_kernel_one cylint_one_plain, cylint_one_fma;
+extern cylint_kernel_one cylint_one_plain, cylint_one_fma, cylint_one_avx512;
 extern cylint_kernel_shapes cylint_shapes_plain, cylint_shapes_avx2,
     cylint_shapes_avx512;
 extern cylint_kernel_lines cylint_lines_plain, cylint_lines_avx2,
     cylint_lines_avx512;
 
-/* Those in use. */
-const cylint_kernels *cylint_kernels_used(void);
+/* Those in use: dispatch.c chooses when first asked. */
+extern const cylint_kernels *cylint_kernels_chosen;
+const cylint_kernels *cylint_choose_kernels(void);
+static inline const cylint_kernels *cylint_kernels_used(void)
+{
+#ifdef __GNUC__
+    const cylint_kernels *kernels =
+        __atomic_load_n(&cylint_kernels_chosen, __ATOMIC_RELAXED);
+#else
+    const cylint_kernels *kernels = cylint_kernels_chosen;
+#endif
+    return kernels ? kernels : cylint_choose_kernels();
+}
 
 /* Asks by the general way: number's shape, its line. */
 void cylint_kernel_ask(const cylint_job *job, const cylint_shape *shape,

@@ -6,6 +6,7 @@
  * ends the interval is read off the signs of forms.h at the two cap planes;
  * no root is computed for it and none is compared with another.
  */
+#include "each.h"
 #include "internal.h"
 #include "kernels.h"
 
@@ -218,9 +219,14 @@ static void describe(cylint_query *q, const stop *at, double t, double more,
 }
 
 /* By signs and, where need be, every digit. */
-static int ask(const cylint_shape *shape, const cylint_line *line,
-               unsigned want, cylint_answer *answer)
+ASIDE int ask(const cylint_shape *shape, const cylint_line *line,
+              unsigned want, cylint_answer *answer)
 {
+    if (shape->kind == CYLINT_KIND_NONE || !line->valid) {
+        answer->relation = CYLINT_MISS;
+        answer->flags = CYLINT_FLAG_INVALID;
+        return answer->n = 0;
+    }
     cylint_query q;
     cylint_query_open(&q, shape, line);
     const overlap v = overlap_of(&q);
@@ -248,120 +254,63 @@ static int ask(const cylint_shape *shape, const cylint_line *line,
     return answer->n;
 }
 
-/* What the kernels decided, told in full. */
-static int tell(const cylint_shape *shape, const cylint_line *line,
-                unsigned want, const cylint_kernel_answer *known,
-                cylint_answer *answer)
+/* What else is wanted of hits of which t and part are known, as the kernels
+ * tell them. */
+static void describe_hits(const cylint_shape *shape, const cylint_line *line,
+                          unsigned want, const cylint_answer *known,
+                          const cylint_root_rest *rest,
+                          cylint_answer *answer)
 {
-    answer->relation = known->relation;
-    answer->n = known->n;
-    if (known->n == 0)
-        return 0;
+    cylint_query q;
+    cylint_query_open(&q, shape, line);
     for (int i = 0; i < known->n; i++) {
+        const cylint_hit *k = &known->hit[i];
+        const cylint_root root = k->part == CYLINT_CAP0 ? ROOT_CAP0 :
+                                 k->part == CYLINT_CAP1 ? ROOT_CAP1 :
+                                 k->side == CYLINT_ENTERING ? ROOT_ENTRY
+                                                            : ROOT_EXIT;
+        const stop at = {root, k->part, k->side, 0};
+        cylint_hit *hit = &answer->hit[i];
         if (want & CYLINT_WANT_T)
-            answer->hit[i].t = known->t[i];
+            hit->t = k->t;
         if (want & CYLINT_WANT_PART) {
-            answer->hit[i].part = known->part[i];
-            answer->hit[i].side = known->side[i];
+            hit->part = k->part;
+            hit->side = k->side;
         }
+        q.t_error = rest->error[i] / fabs(k->t);
+        describe(&q, &at, k->t, rest->more[i], want, hit);
     }
-    if (want & beside_t) {
-        cylint_query q;
-        cylint_query_open(&q, shape, line);
-        for (int i = 0; i < known->n; i++) {
-            const cylint_root root =
-                known->part[i] == CYLINT_CAP0 ? ROOT_CAP0 :
-                known->part[i] == CYLINT_CAP1 ? ROOT_CAP1 :
-                known->side[i] == CYLINT_ENTERING ? ROOT_ENTRY : ROOT_EXIT;
-            const stop at = {root, known->part[i], known->side[i], 0};
-            q.t_error = known->error[i] / fabs(known->t[i]);
-            describe(&q, &at, known->t[i], known->more[i], want,
-                     &answer->hit[i]);
-        }
-    }
-    return known->n;
 }
 
-static int certainly_negative(double x, double size)
+/* By the kernels, if they can decide it, with more than t and part. */
+ASIDE int ask_kernels_more(const cylint_shape *shape, const cylint_line *line,
+                           unsigned want, cylint_answer *answer)
 {
-    return x < -(CYLINT_FILTER_BOUND * size + CYLINT_UNDERFLOW);
-}
-
-static void alike(double x[3], double value)
-{
-    x[0] = x[1] = x[2] = value;
-}
-
-/* Beyond doubt the line does not come near the solid. */
-static int passes_ball(const cylint_shape *s, const cylint_line *l)
-{
-    letters_double L;
-    letters_size N;
-    for (int i = 0; i < 3; i++) {
-        L.u[i] = l->d[i];
-        L.D[0][i] = l->o[i] - s->center[i];
-    }
-    const double far = cylint_largest(L.D[0]);
-    alike(N.u, l->size);
-    alike(N.D[0], far);
-    L.r[0] = N.r[0] = s->ball;
-    return far <= CYLINT_WINDOW &&
-           certainly_negative(form_ball_double(&L), form_ball_size(&N));
-}
-
-/* The same of a solid that no ball holds: G < 0. */
-static int passes_surface(const cylint_shape *s, const cylint_line *l)
-{
-    letters_double L;
-    letters_size N;
-    L.kind = N.kind = s->kind;
-    for (int i = 0; i < 3; i++) {
-        L.u[i] = l->d[i];
-        L.w[i] = s->axis[i];
-        L.D[0][i] = l->o[i] - s->base[i];
-        L.a[i] = s->a[i];
-        L.b[i] = s->flip ? -s->b[i] : s->b[i];
-    }
-    const double far = cylint_largest(L.D[0]);
-    L.r[0] = N.r[0] = s->r0;
-    L.dr = s->dr;
-    N.dr = fabs(s->dr);
-    L.one = N.one = 1;
-    alike(N.u, l->size);
-    alike(N.w, cylint_largest(L.w));
-    alike(N.D[0], far);
-    if (s->kind >= CYLINT_KIND_ECYLINDER) {
-        alike(N.a, cylint_largest(L.a));
-        alike(N.b, cylint_largest(L.b));
-    }
-    prepare_shape_double(&L);
-    prepare_line_double(&L);
-    prepare_shape_size(&N);
-    prepare_line_size(&N);
-    return far <= CYLINT_WINDOW &&
-           certainly_negative(form_G_double(&L), form_G_size(&N));
-}
-
-/* The most frequent answer, asked first. */
-static int passes_by(const cylint_shape *s, const cylint_line *l)
-{
-    return s->ordinary && l->ordinary &&
-           (s->ends < CYLINT_INFINITE ? passes_ball(s, l)
-                                      : passes_surface(s, l));
+    cylint_answer known;
+    cylint_root_rest rest;
+    if (!cylint_kernels_used()->one(shape, line,
+            want | CYLINT_WANT_T | CYLINT_WANT_PART, &known, &rest))
+        return 0;
+    answer->relation = known.relation;
+    answer->n = known.n;
+    if (known.n > 0)
+        describe_hits(shape, line, want, &known, &rest, answer);
+    return 1;
 }
 
 #if CYLINT_IS_PARANOID
 static int contradicts(const cylint_shape *shape, const cylint_line *line,
-                       unsigned want, const cylint_kernel_answer *known)
+                       unsigned want, const cylint_answer *known)
 {
     cylint_answer a;
-    ask(shape, line, want | CYLINT_WANT_PART, &a);
+    ask(shape, line, want, &a);
     int wrong = a.relation != known->relation || a.n != known->n;
     for (int i = 0; i < a.n && !wrong; i++)
-        wrong = a.hit[i].part != known->part[i] ||
-                a.hit[i].side != known->side[i] ||
+        wrong = ((want & CYLINT_WANT_PART) &&
+                 (a.hit[i].part != known->hit[i].part ||
+                  a.hit[i].side != known->hit[i].side)) ||
                 ((want & CYLINT_WANT_T) && !(want & CYLINT_WANT_FAST) &&
-                 a.hit[i].t != known->t[i]);
+                 a.hit[i].t != known->hit[i].t);
     return wrong;
 }
 #endif
@@ -370,24 +319,13 @@ int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer)
 {
     answer->flags = 0;
-    if (shape->kind == CYLINT_KIND_NONE || !line->valid) {
-        answer->relation = CYLINT_MISS;
-        answer->n = 0;
-        answer->flags = CYLINT_FLAG_INVALID;
-        return 0;
-    }
-    if (passes_by(shape, line)) {
-        cylint_contradiction((ask(shape, line, 0, answer),
-                              answer->relation != CYLINT_MISS));
-        answer->relation = CYLINT_MISS;
-        return answer->n = 0;
-    }
-    cylint_kernel_answer known;
-    if (cylint_kernels_used()->one(shape, line, want, &known)) {
-        cylint_contradiction(contradicts(shape, line, want, &known));
-        return tell(shape, line, want, &known, answer);
-    }
-    return ask(shape, line, want, answer);
+    const int known = want & beside_t
+        ? ask_kernels_more(shape, line, want, answer)
+        : cylint_kernels_used()->one(shape, line, want, answer, NULL);
+    if (!known)
+        return ask(shape, line, want, answer);
+    cylint_contradiction(contradicts(shape, line, want, answer));
+    return answer->n;
 }
 
 int cylint_occluded(const cylint_shape *shape, const cylint_line *line)

@@ -4,8 +4,10 @@
  * The one place with intrinsics.  vd adds, subtracts, multiplies and divides
  * by the operators of C; the rest has names here.  The instruction set is
  * that of the compiler's flags; CYLINT_NARROW asks for the narrowest that has
- * branch-free masks, for work on one line and one shape.  Without any, lanes
- * are plain doubles.  Every operation rounds once, so every width gives the
+ * branch-free masks, of two lanes, for work on one line and one shape, and
+ * gets two from any compiler that knows GNU's vectors.  Without any, lanes are
+ * plain doubles.  Of two lanes there are also: two numbers side by side, the
+ * first lanes of two vectors, and both lanes the other way round.  Every operation rounds once, so every width gives the
  * same bits.
  */
 #ifndef CYLINT_SIMD_H
@@ -16,6 +18,14 @@
 #include <string.h>
 
 #include "environment.h"
+
+/* Part of whatever calls it, however large that is: constant arguments are to
+ * make a kernel of their own. */
+#ifdef __GNUC__
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
 
 #if !defined(CYLINT_NARROW) && defined(__AVX512F__)
 
@@ -108,10 +118,15 @@ static inline vm v_le(vd x, vd y) { return _mm_cmple_pd(x, y); }
 static inline vm v_eq(vd x, vd y) { return _mm_cmpeq_pd(x, y); }
 static inline vd v_select(vm m, vd x, vd y)
 {
+#ifdef __SSE4_1__
+    return _mm_blendv_pd(y, x, m);
+#else
     return _mm_or_pd(_mm_and_pd(m, x), _mm_andnot_pd(m, y));
+#endif
 }
-/* The first lanes of two. */
+static inline vd v_two(double x, double y) { return _mm_set_pd(y, x); }
 static inline vd v_firsts(vd x, vd y) { return _mm_unpacklo_pd(x, y); }
+static inline vd v_turned(vd x) { return _mm_shuffle_pd(x, x, 1); }
 static inline vm m_not(vm m)
 {
     return _mm_xor_pd(m, _mm_castsi128_pd(_mm_set1_epi32(-1)));
@@ -148,7 +163,12 @@ static inline vm v_lt(vd x, vd y) { return vcltq_f64(x, y); }
 static inline vm v_le(vd x, vd y) { return vcleq_f64(x, y); }
 static inline vm v_eq(vd x, vd y) { return vceqq_f64(x, y); }
 static inline vd v_select(vm m, vd x, vd y) { return vbslq_f64(m, x, y); }
+static inline vd v_two(double x, double y)
+{
+    return vsetq_lane_f64(y, vdupq_n_f64(x), 1);
+}
 static inline vd v_firsts(vd x, vd y) { return vzip1q_f64(x, y); }
+static inline vd v_turned(vd x) { return vextq_f64(x, x, 1); }
 static inline vm m_not(vm m)
 {
     return veorq_u64(m, vdupq_n_u64(~(uint64_t)0));
@@ -166,6 +186,46 @@ static inline vm m_from(unsigned bits)
                           vdupq_n_u64(-(uint64_t)(bits & 1)), 1);
 }
 #define V_HAS_FMA 1
+
+#elif defined(CYLINT_NARROW) && defined(__GNUC__)
+
+/* What the compiler makes of two lanes where nothing is known of the
+ * processor. */
+#define LANES 2
+typedef double vd __attribute__((vector_size(16)));
+typedef int64_t vm __attribute__((vector_size(16)));
+static inline vd v_set(double x) { return (vd){x, x}; }
+static inline vd v_load(const double *x) { return (vd){x[0], x[1]}; }
+static inline void v_store(double *x, vd v)
+{
+    x[0] = v[0];
+    x[1] = v[1];
+}
+static inline vd v_abs(vd x) { return (vd){fabs(x[0]), fabs(x[1])}; }
+static inline vd v_sqrt(vd x) { return (vd){sqrt(x[0]), sqrt(x[1])}; }
+static inline vm v_lt(vd x, vd y) { return x < y; }
+static inline vm v_le(vd x, vd y) { return x <= y; }
+static inline vm v_eq(vd x, vd y) { return x == y; }
+static inline vd v_select(vm m, vd x, vd y)
+{
+    return (vd)((m & (vm)x) | (~m & (vm)y));
+}
+static inline vd v_max(vd x, vd y) { return v_select(x > y, x, y); }
+static inline vd v_two(double x, double y) { return (vd){x, y}; }
+static inline vd v_firsts(vd x, vd y) { return (vd){x[0], y[0]}; }
+static inline vd v_turned(vd x) { return (vd){x[1], x[0]}; }
+static inline vm m_not(vm m) { return ~m; }
+static inline vm m_and(vm a, vm b) { return a & b; }
+static inline vm m_or(vm a, vm b) { return a | b; }
+static inline unsigned m_bits(vm m)
+{
+    return (unsigned)(m[0] & 1) | (unsigned)(m[1] & 2);
+}
+static inline vm m_from(unsigned bits)
+{
+    return (vm){-(int64_t)(bits & 1), -(int64_t)(bits >> 1 & 1)};
+}
+#define V_HAS_FMA 0
 
 #else
 
@@ -200,19 +260,6 @@ static inline int m_any(vm m)
 {
     return m_bits(m) != 0;
 }
-
-#if LANES <= 2
-/* The first lanes of two. */
-static inline void v_store_firsts(double to[2], vd x, vd y)
-{
-#if LANES == 2
-    v_store(to, v_firsts(x, y));
-#else
-    to[0] = x;
-    to[1] = y;
-#endif
-}
-#endif
 
 /* x[at[0]], x[at[1]], ... */
 static inline vd v_pick(const double *x, const size_t *at)
@@ -291,18 +338,18 @@ typedef struct {
 
 /* Sums and products of pairs that are left unnormalised: lo may grow to some
  * 30 ulp of what was summed up.  Their error: CYLINT_LAZY_BOUND, bounds.h. */
-static inline vpair vpair_add(vpair a, vpair b)
+INLINE vpair vpair_add(vpair a, vpair b)
 {
     const vpair s = v_two_sum(a.hi, b.hi);
     return (vpair){s.hi, s.lo + (a.lo + b.lo)};
 }
 
-static inline vpair vpair_sub(vpair a, vpair b)
+INLINE vpair vpair_sub(vpair a, vpair b)
 {
     return vpair_add(a, (vpair){-b.hi, -b.lo});
 }
 
-static inline vpair vpair_mul(vpair a, vpair b)
+INLINE vpair vpair_mul(vpair a, vpair b)
 {
     const vpair p = v_two_prod(a.hi, b.hi);
     return (vpair){p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi)};

@@ -2,7 +2,7 @@
  * sums.h - sums and products without error, once for doubles and for lanes
  *
  * The including file names the type REAL, the struct PAIR of hi and lo, the
- * functions EFT(name), BROADCAST(x) for a constant, and FUSED(a, b, c) for
+ * functions EFT(name), how they are declared INLINE, BROADCAST(x) for a constant, and FUSED(a, b, c) for
  * a b + c in one rounding where there is such an operation.  The order of
  * operations is the algorithm: a compiler must not reassociate or contract
  * (environment.h refuses the flags that would).
@@ -10,14 +10,14 @@
  * [Dekker 1971], [Knuth TAOCP 2, 4.2.2].
  */
 
-static inline PAIR EFT(two_sum)(REAL a, REAL b)
+INLINE PAIR EFT(two_sum)(REAL a, REAL b)
 {
     const REAL s = a + b, bb = s - a;
     return (PAIR){s, (a - (s - bb)) + (b - bb)};
 }
 
 /* |a| >= |b|, or a = 0. */
-static inline PAIR EFT(fast_two_sum)(REAL a, REAL b)
+INLINE PAIR EFT(fast_two_sum)(REAL a, REAL b)
 {
     const REAL s = a + b;
     return (PAIR){s, b - (s - a)};
@@ -25,7 +25,7 @@ static inline PAIR EFT(fast_two_sum)(REAL a, REAL b)
 
 /* The error of a product is a double, whichever way it is found, so both
  * ways give the same bits. */
-static inline PAIR EFT(two_prod)(REAL a, REAL b)
+INLINE PAIR EFT(two_prod)(REAL a, REAL b)
 {
     const REAL p = a * b;
 #ifdef FUSED

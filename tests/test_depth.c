@@ -94,7 +94,7 @@ static int depth_of(const letters_depth *L, form f)
     case B: return form_B_depth(L);
     case C: return form_C_depth(L);
     case T: return form_T_depth(L);
-    default: return form_ball_depth(L);
+    default: return form_ball_depth(L, L->M[0], L->r[0]);
     }
 }
 
@@ -301,7 +301,7 @@ static double lost(const letters_sized *L)
         form_rho1_sized(L), form_E_sized(L, 0), form_E_sized(L, 1),
         form_N_sized(L, 0), form_N_sized(L, 1), form_G_sized(L),
         form_A_sized(L), form_B_sized(L), form_C_sized(L), form_T_sized(L),
-        form_ball_sized(L)
+        form_ball_sized(L, L->M[0], L->r[0])
     };
     double most = 0;
     for (form f = ALPHA_0; f < FORMS; f++)
