@@ -153,9 +153,10 @@ $(BUILD)/tests/test_scene: $(BUILD)/tests/scenes.o
 $(BUILD)/tests/test_embree_memory.o: extra += $(if $(WRAP),-DWRAPPED)
 $(BUILD)/tests/test_embree_memory: wrapped := $(if $(WRAP),$(foreach c,malloc calloc free,-Wl$(comma)--wrap=$(c)))
 $(filter $(BUILD)/tests/test_embree_%,$(embree_tests)): $(patsubst %,$(BUILD)/tests/%.o,embree_rays embree_world scenes)
+$(filter $(BUILD)/tests/test_embree_quick,$(embree_tests)): $(test_common)
 $(BUILD)/tests/scene_curves: $(BUILD)/tests/scenes.o
 $(embree_tests) $(BUILD)/tests/scene_curves: %: %.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
-	$(CC) $(CFLAGS) $(LDFLAGS) $(wrapped) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(EMBREE_LIBS) -pthread -lm
+	$(CC) $(CFLAGS) $(LDFLAGS) $(wrapped) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(EMBREE_LIBS) $(test_libs) -pthread -lm
 
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
 # replays files; in the fuzzed command the test reads and writes.

@@ -13,10 +13,10 @@
  */
 #include "quick.h"
 
-#include <float.h>
 #include <math.h>
 
 #include "../each.h"
+#include "turn.h"
 
 static const double eps = 0x1p-50;
 
@@ -42,18 +42,13 @@ static double lesser(double x, double y) /* fmin() is a call */
     return x < y ? x : y;
 }
 
-static double larger(double x, double y)
-{
-    return x > y ? x : y;
-}
-
-/* Products below are of at most ten lengths, each of which may be as large
- * or, if it matters beside the others, as small as this.  False for NaN. */
+/* Products below are of at most ten lengths, none of which may be smaller than
+ * this, if it matters beside the others: so what is flushed to zero does not.
+ * What overflows leaves infinite bounds or NaN, of which nothing is certain. */
 static int in_window(const cylint_quick *q)
 {
     const double R = q->r0 + fabs(q->dr);
-    return lesser(lesser(R, q->W), q->U) > 0x1p-90 &&
-           larger(larger(R, q->W), larger(q->U, q->Dn)) < 0x1p90;
+    return lesser(lesser(R, q->W), q->U) > 0x1p-90;
 }
 
 /*
@@ -370,44 +365,6 @@ static int least_component(const double w[3])
 }
 
 /*
- * atan2(y, x) over 2 pi, in [0, 1], within TURN_ERROR, and *per_far, not less
- * than 1 over the hypotenuse.  What is left of the angle when signs and the
- * order of x and y are known differs from pi / 8 by at most that, and has a
- * tangent t of at most 0.41422 from there.  The series of atan(t) alternates,
- * so what is left out of it is less than the first term that is,
- * 0.41422^29 / (58 pi) < 2^-44.3 turns.  The tangent of pi / 8, two sums of
- * products and the quotient round t by less than 8 u; coefficients and sum are
- * right to 10 u of t / (2 pi), the last sum to u of 1: in all less than 4 u.
- */
-#define TURN_ERROR 0x1p-44
-
-static double turns(double y, double x, double *per_far)
-{
-    static const double tan_eighth = 0.41421356237309504880;
-    #define TERM(n) (0.15915494309189533577 / (n)) /* of 1 / (2 pi) */
-    static const double c[14] = {
-        TERM(1), -TERM(3), TERM(5), -TERM(7), TERM(9), -TERM(11), TERM(13),
-        -TERM(15), TERM(17), -TERM(19), TERM(21), -TERM(23), TERM(25),
-        -TERM(27)};
-#undef TERM
-    const double ax = fabs(x), ay = fabs(y), wider = ax - ay;
-    const double most = larger(ax, ay), least = lesser(ax, ay);
-    *per_far = 1 / (most + least * tan_eighth);
-    const double t = (least - most * tan_eighth) * *per_far;
-    const double z = t * t, z2 = z * z, z4 = z2 * z2, z8 = z4 * z4;
-    const double low = (c[0] + c[1] * z) + z2 * (c[2] + c[3] * z) +
-                       z4 * ((c[4] + c[5] * z) + z2 * (c[6] + c[7] * z));
-    const double high = (c[8] + c[9] * z) + z2 * (c[10] + c[11] * z) +
-                        z4 * (c[12] + c[13] * z);
-    /* mirrored where x and y change places, and at both axes */
-    const double octant = 0.125 - copysign(0.0625, wider);
-    const double quadrant = 0.25 - copysign(0.25 - octant, x);
-    const double half = 0.5 - copysign(0.5 - quadrant, y);
-    const double sign = copysign(1, wider) * copysign(1, x) * copysign(1, y);
-    return half + sign * t * (low + z8 * high);
-}
-
-/*
  * phi = atan2(P.(w x v), P.v |w|) over 2 pi, where v = e x w, e being the unit
  * vector along which the axis is least.  That is atan2((w x c).e, -c.e |w|).
  */
@@ -418,11 +375,12 @@ static int describe_phi(const cylint_quick *q, const cylint_quick_hit *at,
     if (least < 0)
         return 0;
     double per_far;
-    const double turn = turns(across_w[least], -at->c[least] * q->W, &per_far);
-    /* each is wrong by at most W e_c, so the angle by less than both over the
-     * hypotenuse, here over 2 pi */
+    const double turn = cylint_turns(across_w[least], -at->c[least] * q->W,
+                                     &per_far);
+    /* both are wrong by at most W e_c, so the angle by less than sqrt(2) / (2
+     * pi) of that over the hypotenuse, 13/12 at most for per_far */
     const double part = q->W * at->e_c * per_far;
-    const double e = 0.35 * part + TURN_ERROR;
+    const double e = 0.25 * part + CYLINT_TURN_ERROR;
     return (part < 0.125) & (turn > e) & (turn + e < 1 - (double)FLT_EPSILON) &
            to_float(turn, e, phi);
 }

@@ -8,8 +8,6 @@
 #ifndef CYLINT_EMBREE_QUICK_H
 #define CYLINT_EMBREE_QUICK_H
 
-#include <float.h>
-
 #include "cylint_embree.h"
 
 /* A line with its domain, as yet unchecked; o and d hold floats.  near: some t
@@ -71,12 +69,5 @@ const cylint_quick_build *cylint_quick_used(void);
 
 /* The builds. */
 extern const cylint_quick_build cylint_quick_plain, cylint_quick_fma;
-
-/* phi as a float below 1. */
-static inline float cylint_turn(double phi)
-{
-    const float v = (float)phi;
-    return v < 1 ? v : 1 - FLT_EPSILON / 2;
-}
 
 #endif

@@ -11,7 +11,7 @@
 #include "../each.h"
 #include "bounds.h"
 #include "internal.h"
-#include "quick.h"
+#include "turn.h"
 
 /* One ray at one primitive; line and lane are set when they are needed. */
 typedef struct query {

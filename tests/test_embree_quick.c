@@ -1,0 +1,217 @@
+/*
+ * test_embree_quick.c - what doubles are certain of is what the library says
+ *
+ * Every build of quick.c that this processor can run, on lines of all
+ * families, rounded to floats: hits, parts, t and z within their errors, and
+ * the floats of a description bit for bit.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "embree/quick.h"
+#include "embree/turn.h"
+#include "families.h"
+
+#ifndef HAVE_GSL
+
+int main(void)
+{
+    printf("no GSL, so no families of lines and shapes\n");
+    return 77;
+}
+
+#else
+
+enum { CASES = 10000 };
+
+/* How many hits there were, and of how many doubles were certain. */
+struct tally {
+    long hits, certain, described;
+};
+
+/* A case's line in floats, about its shape made circular and bounded. */
+struct question {
+    cylint_quick_line line;
+    const cylint_shape *shape;
+    cylint_answer answer;
+    int n;
+};
+
+static int circular(struct family_case *c, uint64_t index)
+{
+    static const cylint_ends bounded[4] = {CYLINT_CAPPED, CYLINT_OPEN,
+                                           CYLINT_CAP_0, CYLINT_CAP_1};
+    c->ends = bounded[index % 4];
+    return family_make(c);
+}
+
+/* near is unknown, some float before the shape, or one behind it. */
+static float near_shape(const struct question *q, uint64_t index)
+{
+    const double t = q->n ? q->answer.hit[0].t : 0;
+    if (index % 3 == 0)
+        return HUGE_VALF;
+    return (float)(t * (index % 3 == 1 ? 0.98 : 1.03));
+}
+
+static int pose(struct question *q, struct family_case *c, uint64_t index)
+{
+    cylint_line line;
+    if (!circular(c, index))
+        return 0;
+    for (int j = 0; j < 3; j++) {
+        q->line.o[j] = (float)c->line.o[j];
+        q->line.d[j] = (float)c->line.d[j];
+    }
+    q->line.tmin = index % 5 ? 0 : -HUGE_VAL;
+    q->line.tmax = HUGE_VAL;
+    if (cylint_span(&line, q->line.o, q->line.d, q->line.tmin,
+                    q->line.tmax) != CYLINT_OK)
+        return 0;
+    q->shape = &c->shape;
+    q->n = cylint_intersect(q->shape, &line, CYLINT_WANT_ALL, &q->answer);
+    q->line.near = near_shape(q, index);
+    return 1;
+}
+
+static int same_float(float x, double y)
+{
+    const float z = (float)y;
+    return memcmp(&x, &z, sizeof x) == 0;
+}
+
+static int same_floats(const cylint_quick_floats *f, const cylint_hit *hit)
+{
+    int same = same_float(f->z, hit->z) &&
+               same_float(f->phi, cylint_turn(hit->phi));
+    for (int j = 0; j < 3; j++)
+        same &= same_float(f->normal[j], hit->normal[j]);
+    return same;
+}
+
+static int describes(const cylint_quick_build *build, const cylint_quick *q,
+                     const cylint_quick_hit *at, const cylint_hit *hit,
+                     struct tally *tally)
+{
+    cylint_quick_floats floats;
+    tally->certain++;
+    if (at->part != hit->part || !(fabs(at->t - hit->t) <= at->t_error) ||
+        !(fabs(at->z - hit->z) <= at->z_error))
+        return 0;
+    if (!build->describe(q, at, &floats))
+        return 1;
+    tally->described++;
+    return same_floats(&floats, hit);
+}
+
+static int agrees(const cylint_quick_build *build, const struct question *x,
+                  struct tally *tally)
+{
+    cylint_quick q;
+    cylint_quick_hit at;
+    int n = 0;
+    cylint_quick_verdict is = build->enter(&q, x->shape, &x->line, &at);
+    tally->hits += x->n;
+    for (int i = 0; i < 2 && is != CYLINT_QUICK_UNSURE; i++) {
+        if (i == 1)
+            is = build->leave(&q, &at);
+        if (is != CYLINT_QUICK_HIT)
+            continue;
+        if (n == x->n || !describes(build, &q, &at, &x->answer.hit[n], tally))
+            return 0;
+        n++;
+    }
+    return is == CYLINT_QUICK_UNSURE || n == x->n;
+}
+
+static struct tally asked(const cylint_quick_build *build, int family,
+                          family_shape last)
+{
+    struct tally tally = {0, 0, 0};
+    for (uint64_t i = 0; i < CASES; i++) {
+        struct family_case c;
+        struct question x;
+        family_case(1, family, i, &c);
+        if (c.shape_word > last || !pose(&x, &c, i))
+            continue;
+        if (!CHECK(agrees(build, &x, &tally))) {
+            REPORT("in floats, near %a, from %a:", (double)x.line.near,
+                   x.line.tmin);
+            if (check_bad <= CHECK_SHOWN) {
+                family_print(stderr, &c);
+                fputc('\n', stderr);
+            }
+        }
+    }
+    return tally;
+}
+
+static void ask_all(const char *name, const cylint_quick_build *build)
+{
+    struct tally sum = {0, 0, 0};
+    for (int family = 0; family < family_count(); family++) {
+        const struct tally t = asked(build, family, FAMILY_ACONE);
+        sum.hits += t.hits;
+        sum.certain += t.certain;
+        sum.described += t.described;
+    }
+    printf("%s: %ld hits, certain of %ld, described %ld\n", name, sum.hits,
+           sum.certain, sum.described);
+    CHECK(sum.described > sum.hits / 3); /* it was worth asking */
+}
+
+static void what_is_certain_is_what_the_library_says(void)
+{
+    ask_all("plain", &cylint_quick_plain);
+}
+
+static void what_is_certain_when_fused_is_so_too(void)
+{
+    if (cylint_quick_used() != &cylint_quick_plain)
+        ask_all("fused", cylint_quick_used());
+}
+
+/* As far as long doubles tell; the bound is not far above what there is. */
+static void an_angle_in_turns_errs_by_its_bound_at_most(void)
+{
+    const long double two_pi = 6.283185307179586476925286766559L;
+    double most = 0;
+    for (int i = 0; i < 1000000; i++) {
+        const double phi = 6.2831853 * (i + 0.5) / 1e6;
+        const double length = ldexp(1 + 1e-6 * i, i % 200 - 100);
+        const double x = length * cos(phi), y = length * sin(phi);
+        double per_far;
+        const double turn = cylint_turns(y, x, &per_far);
+        long double exact = atan2l(y, x) / two_pi;
+        exact += exact < 0;
+        most = fmax(most, (double)fabsl(turn - exact));
+        if (!CHECK(per_far * hypot(x, y) <= 1 + 0x1p-50 &&
+                   per_far * hypot(x, y) > 12 / 13.0))
+            REPORT("1 / %a of %a, %a", per_far, x, y);
+    }
+    if (!CHECK(most <= CYLINT_TURN_ERROR && most > 0.5 * CYLINT_TURN_ERROR))
+        REPORT("by %a", most);
+}
+
+static void ordinary_cylinders_are_certain(void)
+{
+    const int ordinary = 0;
+    CHECK(strcmp(family_name(ordinary), "ordinary") == 0);
+    const struct tally t = asked(cylint_quick_used(), ordinary,
+                                 FAMILY_CYLINDER);
+    if (!CHECK(t.hits > CASES / 4 &&
+               (double)t.described >= 0.999 * (double)t.hits))
+        REPORT("%ld of %ld hits", t.described, t.hits);
+}
+
+int main(void)
+{
+    RUN(what_is_certain_is_what_the_library_says);
+    RUN(what_is_certain_when_fused_is_so_too);
+    RUN(ordinary_cylinders_are_certain);
+    RUN(an_angle_in_turns_errs_by_its_bound_at_most);
+    return check_end();
+}
+
+#endif
