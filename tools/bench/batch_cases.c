@@ -55,9 +55,9 @@ static void paired_turn(void *context, const int *order, int n)
 
 static int decided(const cylint_shape *shape, const cylint_line *line)
 {
-    cylint_kernel_answer answer;
+    cylint_answer answer;
     return shape->ordinary && line->ordinary &&
-           cylint_one_plain(shape, line, CYLINT_WANT_T, &answer);
+           cylint_one_plain(shape, line, CYLINT_WANT_T, &answer, NULL);
 }
 
 static void finish(struct cases *c)
