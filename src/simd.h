@@ -21,7 +21,7 @@
 
 /* Part of whatever calls it, however large that is: constant arguments are to
  * make a kernel of their own. */
-#ifdef __GNUC__
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define INLINE static inline __attribute__((always_inline))
 #else
 #define INLINE static inline
