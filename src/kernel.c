@@ -73,8 +73,8 @@ INLINE void see(lanes_query *q, lanes_shape *s, const cylint_shape *shape,
 }
 
 /* Their sizes. */
-INLINE void measure(lanes_query *q, const cylint_line *line, int kind,
-                    int bounded)
+INLINE void measure(lanes_query *q, const cylint_shape *shape,
+                    const cylint_line *line, int kind, int bounded)
 {
     const letters_lanes *L = &q->L;
     letters_sizes *N = &q->N;
@@ -82,11 +82,13 @@ INLINE void measure(lanes_query *q, const cylint_line *line, int kind,
     N->r[0] = L->r[0];
     N->dr = v_abs(L->dr);
     N->one = L->one;
-    const vd w = v_largest(L->w), D = v_largest(L->D[0]);
+    vd D = v_largest(L->D[0]);
+    if (bounded)
+        D = v_max(D, v_turned(D));
     EACH(i, 3) {
         N->u[i] = v_set(line->size);
-        N->w[i] = w;
-        N->D[0][i] = bounded ? v_max(D, v_turned(D)) : D;
+        N->w[i] = v_set(shape->size);
+        N->D[0][i] = D;
         if (kind >= CYLINT_KIND_ECYLINDER)
             N->a[i] = N->b[i] = v_max(v_largest(L->a), v_largest(L->b));
     }
@@ -98,14 +100,9 @@ INLINE void measure(lanes_query *q, const cylint_line *line, int kind,
 INLINE void see_rest(lanes_shape *s, lanes_line *l, const cylint_shape *shape,
                      const cylint_line *line)
 {
-    EACH(i, 3) {
-        l->o[i] = v_set(line->o[i]);
-        l->u[i] = v_set(line->d[i]);
-        l->u_lo[i] = v_set(line->d_lo[i]);
+    broadcast_line(l, line);
+    EACH(i, 3)
         s->axis_lo[i] = v_set(shape->axis_lo[i]);
-    }
-    l->tmin = v_set(line->tmin);
-    l->tmax = v_set(line->tmax);
     s->dr_lo = v_set(shape->dr_lo);
     broadcast_ends(s, shape->ends);
 }
@@ -299,12 +296,14 @@ INLINE verdict judge(lanes_query *q, lanes_shape *s, bounded_value *G,
                      int kind, int bounded)
 {
     see(q, s, shape, line, kind, bounded);
-    measure(q, line, kind, bounded);
+    measure(q, shape, line, kind, bounded);
     if (bounded && passes_ball(q, shape))
         return (verdict){at_base(v_le(q->N.D[0][0], v_set(CYLINT_WINDOW))), 0,
                          m_from(0), m_from(0)};
     const vd value = form_G_lanes(&q->L);
-    *G = of_base(with_bound(value, form_G_sizes(&q->N)));
+    *G = with_bound(value, form_G_sizes(&q->N));
+    if (bounded)
+        *G = of_base(*G);
     verdict v = bounded ? judge_bounded(q, *G) : judge_unbounded(q, *G, kind);
     const int near = at_base(v_le(q->N.D[0][0], v_set(CYLINT_WINDOW)));
     v.misses &= near;
@@ -377,60 +376,72 @@ ASIDE int ask_intervals(const cylint_shape *shape, const cylint_line *line,
                   rest);
 }
 
-/* A kernel of its own for each kind, bounded or not, in brief or in full. */
 #define ARGUMENTS                                                           \
     const cylint_shape *shape, const cylint_line *line, unsigned want,      \
     cylint_answer *answer, cylint_root_rest *rest
-#define ASK(kind, bounded)                                                  \
-    static int ask_##kind##_##bounded(ARGUMENTS)                            \
+
+static int has_kernel(const cylint_shape *s, const cylint_line *l)
+{
+    return s->ordinary && l->ordinary &&
+           (s->ends < CYLINT_NAPPE || s->kind == CYLINT_KIND_CYLINDER ||
+            s->kind == CYLINT_KIND_ECYLINDER);
+}
+
+/* What the kernel below did not decide. */
+ASIDE int ask_otherwise(ARGUMENTS)
+{
+    if (want & CYLINT_WANT_FAST && has_kernel(shape, line) &&
+        ask_intervals(shape, line, shape->kind, shape->ends < CYLINT_INFINITE,
+                      want, answer, rest))
+        return answer->n;
+    return rest ? CYLINT_UNDECIDED
+                : cylint_ask_signs(shape, line, want, answer);
+}
+
+/* A kernel of its own for each kind, bounded or not, in full or in brief. */
+#define KERNELS(kind, bounded)                                              \
+    static int full_##kind##_##bounded(ARGUMENTS)                           \
     {                                                                       \
-        return ask_in_full(shape, line, kind, bounded, want, answer, rest); \
+        return ask_in_full(shape, line, kind, bounded, want, answer, rest)  \
+             ? answer->n : ask_otherwise(shape, line, want, answer, rest);  \
     }                                                                       \
     static int brief_##kind##_##bounded(ARGUMENTS)                          \
     {                                                                       \
-        (void)rest;                                                         \
-        return ask_in_brief(shape, line, kind, bounded, want, answer);      \
+        return ask_in_brief(shape, line, kind, bounded, want, answer)       \
+             ? answer->n : ask_otherwise(shape, line, want, answer, rest);  \
     }
-ASK(1, 0) ASK(1, 1) ASK(2, 0) ASK(2, 1) ASK(3, 0) ASK(3, 1)
-ASK(4, 0) ASK(4, 1) ASK(5, 0) ASK(5, 1)
+#define KIND(kind) KERNELS(kind, 0) KERNELS(kind, 1)
+KIND(CYLINT_KIND_CYLINDER)
+KIND(CYLINT_KIND_CONE)
+KIND(CYLINT_KIND_ACONE)
+KIND(CYLINT_KIND_ECYLINDER)
+KIND(CYLINT_KIND_ECONE)
 
-static int undecided(ARGUMENTS)
-{
-    (void)shape, (void)line, (void)want, (void)answer, (void)rest;
-    return 0;
-}
-
-/* By kind, ends and brevity. */
-#define WHOLE(kind)  {ask_##kind##_1, brief_##kind##_1}
-#define PARTLY(kind) {ask_##kind##_1, ask_##kind##_1}
-#define ENDLESS(kind) {ask_##kind##_0, brief_##kind##_0}
-#define NOWHERE      {undecided, undecided}
-#define BOUNDED(kind) WHOLE(kind), PARTLY(kind), PARTLY(kind), PARTLY(kind)
-#define CYLINDER(kind) {BOUNDED(kind), ENDLESS(kind), ENDLESS(kind)}
-#define CONE(kind)   {BOUNDED(kind), ENDLESS(kind), NOWHERE}
+/* Those of a kind, by ends and brevity. */
+#define CAPPED(kind)   {full_##kind##_1, brief_##kind##_1}
+#define PARTLY(kind)   {full_##kind##_1, full_##kind##_1}
+#define INFINITE(kind) {full_##kind##_0, brief_##kind##_0}
+#define NEITHER        {ask_otherwise, ask_otherwise}
+#define BY_ENDS(kind, nappe)                                                \
+    {CAPPED(kind), PARTLY(kind), PARTLY(kind), PARTLY(kind),                \
+     INFINITE(kind), nappe}
 static cylint_kernel_one *const kernels[][CYLINT_NAPPE + 1][2] = {
-    {NOWHERE, NOWHERE, NOWHERE, NOWHERE, NOWHERE, NOWHERE},
-    CYLINDER(1), CONE(2), CONE(3), CYLINDER(4), CONE(5)
+    {NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER},
+    BY_ENDS(CYLINT_KIND_CYLINDER, INFINITE(CYLINT_KIND_CYLINDER)),
+    BY_ENDS(CYLINT_KIND_CONE, NEITHER),
+    BY_ENDS(CYLINT_KIND_ACONE, NEITHER),
+    BY_ENDS(CYLINT_KIND_ECYLINDER, INFINITE(CYLINT_KIND_ECYLINDER)),
+    BY_ENDS(CYLINT_KIND_ECONE, NEITHER)
 };
-
-ASIDE int ask_fast(cylint_kernel_one *ask, ARGUMENTS)
-{
-    return ask(shape, line, want, answer, rest) ||
-           (ask != undecided &&
-            ask_intervals(shape, line, shape->kind,
-                          shape->ends < CYLINT_INFINITE, want, answer, rest));
-}
 
 int CYLINT_ONE(ARGUMENTS)
 {
-    if (!shape->ordinary || !line->ordinary)
-        return 0;
     const int brief = !(want & (CYLINT_WANT_T | CYLINT_WANT_PART)) &
                       (line->tmin < -DBL_MAX) & (line->tmax > DBL_MAX);
-    cylint_kernel_one *const ask = kernels[shape->kind][shape->ends][brief];
-    return want & CYLINT_WANT_FAST
-         ? ask_fast(ask, shape, line, want, answer, rest)
-         : ask(shape, line, want, answer, rest);
+    if (!(shape->ordinary & line->ordinary))
+        return ask_otherwise(shape, line, want, answer, rest);
+    return kernels[shape->kind][shape->ends][brief](shape, line, want, answer,
+                                                    rest);
 }
 
 #else
@@ -439,8 +450,8 @@ int CYLINT_ONE(ARGUMENTS)
 int CYLINT_ONE(const cylint_shape *shape, const cylint_line *line,
                unsigned want, cylint_answer *answer, cylint_root_rest *rest)
 {
-    (void)shape, (void)line, (void)want, (void)answer, (void)rest;
-    return 0;
+    return rest ? CYLINT_UNDECIDED
+                : cylint_ask_signs(shape, line, want, answer);
 }
 
 #endif

@@ -51,6 +51,7 @@
 /* What the lanes hold of lines and shapes; see cylint.h for the members. */
 typedef struct {
     vd o[3], u[3], u_lo[3], tmin, tmax;
+    int segment; /* 0: u_lo is 0 */
 } lanes_line;
 
 typedef struct {
@@ -68,6 +69,7 @@ INLINE void broadcast_line(lanes_line *to, const cylint_line *l)
     }
     to->tmin = v_set(l->tmin);
     to->tmax = v_set(l->tmax);
+    to->segment = l->segment;
 }
 
 INLINE void broadcast_ends(lanes_shape *to, int ends)
@@ -439,7 +441,8 @@ INLINE lanes_root round_root(const lanes_query *q,
     const vm top = v_eq(part, v_set(CYLINT_CAP1));
     letters_pairs P;
     letters_sizes N;
-    vd from = zero, size = zero;
+    const vd from = q->N.D[0][0] + v_abs(t.v) * q->N.u[0];
+    vd size = zero;
     P.kind = kind;
     EACH(i, 3) {
         vpair D = v_two_sum(l->o[i], -center[i]);
@@ -447,10 +450,10 @@ INLINE lanes_root round_root(const lanes_query *q,
         if (kind > CYLINT_KIND_CONE)
             D = vpair_sub(D, (vpair){v_select(top, s->axis[i], zero), zero});
         vpair step = v_two_prod(t.v, l->u[i]);
-        step.lo = step.lo + t.v * l->u_lo[i];
+        if (l->segment)
+            step.lo = step.lo + t.v * l->u_lo[i];
         const vpair at = vpair_add(D, step);
         P.D[0][i] = v_fast_two_sum(at.hi, at.lo);
-        from = v_max(from, v_abs(D.hi) + v_abs(step.hi));
         size = v_max(size, v_abs(at.hi));
         if (kind >= CYLINT_KIND_ECYLINDER) {
             P.a[i] = (vpair){s->a[i], zero};

@@ -19,12 +19,18 @@ typedef struct {
     double more[2], error[2];
 } cylint_root_rest;
 
-/* One line and shape: 1 if decided, 0 to ask by signs (as a refused one
- * always is).  Of the hits t and part are filled in where wanted, and, if it
- * is not NULL, *rest. */
+/* One line and shape: fills in *answer and returns its n.  Point, normal, z
+ * and phi are not wanted of it; who needs more of the roots to find those sets
+ * `rest`, and is then told CYLINT_UNDECIDED where it would take signs. */
 typedef int cylint_kernel_one(const cylint_shape *shape,
                               const cylint_line *line, unsigned want,
                               cylint_answer *answer, cylint_root_rest *rest);
+enum { CYLINT_UNDECIDED = -1 };
+
+/* The way that always answers (query.c): by signs and, where need be, every
+ * digit. */
+int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
+                     unsigned want, cylint_answer *answer);
 
 /* Shapes that one kernel serves: number[i] is the shape of lane i.  The
  * columns hold the balls about them, padded to a multiple of 8 lanes by

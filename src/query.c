@@ -218,9 +218,8 @@ static void describe(cylint_query *q, const stop *at, double t, double more,
                             hit);
 }
 
-/* By signs and, where need be, every digit. */
-ASIDE int ask(const cylint_shape *shape, const cylint_line *line,
-              unsigned want, cylint_answer *answer)
+int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
+                     unsigned want, cylint_answer *answer)
 {
     if (shape->kind == CYLINT_KIND_NONE || !line->valid) {
         answer->relation = CYLINT_MISS;
@@ -282,20 +281,21 @@ static void describe_hits(const cylint_shape *shape, const cylint_line *line,
     }
 }
 
-/* By the kernels, if they can decide it, with more than t and part. */
-ASIDE int ask_kernels_more(const cylint_shape *shape, const cylint_line *line,
-                           unsigned want, cylint_answer *answer)
+/* t and part by the kernels, if they can, and more from there. */
+ASIDE int ask_more(const cylint_shape *shape, const cylint_line *line,
+                   unsigned want, cylint_answer *answer)
 {
     cylint_answer known;
     cylint_root_rest rest;
-    if (!cylint_kernels_used()->one(shape, line,
-            want | CYLINT_WANT_T | CYLINT_WANT_PART, &known, &rest))
-        return 0;
+    const int n = cylint_kernels_used()->one(shape, line,
+        want | CYLINT_WANT_T | CYLINT_WANT_PART, &known, &rest);
+    if (n == CYLINT_UNDECIDED)
+        return cylint_ask_signs(shape, line, want, answer);
     answer->relation = known.relation;
-    answer->n = known.n;
-    if (known.n > 0)
+    answer->n = n;
+    if (n > 0)
         describe_hits(shape, line, want, &known, &rest, answer);
-    return 1;
+    return n;
 }
 
 #if CYLINT_IS_PARANOID
@@ -303,7 +303,7 @@ static int contradicts(const cylint_shape *shape, const cylint_line *line,
                        unsigned want, const cylint_answer *known)
 {
     cylint_answer a;
-    ask(shape, line, want, &a);
+    cylint_ask_signs(shape, line, want, &a);
     int wrong = a.relation != known->relation || a.n != known->n;
     for (int i = 0; i < a.n && !wrong; i++)
         wrong = ((want & CYLINT_WANT_PART) &&
@@ -319,13 +319,18 @@ int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer)
 {
     answer->flags = 0;
-    const int known = want & beside_t
-        ? ask_kernels_more(shape, line, want, answer)
-        : cylint_kernels_used()->one(shape, line, want, answer, NULL);
-    if (!known)
-        return ask(shape, line, want, answer);
+#if CYLINT_IS_PARANOID
+    if (want & beside_t)
+        ask_more(shape, line, want, answer);
+    else
+        cylint_kernels_used()->one(shape, line, want, answer, NULL);
     cylint_contradiction(contradicts(shape, line, want, answer));
     return answer->n;
+#else
+    if (want & beside_t)
+        return ask_more(shape, line, want, answer);
+    return cylint_kernels_used()->one(shape, line, want, answer, NULL);
+#endif
 }
 
 int cylint_occluded(const cylint_shape *shape, const cylint_line *line)

@@ -36,12 +36,14 @@ static int line_count;
 
 static uint64_t seed(void)
 {
-    return check_setting("CYLINT_SEED", 3);
+    const char *text = getenv("CYLINT_SEED");
+    return text ? strtoull(text, NULL, 10) : 3;
 }
 
 static uint64_t cases(int wild)
 {
-    return check_setting("CYLINT_CASES", wild ? WILD_CASES : CASES);
+    const char *text = getenv("CYLINT_CASES");
+    return text ? strtoull(text, NULL, 10) : wild ? WILD_CASES : CASES;
 }
 
 /* ------------------------------------------------------------ families -- */
@@ -252,9 +254,13 @@ static void true_bound(const cylint_shape *s, int i, int j, int up)
 static double cancelled(const cylint_shape *s, int j)
 {
     const int factors = s->kind >= CYLINT_KIND_ACONE;
-    const double reach = ldexp(s->size, -94) * fmax(1, factors ? s->r1 : 1);
+    double size = factors ? 0 : fmax(s->r0, s->r1);
+    for (int i = 0; i < 3; i++)
+        size = fmax(fmax(size, fabs(s->axis[i])),
+                    fmax(fabs(s->a[i]), fabs(s->b[i])));
+    const double reach = ldexp(size, -94) * fmax(1, factors ? s->r1 : 1);
     const double most = ldexp(fabs(s->base[j]), -96) + reach;
-    return isinf(s->size) ? ldexp(1, 930) : most;
+    return isinf(size) ? ldexp(1, 930) : most;
 }
 
 /* By how much a side of the box is loose; infinite if it cuts. */

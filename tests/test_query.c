@@ -32,12 +32,14 @@ enum { POINT_ULPS = 4, NORMAL_ULPS = 4, Z_ULPS = 4, PHI_ULPS = 4 };
 
 static uint64_t seed(void)
 {
-    return check_setting("CYLINT_SEED", 1);
+    const char *text = getenv("CYLINT_SEED");
+    return text ? strtoull(text, NULL, 10) : 1;
 }
 
 static uint64_t cases(void)
 {
-    return check_setting("CYLINT_CASES", CASES);
+    const char *text = getenv("CYLINT_CASES");
+    return text ? strtoull(text, NULL, 10) : CASES;
 }
 
 /* The unit in the last place of x, as a double. */

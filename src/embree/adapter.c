@@ -43,10 +43,12 @@ static void box_of(const cylint_embree_data *data, size_t number, int step,
     *box = cylint_trunk_box(&view, (uint32_t)number);
 }
 
-static void group_bounds(const struct RTCBoundsFunctionArguments *args)
+static void block_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_embree_data *data = args->geometryUserPtr;
-    *args->bounds_o = cylint_padded_box(&data->box, data->pad);
+    const struct RTCBounds box =
+        cylint_block_box(data->group.blocks + args->primID);
+    *args->bounds_o = cylint_padded_box(&box, data->pad);
 }
 
 static void shape_bounds(const struct RTCBoundsFunctionArguments *args)
@@ -81,10 +83,6 @@ static int check_shape(const cylint_embree_data *data, size_t i,
     return CYLINT_EMBREE_OK;
 }
 
-/* From how many sizes of the geometry rays come for which boxes are wide
- * enough: the one box of a group may be wider than each of very many. */
-enum { NEAR_SIZES = 3, FAR_SIZES = 4095 };
-
 static int check_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
@@ -97,8 +95,7 @@ static int check_shapes(cylint_embree_data *data,
             return 0;
         }
     }
-    data->box = all;
-    data->pad = cylint_box_pad(&all, data->walk ? FAR_SIZES : NEAR_SIZES);
+    data->pad = cylint_box_pad(&all);
     return 1;
 }
 
@@ -119,7 +116,7 @@ static int fill(RTCGeometry geometry, cylint_embree_data *data,
         tell_device(geometry);
         return 0;
     }
-    if (data->walk) {
+    if (data->test) {
         const cylint_view view = cylint_plain_view(data->shapes);
         cylint_group group;
         if (!cylint_group_make(&group, data->device, &view, NULL, data->n)) {
@@ -130,7 +127,7 @@ static int fill(RTCGeometry geometry, cylint_embree_data *data,
         data->group = group;
     }
     rtcSetGeometryUserPrimitiveCount(
-        geometry, data->walk ? data->group.n > 0 : (unsigned)data->n);
+        geometry, (unsigned)(data->test ? data->group.n : data->n));
     rtcCommitGeometry(geometry);
     return 1;
 }
@@ -141,7 +138,7 @@ static void attach(RTCGeometry geometry, cylint_embree_data *data)
     rtcSetGeometryTimeStepCount(geometry, data->moved ? 2 : 1);
     rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
     rtcSetGeometryBoundsFunction(
-        geometry, data->walk ? group_bounds : shape_bounds, NULL);
+        geometry, data->test ? block_bounds : shape_bounds, NULL);
     rtcSetGeometryIntersectFunction(geometry, cylint_embree_trace);
     rtcSetGeometryOccludedFunction(geometry, cylint_embree_shadow);
 }
@@ -163,7 +160,7 @@ static cylint_embree_data *new_data(RTCDevice device,
         data->user = options->user;
     }
     if (!(data->how & CYLINT_EMBREE_SINGLE) && !data->moved)
-        data->walk = cylint_walks_used()->ray;
+        data->test = cylint_block_tests_used()->ray;
     return data;
 }
 

@@ -1,6 +1,5 @@
 /*
- * group.h - shapes cut into pieces, pieces that lie together in blocks, and
- * nodes above them
+ * group.h - shapes cut into pieces, pieces that lie together in blocks
  */
 #ifndef CYLINT_EMBREE_GROUP_H
 #define CYLINT_EMBREE_GROUP_H
@@ -11,15 +10,9 @@
 #include "memory.h"
 
 typedef struct cylint_group {
-    cylint_memory memory;      /* of the blocks and nodes */
+    cylint_memory memory;      /* of the blocks */
     const cylint_block *blocks;
-    const cylint_node *nodes;  /* above them, the first one first */
-    size_t n;                  /* blocks; 0: there are no nodes */
-    float center[3];           /* of the box of all: nodes' corners are from
-                                  there */
-    float pad;                 /* what boxes may miss on each side, beside
-                                  2^-20 of how far the line begins */
-    float near_by;             /* how far from the centre that is not much */
+    size_t n;
 } cylint_group;
 
 /*

@@ -56,8 +56,9 @@ static void paired_turn(void *context, const int *order, int n)
 static int decided(const cylint_shape *shape, const cylint_line *line)
 {
     cylint_answer answer;
-    return shape->ordinary && line->ordinary &&
-           cylint_one_plain(shape, line, CYLINT_WANT_T, &answer, NULL);
+    cylint_root_rest rest;
+    return cylint_one_plain(shape, line, CYLINT_WANT_T, &answer, &rest) !=
+           CYLINT_UNDECIDED;
 }
 
 static void finish(struct cases *c)
