@@ -25,13 +25,14 @@ typedef enum {
 
 /* A question, as quick.c has it. */
 typedef struct cylint_quick {
+    const cylint_shape *shape;
     double w[3], W, ww, per_ww, r0, dr; /* axis, its length; radii */
     double from, tmin;            /* t = from + s, D + s u from the base */
     double alpha, beta;           /* D.w, u.w */
     double n[3], m[3];            /* u x w, D x w */
     double s[2], a, root, per_root; /* where Q(s) = 0; of s^2 in it; of G */
     double U, Dn;                 /* sizes */
-    int ends, crosses;
+    int ends, crosses, endless; /* i, if where s[i] were there is no end */
 } cylint_quick;
 
 /* A hit at t and z, within the errors, on a part of the surface; s: t from
