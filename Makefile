@@ -48,7 +48,7 @@ lib_objects   := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/meth
 # kernels once more for each instruction set of this machine's family
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
 lib_objects   += $(BUILD)/src/kernel-fma.o $(BUILD)/src/kernel-avx512.o $(BUILD)/src/batch-avx2.o $(BUILD)/src/batch-avx512.o
-embree_builds := $(BUILD)/src/embree/lanetest-avx2.o
+embree_builds := $(BUILD)/src/embree/walk-avx2.o
 quick_builds  := $(BUILD)/src/embree/quick-fma.o
 endif
 embree_objects := $(if $(EMBREE),$(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/embree/*.c)) $(embree_builds) $(quick_builds))
@@ -123,7 +123,9 @@ $(BUILD)/tests/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 $(BUILD)/tests/embree_%.o $(BUILD)/tests/test_embree_%.o $(BUILD)/tests/scene_curves.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 
 $(BUILD)/src/dispatch.o: extra += $(if $(findstring kernel-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
-$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/embree/lanetest%.o $(BUILD)/src/embree/quick%.o $(BUILD)/src/embree/sort.o: extra += -O3
+# what gcc needs to make vectors of loops
+vectors := -O3
+$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/embree/walk%.o $(BUILD)/src/embree/quick%.o $(BUILD)/src/embree/tree.o: extra += $(vectors)
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
@@ -135,8 +137,8 @@ $(filter $(BUILD)/src/kernel-%,$(lib_objects)): $(BUILD)/src/kernel-%.o: src/ker
 $(filter $(BUILD)/src/batch-%,$(lib_objects)): $(BUILD)/src/batch-%.o: src/batch.c
 	$(compile) $(FLAGS.$*) -c -o $@ $<
 
-$(embree_builds): $(BUILD)/src/embree/lanetest-%.o: src/embree/lanetest.c
-	$(compile) -mavx2 -mfma -DCYLINT_BLOCK_TESTS=cylint_block_tests_$* -c -o $@ $<
+$(embree_builds): $(BUILD)/src/embree/walk-%.o: src/embree/walk.c
+	$(compile) -mavx2 -mfma -DCYLINT_WALKS=cylint_walks_$* -c -o $@ $<
 
 $(quick_builds): $(BUILD)/src/embree/quick-%.o: src/embree/quick.c
 	$(compile) -mavx2 -mfma -ffp-contract=fast -DCYLINT_QUICK=cylint_quick_$* -c -o $@ $<
@@ -208,14 +210,17 @@ $(BUILD)/tools/bench/embree.o $(BUILD)/tools/bench/embree_%.o: extra += -DCYLINT
 $(BUILD)/tools/bench/embree: $(patsubst %,$(BUILD)/tools/bench/%.o,embree embree_scenes embree_rivals timing) $(embree_library) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(EMBREE_LIBS) -lm
 
-counted := cylint_block_tests_used cylint_quick_used cylint_intersect
+# what a ray is asked for: an adapter that counts
+counted := cylint_quick_used cylint_intersect
 $(BUILD)/tools/bench/embree_counts: $(patsubst %,$(BUILD)/tools/bench/%.o,embree_counts embree_scenes embree_rivals) $(embree_library) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) $(foreach f,$(counted),-Wl,--wrap=$(f)) -o $@ $^ $(EMBREE_LIBS) -lm
 
-.PHONY: bench-embree
-bench-embree: $(BUILD)/tools/bench/embree $(if $(WRAP),$(BUILD)/tools/bench/embree_counts) ## scenes beside Embree's own curves; QUICK=1: in a minute
+.PHONY: bench-embree count_visits
+count_visits: $(BUILD)/tools/bench/embree_counts
+	$< $(if $(QUICK),1e5,1e6)
+bench-embree: $(BUILD)/tools/bench/embree ## scenes beside Embree's own curves; QUICK=1: in a minute
 	$(BUILD)/tools/bench/embree $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree.tsv
-	$(if $(WRAP),$(BUILD)/tools/bench/embree_counts $(if $(QUICK),1e5,1e6) | tee $(BUILD)/embree-counts.tsv)
+	@$(if $(WRAP),$(MAKE) -s BUILD=$(BUILD)/visits CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_VISITS' count_visits | tee $(BUILD)/embree-counts.tsv)
 
 bench: bench_programs ## time against error, tables and charts; QUICK=1: in two minutes
 	@$(if $(GSL),,echo 'bench: no GSL, so no questions to ask (make deps)'; exit 1)
@@ -252,12 +257,11 @@ covered: all $(test_programs)
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/run.sh $(test_programs) tests/test_hard.sh
 
 # counters that threads share are wrong, even negative, unless they are atomic
-counting := -g -O0 --coverage -fprofile-update=atomic
-coverage: ## lines and branches of src/ that the tests reach (needs gcovr)
+counting := -g -O0 --coverage -fprofile-update=atomic -fno-math-errno
+coverage: ## branches of src/ that no test takes, and no reason is known for
 	rm -rf $(BUILD)/coverage
-	$(MAKE) BUILD=$(BUILD)/coverage CFLAGS='$(counting)' CXXFLAGS='$(counting)' covered
-	gcovr --root . --filter src/ $(BUILD)/coverage
-	gcovr --root . --filter src/ --branches $(BUILD)/coverage
+	$(MAKE) BUILD=$(BUILD)/coverage vectors= CFLAGS='$(counting)' CXXFLAGS='$(counting)' covered
+	python3 tests/coverage.py $(BUILD)/coverage
 
 mutants: ## do the tests see a changed operator, constant or index? COUNT=300
 	python3 tests/mutants.py --cc '$(CC)' --count $(or $(COUNT),300)

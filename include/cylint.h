@@ -95,14 +95,14 @@ typedef struct cylint_shape {
     int kind;              /* cylint_kind */
     int ends;              /* cylint_ends */
     double base[3];        /* p0, c, or the apex v */
-    double top[3];         /* p1; cylinder and cone only */
     double axis[3];        /* p1 - p0, h, or u: the nearest doubles ... */
-    double axis_lo[3];     /* ... and what they miss: axis + axis_lo is
-                              p1 - p0 exactly, unless that overflows */
-    double a[3], b[3];     /* elliptic kinds: conjugate semi-axes */
     double r0, r1;         /* radii at z = 0, 1; elliptic: 1, k; acone:
                               0 and the tangent of the half angle */
     double dr, dr_lo;      /* r1 - r0 exactly, as a pair; acone: the tangent */
+    double axis_lo[3];     /* ... and what they miss: axis + axis_lo is
+                              p1 - p0 exactly, unless that overflows */
+    double top[3];         /* p1; cylinder and cone only */
+    double a[3], b[3];     /* elliptic kinds: conjugate semi-axes */
     double center[3], ball;/* a ball that holds the solid; infinite: none */
     double size;           /* the largest component of axis */
     int ordinary;          /* 1: doubles neither over- nor underflow */

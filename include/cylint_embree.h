@@ -30,18 +30,18 @@
  *   geomID, instID, instPrimID   as Embree wants them.
  *
  * Hits on several geometries, or several instances of one, are compared by
- * their floats, by Embree.  Embree walks boxes in floats, and for user
- * geometries RTC_SCENE_FLAG_ROBUST changes nothing in that.  Boxes are tight,
- * rounded outward to float, and widened by what that walk errs at most for
- * rays that begin within three sizes of the geometry's box, a size being its
- * longest side: by 2^-19 of a size and 2^-23 of the largest coordinate.  For
- * such rays nothing is lost, and the nearest is nearest to the last bit.  The
- * farther away a ray begins, the more likely it passes by a box that it
- * grazes, or answers the farther, or the higher number, of two shapes whose t
- * differ by less than 2^-21 of it (observed: the first miss among 10^6 rays
- * from 10^5 sizes away).  Embree also takes a component of dir below 1e-18 in
- * size for 1e-18; keep dir as a whole far above.  cylint_scene.h has no such
- * limits.
+ * their floats, by Embree.  To Embree a geometry is one primitive with one box;
+ * what is within the adapter finds itself, and loses nothing, wherever a ray
+ * begins.  Embree's walk is in floats, and for user geometries
+ * RTC_SCENE_FLAG_ROBUST changes nothing in that: the box is tight, but wider by
+ * what that walk errs at most for rays that begin within 4095 sizes of it, a
+ * size being its longest side: by 2^-9 of a size and 2^-23 of the largest
+ * coordinate.  From farther away a ray that grazes the box as a whole may pass
+ * by it (observed: none of 10^5 rays from up to 10^6 sizes away did).  With
+ * CYLINT_EMBREE_SINGLE and with moving shapes every shape has a box of its own,
+ * wide enough for rays that begin within three sizes, wider by 2^-19 of one.
+ * Embree also takes a component of dir below 1e-18 in size for 1e-18; keep
+ * dir as a whole far above.  cylint_scene.h has no such limits.
  *
  * Filters.  The filter of the geometry is offered the entry and, if that is
  * rejected, the exit, always with N = 1, with all members of the hit filled

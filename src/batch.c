@@ -212,7 +212,7 @@ INLINE unsigned within_reach(const lanes_ball *b, const source *from)
  * where it is wanted. */
 typedef struct {
     double t[2][LANES], part[2][LANES];
-    unsigned undecided, cross, hit[2], leaving_first;
+    unsigned undecided, hit[2], leaving_first;
 } group;
 
 /* The roots of lanes in use. */
@@ -267,7 +267,7 @@ INLINE void round_group(const lanes_query *q, const lanes_shape *s,
 static void lane_answer(const group *g, int lane, unsigned want,
                         cylint_kernel_answer *a)
 {
-    a->relation = g->cross >> lane & 1 ? CYLINT_CROSS : CYLINT_MISS;
+    a->relation = CYLINT_CROSS; /* misses are not told */
     a->n = 0;
     EACH(i, 2) {
         if (!(g->hit[i] >> lane & 1))
@@ -346,9 +346,8 @@ INLINE int judge(const source *from, size_t *list, int lanes, mode m,
     g.undecided = m_bits(v.undecided);
     g.hit[0] = m_bits(v.hit[0]);
     g.hit[1] = m_bits(v.hit[1]);
-    g.cross = m_bits(v.cross);
     g.leaving_first = m_bits(v.leaving_first);
-    const unsigned told = g.undecided | (job->relations ? g.cross
+    const unsigned told = g.undecided | (job->relations ? m_bits(v.cross)
                                          : g.hit[0] | g.hit[1]);
     if (told == 0)
         return 0;

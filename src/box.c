@@ -39,19 +39,14 @@ static pair unscaled(pair x, int e)
     return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
 }
 
-static pair root(pair x)
-{
-    return x.hi > 0 ? pair_sqrt(x) : (pair){0, 0};
-}
-
-/* sqrt(x^2 + y^2) 2^*e, whatever the exponents of x and y. */
+/* sqrt(x^2 + y^2) 2^*e, whatever the exponents of x and y; not both are 0. */
 static pair hypotenuse(pair x, pair y, int *e)
 {
     const double most = cylint_larger(fabs(x.hi), fabs(y.hi));
     const int k = most < DBL_MIN ? cylint_exponent(most * 0x1p60) - 60
                                  : cylint_exponent(most);
     *e += k;
-    return root(squares(unscaled(x, -k), unscaled(y, -k)));
+    return pair_sqrt(squares(unscaled(x, -k), unscaled(y, -k)));
 }
 
 /* How far the section of unit radius (circular: at distance 1 from the axis;
@@ -115,7 +110,7 @@ static double outward(double center, pair offset, pair reach, int is_exact,
     const int terms = (center != 0) + (offset.hi != 0) + (reach.hi != 0);
     is_exact = is_exact && !cylint_too_small(center) &&
                !cylint_too_small(offset.hi) && !cylint_too_small(reach.hi) &&
-               (terms <= 1 ? far.lo == 0 : terms == 2);
+               terms <= 2;
     if (is_exact) {
         if (up ? sum.lo <= 0 : sum.lo >= 0)
             return sum.hi;
@@ -198,8 +193,7 @@ static void take_nappe(const cylint_shape *s, double lo[3], double hi[3])
         /* the apex: p0 - w r0 / dr */
         pair offset = {0, 0};
         const int ew = cylint_exponent(k.axis[j].hi);
-        const int at_base = cylint_sign(s->r0) == 0 ||
-                            cylint_sign(k.axis[j].hi) == 0;
+        const int at_base = cylint_sign(s->r0) == 0;
         if (!at_base)
             offset = pair_neg(unscaled(pair_div(pair_mul(
                 unscaled(k.axis[j], -ew), r0), dr), k.e + ew + er - ed));

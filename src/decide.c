@@ -412,9 +412,10 @@ static const letters_quantum *quanta(cylint_query *q)
     q->quanta = q->near_shape == q->shape && cylint_sign(s->dr_lo) == 0 &&
                 cylint_rounds_to_nearest();
     for (int i = 0; i < 3; i++) {
-        q->quanta &= !cylint_too_small(l->o[i]) && !cylint_too_small(l->d[i]) &&
-                     !cylint_too_small(s->base[i]) && !cylint_too_small(s->axis[i]) &&
-                     !cylint_too_small(s->top[i]) && !cylint_too_small(s->a[i]) &&
+        q->quanta &= !cylint_too_small(l->o[i]) && !cylint_too_small(l->d[i]);
+        q->quanta &= !cylint_too_small(s->base[i]) &&
+                     !cylint_too_small(s->axis[i]);
+        q->quanta &= !cylint_too_small(s->top[i]) && !cylint_too_small(s->a[i]) &&
                      !cylint_too_small(s->b[i]);
         const pair d = two_diff(l->o[i], s->base[i]);
         q->quanta &= d.lo == 0 && cylint_sign(l->d_lo[i]) == 0 &&

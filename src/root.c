@@ -347,15 +347,13 @@ static int against_middle(cylint_query *q, cylint_root root, uint64_t size,
     return beyond;
 }
 
-/* The nearest double, ties to even, from a candidate's size by exact signs
- * at the middles around it; infinite beyond the largest. */
+/* The double nearest to a root other than 0, ties to even, from a candidate's
+ * size by exact signs at the middles around it; infinite beyond the largest. */
 static double settle(cylint_query *q, cylint_root root, uint64_t size)
 {
     const exact zero = {q->arena.limb, 0, 0, 0};
     cylint_reached(MIDDLE);
     const int sign = against_exact(q, root, zero);
-    if (sign == 0)
-        return 0;
     for (; size < INFINITE_BITS; size++) {
         const int beyond = against_middle(q, root, size, sign);
         if (beyond < 0 || (beyond == 0 && !(size & 1)))

@@ -2,21 +2,23 @@
 """Do the tests notice when the library is wrong?
 
 Changes one operator, sign, constant or index of the numeric core at a time,
-builds that and runs the library's tests, the fastest first.  What they let
-through is printed with its line.  A survivor is a test that is missing, a
-bound that is wider than need be, or a change that changes nothing; those that
-were understood stand in tests/mutants.txt, with the reason, and are counted
-but not printed.
+builds that and runs the library's tests, first those that found most of what
+was wrong with this file so far.  What they let through is printed with its
+line.  A survivor is a test that is missing, a bound that is wider than need
+be, or a change that changes nothing; those that were understood stand in
+tests/mutants.txt, with the reason, and are counted but not printed.
 
     tests/mutants.py [--count N] [--seed N] [--skip N] [--files a.c,b.h]
-                     [--again FILE]
+                     [--jobs N] [--full] [--again FILE]
 
-Needs what `make check` needs, MPFR and GSL among it.  --skip leaves out the
-first N of the seed's sequence, so that a run can be taken up again; --again
-tries only what an earlier run printed to FILE.
+Needs what `make check` needs, MPFR and GSL among it.  Of each file N are
+drawn; --skip leaves out the first N of the seed's sequence, so that a run can
+be taken up again; --again tries only what an earlier run printed to FILE, or
+what stands in tests/mutants.txt; --full asks all tests in full.
 """
 import argparse
 import os
+import queue
 import random
 import re
 import resource
@@ -26,14 +28,19 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
-CORE = ["forms.h", "fraction.h", "eft.h", "decide.c", "root.c", "query.c",
-        "exact.c", "hit.c", "box.c"]
-TESTS = [("test_ties", {}), ("test_corners", {}), ("test_shape", {}),
-         ("test_query", {"CYLINT_CASES": "100"}),
-         ("test_query", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
-         ("test_environment", {}), ("test_exact", {}), ("test_eft", {}),
-         ("test_budget", {}), ("test_properties", {})]
-SECONDS = 60  # of processor time: a test that takes longer hangs
+CORE = ["forms.h", "fraction.h", "eft.h", "sums.h", "exact.h", "bounds.h",
+        "internal.h", "decide.c", "root.c", "query.c", "exact.c", "hit.c",
+        "tangent.c", "box.c", "kernel.h", "kernel.c", "batch.c", "pack.c"]
+# (program, its cases): those that take seconds are tried with few first, and
+# in full only for --full, on what those let through.
+FEW = {"CYLINT_CASES": "50"}
+QUICK = [("test_corners", {}), ("test_shape", {}), ("test_hard", {}),
+         ("test_depth", {}), ("test_query", FEW), ("test_ties", {}),
+         ("test_budget", FEW), ("test_environment", FEW),
+         ("test_properties", FEW), ("test_batch", {"CYLINT_CASES": "3"})]
+FULL = [("test_query", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
+        ("test_environment", {}), ("test_exact", {}), ("test_eft", {}),
+        ("test_budget", {}), ("test_properties", {}), ("test_batch", {})]
 
 # (pattern, what may stand there instead)
 SWAPS = [
@@ -79,45 +86,65 @@ def run(command, **more):
                           stderr=subprocess.DEVNULL, **more)
 
 
-def limit_time():
-    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
-
-
 class Bench:
-    """A copy of the sources, built once; then one object at a time."""
+    """A copy of the sources, built once; then what sees the changed file."""
 
-    def __init__(self, top, work, cc):
-        self.work, self.cc = work, cc
-        for folder in ("src", "include", "tests", "man"):
+    def __init__(self, top, work, cc, tests):
+        self.work, self.cc, self.tests = work, cc, tests
+        for folder in ("src", "include", "tests", "man", "tools/cylint"):
             shutil.copytree(os.path.join(top, folder),
                             os.path.join(work, folder))
-        self.flags = ["-std=c99", "-O1", "-ffp-contract=off", "-Iinclude",
+        self.flags = ["-std=c99", "-ffp-contract=off", "-fPIC", "-Iinclude",
                       "-fsanitize=bounds", "-fsanitize-undefined-trap-on-error",
                       "-Isrc", "-Itests", "-D_POSIX_C_SOURCE=200809L",
-                      "-DHAVE_MPFR", "-DHAVE_GSL"]
-        src = os.path.join(work, "src")
-        self.sources = ["src/" + f for f in os.listdir(src)
-                        if f.endswith(".c")]
-        self.sources += ["src/methods/" + f
-                         for f in os.listdir(os.path.join(src, "methods"))
-                         if f.endswith(".c")]
-        self.programs = sorted({t for t, _ in TESTS})
+                      "-DHAVE_MPFR", "-DHAVE_GSL", "-DCHECK_STOPS"]
+        self.library = self.c_files("src") + self.c_files("src/methods")
         self.common = ["tests/%s.c" % t
                        for t in ("families", "constructed", "oracle")]
-        tests = ["tests/%s.c" % t for t in self.programs]
-        if not self.compile(self.sources + self.common + tests):
+        self.tool = [f for f in self.c_files("tools/cylint")
+                     if not f.endswith("numbers_cxx.c")]
+        self.programs = sorted({t for t, _ in tests} - {"test_hard"})
+        self.sources = (self.library +
+                        ["tests/%s.c" % t for t in self.programs])
+        if not self.compile(self.sources + self.common + self.tool):
             sys.exit("mutants: the sources do not compile as they are")
+        if not self.link(self.sources):
+            sys.exit("mutants: the programs do not link as they are")
+        self.seconds = [self.time_of(*t) for t in tests]
+
+    def c_files(self, folder):
+        return ["%s/%s" % (folder, f)
+                for f in sorted(os.listdir(os.path.join(self.work, folder)))
+                if f.endswith(".c")]
 
     def compile(self, sources):
         def job(source):
+            # what is compiled once may take long, but not batch.c's lanes
+            fast = ("-O2" if source.startswith("tests") else
+                    "-O0" if source == "src/batch.c" else "-O1")
             return run([self.cc] + self.flags +
-                       ["-c", source, "-o", source[:-2] + ".o"],
+                       [fast, "-c", source, "-o", source[:-2] + ".o"],
                        cwd=self.work).returncode == 0
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
+        with ThreadPoolExecutor(1 if len(sources) < 20 else 2) as pool:
             return all(pool.map(job, sources))
 
+    def link(self, changed):
+        """The library, and the tests that have a changed object."""
+        objects = lambda files: [f[:-2] + ".o" for f in files]
+        shared = ["-L.", "-lcylint", "-Wl,-rpath," + self.work, "-lmpfr",
+                  "-lgmp", "-lgsl", "-lgslcblas", "-pthread", "-lm"]
+        jobs = [["-shared", "-o", "libcylint.so"] + objects(self.library)]
+        for t in self.programs:
+            if "tests/%s.c" % t in changed:
+                jobs.append(["-o", "tests/" + t, "tests/%s.o" % t] +
+                            objects(self.common) + shared)
+        if len(changed) == len(self.sources):
+            jobs.append(["-o", "cylint"] + objects(self.tool) + shared)
+        return all(run([self.cc] + job, cwd=self.work).returncode == 0
+                   for job in jobs)
+
     def users(self, name):
-        """The library's sources that see this file."""
+        """The sources that see this file."""
         if name.endswith(".c"):
             return ["src/" + name]
         seen = []
@@ -125,40 +152,50 @@ class Bench:
             rule = subprocess.run([self.cc] + self.flags + ["-MM", s],
                                   cwd=self.work, capture_output=True,
                                   text=True).stdout
-            if "src/" + name in rule:
+            if "src/" + name in rule.split():
                 seen.append(s)
         return seen
 
-    def passes(self):
-        """The first test to fail, or None."""
-        objects = [s[:-2] + ".o" for s in self.sources + self.common]
-        for test, environment in TESTS:
-            program = "tests/" + test
-            if run([self.cc, "-o", program, program + ".o"] + objects +
-                   ["-lmpfr", "-lgmp", "-lgsl", "-lgslcblas", "-lm"],
-                   cwd=self.work).returncode != 0:
-                return "link"
-            if run(["./" + program], cwd=self.work, preexec_fn=limit_time,
-                   env=dict(os.environ, **environment)).returncode != 0:
-                return test
+    def passes(self, test, environment, seconds=60):
+        command = (["sh", "tests/test_hard.sh"] if test == "test_hard" else
+                   ["tests/" + test])
+        limit = lambda: resource.setrlimit(resource.RLIMIT_CPU,
+                                           (int(seconds), int(seconds)))
+        return run(command, cwd=self.work, preexec_fn=limit,
+                   env=dict(os.environ, BUILD=self.work,
+                            **environment)).returncode == 0
+
+    def time_of(self, test, environment):
+        before = os.times().children_user
+        if not self.passes(test, environment):
+            sys.exit("mutants: %s fails before anything is changed" % test)
+        return max(os.times().children_user - before, 0.01)
+
+    def killer(self, order):
+        """The number of the first test to fail, or None.  A test that takes
+        far longer than it should hangs, which is a failure."""
+        for i in order:
+            if not self.passes(*self.tests[i], 3 * self.seconds[i] + 2):
+                return i
         return None
 
-
-def try_mutant(bench, texts, mutant, users):
-    name, start, end, other = mutant
-    text, path = texts[name], os.path.join(bench.work, "src", name)
-    with open(path, "w") as f:
-        f.write(text[:start] + other + text[end:])
-    objects = [os.path.join(bench.work, u[:-2] + ".o") for u in users]
-    for o in objects:
-        os.rename(o, o + ".kept")
-    compiled = bench.compile(users)
-    killer = bench.passes() if compiled else "compiler"
-    with open(path, "w") as f:
-        f.write(text)
-    for o in objects:
-        os.replace(o + ".kept", o)
-    return killer
+    def judge(self, texts, mutant, users, order):
+        """Who kills it: the number of a test, "compiler", or None."""
+        name, start, end, other = mutant
+        text, path = texts[name], os.path.join(self.work, "src", name)
+        with open(path, "w") as f:
+            f.write(text[:start] + other + text[end:])
+        objects = [os.path.join(self.work, u[:-2] + ".o") for u in users]
+        for o in objects:
+            os.rename(o, o + ".kept")
+        killer = "compiler"
+        if self.compile(users) and self.link(users):
+            killer = self.killer(order)
+        with open(path, "w") as f:
+            f.write(text)
+        for o in objects:
+            os.replace(o + ".kept", o)
+        return killer
 
 
 def line_of(texts, mutant):
@@ -183,8 +220,9 @@ def keys_of(path):
     return {re.sub(r"^(src/[^:]*):\d+:", r"\1:", line) for line in lines}
 
 
-def choose(args, texts):
-    every = [m for n in texts for m in mutants_of(n, texts[n])]
+def drawn(args, texts, name):
+    """All of a file's mutants, and those to try."""
+    every = list(mutants_of(name, texts[name]))
     if args.again:
         again = keys_of(args.again)
         return every, [m for m in every if key(texts, m) in again]
@@ -192,44 +230,69 @@ def choose(args, texts):
     return every, chosen[args.skip:args.skip + args.count]
 
 
+def judge_file(name, args, benches, texts, understood):
+    every, chosen = drawn(args, texts, name)
+    idle = queue.Queue()
+    for bench in benches:
+        idle.put(bench)
+    users = benches[0].users(name)
+    kills = [0] * len(benches[0].tests)
+    count = dict.fromkeys(("killed", "senseless", "understood", "survived"), 0)
+
+    def try_one(mutant):
+        bench = idle.get()
+        worth = [-k / s for k, s in zip(kills, bench.seconds)]
+        order = sorted(range(len(worth)), key=lambda i: worth[i])
+        killer = bench.judge(texts, mutant, users, order)
+        idle.put(bench)
+        if killer is None:
+            fate = "survived"
+            if key(texts, mutant) in understood:
+                fate = "understood"
+        elif killer == "compiler":
+            fate = "senseless"
+        else:
+            fate = "killed"
+            kills[killer] += 1
+        count[fate] += 1
+        if fate == "survived":
+            print("src/%s:%d: %s" % (name, line_of(texts, mutant),
+                                     describe(texts, mutant)), flush=True)
+
+    with ThreadPoolExecutor(len(benches)) as pool:
+        list(pool.map(try_one, chosen))
+    print("%s: %d possible, %d tried: %d killed, %d did not compile, "
+          "%d survived as they must, %d survived"
+          % (name, len(every), len(chosen), count["killed"],
+             count["senseless"], count["understood"], count["survived"]),
+          flush=True)
+    return count["survived"]
+
+
 def main():
     p = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    p.add_argument("--count", type=int, default=300)
+    p.add_argument("--count", type=int, default=20)
     p.add_argument("--seed", type=int, default=1)
     p.add_argument("--skip", type=int, default=0)
+    p.add_argument("--jobs", type=int, default=2)
     p.add_argument("--cc", default="cc")
     p.add_argument("--files", default=",".join(CORE))
     p.add_argument("--again")
+    p.add_argument("--full", action="store_true")
     args = p.parse_args()
     tests = os.path.dirname(os.path.abspath(__file__))
+    top = os.path.dirname(tests)
     understood = keys_of(os.path.join(tests, "mutants.txt"))
+    texts = {n: open(os.path.join(top, "src", n)).read()
+             for n in args.files.split(",")}
     with tempfile.TemporaryDirectory() as work:
-        bench = Bench(os.path.dirname(tests), os.path.join(work, "copy"),
-                      args.cc)
-        texts = {n: open(os.path.join(bench.work, "src", n)).read()
-                 for n in args.files.split(",")}
-        users = {n: bench.users(n) for n in texts}
-        every, chosen = choose(args, texts)
-        failing = bench.passes()
-        if failing:
-            sys.exit("mutants: %s fails before anything is changed" % failing)
-        count = dict.fromkeys(("killed", "senseless", "understood",
-                               "survived"), 0)
-        for mutant in chosen:
-            killer = try_mutant(bench, texts, mutant, users[mutant[0]])
-            fate = ("senseless" if killer in ("compiler", "link") else
-                    "killed" if killer else
-                    "understood" if key(texts, mutant) in understood else
-                    "survived")
-            count[fate] += 1
-            if fate == "survived":
-                print("src/%s:%d: %s" % (mutant[0], line_of(texts, mutant),
-                                         describe(texts, mutant)), flush=True)
-        print("%d possible, %d tried: %d killed, %d did not compile, "
-              "%d survived as they must, %d survived"
-              % (len(every), len(chosen), count["killed"], count["senseless"],
-                 count["understood"], count["survived"]))
+        benches = [Bench(top, os.path.join(work, str(i)), args.cc,
+                         QUICK + FULL if args.full else QUICK)
+                   for i in range(args.jobs)]
+        survived = sum(judge_file(n, args, benches, texts, understood)
+                       for n in texts)
+    return survived > 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

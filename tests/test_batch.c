@@ -4,7 +4,8 @@
  * Every batch here lies between pages that cannot be touched, its inputs and
  * its pack in memory that can only be read while it is asked.  Every build
  * of the kernels that this processor runs takes its turn.  CYLINT_SEED
- * changes all cases drawn from the families.
+ * changes all cases drawn from the families, CYLINT_CASES how many lines, up to
+ * 59, are asked of each.
  */
 #include <math.h>
 #include <pthread.h>
@@ -16,14 +17,17 @@
 #include "families.h"
 
 enum {
-    FEW = 21,        /* where every address is tried: twice the lanes, more */
-    LINES_ASKED = 24
+    FEW = 21 /* where every address is tried: twice the lanes, more */
 };
 
 static uint64_t seed(void)
 {
-    const char *text = getenv("CYLINT_SEED");
-    return text ? strtoull(text, NULL, 10) : 1;
+    return check_setting("CYLINT_SEED", 1);
+}
+
+static size_t lines_asked(void)
+{
+    return (size_t)check_setting("CYLINT_CASES", 24);
 }
 
 /* ------------------------------------------------------------- answers -- */
@@ -312,11 +316,11 @@ static void lines_answer_as_single_questions(void)
 {
     for (int family = 0; family < family_count(); family++) {
         draw(family, 1000, MOST);
-        for (size_t i = 0; i < LINES_ASKED; i++) {
+        for (size_t i = 0; i < lines_asked(); i++) {
             slide(&drawn[i], 100);
             check_lines(&drawn[i], lined, 100, &usual);
         }
-        check_lines(&drawn[LINES_ASKED], drawn, MOST, &usual);
+        check_lines(&drawn[lines_asked()], drawn, MOST, &usual);
     }
 }
 
@@ -324,11 +328,11 @@ static void shapes_answer_as_single_questions(void)
 {
     for (int family = 0; family < family_count(); family++) {
         draw(family, 2000, 100);
-        for (size_t i = 0; i < LINES_ASKED; i++)
+        for (size_t i = 0; i < lines_asked(); i++)
             check_shapes(&drawn[i], drawn, 100, &usual);
     }
     draw_mixed(MOST);
-    for (size_t i = 0; i < 2 * LINES_ASKED; i++)
+    for (size_t i = 0; i < 2 * lines_asked(); i++)
         check_shapes(&drawn[i], drawn, MOST, &usual);
 }
 
@@ -336,11 +340,11 @@ static void scenes_answer_as_asking_every_shape(void)
 {
     for (int family = 0; family < family_count(); family++) {
         draw(family, 3000, 60);
-        for (size_t i = 0; i < LINES_ASKED; i++)
+        for (size_t i = 0; i < lines_asked(); i++)
             check_scene(&drawn[i], drawn, 60, &usual);
     }
     draw_mixed(MOST);
-    for (size_t i = 0; i < 2 * LINES_ASKED; i++)
+    for (size_t i = 0; i < 2 * lines_asked(); i++)
         check_scene(&drawn[i], drawn, MOST, &usual);
 }
 

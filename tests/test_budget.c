@@ -36,14 +36,12 @@ static int line_count;
 
 static uint64_t seed(void)
 {
-    const char *text = getenv("CYLINT_SEED");
-    return text ? strtoull(text, NULL, 10) : 3;
+    return check_setting("CYLINT_SEED", 3);
 }
 
 static uint64_t cases(int wild)
 {
-    const char *text = getenv("CYLINT_CASES");
-    return text ? strtoull(text, NULL, 10) : wild ? WILD_CASES : CASES;
+    return check_setting("CYLINT_CASES", wild ? WILD_CASES : CASES);
 }
 
 /* ------------------------------------------------------------ families -- */

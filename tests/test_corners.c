@@ -50,6 +50,19 @@ static const struct corner corners[] = {
     {"the same from the other side",
      FAMILY_LINE, {1, 0, 1, 1, 0, 1},
      FAMILY_ACONE, {-0x1p-106, 0, 0, 0, 0, 1, 45}, CYLINT_NAPPE},
+    {"parallel to a ruling: B on a grid that pairs need not know",
+     FAMILY_LINE, {0x1.0000000000004p50, 0, 0x1p50, 1, 0, 1},
+     FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_INFINITE},
+    {"parallel to a ruling: no filter applies to B",
+     FAMILY_LINE, {0x1p80, 0, 0, 1, 0, 1},
+     FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_NAPPE},
+    {"a double whose middle to the next is the other root",
+     FAMILY_LINE, {-0x1p80, 0x1.ffffffffffffep51, 0, 1, 0, 0},
+     FAMILY_CYLINDER, {0, 0, 0, 0, 0, 1, 0x1.0000000000001p52},
+     CYLINT_INFINITE},
+    {"the same where the line is steeper than the rulings",
+     FAMILY_LINE, {0x1p27, 0, -0x1p80, 0, 0, 1},
+     FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_INFINITE},
     {"a root beyond 2^300 in the filters' scale",
      FAMILY_LINE, {1, 0, 0, 1, 0x1p-300, 1},
      FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_INFINITE},
@@ -123,6 +136,21 @@ static void a_root_beyond_the_largest_double_is_outside(void)
     CHECK(cylint_intersect(&s, &line, CYLINT_WANT_T, &a) == 0);
 }
 
+static void a_domain_beyond_all_numbers_holds_nothing(void)
+{
+    const double o[3] = {0, 0, -5}, d[3] = {0, 0, 1}, p0[3] = {0, 0, 0};
+    cylint_shape s;
+    CHECK(cylint_cylinder(&s, p0, d, 1, CYLINT_CAPPED) == CYLINT_OK);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        cylint_line line;
+        cylint_answer a;
+        CHECK(cylint_span(&line, o, d, sign * HUGE_VAL, sign * HUGE_VAL) ==
+              CYLINT_OK);
+        CHECK(cylint_intersect(&s, &line, CYLINT_WANT_T, &a) == 0);
+        CHECK(a.relation == CYLINT_CROSS);
+    }
+}
+
 /* A tiny angle below 0 is not the next double to a whole turn, but 0. */
 static void an_angle_stays_below_a_turn(void)
 {
@@ -161,6 +189,31 @@ static void boxes_of_nappes_open_the_right_way(void)
     }
 }
 
+/* The axis and its length are beyond the largest double, the box is not. */
+static void boxes_of_the_longest_axes_are_tight(void)
+{
+    const double most = DBL_MAX, half = DBL_MAX / 2;
+    const double p0[3] = {-most, 0, 0}, p1[3] = {most, 0, 0};
+    const double q0[3] = {-half, -half, 1}, q1[3] = {half, half, 1};
+    double lo[3], hi[3];
+    cylint_shape s;
+    CHECK(cylint_cone(&s, p0, 1, p1, 3, CYLINT_CAPPED) == CYLINT_OK);
+    cylint_bounds(&s, lo, hi);
+    CHECK(lo[0] == -most && hi[0] == most);
+    for (int i = 1; i < 3; i++)
+        CHECK(lo[i] == -3 && hi[i] == 3);
+    /* across, a disc reaches r, along either coordinate r / sqrt(2) */
+    CHECK(cylint_cylinder(&s, q0, q1, 0x1p1000, CYLINT_CAPPED) == CYLINT_OK);
+    cylint_bounds(&s, lo, hi);
+    for (int i = 0; i < 2; i++) {
+        const double reach = half + 0x1p1000 * sqrt(0.5);
+        CHECK(hi[i] >= reach && hi[i] - reach <= ULPS * ulp(reach));
+        CHECK(lo[i] == -hi[i]);
+    }
+    CHECK(lo[2] <= 1 - 0x1p1000 && hi[2] >= 1 + 0x1p1000);
+    CHECK(hi[2] - 0x1p1000 <= ULPS * ulp(0x1p1000));
+}
+
 /* A whole cylinder is unbounded along its axis only. */
 static void boxes_of_whole_cylinders_are_bounded_across(void)
 {
@@ -184,6 +237,8 @@ int main(void)
 {
     RUN(boxes_of_whole_cylinders_are_bounded_across);
     RUN(a_root_beyond_the_largest_double_is_outside);
+    RUN(a_domain_beyond_all_numbers_holds_nothing);
+    RUN(boxes_of_the_longest_axes_are_tight);
     RUN(an_angle_stays_below_a_turn);
     RUN(boxes_of_nappes_open_the_right_way);
     RUN(every_corner_agrees_with_the_oracle);

@@ -27,7 +27,8 @@ enum { SCENES = sizeof scenes / sizeof *scenes };
 
 struct tally {
     long rays, hits, shadows;
-    long far, far_missed, far_other; /* from farther than three sizes */
+    long far, far_missed, far_other; /* from farther than `sizes` */
+    double sizes;                    /* as far as boxes are wide enough */
 };
 
 /* The line as a ray that Embree can take; 0 if it is none. */
@@ -50,15 +51,16 @@ static int add_line(struct rays *r, int i, const cylint_line *line)
     return 1;
 }
 
-static int is_far(const struct scene_shapes *s, const cylint_line *line)
+static int is_far(const struct scene_shapes *s, const cylint_line *line,
+                  double sizes)
 {
     double size = 0;
     int far = 0;
     for (int k = 0; k < 3; k++)
         size = fmax(size, s->hi[k] - s->lo[k]);
     for (int k = 0; k < 3; k++)
-        far |= line->o[k] < s->lo[k] - 3 * size ||
-               line->o[k] > s->hi[k] + 3 * size;
+        far |= line->o[k] < s->lo[k] - sizes * size ||
+               line->o[k] > s->hi[k] + sizes * size;
     return far;
 }
 
@@ -80,7 +82,7 @@ static void compare(const struct world *w, const struct scene_shapes *s,
                     struct rays *r, int i, struct tally *n)
 {
     const cylint_line line = rays_line(r, i);
-    const int agrees = world_agrees(w, r, i, 1), far = is_far(s, &line);
+    const int agrees = world_agrees(w, r, i, 1), far = is_far(s, &line, n->sizes);
     n->rays++;
     n->hits += rays_hit(r, i);
     n->far += far;
@@ -100,7 +102,7 @@ static void compare_shadow(const struct world *w,
     const int expected = cylint_count(&w->pack, &line, 1) != 0;
     n->shadows += expected;
     if (!CHECK(rays_shadowed(r, i) == expected ||
-               (expected && is_far(s, &line))))
+               (expected && is_far(s, &line, n->sizes))))
         world_show(w, r, i);
 }
 
@@ -135,16 +137,14 @@ static void ask(const struct world *w, const struct scene_shapes *s,
     }
 }
 
-static void answers_are_those_of_brute_force(void)
+static void answers_are_those_of_brute_force(unsigned how, double sizes)
 {
-    static const unsigned hows[2] = {0, CYLINT_EMBREE_SINGLE};
-    struct tally n = {0};
-    for (int how = 0; how < 2; how++)
+    struct tally n = {.sizes = sizes};
     for (int i = 0; i < SCENES; i++) {
         struct scene_shapes s;
         struct world w;
         cylint_embree_options options = {0};
-        options.how = hows[how];
+        options.how = how;
         scene_generate(scenes[i], (size_t)shapes_wanted, seed, &s);
         if (CHECK(world_make(&w, s.shapes, s.n, &options))) {
             for (int kind = 0; kind < LINES_KINDS; kind++)
@@ -158,12 +158,22 @@ static void answers_are_those_of_brute_force(void)
         }
         scene_release(&s);
     }
-    CHECK(n.rays >= rays_wanted && n.hits > n.rays / 4 &&
+    CHECK(n.rays >= rays_wanted / 2 && n.hits > n.rays / 4 &&
           n.hits < n.rays - n.rays / 100);
-    CHECK(n.far < n.rays / 4 && n.far_missed + n.far_other < n.far / 20);
-    printf("note: %ld rays, %ld hit, as by brute force; of %ld from afar "
-           "%ld missed, %ld another nearest\n", n.rays, n.hits, n.far,
-           n.far_missed, n.far_other);
+    CHECK(n.far < n.rays / 4 && n.far_missed + n.far_other <= n.far / 20);
+    printf("note: %ld rays, %ld hit, as by brute force; of %ld from farther "
+           "than %g sizes %ld missed, %ld another nearest\n", n.rays, n.hits,
+           n.far, sizes, n.far_missed, n.far_other);
+}
+
+static void blocks_answer_as_brute_force_does(void)
+{
+    answers_are_those_of_brute_force(0, 4095);
+}
+
+static void primitives_answer_as_brute_force_does(void)
+{
+    answers_are_those_of_brute_force(CYLINT_EMBREE_SINGLE, 3);
 }
 
 /* Lengths from 1e-6 to 1e7: t has few floats within the small ones, which
@@ -171,7 +181,7 @@ static void answers_are_those_of_brute_force(void)
  * offers another piece of the shape, with its exit, first. */
 static void hits_of_a_shape_that_share_a_float_are_told_apart(void)
 {
-    struct tally n = {0};
+    struct tally n = {.sizes = 4095};
     for (uint64_t turn = 1; turn <= 8; turn++) {
         struct scene_shapes s;
         struct world w;
@@ -192,7 +202,8 @@ int main(int argc, char **argv)
         shapes_wanted = atoi(argv[2]);
     if (argc > 3)
         seed = strtoull(argv[3], NULL, 10);
-    RUN(answers_are_those_of_brute_force);
+    RUN(blocks_answer_as_brute_force_does);
+    RUN(primitives_answer_as_brute_force_does);
     RUN(hits_of_a_shape_that_share_a_float_are_told_apart);
     return check_end();
 }

@@ -199,7 +199,9 @@ static void the_scenes_box_is_that_of_the_shapes_and_a_little(void)
         }
         rtcGetSceneBounds(w.scene, &box);
         for (int k = 0; k < 3; k++) {
-            const double pad = size * 0x1.1p-19 + 0x1.1p-23 * most_of_all;
+            const double per_size = both_ways[how] & CYLINT_EMBREE_SINGLE
+                                  ? 0x1.1p-19 : 0x1.1p-9;
+            const double pad = size * per_size + 0x1.1p-23 * most_of_all;
             CHECK(lower[k] < least[k] && lower[k] >=
                   -nextafterf(world_float_above(pad - least[k]), HUGE_VALF));
             CHECK(upper[k] > most[k] && upper[k] <=

@@ -205,16 +205,10 @@ static void compare(struct family_case *c, struct environment there)
 
 /* ------------------------------------------------------------ families -- */
 
-static uint64_t setting(const char *name, uint64_t otherwise)
-{
-    const char *text = getenv(name);
-    return text ? strtoull(text, NULL, 10) : otherwise;
-}
-
 static void every_family(struct environment there)
 {
-    const uint64_t cases = setting("CYLINT_CASES", CASES);
-    const uint64_t only = setting("CYLINT_FAMILY", UINT64_MAX);
+    const uint64_t cases = check_setting("CYLINT_CASES", CASES);
+    const uint64_t only = check_setting("CYLINT_FAMILY", UINT64_MAX);
     for (int family = 0; family < family_count(); family++) {
         if (only != UINT64_MAX && only != (uint64_t)family) {
             continue;
@@ -222,7 +216,7 @@ static void every_family(struct environment there)
         const int bad = check_bad;
         for (uint64_t i = 0; i < cases; i++) {
             struct family_case c;
-            family_case(setting("CYLINT_SEED", 1), family, i, &c);
+            family_case(check_setting("CYLINT_SEED", 1), family, i, &c);
             compare(&c, there);
         }
         if (check_bad > bad) {
@@ -311,7 +305,7 @@ static void subnormal_domains(struct environment there)
 /* The tangent of an angle is rounded to nearest, subnormal ones as well. */
 static void angles(struct environment there)
 {
-    const uint64_t cases = setting("CYLINT_CASES", CASES);
+    const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     const double v[] = {0, 0, 0}, u[] = {0, 0, 1};
     for (uint64_t i = 0; i < 10 * cases; i++) {
         const double part = (double)(i + 1) / (double)(10 * cases + 1);
@@ -332,6 +326,87 @@ static void angles(struct environment there)
     }
 }
 
+/* Signs that doubles do not know: of B, parallel to a ruling, and of u.w at
+ * an apex, which is the direction of its normal. */
+static void signs_by_more_than_doubles(struct environment there)
+{
+    const double beside[] = {0x1.0000000000001p0, 0, 1, 1, 0, 1};
+    const double across[] = {0, 0, 0, 1, -0x1.fffffffffffffp-1, 0};
+    const double upright[] = {0, 0, 0, 0, 0, 1, 45};
+    const double leaning[] = {0, 0, 0, 1, 1, 0, 45};
+    struct family_case c = record(FAMILY_LINE, beside, FAMILY_ACONE, upright);
+    c.ends = CYLINT_INFINITE;
+    compare(&c, there);
+    c = record(FAMILY_LINE, across, FAMILY_ACONE, leaning);
+    c.ends = CYLINT_INFINITE;
+    compare(&c, there);
+    cylint_answer a;
+    enter(there);
+    cylint_intersect(&c.shape, &c.line, CYLINT_WANT_NORMAL, &a);
+    leave();
+    CHECK(a.n == 1 && a.hit[0].normal[0] < 0 && a.hit[0].normal[1] < 0);
+}
+
+enum { ROW = 40 };
+
+/* What a batch tells; NaN and -1 where it tells nothing. */
+struct batch_answers {
+    double t[2][ROW];
+    signed char relation[ROW], n[ROW], part[2][ROW];
+    size_t nearest, count;
+    double first;
+};
+
+static void ask_batches(const cylint_pack *pack, const cylint_lines *lines,
+                        const cylint_line *line, struct batch_answers to[2])
+{
+    memset(to, 0, 2 * sizeof *to);
+    for (int i = 0; i < 2; i++) {
+        const cylint_columns columns = {to[i].relation, to[i].n, to[i].t[0],
+                                        to[i].t[1], to[i].part[0],
+                                        to[i].part[1]};
+        if (i == 0)
+            cylint_intersect_shapes(pack, line, &columns);
+        else
+            cylint_intersect_lines(&pack->shapes[0], lines, &columns);
+    }
+    cylint_hit hit = {0};
+    to->nearest = cylint_nearest(pack, line, CYLINT_WANT_T, &hit);
+    to->first = to->nearest < pack->n ? hit.t : 0;
+    to->count = cylint_count(pack, line, 0);
+}
+
+static void batches(struct environment there)
+{
+    for (int family = 0; family < family_count(); family++) {
+        static double room[ROW * 64], column[6][ROW];
+        cylint_shape shapes[ROW];
+        cylint_pack pack;
+        struct family_case c;
+        struct batch_answers want[2], got[2];
+        cylint_lines lines = {ROW, {column[0], column[1], column[2]},
+                              {column[3], column[4], column[5]}, NULL, NULL};
+        for (int i = ROW - 1; i >= 0; i--) { /* the first is kept in c */
+            family_case(check_setting("CYLINT_SEED", 1), family, (uint64_t)i,
+                        &c);
+            shapes[i] = c.shape;
+            for (int k = 0; k < 3; k++) {
+                column[k][i] = c.line.o[k];
+                column[3 + k][i] = c.line.d[k];
+            }
+        }
+        if (!CHECK(cylint_pack_bytes(ROW) <= sizeof room))
+            return;
+        cylint_pack_shapes(&pack, room, shapes, ROW);
+        ask_batches(&pack, &lines, &c.line, want);
+        enter(there);
+        ask_batches(&pack, &lines, &c.line, got);
+        leave();
+        if (!CHECK(memcmp(got, want, sizeof got) == 0))
+            REPORT("family %s", family_name(family));
+    }
+}
+
 static void compare_all(int rounding, int tiny)
 {
     const struct environment there = {rounding, tiny};
@@ -343,6 +418,8 @@ static void compare_all(int rounding, int tiny)
     subnormal_offsets(there);
     subnormal_domains(there);
     angles(there);
+    signs_by_more_than_doubles(there);
+    batches(there);
 }
 
 /* --------------------------------------------------------------- tests -- */

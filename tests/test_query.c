@@ -32,14 +32,12 @@ enum { POINT_ULPS = 4, NORMAL_ULPS = 4, Z_ULPS = 4, PHI_ULPS = 4 };
 
 static uint64_t seed(void)
 {
-    const char *text = getenv("CYLINT_SEED");
-    return text ? strtoull(text, NULL, 10) : 1;
+    return check_setting("CYLINT_SEED", 1);
 }
 
 static uint64_t cases(void)
 {
-    const char *text = getenv("CYLINT_CASES");
-    return text ? strtoull(text, NULL, 10) : CASES;
+    return check_setting("CYLINT_CASES", CASES);
 }
 
 /* The unit in the last place of x, as a double. */

@@ -22,8 +22,7 @@ static size_t lines_of_a_kind = LINES;
 
 static uint64_t seed(void)
 {
-    const char *text = getenv("CYLINT_SEED");
-    return text ? strtoull(text, NULL, 10) : 1;
+    return check_setting("CYLINT_SEED", 1);
 }
 
 static void *room(size_t bytes)

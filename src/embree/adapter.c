@@ -43,12 +43,10 @@ static void box_of(const cylint_embree_data *data, size_t number, int step,
     *box = cylint_trunk_box(&view, (uint32_t)number);
 }
 
-static void block_bounds(const struct RTCBoundsFunctionArguments *args)
+static void group_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_embree_data *data = args->geometryUserPtr;
-    const struct RTCBounds box =
-        cylint_block_box(data->group.blocks + args->primID);
-    *args->bounds_o = cylint_padded_box(&box, data->pad);
+    *args->bounds_o = cylint_padded_box(&data->box, data->pad);
 }
 
 static void shape_bounds(const struct RTCBoundsFunctionArguments *args)
@@ -83,6 +81,10 @@ static int check_shape(const cylint_embree_data *data, size_t i,
     return CYLINT_EMBREE_OK;
 }
 
+/* From how many sizes of the geometry rays come for which boxes are wide
+ * enough: the one box of a group may be wider than each of very many. */
+enum { NEAR_SIZES = 3, FAR_SIZES = 4095 };
+
 static int check_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
@@ -95,7 +97,8 @@ static int check_shapes(cylint_embree_data *data,
             return 0;
         }
     }
-    data->pad = cylint_box_pad(&all);
+    data->box = all;
+    data->pad = cylint_box_pad(&all, data->walk ? FAR_SIZES : NEAR_SIZES);
     return 1;
 }
 
@@ -116,7 +119,7 @@ static int fill(RTCGeometry geometry, cylint_embree_data *data,
         tell_device(geometry);
         return 0;
     }
-    if (data->test) {
+    if (data->walk) {
         const cylint_view view = cylint_plain_view(data->shapes);
         cylint_group group;
         if (!cylint_group_make(&group, data->device, &view, NULL, data->n)) {
@@ -127,7 +130,7 @@ static int fill(RTCGeometry geometry, cylint_embree_data *data,
         data->group = group;
     }
     rtcSetGeometryUserPrimitiveCount(
-        geometry, (unsigned)(data->test ? data->group.n : data->n));
+        geometry, data->walk ? data->group.n > 0 : (unsigned)data->n);
     rtcCommitGeometry(geometry);
     return 1;
 }
@@ -138,7 +141,7 @@ static void attach(RTCGeometry geometry, cylint_embree_data *data)
     rtcSetGeometryTimeStepCount(geometry, data->moved ? 2 : 1);
     rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
     rtcSetGeometryBoundsFunction(
-        geometry, data->test ? block_bounds : shape_bounds, NULL);
+        geometry, data->walk ? group_bounds : shape_bounds, NULL);
     rtcSetGeometryIntersectFunction(geometry, cylint_embree_trace);
     rtcSetGeometryOccludedFunction(geometry, cylint_embree_shadow);
 }
@@ -160,7 +163,7 @@ static cylint_embree_data *new_data(RTCDevice device,
         data->user = options->user;
     }
     if (!(data->how & CYLINT_EMBREE_SINGLE) && !data->moved)
-        data->test = cylint_block_tests_used()->ray;
+        data->walk = cylint_walks_used()->ray;
     return data;
 }
 

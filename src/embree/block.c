@@ -35,20 +35,9 @@ static void place(cylint_block *block, const cylint_box *boxes, int used)
         const double half = fmax((double)upper - (double)c,
                                  (double)c - (double)lower);
         block->center[j] = c;
-        block->half[j] = cylint_float_above(half);
         most = fmax(most, half);
     }
     block->per_unit = steps_per_unit(most);
-}
-
-struct RTCBounds cylint_block_box(const cylint_block *block)
-{
-    double lo[3], hi[3];
-    for (int j = 0; j < 3; j++) {
-        lo[j] = (double)block->center[j] - (double)block->half[j];
-        hi[j] = (double)block->center[j] + (double)block->half[j];
-    }
-    return cylint_float_box(lo, hi);
 }
 
 /* A cylinder in steps. */
@@ -130,13 +119,4 @@ void cylint_block_fill(cylint_block *block, const cylint_view *view,
         if (!hold(block, lane, &trunk, piece, view->blur))
             block->always |= (uint8_t)(1u << lane);
     }
-}
-
-const cylint_block_tests *cylint_block_tests_used(void)
-{
-#ifdef CYLINT_BUILDS_X86
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return &cylint_block_tests_avx2;
-#endif
-    return &cylint_block_tests_plain;
 }

@@ -1,19 +1,15 @@
 /*
- * block.h - up to 8 pieces of shapes side by side, and which of them a line
- * may meet
+ * block.h - up to 8 pieces of shapes side by side
  *
- * A block answers in floats, conservatively: a lane is left out only if the
- * line certainly does not meet its piece within the domain.  What comes from
- * far is moved to the block's centre in doubles, so a block is as discerning
- * far from the origin as near it.  The answers are for cylint_intersect() to
- * give.
+ * Which of them a line may meet a block answers in floats (lanetest.h); the
+ * answers are for cylint_intersect() to give.
  */
 #ifndef CYLINT_EMBREE_BLOCK_H
 #define CYLINT_EMBREE_BLOCK_H
 
 #include <stdint.h>
 
-#include "sort.h"
+#include "tree.h"
 #include "trunk.h"
 
 /*
@@ -23,7 +19,7 @@
  * pieces are held by such cylinders too.
  */
 typedef struct cylint_block {
-    float center[3], half[3];      /* box of the pieces */
+    float center[3];               /* of the pieces' box */
     float per_unit;                /* steps per unit of length: 2^k */
     int16_t p[2][3][CYLINT_BLOCK];
     int16_t r[CYLINT_BLOCK];
@@ -31,48 +27,17 @@ typedef struct cylint_block {
     uint8_t piece[CYLINT_BLOCK];   /* of it: index, and 16 (count - 1) */
     uint8_t used;                  /* lanes */
     uint8_t always;                /* bits: lanes without a cylinder */
-    uint8_t spare[10];             /* to the end of a cache line */
+    uint8_t spare[22];             /* to the end of a cache line */
 } cylint_block;
 
 /* Fills a block with 1 to 8 pieces and their boxes. */
 void cylint_block_fill(cylint_block *block, const cylint_view *view,
                        const cylint_box *boxes, int used);
 
-/* The box, which holds those of the pieces. */
-struct RTCBounds cylint_block_box(const cylint_block *block);
-
 static inline cylint_piece cylint_block_piece(const cylint_block *b, int lane)
 {
     return (cylint_piece){b->piece[lane] & 15, (b->piece[lane] >> 4) + 1};
 }
-
-/*
- * The lanes (bits) whose pieces o + t d may meet within tmin <= t <= tmax;
- * least[lane] is then no larger than the least such t.
- *
- *   line   doubles, d as it is or off by 2^-52 of its length (the high parts
- *          of a segment's);
- *   ray    floats as they are: faster.
- */
-typedef unsigned cylint_block_test_line(const cylint_block *block,
-                                        const double o[3], const double d[3],
-                                        double tmin, double tmax,
-                                        double least[CYLINT_BLOCK]);
-typedef unsigned cylint_block_test_ray(const cylint_block *block,
-                                       const struct RTCRay *ray,
-                                       float least[CYLINT_BLOCK]);
-
-typedef struct cylint_block_tests {
-    cylint_block_test_line *line;
-    cylint_block_test_ray *ray;
-} cylint_block_tests;
-
-/* Those for this processor. */
-const cylint_block_tests *cylint_block_tests_used(void);
-
-/* The builds. */
-extern const cylint_block_tests cylint_block_tests_plain,
-                                cylint_block_tests_avx2;
 
 /*
  * Whether a hit at z on the lane's shape is that lane's to report.  Of all

@@ -96,14 +96,15 @@ static inline void cylint_extend_box(struct RTCBounds *box,
  *     <= 2^-21 |b - o| + 2^-23 |b|,         for |o| <= |b| + |b - o|,
  *
  * which is what moving the face by the latter does.  Faces are moved out by
- * as much for origins within three sizes of the geometry's box, a size
- * S being its longest side, where |b - o| <= 4 S; M is its largest coordinate.
+ * as much for origins within so many sizes of the geometry's box, a size
+ * S being its longest side, where |b - o| <= (sizes + 1) S; M is its largest
+ * coordinate.
  *
  * That also settles which of two shapes hit at nearly the same t is nearer:
  * only the shapes can tell, but Embree passes by a box whose entry, as it
  * computes it, is beyond tfar (single rays), or not below it (packets).
  */
-static inline double cylint_box_pad(const struct RTCBounds *all)
+static inline double cylint_box_pad(const struct RTCBounds *all, int sizes)
 {
     const double x = (double)all->upper_x - (double)all->lower_x;
     const double y = (double)all->upper_y - (double)all->lower_y;
@@ -112,7 +113,7 @@ static inline double cylint_box_pad(const struct RTCBounds *all)
         fmax(fmax(fabs((double)all->lower_x), fabs((double)all->lower_y)),
              fmax(fabs((double)all->lower_z), fabs((double)all->upper_x))),
         fmax(fabs((double)all->upper_y), fabs((double)all->upper_z)));
-    return 0x1p-19 * fmax(x, fmax(y, z)) + 0x1p-23 * M;
+    return 0x1p-21 * (sizes + 1) * fmax(x, fmax(y, z)) + 0x1p-23 * M;
 }
 
 /* The padded box, still one that Embree keeps. */

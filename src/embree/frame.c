@@ -1,5 +1,5 @@
 /*
- * frame.c - lines of doubles in the floats of a scene's own coordinates
+ * frame.c - lines of doubles in a scene's own coordinates
  */
 #include <stdint.h>
 #include <string.h>
@@ -74,10 +74,10 @@ static void clip(const cylint_frame *f, const cylint_line *line, double *from,
  * 2^-52 of the frame where these are at most 2^50 of it; the last rounding
  * adds as much, and the direction, off by 2^-52 over a length of at most 2.5,
  * less than 2^-50 with both: CYLINT_FRAME_BLUR but for the direction, of
- * which whoever uses it knows.  In units of 2^-24 that is nothing.
+ * which whoever uses it knows.
  *
  * e is too early by 2^-50 of itself: a line from very far would begin far
- * outside, where floats are coarse; hence the limits on o and length.
+ * outside; hence the limits on o and length.
  */
 cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
     const cylint_line *line, cylint_frame_ray *ray)
@@ -115,10 +115,4 @@ double cylint_frame_reach(const cylint_frame_ray *ray, double t)
 {
     const double s = (nextafter(t, HUGE_VAL) - ray->entry) * ray->per_t;
     return s + fabs(s) * 0x1p-50;
-}
-
-/* Rounding to a float takes 2^-24 of s at most, or what underflows. */
-float cylint_frame_float(double s)
-{
-    return (float)(s + fabs(s) * 0x1p-23 + 0x1p-100);
 }

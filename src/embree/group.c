@@ -3,6 +3,8 @@
  */
 #include "group.h"
 
+#include <string.h>
+
 /* -------------------------------------------------------------- cutting -- */
 
 static double box_area(const struct RTCBounds *b)
@@ -94,21 +96,80 @@ static void fetch_ahead(const cylint_view *view, const cylint_box *boxes,
         cylint_fetch_shape(view->shapes + boxes[i].number);
 }
 
-static int make_blocks(cylint_group *group, RTCDevice device,
-                       const cylint_box *boxes, size_t n,
-                       const cylint_view *view)
+static void fill_blocks(cylint_block *blocks, const cylint_box *boxes,
+                        size_t n, const cylint_view *view)
 {
-    group->n = (n + CYLINT_BLOCK - 1) / CYLINT_BLOCK;
-    if (!cylint_memory_take(&group->memory, device,
-                            group->n * sizeof(cylint_block)))
-        return 0;
-    cylint_block *blocks = group->memory.data;
-    for (size_t i = 0; i < group->n; i++) {
-        fetch_ahead(view, boxes, (i + AHEAD) * CYLINT_BLOCK, n);
-        const size_t left = n - i * CYLINT_BLOCK;
-        cylint_block_fill(&blocks[i], view, boxes + i * CYLINT_BLOCK,
+    for (size_t from = 0; from < n; from += CYLINT_BLOCK) {
+        fetch_ahead(view, boxes, from + AHEAD * CYLINT_BLOCK, n);
+        const size_t left = n - from;
+        cylint_block_fill(blocks++, view, boxes + from,
                           left < CYLINT_BLOCK ? (int)left : CYLINT_BLOCK);
     }
+}
+
+/* Boxes, and room for the nodes above them. */
+typedef struct {
+    cylint_memory memory;
+    cylint_node *nodes;
+    cylint_box *boxes;
+    size_t n, n_nodes;
+} plan;
+
+static size_t blocks_of(size_t boxes)
+{
+    return (boxes + CYLINT_BLOCK - 1) / CYLINT_BLOCK;
+}
+
+/* The middle of all boxes; with S their longest side, pad and near_by as in
+ * walk.c. */
+static void measure(cylint_group *group, const cylint_box *boxes, size_t n,
+                    double blur)
+{
+    double longest = 0;
+    for (int j = 0; j < 3; j++) {
+        float lower = boxes[0].lower[j], upper = boxes[0].upper[j];
+        for (size_t i = 1; i < n; i++) {
+            lower = boxes[i].lower[j] < lower ? boxes[i].lower[j] : lower;
+            upper = boxes[i].upper[j] > upper ? boxes[i].upper[j] : upper;
+        }
+        longest = fmax(longest, (double)upper - (double)lower);
+        group->center[j] = (float)(((double)lower + (double)upper) / 2);
+    }
+    group->pad = cylint_float_above(longest * 0x1p-20 + blur);
+    group->near_by = cylint_float_above(longest * 256);
+}
+
+static int make_plan(plan *p, cylint_group *group, RTCDevice device,
+                     const members *m)
+{
+    p->n = count_pieces(m);
+    const size_t most = cylint_tree_most_nodes(blocks_of(p->n));
+    if (blocks_of(p->n) >= CYLINT_LEAF ||
+        !cylint_memory_take(&p->memory, device, most * sizeof *p->nodes +
+                            p->n * sizeof *p->boxes))
+        return 0;
+    p->nodes = p->memory.data;
+    p->boxes = (cylint_box *)(void *)(p->nodes + most);
+    cut(p->boxes, m);
+    measure(group, p->boxes, p->n, m->view->blur);
+    p->n_nodes = cylint_tree_build(p->nodes, p->boxes, p->n, group->center);
+    return 1;
+}
+
+/* What was planned, in no more room than it takes. */
+static int carry_out(cylint_group *group, RTCDevice device, const plan *p,
+                     const cylint_view *view)
+{
+    group->n = blocks_of(p->n);
+    if (!cylint_memory_take(&group->memory, device,
+                            p->n_nodes * sizeof *p->nodes +
+                            group->n * sizeof(cylint_block)))
+        return 0;
+    cylint_node *nodes = group->memory.data;
+    cylint_block *blocks = (cylint_block *)(void *)(nodes + p->n_nodes);
+    memcpy(nodes, p->nodes, p->n_nodes * sizeof *nodes);
+    fill_blocks(blocks, p->boxes, p->n, view);
+    group->nodes = nodes;
     group->blocks = blocks;
     return 1;
 }
@@ -118,23 +179,19 @@ int cylint_group_make(cylint_group *group, RTCDevice device,
                       size_t n)
 {
     const members m = {view, numbers, n};
-    cylint_memory memory;
-    *group = (cylint_group){{0}, NULL, 0};
+    plan p;
+    memset(group, 0, sizeof *group);
     if (n == 0)
         return 1;
-    const size_t pieces = count_pieces(&m);
-    if (!cylint_memory_take(&memory, device, pieces * sizeof(cylint_box)))
+    if (!make_plan(&p, group, device, &m))
         return 0;
-    cylint_box *boxes = memory.data;
-    cut(boxes, &m);
-    cylint_sort_boxes(boxes, pieces);
-    const int made = make_blocks(group, device, boxes, pieces, view);
-    cylint_memory_give(&memory);
+    const int made = carry_out(group, device, &p, view);
+    cylint_memory_give(&p.memory);
     return made;
 }
 
 void cylint_group_free(cylint_group *group)
 {
     cylint_memory_give(&group->memory);
-    *group = (cylint_group){{0}, NULL, 0};
+    memset(group, 0, sizeof *group);
 }

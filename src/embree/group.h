@@ -1,5 +1,6 @@
 /*
- * group.h - shapes cut into pieces, pieces that lie together in blocks
+ * group.h - shapes cut into pieces, pieces that lie together in blocks, and
+ * nodes above them
  */
 #ifndef CYLINT_EMBREE_GROUP_H
 #define CYLINT_EMBREE_GROUP_H
@@ -10,9 +11,15 @@
 #include "memory.h"
 
 typedef struct cylint_group {
-    cylint_memory memory;      /* of the blocks */
+    cylint_memory memory;      /* of the blocks and nodes */
     const cylint_block *blocks;
-    size_t n;
+    const cylint_node *nodes;  /* above them, the first one first */
+    size_t n;                  /* blocks; 0: there are no nodes */
+    float center[3];           /* of the box of all: nodes' corners are from
+                                  there */
+    float pad;                 /* what boxes may miss on each side, beside
+                                  2^-20 of how far the line begins */
+    float near_by;             /* how far from the centre that is not much */
 } cylint_group;
 
 /*

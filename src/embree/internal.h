@@ -2,7 +2,7 @@
  * internal.h - what the adapter's files tell each other
  *
  * Which way the calls point: adapter.c -> group.c -> block.c -> trunk.c,
- * group.c -> sort.c, and trace.c -> quick.c, lanetest.c.
+ * group.c -> tree.c, and trace.c -> walk.c, quick.c.
  */
 #ifndef CYLINT_EMBREE_INTERNAL_H
 #define CYLINT_EMBREE_INTERNAL_H
@@ -14,6 +14,7 @@
 #include "group.h"
 #include "memory.h"
 #include "quick.h"
+#include "walk.h"
 
 /* What the geometry's user data points to. */
 typedef struct cylint_embree_data {
@@ -22,10 +23,11 @@ typedef struct cylint_embree_data {
     const cylint_shape *shapes;   /* at time 0 */
     const cylint_shape *moved;    /* at time 1, or NULL */
     size_t n;
+    struct RTCBounds box;         /* of all */
     double pad;                   /* by which boxes are widened for Embree */
     unsigned how;
     void *user;
-    cylint_block_test_ray *test;  /* NULL: one shape a primitive */
+    cylint_walk_ray *walk;        /* NULL: one shape a primitive */
     const cylint_quick_build *quick;
     cylint_group group;
 } cylint_embree_data;

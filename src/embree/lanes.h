@@ -4,12 +4,14 @@
  * The one place with intrinsics of the adapter.  vf adds, subtracts,
  * multiplies and divides by the operators of C; the rest has names here.
  * WIDTH divides 8.  f_mad(x, y, z) is x y + z, rounded once or twice: what is
- * computed here is bounded, not told, so builds may differ.
+ * computed here is bounded, not told, so builds may differ.  f_lower(x, y) and
+ * f_higher(x, y) are y where x is not a number.
  */
 #ifndef CYLINT_EMBREE_LANES_H
 #define CYLINT_EMBREE_LANES_H
 
 #include <stdint.h>
+#include <string.h>
 
 #if defined(__AVX2__) && defined(__FMA__)
 
@@ -22,7 +24,14 @@ static inline vf f_from_shorts(const int16_t *x)
     return _mm256_cvtepi32_ps(
         _mm256_cvtepi16_epi32(_mm_loadu_si128((const __m128i *)x)));
 }
+static inline vf f_from_bytes(const uint8_t *x)
+{
+    return _mm256_cvtepi32_ps(
+        _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)x)));
+}
 static inline void f_store(float *x, vf v) { _mm256_storeu_ps(x, v); }
+static inline vf f_lower(vf x, vf y) { return _mm256_min_ps(x, y); }
+static inline vf f_higher(vf x, vf y) { return _mm256_max_ps(x, y); }
 static inline vf f_mad(vf x, vf y, vf z) { return _mm256_fmadd_ps(x, y, z); }
 static inline vf f_abs(vf x)
 {
@@ -46,7 +55,17 @@ static inline vf f_from_shorts(const int16_t *x)
     const __m128i s = _mm_loadl_epi64((const __m128i *)x);
     return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(s, s), 16));
 }
+static inline vf f_from_bytes(const uint8_t *x)
+{
+    int32_t four;
+    memcpy(&four, x, sizeof four);
+    const __m128i zero = _mm_setzero_si128();
+    const __m128i s = _mm_unpacklo_epi8(_mm_cvtsi32_si128(four), zero);
+    return _mm_cvtepi32_ps(_mm_unpacklo_epi16(s, zero));
+}
 static inline void f_store(float *x, vf v) { _mm_storeu_ps(x, v); }
+static inline vf f_lower(vf x, vf y) { return _mm_min_ps(x, y); }
+static inline vf f_higher(vf x, vf y) { return _mm_max_ps(x, y); }
 static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
 static inline vf f_abs(vf x) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), x); }
 static inline vf f_sqrt(vf x) { return _mm_sqrt_ps(x); }
@@ -63,7 +82,10 @@ enum { WIDTH = 1 };
 typedef float vf;
 static inline vf f_set(float x) { return x; }
 static inline vf f_from_shorts(const int16_t *x) { return (float)*x; }
+static inline vf f_from_bytes(const uint8_t *x) { return (float)*x; }
 static inline void f_store(float *x, vf v) { *x = v; }
+static inline vf f_lower(vf x, vf y) { return x < y ? x : y; }
+static inline vf f_higher(vf x, vf y) { return x > y ? x : y; }
 static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
 static inline vf f_abs(vf x) { return fabsf(x); }
 static inline vf f_sqrt(vf x) { return sqrtf(x); }

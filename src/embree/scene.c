@@ -1,18 +1,10 @@
 /*
  * scene.c - exact answers about many shapes, most of which are not asked
  *
- * Shapes are cut into pieces, and pieces that lie together are blocks of 8
- * (group.h).  Embree walks the blocks' boxes and leaves out those that the
- * line's float ray does not meet, or meets only behind the nearest hit so
- * far: boxes are padded (frame.h), so that a box which holds a hit of the
- * line is met by the float ray.  A block leaves out the pieces that the line
- * certainly does not meet (block.h).  What is left is asked by
- * cylint_intersect().
- *
- * Of Embree this assumes: every primitive of which the ray meets the box
- * within [tnear, tfar], deeper than its walk errs (bounds.h), is offered to
- * the callback exactly once; a tfar that a callback made smaller leaves out
- * only boxes which begin beyond it.
+ * Shapes are cut into pieces, pieces that lie together are blocks of 8, with
+ * nodes above them (group.h).  The walk from the first node leaves out what
+ * the line certainly does not meet, or meets only behind the nearest hit so
+ * far (walk.h).  What is left is asked by cylint_intersect().
  */
 #include <float.h>
 #include <math.h>
@@ -24,7 +16,8 @@
 #include "api.h"
 #include "cylint_scene.h"
 #include "frame.h"
-#include "group.h"
+#include "../each.h"
+#include "walk.h"
 
 enum { MOST_SHAPES = 1 << 28 };
 
@@ -34,7 +27,7 @@ struct cylint_scene {
     cylint_frame frame;
     cylint_view view;      /* the shapes in the frame */
     cylint_group group;    /* of the boxed ones */
-    cylint_block_test_line *test;
+    cylint_walk_line *walk;
     uint32_t *boxed;       /* the numbers of the shapes in the hierarchy */
     uint32_t *loose;       /* and of those beside it, ascending */
     size_t n_boxed, n_loose;
@@ -42,7 +35,6 @@ struct cylint_scene {
     void *pack_memory;
     cylint_pack pack;
     RTCDevice device;
-    RTCScene tree;
     size_t own_bytes;
     ptrdiff_t embree_bytes;
 };
@@ -150,21 +142,6 @@ static int sort_shapes(cylint_scene *s, int framed)
     return 1;
 }
 
-static void give_bounds(const struct RTCBoundsFunctionArguments *args)
-{
-    const cylint_scene *s = args->geometryUserPtr;
-    const double pad = CYLINT_FRAME_PAD;
-    const struct RTCBounds b =
-        cylint_block_box(&s->group.blocks[args->primID]);
-    *args->bounds_o = (struct RTCBounds){
-        cylint_float_below(b.lower_x - pad),
-        cylint_float_below(b.lower_y - pad),
-        cylint_float_below(b.lower_z - pad), 0,
-        cylint_float_above(b.upper_x + pad),
-        cylint_float_above(b.upper_y + pad),
-        cylint_float_above(b.upper_z + pad), 0};
-}
-
 static bool count_bytes(void *scene, ssize_t bytes, bool after)
 {
     (void)after;
@@ -172,9 +149,6 @@ static bool count_bytes(void *scene, ssize_t bytes, bool after)
     __atomic_fetch_add(&s->embree_bytes, bytes, __ATOMIC_RELAXED);
     return true;
 }
-
-static void ask_nearest(const struct RTCIntersectFunctionNArguments *args);
-static void ask_count(const struct RTCOccludedFunctionNArguments *args);
 
 /* What went wrong at the device, if anything did. */
 static cylint_scene_status device_status(RTCDevice device)
@@ -189,21 +163,6 @@ static cylint_scene_status device_status(RTCDevice device)
     }
 }
 
-static void build_tree(cylint_scene *s)
-{
-    RTCGeometry g = rtcNewGeometry(s->device, RTC_GEOMETRY_TYPE_USER);
-    s->tree = rtcNewScene(s->device);
-    rtcSetGeometryUserPrimitiveCount(g, (unsigned)s->group.n);
-    rtcSetGeometryUserData(g, s);
-    rtcSetGeometryBoundsFunction(g, give_bounds, NULL);
-    rtcSetGeometryIntersectFunction(g, ask_nearest);
-    rtcSetGeometryOccludedFunction(g, ask_count);
-    rtcCommitGeometry(g);
-    rtcAttachGeometry(s->tree, g);
-    rtcReleaseGeometry(g);
-    rtcCommitScene(s->tree);
-}
-
 static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
 {
     char config[64];
@@ -212,14 +171,13 @@ static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
     if (!s->device)
         return CYLINT_SCENE_EEMBREE;
     rtcSetDeviceMemoryMonitorFunction(s->device, count_bytes, s);
-    s->test = cylint_block_tests_used()->line;
+    s->walk = cylint_walks_used()->line;
     s->view = (cylint_view){
         s->shapes, {s->frame.center[0], s->frame.center[1],
         s->frame.center[2]}, s->frame.scale, CYLINT_FRAME_BLUR};
     if (!cylint_group_make(&s->group, s->device, &s->view, s->boxed,
                            s->n_boxed))
         return CYLINT_SCENE_EMEMORY;
-    build_tree(s);
     return device_status(s->device);
 }
 
@@ -255,8 +213,6 @@ void cylint_scene_free(cylint_scene *scene)
 {
     if (!scene)
         return;
-    if (scene->tree)
-        rtcReleaseScene(scene->tree);
     cylint_group_free(&scene->group);
     if (scene->device)
         rtcReleaseDevice(scene->device);
@@ -280,10 +236,8 @@ size_t cylint_scene_bytes(const cylint_scene *scene)
 enum { ASKED = 16, COUNTED = 256, COUNTED_MOST = 192 };
 #define NOBODY UINT32_MAX
 
-/* One question on its way through the hierarchy; Embree hands its context
- * to the callbacks. */
+/* One question on its way through the hierarchy. */
 typedef struct {
-    cylint_rtc_context context;
     const cylint_scene *scene;
     cylint_line line;      /* tmax: what is beyond is of no interest */
     cylint_frame_ray ray;  /* nor what is beyond its length */
@@ -297,11 +251,6 @@ typedef struct {
     int n_counted;
     size_t except;         /* the number of a shape that is not asked */
 } question;
-
-static question *question_of(cylint_rtc_context *context)
-{
-    return (question *)(void *)context;
-}
 
 /* Takes the shape's hit if it is the first so far.  Roots that round to t
  * are no greater than the double above t, so that one bounds what may still
@@ -457,55 +406,36 @@ static int first_lane(unsigned lanes, const double least[CYLINT_BLOCK])
     return first;
 }
 
-static unsigned lanes_met(const question *q, const cylint_block *block,
-                          double least[CYLINT_BLOCK])
+static int ask_nearest(void *self, const cylint_block *block, unsigned lanes,
+                       const double least[CYLINT_BLOCK])
 {
-    return q->scene->test(block, q->ray.o, q->ray.d, 0, q->ray.length, least);
-}
-
-static void ask_nearest(const struct RTCIntersectFunctionNArguments *args)
-{
-    question *q = question_of(args->context);
-    const cylint_block *block = &q->scene->group.blocks[args->primID];
-    float *tfar = &((struct RTCRayHit *)(void *)args->rayhit)->ray.tfar;
-    double least[CYLINT_BLOCK];
-    unsigned lanes = args->valid[0] ? lanes_met(q, block, least) : 0;
+    question *q = self;
     while (lanes) {
         const int lane = first_lane(lanes, least);
         if (least[lane] > q->ray.length)
-            return;
+            break;
         lanes &= ~(1u << lane);
         if ((in_pieces(block, lane) && was_asked(q, block->number[lane])) ||
             !take_nearest(q, block->number[lane]))
             continue;
         q->ray.length = fmin(q->ray.length,
                              cylint_frame_reach(&q->ray, q->hit.t));
-        *tfar = cylint_frame_float(q->ray.length);
     }
+    return 0;
 }
 
-static void ask_count(const struct RTCOccludedFunctionNArguments *args)
+static int ask_count(void *self, const cylint_block *block, unsigned lanes,
+                     const double least[CYLINT_BLOCK])
 {
-    question *q = question_of(args->context);
-    const cylint_block *block = &q->scene->group.blocks[args->primID];
-    double least[CYLINT_BLOCK];
-    unsigned lanes = args->valid[0] ? lanes_met(q, block, least) : 0;
-    for (int lane = 0; lanes >> lane; lane++)
-        if (lanes >> lane & 1 &&
-            (in_pieces(block, lane) ? take_piece(q, block, lane)
-                                    : take_count(q, block->number[lane]))) {
-            ((struct RTCRay *)(void *)args->ray)->tfar = -INFINITY;
-            return;
-        }
-}
-
-static struct RTCRay embree_ray(const cylint_frame_ray *r)
-{
-    return (struct RTCRay){
-        .org_x = (float)r->o[0], .org_y = (float)r->o[1],
-        .org_z = (float)r->o[2], .dir_x = (float)r->d[0],
-        .dir_y = (float)r->d[1], .dir_z = (float)r->d[2],
-        .tfar = cylint_frame_float(r->length), .mask = ~0u};
+    question *q = self;
+    (void)least;
+    for (; lanes; lanes &= lanes - 1) {
+        const int lane = cylint_lowest(lanes);
+        if (in_pieces(block, lane) ? take_piece(q, block, lane)
+                                   : take_count(q, block->number[lane]))
+            return 1;
+    }
+    return 0;
 }
 
 /* Walks the hierarchy, or, where no float ray will do, asks every shape in
@@ -523,21 +453,19 @@ static void walk(question *q, int nearest)
                 take_nearest(q, s->boxed[i]);
             else if (take_count(q, s->boxed[i]))
                 return;
-    } else if (verdict == CYLINT_FRAME_ENTERED && nearest) {
-        struct RTCRayHit ray = {.ray = embree_ray(&q->ray)};
-        cylint_rtc_nearest(s->tree, &q->context, &ray);
     } else if (verdict == CYLINT_FRAME_ENTERED) {
-        struct RTCRay ray = embree_ray(&q->ray);
-        q->n_counted = 0;
-        memset(q->counted, 0xff, sizeof q->counted); /* NOBODY */
-        cylint_rtc_any(s->tree, &q->context, &ray);
+        if (!nearest) {
+            q->n_counted = 0;
+            memset(q->counted, 0xff, sizeof q->counted); /* NOBODY */
+        }
+        s->walk(&s->group, q->ray.o, q->ray.d, 0, &q->ray.length,
+                nearest ? ask_nearest : ask_count, q);
     }
 }
 
 static void open_question(question *q, const cylint_scene *scene,
                           const cylint_line *line)
 {
-    cylint_rtc_init(&q->context);
     q->scene = scene;
     q->line = *line;
     q->best = q->except = scene->n;

@@ -2,7 +2,7 @@
  * trace.c - Embree's callbacks: rays to candidates to hits
  *
  * Rays of packets are copied out, asked one by one, and copied back where
- * they hit.  Whether and where a shape is hit is cylint_intersect()'s word,
+ * they hit.  All blocks are one primitive, through which walk.h leads.  Whether and where a shape is hit is cylint_intersect()'s word,
  * which quick.c anticipates where it is certain of it; everything else only
  * chooses which shapes to ask.
  */
@@ -25,6 +25,7 @@ typedef struct query {
     cylint_quick_line line; /* the ray */
     const cylint_block *block; /* NULL: one shape a primitive */
     int lane;
+    int met;                   /* something was, and was taken */
 } query;
 
 static cylint_quick_line line_of(const struct RTCRay *ray)
@@ -320,9 +321,11 @@ static int nearest_lane(unsigned lanes, const float *least)
 }
 
 /* The lanes the ray may meet, nearest first, until none can come first. */
-static int try_lanes(query *q, unsigned lanes, const float *least)
+static int try_lanes(void *self, const cylint_block *block, unsigned lanes,
+                     const float least[CYLINT_BLOCK])
 {
-    int hit = 0;
+    query *q = self;
+    q->block = block;
     fetch_shapes(q, lanes);
     while (lanes) {
         q->lane = nearest_lane(lanes, least);
@@ -331,11 +334,11 @@ static int try_lanes(query *q, unsigned lanes, const float *least)
         lanes &= ~(1u << q->lane);
         q->line.near = least[q->lane] > q->ray->tnear ? least[q->lane]
                                                       : q->ray->tnear;
-        hit |= try_shape(q, q->block->number[q->lane]);
-        if (hit && q->any)
-            break;
+        q->met |= try_shape(q, q->block->number[q->lane]);
+        if (q->met && q->any)
+            return 1;
     }
-    return hit;
+    return 0;
 }
 
 /* --------------------------------------------------------------- packets -- */
@@ -360,19 +363,25 @@ static void scatter(void *packet, const void *one, unsigned words, unsigned N,
         memcpy((char *)packet + 4 * (k * N + i), (const char *)one + 4 * k, 4);
 }
 
-/* Most blocks have nothing for the ray: its doubles are made after that. */
+/* Whether cylint_span() will take it.  What it refuses no box refuses. */
+static int is_line(const struct RTCRay *r)
+{
+    const float none = 0 * r->org_x + 0 * r->org_y + 0 * r->org_z +
+                       0 * r->dir_x + 0 * r->dir_y + 0 * r->dir_z;
+    const float any = fabsf(r->dir_x) + fabsf(r->dir_y) + fabsf(r->dir_z);
+    return none >= 0 && any > 0 && r->tnear <= r->tfar;
+}
+
 static int trace_one(query *q, unsigned primID)
 {
-    float least[CYLINT_BLOCK];
-    unsigned lanes = 0;
-    if (q->data->test) {
-        q->block = q->data->group.blocks + primID;
-        lanes = q->data->test(q->block, q->ray, least);
-        if (!lanes)
-            return 0;
-    }
+    if (!is_line(q->ray))
+        return 0;
     q->line = line_of(q->ray);
-    return q->data->test ? try_lanes(q, lanes, least) : try_shape(q, primID);
+    if (!q->data->walk)
+        return try_shape(q, primID);
+    q->met = 0;
+    q->data->walk(&q->data->group, q->ray, try_lanes, q);
+    return q->met;
 }
 
 /* Ray i of the packet; the hit, where there is one, lies behind the rays. */

@@ -36,7 +36,6 @@ static inline void cylint_fetch_shape(const cylint_shape *shape)
 {
 #ifdef __GNUC__
     __builtin_prefetch(shape);
-    __builtin_prefetch(shape->axis);
     __builtin_prefetch(&shape->dr);
 #else
     (void)shape;

@@ -19,14 +19,12 @@ static inline float cylint_turn(double phi)
  * over the hypotenuse or, by up to a twelfth of it, less.
  *
  * What is left of the angle when signs and the order of x and y are known
- * differs from pi / 8 by at most that, and has a tangent t of at most 0.41422
+ * differs from pi / 8 by at most that, and has a tangent t of at most 0.4142136
  * from there.  The series of atan(t) alternates, so what is left out of it is
- * less than the first term that is, 0.41422^29 / (58 pi) < 2^-44.3 turns.  The
- * tangent of pi / 8, two sums of products and the quotient round t by less
- * than 8 u; coefficients and sum are right to 10 u of t / (2 pi), the last sum
- * to u of 1: in all less than 4 u, u = 2^-53.
+ * less than the first term that is, 0.4142136^29 / (58 pi) turns.  With all
+ * roundings, proved: tests/prove/turn.g.
  */
-#define CYLINT_TURN_ERROR 0x1p-44
+#define CYLINT_TURN_ERROR 0x1.8bp-45
 
 static inline double cylint_turns(double y, double x, double *per_far)
 {

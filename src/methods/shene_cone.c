@@ -161,8 +161,7 @@ cylint_status cylint_shene_cone(const cylint_shape *shape,
 {
     double d[3], to_V[3];
     const int is_cone = shape->kind == CYLINT_KIND_ACONE ||
-                        (shape->kind == CYLINT_KIND_CONE &&
-                         shape->r0 != shape->r1);
+                        shape->kind == CYLINT_KIND_CONE;
 
     if (!is_cone || shape->ends != CYLINT_INFINITE)
         return cylint_method_not_for_this(answer);

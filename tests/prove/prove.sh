@@ -1,8 +1,8 @@
 #!/bin/sh
-# Proves the bounds of src/bounds.h with Gappa, each claim twice: as stated,
+# Proves bounds stated in headers with Gappa, each claim twice: as stated,
 # which must succeed in every rounding mode it is about, and 1 % smaller,
-# which must fail in one of them.  The numbers come from
-# the header itself, through the C compiler.
+# which must fail in one of them.  The numbers come from the headers
+# themselves, through the C compiler.
 #
 # A claim is a *.g file.  Its comments name the bound it claims, the rounding
 # modes it is about and the size of one factor's d; in its text MODE and BOUND
@@ -10,6 +10,7 @@
 # for (1 + d1) * ... * (1 + dK), SHRINK(n) for n factors (1 - 2^-52).
 here=$(dirname "$0")
 build=${BUILD:-build}/prove
+headers='bounds.h embree/turn.h'
 if ! command -v gappa >/dev/null; then
     echo 'no gappa: the bounds are not proved (Debian: apt-get install gappa)'
     exit 77
@@ -28,10 +29,12 @@ tell() { # name, whether it is as it should be
 }
 
 constants() { # every constant: name, hexadecimal, the same 1 % smaller
-    names=$(sed -n 's/^#define \(CYLINT_[A-Z_]*\) .*/\1/p' \
-            "$here/../../src/bounds.h")
+    names=$(cd "$here/../../src" &&
+            sed -n 's/^#define \(CYLINT_[A-Z_]*\) .*/\1/p' $headers)
     {
-        printf '#include <stdio.h>\n#include "bounds.h"\nint main(void)\n{\n'
+        printf '#include <stdio.h>\n'
+        printf '#include "%s"\n' $headers
+        printf 'int main(void)\n{\n'
         for n in $names; do
             printf 'printf("%s %%a %%a\\n", (double)(%s), 0.99 * (%s));\n' \
                 "$n" "$n" "$n"

@@ -1,45 +1,23 @@
 /*
- * embree_counts.c - what is asked for a ray: blocks, pieces, shapes
+ * embree_counts.c - what is asked for a ray: nodes, blocks, pieces, shapes
  *
- * The adapter's own calls, counted on their way (linked with --wrap), for the
- * scenes and rays of embree.c.  usage: embree_counts MOST
+ * For the scenes and rays of embree.c, with an adapter that counts its visits;
+ * its questions are counted on their way (linked with --wrap).
+ * usage: embree_counts MOST
  */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-#include "embree/block.h"
 #include "embree/quick.h"
+#include "embree/walk.h"
 #include "embree_rivals.h"
 
 enum { RAYS = 100000 };
 
 static struct {
-    long blocks, pieces, shapes, exactly;
+    long shapes, exactly;
 } asked;
-
-static cylint_block_test_ray *test_ray;
-
-static unsigned count_block(const cylint_block *block,
-                            const struct RTCRay *ray,
-                            float least[CYLINT_BLOCK])
-{
-    const unsigned met = test_ray(block, ray, least);
-    asked.blocks++;
-    for (unsigned left = met; left; left &= left - 1)
-        asked.pieces++;
-    return met;
-}
-
-const cylint_block_tests *__real_cylint_block_tests_used(void);
-const cylint_block_tests *__wrap_cylint_block_tests_used(void);
-const cylint_block_tests *__wrap_cylint_block_tests_used(void)
-{
-    static cylint_block_tests counting;
-    counting = *__real_cylint_block_tests_used();
-    test_ray = counting.ray;
-    counting.ray = count_block;
-    return &counting;
-}
 
 static const cylint_quick_build *quick;
 
@@ -86,16 +64,20 @@ static void count(const struct cylinder_kind *kind, size_t n)
                                   : draw_incoherent_rays(RAYS);
         cylint_rtc_context context;
         cylint_rtc_init(&context);
-        asked.blocks = asked.pieces = asked.shapes = asked.exactly = 0;
+        memset(&asked, 0, sizeof asked);
+        memset(&cylint_visits, 0, sizeof cylint_visits);
         for (int i = 0; i < rays.n; i++) {
             struct RTCRayHit at = {.ray = rays.ray[i]};
             at.hit.geomID = RTC_INVALID_GEOMETRY_ID;
             cylint_rtc_nearest(rival.scene, &context, &at);
         }
-        printf("%s\t%zu\t%s\t%.2f\t%.2f\t%.2f\t%.4f\n", kind->name, n,
-               camera ? "coherent" : "incoherent",
-               (double)asked.blocks / rays.n, (double)asked.pieces / rays.n,
-               (double)asked.shapes / rays.n, (double)asked.exactly / rays.n);
+        const double n_rays = rays.n;
+        printf("%s\t%zu\t%s\t%.2f\t%.2f\t%.2f\t%.2f\t%.4f\n", kind->name,
+               n, camera ? "coherent" : "incoherent",
+               (double)cylint_visits.nodes / n_rays,
+               (double)cylint_visits.blocks / n_rays,
+               (double)cylint_visits.lanes / n_rays,
+               (double)asked.shapes / n_rays, (double)asked.exactly / n_rays);
         free_rays(&rays);
     }
     free_rival(&rival);
@@ -105,7 +87,7 @@ static void count(const struct cylinder_kind *kind, size_t n)
 int main(int argc, char **argv)
 {
     const size_t most = argc > 1 ? (size_t)atof(argv[1]) : 1000000;
-    printf("scene\tn\trays\tblocks/ray\tpieces/ray\tshapes/ray\texactly/ray\n");
+    printf("scene\tn\trays\tnodes/ray\tblocks/ray\tpieces/ray\tshapes/ray\texactly/ray\n");
     for (size_t n = 1000; n <= most; n *= 10)
         count(&thin, n);
     for (size_t n = 1000; n <= most; n *= 1000)

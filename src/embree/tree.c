@@ -1,14 +1,17 @@
 /*
- * sort.c - boxes into an order in which each 8 lie together
+ * tree.c - building trees
  *
  * The surface area heuristic over bins [Wald 2007], with costs counted in
  * whole blocks.  Embree's own rtcBuildBVH fills leaves of 8 by 4.4 on average
  * and takes twice the time.
  */
-#include "sort.h"
+#include "tree.h"
 
 #include <float.h>
+#include <math.h>
+#include <string.h>
 
+#include "bounds.h"
 #include "lanes.h"
 
 /* Of more than MANY boxes only the widest axis is looked at. */
@@ -42,8 +45,14 @@ static float area(hull h)
     return x[0] < 0 ? 0 : x[0] * x[1] + x[1] * x[2] + x[2] * x[0];
 }
 
-/* Twice the centre, twice the extent of all centres: how a range of boxes is
- * cut into bins. */
+/* Boxes side by side in memory, all of them and their centres, twice. */
+typedef struct {
+    cylint_box *boxes;
+    size_t n;
+    hull box, centers;
+} range;
+
+/* How a range is cut into bins. */
 typedef struct {
     v4 least, per_bin;
 } scale;
@@ -54,19 +63,25 @@ static v4 center_of(const cylint_box *b)
     return v4_add(v4_xyz(h.lower), v4_xyz(h.upper));
 }
 
-static scale scale_of(const cylint_box *boxes, size_t n)
+static range measured(cylint_box *boxes, size_t n)
 {
-    hull centers = nothing();
-    float extent[4];
+    range r = {boxes, n, nothing(), nothing()};
     for (size_t i = 0; i < n; i++) {
         const v4 c = center_of(&boxes[i]);
-        centers = joined(centers, (hull){c, c});
+        r.box = joined(r.box, hull_of(&boxes[i]));
+        r.centers = joined(r.centers, (hull){c, c});
     }
-    v4_store(extent, v4_sub(centers.upper, centers.lower));
+    return r;
+}
+
+static scale scale_of(const range *r)
+{
+    float extent[4];
+    v4_store(extent, v4_sub(r->centers.upper, r->centers.lower));
     for (int j = 0; j < 4; j++)
         extent[j] = extent[j] > FLT_MIN * BINS
                   ? BINS * (1 - 4 * FLT_EPSILON) / extent[j] : 0;
-    return (scale){centers.lower, v4_load(extent)};
+    return (scale){r->centers.lower, v4_load(extent)};
 }
 
 static int widest_axis(const scale *s)
@@ -206,39 +221,153 @@ static size_t whole_blocks(size_t left, size_t n)
 }
 
 /* Splits more than 8 boxes; returns how many are to the left, a multiple. */
-static size_t divide(cylint_box *boxes, size_t n)
+static size_t divide(const range *r)
 {
-    const scale s = scale_of(boxes, n);
+    const size_t n = r->n;
+    const scale s = scale_of(r);
     split best = {FLT_MAX, -1, 0, 0};
     bins b;
     const int widest = widest_axis(&s);
     const int first = n > MANY ? widest : 0, end = n > MANY ? widest + 1 : 3;
-    fill(&b, &s, first, end, boxes, n);
+    fill(&b, &s, first, end, r->boxes, n);
     for (int axis = first; axis < end; axis++)
         try_axis(&b, axis, n, &best);
     if (best.axis < 0) /* all in one place */
         return whole_blocks(n / 2, n);
-    const size_t left = partition(boxes, n, &s, best.axis, best.bin);
+    const size_t left = partition(r->boxes, n, &s, best.axis, best.bin);
     const size_t k = whole_blocks(left, n);
     if (k < left)
-        select(boxes, left, k, best.axis);
+        select(r->boxes, left, k, best.axis);
     else if (k > left)
-        select(boxes + left, n - left, k - left, best.axis);
+        select(r->boxes + left, n - left, k - left, best.axis);
     return k;
 }
 
-/* The smaller part by recursion, so that this is no deeper than log2(n). */
-void cylint_sort_boxes(cylint_box *boxes, size_t n)
+/* In the order of the widest side's centres, half and half. */
+static size_t halve(const range *r)
 {
-    while (n > CYLINT_BLOCK) {
-        const size_t k = divide(boxes, n);
-        if (k < n - k) {
-            cylint_sort_boxes(boxes, k);
-            boxes += k;
-            n -= k;
-        } else {
-            cylint_sort_boxes(boxes + k, n - k);
-            n = k;
+    const scale s = scale_of(r);
+    const size_t k = whole_blocks(r->n / 2, r->n);
+    select(r->boxes, r->n, k, widest_axis(&s));
+    return k;
+}
+
+/* ---------------------------------------------------------------- nodes -- */
+
+typedef struct {
+    const cylint_box *boxes;  /* the first of all */
+    cylint_node *nodes;
+    size_t n_nodes;
+    float least_step;
+    const float *center;
+} builder;
+
+/* Of those with more than a block, the one of the largest box or, evenly, of
+ * the most boxes; -1: none. */
+static int largest(const range *parts, int n, int evenly)
+{
+    int best = -1;
+    for (int i = 0; i < n; i++)
+        if (parts[i].n > CYLINT_BLOCK &&
+            (best < 0 || (evenly ? parts[i].n > parts[best].n
+                          : area(parts[i].box) > area(parts[best].box))))
+            best = i;
+    return best;
+}
+
+/* Splits until there are 8 parts or nothing to be split. */
+static int split_up(range parts[CYLINT_CHILDREN], int evenly)
+{
+    int n = 1, i;
+    while (n < CYLINT_CHILDREN && (i = largest(parts, n, evenly)) >= 0) {
+        const range all = parts[i];
+        const size_t k = evenly ? halve(&all) : divide(&all);
+        parts[i] = measured(all.boxes, k);
+        parts[n++] = measured(all.boxes + k, all.n - k);
+    }
+    return n;
+}
+
+/* Counts of steps, from the node's corner, that certainly hold [lo, hi]; the
+ * differences and quotients are rounded, by 2^-52 of themselves at most. */
+static uint8_t steps_below(double distance, double step)
+{
+    return (uint8_t)(distance / step * (1 - 0x1p-50));
+}
+
+static uint8_t steps_above(double distance, double step)
+{
+    return (uint8_t)ceil(distance / step * (1 + 0x1p-50));
+}
+
+static void place_children(cylint_node *node, const range *parts, int n,
+                           hull all, const builder *b)
+{
+    float from[4], to[4], lower[4], upper[4];
+    v4_store(from, all.lower);
+    v4_store(to, all.upper);
+    for (int j = 0; j < 3; j++) {
+        const double center = b->center[j];
+        const float corner = cylint_float_below((double)from[j] - center);
+        const double side = (double)to[j] - ((double)corner + center);
+        const float step = cylint_float_above(side * (1 + 0x1p-20) / 255);
+        node->corner[j] = corner;
+        node->step[j] = step > b->least_step ? step : b->least_step;
+    }
+    for (int i = 0; i < n; i++) {
+        v4_store(lower, parts[i].box.lower);
+        v4_store(upper, parts[i].box.upper);
+        for (int j = 0; j < 3; j++) {
+            const double step = node->step[j];
+            const double c = (double)node->corner[j] + (double)b->center[j];
+            node->face[0][j][i] = steps_below((double)lower[j] - c, step);
+            node->face[1][j][i] = steps_above((double)upper[j] - c, step);
         }
     }
+}
+
+/* Below so many nodes parts are as many boxes each, which bounds the depth. */
+enum { DEEP = 24 };
+
+/* The number of the node made of what is in the range. */
+static uint32_t make_node(builder *b, range all, int depth)
+{
+    range parts[CYLINT_CHILDREN] = {all};
+    const size_t number = b->n_nodes++;
+    cylint_node *node = &b->nodes[number];
+    memset(node, 0, sizeof *node);
+    const int n = split_up(parts, depth >= DEEP);
+    node->children = (uint8_t)((1u << n) - 1);
+    place_children(node, parts, n, all.box, b);
+    for (int i = 0; i < n; i++)
+        node->child[i] = parts[i].n > CYLINT_BLOCK
+            ? make_node(b, parts[i], depth + 1)
+            : CYLINT_LEAF | (uint32_t)((size_t)(parts[i].boxes - b->boxes) /
+                                       CYLINT_BLOCK);
+    return (uint32_t)number;
+}
+
+/*
+ * A node has 8 children or, with less than 8 blocks in it, as many as those.
+ * F nodes of the first kind and S of the second have F + S - 1 nodes and all
+ * B blocks for children, 8 F of them and at least 2 S: 7 F + S <= B - 1.  And
+ * S <= 7 F + 1, so 2 S <= B, and F + S <= (B - 1 + 6 S) / 7 <= 4 B / 7.
+ */
+size_t cylint_tree_most_nodes(size_t blocks)
+{
+    return blocks / 7 * 4 + 4;
+}
+
+size_t cylint_tree_build(cylint_node *nodes, cylint_box *boxes, size_t n,
+                         const float center[3])
+{
+    const range all = measured(boxes, n);
+    float side[4], longest = 0;
+    v4_store(side, v4_sub(all.box.upper, all.box.lower));
+    for (int j = 0; j < 3; j++)
+        longest = side[j] > longest ? side[j] : longest;
+    const float least = longest * CYLINT_LEAST_STEP;
+    builder b = {boxes, nodes, 0, least > 0x1p-100f ? least : 0x1p-100f, center};
+    make_node(&b, all, 0);
+    return b.n_nodes;
 }

@@ -1,16 +1,21 @@
 /*
- * lanetest.c - which lanes of a block a line may meet
+ * lanetest.h - which lanes of a block a line may meet
  *
- * Compiled once as it is and again for AVX2 where the Makefile knows that:
- * the builds may differ in what they let through, not in what they owe.
+ * A block answers in floats, conservatively: a lane is left out only if the
+ * line certainly does not meet its piece within the domain.  What comes from
+ * far is moved to the block's centre in doubles, so a block is as discerning
+ * far from the origin as near it.
+ *
+ * For walk.c, which is compiled for several instruction sets: they may differ
+ * in what they let through, not in what they owe.
  */
+#ifndef CYLINT_EMBREE_LANETEST_H
+#define CYLINT_EMBREE_LANETEST_H
+
 #include "../each.h"
 #include "block.h"
 #include "lanes.h"
-
-#ifndef CYLINT_BLOCK_TESTS
-#define CYLINT_BLOCK_TESTS cylint_block_tests_plain
-#endif
+#include "walk.h"
 
 /*
  * In steps around the block's centre a lane is a cylinder: axis p to p + w,
@@ -32,12 +37,15 @@
  *    is by `off`, what q is off before.
  *  - n is wrong by a vector of at most 2 sqrt(3) u E W,
  *    f by K (2 sqrt(3) u E W + 3 u N).
- *    r N <= |f| is certainly false if g < |f|, with
- *      g = (r + 3 u K + off) N + 2 sqrt(3) u (K + r) E W + 3 u K N
- *        + 6 u r N (from N and g themselves) <= r N + k E W,
- *      k = 16 u K + off.
- *    This g serves C too, as (g - f)(g + f) >= r^2 nn - f^2 follows from
- *    g - r N >= the error of f.
+ *    |f| <= r N is certainly false if more than
+ *      (r + 3 u K + off) N + 2 sqrt(3) u (K + r) E W + 3 u K N
+ *        <= r N + (k - 5 u K) E W,  k = 16 u K + off,
+ *    and so if f^2 > g2 = r^2 nn + (2 r + k) k E^2 W^2: the square of the
+ *    former is less by 10 u r K E^2 W^2 at least, and by 5 u K k E^2 W^2,
+ *    which is more than g2 and f^2 round by: 8 u r^2 E^2 W^2 and 6 u of the
+ *    rest.  g2 serves C too: g2 - f^2 >= r^2 nn - f^2 with what f is, as what
+ *    f^2 and r^2 nn are wrong by, (13 r K + 42 u K^2 + 13 r^2) u E^2 W^2 where
+ *    |f| <= r N, is less than 32 u r K and 256 u^2 K^2.
  *  - T: the dot products are wrong by 3 u of their bounds K W, E W, K E, W^2,
  *    so T by 15 u K E W^2; where s is within r of the axis, s nn differs from
  *    T + C by what n's error makes of K, r and T, 8 u K E W^2 at most, C is
@@ -77,30 +85,42 @@ static inline unsigned test_lanes(const cylint_block *b, int from,
         n[j] = f_mad(e[k], w[m], -(e[m] * w[k]));
     }
     const vf W = f_abs(w[0]) + f_abs(w[1]) + f_abs(w[2]);
-    const vf nn = dot(n, n), f = f_abs(dot(D, n));
-    const vf kEW = f_set(l->k * l->E) * W;
-    const vf g = f_mad(f_from_shorts(b->r + from), f_sqrt(nn), kEW);
-    unsigned met = f_not_greater(f, g);
+    const vf nn = dot(n, n), f = dot(D, n), ff = f * f;
+    const vf r = f_from_shorts(b->r + from), EW = f_set(l->E) * W;
+    const vf kEW = f_set(l->k) * EW;
+    const vf gg = f_mad(r * r, nn, (r + r + f_set(l->k)) * (kEW * EW));
+    unsigned met = f_not_greater(ff, gg);
     if (!met)
         return 0;
     const vf ww = dot(w, w), Dw = dot(D, w), ew = dot(e, w);
     const vf T = f_mad(Dw, ew, -(dot(D, e) * ww));
-    const vf C = f_sqrt((g - f) * (g + f) * ww);
-    const vf middle = ww * nn * f_set(0.5f);
-    const vf room = f_mad(f_abs(ew), C, kEW * ww * f_set(4 * l->E));
+    const vf C = f_sqrt((gg - ff) * ww);
+    const vf middle = ww * nn * f_set(0.5f), kEWW = kEW * W;
+    const vf room = f_mad(f_abs(ew), C, kEWW * EW * f_set(4));
     met &= f_not_greater(f_abs(f_mad(Dw, nn, ew * T) - middle), middle + room);
-    const vf spare = ww * f_set(3 * l->k * l->E);
-    const vf begin = T - C - spare, end = T + C + spare;
+    const vf reach = f_mad(kEWW, f_set(3), C);
+    const vf begin = T - reach, end = T + reach;
     met &= f_not_greater(begin, f_set(l->last) * nn);
     met &= f_not_greater(f_set(l->first) * nn, end);
-    f_store(least + from, begin / nn * f_set(l->t_per_s));
+    if (met)
+        f_store(least + from, begin / nn * f_set(l->t_per_s));
     return met;
 }
 
-static unsigned lanes_in_use(const cylint_block *b)
+static inline unsigned lanes_in_use(const cylint_block *b)
 {
     return (1u << b->used) - 1;
 }
+
+#ifdef CYLINT_COUNT_VISITS
+static inline int count_lanes(unsigned lanes)
+{
+    int n = 0;
+    for (; lanes; lanes &= lanes - 1)
+        n++;
+    return n;
+}
+#endif
 
 static inline unsigned test(const cylint_block *b, const lane_line *l,
                             float *least)
@@ -108,7 +128,9 @@ static inline unsigned test(const cylint_block *b, const lane_line *l,
     unsigned met = 0;
     for (int lane = 0; lane < b->used; lane += WIDTH)
         met |= test_lanes(b, lane, l, least) << lane;
-    return (met | b->always) & lanes_in_use(b);
+    met = (met | b->always) & lanes_in_use(b);
+    cylint_visited(lanes, (unsigned)count_lanes(met));
+    return met;
 }
 
 /* How far a line may begin, in steps, and its E, for floats to be of use. */
@@ -118,7 +140,7 @@ static inline unsigned test(const cylint_block *b, const lane_line *l,
 
 /* ------------------------------------------------------- from far: lines -- */
 
-static unsigned all_lanes(const cylint_block *b, double tmin, double *least)
+static inline unsigned all_lanes(const cylint_block *b, double tmin, double *least)
 {
     for (int lane = 0; lane < b->used; lane++)
         least[lane] = tmin;
@@ -129,7 +151,7 @@ static unsigned all_lanes(const cylint_block *b, double tmin, double *least)
 #define OFF_LIMIT 4096.0
 
 /* Farther than pieces are, but for what rounding adds. */
-static float clamp(double s)
+static inline float clamp(double s)
 {
     const double most = 0x1p19;
     return (float)(s < -most ? -most : s > most ? most : s);
@@ -142,7 +164,7 @@ static float clamp(double s)
  * less than 11 roundings of |o - c|, here 16.  Should q still be far, the line
  * misses: sizes of components are at most sqrt(3) of lengths.
  */
-static unsigned test_line(const cylint_block *b, const double o[3],
+static inline unsigned test_line(const cylint_block *b, const double o[3],
                           const double d[3], double tmin, double tmax,
                           double least[CYLINT_BLOCK])
 {
@@ -186,7 +208,7 @@ static unsigned test_line(const cylint_block *b, const double o[3],
 
 /* -------------------------------------------------------- from near: rays -- */
 
-static unsigned test_far_ray(const cylint_block *b, const struct RTCRay *ray,
+static inline unsigned test_far_ray(const cylint_block *b, const struct RTCRay *ray,
                              float least[CYLINT_BLOCK])
 {
     const double o[3] = {ray->org_x, ray->org_y, ray->org_z};
@@ -200,7 +222,7 @@ static unsigned test_far_ray(const cylint_block *b, const struct RTCRay *ray,
 }
 
 /* The ray as it is: e = d, q = o - c, s = t times steps, which are 2^k. */
-static unsigned test_ray(const cylint_block *b, const struct RTCRay *ray,
+static inline unsigned test_ray(const cylint_block *b, const struct RTCRay *ray,
                          float least[CYLINT_BLOCK])
 {
     const float steps = b->per_unit;
@@ -223,4 +245,4 @@ static unsigned test_ray(const cylint_block *b, const struct RTCRay *ray,
     return met;
 }
 
-const cylint_block_tests CYLINT_BLOCK_TESTS = {test_line, test_ray};
+#endif

@@ -1,0 +1,59 @@
+/*
+ * walk.h - which pieces of shapes a line may meet, nearest first
+ *
+ * From the first node of a group down to its blocks, by boxes and then by
+ * lanes.  All of it is conservative: what is left out is certainly not met
+ * within the domain, wherever the line begins.
+ */
+#ifndef CYLINT_EMBREE_WALK_H
+#define CYLINT_EMBREE_WALK_H
+
+#include "group.h"
+
+/*
+ * Told of the lanes (bits) of a block that may be met; least[lane] is no
+ * larger than the least t of a hit.  May make tmax less (*tmax of
+ * cylint_walk_lines, tfar of the ray).  Not 0: that is enough.
+ */
+typedef int cylint_meet_ray(void *self, const cylint_block *block,
+                            unsigned lanes, const float least[CYLINT_BLOCK]);
+typedef int cylint_meet_line(void *self, const cylint_block *block,
+                             unsigned lanes,
+                             const double least[CYLINT_BLOCK]);
+
+/*
+ * o + t d, tnear <= t <= tfar, floats as they are; or, in doubles, tmin <= t
+ * <= *tmax, d off by 2^-52 of its length (the high parts of a segment's).
+ * The group is not empty.
+ */
+typedef void cylint_walk_ray(const cylint_group *group,
+                             const struct RTCRay *ray,
+                             cylint_meet_ray *meet, void *self);
+typedef void cylint_walk_line(const cylint_group *group, const double o[3],
+                              const double d[3], double tmin,
+                              const double *tmax, cylint_meet_line *meet,
+                              void *self);
+
+typedef struct cylint_walks {
+    cylint_walk_ray *ray;
+    cylint_walk_line *line;
+} cylint_walks;
+
+/* A build that counts what is visited (make bench-embree); not for several
+ * threads. */
+#ifdef CYLINT_COUNT_VISITS
+extern struct cylint_visits {
+    unsigned long long nodes, blocks, lanes;
+} cylint_visits;
+#define cylint_visited(what, n) ((void)(cylint_visits.what += (n)))
+#else
+#define cylint_visited(what, n) ((void)0)
+#endif
+
+/* Those for this processor. */
+const cylint_walks *cylint_walks_used(void);
+
+/* The builds. */
+extern const cylint_walks cylint_walks_plain, cylint_walks_avx2;
+
+#endif
