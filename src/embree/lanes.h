@@ -121,6 +121,8 @@ static inline v4 v4_xyz(v4 a)
     a.x[3] = 0;
     return a;
 }
+static inline v4 v4_yzx(v4 a) { V4_EACH(a.x[i < 3 ? (i + 1) % 3 : 3]) }
+static inline float v4_sum_xyz(v4 a) { return a.x[0] + a.x[1] + a.x[2]; }
 static inline void v4_truncate(int32_t *to, v4 a)
 {
     for (int i = 0; i < 4; i++)
@@ -141,6 +143,15 @@ static inline v4 v4_mul(v4 a, v4 b) { return _mm_mul_ps(a, b); }
 static inline v4 v4_xyz(v4 a)
 {
     return _mm_and_ps(a, _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1)));
+}
+static inline v4 v4_yzx(v4 a)
+{
+    return _mm_shuffle_ps(a, a, _MM_SHUFFLE(3, 0, 2, 1));
+}
+static inline float v4_sum_xyz(v4 a)
+{
+    return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(a, v4_yzx(a)),
+                                    _mm_movehl_ps(a, a)));
 }
 static inline void v4_truncate(int32_t *to, v4 a)
 {

@@ -37,12 +37,11 @@ static hull hull_of(const cylint_box *b)
     return (hull){v4_load(b->lower), v4_load(b->upper)};
 }
 
-/* Half of it; 0 of nothing. */
+/* Half of it; infinite of nothing. */
 static float area(hull h)
 {
-    float x[4];
-    v4_store(x, v4_sub(h.upper, h.lower));
-    return x[0] < 0 ? 0 : x[0] * x[1] + x[1] * x[2] + x[2] * x[0];
+    const v4 side = v4_sub(v4_xyz(h.upper), v4_xyz(h.lower));
+    return v4_sum_xyz(v4_mul(side, v4_yzx(side)));
 }
 
 /* Boxes side by side in memory, all of them and their centres, twice. */
@@ -127,7 +126,7 @@ static void fill(bins *b, const scale *s, int first, int end,
 
 static float blocks(size_t n)
 {
-    return (float)((n + CYLINT_BLOCK - 1) / CYLINT_BLOCK);
+    return (float)(ptrdiff_t)((n + CYLINT_BLOCK - 1) / CYLINT_BLOCK);
 }
 
 /* Where to split: before bin `bin` along `axis`, n boxes to the left. */
@@ -194,22 +193,25 @@ static void select(cylint_box *boxes, size_t n, size_t k, int axis)
     }
 }
 
-/* Those before the bin to the front; returns how many. */
+/*
+ * Those before the bin to the front; returns how many.  Which side a box is
+ * on cannot be foreseen, so there is no branch: each changes places with the
+ * first of the right side, which begins later if that was one of the left.
+ */
 static size_t partition(cylint_box *boxes, size_t n, const scale *s, int axis,
                         int bin)
 {
-    size_t left = 0, right = n;
-    int32_t at[4];
-    for (;;) {
-        while (left < right && (bins_of(&boxes[left], s, at), at[axis] < bin))
-            left++;
-        while (left < right &&
-               (bins_of(&boxes[right - 1], s, at), at[axis] >= bin))
-            right--;
-        if (left >= right)
-            return left;
-        swap(&boxes[left++], &boxes[--right]);
+    float least[4], per_bin[4];
+    v4_store(least, s->least);
+    v4_store(per_bin, s->per_bin);
+    size_t left = 0;
+    for (size_t i = 0; i < n; i++) {
+        const cylint_box box = boxes[i];
+        boxes[i] = boxes[left];
+        boxes[left] = box;
+        left += (key(&box, axis) - least[axis]) * per_bin[axis] < (float)bin;
     }
+    return left;
 }
 
 /* The multiple of 8 next to `left` that leaves something on both sides. */
@@ -219,6 +221,10 @@ static size_t whole_blocks(size_t left, size_t n)
     const size_t near = (left + CYLINT_BLOCK / 2) / CYLINT_BLOCK * CYLINT_BLOCK;
     return near < CYLINT_BLOCK ? CYLINT_BLOCK : near < most ? near : most;
 }
+
+/* Boxes that change sides for whole blocks, up to 8, are the nearest of so many
+ * to the other side: of all, for few. */
+enum { AMONG = 512 };
 
 /* Splits more than 8 boxes; returns how many are to the left, a multiple. */
 static size_t divide(const range *r)
@@ -236,10 +242,13 @@ static size_t divide(const range *r)
         return whole_blocks(n / 2, n);
     const size_t left = partition(r->boxes, n, &s, best.axis, best.bin);
     const size_t k = whole_blocks(left, n);
-    if (k < left)
-        select(r->boxes, left, k, best.axis);
-    else if (k > left)
-        select(r->boxes + left, n - left, k - left, best.axis);
+    if (k < left) {
+        const size_t from = left > AMONG ? left - AMONG : 0;
+        select(r->boxes + from, left - from, k - from, best.axis);
+    } else if (k > left) {
+        const size_t m = n - left < AMONG ? n - left : AMONG;
+        select(r->boxes + left, m, k - left, best.axis);
+    }
     return k;
 }
 
