@@ -57,17 +57,12 @@ static void shape_bounds(const struct RTCBoundsFunctionArguments *args)
     *args->bounds_o = cylint_padded_box(&box, data->pad);
 }
 
-static int is_bounded(const cylint_shape *s)
-{
-    return s->kind != CYLINT_KIND_NONE && s->ends < CYLINT_INFINITE;
-}
-
 static int check_shape(const cylint_embree_data *data, size_t i,
                        struct RTCBounds *all)
 {
     const cylint_shape *shape = data->shapes + i;
-    if (i >= RTC_INVALID_GEOMETRY_ID || !is_bounded(shape) ||
-        (data->moved && !is_bounded(data->moved + i)))
+    if (i >= RTC_INVALID_GEOMETRY_ID || !cylint_is_bounded(shape) ||
+        (data->moved && !cylint_is_bounded(data->moved + i)))
         return CYLINT_EMBREE_ESHAPE;
     if (data->moved && !cylint_moves_into(shape, data->moved + i))
         return CYLINT_EMBREE_EMOTION;
@@ -85,20 +80,50 @@ static int check_shape(const cylint_embree_data *data, size_t i,
  * enough: the one box of a group may be wider than each of very many. */
 enum { NEAR_SIZES = 3, FAR_SIZES = 4095 };
 
+static int refused(cylint_embree_problem *problem, int status, size_t shape)
+{
+    *problem = (cylint_embree_problem){status, shape};
+    return 0;
+}
+
+static void take_box(cylint_embree_data *data, const struct RTCBounds *all)
+{
+    data->box = *all;
+    data->pad = cylint_box_pad(all, data->walk ? FAR_SIZES : NEAR_SIZES);
+}
+
 static int check_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
-    struct RTCBounds all = {HUGE_VALF, HUGE_VALF, HUGE_VALF, 0,
-                            -HUGE_VALF, -HUGE_VALF, -HUGE_VALF, 0};
+    struct RTCBounds all = cylint_no_box();
     for (size_t i = 0; i < data->n; i++) {
-        problem->status = check_shape(data, i, &all);
-        if (problem->status != CYLINT_EMBREE_OK) {
-            problem->shape = i;
-            return 0;
-        }
+        const int status = check_shape(data, i, &all);
+        if (status != CYLINT_EMBREE_OK)
+            return refused(problem, status, i);
     }
-    data->box = all;
-    data->pad = cylint_box_pad(&all, data->walk ? FAR_SIZES : NEAR_SIZES);
+    take_box(data, &all);
+    return 1;
+}
+
+/* The group before stays where it fails. */
+static int group_shapes(cylint_embree_data *data,
+                        cylint_embree_problem *problem)
+{
+    const cylint_view view = cylint_plain_view(data->shapes);
+    cylint_group group;
+    size_t shape;
+    switch (cylint_group_make(&group, data->device, &view, NULL, data->n,
+                              &shape)) {
+    case CYLINT_GROUP_OK:
+        break;
+    case CYLINT_GROUP_ESHAPE:
+        return refused(problem, CYLINT_EMBREE_ESHAPE, shape);
+    default:
+        return refused(problem, CYLINT_EMBREE_EMEMORY, 0);
+    }
+    cylint_group_free(&data->group);
+    data->group = group;
+    take_box(data, &group.box);
     return 1;
 }
 
@@ -111,24 +136,16 @@ static void tell_device(RTCGeometry geometry)
 
 /* --------------------------------------------------------------- making -- */
 
-/* Takes the shapes as they are now; the blocks before stay where not. */
+/* Takes the shapes as they are now. */
 static int fill(RTCGeometry geometry, cylint_embree_data *data,
                 cylint_embree_problem *problem)
 {
-    if (!check_shapes(data, problem)) {
-        tell_device(geometry);
+    if (!(data->walk ? group_shapes : check_shapes)(data, problem)) {
+        if (problem->status != CYLINT_EMBREE_EMEMORY)
+            tell_device(geometry);
         return 0;
     }
-    if (data->walk) {
-        const cylint_view view = cylint_plain_view(data->shapes);
-        cylint_group group;
-        if (!cylint_group_make(&group, data->device, &view, NULL, data->n)) {
-            problem->status = CYLINT_EMBREE_EMEMORY;
-            return 0;
-        }
-        cylint_group_free(&data->group);
-        data->group = group;
-    }
+    problem->status = CYLINT_EMBREE_OK;
     rtcSetGeometryUserPrimitiveCount(
         geometry, data->walk ? data->group.n > 0 : (unsigned)data->n);
     rtcCommitGeometry(geometry);

@@ -72,15 +72,26 @@ static inline int cylint_keeps_box(const struct RTCBounds *box)
            cylint_keeps_side(box->lower_z, box->upper_z);
 }
 
+/* That of nothing. */
+static inline struct RTCBounds cylint_no_box(void)
+{
+    return (struct RTCBounds){HUGE_VALF, HUGE_VALF, HUGE_VALF, 0,
+                              -HUGE_VALF, -HUGE_VALF, -HUGE_VALF, 0};
+}
+
+static inline void cylint_extend_side(float *lower, float *upper, float lo,
+                                      float hi) /* fminf() is a call */
+{
+    *lower = lo < *lower ? lo : *lower;
+    *upper = hi > *upper ? hi : *upper;
+}
+
 static inline void cylint_extend_box(struct RTCBounds *box,
                                      const struct RTCBounds *by)
 {
-    box->lower_x = fminf(box->lower_x, by->lower_x);
-    box->lower_y = fminf(box->lower_y, by->lower_y);
-    box->lower_z = fminf(box->lower_z, by->lower_z);
-    box->upper_x = fmaxf(box->upper_x, by->upper_x);
-    box->upper_y = fmaxf(box->upper_y, by->upper_y);
-    box->upper_z = fmaxf(box->upper_z, by->upper_z);
+    cylint_extend_side(&box->lower_x, &box->upper_x, by->lower_x, by->upper_x);
+    cylint_extend_side(&box->lower_y, &box->upper_y, by->lower_y, by->upper_y);
+    cylint_extend_side(&box->lower_z, &box->upper_z, by->lower_z, by->upper_z);
 }
 
 /*

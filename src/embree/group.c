@@ -31,11 +31,14 @@ static double trunk_area(const cylint_trunk *t)
  */
 enum { FEW = 4, MANY = 16 };
 
-static int pieces_of(const cylint_trunk *t, const double reach[3])
+/* So many shapes tell how many pieces the others may have. */
+enum { FIRST = 4096 };
+
+static const cylint_piece whole = {0, 1};
+
+static int pieces_of(const cylint_trunk *t, const struct RTCBounds *box)
 {
-    const struct RTCBounds box = cylint_piece_box(t, reach,
-                                                  (cylint_piece){0, 1});
-    const double m = sqrt(box_area(&box) / trunk_area(t));
+    const double m = sqrt(box_area(box) / trunk_area(t));
     const double most = m > 2 * FEW ? MANY : FEW;
     return !(m > 1) ? 1 : (int)fmin(m + 0.5, most);
 }
@@ -52,36 +55,84 @@ static uint32_t member(const members *m, size_t i)
     return m->numbers ? m->numbers[i] : (uint32_t)i;
 }
 
-static size_t count_pieces(const members *m)
+/* Boxes of pieces, as many as there is room for. */
+typedef struct {
+    cylint_memory memory;
+    cylint_box *box;
+    size_t n, room;
+    struct RTCBounds all;
+} pieces;
+
+static int make_room(pieces *p, RTCDevice device, size_t room)
 {
-    size_t pieces = 0;
-    for (size_t i = 0; i < m->n; i++) {
-        cylint_trunk trunk;
-        double reach[3];
-        cylint_trunk_of(&trunk, m->view, member(m, i));
-        cylint_trunk_reach(&trunk, reach);
-        pieces += (size_t)pieces_of(&trunk, reach);
-    }
-    return pieces;
+    pieces more = {.n = p->n, .room = room, .all = p->all};
+    if (room > SIZE_MAX / sizeof *p->box ||
+        !cylint_memory_take(&more.memory, device, room * sizeof *p->box))
+        return 0;
+    more.box = more.memory.data;
+    if (p->n > 0)
+        memcpy(more.box, p->box, p->n * sizeof *p->box);
+    cylint_memory_give(&p->memory);
+    *p = more;
+    return 1;
 }
 
-static void cut(cylint_box *boxes, const members *m)
+/* Room for all pieces, if those to come are like those of the first `done`
+ * shapes; and for the next ones in any case. */
+static size_t room_for(const pieces *p, size_t done, size_t shapes)
+{
+    const size_t first = shapes < FIRST ? shapes : FIRST;
+    const double each = done > 0 ? (double)p->n / (double)done : 0;
+    return p->n + first * MANY +
+           (size_t)(each * 1.0625 * (double)(shapes - done));
+}
+
+static void add_piece(pieces *p, const struct RTCBounds *b, uint32_t number,
+                      cylint_piece piece)
+{
+    p->box[p->n++] = (cylint_box){
+        {b->lower_x, b->lower_y, b->lower_z}, number,
+        {b->upper_x, b->upper_y, b->upper_z}, (uint16_t)piece.index,
+        (uint16_t)piece.count};
+    cylint_extend_box(&p->all, b);
+}
+
+/* 0: Embree would not keep its box. */
+static int cut_shape(pieces *p, const cylint_view *view, uint32_t number)
+{
+    cylint_trunk trunk;
+    double reach[3];
+    cylint_trunk_of(&trunk, view, number);
+    cylint_trunk_reach(&trunk, reach);
+    const struct RTCBounds box = cylint_piece_box(&trunk, reach, whole);
+    if (!cylint_keeps_box(&box))
+        return 0;
+    const int count = pieces_of(&trunk, &box);
+    if (count == 1)
+        add_piece(p, &box, number, whole);
+    else
+        for (int index = 0; index < count; index++) {
+            const cylint_piece piece = {index, count};
+            const struct RTCBounds b = cylint_piece_box(&trunk, reach, piece);
+            add_piece(p, &b, number, piece);
+        }
+    return 1;
+}
+
+static cylint_group_status cut(pieces *p, RTCDevice device, const members *m,
+                               size_t *refused)
 {
     for (size_t i = 0; i < m->n; i++) {
-        cylint_trunk trunk;
-        double reach[3];
-        cylint_trunk_of(&trunk, m->view, member(m, i));
-        cylint_trunk_reach(&trunk, reach);
-        const int count = pieces_of(&trunk, reach);
-        for (int index = 0; index < count; index++) {
-            const struct RTCBounds b = cylint_piece_box(
-                &trunk, reach, (cylint_piece){index, count});
-            *boxes++ = (cylint_box){
-                {b.lower_x, b.lower_y, b.lower_z}, member(m, i),
-                {b.upper_x, b.upper_y, b.upper_z}, (uint16_t)index,
-                (uint16_t)count};
-        }
+        if (p->room - p->n < MANY &&
+            !make_room(p, device, room_for(p, i, m->n)))
+            return CYLINT_GROUP_EMEMORY;
+        *refused = member(m, i);
+        if (*refused >= RTC_INVALID_GEOMETRY_ID ||
+            !cylint_is_bounded(&m->view->shapes[*refused]) ||
+            !cut_shape(p, m->view, (uint32_t)*refused))
+            return CYLINT_GROUP_ESHAPE;
     }
+    return CYLINT_GROUP_OK;
 }
 
 /* --------------------------------------------------------------- blocks -- */
@@ -107,12 +158,12 @@ static void fill_blocks(cylint_block *blocks, const cylint_box *boxes,
     }
 }
 
-/* Boxes, and room for the nodes above them. */
+/* Boxes, and nodes above them. */
 typedef struct {
-    cylint_memory memory;
+    pieces pieces;
+    cylint_memory memory; /* of the nodes */
     cylint_node *nodes;
-    cylint_box *boxes;
-    size_t n, n_nodes;
+    size_t n_nodes;
 } plan;
 
 static size_t blocks_of(size_t boxes)
@@ -120,74 +171,81 @@ static size_t blocks_of(size_t boxes)
     return (boxes + CYLINT_BLOCK - 1) / CYLINT_BLOCK;
 }
 
-/* The middle of all boxes; with S their longest side, pad and near_by as in
- * walk.c. */
-static void measure(cylint_group *group, const cylint_box *boxes, size_t n,
+/* S being the longest side of the box of all: pad and near_by as in walk.c. */
+static void measure(cylint_group *group, const struct RTCBounds *box,
                     double blur)
 {
+    const double lower[3] = {box->lower_x, box->lower_y, box->lower_z};
+    const double upper[3] = {box->upper_x, box->upper_y, box->upper_z};
     double longest = 0;
     for (int j = 0; j < 3; j++) {
-        float lower = boxes[0].lower[j], upper = boxes[0].upper[j];
-        for (size_t i = 1; i < n; i++) {
-            lower = boxes[i].lower[j] < lower ? boxes[i].lower[j] : lower;
-            upper = boxes[i].upper[j] > upper ? boxes[i].upper[j] : upper;
-        }
-        longest = fmax(longest, (double)upper - (double)lower);
-        group->center[j] = (float)(((double)lower + (double)upper) / 2);
+        longest = fmax(longest, upper[j] - lower[j]);
+        group->center[j] = (float)((lower[j] + upper[j]) / 2);
     }
+    group->box = *box;
     group->pad = cylint_float_above(longest * 0x1p-20 + blur);
     group->near_by = cylint_float_above(longest * 256);
 }
 
-static int make_plan(plan *p, cylint_group *group, RTCDevice device,
-                     const members *m)
+static void give_plan(plan *p)
 {
-    p->n = count_pieces(m);
-    const size_t most = cylint_tree_most_nodes(blocks_of(p->n));
-    if (blocks_of(p->n) >= CYLINT_LEAF ||
-        !cylint_memory_take(&p->memory, device, most * sizeof *p->nodes +
-                            p->n * sizeof *p->boxes))
-        return 0;
+    cylint_memory_give(&p->pieces.memory);
+    cylint_memory_give(&p->memory);
+}
+
+static cylint_group_status make_plan(plan *p, cylint_group *group,
+                                     RTCDevice device, const members *m,
+                                     size_t *refused)
+{
+    const cylint_group_status cuts = cut(&p->pieces, device, m, refused);
+    if (cuts != CYLINT_GROUP_OK)
+        return cuts;
+    const size_t blocks = blocks_of(p->pieces.n);
+    if (blocks >= CYLINT_LEAF ||
+        !cylint_memory_take(&p->memory, device,
+                            cylint_tree_most_nodes(blocks) * sizeof *p->nodes))
+        return CYLINT_GROUP_EMEMORY;
     p->nodes = p->memory.data;
-    p->boxes = (cylint_box *)(void *)(p->nodes + most);
-    cut(p->boxes, m);
-    measure(group, p->boxes, p->n, m->view->blur);
-    p->n_nodes = cylint_tree_build(p->nodes, p->boxes, p->n, group->center);
-    return 1;
+    measure(group, &p->pieces.all, m->view->blur);
+    p->n_nodes = cylint_tree_build(p->nodes, p->pieces.box, p->pieces.n,
+                                   group->center);
+    return CYLINT_GROUP_OK;
 }
 
 /* What was planned, in no more room than it takes. */
-static int carry_out(cylint_group *group, RTCDevice device, const plan *p,
-                     const cylint_view *view)
+static cylint_group_status carry_out(cylint_group *group, RTCDevice device,
+                                     const plan *p, const cylint_view *view)
 {
-    group->n = blocks_of(p->n);
+    group->n = blocks_of(p->pieces.n);
     if (!cylint_memory_take(&group->memory, device,
                             p->n_nodes * sizeof *p->nodes +
                             group->n * sizeof(cylint_block)))
-        return 0;
+        return CYLINT_GROUP_EMEMORY;
     cylint_node *nodes = group->memory.data;
     cylint_block *blocks = (cylint_block *)(void *)(nodes + p->n_nodes);
     memcpy(nodes, p->nodes, p->n_nodes * sizeof *nodes);
-    fill_blocks(blocks, p->boxes, p->n, view);
+    fill_blocks(blocks, p->pieces.box, p->pieces.n, view);
     group->nodes = nodes;
     group->blocks = blocks;
-    return 1;
+    return CYLINT_GROUP_OK;
 }
 
-int cylint_group_make(cylint_group *group, RTCDevice device,
-                      const cylint_view *view, const uint32_t *numbers,
-                      size_t n)
+cylint_group_status cylint_group_make(cylint_group *group, RTCDevice device,
+                                      const cylint_view *view,
+                                      const uint32_t *numbers, size_t n,
+                                      size_t *refused)
 {
     const members m = {view, numbers, n};
-    plan p;
+    plan p = {.pieces = {.all = cylint_no_box()}};
     memset(group, 0, sizeof *group);
+    group->box = p.pieces.all;
     if (n == 0)
-        return 1;
-    if (!make_plan(&p, group, device, &m))
-        return 0;
-    const int made = carry_out(group, device, &p, view);
-    cylint_memory_give(&p.memory);
-    return made;
+        return CYLINT_GROUP_OK;
+    cylint_group_status status = make_plan(&p, group, device, &m, refused);
+    if (status == CYLINT_GROUP_OK)
+        status = carry_out(group, device, &p, view);
+    give_plan(&p);
+    return status;
 }
 
 void cylint_group_free(cylint_group *group)

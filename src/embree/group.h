@@ -15,22 +15,28 @@ typedef struct cylint_group {
     const cylint_block *blocks;
     const cylint_node *nodes;  /* above them, the first one first */
     size_t n;                  /* blocks; 0: there are no nodes */
-    float center[3];           /* of the box of all: nodes' corners are from
-                                  there */
+    struct RTCBounds box;      /* of all, or of nothing */
+    float center[3];           /* its middle: nodes' corners are from there */
     float pad;                 /* what boxes may miss on each side, beside
                                   2^-20 of how far the line begins */
     float near_by;             /* how far from the centre that is not much */
 } cylint_group;
 
+typedef enum cylint_group_status {
+    CYLINT_GROUP_OK,
+    CYLINT_GROUP_ESHAPE,  /* not bounded, or with a box that Embree drops */
+    CYLINT_GROUP_EMEMORY  /* refused */
+} cylint_group_status;
+
 /*
- * Groups the n shapes of the given numbers (NULL: those from 0 on), all
- * bounded and with boxes that Embree keeps; n < 2^32 - 1.  Returns 0 where
- * memory was refused: nothing is left.
- * Every piece of every shape is in one lane of one block.
+ * Groups the n shapes of the given numbers (NULL: those from 0 on, of which
+ * number 2^32 - 1 is refused).  Every piece of every shape is in one lane of one block.  Where that is
+ * not OK nothing is left; *refused is the first shape for ESHAPE.
  */
-int cylint_group_make(cylint_group *group, RTCDevice device,
-                      const cylint_view *view, const uint32_t *numbers,
-                      size_t n);
+cylint_group_status cylint_group_make(cylint_group *group, RTCDevice device,
+                                      const cylint_view *view,
+                                      const uint32_t *numbers, size_t n,
+                                      size_t *refused);
 
 void cylint_group_free(cylint_group *group);
 

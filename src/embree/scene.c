@@ -73,7 +73,7 @@ static double rough_reach(const cylint_shape *s, int end, int j)
  * comes of more than 6 roundings or errors of its data. */
 static int has_box(const cylint_shape *s, double lo[3], double hi[3])
 {
-    if (s->kind == CYLINT_KIND_NONE || s->ends >= CYLINT_INFINITE)
+    if (!cylint_is_bounded(s))
         return 0;
     for (int j = 0; j < 3; j++) {
         const double bottom = rough_reach(s, 0, j), top = rough_reach(s, 1, j);
@@ -175,8 +175,9 @@ static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
     s->view = (cylint_view){
         s->shapes, {s->frame.center[0], s->frame.center[1],
         s->frame.center[2]}, s->frame.scale, CYLINT_FRAME_BLUR};
-    if (!cylint_group_make(&s->group, s->device, &s->view, s->boxed,
-                           s->n_boxed))
+    size_t refused; /* none: all have boxes */
+    if (cylint_group_make(&s->group, s->device, &s->view, s->boxed, s->n_boxed,
+                          &refused) != CYLINT_GROUP_OK)
         return CYLINT_SCENE_EMEMORY;
     return device_status(s->device);
 }

@@ -19,6 +19,12 @@ typedef struct cylint_trunk {
     int elliptic;
 } cylint_trunk;
 
+/* Whether it looks like that. */
+static inline int cylint_is_bounded(const cylint_shape *s)
+{
+    return s->kind != CYLINT_KIND_NONE && s->ends < CYLINT_INFINITE;
+}
+
 /* A piece of a shape: number `index` of `count` equal ones along z. */
 typedef struct cylint_piece {
     int index, count;
