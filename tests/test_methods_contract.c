@@ -288,8 +288,130 @@ static void only_what_is_wanted_is_written(void)
     CHECK(!memcmp(&a.hit[1], &before.hit[1], sizeof a.hit[1]));
 }
 
+/* Each member that places a hit is written where it is wanted, and only
+ * there, as it is where all are. */
+static void each_member_is_written_by_itself(void)
+{
+    static const unsigned wants[] = {CYLINT_WANT_POINT, CYLINT_WANT_NORMAL,
+                                     CYLINT_WANT_Z, CYLINT_WANT_PHI};
+    const double o[3] = {0, 0, 0}, up[3] = {0, 0, 2};
+    const double from[3] = {-3, 0.6, 0.5}, x[3] = {1, 0, 0};
+    cylint_shape shape;
+    cylint_line line;
+    cylint_answer all;
+
+    cylint_cone(&shape, o, 1, up, 1.5, CYLINT_CAPPED);
+    cylint_whole_line(&line, from, x);
+    cylint_quadratic(&shape, &line, CYLINT_WANT_ALL, &all);
+    CHECK(all.n == 2);
+    for (int i = 0; i < 4; i++) {
+        cylint_answer a, want;
+        memset(&a, 0x55, sizeof a);
+        memset(&want, 0x55, sizeof want);
+        for (int k = 0; k < 2; k++) {
+            cylint_hit *to = &want.hit[k];
+            if (wants[i] == CYLINT_WANT_POINT)
+                memcpy(to->point, all.hit[k].point, sizeof to->point);
+            if (wants[i] == CYLINT_WANT_NORMAL)
+                memcpy(to->normal, all.hit[k].normal, sizeof to->normal);
+            if (wants[i] == CYLINT_WANT_Z)
+                to->z = all.hit[k].z;
+            if (wants[i] == CYLINT_WANT_PHI)
+                to->phi = all.hit[k].phi;
+        }
+        cylint_quadratic(&shape, &line, wants[i], &a);
+        CHECK(a.n == 2 && !memcmp(a.hit, want.hit, sizeof a.hit));
+    }
+}
+
+static void same_normal(const cylint_shape *shape, const double o[3],
+                        const double d[3])
+{
+    cylint_line line;
+    cylint_answer got, want;
+
+    cylint_whole_line(&line, o, d);
+    cylint_quadratic(shape, &line, CYLINT_WANT_ALL, &got);
+    cylint_intersect(shape, &line, CYLINT_WANT_ALL, &want);
+    int same = CHECK(got.n == 1 && want.n == 1);
+    for (int i = 0; same && i < 3; i++)
+        same = CHECK(got.hit[0].normal[i] == want.hit[0].normal[i]);
+    if (!same)
+        report_case("quadratic", shape, &line);
+}
+
+/* At the apex of a pointed cone away from it, of a double cone against d. */
+static void normals_at_an_apex_are_the_librarys(void)
+{
+    const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, down[3] = {0, 0, -1};
+    const double x[3] = {1, 0, 0}, level[3] = {-3, 0, 0};
+    const double climb[3] = {2, 0, 1}, below[3] = {-2, 0, -1};
+    const double fall[3] = {2, 0, -1}, above[3] = {-2, 0, 1};
+    cylint_shape shape;
+
+    cylint_cone(&shape, o, 0, up, 1, CYLINT_CAPPED);
+    same_normal(&shape, level, x);
+    cylint_cone(&shape, down, 1, o, 0, CYLINT_CAPPED);
+    same_normal(&shape, level, x);
+    cylint_angle_cone(&shape, o, up, 45, CYLINT_INFINITE);
+    same_normal(&shape, below, climb);
+    same_normal(&shape, above, fall);
+}
+
+/* An angle a little below 0 is 0, not a whole turn. */
+static void an_angle_stays_below_a_turn(void)
+{
+    const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, y[3] = {0, 1, 0};
+    cylint_shape shape;
+
+    cylint_cylinder(&shape, o, up, 1, CYLINT_CAPPED);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const double from[3] = {sign * 1e-300, -2, 0.5};
+        cylint_line line;
+        cylint_answer a;
+        cylint_whole_line(&line, from, y);
+        CHECK(cylint_quadratic(&shape, &line, CYLINT_WANT_PHI, &a) ==
+              CYLINT_OK && a.n == 2);
+        CHECK(a.hit[0].phi >= 0 && a.hit[0].phi < 1e-300);
+    }
+}
+
+/* Shene's plane touches the cone in a ruling, which the line meets in one
+ * point or, parallel to it, not at all. */
+static void a_tangent_plane_has_one_ruling(void)
+{
+    const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1};
+    int touches = 0, misses = 0;
+    cylint_shape cone, narrow;
+    cylint_line line;
+    cylint_answer a;
+
+    cylint_angle_cone(&cone, o, up, 45, CYLINT_INFINITE);
+    for (int i = 1; i <= 40; i++) { /* the ruling along (x, y, hypot(x, y)) */
+        const double x = i * i - 400, y = 40 * i, z = i * i + 400;
+        const double across[3] = {-y, x, 0};
+        const double beside[3] = {0, 1, 0}, along[3] = {i / 32., 0, 1};
+        const double at[3] = {x - y, y + x, z}; /* on the ruling's tangent */
+        cylint_whole_line(&line, at, across);
+        cylint_shene_cone(&cone, &line, CYLINT_WANT_T, &a);
+        if (a.relation == CYLINT_TOUCH)
+            touches += CHECK(a.n == 1 && fabs(a.hit[0].t + 1) < 1e-9);
+        cylint_tangent_cone(&narrow, o, up, i / 32., CYLINT_INFINITE);
+        cylint_whole_line(&line, beside, along);
+        cylint_shene_cone(&narrow, &line, CYLINT_WANT_T, &a);
+        misses += a.relation == CYLINT_MISS;
+    }
+    /* where rounding leaves the plane tangent, and the line in parallel */
+    CHECK(touches > 0);
+    CHECK(misses > 0);
+}
+
 int main(void)
 {
+    RUN(each_member_is_written_by_itself);
+    RUN(normals_at_an_apex_are_the_librarys);
+    RUN(an_angle_stays_below_a_turn);
+    RUN(a_tangent_plane_has_one_ruling);
     RUN(cylinder_methods_keep_the_contract);
     RUN(cone_methods_keep_the_contract);
     RUN(lines_parallel_to_a_ruling_are_told_apart);

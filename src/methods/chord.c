@@ -16,21 +16,12 @@ static cylint_affine affine(double at, double slope)
 
 cylint_affine cylint_axial(const cylint_shape *shape, const cylint_line *line)
 {
-    double D[3], normal[3];
-    double scale;
+    const double scale = dot(shape->axis, shape->axis);
+    double D[3];
 
     minus(line->o, shape->base, D);
-    if (shape->kind == CYLINT_KIND_ECYLINDER ||
-        shape->kind == CYLINT_KIND_ECONE) {
-        cross(shape->a, shape->b, normal);
-        scale = dot(normal, shape->axis);
-    } else {
-        normal[0] = shape->axis[0];
-        normal[1] = shape->axis[1];
-        normal[2] = shape->axis[2];
-        scale = dot(normal, normal);
-    }
-    return affine(dot(D, normal) / scale, dot(line->d, normal) / scale);
+    return affine(dot(D, shape->axis) / scale,
+                  dot(line->d, shape->axis) / scale);
 }
 
 /*
