@@ -185,17 +185,13 @@ static int quadratic_against(cylint_query *q, cylint_root root, exact m)
     const exact twice = cylint_exact_add(arena, slope, c[1]);
     const exact Q = cylint_exact_add(arena,
                         cylint_exact_mul(arena, twice, m), c[2]);
-    /* the entry root is the exit root of the line reversed */
+    /* the entry root is the exit root of the line reversed; rising and Q are
+     * not both 0, which would be ROOT_DOUBLE */
     const int flip = root == ROOT_EXIT ? 1 : -1;
     const int rising = slope.sign * flip;
-    if (c[0].sign >= 0) {
-        if (rising <= 0)
-            return Q.sign == 0 && rising == 0 ? 0 : flip;
-        return -Q.sign * flip;
-    }
     if (rising > 0)
         return -Q.sign * flip;
-    return Q.sign == 0 && rising == 0 ? 0 : -flip;
+    return c[0].sign >= 0 ? flip : -flip;
 }
 
 static int against_exact(cylint_query *q, cylint_root root, exact m)

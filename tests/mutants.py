@@ -241,6 +241,9 @@ def drawn(args, texts, name):
 
 def judge_file(name, args, benches, texts, understood):
     every, chosen = drawn(args, texts, name)
+    for k in understood - {key(texts, m) for m in every}:
+        if k.startswith("src/%s:" % name):
+            print("no longer possible: " + k)
     idle = queue.Queue()
     for bench in benches:
         idle.put(bench)
