@@ -5,6 +5,7 @@
  * (bounds.h).  Comparisons are written so that a NaN falls to the next
  * arithmetic.
  */
+#include "each.h"
 #include "internal.h"
 
 #ifdef CYLINT_COUNT_STAGES
@@ -379,13 +380,9 @@ static int quantum(double x)
     memcpy(&bits, &x, sizeof bits);
     if (bits << 1 == 0)
         return 1 << 20;
-    int e = (int)(bits >> 52 & 0x7ff) - 1075;
-    bits |= (uint64_t)1 << 52; /* the data are not subnormal here, or the */
-    while (!(bits & 1)) {      /* quantum comes out too small: harmless */
-        bits >>= 1;
-        e++;
-    }
-    return e;
+    /* the data are not subnormal here, or it comes out too small: harmless */
+    return (int)(bits >> 52 & 0x7ff) - 1075 +
+           cylint_lowest(bits | (uint64_t)1 << 52);
 }
 
 static int least_quantum(const double x[3])

@@ -5,6 +5,8 @@
 #ifndef CYLINT_EACH_H
 #define CYLINT_EACH_H
 
+#include <stdint.h>
+
 /* Written out by the compiler before it decides what is kept in registers:
  * GCC would leave the arrays in memory. */
 #if defined(__GNUC__) && !defined(__clang__)
@@ -21,10 +23,10 @@
 #endif
 
 /* The number of the lowest 1, of which there is one. */
-static inline int cylint_lowest(unsigned bits)
+static inline int cylint_lowest(uint64_t bits)
 {
 #ifdef __GNUC__
-    return __builtin_ctz(bits);
+    return __builtin_ctzll(bits);
 #else
     int k = 0;
     while (!(bits >> k & 1))
