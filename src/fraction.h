@@ -81,12 +81,11 @@ static FORM(quotient) FORM(quotient_of)(const FORM(letters) *L,
 {
     if (root == ROOT_ENTRY || root == ROOT_EXIT)
         return FORM(side_quotient)(L, root == ROOT_EXIT);
-    FORM(quotient) f;
-    const NUM alpha = FORM(form_alpha)(L, root == ROOT_CAP1);
-    f.num = V_NEG(OF(alpha));
-    f.den = OF(L->beta);
-    f.error = FORM(relative)(alpha) + FORM(relative)(L->beta) + ROUNDING;
-    f.radical = f.A = 0;
-    f.radical_error = 2;
-    return f;
+    const int middle = root == ROOT_DOUBLE;
+    const NUM num = middle ? FORM(form_B)(L)
+                           : FORM(form_alpha)(L, root == ROOT_CAP1);
+    const NUM den = middle ? FORM(form_A)(L) : L->beta;
+    return (FORM(quotient)){V_NEG(OF(num)), OF(den),
+                            FORM(relative)(num) + FORM(relative)(den) +
+                            ROUNDING, 0, 2, 0};
 }

@@ -87,7 +87,7 @@ typedef struct {
 /* Whether doubles or pairs may tell the root, as a quotient. */
 static int is_quotient(const cylint_query *q, cylint_root root)
 {
-    return q->filters && root != ROOT_APEX && root != ROOT_DOUBLE;
+    return q->filters && root != ROOT_APEX;
 }
 
 static estimate estimate_of(cylint_query *q, cylint_root root)
@@ -470,6 +470,13 @@ static int settles(const cylint_query *q, pair t, double error)
            e + q->t_exponent > -900 && e + q->t_exponent < 1000;
 }
 
+/* Whether a root that is no root of a quadratic, or its double root, is 0. */
+static int lies_at_origin(cylint_query *q, cylint_root root)
+{
+    return root == ROOT_DOUBLE ? cylint_sign_B(q) == 0
+                               : cylint_sign_alpha(q, root == ROOT_CAP1) == 0;
+}
+
 /*
  * A root so near to the line's origin that nothing is left of C in pairs:
  * C in every digit, over the other half of the quotient in pairs.
@@ -480,23 +487,24 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
     const int exits = root == ROOT_EXIT;
     int near, e = 0;
     *error = HUGE_VAL;
-    if ((root != ROOT_ENTRY && !exits) || q->near_shape != q->shape)
+    if (root != ROOT_ENTRY && !exits) {
+        *error = lies_at_origin(q, root) ? 0 : HUGE_VAL;
+        return none;
+    }
+    if (q->near_shape != q->shape)
         return none;
     const quotient_wide f =
         half_quotient_wide(cylint_wide_line(q), exits, &near);
     if (!near || !(f.error < 0x1p-60))
         return none;
-    const letters_exact *L = cylint_exact(q);
-    const int used = q->arena.used;
-    const exact C = form_C_exact(L);
-    pair num = none;
-    if (C.sign != 0)
-        num = cylint_exact_round(C, &e);
-    q->arena.used = used;
-    if (C.sign == 0) {
+    if (cylint_sign_C(q) == 0) {
         *error = 0;
         return none;
     }
+    const letters_exact *L = cylint_exact(q);
+    const int used = q->arena.used;
+    pair num = cylint_exact_round(form_C_exact(L), &e);
+    q->arena.used = used;
     if (!(e > -400 && e < 400))
         return none;
     num.hi *= cylint_power_of_two(e);
