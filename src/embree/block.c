@@ -14,11 +14,16 @@
 #define REACH 24000.0
 #define LARGEST 32767.0
 
+static double larger(double x, double y) /* fmax() is a call */
+{
+    return x > y ? x : y;
+}
+
 /* At most 2^100 a unit: what floats take for zero is no part of a step. */
 static float steps_per_unit(double half)
 {
     int e;
-    frexp(fmax(half, REACH * 0x1p-100) / REACH, &e); /* half / REACH <= 2^e */
+    frexp(larger(half, REACH * 0x1p-100) / REACH, &e); /* half / REACH <= 2^e */
     return ldexpf(1, -e);
 }
 
@@ -28,14 +33,13 @@ static void place(cylint_block *block, const cylint_box *boxes, int used)
     for (int j = 0; j < 3; j++) {
         float lower = boxes[0].lower[j], upper = boxes[0].upper[j];
         for (int lane = 1; lane < used; lane++) {
-            lower = fminf(lower, boxes[lane].lower[j]);
-            upper = fmaxf(upper, boxes[lane].upper[j]);
+            cylint_extend_side(&lower, &upper, boxes[lane].lower[j],
+                               boxes[lane].upper[j]);
         }
         const float c = (float)(((double)lower + (double)upper) / 2);
-        const double half = fmax((double)upper - (double)c,
-                                 (double)c - (double)lower);
         block->center[j] = c;
-        most = fmax(most, half);
+        most = larger(most, larger((double)upper - (double)c,
+                                   (double)c - (double)lower));
     }
     block->per_unit = steps_per_unit(most);
 }
@@ -56,7 +60,8 @@ static int store(cylint_block *block, int lane, const hull *h)
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < 3; j++)
             block->p[end][j][lane] = (int16_t)lrint(h->p[end][j]);
-    block->r[lane] = (int16_t)ceil(h->r);
+    const int16_t r = (int16_t)h->r;
+    block->r[lane] = (int16_t)(r + (r < h->r));
     return 1;
 }
 
@@ -75,48 +80,48 @@ static int store(cylint_block *block, int lane, const hull *h)
  * axis of length l >= 2e turns by sin(a) <= 2 e / (l - 2 e).  g is no less
  * than what X may stick out, and at least 4, so that no lane is without axis.
  */
-static int hold(cylint_block *block, int lane, const cylint_trunk *t,
+static int hold(cylint_block *block, int lane, const cylint_stem *s,
                 cylint_piece piece, double blur)
 {
     const double steps = block->per_unit;
+    const double *base = s->base, *axis = s->axis;
+    const double k0 = s->across[0], k1 = s->across[1];
+    const double length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] +
+                               axis[2] * axis[2]);
     const double rough = blur * steps + 0x1p-48 * steps *
-        (fabs(t->base[0]) + fabs(t->base[1]) + fabs(t->base[2]) + t->length +
-         fmax(t->k[0], t->k[1]) * (t->across + t->along));
+        (fabs(base[0]) + fabs(base[1]) + fabs(base[2]) + length +
+         larger(k0, k1) * (1 + s->slant));
     const double e = 0.875 + rough;
     double z[2];
     cylint_piece_ends(piece, z);
-    const double k = fmax(t->k[0] + (t->k[1] - t->k[0]) * z[0],
-                          t->k[0] + (t->k[1] - t->k[0]) * z[1]) * steps;
-    const double across = k * t->across, length = t->length * steps;
-    const double l = length * (z[1] - z[0]);
+    const double across = larger(k0 + (k1 - k0) * z[0],
+                                 k0 + (k1 - k0) * z[1]) * steps;
+    const double l = length * steps * (z[1] - z[0]);
     const double turn = l > 4 * e ? 2 * e / (l - 2 * e) : 1;
-    const double g = e + k * t->along + across * fmin(turn, 1) + 4;
+    const double g = e + across * (s->slant + turn) + 4;
+    const double g_per_length = length > 0 ? g / length : 0;
     hull h = {.r = across + e};
-    for (int end = 0; end < 2; end++)
-        for (int j = 0; j < 3; j++) {
-            const double unit = t->length > 0 ? t->axis[j] / t->length
-                                              : j == 0;
-            const double from = t->base[j] - (double)block->center[j];
-            h.p[end][j] = (from + z[end] * t->axis[j]) * steps +
-                          (end ? g : -g) * unit;
-        }
+    for (int j = 0; j < 3; j++) {
+        const double from = base[j] - (double)block->center[j];
+        const double more = length > 0 ? g_per_length * axis[j] : j ? 0 : g;
+        h.p[0][j] = (from + z[0] * axis[j]) * steps - more;
+        h.p[1][j] = (from + z[1] * axis[j]) * steps + more;
+    }
     return rough < 1 && store(block, lane, &h);
 }
 
-void cylint_block_fill(cylint_block *block, const cylint_view *view,
-                       const cylint_box *boxes, int used)
+void cylint_block_fill(cylint_block *block, const cylint_stem *stems,
+                       const cylint_box *boxes, int used, double blur)
 {
     memset(block, 0, sizeof *block);
     place(block, boxes, used);
     block->used = (uint8_t)used;
     for (int lane = 0; lane < used; lane++) {
-        const cylint_box *box = boxes + lane;
-        const cylint_piece piece = {box->index, box->count};
-        cylint_trunk trunk;
-        cylint_trunk_of(&trunk, view, box->number);
-        block->number[lane] = box->number;
+        const cylint_stem *stem = stems + lane;
+        const cylint_piece piece = {boxes[lane].index, boxes[lane].count};
+        block->number[lane] = stem->number;
         block->piece[lane] = (uint8_t)(piece.index | (piece.count - 1) << 4);
-        if (!hold(block, lane, &trunk, piece, view->blur))
+        if (!hold(block, lane, stem, piece, blur))
             block->always |= (uint8_t)(1u << lane);
     }
 }

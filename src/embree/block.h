@@ -30,9 +30,10 @@ typedef struct cylint_block {
     uint8_t spare[22];             /* to the end of a cache line */
 } cylint_block;
 
-/* Fills a block with 1 to 8 pieces and their boxes. */
-void cylint_block_fill(cylint_block *block, const cylint_view *view,
-                       const cylint_box *boxes, int used);
+/* Fills a block with 1 to 8 pieces, of a stem and in a box each; blur as in
+ * cylint_view. */
+void cylint_block_fill(cylint_block *block, const cylint_stem *stems,
+                       const cylint_box *boxes, int used, double blur);
 
 static inline cylint_piece cylint_block_piece(const cylint_block *b, int lane)
 {

@@ -55,9 +55,10 @@ static uint32_t member(const members *m, size_t i)
     return m->numbers ? m->numbers[i] : (uint32_t)i;
 }
 
-/* Boxes of pieces, as many as there is room for. */
+/* Stems, and boxes of their pieces, as many as there is room for. */
 typedef struct {
-    cylint_memory memory;
+    cylint_memory memory, stem_memory;
+    cylint_stem *stem;
     cylint_box *box;
     size_t n, room;
     struct RTCBounds all;
@@ -65,7 +66,8 @@ typedef struct {
 
 static int make_room(pieces *p, RTCDevice device, size_t room)
 {
-    pieces more = {.n = p->n, .room = room, .all = p->all};
+    pieces more = *p;
+    more.room = room;
     if (room > SIZE_MAX / sizeof *p->box ||
         !cylint_memory_take(&more.memory, device, room * sizeof *p->box))
         return 0;
@@ -87,18 +89,20 @@ static size_t room_for(const pieces *p, size_t done, size_t shapes)
            (size_t)(each * 1.0625 * (double)(shapes - done));
 }
 
-static void add_piece(pieces *p, const struct RTCBounds *b, uint32_t number,
+static void add_piece(pieces *p, const struct RTCBounds *b, uint32_t stem,
                       cylint_piece piece)
 {
     p->box[p->n++] = (cylint_box){
-        {b->lower_x, b->lower_y, b->lower_z}, number,
+        {b->lower_x, b->lower_y, b->lower_z}, stem,
         {b->upper_x, b->upper_y, b->upper_z}, (uint16_t)piece.index,
         (uint16_t)piece.count};
     cylint_extend_box(&p->all, b);
 }
 
-/* 0: Embree would not keep its box. */
-static int cut_shape(pieces *p, const cylint_view *view, uint32_t number)
+/* The pieces of a shape that is the stem of the given index.  0: Embree would
+ * not keep its box. */
+static int cut_shape(pieces *p, const cylint_view *view, uint32_t number,
+                     uint32_t stem)
 {
     cylint_trunk trunk;
     double reach[3];
@@ -107,14 +111,15 @@ static int cut_shape(pieces *p, const cylint_view *view, uint32_t number)
     const struct RTCBounds box = cylint_piece_box(&trunk, reach, whole);
     if (!cylint_keeps_box(&box))
         return 0;
+    p->stem[stem] = cylint_stem_of(&trunk, number);
     const int count = pieces_of(&trunk, &box);
     if (count == 1)
-        add_piece(p, &box, number, whole);
+        add_piece(p, &box, stem, whole);
     else
         for (int index = 0; index < count; index++) {
             const cylint_piece piece = {index, count};
             const struct RTCBounds b = cylint_piece_box(&trunk, reach, piece);
-            add_piece(p, &b, number, piece);
+            add_piece(p, &b, stem, piece);
         }
     return 1;
 }
@@ -122,6 +127,10 @@ static int cut_shape(pieces *p, const cylint_view *view, uint32_t number)
 static cylint_group_status cut(pieces *p, RTCDevice device, const members *m,
                                size_t *refused)
 {
+    if (m->n > SIZE_MAX / sizeof *p->stem ||
+        !cylint_memory_take(&p->stem_memory, device, m->n * sizeof *p->stem))
+        return CYLINT_GROUP_EMEMORY;
+    p->stem = p->stem_memory.data;
     for (size_t i = 0; i < m->n; i++) {
         if (p->room - p->n < MANY &&
             !make_room(p, device, room_for(p, i, m->n)))
@@ -129,7 +138,7 @@ static cylint_group_status cut(pieces *p, RTCDevice device, const members *m,
         *refused = member(m, i);
         if (*refused >= RTC_INVALID_GEOMETRY_ID ||
             !cylint_is_bounded(&m->view->shapes[*refused]) ||
-            !cut_shape(p, m->view, (uint32_t)*refused))
+            !cut_shape(p, m->view, (uint32_t)*refused, (uint32_t)i))
             return CYLINT_GROUP_ESHAPE;
     }
     return CYLINT_GROUP_OK;
@@ -137,24 +146,24 @@ static cylint_group_status cut(pieces *p, RTCDevice device, const members *m,
 
 /* --------------------------------------------------------------- blocks -- */
 
-/* The shapes of a block some blocks ahead, which lie here and there. */
-enum { AHEAD = 4 };
+/* The stems of so many boxes are brought together at a time: they lie here and
+ * there, and the processor then waits for many at once.  (Prefetching them
+ * showed no effect where every one needs an address translated.) */
+enum { TOGETHER = 4 * CYLINT_BLOCK };
 
-static void fetch_ahead(const cylint_view *view, const cylint_box *boxes,
-                        size_t from, size_t n)
+static void fill_blocks(cylint_block *blocks, const pieces *p, double blur)
 {
-    for (size_t i = from; i < from + CYLINT_BLOCK && i < n; i++)
-        cylint_fetch_shape(view->shapes + boxes[i].number);
-}
-
-static void fill_blocks(cylint_block *blocks, const cylint_box *boxes,
-                        size_t n, const cylint_view *view)
-{
-    for (size_t from = 0; from < n; from += CYLINT_BLOCK) {
-        fetch_ahead(view, boxes, from + AHEAD * CYLINT_BLOCK, n);
-        const size_t left = n - from;
-        cylint_block_fill(blocks++, view, boxes + from,
-                          left < CYLINT_BLOCK ? (int)left : CYLINT_BLOCK);
+    cylint_stem stem[TOGETHER];
+    for (size_t from = 0; from < p->n; from += TOGETHER) {
+        const size_t left = p->n - from;
+        const int n = left < TOGETHER ? (int)left : TOGETHER;
+        const cylint_box *box = p->box + from;
+        for (int i = 0; i < n; i++)
+            stem[i] = p->stem[box[i].stem];
+        for (int i = 0; i < n; i += CYLINT_BLOCK)
+            cylint_block_fill(blocks++, stem + i, box + i,
+                              n - i < CYLINT_BLOCK ? n - i : CYLINT_BLOCK,
+                              blur);
     }
 }
 
@@ -190,6 +199,7 @@ static void measure(cylint_group *group, const struct RTCBounds *box,
 static void give_plan(plan *p)
 {
     cylint_memory_give(&p->pieces.memory);
+    cylint_memory_give(&p->pieces.stem_memory);
     cylint_memory_give(&p->memory);
 }
 
@@ -214,7 +224,7 @@ static cylint_group_status make_plan(plan *p, cylint_group *group,
 
 /* What was planned, in no more room than it takes. */
 static cylint_group_status carry_out(cylint_group *group, RTCDevice device,
-                                     const plan *p, const cylint_view *view)
+                                     const plan *p, double blur)
 {
     group->n = blocks_of(p->pieces.n);
     if (!cylint_memory_take(&group->memory, device,
@@ -224,7 +234,7 @@ static cylint_group_status carry_out(cylint_group *group, RTCDevice device,
     cylint_node *nodes = group->memory.data;
     cylint_block *blocks = (cylint_block *)(void *)(nodes + p->n_nodes);
     memcpy(nodes, p->nodes, p->n_nodes * sizeof *nodes);
-    fill_blocks(blocks, p->pieces.box, p->pieces.n, view);
+    fill_blocks(blocks, &p->pieces, blur);
     group->nodes = nodes;
     group->blocks = blocks;
     return CYLINT_GROUP_OK;
@@ -243,7 +253,7 @@ cylint_group_status cylint_group_make(cylint_group *group, RTCDevice device,
         return CYLINT_GROUP_OK;
     cylint_group_status status = make_plan(&p, group, device, &m, refused);
     if (status == CYLINT_GROUP_OK)
-        status = carry_out(group, device, &p, view);
+        status = carry_out(group, device, &p, view->blur);
     give_plan(&p);
     return status;
 }

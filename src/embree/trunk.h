@@ -54,6 +54,20 @@ static inline cylint_view cylint_plain_view(const cylint_shape *shapes)
     return (cylint_view){.shapes = shapes, .scale = 1};
 }
 
+/*
+ * What a block needs of a trunk, in a cache line: when blocks are filled their
+ * shapes lie here and there, and the shapes are large and the caller's, on
+ * small pages.  Numbers that are rounded are no smaller than in the trunk.
+ */
+typedef struct cylint_stem {
+    double base[3], axis[3];
+    float across[2]; /* reach across the axis at z = 0 and 1 */
+    float slant;     /* reach along it, in multiples of that */
+    uint32_t number; /* of the shape */
+} cylint_stem;
+
+cylint_stem cylint_stem_of(const cylint_trunk *trunk, uint32_t number);
+
 void cylint_trunk_of(cylint_trunk *trunk, const cylint_view *view,
                      uint32_t number);
 
