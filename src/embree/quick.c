@@ -373,7 +373,7 @@ static int cap_normal(const cylint_quick *q, int part, float normal[3])
                        normal);
 }
 
-/* |w[i]| < |w[j]|, which are equal but for their low parts. */
+/* Whether |w[i]| < |w[j]|, which are equal but for their low parts. */
 static int is_lower(const cylint_shape *s, int i, int j)
 {
     return s->axis_lo[i] * copysign(1, s->axis[i]) <
@@ -382,9 +382,10 @@ static int is_lower(const cylint_shape *s, int i, int j)
 
 static int least_in_full(const cylint_shape *s, double least)
 {
-    int first = -1;
-    EACH(j, 3)
-        if (fabs(s->axis[j]) <= least && (first < 0 || is_lower(s, j, first)))
+    int first = 2;
+    for (int j = 1; j >= 0; j--)
+        if (fabs(s->axis[j]) <= least &&
+            (fabs(s->axis[first]) > least || !is_lower(s, first, j)))
             first = j;
     return first;
 }
