@@ -245,9 +245,9 @@ static int pierce(const cylint_quick *q, int part, cylint_quick_hit *at)
     return 1;
 }
 
-static int present(int ends, int part)
+static int has_cap(int ends, int part)
 {
-    return part == CYLINT_LATERAL || ends == CYLINT_CAPPED ||
+    return ends == CYLINT_CAPPED ||
            ends == (part == CYLINT_CAP0 ? CYLINT_CAP_0 : CYLINT_CAP_1);
 }
 
@@ -260,7 +260,7 @@ static cylint_quick_verdict stop_at_cap(const cylint_quick *q, int i,
     if (there == 2)
         return CYLINT_QUICK_UNSURE;
     at->part = where < 0 ? CYLINT_CAP0 : CYLINT_CAP1;
-    if (there == where || !present(q->ends, at->part))
+    if (there == where || !has_cap(q->ends, at->part))
         return CYLINT_QUICK_MISS;
     return pierce(q, at->part, at) ? CYLINT_QUICK_HIT : CYLINT_QUICK_UNSURE;
 }
