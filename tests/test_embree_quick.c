@@ -111,7 +111,10 @@ static int agrees(const cylint_quick_build *build, const struct question *x,
     cylint_quick q;
     cylint_quick_hit at;
     int n = 0;
-    cylint_quick_verdict is = build->enter(&q, x->shape, &x->line, &at);
+    cylint_quick_shape shape;
+    cylint_quick_shape_of(&shape, x->shape);
+    const cylint_quick_subject subject = {&shape, x->shape, x->shape->ends};
+    cylint_quick_verdict is = build->enter(&q, &subject, &x->line, &at);
     tally->hits += x->n;
     for (int i = 0; i < 2 && is != CYLINT_QUICK_UNSURE; i++) {
         if (i == 1)

@@ -105,11 +105,19 @@ static int check_shapes(cylint_embree_data *data,
     return 1;
 }
 
-/* The group before stays where it fails. */
+static int ask_for_room(cylint_memory *memory, cylint_embree_data *data,
+                        size_t bytes)
+{
+    *memory = (cylint_memory){0};
+    return bytes == 0 || cylint_memory_take(memory, data->device, bytes);
+}
+
+/* What was before stays where it fails. */
 static int group_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
     const cylint_view view = cylint_plain_view(data->shapes);
+    cylint_memory asked;
     cylint_group group;
     size_t shape;
     switch (cylint_group_make(&group, data->device, &view, NULL, data->n,
@@ -121,8 +129,18 @@ static int group_shapes(cylint_embree_data *data,
     default:
         return refused(problem, CYLINT_EMBREE_EMEMORY, 0);
     }
+    if (!ask_for_room(&asked, data, data->n * sizeof *data->asked)) {
+        cylint_group_free(&group);
+        return refused(problem, CYLINT_EMBREE_EMEMORY, 0);
+    }
+    cylint_quick_shape *to = asked.data;
+    for (size_t i = 0; i < data->n; i++)
+        cylint_quick_shape_of(&to[i], &data->shapes[i]);
     cylint_group_free(&data->group);
+    cylint_memory_give(&data->asked_memory);
     data->group = group;
+    data->asked_memory = asked;
+    data->asked = to;
     take_box(data, &group.box);
     return 1;
 }
@@ -188,6 +206,7 @@ static void free_data(cylint_embree_data *data)
 {
     cylint_memory self = data->self;
     cylint_group_free(&data->group);
+    cylint_memory_give(&data->asked_memory);
     cylint_memory_give(&self);
 }
 
@@ -248,5 +267,6 @@ void cylint_embree_release(RTCGeometry geometry)
 size_t cylint_embree_bytes(RTCGeometry geometry)
 {
     const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
-    return data->self.bytes + data->group.memory.bytes;
+    return data->self.bytes + data->group.memory.bytes +
+           data->asked_memory.bytes;
 }

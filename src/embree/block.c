@@ -6,25 +6,29 @@
 #include <string.h>
 
 /*
- * From the box's centre to its sides it is at most REACH
- * steps of 2^-k, and more than half as many unless k is limited.  Shorts hold
- * the rest: radii, at most sqrt(3/2) REACH for a disc in such a box, and
- * axes that are lengthened below.
+ * From the box's centre to its sides it is at most REACH steps.  Ten bits hold
+ * the rest: radii, at most sqrt(3/2) REACH for a disc in such a box, and axes
+ * that are lengthened below.
  */
-#define REACH 24000.0
-#define LARGEST 32767.0
+#define REACH 440.0
+#define LARGEST_P 511.0
+#define LARGEST_R 1023.0
 
 static double larger(double x, double y) /* fmax() is a call */
 {
     return x > y ? x : y;
 }
 
-/* At most 2^100 a unit: what floats take for zero is no part of a step. */
-static float steps_per_unit(double half)
+static double lesser(double x, double y)
 {
-    int e;
-    frexp(larger(half, REACH * 0x1p-100) / REACH, &e); /* half / REACH <= 2^e */
-    return ldexpf(1, -e);
+    return x < y ? x : y;
+}
+
+/* At most 2^100 a unit: what floats take for zero is no part of a step. */
+static uint16_t steps_per_unit(double half)
+{
+    const double most = 0x1p100;
+    return cylint_half_below(REACH < most * half ? REACH / half : most);
 }
 
 static void place(cylint_block *block, const cylint_box *boxes, int used)
@@ -41,7 +45,7 @@ static void place(cylint_block *block, const cylint_box *boxes, int used)
         most = larger(most, larger((double)upper - (double)c,
                                    (double)c - (double)lower));
     }
-    block->per_unit = steps_per_unit(most);
+    block->steps = steps_per_unit(most);
 }
 
 /* A cylinder in steps. */
@@ -49,58 +53,84 @@ typedef struct {
     double p[2][3], r;
 } hull;
 
+/* How far rounding it to whole steps moves an end. */
+static double moved(const double p[3])
+{
+    double square = 0;
+    for (int j = 0; j < 3; j++)
+        square += (p[j] - rint(p[j])) * (p[j] - rint(p[j]));
+    return sqrt(square);
+}
+
 static int store(cylint_block *block, int lane, const hull *h)
 {
+    const double r = ceil(h->r + larger(moved(h->p[0]), moved(h->p[1])));
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < 3; j++)
-            if (!(fabs(h->p[end][j]) < LARGEST))
+            if (!(fabs(h->p[end][j]) < LARGEST_P))
                 return 0;
-    if (!(h->r < LARGEST))
+    if (!(r <= LARGEST_R))
         return 0;
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < 3; j++)
-            block->p[end][j][lane] = (int16_t)lrint(h->p[end][j]);
-    const int16_t r = (int16_t)h->r;
-    block->r[lane] = (int16_t)(r + (r < h->r));
+            block->p[end][lane] |= (uint32_t)(CYLINT_MIDDLE +
+                                              lrint(h->p[end][j]))
+                                   << j * CYLINT_P_BITS;
+    block->r[lane] = (uint16_t)(block->r[lane] | (int)r);
     return 1;
+}
+
+/* What is not steps: of the piece and of the shape's ends. */
+static void label(cylint_block *block, int lane, cylint_piece piece, int ends)
+{
+    const uint32_t more = (uint32_t)piece.count - 1;
+    block->p[0][lane] = more << 30;
+    block->p[1][lane] = more >> 2 << 30;
+    block->r[lane] = (uint16_t)((piece.index | ends << 4) << CYLINT_R_BITS);
 }
 
 /*
  * The piece is the hull of two sections; A(z) is on its axis, X in the
  * section at z, |X - A(z)| <= across off the axis and <= along along it.  Ends
  * are lengthened by g along the axis, then rounded: the rounded axis passes
- * A(z) at Q(z), and is less than e = 7/8 step from it, sqrt(3)/2 from the
- * rounding and the rest (`rough`) from the doubles before; and as much as
+ * A(z) at Q(z), and is less than e = 7/8 step from it, at most sqrt(3)/2 from
+ * the rounding and the rest (`rough`) from the doubles before; and as much as
  * a line may be off, the piece must be thicker and longer.  So
  *
- *   X is at most across + e from the rounded axis,
+ *   X is at most across + e from the rounded axis (stored with what the
+ *   rounding was, not the most that it can be),
  *   and along it at most e + along + across sin(a) from Q(z),
  *
  * a being the angle between the axes: its ends being moved less than e, the
- * axis of length l >= 2e turns by sin(a) <= 2 e / (l - 2 e).  g is no less
- * than what X may stick out, and at least 4, so that no lane is without axis.
+ * lengthened axis turns by sin(a) <= 2 e / (l + 2 g - 2 e).  g must be no less
+ * than what X may stick out: with g = e + along + 4 + x, where x is
+ * sqrt(across e), sin(a) is less than e / x, and across sin(a) than x; or, if
+ * that is less, x = across 2 e / (l - 2 e).  4 more, so that no lane is without
+ * axis.
  */
 static int hold(cylint_block *block, int lane, const cylint_stem *s,
                 cylint_piece piece, double blur)
 {
-    const double steps = block->per_unit;
+    const double steps = cylint_block_steps(block);
     const double *base = s->base, *axis = s->axis;
     const double k0 = s->across[0], k1 = s->across[1];
+    const double slant = cylint_float_of_half(s->slant);
     const double length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] +
                                axis[2] * axis[2]);
     const double rough = blur * steps + 0x1p-48 * steps *
         (fabs(base[0]) + fabs(base[1]) + fabs(base[2]) + length +
-         larger(k0, k1) * (1 + s->slant));
+         larger(k0, k1) * (1 + slant));
     const double e = 0.875 + rough;
     double z[2];
     cylint_piece_ends(piece, z);
     const double across = larger(k0 + (k1 - k0) * z[0],
                                  k0 + (k1 - k0) * z[1]) * steps;
     const double l = length * steps * (z[1] - z[0]);
-    const double turn = l > 4 * e ? 2 * e / (l - 2 * e) : 1;
-    const double g = e + across * (s->slant + turn) + 4;
+    const double out = sqrt(across * e);
+    const double g = e + across * slant + 4 +
+        (l > 4 * e ? lesser(out, across * 2 * e / (l - 2 * e)) : out);
     const double g_per_length = length > 0 ? g / length : 0;
-    hull h = {.r = across + e};
+    hull h = {.r = across + rough + 0x1p-20};
     for (int j = 0; j < 3; j++) {
         const double from = base[j] - (double)block->center[j];
         const double more = length > 0 ? g_per_length * axis[j] : j ? 0 : g;
@@ -120,7 +150,7 @@ void cylint_block_fill(cylint_block *block, const cylint_stem *stems,
         const cylint_stem *stem = stems + lane;
         const cylint_piece piece = {boxes[lane].index, boxes[lane].count};
         block->number[lane] = stem->number;
-        block->piece[lane] = (uint8_t)(piece.index | (piece.count - 1) << 4);
+        label(block, lane, piece, stem->ends);
         if (!hold(block, lane, stem, piece, blur))
             block->always |= (uint8_t)(1u << lane);
     }

@@ -13,22 +13,24 @@
 #include "trunk.h"
 
 /*
- * Around the box's centre all lengths are whole numbers of steps, so three
- * cache lines hold 8 pieces: for each a circular cylinder, from axis point
- * p[0] to p[1] with radius r, that holds the piece.  Conical and elliptic
- * pieces are held by such cylinders too.
+ * Around the box's centre all lengths are whole numbers of steps, so two cache lines hold 8 pieces: for each a circular
+ * cylinder, from axis point p[0] to p[1] with radius r, that holds the piece.
+ * Conical and elliptic pieces are held by such cylinders too.
  */
 typedef struct cylint_block {
     float center[3];               /* of the pieces' box */
-    float per_unit;                /* steps per unit of length: 2^k */
-    int16_t p[2][3][CYLINT_BLOCK];
-    int16_t r[CYLINT_BLOCK];
-    uint32_t number[CYLINT_BLOCK]; /* of the shape */
-    uint8_t piece[CYLINT_BLOCK];   /* of it: index, and 16 (count - 1) */
+    uint16_t steps;                /* a unit: the upper half of a float */
     uint8_t used;                  /* lanes */
     uint8_t always;                /* bits: lanes without a cylinder */
-    uint8_t spare[22];             /* to the end of a cache line */
+    uint32_t p[2][CYLINT_BLOCK];   /* x, y, z: CYLINT_MIDDLE + steps, from the
+                                      last bits on; and two bits of count */
+    uint16_t r[CYLINT_BLOCK];      /* ends, index of the piece, steps */
+    uint32_t number[CYLINT_BLOCK]; /* of the shape */
 } cylint_block;
+
+/* In the numbers above. */
+enum { CYLINT_P_BITS = 10, CYLINT_P_MASK = 1023, CYLINT_MIDDLE = 512,
+       CYLINT_R_BITS = 10, CYLINT_R_MASK = 1023 };
 
 /* Fills a block with 1 to 8 pieces, of a stem and in a box each; blur as in
  * cylint_view. */
@@ -37,7 +39,21 @@ void cylint_block_fill(cylint_block *block, const cylint_stem *stems,
 
 static inline cylint_piece cylint_block_piece(const cylint_block *b, int lane)
 {
-    return (cylint_piece){b->piece[lane] & 15, (b->piece[lane] >> 4) + 1};
+    return (cylint_piece){
+        b->r[lane] >> CYLINT_R_BITS & 15,
+        (int)(b->p[0][lane] >> 30 | b->p[1][lane] >> 30 << 2) + 1};
+}
+
+/* cylint_ends of the shape. */
+static inline int cylint_block_ends(const cylint_block *b, int lane)
+{
+    return b->r[lane] >> (CYLINT_R_BITS + 4);
+}
+
+/* Steps a unit. */
+static inline float cylint_block_steps(const cylint_block *b)
+{
+    return cylint_float_of_half(b->steps);
 }
 
 /*

@@ -46,6 +46,32 @@ static inline float cylint_float_below(double x)
     return -cylint_float_above(-x);
 }
 
+/* The upper half of a float that is not above x >= 0, and the float of it. */
+static inline uint16_t cylint_half_below(double x)
+{
+    const float f = cylint_float_below(x);
+    uint32_t bits;
+    memcpy(&bits, &f, sizeof bits);
+    return (uint16_t)(bits >> 16);
+}
+
+/* That of one that is not below it, likewise. */
+static inline uint16_t cylint_half_above(double x)
+{
+    const float f = cylint_float_above(x);
+    uint32_t bits;
+    memcpy(&bits, &f, sizeof bits);
+    return (uint16_t)((bits + 0xffff) >> 16);
+}
+
+static inline float cylint_float_of_half(uint16_t half)
+{
+    const uint32_t bits = (uint32_t)half << 16;
+    float f;
+    memcpy(&f, &bits, sizeof f);
+    return f;
+}
+
 static inline struct RTCBounds cylint_float_box(const double lo[3],
                                                 const double hi[3])
 {

@@ -30,6 +30,8 @@ typedef struct cylint_embree_data {
     cylint_walk_ray *walk;        /* NULL: one shape a primitive */
     const cylint_quick_build *quick;
     cylint_group group;
+    cylint_memory asked_memory;   /* of what quick.c asks of every shape */
+    const cylint_quick_shape *asked;
 } cylint_embree_data;
 
 /* Callbacks of the geometry. */

@@ -3,9 +3,11 @@
  *
  * The one place with intrinsics of the adapter.  vf adds, subtracts,
  * multiplies and divides by the operators of C; the rest has names here.
- * WIDTH divides 8.  f_mad(x, y, z) is x y + z, rounded once or twice: what is
+ * WIDTH divides 8; vi holds as many numbers of
+ * 32 bits, f_from_bits() makes floats of their last bits.  f_mad(x, y, z) is x y + z, rounded once or twice: what is
  * computed here is bounded, not told, so builds may differ.  f_lower(x, y) and
- * f_higher(x, y) are y where x is not a number.
+ * f_higher(x, y) are y where x is not a number.  f_store_keys() stores numbers
+ * that are in the order of the floats.
  */
 #ifndef CYLINT_EMBREE_LANES_H
 #define CYLINT_EMBREE_LANES_H
@@ -18,11 +20,21 @@
 #include <immintrin.h>
 enum { WIDTH = 8 };
 typedef __m256 vf;
+typedef __m256i vi;
 static inline vf f_set(float x) { return _mm256_set1_ps(x); }
-static inline vf f_from_shorts(const int16_t *x)
+static inline vi i_load(const uint32_t *x)
 {
-    return _mm256_cvtepi32_ps(
-        _mm256_cvtepi16_epi32(_mm_loadu_si128((const __m128i *)x)));
+    return _mm256_loadu_si256((const __m256i *)(const void *)x);
+}
+static inline vi i_load_shorts(const uint16_t *x)
+{
+    return _mm256_cvtepu16_epi32(
+        _mm_loadu_si128((const __m128i *)(const void *)x));
+}
+static inline vi i_right(vi x, int bits) { return _mm256_srli_epi32(x, bits); }
+static inline vf f_from_bits(vi x, int mask)
+{
+    return _mm256_cvtepi32_ps(_mm256_and_si256(x, _mm256_set1_epi32(mask)));
 }
 static inline vf f_from_bytes(const uint8_t *x)
 {
@@ -30,6 +42,13 @@ static inline vf f_from_bytes(const uint8_t *x)
         _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)x)));
 }
 static inline void f_store(float *x, vf v) { _mm256_storeu_ps(x, v); }
+static inline void f_store_keys(uint32_t *x, vf v)
+{
+    const vi bits = _mm256_castps_si256(v);
+    const vi flip = _mm256_or_si256(_mm256_srai_epi32(bits, 31),
+                                    _mm256_set1_epi32(INT32_MIN));
+    _mm256_storeu_si256((__m256i *)(void *)x, _mm256_xor_si256(bits, flip));
+}
 static inline vf f_lower(vf x, vf y) { return _mm256_min_ps(x, y); }
 static inline vf f_higher(vf x, vf y) { return _mm256_max_ps(x, y); }
 static inline vf f_mad(vf x, vf y, vf z) { return _mm256_fmadd_ps(x, y, z); }
@@ -49,11 +68,21 @@ static inline unsigned f_not_greater(vf x, vf y)
 #include <emmintrin.h>
 enum { WIDTH = 4 };
 typedef __m128 vf;
+typedef __m128i vi;
 static inline vf f_set(float x) { return _mm_set1_ps(x); }
-static inline vf f_from_shorts(const int16_t *x)
+static inline vi i_load(const uint32_t *x)
 {
-    const __m128i s = _mm_loadl_epi64((const __m128i *)x);
-    return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(s, s), 16));
+    return _mm_loadu_si128((const __m128i *)(const void *)x);
+}
+static inline vi i_load_shorts(const uint16_t *x)
+{
+    return _mm_unpacklo_epi16(
+        _mm_loadl_epi64((const __m128i *)(const void *)x), _mm_setzero_si128());
+}
+static inline vi i_right(vi x, int bits) { return _mm_srli_epi32(x, bits); }
+static inline vf f_from_bits(vi x, int mask)
+{
+    return _mm_cvtepi32_ps(_mm_and_si128(x, _mm_set1_epi32(mask)));
 }
 static inline vf f_from_bytes(const uint8_t *x)
 {
@@ -64,6 +93,13 @@ static inline vf f_from_bytes(const uint8_t *x)
     return _mm_cvtepi32_ps(_mm_unpacklo_epi16(s, zero));
 }
 static inline void f_store(float *x, vf v) { _mm_storeu_ps(x, v); }
+static inline void f_store_keys(uint32_t *x, vf v)
+{
+    const vi bits = _mm_castps_si128(v);
+    const vi flip = _mm_or_si128(_mm_srai_epi32(bits, 31),
+                                 _mm_set1_epi32(INT32_MIN));
+    _mm_storeu_si128((__m128i *)(void *)x, _mm_xor_si128(bits, flip));
+}
 static inline vf f_lower(vf x, vf y) { return _mm_min_ps(x, y); }
 static inline vf f_higher(vf x, vf y) { return _mm_max_ps(x, y); }
 static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
@@ -80,10 +116,22 @@ static inline unsigned f_not_greater(vf x, vf y)
 #include <math.h>
 enum { WIDTH = 1 };
 typedef float vf;
+typedef uint32_t vi;
 static inline vf f_set(float x) { return x; }
-static inline vf f_from_shorts(const int16_t *x) { return (float)*x; }
+static inline vi i_load(const uint32_t *x) { return *x; }
+static inline vi i_load_shorts(const uint16_t *x) { return *x; }
+static inline vi i_right(vi x, int bits) { return x >> bits; }
+static inline vf f_from_bits(vi x, int mask)
+{
+    return (float)(x & (uint32_t)mask);
+}
 static inline vf f_from_bytes(const uint8_t *x) { return (float)*x; }
 static inline void f_store(float *x, vf v) { *x = v; }
+static inline void f_store_keys(uint32_t *x, vf v)
+{
+    memcpy(x, &v, sizeof v);
+    *x ^= *x >> 31 ? 0xffffffffu : 0x80000000u;
+}
 static inline vf f_lower(vf x, vf y) { return x < y ? x : y; }
 static inline vf f_higher(vf x, vf y) { return x > y ? x : y; }
 static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }

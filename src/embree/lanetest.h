@@ -30,7 +30,7 @@
  * makes the errors weigh more.
  *
  * Errors.  u = 2^-24; W >= |w|, E >= |e|, N = |n| <= E W.  K bounds D and, as
- * pieces lie within 2^17 of the centre, counting sizes of components, r < K / 4
+ * pieces lie within 2^11 of the centre, counting sizes of components, r < K / 4
  * and s e where it counts.
  *
  *  - q, e and D are rounded, by 3 u K in all: a wider and longer lane.  So it
@@ -49,7 +49,8 @@
  *  - T: the dot products are wrong by 3 u of their bounds K W, E W, K E, W^2,
  *    so T by 15 u K E W^2; where s is within r of the axis, s nn differs from
  *    T + C by what n's error makes of K, r and T, 8 u K E W^2 at most, C is
- *    wrong by 2 u K E W^2, and rounding s nn and T / nn takes 6 u K E W^2.
+ *    wrong by 2 u K E W^2, and rounding t to s, s nn and T / nn to s to t
+ *    takes 9 u K E W^2.
  *    In all less than 3 k E W^2.
  *  - (D.w) nn + (e.w) s nn: 13 u K E^2 W^3 for the products, 31 from T, and
  *    the longer ends, (3 u K + off) W nn: in all less than 4 k E^2 W^3.
@@ -60,12 +61,18 @@
  */
 typedef struct {
     float q[3], e[3], E, k, first, last;
-    float t_per_s; /* a power of two */
+    float t_per_s;
 } lane_line;
 
 static inline vf dot(const vf x[3], const vf y[3])
 {
     return f_mad(x[0], y[0], f_mad(x[1], y[1], x[2] * y[2]));
+}
+
+static inline vf steps_of(vi p, int j)
+{
+    return f_from_bits(i_right(p, j * CYLINT_P_BITS), CYLINT_P_MASK) -
+           f_set(CYLINT_MIDDLE);
 }
 
 /* Lanes from `from` on; least[] of each that is let through is at most what s
@@ -74,24 +81,24 @@ static inline unsigned test_lanes(const cylint_block *b, int from,
                                   const lane_line *l, float *least)
 {
     vf w[3], D[3], e[3], n[3];
-    for (int j = 0; j < 3; j++) {
-        const vf p = f_from_shorts(b->p[0][j] + from);
-        w[j] = f_from_shorts(b->p[1][j] + from) - p;
+    const vi base = i_load(b->p[0] + from), top = i_load(b->p[1] + from);
+    EACH(j, 3) {
+        const vf p = steps_of(base, j);
+        w[j] = steps_of(top, j) - p;
         D[j] = f_set(l->q[j]) - p;
         e[j] = f_set(l->e[j]);
     }
-    for (int j = 0; j < 3; j++) {
+    EACH(j, 3) {
         const int k = (j + 1) % 3, m = (j + 2) % 3;
         n[j] = f_mad(e[k], w[m], -(e[m] * w[k]));
     }
     const vf W = f_abs(w[0]) + f_abs(w[1]) + f_abs(w[2]);
     const vf nn = dot(n, n), f = dot(D, n), ff = f * f;
-    const vf r = f_from_shorts(b->r + from), EW = f_set(l->E) * W;
+    const vf r = f_from_bits(i_load_shorts(b->r + from), CYLINT_R_MASK);
+    const vf EW = f_set(l->E) * W;
     const vf kEW = f_set(l->k) * EW;
     const vf gg = f_mad(r * r, nn, (r + r + f_set(l->k)) * (kEW * EW));
     unsigned met = f_not_greater(ff, gg);
-    if (!met)
-        return 0;
     const vf ww = dot(w, w), Dw = dot(D, w), ew = dot(e, w);
     const vf T = f_mad(Dw, ew, -(dot(D, e) * ww));
     const vf C = f_sqrt((gg - ff) * ww);
@@ -134,9 +141,9 @@ static inline unsigned test(const cylint_block *b, const lane_line *l,
 }
 
 /* How far a line may begin, in steps, and its E, for floats to be of use. */
-#define FAR_LIMIT 0x1p23f
+#define FAR_LIMIT 0x1p18f
 #define E_LIMIT 0x1p10f
-#define REACH_OF_PIECES 0x1p17f
+#define REACH_OF_PIECES 0x1p11f
 
 /* ------------------------------------------------------- from far: lines -- */
 
@@ -148,12 +155,12 @@ static inline unsigned all_lanes(const cylint_block *b, double tmin, double *lea
 }
 
 /* All that q may be off, beyond which floats are of no use. */
-#define OFF_LIMIT 4096.0
+#define OFF_LIMIT 64.0
 
 /* Farther than pieces are, but for what rounding adds. */
 static inline float clamp(double s)
 {
-    const double most = 0x1p19;
+    const double most = 0x1p13;
     return (float)(s < -most ? -most : s > most ? most : s);
 }
 
@@ -171,7 +178,7 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
     const double dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     if (!(dd > 0x1p-900 && dd < 0x1p900))
         return all_lanes(b, tmin, least);
-    const double steps = b->per_unit, length = sqrt(dd), per_length = 1 / length;
+    const double steps = cylint_block_steps(b), length = sqrt(dd), per_length = 1 / length;
     double from[3], along = 0, far = 0, apart = 0;
     lane_line l = {.E = 2, .t_per_s = 1};
     for (int j = 0; j < 3; j++) {
@@ -221,11 +228,11 @@ static inline unsigned test_far_ray(const cylint_block *b, const struct RTCRay *
     return met;
 }
 
-/* The ray as it is: e = d, q = o - c, s = t times steps, which are 2^k. */
+/* The ray as it is: e = d, q = (o - c) steps, s = t times steps. */
 static inline unsigned test_ray(const cylint_block *b, const struct RTCRay *ray,
                          float least[CYLINT_BLOCK])
 {
-    const float steps = b->per_unit;
+    const float steps = cylint_block_steps(b);
     lane_line l = {
         .q = {(ray->org_x - b->center[0]) * steps,
               (ray->org_y - b->center[1]) * steps,

@@ -83,7 +83,7 @@ static double place_near(const cylint_quick_line *l, const double D0[3])
  * Errors: D's 2 u Dn, beta's 4 u U W, alpha's 6 u W Dn, ww's 5 u ww; with n's
  * 4 u U W and m's 6 u Dn W.
  */
-static void place(cylint_quick *q, const cylint_shape *s,
+static void place(cylint_quick *q, const cylint_quick_shape *s,
                   const cylint_quick_line *l, double D[3])
 {
     double D0[3];
@@ -93,15 +93,13 @@ static void place(cylint_quick *q, const cylint_shape *s,
     EACH(j, 3)
         D[j] = (D0[j] + q->from * l->d[j]) +
                lost_by_difference(l->o[j], s->base[j], D0[j]);
-    q->shape = s;
     EACH(j, 3)
         q->w[j] = s->axis[j];
     q->r0 = s->r0;
-    q->ends = s->ends;
     q->ww = dot(q->w, q->w);
     q->per_ww = 1 / q->ww;
     q->W = sqrt(q->ww);
-    q->dr = s->kind == CYLINT_KIND_ACONE ? s->dr * q->W : s->dr;
+    q->dr = s->dr;
     q->U = size(l->d);
     q->Dn = size(D);
     q->alpha = dot(D, q->w);
@@ -285,15 +283,16 @@ INLINE cylint_quick_verdict stop(const cylint_quick *q, int i,
                                          : CYLINT_QUICK_UNSURE;
 }
 
-static cylint_quick_verdict enter(cylint_quick *q, const cylint_shape *shape,
+static cylint_quick_verdict enter(cylint_quick *q,
+                                  const cylint_quick_subject *subject,
                                   const cylint_quick_line *l,
                                   cylint_quick_hit *at)
 {
     double D[3];
     q->crosses = 0;
-    if (shape->kind > CYLINT_KIND_ACONE)
-        return CYLINT_QUICK_UNSURE;
-    place(q, shape, l, D);
+    q->whole = subject->whole;
+    q->ends = subject->ends;
+    place(q, subject->shape, l, D);
     if (!in_window(q))
         return CYLINT_QUICK_UNSURE;
     const cylint_quick_verdict crosses = cut(q, l->d, D);
@@ -390,14 +389,15 @@ static int least_in_full(const cylint_shape *s, double least)
     return first;
 }
 
-/* The coordinate along which the axis is least, the first such. */
-static int least_component(const cylint_shape *s)
+/* The coordinate along which the axis is least, the first such.  What is 0
+ * has no low part. */
+static int least_component(const cylint_quick *q)
 {
-    const double *w = s->axis;
-    const double x = fabs(w[0]), y = fabs(w[1]), z = fabs(w[2]);
+    const double x = fabs(q->w[0]), y = fabs(q->w[1]), z = fabs(q->w[2]);
     const double xy = lesser(x, y), least = lesser(xy, z);
     const int tied = (x <= least) + (y <= least) + (z <= least) > 1;
-    return tied ? least_in_full(s, least) : z < xy ? 2 : y < x;
+    return tied && least > 0 ? least_in_full(q->whole, least)
+                             : z < xy ? 2 : y < x;
 }
 
 /*
@@ -407,7 +407,7 @@ static int least_component(const cylint_shape *s)
 static int describe_phi(const cylint_quick *q, const cylint_quick_hit *at,
                         const double across_w[3], float *phi)
 {
-    const int least = least_component(q->shape);
+    const int least = least_component(q);
     double per_far;
     const double turn = cylint_turns(across_w[least], -at->c[least] * q->W,
                                      &per_far);
@@ -435,6 +435,18 @@ static int describe(const cylint_quick *q, const cylint_quick_hit *at,
 
 #ifndef CYLINT_QUICK
 #define CYLINT_QUICK cylint_quick_plain
+
+void cylint_quick_shape_of(cylint_quick_shape *to, const cylint_shape *s)
+{
+    EACH(j, 3) {
+        to->base[j] = s->base[j];
+        to->axis[j] = s->axis[j];
+    }
+    to->r0 = s->kind > CYLINT_KIND_ACONE ? -1 : s->r0;
+    to->dr = s->kind > CYLINT_KIND_ACONE ? 0
+           : s->kind == CYLINT_KIND_ACONE ? s->dr * sqrt(dot(s->axis, s->axis))
+           : s->dr;
+}
 
 const cylint_quick_build *cylint_quick_used(void)
 {

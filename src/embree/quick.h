@@ -17,6 +17,22 @@ typedef struct cylint_quick_line {
     float near;
 } cylint_quick_line;
 
+/* What is asked of a circular shape, on a cache line.  r0 of others is -1:
+ * every question about them is UNSURE. */
+typedef struct cylint_quick_shape {
+    double base[3], axis[3], r0, dr;
+} cylint_quick_shape;
+
+void cylint_quick_shape_of(cylint_quick_shape *to, const cylint_shape *shape);
+
+/* Whom to ask: the same shape twice, `whole` being read only where doubles of
+ * the axis do not tell which of its components is least; and its ends. */
+typedef struct cylint_quick_subject {
+    const cylint_quick_shape *shape;
+    const cylint_shape *whole;
+    int ends;
+} cylint_quick_subject;
+
 typedef enum {
     CYLINT_QUICK_UNSURE = -1, /* ask cylint_intersect() */
     CYLINT_QUICK_MISS,
@@ -25,7 +41,7 @@ typedef enum {
 
 /* A question, as quick.c has it. */
 typedef struct cylint_quick {
-    const cylint_shape *shape;
+    const cylint_shape *whole;
     double w[3], W, ww, per_ww, r0, dr; /* axis, its length; radii */
     double from, tmin;            /* t = from + s, D + s u from the base */
     double alpha, beta;           /* D.w, u.w */
@@ -56,7 +72,8 @@ typedef struct cylint_quick_floats {
  * describe  a hit; 0 where that is not certain.
  */
 typedef struct cylint_quick_build {
-    cylint_quick_verdict (*enter)(cylint_quick *q, const cylint_shape *shape,
+    cylint_quick_verdict (*enter)(cylint_quick *q,
+                                  const cylint_quick_subject *subject,
                                   const cylint_quick_line *line,
                                   cylint_quick_hit *hit);
     cylint_quick_verdict (*leave)(const cylint_quick *q,

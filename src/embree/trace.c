@@ -284,10 +284,18 @@ static int try_shape(query *q, unsigned number)
 {
     cylint_shape between;
     cylint_quick quick;
-    const cylint_shape *shape = shape_at(q->data, number, q->ray->time,
-                                         &between);
     cylint_quick_hit hit;
-    cylint_quick_verdict is = q->data->quick->enter(&quick, shape, &q->line,
+    cylint_quick_shape room;
+    cylint_quick_subject subject = {&room, q->data->shapes + number, 0};
+    if (q->block) {
+        subject.shape = q->data->asked + number;
+        subject.ends = cylint_block_ends(q->block, q->lane);
+    } else {
+        subject.whole = shape_at(q->data, number, q->ray->time, &between);
+        subject.ends = subject.whole->ends;
+        cylint_quick_shape_of(&room, subject.whole);
+    }
+    cylint_quick_verdict is = q->data->quick->enter(&quick, &subject, &q->line,
                                                       &hit);
     for (int i = 0, before = 0; i < 2; i++) {
         if (i == 1)
@@ -297,7 +305,8 @@ static int try_shape(query *q, unsigned number)
         const int taken = is == CYLINT_QUICK_HIT
                         ? try_hit(q, number, &quick, &hit) : -1;
         if (taken != 0)
-            return taken > 0 ? 1 : try_exactly(q, shape, number, before);
+            return taken > 0 ? 1 : try_exactly(q, subject.whole, number,
+                                              before);
         before++;
     }
     return 0;
@@ -305,9 +314,14 @@ static int try_shape(query *q, unsigned number)
 
 static void fetch_shapes(const query *q, unsigned lanes)
 {
+#ifdef __GNUC__
     for (; lanes; lanes &= lanes - 1)
-        cylint_fetch_shape(q->data->shapes +
+        __builtin_prefetch(q->data->asked +
                            q->block->number[cylint_lowest(lanes)]);
+#else
+    (void)q;
+    (void)lanes;
+#endif
 }
 
 static int nearest_lane(unsigned lanes, const float *least)

@@ -37,7 +37,7 @@ typedef struct cylint_view {
     double center[3], scale, blur;
 } cylint_view;
 
-/* Has what is asked of a shape first be brought into the cache. */
+/* Has what a trunk is made of brought into the cache. */
 static inline void cylint_fetch_shape(const cylint_shape *shape)
 {
 #ifdef __GNUC__
@@ -62,11 +62,13 @@ static inline cylint_view cylint_plain_view(const cylint_shape *shapes)
 typedef struct cylint_stem {
     double base[3], axis[3];
     float across[2]; /* reach across the axis at z = 0 and 1 */
-    float slant;     /* reach along it, in multiples of that */
+    uint16_t slant;  /* reach along it, in multiples of that: half a float */
+    uint16_t ends;   /* cylint_ends */
     uint32_t number; /* of the shape */
 } cylint_stem;
 
-cylint_stem cylint_stem_of(const cylint_trunk *trunk, uint32_t number);
+cylint_stem cylint_stem_of(const cylint_trunk *trunk, int ends,
+                           uint32_t number);
 
 void cylint_trunk_of(cylint_trunk *trunk, const cylint_view *view,
                      uint32_t number);

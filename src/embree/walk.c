@@ -3,6 +3,8 @@
  */
 #include "walk.h"
 
+#include <string.h>
+
 #include "lanetest.h"
 
 #ifndef CYLINT_WALKS
@@ -39,7 +41,7 @@ typedef struct {
  * f_higher() and f_lower() leave out what is not a number.
  */
 static inline unsigned boxes_met(const cylint_node *node, const way *w,
-                                 float enter[CYLINT_CHILDREN])
+                                 uint32_t enter[CYLINT_CHILDREN])
 {
     unsigned met = 0;
     for (int i = 0; i < CYLINT_CHILDREN; i += WIDTH) {
@@ -54,7 +56,7 @@ static inline unsigned boxes_met(const cylint_node *node, const way *w,
             to = f_lower(f_mad(q1, b, f_mad(corner, r,
                                             f_set(-w->far[j]))), to);
         }
-        f_store(enter + i, from);
+        f_store_keys(enter + i, from);
         met |= f_not_greater(from, to) << i;
     }
     return met & node->children;
@@ -62,16 +64,25 @@ static inline unsigned boxes_met(const cylint_node *node, const way *w,
 
 /* ----------------------------------------------------------------- order -- */
 
-/* What is still to be visited, the next one last. */
+/* What is still to be visited, the next one last: where it is entered (a key,
+ * in the upper half), and which child it is.  As one number, for it cannot be
+ * foreseen which is nearer, and what cannot must not be a branch. */
 typedef struct {
-    float enter;
-    uint32_t child;
-} stop;
-
-typedef struct {
-    stop stop[CYLINT_DEPTH * (CYLINT_CHILDREN - 1) + 1];
+    uint64_t stop[CYLINT_DEPTH * (CYLINT_CHILDREN - 1) + 1];
     int n;
 } stack;
+
+static inline uint32_t key_of(float x)
+{
+    uint32_t key;
+    memcpy(&key, &x, sizeof key);
+    return key >> 31 ? ~key : key | 0x80000000u;
+}
+
+static inline uint64_t stop_at(uint32_t enter, uint32_t child)
+{
+    return (uint64_t)enter << 32 | child;
+}
 
 static inline void fetch(const cylint_group *group, uint32_t child)
 {
@@ -80,7 +91,6 @@ static inline void fetch(const cylint_group *group, uint32_t child)
         const char *block = (const char *)&group->blocks[child & ~CYLINT_LEAF];
         __builtin_prefetch(block);
         __builtin_prefetch(block + 64);
-        __builtin_prefetch(block + 128);
     } else {
         const char *node = (const char *)&group->nodes[child];
         __builtin_prefetch(node);
@@ -96,25 +106,23 @@ static inline void fetch(const cylint_group *group, uint32_t child)
  * returns. */
 static inline uint32_t nearest_of(stack *s, const cylint_group *group,
                                   const cylint_node *node, unsigned met,
-                                  const float enter[CYLINT_CHILDREN])
+                                  const uint32_t enter[CYLINT_CHILDREN])
 {
     const int first = cylint_lowest(met);
-    stop next = {enter[first], node->child[first]};
-    stop *const from = s->stop + s->n, *to = from;
+    uint64_t *const from = s->stop + s->n, *to = from;
+    uint64_t next = stop_at(enter[first], node->child[first]);
     while ((met &= met - 1)) {
         const int i = cylint_lowest(met);
-        const stop other = {enter[i], node->child[i]};
-        const int nearer = other.enter < next.enter;
-        const stop later = nearer ? next : other;
-        next = nearer ? other : next;
-        fetch(group, later.child);
-        stop *at = to++;
-        for (; at > from && at[-1].enter < later.enter; at--)
+        const uint64_t other = stop_at(enter[i], node->child[i]);
+        uint64_t later = other > next ? other : next, *at = to++;
+        next = other > next ? next : other;
+        fetch(group, (uint32_t)later);
+        for (; at > from && at[-1] < later; at--)
             at[0] = at[-1];
         *at = later;
     }
     s->n += (int)(to - from);
-    return next.child;
+    return (uint32_t)next;
 }
 
 /* ------------------------------------------------------------------ ways -- */
@@ -190,17 +198,17 @@ static inline const cylint_block *next_block(stack *s,
                                              const way *w)
 {
     while (s->n > 0) {
-        const stop next = s->stop[--s->n];
-        if (next.enter > w->last)
+        const uint64_t next = s->stop[--s->n];
+        if (next >> 32 > key_of(w->last))
             continue;
-        uint32_t child = next.child;
+        uint32_t child = (uint32_t)next;
         for (;;) {
             if (child & CYLINT_LEAF) {
                 cylint_visited(blocks, 1);
                 return &group->blocks[child & ~CYLINT_LEAF];
             }
             const cylint_node *node = &group->nodes[child];
-            float enter[CYLINT_CHILDREN];
+            uint32_t enter[CYLINT_CHILDREN];
             const unsigned met = boxes_met(node, w, enter);
             cylint_visited(nodes, 1);
             if (!met)
@@ -213,7 +221,7 @@ static inline const cylint_block *next_block(stack *s,
 
 static inline void set_out(stack *s, const way *w)
 {
-    s->stop[0] = (stop){w->first, 0};
+    s->stop[0] = stop_at(key_of(w->first), 0);
     s->n = 1;
 }
 
@@ -230,7 +238,9 @@ static void walk_ray(const cylint_group *group, const struct RTCRay *ray,
     set_out(&s, &w);
     while ((block = next_block(&s, group, &w))) {
         const unsigned lanes = test_ray(block, ray, least);
-        if (lanes && meet(self, block, lanes, least))
+        if (!lanes)
+            continue;
+        if (meet(self, block, lanes, least))
             return;
         w.last = above(&w, ray->tfar);
     }
@@ -248,7 +258,9 @@ static void walk_line(const cylint_group *group, const double o[3],
     set_out(&s, &w);
     while ((block = next_block(&s, group, &w))) {
         const unsigned lanes = test_line(block, o, d, tmin, *tmax, least);
-        if (lanes && meet(self, block, lanes, least))
+        if (!lanes)
+            continue;
+        if (meet(self, block, lanes, least))
             return;
         w.last = above(&w, *tmax);
     }

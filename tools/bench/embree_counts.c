@@ -22,12 +22,12 @@ static struct {
 static const cylint_quick_build *quick;
 
 static cylint_quick_verdict count_shape(cylint_quick *q,
-                                        const cylint_shape *shape,
+                                        const cylint_quick_subject *subject,
                                         const cylint_quick_line *line,
                                         cylint_quick_hit *hit)
 {
     asked.shapes++;
-    return quick->enter(q, shape, line, hit);
+    return quick->enter(q, subject, line, hit);
 }
 
 const cylint_quick_build *__real_cylint_quick_used(void);
