@@ -29,7 +29,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 CORE = ["forms.h", "fraction.h", "eft.h", "sums.h", "decide.c", "root.c",
-        "query.c", "exact.c", "hit.c", "tangent.c", "box.c", "kernel.h", "kernel.c", "batch.c", "pack.c"]
+        "query.c", "exact.c", "hit.c", "tangent.c", "box.c", "kernel.h",
+        "kernel.c", "batch.c", "pack.c"]
 # (program, its cases): those that take seconds are tried with few first, and
 # in full only for --full, on what those let through.
 FEW = {"CYLINT_CASES": "50"}
@@ -73,9 +74,10 @@ def without_comments(text):
 def is_length(code, at):
     """Whether the number there is the length of an array that is declared: a
     longer one changes nothing."""
-    before = re.split(r"[;{}()=]", code[:at])[-1]
-    return re.match(r"\s*(?:(?:const|static)\s+)*(?!return\b)[A-Za-z_]\w*\s+"
-                    r"\*?\w[\w\s,*\[\]+]*\[$", before) is not None
+    kind = (r"\s*(?:(?:const|static)\s+)*(?!return\b)[A-Za-z_]\w*\s+"
+            r"\*?\w[\w\s,*\[\]+]*\[$")
+    return any(re.match(kind, re.split(ends, code[:at][-400:])[-1])
+               for ends in (r"[;{}()=]", r"[;{}()=,]"))
 
 
 def mutants_of(name, text):

@@ -120,6 +120,26 @@ static void every_corner_agrees_with_the_oracle(void)
     }
 }
 
+/* From afar the root in pairs, good enough for t, may be too coarse for the
+ * point: how coarse it is must be known (t_error). */
+static void a_grazing_line_from_afar_finds_its_point(void)
+{
+    for (int far = 8; far <= 60; far += 4) {
+        for (int depth = 2; depth <= 48; depth += 2) {
+            struct corner k = {
+                "grazing from afar", FAMILY_LINE,
+                {-ldexp(1.1, far), 0, 1 - ldexp(1.3, -depth), 1, 0x1p-40, 0},
+                FAMILY_CYLINDER, {0, -1, 0, 0, 1, 0, 1}, CYLINT_INFINITE};
+            struct family_case c;
+            k.o_d[1] = k.o_d[0] * 0x1p-40; /* aims at the origin's plane */
+            if (CHECK(case_of(&k, &c)) && agrees(&c))
+                continue;
+            family_print(stderr, &c);
+            fputc('\n', stderr);
+        }
+    }
+}
+
 /* Its t is rounded to the largest double, which is where the domain ends. */
 static void a_root_beyond_the_largest_double_is_outside(void)
 {
@@ -139,15 +159,20 @@ static void a_root_beyond_the_largest_double_is_outside(void)
 static void a_domain_beyond_all_numbers_holds_nothing(void)
 {
     const double o[3] = {0, 0, -5}, d[3] = {0, 0, 1}, p0[3] = {0, 0, 0};
+    const double at[3] = {1, -3, 0.5}, past[3] = {0, 1, 0};
     cylint_shape s;
     CHECK(cylint_cylinder(&s, p0, d, 1, CYLINT_CAPPED) == CYLINT_OK);
     for (int sign = -1; sign <= 1; sign += 2) {
+        const double end = sign * HUGE_VAL;
         cylint_line line;
         cylint_answer a;
-        CHECK(cylint_span(&line, o, d, sign * HUGE_VAL, sign * HUGE_VAL) ==
-              CYLINT_OK);
+        CHECK(cylint_span(&line, o, d, end, end) == CYLINT_OK);
         CHECK(cylint_intersect(&s, &line, CYLINT_WANT_T, &a) == 0);
         CHECK(a.relation == CYLINT_CROSS);
+        /* no filter decides this one */
+        CHECK(cylint_span(&line, at, past, end, end) == CYLINT_OK);
+        CHECK(cylint_intersect(&s, &line, CYLINT_WANT_T, &a) == 0);
+        CHECK(a.relation == CYLINT_TOUCH);
     }
 }
 
@@ -239,6 +264,7 @@ int main(void)
     RUN(a_root_beyond_the_largest_double_is_outside);
     RUN(a_domain_beyond_all_numbers_holds_nothing);
     RUN(boxes_of_the_longest_axes_are_tight);
+    RUN(a_grazing_line_from_afar_finds_its_point);
     RUN(an_angle_stays_below_a_turn);
     RUN(boxes_of_nappes_open_the_right_way);
     RUN(every_corner_agrees_with_the_oracle);

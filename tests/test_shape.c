@@ -245,6 +245,21 @@ static void what_was_refused_answers_miss_with_the_flag(void)
     }
 }
 
+static void a_box_is_three_numbers_to_either_side(void)
+{
+    for (int word = 0; word < 5; word++)
+        for (int ends = CYLINT_CAPPED; ends <= CYLINT_NAPPE; ends++) {
+            struct family_case c = good_case((family_shape)word);
+            double lo[4] = {0, 0, 0, 7}, hi[4] = {0, 0, 0, 7};
+            c.ends = (cylint_ends)ends;
+            CHECK(family_make(&c));
+            cylint_bounds(&c.shape, lo, hi);
+            CHECK(lo[3] == 7 && hi[3] == 7);
+            for (int i = 0; i < 3; i++)
+                CHECK(lo[i] < hi[i]);
+        }
+}
+
 static void points_that_are_not_finite_are_outside(void)
 {
     for (int word = 0; word < 5; word++) {
@@ -525,6 +540,7 @@ int main(void)
     RUN(lines_are_checked);
     RUN(every_status_has_a_text_of_its_own);
     RUN(what_was_refused_answers_miss_with_the_flag);
+    RUN(a_box_is_three_numbers_to_either_side);
     RUN(points_that_are_not_finite_are_outside);
     RUN(extreme_shapes_are_accepted);
     RUN(boxes_of_simple_shapes_are_known);
