@@ -263,8 +263,8 @@ coverage: ## branches of src/ that no test takes, and no reason is known for
 	$(MAKE) BUILD=$(BUILD)/coverage vectors= CFLAGS='$(counting)' CXXFLAGS='$(counting)' covered
 	python3 tests/coverage.py $(BUILD)/coverage
 
-mutants: ## do the tests see a changed operator, constant or index? COUNT=300
-	python3 tests/mutants.py --cc '$(CC)' --count $(or $(COUNT),300)
+mutants: ## do the tests see a changed operator, constant or index? COUNT=20 a file
+	python3 tests/mutants.py --cc '$(CC)' --count $(or $(COUNT),20)
 
 check-cross: $(BUILD)/tests/records ## the same bytes from other compilers and processors
 	@BUILD=$(BUILD) sh tests/cross.sh
