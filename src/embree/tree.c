@@ -14,8 +14,9 @@
 #include "bounds.h"
 #include "lanes.h"
 
-/* Of more than MANY boxes only the widest axis is looked at. */
-enum { BINS = 16, MANY = 4096 };
+/* Where to split more than SAMPLES boxes, every second of them tells, every
+ * third, and so on, as well as all would. */
+enum { BINS = 16, SAMPLES = 2048 };
 
 typedef struct {
     v4 lower, upper;
@@ -104,24 +105,25 @@ typedef struct {
     size_t n[3][BINS];
 } bins;
 
-/* Axes from `first` to before `end`. */
-static void fill(bins *b, const scale *s, int first, int end,
-                 const cylint_box *boxes, size_t n)
+/* Every so many boxes; returns how many those are. */
+static size_t fill(bins *b, const scale *s, const range *r, size_t every)
 {
-    for (int j = first; j < end; j++)
+    size_t n = 0;
+    for (int j = 0; j < 3; j++)
         for (int i = 0; i < BINS; i++) {
             b->box[j][i] = nothing();
             b->n[j][i] = 0;
         }
-    for (size_t i = 0; i < n; i++) {
-        const hull h = hull_of(&boxes[i]);
+    for (size_t i = 0; i < r->n; i += every, n++) {
+        const hull h = hull_of(&r->boxes[i]);
         int32_t bin[4];
-        bins_of(&boxes[i], s, bin);
-        for (int j = first; j < end; j++) {
+        bins_of(&r->boxes[i], s, bin);
+        for (int j = 0; j < 3; j++) {
             b->box[j][bin[j]] = joined(b->box[j][bin[j]], h);
             b->n[j][bin[j]]++;
         }
     }
+    return n;
 }
 
 static float blocks(size_t n)
@@ -233,11 +235,9 @@ static size_t divide(const range *r)
     const scale s = scale_of(r);
     split best = {FLT_MAX, -1, 0, 0};
     bins b;
-    const int widest = widest_axis(&s);
-    const int first = n > MANY ? widest : 0, end = n > MANY ? widest + 1 : 3;
-    fill(&b, &s, first, end, r->boxes, n);
-    for (int axis = first; axis < end; axis++)
-        try_axis(&b, axis, n, &best);
+    const size_t filled = fill(&b, &s, r, n / SAMPLES + 1);
+    for (int axis = 0; axis < 3; axis++)
+        try_axis(&b, axis, filled, &best);
     if (best.axis < 0) /* all in one place */
         return whole_blocks(n / 2, n);
     const size_t left = partition(r->boxes, n, &s, best.axis, best.bin);

@@ -43,8 +43,8 @@ size_t cylint_tree_most_nodes(size_t blocks);
  * Sorts n > 0 boxes so that the blocks [0, 8), [8, 16), ..., all full but the
  * last, are good leaves, and makes the nodes above them, the first one
  * first: from the top down, the boxes are split where the sum of area times
- * number of blocks is least, as far as bins can tell, moved to the next
- * multiple of 8.  Returns the number of nodes.
+ * number of blocks is least, as far as bins and, of very many boxes, a sample
+ * can tell, moved to the next multiple of 8.  Returns the number of nodes.
  */
 size_t cylint_tree_build(cylint_node *nodes, cylint_box *boxes, size_t n,
                          const float center[3]);
