@@ -112,7 +112,11 @@ enum {
      * memory right behind the RTCRayQueryContext of every query that reaches
      * the geometry, as the next member of a struct would; it is asked after
      * the geometry's own.  Embree 3: no effect, there is one already. */
-    CYLINT_EMBREE_CONTEXT_FILTER = 1 << 2
+    CYLINT_EMBREE_CONTEXT_FILTER = 1 << 2,
+    /* No filter is called: neither the geometry nor a query has one.  Then
+     * nothing is found out about the hits of occluded rays but that they are,
+     * and of most capped cylinders in floats, which are certain of it. */
+    CYLINT_EMBREE_NO_FILTERS = 1 << 3
 };
 
 /* All zero is a good start. */

@@ -171,6 +171,12 @@ static void blocks_answer_as_brute_force_does(void)
     answers_are_those_of_brute_force(0, 4095);
 }
 
+/* Floats that are certain of a shadow are right. */
+static void without_filters_blocks_answer_as_brute_force_does(void)
+{
+    answers_are_those_of_brute_force(CYLINT_EMBREE_NO_FILTERS, 4095);
+}
+
 static void primitives_answer_as_brute_force_does(void)
 {
     answers_are_those_of_brute_force(CYLINT_EMBREE_SINGLE, 3);
@@ -203,6 +209,7 @@ int main(int argc, char **argv)
     if (argc > 3)
         seed = strtoull(argv[3], NULL, 10);
     RUN(blocks_answer_as_brute_force_does);
+    RUN(without_filters_blocks_answer_as_brute_force_does);
     RUN(primitives_answer_as_brute_force_does);
     RUN(hits_of_a_shape_that_share_a_float_are_told_apart);
     return check_end();

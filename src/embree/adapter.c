@@ -198,7 +198,7 @@ static cylint_embree_data *new_data(RTCDevice device,
         data->user = options->user;
     }
     if (!(data->how & CYLINT_EMBREE_SINGLE) && !data->moved)
-        data->walk = cylint_walks_used()->ray;
+        data->walk = cylint_walks_used();
     return data;
 }
 

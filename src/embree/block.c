@@ -145,12 +145,14 @@ void cylint_block_fill(cylint_block *block, const cylint_stem *stems,
 {
     memset(block, 0, sizeof *block);
     place(block, boxes, used);
-    block->used = (uint8_t)used;
+    block->used = (uint8_t)(used | CYLINT_SOLID);
     for (int lane = 0; lane < used; lane++) {
         const cylint_stem *stem = stems + lane;
         const cylint_piece piece = {boxes[lane].index, boxes[lane].count};
         block->number[lane] = stem->number;
         label(block, lane, piece, stem->ends);
+        if (!stem->solid)
+            block->used = (uint8_t)used;
         if (!hold(block, lane, stem, piece, blur))
             block->always |= (uint8_t)(1u << lane);
     }

@@ -20,7 +20,7 @@
 typedef struct cylint_block {
     float center[3];               /* of the pieces' box */
     uint16_t steps;                /* a unit: the upper half of a float */
-    uint8_t used;                  /* lanes */
+    uint8_t used;                  /* lanes; and CYLINT_SOLID */
     uint8_t always;                /* bits: lanes without a cylinder */
     uint32_t p[2][CYLINT_BLOCK];   /* x, y, z: CYLINT_MIDDLE + steps, from the
                                       last bits on; and two bits of count */
@@ -32,6 +32,9 @@ typedef struct cylint_block {
 enum { CYLINT_P_BITS = 10, CYLINT_P_MASK = 1023, CYLINT_MIDDLE = 512,
        CYLINT_R_BITS = 10, CYLINT_R_MASK = 1023 };
 
+/* All pieces are those of cylinders with both caps. */
+enum { CYLINT_SOLID = 0x80 };
+
 /* Fills a block with 1 to 8 pieces, of a stem and in a box each; blur as in
  * cylint_view. */
 void cylint_block_fill(cylint_block *block, const cylint_stem *stems,
@@ -42,6 +45,11 @@ static inline cylint_piece cylint_block_piece(const cylint_block *b, int lane)
     return (cylint_piece){
         b->r[lane] >> CYLINT_R_BITS & 15,
         (int)(b->p[0][lane] >> 30 | b->p[1][lane] >> 30 << 2) + 1};
+}
+
+static inline int cylint_block_used(const cylint_block *b)
+{
+    return b->used & ~CYLINT_SOLID;
 }
 
 /* cylint_ends of the shape. */

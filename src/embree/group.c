@@ -112,7 +112,7 @@ static int cut_shape(pieces *p, const cylint_view *view, uint32_t number,
     const struct RTCBounds box = cylint_piece_box(&trunk, reach, whole);
     if (!cylint_keeps_box(&box))
         return 0;
-    p->stem[stem] = cylint_stem_of(&trunk, view->shapes[number].ends, number);
+    p->stem[stem] = cylint_stem_of(&trunk, &view->shapes[number], number);
     const int count = pieces_of(&trunk, &box);
     if (count == 1)
         add_piece(p, &box, stem, whole);

@@ -27,7 +27,7 @@ typedef struct cylint_embree_data {
     double pad;                   /* by which boxes are widened for Embree */
     unsigned how;
     void *user;
-    cylint_walk_ray *walk;        /* NULL: one shape a primitive */
+    const cylint_walks *walk;     /* NULL: one shape a primitive */
     const cylint_quick_build *quick;
     cylint_group group;
     cylint_memory asked_memory;   /* of what quick.c asks of every shape */

@@ -75,10 +75,26 @@ static inline vf steps_of(vi p, int j)
            f_set(CYLINT_MIDDLE);
 }
 
-/* Lanes from `from` on; least[] of each that is let through is at most what s
- * is there, times t_per_s. */
+static inline unsigned greater(vf x, vf y)
+{
+    return ~f_not_greater(x, y) & ((1u << WIDTH) - 1);
+}
+
+/*
+ * Lanes from `from` on; least[] of each that is let through is at most what s
+ * is there, times t_per_s.  *sure, unless NULL: the lanes of which the line's
+ * point nearest to the axis is certainly within the piece, if that is a
+ * cylinder, and in the domain.
+ *
+ * In block.c's words: r <= across + 1 + 2 e - 7/8 and the axes are less than e
+ * apart, e < 15/8, so that what is within r - 5 of the rounded one is in the
+ * cylinder; and what is 3 e + 4 + 2 sqrt(e r) < 25 + r / 8 from the ends of the
+ * lane, of which g was added, is between those of the piece.  Errors are those
+ * above, from the other side.
+ */
 static inline unsigned test_lanes(const cylint_block *b, int from,
-                                  const lane_line *l, float *least)
+                                  const lane_line *l, float *least,
+                                  unsigned *sure)
 {
     vf w[3], D[3], e[3], n[3];
     const vi base = i_load(b->p[0] + from), top = i_load(b->p[1] + from);
@@ -103,9 +119,20 @@ static inline unsigned test_lanes(const cylint_block *b, int from,
     const vf T = f_mad(Dw, ew, -(dot(D, e) * ww));
     const vf C = f_sqrt((gg - ff) * ww);
     const vf middle = ww * nn * f_set(0.5f), kEWW = kEW * W;
-    const vf room = f_mad(f_abs(ew), C, kEWW * EW * f_set(4));
-    met &= f_not_greater(f_abs(f_mad(Dw, nn, ew * T) - middle), middle + room);
-    const vf reach = f_mad(kEWW, f_set(3), C);
+    const vf off = kEWW * EW * f_set(4), spare = kEWW * f_set(3);
+    const vf foot = f_abs(f_mad(Dw, nn, ew * T) - middle);
+    met &= f_not_greater(foot, middle + f_mad(f_abs(ew), C, off));
+    if (sure) {
+        const vf ri = r - f_set(5);
+        const vf gi = f_mad(ri * ri, nn,
+                            -((ri + ri + f_set(l->k)) * (kEW * EW)));
+        const vf inset = f_mad(r, f_set(0.125f), f_set(25)) * (W * nn);
+        *sure = greater(ri, f_set(0)) & greater(gi, ff) &
+                greater(middle - inset - off, foot) &
+                greater(T - spare, f_set(l->first) * nn) &
+                greater(f_set(l->last) * nn, T + spare);
+    }
+    const vf reach = spare + C;
     const vf begin = T - reach, end = T + reach;
     met &= f_not_greater(begin, f_set(l->last) * nn);
     met &= f_not_greater(f_set(l->first) * nn, end);
@@ -116,7 +143,7 @@ static inline unsigned test_lanes(const cylint_block *b, int from,
 
 static inline unsigned lanes_in_use(const cylint_block *b)
 {
-    return (1u << b->used) - 1;
+    return (1u << cylint_block_used(b)) - 1;
 }
 
 #ifdef CYLINT_COUNT_VISITS
@@ -130,12 +157,17 @@ static inline int count_lanes(unsigned lanes)
 #endif
 
 static inline unsigned test(const cylint_block *b, const lane_line *l,
-                            float *least)
+                            float *least, unsigned *sure)
 {
-    unsigned met = 0;
-    for (int lane = 0; lane < b->used; lane += WIDTH)
-        met |= test_lanes(b, lane, l, least) << lane;
+    unsigned met = 0, all = 0;
+    for (int lane = 0; lane < cylint_block_used(b); lane += WIDTH) {
+        unsigned some = 0;
+        met |= test_lanes(b, lane, l, least, sure ? &some : NULL) << lane;
+        all |= some << lane;
+    }
     met = (met | b->always) & lanes_in_use(b);
+    if (sure)
+        *sure = all & met & ~(unsigned)b->always;
     cylint_visited(lanes, (unsigned)count_lanes(met));
     return met;
 }
@@ -147,9 +179,10 @@ static inline unsigned test(const cylint_block *b, const lane_line *l,
 
 /* ------------------------------------------------------- from far: lines -- */
 
-static inline unsigned all_lanes(const cylint_block *b, double tmin, double *least)
+static inline unsigned all_lanes(const cylint_block *b, double tmin,
+                                 double *least)
 {
-    for (int lane = 0; lane < b->used; lane++)
+    for (int lane = 0; lane < cylint_block_used(b); lane++)
         least[lane] = tmin;
     return lanes_in_use(b);
 }
@@ -172,8 +205,8 @@ static inline float clamp(double s)
  * misses: sizes of components are at most sqrt(3) of lengths.
  */
 static inline unsigned test_line(const cylint_block *b, const double o[3],
-                          const double d[3], double tmin, double tmax,
-                          double least[CYLINT_BLOCK])
+                                 const double d[3], double tmin, double tmax,
+                                 double least[CYLINT_BLOCK])
 {
     const double dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     if (!(dd > 0x1p-900 && dd < 0x1p900))
@@ -203,8 +236,8 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
     l.first = clamp((tmin * length + along) * steps - off);
     l.last = clamp((tmax * length + along) * steps + off);
     float s[CYLINT_BLOCK];
-    const unsigned met = test(b, &l, s);
-    for (int lane = 0; lane < b->used; lane++) {
+    const unsigned met = test(b, &l, s, NULL);
+    for (int lane = 0; lane < cylint_block_used(b); lane++) {
         if (!(met >> lane & 1))
             continue;
         const double t = (((double)s[lane] - off) / steps - along) * per_length;
@@ -215,22 +248,25 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
 
 /* -------------------------------------------------------- from near: rays -- */
 
-static inline unsigned test_far_ray(const cylint_block *b, const struct RTCRay *ray,
-                             float least[CYLINT_BLOCK])
+static inline unsigned test_far_ray(const cylint_block *b,
+                                    const struct RTCRay *ray,
+                                    float least[CYLINT_BLOCK])
 {
     const double o[3] = {ray->org_x, ray->org_y, ray->org_z};
     const double d[3] = {ray->dir_x, ray->dir_y, ray->dir_z};
     double t[CYLINT_BLOCK];
     const unsigned met = test_line(b, o, d, ray->tnear, ray->tfar, t);
-    for (int lane = 0; lane < b->used; lane++)
+    for (int lane = 0; lane < cylint_block_used(b); lane++)
         if (met >> lane & 1)
             least[lane] = cylint_float_below(t[lane]);
     return met;
 }
 
-/* The ray as it is: e = d, q = (o - c) steps, s = t times steps. */
-static inline unsigned test_ray(const cylint_block *b, const struct RTCRay *ray,
-                         float least[CYLINT_BLOCK])
+/* The ray as it is: e = d, q = (o - c) steps, s = t times steps.  sure: NULL,
+ * or as in test_lanes(). */
+static inline unsigned test_ray(const cylint_block *b,
+                                const struct RTCRay *ray,
+                                float least[CYLINT_BLOCK], unsigned *sure)
 {
     const float steps = cylint_block_steps(b);
     lane_line l = {
@@ -244,9 +280,12 @@ static inline unsigned test_ray(const cylint_block *b, const struct RTCRay *ray,
     l.k = (fabsf(l.q[0]) + fabsf(l.q[1]) + fabsf(l.q[2]) + REACH_OF_PIECES) *
           0x1p-20f;
     if (!(l.k < (FAR_LIMIT + REACH_OF_PIECES) * 0x1p-20f &&
-          l.E > 1 / E_LIMIT && l.E < E_LIMIT))
+          l.E > 1 / E_LIMIT && l.E < E_LIMIT)) {
+        if (sure)
+            *sure = 0;
         return test_far_ray(b, ray, least);
-    const unsigned met = test(b, &l, least);
+    }
+    const unsigned met = test(b, &l, least, sure);
     for (unsigned lanes = met & b->always; lanes; lanes &= lanes - 1)
         least[cylint_lowest(lanes)] = -HUGE_VALF;
     return met;

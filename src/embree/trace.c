@@ -194,6 +194,17 @@ static int is_bare(const query *q)
     return (q->data->how & CYLINT_EMBREE_BARE) != 0;
 }
 
+static int has_filters(const query *q)
+{
+    return !(q->data->how & CYLINT_EMBREE_NO_FILTERS);
+}
+
+/* Whether anyone will see u, v and Ng. */
+static int is_seen(const query *q)
+{
+    return !is_bare(q) && (q->nearest || has_filters(q));
+}
+
 /* Offers a hit at t to the filters; takes it if they let it pass.  The hit is
  * written where it will stay, so that nothing waits for it to be read. */
 static int take(query *q, unsigned number, float t,
@@ -202,11 +213,11 @@ static int take(query *q, unsigned number, float t,
     const float tfar = q->ray->tfar;
     struct RTCHit spare = {0}, *hit = q->nearest ? q->hit : &spare;
     const struct RTCHit old = *hit;
-    if (!is_bare(q))
+    if (is_seen(q))
         describe(floats, hit);
     identify(q, number, hit);
     q->ray->tfar = t;
-    if (!passes_filters(q, hit)) {
+    if (has_filters(q) && !passes_filters(q, hit)) {
         q->ray->tfar = tfar;
         *hit = old;
         return 0;
@@ -222,7 +233,7 @@ static int take(query *q, unsigned number, float t,
 
 static unsigned wanted(const query *q)
 {
-    return is_bare(q) ? CYLINT_WANT_T | CYLINT_WANT_Z :
+    return !is_seen(q) ? CYLINT_WANT_T | CYLINT_WANT_Z :
            CYLINT_WANT_T | CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
            CYLINT_WANT_PHI;
 }
@@ -274,7 +285,7 @@ static int try_hit(query *q, unsigned number, const cylint_quick *quick,
     if (own == 0 || (certain && t > q->ray->tfar))
         return 0;
     if (own == 2 || !certain || t == q->ray->tfar ||
-        !(is_bare(q) || q->data->quick->describe(quick, hit, &floats)))
+        (is_seen(q) && !q->data->quick->describe(quick, hit, &floats)))
         return -1;
     return take(q, number, t, &floats);
 }
@@ -394,7 +405,14 @@ static int trace_one(query *q, unsigned primID)
     if (!q->data->walk)
         return try_shape(q, primID);
     q->met = 0;
-    q->data->walk(&q->data->group, q->ray, try_lanes, q);
+    if (q->any && !has_filters(q)) {
+        if (q->data->walk->shadow(&q->data->group, q->ray, try_lanes, q)) {
+            q->ray->tfar = -HUGE_VALF;
+            return 1;
+        }
+    } else {
+        q->data->walk->ray(&q->data->group, q->ray, try_lanes, q);
+    }
     return q->met;
 }
 

@@ -80,14 +80,17 @@ void cylint_trunk_reach(const cylint_trunk *t, double reach[3])
                  : 1;
 }
 
-cylint_stem cylint_stem_of(const cylint_trunk *t, int ends, uint32_t number)
+cylint_stem cylint_stem_of(const cylint_trunk *t, const cylint_shape *shape,
+                           uint32_t number)
 {
     return (cylint_stem){
         {t->base[0], t->base[1], t->base[2]},
         {t->axis[0], t->axis[1], t->axis[2]},
         {cylint_float_above(t->k[0] * t->across),
          cylint_float_above(t->k[1] * t->across)},
-        cylint_half_above(t->along / t->across), (uint16_t)ends, number};
+        cylint_half_above(t->along / t->across), (uint8_t)shape->ends,
+        shape->kind == CYLINT_KIND_CYLINDER && shape->ends == CYLINT_CAPPED,
+        number};
 }
 
 void cylint_piece_ends(cylint_piece piece, double z[2])

@@ -63,12 +63,13 @@ typedef struct cylint_stem {
     double base[3], axis[3];
     float across[2]; /* reach across the axis at z = 0 and 1 */
     uint16_t slant;  /* reach along it, in multiples of that: half a float */
-    uint16_t ends;   /* cylint_ends */
+    uint8_t ends;    /* cylint_ends */
+    uint8_t solid;   /* 1: a cylinder with both caps */
     uint32_t number; /* of the shape */
 } cylint_stem;
 
-cylint_stem cylint_stem_of(const cylint_trunk *trunk, int ends,
-                           uint32_t number);
+cylint_stem cylint_stem_of(const cylint_trunk *trunk,
+                           const cylint_shape *shape, uint32_t number);
 
 void cylint_trunk_of(cylint_trunk *trunk, const cylint_view *view,
                      uint32_t number);

@@ -225,8 +225,22 @@ static inline void set_out(stack *s, const way *w)
     s->n = 1;
 }
 
-static void walk_ray(const cylint_group *group, const struct RTCRay *ray,
-                     cylint_meet_ray *meet, void *self)
+/* Whether the domain ends outside the box of all: S is its longest side. */
+static int leaves(const cylint_group *group, const double o[3],
+                  const double d[3], double tmax)
+{
+    const double S = (double)group->near_by / 256;
+    int out = 0;
+    EACH(j, 3)
+        out |= fabs(o[j] - (double)group->center[j] + tmax * d[j]) > S;
+    return out;
+}
+
+/* A shape that holds a point of a line which ends outside is met behind that
+ * point; `certain`: that is enough. */
+static inline int walk_rays(const cylint_group *group,
+                            const struct RTCRay *ray, cylint_meet_ray *meet,
+                            void *self, int certain)
 {
     const double o[3] = {ray->org_x, ray->org_y, ray->org_z};
     const double d[3] = {ray->dir_x, ray->dir_y, ray->dir_z};
@@ -236,14 +250,32 @@ static void walk_ray(const cylint_group *group, const struct RTCRay *ray,
     stack s;
     begin(&w, group, o, d, ray->tnear, ray->tfar);
     set_out(&s, &w);
+    certain = certain && leaves(group, o, d, ray->tfar);
     while ((block = next_block(&s, group, &w))) {
-        const unsigned lanes = test_ray(block, ray, least);
+        unsigned sure = 0;
+        const unsigned lanes = test_ray(block, ray, least,
+                                        certain ? &sure : NULL);
         if (!lanes)
             continue;
+        if (sure && block->used & CYLINT_SOLID)
+            return 1;
         if (meet(self, block, lanes, least))
-            return;
+            return 0;
         w.last = above(&w, ray->tfar);
     }
+    return 0;
+}
+
+static void walk_ray(const cylint_group *group, const struct RTCRay *ray,
+                     cylint_meet_ray *meet, void *self)
+{
+    walk_rays(group, ray, meet, self, 0);
+}
+
+static int walk_shadow(const cylint_group *group, const struct RTCRay *ray,
+                       cylint_meet_ray *meet, void *self)
+{
+    return walk_rays(group, ray, meet, self, 1);
 }
 
 static void walk_line(const cylint_group *group, const double o[3],
@@ -266,4 +298,4 @@ static void walk_line(const cylint_group *group, const double o[3],
     }
 }
 
-const cylint_walks CYLINT_WALKS = {walk_ray, walk_line};
+const cylint_walks CYLINT_WALKS = {walk_ray, walk_shadow, walk_line};

@@ -34,8 +34,15 @@ typedef void cylint_walk_line(const cylint_group *group, const double o[3],
                               const double *tmax, cylint_meet_line *meet,
                               void *self);
 
+/* Whether the ray certainly meets some shape: then it is not to be asked.  If
+ * not, `meet` was told as above of what it may meet. */
+typedef int cylint_walk_shadow(const cylint_group *group,
+                               const struct RTCRay *ray,
+                               cylint_meet_ray *meet, void *self);
+
 typedef struct cylint_walks {
     cylint_walk_ray *ray;
+    cylint_walk_shadow *shadow;
     cylint_walk_line *line;
 } cylint_walks;
 

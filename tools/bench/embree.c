@@ -101,6 +101,8 @@ static int enter(struct contestant *c, const struct cylinder_kind *kind,
     if (all) {
         c[n++] = (struct contestant){.name = "blocks, bare",
             .rival = build_shapes(cylinders, CYLINT_EMBREE_BARE, one)};
+        c[n++] = (struct contestant){.name = "blocks, no filters",
+            .rival = build_shapes(cylinders, CYLINT_EMBREE_NO_FILTERS, one)};
     }
     if (all && kind != &fibre) { /* boxes of fibres hold little but air */
         c[n++] = (struct contestant){.name = "one a primitive",
