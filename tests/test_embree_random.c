@@ -200,6 +200,78 @@ static void hits_of_a_shape_that_share_a_float_are_told_apart(void)
     CHECK(n.hits > n.rays / 4);
 }
 
+static double between(uint64_t *state, double from, double to)
+{
+    return from + (to - from) * world_uniform(state);
+}
+
+static void cross(const double x[3], const double y[3], double to[3])
+{
+    for (int k = 0; k < 3; k++)
+        to[k] = x[(k + 1) % 3] * y[(k + 2) % 3] -
+                x[(k + 2) % 3] * y[(k + 1) % 3];
+}
+
+/* A ray that all but touches the shape: by its mantle, at a rim, or by an end
+ * of its domain. */
+static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
+                            uint64_t *state)
+{
+    const double z = between(state, -0.1, 1.1), L = between(state, 0.3, 3);
+    const double away = between(state, 0.8, 1.2);
+    double v[3], out[3], along[3], size = 0;
+    float o[3], d[3];
+    for (int k = 0; k < 3; k++)
+        v[k] = between(state, -1, 1);
+    cross(s->axis, v, out);
+    for (int k = 0; k < 3; k++)
+        size += out[k] * out[k];
+    cross(out, s->axis, along);
+    for (int k = 0; k < 3; k++) {
+        const double radial = s->r0 * away * out[k] / sqrt(size);
+        d[k] = (float)(along[k] / sqrt(size) +
+                       between(state, -0.3, 0.3) * s->axis[k]);
+        o[k] = (float)(s->base[k] + z * s->axis[k] + radial -
+                       L * (double)d[k]);
+    }
+    rays_add(r, i, o, d, 0, between(state, 0, 1) < 0.3 ? HUGE_VALF
+             : (float)(L + between(state, -0.2, 0.2)));
+}
+
+static void shadows_that_are_none_but_for_a_hair_are_none(void)
+{
+    enum { SOLIDS = 100, TURNS = 40000 };
+    cylint_embree_options options = {0};
+    uint64_t state = seed;
+    long met = 0;
+    options.how = CYLINT_EMBREE_NO_FILTERS;
+    for (int scene = SCENE_THIN; scene <= SCENE_FAT; scene++) {
+        cylint_shape shapes[SOLIDS];
+        struct world w;
+        world_shapes(&state, scene, shapes, SOLIDS);
+        for (int i = 0; i < SOLIDS; i++) {
+            const cylint_shape was = shapes[i];
+            cylint_cylinder(&shapes[i], was.base, was.top, was.r0,
+                            CYLINT_CAPPED);
+        }
+        if (!CHECK(world_make(&w, shapes, SOLIDS, &options)))
+            return;
+        for (int turn = 0; turn < TURNS; turn++) {
+            struct rays r;
+            rays_begin(&r, 1);
+            add_grazing_ray(&r, 0, &shapes[turn % SOLIDS], &state);
+            rays_occluded(&r, w.scene, NULL);
+            const cylint_line line = rays_line(&r, 0);
+            const int expected = cylint_count(&w.pack, &line, 1) != 0;
+            met += expected;
+            if (!CHECK(rays_shadowed(&r, 0) == expected))
+                world_show(&w, &r, 0);
+        }
+        world_free(&w);
+    }
+    CHECK(met > TURNS / 4 && met < 2 * TURNS - TURNS / 4);
+}
+
 int main(int argc, char **argv)
 {
     if (argc > 1)
@@ -211,6 +283,7 @@ int main(int argc, char **argv)
     RUN(blocks_answer_as_brute_force_does);
     RUN(without_filters_blocks_answer_as_brute_force_does);
     RUN(primitives_answer_as_brute_force_does);
+    RUN(shadows_that_are_none_but_for_a_hair_are_none);
     RUN(hits_of_a_shape_that_share_a_float_are_told_apart);
     return check_end();
 }
