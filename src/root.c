@@ -523,16 +523,32 @@ static estimate estimate_by_pairs(cylint_root root, const quotient_wide *f,
                       f->radical_error, f->A};
 }
 
+/* Newton's steps from k.t + low until the rounding is certain or they gain
+ * little; each squares the error that is left of k's. */
+static int newton(cylint_query *q, estimate k, double low, pair *t,
+                  double *error)
+{
+    *error = HUGE_VAL;
+    while (k.slope_error < 0x1p-10) {
+        *t = refined(q, k, low, error);
+        if (settles(q, *t, *error))
+            return 1;
+        if (!(*error < 0x1p-4 * k.error))
+            return 0;
+        k.t = t->hi;
+        k.error = *error;
+        low = t->lo;
+    }
+    return 0;
+}
+
 /* As far as pairs go: a refinement of the root in doubles, the quotient in
  * pairs (NULL: not found yet), its refinement, the quotient with an exact
  * numerator.  Returns whether the rounding is certain. */
 static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
                          const quotient_wide *known, pair *t, double *error)
 {
-    *error = HUGE_VAL;
-    if (k.slope_error < 0x1p-10)
-        *t = refined(q, k, 0, error);
-    if (settles(q, *t, *error))
+    if (newton(q, k, 0, t, error))
         return 1;
     const quotient_wide f = known ? *known
                           : quotient_of_wide(cylint_wide_line(q), root);
@@ -541,10 +557,8 @@ static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
         *error = (f.error + 0x1p-98) * fabs(t->hi);
         if (settles(q, *t, *error))
             return 1;
-        k = estimate_by_pairs(root, &f, *t, *error);
-        if (k.slope_error < 0x1p-10)
-            *t = refined(q, k, t->lo, error);
-        if (settles(q, *t, *error))
+        if (newton(q, estimate_by_pairs(root, &f, *t, *error), t->lo, t,
+                   error))
             return 1;
     }
     *t = root_near_origin(q, root, error);
