@@ -21,13 +21,9 @@
 
 /*
  * K: the deepest form is G of a cone.  tests/test_depth.c runs forms.h over
- * an arithmetic of path lengths and wants exactly this.  In pairs, where
- * differences are exact, 17 would do, but only in rounding to nearest.
+ * an arithmetic of path lengths and wants exactly this.
  */
 #define CYLINT_DEPTH 25
-
-/* Of K operations and the point D + t u, t exact: differences count one. */
-#define CYLINT_POINT_DEPTH 3
 
 /* One operation on doubles, in any rounding mode. */
 #define CYLINT_ROUNDING 0x1p-52
@@ -60,7 +56,12 @@
 #define CYLINT_PAIR_MUL_DIRECTED 0xdp-104
 #define CYLINT_PAIR_ROUNDING 0x1p-100
 
-#define CYLINT_PAIR_BOUND (CYLINT_DEPTH * CYLINT_PAIR_ROUNDING * CYLINT_SLACK)
+/*
+ * Errors in pairs are summed up operation by operation (internal.h, wide), in
+ * doubles and in units of CYLINT_PAIR_ROUNDING; a path of K operations meets
+ * at most 5 K roundings of that sum and of high parts.  Proved.
+ */
+#define CYLINT_PAIR_UNIT (CYLINT_PAIR_ROUNDING * CYLINT_SLACK)
 
 /*
  * The filters run only where every datum is at most CYLINT_WINDOW in size.

@@ -243,9 +243,10 @@ const letters_ball *cylint_ball_with_top(cylint_query *q)
 
 static wide wide_of(double hi, double lo)
 {
-    return (wide){{hi, lo}, fabs(hi)};
+    return (wide){{hi, lo}, 0};
 }
 
+/* Exact in rounding to nearest; counted as rounded, for the other modes. */
 static wide wide_difference(double x, double y)
 {
     const pair d = two_diff(x, y);

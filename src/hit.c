@@ -9,12 +9,8 @@
  */
 #include "internal.h"
 
-/* How far a value may fall below the sizes summed up in it before pairs, and
- * a root known to t_error, leave it less than 54 bits. */
-static double cancels(const cylint_query *q)
-{
-    return 0x1p54 * (CYLINT_PAIR_BOUND + q->t_error);
-}
+/* An error so many times smaller leaves 54 bits. */
+#define ENOUGH 0x1p54
 
 #define UNDERFLOWS (CYLINT_UNDERFLOW * 0x1p60)
 
@@ -24,9 +20,10 @@ typedef struct {
     int e;
 } floating;
 
-static int keeps_digits(wide x, double least, double cancels)
+static int keeps_digits(wide x, double least)
 {
-    return cylint_larger(fabs(x.v.hi), least) > cancels * x.size + UNDERFLOWS;
+    return cylint_larger(fabs(x.v.hi), least) >
+           ENOUGH * wide_error(x) + UNDERFLOWS;
 }
 
 static floating floating_of_wide(wide x)
@@ -131,7 +128,7 @@ static int any_need(const needs *n)
 }
 
 /* A direction: each component beside the largest. */
-static int vector_in_pairs(const wide x[3], double lost, floating *facts)
+static int vector_in_pairs(const wide x[3], floating *facts)
 {
     double most = 0;
     int keeps = 1;
@@ -140,29 +137,28 @@ static int vector_in_pairs(const wide x[3], double lost, floating *facts)
         facts[i] = floating_of_wide(x[i]);
     }
     for (int i = 0; i < 3; i++)
-        keeps &= keeps_digits(x[i], most, lost);
+        keeps &= keeps_digits(x[i], most);
     return keeps;
 }
 
-static int gradient_in_pairs(const letters_wide *L, double lost,
-                             floating *facts)
+static int gradient_in_pairs(const letters_wide *L, floating *facts)
 {
     wide x[3];
     for (int i = 0; i < 3; i++)
         x[i] = gradient_wide(L, i);
-    return vector_in_pairs(x, lost, facts);
+    return vector_in_pairs(x, facts);
 }
 
-static int z_in_pairs(const letters_wide *L, double lost, floating *facts)
+static int z_in_pairs(const letters_wide *L, floating *facts)
 {
     const wide alpha = form_alpha_wide(L, 0), top = form_root_of_S_wide(L);
     facts[ALPHA] = floating_of_wide(alpha);
     facts[ALPHA_AT_TOP] = floating_of_wide(top);
-    return keeps_digits(alpha, fabs(top.v.hi), lost);
+    return keeps_digits(alpha, fabs(top.v.hi));
 }
 
 static int angle_in_pairs(const cylint_query *q, const letters_wide *L,
-                          double lost, floating *facts)
+                          floating *facts)
 {
     wide x, y;
     const wide vv = form_root_of_S_wide(L);
@@ -172,8 +168,8 @@ static int angle_in_pairs(const cylint_query *q, const letters_wide *L,
     facts[VV] = floating_of_wide(vv);
     const double wx = fabs(x.v.hi), wy = fabs(y.v.hi);
     const double scale = q->kind < CYLINT_KIND_ECYLINDER ? sqrt(vv.v.hi) : 1;
-    return keeps_digits(x, wy / scale, lost) &&
-           keeps_digits(y, wx * scale, lost);
+    return keeps_digits(x, wy / scale) &&
+           keeps_digits(y, wx * scale);
 }
 
 /* In pairs; what that would leave with too few digits is needed still. */
@@ -183,23 +179,22 @@ static void facts_in_pairs(cylint_query *q, pair t, needs *need,
     if (!q->filters || q->near_shape != q->shape)
         return;
     letters_wide *L = cylint_wide(q);
-    const wide at = {t, fabs(t.hi)};
-    const double lost = cancels(q);
+    const wide at = {t, q->t_error / CYLINT_PAIR_ROUNDING * fabs(t.hi)};
     wide kept[3];
     for (int i = 0; i < 3; i++) {
         kept[i] = L->D[0][i];
         L->D[0][i] = wide_add(kept[i], wide_mul(at, L->u[i]));
     }
     if (need->axial)
-        need->axial = !vector_in_pairs(axial_wide(L), lost, facts + AXIAL);
+        need->axial = !vector_in_pairs(axial_wide(L), facts + AXIAL);
     if (need->axis)
-        need->axis = !vector_in_pairs(L->w, lost, facts + AXIS);
+        need->axis = !vector_in_pairs(L->w, facts + AXIS);
     if (need->gradient)
-        need->gradient = !gradient_in_pairs(L, lost, facts + GRADIENT);
+        need->gradient = !gradient_in_pairs(L, facts + GRADIENT);
     if (need->z)
-        need->z = !z_in_pairs(L, lost, facts);
+        need->z = !z_in_pairs(L, facts);
     if (need->phi)
-        need->phi = !angle_in_pairs(q, L, lost, facts);
+        need->phi = !angle_in_pairs(q, L, facts);
     for (int i = 0; i < 3; i++)
         L->D[0][i] = kept[i];
 }
@@ -278,7 +273,7 @@ static int point_in_pairs(const cylint_query *q, pair t, double point[3])
         from = cylint_larger(from, fabs(l->o[i]) + fabs(step.hi));
         size = cylint_larger(size, fabs(point[i]));
     }
-    return size > cancels(q) * from;
+    return size > ENOUGH * (2 * CYLINT_PAIR_ROUNDING + q->t_error) * from;
 }
 
 /* Away from the solid; at a double cone's apex against the line. */
@@ -344,7 +339,7 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
         point = !point_in_pairs(q, at, hit->point);
     if (any_need(&need))
         facts_in_pairs(q, at, &need, facts);
-    if ((point || any_need(&need)) && q->t_error > CYLINT_PAIR_BOUND) {
+    if ((point || any_need(&need)) && q->t_error > CYLINT_PAIR_ROUNDING) {
         /* once more, from a root as good as pairs can be */
         cylint_polish_root(q, root, &at);
         if (point)

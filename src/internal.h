@@ -193,23 +193,29 @@ static inline int quantum_mul(int x, int y)
 #define MUL(x, y) quantum_mul(x, y)
 #include "forms.h"
 
-/* A pair of doubles, likewise. */
+/* A pair of doubles and what its error is at most, in units of
+ * CYLINT_PAIR_ROUNDING: unlike a size it stays small where sums cancel and are
+ * squared.  x' and y' for x and y miss x y by x' (y' - y) + y (x' - x). */
 typedef struct {
     pair v;
-    double size;
+    double off;
 } wide;
 
 static inline wide wide_add(wide x, wide y)
 {
-    return (wide){pair_add(x.v, y.v), x.size + y.size};
+    return (wide){pair_add(x.v, y.v),
+                  x.off + y.off + (fabs(x.v.hi) + fabs(y.v.hi))};
 }
 static inline wide wide_sub(wide x, wide y)
 {
-    return (wide){pair_sub(x.v, y.v), x.size + y.size};
+    return wide_add(x, (wide){pair_neg(y.v), y.off});
 }
 static inline wide wide_mul(wide x, wide y)
 {
-    return (wide){pair_mul(x.v, y.v), x.size * y.size};
+    const double a = fabs(x.v.hi), b = fabs(y.v.hi);
+    return (wide){pair_mul(x.v, y.v),
+                  a * y.off + (b + CYLINT_PAIR_ROUNDING * y.off) * x.off +
+                  a * b};
 }
 
 #define NUM wide
@@ -243,7 +249,7 @@ static inline double ball_error(ball x)
 
 static inline double wide_error(wide x)
 {
-    return CYLINT_PAIR_BOUND * x.size + CYLINT_UNDERFLOW;
+    return CYLINT_PAIR_UNIT * x.off + CYLINT_UNDERFLOW;
 }
 
 /* --------------------------------------------------- one question ------ */

@@ -115,32 +115,23 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
  *   Q(t0) = 2 s (t0 - t) + A (t0 - t)^2,
  *   t     = t0 - delta + A (t0 - t)^2 / (2 s),   delta = Q(t0) / (2 s).
  *
- * Q(t0) is C for the line with its origin moved to P = D + t0 u.  P is off
- * by at most eP, and Q, homogeneous of degree 2 in (P, 1), by no more than
- * 2 eP / |P| of the sizes summed up in it.
+ * Q(t0) is C for the line with its origin moved to D + t0 u.
  */
 static pair refined(cylint_query *q, estimate k, double low, double *error)
 {
     letters_wide *L = cylint_wide(q);
     wide kept[3];
-    const wide t0 = {{k.t, low}, fabs(k.t)};
-    double from = 0, size = 0;
+    const wide t0 = {{k.t, low}, 0};
     for (int i = 0; i < 3; i++) {
         kept[i] = L->D[0][i];
         L->D[0][i] = wide_add(kept[i], wide_mul(t0, L->u[i]));
-        from += L->D[0][i].size;
-        size += fabs(L->D[0][i].v.hi);
     }
-    for (int i = 0; i < 3; i++)
-        L->D[0][i].size = size;
     const wide Q = form_C_wide(L);
     for (int i = 0; i < 3; i++)
         L->D[0][i] = kept[i];
     const double s = 2 * fabs(k.slope), delta = Q.v.hi / (2 * k.slope);
-    const double x = CYLINT_POINT_DEPTH * CYLINT_PAIR_ROUNDING * (from / size);
-    const double moved = x * (2 + x) * Q.size;
     const double off = fabs(delta) + k.error;
-    *error = 1.01 * ((wide_error(Q) + moved) / s +
+    *error = 1.01 * (wide_error(Q) / s +
                      fabs(delta) * (k.slope_error + 0x1p-50) +
                      k.bend * off / s * off);
     return fast_two_sum(k.t, low - delta);

@@ -143,21 +143,8 @@ static void move_to_t(letters_depth *L)
                                   depth_of_product(t, L->u[i]));
 }
 
-static void a_point_of_the_line_is_as_deep_as_bounds_h_says(void)
-{
-    int most = 0;
-    for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
-        letters_depth L;
-        load(&L, kind, ROUNDED_DIFFERENCE);
-        move_to_t(&L);
-        for (int i = 0; i < 3; i++)
-            most = longer(most, L.D[0][i]);
-    }
-    CHECK(most == CYLINT_POINT_DEPTH);
-}
-
-/* root.c evaluates Q at P = D + t u and accounts for P apart; hit.c uses P
- * as it comes.  Neither goes deeper than the forms themselves. */
+/* Q, its gradient and the angle at D + t u (root.c, hit.c) are no deeper than
+ * the forms themselves. */
 static void what_a_point_of_the_line_tells_is_no_deeper(void)
 {
     int most = 0;
@@ -335,7 +322,6 @@ int main(void)
 {
     RUN(the_deepest_form_is_as_deep_as_bounds_h_says);
     RUN(pairs_are_no_deeper);
-    RUN(a_point_of_the_line_is_as_deep_as_bounds_h_says);
     RUN(what_a_point_of_the_line_tells_is_no_deeper);
     RUN(what_underflows_stays_below_its_bound);
     RUN(unnormalised_pairs_err_as_bounds_h_says);

@@ -1,9 +1,8 @@
-# The same in pairs: K operations, each a factor 1 + d, and what the size computed in
-# doubles may lack: the roundings on its own path, of the bound's product and
-# sum, and of a pair's 8 factors what their high parts leave out.
+# The running error of pairs: one unit, over the roundings that the sum of them
+# meets in doubles, 5 an operation and 5 of its use.
 # modes: ne
-# bound: CYLINT_PAIR_BOUND
+# bound: CYLINT_PAIR_UNIT
 # each: CYLINT_PAIR_ROUNDING
-{ RANGES(CYLINT_DEPTH)
-  -> |(FACTORS(CYLINT_DEPTH) - 1) / (SHRINK(CYLINT_DEPTH) * SHRINK(10))|
-     <= BOUND }
+{ RANGES(1) -> |d1 / (SHRINK(CYLINT_DEPTH) * SHRINK(CYLINT_DEPTH)
+                      * SHRINK(CYLINT_DEPTH) * SHRINK(CYLINT_DEPTH)
+                      * SHRINK(CYLINT_DEPTH) * SHRINK(5))| <= BOUND }
