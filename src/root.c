@@ -573,21 +573,40 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
     return exact_value(q, root, more);
 }
 
+/* An error that leaves all but a few digits of a pair, relative. */
+#define POLISHED 0x1p-90
+
+static void polish_by_exact_quotient(cylint_query *q, cylint_root root,
+                                     pair *t)
+{
+    const int used = cylint_exact_mark(q, root);
+    const fraction f = exact_fraction(q, root);
+    const int e = f.num_e - f.den_e;
+    if (f.num.hi != 0 && e > -900 && e < 900) {
+        const pair p = pair_div(f.num, f.den);
+        *t = (pair){cylint_scaled(p.hi, e), cylint_scaled(p.lo, e)};
+        q->t_error = EXACT_ERROR;
+    }
+    q->arena.used = used;
+}
+
 void cylint_polish_root(cylint_query *q, cylint_root root, pair *t)
 {
     if (!q->filters || q->t_exponent != 0)
         return;
     estimate k = estimate_of(q, root);
-    if (!(k.slope_error < 0x1p-10))
-        return;
-    double error;
-    k.t = t->hi;
-    k.error = q->t_error * fabs(t->hi);
-    const pair better = refined(q, k, t->lo, &error);
-    if (error < k.error) {
-        *t = better;
-        q->t_error = error / fabs(better.hi);
+    if (k.slope_error < 0x1p-10) {
+        double error;
+        k.t = t->hi;
+        k.error = q->t_error * fabs(t->hi);
+        const pair better = refined(q, k, t->lo, &error);
+        if (error < k.error) {
+            *t = better;
+            q->t_error = error / fabs(better.hi);
+        }
     }
+    if (q->t_error > POLISHED)
+        polish_by_exact_quotient(q, root, t);
 }
 
 /* t in the scale of the filters, rounded. */
