@@ -17,16 +17,10 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "each.h"
 #include "environment.h"
 
-/* Part of whatever calls it, however large that is: constant arguments are to
- * make a kernel of their own; without optimisation, one for all, that `make
- * coverage` can count. */
-#if defined(__GNUC__) && defined(__OPTIMIZE__)
-#define INLINE static inline __attribute__((always_inline))
-#else
-#define INLINE static inline
-#endif
+#define INLINE CYLINT_INLINE
 
 #if !defined(CYLINT_NARROW) && defined(__AVX512F__)
 

@@ -92,7 +92,7 @@ static inline unsigned greater(vf x, vf y)
  * lane, of which g was added, is between those of the piece.  Errors are those
  * above, from the other side.
  */
-static inline unsigned test_lanes(const cylint_block *b, int from,
+CYLINT_INLINE unsigned test_lanes(const cylint_block *b, int from,
                                   const lane_line *l, float *least,
                                   unsigned *sure)
 {
@@ -156,7 +156,7 @@ static inline int count_lanes(unsigned lanes)
 }
 #endif
 
-static inline unsigned test(const cylint_block *b, const lane_line *l,
+CYLINT_INLINE unsigned test(const cylint_block *b, const lane_line *l,
                             float *least, unsigned *sure)
 {
     unsigned met = 0, all = 0;
@@ -248,9 +248,8 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
 
 /* -------------------------------------------------------- from near: rays -- */
 
-static inline unsigned test_far_ray(const cylint_block *b,
-                                    const struct RTCRay *ray,
-                                    float least[CYLINT_BLOCK])
+ASIDE unsigned test_far_ray(const cylint_block *b, const struct RTCRay *ray,
+                            float least[CYLINT_BLOCK])
 {
     const double o[3] = {ray->org_x, ray->org_y, ray->org_z};
     const double d[3] = {ray->dir_x, ray->dir_y, ray->dir_z};
@@ -262,25 +261,28 @@ static inline unsigned test_far_ray(const cylint_block *b,
     return met;
 }
 
+static inline float size_of(const struct RTCRay *ray)
+{
+    return fabsf(ray->dir_x) + fabsf(ray->dir_y) + fabsf(ray->dir_z);
+}
+
 /* The ray as it is: e = d, q = (o - c) steps, s = t times steps.  sure: NULL,
- * or as in test_lanes(). */
-static inline unsigned test_ray(const cylint_block *b,
-                                const struct RTCRay *ray,
+ * or as in test_lanes().  E: size_of() the ray. */
+CYLINT_INLINE unsigned test_ray(const cylint_block *b,
+                                const struct RTCRay *ray, float E,
                                 float least[CYLINT_BLOCK], unsigned *sure)
 {
     const float steps = cylint_block_steps(b);
-    lane_line l = {
-        .q = {(ray->org_x - b->center[0]) * steps,
-              (ray->org_y - b->center[1]) * steps,
-              (ray->org_z - b->center[2]) * steps},
-        .e = {ray->dir_x, ray->dir_y, ray->dir_z},
+    const float q[3] = {(ray->org_x - b->center[0]) * steps,
+                        (ray->org_y - b->center[1]) * steps,
+                        (ray->org_z - b->center[2]) * steps};
+    const float far = fabsf(q[0]) + fabsf(q[1]) + fabsf(q[2]);
+    const lane_line l = {
+        .q = {q[0], q[1], q[2]}, .e = {ray->dir_x, ray->dir_y, ray->dir_z},
+        .E = E, .k = (far + REACH_OF_PIECES) * 0x1p-20f,
         .first = ray->tnear * steps, .last = ray->tfar * steps,
         .t_per_s = 1 / steps};
-    l.E = fabsf(l.e[0]) + fabsf(l.e[1]) + fabsf(l.e[2]);
-    l.k = (fabsf(l.q[0]) + fabsf(l.q[1]) + fabsf(l.q[2]) + REACH_OF_PIECES) *
-          0x1p-20f;
-    if (!(l.k < (FAR_LIMIT + REACH_OF_PIECES) * 0x1p-20f &&
-          l.E > 1 / E_LIMIT && l.E < E_LIMIT)) {
+    if (!((far < FAR_LIMIT) & (E > 1 / E_LIMIT) & (E < E_LIMIT))) {
         if (sure)
             *sure = 0;
         return test_far_ray(b, ray, least);

@@ -40,7 +40,7 @@ typedef struct {
  * flushed to zero is less than FLT_MIN each.  Where something overflows,
  * f_higher() and f_lower() leave out what is not a number.
  */
-static inline unsigned boxes_met(const cylint_node *node, const way *w,
+CYLINT_INLINE unsigned boxes_met(const cylint_node *node, const way *w,
                                  uint32_t enter[CYLINT_CHILDREN])
 {
     unsigned met = 0;
@@ -104,7 +104,7 @@ static inline void fetch(const cylint_group *group, uint32_t child)
 
 /* Keeps those met for later, nearer ones above, but the nearest one, which it
  * returns. */
-static inline uint32_t nearest_of(stack *s, const cylint_group *group,
+CYLINT_INLINE uint32_t nearest_of(stack *s, const cylint_group *group,
                                   const cylint_node *node, unsigned met,
                                   const uint32_t enter[CYLINT_CHILDREN])
 {
@@ -193,7 +193,7 @@ static inline void begin(way *w, const cylint_group *group, const double o[3],
     w->last = above(w, tmax);
 }
 
-static inline const cylint_block *next_block(stack *s,
+CYLINT_INLINE const cylint_block *next_block(stack *s,
                                              const cylint_group *group,
                                              const way *w)
 {
@@ -238,12 +238,13 @@ static int leaves(const cylint_group *group, const double o[3],
 
 /* A shape that holds a point of a line which ends outside is met behind that
  * point; `certain`: that is enough. */
-static inline int walk_rays(const cylint_group *group,
+CYLINT_INLINE int walk_rays(const cylint_group *group,
                             const struct RTCRay *ray, cylint_meet_ray *meet,
                             void *self, int certain)
 {
     const double o[3] = {ray->org_x, ray->org_y, ray->org_z};
     const double d[3] = {ray->dir_x, ray->dir_y, ray->dir_z};
+    const float E = size_of(ray);
     const cylint_block *block;
     float least[CYLINT_BLOCK];
     way w;
@@ -253,7 +254,7 @@ static inline int walk_rays(const cylint_group *group,
     certain = certain && leaves(group, o, d, ray->tfar);
     while ((block = next_block(&s, group, &w))) {
         unsigned sure = 0;
-        const unsigned lanes = test_ray(block, ray, least,
+        const unsigned lanes = test_ray(block, ray, E, least,
                                         certain ? &sure : NULL);
         if (!lanes)
             continue;
