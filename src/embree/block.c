@@ -14,16 +14,6 @@
 #define LARGEST_P 511.0
 #define LARGEST_R 1023.0
 
-static double larger(double x, double y) /* fmax() is a call */
-{
-    return x > y ? x : y;
-}
-
-static double lesser(double x, double y)
-{
-    return x < y ? x : y;
-}
-
 /* At most 2^100 a unit: what floats take for zero is no part of a step. */
 static uint16_t steps_per_unit(double half)
 {
@@ -42,8 +32,9 @@ static void place(cylint_block *block, const cylint_box *boxes, int used)
         }
         const float c = (float)(((double)lower + (double)upper) / 2);
         block->center[j] = c;
-        most = larger(most, larger((double)upper - (double)c,
-                                   (double)c - (double)lower));
+        most = cylint_larger(most,
+                             cylint_larger((double)upper - (double)c,
+                                           (double)c - (double)lower));
     }
     block->steps = steps_per_unit(most);
 }
@@ -64,7 +55,7 @@ static double moved(const double p[3])
 
 static int store(cylint_block *block, int lane, const hull *h)
 {
-    const double r = ceil(h->r + larger(moved(h->p[0]), moved(h->p[1])));
+    const double r = ceil(h->r + cylint_larger(moved(h->p[0]), moved(h->p[1])));
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < 3; j++)
             if (!(fabs(h->p[end][j]) < LARGEST_P))
@@ -119,16 +110,16 @@ static int hold(cylint_block *block, int lane, const cylint_stem *s,
                                axis[2] * axis[2]);
     const double rough = blur * steps + 0x1p-48 * steps *
         (fabs(base[0]) + fabs(base[1]) + fabs(base[2]) + length +
-         larger(k0, k1) * (1 + slant));
+         cylint_larger(k0, k1) * (1 + slant));
     const double e = 0.875 + rough;
     double z[2];
     cylint_piece_ends(piece, z);
-    const double across = larger(k0 + (k1 - k0) * z[0],
-                                 k0 + (k1 - k0) * z[1]) * steps;
+    const double across = cylint_larger(k0 + (k1 - k0) * z[0],
+                                        k0 + (k1 - k0) * z[1]) * steps;
     const double l = length * steps * (z[1] - z[0]);
     const double out = sqrt(across * e);
     const double g = e + across * slant + 4 +
-        (l > 4 * e ? lesser(out, across * 2 * e / (l - 2 * e)) : out);
+        (l > 4 * e ? cylint_lesser(out, across * 2 * e / (l - 2 * e)) : out);
     const double g_per_length = length > 0 ? g / length : 0;
     hull h = {.r = across + rough + 0x1p-20};
     for (int j = 0; j < 3; j++) {

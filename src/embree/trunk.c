@@ -111,18 +111,19 @@ struct RTCBounds cylint_piece_box(const cylint_trunk *t,
 {
     double z[2], lo[3], hi[3];
     cylint_piece_ends(piece, z);
+    const double k[2] = {t->k[0] + (t->k[1] - t->k[0]) * z[0],
+                         t->k[0] + (t->k[1] - t->k[0]) * z[1]};
     for (int j = 0; j < 3; j++) {
-        lo[j] = HUGE_VAL;
-        hi[j] = -HUGE_VAL;
-        for (int end = 0; end < 2; end++) {
-            const double center = t->base[j] + z[end] * t->axis[j];
-            const double k = t->k[0] + (t->k[1] - t->k[0]) * z[end];
-            const double size = fabs(t->base[j]) + fabs(t->axis[j]) +
-                                (t->k[0] + t->k[1]) * reach[j];
-            const double out = k * reach[j] + size * 0x1p-48 + DBL_MIN;
-            lo[j] = center - out < lo[j] ? center - out : lo[j];
-            hi[j] = center + out > hi[j] ? center + out : hi[j];
-        }
+        const double size = fabs(t->base[j]) + fabs(t->axis[j]) +
+                            (t->k[0] + t->k[1]) * reach[j];
+        const double more = size * 0x1p-48 + DBL_MIN;
+        const double from = t->base[j] + z[0] * t->axis[j];
+        const double to = t->base[j] + z[1] * t->axis[j];
+        const double out0 = k[0] * reach[j] + more;
+        const double out1 = k[1] * reach[j] + more;
+        /* which end is lower cannot be foreseen: no branch */
+        lo[j] = cylint_lesser(from - out0, to - out1);
+        hi[j] = cylint_larger(from + out0, to + out1);
     }
     return cylint_float_box(lo, hi);
 }
