@@ -7,8 +7,8 @@
  * branch-free masks, of two lanes, for work on one line and one shape, and
  * gets two from any compiler that knows GNU's vectors.  Without any, lanes are
  * plain doubles.  Of two lanes there are also: two numbers side by side, the
- * first lanes of two vectors, and both lanes the other way round.  Every operation rounds once, so every width gives the
- * same bits.
+ * first lanes of two vectors, and both lanes the other way round.  Every
+ * operation rounds once, so every width gives the same bits.
  */
 #ifndef CYLINT_SIMD_H
 #define CYLINT_SIMD_H

@@ -2,10 +2,10 @@
  * sums.h - sums and products without error, once for doubles and for lanes
  *
  * The including file names the type REAL, the struct PAIR of hi and lo, the
- * functions EFT(name), how they are declared INLINE, BROADCAST(x) for a constant, and FUSED(a, b, c) for
- * a b + c in one rounding where there is such an operation.  The order of
- * operations is the algorithm: a compiler must not reassociate or contract
- * (environment.h refuses the flags that would).
+ * functions EFT(name), how they are declared INLINE, BROADCAST(x) for a
+ * constant, and FUSED(a, b, c) for a b + c in one rounding where there is such
+ * an operation.  The order of operations is the algorithm: a compiler must not
+ * reassociate or contract (environment.h refuses the flags that would).
  *
  * [Dekker 1971], [Knuth TAOCP 2, 4.2.2].
  */

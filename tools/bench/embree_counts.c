@@ -87,7 +87,8 @@ static void count(const struct cylinder_kind *kind, size_t n)
 int main(int argc, char **argv)
 {
     const size_t most = argc > 1 ? (size_t)atof(argv[1]) : 1000000;
-    printf("scene\tn\trays\tnodes/ray\tblocks/ray\tpieces/ray\tshapes/ray\texactly/ray\n");
+    printf("scene\tn\trays\tnodes/ray\tblocks/ray\tpieces/ray\tshapes/ray\t"
+           "exactly/ray\n");
     for (size_t n = 1000; n <= most; n *= 10)
         count(&thin, n);
     for (size_t n = 1000; n <= most; n *= 1000)
