@@ -111,12 +111,13 @@ CYLINT_INLINE uint32_t nearest_of(stack *s, const cylint_group *group,
     const int first = cylint_lowest(met);
     uint64_t *const from = s->stop + s->n, *to = from;
     uint64_t next = stop_at(enter[first], node->child[first]);
+    fetch(group, (uint32_t)next);
     while ((met &= met - 1)) {
         const int i = cylint_lowest(met);
         const uint64_t other = stop_at(enter[i], node->child[i]);
+        fetch(group, (uint32_t)other);
         uint64_t later = other > next ? other : next, *at = to++;
         next = other > next ? next : other;
-        fetch(group, (uint32_t)later);
         for (; at > from && at[-1] < later; at--)
             at[0] = at[-1];
         *at = later;
