@@ -194,6 +194,8 @@ static inline void begin(way *w, const cylint_group *group, const double o[3],
     w->last = above(w, tmax);
 }
 
+/* The next block, or NULL.  Whoever asks for one before he looks at the last
+ * finds that in the cache. */
 CYLINT_INLINE const cylint_block *next_block(stack *s,
                                              const cylint_group *group,
                                              const way *w)
@@ -246,15 +248,16 @@ CYLINT_INLINE int walk_rays(const cylint_group *group,
     const double o[3] = {ray->org_x, ray->org_y, ray->org_z};
     const double d[3] = {ray->dir_x, ray->dir_y, ray->dir_z};
     const float E = size_of(ray);
-    const cylint_block *block;
+    const cylint_block *block, *next;
     float least[CYLINT_BLOCK];
     way w;
     stack s;
     begin(&w, group, o, d, ray->tnear, ray->tfar);
     set_out(&s, &w);
     certain = certain && leaves(group, o, d, ray->tfar);
-    while ((block = next_block(&s, group, &w))) {
+    for (next = next_block(&s, group, &w); (block = next); ) {
         unsigned sure = 0;
+        next = next_block(&s, group, &w);
         const unsigned lanes = test_ray(block, ray, E, least,
                                         certain ? &sure : NULL);
         if (!lanes)
@@ -284,13 +287,14 @@ static void walk_line(const cylint_group *group, const double o[3],
                       const double d[3], double tmin, const double *tmax,
                       cylint_meet_line *meet, void *self)
 {
-    const cylint_block *block;
+    const cylint_block *block, *next;
     double least[CYLINT_BLOCK];
     way w;
     stack s;
     begin(&w, group, o, d, tmin, *tmax);
     set_out(&s, &w);
-    while ((block = next_block(&s, group, &w))) {
+    for (next = next_block(&s, group, &w); (block = next); ) {
+        next = next_block(&s, group, &w);
         const unsigned lanes = test_line(block, o, d, tmin, *tmax, least);
         if (!lanes)
             continue;
