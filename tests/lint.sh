@@ -49,7 +49,7 @@ judged() {
         -e 'boxes\.c:.*CallAndMessage' \
         -e 'exact\.c:.*right shift is undefined' \
         -e 'swc\.c:.*memleak' \
-        -e 'sort\.c:.*bugprone-integer-division' \
+        -e 'tree\.c:.*bugprone-integer-division' \
         -e 'trace\.c:.*\(autoVariables\|StackAddressEscape\|negativeIndex\)' \
         -e 'forms\.h:.*core\.UndefinedBinaryOperatorResult' \
         -e 'kernel\.h:.*uninitialized value .*\[[12]\]' \

@@ -1,8 +1,8 @@
 /*
  * block.h - up to 8 pieces of shapes side by side
  *
- * Which of them a line may meet a block answers in floats (lanetest.h); the
- * answers are for cylint_intersect() to give.
+ * Which of them a line may meet is told in floats (lanetest.h); the answers
+ * are for cylint_intersect() to give.
  */
 #ifndef CYLINT_EMBREE_BLOCK_H
 #define CYLINT_EMBREE_BLOCK_H
@@ -13,9 +13,10 @@
 #include "trunk.h"
 
 /*
- * Around the box's centre all lengths are whole numbers of steps, so two cache lines hold 8 pieces: for each a circular
- * cylinder, from axis point p[0] to p[1] with radius r, that holds the piece.
- * Conical and elliptic pieces are held by such cylinders too.
+ * Around the box's centre all lengths are whole numbers of steps, so two
+ * cache lines hold 8 pieces: for each a circular cylinder, from axis point
+ * p[0] to p[1] with radius r, that holds the piece.  Conical and elliptic
+ * pieces are held by such cylinders too.
  */
 typedef struct cylint_block {
     float center[3];               /* of the pieces' box */

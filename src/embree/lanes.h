@@ -38,8 +38,8 @@ static inline vf f_from_bits(vi x, int mask)
 }
 static inline vf f_from_bytes(const uint8_t *x)
 {
-    return _mm256_cvtepi32_ps(
-        _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)x)));
+    const __m128i bytes = _mm_loadl_epi64((const __m128i *)(const void *)x);
+    return _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(bytes));
 }
 static inline void f_store(float *x, vf v) { _mm256_storeu_ps(x, v); }
 static inline void f_store_keys(uint32_t *x, vf v)
@@ -159,8 +159,14 @@ static inline void v4_store(float *x, v4 a)
     for (int i = 0; i < 4; i++)
         x[i] = a.x[i];
 }
-static inline v4 v4_min(v4 a, v4 b) { V4_EACH(a.x[i] < b.x[i] ? a.x[i] : b.x[i]) }
-static inline v4 v4_max(v4 a, v4 b) { V4_EACH(a.x[i] > b.x[i] ? a.x[i] : b.x[i]) }
+static inline v4 v4_min(v4 a, v4 b)
+{
+    V4_EACH(a.x[i] < b.x[i] ? a.x[i] : b.x[i])
+}
+static inline v4 v4_max(v4 a, v4 b)
+{
+    V4_EACH(a.x[i] > b.x[i] ? a.x[i] : b.x[i])
+}
 static inline v4 v4_add(v4 a, v4 b) { V4_EACH(a.x[i] + b.x[i]) }
 static inline v4 v4_sub(v4 a, v4 b) { V4_EACH(a.x[i] - b.x[i]) }
 static inline v4 v4_mul(v4 a, v4 b) { V4_EACH(a.x[i] * b.x[i]) }

@@ -211,7 +211,8 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
     const double dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     if (!(dd > 0x1p-900 && dd < 0x1p900))
         return all_lanes(b, tmin, least);
-    const double steps = cylint_block_steps(b), length = sqrt(dd), per_length = 1 / length;
+    const double steps = cylint_block_steps(b), length = sqrt(dd);
+    const double per_length = 1 / length;
     double from[3], along = 0, far = 0, apart = 0;
     lane_line l = {.E = 2, .t_per_s = 1};
     for (int j = 0; j < 3; j++) {
@@ -237,11 +238,13 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
     l.last = clamp((tmax * length + along) * steps + off);
     float s[CYLINT_BLOCK];
     const unsigned met = test(b, &l, s, NULL);
-    for (int lane = 0; lane < cylint_block_used(b); lane++) {
-        if (!(met >> lane & 1))
+    for (unsigned lanes = met; lanes; lanes &= lanes - 1) {
+        const int lane = cylint_lowest(lanes);
+        least[lane] = tmin;
+        if (b->always >> lane & 1)
             continue;
         const double t = (((double)s[lane] - off) / steps - along) * per_length;
-        least[lane] = b->always >> lane & 1 || !(t > tmin) ? tmin : t;
+        least[lane] = t > tmin ? t : tmin;
     }
     return met;
 }

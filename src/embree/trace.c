@@ -2,9 +2,10 @@
  * trace.c - Embree's callbacks: rays to candidates to hits
  *
  * Rays of packets are copied out, asked one by one, and copied back where
- * they hit.  All blocks are one primitive, through which walk.h leads.  Whether and where a shape is hit is cylint_intersect()'s word,
- * which quick.c anticipates where it is certain of it; everything else only
- * chooses which shapes to ask.
+ * they hit.  All blocks are one primitive, through which walk.h leads.
+ * Whether and where a shape is hit is cylint_intersect()'s word, which quick.c
+ * anticipates where it is certain of it; everything else only chooses which
+ * shapes to ask.
  */
 #include <string.h>
 

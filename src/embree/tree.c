@@ -376,7 +376,8 @@ size_t cylint_tree_build(cylint_node *nodes, cylint_box *boxes, size_t n,
     for (int j = 0; j < 3; j++)
         longest = side[j] > longest ? side[j] : longest;
     const float least = longest * CYLINT_LEAST_STEP;
-    builder b = {boxes, nodes, 0, least > 0x1p-100f ? least : 0x1p-100f, center};
+    builder b = {boxes, nodes, 0, least > 0x1p-100f ? least : 0x1p-100f,
+                 center};
     make_node(&b, all, 0);
     return b.n_nodes;
 }
