@@ -9,7 +9,6 @@
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -163,11 +162,10 @@ static cylint_scene_status device_status(RTCDevice device)
     }
 }
 
-static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
+/* The device gives memory; its threads have nothing to do. */
+static cylint_scene_status build_hierarchy(cylint_scene *s)
 {
-    char config[64];
-    snprintf(config, sizeof config, "threads=%d", threads > 0 ? threads : 0);
-    s->device = rtcNewDevice(config);
+    s->device = rtcNewDevice("threads=1");
     if (!s->device)
         return CYLINT_SCENE_EEMBREE;
     rtcSetDeviceMemoryMonitorFunction(s->device, count_bytes, s);
@@ -182,25 +180,26 @@ static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
     return device_status(s->device);
 }
 
-static cylint_scene_status build(cylint_scene *s, int threads)
+static cylint_scene_status build(cylint_scene *s)
 {
     if (s->n > MOST_SHAPES)
         return CYLINT_SCENE_ESIZE;
     if (!sort_shapes(s, make_frame(s)))
         return CYLINT_SCENE_EMEMORY;
-    return s->n_boxed > 0 ? build_hierarchy(s, threads) : CYLINT_SCENE_OK;
+    return s->n_boxed > 0 ? build_hierarchy(s) : CYLINT_SCENE_OK;
 }
 
 cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
                                int threads, cylint_scene_status *status)
 {
     cylint_scene *s = calloc(1, sizeof *s);
+    (void)threads; /* at most so many: one */
     cylint_scene_status result = CYLINT_SCENE_EMEMORY;
     if (s) {
         s->shapes = shapes;
         s->n = n;
         s->own_bytes = sizeof *s;
-        result = build(s, threads);
+        result = build(s);
     }
     if (status)
         *status = result;
