@@ -236,7 +236,7 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
         (apart + (double)REACH_OF_PIECES) * 0x1p-20 + off);
     l.first = clamp((tmin * length + along) * steps - off);
     l.last = clamp((tmax * length + along) * steps + off);
-    float s[CYLINT_BLOCK];
+    float s[CYLINT_BLOCK] = {0};
     const unsigned met = test(b, &l, s, NULL);
     for (unsigned lanes = met; lanes; lanes &= lanes - 1) {
         const int lane = cylint_lowest(lanes);
