@@ -2,10 +2,10 @@
  * cylint_scene - one line against very many shapes, by a hierarchy of boxes
  *
  * A scene answers what cylint_nearest() and cylint_count() of cylint.h
- * answer for all of its shapes, bit for bit: Embree only says which shapes
- * need not be asked.  That holds for every line and shape that can be made,
- * refused ones included; unbounded shapes and a few wild ones (below) are
- * asked by batch, beside the hierarchy.
+ * answer for all of its shapes, bit for bit: the hierarchy only says which
+ * shapes need not be asked.  That holds for every line and shape that can be
+ * made, refused ones included; unbounded shapes and a few wild ones (below)
+ * are asked by batch, beside the hierarchy.
  *
  * In libcylint-embree.  A scene is only read by queries: any number of
  * threads may ask one.  No query allocates.
@@ -25,7 +25,8 @@ typedef enum cylint_scene_status {
     CYLINT_SCENE_OK = 0,
     CYLINT_SCENE_EMEMORY, /* there is not enough memory */
     CYLINT_SCENE_ESIZE,   /* more than 2^28 shapes */
-    CYLINT_SCENE_EEMBREE  /* Embree refuses: no processor it knows, ... */
+    CYLINT_SCENE_EEMBREE  /* Embree refuses: not returned by scenes that walk
+                             their own nodes, as those of this version do */
 } cylint_scene_status;
 
 /* A short English text for a status, static, lower case, no full stop. */
@@ -47,8 +48,7 @@ CYLINT_API cylint_scene *cylint_scene_new(const cylint_shape *shapes,
 /* NULL is allowed. */
 CYLINT_API void cylint_scene_free(cylint_scene *scene);
 
-/* Bytes of memory that the scene keeps, Embree's part included, the
- * caller's shapes not. */
+/* Bytes of memory that the scene keeps, the caller's shapes not counted. */
 CYLINT_API size_t cylint_scene_bytes(const cylint_scene *scene);
 
 /* The number of the shape that the line meets first, its hit in *hit as far

@@ -5,7 +5,6 @@
  * (bounds.h).  Comparisons are written so that a NaN falls to the next
  * arithmetic.
  */
-#include "each.h"
 #include "internal.h"
 
 #ifdef CYLINT_COUNT_STAGES

@@ -1,6 +1,6 @@
 /*
  * each.h - loops of few rounds: over small arrays, over the ones of a mask;
- * and what is not to be in line
+ * the larger of two; and what is, and what is not, to be in line
  */
 #ifndef CYLINT_EACH_H
 #define CYLINT_EACH_H
@@ -21,6 +21,17 @@
 #else
 #define ASIDE static
 #endif
+
+/* fmax() and fmin() without NaN: those are calls. */
+static inline double cylint_larger(double x, double y)
+{
+    return x > y ? x : y;
+}
+
+static inline double cylint_smaller(double x, double y)
+{
+    return x < y ? x : y;
+}
 
 /* The number of the lowest 1, of which there is one. */
 static inline int cylint_lowest(uint64_t bits)

@@ -12,6 +12,7 @@
 
 #include "bounds.h"
 #include "cylint.h"
+#include "each.h"
 #include "eft.h"
 #include "environment.h"
 #include "exact.h"
@@ -59,17 +60,6 @@ static inline int cylint_less(double x, double y)
     a = a < 0 ? INT64_MIN - a : a; /* ascending with x, both zeros 0 */
     b = b < 0 ? INT64_MIN - b : b;
     return a < b;
-}
-
-/* fmax() and fmin() without NaN: those are calls. */
-static inline double cylint_larger(double x, double y)
-{
-    return x > y ? x : y;
-}
-
-static inline double cylint_smaller(double x, double y)
-{
-    return x < y ? x : y;
 }
 
 static inline double cylint_largest(const double x[3])

@@ -6,7 +6,6 @@
  * ends the interval is read off the signs of forms.h at the two cap planes;
  * no root is computed for it and none is compared with another.
  */
-#include "each.h"
 #include "internal.h"
 #include "kernels.h"
 

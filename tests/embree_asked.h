@@ -66,4 +66,17 @@ static inline void agrees(const struct world *w, struct rays *r)
     CHECK(rays_strayed(r, 0) == 0);
 }
 
+/* One ray, asked alone, of which both say the same. */
+static inline struct rays asked_alone(const struct world *w, const float o[3],
+                                      const float d[3], float tnear,
+                                      float tfar)
+{
+    struct rays r;
+    rays_begin(&r, 1);
+    rays_add(&r, 0, o, d, tnear, tfar);
+    rays_intersect(&r, w->scene, NULL);
+    agrees(w, &r);
+    return r;
+}
+
 #endif

@@ -106,11 +106,7 @@ static void a_ray_that_starts_inside_hits_where_it_leaves(void)
     cylint_cylinder(&shape, p0, p1, 1, CYLINT_CAPPED);
     for (int how = 0; how < 2; how++) {
         struct world w = made(&shape, 1, both_ways[how]);
-        struct rays r;
-        rays_begin(&r, 1);
-        rays_add(&r, 0, o, d, 0, HUGE_VALF);
-        rays_intersect(&r, w.scene, NULL);
-        agrees(&w, &r);
+        struct rays r = asked_alone(&w, o, d, 0, HUGE_VALF);
         CHECK(rays_hit(&r, 0) && rays_at(&r, RAY_TFAR, 0)->f == 6);
         CHECK(rays_at(&r, HIT_U, 0)->f == 1);
         world_free(&w);

@@ -119,7 +119,7 @@ static int hold(cylint_block *block, int lane, const cylint_stem *s,
     const double l = length * steps * (z[1] - z[0]);
     const double out = sqrt(across * e);
     const double g = e + across * slant + 4 +
-        (l > 4 * e ? cylint_lesser(out, across * 2 * e / (l - 2 * e)) : out);
+        (l > 4 * e ? cylint_smaller(out, across * 2 * e / (l - 2 * e)) : out);
     const double g_per_length = length > 0 ? g / length : 0;
     hull h = {.r = across + rough + 0x1p-20};
     for (int j = 0; j < 3; j++) {

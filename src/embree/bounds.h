@@ -9,18 +9,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "../each.h"
 #include "api.h"
-
-/* fmin() and fmax() are calls. */
-static inline double cylint_lesser(double x, double y)
-{
-    return x < y ? x : y;
-}
-
-static inline double cylint_larger(double x, double y)
-{
-    return x > y ? x : y;
-}
 
 /* The float so many places after x; no subnormal ones between. */
 static inline float cylint_float_after(float x, int places)

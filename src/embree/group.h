@@ -29,10 +29,10 @@ typedef enum cylint_group_status {
 } cylint_group_status;
 
 /*
- * Groups the n shapes of the given numbers (NULL: those from 0 on, of which
- * number 2^32 - 1 is refused).  Every piece of every shape is in one lane of
- * one block.  Where that is not OK nothing is left; *refused is the first
- * shape for ESHAPE.
+ * Groups, in memory of the device (NULL: from malloc()), the n shapes of the
+ * given numbers (NULL: those from 0 on, of which number 2^32 - 1 is refused).
+ * Every piece of every shape is in one lane of one block.  Where that is not
+ * OK nothing is left; *refused is the first shape for ESHAPE.
  */
 cylint_group_status cylint_group_make(cylint_group *group, RTCDevice device,
                                       const cylint_view *view,

@@ -1,5 +1,5 @@
 /*
- * memory.c - memory from an Embree device
+ * memory.c - memory from an Embree device, or from malloc()
  */
 #ifdef __linux__
 #define _DEFAULT_SOURCE /* madvise() */
@@ -9,6 +9,7 @@
 #include "memory.h"
 
 #include <stdint.h>
+#include <stdlib.h>
 
 enum { CACHE_LINE = 64, HUGE_PAGE = 2 << 20 };
 
@@ -29,21 +30,25 @@ static void ask_for_huge_pages(void *data, size_t bytes)
 
 int cylint_memory_take(cylint_memory *memory, RTCDevice device, size_t bytes)
 {
-    memory->data = NULL;
-    memory->bytes = bytes;
-    memory->buffer = bytes <= SIZE_MAX - CACHE_LINE
-                   ? rtcNewBuffer(device, bytes + CACHE_LINE) : NULL;
-    if (memory->buffer) {
-        char *data = rtcGetBufferData(memory->buffer);
-        memory->data = data + (CACHE_LINE - (uintptr_t)data % CACHE_LINE);
-        ask_for_huge_pages(memory->data, bytes);
-    }
-    return memory->buffer != NULL;
+    char *data = NULL;
+    *memory = (cylint_memory){.bytes = bytes};
+    if (bytes > SIZE_MAX - CACHE_LINE)
+        return 0;
+    if (!device)
+        data = memory->own = malloc(bytes + CACHE_LINE);
+    else if ((memory->buffer = rtcNewBuffer(device, bytes + CACHE_LINE)))
+        data = rtcGetBufferData(memory->buffer);
+    if (!data)
+        return 0;
+    memory->data = data + (CACHE_LINE - (uintptr_t)data % CACHE_LINE);
+    ask_for_huge_pages(memory->data, bytes);
+    return 1;
 }
 
 void cylint_memory_give(cylint_memory *memory)
 {
     if (memory->buffer)
         rtcReleaseBuffer(memory->buffer);
+    free(memory->own);
     *memory = (cylint_memory){0};
 }

@@ -2,7 +2,8 @@
  * memory.h - memory from an Embree device, as its memory monitor likes it
  *
  * Buffers, so that what the adapter holds is counted and may be refused like
- * Embree's own, the refusal being told to the device's error function.
+ * Embree's own, the refusal being told to the device's error function; or,
+ * where there is no device (NULL), from malloc().
  */
 #ifndef CYLINT_EMBREE_MEMORY_H
 #define CYLINT_EMBREE_MEMORY_H
@@ -12,8 +13,9 @@
 #include "api.h"
 
 typedef struct cylint_memory {
-    RTCBuffer buffer; /* NULL: none */
-    void *data;       /* on a cache line */
+    RTCBuffer buffer; /* the device's, or NULL */
+    void *own;        /* from malloc(), or NULL */
+    void *data;       /* on a cache line; NULL: none */
     size_t bytes;
 } cylint_memory;
 

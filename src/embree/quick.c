@@ -41,18 +41,13 @@ static void cross(double to[3], const double x[3], const double y[3])
     to[2] = x[0] * y[1] - x[1] * y[0];
 }
 
-static double lesser(double x, double y) /* fmin() is a call */
-{
-    return x < y ? x : y;
-}
-
 /* Products below are of at most ten lengths, none of which may be smaller than
  * this, if it matters beside the others: so what is flushed to zero does not.
  * What overflows leaves infinite bounds or NaN, of which nothing is certain. */
 static int in_window(const cylint_quick *q)
 {
     const double R = q->r0 + fabs(q->dr);
-    return lesser(lesser(R, q->W), q->U) > 0x1p-90;
+    return cylint_smaller(cylint_smaller(R, q->W), q->U) > 0x1p-90;
 }
 
 /*
@@ -389,7 +384,7 @@ static int least_in_full(const cylint_shape *s, double least)
 static int least_component(const cylint_quick *q)
 {
     const double x = fabs(q->w[0]), y = fabs(q->w[1]), z = fabs(q->w[2]);
-    const double xy = lesser(x, y), least = lesser(xy, z);
+    const double xy = cylint_smaller(x, y), least = cylint_smaller(xy, z);
     const int tied = (x <= least) + (y <= least) + (z <= least) > 1;
     return tied && least > 0 ? least_in_full(q->whole, least)
                              : z < xy ? 2 : y < x;
@@ -441,15 +436,6 @@ void cylint_quick_shape_of(cylint_quick_shape *to, const cylint_shape *s)
     to->dr = s->kind > CYLINT_KIND_ACONE ? 0
            : s->kind == CYLINT_KIND_ACONE ? s->dr * sqrt(dot(s->axis, s->axis))
            : s->dr;
-}
-
-const cylint_quick_build *cylint_quick_used(void)
-{
-#ifdef CYLINT_BUILDS_X86
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return &cylint_quick_fma;
-#endif
-    return &cylint_quick_plain;
 }
 
 #endif

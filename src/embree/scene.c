@@ -12,10 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "api.h"
 #include "cylint_scene.h"
-#include "frame.h"
 #include "../each.h"
+#include "frame.h"
 #include "walk.h"
 
 enum { MOST_SHAPES = 1 << 28 };
@@ -33,9 +32,7 @@ struct cylint_scene {
     cylint_shape *copies;  /* of the latter, for their pack */
     void *pack_memory;
     cylint_pack pack;
-    RTCDevice device;
-    size_t own_bytes;
-    ptrdiff_t embree_bytes;
+    size_t own_bytes;      /* beside the group's */
 };
 
 const char *cylint_scene_strerror(int status)
@@ -141,43 +138,16 @@ static int sort_shapes(cylint_scene *s, int framed)
     return 1;
 }
 
-static bool count_bytes(void *scene, ssize_t bytes, bool after)
-{
-    (void)after;
-    cylint_scene *s = scene;
-    __atomic_fetch_add(&s->embree_bytes, bytes, __ATOMIC_RELAXED);
-    return true;
-}
-
-/* What went wrong at the device, if anything did. */
-static cylint_scene_status device_status(RTCDevice device)
-{
-    switch (rtcGetDeviceError(device)) {
-    case RTC_ERROR_NONE:
-        return CYLINT_SCENE_OK;
-    case RTC_ERROR_OUT_OF_MEMORY:
-        return CYLINT_SCENE_EMEMORY;
-    default:
-        return CYLINT_SCENE_EEMBREE;
-    }
-}
-
-/* The device gives memory; its threads have nothing to do. */
 static cylint_scene_status build_hierarchy(cylint_scene *s)
 {
-    s->device = rtcNewDevice("threads=1");
-    if (!s->device)
-        return CYLINT_SCENE_EEMBREE;
-    rtcSetDeviceMemoryMonitorFunction(s->device, count_bytes, s);
+    size_t refused; /* none: all have boxes */
     s->walk = cylint_walks_used()->line;
     s->view = (cylint_view){
         s->shapes, {s->frame.center[0], s->frame.center[1],
         s->frame.center[2]}, s->frame.scale, CYLINT_FRAME_BLUR};
-    size_t refused; /* none: all have boxes */
-    if (cylint_group_make(&s->group, s->device, &s->view, s->boxed, s->n_boxed,
-                          &refused) != CYLINT_GROUP_OK)
-        return CYLINT_SCENE_EMEMORY;
-    return device_status(s->device);
+    return cylint_group_make(&s->group, NULL, &s->view, s->boxed, s->n_boxed,
+                             &refused) == CYLINT_GROUP_OK
+         ? CYLINT_SCENE_OK : CYLINT_SCENE_EMEMORY;
 }
 
 static cylint_scene_status build(cylint_scene *s)
@@ -214,8 +184,6 @@ void cylint_scene_free(cylint_scene *scene)
     if (!scene)
         return;
     cylint_group_free(&scene->group);
-    if (scene->device)
-        rtcReleaseDevice(scene->device);
     free(scene->boxed);
     free(scene->loose);
     free(scene->copies);
@@ -225,7 +193,7 @@ void cylint_scene_free(cylint_scene *scene)
 
 size_t cylint_scene_bytes(const cylint_scene *scene)
 {
-    return scene->own_bytes + (size_t)scene->embree_bytes;
+    return scene->own_bytes + scene->group.memory.bytes;
 }
 
 /* ------------------------------------------------------------- queries -- */

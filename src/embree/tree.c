@@ -263,6 +263,9 @@ static size_t halve(const range *r)
 
 /* ---------------------------------------------------------------- nodes -- */
 
+/* Steps are not 0, and no less than so much of the longest side of all. */
+#define LEAST_STEP 0x1p-30f
+
 typedef struct {
     const cylint_box *boxes;  /* the first of all */
     cylint_node *nodes;
@@ -375,9 +378,8 @@ size_t cylint_tree_build(cylint_node *nodes, cylint_box *boxes, size_t n,
     v4_store(side, v4_sub(all.box.upper, all.box.lower));
     for (int j = 0; j < 3; j++)
         longest = side[j] > longest ? side[j] : longest;
-    const float least = longest * CYLINT_LEAST_STEP;
-    builder b = {boxes, nodes, 0, least > 0x1p-100f ? least : 0x1p-100f,
-                 center};
+    const float least = longest * LEAST_STEP, tiny = 0x1p-100f;
+    builder b = {boxes, nodes, 0, least > tiny ? least : tiny, center};
     make_node(&b, all, 0);
     return b.n_nodes;
 }

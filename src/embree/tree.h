@@ -29,9 +29,6 @@ typedef struct cylint_node {
 
 #define CYLINT_LEAF 0x80000000u
 
-/* Steps are no less than so much of the longest side of all. */
-#define CYLINT_LEAST_STEP 0x1p-30f
-
 /* No path from the first node to a block is longer: see DEEP in tree.c; from
  * there on each node has an eighth of its parent's boxes, nearly. */
 enum { CYLINT_DEPTH = 24 + 16 };

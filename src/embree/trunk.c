@@ -122,7 +122,7 @@ struct RTCBounds cylint_piece_box(const cylint_trunk *t,
         const double out0 = k[0] * reach[j] + more;
         const double out1 = k[1] * reach[j] + more;
         /* which end is lower cannot be foreseen: no branch */
-        lo[j] = cylint_lesser(from - out0, to - out1);
+        lo[j] = cylint_smaller(from - out0, to - out1);
         hi[j] = cylint_larger(from + out0, to + out1);
     }
     return cylint_float_box(lo, hi);

@@ -37,17 +37,6 @@ typedef struct cylint_view {
     double center[3], scale, blur;
 } cylint_view;
 
-/* Has what a trunk is made of brought into the cache. */
-static inline void cylint_fetch_shape(const cylint_shape *shape)
-{
-#ifdef __GNUC__
-    __builtin_prefetch(shape);
-    __builtin_prefetch(&shape->dr);
-#else
-    (void)shape;
-#endif
-}
-
 /* The shapes as they are. */
 static inline cylint_view cylint_plain_view(const cylint_shape *shapes)
 {

@@ -1,0 +1,34 @@
+/*
+ * builds.c - of what is built more than once, that for this processor
+ */
+#include "quick.h"
+#include "walk.h"
+
+#ifdef CYLINT_COUNT_VISITS
+struct cylint_visits cylint_visits;
+#endif
+
+#ifdef CYLINT_BUILDS_X86
+static int has_fma(void)
+{
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+}
+#endif
+
+const cylint_walks *cylint_walks_used(void)
+{
+#ifdef CYLINT_BUILDS_X86
+    if (has_fma())
+        return &cylint_walks_avx2;
+#endif
+    return &cylint_walks_plain;
+}
+
+const cylint_quick_build *cylint_quick_used(void)
+{
+#ifdef CYLINT_BUILDS_X86
+    if (has_fma())
+        return &cylint_quick_fma;
+#endif
+    return &cylint_quick_plain;
+}
