@@ -48,10 +48,10 @@ lib_objects   := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/meth
 # kernels once more for each instruction set of this machine's family
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
 lib_objects   += $(BUILD)/src/kernel-fma.o $(BUILD)/src/kernel-avx512.o $(BUILD)/src/batch-avx2.o $(BUILD)/src/batch-avx512.o
-embree_builds := $(BUILD)/src/embree/walk-avx2.o
-quick_builds  := $(BUILD)/src/embree/quick-fma.o
+embree_builds := $(BUILD)/src/scene/walk-avx2.o
+quick_builds  := $(BUILD)/src/scene/quick-fma.o
 endif
-embree_objects := $(if $(EMBREE),$(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/embree/*.c)) $(embree_builds) $(quick_builds))
+embree_objects := $(if $(EMBREE),$(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/scene/*.c src/embree/*.c)) $(embree_builds) $(quick_builds))
 FLAGS.fma     := -mavx2 -mfma -DCYLINT_ONE=cylint_one_fma
 FLAGS.avx2    := -mavx2 -mfma -DCYLINT_SHAPES=cylint_shapes_avx2 -DCYLINT_LINES=cylint_lines_avx2
 FLAGS.avx512  := -mavx512f -mavx512vl -mavx512dq -mavx2 -mfma -DCYLINT_ONE=cylint_one_avx512 -DCYLINT_SHAPES=cylint_shapes_avx512 -DCYLINT_LINES=cylint_lines_avx512
@@ -111,7 +111,7 @@ $(BUILD)/tests/pixels: $(BUILD)/tests/pixels.o
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lpng
 
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
-$(BUILD)/src/embree/%.o: extra += $(floats) -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS) $(if $(embree_builds),-DCYLINT_BUILDS_X86)
+$(BUILD)/src/scene/%.o $(BUILD)/src/embree/%.o: extra += $(floats) -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS) $(if $(embree_builds),-DCYLINT_BUILDS_X86)
 $(BUILD)/tools/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L
 $(BUILD)/tools/cylint/embree/%.o: extra := -fPIC -fvisibility=hidden
 $(BUILD)/tools/cylint/search.o: extra += $(if $(EMBREE),-DCYLINT_EMBREE)
@@ -125,7 +125,7 @@ $(BUILD)/tests/embree_%.o $(BUILD)/tests/test_embree_%.o $(BUILD)/tests/scene_cu
 $(BUILD)/src/dispatch.o: extra += $(if $(findstring kernel-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
 # what gcc needs to make vectors of loops
 vectors := -O3
-$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/embree/walk%.o $(BUILD)/src/embree/quick%.o $(BUILD)/src/embree/tree.o: extra += $(vectors)
+$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/scene/walk%.o $(BUILD)/src/scene/quick%.o $(BUILD)/src/scene/tree.o: extra += $(vectors)
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
@@ -137,10 +137,10 @@ $(filter $(BUILD)/src/kernel-%,$(lib_objects)): $(BUILD)/src/kernel-%.o: src/ker
 $(filter $(BUILD)/src/batch-%,$(lib_objects)): $(BUILD)/src/batch-%.o: src/batch.c
 	$(compile) $(FLAGS.$*) -c -o $@ $<
 
-$(embree_builds): $(BUILD)/src/embree/walk-%.o: src/embree/walk.c
+$(embree_builds): $(BUILD)/src/scene/walk-%.o: src/scene/walk.c
 	$(compile) -mavx2 -mfma -DCYLINT_WALKS=cylint_walks_$* -c -o $@ $<
 
-$(quick_builds): $(BUILD)/src/embree/quick-%.o: src/embree/quick.c
+$(quick_builds): $(BUILD)/src/scene/quick-%.o: src/scene/quick.c
 	$(compile) -mavx2 -mfma -ffp-contract=fast -DCYLINT_QUICK=cylint_quick_$* -c -o $@ $<
 
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc
@@ -155,7 +155,7 @@ $(BUILD)/tests/test_scene: $(BUILD)/tests/scenes.o
 $(BUILD)/tests/test_embree_memory.o: extra += $(if $(WRAP),-DWRAPPED)
 $(BUILD)/tests/test_embree_memory: wrapped := $(if $(WRAP),$(foreach c,malloc calloc free,-Wl$(comma)--wrap=$(c)))
 $(filter $(BUILD)/tests/test_embree_%,$(embree_tests)): $(patsubst %,$(BUILD)/tests/%.o,embree_rays embree_world scenes)
-$(filter $(BUILD)/tests/test_embree_quick,$(embree_tests)): $(test_common)
+$(filter $(BUILD)/tests/test_scene_quick,$(embree_tests)): $(test_common)
 $(BUILD)/tests/scene_curves: $(BUILD)/tests/scenes.o
 $(embree_tests) $(BUILD)/tests/scene_curves: %: %.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) $(wrapped) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(EMBREE_LIBS) $(test_libs) -pthread -lm

@@ -11,10 +11,10 @@
 
 #include "api.h"
 #include "cylint_embree.h"
-#include "group.h"
-#include "memory.h"
-#include "quick.h"
-#include "walk.h"
+#include "../scene/group.h"
+#include "../scene/memory.h"
+#include "../scene/quick.h"
+#include "../scene/walk.h"
 
 /* What the geometry's user data points to. */
 typedef struct cylint_embree_data {

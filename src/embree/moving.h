@@ -4,7 +4,7 @@
 #ifndef CYLINT_EMBREE_MOVING_H
 #define CYLINT_EMBREE_MOVING_H
 
-#include "bounds.h"
+#include "../scene/bounds.h"
 #include "cylint_embree.h"
 
 /* Whether there are shapes between: same constructor, same ends. */

@@ -10,9 +10,9 @@
 #include <string.h>
 
 #include "../each.h"
-#include "bounds.h"
+#include "../scene/bounds.h"
 #include "internal.h"
-#include "turn.h"
+#include "../scene/turn.h"
 
 /* One ray at one primitive; line and lane are set when they are needed. */
 typedef struct query {

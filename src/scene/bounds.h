@@ -1,8 +1,8 @@
 /*
  * bounds.h - boxes for Embree: float, outward, and whether it keeps them
  */
-#ifndef CYLINT_EMBREE_BOUNDS_H
-#define CYLINT_EMBREE_BOUNDS_H
+#ifndef CYLINT_SCENE_BOUNDS_H
+#define CYLINT_SCENE_BOUNDS_H
 
 #include <float.h>
 #include <math.h>
@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "../each.h"
-#include "api.h"
+#include "../embree/api.h"
 
 /* The float so many places after x; no subnormal ones between. */
 static inline float cylint_float_after(float x, int places)

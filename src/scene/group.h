@@ -2,8 +2,8 @@
  * group.h - shapes cut into pieces, pieces that lie together in blocks, and
  * nodes above them
  */
-#ifndef CYLINT_EMBREE_GROUP_H
-#define CYLINT_EMBREE_GROUP_H
+#ifndef CYLINT_SCENE_GROUP_H
+#define CYLINT_SCENE_GROUP_H
 
 #include <stddef.h>
 

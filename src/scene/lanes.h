@@ -9,8 +9,8 @@
  * f_lower(x, y) and f_higher(x, y) are y where x is not a number.
  * f_store_keys() stores numbers that are in the order of the floats.
  */
-#ifndef CYLINT_EMBREE_LANES_H
-#define CYLINT_EMBREE_LANES_H
+#ifndef CYLINT_SCENE_LANES_H
+#define CYLINT_SCENE_LANES_H
 
 #include <stdint.h>
 #include <string.h>

@@ -5,8 +5,8 @@
  * cylint_intersect() would say, as far as floats show it, or that it has to
  * be asked.
  */
-#ifndef CYLINT_EMBREE_QUICK_H
-#define CYLINT_EMBREE_QUICK_H
+#ifndef CYLINT_SCENE_QUICK_H
+#define CYLINT_SCENE_QUICK_H
 
 #include "cylint_embree.h"
 

@@ -5,8 +5,8 @@
  * lanes.  All of it is conservative: what is left out is certainly not met
  * within the domain, wherever the line begins.
  */
-#ifndef CYLINT_EMBREE_WALK_H
-#define CYLINT_EMBREE_WALK_H
+#ifndef CYLINT_SCENE_WALK_H
+#define CYLINT_SCENE_WALK_H
 
 #include "group.h"
 

@@ -5,12 +5,12 @@
  * Embree's own, the refusal being told to the device's error function; or,
  * where there is no device (NULL), from malloc().
  */
-#ifndef CYLINT_EMBREE_MEMORY_H
-#define CYLINT_EMBREE_MEMORY_H
+#ifndef CYLINT_SCENE_MEMORY_H
+#define CYLINT_SCENE_MEMORY_H
 
 #include <stddef.h>
 
-#include "api.h"
+#include "../embree/api.h"
 
 typedef struct cylint_memory {
     RTCBuffer buffer; /* the device's, or NULL */

@@ -9,8 +9,8 @@
  * For walk.c, which is compiled for several instruction sets: they may differ
  * in what they let through, not in what they owe.
  */
-#ifndef CYLINT_EMBREE_LANETEST_H
-#define CYLINT_EMBREE_LANETEST_H
+#ifndef CYLINT_SCENE_LANETEST_H
+#define CYLINT_SCENE_LANETEST_H
 
 #include "../each.h"
 #include "block.h"

@@ -9,8 +9,8 @@
 #include <string.h>
 
 #include "check.h"
-#include "embree/quick.h"
-#include "embree/turn.h"
+#include "scene/quick.h"
+#include "scene/turn.h"
 #include "families.h"
 
 #ifndef HAVE_GSL

@@ -4,8 +4,8 @@
  * The section at z is centred at base + z axis.  With k(z) = k0 + (k1-k0) z
  * it reaches k(z) across from the axis' line and k(z) along along that.
  */
-#ifndef CYLINT_EMBREE_TRUNK_H
-#define CYLINT_EMBREE_TRUNK_H
+#ifndef CYLINT_SCENE_TRUNK_H
+#define CYLINT_SCENE_TRUNK_H
 
 #include "bounds.h"
 #include "cylint_embree.h"
