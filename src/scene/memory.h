@@ -1,26 +1,30 @@
 /*
- * memory.h - memory from an Embree device, as its memory monitor likes it
- *
- * Buffers, so that what the adapter holds is counted and may be refused like
- * Embree's own, the refusal being told to the device's error function; or,
- * where there is no device (NULL), from malloc().
+ * memory.h - memory on whole cache lines, from malloc() or from elsewhere
  */
 #ifndef CYLINT_SCENE_MEMORY_H
 #define CYLINT_SCENE_MEMORY_H
 
 #include <stddef.h>
 
-#include "../embree/api.h"
+/* take() returns so many bytes of `owner`, or NULL, and in *handle what
+ * give() wants in order to take them back. */
+typedef struct cylint_memory_source {
+    void *owner;
+    void *(*take)(void *owner, size_t bytes, void **handle);
+    void (*give)(void *handle);
+} cylint_memory_source;
 
 typedef struct cylint_memory {
-    RTCBuffer buffer; /* the device's, or NULL */
-    void *own;        /* from malloc(), or NULL */
-    void *data;       /* on a cache line; NULL: none */
+    void *data; /* on a cache line; NULL: none */
     size_t bytes;
+    void *handle;
+    void (*give)(void *handle);
 } cylint_memory;
 
-/* bytes > 0, not initialised.  0 where it was refused: *memory is none. */
-int cylint_memory_take(cylint_memory *memory, RTCDevice device, size_t bytes);
+/* bytes > 0, not initialised; source NULL: from malloc().  0 where it was
+ * refused: *memory is none. */
+int cylint_memory_take(cylint_memory *memory,
+                       const cylint_memory_source *source, size_t bytes);
 
 /* Gives it back; none: does nothing. */
 void cylint_memory_give(cylint_memory *memory);

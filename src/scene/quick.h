@@ -8,7 +8,7 @@
 #ifndef CYLINT_SCENE_QUICK_H
 #define CYLINT_SCENE_QUICK_H
 
-#include "cylint_embree.h"
+#include "cylint.h"
 
 /* A line with its domain, as yet unchecked; o and d hold floats.  near: some t
  * near the shape, if that is known; else it is not finite. */
