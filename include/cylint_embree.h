@@ -63,7 +63,6 @@
 #define CYLINT_EMBREE_H
 
 #include "cylint.h"
-#include "cylint_scene.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -57,6 +57,16 @@
 #define CYLINT_PAIR_ROUNDING 0x1p-100
 
 /*
+ * An exact number as a pair (exact.h), and what surd.c makes of such: X, f1,
+ * S, G and what stands beside the sum are rounded; then come a root, a
+ * product by S and one by f1, the sum, in which sizes are added, and the
+ * quotient.  (S G under the root makes half of S's error and of a product's.)
+ * That is the sum of ten relative errors; the rest covers their products.
+ */
+#define CYLINT_EXACT_ROUNDING 0x1p-104
+#define CYLINT_SURD_ERROR 0x1p-97
+
+/*
  * Errors in pairs are summed up operation by operation (internal.h, wide), in
  * doubles and in units of CYLINT_PAIR_ROUNDING; a path of K operations meets
  * at most 5 K roundings of that sum and of high parts.  Proved.

@@ -60,7 +60,7 @@ exact cylint_exact_keep(cylint_arena *arena, int used, exact x);
 double cylint_exact_nearest(exact x, int e);
 
 /* x = (hi + lo) 2^e with 1 <= |hi| < 2, lo nearly the nearest: the relative
- * error is below 2^-104.  x is not zero. */
+ * error is below CYLINT_EXACT_ROUNDING (bounds.h).  x is not zero. */
 pair cylint_exact_round(exact x, int *e);
 
 #endif

@@ -4,8 +4,8 @@
  * Everything is computed in pairs of doubles from the root as a pair, so
  * that a far origin or a thin shape costs no digits, and rounded at the end.
  * Where the point's coordinates nearly cancel, or the data are too wild for
- * pairs, the same forms are evaluated in every digit, at a root refined to
- * some 200 bits.
+ * pairs, the same forms are evaluated in every digit, and at the root by
+ * surd.c, which loses none of them.
  */
 #include "internal.h"
 
@@ -13,12 +13,6 @@
 #define ENOUGH 0x1p54
 
 #define UNDERFLOWS (CYLINT_UNDERFLOW * 0x1p60)
-
-/* A value with a binary exponent of its own. */
-typedef struct {
-    pair v;
-    int e;
-} floating;
 
 static int keeps_digits(wide x, double least)
 {
@@ -29,14 +23,6 @@ static int keeps_digits(wide x, double least)
 static floating floating_of_wide(wide x)
 {
     return (floating){x.v, 0};
-}
-
-static floating floating_of_exact(exact x)
-{
-    floating f = {{0, 0}, 0};
-    if (x.sign != 0)
-        f.v = cylint_exact_round(x, &f.e);
-    return f;
 }
 
 static double rounded(floating x)
@@ -200,29 +186,15 @@ static void facts_in_pairs(cylint_query *q, pair t, needs *need,
 }
 
 /* The hit's point as every digit has it. */
-static void exact_point(cylint_query *q, exact t, double point[3])
+static void point_in_full(cylint_query *q, surd *t, double point[3])
 {
     const letters_exact *L = cylint_exact(q);
     for (int i = 0; i < 3; i++) {
+        const int used = q->arena.used;
         const exact o = cylint_exact_from(&q->arena, q->line->o[i]);
-        point[i] = rounded(floating_of_exact(cylint_exact_add(&q->arena, o,
-                       cylint_exact_mul(&q->arena, t, L->u[i])))) + 0;
+        point[i] = rounded(cylint_value_at(q, t, o, L->u[i])) + 0;
+        q->arena.used = used;
     }
-}
-
-/* beta D - alpha u, the direction from the base's centre to where the line
- * pierces a cap's plane: x and y without any error, times |beta|. */
-static void about_axis_in_plane(cylint_query *q, int cap, exact *x, exact *y)
-{
-    letters_exact L = *cylint_exact(q);
-    exact alpha = form_alpha_exact(&L, cap), beta = L.beta;
-    alpha.sign *= beta.sign;
-    beta.sign *= beta.sign;
-    for (int i = 0; i < 3; i++)
-        L.D[0][i] = cylint_exact_add(L.arena,
-            cylint_exact_mul(L.arena, beta, L.D[cap][i]), cylint_exact_neg(
-            cylint_exact_mul(L.arena, alpha, L.u[i])));
-    about_axis_exact(&L, least_component(q), x, y);
 }
 
 static int is_needed(const needs *need, int fact)
@@ -231,33 +203,45 @@ static int is_needed(const needs *need, int fact)
          : fact < ALPHA ? need->axis : fact < X ? need->z : need->phi;
 }
 
-static void facts_in_full(cylint_query *q, cylint_root root, exact t,
-                          const needs *need, floating *facts)
+/* A fact of the point that D[0] leads to. */
+static exact fact_exact(const cylint_query *q, const letters_exact *L, int i)
 {
-    letters_exact L = *cylint_exact_line(q);
+    exact x, y;
+    if (i < AXIAL)
+        return gradient_exact(L, i);
+    if (i < AXIS)
+        return axial_exact(L)[i - AXIAL];
+    if (i < ALPHA)
+        return L->w[i - AXIS];
+    if (i == ALPHA)
+        return form_alpha_exact(L, 0);
+    if (i == ALPHA_AT_TOP || i == VV)
+        return form_root_of_S_exact(L);
+    about_axis_exact(L, least_component(q), &x, &y);
+    return i == X ? x : y;
+}
+
+/* Every fact is affine in the point, so that o and o + d tell it all along
+ * the line. */
+static void facts_in_full(cylint_query *q, surd *t, const needs *need,
+                          floating *facts)
+{
+    cylint_arena *arena = &q->arena;
+    const int used = arena->used;
+    letters_exact at_o = *cylint_exact_line(q), beyond = at_o;
     for (int i = 0; i < 3; i++)
-        L.D[0][i] = cylint_exact_add(L.arena, L.D[0][i],
-                                     cylint_exact_mul(L.arena, t, L.u[i]));
+        beyond.D[0][i] = cylint_exact_add(arena, at_o.D[0][i], at_o.u[i]);
     for (int i = 0; i < FACTS; i++) {
-        const int used = L.arena->used;
-        exact x, y;
+        const int kept = arena->used;
         if (!is_needed(need, i))
             continue;
-        if (i < AXIAL)
-            x = gradient_exact(&L, i);
-        else if (i < ALPHA)
-            x = i < AXIS ? axial_exact(&L)[i - AXIAL] : L.w[i - AXIS];
-        else if (i == ALPHA)
-            x = form_alpha_exact(&L, 0);
-        else if (i == ALPHA_AT_TOP || i == VV)
-            x = form_root_of_S_exact(&L);
-        else if (root == ROOT_CAP0 || root == ROOT_CAP1)
-            about_axis_in_plane(q, root == ROOT_CAP1, &x, &y);
-        else
-            about_axis_exact(&L, least_component(q), &x, &y);
-        facts[i] = floating_of_exact(i == Y ? y : x);
-        L.arena->used = used;
+        const exact f0 = fact_exact(q, &at_o, i);
+        const exact f1 = cylint_exact_add(arena, fact_exact(q, &beyond, i),
+                                          cylint_exact_neg(f0));
+        facts[i] = cylint_value_at(q, t, f0, f1);
+        arena->used = kept;
     }
+    arena->used = used;
 }
 
 /* o + t d in pairs; 0 where that would leave too few digits. */
@@ -313,11 +297,9 @@ static void describe(cylint_query *q, const floating *facts, cylint_root root,
         }
         floating x = facts[X], y = facts[Y], vv = facts[VV];
         if (q->kind < CYLINT_KIND_ECYLINDER) {
-            const int odd = vv.e & 1;
-            const pair even = {vv.v.hi * (odd ? 2 : 1),
-                               vv.v.lo * (odd ? 2 : 1)};
-            x.v = pair_mul(x.v, pair_sqrt(even));
-            x.e += (vv.e - odd) / 2;
+            const floating size = cylint_floating_sqrt(vv);
+            x.v = pair_mul(x.v, size.v);
+            x.e += size.e;
         } else if (q->shape->flip) {
             y.v = pair_neg(y.v);
         }
@@ -325,35 +307,54 @@ static void describe(cylint_query *q, const floating *facts, cylint_root root,
     }
 }
 
+/* What a hit can tell, and what of it is still needed. */
+typedef struct {
+    int point;
+    needs need;
+    floating facts[FACTS];
+} told;
+
+static int is_told(const told *x)
+{
+    return !x->point && !any_need(&x->need);
+}
+
+static void tell_in_pairs(cylint_query *q, pair t, told *x, double point[3])
+{
+    if (x->point)
+        x->point = !point_in_pairs(q, t, point);
+    if (any_need(&x->need))
+        facts_in_pairs(q, t, &x->need, x->facts);
+}
+
+static void tell_in_full(cylint_query *q, cylint_root root, told *x,
+                         double point[3])
+{
+    const int used = cylint_exact_mark(q, root);
+    surd t = cylint_surd(q, root);
+    if (x->point)
+        point_in_full(q, &t, point);
+    facts_in_full(q, &t, &x->need, x->facts);
+    q->arena.used = used;
+}
+
 void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
                          double more, int part, int apex, unsigned want,
                          cylint_hit *hit)
 {
-    needs need = needs_of(want, part, apex);
-    floating facts[FACTS];
-    int point = (want & CYLINT_WANT_POINT) != 0; /* needed still */
-    /* a root beyond the doubles is found again from the largest */
-    pair at = fabs(t) <= DBL_MAX ? fast_two_sum(t, more)
-                                 : (pair){copysign(DBL_MAX, t), 0};
-    if (point)
-        point = !point_in_pairs(q, at, hit->point);
-    if (any_need(&need))
-        facts_in_pairs(q, at, &need, facts);
-    if ((point || any_need(&need)) && q->t_error > CYLINT_PAIR_ROUNDING) {
-        /* once more, from a root as good as pairs can be */
-        cylint_polish_root(q, root, &at);
-        if (point)
-            point = !point_in_pairs(q, at, hit->point);
-        if (any_need(&need))
-            facts_in_pairs(q, at, &need, facts);
+    told x;
+    x.point = (want & CYLINT_WANT_POINT) != 0;
+    x.need = needs_of(want, part, apex);
+    if (fabs(t) <= DBL_MAX) {
+        pair at = fast_two_sum(t, more);
+        tell_in_pairs(q, at, &x, hit->point);
+        if (!is_told(&x) && q->t_error > CYLINT_PAIR_ROUNDING) {
+            /* once more, from a root as good as pairs can be */
+            cylint_polish_root(q, root, &at);
+            tell_in_pairs(q, at, &x, hit->point);
+        }
     }
-    if (point || any_need(&need)) {
-        const int used = cylint_exact_mark(q, root);
-        const exact full = cylint_root_in_full(q, root, at);
-        if (point)
-            exact_point(q, full, hit->point);
-        facts_in_full(q, root, full, &need, facts);
-        q->arena.used = used;
-    }
-    describe(q, facts, root, part, apex, want, hit);
+    if (!is_told(&x))
+        tell_in_full(q, root, &x, hit->point);
+    describe(q, x.facts, root, part, apex, want, hit);
 }

@@ -17,13 +17,6 @@
  */
 #include "internal.h"
 
-/* A quotient's parts, v 2^e each. */
-typedef struct {
-    pair num, den;
-    int num_e, den_e;
-    double error; /* relative, of the quotient; above 1: unknown */
-} fraction;
-
 /* Certain if |t - (hi + lo)| <= error makes hi the nearest double.  In other
  * rounding modes the additions do not tell, nor do the errors hold. */
 static int rounds_to_hi(pair t, double error)
@@ -139,148 +132,10 @@ static pair refined(cylint_query *q, estimate k, double low, double *error)
 
 /* ---------------------------------------------------------- exact ------ */
 
-static const exact *coefficients(cylint_query *q)
+/* The sign of t - m. */
+static int against_exact(cylint_query *q, const surd *t, exact m)
 {
-    const letters_exact *L = cylint_exact_line(q);
-    if (!(q->ready & CYLINT_READY_QUADRATIC)) {
-        q->ready |= CYLINT_READY_QUADRATIC;
-        q->exact_coefficient[0] = form_A_exact(L);
-        q->exact_coefficient[1] = form_B_exact(L);
-        q->exact_coefficient[2] = form_C_exact(L);
-    }
-    return q->exact_coefficient;
-}
-
-/* rho at m, or a cap's alpha + m beta; and its slope. */
-static exact linear_at(cylint_query *q, cylint_root root, exact m,
-                       exact *slope_at)
-{
-    const letters_exact *L = cylint_exact_line(q);
-    const exact at0 = root == ROOT_APEX
-                    ? form_rho0_exact(L)
-                    : form_alpha_exact(L, root == ROOT_CAP1);
-    const exact slope = root == ROOT_APEX ? form_rho1_exact(L) : L->beta;
-    *slope_at = slope;
-    return cylint_exact_add(L->arena, at0,
-                            cylint_exact_mul(L->arena, slope, m));
-}
-
-static int quadratic_against(cylint_query *q, cylint_root root, exact m)
-{
-    const exact *c = coefficients(q);
-    cylint_arena *arena = &q->arena;
-    const exact Am = cylint_exact_mul(arena, c[0], m);
-    const exact slope = cylint_exact_add(arena, Am, c[1]);
-    if (root == ROOT_DOUBLE)
-        return -slope.sign * c[0].sign;
-    const exact twice = cylint_exact_add(arena, slope, c[1]);
-    const exact Q = cylint_exact_add(arena,
-                        cylint_exact_mul(arena, twice, m), c[2]);
-    /* the entry root is the exit root of the line reversed; rising and Q are
-     * not both 0, which would be ROOT_DOUBLE */
-    const int flip = root == ROOT_EXIT ? 1 : -1;
-    const int rising = slope.sign * flip;
-    if (rising > 0)
-        return -Q.sign * flip;
-    return c[0].sign >= 0 ? flip : -flip;
-}
-
-static int against_exact(cylint_query *q, cylint_root root, exact m)
-{
-    if (root >= ROOT_APEX) {
-        exact slope;
-        const exact at_m = linear_at(q, root, m, &slope);
-        return -at_m.sign * slope.sign;
-    }
-    return quadratic_against(q, root, m);
-}
-
-/* |B| + R, both with exponents. */
-static pair sum_of_sizes(pair x, int xe, pair y, int ye, int *e)
-{
-    if (xe < ye)
-        return sum_of_sizes(y, ye, x, xe, e);
-    *e = xe;
-    if (xe - ye > 250)
-        return x;
-    const double w = cylint_power_of_two(ye - xe);
-    return pair_add(x, (pair){y.hi * w, y.lo * w});
-}
-
-/* R and its exponent. */
-static pair exact_radical(cylint_query *q, int *e)
-{
-    const letters_exact *L = cylint_exact_line(q);
-    int eS, eG;
-    pair S = cylint_exact_round(form_root_of_S_exact(L), &eS);
-    pair G = cylint_exact_round(form_G_exact(L), &eG);
-    if (L->kind == CYLINT_KIND_CYLINDER || L->kind == CYLINT_KIND_ACONE) {
-        G = pair_mul(S, G);
-        eG += eS;
-        S = (pair){1, 0};
-        eS = 0;
-    }
-    if (eG & 1) {
-        G.hi *= 2;
-        G.lo *= 2;
-        eG--;
-    }
-    *e = eS + eG / 2;
-    return pair_mul(S, pair_sqrt(G));
-}
-
-#define EXACT_ERROR 0x1p-97 /* relative, of a quotient of rounded numbers */
-
-/* - num / den; 0 / 1 where num is exactly 0. */
-static fraction minus_quotient(exact num, exact den)
-{
-    fraction f = {{0, 0}, {1, 0}, 0, 0, EXACT_ERROR};
-    if (num.sign != 0) {
-        f.num = pair_neg(cylint_exact_round(num, &f.num_e));
-        f.den = cylint_exact_round(den, &f.den_e);
-    }
-    return f;
-}
-
-/* The root of c[0] t^2 + 2 c[1] t + c[2], which is the line's quadratic
- * seen from some point of it. */
-static fraction side_fraction(cylint_query *q, cylint_root root,
-                              const exact c[3])
-{
-    if (root == ROOT_DOUBLE)
-        return minus_quotient(c[1], c[0]);
-    const int exits = root == ROOT_EXIT;
-    fraction f = {{0, 0}, {1, 0}, 0, 0, EXACT_ERROR};
-    int eR, eB = 0;
-    const pair R = exact_radical(q, &eR);
-    pair sum = R;
-    int e = eR;
-    if (c[1].sign != 0) {
-        const pair B = cylint_exact_round(c[1], &eB);
-        sum = sum_of_sizes(B.hi < 0 ? pair_neg(B) : B, eB, R, eR, &e);
-    }
-    if ((c[1].sign < 0) == exits && c[0].sign != 0) {
-        f.num = exits ? sum : pair_neg(sum);
-        f.num_e = e;
-        f.den = cylint_exact_round(c[0], &f.den_e);
-    } else if (c[2].sign != 0) {
-        f.num = cylint_exact_round(c[2], &f.num_e);
-        if (exits)
-            f.num = pair_neg(f.num);
-        f.den = sum;
-        f.den_e = e;
-    }
-    return f;
-}
-
-static fraction exact_fraction(cylint_query *q, cylint_root root)
-{
-    if (root < ROOT_APEX)
-        return side_fraction(q, root, coefficients(q));
-    const exact zero = {q->arena.limb, 0, 0, 0};
-    exact slope;
-    const exact value = linear_at(q, root, zero, &slope);
-    return minus_quotient(value, slope);
+    return cylint_sign_at(q, t, cylint_exact_neg(m), cylint_exact(q)->one);
 }
 
 /* Sizes of doubles are handled by their bits from here on, because a
@@ -313,7 +168,7 @@ static uint64_t near_bits(double t, int e)
 }
 
 /* The sign of |root| - the middle between the size and the next above. */
-static int against_middle(cylint_query *q, cylint_root root, uint64_t size,
+static int against_middle(cylint_query *q, const surd *t, uint64_t size,
                           int sign)
 {
     cylint_arena *arena = &q->arena;
@@ -329,57 +184,53 @@ static int against_middle(cylint_query *q, cylint_root root, uint64_t size,
                                            cylint_exact_from(arena, next));
         m = cylint_exact_mul(arena, sum, cylint_exact_from(arena, 0.5));
     }
-    const int beyond = sign * against_exact(q, root, m);
+    const int beyond = sign * against_exact(q, t, m);
     arena->used = used;
     return beyond;
 }
 
 /* The double nearest to a root other than 0, ties to even, from a candidate's
  * size by exact signs at the middles around it; infinite beyond the largest. */
-static double settle(cylint_query *q, cylint_root root, uint64_t size)
+static double settle(cylint_query *q, const surd *t, int sign, uint64_t size)
 {
-    const exact zero = {q->arena.limb, 0, 0, 0};
     cylint_reached(MIDDLE);
-    const int sign = against_exact(q, root, zero);
     for (; size < INFINITE_BITS; size++) {
-        const int beyond = against_middle(q, root, size, sign);
+        const int beyond = against_middle(q, t, size, sign);
         if (beyond < 0 || (beyond == 0 && !(size & 1)))
             break;
     }
     for (; size > 0 && size < INFINITE_BITS; size--) {
-        const int beyond = against_middle(q, root, size - 1, sign);
+        const int beyond = against_middle(q, t, size - 1, sign);
         if (beyond > 0 || (beyond == 0 && !(size & 1)))
             break;
     }
     return size > 0 ? from_bits(size, sign) : 0;
 }
 
-int cylint_exact_mark(cylint_query *q, cylint_root root)
+/* t in every digit there is need of. */
+static floating exact_root(cylint_query *q, surd *t)
 {
-    if (root < ROOT_APEX)
-        coefficients(q);
-    cylint_exact_line(q);
-    return q->arena.used;
+    const exact zero = {q->arena.limb, 0, 0, 0};
+    return cylint_value_at(q, t, zero, cylint_exact(q)->one);
 }
 
 static double exact_value(cylint_query *q, cylint_root root, double *more)
 {
     const int used = cylint_exact_mark(q, root);
-    const fraction f = exact_fraction(q, root);
-    *more = 0;
-    if (f.num.hi == 0) {
-        q->arena.used = used;
-        return 0;
-    }
-    const pair t = pair_div(f.num, f.den);
-    const int e = f.num_e - f.den_e;
+    surd in_full = cylint_surd(q, root);
+    const floating f = exact_root(q, &in_full);
+    const pair t = f.v;
+    const int tame = f.e > -900 && f.e < 1000;
     double value;
-    if (e > -900 && e < 1000 && rounds_to_hi(t, f.error * fabs(t.hi)))
-        value = cylint_scaled(t.hi, e);
+    if (t.hi == 0)
+        value = 0;
+    else if (tame && rounds_to_hi(t, CYLINT_SURD_ERROR * fabs(t.hi)))
+        value = cylint_scaled(t.hi, f.e);
     else
-        value = settle(q, root, near_bits(t.hi, e));
-    if (e > -900 && e < 1000)
-        *more = (cylint_scaled(t.hi, e) - value) + cylint_scaled(t.lo, e);
+        value = settle(q, &in_full, cylint_sign(t.hi),
+                       near_bits(t.hi, f.e));
+    *more = tame ? (cylint_scaled(t.hi, f.e) - value) +
+                   cylint_scaled(t.lo, f.e) : 0;
     q->arena.used = used;
     return value;
 }
@@ -388,66 +239,10 @@ static double exact_value(cylint_query *q, cylint_root root, double *more)
 static int root_against(cylint_query *q, cylint_root root, double m)
 {
     const int used = cylint_exact_mark(q, root);
-    const int sign = against_exact(q, root, cylint_exact_from(&q->arena, m));
+    const surd t = cylint_surd(q, root);
+    const int sign = against_exact(q, &t, cylint_exact_from(&q->arena, m));
     q->arena.used = used;
     return sign;
-}
-
-/* Solves anew from t, as if the line began there: the digits of the small
- * rest follow upon those of t.  Returns 0 if there is no rest. */
-static int solve_from(cylint_query *q, cylint_root root, exact *t)
-{
-    cylint_arena *arena = &q->arena;
-    fraction f;
-    if (root >= ROOT_APEX) {
-        exact slope;
-        const exact value = linear_at(q, root, *t, &slope);
-        f = minus_quotient(value, slope);
-    } else {
-        exact c[3];
-        memcpy(c, coefficients(q), sizeof c);
-        const exact At = cylint_exact_mul(arena, c[0], *t);
-        const exact half = cylint_exact_add(arena, At, c[1]);
-        const exact twice = cylint_exact_add(arena, half, c[1]);
-        c[2] = cylint_exact_add(arena, cylint_exact_mul(arena, twice, *t),
-                                c[2]);
-        c[1] = half;
-        f = side_fraction(q, root, c);
-    }
-    if (f.num.hi == 0)
-        return 0;
-    const pair rest = pair_div(f.num, f.den);
-    const exact digits = cylint_exact_add(arena,
-        cylint_exact_from(arena, rest.hi), cylint_exact_from(arena, rest.lo));
-    *t = cylint_exact_add(arena, *t, cylint_exact_shifted(arena, digits,
-                                         f.num_e - f.den_e));
-    return 1;
-}
-
-/* A root may hold thousands of zeros between its digits, as 1 - 2^-4194
- * does: those beyond are not worth the room. */
-enum { FULL_LIMBS = 48 };
-
-exact cylint_root_in_full(cylint_query *q, cylint_root root, pair t)
-{
-    cylint_arena *arena = &q->arena;
-    const int used = arena->used;
-    exact full = cylint_exact_keep(arena, used,
-        cylint_exact_add(arena, cylint_exact_from(arena, t.hi),
-                         cylint_exact_from(arena, t.lo)));
-    /* each step adds 96 bits; what cancels later may be hundreds */
-    for (int steps = 12; steps > 0; steps--) {
-        const exact before = full;
-        const int moved = solve_from(q, root, &full);
-        if (full.n > FULL_LIMBS) {
-            arena->used = used + before.n;
-            return before;
-        }
-        full = cylint_exact_keep(arena, used, full);
-        if (!moved)
-            break;
-    }
-    return full;
 }
 
 /* -------------------------------------------------------- outside ------ */
@@ -569,7 +364,7 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
         *more = cylint_scaled(t.lo, q->t_exponent);
         return value;
     }
-    q->t_error = EXACT_ERROR;
+    q->t_error = CYLINT_SURD_ERROR;
     return exact_value(q, root, more);
 }
 
@@ -580,12 +375,11 @@ static void polish_by_exact_quotient(cylint_query *q, cylint_root root,
                                      pair *t)
 {
     const int used = cylint_exact_mark(q, root);
-    const fraction f = exact_fraction(q, root);
-    const int e = f.num_e - f.den_e;
-    if (f.num.hi != 0 && e > -900 && e < 900) {
-        const pair p = pair_div(f.num, f.den);
-        *t = (pair){cylint_scaled(p.hi, e), cylint_scaled(p.lo, e)};
-        q->t_error = EXACT_ERROR;
+    surd in_full = cylint_surd(q, root);
+    const floating f = exact_root(q, &in_full);
+    if (f.v.hi != 0 && f.e > -900 && f.e < 900) {
+        *t = (pair){cylint_scaled(f.v.hi, f.e), cylint_scaled(f.v.lo, f.e)};
+        q->t_error = CYLINT_SURD_ERROR;
     }
     q->arena.used = used;
 }

@@ -232,7 +232,7 @@ static void roundings_are_within_their_bound(void)
         const pair v = cylint_exact_round(a, &e);
         const double off = rounding_error(x, v, e);
         worst = fmax(worst, off);
-        CHECK(off < 0x1p-104);
+        CHECK(off < CYLINT_EXACT_ROUNDING);
         CHECK(fabs(v.hi) >= 1 && fabs(v.hi) <= 2 && v.hi + v.lo == v.hi);
     }
     printf("note: rounding to a pair is off by at most %.3f 2^-104\n",

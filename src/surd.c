@@ -1,0 +1,177 @@
+/*
+ * surd.c - the root in closed form, and what is affine along the line there
+ *
+ * t itself, the point, the gradient, z and the angle's two coordinates are
+ * all f0 + f1 t.  With the line's data in every digit such a value comes from
+ * exact numbers, one square root, one sum in which nothing cancels and one
+ * quotient: however near it is to 0, and however many digits of t that would
+ * ask for, all but the last few of a pair's are right; its sign is exact.
+ */
+#include "internal.h"
+
+/* ---------------------------------------- pairs with an exponent ------- */
+
+floating cylint_floating(exact x)
+{
+    floating f = {{0, 0}, 0};
+    if (x.sign != 0)
+        f.v = cylint_exact_round(x, &f.e);
+    return f;
+}
+
+static floating floating_mul(floating x, floating y)
+{
+    return (floating){pair_mul(x.v, y.v), x.e + y.e};
+}
+
+static floating floating_div(floating x, floating y)
+{
+    return (floating){pair_div(x.v, y.v), x.e - y.e};
+}
+
+floating cylint_floating_sqrt(floating x)
+{
+    const int odd = x.e & 1, twice = odd ? 2 : 1;
+    const pair even = {x.v.hi * twice, x.v.lo * twice};
+    return (floating){pair_sqrt(even), (x.e - odd) / 2};
+}
+
+static floating size_of(floating x)
+{
+    return x.v.hi < 0 ? (floating){pair_neg(x.v), x.e} : x;
+}
+
+/* x + y of x > 0 and y > 0. */
+static floating sum_of_sizes(floating x, floating y)
+{
+    if (x.e < y.e)
+        return sum_of_sizes(y, x);
+    if (x.e - y.e > 250)
+        return x;
+    const double w = cylint_power_of_two(y.e - x.e);
+    return (floating){pair_add(x.v, (pair){y.v.hi * w, y.v.lo * w}), x.e};
+}
+
+/* ------------------------------------------------------- the root ------ */
+
+static const exact *coefficients(cylint_query *q)
+{
+    const letters_exact *L = cylint_exact_line(q);
+    if (!(q->ready & CYLINT_READY_QUADRATIC)) {
+        q->ready |= CYLINT_READY_QUADRATIC;
+        q->exact_coefficient[0] = form_A_exact(L);
+        q->exact_coefficient[1] = form_B_exact(L);
+        q->exact_coefficient[2] = form_C_exact(L);
+    }
+    return q->exact_coefficient;
+}
+
+int cylint_exact_mark(cylint_query *q, cylint_root root)
+{
+    if (root < ROOT_APEX)
+        coefficients(q);
+    cylint_exact_line(q);
+    return q->arena.used;
+}
+
+surd cylint_surd(cylint_query *q, cylint_root root)
+{
+    const letters_exact *L = cylint_exact_line(q);
+    const exact zero = {q->arena.limb, 0, 0, 0};
+    surd t = {L->beta, zero, zero, 0, {{0, 0}, 0}};
+    if (root < ROOT_APEX) {
+        const exact *c = coefficients(q);
+        t.A = c[0];
+        t.B = c[1];
+        t.C = c[2];
+        t.s = root == ROOT_DOUBLE ? 0 : root == ROOT_EXIT ? 1 : -1;
+    } else if (root == ROOT_APEX) {
+        t.A = form_rho1_exact(L);
+        t.B = form_rho0_exact(L);
+    } else {
+        t.B = form_alpha_exact(L, root == ROOT_CAP1);
+    }
+    return t;
+}
+
+/* R = sqrt(S G), when it is first asked for. */
+static floating radical(cylint_query *q, surd *t)
+{
+    if (t->R.v.hi != 0)
+        return t->R;
+    const letters_exact *L = cylint_exact_line(q);
+    const int used = q->arena.used;
+    const floating S = cylint_floating(form_root_of_S_exact(L));
+    const floating G = cylint_floating(form_G_exact(L));
+    q->arena.used = used;
+    t->R = L->kind == CYLINT_KIND_CYLINDER || L->kind == CYLINT_KIND_ACONE
+         ? cylint_floating_sqrt(floating_mul(S, G))
+         : floating_mul(S, cylint_floating_sqrt(G));
+    return t->R;
+}
+
+/* ------------------------------------------------ affine functions ----- */
+
+/*
+ * F = f0 + f1 t at t = (-B + s R) / A.  Since R^2 = B^2 - A C, two ways:
+ *
+ *   F = (X + s f1 R) / A,     X = A f0 - B f1
+ *     = N / (X - s f1 R),     N = X f0 - (B f0 - C f1) f1
+ *
+ * and in one of them sizes are added: in the first, but where X and s f1 are
+ * opposed.  That they are for A = 0 too, when s is the sign of B, and the
+ * second way gives the limit, f0 - f1 C / (2 B).
+ */
+typedef struct {
+    exact X, beside; /* beside the sum: A, or N */
+    int opposed;
+    int sum;         /* the sign of X + s f1 R, or of X - s f1 R */
+} affine;
+
+static affine affine_at(cylint_query *q, const surd *t, exact f0, exact f1)
+{
+    cylint_arena *arena = &q->arena;
+    const int s = t->s * f1.sign, used = arena->used;
+    if (f1.sign == 0) /* whatever A is */
+        return (affine){f0, cylint_exact(q)->one, 0, f0.sign};
+    const exact X = cylint_exact_keep(arena, used, cylint_exact_add(arena,
+        cylint_exact_mul(arena, t->A, f0),
+        cylint_exact_neg(cylint_exact_mul(arena, t->B, f1))));
+    if (X.sign * s >= 0)
+        return (affine){X, t->A, 0, X.sign != 0 ? X.sign : s};
+    const int kept = arena->used;
+    const exact Y = cylint_exact_keep(arena, kept, cylint_exact_add(arena,
+        cylint_exact_mul(arena, t->B, f0),
+        cylint_exact_neg(cylint_exact_mul(arena, t->C, f1))));
+    const exact N = cylint_exact_keep(arena, kept, cylint_exact_add(arena,
+        cylint_exact_mul(arena, X, f0),
+        cylint_exact_neg(cylint_exact_mul(arena, Y, f1))));
+    return (affine){X, N, 1, X.sign};
+}
+
+int cylint_sign_at(cylint_query *q, const surd *t, exact f0, exact f1)
+{
+    const int used = q->arena.used;
+    const affine F = affine_at(q, t, f0, f1);
+    q->arena.used = used;
+    return F.sum * F.beside.sign;
+}
+
+floating cylint_value_at(cylint_query *q, surd *t, exact f0, exact f1)
+{
+    const int used = q->arena.used;
+    const affine F = affine_at(q, t, f0, f1);
+    floating sum = size_of(cylint_floating(F.X));
+    const floating beside = cylint_floating(F.beside);
+    q->arena.used = used;
+    if (F.sum * F.beside.sign == 0)
+        return (floating){{0, 0}, 0};
+    if (t->s * f1.sign != 0) {
+        const floating rest = floating_mul(size_of(cylint_floating(f1)),
+                                           radical(q, t));
+        sum = F.X.sign != 0 ? sum_of_sizes(sum, rest) : rest;
+    }
+    if (F.sum < 0)
+        sum.v = pair_neg(sum.v);
+    return F.opposed ? floating_div(beside, sum) : floating_div(sum, beside);
+}
