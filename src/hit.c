@@ -135,12 +135,14 @@ static int gradient_in_pairs(const letters_wide *L, floating *facts)
     return vector_in_pairs(x, facts);
 }
 
+/* The quotient of two; the point may be near, the base's vectors be nearly
+ * dependent, so that each must have its own digits. */
 static int z_in_pairs(const letters_wide *L, floating *facts)
 {
     const wide alpha = form_alpha_wide(L, 0), top = form_root_of_S_wide(L);
     facts[ALPHA] = floating_of_wide(alpha);
     facts[ALPHA_AT_TOP] = floating_of_wide(top);
-    return keeps_digits(alpha, fabs(top.v.hi));
+    return keeps_digits(alpha, fabs(top.v.hi)) && keeps_digits(top, 0);
 }
 
 static int angle_in_pairs(const cylint_query *q, const letters_wide *L,

@@ -42,8 +42,8 @@ struct family_case {
 int family_count(void);
 const char *family_name(int family);
 
-/* 1 where t itself, as a pair of doubles, is too coarse to say what else a
- * hit can tell: exponents hundreds apart. */
+/* 1 where exponents lie hundreds apart, so that most questions go to every
+ * digit: slow to ask, and slower for the oracle. */
 int family_is_wild(int family);
 
 /* Case `index` of a family; line and shape are made (see the statuses). */

@@ -3,10 +3,8 @@
  *
  * Relation, number, parts, sides and every bit of t must agree; what else a
  * hit can tell must lie within a few units in the last place, whose largest
- * values are printed (in wild families they are printed only).
- * CYLINT_CASES scales the number of cases a family, CYLINT_SEED changes
- * them all, CYLINT_FAMILY=n asks for one family, CYLINT_WILD=1 judges wild
- * families like the others.
+ * values are printed.  CYLINT_CASES scales the number of cases a family,
+ * CYLINT_SEED changes them all, CYLINT_FAMILY=n asks for one family.
  */
 #include <math.h>
 #include <string.h>
@@ -16,19 +14,19 @@
 #ifdef HAVE_MPFR
 #include "check.h"
 #include "oracle.h"
+#include "ulps.h"
 
 enum { CASES = 2000 };
 
 /* What was wrong and how far off, in one family. */
 struct tally {
     long cases, hits, relation, number, part, t, derived;
-    double point, normal, z, phi; /* worst, in units in the last place */
+    double off[MEASURES]; /* worst */
 };
 
-/* How far off points, normals, z and phi may be, in units in the last place
- * of the largest coordinate (points), of 1 (normals, phi), of 1 or z (z);
- * what was observed is printed beside. */
-enum { POINT_ULPS = 4, NORMAL_ULPS = 4, Z_ULPS = 4, PHI_ULPS = 4 };
+/* How far off points, normals, z and phi may be (ulps.h); what was observed
+ * is printed beside. */
+enum { ULPS = 4 };
 
 static uint64_t seed(void)
 {
@@ -40,70 +38,17 @@ static uint64_t cases(void)
     return check_setting("CYLINT_CASES", CASES);
 }
 
-/* The unit in the last place of x, as a double. */
-static double ulp(double x)
-{
-    int e;
-    frexp(x, &e);
-    return x == 0 || e - 53 < -1074 ? ldexp(1, -1074) : ldexp(1, e - 53);
-}
-
-/* |x - y| in units of the last place of `size`; infinities agree. */
-static double ulps_apart(double x, double y, double size)
-{
-    if (x == y) {
-        return 0;
-    }
-    const double off = fabs(x / 2 - y / 2) / ulp(size) * 2;
-    return off == off ? off : HUGE_VAL;
-}
-
-static double larger(double x, double y)
-{
-    return x > y ? x : y;
-}
-
-static double largest3(const double v[3])
-{
-    return larger(larger(fabs(v[0]), fabs(v[1])), fabs(v[2]));
-}
-
-static double vectors_apart(const double x[3], const double y[3],
-                            double size)
-{
-    double worst = 0;
-    for (int i = 0; i < 3; i++) {
-        worst = larger(worst, ulps_apart(x[i], y[i], size));
-    }
-    return worst;
-}
-
-/* Angles just below 1 and at 0 are neighbours. */
-static double turns_apart(double x, double y)
-{
-    const double off = fabs(x - y);
-    return ulps_apart(off > 0.5 ? 1 - off : off, 0, 0.75);
-}
-
-/* Of the line's origin: where less than that is left of it, the point is at
- * the coordinates' origin but for the last of the digits computed. */
-#define LEFT_OF_ORIGIN 0x1p-90
-
 static int compare_derived(struct tally *sum, const double o[3],
                            const cylint_hit *got, const cylint_hit *want)
 {
-    const double size = larger(largest3(want->point),
-                               largest3(o) * LEFT_OF_ORIGIN);
-    const double point = vectors_apart(got->point, want->point, size);
-    const double normal = vectors_apart(got->normal, want->normal, 0.75);
-    const double z = ulps_apart(got->z, want->z, larger(fabs(want->z), 0.75));
-    const double phi = turns_apart(got->phi, want->phi);
-    sum->point = larger(sum->point, point);
-    sum->normal = larger(sum->normal, normal);
-    sum->z = larger(sum->z, z);
-    sum->phi = larger(sum->phi, phi);
-    return point <= POINT_ULPS && normal <= NORMAL_ULPS && z <= Z_ULPS &&
-           phi <= PHI_ULPS;
+    double off[MEASURES];
+    int good = 1;
+    ulps_of_hit(o, got, want, off);
+    for (int i = ULPS_POINT; i < MEASURES; i++) {
+        sum->off[i] = fmax(sum->off[i], off[i]);
+        good &= off[i] <= ULPS;
+    }
+    return good;
 }
 
 static void show(const struct family_case *c, const char *what,
@@ -131,7 +76,7 @@ static void show(const struct family_case *c, const char *what,
 /* The first thing that is wrong, or NULL; counts it. */
 static const char *compare(struct tally *sum, const struct family_case *c,
                            const cylint_answer *got,
-                           const cylint_answer *want, int wild)
+                           const cylint_answer *want)
 {
     const char *wrong = NULL;
     sum->cases++;
@@ -152,10 +97,9 @@ static const char *compare(struct tally *sum, const struct family_case *c,
         } else if (g->t != w->t) {
             sum->t++;
             wrong = "t";
-        } else if (isfinite(w->t) &&
-                   !compare_derived(sum, c->line.o, g, w)) {
+        } else if (!compare_derived(sum, c->line.o, g, w)) {
             sum->derived++;
-            wrong = wild ? NULL : "point, normal, z or phi";
+            wrong = "point, normal, z or phi";
         }
     }
     return wrong;
@@ -165,12 +109,12 @@ static void print_tally(const char *name, const struct tally *s)
 {
     printf("note: %-22s %8ld %8ld %5ld %5ld %5ld %5ld %5ld  %9.3g %9.3g %9.3g"
            " %9.3g\n", name, s->cases, s->hits, s->relation, s->number,
-           s->part, s->t, s->derived, s->point, s->normal, s->z, s->phi);
+           s->part, s->t, s->derived, s->off[ULPS_POINT], s->off[ULPS_NORMAL],
+           s->off[ULPS_Z], s->off[ULPS_PHI]);
 }
 
 static void run_family(int family)
 {
-    const int judge_wild = getenv("CYLINT_WILD") != NULL;
     struct tally sum = {0};
     for (uint64_t i = 0; i < cases(); i++) {
         struct family_case c;
@@ -179,8 +123,7 @@ static void run_family(int family)
         memset(&got, 0, sizeof got);
         cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &got);
         oracle_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &want);
-        const char *wrong = compare(&sum, &c, &got, &want,
-                                    family_is_wild(family) && !judge_wild);
+        const char *wrong = compare(&sum, &c, &got, &want);
         if (!CHECK(wrong == NULL) && check_bad <= CHECK_SHOWN) {
             show(&c, wrong, &got, &want);
         }

@@ -30,7 +30,8 @@ static inline double ulps_apart(double x, double y, double size)
 {
     if (x == y)
         return 0;
-    const double off = fabs(x / 2 - y / 2) / ulp(size) * 2;
+    const double half = size > 1 ? 0.5 : 1; /* neither over- nor underflow */
+    const double off = fabs(half * x - half * y) / ulp(size) / half;
     return off == off ? off : HUGE_VAL;
 }
 
