@@ -100,7 +100,7 @@ double cylint_tangent(double degrees);
 #define cylint_contradiction(wrong) ((wrong) ? abort() : (void)0)
 #else
 #define CYLINT_IS_PARANOID 0
-#define cylint_contradiction(wrong) ((void)0)
+#define cylint_contradiction(wrong) ((void)(0 && (wrong)))
 #endif
 
 /* A build that counts how far questions must go (make stages); not for

@@ -189,10 +189,20 @@ static int against_middle(cylint_query *q, const surd *t, uint64_t size,
     return beyond;
 }
 
-/* The double nearest to a root other than 0, ties to even, from a candidate's
- * size by exact signs at the middles around it; infinite beyond the largest. */
+/*
+ * The double nearest to a root other than 0, ties to even, infinite beyond the
+ * largest; from near_bits of the root in pairs, by exact signs at the middles
+ * around it.  It is that size or the next to it: in rounding to nearest the
+ * root is within |lo| + CYLINT_SURD_ERROR |hi| of hi, that is within 0.51 of
+ * the gap between doubles on its side of hi, and where subnormals lie wider
+ * than hi's digits, within 0.26 of theirs, of which near_bits drops less than
+ * one.  In other modes |lo| may be twice that: it is two steps at most.
+ */
+enum { MOST_STEPS = 2 };
+
 static double settle(cylint_query *q, const surd *t, int sign, uint64_t size)
 {
+    const uint64_t from = size;
     cylint_reached(MIDDLE);
     for (; size < INFINITE_BITS; size++) {
         const int beyond = against_middle(q, t, size, sign);
@@ -204,6 +214,7 @@ static double settle(cylint_query *q, const surd *t, int sign, uint64_t size)
         if (beyond > 0 || (beyond == 0 && !(size & 1)))
             break;
     }
+    cylint_contradiction(size > from + MOST_STEPS || from > size + MOST_STEPS);
     return size > 0 ? from_bits(size, sign) : 0;
 }
 
