@@ -48,73 +48,66 @@ lib_objects   := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/meth
 # kernels once more for each instruction set of this machine's family
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
 lib_objects   += $(BUILD)/src/kernel-fma.o $(BUILD)/src/kernel-avx512.o $(BUILD)/src/batch-avx2.o $(BUILD)/src/batch-avx512.o
-embree_builds := $(BUILD)/src/embree/walk-avx2.o
-quick_builds  := $(BUILD)/src/embree/quick-fma.o
+walk_builds   := $(BUILD)/src/scene/walk-avx2.o
+quick_builds  := $(BUILD)/src/scene/quick-fma.o
 endif
-embree_objects := $(if $(EMBREE),$(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/embree/*.c)) $(embree_builds) $(quick_builds))
+scene_objects  := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/scene/*.c)) $(walk_builds) $(quick_builds)
+embree_objects := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/embree/*.c))
 FLAGS.fma     := -mavx2 -mfma -DCYLINT_ONE=cylint_one_fma
 FLAGS.avx2    := -mavx2 -mfma -DCYLINT_SHAPES=cylint_shapes_avx2 -DCYLINT_LINES=cylint_lines_avx2
 FLAGS.avx512  := -mavx512f -mavx512vl -mavx512dq -mavx2 -mfma -DCYLINT_ONE=cylint_one_avx512 -DCYLINT_SHAPES=cylint_shapes_avx512 -DCYLINT_LINES=cylint_lines_avx512
 tool_sources  := $(filter-out tools/cylint/numbers_c.c,$(wildcard tools/cylint/*.c))
 tool_objects  := $(patsubst %.c,$(BUILD)/%.o,$(tool_sources)) \
                  $(BUILD)/tools/cylint/$(if $(CXX17),numbers_cxx.o,numbers_c.o)
+scene_library := $(BUILD)/libcylint-scene.a $(BUILD)/libcylint.a
 test_common   := $(BUILD)/tests/families.o $(BUILD)/tests/constructed.o $(if $(MPFR),$(BUILD)/tests/oracle.o)
 test_programs := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_*.c))
-embree_tests  := $(filter $(BUILD)/tests/test_scene% $(BUILD)/tests/test_embree%,$(test_programs))
-test_programs := $(filter-out $(if $(EMBREE),,$(embree_tests)),$(test_programs))
+scene_tests   := $(filter $(BUILD)/tests/test_scene%,$(test_programs))
+embree_tests  := $(filter $(BUILD)/tests/test_embree%,$(test_programs))
+test_programs := $(if $(EMBREE),$(test_programs),$(filter-out $(embree_tests),$(test_programs)))
 test_scripts  := $(wildcard tests/test_*.sh)
 test_libs     := $(if $(MPFR),-lmpfr -lgmp) $(if $(GSL),-lgsl -lgslcblas)
 
-all: $(BUILD)/libcylint.a $(BUILD)/libcylint.so $(BUILD)/cylint ## the library and the command
+# libcylint-embree has all that libcylint-scene has: one of them is enough
+libraries := libcylint libcylint-scene $(if $(EMBREE),libcylint-embree)
+all: $(foreach l,$(libraries),$(BUILD)/$(l).a $(BUILD)/$(l).so) $(BUILD)/cylint ## the libraries and the command
 
-$(BUILD)/libcylint.a: $(lib_objects)
+$(BUILD)/libcylint.a $(BUILD)/libcylint.so: $(lib_objects)
+$(BUILD)/libcylint-scene.a $(BUILD)/libcylint-scene.so: $(scene_objects)
+$(BUILD)/libcylint-embree.a $(BUILD)/libcylint-embree.so: $(scene_objects) $(embree_objects)
+$(BUILD)/libcylint-scene.so $(BUILD)/libcylint-embree.so: $(BUILD)/libcylint.so
+$(BUILD)/libcylint-embree.so: needs := $(EMBREE_LIBS)
+
+$(BUILD)/lib%.a:
 	$(AR) rcs $@ $^
 
-$(BUILD)/libcylint.so: $(lib_objects)
-	$(CC) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,libcylint.so.$(major) -o $@ $^ -lm
-
-# what depends on Embree: nothing, where there is none
-embree_library := $(if $(EMBREE),$(BUILD)/libcylint-embree.a)
-embree_link    := $(if $(EMBREE),$(EMBREE_LIBS))
-all: $(if $(EMBREE),$(BUILD)/libcylint-embree.a $(BUILD)/libcylint-embree.so $(BUILD)/cylint-embree.so)
-
-$(BUILD)/libcylint-embree.a: $(embree_objects)
-	$(AR) rcs $@ $^
-
-$(BUILD)/libcylint-embree.so: $(embree_objects) $(BUILD)/libcylint.so
-	$(CC) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,libcylint-embree.so.$(major) -o $@ $^ $(EMBREE_LIBS) -lm
+$(BUILD)/lib%.so:
+	$(CC) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(@F).$(major) -o $@ $^ $(needs) -lm
 
 # The command, and once more with calls that fail as tests/faults.c is told.
 faulty_calls := read write poll open close malloc calloc realloc posix_memalign free pipe pthread_create
 $(BUILD)/tests/faulty: $(BUILD)/tests/faults.o
 $(BUILD)/tests/faulty: wrapped := $(foreach c,$(faulty_calls),-Wl,--wrap=$(c))
-$(BUILD)/cylint $(BUILD)/tests/faulty: $(tool_objects) $(BUILD)/libcylint.a
-	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) $(finds_module) -pthread $(wrapped) -o $@ $^ $(LDLIBS) -lm
-
-# what the command loads when it needs Embree, from beside it or ../lib/cylint
-finds_module := $(if $(EMBREE),-Wl$(comma)-rpath$(comma)'$$ORIGIN:$$ORIGIN/../lib/cylint:$(LIBDIR)/cylint' -ldl)
-$(BUILD)/cylint-embree.so: $(BUILD)/tools/cylint/embree/module.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
-	$(CC) $(CFLAGS) $(LDFLAGS) -shared -o $@ $^ $(EMBREE_LIBS) -lm
+$(BUILD)/cylint $(BUILD)/tests/faulty: $(tool_objects) $(scene_library)
+	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) -pthread $(wrapped) -o $@ $^ $(LDLIBS) -lm
 
 # Pictures of scenes; scenes are read as the command reads them.
-RENDER := $(and $(EMBREE),$(PNG))
-all: $(if $(RENDER),$(BUILD)/cylint-render)
+all: $(if $(PNG),$(BUILD)/cylint-render)
 
 $(BUILD)/tools/cylint.a: $(filter-out %/main.o,$(tool_objects))
 	$(AR) rcs $@ $^
 
 $(BUILD)/cylint-render: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tools/render/*.c)) \
-		$(BUILD)/tools/cylint.a $(embree_library) $(BUILD)/libcylint.a
-	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) $(embree_link) -lpng -pthread -lm
+		$(BUILD)/tools/cylint.a $(scene_library)
+	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lpng -pthread -lm
 
 $(BUILD)/tests/pixels: $(BUILD)/tests/pixels.o
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lpng
 
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
-$(BUILD)/src/embree/%.o: extra += $(floats) -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS) $(if $(embree_builds),-DCYLINT_BUILDS_X86)
+$(BUILD)/src/scene/%.o: extra += $(floats) $(if $(walk_builds),-DCYLINT_BUILDS_X86)
+$(BUILD)/src/embree/%.o: extra += $(floats) -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 $(BUILD)/tools/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L
-$(BUILD)/tools/cylint/embree/%.o: extra := -fPIC -fvisibility=hidden
-$(BUILD)/tools/cylint/search.o: extra += $(if $(EMBREE),-DCYLINT_EMBREE)
 $(BUILD)/tools/render/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Itools/cylint
 $(BUILD)/tools/bench/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
@@ -125,7 +118,7 @@ $(BUILD)/tests/embree_%.o $(BUILD)/tests/test_embree_%.o $(BUILD)/tests/scene_cu
 $(BUILD)/src/dispatch.o: extra += $(if $(findstring kernel-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
 # what gcc needs to make vectors of loops
 vectors := -O3
-$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/embree/walk%.o $(BUILD)/src/embree/quick%.o $(BUILD)/src/embree/tree.o: extra += $(vectors)
+$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/scene/walk%.o $(BUILD)/src/scene/quick%.o $(BUILD)/src/scene/tree.o: extra += $(vectors)
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
@@ -137,10 +130,10 @@ $(filter $(BUILD)/src/kernel-%,$(lib_objects)): $(BUILD)/src/kernel-%.o: src/ker
 $(filter $(BUILD)/src/batch-%,$(lib_objects)): $(BUILD)/src/batch-%.o: src/batch.c
 	$(compile) $(FLAGS.$*) -c -o $@ $<
 
-$(embree_builds): $(BUILD)/src/embree/walk-%.o: src/embree/walk.c
+$(walk_builds): $(BUILD)/src/scene/walk-%.o: src/scene/walk.c
 	$(compile) -mavx2 -mfma -DCYLINT_WALKS=cylint_walks_$* -c -o $@ $<
 
-$(quick_builds): $(BUILD)/src/embree/quick-%.o: src/embree/quick.c
+$(quick_builds): $(BUILD)/src/scene/quick-%.o: src/scene/quick.c
 	$(compile) -mavx2 -mfma -ffp-contract=fast -DCYLINT_QUICK=cylint_quick_$* -c -o $@ $<
 
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc
@@ -151,13 +144,13 @@ $(BUILD)/tests/test_batch: test_libs += -pthread
 $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 
-$(BUILD)/tests/test_scene: $(BUILD)/tests/scenes.o
-$(BUILD)/tests/test_embree_memory.o: extra += $(if $(WRAP),-DWRAPPED)
-$(BUILD)/tests/test_embree_memory: wrapped := $(if $(WRAP),$(foreach c,malloc calloc free,-Wl$(comma)--wrap=$(c)))
-$(filter $(BUILD)/tests/test_embree_%,$(embree_tests)): $(patsubst %,$(BUILD)/tests/%.o,embree_rays embree_world scenes)
-$(filter $(BUILD)/tests/test_embree_quick,$(embree_tests)): $(test_common)
-$(BUILD)/tests/scene_curves: $(BUILD)/tests/scenes.o
-$(embree_tests) $(BUILD)/tests/scene_curves: %: %.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
+$(BUILD)/tests/test_scene_memory.o: extra += $(if $(WRAP),-DWRAPPED)
+$(BUILD)/tests/test_scene_memory: wrapped := $(if $(WRAP),$(foreach c,malloc calloc free,-Wl$(comma)--wrap=$(c)))
+$(scene_tests): %: %.o $(BUILD)/tests/scenes.o $(test_common) $(scene_library)
+	$(CC) $(CFLAGS) $(LDFLAGS) $(wrapped) -o $@ $^ $(test_libs) -pthread -lm
+
+$(embree_tests): $(patsubst %,$(BUILD)/tests/%.o,embree_rays embree_world)
+$(embree_tests) $(BUILD)/tests/scene_curves: %: %.o $(BUILD)/tests/scenes.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) $(wrapped) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(EMBREE_LIBS) $(test_libs) -pthread -lm
 
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
@@ -168,7 +161,7 @@ $(BUILD)/tests/fuzz/main.o: tools/cylint/main.c
 	@mkdir -p $(@D)
 	$(compile) -D_POSIX_C_SOURCE=200809L -Dmain=command_main -c -o $@ $<
 $(BUILD)/tests/fuzz/command: wrapped := $(fuzz_calls) -pthread
-$(fuzz_programs): %: %.o $(BUILD)/tests/fuzz/main.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/replay.o) $(filter-out %/main.o,$(tool_objects)) $(BUILD)/libcylint.a
+$(fuzz_programs): %: %.o $(BUILD)/tests/fuzz/main.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/replay.o) $(filter-out %/main.o,$(tool_objects)) $(scene_library)
 	$(if $(CXX17),$(CXX),$(CC)) $(CFLAGS) $(LDFLAGS) $(if $(FUZZER),-fsanitize=fuzzer) $(wrapped) -o $@ $^ $(LDLIBS) -lm
 
 .PHONY: fuzz fuzz_programs
@@ -197,25 +190,25 @@ $(BUILD)/tools/bench/batch: $(patsubst %,$(BUILD)/tools/bench/%.o,batch_scene ba
 $(bench_programs): %: %.o $(bench_common) $(test_common) $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(test_libs) -lm
 
-$(BUILD)/tools/bench/scene: %: %.o $(BUILD)/tests/scenes.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(EMBREE_LIBS) -pthread -lm
+$(BUILD)/tools/bench/scene: %: %.o $(BUILD)/tests/scenes.o $(scene_library)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread -lm
 
 .PHONY: bench-scene check-scene
-bench-scene: $(if $(EMBREE),$(BUILD)/tools/bench/scene) ## scenes against asking every shape (needs Embree)
+bench-scene: $(BUILD)/tools/bench/scene ## scenes against asking every shape
 	@BUILD='$(BUILD)' sh tools/bench/scene.sh
 
 bench_programs: $(bench_programs)
 
 $(BUILD)/tools/bench/embree.o $(BUILD)/tools/bench/embree_%.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
-$(BUILD)/tools/bench/embree: $(patsubst %,$(BUILD)/tools/bench/%.o,embree embree_scenes embree_rivals timing) $(embree_library) $(BUILD)/libcylint.a
+$(BUILD)/tools/bench/embree: $(patsubst %,$(BUILD)/tools/bench/%.o,embree embree_scenes embree_rivals timing) $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(EMBREE_LIBS) -lm
 
-$(BUILD)/tools/bench/embree_threads: $(patsubst %,$(BUILD)/tools/bench/%.o,embree_threads embree_scenes embree_rivals) $(embree_library) $(BUILD)/libcylint.a
+$(BUILD)/tools/bench/embree_threads: $(patsubst %,$(BUILD)/tools/bench/%.o,embree_threads embree_scenes embree_rivals) $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(EMBREE_LIBS) -pthread -lm
 
 # what a ray is asked for: an adapter that counts
 counted := cylint_quick_used cylint_intersect
-$(BUILD)/tools/bench/embree_counts: $(patsubst %,$(BUILD)/tools/bench/%.o,embree_counts embree_scenes embree_rivals) $(embree_library) $(BUILD)/libcylint.a
+$(BUILD)/tools/bench/embree_counts: $(patsubst %,$(BUILD)/tools/bench/%.o,embree_counts embree_scenes embree_rivals) $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) $(foreach f,$(counted),-Wl,--wrap=$(f)) -o $@ $^ $(EMBREE_LIBS) -lm
 
 .PHONY: bench-embree count_visits
@@ -253,9 +246,9 @@ stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, an hour or less
 search: $(BUILD)/tests/search ## hill climbing for the worst errors and the slowest query
 	$(BUILD)/tests/search
 
-check-scene: $(BUILD)/tests/test_scene $(BUILD)/tests/scene_curves ## scenes against brute force, two minutes or so
+check-scene: $(BUILD)/tests/test_scene $(if $(EMBREE),$(BUILD)/tests/scene_curves) ## scenes against brute force, two minutes or so
 	$(BUILD)/tests/test_scene 1000
-	$(BUILD)/tests/scene_curves
+	$(if $(EMBREE),$(BUILD)/tests/scene_curves)
 
 covered: all $(test_programs)
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/run.sh $(test_programs) tests/test_hard.sh
@@ -282,7 +275,7 @@ lint: ## what static analysis says, and how the sources look
 demo: all ## scan a generated forest and show what was hit
 	@BUILD=$(BUILD) sh tools/demo/demo.sh
 
-check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/faulty $(fuzz_programs)) $(if $(RENDER),$(BUILD)/tests/pixels) ## run every test (PARANOID=1: each decision twice)
+check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/pixels) ## run every test (PARANOID=1: each decision twice)
 	@$(if $(MPFR),,echo 'note: no MPFR, tests against the oracle are skipped')
 	@$(if $(EMBREE),,echo 'note: no Embree, its adapter is neither built nor tested')
 	@$(if $(PNG),,echo 'note: no libpng, cylint-render is neither built nor tested')
@@ -307,10 +300,10 @@ threaded := -g -O1 -fsanitize=thread
 faulty: $(BUILD)/cylint $(BUILD)/tests/faulty
 check-threads: ## 8 threads in a scene, 8 workers, under the thread sanitizer
 	$(MAKE) BUILD=$(BUILD)/threads CFLAGS='$(threaded)' CXXFLAGS='$(threaded)' faulty \
-	  $(if $(EMBREE),$(BUILD)/threads/tests/test_embree_threads) $(if $(RENDER),$(BUILD)/threads/cylint-render)
+	  $(if $(EMBREE),$(BUILD)/threads/tests/test_embree_threads) $(if $(PNG),$(BUILD)/threads/cylint-render)
 	$(if $(EMBREE),TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_embree_threads)
 	BUILD=$(BUILD)/threads WORKERS=8 sh tests/test_faults.sh
-	$(if $(RENDER),BUILD=$(BUILD)/threads sh tests/render_threads.sh)
+	$(if $(PNG),BUILD=$(BUILD)/threads sh tests/render_threads.sh)
 
 deps: ## install what the tests need (Debian)
 	@sh tools/deps.sh
@@ -321,15 +314,14 @@ deps-cross: ## what check-cross and lint need as well (Debian)
 fill_in = sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|' \
 	  -e 's|@EMBREE@|$(EMBREE)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|; s|@EMBREE_CFLAGS@|$(EMBREE_CFLAGS)|'
 
-define install_embree
-install -m 644 $(BUILD)/libcylint-embree.a $(DESTDIR)$(LIBDIR)
-	install -m 755 $(BUILD)/libcylint-embree.so $(DESTDIR)$(LIBDIR)/libcylint-embree.so.$(version)
-	ln -sf libcylint-embree.so.$(version) $(DESTDIR)$(LIBDIR)/libcylint-embree.so.$(major)
-	ln -sf libcylint-embree.so.$(major) $(DESTDIR)$(LIBDIR)/libcylint-embree.so
-	install -d $(DESTDIR)$(LIBDIR)/cylint
-	install -m 755 $(BUILD)/cylint-embree.so $(DESTDIR)$(LIBDIR)/cylint
-	install -m 644 include/cylint_embree.h include/cylint_scene.h $(DESTDIR)$(INCLUDEDIR)
-	$(fill_in) src/embree/cylint-embree.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/cylint-embree.pc
+# $(call install_library,libcylint...)
+define install_library
+install -m 644 $(BUILD)/$(1).a $(DESTDIR)$(LIBDIR)
+	install -m 755 $(BUILD)/$(1).so $(DESTDIR)$(LIBDIR)/$(1).so.$(version)
+	ln -sf $(1).so.$(version) $(DESTDIR)$(LIBDIR)/$(1).so.$(major)
+	ln -sf $(1).so.$(major) $(DESTDIR)$(LIBDIR)/$(1).so
+	$(fill_in) $(wildcard src/$(1:lib%=%).pc.in src/*/$(1:lib%=%).pc.in) > $(DESTDIR)$(LIBDIR)/pkgconfig/$(1:lib%=%).pc
+
 endef
 
 deps-cluster: ## what check-cluster needs as well (Debian; Spark by pip)
@@ -339,23 +331,17 @@ install: all ## into $(DESTDIR)$(PREFIX)
 	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(INCLUDEDIR) \
 	  $(DESTDIR)$(MANDIR)/man1 $(DESTDIR)$(MANDIR)/man3 $(DESTDIR)$(MANDIR)/man7
 	install -m 755 $(BUILD)/cylint $(DESTDIR)$(BINDIR)
-	install -m 644 $(BUILD)/libcylint.a $(DESTDIR)$(LIBDIR)
-	install -m 755 $(BUILD)/libcylint.so $(DESTDIR)$(LIBDIR)/libcylint.so.$(version)
-	ln -sf libcylint.so.$(version) $(DESTDIR)$(LIBDIR)/libcylint.so.$(major)
-	ln -sf libcylint.so.$(major) $(DESTDIR)$(LIBDIR)/libcylint.so
-	install -m 644 include/cylint.h include/cylint_methods.h $(DESTDIR)$(INCLUDEDIR)
-	$(fill_in) src/cylint.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc
-	$(if $(EMBREE),$(install_embree))
-	$(if $(RENDER),install -m 755 $(BUILD)/cylint-render $(DESTDIR)$(BINDIR))
+	$(foreach l,$(libraries),$(call install_library,$(l)))
+	install -m 644 $(patsubst %,include/%,cylint.h cylint_methods.h cylint_scene.h $(if $(EMBREE),cylint_embree.h)) $(DESTDIR)$(INCLUDEDIR)
+	$(if $(PNG),install -m 755 $(BUILD)/cylint-render $(DESTDIR)$(BINDIR))
 	for m in man/*.1; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man1; done
 	for m in man/*.3; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man3; done
 	for m in man/*.7; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man7; done
 
 uninstall: ## what install put there
-	rm -f $(DESTDIR)$(BINDIR)/cylint $(DESTDIR)$(BINDIR)/cylint-render $(DESTDIR)$(LIBDIR)/libcylint.* \
-	  $(DESTDIR)$(LIBDIR)/libcylint-embree.* $(DESTDIR)$(LIBDIR)/cylint/cylint-embree.so $(DESTDIR)$(LIBDIR)/pkgconfig/cylint.pc \
-	  $(DESTDIR)$(LIBDIR)/pkgconfig/cylint-embree.pc $(DESTDIR)$(INCLUDEDIR)/cylint.h \
-	  $(DESTDIR)$(INCLUDEDIR)/cylint_methods.h $(DESTDIR)$(INCLUDEDIR)/cylint_embree.h $(DESTDIR)$(INCLUDEDIR)/cylint_scene.h $(DESTDIR)$(MANDIR)/man[137]/cylint*
+	rm -f $(patsubst %,$(DESTDIR)$(BINDIR)/%,cylint cylint-render) $(patsubst include/%,$(DESTDIR)$(INCLUDEDIR)/%,$(wildcard include/*.h)) \
+	  $(foreach l,libcylint libcylint-scene libcylint-embree,$(DESTDIR)$(LIBDIR)/$(l).* $(DESTDIR)$(LIBDIR)/pkgconfig/$(l:lib%=%).pc) \
+	  $(DESTDIR)$(MANDIR)/man[137]/cylint*
 
 clean: ## what was built
 	rm -rf $(BUILD)

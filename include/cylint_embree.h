@@ -63,6 +63,7 @@
 #define CYLINT_EMBREE_H
 
 #include "cylint.h"
+#include "cylint_scene.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -7,8 +7,9 @@
  * made, refused ones included; unbounded shapes and a few wild ones (below)
  * are asked by batch, beside the hierarchy.
  *
- * In libcylint-embree.  A scene is only read by queries: any number of
- * threads may ask one.  No query allocates.
+ * In libcylint-scene, and again in libcylint-embree.  A scene is only read by
+ * queries: any number of threads may ask one.  Making one allocates, by
+ * malloc(); no query does.  Nothing is printed.
  */
 #ifndef CYLINT_SCENE_H
 #define CYLINT_SCENE_H
@@ -24,9 +25,7 @@ typedef struct cylint_scene cylint_scene;
 typedef enum cylint_scene_status {
     CYLINT_SCENE_OK = 0,
     CYLINT_SCENE_EMEMORY, /* there is not enough memory */
-    CYLINT_SCENE_ESIZE,   /* more than 2^28 shapes */
-    CYLINT_SCENE_EEMBREE  /* Embree refuses: not returned by scenes that walk
-                             their own nodes, as those of this version do */
+    CYLINT_SCENE_ESIZE    /* more than 2^28 shapes */
 } cylint_scene_status;
 
 /* A short English text for a status, static, lower case, no full stop. */

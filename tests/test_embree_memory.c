@@ -2,64 +2,14 @@
  * test_embree_memory.c - every allocation refused in turn, nothing lost
  *
  * What the adapter takes, it takes from the device, whose memory monitor
- * refuses one allocation after the other; what a scene takes of its own comes
- * from malloc() and calloc(), which the linker replaces by those below.
+ * refuses one allocation after the other.
  */
 #include <string.h>
 
 #include "check.h"
-#include "cylint_scene.h"
 #include "embree_world.h"
 
 enum { SHAPES = 300, ENOUGH = 1000 };
-
-/* ------------------------------------------- malloc(), where it is wrapped */
-
-#ifdef WRAPPED
-
-static struct {
-    int watched;
-    int asked, refuse; /* allocations; the number of the one to refuse */
-    int held;          /* blocks that were not given back */
-} heap;
-
-void *__real_malloc(size_t);
-void *__real_calloc(size_t, size_t);
-void __real_free(void *);
-void *__wrap_malloc(size_t);
-void *__wrap_calloc(size_t, size_t);
-void __wrap_free(void *);
-
-static int heap_refuses(void)
-{
-    return heap.watched && ++heap.asked == heap.refuse;
-}
-
-static void *heap_hold(void *p)
-{
-    heap.held += heap.watched && p != NULL;
-    return p;
-}
-
-void *__wrap_malloc(size_t size)
-{
-    return heap_refuses() ? NULL : heap_hold(__real_malloc(size));
-}
-
-void *__wrap_calloc(size_t n, size_t size)
-{
-    return heap_refuses() ? NULL : heap_hold(__real_calloc(n, size));
-}
-
-void __wrap_free(void *p)
-{
-    heap.held -= heap.watched && p != NULL;
-    __real_free(p);
-}
-
-#endif
-
-/* -------------------------------------------------------------- geometry -- */
 
 static void begin(int refuse)
 {
@@ -221,44 +171,11 @@ static void a_thousand_geometries_leave_nothing(void)
     CHECK(world_errors() == 0);
 }
 
-/* ---------------------------------------------------------------- scenes -- */
-
-static void a_scene_gives_back_what_it_took(void)
-{
-#ifdef WRAPPED
-    cylint_shape shapes[SHAPES];
-    int refusals = 0, made = 0;
-    shapes_of_all_kinds(shapes, 5);
-    for (int k = 1; k < ENOUGH && !made; k++) {
-        cylint_scene_status status = CYLINT_SCENE_OK;
-        cylint_scene *scene;
-        heap.asked = heap.held = 0;
-        heap.refuse = k;
-        heap.watched = 1;
-        scene = cylint_scene_new(shapes, SHAPES, 1, &status);
-        if (heap.asked >= k) {
-            refusals++;
-            CHECK(!scene && status == CYLINT_SCENE_EMEMORY);
-        } else {
-            made = 1;
-            CHECK(scene && status == CYLINT_SCENE_OK);
-        }
-        cylint_scene_free(scene);
-        heap.watched = 0;
-        CHECK(heap.held == 0);
-    }
-    CHECK(made && refusals > 0);
-#else
-    printf("note: this linker wraps no functions; malloc() is not refused\n");
-#endif
-}
-
 int main(void)
 {
     RUN(making_gives_back_what_it_took);
     RUN(updating_gives_back_what_it_took);
     RUN(a_refused_commit_can_be_repeated);
     RUN(a_thousand_geometries_leave_nothing);
-    RUN(a_scene_gives_back_what_it_took);
     return check_end();
 }

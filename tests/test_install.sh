@@ -35,14 +35,17 @@ test_install()
     verdict install_succeeds $?
     for f in bin/cylint lib/libcylint.a lib/libcylint.so \
         "lib/libcylint.so.$major" "lib/libcylint.so.$version" \
-        lib/pkgconfig/cylint.pc include/cylint.h include/cylint_methods.h \
+        lib/libcylint-scene.a "lib/libcylint-scene.so.$major" \
+        lib/pkgconfig/cylint.pc lib/pkgconfig/cylint-scene.pc \
+        include/cylint.h include/cylint_methods.h include/cylint_scene.h \
         share/man/man1/cylint.1 share/man/man3/cylint.3 \
-        share/man/man3/cylint_methods.3 share/man/man7/cylint.7; do
+        share/man/man3/cylint_methods.3 share/man/man3/cylint_scene.3 \
+        share/man/man7/cylint.7; do
         [ -s "$root/usr/$f" ]
         verdict "install_puts_$f" $?
     done
-    ! grep -l '@[A-Z]*@' "$lib/pkgconfig/cylint.pc"
-    verdict the_pc_file_is_filled_in $?
+    ! grep -l '@[A-Z_]*@' "$lib"/pkgconfig/*.pc
+    verdict the_pc_files_are_filled_in $?
     "$root/usr/bin/cylint" --version | grep -q -F "$version"
     verdict the_installed_command_tells_the_version $?
 }
@@ -58,16 +61,29 @@ block()
     ' README.md
 }
 
-# The flags of the installed .pc file; by hand where pkg-config is missing.
+# The flags of the installed .pc files of $packages; by hand where pkg-config is
+# missing.
 flags()
 {
     if command -v pkg-config > /dev/null; then
         PKG_CONFIG_LIBDIR=$lib/pkgconfig PKG_CONFIG_SYSROOT_DIR=$root \
             PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1 \
-            pkg-config "$@" ${package:-cylint}
+            pkg-config "$@" ${packages:-cylint}
     else
-        echo "-I$root/usr/include -L$lib -lcylint"
+        echo "-I$root/usr/include -L$lib $(printf -- '-l%s ' $packages) -lcylint"
     fi
+}
+
+# archives: the static libraries of $packages, and what they need.
+archives()
+{
+    for package in $packages; do
+        echo "$lib/lib$package.a"
+    done
+    echo "$lib/libcylint.a"
+    case $packages in
+    *embree*) echo -lembree3 ;;
+    esac
 }
 
 # example NAME LINKING COMPILER FLAGS...: the README's program, compiled so,
@@ -77,7 +93,7 @@ example()
     name=$1 linking=$2
     shift 2
     case $linking in
-    static) with="$(flags --cflags) $lib/libcylint.a -lm" ;;
+    static) with="$(flags --cflags) $(archives) -lm" ;;
     shared) with=$(flags --cflags --libs) ;;
     esac
     rm -f "$scratch/example"
@@ -139,18 +155,30 @@ test_manual_examples()
         verdict "${page}_has_example_$number" $?
         example "${page}_example_$number" static $cc -std=c99
     done
-    command -v pkg-config > /dev/null &&
-        [ -f "$lib/pkgconfig/cylint-embree.pc" ] || return
     display cylint_scene.3 1 > "$scratch/example.c"
     display cylint_scene.3 2 > "$scratch/example.said"
-    package=cylint-embree
-    example cylint_scene.3_example shared $cc -std=c99
-    if grep -q lembree3 "$lib/pkgconfig/cylint-embree.pc"; then
-        display cylint_embree.3 1 > "$scratch/example.c"
-        display cylint_embree.3 2 > "$scratch/example.said"
-        example cylint_embree.3_example shared $cc -std=c99
-    fi
-    package=
+    example_of cylint_scene.3 cylint-scene
+    command -v pkg-config > /dev/null &&
+        grep -q lembree3 "$lib/pkgconfig/cylint-embree.pc" 2>/dev/null || return
+    example_of cylint_scene.3 cylint-embree
+    example_of cylint_scene.3 cylint-embree cylint-scene
+    example_of cylint_scene.3 cylint-scene cylint-embree
+    display cylint_embree.3 1 > "$scratch/example.c"
+    display cylint_embree.3 2 > "$scratch/example.said"
+    example_of cylint_embree.3 cylint-embree
+}
+
+# example_of PAGE LIBRARY...: linked with these both ways.
+example_of()
+{
+    page=$1
+    shift
+    packages=$*
+    for linking in static shared; do
+        example "${page}_example_${linking}_$(echo $packages | tr ' ' _)" \
+            $linking $cc -std=c99
+    done
+    packages=
 }
 
 # The structs that the manuals show have the members of the headers, at the
@@ -198,19 +226,38 @@ test_manual_structs()
     verdict the_manuals_show_the_structs_of_the_headers $?
 }
 
+# none FOUND VERDICT: nothing was found.
+none()
+{
+    [ -z "$1" ] || { echo "found: $1"; false; }
+    verdict "$2" $?
+}
+
+# foreign_to LIBRARY NAMES: what it uses beside these and its own kind's.
+foreign_to()
+{
+    nm -u "$lib/$1.a" | awk -v known="$2" '
+        BEGIN { n = split(known, name, " ")
+                for (i = 1; i <= n; i++) fine[name[i]] = 1 }
+        $1 == "U" && !($2 in fine) && $2 !~ /^cylint_/ { print $2 }' | sort -u
+}
+
 test_symbols()
 {
     command -v nm > /dev/null || { echo 'note: no nm, symbols are not looked at'; return; }
-    foreign=$(nm -D --defined-only "$lib/libcylint.so" |
-        awk '$3 !~ /^cylint_/ { print $3 }')
-    [ -z "$foreign" ] || { echo "exported: $foreign"; false; }
-    verdict the_shared_library_exports_only_its_own_names $?
-    foreign=$(nm -g --defined-only "$lib/libcylint.a" |
-        awk 'NF == 3 && $3 !~ /^cylint_/ { print $3 }')
-    [ -z "$foreign" ] || { echo "defined: $foreign"; false; }
-    verdict the_static_library_defines_only_its_own_names $?
+    for library in libcylint libcylint-scene; do
+        none "$(nm -D --defined-only "$lib/$library.so" |
+            awk '$3 !~ /^cylint_/ { print $3 }')" \
+            "shared_${library}_exports_only_its_own_names"
+        none "$(nm -g --defined-only "$lib/$library.a" |
+            awk 'NF == 3 && $3 !~ /^cylint_/ { print $3 }')" \
+            "static_${library}_defines_only_its_own_names"
+    done
+    none "$(nm -D --defined-only "$lib/libcylint-scene.so" |
+        awk '$3 !~ /^cylint_scene_/ { print $3 }')" \
+        a_scenes_library_exports_only_scenes
     if [ -n "$(sanitizers_of)" ]; then
-        echo 'note: sanitized, so what the library uses is not looked at'
+        echo 'note: sanitized, so what the libraries use is not looked at'
         return
     fi
     # What C99 has in math.h and what compilers make of loops and copies.
@@ -222,12 +269,11 @@ test_symbols()
     # __cpu_model: the compiler's own, which processor this is
     others='_GLOBAL_OFFSET_TABLE_ __assert_fail __cpu_model'
     [ -z "${PARANOID:-}" ] || others="$others abort" # what that is for
-    foreign=$(nm -u "$lib/libcylint.a" | awk -v known="$math $memory $others" '
-        BEGIN { n = split(known, name, " ")
-                for (i = 1; i <= n; i++) fine[name[i]] = 1 }
-        $1 == "U" && !($2 in fine) && $2 !~ /^cylint_/ { print $2 }' | sort -u)
-    [ -z "$foreign" ] || { echo "used: $foreign"; false; }
-    verdict the_library_uses_only_mathematics_and_memory $?
+    none "$(foreign_to libcylint "$math $memory $others")" \
+        the_library_uses_only_mathematics_and_memory
+    none "$(foreign_to libcylint-scene \
+        "$math $memory $others sqrtf malloc calloc free madvise")" \
+        scenes_allocate_and_use_nothing_else
 }
 
 test_without_makefile()

@@ -3,6 +3,7 @@
  */
 #include "internal.h"
 #include "moving.h"
+#include "pad.h"
 
 int cylint_embree_version(void)
 {
@@ -32,7 +33,7 @@ const char *cylint_embree_strerror(int status)
 /* ---------------------------------------------------------------- boxes -- */
 
 static void box_of(const cylint_embree_data *data, size_t number, int step,
-                   struct RTCBounds *box)
+                   cylint_extent *box)
 {
     const cylint_shape *shape = data->shapes + number;
     if (data->moved) {
@@ -52,13 +53,13 @@ static void group_bounds(const struct RTCBoundsFunctionArguments *args)
 static void shape_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const cylint_embree_data *data = args->geometryUserPtr;
-    struct RTCBounds box;
+    cylint_extent box;
     box_of(data, args->primID, (int)args->timeStep, &box);
     *args->bounds_o = cylint_padded_box(&box, data->pad);
 }
 
 static int check_shape(const cylint_embree_data *data, size_t i,
-                       struct RTCBounds *all)
+                       cylint_extent *all)
 {
     const cylint_shape *shape = data->shapes + i;
     if (i >= RTC_INVALID_GEOMETRY_ID || !cylint_is_bounded(shape) ||
@@ -67,7 +68,7 @@ static int check_shape(const cylint_embree_data *data, size_t i,
     if (data->moved && !cylint_moves_into(shape, data->moved + i))
         return CYLINT_EMBREE_EMOTION;
     for (int step = 0; step < (data->moved ? 2 : 1); step++) {
-        struct RTCBounds box;
+        cylint_extent box;
         box_of(data, i, step, &box);
         if (!cylint_keeps_box(&box))
             return CYLINT_EMBREE_ESHAPE;
@@ -86,7 +87,7 @@ static int refused(cylint_embree_problem *problem, int status, size_t shape)
     return 0;
 }
 
-static void take_box(cylint_embree_data *data, const struct RTCBounds *all)
+static void take_box(cylint_embree_data *data, const cylint_extent *all)
 {
     data->box = *all;
     data->pad = cylint_box_pad(all, data->walk ? FAR_SIZES : NEAR_SIZES);
@@ -95,7 +96,7 @@ static void take_box(cylint_embree_data *data, const struct RTCBounds *all)
 static int check_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
-    struct RTCBounds all = cylint_no_box();
+    cylint_extent all = cylint_no_box();
     for (size_t i = 0; i < data->n; i++) {
         const int status = check_shape(data, i, &all);
         if (status != CYLINT_EMBREE_OK)
@@ -109,7 +110,7 @@ static int ask_for_room(cylint_memory *memory, cylint_embree_data *data,
                         size_t bytes)
 {
     *memory = (cylint_memory){0};
-    return bytes == 0 || cylint_memory_take(memory, data->device, bytes);
+    return bytes == 0 || cylint_memory_take(memory, &data->source, bytes);
 }
 
 /* What was before stays where it fails. */
@@ -120,7 +121,7 @@ static int group_shapes(cylint_embree_data *data,
     cylint_memory asked;
     cylint_group group;
     size_t shape;
-    switch (cylint_group_make(&group, data->device, &view, NULL, data->n,
+    switch (cylint_group_make(&group, &data->source, &view, NULL, data->n,
                               &shape)) {
     case CYLINT_GROUP_OK:
         break;
@@ -185,11 +186,12 @@ static cylint_embree_data *new_data(RTCDevice device,
                                     const cylint_shape *shapes, size_t n,
                                     const cylint_embree_options *options)
 {
+    const cylint_memory_source source = cylint_device_memory(device);
     cylint_memory self;
-    if (!cylint_memory_take(&self, device, sizeof(cylint_embree_data)))
+    if (!cylint_memory_take(&self, &source, sizeof(cylint_embree_data)))
         return NULL;
     cylint_embree_data *data = self.data;
-    *data = (cylint_embree_data){.self = self, .device = device,
+    *data = (cylint_embree_data){.self = self, .source = source,
                                  .shapes = shapes, .n = n,
                                  .quick = cylint_quick_used()};
     if (options) {

@@ -1,29 +1,29 @@
 /*
  * internal.h - what the adapter's files tell each other
  *
- * Which way the calls point: adapter.c -> group.c -> block.c -> trunk.c,
- * group.c -> tree.c, and trace.c -> walk.c, quick.c.
+ * Which way the calls point, to ../scene: adapter.c -> group.c, and trace.c ->
+ * walk.c, quick.c.
  */
 #ifndef CYLINT_EMBREE_INTERNAL_H
 #define CYLINT_EMBREE_INTERNAL_H
 
 #include <stdint.h>
 
+#include "../scene/group.h"
+#include "../scene/quick.h"
+#include "../scene/walk.h"
 #include "api.h"
 #include "cylint_embree.h"
-#include "group.h"
-#include "memory.h"
-#include "quick.h"
-#include "walk.h"
+#include "device.h"
 
 /* What the geometry's user data points to. */
 typedef struct cylint_embree_data {
     cylint_memory self;           /* which holds this very struct */
-    RTCDevice device;
+    cylint_memory_source source;  /* of this and what is below */
     const cylint_shape *shapes;   /* at time 0 */
     const cylint_shape *moved;    /* at time 1, or NULL */
     size_t n;
-    struct RTCBounds box;         /* of all */
+    cylint_extent box;            /* of all */
     double pad;                   /* by which boxes are widened for Embree */
     unsigned how;
     void *user;

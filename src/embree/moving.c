@@ -106,7 +106,7 @@ static double reach(const disc *at, const disc *other, int j)
  * room for the doubles and for rounding M.
  */
 void cylint_moving_bounds(const cylint_shape *at_0, const cylint_shape *at_1,
-                          int step, struct RTCBounds *box)
+                          int step, cylint_extent *box)
 {
     double lo[3], hi[3];
     for (int j = 0; j < 3; j++) {

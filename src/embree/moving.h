@@ -4,7 +4,7 @@
 #ifndef CYLINT_EMBREE_MOVING_H
 #define CYLINT_EMBREE_MOVING_H
 
-#include "bounds.h"
+#include "../scene/bounds.h"
 #include "cylint_embree.h"
 
 /* Whether there are shapes between: same constructor, same ends. */
@@ -13,6 +13,6 @@ int cylint_moves_into(const cylint_shape *at_0, const cylint_shape *at_1);
 /* The box at time 0 or 1 (step), such that boxes interpolated by Embree hold
  * the shape at every time. */
 void cylint_moving_bounds(const cylint_shape *at_0, const cylint_shape *at_1,
-                          int step, struct RTCBounds *box);
+                          int step, cylint_extent *box);
 
 #endif

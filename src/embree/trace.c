@@ -7,12 +7,13 @@
  * anticipates where it is certain of it; everything else only chooses which
  * shapes to ask.
  */
+#include <stddef.h>
 #include <string.h>
 
 #include "../each.h"
-#include "bounds.h"
+#include "../scene/bounds.h"
 #include "internal.h"
-#include "turn.h"
+#include "../scene/turn.h"
 
 /* One ray at one primitive; line and lane are set when they are needed. */
 typedef struct query {
@@ -398,6 +399,20 @@ static int is_line(const struct RTCRay *r)
     return none >= 0 && any > 0 && r->tnear <= r->tfar;
 }
 
+/* A ray's floats lie where walk.h has them. */
+#define SAME(ours, theirs) \
+    (offsetof(cylint_float_ray, ours) == offsetof(struct RTCRay, theirs))
+typedef char rays_are_alike[
+    SAME(o[0], org_x) && SAME(o[1], org_y) && SAME(o[2], org_z) &&
+    SAME(tnear, tnear) && SAME(d[0], dir_x) && SAME(d[1], dir_y) &&
+    SAME(d[2], dir_z) && SAME(tfar, tfar) ? 1 : -1];
+#undef SAME
+
+static const cylint_float_ray *floats_of_ray(const struct RTCRay *ray)
+{
+    return (const cylint_float_ray *)ray;
+}
+
 static int trace_one(query *q, unsigned primID)
 {
     if (!is_line(q->ray))
@@ -406,13 +421,14 @@ static int trace_one(query *q, unsigned primID)
     if (!q->data->walk)
         return try_shape(q, primID);
     q->met = 0;
+    const cylint_float_ray *ray = floats_of_ray(q->ray);
     if (q->any && !has_filters(q)) {
-        if (q->data->walk->shadow(&q->data->group, q->ray, try_lanes, q)) {
+        if (q->data->walk->shadow(&q->data->group, ray, try_lanes, q)) {
             q->ray->tfar = -HUGE_VALF;
             return 1;
         }
     } else {
-        q->data->walk->ray(&q->data->group, q->ray, try_lanes, q);
+        q->data->walk->ray(&q->data->group, ray, try_lanes, q);
     }
     return q->met;
 }

@@ -33,7 +33,7 @@ static const char help[] =
 "  --ends WORD        the ends of shapes that do not say\n"
 "  -t MIN,MAX         the domain of lines and rays\n"
 "  --method NAME      answer by a published method, see --list=methods\n"
-"  --accel HOW        with -s: auto, none or embree; the answers are the same\n"
+"  --accel HOW        with -s: auto, none or tree; the answers are the same\n"
 "  -p N, -x           N significant digits; hexadecimal\n"
 "  -d CHAR            output separator, instead of a tab\n"
 "  --miss TOKEN       what to write for a missing value\n"

@@ -83,10 +83,9 @@ static int read_accel(struct options *options, const struct option *o,
 {
     int index;
     const int status = read_word(o, value, accel_words,
-                                 "auto, none or embree", &index);
-    options->accel = (enum accel)index;
-    return status == 0 && index == ACCEL_EMBREE && !search_has_embree()
-        ? usage("--accel: this cylint was built without Embree") : status;
+                                 "auto, none or tree", &index);
+    options->accel = index == ACCEL_EMBREE ? ACCEL_TREE : (enum accel)index;
+    return status;
 }
 
 static int read_method(struct options *options, const struct option *o,

@@ -1,19 +1,17 @@
 /*
  * search.c - how the shapes that a line hits are found among all
  */
-#ifdef CYLINT_EMBREE
-#include <dlfcn.h>
-#endif
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "hierarchy.h"
+#include "cylint_scene.h"
 #include "main.h"
 #include "report.h"
 #include "search.h"
 
-const char *const accel_words[] = {"auto", "none", "embree", NULL};
+const char *const accel_words[] = {"auto", "none", "tree", "embree",
+                                   NULL};
 
 /*
  * What auto does.  A hierarchy answers sooner than a batch from PAYS_FROM
@@ -27,42 +25,9 @@ enum { PAYS_FROM = 64, PAYS_AFTER = 2048 };
 
 /* The hierarchy, which one of the threads may still be making. */
 struct tree {
-    const struct hierarchy *by;
     cylint_scene *scene; /* NULL: not there yet, or never */
     size_t asked;        /* lines, before it was there */
 };
-
-#ifdef CYLINT_EMBREE
-
-int search_has_embree(void)
-{
-    return 1;
-}
-
-/* NULL: *why says what is in the way. */
-static const struct hierarchy *load_hierarchy(const char **why)
-{
-    void *module = dlopen(HIERARCHY_MODULE, RTLD_NOW | RTLD_LOCAL);
-    const struct hierarchy *found = module
-        ? dlsym(module, HIERARCHY_SYMBOL) : NULL;
-    *why = found ? NULL : dlerror();
-    return found;
-}
-
-#else
-
-int search_has_embree(void)
-{
-    return 0;
-}
-
-static const struct hierarchy *load_hierarchy(const char **why)
-{
-    *why = "not built in";
-    return NULL;
-}
-
-#endif
 
 static int make_pack(struct search *s)
 {
@@ -74,21 +39,24 @@ static int make_pack(struct search *s)
     return 0;
 }
 
-/* Returns an exit status; *why, if it is not 0. */
-static int make_scene(const struct search *s, const char **why)
+static cylint_scene_status make_scene(const struct search *s)
 {
     cylint_scene_status status;
-    struct tree *tree = s->tree;
-    tree->by = load_hierarchy(why);
-    if (!tree->by) {
-        return EXIT_USAGE;
+    cylint_scene *scene = cylint_scene_new(s->shapes, s->count, s->threads,
+                                           &status);
+    __atomic_store_n(&s->tree->scene, scene, __ATOMIC_RELEASE);
+    return status;
+}
+
+/* The same from the beginning, that is, or nothing. */
+static int insist_on_scene(const struct search *s)
+{
+    const cylint_scene_status status = make_scene(s);
+    if (status == CYLINT_SCENE_OK) {
+        return 0;
     }
-    cylint_scene *scene = tree->by->make(s->shapes, s->count, s->threads,
-                                         &status);
-    *why = tree->by->error((int)status);
-    __atomic_store_n(&tree->scene, scene, __ATOMIC_RELEASE);
-    return scene ? 0
-        : status == CYLINT_SCENE_EMEMORY ? EXIT_MEMORY : EXIT_USAGE;
+    complain("--accel=tree", cylint_scene_strerror((int)status));
+    return status == CYLINT_SCENE_EMEMORY ? EXIT_MEMORY : EXIT_USAGE;
 }
 
 int search_make(struct search *s, const cylint_shape *shapes, size_t count,
@@ -98,28 +66,19 @@ int search_make(struct search *s, const cylint_shape *shapes, size_t count,
     s->shapes = shapes;
     s->count = count;
     s->threads = threads;
-    if (accel == ACCEL_EMBREE || (accel == ACCEL_AUTO && count >= PAYS_FROM
-                                  && search_has_embree())) {
+    if (accel == ACCEL_TREE || (accel == ACCEL_AUTO && count >= PAYS_FROM)) {
         s->tree = calloc(1, sizeof *s->tree);
         if (!s->tree) {
             return out_of_memory();
         }
     }
-    if (accel == ACCEL_EMBREE) {
-        const char *why;
-        const int status = make_scene(s, &why);
-        if (status != 0) {
-            complain("--accel=embree", why);
-        }
-        return status;
-    }
-    return make_pack(s);
+    return accel == ACCEL_TREE ? insist_on_scene(s) : make_pack(s);
 }
 
 void search_free(struct search *s)
 {
-    if (s->tree && s->tree->scene) {
-        s->tree->by->release(s->tree->scene);
+    if (s->tree) {
+        cylint_scene_free(s->tree->scene);
     }
     free(s->tree);
     free(s->memory);
@@ -138,11 +97,10 @@ static const cylint_scene *scene_of(const struct search *s)
 static const cylint_scene *scene_for_line(const struct search *s)
 {
     const cylint_scene *scene = scene_of(s);
-    const char *why; /* does not matter: batches will do */
     if (s->tree && !scene
         && __atomic_add_fetch(&s->tree->asked, 1, __ATOMIC_RELAXED)
            == PAYS_AFTER) {
-        make_scene(s, &why);
+        make_scene(s); /* if that fails, batches will do */
         scene = scene_of(s);
     }
     return scene;
@@ -152,7 +110,7 @@ size_t search_nearest(const struct search *s, const cylint_line *line)
 {
     const cylint_scene *scene = scene_for_line(s);
     cylint_hit hit;
-    return scene ? s->tree->by->nearest(scene, line, 0, &hit)
+    return scene ? cylint_scene_nearest(scene, line, 0, &hit)
         : cylint_nearest(&s->pack, line, 0, &hit);
 }
 
@@ -160,7 +118,7 @@ size_t search_count(const struct search *s, const cylint_line *line,
                     size_t enough)
 {
     const cylint_scene *scene = scene_for_line(s);
-    return scene ? s->tree->by->count(scene, line, enough)
+    return scene ? cylint_scene_count(scene, line, enough)
         : cylint_count(&s->pack, line, enough);
 }
 
@@ -188,7 +146,7 @@ size_t search_hits(const struct search *s, const cylint_line *line,
     size_t found = 0;
     const cylint_scene *scene = first == 0 ? scene_for_line(s) : scene_of(s);
     if (scene) {
-        return s->tree->by->all(scene, line, first, numbers, room);
+        return cylint_scene_all(scene, line, first, numbers, room);
     }
     if (first == 0) {
         cylint_columns columns = {0};

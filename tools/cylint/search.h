@@ -1,16 +1,16 @@
 /*
  * search.h - how the shapes that a line hits are found among all
  *
- * By batches of all shapes or, where Embree was built in and it pays, by a
- * hierarchy of boxes: the answers are the same bits.  Any number of threads
- * may ask.
+ * By batches of all shapes or, where it pays, by a hierarchy of boxes: the
+ * answers are the same bits.  Any number of threads may ask.
  */
 #ifndef CYLINT_SEARCH_H
 #define CYLINT_SEARCH_H
 
 #include "cylint.h"
 
-enum accel { ACCEL_AUTO, ACCEL_NONE, ACCEL_EMBREE };
+/* The last two are the same. */
+enum accel { ACCEL_AUTO, ACCEL_NONE, ACCEL_TREE, ACCEL_EMBREE };
 
 extern const char *const accel_words[]; /* in that order, then NULL */
 
@@ -22,9 +22,6 @@ struct search {
     struct tree *tree; /* NULL: batches only */
     int threads;       /* to build it */
 };
-
-/* Whether Embree was there when this was built. */
-int search_has_embree(void);
 
 /* Prepares `count` shapes, which the caller keeps, by so many threads (0: as
  * many as there are processors).  Returns 0 or an exit status, having said

@@ -1,16 +1,15 @@
 /*
  * lanes.h - vectors of floats, for work that only chooses what to ask
  *
- * The one place with intrinsics of the adapter.  vf adds, subtracts,
- * multiplies and divides by the operators of C; the rest has names here.
- * WIDTH divides 8; vi holds as many numbers of 32 bits, f_from_bits() makes
- * floats of their last bits.  f_mad(x, y, z) is x y + z, rounded once or
- * twice: what is computed here is bounded, not told, so builds may differ.
- * f_lower(x, y) and f_higher(x, y) are y where x is not a number.
- * f_store_keys() stores numbers that are in the order of the floats.
+ * The one place with intrinsics of scenes.  vf adds, subtracts, multiplies and
+ * divides by the operators of C; the rest has names here.  WIDTH divides 8; vi
+ * holds as many numbers of 32 bits, f_from_bits() makes floats of their last
+ * bits.  f_mad(x, y, z) is x y + z, rounded once or twice: what is computed
+ * here is bounded, not told, so builds may differ.  f_lower(x, y) and
+ * f_higher(x, y) are y where x is not a number.  f_store_keys() stores numbers that are in the order of the floats.
  */
-#ifndef CYLINT_EMBREE_LANES_H
-#define CYLINT_EMBREE_LANES_H
+#ifndef CYLINT_SCENE_LANES_H
+#define CYLINT_SCENE_LANES_H
 
 #include <stdint.h>
 #include <string.h>

@@ -44,8 +44,6 @@ const char *cylint_scene_strerror(int status)
         return "out of memory";
     case CYLINT_SCENE_ESIZE:
         return "too many shapes for one scene";
-    case CYLINT_SCENE_EEMBREE:
-        return "Embree does not run here";
     default:
         return "unknown status";
     }

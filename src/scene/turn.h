@@ -1,8 +1,8 @@
 /*
  * turn.h - angles in turns
  */
-#ifndef CYLINT_EMBREE_TURN_H
-#define CYLINT_EMBREE_TURN_H
+#ifndef CYLINT_SCENE_TURN_H
+#define CYLINT_SCENE_TURN_H
 
 #include <float.h>
 #include <math.h>

@@ -4,11 +4,11 @@
  * The section at z is centred at base + z axis.  With k(z) = k0 + (k1-k0) z
  * it reaches k(z) across from the axis' line and k(z) along along that.
  */
-#ifndef CYLINT_EMBREE_TRUNK_H
-#define CYLINT_EMBREE_TRUNK_H
+#ifndef CYLINT_SCENE_TRUNK_H
+#define CYLINT_SCENE_TRUNK_H
 
 #include "bounds.h"
-#include "cylint_embree.h"
+#include "cylint.h"
 
 typedef struct cylint_trunk {
     double base[3], axis[3];
@@ -70,11 +70,11 @@ void cylint_trunk_reach(const cylint_trunk *trunk, double reach[3]);
  * overlap by 2^-20 of their length, so that a z that is not quite right
  * still lies in the piece it seems to. */
 void cylint_piece_ends(cylint_piece piece, double z[2]);
-struct RTCBounds cylint_piece_box(const cylint_trunk *trunk,
+cylint_extent cylint_piece_box(const cylint_trunk *trunk,
                                   const double reach[3], cylint_piece piece);
 
 /* That of all of a shape. */
-struct RTCBounds cylint_trunk_box(const cylint_view *view, uint32_t number);
+cylint_extent cylint_trunk_box(const cylint_view *view, uint32_t number);
 
 /* The piece that z, in [0, 1], belongs to. */
 static inline int cylint_piece_at(double z, int count)

@@ -1,8 +1,8 @@
 /*
  * tree.h - boxes into blocks of 8 that lie together, and nodes above them
  */
-#ifndef CYLINT_EMBREE_TREE_H
-#define CYLINT_EMBREE_TREE_H
+#ifndef CYLINT_SCENE_TREE_H
+#define CYLINT_SCENE_TREE_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -5,8 +5,8 @@
  * enough and never overflow, so a scene is moved and scaled to lie there, and
  * of every line only the piece within the scene's box is looked at.
  */
-#ifndef CYLINT_FRAME_H
-#define CYLINT_FRAME_H
+#ifndef CYLINT_SCENE_FRAME_H
+#define CYLINT_SCENE_FRAME_H
 
 #include "cylint.h"
 

@@ -5,15 +5,21 @@
  * lanes.  All of it is conservative: what is left out is certainly not met
  * within the domain, wherever the line begins.
  */
-#ifndef CYLINT_EMBREE_WALK_H
-#define CYLINT_EMBREE_WALK_H
+#ifndef CYLINT_SCENE_WALK_H
+#define CYLINT_SCENE_WALK_H
 
 #include "group.h"
 
+/* o + t d in floats as they are, tnear <= t <= tfar: the first members of
+ * Embree's rays, which need not be copied. */
+typedef struct cylint_float_ray {
+    float o[3], tnear, d[3], time, tfar;
+} cylint_float_ray;
+
 /*
  * Told of the lanes (bits) of a block that may be met; least[lane] is no
- * larger than the least t of a hit.  May make tmax less (*tmax of
- * cylint_walk_lines, tfar of the ray).  Not 0: that is enough.
+ * larger than the least t of a hit.  May make *tmax of the
+ * line or tfar of the ray less.  Not 0: that is enough.
  */
 typedef int cylint_meet_ray(void *self, const cylint_block *block,
                             unsigned lanes, const float least[CYLINT_BLOCK]);
@@ -22,12 +28,11 @@ typedef int cylint_meet_line(void *self, const cylint_block *block,
                              const double least[CYLINT_BLOCK]);
 
 /*
- * o + t d, tnear <= t <= tfar, floats as they are; or, in doubles, tmin <= t
- * <= *tmax, d off by 2^-52 of its length (the high parts of a segment's).
- * The group is not empty.
+ * The ray; or o + t d in doubles, tmin <= t <= *tmax, d off by 2^-52 of its
+ * length (the high parts of a segment's).  The group is not empty.
  */
 typedef void cylint_walk_ray(const cylint_group *group,
-                             const struct RTCRay *ray,
+                             const cylint_float_ray *ray,
                              cylint_meet_ray *meet, void *self);
 typedef void cylint_walk_line(const cylint_group *group, const double o[3],
                               const double d[3], double tmin,
@@ -37,7 +42,7 @@ typedef void cylint_walk_line(const cylint_group *group, const double o[3],
 /* Whether the ray certainly meets some shape: then it is not to be asked.  If
  * not, `meet` was told as above of what it may meet. */
 typedef int cylint_walk_shadow(const cylint_group *group,
-                               const struct RTCRay *ray,
+                               const cylint_float_ray *ray,
                                cylint_meet_ray *meet, void *self);
 
 typedef struct cylint_walks {

@@ -106,7 +106,7 @@ void cylint_piece_ends(cylint_piece piece, double z[2])
  * one sign, or no larger than what is summed up in `size`: the sides are moved
  * out by 2^-48 of that, and by what can underflow.
  */
-struct RTCBounds cylint_piece_box(const cylint_trunk *t,
+cylint_extent cylint_piece_box(const cylint_trunk *t,
                                   const double reach[3], cylint_piece piece)
 {
     double z[2], lo[3], hi[3];
@@ -128,7 +128,7 @@ struct RTCBounds cylint_piece_box(const cylint_trunk *t,
     return cylint_float_box(lo, hi);
 }
 
-struct RTCBounds cylint_trunk_box(const cylint_view *view, uint32_t number)
+cylint_extent cylint_trunk_box(const cylint_view *view, uint32_t number)
 {
     cylint_trunk trunk;
     double reach[3];

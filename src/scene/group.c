@@ -7,11 +7,11 @@
 
 /* -------------------------------------------------------------- cutting -- */
 
-static double box_area(const struct RTCBounds *b)
+static double box_area(const cylint_extent *b)
 {
-    const double x = (double)b->upper_x - (double)b->lower_x;
-    const double y = (double)b->upper_y - (double)b->lower_y;
-    const double z = (double)b->upper_z - (double)b->lower_z;
+    const double x = (double)b->upper[0] - (double)b->lower[0];
+    const double y = (double)b->upper[1] - (double)b->lower[1];
+    const double z = (double)b->upper[2] - (double)b->lower[2];
     return 2 * (x * y + y * z + z * x);
 }
 
@@ -37,7 +37,7 @@ enum { FIRST = 4096 };
 
 static const cylint_piece whole = {0, 1};
 
-static int pieces_of(const cylint_trunk *t, const struct RTCBounds *box)
+static int pieces_of(const cylint_trunk *t, const cylint_extent *box)
 {
     const double m = sqrt(box_area(box) / trunk_area(t));
     const double most = m > 2 * FEW ? MANY : FEW;
@@ -58,19 +58,20 @@ static uint32_t member(const members *m, size_t i)
 
 /* Stems, and boxes of their pieces, as many as there is room for. */
 typedef struct {
+    const cylint_memory_source *source;
     cylint_memory memory, stem_memory;
     cylint_stem *stem;
     cylint_box *box;
     size_t n, room;
-    struct RTCBounds all;
+    cylint_extent all;
 } pieces;
 
-static int make_room(pieces *p, RTCDevice device, size_t room)
+static int make_room(pieces *p, size_t room)
 {
     pieces more = *p;
     more.room = room;
     if (room > SIZE_MAX / sizeof *p->box ||
-        !cylint_memory_take(&more.memory, device, room * sizeof *p->box))
+        !cylint_memory_take(&more.memory, p->source, room * sizeof *p->box))
         return 0;
     more.box = more.memory.data;
     if (p->n > 0)
@@ -90,18 +91,18 @@ static size_t room_for(const pieces *p, size_t done, size_t shapes)
            (size_t)(each * 1.0625 * (double)(shapes - done));
 }
 
-static void add_piece(pieces *p, const struct RTCBounds *b, uint32_t stem,
+static void add_piece(pieces *p, const cylint_extent *b, uint32_t stem,
                       cylint_piece piece)
 {
     p->box[p->n++] = (cylint_box){
-        {b->lower_x, b->lower_y, b->lower_z}, stem,
-        {b->upper_x, b->upper_y, b->upper_z}, (uint16_t)piece.index,
+        {b->lower[0], b->lower[1], b->lower[2]}, stem,
+        {b->upper[0], b->upper[1], b->upper[2]}, (uint16_t)piece.index,
         (uint16_t)piece.count};
     cylint_extend_box(&p->all, b);
 }
 
-/* The pieces of a shape that is the stem of the given index.  0: Embree would
- * not keep its box. */
+/* The pieces of a shape that is the stem of the given index.  0: its box is
+ * not one to be kept. */
 static int cut_shape(pieces *p, const cylint_view *view, uint32_t number,
                      uint32_t stem)
 {
@@ -109,7 +110,7 @@ static int cut_shape(pieces *p, const cylint_view *view, uint32_t number,
     double reach[3];
     cylint_trunk_of(&trunk, view, number);
     cylint_trunk_reach(&trunk, reach);
-    const struct RTCBounds box = cylint_piece_box(&trunk, reach, whole);
+    const cylint_extent box = cylint_piece_box(&trunk, reach, whole);
     if (!cylint_keeps_box(&box))
         return 0;
     p->stem[stem] = cylint_stem_of(&trunk, &view->shapes[number], number);
@@ -119,25 +120,24 @@ static int cut_shape(pieces *p, const cylint_view *view, uint32_t number,
     else
         for (int index = 0; index < count; index++) {
             const cylint_piece piece = {index, count};
-            const struct RTCBounds b = cylint_piece_box(&trunk, reach, piece);
+            const cylint_extent b = cylint_piece_box(&trunk, reach, piece);
             add_piece(p, &b, stem, piece);
         }
     return 1;
 }
 
-static cylint_group_status cut(pieces *p, RTCDevice device, const members *m,
-                               size_t *refused)
+static cylint_group_status cut(pieces *p, const members *m, size_t *refused)
 {
     if (m->n > SIZE_MAX / sizeof *p->stem ||
-        !cylint_memory_take(&p->stem_memory, device, m->n * sizeof *p->stem))
+        !cylint_memory_take(&p->stem_memory, p->source,
+                            m->n * sizeof *p->stem))
         return CYLINT_GROUP_EMEMORY;
     p->stem = p->stem_memory.data;
     for (size_t i = 0; i < m->n; i++) {
-        if (p->room - p->n < MANY &&
-            !make_room(p, device, room_for(p, i, m->n)))
+        if (p->room - p->n < MANY && !make_room(p, room_for(p, i, m->n)))
             return CYLINT_GROUP_EMEMORY;
         *refused = member(m, i);
-        if (*refused >= RTC_INVALID_GEOMETRY_ID ||
+        if (*refused >= UINT32_MAX ||
             !cylint_is_bounded(&m->view->shapes[*refused]) ||
             !cut_shape(p, m->view, (uint32_t)*refused, (uint32_t)i))
             return CYLINT_GROUP_ESHAPE;
@@ -182,15 +182,14 @@ static size_t blocks_of(size_t boxes)
 }
 
 /* S being the longest side of the box of all: pad and near_by as in walk.c. */
-static void measure(cylint_group *group, const struct RTCBounds *box,
+static void measure(cylint_group *group, const cylint_extent *box,
                     double blur)
 {
-    const double lower[3] = {box->lower_x, box->lower_y, box->lower_z};
-    const double upper[3] = {box->upper_x, box->upper_y, box->upper_z};
     double longest = 0;
     for (int j = 0; j < 3; j++) {
-        longest = fmax(longest, upper[j] - lower[j]);
-        group->center[j] = (float)((lower[j] + upper[j]) / 2);
+        const double lower = box->lower[j], upper = box->upper[j];
+        longest = fmax(longest, upper - lower);
+        group->center[j] = (float)((lower + upper) / 2);
     }
     group->box = *box;
     group->pad = cylint_float_above(longest * 0x1p-20 + blur);
@@ -205,15 +204,14 @@ static void give_plan(plan *p)
 }
 
 static cylint_group_status make_plan(plan *p, cylint_group *group,
-                                     RTCDevice device, const members *m,
-                                     size_t *refused)
+                                     const members *m, size_t *refused)
 {
-    const cylint_group_status cuts = cut(&p->pieces, device, m, refused);
+    const cylint_group_status cuts = cut(&p->pieces, m, refused);
     if (cuts != CYLINT_GROUP_OK)
         return cuts;
     const size_t blocks = blocks_of(p->pieces.n);
     if (blocks >= CYLINT_LEAF ||
-        !cylint_memory_take(&p->memory, device,
+        !cylint_memory_take(&p->memory, p->pieces.source,
                             cylint_tree_most_nodes(blocks) * sizeof *p->nodes))
         return CYLINT_GROUP_EMEMORY;
     p->nodes = p->memory.data;
@@ -224,11 +222,11 @@ static cylint_group_status make_plan(plan *p, cylint_group *group,
 }
 
 /* What was planned, in no more room than it takes. */
-static cylint_group_status carry_out(cylint_group *group, RTCDevice device,
-                                     const plan *p, double blur)
+static cylint_group_status carry_out(cylint_group *group, const plan *p,
+                                     double blur)
 {
     group->n = blocks_of(p->pieces.n);
-    if (!cylint_memory_take(&group->memory, device,
+    if (!cylint_memory_take(&group->memory, p->pieces.source,
                             p->n_nodes * sizeof *p->nodes +
                             group->n * sizeof(cylint_block)))
         return CYLINT_GROUP_EMEMORY;
@@ -241,20 +239,21 @@ static cylint_group_status carry_out(cylint_group *group, RTCDevice device,
     return CYLINT_GROUP_OK;
 }
 
-cylint_group_status cylint_group_make(cylint_group *group, RTCDevice device,
+cylint_group_status cylint_group_make(cylint_group *group,
+                                      const cylint_memory_source *source,
                                       const cylint_view *view,
                                       const uint32_t *numbers, size_t n,
                                       size_t *refused)
 {
     const members m = {view, numbers, n};
-    plan p = {.pieces = {.all = cylint_no_box()}};
+    plan p = {.pieces = {.source = source, .all = cylint_no_box()}};
     memset(group, 0, sizeof *group);
     group->box = p.pieces.all;
     if (n == 0)
         return CYLINT_GROUP_OK;
-    cylint_group_status status = make_plan(&p, group, device, &m, refused);
+    cylint_group_status status = make_plan(&p, group, &m, refused);
     if (status == CYLINT_GROUP_OK)
-        status = carry_out(group, device, &p, view->blur);
+        status = carry_out(group, &p, view->blur);
     give_plan(&p);
     return status;
 }

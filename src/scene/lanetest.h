@@ -9,8 +9,8 @@
  * For walk.c, which is compiled for several instruction sets: they may differ
  * in what they let through, not in what they owe.
  */
-#ifndef CYLINT_EMBREE_LANETEST_H
-#define CYLINT_EMBREE_LANETEST_H
+#ifndef CYLINT_SCENE_LANETEST_H
+#define CYLINT_SCENE_LANETEST_H
 
 #include "../each.h"
 #include "block.h"
@@ -251,11 +251,11 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
 
 /* -------------------------------------------------------- from near: rays -- */
 
-ASIDE unsigned test_far_ray(const cylint_block *b, const struct RTCRay *ray,
+ASIDE unsigned test_far_ray(const cylint_block *b, const cylint_float_ray *ray,
                             float least[CYLINT_BLOCK])
 {
-    const double o[3] = {ray->org_x, ray->org_y, ray->org_z};
-    const double d[3] = {ray->dir_x, ray->dir_y, ray->dir_z};
+    const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
+    const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
     double t[CYLINT_BLOCK];
     const unsigned met = test_line(b, o, d, ray->tnear, ray->tfar, t);
     for (int lane = 0; lane < cylint_block_used(b); lane++)
@@ -264,24 +264,24 @@ ASIDE unsigned test_far_ray(const cylint_block *b, const struct RTCRay *ray,
     return met;
 }
 
-static inline float size_of(const struct RTCRay *ray)
+static inline float size_of(const cylint_float_ray *ray)
 {
-    return fabsf(ray->dir_x) + fabsf(ray->dir_y) + fabsf(ray->dir_z);
+    return fabsf(ray->d[0]) + fabsf(ray->d[1]) + fabsf(ray->d[2]);
 }
 
 /* The ray as it is: e = d, q = (o - c) steps, s = t times steps.  sure: NULL,
  * or as in test_lanes().  E: size_of() the ray. */
 CYLINT_INLINE unsigned test_ray(const cylint_block *b,
-                                const struct RTCRay *ray, float E,
+                                const cylint_float_ray *ray, float E,
                                 float least[CYLINT_BLOCK], unsigned *sure)
 {
     const float steps = cylint_block_steps(b);
-    const float q[3] = {(ray->org_x - b->center[0]) * steps,
-                        (ray->org_y - b->center[1]) * steps,
-                        (ray->org_z - b->center[2]) * steps};
+    const float q[3] = {(ray->o[0] - b->center[0]) * steps,
+                        (ray->o[1] - b->center[1]) * steps,
+                        (ray->o[2] - b->center[2]) * steps};
     const float far = fabsf(q[0]) + fabsf(q[1]) + fabsf(q[2]);
     const lane_line l = {
-        .q = {q[0], q[1], q[2]}, .e = {ray->dir_x, ray->dir_y, ray->dir_z},
+        .q = {q[0], q[1], q[2]}, .e = {ray->d[0], ray->d[1], ray->d[2]},
         .E = E, .k = (far + REACH_OF_PIECES) * 0x1p-20f,
         .first = ray->tnear * steps, .last = ray->tfar * steps,
         .t_per_s = 1 / steps};

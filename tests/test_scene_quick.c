@@ -1,5 +1,5 @@
 /*
- * test_embree_quick.c - what doubles are certain of is what the library says
+ * test_scene_quick.c - what doubles are certain of is what the library says
  *
  * Every build of quick.c that this processor can run, on lines of all
  * families, rounded to floats: hits, parts, t and z within their errors, and
@@ -9,8 +9,8 @@
 #include <string.h>
 
 #include "check.h"
-#include "embree/quick.h"
-#include "embree/turn.h"
+#include "scene/quick.h"
+#include "scene/turn.h"
 #include "families.h"
 
 #ifndef HAVE_GSL

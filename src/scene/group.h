@@ -2,8 +2,8 @@
  * group.h - shapes cut into pieces, pieces that lie together in blocks, and
  * nodes above them
  */
-#ifndef CYLINT_EMBREE_GROUP_H
-#define CYLINT_EMBREE_GROUP_H
+#ifndef CYLINT_SCENE_GROUP_H
+#define CYLINT_SCENE_GROUP_H
 
 #include <stddef.h>
 
@@ -15,7 +15,7 @@ typedef struct cylint_group {
     const cylint_block *blocks;
     const cylint_node *nodes;  /* above them, the first one first */
     size_t n;                  /* blocks; 0: there are no nodes */
-    struct RTCBounds box;      /* of all, or of nothing */
+    cylint_extent box;         /* of all, or of nothing */
     float center[3];           /* its middle: nodes' corners are from there */
     float pad;                 /* what boxes may miss on each side, beside
                                   2^-20 of how far the line begins */
@@ -24,17 +24,18 @@ typedef struct cylint_group {
 
 typedef enum cylint_group_status {
     CYLINT_GROUP_OK,
-    CYLINT_GROUP_ESHAPE,  /* not bounded, or with a box that Embree drops */
+    CYLINT_GROUP_ESHAPE,  /* not bounded, or its box not one to be kept */
     CYLINT_GROUP_EMEMORY  /* refused */
 } cylint_group_status;
 
 /*
- * Groups, in memory of the device (NULL: from malloc()), the n shapes of the
- * given numbers (NULL: those from 0 on, of which number 2^32 - 1 is refused).
+ * Groups, in memory from the source (NULL: malloc()), the n shapes of the given
+ * numbers (NULL: those from 0 on, of which number 2^32 - 1 is refused).
  * Every piece of every shape is in one lane of one block.  Where that is not
  * OK nothing is left; *refused is the first shape for ESHAPE.
  */
-cylint_group_status cylint_group_make(cylint_group *group, RTCDevice device,
+cylint_group_status cylint_group_make(cylint_group *group,
+                                      const cylint_memory_source *source,
                                       const cylint_view *view,
                                       const uint32_t *numbers, size_t n,
                                       size_t *refused);

@@ -5,10 +5,10 @@
  * cylint_intersect() would say, as far as floats show it, or that it has to
  * be asked.
  */
-#ifndef CYLINT_EMBREE_QUICK_H
-#define CYLINT_EMBREE_QUICK_H
+#ifndef CYLINT_SCENE_QUICK_H
+#define CYLINT_SCENE_QUICK_H
 
-#include "cylint_embree.h"
+#include "cylint.h"
 
 /* A line with its domain, as yet unchecked; o and d hold floats.  near: some t
  * near the shape, if that is known; else it is not finite. */

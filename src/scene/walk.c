@@ -242,11 +242,11 @@ static int leaves(const cylint_group *group, const double o[3],
 /* A shape that holds a point of a line which ends outside is met behind that
  * point; `certain`: that is enough. */
 CYLINT_INLINE int walk_rays(const cylint_group *group,
-                            const struct RTCRay *ray, cylint_meet_ray *meet,
+                            const cylint_float_ray *ray, cylint_meet_ray *meet,
                             void *self, int certain)
 {
-    const double o[3] = {ray->org_x, ray->org_y, ray->org_z};
-    const double d[3] = {ray->dir_x, ray->dir_y, ray->dir_z};
+    const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
+    const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
     const float E = size_of(ray);
     const cylint_block *block, *next;
     float least[CYLINT_BLOCK];
@@ -271,13 +271,14 @@ CYLINT_INLINE int walk_rays(const cylint_group *group,
     return 0;
 }
 
-static void walk_ray(const cylint_group *group, const struct RTCRay *ray,
+static void walk_ray(const cylint_group *group, const cylint_float_ray *ray,
                      cylint_meet_ray *meet, void *self)
 {
     walk_rays(group, ray, meet, self, 0);
 }
 
-static int walk_shadow(const cylint_group *group, const struct RTCRay *ray,
+static int walk_shadow(const cylint_group *group,
+                       const cylint_float_ray *ray,
                        cylint_meet_ray *meet, void *self)
 {
     return walk_rays(group, ray, meet, self, 1);

@@ -1,5 +1,5 @@
 /*
- * memory.c - memory from an Embree device, or from malloc()
+ * memory.c - memory on whole cache lines, and on large pages
  */
 #ifdef __linux__
 #define _DEFAULT_SOURCE /* madvise() */
@@ -28,27 +28,35 @@ static void ask_for_huge_pages(void *data, size_t bytes)
 #endif
 }
 
-int cylint_memory_take(cylint_memory *memory, RTCDevice device, size_t bytes)
+static void *take_from_heap(void *owner, size_t bytes, void **handle)
 {
-    char *data = NULL;
-    *memory = (cylint_memory){.bytes = bytes};
+    (void)owner;
+    return *handle = malloc(bytes);
+}
+
+static const cylint_memory_source heap = {NULL, take_from_heap, free};
+
+int cylint_memory_take(cylint_memory *memory,
+                       const cylint_memory_source *source, size_t bytes)
+{
+    const cylint_memory_source *from = source ? source : &heap;
+    void *handle;
+    *memory = (cylint_memory){0};
     if (bytes > SIZE_MAX - CACHE_LINE)
         return 0;
-    if (!device)
-        data = memory->own = malloc(bytes + CACHE_LINE);
-    else if ((memory->buffer = rtcNewBuffer(device, bytes + CACHE_LINE)))
-        data = rtcGetBufferData(memory->buffer);
+    char *data = from->take(from->owner, bytes + CACHE_LINE, &handle);
     if (!data)
         return 0;
-    memory->data = data + (CACHE_LINE - (uintptr_t)data % CACHE_LINE);
+    *memory = (cylint_memory){
+        data + (CACHE_LINE - (uintptr_t)data % CACHE_LINE), bytes, handle,
+        from->give};
     ask_for_huge_pages(memory->data, bytes);
     return 1;
 }
 
 void cylint_memory_give(cylint_memory *memory)
 {
-    if (memory->buffer)
-        rtcReleaseBuffer(memory->buffer);
-    free(memory->own);
+    if (memory->data)
+        memory->give(memory->handle);
     *memory = (cylint_memory){0};
 }

@@ -4,8 +4,8 @@
  * Which of them a line may meet is told in floats (lanetest.h); the answers
  * are for cylint_intersect() to give.
  */
-#ifndef CYLINT_EMBREE_BLOCK_H
-#define CYLINT_EMBREE_BLOCK_H
+#ifndef CYLINT_SCENE_BLOCK_H
+#define CYLINT_SCENE_BLOCK_H
 
 #include <stdint.h>
 

@@ -1,0 +1,104 @@
+/*
+ * test_scene_memory.c - every allocation refused in turn, nothing lost
+ *
+ * What a scene takes comes from malloc() and calloc(), which the linker
+ * replaces by those below.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "scenes.h"
+
+#ifndef WRAPPED
+
+int main(void)
+{
+    printf("this linker wraps no functions, so malloc() is not refused\n");
+    return 77;
+}
+
+#else
+
+enum { SHAPES = 300, ENOUGH = 1000 };
+
+static struct {
+    int watched;
+    int asked, refuse; /* allocations; the number of the one to refuse */
+    int held;          /* blocks that were not given back */
+} heap;
+
+void *__real_malloc(size_t);
+void *__real_calloc(size_t, size_t);
+void __real_free(void *);
+void *__wrap_malloc(size_t);
+void *__wrap_calloc(size_t, size_t);
+void __wrap_free(void *);
+
+static int heap_refuses(void)
+{
+    return heap.watched && ++heap.asked == heap.refuse;
+}
+
+static void *heap_hold(void *p)
+{
+    heap.held += heap.watched && p != NULL;
+    return p;
+}
+
+void *__wrap_malloc(size_t size)
+{
+    return heap_refuses() ? NULL : heap_hold(__real_malloc(size));
+}
+
+void *__wrap_calloc(size_t n, size_t size)
+{
+    return heap_refuses() ? NULL : heap_hold(__real_calloc(n, size));
+}
+
+void __wrap_free(void *p)
+{
+    heap.held -= heap.watched && p != NULL;
+    __real_free(p);
+}
+
+/* Whether it was made in spite of the refusal: there were not so many. */
+static int is_made(const struct scene_shapes *of, int refuse)
+{
+    cylint_scene_status status = CYLINT_SCENE_OK;
+    heap.asked = heap.held = 0;
+    heap.refuse = refuse;
+    heap.watched = 1;
+    cylint_scene *scene = cylint_scene_new(of->shapes, of->n, 1, &status);
+    const int made = heap.asked < refuse;
+    CHECK(made ? scene && status == CYLINT_SCENE_OK
+               : !scene && status == CYLINT_SCENE_EMEMORY);
+    cylint_scene_free(scene);
+    heap.watched = 0;
+    CHECK(heap.held == 0);
+    return made;
+}
+
+/* Unbounded shapes are beside the hierarchy, and long ones are cut. */
+static void a_scene_gives_back_what_it_took(void)
+{
+    static const int kinds[] = {SCENE_FIBRES, SCENE_UNBOUNDED};
+    for (int i = 0; i < 2; i++) {
+        struct scene_shapes of;
+        int refusals = 0;
+        scene_generate(kinds[i], SHAPES, 5, &of);
+        while (refusals < ENOUGH && !is_made(&of, refusals + 1))
+            refusals++;
+        CHECK(refusals > 5 && refusals < ENOUGH);
+        scene_release(&of);
+    }
+}
+
+int main(void)
+{
+    RUN(a_scene_gives_back_what_it_took);
+    return check_end();
+}
+
+#endif
