@@ -10,18 +10,17 @@
 #include "report.h"
 #include "search.h"
 
-const char *const accel_words[] = {"auto", "none", "tree", "embree",
-                                   NULL};
+const char *const accel_words[] = {"auto", "none", "tree", "embree", NULL};
 
 /*
- * What auto does.  A hierarchy answers sooner than a batch from PAYS_FROM
- * shapes on, but takes about as long to be made, loading Embree included, as
- * PAYS_AFTER lines take by batches: 1.3 to 2.4 microseconds a shape against
- * some 0.9 ns a shape and line (make bench-scene).  Who goes by batches until
- * then and builds it then needs at most about twice the time that the better
- * way would have taken, however many lines there will be.
+ * What auto does.  A hierarchy answers sooner than a batch from about PAYS_FROM
+ * shapes on, but takes about as long to be made as PAYS_AFTER lines take by
+ * batches: 0.5 to 2.6 microseconds a shape against 0.8 to 1.6 ns a shape and
+ * line, 550 to 1600 lines (make bench-scene).  Who goes by batches until then
+ * and builds it then needs at most about twice the time that the better way
+ * would have taken, however many lines there will be.
  */
-enum { PAYS_FROM = 64, PAYS_AFTER = 2048 };
+enum { PAYS_FROM = 64, PAYS_AFTER = 1024 };
 
 /* The hierarchy, which one of the threads may still be making. */
 struct tree {
