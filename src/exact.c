@@ -13,8 +13,7 @@
 
 static uint32_t *take(cylint_arena *arena, int n)
 {
-    if (arena->used + n > CYLINT_ARENA_LIMBS) /* more than was ever seen: */
-        arena->used = 0; /* a wrong answer then, but no foreign memory */
+    cylint_contradiction(arena->used + n > CYLINT_ARENA_LIMBS);
     uint32_t *limb = arena->limb + arena->used;
     arena->used += n;
     if (arena->used > arena->most)
@@ -133,15 +132,6 @@ exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
     }
     return trimmed(arena, limb, x.n + y.n, x.exponent + y.exponent,
                    x.sign * y.sign);
-}
-
-exact cylint_exact_shifted(cylint_arena *arena, exact x, int e)
-{
-    const int limbs = (e >= 0 ? e : e - 31) / 32;
-    x = cylint_exact_mul(arena, x, cylint_exact_from(arena,
-            cylint_power_of_two(e - 32 * limbs)));
-    x.exponent += limbs;
-    return x;
 }
 
 exact cylint_exact_keep(cylint_arena *arena, int used, exact x)

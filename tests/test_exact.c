@@ -154,24 +154,6 @@ static void products_of_sums_are_exact(void)
     mpz_clears(x, y, NULL);
 }
 
-static void shifts_are_exact(void)
-{
-    mpz_t x;
-    mpz_init(x);
-    for (int i = 0; i < CASES; i++) {
-        const int e = (int)below(4001) - 2000;
-        cylint_arena_open(&arena);
-        const exact a = cancelling_sum(x);
-        if (e >= 0)
-            mpz_mul_2exp(x, x, (mp_bitcnt_t)e);
-        else
-            mpz_fdiv_q_2exp(x, x, (mp_bitcnt_t)-e);
-        if (!CHECK(is_integer(cylint_exact_shifted(&arena, a, e), x)))
-            REPORT("by 2^%d", e);
-    }
-    mpz_clear(x);
-}
-
 static void what_is_kept_is_all_that_stays(void)
 {
     mpz_t x, y;
@@ -426,45 +408,14 @@ static void wild_exponents_fit_the_arena(void)
     }
 }
 
-/* Roots 1 - 2^-4194 and the like: their digits come thousands apart, so
- * each step towards 200 bits must not keep all that lies between. */
-static void digits_far_apart_fit_the_arena(void)
-{
-    const double T = 0x1p-1074, H = 0x1p1023;
-    const wild cases[KINDS] = {
-        {{0, 0, 0, H, T, 0, 0x1p1000, 0, 0, 0, 0, 0, 0,
-          -H, 3 * T, 0, H, 2 * T, 0}, CYLINT_CAPPED, 0},
-        {{0, 0, 0, H, T, 0, 0x1p1000, 0x1.8p1010, 0, 0, 0, 0, 0,
-          -H, 3 * T, 0, H, 2 * T, 0}, CYLINT_CAPPED, 0},
-        {{0, 0, 0, H, T, 0, 0x1p-10, 0, 0, 0, 0, 0, 0,
-          -H, 3 * T, 0, H, 2 * T, 0}, CYLINT_CAPPED, 0},
-        {{0, 0, 0, T, H, T, T, 3 * T, H, H, T, T, 1,
-          -H, 3 * T, 0, H, T, 0}, CYLINT_CAPPED, 0},
-        {{0, 0, 0, T, H, T, T, 3 * T, H, H, T, T, 0x1p1000,
-          -H, 3 * T, 0, H, T, 0}, CYLINT_CAPPED, 0}
-    };
-    int most = 0;
-    for (int kind = 0; kind < KINDS; kind++) {
-        const int used = limbs_used(&cases[kind], kind);
-        most = used > most ? used : most;
-        if (!CHECK(used <= CYLINT_ARENA_LIMBS)) {
-            REPORT("%d limbs", used);
-            print_case(&cases[kind], kind);
-        }
-    }
-    printf("note: digits far apart: %d limbs\n", most);
-}
-
 int main(void)
 {
     RUN(doubles_are_placed_exactly);
     RUN(sums_are_exact);
     RUN(products_of_sums_are_exact);
-    RUN(shifts_are_exact);
     RUN(what_is_kept_is_all_that_stays);
     RUN(roundings_are_within_their_bound);
     RUN(wild_exponents_fit_the_arena);
-    RUN(digits_far_apart_fit_the_arena);
     return check_end();
 }
 
