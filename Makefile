@@ -48,7 +48,7 @@ lib_objects   := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/meth
 # kernels once more for each instruction set of this machine's family
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
 lib_objects   += $(BUILD)/src/kernel-fma.o $(BUILD)/src/kernel-avx512.o $(BUILD)/src/batch-avx2.o $(BUILD)/src/batch-avx512.o
-walk_builds   := $(BUILD)/src/scene/walk-avx2.o
+walk_builds   := $(BUILD)/src/scene/walk-avx2.o $(BUILD)/src/scene/packet-avx2.o
 quick_builds  := $(BUILD)/src/scene/quick-fma.o
 endif
 scene_objects  := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/scene/*.c)) $(walk_builds) $(quick_builds)
@@ -118,7 +118,7 @@ $(BUILD)/tests/embree_%.o $(BUILD)/tests/test_embree_%.o $(BUILD)/tests/scene_cu
 $(BUILD)/src/dispatch.o: extra += $(if $(findstring kernel-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
 # what gcc needs to make vectors of loops
 vectors := -O3
-$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/scene/walk%.o $(BUILD)/src/scene/quick%.o $(BUILD)/src/scene/tree.o: extra += $(vectors)
+$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/scene/walk%.o $(BUILD)/src/scene/packet%.o $(BUILD)/src/scene/quick%.o $(BUILD)/src/scene/tree.o: extra += $(vectors)
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
@@ -130,8 +130,8 @@ $(filter $(BUILD)/src/kernel-%,$(lib_objects)): $(BUILD)/src/kernel-%.o: src/ker
 $(filter $(BUILD)/src/batch-%,$(lib_objects)): $(BUILD)/src/batch-%.o: src/batch.c
 	$(compile) $(FLAGS.$*) -c -o $@ $<
 
-$(walk_builds): $(BUILD)/src/scene/walk-%.o: src/scene/walk.c
-	$(compile) -mavx2 -mfma -DCYLINT_WALKS=cylint_walks_$* -c -o $@ $<
+$(walk_builds): $(BUILD)/src/scene/%-avx2.o: src/scene/%.c
+	$(compile) -mavx2 -mfma -DCYLINT_WALKS=cylint_walks_avx2 -DCYLINT_WALK_PACKET=cylint_packet_avx2 -c -o $@ $<
 
 $(quick_builds): $(BUILD)/src/scene/quick-%.o: src/scene/quick.c
 	$(compile) -mavx2 -mfma -ffp-contract=fast -DCYLINT_QUICK=cylint_quick_$* -c -o $@ $<

@@ -348,9 +348,9 @@ static void a_whole_turn_is_not_reached(void)
 
 /* ------------------------------------------------------------ instances -- */
 
-/* A geometry that nothing hits, but that sees the one active ray as it is
- * inside an instance. */
-static struct rays local;
+/* A geometry that nothing hits, but that sees the rays, by their ids, as they
+ * are inside an instance. */
+static struct rays local[RAYS_MOST];
 
 static void spy_bounds(const struct RTCBoundsFunctionArguments *a)
 {
@@ -364,7 +364,8 @@ static void spy_ray(const struct RTCIntersectFunctionNArguments *a)
     const union ray_word *word = (const union ray_word *)(void *)a->rayhit;
     for (int i = 0; i < (int)a->N; i++)
         for (int m = 0; a->valid[i] && m < HIT_NG; m++)
-            local.before[m] = word[m * (int)a->N + i];
+            local[word[RAY_ID * (int)a->N + i].u].before[m] =
+                word[m * (int)a->N + i];
 }
 
 static void spy_shadow(const struct RTCOccludedFunctionNArguments *a)
@@ -407,6 +408,28 @@ static RTCScene scene_with_instance(RTCScene of, unsigned id, uint64_t *state)
     return outer;
 }
 
+/* Ray `at`, which is in instance 7: whether it hit. */
+static int agrees_inside(const struct world *w, struct rays *r, int at)
+{
+    struct rays *seen = &local[at];
+    const unsigned none = RTC_INVALID_GEOMETRY_ID;
+    const int hit = rays_hit(r, at);
+    CHECK(rays_at(r, HIT_INST, at)->u == (hit ? 7 : none));
+    CHECK(rays_at(r, HIT_GEOM, at)->u == (hit ? 0 : none));
+#if RTC_VERSION_MAJOR >= 4
+    CHECK(rays_at(r, HIT_INST_PRIM, at)->u == (hit ? 0 : none));
+#endif
+    /* the answer, on the ray that the spy saw */
+    seen->n = 1;
+    for (int m = HIT_NG; m < RAY_MEMBERS; m++)
+        seen->word[m] = *rays_at(r, (enum ray_member)m, at);
+    seen->word[RAY_TFAR] = *rays_at(r, RAY_TFAR, at);
+    seen->before[RAY_TFAR].f = HUGE_VALF;
+    if (!CHECK(world_agrees(w, seen, 0, 1)))
+        world_show(w, seen, 0);
+    return hit;
+}
+
 /* Skewed and scaled: what counts is the ray as Embree transforms it. */
 static void instances_answer_for_the_transformed_ray(void)
 {
@@ -424,7 +447,7 @@ static void instances_answer_for_the_transformed_ray(void)
             rtcGetSceneBounds(w.scene, &box);
             for (int i = 0; i < 60; i++) {
                 static const int sizes[4] = {1, 4, 8, 16};
-                const int n = sizes[i % 4], at = i % n;
+                const int n = sizes[i % 4], one = i % n, all = i % 8 > 3;
                 struct rays r;
                 float o[3], d[3];
                 world_direction(&state, o);
@@ -432,28 +455,17 @@ static void instances_answer_for_the_transformed_ray(void)
                 for (int k = 0; k < 3; k++)
                     o[k] *= 4;
                 rays_begin(&r, n);
-                rays_add(&r, at, o, d, 0, HUGE_VALF);
+                for (int at = 0; at < n; at++) {
+                    if (all || at == one)
+                        rays_add(&r, at, o, d, 0, HUGE_VALF);
+                    for (int k = 0; k < 3; k++)
+                        d[k] += 0.02f * (float)world_uniform(&state);
+                }
                 rays_intersect(&r, outer, NULL);
                 CHECK(rays_strayed(&r, 0) == 0);
-                if (rays_hit(&r, at)) {
-                    hits++;
-                    CHECK(rays_at(&r, HIT_INST, at)->u == 7);
-                    CHECK(rays_at(&r, HIT_GEOM, at)->u == 0);
-#if RTC_VERSION_MAJOR >= 4
-                    CHECK(rays_at(&r, HIT_INST_PRIM, at)->u == 0);
-#endif
-                } else {
-                    CHECK(rays_at(&r, HIT_INST, at)->u ==
-                          RTC_INVALID_GEOMETRY_ID);
-                }
-                /* the answer, on the ray that the spy saw */
-                local.n = 1;
-                for (int m = HIT_NG; m < RAY_MEMBERS; m++)
-                    local.word[m] = *rays_at(&r, (enum ray_member)m, at);
-                local.word[RAY_TFAR] = *rays_at(&r, RAY_TFAR, at);
-                local.before[RAY_TFAR].f = HUGE_VALF;
-                if (!CHECK(world_agrees(&w, &local, 0, 1)))
-                    world_show(&w, &local, 0);
+                for (int at = 0; at < n; at++)
+                    if (r.valid[at])
+                        hits += agrees_inside(&w, &r, at);
             }
             rtcReleaseScene(outer);
         }

@@ -215,6 +215,25 @@ static void check_answers(struct record *q, int occlusion)
     }
 }
 
+/* Half of the packets go together. */
+static void add_rays(uint64_t *state, struct rays *r)
+{
+    const double spread = world_uniform(state) < 0.5 ? 1 : 0.05;
+    float all[3];
+    world_direction(state, all);
+    for (int i = 0; i < r->n; i++) {
+        float o[3], d[3];
+        world_direction(state, d);
+        for (int k = 0; k < 3; k++) {
+            d[k] = (float)((1 - spread) * all[k] + spread * d[k]);
+            o[k] = (float)(cbrt(SOME) *
+                           (spread * (world_uniform(state) - 0.5) - d[k]));
+        }
+        if (r->n == 1 || world_uniform(state) < 0.8)
+            rays_add(r, i, o, d, 5 * (float)world_uniform(state), HUGE_VALF);
+    }
+}
+
 static void ask(struct world *w, uint64_t *state, rule geometry, rule context,
                 int n, int occlusion, int bare)
 {
@@ -231,14 +250,7 @@ static void ask(struct world *w, uint64_t *state, rule geometry, rule context,
     query.user = &q;
     query.filter = context == ACCEPT ? NULL : context_filter;
     rays_begin(&r, n);
-    for (int i = 0; i < n; i++) {
-        float o[3], d[3];
-        world_direction(state, d);
-        for (int k = 0; k < 3; k++)
-            o[k] = (float)(cbrt(SOME) * (world_uniform(state) - 0.5 - d[k]));
-        if (n == 1 || world_uniform(state) < 0.8)
-            rays_add(&r, i, o, d, 5 * (float)world_uniform(state), HUGE_VALF);
-    }
+    add_rays(state, &r);
     if (occlusion)
         rays_occluded(&r, w->scene, &query);
     else

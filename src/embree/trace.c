@@ -1,8 +1,9 @@
 /*
  * trace.c - Embree's callbacks: rays to candidates to hits
  *
- * Rays of packets are copied out, asked one by one, and copied back where
- * they hit.  All blocks are one primitive, through which walk.h leads.
+ * Rays of packets are copied out, asked, and copied back where they hit.  All
+ * blocks are one primitive, through which walk.h leads, and packet.h several
+ * rays together.
  * Whether and where a shape is hit is cylint_intersect()'s word, which quick.c
  * anticipates where it is certain of it; everything else only chooses which
  * shapes to ask.
@@ -11,6 +12,7 @@
 #include <string.h>
 
 #include "../each.h"
+#include "../scene/packet.h"
 #include "../scene/bounds.h"
 #include "internal.h"
 #include "../scene/turn.h"
@@ -325,14 +327,16 @@ static int try_shape(query *q, unsigned number)
     return 0;
 }
 
-static void fetch_shapes(const query *q, unsigned lanes)
+static void fetch_shapes(const query *q, const cylint_block *block,
+                         unsigned lanes)
 {
 #ifdef __GNUC__
     for (; lanes; lanes &= lanes - 1)
         __builtin_prefetch(q->data->asked +
-                           q->block->number[cylint_lowest(lanes)]);
+                           block->number[cylint_lowest(lanes)]);
 #else
     (void)q;
+    (void)block;
     (void)lanes;
 #endif
 }
@@ -353,7 +357,7 @@ static int try_lanes(void *self, const cylint_block *block, unsigned lanes,
 {
     query *q = self;
     q->block = block;
-    fetch_shapes(q, lanes);
+    fetch_shapes(q, block, lanes);
     while (lanes) {
         q->lane = nearest_lane(lanes, least);
         if (least[q->lane] > q->ray->tfar)
@@ -368,9 +372,24 @@ static int try_lanes(void *self, const cylint_block *block, unsigned lanes,
     return 0;
 }
 
+/* The pointers; clearing all of a query takes longer than a block does. */
+static void begin(query *q, const cylint_embree_data *data,
+                  cylint_rtc_context *context, unsigned geomID)
+{
+    q->data = data;
+    q->nearest = NULL;
+    q->any = NULL;
+    q->context = context;
+    q->geomID = geomID;
+    q->ray = NULL;
+    q->hit = NULL;
+    q->block = NULL;
+}
+
 /* --------------------------------------------------------------- packets -- */
 
-/* Words of a ray and of a hit, of which packets of N store N each. */
+/* Words of a ray and of a hit, of which packets of N store N each, those of
+ * hits, where there are any, behind those of rays. */
 enum {
     RAY_WORDS = sizeof(struct RTCRay) / 4,
     HIT_WORDS = 7 + RTC_MAX_INSTANCE_LEVEL_COUNT * (1 + CYLINT_INSTANCE_ARRAYS)
@@ -388,6 +407,23 @@ static void scatter(void *packet, const void *one, unsigned words, unsigned N,
 {
     for (unsigned k = 0; k < words; k++)
         memcpy((char *)packet + 4 * (k * N + i), (const char *)one + 4 * k, 4);
+}
+
+static void *hits_of(const void *packet, unsigned N)
+{
+    return (char *)packet + 4 * RAY_WORDS * N;
+}
+
+/* What Embree 4 wants to know. */
+static void tell(int *valid, unsigned i, int hit)
+{
+#if CYLINT_EMBREE == 4
+    valid[i] = hit ? -1 : 0;
+#else
+    (void)valid;
+    (void)i;
+    (void)hit;
+#endif
 }
 
 /* Whether cylint_span() will take it.  What it refuses no box refuses. */
@@ -433,16 +469,15 @@ static int trace_one(query *q, unsigned primID)
     return q->met;
 }
 
-/* Ray i of the packet; the hit, where there is one, lies behind the rays. */
+/* Ray i of the packet, alone. */
 static int trace_of_packet(query *q, unsigned primID, void *packet,
                            unsigned N, unsigned i)
 {
     struct RTCRay ray;
     struct RTCHit hit;
-    char *hits = (char *)packet + 4 * RAY_WORDS * N;
     gather(&ray, packet, RAY_WORDS, N, i);
     if (q->nearest)
-        gather(&hit, hits, HIT_WORDS, N, i);
+        gather(&hit, hits_of(packet, N), HIT_WORDS, N, i);
     q->ray = &ray;
     if (q->nearest)
         q->hit = &hit;
@@ -450,37 +485,150 @@ static int trace_of_packet(query *q, unsigned primID, void *packet,
         return 0;
     scatter(packet, &ray, RAY_WORDS, N, i);
     if (q->nearest)
-        scatter(hits, &hit, HIT_WORDS, N, i);
+        scatter(hits_of(packet, N), &hit, HIT_WORDS, N, i);
     return 1;
+}
+
+/* -------------------------------------------------------------- together -- */
+
+/* The rays of a packet that are asked together. */
+typedef struct {
+    query query[CYLINT_PACKET];
+    struct RTCRay ray[CYLINT_PACKET];
+    struct RTCHit hit[CYLINT_PACKET];
+    const cylint_float_ray *floats[CYLINT_PACKET]; /* of the rays */
+    unsigned at[CYLINT_PACKET];                    /* in the packet */
+    int n;
+} bundle;
+
+/* What is read is on its way before the first one waits for it.  (A prefetch
+ * would do nothing where its page is not at hand, as of many shapes.) */
+static void touch_shapes(const bundle *b, const cylint_met *met)
+{
+    const cylint_quick_shape *asked = b->query[0].data->asked;
+    for (unsigned rays = met->rays; rays; rays &= rays - 1) {
+        unsigned lanes = met->lanes[cylint_lowest(rays)];
+        for (; lanes; lanes &= lanes - 1)
+            (void)*(const volatile double *)
+                asked[met->block->number[cylint_lowest(lanes)]].base;
+    }
+}
+
+static unsigned try_met(void *self, const cylint_met *met)
+{
+    bundle *b = self;
+    unsigned enough = 0;
+    touch_shapes(b, met);
+    for (unsigned rays = met->rays; rays; rays &= rays - 1) {
+        const int k = cylint_lowest(rays);
+        enough |= (unsigned)try_lanes(&b->query[k], met->block, met->lanes[k],
+                                      met->least[k]) << k;
+    }
+    return enough;
+}
+
+/* Ray i of the packet, if it is a line. */
+static void join(bundle *b, const query *q, const void *packet, unsigned N,
+                 unsigned i)
+{
+    struct RTCRay *ray = &b->ray[b->n];
+    query *each = &b->query[b->n];
+    gather(ray, packet, RAY_WORDS, N, i);
+    if (!is_line(ray))
+        return;
+    begin(each, q->data, q->context, q->geomID);
+    each->nearest = q->nearest;
+    each->any = q->any;
+    each->ray = ray;
+    each->line = line_of(ray);
+    each->met = 0;
+    if (q->nearest) {
+        each->hit = &b->hit[b->n];
+        gather(each->hit, hits_of(packet, N), HIT_WORDS, N, i);
+    }
+    b->floats[b->n] = floats_of_ray(ray);
+    b->at[b->n++] = i;
+}
+
+/* The k-th of them goes back. */
+static void part(const bundle *b, int k, void *packet, unsigned N)
+{
+    scatter(packet, &b->ray[k], RAY_WORDS, N, b->at[k]);
+    if (b->query[k].nearest)
+        scatter(hits_of(packet, N), &b->hit[k], HIT_WORDS, N, b->at[k]);
+}
+
+static void trace_together(const query *q, unsigned rays, int *valid,
+                           void *packet, unsigned N)
+{
+    bundle b;
+    unsigned certain = 0;
+    b.n = 0;
+    for (; rays; rays &= rays - 1) {
+        const unsigned i = (unsigned)cylint_lowest(rays);
+        join(&b, q, packet, N, i);
+        tell(valid, i, 0);
+    }
+    if (b.n > 0)
+        certain = cylint_packet_used()(&q->data->group, b.floats, b.n,
+                                       q->any && !has_filters(q), try_met, &b);
+    for (int k = 0; k < b.n; k++) {
+        if (certain >> k & 1)
+            b.ray[k].tfar = -HUGE_VALF;
+        else if (!b.query[k].met)
+            continue;
+        part(&b, k, packet, N);
+        tell(valid, b.at[k], 1);
+    }
+}
+
+/* The rays of a packet, as bits, by the octant they go into. */
+static void sort_by_octant(unsigned rays[8], const int *valid,
+                           const void *packet, unsigned N)
+{
+    const float *d = (const float *)packet +
+                     offsetof(struct RTCRay, dir_x) / sizeof(float) * N;
+    memset(rays, 0, 8 * sizeof *rays);
+    for (unsigned i = 0; i < N; i++)
+        if (valid[i])
+            rays[(d[i] < 0) | (d[N + i] < 0) << 1 | (d[2 * N + i] < 0) << 2] |=
+                1u << i;
+}
+
+static unsigned how_many(unsigned rays)
+{
+    unsigned n = 0;
+    for (; rays; rays &= rays - 1)
+        n++;
+    return n;
+}
+
+/* Of a quarter of the rays, or less, hardly two would stay together. */
+static void trace_packet(query *q, unsigned primID, int *valid, void *packet,
+                         unsigned N)
+{
+    unsigned octants[8];
+    sort_by_octant(octants, valid, packet, N);
+    for (int octant = 0; octant < 8; octant++) {
+        unsigned rays = octants[octant];
+        if (how_many(rays) > N / 4 && q->data->walk) {
+            trace_together(q, rays, valid, packet, N);
+            continue;
+        }
+        for (; rays; rays &= rays - 1) {
+            const unsigned i = (unsigned)cylint_lowest(rays);
+            tell(valid, i, trace_of_packet(q, primID, packet, N, i));
+        }
+    }
 }
 
 static void trace(query *q, unsigned primID, int *valid, void *packet,
                   unsigned N)
 {
-    for (unsigned i = 0; i < N; i++)
-        if (valid[i]) {
-            const int hit = N == 1 ? trace_one(q, primID)
-                                   : trace_of_packet(q, primID, packet, N, i);
-#if CYLINT_EMBREE == 4
-            valid[i] = hit ? -1 : 0;
-#else
-            (void)hit;
-#endif
-        }
-}
-
-/* The pointers; clearing all of a query takes longer than a block does. */
-static void begin(query *q, const cylint_embree_data *data,
-                  cylint_rtc_context *context, unsigned geomID)
-{
-    q->data = data;
-    q->nearest = NULL;
-    q->any = NULL;
-    q->context = context;
-    q->geomID = geomID;
-    q->ray = NULL;
-    q->hit = NULL;
-    q->block = NULL;
+    if (N == 1)
+        tell(valid, 0, trace_one(q, primID));
+    else
+        trace_packet(q, primID, valid, packet, N);
 }
 
 void cylint_embree_trace(const struct RTCIntersectFunctionNArguments *args)

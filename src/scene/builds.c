@@ -1,6 +1,7 @@
 /*
  * builds.c - of what is built more than once, that for this processor
  */
+#include "packet.h"
 #include "quick.h"
 #include "walk.h"
 
@@ -22,6 +23,15 @@ const cylint_walks *cylint_walks_used(void)
         return &cylint_walks_avx2;
 #endif
     return &cylint_walks_plain;
+}
+
+cylint_walk_packet *cylint_packet_used(void)
+{
+#ifdef CYLINT_BUILDS_X86
+    if (has_fma())
+        return cylint_packet_avx2;
+#endif
+    return cylint_packet_plain;
 }
 
 const cylint_quick_build *cylint_quick_used(void)

@@ -3,10 +3,12 @@
  *
  * The one place with intrinsics of scenes.  vf adds, subtracts, multiplies and
  * divides by the operators of C; the rest has names here.  WIDTH divides 8; vi
- * holds as many numbers of 32 bits, f_from_bits() makes floats of their last
- * bits.  f_mad(x, y, z) is x y + z, rounded once or twice: what is computed
- * here is bounded, not told, so builds may differ.  f_lower(x, y) and
- * f_higher(x, y) are y where x is not a number.  f_store_keys() stores numbers that are in the order of the floats.
+ * holds as many numbers of 32 bits, of which f_from_bits() takes the last bits
+ * for floats, vm as many truths.  f_mad(x, y, z) is x y + z, rounded once or
+ * twice: what is computed here is bounded, not told, so builds may differ.
+ * f_lower(x, y) and f_higher(x, y) are y where x is not a number.
+ * f_store_keys() stores numbers that are in the order of the floats.
+ * i_or_where(x, m, y) is x | y where m, else x.
  */
 #ifndef CYLINT_SCENE_LANES_H
 #define CYLINT_SCENE_LANES_H
@@ -20,6 +22,7 @@
 enum { WIDTH = 8 };
 typedef __m256 vf;
 typedef __m256i vi;
+typedef __m256 vm;
 static inline vf f_set(float x) { return _mm256_set1_ps(x); }
 static inline vi i_load(const uint32_t *x)
 {
@@ -56,10 +59,23 @@ static inline vf f_abs(vf x)
     return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), x);
 }
 static inline vf f_sqrt(vf x) { return _mm256_sqrt_ps(x); }
-/* Bits of the lanes where x > y is not so. */
-static inline unsigned f_not_greater(vf x, vf y)
+static inline vm m_not_greater(vf x, vf y)
 {
-    return (unsigned)_mm256_movemask_ps(_mm256_cmp_ps(x, y, _CMP_NGT_UQ));
+    return _mm256_cmp_ps(x, y, _CMP_NGT_UQ);
+}
+static inline unsigned m_bits(vm m) { return (unsigned)_mm256_movemask_ps(m); }
+static inline vf m_select(vm m, vf x, vf y)
+{
+    return _mm256_blendv_ps(y, x, m);
+}
+static inline vi i_set(uint32_t x) { return _mm256_set1_epi32((int)x); }
+static inline vi i_or_where(vi x, vm m, vi y)
+{
+    return _mm256_or_si256(x, _mm256_and_si256(_mm256_castps_si256(m), y));
+}
+static inline void i_store(uint32_t *x, vi v)
+{
+    _mm256_storeu_si256((__m256i *)(void *)x, v);
 }
 
 #elif defined(__SSE2__)
@@ -68,6 +84,7 @@ static inline unsigned f_not_greater(vf x, vf y)
 enum { WIDTH = 4 };
 typedef __m128 vf;
 typedef __m128i vi;
+typedef __m128 vm;
 static inline vf f_set(float x) { return _mm_set1_ps(x); }
 static inline vi i_load(const uint32_t *x)
 {
@@ -104,9 +121,20 @@ static inline vf f_higher(vf x, vf y) { return _mm_max_ps(x, y); }
 static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
 static inline vf f_abs(vf x) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), x); }
 static inline vf f_sqrt(vf x) { return _mm_sqrt_ps(x); }
-static inline unsigned f_not_greater(vf x, vf y)
+static inline vm m_not_greater(vf x, vf y) { return _mm_cmpngt_ps(x, y); }
+static inline unsigned m_bits(vm m) { return (unsigned)_mm_movemask_ps(m); }
+static inline vf m_select(vm m, vf x, vf y)
 {
-    return (unsigned)_mm_movemask_ps(_mm_cmpngt_ps(x, y));
+    return _mm_or_ps(_mm_and_ps(m, x), _mm_andnot_ps(m, y));
+}
+static inline vi i_set(uint32_t x) { return _mm_set1_epi32((int)x); }
+static inline vi i_or_where(vi x, vm m, vi y)
+{
+    return _mm_or_si128(x, _mm_and_si128(_mm_castps_si128(m), y));
+}
+static inline void i_store(uint32_t *x, vi v)
+{
+    _mm_storeu_si128((__m128i *)(void *)x, v);
 }
 
 #else
@@ -116,6 +144,7 @@ static inline unsigned f_not_greater(vf x, vf y)
 enum { WIDTH = 1 };
 typedef float vf;
 typedef uint32_t vi;
+typedef unsigned vm;
 static inline vf f_set(float x) { return x; }
 static inline vi i_load(const uint32_t *x) { return *x; }
 static inline vi i_load_shorts(const uint16_t *x) { return *x; }
@@ -136,9 +165,20 @@ static inline vf f_higher(vf x, vf y) { return x > y ? x : y; }
 static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
 static inline vf f_abs(vf x) { return fabsf(x); }
 static inline vf f_sqrt(vf x) { return sqrtf(x); }
-static inline unsigned f_not_greater(vf x, vf y) { return !(x > y); }
+static inline vm m_not_greater(vf x, vf y) { return !(x > y); }
+static inline unsigned m_bits(vm m) { return m; }
+static inline vf m_select(vm m, vf x, vf y) { return m ? x : y; }
+static inline vi i_set(uint32_t x) { return x; }
+static inline vi i_or_where(vi x, vm m, vi y) { return m ? x | y : x; }
+static inline void i_store(uint32_t *x, vi v) { *x = v; }
 
 #endif
+
+/* Bits of the lanes where x > y is not so. */
+static inline unsigned f_not_greater(vf x, vf y)
+{
+    return m_bits(m_not_greater(x, y));
+}
 
 /* Four floats, for boxes: x, y, z and one to spare, which v4_xyz() clears. */
 #ifdef NO_LANES

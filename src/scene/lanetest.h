@@ -80,11 +80,30 @@ static inline unsigned greater(vf x, vf y)
     return ~f_not_greater(x, y) & ((1u << WIDTH) - 1);
 }
 
+/* WIDTH of a block's lanes, from a multiple of that on: all but the line. */
+typedef struct {
+    vf p[3], w[3], W, ww, r;
+} pieces;
+
+CYLINT_INLINE pieces pieces_of(const cylint_block *b, int from)
+{
+    pieces s;
+    const vi base = i_load(b->p[0] + from), top = i_load(b->p[1] + from);
+    EACH(j, 3) {
+        s.p[j] = steps_of(base, j);
+        s.w[j] = steps_of(top, j) - s.p[j];
+    }
+    s.W = f_abs(s.w[0]) + f_abs(s.w[1]) + f_abs(s.w[2]);
+    s.ww = dot(s.w, s.w);
+    s.r = f_from_bits(i_load_shorts(b->r + from), CYLINT_R_MASK);
+    return s;
+}
+
 /*
- * Lanes from `from` on; least[] of each that is let through is at most what s
- * is there, times t_per_s.  *sure, unless NULL: the lanes of which the line's
- * point nearest to the axis is certainly within the piece, if that is a
- * cylinder, and in the domain.
+ * Those that the line may meet.  least[] of each is at most what s is there,
+ * times t_per_s.  *sure, unless NULL: the lanes of which the line's point
+ * nearest to the axis is certainly within the piece, if that is a cylinder, and
+ * in the domain.
  *
  * In block.c's words: r <= across + 1 + 2 e - 7/8 and the axes are less than e
  * apart, e < 15/8, so that what is within r - 5 of the rounded one is in the
@@ -92,33 +111,28 @@ static inline unsigned greater(vf x, vf y)
  * lane, of which g was added, is between those of the piece.  Errors are those
  * above, from the other side.
  */
-CYLINT_INLINE unsigned test_lanes(const cylint_block *b, int from,
-                                  const lane_line *l, float *least,
-                                  unsigned *sure)
+CYLINT_INLINE unsigned test_lanes(const pieces *s, const lane_line *l,
+                                  float *least, unsigned *sure)
 {
-    vf w[3], D[3], e[3], n[3];
-    const vi base = i_load(b->p[0] + from), top = i_load(b->p[1] + from);
+    vf D[3], e[3], n[3];
     EACH(j, 3) {
-        const vf p = steps_of(base, j);
-        w[j] = steps_of(top, j) - p;
-        D[j] = f_set(l->q[j]) - p;
+        D[j] = f_set(l->q[j]) - s->p[j];
         e[j] = f_set(l->e[j]);
     }
     EACH(j, 3) {
         const int k = (j + 1) % 3, m = (j + 2) % 3;
-        n[j] = f_mad(e[k], w[m], -(e[m] * w[k]));
+        n[j] = f_mad(e[k], s->w[m], -(e[m] * s->w[k]));
     }
-    const vf W = f_abs(w[0]) + f_abs(w[1]) + f_abs(w[2]);
+    const vf r = s->r, ww = s->ww;
     const vf nn = dot(n, n), f = dot(D, n), ff = f * f;
-    const vf r = f_from_bits(i_load_shorts(b->r + from), CYLINT_R_MASK);
-    const vf EW = f_set(l->E) * W;
+    const vf EW = f_set(l->E) * s->W;
     const vf kEW = f_set(l->k) * EW;
     const vf gg = f_mad(r * r, nn, (r + r + f_set(l->k)) * (kEW * EW));
     unsigned met = f_not_greater(ff, gg);
-    const vf ww = dot(w, w), Dw = dot(D, w), ew = dot(e, w);
+    const vf Dw = dot(D, s->w), ew = dot(e, s->w);
     const vf T = f_mad(Dw, ew, -(dot(D, e) * ww));
     const vf C = f_sqrt((gg - ff) * ww);
-    const vf middle = ww * nn * f_set(0.5f), kEWW = kEW * W;
+    const vf middle = ww * nn * f_set(0.5f), kEWW = kEW * s->W;
     const vf off = kEWW * EW * f_set(4), spare = kEWW * f_set(3);
     const vf foot = f_abs(f_mad(Dw, nn, ew * T) - middle);
     met &= f_not_greater(foot, middle + f_mad(f_abs(ew), C, off));
@@ -126,7 +140,7 @@ CYLINT_INLINE unsigned test_lanes(const cylint_block *b, int from,
         const vf ri = r - f_set(5);
         const vf gi = f_mad(ri * ri, nn,
                             -((ri + ri + f_set(l->k)) * (kEW * EW)));
-        const vf inset = f_mad(r, f_set(0.125f), f_set(25)) * (W * nn);
+        const vf inset = f_mad(r, f_set(0.125f), f_set(25)) * (s->W * nn);
         *sure = greater(ri, f_set(0)) & greater(gi, ff) &
                 greater(middle - inset - off, foot) &
                 greater(T - spare, f_set(l->first) * nn) &
@@ -137,7 +151,7 @@ CYLINT_INLINE unsigned test_lanes(const cylint_block *b, int from,
     met &= f_not_greater(begin, f_set(l->last) * nn);
     met &= f_not_greater(f_set(l->first) * nn, end);
     if (met)
-        f_store(least + from, begin / nn * f_set(l->t_per_s));
+        f_store(least, begin / nn * f_set(l->t_per_s));
     return met;
 }
 
@@ -156,18 +170,20 @@ static inline int count_lanes(unsigned lanes)
 }
 #endif
 
-CYLINT_INLINE unsigned test(const cylint_block *b, const lane_line *l,
-                            float *least, unsigned *sure)
+/* all: the pieces of all lanes, or NULL: they are not made yet. */
+CYLINT_INLINE unsigned test(const cylint_block *b, const pieces *all,
+                            const lane_line *l, float *least, unsigned *sure)
 {
-    unsigned met = 0, all = 0;
+    unsigned met = 0, all_sure = 0;
     for (int lane = 0; lane < cylint_block_used(b); lane += WIDTH) {
         unsigned some = 0;
-        met |= test_lanes(b, lane, l, least, sure ? &some : NULL) << lane;
-        all |= some << lane;
+        const pieces here = all ? all[lane / WIDTH] : pieces_of(b, lane);
+        met |= test_lanes(&here, l, least + lane, sure ? &some : NULL) << lane;
+        all_sure |= some << lane;
     }
     met = (met | b->always) & lanes_in_use(b);
     if (sure)
-        *sure = all & met & ~(unsigned)b->always;
+        *sure = all_sure & met & ~(unsigned)b->always;
     cylint_visited(lanes, (unsigned)count_lanes(met));
     return met;
 }
@@ -237,7 +253,7 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
     l.first = clamp((tmin * length + along) * steps - off);
     l.last = clamp((tmax * length + along) * steps + off);
     float s[CYLINT_BLOCK] = {0};
-    const unsigned met = test(b, &l, s, NULL);
+    const unsigned met = test(b, NULL, &l, s, NULL);
     for (unsigned lanes = met; lanes; lanes &= lanes - 1) {
         const int lane = cylint_lowest(lanes);
         least[lane] = tmin;
@@ -270,8 +286,8 @@ static inline float size_of(const cylint_float_ray *ray)
 }
 
 /* The ray as it is: e = d, q = (o - c) steps, s = t times steps.  sure: NULL,
- * or as in test_lanes().  E: size_of() the ray. */
-CYLINT_INLINE unsigned test_ray(const cylint_block *b,
+ * or as in test_lanes(), `all` as in test().  E: size_of() the ray. */
+CYLINT_INLINE unsigned test_ray(const cylint_block *b, const pieces *all,
                                 const cylint_float_ray *ray, float E,
                                 float least[CYLINT_BLOCK], unsigned *sure)
 {
@@ -290,7 +306,7 @@ CYLINT_INLINE unsigned test_ray(const cylint_block *b,
             *sure = 0;
         return test_far_ray(b, ray, least);
     }
-    const unsigned met = test(b, &l, least, sure);
+    const unsigned met = test(b, all, &l, least, sure);
     for (unsigned lanes = met & b->always; lanes; lanes &= lanes - 1)
         least[cylint_lowest(lanes)] = -HUGE_VALF;
     return met;

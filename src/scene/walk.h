@@ -45,9 +45,18 @@ typedef int cylint_walk_shadow(const cylint_group *group,
                                const cylint_float_ray *ray,
                                cylint_meet_ray *meet, void *self);
 
+/* As these two, from a child of some node on; the way, which has begun, ends
+ * where the ray does.  `certain`: whether that it is certain is sought. */
+struct cylint_way;
+typedef int cylint_walk_below(const cylint_group *group, uint32_t child,
+                              struct cylint_way *way,
+                              const cylint_float_ray *ray,
+                              cylint_meet_ray *meet, void *self, int certain);
+
 typedef struct cylint_walks {
     cylint_walk_ray *ray;
     cylint_walk_shadow *shadow;
+    cylint_walk_below *below;
     cylint_walk_line *line;
 } cylint_walks;
 
