@@ -28,6 +28,7 @@ $(call optional,CXX17,$(CXX) -std=c++17 -include charconv,c++)
 $(call optional,MPFR,$(CC) -include stdio.h -include mpfr.h,c,-lmpfr -lgmp)
 $(call optional,GSL,$(CC) -include gsl/gsl_rng.h,c,-lgsl -lgslcblas -lm)
 $(call optional,PNG,$(CC) -include png.h,c,-lpng)
+$(call optional,PTHREAD,$(CC) -pthread -include pthread.h,c)
 # a linker that puts a test's read() in the place of the system's
 $(call optional,WRAP,$(CC) -Wl$(comma)--wrap=read,c)
 # EMBREE is 3, 4 or nothing; EMBREE_CFLAGS and EMBREE_LIBS say where it is.
@@ -69,6 +70,7 @@ test_scripts  := $(wildcard tests/test_*.sh)
 test_libs     := $(if $(MPFR),-lmpfr -lgmp) $(if $(GSL),-lgsl -lgslcblas)
 
 # libcylint-embree has all that libcylint-scene has: one of them is enough
+threads_link := $(if $(PTHREAD),-pthread)
 libraries := libcylint libcylint-scene $(if $(EMBREE),libcylint-embree)
 all: $(foreach l,$(libraries),$(BUILD)/$(l).a $(BUILD)/$(l).so) $(BUILD)/cylint ## the libraries and the command
 
@@ -76,7 +78,8 @@ $(BUILD)/libcylint.a $(BUILD)/libcylint.so: $(lib_objects)
 $(BUILD)/libcylint-scene.a $(BUILD)/libcylint-scene.so: $(scene_objects)
 $(BUILD)/libcylint-embree.a $(BUILD)/libcylint-embree.so: $(scene_objects) $(embree_objects)
 $(BUILD)/libcylint-scene.so $(BUILD)/libcylint-embree.so: $(BUILD)/libcylint.so
-$(BUILD)/libcylint-embree.so: needs := $(EMBREE_LIBS)
+$(BUILD)/libcylint-scene.so: needs := $(threads_link)
+$(BUILD)/libcylint-embree.so: needs := $(EMBREE_LIBS) $(threads_link)
 
 $(BUILD)/lib%.a:
 	$(AR) rcs $@ $^
@@ -105,7 +108,7 @@ $(BUILD)/tests/pixels: $(BUILD)/tests/pixels.o
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lpng
 
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
-$(BUILD)/src/scene/%.o: extra += $(floats) $(if $(walk_builds),-DCYLINT_BUILDS_X86)
+$(BUILD)/src/scene/%.o: extra += $(floats) $(if $(PTHREAD),-pthread -D_POSIX_C_SOURCE=200809L -DCYLINT_THREADS) $(if $(walk_builds),-DCYLINT_BUILDS_X86)
 $(BUILD)/src/embree/%.o: extra += $(floats) -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 $(BUILD)/tools/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L
 $(BUILD)/tools/render/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Itools/cylint
@@ -298,9 +301,10 @@ sanitize: ## the tests under the address and undefined-behaviour sanitizers
 threaded := -g -O1 -fsanitize=thread
 .PHONY: check-threads faulty
 faulty: $(BUILD)/cylint $(BUILD)/tests/faulty
-check-threads: ## 8 threads in a scene, 8 workers, under the thread sanitizer
+check-threads: ## threads build and ask scenes, 8 workers, under the thread sanitizer
 	$(MAKE) BUILD=$(BUILD)/threads CFLAGS='$(threaded)' CXXFLAGS='$(threaded)' faulty \
-	  $(if $(EMBREE),$(BUILD)/threads/tests/test_embree_threads) $(if $(PNG),$(BUILD)/threads/cylint-render)
+	  $(BUILD)/threads/tests/test_scene_tree $(if $(EMBREE),$(BUILD)/threads/tests/test_embree_threads) $(if $(PNG),$(BUILD)/threads/cylint-render)
+	TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_scene_tree
 	$(if $(EMBREE),TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_embree_threads)
 	BUILD=$(BUILD)/threads WORKERS=8 sh tests/test_faults.sh
 	$(if $(PNG),BUILD=$(BUILD)/threads sh tests/render_threads.sh)
@@ -312,7 +316,7 @@ deps-cross: ## what check-cross and lint need as well (Debian)
 	@sh tools/deps.sh cross
 
 fill_in = sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|' \
-	  -e 's|@EMBREE@|$(EMBREE)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|; s|@EMBREE_CFLAGS@|$(EMBREE_CFLAGS)|'
+	  -e 's|@THREADS@|$(threads_link)|; s|@EMBREE@|$(EMBREE)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|; s|@EMBREE_CFLAGS@|$(EMBREE_CFLAGS)|'
 
 # $(call install_library,libcylint...)
 define install_library

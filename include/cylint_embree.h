@@ -126,6 +126,9 @@ typedef struct cylint_embree_options {
     const cylint_shape *moved; /* NULL, or n shapes: those at time 1 */
     void *user;                /* geometryUserPtr of the filters; the
                                   geometry's own user data is taken */
+    int threads;               /* so many, the caller's one of them, may make
+                                  and update it, 0: one.  They are not the
+                                  device's, but ask it for memory */
 } cylint_embree_options;
 
 /*

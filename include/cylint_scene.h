@@ -34,8 +34,10 @@ CYLINT_API const char *cylint_scene_strerror(int status);
 /*
  * A scene of n shapes, which the caller keeps, unchanged, as long as the
  * scene is used; they are known by their numbers, 0 to n - 1.  `threads` is
- * how many may build it, 0 for as many as there are processors; so far one
- * does.  NULL if that fails; *status says why, unless `status` is NULL.
+ * how many may build it, the caller's one of them, 0 for as many as there are
+ * processors; not so many if the shapes are few, one where the library was
+ * built without POSIX threads: the scene is the same.  NULL if that fails;
+ * *status says why, unless `status` is NULL.
  *
  * Not in the hierarchy, and so asked in a batch for every line, are shapes
  * without end (infinite, nappe) and those with a coordinate beyond 2^400; and

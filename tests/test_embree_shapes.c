@@ -321,6 +321,46 @@ static void motion_that_makes_no_sense_is_refused_by_number(void)
     world_errors();
 }
 
+/* Enough shapes that five threads are used, for making and for updating. */
+static void five_threads_make_a_geometry_that_answers_the_same(void)
+{
+    enum { MANY = 21000 };
+    static cylint_shape shapes[MANY];
+    const long long bytes = world_memory.bytes;
+    const double side = cbrt(MANY);
+    cylint_embree_options options = {0};
+    uint64_t state = 12;
+    struct world one, five;
+    int hits = 0;
+    world_shapes(&state, SCENE_FIBRES, shapes, MANY);
+    options.threads = 5;
+    if (!CHECK(world_make(&one, shapes, MANY, NULL) &&
+               world_make(&five, shapes, MANY, &options)))
+        return;
+    CHECK(cylint_embree_bytes(one.geometry) ==
+          cylint_embree_bytes(five.geometry));
+    CHECK(cylint_embree_update(five.geometry, NULL) == CYLINT_EMBREE_OK);
+    rtcCommitScene(five.scene);
+    for (int i = 0; i < 300; i++) {
+        struct rays r, s;
+        float o[3], d[3];
+        world_direction(&state, d);
+        for (int k = 0; k < 3; k++)
+            o[k] = (float)(side * (world_uniform(&state) - 0.5));
+        rays_begin(&r, 1);
+        rays_add(&r, 0, o, d, 0, HUGE_VALF);
+        s = r;
+        rays_intersect(&r, one.scene, NULL);
+        rays_intersect(&s, five.scene, NULL);
+        CHECK(memcmp(r.word, s.word, sizeof r.word) == 0);
+        hits += rays_hit(&r, 0);
+    }
+    CHECK(hits > 100);
+    world_free(&one);
+    world_free(&five);
+    CHECK(world_memory.bytes == bytes);
+}
+
 static void every_status_has_its_text(void)
 {
     for (int s = CYLINT_EMBREE_OK; s <= CYLINT_EMBREE_EVERSION; s++)
@@ -340,6 +380,7 @@ int main(void)
     RUN(no_shapes_are_a_scene_that_nothing_hits);
     RUN(what_embree_would_drop_is_refused_by_number);
     RUN(motion_that_makes_no_sense_is_refused_by_number);
+    RUN(five_threads_make_a_geometry_that_answers_the_same);
     RUN(every_status_has_its_text);
     return check_end();
 }

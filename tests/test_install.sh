@@ -82,7 +82,8 @@ archives()
     done
     echo "$lib/libcylint.a"
     case $packages in
-    *embree*) echo -lembree3 ;;
+    *embree*) echo -lembree3 -pthread ;;
+    *scene*) echo -pthread ;;
     esac
 }
 
@@ -271,9 +272,14 @@ test_symbols()
     [ -z "${PARANOID:-}" ] || others="$others abort" # what that is for
     none "$(foreign_to libcylint "$math $memory $others")" \
         the_library_uses_only_mathematics_and_memory
+    heap='malloc calloc free madvise'
+    threads='sysconf pthread_create pthread_join pthread_mutex_lock'
+    threads="$threads pthread_mutex_unlock pthread_mutex_destroy"
+    threads="$threads pthread_cond_wait pthread_cond_broadcast"
+    threads="$threads pthread_cond_destroy"
     none "$(foreign_to libcylint-scene \
-        "$math $memory $others sqrtf malloc calloc free madvise")" \
-        scenes_allocate_and_use_nothing_else
+        "$math $memory $others $heap $threads sqrtf")" \
+        scenes_use_memory_and_threads_and_nothing_else
 }
 
 test_without_makefile()

@@ -1,6 +1,7 @@
 /*
  * adapter.c - making, updating and releasing geometries
  */
+#include "../scene/crew.h"
 #include "internal.h"
 #include "moving.h"
 #include "pad.h"
@@ -113,6 +114,15 @@ static int ask_for_room(cylint_memory *memory, cylint_embree_data *data,
     return bytes == 0 || cylint_memory_take(memory, &data->source, bytes);
 }
 
+/* What quick.c asks of the shapes [from, to). */
+static void copy_asked(void *self, size_t from, size_t to)
+{
+    const cylint_embree_data *data = self;
+    cylint_quick_shape *asked = data->asked_memory.data;
+    for (size_t i = from; i < to; i++)
+        cylint_quick_shape_of(&asked[i], &data->shapes[i]);
+}
+
 /* What was before stays where it fails. */
 static int group_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
@@ -121,11 +131,13 @@ static int group_shapes(cylint_embree_data *data,
     cylint_memory asked;
     cylint_group group;
     size_t shape;
-    switch (cylint_group_make(&group, &data->source, &view, NULL, data->n,
-                              &shape)) {
-    case CYLINT_GROUP_OK:
+    const cylint_members members = {.view = &view, .n = data->n,
+                                    .threads = data->threads,
+                                    .source = &data->source};
+    switch (cylint_group_make(&group, &members, &shape)) {
+    case CYLINT_CUT_OK:
         break;
-    case CYLINT_GROUP_ESHAPE:
+    case CYLINT_CUT_ESHAPE:
         return refused(problem, CYLINT_EMBREE_ESHAPE, shape);
     default:
         return refused(problem, CYLINT_EMBREE_EMEMORY, 0);
@@ -134,14 +146,13 @@ static int group_shapes(cylint_embree_data *data,
         cylint_group_free(&group);
         return refused(problem, CYLINT_EMBREE_EMEMORY, 0);
     }
-    cylint_quick_shape *to = asked.data;
-    for (size_t i = 0; i < data->n; i++)
-        cylint_quick_shape_of(&to[i], &data->shapes[i]);
     cylint_group_free(&data->group);
     cylint_memory_give(&data->asked_memory);
     data->group = group;
     data->asked_memory = asked;
-    data->asked = to;
+    data->asked = asked.data;
+    cylint_crew_share(cylint_crew_for(data->n, data->threads), data->n,
+                      copy_asked, data);
     take_box(data, &group.box);
     return 1;
 }
@@ -192,12 +203,13 @@ static cylint_embree_data *new_data(RTCDevice device,
         return NULL;
     cylint_embree_data *data = self.data;
     *data = (cylint_embree_data){.self = self, .source = source,
-                                 .shapes = shapes, .n = n,
+                                 .shapes = shapes, .n = n, .threads = 1,
                                  .quick = cylint_quick_used()};
     if (options) {
         data->moved = options->moved;
         data->how = options->how;
         data->user = options->user;
+        data->threads = options->threads > 1 ? options->threads : 1;
     }
     if (!(data->how & CYLINT_EMBREE_SINGLE) && !data->moved)
         data->walk = cylint_walks_used();

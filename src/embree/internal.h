@@ -27,6 +27,7 @@ typedef struct cylint_embree_data {
     double pad;                   /* by which boxes are widened for Embree */
     unsigned how;
     void *user;
+    int threads;                  /* to group the shapes */
     const cylint_walks *walk;     /* NULL: one shape a primitive */
     const cylint_quick_build *quick;
     cylint_group group;

@@ -1,6 +1,6 @@
 /*
- * group.h - shapes cut into pieces, pieces that lie together in blocks, and
- * nodes above them
+ * group.h - pieces of shapes, those that lie together in blocks, and nodes
+ * above them
  */
 #ifndef CYLINT_SCENE_GROUP_H
 #define CYLINT_SCENE_GROUP_H
@@ -8,6 +8,7 @@
 #include <stddef.h>
 
 #include "block.h"
+#include "cut.h"
 #include "memory.h"
 
 typedef struct cylint_group {
@@ -22,23 +23,15 @@ typedef struct cylint_group {
     float near_by;             /* how far from the centre that is not much */
 } cylint_group;
 
-typedef enum cylint_group_status {
-    CYLINT_GROUP_OK,
-    CYLINT_GROUP_ESHAPE,  /* not bounded, or its box not one to be kept */
-    CYLINT_GROUP_EMEMORY  /* refused */
-} cylint_group_status;
-
 /*
- * Groups, in memory from the source (NULL: malloc()), the n shapes of the given
- * numbers (NULL: those from 0 on, of which number 2^32 - 1 is refused).
- * Every piece of every shape is in one lane of one block.  Where that is not
- * OK nothing is left; *refused is the first shape for ESHAPE.
+ * Groups the shapes, by as many threads as are wanted (cylint_crew_for()),
+ * which all make of it the same.  Every piece of every shape is in one lane of
+ * one block.  Where that is not OK nothing is left; *refused is the first
+ * shape for ESHAPE.
  */
-cylint_group_status cylint_group_make(cylint_group *group,
-                                      const cylint_memory_source *source,
-                                      const cylint_view *view,
-                                      const uint32_t *numbers, size_t n,
-                                      size_t *refused);
+cylint_cut_status cylint_group_make(cylint_group *group,
+                                    const cylint_members *members,
+                                    size_t *refused);
 
 void cylint_group_free(cylint_group *group);
 

@@ -14,6 +14,7 @@
 
 #include "cylint_scene.h"
 #include "../each.h"
+#include "crew.h"
 #include "frame.h"
 #include "walk.h"
 
@@ -26,7 +27,8 @@ struct cylint_scene {
     cylint_view view;      /* the shapes in the frame */
     cylint_group group;    /* of the boxed ones */
     cylint_walk_line *walk;
-    uint32_t *boxed;       /* the numbers of the shapes in the hierarchy */
+    uint32_t *boxed;       /* the numbers of the shapes in the hierarchy, or
+                              NULL: all */
     uint32_t *loose;       /* and of those beside it, ascending */
     size_t n_boxed, n_loose;
     cylint_shape *copies;  /* of the latter, for their pack */
@@ -88,86 +90,124 @@ static void *keep(cylint_scene *s, size_t count, size_t size)
     return malloc(count > 0 ? count * size : 1);
 }
 
-/* The frame of all that have boxes; 0 if there is none. */
-static int make_frame(cylint_scene *s)
+/* What is to be known of all shapes, and of whom. */
+typedef struct {
+    const cylint_shape *shapes;
+    cylint_crew_lock lock; /* of what is below */
+    double lo[3], hi[3];   /* about those that have boxes */
+    size_t boxed, valid;
+} census;
+
+static void extend(double lo[3], double hi[3], const double from[3],
+                   const double to[3])
 {
-    double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    double hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    for (size_t i = 0; i < s->n; i++) {
-        double from[3], to[3];
-        if (!has_box(&s->shapes[i], from, to))
-            continue;
-        s->n_boxed++;
-        for (int j = 0; j < 3; j++) {
-            lo[j] = fmin(lo[j], from[j]);
-            hi[j] = fmax(hi[j], to[j]);
-        }
+    for (int j = 0; j < 3; j++) {
+        lo[j] = fmin(lo[j], from[j]);
+        hi[j] = fmax(hi[j], to[j]);
     }
-    if (s->n_boxed > 0 && cylint_frame_make(&s->frame, lo, hi))
-        return 1;
-    s->n_boxed = 0;
-    return 0;
 }
 
-/* Numbers of boxed shapes, and a pack of the others.  A refused shape is
- * neither, for no line meets it. */
-static int sort_shapes(cylint_scene *s, int framed)
+/* Adds shapes [from, to); nothing depends on who is first. */
+static void count_shapes(void *self, size_t from, size_t to)
+{
+    census *all = self;
+    double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    double hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    size_t boxed = 0, valid = 0;
+    for (size_t i = from; i < to; i++) {
+        double least[3], most[3];
+        valid += all->shapes[i].kind != CYLINT_KIND_NONE;
+        if (!has_box(&all->shapes[i], least, most))
+            continue;
+        boxed++;
+        extend(lo, hi, least, most);
+    }
+    cylint_crew_enter(&all->lock);
+    extend(all->lo, all->hi, lo, hi);
+    all->boxed += boxed;
+    all->valid += valid;
+    cylint_crew_leave(&all->lock);
+}
+
+/* The frame of all that have boxes, none if it cannot be made. */
+static void make_frame(cylint_scene *s, int threads)
+{
+    census all = {.shapes = s->shapes, .lock = CYLINT_CREW_LOCK,
+                  .lo = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
+                  .hi = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    cylint_crew_share(cylint_crew_for(s->n, threads), s->n, count_shapes,
+                      &all);
+    cylint_crew_end(&all.lock);
+    if (all.boxed > 0 && cylint_frame_make(&s->frame, all.lo, all.hi))
+        s->n_boxed = all.boxed;
+    s->n_loose = all.valid - s->n_boxed;
+}
+
+static void sort_out(cylint_scene *s)
 {
     double lo[3], hi[3];
-    size_t valid = 0, boxed = 0, loose = 0;
-    for (size_t i = 0; i < s->n; i++)
-        valid += s->shapes[i].kind != CYLINT_KIND_NONE;
-    s->n_loose = valid - s->n_boxed;
-    s->boxed = keep(s, s->n_boxed, sizeof *s->boxed);
-    s->loose = keep(s, s->n_loose, sizeof *s->loose);
-    s->copies = keep(s, s->n_loose, sizeof *s->copies);
-    s->pack_memory = keep(s, cylint_pack_bytes(s->n_loose), 1);
-    if (!s->boxed || !s->loose || !s->copies || !s->pack_memory)
-        return 0;
+    size_t boxed = 0, loose = 0;
     for (size_t i = 0; i < s->n; i++) {
-        if (framed && has_box(&s->shapes[i], lo, hi)) {
+        if (s->n_boxed > 0 && has_box(&s->shapes[i], lo, hi)) {
             s->boxed[boxed++] = (uint32_t)i;
         } else if (s->shapes[i].kind != CYLINT_KIND_NONE) {
             s->loose[loose] = (uint32_t)i;
             s->copies[loose++] = s->shapes[i];
         }
     }
+}
+
+/* Numbers of boxed shapes, unless those are all, and a pack of the others.  A
+ * refused shape is neither, for no line meets it. */
+static int sort_shapes(cylint_scene *s)
+{
+    const int mixed = s->n_boxed < s->n;
+    s->loose = keep(s, s->n_loose, sizeof *s->loose);
+    s->copies = keep(s, s->n_loose, sizeof *s->copies);
+    s->pack_memory = keep(s, cylint_pack_bytes(s->n_loose), 1);
+    if (mixed)
+        s->boxed = keep(s, s->n_boxed, sizeof *s->boxed);
+    if (!s->loose || !s->copies || !s->pack_memory || (mixed && !s->boxed))
+        return 0;
+    if (mixed)
+        sort_out(s);
     cylint_pack_shapes(&s->pack, s->pack_memory, s->copies, s->n_loose);
     return 1;
 }
 
-static cylint_scene_status build_hierarchy(cylint_scene *s)
+static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
 {
     size_t refused; /* none: all have boxes */
     s->walk = cylint_walks_used()->line;
     s->view = (cylint_view){
         s->shapes, {s->frame.center[0], s->frame.center[1],
         s->frame.center[2]}, s->frame.scale, CYLINT_FRAME_BLUR};
-    return cylint_group_make(&s->group, NULL, &s->view, s->boxed, s->n_boxed,
-                             &refused) == CYLINT_GROUP_OK
+    const cylint_members members = {.view = &s->view, .numbers = s->boxed,
+                                    .n = s->n_boxed, .threads = threads};
+    return cylint_group_make(&s->group, &members, &refused) == CYLINT_CUT_OK
          ? CYLINT_SCENE_OK : CYLINT_SCENE_EMEMORY;
 }
 
-static cylint_scene_status build(cylint_scene *s)
+static cylint_scene_status build(cylint_scene *s, int threads)
 {
     if (s->n > MOST_SHAPES)
         return CYLINT_SCENE_ESIZE;
-    if (!sort_shapes(s, make_frame(s)))
+    make_frame(s, threads);
+    if (!sort_shapes(s))
         return CYLINT_SCENE_EMEMORY;
-    return s->n_boxed > 0 ? build_hierarchy(s) : CYLINT_SCENE_OK;
+    return s->n_boxed > 0 ? build_hierarchy(s, threads) : CYLINT_SCENE_OK;
 }
 
 cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
                                int threads, cylint_scene_status *status)
 {
     cylint_scene *s = calloc(1, sizeof *s);
-    (void)threads; /* at most so many: one */
     cylint_scene_status result = CYLINT_SCENE_EMEMORY;
     if (s) {
         s->shapes = shapes;
         s->n = n;
         s->own_bytes = sizeof *s;
-        result = build(s);
+        result = build(s, threads);
     }
     if (status)
         *status = result;
@@ -414,11 +454,13 @@ static void walk(question *q, int nearest)
     const cylint_frame_verdict verdict =
         cylint_frame_line(&s->frame, &q->line, &q->ray);
     if (verdict == CYLINT_FRAME_WILD) {
-        for (size_t i = 0; i < s->n_boxed; i++)
+        for (size_t i = 0; i < s->n_boxed; i++) {
+            const size_t number = s->boxed ? s->boxed[i] : i;
             if (nearest)
-                take_nearest(q, s->boxed[i]);
-            else if (take_count(q, s->boxed[i]))
+                take_nearest(q, number);
+            else if (take_count(q, number))
                 return;
+        }
     } else if (verdict == CYLINT_FRAME_ENTERED) {
         if (!nearest) {
             q->n_counted = 0;

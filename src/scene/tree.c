@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "bounds.h"
+#include "crew.h"
 #include "lanes.h"
 
 /* Where to split more than SAMPLES boxes, every second of them tells, every
@@ -229,7 +230,7 @@ static size_t whole_blocks(size_t left, size_t n)
 enum { AMONG = 512 };
 
 /* Splits more than 8 boxes; returns how many are to the left, a multiple. */
-static size_t divide(const range *r)
+ASIDE size_t divide(const range *r)
 {
     const size_t n = r->n;
     const scale s = scale_of(r);
@@ -266,12 +267,27 @@ static size_t halve(const range *r)
 /* Steps are not 0, and no less than so much of the longest side of all. */
 #define LEAST_STEP 0x1p-30f
 
+/* A node to be made of what is in the range. */
+typedef struct {
+    range all;
+    size_t number;
+    int depth;
+} task;
+
+/* Ranges of more than a MOST_TASKS-th of all boxes are tasks, for whoever is
+ * idle; so, as tasks have no box in common, there are never more of them. */
+enum { MOST_TASKS = 128 };
+
 typedef struct {
     const cylint_box *boxes;  /* the first of all */
     cylint_node *nodes;
-    size_t n_nodes;
     float least_step;
     const float *center;
+    size_t task_size;
+    cylint_crew_lock lock;    /* of what is below */
+    task tasks[MOST_TASKS];
+    int n_tasks, busy;        /* waiting; members of the crew at work */
+    size_t n_nodes;
 } builder;
 
 /* Of those with more than a block, the one of the largest box or, evenly, of
@@ -341,37 +357,88 @@ static void place_children(cylint_node *node, const range *parts, int n,
 /* Below so many nodes parts are as many boxes each, which bounds the depth. */
 enum { DEEP = 24 };
 
-/* The number of the node made of what is in the range. */
-static uint32_t make_node(builder *b, range all, int depth)
-{
-    range parts[CYLINT_CHILDREN] = {all};
-    const size_t number = b->n_nodes++;
-    cylint_node *node = &b->nodes[number];
-    memset(node, 0, sizeof *node);
-    const int n = split_up(parts, depth >= DEEP);
-    node->children = (uint8_t)((1u << n) - 1);
-    place_children(node, parts, n, all.box, b);
-    for (int i = 0; i < n; i++)
-        node->child[i] = parts[i].n > CYLINT_BLOCK
-            ? make_node(b, parts[i], depth + 1)
-            : CYLINT_LEAF | (uint32_t)((size_t)(parts[i].boxes - b->boxes) /
-                                       CYLINT_BLOCK);
-    return (uint32_t)number;
-}
-
 /*
- * A node has 8 children or, with less than 8 blocks in it, as many as those.
- * F nodes of the first kind and S of the second have F + S - 1 nodes and all
- * B blocks for children, 8 F of them and at least 2 S: 7 F + S <= B - 1.  And
- * S <= 7 F + 1, so 2 S <= B, and F + S <= (B - 1 + 6 S) / 7 <= 4 B / 7.
+ * Room for the nodes above B blocks: how many there are at most, so that of
+ * every node to be made the number is known before.  A node has 8 children or,
+ * with less than 8 blocks in it, as many as those.  By induction they are at
+ * most (4 B - 1) / 7 where B >= 2, which is 1 if all children are blocks; and
+ * if of 8 children L are blocks, at most
+ *
+ *   1 + sum (4 B_i - 1) / 7 = 1 + (4 (B - L) - (8 - L)) / 7 <= (4 B - 1) / 7.
  */
 size_t cylint_tree_most_nodes(size_t blocks)
 {
-    return blocks / 7 * 4 + 4;
+    return blocks < 2 ? 1 : (4 * blocks - 1) / 7;
+}
+
+static size_t blocks_in(const range *r)
+{
+    return (r->n + CYLINT_BLOCK - 1) / CYLINT_BLOCK;
+}
+
+static void post(builder *b, const task *t)
+{
+    cylint_crew_enter(&b->lock);
+    b->tasks[b->n_tasks++] = *t;
+    cylint_crew_ring(&b->lock);
+    cylint_crew_leave(&b->lock);
+}
+
+/* Makes the node and those below it, but for what it leaves as tasks.  How
+ * many it made. */
+static size_t make_nodes(builder *b, const task *t)
+{
+    range parts[CYLINT_CHILDREN] = {t->all};
+    cylint_node *node = &b->nodes[t->number];
+    size_t made = 1, number = t->number + 1;
+    memset(node, 0, sizeof *node);
+    const int n = split_up(parts, t->depth >= DEEP);
+    node->children = (uint8_t)((1u << n) - 1);
+    place_children(node, parts, n, t->all.box, b);
+    for (int i = 0; i < n; i++) {
+        const range *part = &parts[i];
+        if (part->n <= CYLINT_BLOCK) {
+            const size_t box = (size_t)(part->boxes - b->boxes);
+            node->child[i] = CYLINT_LEAF | (uint32_t)(box / CYLINT_BLOCK);
+            continue;
+        }
+        const task child = {*part, number, t->depth + 1};
+        node->child[i] = (uint32_t)number;
+        number += cylint_tree_most_nodes(blocks_in(part));
+        if (part->n > b->task_size)
+            post(b, &child);
+        else
+            made += make_nodes(b, &child);
+    }
+    return made;
+}
+
+/* One of a crew: does tasks until there are none and there will be none. */
+static void do_tasks(void *self, size_t from, size_t to)
+{
+    builder *b = self;
+    (void)from;
+    (void)to;
+    cylint_crew_enter(&b->lock);
+    for (;;) {
+        while (b->n_tasks == 0 && b->busy > 0)
+            cylint_crew_wait(&b->lock);
+        if (b->n_tasks == 0)
+            break;
+        const task t = b->tasks[--b->n_tasks];
+        b->busy++;
+        cylint_crew_leave(&b->lock);
+        const size_t made = make_nodes(b, &t);
+        cylint_crew_enter(&b->lock);
+        b->n_nodes += made;
+        b->busy--;
+        cylint_crew_ring(&b->lock);
+    }
+    cylint_crew_leave(&b->lock);
 }
 
 size_t cylint_tree_build(cylint_node *nodes, cylint_box *boxes, size_t n,
-                         const float center[3])
+                         const float center[3], int threads)
 {
     const range all = measured(boxes, n);
     float side[4], longest = 0;
@@ -379,7 +446,29 @@ size_t cylint_tree_build(cylint_node *nodes, cylint_box *boxes, size_t n,
     for (int j = 0; j < 3; j++)
         longest = side[j] > longest ? side[j] : longest;
     const float least = longest * LEAST_STEP, tiny = 0x1p-100f;
-    builder b = {boxes, nodes, 0, least > tiny ? least : tiny, center};
-    make_node(&b, all, 0);
+    builder b = {.boxes = boxes, .nodes = nodes,
+                 .least_step = least > tiny ? least : tiny, .center = center,
+                 .task_size = n / MOST_TASKS, .lock = CYLINT_CREW_LOCK,
+                 .tasks = {{all, 0, 0}}, .n_tasks = 1};
+    cylint_crew_share(threads, (size_t)threads, do_tasks, &b);
+    cylint_crew_end(&b.lock);
     return b.n_nodes;
+}
+
+static uint32_t copy_below(cylint_node *to, uint32_t *n,
+                           const cylint_node *from, uint32_t number)
+{
+    const uint32_t copied = (*n)++;
+    cylint_node *node = &to[copied];
+    *node = from[number];
+    for (unsigned i = 0; node->children >> i; i++)
+        if (!(node->child[i] & CYLINT_LEAF))
+            node->child[i] = copy_below(to, n, from, node->child[i]);
+    return copied;
+}
+
+void cylint_tree_copy(cylint_node *to, const cylint_node *from)
+{
+    uint32_t n = 0;
+    copy_below(to, &n, from, 0);
 }

@@ -33,7 +33,7 @@ typedef struct cylint_node {
  * there on each node has an eighth of its parent's boxes, nearly. */
 enum { CYLINT_DEPTH = 24 + 16 };
 
-/* Room for nodes above so many blocks. */
+/* Room for nodes above so many blocks, at least one. */
 size_t cylint_tree_most_nodes(size_t blocks);
 
 /*
@@ -41,9 +41,13 @@ size_t cylint_tree_most_nodes(size_t blocks);
  * last, are good leaves, and makes the nodes above them, the first one
  * first: from the top down, the boxes are split where the sum of area times
  * number of blocks is least, as far as bins and, of very many boxes, a sample
- * can tell, moved to the next multiple of 8.  Returns the number of nodes.
+ * can tell, moved to the next multiple of 8.  Returns the number of nodes,
+ * among which there are gaps.  The same for any number of threads.
  */
 size_t cylint_tree_build(cylint_node *nodes, cylint_box *boxes, size_t n,
-                         const float center[3]);
+                         const float center[3], int threads);
+
+/* The nodes without the gaps, each before those below it. */
+void cylint_tree_copy(cylint_node *to, const cylint_node *from);
 
 #endif

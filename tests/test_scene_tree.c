@@ -1,0 +1,182 @@
+/*
+ * test_scene_tree.c - what stands above the blocks, whoever built it
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "scene/group.h"
+#include "scenes.h"
+
+static int make(cylint_group *group, const struct scene_shapes *of,
+                int threads)
+{
+    const cylint_view view = cylint_plain_view(of->shapes);
+    const cylint_members members = {.view = &view, .n = of->n,
+                                    .threads = threads};
+    size_t refused;
+    return CHECK(cylint_group_make(group, &members, &refused) ==
+                 CYLINT_CUT_OK);
+}
+
+/* ---------------------------------------------------------------- nodes -- */
+
+/* What a walk through all nodes comes upon. */
+struct found {
+    const cylint_group *group;
+    unsigned char *blocks; /* how often each */
+    size_t nodes, gaps;    /* in the order of the walk */
+    int depth;
+};
+
+static void visit(struct found *f, uint32_t number, int depth)
+{
+    const cylint_node *node = &f->group->nodes[number];
+    f->gaps += number != f->nodes++;
+    f->depth = depth > f->depth ? depth : f->depth;
+    for (unsigned i = 0; node->children >> i; i++)
+        if (node->child[i] & CYLINT_LEAF)
+            f->blocks[node->child[i] & ~CYLINT_LEAF]++;
+        else
+            visit(f, node->child[i], depth + 1);
+}
+
+static void check_nodes(const struct scene_shapes *of)
+{
+    cylint_group group;
+    if (!make(&group, of, 2))
+        return;
+    struct found f = {.group = &group, .blocks = calloc(group.n, 1)};
+    size_t once = 0;
+    if (!f.blocks)
+        abort();
+    visit(&f, 0, 1);
+    for (size_t i = 0; i < group.n; i++)
+        once += f.blocks[i] == 1;
+    CHECK(once == group.n);
+    CHECK(f.gaps == 0);
+    CHECK(f.nodes <= cylint_tree_most_nodes(group.n));
+    CHECK(f.depth <= CYLINT_DEPTH);
+    CHECK((const char *)group.blocks ==
+          (const char *)(group.nodes + f.nodes));
+    free(f.blocks);
+    cylint_group_free(&group);
+}
+
+static void every_block_is_below_one_node_and_no_node_is_between(void)
+{
+    static const size_t sizes[] = {1, 7, 8, 9, 57, 64, 65, 520, 3000, 20000};
+    static const int kinds[] = {SCENE_THIN, SCENE_FIBRES, SCENE_LATTICE,
+                                SCENE_LENGTHS};
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+            struct scene_shapes of;
+            scene_generate(kinds[k], sizes[i], 3, &of);
+            check_nodes(&of);
+            scene_release(&of);
+        }
+}
+
+/* Where no split tells shapes apart, and where each takes one off. */
+static void hopeless_scenes_have_nodes_too(void)
+{
+    enum { N = 3000 };
+    static cylint_shape shapes[N];
+    struct scene_shapes of = {.shapes = shapes, .n = N};
+    for (int apart = 0; apart < 2; apart++) {
+        double x = 0x1p-55;
+        for (int i = 0; i < N; i++) {
+            x = apart && i % (N / 100) == 0 ? 2 * x : x;
+            const double base[3] = {x, 0, 0}, top[3] = {x, x, 0};
+            CHECK(cylint_cylinder(&shapes[i], base, top, x / 8,
+                                  CYLINT_CAPPED) == CYLINT_OK);
+        }
+        check_nodes(&of);
+    }
+}
+
+/* -------------------------------------------------------------- threads -- */
+
+/* Enough shapes for five threads; more are wanted than that. */
+static void any_number_of_threads_builds_the_same_bytes(void)
+{
+    static const int kinds[] = {SCENE_FIBRES, SCENE_MIXED, SCENE_FAT};
+    static const int threads[] = {2, 3, 5, 100, 0};
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+        struct scene_shapes of;
+        cylint_group alone, other;
+        scene_generate(kinds[k], 23000, 4, &of);
+        if (!make(&alone, &of, 1))
+            return;
+        for (size_t i = 0; i < sizeof threads / sizeof *threads; i++) {
+            if (!make(&other, &of, threads[i]))
+                return;
+            CHECK(other.n == alone.n && other.pad <= alone.pad &&
+                  other.pad >= alone.pad);
+            CHECK(memcmp(&other.box, &alone.box, sizeof alone.box) == 0);
+            CHECK(other.memory.bytes == alone.memory.bytes &&
+                  memcmp(other.memory.data, alone.memory.data,
+                         alone.memory.bytes) == 0);
+            cylint_group_free(&other);
+        }
+        cylint_group_free(&alone);
+        scene_release(&of);
+    }
+}
+
+/* The lowest, whichever thread comes upon one. */
+static void the_first_refused_shape_is_told(void)
+{
+    struct scene_shapes of;
+    scene_generate(SCENE_THIN, 23000, 5, &of);
+    const cylint_view view = cylint_plain_view(of.shapes);
+    static const size_t bad[] = {22999, 12000, 11999, 300};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        for (int threads = 1; threads < 6; threads++) {
+            const cylint_members members = {.view = &view, .n = of.n,
+                                            .threads = threads};
+            size_t refused = 0;
+            cylint_group group;
+            of.shapes[bad[i]].kind = CYLINT_KIND_NONE;
+            CHECK(cylint_group_make(&group, &members, &refused) ==
+                  CYLINT_CUT_ESHAPE);
+            CHECK(refused == bad[i]);
+        }
+    scene_release(&of);
+}
+
+static void scenes_of_several_threads_answer_as_those_of_one(void)
+{
+    struct scene_shapes of;
+    scene_generate(SCENE_UNBOUNDED, 12000, 6, &of);
+    cylint_scene *one = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    cylint_scene *four = cylint_scene_new(of.shapes, of.n, 4, NULL);
+    if (CHECK(one && four)) {
+        CHECK(cylint_scene_bytes(one) == cylint_scene_bytes(four));
+        for (uint64_t i = 0; i < 100; i++) {
+            cylint_line line;
+            cylint_hit hit[2];
+            memset(hit, 0, sizeof hit);
+            scene_line(&of, (enum scene_lines)(i % LINES_KINDS), 6, i, &line);
+            CHECK(cylint_scene_nearest(one, &line, CYLINT_WANT_T, &hit[0]) ==
+                  cylint_scene_nearest(four, &line, CYLINT_WANT_T, &hit[1]));
+            CHECK(memcmp(&hit[0], &hit[1], sizeof hit[0]) == 0);
+            CHECK(cylint_scene_count(one, &line, 0) ==
+                  cylint_scene_count(four, &line, 0));
+        }
+    }
+    cylint_scene_free(one);
+    cylint_scene_free(four);
+    scene_release(&of);
+}
+
+int main(void)
+{
+    RUN(every_block_is_below_one_node_and_no_node_is_between);
+    RUN(hopeless_scenes_have_nodes_too);
+    RUN(any_number_of_threads_builds_the_same_bytes);
+    RUN(the_first_refused_shape_is_told);
+    RUN(scenes_of_several_threads_answer_as_those_of_one);
+    return check_end();
+}
