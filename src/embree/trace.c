@@ -327,15 +327,16 @@ static int try_shape(query *q, unsigned number)
     return 0;
 }
 
-static void fetch_shapes(const query *q, const cylint_block *block,
-                         unsigned lanes)
+/* In line: GCC takes a function that does no more for one without effect, and
+ * leaves its calls out. */
+CYLINT_INLINE void fetch_shapes(const cylint_embree_data *data,
+                                const cylint_block *block, unsigned lanes)
 {
 #ifdef __GNUC__
     for (; lanes; lanes &= lanes - 1)
-        __builtin_prefetch(q->data->asked +
-                           block->number[cylint_lowest(lanes)]);
+        __builtin_prefetch(data->asked + block->number[cylint_lowest(lanes)]);
 #else
-    (void)q;
+    (void)data;
     (void)block;
     (void)lanes;
 #endif
@@ -357,7 +358,7 @@ static int try_lanes(void *self, const cylint_block *block, unsigned lanes,
 {
     query *q = self;
     q->block = block;
-    fetch_shapes(q, block, lanes);
+    fetch_shapes(q->data, block, lanes);
     while (lanes) {
         q->lane = nearest_lane(lanes, least);
         if (least[q->lane] > q->ray->tfar)
@@ -501,24 +502,13 @@ typedef struct {
     int n;
 } bundle;
 
-/* What is read is on its way before the first one waits for it.  (A prefetch
- * would do nothing where its page is not at hand, as of many shapes.) */
-static void touch_shapes(const bundle *b, const cylint_met *met)
-{
-    const cylint_quick_shape *asked = b->query[0].data->asked;
-    for (unsigned rays = met->rays; rays; rays &= rays - 1) {
-        unsigned lanes = met->lanes[cylint_lowest(rays)];
-        for (; lanes; lanes &= lanes - 1)
-            (void)*(const volatile double *)
-                asked[met->block->number[cylint_lowest(lanes)]].base;
-    }
-}
-
 static unsigned try_met(void *self, const cylint_met *met)
 {
     bundle *b = self;
     unsigned enough = 0;
-    touch_shapes(b, met);
+    for (unsigned rays = met->rays; rays; rays &= rays - 1)
+        fetch_shapes(b->query[0].data, met->block,
+                     met->lanes[cylint_lowest(rays)]);
     for (unsigned rays = met->rays; rays; rays &= rays - 1) {
         const int k = cylint_lowest(rays);
         enough |= (unsigned)try_lanes(&b->query[k], met->block, met->lanes[k],
