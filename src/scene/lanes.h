@@ -24,6 +24,8 @@ typedef __m256 vf;
 typedef __m256i vi;
 typedef __m256 vm;
 static inline vf f_set(float x) { return _mm256_set1_ps(x); }
+static inline vf f_load(const float *x) { return _mm256_loadu_ps(x); }
+static inline float f_first(vf x) { return _mm256_cvtss_f32(x); }
 static inline vi i_load(const uint32_t *x)
 {
     return _mm256_loadu_si256((const __m256i *)(const void *)x);
@@ -86,6 +88,8 @@ typedef __m128 vf;
 typedef __m128i vi;
 typedef __m128 vm;
 static inline vf f_set(float x) { return _mm_set1_ps(x); }
+static inline vf f_load(const float *x) { return _mm_loadu_ps(x); }
+static inline float f_first(vf x) { return _mm_cvtss_f32(x); }
 static inline vi i_load(const uint32_t *x)
 {
     return _mm_loadu_si128((const __m128i *)(const void *)x);
@@ -146,6 +150,8 @@ typedef float vf;
 typedef uint32_t vi;
 typedef unsigned vm;
 static inline vf f_set(float x) { return x; }
+static inline vf f_load(const float *x) { return *x; }
+static inline float f_first(vf x) { return x; }
 static inline vi i_load(const uint32_t *x) { return *x; }
 static inline vi i_load_shorts(const uint16_t *x) { return *x; }
 static inline vi i_right(vi x, int bits) { return x >> bits; }

@@ -60,8 +60,8 @@
  * k E W, as every lane has W >= 1, and E and K are limited below.
  */
 typedef struct {
-    float q[3], e[3], E, k, first, last;
-    float t_per_s;
+    vf q[3], e[3], E, k, first, last;
+    vf t_per_s;
 } lane_line;
 
 static inline vf dot(const vf x[3], const vf y[3])
@@ -114,20 +114,18 @@ CYLINT_INLINE pieces pieces_of(const cylint_block *b, int from)
 CYLINT_INLINE unsigned test_lanes(const pieces *s, const lane_line *l,
                                   float *least, unsigned *sure)
 {
-    vf D[3], e[3], n[3];
-    EACH(j, 3) {
-        D[j] = f_set(l->q[j]) - s->p[j];
-        e[j] = f_set(l->e[j]);
-    }
+    const vf *const e = l->e;
+    vf D[3], n[3];
     EACH(j, 3) {
         const int k = (j + 1) % 3, m = (j + 2) % 3;
+        D[j] = l->q[j] - s->p[j];
         n[j] = f_mad(e[k], s->w[m], -(e[m] * s->w[k]));
     }
     const vf r = s->r, ww = s->ww;
     const vf nn = dot(n, n), f = dot(D, n), ff = f * f;
-    const vf EW = f_set(l->E) * s->W;
-    const vf kEW = f_set(l->k) * EW;
-    const vf gg = f_mad(r * r, nn, (r + r + f_set(l->k)) * (kEW * EW));
+    const vf EW = l->E * s->W;
+    const vf kEW = l->k * EW;
+    const vf gg = f_mad(r * r, nn, (r + r + l->k) * (kEW * EW));
     unsigned met = f_not_greater(ff, gg);
     const vf Dw = dot(D, s->w), ew = dot(e, s->w);
     const vf T = f_mad(Dw, ew, -(dot(D, e) * ww));
@@ -139,19 +137,19 @@ CYLINT_INLINE unsigned test_lanes(const pieces *s, const lane_line *l,
     if (sure) {
         const vf ri = r - f_set(5);
         const vf gi = f_mad(ri * ri, nn,
-                            -((ri + ri + f_set(l->k)) * (kEW * EW)));
+                            -((ri + ri + l->k) * (kEW * EW)));
         const vf inset = f_mad(r, f_set(0.125f), f_set(25)) * (s->W * nn);
         *sure = greater(ri, f_set(0)) & greater(gi, ff) &
                 greater(middle - inset - off, foot) &
-                greater(T - spare, f_set(l->first) * nn) &
-                greater(f_set(l->last) * nn, T + spare);
+                greater(T - spare, l->first * nn) &
+                greater(l->last * nn, T + spare);
     }
     const vf reach = spare + C;
     const vf begin = T - reach, end = T + reach;
-    met &= f_not_greater(begin, f_set(l->last) * nn);
-    met &= f_not_greater(f_set(l->first) * nn, end);
+    met &= f_not_greater(begin, l->last * nn);
+    met &= f_not_greater(l->first * nn, end);
     if (met)
-        f_store(least, begin / nn * f_set(l->t_per_s));
+        f_store(least, begin / nn * l->t_per_s);
     return met;
 }
 
@@ -175,12 +173,14 @@ CYLINT_INLINE unsigned test(const cylint_block *b, const pieces *all,
                             const lane_line *l, float *least, unsigned *sure)
 {
     unsigned met = 0, all_sure = 0;
-    for (int lane = 0; lane < cylint_block_used(b); lane += WIDTH) {
+    int lane = 0;
+    do { /* more than once only where WIDTH asks for it */
         unsigned some = 0;
         const pieces here = all ? all[lane / WIDTH] : pieces_of(b, lane);
         met |= test_lanes(&here, l, least + lane, sure ? &some : NULL) << lane;
         all_sure |= some << lane;
-    }
+        lane += WIDTH;
+    } while (lane < CYLINT_BLOCK && lane < cylint_block_used(b));
     met = (met | b->always) & lanes_in_use(b);
     if (sure)
         *sure = all_sure & met & ~(unsigned)b->always;
@@ -230,7 +230,9 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
     const double steps = cylint_block_steps(b), length = sqrt(dd);
     const double per_length = 1 / length;
     double from[3], along = 0, far = 0, apart = 0;
-    lane_line l = {.E = 2, .t_per_s = 1};
+    lane_line l;
+    l.E = f_set(2);
+    l.t_per_s = f_set(1);
     for (int j = 0; j < 3; j++) {
         from[j] = o[j] - (double)b->center[j];
         along += from[j] * (d[j] * per_length);
@@ -243,15 +245,15 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
         const double e = d[j] * per_length;
         const double q = (from[j] - along * e) * steps;
         apart += fabs(q);
-        l.q[j] = (float)q;
-        l.e[j] = (float)e;
+        l.q[j] = f_set((float)q);
+        l.e[j] = f_set((float)e);
     }
     if (apart > (double)REACH_OF_PIECES + 2 * OFF_LIMIT)
         return 0;
-    l.k = cylint_float_above(
-        (apart + (double)REACH_OF_PIECES) * 0x1p-20 + off);
-    l.first = clamp((tmin * length + along) * steps - off);
-    l.last = clamp((tmax * length + along) * steps + off);
+    l.k = f_set(cylint_float_above(
+        (apart + (double)REACH_OF_PIECES) * 0x1p-20 + off));
+    l.first = f_set(clamp((tmin * length + along) * steps - off));
+    l.last = f_set(clamp((tmax * length + along) * steps + off));
     float s[CYLINT_BLOCK] = {0};
     const unsigned met = test(b, NULL, &l, s, NULL);
     for (unsigned lanes = met; lanes; lanes &= lanes - 1) {
@@ -285,31 +287,62 @@ static inline float size_of(const cylint_float_ray *ray)
     return fabsf(ray->d[0]) + fabsf(ray->d[1]) + fabsf(ray->d[2]);
 }
 
-/* The ray as it is: e = d, q = (o - c) steps, s = t times steps.  sure: NULL,
- * or as in test_lanes(), `all` as in test().  E: size_of() the ray. */
-CYLINT_INLINE unsigned test_ray(const cylint_block *b, const pieces *all,
-                                const cylint_float_ray *ray, float E,
-                                float least[CYLINT_BLOCK], unsigned *sure)
+/* Rays, in lanes, or the same one in all lanes; E is size_of() it. */
+typedef struct {
+    vf o[3], d[3], tnear, tfar, E;
+} ray_lanes;
+
+/* Whether a ray's direction has a size of which floats are of use. */
+static inline int is_fit(float E)
 {
-    const float steps = cylint_block_steps(b);
-    const float q[3] = {(ray->o[0] - b->center[0]) * steps,
-                        (ray->o[1] - b->center[1]) * steps,
-                        (ray->o[2] - b->center[2]) * steps};
-    const float far = fabsf(q[0]) + fabsf(q[1]) + fabsf(q[2]);
-    const lane_line l = {
-        .q = {q[0], q[1], q[2]}, .e = {ray->d[0], ray->d[1], ray->d[2]},
-        .E = E, .k = (far + REACH_OF_PIECES) * 0x1p-20f,
-        .first = ray->tnear * steps, .last = ray->tfar * steps,
-        .t_per_s = 1 / steps};
-    if (!((far < FAR_LIMIT) & (E > 1 / E_LIMIT) & (E < E_LIMIT))) {
-        if (sure)
-            *sure = 0;
-        return test_far_ray(b, ray, least);
+    return (E > 1 / E_LIMIT) & (E < E_LIMIT);
+}
+
+/* The ray as it is: e = d, q = (o - c) steps, s = t times steps.  That is of
+ * use if the ray is fit and what is returned less than FAR_LIMIT. */
+CYLINT_INLINE vf aim(const cylint_block *b, const ray_lanes *r, lane_line *l)
+{
+    const float per_unit = cylint_block_steps(b);
+    const vf steps = f_set(per_unit);
+    EACH(j, 3) {
+        l->q[j] = (r->o[j] - f_set(b->center[j])) * steps;
+        l->e[j] = r->d[j];
     }
-    const unsigned met = test(b, all, &l, least, sure);
+    const vf far = f_abs(l->q[0]) + f_abs(l->q[1]) + f_abs(l->q[2]);
+    l->E = r->E;
+    l->k = (far + f_set(REACH_OF_PIECES)) * f_set(0x1p-20f);
+    l->first = r->tnear * steps;
+    l->last = r->tfar * steps;
+    l->t_per_s = f_set(1 / per_unit);
+    return far;
+}
+
+CYLINT_INLINE unsigned test_near_ray(const cylint_block *b, const pieces *all,
+                                     const lane_line *l,
+                                     float least[CYLINT_BLOCK], unsigned *sure)
+{
+    const unsigned met = test(b, all, l, least, sure);
     for (unsigned lanes = met & b->always; lanes; lanes &= lanes - 1)
         least[cylint_lowest(lanes)] = -HUGE_VALF;
     return met;
+}
+
+/* sure: NULL, or as in test_lanes().  E: size_of() the ray. */
+CYLINT_INLINE unsigned test_ray(const cylint_block *b,
+                                const cylint_float_ray *ray, float E,
+                                float least[CYLINT_BLOCK], unsigned *sure)
+{
+    const ray_lanes r = {
+        {f_set(ray->o[0]), f_set(ray->o[1]), f_set(ray->o[2])},
+        {f_set(ray->d[0]), f_set(ray->d[1]), f_set(ray->d[2])},
+        f_set(ray->tnear), f_set(ray->tfar), f_set(E)};
+    lane_line l;
+    const float far = f_first(aim(b, &r, &l));
+    if (is_fit(E) & (far < FAR_LIMIT))
+        return test_near_ray(b, NULL, &l, least, sure);
+    if (sure)
+        *sure = 0;
+    return test_far_ray(b, ray, least);
 }
 
 #endif

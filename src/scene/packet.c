@@ -25,9 +25,11 @@ typedef struct {
     int n;
     unsigned active;  /* rays for which it is not enough yet */
     unsigned certain; /* that certainly meet something */
+    unsigned fit;     /* see is_fit() */
     unsigned outside; /* that end there, if it is of use: see leaves() */
     way w[CYLINT_PACKET];
-    float E[CYLINT_PACKET];
+    float o[3][CYLINT_PACKET], d[3][CYLINT_PACKET];
+    float tnear[CYLINT_PACKET], tfar[CYLINT_PACKET], E[CYLINT_PACKET];
     const cylint_group *group;
     const cylint_float_ray *const *ray;
     cylint_meet_packet *meet;
@@ -42,8 +44,10 @@ typedef struct {
 static void finish(packet *p, const cylint_met *met)
 {
     p->active &= ~p->meet(p->self, met);
-    EACH_RAY(k, met->rays)
-        p->w[k].last = above(&p->w[k], p->ray[k]->tfar);
+    EACH_RAY(k, met->rays) {
+        p->tfar[k] = p->ray[k]->tfar;
+        p->w[k].last = above(&p->w[k], p->tfar[k]);
+    }
 }
 
 static void be_certain(packet *p, unsigned k)
@@ -180,26 +184,82 @@ CYLINT_INLINE const cylint_block *next_block(packet *p, unsigned *rays)
 
 /* ---------------------------------------------------------------- blocks -- */
 
+/* As aim() has it of each ray. */
+typedef struct {
+    float q[3][CYLINT_PACKET], k[CYLINT_PACKET];
+    float first[CYLINT_PACKET], last[CYLINT_PACKET];
+    float t_per_s;
+} lines;
+
+/* Returns bits of those for which it is of use. */
+CYLINT_INLINE unsigned aim_all(const packet *p, const cylint_block *block,
+                               unsigned rays, lines *to)
+{
+    unsigned near = 0;
+    to->t_per_s = 1 / cylint_block_steps(block);
+    for (int i = 0; i < CYLINT_PACKET; i += WIDTH) {
+        ray_lanes r;
+        lane_line l;
+        if (!(rays >> i & ((1u << WIDTH) - 1)))
+            continue;
+        EACH(j, 3) {
+            r.o[j] = f_load(p->o[j] + i);
+            r.d[j] = f_load(p->d[j] + i);
+        }
+        r.tnear = f_load(p->tnear + i);
+        r.tfar = f_load(p->tfar + i);
+        r.E = f_load(p->E + i);
+        near |= greater(f_set(FAR_LIMIT), aim(block, &r, &l)) << i;
+        EACH(j, 3)
+            f_store(to->q[j] + i, l.q[j]);
+        f_store(to->k + i, l.k);
+        f_store(to->first + i, l.first);
+        f_store(to->last + i, l.last);
+    }
+    return near & p->fit;
+}
+
+CYLINT_INLINE lane_line line_of(const packet *p, const lines *all, unsigned k)
+{
+    lane_line l;
+    EACH(j, 3) {
+        l.q[j] = f_set(all->q[j][k]);
+        l.e[j] = f_set(p->d[j][k]);
+    }
+    l.E = f_set(p->E[k]);
+    l.k = f_set(all->k[k]);
+    l.first = f_set(all->first[k]);
+    l.last = f_set(all->last[k]);
+    l.t_per_s = f_set(all->t_per_s);
+    return l;
+}
+
 /* Which lanes the rays may meet.  Those that are certain of one are done. */
 CYLINT_INLINE void look_at(packet *p, const cylint_block *block, unsigned rays,
                            cylint_met *met)
 {
     const int solid = block->used & CYLINT_SOLID;
     pieces all[CYLINT_BLOCK / WIDTH];
+    lines lines;
+    const unsigned good = aim_all(p, block, rays, &lines);
     for (int i = 0; i < CYLINT_BLOCK; i += WIDTH)
         all[i / WIDTH] = pieces_of(block, i);
     met->block = block;
     met->rays = 0;
-    EACH_RAY(k, rays) {
+    EACH_RAY(k, rays & good) {
+        const lane_line l = line_of(p, &lines, k);
         unsigned sure = 0;
-        met->lanes[k] = test_ray(block, all, p->ray[k], p->E[k],
-                                 met->least[k], NULL);
+        met->lanes[k] = test_near_ray(block, all, &l, met->least[k], NULL);
         if (solid && met->lanes[k] && p->outside >> k & 1)
-            test_ray(block, all, p->ray[k], p->E[k], met->least[k], &sure);
+            test_near_ray(block, all, &l, met->least[k], &sure);
         if (sure)
             be_certain(p, k);
         else
             met->rays |= (unsigned)(met->lanes[k] != 0) << k;
+    }
+    EACH_RAY(k, rays & ~good) {
+        met->lanes[k] = test_far_ray(block, p->ray[k], met->least[k]);
+        met->rays |= (unsigned)(met->lanes[k] != 0) << k;
     }
 }
 
@@ -227,9 +287,16 @@ unsigned CYLINT_WALK_PACKET(const cylint_group *group,
     p.meet = meet;
     p.self = self;
     p.active = (1u << n) - 1;
-    p.certain = p.outside = 0;
+    p.certain = p.outside = p.fit = 0;
     for (int k = 0; k < n; k++) {
+        EACH(j, 3) {
+            p.o[j][k] = ray[k]->o[j];
+            p.d[j][k] = ray[k]->d[j];
+        }
+        p.tnear[k] = ray[k]->tnear;
+        p.tfar[k] = ray[k]->tfar;
         p.E[k] = size_of(ray[k]);
+        p.fit |= (unsigned)is_fit(p.E[k]) << k;
         begin_ray(&p.w[k], group, ray[k]);
         if (certain)
             p.outside |= (unsigned)leaves(group, ray[k]) << k;

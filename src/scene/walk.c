@@ -103,7 +103,7 @@ CYLINT_INLINE int walk_rays(const cylint_group *group, uint32_t child, way *w,
     for (next = next_block(&s, group, w); (block = next); ) {
         unsigned sure = 0;
         next = next_block(&s, group, w);
-        const unsigned lanes = test_ray(block, NULL, ray, E, least,
+        const unsigned lanes = test_ray(block, ray, E, least,
                                         certain ? &sure : NULL);
         if (!lanes)
             continue;

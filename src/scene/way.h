@@ -64,8 +64,8 @@ CYLINT_INLINE vm boxes_met(const vf enter[3], const vf leave[3], const way *w,
     *from = f_set(w->first);
     EACH(j, 3) {
         const vf r = f_set(w->r[j]);
-        *from = f_higher(f_mad(enter[j], r, f_set(-w->near[j])), *from);
-        to = f_lower(f_mad(leave[j], r, f_set(-w->far[j])), to);
+        *from = f_higher(f_mad(enter[j], r, -f_set(w->near[j])), *from);
+        to = f_lower(f_mad(leave[j], r, -f_set(w->far[j])), to);
     }
     return m_not_greater(*from, to);
 }
