@@ -108,8 +108,9 @@ $(BUILD)/tests/pixels: $(BUILD)/tests/pixels.o
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lpng
 
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
-$(BUILD)/src/scene/%.o: extra += $(floats) $(if $(PTHREAD),-pthread -D_POSIX_C_SOURCE=200809L -DCYLINT_THREADS) $(if $(walk_builds),-DCYLINT_BUILDS_X86)
-$(BUILD)/src/embree/%.o: extra += $(floats) -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
+threads := $(if $(PTHREAD),-pthread -D_POSIX_C_SOURCE=200809L -DCYLINT_THREADS)
+$(BUILD)/src/scene/%.o: extra += $(floats) $(threads) $(if $(walk_builds),-DCYLINT_BUILDS_X86)
+$(BUILD)/src/embree/%.o: extra += $(floats) $(threads) -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 $(BUILD)/tools/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L
 $(BUILD)/tools/render/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Itools/cylint
 $(BUILD)/tools/bench/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -Itests \

@@ -5,6 +5,7 @@
  * families, rounded to floats: hits, parts, t and z within their errors, and
  * the floats of a description bit for bit.
  */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -113,7 +114,7 @@ static int agrees(const cylint_quick_build *build, const struct question *x,
     int n = 0;
     cylint_quick_shape shape;
     cylint_quick_shape_of(&shape, x->shape);
-    const cylint_quick_subject subject = {&shape, x->shape, x->shape->ends};
+    const cylint_quick_subject subject = {&shape, 0, x->shape, x->shape->ends};
     cylint_quick_verdict is = build->enter(&q, &subject, &x->line, &at);
     tally->hits += x->n;
     for (int i = 0; i < 2 && is != CYLINT_QUICK_UNSURE; i++) {
@@ -175,6 +176,91 @@ static void what_is_certain_when_fused_is_so_too(void)
         ask_all("fused", cylint_quick_used());
 }
 
+/* The case's shape, all of its numbers rounded to floats. */
+static int in_floats(const struct family_case *c, cylint_shape *shape)
+{
+    double base[3], top[3];
+    if (c->shape.kind > CYLINT_KIND_CONE)
+        return 0;
+    for (int j = 0; j < 3; j++) {
+        base[j] = (float)c->shape.base[j];
+        top[j] = (float)c->shape.top[j];
+    }
+    return cylint_cone(shape, base, (float)c->shape.r0, top,
+                       (float)c->shape.r1, (cylint_ends)c->shape.ends) ==
+           CYLINT_OK;
+}
+
+/* The same in every bit; how often that was so. */
+static long small_as_large(const cylint_quick_build *build, int family)
+{
+    long same = 0;
+    for (uint64_t i = 0; i < CASES / 10; i++) {
+        struct family_case c;
+        struct question x;
+        cylint_shape shape;
+        cylint_quick_small small;
+        cylint_quick_shape large;
+        cylint_quick q[2];
+        cylint_quick_hit at[2];
+        family_case(2, family, i, &c);
+        if (!pose(&x, &c, i) || !in_floats(&c, &shape) ||
+            !cylint_quick_small_of(&small, &shape))
+            continue;
+        memset(q, 0, sizeof q);
+        memset(at, 0, sizeof at);
+        cylint_quick_shape_of(&large, &shape);
+        const cylint_quick_subject subject[2] = {
+            {&large, 0, &shape, shape.ends}, {&small, 1, &shape, shape.ends}};
+        CHECK(build->enter(&q[0], &subject[0], &x.line, &at[0]) ==
+              build->enter(&q[1], &subject[1], &x.line, &at[1]));
+        same += CHECK(memcmp(&q[0], &q[1], sizeof q[0]) == 0 &&
+                      memcmp(&at[0], &at[1], sizeof at[0]) == 0);
+    }
+    return same;
+}
+
+static void small_shapes_are_asked_what_large_ones_are(void)
+{
+    long same = 0;
+    for (int family = 0; family < family_count(); family++)
+        same += small_as_large(cylint_quick_used(), family) +
+                small_as_large(&cylint_quick_plain, family);
+    CHECK(same > CASES);
+}
+
+/* A cylinder or cone from base to top, or neither. */
+static int is_small(double x, double r, int cone)
+{
+    const double base[3] = {x, 2, 3}, top[3] = {4, 5, 6};
+    cylint_quick_small small;
+    cylint_shape shape;
+    return CHECK((cone ? cylint_cone(&shape, base, r, top, 1, CYLINT_CAPPED)
+                       : cylint_cylinder(&shape, base, top, r,
+                                         CYLINT_CAPPED)) == CYLINT_OK) &&
+           cylint_quick_small_of(&small, &shape);
+}
+
+static void only_what_is_made_of_floats_is_small(void)
+{
+    const double base[3] = {1, 2, 3}, up[3] = {0, 0, 1};
+    const double a[3] = {1, 0, 0}, b[3] = {0, 1, 0};
+    cylint_quick_small small;
+    cylint_shape shape;
+    for (int cone = 0; cone < 2; cone++) {
+        CHECK(is_small(1, 0.5, cone) && is_small(-0.0, 0.5, cone));
+        CHECK(is_small((double)FLT_MIN, 0.5, cone));
+        CHECK(!is_small(0.1, 0.5, cone) && !is_small(1, 0.1, cone));
+        CHECK(!is_small(0x1p-140, 0.5, cone)); /* a subnormal float */
+        CHECK(!is_small(0x1p-1070, 0.5, cone)); /* and double */
+        CHECK(!is_small(0x1p200, 0.5, cone));
+    }
+    CHECK(cylint_angle_cone(&shape, base, up, 45, CYLINT_CAPPED) == CYLINT_OK &&
+          !cylint_quick_small_of(&small, &shape));
+    CHECK(cylint_elliptic_cylinder(&shape, base, a, b, up, CYLINT_CAPPED) ==
+          CYLINT_OK && !cylint_quick_small_of(&small, &shape));
+}
+
 /* As far as long doubles tell; the bound is not far above what there is. */
 static void an_angle_in_turns_errs_by_its_bound_at_most(void)
 {
@@ -213,6 +299,8 @@ int main(void)
     RUN(what_is_certain_is_what_the_library_says);
     RUN(what_is_certain_when_fused_is_so_too);
     RUN(ordinary_cylinders_are_certain);
+    RUN(small_shapes_are_asked_what_large_ones_are);
+    RUN(only_what_is_made_of_floats_is_small);
     RUN(an_angle_in_turns_errs_by_its_bound_at_most);
     return check_end();
 }

@@ -114,13 +114,49 @@ static int ask_for_room(cylint_memory *memory, cylint_embree_data *data,
     return bytes == 0 || cylint_memory_take(memory, &data->source, bytes);
 }
 
-/* What quick.c asks of the shapes [from, to). */
+/* What quick.c asks of the shapes, being made. */
+typedef struct {
+    const cylint_shape *shapes;
+    cylint_memory memory;
+    cylint_quick_shapes made;
+    cylint_crew_lock lock;  /* of what is below */
+    int fits;               /* they are as small as they should be */
+} asking;
+
 static void copy_asked(void *self, size_t from, size_t to)
 {
-    const cylint_embree_data *data = self;
-    cylint_quick_shape *asked = data->asked_memory.data;
-    for (size_t i = from; i < to; i++)
-        cylint_quick_shape_of(&asked[i], &data->shapes[i]);
+    asking *a = self;
+    cylint_quick_small *small = a->memory.data;
+    cylint_quick_shape *large = a->memory.data;
+    size_t i = from;
+    if (a->made.small)
+        while (i < to && cylint_quick_small_of(&small[i], &a->shapes[i]))
+            i++;
+    else
+        for (; i < to; i++)
+            cylint_quick_shape_of(&large[i], &a->shapes[i]);
+    cylint_crew_enter(&a->lock);
+    a->fits &= i == to;
+    cylint_crew_leave(&a->lock);
+}
+
+/* Small, unless one of them does not fit: mostly the first.  0: refused. */
+static int make_asked(asking *a, cylint_embree_data *data)
+{
+    for (int small = 1; small >= 0; small--) {
+        const size_t size = small ? sizeof(cylint_quick_small)
+                                  : sizeof(cylint_quick_shape);
+        if (!ask_for_room(&a->memory, data, data->n * size))
+            return 0;
+        a->made = (cylint_quick_shapes){a->memory.data, small};
+        a->fits = 1;
+        cylint_crew_share(cylint_crew_for(data->n, data->threads), data->n,
+                          copy_asked, a);
+        if (a->fits)
+            break;
+        cylint_memory_give(&a->memory);
+    }
+    return 1;
 }
 
 /* What was before stays where it fails. */
@@ -128,7 +164,7 @@ static int group_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
     const cylint_view view = cylint_plain_view(data->shapes);
-    cylint_memory asked;
+    asking asked = {.shapes = data->shapes, .lock = CYLINT_CREW_LOCK};
     cylint_group group;
     size_t shape;
     const cylint_members members = {.view = &view, .n = data->n,
@@ -142,17 +178,17 @@ static int group_shapes(cylint_embree_data *data,
     default:
         return refused(problem, CYLINT_EMBREE_EMEMORY, 0);
     }
-    if (!ask_for_room(&asked, data, data->n * sizeof *data->asked)) {
+    const int made = make_asked(&asked, data);
+    cylint_crew_end(&asked.lock);
+    if (!made) {
         cylint_group_free(&group);
         return refused(problem, CYLINT_EMBREE_EMEMORY, 0);
     }
     cylint_group_free(&data->group);
     cylint_memory_give(&data->asked_memory);
     data->group = group;
-    data->asked_memory = asked;
-    data->asked = asked.data;
-    cylint_crew_share(cylint_crew_for(data->n, data->threads), data->n,
-                      copy_asked, data);
+    data->asked_memory = asked.memory;
+    data->asked = asked.made;
     take_box(data, &group.box);
     return 1;
 }

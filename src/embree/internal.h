@@ -32,7 +32,7 @@ typedef struct cylint_embree_data {
     const cylint_quick_build *quick;
     cylint_group group;
     cylint_memory asked_memory;   /* of what quick.c asks of every shape */
-    const cylint_quick_shape *asked;
+    cylint_quick_shapes asked;
 } cylint_embree_data;
 
 /* Callbacks of the geometry. */

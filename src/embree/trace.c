@@ -301,9 +301,10 @@ static int try_shape(query *q, unsigned number)
     cylint_quick quick;
     cylint_quick_hit hit;
     cylint_quick_shape room;
-    cylint_quick_subject subject = {&room, q->data->shapes + number, 0};
+    cylint_quick_subject subject = {&room, 0, q->data->shapes + number, 0};
     if (q->block) {
-        subject.shape = q->data->asked + number;
+        subject.shape = cylint_quick_at(&q->data->asked, number);
+        subject.small = q->data->asked.small;
         subject.ends = cylint_block_ends(q->block, q->lane);
     } else {
         subject.whole = shape_at(q->data, number, q->ray->time, &between);
@@ -334,7 +335,8 @@ CYLINT_INLINE void fetch_shapes(const cylint_embree_data *data,
 {
 #ifdef __GNUC__
     for (; lanes; lanes &= lanes - 1)
-        __builtin_prefetch(data->asked + block->number[cylint_lowest(lanes)]);
+        __builtin_prefetch(cylint_quick_at(
+            &data->asked, block->number[cylint_lowest(lanes)]));
 #else
     (void)data;
     (void)block;

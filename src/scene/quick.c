@@ -15,6 +15,8 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
+#include <string.h>
 
 #include "../each.h"
 #include "turn.h"
@@ -273,16 +275,31 @@ INLINE cylint_quick_verdict stop(const cylint_quick *q, int i,
                                          : CYLINT_QUICK_UNSURE;
 }
 
+/* Differences that were doubles are the same doubles again. */
+static const cylint_quick_shape *widened(cylint_quick_shape *to,
+                                         const cylint_quick_small *s)
+{
+    EACH(j, 3) {
+        to->base[j] = s->base[j];
+        to->axis[j] = (double)s->top[j] - (double)s->base[j];
+    }
+    to->r0 = s->r0;
+    to->dr = (double)s->r1 - (double)s->r0;
+    return to;
+}
+
 static cylint_quick_verdict enter(cylint_quick *q,
                                   const cylint_quick_subject *subject,
                                   const cylint_quick_line *l,
                                   cylint_quick_hit *at)
 {
     double D[3];
+    cylint_quick_shape room;
     q->crosses = 0;
     q->whole = subject->whole;
     q->ends = subject->ends;
-    place(q, subject->shape, l, D);
+    place(q, subject->small ? widened(&room, subject->shape) : subject->shape,
+          l, D);
     if (!in_window(q))
         return CYLINT_QUICK_UNSURE;
     const cylint_quick_verdict crosses = cut(q, l->d, D);
@@ -436,6 +453,27 @@ void cylint_quick_shape_of(cylint_quick_shape *to, const cylint_shape *s)
     to->dr = s->kind > CYLINT_KIND_ACONE ? 0
            : s->kind == CYLINT_KIND_ACONE ? s->dr * sqrt(dot(s->axis, s->axis))
            : s->dr;
+}
+
+/* Zero by the bits: a thread may take a subnormal number for it. */
+static int is_float(double x, float *to)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    *to = (float)x;
+    return (double)*to == x &&
+           (fabs(x) >= (double)FLT_MIN || bits << 1 == 0);
+}
+
+int cylint_quick_small_of(cylint_quick_small *to, const cylint_shape *s)
+{
+    int is = s->kind == CYLINT_KIND_CYLINDER || s->kind == CYLINT_KIND_CONE;
+    EACH(j, 3)
+        is &= is_float(s->base[j], &to->base[j]) &
+              is_float(s->top[j], &to->top[j]) &
+              ((double)to->top[j] - (double)to->base[j] == s->axis[j]);
+    return is & is_float(s->r0, &to->r0) & is_float(s->r1, &to->r1) &
+           ((double)to->r1 - (double)to->r0 == s->dr);
 }
 
 #endif

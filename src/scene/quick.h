@@ -25,10 +25,34 @@ typedef struct cylint_quick_shape {
 
 void cylint_quick_shape_of(cylint_quick_shape *to, const cylint_shape *shape);
 
+/* The same in half the room, where base, top and radii are floats, none of
+ * them subnormal. */
+typedef struct cylint_quick_small {
+    float base[3], r0, top[3], r1;
+} cylint_quick_small;
+
+/* 0 where it is not so. */
+int cylint_quick_small_of(cylint_quick_small *to, const cylint_shape *shape);
+
+/* One or the other of shapes side by side. */
+typedef struct cylint_quick_shapes {
+    const void *data;
+    int small;
+} cylint_quick_shapes;
+
+static inline const void *cylint_quick_at(const cylint_quick_shapes *s,
+                                          unsigned number)
+{
+    return s->small ? (const void *)((const cylint_quick_small *)s->data +
+                                     number)
+                    : (const cylint_quick_shape *)s->data + number;
+}
+
 /* Whom to ask: the same shape twice, `whole` being read only where doubles of
  * the axis do not tell which of its components is least; and its ends. */
 typedef struct cylint_quick_subject {
-    const cylint_quick_shape *shape;
+    const void *shape; /* cylint_quick_small, if it is small, else _shape */
+    int small;
     const cylint_shape *whole;
     int ends;
 } cylint_quick_subject;
