@@ -160,19 +160,9 @@ static int angle_in_pairs(const cylint_query *q, const letters_wide *L,
            keeps_digits(y, wx * scale);
 }
 
-/* In pairs; what that would leave with too few digits is needed still. */
-static void facts_in_pairs(cylint_query *q, pair t, needs *need,
-                           floating *facts)
+static void facts_of(const cylint_query *q, const letters_wide *L,
+                     needs *need, floating *facts)
 {
-    if (!q->filters || q->near_shape != q->shape)
-        return;
-    letters_wide *L = cylint_wide(q);
-    const wide at = {t, q->t_error / CYLINT_PAIR_ROUNDING * fabs(t.hi)};
-    wide kept[3];
-    for (int i = 0; i < 3; i++) {
-        kept[i] = L->D[0][i];
-        L->D[0][i] = wide_add(kept[i], wide_mul(at, L->u[i]));
-    }
     if (need->axial)
         need->axial = !vector_in_pairs(axial_wide(L), facts + AXIAL);
     if (need->axis)
@@ -183,6 +173,27 @@ static void facts_in_pairs(cylint_query *q, pair t, needs *need,
         need->z = !z_in_pairs(L, facts);
     if (need->phi)
         need->phi = !angle_in_pairs(q, L, facts);
+}
+
+/* In pairs, the line's origin moved to the hit.  What that would leave with
+ * too few digits is needed still, and all of a hit so far away that what
+ * underflows counts for more than wide_error() has for it. */
+static void facts_in_pairs(cylint_query *q, pair t, needs *need,
+                           floating *facts)
+{
+    if (!q->filters || q->near_shape != q->shape)
+        return;
+    letters_wide *L = cylint_wide(q);
+    const wide at = {t, q->t_error / CYLINT_PAIR_ROUNDING * fabs(t.hi)};
+    wide kept[3];
+    int in_window = 1;
+    for (int i = 0; i < 3; i++) {
+        kept[i] = L->D[0][i];
+        L->D[0][i] = wide_add(kept[i], wide_mul(at, L->u[i]));
+        in_window &= fabs(L->D[0][i].v.hi) <= CYLINT_WINDOW;
+    }
+    if (in_window)
+        facts_of(q, L, need, facts);
     for (int i = 0; i < 3; i++)
         L->D[0][i] = kept[i];
 }

@@ -29,8 +29,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 CORE = ["forms.h", "fraction.h", "eft.h", "sums.h", "decide.c", "root.c",
-        "query.c", "exact.c", "hit.c", "tangent.c", "box.c", "kernel.h",
-        "kernel.c", "batch.c", "pack.c"]
+        "surd.c", "query.c", "exact.c", "hit.c", "tangent.c", "box.c",
+        "kernel.h", "kernel.c", "batch.c", "pack.c"]
 # (program, its cases): those that take seconds are tried with few first, and
 # in full only for --full, on what those let through.
 FEW = {"CYLINT_CASES": "50"}
@@ -112,8 +112,7 @@ class Bench:
         self.library = self.c_files("src") + self.c_files("src/methods")
         self.common = ["tests/%s.c" % t
                        for t in ("families", "constructed", "oracle")]
-        self.tool = [f for f in self.c_files("tools/cylint")
-                     if not f.endswith("numbers_cxx.c")]
+        self.tool = self.c_files("tools/cylint") + self.c_files("src/scene")
         self.programs = sorted({t for t, _ in tests} - {"test_hard"})
         self.sources = (self.library +
                         ["tests/%s.c" % t for t in self.programs])
