@@ -204,7 +204,7 @@ bench-scene: $(BUILD)/tools/bench/scene ## scenes against asking every shape
 bench_programs: $(bench_programs)
 
 $(BUILD)/tools/bench/embree.o $(BUILD)/tools/bench/embree_%.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
-$(BUILD)/tools/bench/embree: $(patsubst %,$(BUILD)/tools/bench/%.o,embree embree_scenes embree_rivals timing) $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
+$(BUILD)/tools/bench/embree $(BUILD)/tools/bench/embree_packets: %: %.o $(patsubst %,$(BUILD)/tools/bench/%.o,embree_scenes embree_rivals timing) $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(EMBREE_LIBS) -lm
 
 $(BUILD)/tools/bench/embree_threads: $(patsubst %,$(BUILD)/tools/bench/%.o,embree_threads embree_scenes embree_rivals) $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
@@ -218,8 +218,9 @@ $(BUILD)/tools/bench/embree_counts: $(patsubst %,$(BUILD)/tools/bench/%.o,embree
 .PHONY: bench-embree count_visits
 count_visits: $(BUILD)/tools/bench/embree_counts
 	$< $(if $(QUICK),1e5,1e6)
-bench-embree: $(BUILD)/tools/bench/embree $(BUILD)/tools/bench/embree_threads ## scenes beside Embree's own curves; QUICK=1: in a minute
+bench-embree: $(patsubst %,$(BUILD)/tools/bench/%,embree embree_packets embree_threads) ## scenes beside Embree's own curves; QUICK=1: in a minute
 	$(BUILD)/tools/bench/embree $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree.tsv
+	$(BUILD)/tools/bench/embree_packets $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree-packets.tsv
 	$(BUILD)/tools/bench/embree_threads 2 $(if $(QUICK),1e5,1e6) | tee $(BUILD)/embree-threads.tsv
 	@$(if $(WRAP),$(MAKE) -s BUILD=$(BUILD)/visits CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_VISITS' count_visits | tee $(BUILD)/embree-counts.tsv)
 

@@ -595,7 +595,35 @@ static unsigned how_many(unsigned rays)
     return n;
 }
 
-/* Of a quarter of the rays, or less, hardly two would stay together. */
+/* Those that begin within an eighth of the shapes' box of the first one. */
+static unsigned neighbours(unsigned rays, const cylint_group *group,
+                           const float *packet, unsigned N)
+{
+    const float S = group->near_by / 256; /* its longest side */
+    const float *o = packet + cylint_lowest(rays);
+    unsigned near = 0;
+    for (; rays; rays &= rays - 1) {
+        const int i = cylint_lowest(rays);
+        const float far = fabsf(packet[i] - o[0]) +
+                          fabsf(packet[N + (unsigned)i] - o[N]) +
+                          fabsf(packet[2 * N + (unsigned)i] - o[2 * N]);
+        near |= (unsigned)(far < S / 8) << i;
+    }
+    return near;
+}
+
+/* Those of an octant that may stay together.  Fewer are often in one octant
+ * though all go anyhow. */
+static unsigned companions(unsigned rays, const query *q, const float *packet,
+                           unsigned N)
+{
+    const unsigned enough = N / 4 + 2;
+    if (how_many(rays) < enough || !q->data->walk)
+        return 0;
+    rays = neighbours(rays, &q->data->group, packet, N);
+    return how_many(rays) < enough ? 0 : rays;
+}
+
 static void trace_packet(query *q, unsigned primID, int *valid, void *packet,
                          unsigned N)
 {
@@ -603,11 +631,10 @@ static void trace_packet(query *q, unsigned primID, int *valid, void *packet,
     sort_by_octant(octants, valid, packet, N);
     for (int octant = 0; octant < 8; octant++) {
         unsigned rays = octants[octant];
-        if (how_many(rays) > N / 4 && q->data->walk) {
-            trace_together(q, rays, valid, packet, N);
-            continue;
-        }
-        for (; rays; rays &= rays - 1) {
+        const unsigned together = companions(rays, q, packet, N);
+        if (together)
+            trace_together(q, together, valid, packet, N);
+        for (rays &= ~together; rays; rays &= rays - 1) {
             const unsigned i = (unsigned)cylint_lowest(rays);
             tell(valid, i, trace_of_packet(q, primID, packet, N, i));
         }

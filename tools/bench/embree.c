@@ -11,22 +11,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
 #include "embree_rivals.h"
 #include "timing.h"
 
 enum { RAYS = 100000, MOST_RIVALS = 8 };
-
-/* What renderers do, as Embree advises: subnormal numbers are zero. */
-static void flush_subnormals(void)
-{
-#if defined(__SSE2__)
-    _mm_setcsr(_mm_getcsr() | 0x8040);
-#endif
-}
 
 struct contestant {
     const char *name;

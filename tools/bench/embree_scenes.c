@@ -7,6 +7,9 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
 
 const struct cylinder_kind thin = {"thin", 3, 1.0 / 20, 8};
 const struct cylinder_kind fat = {"fat", 1.2, 1.0 / 3, 8};
@@ -102,14 +105,23 @@ struct rays draw_incoherent_rays(int n)
     return r;
 }
 
+/* Pixel i of tiles of 4 x 4, each of two halves of 4 x 2 of two of 2 x 2. */
+static void pixel_of(int i, int side, int *x, int *y)
+{
+    const int tile = i / 16, across = side / 4;
+    *x = tile % across * 4 + (i & 1) + (i >> 2 & 1) * 2;
+    *y = tile / across * 4 + (i >> 1 & 1) + (i >> 3 & 1) * 2;
+}
+
 struct rays draw_camera_rays(int n)
 {
-    const int side = (int)sqrt(n);
+    const int side = (int)sqrt(n) / 4 * 4;
     struct rays r = {side * side, need((size_t)n * sizeof *r.ray)};
     for (int i = 0; i < r.n; i++) {
+        int x, y;
+        pixel_of(i, side, &x, &y);
         const double o[3] = {0.5, 0.5, -1};
-        const double d[3] = {(i % side + 0.5) / side - 0.5,
-                             (i / side + 0.5) / side - 0.5, 1};
+        const double d[3] = {(x + 0.5) / side - 0.5, (y + 0.5) / side - 0.5, 1};
         r.ray[i] = ray_along(o, d);
     }
     return r;
@@ -118,4 +130,11 @@ struct rays draw_camera_rays(int n)
 void free_rays(struct rays *r)
 {
     free(r->ray);
+}
+
+void flush_subnormals(void)
+{
+#if defined(__SSE2__)
+    _mm_setcsr(_mm_getcsr() | 0x8040);
+#endif
 }

@@ -36,10 +36,14 @@ struct rays {
     struct RTCRay *ray;
 };
 
-/* From anywhere in the cube to anywhere; a camera's before the cube. */
+/* From anywhere in the cube to anywhere; a camera's before the cube, in the
+ * order of packets: 4 after 4 are tiles of 2 x 2, 8 of 4 x 2, 16 of 4 x 4. */
 struct rays draw_incoherent_rays(int n);
 struct rays draw_camera_rays(int n);
 void free_rays(struct rays *r);
+
+/* What renderers do, as Embree advises: subnormal numbers are zero. */
+void flush_subnormals(void);
 
 /* malloc(), or exits. */
 void *need(size_t bytes);
