@@ -575,16 +575,16 @@ static void trace_together(const query *q, unsigned rays, int *valid,
 }
 
 /* The rays of a packet, as bits, by the octant they go into. */
-static void sort_by_octant(unsigned rays[8], const int *valid,
-                           const void *packet, unsigned N)
+static void sort_by_octant(unsigned octant[8], unsigned rays,
+                           const float *packet, unsigned N)
 {
-    const float *d = (const float *)packet +
-                     offsetof(struct RTCRay, dir_x) / sizeof(float) * N;
-    memset(rays, 0, 8 * sizeof *rays);
-    for (unsigned i = 0; i < N; i++)
-        if (valid[i])
-            rays[(d[i] < 0) | (d[N + i] < 0) << 1 | (d[2 * N + i] < 0) << 2] |=
-                1u << i;
+    const float *d = packet + offsetof(struct RTCRay, dir_x) / 4 * N;
+    memset(octant, 0, 8 * sizeof *octant);
+    for (; rays; rays &= rays - 1) {
+        const unsigned i = (unsigned)cylint_lowest(rays);
+        octant[(d[i] < 0) | (d[N + i] < 0) << 1 | (d[2 * N + i] < 0) << 2] |=
+            1u << i;
+    }
 }
 
 static unsigned how_many(unsigned rays)
@@ -593,6 +593,12 @@ static unsigned how_many(unsigned rays)
     for (; rays; rays &= rays - 1)
         n++;
     return n;
+}
+
+/* Fewer are often in one octant though all go anyhow. */
+static int are_enough(unsigned rays, unsigned N)
+{
+    return how_many(rays) > N / 4 + 1;
 }
 
 /* Those that begin within an eighth of the shapes' box of the first one. */
@@ -612,33 +618,42 @@ static unsigned neighbours(unsigned rays, const cylint_group *group,
     return near;
 }
 
-/* Those of an octant that may stay together.  Fewer are often in one octant
- * though all go anyhow. */
-static unsigned companions(unsigned rays, const query *q, const float *packet,
-                           unsigned N)
+static void trace_alone(query *q, unsigned primID, unsigned rays, int *valid,
+                        void *packet, unsigned N)
 {
-    const unsigned enough = N / 4 + 2;
-    if (how_many(rays) < enough || !q->data->walk)
-        return 0;
-    rays = neighbours(rays, &q->data->group, packet, N);
-    return how_many(rays) < enough ? 0 : rays;
+    for (; rays; rays &= rays - 1) {
+        const unsigned i = (unsigned)cylint_lowest(rays);
+        tell(valid, i, trace_of_packet(q, primID, packet, N, i));
+    }
+}
+
+/* Rays that go into one octant. */
+static void trace_octant(query *q, unsigned primID, unsigned rays, int *valid,
+                         void *packet, unsigned N)
+{
+    unsigned together = 0;
+    if (are_enough(rays, N))
+        together = neighbours(rays, &q->data->group, packet, N);
+    if (!are_enough(together, N))
+        together = 0;
+    if (together)
+        trace_together(q, together, valid, packet, N);
+    trace_alone(q, primID, rays & ~together, valid, packet, N);
 }
 
 static void trace_packet(query *q, unsigned primID, int *valid, void *packet,
                          unsigned N)
 {
-    unsigned octants[8];
-    sort_by_octant(octants, valid, packet, N);
-    for (int octant = 0; octant < 8; octant++) {
-        unsigned rays = octants[octant];
-        const unsigned together = companions(rays, q, packet, N);
-        if (together)
-            trace_together(q, together, valid, packet, N);
-        for (rays &= ~together; rays; rays &= rays - 1) {
-            const unsigned i = (unsigned)cylint_lowest(rays);
-            tell(valid, i, trace_of_packet(q, primID, packet, N, i));
-        }
+    unsigned rays = 0, octant[8];
+    for (unsigned i = 0; i < N; i++)
+        rays |= (unsigned)(valid[i] != 0) << i;
+    if (!q->data->walk || !are_enough(rays, N)) {
+        trace_alone(q, primID, rays, valid, packet, N);
+        return;
     }
+    sort_by_octant(octant, rays, packet, N);
+    for (int i = 0; i < 8; i++)
+        trace_octant(q, primID, octant[i], valid, packet, N);
 }
 
 static void trace(query *q, unsigned primID, int *valid, void *packet,
