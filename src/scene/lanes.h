@@ -8,7 +8,8 @@
  * twice: what is computed here is bounded, not told, so builds may differ.
  * f_lower(x, y) and f_higher(x, y) are y where x is not a number.
  * f_store_keys() stores numbers that are in the order of the floats.
- * i_or_where(x, m, y) is x | y where m, else x.
+ * f_turned(x, y) is x or, where y is negative, -x.  i_or_where(x, m, y) is x | y
+ * where m, else x.
  */
 #ifndef CYLINT_SCENE_LANES_H
 #define CYLINT_SCENE_LANES_H
@@ -59,6 +60,10 @@ static inline vf f_mad(vf x, vf y, vf z) { return _mm256_fmadd_ps(x, y, z); }
 static inline vf f_abs(vf x)
 {
     return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), x);
+}
+static inline vf f_turned(vf x, vf y)
+{
+    return _mm256_xor_ps(x, _mm256_and_ps(_mm256_set1_ps(-0.0f), y));
 }
 static inline vf f_sqrt(vf x) { return _mm256_sqrt_ps(x); }
 static inline vm m_not_greater(vf x, vf y)
@@ -124,6 +129,10 @@ static inline vf f_lower(vf x, vf y) { return _mm_min_ps(x, y); }
 static inline vf f_higher(vf x, vf y) { return _mm_max_ps(x, y); }
 static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
 static inline vf f_abs(vf x) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), x); }
+static inline vf f_turned(vf x, vf y)
+{
+    return _mm_xor_ps(x, _mm_and_ps(_mm_set1_ps(-0.0f), y));
+}
 static inline vf f_sqrt(vf x) { return _mm_sqrt_ps(x); }
 static inline vm m_not_greater(vf x, vf y) { return _mm_cmpngt_ps(x, y); }
 static inline unsigned m_bits(vm m) { return (unsigned)_mm_movemask_ps(m); }
@@ -170,6 +179,7 @@ static inline vf f_lower(vf x, vf y) { return x < y ? x : y; }
 static inline vf f_higher(vf x, vf y) { return x > y ? x : y; }
 static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
 static inline vf f_abs(vf x) { return fabsf(x); }
+static inline vf f_turned(vf x, vf y) { return y < 0 ? -x : x; }
 static inline vf f_sqrt(vf x) { return sqrtf(x); }
 static inline vm m_not_greater(vf x, vf y) { return !(x > y); }
 static inline unsigned m_bits(vm m) { return m; }

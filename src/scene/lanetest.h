@@ -54,8 +54,15 @@
  *    In all less than 3 k E W^2.
  *  - (D.w) nn + (e.w) s nn: 13 u K E^2 W^3 for the products, 31 from T, and
  *    the longer ends, (3 u K + off) W nn: in all less than 4 k E^2 W^3.
+ *  - A line that comes to be within r of the axis before the end of the lane it
+ *    comes by enters there, at s nn = T - A / |e.w|, A being the axial
+ *    coordinate at T from that end on.  Where that counts, |s nn - T| < K E W^2
+ *    / 2, so the error of e.w makes 1.5 u K E^2 W^3 of A, and two sums make 4:
+ *    with the 47 above still less than 4 k E^2 W^3.  The quotient, the
+ *    difference and a reciprocal of nn instead of a quotient round by 4 u K E
+ *    W^2, which with the 34 above is still less than 3 k E W^2.
  *
- * Both are not small beside W^2 nn and W^3 nn when the line is nearly along
+ * All are not small beside W^2 nn and W^3 nn when the line is nearly along
  * the axis.  What is flushed to zero instead of being subnormal disappears in
  * k E W, as every lane has W >= 1, and E and K are limited below.
  */
@@ -132,7 +139,7 @@ CYLINT_INLINE unsigned test_lanes(const pieces *s, const lane_line *l,
     const vf C = f_sqrt((gg - ff) * ww);
     const vf middle = ww * nn * f_set(0.5f), kEWW = kEW * s->W;
     const vf off = kEWW * EW * f_set(4), spare = kEWW * f_set(3);
-    const vf foot = f_abs(f_mad(Dw, nn, ew * T) - middle);
+    const vf above = f_mad(Dw, nn, ew * T) - middle, foot = f_abs(above);
     met &= f_not_greater(foot, middle + f_mad(f_abs(ew), C, off));
     if (sure) {
         const vf ri = r - f_set(5);
@@ -145,12 +152,16 @@ CYLINT_INLINE unsigned test_lanes(const pieces *s, const lane_line *l,
                 greater(l->last * nn, T + spare);
     }
     const vf reach = spare + C;
-    const vf begin = T - reach, end = T + reach;
-    met &= f_not_greater(begin, l->last * nn);
-    met &= f_not_greater(l->first * nn, end);
-    if (met)
-        f_store(least, begin / nn * l->t_per_s);
-    return met;
+    met &= f_not_greater(T - reach, l->last * nn);
+    met &= f_not_greater(l->first * nn, T + reach);
+    if (!met)
+        return 0;
+    /* none where e.w is 0 */
+    const vf per_nn = f_set(1) / nn, per_ew = f_set(1) / f_abs(ew);
+    const vf past_cap = (f_turned(above, ew) + middle + off) * per_ew;
+    const vf begin = f_higher(T - spare - past_cap, T - reach);
+    f_store(least, begin * (per_nn * l->t_per_s));
+    return met & f_not_greater(begin, l->last * nn);
 }
 
 static inline unsigned lanes_in_use(const cylint_block *b)
