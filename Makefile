@@ -50,13 +50,14 @@ lib_objects   := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/meth
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
 lib_objects   += $(BUILD)/src/kernel-fma.o $(BUILD)/src/kernel-avx512.o $(BUILD)/src/batch-avx2.o $(BUILD)/src/batch-avx512.o
 walk_builds   := $(BUILD)/src/scene/walk-avx2.o $(BUILD)/src/scene/packet-avx2.o
-quick_builds  := $(BUILD)/src/scene/quick-fma.o
+quick_builds  := $(BUILD)/src/scene/quick-fma.o $(BUILD)/src/scene/quickmany-avx2.o $(BUILD)/src/scene/quickmany-avx512.o
 endif
 scene_objects  := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/scene/*.c)) $(walk_builds) $(quick_builds)
 embree_objects := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/embree/*.c))
 FLAGS.fma     := -mavx2 -mfma -DCYLINT_ONE=cylint_one_fma
 FLAGS.avx2    := -mavx2 -mfma -DCYLINT_SHAPES=cylint_shapes_avx2 -DCYLINT_LINES=cylint_lines_avx2
-FLAGS.avx512  := -mavx512f -mavx512vl -mavx512dq -mavx2 -mfma -DCYLINT_ONE=cylint_one_avx512 -DCYLINT_SHAPES=cylint_shapes_avx512 -DCYLINT_LINES=cylint_lines_avx512
+avx512        := -mavx512f -mavx512vl -mavx512dq -mavx2 -mfma
+FLAGS.avx512  := $(avx512) -DCYLINT_ONE=cylint_one_avx512 -DCYLINT_SHAPES=cylint_shapes_avx512 -DCYLINT_LINES=cylint_lines_avx512
 tool_sources  := $(filter-out tools/cylint/numbers_c.c,$(wildcard tools/cylint/*.c))
 tool_objects  := $(patsubst %.c,$(BUILD)/%.o,$(tool_sources)) \
                  $(BUILD)/tools/cylint/$(if $(CXX17),numbers_cxx.o,numbers_c.o)
@@ -137,8 +138,10 @@ $(filter $(BUILD)/src/batch-%,$(lib_objects)): $(BUILD)/src/batch-%.o: src/batch
 $(walk_builds): $(BUILD)/src/scene/%-avx2.o: src/scene/%.c
 	$(compile) -mavx2 -mfma -DCYLINT_WALKS=cylint_walks_avx2 -DCYLINT_WALK_PACKET=cylint_packet_avx2 -c -o $@ $<
 
-$(quick_builds): $(BUILD)/src/scene/quick-%.o: src/scene/quick.c
+$(BUILD)/src/scene/quick-%.o: src/scene/quick.c
 	$(compile) -mavx2 -mfma -ffp-contract=fast -DCYLINT_QUICK=cylint_quick_$* -c -o $@ $<
+$(BUILD)/src/scene/quickmany-%.o: src/scene/quickmany.c
+	$(compile) $(if $(filter avx512,$*),$(avx512),-mavx2 -mfma) -ffp-contract=fast -DCYLINT_QUICK_MANY=cylint_quick_many_$* -c -o $@ $<
 
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc
 	@mkdir -p $(@D)

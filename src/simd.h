@@ -5,8 +5,9 @@
  * by the operators of C; the rest has names here.  The instruction set is
  * that of the compiler's flags; CYLINT_NARROW asks for the narrowest that has
  * branch-free masks, of two lanes, for work on one line and one shape, and
- * gets two from any compiler that knows GNU's vectors.  Without any, lanes are
- * plain doubles.  Of two lanes there are also: two numbers side by side, the
+ * gets two from any compiler that knows GNU's vectors.  Without any, or where
+ * CYLINT_ONE_LANE asks for it, the only lane is a plain double.  v_float(x) is
+ * x rounded to floats, v_like(x, y) is x with the signs of y.  Of two lanes there are also: two numbers side by side, the
  * first lanes of two vectors, and both lanes the other way round.  Every
  * operation rounds once, so every width gives the same bits.
  */
@@ -22,7 +23,12 @@
 
 #define INLINE CYLINT_INLINE
 
-#if !defined(CYLINT_NARROW) && defined(__AVX512F__)
+#if defined(CYLINT_ONE_LANE)
+
+#define LANES 1
+#define PLAIN_LANE
+
+#elif !defined(CYLINT_NARROW) && defined(__AVX512F__)
 
 #include <immintrin.h>
 #define LANES 8
@@ -35,6 +41,12 @@ static inline vd v_abs(vd x) { return _mm512_abs_pd(x); }
 static inline vd v_max(vd x, vd y) { return _mm512_max_pd(x, y); }
 static inline vd v_sqrt(vd x) { return _mm512_sqrt_pd(x); }
 static inline vd v_fma(vd x, vd y, vd z) { return _mm512_fmadd_pd(x, y, z); }
+static inline vd v_float(vd x) { return _mm512_cvtps_pd(_mm512_cvtpd_ps(x)); }
+static inline vd v_like(vd x, vd y)
+{
+    const vd sign = _mm512_set1_pd(-0.0);
+    return _mm512_or_pd(_mm512_andnot_pd(sign, x), _mm512_and_pd(sign, y));
+}
 static inline vm v_lt(vd x, vd y)
 {
     return _mm512_cmp_pd_mask(x, y, _CMP_LT_OQ);
@@ -74,6 +86,12 @@ static inline vd v_abs(vd x)
 static inline vd v_max(vd x, vd y) { return _mm256_max_pd(x, y); }
 static inline vd v_sqrt(vd x) { return _mm256_sqrt_pd(x); }
 static inline vd v_fma(vd x, vd y, vd z) { return _mm256_fmadd_pd(x, y, z); }
+static inline vd v_float(vd x) { return _mm256_cvtps_pd(_mm256_cvtpd_ps(x)); }
+static inline vd v_like(vd x, vd y)
+{
+    const vd sign = _mm256_set1_pd(-0.0);
+    return _mm256_or_pd(_mm256_andnot_pd(sign, x), _mm256_and_pd(sign, y));
+}
 static inline vm v_lt(vd x, vd y) { return _mm256_cmp_pd(x, y, _CMP_LT_OQ); }
 static inline vm v_le(vd x, vd y) { return _mm256_cmp_pd(x, y, _CMP_LE_OQ); }
 static inline vm v_eq(vd x, vd y) { return _mm256_cmp_pd(x, y, _CMP_EQ_OQ); }
@@ -108,6 +126,12 @@ static inline void v_store(double *x, vd v) { _mm_storeu_pd(x, v); }
 static inline vd v_abs(vd x) { return _mm_andnot_pd(_mm_set1_pd(-0.0), x); }
 static inline vd v_max(vd x, vd y) { return _mm_max_pd(x, y); }
 static inline vd v_sqrt(vd x) { return _mm_sqrt_pd(x); }
+static inline vd v_float(vd x) { return _mm_cvtps_pd(_mm_cvtpd_ps(x)); }
+static inline vd v_like(vd x, vd y)
+{
+    const vd sign = _mm_set1_pd(-0.0);
+    return _mm_or_pd(_mm_andnot_pd(sign, x), _mm_and_pd(sign, y));
+}
 static inline vm v_lt(vd x, vd y) { return _mm_cmplt_pd(x, y); }
 static inline vm v_le(vd x, vd y) { return _mm_cmple_pd(x, y); }
 static inline vm v_eq(vd x, vd y) { return _mm_cmpeq_pd(x, y); }
@@ -154,6 +178,11 @@ static inline vd v_abs(vd x) { return vabsq_f64(x); }
 static inline vd v_max(vd x, vd y) { return vbslq_f64(vcgtq_f64(x, y), x, y); }
 static inline vd v_sqrt(vd x) { return vsqrtq_f64(x); }
 static inline vd v_fma(vd x, vd y, vd z) { return vfmaq_f64(z, x, y); }
+static inline vd v_float(vd x) { return vcvt_f64_f32(vcvt_f32_f64(x)); }
+static inline vd v_like(vd x, vd y)
+{
+    return vbslq_f64(vdupq_n_u64((uint64_t)1 << 63), y, x);
+}
 static inline vm v_lt(vd x, vd y) { return vcltq_f64(x, y); }
 static inline vm v_le(vd x, vd y) { return vcleq_f64(x, y); }
 static inline vm v_eq(vd x, vd y) { return vceqq_f64(x, y); }
@@ -198,6 +227,14 @@ static inline void v_store(double *x, vd v)
 }
 static inline vd v_abs(vd x) { return (vd){fabs(x[0]), fabs(x[1])}; }
 static inline vd v_sqrt(vd x) { return (vd){sqrt(x[0]), sqrt(x[1])}; }
+static inline vd v_float(vd x)
+{
+    return (vd){(double)(float)x[0], (double)(float)x[1]};
+}
+static inline vd v_like(vd x, vd y)
+{
+    return (vd){copysign(x[0], y[0]), copysign(x[1], y[1])};
+}
 static inline vm v_lt(vd x, vd y) { return x < y; }
 static inline vm v_le(vd x, vd y) { return x <= y; }
 static inline vm v_eq(vd x, vd y) { return x == y; }
@@ -225,6 +262,11 @@ static inline vm m_from(unsigned bits)
 #else
 
 #define LANES 1
+#define PLAIN_LANE
+
+#endif
+
+#ifdef PLAIN_LANE
 typedef double vd;
 typedef int vm;
 static inline vd v_set(double x) { return x; }
@@ -233,6 +275,8 @@ static inline void v_store(double *x, vd v) { *x = v; }
 static inline vd v_abs(vd x) { return fabs(x); }
 static inline vd v_max(vd x, vd y) { return x > y ? x : y; }
 static inline vd v_sqrt(vd x) { return sqrt(x); }
+static inline vd v_float(vd x) { return (double)(float)x; }
+static inline vd v_like(vd x, vd y) { return copysign(x, y); }
 static inline vm v_lt(vd x, vd y) { return x < y; }
 static inline vm v_le(vd x, vd y) { return x <= y; }
 static inline vm v_eq(vd x, vd y) { return x == y; }
@@ -272,23 +316,23 @@ static inline vd v_pick(const double *x, const size_t *at)
 #endif
 }
 
-/* Columns of four numbers from rows of four, `at` bytes from row[0], row[1],
- * ... on: to[k] holds the k-th of each. */
-static inline void v_columns(const char *const row[LANES], size_t at,
-                             vd to[4])
-{
-#define ROW(i) ((const double *)(const void *)(row[i] + at))
+/* Columns of four numbers from rows of four: to[k] holds the k-th of each. */
 #if LANES >= 4
+typedef __m256d v_row;
+static inline v_row v_row_at(const double *x) { return _mm256_loadu_pd(x); }
+static inline v_row v_row_of_floats(const float *x)
+{
+    return _mm256_cvtps_pd(_mm_loadu_ps(x));
+}
+
+static inline void v_transpose(const v_row row[LANES], vd to[4])
+{
     __m256d c[LANES / 4][4];
     for (int i = 0; i < LANES; i += 4) {
-        const __m256d r0 = _mm256_loadu_pd(ROW(i));
-        const __m256d r1 = _mm256_loadu_pd(ROW(i + 1));
-        const __m256d r2 = _mm256_loadu_pd(ROW(i + 2));
-        const __m256d r3 = _mm256_loadu_pd(ROW(i + 3));
-        const __m256d even01 = _mm256_unpacklo_pd(r0, r1);
-        const __m256d odd01 = _mm256_unpackhi_pd(r0, r1);
-        const __m256d even23 = _mm256_unpacklo_pd(r2, r3);
-        const __m256d odd23 = _mm256_unpackhi_pd(r2, r3);
+        const __m256d even01 = _mm256_unpacklo_pd(row[i], row[i + 1]);
+        const __m256d odd01 = _mm256_unpackhi_pd(row[i], row[i + 1]);
+        const __m256d even23 = _mm256_unpacklo_pd(row[i + 2], row[i + 3]);
+        const __m256d odd23 = _mm256_unpackhi_pd(row[i + 2], row[i + 3]);
         c[i / 4][0] = _mm256_permute2f128_pd(even01, even23, 0x20);
         c[i / 4][1] = _mm256_permute2f128_pd(odd01, odd23, 0x20);
         c[i / 4][2] = _mm256_permute2f128_pd(even01, even23, 0x31);
@@ -301,17 +345,49 @@ static inline void v_columns(const char *const row[LANES], size_t at,
 #else
         to[k] = c[0][k];
 #endif
+}
 #else
+typedef struct {
+    double x[4];
+} v_row;
+static inline v_row v_row_at(const double *x)
+{
+    return (v_row){{x[0], x[1], x[2], x[3]}};
+}
+static inline v_row v_row_of_floats(const float *x)
+{
+    return (v_row){{x[0], x[1], x[2], x[3]}};
+}
+
+static inline void v_transpose(const v_row row[LANES], vd to[4])
+{
     for (int k = 0; k < 4; k++) {
         double v[LANES];
         for (int i = 0; i < LANES; i++)
-            v[i] = ROW(i)[k];
+            v[i] = row[i].x[k];
         to[k] = v_load(v);
     }
+}
 #endif
-#undef ROW
+
+/* Of rows that begin `at` bytes from row[0], row[1], ... on. */
+static inline void v_columns(const char *const row[LANES], size_t at,
+                             vd to[4])
+{
+    v_row r[LANES];
+    for (int i = 0; i < LANES; i++)
+        r[i] = v_row_at((const double *)(const void *)(row[i] + at));
+    v_transpose(r, to);
 }
 
+static inline void v_columns_of_floats(const char *const row[LANES], size_t at,
+                                       vd to[4])
+{
+    v_row r[LANES];
+    for (int i = 0; i < LANES; i++)
+        r[i] = v_row_of_floats((const float *)(const void *)(row[i] + at));
+    v_transpose(r, to);
+}
 
 typedef struct {
     vd hi, lo;

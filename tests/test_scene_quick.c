@@ -9,8 +9,9 @@
 #include <math.h>
 #include <string.h>
 
+#define CYLINT_ONE_LANE
 #include "check.h"
-#include "scene/quick.h"
+#include "scene/quickmany.h"
 #include "scene/turn.h"
 #include "families.h"
 
@@ -91,13 +92,18 @@ static int same_floats(const cylint_quick_floats *f, const cylint_hit *hit)
     return same;
 }
 
+static int part_of(const cylint_quick_hit *at)
+{
+    return !at->capped ? CYLINT_LATERAL : at->top ? CYLINT_CAP1 : CYLINT_CAP0;
+}
+
 static int describes(const cylint_quick_build *build, const cylint_quick *q,
                      const cylint_quick_hit *at, const cylint_hit *hit,
                      struct tally *tally)
 {
     cylint_quick_floats floats;
     tally->certain++;
-    if (at->part != hit->part || !(fabs(at->t - hit->t) <= at->t_error) ||
+    if (part_of(at) != (int)hit->part || !(fabs(at->t - hit->t) <= at->t_error) ||
         !(fabs(at->z - hit->z) <= at->z_error))
         return 0;
     if (!build->describe(q, at, &floats))
@@ -129,6 +135,15 @@ static int agrees(const cylint_quick_build *build, const struct question *x,
     return is == CYLINT_QUICK_UNSURE || n == x->n;
 }
 
+static void show(const cylint_quick_line *line, const struct family_case *c)
+{
+    REPORT("in floats, near %a, from %a:", line->near, line->tmin);
+    if (check_bad <= CHECK_SHOWN) {
+        family_print(stderr, c);
+        fputc('\n', stderr);
+    }
+}
+
 static struct tally asked(const cylint_quick_build *build, int family,
                           family_shape last)
 {
@@ -140,12 +155,7 @@ static struct tally asked(const cylint_quick_build *build, int family,
         if (c.shape_word > last || !pose(&x, &c, i))
             continue;
         if (!CHECK(agrees(build, &x, &tally))) {
-            REPORT("in floats, near %a, from %a:", (double)x.line.near,
-                   x.line.tmin);
-            if (check_bad <= CHECK_SHOWN) {
-                family_print(stderr, &c);
-                fputc('\n', stderr);
-            }
+            show(&x.line, &c);
         }
     }
     return tally;
@@ -174,6 +184,99 @@ static void what_is_certain_when_fused_is_so_too(void)
 {
     if (cylint_quick_used() != &cylint_quick_plain)
         ask_all("fused", cylint_quick_used());
+}
+
+/* ------------------------------------------------------- many at a time -- */
+
+/* Questions side by side. */
+struct crowd {
+    struct question question[CYLINT_QUICK_MOST];
+    struct family_case from[CYLINT_QUICK_MOST];
+    cylint_quick_shape shape[CYLINT_QUICK_MOST];
+    cylint_quick_subject subject[CYLINT_QUICK_MOST];
+    const cylint_quick_line *line[CYLINT_QUICK_MOST];
+    int n;
+};
+
+/* Up to `most` cases of the family, from number *i on. */
+static void gather(struct crowd *c, int family, uint64_t *i, int most)
+{
+    for (c->n = 0; c->n < most && *i < CASES; ++*i) {
+        const int n = c->n;
+        struct question *x = &c->question[n];
+        family_case(3, family, *i, &c->from[n]);
+        if (c->from[n].shape_word > FAMILY_ACONE || !pose(x, &c->from[n], *i))
+            continue;
+        cylint_quick_shape_of(&c->shape[n], x->shape);
+        c->subject[n] = (cylint_quick_subject){&c->shape[n], 0, x->shape,
+                                               x->shape->ends};
+        c->line[c->n++] = &x->line;
+    }
+}
+
+static int is_told(const cylint_quick_answers *a, int i, const cylint_hit *hit)
+{
+    return fabs(a->t[i] - hit->t) <= a->t_error[i] &&
+           fabs(a->z[i] - hit->z) <= a->z_error[i];
+}
+
+static int is_described(const cylint_quick_answers *a, int i,
+                        const cylint_hit *hit)
+{
+    const cylint_quick_floats f = {
+        (float)a->float_z[i], (float)a->phi[i],
+        {(float)a->normal[0][i], (float)a->normal[1][i],
+         (float)a->normal[2][i]}};
+    return same_floats(&f, hit);
+}
+
+/* Whether what is said of question i is so. */
+static int is_right(const cylint_quick_answers *a, int i,
+                    const struct question *x)
+{
+    const unsigned hit = a->hit >> i & 1, unsure = a->unsure >> i & 1;
+    if (hit && (unsure || x->n == 0 || !is_told(a, i, &x->answer.hit[0])))
+        return 0;
+    if (a->described >> i & 1 &&
+        !(hit && is_described(a, i, &x->answer.hit[0])))
+        return 0;
+    return hit || unsure || x->n <= (int)(a->crosses >> i & 1);
+}
+
+static void ask_crowds(cylint_quick_many *many, int family, struct tally *tally)
+{
+    int most = 1; /* of each number, in turn */
+    for (uint64_t i = 0; i < CASES; most = most % CYLINT_QUICK_MOST + 1) {
+        struct crowd c;
+        cylint_quick_answers a;
+        gather(&c, family, &i, most);
+        if (c.n == 0)
+            break;
+        many(c.subject, c.line, c.n, 1, &a);
+        CHECK((a.hit | a.unsure | a.crosses | a.described) >> c.n == 0);
+        for (int k = 0; k < c.n; k++) {
+            tally->hits += c.question[k].n > 0;
+            tally->certain += a.hit >> k & 1;
+            tally->described += a.described >> k & 1;
+            if (!CHECK(is_right(&a, k, &c.question[k]))) {
+                REPORT("%d of %d:", k, c.n);
+                show(c.line[k], &c.from[k]);
+            }
+        }
+    }
+}
+
+static void what_many_are_told_is_so(void)
+{
+    cylint_quick_many *many;
+    for (int i = 0; (many = cylint_quick_many_build(i)); i++) {
+        struct tally t = {0, 0, 0};
+        for (int family = 0; family < family_count(); family++)
+            ask_crowds(many, family, &t);
+        printf("build %d: %ld are hit, certain of %ld, described %ld\n", i,
+               t.hits, t.certain, t.described);
+        CHECK((double)t.described > 0.4 * (double)t.hits);
+    }
 }
 
 /* The case's shape, all of its numbers rounded to floats. */
@@ -299,6 +402,7 @@ int main(void)
     RUN(what_is_certain_is_what_the_library_says);
     RUN(what_is_certain_when_fused_is_so_too);
     RUN(ordinary_cylinders_are_certain);
+    RUN(what_many_are_told_is_so);
     RUN(small_shapes_are_asked_what_large_ones_are);
     RUN(only_what_is_made_of_floats_is_small);
     RUN(an_angle_in_turns_errs_by_its_bound_at_most);

@@ -240,7 +240,8 @@ static cylint_embree_data *new_data(RTCDevice device,
     cylint_embree_data *data = self.data;
     *data = (cylint_embree_data){.self = self, .source = source,
                                  .shapes = shapes, .n = n, .threads = 1,
-                                 .quick = cylint_quick_used()};
+                                 .quick = cylint_quick_used(),
+                                 .many = cylint_quick_many_build(0)};
     if (options) {
         data->moved = options->moved;
         data->how = options->how;

@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 #include "../scene/group.h"
-#include "../scene/quick.h"
+#include "../scene/quickmany.h"
 #include "../scene/walk.h"
 #include "api.h"
 #include "cylint_embree.h"
@@ -30,6 +30,7 @@ typedef struct cylint_embree_data {
     int threads;                  /* to group the shapes */
     const cylint_walks *walk;     /* NULL: one shape a primitive */
     const cylint_quick_build *quick;
+    cylint_quick_many *many;
     cylint_group group;
     cylint_memory asked_memory;   /* of what quick.c asks of every shape */
     cylint_quick_shapes asked;

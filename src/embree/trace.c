@@ -36,7 +36,7 @@ static cylint_quick_line line_of(const struct RTCRay *ray)
 {
     return (cylint_quick_line){{ray->org_x, ray->org_y, ray->org_z},
                                {ray->dir_x, ray->dir_y, ray->dir_z},
-                               ray->tnear, ray->tfar, HUGE_VALF};
+                               ray->tnear, HUGE_VAL, ray->tfar};
 }
 
 /* The library's answer; none for a line that it refuses. */
@@ -265,8 +265,13 @@ static int try_exactly(query *q, const cylint_shape *shape, unsigned number,
 
 /* ---- in doubles */
 
+/* Where doubles say that a hit is. */
+typedef struct {
+    double t, t_error, z, z_error;
+} place;
+
 /* Whether the hit is this lane's; 2 where that is uncertain. */
-static int owned(const query *q, const cylint_quick_hit *hit)
+static int owned(const query *q, const place *hit)
 {
     if (!q->block)
         return 1;
@@ -278,39 +283,64 @@ static int owned(const query *q, const cylint_quick_hit *hit)
     return lowest < highest ? 2 : lowest == piece.index;
 }
 
-/* 1 if the ray takes the hit, 0 if not, -1 where that is uncertain. */
-static int try_hit(query *q, unsigned number, const cylint_quick *quick,
-                   const cylint_quick_hit *hit)
+typedef enum {
+    UNCERTAIN = -1,
+    ANOTHERS, /* lane's, or not taken */
+    TAKEN,    /* or to be taken */
+    BEHIND    /* tfar, as will be all other hits of the shape */
+} turnout;
+
+/* Whether the hit may be taken, at *t. */
+static turnout judge(const query *q, const place *hit, float *t)
 {
-    cylint_quick_floats floats;
     const int own = owned(q, hit);
-    const float t = cylint_float_above(hit->t);
-    const int certain = cylint_is_float_above(t, hit->t, hit->t_error);
-    if (own == 0 || (certain && t > q->ray->tfar))
-        return 0;
-    if (own == 2 || !certain || t == q->ray->tfar ||
-        (is_seen(q) && !q->data->quick->describe(quick, hit, &floats)))
-        return -1;
-    return take(q, number, t, &floats);
+    *t = cylint_float_above(hit->t);
+    const int certain = cylint_is_float_above(*t, hit->t, hit->t_error);
+    if (certain && *t > q->ray->tfar)
+        return BEHIND;
+    if (own == 0)
+        return ANOTHERS;
+    return own == 2 || !certain || *t == q->ray->tfar ? UNCERTAIN : TAKEN;
 }
 
-/* 1 if the ray hits the shape and takes the hit. */
-static int try_shape(query *q, unsigned number)
+static turnout try_hit(query *q, unsigned number, const cylint_quick *quick,
+                       const cylint_quick_hit *hit)
+{
+    cylint_quick_floats floats;
+    const place at = {hit->t, hit->t_error, hit->z, hit->z_error};
+    float t;
+    const turnout is = judge(q, &at, &t);
+    if (is != TAKEN)
+        return is;
+    if (is_seen(q) && !q->data->quick->describe(quick, hit, &floats))
+        return UNCERTAIN;
+    return take(q, number, t, &floats) ? TAKEN : ANOTHERS;
+}
+
+/* The shape as the ray finds it, in `room` if need be. */
+static cylint_quick_subject subject_of(const query *q, unsigned number,
+                                       cylint_shape *between,
+                                       cylint_quick_shape *room)
+{
+    if (q->block)
+        return (cylint_quick_subject){
+            cylint_quick_at(&q->data->asked, number), q->data->asked.small,
+            q->data->shapes + number, cylint_block_ends(q->block, q->lane)};
+    const cylint_shape *whole = shape_at(q->data, number, q->ray->time,
+                                         between);
+    cylint_quick_shape_of(room, whole);
+    return (cylint_quick_subject){room, 0, whole, whole->ends};
+}
+
+/* 1 if the ray hits the shape and takes the hit.  Not where it enters the shape
+ * if `left`: then it has been asked about that. */
+static int try_shape(query *q, unsigned number, int left)
 {
     cylint_shape between;
     cylint_quick quick;
     cylint_quick_hit hit;
     cylint_quick_shape room;
-    cylint_quick_subject subject = {&room, 0, q->data->shapes + number, 0};
-    if (q->block) {
-        subject.shape = cylint_quick_at(&q->data->asked, number);
-        subject.small = q->data->asked.small;
-        subject.ends = cylint_block_ends(q->block, q->lane);
-    } else {
-        subject.whole = shape_at(q->data, number, q->ray->time, &between);
-        subject.ends = subject.whole->ends;
-        cylint_quick_shape_of(&room, subject.whole);
-    }
+    const cylint_quick_subject subject = subject_of(q, number, &between, &room);
     cylint_quick_verdict is = q->data->quick->enter(&quick, &subject, &q->line,
                                                       &hit);
     for (int i = 0, before = 0; i < 2; i++) {
@@ -318,11 +348,13 @@ static int try_shape(query *q, unsigned number)
             is = q->data->quick->leave(&quick, &hit);
         if (is == CYLINT_QUICK_MISS)
             continue;
-        const int taken = is == CYLINT_QUICK_HIT
-                        ? try_hit(q, number, &quick, &hit) : -1;
-        if (taken != 0)
-            return taken > 0 ? 1 : try_exactly(q, subject.whole, number,
-                                              before);
+        const turnout hits = is != CYLINT_QUICK_HIT ? UNCERTAIN
+                           : i < left ? ANOTHERS
+                           : try_hit(q, number, &quick, &hit);
+        if (hits == UNCERTAIN)
+            return try_exactly(q, subject.whole, number, before);
+        if (hits != ANOTHERS)
+            return hits == TAKEN;
         before++;
     }
     return 0;
@@ -354,21 +386,29 @@ static int nearest_lane(unsigned lanes, const float *least)
     return first;
 }
 
+/* Turns to the nearest of the lanes, which it takes out of them; 0: it cannot
+ * come first, nor can any other. */
+CYLINT_INLINE int turn_to_nearest(query *q, const cylint_block *block,
+                                  unsigned *lanes, const float *least)
+{
+    const int lane = nearest_lane(*lanes, least);
+    if (least[lane] > q->ray->tfar)
+        return 0;
+    *lanes &= ~(1u << lane);
+    q->block = block;
+    q->lane = lane;
+    q->line.near = least[lane] > q->ray->tnear ? least[lane] : q->ray->tnear;
+    return 1;
+}
+
 /* The lanes the ray may meet, nearest first, until none can come first. */
 static int try_lanes(void *self, const cylint_block *block, unsigned lanes,
                      const float least[CYLINT_BLOCK])
 {
     query *q = self;
-    q->block = block;
     fetch_shapes(q->data, block, lanes);
-    while (lanes) {
-        q->lane = nearest_lane(lanes, least);
-        if (least[q->lane] > q->ray->tfar)
-            break;
-        lanes &= ~(1u << q->lane);
-        q->line.near = least[q->lane] > q->ray->tnear ? least[q->lane]
-                                                      : q->ray->tnear;
-        q->met |= try_shape(q, q->block->number[q->lane]);
+    while (lanes && turn_to_nearest(q, block, &lanes, least)) {
+        q->met |= try_shape(q, block->number[q->lane], 0);
         if (q->met && q->any)
             return 1;
     }
@@ -458,7 +498,7 @@ static int trace_one(query *q, unsigned primID)
         return 0;
     q->line = line_of(q->ray);
     if (!q->data->walk)
-        return try_shape(q, primID);
+        return try_shape(q, primID, 0);
     q->met = 0;
     const cylint_float_ray *ray = floats_of_ray(q->ray);
     if (q->any && !has_filters(q)) {
@@ -504,17 +544,88 @@ typedef struct {
     int n;
 } bundle;
 
+/* Questions of several rays, one of each. */
+typedef struct {
+    cylint_quick_subject subject[CYLINT_PACKET];
+    const cylint_quick_line *line[CYLINT_PACKET];
+    query *asks[CYLINT_PACKET];
+    int n;
+} inquiry;
+
+static void add(inquiry *r, query *q)
+{
+    r->subject[r->n] = subject_of(q, q->block->number[q->lane], NULL, NULL);
+    r->line[r->n] = &q->line;
+    r->asks[r->n++] = q;
+}
+
+/* Question i was answered.  1 if its ray takes the hit. */
+static int heed(const cylint_quick_answers *a, int i, query *q)
+{
+    const unsigned number = q->block->number[q->lane], bit = 1u << i;
+    if (a->unsure & bit)
+        return try_shape(q, number, 0);
+    if (!(a->hit & bit))
+        return a->crosses & bit ? try_shape(q, number, 1) : 0;
+    const place at = {a->t[i], a->t_error[i], a->z[i], a->z_error[i]};
+    float t;
+    const turnout is = judge(q, &at, &t);
+    if (is == BEHIND)
+        return 0;
+    if (is == UNCERTAIN ||
+        (is == TAKEN && is_seen(q) && !(a->described & bit)))
+        return try_shape(q, number, 0);
+    const cylint_quick_floats floats = {
+        (float)a->float_z[i], (float)a->phi[i],
+        {(float)a->normal[0][i], (float)a->normal[1][i],
+         (float)a->normal[2][i]}};
+    return (is == TAKEN && take(q, number, t, &floats)) ||
+           try_shape(q, number, 1);
+}
+
+static void ask_all_at_once(const inquiry *r)
+{
+    cylint_quick_answers answers;
+    const query *first = r->asks[0];
+    if (r->n == 1) {
+        query *q = r->asks[0];
+        q->met |= try_shape(q, q->block->number[q->lane], 0);
+        return;
+    }
+    first->data->many(r->subject, r->line, r->n, is_seen(first), &answers);
+    for (int i = 0; i < r->n; i++)
+        r->asks[i]->met |= heed(&answers, i, r->asks[i]);
+}
+
+/* As try_lanes(), for rays side by side: the nearest lanes first of all. */
 static unsigned try_met(void *self, const cylint_met *met)
 {
     bundle *b = self;
-    unsigned enough = 0;
-    for (unsigned rays = met->rays; rays; rays &= rays - 1)
-        fetch_shapes(b->query[0].data, met->block,
-                     met->lanes[cylint_lowest(rays)]);
-    for (unsigned rays = met->rays; rays; rays &= rays - 1) {
-        const int k = cylint_lowest(rays);
-        enough |= (unsigned)try_lanes(&b->query[k], met->block, met->lanes[k],
-                                      met->least[k]) << k;
+    unsigned rays = met->rays, enough = 0, left[CYLINT_PACKET];
+    for (unsigned of = rays; of; of &= of - 1) {
+        const int k = cylint_lowest(of);
+        left[k] = met->lanes[k];
+        fetch_shapes(b->query[0].data, met->block, left[k]);
+    }
+    while (rays) {
+        inquiry r;
+        r.n = 0;
+        for (unsigned of = rays; of; of &= of - 1) {
+            const int k = cylint_lowest(of);
+            if (left[k] && turn_to_nearest(&b->query[k], met->block, &left[k],
+                                           met->least[k]))
+                add(&r, &b->query[k]);
+            else
+                rays &= ~(1u << k);
+        }
+        if (r.n > 0)
+            ask_all_at_once(&r);
+        if (b->query[0].any)
+            for (unsigned of = rays; of; of &= of - 1) {
+                const int k = cylint_lowest(of);
+                enough |= (unsigned)(b->query[k].met != 0) << k;
+            }
+        rays &= ~enough;
     }
     return enough;
 }

@@ -3,6 +3,7 @@
  */
 #include "packet.h"
 #include "quick.h"
+#include "quickmany.h"
 #include "walk.h"
 
 #ifdef CYLINT_COUNT_VISITS
@@ -41,4 +42,27 @@ const cylint_quick_build *cylint_quick_used(void)
         return &cylint_quick_fma;
 #endif
     return &cylint_quick_plain;
+}
+
+#ifdef CYLINT_BUILDS_X86
+static int has_avx512(void)
+{
+    return has_fma() && __builtin_cpu_supports("avx512f") &&
+           __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512dq");
+}
+#endif
+
+cylint_quick_many *cylint_quick_many_build(int i)
+{
+    cylint_quick_many *runs[3] = {NULL};
+    int n = 0;
+#ifdef CYLINT_BUILDS_X86
+    if (has_avx512())
+        runs[n++] = cylint_quick_many_avx512;
+    if (has_fma())
+        runs[n++] = cylint_quick_many_avx2;
+#endif
+    runs[n++] = cylint_quick_many_plain;
+    return i < n ? runs[i] : NULL;
 }

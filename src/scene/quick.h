@@ -10,11 +10,10 @@
 
 #include "cylint.h"
 
-/* A line with its domain, as yet unchecked; o and d hold floats.  near: some t
- * near the shape, if that is known; else it is not finite. */
+/* A line with its domain, as yet unchecked; o, d and near hold
+ * floats.  near: some t near the shape, if that is known; else not finite. */
 typedef struct cylint_quick_line {
-    double o[3], d[3], tmin, tmax;
-    float near;
+    double o[3], d[3], tmin, near, tmax;
 } cylint_quick_line;
 
 /* What is asked of a circular shape, on a cache line.  r0 of others is -1:
@@ -63,25 +62,40 @@ typedef enum {
     CYLINT_QUICK_HIT
 } cylint_quick_verdict;
 
-/* A question, as quick.c has it. */
+/*
+ * What is known of a question, in numbers R and truths M: the axis w, its
+ * length and radii; t = from + s, where the line is D + s u from the base;
+ * alpha = D.w, beta = u.w, n = u x w, m = D x w; s[], where it crosses the
+ * lateral surface's Q, if it does, of which a is what s^2 is multiplied by and
+ * root^2 a quarter of the discriminant; sizes U of u and Dn of D; which caps
+ * there are; and whether the chord has no end where s[i] were.
+ */
+#define CYLINT_QUICK_MEMBERS(R, M) \
+    R w[3], W, ww, per_ww, r0, dr, from, tmin, alpha, beta, n[3], m[3]; \
+    R s[2], a, root, per_root, U, Dn; \
+    M cap[2], crosses, endless[2];
+
 typedef struct cylint_quick {
+    CYLINT_QUICK_MEMBERS(double, int)
     const cylint_shape *whole;
-    double w[3], W, ww, per_ww, r0, dr; /* axis, its length; radii */
-    double from, tmin;            /* t = from + s, D + s u from the base */
-    double alpha, beta;           /* D.w, u.w */
-    double n[3], m[3];            /* u x w, D x w */
-    double s[2], a, root, per_root; /* where Q(s) = 0; of s^2 in it; of G */
-    double U, Dn;                 /* sizes */
-    int ends, crosses, endless; /* i, if where s[i] were there is no end */
 } cylint_quick;
 
-/* A hit at t and z, within the errors, on a part of the surface; s: t from
- * near the shape, c = P x w there, k: the radius. */
+/* A hit at t and z, within the errors; s: t from near the shape, c = P x w
+ * there, k: the radius; on a cap, that of the top. */
+#define CYLINT_QUICK_HIT_MEMBERS(R, M) \
+    R t, t_error, z, z_error, s, s_error, c[3], e_c, k, e_k; \
+    M capped, top;
+
 typedef struct cylint_quick_hit {
-    double t, t_error, z, z_error;
-    double s, s_error, c[3], e_c, k, e_k;
-    int part;
+    CYLINT_QUICK_HIT_MEMBERS(double, int)
 } cylint_quick_hit;
+
+/* Whether shapes of these ends have a cap at the base (0) or the top (1). */
+static inline int cylint_quick_has_cap(int ends, int top)
+{
+    return ends == CYLINT_CAPPED ||
+           ends == (top ? CYLINT_CAP_1 : CYLINT_CAP_0);
+}
 
 /* What floats show of a hit, rounded as the library's doubles would be. */
 typedef struct cylint_quick_floats {

@@ -7,6 +7,8 @@
 #include <float.h>
 #include <math.h>
 
+#include "../simd.h"
+
 /* One below 1 as a float below 1. */
 static inline float cylint_turn(double phi)
 {
@@ -26,30 +28,33 @@ static inline float cylint_turn(double phi)
  */
 #define CYLINT_TURN_ERROR 0x1.8bp-45
 
-static inline double cylint_turns(double y, double x, double *per_far)
+INLINE vd cylint_turns(vd y, vd x, vd *per_far)
 {
-    static const double tan_eighth = 0.41421356237309504880;
-#define TERM(n) (0.15915494309189533577 / (n)) /* of 1 / (2 pi) */
-    static const double c[14] = {
-        TERM(1), -TERM(3), TERM(5), -TERM(7), TERM(9), -TERM(11), TERM(13),
-        -TERM(15), TERM(17), -TERM(19), TERM(21), -TERM(23), TERM(25),
-        -TERM(27)};
+#define TERM(n) v_set(0.15915494309189533577 / (n)) /* of 1 / (2 pi) */
+    const vd c[14] = {
+        TERM(1), TERM(-3), TERM(5), TERM(-7), TERM(9), TERM(-11), TERM(13),
+        TERM(-15), TERM(17), TERM(-19), TERM(21), TERM(-23), TERM(25),
+        TERM(-27)};
 #undef TERM
-    const double ax = fabs(x), ay = fabs(y), wider = ax - ay;
-    const double most = ax > ay ? ax : ay, least = ax > ay ? ay : ax;
-    *per_far = 1 / (most + least * tan_eighth);
-    const double t = (least - most * tan_eighth) * *per_far;
-    const double z = t * t, z2 = z * z, z4 = z2 * z2, z8 = z4 * z4;
-    const double low = (c[0] + c[1] * z) + z2 * (c[2] + c[3] * z) +
-                       z4 * ((c[4] + c[5] * z) + z2 * (c[6] + c[7] * z));
-    const double high = (c[8] + c[9] * z) + z2 * (c[10] + c[11] * z) +
-                        z4 * (c[12] + c[13] * z);
+    const vd tan_eighth = v_set(0.41421356237309504880);
+    const vd ax = v_abs(x), ay = v_abs(y), wider = ax - ay;
+    const vm lies = v_lt(ay, ax);
+    const vd most = v_select(lies, ax, ay), least = v_select(lies, ay, ax);
+    *per_far = v_set(1) / (most + least * tan_eighth);
+    const vd t = (least - most * tan_eighth) * *per_far;
+    const vd z = t * t, z2 = z * z, z4 = z2 * z2, z8 = z4 * z4;
+    const vd low = (c[0] + c[1] * z) + z2 * (c[2] + c[3] * z) +
+                   z4 * ((c[4] + c[5] * z) + z2 * (c[6] + c[7] * z));
+    const vd high = (c[8] + c[9] * z) + z2 * (c[10] + c[11] * z) +
+                    z4 * (c[12] + c[13] * z);
     /* mirrored where x and y change places, and at both axes */
-    const double octant = 0.125 - copysign(0.0625, wider);
-    const double quadrant = 0.25 - copysign(0.25 - octant, x);
-    const double half = 0.5 - copysign(0.5 - quadrant, y);
-    const double sign = copysign(1, wider) * copysign(1, x) * copysign(1, y);
-    return half + sign * t * (low + z8 * high);
+    const vd octant = v_set(0.125) - v_like(v_set(0.0625), wider);
+    const vd quadrant = v_set(0.25) - v_like(v_set(0.25) - octant, x);
+    const vd half = v_set(0.5) - v_like(v_set(0.5) - quadrant, y);
+    const vd part = t * (low + z8 * high);
+    const vd sign = v_like(v_set(1), wider) * v_like(v_set(1), x) *
+                    v_like(v_set(1), y);
+    return half + sign * part;
 }
 
 #endif

@@ -1,0 +1,157 @@
+/*
+ * quickmany.c - a hit in doubles, where doubles are certain of it: a question
+ * a lane
+ *
+ * Compiled for several instruction sets, contracted as quick.c is.
+ */
+#include "quickmany.h"
+
+#include <stddef.h>
+
+#include "quicklanes.h"
+
+#ifndef CYLINT_QUICK_MANY
+#define CYLINT_QUICK_MANY cylint_quick_many_plain
+#endif
+
+typedef struct {
+    const char *shape[LANES], *line[LANES];
+    vm cap[2], some; /* that there are */
+} rows;
+
+static rows rows_of(const cylint_quick_subject *subject,
+                    const cylint_quick_line *const *line, int n)
+{
+    rows r;
+    unsigned cap[2] = {0, 0};
+    for (int i = 0; i < LANES; i++) {
+        const int k = i < n ? i : 0; /* lanes to spare ask the first again */
+        r.shape[i] = subject[k].shape;
+        r.line[i] = (const char *)line[k];
+        for (int top = 0; top < 2; top++)
+            cap[top] |= (unsigned)cylint_quick_has_cap(subject[k].ends, top)
+                        << i;
+    }
+    r.cap[0] = m_from(cap[0]);
+    r.cap[1] = m_from(cap[1]);
+    r.some = m_from((1u << (n < LANES ? n : LANES)) - 1);
+    return r;
+}
+
+static void widen(const rows *r, cut_shape *s)
+{
+    vd base[4], top[4];
+    v_columns_of_floats(r->shape, offsetof(cylint_quick_small, base), base);
+    v_columns_of_floats(r->shape, offsetof(cylint_quick_small, top), top);
+    EACH(j, 3) {
+        s->base[j] = base[j];
+        s->axis[j] = top[j] - base[j];
+    }
+    s->r0 = base[3];
+    s->dr = top[3] - base[3];
+}
+
+static void load_shapes(const rows *r, cut_shape *s)
+{
+    vd a[4], b[4];
+    v_columns(r->shape, offsetof(cylint_quick_shape, base), a);
+    v_columns(r->shape, offsetof(cylint_quick_shape, axis[1]), b);
+    EACH(j, 3)
+        s->base[j] = a[j];
+    s->axis[0] = a[3];
+    s->axis[1] = b[0];
+    s->axis[2] = b[1];
+    s->r0 = b[2];
+    s->dr = b[3];
+}
+
+static void load_lines(const rows *r, cut_line *l)
+{
+    vd a[4], b[4];
+    v_columns(r->line, offsetof(cylint_quick_line, o), a);
+    v_columns(r->line, offsetof(cylint_quick_line, d[1]), b);
+    EACH(j, 3)
+        l->o[j] = a[j];
+    l->d[0] = a[3];
+    l->d[1] = b[0];
+    l->d[2] = b[1];
+    l->tmin = b[2];
+    l->near = b[3];
+}
+
+/* The coordinate along which the axis is least, the first such; not where
+ * only the low parts of coordinates tell. */
+static vm least_components(const question *q, vm least[3])
+{
+    const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
+    const vm y_less = v_lt(y, x);
+    const vd xy = v_select(y_less, y, x);
+    const vm tied = m_or(m_and(v_eq(x, y), v_le(x, z)), v_eq(xy, z));
+    least[2] = v_lt(z, xy);
+    least[1] = m_and(y_less, m_not(least[2]));
+    least[0] = m_not(m_or(least[1], least[2]));
+    return m_not(m_and(tied, v_lt(v_set(0), v_select(least[2], z, xy))));
+}
+
+static vm describe(const question *q, const hit *at, int from,
+                   cylint_quick_answers *to)
+{
+    vm least[3];
+    floats f;
+    const vm known = least_components(q, least);
+    const vm sure = m_and(known, describe_lanes(q, at, least, &f));
+    v_store(to->float_z + from, f.z);
+    v_store(to->phi + from, f.phi);
+    EACH(j, 3)
+        v_store(to->normal[j] + from, f.normal[j]);
+    return sure;
+}
+
+static void load(question *q, cut_shape *shape, cut_line *line, const rows *r,
+                 int small)
+{
+    if (small)
+        widen(r, shape);
+    else
+        load_shapes(r, shape);
+    load_lines(r, line);
+    q->cap[0] = r->cap[0];
+    q->cap[1] = r->cap[1];
+}
+
+static void answer(const rows *r, int small, int from, int describes,
+                   cylint_quick_answers *to)
+{
+    cut_shape shape;
+    cut_line line;
+    question q;
+    hit at;
+    load(&q, &shape, &line, r, small);
+    const verdict comes = crosses(&q, &shape, &line);
+    to->unsure |= m_bits(m_and(comes.unsure, r->some)) << from;
+    if (!m_any(comes.hit))
+        return;
+    const verdict is = stop(&q, 0, &at);
+    const vm hits = m_and(is.hit, r->some);
+    to->hit |= m_bits(hits) << from;
+    to->unsure |= m_bits(m_and(is.unsure, r->some)) << from;
+    to->crosses |= m_bits(m_and(q.crosses, r->some)) << from;
+    v_store(to->t + from, at.t);
+    v_store(to->t_error + from, at.t_error);
+    v_store(to->z + from, at.z);
+    v_store(to->z_error + from, at.z_error);
+    if (describes && m_any(hits))
+        to->described |= m_bits(m_and(hits, describe(&q, &at, from, to)))
+                         << from;
+}
+
+void CYLINT_QUICK_MANY(const cylint_quick_subject subject[],
+                       const cylint_quick_line *const line[], int n,
+                       int describe, cylint_quick_answers *to)
+{
+    to->hit = to->unsure = to->crosses = to->described = 0;
+    for (int from = 0; from < n; from += LANES) {
+        const rows r = rows_of(subject + from, line + from, n - from);
+        answer(&r, subject[0].small, from, describe, to);
+    }
+}
