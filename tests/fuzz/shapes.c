@@ -202,9 +202,13 @@ static void check_hit(const cylint_hit *hit, const cylint_line *line)
     MUST(hit->part >= CYLINT_LATERAL && hit->part <= CYLINT_CAP1);
     MUST(hit->side >= CYLINT_ENTERING && hit->side <= CYLINT_BOTH);
     MUST(hit->phi >= 0 && hit->phi < 1);
+    MUST(!isnan(hit->z));
+    double most = 0; /* of a unit vector, sqrt(1/3) at least */
     for (int i = 0; i < 3; i++) {
-        MUST(fabs(hit->normal[i]) <= 1);
+        MUST(!isnan(hit->point[i]) && fabs(hit->normal[i]) <= 1);
+        most = fmax(most, fabs(hit->normal[i]));
     }
+    MUST(most > 0.5);
 }
 
 static void check_answer(const cylint_shape *s, const cylint_line *line,
@@ -223,10 +227,30 @@ static void check_answer(const cylint_shape *s, const cylint_line *line,
     }
 }
 
+/* What a hit tells is the same bits when nothing else is wanted. */
+static void check_alone(const cylint_shape *s, const cylint_line *line,
+                        const cylint_answer *all)
+{
+    cylint_answer point, normal, z, phi;
+    cylint_intersect(s, line, CYLINT_WANT_POINT, &point);
+    cylint_intersect(s, line, CYLINT_WANT_NORMAL, &normal);
+    cylint_intersect(s, line, CYLINT_WANT_Z, &z);
+    cylint_intersect(s, line, CYLINT_WANT_PHI, &phi);
+    for (int i = 0; i < all->n; i++) {
+        const cylint_hit *h = &all->hit[i];
+        for (int j = 0; j < 3; j++) {
+            MUST(same_bits(point.hit[i].point[j], h->point[j]));
+            MUST(same_bits(normal.hit[i].normal[j], h->normal[j]));
+        }
+        MUST(same_bits(z.hit[i].z, h->z) && same_bits(phi.hit[i].phi, h->phi));
+    }
+}
+
 static void check_wants(const cylint_shape *s, const cylint_line *line,
                         const cylint_answer *all)
 {
     cylint_answer a;
+    check_alone(s, line, all);
     cylint_intersect(s, line, verdicts, &a);
     must_agree(all, &a);
     MUST(cylint_intersect(s, line, CYLINT_WANT_COUNT, &a) == all->n);
