@@ -39,12 +39,23 @@ static pair unscaled(pair x, int e)
     return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
 }
 
+/* By which power of two x > 0 comes near 1. */
+static int exponent_of(double x)
+{
+    return x < DBL_MIN ? cylint_exponent(x * 0x1p60) - 60 : cylint_exponent(x);
+}
+
+/* |x| / 2^*e, whatever the exponent of x. */
+static pair size_of(double x, int *e)
+{
+    *e = exponent_of(fabs(x));
+    return (pair){cylint_scaled(fabs(x), -*e), 0};
+}
+
 /* sqrt(x^2 + y^2) 2^*e, whatever the exponents of x and y; not both are 0. */
 static pair hypotenuse(pair x, pair y, int *e)
 {
-    const double most = cylint_larger(fabs(x.hi), fabs(y.hi));
-    const int k = most < DBL_MIN ? cylint_exponent(most * 0x1p60) - 60
-                                 : cylint_exponent(most);
+    const int k = exponent_of(cylint_larger(fabs(x.hi), fabs(y.hi)));
     *e += k;
     return pair_sqrt(squares(unscaled(x, -k), unscaled(y, -k)));
 }
@@ -59,9 +70,9 @@ static pair unit_reach(const cylint_shape *s, const long_axis *k, int j,
     *e = 0;
     if (s->kind >= CYLINT_KIND_ECYLINDER) {
         if (cylint_sign(s->a[j]) == 0)
-            return (pair){fabs(s->b[j]), 0};
+            return size_of(s->b[j], e);
         if (cylint_sign(s->b[j]) == 0)
-            return (pair){fabs(s->a[j]), 0};
+            return size_of(s->a[j], e);
         *is_exact = 0;
         return hypotenuse((pair){s->a[j], 0}, (pair){s->b[j], 0}, e);
     }
@@ -83,8 +94,11 @@ static pair unit_reach(const cylint_shape *s, const long_axis *k, int j,
     return pair_div(across, length);
 }
 
+/* The next double up or down; there is none beyond the infinite. */
 static double step(double x, int up)
 {
+    if (!(fabs(x) <= DBL_MAX))
+        return x;
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     if (bits << 1 == 0) {
@@ -116,34 +130,50 @@ static double outward(double center, pair offset, pair reach, int is_exact,
             return sum.hi;
         return step(sum.hi, up);
     }
-    const double error = (fabs(center) + fabs(offset.hi) + fabs(reach.hi)) *
-                         0x1p-98;
+    const double error = 0x1p-98 * fabs(center) + 0x1p-98 * fabs(offset.hi) +
+                         0x1p-98 * fabs(reach.hi);
     const double wide = sum.hi + (up ? sum.lo + error : sum.lo - error);
     return step(step(wide, up), up);
 }
 
-/* The disc of cap i, to the box. */
+/* x 2^e, outward beyond the largest double. */
+static double scaled_outward(double x, int e, int up)
+{
+    if (e == 0 || fabs(x) < cylint_power_of_two(1024 - e))
+        return cylint_scaled(x, e);
+    return x > 0 ? (up ? HUGE_VAL : DBL_MAX) : (up ? -DBL_MAX : -HUGE_VAL);
+}
+
+/* The disc of cap i, to the box.  Of three terms two may pass the largest
+ * double together where the third brings them back: they are added smaller. */
 static void take_disc(const cylint_shape *s, int cap, double lo[3],
                       double hi[3])
 {
+    enum { SMALLER = 4 };
     const long_axis k = axis_of(s);
     const double r = cap ? s->r1 : s->r0;
-    const int er = r < DBL_MIN ? -1022 : cylint_exponent(r);
+    int er;
+    const pair radius = size_of(r, &er);
     for (int j = 0; j < 3; j++) {
         int is_exact, e;
         const pair unit = unit_reach(s, &k, j, &e, &is_exact);
-        const pair reach = unscaled(pair_mul(unit,
-                               (pair){cylint_scaled(r, -er), 0}), e + er);
+        const pair product = pair_mul(unit, radius);
         is_exact = cylint_sign(r) == 0 || (is_exact &&
                    (r == 1 || unit.hi == 1 || cylint_sign(unit.hi) == 0));
-        double center = s->base[j];
-        pair offset = {0, 0};
+        double center = s->base[j], offset = 0;
         if (cap && s->kind <= CYLINT_KIND_CONE)
             center = s->top[j];
         else if (cap)
-            offset = (pair){s->axis[j], 0};
-        const double low = outward(center, offset, reach, is_exact, 0);
-        const double high = outward(center, offset, reach, is_exact, 1);
+            offset = s->axis[j];
+        const double most = cylint_larger(fabs(center), fabs(offset));
+        const int down = most > 0x1p1000 || e + er > 1000 ? SMALLER : 0;
+        const pair reach = unscaled(product, e + er - down);
+        const pair along = {cylint_scaled(offset, -down), 0};
+        center = cylint_scaled(center, -down);
+        const double low = scaled_outward(
+            outward(center, along, reach, is_exact, 0), down, 0);
+        const double high = scaled_outward(
+            outward(center, along, reach, is_exact, 1), down, 1);
         lo[j] = cylint_less(low, lo[j]) ? low : lo[j];
         hi[j] = cylint_less(hi[j], high) ? high : hi[j];
     }

@@ -274,6 +274,32 @@ static void boxes_of_the_longest_axes_are_tight(void)
     CHECK(hi[2] - 0x1p1000 <= ULPS * ulp(0x1p1000));
 }
 
+/* Sizes at both ends of the range: one was cut short, one infinite, one a
+ * NaN. */
+static void boxes_of_the_least_and_largest_sections_are_tight(void)
+{
+    const double c[3] = {0, 0, 0}, x[3] = {1, 0, 0}, y[3] = {0, 1, 0},
+                 z[3] = {0, 0, 1};
+    const double least[3] = {0x3p-1074, 0, 0}, large[3] = {0, 0, -0x1.9p1018};
+    const double p0[3] = {-0x1.8p1023, 0, 0};
+    const double p1[3] = {-0x1.8p1023 + 0x1p1000, 0x1p1000, 0};
+    double lo[3], hi[3];
+    cylint_shape s;
+    CHECK(cylint_elliptic_cone(&s, c, y, least, z, 0x1.8p133, CYLINT_CAPPED)
+          == CYLINT_OK);
+    cylint_bounds(&s, lo, hi);
+    CHECK(hi[0] >= 0x4.8p-941 && hi[0] - 0x4.8p-941 <= ULPS * ulp(hi[0]));
+    CHECK(lo[0] == -hi[0]);
+    CHECK(cylint_elliptic_cylinder(&s, c, x, large, y, CYLINT_CAPPED)
+          == CYLINT_OK);
+    cylint_bounds(&s, lo, hi);
+    CHECK(hi[2] == 0x1.9p1018 && lo[2] == -0x1.9p1018);
+    CHECK(cylint_cylinder(&s, p0, p1, 0x1.8p1023, CYLINT_CAPPED) == CYLINT_OK);
+    cylint_bounds(&s, lo, hi);
+    const double right = p1[0] + 0x1.8p1023 * sqrt(0.5);
+    CHECK(isinf(lo[0]) && hi[0] >= right && hi[0] - right <= ULPS * ulp(right));
+}
+
 /* A whole cylinder is unbounded along its axis only. */
 static void boxes_of_whole_cylinders_are_bounded_across(void)
 {
@@ -299,6 +325,7 @@ int main(void)
     RUN(a_root_beyond_the_largest_double_is_outside);
     RUN(a_domain_beyond_all_numbers_holds_nothing);
     RUN(boxes_of_the_longest_axes_are_tight);
+    RUN(boxes_of_the_least_and_largest_sections_are_tight);
     RUN(a_grazing_line_from_afar_finds_its_point);
     RUN(an_angle_stays_below_a_turn);
     RUN(boxes_of_nappes_open_the_right_way);
