@@ -279,6 +279,33 @@ static void what_many_are_told_is_so(void)
     }
 }
 
+/* Near the base z is small, and the library's is no better than beside 1. */
+static void a_small_z_is_not_more_certain_than_the_librarys(void)
+{
+    const double p0[3] = {-0x1.6020a5d5p+48, -0x1.c0feab9p+8, 0};
+    const double p1[3] = {-0x1.7d09b8488p+46, -0x1.95b9e5dap+12,
+                          -0x1.74b95eccp+49};
+    const double o[3] = {0x1.0d3666p+53, -0x1.4a6948p-27, -0x1.86878cp-40};
+    const double d[3] = {-0x1.0d3666p+53, 0x1.0321c4p-28, 0x1.86878cp-40};
+    struct tally tally = {0, 0, 0};
+    struct question x;
+    cylint_shape shape;
+    cylint_line line;
+    memset(&x, 0, sizeof x);
+    memcpy(x.line.o, o, sizeof o);
+    memcpy(x.line.d, d, sizeof d);
+    x.line.tmax = HUGE_VAL;
+    x.line.near = HUGE_VALF;
+    x.shape = &shape;
+    CHECK(cylint_cylinder(&shape, p0, p1, 0x1.bef9b1a9p+18, CYLINT_OPEN) ==
+          CYLINT_OK);
+    CHECK(cylint_span(&line, o, d, 0, HUGE_VAL) == CYLINT_OK);
+    x.n = cylint_intersect(&shape, &line, CYLINT_WANT_ALL, &x.answer);
+    CHECK(x.n == 1 && x.answer.hit[0].z < 0x1p-30);
+    CHECK(agrees(&cylint_quick_plain, &x, &tally));
+    CHECK(agrees(cylint_quick_used(), &x, &tally));
+}
+
 /* The case's shape, all of its numbers rounded to floats. */
 static int in_floats(const struct family_case *c, cylint_shape *shape)
 {
@@ -403,6 +430,7 @@ int main(void)
     RUN(what_is_certain_when_fused_is_so_too);
     RUN(ordinary_cylinders_are_certain);
     RUN(what_many_are_told_is_so);
+    RUN(a_small_z_is_not_more_certain_than_the_librarys);
     RUN(small_shapes_are_asked_what_large_ones_are);
     RUN(only_what_is_made_of_floats_is_small);
     RUN(an_angle_in_turns_errs_by_its_bound_at_most);

@@ -221,6 +221,10 @@ INLINE verdict cut(question *q, const vd u[3], const vd D[3])
  * for s.  Then |Q| = |s - root| |2 sqrt(G) +- a |s - root|| >= |s - root|
  * sqrt(G).  G being known to 1/16 of it and a to 1/2, this first bounds
  * a |s - root| by sqrt(G) / 5, and then |s - root| by 0.57 of |Q| / sqrt(G).
+ *
+ * z is compared with the library's, whose dividend has 54 bits beside its
+ * divisor (keeps_digits() of hit.c), however small it is itself: so that is
+ * wrong by 2^-54 = eps / 16 and by roundings of z, for which eps |z| has room.
  */
 INLINE vm meet(const question *q, vd s, hit *at)
 {
@@ -248,7 +252,8 @@ INLINE vm meet(const question *q, vd s, hit *at)
     at->s_error = v_set(0.6) * off;
     at->e_c = e_c + N * at->s_error + few(1) * c;
     at->e_k = e_k + dr * N * q->per_ww * at->s_error;
-    at->z_error = at->e_c * q->per_ww + few(1) * v_abs(at->z);
+    at->z_error = at->e_c * q->per_ww +
+                  few(1) * (v_abs(at->z) + v_set(0.0625));
     return m_and(v_lt(v_set(9) * v_abs(q->a) * off, q->root),
                  v_lt(N * e_H, q->root));
 }
