@@ -2,14 +2,16 @@
  * simd.h - a lane vector vd, its mask vm and the few operations on them
  *
  * The one place with intrinsics.  vd adds, subtracts, multiplies and divides
- * by the operators of C; the rest has names here.  The instruction set is
- * that of the compiler's flags; CYLINT_NARROW asks for the narrowest that has
- * branch-free masks, of two lanes, for work on one line and one shape, and
- * gets two from any compiler that knows GNU's vectors.  Without any, or where
- * CYLINT_ONE_LANE asks for it, the only lane is a plain double.  v_float(x) is
- * x rounded to floats, v_like(x, y) is x with the signs of y.  Of two lanes there are also: two numbers side by side, the
- * first lanes of two vectors, and both lanes the other way round.  Every
- * operation rounds once, so every width gives the same bits.
+ * by the operators of C; the rest has names here.  v_float(x) is x rounded to
+ * floats, v_like(x, y) is x with the signs of y.
+ *
+ * The instruction set is that of the compiler's flags.  CYLINT_ONE_LANE asks
+ * for plain doubles, which there are without any, too; CYLINT_NARROW for the
+ * narrowest that has branch-free masks, of two lanes, for work on one line and
+ * one shape, and gets two from any compiler that knows GNU's vectors.  Of two
+ * lanes there are also: two numbers side by side, the first lanes of two
+ * vectors, and both lanes the other way round.  Every operation rounds once, so
+ * every width gives the same bits.
  */
 #ifndef CYLINT_SIMD_H
 #define CYLINT_SIMD_H

@@ -103,7 +103,8 @@ static int describes(const cylint_quick_build *build, const cylint_quick *q,
 {
     cylint_quick_floats floats;
     tally->certain++;
-    if (part_of(at) != (int)hit->part || !(fabs(at->t - hit->t) <= at->t_error) ||
+    if (part_of(at) != (int)hit->part ||
+        !(fabs(at->t - hit->t) <= at->t_error) ||
         !(fabs(at->z - hit->z) <= at->z_error))
         return 0;
     if (!build->describe(q, at, &floats))

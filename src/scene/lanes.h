@@ -8,8 +8,8 @@
  * twice: what is computed here is bounded, not told, so builds may differ.
  * f_lower(x, y) and f_higher(x, y) are y where x is not a number.
  * f_store_keys() stores numbers that are in the order of the floats.
- * f_turned(x, y) is x or, where y is negative, -x.  i_or_where(x, m, y) is x | y
- * where m, else x.
+ * f_turned(x, y) is x or, where y is negative, -x.  i_or_where(x, m, y) is
+ * x | y where m, else x.
  */
 #ifndef CYLINT_SCENE_LANES_H
 #define CYLINT_SCENE_LANES_H

@@ -278,7 +278,7 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
     return met;
 }
 
-/* -------------------------------------------------------- from near: rays -- */
+/* ------------------------------------------------------- from near: rays -- */
 
 ASIDE unsigned test_far_ray(const cylint_block *b, const cylint_float_ray *ray,
                             float least[CYLINT_BLOCK])

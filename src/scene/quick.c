@@ -83,7 +83,8 @@ static int least_component(const cylint_quick *q)
 static int describe(const cylint_quick *q, const cylint_quick_hit *at,
                     cylint_quick_floats *to)
 {
-    const int first = least_component(q), least[3] = {0, first == 1, first == 2};
+    const int first = least_component(q);
+    const int least[3] = {first == 0, first == 1, first == 2};
     floats f;
     if (!describe_lanes(q, at, least, &f))
         return 0;

@@ -181,9 +181,8 @@ INLINE verdict cut(question *q, const vd u[3], const vd D[3])
         slant = slant + dr * dr;
         b = b - (r0 + dr * q->alpha * q->per_ww) * kb;
         q->a = q->a - kb * kb * q->per_ww;
-        known = m_and(known, m_or(m_not(cone),
-                      v_lt(few(4) * (N * N) + few(8) * (dr * dr * (q->U * q->U)),
-                           v_abs(q->a))));
+        const vd e_a = few(4) * (N * N) + few(8) * (dr * dr * (q->U * q->U));
+        known = m_and(known, m_or(m_not(cone), v_lt(e_a, v_abs(q->a))));
     }
     const vd G = ww * gg - slant * (f * f), e_f = few(2) * q->Dn * N;
     const vd e_G = few(6) * ww * (S * S) +
