@@ -51,6 +51,10 @@
  * shape is entered into several boxes, but each of its hits is offered once;
  * the exit may come before the entry where they lie in different boxes.
  *
+ * Packets.  The answers are those to the rays alone, bit for bit.  Rays that
+ * begin near each other and go into the same octant cost less in packets, of
+ * 16 the least; others cost a little more than alone.
+ *
  * Threads.  Queries only read; any number may run at once.  Making, updating
  * and releasing are like committing: not while anyone traces the geometry.
  *

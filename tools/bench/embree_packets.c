@@ -51,15 +51,18 @@ union packet {
 
 enum {
     RAY_WORDS = sizeof(struct RTCRay) / 4,
+    TFAR_WORD = offsetof(struct RTCRay, tfar) / 4,
     GEOM_WORD = RAY_WORDS + offsetof(struct RTCHit, geomID) / 4
 };
 
 /* ------------------------------------------------------------ questions -- */
 
+/* What Embree is told beside the rays. */
 struct asking {
     cylint_rtc_context context;
 #if CYLINT_EMBREE == 4
-    struct RTCIntersectArguments args;
+    struct RTCIntersectArguments nearest;
+    struct RTCOccludedArguments any;
 #endif
 };
 
@@ -67,10 +70,11 @@ static void begin_asking(struct asking *a, int coherent)
 {
     cylint_rtc_init(&a->context);
 #if CYLINT_EMBREE == 4
-    rtcInitIntersectArguments(&a->args);
-    a->args.context = &a->context;
-    a->args.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT
-                             : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    rtcInitIntersectArguments(&a->nearest);
+    rtcInitOccludedArguments(&a->any);
+    a->nearest.context = a->any.context = &a->context;
+    a->nearest.flags = a->any.flags = coherent
+        ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
 #else
     a->context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
                                 : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
@@ -78,24 +82,40 @@ static void begin_asking(struct asking *a, int coherent)
 }
 
 #if CYLINT_EMBREE == 4
-#define ASK(n, packet) rtcIntersect##n(valid, scene, packet, &a->args)
-#define ASK_ONE(packet) rtcIntersect1(scene, packet, &a->args)
+#define NEAREST(n, packet) rtcIntersect##n(valid, scene, packet, &a->nearest)
+#define NEAREST_ONE(packet) rtcIntersect1(scene, packet, &a->nearest)
+#define ANY(n, packet) rtcOccluded##n(valid, scene, packet, &a->any)
+#define ANY_ONE(packet) rtcOccluded1(scene, packet, &a->any)
 #else
-#define ASK(n, packet) rtcIntersect##n(valid, scene, &a->context, packet)
-#define ASK_ONE(packet) rtcIntersect1(scene, &a->context, packet)
+#define NEAREST(n, packet) rtcIntersect##n(valid, scene, &a->context, packet)
+#define NEAREST_ONE(packet) rtcIntersect1(scene, &a->context, packet)
+#define ANY(n, packet) rtcOccluded##n(valid, scene, &a->context, packet)
+#define ANY_ONE(packet) rtcOccluded1(scene, &a->context, packet)
 #endif
 
-static void ask(struct asking *a, RTCScene scene, int lanes,
-                union packet *packet)
+static const int valid[MOST_LANES] __attribute__((aligned(64))) = {
+    -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1
+};
+
+static void ask_nearest(struct asking *a, RTCScene scene, int lanes,
+                        union packet *packet)
 {
-    static const int valid[MOST_LANES] __attribute__((aligned(64))) = {
-        -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1
-    };
     switch (lanes) {
-    case 1: ASK_ONE(&packet->one); break;
-    case 4: ASK(4, &packet->four); break;
-    case 8: ASK(8, &packet->eight); break;
-    default: ASK(16, &packet->sixteen); break;
+    case 1: NEAREST_ONE(&packet->one); break;
+    case 4: NEAREST(4, &packet->four); break;
+    case 8: NEAREST(8, &packet->eight); break;
+    default: NEAREST(16, &packet->sixteen); break;
+    }
+}
+
+static void ask_any(struct asking *a, RTCScene scene, int lanes,
+                    union packet *packet)
+{
+    switch (lanes) {
+    case 1: ANY_ONE(&packet->one.ray); break;
+    case 4: ANY(4, &packet->four.ray); break;
+    case 8: ANY(8, &packet->eight.ray); break;
+    default: ANY(16, &packet->sixteen.ray); break;
     }
 }
 
@@ -112,30 +132,36 @@ static unsigned *in_lanes(const struct rays *rays, int lanes)
     return words;
 }
 
-static long trace(RTCScene scene, const struct manner *how,
+typedef void query(struct asking *a, RTCScene scene, int lanes,
+                   union packet *packet);
+
+/* Returns how many hit: a geometry, or something, so that tfar is negative. */
+static long trace(RTCScene scene, query *ask, const struct manner *how,
                   const unsigned *rays, int n)
 {
     union packet packet __attribute__((aligned(64)));
     struct asking a;
+    const int lanes = how->lanes;
+    unsigned *geom = packet.word + GEOM_WORD * lanes;
+    const unsigned *tfar = packet.word + TFAR_WORD * lanes;
     long hits = 0;
     begin_asking(&a, how->coherent);
-    for (int i = 0; i < n; i += how->lanes) {
-        unsigned *geom = packet.word + GEOM_WORD * how->lanes;
+    for (int i = 0; i < n; i += lanes) {
         memcpy(packet.word, rays + (size_t)i * RAY_WORDS,
-               (size_t)how->lanes * RAY_WORDS * sizeof *rays);
-        for (int k = 0; k < how->lanes; k++)
+               (size_t)lanes * RAY_WORDS * sizeof *rays);
+        for (int k = 0; k < lanes; k++)
             geom[k] = RTC_INVALID_GEOMETRY_ID;
-        ask(&a, scene, how->lanes, &packet);
-        for (int k = 0; k < how->lanes; k++)
-            hits += geom[k] != RTC_INVALID_GEOMETRY_ID;
+        ask(&a, scene, lanes, &packet);
+        for (int k = 0; k < lanes; k++)
+            hits += geom[k] != RTC_INVALID_GEOMETRY_ID || tfar[k] >> 31;
     }
     return hits;
 }
 
 /* ---------------------------------------------------------------- races -- */
 
-static void compete(struct contestant *c, int n, unsigned *const rays[WAYS],
-                    int n_rays, double seconds)
+static void compete(struct contestant *c, int n, query *ask,
+                    unsigned *const rays[WAYS], int n_rays, double seconds)
 {
     const struct timing start = timing_now();
     for (int i = 0; i < n; i++)
@@ -146,7 +172,7 @@ static void compete(struct contestant *c, int n, unsigned *const rays[WAYS],
         for (int way = 0; way < WAYS; way++)
             for (int i = 0; i < n; i++) {
                 const struct timing begin = timing_now();
-                c[i].hits[way] = trace(c[i].rival.scene, &manners[way],
+                c[i].hits[way] = trace(c[i].rival.scene, ask, &manners[way],
                                        rays[way], n_rays);
                 timing_keep_least(&c[i].least[way], timing_since(begin));
             }
@@ -170,7 +196,7 @@ static void show(const char *scene, size_t n, const char *rays,
     fflush(stdout);
 }
 
-static void race(const char *scene, size_t n, const char *name,
+static void race(const char *scene, size_t n, const char *name, query *ask,
                  struct rays rays, struct contestant *c, int rivals,
                  double seconds)
 {
@@ -178,7 +204,7 @@ static void race(const char *scene, size_t n, const char *name,
     rays.n -= rays.n % MOST_LANES;
     for (int way = 0; way < WAYS; way++)
         lanes[way] = in_lanes(&rays, manners[way].lanes);
-    compete(c, rivals, lanes, rays.n, seconds);
+    compete(c, rivals, ask, lanes, rays.n, seconds);
     show(scene, n, name, c, rivals, rays.n);
     for (int way = 0; way < WAYS; way++)
         free(lanes[way]);
@@ -196,9 +222,12 @@ static void run(const struct cylinder_kind *kind, size_t n, double seconds)
          .rival = build_shapes(&cylinders, CYLINT_EMBREE_NO_FILTERS, one)}
     };
     enum { RIVALS = sizeof c / sizeof *c };
-    race(kind->name, n, "camera", draw_camera_rays(RAYS), c, RIVALS, seconds);
-    race(kind->name, n, "anyhow", draw_incoherent_rays(RAYS), c, RIVALS,
-         seconds);
+    race(kind->name, n, "camera", ask_nearest, draw_camera_rays(RAYS), c,
+         RIVALS, seconds);
+    race(kind->name, n, "camera, occluded", ask_any, draw_camera_rays(RAYS), c,
+         RIVALS, seconds);
+    race(kind->name, n, "anyhow", ask_nearest, draw_incoherent_rays(RAYS), c,
+         RIVALS, seconds);
     for (int i = 0; i < RIVALS; i++)
         free_rival(&c[i].rival);
     free_cylinders(&cylinders);
