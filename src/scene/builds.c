@@ -55,14 +55,11 @@ static int has_avx512(void)
 
 cylint_quick_many *cylint_quick_many_build(int i)
 {
-    cylint_quick_many *runs[3] = {NULL};
-    int n = 0;
 #ifdef CYLINT_BUILDS_X86
-    if (has_avx512())
-        runs[n++] = cylint_quick_many_avx512;
-    if (has_fma())
-        runs[n++] = cylint_quick_many_avx2;
+    if (has_avx512() && i-- == 0)
+        return cylint_quick_many_avx512;
+    if (has_fma() && i-- == 0)
+        return cylint_quick_many_avx2;
 #endif
-    runs[n++] = cylint_quick_many_plain;
-    return i < n ? runs[i] : NULL;
+    return i == 0 ? cylint_quick_many_plain : NULL;
 }
