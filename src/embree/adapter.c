@@ -114,9 +114,10 @@ static int ask_for_room(cylint_memory *memory, cylint_embree_data *data,
     return bytes == 0 || cylint_memory_take(memory, &data->source, bytes);
 }
 
-/* What quick.c asks of the shapes, being made. */
+/* What quick.c asks of the shapes, being made, in the order of `number`. */
 typedef struct {
     const cylint_shape *shapes;
+    const uint32_t *number;
     cylint_memory memory;
     cylint_quick_shapes made;
     cylint_crew_lock lock;  /* of what is below */
@@ -130,14 +131,52 @@ static void copy_asked(void *self, size_t from, size_t to)
     cylint_quick_shape *large = a->memory.data;
     size_t i = from;
     if (a->made.small)
-        while (i < to && cylint_quick_small_of(&small[i], &a->shapes[i]))
+        while (i < to && cylint_quick_small_of(&small[i],
+                                               &a->shapes[a->number[i]]))
             i++;
     else
         for (; i < to; i++)
-            cylint_quick_shape_of(&large[i], &a->shapes[i]);
+            cylint_quick_shape_of(&large[i], &a->shapes[a->number[i]]);
     cylint_crew_enter(&a->lock);
     a->fits &= i == to;
     cylint_crew_leave(&a->lock);
+}
+
+/* The shapes in the order in which blocks, which nobody uses yet, name them
+ * first, and then their ranks in the blocks.  All ranks are UINT32_MAX. */
+static void name_by_rank(const cylint_group *group, uint32_t *rank,
+                         uint32_t *number)
+{
+    uint32_t next = 0;
+    for (size_t i = 0; i < group->n; i++) {
+        cylint_block *block = (cylint_block *)&group->blocks[i];
+        for (int lane = 0; lane < cylint_block_used(block); lane++) {
+            uint32_t *here = &rank[block->number[lane]];
+            if (*here == UINT32_MAX) {
+                number[next] = block->number[lane];
+                *here = next++;
+            }
+            block->number[lane] = *here;
+        }
+    }
+}
+
+/* What lies together in blocks is to lie together where it is asked.  0:
+ * refused. */
+static int sort_by_blocks(cylint_memory *number, const cylint_group *group,
+                          cylint_embree_data *data)
+{
+    const size_t bytes = data->n * sizeof(uint32_t);
+    cylint_memory rank;
+    if (!ask_for_room(&rank, data, bytes))
+        return 0;
+    const int made = ask_for_room(number, data, bytes);
+    if (made && data->n > 0) {
+        memset(rank.data, 0xff, bytes);
+        name_by_rank(group, rank.data, number->data);
+    }
+    cylint_memory_give(&rank);
+    return made;
 }
 
 /* Small, unless one of them does not fit: mostly the first.  0: refused. */
@@ -178,16 +217,23 @@ static int group_shapes(cylint_embree_data *data,
     default:
         return refused(problem, CYLINT_EMBREE_EMEMORY, 0);
     }
-    const int made = make_asked(&asked, data);
+    cylint_memory number = {0};
+    int made = sort_by_blocks(&number, &group, data);
+    asked.number = number.data;
+    made = made && make_asked(&asked, data);
     cylint_crew_end(&asked.lock);
     if (!made) {
+        cylint_memory_give(&number);
         cylint_group_free(&group);
         return refused(problem, CYLINT_EMBREE_EMEMORY, 0);
     }
     cylint_group_free(&data->group);
     cylint_memory_give(&data->asked_memory);
+    cylint_memory_give(&data->number_memory);
     data->group = group;
     data->asked_memory = asked.memory;
+    data->number_memory = number;
+    data->number = number.data;
     data->asked = asked.made;
     take_box(data, &group.box);
     return 1;
@@ -258,6 +304,7 @@ static void free_data(cylint_embree_data *data)
     cylint_memory self = data->self;
     cylint_group_free(&data->group);
     cylint_memory_give(&data->asked_memory);
+    cylint_memory_give(&data->number_memory);
     cylint_memory_give(&self);
 }
 
@@ -319,5 +366,5 @@ size_t cylint_embree_bytes(RTCGeometry geometry)
 {
     const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
     return data->self.bytes + data->group.memory.bytes +
-           data->asked_memory.bytes;
+           data->asked_memory.bytes + data->number_memory.bytes;
 }

@@ -32,7 +32,10 @@ typedef struct cylint_embree_data {
     const cylint_quick_build *quick;
     cylint_quick_many *many;
     cylint_group group;
-    cylint_memory asked_memory;   /* of what quick.c asks of every shape */
+    cylint_memory asked_memory;   /* of what quick.c asks of every shape, by the
+                                     rank it has in the blocks of the group */
+    cylint_memory number_memory;
+    const uint32_t *number;       /* of the shape, by its rank */
     cylint_quick_shapes asked;
 } cylint_embree_data;
 

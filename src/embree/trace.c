@@ -317,14 +317,21 @@ static turnout try_hit(query *q, unsigned number, const cylint_quick *quick,
     return take(q, number, t, &floats) ? TAKEN : ANOTHERS;
 }
 
+/* The shape's number.  rank: what a block has of it, or the primitive. */
+static unsigned number_of(const query *q, unsigned rank)
+{
+    return q->block ? q->data->number[rank] : rank;
+}
+
 /* The shape as the ray finds it, in `room` if need be. */
-static cylint_quick_subject subject_of(const query *q, unsigned number,
+static cylint_quick_subject subject_of(const query *q, unsigned rank,
                                        cylint_shape *between,
                                        cylint_quick_shape *room)
 {
+    const unsigned number = number_of(q, rank);
     if (q->block)
         return (cylint_quick_subject){
-            cylint_quick_at(&q->data->asked, number), q->data->asked.small,
+            cylint_quick_at(&q->data->asked, rank), q->data->asked.small,
             q->data->shapes + number, cylint_block_ends(q->block, q->lane)};
     const cylint_shape *whole = shape_at(q->data, number, q->ray->time,
                                          between);
@@ -334,13 +341,14 @@ static cylint_quick_subject subject_of(const query *q, unsigned number,
 
 /* 1 if the ray hits the shape and takes the hit.  Not where it enters the shape
  * if `left`: then it has been asked about that. */
-static int try_shape(query *q, unsigned number, int left)
+static int try_shape(query *q, unsigned rank, int left)
 {
+    const unsigned number = number_of(q, rank);
     cylint_shape between;
     cylint_quick quick;
     cylint_quick_hit hit;
     cylint_quick_shape room;
-    const cylint_quick_subject subject = subject_of(q, number, &between, &room);
+    const cylint_quick_subject subject = subject_of(q, rank, &between, &room);
     cylint_quick_verdict is = q->data->quick->enter(&quick, &subject, &q->line,
                                                       &hit);
     for (int i = 0, before = 0; i < 2; i++) {
@@ -562,11 +570,11 @@ static void add(inquiry *r, query *q)
 /* Question i was answered.  1 if its ray takes the hit. */
 static int heed(const cylint_quick_answers *a, int i, query *q)
 {
-    const unsigned number = q->block->number[q->lane], bit = 1u << i;
+    const unsigned rank = q->block->number[q->lane], bit = 1u << i;
     if (a->unsure & bit)
-        return try_shape(q, number, 0);
+        return try_shape(q, rank, 0);
     if (!(a->hit & bit))
-        return a->crosses & bit ? try_shape(q, number, 1) : 0;
+        return a->crosses & bit ? try_shape(q, rank, 1) : 0;
     const place at = {a->t[i], a->t_error[i], a->z[i], a->z_error[i]};
     float t;
     const turnout is = judge(q, &at, &t);
@@ -574,13 +582,13 @@ static int heed(const cylint_quick_answers *a, int i, query *q)
         return 0;
     if (is == UNCERTAIN ||
         (is == TAKEN && is_seen(q) && !(a->described & bit)))
-        return try_shape(q, number, 0);
+        return try_shape(q, rank, 0);
     const cylint_quick_floats floats = {
         (float)a->float_z[i], (float)a->phi[i],
         {(float)a->normal[0][i], (float)a->normal[1][i],
          (float)a->normal[2][i]}};
-    return (is == TAKEN && take(q, number, t, &floats)) ||
-           try_shape(q, number, 1);
+    return (is == TAKEN && take(q, number_of(q, rank), t, &floats)) ||
+           try_shape(q, rank, 1);
 }
 
 static void ask_all_at_once(const inquiry *r)
