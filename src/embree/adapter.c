@@ -1,6 +1,8 @@
 /*
  * adapter.c - making, updating and releasing geometries
  */
+#include <string.h>
+
 #include "../scene/crew.h"
 #include "internal.h"
 #include "moving.h"
