@@ -351,6 +351,37 @@ static long small_as_large(const cylint_quick_build *build, int family)
     return same;
 }
 
+/* The same of many at a time. */
+static long many_small_as_large(cylint_quick_many *many, int family)
+{
+    long same = 0;
+    for (uint64_t i = 0; i < CASES / 10;) {
+        struct crowd c;
+        cylint_quick_subject small[CYLINT_QUICK_MOST];
+        cylint_quick_small shape[CYLINT_QUICK_MOST];
+        cylint_quick_answers a[2];
+        gather(&c, family, &i, CYLINT_QUICK_MOST);
+        for (int k = 0; k < c.n; k++) {
+            cylint_shape *whole = &c.from[k].shape;
+            if (!in_floats(&c.from[k], whole) ||
+                !cylint_quick_small_of(&shape[k], whole))
+                c.n = k;
+            else {
+                cylint_quick_shape_of(&c.shape[k], whole);
+                small[k] = (cylint_quick_subject){&shape[k], 1, whole,
+                                                  whole->ends};
+            }
+        }
+        if (c.n == 0)
+            continue;
+        memset(a, 0, sizeof a);
+        many(c.subject, c.line, c.n, 1, &a[0]);
+        many(small, c.line, c.n, 1, &a[1]);
+        same += CHECK(memcmp(&a[0], &a[1], sizeof a[0]) == 0);
+    }
+    return same;
+}
+
 static void small_shapes_are_asked_what_large_ones_are(void)
 {
     long same = 0;
@@ -358,6 +389,17 @@ static void small_shapes_are_asked_what_large_ones_are(void)
         same += small_as_large(cylint_quick_used(), family) +
                 small_as_large(&cylint_quick_plain, family);
     CHECK(same > CASES);
+}
+
+static void many_small_shapes_are_asked_so_too(void)
+{
+    cylint_quick_many *many;
+    for (int i = 0; (many = cylint_quick_many_build(i)); i++) {
+        long same = 0;
+        for (int family = 0; family < family_count(); family++)
+            same += many_small_as_large(many, family);
+        CHECK(same > CASES / 100);
+    }
 }
 
 /* A cylinder or cone from base to top, or neither. */
@@ -433,6 +475,7 @@ int main(void)
     RUN(what_many_are_told_is_so);
     RUN(a_small_z_is_not_more_certain_than_the_librarys);
     RUN(small_shapes_are_asked_what_large_ones_are);
+    RUN(many_small_shapes_are_asked_so_too);
     RUN(only_what_is_made_of_floats_is_small);
     RUN(an_angle_in_turns_errs_by_its_bound_at_most);
     return check_end();
