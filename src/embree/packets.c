@@ -76,7 +76,8 @@ typedef struct {
 
 static void add(inquiry *r, query *q)
 {
-    r->subject[r->n] = cylint_query_subject(q, q->block->number[q->lane], NULL, NULL);
+    r->subject[r->n] = cylint_query_subject(q, q->block->number[q->lane], NULL,
+                                            NULL);
     r->line[r->n] = &q->line;
     r->asks[r->n++] = q;
 }

@@ -292,7 +292,8 @@ int cylint_query_try(query *q, unsigned rank, int left)
     cylint_quick quick;
     cylint_quick_hit hit;
     cylint_quick_shape room;
-    const cylint_quick_subject subject = cylint_query_subject(q, rank, &between, &room);
+    const cylint_quick_subject subject =
+        cylint_query_subject(q, rank, &between, &room);
     cylint_quick_verdict is = q->data->quick->enter(&quick, &subject, &q->line,
                                                       &hit);
     for (int i = 0, before = 0; i < 2; i++) {
