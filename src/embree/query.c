@@ -271,8 +271,8 @@ static turnout try_hit(query *q, unsigned number, const cylint_quick *quick,
 }
 
 cylint_quick_subject cylint_query_subject(const query *q, unsigned rank,
-                                       cylint_shape *between,
-                                       cylint_quick_shape *room)
+                                          cylint_shape *between,
+                                          cylint_quick_shape *room)
 {
     const unsigned number = number_of(q, rank);
     if (q->block)
