@@ -73,7 +73,7 @@ static double present_t(const query *q)
     const int n = ask(shape, &q->line, CYLINT_WANT_T | CYLINT_WANT_Z, &answer);
     for (int i = n - 1; i >= 0; i--)
         if (rounded_up(answer.hit[i].t, q->ray->tfar) == q->ray->tfar &&
-            (t >= HUGE_VAL || q->data->how & CYLINT_EMBREE_BARE ||
+            (t >= HUGE_VAL || is_bare(q) ||
              (float)answer.hit[i].z == q->hit->u))
             t = answer.hit[i].t;
     return t;

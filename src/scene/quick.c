@@ -14,32 +14,15 @@ static cylint_quick_verdict told(verdict v)
          : v.unsure ? CYLINT_QUICK_UNSURE : CYLINT_QUICK_MISS;
 }
 
-/* Differences that were doubles are the same doubles again. */
-static const cylint_quick_shape *widened(cylint_quick_shape *to,
-                                         const cylint_quick_small *s)
-{
-    EACH(j, 3) {
-        to->base[j] = s->base[j];
-        to->axis[j] = (double)s->top[j] - (double)s->base[j];
-    }
-    to->r0 = s->r0;
-    to->dr = (double)s->r1 - (double)s->r0;
-    return to;
-}
-
 static cylint_quick_verdict enter(cylint_quick *q,
                                   const cylint_quick_subject *subject,
                                   const cylint_quick_line *l,
                                   cylint_quick_hit *at)
 {
-    cylint_quick_shape room;
-    const cylint_quick_shape *from =
-        subject->small ? widened(&room, subject->shape) : subject->shape;
-    const cut_line line = {{l->o[0], l->o[1], l->o[2]},
-                           {l->d[0], l->d[1], l->d[2]}, l->tmin, l->near};
-    const cut_shape shape = {{from->base[0], from->base[1], from->base[2]},
-                             {from->axis[0], from->axis[1], from->axis[2]},
-                             from->r0, from->dr};
+    const char *const shape_row = subject->shape;
+    const char *const line_row = (const char *)l;
+    const cut_shape shape = shape_of(&shape_row, subject->small);
+    const cut_line line = line_of(&line_row);
     q->whole = subject->whole;
     q->cap[0] = cylint_quick_has_cap(subject->ends, 0);
     q->cap[1] = cylint_quick_has_cap(subject->ends, 1);

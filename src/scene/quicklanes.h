@@ -19,6 +19,7 @@
 #define CYLINT_SCENE_QUICKLANES_H
 
 #include <float.h>
+#include <stddef.h>
 
 #include "../simd.h"
 #include "quick.h"
@@ -45,6 +46,31 @@ typedef struct {
 typedef struct {
     vd o[3], d[3], tmin, near;
 } cut_line;
+
+/* Of one in every lane, from the structs of quick.h at row[0], row[1], ... */
+INLINE cut_shape shape_of(const char *const row[LANES], int small)
+{
+    vd x[8];
+    if (!small) {
+        v_columns(row, offsetof(cylint_quick_shape, base), x);
+        v_columns(row, offsetof(cylint_quick_shape, axis[1]), x + 4);
+        return (cut_shape){{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
+    }
+    v_columns_of_floats(row, offsetof(cylint_quick_small, base), x);
+    v_columns_of_floats(row, offsetof(cylint_quick_small, top), x + 4);
+    /* differences that were doubles are the same doubles again */
+    return (cut_shape){{x[0], x[1], x[2]},
+                       {x[4] - x[0], x[5] - x[1], x[6] - x[2]},
+                       x[3], x[7] - x[3]};
+}
+
+INLINE cut_line line_of(const char *const row[LANES])
+{
+    vd x[8];
+    v_columns(row, offsetof(cylint_quick_line, o), x);
+    v_columns(row, offsetof(cylint_quick_line, d[1]), x + 4);
+    return (cut_line){{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
+}
 
 /* Neither: certainly not. */
 typedef struct {

@@ -6,8 +6,6 @@
  */
 #include "quickmany.h"
 
-#include <stddef.h>
-
 #include "quicklanes.h"
 
 #ifndef CYLINT_QUICK_MANY
@@ -38,47 +36,6 @@ static rows rows_of(const cylint_quick_subject *subject,
     return r;
 }
 
-static void widen(const rows *r, cut_shape *s)
-{
-    vd base[4], top[4];
-    v_columns_of_floats(r->shape, offsetof(cylint_quick_small, base), base);
-    v_columns_of_floats(r->shape, offsetof(cylint_quick_small, top), top);
-    EACH(j, 3) {
-        s->base[j] = base[j];
-        s->axis[j] = top[j] - base[j];
-    }
-    s->r0 = base[3];
-    s->dr = top[3] - base[3];
-}
-
-static void load_shapes(const rows *r, cut_shape *s)
-{
-    vd a[4], b[4];
-    v_columns(r->shape, offsetof(cylint_quick_shape, base), a);
-    v_columns(r->shape, offsetof(cylint_quick_shape, axis[1]), b);
-    EACH(j, 3)
-        s->base[j] = a[j];
-    s->axis[0] = a[3];
-    s->axis[1] = b[0];
-    s->axis[2] = b[1];
-    s->r0 = b[2];
-    s->dr = b[3];
-}
-
-static void load_lines(const rows *r, cut_line *l)
-{
-    vd a[4], b[4];
-    v_columns(r->line, offsetof(cylint_quick_line, o), a);
-    v_columns(r->line, offsetof(cylint_quick_line, d[1]), b);
-    EACH(j, 3)
-        l->o[j] = a[j];
-    l->d[0] = a[3];
-    l->d[1] = b[0];
-    l->d[2] = b[1];
-    l->tmin = b[2];
-    l->near = b[3];
-}
-
 /* The coordinate along which the axis is least, the first such; not where
  * only the low parts of coordinates tell. */
 static vm least_components(const question *q, vm least[3])
@@ -107,26 +64,15 @@ static vm describe(const question *q, const hit *at, int from,
     return sure;
 }
 
-static void load(question *q, cut_shape *shape, cut_line *line, const rows *r,
-                 int small)
-{
-    if (small)
-        widen(r, shape);
-    else
-        load_shapes(r, shape);
-    load_lines(r, line);
-    q->cap[0] = r->cap[0];
-    q->cap[1] = r->cap[1];
-}
-
 static void answer(const rows *r, int small, int from, int describes,
                    cylint_quick_answers *to)
 {
-    cut_shape shape;
-    cut_line line;
+    const cut_shape shape = shape_of(r->shape, small);
+    const cut_line line = line_of(r->line);
     question q;
     hit at;
-    load(&q, &shape, &line, r, small);
+    q.cap[0] = r->cap[0];
+    q.cap[1] = r->cap[1];
     const verdict comes = crosses(&q, &shape, &line);
     to->unsure |= m_bits(m_and(comes.unsure, r->some)) << from;
     if (!m_any(comes.hit))
