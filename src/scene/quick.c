@@ -42,33 +42,30 @@ static int is_lower(const cylint_shape *s, int i, int j)
            s->axis_lo[j] * copysign(1, s->axis[j]);
 }
 
-static int least_in_full(const cylint_shape *s, double least)
+/* The first coordinate along which the axis is least, doubles being tied. */
+static int least_in_full(const cylint_shape *s)
 {
+    const double *w = s->axis;
+    const double least = cylint_smaller(fabs(w[0]), cylint_smaller(fabs(w[1]),
+                                                                   fabs(w[2])));
     int first = 2;
     for (int j = 1; j >= 0; j--)
-        if (fabs(s->axis[j]) <= least &&
-            (fabs(s->axis[first]) > least || !is_lower(s, first, j)))
+        if (fabs(w[j]) <= least &&
+            (fabs(w[first]) > least || !is_lower(s, first, j)))
             first = j;
     return first;
-}
-
-/* The coordinate along which the axis is least, the first such.  What is 0
- * has no low part. */
-static int least_component(const cylint_quick *q)
-{
-    const double x = fabs(q->w[0]), y = fabs(q->w[1]), z = fabs(q->w[2]);
-    const double xy = cylint_smaller(x, y), least = cylint_smaller(xy, z);
-    const int tied = (x <= least) + (y <= least) + (z <= least) > 1;
-    return tied && least > 0 ? least_in_full(q->whole, least)
-                             : z < xy ? 2 : y < x;
 }
 
 static int describe(const cylint_quick *q, const cylint_quick_hit *at,
                     cylint_quick_floats *to)
 {
-    const int first = least_component(q);
-    const int least[3] = {first == 0, first == 1, first == 2};
+    int least[3];
     floats f;
+    if (!least_components(q, least)) {
+        const int first = least_in_full(q->whole);
+        for (int j = 0; j < 3; j++)
+            least[j] = j == first;
+    }
     if (!describe_lanes(q, at, least, &f))
         return 0;
     *to = (cylint_quick_floats){

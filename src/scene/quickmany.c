@@ -36,20 +36,6 @@ static rows rows_of(const cylint_quick_subject *subject,
     return r;
 }
 
-/* The coordinate along which the axis is least, the first such; not where
- * only the low parts of coordinates tell. */
-static vm least_components(const question *q, vm least[3])
-{
-    const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
-    const vm y_less = v_lt(y, x);
-    const vd xy = v_select(y_less, y, x);
-    const vm tied = m_or(m_and(v_eq(x, y), v_le(x, z)), v_eq(xy, z));
-    least[2] = v_lt(z, xy);
-    least[1] = m_and(y_less, m_not(least[2]));
-    least[0] = m_not(m_or(least[1], least[2]));
-    return m_not(m_and(tied, v_lt(v_set(0), v_select(least[2], z, xy))));
-}
-
 static vm describe(const question *q, const hit *at, int from,
                    cylint_quick_answers *to)
 {
