@@ -68,12 +68,12 @@ CYLINT_API const char *cylint_strerror(int status);
  * and differ only in which of the two caps can be hit: the relation is
  * always that of the line to the closed solid. */
 typedef enum cylint_ends {
-    CYLINT_CAPPED = 0, /* both caps: a closed solid */
-    CYLINT_OPEN,       /* no caps: a tube */
-    CYLINT_CAP_0,      /* the cap at z = 0 only */
-    CYLINT_CAP_1,      /* the cap at z = 1 only */
-    CYLINT_INFINITE,   /* unbounded: whole cylinder, double cone */
-    CYLINT_NAPPE       /* the unbounded nappe that holds the base, or, where
+    CYLINT_ENDS_CAPPED = 0, /* both caps: a closed solid */
+    CYLINT_ENDS_OPEN,       /* no caps: a tube */
+    CYLINT_ENDS_CAP0,      /* the cap at z = 0 only */
+    CYLINT_ENDS_CAP1,      /* the cap at z = 1 only */
+    CYLINT_ENDS_INFINITE,   /* unbounded: whole cylinder, double cone */
+    CYLINT_ENDS_NAPPE       /* the unbounded nappe that holds the base, or, where
                           the base is the apex, the one that holds the top;
                           a cylinder has one nappe, all of itself */
 } cylint_ends;
@@ -187,23 +187,23 @@ CYLINT_API cylint_status cylint_span(cylint_line *line,
 
 /* The whole line against the closed solid, whatever domain and caps. */
 typedef enum cylint_relation {
-    CYLINT_MISS = 0, /* no common point */
-    CYLINT_TOUCH,    /* one common point, not interior */
-    CYLINT_ALONG,    /* a piece of the boundary longer than a point: a
+    CYLINT_RELATION_MISS = 0, /* no common point */
+    CYLINT_RELATION_TOUCH,    /* one common point, not interior */
+    CYLINT_RELATION_ALONG,    /* a piece of the boundary longer than a point: a
                         ruling, or a chord in a cap's plane */
-    CYLINT_CROSS     /* a point of the interior is met */
+    CYLINT_RELATION_CROSS     /* a point of the interior is met */
 } cylint_relation;
 
 typedef enum cylint_part {
-    CYLINT_LATERAL = 0, /* the lateral surface, rims and apex included */
-    CYLINT_CAP0,
-    CYLINT_CAP1
+    CYLINT_PART_LATERAL = 0, /* the lateral surface, rims and apex included */
+    CYLINT_PART_CAP0,
+    CYLINT_PART_CAP1
 } cylint_part;
 
 typedef enum cylint_side {
-    CYLINT_ENTERING = 0, /* the overlap of line and solid begins */
-    CYLINT_LEAVING,      /* the overlap ends */
-    CYLINT_BOTH          /* both at once: a touch, or the apex of a double
+    CYLINT_SIDE_ENTERING = 0, /* the overlap of line and solid begins */
+    CYLINT_SIDE_LEAVING,      /* the overlap ends */
+    CYLINT_SIDE_BOTH          /* both at once: a touch, or the apex of a double
                             cone met from within */
 } cylint_side;
 

@@ -55,9 +55,9 @@ static void shapes_at(const source *from, const size_t *number, int kind,
         const cylint_shape *one = &from->job->shapes[number[i]];
         const int ends = one->ends;
         shape[i] = (const char *)one;
-        cap[0] |= (unsigned)(ends == CYLINT_CAPPED || ends == CYLINT_CAP_0)
+        cap[0] |= (unsigned)(ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0)
                   << i;
-        cap[1] |= (unsigned)(ends == CYLINT_CAPPED || ends == CYLINT_CAP_1)
+        cap[1] |= (unsigned)(ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1)
                   << i;
         flip |= (unsigned)one->flip << i;
     }
@@ -267,7 +267,7 @@ INLINE void round_group(const lanes_query *q, const lanes_shape *s,
 static void lane_answer(const group *g, int lane, unsigned want,
                         cylint_kernel_answer *a)
 {
-    a->relation = CYLINT_CROSS; /* misses are not told */
+    a->relation = CYLINT_RELATION_CROSS; /* misses are not told */
     a->n = 0;
     EACH(i, 2) {
         if (!(g->hit[i] >> lane & 1))
@@ -294,7 +294,7 @@ static int deliver(const source *from, const group *g, const size_t *list,
             const cylint_shape *shape = m == ONE_SHAPE
                                       ? from->shape : &job->shapes[number];
             cylint_kernel_ask(job, shape, number, &answer);
-            if (answer.relation == CYLINT_MISS)
+            if (answer.relation == CYLINT_RELATION_MISS)
                 continue;
         } else {
             lane_answer(g, (int)i, job->want, &answer);
@@ -434,7 +434,7 @@ int CYLINT_LINES(cylint_job *job, const cylint_shape *shape)
 {
     source from = {.job = job, .shape = shape, .n = job->lines->n,
                    .kind = shape->kind,
-                   .bounded = shape->ends < CYLINT_INFINITE};
+                   .bounded = shape->ends < CYLINT_ENDS_INFINITE};
     broadcast_shape(&from.one, shape);
     return work(&from, ONE_SHAPE);
 }

@@ -244,8 +244,8 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
         return;
     const int constant = shape->kind == CYLINT_KIND_CYLINDER ||
                          shape->kind == CYLINT_KIND_ECYLINDER;
-    if (shape->ends >= CYLINT_INFINITE && !constant) {
-        if (shape->ends == CYLINT_NAPPE) {
+    if (shape->ends >= CYLINT_ENDS_INFINITE && !constant) {
+        if (shape->ends == CYLINT_ENDS_NAPPE) {
             take_nappe(shape, lo, hi);
             return;
         }
@@ -256,7 +256,7 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
         return;
     }
     take_disc(shape, 0, lo, hi);
-    if (shape->ends < CYLINT_INFINITE) {
+    if (shape->ends < CYLINT_ENDS_INFINITE) {
         take_disc(shape, 1, lo, hi);
         return;
     }

@@ -122,7 +122,7 @@ static void measure_ball(cylint_shape *s)
 {
     s->ball = HUGE_VAL;
     s->center[0] = s->center[1] = s->center[2] = 0;
-    if (s->ends >= CYLINT_INFINITE)
+    if (s->ends >= CYLINT_ENDS_INFINITE)
         return;
     for (int i = 0; i < 3; i++)
         s->center[i] = s->kind <= CYLINT_KIND_CONE

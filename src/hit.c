@@ -102,7 +102,7 @@ typedef struct {
 static needs needs_of(unsigned want, int part, int apex)
 {
     const int normal = (want & CYLINT_WANT_NORMAL) != 0;
-    const int lateral = part == CYLINT_LATERAL;
+    const int lateral = part == CYLINT_PART_LATERAL;
     return (needs){normal && lateral && !apex, normal && !lateral,
                    normal && lateral && apex, (want & CYLINT_WANT_Z) != 0,
                    (want & CYLINT_WANT_PHI) != 0 && !apex};
@@ -277,7 +277,7 @@ static int point_in_pairs(const cylint_query *q, pair t, double point[3])
 static int apex_sign(cylint_query *q)
 {
     const int grows = cylint_sign(q->shape->dr);
-    if (q->ends != CYLINT_INFINITE)
+    if (q->ends != CYLINT_ENDS_INFINITE)
         return -grows;
     const int along = cylint_sign_along(q);
     if (along == 0) /* towards the base, if that is not the apex itself */
@@ -289,8 +289,8 @@ static void describe(cylint_query *q, const floating *facts, cylint_root root,
                      int part, int apex, unsigned want, cylint_hit *hit)
 {
     if (want & CYLINT_WANT_NORMAL) {
-        if (part != CYLINT_LATERAL)
-            normalise(facts + AXIAL, part == CYLINT_CAP1 ? 1 : -1, hit->normal);
+        if (part != CYLINT_PART_LATERAL)
+            normalise(facts + AXIAL, part == CYLINT_PART_CAP1 ? 1 : -1, hit->normal);
         else if (apex)
             normalise(facts + AXIS, apex_sign(q), hit->normal);
         else

@@ -196,8 +196,8 @@ INLINE stops stops_bounded(lanes_query *q, bounded_value G, int kind,
                                 m_not(certain(over))));
     return (stops){
         quotient(choose(v->pierced, plane, lateral_numerator(q, exits)), over),
-        v_select(v->pierced, v_two(CYLINT_CAP0, CYLINT_CAP1),
-                 v_set(CYLINT_LATERAL)),
+        v_select(v->pierced, v_two(CYLINT_PART_CAP0, CYLINT_PART_CAP1),
+                 v_set(CYLINT_PART_LATERAL)),
         exits, m_bits(unsure), !at_base(up)
     };
 }
@@ -208,7 +208,7 @@ INLINE stops stops_unbounded(lanes_query *q, bounded_value G, int kind)
     const vm unknown = lateral_quadratic(q, G, kind);
     const vd exits = v_two(-1, 1);
     return (stops){quotient(lateral_numerator(q, exits), q->A),
-                   v_set(CYLINT_LATERAL), exits, m_bits(unknown),
+                   v_set(CYLINT_PART_LATERAL), exits, m_bits(unknown),
                    at_base(v_lt(q->A.v, v_set(0)))};
 }
 
@@ -321,7 +321,7 @@ INLINE int ask_in_brief(const cylint_shape *shape, const cylint_line *line,
     lanes_shape s;
     bounded_value G;
     const verdict v = judge(&q, &s, &G, shape, line, kind, bounded);
-    answer->relation = v.crosses * CYLINT_CROSS; /* CYLINT_MISS is 0 */
+    answer->relation = v.crosses * CYLINT_RELATION_CROSS; /* CYLINT_RELATION_MISS is 0 */
     answer->n = v.crosses << !(want & CYLINT_WANT_NEAREST);
     return v.misses | v.crosses;
 }
@@ -335,7 +335,7 @@ INLINE int ask_in_full(const cylint_shape *shape, const cylint_line *line,
     lanes_line l;
     bounded_value G;
     const verdict v = judge(&q, &s, &G, shape, line, kind, bounded);
-    answer->relation = v.crosses ? CYLINT_CROSS : CYLINT_MISS;
+    answer->relation = v.crosses ? CYLINT_RELATION_CROSS : CYLINT_RELATION_MISS;
     answer->n = 0;
     if (!v.crosses)
         return v.misses;
@@ -361,7 +361,7 @@ ASIDE int ask_intervals(const cylint_shape *shape, const cylint_line *line,
                                         m_from((1u << LANES) - 1));
     if (m_any(v.undecided))
         return 0;
-    answer->relation = m_any(v.cross) ? CYLINT_CROSS : CYLINT_MISS;
+    answer->relation = m_any(v.cross) ? CYLINT_RELATION_CROSS : CYLINT_RELATION_MISS;
     answer->n = 0;
     if (!m_any(v.cross))
         return 1;
@@ -383,7 +383,7 @@ ASIDE int ask_intervals(const cylint_shape *shape, const cylint_line *line,
 static int has_kernel(const cylint_shape *s, const cylint_line *l)
 {
     return s->ordinary && l->ordinary &&
-           (s->ends < CYLINT_NAPPE || s->kind == CYLINT_KIND_CYLINDER ||
+           (s->ends < CYLINT_ENDS_NAPPE || s->kind == CYLINT_KIND_CYLINDER ||
             s->kind == CYLINT_KIND_ECYLINDER);
 }
 
@@ -391,7 +391,7 @@ static int has_kernel(const cylint_shape *s, const cylint_line *l)
 ASIDE int ask_otherwise(ARGUMENTS)
 {
     if (want & CYLINT_WANT_FAST && has_kernel(shape, line) &&
-        ask_intervals(shape, line, shape->kind, shape->ends < CYLINT_INFINITE,
+        ask_intervals(shape, line, shape->kind, shape->ends < CYLINT_ENDS_INFINITE,
                       want, answer, rest))
         return answer->n;
     return rest ? CYLINT_UNDECIDED
@@ -425,7 +425,7 @@ KIND(CYLINT_KIND_ECONE)
 #define BY_ENDS(kind, nappe)                                                \
     {CAPPED(kind), PARTLY(kind), PARTLY(kind), PARTLY(kind),                \
      INFINITE(kind), nappe}
-static cylint_kernel_one *const kernels[][CYLINT_NAPPE + 1][2] = {
+static cylint_kernel_one *const kernels[][CYLINT_ENDS_NAPPE + 1][2] = {
     {NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER},
     BY_ENDS(CYLINT_KIND_CYLINDER, INFINITE(CYLINT_KIND_CYLINDER)),
     BY_ENDS(CYLINT_KIND_CONE, NEITHER),

@@ -75,9 +75,9 @@ INLINE void broadcast_line(lanes_line *to, const cylint_line *l)
 INLINE void broadcast_ends(lanes_shape *to, int ends)
 {
     const unsigned all = (1u << LANES) - 1;
-    to->cap[0] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_0
+    to->cap[0] = m_from(ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0
                         ? all : 0);
-    to->cap[1] = m_from(ends == CYLINT_CAPPED || ends == CYLINT_CAP_1
+    to->cap[1] = m_from(ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1
                         ? all : 0);
 }
 
@@ -314,8 +314,8 @@ INLINE vm within_domain(bounded_value t, const lanes_line *l,
 
 INLINE vm part_present(const lanes_shape *s, vd part)
 {
-    const vm cap0 = v_eq(part, v_set(CYLINT_CAP0));
-    const vm cap1 = v_eq(part, v_set(CYLINT_CAP1));
+    const vm cap0 = v_eq(part, v_set(CYLINT_PART_CAP0));
+    const vm cap1 = v_eq(part, v_set(CYLINT_PART_CAP1));
     const vm lateral = m_not(m_or(cap0, cap1));
     return m_or(lateral, m_or(m_and(cap0, s->cap[0]),
                               m_and(cap1, s->cap[1])));
@@ -331,7 +331,7 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
                                         int bounded, vm lanes)
 {
     const vm none = m_from(0);
-    const vd lateral = v_set(CYLINT_LATERAL), zero = v_set(0);
+    const vd lateral = v_set(CYLINT_PART_LATERAL), zero = v_set(0);
     const bounded_value nowhere = {zero, zero};
     lanes_verdict v = {none, none, {none, none}, none, {nowhere, nowhere},
                        {lateral, lateral}};
@@ -349,7 +349,7 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
     q->beta = with_bound(q->L.beta, form_beta_sizes(&q->N));
     lateral_interval(q, G, kind, bounded, stop, &unsure, &outside);
     if (bounded) {
-        const vd cap0 = v_set(CYLINT_CAP0), cap1 = v_set(CYLINT_CAP1);
+        const vd cap0 = v_set(CYLINT_PART_CAP0), cap1 = v_set(CYLINT_PART_CAP1);
         bounded_value plane[2];
         vm up;
         slab_interval(q, plane, &unsure, &up);
@@ -419,7 +419,7 @@ INLINE lanes_root either_root(lanes_root quick, lanes_root slow)
 INLINE void root_centers(vd center[3], const lanes_shape *s, int kind,
                          vd part)
 {
-    const vm top = v_eq(part, v_set(CYLINT_CAP1));
+    const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
     EACH(i, 3)
         center[i] = kind <= CYLINT_KIND_CONE
                   ? v_select(top, s->top[i], s->base[i]) : s->base[i];
@@ -438,7 +438,7 @@ INLINE lanes_root round_root(const lanes_query *q,
 {
     const vd zero = v_set(0);
     const vm cap = caps ? v_lt(zero, part) : m_from(0);
-    const vm top = v_eq(part, v_set(CYLINT_CAP1));
+    const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
     letters_pairs P;
     letters_sizes N;
     const vd from = q->N.D[0][0] + v_abs(t.v) * q->N.u[0];

@@ -16,8 +16,8 @@ typedef struct {
 
 static int run_of(const cylint_shape *s)
 {
-    const int bounded = s->ends < CYLINT_INFINITE;
-    const int nappe = s->ends == CYLINT_NAPPE &&
+    const int bounded = s->ends < CYLINT_ENDS_INFINITE;
+    const int nappe = s->ends == CYLINT_ENDS_NAPPE &&
                       s->kind != CYLINT_KIND_CYLINDER &&
                       s->kind != CYLINT_KIND_ECYLINDER;
     if (s->kind == CYLINT_KIND_NONE || !s->ordinary || nappe)
@@ -113,7 +113,7 @@ void cylint_kernel_ask(const cylint_job *job, const cylint_shape *shape,
     cylint_line line;
     cylint_answer a;
     answer->n = 0;
-    answer->relation = CYLINT_MISS;
+    answer->relation = CYLINT_RELATION_MISS;
     if (!line_of(job, number, &line))
         return;
     cylint_intersect(shape, &line, job->want | CYLINT_WANT_PART, &a);
@@ -149,7 +149,7 @@ static void ask_pack(const cylint_pack *pack, cylint_job *job)
             cylint_kernel_answer answer;
             const size_t number = run->number[i];
             cylint_kernel_ask(job, &pack->shapes[number], number, &answer);
-            if (answer.relation != CYLINT_MISS &&
+            if (answer.relation != CYLINT_RELATION_MISS &&
                 job->take(job, number, &answer))
                 return;
         }
@@ -255,7 +255,7 @@ static cylint_job columns_job(const cylint_columns *to, size_t n)
     if (!to->t1 && !to->part1 && !to->n)
         job.want |= CYLINT_WANT_NEAREST;
     if (to->relation)
-        memset(to->relation, CYLINT_MISS, n);
+        memset(to->relation, CYLINT_RELATION_MISS, n);
     if (to->n)
         memset(to->n, 0, n);
     if (to->part0)
@@ -299,7 +299,7 @@ void cylint_intersect_lines(const cylint_shape *shape,
     for (size_t i = 0; i < lines->n; i++) {
         cylint_kernel_answer answer;
         cylint_kernel_ask(&job, shape, i, &answer);
-        if (answer.relation != CYLINT_MISS)
+        if (answer.relation != CYLINT_RELATION_MISS)
             take_columns(&job, i, &answer);
     }
 }

@@ -21,7 +21,7 @@ typedef struct {
 
 static overlap none(void)
 {
-    overlap v = {CYLINT_MISS, 0, {{ROOT_APEX, 0, 0, 0}, {ROOT_APEX, 0, 0, 0}}};
+    overlap v = {CYLINT_RELATION_MISS, 0, {{ROOT_APEX, 0, 0, 0}, {ROOT_APEX, 0, 0, 0}}};
     return v;
 }
 
@@ -30,7 +30,7 @@ static overlap one(int relation, cylint_root root, int side, int apex)
     overlap v = none();
     v.relation = relation;
     v.n = 1;
-    v.at[0] = (stop){root, CYLINT_LATERAL, side, apex};
+    v.at[0] = (stop){root, CYLINT_PART_LATERAL, side, apex};
     return v;
 }
 
@@ -41,14 +41,14 @@ static overlap two(int relation, stop first, stop last)
     v.n = 2;
     v.at[0] = first;
     v.at[1] = last;
-    v.at[0].side = CYLINT_ENTERING;
-    v.at[1].side = CYLINT_LEAVING;
+    v.at[0].side = CYLINT_SIDE_ENTERING;
+    v.at[1].side = CYLINT_SIDE_LEAVING;
     return v;
 }
 
 static stop lateral(cylint_root root)
 {
-    return (stop){root, CYLINT_LATERAL, 0, 0};
+    return (stop){root, CYLINT_PART_LATERAL, 0, 0};
 }
 
 static int radius_is_zero(const cylint_query *q, int cap)
@@ -60,15 +60,15 @@ static int radius_is_zero(const cylint_query *q, int cap)
  * (E = 0; the apex where the cap has shrunk to it). */
 static stop pierced(const cylint_query *q, int cap, int E)
 {
-    const int part = cap ? CYLINT_CAP1 : CYLINT_CAP0;
-    return (stop){cap ? ROOT_CAP1 : ROOT_CAP0, E > 0 ? part : CYLINT_LATERAL,
+    const int part = cap ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
+    return (stop){cap ? ROOT_CAP1 : ROOT_CAP0, E > 0 ? part : CYLINT_PART_LATERAL,
                   0, E == 0 && radius_is_zero(q, cap)};
 }
 
 static overlap touch_rim(const cylint_query *q, int cap)
 {
     const stop s = pierced(q, cap, 0);
-    return one(CYLINT_TOUCH, s.root, CYLINT_BOTH, s.apex);
+    return one(CYLINT_RELATION_TOUCH, s.root, CYLINT_SIDE_BOTH, s.apex);
 }
 
 /* Q <= 0 on one interval between its roots: a chord, a point or nothing. */
@@ -78,7 +78,7 @@ static overlap chord(cylint_query *q, int relation, int apex)
     if (G < 0)
         return none();
     if (G == 0)
-        return one(CYLINT_TOUCH, ROOT_DOUBLE, CYLINT_BOTH, apex);
+        return one(CYLINT_RELATION_TOUCH, ROOT_DOUBLE, CYLINT_SIDE_BOTH, apex);
     return two(relation, lateral(ROOT_ENTRY), lateral(ROOT_EXIT));
 }
 
@@ -92,8 +92,8 @@ static overlap level(cylint_query *q)
     if (above1 > 0)
         return none();
     if (above0 != 0 && above1 != 0)
-        return chord(q, CYLINT_CROSS, 0);
-    return chord(q, CYLINT_ALONG, radius_is_zero(q, above1 == 0));
+        return chord(q, CYLINT_RELATION_CROSS, 0);
+    return chord(q, CYLINT_RELATION_ALONG, radius_is_zero(q, above1 == 0));
 }
 
 /* Bounded shapes, the line not parallel to the caps: `first` is the plane it
@@ -106,18 +106,18 @@ static overlap slab(cylint_query *q, int up)
     const stop end = El >= 0 ? pierced(q, last, El) : lateral(ROOT_EXIT);
 
     if (Ef > 0 || El > 0)
-        return two(CYLINT_CROSS, begin, end);
+        return two(CYLINT_RELATION_CROSS, begin, end);
     if (Ef == 0 && El == 0) /* Q' = 0 at a rim as well: Q vanishes */
-        return two(cylint_sign_N(q, first) == 0 ? CYLINT_ALONG : CYLINT_CROSS,
+        return two(cylint_sign_N(q, first) == 0 ? CYLINT_RELATION_ALONG : CYLINT_RELATION_CROSS,
                    begin, end);
     if (Ef == 0)
         return up * cylint_sign_N(q, first) < 0
-             ? two(CYLINT_CROSS, begin, end) : touch_rim(q, first);
+             ? two(CYLINT_RELATION_CROSS, begin, end) : touch_rim(q, first);
     if (El == 0)
         return up * cylint_sign_N(q, last) > 0
-             ? two(CYLINT_CROSS, begin, end) : touch_rim(q, last);
+             ? two(CYLINT_RELATION_CROSS, begin, end) : touch_rim(q, last);
     if (up * cylint_sign_N(q, first) < 0 && up * cylint_sign_N(q, last) > 0)
-        return chord(q, CYLINT_CROSS, 0);
+        return chord(q, CYLINT_RELATION_CROSS, 0);
     return none();
 }
 
@@ -132,34 +132,34 @@ static overlap parallel(cylint_query *q)
 {
     const int C = cylint_sign_C(q);
     overlap v = none();
-    v.relation = C < 0 ? CYLINT_CROSS : C == 0 ? CYLINT_ALONG : CYLINT_MISS;
+    v.relation = C < 0 ? CYLINT_RELATION_CROSS : C == 0 ? CYLINT_RELATION_ALONG : CYLINT_RELATION_MISS;
     return v;
 }
 
 static overlap whole_cylinder(cylint_query *q)
 {
-    return cylint_sign_A(q) == 0 ? parallel(q) : chord(q, CYLINT_CROSS, 0);
+    return cylint_sign_A(q) == 0 ? parallel(q) : chord(q, CYLINT_RELATION_CROSS, 0);
 }
 
 static overlap double_cone(cylint_query *q)
 {
     const int A = cylint_sign_A(q);
     if (A > 0) {
-        overlap v = chord(q, CYLINT_CROSS, 0);
+        overlap v = chord(q, CYLINT_RELATION_CROSS, 0);
         if (v.n == 1)
             v.at[0].apex = cylint_sign_T(q) == 0;
         return v;
     }
     if (cylint_sign_G(q) == 0)
-        return A < 0 ? one(CYLINT_CROSS, ROOT_DOUBLE, CYLINT_BOTH, 1)
+        return A < 0 ? one(CYLINT_RELATION_CROSS, ROOT_DOUBLE, CYLINT_SIDE_BOTH, 1)
                      : parallel(q);
     if (A == 0)
         return cylint_sign_B(q) > 0
-             ? one(CYLINT_CROSS, ROOT_EXIT, CYLINT_LEAVING, 0)
-             : one(CYLINT_CROSS, ROOT_ENTRY, CYLINT_ENTERING, 0);
-    overlap v = two(CYLINT_CROSS, lateral(ROOT_EXIT), lateral(ROOT_ENTRY));
-    v.at[0].side = CYLINT_LEAVING;
-    v.at[1].side = CYLINT_ENTERING;
+             ? one(CYLINT_RELATION_CROSS, ROOT_EXIT, CYLINT_SIDE_LEAVING, 0)
+             : one(CYLINT_RELATION_CROSS, ROOT_ENTRY, CYLINT_SIDE_ENTERING, 0);
+    overlap v = two(CYLINT_RELATION_CROSS, lateral(ROOT_EXIT), lateral(ROOT_ENTRY));
+    v.at[0].side = CYLINT_SIDE_LEAVING;
+    v.at[1].side = CYLINT_SIDE_ENTERING;
     return v;
 }
 
@@ -172,38 +172,38 @@ static overlap nappe(cylint_query *q)
         if (G < 0)
             return none();
         const int T = cylint_sign_T(q);
-        return T < 0 ? none() : chord(q, CYLINT_CROSS, T == 0);
+        return T < 0 ? none() : chord(q, CYLINT_RELATION_CROSS, T == 0);
     }
     /* A <= 0: rho changes along the line, and grows with t or shrinks */
     const int grows = cylint_sign_beta(q) * cylint_sign(q->shape->dr);
-    const int side = grows > 0 ? CYLINT_ENTERING : CYLINT_LEAVING;
+    const int side = grows > 0 ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
     const cylint_root root = grows > 0 ? ROOT_ENTRY : ROOT_EXIT;
     if (cylint_sign_G(q) == 0) {
         if (A < 0)
-            return one(CYLINT_CROSS, ROOT_APEX, side, 1);
+            return one(CYLINT_RELATION_CROSS, ROOT_APEX, side, 1);
         return cylint_sign_C(q) == 0
-             ? one(CYLINT_ALONG, ROOT_APEX, side, 1) : none();
+             ? one(CYLINT_RELATION_ALONG, ROOT_APEX, side, 1) : none();
     }
     if (A == 0 && cylint_sign_B(q) * grows > 0)
         return none(); /* the half-line lies in the other nappe */
-    return one(CYLINT_CROSS, root, side, 0);
+    return one(CYLINT_RELATION_CROSS, root, side, 0);
 }
 
 static overlap overlap_of(cylint_query *q)
 {
-    if (q->ends < CYLINT_INFINITE)
+    if (q->ends < CYLINT_ENDS_INFINITE)
         return bounded(q);
     if (q->kind == CYLINT_KIND_CYLINDER || q->kind == CYLINT_KIND_ECYLINDER)
         return whole_cylinder(q);
-    return q->ends == CYLINT_NAPPE ? nappe(q) : double_cone(q);
+    return q->ends == CYLINT_ENDS_NAPPE ? nappe(q) : double_cone(q);
 }
 
 /* ------------------------------------------------------- the domain ---- */
 
 static int present(int ends, int part)
 {
-    return part == CYLINT_LATERAL || ends == CYLINT_CAPPED ||
-           ends == (part == CYLINT_CAP0 ? CYLINT_CAP_0 : CYLINT_CAP_1);
+    return part == CYLINT_PART_LATERAL || ends == CYLINT_ENDS_CAPPED ||
+           ends == (part == CYLINT_PART_CAP0 ? CYLINT_ENDS_CAP0 : CYLINT_ENDS_CAP1);
 }
 
 static const unsigned beside_t = CYLINT_WANT_POINT | CYLINT_WANT_NORMAL |
@@ -221,7 +221,7 @@ int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer)
 {
     if (shape->kind == CYLINT_KIND_NONE || !line->valid) {
-        answer->relation = CYLINT_MISS;
+        answer->relation = CYLINT_RELATION_MISS;
         answer->flags = CYLINT_FLAG_INVALID;
         return answer->n = 0;
     }
@@ -263,9 +263,9 @@ static void describe_hits(const cylint_shape *shape, const cylint_line *line,
     cylint_query_open(&q, shape, line);
     for (int i = 0; i < known->n; i++) {
         const cylint_hit *k = &known->hit[i];
-        const cylint_root root = k->part == CYLINT_CAP0 ? ROOT_CAP0 :
-                                 k->part == CYLINT_CAP1 ? ROOT_CAP1 :
-                                 k->side == CYLINT_ENTERING ? ROOT_ENTRY
+        const cylint_root root = k->part == CYLINT_PART_CAP0 ? ROOT_CAP0 :
+                                 k->part == CYLINT_PART_CAP1 ? ROOT_CAP1 :
+                                 k->side == CYLINT_SIDE_ENTERING ? ROOT_ENTRY
                                                             : ROOT_EXIT;
         const stop at = {root, k->part, k->side, 0};
         cylint_hit *hit = &answer->hit[i];
@@ -348,11 +348,11 @@ int cylint_contains(const cylint_shape *shape, const double point[3])
     cylint_query q;
     cylint_query_open(&q, shape, &line);
     int within = 1; /* the least of the signs */
-    if (q.ends < CYLINT_INFINITE) {
+    if (q.ends < CYLINT_ENDS_INFINITE) {
         const int above = cylint_sign_alpha(&q, 0);
         const int below = -cylint_sign_alpha(&q, 1);
         within = above < below ? above : below;
-    } else if (q.ends == CYLINT_NAPPE) {
+    } else if (q.ends == CYLINT_ENDS_NAPPE) {
         within = cylint_sign_rho0(&q);
     }
     if (within < 0)

@@ -76,7 +76,7 @@ static void difference3(double hi[3], double lo[3], const double to[3],
 
 static int ends_exist(int ends)
 {
-    return ends >= CYLINT_CAPPED && ends <= CYLINT_NAPPE;
+    return ends >= CYLINT_ENDS_CAPPED && ends <= CYLINT_ENDS_NAPPE;
 }
 
 /* Every query answers "miss" for what is left. */

@@ -503,7 +503,7 @@ static void both_nappes(struct family_case *out)
     place(&f, between(-1, 1), between(-1, 1), apex + between(-1, 1), p);
     vary(&f, slope * between(-1.1, 1.1), slope * between(-0.4, 0.4), 1, d);
     write_line_from(out, p, d, between(-2, 2));
-    out->ends = chance(0.7) ? CYLINT_INFINITE : CYLINT_NAPPE;
+    out->ends = chance(0.7) ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
 }
 
 /* ----- ends ------------------------------------------------------------- */

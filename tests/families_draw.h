@@ -212,7 +212,7 @@ static void write_shape(struct family_case *out, family_shape word,
 
 static cylint_ends any_ends(void)
 {
-    return chance(0.4) ? CYLINT_CAPPED : (cylint_ends)one_of(6);
+    return chance(0.4) ? CYLINT_ENDS_CAPPED : (cylint_ends)one_of(6);
 }
 
 /* The line through p with direction d, as any kind of line. */

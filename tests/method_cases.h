@@ -13,7 +13,7 @@
 /* Which shapes and ends each method is published for. */
 static int answers_for(const char *name, int kind, int ends)
 {
-    const int unbounded = ends == CYLINT_INFINITE || ends == CYLINT_NAPPE;
+    const int unbounded = ends == CYLINT_ENDS_INFINITE || ends == CYLINT_ENDS_NAPPE;
 
     if (!strcmp(name, "quadratic"))
         return 1;
@@ -21,7 +21,7 @@ static int answers_for(const char *name, int kind, int ends)
         return kind == CYLINT_KIND_CYLINDER && unbounded;
     if (!strcmp(name, "shene-cone"))
         return (kind == CYLINT_KIND_ACONE || kind == CYLINT_KIND_CONE) &&
-               ends == CYLINT_INFINITE;
+               ends == CYLINT_ENDS_INFINITE;
     if (!strcmp(name, "gullotti"))
         return kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_ECYLINDER;
     return kind == CYLINT_KIND_CYLINDER;

@@ -56,8 +56,8 @@ SWAPS = [
     (r"\bpair_add\b", ["pair_sub"]), (r"\bpair_sub\b", ["pair_add"]),
     (r"\btwo_sum\b", ["two_diff"]), (r"\bfast_two_sum\b", ["two_diff"]),
     (r"\bROOT_ENTRY\b", ["ROOT_EXIT"]), (r"\bROOT_EXIT\b", ["ROOT_ENTRY"]),
-    (r"\bCYLINT_ENTERING\b", ["CYLINT_LEAVING"]),
-    (r"\bCYLINT_LEAVING\b", ["CYLINT_ENTERING"]),
+    (r"\bCYLINT_ENTERING\b", ["CYLINT_SIDE_LEAVING"]),
+    (r"\bCYLINT_LEAVING\b", ["CYLINT_SIDE_ENTERING"]),
     (r"(?<![\w.])[0-9]+(?![\w.])", ["+1"]),   # a constant or an index
     (r"(?<=p)[-+]?[0-9]+\b", ["+1"]),         # a power of two
 ]

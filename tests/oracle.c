@@ -180,8 +180,8 @@ static void load(const cylint_shape *shape, const double o[3])
         along_line(&o_.Z, o_.gz);
     }
     load_quadratic();
-    o_.nappe = shape->ends == CYLINT_NAPPE;
-    o_.bounded = !o_.nappe && shape->ends != CYLINT_INFINITE;
+    o_.nappe = shape->ends == CYLINT_ENDS_NAPPE;
+    o_.bounded = !o_.nappe && shape->ends != CYLINT_ENDS_INFINITE;
 }
 
 static void load_line(const cylint_line *line)
@@ -505,8 +505,8 @@ static void lateral_normal(const critical *at, double out[3])
 
 static void normal_at(const critical *at, int part, double out[3])
 {
-    if (part != CYLINT_LATERAL) {
-        unit_vector(o_.circular ? o_.w : o_.gz, part == CYLINT_CAP1 ? 1 : -1,
+    if (part != CYLINT_PART_LATERAL) {
+        unit_vector(o_.circular ? o_.w : o_.gz, part == CYLINT_PART_CAP1 ? 1 : -1,
                     out);
     } else if (linear_sign(&o_.rho, at) == 0) {
         unit_vector(o_.w, apex_normal_sign(), out);
@@ -577,10 +577,10 @@ static int relation(void)
         pieces += gap >= 0;
         points += at >= 0;
     }
-    return crosses  ? CYLINT_CROSS
-           : pieces ? CYLINT_ALONG
-           : points ? CYLINT_TOUCH
-                    : CYLINT_MISS;
+    return crosses  ? CYLINT_RELATION_CROSS
+           : pieces ? CYLINT_RELATION_ALONG
+           : points ? CYLINT_RELATION_TOUCH
+                    : CYLINT_RELATION_MISS;
 }
 
 /* The side of a hit at critical parameter i, or -1 for none. */
@@ -592,26 +592,26 @@ static int side_at(int i)
         return -1;
     }
     if (before >= 0 && after >= 0) {
-        return here == 0 && before > 0 && after > 0 ? CYLINT_BOTH : -1;
+        return here == 0 && before > 0 && after > 0 ? CYLINT_SIDE_BOTH : -1;
     }
-    return before >= 0 ? CYLINT_LEAVING
-           : after >= 0 ? CYLINT_ENTERING
-                        : CYLINT_BOTH;
+    return before >= 0 ? CYLINT_SIDE_LEAVING
+           : after >= 0 ? CYLINT_SIDE_ENTERING
+                        : CYLINT_SIDE_BOTH;
 }
 
 static int part_at(const critical *at)
 {
     if (at->lateral) {
-        return CYLINT_LATERAL;
+        return CYLINT_PART_LATERAL;
     }
-    return linear_sign(&o_.Z, at) == 0 ? CYLINT_CAP0 : CYLINT_CAP1;
+    return linear_sign(&o_.Z, at) == 0 ? CYLINT_PART_CAP0 : CYLINT_PART_CAP1;
 }
 
 static int part_is_present(int part, int ends)
 {
     switch (part) {
-    case CYLINT_CAP0: return ends == CYLINT_CAPPED || ends == CYLINT_CAP_0;
-    case CYLINT_CAP1: return ends == CYLINT_CAPPED || ends == CYLINT_CAP_1;
+    case CYLINT_PART_CAP0: return ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0;
+    case CYLINT_PART_CAP1: return ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1;
     default: return 1;
     }
 }

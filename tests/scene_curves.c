@@ -31,7 +31,7 @@ static int as_floats(cylint_shape *s, float *vertex)
             vertex[4 * end + j] = (float)p[end][j];
         vertex[4 * end + 3] = (float)r[end];
     }
-    return cylint_cone(s, p[0], r[0], p[1], r[1], CYLINT_CAPPED) == CYLINT_OK;
+    return cylint_cone(s, p[0], r[0], p[1], r[1], CYLINT_ENDS_CAPPED) == CYLINT_OK;
 }
 
 static RTCScene curves_of(RTCDevice device, struct scene_shapes *s)

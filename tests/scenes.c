@@ -251,11 +251,11 @@ static int read_shape(const char *text, cylint_shape *shape)
     double x[8];
     if (sscanf(text, "cylinder %lf %lf %lf %lf %lf %lf %lf", &x[0], &x[1],
                &x[2], &x[3], &x[4], &x[5], &x[6]) == 7)
-        return cylint_cylinder(shape, x, x + 3, x[6], CYLINT_CAPPED) ==
+        return cylint_cylinder(shape, x, x + 3, x[6], CYLINT_ENDS_CAPPED) ==
                CYLINT_OK;
     if (sscanf(text, "cone %lf %lf %lf %lf %lf %lf %lf %lf", &x[0], &x[1],
                &x[2], &x[3], &x[4], &x[5], &x[6], &x[7]) == 8)
-        return cylint_cone(shape, x, x[3], x + 4, x[7], CYLINT_CAPPED) ==
+        return cylint_cone(shape, x, x[3], x + 4, x[7], CYLINT_ENDS_CAPPED) ==
                CYLINT_OK;
     return 0;
 }

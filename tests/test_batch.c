@@ -353,7 +353,7 @@ static void runs_of_one_kind_answer_as_single_questions(void)
 {
     const int families = family_count();
     for (int kind = FAMILY_CYLINDER; kind <= FAMILY_ECONE; kind++) {
-        for (int ends = CYLINT_CAPPED; ends <= CYLINT_NAPPE; ends++) {
+        for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
             uint64_t index = 5000;
             for (size_t n = 0; n < 120; index++) {
                 struct family_case *c = &drawn[n];

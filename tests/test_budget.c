@@ -266,7 +266,7 @@ static double looseness(const cylint_shape *s, int j, int up, double side)
 {
     true_bound(s, 0, j, up);
     mpfr_set(m_[4], m_[1], MPFR_RNDN);
-    if (s->ends < CYLINT_INFINITE) {
+    if (s->ends < CYLINT_ENDS_INFINITE) {
         true_bound(s, 1, j, up);
         if (up ? mpfr_greater_p(m_[1], m_[4]) : mpfr_less_p(m_[1], m_[4]))
             mpfr_set(m_[4], m_[1], MPFR_RNDN);
@@ -295,12 +295,12 @@ static void measure_box(int family, const struct family_case *c)
     const int constant = s->kind == CYLINT_KIND_CYLINDER ||
                          s->kind == CYLINT_KIND_ECYLINDER;
     double box[2][3], a, b;
-    if (s->ends >= CYLINT_INFINITE && !constant)
+    if (s->ends >= CYLINT_ENDS_INFINITE && !constant)
         return; /* infinite, or the apex: test_shape.c */
     cylint_bounds(s, box[0], box[1]);
     for (int j = 0; j < 3; j++) {
         axis_ends(s, j, &a, &b);
-        if (s->ends >= CYLINT_INFINITE && a != b)
+        if (s->ends >= CYLINT_ENDS_INFINITE && a != b)
             continue;
         for (int up = 0; up < 2; up++)
             judge("bounds", family_word(family),

@@ -31,7 +31,7 @@ static void every_kind_with_all_caps_answers_as_the_library(void)
     const double c[3] = {0.5, 0.25, -0.5};
     for (int how = 0; how < 2; how++)
     for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE; kind++)
-    for (int ends = CYLINT_CAPPED; ends <= CYLINT_CAP_1; ends++) {
+    for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_CAP1; ends++) {
         int hits = 0, parts[3] = {0, 0, 0};
         cylint_shape shape;
         struct world w;
@@ -52,9 +52,9 @@ static void every_kind_with_all_caps_answers_as_the_library(void)
             }
         }
         /* the questions were worth asking */
-        CHECK(hits > 60 && hits < 300 && parts[CYLINT_LATERAL]);
-        CHECK((parts[CYLINT_CAP1] > 0) ==
-              (ends == CYLINT_CAPPED || ends == CYLINT_CAP_1) ||
+        CHECK(hits > 60 && hits < 300 && parts[CYLINT_PART_LATERAL]);
+        CHECK((parts[CYLINT_PART_CAP1] > 0) ==
+              (ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1) ||
               shape.r1 == 0);
         world_free(&w);
     }
@@ -103,7 +103,7 @@ static void a_ray_that_starts_inside_hits_where_it_leaves(void)
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 4};
     const float o[3] = {0, 0, 1}, d[3] = {0, 0, 0.5f};
     cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_CAPPED);
+    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
     for (int how = 0; how < 2; how++) {
         struct world w = made(&shape, 1, both_ways[how]);
         struct rays r = asked_alone(&w, o, d, 0, HUGE_VALF);
@@ -119,7 +119,7 @@ static void the_domain_holds_its_ends(void)
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
     const float o[3] = {-4, 0.25f, 0.5f}, d[3] = {3, 0, 0};
     cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_CAPPED);
+    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
     for (int how = 0; how < 2; how++) {
         struct world w = made(&shape, 1, both_ways[how]);
         struct rays r;
@@ -160,7 +160,7 @@ static void a_ray_within_a_face_of_the_box_is_not_lost(void)
 {
     const double p0[3] = {-1, 0, 2}, p1[3] = {1, 0, 2};
     cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_CAPPED);
+    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
     for (int how = 0; how < 2; how++) {
         struct world w = made(&shape, 1, both_ways[how]);
         int hits = 0;
@@ -194,7 +194,7 @@ static void a_ray_without_direction_hits_nothing(void)
     const double p0[3] = {0, 0, -1}, p1[3] = {0, 0, 1};
     const float o[3] = {0, 0, 0}, none[3] = {0, 0, 0}, fine[3] = {0, 0, 1};
     cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_CAPPED);
+    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
     for (int how = 0; how < 2; how++) {
         struct world w = made(&shape, 1, both_ways[how]);
         for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
@@ -239,7 +239,7 @@ static void masks_choose_who_is_seen(void)
         printf("note: this Embree was built without ray masks\n");
         return;
     }
-    cylint_cylinder(&shape, p0, p1, 0.5, CYLINT_CAPPED);
+    cylint_cylinder(&shape, p0, p1, 0.5, CYLINT_ENDS_CAPPED);
     w = made(&shape, 1, 0);
     for (int bit = 0; bit < 32; bit++)
         CHECK(seen(&w, 1u << bit));
@@ -273,7 +273,7 @@ static void equal_and_nearly_equal_hits_are_told_apart(void)
             p0[2] = turn < 30 ? 0 : floor(4 * world_uniform(&state)) * 0x1p-50;
             p1[2] = 1 + floor(8 * world_uniform(&state));
             cylint_cylinder(&shapes[i], p0, p1, 0.5 + world_uniform(&state),
-                            turn % 3 ? CYLINT_CAPPED : CYLINT_CAP_0);
+                            turn % 3 ? CYLINT_ENDS_CAPPED : CYLINT_ENDS_CAP0);
         }
         w = made(shapes, MANY, both_ways[how]);
         for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
@@ -300,8 +300,8 @@ static void equal_hits_of_moving_shapes_are_told_apart(void)
             p1[3] = {0, 0, away + 4}, q0[3] = {0, 0, -away},
             q1[3] = {0, 0, 4 - away};
         const double r = 1 + 0.125 * (i * 17 % MANY);
-        cylint_cylinder(&shapes[i], p0, p1, r, CYLINT_CAPPED);
-        cylint_cylinder(&moved[i], q0, q1, r, CYLINT_CAPPED);
+        cylint_cylinder(&shapes[i], p0, p1, r, CYLINT_ENDS_CAPPED);
+        cylint_cylinder(&moved[i], q0, q1, r, CYLINT_ENDS_CAPPED);
         CHECK(!cylint_embree_between(&shapes[i], &moved[i], 0.5, &now[i]));
     }
     options.moved = moved;
@@ -329,7 +329,7 @@ static void a_whole_turn_is_not_reached(void)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
     cylint_shape shape;
-    cylint_cylinder(&shape, p0, p1, 1, CYLINT_CAPPED);
+    cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
     for (int how = 0; how < 2; how++) {
         struct world w = made(&shape, 1, both_ways[how]);
         for (int k = 24; k < 48; k += 4) {

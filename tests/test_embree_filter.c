@@ -104,7 +104,7 @@ static void filter(struct record *q, int which,
     q->bad += hit[HIT_GEOM - HIT_NG].u != 0;
     q->bad += hit[HIT_INST - HIT_NG].u != RTC_INVALID_GEOMETRY_ID;
     if (!passes(which ? q->context : q->geometry, hit[HIT_PRIM - HIT_NG].u,
-                ray[RAY_TFAR].f, answer.hit[number].side == CYLINT_LEAVING))
+                ray[RAY_TFAR].f, answer.hit[number].side == CYLINT_SIDE_LEAVING))
         a->valid[0] = 0;
 }
 
@@ -130,7 +130,7 @@ static size_t expected(const struct record *q, int ray, double *t)
                                        CYLINT_WANT_ALL, &answer);
         for (int k = 0; k < n; k++) {
             const float f = world_float_above(answer.hit[k].t);
-            const int leaving = answer.hit[k].side == CYLINT_LEAVING;
+            const int leaving = answer.hit[k].side == CYLINT_SIDE_LEAVING;
             if (answer.hit[k].t < *t &&
                 passes(q->geometry, (unsigned)i, f, leaving) &&
                 passes(q->context, (unsigned)i, f, leaving)) {

@@ -252,7 +252,7 @@ static void shadows_that_are_none_but_for_a_hair_are_none(void)
         for (int i = 0; i < SOLIDS; i++) {
             const cylint_shape was = shapes[i];
             cylint_cylinder(&shapes[i], was.base, was.top, was.r0,
-                            CYLINT_CAPPED);
+                            CYLINT_ENDS_CAPPED);
         }
         if (!CHECK(world_make(&w, shapes, SOLIDS, &options)))
             return;

@@ -83,28 +83,28 @@ static void between_moves_the_constructors_numbers(void)
     memset(&a, 0, sizeof a);
     memset(&b, 0, sizeof b);
     memset(&expected, 0, sizeof expected);
-    HALF(cylint_cylinder(&a, p[0], q[0], 1, CYLINT_OPEN),
-         cylint_cylinder(&b, p[1], q[1], 2, CYLINT_OPEN),
-         cylint_cylinder(&expected, pm, qm, 1.5, CYLINT_OPEN));
-    HALF(cylint_cone(&a, p[0], 1, q[0], 0, CYLINT_CAP_0),
-         cylint_cone(&b, p[1], 3, q[1], 0.5, CYLINT_CAP_0),
-         cylint_cone(&expected, pm, 2, qm, 0.25, CYLINT_CAP_0));
-    HALF(cylint_tangent_cone(&a, p[0], q[0], 1, CYLINT_CAPPED),
-         cylint_tangent_cone(&b, p[1], q[1], 0.25, CYLINT_CAPPED),
-         cylint_tangent_cone(&expected, pm, qm, 0.625, CYLINT_CAPPED));
-    HALF(cylint_elliptic_cylinder(&a, p[0], x, y, q[0], CYLINT_CAPPED),
-         cylint_elliptic_cylinder(&b, p[1], x, y, z, CYLINT_CAPPED),
+    HALF(cylint_cylinder(&a, p[0], q[0], 1, CYLINT_ENDS_OPEN),
+         cylint_cylinder(&b, p[1], q[1], 2, CYLINT_ENDS_OPEN),
+         cylint_cylinder(&expected, pm, qm, 1.5, CYLINT_ENDS_OPEN));
+    HALF(cylint_cone(&a, p[0], 1, q[0], 0, CYLINT_ENDS_CAP0),
+         cylint_cone(&b, p[1], 3, q[1], 0.5, CYLINT_ENDS_CAP0),
+         cylint_cone(&expected, pm, 2, qm, 0.25, CYLINT_ENDS_CAP0));
+    HALF(cylint_tangent_cone(&a, p[0], q[0], 1, CYLINT_ENDS_CAPPED),
+         cylint_tangent_cone(&b, p[1], q[1], 0.25, CYLINT_ENDS_CAPPED),
+         cylint_tangent_cone(&expected, pm, qm, 0.625, CYLINT_ENDS_CAPPED));
+    HALF(cylint_elliptic_cylinder(&a, p[0], x, y, q[0], CYLINT_ENDS_CAPPED),
+         cylint_elliptic_cylinder(&b, p[1], x, y, z, CYLINT_ENDS_CAPPED),
          (z[1] = 0.5, z[2] = 3.5,
-          cylint_elliptic_cylinder(&expected, pm, x, y, z, CYLINT_CAPPED)));
+          cylint_elliptic_cylinder(&expected, pm, x, y, z, CYLINT_ENDS_CAPPED)));
     z[1] = 1, z[2] = 5;
-    HALF(cylint_elliptic_cone(&a, p[0], x, y, q[0], 0.75, CYLINT_CAPPED),
-         cylint_elliptic_cone(&b, p[1], x, y, z, 0.25, CYLINT_CAPPED),
+    HALF(cylint_elliptic_cone(&a, p[0], x, y, q[0], 0.75, CYLINT_ENDS_CAPPED),
+         cylint_elliptic_cone(&b, p[1], x, y, z, 0.25, CYLINT_ENDS_CAPPED),
          (z[1] = 0.5, z[2] = 3.5, cylint_elliptic_cone(&expected, pm, x, y,
-                                             z, km, CYLINT_CAPPED)));
+                                             z, km, CYLINT_ENDS_CAPPED)));
 #undef HALF
     /* an axis that vanishes half way */
-    cylint_cylinder(&a, p[0], q[0], 1, CYLINT_CAPPED);
-    cylint_cylinder(&b, q[0], p[0], 1, CYLINT_CAPPED);
+    cylint_cylinder(&a, p[0], q[0], 1, CYLINT_ENDS_CAPPED);
+    cylint_cylinder(&b, q[0], p[0], 1, CYLINT_ENDS_CAPPED);
     CHECK(cylint_embree_between(&a, &b, 0.5, &half) == CYLINT_EAXIS);
     CHECK(half.kind == CYLINT_KIND_NONE);
 }
@@ -150,7 +150,7 @@ static void an_update_takes_over_what_was_changed(void)
         CHECK(world_memory.bytes < 2 * bytes);
         /* a shape that cannot be taken over, and then one that can */
         kept = shapes[17];
-        cylint_cylinder(&shapes[17], kept.base, kept.base, 1, CYLINT_CAPPED);
+        cylint_cylinder(&shapes[17], kept.base, kept.base, 1, CYLINT_ENDS_CAPPED);
         world_errors();
         CHECK(cylint_embree_update(w.geometry, &w.problem) ==
               CYLINT_EMBREE_ESHAPE);
@@ -266,20 +266,20 @@ static void what_embree_would_drop_is_refused_by_number(void)
     double far[3] = {0, 0, 1.9e18}, near[3] = {0, 0, 1.8e18},
         nan[3] = {0, 0, NAN};
     cylint_shape shape;
-    CHECK(cylint_cylinder(&shape, p0, nan, 1, CYLINT_CAPPED));
+    CHECK(cylint_cylinder(&shape, p0, nan, 1, CYLINT_ENDS_CAPPED));
     refused(&shape, 0, CYLINT_EMBREE_ESHAPE);
-    CHECK(cylint_cylinder(&shape, p0, p0, 1, CYLINT_CAPPED));
+    CHECK(cylint_cylinder(&shape, p0, p0, 1, CYLINT_ENDS_CAPPED));
     refused(&shape, 7, CYLINT_EMBREE_ESHAPE);
-    CHECK(!cylint_cylinder(&shape, p0, p1, 1, CYLINT_INFINITE));
+    CHECK(!cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_INFINITE));
     refused(&shape, 8, CYLINT_EMBREE_ESHAPE);
-    CHECK(!cylint_angle_cone(&shape, p0, p1, 30, CYLINT_NAPPE));
+    CHECK(!cylint_angle_cone(&shape, p0, p1, 30, CYLINT_ENDS_NAPPE));
     refused(&shape, 9, CYLINT_EMBREE_ESHAPE);
-    CHECK(!cylint_cylinder(&shape, p0, far, 1, CYLINT_CAPPED));
+    CHECK(!cylint_cylinder(&shape, p0, far, 1, CYLINT_ENDS_CAPPED));
     refused(&shape, 15, CYLINT_EMBREE_ESHAPE);
-    CHECK(!cylint_cylinder(&shape, p0, p1, 1e300, CYLINT_CAPPED));
+    CHECK(!cylint_cylinder(&shape, p0, p1, 1e300, CYLINT_ENDS_CAPPED));
     refused(&shape, 16, CYLINT_EMBREE_ESHAPE);
     /* and within the limit it is found */
-    CHECK(!cylint_cylinder(&shape, p0, near, 1e17, CYLINT_CAPPED));
+    CHECK(!cylint_cylinder(&shape, p0, near, 1e17, CYLINT_ENDS_CAPPED));
     for (int how = 0; how < 2; how++) {
         const float o[3] = {0, 1e16f, -1e18f}, d[3] = {0, 0, 1};
         struct world w = made(&shape, 1, both_ways[how]);
@@ -301,8 +301,8 @@ static void motion_that_makes_no_sense_is_refused_by_number(void)
     world_shapes(&state, SCENE_FAT, shapes, ROW);
     memcpy(moved, shapes, sizeof moved);
     options.moved = moved;
-    cylint_cylinder(&moved[11], p0, p1, 1, CYLINT_OPEN); /* other ends */
-    cylint_elliptic_cylinder(&moved[12], p0, p1, p2, p3, CYLINT_CAPPED);
+    cylint_cylinder(&moved[11], p0, p1, 1, CYLINT_ENDS_OPEN); /* other ends */
+    cylint_elliptic_cylinder(&moved[12], p0, p1, p2, p3, CYLINT_ENDS_CAPPED);
     for (int i = 11; i <= 12; i++) {
         world_errors();
         CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
@@ -313,7 +313,7 @@ static void motion_that_makes_no_sense_is_refused_by_number(void)
               world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
         moved[i] = shapes[i];
     }
-    cylint_cylinder(&moved[13], p0, p0, 1, CYLINT_CAPPED);
+    cylint_cylinder(&moved[13], p0, p0, 1, CYLINT_ENDS_CAPPED);
     CHECK(!cylint_embree_geometry(world_device(), shapes, ROW, &options,
                                   &problem));
     CHECK(problem.status == CYLINT_EMBREE_ESHAPE && problem.shape == 13);

@@ -249,7 +249,7 @@ static void subnormal_differences(struct environment there)
     static const double size[] = {0x1p-1022, 0x1.8p-1021, 0x1p-1000,
                                   0x1p-1060, 0x1p-1074};
     for (int i = 0; i < 5; i++) {
-        for (int ends = CYLINT_CAPPED; ends <= CYLINT_NAPPE; ends++) {
+        for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
             const double x = size[i], s = 0x1p-1074;
             const double line[] = {0, x, -3 * x, x, -x, 4 * x};
             const double cone[] = {0, 0, x, x, 0, s, 4 * x, x + 2 * s};
@@ -277,7 +277,7 @@ static void subnormal_offsets(struct environment there)
         struct family_case c = record(FAMILY_LINE, line, FAMILY_CYLINDER,
                                       rod);
         compare(&c, there);
-        c.ends = CYLINT_INFINITE;
+        c.ends = CYLINT_ENDS_INFINITE;
         compare(&c, there);
     }
 }
@@ -314,10 +314,10 @@ static void angles(struct environment there)
                                           : ldexp(part, -1 - (int)(i % 1070));
         cylint_shape want, got;
         const cylint_status status = cylint_angle_cone(&want, v, u, angle,
-                                                       CYLINT_CAPPED);
+                                                       CYLINT_ENDS_CAPPED);
         enter(there);
         const cylint_status other = cylint_angle_cone(&got, v, u, angle,
-                                                      CYLINT_CAPPED);
+                                                      CYLINT_ENDS_CAPPED);
         leave();
         if (!CHECK(status == other && same_bits(want.r1, got.r1))) {
             REPORT("acone 0 0 0  0 0 1  %a: got %a, want %a", angle, got.r1,
@@ -335,10 +335,10 @@ static void signs_by_more_than_doubles(struct environment there)
     const double upright[] = {0, 0, 0, 0, 0, 1, 45};
     const double leaning[] = {0, 0, 0, 1, 1, 0, 45};
     struct family_case c = record(FAMILY_LINE, beside, FAMILY_ACONE, upright);
-    c.ends = CYLINT_INFINITE;
+    c.ends = CYLINT_ENDS_INFINITE;
     compare(&c, there);
     c = record(FAMILY_LINE, across, FAMILY_ACONE, leaning);
-    c.ends = CYLINT_INFINITE;
+    c.ends = CYLINT_ENDS_INFINITE;
     compare(&c, there);
     cylint_answer a;
     enter(there);

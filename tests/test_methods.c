@@ -182,7 +182,7 @@ static place place_of_point(const cylint_shape *shape, const real p[3])
 
 static int bounded(const cylint_shape *shape)
 {
-    return shape->ends != CYLINT_INFINITE && shape->ends != CYLINT_NAPPE;
+    return shape->ends != CYLINT_ENDS_INFINITE && shape->ends != CYLINT_ENDS_NAPPE;
 }
 
 /* < 0 inside the lateral surface, both nappes taken together. */
@@ -201,7 +201,7 @@ static int inside_at(const cylint_shape *shape, const cylint_line *line,
     const place at = place_of_point(shape, p);
     if (!(excess(&at) < 0))
         return 0;
-    if (shape->ends != CYLINT_INFINITE && at.rho < 0)
+    if (shape->ends != CYLINT_ENDS_INFINITE && at.rho < 0)
         return 0;
     return !bounded(shape) || (at.z > 0 && at.z < 1);
 }
@@ -235,12 +235,12 @@ static int events(const cylint_shape *shape, const cylint_line *line,
         return -1;
     if (disc > 0) {
         const real q = -(B + (B < 0 ? -sqrtl(disc) : sqrtl(disc)));
-        e[n++] = (event){q / A, CYLINT_LATERAL};
-        e[n++] = (event){C / q, CYLINT_LATERAL};
+        e[n++] = (event){q / A, CYLINT_PART_LATERAL};
+        e[n++] = (event){C / q, CYLINT_PART_LATERAL};
     }
     if (bounded(shape)) {
-        e[n++] = (event){-p.z / v.z, CYLINT_CAP0};
-        e[n++] = (event){(1 - p.z) / v.z, CYLINT_CAP1};
+        e[n++] = (event){-p.z / v.z, CYLINT_PART_CAP0};
+        e[n++] = (event){(1 - p.z) / v.z, CYLINT_PART_CAP1};
     }
     for (int i = 1; i < n; i++)
         for (int j = i; j > 0 && e[j].t < e[j - 1].t; j--) {
@@ -264,7 +264,7 @@ static int reference(const cylint_shape *shape, const cylint_line *line,
 
     if (n < 0)
         return 0;
-    want->relation = CYLINT_MISS;
+    want->relation = CYLINT_RELATION_MISS;
     want->n = 0;
     if (n == 0)
         return 1;
@@ -273,20 +273,20 @@ static int reference(const cylint_shape *shape, const cylint_line *line,
         const real next = i + 1 < n ? (e[i].t + e[i + 1].t) / 2 : e[i].t + 1;
         after = inside_at(shape, line, next);
         if (before || after)
-            want->relation = CYLINT_CROSS;
+            want->relation = CYLINT_RELATION_CROSS;
         if (fabsl(e[i].t - line->tmin) < 1e-6L ||
             fabsl(e[i].t - line->tmax) < 1e-6L)
             return 0;
-        const int open = shape->ends == CYLINT_OPEN ||
-                         (e[i].part == CYLINT_CAP0 &&
-                          shape->ends == CYLINT_CAP_1) ||
-                         (e[i].part == CYLINT_CAP1 &&
-                          shape->ends == CYLINT_CAP_0);
-        if (before == after || (open && e[i].part != CYLINT_LATERAL) ||
+        const int open = shape->ends == CYLINT_ENDS_OPEN ||
+                         (e[i].part == CYLINT_PART_CAP0 &&
+                          shape->ends == CYLINT_ENDS_CAP1) ||
+                         (e[i].part == CYLINT_PART_CAP1 &&
+                          shape->ends == CYLINT_ENDS_CAP0);
+        if (before == after || (open && e[i].part != CYLINT_PART_LATERAL) ||
             e[i].t < line->tmin || e[i].t > line->tmax)
             continue;
         want->hit[want->n].part = e[i].part;
-        want->hit[want->n].side = after ? CYLINT_ENTERING : CYLINT_LEAVING;
+        want->hit[want->n].side = after ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
         t[want->n++] = e[i].t;
     }
     return 1;
@@ -305,9 +305,9 @@ static real change(const cylint_shape *shape, const cylint_hit *hit,
         m[i] = hit->point[i] - step * way[i];
     }
     const place a = place_of_point(shape, p), b = place_of_point(shape, m);
-    if (part == CYLINT_LATERAL)
+    if (part == CYLINT_PART_LATERAL)
         return (excess(&a) - excess(&b)) / (2 * step);
-    return (part == CYLINT_CAP1 ? a.z - b.z : b.z - a.z) / (2 * step);
+    return (part == CYLINT_PART_CAP1 ? a.z - b.z : b.z - a.z) / (2 * step);
 }
 
 /* The normal is the direction of the gradient; z and the point agree with t,
@@ -389,7 +389,7 @@ static void every_method_agrees_with_long_double(void)
         worst = 0;
         for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE;
              kind++)
-            for (int ends = CYLINT_CAPPED; ends <= CYLINT_NAPPE; ends++)
+            for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++)
                 if (answers_for(m->name, kind, ends))
                     compare(m, kind, ends);
         printf("note: %s: t within %.1Le of the reference\n", m->name,
@@ -443,14 +443,14 @@ static void what_a_method_is_not_published_for_is_refused(void)
     for (const cylint_method *m = cylint_methods(); m->name; m++)
         for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE;
              kind++)
-            for (int ends = CYLINT_CAPPED; ends <= CYLINT_NAPPE; ends++) {
+            for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
                 if (answers_for(m->name, kind, ends))
                     continue;
                 random_shape(kind, (cylint_ends)ends, &shape);
                 random_line(&shape, &line);
                 CHECK(m->answer(&shape, &line, CYLINT_WANT_ALL, &answer) ==
                       CYLINT_EMETHOD);
-                CHECK(answer.relation == CYLINT_MISS && answer.n == 0 &&
+                CHECK(answer.relation == CYLINT_RELATION_MISS && answer.n == 0 &&
                       answer.flags == CYLINT_FLAG_INVALID);
                 refused++;
             }
@@ -464,18 +464,18 @@ static void refused_shapes_and_lines_miss_with_the_flag(void)
     cylint_line line, no_line;
     cylint_answer answer;
 
-    cylint_cylinder(&good, o, up, 1, CYLINT_INFINITE);
-    cylint_tangent_cone(&cone, o, up, 1, CYLINT_INFINITE);
-    CHECK(cylint_cylinder(&bad, o, o, 1, CYLINT_INFINITE) == CYLINT_EAXIS);
+    cylint_cylinder(&good, o, up, 1, CYLINT_ENDS_INFINITE);
+    cylint_tangent_cone(&cone, o, up, 1, CYLINT_ENDS_INFINITE);
+    CHECK(cylint_cylinder(&bad, o, o, 1, CYLINT_ENDS_INFINITE) == CYLINT_EAXIS);
     cylint_whole_line(&line, o, x);
     CHECK(cylint_whole_line(&no_line, o, o) == CYLINT_EDIRECTION);
     for (const cylint_method *m = cylint_methods(); m->name; m++) {
         const cylint_shape *shape =
-            answers_for(m->name, CYLINT_KIND_CYLINDER, CYLINT_INFINITE)
+            answers_for(m->name, CYLINT_KIND_CYLINDER, CYLINT_ENDS_INFINITE)
                 ? &good : &cone;
         CHECK(m->answer(shape, &no_line, CYLINT_WANT_ALL, &answer) ==
               CYLINT_OK);
-        CHECK(answer.relation == CYLINT_MISS && answer.n == 0 &&
+        CHECK(answer.relation == CYLINT_RELATION_MISS && answer.n == 0 &&
               answer.flags == CYLINT_FLAG_INVALID);
         CHECK(m->answer(&bad, &line, CYLINT_WANT_ALL, &answer) ==
               CYLINT_EMETHOD);

@@ -7,10 +7,10 @@
 
 #include "method_cases.h"
 
-#define NO CYLINT_MISS
-#define TO CYLINT_TOUCH
-#define AL CYLINT_ALONG
-#define CR CYLINT_CROSS
+#define NO CYLINT_RELATION_MISS
+#define TO CYLINT_RELATION_TOUCH
+#define AL CYLINT_RELATION_ALONG
+#define CR CYLINT_RELATION_CROSS
 
 /* One case: a line and what is due. */
 typedef struct due {
@@ -70,31 +70,31 @@ static void check_due(const cylint_method *m, const cylint_shape *shape,
 
 /* Radius 1 about the z axis, 0 <= z <= 2. */
 static const due of_a_cylinder[] = {
-    {CYLINT_INFINITE, {-3, 0, 5}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
-    {CYLINT_INFINITE, {1, -3, 5}, {0, 1, 0}, TO, 1, {3}, {0}},
-    {CYLINT_INFINITE, {2, -3, 5}, {0, 1, 0}, NO, 0, {0}, {0}},
-    {CYLINT_INFINITE, {0.5, 0, 5}, {0, 0, 1}, CR, 0, {0}, {0}},
-    {CYLINT_INFINITE, {0, -1, 5}, {0, 0, 1}, AL, 0, {0}, {0}},
-    {CYLINT_INFINITE, {0, -2, 5}, {0, 0, 1}, NO, 0, {0}, {0}},
-    {CYLINT_NAPPE, {-3, 0, 5}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
-    {CYLINT_NAPPE, {0, -1, 5}, {0, 0, 1}, AL, 0, {0}, {0}},
-    {CYLINT_CAPPED, {-3, 0, 1}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
-    {CYLINT_CAPPED, {-3, 0, 5}, {1, 0, 0}, NO, 0, {0}, {0}},
-    {CYLINT_CAPPED, {1, -3, 1}, {0, 1, 0}, TO, 1, {3}, {0}},
-    {CYLINT_CAPPED, {1, -3, 3}, {0, 1, 0}, NO, 0, {0}, {0}},
+    {CYLINT_ENDS_INFINITE, {-3, 0, 5}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
+    {CYLINT_ENDS_INFINITE, {1, -3, 5}, {0, 1, 0}, TO, 1, {3}, {0}},
+    {CYLINT_ENDS_INFINITE, {2, -3, 5}, {0, 1, 0}, NO, 0, {0}, {0}},
+    {CYLINT_ENDS_INFINITE, {0.5, 0, 5}, {0, 0, 1}, CR, 0, {0}, {0}},
+    {CYLINT_ENDS_INFINITE, {0, -1, 5}, {0, 0, 1}, AL, 0, {0}, {0}},
+    {CYLINT_ENDS_INFINITE, {0, -2, 5}, {0, 0, 1}, NO, 0, {0}, {0}},
+    {CYLINT_ENDS_NAPPE, {-3, 0, 5}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
+    {CYLINT_ENDS_NAPPE, {0, -1, 5}, {0, 0, 1}, AL, 0, {0}, {0}},
+    {CYLINT_ENDS_CAPPED, {-3, 0, 1}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
+    {CYLINT_ENDS_CAPPED, {-3, 0, 5}, {1, 0, 0}, NO, 0, {0}, {0}},
+    {CYLINT_ENDS_CAPPED, {1, -3, 1}, {0, 1, 0}, TO, 1, {3}, {0}},
+    {CYLINT_ENDS_CAPPED, {1, -3, 3}, {0, 1, 0}, NO, 0, {0}, {0}},
     /* down the axis, down a ruling, and back */
-    {CYLINT_CAPPED, {0.5, 0, 5}, {0, 0, -1}, CR, 2, {3, 5}, {2, 1}},
-    {CYLINT_CAP_0, {0.5, 0, 5}, {0, 0, -1}, CR, 1, {5}, {1}},
-    {CYLINT_CAP_1, {0.5, 0, 5}, {0, 0, -1}, CR, 1, {3}, {2}},
-    {CYLINT_OPEN, {0.5, 0, 5}, {0, 0, -1}, CR, 0, {0}, {0}},
-    {CYLINT_CAPPED, {0, -1, 5}, {0, 0, -1}, AL, 2, {3, 5}, {0, 0}},
-    {CYLINT_OPEN, {0, -1, -1}, {0, 0, 1}, AL, 2, {1, 3}, {0, 0}},
-    {CYLINT_CAPPED, {0, -2, 5}, {0, 0, -1}, NO, 0, {0}, {0}},
+    {CYLINT_ENDS_CAPPED, {0.5, 0, 5}, {0, 0, -1}, CR, 2, {3, 5}, {2, 1}},
+    {CYLINT_ENDS_CAP0, {0.5, 0, 5}, {0, 0, -1}, CR, 1, {5}, {1}},
+    {CYLINT_ENDS_CAP1, {0.5, 0, 5}, {0, 0, -1}, CR, 1, {3}, {2}},
+    {CYLINT_ENDS_OPEN, {0.5, 0, 5}, {0, 0, -1}, CR, 0, {0}, {0}},
+    {CYLINT_ENDS_CAPPED, {0, -1, 5}, {0, 0, -1}, AL, 2, {3, 5}, {0, 0}},
+    {CYLINT_ENDS_OPEN, {0, -1, -1}, {0, 0, 1}, AL, 2, {1, 3}, {0, 0}},
+    {CYLINT_ENDS_CAPPED, {0, -2, 5}, {0, 0, -1}, NO, 0, {0}, {0}},
     /* in the planes of the caps: a chord, a tangent, beside */
-    {CYLINT_CAPPED, {-3, 0, 0}, {1, 0, 0}, AL, 2, {2, 4}, {0, 0}},
-    {CYLINT_CAPPED, {-3, 0, 2}, {1, 0, 0}, AL, 2, {2, 4}, {0, 0}},
-    {CYLINT_CAPPED, {1, -3, 2}, {0, 1, 0}, TO, 1, {3}, {0}},
-    {CYLINT_OPEN, {1, -3, 0}, {0, 1, 0}, TO, 1, {3}, {0}},
+    {CYLINT_ENDS_CAPPED, {-3, 0, 0}, {1, 0, 0}, AL, 2, {2, 4}, {0, 0}},
+    {CYLINT_ENDS_CAPPED, {-3, 0, 2}, {1, 0, 0}, AL, 2, {2, 4}, {0, 0}},
+    {CYLINT_ENDS_CAPPED, {1, -3, 2}, {0, 1, 0}, TO, 1, {3}, {0}},
+    {CYLINT_ENDS_OPEN, {1, -3, 0}, {0, 1, 0}, TO, 1, {3}, {0}},
 };
 
 /* The same case on four times the size: no t changes. */
@@ -130,23 +130,23 @@ static void cylinder_methods_keep_the_contract(void)
 
 /* Apex at the origin, about the z axis, tangent 3/4; z = 1 at (0, 0, 4). */
 static const due of_a_cone[] = {
-    {CYLINT_INFINITE, {-8, 0, 4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
-    {CYLINT_INFINITE, {-8, 0, -4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
-    {CYLINT_INFINITE, {3, 0, 0}, {0, 0, 1}, CR, 2, {-4, 4}, {0, 0}},
-    {CYLINT_INFINITE, {0, 0, -4}, {0, 0, 1}, CR, 1, {4}, {0}},
-    {CYLINT_INFINITE, {-8, 0, 0}, {1, 0, 0}, TO, 1, {8}, {0}},
-    {CYLINT_INFINITE, {8, 3, 0}, {1, 0, 0}, NO, 0, {0}, {0}},
-    {CYLINT_NAPPE, {-8, 0, 4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
-    {CYLINT_NAPPE, {-8, 0, -4}, {1, 0, 0}, NO, 0, {0}, {0}},
-    {CYLINT_NAPPE, {3, 0, 0}, {0, 0, 1}, CR, 1, {4}, {0}},
-    {CYLINT_NAPPE, {3, 0, 0}, {0, 0, -1}, CR, 1, {-4}, {0}},
-    {CYLINT_NAPPE, {0, 0, -4}, {0, 0, 1}, CR, 1, {4}, {0}},
-    {CYLINT_NAPPE, {-8, 0, 0}, {1, 0, 0}, TO, 1, {8}, {0}},
-    {CYLINT_CAPPED, {0, 0, -4}, {0, 0, 1}, CR, 2, {4, 8}, {0, 2}},
-    {CYLINT_OPEN, {0, 0, -4}, {0, 0, 1}, CR, 1, {4}, {0}},
-    {CYLINT_CAPPED, {0, 0, 8}, {0, 0, -1}, CR, 2, {4, 8}, {2, 0}},
-    {CYLINT_CAPPED, {-8, 0, 0}, {1, 0, 0}, TO, 1, {8}, {0}},
-    {CYLINT_CAPPED, {-8, 0, 4}, {1, 0, 0}, AL, 2, {5, 11}, {0, 0}},
+    {CYLINT_ENDS_INFINITE, {-8, 0, 4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
+    {CYLINT_ENDS_INFINITE, {-8, 0, -4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
+    {CYLINT_ENDS_INFINITE, {3, 0, 0}, {0, 0, 1}, CR, 2, {-4, 4}, {0, 0}},
+    {CYLINT_ENDS_INFINITE, {0, 0, -4}, {0, 0, 1}, CR, 1, {4}, {0}},
+    {CYLINT_ENDS_INFINITE, {-8, 0, 0}, {1, 0, 0}, TO, 1, {8}, {0}},
+    {CYLINT_ENDS_INFINITE, {8, 3, 0}, {1, 0, 0}, NO, 0, {0}, {0}},
+    {CYLINT_ENDS_NAPPE, {-8, 0, 4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
+    {CYLINT_ENDS_NAPPE, {-8, 0, -4}, {1, 0, 0}, NO, 0, {0}, {0}},
+    {CYLINT_ENDS_NAPPE, {3, 0, 0}, {0, 0, 1}, CR, 1, {4}, {0}},
+    {CYLINT_ENDS_NAPPE, {3, 0, 0}, {0, 0, -1}, CR, 1, {-4}, {0}},
+    {CYLINT_ENDS_NAPPE, {0, 0, -4}, {0, 0, 1}, CR, 1, {4}, {0}},
+    {CYLINT_ENDS_NAPPE, {-8, 0, 0}, {1, 0, 0}, TO, 1, {8}, {0}},
+    {CYLINT_ENDS_CAPPED, {0, 0, -4}, {0, 0, 1}, CR, 2, {4, 8}, {0, 2}},
+    {CYLINT_ENDS_OPEN, {0, 0, -4}, {0, 0, 1}, CR, 1, {4}, {0}},
+    {CYLINT_ENDS_CAPPED, {0, 0, 8}, {0, 0, -1}, CR, 2, {4, 8}, {2, 0}},
+    {CYLINT_ENDS_CAPPED, {-8, 0, 0}, {1, 0, 0}, TO, 1, {8}, {0}},
+    {CYLINT_ENDS_CAPPED, {-8, 0, 4}, {1, 0, 0}, AL, 2, {5, 11}, {0, 0}},
 };
 
 static void cone_methods_keep_the_contract(void)
@@ -173,15 +173,15 @@ static void cone_methods_keep_the_contract(void)
 /* Parallel to a ruling, along one, and in the tangent plane of one: tangent
  * 1, about the z axis, so that the quadratic's coefficients are exact. */
 static const due of_a_right_angled_cone[] = {
-    {CYLINT_INFINITE, {0, 0, -1}, {1, 0, 1}, CR, 1, {0.5}, {0}},
-    {CYLINT_INFINITE, {0, 0, 1}, {1, 0, 1}, CR, 1, {-0.5}, {0}},
-    {CYLINT_INFINITE, {1, 0, 1}, {1, 0, 1}, AL, 0, {0}, {0}},
-    {CYLINT_INFINITE, {0, 1, 0}, {1, 0, 1}, NO, 0, {0}, {0}},
-    {CYLINT_NAPPE, {0, 0, 1}, {1, 0, 1}, CR, 1, {-0.5}, {0}},
-    {CYLINT_NAPPE, {0, 0, -1}, {1, 0, 1}, NO, 0, {0}, {0}},
-    {CYLINT_NAPPE, {1, 0, 1}, {1, 0, 1}, AL, 1, {-1}, {0}},
-    {CYLINT_CAPPED, {0, 0, 0.5}, {1, 0, 1}, CR, 2, {-0.25, 0.5}, {0, 2}},
-    {CYLINT_CAPPED, {1, 0, 1}, {1, 0, 1}, AL, 2, {-1, 0}, {0, 0}},
+    {CYLINT_ENDS_INFINITE, {0, 0, -1}, {1, 0, 1}, CR, 1, {0.5}, {0}},
+    {CYLINT_ENDS_INFINITE, {0, 0, 1}, {1, 0, 1}, CR, 1, {-0.5}, {0}},
+    {CYLINT_ENDS_INFINITE, {1, 0, 1}, {1, 0, 1}, AL, 0, {0}, {0}},
+    {CYLINT_ENDS_INFINITE, {0, 1, 0}, {1, 0, 1}, NO, 0, {0}, {0}},
+    {CYLINT_ENDS_NAPPE, {0, 0, 1}, {1, 0, 1}, CR, 1, {-0.5}, {0}},
+    {CYLINT_ENDS_NAPPE, {0, 0, -1}, {1, 0, 1}, NO, 0, {0}, {0}},
+    {CYLINT_ENDS_NAPPE, {1, 0, 1}, {1, 0, 1}, AL, 1, {-1}, {0}},
+    {CYLINT_ENDS_CAPPED, {0, 0, 0.5}, {1, 0, 1}, CR, 2, {-0.25, 0.5}, {0, 2}},
+    {CYLINT_ENDS_CAPPED, {1, 0, 1}, {1, 0, 1}, AL, 2, {-1, 0}, {0, 0}},
 };
 
 static void lines_parallel_to_a_ruling_are_told_apart(void)
@@ -208,15 +208,15 @@ static void lines_parallel_to_a_ruling_are_told_apart(void)
 /* Through rims by a diagonal, whose unit vector no double holds: only the
  * methods that do not normalise can meet both rims. */
 static const due through_rims[] = {
-    {CYLINT_CAPPED, {-3, 0, -2}, {1, 0, 1}, CR, 2, {2, 4}, {0, 0}},
-    {CYLINT_OPEN, {-3, 0, -2}, {1, 0, 1}, CR, 2, {2, 4}, {0, 0}},
-    {CYLINT_CAPPED, {3, 0, -2}, {-2, 0, 2}, CR, 2, {1, 2}, {0, 0}},
-    {CYLINT_CAPPED, {-3, 0, 0}, {1, 0, 1}, TO, 1, {2}, {0}},
-    {CYLINT_OPEN, {-3, 0, 0}, {1, 0, 1}, TO, 1, {2}, {0}},
-    {CYLINT_CAPPED, {-3, 0, -4}, {1, 0, 1}, TO, 1, {4}, {0}},
-    {CYLINT_OPEN, {-3, 0, -4}, {1, 0, 1}, TO, 1, {4}, {0}},
-    {CYLINT_OPEN, {-3, 0, 4}, {1, 0, -1}, CR, 2, {2, 4}, {0, 0}},
-    {CYLINT_CAP_0, {-3, 0, 2}, {1, 0, -1}, TO, 1, {2}, {0}},
+    {CYLINT_ENDS_CAPPED, {-3, 0, -2}, {1, 0, 1}, CR, 2, {2, 4}, {0, 0}},
+    {CYLINT_ENDS_OPEN, {-3, 0, -2}, {1, 0, 1}, CR, 2, {2, 4}, {0, 0}},
+    {CYLINT_ENDS_CAPPED, {3, 0, -2}, {-2, 0, 2}, CR, 2, {1, 2}, {0, 0}},
+    {CYLINT_ENDS_CAPPED, {-3, 0, 0}, {1, 0, 1}, TO, 1, {2}, {0}},
+    {CYLINT_ENDS_OPEN, {-3, 0, 0}, {1, 0, 1}, TO, 1, {2}, {0}},
+    {CYLINT_ENDS_CAPPED, {-3, 0, -4}, {1, 0, 1}, TO, 1, {4}, {0}},
+    {CYLINT_ENDS_OPEN, {-3, 0, -4}, {1, 0, 1}, TO, 1, {4}, {0}},
+    {CYLINT_ENDS_OPEN, {-3, 0, 4}, {1, 0, -1}, CR, 2, {2, 4}, {0, 0}},
+    {CYLINT_ENDS_CAP0, {-3, 0, 2}, {1, 0, -1}, TO, 1, {2}, {0}},
 };
 
 static void a_point_of_a_rim_counts_once_and_as_lateral(void)
@@ -248,8 +248,8 @@ static void a_pointed_end_is_never_hit_as_a_cap(void)
     cylint_answer a;
     int hits = 0;
 
-    cylint_cone(&down, apex, 0, other, 2, CYLINT_CAPPED);
-    cylint_cone(&up, other, 2, apex, 0, CYLINT_CAPPED);
+    cylint_cone(&down, apex, 0, other, 2, CYLINT_ENDS_CAPPED);
+    cylint_cone(&up, other, 2, apex, 0, CYLINT_ENDS_CAPPED);
     for (int i = 1; i < 1000; i++) {
         const double d[3] = {1 + i / 7.0, 2 - i / 300.0, 4 + i / 11.0};
         double o[3];
@@ -259,10 +259,10 @@ static void a_pointed_end_is_never_hit_as_a_cap(void)
         cylint_whole_line(&line, o, d);
         cylint_quadratic(&down, &line, CYLINT_WANT_ALL, &a);
         for (int k = 0; k < a.n; k++, hits++)
-            CHECK(a.hit[k].part != CYLINT_CAP0);
+            CHECK(a.hit[k].part != CYLINT_PART_CAP0);
         cylint_quadratic(&up, &line, CYLINT_WANT_ALL, &a);
         for (int k = 0; k < a.n; k++, hits++)
-            CHECK(a.hit[k].part != CYLINT_CAP1);
+            CHECK(a.hit[k].part != CYLINT_PART_CAP1);
     }
     CHECK(hits > 500);
 }
@@ -275,12 +275,12 @@ static void only_what_is_wanted_is_written(void)
     cylint_line line;
     cylint_answer a;
 
-    cylint_cylinder(&shape, o, up, 1, CYLINT_INFINITE);
+    cylint_cylinder(&shape, o, up, 1, CYLINT_ENDS_INFINITE);
     cylint_whole_line(&line, from, x);
     memset(&a, 0x55, sizeof a);
     const cylint_answer before = a;
     cylint_quadratic(&shape, &line, CYLINT_WANT_COUNT, &a);
-    CHECK(a.relation == CYLINT_CROSS && a.n == 2);
+    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 2);
     CHECK(!memcmp(a.hit, before.hit, sizeof a.hit));
     cylint_quadratic(&shape, &line, CYLINT_WANT_NEAREST | CYLINT_WANT_T, &a);
     CHECK(a.n == 1 && a.hit[0].t == 2);
@@ -300,7 +300,7 @@ static void each_member_is_written_by_itself(void)
     cylint_line line;
     cylint_answer all;
 
-    cylint_cone(&shape, o, 1, up, 1.5, CYLINT_CAPPED);
+    cylint_cone(&shape, o, 1, up, 1.5, CYLINT_ENDS_CAPPED);
     cylint_whole_line(&line, from, x);
     cylint_quadratic(&shape, &line, CYLINT_WANT_ALL, &all);
     CHECK(all.n == 2);
@@ -349,11 +349,11 @@ static void normals_at_an_apex_are_the_librarys(void)
     const double fall[3] = {2, 0, -1}, above[3] = {-2, 0, 1};
     cylint_shape shape;
 
-    cylint_cone(&shape, o, 0, up, 1, CYLINT_CAPPED);
+    cylint_cone(&shape, o, 0, up, 1, CYLINT_ENDS_CAPPED);
     same_normal(&shape, level, x);
-    cylint_cone(&shape, down, 1, o, 0, CYLINT_CAPPED);
+    cylint_cone(&shape, down, 1, o, 0, CYLINT_ENDS_CAPPED);
     same_normal(&shape, level, x);
-    cylint_angle_cone(&shape, o, up, 45, CYLINT_INFINITE);
+    cylint_angle_cone(&shape, o, up, 45, CYLINT_ENDS_INFINITE);
     same_normal(&shape, below, climb);
     same_normal(&shape, above, fall);
 }
@@ -364,7 +364,7 @@ static void an_angle_stays_below_a_turn(void)
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, y[3] = {0, 1, 0};
     cylint_shape shape;
 
-    cylint_cylinder(&shape, o, up, 1, CYLINT_CAPPED);
+    cylint_cylinder(&shape, o, up, 1, CYLINT_ENDS_CAPPED);
     for (int sign = -1; sign <= 1; sign += 2) {
         const double from[3] = {sign * 1e-300, -2, 0.5};
         cylint_line line;
@@ -386,7 +386,7 @@ static void a_tangent_plane_has_one_ruling(void)
     cylint_line line;
     cylint_answer a;
 
-    cylint_angle_cone(&cone, o, up, 45, CYLINT_INFINITE);
+    cylint_angle_cone(&cone, o, up, 45, CYLINT_ENDS_INFINITE);
     for (int i = 1; i <= 40; i++) { /* the ruling along (x, y, hypot(x, y)) */
         const double x = i * i - 400, y = 40 * i, z = i * i + 400;
         const double across[3] = {-y, x, 0};
@@ -394,12 +394,12 @@ static void a_tangent_plane_has_one_ruling(void)
         const double at[3] = {x - y, y + x, z}; /* on the ruling's tangent */
         cylint_whole_line(&line, at, across);
         cylint_shene_cone(&cone, &line, CYLINT_WANT_T, &a);
-        if (a.relation == CYLINT_TOUCH)
+        if (a.relation == CYLINT_RELATION_TOUCH)
             touches += CHECK(a.n == 1 && fabs(a.hit[0].t + 1) < 1e-9);
-        cylint_tangent_cone(&narrow, o, up, i / 32., CYLINT_INFINITE);
+        cylint_tangent_cone(&narrow, o, up, i / 32., CYLINT_ENDS_INFINITE);
         cylint_whole_line(&line, beside, along);
         cylint_shene_cone(&narrow, &line, CYLINT_WANT_T, &a);
-        misses += a.relation == CYLINT_MISS;
+        misses += a.relation == CYLINT_RELATION_MISS;
     }
     /* where rounding leaves the plane tangent, and the line in parallel */
     CHECK(touches > 0);

@@ -77,7 +77,7 @@ static int shene_count_as_printed(double r, double d)
 
 static void shene_prints_two_hits_where_the_line_passes_outside(void)
 {
-    const cylint_shape shape = upright(1, CYLINT_INFINITE);
+    const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double through[3] = {-3, 0.5, 0}, beside[3] = {-3, 2, 0};
 
     CHECK(shene_count_as_printed(1, 0.5) == 0);
@@ -89,24 +89,24 @@ static void shene_prints_two_hits_where_the_line_passes_outside(void)
 /* "if the distance of B from l is r, l lies on it; else no intersection" */
 static int shene_parallel_as_printed(double r, double distance)
 {
-    return distance == r ? CYLINT_ALONG : CYLINT_MISS;
+    return distance == r ? CYLINT_RELATION_ALONG : CYLINT_RELATION_MISS;
 }
 
 static void shene_prints_that_a_parallel_line_inside_does_not_intersect(void)
 {
-    const cylint_shape shape = upright(1, CYLINT_INFINITE);
+    const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double inside[3] = {0.5, 0, 0};
 
-    CHECK(shene_parallel_as_printed(1, 0.5) == CYLINT_MISS);
+    CHECK(shene_parallel_as_printed(1, 0.5) == CYLINT_RELATION_MISS);
     CHECK(ask(cylint_shene_cylinder, &shape, inside, along_z).relation ==
-          CYLINT_CROSS);
+          CYLINT_RELATION_CROSS);
 }
 
 /* t_P is cut off in print; the reading (D x v).w, without the division by
  * |u x v| squared, is right for perpendicular lines only. */
 static void shenes_foot_halves_the_chord_of_an_oblique_line(void)
 {
-    const cylint_shape shape = upright(1, CYLINT_INFINITE);
+    const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double o[3] = {-3, 0.6, 0}, d[3] = {3, 0, 4};
     double u[3], uv[3], w[3], D[3], Dv[3];
 
@@ -159,7 +159,7 @@ static cylint_shape shenes_cone(void)
     const double u[3] = {0, 0, 3};
     cylint_shape shape;
 
-    CHECK(cylint_cone(&shape, origin, 0, u, 4, CYLINT_INFINITE) ==
+    CHECK(cylint_cone(&shape, origin, 0, u, 4, CYLINT_ENDS_INFINITE) ==
           CYLINT_OK);
     return shape;
 }
@@ -192,22 +192,22 @@ static void a_line_through_the_apex_has_no_plane(void)
     CHECK(!shene_cone_without_exceptions(0.6, outside, along_x, t) ||
           isnan(t[0]));
     cylint_answer a = ask(cylint_shene_cone, &shape, outside, along_x);
-    CHECK(a.relation == CYLINT_TOUCH && a.n == 1 && a.hit[0].t == 3);
+    CHECK(a.relation == CYLINT_RELATION_TOUCH && a.n == 1 && a.hit[0].t == 3);
 
     CHECK(!shene_cone_without_exceptions(0.6, inside, along_z, t) ||
           isnan(t[0]));
     a = ask(cylint_shene_cone, &shape, inside, along_z);
-    CHECK(a.relation == CYLINT_CROSS && a.n == 1 && a.hit[0].t == 3);
-    CHECK(a.hit[0].side == CYLINT_BOTH);
+    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 1 && a.hit[0].t == 3);
+    CHECK(a.hit[0].side == CYLINT_SIDE_BOTH);
 
     /* on a ruling: a half angle of 45 degrees, so that |d.v| is cos a */
     cylint_shape right;
-    CHECK(cylint_cone(&right, origin, 0, along_z, 1, CYLINT_INFINITE) ==
+    CHECK(cylint_cone(&right, origin, 0, along_z, 1, CYLINT_ENDS_INFINITE) ==
           CYLINT_OK);
     unit(on, u);
     CHECK(!shene_cone_without_exceptions(u[2], on, u, t) || isnan(t[0]));
     a = ask(cylint_shene_cone, &right, on, on);
-    CHECK(a.relation == CYLINT_ALONG && a.n == 0);
+    CHECK(a.relation == CYLINT_RELATION_ALONG && a.n == 0);
 }
 
 static void a_plane_perpendicular_to_the_axis_meets_the_apex_only(void)
@@ -223,9 +223,9 @@ static void a_plane_perpendicular_to_the_axis_meets_the_apex_only(void)
     unit(m, m);
     CHECK(isnan(m[0]) && isnan(m[2])); /* the frame of delta has no m */
     CHECK(ask(cylint_shene_cone, &shape, o, along_y).relation ==
-          CYLINT_MISS);
+          CYLINT_RELATION_MISS);
     CHECK(ask(cylint_shene_cone, &shape, to_apex, along_y).relation ==
-          CYLINT_TOUCH);
+          CYLINT_RELATION_TOUCH);
 }
 
 static void a_line_parallel_to_a_ruling_meets_the_other_one_only(void)
@@ -238,12 +238,12 @@ static void a_line_parallel_to_a_ruling_meets_the_other_one_only(void)
     CHECK(shene_cone_without_exceptions(0.6, o, u, t));
     CHECK(isnan(t[0]) != isnan(t[1]));
     cylint_answer a = ask(cylint_shene_cone, &shape, o, d);
-    CHECK(a.relation == CYLINT_CROSS && a.n == 1 && is(a.hit[0].t, 0.5));
-    CHECK(a.hit[0].side == CYLINT_LEAVING); /* the lower nappe, upwards */
+    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 1 && is(a.hit[0].t, 0.5));
+    CHECK(a.hit[0].side == CYLINT_SIDE_LEAVING); /* the lower nappe, upwards */
     const double above[3] = {0, 0, 3};
     a = ask(cylint_shene_cone, &shape, above, d);
-    CHECK(a.relation == CYLINT_CROSS && a.n == 1 && is(a.hit[0].t, -0.5));
-    CHECK(a.hit[0].side == CYLINT_ENTERING);
+    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 1 && is(a.hit[0].t, -0.5));
+    CHECK(a.hit[0].side == CYLINT_SIDE_ENTERING);
 }
 
 /* ------------------------------------------------------------ Gullotti -- */
@@ -256,34 +256,34 @@ static int gullotti_parallel_as_printed(const double p[3], const double v[3])
     const double c = dot(p, p) - p[2] * p[2] - 1;
 
     if (b * b - 4 * a * c == 0 && v[0] == 0 && v[1] == 0)
-        return CYLINT_ALONG;
-    return CYLINT_MISS;
+        return CYLINT_RELATION_ALONG;
+    return CYLINT_RELATION_MISS;
 }
 
 static void gullotti_puts_every_parallel_line_on_the_surface(void)
 {
-    const cylint_shape shape = upright(1, CYLINT_INFINITE);
+    const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double x[3] = {0.5, 1, 7};
-    const int due[3] = {CYLINT_CROSS, CYLINT_ALONG, CYLINT_MISS};
+    const int due[3] = {CYLINT_RELATION_CROSS, CYLINT_RELATION_ALONG, CYLINT_RELATION_MISS};
 
     for (int i = 0; i < 3; i++) {
         const double o[3] = {x[i], 0, -2};
-        CHECK(gullotti_parallel_as_printed(o, along_z) == CYLINT_ALONG);
+        CHECK(gullotti_parallel_as_printed(o, along_z) == CYLINT_RELATION_ALONG);
         CHECK(ask(cylint_gullotti, &shape, o, along_z).relation == due[i]);
     }
 }
 
 static void gullottis_parallel_lines_never_reach_the_caps(void)
 {
-    const cylint_shape shape = upright(2, CYLINT_CAPPED);
+    const cylint_shape shape = upright(2, CYLINT_ENDS_CAPPED);
     const double o[3] = {0.5, 0, -2};
     const double a = 0, b = 0, disc = 0; /* of every parallel line */
 
     CHECK(isnan((-b - sqrt(disc)) / (2 * a)));
     const cylint_answer due = ask(cylint_gullotti, &shape, o, along_z);
-    CHECK(due.relation == CYLINT_CROSS && due.n == 2);
-    CHECK(due.hit[0].t == 2 && due.hit[0].part == CYLINT_CAP0);
-    CHECK(due.hit[1].t == 4 && due.hit[1].part == CYLINT_CAP1);
+    CHECK(due.relation == CYLINT_RELATION_CROSS && due.n == 2);
+    CHECK(due.hit[0].t == 2 && due.hit[0].part == CYLINT_PART_CAP0);
+    CHECK(due.hit[1].t == 4 && due.hit[1].part == CYLINT_PART_CAP1);
 }
 
 /* "accept the hit if 0 <= P.h <= 1", P in world space, h = (0, 0, 1) */
@@ -299,7 +299,7 @@ static void gullottis_axial_test_in_world_space_loses_hits(void)
     const double hit[3] = {-1, 0, 12}, no_hit[3] = {-1, 0, 0.5};
     cylint_shape shape;
 
-    CHECK(cylint_cylinder(&shape, low, high, 1, CYLINT_OPEN) == CYLINT_OK);
+    CHECK(cylint_cylinder(&shape, low, high, 1, CYLINT_ENDS_OPEN) == CYLINT_OK);
     CHECK(!gullotti_accepts_as_printed(hit));
     CHECK(ask(cylint_gullotti, &shape, o, along_x).n == 2);
     CHECK(gullotti_accepts_as_printed(no_hit));
@@ -308,7 +308,7 @@ static void gullottis_axial_test_in_world_space_loses_hits(void)
 
 static void gullottis_leading_coefficient_cancels(void)
 {
-    const cylint_shape disc = upright(0x1p-30, CYLINT_INFINITE);
+    const cylint_shape disc = upright(0x1p-30, CYLINT_ENDS_INFINITE);
     const double o[3] = {-3, 0, 0}, d[3] = {1, 0, 0.5};
     const double v[3] = {1, 0, 0x1p29}; /* d in local coordinates */
 
@@ -332,7 +332,7 @@ static void gullottis_rotation_is_none_for_an_oblique_cylinder(void)
     cylint_shape shape;
 
     CHECK(cylint_elliptic_cylinder(&shape, origin, along_x, along_y, h,
-                                   CYLINT_INFINITE) == CYLINT_OK);
+                                   CYLINT_ENDS_INFINITE) == CYLINT_OK);
     /* at z = 0.5 the section's centre is at x = 0.5: the line meets it */
     CHECK(gullotti_local_x_as_printed(o, along_x) == 0.5);
     const cylint_answer a = ask(cylint_gullotti, &shape, o, along_y);
@@ -350,7 +350,7 @@ static double delta_as_printed(const double d[3], const double e[3],
 
 static void closest_points_lose_a_nearly_parallel_line(void)
 {
-    const cylint_shape shape = upright(1, CYLINT_INFINITE);
+    const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double d[3] = {1e-9, 0, 1};
 
     CHECK(!(delta_as_printed(d, along_z, 1, 0) < HUGE_VAL));
@@ -360,9 +360,9 @@ static void closest_points_lose_a_nearly_parallel_line(void)
 
 static void closest_points_have_no_answer_for_a_parallel_line(void)
 {
-    const cylint_shape shape = upright(1, CYLINT_INFINITE);
+    const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double x[3] = {0.5, 1, 7};
-    const int due[3] = {CYLINT_CROSS, CYLINT_ALONG, CYLINT_MISS};
+    const int due[3] = {CYLINT_RELATION_CROSS, CYLINT_RELATION_ALONG, CYLINT_RELATION_MISS};
 
     for (int i = 0; i < 3; i++) {
         const double o[3] = {x[i], 0, -2};
@@ -374,14 +374,14 @@ static void closest_points_have_no_answer_for_a_parallel_line(void)
 
 static void closest_points_leave_out_the_ends(void)
 {
-    const cylint_shape shape = upright(2, CYLINT_CAPPED);
+    const cylint_shape shape = upright(2, CYLINT_ENDS_CAPPED);
     const double above[3] = {-3, 0, 5}, o[3] = {-3, 0, -1}, d[3] = {1, 0, 1};
 
     CHECK(delta_as_printed(along_x, along_z, 1, 0) == 1); /* a hit */
     CHECK(ask(cylint_closest_points, &shape, above, along_x).n == 0);
     const cylint_answer a = ask(cylint_closest_points, &shape, o, d);
     CHECK(a.n == 2 && is(a.hit[0].t, 2) && is(a.hit[1].t, 3));
-    CHECK(a.hit[0].part == CYLINT_LATERAL && a.hit[1].part == CYLINT_CAP1);
+    CHECK(a.hit[0].part == CYLINT_PART_LATERAL && a.hit[1].part == CYLINT_PART_CAP1);
 }
 
 /* t_c is left out; it is where the connection is perpendicular to both. */
@@ -392,7 +392,7 @@ static void the_closest_point_halves_the_chord(void)
     cylint_shape shape;
     double M[3], n[3], e[3], De[3], D[3];
 
-    CHECK(cylint_cylinder(&shape, p0, p1, 4, CYLINT_INFINITE) == CYLINT_OK);
+    CHECK(cylint_cylinder(&shape, p0, p1, 4, CYLINT_ENDS_INFINITE) == CYLINT_OK);
     const cylint_answer a = ask(cylint_closest_points, &shape, o, d);
     CHECK(a.n == 2);
     const double t_c = (a.hit[0].t + a.hit[1].t) / 2;
@@ -430,30 +430,30 @@ static int clipobj_as_printed(double dc, double dw, double *in, double *out)
 
 static void clipobj_keeps_a_chord_that_begins_on_the_far_plane(void)
 {
-    const cylint_shape shape = upright(4, CYLINT_CAPPED);
+    const cylint_shape shape = upright(4, CYLINT_ENDS_CAPPED);
     const double o[3] = {-4, 0, 0}, d[3] = {3, 0, 4};
     double in = 1, out = 5 / 3.0; /* the lateral roots */
 
     CHECK(clipobj_as_printed(4, -4, &in, &out) && out > 1);
     const cylint_answer a = ask(cylint_cychosz_waggenspack, &shape, o, d);
-    CHECK(a.relation == CYLINT_TOUCH && a.n == 1 && is(a.hit[0].t, 1));
+    CHECK(a.relation == CYLINT_RELATION_TOUCH && a.n == 1 && is(a.hit[0].t, 1));
 }
 
 static void clipobj_rejects_tangents_and_lines_in_a_caps_plane(void)
 {
-    const cylint_shape shape = upright(2, CYLINT_CAPPED);
+    const cylint_shape shape = upright(2, CYLINT_ENDS_CAPPED);
     const double beside[3] = {1, -3, 1}, in_cap[3] = {-3, 0, 2};
     double in = 3, out = 3;
 
     CHECK(!clipobj_as_printed(0, -1, &in, &out)); /* tangent: in = out */
     cylint_answer a = ask(cylint_cychosz_waggenspack, &shape, beside,
                           along_y);
-    CHECK(a.relation == CYLINT_TOUCH && a.n == 1 && a.hit[0].t == 3);
+    CHECK(a.relation == CYLINT_RELATION_TOUCH && a.n == 1 && a.hit[0].t == 3);
     in = 2;
     out = 4;
     CHECK(!clipobj_as_printed(0, 0, &in, &out)); /* dw = 0: in the plane */
     a = ask(cylint_cychosz_waggenspack, &shape, in_cap, along_x);
-    CHECK(a.relation == CYLINT_ALONG && a.n == 2 && a.hit[0].t == 2);
+    CHECK(a.relation == CYLINT_RELATION_ALONG && a.n == 2 && a.hit[0].t == 2);
 }
 
 static void intcyls_infinity_is_neither_far_enough_nor_a_hit(void)
@@ -464,15 +464,15 @@ static void intcyls_infinity_is_neither_far_enough_nor_a_hit(void)
     cylint_shape tall;
 
     CHECK(!clipobj_as_printed(-1, 1e22, &in, &out)); /* the base's plane */
-    CHECK(cylint_cylinder(&tall, origin, top, 1, CYLINT_CAPPED) ==
+    CHECK(cylint_cylinder(&tall, origin, top, 1, CYLINT_ENDS_CAPPED) ==
           CYLINT_OK);
     cylint_answer a = ask(cylint_cychosz_waggenspack, &tall, o, along_z);
-    CHECK(a.relation == CYLINT_CROSS && a.n == 2);
+    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 2);
     CHECK(is(a.hit[0].t, 1e22) && is(a.hit[1].t, 2e22));
 
-    const cylint_shape endless = upright(1, CYLINT_INFINITE);
+    const cylint_shape endless = upright(1, CYLINT_ENDS_INFINITE);
     a = ask(cylint_cychosz_waggenspack, &endless, inside, along_z);
-    CHECK(a.relation == CYLINT_CROSS && a.n == 0);
+    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 0);
 }
 
 int main(void)

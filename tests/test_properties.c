@@ -70,21 +70,21 @@ static int wholly_finite(const cylint_answer *a)
 static void parity(const struct family_case *given)
 {
     struct family_case c = *given;
-    c.ends = CYLINT_CAPPED;
+    c.ends = CYLINT_ENDS_CAPPED;
     c.line_word = c.line_word == FAMILY_SEGMENT ? FAMILY_SEGMENT
                                                 : FAMILY_LINE;
     family_make(&c);
     c.line.tmin = -HUGE_VAL;
     c.line.tmax = HUGE_VAL;
     const cylint_answer a = ask(&c);
-    const int due = a.relation == CYLINT_MISS ? 0
-                  : a.relation == CYLINT_TOUCH ? 1 : 2;
+    const int due = a.relation == CYLINT_RELATION_MISS ? 0
+                  : a.relation == CYLINT_RELATION_TOUCH ? 1 : 2;
     int good = a.n == due;
     if (due == 1) {
-        good = good && a.hit[0].side == CYLINT_BOTH;
+        good = good && a.hit[0].side == CYLINT_SIDE_BOTH;
     } else if (due == 2) {
-        good = good && a.hit[0].side == CYLINT_ENTERING &&
-               a.hit[1].side == CYLINT_LEAVING && a.hit[0].t <= a.hit[1].t;
+        good = good && a.hit[0].side == CYLINT_SIDE_ENTERING &&
+               a.hit[1].side == CYLINT_SIDE_LEAVING && a.hit[0].t <= a.hit[1].t;
     }
     if (!CHECK(good)) {
         fail_with(&c);
@@ -100,8 +100,8 @@ static void a_capped_shape_never_gives_a_hit_without_its_partner(void)
 
 static int turned(int side)
 {
-    return side == CYLINT_ENTERING ? CYLINT_LEAVING
-         : side == CYLINT_LEAVING ? CYLINT_ENTERING : side;
+    return side == CYLINT_SIDE_ENTERING ? CYLINT_SIDE_LEAVING
+         : side == CYLINT_SIDE_LEAVING ? CYLINT_SIDE_ENTERING : side;
 }
 
 /* d becomes -d: t becomes -t. */
@@ -321,14 +321,14 @@ static void scaling_by_powers_of_two_leaves_the_digits_of_t(void)
 
 static int other_cap(int part)
 {
-    return part == CYLINT_CAP0 ? CYLINT_CAP1
-         : part == CYLINT_CAP1 ? CYLINT_CAP0 : part;
+    return part == CYLINT_PART_CAP0 ? CYLINT_PART_CAP1
+         : part == CYLINT_PART_CAP1 ? CYLINT_PART_CAP0 : part;
 }
 
 static cylint_ends other_ends(cylint_ends ends)
 {
-    return ends == CYLINT_CAP_0 ? CYLINT_CAP_1
-         : ends == CYLINT_CAP_1 ? CYLINT_CAP_0 : ends;
+    return ends == CYLINT_ENDS_CAP0 ? CYLINT_ENDS_CAP1
+         : ends == CYLINT_ENDS_CAP1 ? CYLINT_ENDS_CAP0 : ends;
 }
 
 /* p0, r0 and p1, r1 change places: cap 0 and cap 1 do. */
@@ -483,19 +483,19 @@ static void a_circular_shape_is_an_elliptic_one_with_equal_axes(void)
 static void fewer_caps(const struct family_case *given)
 {
     struct family_case c = *given, capped = *given;
-    c.shape.ends = CYLINT_CAPPED;
-    capped.shape.ends = CYLINT_CAPPED;
+    c.shape.ends = CYLINT_ENDS_CAPPED;
+    capped.shape.ends = CYLINT_ENDS_CAPPED;
     const cylint_answer all = ask(&capped);
-    for (int ends = CYLINT_OPEN; ends <= CYLINT_CAP_1; ends++) {
+    for (int ends = CYLINT_ENDS_OPEN; ends <= CYLINT_ENDS_CAP1; ends++) {
         c.ends = (cylint_ends)ends;
         family_make(&c);
         const cylint_answer some = ask(&c);
         int n = 0, good = some.relation == all.relation;
         for (int i = 0; i < all.n; i++) {
             const int part = all.hit[i].part;
-            if (part == CYLINT_LATERAL ||
-                (part == CYLINT_CAP0 && ends == CYLINT_CAP_0) ||
-                (part == CYLINT_CAP1 && ends == CYLINT_CAP_1)) {
+            if (part == CYLINT_PART_LATERAL ||
+                (part == CYLINT_PART_CAP0 && ends == CYLINT_ENDS_CAP0) ||
+                (part == CYLINT_PART_CAP1 && ends == CYLINT_ENDS_CAP1)) {
                 good = good && n < some.n &&
                        some.hit[n].t == all.hit[i].t &&
                        some.hit[n].part == part;

@@ -171,13 +171,13 @@ static void oracle_agrees_with_points_sampled_along_the_line(void)
         }
         c.line.tmin = -HUGE_VAL;
         c.line.tmax = HUGE_VAL;
-        c.shape.ends = c.shape.ends < CYLINT_INFINITE ? CYLINT_CAPPED
+        c.shape.ends = c.shape.ends < CYLINT_ENDS_INFINITE ? CYLINT_ENDS_CAPPED
                                                       : c.shape.ends;
         oracle_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &answer);
-        CHECK(answer.n > 0 || answer.relation == CYLINT_MISS);
+        CHECK(answer.n > 0 || answer.relation == CYLINT_RELATION_MISS);
         for (int k = 0; k < answer.n; k++) {
             const double t = answer.hit[k].t, step = 1e-6;
-            const int in = answer.hit[k].side == CYLINT_ENTERING ? 1 : -1;
+            const int in = answer.hit[k].side == CYLINT_SIDE_ENTERING ? 1 : -1;
             if (answer.n == 2 &&
                 answer.hit[1].t - answer.hit[0].t < 4 * step) {
                 continue;

@@ -95,19 +95,19 @@ static void make(int kind, int segment, cylint_shape *s, cylint_line *l)
                         d[3] = {0.1, 1, 0.2};
     switch (kind) {
     case CYLINT_KIND_CYLINDER:
-        cylint_cylinder(s, p, h, 1, CYLINT_CAPPED);
+        cylint_cylinder(s, p, h, 1, CYLINT_ENDS_CAPPED);
         break;
     case CYLINT_KIND_CONE:
-        cylint_cone(s, p, 1, h, 2, CYLINT_CAPPED);
+        cylint_cone(s, p, 1, h, 2, CYLINT_ENDS_CAPPED);
         break;
     case CYLINT_KIND_ACONE:
-        cylint_tangent_cone(s, p, h, 1, CYLINT_CAPPED);
+        cylint_tangent_cone(s, p, h, 1, CYLINT_ENDS_CAPPED);
         break;
     case CYLINT_KIND_ECYLINDER:
-        cylint_elliptic_cylinder(s, p, a, b, h, CYLINT_CAPPED);
+        cylint_elliptic_cylinder(s, p, a, b, h, CYLINT_ENDS_CAPPED);
         break;
     default:
-        cylint_elliptic_cone(s, p, a, b, h, 2, CYLINT_CAPPED);
+        cylint_elliptic_cone(s, p, a, b, h, 2, CYLINT_ENDS_CAPPED);
     }
     if (segment)
         cylint_segment(l, o, d);
@@ -147,7 +147,7 @@ static void ask_root(cylint_query *q, cylint_root root)
         m = cylint_exact_add(&q->arena, m, cylint_exact_from(&q->arena, 1));
     cylint_sign_at(q, &in_full, m, cylint_exact(q)->one);
     q->arena.used = used;
-    for (int part = CYLINT_LATERAL; part <= CYLINT_CAP1; part++)
+    for (int part = CYLINT_PART_LATERAL; part <= CYLINT_PART_CAP1; part++)
         for (int apex = 0; apex < 2; apex++)
             cylint_describe_hit(q, root, t, more, part, apex,
                                 CYLINT_WANT_ALL, &hit);

@@ -306,7 +306,7 @@ static void a_shape_that_is_met_in_many_boxes_counts_once(void)
         const double from[3] = {-30 - i * 0.0005, -30, -30};
         const double to[3] = {30, 30 + i * 0.0005, 30};
         cylint_cylinder(&a.of.shapes[i], from, to, 0.2 + 0.001 * i,
-                        i % 2 ? CYLINT_CAPPED : CYLINT_OPEN);
+                        i % 2 ? CYLINT_ENDS_CAPPED : CYLINT_ENDS_OPEN);
     }
     if (open_both(&a))
         for (int i = 0; i < 40; i++) {

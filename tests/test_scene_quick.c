@@ -42,8 +42,8 @@ struct question {
 
 static int circular(struct family_case *c, uint64_t index)
 {
-    static const cylint_ends bounded[4] = {CYLINT_CAPPED, CYLINT_OPEN,
-                                           CYLINT_CAP_0, CYLINT_CAP_1};
+    static const cylint_ends bounded[4] = {CYLINT_ENDS_CAPPED, CYLINT_ENDS_OPEN,
+                                           CYLINT_ENDS_CAP0, CYLINT_ENDS_CAP1};
     c->ends = bounded[index % 4];
     return family_make(c);
 }
@@ -94,7 +94,7 @@ static int same_floats(const cylint_quick_floats *f, const cylint_hit *hit)
 
 static int part_of(const cylint_quick_hit *at)
 {
-    return !at->capped ? CYLINT_LATERAL : at->top ? CYLINT_CAP1 : CYLINT_CAP0;
+    return !at->capped ? CYLINT_PART_LATERAL : at->top ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
 }
 
 static int describes(const cylint_quick_build *build, const cylint_quick *q,
@@ -298,7 +298,7 @@ static void a_small_z_is_not_more_certain_than_the_librarys(void)
     x.line.tmax = HUGE_VAL;
     x.line.near = HUGE_VALF;
     x.shape = &shape;
-    CHECK(cylint_cylinder(&shape, p0, p1, 0x1.bef9b1a9p+18, CYLINT_OPEN) ==
+    CHECK(cylint_cylinder(&shape, p0, p1, 0x1.bef9b1a9p+18, CYLINT_ENDS_OPEN) ==
           CYLINT_OK);
     CHECK(cylint_span(&line, o, d, 0, HUGE_VAL) == CYLINT_OK);
     x.n = cylint_intersect(&shape, &line, CYLINT_WANT_ALL, &x.answer);
@@ -408,9 +408,9 @@ static int is_small(double x, double r, int cone)
     const double base[3] = {x, 2, 3}, top[3] = {4, 5, 6};
     cylint_quick_small small;
     cylint_shape shape;
-    return CHECK((cone ? cylint_cone(&shape, base, r, top, 1, CYLINT_CAPPED)
+    return CHECK((cone ? cylint_cone(&shape, base, r, top, 1, CYLINT_ENDS_CAPPED)
                        : cylint_cylinder(&shape, base, top, r,
-                                         CYLINT_CAPPED)) == CYLINT_OK) &&
+                                         CYLINT_ENDS_CAPPED)) == CYLINT_OK) &&
            cylint_quick_small_of(&small, &shape);
 }
 
@@ -428,9 +428,9 @@ static void only_what_is_made_of_floats_is_small(void)
         CHECK(!is_small(0x1p-1070, 0.5, cone)); /* and double */
         CHECK(!is_small(0x1p200, 0.5, cone));
     }
-    CHECK(cylint_angle_cone(&shape, base, up, 45, CYLINT_CAPPED) == CYLINT_OK &&
+    CHECK(cylint_angle_cone(&shape, base, up, 45, CYLINT_ENDS_CAPPED) == CYLINT_OK &&
           !cylint_quick_small_of(&small, &shape));
-    CHECK(cylint_elliptic_cylinder(&shape, base, a, b, up, CYLINT_CAPPED) ==
+    CHECK(cylint_elliptic_cylinder(&shape, base, a, b, up, CYLINT_ENDS_CAPPED) ==
           CYLINT_OK && !cylint_quick_small_of(&small, &shape));
 }
 

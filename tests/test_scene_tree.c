@@ -90,7 +90,7 @@ static void hopeless_scenes_have_nodes_too(void)
             x = apart && i % (N / 100) == 0 ? 2 * x : x;
             const double base[3] = {x, 0, 0}, top[3] = {x, x, 0};
             CHECK(cylint_cylinder(&shapes[i], base, top, x / 8,
-                                  CYLINT_CAPPED) == CYLINT_OK);
+                                  CYLINT_ENDS_CAPPED) == CYLINT_OK);
         }
         check_nodes(&of);
     }

@@ -48,7 +48,7 @@ static int answers_miss(const cylint_shape *shape, const cylint_line *line)
     cylint_answer answer;
     answer.relation = answer.n = answer.flags = -1;
     return cylint_intersect(shape, line, CYLINT_WANT_ALL, &answer) == 0 &&
-           answer.relation == CYLINT_MISS && answer.n == 0 &&
+           answer.relation == CYLINT_RELATION_MISS && answer.n == 0 &&
            answer.flags == CYLINT_FLAG_INVALID &&
            cylint_occluded(shape, line) == 0;
 }
@@ -56,7 +56,7 @@ static int answers_miss(const cylint_shape *shape, const cylint_line *line)
 static void good_shapes_are_accepted_with_all_ends(void)
 {
     for (int word = 0; word < 5; word++) {
-        for (int ends = CYLINT_CAPPED; ends <= CYLINT_NAPPE; ends++) {
+        for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
             struct family_case c = good_case((family_shape)word);
             c.ends = (cylint_ends)ends;
             CHECK(family_make(&c));
@@ -81,7 +81,7 @@ static void what_is_not_finite_is_refused_in_every_place(void)
 
 static void ends_outside_the_list_are_refused(void)
 {
-    static const int values[] = {-1, CYLINT_NAPPE + 1, 1000};
+    static const int values[] = {-1, CYLINT_ENDS_NAPPE + 1, 1000};
     for (int word = 0; word < 5; word++) {
         for (int i = 0; i < 3; i++) {
             struct family_case c = good_case((family_shape)word);
@@ -96,18 +96,18 @@ static void an_axis_without_length_is_refused(void)
 {
     const double minus_zero[3] = {-0.0, -0.0, 0}, p[3] = {1e300, -3, 5e-324};
     cylint_shape s;
-    CHECK(cylint_cylinder(&s, p, p, 1, CYLINT_OPEN) == CYLINT_EAXIS);
-    CHECK(cylint_cone(&s, p, 1, p, 0, CYLINT_OPEN) == CYLINT_EAXIS);
-    CHECK(cylint_cone(&s, origin, 1, minus_zero, 2, CYLINT_OPEN) ==
+    CHECK(cylint_cylinder(&s, p, p, 1, CYLINT_ENDS_OPEN) == CYLINT_EAXIS);
+    CHECK(cylint_cone(&s, p, 1, p, 0, CYLINT_ENDS_OPEN) == CYLINT_EAXIS);
+    CHECK(cylint_cone(&s, origin, 1, minus_zero, 2, CYLINT_ENDS_OPEN) ==
           CYLINT_EAXIS);
-    CHECK(cylint_angle_cone(&s, p, minus_zero, 45, CYLINT_OPEN) ==
+    CHECK(cylint_angle_cone(&s, p, minus_zero, 45, CYLINT_ENDS_OPEN) ==
           CYLINT_EAXIS);
-    CHECK(cylint_tangent_cone(&s, p, origin, 1, CYLINT_OPEN) ==
+    CHECK(cylint_tangent_cone(&s, p, origin, 1, CYLINT_ENDS_OPEN) ==
           CYLINT_EAXIS);
     CHECK(cylint_elliptic_cone(&s, p, axis_x, axis_y, minus_zero, 1,
-                               CYLINT_OPEN) == CYLINT_EAXIS);
+                               CYLINT_ENDS_OPEN) == CYLINT_EAXIS);
     CHECK(cylint_elliptic_cylinder(&s, p, axis_x, axis_y, origin,
-                                   CYLINT_OPEN) == CYLINT_EAXIS);
+                                   CYLINT_ENDS_OPEN) == CYLINT_EAXIS);
 }
 
 static void radii_must_not_be_negative_nor_all_zero(void)
@@ -125,7 +125,7 @@ static void radii_must_not_be_negative_nor_all_zero(void)
     CHECK(spoiled(FAMILY_ECONE, 12, 0) == CYLINT_OK);
     CHECK(spoiled(FAMILY_ECONE, 12, -0.0) == CYLINT_OK);
     cylint_shape s;
-    CHECK(cylint_cone(&s, origin, 0, axis_z, -0.0, CYLINT_OPEN) ==
+    CHECK(cylint_cone(&s, origin, 0, axis_z, -0.0, CYLINT_ENDS_OPEN) ==
           CYLINT_ERADIUS);
 }
 
@@ -150,7 +150,7 @@ static void half_angles_lie_between_0_and_90(void)
 static void the_tangent_of_45_degrees_is_1(void)
 {
     cylint_shape s;
-    CHECK(cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_INFINITE) ==
+    CHECK(cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_ENDS_INFINITE) ==
           CYLINT_OK);
     CHECK(s.r1 == 1);
 }
@@ -248,7 +248,7 @@ static void what_was_refused_answers_miss_with_the_flag(void)
 static void a_box_is_three_numbers_to_either_side(void)
 {
     for (int word = 0; word < 5; word++)
-        for (int ends = CYLINT_CAPPED; ends <= CYLINT_NAPPE; ends++) {
+        for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
             struct family_case c = good_case((family_shape)word);
             double lo[4] = {0, 0, 0, 7}, hi[4] = {0, 0, 0, 7};
             c.ends = (cylint_ends)ends;
@@ -264,7 +264,7 @@ static void points_that_are_not_finite_are_outside(void)
 {
     for (int word = 0; word < 5; word++) {
         struct family_case c = good_case((family_shape)word);
-        c.ends = CYLINT_INFINITE;
+        c.ends = CYLINT_ENDS_INFINITE;
         family_make(&c);
         for (int i = 0; i < 9; i++) {
             double p[3] = {0, 0, 0.5};
@@ -287,7 +287,7 @@ static void extreme_shapes_are_accepted(void)
     cylint_answer a;
     CHECK(cylint_intersect(&s, &l, CYLINT_WANT_ALL, &a) == 2);
     CHECK(a.hit[0].t == 0 && a.hit[1].t == 1);
-    CHECK(a.hit[0].part == CYLINT_CAP0 && a.hit[1].part == CYLINT_CAP1);
+    CHECK(a.hit[0].part == CYLINT_PART_CAP0 && a.hit[1].part == CYLINT_PART_CAP1);
     for (int i = 0; i < 3; i++) {
         CHECK(a.hit[0].point[i] == low[i] && a.hit[1].point[i] == high[i]);
     }
@@ -329,28 +329,28 @@ static void boxes_of_simple_shapes_are_known(void)
     const double all_hi[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
     const double lo1[3] = {-2, -2, 0}, hi1[3] = {2, 2, 1};
-    cylint_cylinder(&s, origin, axis_z, 2, CYLINT_OPEN);
+    cylint_cylinder(&s, origin, axis_z, 2, CYLINT_ENDS_OPEN);
     cylint_bounds(&s, lo, hi);
     CHECK(outward(lo, hi, lo1, hi1, BOX_ULPS));
 
     const double p[3] = {3, 4, 0}, lo2[3] = {-4, -3, -5};
     const double hi2[3] = {4 + 3, 3 + 4, 5};
-    cylint_cylinder(&s, origin, p, 5, CYLINT_CAPPED);
+    cylint_cylinder(&s, origin, p, 5, CYLINT_ENDS_CAPPED);
     cylint_bounds(&s, lo, hi); /* radius 5 sqrt(1 - u_i^2): 4, 3, 5 */
     CHECK(outward(lo, hi, lo2, hi2, BOX_ULPS));
 
     const double lo3[3] = {-1, -2, 0}, hi3[3] = {2, 2, 1};
     const double a[3] = {1, 0, 0}, b[3] = {0, 2, 0}, h[3] = {1, 0, 1};
-    cylint_elliptic_cylinder(&s, origin, a, b, h, CYLINT_CAPPED);
+    cylint_elliptic_cylinder(&s, origin, a, b, h, CYLINT_ENDS_CAPPED);
     cylint_bounds(&s, lo, hi);
     CHECK(outward(lo, hi, lo3, hi3, BOX_ULPS));
 
     const double lo4[3] = {-1, -1, 0}, hi4[3] = {1, 1, 1};
-    cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_CAPPED);
+    cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_ENDS_CAPPED);
     cylint_bounds(&s, lo, hi);
     CHECK(outward(lo, hi, lo4, hi4, BOX_ULPS));
 
-    cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_INFINITE);
+    cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_ENDS_INFINITE);
     cylint_bounds(&s, lo, hi);
     CHECK(outward(lo, hi, all_lo, all_hi, 0));
 }
@@ -362,18 +362,18 @@ static void boxes_are_exact_where_nothing_is_rounded(void)
     double lo[3], hi[3];
 
     const double lo1[3] = {-1, -1, 0}, hi1[3] = {1, 1, 1};
-    cylint_cylinder(&s, origin, axis_z, 1, CYLINT_CAPPED);
+    cylint_cylinder(&s, origin, axis_z, 1, CYLINT_ENDS_CAPPED);
     cylint_bounds(&s, lo, hi);
     CHECK(outward(lo, hi, lo1, hi1, 0));
 
     const double lo2[3] = {2, 3, 6}, hi2[3] = {6, 7, 9};
-    cylint_cone(&s, p0, 2, p1, 1, CYLINT_CAPPED);
+    cylint_cone(&s, p0, 2, p1, 1, CYLINT_ENDS_CAPPED);
     cylint_bounds(&s, lo, hi);
     CHECK(outward(lo, hi, lo2, hi2, 0));
 
     const double lo3[3] = {-HUGE_VAL, -HUGE_VAL, 6};
     const double hi3[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    cylint_cone(&s, p0, 0, p1, 1, CYLINT_NAPPE);
+    cylint_cone(&s, p0, 0, p1, 1, CYLINT_ENDS_NAPPE);
     cylint_bounds(&s, lo, hi);
     CHECK(outward(lo, hi, lo3, hi3, 0));
 }
@@ -428,7 +428,7 @@ static void boxes_fit_the_rims(void)
         struct family_case c;
         double lo[3], hi[3], low[3], high[3];
         family_case(7, 0, n, &c);
-        if (c.shape.ends >= CYLINT_INFINITE) {
+        if (c.shape.ends >= CYLINT_ENDS_INFINITE) {
             continue;
         }
         cylint_bounds(&c.shape, lo, hi);
@@ -492,7 +492,7 @@ static void nothing_of_a_solid_is_outside_its_box(void)
                     continue;
                 }
                 oracle_intersect(&c.shape, &line, 0, &answer);
-                if (!CHECK(answer.relation == CYLINT_MISS)) {
+                if (!CHECK(answer.relation == CYLINT_RELATION_MISS)) {
                     REPORT("side %d of the box", side);
                     family_print(stderr, &c);
                     fputc('\n', stderr);

@@ -121,7 +121,7 @@ static void side_tie(const struct plan *p, struct scene *s)
     s->o[1] = size * qy * (s->b / r);
     if (cylinder && (p->other & 1)) {
         s->d[2] = one_of(7) - 3;
-        s->ends = CYLINT_INFINITE;
+        s->ends = CYLINT_ENDS_INFINITE;
     } else if (p->word >= FAMILY_ECYLINDER) {
         s->lean[0] = 2 * one_of(3);
         s->lean[1] = 2 * one_of(3);
@@ -143,7 +143,7 @@ static void cone_of_45(const struct plan *p, struct scene *s)
 static void ruling_tie(const struct plan *p, struct scene *s)
 {
     cone_of_45(p, s);
-    s->ends = CYLINT_INFINITE;
+    s->ends = CYLINT_ENDS_INFINITE;
     s->d[0] = s->d[2] = p->c;
     go_back(p, s, 0);
     go_back(p, s, 2);
@@ -154,17 +154,17 @@ static void ruling_tie(const struct plan *p, struct scene *s)
 static void apex_tie(const struct plan *p, struct scene *s)
 {
     cone_of_45(p, s);
-    s->ends = p->other & 1 ? CYLINT_INFINITE : CYLINT_NAPPE;
+    s->ends = p->other & 1 ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
     if (p->other & 4 && p->word == FAMILY_CONE) { /* the apex is the base */
         s->low = s->r0 = 0;
         s->r1 = s->high;
-        s->ends = CYLINT_CAPPED;
+        s->ends = CYLINT_ENDS_CAPPED;
     }
     s->d[0] = p->other & 2 ? one_of(5) - 2 : 0;
     s->d[1] = p->other & 2 ? one_of(5) - 2 : 0;
     s->d[2] = p->c;
     if (s->d[0] * s->d[0] + s->d[1] * s->d[1] == p->c * p->c)
-        s->ends = CYLINT_NAPPE; /* of a double cone this is a whole ruling */
+        s->ends = CYLINT_ENDS_NAPPE; /* of a double cone this is a whole ruling */
     for (int i = 0; i < 3; i++)
         if (s->d[i] != 0)
             go_back(p, s, i);

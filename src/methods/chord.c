@@ -31,13 +31,13 @@ cylint_affine cylint_axial(const cylint_shape *shape, const cylint_line *line)
  */
 void cylint_chord_clip(cylint_chord *chord, cylint_affine f, int part)
 {
-    if (chord->relation == CYLINT_MISS)
+    if (chord->relation == CYLINT_RELATION_MISS)
         return;
     if (f.slope == 0) {
-        if (f.at == 0 && chord->relation == CYLINT_CROSS)
-            chord->relation = CYLINT_ALONG;
+        if (f.at == 0 && chord->relation == CYLINT_RELATION_CROSS)
+            chord->relation = CYLINT_RELATION_ALONG;
         else if (!(f.at >= 0))
-            chord->relation = CYLINT_MISS;
+            chord->relation = CYLINT_RELATION_MISS;
         return;
     }
 
@@ -45,14 +45,14 @@ void cylint_chord_clip(cylint_chord *chord, cylint_affine f, int part)
     const int end = f.slope > 0 ? 0 : 1;
     if (end == 0 ? t > chord->t[0] : t < chord->t[1]) {
         chord->t[end] = t;
-        chord->part[end] = chord->relation == CYLINT_ALONG ? CYLINT_LATERAL
+        chord->part[end] = chord->relation == CYLINT_RELATION_ALONG ? CYLINT_PART_LATERAL
                                                            : part;
     }
     if (!(chord->t[0] <= chord->t[1])) {
-        chord->relation = CYLINT_MISS;
+        chord->relation = CYLINT_RELATION_MISS;
     } else if (chord->t[0] == t && chord->t[1] == t) {
-        chord->relation = CYLINT_TOUCH;
-        chord->part[0] = chord->part[1] = CYLINT_LATERAL;
+        chord->relation = CYLINT_RELATION_TOUCH;
+        chord->part[0] = chord->part[1] = CYLINT_PART_LATERAL;
     }
 }
 
@@ -63,9 +63,9 @@ void cylint_chord_ends(cylint_chord *chord, const cylint_shape *shape,
     if (!is_bounded(shape))
         return;
     if (shape->r0 != 0)
-        cylint_chord_clip(chord, z, CYLINT_CAP0);
+        cylint_chord_clip(chord, z, CYLINT_PART_CAP0);
     if (shape->r1 != 0)
-        cylint_chord_clip(chord, affine(1 - z.at, -z.slope), CYLINT_CAP1);
+        cylint_chord_clip(chord, affine(1 - z.at, -z.slope), CYLINT_PART_CAP1);
 }
 
 /*
@@ -78,7 +78,7 @@ void cylint_chord_ends(cylint_chord *chord, const cylint_shape *shape,
  */
 void cylint_chord_nappe(cylint_chord *chord, cylint_affine rho)
 {
-    if (chord->relation == CYLINT_MISS)
+    if (chord->relation == CYLINT_RELATION_MISS)
         return;
     const int ahead = rho.slope > 0; /* the nappe lies towards t = +inf */
 
@@ -86,15 +86,15 @@ void cylint_chord_nappe(cylint_chord *chord, cylint_affine rho)
         chord->gap = 0;
         chord->t[ahead ? 0 : 1] = chord->t[ahead ? 1 : 0];
         chord->t[ahead ? 1 : 0] = ahead ? INFINITY : -INFINITY;
-    } else if (chord->relation == CYLINT_ALONG) {
+    } else if (chord->relation == CYLINT_RELATION_ALONG) {
         if (rho.slope != 0)
             chord->t[ahead ? 0 : 1] = -rho.at / rho.slope;
     } else if (isinf(chord->t[0]) || isinf(chord->t[1])) {
         if (isinf(chord->t[ahead ? 0 : 1]))
-            chord->relation = CYLINT_MISS;
+            chord->relation = CYLINT_RELATION_MISS;
     } else {
         const double middle = 0.5 * chord->t[0] + 0.5 * chord->t[1];
         if (!(rho.at + middle * rho.slope >= 0))
-            chord->relation = CYLINT_MISS;
+            chord->relation = CYLINT_RELATION_MISS;
     }
 }

@@ -58,9 +58,9 @@ static cylint_chord chord_of(const cylint_shape *shape,
     if (!(f2 <= r2))
         return no_chord();
     if (f2 == r2)
-        return chord_between(CYLINT_TOUCH, t_c, t_c);
+        return chord_between(CYLINT_RELATION_TOUCH, t_c, t_c);
     const double delta = sqrt(dot(e, e) * (r2 - f2) / nn);
-    return chord_between(CYLINT_CROSS, t_c - delta, t_c + delta);
+    return chord_between(CYLINT_RELATION_CROSS, t_c - delta, t_c + delta);
 }
 
 cylint_status cylint_closest_points(const cylint_shape *shape,

@@ -50,11 +50,11 @@ static cylint_chord intcyl(const double RC[3], const double raycos[3],
     cross(RC, axis, O);
     const double t = -dot(O, n) / ln;
     if (d == radius)
-        return chord_between(CYLINT_TOUCH, t, t);
+        return chord_between(CYLINT_RELATION_TOUCH, t, t);
     cross(n, axis, O);
     unit(O, O);
     const double s = fabs(sqrt(radius * radius - d * d) / dot(raycos, O));
-    return chord_between(CYLINT_CROSS, t - s, t + s);
+    return chord_between(CYLINT_RELATION_CROSS, t - s, t + s);
 }
 
 /* The planes normal.p + distance = 0, their normals pointing out. */
@@ -68,8 +68,8 @@ static void clipobj(cylint_chord *chord, const cylint_line *line,
     const cylint_affine above_low = {height + low, climb};
     const cylint_affine below_high = {-(height + high), -climb};
 
-    cylint_chord_clip(chord, above_low, CYLINT_CAP0);
-    cylint_chord_clip(chord, below_high, CYLINT_CAP1);
+    cylint_chord_clip(chord, above_low, CYLINT_PART_CAP0);
+    cylint_chord_clip(chord, below_high, CYLINT_PART_CAP1);
 }
 
 cylint_status cylint_cychosz_waggenspack(const cylint_shape *shape,

@@ -73,7 +73,7 @@ static inline double unit(const double a[3], double out[3])
  * double cone to the other.
  */
 typedef struct cylint_chord {
-    int relation;   /* cylint_relation; CYLINT_MISS: the rest is void */
+    int relation;   /* cylint_relation; CYLINT_RELATION_MISS: the rest is void */
     int gap;
     double t[2];
     int part[2];    /* cylint_part at t[0] and t[1] */
@@ -81,7 +81,7 @@ typedef struct cylint_chord {
 
 static inline cylint_chord no_chord(void)
 {
-    const cylint_chord none = {CYLINT_MISS, 0, {0, 0}, {0, 0}};
+    const cylint_chord none = {CYLINT_RELATION_MISS, 0, {0, 0}, {0, 0}};
     return none;
 }
 
@@ -97,7 +97,7 @@ static inline cylint_chord parallel_chord(double excess)
 {
     if (!(excess <= 0))
         return no_chord();
-    return chord_between(excess < 0 ? CYLINT_CROSS : CYLINT_ALONG,
+    return chord_between(excess < 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_ALONG,
                          -INFINITY, INFINITY);
 }
 
@@ -121,7 +121,7 @@ void cylint_chord_nappe(cylint_chord *chord, cylint_affine rho);
 
 static inline int is_bounded(const cylint_shape *shape)
 {
-    return shape->ends != CYLINT_INFINITE && shape->ends != CYLINT_NAPPE;
+    return shape->ends != CYLINT_ENDS_INFINITE && shape->ends != CYLINT_ENDS_NAPPE;
 }
 
 /* -------------------------------------------------------------- answer -- */

@@ -100,8 +100,8 @@ static cylint_chord linear_chord(const quadric *q, int is_cone)
     if (!is_cone || q->B == 0)
         return parallel_chord(q->C);
     const double t = -q->C / q->B;
-    return q->B > 0 ? chord_between(CYLINT_CROSS, -INFINITY, t)
-                    : chord_between(CYLINT_CROSS, t, INFINITY);
+    return q->B > 0 ? chord_between(CYLINT_RELATION_CROSS, -INFINITY, t)
+                    : chord_between(CYLINT_RELATION_CROSS, t, INFINITY);
 }
 
 static cylint_chord chord_of(const quadric *q, int is_cone)
@@ -116,9 +116,9 @@ static cylint_chord chord_of(const quadric *q, int is_cone)
     const double t0 = (-q->B - s) / (2 * q->A);
     const double t1 = (-q->B + s) / (2 * q->A);
     if (q->A > 0)
-        return chord_between(disc > 0 ? CYLINT_CROSS : CYLINT_TOUCH, t0, t1);
+        return chord_between(disc > 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH, t0, t1);
     /* steeper than the rulings: inside but for the gap between the nappes */
-    cylint_chord chord = chord_between(CYLINT_CROSS, t1, t0);
+    cylint_chord chord = chord_between(CYLINT_RELATION_CROSS, t1, t0);
     chord.gap = 1;
     return chord;
 }
@@ -149,7 +149,7 @@ cylint_status cylint_quadratic(const cylint_shape *shape,
     }
     const int is_cone = shape->r0 != shape->r1;
     cylint_chord chord = chord_of(&q, is_cone);
-    if (is_cone && shape->ends != CYLINT_INFINITE)
+    if (is_cone && shape->ends != CYLINT_ENDS_INFINITE)
         cylint_chord_nappe(&chord, q.rho);
     cylint_chord_ends(&chord, shape, q.z);
     return cylint_method_report(shape, line, want, &chord, answer);

@@ -8,7 +8,7 @@
 
 void cylint_method_refuse(cylint_answer *answer)
 {
-    answer->relation = CYLINT_MISS;
+    answer->relation = CYLINT_RELATION_MISS;
     answer->n = 0;
     answer->flags = CYLINT_FLAG_INVALID;
 }
@@ -22,10 +22,10 @@ cylint_status cylint_method_not_for_this(cylint_answer *answer)
 static int is_present(const cylint_shape *shape, int part)
 {
     switch (part) {
-    case CYLINT_CAP0:
-        return shape->ends == CYLINT_CAPPED || shape->ends == CYLINT_CAP_0;
-    case CYLINT_CAP1:
-        return shape->ends == CYLINT_CAPPED || shape->ends == CYLINT_CAP_1;
+    case CYLINT_PART_CAP0:
+        return shape->ends == CYLINT_ENDS_CAPPED || shape->ends == CYLINT_ENDS_CAP0;
+    case CYLINT_PART_CAP1:
+        return shape->ends == CYLINT_ENDS_CAPPED || shape->ends == CYLINT_ENDS_CAP1;
     default:
         return 1;
     }
@@ -53,18 +53,18 @@ cylint_status cylint_method_report(const cylint_shape *shape,
     answer->relation = chord->relation;
     answer->n = 0;
     answer->flags = 0;
-    if (chord->relation == CYLINT_MISS)
+    if (chord->relation == CYLINT_RELATION_MISS)
         return CYLINT_OK;
 
-    const int one_point = chord->relation == CYLINT_TOUCH ||
+    const int one_point = chord->relation == CYLINT_RELATION_TOUCH ||
                           (chord->gap && chord->t[0] == chord->t[1]);
     if (one_point) {
-        add_hit(shape, line, want, chord->t[0], chord->part[0], CYLINT_BOTH,
+        add_hit(shape, line, want, chord->t[0], chord->part[0], CYLINT_SIDE_BOTH,
                 answer);
         return CYLINT_OK;
     }
-    const int first = chord->gap ? CYLINT_LEAVING : CYLINT_ENTERING;
-    const int second = chord->gap ? CYLINT_ENTERING : CYLINT_LEAVING;
+    const int first = chord->gap ? CYLINT_SIDE_LEAVING : CYLINT_SIDE_ENTERING;
+    const int second = chord->gap ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
     add_hit(shape, line, want, chord->t[0], chord->part[0], first, answer);
     add_hit(shape, line, want, chord->t[1], chord->part[1], second, answer);
     return CYLINT_OK;

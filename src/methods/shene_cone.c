@@ -56,7 +56,7 @@ static cone cone_of(const cylint_shape *shape)
 
 static cylint_chord chord_with_gap(double t0, double t1)
 {
-    cylint_chord chord = chord_between(CYLINT_CROSS, t0, t1);
+    cylint_chord chord = chord_between(CYLINT_RELATION_CROSS, t0, t1);
     chord.gap = 1;
     return chord;
 }
@@ -69,10 +69,10 @@ static cylint_chord through_apex(const cone *c, const double to_V[3],
     const double t = dot(to_V, d);
 
     if (steep == c->cosine)
-        return chord_between(CYLINT_ALONG, -INFINITY, INFINITY);
+        return chord_between(CYLINT_RELATION_ALONG, -INFINITY, INFINITY);
     if (steep > c->cosine)
         return chord_with_gap(t, t);
-    return chord_between(CYLINT_TOUCH, t, t);
+    return chord_between(CYLINT_RELATION_TOUCH, t, t);
 }
 
 /* Where D + t d meets the ruling V + s delta; 0 if it is parallel to it. */
@@ -100,8 +100,8 @@ static cylint_chord half_line(const double to_V[3], const double d[3],
     const double s = t * dot(d, met) - dot(to_V, met);
     const int ahead = (s > 0) == (dot(d, other) > 0);
 
-    return ahead ? chord_between(CYLINT_CROSS, t, INFINITY)
-                 : chord_between(CYLINT_CROSS, -INFINITY, t);
+    return ahead ? chord_between(CYLINT_RELATION_CROSS, t, INFINITY)
+                 : chord_between(CYLINT_RELATION_CROSS, -INFINITY, t);
 }
 
 /* The plane cuts the cone in the rulings along delta[0] and delta[1]. */
@@ -123,7 +123,7 @@ static cylint_chord across_rulings(const cone *c, const double to_V[3],
     const double low = t0 < t1 ? t0 : t1, high = t0 < t1 ? t1 : t0;
     if (fabs(dot(d, c->v)) > c->cosine)
         return chord_with_gap(low, high);
-    return chord_between(CYLINT_CROSS, low, high);
+    return chord_between(CYLINT_RELATION_CROSS, low, high);
 }
 
 static cylint_chord chord_of(const cone *c, const double to_V[3],
@@ -145,7 +145,7 @@ static cylint_chord chord_of(const cone *c, const double to_V[3],
         double t;
         if (!meet_ruling(to_V, d, m, &t))
             return no_chord();
-        return chord_between(CYLINT_TOUCH, t, t);
+        return chord_between(CYLINT_RELATION_TOUCH, t, t);
     }
     const double sin_b = sqrt(1 - cos_b * cos_b);
     cross(n, m, k);
@@ -163,7 +163,7 @@ cylint_status cylint_shene_cone(const cylint_shape *shape,
     const int is_cone = shape->kind == CYLINT_KIND_ACONE ||
                         shape->kind == CYLINT_KIND_CONE;
 
-    if (!is_cone || shape->ends != CYLINT_INFINITE)
+    if (!is_cone || shape->ends != CYLINT_ENDS_INFINITE)
         return cylint_method_not_for_this(answer);
     if (!line->valid) {
         cylint_method_refuse(answer);

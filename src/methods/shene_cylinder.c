@@ -53,10 +53,10 @@ static cylint_chord chord_of(const double D[3], const double u[3],
     cross(D, v, Dv);
     const double t_P = dot(Dv, uv) / (sine * sine);
     if (d == r)
-        return chord_between(CYLINT_TOUCH, t_P, t_P);
+        return chord_between(CYLINT_RELATION_TOUCH, t_P, t_P);
     const double cosine = dot(u, v);
     const double half = sqrt((r * r - d * d) / (1 - cosine * cosine));
-    return chord_between(CYLINT_CROSS, t_P - half, t_P + half);
+    return chord_between(CYLINT_RELATION_CROSS, t_P - half, t_P + half);
 }
 
 cylint_status cylint_shene_cylinder(const cylint_shape *shape,

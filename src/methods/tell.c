@@ -72,7 +72,7 @@ static void normal_at_apex(const cylint_shape *shape, const frame *f,
 {
     double sign = f->drho < 0 ? 1 : -1;
 
-    if (shape->ends == CYLINT_INFINITE) {
+    if (shape->ends == CYLINT_ENDS_INFINITE) {
         const double climb = dot(d, shape->axis);
         sign = climb < 0 ? 1 : -1;
     }
@@ -86,8 +86,8 @@ static void normal_at(const cylint_shape *shape, const frame *f,
                       const double d[3], double x, double y, double z,
                       int part, double normal[3])
 {
-    if (part != CYLINT_LATERAL) {
-        const double sign = part == CYLINT_CAP0 ? -1 : 1;
+    if (part != CYLINT_PART_LATERAL) {
+        const double sign = part == CYLINT_PART_CAP0 ? -1 : 1;
         for (int i = 0; i < 3; i++)
             normal[i] = sign * f->z_of[i];
         unit(normal, normal);

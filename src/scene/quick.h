@@ -93,8 +93,8 @@ typedef struct cylint_quick_hit {
 /* Whether shapes of these ends have a cap at the base (0) or the top (1). */
 static inline int cylint_quick_has_cap(int ends, int top)
 {
-    return ends == CYLINT_CAPPED ||
-           ends == (top ? CYLINT_CAP_1 : CYLINT_CAP_0);
+    return ends == CYLINT_ENDS_CAPPED ||
+           ends == (top ? CYLINT_ENDS_CAP1 : CYLINT_ENDS_CAP0);
 }
 
 /* What floats show of a hit, rounded as the library's doubles would be. */

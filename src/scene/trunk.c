@@ -89,7 +89,7 @@ cylint_stem cylint_stem_of(const cylint_trunk *t, const cylint_shape *shape,
         {cylint_float_above(t->k[0] * t->across),
          cylint_float_above(t->k[1] * t->across)},
         cylint_half_above(t->along / t->across), (uint8_t)shape->ends,
-        shape->kind == CYLINT_KIND_CYLINDER && shape->ends == CYLINT_CAPPED,
+        shape->kind == CYLINT_KIND_CYLINDER && shape->ends == CYLINT_ENDS_CAPPED,
         number};
 }
 

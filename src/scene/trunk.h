@@ -22,7 +22,7 @@ typedef struct cylint_trunk {
 /* Whether it looks like that. */
 static inline int cylint_is_bounded(const cylint_shape *s)
 {
-    return s->kind != CYLINT_KIND_NONE && s->ends < CYLINT_INFINITE;
+    return s->kind != CYLINT_KIND_NONE && s->ends < CYLINT_ENDS_INFINITE;
 }
 
 /* A piece of a shape: number `index` of `count` equal ones along z. */

@@ -199,8 +199,8 @@ static void check_hit(const cylint_hit *hit, const cylint_line *line)
 {
     MUST(!isnan(hit->t) && line->tmin <= hit->t && hit->t <= line->tmax);
     MUST(!(hit->t == 0 && signbit(hit->t)));
-    MUST(hit->part >= CYLINT_LATERAL && hit->part <= CYLINT_CAP1);
-    MUST(hit->side >= CYLINT_ENTERING && hit->side <= CYLINT_BOTH);
+    MUST(hit->part >= CYLINT_PART_LATERAL && hit->part <= CYLINT_PART_CAP1);
+    MUST(hit->side >= CYLINT_SIDE_ENTERING && hit->side <= CYLINT_SIDE_BOTH);
     MUST(hit->phi >= 0 && hit->phi < 1);
     MUST(!isnan(hit->z));
     double most = 0; /* of a unit vector, sqrt(1/3) at least */
@@ -216,11 +216,11 @@ static void check_answer(const cylint_shape *s, const cylint_line *line,
 {
     const int refused = s->kind == CYLINT_KIND_NONE || !line->valid;
     MUST(a->n >= 0 && a->n <= 2);
-    MUST(a->relation >= CYLINT_MISS && a->relation <= CYLINT_CROSS);
+    MUST(a->relation >= CYLINT_RELATION_MISS && a->relation <= CYLINT_RELATION_CROSS);
     MUST(a->flags == (refused ? CYLINT_FLAG_INVALID : 0));
-    MUST(!refused || a->relation == CYLINT_MISS);
-    MUST(a->relation != CYLINT_MISS || a->n == 0);
-    MUST(a->relation != CYLINT_TOUCH || a->n <= 1);
+    MUST(!refused || a->relation == CYLINT_RELATION_MISS);
+    MUST(a->relation != CYLINT_RELATION_MISS || a->n == 0);
+    MUST(a->relation != CYLINT_RELATION_TOUCH || a->n <= 1);
     MUST(a->n < 2 || a->hit[0].t <= a->hit[1].t);
     for (int i = 0; i < a->n; i++) {
         check_hit(&a->hit[i], line);
@@ -276,8 +276,8 @@ static void check_origin(const cylint_shape *s, const cylint_line *line,
     if (where < 0 || !line->valid) {
         return;
     }
-    MUST(a->relation != CYLINT_MISS);
-    MUST(where == 0 || a->relation == CYLINT_CROSS);
+    MUST(a->relation != CYLINT_RELATION_MISS);
+    MUST(where == 0 || a->relation == CYLINT_RELATION_CROSS);
     cylint_bounds(s, lo, hi);
     for (int i = 0; i < 3; i++) {
         MUST(lo[i] <= line->o[i] && line->o[i] <= hi[i]);
@@ -361,7 +361,7 @@ static void check_reversed(const cylint_shape *s, const cylint_line *line,
     for (int i = 0; i < a.n; i++) {
         const cylint_hit *h = &a.hit[i], *was = &all->hit[a.n - 1 - i];
         MUST(h->t == -was->t && h->part == was->part);
-        MUST(h->side == (was->side == CYLINT_BOTH ? CYLINT_BOTH
+        MUST(h->side == (was->side == CYLINT_SIDE_BOTH ? CYLINT_SIDE_BOTH
                                                   : 1 - was->side));
     }
 }

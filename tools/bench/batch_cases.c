@@ -175,7 +175,7 @@ static int draw_grid(struct cases *c, enum cost_shape shape,
         cylint_answer answer;
         cylint_intersect(&q[k].subject.shape, &q[k].line, CYLINT_WANT_COUNT,
                          &answer);
-        if (tangents && answer.relation != CYLINT_TOUCH)
+        if (tangents && answer.relation != CYLINT_RELATION_TOUCH)
             continue;
         s->shapes[i % PAIRED] = q[k].subject.shape;
         s->lines[i % PAIRED] = q[k].line;

@@ -156,15 +156,15 @@ static void scatter_shape(cylint_shape *shape, int kind, double radius)
         top[i] = base[i] + h[i];
     }
     if (kind == CYLINT_KIND_CYLINDER) {
-        cylint_cylinder(shape, base, top, r, CYLINT_CAPPED);
+        cylint_cylinder(shape, base, top, r, CYLINT_ENDS_CAPPED);
     } else if (kind == CYLINT_KIND_CONE) {
-        cylint_cone(shape, base, r, top, other, CYLINT_CAPPED);
+        cylint_cone(shape, base, r, top, other, CYLINT_ENDS_CAPPED);
     } else {
         across(axis, r, a);
         for (int i = 0; i < 3; i++)
             b[i] = other / r * (axis[(i + 1) % 3] * a[(i + 2) % 3] -
                                 axis[(i + 2) % 3] * a[(i + 1) % 3]);
-        cylint_elliptic_cylinder(shape, base, a, b, h, CYLINT_CAPPED);
+        cylint_elliptic_cylinder(shape, base, a, b, h, CYLINT_ENDS_CAPPED);
     }
 }
 

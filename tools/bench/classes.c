@@ -12,13 +12,13 @@ static const struct {
     family_shape word;
     cylint_ends ends;
 } classes[] = {
-    {"cylinder infinite", FAMILY_CYLINDER, CYLINT_INFINITE},
-    {"cylinder capped", FAMILY_CYLINDER, CYLINT_CAPPED},
-    {"cone infinite", FAMILY_CONE, CYLINT_INFINITE},
-    {"cone capped", FAMILY_CONE, CYLINT_CAPPED},
-    {"angle cone infinite", FAMILY_ACONE, CYLINT_INFINITE},
-    {"elliptic cylinder capped", FAMILY_ECYLINDER, CYLINT_CAPPED},
-    {"elliptic cone capped", FAMILY_ECONE, CYLINT_CAPPED},
+    {"cylinder infinite", FAMILY_CYLINDER, CYLINT_ENDS_INFINITE},
+    {"cylinder capped", FAMILY_CYLINDER, CYLINT_ENDS_CAPPED},
+    {"cone infinite", FAMILY_CONE, CYLINT_ENDS_INFINITE},
+    {"cone capped", FAMILY_CONE, CYLINT_ENDS_CAPPED},
+    {"angle cone infinite", FAMILY_ACONE, CYLINT_ENDS_INFINITE},
+    {"elliptic cylinder capped", FAMILY_ECYLINDER, CYLINT_ENDS_CAPPED},
+    {"elliptic cone capped", FAMILY_ECONE, CYLINT_ENDS_CAPPED},
 };
 
 int class_count(void)

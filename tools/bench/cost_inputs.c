@@ -59,7 +59,7 @@ static int is_cone(enum cost_shape shape)
 static cylint_ends ends_of(enum cost_shape shape)
 {
     return shape == COST_CYLINDER_INFINITE || shape == COST_CONE_INFINITE
-         ? CYLINT_INFINITE : CYLINT_CAPPED;
+         ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_CAPPED;
 }
 
 static int make_shape(struct question *q, enum cost_shape shape,
@@ -131,7 +131,7 @@ static void ordinary(enum cost_shape shape, struct question *q, int n,
         ordinary_shape(&q[i], shape);
         gsl_qrng_get(sobol, x);
         line_of(x, &q[i]);
-        int *wanted = relation(&q[i]) == CYLINT_MISS ? &misses : &hits;
+        int *wanted = relation(&q[i]) == CYLINT_RELATION_MISS ? &misses : &hits;
         if (*wanted > 0) {
             --*wanted;
             i++;
@@ -214,10 +214,10 @@ static void grid_question(enum cost_shape shape, struct question *q,
         if (which < PARALLEL)
             return;
         if (which < PARALLEL + TANGENT) {
-            if (relation(q) == CYLINT_TOUCH)
+            if (relation(q) == CYLINT_RELATION_TOUCH)
                 return;
         } else if ((d[g.i] != 0 || d[g.j] != 0) &&
-                   relation(q) != CYLINT_TOUCH) {
+                   relation(q) != CYLINT_RELATION_TOUCH) {
             return;
         }
     }
@@ -237,7 +237,7 @@ int cost_questions(enum cost_shape shape, enum cost_work work,
         ordinary(shape, q, n, (int)(share[work] * n + 0.5));
     *hits = 0;
     for (int i = 0; i < n; i++)
-        *hits += relation(&q[i]) != CYLINT_MISS;
+        *hits += relation(&q[i]) != CYLINT_RELATION_MISS;
     return 1;
 }
 

@@ -64,7 +64,7 @@ struct cylinders draw_cylinders(const struct cylinder_kind *kind, size_t n)
             }
         }
         c.radius[i] = (float)(length * kind->radius);
-        cylint_cylinder(&c.shapes[i], p[0], p[1], c.radius[i], CYLINT_CAPPED);
+        cylint_cylinder(&c.shapes[i], p[0], p[1], c.radius[i], CYLINT_ENDS_CAPPED);
     }
     return c;
 }

@@ -44,10 +44,10 @@ cylint_status gsl_quadratic(const cylint_shape *shape,
     const struct subject *s = (const struct subject *)(const void *)shape;
     double t[2];
 
-    answer->relation = CYLINT_MISS;
+    answer->relation = CYLINT_RELATION_MISS;
     answer->n = 0;
     answer->flags = 0;
-    if (shape->ends != CYLINT_INFINITE || !plain_answers_for(shape)) {
+    if (shape->ends != CYLINT_ENDS_INFINITE || !plain_answers_for(shape)) {
         answer->flags = CYLINT_FLAG_INVALID;
         return CYLINT_EMETHOD;
     }
@@ -56,7 +56,7 @@ cylint_status gsl_quadratic(const cylint_shape *shape,
     if (n == 0)
         return CYLINT_OK;
     const int one = n == 2 && t[0] == t[1]; /* steep: a double cone's apex */
-    answer->relation = one && A > 0 ? CYLINT_TOUCH : CYLINT_CROSS;
+    answer->relation = one && A > 0 ? CYLINT_RELATION_TOUCH : CYLINT_RELATION_CROSS;
     for (int i = 0; i < (one ? 1 : n); i++) {
         if (t[i] < line->tmin || t[i] > line->tmax)
             continue;

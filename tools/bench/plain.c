@@ -13,7 +13,7 @@ int plain_answers_for(const cylint_shape *shape)
 {
     return (shape->kind == CYLINT_KIND_CYLINDER ||
             shape->kind == CYLINT_KIND_CONE) &&
-           (shape->ends == CYLINT_CAPPED || shape->ends == CYLINT_INFINITE);
+           (shape->ends == CYLINT_ENDS_CAPPED || shape->ends == CYLINT_ENDS_INFINITE);
 }
 
 static inline double dot(const double u[3], const double v[3])
@@ -115,27 +115,27 @@ cylint_status plain_quadratic(const cylint_shape *shape,
     const double disc = q.B * q.B - q.A * q.C;
     double t0, t1;
 
-    answer->relation = CYLINT_MISS;
+    answer->relation = CYLINT_RELATION_MISS;
     answer->n = 0;
     answer->flags = 0;
     if (!(disc >= 0))
         return CYLINT_OK;
-    if (shape->ends == CYLINT_INFINITE && !(want & CYLINT_WANT_T) &&
+    if (shape->ends == CYLINT_ENDS_INFINITE && !(want & CYLINT_WANT_T) &&
         q.A != 0 && line->tmin == -HUGE_VAL && line->tmax == HUGE_VAL) {
-        answer->relation = disc > 0 || q.A < 0 ? CYLINT_CROSS : CYLINT_TOUCH;
+        answer->relation = disc > 0 || q.A < 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH;
         answer->n = want & CYLINT_WANT_NEAREST || disc == 0 ? 1 : 2;
         return CYLINT_OK;
     }
     if (!roots(&q, disc, &t0, &t1))
         return CYLINT_OK;
-    if (shape->ends == CYLINT_CAPPED) {
+    if (shape->ends == CYLINT_ENDS_CAPPED) {
         if (q.A < 0)
             other_side(q.rho_slope, &t0, &t1);
         if (!clip_to_slab(q.z, q.z_slope, s->axis_axis, &t0, &t1))
             return CYLINT_OK;
     }
-    answer->relation = q.A == 0 && q.B == 0 && q.C == 0 ? CYLINT_ALONG
-                     : t0 < t1 || q.A < 0 ? CYLINT_CROSS : CYLINT_TOUCH;
+    answer->relation = q.A == 0 && q.B == 0 && q.C == 0 ? CYLINT_RELATION_ALONG
+                     : t0 < t1 || q.A < 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH;
     if (!keep(line, want, t0, answer) && t0 < t1)
         keep(line, want, t1, answer);
     return CYLINT_OK;

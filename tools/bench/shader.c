@@ -13,7 +13,7 @@
 int shader_answers_for(const cylint_shape *shape)
 {
     return shape->kind == CYLINT_KIND_CYLINDER &&
-           shape->ends == CYLINT_CAPPED;
+           shape->ends == CYLINT_ENDS_CAPPED;
 }
 
 static inline double dot(const double u[3], const double v[3])
@@ -51,12 +51,12 @@ cylint_status shader_cylinder(const cylint_shape *shape,
     const struct subject *s = (const struct subject *)(const void *)shape;
     double t;
 
-    answer->relation = CYLINT_MISS;
+    answer->relation = CYLINT_RELATION_MISS;
     answer->n = 0;
     answer->flags = 0;
     if (!first_hit(s, line, &t) || t < line->tmin || t > line->tmax)
         return CYLINT_OK;
-    answer->relation = CYLINT_CROSS;
+    answer->relation = CYLINT_RELATION_CROSS;
     answer->n = 1;
     if (want & CYLINT_WANT_T)
         answer->hit[0].t = t;

@@ -24,9 +24,9 @@ enum verdict verdict_of(const struct truth *truth, unsigned want,
              : n ? VERDICT_HIT_AS_MISS : VERDICT_MISS_AS_HIT;
     if (answer->relation != right->relation) {
         const int is = right->relation, told = answer->relation;
-        return told == CYLINT_MISS ? VERDICT_HIT_AS_MISS
-             : is == CYLINT_MISS ? VERDICT_MISS_AS_HIT
-             : is == CYLINT_TOUCH || told == CYLINT_TOUCH ? VERDICT_TANGENT
+        return told == CYLINT_RELATION_MISS ? VERDICT_HIT_AS_MISS
+             : is == CYLINT_RELATION_MISS ? VERDICT_MISS_AS_HIT
+             : is == CYLINT_RELATION_TOUCH || told == CYLINT_RELATION_TOUCH ? VERDICT_TANGENT
              : VERDICT_ALONG;
     }
     return answer->n == n ? VERDICT_RIGHT : VERDICT_NUMBER;
@@ -277,7 +277,7 @@ static double cap_rest(const cylint_shape *s, int part)
 {
     const vector *axial = s->kind >= CYLINT_KIND_ECYLINDER ? &m.e : &m.w;
     mpfr_set_zero(m.A, 1);
-    if (part == CYLINT_CAP1)
+    if (part == CYLINT_PART_CAP1)
         dot(m.A, &m.w, axial);
     dot(m.B, &m.P, axial);
     mpfr_sub(m.A, m.A, m.B, MPFR_RNDN);
@@ -292,7 +292,7 @@ static double rest_of(const cylint_shape *s, const cylint_line *l, double t,
     if (!(fabs(t) < HUGE_VAL))
         return 0;
     load(s, l, t);
-    const double rest = part == CYLINT_LATERAL ? lateral_rest(s)
+    const double rest = part == CYLINT_PART_LATERAL ? lateral_rest(s)
                                                : cap_rest(s, part);
     const double ulp = nextafter(fabs(t), HUGE_VAL) - fabs(t);
     return fabs(rest) <= 0.5 * ulp ? rest : 0;

@@ -238,14 +238,14 @@ static inline double value_of(const struct column *c, const struct row *row)
 static const char *const *words_of(enum value value)
 {
     static const char *const relations[] = {
-        [CYLINT_MISS] = "miss", [CYLINT_TOUCH] = "touch",
-        [CYLINT_ALONG] = "along", [CYLINT_CROSS] = "cross"};
+        [CYLINT_RELATION_MISS] = "miss", [CYLINT_RELATION_TOUCH] = "touch",
+        [CYLINT_RELATION_ALONG] = "along", [CYLINT_RELATION_CROSS] = "cross"};
     static const char *const parts[] = {
-        [CYLINT_LATERAL] = "lateral",
-        [CYLINT_CAP0] = "cap0", [CYLINT_CAP1] = "cap1"};
+        [CYLINT_PART_LATERAL] = "lateral",
+        [CYLINT_PART_CAP0] = "cap0", [CYLINT_PART_CAP1] = "cap1"};
     static const char *const sides[] = {
-        [CYLINT_ENTERING] = "entering",
-        [CYLINT_LEAVING] = "leaving", [CYLINT_BOTH] = "both"};
+        [CYLINT_SIDE_ENTERING] = "entering",
+        [CYLINT_SIDE_LEAVING] = "leaving", [CYLINT_SIDE_BOTH] = "both"};
     return value == VALUE_RELATION ? relations
          : value == VALUE_PART ? parts
          : value == VALUE_SIDE ? sides : NULL;

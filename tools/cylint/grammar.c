@@ -27,12 +27,12 @@ const struct kind shape_kinds[SHAPE_KINDS] = {
 };
 
 const char *const ends_words[] = {
-    [CYLINT_CAPPED] = "capped",
-    [CYLINT_OPEN] = "open",
-    [CYLINT_CAP_0] = "cap0",
-    [CYLINT_CAP_1] = "cap1",
-    [CYLINT_INFINITE] = "infinite",
-    [CYLINT_NAPPE] = "nappe",
+    [CYLINT_ENDS_CAPPED] = "capped",
+    [CYLINT_ENDS_OPEN] = "open",
+    [CYLINT_ENDS_CAP0] = "cap0",
+    [CYLINT_ENDS_CAP1] = "cap1",
+    [CYLINT_ENDS_INFINITE] = "infinite",
+    [CYLINT_ENDS_NAPPE] = "nappe",
     NULL
 };
 
@@ -92,8 +92,8 @@ static cylint_status make_shape(int kind, int ends, const double *v,
                                 cylint_shape *shape)
 {
     const cylint_ends e = ends != NOT_GIVEN ? (cylint_ends)ends
-                        : kind == SHAPE_ACONE ? CYLINT_INFINITE
-                        : CYLINT_CAPPED;
+                        : kind == SHAPE_ACONE ? CYLINT_ENDS_INFINITE
+                        : CYLINT_ENDS_CAPPED;
     switch (kind) {
     case SHAPE_CYLINDER:
         return cylint_cylinder(shape, v, v + 3, v[6], e);

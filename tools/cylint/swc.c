@@ -274,7 +274,7 @@ static int add_frustum(struct scene *scene, const struct swc_node *node,
     struct record record;
     cylint_cone(&record.shape, node->centre, node->radius, parent->centre,
                 parent->radius,
-                ends == NOT_GIVEN ? CYLINT_CAPPED : (cylint_ends)ends);
+                ends == NOT_GIVEN ? CYLINT_ENDS_CAPPED : (cylint_ends)ends);
     put_whole(&label, node->number);
     record.tail = number;
     record.tail_length = label.length;

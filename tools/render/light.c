@@ -45,7 +45,7 @@ static int meets_again(const struct place *at, const cylint_line *ray,
 {
     cylint_line line;
     cylint_answer answer;
-    const int convex = !(at->shape->ends == CYLINT_INFINITE
+    const int convex = !(at->shape->ends == CYLINT_ENDS_INFINITE
                          && at->shape->kind != CYLINT_KIND_CYLINDER
                          && at->shape->kind != CYLINT_KIND_ECYLINDER);
     if (leaves && convex) {
@@ -54,7 +54,7 @@ static int meets_again(const struct place *at, const cylint_line *ray,
     cylint_whole_line(&line, ray->o, ray->d);
     cylint_intersect(at->shape, &line, CYLINT_WANT_PART, &answer);
     return answer.n > 0 && answer.hit[answer.n - 1].side
-        == (leaves ? CYLINT_ENTERING : CYLINT_LEAVING);
+        == (leaves ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING);
 }
 
 /*

@@ -70,7 +70,7 @@ static int add_ground(struct scene *scene, const char *colour,
     struct record record;
     record.tail = colour;
     record.tail_length = strlen(colour);
-    cylint_cylinder(&record.shape, base.v, top.v, radius, CYLINT_CAPPED);
+    cylint_cylinder(&record.shape, base.v, top.v, radius, CYLINT_ENDS_CAPPED);
     return scene_add(scene, &record);
 }
 
