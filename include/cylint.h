@@ -70,21 +70,21 @@ CYLINT_API const char *cylint_strerror(int status);
 typedef enum cylint_ends {
     CYLINT_ENDS_CAPPED = 0, /* both caps: a closed solid */
     CYLINT_ENDS_OPEN,       /* no caps: a tube */
-    CYLINT_ENDS_CAP0,      /* the cap at z = 0 only */
-    CYLINT_ENDS_CAP1,      /* the cap at z = 1 only */
+    CYLINT_ENDS_CAP0,       /* the cap at z = 0 only */
+    CYLINT_ENDS_CAP1,       /* the cap at z = 1 only */
     CYLINT_ENDS_INFINITE,   /* unbounded: whole cylinder, double cone */
-    CYLINT_ENDS_NAPPE       /* the unbounded nappe that holds the base, or, where
+    CYLINT_ENDS_NAPPE /* the unbounded nappe that holds the base, or, where
                           the base is the apex, the one that holds the top;
                           a cylinder has one nappe, all of itself */
 } cylint_ends;
 
 typedef enum cylint_kind {
-    CYLINT_KIND_NONE = 0, /* what a refused shape is */
-    CYLINT_KIND_CYLINDER, /* circular, constant radius */
-    CYLINT_KIND_CONE,     /* circular, radius linear in z: frustum or cone */
-    CYLINT_KIND_ACONE,    /* circular cone by apex, axis and half angle */
-    CYLINT_KIND_ECYLINDER,/* elliptic, possibly oblique, constant section */
-    CYLINT_KIND_ECONE     /* elliptic, section scaled linearly in z */
+    CYLINT_KIND_NONE = 0,  /* what a refused shape is */
+    CYLINT_KIND_CYLINDER,  /* circular, constant radius */
+    CYLINT_KIND_CONE,      /* circular, radius linear in z: frustum or cone */
+    CYLINT_KIND_ACONE,     /* circular cone by apex, axis and half angle */
+    CYLINT_KIND_ECYLINDER, /* elliptic, possibly oblique, constant section */
+    CYLINT_KIND_ECONE      /* elliptic, section scaled linearly in z */
 } cylint_kind;
 
 /*
@@ -92,21 +92,21 @@ typedef enum cylint_kind {
  * for the library.  Of use to a reader: kind and ends.
  */
 typedef struct cylint_shape {
-    int kind;              /* cylint_kind */
-    int ends;              /* cylint_ends */
-    double base[3];        /* p0, c, or the apex v */
-    double axis[3];        /* p1 - p0, h, or u: the nearest doubles ... */
-    double r0, r1;         /* radii at z = 0, 1; elliptic: 1, k; acone:
+    int kind;               /* cylint_kind */
+    int ends;               /* cylint_ends */
+    double base[3];         /* p0, c, or the apex v */
+    double axis[3];         /* p1 - p0, h, or u: the nearest doubles ... */
+    double r0, r1;          /* radii at z = 0, 1; elliptic: 1, k; acone:
                               0 and the tangent of the half angle */
-    double dr, dr_lo;      /* r1 - r0 exactly, as a pair; acone: the tangent */
-    double axis_lo[3];     /* ... and what they miss: axis + axis_lo is
+    double dr, dr_lo;       /* r1 - r0 exactly, as a pair; acone: the tangent */
+    double axis_lo[3];      /* ... and what they miss: axis + axis_lo is
                               p1 - p0 exactly, unless that overflows */
-    double top[3];         /* p1; cylinder and cone only */
-    double a[3], b[3];     /* elliptic kinds: conjugate semi-axes */
-    double center[3], ball;/* a ball that holds the solid; infinite: none */
-    double size;           /* the largest component of axis */
-    int ordinary;          /* 1: doubles neither over- nor underflow */
-    int flip;              /* elliptic: 1 where a.(b x h) < 0 */
+    double top[3];          /* p1; cylinder and cone only */
+    double a[3], b[3];      /* elliptic kinds: conjugate semi-axes */
+    double center[3], ball; /* a ball that holds the solid; infinite: none */
+    double size;            /* the largest component of axis */
+    int ordinary;           /* 1: doubles neither over- nor underflow */
+    int flip;               /* elliptic: 1 where a.(b x h) < 0 */
 } cylint_shape;
 
 /*
@@ -136,20 +136,24 @@ typedef struct cylint_shape {
  *                   the same from the tangent itself, which is then exact.
  */
 CYLINT_API cylint_status cylint_cylinder(cylint_shape *shape,
-    const double p0[3], const double p1[3], double r, cylint_ends ends);
-CYLINT_API cylint_status cylint_cone(cylint_shape *shape,
-    const double p0[3], double r0, const double p1[3], double r1,
-    cylint_ends ends);
-CYLINT_API cylint_status cylint_elliptic_cylinder(cylint_shape *shape,
-    const double c[3], const double a[3], const double b[3],
-    const double h[3], cylint_ends ends);
-CYLINT_API cylint_status cylint_elliptic_cone(cylint_shape *shape,
-    const double c[3], const double a[3], const double b[3],
-    const double h[3], double k, cylint_ends ends);
+                                         const double p0[3], const double p1[3],
+                                         double r, cylint_ends ends);
+CYLINT_API cylint_status cylint_cone(cylint_shape *shape, const double p0[3],
+                                     double r0, const double p1[3], double r1,
+                                     cylint_ends ends);
+CYLINT_API cylint_status cylint_elliptic_cylinder(
+    cylint_shape *shape, const double c[3], const double a[3],
+    const double b[3], const double h[3], cylint_ends ends);
+CYLINT_API cylint_status cylint_elliptic_cone(
+    cylint_shape *shape, const double c[3], const double a[3],
+    const double b[3], const double h[3], double k, cylint_ends ends);
 CYLINT_API cylint_status cylint_angle_cone(cylint_shape *shape,
-    const double v[3], const double u[3], double degrees, cylint_ends ends);
+                                           const double v[3], const double u[3],
+                                           double degrees, cylint_ends ends);
 CYLINT_API cylint_status cylint_tangent_cone(cylint_shape *shape,
-    const double v[3], const double u[3], double tangent, cylint_ends ends);
+                                             const double v[3],
+                                             const double u[3], double tangent,
+                                             cylint_ends ends);
 
 /* --------------------------------------------------------------- lines -- */
 
@@ -161,10 +165,10 @@ typedef struct cylint_line {
                        unless that overflows; 0 unless a segment */
     double end[3];  /* a segment's b */
     double tmin, tmax;
-    double size;    /* the largest component of d */
-    int ordinary;   /* 1: doubles neither over- nor underflow */
-    int segment;    /* 1: the direction is end - o */
-    int valid;      /* 0: refused, answers "miss" */
+    double size;  /* the largest component of d */
+    int ordinary; /* 1: doubles neither over- nor underflow */
+    int segment;  /* 1: the direction is end - o */
+    int valid;    /* 0: refused, answers "miss" */
 } cylint_line;
 
 /*
@@ -174,14 +178,15 @@ typedef struct cylint_line {
  *
  * ENONFINITE, EDIRECTION (no length), EDOMAIN.
  */
-CYLINT_API cylint_status cylint_whole_line(cylint_line *line,
-    const double o[3], const double d[3]);
-CYLINT_API cylint_status cylint_ray(cylint_line *line,
-    const double o[3], const double d[3]);
-CYLINT_API cylint_status cylint_segment(cylint_line *line,
-    const double a[3], const double b[3]);
-CYLINT_API cylint_status cylint_span(cylint_line *line,
-    const double o[3], const double d[3], double tmin, double tmax);
+CYLINT_API cylint_status cylint_whole_line(cylint_line *line, const double o[3],
+                                           const double d[3]);
+CYLINT_API cylint_status cylint_ray(cylint_line *line, const double o[3],
+                                    const double d[3]);
+CYLINT_API cylint_status cylint_segment(cylint_line *line, const double a[3],
+                                        const double b[3]);
+CYLINT_API cylint_status cylint_span(cylint_line *line, const double o[3],
+                                     const double d[3], double tmin,
+                                     double tmax);
 
 /* ------------------------------------------------------------- queries -- */
 
@@ -210,18 +215,18 @@ typedef enum cylint_side {
 /* What to compute.  What is not wanted is not computed and not written;
  * relation and n always are.  NEAREST asks for the first hit only. */
 enum {
-    CYLINT_WANT_T       = 1 << 0,
-    CYLINT_WANT_PART    = 1 << 1, /* part and side */
-    CYLINT_WANT_POINT   = 1 << 2,
-    CYLINT_WANT_NORMAL  = 1 << 3,
-    CYLINT_WANT_Z       = 1 << 4,
-    CYLINT_WANT_PHI     = 1 << 5,
+    CYLINT_WANT_T = 1 << 0,
+    CYLINT_WANT_PART = 1 << 1, /* part and side */
+    CYLINT_WANT_POINT = 1 << 2,
+    CYLINT_WANT_NORMAL = 1 << 3,
+    CYLINT_WANT_Z = 1 << 4,
+    CYLINT_WANT_PHI = 1 << 5,
     CYLINT_WANT_NEAREST = 1 << 6, /* n is 0 or 1: the hit with the least t */
-    CYLINT_WANT_FAST    = 1 << 7, /* t in doubles: within 2^-34 of the larger
+    CYLINT_WANT_FAST = 1 << 7,    /* t in doubles: within 2^-34 of the larger
                                      of |t| and the base's distance from o in
                                      multiples of d; a few ulp as a rule */
-    CYLINT_WANT_COUNT   = 0,      /* relation and number only */
-    CYLINT_WANT_ALL     = (1 << 6) - 1
+    CYLINT_WANT_COUNT = 0,        /* relation and number only */
+    CYLINT_WANT_ALL = (1 << 6) - 1
 };
 
 enum { CYLINT_FLAG_INVALID = 1 }; /* a refused line or shape was asked */
@@ -247,10 +252,10 @@ typedef struct cylint_hit {
 } cylint_hit;
 
 typedef struct cylint_answer {
-    int relation;     /* cylint_relation, of the whole line */
-    int n;            /* hits in the domain on parts that are present */
-    int flags;        /* CYLINT_FLAG_... */
-    cylint_hit hit[2];/* the first n are written, t ascending */
+    int relation;      /* cylint_relation, of the whole line */
+    int n;             /* hits in the domain on parts that are present */
+    int flags;         /* CYLINT_FLAG_... */
+    cylint_hit hit[2]; /* the first n are written, t ascending */
 } cylint_answer;
 
 /*
@@ -273,37 +278,38 @@ typedef struct cylint_answer {
  * (ties to even, beyond the largest double: infinite, zero: never -0).
  */
 CYLINT_API int cylint_intersect(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, cylint_answer *answer);
+                                const cylint_line *line, unsigned want,
+                                cylint_answer *answer);
 
 /* 1 if the line meets a present part of the shape within its domain. */
 CYLINT_API int cylint_occluded(const cylint_shape *shape,
-    const cylint_line *line);
+                               const cylint_line *line);
 
 /* +1 inside the solid, 0 on its boundary, -1 outside; exact.  A refused
  * shape, or a point that is not finite: -1. */
 CYLINT_API int cylint_contains(const cylint_shape *shape,
-    const double point[3]);
+                               const double point[3]);
 
 /* The least axis-parallel box that holds the solid, each side rounded
  * outward by at most 5 units in the last place, or, where coordinate and
  * reach nearly cancel, by 2^-95 of them; +-HUGE_VAL where it is unbounded.
  * A refused shape: lo = +HUGE_VAL, hi = -HUGE_VAL. */
-CYLINT_API void cylint_bounds(const cylint_shape *shape,
-    double lo[3], double hi[3]);
+CYLINT_API void cylint_bounds(const cylint_shape *shape, double lo[3],
+                              double hi[3]);
 
 /* What cylint_selftest finds.  BROKEN: answers are not to be relied on. */
 enum {
-    CYLINT_SELFTEST_FORMAT     = 1 << 0, /* a double is not IEEE 754's, or not
+    CYLINT_SELFTEST_FORMAT = 1 << 0,     /* a double is not IEEE 754's, or not
                                             in the byte order of integers */
     CYLINT_SELFTEST_CONTRACTED = 1 << 1, /* a * b + c was rounded once: build
                                             with -ffp-contract=off */
-    CYLINT_SELFTEST_UNROUNDED  = 1 << 2, /* excess digits, regrouped sums, or
+    CYLINT_SELFTEST_UNROUNDED = 1 << 2,  /* excess digits, regrouped sums, or
                                             a quotient or root that is not
                                             the nearest double */
-    CYLINT_SELFTEST_FLUSHED    = 1 << 3, /* subnormal results become 0 */
-    CYLINT_SELFTEST_ZEROED     = 1 << 4, /* subnormal operands count as 0 */
-    CYLINT_SELFTEST_DIRECTED   = 1 << 5, /* rounding is not to nearest even */
-    CYLINT_SELFTEST_BROKEN     = (1 << 3) - 1
+    CYLINT_SELFTEST_FLUSHED = 1 << 3,    /* subnormal results become 0 */
+    CYLINT_SELFTEST_ZEROED = 1 << 4,     /* subnormal operands count as 0 */
+    CYLINT_SELFTEST_DIRECTED = 1 << 5,   /* rounding is not to nearest even */
+    CYLINT_SELFTEST_BROKEN = (1 << 3) - 1
 };
 
 /* How this build computes in the calling thread's floating-point environment
@@ -360,25 +366,29 @@ typedef struct cylint_columns {
 
 /* One line against all shapes; answers in the order of the shapes. */
 CYLINT_API void cylint_intersect_shapes(const cylint_pack *pack,
-    const cylint_line *line, const cylint_columns *answers);
+                                        const cylint_line *line,
+                                        const cylint_columns *answers);
 
 /* All lines against one shape; answers in the order of the lines. */
 CYLINT_API void cylint_intersect_lines(const cylint_shape *shape,
-    const cylint_lines *lines, const cylint_columns *answers);
+                                       const cylint_lines *lines,
+                                       const cylint_columns *answers);
 
 /* Line i against shape i, for as many as there are shapes. */
 CYLINT_API void cylint_intersect_pairs(const cylint_pack *pack,
-    const cylint_lines *lines, const cylint_columns *answers);
+                                       const cylint_lines *lines,
+                                       const cylint_columns *answers);
 
 /* The number of the shape that the line meets first, its hit in *hit as far
  * as wanted; the pack's n if it meets none.  Of equal t the lower number. */
 CYLINT_API size_t cylint_nearest(const cylint_pack *pack,
-    const cylint_line *line, unsigned want, cylint_hit *hit);
+                                 const cylint_line *line, unsigned want,
+                                 cylint_hit *hit);
 
 /* The number of shapes that the line meets; at most `enough`, where that is
  * not 0: with 1, whether it meets any. */
-CYLINT_API size_t cylint_count(const cylint_pack *pack,
-    const cylint_line *line, size_t enough);
+CYLINT_API size_t cylint_count(const cylint_pack *pack, const cylint_line *line,
+                               size_t enough);
 
 /* The kernels in use, and those this processor can run, best first, by
  * number from 0; NULL after the last.  cylint_use_kernels() chooses, for

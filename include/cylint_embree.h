@@ -187,7 +187,9 @@ CYLINT_API size_t cylint_embree_bytes(struct RTCGeometryTy *geometry);
  * shape, which every line misses.  Returns the constructor's status.
  */
 CYLINT_API cylint_status cylint_embree_between(const cylint_shape *at_0,
-    const cylint_shape *at_1, double time, cylint_shape *shape);
+                                               const cylint_shape *at_1,
+                                               double time,
+                                               cylint_shape *shape);
 
 #ifdef __cplusplus
 }

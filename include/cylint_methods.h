@@ -25,19 +25,20 @@ extern "C" {
  * CYLINT_FLAG_INVALID and returns CYLINT_EMETHOD.
  */
 typedef cylint_status cylint_method_fn(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, cylint_answer *answer);
+                                       const cylint_line *line, unsigned want,
+                                       cylint_answer *answer);
 
-CYLINT_API cylint_method_fn cylint_shene_cylinder;   /* Gems IV  */
-CYLINT_API cylint_method_fn cylint_shene_cone;       /* Gems V   */
-CYLINT_API cylint_method_fn cylint_gullotti;         /* elliptic, by affine map */
-CYLINT_API cylint_method_fn cylint_closest_points;   /* d^2 of closest points */
-CYLINT_API cylint_method_fn cylint_quadratic;        /* plain b^2 - 4ac */
+CYLINT_API cylint_method_fn cylint_shene_cylinder; /* Gems IV  */
+CYLINT_API cylint_method_fn cylint_shene_cone;     /* Gems V   */
+CYLINT_API cylint_method_fn cylint_gullotti;       /* elliptic, by affine map */
+CYLINT_API cylint_method_fn cylint_closest_points; /* d^2 of closest points */
+CYLINT_API cylint_method_fn cylint_quadratic;      /* plain b^2 - 4ac */
 CYLINT_API cylint_method_fn cylint_cychosz_waggenspack; /* Gems IV */
 
 typedef struct cylint_method {
-    const char *name;      /* as in cylint --method=NAME */
-    const char *source;    /* one line: author, title, where */
-    const char *shapes;    /* one line: the shapes and ends it answers for */
+    const char *name;   /* as in cylint --method=NAME */
+    const char *source; /* one line: author, title, where */
+    const char *shapes; /* one line: the shapes and ends it answers for */
     cylint_method_fn *answer;
 } cylint_method;
 

@@ -43,8 +43,9 @@ CYLINT_API const char *cylint_scene_strerror(int status);
  * without end (infinite, nappe) and those with a coordinate beyond 2^400; and
  * all, if their common box is smaller than 2^-400.
  */
-CYLINT_API cylint_scene *cylint_scene_new(const cylint_shape *shapes,
-    size_t n, int threads, cylint_scene_status *status);
+CYLINT_API cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
+                                          int threads,
+                                          cylint_scene_status *status);
 
 /* NULL is allowed. */
 CYLINT_API void cylint_scene_free(cylint_scene *scene);
@@ -57,25 +58,27 @@ CYLINT_API size_t cylint_scene_bytes(const cylint_scene *scene);
  * CYLINT_WANT_FAST makes no difference: t is the double nearest to the
  * root. */
 CYLINT_API size_t cylint_scene_nearest(const cylint_scene *scene,
-    const cylint_line *line, unsigned want, cylint_hit *hit);
+                                       const cylint_line *line, unsigned want,
+                                       cylint_hit *hit);
 
 /* The number of shapes that the line meets; at most `enough`, where that is
  * not 0: with 1, whether it meets any. */
 CYLINT_API size_t cylint_scene_count(const cylint_scene *scene,
-    const cylint_line *line, size_t enough);
+                                     const cylint_line *line, size_t enough);
 
 /* 1 if the line meets a shape other than number `except`; n: any shape.  For
  * a ray that begins on the surface of a shape, in a point that was rounded:
  * where the ray leaves a convex solid, it does not meet it again. */
 CYLINT_API int cylint_scene_occluded(const cylint_scene *scene,
-    const cylint_line *line, size_t except);
+                                     const cylint_line *line, size_t except);
 
 /* Writes the numbers of the shapes that the line meets, from the number
  * `first` on, ascending, at most `room` of them, and returns how many: all
  * of them where that is less than `room`; otherwise the next ones are had by
  * asking again, from behind the last. */
 CYLINT_API size_t cylint_scene_all(const cylint_scene *scene,
-    const cylint_line *line, size_t first, size_t *numbers, size_t room);
+                                   const cylint_line *line, size_t first,
+                                   size_t *numbers, size_t room);
 
 #ifdef __cplusplus
 }

@@ -27,9 +27,9 @@ typedef struct {
     const cylint_shape *shape; /* ONE_SHAPE */
     size_t n;
     int kind, bounded;
-    lanes_line line;           /* ONE_LINE */
-    double speed;              /* ONE_LINE: |u|, not less */
-    lanes_shape one;           /* ONE_SHAPE */
+    lanes_line line; /* ONE_LINE */
+    double speed;    /* ONE_LINE: |u|, not less */
+    lanes_shape one; /* ONE_SHAPE */
 } source;
 
 /* The lines of so many numbers. */
@@ -55,10 +55,12 @@ static void shapes_at(const source *from, const size_t *number, int kind,
         const cylint_shape *one = &from->job->shapes[number[i]];
         const int ends = one->ends;
         shape[i] = (const char *)one;
-        cap[0] |= (unsigned)(ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0)
-                  << i;
-        cap[1] |= (unsigned)(ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1)
-                  << i;
+        cap[0] |=
+            (unsigned)(ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0)
+            << i;
+        cap[1] |=
+            (unsigned)(ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1)
+            << i;
         flip |= (unsigned)one->flip << i;
     }
 /* four members in a row, from `name` on */
@@ -244,10 +246,9 @@ INLINE void round_group(const lanes_query *q, const lanes_shape *s,
             return;
         const vm exits = m_or(m_and(second, m_not(v->leaving_first)),
                               m_and(m_not(second), v->leaving_first));
-        const lanes_root r =
-            roots_of(q, s, l, kind, want, any, exits,
-                     choose(second, v->stop[1], v->stop[0]),
-                     v_select(second, v->part[1], v->part[0]));
+        const lanes_root r = roots_of(q, s, l, kind, want, any, exits,
+                                      choose(second, v->stop[1], v->stop[0]),
+                                      v_select(second, v->part[1], v->part[0]));
         v->undecided = m_or(v->undecided, m_and(any, m_not(r.sure)));
         v_store(g->t[0], r.value);
         v_store(g->t[1], r.value);
@@ -291,8 +292,8 @@ static int deliver(const source *from, const group *g, const size_t *list,
         const size_t number = list[i];
         cylint_kernel_answer answer;
         if (g->undecided >> i & 1) {
-            const cylint_shape *shape = m == ONE_SHAPE
-                                      ? from->shape : &job->shapes[number];
+            const cylint_shape *shape =
+                m == ONE_SHAPE ? from->shape : &job->shapes[number];
             cylint_kernel_ask(job, shape, number, &answer);
             if (answer.relation == CYLINT_RELATION_MISS)
                 continue;
@@ -317,8 +318,7 @@ INLINE vm not_beyond(const source *from, mode m, const lanes_verdict *v)
 
 /* Judges lanes of the list, of which there are at most LANES; the list has
  * room for as many. */
-INLINE int judge(const source *from, size_t *list, int lanes, mode m,
-                 int kind)
+INLINE int judge(const source *from, size_t *list, int lanes, mode m, int kind)
 {
     cylint_job *job = from->job;
     lanes_line line;
@@ -335,8 +335,7 @@ INLINE int judge(const source *from, size_t *list, int lanes, mode m,
         shapes_at(from, list, kind, &shape);
     /* a line with an empty domain is none (other invalid lines are left
      * undecided, because their numbers compare to nothing) */
-    const vm in_use = m_and(m_from((1u << lanes) - 1),
-                            v_le(l->tmin, l->tmax));
+    const vm in_use = m_and(m_from((1u << lanes) - 1), v_le(l->tmin, l->tmax));
     lanes_verdict v = lanes_judge(&q, s, l, kind, from->bounded, in_use);
     const vm of_interest = not_beyond(from, m, &v);
     v.hit[0] = m_and(v.hit[0], of_interest);
@@ -347,8 +346,8 @@ INLINE int judge(const source *from, size_t *list, int lanes, mode m,
     g.hit[0] = m_bits(v.hit[0]);
     g.hit[1] = m_bits(v.hit[1]);
     g.leaving_first = m_bits(v.leaving_first);
-    const unsigned told = g.undecided | (job->relations ? m_bits(v.cross)
-                                         : g.hit[0] | g.hit[1]);
+    const unsigned told =
+        g.undecided | (job->relations ? m_bits(v.cross) : g.hit[0] | g.hit[1]);
     if (told == 0)
         return 0;
     v_store(g.part[0], v.part[0]);
@@ -358,9 +357,9 @@ INLINE int judge(const source *from, size_t *list, int lanes, mode m,
 
 static int judge_kind(const source *from, size_t *list, int lanes, mode m)
 {
-#define JUDGE(kind) \
-    m == ONE_LINE ? judge(from, list, lanes, ONE_LINE, kind) : \
-    judge(from, list, lanes, m, kind)
+#define JUDGE(kind)                                          \
+    m == ONE_LINE ? judge(from, list, lanes, ONE_LINE, kind) \
+                  : judge(from, list, lanes, m, kind)
     switch (from->kind) {
     case CYLINT_KIND_CYLINDER:
         return JUDGE(CYLINT_KIND_CYLINDER);
@@ -398,8 +397,7 @@ INLINE int work(const source *from, mode m)
         if (!left)
             continue;
         for (unsigned i = 0; i < LANES; i++) { /* no branch to guess */
-            list[end] = m == ONE_SHAPE ? lane + i
-                                       : from->run->number[lane + i];
+            list[end] = m == ONE_SHAPE ? lane + i : from->run->number[lane + i];
             end += left >> i & 1;
         }
         if (end - first < LANES)
@@ -413,26 +411,31 @@ INLINE int work(const source *from, mode m)
             first = 0;
         }
     }
-    return end > first &&
-           judge_kind(from, list + first, (int)(end - first), m);
+    return end > first && judge_kind(from, list + first, (int)(end - first), m);
 }
 
 int CYLINT_SHAPES(cylint_job *job, const cylint_run *run)
 {
-    source from = {.job = job, .run = run, .n = run->n, .kind = run->kind,
+    source from = {.job = job,
+                   .run = run,
+                   .n = run->n,
+                   .kind = run->kind,
                    .bounded = run->bounded};
     const cylint_line *l = job->line;
     if (!l)
         return work(&from, PAIRS);
     broadcast_line(&from.line, l);
-    from.speed = sqrt(l->d[0] * l->d[0] + l->d[1] * l->d[1] +
-                      l->d[2] * l->d[2]) * CYLINT_SLACK;
+    from.speed =
+        sqrt(l->d[0] * l->d[0] + l->d[1] * l->d[1] + l->d[2] * l->d[2]) *
+        CYLINT_SLACK;
     return work(&from, ONE_LINE);
 }
 
 int CYLINT_LINES(cylint_job *job, const cylint_shape *shape)
 {
-    source from = {.job = job, .shape = shape, .n = job->lines->n,
+    source from = {.job = job,
+                   .shape = shape,
+                   .n = job->lines->n,
                    .kind = shape->kind,
                    .bounded = shape->ends < CYLINT_ENDS_INFINITE};
     broadcast_shape(&from.one, shape);

@@ -24,8 +24,8 @@ static long_axis axis_of(const cylint_shape *s)
         cylint_scaled_difference(hi, lo, s->top, s->base, -k.e);
     }
     for (int i = 0; i < 3; i++)
-        k.axis[i] = fits ? (pair){s->axis[i], s->axis_lo[i]}
-                         : (pair){hi[i], lo[i]};
+        k.axis[i] =
+            fits ? (pair){s->axis[i], s->axis_lo[i]} : (pair){hi[i], lo[i]};
     return k;
 }
 
@@ -63,8 +63,8 @@ static pair hypotenuse(pair x, pair y, int *e)
 /* How far the section of unit radius (circular: at distance 1 from the axis;
  * acone: where the tangent is 1) reaches along coordinate j, times 2^*e;
  * *is_exact: no rounding was needed. */
-static pair unit_reach(const cylint_shape *s, const long_axis *k, int j,
-                       int *e, int *is_exact)
+static pair unit_reach(const cylint_shape *s, const long_axis *k, int j, int *e,
+                       int *is_exact)
 {
     *is_exact = 1;
     *e = 0;
@@ -88,8 +88,8 @@ static pair unit_reach(const cylint_shape *s, const long_axis *k, int j,
         return across;
     const int ex = cylint_exponent(x.hi), most = ex > *e ? ex : *e;
     int length_e = 0;
-    const pair length = hypotenuse(unscaled(across, *e - most),
-                                   unscaled(x, -most), &length_e);
+    const pair length =
+        hypotenuse(unscaled(across, *e - most), unscaled(x, -most), &length_e);
     *e -= most + length_e;
     return pair_div(across, length);
 }
@@ -158,8 +158,9 @@ static void take_disc(const cylint_shape *s, int cap, double lo[3],
         int is_exact, e;
         const pair unit = unit_reach(s, &k, j, &e, &is_exact);
         const pair product = pair_mul(unit, radius);
-        is_exact = cylint_sign(r) == 0 || (is_exact &&
-                   (r == 1 || unit.hi == 1 || cylint_sign(unit.hi) == 0));
+        is_exact =
+            cylint_sign(r) == 0 ||
+            (is_exact && (r == 1 || unit.hi == 1 || cylint_sign(unit.hi) == 0));
         double center = s->base[j], offset = 0;
         if (cap && s->kind <= CYLINT_KIND_CONE)
             center = s->top[j];
@@ -170,10 +171,10 @@ static void take_disc(const cylint_shape *s, int cap, double lo[3],
         const pair reach = unscaled(product, e + er - down);
         const pair along = {cylint_scaled(offset, -down), 0};
         center = cylint_scaled(center, -down);
-        const double low = scaled_outward(
-            outward(center, along, reach, is_exact, 0), down, 0);
-        const double high = scaled_outward(
-            outward(center, along, reach, is_exact, 1), down, 1);
+        const double low =
+            scaled_outward(outward(center, along, reach, is_exact, 0), down, 0);
+        const double high =
+            scaled_outward(outward(center, along, reach, is_exact, 1), down, 1);
         lo[j] = cylint_less(low, lo[j]) ? low : lo[j];
         hi[j] = cylint_less(hi[j], high) ? high : hi[j];
     }
@@ -196,8 +197,10 @@ static int leans_inward(cylint_query *q, int j)
         if (q->kind == CYLINT_KIND_CONE)
             along = cylint_exact_mul(m, along, L->vv);
     }
-    const int sign = cylint_exact_add(m, along, cylint_exact_neg(
-                         cylint_exact_mul(m, dr2, across))).sign;
+    const int sign =
+        cylint_exact_add(m, along,
+                         cylint_exact_neg(cylint_exact_mul(m, dr2, across)))
+            .sign;
     m->used = used;
     return sign >= 0;
 }
@@ -225,11 +228,12 @@ static void take_nappe(const cylint_shape *s, double lo[3], double hi[3])
         const int ew = cylint_exponent(k.axis[j].hi);
         const int at_base = cylint_sign(s->r0) == 0;
         if (!at_base)
-            offset = pair_neg(unscaled(pair_div(pair_mul(
-                unscaled(k.axis[j], -ew), r0), dr), k.e + ew + er - ed));
+            offset = pair_neg(
+                unscaled(pair_div(pair_mul(unscaled(k.axis[j], -ew), r0), dr),
+                         k.e + ew + er - ed));
         const int up = cylint_sign(k.axis[j].hi) * cylint_sign(s->dr) < 0;
-        const double apex = outward(s->base[j], offset, (pair){0, 0},
-                                    at_base, up);
+        const double apex =
+            outward(s->base[j], offset, (pair){0, 0}, at_base, up);
         *(up ? &hi[j] : &lo[j]) = apex;
     }
 }

@@ -24,15 +24,15 @@ double cylint_scaled(double x, int e)
         e -= 1074;
     }
     const int k = cylint_exponent(x), sum = k + e;
-    const double m = x * cylint_power_of_two(-k / 2)
-                       * cylint_power_of_two(-k - -k / 2);
+    const double m =
+        x * cylint_power_of_two(-k / 2) * cylint_power_of_two(-k - -k / 2);
     if (sum > 1000)
-        return m * 0x1p1000 * cylint_power_of_two(sum < 1100 ? sum - 1000
-                                                             : 100);
+        return m * 0x1p1000 *
+               cylint_power_of_two(sum < 1100 ? sum - 1000 : 100);
     if (sum >= -1000)
         return m * cylint_power_of_two(sum);
-    return m * cylint_power_of_two(sum > -1200 ? sum + 1000 : -200)
-             * 0x1p-1000; /* the one step that may round */
+    return m * cylint_power_of_two(sum > -1200 ? sum + 1000 : -200) *
+           0x1p-1000; /* the one step that may round */
 }
 
 static void scale_vector(double to[3], const double from[3], int e)
@@ -45,8 +45,8 @@ void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
                               const double from[3], int e)
 {
     for (int i = 0; i < 3; i++) {
-        const pair d = two_diff(cylint_scaled(to[i], e),
-                                cylint_scaled(from[i], e));
+        const pair d =
+            two_diff(cylint_scaled(to[i], e), cylint_scaled(from[i], e));
         hi[i] = d.hi;
         lo[i] = d.lo;
     }
@@ -108,8 +108,9 @@ static double disc_reach(const cylint_shape *s, double *skew)
     if (s->kind <= CYLINT_KIND_CONE)
         return r * r;
     *skew = r * (fabs(dot3(s->a, s->axis)) + fabs(dot3(s->b, s->axis)));
-    return r * r * (cylint_larger(dot3(s->a, s->a), dot3(s->b, s->b)) +
-                    fabs(dot3(s->a, s->b)));
+    return r * r *
+           (cylint_larger(dot3(s->a, s->a), dot3(s->b, s->b)) +
+            fabs(dot3(s->a, s->b)));
 }
 
 /*
@@ -126,12 +127,13 @@ static void measure_ball(cylint_shape *s)
         return;
     for (int i = 0; i < 3; i++)
         s->center[i] = s->kind <= CYLINT_KIND_CONE
-                     ? 0.5 * s->base[i] + 0.5 * s->top[i]
-                     : s->base[i] + 0.5 * s->axis[i];
+                           ? 0.5 * s->base[i] + 0.5 * s->top[i]
+                           : s->base[i] + 0.5 * s->axis[i];
     double skew;
     const double reach = disc_reach(s, &skew);
-    s->ball = sqrt(0.25 * dot3(s->axis, s->axis) + reach + skew) *
-              CYLINT_SLACK + 2 * CYLINT_ROUNDING * cylint_largest(s->center);
+    s->ball =
+        sqrt(0.25 * dot3(s->axis, s->axis) + reach + skew) * CYLINT_SLACK +
+        2 * CYLINT_ROUNDING * cylint_largest(s->center);
 }
 
 void cylint_measure_shape(cylint_shape *s)
@@ -164,8 +166,7 @@ static void scale_query(cylint_query *q)
     scale_vector(to->base, s->base, e);
     if (s->kind <= CYLINT_KIND_CONE) {
         scale_vector(to->top, s->top, e);
-        cylint_scaled_difference(to->axis, to->axis_lo,
-                                 s->top, s->base, e);
+        cylint_scaled_difference(to->axis, to->axis_lo, s->top, s->base, e);
         to->r0 = cylint_scaled(s->r0, e);
         to->r1 = cylint_scaled(s->r1, e);
         const pair dr = two_diff(to->r1, to->r0);
@@ -177,14 +178,14 @@ static void scale_query(cylint_query *q)
         scale_vector(to->b, s->b, e);
     }
     const double most = cylint_largest(l->d);
-    const int f = most > DBL_MAX ? -1024
-                : most < DBL_MIN ? 60 - cylint_exponent(most * 0x1p60)
-                                 : -cylint_exponent(most);
+    const int f = most > DBL_MAX   ? -1024
+                  : most < DBL_MIN ? 60 - cylint_exponent(most * 0x1p60)
+                                   : -cylint_exponent(most);
     q->scaled_line = *l;
     scale_vector(q->scaled_line.o, l->o, e);
     if (l->segment) {
-        cylint_scaled_difference(q->scaled_line.d, q->scaled_line.d_lo,
-                                 l->end, l->o, f);
+        cylint_scaled_difference(q->scaled_line.d, q->scaled_line.d_lo, l->end,
+                                 l->o, f);
     } else {
         scale_vector(q->scaled_line.d, l->d, f);
     }
@@ -231,9 +232,10 @@ const letters_ball *cylint_ball_with_top(cylint_query *q)
     if (!(q->ready & CYLINT_READY_TOP)) {
         letters_ball *L = &q->ball;
         for (int i = 0; i < 3; i++)
-            L->D[1][i] = L->kind <= CYLINT_KIND_CONE
-                ? ball_of(q->near_line->o[i] - q->near_shape->top[i])
-                : ball_sub(L->D[0][i], L->w[i]);
+            L->D[1][i] =
+                L->kind <= CYLINT_KIND_CONE
+                    ? ball_of(q->near_line->o[i] - q->near_shape->top[i])
+                    : ball_sub(L->D[0][i], L->w[i]);
         prepare_top_ball(L);
         q->ready |= CYLINT_READY_TOP;
     }
@@ -267,8 +269,8 @@ letters_wide *cylint_wide(cylint_query *q)
         L->w[i] = wide_of(s->axis[i], s->axis_lo[i]);
         L->D[0][i] = wide_difference(l->o[i], s->base[i]);
         L->D[1][i] = s->kind <= CYLINT_KIND_CONE
-                   ? wide_difference(l->o[i], s->top[i])
-                   : wide_sub(L->D[0][i], L->w[i]);
+                         ? wide_difference(l->o[i], s->top[i])
+                         : wide_sub(L->D[0][i], L->w[i]);
     }
     if (s->kind >= CYLINT_KIND_ECYLINDER)
         for (int i = 0; i < 3; i++) {
@@ -301,7 +303,7 @@ static exact exact_difference(cylint_arena *arena, double x, double y)
     const exact ex = cylint_exact_from(arena, x);
     const exact ey = cylint_exact_from(arena, y);
     return cylint_exact_keep(arena, used,
-        cylint_exact_add(arena, ex, cylint_exact_neg(ey)));
+                             cylint_exact_add(arena, ex, cylint_exact_neg(ey)));
 }
 
 pair cylint_wild_difference(double x, double y)
@@ -311,8 +313,10 @@ pair cylint_wild_difference(double x, double y)
     const exact all = exact_difference(&arena, x, y);
     pair d = {cylint_exact_nearest(all, 0), 0};
     if (fabs(d.hi) <= DBL_MAX)
-        d.lo = cylint_exact_nearest(cylint_exact_add(&arena, all,
-            cylint_exact_neg(cylint_exact_from(&arena, d.hi))), 0);
+        d.lo = cylint_exact_nearest(
+            cylint_exact_add(&arena, all,
+                             cylint_exact_neg(cylint_exact_from(&arena, d.hi))),
+            0);
     return d;
 }
 
@@ -330,8 +334,8 @@ static void load_exact(cylint_query *q, letters_exact *L)
             L->D[1][i] = exact_difference(m, l->o[i], s->top[i]);
         } else {
             L->w[i] = cylint_exact_from(m, s->axis[i]);
-            L->D[1][i] = cylint_exact_add(m, L->D[0][i],
-                                          cylint_exact_neg(L->w[i]));
+            L->D[1][i] =
+                cylint_exact_add(m, L->D[0][i], cylint_exact_neg(L->w[i]));
         }
         if (s->kind >= CYLINT_KIND_ECYLINDER) {
             L->a[i] = cylint_exact_from(m, s->a[i]);
@@ -340,8 +344,8 @@ static void load_exact(cylint_query *q, letters_exact *L)
     }
     L->r[0] = cylint_exact_from(m, s->r0);
     L->r[1] = cylint_exact_from(m, s->r1);
-    L->dr = s->kind == CYLINT_KIND_ACONE
-          ? L->r[1] : exact_difference(m, s->r1, s->r0);
+    L->dr = s->kind == CYLINT_KIND_ACONE ? L->r[1]
+                                         : exact_difference(m, s->r1, s->r0);
     L->one = cylint_exact_from(m, 1);
 }
 
@@ -410,10 +414,10 @@ static const letters_quantum *quanta(cylint_query *q)
                 cylint_rounds_to_nearest();
     for (int i = 0; i < 3; i++) {
         q->quanta &= !cylint_too_small(l->o[i]) && !cylint_too_small(l->d[i]);
-        q->quanta &= !cylint_too_small(s->base[i]) &&
-                     !cylint_too_small(s->axis[i]);
-        q->quanta &= !cylint_too_small(s->top[i]) && !cylint_too_small(s->a[i]) &&
-                     !cylint_too_small(s->b[i]);
+        q->quanta &=
+            !cylint_too_small(s->base[i]) && !cylint_too_small(s->axis[i]);
+        q->quanta &= !cylint_too_small(s->top[i]) &&
+                     !cylint_too_small(s->a[i]) && !cylint_too_small(s->b[i]);
         const pair d = two_diff(l->o[i], s->base[i]);
         q->quanta &= d.lo == 0 && cylint_sign(l->d_lo[i]) == 0 &&
                      cylint_sign(s->axis_lo[i]) == 0;
@@ -486,55 +490,55 @@ static int no_rounding(double size, int e)
 }
 
 /* The cascade, for a form with the given further arguments. */
-#define DECIDE(q, balls, form, ...)                                         \
-    do {                                                                    \
-        int sign_ = 2; /* unknown */                                        \
-        if ((q)->filters) {                                                 \
-            const ball b_ = form##_ball(balls __VA_ARGS__);                 \
-            const letters_quantum *e_;                                      \
-            if (certain_ball(b_)) {                                         \
-                sign_ = cylint_sign(b_.v);                                  \
-            } else if ((e_ = quanta(q)) != NULL && no_rounding(b_.size,     \
-                       form##_quantum(e_ __VA_ARGS__))) {                   \
-                cylint_reached(QUANTA);                                     \
-                sign_ = cylint_sign(b_.v);                                  \
-            } else if (cylint_rounds_to_nearest()) {                        \
-                const wide w_ = form##_wide(cylint_wide_line(q)             \
-                                            __VA_ARGS__);                   \
-                if (certain_wide(w_))                                       \
-                    sign_ = cylint_sign(w_.v.hi);                           \
-            }                                                               \
-        }                                                                   \
-        if (sign_ != 2 && !CYLINT_IS_PARANOID)                              \
-            return sign_;                                                   \
-        const letters_exact *x_ = cylint_exact_line(q);                     \
-        const int used_ = (q)->arena.used;                                  \
-        const int exact_ = form##_exact(x_ __VA_ARGS__).sign;               \
-        (q)->arena.used = used_;                                            \
-        cylint_contradiction(sign_ != 2 && sign_ != exact_);                \
-        return exact_;                                                      \
+#define DECIDE(q, balls, form, ...)                                            \
+    do {                                                                       \
+        int sign_ = 2; /* unknown */                                           \
+        if ((q)->filters) {                                                    \
+            const ball b_ = form##_ball(balls __VA_ARGS__);                    \
+            const letters_quantum *e_;                                         \
+            if (certain_ball(b_)) {                                            \
+                sign_ = cylint_sign(b_.v);                                     \
+            } else if ((e_ = quanta(q)) != NULL &&                             \
+                       no_rounding(b_.size, form##_quantum(e_ __VA_ARGS__))) { \
+                cylint_reached(QUANTA);                                        \
+                sign_ = cylint_sign(b_.v);                                     \
+            } else if (cylint_rounds_to_nearest()) {                           \
+                const wide w_ = form##_wide(cylint_wide_line(q) __VA_ARGS__);  \
+                if (certain_wide(w_))                                          \
+                    sign_ = cylint_sign(w_.v.hi);                              \
+            }                                                                  \
+        }                                                                      \
+        if (sign_ != 2 && !CYLINT_IS_PARANOID)                                 \
+            return sign_;                                                      \
+        const letters_exact *x_ = cylint_exact_line(q);                        \
+        const int used_ = (q)->arena.used;                                     \
+        const int exact_ = form##_exact(x_ __VA_ARGS__).sign;                  \
+        (q)->arena.used = used_;                                               \
+        cylint_contradiction(sign_ != 2 && sign_ != exact_);                   \
+        return exact_;                                                         \
     } while (0)
 
 #define COMMA ,
 
 int cylint_sign_alpha(cylint_query *q, int cap)
 {
-    DECIDE(q, (cap ? cylint_ball_with_top(q) : &q->ball), form_alpha, COMMA cap);
+    DECIDE(q, (cap ? cylint_ball_with_top(q) : &q->ball), form_alpha,
+           COMMA cap);
 }
 
 int cylint_sign_det(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_det,);
+    DECIDE(q, &q->ball, form_det, );
 }
 
 int cylint_sign_beta(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_beta,);
+    DECIDE(q, &q->ball, form_beta, );
 }
 
 int cylint_sign_along(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_along,);
+    DECIDE(q, &q->ball, form_along, );
 }
 
 int cylint_sign_E(cylint_query *q, int cap)
@@ -549,30 +553,30 @@ int cylint_sign_N(cylint_query *q, int cap)
 
 int cylint_sign_G(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_G,);
+    DECIDE(q, &q->ball, form_G, );
 }
 
 int cylint_sign_A(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_A,);
+    DECIDE(q, &q->ball, form_A, );
 }
 
 int cylint_sign_B(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_B,);
+    DECIDE(q, &q->ball, form_B, );
 }
 
 int cylint_sign_C(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_C,);
+    DECIDE(q, &q->ball, form_C, );
 }
 
 int cylint_sign_T(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_T,);
+    DECIDE(q, &q->ball, form_T, );
 }
 
 int cylint_sign_rho0(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_rho0,);
+    DECIDE(q, &q->ball, form_rho0, );
 }

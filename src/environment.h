@@ -10,8 +10,8 @@
 #include <stdint.h>
 
 /* What no macro tells, cylint_selftest does. */
-#if defined(__FAST_MATH__) || \
-    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
+#if defined(__FAST_MATH__) ||                                        \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||       \
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
     defined(__NO_SIGNED_ZEROS__) || defined(_M_FP_FAST)
 #error "libcylint is exact arithmetic: do not compile it with -ffast-math"

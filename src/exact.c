@@ -22,8 +22,8 @@ static uint32_t *take(cylint_arena *arena, int n)
 }
 
 /* Drops zero limbs at both ends; the top of the arena follows. */
-static exact trimmed(cylint_arena *arena, uint32_t *limb, int n,
-                     int exponent, int sign)
+static exact trimmed(cylint_arena *arena, uint32_t *limb, int n, int exponent,
+                     int sign)
 {
     while (n > 0 && limb[n - 1] == 0)
         n--;

@@ -16,7 +16,7 @@ typedef struct {
     const uint32_t *limb; /* least first; neither first nor last is 0 */
     int n;                /* 0 for zero */
     int exponent;
-    int sign;             /* -1, 0, +1 */
+    int sign; /* -1, 0, +1 */
 } exact;
 
 /*

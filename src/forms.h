@@ -66,24 +66,23 @@ typedef struct {
     NUM beta, M[2][3];
 } FORM(letters);
 
-INLINE NUM FORM(dot)(const FORM(letters) *L,
-                            const NUM x[3], const NUM y[3])
+INLINE NUM FORM(dot)(const FORM(letters) *L, const NUM x[3], const NUM y[3])
 {
     BEGIN
     NUM sum = ADD(ADD(MUL(x[0], y[0]), MUL(x[1], y[1])), MUL(x[2], y[2]));
     RETURN(sum)
 }
 
-INLINE NUM FORM(minor)(const FORM(letters) *L, const NUM x[3],
-                              const NUM y[3], int i, int j)
+INLINE NUM FORM(minor)(const FORM(letters) *L, const NUM x[3], const NUM y[3],
+                       int i, int j)
 {
     BEGIN
     NUM m = SUB(MUL(x[i], y[j]), MUL(x[j], y[i]));
     RETURN(m)
 }
 
-INLINE void FORM(cross)(const FORM(letters) *L, const NUM x[3],
-                               const NUM y[3], NUM xy[3])
+INLINE void FORM(cross)(const FORM(letters) *L, const NUM x[3], const NUM y[3],
+                        NUM xy[3])
 {
     xy[0] = FORM(minor)(L, x, y, 1, 2);
     xy[1] = FORM(minor)(L, x, y, 2, 0);
@@ -164,8 +163,7 @@ INLINE NUM FORM(form_rho0)(const FORM(letters) *L)
         rho = L->r[0];
         break;
     case CYLINT_KIND_CONE:
-        rho = ADD(MUL(L->r[0], L->vv),
-                  MUL(L->dr, FORM(form_alpha)(L, 0)));
+        rho = ADD(MUL(L->r[0], L->vv), MUL(L->dr, FORM(form_alpha)(L, 0)));
         break;
     case CYLINT_KIND_ACONE:
         rho = MUL(L->dr, FORM(form_alpha)(L, 0));
@@ -257,8 +255,7 @@ INLINE NUM FORM(form_G)(const FORM(letters) *L)
 INLINE NUM FORM(form_ball)(const FORM(letters) *L, const NUM M[3], NUM r)
 {
     BEGIN
-    NUM x = SUB(MUL(MUL(r, r), FORM(dot)(L, L->u, L->u)),
-                FORM(dot)(L, M, M));
+    NUM x = SUB(MUL(MUL(r, r), FORM(dot)(L, L->u, L->u)), FORM(dot)(L, M, M));
     RETURN(x)
 }
 
@@ -383,8 +380,7 @@ INLINE NUM FORM(gradient)(const FORM(letters) *L, int i)
  * positive number, but that for circular kinds x wants a factor |w|.  phi
  * counts from e x w, e the coordinate direction of the given number; for
  * elliptic kinds from a towards b. */
-INLINE void FORM(about_axis)(const FORM(letters) *L, int number,
-                                    NUM *x, NUM *y)
+INLINE void FORM(about_axis)(const FORM(letters) *L, int number, NUM *x, NUM *y)
 {
     if (FORM(elliptic)(L)) {
         *x = FORM(dot)(L, L->D[0], L->p);

@@ -8,8 +8,8 @@
 
 typedef struct {
     VALUE num, den;
-    double error;                    /* of num / den; above 1: unknown */
-    double radical, radical_error, A;/* of side roots; A: at most |A| */
+    double error;                     /* of num / den; above 1: unknown */
+    double radical, radical_error, A; /* of side roots; A: at most |A| */
 } FORM(quotient);
 
 static double FORM(relative)(NUM x)
@@ -38,8 +38,8 @@ static VALUE FORM(radical)(const FORM(letters) *L, double *error)
 /* |B| + R, which one of the two forms of a root divides by, with its error;
  * num is for the caller to find.  *near: it is C that belongs there, for of
  * the two roots this one is nearer to the line's origin. */
-static FORM(quotient) FORM(half_quotient)(const FORM(letters) *L, int exits,
-                                          int *near)
+static FORM(quotient)
+    FORM(half_quotient)(const FORM(letters) *L, int exits, int *near)
 {
     FORM(quotient) f;
     const NUM B = FORM(form_B)(L);
@@ -48,9 +48,10 @@ static FORM(quotient) FORM(half_quotient)(const FORM(letters) *L, int exits,
     f.num = f.den = V_ADD(R, falls ? V_NEG(OF(B)) : OF(B));
     f.radical = HIGH(R);
     f.A = 0;
-    f.error = f.radical_error > 1 ? 2
-            : (ERROR(B) + f.radical_error * f.radical) / HIGH(f.den) +
-              ROUNDING;
+    f.error =
+        f.radical_error > 1
+            ? 2
+            : (ERROR(B) + f.radical_error * f.radical) / HIGH(f.den) + ROUNDING;
     *near = falls != exits;
     return f;
 }
@@ -76,16 +77,20 @@ static FORM(quotient) FORM(side_quotient)(const FORM(letters) *L, int exits)
     return f;
 }
 
-static FORM(quotient) FORM(quotient_of)(const FORM(letters) *L,
-                                        cylint_root root)
+static FORM(quotient)
+    FORM(quotient_of)(const FORM(letters) *L, cylint_root root)
 {
     if (root == ROOT_ENTRY || root == ROOT_EXIT)
         return FORM(side_quotient)(L, root == ROOT_EXIT);
     const int middle = root == ROOT_DOUBLE;
-    const NUM num = middle ? FORM(form_B)(L)
-                           : FORM(form_alpha)(L, root == ROOT_CAP1);
+    const NUM num =
+        middle ? FORM(form_B)(L) : FORM(form_alpha)(L, root == ROOT_CAP1);
     const NUM den = middle ? FORM(form_A)(L) : L->beta;
-    return (FORM(quotient)){V_NEG(OF(num)), OF(den),
+    return (FORM(quotient)){V_NEG(OF(num)),
+                            OF(den),
                             FORM(relative)(num) + FORM(relative)(den) +
-                            ROUNDING, 0, 2, 0};
+                                ROUNDING,
+                            0,
+                            2,
+                            0};
 }

@@ -34,9 +34,9 @@ static void normalise(const floating x[3], int sign, double to[3])
 {
     int most = 0;
     for (int i = 1; i < 3; i++)
-        if (x[most].v.hi == 0 || (x[i].v.hi != 0 &&
-            x[i].e + cylint_exponent(x[i].v.hi) >
-            x[most].e + cylint_exponent(x[most].v.hi)))
+        if (x[most].v.hi == 0 ||
+            (x[i].v.hi != 0 && x[i].e + cylint_exponent(x[i].v.hi) >
+                                   x[most].e + cylint_exponent(x[most].v.hi)))
             most = i;
     const int e = x[most].e + cylint_exponent(x[most].v.hi);
     double y[3];
@@ -54,8 +54,9 @@ static double turns(floating y, floating x)
     if (y.v.hi == 0 && x.v.hi == 0)
         return 0;
     const int e = x.v.hi == 0 || (y.v.hi != 0 && y.e > x.e) ? y.e : x.e;
-    double phi = atan2(cylint_scaled(y.v.hi, y.e - e),
-                       cylint_scaled(x.v.hi, x.e - e)) / (2 * pi);
+    double phi =
+        atan2(cylint_scaled(y.v.hi, y.e - e), cylint_scaled(x.v.hi, x.e - e)) /
+        (2 * pi);
     if (phi < 0)
         phi += 1;
     return phi < 1 ? phi + 0 : 0;
@@ -90,8 +91,17 @@ static int least_component(const cylint_query *q)
 }
 
 /* What the hit's letters give. */
-enum { GRADIENT = 0, AXIAL = 3, AXIS = 6, ALPHA = 9, ALPHA_AT_TOP,
-       X = 11, Y, VV, FACTS };
+enum {
+    GRADIENT = 0,
+    AXIAL = 3,
+    AXIS = 6,
+    ALPHA = 9,
+    ALPHA_AT_TOP,
+    X = 11,
+    Y,
+    VV,
+    FACTS
+};
 
 /* Groups of facts that are still needed.  Each is found as if it were alone,
  * so that no answer depends on what else is wanted. */
@@ -156,12 +166,11 @@ static int angle_in_pairs(const cylint_query *q, const letters_wide *L,
     facts[VV] = floating_of_wide(vv);
     const double wx = fabs(x.v.hi), wy = fabs(y.v.hi);
     const double scale = q->kind < CYLINT_KIND_ECYLINDER ? sqrt(vv.v.hi) : 1;
-    return keeps_digits(x, wy / scale) &&
-           keeps_digits(y, wx * scale);
+    return keeps_digits(x, wy / scale) && keeps_digits(y, wx * scale);
 }
 
-static void facts_of(const cylint_query *q, const letters_wide *L,
-                     needs *need, floating *facts)
+static void facts_of(const cylint_query *q, const letters_wide *L, needs *need,
+                     floating *facts)
 {
     if (need->axial)
         need->axial = !vector_in_pairs(axial_wide(L), facts + AXIAL);
@@ -212,8 +221,11 @@ static void point_in_full(cylint_query *q, surd *t, double point[3])
 
 static int is_needed(const needs *need, int fact)
 {
-    return fact < AXIAL ? need->gradient : fact < AXIS ? need->axial
-         : fact < ALPHA ? need->axis : fact < X ? need->z : need->phi;
+    return fact < AXIAL   ? need->gradient
+           : fact < AXIS  ? need->axial
+           : fact < ALPHA ? need->axis
+           : fact < X     ? need->z
+                          : need->phi;
 }
 
 /* A fact of the point that D[0] leads to. */
@@ -290,7 +302,8 @@ static void describe(cylint_query *q, const floating *facts, cylint_root root,
 {
     if (want & CYLINT_WANT_NORMAL) {
         if (part != CYLINT_PART_LATERAL)
-            normalise(facts + AXIAL, part == CYLINT_PART_CAP1 ? 1 : -1, hit->normal);
+            normalise(facts + AXIAL, part == CYLINT_PART_CAP1 ? 1 : -1,
+                      hit->normal);
         else if (apex)
             normalise(facts + AXIS, apex_sign(q), hit->normal);
         else
@@ -301,7 +314,8 @@ static void describe(cylint_query *q, const floating *facts, cylint_root root,
         hit->z = known ? root == ROOT_CAP1
                        : cylint_scaled(
                              pair_div(facts[ALPHA].v, facts[ALPHA_AT_TOP].v).hi,
-                             facts[ALPHA].e - facts[ALPHA_AT_TOP].e) + 0;
+                             facts[ALPHA].e - facts[ALPHA_AT_TOP].e) +
+                             0;
     }
     if (want & CYLINT_WANT_PHI) {
         if (apex) {

@@ -206,7 +206,7 @@ static inline wide wide_mul(wide x, wide y)
     const double a = fabs(x.v.hi), b = fabs(y.v.hi);
     return (wide){pair_mul(x.v, y.v),
                   a * y.off + (b + CYLINT_PAIR_ROUNDING * y.off) * x.off +
-                  a * b};
+                      a * b};
 }
 
 #define NUM wide
@@ -246,33 +246,33 @@ static inline double wide_error(wide x)
 /* --------------------------------------------------- one question ------ */
 
 enum { /* what of cylint_query has been made */
-    CYLINT_READY_TOP = 1,
-    CYLINT_READY_WIDE = 2,
-    CYLINT_READY_WIDE_LINE = 4,
-    CYLINT_READY_EXACT = 8,
-    CYLINT_READY_EXACT_LINE = 16,
-    CYLINT_READY_QUADRATIC = 32,
-    CYLINT_READY_QUANTUM = 64
+       CYLINT_READY_TOP = 1,
+       CYLINT_READY_WIDE = 2,
+       CYLINT_READY_WIDE_LINE = 4,
+       CYLINT_READY_EXACT = 8,
+       CYLINT_READY_EXACT_LINE = 16,
+       CYLINT_READY_QUADRATIC = 32,
+       CYLINT_READY_QUANTUM = 64
 };
 
 typedef struct {
     const cylint_shape *shape; /* as given: what exact answers are about */
     const cylint_line *line;
     int kind, ends;
-    int filters;               /* 0: data too wild, exact stage only */
-    int t_exponent;            /* t = 2^t_exponent * t of the filters */
-    double t_error;            /* of the last root as a pair, relative */
+    int filters;                    /* 0: data too wild, exact stage only */
+    int t_exponent;                 /* t = 2^t_exponent * t of the filters */
+    double t_error;                 /* of the last root as a pair, relative */
     const cylint_shape *near_shape; /* what the filters see: as given, or */
     const cylint_line *near_line;   /* scaled by powers of two */
     cylint_shape scaled_shape;
     cylint_line scaled_line;
-    unsigned ready;            /* which letters are there */
+    unsigned ready; /* which letters are there */
     letters_ball ball;
     letters_wide wide;
     letters_quantum quantum;
-    int quanta;                /* 1: every datum of the filters is exact */
+    int quanta; /* 1: every datum of the filters is exact */
     letters_exact exact;
-    exact exact_coefficient[3];/* A, B, C */
+    exact exact_coefficient[3]; /* A, B, C */
     cylint_arena arena;
 } cylint_query;
 
@@ -283,7 +283,7 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
 letters_wide *cylint_wide(cylint_query *q);      /* data and shape only */
 letters_wide *cylint_wide_line(cylint_query *q); /* moments as well */
 const letters_ball *cylint_ball_with_top(cylint_query *q);
-const letters_exact *cylint_exact(cylint_query *q);      /* likewise */
+const letters_exact *cylint_exact(cylint_query *q); /* likewise */
 const letters_exact *cylint_exact_line(cylint_query *q);
 
 /* Exact signs of the forms, by the cheapest arithmetic that is certain. */
@@ -302,18 +302,18 @@ int cylint_sign_rho0(cylint_query *q);
 
 /* Places on the line where something begins or ends. */
 typedef enum {
-    ROOT_ENTRY, /* of the lateral quadric, Q falling */
-    ROOT_EXIT,  /* ... rising */
-    ROOT_DOUBLE,/* both at once: G = 0 */
-    ROOT_APEX,  /* rho = 0 */
-    ROOT_CAP0,  /* the planes */
+    ROOT_ENTRY,  /* of the lateral quadric, Q falling */
+    ROOT_EXIT,   /* ... rising */
+    ROOT_DOUBLE, /* both at once: G = 0 */
+    ROOT_APEX,   /* rho = 0 */
+    ROOT_CAP0,   /* the planes */
     ROOT_CAP1
 } cylint_root;
 
 /* Whether tmin <= root <= tmax, exactly.  Where t is wanted, it becomes the
  * double nearest to such a root and *more what that misses, nearly. */
-int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
-                       double *t, double *more);
+int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
+                       double *more);
 
 /* Finds a root's pair anew where t_error is larger than pairs allow. */
 void cylint_polish_root(cylint_query *q, cylint_root root, pair *t);

@@ -60,12 +60,11 @@ INLINE void see(lanes_query *q, lanes_shape *s, const cylint_shape *shape,
             L->D[0][i] = L->D[0][i] - v_two(0, shape->axis[i]);
         if (kind >= CYLINT_KIND_ECYLINDER) {
             L->a[i] = s->a[i] = v_set(shape->a[i]);
-            L->b[i] = s->b[i] = v_set(shape->flip ? -shape->b[i]
-                                                  : shape->b[i]);
+            L->b[i] = s->b[i] = v_set(shape->flip ? -shape->b[i] : shape->b[i]);
         }
     }
-    L->r[0] = s->r[0] = bounded ? v_two(shape->r0, shape->r1)
-                                : v_set(shape->r0);
+    L->r[0] = s->r[0] =
+        bounded ? v_two(shape->r0, shape->r1) : v_set(shape->r0);
     L->dr = s->dr = v_set(shape->dr);
     L->one = v_set(1);
     prepare_shape_lanes(L);
@@ -138,33 +137,32 @@ typedef struct {
  */
 INLINE verdict judge_bounded(const lanes_query *q, bounded_value G)
 {
-    const bounded_value E = with_bound(form_E_lanes(&q->L, 0),
-                                       form_E_sizes(&q->N, 0));
-    const bounded_value N = with_bound(form_N_lanes(&q->L, 0),
-                                       form_N_sizes(&q->N, 0));
+    const bounded_value E =
+        with_bound(form_E_lanes(&q->L, 0), form_E_sizes(&q->N, 0));
+    const bounded_value N =
+        with_bound(form_N_lanes(&q->L, 0), form_N_sizes(&q->N, 0));
     const bounded_value inward = {N.v * v_two(-1, 1), N.e};
     const vm pierced = is_positive(E), spared = is_negative(E);
     const int within = m_bits(is_positive(inward)) == 3;
     const int beyond = m_any(is_negative(inward));
     const int none = m_bits(spared) == 3;
     const int misses = at_base(is_negative(G)) | (none & beyond);
-    const int crosses = m_any(pierced) |
-                        (none & within & at_base(is_positive(G)));
+    const int crosses =
+        m_any(pierced) | (none & within & at_base(is_positive(G)));
     return (verdict){misses, crosses & !misses, pierced, spared};
 }
 
 /* An unbounded one is crossed if Q has two roots, and missed if it has none:
  * a line cannot stay inside a double cone.  G > 0 tells that A > 0, but of a
  * double cone, where A = 0 leaves one root. */
-INLINE verdict judge_unbounded(const lanes_query *q, bounded_value G,
-                               int kind)
+INLINE verdict judge_unbounded(const lanes_query *q, bounded_value G, int kind)
 {
     const vm no_caps = m_from(0);
     const int none = at_base(is_negative(G));
     int two = at_base(is_positive(G));
     if (kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ECYLINDER) {
-        const bounded_value A = with_bound(form_A_lanes(&q->L),
-                                           form_A_sizes(&q->N));
+        const bounded_value A =
+            with_bound(form_A_lanes(&q->L), form_A_sizes(&q->N));
         two &= at_base(m_or(is_positive(A), is_negative(A)));
     }
     return (verdict){none, two, no_caps, no_caps};
@@ -173,9 +171,9 @@ INLINE verdict judge_unbounded(const lanes_query *q, bounded_value G,
 /* The ends of the overlap, one a lane. */
 typedef struct {
     bounded_value t;
-    vd part, exits;      /* exits: -1, or +1 where Q rises */
-    unsigned unsure;     /* bits of lanes */
-    int first;           /* the lane of the lesser t */
+    vd part, exits;  /* exits: -1, or +1 where Q rises */
+    unsigned unsure; /* bits of lanes */
+    int first;       /* the lane of the lesser t */
 } stops;
 
 /* A stop on the side is the entry root in the lane of the cap that is come
@@ -188,18 +186,17 @@ INLINE stops stops_bounded(lanes_query *q, bounded_value G, int kind,
     q->beta = with_bound(q->L.beta, form_beta_sizes(&q->N));
     const vm up = v_lt(v_set(0), q->beta.v);
     const vd exits = v_select(up, v_two(-1, 1), v_two(1, -1));
-    const bounded_value plane = with_bound(-form_alpha_lanes(&q->L, 0),
-                                           form_alpha_sizes(&q->N, 0));
+    const bounded_value plane =
+        with_bound(-form_alpha_lanes(&q->L, 0), form_alpha_sizes(&q->N, 0));
     const bounded_value over = choose(v->pierced, q->beta, q->A);
-    const vm unsure = m_or(m_not(m_or(v->pierced, v->spared)),
-                           m_or(m_and(m_not(v->pierced), unknown),
-                                m_not(certain(over))));
+    const vm unsure =
+        m_or(m_not(m_or(v->pierced, v->spared)),
+             m_or(m_and(m_not(v->pierced), unknown), m_not(certain(over))));
     return (stops){
         quotient(choose(v->pierced, plane, lateral_numerator(q, exits)), over),
         v_select(v->pierced, v_two(CYLINT_PART_CAP0, CYLINT_PART_CAP1),
                  v_set(CYLINT_PART_LATERAL)),
-        exits, m_bits(unsure), !at_base(up)
-    };
+        exits, m_bits(unsure), !at_base(up)};
 }
 
 /* The entry root and the exit root, which come in this order unless A < 0. */
@@ -227,8 +224,7 @@ INLINE unsigned hits_of(const stops *at, const lanes_shape *s,
 /* Both roots.  Returns whether the hits among them are certain. */
 INLINE int roots_of(lanes_root *r, const lanes_query *q, const lanes_shape *s,
                     const vd center[3], const lanes_line *l, int kind,
-                    int bounded, const stops *at, unsigned want,
-                    unsigned hits)
+                    int bounded, const stops *at, unsigned want, unsigned hits)
 {
     if (want & CYLINT_WANT_FAST) {
         *r = take_root(q, at->t);
@@ -237,16 +233,15 @@ INLINE int roots_of(lanes_root *r, const lanes_query *q, const lanes_shape *s,
     }
     if (!cylint_rounds_to_nearest()) /* would certify nothing */
         return 0;
-    const lanes_root rounded = round_root(q, s, center, l, kind, bounded,
-                                          at->exits, at->t, at->part);
+    const lanes_root rounded =
+        round_root(q, s, center, l, kind, bounded, at->exits, at->t, at->part);
     *r = want & CYLINT_WANT_FAST ? either_root(*r, rounded) : rounded;
     return !(hits & ~m_bits(r->sure));
 }
 
 /* The hits in their order. */
-INLINE void tell(cylint_answer *answer, cylint_root_rest *rest,
-                 const stops *at, const lanes_root *r, unsigned hits,
-                 int bounded, unsigned want)
+INLINE void tell(cylint_answer *answer, cylint_root_rest *rest, const stops *at,
+                 const lanes_root *r, unsigned hits, int bounded, unsigned want)
 {
     double part[2], t[2], more[2], error[2];
     int n = 0;
@@ -276,15 +271,15 @@ INLINE void tell(cylint_answer *answer, cylint_root_rest *rest,
 /* From the stops on. */
 INLINE int finish(const lanes_query *q, const lanes_shape *s,
                   const vd center[3], const lanes_line *l, const stops *at,
-                  int kind, int bounded, unsigned want,
-                  cylint_answer *answer, cylint_root_rest *rest)
+                  int kind, int bounded, unsigned want, cylint_answer *answer,
+                  cylint_root_rest *rest)
 {
     int unsure;
     lanes_root r = {v_set(0), v_set(0), v_set(0), m_from(0)};
     const unsigned hits = hits_of(at, s, l, want, &unsure);
-    if (unsure || (hits && want & CYLINT_WANT_T &&
-                   !roots_of(&r, q, s, center, l, kind, bounded, at, want,
-                             hits)))
+    if (unsure ||
+        (hits && want & CYLINT_WANT_T &&
+         !roots_of(&r, q, s, center, l, kind, bounded, at, want, hits)))
         return 0;
     tell(answer, rest, at, &r, hits, bounded, want);
     return 1;
@@ -321,7 +316,8 @@ INLINE int ask_in_brief(const cylint_shape *shape, const cylint_line *line,
     lanes_shape s;
     bounded_value G;
     const verdict v = judge(&q, &s, &G, shape, line, kind, bounded);
-    answer->relation = v.crosses * CYLINT_RELATION_CROSS; /* CYLINT_RELATION_MISS is 0 */
+    answer->relation =
+        v.crosses * CYLINT_RELATION_CROSS; /* CYLINT_RELATION_MISS is 0 */
     answer->n = v.crosses << !(want & CYLINT_WANT_NEAREST);
     return v.misses | v.crosses;
 }
@@ -340,10 +336,9 @@ INLINE int ask_in_full(const cylint_shape *shape, const cylint_line *line,
     if (!v.crosses)
         return v.misses;
     see_rest(&s, &l, shape, line);
-    const stops at = bounded ? stops_bounded(&q, G, kind, &v)
-                             : stops_unbounded(&q, G, kind);
-    return finish(&q, &s, s.base, &l, &at, kind, bounded, want, answer,
-                  rest);
+    const stops at =
+        bounded ? stops_bounded(&q, G, kind, &v) : stops_unbounded(&q, G, kind);
+    return finish(&q, &s, s.base, &l, &at, kind, bounded, want, answer, rest);
 }
 
 /* As a batch asks: a quick t must not depend on how it was asked. */
@@ -357,28 +352,29 @@ ASIDE int ask_intervals(const cylint_shape *shape, const cylint_line *line,
     vd center[3];
     broadcast_shape(&s, shape);
     broadcast_line(&l, line);
-    const lanes_verdict v = lanes_judge(&q, &s, &l, kind, bounded,
-                                        m_from((1u << LANES) - 1));
+    const lanes_verdict v =
+        lanes_judge(&q, &s, &l, kind, bounded, m_from((1u << LANES) - 1));
     if (m_any(v.undecided))
         return 0;
-    answer->relation = m_any(v.cross) ? CYLINT_RELATION_CROSS : CYLINT_RELATION_MISS;
+    answer->relation =
+        m_any(v.cross) ? CYLINT_RELATION_CROSS : CYLINT_RELATION_MISS;
     answer->n = 0;
     if (!m_any(v.cross))
         return 1;
     const int swapped = !bounded && at_base(v.leaving_first);
-    const stops at = {
-        {v_firsts(v.stop[swapped].v, v.stop[!swapped].v),
-         v_firsts(v.stop[swapped].e, v.stop[!swapped].e)},
-        v_firsts(v.part[0], v.part[1]), v_two(-1, 1), 0, swapped
-    };
+    const stops at = {{v_firsts(v.stop[swapped].v, v.stop[!swapped].v),
+                       v_firsts(v.stop[swapped].e, v.stop[!swapped].e)},
+                      v_firsts(v.part[0], v.part[1]),
+                      v_two(-1, 1),
+                      0,
+                      swapped};
     root_centers(center, &s, kind, at.part);
-    return finish(&q, &s, center, &l, &at, kind, bounded, want, answer,
-                  rest);
+    return finish(&q, &s, center, &l, &at, kind, bounded, want, answer, rest);
 }
 
-#define ARGUMENTS                                                           \
-    const cylint_shape *shape, const cylint_line *line, unsigned want,      \
-    cylint_answer *answer, cylint_root_rest *rest
+#define ARGUMENTS                                                      \
+    const cylint_shape *shape, const cylint_line *line, unsigned want, \
+        cylint_answer *answer, cylint_root_rest *rest
 
 static int has_kernel(const cylint_shape *s, const cylint_line *l)
 {
@@ -391,24 +387,26 @@ static int has_kernel(const cylint_shape *s, const cylint_line *l)
 ASIDE int ask_otherwise(ARGUMENTS)
 {
     if (want & CYLINT_WANT_FAST && has_kernel(shape, line) &&
-        ask_intervals(shape, line, shape->kind, shape->ends < CYLINT_ENDS_INFINITE,
-                      want, answer, rest))
+        ask_intervals(shape, line, shape->kind,
+                      shape->ends < CYLINT_ENDS_INFINITE, want, answer, rest))
         return answer->n;
     return rest ? CYLINT_UNDECIDED
                 : cylint_ask_signs(shape, line, want, answer);
 }
 
 /* A kernel of its own for each kind, bounded or not, in full or in brief. */
-#define KERNELS(kind, bounded)                                              \
-    static int full_##kind##_##bounded(ARGUMENTS)                           \
-    {                                                                       \
-        return ask_in_full(shape, line, kind, bounded, want, answer, rest)  \
-             ? answer->n : ask_otherwise(shape, line, want, answer, rest);  \
-    }                                                                       \
-    static int brief_##kind##_##bounded(ARGUMENTS)                          \
-    {                                                                       \
-        return ask_in_brief(shape, line, kind, bounded, want, answer)       \
-             ? answer->n : ask_otherwise(shape, line, want, answer, rest);  \
+#define KERNELS(kind, bounded)                                             \
+    static int full_##kind##_##bounded(ARGUMENTS)                          \
+    {                                                                      \
+        return ask_in_full(shape, line, kind, bounded, want, answer, rest) \
+                   ? answer->n                                             \
+                   : ask_otherwise(shape, line, want, answer, rest);       \
+    }                                                                      \
+    static int brief_##kind##_##bounded(ARGUMENTS)                         \
+    {                                                                      \
+        return ask_in_brief(shape, line, kind, bounded, want, answer)      \
+                   ? answer->n                                             \
+                   : ask_otherwise(shape, line, want, answer, rest);       \
     }
 #define KIND(kind) KERNELS(kind, 0) KERNELS(kind, 1)
 KIND(CYLINT_KIND_CYLINDER)
@@ -418,21 +416,34 @@ KIND(CYLINT_KIND_ECYLINDER)
 KIND(CYLINT_KIND_ECONE)
 
 /* Those of a kind, by ends and brevity. */
-#define CAPPED(kind)   {full_##kind##_1, brief_##kind##_1}
-#define PARTLY(kind)   {full_##kind##_1, full_##kind##_1}
-#define INFINITE(kind) {full_##kind##_0, brief_##kind##_0}
-#define NEITHER        {ask_otherwise, ask_otherwise}
-#define BY_ENDS(kind, nappe)                                                \
-    {CAPPED(kind), PARTLY(kind), PARTLY(kind), PARTLY(kind),                \
-     INFINITE(kind), nappe}
+#define CAPPED(kind)                      \
+    {                                     \
+        full_##kind##_1, brief_##kind##_1 \
+    }
+#define PARTLY(kind)                     \
+    {                                    \
+        full_##kind##_1, full_##kind##_1 \
+    }
+#define INFINITE(kind)                    \
+    {                                     \
+        full_##kind##_0, brief_##kind##_0 \
+    }
+#define NEITHER                      \
+    {                                \
+        ask_otherwise, ask_otherwise \
+    }
+#define BY_ENDS(kind, nappe)                                    \
+    {                                                           \
+        CAPPED(kind), PARTLY(kind), PARTLY(kind), PARTLY(kind), \
+            INFINITE(kind), nappe                               \
+    }
 static cylint_kernel_one *const kernels[][CYLINT_ENDS_NAPPE + 1][2] = {
     {NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER},
     BY_ENDS(CYLINT_KIND_CYLINDER, INFINITE(CYLINT_KIND_CYLINDER)),
     BY_ENDS(CYLINT_KIND_CONE, NEITHER),
     BY_ENDS(CYLINT_KIND_ACONE, NEITHER),
     BY_ENDS(CYLINT_KIND_ECYLINDER, INFINITE(CYLINT_KIND_ECYLINDER)),
-    BY_ENDS(CYLINT_KIND_ECONE, NEITHER)
-};
+    BY_ENDS(CYLINT_KIND_ECONE, NEITHER)};
 
 int CYLINT_ONE(ARGUMENTS)
 {

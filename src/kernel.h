@@ -75,10 +75,10 @@ INLINE void broadcast_line(lanes_line *to, const cylint_line *l)
 INLINE void broadcast_ends(lanes_shape *to, int ends)
 {
     const unsigned all = (1u << LANES) - 1;
-    to->cap[0] = m_from(ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0
-                        ? all : 0);
-    to->cap[1] = m_from(ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1
-                        ? all : 0);
+    to->cap[0] = m_from(
+        ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0 ? all : 0);
+    to->cap[1] = m_from(
+        ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1 ? all : 0);
 }
 
 INLINE void broadcast_shape(lanes_shape *to, const cylint_shape *s)
@@ -111,7 +111,7 @@ INLINE vd v_largest(const vd x[3])
 INLINE bounded_value with_bound(vd v, vd size)
 {
     return (bounded_value){v, v_set(CYLINT_FILTER_BOUND) * size +
-                              v_set(CYLINT_UNDERFLOW)};
+                                  v_set(CYLINT_UNDERFLOW)};
 }
 
 /* x / y for certain y. */
@@ -119,7 +119,8 @@ INLINE bounded_value quotient(bounded_value x, bounded_value y)
 {
     const vd inverse = v_set(1) / y.v, t = x.v * inverse;
     return (bounded_value){t, (x.e + v_abs(t) * y.e) * v_abs(inverse) *
-                              v_set(1.02) + v_abs(t) * v_set(0x1p-50)};
+                                      v_set(1.02) +
+                                  v_abs(t) * v_set(0x1p-50)};
 }
 
 /* cross: the relation is cross; neither cross nor undecided: it is miss.
@@ -162,7 +163,7 @@ INLINE bounded_value inner(bounded_value x, bounded_value y, int last)
 /* Everything about a lane that later steps need. */
 typedef struct {
     letters_lanes L;
-    letters_sizes N;   /* the same letters, each its largest component */
+    letters_sizes N; /* the same letters, each its largest component */
     bounded_value A, B, R, beta, alpha[2];
 } lanes_query;
 
@@ -238,18 +239,17 @@ INLINE vm lateral_quadratic(lanes_query *q, bounded_value G, int kind)
     q->B = with_bound(form_B_lanes(L), form_B_sizes(N));
     const vd S = form_root_of_S_lanes(L);
     const vd eS = v_set(CYLINT_FILTER_BOUND) * form_root_of_S_sizes(N);
-    const int halves = kind == CYLINT_KIND_CYLINDER ||
-                       kind == CYLINT_KIND_ACONE;
+    const int halves =
+        kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_ACONE;
     /* R = sqrt(S G), or S sqrt(G) where form_root_of_S is a root already;
      * dR / R <= dG / G + dS / S while these are small */
     const vd SG = S * G.v;
     vd R = v_sqrt(halves ? SG : G.v);
     if (!halves)
         R = S * R;
-    q->R = (bounded_value){R, R * ((S * G.e + eS * G.v) / SG +
-                                   v_set(0x1p-49))};
-    vm known = m_and(certain(q->A), certain(
-                   (bounded_value){S, eS + v_set(CYLINT_UNDERFLOW)}));
+    q->R = (bounded_value){R, R * ((S * G.e + eS * G.v) / SG + v_set(0x1p-49))};
+    vm known = m_and(certain(q->A),
+                     certain((bounded_value){S, eS + v_set(CYLINT_UNDERFLOW)}));
     known = m_and(known, v_lt(v_set(0x1p4) * G.e, G.v));
     if (halves)
         known = m_and(known, v_lt(v_set(0x1p-900), SG));
@@ -266,8 +266,8 @@ INLINE bounded_value lateral_numerator(const lanes_query *q, vd exits)
 /* The interval in which the lateral quadric is within, of lanes with G > 0:
  * for one side of a cone it may have no beginning or no end. */
 INLINE void lateral_interval(lanes_query *q, bounded_value G, int kind,
-                                    int bounded, bounded_value stop[2],
-                                    vm *unsure, vm *outside)
+                             int bounded, bounded_value stop[2], vm *unsure,
+                             vm *outside)
 {
     const letters_lanes *L = &q->L;
     *unsure = m_or(*unsure, lateral_quadratic(q, G, kind));
@@ -286,8 +286,8 @@ INLINE void lateral_interval(lanes_query *q, bounded_value G, int kind,
 }
 
 /* The slab between the caps, first plane first. */
-INLINE void slab_interval(lanes_query *q, bounded_value plane[2],
-                                 vm *unsure, vm *up)
+INLINE void slab_interval(lanes_query *q, bounded_value plane[2], vm *unsure,
+                          vm *up)
 {
     const letters_lanes *L = &q->L;
     const vd size = form_alpha_sizes(&q->N, 0);
@@ -302,8 +302,7 @@ INLINE void slab_interval(lanes_query *q, bounded_value plane[2],
 }
 
 /* Which stops are hits; unsure where a limit is too near. */
-INLINE vm within_domain(bounded_value t, const lanes_line *l,
-                               vm *unsure)
+INLINE vm within_domain(bounded_value t, const lanes_line *l, vm *unsure)
 {
     const bounded_value from = limit(l->tmin), to = limit(l->tmax);
     const vm in = m_and(above(t, from), above(to, t));
@@ -317,8 +316,7 @@ INLINE vm part_present(const lanes_shape *s, vd part)
     const vm cap0 = v_eq(part, v_set(CYLINT_PART_CAP0));
     const vm cap1 = v_eq(part, v_set(CYLINT_PART_CAP1));
     const vm lateral = m_not(m_or(cap0, cap1));
-    return m_or(lateral, m_or(m_and(cap0, s->cap[0]),
-                              m_and(cap1, s->cap[1])));
+    return m_or(lateral, m_or(m_and(cap0, s->cap[0]), m_and(cap1, s->cap[1])));
 }
 
 /*
@@ -327,18 +325,18 @@ INLINE vm part_present(const lanes_shape *s, vd part)
  * the double cone (its nappe is for query.c).  lanes: those in use.
  */
 INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
-                                        const lanes_line *l, int kind,
-                                        int bounded, vm lanes)
+                                 const lanes_line *l, int kind, int bounded,
+                                 vm lanes)
 {
     const vm none = m_from(0);
     const vd lateral = v_set(CYLINT_PART_LATERAL), zero = v_set(0);
     const bounded_value nowhere = {zero, zero};
-    lanes_verdict v = {none, none, {none, none}, none, {nowhere, nowhere},
-                       {lateral, lateral}};
+    lanes_verdict v = {
+        none, none, {none, none}, none, {nowhere, nowhere}, {lateral, lateral}};
     q->A = q->B = q->R = q->beta = nowhere;
     lanes_letters(&q->L, &q->N, s, l, kind);
-    const bounded_value G = with_bound(form_G_lanes(&q->L),
-                                       form_G_sizes(&q->N));
+    const bounded_value G =
+        with_bound(form_G_lanes(&q->L), form_G_sizes(&q->N));
     const vm window = lanes_in_window(q, kind);
     const vm alive = m_and(lanes, m_not(m_and(window, v_lt(G.v, -G.e))));
     if (!m_any(alive))
@@ -362,9 +360,9 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
         stop[0] = inner(stop[0], plane[0], 1);
         stop[1] = inner(stop[1], plane[1], 0);
         const vm apart = above(stop[0], stop[1]);
-        v.cross = m_and(above(stop[1], stop[0]),
-                        m_and(m_or(by_side0, by_cap0),
-                              m_or(by_side1, by_cap1)));
+        v.cross =
+            m_and(above(stop[1], stop[0]),
+                  m_and(m_or(by_side0, by_cap0), m_or(by_side1, by_cap1)));
         unsure = m_or(unsure, m_not(m_or(apart, v.cross)));
     } else {
         const bounded_value first = stop[0];
@@ -416,13 +414,13 @@ INLINE lanes_root either_root(lanes_root quick, lanes_root slow)
 }
 
 /* From where each lane's root is seen: the centre of its cap, or the base. */
-INLINE void root_centers(vd center[3], const lanes_shape *s, int kind,
-                         vd part)
+INLINE void root_centers(vd center[3], const lanes_shape *s, int kind, vd part)
 {
     const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
     EACH(i, 3)
         center[i] = kind <= CYLINT_KIND_CONE
-                  ? v_select(top, s->top[i], s->base[i]) : s->base[i];
+                        ? v_select(top, s->top[i], s->base[i])
+                        : s->base[i];
 }
 
 /*
@@ -431,10 +429,9 @@ INLINE void root_centers(vd center[3], const lanes_shape *s, int kind,
  * A lateral root may be seen from any centre where s->r[0] is the radius.
  * caps: 0 if there are certainly none.
  */
-INLINE lanes_root round_root(const lanes_query *q,
-                                    const lanes_shape *s, const vd center[3],
-                                    const lanes_line *l, int kind, int caps,
-                                    vd exits, bounded_value t, vd part)
+INLINE lanes_root round_root(const lanes_query *q, const lanes_shape *s,
+                             const vd center[3], const lanes_line *l, int kind,
+                             int caps, vd exits, bounded_value t, vd part)
 {
     const vd zero = v_set(0);
     const vm cap = caps ? v_lt(zero, part) : m_from(0);
@@ -495,18 +492,17 @@ INLINE lanes_root round_root(const lanes_query *q,
     const vd inverse = v_set(1) / slope, delta = residual * inverse;
     const vd s_size = v_abs(slope), off = v_abs(delta) + t.e;
     /* as in refined(); P is off by 2^-101 of what it was summed up from */
-    const vd spread = v_set(CYLINT_LAZY_BOUND) +
-                      v_set(0x1p-99) * (from / size);
-    const vd e = v_set(1.02) * v_abs(inverse) *
+    const vd spread = v_set(CYLINT_LAZY_BOUND) + v_set(0x1p-99) * (from / size);
+    const vd e =
+        v_set(1.02) * v_abs(inverse) *
         (spread * sizes + v_set(CYLINT_UNDERFLOW) +
-         v_abs(delta) * (slope_e + s_size * v_set(0x1p-50)) +
-         bend * off * off);
+         v_abs(delta) * (slope_e + s_size * v_set(0x1p-50)) + bend * off * off);
     const vpair r = v_fast_two_sum(t.v, -delta);
     const vd t_size = v_abs(r.hi);
-    const vm nearest = m_and(v_eq(r.hi + (r.lo + e), r.hi),
-                             v_eq(r.hi + (r.lo - e), r.hi));
-    const vm ordinary = m_and(v_lt(t_size, v_set(0x1p300)),
-                              v_lt(v_set(0x1p-300), t_size));
+    const vm nearest =
+        m_and(v_eq(r.hi + (r.lo + e), r.hi), v_eq(r.hi + (r.lo - e), r.hi));
+    const vm ordinary =
+        m_and(v_lt(t_size, v_set(0x1p300)), v_lt(v_set(0x1p-300), t_size));
     return (lanes_root){r.hi, r.lo, e, m_and(nearest, ordinary)};
 }
 

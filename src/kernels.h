@@ -39,8 +39,8 @@ enum { COLUMN_CENTER = 0, COLUMN_BALL = 3, COLUMNS };
 
 typedef struct {
     int kind, bounded;
-    int scalar;            /* no kernel: ask cylint_intersect() */
-    size_t n, stride;      /* of columns, in doubles */
+    int scalar;       /* no kernel: ask cylint_intersect() */
+    size_t n, stride; /* of columns, in doubles */
     const size_t *number;
     const double *column;
 } cylint_run;
@@ -48,12 +48,12 @@ typedef struct {
 /* A batch job: which lines meet which shapes, and what becomes of it. */
 typedef struct cylint_job cylint_job;
 struct cylint_job {
-    const cylint_shape *shapes;   /* all, by number */
-    const cylint_line *line;      /* one line for all shapes, or NULL */
-    const cylint_lines *lines;    /* one for each number, where line is NULL */
+    const cylint_shape *shapes; /* all, by number */
+    const cylint_line *line;    /* one line for all shapes, or NULL */
+    const cylint_lines *lines;  /* one for each number, where line is NULL */
     unsigned want;
-    int relations;                /* asked even where there is no hit */
-    double nearest;               /* hits beyond it are of no interest */
+    int relations;  /* asked even where there is no hit */
+    double nearest; /* hits beyond it are of no interest */
     /* Takes a decided answer; returns 1 when nothing more is wanted. */
     int (*take)(cylint_job *job, size_t number,
                 const cylint_kernel_answer *answer);

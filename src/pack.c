@@ -136,8 +136,8 @@ static void ask_pack(const cylint_pack *pack, cylint_job *job)
     if (job->line && !job->line->valid)
         return;
     /* roots are rounded in lanes only where rounding is to nearest */
-    const int scalar = (job->line && !job->line->ordinary) ||
-                       !cylint_rounds_to_nearest();
+    const int scalar =
+        (job->line && !job->line->ordinary) || !cylint_rounds_to_nearest();
     for (int r = 0; r < RUNS; r++) {
         const cylint_run *run = &head->run[r];
         if (!scalar && !run->scalar) {
@@ -159,8 +159,9 @@ static void ask_pack(const cylint_pack *pack, cylint_job *job)
 static int take_nearest(cylint_job *job, size_t number,
                         const cylint_kernel_answer *answer)
 {
-    if (answer->n > 0 && (answer->t[0] < job->nearest ||
-        (answer->t[0] == job->nearest && number < job->best))) {
+    if (answer->n > 0 &&
+        (answer->t[0] < job->nearest ||
+         (answer->t[0] == job->nearest && number < job->best))) {
         job->nearest = answer->t[0];
         job->best = number;
         job->best_answer = *answer;
@@ -171,7 +172,9 @@ static int take_nearest(cylint_job *job, size_t number,
 size_t cylint_nearest(const cylint_pack *pack, const cylint_line *line,
                       unsigned want, cylint_hit *hit)
 {
-    cylint_job job = {.line = line, .take = take_nearest, .best = pack->n,
+    cylint_job job = {.line = line,
+                      .take = take_nearest,
+                      .best = pack->n,
                       .want = CYLINT_WANT_T | CYLINT_WANT_NEAREST |
                               (want & CYLINT_WANT_FAST)};
     ask_pack(pack, &job);
@@ -213,7 +216,9 @@ static int take_count(cylint_job *job, size_t number,
 size_t cylint_count(const cylint_pack *pack, const cylint_line *line,
                     size_t enough)
 {
-    cylint_job job = {.line = line, .take = take_count, .enough = enough,
+    cylint_job job = {.line = line,
+                      .take = take_count,
+                      .enough = enough,
                       .want = CYLINT_WANT_NEAREST};
     ask_pack(pack, &job);
     return job.count;

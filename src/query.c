@@ -21,7 +21,8 @@ typedef struct {
 
 static overlap none(void)
 {
-    overlap v = {CYLINT_RELATION_MISS, 0, {{ROOT_APEX, 0, 0, 0}, {ROOT_APEX, 0, 0, 0}}};
+    overlap v = {
+        CYLINT_RELATION_MISS, 0, {{ROOT_APEX, 0, 0, 0}, {ROOT_APEX, 0, 0, 0}}};
     return v;
 }
 
@@ -61,8 +62,9 @@ static int radius_is_zero(const cylint_query *q, int cap)
 static stop pierced(const cylint_query *q, int cap, int E)
 {
     const int part = cap ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
-    return (stop){cap ? ROOT_CAP1 : ROOT_CAP0, E > 0 ? part : CYLINT_PART_LATERAL,
-                  0, E == 0 && radius_is_zero(q, cap)};
+    return (stop){cap ? ROOT_CAP1 : ROOT_CAP0,
+                  E > 0 ? part : CYLINT_PART_LATERAL, 0,
+                  E == 0 && radius_is_zero(q, cap)};
 }
 
 static overlap touch_rim(const cylint_query *q, int cap)
@@ -108,14 +110,17 @@ static overlap slab(cylint_query *q, int up)
     if (Ef > 0 || El > 0)
         return two(CYLINT_RELATION_CROSS, begin, end);
     if (Ef == 0 && El == 0) /* Q' = 0 at a rim as well: Q vanishes */
-        return two(cylint_sign_N(q, first) == 0 ? CYLINT_RELATION_ALONG : CYLINT_RELATION_CROSS,
+        return two(cylint_sign_N(q, first) == 0 ? CYLINT_RELATION_ALONG
+                                                : CYLINT_RELATION_CROSS,
                    begin, end);
     if (Ef == 0)
         return up * cylint_sign_N(q, first) < 0
-             ? two(CYLINT_RELATION_CROSS, begin, end) : touch_rim(q, first);
+                   ? two(CYLINT_RELATION_CROSS, begin, end)
+                   : touch_rim(q, first);
     if (El == 0)
         return up * cylint_sign_N(q, last) > 0
-             ? two(CYLINT_RELATION_CROSS, begin, end) : touch_rim(q, last);
+                   ? two(CYLINT_RELATION_CROSS, begin, end)
+                   : touch_rim(q, last);
     if (up * cylint_sign_N(q, first) < 0 && up * cylint_sign_N(q, last) > 0)
         return chord(q, CYLINT_RELATION_CROSS, 0);
     return none();
@@ -132,13 +137,16 @@ static overlap parallel(cylint_query *q)
 {
     const int C = cylint_sign_C(q);
     overlap v = none();
-    v.relation = C < 0 ? CYLINT_RELATION_CROSS : C == 0 ? CYLINT_RELATION_ALONG : CYLINT_RELATION_MISS;
+    v.relation = C < 0    ? CYLINT_RELATION_CROSS
+                 : C == 0 ? CYLINT_RELATION_ALONG
+                          : CYLINT_RELATION_MISS;
     return v;
 }
 
 static overlap whole_cylinder(cylint_query *q)
 {
-    return cylint_sign_A(q) == 0 ? parallel(q) : chord(q, CYLINT_RELATION_CROSS, 0);
+    return cylint_sign_A(q) == 0 ? parallel(q)
+                                 : chord(q, CYLINT_RELATION_CROSS, 0);
 }
 
 static overlap double_cone(cylint_query *q)
@@ -151,13 +159,16 @@ static overlap double_cone(cylint_query *q)
         return v;
     }
     if (cylint_sign_G(q) == 0)
-        return A < 0 ? one(CYLINT_RELATION_CROSS, ROOT_DOUBLE, CYLINT_SIDE_BOTH, 1)
+        return A < 0 ? one(CYLINT_RELATION_CROSS, ROOT_DOUBLE, CYLINT_SIDE_BOTH,
+                           1)
                      : parallel(q);
     if (A == 0)
-        return cylint_sign_B(q) > 0
-             ? one(CYLINT_RELATION_CROSS, ROOT_EXIT, CYLINT_SIDE_LEAVING, 0)
-             : one(CYLINT_RELATION_CROSS, ROOT_ENTRY, CYLINT_SIDE_ENTERING, 0);
-    overlap v = two(CYLINT_RELATION_CROSS, lateral(ROOT_EXIT), lateral(ROOT_ENTRY));
+        return cylint_sign_B(q) > 0 ? one(CYLINT_RELATION_CROSS, ROOT_EXIT,
+                                          CYLINT_SIDE_LEAVING, 0)
+                                    : one(CYLINT_RELATION_CROSS, ROOT_ENTRY,
+                                          CYLINT_SIDE_ENTERING, 0);
+    overlap v =
+        two(CYLINT_RELATION_CROSS, lateral(ROOT_EXIT), lateral(ROOT_ENTRY));
     v.at[0].side = CYLINT_SIDE_LEAVING;
     v.at[1].side = CYLINT_SIDE_ENTERING;
     return v;
@@ -182,7 +193,8 @@ static overlap nappe(cylint_query *q)
         if (A < 0)
             return one(CYLINT_RELATION_CROSS, ROOT_APEX, side, 1);
         return cylint_sign_C(q) == 0
-             ? one(CYLINT_RELATION_ALONG, ROOT_APEX, side, 1) : none();
+                   ? one(CYLINT_RELATION_ALONG, ROOT_APEX, side, 1)
+                   : none();
     }
     if (A == 0 && cylint_sign_B(q) * grows > 0)
         return none(); /* the half-line lies in the other nappe */
@@ -203,11 +215,12 @@ static overlap overlap_of(cylint_query *q)
 static int present(int ends, int part)
 {
     return part == CYLINT_PART_LATERAL || ends == CYLINT_ENDS_CAPPED ||
-           ends == (part == CYLINT_PART_CAP0 ? CYLINT_ENDS_CAP0 : CYLINT_ENDS_CAP1);
+           ends ==
+               (part == CYLINT_PART_CAP0 ? CYLINT_ENDS_CAP0 : CYLINT_ENDS_CAP1);
 }
 
-static const unsigned beside_t = CYLINT_WANT_POINT | CYLINT_WANT_NORMAL |
-                                 CYLINT_WANT_Z | CYLINT_WANT_PHI;
+static const unsigned beside_t =
+    CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
 
 static void describe(cylint_query *q, const stop *at, double t, double more,
                      unsigned want, cylint_hit *hit)
@@ -235,8 +248,8 @@ int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
         if (!present(q.ends, v.at[i].part))
             continue;
         if (!cylint_root_within(&q, v.at[i].root,
-                                (want & (CYLINT_WANT_T | beside_t)) != 0,
-                                &t, &more))
+                                (want & (CYLINT_WANT_T | beside_t)) != 0, &t,
+                                &more))
             continue;
         cylint_hit *hit = &answer->hit[answer->n++];
         if (want & CYLINT_WANT_T)
@@ -256,17 +269,16 @@ int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
  * tell them. */
 static void describe_hits(const cylint_shape *shape, const cylint_line *line,
                           unsigned want, const cylint_answer *known,
-                          const cylint_root_rest *rest,
-                          cylint_answer *answer)
+                          const cylint_root_rest *rest, cylint_answer *answer)
 {
     cylint_query q;
     cylint_query_open(&q, shape, line);
     for (int i = 0; i < known->n; i++) {
         const cylint_hit *k = &known->hit[i];
-        const cylint_root root = k->part == CYLINT_PART_CAP0 ? ROOT_CAP0 :
-                                 k->part == CYLINT_PART_CAP1 ? ROOT_CAP1 :
-                                 k->side == CYLINT_SIDE_ENTERING ? ROOT_ENTRY
-                                                            : ROOT_EXIT;
+        const cylint_root root = k->part == CYLINT_PART_CAP0       ? ROOT_CAP0
+                                 : k->part == CYLINT_PART_CAP1     ? ROOT_CAP1
+                                 : k->side == CYLINT_SIDE_ENTERING ? ROOT_ENTRY
+                                                                   : ROOT_EXIT;
         const stop at = {root, k->part, k->side, 0};
         cylint_hit *hit = &answer->hit[i];
         if (want & CYLINT_WANT_T)
@@ -286,8 +298,8 @@ ASIDE int ask_more(const cylint_shape *shape, const cylint_line *line,
 {
     cylint_answer known;
     cylint_root_rest rest;
-    const int n = cylint_kernels_used()->one(shape, line,
-        want | CYLINT_WANT_T | CYLINT_WANT_PART, &known, &rest);
+    const int n = cylint_kernels_used()->one(
+        shape, line, want | CYLINT_WANT_T | CYLINT_WANT_PART, &known, &rest);
     if (n == CYLINT_UNDECIDED)
         return cylint_ask_signs(shape, line, want, answer);
     answer->relation = known.relation;

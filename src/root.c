@@ -71,10 +71,10 @@ static double double_sqrt(double x)
 
 /* A root in doubles, with what is known of it. */
 typedef struct {
-    double t, error;        /* absolute */
-    double slope;           /* A t + B at the root */
-    double slope_error;     /* relative */
-    double bend;            /* at most |A| */
+    double t, error;    /* absolute */
+    double slope;       /* A t + B at the root */
+    double slope_error; /* relative */
+    double bend;        /* at most |A| */
 } estimate;
 
 /* Whether doubles or pairs may tell the root, as a quotient. */
@@ -88,8 +88,8 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
     estimate k = {0, HUGE_VAL, 0, 2, 0};
     if (!is_quotient(q, root))
         return k;
-    const letters_ball *L = root == ROOT_CAP1 ? cylint_ball_with_top(q)
-                                              : &q->ball;
+    const letters_ball *L =
+        root == ROOT_CAP1 ? cylint_ball_with_top(q) : &q->ball;
     const quotient_ball f = quotient_of_ball(L, root);
     if (!(f.error < 0x1p-10))
         return k;
@@ -128,9 +128,9 @@ static pair refined(cylint_query *q, estimate k, double low, double *error)
         L->D[0][i] = kept[i];
     const double s = 2 * fabs(k.slope), delta = Q.v.hi / (2 * k.slope);
     const double off = fabs(delta) + k.error;
-    *error = 1.01 * (wide_error(Q) / s +
-                     fabs(delta) * (k.slope_error + 0x1p-50) +
-                     k.bend * off / s * off);
+    *error =
+        1.01 * (wide_error(Q) / s + fabs(delta) * (k.slope_error + 0x1p-50) +
+                k.bend * off / s * off);
     return fast_two_sum(k.t, low - delta);
 }
 
@@ -184,8 +184,8 @@ static int against_middle(cylint_query *q, const surd *t, uint64_t size,
                              cylint_exact_from(arena, sign * 0x1p970));
     } else {
         const double next = from_bits(size + 1, sign);
-        const exact sum = cylint_exact_add(arena, low,
-                                           cylint_exact_from(arena, next));
+        const exact sum =
+            cylint_exact_add(arena, low, cylint_exact_from(arena, next));
         m = cylint_exact_mul(arena, sum, cylint_exact_from(arena, 0.5));
     }
     const int beyond = sign * against_exact(q, t, m);
@@ -242,10 +242,9 @@ static double exact_value(cylint_query *q, cylint_root root, double *more)
     else if (tame && rounds_to_hi(t, CYLINT_SURD_ERROR * fabs(t.hi)))
         value = cylint_scaled(t.hi, f.e);
     else
-        value = settle(q, &in_full, cylint_sign(t.hi),
-                       near_bits(t.hi, f.e));
-    *more = tame ? (cylint_scaled(t.hi, f.e) - value) +
-                   cylint_scaled(t.lo, f.e) : 0;
+        value = settle(q, &in_full, cylint_sign(t.hi), near_bits(t.hi, f.e));
+    *more = tame ? (cylint_scaled(t.hi, f.e) - value) + cylint_scaled(t.lo, f.e)
+                 : 0;
     q->arena.used = used;
     return value;
 }
@@ -319,8 +318,7 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
 static estimate estimate_by_pairs(cylint_root root, const quotient_wide *f,
                                   pair t, double error)
 {
-    return (estimate){t.hi, error,
-                      root == ROOT_EXIT ? f->radical : -f->radical,
+    return (estimate){t.hi, error, root == ROOT_EXIT ? f->radical : -f->radical,
                       f->radical_error, f->A};
 }
 
@@ -351,15 +349,14 @@ static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
 {
     if (newton(q, k, 0, t, error))
         return 1;
-    const quotient_wide f = known ? *known
-                          : quotient_of_wide(cylint_wide_line(q), root);
+    const quotient_wide f =
+        known ? *known : quotient_of_wide(cylint_wide_line(q), root);
     if (f.error < 0x1p-10) {
         *t = pair_div(f.num, f.den);
         *error = (f.error + 0x1p-98) * fabs(t->hi);
         if (settles(q, *t, *error))
             return 1;
-        if (newton(q, estimate_by_pairs(root, &f, *t, *error), t->lo, t,
-                   error))
+        if (newton(q, estimate_by_pairs(root, &f, *t, *error), t->lo, t, error))
             return 1;
     }
     *t = root_near_origin(q, root, error);
@@ -371,8 +368,7 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
 {
     pair t = {0, 0};
     double error;
-    if (is_quotient(q, root) &&
-        root_in_pairs(q, root, k, known, &t, &error)) {
+    if (is_quotient(q, root) && root_in_pairs(q, root, k, known, &t, &error)) {
         const double value = cylint_scaled(t.hi, q->t_exponent);
         cylint_contradiction(exact_value(q, root, more) != value);
         q->t_error = error > 0 ? error / fabs(t.hi) : 0;
@@ -386,8 +382,7 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
 /* An error that leaves all but a few digits of a pair, relative. */
 #define POLISHED 0x1p-90
 
-static void polish_by_exact_quotient(cylint_query *q, cylint_root root,
-                                     pair *t)
+static void polish_by_exact_quotient(cylint_query *q, cylint_root root, pair *t)
 {
     const int used = cylint_exact_mark(q, root);
     surd in_full = cylint_surd(q, root);
@@ -448,8 +443,8 @@ static int placed_by_pairs(const cylint_query *q, const quotient_wide *f)
     return placed(q, t, (f->error + 0x1p-50) * fabs(t));
 }
 
-int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
-                       double *t, double *more)
+int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
+                       double *more)
 {
     const double tmin = q->line->tmin, tmax = q->line->tmax;
     const int limited = tmin >= -DBL_MAX || tmax <= DBL_MAX;
@@ -475,8 +470,7 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
     *t = root_value(q, root, k, known, more);
     if (*t < tmin || *t > tmax)
         return 0;
-    if (*t == tmin && fabs(tmin) <= DBL_MAX &&
-        root_against(q, root, tmin) < 0)
+    if (*t == tmin && fabs(tmin) <= DBL_MAX && root_against(q, root, tmin) < 0)
         return 0;
     return !(*t == tmax && fabs(tmax) <= DBL_MAX &&
              root_against(q, root, tmax) > 0);

@@ -119,8 +119,8 @@ cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
     shape->dr = dr.hi;
     shape->dr_lo = dr.lo;
     shape->ends = (int)ends;
-    shape->kind = cylint_sign(dr.hi) == 0 ? CYLINT_KIND_CYLINDER
-                                          : CYLINT_KIND_CONE;
+    shape->kind =
+        cylint_sign(dr.hi) == 0 ? CYLINT_KIND_CYLINDER : CYLINT_KIND_CONE;
     cylint_measure_shape(shape);
     return CYLINT_OK;
 }
@@ -169,17 +169,17 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
     shape->dr = dr.hi;
     shape->dr_lo = dr.lo;
     shape->ends = (int)ends;
-    shape->kind = cylint_sign(dr.hi) == 0 ? CYLINT_KIND_ECYLINDER
-                                          : CYLINT_KIND_ECONE;
+    shape->kind =
+        cylint_sign(dr.hi) == 0 ? CYLINT_KIND_ECYLINDER : CYLINT_KIND_ECONE;
     cylint_measure_shape(shape);
     const int det = orientation(shape);
     shape->flip = det < 0;
     return det != 0 ? CYLINT_OK : refuse_shape(shape, CYLINT_EDEGENERATE);
 }
 
-cylint_status cylint_elliptic_cylinder(cylint_shape *shape,
-    const double c[3], const double a[3], const double b[3],
-    const double h[3], cylint_ends ends)
+cylint_status cylint_elliptic_cylinder(cylint_shape *shape, const double c[3],
+                                       const double a[3], const double b[3],
+                                       const double h[3], cylint_ends ends)
 {
     return cylint_elliptic_cone(shape, c, a, b, h, 1, ends);
 }

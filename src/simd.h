@@ -25,6 +25,7 @@
 
 #define INLINE CYLINT_INLINE
 
+/* clang-format off */
 #if defined(CYLINT_ONE_LANE)
 
 #define LANES 1
@@ -428,4 +429,5 @@ INLINE vpair vpair_mul(vpair a, vpair b)
     return (vpair){p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi)};
 }
 
+/* clang-format on */
 #endif

@@ -105,8 +105,8 @@ static floating radical(cylint_query *q, surd *t)
     const floating G = cylint_floating(form_G_exact(L));
     q->arena.used = used;
     t->R = L->kind == CYLINT_KIND_CYLINDER || L->kind == CYLINT_KIND_ACONE
-         ? cylint_floating_sqrt(floating_mul(S, G))
-         : floating_mul(S, cylint_floating_sqrt(G));
+               ? cylint_floating_sqrt(floating_mul(S, G))
+               : floating_mul(S, cylint_floating_sqrt(G));
     return t->R;
 }
 
@@ -125,7 +125,7 @@ static floating radical(cylint_query *q, surd *t)
 typedef struct {
     exact X, beside; /* beside the sum: A, or N */
     int opposed;
-    int sum;         /* the sign of X + s f1 R, or of X - s f1 R */
+    int sum; /* the sign of X + s f1 R, or of X - s f1 R */
 } affine;
 
 static affine affine_at(cylint_query *q, const surd *t, exact f0, exact f1)
@@ -134,18 +134,21 @@ static affine affine_at(cylint_query *q, const surd *t, exact f0, exact f1)
     const int s = t->s * f1.sign, used = arena->used;
     if (f1.sign == 0) /* whatever A is */
         return (affine){f0, cylint_exact(q)->one, 0, f0.sign};
-    const exact X = cylint_exact_keep(arena, used, cylint_exact_add(arena,
-        cylint_exact_mul(arena, t->A, f0),
-        cylint_exact_neg(cylint_exact_mul(arena, t->B, f1))));
+    const exact X = cylint_exact_keep(
+        arena, used,
+        cylint_exact_add(arena, cylint_exact_mul(arena, t->A, f0),
+                         cylint_exact_neg(cylint_exact_mul(arena, t->B, f1))));
     if (X.sign * s >= 0)
         return (affine){X, t->A, 0, X.sign != 0 ? X.sign : s};
     const int kept = arena->used;
-    const exact Y = cylint_exact_keep(arena, kept, cylint_exact_add(arena,
-        cylint_exact_mul(arena, t->B, f0),
-        cylint_exact_neg(cylint_exact_mul(arena, t->C, f1))));
-    const exact N = cylint_exact_keep(arena, kept, cylint_exact_add(arena,
-        cylint_exact_mul(arena, X, f0),
-        cylint_exact_neg(cylint_exact_mul(arena, Y, f1))));
+    const exact Y = cylint_exact_keep(
+        arena, kept,
+        cylint_exact_add(arena, cylint_exact_mul(arena, t->B, f0),
+                         cylint_exact_neg(cylint_exact_mul(arena, t->C, f1))));
+    const exact N = cylint_exact_keep(
+        arena, kept,
+        cylint_exact_add(arena, cylint_exact_mul(arena, X, f0),
+                         cylint_exact_neg(cylint_exact_mul(arena, Y, f1))));
     return (affine){X, N, 1, X.sign};
 }
 
@@ -167,8 +170,8 @@ floating cylint_value_at(cylint_query *q, surd *t, exact f0, exact f1)
     if (F.sum * F.beside.sign == 0)
         return (floating){{0, 0}, 0};
     if (t->s * f1.sign != 0) {
-        const floating rest = floating_mul(size_of(cylint_floating(f1)),
-                                           radical(q, t));
+        const floating rest =
+            floating_mul(size_of(cylint_floating(f1)), radical(q, t));
         sum = F.X.sign != 0 ? sum_of_sizes(sum, rest) : rest;
     }
     if (F.sum < 0)

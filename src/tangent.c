@@ -53,6 +53,5 @@ double cylint_tangent(double degrees)
     if (e != 0)
         return nearest(x, e);
     const pair sine = series(x, 1), cosine = series(x, 0);
-    return nearest(steep ? pair_div(cosine, sine) : pair_div(sine, cosine),
-                   0);
+    return nearest(steep ? pair_div(cosine, sine) : pair_div(sine, cosine), 0);
 }

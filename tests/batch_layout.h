@@ -18,10 +18,10 @@ enum {
 
 /* Where arrays lie and which of them there are. */
 struct layout {
-    size_t offset;    /* bytes from an edge, 0 to 63 */
-    int at_end;       /* which edge */
-    int columns;      /* a bit for each member of cylint_columns */
-    int domain;       /* 1: there is tmin, 2: there is tmax */
+    size_t offset; /* bytes from an edge, 0 to 63 */
+    int at_end;    /* which edge */
+    int columns;   /* a bit for each member of cylint_columns */
+    int domain;    /* 1: there is tmin, 2: there is tmax */
 };
 
 static const struct layout usual = {0, 1, ALL_COLUMNS, 3};
@@ -53,8 +53,7 @@ static int lay_pack(cylint_pack *pack, const struct family_case *shapes,
 {
     const size_t bytes = cylint_pack_bytes(n);
     cylint_shape *to = guarded_place(&shape_room, n * sizeof *to,
-                                     gap_of(at, 3, sizeof(double)),
-                                     at->at_end);
+                                     gap_of(at, 3, sizeof(double)), at->at_end);
     for (size_t i = 0; i < n; i++)
         to[i] = shapes[i].shape;
     guarded_permit(&shape_room, 0);
@@ -82,7 +81,8 @@ static void lay_lines(cylint_lines *lines, const struct family_case *from,
     }
     for (int i = 0; i < 8; i++)
         guarded_permit(&line_room[i], 0);
-    *lines = (cylint_lines){n, {array[0], array[1], array[2]},
+    *lines = (cylint_lines){n,
+                            {array[0], array[1], array[2]},
                             {array[3], array[4], array[5]},
                             at->domain & 1 ? array[6] : NULL,
                             at->domain & 2 ? array[7] : NULL};
@@ -106,8 +106,8 @@ static int only_answers_written(const cylint_columns *a, size_t n)
     const void *p[6] = {a->relation, a->n, a->t0, a->t1, a->part0, a->part1};
     int kept = 1;
     for (int i = 0; i < 6; i++)
-        kept &= guarded_kept(&answer_room[i], p[i],
-                             p[i] ? n * answer_size[i] : 0);
+        kept &=
+            guarded_kept(&answer_room[i], p[i], p[i] ? n * answer_size[i] : 0);
     return kept;
 }
 

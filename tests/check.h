@@ -30,25 +30,30 @@ static int check_passed, check_failed, check_bad;
 #ifdef CHECK_STOPS /* by tests/mutants.py: one failure is enough */
 #define CHECK(cond) ((cond) ? 1 : (exit(1), 0))
 #else
-#define CHECK(cond) \
-    ((cond) ? 1 : (check_bad++ < CHECK_SHOWN ? \
-        (fprintf(stderr, "%s:%d: not true: %s\n", \
-                 __FILE__, __LINE__, #cond), 0) : 0))
+#define CHECK(cond)                                                      \
+    ((cond) ? 1                                                          \
+            : (check_bad++ < CHECK_SHOWN                                 \
+                   ? (fprintf(stderr, "%s:%d: not true: %s\n", __FILE__, \
+                              __LINE__, #cond),                          \
+                      0)                                                 \
+                   : 0))
 #endif
 
-#define REPORT(...) \
-    (check_bad <= CHECK_SHOWN ? (void)(fprintf(stderr, "    " __VA_ARGS__), \
-        fputc('\n', stderr)) : (void)0)
+#define REPORT(...)                                                         \
+    (check_bad <= CHECK_SHOWN                                               \
+         ? (void)(fprintf(stderr, "    " __VA_ARGS__), fputc('\n', stderr)) \
+         : (void)0)
 
-#define RUN(test) do { \
-        check_bad = 0; \
-        test(); \
-        if (check_bad) { \
-            check_failed++; \
+#define RUN(test)                                                  \
+    do {                                                           \
+        check_bad = 0;                                             \
+        test();                                                    \
+        if (check_bad) {                                           \
+            check_failed++;                                        \
             fprintf(stderr, "FAILED %s (%d)\n", #test, check_bad); \
-        } else { \
-            check_passed++; \
-        } \
+        } else {                                                   \
+            check_passed++;                                        \
+        }                                                          \
     } while (0)
 
 static int check_end(void)

@@ -205,10 +205,10 @@ int constructed_neighbour(const struct family_case *base, int which,
     const int n = which / CONSTRUCTED_SHIFTS;
     const int of_line = family_line_size(base->line_word);
     *out = *base;
-    double *moved = n < of_line ? &out->line_data[n]
-                                : &out->shape_data[n - of_line];
+    double *moved =
+        n < of_line ? &out->line_data[n] : &out->shape_data[n - of_line];
     *moved = constructed_stepped(*moved, which % CONSTRUCTED_SHIFTS -
-                                         CONSTRUCTED_SHIFTS / 2);
+                                             CONSTRUCTED_SHIFTS / 2);
     return family_make(out);
 }
 

@@ -51,8 +51,8 @@ static inline void aim(uint64_t *state, struct rays *r, int i)
     rays_add(r, i, o, d, 0, HUGE_VALF);
 }
 
-static inline int shadow_expected(const struct world *w,
-                                  const struct rays *r, int i)
+static inline int shadow_expected(const struct world *w, const struct rays *r,
+                                  int i)
 {
     const cylint_line line = rays_line(r, i);
     return cylint_count(&w->pack, &line, 1) != 0;
@@ -68,8 +68,7 @@ static inline void agrees(const struct world *w, struct rays *r)
 
 /* One ray, asked alone, of which both say the same. */
 static inline struct rays asked_alone(const struct world *w, const float o[3],
-                                      const float d[3], float tnear,
-                                      float tfar)
+                                      const float d[3], float tnear, float tfar)
 {
     struct rays r;
     rays_begin(&r, 1);

@@ -57,21 +57,21 @@ static void remember(struct rays *r)
 
 #if RTC_VERSION_MAJOR >= 4
 
-#define ASK(TYPE, INIT) \
-    struct asked asked = {0}; \
-    struct TYPE arguments; \
-    rtcInitRayQueryContext(&asked.context); \
-    INIT(&arguments); \
-    arguments.context = &asked.context; \
-    if (query) { \
-        asked.user = query->user; \
-        if (query->instance) \
-            asked.context.instID[0] = query->instance; \
-        asked.filter = query->filter; \
-        arguments.filter = query->filter; \
-        arguments.flags = (enum RTCRayQueryFlags)( \
+#define ASK(TYPE, INIT)                                                       \
+    struct asked asked = {0};                                                 \
+    struct TYPE arguments;                                                    \
+    rtcInitRayQueryContext(&asked.context);                                   \
+    INIT(&arguments);                                                         \
+    arguments.context = &asked.context;                                       \
+    if (query) {                                                              \
+        asked.user = query->user;                                             \
+        if (query->instance)                                                  \
+            asked.context.instID[0] = query->instance;                        \
+        asked.filter = query->filter;                                         \
+        arguments.filter = query->filter;                                     \
+        arguments.flags = (enum RTCRayQueryFlags)(                            \
             (query->filter ? RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER : 0) | \
-            (query->coherent ? RTC_RAY_QUERY_FLAG_COHERENT : 0)); \
+            (query->coherent ? RTC_RAY_QUERY_FLAG_COHERENT : 0));             \
     }
 
 #define TRACE(CALL, TYPE, N) \
@@ -81,36 +81,43 @@ static void remember(struct rays *r)
 
 #else
 
-#define ASK(TYPE, INIT) \
-    struct asked asked = {0}; \
-    rtcInitIntersectContext(&asked.context); \
-    if (query) { \
-        asked.user = query->user; \
-        if (query->instance) \
-            asked.context.instID[0] = query->instance; \
-        asked.context.filter = query->filter; \
-        asked.context.flags = query->coherent \
-            ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT \
-            : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT; \
+#define ASK(TYPE, INIT)                                                    \
+    struct asked asked = {0};                                              \
+    rtcInitIntersectContext(&asked.context);                               \
+    if (query) {                                                           \
+        asked.user = query->user;                                          \
+        if (query->instance)                                               \
+            asked.context.instID[0] = query->instance;                     \
+        asked.context.filter = query->filter;                              \
+        asked.context.flags = query->coherent                              \
+                                  ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT    \
+                                  : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT; \
     }
 
 #define TRACE(CALL, TYPE, N) \
-    CALL##N(r->valid, scene, &asked.context, \
-            (struct TYPE##N *)(void *)r->word)
+    CALL##N(r->valid, scene, &asked.context, (struct TYPE##N *)(void *)r->word)
 #define TRACE_ONE(CALL, TYPE) \
     CALL##1(scene, &asked.context, (struct TYPE *)(void *)r->word)
 
 #endif
 
-#define TRACE_ALL(CALL, TYPE) \
-    do { \
-        remember(r); \
-        switch (r->n) { \
-        case 1: TRACE_ONE(CALL, TYPE); break; \
-        case 4: TRACE(CALL, TYPE, 4); break; \
-        case 8: TRACE(CALL, TYPE, 8); break; \
-        default: TRACE(CALL, TYPE, 16); break; \
-        } \
+#define TRACE_ALL(CALL, TYPE)      \
+    do {                           \
+        remember(r);               \
+        switch (r->n) {            \
+        case 1:                    \
+            TRACE_ONE(CALL, TYPE); \
+            break;                 \
+        case 4:                    \
+            TRACE(CALL, TYPE, 4);  \
+            break;                 \
+        case 8:                    \
+            TRACE(CALL, TYPE, 8);  \
+            break;                 \
+        default:                   \
+            TRACE(CALL, TYPE, 16); \
+            break;                 \
+        }                          \
     } while (0)
 
 void rays_intersect(struct rays *r, RTCScene scene,
@@ -139,8 +146,8 @@ float rays_filter_t(const struct RTCFilterFunctionNArguments *a, int i)
 
 unsigned rays_filter_prim(const struct RTCFilterFunctionNArguments *a, int i)
 {
-    return ((const unsigned *)(const void *)a->hit)
-        [(HIT_PRIM - HIT_NG) * (int)a->N + i];
+    return ((const unsigned *)(const void *)
+                a->hit)[(HIT_PRIM - HIT_NG) * (int)a->N + i];
 }
 
 /* ------------------------------------------------------------- answers -- */
@@ -158,14 +165,15 @@ int rays_shadowed(struct rays *r, int i)
 int rays_strayed(const struct rays *r, int occlusion)
 {
     /* a single hit may end with padding, which is written with it */
-    const int members = r->n == 1 ? (int)sizeof(struct RTCRayHit) / 4
-                                  : (int)RAY_MEMBERS;
+    const int members =
+        r->n == 1 ? (int)sizeof(struct RTCRayHit) / 4 : (int)RAY_MEMBERS;
     int strayed = 0;
     for (int w = 0; w < RAYS_WORDS + RAYS_BEYOND; w++) {
         const int member = w / r->n, i = w % r->n;
         const int output = member == RAY_TFAR ||
-            (!occlusion && member >= HIT_NG && member < members);
-        strayed += r->word[w].u != r->before[w].u && !(output && r->valid[i] < 0);
+                           (!occlusion && member >= HIT_NG && member < members);
+        strayed +=
+            r->word[w].u != r->before[w].u && !(output && r->valid[i] < 0);
     }
     return strayed;
 }

@@ -62,7 +62,7 @@ union ray_word *rays_at(struct rays *, enum ray_member, int i);
 struct rays_query {
     RTCFilterFunctionN filter; /* the context's (3), the arguments' (4) */
     int coherent;
-    void *user; /* for the filter: see rays_user() */
+    void *user;        /* for the filter: see rays_user() */
     unsigned instance; /* in which the query runs, from 1; 0: in none */
 };
 void rays_intersect(struct rays *, RTCScene, const struct rays_query *);

@@ -26,13 +26,12 @@ static bool watch(void *user, ssize_t bytes, bool post)
     (void)user;
     (void)post;
     if (bytes > 0) {
-        const int number = __atomic_add_fetch(&world_memory.asked, 1,
-                                              __ATOMIC_RELAXED);
+        const int number =
+            __atomic_add_fetch(&world_memory.asked, 1, __ATOMIC_RELAXED);
         if (number == world_memory.refuse)
             return false;
     }
-    __atomic_add_fetch(&world_memory.bytes, (long long)bytes,
-                       __ATOMIC_RELAXED);
+    __atomic_add_fetch(&world_memory.bytes, (long long)bytes, __ATOMIC_RELAXED);
     return true;
 }
 
@@ -41,8 +40,9 @@ RTCDevice world_device(void)
     static RTCDevice device;
     if (!device) {
         device = rtcNewDevice("threads=1");
-        if (!device || rtcGetDeviceProperty(device,
-                RTC_DEVICE_PROPERTY_VERSION_MAJOR) != RTC_VERSION_MAJOR) {
+        if (!device ||
+            rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_VERSION_MAJOR) !=
+                RTC_VERSION_MAJOR) {
             fprintf(stderr, "no device of Embree %d\n", RTC_VERSION_MAJOR);
             exit(1);
         }
@@ -72,8 +72,8 @@ int world_make(struct world *w, const cylint_shape *shapes, size_t n,
     memset(w, 0, sizeof *w);
     w->shapes = shapes;
     w->n = n;
-    w->geometry = cylint_embree_geometry(world_device(), shapes, n, options,
-                                         &w->problem);
+    w->geometry =
+        cylint_embree_geometry(world_device(), shapes, n, options, &w->problem);
     if (!w->geometry)
         return 0;
     w->scene = rtcNewScene(world_device());
@@ -122,17 +122,16 @@ int world_agrees(const struct world *w, struct rays *r, int i, int complete)
 {
     const cylint_line line = rays_line(r, i);
     cylint_hit hit;
-    const size_t shape = cylint_nearest(&w->pack, &line, CYLINT_WANT_ALL,
-                                        &hit);
+    const size_t shape = cylint_nearest(&w->pack, &line, CYLINT_WANT_ALL, &hit);
     int agrees;
     if (shape == w->n)
-        return !rays_hit(r, i) && rays_at(r, RAY_TFAR, i)->u ==
-            r->before[RAY_TFAR * r->n + i].u;
+        return !rays_hit(r, i) &&
+               rays_at(r, RAY_TFAR, i)->u == r->before[RAY_TFAR * r->n + i].u;
     agrees = rays_hit(r, i) && rays_at(r, HIT_PRIM, i)->u == shape &&
-        same(*rays_at(r, RAY_TFAR, i), world_float_above(hit.t));
+             same(*rays_at(r, RAY_TFAR, i), world_float_above(hit.t));
     if (complete && agrees) {
         agrees = same(*rays_at(r, HIT_U, i), (float)hit.z) &&
-            same(*rays_at(r, HIT_V, i), world_turn(hit.phi));
+                 same(*rays_at(r, HIT_V, i), world_turn(hit.phi));
         for (int k = 0; k < 3; k++)
             agrees = agrees && same(r->word[(HIT_NG + k) * r->n + i],
                                     (float)hit.normal[k]);
@@ -144,22 +143,25 @@ void world_show(const struct world *w, struct rays *r, int i)
 {
     const cylint_line line = rays_line(r, i);
     cylint_hit hit = {0};
-    const size_t shape = cylint_nearest(&w->pack, &line, CYLINT_WANT_ALL,
-                                        &hit);
+    const size_t shape = cylint_nearest(&w->pack, &line, CYLINT_WANT_ALL, &hit);
     fprintf(stderr, "    span %a %a %a  %a %a %a  %a %a\n", line.o[0],
             line.o[1], line.o[2], line.d[0], line.d[1], line.d[2], line.tmin,
             line.tmax);
     if (shape < w->n)
-        fprintf(stderr, "    library: shape %lu, t %a, z %a, phi %a, "
-                "normal %a %a %a\n", (unsigned long)shape, hit.t, hit.z,
-                hit.phi, hit.normal[0], hit.normal[1], hit.normal[2]);
+        fprintf(stderr,
+                "    library: shape %lu, t %a, z %a, phi %a, "
+                "normal %a %a %a\n",
+                (unsigned long)shape, hit.t, hit.z, hit.phi, hit.normal[0],
+                hit.normal[1], hit.normal[2]);
     else
         fprintf(stderr, "    library: no shape\n");
-    fprintf(stderr, "    Embree:  geometry %d, shape %u, t %a, u %a, v %a, "
-            "Ng %a %a %a\n", (int)rays_at(r, HIT_GEOM, i)->u,
-            rays_at(r, HIT_PRIM, i)->u, rays_at(r, RAY_TFAR, i)->f,
-            rays_at(r, HIT_U, i)->f, rays_at(r, HIT_V, i)->f,
-            rays_at(r, HIT_NG, i)->f, r->word[(HIT_NG + 1) * r->n + i].f,
+    fprintf(stderr,
+            "    Embree:  geometry %d, shape %u, t %a, u %a, v %a, "
+            "Ng %a %a %a\n",
+            (int)rays_at(r, HIT_GEOM, i)->u, rays_at(r, HIT_PRIM, i)->u,
+            rays_at(r, RAY_TFAR, i)->f, rays_at(r, HIT_U, i)->f,
+            rays_at(r, HIT_V, i)->f, rays_at(r, HIT_NG, i)->f,
+            r->word[(HIT_NG + 1) * r->n + i].f,
             r->word[(HIT_NG + 2) * r->n + i].f);
 }
 
@@ -185,9 +187,8 @@ void world_direction(uint64_t *state, float d[3])
     d[2] = (float)z;
 }
 
-void world_shape(uint64_t *state, int kind, cylint_ends ends,
-                 const double c[3], double length, double radius,
-                 cylint_shape *shape)
+void world_shape(uint64_t *state, int kind, cylint_ends ends, const double c[3],
+                 double length, double radius, cylint_shape *shape)
 {
     float axis[3], across[3];
     double h[3], top[3], a[3], b[3], size = 0;

@@ -13,14 +13,14 @@
 /* The one device of a test program, its errors counted; memory is watched:
  * see world_memory. */
 RTCDevice world_device(void);
-int world_errors(void);                 /* since it was asked last */
+int world_errors(void); /* since it was asked last */
 enum RTCError world_last_error(void);
 
 /* What the device's memory monitor saw. */
 struct world_memory {
-    long long bytes;  /* in use now */
-    int asked;        /* allocations asked for, the refused one too */
-    int refuse;       /* the number of the one to refuse, from 1; 0: none */
+    long long bytes; /* in use now */
+    int asked;       /* allocations asked for, the refused one too */
+    int refuse;      /* the number of the one to refuse, from 1; 0: none */
 };
 extern struct world_memory world_memory;
 
@@ -65,8 +65,7 @@ void world_shapes(uint64_t *state, int kind, cylint_shape *shapes, size_t n);
 
 /* A shape of a kind (CYLINT_KIND_CYLINDER ...) about c, of a length and a
  * radius, its axis in some direction. */
-void world_shape(uint64_t *state, int kind, cylint_ends ends,
-                 const double c[3], double length, double radius,
-                 cylint_shape *shape);
+void world_shape(uint64_t *state, int kind, cylint_ends ends, const double c[3],
+                 double length, double radius, cylint_shape *shape);
 
 #endif

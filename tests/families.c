@@ -12,8 +12,8 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const ends_words[] = {"capped", "open", "cap0", "cap1",
-                                         "infinite", "nappe"};
+static const char *const ends_words[] = {"capped", "open",     "cap0",
+                                         "cap1",   "infinite", "nappe"};
 static const char *const line_words[] = {"line", "ray", "segment", "span"};
 static const char *const shape_words[] = {"cylinder", "cone", "acone",
                                           "ecylinder", "econe"};
@@ -64,12 +64,12 @@ int family_make(struct family_case *c)
         c->shape_status = cylint_angle_cone(s, x, x + 3, x[6], c->ends);
         break;
     case FAMILY_ECYLINDER:
-        c->shape_status = cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9,
-                                                   c->ends);
+        c->shape_status =
+            cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9, c->ends);
         break;
     case FAMILY_ECONE:
-        c->shape_status = cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9,
-                                               x[12], c->ends);
+        c->shape_status =
+            cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9, x[12], c->ends);
         break;
     }
     return c->line_status == CYLINT_OK && c->shape_status == CYLINT_OK;
@@ -209,8 +209,7 @@ static void grazing(struct family_case *out)
     const double x = cos(turn), y = sin(turn), off = 1 + small(-16, -4);
     const double around = between(-1, 1), up = between(-1, 1);
     place(&f, r * x * off, r * y * off, z, p);
-    vary(&f, -around * y + up * slope * x, around * x + up * slope * y, up,
-         d);
+    vary(&f, -around * y + up * slope * x, around * x + up * slope * y, up, d);
     write_line_from(out, p, d, between(-3, 3));
 }
 
@@ -277,7 +276,7 @@ static void exactly_parallel(struct family_case *out)
  */
 static void pythagorean(struct family_case *out)
 {
-    static const int triples[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17},
+    static const int triples[][3] = {{3, 4, 5},   {5, 12, 13},  {8, 15, 17},
                                      {7, 24, 25}, {20, 21, 29}, {1, 0, 1}};
     const int *t = triples[one_of(6)];
     const int i = one_of(3), j = (i + 1) % 3, k = (i + 2) % 3;
@@ -320,8 +319,8 @@ static void multiply(double *x, int n, double by)
 /* Lengths times `by`; directions of lines and factors stay. */
 static void enlarge(struct family_case *c, double by)
 {
-    const int factor = c->shape_word == FAMILY_ACONE ||
-                       c->shape_word == FAMILY_ECONE;
+    const int factor =
+        c->shape_word == FAMILY_ACONE || c->shape_word == FAMILY_ECONE;
     multiply(c->shape_data, family_shape_size(c->shape_word) - factor, by);
     multiply(c->line_data, c->line_word == FAMILY_SEGMENT ? 6 : 3, by);
 }
@@ -331,8 +330,7 @@ static void scaled(struct family_case *out)
     const double by = power(-100, 100);
     ordinary(out);
     enlarge(out, by);
-    multiply(out->line_data + 3, out->line_word == FAMILY_SEGMENT ? 0 : 3,
-             by);
+    multiply(out->line_data + 3, out->line_word == FAMILY_SEGMENT ? 0 : 3, by);
 }
 
 static void scaled_apart(struct family_case *out)
@@ -401,8 +399,8 @@ static void mixed_exponents(struct family_case *out)
     const int n = family_shape_size(out->shape_word);
     for (int i = 0; i < n; i++) {
         const int angle = out->shape_word == FAMILY_ACONE && i == 6;
-        out->shape_data[i] *= angle ? 1 : ldexp(between(1, 2),
-                                                whole_between(-deep, 60));
+        out->shape_data[i] *=
+            angle ? 1 : ldexp(between(1, 2), whole_between(-deep, 60));
     }
 }
 

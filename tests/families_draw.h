@@ -157,7 +157,8 @@ static void make_frame(frame *f, family_shape word, double r, double h)
     cross3(f->b, f->h, f->a);
     f->by_angle = word == FAMILY_ACONE;
     f->k = word == FAMILY_CONE || word == FAMILY_ECONE
-         ? chance(0.3) ? 0 : between(0, 2) : 1;
+               ? chance(0.3) ? 0 : between(0, 2)
+               : 1;
     if (word >= FAMILY_ECYLINDER && chance(0.7)) {
         for (int i = 0; i < 3; i++) {
             f->b[i] += 0.7 * f->a[i];
@@ -255,8 +256,7 @@ static double any_z(const frame *f)
 }
 
 /* A point of the lateral surface, `factor` times as far from the axis. */
-static void surface_point(const frame *f, double z, double factor,
-                          double p[3])
+static void surface_point(const frame *f, double z, double factor, double p[3])
 {
     const double turn = between(0, 6.283185307179586);
     const double r = rho(f, z) * factor;

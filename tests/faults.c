@@ -43,25 +43,24 @@
 
 #define ADD(counter, n) __atomic_add_fetch(&(counter), (n), __ATOMIC_SEQ_CST)
 
-static long long partly, eintr, again, waits, storm, nonblock, read_most = -1,
-    write_most = -1, close_nth, alloc_nth, alloc_from, thread_from,
-    pipes, calls_most, rss_most, leaks, tell;
+static long long partly, eintr, again, waits, storm, nonblock,
+    read_most = -1, write_most = -1, close_nth, alloc_nth, alloc_from,
+    thread_from, pipes, calls_most, rss_most, leaks, tell;
 
 static const struct {
     const char *name;
     long long *value;
 } words[] = {
-    {"short", &partly}, {"eintr", &eintr}, {"again", &again},
-    {"wait", &waits}, {"storm", &storm}, {"nonblock", &nonblock},
-    {"read", &read_most}, {"write", &write_most}, {"close", &close_nth},
+    {"short", &partly},    {"eintr", &eintr},       {"again", &again},
+    {"wait", &waits},      {"storm", &storm},       {"nonblock", &nonblock},
+    {"read", &read_most},  {"write", &write_most},  {"close", &close_nth},
     {"alloc", &alloc_nth}, {"allocs", &alloc_from}, {"thread", &thread_from},
-    {"pipe", &pipes},
-    {"calls", &calls_most}, {"rss", &rss_most}, {"leaks", &leaks},
-    {"tell", &tell},
+    {"pipe", &pipes},      {"calls", &calls_most},  {"rss", &rss_most},
+    {"leaks", &leaks},     {"tell", &tell},
 };
 
-static long long draws, calls, allocations, alive, closes, threads,
-    bytes_read, bytes_written;
+static long long draws, calls, allocations, alive, closes, threads, bytes_read,
+    bytes_written;
 
 /* ---------------------------------------------------------- beginning -- */
 
@@ -141,8 +140,8 @@ __attribute__((destructor)) static void end(void)
 /* splitmix64 of the next number */
 static uint64_t draw(long long seed)
 {
-    uint64_t z = (uint64_t)seed * 0x100000001b3u
-               + (uint64_t)ADD(draws, 1) * 0x9e3779b97f4a7c15u;
+    uint64_t z = (uint64_t)seed * 0x100000001b3u +
+                 (uint64_t)ADD(draws, 1) * 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return z ^ (z >> 31);
@@ -221,8 +220,7 @@ int __wrap_poll(struct pollfd *p, nfds_t n, int timeout)
     if (fails(eintr, EINTR)) {
         return -1;
     }
-    return timeout == 0 && fails(waits, errno) ? 0
-                                               : __real_poll(p, n, timeout);
+    return timeout == 0 && fails(waits, errno) ? 0 : __real_poll(p, n, timeout);
 }
 
 int __real_open(const char *name, int flags, ...);

@@ -13,7 +13,8 @@
 /* Which shapes and ends each method is published for. */
 static int answers_for(const char *name, int kind, int ends)
 {
-    const int unbounded = ends == CYLINT_ENDS_INFINITE || ends == CYLINT_ENDS_NAPPE;
+    const int unbounded =
+        ends == CYLINT_ENDS_INFINITE || ends == CYLINT_ENDS_NAPPE;
 
     if (!strcmp(name, "quadratic"))
         return 1;
@@ -50,10 +51,10 @@ static int put_line(char *text, const cylint_line *l)
 static void put_shape(char *text, const cylint_shape *s)
 {
     const double degrees = 57.29577951308232; /* 180 / pi */
-    static const char *const kinds[] = {"none", "cylinder", "cone", "acone",
-                                        "ecylinder", "econe"};
-    static const char *const ends[] = {"capped", "open", "cap0", "cap1",
-                                       "infinite", "nappe"};
+    static const char *const kinds[] = {"none",  "cylinder",  "cone",
+                                        "acone", "ecylinder", "econe"};
+    static const char *const ends[] = {"capped", "open",     "cap0",
+                                       "cap1",   "infinite", "nappe"};
     const int elliptic = s->kind >= CYLINT_KIND_ECYLINDER;
     const int has_top = s->kind <= CYLINT_KIND_CONE;
     int used = put(text, kinds[s->kind], s->base, 3);

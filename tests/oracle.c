@@ -356,8 +356,7 @@ static int lateral_sign_in_gap(int gap)
         roots_before += o_.at[i].lateral && i < gap;
     }
     if (mpz_sgn(o_.A) != 0) {
-        return roots == 2 && roots_before == 1 ? -mpz_sgn(o_.A)
-                                               : mpz_sgn(o_.A);
+        return roots == 2 && roots_before == 1 ? -mpz_sgn(o_.A) : mpz_sgn(o_.A);
     }
     if (mpz_sgn(o_.B) != 0) {
         return roots_before == 1 ? mpz_sgn(o_.B) : -mpz_sgn(o_.B);
@@ -506,8 +505,8 @@ static void lateral_normal(const critical *at, double out[3])
 static void normal_at(const critical *at, int part, double out[3])
 {
     if (part != CYLINT_PART_LATERAL) {
-        unit_vector(o_.circular ? o_.w : o_.gz, part == CYLINT_PART_CAP1 ? 1 : -1,
-                    out);
+        unit_vector(o_.circular ? o_.w : o_.gz,
+                    part == CYLINT_PART_CAP1 ? 1 : -1, out);
     } else if (linear_sign(&o_.rho, at) == 0) {
         unit_vector(o_.w, apex_normal_sign(), out);
     } else {
@@ -594,7 +593,7 @@ static int side_at(int i)
     if (before >= 0 && after >= 0) {
         return here == 0 && before > 0 && after > 0 ? CYLINT_SIDE_BOTH : -1;
     }
-    return before >= 0 ? CYLINT_SIDE_LEAVING
+    return before >= 0  ? CYLINT_SIDE_LEAVING
            : after >= 0 ? CYLINT_SIDE_ENTERING
                         : CYLINT_SIDE_BOTH;
 }
@@ -610,9 +609,12 @@ static int part_at(const critical *at)
 static int part_is_present(int part, int ends)
 {
     switch (part) {
-    case CYLINT_PART_CAP0: return ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0;
-    case CYLINT_PART_CAP1: return ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1;
-    default: return 1;
+    case CYLINT_PART_CAP0:
+        return ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0;
+    case CYLINT_PART_CAP1:
+        return ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1;
+    default:
+        return 1;
     }
 }
 

@@ -35,7 +35,7 @@ enum { MOST_CRITICAL = 5, SCRATCH = 6 };
 static struct {
     int ready;
     long unit, d_unit;
-    int circular;  /* else elliptic */
+    int circular; /* else elliptic */
     int bounded, nappe;
     mpz_t base[3], w[3], a[3], b[3], r0, dr, o[3], d[3];
     mpz_t q[3];                /* o - base */
@@ -63,9 +63,9 @@ static void start(void)
                   o_.q[i], o_.gx[i], o_.gy[i], o_.gz[i], (mpz_ptr)NULL);
     }
     mpz_inits(o_.r0, o_.dr, o_.whole, o_.alpha, o_.beta, o_.gamma, o_.delta,
-              o_.X.g0, o_.X.g1, o_.Y.g0, o_.Y.g1, o_.Z.g0, o_.Z.g1,
-              o_.rho.g0, o_.rho.g1, o_.A, o_.B, o_.C, o_.D, o_.x, o_.y,
-              o_.x2, o_.y2, (mpz_ptr)NULL);
+              o_.X.g0, o_.X.g1, o_.Y.g0, o_.Y.g1, o_.Z.g0, o_.Z.g1, o_.rho.g0,
+              o_.rho.g1, o_.A, o_.B, o_.C, o_.D, o_.x, o_.y, o_.x2, o_.y2,
+              (mpz_ptr)NULL);
     for (int i = 0; i < MOST_CRITICAL; i++) {
         mpz_inits(o_.at[i].p, o_.at[i].r, (mpz_ptr)NULL);
     }
@@ -120,8 +120,8 @@ static void whole3(mpz_t out[3], const double x[3], long unit)
 }
 
 /* out = (to - from) / 2^unit */
-static void difference(mpz_t out[3], const double to[3],
-                       const double from[3], long unit)
+static void difference(mpz_t out[3], const double to[3], const double from[3],
+                       long unit)
 {
     for (int i = 0; i < 3; i++) {
         whole(out[i], to[i], unit);

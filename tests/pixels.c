@@ -21,8 +21,8 @@ int main(int argc, char **argv)
     png_image image;
     memset(&image, 0, sizeof image);
     image.version = PNG_IMAGE_VERSION;
-    if ((argc != 2 && argc != 4)
-        || !png_image_begin_read_from_file(&image, argv[1])) {
+    if ((argc != 2 && argc != 4) ||
+        !png_image_begin_read_from_file(&image, argv[1])) {
         return 2;
     }
     image.format = PNG_FORMAT_RGBA;

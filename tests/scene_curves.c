@@ -31,17 +31,17 @@ static int as_floats(cylint_shape *s, float *vertex)
             vertex[4 * end + j] = (float)p[end][j];
         vertex[4 * end + 3] = (float)r[end];
     }
-    return cylint_cone(s, p[0], r[0], p[1], r[1], CYLINT_ENDS_CAPPED) == CYLINT_OK;
+    return cylint_cone(s, p[0], r[0], p[1], r[1], CYLINT_ENDS_CAPPED) ==
+           CYLINT_OK;
 }
 
 static RTCScene curves_of(RTCDevice device, struct scene_shapes *s)
 {
-    RTCGeometry g = rtcNewGeometry(device,
-                                   RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+    RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
     float *vertex = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0,
-        RTC_FORMAT_FLOAT4, 16, 2 * s->n);
+                                            RTC_FORMAT_FLOAT4, 16, 2 * s->n);
     unsigned *index = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0,
-        RTC_FORMAT_UINT, 4, s->n);
+                                              RTC_FORMAT_UINT, 4, s->n);
     RTCScene scene = rtcNewScene(device);
     size_t n = 0;
     for (size_t i = 0; i < s->n; i++) {
@@ -63,15 +63,18 @@ static RTCScene curves_of(RTCDevice device, struct scene_shapes *s)
 /* A ray of floats; unit: of a direction that is 1 long. */
 static struct RTCRay ray_of(const cylint_line *line, int unit)
 {
-    const double length = sqrt(line->d[0] * line->d[0] +
-                               line->d[1] * line->d[1] +
-                               line->d[2] * line->d[2]);
+    const double length =
+        sqrt(line->d[0] * line->d[0] + line->d[1] * line->d[1] +
+             line->d[2] * line->d[2]);
     const double k = unit ? 1 / length : 1;
-    return (struct RTCRay){
-        .org_x = (float)line->o[0], .org_y = (float)line->o[1],
-        .org_z = (float)line->o[2], .dir_x = (float)(line->d[0] * k),
-        .dir_y = (float)(line->d[1] * k), .dir_z = (float)(line->d[2] * k),
-        .tfar = HUGE_VALF, .mask = ~0u};
+    return (struct RTCRay){.org_x = (float)line->o[0],
+                           .org_y = (float)line->o[1],
+                           .org_z = (float)line->o[2],
+                           .dir_x = (float)(line->d[0] * k),
+                           .dir_y = (float)(line->d[1] * k),
+                           .dir_z = (float)(line->d[2] * k),
+                           .tfar = HUGE_VALF,
+                           .mask = ~0u};
 }
 
 static void compare(RTCScene curves, const cylint_scene *exact,
@@ -99,16 +102,16 @@ static void compare(RTCScene curves, const cylint_scene *exact,
         seen += (size_t)(!hit && told);
     }
     printf("%-8s %-9s %-9s %6zu rays, %6zu meet a shape; by the curves %5.2f "
-           "%% of these missed, %zu seen that are not there\n", s->name,
-           scene_lines_name[kind], unit ? "unit d" : "d as is", asked, met,
-           met ? 100.0 * (double)missed / (double)met : 0, seen);
+           "%% of these missed, %zu seen that are not there\n",
+           s->name, scene_lines_name[kind], unit ? "unit d" : "d as is", asked,
+           met, met ? 100.0 * (double)missed / (double)met : 0, seen);
 }
 
 int main(void)
 {
-    static const enum scene_lines kinds[] = {
-        LINES_CAMERA, LINES_RANDOM, LINES_GRAZING, LINES_AXIS, LINES_SHADOW,
-        LINES_FAR};
+    static const enum scene_lines kinds[] = {LINES_CAMERA,  LINES_RANDOM,
+                                             LINES_GRAZING, LINES_AXIS,
+                                             LINES_SHADOW,  LINES_FAR};
     struct scene_shapes s;
     for (int scene = 0; scene < 4 && scene_generate(scene, SHAPES, 1, &s);
          scene++) {

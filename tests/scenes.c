@@ -72,12 +72,11 @@ static void unit(double d[3])
 static void cross(double to[3], const double a[3], const double b[3])
 {
     for (int j = 0; j < 3; j++)
-        to[j] = a[(j + 1) % 3] * b[(j + 2) % 3] -
-                a[(j + 2) % 3] * b[(j + 1) % 3];
+        to[j] =
+            a[(j + 1) % 3] * b[(j + 2) % 3] - a[(j + 2) % 3] * b[(j + 1) % 3];
 }
 
-static void along(double to[3], const double o[3], double t,
-                  const double d[3])
+static void along(double to[3], const double o[3], double t, const double d[3])
 {
     for (int j = 0; j < 3; j++)
         to[j] = o[j] + t * d[j];
@@ -86,14 +85,12 @@ static void along(double to[3], const double o[3], double t,
 /* -------------------------------------------------------------- scenes -- */
 
 static const char *const scene_names[SCENE_KINDS] = {
-    "thin", "fat", "fibres", "needles", "discs", "mixed", "unbounded",
-    "distant", "lengths", "lattice", "small", "huge"
-};
+    "thin",      "fat",     "fibres",  "needles", "discs", "mixed",
+    "unbounded", "distant", "lengths", "lattice", "small", "huge"};
 
 /* Length and radius in multiples of the mean distance of neighbours. */
 static const double proportions[SCENE_KINDS][2] = {
-    {3, 0.15}, {1.2, 0.4}, {10, 0.02}, {30, 3e-5}, {0.003, 1}
-};
+    {3, 0.15}, {1.2, 0.4}, {10, 0.02}, {30, 3e-5}, {0.003, 1}};
 
 static cylint_status stick(dice *r, const double at[3], double length,
                            double radius, cylint_shape *shape)
@@ -136,8 +133,7 @@ static cylint_status any_shape(dice *r, const double at[3], double size,
     case 4:
         return cylint_elliptic_cylinder(shape, at, a, b, d, ends);
     default:
-        return cylint_elliptic_cone(shape, at, a, b, d, between(r, 0, 2),
-                                    ends);
+        return cylint_elliptic_cone(shape, at, a, b, d, between(r, 0, 2), ends);
     }
 }
 
@@ -170,8 +166,10 @@ static cylint_status shape_of(dice *r, enum scene_kind kind, size_t n,
     case SCENE_UNBOUNDED: /* and some that are refused */
         if (bits(r) % 64 == 0)
             at[1] = NAN;
-        return any_shape(r, at, 1, (cylint_ends)(bits(r) % 16 ?
-                         one_of(r, 4) : 4 + one_of(r, 2)), shape);
+        return any_shape(
+            r, at, 1,
+            (cylint_ends)(bits(r) % 16 ? one_of(r, 4) : 4 + one_of(r, 2)),
+            shape);
     case SCENE_DISTANT:
         for (int j = 0; j < 3; j++)
             at[j] += 1e6 * side * (j - 0.7);
@@ -194,8 +192,7 @@ static cylint_status shape_of(dice *r, enum scene_kind kind, size_t n,
         return any_shape(r, at, bits(r) % 32 ? 2e110 : 1e150,
                          (cylint_ends)one_of(r, 4), shape);
     default:
-        return stick(r, at, proportions[kind][0], proportions[kind][1],
-                     shape);
+        return stick(r, at, proportions[kind][0], proportions[kind][1], shape);
     }
 }
 
@@ -296,9 +293,8 @@ void scene_release(struct scene_shapes *scene)
 /* --------------------------------------------------------------- lines -- */
 
 const char *const scene_lines_name[LINES_KINDS] = {
-    "camera", "random", "grazing", "axis", "far", "shadow", "beyond",
-    "segment", "span", "parallel", "wild"
-};
+    "camera", "random",  "grazing", "axis",     "far", "shadow",
+    "beyond", "segment", "span",    "parallel", "wild"};
 
 static double size_of(const struct scene_shapes *s)
 {
@@ -359,8 +355,9 @@ static cylint_status camera_line(dice *r, const struct scene_shapes *s,
                                  cylint_line *line)
 {
     double to[3];
-    const double size = size_of(s), eye[3] = {
-        s->lo[0] - 0.7 * size, s->lo[1] - 0.4 * size, s->hi[2] + 0.3 * size};
+    const double size = size_of(s),
+                 eye[3] = {s->lo[0] - 0.7 * size, s->lo[1] - 0.4 * size,
+                           s->hi[2] + 0.3 * size};
     point_in(r, s, to);
     return ray_to(eye, to, 1 / size, line);
 }
@@ -384,8 +381,9 @@ static cylint_status grazing_line(dice *r, const struct scene_shapes *s,
     direction(r, other);
     cross(d, hit.normal, other);
     const double size = size_of(s);
-    const double off = bits(r) % 3 == 0 ? 0
-        : (bits(r) % 2 ? 1 : -1) * power(r, -18, -8) * size;
+    const double off = bits(r) % 3 == 0
+                           ? 0
+                           : (bits(r) % 2 ? 1 : -1) * power(r, -18, -8) * size;
     along(at, hit.point, off, hit.normal);
     along(o, at, -between(r, 0, 1) * size, d);
     return cylint_ray(line, o, d);
@@ -428,8 +426,9 @@ static cylint_status shadow_line(dice *r, const struct scene_shapes *s,
     cylint_hit hit;
     if (!some_hit(r, s, line, &hit))
         return random_line(r, s, line);
-    const double size = size_of(s), light[3] = {
-        s->hi[0] + size, s->hi[1] + 2 * size, s->hi[2] + 3 * size};
+    const double size = size_of(s),
+                 light[3] = {s->hi[0] + size, s->hi[1] + 2 * size,
+                             s->hi[2] + 3 * size};
     return bits(r) % 2 ? cylint_segment(line, hit.point, light)
                        : ray_to(hit.point, light, 1 / size, line);
 }
@@ -485,8 +484,9 @@ static cylint_status parallel_line(dice *r, const struct scene_shapes *s,
     point_in(r, s, o);
     if (bits(r) % 2 == 0)
         for (int j = 0; j < 3; j++)
-            o[j] = bits(r) % 4 ? floor(o[j]) + 0.5 * (double)one_of(r, 3)
-                               : bits(r) % 2 ? s->lo[j] : s->hi[j];
+            o[j] = bits(r) % 4   ? floor(o[j]) + 0.5 * (double)one_of(r, 3)
+                   : bits(r) % 2 ? s->lo[j]
+                                 : s->hi[j];
     for (int j = 0; j < 3; j++)
         d[j] = bits(r) % 2 ? 0.0 : -0.0;
     d[one_of(r, 3)] = bits(r) % 2 ? 1 : -3;
@@ -532,8 +532,8 @@ static cylint_status wild_line(dice *r, const struct scene_shapes *s,
         d[one_of(r, 3)] = bits(r) % 2 ? NAN : HUGE_VAL;
         return cylint_ray(line, o, d);
     case 6: /* where the line begins, t is in the millions */
-        return cylint_span(line, o, d, 0x1p-1074, between(r, 0, 1) < 0.5
-                           ? 0x1p-1040 : 1e300);
+        return cylint_span(line, o, d, 0x1p-1074,
+                           between(r, 0, 1) < 0.5 ? 0x1p-1040 : 1e300);
     default: { /* domain far from the origin, origin far from the scene */
         const double far = power(r, 3, 14);
         double from[3];
@@ -546,11 +546,11 @@ static cylint_status wild_line(dice *r, const struct scene_shapes *s,
 cylint_status scene_line(const struct scene_shapes *s, enum scene_lines kind,
                          uint64_t seed, uint64_t index, cylint_line *line)
 {
-    static cylint_status (*const make[LINES_KINDS])(dice *,
-        const struct scene_shapes *, cylint_line *) = {
-        camera_line, random_line, grazing_line, axis_line, far_line,
-        shadow_line, beyond_line, segment_line, span_line, parallel_line,
-        wild_line};
+    static cylint_status (*const make[LINES_KINDS])(
+        dice *, const struct scene_shapes *, cylint_line *) = {
+        camera_line, random_line,   grazing_line, axis_line,
+        far_line,    shadow_line,   beyond_line,  segment_line,
+        span_line,   parallel_line, wild_line};
     dice r = dice_of(seed, 100 + (uint64_t)kind, index);
     return make[kind](&r, s, line);
 }

@@ -19,9 +19,19 @@ struct scene_shapes {
 };
 
 enum scene_kind { /* the first six lie in a cube of side cbrt(n) about 0 */
-    SCENE_THIN, SCENE_FAT, SCENE_FIBRES, SCENE_NEEDLES, SCENE_DISCS,
-    SCENE_MIXED, SCENE_UNBOUNDED, SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE,
-    SCENE_SMALL, SCENE_HUGE, SCENE_KINDS
+                  SCENE_THIN,
+                  SCENE_FAT,
+                  SCENE_FIBRES,
+                  SCENE_NEEDLES,
+                  SCENE_DISCS,
+                  SCENE_MIXED,
+                  SCENE_UNBOUNDED,
+                  SCENE_DISTANT,
+                  SCENE_LENGTHS,
+                  SCENE_LATTICE,
+                  SCENE_SMALL,
+                  SCENE_HUGE,
+                  SCENE_KINDS
 };
 
 /* Generated kinds of scenes, by number from 0; 0 if there is no such.  The
@@ -38,17 +48,17 @@ int scene_from(const char *name, const char *command,
 void scene_release(struct scene_shapes *scene);
 
 enum scene_lines {
-    LINES_CAMERA,  /* from one eye */
-    LINES_RANDOM,  /* through two points of the box, |d| 1e-8 to 1e8 */
-    LINES_GRAZING, /* tangents at a hit, then moved by 0 to 1e-8 */
-    LINES_AXIS,    /* down an axis, exactly or nearly */
-    LINES_FAR,     /* to a shape from 1e3 to 1e16 sizes of the scene away */
-    LINES_SHADOW,  /* from a rounded hit to a light */
-    LINES_BEYOND,  /* the rest of a line behind a hit */
-    LINES_SEGMENT, /* between points of the box */
-    LINES_SPAN,    /* domains of either sign, and whole lines */
-    LINES_PARALLEL,/* to the coordinate axes, zeros of both signs */
-    LINES_WILD,    /* subnormal or huge data, and lines that are refused */
+    LINES_CAMERA,   /* from one eye */
+    LINES_RANDOM,   /* through two points of the box, |d| 1e-8 to 1e8 */
+    LINES_GRAZING,  /* tangents at a hit, then moved by 0 to 1e-8 */
+    LINES_AXIS,     /* down an axis, exactly or nearly */
+    LINES_FAR,      /* to a shape from 1e3 to 1e16 sizes of the scene away */
+    LINES_SHADOW,   /* from a rounded hit to a light */
+    LINES_BEYOND,   /* the rest of a line behind a hit */
+    LINES_SEGMENT,  /* between points of the box */
+    LINES_SPAN,     /* domains of either sign, and whole lines */
+    LINES_PARALLEL, /* to the coordinate axes, zeros of both signs */
+    LINES_WILD,     /* subnormal or huge data, and lines that are refused */
     LINES_KINDS
 };
 

@@ -25,7 +25,7 @@ enum { BEGINNINGS = 60, KINDS = 5, REPEATS = 7, QUERIES = 20 };
 enum goal { FAST, POINT, NORMAL, Z, PHI, TIME, GOALS };
 
 static const char *const goal_names[GOALS] = {"fast t", "point", "normal",
-                                              "z", "phi", "time"};
+                                              "z",      "phi",   "time"};
 static const char *const kind_names[KINDS] = {"cylinder", "cone", "acone",
                                               "ecylinder", "econe"};
 
@@ -83,8 +83,8 @@ static double time_of(const struct family_case *c)
 static double error_of(const struct family_case *c, enum goal goal)
 {
     cylint_answer got, want;
-    const unsigned asked = goal == FAST ? CYLINT_WANT_T | CYLINT_WANT_FAST
-                                        : CYLINT_WANT_ALL;
+    const unsigned asked =
+        goal == FAST ? CYLINT_WANT_T | CYLINT_WANT_FAST : CYLINT_WANT_ALL;
     double worst = 0;
     memset(&got, 0, sizeof got);
     cylint_intersect(&c->shape, &c->line, asked, &got);
@@ -92,14 +92,14 @@ static double error_of(const struct family_case *c, enum goal goal)
     if (got.n != want.n || got.relation != want.relation)
         return HUGE_VAL;
     for (int i = 0; i < want.n; i++) {
-        static const enum measure measure[] = {ULPS_T, ULPS_POINT,
-                                               ULPS_NORMAL, ULPS_Z, ULPS_PHI};
+        static const enum measure measure[] = {ULPS_T, ULPS_POINT, ULPS_NORMAL,
+                                               ULPS_Z, ULPS_PHI};
         double off[MEASURES];
         if (isinf(want.hit[i].t))
             continue;
         if (goal == FAST)
-            off[ULPS_T] = ulps_apart(got.hit[i].t, want.hit[i].t,
-                                     want.hit[i].t);
+            off[ULPS_T] =
+                ulps_apart(got.hit[i].t, want.hit[i].t, want.hit[i].t);
         else
             ulps_of_hit(c->line.o, &got.hit[i], &want.hit[i], off);
         worst = fmax(worst, off[measure[goal]]);
@@ -132,8 +132,7 @@ static double changed(double x, double was)
         x = ldexp(x, one_of(3) - 1);
         break;
     default:
-        x = copysign(ldexp(1 + (double)(draw() >> 12) * 0x1p-52,
-                           ilogb(x)), x);
+        x = copysign(ldexp(1 + (double)(draw() >> 12) * 0x1p-52, ilogb(x)), x);
     }
     frexp(x, &e);
     frexp(was, &e_was);
@@ -203,13 +202,12 @@ static void print_number(double x)
 
 static void print_found(const struct found *f, int kind, enum goal goal)
 {
-    static const char *const relations[] = {"miss", "touch", "along",
-                                            "cross"};
+    static const char *const relations[] = {"miss", "touch", "along", "cross"};
     cylint_answer want;
     oracle_intersect(&f->at.shape, &f->at.line, CYLINT_WANT_T, &want);
     printf("# worst %s of %s: %.4g %s (%s)\n", goal_names[goal],
-           goal == TIME ? "ordinary exponents" : kind_names[kind],
-           f->score, goal == TIME ? "ns" : "ulp", family_name(f->family));
+           goal == TIME ? "ordinary exponents" : kind_names[kind], f->score,
+           goal == TIME ? "ns" : "ulp", family_name(f->family));
     family_print(stdout, &f->at);
     printf(" => %s %d", relations[want.relation], want.n);
     for (int i = 0; i < 2; i++)

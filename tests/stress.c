@@ -60,8 +60,7 @@ static void show(const struct family_case *c, const cylint_answer *answer,
     if (!to)
         return;
     family_print(to, c);
-    fprintf(to, "  # %s: relation %d n %d", whose, answer->relation,
-            answer->n);
+    fprintf(to, "  # %s: relation %d n %d", whose, answer->relation, answer->n);
     for (int i = 0; i < answer->n; i++)
         fprintf(to, "  %a part %d side %d", answer->hit[i].t,
                 answer->hit[i].part, answer->hit[i].side);
@@ -199,8 +198,8 @@ static int print_table(const struct report *sum)
          "  wrong t");
     for (int f = 0; f < family_count() + EXTRA; f++) {
         const struct tally *t = &sum->of[f];
-        printf("%-24s %9ld  %9ld  %13ld  %7ld\n", name_of(f), t->cases,
-               t->hits, t->verdicts, t->roots);
+        printf("%-24s %9ld  %9ld  %13ld  %7ld\n", name_of(f), t->cases, t->hits,
+               t->verdicts, t->roots);
         all.cases += t->cases;
         all.hits += t->hits;
         all.verdicts += t->verdicts;

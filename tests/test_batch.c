@@ -90,13 +90,12 @@ static void check_answer(const cylint_columns *got, size_t i,
                          const struct family_case *shape_case)
 {
     cylint_answer want;
-    cylint_intersect(&shape_case->shape, line,
-                     CYLINT_WANT_T | CYLINT_WANT_PART, &want);
+    cylint_intersect(&shape_case->shape, line, CYLINT_WANT_T | CYLINT_WANT_PART,
+                     &want);
     if (CHECK(answered(got, i, &want)) || check_bad > CHECK_SHOWN)
         return;
     show(line_case, shape_case);
-    fprintf(stderr, "    %zu: want relation %d n %d", i, want.relation,
-            want.n);
+    fprintf(stderr, "    %zu: want relation %d n %d", i, want.relation, want.n);
     for (int k = 0; k < want.n; k++)
         fprintf(stderr, " t %a part %d", want.hit[k].t, want.hit[k].part);
     fprintf(stderr, "\n    got relation %d n %d t %a %a part %d %d\n",
@@ -155,10 +154,10 @@ static void check_shapes(const struct family_case *line,
 }
 
 static const unsigned hit_masks[] = {
-    CYLINT_WANT_T, CYLINT_WANT_PART, CYLINT_WANT_T | CYLINT_WANT_PART,
-    CYLINT_WANT_COUNT, CYLINT_WANT_POINT, CYLINT_WANT_NORMAL, CYLINT_WANT_Z,
-    CYLINT_WANT_PHI, CYLINT_WANT_T | CYLINT_WANT_NORMAL, CYLINT_WANT_ALL
-};
+    CYLINT_WANT_T,     CYLINT_WANT_PART,  CYLINT_WANT_T | CYLINT_WANT_PART,
+    CYLINT_WANT_COUNT, CYLINT_WANT_POINT, CYLINT_WANT_NORMAL,
+    CYLINT_WANT_Z,     CYLINT_WANT_PHI,   CYLINT_WANT_T | CYLINT_WANT_NORMAL,
+    CYLINT_WANT_ALL};
 
 enum { HIT_MASKS = sizeof hit_masks / sizeof *hit_masks };
 
@@ -200,12 +199,13 @@ static void check_fast(const cylint_pack *pack, const cylint_line *line)
 {
     cylint_hit hit;
     cylint_answer answer;
-    const size_t nearest = cylint_nearest(pack, line, CYLINT_WANT_T |
-                                          CYLINT_WANT_FAST, &hit);
+    const size_t nearest =
+        cylint_nearest(pack, line, CYLINT_WANT_T | CYLINT_WANT_FAST, &hit);
     if (nearest == pack->n)
         return;
-    cylint_intersect(&pack->shapes[nearest], line, CYLINT_WANT_T |
-                     CYLINT_WANT_NEAREST | CYLINT_WANT_FAST, &answer);
+    cylint_intersect(&pack->shapes[nearest], line,
+                     CYLINT_WANT_T | CYLINT_WANT_NEAREST | CYLINT_WANT_FAST,
+                     &answer);
     CHECK(answer.n == 1 && same(answer.hit[0].t, hit.t));
 }
 
@@ -222,8 +222,8 @@ static void check_scene(const struct family_case *line,
         cylint_intersect(&cases[i].shape, &line->line,
                          CYLINT_WANT_T | CYLINT_WANT_NEAREST, &answer);
         count += answer.n > 0;
-        if (answer.n > 0 && (nearest == n ||
-                             answer.hit[0].t < first.hit[0].t)) {
+        if (answer.n > 0 &&
+            (nearest == n || answer.hit[0].t < first.hit[0].t)) {
             nearest = i;
             first = answer;
         }
@@ -390,8 +390,8 @@ static void draw_around(int family)
 
 static void every_length_is_answered(void)
 {
-    static const size_t longer[] = {31, 255, 256, 257, 263, 264, 511, 513,
-                                    MOST};
+    static const size_t longer[] = {31,  255, 256, 257, 263,
+                                    264, 511, 513, MOST};
     draw_around(0);
     for (size_t n = 0; n <= 2 * 8 + 1; n++) {
         struct layout at = usual;
@@ -445,8 +445,7 @@ static void segments_keep_the_digits_their_directions_lack(void)
         struct family_case c;
         family_case(seed(), (int)(i % (uint64_t)family_count()), i, &c);
         if (c.line_word != FAMILY_SEGMENT ||
-            (c.line.d_lo[0] == 0 && c.line.d_lo[1] == 0 &&
-             c.line.d_lo[2] == 0))
+            (c.line.d_lo[0] == 0 && c.line.d_lo[1] == 0 && c.line.d_lo[2] == 0))
             continue;
         drawn[asked++] = c;
         check_shapes(&c, drawn, 100, &usual);
@@ -557,11 +556,10 @@ static void a_hard_shape_does_not_disturb_its_neighbours(void)
 /* The same cylinder, said in four ways and met by the same line. */
 static void make_said_in_another_way(struct family_case *c, int way)
 {
-    static const double data[4][13] = {
-        {0, 0, 0, 0, 0, 4, 1}, {0, 0, 0, 1, 0, 0, 4, 1},
-        {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 4},
-        {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 4, 1}
-    };
+    static const double data[4][13] = {{0, 0, 0, 0, 0, 4, 1},
+                                       {0, 0, 0, 1, 0, 0, 4, 1},
+                                       {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 4},
+                                       {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 4, 1}};
     static const family_shape word[4] = {FAMILY_CYLINDER, FAMILY_CONE,
                                          FAMILY_ECYLINDER, FAMILY_ECONE};
     make_easy(c);
@@ -587,8 +585,8 @@ static void of_equal_t_the_lower_number_is_nearest(void)
         cylint_pack pack;
         cylint_hit hit;
         CHECK(lay_pack(&pack, cases, FEW, &usual));
-        const size_t first = cylint_nearest(&pack, &line.line, CYLINT_WANT_T,
-                                            &hit);
+        const size_t first =
+            cylint_nearest(&pack, &line.line, CYLINT_WANT_T, &hit);
         CHECK(first == (size_t)ahead);
         check_scene(&line, cases, FEW, &usual);
     }
@@ -609,8 +607,8 @@ static void *ask_all(void *at)
     columns.t0 = s->t0;
     for (size_t i = 0; i < MOST; i++) {
         cylint_hit hit = {0};
-        s->nearest[i] = cylint_nearest(s->pack, &drawn[i].line,
-                                       CYLINT_WANT_T, &hit);
+        s->nearest[i] =
+            cylint_nearest(s->pack, &drawn[i].line, CYLINT_WANT_T, &hit);
         s->t[i] = hit.t;
         s->count[i] = cylint_count(s->pack, &drawn[i].line, 0);
         cylint_intersect_shapes(s->pack, &drawn[i].line, &columns);

@@ -50,14 +50,12 @@ static uint64_t cases(int wild)
 static const char *family_word(int family)
 {
     static char word[40];
-    static const char *const extra[EXTRA] = {"coincidences",
-                                             "wild exponents"};
+    static const char *const extra[EXTRA] = {"coincidences", "wild exponents"};
     const int n = family_count();
     const char *name = family < n ? family_name(family) : extra[family - n];
     int k = 0;
     for (const char *p = name; *p && k < 39; p++) {
-        const int letter = (*p >= 'a' && *p <= 'z') ||
-                           (*p >= '0' && *p <= '9');
+        const int letter = (*p >= 'a' && *p <= 'z') || (*p >= '0' && *p <= '9');
         if (letter || (k > 0 && word[k - 1] != '-'))
             word[k++] = letter ? *p : '-';
     }
@@ -144,8 +142,8 @@ static void judge(const char *function, const char *family, double found,
     }
     if (!(found <= b->found))
         b->found = found;
-    if (!getenv("CYLINT_MEASURE") && b->ulps >= 0 &&
-        !CHECK(found <= b->ulps) && check_bad <= CHECK_SHOWN) {
+    if (!getenv("CYLINT_MEASURE") && b->ulps >= 0 && !CHECK(found <= b->ulps) &&
+        check_bad <= CHECK_SHOWN) {
         REPORT("%s, %s: %g ulp", function, family, found);
         family_print(stderr, c);
         fputc('\n', stderr);
@@ -173,8 +171,8 @@ static void measure_hits(int family, const struct family_case *c)
         const double t = want.hit[i].t;
         ulps_of_hit(c->line.o, &got.hit[i], &want.hit[i], off);
         judge("t", "all", 0.5 + off[ULPS_T], c);
-        judge("t-fast", "all", 0.5 + ulps_apart(fast.hit[i].t, t,
-                                                fmax(fabs(t), far)), c);
+        judge("t-fast", "all",
+              0.5 + ulps_apart(fast.hit[i].t, t, fmax(fabs(t), far)), c);
         for (int k = ULPS_POINT; k < MEASURES; k++)
             if (fabs(t) <= 0x1.fffffffffffffp1023)
                 judge(measure_names[k], family_word(family), 0.5 + off[k], c);
@@ -292,8 +290,8 @@ static double looseness(const cylint_shape *s, int j, int up, double side)
 static void measure_box(int family, const struct family_case *c)
 {
     const cylint_shape *s = &c->shape;
-    const int constant = s->kind == CYLINT_KIND_CYLINDER ||
-                         s->kind == CYLINT_KIND_ECYLINDER;
+    const int constant =
+        s->kind == CYLINT_KIND_CYLINDER || s->kind == CYLINT_KIND_ECYLINDER;
     double box[2][3], a, b;
     if (s->ends >= CYLINT_ENDS_INFINITE && !constant)
         return; /* infinite, or the apex: test_shape.c */
@@ -379,9 +377,9 @@ static void write_table(char *to)
                       ".It Sy answer Ta Sy error Ta Sy kind\n"
                       ".It relation, n, part, side Ta 0 Ta exact\n");
     to += put_row(to, "t", promised("t", 0), "correctly rounded");
-    to += put_row(to, "t, fast, of t or the distance", promised("t-fast", 0),
-                  line_of("t-fast", "all") ? line_of("t-fast", "all")->kind
-                                           : "");
+    to +=
+        put_row(to, "t, fast, of t or the distance", promised("t-fast", 0),
+                line_of("t-fast", "all") ? line_of("t-fast", "all")->kind : "");
     for (int wild = 0; wild < 2; wild++)
         for (int i = 0; i < 4; i++) {
             char what[80];
@@ -423,8 +421,8 @@ static void print_found(void)
     for (int i = 0; i < line_count; i++) {
         const struct budget *b = &lines[i];
         if (getenv("CYLINT_MEASURE"))
-            printf("%-8s %-24s %.4g of %g\n", b->function, b->family,
-                   b->found, b->ulps);
+            printf("%-8s %-24s %.4g of %g\n", b->function, b->family, b->found,
+                   b->ulps);
         else if (strcmp(b->function, before) != 0)
             printf("note: %s within %g, wild %g\n", b->function,
                    promised(b->function, 0), promised(b->function, 1));

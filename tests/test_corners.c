@@ -30,86 +30,136 @@ struct corner {
 
 static const struct corner corners[] = {
     {"a root whose next digits are too far off, kept where it is safe",
-     FAMILY_LINE, {0, 0, 0, 0, -7, 6},
-     FAMILY_CYLINDER, {6, 0x1.0a0a0a0a0a0ap+907, 0, 0, 0, 0, 6}, CYLINT_ENDS_CAP0},
+     FAMILY_LINE,
+     {0, 0, 0, 0, -7, 6},
+     FAMILY_CYLINDER,
+     {6, 0x1.0a0a0a0a0a0ap+907, 0, 0, 0, 0, 6},
+     CYLINT_ENDS_CAP0},
     {"a root that differs from -1 by 2^-2007 only: its normal was a NaN",
-     FAMILY_LINE, {0x1p934, 0x1p934, 0x1p934, 0x1p934, 0x1p934, 0x1p934},
-     FAMILY_ECYLINDER, {0, 0, 0, 0, -7, 0, 0, -7, -0x1p-1073,
-                        4, 0x1.8p-977, -8}, CYLINT_ENDS_CAP0},
+     FAMILY_LINE,
+     {0x1p934, 0x1p934, 0x1p934, 0x1p934, 0x1p934, 0x1p934},
+     FAMILY_ECYLINDER,
+     {0, 0, 0, 0, -7, 0, 0, -7, -0x1p-1073, 4, 0x1.8p-977, -8},
+     CYLINT_ENDS_CAP0},
     {"z where a, b and h nearly depend: was off by 22 ulp",
-     FAMILY_LINE, {-0x1.f4e4804e96c52p-54, -0x1.645d5c3ab05ecp-63,
-                   0x1.ffe90529f6272p-55, -0x1.636ff62d275b5p-1,
-                   0x1.645d5c3ab05ecp-4, 0x1.6fad609d8e459p-7},
-     FAMILY_ECYLINDER, {0, 0, 0, 0x1.515ac200faf3bp-1, -0x1.10323f4a5421fp-2,
-                        0x1.dbce4dd109826p-7, 0x1.0e8f9ee746e4ap-2,
-                        0x1.35fef62b65678p-2, -0x1.e2e0745d73a1cp-1,
-                        0x1.db5a6f97f68ccp-1, -0x1.a76af030a74cep-3,
-                        -0x1.796907f3e6a6ap-2}, CYLINT_ENDS_NAPPE},
+     FAMILY_LINE,
+     {-0x1.f4e4804e96c52p-54, -0x1.645d5c3ab05ecp-63, 0x1.ffe90529f6272p-55,
+      -0x1.636ff62d275b5p-1, 0x1.645d5c3ab05ecp-4, 0x1.6fad609d8e459p-7},
+     FAMILY_ECYLINDER,
+     {0, 0, 0, 0x1.515ac200faf3bp-1, -0x1.10323f4a5421fp-2,
+      0x1.dbce4dd109826p-7, 0x1.0e8f9ee746e4ap-2, 0x1.35fef62b65678p-2,
+      -0x1.e2e0745d73a1cp-1, 0x1.db5a6f97f68ccp-1, -0x1.a76af030a74cep-3,
+      -0x1.796907f3e6a6ap-2},
+     CYLINT_ENDS_NAPPE},
     {"z where a.(b x h) underflows: was a NaN",
-     FAMILY_LINE, {0, 0, 0, 0x1p-904, 0x1p36, 0},
-     FAMILY_ECYLINDER, {0, 0, 0x1p-33, 0, 0, 0x1p35, 0x1p-184, 0, 0,
-                        0, 0x1p-467, 0}, CYLINT_ENDS_NAPPE},
+     FAMILY_LINE,
+     {0, 0, 0, 0x1p-904, 0x1p36, 0},
+     FAMILY_ECYLINDER,
+     {0, 0, 0x1p-33, 0, 0, 0x1p35, 0x1p-184, 0, 0, 0, 0x1p-467, 0},
+     CYLINT_ENDS_NAPPE},
     {"phi so far away that what underflows counts: was off by 1/4",
-     FAMILY_LINE, {-0x1.2400d3b2cp-38, 0, -0x1.6358f422p+53,
-                   -0x1.18e0d9e54p-799, -0x1.e882d99fp+25,
-                   -0x1.4a609288p-860},
-     FAMILY_ECONE, {0x1.459540d9p-533, -0x1.7e4f64d5p-256,
-                   0x1.3dbf7826p-42, -0x1.0678551bp-937,
-                   -0x1.16d1c872cp-282, 0, 0, -0x1.c3f62d74p-598,
-                   -0x1.a985db15p+50, 0, 0, 0x1.f2bb2209p-193, 0},
+     FAMILY_LINE,
+     {-0x1.2400d3b2cp-38, 0, -0x1.6358f422p+53, -0x1.18e0d9e54p-799,
+      -0x1.e882d99fp+25, -0x1.4a609288p-860},
+     FAMILY_ECONE,
+     {0x1.459540d9p-533, -0x1.7e4f64d5p-256, 0x1.3dbf7826p-42,
+      -0x1.0678551bp-937, -0x1.16d1c872cp-282, 0, 0, -0x1.c3f62d74p-598,
+      -0x1.a985db15p+50, 0, 0, 0x1.f2bb2209p-193, 0},
      CYLINT_ENDS_NAPPE},
     {"z beyond the doubles in pairs: was a NaN",
-     FAMILY_LINE, {-0x1.72879722p-916, 0x1.5381e2ep-664, 0,
-                   -0x1.634e62b1p-971, -0x1.986f203fp-56, 0},
-     FAMILY_ECYLINDER, {-0x1.cd3c54448p-936, 0x1.f6a7542cp-900,
-                       0x0.0000000001926p-1022, 0x1.cbb3fce3p+1,
-                       -0x1.19ae1edbp-1020, 0x1.45a20ec5p-548,
-                       0x1.4b6ac69cp-669, -0x1.71e40e47p-355,
-                       -0x1.3bbe3a2cp-32, 0, 0x1.8278dc93p-287, 0},
+     FAMILY_LINE,
+     {-0x1.72879722p-916, 0x1.5381e2ep-664, 0, -0x1.634e62b1p-971,
+      -0x1.986f203fp-56, 0},
+     FAMILY_ECYLINDER,
+     {-0x1.cd3c54448p-936, 0x1.f6a7542cp-900, 0x0.0000000001926p-1022,
+      0x1.cbb3fce3p+1, -0x1.19ae1edbp-1020, 0x1.45a20ec5p-548,
+      0x1.4b6ac69cp-669, -0x1.71e40e47p-355, -0x1.3bbe3a2cp-32, 0,
+      0x1.8278dc93p-287, 0},
      CYLINT_ENDS_INFINITE},
     {"apex normal: u.w needs pairs",
-     FAMILY_LINE, {0, 0, 0, 1, -0x1.fffffffffffffp-1, 0},
-     FAMILY_ACONE, {0, 0, 0, 1, 1, 0, 45}, CYLINT_ENDS_INFINITE},
+     FAMILY_LINE,
+     {0, 0, 0, 1, -0x1.fffffffffffffp-1, 0},
+     FAMILY_ACONE,
+     {0, 0, 0, 1, 1, 0, 45},
+     CYLINT_ENDS_INFINITE},
     {"apex normal: u.w needs every digit",
-     FAMILY_LINE, {0, 0, 0, 1, 0, -0x1p-1000},
-     FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_ENDS_INFINITE},
+     FAMILY_LINE,
+     {0, 0, 0, 1, 0, -0x1p-1000},
+     FAMILY_ACONE,
+     {0, 0, 0, 0, 0, 1, 45},
+     CYLINT_ENDS_INFINITE},
     {"apex normal: no filter applies",
-     FAMILY_LINE, {0x1p80, 0x1p80, 0, 1, 1, 0},
-     FAMILY_ACONE, {0, 0, 0, 0, 1, 1, 30}, CYLINT_ENDS_INFINITE},
+     FAMILY_LINE,
+     {0x1p80, 0x1p80, 0, 1, 1, 0},
+     FAMILY_ACONE,
+     {0, 0, 0, 0, 1, 1, 30},
+     CYLINT_ENDS_INFINITE},
     {"parallel to a ruling: the sign of B needs pairs",
-     FAMILY_LINE, {0x1.0000000000001p0, 0, 1, 1, 0, 1},
-     FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_ENDS_INFINITE},
+     FAMILY_LINE,
+     {0x1.0000000000001p0, 0, 1, 1, 0, 1},
+     FAMILY_ACONE,
+     {0, 0, 0, 0, 0, 1, 45},
+     CYLINT_ENDS_INFINITE},
     {"parallel to a ruling: the sign of B needs every digit",
-     FAMILY_LINE, {1, 0, 1, 1, 0, 1},
-     FAMILY_ACONE, {0x1p-106, 0, 0, 0, 0, 1, 45}, CYLINT_ENDS_INFINITE},
+     FAMILY_LINE,
+     {1, 0, 1, 1, 0, 1},
+     FAMILY_ACONE,
+     {0x1p-106, 0, 0, 0, 0, 1, 45},
+     CYLINT_ENDS_INFINITE},
     {"the same from the other side",
-     FAMILY_LINE, {1, 0, 1, 1, 0, 1},
-     FAMILY_ACONE, {-0x1p-106, 0, 0, 0, 0, 1, 45}, CYLINT_ENDS_NAPPE},
+     FAMILY_LINE,
+     {1, 0, 1, 1, 0, 1},
+     FAMILY_ACONE,
+     {-0x1p-106, 0, 0, 0, 0, 1, 45},
+     CYLINT_ENDS_NAPPE},
     {"parallel to a ruling: B on a grid that pairs need not know",
-     FAMILY_LINE, {0x1.0000000000004p50, 0, 0x1p50, 1, 0, 1},
-     FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_ENDS_INFINITE},
+     FAMILY_LINE,
+     {0x1.0000000000004p50, 0, 0x1p50, 1, 0, 1},
+     FAMILY_ACONE,
+     {0, 0, 0, 0, 0, 1, 45},
+     CYLINT_ENDS_INFINITE},
     {"parallel to a ruling: no filter applies to B",
-     FAMILY_LINE, {0x1p80, 0, 0, 1, 0, 1},
-     FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_ENDS_NAPPE},
+     FAMILY_LINE,
+     {0x1p80, 0, 0, 1, 0, 1},
+     FAMILY_ACONE,
+     {0, 0, 0, 0, 0, 1, 45},
+     CYLINT_ENDS_NAPPE},
     {"a double whose middle to the next is the other root",
-     FAMILY_LINE, {-0x1.8p80, 0x1.ffffffffffffep51, 0, 1, 0, 0},
-     FAMILY_CYLINDER, {0, 0, 0, 0, 0, 1, 0x1.0000000000001p52},
+     FAMILY_LINE,
+     {-0x1.8p80, 0x1.ffffffffffffep51, 0, 1, 0, 0},
+     FAMILY_CYLINDER,
+     {0, 0, 0, 0, 0, 1, 0x1.0000000000001p52},
      CYLINT_ENDS_INFINITE},
     {"the same where the line is steeper than the rulings",
-     FAMILY_LINE, {0x1p27, 0, -0x1.8p80, 0, 0, 1},
-     FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_ENDS_INFINITE},
+     FAMILY_LINE,
+     {0x1p27, 0, -0x1.8p80, 0, 0, 1},
+     FAMILY_ACONE,
+     {0, 0, 0, 0, 0, 1, 45},
+     CYLINT_ENDS_INFINITE},
     {"a root beyond 2^300 in the filters' scale",
-     FAMILY_LINE, {1, 0, 0, 1, 0x1p-300, 1},
-     FAMILY_ACONE, {0, 0, 0, 0, 0, 1, 45}, CYLINT_ENDS_INFINITE},
+     FAMILY_LINE,
+     {1, 0, 0, 1, 0x1p-300, 1},
+     FAMILY_ACONE,
+     {0, 0, 0, 0, 0, 1, 45},
+     CYLINT_ENDS_INFINITE},
     {"a root below 2^-300 in the filters' scale",
-     FAMILY_LINE, {0, 0, -0x1p-350, 0, 0, 1},
-     FAMILY_CYLINDER, {0, 0, 0, 0, 0, 1, 1}, CYLINT_ENDS_CAPPED},
+     FAMILY_LINE,
+     {0, 0, -0x1p-350, 0, 0, 1},
+     FAMILY_CYLINDER,
+     {0, 0, 0, 0, 0, 1, 1},
+     CYLINT_ENDS_CAPPED},
     {"a root beyond 2^1000 by the line's scale",
-     FAMILY_LINE, {-3, 0, 0.5, 0x1p-1010, 0x1p-1011, 0},
-     FAMILY_CYLINDER, {0, 0, 0, 0, 0, 1, 3}, CYLINT_ENDS_CAPPED},
+     FAMILY_LINE,
+     {-3, 0, 0.5, 0x1p-1010, 0x1p-1011, 0},
+     FAMILY_CYLINDER,
+     {0, 0, 0, 0, 0, 1, 3},
+     CYLINT_ENDS_CAPPED},
     {"a root below 2^-900 by the line's scale",
-     FAMILY_LINE, {-3, 0, 0.5, 0x1p1000, 0x1p999, 0},
-     FAMILY_CYLINDER, {0, 0, 0, 0, 0, 1, 3}, CYLINT_ENDS_CAPPED},
+     FAMILY_LINE,
+     {-3, 0, 0.5, 0x1p1000, 0x1p999, 0},
+     FAMILY_CYLINDER,
+     {0, 0, 0, 0, 0, 1, 3},
+     CYLINT_ENDS_CAPPED},
 };
 
 static int case_of(const struct corner *from, struct family_case *c)
@@ -129,8 +179,7 @@ static int agrees(const struct family_case *c)
     memset(&got, 0, sizeof got);
     cylint_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &got);
     oracle_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &want);
-    int same = CHECK(got.relation == want.relation) &&
-               CHECK(got.n == want.n);
+    int same = CHECK(got.relation == want.relation) && CHECK(got.n == want.n);
     for (int i = 0; same && i < want.n; i++) {
         double off[MEASURES];
         ulps_of_hit(c->line.o, &got.hit[i], &want.hit[i], off);
@@ -162,9 +211,12 @@ static void a_grazing_line_from_afar_finds_its_point(void)
     for (int far = 8; far <= 60; far += 4) {
         for (int depth = 2; depth <= 48; depth += 2) {
             struct corner k = {
-                "grazing from afar", FAMILY_LINE,
+                "grazing from afar",
+                FAMILY_LINE,
                 {-ldexp(1.1, far), 0, 1 - ldexp(1.3, -depth), 1, 0x1p-40, 0},
-                FAMILY_CYLINDER, {0, -1, 0, 0, 1, 0, 1}, CYLINT_ENDS_INFINITE};
+                FAMILY_CYLINDER,
+                {0, -1, 0, 0, 1, 0, 1},
+                CYLINT_ENDS_INFINITE};
             struct family_case c;
             k.o_d[1] = k.o_d[0] * 0x1p-40; /* aims at the origin's plane */
             if (CHECK(case_of(&k, &c)) && agrees(&c))
@@ -263,7 +315,8 @@ static void boxes_of_the_longest_axes_are_tight(void)
     for (int i = 1; i < 3; i++)
         CHECK(lo[i] == -3 && hi[i] == 3);
     /* across, a disc reaches r, along either coordinate r / sqrt(2) */
-    CHECK(cylint_cylinder(&s, q0, q1, 0x1p1000, CYLINT_ENDS_CAPPED) == CYLINT_OK);
+    CHECK(cylint_cylinder(&s, q0, q1, 0x1p1000, CYLINT_ENDS_CAPPED) ==
+          CYLINT_OK);
     cylint_bounds(&s, lo, hi);
     for (int i = 0; i < 2; i++) {
         const double reach = half + 0x1p1000 * sqrt(0.5);
@@ -285,16 +338,17 @@ static void boxes_of_the_least_and_largest_sections_are_tight(void)
     const double p1[3] = {-0x1.8p1023 + 0x1p1000, 0x1p1000, 0};
     double lo[3], hi[3];
     cylint_shape s;
-    CHECK(cylint_elliptic_cone(&s, c, y, least, z, 0x1.8p133, CYLINT_ENDS_CAPPED)
-          == CYLINT_OK);
+    CHECK(cylint_elliptic_cone(&s, c, y, least, z, 0x1.8p133,
+                               CYLINT_ENDS_CAPPED) == CYLINT_OK);
     cylint_bounds(&s, lo, hi);
     CHECK(hi[0] >= 0x4.8p-941 && hi[0] - 0x4.8p-941 <= ULPS * ulp(hi[0]));
     CHECK(lo[0] == -hi[0]);
-    CHECK(cylint_elliptic_cylinder(&s, c, x, large, y, CYLINT_ENDS_CAPPED)
-          == CYLINT_OK);
+    CHECK(cylint_elliptic_cylinder(&s, c, x, large, y, CYLINT_ENDS_CAPPED) ==
+          CYLINT_OK);
     cylint_bounds(&s, lo, hi);
     CHECK(hi[2] == 0x1.9p1018 && lo[2] == -0x1.9p1018);
-    CHECK(cylint_cylinder(&s, p0, p1, 0x1.8p1023, CYLINT_ENDS_CAPPED) == CYLINT_OK);
+    CHECK(cylint_cylinder(&s, p0, p1, 0x1.8p1023, CYLINT_ENDS_CAPPED) ==
+          CYLINT_OK);
     cylint_bounds(&s, lo, hi);
     const double right = p1[0] + 0x1.8p1023 * sqrt(0.5);
     CHECK(isinf(lo[0]) && hi[0] >= right && hi[0] - right <= ULPS * ulp(right));

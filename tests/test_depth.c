@@ -43,8 +43,11 @@ typedef enum {
                           directed modes, where the low part is rounded */
 } arithmetic;
 
-enum { FIRST_KIND = CYLINT_KIND_CYLINDER, LAST_KIND = CYLINT_KIND_ECONE,
-       KINDS = LAST_KIND + 1 };
+enum {
+    FIRST_KIND = CYLINT_KIND_CYLINDER,
+    LAST_KIND = CYLINT_KIND_ECONE,
+    KINDS = LAST_KIND + 1
+};
 
 static void load(letters_depth *L, int kind, arithmetic in)
 {
@@ -56,7 +59,8 @@ static void load(letters_depth *L, int kind, arithmetic in)
         L->w[i] = kind <= CYLINT_KIND_CONE ? difference : 0;
         L->D[0][i] = difference;
         L->D[1][i] = kind <= CYLINT_KIND_CONE
-                   ? difference : depth_of_sum(L->D[0][i], L->w[i]);
+                         ? difference
+                         : depth_of_sum(L->D[0][i], L->w[i]);
     }
     L->dr = kind == CYLINT_KIND_ACONE ? 0 : difference;
     prepare_shape_depth(L);
@@ -66,44 +70,76 @@ static void load(letters_depth *L, int kind, arithmetic in)
 
 /* Every polynomial whose value or sign is asked for. */
 typedef enum {
-    ALPHA_0, ALPHA_1, BETA, ALONG, ROOT_OF_S, RHO_0, RHO_1,
-    E_0, E_1, N_0, N_1, G, A, B, C, T, BALL, FORMS
+    ALPHA_0,
+    ALPHA_1,
+    BETA,
+    ALONG,
+    ROOT_OF_S,
+    RHO_0,
+    RHO_1,
+    E_0,
+    E_1,
+    N_0,
+    N_1,
+    G,
+    A,
+    B,
+    C,
+    T,
+    BALL,
+    FORMS
 } form;
 
 static const char *const form_name[FORMS] = {
-    "alpha0", "alpha1", "beta", "along", "det or vv", "rho0", "rho1",
-    "E0", "E1", "N0", "N1", "G", "A", "B", "C", "T", "ball"
-};
+    "alpha0", "alpha1", "beta", "along", "det or vv", "rho0",
+    "rho1",   "E0",     "E1",   "N0",    "N1",        "G",
+    "A",      "B",      "C",    "T",     "ball"};
 
 static int depth_of(const letters_depth *L, form f)
 {
     switch (f) {
-    case ALPHA_0: return form_alpha_depth(L, 0);
-    case ALPHA_1: return form_alpha_depth(L, 1);
-    case BETA: return form_beta_depth(L);
-    case ALONG: return form_along_depth(L);
-    case ROOT_OF_S: return form_root_of_S_depth(L);
-    case RHO_0: return form_rho0_depth(L);
-    case RHO_1: return form_rho1_depth(L);
-    case E_0: return form_E_depth(L, 0);
-    case E_1: return form_E_depth(L, 1);
-    case N_0: return form_N_depth(L, 0);
-    case N_1: return form_N_depth(L, 1);
-    case G: return form_G_depth(L);
-    case A: return form_A_depth(L);
-    case B: return form_B_depth(L);
-    case C: return form_C_depth(L);
-    case T: return form_T_depth(L);
-    default: return form_ball_depth(L, L->M[0], L->r[0]);
+    case ALPHA_0:
+        return form_alpha_depth(L, 0);
+    case ALPHA_1:
+        return form_alpha_depth(L, 1);
+    case BETA:
+        return form_beta_depth(L);
+    case ALONG:
+        return form_along_depth(L);
+    case ROOT_OF_S:
+        return form_root_of_S_depth(L);
+    case RHO_0:
+        return form_rho0_depth(L);
+    case RHO_1:
+        return form_rho1_depth(L);
+    case E_0:
+        return form_E_depth(L, 0);
+    case E_1:
+        return form_E_depth(L, 1);
+    case N_0:
+        return form_N_depth(L, 0);
+    case N_1:
+        return form_N_depth(L, 1);
+    case G:
+        return form_G_depth(L);
+    case A:
+        return form_A_depth(L);
+    case B:
+        return form_B_depth(L);
+    case C:
+        return form_C_depth(L);
+    case T:
+        return form_T_depth(L);
+    default:
+        return form_ball_depth(L, L->M[0], L->r[0]);
     }
 }
 
 /* The table of one arithmetic; returns its largest entry. */
 static int deepest(arithmetic in, const char *title)
 {
-    static const char *const kind_name[KINDS] = {
-        "", "cylinder", "cone", "acone", "ecylinder", "econe"
-    };
+    static const char *const kind_name[KINDS] = {"",      "cylinder",  "cone",
+                                                 "acone", "ecylinder", "econe"};
     int most = 0;
     printf("note: %-12s", title);
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++)
@@ -139,8 +175,7 @@ static void move_to_t(letters_depth *L)
 {
     const int t = 0;
     for (int i = 0; i < 3; i++)
-        L->D[0][i] = depth_of_sum(L->D[0][i],
-                                  depth_of_product(t, L->u[i]));
+        L->D[0][i] = depth_of_sum(L->D[0][i], depth_of_product(t, L->u[i]));
 }
 
 /* Q, its gradient and the angle at D + t u (root.c, hit.c) are no deeper than
@@ -243,7 +278,7 @@ static sized sized_add(sized x, sized y)
 static sized sized_mul(sized x, sized y)
 {
     return (sized){x.size * y.size, x.off * y.size + x.size * y.off +
-                                    x.off * y.off + lost_per_operation};
+                                        x.off * y.off + lost_per_operation};
 }
 
 #define NUM sized
@@ -258,20 +293,20 @@ static sized sized_mul(sized x, sized y)
 static void load_window(letters_sized *L, int kind)
 {
     const sized datum = {CYLINT_WINDOW, 0x1p-1022},
-                difference = {CYLINT_WINDOW, 2 * 0x1p-1022 +
-                                             lost_per_operation},
+                difference = {CYLINT_WINDOW,
+                              2 * 0x1p-1022 + lost_per_operation},
                 one = {1, 0};
     memset(L, 0, sizeof *L);
     L->kind = kind;
     for (int i = 0; i < 3; i++) {
         L->u[i] = L->D[0][i] = difference;
         L->w[i] = kind <= CYLINT_KIND_CONE ? difference : datum;
-        L->D[1][i] = kind <= CYLINT_KIND_CONE
-                   ? difference : sized_add(L->D[0][i], L->w[i]);
+        L->D[1][i] = kind <= CYLINT_KIND_CONE ? difference
+                                              : sized_add(L->D[0][i], L->w[i]);
         L->a[i] = L->b[i] = datum;
     }
     L->r[0] = kind < CYLINT_KIND_ACONE ? datum
-            : (sized){kind != CYLINT_KIND_ACONE, 0};
+                                       : (sized){kind != CYLINT_KIND_ACONE, 0};
     L->r[1] = datum;
     L->dr = kind == CYLINT_KIND_ACONE ? datum : difference;
     L->one = one;
@@ -282,14 +317,23 @@ static void load_window(letters_sized *L, int kind)
 
 static double lost(const letters_sized *L)
 {
-    const sized of_form[FORMS] = {
-        form_alpha_sized(L, 0), form_alpha_sized(L, 1), form_beta_sized(L),
-        form_along_sized(L), form_root_of_S_sized(L), form_rho0_sized(L),
-        form_rho1_sized(L), form_E_sized(L, 0), form_E_sized(L, 1),
-        form_N_sized(L, 0), form_N_sized(L, 1), form_G_sized(L),
-        form_A_sized(L), form_B_sized(L), form_C_sized(L), form_T_sized(L),
-        form_ball_sized(L, L->M[0], L->r[0])
-    };
+    const sized of_form[FORMS] = {form_alpha_sized(L, 0),
+                                  form_alpha_sized(L, 1),
+                                  form_beta_sized(L),
+                                  form_along_sized(L),
+                                  form_root_of_S_sized(L),
+                                  form_rho0_sized(L),
+                                  form_rho1_sized(L),
+                                  form_E_sized(L, 0),
+                                  form_E_sized(L, 1),
+                                  form_N_sized(L, 0),
+                                  form_N_sized(L, 1),
+                                  form_G_sized(L),
+                                  form_A_sized(L),
+                                  form_B_sized(L),
+                                  form_C_sized(L),
+                                  form_T_sized(L),
+                                  form_ball_sized(L, L->M[0], L->r[0])};
     double most = 0;
     for (form f = ALPHA_0; f < FORMS; f++)
         most = fmax(most, of_form[f].off);

@@ -186,8 +186,8 @@ static pair product_in_mode(pair a, pair b, int mode)
 {
     if (mode == FE_TONEAREST)
         return pair_mul(a, b);
-    const fused_pair p = fused_pair_mul((fused_pair){a.hi, a.lo},
-                                        (fused_pair){b.hi, b.lo});
+    const fused_pair p =
+        fused_pair_mul((fused_pair){a.hi, a.lo}, (fused_pair){b.hi, b.lo});
     return (pair){p.hi, p.lo};
 }
 
@@ -228,7 +228,8 @@ static void pairs_stay_within_their_bounds(void)
 {
     const errors e = worst_of_pairs(FE_TONEAREST);
     printf("note: worst of its bound: sum %.2f, product %.2f, quotient %.2f, "
-           "root %.2f\n", e.add / CYLINT_PAIR_ADD, e.mul / CYLINT_PAIR_MUL,
+           "root %.2f\n",
+           e.add / CYLINT_PAIR_ADD, e.mul / CYLINT_PAIR_MUL,
            e.div / CYLINT_PAIR_DIV, e.sqrt / CYLINT_PAIR_SQRT);
     CHECK(e.add <= CYLINT_PAIR_ADD && e.mul <= CYLINT_PAIR_MUL);
     CHECK(e.div <= CYLINT_PAIR_DIV && e.sqrt <= CYLINT_PAIR_SQRT);
@@ -244,8 +245,8 @@ static void other_rounding_modes_stay_within_the_common_bound(void)
         most.mul = larger(most.mul, e.mul);
     }
     printf("note: directed modes, worst of the bound: sum %.2f, "
-           "product %.2f\n", most.add / CYLINT_PAIR_ROUNDING,
-           most.mul / CYLINT_PAIR_ROUNDING);
+           "product %.2f\n",
+           most.add / CYLINT_PAIR_ROUNDING, most.mul / CYLINT_PAIR_ROUNDING);
     CHECK(most.add <= CYLINT_PAIR_ROUNDING);
     CHECK(most.mul <= CYLINT_PAIR_ROUNDING);
 }

@@ -8,8 +8,8 @@
 #include "embree_asked.h"
 
 /* A ray at a shape: from away to a point within 1.2 radii of its axis. */
-static void aim_at(uint64_t *state, const cylint_shape *shape,
-                   struct rays *r, int i)
+static void aim_at(uint64_t *state, const cylint_shape *shape, struct rays *r,
+                   int i)
 {
     double lo[3], hi[3];
     float o[3], d[3], away[3];
@@ -30,34 +30,37 @@ static void every_kind_with_all_caps_answers_as_the_library(void)
     uint64_t state = 1;
     const double c[3] = {0.5, 0.25, -0.5};
     for (int how = 0; how < 2; how++)
-    for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE; kind++)
-    for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_CAP1; ends++) {
-        int hits = 0, parts[3] = {0, 0, 0};
-        cylint_shape shape;
-        struct world w;
-        struct rays r;
-        world_shape(&state, kind, (cylint_ends)ends, c, 1, 0.4, &shape);
-        w = made(&shape, 1, both_ways[how]);
-        for (int i = 0; i < 300; i++) {
-            cylint_hit hit;
-            cylint_line line;
-            rays_begin(&r, 1);
-            aim_at(&state, &shape, &r, 0);
-            rays_intersect(&r, w.scene, NULL);
-            agrees(&w, &r);
-            line = rays_line(&r, 0);
-            if (cylint_nearest(&w.pack, &line, CYLINT_WANT_PART, &hit) == 0) {
-                hits++;
-                parts[hit.part]++;
+        for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE; kind++)
+            for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_CAP1;
+                 ends++) {
+                int hits = 0, parts[3] = {0, 0, 0};
+                cylint_shape shape;
+                struct world w;
+                struct rays r;
+                world_shape(&state, kind, (cylint_ends)ends, c, 1, 0.4, &shape);
+                w = made(&shape, 1, both_ways[how]);
+                for (int i = 0; i < 300; i++) {
+                    cylint_hit hit;
+                    cylint_line line;
+                    rays_begin(&r, 1);
+                    aim_at(&state, &shape, &r, 0);
+                    rays_intersect(&r, w.scene, NULL);
+                    agrees(&w, &r);
+                    line = rays_line(&r, 0);
+                    if (cylint_nearest(&w.pack, &line, CYLINT_WANT_PART,
+                                       &hit) == 0) {
+                        hits++;
+                        parts[hit.part]++;
+                    }
+                }
+                /* the questions were worth asking */
+                CHECK(hits > 60 && hits < 300 && parts[CYLINT_PART_LATERAL]);
+                CHECK((parts[CYLINT_PART_CAP1] > 0) ==
+                          (ends == CYLINT_ENDS_CAPPED ||
+                           ends == CYLINT_ENDS_CAP1) ||
+                      shape.r1 == 0);
+                world_free(&w);
             }
-        }
-        /* the questions were worth asking */
-        CHECK(hits > 60 && hits < 300 && parts[CYLINT_PART_LATERAL]);
-        CHECK((parts[CYLINT_PART_CAP1] > 0) ==
-              (ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1) ||
-              shape.r1 == 0);
-        world_free(&w);
-    }
 }
 
 static void packets_answer_and_leave_other_lanes_alone(void)
@@ -87,8 +90,8 @@ static void packets_answer_and_leave_other_lanes_alone(void)
             memcpy(r.word, r.before, sizeof r.word);
             rays_occluded(&r, w.scene, &query);
             for (int i = 0; i < r.n; i++)
-                if (r.valid[i] && !CHECK(rays_shadowed(&r, i) ==
-                                         shadow_expected(&w, &r, i)))
+                if (r.valid[i] &&
+                    !CHECK(rays_shadowed(&r, i) == shadow_expected(&w, &r, i)))
                     world_show(&w, &r, i);
             CHECK(rays_strayed(&r, 1) == 0);
         }
@@ -135,21 +138,21 @@ static void the_domain_holds_its_ends(void)
         for (int k = 0; k < 2; k++)
             t[k] = (float)answer.hit[k].t;
         for (int a = -2; a <= 2; a++)
-        for (int b = -2; b <= 2; b++)
-        for (int which = 0; which < 3; which++) {
-            float from = t[which == 2], to = t[which > 0];
-            for (int k = 0; k < abs(a); k++)
-                from = nextafterf(from, a < 0 ? 0 : HUGE_VALF);
-            for (int k = 0; k < abs(b); k++)
-                to = nextafterf(to, b < 0 ? 0 : HUGE_VALF);
-            if (from > to)
-                continue;
-            rays_begin(&r, 1);
-            rays_add(&r, 0, o, d, from, to);
-            rays_intersect(&r, w.scene, NULL);
-            agrees(&w, &r);
-            hits += rays_hit(&r, 0);
-        }
+            for (int b = -2; b <= 2; b++)
+                for (int which = 0; which < 3; which++) {
+                    float from = t[which == 2], to = t[which > 0];
+                    for (int k = 0; k < abs(a); k++)
+                        from = nextafterf(from, a < 0 ? 0 : HUGE_VALF);
+                    for (int k = 0; k < abs(b); k++)
+                        to = nextafterf(to, b < 0 ? 0 : HUGE_VALF);
+                    if (from > to)
+                        continue;
+                    rays_begin(&r, 1);
+                    rays_add(&r, 0, o, d, from, to);
+                    rays_intersect(&r, w.scene, NULL);
+                    agrees(&w, &r);
+                    hits += rays_hit(&r, 0);
+                }
         CHECK(hits > 0);
         world_free(&w);
     }
@@ -165,23 +168,24 @@ static void a_ray_within_a_face_of_the_box_is_not_lost(void)
         struct world w = made(&shape, 1, both_ways[how]);
         int hits = 0;
         for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n)
-        for (int face = 0; face < 6; face++)
-        for (int way = 0; way < 8; way++) {
-            const int across = face / 2, along = (across + 1 + way % 2) % 3;
-            const float zero = way & 4 ? -0.0f : 0.0f;
-            float o[3] = {0, 0, 2}, d[3];
-            struct rays r;
-            o[across] += face % 2 ? 1.0f : -1.0f;
-            for (int k = 0; k < 3; k++)
-                d[k] = zero;
-            d[along] = way & 2 ? 1.0f : -1.0f;
-            o[along] -= 3 * d[along];
-            rays_begin(&r, n);
-            rays_add(&r, n / 2, o, d, 0, HUGE_VALF);
-            rays_intersect(&r, w.scene, NULL);
-            agrees(&w, &r);
-            hits += rays_hit(&r, n / 2);
-        }
+            for (int face = 0; face < 6; face++)
+                for (int way = 0; way < 8; way++) {
+                    const int across = face / 2,
+                              along = (across + 1 + way % 2) % 3;
+                    const float zero = way & 4 ? -0.0f : 0.0f;
+                    float o[3] = {0, 0, 2}, d[3];
+                    struct rays r;
+                    o[across] += face % 2 ? 1.0f : -1.0f;
+                    for (int k = 0; k < 3; k++)
+                        d[k] = zero;
+                    d[along] = way & 2 ? 1.0f : -1.0f;
+                    o[along] -= 3 * d[along];
+                    rays_begin(&r, n);
+                    rays_add(&r, n / 2, o, d, 0, HUGE_VALF);
+                    rays_intersect(&r, w.scene, NULL);
+                    agrees(&w, &r);
+                    hits += rays_hit(&r, n / 2);
+                }
         CHECK(hits == 4 * 6 * 8);
         world_free(&w);
     }
@@ -263,28 +267,30 @@ static void equal_and_nearly_equal_hits_are_told_apart(void)
     const float o[3] = {0.0625f, 0.125f, -8}, d[3] = {0, 0, 1};
     uint64_t state = 3;
     for (int how = 0; how < 2; how++)
-    for (int turn = 0; turn < 60; turn++) {
-        struct world w;
-        struct rays r;
-        for (int i = 0; i < MANY; i++) {
-            /* caps toward the ray, from 0 to a few doubles apart, and solids
+        for (int turn = 0; turn < 60; turn++) {
+            struct world w;
+            struct rays r;
+            for (int i = 0; i < MANY; i++) {
+                /* caps toward the ray, from 0 to a few doubles apart, and solids
              * of different sizes, so that they are grouped in some order */
-            double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 0};
-            p0[2] = turn < 30 ? 0 : floor(4 * world_uniform(&state)) * 0x1p-50;
-            p1[2] = 1 + floor(8 * world_uniform(&state));
-            cylint_cylinder(&shapes[i], p0, p1, 0.5 + world_uniform(&state),
-                            turn % 3 ? CYLINT_ENDS_CAPPED : CYLINT_ENDS_CAP0);
+                double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 0};
+                p0[2] =
+                    turn < 30 ? 0 : floor(4 * world_uniform(&state)) * 0x1p-50;
+                p1[2] = 1 + floor(8 * world_uniform(&state));
+                cylint_cylinder(&shapes[i], p0, p1, 0.5 + world_uniform(&state),
+                                turn % 3 ? CYLINT_ENDS_CAPPED
+                                         : CYLINT_ENDS_CAP0);
+            }
+            w = made(shapes, MANY, both_ways[how]);
+            for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
+                rays_begin(&r, n);
+                for (int i = 0; i < n; i++)
+                    rays_add(&r, i, o, d, 0, HUGE_VALF);
+                rays_intersect(&r, w.scene, NULL);
+                agrees(&w, &r);
+            }
+            world_free(&w);
         }
-        w = made(shapes, MANY, both_ways[how]);
-        for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
-            rays_begin(&r, n);
-            for (int i = 0; i < n; i++)
-                rays_add(&r, i, o, d, 0, HUGE_VALF);
-            rays_intersect(&r, w.scene, NULL);
-            agrees(&w, &r);
-        }
-        world_free(&w);
-    }
 }
 
 /* The same while all move along the ray: at time 1/2 the caps meet it. */
@@ -297,8 +303,8 @@ static void equal_hits_of_moving_shapes_are_told_apart(void)
     struct world w, at;
     for (int i = 0; i < MANY; i++) {
         const double away = i % 7 - 3, p0[3] = {0, 0, away},
-            p1[3] = {0, 0, away + 4}, q0[3] = {0, 0, -away},
-            q1[3] = {0, 0, 4 - away};
+                     p1[3] = {0, 0, away + 4}, q0[3] = {0, 0, -away},
+                     q1[3] = {0, 0, 4 - away};
         const double r = 1 + 0.125 * (i * 17 % MANY);
         cylint_cylinder(&shapes[i], p0, p1, r, CYLINT_ENDS_CAPPED);
         cylint_cylinder(&moved[i], q0, q1, r, CYLINT_ENDS_CAPPED);
@@ -355,7 +361,7 @@ static struct rays local[RAYS_MOST];
 static void spy_bounds(const struct RTCBoundsFunctionArguments *a)
 {
     const struct RTCBounds everything = {-1e6f, -1e6f, -1e6f, 0,
-                                         1e6f, 1e6f, 1e6f, 0};
+                                         1e6f,  1e6f,  1e6f,  0};
     *a->bounds_o = everything;
 }
 
@@ -389,8 +395,8 @@ static void add_spy(RTCScene scene)
 static RTCScene scene_with_instance(RTCScene of, unsigned id, uint64_t *state)
 {
     RTCScene outer = rtcNewScene(world_device());
-    RTCGeometry instance = rtcNewGeometry(world_device(),
-                                          RTC_GEOMETRY_TYPE_INSTANCE);
+    RTCGeometry instance =
+        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_INSTANCE);
     const double scale = pow(10, 4 * world_uniform(state) - 2);
     float matrix[12];
     for (int c = 0; c < 4; c++)
@@ -513,8 +519,8 @@ static void bare_hits_are_completed_later(void)
     int hits = 0;
     world_shapes(&state, SCENE_MIXED, shapes, SOME);
     for (int how = 0; how < 2; how++) {
-        struct world w = made(shapes, SOME,
-                              both_ways[how] | CYLINT_EMBREE_BARE);
+        struct world w =
+            made(shapes, SOME, both_ways[how] | CYLINT_EMBREE_BARE);
         for (int i = 0; i < 500; i++) {
             struct rays r;
             rays_begin(&r, 1);

@@ -20,10 +20,14 @@ struct record {
     const struct world *w;
     rule geometry, context; /* ACCEPT where there is no such filter */
     struct rays *r;
-    struct { int ray; unsigned prim; float t; } offer[2][MOST_OFFERS];
+    struct {
+        int ray;
+        unsigned prim;
+        float t;
+    } offer[2][MOST_OFFERS];
     int offers[2]; /* to the geometry's, the context's */
     int bare, occlusion;
-    int bad;       /* arguments that are not as promised */
+    int bad; /* arguments that are not as promised */
 };
 
 static int user_word; /* its address is the user pointer */
@@ -33,22 +37,26 @@ static int passes(rule rule, unsigned prim, float t, int leaving)
     union ray_word word;
     word.f = t;
     switch (rule) {
-    case ACCEPT: return 1;
-    case REJECT: return 0;
-    case EXITS: return leaving;
-    default: return (prim * 2654435761u + word.u * 40503u) >> 7 & 1;
+    case ACCEPT:
+        return 1;
+    case REJECT:
+        return 0;
+    case EXITS:
+        return leaving;
+    default:
+        return (prim * 2654435761u + word.u * 40503u) >> 7 & 1;
     }
 }
 
 /* The hit of the library that is offered: which, or -1. */
-static int offered_hit(const struct record *q, unsigned prim, float t,
-                       float u, int ray, cylint_answer *answer)
+static int offered_hit(const struct record *q, unsigned prim, float t, float u,
+                       int ray, cylint_answer *answer)
 {
     const cylint_line line = rays_line(q->r, ray);
     int number = -1;
-    const int n = prim < q->w->n
-                ? cylint_intersect(&q->w->shapes[prim], &line,
-                                   CYLINT_WANT_ALL, answer) : 0;
+    const int n = prim < q->w->n ? cylint_intersect(&q->w->shapes[prim], &line,
+                                                    CYLINT_WANT_ALL, answer)
+                                 : 0;
     for (int i = 0; i < n; i++)
         if (world_float_above(answer->hit[i].t) == t &&
             (number < 0 || q->bare || (float)answer->hit[i].z == u))
@@ -57,20 +65,20 @@ static int offered_hit(const struct record *q, unsigned prim, float t,
 }
 
 /* u, v and Ng, which a bare hit has from before. */
-static int described(const struct record *q, const union ray_word *hit,
-                     int ray, const cylint_hit *at)
+static int described(const struct record *q, const union ray_word *hit, int ray,
+                     const cylint_hit *at)
 {
     int good = 1;
     if (q->bare) {
         for (int m = HIT_NG; m <= HIT_V; m++)
-            good &= hit[m - HIT_NG].u == (q->occlusion ? 0 :
-                                      q->r->before[m * q->r->n + ray].u);
+            good &= hit[m - HIT_NG].u ==
+                    (q->occlusion ? 0 : q->r->before[m * q->r->n + ray].u);
         return good;
     }
     for (int k = 0; k < 3; k++)
         good &= hit[k].f == (float)at->normal[k];
     return good && hit[HIT_U - HIT_NG].f == (float)at->z &&
-        hit[HIT_V - HIT_NG].f == world_turn(at->phi);
+           hit[HIT_V - HIT_NG].f == world_turn(at->phi);
 }
 
 static void filter(struct record *q, int which,
@@ -104,7 +112,8 @@ static void filter(struct record *q, int which,
     q->bad += hit[HIT_GEOM - HIT_NG].u != 0;
     q->bad += hit[HIT_INST - HIT_NG].u != RTC_INVALID_GEOMETRY_ID;
     if (!passes(which ? q->context : q->geometry, hit[HIT_PRIM - HIT_NG].u,
-                ray[RAY_TFAR].f, answer.hit[number].side == CYLINT_SIDE_LEAVING))
+                ray[RAY_TFAR].f,
+                answer.hit[number].side == CYLINT_SIDE_LEAVING))
         a->valid[0] = 0;
 }
 
@@ -126,8 +135,8 @@ static size_t expected(const struct record *q, int ray, double *t)
     *t = HUGE_VAL;
     for (size_t i = 0; i < q->w->n; i++) {
         cylint_answer answer;
-        const int n = cylint_intersect(&q->w->shapes[i], &line,
-                                       CYLINT_WANT_ALL, &answer);
+        const int n =
+            cylint_intersect(&q->w->shapes[i], &line, CYLINT_WANT_ALL, &answer);
         for (int k = 0; k < n; k++) {
             const float f = world_float_above(answer.hit[k].t);
             const int leaving = answer.hit[k].side == CYLINT_SIDE_LEAVING;
@@ -148,8 +157,8 @@ static int hits_at(const struct record *q, int ray, unsigned prim, float t)
     const cylint_line line = rays_line(q->r, ray);
     cylint_answer answer;
     int n = 0;
-    const int hits = cylint_intersect(&q->w->shapes[prim], &line,
-                                      CYLINT_WANT_T, &answer);
+    const int hits =
+        cylint_intersect(&q->w->shapes[prim], &line, CYLINT_WANT_T, &answer);
     for (int i = 0; i < hits; i++)
         n += world_float_above(answer.hit[i].t) == t;
     return n;
@@ -159,17 +168,17 @@ static int hits_at(const struct record *q, int ray, unsigned prim, float t)
 static int twice(const struct record *q, int which)
 {
     int n = 0;
-    const int most = q->offers[which] < MOST_OFFERS ? q->offers[which]
-                                                    : MOST_OFFERS;
+    const int most =
+        q->offers[which] < MOST_OFFERS ? q->offers[which] : MOST_OFFERS;
     for (int i = 0; i < most; i++) {
         int same = 1;
         for (int j = 0; j < i; j++)
             same += q->offer[which][i].prim == q->offer[which][j].prim &&
                     q->offer[which][i].t == q->offer[which][j].t &&
                     q->offer[which][i].ray == q->offer[which][j].ray;
-        n += same > 1 && same > hits_at(q, q->offer[which][i].ray,
-                                        q->offer[which][i].prim,
-                                        q->offer[which][i].t);
+        n += same > 1 &&
+             same > hits_at(q, q->offer[which][i].ray, q->offer[which][i].prim,
+                            q->offer[which][i].t);
     }
     return n;
 }
@@ -182,8 +191,8 @@ static int hits_there_are(const struct record *q)
         const cylint_line line = rays_line(q->r, ray);
         for (size_t i = 0; q->r->valid[ray] && i < q->w->n; i++) {
             cylint_answer answer;
-            hits += cylint_intersect(&q->w->shapes[i], &line,
-                                     CYLINT_WANT_COUNT, &answer);
+            hits += cylint_intersect(&q->w->shapes[i], &line, CYLINT_WANT_COUNT,
+                                     &answer);
         }
     }
     return hits;
@@ -207,7 +216,7 @@ static void check_answers(struct record *q, int occlusion)
         } else if (!CHECK(rays_hit(q->r, i) &&
                           rays_at(q->r, HIT_PRIM, i)->u == prim &&
                           rays_at(q->r, RAY_TFAR, i)->f ==
-                          world_float_above(t))) {
+                              world_float_above(t))) {
             REPORT("rules %d %d: shape %lu at t %a is the nearest to pass",
                    q->geometry, q->context, (unsigned long)prim, t);
             world_show(q->w, q->r, i);
@@ -279,10 +288,10 @@ static void with_filters(unsigned how, int kind)
     if (!CHECK(world_make(&w, shapes, SOME, &options)))
         return;
     for (int geometry = ACCEPT; geometry < RULES; geometry++) {
-        rtcSetGeometryIntersectFilterFunction(w.geometry, geometry == ACCEPT
-                                              ? NULL : geometry_filter);
-        rtcSetGeometryOccludedFilterFunction(w.geometry, geometry == ACCEPT
-                                             ? NULL : geometry_filter);
+        rtcSetGeometryIntersectFilterFunction(
+            w.geometry, geometry == ACCEPT ? NULL : geometry_filter);
+        rtcSetGeometryOccludedFilterFunction(
+            w.geometry, geometry == ACCEPT ? NULL : geometry_filter);
         rtcCommitGeometry(w.geometry);
         rtcCommitScene(w.scene);
         for (int context = ACCEPT; context < RULES; context++)

@@ -17,12 +17,13 @@ static RTCScene curve_scene(void)
 {
     const float nodes[2][4] = {{-1, 0, 0, 0.5f}, {1, 0, 0, 0.5f}};
     RTCScene scene = rtcNewScene(world_device());
-    RTCGeometry curve = rtcNewGeometry(world_device(),
-                                       RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
-    unsigned *first = rtcSetNewGeometryBuffer(curve, RTC_BUFFER_TYPE_INDEX, 0,
-        RTC_FORMAT_UINT, sizeof *first, 1);
-    float *vertex = rtcSetNewGeometryBuffer(curve, RTC_BUFFER_TYPE_VERTEX, 0,
-        RTC_FORMAT_FLOAT4, sizeof nodes[0], 2);
+    RTCGeometry curve =
+        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+    unsigned *first = rtcSetNewGeometryBuffer(
+        curve, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, sizeof *first, 1);
+    float *vertex =
+        rtcSetNewGeometryBuffer(curve, RTC_BUFFER_TYPE_VERTEX, 0,
+                                RTC_FORMAT_FLOAT4, sizeof nodes[0], 2);
     *first = 0;
     memcpy(vertex, nodes, sizeof nodes);
     rtcSetGeometryMask(curve, 0xffffffffu);
@@ -36,10 +37,10 @@ static RTCScene curve_scene(void)
 /* Moved by (0, 0, 8). */
 static RTCScene instance_of(RTCScene inner)
 {
-    const float matrix[12] = {1, 0, 0,  0, 1, 0,  0, 0, 1,  0, 0, 8};
+    const float matrix[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 8};
     RTCScene scene = rtcNewScene(world_device());
-    RTCGeometry instance = rtcNewGeometry(world_device(),
-                                          RTC_GEOMETRY_TYPE_INSTANCE);
+    RTCGeometry instance =
+        rtcNewGeometry(world_device(), RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(instance, inner);
     rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                             matrix);
@@ -68,8 +69,8 @@ static void look(const struct RTCFilterFunctionNArguments *a)
     for (unsigned i = 0; i < a->N; i++)
         if (a->valid[i] == -1)
             seen->bad += rays_filter_prim(a, (int)i) != 0 ||
-                !(rays_filter_t(a, (int)i) > 6) ||
-                a->context->instID[0] != INSTANCE_ID;
+                         !(rays_filter_t(a, (int)i) > 6) ||
+                         a->context->instID[0] != INSTANCE_ID;
 }
 
 static void a_hit_is_written_where_it_is_declared(void)
@@ -120,7 +121,10 @@ static void a_hit_is_written_where_it_is_declared(void)
 
 static void a_box_is_written_where_it_is_declared(void)
 {
-    struct { struct RTCBounds box; unsigned beyond[8]; } at;
+    struct {
+        struct RTCBounds box;
+        unsigned beyond[8];
+    } at;
     RTCScene scene = curve_scene();
     memset(&at, 0x5a, sizeof at);
     rtcGetSceneBounds(scene, &at.box);

@@ -13,20 +13,19 @@
 
 enum { SHAPES = 400, PACKETS = 450 /* of each manner, a scene */ };
 
-static const int scenes[] = {
-    SCENE_THIN, SCENE_FAT, SCENE_FIBRES, SCENE_NEEDLES, SCENE_DISCS,
-    SCENE_MIXED, SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE
-};
+static const int scenes[] = {SCENE_THIN,    SCENE_FAT,     SCENE_FIBRES,
+                             SCENE_NEEDLES, SCENE_DISCS,   SCENE_MIXED,
+                             SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE};
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
 /* How the rays of a packet lie to each other. */
 enum manner {
-    EYE,      /* from one point to points that are near each other */
-    BEAM,     /* nearly side by side, from here and there */
-    MIXED,    /* as from an eye, but every third anywhere */
-    OCTANT,   /* only their signs are the same */
-    AFAR,     /* from an eye a hundred to a million sizes away */
-    SPANS,    /* from an eye among the shapes, with ends of domains there */
+    EYE,    /* from one point to points that are near each other */
+    BEAM,   /* nearly side by side, from here and there */
+    MIXED,  /* as from an eye, but every third anywhere */
+    OCTANT, /* only their signs are the same */
+    AFAR,   /* from an eye a hundred to a million sizes away */
+    SPANS,  /* from an eye among the shapes, with ends of domains there */
     ANYHOW,
     MANNERS
 };
@@ -48,15 +47,16 @@ static struct aim draw_aim(uint64_t *state, const struct scene_shapes *s,
     struct aim a;
     double lo[3], hi[3];
     float away[3];
-    const double far = manner == AFAR ? pow(10, 2 + 4 * world_uniform(state))
-                     : manner == SPANS ? 0 : 2 * world_uniform(state);
+    const double far = manner == AFAR    ? pow(10, 2 + 4 * world_uniform(state))
+                       : manner == SPANS ? 0
+                                         : 2 * world_uniform(state);
     for (int k = 0; k < 3; k++) {
         a.lo[k] = s->lo[k];
         a.size[k] = s->hi[k] - s->lo[k];
     }
     world_direction(state, away);
-    cylint_bounds(&s->shapes[(size_t)(world_uniform(state) * (double)s->n)],
-                  lo, hi);
+    cylint_bounds(&s->shapes[(size_t)(world_uniform(state) * (double)s->n)], lo,
+                  hi);
     for (int k = 0; k < 3; k++)
         a.at[k] = (lo[k] + hi[k]) / 2;
     point(state, &a, a.eye);

@@ -19,10 +19,9 @@
 static int rays_wanted = 100000, shapes_wanted = 200;
 static uint64_t seed = 1;
 
-static const int scenes[] = {
-    SCENE_THIN, SCENE_FAT, SCENE_FIBRES, SCENE_NEEDLES, SCENE_DISCS,
-    SCENE_MIXED, SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE
-};
+static const int scenes[] = {SCENE_THIN,    SCENE_FAT,     SCENE_FIBRES,
+                             SCENE_NEEDLES, SCENE_DISCS,   SCENE_MIXED,
+                             SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE};
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
 struct tally {
@@ -71,9 +70,10 @@ static int is_a_hit(const struct world *w, struct rays *r, int i)
     const unsigned shape = rays_at(r, HIT_PRIM, i)->u;
     cylint_answer answer;
     int n = shape < w->n ? cylint_intersect(&w->shapes[shape], &line,
-                                            CYLINT_WANT_T, &answer) : 0;
-    while (n > 0 && world_float_above(answer.hit[n - 1].t) !=
-                    rays_at(r, RAY_TFAR, i)->f)
+                                            CYLINT_WANT_T, &answer)
+                         : 0;
+    while (n > 0 &&
+           world_float_above(answer.hit[n - 1].t) != rays_at(r, RAY_TFAR, i)->f)
         n--;
     return n > 0;
 }
@@ -82,7 +82,8 @@ static void compare(const struct world *w, const struct scene_shapes *s,
                     struct rays *r, int i, struct tally *n)
 {
     const cylint_line line = rays_line(r, i);
-    const int agrees = world_agrees(w, r, i, 1), far = is_far(s, &line, n->sizes);
+    const int agrees = world_agrees(w, r, i, 1),
+              far = is_far(s, &line, n->sizes);
     n->rays++;
     n->hits += rays_hit(r, i);
     n->far += far;
@@ -94,9 +95,8 @@ static void compare(const struct world *w, const struct scene_shapes *s,
     }
 }
 
-static void compare_shadow(const struct world *w,
-                           const struct scene_shapes *s, struct rays *r,
-                           int i, struct tally *n)
+static void compare_shadow(const struct world *w, const struct scene_shapes *s,
+                           struct rays *r, int i, struct tally *n)
 {
     const cylint_line line = rays_line(r, i);
     const int expected = cylint_count(&w->pack, &line, 1) != 0;
@@ -107,8 +107,7 @@ static void compare_shadow(const struct world *w,
 }
 
 static void ask(const struct world *w, const struct scene_shapes *s,
-                enum scene_lines kind, uint64_t seed, int rays,
-                struct tally *n)
+                enum scene_lines kind, uint64_t seed, int rays, struct tally *n)
 {
     static const int sizes[4] = {1, 4, 8, 16};
     uint64_t index = 0;
@@ -162,8 +161,8 @@ static void answers_are_those_of_brute_force(unsigned how, double sizes)
           n.hits < n.rays - n.rays / 100);
     CHECK(n.far < n.rays / 4 && n.far_missed + n.far_other <= n.far / 20);
     printf("note: %ld rays, %ld hit, as by brute force; of %ld from farther "
-           "than %g sizes %ld missed, %ld another nearest\n", n.rays, n.hits,
-           n.far, sizes, n.far_missed, n.far_other);
+           "than %g sizes %ld missed, %ld another nearest\n",
+           n.rays, n.hits, n.far, sizes, n.far_missed, n.far_other);
 }
 
 static void blocks_answer_as_brute_force_does(void)
@@ -208,8 +207,8 @@ static double between(uint64_t *state, double from, double to)
 static void cross(const double x[3], const double y[3], double to[3])
 {
     for (int k = 0; k < 3; k++)
-        to[k] = x[(k + 1) % 3] * y[(k + 2) % 3] -
-                x[(k + 2) % 3] * y[(k + 1) % 3];
+        to[k] =
+            x[(k + 1) % 3] * y[(k + 2) % 3] - x[(k + 2) % 3] * y[(k + 1) % 3];
 }
 
 /* A ray that all but touches the shape: by its mantle, at a rim, or by an end
@@ -231,11 +230,12 @@ static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
         const double radial = s->r0 * away * out[k] / sqrt(size);
         d[k] = (float)(along[k] / sqrt(size) +
                        between(state, -0.3, 0.3) * s->axis[k]);
-        o[k] = (float)(s->base[k] + z * s->axis[k] + radial -
-                       L * (double)d[k]);
+        o[k] = (float)(s->base[k] + z * s->axis[k] + radial - L * (double)d[k]);
     }
-    rays_add(r, i, o, d, 0, between(state, 0, 1) < 0.3 ? HUGE_VALF
-             : (float)(L + between(state, -0.2, 0.2)));
+    rays_add(r, i, o, d, 0,
+             between(state, 0, 1) < 0.3
+                 ? HUGE_VALF
+                 : (float)(L + between(state, -0.2, 0.2)));
 }
 
 static void shadows_that_are_none_but_for_a_hair_are_none(void)

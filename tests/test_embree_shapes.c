@@ -22,8 +22,8 @@ static void moving_shapes_are_where_they_are_at_the_rays_time(void)
         double c[3];
         for (int k = 0; k < 3; k++)
             c[k] = world_uniform(&state);
-        world_shape(&state, shapes[i].kind, (cylint_ends)shapes[i].ends, c,
-                    0.3, 0.05, &moved[i]);
+        world_shape(&state, shapes[i].kind, (cylint_ends)shapes[i].ends, c, 0.3,
+                    0.05, &moved[i]);
     }
     options.moved = moved;
     if (!CHECK(world_make(&w, shapes, SOME, &options)))
@@ -62,23 +62,23 @@ static void moving_shapes_are_where_they_are_at_the_rays_time(void)
 /* The numbers given to the constructors are what moves. */
 static void between_moves_the_constructors_numbers(void)
 {
-    const double p[2][3] = {{0, 0, 0}, {1, 2, 4}}, q[2][3] = {{0, 0, 2},
-                                                              {8, 2, 4}};
+    const double p[2][3] = {{0, 0, 0}, {1, 2, 4}},
+                 q[2][3] = {{0, 0, 2}, {8, 2, 4}};
     double pm[3], qm[3], km = 0.5 * (0.75 + 0.25), x[3] = {1, 0, 0},
-        y[3] = {0, 3, 0}, z[3] = {0, 1, 5};
+                         y[3] = {0, 3, 0}, z[3] = {0, 1, 5};
     cylint_shape a, b, half, expected;
     for (int k = 0; k < 3; k++) {
         pm[k] = 0.5 * (p[0][k] + p[1][k]);
         qm[k] = 0.5 * (q[0][k] + q[1][k]);
     }
-#define HALF(MAKE_A, MAKE_B, MAKE_EXPECTED) \
-    CHECK(!(MAKE_A) && !(MAKE_B) && !(MAKE_EXPECTED)); \
-    memset(&half, 0, sizeof half); \
+#define HALF(MAKE_A, MAKE_B, MAKE_EXPECTED)                        \
+    CHECK(!(MAKE_A) && !(MAKE_B) && !(MAKE_EXPECTED));             \
+    memset(&half, 0, sizeof half);                                 \
     CHECK(cylint_embree_between(&a, &b, 0.5, &half) == CYLINT_OK); \
-    CHECK(memcmp(&half, &expected, sizeof half) == 0); \
-    CHECK(cylint_embree_between(&a, &b, 0, &half) == CYLINT_OK); \
-    CHECK(memcmp(&half, &a, sizeof half) == 0); \
-    CHECK(cylint_embree_between(&a, &b, 1, &half) == CYLINT_OK); \
+    CHECK(memcmp(&half, &expected, sizeof half) == 0);             \
+    CHECK(cylint_embree_between(&a, &b, 0, &half) == CYLINT_OK);   \
+    CHECK(memcmp(&half, &a, sizeof half) == 0);                    \
+    CHECK(cylint_embree_between(&a, &b, 1, &half) == CYLINT_OK);   \
     CHECK(memcmp(&half, &b, sizeof half) == 0)
     memset(&a, 0, sizeof a);
     memset(&b, 0, sizeof b);
@@ -92,15 +92,17 @@ static void between_moves_the_constructors_numbers(void)
     HALF(cylint_tangent_cone(&a, p[0], q[0], 1, CYLINT_ENDS_CAPPED),
          cylint_tangent_cone(&b, p[1], q[1], 0.25, CYLINT_ENDS_CAPPED),
          cylint_tangent_cone(&expected, pm, qm, 0.625, CYLINT_ENDS_CAPPED));
-    HALF(cylint_elliptic_cylinder(&a, p[0], x, y, q[0], CYLINT_ENDS_CAPPED),
-         cylint_elliptic_cylinder(&b, p[1], x, y, z, CYLINT_ENDS_CAPPED),
-         (z[1] = 0.5, z[2] = 3.5,
-          cylint_elliptic_cylinder(&expected, pm, x, y, z, CYLINT_ENDS_CAPPED)));
+    HALF(
+        cylint_elliptic_cylinder(&a, p[0], x, y, q[0], CYLINT_ENDS_CAPPED),
+        cylint_elliptic_cylinder(&b, p[1], x, y, z, CYLINT_ENDS_CAPPED),
+        (z[1] = 0.5, z[2] = 3.5,
+         cylint_elliptic_cylinder(&expected, pm, x, y, z, CYLINT_ENDS_CAPPED)));
     z[1] = 1, z[2] = 5;
-    HALF(cylint_elliptic_cone(&a, p[0], x, y, q[0], 0.75, CYLINT_ENDS_CAPPED),
-         cylint_elliptic_cone(&b, p[1], x, y, z, 0.25, CYLINT_ENDS_CAPPED),
-         (z[1] = 0.5, z[2] = 3.5, cylint_elliptic_cone(&expected, pm, x, y,
-                                             z, km, CYLINT_ENDS_CAPPED)));
+    HALF(
+        cylint_elliptic_cone(&a, p[0], x, y, q[0], 0.75, CYLINT_ENDS_CAPPED),
+        cylint_elliptic_cone(&b, p[1], x, y, z, 0.25, CYLINT_ENDS_CAPPED),
+        (z[1] = 0.5, z[2] = 3.5,
+         cylint_elliptic_cone(&expected, pm, x, y, z, km, CYLINT_ENDS_CAPPED)));
 #undef HALF
     /* an axis that vanishes half way */
     cylint_cylinder(&a, p[0], q[0], 1, CYLINT_ENDS_CAPPED);
@@ -150,7 +152,8 @@ static void an_update_takes_over_what_was_changed(void)
         CHECK(world_memory.bytes < 2 * bytes);
         /* a shape that cannot be taken over, and then one that can */
         kept = shapes[17];
-        cylint_cylinder(&shapes[17], kept.base, kept.base, 1, CYLINT_ENDS_CAPPED);
+        cylint_cylinder(&shapes[17], kept.base, kept.base, 1,
+                        CYLINT_ENDS_CAPPED);
         world_errors();
         CHECK(cylint_embree_update(w.geometry, &w.problem) ==
               CYLINT_EMBREE_ESHAPE);
@@ -159,8 +162,7 @@ static void an_update_takes_over_what_was_changed(void)
         CHECK(world_errors() == 1 &&
               world_last_error() == RTC_ERROR_INVALID_ARGUMENT);
         shapes[17] = kept;
-        CHECK(cylint_embree_update(w.geometry, &w.problem) ==
-              CYLINT_EMBREE_OK);
+        CHECK(cylint_embree_update(w.geometry, &w.problem) == CYLINT_EMBREE_OK);
         rtcCommitScene(w.scene);
         cylint_pack_shapes(&w.pack, w.room, shapes, SOME);
         ask_some(&w, &state);
@@ -177,38 +179,44 @@ static void the_scenes_box_is_that_of_the_shapes_and_a_little(void)
     cylint_shape shapes[SOME];
     uint64_t state = 7;
     for (int how = 0; how < 2; how++)
-    for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++)
-    for (int n = 1; n <= SOME; n += 33) {
-        double lo[3], hi[3], least[3], most[3];
-        double size = 0, most_of_all = 0;
-        struct RTCBounds box;
-        const float *lower = &box.lower_x, *upper = &box.upper_x;
-        struct world w;
-        world_shapes(&state, kind, shapes, (size_t)n);
-        w = made(shapes, (size_t)n, both_ways[how]);
-        for (int i = 0; i < n; i++) {
-            cylint_bounds(&shapes[i], lo, hi);
-            for (int k = 0; k < 3; k++) {
-                least[k] = i && least[k] < lo[k] ? least[k] : lo[k];
-                most[k] = i && most[k] > hi[k] ? most[k] : hi[k];
+        for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++)
+            for (int n = 1; n <= SOME; n += 33) {
+                double lo[3], hi[3], least[3], most[3];
+                double size = 0, most_of_all = 0;
+                struct RTCBounds box;
+                const float *lower = &box.lower_x, *upper = &box.upper_x;
+                struct world w;
+                world_shapes(&state, kind, shapes, (size_t)n);
+                w = made(shapes, (size_t)n, both_ways[how]);
+                for (int i = 0; i < n; i++) {
+                    cylint_bounds(&shapes[i], lo, hi);
+                    for (int k = 0; k < 3; k++) {
+                        least[k] = i && least[k] < lo[k] ? least[k] : lo[k];
+                        most[k] = i && most[k] > hi[k] ? most[k] : hi[k];
+                    }
+                }
+                for (int k = 0; k < 3; k++) {
+                    size = fmax(size, most[k] - least[k]);
+                    most_of_all = fmax(most_of_all, fmax(-least[k], most[k]));
+                }
+                rtcGetSceneBounds(w.scene, &box);
+                for (int k = 0; k < 3; k++) {
+                    const double per_size =
+                        both_ways[how] & CYLINT_EMBREE_SINGLE ? 0x1.1p-19
+                                                              : 0x1.1p-9;
+                    const double pad =
+                        size * per_size + 0x1.1p-23 * most_of_all;
+                    CHECK(lower[k] < least[k] &&
+                          lower[k] >=
+                              -nextafterf(world_float_above(pad - least[k]),
+                                          HUGE_VALF));
+                    CHECK(upper[k] > most[k] &&
+                          upper[k] <=
+                              nextafterf(world_float_above(pad + most[k]),
+                                         HUGE_VALF));
+                }
+                world_free(&w);
             }
-        }
-        for (int k = 0; k < 3; k++) {
-            size = fmax(size, most[k] - least[k]);
-            most_of_all = fmax(most_of_all, fmax(-least[k], most[k]));
-        }
-        rtcGetSceneBounds(w.scene, &box);
-        for (int k = 0; k < 3; k++) {
-            const double per_size = both_ways[how] & CYLINT_EMBREE_SINGLE
-                                  ? 0x1.1p-19 : 0x1.1p-9;
-            const double pad = size * per_size + 0x1.1p-23 * most_of_all;
-            CHECK(lower[k] < least[k] && lower[k] >=
-                  -nextafterf(world_float_above(pad - least[k]), HUGE_VALF));
-            CHECK(upper[k] > most[k] && upper[k] <=
-                  nextafterf(world_float_above(pad + most[k]), HUGE_VALF));
-        }
-        world_free(&w);
-    }
 }
 
 static void no_shapes_are_a_scene_that_nothing_hits(void)
@@ -264,7 +272,7 @@ static void what_embree_would_drop_is_refused_by_number(void)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
     double far[3] = {0, 0, 1.9e18}, near[3] = {0, 0, 1.8e18},
-        nan[3] = {0, 0, NAN};
+           nan[3] = {0, 0, NAN};
     cylint_shape shape;
     CHECK(cylint_cylinder(&shape, p0, nan, 1, CYLINT_ENDS_CAPPED));
     refused(&shape, 0, CYLINT_EMBREE_ESHAPE);
@@ -296,7 +304,7 @@ static void motion_that_makes_no_sense_is_refused_by_number(void)
     cylint_embree_problem problem;
     const long long bytes = world_memory.bytes;
     const double p0[3] = {0, 0, 0}, p1[3] = {1, 0, 0}, p2[3] = {0, 1, 0},
-        p3[3] = {0, 0, 1};
+                 p3[3] = {0, 0, 1};
     uint64_t state = 9;
     world_shapes(&state, SCENE_FAT, shapes, ROW);
     memcpy(moved, shapes, sizeof moved);

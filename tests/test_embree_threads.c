@@ -62,8 +62,8 @@ static void ask(int number, struct answer *a)
     memcpy(r.word, r.before, sizeof r.word);
     rays_occluded(&r, w.scene, NULL);
     a->shadowed = (unsigned)rays_shadowed(&r, n - 1);
-    a->shape = (unsigned long)cylint_scene_nearest(scene, &line,
-                                                   CYLINT_WANT_T, &hit);
+    a->shape =
+        (unsigned long)cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit);
     a->t = a->shape < SHAPES ? hit.t : 0;
     a->count = (unsigned long)cylint_scene_count(scene, &line, 0);
 }

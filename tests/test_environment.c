@@ -107,8 +107,7 @@ static int same_bits(double x, double y)
 }
 
 /* x.hit is compared member by member: a struct has padding. */
-static const char *difference(const struct answers *x,
-                              const struct answers *y)
+static const char *difference(const struct answers *x, const struct answers *y)
 {
     if (x->line_status != y->line_status ||
         x->shape_status != y->shape_status) {
@@ -157,8 +156,8 @@ static void ask(const struct family_case *c, struct answers *to)
     }
     to->made[12] = c->shape.dr;
     to->made[13] = c->shape.dr_lo;
-    cylint_intersect(&c->shape, &c->line,
-                     CYLINT_WANT_T | CYLINT_WANT_PART, &to->all);
+    cylint_intersect(&c->shape, &c->line, CYLINT_WANT_T | CYLINT_WANT_PART,
+                     &to->all);
     to->occluded = cylint_occluded(&c->shape, &c->line);
     to->contains = cylint_contains(&c->shape, c->line_data);
 }
@@ -172,11 +171,12 @@ static void report(const struct family_case *c, const char *what,
     }
     fprintf(stderr, "# %s differs, %s\n", what, where);
     family_print(stderr, c);
-    fprintf(stderr, "\n#   got  relation %d n %d t %a %a\n"
+    fprintf(stderr,
+            "\n#   got  relation %d n %d t %a %a\n"
             "#   want relation %d n %d t %a %a\n",
-            got->all.relation, got->all.n, got->all.hit[0].t,
-            got->all.hit[1].t, want->all.relation, want->all.n,
-            want->all.hit[0].t, want->all.hit[1].t);
+            got->all.relation, got->all.n, got->all.hit[0].t, got->all.hit[1].t,
+            want->all.relation, want->all.n, want->all.hit[0].t,
+            want->all.hit[1].t);
 }
 
 /* Made here and asked there, made there and asked there, made there and
@@ -246,16 +246,15 @@ static struct family_case record(family_line line, const double *line_data,
  * too; radii and axes one subnormal from nothing. */
 static void subnormal_differences(struct environment there)
 {
-    static const double size[] = {0x1p-1022, 0x1.8p-1021, 0x1p-1000,
-                                  0x1p-1060, 0x1p-1074};
+    static const double size[] = {0x1p-1022, 0x1.8p-1021, 0x1p-1000, 0x1p-1060,
+                                  0x1p-1074};
     for (int i = 0; i < 5; i++) {
         for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
             const double x = size[i], s = 0x1p-1074;
             const double line[] = {0, x, -3 * x, x, -x, 4 * x};
             const double cone[] = {0, 0, x, x, 0, s, 4 * x, x + 2 * s};
             const double rod[] = {x, x, x, x, x, x + s, x};
-            struct family_case c = record(FAMILY_LINE, line, FAMILY_CONE,
-                                          cone);
+            struct family_case c = record(FAMILY_LINE, line, FAMILY_CONE, cone);
             c.ends = (cylint_ends)ends;
             compare(&c, there);
             c = record(FAMILY_SEGMENT, line, FAMILY_CYLINDER, rod);
@@ -274,8 +273,7 @@ static void subnormal_offsets(struct environment there)
         const double x = ldexp(1, -1005), y = ldexp(1, -1074 + e);
         const double line[] = {x + y, y, -3 * x, y, 0x1p-1074, x};
         const double rod[] = {y, 0x1p-1074, 0, 0, 0x1p-1074, x, x + y};
-        struct family_case c = record(FAMILY_LINE, line, FAMILY_CYLINDER,
-                                      rod);
+        struct family_case c = record(FAMILY_LINE, line, FAMILY_CYLINDER, rod);
         compare(&c, there);
         c.ends = CYLINT_ENDS_INFINITE;
         compare(&c, there);
@@ -290,15 +288,14 @@ static void subnormal_domains(struct environment there)
     for (int from = -4; from <= 4; from++) {
         for (int to = -4; to <= 4; to++) {
             const double line[] = {0, 0, 0, 0, 0, 1, from * s, to * s};
-            struct family_case c = record(FAMILY_SPAN, line,
-                                          FAMILY_CYLINDER, rod);
+            struct family_case c =
+                record(FAMILY_SPAN, line, FAMILY_CYLINDER, rod);
             compare(&c, there);
         }
     }
     const double huge_step[] = {1, 0, -3, 0, 0, 0x1p1023};
     const double unit[] = {0, 0, 0, 0, 0, 1, 1};
-    struct family_case c = record(FAMILY_RAY, huge_step, FAMILY_CYLINDER,
-                                  unit);
+    struct family_case c = record(FAMILY_RAY, huge_step, FAMILY_CYLINDER, unit);
     compare(&c, there);
 }
 
@@ -313,11 +310,11 @@ static void angles(struct environment there)
                              : i % 3 == 1 ? 90 - part * 0x1p-20
                                           : ldexp(part, -1 - (int)(i % 1070));
         cylint_shape want, got;
-        const cylint_status status = cylint_angle_cone(&want, v, u, angle,
-                                                       CYLINT_ENDS_CAPPED);
+        const cylint_status status =
+            cylint_angle_cone(&want, v, u, angle, CYLINT_ENDS_CAPPED);
         enter(there);
-        const cylint_status other = cylint_angle_cone(&got, v, u, angle,
-                                                      CYLINT_ENDS_CAPPED);
+        const cylint_status other =
+            cylint_angle_cone(&got, v, u, angle, CYLINT_ENDS_CAPPED);
         leave();
         if (!CHECK(status == other && same_bits(want.r1, got.r1))) {
             REPORT("acone 0 0 0  0 0 1  %a: got %a, want %a", angle, got.r1,
@@ -362,9 +359,9 @@ static void ask_batches(const cylint_pack *pack, const cylint_lines *lines,
 {
     memset(to, 0, 2 * sizeof *to);
     for (int i = 0; i < 2; i++) {
-        const cylint_columns columns = {to[i].relation, to[i].n, to[i].t[0],
-                                        to[i].t[1], to[i].part[0],
-                                        to[i].part[1]};
+        const cylint_columns columns = {to[i].relation, to[i].n,
+                                        to[i].t[0],     to[i].t[1],
+                                        to[i].part[0],  to[i].part[1]};
         if (i == 0)
             cylint_intersect_shapes(pack, line, &columns);
         else
@@ -384,8 +381,11 @@ static void batches(struct environment there)
         cylint_pack pack;
         struct family_case c;
         struct batch_answers want[2], got[2];
-        cylint_lines lines = {ROW, {column[0], column[1], column[2]},
-                              {column[3], column[4], column[5]}, NULL, NULL};
+        cylint_lines lines = {ROW,
+                              {column[0], column[1], column[2]},
+                              {column[3], column[4], column[5]},
+                              NULL,
+                              NULL};
         for (int i = ROW - 1; i >= 0; i--) { /* the first is kept in c */
             family_case(check_setting("CYLINT_SEED", 1), family, (uint64_t)i,
                         &c);

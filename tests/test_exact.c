@@ -52,8 +52,7 @@ static double any_double(void)
     case 2: /* a power of two */
         return from_bits(sign | below(2047) << 52);
     default:
-        return from_bits(sign | below(2047) << 52 |
-                         below((uint64_t)1 << 52));
+        return from_bits(sign | below(2047) << 52 | below((uint64_t)1 << 52));
     }
 }
 
@@ -83,8 +82,9 @@ static int is_integer(exact x, const mpz_t wanted)
     mpz_t z;
     mpz_init(z);
     integer_of(z, x);
-    const int made = x.sign == 0 ? x.n == 0
-                   : x.n > 0 && x.limb[0] != 0 && x.limb[x.n - 1] != 0;
+    const int made = x.sign == 0
+                         ? x.n == 0
+                         : x.n > 0 && x.limb[0] != 0 && x.limb[x.n - 1] != 0;
     const int same = mpz_cmp(z, wanted) == 0 && mpz_sgn(z) == x.sign;
     mpz_clear(z);
     return made && same;
@@ -117,8 +117,7 @@ static exact cancelling_sum(mpz_t sum)
     mpz_set_ui(sum, 0);
     exact x = cylint_exact_from(&arena, 0);
     for (int i = 0; i < TERMS; i++) {
-        term[i] = i > 0 && below(2) ? -term[below((uint64_t)i)]
-                                    : any_double();
+        term[i] = i > 0 && below(2) ? -term[below((uint64_t)i)] : any_double();
         if (below(4) == 0 && fabs(term[i]) < 0x1p1000)
             term[i] = nextafter(term[i], HUGE_VAL);
         integer_of_double(z, term[i], BASE);
@@ -244,9 +243,13 @@ static double wild_double(void)
     const double sign = below(2) ? 1 : -1;
     const double m = sign * (1 + (double)below((uint64_t)1 << 52) * 0x1p-52);
     switch (below(10)) {
-    case 0: case 1: case 2:
+    case 0:
+    case 1:
+    case 2:
         return m * 0x1p1023;
-    case 3: case 4: case 5:
+    case 3:
+    case 4:
+    case 5:
         return sign * (double)(1 + below(7)) * 0x1p-1074;
     case 6:
         return m * 0x1p-1000;
@@ -298,8 +301,8 @@ static int made(const wild *c, int kind, cylint_shape *s, cylint_line *l)
         status = cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9, c->ends);
         break;
     default:
-        status = cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9,
-                                      fabs(x[12]), c->ends);
+        status = cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9, fabs(x[12]),
+                                      c->ends);
     }
     return status == CYLINT_OK &&
            (c->segment ? cylint_segment(l, o, o + 3)
@@ -309,8 +312,8 @@ static int made(const wild *c, int kind, cylint_shape *s, cylint_line *l)
 /* Whether there is such a root, so that it may be asked for. */
 static int exists(cylint_query *q, cylint_root root)
 {
-    const int linear = q->kind == CYLINT_KIND_CYLINDER ||
-                       q->kind == CYLINT_KIND_ECYLINDER;
+    const int linear =
+        q->kind == CYLINT_KIND_CYLINDER || q->kind == CYLINT_KIND_ECYLINDER;
     const int G = cylint_sign_G(q), A = cylint_sign_A(q);
     switch (root) {
     case ROOT_ENTRY:

@@ -143,12 +143,12 @@ static place place_of_vector(const cylint_shape *shape, const real D[3])
         real m[3][3], x[3];
         for (int i = 0; i < 9; i++)
             m[i / 3][i % 3] = column[i / 3][i % 3];
-        const real det = determinant((const real (*)[3])m);
+        const real det = determinant((const real(*)[3])m);
         for (int i = 0; i < 3; i++) {
             real n[3][3];
             memcpy(n, m, sizeof n);
             memcpy(n[i], D, sizeof n[i]);
-            x[i] = determinant((const real (*)[3])n) / det;
+            x[i] = determinant((const real(*)[3])n) / det;
         }
         at.off[0] = x[0];
         at.off[1] = x[1];
@@ -182,7 +182,8 @@ static place place_of_point(const cylint_shape *shape, const real p[3])
 
 static int bounded(const cylint_shape *shape)
 {
-    return shape->ends != CYLINT_ENDS_INFINITE && shape->ends != CYLINT_ENDS_NAPPE;
+    return shape->ends != CYLINT_ENDS_INFINITE &&
+           shape->ends != CYLINT_ENDS_NAPPE;
 }
 
 /* < 0 inside the lateral surface, both nappes taken together. */
@@ -192,8 +193,7 @@ static real excess(const place *at)
            at->off[2] * at->off[2] - at->rho * at->rho;
 }
 
-static int inside_at(const cylint_shape *shape, const cylint_line *line,
-                     real t)
+static int inside_at(const cylint_shape *shape, const cylint_line *line, real t)
 {
     real p[3];
     for (int i = 0; i < 3; i++)
@@ -277,16 +277,17 @@ static int reference(const cylint_shape *shape, const cylint_line *line,
         if (fabsl(e[i].t - line->tmin) < 1e-6L ||
             fabsl(e[i].t - line->tmax) < 1e-6L)
             return 0;
-        const int open = shape->ends == CYLINT_ENDS_OPEN ||
-                         (e[i].part == CYLINT_PART_CAP0 &&
-                          shape->ends == CYLINT_ENDS_CAP1) ||
-                         (e[i].part == CYLINT_PART_CAP1 &&
-                          shape->ends == CYLINT_ENDS_CAP0);
+        const int open =
+            shape->ends == CYLINT_ENDS_OPEN ||
+            (e[i].part == CYLINT_PART_CAP0 &&
+             shape->ends == CYLINT_ENDS_CAP1) ||
+            (e[i].part == CYLINT_PART_CAP1 && shape->ends == CYLINT_ENDS_CAP0);
         if (before == after || (open && e[i].part != CYLINT_PART_LATERAL) ||
             e[i].t < line->tmin || e[i].t > line->tmax)
             continue;
         want->hit[want->n].part = e[i].part;
-        want->hit[want->n].side = after ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
+        want->hit[want->n].side =
+            after ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
         t[want->n++] = e[i].t;
     }
     return 1;
@@ -379,21 +380,20 @@ static void compare(const cylint_method *method, int kind, int ends)
             report_case(method->name, &shape, &line);
     }
     if (!CHECK(compared > TRIALS / 4 && hits > TRIALS / 8))
-        REPORT("%s, kind %d ends %d: %d compared, %d hits", method->name,
-               kind, ends, compared, hits);
+        REPORT("%s, kind %d ends %d: %d compared, %d hits", method->name, kind,
+               ends, compared, hits);
 }
 
 static void every_method_agrees_with_long_double(void)
 {
     for (const cylint_method *m = cylint_methods(); m->name; m++) {
         worst = 0;
-        for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE;
-             kind++)
-            for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++)
+        for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE; kind++)
+            for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE;
+                 ends++)
                 if (answers_for(m->name, kind, ends))
                     compare(m, kind, ends);
-        printf("note: %s: t within %.1Le of the reference\n", m->name,
-               worst);
+        printf("note: %s: t within %.1Le of the reference\n", m->name, worst);
     }
 }
 
@@ -441,17 +441,17 @@ static void what_a_method_is_not_published_for_is_refused(void)
     int refused = 0;
 
     for (const cylint_method *m = cylint_methods(); m->name; m++)
-        for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE;
-             kind++)
-            for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
+        for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE; kind++)
+            for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE;
+                 ends++) {
                 if (answers_for(m->name, kind, ends))
                     continue;
                 random_shape(kind, (cylint_ends)ends, &shape);
                 random_line(&shape, &line);
                 CHECK(m->answer(&shape, &line, CYLINT_WANT_ALL, &answer) ==
                       CYLINT_EMETHOD);
-                CHECK(answer.relation == CYLINT_RELATION_MISS && answer.n == 0 &&
-                      answer.flags == CYLINT_FLAG_INVALID);
+                CHECK(answer.relation == CYLINT_RELATION_MISS &&
+                      answer.n == 0 && answer.flags == CYLINT_FLAG_INVALID);
                 refused++;
             }
     CHECK(refused == 28 + 28 + 18 + 24 + 24);
@@ -472,7 +472,8 @@ static void refused_shapes_and_lines_miss_with_the_flag(void)
     for (const cylint_method *m = cylint_methods(); m->name; m++) {
         const cylint_shape *shape =
             answers_for(m->name, CYLINT_KIND_CYLINDER, CYLINT_ENDS_INFINITE)
-                ? &good : &cone;
+                ? &good
+                : &cone;
         CHECK(m->answer(shape, &no_line, CYLINT_WANT_ALL, &answer) ==
               CYLINT_OK);
         CHECK(answer.relation == CYLINT_RELATION_MISS && answer.n == 0 &&

@@ -158,8 +158,7 @@ static void cone_methods_keep_the_contract(void)
         for (int i = 0; i < n; i++) {
             const due *c = &of_a_cone[i];
             cylint_shape by_angle, by_radii;
-            cylint_tangent_cone(&by_angle, v, u, 0.75,
-                                (cylint_ends)c->ends);
+            cylint_tangent_cone(&by_angle, v, u, 0.75, (cylint_ends)c->ends);
             cylint_cone(&by_radii, v, 0, u, 3, (cylint_ends)c->ends);
             check_due(&the_library, &by_angle, c);
             check_due(&the_library, &by_radii, c);
@@ -188,8 +187,8 @@ static void lines_parallel_to_a_ruling_are_told_apart(void)
 {
     const double v[3] = {0, 0, 0}, u[3] = {0, 0, 1};
     const cylint_method *m = cylint_methods();
-    const int n = sizeof of_a_right_angled_cone /
-                  sizeof *of_a_right_angled_cone;
+    const int n =
+        sizeof of_a_right_angled_cone / sizeof *of_a_right_angled_cone;
 
     while (strcmp(m->name, "quadratic"))
         m++;
@@ -371,7 +370,8 @@ static void an_angle_stays_below_a_turn(void)
         cylint_answer a;
         cylint_whole_line(&line, from, y);
         CHECK(cylint_quadratic(&shape, &line, CYLINT_WANT_PHI, &a) ==
-              CYLINT_OK && a.n == 2);
+                  CYLINT_OK &&
+              a.n == 2);
         CHECK(a.hit[0].phi >= 0 && a.hit[0].phi < 1e-300);
     }
 }

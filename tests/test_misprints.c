@@ -238,11 +238,13 @@ static void a_line_parallel_to_a_ruling_meets_the_other_one_only(void)
     CHECK(shene_cone_without_exceptions(0.6, o, u, t));
     CHECK(isnan(t[0]) != isnan(t[1]));
     cylint_answer a = ask(cylint_shene_cone, &shape, o, d);
-    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 1 && is(a.hit[0].t, 0.5));
+    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 1 &&
+          is(a.hit[0].t, 0.5));
     CHECK(a.hit[0].side == CYLINT_SIDE_LEAVING); /* the lower nappe, upwards */
     const double above[3] = {0, 0, 3};
     a = ask(cylint_shene_cone, &shape, above, d);
-    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 1 && is(a.hit[0].t, -0.5));
+    CHECK(a.relation == CYLINT_RELATION_CROSS && a.n == 1 &&
+          is(a.hit[0].t, -0.5));
     CHECK(a.hit[0].side == CYLINT_SIDE_ENTERING);
 }
 
@@ -264,11 +266,13 @@ static void gullotti_puts_every_parallel_line_on_the_surface(void)
 {
     const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double x[3] = {0.5, 1, 7};
-    const int due[3] = {CYLINT_RELATION_CROSS, CYLINT_RELATION_ALONG, CYLINT_RELATION_MISS};
+    const int due[3] = {CYLINT_RELATION_CROSS, CYLINT_RELATION_ALONG,
+                        CYLINT_RELATION_MISS};
 
     for (int i = 0; i < 3; i++) {
         const double o[3] = {x[i], 0, -2};
-        CHECK(gullotti_parallel_as_printed(o, along_z) == CYLINT_RELATION_ALONG);
+        CHECK(gullotti_parallel_as_printed(o, along_z) ==
+              CYLINT_RELATION_ALONG);
         CHECK(ask(cylint_gullotti, &shape, o, along_z).relation == due[i]);
     }
 }
@@ -320,8 +324,7 @@ static void gullottis_leading_coefficient_cancels(void)
 
 /* The x coordinate under M = T R S with R's columns the directions of a, b
  * and c, inverted as a rotation is: by its transpose. */
-static double gullotti_local_x_as_printed(const double D[3],
-                                          const double a[3])
+static double gullotti_local_x_as_printed(const double D[3], const double a[3])
 {
     return dot(D, a) / dot(a, a);
 }
@@ -341,8 +344,8 @@ static void gullottis_rotation_is_none_for_an_oblique_cylinder(void)
 
 /* ------------------------------------------------------ closest points -- */
 
-static double delta_as_printed(const double d[3], const double e[3],
-                               double r, double f)
+static double delta_as_printed(const double d[3], const double e[3], double r,
+                               double f)
 {
     const double below = dot(d, d) * dot(e, e) - dot(d, e) * dot(d, e);
     return sqrt(dot(e, e) * (r * r - f * f) / below);
@@ -362,7 +365,8 @@ static void closest_points_have_no_answer_for_a_parallel_line(void)
 {
     const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
     const double x[3] = {0.5, 1, 7};
-    const int due[3] = {CYLINT_RELATION_CROSS, CYLINT_RELATION_ALONG, CYLINT_RELATION_MISS};
+    const int due[3] = {CYLINT_RELATION_CROSS, CYLINT_RELATION_ALONG,
+                        CYLINT_RELATION_MISS};
 
     for (int i = 0; i < 3; i++) {
         const double o[3] = {x[i], 0, -2};
@@ -381,7 +385,8 @@ static void closest_points_leave_out_the_ends(void)
     CHECK(ask(cylint_closest_points, &shape, above, along_x).n == 0);
     const cylint_answer a = ask(cylint_closest_points, &shape, o, d);
     CHECK(a.n == 2 && is(a.hit[0].t, 2) && is(a.hit[1].t, 3));
-    CHECK(a.hit[0].part == CYLINT_PART_LATERAL && a.hit[1].part == CYLINT_PART_CAP1);
+    CHECK(a.hit[0].part == CYLINT_PART_LATERAL &&
+          a.hit[1].part == CYLINT_PART_CAP1);
 }
 
 /* t_c is left out; it is where the connection is perpendicular to both. */
@@ -392,7 +397,8 @@ static void the_closest_point_halves_the_chord(void)
     cylint_shape shape;
     double M[3], n[3], e[3], De[3], D[3];
 
-    CHECK(cylint_cylinder(&shape, p0, p1, 4, CYLINT_ENDS_INFINITE) == CYLINT_OK);
+    CHECK(cylint_cylinder(&shape, p0, p1, 4, CYLINT_ENDS_INFINITE) ==
+          CYLINT_OK);
     const cylint_answer a = ask(cylint_closest_points, &shape, o, d);
     CHECK(a.n == 2);
     const double t_c = (a.hit[0].t + a.hit[1].t) / 2;
@@ -446,8 +452,7 @@ static void clipobj_rejects_tangents_and_lines_in_a_caps_plane(void)
     double in = 3, out = 3;
 
     CHECK(!clipobj_as_printed(0, -1, &in, &out)); /* tangent: in = out */
-    cylint_answer a = ask(cylint_cychosz_waggenspack, &shape, beside,
-                          along_y);
+    cylint_answer a = ask(cylint_cychosz_waggenspack, &shape, beside, along_y);
     CHECK(a.relation == CYLINT_RELATION_TOUCH && a.n == 1 && a.hit[0].t == 3);
     in = 2;
     out = 4;

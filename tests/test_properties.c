@@ -35,8 +35,8 @@ static cylint_answer ask(const struct family_case *c)
 /* Relation, n, t, part and side of both. */
 static int same(const cylint_answer *x, const cylint_answer *y)
 {
-    int equal = x->relation == y->relation && x->n == y->n &&
-                x->flags == y->flags;
+    int equal =
+        x->relation == y->relation && x->n == y->n && x->flags == y->flags;
     for (int i = 0; i < x->n && equal; i++) {
         equal = x->hit[i].t == y->hit[i].t &&
                 x->hit[i].part == y->hit[i].part &&
@@ -71,14 +71,14 @@ static void parity(const struct family_case *given)
 {
     struct family_case c = *given;
     c.ends = CYLINT_ENDS_CAPPED;
-    c.line_word = c.line_word == FAMILY_SEGMENT ? FAMILY_SEGMENT
-                                                : FAMILY_LINE;
+    c.line_word = c.line_word == FAMILY_SEGMENT ? FAMILY_SEGMENT : FAMILY_LINE;
     family_make(&c);
     c.line.tmin = -HUGE_VAL;
     c.line.tmax = HUGE_VAL;
     const cylint_answer a = ask(&c);
-    const int due = a.relation == CYLINT_RELATION_MISS ? 0
-                  : a.relation == CYLINT_RELATION_TOUCH ? 1 : 2;
+    const int due = a.relation == CYLINT_RELATION_MISS    ? 0
+                    : a.relation == CYLINT_RELATION_TOUCH ? 1
+                                                          : 2;
     int good = a.n == due;
     if (due == 1) {
         good = good && a.hit[0].side == CYLINT_SIDE_BOTH;
@@ -100,8 +100,9 @@ static void a_capped_shape_never_gives_a_hit_without_its_partner(void)
 
 static int turned(int side)
 {
-    return side == CYLINT_SIDE_ENTERING ? CYLINT_SIDE_LEAVING
-         : side == CYLINT_SIDE_LEAVING ? CYLINT_SIDE_ENTERING : side;
+    return side == CYLINT_SIDE_ENTERING  ? CYLINT_SIDE_LEAVING
+           : side == CYLINT_SIDE_LEAVING ? CYLINT_SIDE_ENTERING
+                                         : side;
 }
 
 /* d becomes -d: t becomes -t. */
@@ -122,8 +123,8 @@ static void reversed(const struct family_case *given)
     int good = a.relation == b.relation && a.n == b.n;
     for (int i = 0; i < a.n && good; i++) {
         const cylint_hit *x = &a.hit[i], *y = &b.hit[a.n - 1 - i];
-        good = x->t == -y->t && x->part == y->part &&
-               x->side == turned(y->side);
+        good =
+            x->t == -y->t && x->part == y->part && x->side == turned(y->side);
     }
     if (!CHECK(good)) {
         fail_with(given);
@@ -149,8 +150,8 @@ static void segment_turned(const struct family_case *given)
     int good = a.relation == b.relation && a.n == b.n;
     for (int i = 0; i < a.n && good; i++) {
         const cylint_hit *x = &a.hit[i], *y = &b.hit[a.n - 1 - i];
-        good = fabs(x->t - (1 - y->t)) <= DBL_EPSILON &&
-               x->part == y->part && x->side == turned(y->side);
+        good = fabs(x->t - (1 - y->t)) <= DBL_EPSILON && x->part == y->part &&
+               x->side == turned(y->side);
     }
     if (!CHECK(good)) {
         fail_with(given);
@@ -272,11 +273,11 @@ static int scale_exactly(double *x, int n, int e)
 static void scaled_by(const struct family_case *given, int e, int f)
 {
     struct family_case c = *given;
-    const int factor = c.shape_word == FAMILY_ACONE ||
-                       c.shape_word == FAMILY_ECONE;
+    const int factor =
+        c.shape_word == FAMILY_ACONE || c.shape_word == FAMILY_ECONE;
     const int segment = c.line_word == FAMILY_SEGMENT;
-    if (!scale_exactly(c.shape_data,
-                       family_shape_size(c.shape_word) - factor, e) ||
+    if (!scale_exactly(c.shape_data, family_shape_size(c.shape_word) - factor,
+                       e) ||
         !scale_exactly(c.line_data, 3, e) ||
         !scale_exactly(c.line_data + 3, 3, segment ? e : f)) {
         return;
@@ -291,10 +292,9 @@ static void scaled_by(const struct family_case *given, int e, int f)
     int good = a.relation == b.relation && a.n == b.n;
     for (int i = 0; i < a.n && good; i++) {
         const double t = a.hit[i].t, s = ldexp(t, segment ? 0 : e - f);
-        const int rounds = !isfinite(s) || !isfinite(t) ||
-                           fabs(s) < DBL_MIN || fabs(t) < DBL_MIN;
-        good = (rounds || s == b.hit[i].t) &&
-               a.hit[i].part == b.hit[i].part &&
+        const int rounds = !isfinite(s) || !isfinite(t) || fabs(s) < DBL_MIN ||
+                           fabs(t) < DBL_MIN;
+        good = (rounds || s == b.hit[i].t) && a.hit[i].part == b.hit[i].part &&
                a.hit[i].side == b.hit[i].side;
     }
     if (!CHECK(good)) {
@@ -321,14 +321,16 @@ static void scaling_by_powers_of_two_leaves_the_digits_of_t(void)
 
 static int other_cap(int part)
 {
-    return part == CYLINT_PART_CAP0 ? CYLINT_PART_CAP1
-         : part == CYLINT_PART_CAP1 ? CYLINT_PART_CAP0 : part;
+    return part == CYLINT_PART_CAP0   ? CYLINT_PART_CAP1
+           : part == CYLINT_PART_CAP1 ? CYLINT_PART_CAP0
+                                      : part;
 }
 
 static cylint_ends other_ends(cylint_ends ends)
 {
-    return ends == CYLINT_ENDS_CAP0 ? CYLINT_ENDS_CAP1
-         : ends == CYLINT_ENDS_CAP1 ? CYLINT_ENDS_CAP0 : ends;
+    return ends == CYLINT_ENDS_CAP0   ? CYLINT_ENDS_CAP1
+           : ends == CYLINT_ENDS_CAP1 ? CYLINT_ENDS_CAP0
+                                      : ends;
 }
 
 /* p0, r0 and p1, r1 change places: cap 0 and cap 1 do. */
@@ -432,8 +434,8 @@ static void an_elliptic_cone_with_k_1_is_an_elliptic_cylinder(void)
 /* Along coordinate `up` a circular shape is an elliptic one with the axes
  * (r, 0, 0) and (0, r, 0); k = r1 / r0 is kept a power of two.  `form` picks
  * the two spellings. */
-static void spell(struct family_case *c, int form, int up, double h,
-                  double r0, double r1)
+static void spell(struct family_case *c, int form, int up, double h, double r0,
+                  double r1)
 {
     double *x = c->shape_data;
     double p[3];
@@ -496,8 +498,7 @@ static void fewer_caps(const struct family_case *given)
             if (part == CYLINT_PART_LATERAL ||
                 (part == CYLINT_PART_CAP0 && ends == CYLINT_ENDS_CAP0) ||
                 (part == CYLINT_PART_CAP1 && ends == CYLINT_ENDS_CAP1)) {
-                good = good && n < some.n &&
-                       some.hit[n].t == all.hit[i].t &&
+                good = good && n < some.n && some.hit[n].t == all.hit[i].t &&
                        some.hit[n].part == part;
                 n++;
             }
@@ -551,10 +552,10 @@ static int as_wanted(const cylint_answer *full, const cylint_answer *some,
         for (size_t k = 0; k < sizeof members / sizeof *members; k++) {
             const int written = (want & members[k].want) && i < some->n;
             const char *got = (const char *)&some->hit[i] + members[k].at;
-            const char *due = (const char *)(written ? &full->hit[i]
-                                                     : &before->hit[i]);
-            good = good && memcmp(got, due + members[k].at,
-                                  members[k].size) == 0;
+            const char *due =
+                (const char *)(written ? &full->hit[i] : &before->hit[i]);
+            good =
+                good && memcmp(got, due + members[k].at, members[k].size) == 0;
         }
     }
     return good;

@@ -63,11 +63,12 @@ static void show(const struct family_case *c, const char *what,
                 both[k]->relation, both[k]->n);
         for (int i = 0; i < both[k]->n; i++) {
             const cylint_hit *h = &both[k]->hit[i];
-            fprintf(stderr, "\n#     t %a part %d side %d  point %.17g %.17g "
+            fprintf(stderr,
+                    "\n#     t %a part %d side %d  point %.17g %.17g "
                     "%.17g  normal %.17g %.17g %.17g  z %.17g phi %.17g",
                     h->t, h->part, h->side, h->point[0], h->point[1],
-                    h->point[2], h->normal[0], h->normal[1], h->normal[2],
-                    h->z, h->phi);
+                    h->point[2], h->normal[0], h->normal[1], h->normal[2], h->z,
+                    h->phi);
         }
         fputc('\n', stderr);
     }
@@ -75,8 +76,7 @@ static void show(const struct family_case *c, const char *what,
 
 /* The first thing that is wrong, or NULL; counts it. */
 static const char *compare(struct tally *sum, const struct family_case *c,
-                           const cylint_answer *got,
-                           const cylint_answer *want)
+                           const cylint_answer *got, const cylint_answer *want)
 {
     const char *wrong = NULL;
     sum->cases++;
@@ -108,9 +108,10 @@ static const char *compare(struct tally *sum, const struct family_case *c,
 static void print_tally(const char *name, const struct tally *s)
 {
     printf("note: %-22s %8ld %8ld %5ld %5ld %5ld %5ld %5ld  %9.3g %9.3g %9.3g"
-           " %9.3g\n", name, s->cases, s->hits, s->relation, s->number,
-           s->part, s->t, s->derived, s->off[ULPS_POINT], s->off[ULPS_NORMAL],
-           s->off[ULPS_Z], s->off[ULPS_PHI]);
+           " %9.3g\n",
+           name, s->cases, s->hits, s->relation, s->number, s->part, s->t,
+           s->derived, s->off[ULPS_POINT], s->off[ULPS_NORMAL], s->off[ULPS_Z],
+           s->off[ULPS_PHI]);
 }
 
 static void run_family(int family)
@@ -133,11 +134,12 @@ static void run_family(int family)
 
 static void library_answers_as_the_oracle(void)
 {
-    const int only = getenv("CYLINT_FAMILY") ? atoi(getenv("CYLINT_FAMILY"))
-                                             : -1;
+    const int only =
+        getenv("CYLINT_FAMILY") ? atoi(getenv("CYLINT_FAMILY")) : -1;
     int bad = 0;
     printf("note: seed %llu; wrong relation, number, part, t, derived; worst "
-           "point, normal, z, phi in ulp\n", (unsigned long long)seed());
+           "point, normal, z, phi in ulp\n",
+           (unsigned long long)seed());
     for (int family = 0; family < family_count(); family++) {
         if (only < 0 || family == only) {
             check_bad = 0; /* so that each family shows its first failures */
@@ -172,14 +174,13 @@ static void oracle_agrees_with_points_sampled_along_the_line(void)
         c.line.tmin = -HUGE_VAL;
         c.line.tmax = HUGE_VAL;
         c.shape.ends = c.shape.ends < CYLINT_ENDS_INFINITE ? CYLINT_ENDS_CAPPED
-                                                      : c.shape.ends;
+                                                           : c.shape.ends;
         oracle_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &answer);
         CHECK(answer.n > 0 || answer.relation == CYLINT_RELATION_MISS);
         for (int k = 0; k < answer.n; k++) {
             const double t = answer.hit[k].t, step = 1e-6;
             const int in = answer.hit[k].side == CYLINT_SIDE_ENTERING ? 1 : -1;
-            if (answer.n == 2 &&
-                answer.hit[1].t - answer.hit[0].t < 4 * step) {
+            if (answer.n == 2 && answer.hit[1].t - answer.hit[0].t < 4 * step) {
                 continue;
             }
             if (!CHECK(inside_at(&c, t + step) == in &&
@@ -216,8 +217,8 @@ static void ends_at(const struct family_case *given, double tmin, double tmax)
     }
     cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T, &got);
     oracle_intersect(&c.shape, &c.line, CYLINT_WANT_T, &want);
-    if (!CHECK(got.n == want.n) || !CHECK(got.n < 1 ||
-                                          got.hit[0].t == want.hit[0].t)) {
+    if (!CHECK(got.n == want.n) ||
+        !CHECK(got.n < 1 || got.hit[0].t == want.hit[0].t)) {
         REPORT("from %a to %a", tmin, tmax);
         family_print(stderr, &c);
         fputc('\n', stderr);

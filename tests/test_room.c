@@ -26,8 +26,7 @@ static unsigned below(unsigned n)
 
 static exact extent(cylint_arena *arena, int n, int exponent)
 {
-    const exact x = {arena->limb + arena->used, n, exponent,
-                     below(2) ? 1 : -1};
+    const exact x = {arena->limb + arena->used, n, exponent, below(2) ? 1 : -1};
     arena->used += n;
     if (arena->used > arena->most)
         arena->most = arena->used;
@@ -149,8 +148,8 @@ static void ask_root(cylint_query *q, cylint_root root)
     q->arena.used = used;
     for (int part = CYLINT_PART_LATERAL; part <= CYLINT_PART_CAP1; part++)
         for (int apex = 0; apex < 2; apex++)
-            cylint_describe_hit(q, root, t, more, part, apex,
-                                CYLINT_WANT_ALL, &hit);
+            cylint_describe_hit(q, root, t, more, part, apex, CYLINT_WANT_ALL,
+                                &hit);
 }
 
 /* The most limbs in use, in one such question. */

@@ -41,7 +41,7 @@ struct asked {
     cylint_scene *scene;
     cylint_pack pack;
     void *memory;
-    signed char *hits;   /* of all shapes, by brute force */
+    signed char *hits; /* of all shapes, by brute force */
     size_t *numbers;
 };
 
@@ -88,8 +88,8 @@ static void check_nearest(const struct asked *a, const cylint_line *line)
     cylint_hit got, want;
     memset(&got, 0x55, sizeof got);
     memset(&want, 0x55, sizeof want);
-    const size_t i = cylint_scene_nearest(a->scene, line, CYLINT_WANT_ALL,
-                                          &got);
+    const size_t i =
+        cylint_scene_nearest(a->scene, line, CYLINT_WANT_ALL, &got);
     const size_t j = cylint_nearest(&a->pack, line, CYLINT_WANT_ALL, &want);
     if (!CHECK(i == j && same_hit(&got, &want))) {
         show_line(a, line, "nearest", i, j);
@@ -125,8 +125,7 @@ static void check_numbers(const struct asked *a, const cylint_line *line)
     cylint_intersect_shapes(&a->pack, line, &columns);
     for (size_t i = 0; i < a->of.n; i++)
         count += a->hits[i] > 0;
-    const size_t all = cylint_scene_all(a->scene, line, 0, a->numbers,
-                                        a->of.n);
+    const size_t all = cylint_scene_all(a->scene, line, 0, a->numbers, a->of.n);
     int same = all == count;
     for (size_t i = 0, k = 0; i < a->of.n && same; i++)
         same = a->hits[i] <= 0 || a->numbers[k++] == i;
@@ -172,8 +171,8 @@ static void check_lines(const struct asked *a)
             check_nearest(a, &line);
             check_numbers(a, &line);
             lines_asked++;
-            lines_hit += cylint_scene_nearest(a->scene, &line, 0, &hit) <
-                         a->of.n;
+            lines_hit +=
+                cylint_scene_nearest(a->scene, &line, 0, &hit) < a->of.n;
         }
 }
 
@@ -277,8 +276,8 @@ static void what_is_behind_a_hit_is_never_that_hit(void)
                 cylint_hit hit, next;
                 if (scene_line(&a.of, LINES_RANDOM, seed(), i, &line))
                     continue;
-                const size_t first = cylint_scene_nearest(a.scene, &line,
-                    CYLINT_WANT_T, &hit);
+                const size_t first =
+                    cylint_scene_nearest(a.scene, &line, CYLINT_WANT_T, &hit);
                 const double o[3] = {line.o[0], line.o[1], line.o[2]};
                 const double d[3] = {line.d[0], line.d[1], line.d[2]};
                 if (first == a.of.n ||
@@ -286,8 +285,8 @@ static void what_is_behind_a_hit_is_never_that_hit(void)
                                 HUGE_VAL))
                     continue;
                 hits++;
-                if (cylint_scene_nearest(a.scene, &line, CYLINT_WANT_T,
-                                         &next) < a.of.n)
+                if (cylint_scene_nearest(a.scene, &line, CYLINT_WANT_T, &next) <
+                    a.of.n)
                     CHECK(next.t > hit.t);
             }
         close_both(&a);
@@ -339,14 +338,14 @@ static void *answer_part(void *argument)
             size_t numbers[16];
             uint64_t t = 0;
             scene_line(&a->of, (enum scene_lines)kind, seed(), i, &line);
-            const size_t n = cylint_scene_nearest(a->scene, &line,
-                                                  CYLINT_WANT_T, &hit);
+            const size_t n =
+                cylint_scene_nearest(a->scene, &line, CYLINT_WANT_T, &hit);
             if (n < a->of.n)
                 memcpy(&t, &hit.t, sizeof t);
             p->sum = p->sum * 31 + n + t;
             p->sum = p->sum * 31 + cylint_scene_count(a->scene, &line, 2);
-            p->sum = p->sum * 31 + cylint_scene_all(a->scene, &line, 0,
-                                                    numbers, 16);
+            p->sum =
+                p->sum * 31 + cylint_scene_all(a->scene, &line, 0, numbers, 16);
         }
     return NULL;
 }

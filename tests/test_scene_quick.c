@@ -68,8 +68,8 @@ static int pose(struct question *q, struct family_case *c, uint64_t index)
     }
     q->line.tmin = index % 5 ? 0 : -HUGE_VAL;
     q->line.tmax = HUGE_VAL;
-    if (cylint_span(&line, q->line.o, q->line.d, q->line.tmin,
-                    q->line.tmax) != CYLINT_OK)
+    if (cylint_span(&line, q->line.o, q->line.d, q->line.tmin, q->line.tmax) !=
+        CYLINT_OK)
         return 0;
     q->shape = &c->shape;
     q->n = cylint_intersect(q->shape, &line, CYLINT_WANT_ALL, &q->answer);
@@ -85,8 +85,8 @@ static int same_float(float x, double y)
 
 static int same_floats(const cylint_quick_floats *f, const cylint_hit *hit)
 {
-    int same = same_float(f->z, hit->z) &&
-               same_float(f->phi, cylint_turn(hit->phi));
+    int same =
+        same_float(f->z, hit->z) && same_float(f->phi, cylint_turn(hit->phi));
     for (int j = 0; j < 3; j++)
         same &= same_float(f->normal[j], hit->normal[j]);
     return same;
@@ -94,7 +94,9 @@ static int same_floats(const cylint_quick_floats *f, const cylint_hit *hit)
 
 static int part_of(const cylint_quick_hit *at)
 {
-    return !at->capped ? CYLINT_PART_LATERAL : at->top ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
+    return !at->capped ? CYLINT_PART_LATERAL
+           : at->top   ? CYLINT_PART_CAP1
+                       : CYLINT_PART_CAP0;
 }
 
 static int describes(const cylint_quick_build *build, const cylint_quick *q,
@@ -209,8 +211,8 @@ static void gather(struct crowd *c, int family, uint64_t *i, int most)
         if (c->from[n].shape_word > FAMILY_ACONE || !pose(x, &c->from[n], *i))
             continue;
         cylint_quick_shape_of(&c->shape[n], x->shape);
-        c->subject[n] = (cylint_quick_subject){&c->shape[n], 0, x->shape,
-                                               x->shape->ends};
+        c->subject[n] =
+            (cylint_quick_subject){&c->shape[n], 0, x->shape, x->shape->ends};
         c->line[c->n++] = &x->line;
     }
 }
@@ -224,10 +226,11 @@ static int is_told(const cylint_quick_answers *a, int i, const cylint_hit *hit)
 static int is_described(const cylint_quick_answers *a, int i,
                         const cylint_hit *hit)
 {
-    const cylint_quick_floats f = {
-        (float)a->float_z[i], (float)a->phi[i],
-        {(float)a->normal[0][i], (float)a->normal[1][i],
-         (float)a->normal[2][i]}};
+    const cylint_quick_floats f = {(float)a->float_z[i],
+                                   (float)a->phi[i],
+                                   {(float)a->normal[0][i],
+                                    (float)a->normal[1][i],
+                                    (float)a->normal[2][i]}};
     return same_floats(&f, hit);
 }
 
@@ -317,9 +320,8 @@ static int in_floats(const struct family_case *c, cylint_shape *shape)
         base[j] = (float)c->shape.base[j];
         top[j] = (float)c->shape.top[j];
     }
-    return cylint_cone(shape, base, (float)c->shape.r0, top,
-                       (float)c->shape.r1, (cylint_ends)c->shape.ends) ==
-           CYLINT_OK;
+    return cylint_cone(shape, base, (float)c->shape.r0, top, (float)c->shape.r1,
+                       (cylint_ends)c->shape.ends) == CYLINT_OK;
 }
 
 /* The same in every bit; how often that was so. */
@@ -368,8 +370,8 @@ static long many_small_as_large(cylint_quick_many *many, int family)
                 c.n = k;
             else {
                 cylint_quick_shape_of(&c.shape[k], whole);
-                small[k] = (cylint_quick_subject){&shape[k], 1, whole,
-                                                  whole->ends};
+                small[k] =
+                    (cylint_quick_subject){&shape[k], 1, whole, whole->ends};
             }
         }
         if (c.n == 0)
@@ -408,9 +410,10 @@ static int is_small(double x, double r, int cone)
     const double base[3] = {x, 2, 3}, top[3] = {4, 5, 6};
     cylint_quick_small small;
     cylint_shape shape;
-    return CHECK((cone ? cylint_cone(&shape, base, r, top, 1, CYLINT_ENDS_CAPPED)
-                       : cylint_cylinder(&shape, base, top, r,
-                                         CYLINT_ENDS_CAPPED)) == CYLINT_OK) &&
+    return CHECK((cone
+                      ? cylint_cone(&shape, base, r, top, 1, CYLINT_ENDS_CAPPED)
+                      : cylint_cylinder(&shape, base, top, r,
+                                        CYLINT_ENDS_CAPPED)) == CYLINT_OK) &&
            cylint_quick_small_of(&small, &shape);
 }
 
@@ -424,14 +427,16 @@ static void only_what_is_made_of_floats_is_small(void)
         CHECK(is_small(1, 0.5, cone) && is_small(-0.0, 0.5, cone));
         CHECK(is_small((double)FLT_MIN, 0.5, cone));
         CHECK(!is_small(0.1, 0.5, cone) && !is_small(1, 0.1, cone));
-        CHECK(!is_small(0x1p-140, 0.5, cone)); /* a subnormal float */
+        CHECK(!is_small(0x1p-140, 0.5, cone));  /* a subnormal float */
         CHECK(!is_small(0x1p-1070, 0.5, cone)); /* and double */
         CHECK(!is_small(0x1p200, 0.5, cone));
     }
-    CHECK(cylint_angle_cone(&shape, base, up, 45, CYLINT_ENDS_CAPPED) == CYLINT_OK &&
+    CHECK(cylint_angle_cone(&shape, base, up, 45, CYLINT_ENDS_CAPPED) ==
+              CYLINT_OK &&
           !cylint_quick_small_of(&small, &shape));
-    CHECK(cylint_elliptic_cylinder(&shape, base, a, b, up, CYLINT_ENDS_CAPPED) ==
-          CYLINT_OK && !cylint_quick_small_of(&small, &shape));
+    CHECK(cylint_elliptic_cylinder(&shape, base, a, b, up,
+                                   CYLINT_ENDS_CAPPED) == CYLINT_OK &&
+          !cylint_quick_small_of(&small, &shape));
 }
 
 /* As far as long doubles tell; the bound is not far above what there is. */
@@ -460,8 +465,8 @@ static void ordinary_cylinders_are_certain(void)
 {
     const int ordinary = 0;
     CHECK(strcmp(family_name(ordinary), "ordinary") == 0);
-    const struct tally t = asked(cylint_quick_used(), ordinary,
-                                 FAMILY_CYLINDER);
+    const struct tally t =
+        asked(cylint_quick_used(), ordinary, FAMILY_CYLINDER);
     if (!CHECK(t.hits > CASES / 4 &&
                (double)t.described >= 0.999 * (double)t.hits))
         REPORT("%ld of %ld hits", t.described, t.hits);

@@ -9,15 +9,13 @@
 #include "scene/group.h"
 #include "scenes.h"
 
-static int make(cylint_group *group, const struct scene_shapes *of,
-                int threads)
+static int make(cylint_group *group, const struct scene_shapes *of, int threads)
 {
     const cylint_view view = cylint_plain_view(of->shapes);
-    const cylint_members members = {.view = &view, .n = of->n,
-                                    .threads = threads};
+    const cylint_members members = {
+        .view = &view, .n = of->n, .threads = threads};
     size_t refused;
-    return CHECK(cylint_group_make(group, &members, &refused) ==
-                 CYLINT_CUT_OK);
+    return CHECK(cylint_group_make(group, &members, &refused) == CYLINT_CUT_OK);
 }
 
 /* ---------------------------------------------------------------- nodes -- */
@@ -58,8 +56,7 @@ static void check_nodes(const struct scene_shapes *of)
     CHECK(f.gaps == 0);
     CHECK(f.nodes <= cylint_tree_most_nodes(group.n));
     CHECK(f.depth <= CYLINT_DEPTH);
-    CHECK((const char *)group.blocks ==
-          (const char *)(group.nodes + f.nodes));
+    CHECK((const char *)group.blocks == (const char *)(group.nodes + f.nodes));
     free(f.blocks);
     cylint_group_free(&group);
 }
@@ -134,8 +131,8 @@ static void the_first_refused_shape_is_told(void)
     static const size_t bad[] = {22999, 12000, 11999, 300};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         for (int threads = 1; threads < 6; threads++) {
-            const cylint_members members = {.view = &view, .n = of.n,
-                                            .threads = threads};
+            const cylint_members members = {
+                .view = &view, .n = of.n, .threads = threads};
             size_t refused = 0;
             cylint_group group;
             of.shapes[bad[i]].kind = CYLINT_KIND_NONE;

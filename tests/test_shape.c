@@ -140,8 +140,7 @@ static void half_angles_lie_between_0_and_90(void)
     cylint_shape s;
     CHECK(cylint_tangent_cone(&s, origin, axis_z, 0, 0) == CYLINT_EANGLE);
     CHECK(cylint_tangent_cone(&s, origin, axis_z, -1, 0) == CYLINT_EANGLE);
-    CHECK(cylint_tangent_cone(&s, origin, axis_z, NAN, 0) ==
-          CYLINT_ENONFINITE);
+    CHECK(cylint_tangent_cone(&s, origin, axis_z, NAN, 0) == CYLINT_ENONFINITE);
     CHECK(cylint_tangent_cone(&s, origin, axis_z, HUGE_VAL, 0) ==
           CYLINT_ENONFINITE);
     CHECK(cylint_tangent_cone(&s, origin, axis_z, DBL_MAX, 0) == CYLINT_OK);
@@ -170,8 +169,7 @@ static void dependent_axes_are_refused_exactly(void)
           CYLINT_EDEGENERATE);
     /* 0.1, 0.2, 0.3 as doubles: 0.1 x 3 is not 0.3 */
     const double p[3] = {0.1, 0.1, 1}, q[3] = {0.3, 0.3, 3};
-    CHECK(cylint_elliptic_cylinder(&s, origin, p, q, axis_x, 0) ==
-          CYLINT_OK);
+    CHECK(cylint_elliptic_cylinder(&s, origin, p, q, axis_x, 0) == CYLINT_OK);
     /* at the ends of the range, where products over- and underflow */
     const double x[3] = {5e-324, 0, 0}, y[3] = {0, 5e-324, 0};
     const double z[3] = {0, 0, 5e-324}, far[3] = {0, 1e308, 1e308};
@@ -287,7 +285,8 @@ static void extreme_shapes_are_accepted(void)
     cylint_answer a;
     CHECK(cylint_intersect(&s, &l, CYLINT_WANT_ALL, &a) == 2);
     CHECK(a.hit[0].t == 0 && a.hit[1].t == 1);
-    CHECK(a.hit[0].part == CYLINT_PART_CAP0 && a.hit[1].part == CYLINT_PART_CAP1);
+    CHECK(a.hit[0].part == CYLINT_PART_CAP0 &&
+          a.hit[1].part == CYLINT_PART_CAP1);
     for (int i = 0; i < 3; i++) {
         CHECK(a.hit[0].point[i] == low[i] && a.hit[1].point[i] == high[i]);
     }
@@ -414,8 +413,7 @@ static void rim_point(const struct family_case *c, int top, double turn,
     }
     const double radius = c->shape_word == FAMILY_ACONE ? r * size : r;
     for (int i = 0; i < 3; i++) {
-        p[i] = s->base[i] + (top ? w[i] : 0) +
-               radius * (x * e[i] + y * f[i]);
+        p[i] = s->base[i] + (top ? w[i] : 0) + radius * (x * e[i] + y * f[i]);
     }
 }
 
@@ -486,9 +484,11 @@ static void nothing_of_a_solid_is_outside_its_box(void)
                     continue;
                 }
                 at_side(lo, hi, i, up, p);
-                if (cylint_whole_line(&line, p, (i + 1 + side / 2 % 2) % 3 ==
-                        0 ? axis_x : (i + 1 + side / 2 % 2) % 3 == 1 ? axis_y
-                        : axis_z) != CYLINT_OK) {
+                if (cylint_whole_line(&line, p,
+                                      (i + 1 + side / 2 % 2) % 3 == 0 ? axis_x
+                                      : (i + 1 + side / 2 % 2) % 3 == 1
+                                          ? axis_y
+                                          : axis_z) != CYLINT_OK) {
                     continue;
                 }
                 oracle_intersect(&c.shape, &line, 0, &answer);

@@ -71,8 +71,7 @@ static void go_back(const struct plan *p, struct scene *s, int i)
 
 static int is_cone(family_shape word)
 {
-    return word == FAMILY_CONE || word == FAMILY_ACONE ||
-           word == FAMILY_ECONE;
+    return word == FAMILY_CONE || word == FAMILY_ACONE || word == FAMILY_ECONE;
 }
 
 static void cap_tie(const struct plan *p, struct scene *s)
@@ -95,8 +94,8 @@ static void cap_tie(const struct plan *p, struct scene *s)
  * at y = q meets at x = +-p. */
 static void side_tie(const struct plan *p, struct scene *s)
 {
-    static const int triples[][3] = {{3, 4, 5}, {5, 12, 13}, {15, 8, 17},
-                                     {9, 40, 41}, {1, 0, 1}};
+    static const int triples[][3] = {
+        {3, 4, 5}, {5, 12, 13}, {15, 8, 17}, {9, 40, 41}, {1, 0, 1}};
     const int *t = triples[one_of(5)];
     const double px = p->where == TANGENT ? 0 : t[0];
     const double qy = p->where == TANGENT ? t[2] : t[1], r = t[2];
@@ -164,7 +163,8 @@ static void apex_tie(const struct plan *p, struct scene *s)
     s->d[1] = p->other & 2 ? one_of(5) - 2 : 0;
     s->d[2] = p->c;
     if (s->d[0] * s->d[0] + s->d[1] * s->d[1] == p->c * p->c)
-        s->ends = CYLINT_ENDS_NAPPE; /* of a double cone this is a whole ruling */
+        s->ends =
+            CYLINT_ENDS_NAPPE; /* of a double cone this is a whole ruling */
     for (int i = 0; i < 3; i++)
         if (s->d[i] != 0)
             go_back(p, s, i);
@@ -176,8 +176,9 @@ static int write_case(const struct plan *p, const struct scene *s,
                       struct family_case *c)
 {
     double *x = c->shape_data;
-    const int h = p->word == FAMILY_CONE ? 4 : p->word >= FAMILY_ECYLINDER
-                                             ? 9 : 3;
+    const int h = p->word == FAMILY_CONE        ? 4
+                  : p->word >= FAMILY_ECYLINDER ? 9
+                                                : 3;
     c->shape_word = p->word;
     c->ends = s->ends;
     for (int j = 0; j < 3; j++) {
@@ -191,8 +192,7 @@ static int write_case(const struct plan *p, const struct scene *s,
         if (p->word <= FAMILY_CONE)
             x[h + i] = ldexp(top, p->e);
         else
-            x[h + i] = ldexp(p->word == FAMILY_ACONE && j < 2 ? 0 : lean,
-                             p->e);
+            x[h + i] = ldexp(p->word == FAMILY_ACONE && j < 2 ? 0 : lean, p->e);
         if (p->word >= FAMILY_ECYLINDER) {
             x[3 + i] = j == 0 ? ldexp(s->a, p->e) : 0;
             x[6 + i] = j == 1 ? ldexp(s->b, p->e) : 0;
@@ -217,11 +217,18 @@ static int build(const struct plan *p, struct family_case *c)
     memset(&s, 0, sizeof s);
     memset(c, 0, sizeof *c);
     switch (p->where) {
-    case CAP: cap_tie(p, &s); break;
+    case CAP:
+        cap_tie(p, &s);
+        break;
     case SIDE:
-    case TANGENT: side_tie(p, &s); break;
-    case ALONG_A_RULING: ruling_tie(p, &s); break;
-    default: apex_tie(p, &s);
+    case TANGENT:
+        side_tie(p, &s);
+        break;
+    case ALONG_A_RULING:
+        ruling_tie(p, &s);
+        break;
+    default:
+        apex_tie(p, &s);
     }
     return write_case(p, &s, c);
 }
@@ -253,8 +260,8 @@ static int agrees_with_oracle(const struct family_case *c,
 #endif
 }
 
-static void expect(const struct plan *p, const struct family_case *c,
-                   double t, const char *which)
+static void expect(const struct plan *p, const struct family_case *c, double t,
+                   const char *which)
 {
     cylint_answer got;
     cylint_intersect(&c->shape, &c->line, CYLINT_WANT_T | CYLINT_WANT_PART,
@@ -264,8 +271,7 @@ static void expect(const struct plan *p, const struct family_case *c,
     if (found && agrees)
         return;
     REPORT("%s, %s: want %a, got %d: %a %a", place_names[p->where], which, t,
-           got.n, got.n > 0 ? got.hit[0].t : 0,
-           got.n > 1 ? got.hit[1].t : 0);
+           got.n, got.n > 0 ? got.hit[0].t : 0, got.n > 1 ? got.hit[1].t : 0);
     if (check_bad <= CHECK_SHOWN) {
         family_print(stderr, c);
         fputc('\n', stderr);

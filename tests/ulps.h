@@ -14,8 +14,8 @@
 
 enum measure { ULPS_T, ULPS_POINT, ULPS_NORMAL, ULPS_Z, ULPS_PHI, MEASURES };
 
-static const char *const measure_names[MEASURES] = {"t", "point", "normal",
-                                                    "z", "phi"};
+static const char *const measure_names[MEASURES] = {"t", "point", "normal", "z",
+                                                    "phi"};
 
 /* The unit in the last place of x. */
 static inline double ulp(double x)
@@ -59,7 +59,8 @@ static inline void ulps_of_hit(const double o[3], const cylint_hit *got,
 {
     const double turn = fabs(got->phi - want->phi);
     off[ULPS_T] = ulps_apart(got->t, want->t, want->t);
-    off[ULPS_POINT] = ulps_vectors(got->point, want->point,
+    off[ULPS_POINT] = ulps_vectors(
+        got->point, want->point,
         fmax(ulps_largest(want->point), ulps_largest(o) * LEFT_OF_ORIGIN));
     off[ULPS_NORMAL] = ulps_vectors(got->normal, want->normal, 0.75);
     off[ULPS_Z] = ulps_apart(got->z, want->z, fmax(fabs(want->z), 0.75));

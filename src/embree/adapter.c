@@ -122,8 +122,8 @@ typedef struct {
     const uint32_t *number;
     cylint_memory memory;
     cylint_quick_shapes made;
-    cylint_crew_lock lock;  /* of what is below */
-    int fits;               /* they are as small as they should be */
+    cylint_crew_lock lock; /* of what is below */
+    int fits;              /* they are as small as they should be */
 } asking;
 
 static void copy_asked(void *self, size_t from, size_t to)
@@ -133,8 +133,8 @@ static void copy_asked(void *self, size_t from, size_t to)
     cylint_quick_shape *large = a->memory.data;
     size_t i = from;
     if (a->made.small)
-        while (i < to && cylint_quick_small_of(&small[i],
-                                               &a->shapes[a->number[i]]))
+        while (i < to &&
+               cylint_quick_small_of(&small[i], &a->shapes[a->number[i]]))
             i++;
     else
         for (; i < to; i++)
@@ -185,8 +185,8 @@ static int sort_by_blocks(cylint_memory *number, const cylint_group *group,
 static int make_asked(asking *a, cylint_embree_data *data)
 {
     for (int small = 1; small >= 0; small--) {
-        const size_t size = small ? sizeof(cylint_quick_small)
-                                  : sizeof(cylint_quick_shape);
+        const size_t size =
+            small ? sizeof(cylint_quick_small) : sizeof(cylint_quick_shape);
         if (!ask_for_room(&a->memory, data, data->n * size))
             return 0;
         a->made = (cylint_quick_shapes){a->memory.data, small};
@@ -208,7 +208,8 @@ static int group_shapes(cylint_embree_data *data,
     asking asked = {.shapes = data->shapes, .lock = CYLINT_CREW_LOCK};
     cylint_group group;
     size_t shape;
-    const cylint_members members = {.view = &view, .n = data->n,
+    const cylint_members members = {.view = &view,
+                                    .n = data->n,
                                     .threads = data->threads,
                                     .source = &data->source};
     switch (cylint_group_make(&group, &members, &shape)) {
@@ -260,8 +261,8 @@ static int fill(RTCGeometry geometry, cylint_embree_data *data,
         return 0;
     }
     problem->status = CYLINT_EMBREE_OK;
-    rtcSetGeometryUserPrimitiveCount(
-        geometry, data->walk ? data->group.n > 0 : (unsigned)data->n);
+    rtcSetGeometryUserPrimitiveCount(geometry, data->walk ? data->group.n > 0
+                                                          : (unsigned)data->n);
     rtcCommitGeometry(geometry);
     return 1;
 }
@@ -286,8 +287,11 @@ static cylint_embree_data *new_data(RTCDevice device,
     if (!cylint_memory_take(&self, &source, sizeof(cylint_embree_data)))
         return NULL;
     cylint_embree_data *data = self.data;
-    *data = (cylint_embree_data){.self = self, .source = source,
-                                 .shapes = shapes, .n = n, .threads = 1,
+    *data = (cylint_embree_data){.self = self,
+                                 .source = source,
+                                 .shapes = shapes,
+                                 .n = n,
+                                 .threads = 1,
                                  .quick = cylint_quick_used(),
                                  .many = cylint_quick_many_build(0)};
     if (options) {
@@ -310,8 +314,8 @@ static void free_data(cylint_embree_data *data)
     cylint_memory_give(&self);
 }
 
-static RTCGeometry make(RTCDevice device, const cylint_shape *shapes,
-                        size_t n, const cylint_embree_options *options,
+static RTCGeometry make(RTCDevice device, const cylint_shape *shapes, size_t n,
+                        const cylint_embree_options *options,
                         cylint_embree_problem *problem)
 {
     if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_VERSION_MAJOR) !=
@@ -335,8 +339,8 @@ static RTCGeometry make(RTCDevice device, const cylint_shape *shapes,
     return NULL;
 }
 
-RTCGeometry cylint_embree_geometry(RTCDevice device,
-                                   const cylint_shape *shapes, size_t n,
+RTCGeometry cylint_embree_geometry(RTCDevice device, const cylint_shape *shapes,
+                                   size_t n,
                                    const cylint_embree_options *options,
                                    cylint_embree_problem *problem)
 {

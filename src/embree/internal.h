@@ -18,24 +18,24 @@
 
 /* What the geometry's user data points to. */
 typedef struct cylint_embree_data {
-    cylint_memory self;           /* which holds this very struct */
-    cylint_memory_source source;  /* of this and what is below */
-    const cylint_shape *shapes;   /* at time 0 */
-    const cylint_shape *moved;    /* at time 1, or NULL */
+    cylint_memory self;          /* which holds this very struct */
+    cylint_memory_source source; /* of this and what is below */
+    const cylint_shape *shapes;  /* at time 0 */
+    const cylint_shape *moved;   /* at time 1, or NULL */
     size_t n;
-    cylint_extent box;            /* of all */
-    double pad;                   /* by which boxes are widened for Embree */
+    cylint_extent box; /* of all */
+    double pad;        /* by which boxes are widened for Embree */
     unsigned how;
     void *user;
-    int threads;                  /* to group the shapes */
-    const cylint_walks *walk;     /* NULL: one shape a primitive */
+    int threads;              /* to group the shapes */
+    const cylint_walks *walk; /* NULL: one shape a primitive */
     const cylint_quick_build *quick;
     cylint_quick_many *many;
     cylint_group group;
-    cylint_memory asked_memory;   /* of what quick.c asks of every shape, by the
+    cylint_memory asked_memory; /* of what quick.c asks of every shape, by the
                                      rank it has in the blocks of the group */
     cylint_memory number_memory;
-    const uint32_t *number;       /* of the shape, by its rank */
+    const uint32_t *number; /* of the shape, by its rank */
     cylint_quick_shapes asked;
 } cylint_embree_data;
 

@@ -13,8 +13,9 @@ static int is_elliptic(const cylint_shape *s)
 /* Which constructor made it. */
 static int family(const cylint_shape *s)
 {
-    return is_elliptic(s) ? CYLINT_KIND_ECONE :
-           s->kind == CYLINT_KIND_CYLINDER ? CYLINT_KIND_CONE : s->kind;
+    return is_elliptic(s)                    ? CYLINT_KIND_ECONE
+           : s->kind == CYLINT_KIND_CYLINDER ? CYLINT_KIND_CONE
+                                             : s->kind;
 }
 
 int cylint_moves_into(const cylint_shape *at_0, const cylint_shape *at_1)
@@ -81,11 +82,12 @@ static disc disc_of(const cylint_shape *s, int cap)
                           s->axis[2] * s->axis[2]);
     d.k = cap ? s->r1 : s->r0;
     for (int j = 0; j < 3; j++) {
-        d.center[j] = !cap ? s->base[j]
-                    : family(s) == CYLINT_KIND_CONE ? s->top[j]
-                    : s->base[j] + s->axis[j];
+        d.center[j] = !cap                            ? s->base[j]
+                      : family(s) == CYLINT_KIND_CONE ? s->top[j]
+                                                      : s->base[j] + s->axis[j];
         d.g[j] = is_elliptic(s) ? sqrt(s->a[j] * s->a[j] + s->b[j] * s->b[j])
-               : s->kind == CYLINT_KIND_ACONE ? u : 1;
+                 : s->kind == CYLINT_KIND_ACONE ? u
+                                                : 1;
     }
     return d;
 }

@@ -35,8 +35,8 @@ static void *hits_of(const void *packet, unsigned N)
 }
 
 /* Ray i of the packet, alone. */
-static int trace_of_packet(query *q, unsigned primID, void *packet,
-                           unsigned N, unsigned i)
+static int trace_of_packet(query *q, unsigned primID, void *packet, unsigned N,
+                           unsigned i)
 {
     struct RTCRay ray;
     struct RTCHit hit;
@@ -76,8 +76,8 @@ typedef struct {
 
 static void add(inquiry *r, query *q)
 {
-    r->subject[r->n] = cylint_query_subject(q, q->block->number[q->lane], NULL,
-                                            NULL);
+    r->subject[r->n] =
+        cylint_query_subject(q, q->block->number[q->lane], NULL, NULL);
     r->line[r->n] = &q->line;
     r->asks[r->n++] = q;
 }
@@ -263,4 +263,3 @@ void cylint_trace_packet(query *q, unsigned primID, int *valid, void *packet,
     for (int i = 0; i < 8; i++)
         trace_octant(q, primID, octant[i], valid, packet, N);
 }
-

@@ -68,8 +68,8 @@ static double present_t(const query *q)
     double t = HUGE_VAL; /* the caller's or a filter's, not ours */
     cylint_shape between;
     cylint_answer answer;
-    const cylint_shape *shape = shape_at(q->data, q->hit->primID,
-                                         q->ray->time, &between);
+    const cylint_shape *shape =
+        shape_at(q->data, q->hit->primID, q->ray->time, &between);
     const int n = ask(shape, &q->line, CYLINT_WANT_T | CYLINT_WANT_Z, &answer);
     for (int i = n - 1; i >= 0; i--)
         if (rounded_up(answer.hit[i].t, q->ray->tfar) == q->ray->tfar &&
@@ -109,7 +109,8 @@ static int comes_first(const query *q, unsigned number,
 static cylint_quick_floats floats_of(const cylint_hit *at)
 {
     return (cylint_quick_floats){
-        (float)at->z, cylint_turn(at->phi),
+        (float)at->z,
+        cylint_turn(at->phi),
         {(float)at->normal[0], (float)at->normal[1], (float)at->normal[2]}};
 }
 
@@ -144,9 +145,12 @@ struct filtering_context {
 static int passes_filters(const query *q, struct RTCHit *hit)
 {
     int valid = -1;
-    struct RTCFilterFunctionNArguments filter = {
-        &valid, q->data->user, q->context, (struct RTCRayN *)q->ray,
-        (struct RTCHitN *)hit, 1};
+    struct RTCFilterFunctionNArguments filter = {&valid,
+                                                 q->data->user,
+                                                 q->context,
+                                                 (struct RTCRayN *)q->ray,
+                                                 (struct RTCHitN *)hit,
+                                                 1};
     if (q->nearest)
         cylint_rtc_filter_hit(q->nearest, &filter);
     else
@@ -190,9 +194,9 @@ static int take(query *q, unsigned number, float t,
 
 static unsigned wanted(const query *q)
 {
-    return !is_seen(q) ? CYLINT_WANT_T | CYLINT_WANT_Z :
-           CYLINT_WANT_T | CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
-           CYLINT_WANT_PHI;
+    return !is_seen(q) ? CYLINT_WANT_T | CYLINT_WANT_Z
+                       : CYLINT_WANT_T | CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
+                             CYLINT_WANT_PHI;
 }
 
 /* The hits from number `first` on. */
@@ -279,8 +283,8 @@ cylint_quick_subject cylint_query_subject(const query *q, unsigned rank,
         return (cylint_quick_subject){
             cylint_quick_at(&q->data->asked, rank), q->data->asked.small,
             q->data->shapes + number, cylint_block_ends(q->block, q->lane)};
-    const cylint_shape *whole = shape_at(q->data, number, q->ray->time,
-                                         between);
+    const cylint_shape *whole =
+        shape_at(q->data, number, q->ray->time, between);
     cylint_quick_shape_of(room, whole);
     return (cylint_quick_subject){room, 0, whole, whole->ends};
 }
@@ -294,16 +298,16 @@ int cylint_query_try(query *q, unsigned rank, int left)
     cylint_quick_shape room;
     const cylint_quick_subject subject =
         cylint_query_subject(q, rank, &between, &room);
-    cylint_quick_verdict is = q->data->quick->enter(&quick, &subject, &q->line,
-                                                      &hit);
+    cylint_quick_verdict is =
+        q->data->quick->enter(&quick, &subject, &q->line, &hit);
     for (int i = 0, before = 0; i < 2; i++) {
         if (i == 1)
             is = q->data->quick->leave(&quick, &hit);
         if (is == CYLINT_QUICK_MISS)
             continue;
         const turnout hits = is != CYLINT_QUICK_HIT ? UNCERTAIN
-                           : i < left ? ANOTHERS
-                           : try_hit(q, number, &quick, &hit);
+                             : i < left             ? ANOTHERS
+                                        : try_hit(q, number, &quick, &hit);
         if (hits == UNCERTAIN)
             return try_exactly(q, subject.whole, number, before);
         if (hits != ANOTHERS)
@@ -325,13 +329,13 @@ int cylint_query_heed(query *q, const cylint_quick_answers *a, int i)
     const turnout is = judge(q, &at, &t);
     if (is == BEHIND)
         return 0;
-    if (is == UNCERTAIN ||
-        (is == TAKEN && is_seen(q) && !(a->described & bit)))
+    if (is == UNCERTAIN || (is == TAKEN && is_seen(q) && !(a->described & bit)))
         return cylint_query_try(q, rank, 0);
-    const cylint_quick_floats floats = {
-        (float)a->float_z[i], (float)a->phi[i],
-        {(float)a->normal[0][i], (float)a->normal[1][i],
-         (float)a->normal[2][i]}};
+    const cylint_quick_floats floats = {(float)a->float_z[i],
+                                        (float)a->phi[i],
+                                        {(float)a->normal[0][i],
+                                         (float)a->normal[1][i],
+                                         (float)a->normal[2][i]}};
     return (is == TAKEN && take(q, number_of(q, rank), t, &floats)) ||
            cylint_query_try(q, rank, 1);
 }

@@ -22,18 +22,18 @@ typedef struct cylint_query {
     cylint_rtc_context *context;
     unsigned geomID;
     struct RTCRay *ray;
-    struct RTCHit *hit; /* of nearest */
-    cylint_quick_line line; /* the ray */
+    struct RTCHit *hit;        /* of nearest */
+    cylint_quick_line line;    /* the ray */
     const cylint_block *block; /* NULL: one shape a primitive */
     int lane;
-    int met;                   /* something was, and was taken */
+    int met; /* something was, and was taken */
 } cylint_query;
 
 typedef cylint_query query;
 
 /* Sets the pointers; clearing all of a query takes longer than a block does. */
 static inline void begin(query *q, const cylint_embree_data *data,
-                  cylint_rtc_context *context, unsigned geomID)
+                         cylint_rtc_context *context, unsigned geomID)
 {
     q->data = data;
     q->nearest = NULL;
@@ -58,7 +58,9 @@ static inline cylint_quick_line line_of(const struct RTCRay *ray)
 {
     return (cylint_quick_line){{ray->org_x, ray->org_y, ray->org_z},
                                {ray->dir_x, ray->dir_y, ray->dir_z},
-                               ray->tnear, HUGE_VAL, ray->tfar};
+                               ray->tnear,
+                               HUGE_VAL,
+                               ray->tfar};
 }
 
 /* Whether the ray is a line; if so, it is the query's. */
@@ -74,10 +76,12 @@ static inline int is_set_out(query *q)
 /* A ray's floats lie where walk.h has them. */
 #define SAME(ours, theirs) \
     (offsetof(cylint_float_ray, ours) == offsetof(struct RTCRay, theirs))
-typedef char rays_are_alike[
-    SAME(o[0], org_x) && SAME(o[1], org_y) && SAME(o[2], org_z) &&
-    SAME(tnear, tnear) && SAME(d[0], dir_x) && SAME(d[1], dir_y) &&
-    SAME(d[2], dir_z) && SAME(tfar, tfar) ? 1 : -1];
+typedef char rays_are_alike[SAME(o[0], org_x) && SAME(o[1], org_y) &&
+                                    SAME(o[2], org_z) && SAME(tnear, tnear) &&
+                                    SAME(d[0], dir_x) && SAME(d[1], dir_y) &&
+                                    SAME(d[2], dir_z) && SAME(tfar, tfar)
+                                ? 1
+                                : -1];
 #undef SAME
 
 static inline const cylint_float_ray *floats_of_ray(const struct RTCRay *ray)
@@ -129,8 +133,8 @@ CYLINT_INLINE void fetch_shapes(const cylint_embree_data *data,
 {
 #ifdef __GNUC__
     for (; lanes; lanes &= lanes - 1)
-        __builtin_prefetch(cylint_quick_at(
-            &data->asked, block->number[cylint_lowest(lanes)]));
+        __builtin_prefetch(
+            cylint_quick_at(&data->asked, block->number[cylint_lowest(lanes)]));
 #else
     (void)data;
     (void)block;

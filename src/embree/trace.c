@@ -65,4 +65,3 @@ void cylint_embree_shadow(const struct RTCOccludedFunctionNArguments *args)
     q.ray = (struct RTCRay *)args->ray;
     trace(&q, args->primID, args->valid, args->ray, args->N);
 }
-

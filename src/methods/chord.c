@@ -45,8 +45,9 @@ void cylint_chord_clip(cylint_chord *chord, cylint_affine f, int part)
     const int end = f.slope > 0 ? 0 : 1;
     if (end == 0 ? t > chord->t[0] : t < chord->t[1]) {
         chord->t[end] = t;
-        chord->part[end] = chord->relation == CYLINT_RELATION_ALONG ? CYLINT_PART_LATERAL
-                                                           : part;
+        chord->part[end] = chord->relation == CYLINT_RELATION_ALONG
+                               ? CYLINT_PART_LATERAL
+                               : part;
     }
     if (!(chord->t[0] <= chord->t[1])) {
         chord->relation = CYLINT_RELATION_MISS;

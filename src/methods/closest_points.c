@@ -35,8 +35,7 @@ static cylint_chord when_parallel(const double D[3], const double d[3],
     return parallel_chord(dot(apart, apart) - r * r);
 }
 
-static cylint_chord chord_of(const cylint_shape *shape,
-                             const cylint_line *line)
+static cylint_chord chord_of(const cylint_shape *shape, const cylint_line *line)
 {
     const double *d = line->d, *e = shape->axis;
     const double r2 = shape->r0 * shape->r0;
@@ -64,7 +63,8 @@ static cylint_chord chord_of(const cylint_shape *shape,
 }
 
 cylint_status cylint_closest_points(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, cylint_answer *answer)
+                                    const cylint_line *line, unsigned want,
+                                    cylint_answer *answer)
 {
     if (shape->kind != CYLINT_KIND_CYLINDER)
         return cylint_method_not_for_this(answer);

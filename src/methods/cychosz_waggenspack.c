@@ -73,7 +73,8 @@ static void clipobj(cylint_chord *chord, const cylint_line *line,
 }
 
 cylint_status cylint_cychosz_waggenspack(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, cylint_answer *answer)
+                                         const cylint_line *line, unsigned want,
+                                         cylint_answer *answer)
 {
     double raycos[3], axis[3], RC[3];
 

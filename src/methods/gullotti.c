@@ -92,12 +92,14 @@ static cylint_chord chord_of(const double p[3], const double v[3])
     if (!(disc >= 0))
         return no_chord();
     const double s = sqrt(disc);
-    return chord_between(disc > 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH,
+    return chord_between(disc > 0 ? CYLINT_RELATION_CROSS
+                                  : CYLINT_RELATION_TOUCH,
                          (-b - s) / (2 * a), (-b + s) / (2 * a));
 }
 
 cylint_status cylint_gullotti(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, cylint_answer *answer)
+                              const cylint_line *line, unsigned want,
+                              cylint_answer *answer)
 {
     double p[3], v[3];
 

@@ -73,10 +73,10 @@ static inline double unit(const double a[3], double out[3])
  * double cone to the other.
  */
 typedef struct cylint_chord {
-    int relation;   /* cylint_relation; CYLINT_RELATION_MISS: the rest is void */
+    int relation; /* cylint_relation; CYLINT_RELATION_MISS: the rest is void */
     int gap;
     double t[2];
-    int part[2];    /* cylint_part at t[0] and t[1] */
+    int part[2]; /* cylint_part at t[0] and t[1] */
 } cylint_chord;
 
 static inline cylint_chord no_chord(void)
@@ -97,7 +97,8 @@ static inline cylint_chord parallel_chord(double excess)
 {
     if (!(excess <= 0))
         return no_chord();
-    return chord_between(excess < 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_ALONG,
+    return chord_between(excess < 0 ? CYLINT_RELATION_CROSS
+                                    : CYLINT_RELATION_ALONG,
                          -INFINITY, INFINITY);
 }
 
@@ -121,7 +122,8 @@ void cylint_chord_nappe(cylint_chord *chord, cylint_affine rho);
 
 static inline int is_bounded(const cylint_shape *shape)
 {
-    return shape->ends != CYLINT_ENDS_INFINITE && shape->ends != CYLINT_ENDS_NAPPE;
+    return shape->ends != CYLINT_ENDS_INFINITE &&
+           shape->ends != CYLINT_ENDS_NAPPE;
 }
 
 /* -------------------------------------------------------------- answer -- */
@@ -135,12 +137,14 @@ cylint_status cylint_method_not_for_this(cylint_answer *answer);
 /* Writes the answer a chord amounts to: its ends that lie on a present part
  * and in the line's domain, as far as they are wanted. */
 cylint_status cylint_method_report(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, const cylint_chord *chord,
-    cylint_answer *answer);
+                                   const cylint_line *line, unsigned want,
+                                   const cylint_chord *chord,
+                                   cylint_answer *answer);
 
 /* Fills the wanted members of a hit. */
 void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
-    unsigned want, double t, int part, int side, cylint_hit *hit);
+                       unsigned want, double t, int part, int side,
+                       cylint_hit *hit);
 
 /* The direction perpendicular to a circular shape's axis from which phi is
  * counted: e x axis, e being the coordinate direction in which the axis has

@@ -116,7 +116,8 @@ static cylint_chord chord_of(const quadric *q, int is_cone)
     const double t0 = (-q->B - s) / (2 * q->A);
     const double t1 = (-q->B + s) / (2 * q->A);
     if (q->A > 0)
-        return chord_between(disc > 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH, t0, t1);
+        return chord_between(
+            disc > 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH, t0, t1);
     /* steeper than the rulings: inside but for the gap between the nappes */
     cylint_chord chord = chord_between(CYLINT_RELATION_CROSS, t1, t0);
     chord.gap = 1;
@@ -124,7 +125,8 @@ static cylint_chord chord_of(const quadric *q, int is_cone)
 }
 
 cylint_status cylint_quadratic(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, cylint_answer *answer)
+                               const cylint_line *line, unsigned want,
+                               cylint_answer *answer)
 {
     quadric q;
 

@@ -23,9 +23,11 @@ static int is_present(const cylint_shape *shape, int part)
 {
     switch (part) {
     case CYLINT_PART_CAP0:
-        return shape->ends == CYLINT_ENDS_CAPPED || shape->ends == CYLINT_ENDS_CAP0;
+        return shape->ends == CYLINT_ENDS_CAPPED ||
+               shape->ends == CYLINT_ENDS_CAP0;
     case CYLINT_PART_CAP1:
-        return shape->ends == CYLINT_ENDS_CAPPED || shape->ends == CYLINT_ENDS_CAP1;
+        return shape->ends == CYLINT_ENDS_CAPPED ||
+               shape->ends == CYLINT_ENDS_CAP1;
     default:
         return 1;
     }
@@ -47,8 +49,9 @@ static void add_hit(const cylint_shape *shape, const cylint_line *line,
 }
 
 cylint_status cylint_method_report(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, const cylint_chord *chord,
-    cylint_answer *answer)
+                                   const cylint_line *line, unsigned want,
+                                   const cylint_chord *chord,
+                                   cylint_answer *answer)
 {
     answer->relation = chord->relation;
     answer->n = 0;
@@ -59,8 +62,8 @@ cylint_status cylint_method_report(const cylint_shape *shape,
     const int one_point = chord->relation == CYLINT_RELATION_TOUCH ||
                           (chord->gap && chord->t[0] == chord->t[1]);
     if (one_point) {
-        add_hit(shape, line, want, chord->t[0], chord->part[0], CYLINT_SIDE_BOTH,
-                answer);
+        add_hit(shape, line, want, chord->t[0], chord->part[0],
+                CYLINT_SIDE_BOTH, answer);
         return CYLINT_OK;
     }
     const int first = chord->gap ? CYLINT_SIDE_LEAVING : CYLINT_SIDE_ENTERING;

@@ -106,8 +106,7 @@ static cylint_chord half_line(const double to_V[3], const double d[3],
 
 /* The plane cuts the cone in the rulings along delta[0] and delta[1]. */
 static cylint_chord across_rulings(const cone *c, const double to_V[3],
-                                   const double d[3],
-                                   const double delta[2][3])
+                                   const double d[3], const double delta[2][3])
 {
     double t0, t1;
     const int met0 = meet_ruling(to_V, d, delta[0], &t0);
@@ -153,15 +152,16 @@ static cylint_chord chord_of(const cone *c, const double to_V[3],
         delta[0][i] = cos_b * m[i] + sin_b * k[i];
         delta[1][i] = cos_b * m[i] - sin_b * k[i];
     }
-    return across_rulings(c, to_V, d, (const double (*)[3])delta);
+    return across_rulings(c, to_V, d, (const double(*)[3])delta);
 }
 
 cylint_status cylint_shene_cone(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, cylint_answer *answer)
+                                const cylint_line *line, unsigned want,
+                                cylint_answer *answer)
 {
     double d[3], to_V[3];
-    const int is_cone = shape->kind == CYLINT_KIND_ACONE ||
-                        shape->kind == CYLINT_KIND_CONE;
+    const int is_cone =
+        shape->kind == CYLINT_KIND_ACONE || shape->kind == CYLINT_KIND_CONE;
 
     if (!is_cone || shape->ends != CYLINT_ENDS_INFINITE)
         return cylint_method_not_for_this(answer);

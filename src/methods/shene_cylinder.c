@@ -60,7 +60,8 @@ static cylint_chord chord_of(const double D[3], const double u[3],
 }
 
 cylint_status cylint_shene_cylinder(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, cylint_answer *answer)
+                                    const cylint_line *line, unsigned want,
+                                    cylint_answer *answer)
 {
     double u[3], v[3], D[3];
 

@@ -83,8 +83,8 @@ static void normal_at_apex(const cylint_shape *shape, const frame *f,
 
 /* x^2 + y^2 = rho^2: half the gradient is x dx + y dy - rho drho dz. */
 static void normal_at(const cylint_shape *shape, const frame *f,
-                      const double d[3], double x, double y, double z,
-                      int part, double normal[3])
+                      const double d[3], double x, double y, double z, int part,
+                      double normal[3])
 {
     if (part != CYLINT_PART_LATERAL) {
         const double sign = part == CYLINT_PART_CAP0 ? -1 : 1;
@@ -113,10 +113,11 @@ static double turn(double x, double y)
 }
 
 void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
-    unsigned want, double t, int part, int side, cylint_hit *hit)
+                       unsigned want, double t, int part, int side,
+                       cylint_hit *hit)
 {
-    const unsigned placed = CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
-                            CYLINT_WANT_PHI;
+    const unsigned placed =
+        CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
     double point[3], D[3];
 
     if (want & CYLINT_WANT_T)

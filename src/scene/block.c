@@ -32,9 +32,8 @@ static void place(cylint_block *block, const cylint_box *boxes, int used)
         }
         const float c = (float)(((double)lower + (double)upper) / 2);
         block->center[j] = c;
-        most = cylint_larger(most,
-                             cylint_larger((double)upper - (double)c,
-                                           (double)c - (double)lower));
+        most = cylint_larger(most, cylint_larger((double)upper - (double)c,
+                                                 (double)c - (double)lower));
     }
     block->steps = steps_per_unit(most);
 }
@@ -64,9 +63,9 @@ static int store(cylint_block *block, int lane, const hull *h)
         return 0;
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < 3; j++)
-            block->p[end][lane] |= (uint32_t)(CYLINT_MIDDLE +
-                                              lrint(h->p[end][j]))
-                                   << j * CYLINT_P_BITS;
+            block->p[end][lane] |=
+                (uint32_t)(CYLINT_MIDDLE + lrint(h->p[end][j]))
+                << j * CYLINT_P_BITS;
     block->r[lane] = (uint16_t)(block->r[lane] | (int)r);
     return 1;
 }
@@ -106,19 +105,21 @@ static int hold(cylint_block *block, int lane, const cylint_stem *s,
     const double *base = s->base, *axis = s->axis;
     const double k0 = s->across[0], k1 = s->across[1];
     const double slant = cylint_float_of_half(s->slant);
-    const double length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] +
-                               axis[2] * axis[2]);
-    const double rough = blur * steps + 0x1p-48 * steps *
-        (fabs(base[0]) + fabs(base[1]) + fabs(base[2]) + length +
-         cylint_larger(k0, k1) * (1 + slant));
+    const double length =
+        sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    const double rough =
+        blur * steps + 0x1p-48 * steps *
+                           (fabs(base[0]) + fabs(base[1]) + fabs(base[2]) +
+                            length + cylint_larger(k0, k1) * (1 + slant));
     const double e = 0.875 + rough;
     double z[2];
     cylint_piece_ends(piece, z);
-    const double across = cylint_larger(k0 + (k1 - k0) * z[0],
-                                        k0 + (k1 - k0) * z[1]) * steps;
+    const double across =
+        cylint_larger(k0 + (k1 - k0) * z[0], k0 + (k1 - k0) * z[1]) * steps;
     const double l = length * steps * (z[1] - z[0]);
     const double out = sqrt(across * e);
-    const double g = e + across * slant + 4 +
+    const double g =
+        e + across * slant + 4 +
         (l > 4 * e ? cylint_smaller(out, across * 2 * e / (l - 2 * e)) : out);
     const double g_per_length = length > 0 ? g / length : 0;
     hull h = {.r = across + rough + 0x1p-20};

@@ -30,8 +30,13 @@ typedef struct cylint_block {
 } cylint_block;
 
 /* In the numbers above. */
-enum { CYLINT_P_BITS = 10, CYLINT_P_MASK = 1023, CYLINT_MIDDLE = 512,
-       CYLINT_R_BITS = 10, CYLINT_R_MASK = 1023 };
+enum {
+    CYLINT_P_BITS = 10,
+    CYLINT_P_MASK = 1023,
+    CYLINT_MIDDLE = 512,
+    CYLINT_R_BITS = 10,
+    CYLINT_R_MASK = 1023
+};
 
 /* All pieces are those of cylinders with both caps. */
 enum { CYLINT_SOLID = 0x80 };

@@ -33,9 +33,8 @@ void cylint_crew_share(int threads, size_t n, cylint_crew_part *part,
         shares[i] = (share){.part = part, .self = self, .from = from, .to = to};
         from = to;
     }
-    while (started < threads &&
-           pthread_create(&shares[started].thread, NULL, do_share,
-                          &shares[started]) == 0)
+    while (started < threads && pthread_create(&shares[started].thread, NULL,
+                                               do_share, &shares[started]) == 0)
         started++;
     do_share(&shares[0]);
     for (int i = started; i < threads; i++)
@@ -56,9 +55,9 @@ int cylint_crew_for(size_t n, int wanted)
 {
     const long most = wanted > 0 ? wanted : sysconf(_SC_NPROCESSORS_ONLN);
     const size_t busy = n / LEAST_SHARE;
-    const long threads = smaller(smaller(most, CYLINT_CREW_MOST),
-                                 busy < CYLINT_CREW_MOST ? (long)busy
-                                                     : CYLINT_CREW_MOST);
+    const long threads =
+        smaller(smaller(most, CYLINT_CREW_MOST),
+                busy < CYLINT_CREW_MOST ? (long)busy : CYLINT_CREW_MOST);
     return threads > 1 ? (int)threads : 1;
 }
 

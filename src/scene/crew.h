@@ -35,7 +35,10 @@ typedef struct cylint_crew_lock {
 } cylint_crew_lock;
 
 /* Neither allocates where both are initialised so. */
-#define CYLINT_CREW_LOCK {PTHREAD_MUTEX_INITIALIZER, PTHREAD_COND_INITIALIZER}
+#define CYLINT_CREW_LOCK                                    \
+    {                                                       \
+        PTHREAD_MUTEX_INITIALIZER, PTHREAD_COND_INITIALIZER \
+    }
 
 static inline void cylint_crew_enter(cylint_crew_lock *l)
 {
@@ -68,11 +71,26 @@ static inline void cylint_crew_end(cylint_crew_lock *l)
 typedef char cylint_crew_lock;
 #define CYLINT_CREW_LOCK 0
 
-static inline void cylint_crew_enter(cylint_crew_lock *l) { (void)l; }
-static inline void cylint_crew_leave(cylint_crew_lock *l) { (void)l; }
-static inline void cylint_crew_wait(cylint_crew_lock *l) { (void)l; }
-static inline void cylint_crew_ring(cylint_crew_lock *l) { (void)l; }
-static inline void cylint_crew_end(cylint_crew_lock *l) { (void)l; }
+static inline void cylint_crew_enter(cylint_crew_lock *l)
+{
+    (void)l;
+}
+static inline void cylint_crew_leave(cylint_crew_lock *l)
+{
+    (void)l;
+}
+static inline void cylint_crew_wait(cylint_crew_lock *l)
+{
+    (void)l;
+}
+static inline void cylint_crew_ring(cylint_crew_lock *l)
+{
+    (void)l;
+}
+static inline void cylint_crew_end(cylint_crew_lock *l)
+{
+    (void)l;
+}
 
 #endif
 

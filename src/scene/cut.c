@@ -57,8 +57,7 @@ typedef struct {
     cylint_extent all;
 } pieces;
 
-static int make_room(pieces *p, const cylint_memory_source *source,
-                     size_t room)
+static int make_room(pieces *p, const cylint_memory_source *source, size_t room)
 {
     pieces more = *p;
     more.room = room;
@@ -86,10 +85,11 @@ static size_t room_for(const pieces *p, size_t done, size_t shapes)
 static void add_piece(pieces *p, const cylint_extent *b, uint32_t stem,
                       cylint_piece piece)
 {
-    p->box[p->n++] = (cylint_box){
-        {b->lower[0], b->lower[1], b->lower[2]}, stem,
-        {b->upper[0], b->upper[1], b->upper[2]}, (uint16_t)piece.index,
-        (uint16_t)piece.count};
+    p->box[p->n++] = (cylint_box){{b->lower[0], b->lower[1], b->lower[2]},
+                                  stem,
+                                  {b->upper[0], b->upper[1], b->upper[2]},
+                                  (uint16_t)piece.index,
+                                  (uint16_t)piece.count};
     cylint_extend_box(&p->all, b);
 }
 
@@ -200,10 +200,10 @@ static cylint_cut_status cut_all(work *w, size_t *refused)
     const cylint_members *m = w->m;
     const size_t threads = (size_t)m->threads;
     for (size_t i = 0; i < threads; i++)
-        w->share[i] = (share){
-            .from = m->n / threads * i,
-            .to = i + 1 < threads ? m->n / threads * (i + 1) : m->n,
-            .pieces = {.all = cylint_no_box()}};
+        w->share[i] =
+            (share){.from = m->n / threads * i,
+                    .to = i + 1 < threads ? m->n / threads * (i + 1) : m->n,
+                    .pieces = {.all = cylint_no_box()}};
     cylint_crew_share(m->threads, threads, cut_some, w);
     for (size_t i = 0; i < threads; i++)
         if (w->share[i].status != CYLINT_CUT_OK) {

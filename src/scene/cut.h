@@ -25,15 +25,15 @@ typedef struct cylint_cut {
     cylint_memory stem_memory, box_memory;
     cylint_stem *stem;
     cylint_box *box;
-    size_t n;           /* pieces */
-    cylint_extent all;  /* about them */
+    size_t n;          /* pieces */
+    cylint_extent all; /* about them */
 } cylint_cut;
 
 typedef enum cylint_cut_status {
     CYLINT_CUT_OK,
-    CYLINT_CUT_ESHAPE,  /* not bounded, its box not one to be kept, or number
+    CYLINT_CUT_ESHAPE, /* not bounded, its box not one to be kept, or number
                            2^32 - 1 */
-    CYLINT_CUT_EMEMORY  /* refused */
+    CYLINT_CUT_EMEMORY /* refused */
 } cylint_cut_status;
 
 /* By exactly m->threads, at most CYLINT_CREW_MOST.  *refused: the first shape

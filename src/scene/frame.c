@@ -80,16 +80,17 @@ static void clip(const cylint_frame *f, const cylint_line *line, double *from,
  * outside; hence the limits on o and length.
  */
 cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
-    const cylint_line *line, cylint_frame_ray *ray)
+                                       const cylint_line *line,
+                                       cylint_frame_ray *ray)
 {
     double to;
     if (!line->valid)
         return CYLINT_FRAME_PASSED;
     const double size = largest(line->d);
     if (!(size <= CYLINT_FRAME_MOST) || !(size >= CYLINT_FRAME_LEAST) ||
-        !(largest(line->o) <= CYLINT_FRAME_MOST) ||
-        is_subnormal(line->d[0]) || is_subnormal(line->d[1]) ||
-        is_subnormal(line->d[2]) || !cylint_rounds_to_nearest())
+        !(largest(line->o) <= CYLINT_FRAME_MOST) || is_subnormal(line->d[0]) ||
+        is_subnormal(line->d[1]) || is_subnormal(line->d[2]) ||
+        !cylint_rounds_to_nearest())
         return CYLINT_FRAME_WILD;
     clip(frame, line, &ray->entry, &to);
     if (ray->entry > to)

@@ -45,7 +45,8 @@ int cylint_frame_make(cylint_frame *frame, const double lo[3],
  * CYLINT_FRAME_BLUR of the ray's point at its s; d is off by 2^-52 of
  * itself. */
 cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
-    const cylint_line *line, cylint_frame_ray *ray);
+                                       const cylint_line *line,
+                                       cylint_frame_ray *ray);
 
 /* What is not below the s of any root that rounds to t or less. */
 double cylint_frame_reach(const cylint_frame_ray *ray, double t);

@@ -32,10 +32,9 @@ static void fill_blocks(void *self, size_t from, size_t to)
         for (int i = 0; i < n; i++)
             stem[i] = cut->stem[box[i].stem];
         for (int i = 0; i < n; i += CYLINT_BLOCK)
-            cylint_block_fill(f->blocks + (first + (size_t)i) / CYLINT_BLOCK,
-                              stem + i, box + i,
-                              n - i < CYLINT_BLOCK ? n - i : CYLINT_BLOCK,
-                              f->blur);
+            cylint_block_fill(
+                f->blocks + (first + (size_t)i) / CYLINT_BLOCK, stem + i,
+                box + i, n - i < CYLINT_BLOCK ? n - i : CYLINT_BLOCK, f->blur);
     }
 }
 
@@ -53,8 +52,7 @@ static size_t blocks_of(size_t boxes)
 }
 
 /* S being the longest side of the box of all: pad and near_by as in walk.c. */
-static void measure(cylint_group *group, const cylint_extent *box,
-                    double blur)
+static void measure(cylint_group *group, const cylint_extent *box, double blur)
 {
     double longest = 0;
     for (int j = 0; j < 3; j++) {
@@ -98,7 +96,7 @@ static cylint_cut_status carry_out(cylint_group *group, const plan *p,
     group->n = blocks_of(p->cut.n);
     if (!cylint_memory_take(&group->memory, m->source,
                             p->n_nodes * sizeof *p->nodes +
-                            group->n * sizeof(cylint_block)))
+                                group->n * sizeof(cylint_block)))
         return CYLINT_CUT_EMEMORY;
     cylint_node *nodes = group->memory.data;
     cylint_block *blocks = (cylint_block *)(void *)(nodes + p->n_nodes);

@@ -12,15 +12,15 @@
 #include "memory.h"
 
 typedef struct cylint_group {
-    cylint_memory memory;      /* of the blocks and nodes */
+    cylint_memory memory; /* of the blocks and nodes */
     const cylint_block *blocks;
-    const cylint_node *nodes;  /* above them, the first one first */
-    size_t n;                  /* blocks; 0: there are no nodes */
-    cylint_extent box;         /* of all, or of nothing */
-    float center[3];           /* its middle: nodes' corners are from there */
-    float pad;                 /* what boxes may miss on each side, beside
+    const cylint_node *nodes; /* above them, the first one first */
+    size_t n;                 /* blocks; 0: there are no nodes */
+    cylint_extent box;        /* of all, or of nothing */
+    float center[3];          /* its middle: nodes' corners are from there */
+    float pad;                /* what boxes may miss on each side, beside
                                   2^-20 of how far the line begins */
-    float near_by;             /* how far from the centre that is not much */
+    float near_by;            /* how far from the centre that is not much */
 } cylint_group;
 
 /*

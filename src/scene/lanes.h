@@ -17,6 +17,7 @@
 #include <stdint.h>
 #include <string.h>
 
+/* clang-format off */
 #if defined(__AVX2__) && defined(__FMA__)
 
 #include <immintrin.h>
@@ -269,4 +270,5 @@ static inline void v4_truncate(int32_t *to, v4 a)
 
 #endif
 
+/* clang-format on */
 #endif

@@ -143,8 +143,7 @@ CYLINT_INLINE unsigned test_lanes(const pieces *s, const lane_line *l,
     met &= f_not_greater(foot, middle + f_mad(f_abs(ew), C, off));
     if (sure) {
         const vf ri = r - f_set(5);
-        const vf gi = f_mad(ri * ri, nn,
-                            -((ri + ri + l->k) * (kEW * EW)));
+        const vf gi = f_mad(ri * ri, nn, -((ri + ri + l->k) * (kEW * EW)));
         const vf inset = f_mad(r, f_set(0.125f), f_set(25)) * (s->W * nn);
         *sure = greater(ri, f_set(0)) & greater(gi, ff) &
                 greater(middle - inset - off, foot) &
@@ -261,8 +260,8 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
     }
     if (apart > (double)REACH_OF_PIECES + 2 * OFF_LIMIT)
         return 0;
-    l.k = f_set(cylint_float_above(
-        (apart + (double)REACH_OF_PIECES) * 0x1p-20 + off));
+    l.k = f_set(
+        cylint_float_above((apart + (double)REACH_OF_PIECES) * 0x1p-20 + off));
     l.first = f_set(clamp((tmin * length + along) * steps - off));
     l.last = f_set(clamp((tmax * length + along) * steps + off));
     float s[CYLINT_BLOCK] = {0};
@@ -343,10 +342,11 @@ CYLINT_INLINE unsigned test_ray(const cylint_block *b,
                                 const cylint_float_ray *ray, float E,
                                 float least[CYLINT_BLOCK], unsigned *sure)
 {
-    const ray_lanes r = {
-        {f_set(ray->o[0]), f_set(ray->o[1]), f_set(ray->o[2])},
-        {f_set(ray->d[0]), f_set(ray->d[1]), f_set(ray->d[2])},
-        f_set(ray->tnear), f_set(ray->tfar), f_set(E)};
+    const ray_lanes r = {{f_set(ray->o[0]), f_set(ray->o[1]), f_set(ray->o[2])},
+                         {f_set(ray->d[0]), f_set(ray->d[1]), f_set(ray->d[2])},
+                         f_set(ray->tnear),
+                         f_set(ray->tfar),
+                         f_set(E)};
     lane_line l;
     const float far = f_first(aim(b, &r, &l));
     if (is_fit(E) & (far < FAR_LIMIT))

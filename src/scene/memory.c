@@ -47,9 +47,9 @@ int cylint_memory_take(cylint_memory *memory,
     char *data = from->take(from->owner, bytes + CACHE_LINE, &handle);
     if (!data)
         return 0;
-    *memory = (cylint_memory){
-        data + (CACHE_LINE - (uintptr_t)data % CACHE_LINE), bytes, handle,
-        from->give};
+    *memory =
+        (cylint_memory){data + (CACHE_LINE - (uintptr_t)data % CACHE_LINE),
+                        bytes, handle, from->give};
     ask_for_huge_pages(memory->data, bytes);
     return 1;
 }

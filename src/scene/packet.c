@@ -36,15 +36,16 @@ typedef struct {
     void *self;
 } packet;
 
-#define EACH_RAY(k, rays) \
-    for (unsigned k##_of = (rays), k; \
+#define EACH_RAY(k, rays)                                    \
+    for (unsigned k##_of = (rays), k;                        \
          k##_of && (k = (unsigned)cylint_lowest(k##_of), 1); \
          k##_of &= k##_of - 1)
 
 static void finish(packet *p, const cylint_met *met)
 {
     p->active &= ~p->meet(p->self, met);
-    EACH_RAY(k, met->rays) {
+    EACH_RAY(k, met->rays)
+    {
         p->tfar[k] = p->ray[k]->tfar;
         p->w[k].last = above(&p->w[k], p->tfar[k]);
     }
@@ -81,8 +82,8 @@ static void go_alone(packet *p, unsigned k, uint32_t child)
     loner l;
     l.p = p;
     l.ray = k;
-    if (CYLINT_WALKS.below(p->group, child, &p->w[k], p->ray[k], meet_alone,
-                           &l, p->outside >> k & 1))
+    if (CYLINT_WALKS.below(p->group, child, &p->w[k], p->ray[k], meet_alone, &l,
+                           p->outside >> k & 1))
         be_certain(p, k);
 }
 
@@ -101,7 +102,8 @@ CYLINT_INLINE unsigned children_met(const cylint_node *node, const packet *p,
         vf in[3], out[3], first = f_set(HUGE_VALF);
         vi who = i_set(0);
         faces_of(node, i, entry, in, out);
-        EACH_RAY(k, rays) {
+        EACH_RAY(k, rays)
+        {
             vf from;
             const vm is = boxes_met(in, out, &p->w[k], &from);
             first = m_select(is, f_lower(from, first), first);
@@ -144,7 +146,7 @@ static inline unsigned going(const packet *p, const stop *s)
 {
     unsigned rays = 0;
     EACH_RAY(k, s->rays & p->active)
-        rays |= (unsigned)(s->at >> 32 <= key_of(p->w[k].last)) << k;
+    rays |= (unsigned)(s->at >> 32 <= key_of(p->w[k].last)) << k;
     return rays;
 }
 
@@ -246,7 +248,8 @@ CYLINT_INLINE void look_at(packet *p, const cylint_block *block, unsigned rays,
         all[i / WIDTH] = pieces_of(block, i);
     met->block = block;
     met->rays = 0;
-    EACH_RAY(k, rays & good) {
+    EACH_RAY(k, rays & good)
+    {
         const lane_line l = line_of(p, &lines, k);
         unsigned sure = 0;
         met->lanes[k] = test_near_ray(block, all, &l, met->least[k], NULL);
@@ -257,7 +260,8 @@ CYLINT_INLINE void look_at(packet *p, const cylint_block *block, unsigned rays,
         else
             met->rays |= (unsigned)(met->lanes[k] != 0) << k;
     }
-    EACH_RAY(k, rays & ~good) {
+    EACH_RAY(k, rays & ~good)
+    {
         met->lanes[k] = test_far_ray(block, p->ray[k], met->least[k]);
         met->rays |= (unsigned)(met->lanes[k] != 0) << k;
     }

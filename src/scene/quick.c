@@ -10,8 +10,9 @@
 
 static cylint_quick_verdict told(verdict v)
 {
-    return v.hit ? CYLINT_QUICK_HIT
-         : v.unsure ? CYLINT_QUICK_UNSURE : CYLINT_QUICK_MISS;
+    return v.hit      ? CYLINT_QUICK_HIT
+           : v.unsure ? CYLINT_QUICK_UNSURE
+                      : CYLINT_QUICK_MISS;
 }
 
 static cylint_quick_verdict enter(cylint_quick *q,
@@ -46,8 +47,8 @@ static int is_lower(const cylint_shape *s, int i, int j)
 static int least_in_full(const cylint_shape *s)
 {
     const double *w = s->axis;
-    const double least = cylint_smaller(fabs(w[0]), cylint_smaller(fabs(w[1]),
-                                                                   fabs(w[2])));
+    const double least =
+        cylint_smaller(fabs(w[0]), cylint_smaller(fabs(w[1]), fabs(w[2])));
     int first = 2;
     for (int j = 1; j >= 0; j--)
         if (fabs(w[j]) <= least &&
@@ -69,7 +70,8 @@ static int describe(const cylint_quick *q, const cylint_quick_hit *at,
     if (!describe_lanes(q, at, least, &f))
         return 0;
     *to = (cylint_quick_floats){
-        (float)f.z, (float)f.phi,
+        (float)f.z,
+        (float)f.phi,
         {(float)f.normal[0], (float)f.normal[1], (float)f.normal[2]}};
     return 1;
 }
@@ -87,8 +89,9 @@ void cylint_quick_shape_of(cylint_quick_shape *to, const cylint_shape *s)
     }
     to->r0 = s->kind > CYLINT_KIND_ACONE ? -1 : s->r0;
     to->dr = s->kind > CYLINT_KIND_ACONE ? 0
-           : s->kind == CYLINT_KIND_ACONE ? s->dr * sqrt(dot(s->axis, s->axis))
-           : s->dr;
+             : s->kind == CYLINT_KIND_ACONE
+                 ? s->dr * sqrt(dot(s->axis, s->axis))
+                 : s->dr;
 }
 
 /* Zero by the bits: a thread may take a subnormal number for it. */
@@ -97,8 +100,7 @@ static int is_float(double x, float *to)
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     *to = (float)x;
-    return (double)*to == x &&
-           (fabs(x) >= (double)FLT_MIN || bits << 1 == 0);
+    return (double)*to == x && (fabs(x) >= (double)FLT_MIN || bits << 1 == 0);
 }
 
 int cylint_quick_small_of(cylint_quick_small *to, const cylint_shape *s)

@@ -42,9 +42,9 @@ typedef struct cylint_quick_shapes {
 static inline const void *cylint_quick_at(const cylint_quick_shapes *s,
                                           unsigned number)
 {
-    return s->small ? (const void *)((const cylint_quick_small *)s->data +
-                                     number)
-                    : (const cylint_quick_shape *)s->data + number;
+    return s->small
+               ? (const void *)((const cylint_quick_small *)s->data + number)
+               : (const cylint_quick_shape *)s->data + number;
 }
 
 /* Whom to ask: the same shape twice, `whole` being read only where doubles of
@@ -70,9 +70,9 @@ typedef enum {
  * root^2 a quarter of the discriminant; sizes U of u and Dn of D; which caps
  * there are; and whether the chord has no end where s[i] were.
  */
-#define CYLINT_QUICK_MEMBERS(R, M) \
+#define CYLINT_QUICK_MEMBERS(R, M)                                      \
     R w[3], W, ww, per_ww, r0, dr, from, tmin, alpha, beta, n[3], m[3]; \
-    R s[2], a, root, per_root, U, Dn; \
+    R s[2], a, root, per_root, U, Dn;                                   \
     M cap[2], crosses, endless[2];
 
 typedef struct cylint_quick {
@@ -82,7 +82,7 @@ typedef struct cylint_quick {
 
 /* A hit at t and z, within the errors; s: t from near the shape, c = P x w
  * there, k: the radius; on a cap, that of the top. */
-#define CYLINT_QUICK_HIT_MEMBERS(R, M) \
+#define CYLINT_QUICK_HIT_MEMBERS(R, M)                       \
     R t, t_error, z, z_error, s, s_error, c[3], e_c, k, e_k; \
     M capped, top;
 
@@ -114,8 +114,7 @@ typedef struct cylint_quick_build {
                                   const cylint_quick_subject *subject,
                                   const cylint_quick_line *line,
                                   cylint_quick_hit *hit);
-    cylint_quick_verdict (*leave)(const cylint_quick *q,
-                                  cylint_quick_hit *hit);
+    cylint_quick_verdict (*leave)(const cylint_quick *q, cylint_quick_hit *hit);
     int (*describe)(const cylint_quick *q, const cylint_quick_hit *hit,
                     cylint_quick_floats *floats);
 } cylint_quick_build;

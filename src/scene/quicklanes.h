@@ -61,7 +61,8 @@ INLINE cut_shape shape_of(const char *const row[LANES], int small)
     /* differences that were doubles are the same doubles again */
     return (cut_shape){{x[0], x[1], x[2]},
                        {x[4] - x[0], x[5] - x[1], x[6] - x[2]},
-                       x[3], x[7] - x[3]};
+                       x[3],
+                       x[7] - x[3]};
 }
 
 INLINE cut_line line_of(const char *const row[LANES])
@@ -211,9 +212,9 @@ INLINE verdict cut(question *q, const vd u[3], const vd D[3])
         known = m_and(known, m_or(m_not(cone), v_lt(e_a, v_abs(q->a))));
     }
     const vd G = ww * gg - slant * (f * f), e_f = few(2) * q->Dn * N;
-    const vd e_G = few(6) * ww * (S * S) +
-                   slant * (e_f * (v_set(2) * v_abs(f) + e_f) +
-                            few(2) * (f * f));
+    const vd e_G =
+        few(6) * ww * (S * S) +
+        slant * (e_f * (v_set(2) * v_abs(f) + e_f) + few(2) * (f * f));
     const vm is = m_and(known, v_lt(v_set(16) * e_G, G));
     const vm is_not = m_and(known, v_lt(G, -e_G));
     q->crosses = is;
@@ -277,8 +278,7 @@ INLINE vm meet(const question *q, vd s, hit *at)
     at->s_error = v_set(0.6) * off;
     at->e_c = e_c + N * at->s_error + few(1) * c;
     at->e_k = e_k + dr * N * q->per_ww * at->s_error;
-    at->z_error = at->e_c * q->per_ww +
-                  few(1) * (v_abs(at->z) + v_set(0.0625));
+    at->z_error = at->e_c * q->per_ww + few(1) * (v_abs(at->z) + v_set(0.0625));
     return m_and(v_lt(v_set(9) * v_abs(q->a) * off, q->root),
                  v_lt(N * e_H, q->root));
 }
@@ -315,10 +315,12 @@ INLINE vm pierce(const question *q, vm top, hit *at)
     const vm sure = v_lt(v_set(2) * e_b, b);
     const vd per_b = v_set(1) / v_select(sure, b, v_set(1));
     at->s = v_select(v_lt(q->beta, v_set(0)), -rise, rise) * per_b;
-    at->s_error = v_set(2) * (few(1) * q->W * q->Dn +
-                              few(1) * (q->ww + v_abs(q->alpha)) +
-                              v_abs(at->s) * e_b) * per_b +
-                  few(1) * v_abs(at->s);
+    at->s_error =
+        v_set(2) *
+            (few(1) * q->W * q->Dn + few(1) * (q->ww + v_abs(q->alpha)) +
+             v_abs(at->s) * e_b) *
+            per_b +
+        few(1) * v_abs(at->s);
     EACH(j, 3)
         at->c[j] = q->m[j] + at->s * q->n[j];
     at->e_c = few(1) * (q->W * (q->Dn + v_abs(at->s) * q->U) + size(at->c)) +
@@ -342,27 +344,24 @@ INLINE void choose(hit *at, vm where, const hit *other)
 
 /* Where the chord that begins at s[i], outside both ends, comes upon a cap from
  * beyond it. */
-INLINE verdict stop_at_cap(const question *q, int i, const level *here,
-                           hit *at)
+INLINE verdict stop_at_cap(const question *q, int i, const level *here, hit *at)
 {
     hit other, cap;
     const vm outside = m_or(here->below, here->above);
-    const vm present = m_or(m_and(here->below, q->cap[0]),
-                            m_and(here->above, q->cap[1]));
+    const vm present =
+        m_or(m_and(here->below, q->cap[0]), m_and(here->above, q->cap[1]));
     const level there = level_at(q, 1 - i, &other);
     const vm lost = m_and(outside, uncertain(&there));
-    const vm stays = m_or(m_and(here->below, there.below),
-                          m_and(here->above, there.above));
-    const vm comes = m_and(m_and(outside, present),
-                           m_not(m_or(lost, stays)));
+    const vm stays =
+        m_or(m_and(here->below, there.below), m_and(here->above, there.above));
+    const vm comes = m_and(m_and(outside, present), m_not(m_or(lost, stays)));
     if (!m_any(comes))
         return (verdict){comes, lost};
     const vm sure = pierce(q, here->above, &cap);
     choose(at, comes, &cap);
     at->capped = comes;
     at->top = here->above;
-    return (verdict){m_and(comes, sure),
-                     m_or(lost, m_and(comes, m_not(sure)))};
+    return (verdict){m_and(comes, sure), m_or(lost, m_and(comes, m_not(sure)))};
 }
 
 INLINE verdict stop(const question *q, int i, hit *at)
@@ -380,8 +379,7 @@ INLINE verdict stop(const question *q, int i, hit *at)
     at->t_error = at->s_error + few(1) * v_abs(at->t);
     const vm later = v_lt(q->tmin + at->t_error, at->t);
     const vm before = v_lt(at->t, q->tmin - at->t_error);
-    is.unsure = m_or(is.unsure,
-                     m_and(is.hit, m_not(m_or(later, before))));
+    is.unsure = m_or(is.unsure, m_and(is.hit, m_not(m_or(later, before))));
     is.hit = m_and(is.hit, later);
     is.hit = m_and(is.hit, q->crosses);
     is.unsure = m_and(is.unsure, q->crosses);
@@ -517,8 +515,8 @@ INLINE vm describe_phi(const question *q, const hit *at, vd across_w, vd c,
      * pi) of that over the hypotenuse, 13/12 at most for per_far */
     const vd part = q->W * at->e_c * per_far;
     const vd e = v_set(0.25) * part + v_set(CYLINT_TURN_ERROR);
-    const vm inside = m_and(v_lt(e, turn),
-                            v_lt(turn + e, v_set(1 - (double)FLT_EPSILON)));
+    const vm inside =
+        m_and(v_lt(e, turn), v_lt(turn + e, v_set(1 - (double)FLT_EPSILON)));
     return m_and(m_and(v_lt(part, v_set(0.125)), inside),
                  to_float(turn, e, phi));
 }
@@ -542,10 +540,10 @@ INLINE vm describe_lanes(const question *q, const hit *at, const vm least[3],
 {
     arrow a;
     across(q, at, a.N, a.e);
-    const vd across_w = v_select(least[1], a.N[1],
-                                 v_select(least[2], a.N[2], a.N[0]));
-    const vd c = v_select(least[1], at->c[1],
-                          v_select(least[2], at->c[2], at->c[0]));
+    const vd across_w =
+        v_select(least[1], a.N[1], v_select(least[2], a.N[2], a.N[0]));
+    const vd c =
+        v_select(least[1], at->c[1], v_select(least[2], at->c[2], at->c[0]));
     vm sure = to_float(at->z, at->z_error, &to->z);
     sure = m_and(sure, describe_phi(q, at, across_w, c, &to->phi));
     return m_and(sure, describe_normal(q, at, &a, to->normal));

@@ -31,6 +31,6 @@ cylint_quick_many *cylint_quick_many_build(int i);
 
 /* The builds. */
 extern cylint_quick_many cylint_quick_many_plain, cylint_quick_many_avx2,
-                         cylint_quick_many_avx512;
+    cylint_quick_many_avx512;
 
 #endif

@@ -24,17 +24,17 @@ struct cylint_scene {
     const cylint_shape *shapes;
     size_t n;
     cylint_frame frame;
-    cylint_view view;      /* the shapes in the frame */
-    cylint_group group;    /* of the boxed ones */
+    cylint_view view;   /* the shapes in the frame */
+    cylint_group group; /* of the boxed ones */
     cylint_walk_line *walk;
-    uint32_t *boxed;       /* the numbers of the shapes in the hierarchy, or
+    uint32_t *boxed; /* the numbers of the shapes in the hierarchy, or
                               NULL: all */
-    uint32_t *loose;       /* and of those beside it, ascending */
+    uint32_t *loose; /* and of those beside it, ascending */
     size_t n_boxed, n_loose;
-    cylint_shape *copies;  /* of the latter, for their pack */
+    cylint_shape *copies; /* of the latter, for their pack */
     void *pack_memory;
     cylint_pack pack;
-    size_t own_bytes;      /* beside the group's */
+    size_t own_bytes; /* beside the group's */
 };
 
 const char *cylint_scene_strerror(int status)
@@ -74,8 +74,8 @@ static int has_box(const cylint_shape *s, double lo[3], double hi[3])
     for (int j = 0; j < 3; j++) {
         const double bottom = rough_reach(s, 0, j), top = rough_reach(s, 1, j);
         const double base = s->base[j], end = base + s->axis[j];
-        const double more = DBL_MIN + 0x1p-50 *
-            (fabs(base) + fabs(s->axis[j]) + bottom + top);
+        const double more =
+            DBL_MIN + 0x1p-50 * (fabs(base) + fabs(s->axis[j]) + bottom + top);
         lo[j] = fmin(base - bottom, end - top) - more;
         hi[j] = fmax(base + bottom, end + top) + more;
         if (!(lo[j] >= -CYLINT_FRAME_MOST && hi[j] <= CYLINT_FRAME_MOST))
@@ -132,11 +132,11 @@ static void count_shapes(void *self, size_t from, size_t to)
 /* The frame of all that have boxes, none if it cannot be made. */
 static void make_frame(cylint_scene *s, int threads)
 {
-    census all = {.shapes = s->shapes, .lock = CYLINT_CREW_LOCK,
+    census all = {.shapes = s->shapes,
+                  .lock = CYLINT_CREW_LOCK,
                   .lo = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
                   .hi = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-    cylint_crew_share(cylint_crew_for(s->n, threads), s->n, count_shapes,
-                      &all);
+    cylint_crew_share(cylint_crew_for(s->n, threads), s->n, count_shapes, &all);
     cylint_crew_end(&all.lock);
     if (all.boxed > 0 && cylint_frame_make(&s->frame, all.lo, all.hi))
         s->n_boxed = all.boxed;
@@ -180,12 +180,17 @@ static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
     size_t refused; /* none: all have boxes */
     s->walk = cylint_walks_used()->line;
     s->view = (cylint_view){
-        s->shapes, {s->frame.center[0], s->frame.center[1],
-        s->frame.center[2]}, s->frame.scale, CYLINT_FRAME_BLUR};
-    const cylint_members members = {.view = &s->view, .numbers = s->boxed,
-                                    .n = s->n_boxed, .threads = threads};
+        s->shapes,
+        {s->frame.center[0], s->frame.center[1], s->frame.center[2]},
+        s->frame.scale,
+        CYLINT_FRAME_BLUR};
+    const cylint_members members = {.view = &s->view,
+                                    .numbers = s->boxed,
+                                    .n = s->n_boxed,
+                                    .threads = threads};
     return cylint_group_make(&s->group, &members, &refused) == CYLINT_CUT_OK
-         ? CYLINT_SCENE_OK : CYLINT_SCENE_EMEMORY;
+               ? CYLINT_SCENE_OK
+               : CYLINT_SCENE_EMEMORY;
 }
 
 static cylint_scene_status build(cylint_scene *s, int threads)
@@ -245,9 +250,9 @@ enum { ASKED = 16, COUNTED = 256, COUNTED_MOST = 192 };
 /* One question on its way through the hierarchy. */
 typedef struct {
     const cylint_scene *scene;
-    cylint_line line;      /* tmax: what is beyond is of no interest */
-    cylint_frame_ray ray;  /* nor what is beyond its length */
-    size_t best;           /* nearest: its number, and its hit */
+    cylint_line line;     /* tmax: what is beyond is of no interest */
+    cylint_frame_ray ray; /* nor what is beyond its length */
+    size_t best;          /* nearest: its number, and its hit */
     cylint_hit hit;
     size_t count, enough;  /* count */
     size_t *numbers, room; /* all: a heap of the lowest, the highest first */
@@ -255,7 +260,7 @@ typedef struct {
     uint32_t asked[ASKED];
     uint32_t counted[COUNTED]; /* a hash table */
     int n_counted;
-    size_t except;         /* the number of a shape that is not asked */
+    size_t except; /* the number of a shape that is not asked */
 } question;
 
 /* Takes the shape's hit if it is the first so far.  Roots that round to t
@@ -264,13 +269,13 @@ typedef struct {
 static int take_nearest(question *q, size_t number)
 {
     cylint_answer answer;
-    if (!cylint_intersect(&q->scene->shapes[number], &q->line,
-                          CYLINT_WANT_T | CYLINT_WANT_PART |
-                          CYLINT_WANT_NEAREST, &answer))
+    if (!cylint_intersect(
+            &q->scene->shapes[number], &q->line,
+            CYLINT_WANT_T | CYLINT_WANT_PART | CYLINT_WANT_NEAREST, &answer))
         return 0;
     const cylint_hit *hit = &answer.hit[0];
-    if (q->best < q->scene->n && (hit->t > q->hit.t ||
-        (hit->t == q->hit.t && number > q->best)))
+    if (q->best < q->scene->n &&
+        (hit->t > q->hit.t || (hit->t == q->hit.t && number > q->best)))
         return 0;
     q->best = number;
     q->hit = *hit;
@@ -313,8 +318,7 @@ static void sort_heap(size_t *heap, size_t n)
 /* Whether the number could be one of the lowest. */
 static int is_low(const question *q, size_t number)
 {
-    return number >= q->first &&
-           (q->count < q->room || number < q->numbers[0]);
+    return number >= q->first && (q->count < q->room || number < q->numbers[0]);
 }
 
 static void keep_number(question *q, size_t number)
@@ -424,8 +428,8 @@ static int ask_nearest(void *self, const cylint_block *block, unsigned lanes,
         if ((in_pieces(block, lane) && was_asked(q, block->number[lane])) ||
             !take_nearest(q, block->number[lane]))
             continue;
-        q->ray.length = fmin(q->ray.length,
-                             cylint_frame_reach(&q->ray, q->hit.t));
+        q->ray.length =
+            fmin(q->ray.length, cylint_frame_reach(&q->ray, q->hit.t));
     }
     return 0;
 }
@@ -482,9 +486,8 @@ static void open_question(question *q, const cylint_scene *scene,
     memset(q->asked, 0xff, sizeof q->asked); /* NOBODY */
 }
 
-size_t cylint_scene_nearest(const cylint_scene *scene,
-                            const cylint_line *line, unsigned want,
-                            cylint_hit *hit)
+size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,
+                            unsigned want, cylint_hit *hit)
 {
     question q;
     open_question(&q, scene, line);
@@ -497,7 +500,8 @@ size_t cylint_scene_nearest(const cylint_scene *scene,
         answer.hit[0] = *hit; /* what is not wanted is not written */
         cylint_intersect(&scene->shapes[q.best], line,
                          (want & ~(unsigned)CYLINT_WANT_FAST) |
-                         CYLINT_WANT_NEAREST, &answer);
+                             CYLINT_WANT_NEAREST,
+                         &answer);
         *hit = answer.hit[0];
     }
     return q.best;

@@ -81,7 +81,8 @@ static scale scale_of(const range *r)
     v4_store(extent, v4_sub(r->centers.upper, r->centers.lower));
     for (int j = 0; j < 4; j++)
         extent[j] = extent[j] > FLT_MIN * BINS
-                  ? BINS * (1 - 4 * FLT_EPSILON) / extent[j] : 0;
+                        ? BINS * (1 - 4 * FLT_EPSILON) / extent[j]
+                        : 0;
     return (scale){r->centers.lower, v4_load(extent)};
 }
 
@@ -154,8 +155,7 @@ static void try_axis(const bins *b, int axis, size_t n, split *best)
         left += b->n[axis][i - 1];
         if (left == 0 || left == n)
             continue;
-        const float cost = area(h) * blocks(left) +
-                           right[i] * blocks(n - left);
+        const float cost = area(h) * blocks(left) + right[i] * blocks(n - left);
         if (cost < best->cost)
             *best = (split){cost, axis, i, left};
     }
@@ -279,14 +279,14 @@ typedef struct {
 enum { MOST_TASKS = 128 };
 
 typedef struct {
-    const cylint_box *boxes;  /* the first of all */
+    const cylint_box *boxes; /* the first of all */
     cylint_node *nodes;
     float least_step;
     const float *center;
     size_t task_size;
-    cylint_crew_lock lock;    /* of what is below */
+    cylint_crew_lock lock; /* of what is below */
     task tasks[MOST_TASKS];
-    int n_tasks, busy;        /* waiting; members of the crew at work */
+    int n_tasks, busy; /* waiting; members of the crew at work */
     size_t n_nodes;
 } builder;
 
@@ -298,7 +298,7 @@ static int largest(const range *parts, int n, int evenly)
     for (int i = 0; i < n; i++)
         if (parts[i].n > CYLINT_BLOCK &&
             (best < 0 || (evenly ? parts[i].n > parts[best].n
-                          : area(parts[i].box) > area(parts[best].box))))
+                                 : area(parts[i].box) > area(parts[best].box))))
             best = i;
     return best;
 }
@@ -446,10 +446,14 @@ size_t cylint_tree_build(cylint_node *nodes, cylint_box *boxes, size_t n,
     for (int j = 0; j < 3; j++)
         longest = side[j] > longest ? side[j] : longest;
     const float least = longest * LEAST_STEP, tiny = 0x1p-100f;
-    builder b = {.boxes = boxes, .nodes = nodes,
-                 .least_step = least > tiny ? least : tiny, .center = center,
-                 .task_size = n / MOST_TASKS, .lock = CYLINT_CREW_LOCK,
-                 .tasks = {{all, 0, 0}}, .n_tasks = 1};
+    builder b = {.boxes = boxes,
+                 .nodes = nodes,
+                 .least_step = least > tiny ? least : tiny,
+                 .center = center,
+                 .task_size = n / MOST_TASKS,
+                 .lock = CYLINT_CREW_LOCK,
+                 .tasks = {{all, 0, 0}},
+                 .n_tasks = 1};
     cylint_crew_share(threads, (size_t)threads, do_tasks, &b);
     cylint_crew_end(&b.lock);
     return b.n_nodes;

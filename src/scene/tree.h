@@ -12,7 +12,7 @@ enum { CYLINT_BLOCK = 8, CYLINT_CHILDREN = 8 };
 /* The box of a piece of a shape. */
 typedef struct cylint_box {
     float lower[3];
-    uint32_t stem;         /* of which the piece is */
+    uint32_t stem; /* of which the piece is */
     float upper[3];
     uint16_t index, count; /* of the piece, among so many */
 } cylint_box;

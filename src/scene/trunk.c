@@ -33,12 +33,11 @@ static void elliptic(cylint_trunk *t, double ww)
     }
     const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b);
     const double difference = aa - bb;
-    t->across = sqrt((aa + bb + sqrt(difference * difference + 4 * ab * ab)) /
-                     2);
+    t->across =
+        sqrt((aa + bb + sqrt(difference * difference + 4 * ab * ab)) / 2);
 }
 
-void cylint_trunk_of(cylint_trunk *t, const cylint_view *view,
-                     uint32_t number)
+void cylint_trunk_of(cylint_trunk *t, const cylint_view *view, uint32_t number)
 {
     const cylint_shape *s = view->shapes + number;
     const double scale = view->scale;
@@ -50,8 +49,9 @@ void cylint_trunk_of(cylint_trunk *t, const cylint_view *view,
     t->length = sqrt(ww);
     t->elliptic = is_elliptic(s);
     t->k[0] = t->elliptic ? s->r0 : s->r0 * scale;
-    t->k[1] = t->elliptic ? s->r1
-            : s->r1 * (s->kind == CYLINT_KIND_ACONE ? t->length : scale);
+    t->k[1] = t->elliptic
+                  ? s->r1
+                  : s->r1 * (s->kind == CYLINT_KIND_ACONE ? t->length : scale);
     t->across = 1;
     t->along = 0;
     if (!t->elliptic)
@@ -73,24 +73,25 @@ void cylint_trunk_reach(const cylint_trunk *t, double reach[3])
     const double ww = square[0] + square[1] + square[2];
     const double per_length = 1 / t->length;
     for (int j = 0; j < 3; j++)
-        reach[j] = t->elliptic
-                 ? sqrt(t->a[j] * t->a[j] + t->b[j] * t->b[j])
-                 : ww > LEAST_SQUARE
-                 ? sqrt(square[(j + 1) % 3] + square[(j + 2) % 3]) * per_length
-                 : 1;
+        reach[j] =
+            t->elliptic ? sqrt(t->a[j] * t->a[j] + t->b[j] * t->b[j])
+            : ww > LEAST_SQUARE
+                ? sqrt(square[(j + 1) % 3] + square[(j + 2) % 3]) * per_length
+                : 1;
 }
 
 cylint_stem cylint_stem_of(const cylint_trunk *t, const cylint_shape *shape,
                            uint32_t number)
 {
-    return (cylint_stem){
-        {t->base[0], t->base[1], t->base[2]},
-        {t->axis[0], t->axis[1], t->axis[2]},
-        {cylint_float_above(t->k[0] * t->across),
-         cylint_float_above(t->k[1] * t->across)},
-        cylint_half_above(t->along / t->across), (uint8_t)shape->ends,
-        shape->kind == CYLINT_KIND_CYLINDER && shape->ends == CYLINT_ENDS_CAPPED,
-        number};
+    return (cylint_stem){{t->base[0], t->base[1], t->base[2]},
+                         {t->axis[0], t->axis[1], t->axis[2]},
+                         {cylint_float_above(t->k[0] * t->across),
+                          cylint_float_above(t->k[1] * t->across)},
+                         cylint_half_above(t->along / t->across),
+                         (uint8_t)shape->ends,
+                         shape->kind == CYLINT_KIND_CYLINDER &&
+                             shape->ends == CYLINT_ENDS_CAPPED,
+                         number};
 }
 
 void cylint_piece_ends(cylint_piece piece, double z[2])
@@ -98,7 +99,8 @@ void cylint_piece_ends(cylint_piece piece, double z[2])
     const double overlap = 0x1p-20;
     z[0] = piece.index == 0 ? 0 : (piece.index - overlap) / piece.count;
     z[1] = piece.index == piece.count - 1
-         ? 1 : (piece.index + 1 + overlap) / piece.count;
+               ? 1
+               : (piece.index + 1 + overlap) / piece.count;
 }
 
 /*
@@ -106,8 +108,8 @@ void cylint_piece_ends(cylint_piece piece, double z[2])
  * one sign, or no larger than what is summed up in `size`: the sides are moved
  * out by 2^-48 of that, and by what can underflow.
  */
-cylint_extent cylint_piece_box(const cylint_trunk *t,
-                                  const double reach[3], cylint_piece piece)
+cylint_extent cylint_piece_box(const cylint_trunk *t, const double reach[3],
+                               cylint_piece piece)
 {
     double z[2], lo[3], hi[3];
     cylint_piece_ends(piece, z);

@@ -14,8 +14,8 @@ typedef struct cylint_trunk {
     double base[3], axis[3];
     double k[2];
     double across, along;
-    double length;             /* of the axis */
-    double a[3], b[3];         /* of elliptic shapes */
+    double length;     /* of the axis */
+    double a[3], b[3]; /* of elliptic shapes */
     int elliptic;
 } cylint_trunk;
 
@@ -57,8 +57,8 @@ typedef struct cylint_stem {
     uint32_t number; /* of the shape */
 } cylint_stem;
 
-cylint_stem cylint_stem_of(const cylint_trunk *trunk,
-                           const cylint_shape *shape, uint32_t number);
+cylint_stem cylint_stem_of(const cylint_trunk *trunk, const cylint_shape *shape,
+                           uint32_t number);
 
 void cylint_trunk_of(cylint_trunk *trunk, const cylint_view *view,
                      uint32_t number);
@@ -70,8 +70,8 @@ void cylint_trunk_reach(const cylint_trunk *trunk, double reach[3]);
  * overlap by 2^-20 of their length, so that a z that is not quite right
  * still lies in the piece it seems to. */
 void cylint_piece_ends(cylint_piece piece, double z[2]);
-cylint_extent cylint_piece_box(const cylint_trunk *trunk,
-                                  const double reach[3], cylint_piece piece);
+cylint_extent cylint_piece_box(const cylint_trunk *trunk, const double reach[3],
+                               cylint_piece piece);
 
 /* That of all of a shape. */
 cylint_extent cylint_trunk_box(const cylint_view *view, uint32_t number);

@@ -100,11 +100,11 @@ CYLINT_INLINE int walk_rays(const cylint_group *group, uint32_t child, way *w,
     float least[CYLINT_BLOCK];
     stack s;
     set_out(&s, w, child);
-    for (next = next_block(&s, group, w); (block = next); ) {
+    for (next = next_block(&s, group, w); (block = next);) {
         unsigned sure = 0;
         next = next_block(&s, group, w);
-        const unsigned lanes = test_ray(block, ray, E, least,
-                                        certain ? &sure : NULL);
+        const unsigned lanes =
+            test_ray(block, ray, E, least, certain ? &sure : NULL);
         if (!lanes)
             continue;
         if (sure && block->used & CYLINT_SOLID)
@@ -149,7 +149,7 @@ static void walk_line(const cylint_group *group, const double o[3],
     stack s;
     begin(&w, group, o, d, tmin, *tmax);
     set_out(&s, &w, 0);
-    for (next = next_block(&s, group, &w); (block = next); ) {
+    for (next = next_block(&s, group, &w); (block = next);) {
         next = next_block(&s, group, &w);
         const unsigned lanes = test_line(block, o, d, tmin, *tmax, least);
         if (!lanes)

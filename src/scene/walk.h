@@ -24,16 +24,15 @@ typedef struct cylint_float_ray {
 typedef int cylint_meet_ray(void *self, const cylint_block *block,
                             unsigned lanes, const float least[CYLINT_BLOCK]);
 typedef int cylint_meet_line(void *self, const cylint_block *block,
-                             unsigned lanes,
-                             const double least[CYLINT_BLOCK]);
+                             unsigned lanes, const double least[CYLINT_BLOCK]);
 
 /*
  * The ray; or o + t d in doubles, tmin <= t <= *tmax, d off by 2^-52 of its
  * length (the high parts of a segment's).  The group is not empty.
  */
 typedef void cylint_walk_ray(const cylint_group *group,
-                             const cylint_float_ray *ray,
-                             cylint_meet_ray *meet, void *self);
+                             const cylint_float_ray *ray, cylint_meet_ray *meet,
+                             void *self);
 typedef void cylint_walk_line(const cylint_group *group, const double o[3],
                               const double d[3], double tmin,
                               const double *tmax, cylint_meet_line *meet,

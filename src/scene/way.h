@@ -17,9 +17,9 @@
  */
 typedef struct cylint_way {
     float r[3], near[3], far[3];
-    int entry[3];         /* the face by which it enters boxes: 0 or 1 */
-    float first, last;    /* t between; t here is that of the line ... */
-    double t0, slop;      /* ... less t0, and may be off by so much */
+    int entry[3];      /* the face by which it enters boxes: 0 or 1 */
+    float first, last; /* t between; t here is that of the line ... */
+    double t0, slop;   /* ... less t0, and may be off by so much */
 } cylint_way;
 
 typedef cylint_way way;
@@ -49,10 +49,10 @@ CYLINT_INLINE void faces_of(const cylint_node *node, int from,
 {
     EACH(j, 3) {
         const vf corner = f_set(node->corner[j]), step = f_set(node->step[j]);
-        const uint8_t (*face)[3][CYLINT_CHILDREN] = node->face;
+        const uint8_t(*face)[3][CYLINT_CHILDREN] = node->face;
         enter[j] = f_mad(f_from_bytes(face[entry[j]][j] + from), step, corner);
-        leave[j] = f_mad(f_from_bytes(face[1 - entry[j]][j] + from), step,
-                         corner);
+        leave[j] =
+            f_mad(f_from_bytes(face[1 - entry[j]][j] + from), step, corner);
     }
 }
 
@@ -121,18 +121,19 @@ static inline float larger(float x, float y) /* fmaxf() is a call */
 }
 
 /* From x, of which components may be off by so much; group->pad is 16 u S. */
-static inline void start(way *w, const cylint_group *group,
-                         const double x[3], const double d[3], float off)
+static inline void start(way *w, const cylint_group *group, const double x[3],
+                         const double d[3], float off)
 {
     const float D[3] = {(float)d[0], (float)d[1], (float)d[2]};
-    const float least = larger(fabsf(D[0]), larger(fabsf(D[1]), fabsf(D[2]))) *
-                        0x1p-60f;
+    const float least =
+        larger(fabsf(D[0]), larger(fabsf(D[1]), fabsf(D[2]))) * 0x1p-60f;
     EACH(j, 3) {
         const float r = 1 / (fabsf(D[j]) >= least ? D[j]
-                               : D[j] < 0 ? -least : least);
+                             : D[j] < 0           ? -least
+                                                  : least);
         const float X = (float)x[j];
-        const float e = fabsf(r) * (fabsf(X) * 0x1p-20f + group->pad + off) +
-                        16 * FLT_MIN;
+        const float e =
+            fabsf(r) * (fabsf(X) * 0x1p-20f + group->pad + off) + 16 * FLT_MIN;
         w->r[j] = r;
         w->near[j] = X * r + e;
         w->far[j] = X * r - e;

@@ -110,7 +110,7 @@ static int run(const char *line, const char *jobs)
     argv[argc++] = name;
     argv[argc++] = option;
     argv[argc++] = count;
-    for (char *p = text; *p && argc < ARGUMENTS_MOST; ) {
+    for (char *p = text; *p && argc < ARGUMENTS_MOST;) {
         char *blank = strchr(p, ' ');
         argv[argc++] = p;
         p = blank ? blank + 1 : p + strlen(p);

@@ -14,8 +14,10 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-#define MUST(cond) \
-    ((cond) ? (void)0 : (fprintf(stderr, "%s:%d: not true: %s\n", \
-                                 __FILE__, __LINE__, #cond), abort()))
+#define MUST(cond)                                                          \
+    ((cond) ? (void)0                                                       \
+            : (fprintf(stderr, "%s:%d: not true: %s\n", __FILE__, __LINE__, \
+                       #cond),                                              \
+               abort()))
 
 #endif

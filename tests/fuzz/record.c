@@ -47,8 +47,8 @@ static void check_number(const char *text, const char *end)
     MUST(stop == copy + length && same_bits(value, expected));
     free(copy);
     if (isfinite(value)) {
-        MUST(written_length(value, NUMBER_SHORTEST)
-             <= written_length(value, NUMBER_MAX_DIGITS));
+        MUST(written_length(value, NUMBER_SHORTEST) <=
+             written_length(value, NUMBER_MAX_DIGITS));
         written_length(value, NUMBER_HEX);
     }
 }
@@ -70,8 +70,8 @@ static void check_record(const struct grammar *g, const struct record *r)
     MUST(!g->has_shape || r->shape.kind != CYLINT_KIND_NONE);
     MUST(memchr(r->tail, '\0', r->tail_length) == NULL);
     if (g->has_line && g->has_shape) {
-        const int n = cylint_intersect(&r->shape, &r->line, CYLINT_WANT_ALL,
-                                       &answer);
+        const int n =
+            cylint_intersect(&r->shape, &r->line, CYLINT_WANT_ALL, &answer);
         MUST(n == answer.n && n >= 0 && n <= 2 && answer.flags == 0);
     }
 }
@@ -113,8 +113,8 @@ static void check_doubles(const struct grammar *g, const char *bytes,
     double numbers[MOST_NUMBERS] = {0};
     struct record record;
     struct fault fault;
-    if ((g->has_line && g->line == NOT_GIVEN)
-        || (g->has_shape && g->shape == NOT_GIVEN)) {
+    if ((g->has_line && g->line == NOT_GIVEN) ||
+        (g->has_shape && g->shape == NOT_GIVEN)) {
         return;
     }
     memcpy(numbers, bytes, size < sizeof numbers ? size : sizeof numbers);

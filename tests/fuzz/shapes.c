@@ -122,8 +122,8 @@ static struct given_shape shape_given(struct bytes *b)
     const unsigned kind = next(b);
     g.kind = (int)(kind % 6);
     g.ends = (cylint_ends)(kind / 6 % 6);
-    const int vectors = g.kind == CYLINT_KIND_ECYLINDER
-                        || g.kind == CYLINT_KIND_ECONE ? 4 : 2;
+    const int vectors =
+        g.kind == CYLINT_KIND_ECYLINDER || g.kind == CYLINT_KIND_ECONE ? 4 : 2;
     for (int i = 0; i < vectors; i++) {
         vector(b, g.v[i]);
     }
@@ -167,8 +167,8 @@ static void make_shape(const struct given_shape *g, cylint_shape *s)
                                  g->ends);
         break;
     case CYLINT_KIND_ECONE:
-        cylint_elliptic_cone(s, g->v[0], g->v[1], g->v[2], g->v[3],
-                             g->factor, g->ends);
+        cylint_elliptic_cone(s, g->v[0], g->v[1], g->v[2], g->v[3], g->factor,
+                             g->ends);
         break;
     default:
         cylint_angle_cone(s, g->v[0], g->v[1], 45 * g->factor, g->ends);
@@ -216,7 +216,8 @@ static void check_answer(const cylint_shape *s, const cylint_line *line,
 {
     const int refused = s->kind == CYLINT_KIND_NONE || !line->valid;
     MUST(a->n >= 0 && a->n <= 2);
-    MUST(a->relation >= CYLINT_RELATION_MISS && a->relation <= CYLINT_RELATION_CROSS);
+    MUST(a->relation >= CYLINT_RELATION_MISS &&
+         a->relation <= CYLINT_RELATION_CROSS);
     MUST(a->flags == (refused ? CYLINT_FLAG_INVALID : 0));
     MUST(!refused || a->relation == CYLINT_RELATION_MISS);
     MUST(a->relation != CYLINT_RELATION_MISS || a->n == 0);
@@ -256,10 +257,10 @@ static void check_wants(const cylint_shape *s, const cylint_line *line,
     MUST(cylint_intersect(s, line, CYLINT_WANT_COUNT, &a) == all->n);
     MUST(a.relation == all->relation);
     MUST(cylint_occluded(s, line) == (all->n > 0));
-    MUST(cylint_intersect(s, line, verdicts | CYLINT_WANT_NEAREST, &a)
-         == (all->n > 0));
-    MUST(a.n == 0 || (same_bits(a.hit[0].t, all->hit[0].t)
-                      && a.hit[0].part == all->hit[0].part));
+    MUST(cylint_intersect(s, line, verdicts | CYLINT_WANT_NEAREST, &a) ==
+         (all->n > 0));
+    MUST(a.n == 0 || (same_bits(a.hit[0].t, all->hit[0].t) &&
+                      a.hit[0].part == all->hit[0].part));
     MUST(cylint_intersect(s, line, verdicts | CYLINT_WANT_FAST, &a) == all->n);
     MUST(a.relation == all->relation);
     for (int i = 0; i < a.n; i++) {
@@ -362,7 +363,7 @@ static void check_reversed(const cylint_shape *s, const cylint_line *line,
         const cylint_hit *h = &a.hit[i], *was = &all->hit[a.n - 1 - i];
         MUST(h->t == -was->t && h->part == was->part);
         MUST(h->side == (was->side == CYLINT_SIDE_BOTH ? CYLINT_SIDE_BOTH
-                                                  : 1 - was->side));
+                                                       : 1 - was->side));
     }
 }
 
@@ -373,8 +374,8 @@ static void check_as_cone(const struct given_shape *shape,
     struct given_shape cone = *shape;
     cylint_shape s;
     cylint_answer a;
-    if (cone.kind != CYLINT_KIND_CYLINDER
-        && cone.kind != CYLINT_KIND_ECYLINDER) {
+    if (cone.kind != CYLINT_KIND_CYLINDER &&
+        cone.kind != CYLINT_KIND_ECYLINDER) {
         return;
     }
     cone.kind = cone.kind == CYLINT_KIND_CYLINDER ? CYLINT_KIND_CONE
@@ -410,11 +411,11 @@ static void must_be_column(const cylint_columns *c, size_t i,
 {
     MUST(c->relation[i] == a->relation && c->n[i] == a->n);
     MUST(a->n < 1 ? isnan(c->t0[i]) && c->part0[i] == -1
-                  : same_bits(c->t0[i], a->hit[0].t)
-                    && c->part0[i] == a->hit[0].part);
+                  : same_bits(c->t0[i], a->hit[0].t) &&
+                        c->part0[i] == a->hit[0].part);
     MUST(a->n < 2 ? isnan(c->t1[i]) && c->part1[i] == -1
-                  : same_bits(c->t1[i], a->hit[1].t)
-                    && c->part1[i] == a->hit[1].part);
+                  : same_bits(c->t1[i], a->hit[1].t) &&
+                        c->part1[i] == a->hit[1].part);
 }
 
 static void check_pack(const cylint_pack *pack, const cylint_line *line)
@@ -449,8 +450,8 @@ static void check_lines(const cylint_shape *s, const cylint_line *line)
     enum { N = 5 };
     double v[6][N], tmin[N], tmax[N], t0[N], t1[N];
     signed char relation[N], n[N], part0[N], part1[N];
-    const cylint_lines lines = {N, {v[0], v[1], v[2]}, {v[3], v[4], v[5]},
-                                tmin, tmax};
+    const cylint_lines lines = {
+        N, {v[0], v[1], v[2]}, {v[3], v[4], v[5]}, tmin, tmax};
     const cylint_columns columns = {relation, n, t0, t1, part0, part1};
     for (int i = 0; i < N; i++) {
         for (int j = 0; j < 3; j++) {

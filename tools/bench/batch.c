@@ -41,8 +41,8 @@ void print_row(const struct row *r)
            r->reached, r->undecided, r->ns, r->plain, r->single);
 }
 
-const struct row no_row = {"-", "-", "-", "-", "-", 1, NAN, NAN, NAN, NAN,
-                           NAN, NAN};
+const struct row no_row = {"-", "-", "-", "-", "-", 1,
+                           NAN, NAN, NAN, NAN, NAN, NAN};
 
 /* ----------------------------------------------------------- the core -- */
 
@@ -54,8 +54,7 @@ static void measure_core(double seconds)
     int n = 0;
     for (int k = 0; core_width(k) != 0; k++)
         for (int work = 0; work < CORE_WORKS; work++, n++) {
-            turns[n] = (struct core_turn){core_width(k),
-                                          (enum core_work)work};
+            turns[n] = (struct core_turn){core_width(k), (enum core_work)work};
             runners[n] = (struct runner){core_turn, &turns[n], {0, 0}};
         }
     race(runners, n, 16, ROUNDS, seconds / 4);
@@ -76,10 +75,9 @@ static void measure_core(double seconds)
 static const struct {
     int kind;
     const char *name;
-} kinds[] = {
-    {CYLINT_KIND_CYLINDER, "cylinder"}, {CYLINT_KIND_CONE, "cone"},
-    {CYLINT_KIND_ECYLINDER, "elliptic cylinder"}
-};
+} kinds[] = {{CYLINT_KIND_CYLINDER, "cylinder"},
+             {CYLINT_KIND_CONE, "cone"},
+             {CYLINT_KIND_ECYLINDER, "elliptic cylinder"}};
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -104,11 +102,9 @@ static void enter_all(struct cache_race *r, int kind, int away)
     for (int k = -1; k < kernels_count(); k++)
         for (int a = 0; a < ARRANGEMENTS; a++)
             for (int asked = 0; asked < ASKED; asked++) {
-                const struct turn t = {
-                    s, away ? s->away : s->lines,
-                    k < 0 ? NULL : cylint_kernels_name(k),
-                    (enum arrangement)a, (enum asked)asked
-                };
+                const struct turn t = {s, away ? s->away : s->lines,
+                                       k < 0 ? NULL : cylint_kernels_name(k),
+                                       (enum arrangement)a, (enum asked)asked};
                 if ((a != ONE_LINE && (asked < ASK_RELATIONS || away)) ||
                     (k < 0 && asked == ASK_FAST) ||
                     (k < 0 && !plain_answers_for(&s->shapes[0])))
@@ -162,8 +158,7 @@ static void print_cached(const struct cache_race *race)
 }
 
 /* share: of hits, 0 by lines that pass everything. */
-static void measure_share(struct cache_race *r, double share,
-                           double seconds)
+static void measure_share(struct cache_race *r, double share, double seconds)
 {
     r->n = 0;
     for (int k = 0; k < KINDS; k++) {
@@ -198,8 +193,9 @@ enum { FIRST_PASS = 4 * sizeof(double), GROWTH_LINES = 512, TESTS = 1 << 20 };
 
 static int lines_for(size_t n)
 {
-    return n > TESTS / 2 ? 2 : n < TESTS / GROWTH_LINES ? GROWTH_LINES
-                                                        : (int)(TESTS / n);
+    return n > TESTS / 2              ? 2
+           : n < TESTS / GROWTH_LINES ? GROWTH_LINES
+                                      : (int)(TESTS / n);
 }
 
 static void print_growth(const struct runner *runner, const char *kernels,
@@ -228,20 +224,17 @@ static void measure_size(struct scene *s, size_t n, double seconds)
     scene_use_first(s, n);
     for (int i = -1; i < kernels_count(); i++)
         for (int any = 0; any < 2; any++, k++) {
-            turns[k] = (struct turn){
-                s, any ? s->away : s->lines,
-                i < 0 ? NULL : cylint_kernels_name(i), ONE_LINE,
-                any ? ASK_ANY : ASK_NEAREST
-            };
+            turns[k] = (struct turn){s, any ? s->away : s->lines,
+                                     i < 0 ? NULL : cylint_kernels_name(i),
+                                     ONE_LINE, any ? ASK_ANY : ASK_NEAREST};
             runners[k] = (struct runner){batch_turn, &turns[k], {0, 0}};
         }
     runners[k] = (struct runner){read_turn, &bytes, {0, 0}};
     race(runners, k + 1, lines_for(n), ROUNDS, seconds);
     for (int i = 0; i < k; i++)
-        print_growth(&runners[i], turns[i].kernels ? turns[i].kernels
-                                                   : "quadratic",
-                     asked_name(turns[i].asked), n,
-                     runners[i % 2].least.ns / (double)n);
+        print_growth(
+            &runners[i], turns[i].kernels ? turns[i].kernels : "quadratic",
+            asked_name(turns[i].asked), n, runners[i % 2].least.ns / (double)n);
     print_growth(&runners[k], "reading", "read", n, NAN);
     fflush(stdout);
 }

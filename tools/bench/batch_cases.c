@@ -12,8 +12,13 @@
 #include "cost_inputs.h"
 #include "kernels.h"
 
-enum { BATCHES = 16, PAIRED = 256, CASES = BATCHES * PAIRED, ROUNDS = 1000,
-       SEED = 1 };
+enum {
+    BATCHES = 16,
+    PAIRED = 256,
+    CASES = BATCHES * PAIRED,
+    ROUNDS = 1000,
+    SEED = 1
+};
 
 struct cases {
     const char *part, *shapes;
@@ -85,8 +90,7 @@ static void measure(struct cases *c, double seconds)
     const int kernels = kernels_count();
     for (int i = 0; i < kernels + 2; i++) {
         turns[i] = (struct case_turn){
-            c, i < kernels ? cylint_kernels_name(i) : NULL, i > kernels
-        };
+            c, i < kernels ? cylint_kernels_name(i) : NULL, i > kernels};
         runners[i] = (struct runner){paired_turn, &turns[i], {0, 0}};
     }
     race(runners, kernels + 1 + c->has_plain, BATCHES, ROUNDS, seconds);
@@ -137,7 +141,7 @@ static int plain_line(cylint_line *to, const cylint_line *l)
 static void draw_family(struct cases *c, int family)
 {
     uint64_t index = 0;
-    for (int i = 0; i < CASES; ) {
+    for (int i = 0; i < CASES;) {
         struct scene *s = &c->scenes[i / PAIRED];
         struct family_case k;
         family_case(SEED, family, index++, &k);
@@ -164,8 +168,8 @@ void measure_families(double seconds)
 }
 
 /* Questions of a drawing; of them all, or only those that touch. */
-static int draw_grid(struct cases *c, enum cost_shape shape,
-                     struct question *q, int n, int tangents)
+static int draw_grid(struct cases *c, enum cost_shape shape, struct question *q,
+                     int n, int tangents)
 {
     int hits, i = 0;
     if (!cost_questions(shape, COST_GRID, q, n, &hits))
@@ -190,16 +194,15 @@ void measure_drawings(double seconds)
 {
     static const char *const names[] = {
         "cylinder: integer grid", "cylinder: exact tangents",
-        "cone: integer grid", "cone: exact tangents"
-    };
+        "cone: integer grid", "cone: exact tangents"};
     enum { MANY = 60 * CASES };
     struct question *q = malloc(MANY * sizeof *q);
     struct cases *c = cases_allocate();
     c->part = "drawing";
     c->has_plain = 1;
     for (int i = 0; q && i < 4; i++) {
-        const enum cost_shape shape = i < 2 ? COST_CYLINDER_CAPPED
-                                            : COST_CONE_CAPPED;
+        const enum cost_shape shape =
+            i < 2 ? COST_CYLINDER_CAPPED : COST_CONE_CAPPED;
         c->shapes = names[i];
         if (draw_grid(c, shape, q, i % 2 ? MANY : CASES, i % 2))
             measure(c, seconds);

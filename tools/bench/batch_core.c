@@ -14,22 +14,22 @@ enum { CHAINS = 10, STREAMS = 7 };
 static volatile double kept;
 
 /* Each chain stays between 1 and 3, whichever work it does. */
-#define DEFINE_CHAINS(name, attributes, vector, set, first, work)           \
-    attributes static void name(int results)                                \
-    {                                                                       \
-        enum { LANES_HERE = (int)(sizeof(vector) / sizeof(double)) };       \
-        const vector c = set(3);                                            \
-        vector x0 = set(1.1), x1 = set(1.2), x2 = set(1.3), x3 = set(1.4),  \
-               x4 = set(1.5), x5 = set(1.6), x6 = set(1.7), x7 = set(1.8),  \
-               x8 = set(1.9), x9 = set(2.1);                                \
-        for (int i = 0; i < results; i += CHAINS * LANES_HERE) {            \
-            x0 = work(c, x0), x1 = work(c, x1), x2 = work(c, x2);           \
-            x3 = work(c, x3), x4 = work(c, x4), x5 = work(c, x5);           \
-            x6 = work(c, x6), x7 = work(c, x7), x8 = work(c, x8);           \
-            x9 = work(c, x9);                                               \
-        }                                                                   \
-        kept = first(x0) + first(x1) + first(x2) + first(x3) + first(x4) +  \
-               first(x5) + first(x6) + first(x7) + first(x8) + first(x9);   \
+#define DEFINE_CHAINS(name, attributes, vector, set, first, work)          \
+    attributes static void name(int results)                               \
+    {                                                                      \
+        enum { LANES_HERE = (int)(sizeof(vector) / sizeof(double)) };      \
+        const vector c = set(3);                                           \
+        vector x0 = set(1.1), x1 = set(1.2), x2 = set(1.3), x3 = set(1.4), \
+               x4 = set(1.5), x5 = set(1.6), x6 = set(1.7), x7 = set(1.8), \
+               x8 = set(1.9), x9 = set(2.1);                               \
+        for (int i = 0; i < results; i += CHAINS * LANES_HERE) {           \
+            x0 = work(c, x0), x1 = work(c, x1), x2 = work(c, x2);          \
+            x3 = work(c, x3), x4 = work(c, x4), x5 = work(c, x5);          \
+            x6 = work(c, x6), x7 = work(c, x7), x8 = work(c, x8);          \
+            x9 = work(c, x9);                                              \
+        }                                                                  \
+        kept = first(x0) + first(x1) + first(x2) + first(x3) + first(x4) + \
+               first(x5) + first(x6) + first(x7) + first(x8) + first(x9);  \
     }
 
 #define SCALAR(x) (x)
@@ -51,8 +51,8 @@ static volatile double kept;
 DEFINE_CHAINS(divide_128, , __m128d, _mm_set1_pd, _mm_cvtsd_f64, DIVIDE_128)
 DEFINE_CHAINS(divide_256, AVX, __m256d, _mm256_set1_pd, _mm256_cvtsd_f64,
               DIVIDE_256)
-DEFINE_CHAINS(divide_512, AVX512, __m512d, _mm512_set1_pd,
-              _mm512_cvtsd_f64, DIVIDE_512)
+DEFINE_CHAINS(divide_512, AVX512, __m512d, _mm512_set1_pd, _mm512_cvtsd_f64,
+              DIVIDE_512)
 DEFINE_CHAINS(root_128, , __m128d, _mm_set1_pd, _mm_cvtsd_f64, ROOT_128)
 DEFINE_CHAINS(root_256, AVX, __m256d, _mm256_set1_pd, _mm256_cvtsd_f64,
               ROOT_256)
@@ -61,8 +61,7 @@ DEFINE_CHAINS(root_512, AVX512, __m512d, _mm512_set1_pd, _mm512_cvtsd_f64,
 
 typedef void chains(int results);
 static chains *const all[][CORE_WORKS] = {
-    {divide_128, root_128}, {divide_256, root_256}, {divide_512, root_512}
-};
+    {divide_128, root_128}, {divide_256, root_256}, {divide_512, root_512}};
 
 int core_width(int number)
 {
@@ -73,8 +72,9 @@ int core_width(int number)
     return number == 2 && __builtin_cpu_supports("avx512f") ? 512 : 0;
 }
 
-#define LOAD(k) _mm256_loadu_si256((const __m256i *)(const void *)         \
-                                   (from + (size_t)(k) * part + i))
+#define LOAD(k)         \
+    _mm256_loadu_si256( \
+        (const __m256i *)(const void *)(from + (size_t)(k)*part + i))
 AVX static uint64_t read_wide(const char *from, size_t part)
 {
     __m256i a = _mm256_setzero_si256(), b = a, c = a, d = a;

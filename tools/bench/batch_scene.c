@@ -75,11 +75,11 @@ void scene_finish(struct scene *s, int with_domains)
         column[7][i] = line->tmax;
         s->lines[i] = *line;
     }
-    s->columns = (cylint_lines){
-        n, {column[0], column[1], column[2]},
-        {column[3], column[4], column[5]},
-        with_domains ? column[6] : NULL, with_domains ? column[7] : NULL
-    };
+    s->columns = (cylint_lines){n,
+                                {column[0], column[1], column[2]},
+                                {column[3], column[4], column[5]},
+                                with_domains ? column[6] : NULL,
+                                with_domains ? column[7] : NULL};
     scene_use_first(s, s->n_shapes);
 }
 
@@ -162,14 +162,14 @@ static void scatter_shape(cylint_shape *shape, int kind, double radius)
     } else {
         across(axis, r, a);
         for (int i = 0; i < 3; i++)
-            b[i] = other / r * (axis[(i + 1) % 3] * a[(i + 2) % 3] -
-                                axis[(i + 2) % 3] * a[(i + 1) % 3]);
+            b[i] = other / r *
+                   (axis[(i + 1) % 3] * a[(i + 2) % 3] -
+                    axis[(i + 2) % 3] * a[(i + 1) % 3]);
         cylint_elliptic_cylinder(shape, base, a, b, h, CYLINT_ENDS_CAPPED);
     }
 }
 
-static void scatter_line(cylint_line *line, cylint_line *away,
-                         double radius)
+static void scatter_line(cylint_line *line, cylint_line *away, double radius)
 {
     double o[3], d[3], e[3];
     point_of_ball(radius, o);

@@ -12,12 +12,12 @@ struct scene {
     cylint_shape *shapes;
     struct subject *subjects; /* the same shapes for the plain quadratic */
     cylint_pack pack;
-    cylint_line *lines;       /* twice over, so that pairs can be shifted */
-    cylint_line *away;        /* the same lines, moved past everything */
-    cylint_lines columns;     /* of `lines`, n_lines of them */
-    double *numbers, *t[2];   /* what columns points to; room for answers */
+    cylint_line *lines;     /* twice over, so that pairs can be shifted */
+    cylint_line *away;      /* the same lines, moved past everything */
+    cylint_lines columns;   /* of `lines`, n_lines of them */
+    double *numbers, *t[2]; /* what columns points to; room for answers */
     signed char *relation, *n;
-    void *memory;             /* the pack's */
+    void *memory; /* the pack's */
 };
 
 /* Room for so many; stops the program if there is none. */

@@ -11,13 +11,11 @@
 #define INLINE static inline
 #endif
 
-static const char *const arrangement_names[] = {
-    "one line", "one shape", "pairs"
-};
+static const char *const arrangement_names[] = {"one line", "one shape",
+                                                "pairs"};
 static const char *const asked_names[] = {
-    "count", "any", "nearest", "nearest fast", "relations", "first t",
-    "both t"
-};
+    "count",     "any",     "nearest", "nearest fast",
+    "relations", "first t", "both t"};
 
 const char *arrangement_name(enum arrangement arrangement)
 {
@@ -39,8 +37,7 @@ int kernels_count(void)
 
 size_t turn_tests(const struct turn *t)
 {
-    return t->arrangement == ONE_SHAPE ? t->scene->n_lines
-                                       : t->scene->n_shapes;
+    return t->arrangement == ONE_SHAPE ? t->scene->n_lines : t->scene->n_shapes;
 }
 
 /* The shape and the line of test i of question k. */
@@ -61,11 +58,13 @@ static volatile size_t sink;
 INLINE void plain_loop(const struct turn *t, size_t k, enum arrangement a,
                        enum asked asked)
 {
-    static const unsigned wants[ASKED] = {
-        0, 0, CYLINT_WANT_T | CYLINT_WANT_NEAREST,
-        CYLINT_WANT_T | CYLINT_WANT_NEAREST, 0,
-        CYLINT_WANT_T | CYLINT_WANT_NEAREST, CYLINT_WANT_T
-    };
+    static const unsigned wants[ASKED] = {0,
+                                          0,
+                                          CYLINT_WANT_T | CYLINT_WANT_NEAREST,
+                                          CYLINT_WANT_T | CYLINT_WANT_NEAREST,
+                                          0,
+                                          CYLINT_WANT_T | CYLINT_WANT_NEAREST,
+                                          CYLINT_WANT_T};
     const struct scene *s = t->scene;
     const size_t n = turn_tests(t);
     size_t found = n, count = 0;
@@ -174,8 +173,8 @@ static void batch_answers(const struct turn *t, size_t k)
         sink = cylint_nearest(pack, &t->lines[k], want, &hit);
         return;
     case ASK_FAST:
-        sink = cylint_nearest(pack, &t->lines[k], want | CYLINT_WANT_FAST,
-                              &hit);
+        sink =
+            cylint_nearest(pack, &t->lines[k], want | CYLINT_WANT_FAST, &hit);
         return;
     default:
         columns_asked(t, k);
@@ -217,13 +216,12 @@ void turn_shares(const struct turn *t, int questions, double *hits,
     size_t n_hits = 0, n_reached = 0;
     for (size_t k = 0; k < (size_t)questions; k++)
         for (size_t i = 0; i < n; i++) {
-            const cylint_line *line =
-                &t->lines[line_of(t->arrangement, i, k)];
+            const cylint_line *line = &t->lines[line_of(t->arrangement, i, k)];
             const cylint_shape shape =
                 t->scene->shapes[shape_of(t->arrangement, i, k)];
             cylint_answer answer;
-            n_hits += cylint_intersect(&shape, line, CYLINT_WANT_COUNT,
-                                       &answer) > 0;
+            n_hits +=
+                cylint_intersect(&shape, line, CYLINT_WANT_COUNT, &answer) > 0;
             n_reached += (size_t)meets_ball(&shape, line);
         }
     *hits = 100.0 * (double)n_hits / ((double)n * questions);

@@ -19,10 +19,12 @@ void prepare_subject(struct subject *s)
 #define T CYLINT_WANT_T
 #define NEAREST (CYLINT_WANT_T | CYLINT_WANT_NEAREST)
 
-#define IN_THREE_MODES(name, answer, answers_for)                            \
-    {name, "verdict", answer, answers_for, CYLINT_WANT_COUNT, 0},            \
-    {name, "nearest", answer, answers_for, NEAREST, 0},                      \
-    {name, "both", answer, answers_for, T, 0}
+#define IN_THREE_MODES(name, answer, answers_for)                 \
+    {name, "verdict", answer, answers_for, CYLINT_WANT_COUNT, 0}, \
+        {name, "nearest", answer, answers_for, NEAREST, 0},       \
+    {                                                             \
+        name, "both", answer, answers_for, T, 0                   \
+    }
 
 static const struct contestant table[] = {
     IN_THREE_MODES("cylint", NULL, NULL),
@@ -39,8 +41,7 @@ static const struct contestant table[] = {
 #ifdef HAVE_GSL
     IN_THREE_MODES("gsl", gsl_quadratic, NULL),
 #endif
-    {NULL, NULL, NULL, NULL, 0, 0}
-};
+    {NULL, NULL, NULL, NULL, 0, 0}};
 
 const struct contestant *contestants(void)
 {
@@ -69,8 +70,7 @@ int contestant_takes(const struct contestant *c, const cylint_shape *shape)
     cylint_whole_line(&line, o, d);
     struct question q = {{*shape, 0, 0}, line};
     prepare_subject(&q.subject);
-    return c->answer(&q.subject.shape, &line, c->want, &answer) ==
-           CYLINT_OK;
+    return c->answer(&q.subject.shape, &line, c->want, &answer) == CYLINT_OK;
 }
 
 void contestant_answer(const struct contestant *c, const struct question *q,

@@ -14,8 +14,8 @@
  * handed the shape, which comes first, so that they can find the rest. */
 struct subject {
     cylint_shape shape;
-    double axis_axis;  /* w.w */
-    double radius;     /* r0 w.w, or r0^2 w.w for a cylinder */
+    double axis_axis; /* w.w */
+    double radius;    /* r0 w.w, or r0^2 w.w for a cylinder */
 };
 
 struct question {
@@ -29,11 +29,11 @@ typedef int contestant_answers_for(const cylint_shape *shape);
 
 struct contestant {
     const char *name;
-    const char *mode;        /* verdict, nearest, both, fast, all */
-    cylint_method_fn *answer;/* NULL: cylint_intersect itself */
+    const char *mode;                    /* verdict, nearest, both, fast, all */
+    cylint_method_fn *answer;            /* NULL: cylint_intersect itself */
     contestant_answers_for *answers_for; /* NULL: asked, it tells */
     unsigned want;
-    int only_hit;            /* 1: no relation, just whether the nearest hit
+    int only_hit; /* 1: no relation, just whether the nearest hit
                                 is there */
 };
 
@@ -41,8 +41,7 @@ struct contestant {
 const struct contestant *contestants(void);
 
 /* The one called so; stops the program if there is none. */
-const struct contestant *contestant_named(const char *name,
-                                          const char *mode);
+const struct contestant *contestant_named(const char *name, const char *mode);
 
 /* Whether it answers for this shape at all. */
 int contestant_takes(const struct contestant *c, const cylint_shape *shape);

@@ -17,8 +17,7 @@
  * second cache: the questions come in a new order every round. */
 enum { QUESTIONS = 2000, MODES = 4, NAMES = 3 };
 
-static const char *const modes[MODES] = {"verdict", "nearest", "both",
-                                         "fast"};
+static const char *const modes[MODES] = {"verdict", "nearest", "both", "fast"};
 
 /* Who answers in a mode: `fast` is the library's alone, beside `both`. */
 static const struct contestant *contestant(int name, int mode)

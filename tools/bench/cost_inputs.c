@@ -8,11 +8,9 @@
 #include <string.h>
 
 static const char *const shape_names[] = {
-    "cylinder infinite", "cylinder capped", "cone infinite", "cone capped"
-};
-static const char *const work_names[] = {
-    "71 % hits", "5 % hits", "misses", "integer grid"
-};
+    "cylinder infinite", "cylinder capped", "cone infinite", "cone capped"};
+static const char *const work_names[] = {"71 % hits", "5 % hits", "misses",
+                                         "integer grid"};
 
 const char *cost_shape_name(enum cost_shape shape)
 {
@@ -59,7 +57,8 @@ static int is_cone(enum cost_shape shape)
 static cylint_ends ends_of(enum cost_shape shape)
 {
     return shape == COST_CYLINDER_INFINITE || shape == COST_CONE_INFINITE
-         ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_CAPPED;
+               ? CYLINT_ENDS_INFINITE
+               : CYLINT_ENDS_CAPPED;
 }
 
 static int make_shape(struct question *q, enum cost_shape shape,
@@ -69,8 +68,8 @@ static int make_shape(struct question *q, enum cost_shape shape,
     const cylint_ends ends = ends_of(shape);
     cylint_shape *s = &q->subject.shape;
     const cylint_status status = is_cone(shape)
-        ? cylint_cone(s, p0, r0, p1, r1, ends)
-        : cylint_cylinder(s, p0, p1, r0, ends);
+                                     ? cylint_cone(s, p0, r0, p1, r1, ends)
+                                     : cylint_cylinder(s, p0, p1, r0, ends);
     if (status != CYLINT_OK)
         return 0;
     prepare_subject(&q->subject);
@@ -98,8 +97,8 @@ static void ordinary_shape(struct question *q, enum cost_shape shape)
             p0[i] = centre - h * axis[i];
             p1[i] = centre + h * axis[i];
         }
-    } while (!make_shape(q, shape, p0, between(0.5, 1.5), p1,
-                         between(0.1, 0.4)));
+    } while (
+        !make_shape(q, shape, p0, between(0.5, 1.5), p1, between(0.1, 0.4)));
 }
 
 /* From a point of a ball about the shape, in any direction: five numbers in
@@ -120,14 +119,13 @@ static void line_of(const double x[5], struct question *q)
 
 /* Lines of the sequence are taken while their kind, hit or miss, is still
  * wanted. */
-static void ordinary(enum cost_shape shape, struct question *q, int n,
-                     int hits)
+static void ordinary(enum cost_shape shape, struct question *q, int n, int hits)
 {
     gsl_qrng *sobol = gsl_qrng_alloc(gsl_qrng_sobol, 5);
     int misses = n - hits;
     double x[5];
     gsl_qrng_get(sobol, x); /* the first is all zeros */
-    for (int i = 0; i < n; ) {
+    for (int i = 0; i < n;) {
         ordinary_shape(&q[i], shape);
         gsl_qrng_get(sobol, x);
         line_of(x, &q[i]);
@@ -164,8 +162,7 @@ static void grid_shape(struct grid_shape *g, struct question *q,
              !make_shape(q, shape, g->p0, g->r0, g->p1, g->r1));
 }
 
-static void grid_parallel(const struct grid_shape *g, double o[3],
-                          double d[3])
+static void grid_parallel(const struct grid_shape *g, double o[3], double d[3])
 {
     for (int c = 0; c < 3; c++)
         o[c] = g->p0[c] + whole(-6, 6);
@@ -174,8 +171,7 @@ static void grid_parallel(const struct grid_shape *g, double o[3],
 
 /* Through a point of the base's rim, in the plane that touches there: so
  * much along the rim, so much along the ruling. */
-static void grid_tangent(const struct grid_shape *g, double o[3],
-                         double d[3])
+static void grid_tangent(const struct grid_shape *g, double o[3], double d[3])
 {
     const int up = whole(-1, 1), back = whole(-4, 4);
     d[g->j] = 1;
@@ -197,8 +193,7 @@ static void grid_other(double o[3], double d[3])
 
 enum { PARALLEL = 20, TANGENT = 2 }; /* in 100 */
 
-static void grid_question(enum cost_shape shape, struct question *q,
-                          int which)
+static void grid_question(enum cost_shape shape, struct question *q, int which)
 {
     for (;;) {
         struct grid_shape g;

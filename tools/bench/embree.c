@@ -65,8 +65,8 @@ static void compete(struct contestant *c, int n, query *ask,
     const struct timing start = timing_now();
     for (int i = 0; i < n; i++)
         c[i].least = (struct timing){HUGE_VAL, HUGE_VAL};
-    for (int round = 0; round < 3 ||
-         timing_since(start).ns < seconds * 1e9; round++)
+    for (int round = 0; round < 3 || timing_since(start).ns < seconds * 1e9;
+         round++)
         for (int i = 0; i < n; i++) {
             const struct timing begin = timing_now();
             ask(&c[i], rays);
@@ -81,20 +81,24 @@ static int enter(struct contestant *c, const struct cylinder_kind *kind,
     const int segments = segments_for(cylinders, kind);
     int n = 0;
     c[n++] = (struct contestant){.name = "curves",
-        .rival = build_curves(cylinders, 1, one)};
+                                 .rival = build_curves(cylinders, 1, one)};
     if (all && segments > 1)
-        c[n++] = (struct contestant){.name = "curves, split by hand",
+        c[n++] = (struct contestant){
+            .name = "curves, split by hand",
             .rival = build_curves(cylinders, segments, one)};
     c[n++] = (struct contestant){.name = "blocks",
-        .rival = build_shapes(cylinders, 0, one)};
+                                 .rival = build_shapes(cylinders, 0, one)};
     if (all) {
-        c[n++] = (struct contestant){.name = "blocks, bare",
+        c[n++] = (struct contestant){
+            .name = "blocks, bare",
             .rival = build_shapes(cylinders, CYLINT_EMBREE_BARE, one)};
-        c[n++] = (struct contestant){.name = "blocks, no filters",
+        c[n++] = (struct contestant){
+            .name = "blocks, no filters",
             .rival = build_shapes(cylinders, CYLINT_EMBREE_NO_FILTERS, one)};
     }
     if (all && kind != &fibre) { /* boxes of fibres hold little but air */
-        c[n++] = (struct contestant){.name = "one a primitive",
+        c[n++] = (struct contestant){
+            .name = "one a primitive",
             .rival = build_shapes(cylinders, CYLINT_EMBREE_SINGLE, one)};
     }
     return n;
@@ -106,9 +110,8 @@ static void show(const char *scene, size_t n, const char *rays,
     for (int i = 0; i < rivals; i++)
         printf("%s\t%zu\t%s\t%s\t%.3f\t%.2f\t%.4f\t%.3f\t%.1f\n", scene, n,
                rays, c[i].name, n_rays / c[i].least.ns * 1e3,
-               c[0].least.ns / c[i].least.ns,
-               (double)c[i].hits / n_rays, c[i].rival.build_seconds,
-               c[i].rival.bytes / (double)n);
+               c[0].least.ns / c[i].least.ns, (double)c[i].hits / n_rays,
+               c[i].rival.build_seconds, c[i].rival.bytes / (double)n);
     fflush(stdout);
 }
 
@@ -142,11 +145,10 @@ int main(int argc, char **argv)
         const struct cylinder_kind *kind;
         size_t n;
         int all;
-    } scenes[] = {{&thin, 1000, 1}, {&fat, 1000, 1},
-                  {&thin, 10000, 0},
-                  {&thin, 100000, 1}, {&fat, 100000, 1}, {&fibre, 100000, 1},
-                  {&thin, 1000000, 1}, {&fat, 1000000, 1},
-                  {&thin, 10000000, 0}};
+    } scenes[] = {
+        {&thin, 1000, 1},    {&fat, 1000, 1},    {&thin, 10000, 0},
+        {&thin, 100000, 1},  {&fat, 100000, 1},  {&fibre, 100000, 1},
+        {&thin, 1000000, 1}, {&fat, 1000000, 1}, {&thin, 10000000, 0}};
     timing_begin();
     flush_subnormals();
     printf("scene\tn\trays\trival\tMray/s\tratio\thits/ray\tbuild s\t"

@@ -41,15 +41,12 @@ const cylint_quick_build *__wrap_cylint_quick_used(void)
     return &counting;
 }
 
-int __real_cylint_intersect(const cylint_shape *shape,
-                            const cylint_line *line, unsigned want,
-                            cylint_answer *answer);
-int __wrap_cylint_intersect(const cylint_shape *shape,
-                            const cylint_line *line, unsigned want,
-                            cylint_answer *answer);
-int __wrap_cylint_intersect(const cylint_shape *shape,
-                            const cylint_line *line, unsigned want,
-                            cylint_answer *answer)
+int __real_cylint_intersect(const cylint_shape *shape, const cylint_line *line,
+                            unsigned want, cylint_answer *answer);
+int __wrap_cylint_intersect(const cylint_shape *shape, const cylint_line *line,
+                            unsigned want, cylint_answer *answer);
+int __wrap_cylint_intersect(const cylint_shape *shape, const cylint_line *line,
+                            unsigned want, cylint_answer *answer)
 {
     asked.exactly++;
     return __real_cylint_intersect(shape, line, want, answer);
@@ -60,8 +57,8 @@ static void count(const struct cylinder_kind *kind, size_t n)
     struct cylinders cylinders = draw_cylinders(kind, n);
     struct rival rival = build_shapes(&cylinders, 0, "threads=1");
     for (int camera = 0; camera < 2; camera++) {
-        struct rays rays = camera ? draw_camera_rays(RAYS)
-                                  : draw_incoherent_rays(RAYS);
+        struct rays rays =
+            camera ? draw_camera_rays(RAYS) : draw_incoherent_rays(RAYS);
         cylint_rtc_context context;
         cylint_rtc_init(&context);
         memset(&asked, 0, sizeof asked);
@@ -72,8 +69,8 @@ static void count(const struct cylinder_kind *kind, size_t n)
             cylint_rtc_nearest(rival.scene, &context, &at);
         }
         const double n_rays = rays.n;
-        printf("%s\t%zu\t%s\t%.2f\t%.2f\t%.2f\t%.2f\t%.4f\n", kind->name,
-               n, camera ? "coherent" : "incoherent",
+        printf("%s\t%zu\t%s\t%.2f\t%.2f\t%.2f\t%.2f\t%.4f\n", kind->name, n,
+               camera ? "coherent" : "incoherent",
                (double)cylint_visits.nodes / n_rays,
                (double)cylint_visits.blocks / n_rays,
                (double)cylint_visits.lanes / n_rays,

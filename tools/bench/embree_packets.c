@@ -28,9 +28,8 @@ struct manner {
     int lanes, coherent;
 };
 
-static const struct manner manners[WAYS] = {
-    {1, 0}, {4, 0}, {8, 0}, {16, 0}, {1, 1}, {4, 1}, {8, 1}, {16, 1}
-};
+static const struct manner manners[WAYS] = {{1, 0}, {4, 0}, {8, 0}, {16, 0},
+                                            {1, 1}, {4, 1}, {8, 1}, {16, 1}};
 
 struct contestant {
     const char *name;
@@ -73,8 +72,8 @@ static void begin_asking(struct asking *a, int coherent)
     rtcInitIntersectArguments(&a->nearest);
     rtcInitOccludedArguments(&a->any);
     a->nearest.context = a->any.context = &a->context;
-    a->nearest.flags = a->any.flags = coherent
-        ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    a->nearest.flags = a->any.flags =
+        coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
 #else
     a->context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
                                 : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
@@ -94,17 +93,24 @@ static void begin_asking(struct asking *a, int coherent)
 #endif
 
 static const int valid[MOST_LANES] __attribute__((aligned(64))) = {
-    -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1
-};
+    -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
 
 static void ask_nearest(struct asking *a, RTCScene scene, int lanes,
                         union packet *packet)
 {
     switch (lanes) {
-    case 1: NEAREST_ONE(&packet->one); break;
-    case 4: NEAREST(4, &packet->four); break;
-    case 8: NEAREST(8, &packet->eight); break;
-    default: NEAREST(16, &packet->sixteen); break;
+    case 1:
+        NEAREST_ONE(&packet->one);
+        break;
+    case 4:
+        NEAREST(4, &packet->four);
+        break;
+    case 8:
+        NEAREST(8, &packet->eight);
+        break;
+    default:
+        NEAREST(16, &packet->sixteen);
+        break;
     }
 }
 
@@ -112,10 +118,18 @@ static void ask_any(struct asking *a, RTCScene scene, int lanes,
                     union packet *packet)
 {
     switch (lanes) {
-    case 1: ANY_ONE(&packet->one.ray); break;
-    case 4: ANY(4, &packet->four.ray); break;
-    case 8: ANY(8, &packet->eight.ray); break;
-    default: ANY(16, &packet->sixteen.ray); break;
+    case 1:
+        ANY_ONE(&packet->one.ray);
+        break;
+    case 4:
+        ANY(4, &packet->four.ray);
+        break;
+    case 8:
+        ANY(8, &packet->eight.ray);
+        break;
+    default:
+        ANY(16, &packet->sixteen.ray);
+        break;
     }
 }
 
@@ -167,8 +181,8 @@ static void compete(struct contestant *c, int n, query *ask,
     for (int i = 0; i < n; i++)
         for (int way = 0; way < WAYS; way++)
             c[i].least[way] = (struct timing){HUGE_VAL, HUGE_VAL};
-    for (int round = 0; round < 3 ||
-         timing_since(start).ns < seconds * 1e9; round++)
+    for (int round = 0; round < 3 || timing_since(start).ns < seconds * 1e9;
+         round++)
         for (int way = 0; way < WAYS; way++)
             for (int i = 0; i < n; i++) {
                 const struct timing begin = timing_now();
@@ -188,11 +202,10 @@ static void show(const char *scene, size_t n, const char *rays,
         for (int i = 0; i < rivals; i++)
             printf("%s\t%zu\t%s\t%d\t%s\t%s\t%.3f\t%.2f\t%.2f\t%.4f\n", scene,
                    n, rays, manners[way].lanes,
-                   manners[way].coherent ? "coherent" : "incoherent",
-                   c[i].name, n_rays / c[i].least[way].ns * 1e3,
+                   manners[way].coherent ? "coherent" : "incoherent", c[i].name,
+                   n_rays / c[i].least[way].ns * 1e3,
                    c[0].least[way].ns / c[i].least[way].ns,
-                   best / c[i].least[way].ns,
-                   (double)c[i].hits[way] / n_rays);
+                   best / c[i].least[way].ns, (double)c[i].hits[way] / n_rays);
     fflush(stdout);
 }
 
@@ -219,8 +232,7 @@ static void run(const struct cylinder_kind *kind, size_t n, double seconds)
         {.name = "curves", .rival = build_curves(&cylinders, 1, one)},
         {.name = "blocks", .rival = build_shapes(&cylinders, 0, one)},
         {.name = "blocks, no filters",
-         .rival = build_shapes(&cylinders, CYLINT_EMBREE_NO_FILTERS, one)}
-    };
+         .rival = build_shapes(&cylinders, CYLINT_EMBREE_NO_FILTERS, one)}};
     enum { RIVALS = sizeof c / sizeof *c };
     race(kind->name, n, "camera", ask_nearest, draw_camera_rays(RAYS), c,
          RIVALS, seconds);
@@ -241,7 +253,7 @@ int main(int argc, char **argv)
     static const struct {
         const struct cylinder_kind *kind;
         size_t n;
-    } scenes[] = {{&thin, 1000}, {&fat, 1000}, {&thin, 100000},
+    } scenes[] = {{&thin, 1000},  {&fat, 1000},     {&thin, 100000},
                   {&fat, 100000}, {&fibre, 100000}, {&thin, 1000000},
                   {&fat, 1000000}};
     timing_begin();

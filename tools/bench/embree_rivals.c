@@ -57,14 +57,14 @@ struct rival build_curves(const struct cylinders *c, int segments,
 {
     struct rival *r = begin(config);
     const size_t m = (size_t)segments;
-    RTCGeometry g = rtcNewGeometry(r->device,
-                                   RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
-    float *vertex = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0,
-        RTC_FORMAT_FLOAT4, 16, c->n * (m + 1));
+    RTCGeometry g =
+        rtcNewGeometry(r->device, RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+    float *vertex = rtcSetNewGeometryBuffer(
+        g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, c->n * (m + 1));
     unsigned *index = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0,
-        RTC_FORMAT_UINT, 4, c->n * m);
-    unsigned char *flags = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_FLAGS, 0,
-        RTC_FORMAT_UCHAR, 1, c->n * m);
+                                              RTC_FORMAT_UINT, 4, c->n * m);
+    unsigned char *flags = rtcSetNewGeometryBuffer(
+        g, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, c->n * m);
     for (size_t i = 0; i < c->n; i++) {
         for (size_t k = 0; k <= m; k++) {
             const double z = (double)k / (double)m;
@@ -75,9 +75,10 @@ struct rival build_curves(const struct cylinders *c, int segments,
         }
         for (size_t k = 0; k < m; k++) {
             *index++ = (unsigned)(i * (m + 1) + k);
-            *flags++ = (unsigned char)(
-                (k > 0 ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) |
-                (k + 1 < m ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0));
+            *flags++ =
+                (unsigned char)((k > 0 ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) |
+                                (k + 1 < m ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT
+                                           : 0));
         }
     }
     const double started = process_seconds();
@@ -94,8 +95,8 @@ struct rival build_shapes(const struct cylinders *c, unsigned how,
     struct rival *r = begin(config);
     const cylint_embree_options options = {.how = how};
     const double started = process_seconds();
-    RTCGeometry g = cylint_embree_geometry(r->device, c->shapes, c->n,
-                                           &options, NULL);
+    RTCGeometry g =
+        cylint_embree_geometry(r->device, c->shapes, c->n, &options, NULL);
     struct rival made = finish(r, g, started);
     made.geometry = g;
     return made;

@@ -9,9 +9,9 @@
 struct rival {
     RTCDevice device;
     RTCScene scene;
-    RTCGeometry geometry;  /* ours, or NULL */
-    double build_seconds;  /* processor time of all threads */
-    double bytes;          /* held by Embree and adapter; not the caller's
+    RTCGeometry geometry; /* ours, or NULL */
+    double build_seconds; /* processor time of all threads */
+    double bytes;         /* held by Embree and adapter; not the caller's
                               arrays, which all rivals share in place */
 };
 

@@ -38,7 +38,8 @@ static double draw(uint64_t *state)
 
 static void draw_unit(uint64_t *state, double v[3])
 {
-    const double z = 2 * draw(state) - 1, a = 2 * 3.14159265358979 * draw(state);
+    const double z = 2 * draw(state) - 1,
+                 a = 2 * 3.14159265358979 * draw(state);
     const double r = sqrt(1 - z * z);
     v[0] = r * cos(a);
     v[1] = r * sin(a);
@@ -64,7 +65,8 @@ struct cylinders draw_cylinders(const struct cylinder_kind *kind, size_t n)
             }
         }
         c.radius[i] = (float)(length * kind->radius);
-        cylint_cylinder(&c.shapes[i], p[0], p[1], c.radius[i], CYLINT_ENDS_CAPPED);
+        cylint_cylinder(&c.shapes[i], p[0], p[1], c.radius[i],
+                        CYLINT_ENDS_CAPPED);
     }
     return c;
 }

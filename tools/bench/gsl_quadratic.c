@@ -38,8 +38,8 @@ static inline int solve(const struct subject *s, const cylint_line *line,
     return gsl_poly_solve_quadratic(A, B, C, &t[0], &t[1]);
 }
 
-cylint_status gsl_quadratic(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, cylint_answer *answer)
+cylint_status gsl_quadratic(const cylint_shape *shape, const cylint_line *line,
+                            unsigned want, cylint_answer *answer)
 {
     const struct subject *s = (const struct subject *)(const void *)shape;
     double t[2];
@@ -56,7 +56,8 @@ cylint_status gsl_quadratic(const cylint_shape *shape,
     if (n == 0)
         return CYLINT_OK;
     const int one = n == 2 && t[0] == t[1]; /* steep: a double cone's apex */
-    answer->relation = one && A > 0 ? CYLINT_RELATION_TOUCH : CYLINT_RELATION_CROSS;
+    answer->relation =
+        one && A > 0 ? CYLINT_RELATION_TOUCH : CYLINT_RELATION_CROSS;
     for (int i = 0; i < (one ? 1 : n); i++) {
         if (t[i] < line->tmin || t[i] > line->tmax)
             continue;

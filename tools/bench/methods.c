@@ -39,8 +39,8 @@ static void choose_runners(struct event *e)
             !contestant_takes(c, &e->questions[0].subject.shape))
             continue;
         e->entries[i] = (struct entry){c, e->questions};
-        e->runners[i] = (struct runner){contestant_turn, &e->entries[i],
-                                        {0, 0}};
+        e->runners[i] =
+            (struct runner){contestant_turn, &e->entries[i], {0, 0}};
         e->n_runners++;
     }
 }
@@ -83,7 +83,8 @@ static void print_header(void)
     printf("build,shapes,family,method,mode,answered_percent,ns,%s,"
            "radii_median,radii_99,radii_max,ulp_median,ulp_99,ulp_max,"
            "wrong_percent,hit_as_miss,miss_as_hit,tangent,along,number,nan,"
-           "cases\n", timing_cycle_kind());
+           "cases\n",
+           timing_cycle_kind());
 }
 
 static void print_runner(struct event *e, int i)
@@ -94,16 +95,14 @@ static void print_runner(struct event *e, int i)
     const struct quantiles radii = sample_quantiles(&k->radii);
     const struct quantiles ulps = sample_quantiles(&k->ulps);
     printf("%s,%s,%s,%s,%s,%.1f,%.2f,%.1f,", e->build,
-           class_name(e->class_number), family_label(e->family),
-           c->name, c->mode, share_answered(c, e->family), least.ns,
-           least.cycles);
+           class_name(e->class_number), family_label(e->family), c->name,
+           c->mode, share_answered(c, e->family), least.ns, least.cycles);
     printf("%.3g,%.3g,%.3g,%.3g,%.3g,%.3g,%.4g", radii.median, radii.most99,
            radii.max, ulps.median, ulps.most99, ulps.max,
            record_percent_wrong(k));
     static const enum verdict columns[] = {
         VERDICT_HIT_AS_MISS, VERDICT_MISS_AS_HIT, VERDICT_TANGENT,
-        VERDICT_ALONG, VERDICT_NUMBER, VERDICT_NAN
-    };
+        VERDICT_ALONG,       VERDICT_NUMBER,      VERDICT_NAN};
     for (size_t v = 0; v < sizeof columns / sizeof columns[0]; v++)
         printf(",%.4g", record_percent(k, columns[v]));
     printf(",%ld\n", k->answers);

@@ -13,7 +13,8 @@ int plain_answers_for(const cylint_shape *shape)
 {
     return (shape->kind == CYLINT_KIND_CYLINDER ||
             shape->kind == CYLINT_KIND_CONE) &&
-           (shape->ends == CYLINT_ENDS_CAPPED || shape->ends == CYLINT_ENDS_INFINITE);
+           (shape->ends == CYLINT_ENDS_CAPPED ||
+            shape->ends == CYLINT_ENDS_INFINITE);
 }
 
 static inline double dot(const double u[3], const double v[3])
@@ -61,8 +62,12 @@ static inline struct quadric expand(const struct subject *s,
     const double D[3] = {line->o[0] - base[0], line->o[1] - base[1],
                          line->o[2] - base[2]};
     const double ww = s->axis_axis, wd = dot(w, d), wD = dot(w, D);
-    struct quadric q = {ww * dot(d, d) - wd * wd, ww * dot(d, D) - wd * wD,
-                        ww * dot(D, D) - wD * wD, 0, wD, wd};
+    struct quadric q = {ww * dot(d, d) - wd * wd,
+                        ww * dot(d, D) - wd * wD,
+                        ww * dot(D, D) - wD * wD,
+                        0,
+                        wD,
+                        wd};
     if (s->shape.kind == CYLINT_KIND_CYLINDER) {
         q.C -= s->radius;
     } else {
@@ -108,7 +113,8 @@ static inline void other_side(double rho_slope, double *t0, double *t1)
 }
 
 cylint_status plain_quadratic(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, cylint_answer *answer)
+                              const cylint_line *line, unsigned want,
+                              cylint_answer *answer)
 {
     const struct subject *s = (const struct subject *)(const void *)shape;
     const struct quadric q = expand(s, line);
@@ -122,7 +128,8 @@ cylint_status plain_quadratic(const cylint_shape *shape,
         return CYLINT_OK;
     if (shape->ends == CYLINT_ENDS_INFINITE && !(want & CYLINT_WANT_T) &&
         q.A != 0 && line->tmin == -HUGE_VAL && line->tmax == HUGE_VAL) {
-        answer->relation = disc > 0 || q.A < 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH;
+        answer->relation =
+            disc > 0 || q.A < 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH;
         answer->n = want & CYLINT_WANT_NEAREST || disc == 0 ? 1 : 2;
         return CYLINT_OK;
     }
@@ -135,7 +142,8 @@ cylint_status plain_quadratic(const cylint_shape *shape,
             return CYLINT_OK;
     }
     answer->relation = q.A == 0 && q.B == 0 && q.C == 0 ? CYLINT_RELATION_ALONG
-                     : t0 < t1 || q.A < 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH;
+                       : t0 < t1 || q.A < 0             ? CYLINT_RELATION_CROSS
+                                                        : CYLINT_RELATION_TOUCH;
     if (!keep(line, want, t0, answer) && t0 < t1)
         keep(line, want, t1, answer);
     return CYLINT_OK;

@@ -30,8 +30,7 @@ static void shuffle(int *order, int n)
     }
 }
 
-static struct timing time_turn(const struct runner *r, const int *order,
-                               int n)
+static struct timing time_turn(const struct runner *r, const int *order, int n)
 {
     const struct timing start = timing_now();
     r->turn(r->context, order, n);
@@ -41,8 +40,8 @@ static struct timing time_turn(const struct runner *r, const int *order,
     return took;
 }
 
-void race(struct runner *runners, int n_runners, int n_questions,
-          int rounds, double seconds)
+void race(struct runner *runners, int n_runners, int n_questions, int rounds,
+          double seconds)
 {
     int *order = malloc((size_t)n_questions * sizeof *order);
     if (!order) {

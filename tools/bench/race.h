@@ -22,7 +22,7 @@ struct runner {
 
 /* Rounds until each runner had `rounds` turns or the whole race took
  * `seconds`, but at least three. */
-void race(struct runner *runners, int n_runners, int n_questions,
-          int rounds, double seconds);
+void race(struct runner *runners, int n_runners, int n_questions, int rounds,
+          double seconds);
 
 #endif

@@ -18,8 +18,13 @@
 #include "cylint_scene.h"
 #include "scenes.h"
 
-enum { SIDE = 128, RAYS = SIDE * SIDE, TURNS = 3, BRUTE_RAYS = 40,
-       THREADS = 64 };
+enum {
+    SIDE = 128,
+    RAYS = SIDE * SIDE,
+    TURNS = 3,
+    BRUTE_RAYS = 40,
+    THREADS = 64
+};
 
 static double clock_now(clockid_t clock)
 {
@@ -49,8 +54,8 @@ static size_t ask_scene(const struct turn *t, const cylint_line *line)
     size_t numbers[64];
     switch (t->what) {
     case NEAREST:
-        return cylint_scene_nearest(t->scene, line, CYLINT_WANT_T |
-                                    CYLINT_WANT_PART, &hit);
+        return cylint_scene_nearest(t->scene, line,
+                                    CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
     case ANY:
         return cylint_scene_count(t->scene, line, 1);
     case COUNT:
@@ -64,17 +69,17 @@ static size_t ask_pack(const struct turn *t, const cylint_line *line)
 {
     cylint_hit hit;
     return t->what == NEAREST
-        ? cylint_nearest(t->pack, line, CYLINT_WANT_T | CYLINT_WANT_PART,
-                         &hit)
-        : cylint_count(t->pack, line, t->what == ANY);
+               ? cylint_nearest(t->pack, line, CYLINT_WANT_T | CYLINT_WANT_PART,
+                                &hit)
+               : cylint_count(t->pack, line, t->what == ANY);
 }
 
 static void *take_turn(void *argument)
 {
     struct turn *t = argument;
     for (size_t i = 0; i < t->n; i++)
-        t->sum += t->pack ? ask_pack(t, &t->lines[i])
-                          : ask_scene(t, &t->lines[i]);
+        t->sum +=
+            t->pack ? ask_pack(t, &t->lines[i]) : ask_scene(t, &t->lines[i]);
     return NULL;
 }
 
@@ -85,8 +90,8 @@ static double time_of(const struct turn *of, int threads, int turns,
     double least = HUGE_VAL;
     for (int turn = 0; turn < turns; turn++) {
         struct turn part[THREADS];
-        const clockid_t clock = threads == 1 ? CLOCK_THREAD_CPUTIME_ID
-                                             : CLOCK_MONOTONIC;
+        const clockid_t clock =
+            threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC;
         const double start = clock_now(clock);
         *sum = 0;
         for (int i = 0; i < threads; i++) {
@@ -139,14 +144,14 @@ static void measure(const struct turn *of, const char *rays, int threads,
         const cylint_pack *const pack = t.pack;
         t.pack = NULL;
         const double by_scene = time_of(&t, threads, TURNS, &sum);
-        printf("%-8s %-8s %10.0f ns  %8.3f Mray/s", rays,
-               question_name[what], 1e9 * by_scene, 1e-6 / by_scene);
+        printf("%-8s %-8s %10.0f ns  %8.3f Mray/s", rays, question_name[what],
+               1e9 * by_scene, 1e-6 / by_scene);
         t.pack = pack;
         t.n = BRUTE_RAYS;
         t.lines += RAYS / 2;
         if (brute && what != ALL)
-            printf("  by batch %10.0f ns", 1e9 *
-                   time_of(&t, 1, 1, &sum_by_brute_force));
+            printf("  by batch %10.0f ns",
+                   1e9 * time_of(&t, 1, 1, &sum_by_brute_force));
         printf("  (%zu)\n", sum);
     }
 }
@@ -164,8 +169,7 @@ int main(int argc, char **argv)
     char *end;
     const long kind = strtol(argv[1], &end, 10);
     if (!(*end ? scene_from(argv[1], argv[2], &of)
-               : scene_generate((int)kind, strtoul(argv[2], NULL, 10), 1,
-                                &of)))
+               : scene_generate((int)kind, strtoul(argv[2], NULL, 10), 1, &of)))
         return 1;
     cylint_pack pack;
     void *memory = malloc(cylint_pack_bytes(of.n));
@@ -179,11 +183,12 @@ int main(int argc, char **argv)
     if (!scene)
         return 3;
     printf("%s: %zu shapes, built in %.3f s (%.3f s of CPU), %.1f bytes a "
-           "shape\n", of.name, of.n, clock_now(CLOCK_MONOTONIC) - wall,
+           "shape\n",
+           of.name, of.n, clock_now(CLOCK_MONOTONIC) - wall,
            clock_now(CLOCK_PROCESS_CPUTIME_ID) - cpu,
            (double)cylint_scene_bytes(scene) / (double)of.n);
-    struct turn turn = {.scene = scene, .pack = &pack, .lines = lines,
-                        .n = RAYS};
+    struct turn turn = {
+        .scene = scene, .pack = &pack, .lines = lines, .n = RAYS};
     camera(&of, lines);
     measure(&turn, "camera", threads, threads == 1);
     for (size_t i = 0; i < RAYS; i++)

@@ -46,7 +46,8 @@ static inline int first_hit(const struct subject *s, const cylint_line *line,
 }
 
 cylint_status shader_cylinder(const cylint_shape *shape,
-    const cylint_line *line, unsigned want, cylint_answer *answer)
+                              const cylint_line *line, unsigned want,
+                              cylint_answer *answer)
 {
     const struct subject *s = (const struct subject *)(const void *)shape;
     double t;

@@ -27,9 +27,8 @@ struct tally {
     unsigned long long at[FURTHEST];
 };
 
-static const char *const names[FURTHEST] = {
-    "kernels", "doubles", "grid", "pairs", "exact", "middle"
-};
+static const char *const names[FURTHEST] = {"kernels", "doubles", "grid",
+                                            "pairs",   "exact",   "middle"};
 
 static int furthest(const struct family_case *c, unsigned want)
 {
@@ -85,13 +84,13 @@ static void print_heads(void)
 
 int main(int argc, char **argv)
 {
-    const unsigned long long cases = argc > 1 ? strtoull(argv[1], NULL, 10)
-                                              : 100000;
+    const unsigned long long cases =
+        argc > 1 ? strtoull(argv[1], NULL, 10) : 100000;
     print_heads();
     for (int family = 0; family < family_count(); family++) {
         struct tally verdicts = {{0}}, roots = {{0}};
-        const unsigned long long asked = count_family(family, cases,
-                                                      &verdicts, &roots);
+        const unsigned long long asked =
+            count_family(family, cases, &verdicts, &roots);
         if (asked > 0) {
             printf("%-28s", family_name(family));
             print_tally(&verdicts, asked);

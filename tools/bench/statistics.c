@@ -53,8 +53,8 @@ struct quantiles sample_quantiles(struct sample *s)
     return q;
 }
 
-void record_answer(struct record *r, const struct truth *truth,
-                   unsigned want, int only_hit, const cylint_answer *answer)
+void record_answer(struct record *r, const struct truth *truth, unsigned want,
+                   int only_hit, const cylint_answer *answer)
 {
     const enum verdict v = verdict_of(truth, want, only_hit, answer);
     r->answers++;
@@ -71,15 +71,17 @@ void record_answer(struct record *r, const struct truth *truth,
 
 double record_percent(const struct record *r, enum verdict verdict)
 {
-    return r->answers ? 100.0 * (double)r->verdicts[verdict] /
-                        (double)r->answers : NAN;
+    return r->answers
+               ? 100.0 * (double)r->verdicts[verdict] / (double)r->answers
+               : NAN;
 }
 
 double record_percent_wrong(const struct record *r)
 {
-    return r->answers ? 100.0 * (double)(r->answers -
-                                         r->verdicts[VERDICT_RIGHT]) /
-                        (double)r->answers : NAN;
+    return r->answers
+               ? 100.0 * (double)(r->answers - r->verdicts[VERDICT_RIGHT]) /
+                     (double)r->answers
+               : NAN;
 }
 
 void record_clear(struct record *r)

@@ -28,8 +28,8 @@ struct record {
     struct sample radii, ulps;
 };
 
-void record_answer(struct record *r, const struct truth *truth,
-                   unsigned want, int only_hit, const cylint_answer *answer);
+void record_answer(struct record *r, const struct truth *truth, unsigned want,
+                   int only_hit, const cylint_answer *answer);
 double record_percent(const struct record *r, enum verdict verdict);
 double record_percent_wrong(const struct record *r);
 void record_clear(struct record *r);

@@ -22,7 +22,7 @@ static void stay_on_one_core(void)
     cpu_set_t allowed, one;
     if (sched_getaffinity(0, sizeof allowed, &allowed) != 0)
         return;
-    for (size_t i = CPU_SETSIZE; i-- > 0; ) {
+    for (size_t i = CPU_SETSIZE; i-- > 0;) {
         if (CPU_ISSET(i, &allowed)) {
             CPU_ZERO(&one);
             CPU_SET(i, &one);
@@ -55,9 +55,13 @@ static int read_counter(double *cycles)
 
 #else
 
-static void stay_on_one_core(void) { }
+static void stay_on_one_core(void)
+{
+}
 
-static void open_counter(void) { }
+static void open_counter(void)
+{
+}
 
 static int read_counter(double *cycles)
 {

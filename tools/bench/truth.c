@@ -7,8 +7,8 @@
 
 /* --------------------------------------------------------- comparison -- */
 
-enum verdict verdict_of(const struct truth *truth, unsigned want,
-                        int only_hit, const cylint_answer *answer)
+enum verdict verdict_of(const struct truth *truth, unsigned want, int only_hit,
+                        const cylint_answer *answer)
 {
     const cylint_answer *right = &truth->answer;
     const int most = want & CYLINT_WANT_NEAREST ? 1 : 2;
@@ -21,13 +21,15 @@ enum verdict verdict_of(const struct truth *truth, unsigned want,
                 return VERDICT_NAN;
     if (only_hit)
         return answer->n == n ? VERDICT_RIGHT
-             : n ? VERDICT_HIT_AS_MISS : VERDICT_MISS_AS_HIT;
+               : n            ? VERDICT_HIT_AS_MISS
+                              : VERDICT_MISS_AS_HIT;
     if (answer->relation != right->relation) {
         const int is = right->relation, told = answer->relation;
         return told == CYLINT_RELATION_MISS ? VERDICT_HIT_AS_MISS
-             : is == CYLINT_RELATION_MISS ? VERDICT_MISS_AS_HIT
-             : is == CYLINT_RELATION_TOUCH || told == CYLINT_RELATION_TOUCH ? VERDICT_TANGENT
-             : VERDICT_ALONG;
+               : is == CYLINT_RELATION_MISS ? VERDICT_MISS_AS_HIT
+               : is == CYLINT_RELATION_TOUCH || told == CYLINT_RELATION_TOUCH
+                   ? VERDICT_TANGENT
+                   : VERDICT_ALONG;
     }
     return answer->n == n ? VERDICT_RIGHT : VERDICT_NUMBER;
 }
@@ -38,10 +40,9 @@ void error_of(const struct truth *truth, int i, double t, double *radii,
               double *ulps)
 {
     const double right = truth->answer.hit[i].t, away = fabs(right);
-    const long double off =
-        fabsl((long double)t - right - truth->rest[i]);
-    const double ulp = away < HUGE_VAL ? nextafter(away, HUGE_VAL) - away
-                                       : HUGE_VAL;
+    const long double off = fabsl((long double)t - right - truth->rest[i]);
+    const double ulp =
+        away < HUGE_VAL ? nextafter(away, HUGE_VAL) - away : HUGE_VAL;
     if (t == right && !(away < HUGE_VAL)) {
         *radii = *ulps = 0;
         return;
@@ -112,8 +113,7 @@ static void set(vector *v, const double from[3])
         mpfr_set_d(v->x[i], from[i], MPFR_RNDN);
 }
 
-static void set_difference(vector *v, const double to[3],
-                           const double from[3])
+static void set_difference(vector *v, const double to[3], const double from[3])
 {
     set(v, to);
     for (int i = 0; i < 3; i++)
@@ -162,10 +162,10 @@ static struct {
 
 static void start(void)
 {
-    vector *const vectors[] = {&m.P, &m.u, &m.w, &m.a, &m.b, &m.e, &m.p,
-                               &m.q, &m.X0, &m.X1};
-    mpfr_ptr const numbers[] = {m.t, m.rho0, m.rho1, m.A, m.B, m.C, m.x,
-                                m.vv, m.k};
+    vector *const vectors[] = {&m.P, &m.u, &m.w, &m.a,  &m.b,
+                               &m.e, &m.p, &m.q, &m.X0, &m.X1};
+    mpfr_ptr const numbers[] = {m.t, m.rho0, m.rho1, m.A, m.B,
+                                m.C, m.x,    m.vv,   m.k};
     for (size_t i = 0; i < sizeof vectors / sizeof vectors[0]; i++)
         start_vector(vectors[i]);
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
@@ -220,8 +220,7 @@ static void circular(const cylint_shape *s)
         dot(m.vv, &m.w, &m.w);
         mpfr_sqrt(m.vv, m.vv, MPFR_RNDN);
         mpfr_mul_d(m.rho0, m.vv, s->r0, MPFR_RNDN);
-        mpfr_set_d(m.k, s->kind == CYLINT_KIND_CONE ? s->r1 : s->r0,
-                   MPFR_RNDN);
+        mpfr_set_d(m.k, s->kind == CYLINT_KIND_CONE ? s->r1 : s->r0, MPFR_RNDN);
         mpfr_sub_d(m.k, m.k, s->r0, MPFR_RNDN);
         mpfr_div(m.k, m.k, m.vv, MPFR_RNDN);
     }
@@ -292,8 +291,8 @@ static double rest_of(const cylint_shape *s, const cylint_line *l, double t,
     if (!(fabs(t) < HUGE_VAL))
         return 0;
     load(s, l, t);
-    const double rest = part == CYLINT_PART_LATERAL ? lateral_rest(s)
-                                               : cap_rest(s, part);
+    const double rest =
+        part == CYLINT_PART_LATERAL ? lateral_rest(s) : cap_rest(s, part);
     const double ulp = nextafter(fabs(t), HUGE_VAL) - fabs(t);
     return fabs(rest) <= 0.5 * ulp ? rest : 0;
 }

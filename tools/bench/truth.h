@@ -28,17 +28,17 @@ void truth_of(const cylint_shape *shape, const cylint_line *line,
 /* How an answer is wrong; the first that applies. */
 enum verdict {
     VERDICT_RIGHT,
-    VERDICT_NAN,         /* a t is not a number, or infinite */
+    VERDICT_NAN, /* a t is not a number, or infinite */
     VERDICT_HIT_AS_MISS,
     VERDICT_MISS_AS_HIT,
-    VERDICT_TANGENT,     /* touch called something else, or the reverse */
-    VERDICT_ALONG,       /* the same of a line in the surface */
-    VERDICT_NUMBER,      /* of hits */
+    VERDICT_TANGENT, /* touch called something else, or the reverse */
+    VERDICT_ALONG,   /* the same of a line in the surface */
+    VERDICT_NUMBER,  /* of hits */
     VERDICTS
 };
 
-enum verdict verdict_of(const struct truth *truth, unsigned want,
-                        int only_hit, const cylint_answer *answer);
+enum verdict verdict_of(const struct truth *truth, unsigned want, int only_hit,
+                        const cylint_answer *answer);
 
 /* The error of hit i's t, in radii and in units in the last place. */
 void error_of(const struct truth *truth, int i, double t, double *radii,

@@ -31,9 +31,9 @@ int job_block(const struct job *job, struct block *block)
                     o->query == QUERY_ALL ? job->scene->count : 0)) {
         return 0;
     }
-    if (o->query == QUERY_PAIRS && !o->method
-        && pairs_answer(o->grammar.line, o->fields.want,
-                        fields_tell_sides(&o->fields))) {
+    if (o->query == QUERY_PAIRS && !o->method &&
+        pairs_answer(o->grammar.line, o->fields.want,
+                     fields_tell_sides(&o->fields))) {
         block->pairs = pairs_make();
         return block->pairs != NULL;
     }
@@ -106,8 +106,9 @@ static int answer_nearest(struct task *task)
 {
     const struct options *o = task->job->options;
     cylint_answer answer;
-    const size_t refused = scene_nearest(task->job->scene, solver_of(o),
-        &task->block->parsed.line, o->fields.want, &answer, &task->row);
+    const size_t refused =
+        scene_nearest(task->job->scene, solver_of(o), &task->block->parsed.line,
+                      o->fields.want, &answer, &task->row);
     if (refused > 0) {
         return refuse_method(task, refused);
     }
@@ -117,9 +118,9 @@ static int answer_nearest(struct task *task)
 
 static int answer_count(struct task *task, unsigned long long most)
 {
-    const size_t refused = scene_count(task->job->scene,
-        solver_of(task->job->options), &task->block->parsed.line, most,
-        &task->row);
+    const size_t refused =
+        scene_count(task->job->scene, solver_of(task->job->options),
+                    &task->block->parsed.line, most, &task->row);
     if (refused > 0) {
         return refuse_method(task, refused);
     }
@@ -147,8 +148,9 @@ static void answer_one_of_all(struct task *task, size_t shape)
 static int answer_all_by_method(struct task *task)
 {
     const struct scene *scene = task->job->scene;
-    const size_t refused = scene_count(scene, solver_of(task->job->options),
-        &task->block->parsed.line, ~0ULL, &task->row);
+    const size_t refused =
+        scene_count(scene, solver_of(task->job->options),
+                    &task->block->parsed.line, ~0ULL, &task->row);
     if (refused > 0) {
         return refuse_method(task, refused);
     }
@@ -167,9 +169,9 @@ static int answer_all(struct task *task)
         return answer_all_by_method(task);
     }
     do {
-        found = search_hits(&task->job->scene->search,
-            &task->block->parsed.line, task->block->hits, first, number,
-            HITS_AT_ONCE);
+        found =
+            search_hits(&task->job->scene->search, &task->block->parsed.line,
+                        task->block->hits, first, number, HITS_AT_ONCE);
         for (size_t i = 0; i < found && task->status == ANSWERED; i++) {
             answer_one_of_all(task, number[i]);
         }
@@ -244,8 +246,8 @@ static void mark_bad(struct task *task, unsigned long long line,
     task->row.record++;
 }
 
-static void answer_or_mark(struct task *task, int good,
-                           unsigned long long line, const char *text)
+static void answer_or_mark(struct task *task, int good, unsigned long long line,
+                           const char *text)
 {
     if (good && task->block->pairs) {
         take_pair(task);
@@ -261,8 +263,7 @@ static void answer_or_mark(struct task *task, int good,
 
 /* ------------------------------------------------------------- blocks -- */
 
-static void copy_comment(struct task *task, const char *line,
-                         const char *end)
+static void copy_comment(struct task *task, const char *line, const char *end)
 {
     struct block *b = task->block;
     answer_pairs(task);
@@ -295,8 +296,9 @@ static void answer_text(struct task *task)
     const char *end = b->text + b->length;
     unsigned long long number = b->line;
     const char *stop;
-    for (const char *line = b->text; line < end && task->status == ANSWERED
-         && !b->stopped; line = stop + 1, number++) {
+    for (const char *line = b->text;
+         line < end && task->status == ANSWERED && !b->stopped;
+         line = stop + 1, number++) {
         stop = end_of_line(line, end);
         if (is_record(line, stop)) {
             answer_or_mark(task, read_text(task, line, stop), number, line);
@@ -313,8 +315,8 @@ static int take_doubles(struct task *task, const char *bytes, size_t size,
     struct block *b = task->block;
     double numbers[MOST_NUMBERS];
     if (left < size) {
-        task->fault = (struct fault){"the input ends within it",
-                                     0, NULL, NULL, 0};
+        task->fault =
+            (struct fault){"the input ends within it", 0, NULL, NULL, 0};
         return 0;
     }
     for (size_t i = 0; i < size / 8; i++) {
@@ -331,10 +333,12 @@ static void answer_doubles(struct task *task)
 {
     struct block *b = task->block;
     const size_t size = task->job->in.record_size;
-    for (size_t at = 0; at < b->length && task->status == ANSWERED
-         && !b->stopped; at += size) {
-        answer_or_mark(task, take_doubles(task, b->text + at, size,
-                                          b->length - at), 0, NULL);
+    for (size_t at = 0;
+         at < b->length && task->status == ANSWERED && !b->stopped;
+         at += size) {
+        answer_or_mark(task,
+                       take_doubles(task, b->text + at, size, b->length - at),
+                       0, NULL);
     }
 }
 

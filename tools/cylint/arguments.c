@@ -21,8 +21,7 @@ int usage(const char *format, ...)
     return EXIT_USAGE;
 }
 
-int usage_value(const struct option *o, const char *value,
-                const char *expected)
+int usage_value(const struct option *o, const char *value, const char *expected)
 {
     char shown[4 * 64 + 4];
     escape_bytes(shown, value, value + strlen(value), 64);
@@ -73,8 +72,8 @@ static const struct option *find_option(const struct option *known,
 static int take_long(struct arguments *args, const char *name)
 {
     const size_t length = strcspn(name, "=");
-    const struct option *o = length > 1
-        ? find_option(args->known, name, length) : NULL;
+    const struct option *o =
+        length > 1 ? find_option(args->known, name, length) : NULL;
     char shown[4 * 64 + 4];
     escape_bytes(shown, name, name + length, 64);
     if (!o) {
@@ -88,8 +87,8 @@ static int take_long(struct arguments *args, const char *name)
         return args->take(args->context, o, name + length + 1);
     }
     return args->next < args->count
-        ? args->take(args->context, o, args->argv[args->next++])
-        : usage("--%s needs a value", shown);
+               ? args->take(args->context, o, args->argv[args->next++])
+               : usage("--%s needs a value", shown);
 }
 
 static int take_short(struct arguments *args, const char *letters)

@@ -22,7 +22,7 @@ struct failure {
 };
 
 struct block {
-    char *text;       /* whole records, and one byte more: a NUL; but the
+    char *text; /* whole records, and one byte more: a NUL; but the
                          last may be the beginning of a line too long, or
                          a binary record that the input's end cut off */
     size_t length;
@@ -32,13 +32,13 @@ struct block {
     unsigned long long record;  /* number of the first record, from 1 */
     unsigned long long records; /* how many there are */
 
-    unsigned long long ticket;  /* blocks are delivered in this order */
-    unsigned long long input;   /* bytes of input read with it, in all */
-    struct failure failure;     /* of the input behind it */
+    unsigned long long ticket; /* blocks are delivered in this order */
+    unsigned long long input;  /* bytes of input read with it, in all */
+    struct failure failure;    /* of the input behind it */
 
     struct text out;
     struct notes notes;
-    int stopped;      /* at a bad record, by -e stop */
+    int stopped;          /* at a bad record, by -e stop */
     struct record parsed; /* the record that is being answered; or */
     struct pairs *pairs;  /* those that are to be, at once; NULL: one by one */
     signed char *hits;    /* how many it has with each shape of the scene */

@@ -10,9 +10,23 @@
 #include "numbers.h"
 
 enum value {
-    VALUE_RELATION, VALUE_N, VALUE_T, VALUE_PART, VALUE_SIDE,
-    VALUE_X, VALUE_Y, VALUE_Z, VALUE_NX, VALUE_NY, VALUE_NZ,
-    VALUE_H, VALUE_PHI, VALUE_CHORD, VALUE_RECORD, VALUE_SHAPE, VALUE_COUNT
+    VALUE_RELATION,
+    VALUE_N,
+    VALUE_T,
+    VALUE_PART,
+    VALUE_SIDE,
+    VALUE_X,
+    VALUE_Y,
+    VALUE_Z,
+    VALUE_NX,
+    VALUE_NY,
+    VALUE_NZ,
+    VALUE_H,
+    VALUE_PHI,
+    VALUE_CHORD,
+    VALUE_RECORD,
+    VALUE_SHAPE,
+    VALUE_COUNT
 };
 
 struct column {
@@ -24,13 +38,8 @@ struct column {
 };
 
 const char *const query_words[] = {
-    [QUERY_PAIRS] = "pairs",
-    [QUERY_NEAREST] = "nearest",
-    [QUERY_ANY] = "any",
-    [QUERY_COUNT] = "count",
-    [QUERY_ALL] = "all",
-    [QUERIES] = NULL
-};
+    [QUERY_PAIRS] = "pairs", [QUERY_NEAREST] = "nearest", [QUERY_ANY] = "any",
+    [QUERY_COUNT] = "count", [QUERY_ALL] = "all",         [QUERIES] = NULL};
 
 enum {
     PAIRS = 1 << QUERY_PAIRS,
@@ -41,10 +50,12 @@ enum {
     EVERY = PAIRS | NEAREST | ANY | COUNT | ALL
 };
 
-#define HIT(name, value, about) \
-    {name "0", value, 0, PAIRS | ALL, about ", first hit"}, \
-    {name "1", value, 1, PAIRS | ALL, about ", second hit"}, \
-    {name, value, 0, NEAREST, about}
+#define HIT(name, value, about)                                  \
+    {name "0", value, 0, PAIRS | ALL, about ", first hit"},      \
+        {name "1", value, 1, PAIRS | ALL, about ", second hit"}, \
+    {                                                            \
+        name, value, 0, NEAREST, about                           \
+    }
 
 static const struct column columns[] = {
     {"relation", VALUE_RELATION, 0, PAIRS | NEAREST | ALL,
@@ -114,9 +125,9 @@ static const struct column *find_column(const char *name, size_t length,
                                         enum query query)
 {
     for (int i = 0; i < COLUMNS; i++) {
-        if ((columns[i].queries >> query & 1)
-            && strlen(columns[i].name) == length
-            && memcmp(columns[i].name, name, length) == 0) {
+        if ((columns[i].queries >> query & 1) &&
+            strlen(columns[i].name) == length &&
+            memcmp(columns[i].name, name, length) == 0) {
             return &columns[i];
         }
     }
@@ -237,24 +248,26 @@ static inline double value_of(const struct column *c, const struct row *row)
 /* The words for a value, or NULL where it is a number. */
 static const char *const *words_of(enum value value)
 {
-    static const char *const relations[] = {
-        [CYLINT_RELATION_MISS] = "miss", [CYLINT_RELATION_TOUCH] = "touch",
-        [CYLINT_RELATION_ALONG] = "along", [CYLINT_RELATION_CROSS] = "cross"};
-    static const char *const parts[] = {
-        [CYLINT_PART_LATERAL] = "lateral",
-        [CYLINT_PART_CAP0] = "cap0", [CYLINT_PART_CAP1] = "cap1"};
-    static const char *const sides[] = {
-        [CYLINT_SIDE_ENTERING] = "entering",
-        [CYLINT_SIDE_LEAVING] = "leaving", [CYLINT_SIDE_BOTH] = "both"};
+    static const char *const relations[] = {[CYLINT_RELATION_MISS] = "miss",
+                                            [CYLINT_RELATION_TOUCH] = "touch",
+                                            [CYLINT_RELATION_ALONG] = "along",
+                                            [CYLINT_RELATION_CROSS] = "cross"};
+    static const char *const parts[] = {[CYLINT_PART_LATERAL] = "lateral",
+                                        [CYLINT_PART_CAP0] = "cap0",
+                                        [CYLINT_PART_CAP1] = "cap1"};
+    static const char *const sides[] = {[CYLINT_SIDE_ENTERING] = "entering",
+                                        [CYLINT_SIDE_LEAVING] = "leaving",
+                                        [CYLINT_SIDE_BOTH] = "both"};
     return value == VALUE_RELATION ? relations
-         : value == VALUE_PART ? parts
-         : value == VALUE_SIDE ? sides : NULL;
+           : value == VALUE_PART   ? parts
+           : value == VALUE_SIDE   ? sides
+                                   : NULL;
 }
 
 static int is_whole(enum value value)
 {
-    return value == VALUE_N || value == VALUE_RECORD
-        || value == VALUE_SHAPE || value == VALUE_COUNT;
+    return value == VALUE_N || value == VALUE_RECORD || value == VALUE_SHAPE ||
+           value == VALUE_COUNT;
 }
 
 /* --------------------------------------------------------------- rows -- */
@@ -262,8 +275,9 @@ static int is_whole(enum value value)
 static void put_missing(struct text *out, const struct style *style,
                         const struct column *c)
 {
-    put_string(out, style->missing ? style->missing
-                                   : words_of(c->value) ? "-" : "nan");
+    put_string(out, style->missing       ? style->missing
+                    : words_of(c->value) ? "-"
+                                         : "nan");
 }
 
 static void put_value(struct text *out, const struct style *style,
@@ -276,8 +290,8 @@ static void put_value(struct text *out, const struct style *style,
     } else if (is_whole(c->value)) {
         put_whole(out, (unsigned long long)value);
     } else {
-        out->length += cylint_write_number(out->data + out->length, value,
-                                           style->digits);
+        out->length +=
+            cylint_write_number(out->data + out->length, value, style->digits);
     }
 }
 

@@ -38,7 +38,7 @@ int fields_tell_sides(const struct fields *fields);
 /* How rows look. */
 struct style {
     int binary;
-    int digits;          /* as for cylint_write_number() */
+    int digits; /* as for cylint_write_number() */
     char separator;
     const char *missing; /* NULL: nan for a number, - for a word */
 };

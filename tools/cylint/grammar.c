@@ -10,31 +10,28 @@
 #include "numbers.h"
 
 const struct kind line_kinds[LINE_KINDS] = {
-    [LINE_WHOLE]   = {"line", 6, "ox oy oz  dx dy dz"},
-    [LINE_RAY]     = {"ray", 6, "ox oy oz  dx dy dz"},
+    [LINE_WHOLE] = {"line", 6, "ox oy oz  dx dy dz"},
+    [LINE_RAY] = {"ray", 6, "ox oy oz  dx dy dz"},
     [LINE_SEGMENT] = {"segment", 6, "ax ay az  bx by bz"},
-    [LINE_SPAN]    = {"span", 8, "ox oy oz  dx dy dz  tmin tmax"},
+    [LINE_SPAN] = {"span", 8, "ox oy oz  dx dy dz  tmin tmax"},
 };
 
 const struct kind shape_kinds[SHAPE_KINDS] = {
-    [SHAPE_CYLINDER]  = {"cylinder", 7, "p0x p0y p0z  p1x p1y p1z  r"},
-    [SHAPE_CONE]      = {"cone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1"},
+    [SHAPE_CYLINDER] = {"cylinder", 7, "p0x p0y p0z  p1x p1y p1z  r"},
+    [SHAPE_CONE] = {"cone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1"},
     [SHAPE_ECYLINDER] = {"ecylinder", 12,
-        "cx cy cz  ax ay az  bx by bz  hx hy hz"},
-    [SHAPE_ECONE]     = {"econe", 13,
-        "cx cy cz  ax ay az  bx by bz  hx hy hz  k"},
-    [SHAPE_ACONE]     = {"acone", 7, "vx vy vz  ux uy uz  degrees"},
+                         "cx cy cz  ax ay az  bx by bz  hx hy hz"},
+    [SHAPE_ECONE] = {"econe", 13, "cx cy cz  ax ay az  bx by bz  hx hy hz  k"},
+    [SHAPE_ACONE] = {"acone", 7, "vx vy vz  ux uy uz  degrees"},
 };
 
-const char *const ends_words[] = {
-    [CYLINT_ENDS_CAPPED] = "capped",
-    [CYLINT_ENDS_OPEN] = "open",
-    [CYLINT_ENDS_CAP0] = "cap0",
-    [CYLINT_ENDS_CAP1] = "cap1",
-    [CYLINT_ENDS_INFINITE] = "infinite",
-    [CYLINT_ENDS_NAPPE] = "nappe",
-    NULL
-};
+const char *const ends_words[] = {[CYLINT_ENDS_CAPPED] = "capped",
+                                  [CYLINT_ENDS_OPEN] = "open",
+                                  [CYLINT_ENDS_CAP0] = "cap0",
+                                  [CYLINT_ENDS_CAP1] = "cap1",
+                                  [CYLINT_ENDS_INFINITE] = "infinite",
+                                  [CYLINT_ENDS_NAPPE] = "nappe",
+                                  NULL};
 
 #define ENDS_WORDS "capped, open, cap0, cap1, infinite or nappe"
 
@@ -66,8 +63,8 @@ int find_kind(const struct kind *kinds, int count, const char *text,
 
 int numbers_of_record(const struct grammar *g)
 {
-    return (g->has_line ? line_kinds[g->line].numbers : 0)
-         + (g->has_shape ? shape_kinds[g->shape].numbers : 0);
+    return (g->has_line ? line_kinds[g->line].numbers : 0) +
+           (g->has_shape ? shape_kinds[g->shape].numbers : 0);
 }
 
 /* ---------------------------------------------------- doubles to shapes -- */
@@ -91,9 +88,9 @@ static cylint_status make_line(const struct grammar *g, int kind,
 static cylint_status make_shape(int kind, int ends, const double *v,
                                 cylint_shape *shape)
 {
-    const cylint_ends e = ends != NOT_GIVEN ? (cylint_ends)ends
-                        : kind == SHAPE_ACONE ? CYLINT_ENDS_INFINITE
-                        : CYLINT_ENDS_CAPPED;
+    const cylint_ends e = ends != NOT_GIVEN     ? (cylint_ends)ends
+                          : kind == SHAPE_ACONE ? CYLINT_ENDS_INFINITE
+                                                : CYLINT_ENDS_CAPPED;
     switch (kind) {
     case SHAPE_CYLINDER:
         return cylint_cylinder(shape, v, v + 3, v[6], e);
@@ -190,8 +187,8 @@ static int read_line(struct reader *r, const struct grammar *g,
     const char *at = r->p;
     int kind = g->line;
     if (kind == NOT_GIVEN) {
-        kind = read_kind(r, line_kinds, LINE_KINDS,
-                         "line, ray, segment or span");
+        kind =
+            read_kind(r, line_kinds, LINE_KINDS, "line, ray, segment or span");
     }
     if (kind == NOT_GIVEN || !read_numbers(r, v, line_kinds[kind].numbers)) {
         return 0;
@@ -228,8 +225,8 @@ static int read_shape(struct reader *r, const struct grammar *g,
                          "cylinder, cone, ecylinder, econe or acone");
     }
     int ends = g->ends;
-    if (kind == NOT_GIVEN || !read_numbers(r, v, shape_kinds[kind].numbers)
-        || !read_ends(r, &ends)) {
+    if (kind == NOT_GIVEN || !read_numbers(r, v, shape_kinds[kind].numbers) ||
+        !read_ends(r, &ends)) {
         return 0;
     }
     const cylint_status status = make_shape(kind, ends, v, shape);
@@ -289,9 +286,9 @@ int read_parts(const struct grammar *g, const char *text, const char *end,
         return 0;
     }
     struct reader r = {skip_blanks(text, end), end, fault};
-    return (!g->has_line || read_line(&r, g, parts->line))
-        && (!g->has_shape || read_shape(&r, g, parts->shape))
-        && read_tail(&r, parts);
+    return (!g->has_line || read_line(&r, g, parts->line)) &&
+           (!g->has_shape || read_shape(&r, g, parts->shape)) &&
+           read_tail(&r, parts);
 }
 
 int take_parts(const struct grammar *g, const double *numbers,
@@ -307,8 +304,7 @@ int take_parts(const struct grammar *g, const double *numbers,
         status = make_shape(g->shape, g->ends, numbers, parts->shape);
     }
     if (status != CYLINT_OK) {
-        *fault = (struct fault){cylint_strerror((int)status), 0, NULL, NULL,
-                                0};
+        *fault = (struct fault){cylint_strerror((int)status), 0, NULL, NULL, 0};
     }
     return status == CYLINT_OK;
 }

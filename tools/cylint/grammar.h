@@ -17,7 +17,11 @@
 enum line_kind { LINE_WHOLE, LINE_RAY, LINE_SEGMENT, LINE_SPAN, LINE_KINDS };
 
 enum shape_kind {
-    SHAPE_CYLINDER, SHAPE_CONE, SHAPE_ECYLINDER, SHAPE_ECONE, SHAPE_ACONE,
+    SHAPE_CYLINDER,
+    SHAPE_CONE,
+    SHAPE_ECYLINDER,
+    SHAPE_ECONE,
+    SHAPE_ACONE,
     SHAPE_KINDS
 };
 
@@ -37,17 +41,17 @@ extern const char *const ends_words[]; /* in cylint_ends' order, then NULL */
 /* What a record is made of, and what holds where it says nothing. */
 struct grammar {
     int has_line, has_shape;
-    int line;   /* enum line_kind by -k, or NOT_GIVEN: a word tells */
-    int shape;  /* enum shape_kind likewise */
-    int ends;   /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
-    int has_domain;    /* -t: for lines and rays */
+    int line;  /* enum line_kind by -k, or NOT_GIVEN: a word tells */
+    int shape; /* enum shape_kind likewise */
+    int ends;  /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
+    int has_domain; /* -t: for lines and rays */
     double tmin, tmax;
 };
 
 struct record {
     cylint_line line;
     cylint_shape shape;
-    const char *tail;  /* without the blanks around it */
+    const char *tail; /* without the blanks around it */
     size_t tail_length;
 };
 

@@ -29,8 +29,8 @@ static double total_size(char *const *files, int count)
     double total = 0;
     for (int i = 0; i < count; i++) {
         struct stat s;
-        if ((is_stdin(files[i]) ? fstat(0, &s) : stat(files[i], &s)) != 0
-            || !S_ISREG(s.st_mode)) {
+        if ((is_stdin(files[i]) ? fstat(0, &s) : stat(files[i], &s)) != 0 ||
+            !S_ISREG(s.st_mode)) {
             return 0;
         }
         total += (double)s.st_size;
@@ -179,8 +179,8 @@ static size_t find_whole(const struct input *in, const struct block *b,
 static size_t gather(struct input *in, struct block *b)
 {
     size_t whole = find_whole(in, b, 0, 0);
-    while (!in->ended && !(whole > 0 && (b->length >= BLOCK_GOAL
-                                         || would_wait(in)))) {
+    while (!in->ended &&
+           !(whole > 0 && (b->length >= BLOCK_GOAL || would_wait(in)))) {
         if (whole == 0 && b->length > LINE_MOST) {
             in->skipping = 1;
             return b->length = LINE_MOST + 1;
@@ -196,7 +196,7 @@ static size_t gather(struct input *in, struct block *b)
 static void count_lines(struct input *in, struct block *b)
 {
     const char *end = b->text + b->length;
-    for (const char *p = b->text; p < end; ) {
+    for (const char *p = b->text; p < end;) {
         const char *stop = end_of_line(p, end);
         b->records += is_record(p, stop) ? 1 : 0;
         in->line++;
@@ -230,8 +230,7 @@ static void skip_byte_order_mark(struct block *b)
 
 static int read_until(struct input *in, struct block *b, size_t length)
 {
-    while (b->length < length && npy_begins(b->text, b->length)
-           && !in->ended) {
+    while (b->length < length && npy_begins(b->text, b->length) && !in->ended) {
         read_more(in, b);
     }
     return b->length >= length;
@@ -251,8 +250,8 @@ static int skip_npy_header(struct input *in, struct block *b)
     } else if (!read_until(in, b, length)) {
         wrong = ".npy header: the file ends within it";
     } else {
-        wrong = npy_read(b->text, length,
-                         in->record_size / sizeof(double), &rows);
+        wrong =
+            npy_read(b->text, length, in->record_size / sizeof(double), &rows);
     }
     if (wrong) {
         return fail(b, wrong, 0);
@@ -273,8 +272,8 @@ static int finish_file(struct input *in, struct block *b)
     if (in->error) {
         return fail(b, NULL, in->error);
     }
-    return kept || fail(b, "the .npy header promises another number of rows",
-                        0);
+    return kept ||
+           fail(b, "the .npy header promises another number of rows", 0);
 }
 
 static int begin_block(struct input *in, struct block *b)
@@ -290,8 +289,8 @@ static int begin_block(struct input *in, struct block *b)
  * there is none, or at a failure. */
 static int change_file(struct input *in, struct block *b)
 {
-    return (in->fd < 0 || finish_file(in, b)) && in->next < in->count
-        && open_next(in, b);
+    return (in->fd < 0 || finish_file(in, b)) && in->next < in->count &&
+           open_next(in, b);
 }
 
 /* What is gathered beyond the last whole record waits for the next block;

@@ -11,20 +11,20 @@ struct input {
     int count, next;    /* of files; the one to open next */
     size_t record_size; /* bytes of a binary record; 0: lines of text */
 
-    int fd;             /* -1: none is open */
-    int regular;        /* reading never waits */
-    int ended;          /* the end of the file was seen */
-    int skipping;       /* the rest of a line that was too long */
+    int fd;       /* -1: none is open */
+    int regular;  /* reading never waits */
+    int ended;    /* the end of the file was seen */
+    int skipping; /* the rest of a line that was too long */
     const char *name;
-    char *carry;        /* read, but not yet given out: part of a record */
+    char *carry; /* read, but not yet given out: part of a record */
     size_t carried;
     unsigned long long line, record; /* numbers of the next ones */
 
-    int fresh;          /* nothing was given out of this file yet */
-    int promised;       /* a .npy header told how many bytes follow */
+    int fresh;    /* nothing was given out of this file yet */
+    int promised; /* a .npy header told how many bytes follow */
     unsigned long long bytes_promised, bytes_given;
-    int error;          /* errno of a read: to be told after what came before */
-    int ending;         /* a descriptor: when it is at its end, waiting for
+    int error;  /* errno of a read: to be told after what came before */
+    int ending; /* a descriptor: when it is at its end, waiting for
                            input is too; -1: none */
 
     unsigned long long bytes; /* read so far, of all files */

@@ -29,8 +29,8 @@ static int put_first_line(struct job *job)
 static int open_input(struct job *job)
 {
     const struct options *o = job->options;
-    const size_t size = o->binary_in
-        ? 8 * (size_t)numbers_of_record(&o->grammar) : 0;
+    const size_t size =
+        o->binary_in ? 8 * (size_t)numbers_of_record(&o->grammar) : 0;
     return input_open(&job->in, o->files, o->file_count, size);
 }
 

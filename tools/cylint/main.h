@@ -10,7 +10,7 @@ enum {
     EXIT_ANSWERED = 0, /* all records; a miss is an answer */
     EXIT_BAD = 1,      /* some records are bad, or a line of the scene */
     EXIT_USAGE = 2,
-    EXIT_IO = 3,       /* input or output failed */
+    EXIT_IO = 3, /* input or output failed */
     EXIT_MEMORY = 4
 };
 

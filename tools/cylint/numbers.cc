@@ -47,10 +47,11 @@ extern "C" size_t cylint_write_number(char out[NUMBER_ROOM], double value,
     if (digits == NUMBER_HEX) {
         return write_hex(out, value);
     }
-    const auto written = digits == NUMBER_SHORTEST
-        ? std::to_chars(out, out + NUMBER_ROOM, value)
-        : std::to_chars(out, out + NUMBER_ROOM, value,
-                        std::chars_format::general, digits);
+    const auto written =
+        digits == NUMBER_SHORTEST
+            ? std::to_chars(out, out + NUMBER_ROOM, value)
+            : std::to_chars(out, out + NUMBER_ROOM, value,
+                            std::chars_format::general, digits);
     return static_cast<size_t>(written.ptr - out);
 }
 

@@ -15,10 +15,10 @@ extern "C" {
 #endif
 
 enum {
-    NUMBER_ROOM = 32,     /* bytes that any written number fits into */
-    NUMBER_SHORTEST = 0,  /* the shortest text that reads back the same */
+    NUMBER_ROOM = 32,    /* bytes that any written number fits into */
+    NUMBER_SHORTEST = 0, /* the shortest text that reads back the same */
     NUMBER_MAX_DIGITS = 17,
-    NUMBER_HEX = -1       /* 0x1.8p+3, the leading digit 1 unless zero */
+    NUMBER_HEX = -1 /* 0x1.8p+3, the leading digit 1 unless zero */
 };
 
 /*

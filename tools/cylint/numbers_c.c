@@ -7,8 +7,7 @@
 
 #include "numbers_common.h"
 
-const char *cylint_read_number(const char *text, const char *end,
-                               double *value)
+const char *cylint_read_number(const char *text, const char *end, double *value)
 {
     const char *const after_short = read_short(text, end, value);
     if (after_short) {
@@ -165,7 +164,7 @@ size_t cylint_write_number(char out[NUMBER_ROOM], double value, int digits)
     }
     struct decimal d;
     shortest_decimal(&d, value);
-    p += fixed_length(&d) <= scientific_length(&d)
-        ? write_fixed(p, &d, value) : write_scientific(p, &d);
+    p += fixed_length(&d) <= scientific_length(&d) ? write_fixed(p, &d, value)
+                                                   : write_scientific(p, &d);
     return (size_t)(p - out);
 }

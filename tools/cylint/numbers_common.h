@@ -57,8 +57,7 @@ static int is_long(const char *text, const char *end)
  * double [Clinger 1990].  Needs doubles not to be kept with more digits than
  * they have.  NULL: not such a number.
  */
-static const char *read_short(const char *text, const char *end,
-                              double *value)
+static const char *read_short(const char *text, const char *end, double *value)
 {
     static const double powers[2][19] = {
         {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
@@ -80,16 +79,15 @@ static const char *read_short(const char *text, const char *end,
         parts = after - part;
         count += parts;
     }
-    if (count == 0 || count > DIGITS_MOST || m >= (uint64_t)1 << 53
-        || (*after | 0x20) == 'e' || (*after | 0x20) == 'x') {
+    if (count == 0 || count > DIGITS_MOST || m >= (uint64_t)1 << 53 ||
+        (*after | 0x20) == 'e' || (*after | 0x20) == 'x') {
         return NULL;
     }
     *value = (double)(int64_t)m / powers[minus][parts];
     return after;
 }
 #else
-static const char *read_short(const char *text, const char *end,
-                              double *value)
+static const char *read_short(const char *text, const char *end, double *value)
 {
     (void)text;
     (void)end;

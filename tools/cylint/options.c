@@ -10,24 +10,48 @@
 #include "options.h"
 
 enum option_id {
-    OPT_ACCEL = 256, OPT_BINARY_IN, OPT_BINARY_OUT, OPT_ENDS, OPT_HEADER,
-    OPT_HELP, OPT_HITS_ONLY, OPT_LIST, OPT_METHOD, OPT_MISS, OPT_NPY,
-    OPT_PROGRESS, OPT_VERSION
+    OPT_ACCEL = 256,
+    OPT_BINARY_IN,
+    OPT_BINARY_OUT,
+    OPT_ENDS,
+    OPT_HEADER,
+    OPT_HELP,
+    OPT_HITS_ONLY,
+    OPT_LIST,
+    OPT_METHOD,
+    OPT_MISS,
+    OPT_NPY,
+    OPT_PROGRESS,
+    OPT_VERSION
 };
 
-static const struct option options_known[] = {
-    {"b", 'b', 0}, {"C", 'C', 0}, {"d", 'd', 1}, {"e", 'e', 1},
-    {"f", 'f', 1}, {"j", 'j', 1}, {"k", 'k', 1}, {"o", 'o', 1},
-    {"p", 'p', 1}, {"q", 'q', 1}, {"s", 's', 1}, {"t", 't', 1},
-    {"x", 'x', 0},
-    {"accel", OPT_ACCEL, 1}, {"binary-in", OPT_BINARY_IN, 0},
-    {"binary-out", OPT_BINARY_OUT, 0}, {"ends", OPT_ENDS, 1},
-    {"header", OPT_HEADER, 0}, {"help", OPT_HELP, 0},
-    {"hits-only", OPT_HITS_ONLY, 0}, {"list", OPT_LIST, 1},
-    {"method", OPT_METHOD, 1}, {"miss", OPT_MISS, 1}, {"npy", OPT_NPY, 0},
-    {"progress", OPT_PROGRESS, 0}, {"version", OPT_VERSION, 0},
-    {NULL, 0, 0}
-};
+static const struct option options_known[] = {{"b", 'b', 0},
+                                              {"C", 'C', 0},
+                                              {"d", 'd', 1},
+                                              {"e", 'e', 1},
+                                              {"f", 'f', 1},
+                                              {"j", 'j', 1},
+                                              {"k", 'k', 1},
+                                              {"o", 'o', 1},
+                                              {"p", 'p', 1},
+                                              {"q", 'q', 1},
+                                              {"s", 's', 1},
+                                              {"t", 't', 1},
+                                              {"x", 'x', 0},
+                                              {"accel", OPT_ACCEL, 1},
+                                              {"binary-in", OPT_BINARY_IN, 0},
+                                              {"binary-out", OPT_BINARY_OUT, 0},
+                                              {"ends", OPT_ENDS, 1},
+                                              {"header", OPT_HEADER, 0},
+                                              {"help", OPT_HELP, 0},
+                                              {"hits-only", OPT_HITS_ONLY, 0},
+                                              {"list", OPT_LIST, 1},
+                                              {"method", OPT_METHOD, 1},
+                                              {"miss", OPT_MISS, 1},
+                                              {"npy", OPT_NPY, 0},
+                                              {"progress", OPT_PROGRESS, 0},
+                                              {"version", OPT_VERSION, 0},
+                                              {NULL, 0, 0}};
 
 /* What must wait until all options are known. */
 struct pending {
@@ -82,8 +106,8 @@ static int read_accel(struct options *options, const struct option *o,
                       const char *value)
 {
     int index;
-    const int status = read_word(o, value, accel_words,
-                                 "auto, none or tree", &index);
+    const int status =
+        read_word(o, value, accel_words, "auto, none or tree", &index);
     options->accel = index == ACCEL_EMBREE ? ACCEL_TREE : (enum accel)index;
     return status;
 }
@@ -92,8 +116,9 @@ static int read_method(struct options *options, const struct option *o,
                        const char *value)
 {
     options->method = find_method(value);
-    return options->method ? 0
-        : usage_value(o, value, "a method of --list=methods");
+    return options->method
+               ? 0
+               : usage_value(o, value, "a method of --list=methods");
 }
 
 static int read_bad_policy(struct options *options, const struct option *o,
@@ -101,8 +126,7 @@ static int read_bad_policy(struct options *options, const struct option *o,
 {
     static const char *const words[] = {"mark", "skip", "stop", NULL};
     int index;
-    const int status = read_word(o, value, words, "mark, skip or stop",
-                                 &index);
+    const int status = read_word(o, value, words, "mark, skip or stop", &index);
     options->bad = (enum bad_policy)index;
     return status;
 }
@@ -121,16 +145,18 @@ static int take_value(struct options *options, struct pending *pending,
 {
     switch (o->id) {
     case 'd':
-        return read_separator(value, &options->style.separator) ? 0
-            : usage_value(o, value, "one character");
+        return read_separator(value, &options->style.separator)
+                   ? 0
+                   : usage_value(o, value, "one character");
     case 'e':
         return read_bad_policy(options, o, value);
     case 'f':
         pending->fields = value;
         return 0;
     case 'j':
-        return read_count(value, INT_MAX / 10 - 1, &options->workers) ? 0
-            : usage_value(o, value, "a number of workers");
+        return read_count(value, INT_MAX / 10 - 1, &options->workers)
+                   ? 0
+                   : usage_value(o, value, "a number of workers");
     case 'k':
         pending->kinds = value;
         return 0;
@@ -139,7 +165,8 @@ static int take_value(struct options *options, struct pending *pending,
         return 0;
     case 'p':
         return read_count(value, NUMBER_MAX_DIGITS, &options->style.digits)
-            ? 0 : usage_value(o, value, "1 to 17 digits");
+                   ? 0
+                   : usage_value(o, value, "1 to 17 digits");
     case 'q':
         pending->query = value;
         return 0;
@@ -147,8 +174,9 @@ static int take_value(struct options *options, struct pending *pending,
         options->scene = value;
         return 0;
     case 't':
-        return read_domain(value, &options->grammar) ? 0
-            : usage_value(o, value, "MIN,MAX with MIN <= MAX");
+        return read_domain(value, &options->grammar)
+                   ? 0
+                   : usage_value(o, value, "MIN,MAX with MIN <= MAX");
     case OPT_ACCEL:
         return read_accel(options, o, value);
     case OPT_ENDS:
@@ -206,8 +234,7 @@ struct asked {
     struct pending pending;
 };
 
-static int take_option(void *context, const struct option *o,
-                       const char *value)
+static int take_option(void *context, const struct option *o, const char *value)
 {
     struct asked *asked = context;
     if (o->has_value) {
@@ -225,16 +252,14 @@ static int settle_kinds(struct grammar *g, const char *kinds)
     const size_t length = strcspn(kinds, ",");
     const char *shape = kinds[length] ? kinds + length + 1 : NULL;
     g->line = find_kind(line_kinds, LINE_KINDS, kinds, length);
-    g->shape = shape
-        ? find_kind(shape_kinds, SHAPE_KINDS, shape, strlen(shape))
-        : NOT_GIVEN;
-    if (g->line != NOT_GIVEN && (g->has_shape ? g->shape != NOT_GIVEN
-                                              : shape == NULL)) {
+    g->shape = shape ? find_kind(shape_kinds, SHAPE_KINDS, shape, strlen(shape))
+                     : NOT_GIVEN;
+    if (g->line != NOT_GIVEN &&
+        (g->has_shape ? g->shape != NOT_GIVEN : shape == NULL)) {
         return 0;
     }
-    return usage(g->has_shape
-        ? "-k: expected LINE,SHAPE, as in -k ray,cylinder"
-        : "-k: expected LINE, as in -k ray");
+    return usage(g->has_shape ? "-k: expected LINE,SHAPE, as in -k ray,cylinder"
+                              : "-k: expected LINE, as in -k ray");
 }
 
 static int settle_query(struct options *options, const char *query)
@@ -254,9 +279,9 @@ static int settle_query(struct options *options, const char *query)
 static int settle_fields(struct options *options, const char *names)
 {
     size_t length;
-    const char *bad = find_fields(&options->fields,
-        names ? names : default_fields(options->query), options->query,
-        &length);
+    const char *bad = find_fields(
+        &options->fields, names ? names : default_fields(options->query),
+        options->query, &length);
     if (!bad) {
         return 0;
     }
@@ -308,8 +333,8 @@ static int settle(struct options *options, const struct pending *pending)
         options->files = standard_input;
         options->file_count = 1;
     }
-    if (options->scene && strcmp(options->scene, "-") == 0
-        && uses_stdin(options)) {
+    if (options->scene && strcmp(options->scene, "-") == 0 &&
+        uses_stdin(options)) {
         return usage("the scene and the records are both standard input");
     }
     int status = pending->kinds ? settle_kinds(g, pending->kinds) : 0;

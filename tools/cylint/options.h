@@ -13,7 +13,7 @@ enum bad_policy { BAD_MARK, BAD_SKIP, BAD_STOP };
 
 struct options {
     struct grammar grammar;
-    const char *scene;     /* NULL: pairs */
+    const char *scene; /* NULL: pairs */
     enum accel accel;
     enum query query;
     struct fields fields;
@@ -21,15 +21,15 @@ struct options {
     const cylint_method *method; /* NULL: cylint_intersect() */
     enum bad_policy bad;
     int binary_in;
-    int array;             /* binary answers with a .npy header */
-    int workers;           /* 0: as many as there are processors */
-    int comments;          /* copied through */
+    int array;    /* binary answers with a .npy header */
+    int workers;  /* 0: as many as there are processors */
+    int comments; /* copied through */
     int hits_only, header, progress;
-    const char *output;    /* NULL: standard output */
+    const char *output; /* NULL: standard output */
     char **files;
     int file_count;
 
-    const char *print;     /* help, version or the name of a list, and then
+    const char *print; /* help, version or the name of a list, and then
                               nothing else is done */
 };
 

@@ -37,8 +37,7 @@ int open_file(const char *name, int flags)
 static int is_output(const struct stat *out, const char *file)
 {
     struct stat in;
-    const int status = strcmp(file, "-") == 0 ? fstat(0, &in)
-                                              : stat(file, &in);
+    const int status = strcmp(file, "-") == 0 ? fstat(0, &in) : stat(file, &in);
     return status == 0 && in.st_dev == out->st_dev && in.st_ino == out->st_ino;
 }
 
@@ -75,8 +74,8 @@ static int empty_file(const struct output *out, const struct options *o)
 static int begin_array(struct output *out)
 {
     struct stat s;
-    const int way_back = fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode)
-        && !(fcntl(out->fd, F_GETFL) & O_APPEND);
+    const int way_back = fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode) &&
+                         !(fcntl(out->fd, F_GETFL) & O_APPEND);
     if (!way_back) {
         complain(out->name, "a .npy array must go to a file");
         return EXIT_IO;
@@ -131,8 +130,8 @@ static void take_back(const struct output *out, size_t length)
 {
     struct stat s;
     const off_t at = lseek(out->fd, 0, SEEK_CUR);
-    if (fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode) && at == s.st_size
-        && ftruncate(out->fd, at - (off_t)length) != 0) {
+    if (fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode) && at == s.st_size &&
+        ftruncate(out->fd, at - (off_t)length) != 0) {
         complain_errno(out->name);
     }
 }
@@ -161,8 +160,8 @@ static int finish_array(struct output *out)
 {
     struct stat s;
     const off_t at = lseek(out->fd, 0, SEEK_CUR);
-    if (at == -1 || fstat(out->fd, &s) != 0
-        || lseek(out->fd, (off_t)out->array, SEEK_SET) == -1) {
+    if (at == -1 || fstat(out->fd, &s) != 0 ||
+        lseek(out->fd, (off_t)out->array, SEEK_SET) == -1) {
         complain_errno(out->name);
         return EXIT_IO;
     }

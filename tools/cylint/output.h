@@ -11,7 +11,7 @@ struct options;
 struct output {
     int fd;
     const char *name;
-    size_t row; /* bytes of a binary row; 0: rows are lines */
+    size_t row;      /* bytes of a binary row; 0: rows are lines */
     long long array; /* where in the file a .npy header stands; -1: none */
 };
 

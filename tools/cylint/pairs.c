@@ -30,16 +30,15 @@ void pairs_free(struct pairs *p)
 
 int pairs_answer(int line_kind, unsigned want, int sides)
 {
-    const unsigned can = CYLINT_WANT_T | CYLINT_WANT_PART
-                       | CYLINT_WANT_NEAREST;
-    return line_kind != NOT_GIVEN && line_kind != LINE_SEGMENT && !sides
-        && !(want & ~can);
+    const unsigned can = CYLINT_WANT_T | CYLINT_WANT_PART | CYLINT_WANT_NEAREST;
+    return line_kind != NOT_GIVEN && line_kind != LINE_SEGMENT && !sides &&
+           !(want & ~can);
 }
 
 struct parts pairs_place(struct pairs *p)
 {
-    return (struct parts){&p->line, &p->shapes[p->count],
-                          &p->tail[p->count], &p->tail_length[p->count]};
+    return (struct parts){&p->line, &p->shapes[p->count], &p->tail[p->count],
+                          &p->tail_length[p->count]};
 }
 
 void pairs_take(struct pairs *p)
@@ -59,13 +58,17 @@ void pairs_ask(struct pairs *p, unsigned want)
     const int both = !(want & CYLINT_WANT_NEAREST);
     const int roots = (want & CYLINT_WANT_T) != 0;
     const int parts = (want & CYLINT_WANT_PART) != 0;
-    const cylint_lines lines = {
-        (size_t)p->count, {p->o[0], p->o[1], p->o[2]},
-        {p->d[0], p->d[1], p->d[2]}, p->tmin, p->tmax};
-    const cylint_columns columns = {
-        p->relation, both ? p->n : NULL,
-        roots ? p->t0 : NULL, roots && both ? p->t1 : NULL,
-        parts || !both ? p->part0 : NULL, parts && both ? p->part1 : NULL};
+    const cylint_lines lines = {(size_t)p->count,
+                                {p->o[0], p->o[1], p->o[2]},
+                                {p->d[0], p->d[1], p->d[2]},
+                                p->tmin,
+                                p->tmax};
+    const cylint_columns columns = {p->relation,
+                                    both ? p->n : NULL,
+                                    roots ? p->t0 : NULL,
+                                    roots && both ? p->t1 : NULL,
+                                    parts || !both ? p->part0 : NULL,
+                                    parts && both ? p->part1 : NULL};
     cylint_pack pack;
     cylint_pack_shapes(&pack, p->memory, p->shapes, lines.n);
     cylint_intersect_pairs(&pack, &lines, &columns);

@@ -14,7 +14,7 @@ enum { PAIRS_MOST = 256 }; /* their memory, 170 kB, stays in the cache */
 
 struct pairs {
     int count;
-    cylint_line line;      /* the next pair's, until it is taken */
+    cylint_line line; /* the next pair's, until it is taken */
     cylint_shape shapes[PAIRS_MOST];
     double o[3][PAIRS_MOST], d[3][PAIRS_MOST];
     double tmin[PAIRS_MOST], tmax[PAIRS_MOST];
@@ -24,7 +24,7 @@ struct pairs {
     signed char relation[PAIRS_MOST], n[PAIRS_MOST];
     signed char part0[PAIRS_MOST], part1[PAIRS_MOST];
     double t0[PAIRS_MOST], t1[PAIRS_MOST];
-    void *memory;          /* for packing the shapes */
+    void *memory; /* for packing the shapes */
 };
 
 /* NULL: no memory. */

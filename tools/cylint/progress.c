@@ -30,9 +30,8 @@ void progress_start(struct progress *p, int wanted, const char *unit,
 static void show(struct progress *p, double now, double done, double total)
 {
     const double spent = now - p->start;
-    fprintf(stderr, "%s%s: %llu %s, %.0f/s", p->terminal ? "\r" : "",
-            program, p->count, p->unit,
-            spent > 0 ? (double)p->count / spent : 0);
+    fprintf(stderr, "%s%s: %llu %s, %.0f/s", p->terminal ? "\r" : "", program,
+            p->count, p->unit, spent > 0 ? (double)p->count / spent : 0);
     if (p->in_bytes && done > 0 && spent > 0) {
         fprintf(stderr, ", %.1f MB/s", 1e-6 * done / spent);
     }

@@ -16,8 +16,8 @@ static void describe(char text[NOTE_ROOM], const struct fault *fault)
 {
     char found[4 * SHOWN_MOST + 4];
     if (fault->shape > 0) {
-        snprintf(text, NOTE_ROOM, "%s: shape %llu of the scene",
-                 fault->what, fault->shape);
+        snprintf(text, NOTE_ROOM, "%s: shape %llu of the scene", fault->what,
+                 fault->shape);
         return;
     }
     const int shown = fault->at != fault->end;
@@ -44,8 +44,8 @@ void take_note(struct notes *notes, unsigned long long line,
         struct note *note = &notes->note[notes->count];
         note->line = line;
         note->record = record;
-        note->column = fault->at
-            ? (unsigned long long)(fault->at - text) + 1 : 1;
+        note->column =
+            fault->at ? (unsigned long long)(fault->at - text) + 1 : 1;
         describe(note->text, fault);
     }
     notes->count++;
@@ -56,8 +56,8 @@ void print_note(const struct note *note, const char *name)
     char escaped[4 * NAME_MOST + 4];
     escape_bytes(escaped, name, name + strlen(name), NAME_MOST);
     if (note->line > 0) {
-        fprintf(stderr, "%s: %s:%llu:%llu: %s\n", program, escaped,
-                note->line, note->column, note->text);
+        fprintf(stderr, "%s: %s:%llu:%llu: %s\n", program, escaped, note->line,
+                note->column, note->text);
     } else {
         fprintf(stderr, "%s: %s: record %llu: %s\n", program, escaped,
                 note->record, note->text);

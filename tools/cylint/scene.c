@@ -75,8 +75,8 @@ int scene_read(struct scene *scene, const char *file, int ends)
     int status = block_make(&block, 0, 0);
     if (status == 0) {
         status = input_open(&in, files, 1, 0);
-        while (status == 0 && (status = input_next(&in, &block)) == 0
-               && block.length > 0) {
+        while (status == 0 && (status = input_next(&in, &block)) == 0 &&
+               block.length > 0) {
             status = is_swc ? swc_read_nodes(&swc, &block)
                             : read_shapes(scene, &g, &block);
         }

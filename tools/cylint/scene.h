@@ -18,7 +18,7 @@ struct scene {
     /* What else is done with the record of shape number `count`; NULL:
      * nothing.  Returns 0 or an exit status. */
     int (*also)(struct scene *scene, const struct record *record);
-    void *context;    /* of that */
+    void *context; /* of that */
 };
 
 /* Adds one shape, with what else is done with its record.  Returns 0 or an

@@ -41,8 +41,8 @@ static int make_pack(struct search *s)
 static cylint_scene_status make_scene(const struct search *s)
 {
     cylint_scene_status status;
-    cylint_scene *scene = cylint_scene_new(s->shapes, s->count, s->threads,
-                                           &status);
+    cylint_scene *scene =
+        cylint_scene_new(s->shapes, s->count, s->threads, &status);
     __atomic_store_n(&s->tree->scene, scene, __ATOMIC_RELEASE);
     return status;
 }
@@ -87,8 +87,7 @@ void search_free(struct search *s)
 /* The hierarchy, if it is there. */
 static const cylint_scene *scene_of(const struct search *s)
 {
-    return s->tree ? __atomic_load_n(&s->tree->scene, __ATOMIC_ACQUIRE)
-                   : NULL;
+    return s->tree ? __atomic_load_n(&s->tree->scene, __ATOMIC_ACQUIRE) : NULL;
 }
 
 /* The same; one line more is to be asked.  The thread that asks the one that
@@ -96,9 +95,9 @@ static const cylint_scene *scene_of(const struct search *s)
 static const cylint_scene *scene_for_line(const struct search *s)
 {
     const cylint_scene *scene = scene_of(s);
-    if (s->tree && !scene
-        && __atomic_add_fetch(&s->tree->asked, 1, __ATOMIC_RELAXED)
-           == PAYS_AFTER) {
+    if (s->tree && !scene &&
+        __atomic_add_fetch(&s->tree->asked, 1, __ATOMIC_RELAXED) ==
+            PAYS_AFTER) {
         make_scene(s); /* if that fails, batches will do */
         scene = scene_of(s);
     }
@@ -110,7 +109,7 @@ size_t search_nearest(const struct search *s, const cylint_line *line)
     const cylint_scene *scene = scene_for_line(s);
     cylint_hit hit;
     return scene ? cylint_scene_nearest(scene, line, 0, &hit)
-        : cylint_nearest(&s->pack, line, 0, &hit);
+                 : cylint_nearest(&s->pack, line, 0, &hit);
 }
 
 size_t search_count(const struct search *s, const cylint_line *line,
@@ -118,7 +117,7 @@ size_t search_count(const struct search *s, const cylint_line *line,
 {
     const cylint_scene *scene = scene_for_line(s);
     return scene ? cylint_scene_count(scene, line, enough)
-        : cylint_count(&s->pack, line, enough);
+                 : cylint_count(&s->pack, line, enough);
 }
 
 /* Most shapes are missed: look at eight at a time. */

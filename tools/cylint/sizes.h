@@ -14,8 +14,8 @@
 enum {
     LINE_MOST = (1 << 20) / CYLINT_SHRINK,  /* of a line, its end not counted */
     BLOCK_GOAL = (1 << 18) / CYLINT_SHRINK, /* enough to begin answering */
-    BLOCK_ROOM = 2 * LINE_MOST,     /* a long line, and what comes with it */
-    TEXT_FULL = (1 << 18) / CYLINT_SHRINK,  /* time to write answers out */
+    BLOCK_ROOM = 2 * LINE_MOST, /* a long line, and what comes with it */
+    TEXT_FULL = (1 << 18) / CYLINT_SHRINK, /* time to write answers out */
     NPY_HEADER_MOST = (1 << 16) / CYLINT_SHRINK
 };
 

@@ -43,8 +43,8 @@ int swc_is_name(const char *file)
 static size_t first_place(const struct swc *swc, uint64_t number)
 {
     const uint64_t scattered = (number >> 3) * 0x9e3779b97f4a7c15u;
-    return (size_t)(scattered >> (64 - swc->bits) & ~(uint64_t)7)
-         | (size_t)(number & 7);
+    return (size_t)(scattered >> (64 - swc->bits) & ~(uint64_t)7) |
+           (size_t)(number & 7);
 }
 
 /* The place of this number, or the free one where it belongs. */
@@ -52,8 +52,8 @@ static size_t *find_place(const struct swc *swc, uint64_t number)
 {
     const size_t mask = ((size_t)1 << swc->bits) - 1;
     size_t i = first_place(swc, number);
-    while (swc->places[i] > 0
-           && swc->nodes[swc->places[i] - 1].number != number) {
+    while (swc->places[i] > 0 &&
+           swc->nodes[swc->places[i] - 1].number != number) {
         i = (i + 1) & mask;
     }
     return &swc->places[i];
@@ -154,8 +154,8 @@ static int read_decimal(struct reader *r, double *value)
 {
     const char *end = end_of_field(r);
     const char *after = cylint_read_number(r->p, r->end, value);
-    if (after != end || memchr(r->p, 'x', (size_t)(end - r->p))
-        || memchr(r->p, 'X', (size_t)(end - r->p))) {
+    if (after != end || memchr(r->p, 'x', (size_t)(end - r->p)) ||
+        memchr(r->p, 'X', (size_t)(end - r->p))) {
         return refuse(r, "a number", 1);
     }
     if (*value - *value != 0) {
@@ -168,8 +168,8 @@ static int read_decimal(struct reader *r, double *value)
 static int read_radius(struct reader *r, double *radius)
 {
     struct reader at = *r;
-    return read_decimal(r, radius)
-        && (*radius >= 0 || refuse(&at, "negative radius", 0));
+    return read_decimal(r, radius) &&
+           (*radius >= 0 || refuse(&at, "negative radius", 0));
 }
 
 /* [text, end) is one line. */
@@ -195,8 +195,8 @@ static int read_node(const char *text, const char *end, struct swc_node *node,
 
 /* ------------------------------------------------------------ all nodes -- */
 
-static int say_fault(struct block *b, unsigned long long line,
-                     const char *text, const struct fault *fault)
+static int say_fault(struct block *b, unsigned long long line, const char *text,
+                     const struct fault *fault)
 {
     take_note(&b->notes, line, 0, text, fault);
     print_note(&b->notes.note[0], b->name);
@@ -209,8 +209,8 @@ static int read_line(struct swc *swc, struct block *b, const char *text,
     struct swc_node node = {0};
     struct fault fault;
     node.line = line;
-    if (!trim_line(text, &end, &fault)
-        || !read_node(text, end, &node, &fault)) {
+    if (!trim_line(text, &end, &fault) ||
+        !read_node(text, end, &node, &fault)) {
         return say_fault(b, line, text, &fault);
     }
     if (swc->count == swc->room) {

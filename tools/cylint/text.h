@@ -53,8 +53,8 @@ static inline void put_little_endian(struct text *t, double value)
 static inline double get_little_endian(const char bytes[8])
 {
 #define BYTE(i) ((uint64_t)(unsigned char)bytes[i] << 8 * (i))
-    const uint64_t bits = BYTE(0) | BYTE(1) | BYTE(2) | BYTE(3) |
-                          BYTE(4) | BYTE(5) | BYTE(6) | BYTE(7);
+    const uint64_t bits = BYTE(0) | BYTE(1) | BYTE(2) | BYTE(3) | BYTE(4) |
+                          BYTE(5) | BYTE(6) | BYTE(7);
 #undef BYTE
     double value;
     memcpy(&value, &bits, sizeof value);

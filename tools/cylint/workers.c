@@ -28,7 +28,7 @@ struct crew {
     pthread_mutex_t reading; /* for job->in and what stands below */
     unsigned long long tickets;
     int most, count;
-    struct worker *hired;    /* all but the first */
+    struct worker *hired; /* all but the first */
 
     int ending[2]; /* a pipe: closed when the work is over, so that a worker
                       that waits for input hears of it; made before there is
@@ -147,7 +147,7 @@ static void dismiss(struct crew *crew)
 
 int workers_run(struct job *job, int most)
 {
-    struct crew crew = {job, PTHREAD_MUTEX_INITIALIZER, 0, most, 1, NULL,
+    struct crew crew = {job,     PTHREAD_MUTEX_INITIALIZER, 0, most, 1, NULL,
                         {-1, -1}};
     struct worker *first = make_worker(&crew);
     if (!first) {

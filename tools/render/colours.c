@@ -12,9 +12,8 @@
 #include "report.h"
 #include "sampling.h"
 
-const char *const colouring_words[] = {
-    "number", "label", "kind", "connected", "radius", "height", NULL
-};
+const char *const colouring_words[] = {"number", "label",  "kind", "connected",
+                                       "radius", "height", NULL};
 
 enum { NO_COLOUR = 1 << 24 };
 
@@ -37,8 +36,8 @@ struct vector light_of_colour(uint32_t colour)
 unsigned char byte_of_light(double light)
 {
     const double x = fmin(fmax(light, 0), 1);
-    const double c = x <= 0.0031308 ? 12.92 * x
-                                    : 1.055 * pow(x, 1 / 2.4) - 0.055;
+    const double c =
+        x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055;
     return (unsigned char)(255 * c + 0.5);
 }
 
@@ -53,11 +52,9 @@ static uint32_t colour_of_lch(double lightness, double chroma, double hue)
     const double light[3] = {
         4.0767416621 * l3 - 3.3077115913 * m3 + 0.2309699292 * s3,
         -1.2684380046 * l3 + 2.6097574011 * m3 - 0.3413193965 * s3,
-        -0.0041960863 * l3 - 0.7034186147 * m3 + 1.7076147010 * s3
-    };
-    return (uint32_t)byte_of_light(light[0]) << 16
-         | (uint32_t)byte_of_light(light[1]) << 8
-         | byte_of_light(light[2]);
+        -0.0041960863 * l3 - 0.7034186147 * m3 + 1.7076147010 * s3};
+    return (uint32_t)byte_of_light(light[0]) << 16 |
+           (uint32_t)byte_of_light(light[1]) << 8 | byte_of_light(light[2]);
 }
 
 /* ----------------------------------------------------------- palettes -- */
@@ -87,9 +84,10 @@ static uint32_t colour_of_height(double x)
 
 static int hex_digit(char c)
 {
-    return c >= '0' && c <= '9' ? c - '0'
-         : c >= 'a' && c <= 'f' ? c - 'a' + 10
-         : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
 }
 
 int read_colour(const char *text, size_t length, uint32_t *colour)
@@ -143,7 +141,8 @@ static uint32_t hash_of_text(const char *text, size_t length)
 static int resize(uint32_t **words, size_t count)
 {
     uint32_t *more = count <= SIZE_MAX / sizeof *more
-        ? realloc(*words, count * sizeof *more) : NULL;
+                         ? realloc(*words, count * sizeof *more)
+                         : NULL;
     if (!more) {
         return out_of_memory();
     }
@@ -197,16 +196,15 @@ static double radius_of(const cylint_shape *s)
 /* Halfway between the ends of the axis. */
 static double height_of(const cylint_shape *s, struct vector up)
 {
-    return up.v[0] * (s->base[0] + 0.5 * s->axis[0])
-         + up.v[1] * (s->base[1] + 0.5 * s->axis[1])
-         + up.v[2] * (s->base[2] + 0.5 * s->axis[2]);
+    return up.v[0] * (s->base[0] + 0.5 * s->axis[0]) +
+           up.v[1] * (s->base[1] + 0.5 * s->axis[1]) +
+           up.v[2] * (s->base[2] + 0.5 * s->axis[2]);
 }
 
 static double measure(enum colouring how, const cylint_shape *shape,
                       struct vector up)
 {
-    return how == COLOUR_RADIUS ? log(radius_of(shape))
-                                : height_of(shape, up);
+    return how == COLOUR_RADIUS ? log(radius_of(shape)) : height_of(shape, up);
 }
 
 /* Along a gradient from the least to the greatest value that is finite. */
@@ -223,8 +221,8 @@ static void by_measure(struct colours *c, const struct scene *scene,
     }
     for (size_t i = 0; i < scene->count; i++) {
         const double x = measure(how, &scene->shapes[i], up);
-        const double share = x - x == 0 && most > least
-            ? (x - least) / (most - least) : 0.5;
+        const double share =
+            x - x == 0 && most > least ? (x - least) / (most - least) : 0.5;
         if (c->of[i] == NO_COLOUR) {
             c->of[i] = how == COLOUR_RADIUS ? colour_of_radius(share)
                                             : colour_of_height(share);
@@ -233,8 +231,8 @@ static void by_measure(struct colours *c, const struct scene *scene,
 }
 
 static uint32_t colour_of_shape(const struct colours *c,
-                                const struct scene *scene,
-                                enum colouring how, uint32_t one, size_t i)
+                                const struct scene *scene, enum colouring how,
+                                uint32_t one, size_t i)
 {
     switch (how) {
     case COLOUR_NUMBER:
@@ -263,8 +261,9 @@ int colours_complete(struct colours *c, const struct scene *scene,
     }
     for (size_t i = 0; i < scene->count; i++) {
         if (c->of[i] == NO_COLOUR) {
-            c->of[i] = how == COLOUR_CONNECTED ? colour_of_number(c->label[i])
-                     : colour_of_shape(c, scene, how, one, i);
+            c->of[i] = how == COLOUR_CONNECTED
+                           ? colour_of_number(c->label[i])
+                           : colour_of_shape(c, scene, how, one, i);
         }
     }
     return status;

@@ -26,8 +26,8 @@ enum colouring {
 extern const char *const colouring_words[]; /* from COLOUR_NUMBER on, NULL */
 
 struct colours {
-    uint32_t *of;     /* 0xrrggbb for each shape, sRGB */
-    uint32_t *label;  /* a hash of each tail, 0 if it has none */
+    uint32_t *of;       /* 0xrrggbb for each shape, sRGB */
+    uint32_t *label;    /* a hash of each tail, 0 if it has none */
     size_t room, count; /* those of which a tail was seen */
 };
 

@@ -14,8 +14,8 @@
 
 struct ends {
     const cylint_shape *shapes;
-    uint32_t *slot;   /* 2 i + e + 1 for end e of shape i; 0: free */
-    size_t slots;     /* a power of two above the number of ends */
+    uint32_t *slot; /* 2 i + e + 1 for end e of shape i; 0: free */
+    size_t slots;   /* a power of two above the number of ends */
 };
 
 static const double *end_point(const struct ends *ends, uint32_t end)

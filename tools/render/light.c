@@ -45,16 +45,17 @@ static int meets_again(const struct place *at, const cylint_line *ray,
 {
     cylint_line line;
     cylint_answer answer;
-    const int convex = !(at->shape->ends == CYLINT_ENDS_INFINITE
-                         && at->shape->kind != CYLINT_KIND_CYLINDER
-                         && at->shape->kind != CYLINT_KIND_ECYLINDER);
+    const int convex = !(at->shape->ends == CYLINT_ENDS_INFINITE &&
+                         at->shape->kind != CYLINT_KIND_CYLINDER &&
+                         at->shape->kind != CYLINT_KIND_ECYLINDER);
     if (leaves && convex) {
         return 0;
     }
     cylint_whole_line(&line, ray->o, ray->d);
     cylint_intersect(at->shape, &line, CYLINT_WANT_PART, &answer);
-    return answer.n > 0 && answer.hit[answer.n - 1].side
-        == (leaves ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING);
+    return answer.n > 0 &&
+           answer.hit[answer.n - 1].side ==
+               (leaves ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING);
 }
 
 /*
@@ -69,9 +70,9 @@ static int is_free(const struct stage *stage, const struct place *at,
     const double cosine = dot(d, at->normal);
     const double start = 0x1p-52 * length(at->point) / fabs(cosine);
     cylint_line ray;
-    return cylint_span(&ray, at->point.v, d.v, start, HUGE_VAL) == CYLINT_OK
-        && !meets_again(at, &ray, cosine > 0)
-        && !cylint_scene_occluded(stage->scene, &ray, at->number);
+    return cylint_span(&ray, at->point.v, d.v, start, HUGE_VAL) == CYLINT_OK &&
+           !meets_again(at, &ray, cosine > 0) &&
+           !cylint_scene_occluded(stage->scene, &ray, at->number);
 }
 
 /* -------------------------------------------------------------- light -- */
@@ -83,27 +84,25 @@ static struct vector sky(const struct stage *stage, struct vector d)
                   : mixed(HORIZON, BELOW, sqrt(-up));
 }
 
-static struct vector from_sun(const struct stage *stage,
-                              const struct place *at, uint32_t i,
-                              uint32_t seed)
+static struct vector from_sun(const struct stage *stage, const struct place *at,
+                              uint32_t i, uint32_t seed)
 {
     double disc[2];
     sample_disc(i, hash_words(seed, FOR_SUN), disc);
     const struct vector u = perpendicular(stage->sun);
     const struct vector v = cross(stage->sun, u);
-    const struct vector d = unit(plus(plus(stage->sun,
-        SUN_RADIUS * disc[0], u), SUN_RADIUS * disc[1], v));
+    const struct vector d = unit(plus(plus(stage->sun, SUN_RADIUS * disc[0], u),
+                                      SUN_RADIUS * disc[1], v));
     const double cosine = dot(d, at->facing);
     return cosine > 0 && is_free(stage, at, d) ? times(cosine, SUN)
                                                : vector(0, 0, 0);
 }
 
-static struct vector from_sky(const struct stage *stage,
-                              const struct place *at, uint32_t i,
-                              uint32_t seed)
+static struct vector from_sky(const struct stage *stage, const struct place *at,
+                              uint32_t i, uint32_t seed)
 {
-    const struct vector d = sample_hemisphere(i, hash_words(seed, FOR_SKY),
-                                              at->facing);
+    const struct vector d =
+        sample_hemisphere(i, hash_words(seed, FOR_SKY), at->facing);
     const struct vector light = sky(stage, d);
     return is_free(stage, at, d) ? light : times(BOUNCE, light);
 }
@@ -142,26 +141,24 @@ static double opacity(const struct stage *stage, const struct place *at)
     return exp(-far * far);
 }
 
-struct seen look(const struct stage *stage, const cylint_line *ray,
-                 uint32_t i, uint32_t seed)
+struct seen look(const struct stage *stage, const cylint_line *ray, uint32_t i,
+                 uint32_t seed)
 {
     cylint_hit hit;
-    const size_t shape = cylint_scene_nearest(stage->scene, ray,
-        CYLINT_WANT_POINT | CYLINT_WANT_NORMAL, &hit);
+    const size_t shape = cylint_scene_nearest(
+        stage->scene, ray, CYLINT_WANT_POINT | CYLINT_WANT_NORMAL, &hit);
     if (shape == stage->count) {
         return (struct seen){vector(0, 0, 0), 0};
     }
-    const struct vector point = vector(hit.point[0], hit.point[1],
-                                       hit.point[2]);
-    const struct vector normal = vector(hit.normal[0], hit.normal[1],
-                                        hit.normal[2]);
+    const struct vector point =
+        vector(hit.point[0], hit.point[1], hit.point[2]);
+    const struct vector normal =
+        vector(hit.normal[0], hit.normal[1], hit.normal[2]);
     const struct vector d = vector(ray->d[0], ray->d[1], ray->d[2]);
-    const struct place at = {
-        shape, &stage->shapes[shape], point, normal,
-        dot(normal, d) > 0 ? times(-1, normal) : normal
-    };
+    const struct place at = {shape, &stage->shapes[shape], point, normal,
+                             dot(normal, d) > 0 ? times(-1, normal) : normal};
     const double covered = opacity(stage, &at);
-    const struct vector light = shaded(stage, &at, ray,
-        light_of_colour(stage->colours[shape]), i, seed);
+    const struct vector light = shaded(
+        stage, &at, ray, light_of_colour(stage->colours[shape]), i, seed);
     return (struct seen){times(covered, light), covered};
 }

@@ -12,23 +12,23 @@
 #include "vector.h"
 
 enum shading {
-    SHADE_LIGHT,   /* sun with shadows, and the sky as far as it is seen */
-    SHADE_PLAIN,   /* by the angle to the viewer alone; no further rays */
-    SHADE_NORMAL   /* the normal's coordinates as red, green and blue */
+    SHADE_LIGHT, /* sun with shadows, and the sky as far as it is seen */
+    SHADE_PLAIN, /* by the angle to the viewer alone; no further rays */
+    SHADE_NORMAL /* the normal's coordinates as red, green and blue */
 };
 
 /* What is looked at, and in what light. */
 struct stage {
     const cylint_scene *scene;
     const cylint_shape *shapes;
-    size_t count;              /* of shapes; the ground comes last */
-    const uint32_t *colours;   /* of shapes, 0xrrggbb */
+    size_t count;            /* of shapes; the ground comes last */
+    const uint32_t *colours; /* of shapes, 0xrrggbb */
     int has_ground;
-    struct vector middle;      /* of what stands on the ground */
+    struct vector middle; /* of what stands on the ground */
     double size;
     enum shading shading;
-    struct vector sun;         /* unit vector towards it */
-    struct vector up;          /* unit vector */
+    struct vector sun; /* unit vector towards it */
+    struct vector up;  /* unit vector */
 };
 
 /* Light times opacity, and opacity: 1 on a shape, 0 beside all, between them
@@ -39,7 +39,7 @@ struct seen {
 };
 
 /* Sample i of the pixel whose hash is `seed`. */
-struct seen look(const struct stage *stage, const cylint_line *ray,
-                 uint32_t i, uint32_t seed);
+struct seen look(const struct stage *stage, const cylint_line *ray, uint32_t i,
+                 uint32_t seed);
 
 #endif

@@ -17,39 +17,40 @@
 const char *const program = "cylint-render";
 
 static const char help[] =
-"cylint-render [OPTION]... SCENE -o FILE\n"
-"\n"
-"Takes a picture of a scene as cylint -s reads it, and writes a PNG.\n"
-"\n"
-"  -o FILE            the picture; - is standard output\n"
-"  --size WxH         pixels, 1280x720 unless said\n"
-"  --samples N        lines a pixel, 8 unless said\n"
-"  -j N               workers; the picture is the same\n"
-"  --eye X,Y,Z        where the camera stands; else it finds a place\n"
-"  --look-at X,Y,Z    what an --eye looks at, else the scene's middle\n"
-"  --from X,Y,Z       only the direction in which it stands\n"
-"  --up X,Y,Z         what is up, 0,0,1 unless said\n"
-"  --fov DEGREES      from bottom to top, 30 unless said\n"
-"  --ortho            parallel lines instead\n"
-"  --zoom FACTOR      enlarge about the picture's centre\n"
-"  --colour HOW       of shapes without a field #rrggbb in their records:\n"
-"                     number, label, kind, connected, radius, height\n"
-"                     or #rrggbb\n"
-"  --shade HOW        light (default), plain or normal\n"
-"  --light X,Y,Z      the direction of the sun\n"
-"  --ground HOW       #rrggbb below the scene, or none (default)\n"
-"  --background HOW   sky (default), #rrggbb or none: transparent\n"
-"  --ends WORD        the ends of shapes that do not say\n"
-"  --progress         tell the progress on standard error\n"
-"  --help, --version\n"
-"\n"
-"Exit status: 0 done, 1 a bad scene, 2 usage, 3 input or output failed,\n"
-"4 out of memory.  See cylint-render(1).\n";
+    "cylint-render [OPTION]... SCENE -o FILE\n"
+    "\n"
+    "Takes a picture of a scene as cylint -s reads it, and writes a PNG.\n"
+    "\n"
+    "  -o FILE            the picture; - is standard output\n"
+    "  --size WxH         pixels, 1280x720 unless said\n"
+    "  --samples N        lines a pixel, 8 unless said\n"
+    "  -j N               workers; the picture is the same\n"
+    "  --eye X,Y,Z        where the camera stands; else it finds a place\n"
+    "  --look-at X,Y,Z    what an --eye looks at, else the scene's middle\n"
+    "  --from X,Y,Z       only the direction in which it stands\n"
+    "  --up X,Y,Z         what is up, 0,0,1 unless said\n"
+    "  --fov DEGREES      from bottom to top, 30 unless said\n"
+    "  --ortho            parallel lines instead\n"
+    "  --zoom FACTOR      enlarge about the picture's centre\n"
+    "  --colour HOW       of shapes without a field #rrggbb in their records:\n"
+    "                     number, label, kind, connected, radius, height\n"
+    "                     or #rrggbb\n"
+    "  --shade HOW        light (default), plain or normal\n"
+    "  --light X,Y,Z      the direction of the sun\n"
+    "  --ground HOW       #rrggbb below the scene, or none (default)\n"
+    "  --background HOW   sky (default), #rrggbb or none: transparent\n"
+    "  --ends WORD        the ends of shapes that do not say\n"
+    "  --progress         tell the progress on standard error\n"
+    "  --help, --version\n"
+    "\n"
+    "Exit status: 0 done, 1 a bad scene, 2 usage, 3 input or output failed,\n"
+    "4 out of memory.  See cylint-render(1).\n";
 
 static int print_about(const char *what)
 {
     fputs(strcmp(what, "help") == 0 ? help
-          : "cylint-render " CYLINT_VERSION "\n", stdout);
+                                    : "cylint-render " CYLINT_VERSION "\n",
+          stdout);
     if (fflush(stdout) != 0) {
         complain_errno("standard output");
         return EXIT_IO;
@@ -59,13 +60,12 @@ static int print_about(const char *what)
 
 /* The ground is a flat cylinder under the scene, so wide that its rim is far
  * behind where it has faded.  Its tail has its colour. */
-static int add_ground(struct scene *scene, const char *colour,
-                      struct vector up, const struct boxes *all)
+static int add_ground(struct scene *scene, const char *colour, struct vector up,
+                      const struct boxes *all)
 {
     const double radius = 30 * all->size, depth = 0.01 * all->size;
     const double low = -reach(all, times(-1, up));
-    const struct vector top = plus(all->middle, low - dot(up, all->middle),
-                                   up);
+    const struct vector top = plus(all->middle, low - dot(up, all->middle), up);
     const struct vector base = plus(top, -depth, up);
     struct record record;
     record.tail = colour;
@@ -78,24 +78,24 @@ static int add_ground(struct scene *scene, const char *colour,
 static struct vector sun_of(const struct options *o, const struct view *view)
 {
     return unit(o->has_sun ? o->sun
-        : plus(plus(times(0.75, unit(o->viewing.up)), -0.7, view->right),
-               -0.45, view->forward));
+                           : plus(plus(times(0.75, unit(o->viewing.up)), -0.7,
+                                       view->right),
+                                  -0.45, view->forward));
 }
 
 static int take_picture(const struct options *o, struct stage *stage,
                         const struct view *view, struct stages *stages)
 {
-    const unsigned long long pixels = (unsigned long long)o->width
-                                    * (unsigned long long)o->height;
+    const unsigned long long pixels =
+        (unsigned long long)o->width * (unsigned long long)o->height;
     struct picture picture;
     /* More builders than processors are none the faster. */
     const int processors_here = processors();
     const int workers = o->workers > 0 ? o->workers : processors_here;
-    const int builders = workers < processors_here ? workers
-                                                   : processors_here;
+    const int builders = workers < processors_here ? workers : processors_here;
     cylint_scene_status built;
-    cylint_scene *scene = cylint_scene_new(stage->shapes, stage->count,
-                                           builders, &built);
+    cylint_scene *scene =
+        cylint_scene_new(stage->shapes, stage->count, builders, &built);
     if (!scene) {
         complain(o->scene, cylint_scene_strerror((int)built));
         return built == CYLINT_SCENE_EMEMORY ? EXIT_MEMORY : EXIT_BAD;
@@ -105,8 +105,8 @@ static int take_picture(const struct options *o, struct stage *stage,
     int status = picture_make(&picture, o->width, o->height,
                               o->backdrop.transparent ? 4 : 3);
     if (status == 0) {
-        status = trace(&picture, stage, view, &o->backdrop, o->samples,
-                       workers, o->progress);
+        status = trace(&picture, stage, view, &o->backdrop, o->samples, workers,
+                       o->progress);
     }
     stages_end(stages, "traced", pixels, "pixels");
     cylint_scene_free(scene);
@@ -125,20 +125,20 @@ static int set_stage(const struct options *o, struct scene *scene,
 {
     const int has_ground = o->ground && boxes->size > 0;
     const struct vector up = unit(o->viewing.up);
-    int status = colours_complete(colours, scene, o->colouring, o->colour,
-                                  up);
+    int status = colours_complete(colours, scene, o->colouring, o->colour, up);
     if (status == 0 && !view_of_scene(view, &o->viewing, boxes)) {
         complain(o->scene, "no view of it: "
-                 "say --eye and --look-at, not along --up");
+                           "say --eye and --look-at, not along --up");
         status = EXIT_BAD;
     }
     if (status == 0 && has_ground) {
         status = add_ground(scene, o->ground, up, boxes);
     }
     if (status == 0) {
-        *stage = (struct stage){NULL, scene->shapes, scene->count,
-            colours->of, has_ground, boxes->middle, boxes->size, o->shading,
-            sun_of(o, view), up};
+        *stage = (struct stage){NULL,        scene->shapes, scene->count,
+                                colours->of, has_ground,    boxes->middle,
+                                boxes->size, o->shading,    sun_of(o, view),
+                                up};
     }
     return status;
 }

@@ -10,22 +10,48 @@
 #include "options.h"
 
 enum option_id {
-    OPT_BACKGROUND = 256, OPT_COLOUR, OPT_ENDS, OPT_EYE, OPT_FOV, OPT_FROM,
-    OPT_GROUND, OPT_HELP, OPT_LIGHT, OPT_LOOK_AT, OPT_ORTHO, OPT_PROGRESS,
-    OPT_SAMPLES, OPT_SHADE, OPT_SIZE, OPT_UP, OPT_VERSION, OPT_ZOOM
+    OPT_BACKGROUND = 256,
+    OPT_COLOUR,
+    OPT_ENDS,
+    OPT_EYE,
+    OPT_FOV,
+    OPT_FROM,
+    OPT_GROUND,
+    OPT_HELP,
+    OPT_LIGHT,
+    OPT_LOOK_AT,
+    OPT_ORTHO,
+    OPT_PROGRESS,
+    OPT_SAMPLES,
+    OPT_SHADE,
+    OPT_SIZE,
+    OPT_UP,
+    OPT_VERSION,
+    OPT_ZOOM
 };
 
-static const struct option options_known[] = {
-    {"j", 'j', 1}, {"o", 'o', 1},
-    {"background", OPT_BACKGROUND, 1}, {"colour", OPT_COLOUR, 1},
-    {"color", OPT_COLOUR, 1}, {"ends", OPT_ENDS, 1}, {"eye", OPT_EYE, 1},
-    {"fov", OPT_FOV, 1}, {"from", OPT_FROM, 1}, {"ground", OPT_GROUND, 1},
-    {"help", OPT_HELP, 0}, {"light", OPT_LIGHT, 1},
-    {"look-at", OPT_LOOK_AT, 1}, {"ortho", OPT_ORTHO, 0},
-    {"progress", OPT_PROGRESS, 0}, {"samples", OPT_SAMPLES, 1},
-    {"shade", OPT_SHADE, 1}, {"size", OPT_SIZE, 1}, {"up", OPT_UP, 1},
-    {"version", OPT_VERSION, 0}, {"zoom", OPT_ZOOM, 1}, {NULL, 0, 0}
-};
+static const struct option options_known[] = {{"j", 'j', 1},
+                                              {"o", 'o', 1},
+                                              {"background", OPT_BACKGROUND, 1},
+                                              {"colour", OPT_COLOUR, 1},
+                                              {"color", OPT_COLOUR, 1},
+                                              {"ends", OPT_ENDS, 1},
+                                              {"eye", OPT_EYE, 1},
+                                              {"fov", OPT_FOV, 1},
+                                              {"from", OPT_FROM, 1},
+                                              {"ground", OPT_GROUND, 1},
+                                              {"help", OPT_HELP, 0},
+                                              {"light", OPT_LIGHT, 1},
+                                              {"look-at", OPT_LOOK_AT, 1},
+                                              {"ortho", OPT_ORTHO, 0},
+                                              {"progress", OPT_PROGRESS, 0},
+                                              {"samples", OPT_SAMPLES, 1},
+                                              {"shade", OPT_SHADE, 1},
+                                              {"size", OPT_SIZE, 1},
+                                              {"up", OPT_UP, 1},
+                                              {"version", OPT_VERSION, 0},
+                                              {"zoom", OPT_ZOOM, 1},
+                                              {NULL, 0, 0}};
 
 enum { MOST_PIXELS = 1 << 16 /* of a side */ };
 
@@ -56,8 +82,8 @@ static int read_point(const char *p, struct vector *point)
 /* A direction has a length that neither vanishes nor overflows. */
 static int read_direction(const char *p, struct vector *direction)
 {
-    return read_point(p, direction) && length(*direction) > 0
-        && length(*direction) < HUGE_VAL;
+    return read_point(p, direction) && length(*direction) > 0 &&
+           length(*direction) < HUGE_VAL;
 }
 
 static int read_between(const char *p, double above, double below,
@@ -77,8 +103,8 @@ static int read_size(const char *value, int *width, int *height)
     }
     memcpy(first, value, length);
     first[length] = '\0';
-    return read_count(first, MOST_PIXELS, width)
-        && read_count(value + length + 1, MOST_PIXELS, height);
+    return read_count(first, MOST_PIXELS, width) &&
+           read_count(value + length + 1, MOST_PIXELS, height);
 }
 
 static int read_background(const char *value, struct backdrop *b)
@@ -114,8 +140,8 @@ static int read_shading(const struct option *o, const char *value,
 {
     static const char *const words[] = {"light", "plain", "normal", NULL};
     int index;
-    const int status = read_word(o, value, words, "light, plain or normal",
-                                 &index);
+    const int status =
+        read_word(o, value, words, "light, plain or normal", &index);
     *shading = (enum shading)index;
     return status;
 }
@@ -141,44 +167,49 @@ static const char *take_view(struct viewing *v, int id, const char *value)
         return read_point(value, &v->target) ? NULL : "X,Y,Z";
     case OPT_FROM:
         v->has_from = 1;
-        return read_direction(value, &v->from) ? NULL
-            : "a direction X,Y,Z";
+        return read_direction(value, &v->from) ? NULL : "a direction X,Y,Z";
     case OPT_UP:
         return read_direction(value, &v->up) ? NULL : "a direction X,Y,Z";
     case OPT_FOV:
-        return read_between(value, 0, 180, &v->fov) ? NULL
-            : "degrees above 0 and below 180";
+        return read_between(value, 0, 180, &v->fov)
+                   ? NULL
+                   : "degrees above 0 and below 180";
     default: /* OPT_ZOOM */
         return read_between(value, 0, HUGE_VAL, &v->zoom) ? NULL
-            : "a number above 0";
+                                                          : "a number above 0";
     }
 }
 
-static const char *take_look(struct options *options, int id,
-                             const char *value)
+static const char *take_look(struct options *options, int id, const char *value)
 {
     switch (id) {
     case OPT_BACKGROUND:
-        return read_background(value, &options->backdrop) ? NULL
-            : "sky, none or #rrggbb";
+        return read_background(value, &options->backdrop)
+                   ? NULL
+                   : "sky, none or #rrggbb";
     case OPT_COLOUR:
-        return read_colouring(value, options) ? NULL
-            : "number, label, kind, connected, radius, height or #rrggbb";
+        return read_colouring(value, options)
+                   ? NULL
+                   : "number, label, kind, connected, radius, height or "
+                     "#rrggbb";
     case OPT_GROUND:
         return read_ground(value, &options->ground) ? NULL : "none or #rrggbb";
     case OPT_LIGHT:
         options->has_sun = 1;
         return read_direction(value, &options->sun) ? NULL
-            : "a direction X,Y,Z";
+                                                    : "a direction X,Y,Z";
     case OPT_SAMPLES:
-        return read_count(value, MOST_PIXELS, &options->samples) ? NULL
-            : "a number of samples";
+        return read_count(value, MOST_PIXELS, &options->samples)
+                   ? NULL
+                   : "a number of samples";
     case OPT_SIZE:
-        return read_size(value, &options->width, &options->height) ? NULL
-            : "WIDTHxHEIGHT";
+        return read_size(value, &options->width, &options->height)
+                   ? NULL
+                   : "WIDTHxHEIGHT";
     default: /* 'j' */
-        return read_count(value, INT_MAX / 10 - 1, &options->workers) ? NULL
-            : "a number of workers";
+        return read_count(value, INT_MAX / 10 - 1, &options->workers)
+                   ? NULL
+                   : "a number of workers";
     }
 }
 
@@ -196,7 +227,11 @@ static int take_value(struct options *options, const struct option *o,
                          &options->ends);
     case OPT_SHADE:
         return read_shading(o, value, &options->shading);
-    case OPT_EYE: case OPT_LOOK_AT: case OPT_FROM: case OPT_UP: case OPT_FOV:
+    case OPT_EYE:
+    case OPT_LOOK_AT:
+    case OPT_FROM:
+    case OPT_UP:
+    case OPT_FOV:
     case OPT_ZOOM:
         expected = take_view(&options->viewing, o->id, value);
         break;
@@ -206,8 +241,7 @@ static int take_value(struct options *options, const struct option *o,
     return expected ? usage_value(o, value, expected) : 0;
 }
 
-static int take_option(void *context, const struct option *o,
-                       const char *value)
+static int take_option(void *context, const struct option *o, const char *value)
 {
     struct options *options = context;
     switch (o->id) {
@@ -217,7 +251,8 @@ static int take_option(void *context, const struct option *o,
     case OPT_PROGRESS:
         options->progress = 1;
         return 0;
-    case OPT_HELP: case OPT_VERSION:
+    case OPT_HELP:
+    case OPT_VERSION:
         options->print = o->name;
         return 0;
     default:
@@ -257,8 +292,8 @@ int read_options(struct options *options, int argc, char **argv)
     options->viewing.zoom = 1;
     options->colour = CLAY;
     read_background("sky", &options->backdrop);
-    const int status = take_arguments(options_known, argc, argv, take_option,
-                                      options, &files);
+    const int status =
+        take_arguments(options_known, argc, argv, take_option, options, &files);
     options->viewing.aspect = (double)options->width / options->height;
     return status != 0 || options->print ? status
                                          : settle(options, argv, files);

@@ -13,20 +13,20 @@
 
 struct options {
     const char *scene, *output;
-    int ends;              /* of shapes that do not say, or NOT_GIVEN */
+    int ends; /* of shapes that do not say, or NOT_GIVEN */
     int width, height, samples;
-    int workers;           /* 0: as many as there are processors */
+    int workers; /* 0: as many as there are processors */
     int progress;
     struct viewing viewing;
     int has_sun;
-    struct vector sun;     /* towards it */
+    struct vector sun; /* towards it */
     enum shading shading;
     enum colouring colouring;
-    uint32_t colour;       /* of shapes without another */
-    const char *ground;    /* #rrggbb, or NULL */
+    uint32_t colour;    /* of shapes without another */
+    const char *ground; /* #rrggbb, or NULL */
     struct backdrop backdrop;
 
-    const char *print;     /* help or version, and nothing else is done */
+    const char *print; /* help or version, and nothing else is done */
 };
 
 /* Returns 0 or EXIT_USAGE, having said what is wrong. */

@@ -37,7 +37,7 @@ void picture_free(struct picture *picture)
 /* A file that is being written.  `part` is its name until it is whole. */
 struct target {
     const char *name;
-    char *part;       /* NULL: written to as it is */
+    char *part; /* NULL: written to as it is */
     FILE *file;
 };
 
@@ -201,6 +201,5 @@ int picture_write(const struct picture *picture, const char *file)
 {
     struct target t;
     const int status = target_open(&t, file);
-    return status != 0 ? status
-                       : target_close(&t, write_png(picture, &t));
+    return status != 0 ? status : target_close(&t, write_png(picture, &t));
 }

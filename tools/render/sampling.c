@@ -78,7 +78,8 @@ void sample_disc(uint32_t i, uint32_t seed, double point[2])
     const int wide = fabs(x) > fabs(y);
     const double radius = wide ? x : y;
     const double turn = radius == 0 ? 0
-        : wide ? quarter * (y / x) : quarter * (2 - x / y);
+                        : wide      ? quarter * (y / x)
+                                    : quarter * (2 - x / y);
     point[0] = radius * cos(turn);
     point[1] = radius * sin(turn);
 }
@@ -90,6 +91,6 @@ struct vector sample_hemisphere(uint32_t i, uint32_t seed, struct vector n)
     sample_disc(i, seed, disc);
     const double left = 1 - disc[0] * disc[0] - disc[1] * disc[1];
     const struct vector u = perpendicular(n);
-    return plus(plus(times(left > 0 ? sqrt(left) : 0, n), disc[0], u),
-                disc[1], cross(n, u));
+    return plus(plus(times(left > 0 ? sqrt(left) : 0, n), disc[0], u), disc[1],
+                cross(n, u));
 }

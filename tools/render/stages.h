@@ -5,7 +5,7 @@
 #define CYLINT_STAGES_H
 
 struct stages {
-    int told;      /* on standard error */
+    int told;              /* on standard error */
     double last, last_cpu; /* seconds; of all threads together */
 };
 

@@ -61,10 +61,12 @@ static void put_pixel(const struct work *w, int y, struct seen seen,
     const double down = (y + 0.5) / w->picture->height;
     const struct vector behind = mixed(b->top, b->bottom, down);
     for (int i = 0; i < 3; i++) {
-        const double light = seen.opacity > 0
-            ? exposed(seen.light.v[i] / seen.opacity) : 0;
-        bytes[i] = byte_of_light(b->transparent ? light
-            : seen.opacity * light + (1 - seen.opacity) * behind.v[i]);
+        const double light =
+            seen.opacity > 0 ? exposed(seen.light.v[i] / seen.opacity) : 0;
+        bytes[i] = byte_of_light(b->transparent
+                                     ? light
+                                     : seen.opacity * light +
+                                           (1 - seen.opacity) * behind.v[i]);
     }
     if (b->transparent) {
         bytes[3] = (unsigned char)(255 * seen.opacity + 0.5);
@@ -74,8 +76,8 @@ static void put_pixel(const struct work *w, int y, struct seen seen,
 static void trace_row(const struct work *w, int y)
 {
     const struct picture *p = w->picture;
-    unsigned char *bytes = p->pixels
-        + (size_t)y * (size_t)p->width * (size_t)p->channels;
+    unsigned char *bytes =
+        p->pixels + (size_t)y * (size_t)p->width * (size_t)p->channels;
     for (int x = 0; x < p->width; x++, bytes += p->channels) {
         put_pixel(w, y, look_through(w, x, y), bytes);
     }
@@ -100,12 +102,12 @@ static void *take_rows(void *context)
 /* The caller is the first worker; those that cannot be started are done
  * without. */
 int trace(struct picture *picture, const struct stage *stage,
-          const struct view *view, const struct backdrop *backdrop,
-          int samples, int workers, int progress)
+          const struct view *view, const struct backdrop *backdrop, int samples,
+          int workers, int progress)
 {
-    struct work w = {picture, stage, view, backdrop, samples,
-                     PTHREAD_MUTEX_INITIALIZER, 0, 0,
-                     {NULL, 0, 0, 0, 0, 0, 0, 0}};
+    struct work w = {picture,  stage,   view,
+                     backdrop, samples, PTHREAD_MUTEX_INITIALIZER,
+                     0,        0,       {NULL, 0, 0, 0, 0, 0, 0, 0}};
     const int most = workers < picture->height ? workers : picture->height;
     pthread_t *others = malloc((size_t)most * sizeof *others);
     int started = 0;
@@ -113,8 +115,8 @@ int trace(struct picture *picture, const struct stage *stage,
         return out_of_memory();
     }
     progress_start(&w.progress, progress, "rows", 0);
-    while (started < most - 1
-           && pthread_create(&others[started], NULL, take_rows, &w) == 0) {
+    while (started < most - 1 &&
+           pthread_create(&others[started], NULL, take_rows, &w) == 0) {
         started++;
     }
     take_rows(&w);

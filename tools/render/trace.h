@@ -18,7 +18,7 @@ struct backdrop {
  * progress: also where standard error is not a terminal.  Returns 0 or an
  * exit status. */
 int trace(struct picture *picture, const struct stage *stage,
-          const struct view *view, const struct backdrop *backdrop,
-          int samples, int workers, int progress);
+          const struct view *view, const struct backdrop *backdrop, int samples,
+          int workers, int progress);
 
 #endif

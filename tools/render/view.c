@@ -6,7 +6,7 @@
  */
 #include "view.h"
 
-static const double MARGIN = 1.06;      /* of the picture about the scene */
+static const double MARGIN = 1.06; /* of the picture about the scene */
 static const double DEGREE = 0.017453292519943295;
 
 /* From the side where the scene is thinnest, this much aside and above: a
@@ -102,21 +102,20 @@ static void stand_back(struct view *view, const struct boxes *boxes)
     const double w = view->half_width / MARGIN, h = view->half_height / MARGIN;
     const struct vector left = times(-1, view->right);
     const struct vector down = times(-1, view->up);
-    const struct vector planes[4] = {
-        edge_plane(view->right, view->forward, w),
-        edge_plane(left, view->forward, w),
-        edge_plane(view->up, view->forward, h),
-        edge_plane(down, view->forward, h)
-    };
+    const struct vector planes[4] = {edge_plane(view->right, view->forward, w),
+                                     edge_plane(left, view->forward, w),
+                                     edge_plane(view->up, view->forward, h),
+                                     edge_plane(down, view->forward, h)};
     double most[4];
     for (int k = 0; k < 4; k++) {
         most[k] = reach(boxes, planes[k]) - dot(planes[k], boxes->middle);
     }
-    view->eye = plus(plus(plus(boxes->middle,
-        halfway(most[0], most[1], w), view->right),
-        halfway(most[2], most[3], h), view->up),
+    view->eye = plus(
+        plus(plus(boxes->middle, halfway(most[0], most[1], w), view->right),
+             halfway(most[2], most[3], h), view->up),
         fmin(forward_most(most[0], most[1], w),
-             forward_most(most[2], most[3], h)), view->forward);
+             forward_most(most[2], most[3], h)),
+        view->forward);
 }
 
 /* The eye is where the scene begins, the picture as wide as the scene. */
@@ -128,8 +127,7 @@ static void stand_aside(struct view *view, double aspect,
     const double up = reach(boxes, view->up);
     const double down = reach(boxes, times(-1, view->up));
     const double back = reach(boxes, times(-1, view->forward));
-    view->half_height = 0.5 * MARGIN * fmax(up + down,
-                                            (right + left) / aspect);
+    view->half_height = 0.5 * MARGIN * fmax(up + down, (right + left) / aspect);
     view->half_width = aspect * view->half_height;
     view->eye = plus(plus(times(0.5 * (right - left), view->right),
                           0.5 * (up - down), view->up),
@@ -139,16 +137,17 @@ static void stand_aside(struct view *view, double aspect,
 int view_of_scene(struct view *view, const struct viewing *asked,
                   const struct boxes *boxes)
 {
-    if (boxes->size == 0 && !(asked->has_eye && asked->has_target
-                           && !asked->parallel)) {
+    if (boxes->size == 0 &&
+        !(asked->has_eye && asked->has_target && !asked->parallel)) {
         return 0;
     }
     const struct vector up = unit(asked->up);
-    const struct vector target = asked->has_target ? asked->target
-                                                   : boxes->middle;
+    const struct vector target =
+        asked->has_target ? asked->target : boxes->middle;
     const struct vector backward = asked->has_eye ? minus(asked->eye, target)
-        : asked->has_from ? asked->from
-        : flattering_side(boxes, up);
+                                   : asked->has_from
+                                       ? asked->from
+                                       : flattering_side(boxes, up);
     view->parallel = asked->parallel;
     view->half_height = tan(0.5 * DEGREE * asked->fov);
     view->half_width = asked->aspect * view->half_height;
@@ -172,9 +171,9 @@ void view_ray(const struct view *view, double x, double y, cylint_line *ray)
 {
     const struct vector across = plus(times(x * view->half_width, view->right),
                                       y * view->half_height, view->up);
-    const struct vector o = view->parallel ? plus(view->eye, 1, across)
-                                           : view->eye;
-    const struct vector d = view->parallel ? view->forward
-                                           : plus(view->forward, 1, across);
+    const struct vector o =
+        view->parallel ? plus(view->eye, 1, across) : view->eye;
+    const struct vector d =
+        view->parallel ? view->forward : plus(view->forward, 1, across);
     cylint_ray(ray, o.v, d.v);
 }

@@ -14,10 +14,10 @@ struct viewing {
     struct vector from;   /* or only the side it stands on */
     struct vector target; /* what it looks at, with an eye */
     struct vector up;
-    double fov;           /* degrees from bottom to top */
-    int parallel;         /* all lines have one direction */
+    double fov;   /* degrees from bottom to top */
+    int parallel; /* all lines have one direction */
     double zoom;
-    double aspect;        /* the picture's width over its height */
+    double aspect; /* the picture's width over its height */
 };
 
 struct view {
