@@ -45,10 +45,10 @@ exactly := -ffp-contract=off -fno-fast-math
 floats  := -fno-tree-slp-vectorize
 compile  = $(CC) $(ours) $(CPPFLAGS) $(CFLAGS) $(extra) $(exactly)
 
-lib_objects   := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/methods/*.c))
+lib_objects   := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c $(patsubst %,src/%/*.c,numbers shapes signs roots filter methods)))
 # kernels once more for each instruction set of this machine's family
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
-lib_objects   += $(BUILD)/src/kernel-fma.o $(BUILD)/src/kernel-avx512.o $(BUILD)/src/batch-avx2.o $(BUILD)/src/batch-avx512.o
+lib_objects   += $(patsubst %,$(BUILD)/src/filter/%.o,one_question-fma one_question-avx512 many_questions-avx2 many_questions-avx512)
 walk_builds   := $(BUILD)/src/scene/walk-avx2.o $(BUILD)/src/scene/packet-avx2.o
 quick_builds  := $(BUILD)/src/scene/quick-fma.o $(BUILD)/src/scene/quickmany-avx2.o $(BUILD)/src/scene/quickmany-avx512.o
 endif
@@ -120,19 +120,21 @@ $(BUILD)/tests/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 $(BUILD)/tests/embree_%.o $(BUILD)/tests/test_embree_%.o $(BUILD)/tests/scene_curves.o: extra += -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 
-$(BUILD)/src/dispatch.o: extra += $(if $(findstring kernel-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
+$(BUILD)/src/dispatch.o: extra += $(if $(findstring one_question-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
 # what gcc needs to make vectors of loops
 vectors := -O3
-$(BUILD)/src/kernel%.o $(BUILD)/src/batch%.o $(BUILD)/src/scene/walk%.o $(BUILD)/src/scene/packet%.o $(BUILD)/src/scene/quick%.o $(BUILD)/src/scene/tree.o: extra += $(vectors)
+$(BUILD)/src/filter/%.o $(BUILD)/src/scene/walk%.o $(BUILD)/src/scene/packet%.o $(BUILD)/src/scene/quick%.o $(BUILD)/src/scene/tree.o: extra += $(vectors)
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(compile) -c -o $@ $<
 
-$(filter $(BUILD)/src/kernel-%,$(lib_objects)): $(BUILD)/src/kernel-%.o: src/kernel.c
+$(BUILD)/src/filter/one_question-%.o: src/filter/one_question.c
+	@mkdir -p $(@D)
 	$(compile) $(FLAGS.$*) -c -o $@ $<
 
-$(filter $(BUILD)/src/batch-%,$(lib_objects)): $(BUILD)/src/batch-%.o: src/batch.c
+$(BUILD)/src/filter/many_questions-%.o: src/filter/many_questions.c
+	@mkdir -p $(@D)
 	$(compile) $(FLAGS.$*) -c -o $@ $<
 
 $(walk_builds): $(BUILD)/src/scene/%-avx2.o: src/scene/%.c

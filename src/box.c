@@ -5,7 +5,7 @@
  * its centre along coordinate j; the ellipse of a and b reaches
  * sqrt(a_j^2 + b_j^2).  A bounded shape is the hull of its two discs.
  */
-#include "internal.h"
+#include "signs/sign.h"
 
 /* The axis as pairs, true lengths being 2^e times these: e is 0 unless the
  * axis is longer than the largest double. */

@@ -3,7 +3,7 @@
  */
 #include <string.h>
 
-#include "kernels.h"
+#include "filter/filter.h"
 
 /* Best first; the last runs anywhere. */
 static const cylint_kernels builds[] = {

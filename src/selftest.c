@@ -6,7 +6,9 @@
  * caller runs and not by the compiler; every expression is an ordinary one,
  * so that the compiler treats it as it treated the rest of the library.
  */
-#include "internal.h"
+#include "numbers/bits.h"
+
+#include "cylint.h"
 
 /* x, but the compiler does not know it. */
 static double hidden(double x)

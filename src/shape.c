@@ -4,7 +4,7 @@
  * The only place where anything can fail.  What is refused is left in a
  * state that every query answers with "miss".
  */
-#include "internal.h"
+#include "signs/sign.h"
 
 const char *cylint_strerror(int status)
 {

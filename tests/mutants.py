@@ -28,9 +28,14 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
-CORE = ["forms.h", "fraction.h", "eft.h", "sums.h", "decide.c", "root.c",
-        "surd.c", "query.c", "exact.c", "hit.c", "tangent.c", "box.c",
-        "kernel.h", "kernel.c", "batch.c", "pack.c"]
+FLOORS = ["src"] + ["src/" + floor for floor in (
+    "numbers", "shapes", "signs", "roots", "filter", "methods")]
+CORE = ["signs/forms_template.h", "roots/root_quotient_template.h",
+        "numbers/double_double.h", "numbers/error_free_template.h",
+        "numbers/exact.c", "numbers/scale.c", "shapes/measure.c",
+        "shapes/tangent.c", "signs/sign.c", "roots/root.c", "roots/surd.c",
+        "roots/hit.c", "filter/lanes.h", "filter/one_question.c",
+        "filter/many_questions.c", "intersect.c", "batch.c", "box.c"]
 # (program, its cases): those that take seconds are tried with few first, and
 # in full only for --full, on what those let through.
 FEW = {"CYLINT_CASES": "50"}
@@ -109,7 +114,7 @@ class Bench:
                       "-fsanitize=bounds", "-fsanitize-undefined-trap-on-error",
                       "-Isrc", "-Itests", "-D_POSIX_C_SOURCE=200809L",
                       "-DHAVE_MPFR", "-DHAVE_GSL", "-DCHECK_STOPS"]
-        self.library = self.c_files("src") + self.c_files("src/methods")
+        self.library = sum((self.c_files(f) for f in FLOORS), [])
         self.common = ["tests/%s.c" % t
                        for t in ("families", "constructed", "oracle")]
         self.tool = self.c_files("tools/cylint") + self.c_files("src/scene")
@@ -129,9 +134,9 @@ class Bench:
 
     def compile(self, sources):
         def job(source):
-            # what is compiled once may take long, but not batch.c's lanes
+            # what is compiled once may take long, but not many_questions.c's lanes
             fast = ("-O2" if source.startswith("tests") else
-                    "-O0" if source == "src/batch.c" else "-O1")
+                    "-O0" if source == "src/filter/many_questions.c" else "-O1")
             return run([self.cc] + self.flags +
                        [fast, "-c", source, "-o", source[:-2] + ".o"],
                        cwd=self.work).returncode == 0
@@ -157,12 +162,12 @@ class Bench:
         """The sources that see this file."""
         if name.endswith(".c"):
             return ["src/" + name]
-        seen = []
+        name, seen = "/" + os.path.basename(name), []
         for s in self.sources:
             rule = subprocess.run([self.cc] + self.flags + ["-MM", s],
                                   cwd=self.work, capture_output=True,
                                   text=True).stdout
-            if "src/" + name in rule.split():
+            if any(r.endswith(name) for r in rule.split()):
                 seen.append(s)
         return seen
 

@@ -1,15 +1,15 @@
 /*
  * test_depth.c - how many roundings lie between the data and each form
  *
- * forms.h is run over an arithmetic of path lengths: a sum is one rounding
+ * forms_template.h is run over an arithmetic of path lengths: a sum is one rounding
  * more than its longer side, a product one more than both together.  The
- * longest path over all forms and kinds is what bounds.h says it is, neither
+ * longest path over all forms and kinds is what error_bounds.h says it is, neither
  * more nor less.
  */
 #include <string.h>
 
 #include "check.h"
-#include "internal.h"
+#include "roots/roots.h"
 
 static int longer(int x, int y)
 {
@@ -34,9 +34,9 @@ static int depth_of_product(int x, int y)
 #define MEMORY
 #define BEGIN (void)L;
 #define RETURN(x) return x;
-#include "forms.h"
+#include "signs/forms_template.h"
 
-/* What a difference of data is to an arithmetic, see decide.c. */
+/* What a difference of data is to an arithmetic, see sign.c. */
 typedef enum {
     EXACT_DIFFERENCE,  /* pairs, rounding to nearest */
     ROUNDED_DIFFERENCE /* doubles, where it is a high part; and pairs in the
@@ -239,9 +239,9 @@ static lazy lazy_mul(lazy x, lazy y)
 #define ADD(x, y) lazy_add(x, y)
 #define SUB(x, y) lazy_add(x, y)
 #define MUL(x, y) lazy_mul(x, y)
-#include "forms.h"
+#include "signs/forms_template.h"
 
-/* What kernel.h, round_root() evaluates. */
+/* What lanes.h, round_root() evaluates. */
 static void unnormalised_pairs_err_as_bounds_h_says(void)
 {
     const lazy datum = {1, 0}, exact_datum = {0, 0};
@@ -286,7 +286,7 @@ static sized sized_mul(sized x, sized y)
 #define ADD(x, y) sized_add(x, y)
 #define SUB(x, y) sized_add(x, y)
 #define MUL(x, y) sized_mul(x, y)
-#include "forms.h"
+#include "signs/forms_template.h"
 
 /* A datum may have lost something when it was scaled, a difference when it
  * was taken as well. */

@@ -1,7 +1,7 @@
 /*
  * test_eft.c - error-free sums and products, and pairs within their bounds
  *
- * eft.h is compiled twice, with products by Dekker's splitting and by fused
+ * double_double.h is compiled twice, with products by Dekker's splitting and by fused
  * multiply-add, which must agree bit by bit.  The reference is MPFR with
  * more bits than any of these results has.
  */
@@ -17,8 +17,8 @@
 #include "check.h"
 
 #undef __FMA__
-#include "bounds.h"
-#include "eft.h"
+#include "numbers/error_bounds.h"
+#include "numbers/double_double.h"
 
 #undef CYLINT_EFT_H
 #define __FMA__ 1
@@ -33,7 +33,7 @@
 #define pair_mul fused_pair_mul
 #define pair_div fused_pair_div
 #define pair_sqrt fused_pair_sqrt
-#include "eft.h"
+#include "numbers/double_double.h"
 #undef pair
 #undef two_sum
 #undef two_diff

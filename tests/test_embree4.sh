@@ -10,9 +10,9 @@ status=$?
 [ $status -eq 0 ] || { echo "$library"; exit $status; }
 library=$(cd "$(dirname "$library")" && pwd)/$(basename "$library")
 # the library proper is the same: its objects need not be compiled again
-mkdir -p "$folder/src/methods" &&
-    cp -p "$build"/src/*.o "$folder/src/" &&
-    cp -p "$build"/src/methods/*.o "$folder/src/methods/" &&
+mkdir -p "$folder/src" &&
+    cp -pr "$build/src/." "$folder/src" &&
+    rm -rf "$folder/src/scene" "$folder/src/embree" "$folder/src/bvh" &&
     make -s -C "$here/.." BUILD="$folder" EMBREE=4 \
         CPPFLAGS="$CPPFLAGS -Werror=implicit-function-declaration" \
         EMBREE_CFLAGS='-Itests/embree4' \

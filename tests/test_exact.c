@@ -13,7 +13,7 @@
 #include <stddef.h>
 
 #include "check.h"
-#include "internal.h"
+#include "roots/roots.h"
 
 enum { BASE = 8192, CASES = 20000 };
 

@@ -21,7 +21,7 @@ refused() {
         printf 'note: %s does not know %s\n' "$cc" "$*"
         return
     fi
-    if $cc $flags "$@" -c -o "$scratch/x.o" "$src/root.c" 2>"$scratch/messages"
+    if $cc $flags "$@" -c -o "$scratch/x.o" "$src/roots/root.c" 2>"$scratch/messages"
     then
         result "refused with $*" 1
     else
@@ -32,7 +32,7 @@ refused() {
 
 # accepted FLAG...
 accepted() {
-    $cc $flags "$@" -c -o "$scratch/x.o" "$src/root.c" 2>"$scratch/messages"
+    $cc $flags "$@" -c -o "$scratch/x.o" "$src/roots/root.c" 2>"$scratch/messages"
     result "accepted with $*" $?
 }
 

@@ -285,15 +285,15 @@ test_symbols()
 test_without_makefile()
 {
     here=$(pwd)
-    mkdir -p "$scratch/bare/methods" &&
-        for f in src/*.c src/methods/*.c; do
-            object=$scratch/bare/${f#src/}
+    mkdir -p "$scratch/bare" &&
+        for f in $(find src -name '*.c' ! -path 'src/scene/*' \
+            ! -path 'src/embree/*' ! -path 'src/bvh/*'); do
+            object=$scratch/bare/$(echo "${f#src/}" | tr / -)
             (cd "$scratch" && quiet $cc -O2 -ffp-contract=off \
                 -I"$here/include" -c "$here/$f" -o "${object%.c}.o") || exit 1
         done &&
         quiet $cc -I include -o "$scratch/bare/example" \
-            "$scratch/example.c" "$scratch"/bare/*.o \
-            "$scratch"/bare/methods/*.o -lm &&
+            "$scratch/example.c" "$scratch"/bare/*.o -lm &&
         "$scratch/bare/example" | diff "$scratch/example.said" -
 }
 

@@ -10,7 +10,7 @@
  * the library goes next, are drawn at random.
  */
 #include "check.h"
-#include "internal.h"
+#include "roots/roots.h"
 
 /* A double's limbs (exact.c): of 2^-1074 limb -34, of 2^1023 limb 31, and
  * one above as it is placed. */

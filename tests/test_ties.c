@@ -15,7 +15,7 @@
 
 #include "check.h"
 #include "constructed.h"
-#include "eft.h"
+#include "numbers/double_double.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
 #endif

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "../each.h"
+#include "../numbers/compiler.h"
 #include "internal.h"
 
 /* One ray at one primitive; line and lane are set when they are needed. */

@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "../each.h"
+#include "../numbers/compiler.h"
 
 /* The float so many places after x; no subnormal ones between. */
 static inline float cylint_float_after(float x, int places)

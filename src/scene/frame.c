@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "../eft.h"
+#include "../numbers/double_double.h"
 #include "frame.h"
 
 static double largest(const double x[3])

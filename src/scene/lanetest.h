@@ -12,7 +12,7 @@
 #ifndef CYLINT_SCENE_LANETEST_H
 #define CYLINT_SCENE_LANETEST_H
 
-#include "../each.h"
+#include "../numbers/compiler.h"
 #include "block.h"
 #include "lanes.h"
 #include "walk.h"

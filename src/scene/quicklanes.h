@@ -21,7 +21,7 @@
 #include <float.h>
 #include <stddef.h>
 
-#include "../simd.h"
+#include "../numbers/simd.h"
 #include "quick.h"
 #include "turn.h"
 

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "cylint_scene.h"
-#include "../each.h"
+#include "../numbers/compiler.h"
 #include "crew.h"
 #include "frame.h"
 #include "walk.h"

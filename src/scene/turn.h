@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "../simd.h"
+#include "../numbers/simd.h"
 
 /* One below 1 as a float below 1. */
 static inline float cylint_turn(double phi)

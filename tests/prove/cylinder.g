@@ -1,4 +1,4 @@
-# G of a cylinder, evaluated as forms.h does: u, w and D are rounded
+# G of a cylinder, evaluated as forms_template.h does: u, w and D are rounded
 # differences, all data at most 1 in size.
 # modes: zr up dn
 # bound: CYLINT_CYLINDER_G_ERROR

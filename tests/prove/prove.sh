@@ -10,7 +10,7 @@
 # for (1 + d1) * ... * (1 + dK), SHRINK(n) for n factors (1 - 2^-52).
 here=$(dirname "$0")
 build=${BUILD:-build}/prove
-headers='bounds.h scene/turn.h'
+headers='error_bounds.h scene/turn.h'
 if ! command -v gappa >/dev/null; then
     echo 'no gappa: the bounds are not proved (Debian: apt-get install gappa)'
     exit 77
@@ -47,7 +47,7 @@ constants() { # every constant: name, hexadecimal, the same 1 % smaller
 
 ratios() { # the lines of ratios.txt: text, yes or no
     {
-        printf '#include <stdio.h>\n#include "bounds.h"\nint main(void)\n{\n'
+        printf '#include <stdio.h>\n#include "numbers/error_bounds.h"\nint main(void)\n{\n'
         sed -n 's/^\(CYLINT.*\) | \(.*\)$/printf("%s;\1 >= \2\\n", (\1) >= (\2) ? "yes" : "no");/p' \
             "$here/ratios.txt"
         printf 'return 0;\n}\n'
@@ -98,7 +98,7 @@ expand() { # claim, mode, column of constants: 2 as stated, 3 smaller
             gsub(/MODE/, mode)
             gsub(/BOUND/, bound)
             print
-        }' "$build/constants.txt" "$here/../../src/bounds.h" "$1"
+        }' "$build/constants.txt" "$here/../../src/numbers/error_bounds.h" "$1"
 }
 
 is_proved() { # claim, mode, column

@@ -1,4 +1,4 @@
-# The measurements of batch.c as text: awk -f batch.awk batch.csv
+# The measurements of many_questions.c as text: awk -f batch.awk batch.csv
 # -v readme=1: the table of README.md.
 BEGIN { FS = ","; width["plain"] = 128; width["avx2"] = 256; width["avx512"] = 512 }
 
@@ -81,7 +81,7 @@ function arranged(   s, a, h, k, r, key, to) {
             }
 }
 
-# kernel.h divides three times and takes one root where a line meets the ball
+# lanes.h divides three times and takes one root where a line meets the ball
 # about a shape, and divides twice more for each root that is rounded.
 function limits(   h, k, a, to, key, asked, least, d, r, n) {
     print "\nThe divider: ns a result, and the least that it lets a test of cylinders take (share of what it took)"

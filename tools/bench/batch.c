@@ -1,5 +1,5 @@
 /*
- * batch.c - many shapes at once: how fast, and how near the limits
+ * many_questions.c - many shapes at once: how fast, and how near the limits
  *
  *     batch [SECONDS] [MOST] [PART]
  *

@@ -10,7 +10,7 @@
 #include "batch_parts.h"
 #include "classes.h"
 #include "cost_inputs.h"
-#include "kernels.h"
+#include "filter/filter.h"
 
 enum {
     BATCHES = 16,

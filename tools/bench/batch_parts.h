@@ -1,5 +1,5 @@
 /*
- * batch_parts.h - the rows of batch.c, and those parts with files of their own
+ * batch_parts.h - the rows of many_questions.c, and those parts with files of their own
  */
 #ifndef BENCH_BATCH_PARTS_H
 #define BENCH_BATCH_PARTS_H

@@ -19,7 +19,7 @@
 #include <string.h>
 
 #include "families.h"
-#include "internal.h"
+#include "roots/roots.h"
 
 enum { KERNELS, FURTHEST = CYLINT_STAGES + 1 };
 

@@ -10,7 +10,7 @@
 
 #include <stdint.h>
 
-#include "eft.h"
+#include "double_double.h"
 
 typedef struct {
     const uint32_t *limb; /* least first; neither first nor last is 0 */
@@ -48,6 +48,9 @@ static inline exact cylint_exact_neg(exact x)
     return x;
 }
 
+/* x - y. */
+exact cylint_exact_difference(cylint_arena *arena, double x, double y);
+
 /* Lets go of all that was made since `used`, but for x. */
 exact cylint_exact_keep(cylint_arena *arena, int used, exact x);
 
@@ -56,7 +59,7 @@ exact cylint_exact_keep(cylint_arena *arena, int used, exact x);
 double cylint_exact_nearest(exact x, int e);
 
 /* x = (hi + lo) 2^e with 1 <= |hi| < 2, lo nearly the nearest: the relative
- * error is below CYLINT_EXACT_ROUNDING (bounds.h).  x is not zero. */
+ * error is below CYLINT_EXACT_ROUNDING (error_bounds.h).  x is not zero. */
 pair cylint_exact_round(exact x, int *e);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * eft.h - pairs of doubles
+ * double_double.h - pairs of doubles
  *
  * A pair (hi, lo), |lo| <= ulp(hi)/2, stands for hi + lo.
  *
@@ -24,7 +24,7 @@ typedef struct {
 #ifdef __FMA__
 #define FUSED(a, b, c) __builtin_fma(a, b, c)
 #endif
-#include "sums.h"
+#include "error_free_template.h"
 #undef REAL
 #undef PAIR
 #undef EFT
@@ -37,7 +37,7 @@ static inline pair two_diff(double a, double b)
     return two_sum(a, -b);
 }
 
-/* Error at most CYLINT_PAIR_ADD (|a| + |b|), bounds.h. */
+/* Error at most CYLINT_PAIR_ADD (|a| + |b|), error_bounds.h. */
 static inline pair pair_add(pair a, pair b)
 {
     const pair s = two_sum(a.hi, b.hi);

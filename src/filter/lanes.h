@@ -1,24 +1,24 @@
 /*
- * kernel.h - a line against a shape in every lane: what doubles can decide
+ * lanes.h - a line against a shape in every lane: what doubles can decide
  *
- * The formulas of forms.h in doubles give the two intervals whose overlap is
+ * The formulas of forms_template.h in doubles give the two intervals whose overlap is
  * the answer, with bounds on their errors; one step of Newton's in pairs of
  * doubles rounds each root that is wanted.  A lane about which any sign or
  * rounding is uncertain is marked undecided and must be asked again by
- * query.c, which always answers.  What is decided is exactly right, so it
+ * intersect.c, which always answers.  What is decided is exactly right, so it
  * does not matter which way an answer came.
  *
- * Bounds are those of bounds.h with one simplification: the sizes are summed
+ * Bounds are those of error_bounds.h with one simplification: the sizes are summed
  * up from the largest components of u, w, D, ..., which costs a few
  * operations in all instead of one beside every operation.
  */
 #ifndef CYLINT_KERNEL_H
 #define CYLINT_KERNEL_H
 
-#include "bounds.h"
+#include "../numbers/error_bounds.h"
 #include "cylint.h"
-#include "each.h"
-#include "simd.h"
+#include "../numbers/compiler.h"
+#include "../numbers/simd.h"
 
 #define BEGIN (void)L;
 #define RETURN(x) return x;
@@ -29,21 +29,21 @@
 #define ADD(x, y) ((x) + (y))
 #define SUB(x, y) ((x) - (y))
 #define MUL(x, y) ((x) * (y))
-#include "forms.h"
+#include "../signs/forms_template.h"
 
 #define NUM vd
 #define FORM(name) name##_sizes
 #define ADD(x, y) ((x) + (y))
 #define SUB(x, y) ((x) + (y))
 #define MUL(x, y) ((x) * (y))
-#include "forms.h"
+#include "../signs/forms_template.h"
 
 #define NUM vpair
 #define FORM(name) name##_pairs
 #define ADD(x, y) vpair_add(x, y)
 #define SUB(x, y) vpair_sub(x, y)
 #define MUL(x, y) vpair_mul(x, y)
-#include "forms.h"
+#include "../signs/forms_template.h"
 #undef MEMORY
 #undef BEGIN
 #undef RETURN
@@ -211,7 +211,7 @@ INLINE void lanes_letters(letters_lanes *L, letters_sizes *N,
     prepare_lanes(L, N);
 }
 
-/* Lanes whose data lie in the window of bounds.h. */
+/* Lanes whose data lie in the window of error_bounds.h. */
 INLINE vm lanes_in_window(const lanes_query *q, int kind)
 {
     const letters_sizes *N = &q->N;
@@ -322,7 +322,7 @@ INLINE vm part_present(const lanes_shape *s, vd part)
 /*
  * Relation and hits.  kind is a constant where this is inlined; bounded: the
  * ends are planes.  An unbounded kind other than cylinder and ecylinder is
- * the double cone (its nappe is for query.c).  lanes: those in use.
+ * the double cone (its nappe is for intersect.c).  lanes: those in use.
  */
 INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
                                  const lanes_line *l, int kind, int bounded,

@@ -1,5 +1,5 @@
 /*
- * fraction.h - a root as a quotient without cancellation, once for doubles
+ * root_quotient_template.h - a root as a quotient without cancellation, once for doubles
  * and once for pairs (root.c names the arithmetic by macros)
  *
  * Errors are relative and to first order: the callers' slack of a few per

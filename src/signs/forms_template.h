@@ -1,5 +1,5 @@
 /*
- * forms.h - the mathematics, stated once
+ * forms_template.h - the mathematics, stated once
  *
  * Every sign that decides a verdict and every coefficient of a root is a
  * polynomial in the data.  They stand here as straight-line code over an

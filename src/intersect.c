@@ -1,13 +1,13 @@
 /*
- * query.c - one line and one shape: from signs to relation and hits
+ * intersect.c - one line and one shape: from signs to relation and hits
  *
  * A bounded shape is convex, so the line overlaps it in one interval:
  * [where the lateral quadric Q <= 0] and [where 0 <= z <= 1].  Which of these
- * ends the interval is read off the signs of forms.h at the two cap planes;
+ * ends the interval is read off the signs of forms_template.h at the two cap planes;
  * no root is computed for it and none is compared with another.
  */
-#include "internal.h"
-#include "kernels.h"
+#include "roots/roots.h"
+#include "filter/filter.h"
 
 typedef struct {
     cylint_root root;

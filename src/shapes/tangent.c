@@ -7,7 +7,10 @@
  * is known (observed: tests/test_shape.c against MPFR).  Of the tangents of
  * rational degrees only that of 45 is rational, so there are no ties.
  */
-#include "internal.h"
+#include "measure.h"
+
+#include "../numbers/bits.h"
+#include "../numbers/exact.h"
 
 static pair over(pair x, double n)
 {

@@ -1,5 +1,5 @@
 /*
- * each.h - loops of few rounds: over small arrays, over the ones of a mask;
+ * compiler.h - loops of few rounds: over small arrays, over the ones of a mask;
  * the larger of two; and what is, and what is not, to be in line
  */
 #ifndef CYLINT_EACH_H

@@ -7,7 +7,7 @@
  * quotient: however near it is to 0, and however many digits of t that would
  * ask for, all but the last few of a pair's are right; its sign is exact.
  */
-#include "internal.h"
+#include "roots.h"
 
 /* ---------------------------------------- pairs with an exponent ------- */
 

@@ -1,5 +1,5 @@
 /*
- * kernels.h - what each build of kernel.c and batch.c offers, and what a
+ * filter.h - what each build of one_question.c and many_questions.c offers, and what a
  * pack looks like to them
  */
 #ifndef CYLINT_KERNELS_H
@@ -27,7 +27,7 @@ typedef int cylint_kernel_one(const cylint_shape *shape,
                               cylint_answer *answer, cylint_root_rest *rest);
 enum { CYLINT_UNDECIDED = -1 };
 
-/* The way that always answers (query.c): by signs and, where need be, every
+/* The way that always answers (intersect.c): by signs and, where need be, every
  * digit. */
 int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer);

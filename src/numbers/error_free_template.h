@@ -1,5 +1,5 @@
 /*
- * sums.h - sums and products without error, once for doubles and for lanes
+ * error_free_template.h - sums and products without error, once for doubles and for lanes
  *
  * The including file names the type REAL, the struct PAIR of hi and lo, the
  * functions EFT(name), how they are declared INLINE, BROADCAST(x) for a

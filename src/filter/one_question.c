@@ -1,19 +1,19 @@
 /*
- * kernel.c - one line and one shape: verdicts by signs, roots two at a time
+ * one_question.c - one line and one shape: verdicts by signs, roots two at a time
  *
  * Compiled once as it is and, where the Makefile knows a processor with a
  * fused multiply-add, again for that: the answers are the same bits.
  *
  * The two lanes are the two caps: each sees the line from its own centre, with
- * its own radius.  The signs of forms.h at both tell what is met, as in
- * query.c, slab(), but without a branch; no root is needed for that.  Then the
+ * its own radius.  The signs of forms_template.h at both tell what is met, as in
+ * intersect.c, slab(), but without a branch; no root is needed for that.  Then the
  * lanes are the two stops: the plane of a cap where the line pierces it, else
  * a root of the lateral quadric.  Of an unbounded shape both lanes see the
  * base.
  */
 #define CYLINT_NARROW
-#include "kernel.h"
-#include "kernels.h"
+#include "lanes.h"
+#include "filter.h"
 
 #ifndef CYLINT_ONE
 #define CYLINT_ONE cylint_one_plain

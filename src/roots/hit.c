@@ -7,7 +7,7 @@
  * pairs, the same forms are evaluated in every digit, and at the root by
  * surd.c, which loses none of them.
  */
-#include "internal.h"
+#include "roots.h"
 
 /* An error so many times smaller leaves 54 bits. */
 #define ENOUGH 0x1p54

@@ -20,7 +20,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "each.h"
+#include "compiler.h"
 #include "environment.h"
 
 #define INLINE CYLINT_INLINE
@@ -403,7 +403,7 @@ typedef struct {
 #if V_HAS_FMA
 #define FUSED(a, b, c) v_fma(a, b, c)
 #endif
-#include "sums.h"
+#include "error_free_template.h"
 #undef REAL
 #undef PAIR
 #undef EFT
@@ -411,7 +411,7 @@ typedef struct {
 #undef FUSED
 
 /* Sums and products of pairs that are left unnormalised: lo may grow to some
- * 30 ulp of what was summed up.  Their error: CYLINT_LAZY_BOUND, bounds.h. */
+ * 30 ulp of what was summed up.  Their error: CYLINT_LAZY_BOUND, error_bounds.h. */
 INLINE vpair vpair_add(vpair a, vpair b)
 {
     const vpair s = v_two_sum(a.hi, b.hi);

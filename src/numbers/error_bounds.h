@@ -1,5 +1,5 @@
 /*
- * bounds.h - the only constants that decide anything, with their reasons
+ * error_bounds.h - the only constants that decide anything, with their reasons
  *
  * `make prove` proves what is called proved here, and that no proved
  * constant could be 1 % smaller by the same reasoning.
@@ -20,7 +20,7 @@
 #define CYLINT_BOUNDS_H
 
 /*
- * K: the deepest form is G of a cone.  tests/test_depth.c runs forms.h over
+ * K: the deepest form is G of a cone.  tests/test_depth.c runs forms_template.h over
  * an arithmetic of path lengths and wants exactly this.
  */
 #define CYLINT_DEPTH 25
@@ -36,7 +36,7 @@
 #define CYLINT_FILTER_BOUND (CYLINT_DEPTH * CYLINT_ROUNDING * CYLINT_SLACK)
 
 /*
- * One operation on pairs (eft.h), in rounding to nearest: of a sum relative
+ * One operation on pairs (double_double.h), in rounding to nearest: of a sum relative
  * to |a| + |b|, of a product to |a b|, else of the result.  Proved, for pairs
  * with |lo| <= ulp(hi)/2.
  */
@@ -67,7 +67,7 @@
 #define CYLINT_SURD_ERROR 0x1p-97
 
 /*
- * Errors in pairs are summed up operation by operation (internal.h, wide), in
+ * Errors in pairs are summed up operation by operation (sign.h, wide), in
  * doubles and in units of CYLINT_PAIR_ROUNDING; a path of K operations meets
  * at most 5 K roundings of that sum and of high parts.  Proved.
  */
@@ -108,12 +108,12 @@
 
 /*
  * C and alpha in the unnormalised pairs of simd.h, in which roots are rounded
- * in lanes, to nearest only: tests/test_depth.c runs forms.h over what lo and
+ * in lanes, to nearest only: tests/test_depth.c runs forms_template.h over what lo and
  * the error can come to, in units of 2^-53 and 2^-106 of the sizes.
  */
 #define CYLINT_LAZY_BOUND (512 * 0x1p-106)
 
-/* What the fast mode promises of t (kernel.h, take_root). */
+/* What the fast mode promises of t (lanes.h, take_root). */
 #define CYLINT_FAST_BOUND 0x1p-34
 
 #endif

@@ -9,7 +9,9 @@
 
 #include <string.h>
 
-#include "internal.h"
+#include "bits.h"
+#include "diagnostics.h"
+#include "error_bounds.h"
 
 static uint32_t *take(cylint_arena *arena, int n)
 {
@@ -215,4 +217,13 @@ pair cylint_exact_round(exact x, int *e)
     sum = fast_two_sum(sum.hi, sum.lo + tail.lo);
     *e = 32 * (top - 1) + lead;
     return x.sign < 0 ? pair_neg(sum) : sum;
+}
+
+exact cylint_exact_difference(cylint_arena *arena, double x, double y)
+{
+    const int used = arena->used;
+    const exact ex = cylint_exact_from(arena, x);
+    const exact ey = cylint_exact_from(arena, y);
+    return cylint_exact_keep(arena, used,
+                             cylint_exact_add(arena, ex, cylint_exact_neg(ey)));
 }

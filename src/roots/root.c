@@ -15,7 +15,7 @@
  * That holds for either sign of A and leaves the second form as the limit
  * for A = 0.  Of each two the one without cancellation is used.
  */
-#include "internal.h"
+#include "roots.h"
 
 /* Certain if |t - (hi + lo)| <= error makes hi the nearest double.  In other
  * rounding modes the additions do not tell, nor do the errors hold. */
@@ -43,7 +43,7 @@ static double double_sqrt(double x)
 #define V_SQRT(x) double_sqrt(x)
 #define ERROR(x) ball_error(x)
 #define ROUNDING 0x1p-49
-#include "fraction.h"
+#include "root_quotient_template.h"
 #undef NUM
 #undef VALUE
 #undef HIGH
@@ -67,7 +67,7 @@ static double double_sqrt(double x)
 #define V_SQRT(x) pair_sqrt(x)
 #define ERROR(x) wide_error(x)
 #define ROUNDING 0x1p-98
-#include "fraction.h"
+#include "root_quotient_template.h"
 
 /* A root in doubles, with what is known of it. */
 typedef struct {
@@ -109,7 +109,7 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
  *   t     = t0 - delta + A (t0 - t)^2 / (2 s),   delta = Q(t0) / (2 s).
  *
  * Q(t0) is C for the line with its origin moved to D + t0 u.  That may lie
- * beyond the window of bounds.h, within 2^361 where settles() accepts t: what
+ * beyond the window of error_bounds.h, within 2^361 where settles() accepts t: what
  * underflows on the way to what is squared last, x, comes to less than 2^-560
  * there.  Twice that times x is below the rounding of x^2, or, if x is below
  * 2^-450, below CYLINT_UNDERFLOW.

@@ -1,11 +1,11 @@
 /*
- * decide.c - the sign of each form: a filter, then pairs, then every digit
+ * sign.c - the sign of each form: a filter, then pairs, then every digit
  *
  * A filter's answer is final when the value exceeds the bound on its error
- * (bounds.h).  Comparisons are written so that a NaN falls to the next
+ * (error_bounds.h).  Comparisons are written so that a NaN falls to the next
  * arithmetic.
  */
-#include "internal.h"
+#include "sign.h"
 
 #ifdef CYLINT_COUNT_STAGES
 unsigned long long cylint_stages[CYLINT_STAGES];
@@ -13,135 +13,10 @@ unsigned long long cylint_stages[CYLINT_STAGES];
 
 /* -------------------------------------------------------- scaling ------ */
 
-double cylint_scaled(double x, int e)
-{
-    if (cylint_sign(x) == 0 || !(fabs(x) <= DBL_MAX))
-        return x;
-    if (cylint_exponent(x) < -1022) { /* by the bits: it may count as 0 */
-        uint64_t bits;
-        memcpy(&bits, &x, sizeof bits);
-        x = cylint_sign(x) * (double)(bits << 12 >> 12);
-        e -= 1074;
-    }
-    const int k = cylint_exponent(x), sum = k + e;
-    const double m =
-        x * cylint_power_of_two(-k / 2) * cylint_power_of_two(-k - -k / 2);
-    if (sum > 1000)
-        return m * 0x1p1000 *
-               cylint_power_of_two(sum < 1100 ? sum - 1000 : 100);
-    if (sum >= -1000)
-        return m * cylint_power_of_two(sum);
-    return m * cylint_power_of_two(sum > -1200 ? sum + 1000 : -200) *
-           0x1p-1000; /* the one step that may round */
-}
-
 static void scale_vector(double to[3], const double from[3], int e)
 {
     for (int i = 0; i < 3; i++)
         to[i] = cylint_scaled(from[i], e);
-}
-
-void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
-                              const double from[3], int e)
-{
-    for (int i = 0; i < 3; i++) {
-        const pair d =
-            two_diff(cylint_scaled(to[i], e), cylint_scaled(from[i], e));
-        hi[i] = d.hi;
-        lo[i] = d.lo;
-    }
-}
-
-static int dimensionless_radii(const cylint_shape *s)
-{
-    return s->kind >= CYLINT_KIND_ACONE;
-}
-
-static double largest_length(const cylint_shape *s)
-{
-    double most = cylint_largest(s->axis);
-    if (s->kind >= CYLINT_KIND_ECYLINDER) {
-        const double a = cylint_largest(s->a), b = cylint_largest(s->b);
-        most = a > most ? a : most;
-        most = b > most ? b : most;
-    }
-    if (!dimensionless_radii(s)) {
-        most = s->r0 > most ? s->r0 : most;
-        most = s->r1 > most ? s->r1 : most;
-    }
-    return most;
-}
-
-static int length_exponent(const cylint_shape *s)
-{
-    const double most = largest_length(s);
-    if (most <= DBL_MAX)
-        return most < DBL_MIN ? cylint_exponent(most * 0x1p60) - 60
-                              : cylint_exponent(most);
-    return 1024;
-}
-
-static int within_window(double x)
-{
-    return x >= 1 / CYLINT_WINDOW && x <= CYLINT_WINDOW;
-}
-
-void cylint_measure_line(cylint_line *line)
-{
-    line->size = cylint_largest(line->d);
-    line->ordinary = within_window(line->size);
-}
-
-static double dot3(const double x[3], const double y[3])
-{
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
-/* Of a disc's points from its centre, and what their direction adds to the
- * square of their distance from the middle of an oblique shape. */
-static double disc_reach(const cylint_shape *s, double *skew)
-{
-    *skew = 0;
-    if (s->kind == CYLINT_KIND_ACONE)
-        return s->r1 * s->r1 * dot3(s->axis, s->axis);
-    const double r = cylint_larger(s->r0, s->r1);
-    if (s->kind <= CYLINT_KIND_CONE)
-        return r * r;
-    *skew = r * (fabs(dot3(s->a, s->axis)) + fabs(dot3(s->b, s->axis)));
-    return r * r *
-           (cylint_larger(dot3(s->a, s->a), dot3(s->b, s->b)) +
-            fabs(dot3(s->a, s->b)));
-}
-
-/*
- * A ball about the middle of the axis.  A disc's points x a + y b reach as
- * far as the root of the larger eigenvalue of (aa ab; ab bb), which is at most
- * max(aa, bb) + |ab|.  The slack covers a dozen roundings of positive terms;
- * the centre is off by a rounding of each coordinate.
- */
-static void measure_ball(cylint_shape *s)
-{
-    s->ball = HUGE_VAL;
-    s->center[0] = s->center[1] = s->center[2] = 0;
-    if (s->ends >= CYLINT_ENDS_INFINITE)
-        return;
-    for (int i = 0; i < 3; i++)
-        s->center[i] = s->kind <= CYLINT_KIND_CONE
-                           ? 0.5 * s->base[i] + 0.5 * s->top[i]
-                           : s->base[i] + 0.5 * s->axis[i];
-    double skew;
-    const double reach = disc_reach(s, &skew);
-    s->ball =
-        sqrt(0.25 * dot3(s->axis, s->axis) + reach + skew) * CYLINT_SLACK +
-        2 * CYLINT_ROUNDING * cylint_largest(s->center);
-}
-
-void cylint_measure_shape(cylint_shape *s)
-{
-    s->size = cylint_largest(s->axis);
-    s->ordinary = within_window(largest_length(s)) &&
-                  (!dimensionless_radii(s) || s->r1 <= CYLINT_WINDOW);
-    measure_ball(s);
 }
 
 static int filters_apply(const cylint_shape *s, const cylint_line *l)
@@ -160,7 +35,7 @@ static void scale_query(cylint_query *q)
 {
     const cylint_shape *s = q->shape;
     const cylint_line *l = q->line;
-    const int e = -length_exponent(s);
+    const int e = -cylint_length_exponent(s);
     cylint_shape *to = &q->scaled_shape;
     *to = *s;
     scale_vector(to->base, s->base, e);
@@ -297,41 +172,18 @@ letters_wide *cylint_wide_line(cylint_query *q)
     return L;
 }
 
-static exact exact_difference(cylint_arena *arena, double x, double y)
-{
-    const int used = arena->used;
-    const exact ex = cylint_exact_from(arena, x);
-    const exact ey = cylint_exact_from(arena, y);
-    return cylint_exact_keep(arena, used,
-                             cylint_exact_add(arena, ex, cylint_exact_neg(ey)));
-}
-
-pair cylint_wild_difference(double x, double y)
-{
-    cylint_arena arena;
-    cylint_arena_open(&arena);
-    const exact all = exact_difference(&arena, x, y);
-    pair d = {cylint_exact_nearest(all, 0), 0};
-    if (fabs(d.hi) <= DBL_MAX)
-        d.lo = cylint_exact_nearest(
-            cylint_exact_add(&arena, all,
-                             cylint_exact_neg(cylint_exact_from(&arena, d.hi))),
-            0);
-    return d;
-}
-
 static void load_exact(cylint_query *q, letters_exact *L)
 {
     const cylint_shape *s = q->shape;
     const cylint_line *l = q->line;
     cylint_arena *m = L->arena;
     for (int i = 0; i < 3; i++) {
-        L->u[i] = l->segment ? exact_difference(m, l->end[i], l->o[i])
+        L->u[i] = l->segment ? cylint_exact_difference(m, l->end[i], l->o[i])
                              : cylint_exact_from(m, l->d[i]);
-        L->D[0][i] = exact_difference(m, l->o[i], s->base[i]);
+        L->D[0][i] = cylint_exact_difference(m, l->o[i], s->base[i]);
         if (s->kind <= CYLINT_KIND_CONE) {
-            L->w[i] = exact_difference(m, s->top[i], s->base[i]);
-            L->D[1][i] = exact_difference(m, l->o[i], s->top[i]);
+            L->w[i] = cylint_exact_difference(m, s->top[i], s->base[i]);
+            L->D[1][i] = cylint_exact_difference(m, l->o[i], s->top[i]);
         } else {
             L->w[i] = cylint_exact_from(m, s->axis[i]);
             L->D[1][i] =
@@ -344,8 +196,9 @@ static void load_exact(cylint_query *q, letters_exact *L)
     }
     L->r[0] = cylint_exact_from(m, s->r0);
     L->r[1] = cylint_exact_from(m, s->r1);
-    L->dr = s->kind == CYLINT_KIND_ACONE ? L->r[1]
-                                         : exact_difference(m, s->r1, s->r0);
+    L->dr = s->kind == CYLINT_KIND_ACONE
+                ? L->r[1]
+                : cylint_exact_difference(m, s->r1, s->r0);
     L->one = cylint_exact_from(m, 1);
 }
 

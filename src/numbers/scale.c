@@ -1,0 +1,52 @@
+/*
+ * scale.c - exact scaling by powers of two, and exact differences
+ */
+#include "bits.h"
+#include "exact.h"
+
+double cylint_scaled(double x, int e)
+{
+    if (cylint_sign(x) == 0 || !(fabs(x) <= DBL_MAX))
+        return x;
+    if (cylint_exponent(x) < -1022) { /* by the bits: it may count as 0 */
+        uint64_t bits;
+        memcpy(&bits, &x, sizeof bits);
+        x = cylint_sign(x) * (double)(bits << 12 >> 12);
+        e -= 1074;
+    }
+    const int k = cylint_exponent(x), sum = k + e;
+    const double m =
+        x * cylint_power_of_two(-k / 2) * cylint_power_of_two(-k - -k / 2);
+    if (sum > 1000)
+        return m * 0x1p1000 *
+               cylint_power_of_two(sum < 1100 ? sum - 1000 : 100);
+    if (sum >= -1000)
+        return m * cylint_power_of_two(sum);
+    return m * cylint_power_of_two(sum > -1200 ? sum + 1000 : -200) *
+           0x1p-1000; /* the one step that may round */
+}
+
+void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
+                              const double from[3], int e)
+{
+    for (int i = 0; i < 3; i++) {
+        const pair d =
+            two_diff(cylint_scaled(to[i], e), cylint_scaled(from[i], e));
+        hi[i] = d.hi;
+        lo[i] = d.lo;
+    }
+}
+
+pair cylint_wild_difference(double x, double y)
+{
+    cylint_arena arena;
+    cylint_arena_open(&arena);
+    const exact all = cylint_exact_difference(&arena, x, y);
+    pair d = {cylint_exact_nearest(all, 0), 0};
+    if (fabs(d.hi) <= DBL_MAX)
+        d.lo = cylint_exact_nearest(
+            cylint_exact_add(&arena, all,
+                             cylint_exact_neg(cylint_exact_from(&arena, d.hi))),
+            0);
+    return d;
+}

@@ -1,0 +1,61 @@
+/*
+ * roots.h - roots in the domain, correctly rounded; roots as surds; and what
+ * a hit has beside its t
+ */
+#ifndef CYLINT_ROOTS_H
+#define CYLINT_ROOTS_H
+
+#include "../signs/sign.h"
+
+/* Places on the line where something begins or ends. */
+typedef enum {
+    ROOT_ENTRY,  /* of the lateral quadric, Q falling */
+    ROOT_EXIT,   /* ... rising */
+    ROOT_DOUBLE, /* both at once: G = 0 */
+    ROOT_APEX,   /* rho = 0 */
+    ROOT_CAP0,   /* the planes */
+    ROOT_CAP1
+} cylint_root;
+
+/* Whether tmin <= root <= tmax, exactly.  Where t is wanted, it becomes the
+ * double nearest to such a root and *more what that misses, nearly. */
+int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
+                       double *more);
+
+/* Finds a root's pair anew where t_error is larger than pairs allow. */
+void cylint_polish_root(cylint_query *q, cylint_root root, pair *t);
+
+/* A value with a binary exponent of its own: v 2^e, 1/4 < |v| < 4 or v = 0. */
+typedef struct {
+    pair v;
+    int e;
+} floating;
+
+floating cylint_floating(exact x);
+floating cylint_floating_sqrt(floating x);
+
+/* A root in every digit: t = (-B + s R) / A with R^2 = B^2 - A C, or the limit
+ * of that for A = 0. */
+typedef struct {
+    exact A, B, C;
+    int s;      /* 1 at the exit, -1 at the entry, else 0 */
+    floating R; /* 0: not found yet */
+} surd;
+
+/* Makes what must stay in the arena; what comes after it may be let go by
+ * setting arena.used to the answer. */
+int cylint_exact_mark(cylint_query *q, cylint_root root);
+
+surd cylint_surd(cylint_query *q, cylint_root root);
+
+/* f0 + f1 t: its sign, exactly; its value to CYLINT_SURD_ERROR, relative. */
+int cylint_sign_at(cylint_query *q, const surd *t, exact f0, exact f1);
+floating cylint_value_at(cylint_query *q, surd *t, exact f0, exact f1);
+
+/* The wanted members of a hit but part and side.  t + more is the root;
+ * apex: whether the hit is the apex of a cone. */
+void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
+                         double more, int part, int apex, unsigned want,
+                         cylint_hit *hit);
+
+#endif

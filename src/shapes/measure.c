@@ -1,0 +1,99 @@
+/*
+ * measure.c - a ball about each shape, sizes, and whether doubles will do
+ */
+#include "measure.h"
+
+#include "../numbers/bits.h"
+#include "../numbers/error_bounds.h"
+
+int cylint_dimensionless_radii(const cylint_shape *s)
+{
+    return s->kind >= CYLINT_KIND_ACONE;
+}
+
+static double largest_length(const cylint_shape *s)
+{
+    double most = cylint_largest(s->axis);
+    if (s->kind >= CYLINT_KIND_ECYLINDER) {
+        const double a = cylint_largest(s->a), b = cylint_largest(s->b);
+        most = a > most ? a : most;
+        most = b > most ? b : most;
+    }
+    if (!cylint_dimensionless_radii(s)) {
+        most = s->r0 > most ? s->r0 : most;
+        most = s->r1 > most ? s->r1 : most;
+    }
+    return most;
+}
+
+int cylint_length_exponent(const cylint_shape *s)
+{
+    const double most = largest_length(s);
+    if (most <= DBL_MAX)
+        return most < DBL_MIN ? cylint_exponent(most * 0x1p60) - 60
+                              : cylint_exponent(most);
+    return 1024;
+}
+
+static int within_window(double x)
+{
+    return x >= 1 / CYLINT_WINDOW && x <= CYLINT_WINDOW;
+}
+
+void cylint_measure_line(cylint_line *line)
+{
+    line->size = cylint_largest(line->d);
+    line->ordinary = within_window(line->size);
+}
+
+static double dot3(const double x[3], const double y[3])
+{
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
+/* Of a disc's points from its centre, and what their direction adds to the
+ * square of their distance from the middle of an oblique shape. */
+static double disc_reach(const cylint_shape *s, double *skew)
+{
+    *skew = 0;
+    if (s->kind == CYLINT_KIND_ACONE)
+        return s->r1 * s->r1 * dot3(s->axis, s->axis);
+    const double r = cylint_larger(s->r0, s->r1);
+    if (s->kind <= CYLINT_KIND_CONE)
+        return r * r;
+    *skew = r * (fabs(dot3(s->a, s->axis)) + fabs(dot3(s->b, s->axis)));
+    return r * r *
+           (cylint_larger(dot3(s->a, s->a), dot3(s->b, s->b)) +
+            fabs(dot3(s->a, s->b)));
+}
+
+/*
+ * A ball about the middle of the axis.  A disc's points x a + y b reach as
+ * far as the root of the larger eigenvalue of (aa ab; ab bb), which is at most
+ * max(aa, bb) + |ab|.  The slack covers a dozen roundings of positive terms;
+ * the centre is off by a rounding of each coordinate.
+ */
+static void measure_ball(cylint_shape *s)
+{
+    s->ball = HUGE_VAL;
+    s->center[0] = s->center[1] = s->center[2] = 0;
+    if (s->ends >= CYLINT_ENDS_INFINITE)
+        return;
+    for (int i = 0; i < 3; i++)
+        s->center[i] = s->kind <= CYLINT_KIND_CONE
+                           ? 0.5 * s->base[i] + 0.5 * s->top[i]
+                           : s->base[i] + 0.5 * s->axis[i];
+    double skew;
+    const double reach = disc_reach(s, &skew);
+    s->ball =
+        sqrt(0.25 * dot3(s->axis, s->axis) + reach + skew) * CYLINT_SLACK +
+        2 * CYLINT_ROUNDING * cylint_largest(s->center);
+}
+
+void cylint_measure_shape(cylint_shape *s)
+{
+    s->size = cylint_largest(s->axis);
+    s->ordinary = within_window(largest_length(s)) &&
+                  (!cylint_dimensionless_radii(s) || s->r1 <= CYLINT_WINDOW);
+    measure_ball(s);
+}

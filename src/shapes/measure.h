@@ -1,0 +1,22 @@
+/*
+ * measure.h - the derived members of shapes and lines
+ */
+#ifndef CYLINT_MEASURE_H
+#define CYLINT_MEASURE_H
+
+#include "cylint.h"
+
+/* center, ball, size and ordinary of a shape; size and ordinary of a line. */
+void cylint_measure_shape(cylint_shape *shape);
+void cylint_measure_line(cylint_line *line);
+
+/* The double nearest to the tangent of an angle in (0, 90) degrees. */
+double cylint_tangent(double degrees);
+
+/* Whether r0 and r1 are no lengths but factors. */
+int cylint_dimensionless_radii(const cylint_shape *s);
+
+/* The binary exponent of the largest length of a shape. */
+int cylint_length_exponent(const cylint_shape *s);
+
+#endif

@@ -1,0 +1,68 @@
+/*
+ * sign.h - one question: a line, a shape, and the exact signs of their forms
+ */
+#ifndef CYLINT_SIGN_H
+#define CYLINT_SIGN_H
+
+#include "../numbers/diagnostics.h"
+#include "../shapes/measure.h"
+#include "forms.h"
+
+/* --------------------------------------------------- one question ------ */
+
+enum { /* what of cylint_query has been made */
+       CYLINT_READY_TOP = 1,
+       CYLINT_READY_WIDE = 2,
+       CYLINT_READY_WIDE_LINE = 4,
+       CYLINT_READY_EXACT = 8,
+       CYLINT_READY_EXACT_LINE = 16,
+       CYLINT_READY_QUADRATIC = 32,
+       CYLINT_READY_QUANTUM = 64
+};
+
+typedef struct {
+    const cylint_shape *shape; /* as given: what exact answers are about */
+    const cylint_line *line;
+    int kind, ends;
+    int filters;                    /* 0: data too wild, exact stage only */
+    int t_exponent;                 /* t = 2^t_exponent * t of the filters */
+    double t_error;                 /* of the last root as a pair, relative */
+    const cylint_shape *near_shape; /* what the filters see: as given, or */
+    const cylint_line *near_line;   /* scaled by powers of two */
+    cylint_shape scaled_shape;
+    cylint_line scaled_line;
+    unsigned ready; /* which letters are there */
+    letters_ball ball;
+    letters_wide wide;
+    letters_quantum quantum;
+    int quanta; /* 1: every datum of the filters is exact */
+    letters_exact exact;
+    exact exact_coefficient[3]; /* A, B, C */
+    cylint_arena arena;
+} cylint_query;
+
+void cylint_query_open(cylint_query *q, const cylint_shape *shape,
+                       const cylint_line *line);
+
+/* The letters of the slower arithmetics, made when first asked for. */
+letters_wide *cylint_wide(cylint_query *q);      /* data and shape only */
+letters_wide *cylint_wide_line(cylint_query *q); /* moments as well */
+const letters_ball *cylint_ball_with_top(cylint_query *q);
+const letters_exact *cylint_exact(cylint_query *q); /* likewise */
+const letters_exact *cylint_exact_line(cylint_query *q);
+
+/* Exact signs of the forms, by the cheapest arithmetic that is certain. */
+int cylint_sign_alpha(cylint_query *q, int cap);
+int cylint_sign_beta(cylint_query *q);
+int cylint_sign_det(cylint_query *q); /* before shape->flip is set */
+int cylint_sign_along(cylint_query *q);
+int cylint_sign_E(cylint_query *q, int cap);
+int cylint_sign_N(cylint_query *q, int cap);
+int cylint_sign_G(cylint_query *q);
+int cylint_sign_A(cylint_query *q);
+int cylint_sign_B(cylint_query *q);
+int cylint_sign_C(cylint_query *q);
+int cylint_sign_T(cylint_query *q);
+int cylint_sign_rho0(cylint_query *q);
+
+#endif
