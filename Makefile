@@ -49,11 +49,11 @@ lib_objects   := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c $(patsub
 # kernels once more for each instruction set of this machine's family
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
 lib_objects   += $(patsubst %,$(BUILD)/src/filter/%.o,one_question-fma one_question-avx512 many_questions-avx2 many_questions-avx512)
-walk_builds   := $(BUILD)/src/scene/walk-avx2.o $(BUILD)/src/scene/packet-avx2.o
-quick_builds  := $(BUILD)/src/scene/quick-fma.o $(BUILD)/src/scene/quickmany-avx2.o $(BUILD)/src/scene/quickmany-avx512.o
+bvh_builds    := $(BUILD)/src/bvh/traverse-avx2.o
+embree_builds := $(patsubst %,$(BUILD)/src/embree/%.o,packet_traverse-avx2 float_filter-fma packet_filter-avx2 packet_filter-avx512)
 endif
-scene_objects  := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/scene/*.c)) $(walk_builds) $(quick_builds)
-embree_objects := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/embree/*.c))
+scene_objects  := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/bvh/*.c src/scene/*.c)) $(bvh_builds)
+embree_objects := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/embree/*.c)) $(embree_builds)
 FLAGS.fma     := -mavx2 -mfma -DCYLINT_ONE=cylint_one_fma
 FLAGS.avx2    := -mavx2 -mfma -DCYLINT_SHAPES=cylint_shapes_avx2 -DCYLINT_LINES=cylint_lines_avx2
 avx512        := -mavx512f -mavx512vl -mavx512dq -mavx2 -mfma
@@ -110,8 +110,8 @@ $(BUILD)/tests/pixels: $(BUILD)/tests/pixels.o
 
 $(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
 threads := $(if $(PTHREAD),-pthread -D_POSIX_C_SOURCE=200809L -DCYLINT_THREADS)
-$(BUILD)/src/scene/%.o: extra += $(floats) $(threads) $(if $(walk_builds),-DCYLINT_BUILDS_X86)
-$(BUILD)/src/embree/%.o: extra += $(floats) $(threads) -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
+$(BUILD)/src/bvh/%.o $(BUILD)/src/scene/%.o: extra += $(floats) $(threads) $(if $(bvh_builds),-DCYLINT_BUILDS_X86)
+$(BUILD)/src/embree/%.o: extra += $(floats) $(threads) $(if $(embree_builds),-DCYLINT_BUILDS_X86) -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)
 $(BUILD)/tools/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L
 $(BUILD)/tools/render/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Itools/cylint
 $(BUILD)/tools/bench/%.o: extra := $(floats) -D_POSIX_C_SOURCE=200809L -Isrc -Itests \
@@ -123,7 +123,7 @@ $(BUILD)/tests/embree_%.o $(BUILD)/tests/test_embree_%.o $(BUILD)/tests/scene_cu
 $(BUILD)/src/dispatch.o: extra += $(if $(findstring one_question-fma,$(lib_objects)),-DCYLINT_BUILDS_X86)
 # what gcc needs to make vectors of loops
 vectors := -O3
-$(BUILD)/src/filter/%.o $(BUILD)/src/scene/walk%.o $(BUILD)/src/scene/packet%.o $(BUILD)/src/scene/quick%.o $(BUILD)/src/scene/tree.o: extra += $(vectors)
+$(BUILD)/src/filter/%.o $(BUILD)/src/bvh/traverse%.o $(BUILD)/src/bvh/build.o $(BUILD)/src/embree/float_filter%.o $(BUILD)/src/embree/packet_%.o: extra += $(vectors)
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
@@ -137,12 +137,13 @@ $(BUILD)/src/filter/many_questions-%.o: src/filter/many_questions.c
 	@mkdir -p $(@D)
 	$(compile) $(FLAGS.$*) -c -o $@ $<
 
-$(walk_builds): $(BUILD)/src/scene/%-avx2.o: src/scene/%.c
+$(BUILD)/src/bvh/traverse-avx2.o: src/bvh/traverse.c
+	$(compile) -mavx2 -mfma -DCYLINT_WALKS=cylint_walks_avx2 -c -o $@ $<
+$(BUILD)/src/embree/packet_traverse-avx2.o: src/embree/packet_traverse.c
 	$(compile) -mavx2 -mfma -DCYLINT_WALKS=cylint_walks_avx2 -DCYLINT_WALK_PACKET=cylint_packet_avx2 -c -o $@ $<
-
-$(BUILD)/src/scene/quick-%.o: src/scene/quick.c
+$(BUILD)/src/embree/float_filter-%.o: src/embree/float_filter.c
 	$(compile) -mavx2 -mfma -ffp-contract=fast -DCYLINT_QUICK=cylint_quick_$* -c -o $@ $<
-$(BUILD)/src/scene/quickmany-%.o: src/scene/quickmany.c
+$(BUILD)/src/embree/packet_filter-%.o: src/embree/packet_filter.c
 	$(compile) $(if $(filter avx512,$*),$(avx512),-mavx2 -mfma) -ffp-contract=fast -DCYLINT_QUICK_MANY=cylint_quick_many_$* -c -o $@ $<
 
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc
@@ -159,7 +160,7 @@ $(scene_tests): %: %.o $(BUILD)/tests/scenes.o $(test_common) $(scene_library)
 	$(CC) $(CFLAGS) $(LDFLAGS) $(wrapped) -o $@ $^ $(test_libs) -pthread -lm
 
 $(embree_tests): $(patsubst %,$(BUILD)/tests/%.o,embree_rays embree_world)
-$(embree_tests) $(BUILD)/tests/scene_curves: %: %.o $(BUILD)/tests/scenes.o $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
+$(embree_tests) $(BUILD)/tests/scene_curves: %: %.o $(BUILD)/tests/scenes.o $(test_common) $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) $(wrapped) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(EMBREE_LIBS) $(test_libs) -pthread -lm
 
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or

@@ -49,13 +49,13 @@ judged() {
         -e 'boxes\.c:.*CallAndMessage' \
         -e 'exact\.c:.*right shift is undefined' \
         -e 'swc\.c:.*memleak' \
-        -e 'tree\.c:.*bugprone-integer-division' \
-        -e '\(packets\.c\|query\.h\):.*\(autoVariables\|StackAddressEscape\|negativeIndex\)' \
-        -e 'adapter\.c:.*NonNullParamChecker' \
+        -e 'build\.c:.*bugprone-integer-division' \
+        -e '\(packet\.c\|shape_test\.h\):.*\(autoVariables\|StackAddressEscape\|negativeIndex\)' \
+        -e 'geometry\.c:.*NonNullParamChecker' \
         -e 'hit\.c:.*\(CallAndMessage\|UndefinedBinaryOperatorResult\)' \
         -e 'eft\.h:.*UndefinedBinaryOperatorResult' \
-        -e 'way\.h:.*uninitialized\.ArraySubscript' \
-        -e 'lanetest\.h:.*use of uninitialized value' \
+        -e 'ray\.h:.*uninitialized\.ArraySubscript' \
+        -e 'leaf_test\.h:.*use of uninitialized value' \
         -e 'surd\.c:.*uninitialized value .sum' \
         -e 'forms\.h:.*core\.UndefinedBinaryOperatorResult' \
         -e 'kernel\.h:.*uninitialized value .*\[[12]\]' \

@@ -8,7 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "embree/internal.h"
+#include "embree/callbacks.h"
+#include "embree/geometry.h"
 #include "embree_asked.h"
 
 enum { SHAPES = 400, PACKETS = 450 /* of each manner, a scene */ };

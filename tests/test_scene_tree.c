@@ -6,7 +6,7 @@
 
 #include "check.h"
 #include "cylint_scene.h"
-#include "scene/group.h"
+#include "bvh/bvh.h"
 #include "scenes.h"
 
 static int make(cylint_group *group, const struct scene_shapes *of, int threads)

@@ -70,7 +70,7 @@ static void clip(const cylint_frame *f, const cylint_line *line, double *from,
  *
  *     (o - center + e d) scale,   in pairs,
  *
- * which errs by less than 2^-102 of |o - center| + |e d| (bounds.h), so by
+ * which errs by less than 2^-102 of |o - center| + |e d| (error_bounds.h), so by
  * 2^-52 of the frame where these are at most 2^50 of it; the last rounding
  * adds as much, and the direction, off by 2^-52 over a length of at most 2.5,
  * less than 2^-50 with both: CYLINT_FRAME_BLUR but for the direction, of

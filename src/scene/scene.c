@@ -2,9 +2,9 @@
  * scene.c - exact answers about many shapes, most of which are not asked
  *
  * Shapes are cut into pieces, pieces that lie together are blocks of 8, with
- * nodes above them (group.h).  The walk from the first node leaves out what
+ * nodes above them (bvh.h).  The walk from the first node leaves out what
  * the line certainly does not meet, or meets only behind the nearest hit so
- * far (walk.h).  What is left is asked by cylint_intersect().
+ * far (traverse.h).  What is left is asked by cylint_intersect().
  */
 #include <float.h>
 #include <math.h>
@@ -14,9 +14,9 @@
 
 #include "cylint_scene.h"
 #include "../numbers/compiler.h"
-#include "crew.h"
+#include "../bvh/threads.h"
 #include "frame.h"
-#include "walk.h"
+#include "../bvh/traverse.h"
 
 enum { MOST_SHAPES = 1 << 28 };
 

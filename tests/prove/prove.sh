@@ -10,7 +10,7 @@
 # for (1 + d1) * ... * (1 + dK), SHRINK(n) for n factors (1 - 2^-52).
 here=$(dirname "$0")
 build=${BUILD:-build}/prove
-headers='error_bounds.h scene/turn.h'
+headers='error_bounds.h embree/angle.h'
 if ! command -v gappa >/dev/null; then
     echo 'no gappa: the bounds are not proved (Debian: apt-get install gappa)'
     exit 77

@@ -1,4 +1,4 @@
-# cylint_turns() (src/scene/turn.h): y <= x, their sizes sorted, x scaled to
+# cylint_turns() (src/embree/angle.h): y <= x, their sizes sorted, x scaled to
 # [1, 2]; T is the true tangent from pi / 8 and t what is computed.  The true
 # angle of t, in turns, is its series less R, at most the first term left out,
 # 0.4142136^29 / (58 pi); that of T differs from it by at most |T - t| / (2 pi).

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/quick.h"
-#include "scene/walk.h"
+#include "embree/float_filter.h"
+#include "bvh/traverse.h"
 #include "embree_rivals.h"
 
 enum { RAYS = 100000 };

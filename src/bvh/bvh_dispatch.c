@@ -1,0 +1,24 @@
+/*
+ * bvh_dispatch.c - the build of traverse.c for this processor
+ */
+#include "traverse.h"
+
+#ifdef CYLINT_COUNT_VISITS
+struct cylint_visits cylint_visits;
+#endif
+
+#ifdef CYLINT_BUILDS_X86
+static int has_fma(void)
+{
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+}
+#endif
+
+const cylint_walks *cylint_walks_used(void)
+{
+#ifdef CYLINT_BUILDS_X86
+    if (has_fma())
+        return &cylint_walks_avx2;
+#endif
+    return &cylint_walks_plain;
+}

@@ -1,0 +1,125 @@
+/*
+ * float_bounds.h - boxes of floats, rounded outward
+ */
+#ifndef CYLINT_BVH_FLOAT_BOUNDS_H
+#define CYLINT_BVH_FLOAT_BOUNDS_H
+
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "../numbers/compiler.h"
+
+/* The float so many places after x; no subnormal ones between. */
+static inline float cylint_float_after(float x, int places)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    bits += (uint32_t)places * (1 - 2 * (bits >> 31));
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* The least float not below x, subnormal floats left out: threads may take
+ * them for zero, Embree's do.  Whether that is the next one cannot be
+ * foreseen, so there is no branch. */
+static inline float cylint_float_above(double x)
+{
+    if (fabs(x) < (double)FLT_MIN)
+        return x > 0 ? FLT_MIN : 0;
+    const float f = (float)x;
+    return cylint_float_after(f, (double)f < x);
+}
+
+/* Whether f is that of all numbers within e of x, none of them subnormal. */
+static inline int cylint_is_float_above(float f, double x, double e)
+{
+    return fabs(x) - e > 2 * (double)FLT_MIN && x + e <= (double)f &&
+           x - e > (double)cylint_float_after(f, -1);
+}
+
+/* The largest not above it, likewise. */
+static inline float cylint_float_below(double x)
+{
+    return -cylint_float_above(-x);
+}
+
+/* The upper half of a float that is not above x >= 0, and the float of it. */
+static inline uint16_t cylint_half_below(double x)
+{
+    const float f = cylint_float_below(x);
+    uint32_t bits;
+    memcpy(&bits, &f, sizeof bits);
+    return (uint16_t)(bits >> 16);
+}
+
+/* That of one that is not below it, likewise. */
+static inline uint16_t cylint_half_above(double x)
+{
+    const float f = cylint_float_above(x);
+    uint32_t bits;
+    memcpy(&bits, &f, sizeof bits);
+    return (uint16_t)((bits + 0xffff) >> 16);
+}
+
+static inline float cylint_float_of_half(uint16_t half)
+{
+    const uint32_t bits = (uint32_t)half << 16;
+    float f;
+    memcpy(&f, &bits, sizeof f);
+    return f;
+}
+
+/* Where something lies. */
+typedef struct cylint_extent {
+    float lower[3], upper[3];
+} cylint_extent;
+
+static inline cylint_extent cylint_float_box(const double lo[3],
+                                             const double hi[3])
+{
+    return (cylint_extent){
+        {cylint_float_below(lo[0]), cylint_float_below(lo[1]),
+         cylint_float_below(lo[2])},
+        {cylint_float_above(hi[0]), cylint_float_above(hi[1]),
+         cylint_float_above(hi[2])}};
+}
+
+/* Boxes lie within this: FLT_LARGE of the sources of Embree, which drops,
+ * without a word, primitives whose box does not, or is empty. */
+#define CYLINT_BOUNDS_MOST 1.844e18f
+
+static inline int cylint_keeps_box(const cylint_extent *box)
+{
+    int keeps = 1;
+    EACH(j, 3)
+        keeps &= (-CYLINT_BOUNDS_MOST < box->lower[j]) &
+                 (box->lower[j] <= box->upper[j]) &
+                 (box->upper[j] < CYLINT_BOUNDS_MOST);
+    return keeps;
+}
+
+/* That of nothing. */
+static inline cylint_extent cylint_no_box(void)
+{
+    return (cylint_extent){{HUGE_VALF, HUGE_VALF, HUGE_VALF},
+                           {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF}};
+}
+
+static inline void cylint_extend_side(float *lower, float *upper, float lo,
+                                      float hi) /* fminf() is a call */
+{
+    *lower = lo < *lower ? lo : *lower;
+    *upper = hi > *upper ? hi : *upper;
+}
+
+static inline void cylint_extend_box(cylint_extent *box,
+                                     const cylint_extent *by)
+{
+    EACH(j, 3)
+        cylint_extend_side(&box->lower[j], &box->upper[j], by->lower[j],
+                           by->upper[j]);
+}
+
+#endif

@@ -1,0 +1,140 @@
+/*
+ * swept_disc.c - what all bounded shapes look like from far: discs along an axis
+ */
+#include "swept_disc.h"
+
+static double dot(const double x[3], const double y[3])
+{
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
+static int is_elliptic(const cylint_shape *s)
+{
+    return s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE;
+}
+
+/* Below, squares may have underflowed. */
+#define LEAST_SQUARE (DBL_MIN * 0x1p60)
+
+/* x a + y b with x^2 + y^2 <= 1 reaches sqrt((a.v)^2 + (b.v)^2) along a unit
+ * vector v, and across the axis as far as the larger eigenvalue of the Gram
+ * matrix of what a and b have across it. */
+static void elliptic(cylint_trunk *t, double ww)
+{
+    double a[3], b[3];
+    const double aw = dot(t->a, t->axis), bw = dot(t->b, t->axis);
+    t->across = t->along = sqrt(dot(t->a, t->a) + dot(t->b, t->b));
+    if (!(ww > LEAST_SQUARE))
+        return;
+    t->along = sqrt((aw * aw + bw * bw) / ww);
+    for (int j = 0; j < 3; j++) {
+        a[j] = t->a[j] - aw / ww * t->axis[j];
+        b[j] = t->b[j] - bw / ww * t->axis[j];
+    }
+    const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b);
+    const double difference = aa - bb;
+    t->across =
+        sqrt((aa + bb + sqrt(difference * difference + 4 * ab * ab)) / 2);
+}
+
+void cylint_trunk_of(cylint_trunk *t, const cylint_view *view, uint32_t number)
+{
+    const cylint_shape *s = view->shapes + number;
+    const double scale = view->scale;
+    for (int j = 0; j < 3; j++) {
+        t->base[j] = (s->base[j] - view->center[j]) * scale;
+        t->axis[j] = s->axis[j] * scale;
+    }
+    const double ww = dot(t->axis, t->axis);
+    t->length = sqrt(ww);
+    t->elliptic = is_elliptic(s);
+    t->k[0] = t->elliptic ? s->r0 : s->r0 * scale;
+    t->k[1] = t->elliptic
+                  ? s->r1
+                  : s->r1 * (s->kind == CYLINT_KIND_ACONE ? t->length : scale);
+    t->across = 1;
+    t->along = 0;
+    if (!t->elliptic)
+        return;
+    for (int j = 0; j < 3; j++) {
+        t->a[j] = s->a[j] * scale;
+        t->b[j] = s->b[j] * scale;
+    }
+    elliptic(t, ww);
+}
+
+/* A disc across the axis w reaches sqrt(1 - w_j^2 / ww) of its radius, which
+ * is computed without the difference; all of it, where squares underflow. */
+void cylint_trunk_reach(const cylint_trunk *t, double reach[3])
+{
+    double square[3];
+    for (int j = 0; j < 3; j++)
+        square[j] = t->axis[j] * t->axis[j];
+    const double ww = square[0] + square[1] + square[2];
+    const double per_length = 1 / t->length;
+    for (int j = 0; j < 3; j++)
+        reach[j] =
+            t->elliptic ? sqrt(t->a[j] * t->a[j] + t->b[j] * t->b[j])
+            : ww > LEAST_SQUARE
+                ? sqrt(square[(j + 1) % 3] + square[(j + 2) % 3]) * per_length
+                : 1;
+}
+
+cylint_stem cylint_stem_of(const cylint_trunk *t, const cylint_shape *shape,
+                           uint32_t number)
+{
+    return (cylint_stem){{t->base[0], t->base[1], t->base[2]},
+                         {t->axis[0], t->axis[1], t->axis[2]},
+                         {cylint_float_above(t->k[0] * t->across),
+                          cylint_float_above(t->k[1] * t->across)},
+                         cylint_half_above(t->along / t->across),
+                         (uint8_t)shape->ends,
+                         shape->kind == CYLINT_KIND_CYLINDER &&
+                             shape->ends == CYLINT_ENDS_CAPPED,
+                         number};
+}
+
+void cylint_piece_ends(cylint_piece piece, double z[2])
+{
+    const double overlap = 0x1p-20;
+    z[0] = piece.index == 0 ? 0 : (piece.index - overlap) / piece.count;
+    z[1] = piece.index == piece.count - 1
+               ? 1
+               : (piece.index + 1 + overlap) / piece.count;
+}
+
+/*
+ * Every coordinate below comes of at most 16 roundings in sums of numbers of
+ * one sign, or no larger than what is summed up in `size`: the sides are moved
+ * out by 2^-48 of that, and by what can underflow.
+ */
+cylint_extent cylint_piece_box(const cylint_trunk *t, const double reach[3],
+                               cylint_piece piece)
+{
+    double z[2], lo[3], hi[3];
+    cylint_piece_ends(piece, z);
+    const double k[2] = {t->k[0] + (t->k[1] - t->k[0]) * z[0],
+                         t->k[0] + (t->k[1] - t->k[0]) * z[1]};
+    for (int j = 0; j < 3; j++) {
+        const double size = fabs(t->base[j]) + fabs(t->axis[j]) +
+                            (t->k[0] + t->k[1]) * reach[j];
+        const double more = size * 0x1p-48 + DBL_MIN;
+        const double from = t->base[j] + z[0] * t->axis[j];
+        const double to = t->base[j] + z[1] * t->axis[j];
+        const double out0 = k[0] * reach[j] + more;
+        const double out1 = k[1] * reach[j] + more;
+        /* which end is lower cannot be foreseen: no branch */
+        lo[j] = cylint_smaller(from - out0, to - out1);
+        hi[j] = cylint_larger(from + out0, to + out1);
+    }
+    return cylint_float_box(lo, hi);
+}
+
+cylint_extent cylint_trunk_box(const cylint_view *view, uint32_t number)
+{
+    cylint_trunk trunk;
+    double reach[3];
+    cylint_trunk_of(&trunk, view, number);
+    cylint_trunk_reach(&trunk, reach);
+    return cylint_piece_box(&trunk, reach, (cylint_piece){0, 1});
+}

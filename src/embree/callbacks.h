@@ -1,0 +1,12 @@
+/*
+ * callbacks.h - the callbacks of a geometry
+ */
+#ifndef CYLINT_EMBREE_CALLBACKS_H
+#define CYLINT_EMBREE_CALLBACKS_H
+
+#include "api.h"
+
+void cylint_embree_trace(const struct RTCIntersectFunctionNArguments *args);
+void cylint_embree_shadow(const struct RTCOccludedFunctionNArguments *args);
+
+#endif

@@ -1,0 +1,21 @@
+/*
+ * device_memory.c - memory from an Embree device
+ */
+#include "device_memory.h"
+
+static void *take_buffer(void *device, size_t bytes, void **handle)
+{
+    RTCBuffer buffer = rtcNewBuffer(device, bytes);
+    *handle = buffer;
+    return buffer ? rtcGetBufferData(buffer) : NULL;
+}
+
+static void give_buffer(void *buffer)
+{
+    rtcReleaseBuffer(buffer);
+}
+
+cylint_memory_source cylint_device_memory(RTCDevice device)
+{
+    return (cylint_memory_source){device, take_buffer, give_buffer};
+}

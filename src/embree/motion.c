@@ -1,0 +1,130 @@
+/*
+ * motion.c - shapes between two states, and boxes that keep up with them
+ */
+#include "motion.h"
+
+#include <float.h>
+
+static int is_elliptic(const cylint_shape *s)
+{
+    return s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE;
+}
+
+/* Which constructor made it. */
+static int family(const cylint_shape *s)
+{
+    return is_elliptic(s)                    ? CYLINT_KIND_ECONE
+           : s->kind == CYLINT_KIND_CYLINDER ? CYLINT_KIND_CONE
+                                             : s->kind;
+}
+
+int cylint_moves_into(const cylint_shape *at_0, const cylint_shape *at_1)
+{
+    return family(at_0) == family(at_1) && at_0->ends == at_1->ends;
+}
+
+static double between(double x, double y, double time)
+{
+    return (1 - time) * x + time * y;
+}
+
+static void between3(double to[3], const double x[3], const double y[3],
+                     double time)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = between(x[i], y[i], time);
+}
+
+cylint_status cylint_embree_between(const cylint_shape *at_0,
+                                    const cylint_shape *at_1, double time,
+                                    cylint_shape *shape)
+{
+    double base[3], top[3], a[3], b[3];
+    const cylint_ends ends = (cylint_ends)at_0->ends;
+    const double r0 = between(at_0->r0, at_1->r0, time);
+    const double r1 = between(at_0->r1, at_1->r1, time);
+    between3(base, at_0->base, at_1->base, time);
+    if (family(at_0) == CYLINT_KIND_CONE) {
+        between3(top, at_0->top, at_1->top, time);
+        return cylint_cone(shape, base, r0, top, r1, ends);
+    }
+    between3(top, at_0->axis, at_1->axis, time);
+    if (!is_elliptic(at_0))
+        return cylint_tangent_cone(shape, base, top, r1, ends);
+    between3(a, at_0->a, at_1->a, time);
+    between3(b, at_0->b, at_1->b, time);
+    return cylint_elliptic_cone(shape, base, a, b, top, r1, ends);
+}
+
+/*
+ * Boxes.  Embree takes (1-t) box_0 + t box_1, so both must be such that this
+ * holds the shape at every t.  A shape is the hull of its discs.  A disc's
+ * centre is linear in t.  Along coordinate j it reaches no farther than f(t),
+ *
+ *   circular: the radius, linear in t;
+ *   acone:    0 at v; at v + u the tangent times |u|, the product of a
+ *             linear function k and a convex one g, both >= 0;
+ *   elliptic: sqrt(a_j^2 + b_j^2), convex; at the top that times k.
+ *
+ * g lies below its chord, and k times a chord below the chord of the products
+ * unless one grows and the other shrinks, when it rises above by t (1-t)
+ * |k1-k0| |g1-g0|, at most a quarter of that, which is added.  centre + f of
+ * the two discs then lies below linear functions, so does the larger of them.
+ */
+typedef struct {
+    double center[3], k, g[3];
+} disc;
+
+static disc disc_of(const cylint_shape *s, int cap)
+{
+    disc d;
+    const double u = sqrt(s->axis[0] * s->axis[0] + s->axis[1] * s->axis[1] +
+                          s->axis[2] * s->axis[2]);
+    d.k = cap ? s->r1 : s->r0;
+    for (int j = 0; j < 3; j++) {
+        d.center[j] = !cap                            ? s->base[j]
+                      : family(s) == CYLINT_KIND_CONE ? s->top[j]
+                                                      : s->base[j] + s->axis[j];
+        d.g[j] = is_elliptic(s) ? sqrt(s->a[j] * s->a[j] + s->b[j] * s->b[j])
+                 : s->kind == CYLINT_KIND_ACONE ? u
+                                                : 1;
+    }
+    return d;
+}
+
+static double reach(const disc *at, const disc *other, int j)
+{
+    const double dk = at->k - other->k, dg = at->g[j] - other->g[j];
+    return at->k * at->g[j] + (dk * dg < 0 ? -dk * dg / 4 : 0);
+}
+
+/*
+ * What is rounded.  The numbers above and cylint_embree_between() are doubles
+ * with a few roundings each.  Embree stores lower0 and upper0, their
+ * differences to lower1 and upper1, and adds t times these, in floats: with M
+ * the largest number in sight, the differences are at most 2 M and wrong by
+ * 2^-24 of that, and so are the product and, by half of that, the sum.  The
+ * sides are moved out by 2^-21 M, twice the total of 5 2^-24 M, which leaves
+ * room for the doubles and for rounding M.
+ */
+void cylint_moving_bounds(const cylint_shape *at_0, const cylint_shape *at_1,
+                          int step, cylint_extent *box)
+{
+    double lo[3], hi[3];
+    for (int j = 0; j < 3; j++) {
+        double side[2][2] = {{DBL_MAX, -DBL_MAX}, {DBL_MAX, -DBL_MAX}};
+        for (int cap = 0; cap < 2; cap++) {
+            const disc d[2] = {disc_of(at_0, cap), disc_of(at_1, cap)};
+            for (int i = 0; i < 2; i++) {
+                const double f = reach(&d[i], &d[1 - i], j);
+                side[i][0] = fmin(side[i][0], d[i].center[j] - f);
+                side[i][1] = fmax(side[i][1], d[i].center[j] + f);
+            }
+        }
+        const double M = fmax(fmax(fabs(side[0][0]), fabs(side[0][1])),
+                              fmax(fabs(side[1][0]), fabs(side[1][1])));
+        lo[j] = side[step][0] - 0x1p-21 * M;
+        hi[j] = side[step][1] + 0x1p-21 * M;
+    }
+    *box = cylint_float_box(lo, hi);
+}

@@ -1,0 +1,274 @@
+/*
+ * float_simd.h - vectors of floats, for work that only chooses what to ask
+ *
+ * The one place with intrinsics of scenes.  vf adds, subtracts, multiplies and
+ * divides by the operators of C; the rest has names here.  WIDTH divides 8; vi
+ * holds as many numbers of 32 bits, of which f_from_bits() takes the last bits
+ * for floats, vm as many truths.  f_mad(x, y, z) is x y + z, rounded once or
+ * twice: what is computed here is bounded, not told, so builds may differ.
+ * f_lower(x, y) and f_higher(x, y) are y where x is not a number.
+ * f_store_keys() stores numbers that are in the order of the floats.
+ * f_turned(x, y) is x or, where y is negative, -x.  i_or_where(x, m, y) is
+ * x | y where m, else x.
+ */
+#ifndef CYLINT_NUMBERS_FLOAT_SIMD_H
+#define CYLINT_NUMBERS_FLOAT_SIMD_H
+
+#include <stdint.h>
+#include <string.h>
+
+/* clang-format off */
+#if defined(__AVX2__) && defined(__FMA__)
+
+#include <immintrin.h>
+enum { WIDTH = 8 };
+typedef __m256 vf;
+typedef __m256i vi;
+typedef __m256 vm;
+static inline vf f_set(float x) { return _mm256_set1_ps(x); }
+static inline vf f_load(const float *x) { return _mm256_loadu_ps(x); }
+static inline float f_first(vf x) { return _mm256_cvtss_f32(x); }
+static inline vi i_load(const uint32_t *x)
+{
+    return _mm256_loadu_si256((const __m256i *)(const void *)x);
+}
+static inline vi i_load_shorts(const uint16_t *x)
+{
+    return _mm256_cvtepu16_epi32(
+        _mm_loadu_si128((const __m128i *)(const void *)x));
+}
+static inline vi i_right(vi x, int bits) { return _mm256_srli_epi32(x, bits); }
+static inline vf f_from_bits(vi x, int mask)
+{
+    return _mm256_cvtepi32_ps(_mm256_and_si256(x, _mm256_set1_epi32(mask)));
+}
+static inline vf f_from_bytes(const uint8_t *x)
+{
+    const __m128i bytes = _mm_loadl_epi64((const __m128i *)(const void *)x);
+    return _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(bytes));
+}
+static inline void f_store(float *x, vf v) { _mm256_storeu_ps(x, v); }
+static inline void f_store_keys(uint32_t *x, vf v)
+{
+    const vi bits = _mm256_castps_si256(v);
+    const vi flip = _mm256_or_si256(_mm256_srai_epi32(bits, 31),
+                                    _mm256_set1_epi32(INT32_MIN));
+    _mm256_storeu_si256((__m256i *)(void *)x, _mm256_xor_si256(bits, flip));
+}
+static inline vf f_lower(vf x, vf y) { return _mm256_min_ps(x, y); }
+static inline vf f_higher(vf x, vf y) { return _mm256_max_ps(x, y); }
+static inline vf f_mad(vf x, vf y, vf z) { return _mm256_fmadd_ps(x, y, z); }
+static inline vf f_abs(vf x)
+{
+    return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), x);
+}
+static inline vf f_turned(vf x, vf y)
+{
+    return _mm256_xor_ps(x, _mm256_and_ps(_mm256_set1_ps(-0.0f), y));
+}
+static inline vf f_sqrt(vf x) { return _mm256_sqrt_ps(x); }
+static inline vm m_not_greater(vf x, vf y)
+{
+    return _mm256_cmp_ps(x, y, _CMP_NGT_UQ);
+}
+static inline unsigned m_bits(vm m) { return (unsigned)_mm256_movemask_ps(m); }
+static inline vf m_select(vm m, vf x, vf y)
+{
+    return _mm256_blendv_ps(y, x, m);
+}
+static inline vi i_set(uint32_t x) { return _mm256_set1_epi32((int)x); }
+static inline vi i_or_where(vi x, vm m, vi y)
+{
+    return _mm256_or_si256(x, _mm256_and_si256(_mm256_castps_si256(m), y));
+}
+static inline void i_store(uint32_t *x, vi v)
+{
+    _mm256_storeu_si256((__m256i *)(void *)x, v);
+}
+
+#elif defined(__SSE2__)
+
+#include <emmintrin.h>
+enum { WIDTH = 4 };
+typedef __m128 vf;
+typedef __m128i vi;
+typedef __m128 vm;
+static inline vf f_set(float x) { return _mm_set1_ps(x); }
+static inline vf f_load(const float *x) { return _mm_loadu_ps(x); }
+static inline float f_first(vf x) { return _mm_cvtss_f32(x); }
+static inline vi i_load(const uint32_t *x)
+{
+    return _mm_loadu_si128((const __m128i *)(const void *)x);
+}
+static inline vi i_load_shorts(const uint16_t *x)
+{
+    return _mm_unpacklo_epi16(
+        _mm_loadl_epi64((const __m128i *)(const void *)x), _mm_setzero_si128());
+}
+static inline vi i_right(vi x, int bits) { return _mm_srli_epi32(x, bits); }
+static inline vf f_from_bits(vi x, int mask)
+{
+    return _mm_cvtepi32_ps(_mm_and_si128(x, _mm_set1_epi32(mask)));
+}
+static inline vf f_from_bytes(const uint8_t *x)
+{
+    int32_t four;
+    memcpy(&four, x, sizeof four);
+    const __m128i zero = _mm_setzero_si128();
+    const __m128i s = _mm_unpacklo_epi8(_mm_cvtsi32_si128(four), zero);
+    return _mm_cvtepi32_ps(_mm_unpacklo_epi16(s, zero));
+}
+static inline void f_store(float *x, vf v) { _mm_storeu_ps(x, v); }
+static inline void f_store_keys(uint32_t *x, vf v)
+{
+    const vi bits = _mm_castps_si128(v);
+    const vi flip = _mm_or_si128(_mm_srai_epi32(bits, 31),
+                                 _mm_set1_epi32(INT32_MIN));
+    _mm_storeu_si128((__m128i *)(void *)x, _mm_xor_si128(bits, flip));
+}
+static inline vf f_lower(vf x, vf y) { return _mm_min_ps(x, y); }
+static inline vf f_higher(vf x, vf y) { return _mm_max_ps(x, y); }
+static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
+static inline vf f_abs(vf x) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), x); }
+static inline vf f_turned(vf x, vf y)
+{
+    return _mm_xor_ps(x, _mm_and_ps(_mm_set1_ps(-0.0f), y));
+}
+static inline vf f_sqrt(vf x) { return _mm_sqrt_ps(x); }
+static inline vm m_not_greater(vf x, vf y) { return _mm_cmpngt_ps(x, y); }
+static inline unsigned m_bits(vm m) { return (unsigned)_mm_movemask_ps(m); }
+static inline vf m_select(vm m, vf x, vf y)
+{
+    return _mm_or_ps(_mm_and_ps(m, x), _mm_andnot_ps(m, y));
+}
+static inline vi i_set(uint32_t x) { return _mm_set1_epi32((int)x); }
+static inline vi i_or_where(vi x, vm m, vi y)
+{
+    return _mm_or_si128(x, _mm_and_si128(_mm_castps_si128(m), y));
+}
+static inline void i_store(uint32_t *x, vi v)
+{
+    _mm_storeu_si128((__m128i *)(void *)x, v);
+}
+
+#else
+
+#define NO_LANES
+#include <math.h>
+enum { WIDTH = 1 };
+typedef float vf;
+typedef uint32_t vi;
+typedef unsigned vm;
+static inline vf f_set(float x) { return x; }
+static inline vf f_load(const float *x) { return *x; }
+static inline float f_first(vf x) { return x; }
+static inline vi i_load(const uint32_t *x) { return *x; }
+static inline vi i_load_shorts(const uint16_t *x) { return *x; }
+static inline vi i_right(vi x, int bits) { return x >> bits; }
+static inline vf f_from_bits(vi x, int mask)
+{
+    return (float)(x & (uint32_t)mask);
+}
+static inline vf f_from_bytes(const uint8_t *x) { return (float)*x; }
+static inline void f_store(float *x, vf v) { *x = v; }
+static inline void f_store_keys(uint32_t *x, vf v)
+{
+    memcpy(x, &v, sizeof v);
+    *x ^= *x >> 31 ? 0xffffffffu : 0x80000000u;
+}
+static inline vf f_lower(vf x, vf y) { return x < y ? x : y; }
+static inline vf f_higher(vf x, vf y) { return x > y ? x : y; }
+static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
+static inline vf f_abs(vf x) { return fabsf(x); }
+static inline vf f_turned(vf x, vf y) { return y < 0 ? -x : x; }
+static inline vf f_sqrt(vf x) { return sqrtf(x); }
+static inline vm m_not_greater(vf x, vf y) { return !(x > y); }
+static inline unsigned m_bits(vm m) { return m; }
+static inline vf m_select(vm m, vf x, vf y) { return m ? x : y; }
+static inline vi i_set(uint32_t x) { return x; }
+static inline vi i_or_where(vi x, vm m, vi y) { return m ? x | y : x; }
+static inline void i_store(uint32_t *x, vi v) { *x = v; }
+
+#endif
+
+/* Bits of the lanes where x > y is not so. */
+static inline unsigned f_not_greater(vf x, vf y)
+{
+    return m_bits(m_not_greater(x, y));
+}
+
+/* Four floats, for boxes: x, y, z and one to spare, which v4_xyz() clears. */
+#ifdef NO_LANES
+
+typedef struct {
+    float x[4];
+} v4;
+#define V4_EACH(expression) \
+    v4 r; \
+    for (int i = 0; i < 4; i++) \
+        r.x[i] = expression; \
+    return r;
+static inline v4 v4_load(const float *x) { V4_EACH(x[i]) }
+static inline v4 v4_set(float x) { V4_EACH(x) }
+static inline void v4_store(float *x, v4 a)
+{
+    for (int i = 0; i < 4; i++)
+        x[i] = a.x[i];
+}
+static inline v4 v4_min(v4 a, v4 b)
+{
+    V4_EACH(a.x[i] < b.x[i] ? a.x[i] : b.x[i])
+}
+static inline v4 v4_max(v4 a, v4 b)
+{
+    V4_EACH(a.x[i] > b.x[i] ? a.x[i] : b.x[i])
+}
+static inline v4 v4_add(v4 a, v4 b) { V4_EACH(a.x[i] + b.x[i]) }
+static inline v4 v4_sub(v4 a, v4 b) { V4_EACH(a.x[i] - b.x[i]) }
+static inline v4 v4_mul(v4 a, v4 b) { V4_EACH(a.x[i] * b.x[i]) }
+static inline v4 v4_xyz(v4 a)
+{
+    a.x[3] = 0;
+    return a;
+}
+static inline v4 v4_yzx(v4 a) { V4_EACH(a.x[i < 3 ? (i + 1) % 3 : 3]) }
+static inline float v4_sum_xyz(v4 a) { return a.x[0] + a.x[1] + a.x[2]; }
+static inline void v4_truncate(int32_t *to, v4 a)
+{
+    for (int i = 0; i < 4; i++)
+        to[i] = (int32_t)a.x[i];
+}
+
+#else
+
+typedef __m128 v4;
+static inline v4 v4_load(const float *x) { return _mm_loadu_ps(x); }
+static inline v4 v4_set(float x) { return _mm_set1_ps(x); }
+static inline void v4_store(float *x, v4 a) { _mm_storeu_ps(x, a); }
+static inline v4 v4_min(v4 a, v4 b) { return _mm_min_ps(a, b); }
+static inline v4 v4_max(v4 a, v4 b) { return _mm_max_ps(a, b); }
+static inline v4 v4_add(v4 a, v4 b) { return _mm_add_ps(a, b); }
+static inline v4 v4_sub(v4 a, v4 b) { return _mm_sub_ps(a, b); }
+static inline v4 v4_mul(v4 a, v4 b) { return _mm_mul_ps(a, b); }
+static inline v4 v4_xyz(v4 a)
+{
+    return _mm_and_ps(a, _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1)));
+}
+static inline v4 v4_yzx(v4 a)
+{
+    return _mm_shuffle_ps(a, a, _MM_SHUFFLE(3, 0, 2, 1));
+}
+static inline float v4_sum_xyz(v4 a)
+{
+    return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(a, v4_yzx(a)),
+                                    _mm_movehl_ps(a, a)));
+}
+static inline void v4_truncate(int32_t *to, v4 a)
+{
+    _mm_storeu_si128((__m128i *)(void *)to, _mm_cvttps_epi32(a));
+}
+
+#endif
+
+/* clang-format on */
+#endif

@@ -1,0 +1,489 @@
+/*
+ * test_scene_float_filter.c - what doubles are certain of is what the library says
+ *
+ * Every build of float_filter.c that this processor can run, on lines of all
+ * families, rounded to floats: hits, parts, t and z within their errors, and
+ * the floats of a description bit for bit.
+ */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#define CYLINT_ONE_LANE
+#include "check.h"
+#include "embree/packet_filter.h"
+#include "embree/angle.h"
+#include "families.h"
+
+#ifndef HAVE_GSL
+
+int main(void)
+{
+    printf("no GSL, so no families of lines and shapes\n");
+    return 77;
+}
+
+#else
+
+enum { CASES = 10000 };
+
+/* How many hits there were, and of how many doubles were certain. */
+struct tally {
+    long hits, certain, described;
+};
+
+/* A case's line in floats, about its shape made circular and bounded. */
+struct question {
+    cylint_quick_line line;
+    const cylint_shape *shape;
+    cylint_answer answer;
+    int n;
+};
+
+static int circular(struct family_case *c, uint64_t index)
+{
+    static const cylint_ends bounded[4] = {CYLINT_ENDS_CAPPED, CYLINT_ENDS_OPEN,
+                                           CYLINT_ENDS_CAP0, CYLINT_ENDS_CAP1};
+    c->ends = bounded[index % 4];
+    return family_make(c);
+}
+
+/* near is unknown, some float before the shape, or one behind it. */
+static float near_shape(const struct question *q, uint64_t index)
+{
+    const double t = q->n ? q->answer.hit[0].t : 0;
+    if (index % 3 == 0)
+        return HUGE_VALF;
+    return (float)(t * (index % 3 == 1 ? 0.98 : 1.03));
+}
+
+static int pose(struct question *q, struct family_case *c, uint64_t index)
+{
+    cylint_line line;
+    if (!circular(c, index))
+        return 0;
+    for (int j = 0; j < 3; j++) {
+        q->line.o[j] = (float)c->line.o[j];
+        q->line.d[j] = (float)c->line.d[j];
+    }
+    q->line.tmin = index % 5 ? 0 : -HUGE_VAL;
+    q->line.tmax = HUGE_VAL;
+    if (cylint_span(&line, q->line.o, q->line.d, q->line.tmin, q->line.tmax) !=
+        CYLINT_OK)
+        return 0;
+    q->shape = &c->shape;
+    q->n = cylint_intersect(q->shape, &line, CYLINT_WANT_ALL, &q->answer);
+    q->line.near = near_shape(q, index);
+    return 1;
+}
+
+static int same_float(float x, double y)
+{
+    const float z = (float)y;
+    return memcmp(&x, &z, sizeof x) == 0;
+}
+
+static int same_floats(const cylint_quick_floats *f, const cylint_hit *hit)
+{
+    int same =
+        same_float(f->z, hit->z) && same_float(f->phi, cylint_turn(hit->phi));
+    for (int j = 0; j < 3; j++)
+        same &= same_float(f->normal[j], hit->normal[j]);
+    return same;
+}
+
+static int part_of(const cylint_quick_hit *at)
+{
+    return !at->capped ? CYLINT_PART_LATERAL
+           : at->top   ? CYLINT_PART_CAP1
+                       : CYLINT_PART_CAP0;
+}
+
+static int describes(const cylint_quick_build *build, const cylint_quick *q,
+                     const cylint_quick_hit *at, const cylint_hit *hit,
+                     struct tally *tally)
+{
+    cylint_quick_floats floats;
+    tally->certain++;
+    if (part_of(at) != (int)hit->part ||
+        !(fabs(at->t - hit->t) <= at->t_error) ||
+        !(fabs(at->z - hit->z) <= at->z_error))
+        return 0;
+    if (!build->describe(q, at, &floats))
+        return 1;
+    tally->described++;
+    return same_floats(&floats, hit);
+}
+
+static int agrees(const cylint_quick_build *build, const struct question *x,
+                  struct tally *tally)
+{
+    cylint_quick q;
+    cylint_quick_hit at;
+    int n = 0;
+    cylint_quick_shape shape;
+    cylint_quick_shape_of(&shape, x->shape);
+    const cylint_quick_subject subject = {&shape, 0, x->shape, x->shape->ends};
+    cylint_quick_verdict is = build->enter(&q, &subject, &x->line, &at);
+    tally->hits += x->n;
+    for (int i = 0; i < 2 && is != CYLINT_QUICK_UNSURE; i++) {
+        if (i == 1)
+            is = build->leave(&q, &at);
+        if (is != CYLINT_QUICK_HIT)
+            continue;
+        if (n == x->n || !describes(build, &q, &at, &x->answer.hit[n], tally))
+            return 0;
+        n++;
+    }
+    return is == CYLINT_QUICK_UNSURE || n == x->n;
+}
+
+static void show(const cylint_quick_line *line, const struct family_case *c)
+{
+    REPORT("in floats, near %a, from %a:", line->near, line->tmin);
+    if (check_bad <= CHECK_SHOWN) {
+        family_print(stderr, c);
+        fputc('\n', stderr);
+    }
+}
+
+static struct tally asked(const cylint_quick_build *build, int family,
+                          family_shape last)
+{
+    struct tally tally = {0, 0, 0};
+    for (uint64_t i = 0; i < CASES; i++) {
+        struct family_case c;
+        struct question x;
+        family_case(1, family, i, &c);
+        if (c.shape_word > last || !pose(&x, &c, i))
+            continue;
+        if (!CHECK(agrees(build, &x, &tally))) {
+            show(&x.line, &c);
+        }
+    }
+    return tally;
+}
+
+static void ask_all(const char *name, const cylint_quick_build *build)
+{
+    struct tally sum = {0, 0, 0};
+    for (int family = 0; family < family_count(); family++) {
+        const struct tally t = asked(build, family, FAMILY_ACONE);
+        sum.hits += t.hits;
+        sum.certain += t.certain;
+        sum.described += t.described;
+    }
+    printf("%s: %ld hits, certain of %ld, described %ld\n", name, sum.hits,
+           sum.certain, sum.described);
+    CHECK((double)sum.described > 0.6 * (double)sum.hits); /* worth asking */
+}
+
+static void what_is_certain_is_what_the_library_says(void)
+{
+    ask_all("plain", &cylint_quick_plain);
+}
+
+static void what_is_certain_when_fused_is_so_too(void)
+{
+    if (cylint_quick_used() != &cylint_quick_plain)
+        ask_all("fused", cylint_quick_used());
+}
+
+/* ------------------------------------------------------- many at a time -- */
+
+/* Questions side by side. */
+struct crowd {
+    struct question question[CYLINT_QUICK_MOST];
+    struct family_case from[CYLINT_QUICK_MOST];
+    cylint_quick_shape shape[CYLINT_QUICK_MOST];
+    cylint_quick_subject subject[CYLINT_QUICK_MOST];
+    const cylint_quick_line *line[CYLINT_QUICK_MOST];
+    int n;
+};
+
+/* Up to `most` cases of the family, from number *i on. */
+static void gather(struct crowd *c, int family, uint64_t *i, int most)
+{
+    for (c->n = 0; c->n < most && *i < CASES; ++*i) {
+        const int n = c->n;
+        struct question *x = &c->question[n];
+        family_case(3, family, *i, &c->from[n]);
+        if (c->from[n].shape_word > FAMILY_ACONE || !pose(x, &c->from[n], *i))
+            continue;
+        cylint_quick_shape_of(&c->shape[n], x->shape);
+        c->subject[n] =
+            (cylint_quick_subject){&c->shape[n], 0, x->shape, x->shape->ends};
+        c->line[c->n++] = &x->line;
+    }
+}
+
+static int is_told(const cylint_quick_answers *a, int i, const cylint_hit *hit)
+{
+    return fabs(a->t[i] - hit->t) <= a->t_error[i] &&
+           fabs(a->z[i] - hit->z) <= a->z_error[i];
+}
+
+static int is_described(const cylint_quick_answers *a, int i,
+                        const cylint_hit *hit)
+{
+    const cylint_quick_floats f = {(float)a->float_z[i],
+                                   (float)a->phi[i],
+                                   {(float)a->normal[0][i],
+                                    (float)a->normal[1][i],
+                                    (float)a->normal[2][i]}};
+    return same_floats(&f, hit);
+}
+
+/* Whether what is said of question i is so. */
+static int is_right(const cylint_quick_answers *a, int i,
+                    const struct question *x)
+{
+    const unsigned hit = a->hit >> i & 1, unsure = a->unsure >> i & 1;
+    if (hit && (unsure || x->n == 0 || !is_told(a, i, &x->answer.hit[0])))
+        return 0;
+    if (a->described >> i & 1 &&
+        !(hit && is_described(a, i, &x->answer.hit[0])))
+        return 0;
+    return hit || unsure || x->n <= (int)(a->crosses >> i & 1);
+}
+
+static void ask_crowds(cylint_quick_many *many, int family, struct tally *tally)
+{
+    int most = 1; /* of each number, in turn */
+    for (uint64_t i = 0; i < CASES; most = most % CYLINT_QUICK_MOST + 1) {
+        struct crowd c;
+        cylint_quick_answers a;
+        gather(&c, family, &i, most);
+        if (c.n == 0)
+            break;
+        many(c.subject, c.line, c.n, 1, &a);
+        CHECK((a.hit | a.unsure | a.crosses | a.described) >> c.n == 0);
+        for (int k = 0; k < c.n; k++) {
+            tally->hits += c.question[k].n > 0;
+            tally->certain += a.hit >> k & 1;
+            tally->described += a.described >> k & 1;
+            if (!CHECK(is_right(&a, k, &c.question[k]))) {
+                REPORT("%d of %d:", k, c.n);
+                show(c.line[k], &c.from[k]);
+            }
+        }
+    }
+}
+
+static void what_many_are_told_is_so(void)
+{
+    cylint_quick_many *many;
+    for (int i = 0; (many = cylint_quick_many_build(i)); i++) {
+        struct tally t = {0, 0, 0};
+        for (int family = 0; family < family_count(); family++)
+            ask_crowds(many, family, &t);
+        printf("build %d: %ld are hit, certain of %ld, described %ld\n", i,
+               t.hits, t.certain, t.described);
+        CHECK((double)t.described > 0.4 * (double)t.hits);
+    }
+}
+
+/* Near the base z is small, and the library's is no better than beside 1. */
+static void a_small_z_is_not_more_certain_than_the_librarys(void)
+{
+    const double p0[3] = {-0x1.6020a5d5p+48, -0x1.c0feab9p+8, 0};
+    const double p1[3] = {-0x1.7d09b8488p+46, -0x1.95b9e5dap+12,
+                          -0x1.74b95eccp+49};
+    const double o[3] = {0x1.0d3666p+53, -0x1.4a6948p-27, -0x1.86878cp-40};
+    const double d[3] = {-0x1.0d3666p+53, 0x1.0321c4p-28, 0x1.86878cp-40};
+    struct tally tally = {0, 0, 0};
+    struct question x;
+    cylint_shape shape;
+    cylint_line line;
+    memset(&x, 0, sizeof x);
+    memcpy(x.line.o, o, sizeof o);
+    memcpy(x.line.d, d, sizeof d);
+    x.line.tmax = HUGE_VAL;
+    x.line.near = HUGE_VALF;
+    x.shape = &shape;
+    CHECK(cylint_cylinder(&shape, p0, p1, 0x1.bef9b1a9p+18, CYLINT_ENDS_OPEN) ==
+          CYLINT_OK);
+    CHECK(cylint_span(&line, o, d, 0, HUGE_VAL) == CYLINT_OK);
+    x.n = cylint_intersect(&shape, &line, CYLINT_WANT_ALL, &x.answer);
+    CHECK(x.n == 1 && x.answer.hit[0].z < 0x1p-30);
+    CHECK(agrees(&cylint_quick_plain, &x, &tally));
+    CHECK(agrees(cylint_quick_used(), &x, &tally));
+}
+
+/* The case's shape, all of its numbers rounded to floats. */
+static int in_floats(const struct family_case *c, cylint_shape *shape)
+{
+    double base[3], top[3];
+    if (c->shape.kind > CYLINT_KIND_CONE)
+        return 0;
+    for (int j = 0; j < 3; j++) {
+        base[j] = (float)c->shape.base[j];
+        top[j] = (float)c->shape.top[j];
+    }
+    return cylint_cone(shape, base, (float)c->shape.r0, top, (float)c->shape.r1,
+                       (cylint_ends)c->shape.ends) == CYLINT_OK;
+}
+
+/* The same in every bit; how often that was so. */
+static long small_as_large(const cylint_quick_build *build, int family)
+{
+    long same = 0;
+    for (uint64_t i = 0; i < CASES / 10; i++) {
+        struct family_case c;
+        struct question x;
+        cylint_shape shape;
+        cylint_quick_small small;
+        cylint_quick_shape large;
+        cylint_quick q[2];
+        cylint_quick_hit at[2];
+        family_case(2, family, i, &c);
+        if (!pose(&x, &c, i) || !in_floats(&c, &shape) ||
+            !cylint_quick_small_of(&small, &shape))
+            continue;
+        memset(q, 0, sizeof q);
+        memset(at, 0, sizeof at);
+        cylint_quick_shape_of(&large, &shape);
+        const cylint_quick_subject subject[2] = {
+            {&large, 0, &shape, shape.ends}, {&small, 1, &shape, shape.ends}};
+        CHECK(build->enter(&q[0], &subject[0], &x.line, &at[0]) ==
+              build->enter(&q[1], &subject[1], &x.line, &at[1]));
+        same += CHECK(memcmp(&q[0], &q[1], sizeof q[0]) == 0 &&
+                      memcmp(&at[0], &at[1], sizeof at[0]) == 0);
+    }
+    return same;
+}
+
+/* The same of many at a time. */
+static long many_small_as_large(cylint_quick_many *many, int family)
+{
+    long same = 0;
+    for (uint64_t i = 0; i < CASES / 10;) {
+        struct crowd c;
+        cylint_quick_subject small[CYLINT_QUICK_MOST];
+        cylint_quick_small shape[CYLINT_QUICK_MOST];
+        cylint_quick_answers a[2];
+        gather(&c, family, &i, CYLINT_QUICK_MOST);
+        for (int k = 0; k < c.n; k++) {
+            cylint_shape *whole = &c.from[k].shape;
+            if (!in_floats(&c.from[k], whole) ||
+                !cylint_quick_small_of(&shape[k], whole))
+                c.n = k;
+            else {
+                cylint_quick_shape_of(&c.shape[k], whole);
+                small[k] =
+                    (cylint_quick_subject){&shape[k], 1, whole, whole->ends};
+            }
+        }
+        if (c.n == 0)
+            continue;
+        memset(a, 0, sizeof a);
+        many(c.subject, c.line, c.n, 1, &a[0]);
+        many(small, c.line, c.n, 1, &a[1]);
+        same += CHECK(memcmp(&a[0], &a[1], sizeof a[0]) == 0);
+    }
+    return same;
+}
+
+static void small_shapes_are_asked_what_large_ones_are(void)
+{
+    long same = 0;
+    for (int family = 0; family < family_count(); family++)
+        same += small_as_large(cylint_quick_used(), family) +
+                small_as_large(&cylint_quick_plain, family);
+    CHECK(same > CASES);
+}
+
+static void many_small_shapes_are_asked_so_too(void)
+{
+    cylint_quick_many *many;
+    for (int i = 0; (many = cylint_quick_many_build(i)); i++) {
+        long same = 0;
+        for (int family = 0; family < family_count(); family++)
+            same += many_small_as_large(many, family);
+        CHECK(same > CASES / 100);
+    }
+}
+
+/* A cylinder or cone from base to top, or neither. */
+static int is_small(double x, double r, int cone)
+{
+    const double base[3] = {x, 2, 3}, top[3] = {4, 5, 6};
+    cylint_quick_small small;
+    cylint_shape shape;
+    return CHECK((cone
+                      ? cylint_cone(&shape, base, r, top, 1, CYLINT_ENDS_CAPPED)
+                      : cylint_cylinder(&shape, base, top, r,
+                                        CYLINT_ENDS_CAPPED)) == CYLINT_OK) &&
+           cylint_quick_small_of(&small, &shape);
+}
+
+static void only_what_is_made_of_floats_is_small(void)
+{
+    const double base[3] = {1, 2, 3}, up[3] = {0, 0, 1};
+    const double a[3] = {1, 0, 0}, b[3] = {0, 1, 0};
+    cylint_quick_small small;
+    cylint_shape shape;
+    for (int cone = 0; cone < 2; cone++) {
+        CHECK(is_small(1, 0.5, cone) && is_small(-0.0, 0.5, cone));
+        CHECK(is_small((double)FLT_MIN, 0.5, cone));
+        CHECK(!is_small(0.1, 0.5, cone) && !is_small(1, 0.1, cone));
+        CHECK(!is_small(0x1p-140, 0.5, cone));  /* a subnormal float */
+        CHECK(!is_small(0x1p-1070, 0.5, cone)); /* and double */
+        CHECK(!is_small(0x1p200, 0.5, cone));
+    }
+    CHECK(cylint_angle_cone(&shape, base, up, 45, CYLINT_ENDS_CAPPED) ==
+              CYLINT_OK &&
+          !cylint_quick_small_of(&small, &shape));
+    CHECK(cylint_elliptic_cylinder(&shape, base, a, b, up,
+                                   CYLINT_ENDS_CAPPED) == CYLINT_OK &&
+          !cylint_quick_small_of(&small, &shape));
+}
+
+/* As far as long doubles tell; the bound is not far above what there is. */
+static void an_angle_in_turns_errs_by_its_bound_at_most(void)
+{
+    const long double two_pi = 6.283185307179586476925286766559L;
+    double most = 0;
+    for (int i = 0; i < 1000000; i++) {
+        const double phi = 6.2831853 * (i + 0.5) / 1e6;
+        const double length = ldexp(1 + 1e-6 * i, i % 200 - 100);
+        const double x = length * cos(phi), y = length * sin(phi);
+        double per_far;
+        const double turn = cylint_turns(y, x, &per_far);
+        long double exact = atan2l(y, x) / two_pi;
+        exact += exact < 0;
+        most = fmax(most, (double)fabsl(turn - exact));
+        if (!CHECK(per_far * hypot(x, y) <= 1 + 0x1p-50 &&
+                   per_far * hypot(x, y) > 12 / 13.0))
+            REPORT("1 / %a of %a, %a", per_far, x, y);
+    }
+    if (!CHECK(most <= CYLINT_TURN_ERROR && most > 0.5 * CYLINT_TURN_ERROR))
+        REPORT("by %a", most);
+}
+
+static void ordinary_cylinders_are_certain(void)
+{
+    const int ordinary = 0;
+    CHECK(strcmp(family_name(ordinary), "ordinary") == 0);
+    const struct tally t =
+        asked(cylint_quick_used(), ordinary, FAMILY_CYLINDER);
+    if (!CHECK(t.hits > CASES / 4 &&
+               (double)t.described >= 0.999 * (double)t.hits))
+        REPORT("%ld of %ld hits", t.described, t.hits);
+}
+
+int main(void)
+{
+    RUN(what_is_certain_is_what_the_library_says);
+    RUN(what_is_certain_when_fused_is_so_too);
+    RUN(ordinary_cylinders_are_certain);
+    RUN(what_many_are_told_is_so);
+    RUN(a_small_z_is_not_more_certain_than_the_librarys);
+    RUN(small_shapes_are_asked_what_large_ones_are);
+    RUN(many_small_shapes_are_asked_so_too);
+    RUN(only_what_is_made_of_floats_is_small);
+    RUN(an_angle_in_turns_errs_by_its_bound_at_most);
+    return check_end();
+}
+
+#endif
