@@ -1,10 +1,10 @@
 #!/bin/sh
-# usage: sh tests/recipe.sh [NAME]
-# Prints a display of cylint(7), unescaped: the one behind the comment line
+# usage: sh tests/recipe.sh [NAME [MANUAL]]
+# Prints a display of MANUAL, cylint.7 by default, unescaped: the one behind the comment line
 # `.\" recipe NAME`.  Without a NAME, the names of all.
 awk -v name="${1-}" '
     /^\.\\" recipe / { found = $3; if (name == "") print found }
     /^\.Ed/ { inside = 0; found = "" }
     inside { gsub(/\\e/, "\\"); gsub(/\\&/, ""); gsub(/\\-/, "-"); print }
     /^\.Bd -literal/ { inside = name != "" && found == name }
-' "$(dirname "$0")/../man/cylint.7"
+' "$(dirname "$0")/../man/${2-cylint.7}"

@@ -317,31 +317,28 @@ test_manual()
     cd ..
 }
 
-# The README's commands, on a smaller scale.
-test_readme()
+# The commands of the README's pictures, on a smaller scale.
+test_pictures()
 {
     mkdir readme && cd readme && ln -s "$top/tools" tools || return 1
-    awk '/^```sh/ { show = 1; n++; next }
-         /^```/ { show = 0 }
-         show { print > ("command" n) }' "$top/README.md"
     data=$top/../shared/data/medulla_top24.swc
     if [ -e "$data" ]; then
         ln -s "$data" medulla_top24.swc
     else
         printf '1 1 0 0 0 2 -1\n2 3 0 9 9 1 1\n' > medulla_top24.swc
     fi
-    for c in $(grep -l cylint-render command*); do
-        sed 's/trees=48/trees=1/; s/960x540/96x54/; s/samples 64/samples 1/' \
-            "$c" > small
-        sh small > out 2>&1 || { cat out; false; }
-        verdict "readme: $(grep -h '[.]png' "$c")" $?
+    for p in forest neurons; do
+        sh "$top/tests/recipe.sh" $p cylint-render.1 |
+            sed 's/trees=48/trees=1/; s/960x540/96x54/; s/samples 64/samples 1/' > small
+        sh small > out 2>&1 && [ -s $p.png ] || { cat small out; false; }
+        verdict "the manual's command draws $p" $?
     done
     for p in forest neurons; do
         [ -s "$top/tools/render/$p.png" ] &&
             "$build/tests/pixels" $p.png | awk '
                 !($3 $4 $5 in seen) { seen[$3 $4 $5] = 1; n++ }
                 END { exit !(n > 300) }'
-        verdict "the readme's $p is a picture" $?
+        verdict "the shipped $p is a picture" $?
     done
     cd ..
 }
@@ -369,6 +366,6 @@ test_inside
 test_colours
 test_faults
 test_manual
-test_readme
+test_pictures
 test_forest
 check_end
