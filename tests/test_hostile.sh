@@ -42,8 +42,9 @@ printf '\377\376l\000i\000n\000e\000\n\000' >in
 printf "cylint: in:1:1: expected line, ray, segment or span, found '%s'\n" \
     '\xff\xfel\x00i\x00n\x00e\x00' >want.err
 run -e skip in
-head -n 1 err >first && mv first err
-expect 'UTF-16 is refused by its first bytes' 1
+sed -i '1s/$/; this looks like a binary file/' want.err
+echo 'cylint: 2 bad records in all' >>want.err
+expect 'UTF-16 is refused by its first bytes, with one message' 1
 
 printf '%s\r%s\r' "$good" "$good" >in
 printf 'error\tnan\tnan\tnan\n' >want
@@ -64,10 +65,23 @@ expect 'a tail may hold any other byte' 0
 LC_ALL=C awk 'BEGIN { srand(7); for (i = 0; i < 200000; i++)
     printf "%c", int(256 * rand()) }' >in
 run -f id in
-[ "$(grep -c '^cylint: ' err)" -eq 11 ] &&
+[ "$(grep -c '; this looks like a binary file$' err)" -eq 1 ] &&
+    [ "$(grep -c '^cylint: ' err)" -eq 2 ] &&
     [ "$(wc -l <out)" -eq "$(grep -c '^error$' out)" ] &&
     [ "$(wc -l <out)" -gt 100 ] || status="$status, output"
-expect 'binary garbage gives one error a line and eleven messages' 1
+expect 'binary garbage gives one error a line, one message and the count' 1
+
+{ cat in; printf '\nx\n'; } >in2
+printf 'y\nz\n' >text
+run -f id text in2 text
+[ "$(grep -c '^cylint: text:' err)" -eq 4 ] &&
+    [ "$(grep -c '^cylint: in2:' err)" -eq 1 ] || status="$status, messages"
+expect 'the messages about files around a binary one are shown' 1
+
+{ echo "$good"; head -c 4000 in; } | tr -d '\n' >in2
+run -s in2 text
+[ "$(grep -c '^cylint: ' err)" -eq 1 ] || status="$status, messages"
+expect 'a binary scene gives one message' 1
 
 # --- numbers
 printf 'line 1e999 0 0 0 0 1 cylinder 0 0 0 0 0 1 1\n%s\n' \
@@ -99,7 +113,7 @@ run in
 expect 'a line of 1 MiB and a byte is bad, the next one is not' 1
 
 for size in 3000000 50000000; do
-    { echo "$good a"; head -c $size /dev/zero; printf '\n%s b\n' "$good"
+    { echo "$good a"; head -c $size /dev/zero | tr '\0' x; printf '\n%s b\n' "$good"
       head -c $size /dev/zero | tr '\0' '#'; } >in
     printf 'cross\t2\t1\t2\ta\nerror\tnan\tnan\tnan\n' >want
     printf 'cross\t2\t1\t2\tb\nerror\tnan\tnan\tnan\n' >>want

@@ -54,6 +54,12 @@ same 'several files'        -k ray,cylinder -f id,n many records good many
 same 'a missing file'       -k ray,cylinder -f id,n good missing many
 same 'nearest'              -k ray -s scene rays
 same 'all, more answers than records' -k ray -s scene -q all rays
+sed 's/ id/ /' good >numbered
+{ cat good; cat numbered numbered; } >late
+same 'a remark on the tail, said once' -k ray,cylinder late
+is 'the first numeric tail is named' "$(cut -d: -f3 want.err | head -n 1)" \
+    -eq "$(($(wc -l <good) + 1))"
+is 'there is no second remark' "$(wc -l <want.err)" -eq 2
 same 'a method'             -k ray,cylinder --method=quadratic many
 same 'binary answers'       -k ray,cylinder --binary-out many
 

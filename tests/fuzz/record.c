@@ -78,13 +78,18 @@ static void check_record(const struct grammar *g, const struct record *r)
 
 static struct grammar make_grammar(unsigned a, unsigned b)
 {
-    struct grammar g = {0, 0, NOT_GIVEN, NOT_GIVEN, NOT_GIVEN, 0, 0, 0};
+    struct grammar g = {0};
     g.has_line = a % 3 != 0;
     g.has_shape = a % 3 != 1;
     g.line = (int)(a / 3 % (LINE_KINDS + 1)) - 1;
     g.shape = (int)(a / 15 % (SHAPE_KINDS + 1)) - 1;
     g.ends = (int)(b % 7) - 1;
     g.has_domain = b / 7 % 2 != 0;
+    g.no_tail = b / 14 % 2 != 0;
+    if ((!g.has_line || g.line != NOT_GIVEN) &&
+        (!g.has_shape || g.shape != NOT_GIVEN) && g.has_line) {
+        describe_bare(&g);
+    }
     g.tmin = g.has_domain ? -1 : 0;
     g.tmax = g.has_domain ? HUGE_VAL : 0;
     return g;

@@ -41,6 +41,8 @@ static const char help[] =
     "  -d CHAR            output separator, instead of a tab\n"
     "  --miss TOKEN       what to write for a missing value\n"
     "  -e HOW             bad records: mark (default), skip or stop\n"
+    "  --tail             what follows the numbers of -k is meant for a tail\n"
+    "  --no-tail          a record with a tail is bad\n"
     "  -C                 copy blank lines and comments through\n"
     "  -b, --binary-in, --binary-out\n"
     "                     little-endian doubles in and out, in, out (needs "

@@ -49,7 +49,6 @@ static enum answered deliver(struct job *job, struct block *b)
     job->status = output_write(&job->out, b->out.data, b->out.length);
     b->out.length = 0;
     report_notes(&job->report, &b->notes, b->name);
-    b->notes.count = 0;
     return job->status == 0 ? ANSWERED : ANSWERED_LAST;
 }
 
@@ -85,7 +84,7 @@ static void put_answer(struct task *task, int hit)
 /* Returns 0: the method refuses this shape, which is the record's fault. */
 static int refuse_method(struct task *task, size_t shape)
 {
-    task->fault = (struct fault){task->job->refusal, 0, NULL, NULL, shape};
+    task->fault = (struct fault){.what = task->job->refusal, .shape = shape};
     return 0;
 }
 
@@ -238,7 +237,8 @@ static void mark_bad(struct task *task, unsigned long long line,
     const struct options *o = task->job->options;
     struct block *b = task->block;
     answer_pairs(task);
-    take_note(&b->notes, line, task->row.record, text, &task->fault);
+    take_note(&b->notes, line, task->row.record, text, b->text + b->length,
+              &task->fault);
     if (o->bad == BAD_MARK) {
         put_error(&b->out, &o->fields, &o->style);
     }
@@ -249,7 +249,14 @@ static void mark_bad(struct task *task, unsigned long long line,
 static void answer_or_mark(struct task *task, int good, unsigned long long line,
                            const char *text)
 {
-    if (good && task->block->pairs) {
+    struct block *b = task->block;
+    if (good && b->remarks.found) {
+        const unsigned long long waiting =
+            b->pairs ? (unsigned long long)b->pairs->count : 0;
+        take_remarks(&b->notes, &b->remarks, line, task->row.record + waiting,
+                     text);
+    }
+    if (good && b->pairs) {
         take_pair(task);
     } else if (good && answer_record(task)) {
         task->row.record++;
@@ -277,15 +284,21 @@ static void copy_comment(struct task *task, const char *line, const char *end)
     }
 }
 
-/* Where the next record goes, and whether it is good. */
+/* Where the next record is written to. */
+static struct parts place_of(struct block *b)
+{
+    struct parts parts =
+        b->pairs ? pairs_place(b->pairs) : parts_of(&b->parsed);
+    parts.remarks = b->remarks.wanted ? &b->remarks : NULL;
+    return parts;
+}
+
+/* Returns whether the record is good. */
 static int read_text(struct task *task, const char *line, const char *end)
 {
     const struct grammar *g = &task->job->options->grammar;
     struct block *b = task->block;
-    if (!b->pairs) {
-        return read_record(g, line, end, &b->parsed, &task->fault);
-    }
-    const struct parts parts = pairs_place(b->pairs);
+    const struct parts parts = place_of(b);
     return read_parts(g, line, end, &parts, &task->fault);
 }
 
@@ -315,17 +328,13 @@ static int take_doubles(struct task *task, const char *bytes, size_t size,
     struct block *b = task->block;
     double numbers[MOST_NUMBERS];
     if (left < size) {
-        task->fault =
-            (struct fault){"the input ends within it", 0, NULL, NULL, 0};
+        task->fault = (struct fault){.what = "the input ends within it"};
         return 0;
     }
     for (size_t i = 0; i < size / 8; i++) {
         numbers[i] = get_little_endian(bytes + 8 * i);
     }
-    if (!b->pairs) {
-        return take_record(g, numbers, &b->parsed, &task->fault);
-    }
-    const struct parts parts = pairs_place(b->pairs);
+    const struct parts parts = place_of(b);
     return take_parts(g, numbers, &parts, &task->fault);
 }
 
@@ -360,6 +369,8 @@ enum answered answer_block(struct job *job, struct block *b)
     task.job = job;
     task.block = b;
     task.row.record = b->record;
+    b->remarks.wanted = job->options->remarks;
+    b->remarks.found = 0;
     if (job->in.record_size > 0) {
         answer_doubles(&task);
     } else {

@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "grammar.h"
 #include "main.h"
+#include "similar.h"
 #include "text.h"
 
 int usage(const char *format, ...)
@@ -21,12 +22,19 @@ int usage(const char *format, ...)
     return EXIT_USAGE;
 }
 
-int usage_value(const struct option *o, const char *value, const char *expected)
+int usage_similar(const struct option *o, const char *value,
+                  const char *expected, const char *meant)
 {
     char shown[4 * 64 + 4];
     escape_bytes(shown, value, value + strlen(value), 64);
-    return usage("%s%s: expected %s, found '%s'", o->name[1] ? "--" : "-",
-                 o->name, expected, shown);
+    return usage("%s%s: expected %s, found '%s'%s%s%s", o->name[1] ? "--" : "-",
+                 o->name, expected, shown, meant ? "; did you mean " : "",
+                 meant ? meant : "", meant ? "?" : "");
+}
+
+int usage_value(const struct option *o, const char *value, const char *expected)
+{
+    return usage_similar(o, value, expected, NULL);
 }
 
 int read_count(const char *value, int most, int *count)
@@ -45,8 +53,12 @@ int read_count(const char *value, int most, int *count)
 int read_word(const struct option *o, const char *value,
               const char *const *words, const char *expected, int *index)
 {
-    *index = find_word(words, value, strlen(value));
-    return *index != NOT_GIVEN ? 0 : usage_value(o, value, expected);
+    const size_t length = strlen(value);
+    *index = find_word(words, value, length);
+    return *index != NOT_GIVEN
+               ? 0
+               : usage_similar(o, value, expected,
+                               similar_word(words, value, length));
 }
 
 /* The arguments, how far they are used up, and who takes them. */
@@ -69,6 +81,23 @@ static const struct option *find_option(const struct option *known,
     return NULL;
 }
 
+/* A letter is too short to be nearly an option's name. */
+static int refuse_option(const struct option *known, const char *dashes,
+                         const char *name, size_t length)
+{
+    struct similar similar = similar_to(name, length);
+    char shown[4 * 64 + 4];
+    escape_bytes(shown, name, name + length, 64);
+    for (const struct option *o = known; o->name; o++) {
+        if (o->name[1]) {
+            similar_try(&similar, o->name);
+        }
+    }
+    return similar.word ? usage("unknown option '%s%s'; did you mean --%s?",
+                                dashes, shown, similar.word)
+                        : usage("unknown option '%s%s'", dashes, shown);
+}
+
 static int take_long(struct arguments *args, const char *name)
 {
     const size_t length = strcspn(name, "=");
@@ -77,7 +106,7 @@ static int take_long(struct arguments *args, const char *name)
     char shown[4 * 64 + 4];
     escape_bytes(shown, name, name + length, 64);
     if (!o) {
-        return usage("unknown option '--%s'", shown);
+        return refuse_option(args->known, "--", name, length);
     }
     if (!o->has_value) {
         return name[length] == '=' ? usage("--%s takes no value", shown)
@@ -99,7 +128,9 @@ static int take_short(struct arguments *args, const char *letters)
         char shown[8];
         escape_bytes(shown, p, p + 1, 1);
         if (!o) {
-            return usage("unknown option '-%s'", shown);
+            return p == letters && p[1]
+                       ? refuse_option(args->known, "-", p, strlen(p))
+                       : usage("unknown option '-%s'", shown);
         }
         if (!o->has_value) {
             status = args->take(args->context, o, NULL);

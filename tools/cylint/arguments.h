@@ -19,6 +19,9 @@ struct option {
 int usage(const char *format, ...);
 int usage_value(const struct option *o, const char *value,
                 const char *expected);
+/* The same; `meant` is the word that the value is nearly, or NULL. */
+int usage_similar(const struct option *o, const char *value,
+                  const char *expected, const char *meant);
 
 /* A whole number from 1 to `most`; returns whether it is one. */
 int read_count(const char *value, int most, int *count);

@@ -38,6 +38,7 @@ struct block {
 
     struct text out;
     struct notes notes;
+    struct remarks remarks;
     int stopped;          /* at a bad record, by -e stop */
     struct record parsed; /* the record that is being answered; or */
     struct pairs *pairs;  /* those that are to be, at once; NULL: one by one */

@@ -8,6 +8,7 @@
 
 #include "columns.h"
 #include "numbers.h"
+#include "similar.h"
 
 enum value {
     VALUE_RELATION,
@@ -132,6 +133,17 @@ static const struct column *find_column(const char *name, size_t length,
         }
     }
     return NULL;
+}
+
+const char *similar_field(const char *name, size_t length, enum query query)
+{
+    struct similar similar = similar_to(name, length);
+    for (int i = 0; i < COLUMNS; i++) {
+        if (columns[i].queries >> query & 1) {
+            similar_try(&similar, columns[i].name);
+        }
+    }
+    return similar.word;
 }
 
 /* The first hit is enough unless a column needs both, or their number. */

@@ -58,6 +58,9 @@ const char *default_fields(enum query query);
 const char *find_fields(struct fields *fields, const char *names,
                         enum query query, size_t *length);
 
+/* The column of this query whose name is nearly this one, or NULL. */
+const char *similar_field(const char *name, size_t length, enum query query);
+
 /* The most bytes that a row, or the header, can take beside its tail. */
 size_t row_room(const struct fields *fields, const struct style *style);
 

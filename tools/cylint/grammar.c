@@ -4,10 +4,12 @@
  * Text is pointers and lengths, never strings: a NUL is a bad byte.  Fields
  * are separated by blanks, tabs, and at most one comma.
  */
+#include <stdio.h>
 #include <string.h>
 
 #include "grammar.h"
 #include "numbers.h"
+#include "similar.h"
 
 const struct kind line_kinds[LINE_KINDS] = {
     [LINE_WHOLE] = {"line", 6, "ox oy oz  dx dy dz"},
@@ -61,6 +63,25 @@ int find_kind(const struct kind *kinds, int count, const char *text,
     return NOT_GIVEN;
 }
 
+static const char *article(const char *word)
+{
+    return strchr("aeiou", word[0]) ? "an" : "a";
+}
+
+void describe_bare(struct grammar *g)
+{
+    const char *line = line_kinds[g->line].word;
+    if (g->has_shape) {
+        const char *shape = shape_kinds[g->shape].word;
+        snprintf(g->bare, sizeof g->bare, "%s %s and %s %s have %d",
+                 article(line), line, article(shape), shape,
+                 numbers_of_record(g));
+    } else {
+        snprintf(g->bare, sizeof g->bare, "%s %s has %d", article(line), line,
+                 numbers_of_record(g));
+    }
+}
+
 int numbers_of_record(const struct grammar *g)
 {
     return (g->has_line ? line_kinds[g->line].numbers : 0) +
@@ -107,10 +128,11 @@ static cylint_status make_shape(int kind, int ends, const double *v,
 
 /* ------------------------------------------------------------ text fields */
 
-/* Where reading has come to, and what went wrong. */
+/* How far the text is read, and what went wrong. */
 struct reader {
     const char *p, *end;
     struct fault *fault;
+    int has_ends; /* ends=WORD was read */
 };
 
 static inline const char *skip_separator(const char *p, const char *end)
@@ -140,16 +162,38 @@ static int refuse(struct reader *r, const char *what, int expected)
     if (after == r->p && after < r->end) {
         after++;
     }
-    *r->fault = (struct fault){what, expected, r->p, after, 0};
+    *r->fault = (struct fault){
+        .what = what, .expected = expected, .at = r->p, .end = after};
     return 0;
+}
+
+/* The number at p, if it is a whole field, ends where the result is; else
+ * NULL. */
+static const char *end_of_number(const char *p, const char *end, double *value)
+{
+    const char *after = cylint_read_number(p, end, value);
+    return after && (after == end || is_blank(*after) || *after == ',') ? after
+                                                                        : NULL;
+}
+
+/* How many numbers stand at p, one after the other. */
+static int count_numbers(const char *p, const char *end)
+{
+    double value;
+    int count = 0;
+    for (const char *after; p < end && (after = end_of_number(p, end, &value));
+         p = skip_separator(after, end)) {
+        count++;
+    }
+    return count;
 }
 
 static int read_numbers(struct reader *r, double *v, int count)
 {
     const char *const end = r->end;
     for (int i = 0; i < count; i++) {
-        const char *after = cylint_read_number(r->p, end, &v[i]);
-        if (!after || !(after == end || is_blank(*after) || *after == ',')) {
+        const char *after = end_of_number(r->p, end, &v[i]);
+        if (!after) {
             return refuse(r, "a number", 1);
         }
         if (v[i] - v[i] != 0) {
@@ -160,41 +204,124 @@ static int read_numbers(struct reader *r, double *v, int count)
     return 1;
 }
 
-static int read_kind(struct reader *r, const struct kind *kinds, int count,
-                     const char *expected)
+static int read_kind(struct reader *r, const struct kind *kinds, int count)
 {
     const char *after = end_of_field(r);
     const int kind = find_kind(kinds, count, r->p, (size_t)(after - r->p));
-    if (kind == NOT_GIVEN) {
-        refuse(r, expected, 1);
-        return kind;
+    if (kind != NOT_GIVEN) {
+        skip_to(r, after);
     }
-    skip_to(r, after);
     return kind;
 }
 
-/* What the library refuses is shown at the line's or shape's beginning. */
-static int refuse_status(struct reader *r, const char *at, int status)
+/* The kind whose word the text is nearly, or NULL. */
+static const char *similar_kind(const struct reader *r,
+                                const struct kind *kinds, int count)
 {
-    *r->fault = (struct fault){cylint_strerror(status), 0, at, at, 0};
+    const char *after = end_of_field(r);
+    struct similar similar = similar_to(r->p, (size_t)(after - r->p));
+    for (int i = 0; i < count; i++) {
+        similar_try(&similar, kinds[i].word);
+    }
+    return similar.word;
+}
+
+static int is_kind(const struct reader *r, const struct kind *kinds, int count)
+{
+    struct reader copy = *r;
+    return read_kind(&copy, kinds, count) != NOT_GIVEN;
+}
+
+static int refuse_line_kind(struct reader *r, const struct grammar *g)
+{
+    refuse(r, "line, ray, segment or span", 1);
+    if (count_numbers(r->p, r->end) > 0) {
+        r->fault->remedy = g->has_shape ? "for bare numbers use -k ray,cylinder"
+                                        : "for bare numbers use -k ray";
+    } else if (is_kind(r, shape_kinds, SHAPE_KINDS)) {
+        r->fault->remedy = "for a scene use -s";
+    } else {
+        r->fault->meant = similar_kind(r, line_kinds, LINE_KINDS);
+    }
     return 0;
 }
 
+static int refuse_shape_kind(struct reader *r, const struct grammar *g)
+{
+    refuse(r, "cylinder, cone, ecylinder, econe or acone", 1);
+    if (!g->has_line && is_kind(r, line_kinds, LINE_KINDS)) {
+        r->fault->remedy = "a scene has shapes only; for records leave out -s";
+    } else if (g->convert) {
+        r->fault->remedy = g->convert;
+    } else {
+        r->fault->meant = similar_kind(r, shape_kinds, SHAPE_KINDS);
+    }
+    return 0;
+}
+
+/* The first negative one of a shape's radii, or its first. */
+static int wrong_radius(int kind, const double *v)
+{
+    switch (kind) {
+    case SHAPE_CONE:
+        return v[3] >= 0 && v[7] < 0 ? 7 : 3;
+    case SHAPE_ECONE:
+        return 12;
+    default:
+        return 6;
+    }
+}
+
+/* The library refuses a line or shape that begins at `at`.  The message shows
+ * its number `wrong`, from 0; NOT_GIVEN: its beginning. */
+static int refuse_status(struct reader *r, const char *at, int has_word,
+                         int status, int wrong)
+{
+    r->p = at;
+    for (int i = wrong == NOT_GIVEN ? 0 : wrong + has_word; i > 0; i--) {
+        skip_to(r, end_of_field(r));
+    }
+    refuse(r, cylint_strerror(status), 0);
+    if (wrong == NOT_GIVEN) {
+        r->fault->end = at;
+    }
+    return 0;
+}
+
+static void look_at_domain(const struct grammar *g, int kind, const char *at,
+                           struct remarks *remarks)
+{
+    if (g->has_domain && kind >= LINE_SEGMENT && remarks &&
+        remarks->wanted & 1u << REMARK_DOMAIN) {
+        remarks->found |= 1u << REMARK_DOMAIN;
+        remarks->fault[REMARK_DOMAIN] = (struct fault){
+            .what = kind == LINE_SEGMENT ? "-t has no effect on a segment"
+                                         : "-t has no effect on a span",
+            .at = at,
+            .end = at};
+    }
+}
+
 static int read_line(struct reader *r, const struct grammar *g,
-                     cylint_line *line)
+                     const struct parts *parts)
 {
     double v[8];
     const char *at = r->p;
     int kind = g->line;
     if (kind == NOT_GIVEN) {
-        kind =
-            read_kind(r, line_kinds, LINE_KINDS, "line, ray, segment or span");
+        kind = read_kind(r, line_kinds, LINE_KINDS);
+        if (kind == NOT_GIVEN) {
+            return refuse_line_kind(r, g);
+        }
     }
-    if (kind == NOT_GIVEN || !read_numbers(r, v, line_kinds[kind].numbers)) {
+    if (!read_numbers(r, v, line_kinds[kind].numbers)) {
         return 0;
     }
-    const cylint_status status = make_line(g, kind, v, line);
-    return status == CYLINT_OK || refuse_status(r, at, (int)status);
+    look_at_domain(g, kind, at, parts->remarks);
+    const cylint_status status = make_line(g, kind, v, parts->line);
+    return status == CYLINT_OK ||
+           refuse_status(r, at, g->line == NOT_GIVEN, (int)status,
+                         status == CYLINT_EDOMAIN ? 6 : NOT_GIVEN);
 }
 
 static int read_ends(struct reader *r, int *ends)
@@ -208,8 +335,12 @@ static int read_ends(struct reader *r, int *ends)
     const char *after = end_of_field(r);
     *ends = find_word(ends_words, r->p, (size_t)(after - r->p));
     if (*ends == NOT_GIVEN) {
-        return refuse(r, ENDS_WORDS, 1);
+        refuse(r, ENDS_WORDS, 1);
+        r->fault->meant =
+            similar_word(ends_words, r->p, (size_t)(after - r->p));
+        return 0;
     }
+    r->has_ends = 1;
     skip_to(r, after);
     return 1;
 }
@@ -221,21 +352,44 @@ static int read_shape(struct reader *r, const struct grammar *g,
     const char *at = r->p;
     int kind = g->shape;
     if (kind == NOT_GIVEN) {
-        kind = read_kind(r, shape_kinds, SHAPE_KINDS,
-                         "cylinder, cone, ecylinder, econe or acone");
+        kind = read_kind(r, shape_kinds, SHAPE_KINDS);
+        if (kind == NOT_GIVEN) {
+            return refuse_shape_kind(r, g);
+        }
     }
     int ends = g->ends;
-    if (kind == NOT_GIVEN || !read_numbers(r, v, shape_kinds[kind].numbers) ||
+    if (!read_numbers(r, v, shape_kinds[kind].numbers) ||
         !read_ends(r, &ends)) {
         return 0;
     }
     const cylint_status status = make_shape(kind, ends, v, shape);
-    return status == CYLINT_OK || refuse_status(r, at, (int)status);
+    return status == CYLINT_OK ||
+           refuse_status(r, at, g->shape == NOT_GIVEN, (int)status,
+                         status == CYLINT_ERADIUS  ? wrong_radius(kind, v)
+                         : status == CYLINT_EANGLE ? 6
+                                                   : NOT_GIVEN);
 }
 
-/* The rest of the line is copied as it is, but for a NUL, which no text
- * tool behind us would survive. */
-static int read_tail(struct reader *r, const struct parts *parts)
+/* Bare numbers go on in the tail: "N numbers where a ray has 6".  A word
+ * ends=WORD ends them. */
+static int surplus(const struct reader *r, const struct grammar *g,
+                   struct fault *fault)
+{
+    const int more =
+        g->bare[0] && !r->has_ends ? count_numbers(r->p, r->end) : 0;
+    if (more > 0) {
+        *fault = (struct fault){.what = g->bare,
+                                .at = r->p,
+                                .end = r->p,
+                                .numbers = numbers_of_record(g) + more};
+    }
+    return more > 0;
+}
+
+/* The rest of the line is copied as it is.  A NUL is refused: no text tool
+ * that reads the answers would survive it. */
+static int read_tail(struct reader *r, const struct grammar *g,
+                     const struct parts *parts)
 {
     const char *end = r->end;
     while (end > r->p && is_blank(end[-1])) {
@@ -245,9 +399,22 @@ static int read_tail(struct reader *r, const struct parts *parts)
     *parts->tail_length = (size_t)(end - r->p);
     const char *nul = memchr(r->p, '\0', *parts->tail_length);
     if (nul) {
-        *r->fault = (struct fault){"unexpected byte", 0, nul, nul + 1, 0};
+        *r->fault = (struct fault){
+            .what = "unexpected byte", .at = nul, .end = nul + 1};
+        return 0;
     }
-    return !nul;
+    if (g->no_tail && end > r->p) {
+        return surplus(r, g, r->fault) ? 0
+                                       : refuse(r, "the end of the line", 1);
+    }
+    struct remarks *remarks = parts->remarks;
+    if (remarks && remarks->wanted & 1u << REMARK_SURPLUS && end > r->p &&
+        surplus(r, g, &remarks->fault[REMARK_SURPLUS])) {
+        remarks->found |= 1u << REMARK_SURPLUS;
+        remarks->fault[REMARK_SURPLUS].remedy =
+            "what follows is copied as the tail";
+    }
+    return 1;
 }
 
 const char *end_of_line(const char *p, const char *end)
@@ -270,7 +437,8 @@ int is_record(const char *line, const char *end)
 int trim_line(const char *text, const char **end, struct fault *fault)
 {
     if (*end - text > LINE_MOST) {
-        *fault = (struct fault){"line longer than 1 MiB", 0, text, text, 0};
+        *fault = (struct fault){
+            .what = "line longer than 1 MiB", .at = text, .end = text};
         return 0;
     }
     if (*end > text && (*end)[-1] == '\r') {
@@ -285,10 +453,13 @@ int read_parts(const struct grammar *g, const char *text, const char *end,
     if (!trim_line(text, &end, fault)) {
         return 0;
     }
-    struct reader r = {skip_blanks(text, end), end, fault};
-    return (!g->has_line || read_line(&r, g, parts->line)) &&
+    struct reader r = {skip_blanks(text, end), end, fault, 0};
+    if (parts->remarks) {
+        parts->remarks->found = 0;
+    }
+    return (!g->has_line || read_line(&r, g, parts)) &&
            (!g->has_shape || read_shape(&r, g, parts->shape)) &&
-           read_tail(&r, parts);
+           read_tail(&r, g, parts);
 }
 
 int take_parts(const struct grammar *g, const double *numbers,
@@ -296,7 +467,11 @@ int take_parts(const struct grammar *g, const double *numbers,
 {
     cylint_status status = CYLINT_OK;
     *parts->tail_length = 0;
+    if (parts->remarks) {
+        parts->remarks->found = 0;
+    }
     if (g->has_line) {
+        look_at_domain(g, g->line, NULL, parts->remarks);
         status = make_line(g, g->line, numbers, parts->line);
         numbers += line_kinds[g->line].numbers;
     }
@@ -304,14 +479,14 @@ int take_parts(const struct grammar *g, const double *numbers,
         status = make_shape(g->shape, g->ends, numbers, parts->shape);
     }
     if (status != CYLINT_OK) {
-        *fault = (struct fault){cylint_strerror((int)status), 0, NULL, NULL, 0};
+        *fault = (struct fault){.what = cylint_strerror((int)status)};
     }
     return status == CYLINT_OK;
 }
 
-static struct parts parts_of(struct record *r)
+struct parts parts_of(struct record *r)
 {
-    return (struct parts){&r->line, &r->shape, &r->tail, &r->tail_length};
+    return (struct parts){&r->line, &r->shape, &r->tail, &r->tail_length, NULL};
 }
 
 int read_record(const struct grammar *g, const char *text, const char *end,

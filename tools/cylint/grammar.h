@@ -41,11 +41,14 @@ extern const char *const ends_words[]; /* in cylint_ends' order, then NULL */
 /* What a record is made of, and what holds where it says nothing. */
 struct grammar {
     int has_line, has_shape;
-    int line;  /* enum line_kind by -k, or NOT_GIVEN: a word tells */
+    int line;  /* enum line_kind by -k, or NOT_GIVEN: a word names it */
     int shape; /* enum shape_kind likewise */
     int ends;  /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
     int has_domain; /* -t: for lines and rays */
     double tmin, tmax;
+    int no_tail;         /* a tail makes a record bad */
+    char bare[48];       /* "a ray and a cylinder have 13", with -k */
+    const char *convert; /* how to convert a file that is no scene, or NULL */
 };
 
 struct record {
@@ -55,19 +58,39 @@ struct record {
     size_t tail_length;
 };
 
-/* What is wrong with a record.  at..end is the text that is; NULL in binary.
+/* What is wrong with a record.  at..end is the wrong text; NULL in binary.
  * expected: `what` should stand there; otherwise `what` is the matter. */
 struct fault {
     const char *what;
     int expected;
     const char *at, *end;
     unsigned long long shape; /* of the scene, or 0 */
+    int numbers;              /* "N numbers where WHAT", or 0 */
+    const char *meant;        /* the word that the text is nearly, or NULL */
+    const char *remedy;       /* what to do about it, or NULL */
+};
+
+/* What is said of a good record, once for all records. */
+enum remark {
+    REMARK_SURPLUS, /* its tail begins with a number */
+    REMARK_DOMAIN,  /* -t does not apply to its line */
+    REMARKS
+};
+
+/* wanted: a bit for each remark that is looked for.  found: those that hold
+ * for the last record, with a text each. */
+struct remarks {
+    unsigned wanted, found;
+    struct fault fault[REMARKS];
 };
 
 /* Which of `words` (NULL at the end) the text is; NOT_GIVEN if none. */
 int find_word(const char *const *words, const char *text, size_t length);
 int find_kind(const struct kind *kinds, int count, const char *text,
               size_t length);
+
+/* Writes g->bare, once the kinds are given. */
+void describe_bare(struct grammar *g);
 
 /* Doubles in a record without words. */
 int numbers_of_record(const struct grammar *g);
@@ -102,16 +125,18 @@ struct parts {
     cylint_shape *shape;
     const char **tail;
     size_t *tail_length;
+    struct remarks *remarks; /* NULL: none are looked for */
 };
 
 /* All return whether the record is good, and fill *fault if it is not.
  * [text, end) is one line without its line feed; *end must be readable. */
 int read_record(const struct grammar *g, const char *text, const char *end,
                 struct record *record, struct fault *fault);
-int read_parts(const struct grammar *g, const char *text, const char *end,
-               const struct parts *parts, struct fault *fault);
+struct parts parts_of(struct record *record);
 int take_record(const struct grammar *g, const double *numbers,
                 struct record *record, struct fault *fault);
+int read_parts(const struct grammar *g, const char *text, const char *end,
+               const struct parts *parts, struct fault *fault);
 int take_parts(const struct grammar *g, const double *numbers,
                const struct parts *parts, struct fault *fault);
 

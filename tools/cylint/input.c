@@ -329,7 +329,8 @@ void input_take(struct input *in, struct block *b)
     b->records = 0;
     b->full = 0;
     b->stopped = 0;
-    b->notes.count = 0;
+    b->notes.kept = b->notes.kept_bad = 0;
+    b->notes.bad = 0;
     b->failure.status = 0;
     fill_block(in, b);
     b->input = in->bytes;

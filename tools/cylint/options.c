@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "numbers.h"
 #include "options.h"
+#include "similar.h"
 
 enum option_id {
     OPT_ACCEL = 256,
@@ -20,8 +21,10 @@ enum option_id {
     OPT_LIST,
     OPT_METHOD,
     OPT_MISS,
+    OPT_NO_TAIL,
     OPT_NPY,
     OPT_PROGRESS,
+    OPT_TAIL,
     OPT_VERSION
 };
 
@@ -48,14 +51,17 @@ static const struct option options_known[] = {{"b", 'b', 0},
                                               {"list", OPT_LIST, 1},
                                               {"method", OPT_METHOD, 1},
                                               {"miss", OPT_MISS, 1},
+                                              {"no-tail", OPT_NO_TAIL, 0},
                                               {"npy", OPT_NPY, 0},
                                               {"progress", OPT_PROGRESS, 0},
+                                              {"tail", OPT_TAIL, 0},
                                               {"version", OPT_VERSION, 0},
                                               {NULL, 0, 0}};
 
 /* What must wait until all options are known. */
 struct pending {
     const char *kinds, *query, *fields;
+    int tail; /* --tail: no remark on it */
 };
 
 /* ------------------------------------------------------------- values -- */
@@ -115,10 +121,15 @@ static int read_accel(struct options *options, const struct option *o,
 static int read_method(struct options *options, const struct option *o,
                        const char *value)
 {
+    struct similar similar = similar_to(value, strlen(value));
     options->method = find_method(value);
-    return options->method
-               ? 0
-               : usage_value(o, value, "a method of --list=methods");
+    if (options->method) {
+        return 0;
+    }
+    for (const cylint_method *m = cylint_methods(); m->name; m++) {
+        similar_try(&similar, m->name);
+    }
+    return usage_similar(o, value, "a method of --list=methods", similar.word);
 }
 
 static int read_bad_policy(struct options *options, const struct option *o,
@@ -193,7 +204,8 @@ static int take_value(struct options *options, struct pending *pending,
     }
 }
 
-static void take_flag(struct options *options, const struct option *o)
+static void take_flag(struct options *options, struct pending *pending,
+                      const struct option *o)
 {
     switch (o->id) {
     case 'b':
@@ -223,6 +235,11 @@ static void take_flag(struct options *options, const struct option *o)
     case OPT_PROGRESS:
         options->progress = 1;
         break;
+    case OPT_TAIL:
+    case OPT_NO_TAIL:
+        pending->tail = o->id == OPT_TAIL;
+        options->grammar.no_tail = o->id == OPT_NO_TAIL;
+        break;
     default: /* OPT_HELP, OPT_VERSION */
         options->print = o->name;
     }
@@ -240,7 +257,7 @@ static int take_option(void *context, const struct option *o, const char *value)
     if (o->has_value) {
         return take_value(asked->options, &asked->pending, o, value);
     }
-    take_flag(asked->options, o);
+    take_flag(asked->options, &asked->pending, o);
     return 0;
 }
 
@@ -256,6 +273,7 @@ static int settle_kinds(struct grammar *g, const char *kinds)
                      : NOT_GIVEN;
     if (g->line != NOT_GIVEN &&
         (g->has_shape ? g->shape != NOT_GIVEN : shape == NULL)) {
+        describe_bare(g);
         return 0;
     }
     return usage(g->has_shape ? "-k: expected LINE,SHAPE, as in -k ray,cylinder"
@@ -290,7 +308,10 @@ static int settle_fields(struct options *options, const char *names)
     }
     char shown[4 * 64 + 4];
     escape_bytes(shown, bad, bad + length, 64);
-    return usage("-f: no column '%s' here; see --list=columns", shown);
+    const char *meant = similar_field(bad, length, options->query);
+    return meant ? usage("-f: no column '%s' here; did you mean %s?", shown,
+                         meant)
+                 : usage("-f: no column '%s' here; see --list=columns", shown);
 }
 
 static int settle_binary(const struct options *options)
@@ -310,6 +331,19 @@ static int settle_binary(const struct options *options)
         return usage("-C: only text has comments");
     }
     return 0;
+}
+
+/* What is said of good records, once. */
+static unsigned wanted_remarks(const struct grammar *g, int tail)
+{
+    unsigned wanted = 0;
+    if (g->bare[0] && !tail && !g->no_tail) {
+        wanted |= 1u << REMARK_SURPLUS;
+    }
+    if (g->has_domain) {
+        wanted |= 1u << REMARK_DOMAIN;
+    }
+    return wanted;
 }
 
 static int uses_stdin(const struct options *options)
@@ -338,6 +372,7 @@ static int settle(struct options *options, const struct pending *pending)
         return usage("the scene and the records are both standard input");
     }
     int status = pending->kinds ? settle_kinds(g, pending->kinds) : 0;
+    options->remarks = wanted_remarks(g, pending->tail);
     if (status == 0) {
         status = settle_query(options, pending->query);
     }
@@ -349,7 +384,7 @@ static int settle(struct options *options, const struct pending *pending)
 
 int read_options(struct options *options, int argc, char **argv)
 {
-    struct asked asked = {options, {NULL, NULL, NULL}};
+    struct asked asked = {options, {NULL, NULL, NULL, 0}};
     memset(options, 0, sizeof *options);
     options->grammar.line = NOT_GIVEN;
     options->grammar.shape = NOT_GIVEN;

@@ -38,7 +38,7 @@ int pairs_answer(int line_kind, unsigned want, int sides)
 struct parts pairs_place(struct pairs *p)
 {
     return (struct parts){&p->line, &p->shapes[p->count], &p->tail[p->count],
-                          &p->tail_length[p->count]};
+                          &p->tail_length[p->count], NULL};
 }
 
 void pairs_take(struct pairs *p)

@@ -1,5 +1,5 @@
 /*
- * report.c - messages about bad records: the first ten, then a count
+ * report.c - messages about records: the first ten bad ones, then a count
  */
 #include <errno.h>
 #include <stdio.h>
@@ -12,71 +12,151 @@
 
 enum { SHOWN_MOST = 32, NAME_MOST = 256 };
 
-static void describe(char text[NOTE_ROOM], const struct fault *fault)
+/* WHAT: 'TEXT', or expected WHAT, found 'TEXT'. */
+static int describe_matter(char text[NOTE_ROOM], const struct fault *fault)
 {
     char found[4 * SHOWN_MOST + 4];
-    if (fault->shape > 0) {
-        snprintf(text, NOTE_ROOM, "%s: shape %llu of the scene", fault->what,
-                 fault->shape);
-        return;
-    }
     const int shown = fault->at != fault->end;
     if (shown) {
         escape_bytes(found, fault->at, fault->end, SHOWN_MOST);
     }
+    if (fault->shape > 0) {
+        return snprintf(text, NOTE_ROOM, "%s: shape %llu of the scene",
+                        fault->what, fault->shape);
+    }
+    if (fault->numbers > 0) {
+        return snprintf(text, NOTE_ROOM, "%d numbers where %s", fault->numbers,
+                        fault->what);
+    }
     if (!fault->expected) {
-        snprintf(text, NOTE_ROOM, shown ? "%s: '%s'" : "%s", fault->what,
-                 shown ? found : "");
-    } else if (shown) {
-        snprintf(text, NOTE_ROOM, "expected %s, found '%s'", fault->what,
-                 found);
-    } else {
-        snprintf(text, NOTE_ROOM, "expected %s, found the end of the line",
-                 fault->what);
+        return snprintf(text, NOTE_ROOM, shown ? "%s: '%s'" : "%s", fault->what,
+                        shown ? found : "");
+    }
+    return shown ? snprintf(text, NOTE_ROOM, "expected %s, found '%s'",
+                            fault->what, found)
+                 : snprintf(text, NOTE_ROOM,
+                            "expected %s, found the end of the line",
+                            fault->what);
+}
+
+static void describe(char text[NOTE_ROOM], const struct fault *fault)
+{
+    int length = describe_matter(text, fault);
+    if (fault->meant && length < NOTE_ROOM) {
+        length += snprintf(text + length, (size_t)(NOTE_ROOM - length),
+                           "; did you mean %s?", fault->meant);
+    }
+    if (fault->remedy && length < NOTE_ROOM) {
+        snprintf(text + length, (size_t)(NOTE_ROOM - length), "; %s",
+                 fault->remedy);
     }
 }
 
+/* In text, control characters other than tabs and line ends are rare; in
+ * random bytes every ninth is one.  More than one in 20 of the first 512 are
+ * taken for a binary file; so few that they might be slips are not. */
+static int looks_binary(const char *text, const char *end)
+{
+    enum { LOOKED_AT = 512, ONE_IN = 20, SLIPS = 3 };
+    if (!text) {
+        return 0;
+    }
+    const size_t length = (size_t)(end - text);
+    const size_t looked_at = length < LOOKED_AT ? length : LOOKED_AT;
+    size_t control = 0;
+    for (size_t i = 0; i < looked_at; i++) {
+        const unsigned char c = (unsigned char)text[i];
+        control += c < 0x20 && c != '\t' && c != '\n' && c != '\r';
+    }
+    return control > SLIPS && control > looked_at / ONE_IN;
+}
+
+static struct note *add_note(struct notes *notes, unsigned long long line,
+                             unsigned long long record, const char *text,
+                             const struct fault *fault)
+{
+    struct note *note = &notes->note[notes->kept++];
+    note->line = line;
+    note->record = record;
+    note->column = fault->at ? (unsigned long long)(fault->at - text) + 1 : 1;
+    note->remark = NOT_GIVEN;
+    note->binary = 0;
+    describe(note->text, fault);
+    return note;
+}
+
 void take_note(struct notes *notes, unsigned long long line,
-               unsigned long long record, const char *text,
+               unsigned long long record, const char *text, const char *end,
                const struct fault *fault)
 {
-    if (notes->count < NOTES_MOST) {
-        struct note *note = &notes->note[notes->count];
-        note->line = line;
-        note->record = record;
-        note->column =
-            fault->at ? (unsigned long long)(fault->at - text) + 1 : 1;
-        describe(note->text, fault);
+    notes->bad++;
+    if (notes->kept_bad < NOTES_MOST) {
+        notes->kept_bad++;
+        add_note(notes, line, record, text, fault)->binary =
+            looks_binary(text, end);
     }
-    notes->count++;
+}
+
+void take_remarks(struct notes *notes, struct remarks *remarks,
+                  unsigned long long line, unsigned long long record,
+                  const char *text)
+{
+    for (int i = 0; i < REMARKS; i++) {
+        if (remarks->found & 1u << i) {
+            add_note(notes, line, record, text, &remarks->fault[i])->remark = i;
+        }
+    }
+    remarks->wanted &= ~remarks->found;
+    remarks->found = 0;
 }
 
 void print_note(const struct note *note, const char *name)
 {
     char escaped[4 * NAME_MOST + 4];
+    const char *binary = note->binary ? "; this looks like a binary file" : "";
     escape_bytes(escaped, name, name + strlen(name), NAME_MOST);
     if (note->line > 0) {
-        fprintf(stderr, "%s: %s:%llu:%llu: %s\n", program, escaped, note->line,
-                note->column, note->text);
+        fprintf(stderr, "%s: %s:%llu:%llu: %s%s\n", program, escaped,
+                note->line, note->column, note->text, binary);
     } else {
         fprintf(stderr, "%s: %s: record %llu: %s\n", program, escaped,
                 note->record, note->text);
     }
 }
 
-void report_notes(struct report *report, const struct notes *notes,
-                  const char *name)
+/* Whether a note is to be printed; *report is then what was said with it. */
+static int is_news(struct report *report, const struct note *note,
+                   const char *name)
 {
-    for (unsigned long long i = 0;
-         i < notes->count && report->bad + i < NOTES_MOST; i++) {
-        print_note(&notes->note[i], name);
+    if (note->remark != NOT_GIVEN) {
+        const unsigned bit = 1u << note->remark;
+        const int news = !(report->remarks & bit);
+        report->remarks |= bit;
+        return news;
     }
-    report->bad += notes->count;
+    if (report->shown == NOTES_MOST || report->binary == name) {
+        return 0;
+    }
+    report->binary = note->binary ? name : NULL;
+    report->shown++;
+    return 1;
+}
+
+void report_notes(struct report *report, struct notes *notes, const char *name)
+{
+    for (int i = 0; i < notes->kept; i++) {
+        if (is_news(report, &notes->note[i], name)) {
+            print_note(&notes->note[i], name);
+        }
+    }
+    report->bad += notes->bad;
+    notes->kept = notes->kept_bad = 0;
+    notes->bad = 0;
 }
 
 void report_end(const struct report *report)
 {
-    if (report->bad > NOTES_MOST) {
+    if (report->bad > report->shown) {
         fprintf(stderr, "%s: %llu bad records in all\n", program, report->bad);
     }
 }

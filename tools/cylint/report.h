@@ -1,5 +1,5 @@
 /*
- * report.h - messages about bad records: the first ten, then a count
+ * report.h - messages about records: the first ten bad ones, then a count
  *
  * Blocks keep notes; they become messages when the block is delivered, so
  * that their order is the input's.
@@ -9,40 +9,53 @@
 
 #include <stddef.h>
 
-struct fault;
+#include "grammar.h"
 
-enum { NOTES_MOST = 10, NOTE_ROOM = 320 };
+enum { NOTES_MOST = 10, NOTE_ROOM = 384 };
 
 struct note {
     unsigned long long line;   /* from 1; 0 in binary input */
     unsigned long long record; /* from 1; used where line is 0 */
     unsigned long long column; /* from 1 */
+    int remark; /* enum remark: the record is good; NOT_GIVEN: it is bad */
+    int binary; /* its file looks like a binary one */
     char text[NOTE_ROOM];
 };
 
 struct notes {
-    struct note note[NOTES_MOST];
-    unsigned long long count; /* of bad records; the first ten have notes */
+    struct note note[NOTES_MOST + REMARKS];
+    int kept;               /* of note[], in the input's order */
+    int kept_bad;           /* of these, bad records: the first ten */
+    unsigned long long bad; /* bad records in all */
 };
 
-/* What was complained about so far, in all blocks. */
+/* What was said so far, of all blocks. */
 struct report {
-    unsigned long long bad;
+    unsigned long long bad;   /* bad records */
+    unsigned long long shown; /* those that had a message */
+    unsigned remarks;         /* a bit for each remark that was made */
+    const char *binary;       /* the file that is known to be binary, or NULL */
 };
 
-/* Notes that a record, which begins at `text`, is bad. */
+/* Notes that a record, which begins at `text`, is bad.  The block's text goes
+ * on to `end`; NULL in binary input. */
 void take_note(struct notes *notes, unsigned long long line,
-               unsigned long long record, const char *text,
+               unsigned long long record, const char *text, const char *end,
                const struct fault *fault);
 
-/* Prints a block's notes as long as ten were not yet printed. */
-void report_notes(struct report *report, const struct notes *notes,
-                  const char *name);
+/* Notes the remarks on a good record, and no longer wants them. */
+void take_remarks(struct notes *notes, struct remarks *remarks,
+                  unsigned long long line, unsigned long long record,
+                  const char *text);
+
+/* Prints a block's notes, each remark once and bad records until there were
+ * ten messages about them, and empties the notes. */
+void report_notes(struct report *report, struct notes *notes, const char *name);
 
 /* One note, at once: a scene's bad line. */
 void print_note(const struct note *note, const char *name);
 
-/* Prints the count, if there were more than ten. */
+/* Prints the count, if some bad records had no message. */
 void report_end(const struct report *report);
 
 /* `PROGRAM: NAME: WHAT`, NAME escaped. */

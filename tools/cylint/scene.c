@@ -51,7 +51,7 @@ static int read_shapes(struct scene *scene, const struct grammar *g,
             continue;
         }
         if (!read_record(g, p, stop, &b->parsed, &fault)) {
-            take_note(&b->notes, number, 0, p, &fault);
+            take_note(&b->notes, number, 0, p, end, &fault);
             print_note(&b->notes.note[0], b->name);
             return EXIT_BAD;
         }
@@ -64,9 +64,33 @@ static int read_shapes(struct scene *scene, const struct grammar *g,
     return 0;
 }
 
+/* How a file of another program becomes a scene, by the file's name. */
+static const char *converter_of(const char *file)
+{
+    static const char *const remedies[][2] = {
+        {".csv", "convert it with qsm2scene"},
+        {".pdb", "convert it with pdb2scene"},
+        {".ent", "convert it with pdb2scene"},
+        {".cif", "convert it with pdb2scene"},
+        {".mmcif", "convert it with pdb2scene"},
+        {".pov", "convert it with pov2scene"},
+        {".inc", "convert it with pov2scene"}};
+    const char *dot = strrchr(file, '.');
+    for (size_t i = 0; dot && i < sizeof remedies / sizeof *remedies; i++) {
+        if (strcmp(dot, remedies[i][0]) == 0) {
+            return remedies[i][1];
+        }
+    }
+    return NULL;
+}
+
 int scene_read(struct scene *scene, const char *file, int ends)
 {
-    const struct grammar g = {0, 1, NOT_GIVEN, NOT_GIVEN, ends, 0, 0, 0};
+    const struct grammar g = {.has_shape = 1,
+                              .line = NOT_GIVEN,
+                              .shape = NOT_GIVEN,
+                              .ends = ends,
+                              .convert = converter_of(file)};
     char *const files[] = {(char *)(uintptr_t)file};
     const int is_swc = swc_is_name(file);
     struct swc swc = {0};

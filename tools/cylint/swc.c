@@ -116,7 +116,8 @@ static void skip_field(struct reader *r)
 
 static int refuse(struct reader *r, const char *what, int expected)
 {
-    *r->fault = (struct fault){what, expected, r->p, end_of_field(r), 0};
+    *r->fault = (struct fault){
+        .what = what, .expected = expected, .at = r->p, .end = end_of_field(r)};
     return 0;
 }
 
@@ -198,7 +199,7 @@ static int read_node(const char *text, const char *end, struct swc_node *node,
 static int say_fault(struct block *b, unsigned long long line, const char *text,
                      const struct fault *fault)
 {
-    take_note(&b->notes, line, 0, text, fault);
+    take_note(&b->notes, line, 0, text, b->text + b->length, fault);
     print_note(&b->notes.note[0], b->name);
     return EXIT_BAD;
 }
@@ -249,7 +250,7 @@ int swc_read_nodes(struct swc *swc, struct block *b)
 
 static int lost_parent(const struct swc_node *node, const char *name)
 {
-    struct note note = {node->line, 0, node->column, ""};
+    struct note note = {.line = node->line, .column = node->column};
     snprintf(note.text, sizeof note.text, "no node %llu to be the parent",
              (unsigned long long)node->parent);
     print_note(&note, name);
