@@ -51,9 +51,16 @@
  * shape is entered into several boxes, but each of its hits is offered once;
  * the exit may come before the entry where they lie in different boxes.
  *
- * Packets.  The answers are those to the rays alone, bit for bit.  Rays that
- * begin near each other and go into the same octant cost less in packets, of
- * 16 the least; others cost a little more than alone.
+ * Packets.  The answers are those to the rays alone, bit for bit.  Embree
+ * makes two exceptions: in a packet it skips a box unless a ray enters the box
+ * below tfar.
+ *   - A ray with tnear = tfar may report a miss.
+ *   - Where every shape is a primitive of its own (CYLINT_EMBREE_SINGLE and
+ *     moving shapes) and several shapes are hit at t = tnear, primID may be
+ *     any of them instead of the lowest.  t is right.
+ * Trace such rays one by one.  Rays that begin near each other and go into the
+ * same octant cost less in packets, of 16 the least; others cost a little more
+ * than alone.
  *
  * Threads.  Queries only read; any number may run at once.  Making, updating
  * and releasing are like committing: not while anyone traces the geometry.

@@ -284,8 +284,105 @@ static void lines_that_are_none_do_not_disturb_others(void)
     scene_release(&s);
 }
 
+/* ------------------------------------------- what Embree's packets skip --- */
+
+/* Cylinders that stand on the plane z = 0 and overlap. */
+static void stand_on_a_plane(uint64_t *state, cylint_shape *shapes, int n)
+{
+    for (int i = 0; i < n; i++) {
+        const double x = 4 * world_uniform(state);
+        const double y = 4 * world_uniform(state);
+        const double p0[3] = {x, y, 0};
+        const double p1[3] = {x, y, 0.25 + world_uniform(state)};
+        cylint_cylinder(&shapes[i], p0, p1, 0.5 + world_uniform(state),
+                        CYLINT_ENDS_CAPPED);
+    }
+}
+
+/* Rays that hit the plane z = 0 exactly at `tnear`, a power of two. */
+static struct rays rays_that_hit_at(uint64_t *state, int n, float tnear,
+                                    float tfar)
+{
+    struct rays r;
+    rays_begin(&r, n);
+    for (int i = 0; i < n; i++) {
+        const float d[3] = {0, 0, 1};
+        const float o[3] = {(float)(4 * world_uniform(state)),
+                            (float)(4 * world_uniform(state)), -tnear};
+        rays_add(&r, i, o, d, tnear, tfar);
+    }
+    return r;
+}
+
+/* t of the library for the shape that ray i reports; NAN: no hit. */
+static double library_t(const struct world *w, struct rays *r, int i)
+{
+    const cylint_line line = rays_line(r, i);
+    cylint_answer answer;
+    const unsigned shape = rays_at(r, HIT_PRIM, i)->u;
+    return cylint_intersect(&w->shapes[shape], &line, CYLINT_WANT_T, &answer)
+               ? answer.hit[0].t
+               : NAN;
+}
+
+/* The adapter answers a packet of rays with tnear = tfar as the rays alone;
+ * through Embree every answer is that or a miss: see cylint_embree.h. */
+static void a_domain_of_one_point_is_answered_or_skipped(void)
+{
+    static const int sizes[3] = {4, 8, 16};
+    cylint_shape shapes[64];
+    uint64_t state = 11;
+    stand_on_a_plane(&state, shapes, 64);
+    struct world w = made(shapes, 64, CYLINT_EMBREE_NO_FILTERS);
+    int hits = 0;
+    for (int turn = 0; turn < 600; turn++) {
+        const float t = turn & 1 ? 0 : 2;
+        struct rays r = rays_that_hit_at(&state, sizes[turn % 3], t, t);
+        const struct rays_query query = {.coherent = turn / 2 % 2};
+        call(&w, &r);
+        for (int i = 0; i < r.n; i++) {
+            hits += rays_hit(&r, i);
+            CHECK(world_agrees(&w, &r, i, 1));
+        }
+        memcpy(r.word, r.before, sizeof r.word);
+        rays_intersect(&r, w.scene, &query);
+        CHECK(rays_strayed(&r, 0) == 0);
+        for (int i = 0; i < r.n; i++)
+            CHECK(!rays_hit(&r, i) || world_agrees(&w, &r, i, 1));
+    }
+    CHECK(hits > 2000);
+    world_free(&w);
+}
+
+static void of_hits_at_tnear_the_lower_number_is_reported(void)
+{
+    static const int sizes[4] = {1, 4, 8, 16};
+    cylint_shape shapes[64];
+    uint64_t state = 12;
+    stand_on_a_plane(&state, shapes, 64);
+    for (int how = 0; how < 2; how++) {
+        struct world w = made(shapes, 64, both_ways[how]);
+        for (int turn = 0; turn < 800; turn++) {
+            const float t = turn & 1 ? 0 : 2;
+            struct rays r =
+                rays_that_hit_at(&state, sizes[turn % 4], t, HUGE_VALF);
+            const struct rays_query query = {.coherent = turn / 4 % 2};
+            const int exception = how == 1 && r.n > 1;
+            rays_intersect(&r, w.scene, &query);
+            for (int i = 0; i < r.n; i++)
+                CHECK(exception && rays_hit(&r, i)
+                          ? library_t(&w, &r, i) == t &&
+                                rays_at(&r, RAY_TFAR, i)->f == t
+                          : world_agrees(&w, &r, i, 1));
+        }
+        world_free(&w);
+    }
+}
+
 int main(void)
 {
+    RUN(a_domain_of_one_point_is_answered_or_skipped);
+    RUN(of_hits_at_tnear_the_lower_number_is_reported);
     RUN(packets_are_answered_as_rays_alone);
     RUN(packets_without_filters_are_answered_as_rays_alone);
     RUN(bare_packets_are_answered_as_rays_alone);
