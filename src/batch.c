@@ -47,6 +47,11 @@ static char *aligned(char *p)
     return p + (64 - (uintptr_t)p % 64) % 64;
 }
 
+static pack_head *head_of(void *memory)
+{
+    return (pack_head *)(void *)aligned(memory);
+}
+
 static void fill_lane(double *column, size_t stride, const cylint_shape *s)
 {
     for (int i = 0; i < 3; i++)
@@ -57,14 +62,14 @@ static void fill_lane(double *column, size_t stride, const cylint_shape *s)
 void cylint_pack_shapes(cylint_pack *pack, void *memory,
                         const cylint_shape *shapes, size_t n)
 {
-    pack_head *head = (pack_head *)(void *)aligned(memory);
+    pack_head *head = head_of(memory);
     size_t *number = (size_t *)(void *)aligned((char *)(head + 1));
     double *column = (double *)(void *)aligned(
         (char *)(number + n + (size_t)RUNS * 2 * PADDING));
     size_t *fill[RUNS];
     pack->n = n;
     pack->shapes = shapes;
-    pack->memory = head;
+    pack->memory = memory;
     memset(head, 0, sizeof *head);
     for (size_t i = 0; i < n; i++)
         head->run[run_of(&shapes[i])].n++;
@@ -129,7 +134,7 @@ void cylint_kernel_ask(const cylint_job *job, const cylint_shape *shape,
 
 static void ask_pack(const cylint_pack *pack, cylint_job *job)
 {
-    const pack_head *head = pack->memory;
+    const pack_head *head = head_of(pack->memory);
     const cylint_kernels *kernels = cylint_kernels_used();
     job->shapes = pack->shapes;
     job->nearest = HUGE_VAL;
@@ -159,9 +164,12 @@ static void ask_pack(const cylint_pack *pack, cylint_job *job)
 static int take_nearest(cylint_job *job, size_t number,
                         const cylint_kernel_answer *answer)
 {
-    if (answer->n > 0 &&
-        (answer->t[0] < job->nearest ||
-         (answer->t[0] == job->nearest && number < job->best))) {
+    if (answer->n == 0)
+        return 0;
+    /* by the bits: subnormal t may count as zero */
+    const int64_t t = cylint_rank(answer->t[0]);
+    const int64_t nearest = cylint_rank(job->nearest);
+    if (t < nearest || (t == nearest && number < job->best)) {
         job->nearest = answer->t[0];
         job->best = number;
         job->best_answer = *answer;

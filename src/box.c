@@ -99,8 +99,7 @@ static double step(double x, int up)
 {
     if (!(fabs(x) <= DBL_MAX))
         return x;
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
+    uint64_t bits = cylint_bits(x);
     if (bits << 1 == 0) {
         bits = up ? 1 : (uint64_t)1 << 63 | 1;
     } else {

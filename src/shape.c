@@ -48,14 +48,9 @@ static int zero3(const double x[3])
 
 static int equal3(const double x[3], const double y[3])
 {
-    for (int i = 0; i < 3; i++) {
-        uint64_t a, b;
-        memcpy(&a, &x[i], sizeof a);
-        memcpy(&b, &y[i], sizeof b);
-        if (a != b && !(cylint_sign(x[i]) == 0 && cylint_sign(y[i]) == 0))
-            return 0;
-    }
-    return 1;
+    return cylint_rank(x[0]) == cylint_rank(y[0]) &&
+           cylint_rank(x[1]) == cylint_rank(y[1]) &&
+           cylint_rank(x[2]) == cylint_rank(y[2]);
 }
 
 static void copy3(double to[3], const double from[3])

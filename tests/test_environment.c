@@ -8,85 +8,15 @@
  * CYLINT_CASES scales the number of cases a family, CYLINT_SEED changes
  * them all, CYLINT_FAMILY=n asks for one family.
  */
-#include <fenv.h>
 #include <math.h>
 #include <string.h>
-#ifdef __SSE2__
-#include <xmmintrin.h>
-#endif
 
 #include "check.h"
 #include "cylint.h"
+#include "environment.h"
 #include "families.h"
 
 enum { CASES = 400 };
-
-/* -------------------------------------------------------- environments -- */
-
-enum { FLUSH = 1, ZERO = 2 };
-
-struct environment {
-    int rounding; /* fesetround's */
-    int tiny;     /* what happens to subnormals: FLUSH, ZERO or both */
-};
-
-#if defined(__SSE2__)
-enum { MXCSR_ZERO = 1 << 6, MXCSR_FLUSH = 1 << 15 };
-
-static void treat_subnormals(int how)
-{
-    unsigned control = _mm_getcsr() & ~(unsigned)(MXCSR_ZERO | MXCSR_FLUSH);
-    if (how & FLUSH) {
-        control |= MXCSR_FLUSH;
-    }
-    if (how & ZERO) {
-        control |= MXCSR_ZERO;
-    }
-    _mm_setcsr(control);
-}
-
-static int can_treat_subnormals(int how)
-{
-    (void)how;
-    return 1;
-}
-#elif defined(__aarch64__)
-/* One bit for operands and results alike. */
-static void treat_subnormals(int how)
-{
-    uint64_t control;
-    __asm__ volatile("mrs %0, fpcr" : "=r"(control));
-    control = how ? control | 1 << 24 : control & ~(uint64_t)(1 << 24);
-    __asm__ volatile("msr fpcr, %0" : : "r"(control));
-}
-
-static int can_treat_subnormals(int how)
-{
-    return how == (FLUSH | ZERO);
-}
-#else
-static void treat_subnormals(int how)
-{
-    (void)how;
-}
-
-static int can_treat_subnormals(int how)
-{
-    return how == 0;
-}
-#endif
-
-static void enter(struct environment e)
-{
-    fesetround(e.rounding);
-    treat_subnormals(e.tiny);
-}
-
-static void leave(void)
-{
-    fesetround(FE_TONEAREST);
-    treat_subnormals(0);
-}
 
 /* ------------------------------------------------------------- answers -- */
 

@@ -3,10 +3,10 @@
  *
  * Compiled once as it is and again where the processor has fused multiply-add.
  */
+#include "../numbers/bits.h"
+
 #define CYLINT_ONE_LANE
 #include "float_filter_lanes.h"
-
-#include <string.h>
 
 static cylint_quick_verdict told(verdict v)
 {
@@ -97,10 +97,9 @@ void cylint_quick_shape_of(cylint_quick_shape *to, const cylint_shape *s)
 /* Zero by the bits: a thread may take a subnormal number for it. */
 static int is_float(double x, float *to)
 {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
     *to = (float)x;
-    return (double)*to == x && (fabs(x) >= (double)FLT_MIN || bits << 1 == 0);
+    return (double)*to == x &&
+           (fabs(x) >= (double)FLT_MIN || cylint_sign(x) == 0);
 }
 
 int cylint_quick_small_of(cylint_quick_small *to, const cylint_shape *s)

@@ -316,6 +316,17 @@ INLINE vm not_beyond(const source *from, mode m, const lanes_verdict *v)
     return m_not(v_lt(v_set(job->nearest), t.v - t.e));
 }
 
+/* Without a decision about those lanes. */
+INLINE lanes_verdict leave_undecided(const lanes_verdict *v, vm lanes)
+{
+    lanes_verdict rest = *v;
+    rest.undecided = m_or(rest.undecided, lanes);
+    rest.cross = m_and(rest.cross, m_not(lanes));
+    rest.hit[0] = m_and(rest.hit[0], rest.cross);
+    rest.hit[1] = m_and(rest.hit[1], rest.cross);
+    return rest;
+}
+
 /* Judges lanes of the list, of which there are at most LANES; the list has
  * room for as many. */
 INLINE int judge(const source *from, size_t *list, int lanes, mode m, int kind)
@@ -334,9 +345,13 @@ INLINE int judge(const source *from, size_t *list, int lanes, mode m, int kind)
     if (m != ONE_SHAPE)
         shapes_at(from, list, kind, &shape);
     /* a line with an empty domain is none (other invalid lines are left
-     * undecided, because their numbers compare to nothing) */
-    const vm in_use = m_and(m_from((1u << lanes) - 1), v_le(l->tmin, l->tmax));
+     * undecided, because their numbers compare to nothing).  Subnormal limits
+     * may compare as equal zeros */
+    const vm all = m_from((1u << lanes) - 1);
+    const vm in_use = m_and(all, v_le(l->tmin, l->tmax));
     lanes_verdict v = lanes_judge(&q, s, l, kind, from->bounded, in_use);
+    if (m != ONE_LINE)
+        v = leave_undecided(&v, m_and(all, v_eq(l->tmin, l->tmax)));
     const vm of_interest = not_beyond(from, m, &v);
     v.hit[0] = m_and(v.hit[0], of_interest);
     v.hit[1] = m_and(v.hit[1], of_interest);

@@ -22,19 +22,31 @@ static inline double cylint_power_of_two(int e)
     return x;
 }
 
-/* The e of 2^e <= |x| < 2^(e+1) for normal x; below -1022 otherwise. */
-static inline int cylint_exponent(double x)
+/*
+ * The bits of x, as an integer that the compiler cannot trace back to x: clang
+ * 19 compiles "no bit but the sign is set" into the comparison x == 0.0, which
+ * is true of subnormals where the processor takes them for zero.
+ */
+static inline uint64_t cylint_bits(double x)
 {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
-    return (int)(bits >> 52 & 0x7ff) - 1023;
+#ifdef __GNUC__
+    __asm__("" : "+r"(bits));
+#endif
+    return bits;
+}
+
+/* The e of 2^e <= |x| < 2^(e+1) for normal x; below -1022 otherwise. */
+static inline int cylint_exponent(double x)
+{
+    return (int)(cylint_bits(x) >> 52 & 0x7ff) - 1023;
 }
 
 /* By the bits: right for subnormals even where they are taken for zero. */
 static inline int cylint_sign(double x)
 {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
+    const uint64_t bits = cylint_bits(x);
     return bits << 1 == 0 ? 0 : bits >> 63 ? -1 : 1;
 }
 
@@ -42,20 +54,34 @@ static inline int cylint_sign(double x)
 static inline int cylint_too_small(double x)
 {
     const uint64_t least = (uint64_t)(1023 - 900) << 53; /* without the sign */
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return (bits << 1) - 1 < least - 1; /* a zero wraps round */
+    return (cylint_bits(x) << 1) - 1 < least - 1; /* a zero wraps round */
+}
+
+/* An integer that ascends with x; both zeros have 0. */
+static inline int64_t cylint_rank(double x)
+{
+    const uint64_t bits = cylint_bits(x);
+    const int64_t size = (int64_t)(bits << 1 >> 1);
+    return bits >> 63 ? -size : size;
 }
 
 /* x < y by the bits, likewise; neither is a NaN. */
 static inline int cylint_less(double x, double y)
 {
-    int64_t a, b;
-    memcpy(&a, &x, sizeof a);
-    memcpy(&b, &y, sizeof b);
-    a = a < 0 ? INT64_MIN - a : a; /* ascending with x, both zeros 0 */
-    b = b < 0 ? INT64_MIN - b : b;
-    return a < b;
+    return cylint_rank(x) < cylint_rank(y);
+}
+
+/* The least double above x, by the bits; infinity for infinity. */
+static inline double cylint_next_above(double x)
+{
+    if (x > DBL_MAX)
+        return x;
+    const int64_t rank = cylint_rank(x) + 1;
+    const uint64_t bits =
+        rank < 0 ? (uint64_t)-rank | (uint64_t)1 << 63 : (uint64_t)rank;
+    double next;
+    memcpy(&next, &bits, sizeof next);
+    return next;
 }
 
 static inline double cylint_largest(const double x[3])

@@ -42,8 +42,7 @@ static exact trimmed(cylint_arena *arena, uint32_t *limb, int n, int exponent,
 
 exact cylint_exact_from(cylint_arena *arena, double x)
 {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
+    const uint64_t bits = cylint_bits(x);
     const int biased = (int)(bits >> 52 & 0x7ff);
     uint64_t mantissa = bits & 0xfffffffffffffu;
     if (biased != 0)

@@ -9,9 +9,7 @@ double cylint_scaled(double x, int e)
     if (cylint_sign(x) == 0 || !(fabs(x) <= DBL_MAX))
         return x;
     if (cylint_exponent(x) < -1022) { /* by the bits: it may count as 0 */
-        uint64_t bits;
-        memcpy(&bits, &x, sizeof bits);
-        x = cylint_sign(x) * (double)(bits << 12 >> 12);
+        x = cylint_sign(x) * (double)(cylint_bits(x) << 12 >> 12);
         e -= 1074;
     }
     const int k = cylint_exponent(x), sum = k + e;

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "../numbers/double_double.h"
+#include "../numbers/bits.h"
 #include "frame.h"
 
 static double largest(const double x[3])
@@ -32,29 +32,32 @@ int cylint_frame_make(cylint_frame *frame, const double lo[3],
     return 1;
 }
 
-/* By the bits: a processor may take such a number for zero. */
-static int is_subnormal(double x)
+/* Whether some component of a direction of that size is so small beside it
+ * that clip() would divide what may be flushed to zero by too little. */
+static int is_lopsided(const double d[3], double size)
 {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits << 1 != 0 && (bits >> 52 & 0x7ff) == 0;
+    int is = 0;
+    for (int j = 0; j < 3; j++)
+        is |= fabs(d[j]) < 0x1p-500 * size && cylint_sign(d[j]) != 0;
+    return is;
 }
 
 /* Where the line's domain begins and ends to be within the frame's box.  A
  * quotient errs by less than 2^-51 of itself, by what a segment's direction
- * misses as well; one that underflows moves a point by less than 2^-200 of
- * the frame.  A 0/0 sets no limit. */
-static void clip(const cylint_frame *f, const cylint_line *line, double *from,
-                 double *to)
+ * misses as well.  What is flushed to zero adds less than 2^-1020 / |d[j]|, which
+ * the slack covers: it moves a point by less than 2^-499. */
+static void clip(const cylint_frame *f, const cylint_line *line, double size,
+                 double *from, double *to)
 {
+    const double slack = 0x1p-500 / size;
     *from = line->tmin;
     *to = line->tmax;
     for (int j = 0; j < 3; j++) {
         const int up = line->d[j] > 0;
         double first = ((up ? f->lo[j] : f->hi[j]) - line->o[j]) / line->d[j];
         double last = ((up ? f->hi[j] : f->lo[j]) - line->o[j]) / line->d[j];
-        first -= fabs(first) * 0x1p-50;
-        last += fabs(last) * 0x1p-50;
+        first -= fabs(first) * 0x1p-50 + slack;
+        last += fabs(last) * 0x1p-50 + slack;
         if (line->d[j] == 0) { /* a direction of -0 has its signs reversed */
             if (line->o[j] < f->lo[j] || line->o[j] > f->hi[j])
                 *to = -HUGE_VAL;
@@ -88,11 +91,10 @@ cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
         return CYLINT_FRAME_PASSED;
     const double size = largest(line->d);
     if (!(size <= CYLINT_FRAME_MOST) || !(size >= CYLINT_FRAME_LEAST) ||
-        !(largest(line->o) <= CYLINT_FRAME_MOST) || is_subnormal(line->d[0]) ||
-        is_subnormal(line->d[1]) || is_subnormal(line->d[2]) ||
-        !cylint_rounds_to_nearest())
+        !(largest(line->o) <= CYLINT_FRAME_MOST) ||
+        is_lopsided(line->d, size) || !cylint_rounds_to_nearest())
         return CYLINT_FRAME_WILD;
-    clip(frame, line, &ray->entry, &to);
+    clip(frame, line, size, &ray->entry, &to);
     if (ray->entry > to)
         return CYLINT_FRAME_PASSED;
     ray->per_t = size * frame->scale;
@@ -114,6 +116,6 @@ cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
  * less than 2^-51 of s. */
 double cylint_frame_reach(const cylint_frame_ray *ray, double t)
 {
-    const double s = (nextafter(t, HUGE_VAL) - ray->entry) * ray->per_t;
+    const double s = (cylint_next_above(t) - ray->entry) * ray->per_t;
     return s + fabs(s) * 0x1p-50;
 }

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "cylint_scene.h"
-#include "../numbers/compiler.h"
+#include "../numbers/bits.h"
 #include "../bvh/threads.h"
 #include "frame.h"
 #include "../bvh/traverse.h"
@@ -275,11 +275,13 @@ static int take_nearest(question *q, size_t number)
         return 0;
     const cylint_hit *hit = &answer.hit[0];
     if (q->best < q->scene->n &&
-        (hit->t > q->hit.t || (hit->t == q->hit.t && number > q->best)))
+        (cylint_less(q->hit.t, hit->t) ||
+         (!cylint_less(hit->t, q->hit.t) && number > q->best)))
         return 0;
     q->best = number;
     q->hit = *hit;
-    q->line.tmax = fmin(q->line.tmax, nextafter(hit->t, HUGE_VAL));
+    if (cylint_less(hit->t, q->line.tmax))
+        q->line.tmax = cylint_next_above(hit->t);
     return 1;
 }
 

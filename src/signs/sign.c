@@ -233,8 +233,7 @@ const letters_exact *cylint_exact_line(cylint_query *q)
 /* x is a multiple of 2^quantum and of no higher power. */
 static int quantum(double x)
 {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
+    const uint64_t bits = cylint_bits(x);
     if (bits << 1 == 0)
         return 1 << 20;
     /* the data are not subnormal here, or it comes out too small: harmless */

@@ -1,0 +1,78 @@
+/*
+ * environment.h - a thread's floating-point environment: rounding, subnormals
+ */
+#ifndef CYLINT_TEST_ENVIRONMENT_H
+#define CYLINT_TEST_ENVIRONMENT_H
+
+#include <fenv.h>
+#include <stdint.h>
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
+enum { FLUSH = 1, ZERO = 2 };
+
+struct environment {
+    int rounding; /* fesetround's */
+    int tiny;     /* what happens to subnormals: FLUSH, ZERO or both */
+};
+
+#if defined(__SSE2__)
+enum { MXCSR_ZERO = 1 << 6, MXCSR_FLUSH = 1 << 15 };
+
+static inline void treat_subnormals(int how)
+{
+    unsigned control = _mm_getcsr() & ~(unsigned)(MXCSR_ZERO | MXCSR_FLUSH);
+    if (how & FLUSH) {
+        control |= MXCSR_FLUSH;
+    }
+    if (how & ZERO) {
+        control |= MXCSR_ZERO;
+    }
+    _mm_setcsr(control);
+}
+
+static inline int can_treat_subnormals(int how)
+{
+    (void)how;
+    return 1;
+}
+#elif defined(__aarch64__)
+/* One bit for operands and results alike. */
+static inline void treat_subnormals(int how)
+{
+    uint64_t control;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(control));
+    control = how ? control | 1 << 24 : control & ~(uint64_t)(1 << 24);
+    __asm__ volatile("msr fpcr, %0" : : "r"(control));
+}
+
+static inline int can_treat_subnormals(int how)
+{
+    return how == (FLUSH | ZERO);
+}
+#else
+static inline void treat_subnormals(int how)
+{
+    (void)how;
+}
+
+static inline int can_treat_subnormals(int how)
+{
+    return how == 0;
+}
+#endif
+
+static inline void enter(struct environment e)
+{
+    fesetround(e.rounding);
+    treat_subnormals(e.tiny);
+}
+
+static inline void leave(void)
+{
+    fesetround(FE_TONEAREST);
+    treat_subnormals(0);
+}
+
+#endif
