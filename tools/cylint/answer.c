@@ -10,11 +10,12 @@
 #include "main.h"
 
 void job_prepare(struct job *job, const struct options *options,
-                 const struct scene *scene)
+                 const struct scene *scene, const struct labels *labels)
 {
     memset(job, 0, sizeof *job);
     job->options = options;
     job->scene = scene;
+    job->labels = labels;
     if (options->method) {
         snprintf(job->refusal, sizeof job->refusal,
                  "method '%s' does not answer%s", options->method->name,
@@ -27,7 +28,8 @@ void job_prepare(struct job *job, const struct options *options,
 int job_block(const struct job *job, struct block *block)
 {
     const struct options *o = job->options;
-    if (!block_room(block, row_room(&o->fields, &o->style),
+    const size_t longest = job->labels ? job->labels->longest : 0;
+    if (!block_room(block, row_room(&o->fields, &o->style, longest),
                     o->query == QUERY_ALL ? job->scene->count : 0)) {
         return 0;
     }
@@ -81,6 +83,18 @@ static void put_answer(struct task *task, int hit)
     }
 }
 
+/* Sets the row's label, where one is asked for, to that of its shape. */
+static void find_label(struct task *task)
+{
+    const struct job *job = task->job;
+    if (job->options->fields.labels > 0 && task->row.shape > 0) {
+        const struct label label =
+            labels_get(job->labels, (size_t)task->row.shape - 1);
+        task->row.label = label.text;
+        task->row.label_length = label.length;
+    }
+}
+
 /* Returns 0: the method refuses this shape, which is the record's fault. */
 static int refuse_method(struct task *task, size_t shape)
 {
@@ -111,6 +125,7 @@ static int answer_nearest(struct task *task)
     if (refused > 0) {
         return refuse_method(task, refused);
     }
+    find_label(task);
     put_answer(task, task->row.shape > 0);
     return 1;
 }
@@ -137,6 +152,7 @@ static void answer_one_of_all(struct task *task, size_t shape)
     if (answer.n > 0) {
         task->row.shape = shape + 1;
         task->row.answer = &answer;
+        find_label(task);
         put_answer(task, 1);
         task->status = deliver_if_full(task->job, task->block);
     }

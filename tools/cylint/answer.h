@@ -6,6 +6,7 @@
 
 #include "block.h"
 #include "input.h"
+#include "labels.h"
 #include "options.h"
 #include "output.h"
 #include "progress.h"
@@ -17,7 +18,8 @@
 struct job {
     const struct options *options;
     const struct scene *scene;
-    char refusal[96]; /* said when the method does not answer */
+    const struct labels *labels; /* of its shapes; NULL: not kept */
+    char refusal[96];            /* said when the method does not answer */
 
     struct input in;
 
@@ -29,8 +31,9 @@ struct job {
     int status; /* with which the work ended */
 };
 
+/* labels: of the scene's shapes, or NULL. */
 void job_prepare(struct job *job, const struct options *options,
-                 const struct scene *scene);
+                 const struct scene *scene, const struct labels *labels);
 
 /* Makes buffers for the job's blocks; returns whether there is memory. */
 int job_block(const struct job *job, struct block *block);

@@ -27,6 +27,7 @@ enum value {
     VALUE_CHORD,
     VALUE_RECORD,
     VALUE_SHAPE,
+    VALUE_LABEL,
     VALUE_COUNT
 };
 
@@ -76,6 +77,8 @@ static const struct column columns[] = {
     {"chord", VALUE_CHORD, 0, PAIRS | ALL, "t1 - t0"},
     {"shape", VALUE_SHAPE, 0, NEAREST | ALL,
      "number of the shape in the scene, from 1; 0 for none"},
+    {"label", VALUE_LABEL, 0, NEAREST | ALL,
+     "the tail of the shape's line in the scene"},
     {"any", VALUE_COUNT, 0, ANY, "1 if a shape is hit, else 0"},
     {"count", VALUE_COUNT, 0, COUNT, "number of shapes that are hit"},
     {"id", VALUE_RECORD, 0, EVERY, "number of the record, from 1"},
@@ -171,7 +174,7 @@ int fields_tell_sides(const struct fields *fields)
 const char *find_fields(struct fields *fields, const char *names,
                         enum query query, size_t *length)
 {
-    fields->count = 0;
+    fields->count = fields->labels = 0;
     fields->want = 0;
     for (;;) {
         *length = strcspn(names, ",");
@@ -181,6 +184,7 @@ const char *find_fields(struct fields *fields, const char *names,
         }
         fields->column[fields->count++] = c;
         fields->want |= want_of(c->value);
+        fields->labels += c->value == VALUE_LABEL;
         if (names[*length] == '\0') {
             break;
         }
@@ -225,6 +229,8 @@ static inline int is_missing(const struct column *c, const struct row *row)
     case VALUE_COUNT:
     case VALUE_SHAPE:
         return 0;
+    case VALUE_LABEL:
+        return row->answer == NULL || row->label_length == 0;
     case VALUE_RELATION:
     case VALUE_N:
         return row->answer == NULL;
@@ -235,7 +241,7 @@ static inline int is_missing(const struct column *c, const struct row *row)
     }
 }
 
-/* Not of a missing value. */
+/* Neither of a missing value nor of a label. */
 static inline double value_of(const struct column *c, const struct row *row)
 {
     const cylint_answer *a = row->answer;
@@ -287,9 +293,8 @@ static int is_whole(enum value value)
 static void put_missing(struct text *out, const struct style *style,
                         const struct column *c)
 {
-    put_string(out, style->missing       ? style->missing
-                    : words_of(c->value) ? "-"
-                                         : "nan");
+    const int is_word = words_of(c->value) || c->value == VALUE_LABEL;
+    put_string(out, style->missing ? style->missing : is_word ? "-" : "nan");
 }
 
 static void put_value(struct text *out, const struct style *style,
@@ -312,6 +317,8 @@ static void put_field(struct text *out, const struct style *style,
 {
     if (is_missing(c, row)) {
         put_missing(out, style, c);
+    } else if (c->value == VALUE_LABEL) {
+        put_bytes(out, row->label, row->label_length);
     } else {
         put_value(out, style, c, row);
     }
@@ -380,11 +387,13 @@ void put_header(struct text *out, const struct fields *fields,
 }
 
 /* Names and words are shorter than numbers; "error" stands in one field. */
-size_t row_room(const struct fields *fields, const struct style *style)
+size_t row_room(const struct fields *fields, const struct style *style,
+                size_t longest_label)
 {
     const size_t missing = style->missing ? strlen(style->missing) : 0;
     const size_t widest = missing > NUMBER_ROOM ? missing : NUMBER_ROOM;
-    return (size_t)(fields->count + 1) * (widest + 1);
+    return (size_t)(fields->count + 1) * (widest + 1) +
+           (size_t)fields->labels * longest_label;
 }
 
 void list_columns(void (*print)(const char *name, const char *queries,

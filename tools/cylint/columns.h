@@ -29,6 +29,7 @@ enum { MOST_FIELDS = 256 };
 struct fields {
     const struct column *column[MOST_FIELDS];
     int count;
+    int labels; /* how many columns are labels */
     unsigned want;
 };
 
@@ -47,6 +48,8 @@ struct style {
 struct row {
     unsigned long long record, shape, count;
     const cylint_answer *answer; /* NULL: there is none, as of no shape */
+    const char *label;           /* the shape's, if it was asked for */
+    size_t label_length;
     const char *tail;
     size_t tail_length;
 };
@@ -61,8 +64,10 @@ const char *find_fields(struct fields *fields, const char *names,
 /* The column of this query whose name is nearly this one, or NULL. */
 const char *similar_field(const char *name, size_t length, enum query query);
 
-/* The most bytes that a row, or the header, can take beside its tail. */
-size_t row_room(const struct fields *fields, const struct style *style);
+/* The most bytes that a row, or the header, can take beside its tail, where
+ * no label is longer than this. */
+size_t row_room(const struct fields *fields, const struct style *style,
+                size_t longest_label);
 
 void put_row(struct text *out, const struct fields *fields,
              const struct style *style, const struct row *row);

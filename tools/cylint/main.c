@@ -17,7 +17,7 @@ static int put_first_line(struct job *job)
     if (!o->header) {
         return 0;
     }
-    int status = block_make(&b, row_room(&o->fields, &o->style), 0);
+    int status = block_make(&b, row_room(&o->fields, &o->style, 0), 0);
     if (status == 0) {
         put_header(&b.out, &o->fields, &o->style);
         status = output_write(&job->out, b.out.data, b.out.length);
@@ -62,8 +62,10 @@ int main(int argc, char **argv)
 {
     struct options options;
     struct scene scene;
+    struct labels labels;
     struct job job;
     memset(&scene, 0, sizeof scene);
+    memset(&labels, 0, sizeof labels);
     guard_standard_streams();
     int status = read_options(&options, argc, argv);
     if (status != 0) {
@@ -72,6 +74,10 @@ int main(int argc, char **argv)
     if (options.print) {
         return print_about(options.print);
     }
+    const int keeps_labels = options.fields.labels > 0;
+    if (keeps_labels) {
+        labels_keep(&labels, &scene);
+    }
     if (options.scene) {
         status = scene_read(&scene, options.scene, options.grammar.ends);
     }
@@ -79,10 +85,11 @@ int main(int argc, char **argv)
         status = scene_prepare(&scene, options.accel, options.workers);
     }
     if (status == 0) {
-        job_prepare(&job, &options, &scene);
+        job_prepare(&job, &options, &scene, keeps_labels ? &labels : NULL);
         status = run(&job);
         turns_destroy(&job.turns);
     }
     scene_free(&scene);
+    labels_free(&labels);
     return status;
 }

@@ -324,6 +324,9 @@ static int settle_binary(const struct options *options)
     if (options->style.binary && options->header) {
         return usage("--header: binary output has none");
     }
+    if (options->style.binary && options->fields.labels > 0) {
+        return usage("-f label: binary output has numbers only");
+    }
     if (options->style.binary && options->style.missing) {
         return usage("--miss: in binary output what is missing is NaN");
     }

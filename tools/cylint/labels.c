@@ -1,0 +1,85 @@
+/*
+ * labels.c - the tails of a scene's lines: names of its shapes
+ */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "labels.h"
+#include "report.h"
+
+/* Makes room for `more` bytes, twice what there was at least. */
+static int grow_bytes(struct labels *labels, size_t more)
+{
+    if (more <= labels->room - labels->length) {
+        return 0;
+    }
+    const size_t twice = 2 * labels->room;
+    const size_t room =
+        labels->length + more > twice ? labels->length + more : twice;
+    char *bytes = realloc(labels->bytes, room);
+    if (!bytes) {
+        return out_of_memory();
+    }
+    labels->bytes = bytes;
+    labels->room = room;
+    return 0;
+}
+
+static int grow_ends(struct labels *labels)
+{
+    if (labels->count < labels->places) {
+        return 0;
+    }
+    const size_t places = labels->places > 0 ? 2 * labels->places : 64;
+    size_t *end = places <= SIZE_MAX / sizeof *end
+                      ? realloc(labels->end, places * sizeof *end)
+                      : NULL;
+    if (!end) {
+        return out_of_memory();
+    }
+    labels->end = end;
+    labels->places = places;
+    return 0;
+}
+
+static int take_label(struct scene *scene, const struct record *record)
+{
+    struct labels *labels = scene->context;
+    const size_t length = record->tail_length;
+    int status = grow_ends(labels);
+    if (status == 0 && length > 0) {
+        status = grow_bytes(labels, length);
+    }
+    if (status != 0) {
+        return status;
+    }
+    if (length > 0) {
+        memcpy(labels->bytes + labels->length, record->tail, length);
+        labels->length += length;
+    }
+    if (length > labels->longest) {
+        labels->longest = length;
+    }
+    labels->end[labels->count++] = labels->length;
+    return 0;
+}
+
+void labels_keep(struct labels *labels, struct scene *scene)
+{
+    scene->also = take_label;
+    scene->context = labels;
+}
+
+void labels_free(struct labels *labels)
+{
+    free(labels->bytes);
+    free(labels->end);
+}
+
+struct label labels_get(const struct labels *labels, size_t shape)
+{
+    const size_t begin = shape > 0 ? labels->end[shape - 1] : 0;
+    const size_t length = labels->end[shape] - begin;
+    return (struct label){length > 0 ? labels->bytes + begin : "", length};
+}
