@@ -28,7 +28,7 @@ both()
         answers "$converted" && mv "$scratch/answers" "$scratch/expected" &&
         [ -s "$scratch/expected" ] && [ ! -s "$scratch/messages" ] &&
         answers "$native" && cmp "$scratch/expected" "$scratch/answers" &&
-        sed "s|^swc2scene: |cylint: $native: |" "$scratch/skipped" |
+        sed "s|^cylint-convert: |cylint: $native: |" "$scratch/skipped" |
         diff - "$scratch/messages"
     verdict "$1" $?
 }
@@ -65,6 +65,17 @@ test_same_shapes()
     printf '0 9 0 0 0 4 -1\n' | cat "$scratch/mixed" - |
         sed 's/0000 9/000\n0 9/' > "$native"
     both swc_blanks_comments_and_ends_of_lines_do_not_matter
+    random_neuron 1 3000 > "$native"
+    awk '{ $1 = $1 ".0"; $7 = NR % 3 ? $7 ".00" : $7 / 10 "e1"
+           gsub(/ /, NR % 2 ? " , " : "\t"); printf "%s\r", $0 }
+         NR % 50 == 0 { print "# a comment" }' "$native" > "$scratch/mixed" &&
+        mv "$scratch/mixed" "$native"
+    both swc_numbers_may_be_decimal_fields_have_commas_and_lines_end_in_cr
+    random_neuron 1 3000 | grep -v '0 ' | head -2000 > "$native"
+    both swc_parents_may_be_missing
+    grep -q 'with a parent that is not in the file taken as roots' \
+        "$scratch/messages"
+    verdict swc_missing_parents_are_counted $?
     awk 'BEGIN { for (n = 0; n < 4000; n++)
         print n * 4096, 0, n % 20, n / 7, n, 2, n ? (n - 1) * 4096 : -1 }' \
         > "$native"
@@ -100,10 +111,10 @@ said_by_both()
     answers "$native"
     [ $? -eq $converts ] || return 1
     if [ $converts -eq 0 ]; then
-        sed "s|^swc2scene: |cylint: $native: |" "$scratch/expected" |
+        sed "s|^cylint-convert: |cylint: $native: |" "$scratch/expected" |
             diff - "$scratch/messages"
     else
-        sed 's/^cylint: \(.*\):\([0-9]*\):[0-9]*: /swc2scene: \1:\2: /' \
+        sed 's/^cylint: \(.*\):\([0-9]*\):[0-9]*: /cylint-convert: \1:\2: /' \
             "$scratch/messages" | diff "$scratch/expected" -
     fi
 }
@@ -117,19 +128,26 @@ test_refused()
     refuses "1:9: expected a number, found 'nan'" '1 1 0 0 nan 2 -1'
     refuses "1:9: expected a number, found '0x10'" '1 1 0 0 0x10 2 -1'
     refuses "1:9: expected a number, found '1e'" '1 1 0 0 1e 2 -1'
-    refuses "1:5: expected a number, found '0,0,0'" '1 1 0,0,0 2 -1'
+    refuses "1:5: expected a number, found ','" '1 1,,0,0,0 2 -1'
     refuses "1:9: expected a number, found the end of the line" '1 1 0 0 '
     refuses "1:12: expected a node's number or -1, found the end of the line" \
         '1 1 0 0 0 2'
     refuses "3:11: negative radius: '-2'" '# a\n' '1 1 0 0 0 -2 -1'
-    refuses "1:1: expected a node's number, found '1.0'" '1.0 1 0 0 0 2 -1'
+    refuses "1:1: expected a node's number, found '1.5'" '1.5 1 0 0 0 2 -1'
+    refuses "1:1: expected a node's number, found '9007199254740992.0'" \
+        '9007199254740992.0 1 0 0 0 2 -1'
+    refuses "1:11: expected a number, found 'nan'" '1 1 0 0 0 nan -1'
     refuses "1:2: expected a node's number, found '-1'" ' -1 1 0 0 0 2 -1'
     refuses "1:1: expected a node's number, found '1234567890123456789'" \
         '1234567890123456789 1 0 0 0 2 -1'
     refuses "1:13: expected a node's number or -1, found '-2'" \
         '1 1 0 0 0 2 -2'
     refuses "2:2: this node was given before: '01'" "$root" '\t01 1 0 0 9 2 -1'
-    refuses "2:13: no node 9 to be the parent" "$root" '2 1 0 0 9 2 009'
+    refuses "2:13: node 2 is its own parent" "$root" '2 1 0 0 9 2 2.0'
+    refuses "2:13: the parents of node 7 lead back to it" "$root" \
+        '7 1 0 0 9 2 5' '4 1 0 0 9 2 1' '5 1 0 0 9 2 6' '6 1 0 0 9 2 7'
+    refuses "3:13: the parents of node 7 lead back to it" \
+        '3 1 0 0 1 2 5' "$root" '7 1 0 0 9 2 5' '5 1 0 0 9 2 7'
     refuses "3:3: expected a number, found the end of the line" \
         '5 0 0 0 0 1 7' "$root" '2 '
     awk 'BEGIN { while (n++ <= 1024 * 1024) printf "1" }' > "$native"
@@ -151,7 +169,7 @@ test_one_byte_changed()
         i=$((i + 1))
         awk -v seed=$i 'BEGIN { srand(seed); RS = "\001" } {
             at = 1 + int(rand() * length($0))
-            bytes = "0123456789-+.eExX# \t,a\n"
+            bytes = "0123456789-+.eExX# \t,,a\n\r"
             new = substr(bytes, 1 + int(rand() * length(bytes)), 1)
             printf "%s", substr($0, 1, at - 1) new substr($0, at + 1)
         }' "$scratch/good" > "$native"
@@ -174,6 +192,8 @@ test_real_neuron()
     cp $data/medulla_7114.swc "$native"
     lines_through_nodes "$native" 50
     both swc_a_real_neuron_is_read_as_it_is_converted
+    tr '\n' '\r' < $data/medulla_top24.swc > "$native" # 3.8 MB without a LF
+    both swc_a_file_without_line_feeds_may_be_long
 }
 
 test_same_shapes

@@ -112,6 +112,20 @@ static int wait_for_input(const struct input *in)
     return in->regular || p[1].revents == 0;
 }
 
+/* Makes LF of each CR that no LF follows, in the bytes from `from` on.  The
+ * last byte waits for the one that follows it. */
+static void end_lines_at_cr(struct block *b, size_t from)
+{
+    char *last = b->text + b->length - 1;
+    char *p = b->text + (from > 0 ? from - 1 : 0);
+    while (p < last && (p = memchr(p, '\r', (size_t)(last - p))) != NULL) {
+        if (p[1] != '\n') {
+            *p = '\n';
+        }
+        p++;
+    }
+}
+
 /* Appends to the block's text.  At the end, and at an error, in->ended. */
 static void read_more(struct input *in, struct block *b)
 {
@@ -119,6 +133,9 @@ static void read_more(struct input *in, struct block *b)
         const ssize_t n = read(in->fd, b->text + b->length, BLOCK_GOAL);
         if (n > 0) {
             b->length += (size_t)n;
+            if (in->cr_ends_lines) {
+                end_lines_at_cr(b, b->length - (size_t)n);
+            }
             in->bytes += (unsigned long long)n;
             return;
         }

@@ -10,6 +10,7 @@ struct input {
     char *const *files; /* "-" is standard input */
     int count, next;    /* of files; the one to open next */
     size_t record_size; /* bytes of a binary record; 0: lines of text */
+    int cr_ends_lines;  /* so does LF, and CR LF ends one line */
 
     int fd;       /* -1: none is open */
     int regular;  /* reading never waits */

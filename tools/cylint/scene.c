@@ -99,6 +99,7 @@ int scene_read(struct scene *scene, const char *file, int ends)
     int status = block_make(&block, 0, 0);
     if (status == 0) {
         status = input_open(&in, files, 1, 0);
+        in.cr_ends_lines = is_swc;
         while (status == 0 && (status = input_next(&in, &block)) == 0 &&
                block.length > 0) {
             status = is_swc ? swc_read_nodes(&swc, &block)

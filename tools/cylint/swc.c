@@ -3,12 +3,13 @@
  *
  *   node = number type x y z radius parent
  *
- * Fields are separated by blanks and tabs; the type, and what stands behind
- * the parent, is not looked at.  Parent -1 marks a root.  Parents may stand
- * after their children, so that the shapes come when all is read.
+ * Fields are separated by blanks, tabs and at most one comma; the type, and
+ * what follows the parent, is ignored.  Parent -1, or a parent that is not in
+ * the file, marks a root.  Parents may stand after their children, so the
+ * shapes are made after all nodes were read.
  *
- * tools/convert/swc2scene accepts the same files, gives the same shapes in
- * the same order and refuses with the same messages.
+ * tools/convert/swc.awk accepts the same files, gives the same shapes in the
+ * same order and writes the same messages.
  */
 #include <stdint.h>
 #include <stdio.h>
@@ -22,11 +23,15 @@
 enum { DIGITS_MOST = 18 }; /* of a node's number: it fits 64 bits */
 
 #define NO_PARENT UINT64_MAX
+/* Whole numbers below this one are told apart by doubles. */
+#define DECIMAL_MOST 9007199254740992.0 /* 2^53 */
 
 struct swc_node {
     uint64_t number, parent;
     double centre[3], radius;
     unsigned long long line, column; /* of the parent's number */
+    size_t up;                       /* the parent's index, from 1; 0: a root */
+    size_t walk; /* the first node, from 1, whose ancestor this is; 0: none */
 };
 
 int swc_is_name(const char *file)
@@ -103,25 +108,43 @@ struct reader {
 static const char *end_of_field(const struct reader *r)
 {
     const char *p = r->p;
-    while (p < r->end && !is_blank(*p)) {
+    while (p < r->end && !is_blank(*p) && *p != ',') {
         p++;
     }
     return p;
 }
 
-static void skip_field(struct reader *r)
+/* Continues behind a field and its separator: blanks, one comma, blanks. */
+static void skip_to(struct reader *r, const char *field_end)
 {
-    r->p = skip_blanks(end_of_field(r), r->end);
+    const char *p = skip_blanks(field_end, r->end);
+    r->p = p < r->end && *p == ',' ? skip_blanks(p + 1, r->end) : p;
 }
 
+/* An empty field is a comma too many: the message shows the comma. */
 static int refuse(struct reader *r, const char *what, int expected)
 {
+    const char *end = end_of_field(r);
+    if (end == r->p && end < r->end) {
+        end++;
+    }
     *r->fault = (struct fault){
-        .what = what, .expected = expected, .at = r->p, .end = end_of_field(r)};
+        .what = what, .expected = expected, .at = r->p, .end = end};
     return 0;
 }
 
-static int read_whole(struct reader *r, uint64_t *number, const char *expected)
+/* Reads the field as a decimal number; other programs do not read SWC's
+ * numbers as hexadecimal.  Returns whether it is one; it may be infinite. */
+static int is_decimal(const struct reader *r, double *value)
+{
+    const char *end = end_of_field(r);
+    const size_t length = (size_t)(end - r->p);
+    return cylint_read_number(r->p, r->end, value) == end &&
+           !memchr(r->p, 'x', length) && !memchr(r->p, 'X', length);
+}
+
+/* Reads digits, at most DIGITS_MOST behind leading zeros. */
+static int is_digits(const struct reader *r, uint64_t *number)
 {
     const char *end = end_of_field(r);
     const char *p = r->p;
@@ -130,39 +153,46 @@ static int read_whole(struct reader *r, uint64_t *number, const char *expected)
         p++;
     }
     const int fits = p < end && end - p <= DIGITS_MOST;
-    while (p < end && *p >= '0' && *p <= '9') {
+    while (fits && p < end && *p >= '0' && *p <= '9') {
         *number = 10 * *number + (uint64_t)(*p++ - '0');
     }
-    if (!fits || p < end) {
-        return refuse(r, expected, 1);
+    return fits && p == end;
+}
+
+/* Reads a node's number: digits, or a decimal number that is whole. */
+static int read_whole(struct reader *r, uint64_t *number, const char *expected)
+{
+    double value;
+    if (!is_digits(r, number)) {
+        if (!is_decimal(r, &value) || *r->p == '-' || !(value < DECIMAL_MOST) ||
+            (double)(uint64_t)value != value) {
+            return refuse(r, expected, 1);
+        }
+        *number = (uint64_t)value;
     }
-    r->p = skip_blanks(end, r->end);
+    skip_to(r, end_of_field(r));
     return 1;
 }
 
 static int read_parent(struct reader *r, uint64_t *parent)
 {
-    const char *end = end_of_field(r);
-    if (end - r->p == 2 && memcmp(r->p, "-1", 2) == 0) {
+    double value;
+    if (is_decimal(r, &value) && value == -1) {
         *parent = NO_PARENT;
         return 1;
     }
     return read_whole(r, parent, "a node's number or -1");
 }
 
-/* Decimal, as all that reads SWC understands it. */
 static int read_decimal(struct reader *r, double *value)
 {
-    const char *end = end_of_field(r);
-    const char *after = cylint_read_number(r->p, r->end, value);
-    if (after != end || memchr(r->p, 'x', (size_t)(end - r->p)) ||
-        memchr(r->p, 'X', (size_t)(end - r->p))) {
+    if (!is_decimal(r, value)) {
         return refuse(r, "a number", 1);
     }
     if (*value - *value != 0) {
         return refuse(r, "number too large", 0);
     }
-    r->p = skip_blanks(end, r->end);
+    skip_to(r, end_of_field(r));
     return 1;
 }
 
@@ -181,7 +211,7 @@ static int read_node(const char *text, const char *end, struct swc_node *node,
     if (!read_whole(&r, &node->number, "a node's number")) {
         return 0;
     }
-    skip_field(&r); /* the type */
+    skip_to(&r, end_of_field(&r)); /* the type */
     for (int i = 0; i < 3; i++) {
         if (!read_decimal(&r, &node->centre[i])) {
             return 0;
@@ -248,13 +278,71 @@ int swc_read_nodes(struct swc *swc, struct block *b)
 
 /* --------------------------------------------------------------- frusta -- */
 
-static int lost_parent(const struct swc_node *node, const char *name)
+static int refuse_cycle(const struct swc *swc, size_t index, const char *name)
 {
+    const struct swc_node *node = &swc->nodes[index - 1];
     struct note note = {.line = node->line, .column = node->column};
-    snprintf(note.text, sizeof note.text, "no node %llu to be the parent",
-             (unsigned long long)node->parent);
+    snprintf(note.text, sizeof note.text,
+             node->up == index ? "node %llu is its own parent"
+                               : "the parents of node %llu lead back to it",
+             (unsigned long long)node->number);
     print_note(&note, name);
     return EXIT_BAD;
+}
+
+/* The node of the cycle through `start` that stands first in the file. */
+static size_t first_of_cycle(const struct swc *swc, size_t start)
+{
+    size_t first = start;
+    for (size_t i = swc->nodes[start - 1].up; i != start;
+         i = swc->nodes[i - 1].up) {
+        first = i < first ? i : first;
+    }
+    return first;
+}
+
+/* Follows the parents of each node to a root or to a node followed before:
+ * to one of the same walk, if they form a cycle. */
+static int refuse_cycles(const struct swc *swc, const char *name)
+{
+    for (size_t start = 1; start <= swc->count; start++) {
+        size_t i = start;
+        while (i > 0 && swc->nodes[i - 1].walk == 0) {
+            swc->nodes[i - 1].walk = start;
+            i = swc->nodes[i - 1].up;
+        }
+        if (i > 0 && swc->nodes[i - 1].walk == start) {
+            return refuse_cycle(swc, first_of_cycle(swc, i), name);
+        }
+    }
+    return 0;
+}
+
+/* Finds the parents' indices.  Returns how many parents are missing. */
+static size_t find_parents(const struct swc *swc)
+{
+    size_t missing = 0;
+    for (size_t i = 0; i < swc->count; i++) {
+        struct swc_node *node = &swc->nodes[i];
+        if (node->parent != NO_PARENT) {
+            node->up = *find_place(swc, node->parent);
+            missing += node->up == 0;
+        }
+    }
+    return missing;
+}
+
+static void say_missing(size_t count, const char *name)
+{
+    char what[120];
+    if (count > 0) {
+        snprintf(what, sizeof what,
+                 "%llu node%s with a parent that is not in the file taken as"
+                 " %s",
+                 (unsigned long long)count, count == 1 ? "" : "s",
+                 count == 1 ? "a root" : "roots");
+        complain(name, what);
+    }
 }
 
 static void say_skipped(size_t count, const char *lack, const char *name)
@@ -291,17 +379,17 @@ int swc_add_frusta(struct swc *swc, struct scene *scene, int ends,
                    const char *name)
 {
     size_t without_length = 0, without_radius = 0;
-    int status = 0;
+    const size_t missing = find_parents(swc);
+    int status = refuse_cycles(swc, name);
+    if (status != 0) {
+        return status;
+    }
     for (size_t i = 0; i < swc->count && status == 0; i++) {
         const struct swc_node *node = &swc->nodes[i];
-        if (node->parent == NO_PARENT) {
+        if (node->up == 0) {
             continue;
         }
-        const size_t place = *find_place(swc, node->parent);
-        if (place == 0) {
-            return lost_parent(node, name);
-        }
-        const struct swc_node *parent = &swc->nodes[place - 1];
+        const struct swc_node *parent = &swc->nodes[node->up - 1];
         if (same_place(node->centre, parent->centre)) {
             without_length++;
         } else if (node->radius == 0 && parent->radius == 0) {
@@ -310,6 +398,7 @@ int swc_add_frusta(struct swc *swc, struct scene *scene, int ends,
             status = add_frustum(scene, node, parent, ends);
         }
     }
+    say_missing(missing, name);
     say_skipped(without_length, "length", name);
     say_skipped(without_radius, "radius", name);
     return status;
