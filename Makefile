@@ -341,8 +341,11 @@ deps-cluster: ## what check-cluster needs as well (Debian; Spark by pip)
 
 install: all ## into $(DESTDIR)$(PREFIX)
 	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(INCLUDEDIR) \
-	  $(DESTDIR)$(MANDIR)/man1 $(DESTDIR)$(MANDIR)/man3 $(DESTDIR)$(MANDIR)/man7
+	  $(DESTDIR)$(MANDIR)/man1 $(DESTDIR)$(MANDIR)/man3 $(DESTDIR)$(MANDIR)/man7 $(DESTDIR)$(PREFIX)/share/cylint
 	install -m 755 $(BUILD)/cylint $(DESTDIR)$(BINDIR)
+	$(fill_in) tools/convert/cylint-convert > $(DESTDIR)$(BINDIR)/cylint-convert
+	chmod 755 $(DESTDIR)$(BINDIR)/cylint-convert
+	install -m 644 tools/convert/*.awk tools/render/autumn.awk $(DESTDIR)$(PREFIX)/share/cylint
 	$(foreach l,$(libraries),$(call install_library,$(l)))
 	install -m 644 $(patsubst %,include/%,cylint.h cylint_methods.h cylint_scene.h $(if $(EMBREE),cylint_embree.h)) $(DESTDIR)$(INCLUDEDIR)
 	$(if $(PNG),install -m 755 $(BUILD)/cylint-render $(DESTDIR)$(BINDIR))
@@ -351,9 +354,10 @@ install: all ## into $(DESTDIR)$(PREFIX)
 	for m in man/*.7; do install -m 644 $$m $(DESTDIR)$(MANDIR)/man7; done
 
 uninstall: ## what install put there
-	rm -f $(patsubst %,$(DESTDIR)$(BINDIR)/%,cylint cylint-render) $(patsubst include/%,$(DESTDIR)$(INCLUDEDIR)/%,$(wildcard include/*.h)) \
+	rm -f $(patsubst %,$(DESTDIR)$(BINDIR)/%,cylint cylint-convert cylint-render) $(patsubst include/%,$(DESTDIR)$(INCLUDEDIR)/%,$(wildcard include/*.h)) \
 	  $(foreach l,libcylint libcylint-scene libcylint-embree,$(DESTDIR)$(LIBDIR)/$(l).* $(DESTDIR)$(LIBDIR)/pkgconfig/$(l:lib%=%).pc) \
 	  $(DESTDIR)$(MANDIR)/man[137]/cylint*
+	rm -rf $(DESTDIR)$(PREFIX)/share/cylint
 
 clean: ## what was built
 	rm -rf $(BUILD)

@@ -40,7 +40,8 @@ test_install()
         include/cylint.h include/cylint_methods.h include/cylint_scene.h \
         share/man/man1/cylint.1 share/man/man3/cylint.3 \
         share/man/man3/cylint_methods.3 share/man/man3/cylint_scene.3 \
-        share/man/man7/cylint.7; do
+        bin/cylint-convert share/cylint/common.awk share/cylint/autumn.awk \
+        share/man/man1/cylint-convert.1 share/man/man7/cylint.7; do
         [ -s "$root/usr/$f" ]
         verdict "install_puts_$f" $?
     done
@@ -48,6 +49,51 @@ test_install()
     verdict the_pc_files_are_filled_in $?
     "$root/usr/bin/cylint" --version | grep -q -F "$version"
     verdict the_installed_command_tells_the_version $?
+}
+
+# converts NAME TEXT ARGUMENT...: the installed cylint-convert, found in the
+# path or by a link, writes this line.
+converts()
+{
+    name=$1 text=$2
+    shift 2
+    (cd "$scratch" && PATH=$root/usr/bin:$PATH cylint-convert "$@" < in) \
+        > "$scratch/said" 2>&1 &&
+        [ "$(cat "$scratch/said")" = "$text" ] || { cat "$scratch/said"; false; }
+    verdict "installed_converter_$name" $?
+}
+
+test_converters()
+{
+    printf '1 1 0 0 0 2 -1\n2 3 0 0 10 1 1\n' > "$scratch/in"
+    cone='cone 0 0 10 1 0 0 0 2 2'
+    converts swc "$cone" swc
+    cp "$scratch/in" "$scratch/a=b"
+    converts swc_by_name "$cone" swc -- a=b
+    printf 'radius,startX,startY,startZ,endX,endY,endZ\n.5,0,0,0,0,0,2\n' \
+        > "$scratch/in"
+    converts qsm 'cylinder 0 0 0 0 0 2 .5 1' qsm
+    echo 'cylinder { <0,0,0>, <0,0,1>, 1 }' > "$scratch/in"
+    converts pov 'cylinder 0 0 0 0 0 1 1 1' pov
+    { echo 'loop_ _atom_site.id _atom_site.type_symbol'
+      echo '_atom_site.Cartn_x _atom_site.Cartn_y _atom_site.Cartn_z'
+      echo '1 C 0 0 0  2 O 0 0 1.2'; } > "$scratch/in"
+    converts pdb 'cylinder 0 0 0 0 0 1.2 2 1-2' pdb -r 2
+    PATH=$root/usr/bin:$PATH cylint-convert forest -n 1 > "$scratch/forest" &&
+        [ "$(wc -l < "$scratch/forest")" -gt 1000 ] &&
+        echo 'ray 0 0 9  0 0 -1' |
+        "$root/usr/bin/cylint" -s "$scratch/forest" > /dev/null
+    verdict installed_converter_forest $?
+    sed "s|'/usr/share/cylint'|'$root/usr/share/cylint'|" \
+        "$root/usr/bin/cylint-convert" > "$scratch/elsewhere" &&
+        sh "$scratch/elsewhere" pdb -r 2 "$scratch/in" |
+        diff "$scratch/said" -
+    verdict a_moved_converter_finds_its_programs_by_the_prefix $?
+    for kind in '' swc pdb qsm pov forest; do
+        "$root/usr/bin/cylint-convert" $kind --help |
+            grep -q '^usage: cylint-convert'
+        verdict "installed_converter_helps_$kind" $?
+    done
 }
 
 # block LANGUAGE NUMBER: the text of a fenced block of README.md.
@@ -337,6 +383,7 @@ test_uninstall()
 }
 
 test_install
+test_converters
 test_example
 test_symbols
 (test_without_makefile)

@@ -3,7 +3,7 @@
 # runs): shapes of other programs, and the laser scan.  The first line of each
 # is `# NAME`; the rest, about many machines, is run by make check-cluster.
 . "$(dirname "$0")/verdict.sh"
-PATH=$build:$PATH
+PATH=$build:$top/tools/convert:$PATH
 data=../shared/data
 
 # asked_of NAME LINES: each shape of the display with lines around it.
@@ -49,7 +49,6 @@ test_foreign_shapes()
 # says NAME TEXT: what the recipe prints in a folder with its files.
 says()
 {
-    ln -sfn "$top/tools" "$scratch/tools"
     sh tests/recipe.sh lidar > "$scratch/lidar"
     (cd "$scratch" && sh lidar) > "$scratch/said" 2>&1
     [ "$(cat "$scratch/said")" = "$2" ] || { cat "$scratch/said"; false; }

@@ -9,7 +9,7 @@ page=$top/man/cylint-render.1
     echo 'no libpng, so no cylint-render'
     exit 77
 }
-PATH=$build:$PATH
+PATH=$build:$top/tools/convert:$PATH
 cd "$scratch" || exit 1
 
 # pixel FILE X Y: red green blue opacity, 0 to 255
@@ -329,7 +329,7 @@ test_pictures()
     fi
     for p in forest neurons; do
         sh "$top/tests/recipe.sh" $p cylint-render.1 |
-            sed 's/trees=48/trees=1/; s/960x540/96x54/; s/samples 64/samples 1/' > small
+            sed 's/forest -n 48/forest -n 1/; s/960x540/96x54/; s/samples 64/samples 1/' > small
         sh small > out 2>&1 && [ -s $p.png ] || { cat small out; false; }
         verdict "the manual's command draws $p" $?
     done

@@ -1,8 +1,57 @@
-# common.awk - what the converters share: reading numbers, refusing lines
+# common.awk - what all kinds share: reading files, numbers, messages
 #
-# Each converter puts this text in front of its own program.  Numbers are
-# passed on as the text they came in, never reformatted, so nothing is lost;
-# their values are looked at only to refuse what `cylint -s` would refuse.
+# A kind defines begin_file(), read_line(text), end_file() and, for what
+# follows the last file, finish(); its BEGIN calls convert_files().  Files are
+# read by getline, so that a missing or empty file and a name with a `=` are
+# noticed, and lines end with LF, CR LF or CR.
+#
+# Numbers are written as the text that was read, so no digit is lost; their
+# values serve to refuse what `cylint -s` refuses.
+
+function convert_files(   i)
+{
+    if (ARGC < 2)
+        convert_file("-")
+    for (i = 1; i < ARGC; i++)
+        convert_file(ARGV[i])
+    finish()
+}
+
+function convert_file(name,   status, text)
+{
+    file = name
+    line_number = 0
+    begin_file()
+    while ((status = (getline text < file)) > 0) {
+        if (line_number == 0)
+            sub(/^\357\273\277/, "", text) # a byte-order mark
+        sub(/\r$/, "", text)
+        if (index(text, "\r") > 0)
+            read_lines(text)
+        else
+            take_line(text)
+    }
+    if (status < 0)
+        fail(file, "cannot be read", 3)
+    close(file)
+    end_file()
+}
+
+# The lines of a file in which CR alone ends a line.
+function read_lines(text,   i, n, lines)
+{
+    n = split(text, lines, "\r")
+    for (i = 1; i <= n; i++)
+        take_line(lines[i])
+}
+
+function take_line(text)
+{
+    line_number++
+    read_line(text)
+}
+
+# ------------------------------------------------------------------ numbers --
 
 # Is this text a finite decimal number?
 function is_number(text)
@@ -21,13 +70,15 @@ function is_finite(text)
            text + 0 >= -1.7976931348623157e308
 }
 
-# Where the current line is, for messages.
+# ----------------------------------------------------------------- messages --
+
+# The current file and line.
 function here()
 {
-    return (FILENAME == "" ? "-" : FILENAME) ":" FNR
+    return file ":" line_number
 }
 
-# In the command's words.
+# The command's wording.
 function refuse_found(expected, text)
 {
     refuse(here(), "expected " expected ", found " quoted(text))
@@ -38,26 +89,31 @@ function quoted(text)
     return "'" text "'"
 }
 
-# Says what is wrong and ends with exit status 1 (see END of each program).
 function refuse(place, why)
 {
+    fail(place, why, 1)
+}
+
+# Writes a message and ends with this exit status.
+function fail(place, why, status)
+{
     note(place ": " why)
-    failed = 1
-    exit 1
+    exit status
 }
 
 function note(text)
 {
-    print program ": " text | "cat 1>&2"
+    print "cylint-convert: " text | "cat 1>&2"
+}
+
+# "3 edges": a number and a noun.
+function counted(count, noun)
+{
+    return count " " noun (count == 1 ? "" : "s")
 }
 
 function note_skipped(count, what, lacks)
 {
     if (count > 0)
-        note(count " " what (count == 1 ? "" : "s") " of no " lacks \
-             " skipped")
+        note(counted(count, what) " of no " lacks " skipped")
 }
-
-# Line ends and a byte-order mark as other systems write them.
-FNR == 1 { sub(/^\357\273\277/, "") }
-{ sub(/\r$/, "") }
