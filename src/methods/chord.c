@@ -1,10 +1,10 @@
 /*
- * chord.c - cutting the overlap of line and unbounded solid down to the ends
+ * chord.c - clips the chord of a line and an unbounded solid by the ends
  *
- * The hits of a bounded shape are the ends of [lateral roots] intersected
- * with [slab 0 <= z <= 1].  Done on intervals, it cannot give one hit or
- * three where two are due, which collecting candidates and testing each does
- * at the rims.
+ * The hits of a bounded shape are the ends of the intersection of two
+ * intervals: the one between the lateral roots and the one in which
+ * 0 <= z <= 1.  An intersection of intervals always has two ends.  Testing
+ * candidate points one by one can instead give one hit or three at a rim.
  */
 #include "methods.h"
 
@@ -25,9 +25,9 @@ cylint_affine cylint_axial(const cylint_shape *shape, const cylint_line *line)
 }
 
 /*
- * A tie between plane and lateral root is a rim point and stays lateral.  A
- * chord that lies in the plane runs along the cap; one that is cut down to
- * a point touches the rim there.
+ * Where the plane and a lateral root have the same t the hit is on the rim
+ * and counts as lateral.  A chord in the plane has the relation along.  A
+ * chord clipped to one point touches the rim.
  */
 void cylint_chord_clip(cylint_chord *chord, cylint_affine f, int part)
 {
@@ -57,7 +57,7 @@ void cylint_chord_clip(cylint_chord *chord, cylint_affine f, int part)
     }
 }
 
-/* A pointed end has no cap: there the lateral surface ends by itself. */
+/* A pointed end has no cap, so its plane does not clip. */
 void cylint_chord_ends(cylint_chord *chord, const cylint_shape *shape,
                        cylint_affine z)
 {
@@ -70,18 +70,18 @@ void cylint_chord_ends(cylint_chord *chord, const cylint_shape *shape,
 }
 
 /*
- * rho, the signed radius, has one sign on either nappe.
+ * rho, the signed radius, is positive on one nappe and negative on the other.
  *
- *   gap        the two pieces lie on opposite nappes
- *   along      the line is a ruling: from the apex, where rho = 0, onwards
- *   unbounded  parallel to a ruling: rho at the far end decides
- *   bounded    on one nappe: rho anywhere on it decides
+ *   gap        the chord has two pieces on opposite nappes: one of them stays
+ *   along      the line is a ruling: the part beyond the apex, rho = 0, stays
+ *   unbounded  the line is parallel to a ruling: rho at the infinite end decides
+ *   bounded    the chord lies on one nappe: rho at its middle decides
  */
 void cylint_chord_nappe(cylint_chord *chord, cylint_affine rho)
 {
     if (chord->relation == CYLINT_RELATION_MISS)
         return;
-    const int ahead = rho.slope > 0; /* the nappe lies towards t = +inf */
+    const int ahead = rho.slope > 0; /* the nappe is at t = +inf */
 
     if (chord->gap) {
         chord->gap = 0;

@@ -1,28 +1,30 @@
 /*
  * closest_points.c - line and circular cylinder, from their closest points
  *
- * [xissburg 2022].  Answers for circular cylinders, with any ends.
+ * [xissburg 2022].  Answers for circular cylinders with any ends.
  *
- * The line is p0 + t d, the axis q0 + s e; nothing need be of length one.
- * With t_c the line's parameter where it comes closest to the axis and f the
- * distance there, the plane through the line and along its common
- * perpendicular with the axis cuts the cylinder in an ellipse of the semi-
- * axes r and r / sin(d, e), so the line meets it at t_c +- delta with
+ * The line is p0 + t d and the axis q0 + s e; d and e may have any length.
+ * The line is closest to the axis at the parameter t_c, at the distance f.
+ * The plane that holds the line and the common perpendicular of line and
+ * axis cuts the cylinder in an ellipse with the semi-axes r and
+ * r / sin(d, e).  So the line meets the cylinder at t_c +- delta with
  *
  *   delta^2 = (e.e) (r^2 - f^2) / ((d.d)(e.e) - (d.e)^2).
  *
  * Corrected and added:
- *   - (d.d)(e.e) - (d.e)^2 cancels as the line nears the axis's direction:
- *     at an angle of 1e-8 no digit is left.  It is |d x e|^2 by Lagrange's
- *     identity, and that keeps its digits.
- *   - t_c itself is left out.  With D = q0 - p0 and n = d x e, p0 + t d and
- *     q0 + s e differ by a multiple of n where
+ *   - (d.d)(e.e) - (d.e)^2 cancels where d is nearly parallel to e: at an
+ *     angle of 1e-8 it has no correct digit.  By Lagrange's identity it is
+ *     |d x e|^2, which does not cancel.
+ *   - The print does not give t_c.  With D = q0 - p0 and n = d x e, the
+ *     difference of p0 + t d and q0 + s e is a multiple of n at
  *         t_c = (D x e).n / |n|^2,    s_c = (D x d).n / |n|^2.
- *   - The parallel case is left out: the distance from the axis decides.
- *   - The ends are left out: added by cutting [t_c - delta, t_c + delta]
- *     down to the slab between the two planes.
+ *   - The print leaves out the parallel case.  The distance of the line from
+ *     the axis decides it.
+ *   - The print leaves out the ends.  The interval [t_c - delta, t_c + delta]
+ *     is clipped by the planes of the two ends.
  *
- * Kept: f is the distance of the two points, formed as points.
+ * Kept as printed: f is the distance of the two closest points, which are
+ * computed as points.
  */
 #include "methods.h"
 
@@ -67,11 +69,7 @@ cylint_status cylint_closest_points(const cylint_shape *shape,
                                     cylint_answer *answer)
 {
     if (shape->kind != CYLINT_KIND_CYLINDER)
-        return cylint_method_not_for_this(answer);
-    if (!line->valid) {
-        cylint_method_refuse(answer);
-        return CYLINT_OK;
-    }
+        return cylint_method_not_applicable(answer);
     cylint_chord chord = chord_of(shape, line);
     if (is_bounded(shape))
         cylint_chord_ends(&chord, shape, cylint_axial(shape, line));

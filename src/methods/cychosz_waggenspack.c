@@ -1,26 +1,27 @@
 /*
  * cychosz_waggenspack.c - line and circular cylinder, clipped by two planes
  *
- * [Cychosz & Waggenspack 1994]: the functions they call intcyl and clipobj.
- * Answers for circular cylinders, with any ends: clipobj tells which surface
- * each end lies on, and what is not present is dropped.
+ * [Cychosz & Waggenspack 1994]: their functions intcyl and clipobj.
+ * Answers for circular cylinders with any ends.  clipobj computes the part on
+ * which each end of the chord lies; an end on an absent part is no hit.
  *
- * With the ray's direction and the axis of length one, RC from the base to
- * the ray's origin and n = direction x axis, the shortest distance of the
- * two lines is d = |RC.n| / |n|, attained at t = -(RC x axis).n / |n|^2.
- * O, the unit vector along n x axis, is perpendicular to the axis in the
- * plane of the ray and the axis's direction; the half chord along the ray is
+ * The ray's direction and the axis have length one, RC is the vector from the
+ * base to the ray's origin, and n = direction x axis.  The shortest distance
+ * of the two lines is d = |RC.n| / |n|, at t = -(RC x axis).n / |n|^2.
+ * O is the unit vector along n x axis: it is perpendicular to the axis and in
+ * the plane of the two directions.  Half the chord has the length
  * s = |sqrt(r^2 - d^2) / (direction.O)|.
  *
- * Corrected, all of it in clipobj and its use:
+ * Corrected, all in clipobj and its use:
  *   - A ray parallel to the axis and inside enters at -1e21 and leaves at
- *     1e21, which are meant to be infinite and then pass for hits of the
- *     unbounded cylinder.  They are infinite here.
- *   - A far plane met exactly where the object begins (a line through a rim)
- *     neither clips nor rejects: the whole chord beyond the plane remains.
- *     It is a touch.
- *   - "in < out" and, for lines parallel to a plane, "dw >= 0: miss" leave
- *     the boundary out, so tangents and lines in a cap's plane miss.  Here
+ *     1e21, which stand for infinity but are written as hits of the unbounded
+ *     cylinder.  They are infinite here.
+ *   - Where a line passes through a rim, the plane of that end and the chord
+ *     can have one common point, the chord's beginning.  The print then
+ *     neither clips nor rejects, and the whole chord beyond the plane stays.
+ *     Here the relation is touch.
+ *   - "in < out" and, for lines parallel to a plane, "dw >= 0: miss" exclude
+ *     the boundary, so that tangents and lines in a cap's plane miss.  Here
  *     solids are closed.
  */
 #include "methods.h"
@@ -57,7 +58,7 @@ static cylint_chord intcyl(const double RC[3], const double raycos[3],
     return chord_between(CYLINT_RELATION_CROSS, t - s, t + s);
 }
 
-/* The planes normal.p + distance = 0, their normals pointing out. */
+/* Clips by the planes normal.p + distance = 0 with outward normals. */
 static void clipobj(cylint_chord *chord, const cylint_line *line,
                     const double raycos[3], const double axis[3],
                     const cylint_shape *shape)
@@ -79,11 +80,7 @@ cylint_status cylint_cychosz_waggenspack(const cylint_shape *shape,
     double raycos[3], axis[3], RC[3];
 
     if (shape->kind != CYLINT_KIND_CYLINDER)
-        return cylint_method_not_for_this(answer);
-    if (!line->valid) {
-        cylint_method_refuse(answer);
-        return CYLINT_OK;
-    }
+        return cylint_method_not_applicable(answer);
     const double speed = unit(line->d, raycos);
     unit(shape->axis, axis);
     minus(line->o, shape->base, RC);

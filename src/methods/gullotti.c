@@ -1,44 +1,46 @@
 /*
  * gullotti.c - line and elliptic cylinder, by an affine map
  *
- * [Gullotti].  Answers for circular and elliptic cylinders, with any ends.
+ * [Gullotti].  Answers for circular and elliptic cylinders with any ends.
  *
- * M maps the cylinder of radius 1 and height 1 on the z axis to the one
- * asked about; the line is mapped by the inverse of M, met there with the
- * unit cylinder by a quadratic, and t is the same in both spaces.
+ * M maps the cylinder of radius 1 and height 1 on the z axis to the given
+ * cylinder.  The inverse of M maps the line to local coordinates, where a
+ * quadratic gives its intersection with the unit cylinder.  t is the same in
+ * both spaces.
  *
  * Corrected:
  *   - M is published as T R S, translation, rotation and scaling.  R, made
  *     from the directions of a, b and c, is a rotation only if these are
- *     orthogonal.  M = [a b c C] needs no such thing: oblique elliptic
- *     cylinders come for free.
- *   - The leading coefficient v'.v' - (v'.h)^2 subtracts the axial share it
- *     has just added and cancels; it is v'x^2 + v'y^2, and likewise the
- *     other two coefficients.
+ *     orthogonal.  M = [a b c C] does not require that, and so it serves
+ *     oblique elliptic cylinders too.
+ *   - The leading coefficient v'.v' - (v'.h)^2 adds the axial component and
+ *     subtracts it again, so it cancels.  It is v'x^2 + v'y^2; the other two
+ *     coefficients are changed likewise.
  *   - "The discriminant is 0 and the line is parallel, so it lies on the
  *     surface": for every parallel line the first two coefficients vanish,
  *     so the discriminant is 0 at any distance.  The constant term decides:
  *     negative inside, zero on the surface, positive outside.
- *   - The axial test takes the points in world space against the local unit
- *     vector h.  It belongs into local space: 0 <= z' <= 1.
- *   - Lines parallel to the axis return before they reach the caps.
+ *   - The axial test uses points in world space with the local unit vector
+ *     h.  It must use local points: 0 <= z' <= 1.
+ *   - For a line parallel to the axis the print returns before it tests the
+ *     caps.  Here the caps clip it.
  *
- * Kept: the translation is folded into the inverse of M, so a scene far from
- * the origin costs digits.
+ * Kept as printed: the inverse of M contains the translation, so the method
+ * loses digits in a scene far from the origin.
  *
- * The inverse is made anew for every line, for a cylint_shape has no place
- * to keep it; most of the time the method takes here goes into that.
+ * A cylint_shape has no place for the inverse, so it is computed for every
+ * line; most of the method's time goes into that.
  */
 #include "methods.h"
 
-/* The rows of M's inverse: N p + offset. */
+/* The inverse of M: p maps to (row . p) + offset. */
 typedef struct inverse {
     double row[3][3];
     double offset[3];
 } inverse;
 
-/* A circular cylinder's a and b: any two of length r, perpendicular to the
- * axis and to each other. */
+/* The semi-axes a and b.  Of a circular cylinder: two vectors of length r,
+ * perpendicular to the axis and to each other. */
 static void semi_axes(const cylint_shape *shape, double a[3], double b[3])
 {
     double height[3];
@@ -79,7 +81,7 @@ static inverse inverse_of(const cylint_shape *shape)
     return m;
 }
 
-/* The unit cylinder x^2 + y^2 <= 1 and the line p + t v. */
+/* The chord of the line p + t v in the unit cylinder x^2 + y^2 <= 1. */
 static cylint_chord chord_of(const double p[3], const double v[3])
 {
     const double a = v[0] * v[0] + v[1] * v[1];
@@ -105,11 +107,7 @@ cylint_status cylint_gullotti(const cylint_shape *shape,
 
     if (shape->kind != CYLINT_KIND_CYLINDER &&
         shape->kind != CYLINT_KIND_ECYLINDER)
-        return cylint_method_not_for_this(answer);
-    if (!line->valid) {
-        cylint_method_refuse(answer);
-        return CYLINT_OK;
-    }
+        return cylint_method_not_applicable(answer);
     const inverse m = inverse_of(shape);
     for (int i = 0; i < 3; i++) {
         p[i] = dot(m.row[i], line->o) + m.offset[i];

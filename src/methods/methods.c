@@ -1,8 +1,8 @@
 /*
  * methods.c - the table of published methods
  *
- * Names and texts are shown by `cylint --list=methods`; the shapes named
- * here are those the method's own file accepts.
+ * `cylint --list=methods` prints the names and texts.  The third text lists
+ * the shapes and ends that the method's own file accepts.
  */
 #include <stddef.h>
 

@@ -1,15 +1,16 @@
 /*
  * methods.h - what the published methods share
  *
- * A method's own work is to find where the line overlaps the unbounded
- * solid: its chord.  What its author left to the reader is here, so that
- * every method does it alike: clipping the chord by the planes of the ends
- * (chord.c), turning it into a cylint_answer (report.c) and telling a hit's
- * point, normal, z and phi (tell.c).
+ * A method computes the chord: the interval in which the line overlaps the
+ * unbounded solid.  The steps that the authors leave to the reader are
+ * shared, so that every method does them alike: clipping the chord by the
+ * planes of the ends (chord.c), writing it as a cylint_answer (report.c) and
+ * computing a hit's point, normal, z and phi (tell.c).
  *
- * Everything is plain double arithmetic, without tolerances and without
- * certificates: the methods are here to be measured.  They see a segment's
- * or axis's rounded difference only (d, axis), not its low part.
+ * All arithmetic is in plain doubles, without tolerances and without error
+ * bounds, because the methods are here to be measured.  They read only the
+ * rounded differences d and axis of a segment and of an axis between two
+ * points, not the low parts.
  */
 #ifndef CYLINT_METHODS_INTERNAL_H
 #define CYLINT_METHODS_INTERNAL_H
@@ -67,13 +68,13 @@ static inline double unit(const double a[3], double out[3])
 /* --------------------------------------------------------------- chord -- */
 
 /*
- * Where a line overlaps a solid: t[0] <= t <= t[1], either end infinite
- * where the overlap is unbounded.  If `gap` is set, the overlap is all but
- * the open interval between them: a line that changes from one nappe of a
- * double cone to the other.
+ * The overlap of a line and a solid: t[0] <= t <= t[1].  An end is infinite
+ * if the overlap has no end there.  If `gap` is set, the overlap is the
+ * complement, t <= t[0] and t >= t[1]: the line crosses both nappes of a
+ * double cone.
  */
 typedef struct cylint_chord {
-    int relation; /* cylint_relation; CYLINT_RELATION_MISS: the rest is void */
+    int relation; /* cylint_relation; of CYLINT_RELATION_MISS the rest is unset */
     int gap;
     double t[2];
     int part[2]; /* cylint_part at t[0] and t[1] */
@@ -91,8 +92,8 @@ static inline cylint_chord chord_between(int relation, double t0, double t1)
     return chord;
 }
 
-/* A line parallel to a cylinder's axis at a signed excess over the radius,
- * in any monotone measure: inside it overlaps without end. */
+/* The chord of a line parallel to a cylinder's axis.  `excess` has the sign
+ * of the line's distance from the axis minus the radius. */
 static inline cylint_chord parallel_chord(double excess)
 {
     if (!(excess <= 0))
@@ -102,22 +103,22 @@ static inline cylint_chord parallel_chord(double excess)
                          -INFINITY, INFINITY);
 }
 
-/* An affine function of the line's parameter: at + t slope. */
+/* An affine function of the line's parameter t: at + t slope. */
 typedef struct cylint_affine {
     double at, slope;
 } cylint_affine;
 
-/* The axial coordinate along the line, from dot products. */
+/* The axial coordinate z along the line, by dot products. */
 cylint_affine cylint_axial(const cylint_shape *shape, const cylint_line *line);
 
-/* Cuts the chord down to where f >= 0; `part` lies at f = 0. */
+/* Clips the chord to f >= 0.  `part` is the part on the plane f = 0. */
 void cylint_chord_clip(cylint_chord *chord, cylint_affine f, int part);
 
-/* Cuts it down to 0 <= z <= 1 if the shape's ends bound it there. */
+/* Clips the chord to 0 <= z <= 1 if the shape's ends bound it. */
 void cylint_chord_ends(cylint_chord *chord, const cylint_shape *shape,
                        cylint_affine z);
 
-/* Of a double cone's chord, what lies on the nappe where rho >= 0. */
+/* Reduces a double cone's chord to the nappe where rho >= 0. */
 void cylint_chord_nappe(cylint_chord *chord, cylint_affine rho);
 
 static inline int is_bounded(const cylint_shape *shape)
@@ -128,27 +129,29 @@ static inline int is_bounded(const cylint_shape *shape)
 
 /* -------------------------------------------------------------- answer -- */
 
-/* A miss that says the question was refused. */
+/* Writes a miss with CYLINT_FLAG_INVALID. */
 void cylint_method_refuse(cylint_answer *answer);
 
-/* The same for "this method does not answer for this shape". */
-cylint_status cylint_method_not_for_this(cylint_answer *answer);
+/* Writes the same and returns CYLINT_EMETHOD: the method does not answer for
+ * this shape or for these ends. */
+cylint_status cylint_method_not_applicable(cylint_answer *answer);
 
-/* Writes the answer a chord amounts to: its ends that lie on a present part
- * and in the line's domain, as far as they are wanted. */
+/* Writes the chord as an answer.  Its hits are the ends of the chord that lie
+ * on a present part and in the line's domain.  Of an invalid line the answer
+ * is a miss with CYLINT_FLAG_INVALID. */
 cylint_status cylint_method_report(const cylint_shape *shape,
                                    const cylint_line *line, unsigned want,
                                    const cylint_chord *chord,
                                    cylint_answer *answer);
 
-/* Fills the wanted members of a hit. */
+/* Writes the wanted members of a hit. */
 void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
                        unsigned want, double t, int part, int side,
                        cylint_hit *hit);
 
-/* The direction perpendicular to a circular shape's axis from which phi is
- * counted: e x axis, e being the coordinate direction in which the axis has
- * its smallest component, the first such; not normalised. */
+/* The direction of phi = 0 of a circular shape: e x axis, where e is the
+ * coordinate direction in which the axis has its smallest component, the
+ * first of equal ones.  Its length is not 1. */
 void cylint_phi_origin(const double axis[3], double out[3]);
 
 #endif

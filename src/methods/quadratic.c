@@ -1,16 +1,16 @@
 /*
- * quadratic.c - the plain quadratic, as every textbook has it
+ * quadratic.c - the plain quadratic of the textbooks
  *
- * Not one author's: with D = o - base the lateral surface is a quadric in
- * o + t d, its coefficients are expanded dot products, and the roots are
- * (-B +- sqrt(B^2 - 4AC)) / 2A.  It is here as the measure of the others:
- * B^2 - 4AC loses every digit once |D| is some 1e8 radii.
+ * With D = o - base the lateral surface is a quadratic equation in t.  Its
+ * coefficients are expanded dot products, and its roots are
+ * (-B +- sqrt(B^2 - 4AC)) / 2A.  The other methods are compared with it.
+ * B^2 - 4AC has no correct digit where |D| is about 1e8 radii.
  *
- * Answers for all shapes and all ends.
+ * Answers for all shapes with any ends.
  */
 #include "methods.h"
 
-/* A t^2 + B t + C <= 0 inside; rho has the sign of the nappe. */
+/* Inside: A t^2 + B t + C <= 0.  rho is positive on the base's nappe. */
 typedef struct quadric {
     double A, B, C;
     cylint_affine rho, z;
@@ -18,11 +18,12 @@ typedef struct quadric {
 
 /*
  * Circular: |w|^2 |D|^2 - (w.D)^2 is |w|^2 times the squared distance from
- * the axis, and rho = r0 + dr (w.D)/|w|^2.  Times |w|^2 once more,
+ * the axis, and rho = r0 + dr (w.D)/|w|^2.  Multiplied by |w|^2 once more, the
+ * equation
  *
- *   |w|^4 |D|^2 - |w|^2 (w.D)^2 - (r0 |w|^2 + dr w.D)^2
+ *   |w|^4 |D|^2 - |w|^2 (w.D)^2 - (r0 |w|^2 + dr w.D)^2 = 0
  *
- * has no quotient; a cylinder (dr = 0) needs only the first factor.
+ * has no quotient.  A cylinder (dr = 0) needs only one factor |w|^2.
  */
 static quadric circular(const cylint_shape *shape, const cylint_line *line)
 {
@@ -50,7 +51,7 @@ static quadric circular(const cylint_shape *shape, const cylint_line *line)
     return q;
 }
 
-/* By apex and tangent: |w|^2 |D|^2 - (1 + k^2) (w.D)^2. */
+/* By apex and tangent k: |w|^2 |D|^2 - (1 + k^2) (w.D)^2 = 0. */
 static quadric by_angle(const cylint_shape *shape, const cylint_line *line)
 {
     quadric q;
@@ -70,7 +71,8 @@ static quadric by_angle(const cylint_shape *shape, const cylint_line *line)
     return q;
 }
 
-/* Elliptic: x = D.(b x h)/det and so on; x^2 + y^2 - (1 + (k-1) z)^2. */
+/* Elliptic: x^2 + y^2 - (1 + (k-1) z)^2 = 0 with x = D.(b x h)/det, and y and
+ * z likewise. */
 static quadric elliptic(const cylint_shape *shape, const cylint_line *line)
 {
     quadric q;
@@ -93,8 +95,9 @@ static quadric elliptic(const cylint_shape *shape, const cylint_line *line)
     return q;
 }
 
-/* The line is parallel to a ruling: one root, or a cylinder's line parallel
- * to the axis, or a cone's that lies in a tangent plane. */
+/* A = 0: the line is parallel to a ruling.  There is one root, except where
+ * the line is parallel to a cylinder's axis or lies in a cone's tangent
+ * plane (B = 0). */
 static cylint_chord linear_chord(const quadric *q, int is_cone)
 {
     if (!is_cone || q->B == 0)
@@ -118,7 +121,7 @@ static cylint_chord chord_of(const quadric *q, int is_cone)
     if (q->A > 0)
         return chord_between(
             disc > 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH, t0, t1);
-    /* steeper than the rulings: inside but for the gap between the nappes */
+    /* steeper than the rulings: outside only between the nappes */
     cylint_chord chord = chord_between(CYLINT_RELATION_CROSS, t1, t0);
     chord.gap = 1;
     return chord;
@@ -143,11 +146,7 @@ cylint_status cylint_quadratic(const cylint_shape *shape,
         q = elliptic(shape, line);
         break;
     default:
-        return cylint_method_not_for_this(answer);
-    }
-    if (!line->valid) {
-        cylint_method_refuse(answer);
-        return CYLINT_OK;
+        return cylint_method_not_applicable(answer);
     }
     const int is_cone = shape->r0 != shape->r1;
     cylint_chord chord = chord_of(&q, is_cone);

@@ -1,8 +1,8 @@
 /*
- * report.c - from a chord to the answer cylint_intersect() would give
+ * report.c - writes a chord as a cylint_answer, as cylint_intersect() does
  *
- * Relation of the whole line; the chord's ends as hits, ascending; of these
- * the ones on a part that is present and in the line's domain.
+ * The relation is the whole line's.  The hits are the ends of the chord, in
+ * ascending order, that lie on a present part and in the line's domain.
  */
 #include "methods.h"
 
@@ -13,7 +13,7 @@ void cylint_method_refuse(cylint_answer *answer)
     answer->flags = CYLINT_FLAG_INVALID;
 }
 
-cylint_status cylint_method_not_for_this(cylint_answer *answer)
+cylint_status cylint_method_not_applicable(cylint_answer *answer)
 {
     cylint_method_refuse(answer);
     return CYLINT_EMETHOD;
@@ -37,7 +37,7 @@ static void add_hit(const cylint_shape *shape, const cylint_line *line,
                     unsigned want, double t, int part, int side,
                     cylint_answer *answer)
 {
-    if (!(t > -INFINITY && t < INFINITY)) /* no end there, or not a number */
+    if (!(t > -INFINITY && t < INFINITY)) /* the chord has no end, or NaN */
         return;
     if (!(t >= line->tmin && t <= line->tmax) || !is_present(shape, part))
         return;
@@ -53,6 +53,10 @@ cylint_status cylint_method_report(const cylint_shape *shape,
                                    const cylint_chord *chord,
                                    cylint_answer *answer)
 {
+    if (!line->valid) {
+        cylint_method_refuse(answer);
+        return CYLINT_OK;
+    }
     answer->relation = chord->relation;
     answer->n = 0;
     answer->flags = 0;

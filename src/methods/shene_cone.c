@@ -1,31 +1,34 @@
 /*
  * shene_cone.c - line and double cone, by a plane through the apex
  *
- * [Shene 1995].  Answers for a circular double cone, by apex and angle or by
- * two radii (whose apex and angle are then computed); not for a nappe, nor
- * bounded ones, nor a "cone" of equal radii, which has no apex.
+ * [Shene 1995].  Answers for infinite circular cones (double cones), given by
+ * apex and angle or by two radii, from which apex and angle are computed.
+ * Does not answer for a nappe or a bounded cone, nor for a cone of equal radii,
+ * which is a cylinder and has no apex.
  *
  * The cone has the apex V, the axis v and the half angle a; the line is
- * D + t d; v and d are of length one.  The plane through V and the line, of
- * normal n = d x (D - V), cuts the cone in two rulings V + s delta, in one
- * (a tangent plane) or in V alone.  Each ruling that is not parallel to the
- * line meets it at
+ * D + t d; v and d have length one.  The plane through V and the line has the
+ * normal n = d x (D - V).  It cuts the cone in two rulings V + s delta, in one
+ * ruling (a tangent plane) or in V alone.  A ruling that is not parallel to
+ * the line meets it at
  *
  *   t = ((V - D) x delta).(d x delta) / |d x delta|^2.
  *
- * Left out in the print, and added:
- *   - The derivation of delta.  With n of length one let theta be the angle
- *     from the axis to the plane, sin theta = |v.n|, and m the unit vector
- *     along the axis's projection v - (v.n) n, which has length cos theta;
- *     k = n x m completes the plane's frame.  delta = cos b m + sin b k lies
- *     on the cone where delta.v = cos a, and m.v = cos theta, k.v = 0 give
+ * Missing in the print, and added:
+ *   - The derivation of delta.  Let n have length one.  theta is the angle of
+ *     the axis to the plane, sin theta = |v.n|.  m is the unit vector along
+ *     the axis's projection v - (v.n) n, which has the length cos theta, and
+ *     k = n x m.  delta = cos b m + sin b k is on the cone if delta.v = cos a.
+ *     With m.v = cos theta and k.v = 0 that gives
  *         cos b = cos a / cos theta,   delta = cos b m +- sin b k,
  *     which exists for theta <= a.  [Checked against the quadratic.]
- *   - v parallel to n: theta is a right angle, the plane meets V alone.
- *   - The line through V: n vanishes.  It is a ruling if |d.v| = cos a, and
- *     else meets the cone in V alone, from inside if |d.v| > cos a.
- *   - The line parallel to a ruling: that ruling is not met, and there is
- *     one intersection.
+ *   - v parallel to n: theta is a right angle, and the plane cuts the cone in
+ *     V alone.
+ *   - The line through V: n = 0.  The line is a ruling if |d.v| = cos a.
+ *     Otherwise its only hit is V, and it is inside the cone elsewhere if
+ *     |d.v| > cos a.
+ *   - The line parallel to a ruling: there is one intersection, with the
+ *     other ruling.
  *
  * A cylinder is the limit of V at infinity: the plane parallel to the axis
  * through the line cuts it in two parallel lines.
@@ -75,9 +78,10 @@ static cylint_chord through_apex(const cone *c, const double to_V[3],
     return chord_between(CYLINT_RELATION_TOUCH, t, t);
 }
 
-/* Where D + t d meets the ruling V + s delta; 0 if it is parallel to it. */
-static int meet_ruling(const double to_V[3], const double d[3],
-                       const double delta[3], double *t)
+/* The t where D + t d meets the ruling V + s delta; returns 0 if the two are
+ * parallel. */
+static int intersect_ruling(const double to_V[3], const double d[3],
+                            const double delta[3], double *t)
 {
     double across[3], reach[3];
 
@@ -90,9 +94,9 @@ static int meet_ruling(const double to_V[3], const double d[3],
     return 1;
 }
 
-/* Only the ruling `met` is met, at t; the line is parallel to `other`.  On
- * the nappe of delta's positive multiples it is inside towards +other, on
- * the opposite one towards -other. */
+/* The chord of a line that meets the ruling `met` at t and is parallel to the
+ * ruling `other`.  From a hit with s > 0 the chord extends towards +other,
+ * from one with s < 0 towards -other. */
 static cylint_chord half_line(const double to_V[3], const double d[3],
                               const double met[3], const double other[3],
                               double t)
@@ -104,13 +108,13 @@ static cylint_chord half_line(const double to_V[3], const double d[3],
                  : chord_between(CYLINT_RELATION_CROSS, -INFINITY, t);
 }
 
-/* The plane cuts the cone in the rulings along delta[0] and delta[1]. */
+/* The chord where the plane cuts the cone in two rulings. */
 static cylint_chord across_rulings(const cone *c, const double to_V[3],
                                    const double d[3], const double delta[2][3])
 {
     double t0, t1;
-    const int met0 = meet_ruling(to_V, d, delta[0], &t0);
-    const int met1 = meet_ruling(to_V, d, delta[1], &t1);
+    const int met0 = intersect_ruling(to_V, d, delta[0], &t0);
+    const int met1 = intersect_ruling(to_V, d, delta[1], &t1);
 
     if (!met0 && !met1)
         return no_chord();
@@ -135,14 +139,14 @@ static cylint_chord chord_of(const cone *c, const double to_V[3],
         return through_apex(c, to_V, d);
     unit(n, n);
     along(c->v, -dot(c->v, n), n, m);
-    const double cos_theta = unit(m, m); /* 0: v parallel to n, m is void */
+    const double cos_theta = unit(m, m); /* 0: v is parallel to n, m is NaN */
     if (!(c->cosine <= cos_theta))
         return no_chord();
 
     const double cos_b = c->cosine / cos_theta;
     if (cos_b == 1) {
         double t;
-        if (!meet_ruling(to_V, d, m, &t))
+        if (!intersect_ruling(to_V, d, m, &t))
             return no_chord();
         return chord_between(CYLINT_RELATION_TOUCH, t, t);
     }
@@ -164,11 +168,7 @@ cylint_status cylint_shene_cone(const cylint_shape *shape,
         shape->kind == CYLINT_KIND_ACONE || shape->kind == CYLINT_KIND_CONE;
 
     if (!is_cone || shape->ends != CYLINT_ENDS_INFINITE)
-        return cylint_method_not_for_this(answer);
-    if (!line->valid) {
-        cylint_method_refuse(answer);
-        return CYLINT_OK;
-    }
+        return cylint_method_not_applicable(answer);
     const cone c = cone_of(shape);
     const double speed = unit(line->d, d);
     minus(c.V, line->o, to_V);

@@ -1,33 +1,34 @@
 /*
  * shene_cylinder.c - line and infinite circular cylinder, by geometry
  *
- * [Shene 1994].  Answers for a circular cylinder, infinite (or its nappe,
- * which is the same); not for bounded ones.
+ * [Shene 1994].  Answers for infinite circular cylinders; the ends `nappe`
+ * mean the same here.  Does not answer for bounded cylinders.
  *
- * The line is l(A, u), the axis l(B, v), u and v of length one.  The common
+ * The line is l(A, u), the axis l(B, v); u and v have length one.  The common
  * perpendicular of the two has the direction w = (u x v)/|u x v| and the
- * length d = (B - A).w; P is its foot on l.  Then
+ * length |d| with d = (B - A).w; P is its foot on l.  The hits are
  *
- *   |d| > r     no intersection,
- *   |d| = r     tangent at P,
+ *   |d| > r     none,
+ *   |d| = r     the point P, where the line is tangent,
  *   |d| < r     the points P +- sqrt((r^2 - d^2) / (1 - (u.v)^2)) u,
  *
- * for the plane through l along w cuts the cylinder in an ellipse of the
- * semi-axes r and r / sin(u, v).
+ * because the plane that holds l and w cuts the cylinder in an ellipse with
+ * the semi-axes r and r / sin(u, v).
  *
  * Corrected:
  *   - The print has two intersections "if r < |d|"; it must be |d| < r.
- *   - P's parameter is cut off.  With D = B - A, the distance of A + t u
- *     from the axis is least where (D - t u) x v is perpendicular to u x v:
- *     t_P = (D x v).(u x v) / |u x v|^2.
- *   - A line parallel to the axis and inside falls under "does not
- *     intersect".  It lies inside from end to end: cross, without a hit.
+ *   - The formula of P's parameter is cut off in print.  With D = B - A, the
+ *     distance of A + t u from the axis is least where (D - t u) x v is
+ *     perpendicular to u x v: t_P = (D x v).(u x v) / |u x v|^2.
+ *   - In print a line parallel to the axis and inside "does not intersect".
+ *     All of it is inside the solid: it crosses, without a hit.
  *
- * Kept: 1 - (u.v)^2, which cancels as the line nears the axis's direction.
+ * Kept as printed: 1 - (u.v)^2, which cancels where u is nearly parallel to
+ * v.
  */
 #include "methods.h"
 
-/* u x v = 0: how far B is from l decides. */
+/* u x v = 0: the distance of B from l decides. */
 static cylint_chord when_parallel(const double D[3], const double u[3],
                                   double r)
 {
@@ -66,11 +67,7 @@ cylint_status cylint_shene_cylinder(const cylint_shape *shape,
     double u[3], v[3], D[3];
 
     if (shape->kind != CYLINT_KIND_CYLINDER || is_bounded(shape))
-        return cylint_method_not_for_this(answer);
-    if (!line->valid) {
-        cylint_method_refuse(answer);
-        return CYLINT_OK;
-    }
+        return cylint_method_not_applicable(answer);
     const double speed = unit(line->d, u);
     unit(shape->axis, v);
     minus(shape->base, line->o, D);
