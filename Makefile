@@ -108,7 +108,7 @@ $(BUILD)/cylint-render: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tools/render/*.c)
 $(BUILD)/tests/pixels: $(BUILD)/tests/pixels.o
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lpng
 
-$(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden $(if $(PARANOID),-DCYLINT_PARANOID)
+$(BUILD)/src/%.o: extra := -fPIC -fvisibility=hidden -DCYLINT_BUILDING $(if $(PARANOID),-DCYLINT_PARANOID)
 threads := $(if $(PTHREAD),-pthread -D_POSIX_C_SOURCE=200809L -DCYLINT_THREADS)
 $(BUILD)/src/bvh/%.o $(BUILD)/src/scene/%.o: extra += $(floats) $(threads) $(if $(bvh_builds),-DCYLINT_BUILDS_X86)
 $(BUILD)/src/embree/%.o: extra += $(floats) $(threads) $(if $(embree_builds),-DCYLINT_BUILDS_X86) -DCYLINT_EMBREE=$(EMBREE) $(EMBREE_CFLAGS)

@@ -32,7 +32,25 @@
 #define CYLINT_VERSION_PATCH 0
 #define CYLINT_VERSION "0.1.0"
 
-#if defined(__GNUC__) && !defined(CYLINT_STATIC)
+/* Ascends with the version: #if CYLINT_VERSION_NUMBER >= 100 means 0.1.0. */
+#define CYLINT_VERSION_NUMBER                                    \
+    (CYLINT_VERSION_MAJOR * 10000 + CYLINT_VERSION_MINOR * 100 + \
+     CYLINT_VERSION_PATCH)
+
+/*
+ * How functions are declared.  A program that links the static library, or
+ * compiles the sources as its own, defines CYLINT_STATIC: on Windows it must,
+ * because functions are imported from a DLL otherwise; elsewhere functions then
+ * have the visibility that the compiler's options say.  The Makefile defines
+ * CYLINT_BUILDING for the sources of the libraries.
+ */
+#if defined(CYLINT_STATIC)
+#define CYLINT_API
+#elif defined(_WIN32) && defined(CYLINT_BUILDING)
+#define CYLINT_API __declspec(dllexport)
+#elif defined(_WIN32)
+#define CYLINT_API __declspec(dllimport)
+#elif defined(__GNUC__)
 #define CYLINT_API __attribute__((visibility("default")))
 #else
 #define CYLINT_API
@@ -44,6 +62,21 @@
 extern "C" {
 #endif
 
+/* ------------------------------------------------------------ version -- */
+
+/*
+ * CYLINT_VERSION and CYLINT_VERSION_NUMBER of the library that runs, which may
+ * be another than the one this header is of; and the sizes in bytes of its
+ * structs, for callers that load it at run time and have no header.
+ */
+CYLINT_API const char *cylint_version(void);
+CYLINT_API int cylint_version_number(void);
+CYLINT_API size_t cylint_sizeof_shape(void);
+CYLINT_API size_t cylint_sizeof_line(void);
+CYLINT_API size_t cylint_sizeof_hit(void);
+CYLINT_API size_t cylint_sizeof_answer(void);
+CYLINT_API size_t cylint_sizeof_pack(void);
+
 /* ------------------------------------------------------------- status -- */
 
 typedef enum cylint_status {
@@ -52,7 +85,8 @@ typedef enum cylint_status {
     CYLINT_EAXIS,       /* the axis (or the height vector) has no length */
     CYLINT_EDEGENERATE, /* the vectors a, b, h are linearly dependent */
     CYLINT_ERADIUS,     /* a radius is negative, or all radii are zero */
-    CYLINT_EANGLE,      /* a half angle outside the open range (0, 90) */
+    CYLINT_EANGLE,      /* a half angle outside the open range (0, 90), or
+                           so small that its tangent rounds to 0 */
     CYLINT_EENDS,       /* not a value of cylint_ends */
     CYLINT_EDIRECTION,  /* a direction, or a segment, of no length */
     CYLINT_EDOMAIN,     /* tmin > tmax, or one of them is not a number */
@@ -112,7 +146,9 @@ typedef struct cylint_shape {
 /*
  * Constructors.  Each fills *shape and returns CYLINT_OK, or returns what is
  * wrong and leaves a shape that every query answers with "miss".  Any finite
- * doubles will do, subnormal and huge ones included.
+ * doubles will do, subnormal and huge ones included.  Of several faults the
+ * first in this order is returned: ENONFINITE, ERADIUS or EANGLE, EAXIS, EENDS,
+ * EDEGENERATE.
  *
  * cylint_cylinder   the points within r of the axis from p0 to p1.
  *                   EAXIS: p0 = p1.  ERADIUS: not r > 0.
@@ -130,7 +166,8 @@ typedef struct cylint_shape {
  * cylint_angle_cone the double cone with apex v about the line through v
  *                   along u whose rulings make `degrees` with the axis,
  *                   0 < degrees < 90.  Stored by the nearest double to the
- *                   tangent.  z = 0 at v, z = 1 at v + u; the nappe and the
+ *                   tangent.  EANGLE: not in that range, or at most
+ *                   1.4e-322, where that double is 0.  z = 0 at v, z = 1 at v + u; the nappe and the
  *                   bounded shapes are on the side u points into.
  * cylint_tangent_cone
  *                   the same from the tangent itself, which is then exact.
@@ -176,7 +213,8 @@ typedef struct cylint_line {
  * cylint_segment    from a to b: o = a, d = b - a exactly, 0 <= t <= 1.
  * cylint_span       tmin <= t <= tmax; either may be infinite.
  *
- * ENONFINITE, EDIRECTION (no length), EDOMAIN.
+ * Of several faults the first in this order is returned: ENONFINITE,
+ * EDIRECTION, EDOMAIN.
  */
 CYLINT_API cylint_status cylint_whole_line(cylint_line *line, const double o[3],
                                            const double d[3]);
@@ -241,7 +279,8 @@ typedef struct cylint_hit {
                          (perpendicular to d: towards the base, or, where
                          that is the apex itself, against the axis) */
     double z;         /* axial coordinate: 0 at the base, 1 at the top */
-    double phi;       /* angle about the axis over 2 pi, in [0, 1).
+    double phi;       /* angle about the axis over 2 pi, in [0, 1): one that
+                         rounds to 1 is given as 0.
                          Elliptic kinds: from a towards b.  Circular kinds:
                          from e x axis, turning right-handed about the axis,
                          e being the coordinate direction in which the axis
@@ -323,15 +362,15 @@ CYLINT_API int cylint_selftest(void);
 /*
  * Many shapes, prepared: what does not depend on a line is computed once and
  * laid out for the widest vectors of the processor.  The caller gives the
- * memory, cylint_pack_bytes(n) bytes at any address, and keeps it and the
- * shapes, which are read again where doubles cannot decide, as long as the
+ * memory, cylint_pack_bytes(n) bytes at any address, and keeps it there, and
+ * the shapes, which are read again where doubles cannot decide, as long as the
  * pack is used.  Shapes are known by their numbers, 0 to n - 1.  A pack is
  * only read by queries: any number of threads may share it.
  */
 typedef struct cylint_pack {
     size_t n;
     const cylint_shape *shapes;
-    void *memory;
+    void *memory; /* as it was given */
 } cylint_pack;
 
 CYLINT_API size_t cylint_pack_bytes(size_t n);

@@ -210,7 +210,7 @@ cylint_status cylint_angle_cone(cylint_shape *shape, const double v[3],
                                 const double u[3], double degrees,
                                 cylint_ends ends)
 {
-    if (!(fabs(degrees) <= DBL_MAX))
+    if (!finite3(v) || !finite3(u) || !(fabs(degrees) <= DBL_MAX))
         return refuse_shape(shape, CYLINT_ENONFINITE);
     if (cylint_sign(degrees) <= 0 || !(degrees < 90))
         return refuse_shape(shape, CYLINT_EANGLE);

@@ -289,6 +289,22 @@ foreign_to()
         $1 == "U" && !($2 in fine) && $2 !~ /^cylint_/ { print $2 }' | sort -u
 }
 
+# declared HEADER...: the functions declared there.
+declared()
+{
+    for header; do
+        grep -v '^ *#' "include/$header" | tr -s '\n ' '  ' |
+            grep -o 'CYLINT_API [^(;]*(' | sed 's/.*[ *]\(cylint_[a-z0-9_]*\)($/\1/'
+    done
+}
+
+# missing_from LIBRARY: those of the functions read that it does not export.
+missing_from()
+{
+    nm -D --defined-only "$1" | awk '{ print $3 }' | sort > "$scratch/exported"
+    sort | comm -23 - "$scratch/exported"
+}
+
 test_symbols()
 {
     command -v nm > /dev/null || { echo 'note: no nm, symbols are not looked at'; return; }
@@ -300,6 +316,11 @@ test_symbols()
             awk 'NF == 3 && $3 !~ /^cylint_/ { print $3 }')" \
             "static_${library}_defines_only_its_own_names"
     done
+    none "$(declared cylint.h cylint_methods.h |
+        missing_from "$lib/libcylint.so")" \
+        libcylint_exports_every_function_of_its_headers
+    none "$(declared cylint_scene.h | missing_from "$lib/libcylint-scene.so")" \
+        libcylint_scene_exports_every_function_of_its_header
     none "$(nm -D --defined-only "$lib/libcylint-scene.so" |
         awk '$3 !~ /^cylint_scene_/ { print $3 }')" \
         a_scenes_library_exports_only_scenes

@@ -1,0 +1,163 @@
+/*
+ * test_interface.c - the interface beside its answers: which fault is
+ * reported, version and sizes, whose memory a pack's is
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint.h"
+
+static const double origin[3] = {0, 0, 0}, axis_x[3] = {1, 0, 0};
+static const double axis_z[3] = {0, 0, 1};
+
+/* tan(x) rounds to 0 up to 2^-1075 180 / pi = 28.6 2^-1074 degrees. */
+static void half_angles_whose_tangent_rounds_to_0_are_refused(void)
+{
+    cylint_shape s;
+    for (int i = 1; i <= 40; i++) {
+        CHECK(cylint_angle_cone(&s, origin, axis_z, i * 0x1p-1074,
+                                CYLINT_ENDS_NAPPE) ==
+              (i <= 28 ? CYLINT_EANGLE : CYLINT_OK));
+    }
+    CHECK(cylint_angle_cone(&s, origin, axis_z, 1.4e-322, CYLINT_ENDS_NAPPE) ==
+          CYLINT_EANGLE);
+    CHECK(cylint_angle_cone(&s, origin, axis_z, 1.5e-322, CYLINT_ENDS_NAPPE) ==
+          CYLINT_OK);
+}
+
+/* Every set of the faults a constructor can have, the bits of `faults`: the
+ * first in the order of the list is returned. */
+struct faults {
+    double number; /* not finite */
+    double radius, angle, axis[3], zero[3];
+    cylint_ends ends;
+};
+
+static struct faults faults_of(int bits, int number, int size, int axis,
+                               int ends)
+{
+    const struct faults f = {bits & number ? NAN : 0,
+                             bits & size ? -1 : 1,
+                             bits & size ? 90 : 30,
+                             {0, 0, bits & axis ? 0 : 1},
+                             {0, 0, 0},
+                             (cylint_ends)(bits & ends ? 6 : 0)};
+    return f;
+}
+
+static void of_several_faults_of_a_shape_the_first_is_returned(void)
+{
+    enum { NUMBER = 1, SIZE = 2, AXIS = 4, ENDS = 8, PLANE = 16, ALL = 31 };
+    for (int bits = 0; bits <= ALL; bits++) {
+        const struct faults f = faults_of(bits, NUMBER, SIZE, AXIS, ENDS);
+        const double c[3] = {0, f.number, 0};
+        const double b[3] = {0, bits & PLANE ? 0 : 1, 0};
+        const cylint_status circular = bits & NUMBER ? CYLINT_ENONFINITE
+                                       : bits & SIZE ? CYLINT_ERADIUS
+                                       : bits & AXIS ? CYLINT_EAXIS
+                                       : bits & ENDS ? CYLINT_EENDS
+                                                     : CYLINT_OK;
+        const cylint_status elliptic = circular == CYLINT_OK && bits & PLANE
+                                           ? CYLINT_EDEGENERATE
+                                           : circular;
+        const cylint_status angle =
+            circular == CYLINT_ERADIUS ? CYLINT_EANGLE : circular;
+        cylint_shape s;
+        CHECK(cylint_cylinder(&s, c, f.axis, f.radius, f.ends) == circular);
+        CHECK(cylint_cone(&s, f.axis, f.radius, c, f.radius, f.ends) ==
+              circular);
+        CHECK(cylint_cone(&s, f.zero, f.radius, f.axis, f.number, f.ends) ==
+              circular);
+        CHECK(cylint_elliptic_cone(&s, c, axis_x, b, f.axis, f.radius,
+                                   f.ends) == elliptic);
+        CHECK(cylint_angle_cone(&s, c, f.axis, f.angle, f.ends) == angle);
+        CHECK(cylint_angle_cone(&s, f.axis, f.axis, f.angle + f.number,
+                                f.ends) == angle);
+        CHECK(cylint_tangent_cone(&s, c, f.axis, f.radius, f.ends) == angle);
+        if (!(bits & SIZE)) {
+            CHECK(cylint_elliptic_cylinder(&s, c, axis_x, b, f.axis, f.ends) ==
+                  elliptic);
+        }
+    }
+}
+
+static void of_several_faults_of_a_line_the_first_is_returned(void)
+{
+    enum { NUMBER = 1, LENGTH = 2, DOMAIN = 4, ALL = 7 };
+    for (int bits = 0; bits <= ALL; bits++) {
+        const double o[3] = {bits & NUMBER ? -HUGE_VAL : 0, 0, 0};
+        const double d[3] = {0, bits & LENGTH ? -0.0 : 1, 0};
+        const double end[3] = {o[0], bits & LENGTH ? -0.0 : 1, 0};
+        const cylint_status unlimited = bits & NUMBER   ? CYLINT_ENONFINITE
+                                        : bits & LENGTH ? CYLINT_EDIRECTION
+                                                        : CYLINT_OK;
+        const cylint_status limited = unlimited == CYLINT_OK && bits & DOMAIN
+                                          ? CYLINT_EDOMAIN
+                                          : unlimited;
+        cylint_line l;
+        CHECK(cylint_whole_line(&l, o, d) == unlimited);
+        CHECK(cylint_ray(&l, o, d) == unlimited);
+        CHECK(cylint_segment(&l, o, end) == unlimited);
+        CHECK(cylint_span(&l, o, d, 1, bits & DOMAIN ? 0 : 2) == limited);
+        CHECK(cylint_span(&l, o, d, bits & DOMAIN ? NAN : 1, 2) == limited);
+    }
+}
+
+static void the_library_says_its_version_and_the_sizes_of_its_structs(void)
+{
+    char text[40];
+    const int number = cylint_version_number();
+    snprintf(text, sizeof text, "%d.%d.%d", number / 10000, number / 100 % 100,
+             number % 100);
+    CHECK(strcmp(cylint_version(), text) == 0);
+    CHECK(strcmp(cylint_version(), CYLINT_VERSION) == 0);
+    CHECK(number == CYLINT_VERSION_NUMBER);
+    CHECK(cylint_sizeof_shape() == sizeof(cylint_shape));
+    CHECK(cylint_sizeof_line() == sizeof(cylint_line));
+    CHECK(cylint_sizeof_hit() == sizeof(cylint_hit));
+    CHECK(cylint_sizeof_answer() == sizeof(cylint_answer));
+    CHECK(cylint_sizeof_pack() == sizeof(cylint_pack));
+}
+
+/* At every address, and after a pack was copied. */
+static void the_memory_of_a_pack_is_the_callers(void)
+{
+    enum { SHAPES = 20, MOST = 12000 };
+    static char memory[MOST + 64];
+    cylint_shape shapes[SHAPES];
+    cylint_line line;
+    cylint_ray(&line, origin, axis_z);
+    for (int i = 0; i < SHAPES; i++) {
+        const double p0[3] = {0, 0, 30 - i}, p1[3] = {0, 0, 31 - i};
+        cylint_cylinder(&shapes[i], p0, p1, 1, CYLINT_ENDS_CAPPED);
+    }
+    if (!CHECK(cylint_pack_bytes(SHAPES) <= MOST)) {
+        return;
+    }
+    for (int at = 0; at < 64; at++) {
+        cylint_pack pack;
+        cylint_hit hit;
+        memset(memory, 0x5a, sizeof memory);
+        cylint_pack_shapes(&pack, memory + at, shapes, SHAPES);
+        CHECK(pack.memory == memory + at);
+        const cylint_pack copy = pack;
+        CHECK(cylint_nearest(&copy, &line, CYLINT_WANT_T, &hit) == SHAPES - 1 &&
+              hit.t == 31 - SHAPES);
+        CHECK(cylint_count(&copy, &line, 0) == SHAPES);
+        for (int i = 0; i < 64; i++) {
+            CHECK(i < at ? memory[i] == 0x5a : memory[MOST + i] == 0x5a);
+        }
+    }
+}
+
+int main(void)
+{
+    RUN(half_angles_whose_tangent_rounds_to_0_are_refused);
+    RUN(of_several_faults_of_a_shape_the_first_is_returned);
+    RUN(of_several_faults_of_a_line_the_first_is_returned);
+    RUN(the_library_says_its_version_and_the_sizes_of_its_structs);
+    RUN(the_memory_of_a_pack_is_the_callers);
+    return check_end();
+}
