@@ -55,9 +55,9 @@ endif
 scene_objects  := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/bvh/*.c src/scene/*.c)) $(bvh_builds)
 embree_objects := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/embree/*.c)) $(embree_builds)
 FLAGS.fma     := -mavx2 -mfma -DCYLINT_ONE=cylint_one_fma
-FLAGS.avx2    := -mavx2 -mfma -DCYLINT_SHAPES=cylint_shapes_avx2 -DCYLINT_LINES=cylint_lines_avx2
+FLAGS.avx2    := -mavx2 -mfma -DCYLINT_MANY=cylint_many_avx2
 avx512        := -mavx512f -mavx512vl -mavx512dq -mavx2 -mfma
-FLAGS.avx512  := $(avx512) -DCYLINT_ONE=cylint_one_avx512 -DCYLINT_SHAPES=cylint_shapes_avx512 -DCYLINT_LINES=cylint_lines_avx512
+FLAGS.avx512  := $(avx512) -DCYLINT_ONE=cylint_one_avx512 -DCYLINT_MANY=cylint_many_avx512
 tool_sources  := $(filter-out tools/cylint/numbers_c.c,$(wildcard tools/cylint/*.c))
 tool_objects  := $(patsubst %.c,$(BUILD)/%.o,$(tool_sources)) \
                  $(BUILD)/tools/cylint/$(if $(CXX17),numbers_cxx.o,numbers_c.o)

@@ -98,8 +98,74 @@ void cylint_pack_shapes(cylint_pack *pack, void *memory,
 
 /* ------------------------------------------------------ the questions -- */
 
+/* Relation miss or cross, or what cylint_intersect() writes. */
+typedef struct {
+    int relation, n, part[2], side[2];
+    double t[2];
+} batch_answer;
+
+/* What is asked, what becomes of the answers, and the outcome so far. */
+typedef struct {
+    enum { FIND_NEAREST, COUNT_HITS, FILL_COLUMNS } purpose;
+    const cylint_line *line;   /* one line for all shapes, or NULL */
+    const cylint_lines *lines; /* else one for each number */
+    unsigned want;
+    int relations; /* wanted even where there is no hit */
+    double nearest;
+    size_t best, count, enough;
+    batch_answer best_answer;
+    const cylint_columns *columns;
+} batch_job;
+
+static void keep_nearest(batch_job *job, size_t number, const batch_answer *a)
+{
+    if (a->n == 0)
+        return;
+    /* by the bits: subnormal t may count as zero */
+    const int64_t t = cylint_rank(a->t[0]);
+    const int64_t nearest = cylint_rank(job->nearest);
+    if (t < nearest || (t == nearest && number < job->best)) {
+        job->nearest = a->t[0];
+        job->best = number;
+        job->best_answer = *a;
+    }
+}
+
+static void fill_columns(const cylint_columns *to, size_t i,
+                         const batch_answer *a)
+{
+    if (to->relation)
+        to->relation[i] = (signed char)a->relation;
+    if (to->n)
+        to->n[i] = (signed char)a->n;
+    if (to->t0)
+        to->t0[i] = a->n > 0 ? a->t[0] : NAN;
+    if (to->t1)
+        to->t1[i] = a->n > 1 ? a->t[1] : NAN;
+    if (to->part0)
+        to->part0[i] = (signed char)(a->n > 0 ? a->part[0] : -1);
+    if (to->part1)
+        to->part1[i] = (signed char)(a->n > 1 ? a->part[1] : -1);
+}
+
+/* Uses an answer that is no miss.  Returns 1 when no more are wanted. */
+CYLINT_INLINE int use_answer(batch_job *job, size_t number, const batch_answer *a)
+{
+    switch (job->purpose) {
+    case FIND_NEAREST:
+        keep_nearest(job, number, a);
+        return 0;
+    case COUNT_HITS:
+        job->count += a->n > 0;
+        return job->enough != 0 && job->count == job->enough;
+    default:
+        fill_columns(job->columns, number, a);
+        return 0;
+    }
+}
+
 /* The line of a number; 0 if there is no such line. */
-static int line_of(const cylint_job *job, size_t number, cylint_line *line)
+static int line_of(const batch_job *job, size_t number, cylint_line *line)
 {
     if (job->line) {
         *line = *job->line;
@@ -112,31 +178,103 @@ static int line_of(const cylint_job *job, size_t number, cylint_line *line)
                        l->tmax ? l->tmax[number] : HUGE_VAL) == CYLINT_OK;
 }
 
-void cylint_kernel_ask(const cylint_job *job, const cylint_shape *shape,
-                       size_t number, cylint_kernel_answer *answer)
+/* One question by itself.  Returns 1 when no more are wanted. */
+static int answer_alone(batch_job *job, const cylint_shape *shape,
+                        size_t number)
 {
     cylint_line line;
     cylint_answer a;
-    answer->n = 0;
-    answer->relation = CYLINT_RELATION_MISS;
+    batch_answer answer;
     if (!line_of(job, number, &line))
-        return;
+        return 0;
     cylint_intersect(shape, &line, job->want | CYLINT_WANT_PART, &a);
-    answer->relation = a.relation;
-    answer->n = a.n;
+    if (a.relation == CYLINT_RELATION_MISS)
+        return 0;
+    answer.relation = a.relation;
+    answer.n = a.n;
     for (int i = 0; i < a.n; i++) {
         if (job->want & CYLINT_WANT_T)
-            answer->t[i] = a.hit[i].t;
-        answer->part[i] = a.hit[i].part;
-        answer->side[i] = a.hit[i].side;
+            answer.t[i] = a.hit[i].t;
+        answer.part[i] = a.hit[i].part;
+        answer.side[i] = a.hit[i].side;
+    }
+    return use_answer(job, number, &answer);
+}
+
+/* Of a lane that the filter decided. */
+CYLINT_INLINE void lane_answer(const cylint_filter_group *g, int lane, unsigned want,
+                        batch_answer *a)
+{
+    a->relation = CYLINT_RELATION_CROSS;
+    a->n = 0;
+    EACH(i, 2) {
+        if (!(g->hit[i] >> lane & 1))
+            continue;
+        const int swapped = (int)(g->leaving_first >> lane & 1);
+        a->t[a->n] = g->t[i][lane];
+        a->part[a->n] = (int)g->part[i][lane];
+        a->side[a->n] = swapped ? !i : i;
+        a->n++;
+        if (want & CYLINT_WANT_NEAREST)
+            return;
     }
 }
 
-static void ask_pack(const cylint_pack *pack, cylint_job *job)
+static int use_group(batch_job *job, const cylint_filter_batch *from,
+                     const cylint_filter_group *g)
+{
+    for (unsigned found = g->found; found; found &= found - 1) {
+        const int lane = cylint_lowest(found);
+        const size_t number = g->number[lane];
+        batch_answer answer;
+        int enough;
+        if (g->undecided >> lane & 1) {
+            enough = answer_alone(job, &from->shapes[from->run ? number : 0],
+                                  number);
+        } else {
+            lane_answer(g, lane, job->want, &answer);
+            enough = use_answer(job, number, &answer);
+        }
+        if (enough)
+            return 1;
+    }
+    return 0;
+}
+
+/* Pulls answers from the filter, questions of one kind of shape. */
+static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
+                            const cylint_run *run, size_t n)
+{
+    const cylint_line *l = job->line;
+    cylint_filter_next *next = cylint_kernels_used()->many;
+    cylint_filter_batch from;
+    cylint_filter_group group;
+    from.shapes = shapes;
+    from.run = run;
+    from.line = l;
+    from.lines = job->lines;
+    from.kind = run ? run->kind : shapes->kind;
+    from.bounded = run ? run->bounded : shapes->ends < CYLINT_ENDS_INFINITE;
+    from.n = n;
+    from.want = job->want;
+    from.relations = job->relations;
+    from.nearest = job->nearest;
+    from.speed =
+        l ? sqrt(l->d[0] * l->d[0] + l->d[1] * l->d[1] + l->d[2] * l->d[2]) *
+                CYLINT_SLACK
+          : 0;
+    from.lane = from.first = from.end = 0;
+    while (next(&from, &group)) {
+        if (use_group(job, &from, &group))
+            return 1;
+        from.nearest = job->nearest;
+    }
+    return 0;
+}
+
+static void answer_pack(const cylint_pack *pack, batch_job *job)
 {
     const pack_head *head = head_of(pack->memory);
-    const cylint_kernels *kernels = cylint_kernels_used();
-    job->shapes = pack->shapes;
     job->nearest = HUGE_VAL;
     if (job->line && !job->line->valid)
         return;
@@ -145,47 +283,30 @@ static void ask_pack(const cylint_pack *pack, cylint_job *job)
         (job->line && !job->line->ordinary) || !cylint_rounds_to_nearest();
     for (int r = 0; r < RUNS; r++) {
         const cylint_run *run = &head->run[r];
+        if (run->n == 0)
+            continue;
         if (!scalar && !run->scalar) {
-            if (run->n > 0 && kernels->shapes(job, run))
+            if (answer_by_filter(job, pack->shapes, run, run->n))
                 return;
             continue;
         }
         for (size_t i = 0; i < run->n; i++) {
-            cylint_kernel_answer answer;
             const size_t number = run->number[i];
-            cylint_kernel_ask(job, &pack->shapes[number], number, &answer);
-            if (answer.relation != CYLINT_RELATION_MISS &&
-                job->take(job, number, &answer))
+            if (answer_alone(job, &pack->shapes[number], number))
                 return;
         }
     }
-}
-
-static int take_nearest(cylint_job *job, size_t number,
-                        const cylint_kernel_answer *answer)
-{
-    if (answer->n == 0)
-        return 0;
-    /* by the bits: subnormal t may count as zero */
-    const int64_t t = cylint_rank(answer->t[0]);
-    const int64_t nearest = cylint_rank(job->nearest);
-    if (t < nearest || (t == nearest && number < job->best)) {
-        job->nearest = answer->t[0];
-        job->best = number;
-        job->best_answer = *answer;
-    }
-    return 0;
 }
 
 size_t cylint_nearest(const cylint_pack *pack, const cylint_line *line,
                       unsigned want, cylint_hit *hit)
 {
-    cylint_job job = {.line = line,
-                      .take = take_nearest,
-                      .best = pack->n,
-                      .want = CYLINT_WANT_T | CYLINT_WANT_NEAREST |
-                              (want & CYLINT_WANT_FAST)};
-    ask_pack(pack, &job);
+    batch_job job = {.purpose = FIND_NEAREST,
+                     .line = line,
+                     .best = pack->n,
+                     .want = CYLINT_WANT_T | CYLINT_WANT_NEAREST |
+                             (want & CYLINT_WANT_FAST)};
+    answer_pack(pack, &job);
     if (job.best == pack->n)
         return pack->n;
     if (want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
@@ -213,55 +334,23 @@ size_t cylint_nearest(const cylint_pack *pack, const cylint_line *line,
     return job.best;
 }
 
-static int take_count(cylint_job *job, size_t number,
-                      const cylint_kernel_answer *answer)
-{
-    (void)number;
-    job->count += answer->n > 0;
-    return job->enough != 0 && job->count == job->enough;
-}
-
 size_t cylint_count(const cylint_pack *pack, const cylint_line *line,
                     size_t enough)
 {
-    cylint_job job = {.line = line,
-                      .take = take_count,
-                      .enough = enough,
-                      .want = CYLINT_WANT_NEAREST};
-    ask_pack(pack, &job);
+    batch_job job = {.purpose = COUNT_HITS,
+                     .line = line,
+                     .enough = enough,
+                     .want = CYLINT_WANT_NEAREST};
+    answer_pack(pack, &job);
     return job.count;
 }
 
 /* ------------------------------------------------------------ columns -- */
 
-static void put_answer(const cylint_columns *to, size_t i,
-                       const cylint_kernel_answer *a)
-{
-    if (to->relation)
-        to->relation[i] = (signed char)a->relation;
-    if (to->n)
-        to->n[i] = (signed char)a->n;
-    if (to->t0)
-        to->t0[i] = a->n > 0 ? a->t[0] : NAN;
-    if (to->t1)
-        to->t1[i] = a->n > 1 ? a->t[1] : NAN;
-    if (to->part0)
-        to->part0[i] = (signed char)(a->n > 0 ? a->part[0] : -1);
-    if (to->part1)
-        to->part1[i] = (signed char)(a->n > 1 ? a->part[1] : -1);
-}
-
-static int take_columns(cylint_job *job, size_t number,
-                        const cylint_kernel_answer *answer)
-{
-    put_answer(job->columns, number, answer);
-    return 0;
-}
-
 /* Everything misses until something is found. */
-static cylint_job columns_job(const cylint_columns *to, size_t n)
+static batch_job columns_job(const cylint_columns *to, size_t n)
 {
-    cylint_job job = {.take = take_columns, .columns = to};
+    batch_job job = {.purpose = FILL_COLUMNS, .columns = to};
     job.relations = to->relation != NULL;
     if (to->t0 || to->t1)
         job.want |= CYLINT_WANT_T;
@@ -285,34 +374,29 @@ static cylint_job columns_job(const cylint_columns *to, size_t n)
 void cylint_intersect_shapes(const cylint_pack *pack, const cylint_line *line,
                              const cylint_columns *answers)
 {
-    cylint_job job = columns_job(answers, pack->n);
+    batch_job job = columns_job(answers, pack->n);
     job.line = line;
-    ask_pack(pack, &job);
+    answer_pack(pack, &job);
 }
 
 void cylint_intersect_pairs(const cylint_pack *pack, const cylint_lines *lines,
                             const cylint_columns *answers)
 {
-    cylint_job job = columns_job(answers, pack->n);
+    batch_job job = columns_job(answers, pack->n);
     job.lines = lines;
-    ask_pack(pack, &job);
+    answer_pack(pack, &job);
 }
 
 void cylint_intersect_lines(const cylint_shape *shape,
                             const cylint_lines *lines,
                             const cylint_columns *answers)
 {
-    cylint_job job = columns_job(answers, lines->n);
+    batch_job job = columns_job(answers, lines->n);
     job.lines = lines;
-    job.shapes = shape;
     if (run_of(shape) != RUNS - 1 && cylint_rounds_to_nearest()) {
-        cylint_kernels_used()->lines(&job, shape);
+        answer_by_filter(&job, shape, NULL, lines->n);
         return;
     }
-    for (size_t i = 0; i < lines->n; i++) {
-        cylint_kernel_answer answer;
-        cylint_kernel_ask(&job, shape, i, &answer);
-        if (answer.relation != CYLINT_RELATION_MISS)
-            take_columns(&job, i, &answer);
-    }
+    for (size_t i = 0; i < lines->n; i++)
+        answer_alone(&job, shape, i);
 }

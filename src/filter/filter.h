@@ -7,12 +7,6 @@
 
 #include "cylint.h"
 
-/* What a kernel decided: relation miss or cross, and the n hits that count. */
-typedef struct {
-    int relation, n, part[2], side[2];
-    double t[2];
-} cylint_kernel_answer;
-
 /* What is known of the roots of n hits beside t: root = t + more, but for an
  * error of at most that. */
 typedef struct {
@@ -32,54 +26,62 @@ enum { CYLINT_UNDECIDED = -1 };
 int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer);
 
-/* Shapes that one kernel serves: number[i] is the shape of lane i.  The
- * columns hold the balls about them, padded to a multiple of 8 lanes by
- * copies of the last. */
+/* A question of a batch is a line and a shape, and it has a number.  All
+ * questions of one cylint_filter_batch have the same kind of shape, and either
+ * the shape or the line may be the same in all. */
 enum { COLUMN_CENTER = 0, COLUMN_BALL = 3, COLUMNS };
 
+/* Shapes of one kind: number[i] is the shape of lane i.  The columns hold the
+ * balls about them, padded to a multiple of 8 lanes by copies of the last. */
 typedef struct {
     int kind, bounded;
-    int scalar;       /* no kernel: ask cylint_intersect() */
+    int scalar;       /* the filter does not serve them */
     size_t n, stride; /* of columns, in doubles */
     const size_t *number;
     const double *column;
 } cylint_run;
 
-/* A batch job: which lines meet which shapes, and what becomes of it. */
-typedef struct cylint_job cylint_job;
-struct cylint_job {
-    const cylint_shape *shapes; /* all, by number */
+/* The questions, set by the caller, who sets `lane`, `first` and `end` to 0. */
+typedef struct {
+    const cylint_shape *shapes; /* all, by number; or the one shape */
+    const cylint_run *run;      /* NULL: one shape for all lines */
     const cylint_line *line;    /* one line for all shapes, or NULL */
-    const cylint_lines *lines;  /* one for each number, where line is NULL */
+    const cylint_lines *lines;  /* else a line for each number */
+    int kind, bounded;
+    size_t n;
     unsigned want;
-    int relations;  /* asked even where there is no hit */
-    double nearest; /* hits beyond it are of no interest */
-    /* Takes a decided answer; returns 1 when nothing more is wanted. */
-    int (*take)(cylint_job *job, size_t number,
-                const cylint_kernel_answer *answer);
-    size_t best, count, enough;
-    cylint_kernel_answer best_answer;
-    const cylint_columns *columns;
-};
+    int relations;  /* wanted even where there is no hit */
+    double nearest; /* one line: hits beyond it are not wanted */
+    double speed;   /* one line: |d|, not less */
+    /* the numbers that the first pass left are list[first] .. list[end - 1];
+     * it goes on at `lane` */
+    size_t lane, first, end;
+    size_t list[256 + 8];
+} cylint_filter_batch;
 
-/* A run of shapes, or (one shape, in lanes = all) a stretch of lines from
- * `first` on.  Returns 1 if the job has enough. */
-typedef int cylint_kernel_shapes(cylint_job *job, const cylint_run *run);
-typedef int cylint_kernel_lines(cylint_job *job, const cylint_shape *shape);
+/* Answers to up to 8 questions: those of lanes in `found` cross, or are
+ * undecided; all others miss, or their hits are not wanted.  Masks have a bit
+ * for each lane.  Hit 0 leaves and hit 1 enters in lanes of leaving_first. */
+typedef struct {
+    unsigned found, undecided, hit[2], leaving_first;
+    const size_t *number;
+    double t[2][8], part[2][8];
+} cylint_filter_group;
+
+/* Writes the next group of answers; returns 0 when there are no more. */
+typedef int cylint_filter_next(cylint_filter_batch *batch,
+                               cylint_filter_group *group);
 
 typedef struct {
     const char *name;
     cylint_kernel_one *one;
-    cylint_kernel_shapes *shapes;
-    cylint_kernel_lines *lines;
+    cylint_filter_next *many;
 } cylint_kernels;
 
 /* The builds: narrow for single questions, wide for batches. */
 extern cylint_kernel_one cylint_one_plain, cylint_one_fma, cylint_one_avx512;
-extern cylint_kernel_shapes cylint_shapes_plain, cylint_shapes_avx2,
-    cylint_shapes_avx512;
-extern cylint_kernel_lines cylint_lines_plain, cylint_lines_avx2,
-    cylint_lines_avx512;
+extern cylint_filter_next cylint_many_plain, cylint_many_avx2,
+    cylint_many_avx512;
 
 /* Those in use: dispatch.c chooses when first asked. */
 extern const cylint_kernels *cylint_kernels_chosen;
@@ -94,9 +96,5 @@ static inline const cylint_kernels *cylint_kernels_used(void)
 #endif
     return kernels ? kernels : cylint_choose_kernels();
 }
-
-/* Asks by the general way: number's shape, its line. */
-void cylint_kernel_ask(const cylint_job *job, const cylint_shape *shape,
-                       size_t number, cylint_kernel_answer *answer);
 
 #endif

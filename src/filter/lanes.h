@@ -387,6 +387,18 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
     return v;
 }
 
+/* What rounding takes from a query that was judged. */
+typedef struct {
+    bounded_value R, beta;
+    vd A, D, u; /* |A|; the largest components of D and u */
+} lanes_slopes;
+
+INLINE lanes_slopes slopes_of(const lanes_query *q)
+{
+    return (lanes_slopes){q->R, q->beta, v_abs(q->A.v), q->N.D[0][0],
+                          q->N.u[0]};
+}
+
 /* A root rounded: value + more, and whether value is certainly nearest. */
 typedef struct {
     vd value, more, error;
@@ -396,9 +408,9 @@ typedef struct {
 /* The fast mode: t as the doubles have it, if its error is certainly below
  * CYLINT_FAST_BOUND of the larger of |t| and the distance of the shape, in
  * multiples of d. */
-INLINE lanes_root take_root(const lanes_query *q, bounded_value t)
+INLINE lanes_root take_root(const lanes_slopes *q, bounded_value t)
 {
-    const vd far = q->N.D[0][0] / q->N.u[0], size = v_max(v_abs(t.v), far);
+    const vd size = v_max(v_abs(t.v), q->D / q->u);
     return (lanes_root){t.v, v_set(0), t.e,
                         v_le(t.e, v_set(CYLINT_FAST_BOUND) * size)};
 }
@@ -423,54 +435,64 @@ INLINE void root_centers(vd center[3], const lanes_shape *s, int kind, vd part)
                         : s->base[i];
 }
 
+/* The pairs and sizes of a question whose line begins at t.  Returns what
+ * the origin's coordinates were summed up from, in its own sizes. */
+INLINE vd letters_at(letters_pairs *P, letters_sizes *N, const lanes_slopes *q,
+                     const lanes_shape *s, const vd center[3],
+                     const lanes_line *l, int kind, vd t, vd part)
+{
+    const vd zero = v_set(0);
+    const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
+    const int elliptic = kind >= CYLINT_KIND_ECYLINDER;
+    vd size = zero;
+    P->kind = N->kind = kind;
+    EACH(i, 3) {
+        vpair D = v_two_sum(l->o[i], -center[i]);
+        P->w[i] = (vpair){s->axis[i], s->axis_lo[i]};
+        if (kind > CYLINT_KIND_CONE)
+            D = vpair_sub(D, (vpair){v_select(top, s->axis[i], zero), zero});
+        vpair step = v_two_prod(t, l->u[i]);
+        if (l->segment)
+            step.lo = step.lo + t * l->u_lo[i];
+        const vpair at = vpair_add(D, step);
+        P->D[0][i] = v_fast_two_sum(at.hi, at.lo);
+        size = v_max(size, v_abs(at.hi));
+        if (elliptic) {
+            P->a[i] = (vpair){s->a[i], zero};
+            P->b[i] = (vpair){s->b[i], zero};
+        }
+    }
+    const vd w = v_largest(s->axis);
+    const vd a = elliptic ? v_max(v_largest(s->a), v_largest(s->b)) : zero;
+    EACH(i, 3) {
+        N->w[i] = w;
+        N->D[0][i] = size;
+        N->a[i] = N->b[i] = a;
+    }
+    P->r[0] = (vpair){s->r[0], zero};
+    N->r[0] = s->r[0];
+    P->dr = (vpair){s->dr, s->dr_lo};
+    N->dr = v_abs(s->dr);
+    prepare_shape_sizes(N);
+    prepare_shape_pairs(P);
+    return (q->D + v_abs(t) * q->u) / size;
+}
+
 /*
  * Newton's step in pairs: root.c, refined(), in lanes and for caps too.
  * exits: +1 in lanes whose lateral root leaves the quadric, -1 elsewhere.
  * A lateral root may be seen from any centre where s->r[0] is the radius.
  * caps: 0 if there are certainly none.
  */
-INLINE lanes_root round_root(const lanes_query *q, const lanes_shape *s,
+INLINE lanes_root round_root(const lanes_slopes *q, const lanes_shape *s,
                              const vd center[3], const lanes_line *l, int kind,
                              int caps, vd exits, bounded_value t, vd part)
 {
     const vd zero = v_set(0);
     const vm cap = caps ? v_lt(zero, part) : m_from(0);
-    const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
     letters_pairs P;
     letters_sizes N;
-    const vd from = q->N.D[0][0] + v_abs(t.v) * q->N.u[0];
-    vd size = zero;
-    P.kind = kind;
-    EACH(i, 3) {
-        vpair D = v_two_sum(l->o[i], -center[i]);
-        P.w[i] = (vpair){s->axis[i], s->axis_lo[i]};
-        if (kind > CYLINT_KIND_CONE)
-            D = vpair_sub(D, (vpair){v_select(top, s->axis[i], zero), zero});
-        vpair step = v_two_prod(t.v, l->u[i]);
-        if (l->segment)
-            step.lo = step.lo + t.v * l->u_lo[i];
-        const vpair at = vpair_add(D, step);
-        P.D[0][i] = v_fast_two_sum(at.hi, at.lo);
-        size = v_max(size, v_abs(at.hi));
-        if (kind >= CYLINT_KIND_ECYLINDER) {
-            P.a[i] = (vpair){s->a[i], zero};
-            P.b[i] = (vpair){s->b[i], zero};
-        }
-    }
-    N.kind = kind;
-    EACH(i, 3) {
-        N.w[i] = q->N.w[i];
-        N.D[0][i] = size;
-        if (kind >= CYLINT_KIND_ECYLINDER)
-            N.a[i] = N.b[i] = q->N.a[i];
-    }
-    N.r[0] = q->N.r[0];
-    N.dr = q->N.dr;
-    prepare_shape_sizes(&N);
-    P.r[0] = (vpair){s->r[0], zero};
-    P.dr = (vpair){s->dr, s->dr_lo};
-    prepare_shape_pairs(&P);
-
+    const vd from = letters_at(&P, &N, q, s, center, l, kind, t.v, part);
     vd residual = zero, sizes = zero, slope = zero, slope_e = zero;
     vd bend = zero;
     if (!caps || m_any(m_not(cap))) {
@@ -479,7 +501,7 @@ INLINE lanes_root round_root(const lanes_query *q, const lanes_shape *s,
         sizes = form_C_sizes(&N);
         slope = v_set(2) * exits * q->R.v;
         slope_e = v_set(2) * q->R.e;
-        bend = v_abs(q->A.v);
+        bend = q->A;
     }
     if (caps && m_any(cap)) {
         const vpair plane = form_alpha_pairs(&P, 0);
@@ -492,7 +514,7 @@ INLINE lanes_root round_root(const lanes_query *q, const lanes_shape *s,
     const vd inverse = v_set(1) / slope, delta = residual * inverse;
     const vd s_size = v_abs(slope), off = v_abs(delta) + t.e;
     /* as in refined(); P is off by 2^-101 of what it was summed up from */
-    const vd spread = v_set(CYLINT_LAZY_BOUND) + v_set(0x1p-99) * (from / size);
+    const vd spread = v_set(CYLINT_LAZY_BOUND) + v_set(0x1p-99) * from;
     const vd e =
         v_set(1.02) * v_abs(inverse) *
         (spread * sizes + v_set(CYLINT_UNDERFLOW) +

@@ -12,30 +12,26 @@
 #include "lanes.h"
 #include "filter.h"
 
-#ifndef CYLINT_SHAPES
-#define CYLINT_SHAPES cylint_shapes_plain
-#define CYLINT_LINES cylint_lines_plain
+#ifndef CYLINT_MANY
+#define CYLINT_MANY cylint_many_plain
 #endif
 
-/* Where lanes come from: a run of shapes under one line or a line each, or
- * one shape under many lines.  Only the first pass is compiled for each. */
+/* The bits of all lanes. */
+#define ALL ((1u << LANES) - 1)
+
+/* What differs from lane to lane.  Only the first pass is compiled for each. */
 typedef enum { ONE_LINE, ONE_SHAPE, PAIRS } mode;
 
-typedef struct {
-    cylint_job *job;
-    const cylint_run *run;     /* ONE_LINE, PAIRS */
-    const cylint_shape *shape; /* ONE_SHAPE */
-    size_t n;
-    int kind, bounded;
-    lanes_line line; /* ONE_LINE */
-    double speed;    /* ONE_LINE: |u|, not less */
-    lanes_shape one; /* ONE_SHAPE */
-} source;
+static mode mode_of(const cylint_filter_batch *from)
+{
+    return !from->run ? ONE_SHAPE : from->line ? ONE_LINE : PAIRS;
+}
 
 /* The lines of so many numbers. */
-static void lines_at(const source *from, const size_t *number, lanes_line *l)
+static void lines_at(const cylint_filter_batch *from, const size_t *number,
+                     lanes_line *l)
 {
-    const cylint_lines *lines = from->job->lines;
+    const cylint_lines *lines = from->lines;
     EACH(i, 3) {
         l->o[i] = v_pick(lines->o[i], number);
         l->u[i] = v_pick(lines->d[i], number);
@@ -46,13 +42,13 @@ static void lines_at(const source *from, const size_t *number, lanes_line *l)
     l->segment = 0;
 }
 
-static void shapes_at(const source *from, const size_t *number, int kind,
-                      lanes_shape *s)
+static void shapes_at(const cylint_filter_batch *from, const size_t *number,
+                      int kind, lanes_shape *s)
 {
     const char *shape[LANES];
     unsigned cap[2] = {0, 0}, flip = 0;
     for (int i = 0; i < LANES; i++) {
-        const cylint_shape *one = &from->job->shapes[number[i]];
+        const cylint_shape *one = &from->shapes[number[i]];
         const int ends = one->ends;
         shape[i] = (const char *)one;
         cap[0] |=
@@ -121,9 +117,10 @@ INLINE void shape_of_ball(lanes_ball *b, const cylint_shape *s)
 }
 
 /* Those of lanes from `lane` on, as far as they differ from lane to lane. */
-INLINE void ball_at(const source *from, size_t lane, mode m, lanes_ball *b)
+INLINE void ball_at(const cylint_filter_batch *from, size_t lane, mode m,
+                    lanes_ball *b)
 {
-    const cylint_lines *lines = from->job->lines;
+    const cylint_lines *lines = from->lines;
     if (m != ONE_SHAPE) {
         const double *column = from->run->column + lane;
         const size_t stride = from->run->stride;
@@ -194,15 +191,15 @@ INLINE bounded_value foot(const letters_lanes *L, const letters_sizes *N,
 
 /* The lanes whose ball is not for certain beyond the line's domain or the
  * nearest hit. */
-INLINE unsigned within_reach(const lanes_ball *b, const source *from)
+INLINE unsigned within_reach(const lanes_ball *b,
+                             const cylint_filter_batch *from)
 {
-    const cylint_job *job = from->job;
-    const cylint_line *line = job->line;
+    const cylint_line *line = from->line;
     letters_lanes L;
     letters_sizes N;
     ball_letters(b, &L, &N);
     const vd reach = b->radius * v_set(from->speed);
-    const double end = job->nearest < line->tmax ? job->nearest : line->tmax;
+    const double end = from->nearest < line->tmax ? from->nearest : line->tmax;
     const bounded_value first = foot(&L, &N, line->tmin);
     const bounded_value last = foot(&L, &N, end);
     const vm before = v_lt(reach, first.v - first.e);
@@ -210,204 +207,35 @@ INLINE unsigned within_reach(const lanes_ball *b, const source *from)
     return m_bits(m_not(m_or(before, beyond)));
 }
 
-/* A judged and rounded group of lanes, for reading one at a time; t only
- * where it is wanted. */
-typedef struct {
-    double t[2][LANES], part[2][LANES];
-    unsigned undecided, hit[2], leaving_first;
-} group;
+/* ------------------------------------------------- the first pass ---- */
 
-/* The roots of lanes in use. */
-INLINE lanes_root roots_of(const lanes_query *q, const lanes_shape *s,
-                           const lanes_line *l, int kind, unsigned want,
-                           vm in_use, vm exits, bounded_value t, vd part)
+INLINE void load_ball(const cylint_filter_batch *from, mode m, lanes_ball *b)
 {
-    const vd sign = v_select(exits, v_set(1), v_set(-1));
-    vd center[3];
-    root_centers(center, s, kind, part);
-    if (!(want & CYLINT_WANT_FAST))
-        return round_root(q, s, center, l, kind, 1, sign, t, part);
-    const lanes_root quick = take_root(q, t);
-    if (!m_any(m_and(in_use, m_not(quick.sure))))
-        return quick;
-    return either_root(quick,
-                       round_root(q, s, center, l, kind, 1, sign, t, part));
-}
-
-INLINE void round_group(const lanes_query *q, const lanes_shape *s,
-                        const lanes_line *l, int kind, unsigned want,
-                        lanes_verdict *v, group *g)
-{
-    if (want & CYLINT_WANT_NEAREST) {
-        /* one root a lane: both places share one rounding */
-        const vm second = m_and(v->hit[1], m_not(v->hit[0]));
-        const vm any = m_or(v->hit[0], v->hit[1]);
-        if (!m_any(any))
-            return;
-        const vm exits = m_or(m_and(second, m_not(v->leaving_first)),
-                              m_and(m_not(second), v->leaving_first));
-        const lanes_root r = roots_of(q, s, l, kind, want, any, exits,
-                                      choose(second, v->stop[1], v->stop[0]),
-                                      v_select(second, v->part[1], v->part[0]));
-        v->undecided = m_or(v->undecided, m_and(any, m_not(r.sure)));
-        v_store(g->t[0], r.value);
-        v_store(g->t[1], r.value);
-        return;
-    }
-    for (int i = 0; i < 2; i++) {
-        if (!m_any(v->hit[i]))
-            continue;
-        const vm exits = i ? m_not(v->leaving_first) : v->leaving_first;
-        const lanes_root r = roots_of(q, s, l, kind, want, v->hit[i], exits,
-                                      v->stop[i], v->part[i]);
-        v->undecided = m_or(v->undecided, m_and(v->hit[i], m_not(r.sure)));
-        v_store(g->t[i], r.value);
-    }
-}
-
-static void lane_answer(const group *g, int lane, unsigned want,
-                        cylint_kernel_answer *a)
-{
-    a->relation = CYLINT_RELATION_CROSS; /* misses are not told */
-    a->n = 0;
-    EACH(i, 2) {
-        if (!(g->hit[i] >> lane & 1))
-            continue;
-        const int swapped = (int)(g->leaving_first >> lane & 1);
-        a->t[a->n] = g->t[i][lane];
-        a->part[a->n] = (int)g->part[i][lane];
-        a->side[a->n] = swapped ? !i : i;
-        a->n++;
-        if (want & CYLINT_WANT_NEAREST)
-            return;
-    }
-}
-
-static int deliver(const source *from, const group *g, const size_t *list,
-                   unsigned told, mode m)
-{
-    cylint_job *job = from->job;
-    for (; told; told &= told - 1) {
-        const size_t i = (size_t)cylint_lowest(told);
-        const size_t number = list[i];
-        cylint_kernel_answer answer;
-        if (g->undecided >> i & 1) {
-            const cylint_shape *shape =
-                m == ONE_SHAPE ? from->shape : &job->shapes[number];
-            cylint_kernel_ask(job, shape, number, &answer);
-            if (answer.relation == CYLINT_RELATION_MISS)
-                continue;
-        } else {
-            lane_answer(g, (int)i, job->want, &answer);
-        }
-        if (job->take(job, number, &answer))
-            return 1;
-    }
-    return 0;
-}
-
-/* Lanes with the nearest hit so far not behind them. */
-INLINE vm not_beyond(const source *from, mode m, const lanes_verdict *v)
-{
-    const cylint_job *job = from->job;
-    if (m != ONE_LINE || !(job->want & CYLINT_WANT_NEAREST))
-        return m_from((1u << LANES) - 1);
-    const bounded_value t = choose(v->hit[0], v->stop[0], v->stop[1]);
-    return m_not(v_lt(v_set(job->nearest), t.v - t.e));
-}
-
-/* Without a decision about those lanes. */
-INLINE lanes_verdict leave_undecided(const lanes_verdict *v, vm lanes)
-{
-    lanes_verdict rest = *v;
-    rest.undecided = m_or(rest.undecided, lanes);
-    rest.cross = m_and(rest.cross, m_not(lanes));
-    rest.hit[0] = m_and(rest.hit[0], rest.cross);
-    rest.hit[1] = m_and(rest.hit[1], rest.cross);
-    return rest;
-}
-
-/* Judges lanes of the list, of which there are at most LANES; the list has
- * room for as many. */
-INLINE int judge(const source *from, size_t *list, int lanes, mode m, int kind)
-{
-    cylint_job *job = from->job;
-    lanes_line line;
-    lanes_shape shape;
-    const lanes_line *l = m == ONE_LINE ? &from->line : &line;
-    const lanes_shape *s = m == ONE_SHAPE ? &from->one : &shape;
-    lanes_query q;
-    group g;
-    for (int i = lanes; i < LANES; i++)
-        list[i] = list[0];
-    if (m != ONE_LINE)
-        lines_at(from, list, &line);
-    if (m != ONE_SHAPE)
-        shapes_at(from, list, kind, &shape);
-    /* a line with an empty domain is none (other invalid lines are left
-     * undecided, because their numbers compare to nothing).  Subnormal limits
-     * may compare as equal zeros */
-    const vm all = m_from((1u << lanes) - 1);
-    const vm in_use = m_and(all, v_le(l->tmin, l->tmax));
-    lanes_verdict v = lanes_judge(&q, s, l, kind, from->bounded, in_use);
-    if (m != ONE_LINE)
-        v = leave_undecided(&v, m_and(all, v_eq(l->tmin, l->tmax)));
-    const vm of_interest = not_beyond(from, m, &v);
-    v.hit[0] = m_and(v.hit[0], of_interest);
-    v.hit[1] = m_and(v.hit[1], of_interest);
-    if (job->want & CYLINT_WANT_T)
-        round_group(&q, s, l, kind, job->want, &v, &g);
-    g.undecided = m_bits(v.undecided);
-    g.hit[0] = m_bits(v.hit[0]);
-    g.hit[1] = m_bits(v.hit[1]);
-    g.leaving_first = m_bits(v.leaving_first);
-    const unsigned told =
-        g.undecided | (job->relations ? m_bits(v.cross) : g.hit[0] | g.hit[1]);
-    if (told == 0)
-        return 0;
-    v_store(g.part[0], v.part[0]);
-    v_store(g.part[1], v.part[1]);
-    return deliver(from, &g, list, told, m);
-}
-
-static int judge_kind(const source *from, size_t *list, int lanes, mode m)
-{
-#define JUDGE(kind)                                          \
-    m == ONE_LINE ? judge(from, list, lanes, ONE_LINE, kind) \
-                  : judge(from, list, lanes, m, kind)
-    switch (from->kind) {
-    case CYLINT_KIND_CYLINDER:
-        return JUDGE(CYLINT_KIND_CYLINDER);
-    case CYLINT_KIND_CONE:
-        return JUDGE(CYLINT_KIND_CONE);
-    case CYLINT_KIND_ACONE:
-        return JUDGE(CYLINT_KIND_ACONE);
-    case CYLINT_KIND_ECYLINDER:
-        return JUDGE(CYLINT_KIND_ECYLINDER);
-    default:
-        return JUDGE(CYLINT_KIND_ECONE);
-    }
-#undef JUDGE
-}
-
-/* First pass, then the second over what it leaves, group by group. */
-INLINE int work(const source *from, mode m)
-{
-    enum { ROOM = 256 };
-    size_t list[ROOM + LANES], first = 0, end = 0; /* of numbers left */
-    lanes_ball ball;
-    if (m == ONE_LINE)
-        line_of_ball(&ball, &from->line);
     if (m == ONE_SHAPE)
-        shape_of_ball(&ball, from->shape);
-    for (size_t lane = 0; lane < from->n; lane += LANES) {
+        shape_of_ball(b, from->shapes);
+    if (m == ONE_LINE)
+        EACH(i, 3) {
+            b->o[i] = v_set(from->line->o[i]);
+            b->u[i] = v_set(from->line->d[i]);
+        }
+}
+
+/* Puts the numbers of lanes that do not pass by into the list, until they
+ * suffice for a group. */
+INLINE void first_pass(cylint_filter_batch *from, mode m)
+{
+    size_t *list = from->list, end = from->end, lane = from->lane;
+    const size_t enough = from->first + LANES;
+    lanes_ball ball;
+    load_ball(from, m, &ball);
+    for (; lane < from->n && end < enough; lane += LANES) {
         const size_t rest = from->n - lane;
-        unsigned left = rest < LANES ? (1u << rest) - 1 : (1u << LANES) - 1;
+        unsigned left = rest < LANES ? (1u << rest) - 1 : ALL;
         if (m != ONE_SHAPE || rest >= LANES) { /* the caller's end there */
             ball_at(from, lane, m, &ball);
             left &= m_bits(m_not(pass_by(&ball)));
         }
-        if (m == ONE_LINE && left && !from->job->relations)
+        if (m == ONE_LINE && left && !from->relations)
             left &= within_reach(&ball, from);
         if (!left)
             continue;
@@ -415,44 +243,239 @@ INLINE int work(const source *from, mode m)
             list[end] = m == ONE_SHAPE ? lane + i : from->run->number[lane + i];
             end += left >> i & 1;
         }
-        if (end - first < LANES)
-            continue;
-        if (judge_kind(from, list + first, LANES, m))
-            return 1;
-        first += LANES;
-        if (end > ROOM - LANES) {
-            memmove(list, list + first, (end - first) * sizeof *list);
-            end -= first;
-            first = 0;
-        }
     }
-    return end > first && judge_kind(from, list + first, (int)(end - first), m);
+    from->lane = lane;
+    from->end = end;
 }
 
-int CYLINT_SHAPES(cylint_job *job, const cylint_run *run)
+ASIDE void first_pass_one_line(cylint_filter_batch *from)
 {
-    source from = {.job = job,
-                   .run = run,
-                   .n = run->n,
-                   .kind = run->kind,
-                   .bounded = run->bounded};
-    const cylint_line *l = job->line;
-    if (!l)
-        return work(&from, PAIRS);
-    broadcast_line(&from.line, l);
-    from.speed =
-        sqrt(l->d[0] * l->d[0] + l->d[1] * l->d[1] + l->d[2] * l->d[2]) *
-        CYLINT_SLACK;
-    return work(&from, ONE_LINE);
+    first_pass(from, ONE_LINE);
 }
 
-int CYLINT_LINES(cylint_job *job, const cylint_shape *shape)
+ASIDE void first_pass_one_shape(cylint_filter_batch *from)
 {
-    source from = {.job = job,
-                   .shape = shape,
-                   .n = job->lines->n,
-                   .kind = shape->kind,
-                   .bounded = shape->ends < CYLINT_ENDS_INFINITE};
-    broadcast_shape(&from.one, shape);
-    return work(&from, ONE_SHAPE);
+    first_pass(from, ONE_SHAPE);
+}
+
+ASIDE void first_pass_pairs(cylint_filter_batch *from)
+{
+    first_pass(from, PAIRS);
+}
+
+/* Fills the list; returns how many of its numbers the next group has. */
+static int next_numbers(cylint_filter_batch *from)
+{
+    static void (*const pass[])(cylint_filter_batch *) = {
+        first_pass_one_line, first_pass_one_shape, first_pass_pairs};
+    enum { CAPACITY = sizeof from->list / sizeof *from->list - 2 * LANES };
+    size_t left = from->end - from->first;
+    if (from->first > CAPACITY) {
+        memmove(from->list, from->list + from->first,
+                left * sizeof *from->list);
+        from->first = 0;
+        from->end = left;
+    }
+    if (left < LANES && from->lane < from->n) {
+        pass[mode_of(from)](from);
+        left = from->end - from->first;
+    }
+    return left < LANES ? (int)left : LANES;
+}
+
+/* ----------------------------------------------------- the groups ---- */
+
+/* Lines and shapes in lanes; in_use: neither padding nor of an empty domain. */
+typedef struct {
+    lanes_line line;
+    lanes_shape shape;
+    vm in_use;
+} question;
+
+static void load(const cylint_filter_batch *from, const size_t *list, int lanes,
+                 question *to)
+{
+    if (from->line)
+        broadcast_line(&to->line, from->line);
+    else
+        lines_at(from, list, &to->line);
+    if (from->run)
+        shapes_at(from, list, from->kind, &to->shape);
+    else
+        broadcast_shape(&to->shape, from->shapes);
+    /* a line with an empty domain is none (other invalid lines are left
+     * undecided, because their numbers compare to nothing) */
+    to->in_use =
+        m_and(m_from((1u << lanes) - 1), v_le(to->line.tmin, to->line.tmax));
+}
+
+/* Where the overlaps end, as doubles have it. */
+typedef struct {
+    lanes_slopes slopes;
+    bounded_value t[2];
+} stops;
+
+/* Subnormal limits may compare as equal zeros: such lanes are undecided. */
+INLINE void leave_undecided(lanes_verdict *v, vm lanes)
+{
+    v->undecided = m_or(v->undecided, lanes);
+    v->cross = m_and(v->cross, m_not(lanes));
+    v->hit[0] = m_and(v->hit[0], v->cross);
+    v->hit[1] = m_and(v->hit[1], v->cross);
+}
+
+/* Lanes with the nearest hit so far not behind them. */
+INLINE vm not_beyond(const cylint_filter_batch *from, const lanes_verdict *v)
+{
+    const bounded_value t = choose(v->hit[0], v->stop[0], v->stop[1]);
+    return m_not(v_lt(v_set(from->nearest), t.v - t.e));
+}
+
+/* Relation and hits; and, where their t is wanted, what rounding needs. */
+INLINE void judge(const cylint_filter_batch *from, const question *x, int kind,
+                  stops *at, cylint_filter_group *g)
+{
+    lanes_query q;
+    lanes_verdict v =
+        lanes_judge(&q, &x->shape, &x->line, kind, from->bounded, x->in_use);
+    if (!from->line)
+        leave_undecided(&v, m_and(x->in_use, v_eq(x->line.tmin, x->line.tmax)));
+    if (from->line && from->want & CYLINT_WANT_NEAREST) {
+        const vm wanted = not_beyond(from, &v);
+        v.hit[0] = m_and(v.hit[0], wanted);
+        v.hit[1] = m_and(v.hit[1], wanted);
+    }
+    g->undecided = m_bits(v.undecided);
+    g->hit[0] = m_bits(v.hit[0]);
+    g->hit[1] = m_bits(v.hit[1]);
+    g->leaving_first = m_bits(v.leaving_first);
+    const unsigned hits = g->hit[0] | g->hit[1];
+    g->found = g->undecided | (from->relations ? m_bits(v.cross) : hits);
+    if (!hits)
+        return;
+    v_store(g->part[0], v.part[0]);
+    v_store(g->part[1], v.part[1]);
+    if (!(from->want & CYLINT_WANT_T))
+        return;
+    at->slopes = slopes_of(&q);
+    at->t[0] = v.stop[0];
+    at->t[1] = v.stop[1];
+}
+
+/* A root of each lane. */
+typedef struct {
+    vm wanted, exits;
+    bounded_value t;
+    vd part;
+} roots;
+
+/* Rounds them.  Returns the lanes where that is uncertain. */
+INLINE unsigned round_roots(const lanes_slopes *q, const question *x, int kind,
+                            unsigned want, const roots *of, double t[LANES])
+{
+    const vd sign = v_select(of->exits, v_set(1), v_set(-1));
+    vd center[3];
+    lanes_root r = {v_set(0), v_set(0), v_set(0), m_from(0)};
+    if (want & CYLINT_WANT_FAST)
+        r = take_root(q, of->t);
+    if (m_any(m_and(of->wanted, m_not(r.sure)))) {
+        const lanes_root fast = r;
+        root_centers(center, &x->shape, kind, of->part);
+        r = round_root(q, &x->shape, center, &x->line, kind, 1, sign, of->t,
+                       of->part);
+        if (want & CYLINT_WANT_FAST)
+            r = either_root(fast, r);
+    }
+    v_store(t, r.value);
+    return m_bits(m_and(of->wanted, m_not(r.sure)));
+}
+
+/* The hits' roots, one or two a lane. */
+INLINE void round_hits(const cylint_filter_batch *from, const question *x,
+                       int kind, const stops *at, cylint_filter_group *g)
+{
+    const int nearest = (from->want & CYLINT_WANT_NEAREST) != 0;
+    const unsigned other = g->hit[1] & ~g->hit[0];
+    for (int i = 0; i < 2 - nearest; i++) {
+        const unsigned second = nearest ? other : i ? ALL : 0;
+        const unsigned wanted = nearest ? g->hit[0] | g->hit[1] : g->hit[i];
+        const vm last = m_from(second);
+        const roots of = {
+            m_from(wanted), m_from(second ^ g->leaving_first),
+            choose(last, at->t[1], at->t[0]),
+            v_select(last, v_load(g->part[1]), v_load(g->part[0]))};
+        if (wanted)
+            g->undecided |=
+                round_roots(&at->slopes, x, kind, from->want, &of, g->t[i]);
+    }
+    if (nearest) /* one root a lane: it stands in both places */
+        memcpy(g->t[1], g->t[0], sizeof g->t[1]);
+}
+
+/* A kernel of its own for each kind. */
+typedef struct {
+    void (*judge)(const cylint_filter_batch *from, const question *x, stops *at,
+                  cylint_filter_group *g);
+    void (*round)(const cylint_filter_batch *from, const question *x,
+                  const stops *at, cylint_filter_group *g);
+} kernels;
+
+#define KERNELS(kind)                                           \
+    ASIDE void judge_##kind(const cylint_filter_batch *from,    \
+                            const question *x, stops *at,       \
+                            cylint_filter_group *g)             \
+    {                                                           \
+        judge(from, x, kind, at, g);                            \
+    }                                                           \
+    ASIDE void round_##kind(const cylint_filter_batch *from,    \
+                            const question *x, const stops *at, \
+                            cylint_filter_group *g)             \
+    {                                                           \
+        round_hits(from, x, kind, at, g);                       \
+    }
+KERNELS(CYLINT_KIND_CYLINDER)
+KERNELS(CYLINT_KIND_CONE)
+KERNELS(CYLINT_KIND_ACONE)
+KERNELS(CYLINT_KIND_ECYLINDER)
+KERNELS(CYLINT_KIND_ECONE)
+#undef KERNELS
+
+#define KERNELS(kind)              \
+    {                              \
+        judge_##kind, round_##kind \
+    }
+static const kernels of_kind[] = {{NULL, NULL},
+                                  KERNELS(CYLINT_KIND_CYLINDER),
+                                  KERNELS(CYLINT_KIND_CONE),
+                                  KERNELS(CYLINT_KIND_ACONE),
+                                  KERNELS(CYLINT_KIND_ECYLINDER),
+                                  KERNELS(CYLINT_KIND_ECONE)};
+
+static void answer_group(const cylint_filter_batch *from, const size_t *list,
+                         int lanes, cylint_filter_group *g)
+{
+    question x;
+    stops at;
+    load(from, list, lanes, &x);
+    of_kind[from->kind].judge(from, &x, &at, g);
+    if (from->want & CYLINT_WANT_T && g->hit[0] | g->hit[1])
+        of_kind[from->kind].round(from, &x, &at, g);
+    g->found |= g->undecided;
+}
+
+int CYLINT_MANY(cylint_filter_batch *from, cylint_filter_group *g)
+{
+    for (;;) {
+        const int lanes = next_numbers(from);
+        size_t *list = from->list + from->first;
+        if (lanes == 0)
+            return 0;
+        for (int i = lanes; i < LANES; i++)
+            list[i] = list[0];
+        from->first += (size_t)lanes;
+        answer_group(from, list, lanes, g);
+        g->number = list;
+        if (g->found)
+            return 1;
+    }
 }

@@ -226,15 +226,16 @@ INLINE int roots_of(lanes_root *r, const lanes_query *q, const lanes_shape *s,
                     const vd center[3], const lanes_line *l, int kind,
                     int bounded, const stops *at, unsigned want, unsigned hits)
 {
+    const lanes_slopes slopes = slopes_of(q);
     if (want & CYLINT_WANT_FAST) {
-        *r = take_root(q, at->t);
+        *r = take_root(&slopes, at->t);
         if (!(hits & ~m_bits(r->sure)))
             return 1;
     }
     if (!cylint_rounds_to_nearest()) /* would certify nothing */
         return 0;
-    const lanes_root rounded =
-        round_root(q, s, center, l, kind, bounded, at->exits, at->t, at->part);
+    const lanes_root rounded = round_root(&slopes, s, center, l, kind, bounded,
+                                          at->exits, at->t, at->part);
     *r = want & CYLINT_WANT_FAST ? either_root(*r, rounded) : rounded;
     return !(hits & ~m_bits(r->sure));
 }
