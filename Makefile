@@ -138,13 +138,13 @@ $(BUILD)/src/filter/many_questions-%.o: src/filter/many_questions.c
 	$(compile) $(FLAGS.$*) -c -o $@ $<
 
 $(BUILD)/src/bvh/traverse-avx2.o: src/bvh/traverse.c
-	$(compile) -mavx2 -mfma -DCYLINT_WALKS=cylint_walks_avx2 -c -o $@ $<
+	$(compile) -mavx2 -mfma -DCYLINT_TRAVERSAL=cylint_traversal_avx2 -c -o $@ $<
 $(BUILD)/src/embree/packet_traverse-avx2.o: src/embree/packet_traverse.c
-	$(compile) -mavx2 -mfma -DCYLINT_WALKS=cylint_walks_avx2 -DCYLINT_WALK_PACKET=cylint_packet_avx2 -c -o $@ $<
+	$(compile) -mavx2 -mfma -DCYLINT_TRAVERSAL=cylint_traversal_avx2 -DCYLINT_TRAVERSE_PACKET=cylint_traverse_packet_avx2 -c -o $@ $<
 $(BUILD)/src/embree/float_filter-%.o: src/embree/float_filter.c
-	$(compile) -mavx2 -mfma -ffp-contract=fast -DCYLINT_QUICK=cylint_quick_$* -c -o $@ $<
+	$(compile) -mavx2 -mfma -ffp-contract=fast -DCYLINT_FLOAT_FILTER=cylint_float_filter_$* -c -o $@ $<
 $(BUILD)/src/embree/packet_filter-%.o: src/embree/packet_filter.c
-	$(compile) $(if $(filter avx512,$*),$(avx512),-mavx2 -mfma) -ffp-contract=fast -DCYLINT_QUICK_MANY=cylint_quick_many_$* -c -o $@ $<
+	$(compile) $(if $(filter avx512,$*),$(avx512),-mavx2 -mfma) -ffp-contract=fast -DCYLINT_PACKET_FILTER=cylint_packet_filter_$* -c -o $@ $<
 
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc
 	@mkdir -p $(@D)
@@ -217,7 +217,7 @@ $(BUILD)/tools/bench/embree_threads: $(patsubst %,$(BUILD)/tools/bench/%.o,embre
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(EMBREE_LIBS) -pthread -lm
 
 # what a ray is asked for: an adapter that counts
-counted := cylint_quick_used cylint_intersect
+counted := cylint_float_filter_used cylint_intersect
 $(BUILD)/tools/bench/embree_counts: $(patsubst %,$(BUILD)/tools/bench/%.o,embree_counts embree_scenes embree_rivals) $(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 	$(CC) $(CFLAGS) $(LDFLAGS) $(foreach f,$(counted),-Wl,--wrap=$(f)) -o $@ $^ $(EMBREE_LIBS) -lm
 

@@ -34,7 +34,7 @@ struct tally {
 
 /* A case's line in floats, about its shape made circular and bounded. */
 struct question {
-    cylint_quick_line line;
+    cylint_float_filter_ray line;
     const cylint_shape *shape;
     cylint_answer answer;
     int n;
@@ -83,27 +83,28 @@ static int same_float(float x, double y)
     return memcmp(&x, &z, sizeof x) == 0;
 }
 
-static int same_floats(const cylint_quick_floats *f, const cylint_hit *hit)
+static int same_floats(const cylint_hit_floats *f, const cylint_hit *hit)
 {
-    int same =
-        same_float(f->z, hit->z) && same_float(f->phi, cylint_turn(hit->phi));
+    int same = same_float(f->z, hit->z) &&
+               same_float(f->phi, cylint_angle_as_float(hit->phi));
     for (int j = 0; j < 3; j++)
         same &= same_float(f->normal[j], hit->normal[j]);
     return same;
 }
 
-static int part_of(const cylint_quick_hit *at)
+static int part_of(const cylint_float_filter_hit *at)
 {
     return !at->capped ? CYLINT_PART_LATERAL
            : at->top   ? CYLINT_PART_CAP1
                        : CYLINT_PART_CAP0;
 }
 
-static int describes(const cylint_quick_build *build, const cylint_quick *q,
-                     const cylint_quick_hit *at, const cylint_hit *hit,
+static int describes(const cylint_float_filter *build,
+                     const cylint_float_filter_state *q,
+                     const cylint_float_filter_hit *at, const cylint_hit *hit,
                      struct tally *tally)
 {
-    cylint_quick_floats floats;
+    cylint_hit_floats floats;
     tally->certain++;
     if (part_of(at) != (int)hit->part ||
         !(fabs(at->t - hit->t) <= at->t_error) ||
@@ -115,30 +116,32 @@ static int describes(const cylint_quick_build *build, const cylint_quick *q,
     return same_floats(&floats, hit);
 }
 
-static int agrees(const cylint_quick_build *build, const struct question *x,
+static int agrees(const cylint_float_filter *build, const struct question *x,
                   struct tally *tally)
 {
-    cylint_quick q;
-    cylint_quick_hit at;
+    cylint_float_filter_state q;
+    cylint_float_filter_hit at;
     int n = 0;
-    cylint_quick_shape shape;
-    cylint_quick_shape_of(&shape, x->shape);
-    const cylint_quick_subject subject = {&shape, 0, x->shape, x->shape->ends};
-    cylint_quick_verdict is = build->enter(&q, &subject, &x->line, &at);
+    cylint_float_filter_shape shape;
+    cylint_float_filter_shape_of(&shape, x->shape);
+    const cylint_float_filter_target subject = {&shape, 0, x->shape,
+                                                x->shape->ends};
+    cylint_float_filter_result is = build->enter(&q, &subject, &x->line, &at);
     tally->hits += x->n;
-    for (int i = 0; i < 2 && is != CYLINT_QUICK_UNSURE; i++) {
+    for (int i = 0; i < 2 && is != CYLINT_FLOAT_FILTER_UNSURE; i++) {
         if (i == 1)
             is = build->leave(&q, &at);
-        if (is != CYLINT_QUICK_HIT)
+        if (is != CYLINT_FLOAT_FILTER_HIT)
             continue;
         if (n == x->n || !describes(build, &q, &at, &x->answer.hit[n], tally))
             return 0;
         n++;
     }
-    return is == CYLINT_QUICK_UNSURE || n == x->n;
+    return is == CYLINT_FLOAT_FILTER_UNSURE || n == x->n;
 }
 
-static void show(const cylint_quick_line *line, const struct family_case *c)
+static void show(const cylint_float_filter_ray *line,
+                 const struct family_case *c)
 {
     REPORT("in floats, near %a, from %a:", line->near, line->tmin);
     if (check_bad <= CHECK_SHOWN) {
@@ -147,7 +150,7 @@ static void show(const cylint_quick_line *line, const struct family_case *c)
     }
 }
 
-static struct tally asked(const cylint_quick_build *build, int family,
+static struct tally asked(const cylint_float_filter *build, int family,
                           family_shape last)
 {
     struct tally tally = {0, 0, 0};
@@ -164,7 +167,7 @@ static struct tally asked(const cylint_quick_build *build, int family,
     return tally;
 }
 
-static void ask_all(const char *name, const cylint_quick_build *build)
+static void ask_all(const char *name, const cylint_float_filter *build)
 {
     struct tally sum = {0, 0, 0};
     for (int family = 0; family < family_count(); family++) {
@@ -180,24 +183,24 @@ static void ask_all(const char *name, const cylint_quick_build *build)
 
 static void what_is_certain_is_what_the_library_says(void)
 {
-    ask_all("plain", &cylint_quick_plain);
+    ask_all("plain", &cylint_float_filter_plain);
 }
 
 static void what_is_certain_when_fused_is_so_too(void)
 {
-    if (cylint_quick_used() != &cylint_quick_plain)
-        ask_all("fused", cylint_quick_used());
+    if (cylint_float_filter_used() != &cylint_float_filter_plain)
+        ask_all("fused", cylint_float_filter_used());
 }
 
 /* ------------------------------------------------------- many at a time -- */
 
 /* Questions side by side. */
 struct crowd {
-    struct question question[CYLINT_QUICK_MOST];
-    struct family_case from[CYLINT_QUICK_MOST];
-    cylint_quick_shape shape[CYLINT_QUICK_MOST];
-    cylint_quick_subject subject[CYLINT_QUICK_MOST];
-    const cylint_quick_line *line[CYLINT_QUICK_MOST];
+    struct question question[CYLINT_PACKET_FILTER_MOST];
+    struct family_case from[CYLINT_PACKET_FILTER_MOST];
+    cylint_float_filter_shape shape[CYLINT_PACKET_FILTER_MOST];
+    cylint_float_filter_target subject[CYLINT_PACKET_FILTER_MOST];
+    const cylint_float_filter_ray *line[CYLINT_PACKET_FILTER_MOST];
     int n;
 };
 
@@ -210,32 +213,33 @@ static void gather(struct crowd *c, int family, uint64_t *i, int most)
         family_case(3, family, *i, &c->from[n]);
         if (c->from[n].shape_word > FAMILY_ACONE || !pose(x, &c->from[n], *i))
             continue;
-        cylint_quick_shape_of(&c->shape[n], x->shape);
-        c->subject[n] =
-            (cylint_quick_subject){&c->shape[n], 0, x->shape, x->shape->ends};
+        cylint_float_filter_shape_of(&c->shape[n], x->shape);
+        c->subject[n] = (cylint_float_filter_target){&c->shape[n], 0, x->shape,
+                                                     x->shape->ends};
         c->line[c->n++] = &x->line;
     }
 }
 
-static int is_told(const cylint_quick_answers *a, int i, const cylint_hit *hit)
+static int is_told(const cylint_packet_filter_results *a, int i,
+                   const cylint_hit *hit)
 {
     return fabs(a->t[i] - hit->t) <= a->t_error[i] &&
            fabs(a->z[i] - hit->z) <= a->z_error[i];
 }
 
-static int is_described(const cylint_quick_answers *a, int i,
+static int is_described(const cylint_packet_filter_results *a, int i,
                         const cylint_hit *hit)
 {
-    const cylint_quick_floats f = {(float)a->float_z[i],
-                                   (float)a->phi[i],
-                                   {(float)a->normal[0][i],
-                                    (float)a->normal[1][i],
-                                    (float)a->normal[2][i]}};
+    const cylint_hit_floats f = {(float)a->float_z[i],
+                                 (float)a->phi[i],
+                                 {(float)a->normal[0][i],
+                                  (float)a->normal[1][i],
+                                  (float)a->normal[2][i]}};
     return same_floats(&f, hit);
 }
 
 /* Whether what is said of question i is so. */
-static int is_right(const cylint_quick_answers *a, int i,
+static int is_right(const cylint_packet_filter_results *a, int i,
                     const struct question *x)
 {
     const unsigned hit = a->hit >> i & 1, unsure = a->unsure >> i & 1;
@@ -247,12 +251,14 @@ static int is_right(const cylint_quick_answers *a, int i,
     return hit || unsure || x->n <= (int)(a->crosses >> i & 1);
 }
 
-static void ask_crowds(cylint_quick_many *many, int family, struct tally *tally)
+static void ask_crowds(cylint_packet_filter *many, int family,
+                       struct tally *tally)
 {
     int most = 1; /* of each number, in turn */
-    for (uint64_t i = 0; i < CASES; most = most % CYLINT_QUICK_MOST + 1) {
+    for (uint64_t i = 0; i < CASES;
+         most = most % CYLINT_PACKET_FILTER_MOST + 1) {
         struct crowd c;
-        cylint_quick_answers a;
+        cylint_packet_filter_results a;
         gather(&c, family, &i, most);
         if (c.n == 0)
             break;
@@ -272,8 +278,8 @@ static void ask_crowds(cylint_quick_many *many, int family, struct tally *tally)
 
 static void what_many_are_told_is_so(void)
 {
-    cylint_quick_many *many;
-    for (int i = 0; (many = cylint_quick_many_build(i)); i++) {
+    cylint_packet_filter *many;
+    for (int i = 0; (many = cylint_packet_filter_build(i)); i++) {
         struct tally t = {0, 0, 0};
         for (int family = 0; family < family_count(); family++)
             ask_crowds(many, family, &t);
@@ -306,8 +312,8 @@ static void a_small_z_is_not_more_certain_than_the_librarys(void)
     CHECK(cylint_span(&line, o, d, 0, HUGE_VAL) == CYLINT_OK);
     x.n = cylint_intersect(&shape, &line, CYLINT_WANT_ALL, &x.answer);
     CHECK(x.n == 1 && x.answer.hit[0].z < 0x1p-30);
-    CHECK(agrees(&cylint_quick_plain, &x, &tally));
-    CHECK(agrees(cylint_quick_used(), &x, &tally));
+    CHECK(agrees(&cylint_float_filter_plain, &x, &tally));
+    CHECK(agrees(cylint_float_filter_used(), &x, &tally));
 }
 
 /* The case's shape, all of its numbers rounded to floats. */
@@ -325,25 +331,25 @@ static int in_floats(const struct family_case *c, cylint_shape *shape)
 }
 
 /* The same in every bit; how often that was so. */
-static long small_as_large(const cylint_quick_build *build, int family)
+static long small_as_large(const cylint_float_filter *build, int family)
 {
     long same = 0;
     for (uint64_t i = 0; i < CASES / 10; i++) {
         struct family_case c;
         struct question x;
         cylint_shape shape;
-        cylint_quick_small small;
-        cylint_quick_shape large;
-        cylint_quick q[2];
-        cylint_quick_hit at[2];
+        cylint_float_filter_small small;
+        cylint_float_filter_shape large;
+        cylint_float_filter_state q[2];
+        cylint_float_filter_hit at[2];
         family_case(2, family, i, &c);
         if (!pose(&x, &c, i) || !in_floats(&c, &shape) ||
-            !cylint_quick_small_of(&small, &shape))
+            !cylint_float_filter_small_of(&small, &shape))
             continue;
         memset(q, 0, sizeof q);
         memset(at, 0, sizeof at);
-        cylint_quick_shape_of(&large, &shape);
-        const cylint_quick_subject subject[2] = {
+        cylint_float_filter_shape_of(&large, &shape);
+        const cylint_float_filter_target subject[2] = {
             {&large, 0, &shape, shape.ends}, {&small, 1, &shape, shape.ends}};
         CHECK(build->enter(&q[0], &subject[0], &x.line, &at[0]) ==
               build->enter(&q[1], &subject[1], &x.line, &at[1]));
@@ -354,24 +360,24 @@ static long small_as_large(const cylint_quick_build *build, int family)
 }
 
 /* The same of many at a time. */
-static long many_small_as_large(cylint_quick_many *many, int family)
+static long many_small_as_large(cylint_packet_filter *many, int family)
 {
     long same = 0;
     for (uint64_t i = 0; i < CASES / 10;) {
         struct crowd c;
-        cylint_quick_subject small[CYLINT_QUICK_MOST];
-        cylint_quick_small shape[CYLINT_QUICK_MOST];
-        cylint_quick_answers a[2];
-        gather(&c, family, &i, CYLINT_QUICK_MOST);
+        cylint_float_filter_target small[CYLINT_PACKET_FILTER_MOST];
+        cylint_float_filter_small shape[CYLINT_PACKET_FILTER_MOST];
+        cylint_packet_filter_results a[2];
+        gather(&c, family, &i, CYLINT_PACKET_FILTER_MOST);
         for (int k = 0; k < c.n; k++) {
             cylint_shape *whole = &c.from[k].shape;
             if (!in_floats(&c.from[k], whole) ||
-                !cylint_quick_small_of(&shape[k], whole))
+                !cylint_float_filter_small_of(&shape[k], whole))
                 c.n = k;
             else {
-                cylint_quick_shape_of(&c.shape[k], whole);
-                small[k] =
-                    (cylint_quick_subject){&shape[k], 1, whole, whole->ends};
+                cylint_float_filter_shape_of(&c.shape[k], whole);
+                small[k] = (cylint_float_filter_target){&shape[k], 1, whole,
+                                                        whole->ends};
             }
         }
         if (c.n == 0)
@@ -388,15 +394,15 @@ static void small_shapes_are_asked_what_large_ones_are(void)
 {
     long same = 0;
     for (int family = 0; family < family_count(); family++)
-        same += small_as_large(cylint_quick_used(), family) +
-                small_as_large(&cylint_quick_plain, family);
+        same += small_as_large(cylint_float_filter_used(), family) +
+                small_as_large(&cylint_float_filter_plain, family);
     CHECK(same > CASES);
 }
 
 static void many_small_shapes_are_asked_so_too(void)
 {
-    cylint_quick_many *many;
-    for (int i = 0; (many = cylint_quick_many_build(i)); i++) {
+    cylint_packet_filter *many;
+    for (int i = 0; (many = cylint_packet_filter_build(i)); i++) {
         long same = 0;
         for (int family = 0; family < family_count(); family++)
             same += many_small_as_large(many, family);
@@ -408,20 +414,20 @@ static void many_small_shapes_are_asked_so_too(void)
 static int is_small(double x, double r, int cone)
 {
     const double base[3] = {x, 2, 3}, top[3] = {4, 5, 6};
-    cylint_quick_small small;
+    cylint_float_filter_small small;
     cylint_shape shape;
     return CHECK((cone
                       ? cylint_cone(&shape, base, r, top, 1, CYLINT_ENDS_CAPPED)
                       : cylint_cylinder(&shape, base, top, r,
                                         CYLINT_ENDS_CAPPED)) == CYLINT_OK) &&
-           cylint_quick_small_of(&small, &shape);
+           cylint_float_filter_small_of(&small, &shape);
 }
 
 static void only_what_is_made_of_floats_is_small(void)
 {
     const double base[3] = {1, 2, 3}, up[3] = {0, 0, 1};
     const double a[3] = {1, 0, 0}, b[3] = {0, 1, 0};
-    cylint_quick_small small;
+    cylint_float_filter_small small;
     cylint_shape shape;
     for (int cone = 0; cone < 2; cone++) {
         CHECK(is_small(1, 0.5, cone) && is_small(-0.0, 0.5, cone));
@@ -433,10 +439,10 @@ static void only_what_is_made_of_floats_is_small(void)
     }
     CHECK(cylint_angle_cone(&shape, base, up, 45, CYLINT_ENDS_CAPPED) ==
               CYLINT_OK &&
-          !cylint_quick_small_of(&small, &shape));
+          !cylint_float_filter_small_of(&small, &shape));
     CHECK(cylint_elliptic_cylinder(&shape, base, a, b, up,
                                    CYLINT_ENDS_CAPPED) == CYLINT_OK &&
-          !cylint_quick_small_of(&small, &shape));
+          !cylint_float_filter_small_of(&small, &shape));
 }
 
 /* As far as long doubles tell; the bound is not far above what there is. */
@@ -449,7 +455,7 @@ static void an_angle_in_turns_errs_by_its_bound_at_most(void)
         const double length = ldexp(1 + 1e-6 * i, i % 200 - 100);
         const double x = length * cos(phi), y = length * sin(phi);
         double per_far;
-        const double turn = cylint_turns(y, x, &per_far);
+        const double turn = cylint_atan2_turns(y, x, &per_far);
         long double exact = atan2l(y, x) / two_pi;
         exact += exact < 0;
         most = fmax(most, (double)fabsl(turn - exact));
@@ -457,7 +463,8 @@ static void an_angle_in_turns_errs_by_its_bound_at_most(void)
                    per_far * hypot(x, y) > 12 / 13.0))
             REPORT("1 / %a of %a, %a", per_far, x, y);
     }
-    if (!CHECK(most <= CYLINT_TURN_ERROR && most > 0.5 * CYLINT_TURN_ERROR))
+    if (!CHECK(most <= CYLINT_ATAN2_TURNS_ERROR &&
+               most > 0.5 * CYLINT_ATAN2_TURNS_ERROR))
         REPORT("by %a", most);
 }
 
@@ -466,7 +473,7 @@ static void ordinary_cylinders_are_certain(void)
     const int ordinary = 0;
     CHECK(strcmp(family_name(ordinary), "ordinary") == 0);
     const struct tally t =
-        asked(cylint_quick_used(), ordinary, FAMILY_CYLINDER);
+        asked(cylint_float_filter_used(), ordinary, FAMILY_CYLINDER);
     if (!CHECK(t.hits > CASES / 4 &&
                (double)t.described >= 0.999 * (double)t.hits))
         REPORT("%ld of %ld hits", t.described, t.hits);

@@ -230,7 +230,7 @@ static void call(const struct world *w, struct rays *r)
     a.context = &context;
     a.rayhit = (struct RTCRayHitN *)(void *)r->word;
     a.N = (unsigned)r->n;
-    cylint_embree_trace(&a);
+    cylint_embree_intersect_callback(&a);
 }
 
 static void lines_that_are_none_do_not_disturb_others(void)

@@ -9,20 +9,20 @@
 #include "bvh/bvh.h"
 #include "scenes.h"
 
-static int make(cylint_group *group, const struct scene_shapes *of, int threads)
+static int make(cylint_bvh *group, const struct scene_shapes *of, int threads)
 {
     const cylint_view view = cylint_plain_view(of->shapes);
-    const cylint_members members = {
+    const cylint_bvh_input members = {
         .view = &view, .n = of->n, .threads = threads};
     size_t refused;
-    return CHECK(cylint_group_make(group, &members, &refused) == CYLINT_CUT_OK);
+    return CHECK(cylint_bvh_build(group, &members, &refused) == CYLINT_BVH_OK);
 }
 
 /* ---------------------------------------------------------------- nodes -- */
 
 /* What a walk through all nodes comes upon. */
 struct found {
-    const cylint_group *group;
+    const cylint_bvh *group;
     unsigned char *blocks; /* how often each */
     size_t nodes, gaps;    /* in the order of the walk */
     int depth;
@@ -34,15 +34,15 @@ static void visit(struct found *f, uint32_t number, int depth)
     f->gaps += number != f->nodes++;
     f->depth = depth > f->depth ? depth : f->depth;
     for (unsigned i = 0; node->children >> i; i++)
-        if (node->child[i] & CYLINT_LEAF)
-            f->blocks[node->child[i] & ~CYLINT_LEAF]++;
+        if (node->child[i] & CYLINT_LEAF_FLAG)
+            f->blocks[node->child[i] & ~CYLINT_LEAF_FLAG]++;
         else
             visit(f, node->child[i], depth + 1);
 }
 
 static void check_nodes(const struct scene_shapes *of)
 {
-    cylint_group group;
+    cylint_bvh group;
     if (!make(&group, of, 2))
         return;
     struct found f = {.group = &group, .blocks = calloc(group.n, 1)};
@@ -54,11 +54,11 @@ static void check_nodes(const struct scene_shapes *of)
         once += f.blocks[i] == 1;
     CHECK(once == group.n);
     CHECK(f.gaps == 0);
-    CHECK(f.nodes <= cylint_tree_most_nodes(group.n));
-    CHECK(f.depth <= CYLINT_DEPTH);
+    CHECK(f.nodes <= cylint_build_most_nodes(group.n));
+    CHECK(f.depth <= CYLINT_BVH_DEPTH);
     CHECK((const char *)group.blocks == (const char *)(group.nodes + f.nodes));
     free(f.blocks);
-    cylint_group_free(&group);
+    cylint_bvh_free(&group);
 }
 
 static void every_block_is_below_one_node_and_no_node_is_between(void)
@@ -102,7 +102,7 @@ static void any_number_of_threads_builds_the_same_bytes(void)
     static const int threads[] = {2, 3, 5, 100, 0};
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         struct scene_shapes of;
-        cylint_group alone, other;
+        cylint_bvh alone, other;
         scene_generate(kinds[k], 23000, 4, &of);
         if (!make(&alone, &of, 1))
             return;
@@ -115,9 +115,9 @@ static void any_number_of_threads_builds_the_same_bytes(void)
             CHECK(other.memory.bytes == alone.memory.bytes &&
                   memcmp(other.memory.data, alone.memory.data,
                          alone.memory.bytes) == 0);
-            cylint_group_free(&other);
+            cylint_bvh_free(&other);
         }
-        cylint_group_free(&alone);
+        cylint_bvh_free(&alone);
         scene_release(&of);
     }
 }
@@ -131,13 +131,13 @@ static void the_first_refused_shape_is_told(void)
     static const size_t bad[] = {22999, 12000, 11999, 300};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         for (int threads = 1; threads < 6; threads++) {
-            const cylint_members members = {
+            const cylint_bvh_input members = {
                 .view = &view, .n = of.n, .threads = threads};
             size_t refused = 0;
-            cylint_group group;
+            cylint_bvh group;
             of.shapes[bad[i]].kind = CYLINT_KIND_NONE;
-            CHECK(cylint_group_make(&group, &members, &refused) ==
-                  CYLINT_CUT_ESHAPE);
+            CHECK(cylint_bvh_build(&group, &members, &refused) ==
+                  CYLINT_BVH_ESHAPE);
             CHECK(refused == bad[i]);
         }
     scene_release(&of);

@@ -33,7 +33,7 @@ static hull joined(hull a, hull b)
     return (hull){v4_min(a.lower, b.lower), v4_max(a.upper, b.upper)};
 }
 
-static hull hull_of(const cylint_box *b)
+static hull hull_of(const cylint_boxed_piece *b)
 {
     /* the fourth is not a float; no one looks at it */
     return (hull){v4_load(b->lower), v4_load(b->upper)};
@@ -48,7 +48,7 @@ static float area(hull h)
 
 /* Boxes side by side in memory, all of them and their centres, twice. */
 typedef struct {
-    cylint_box *boxes;
+    cylint_boxed_piece *boxes;
     size_t n;
     hull box, centers;
 } range;
@@ -58,13 +58,13 @@ typedef struct {
     v4 least, per_bin;
 } scale;
 
-static v4 center_of(const cylint_box *b)
+static v4 center_of(const cylint_boxed_piece *b)
 {
     const hull h = hull_of(b);
     return v4_add(v4_xyz(h.lower), v4_xyz(h.upper));
 }
 
-static range measured(cylint_box *boxes, size_t n)
+static range measured(cylint_boxed_piece *boxes, size_t n)
 {
     range r = {boxes, n, nothing(), nothing()};
     for (size_t i = 0; i < n; i++) {
@@ -97,7 +97,7 @@ static int widest_axis(const scale *s)
     return widest;
 }
 
-static void bins_of(const cylint_box *b, const scale *s, int32_t bin[4])
+static void bins_of(const cylint_boxed_piece *b, const scale *s, int32_t bin[4])
 {
     v4_truncate(bin, v4_mul(v4_sub(center_of(b), s->least), s->per_bin));
 }
@@ -130,7 +130,7 @@ static size_t fill(bins *b, const scale *s, const range *r, size_t every)
 
 static float blocks(size_t n)
 {
-    return (float)(ptrdiff_t)((n + CYLINT_BLOCK - 1) / CYLINT_BLOCK);
+    return (float)(ptrdiff_t)((n + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE);
 }
 
 /* Where to split: before bin `bin` along `axis`, n boxes to the left. */
@@ -161,20 +161,20 @@ static void try_axis(const bins *b, int axis, size_t n, split *best)
     }
 }
 
-static void swap(cylint_box *a, cylint_box *b)
+static void swap(cylint_boxed_piece *a, cylint_boxed_piece *b)
 {
-    const cylint_box c = *a;
+    const cylint_boxed_piece c = *a;
     *a = *b;
     *b = c;
 }
 
-static float key(const cylint_box *b, int axis)
+static float key(const cylint_boxed_piece *b, int axis)
 {
     return b->lower[axis] + b->upper[axis];
 }
 
 /* So that none of the first k has a larger key than any of the rest. */
-static void select(cylint_box *boxes, size_t n, size_t k, int axis)
+static void select(cylint_boxed_piece *boxes, size_t n, size_t k, int axis)
 {
     size_t from = 0, to = n; /* the k-th is in here */
     while (to - from > 1) {
@@ -201,15 +201,15 @@ static void select(cylint_box *boxes, size_t n, size_t k, int axis)
  * on cannot be foreseen, so there is no branch: each changes places with the
  * first of the right side, which begins later if that was one of the left.
  */
-static size_t partition(cylint_box *boxes, size_t n, const scale *s, int axis,
-                        int bin)
+static size_t partition(cylint_boxed_piece *boxes, size_t n, const scale *s,
+                        int axis, int bin)
 {
     float least[4], per_bin[4];
     v4_store(least, s->least);
     v4_store(per_bin, s->per_bin);
     size_t left = 0;
     for (size_t i = 0; i < n; i++) {
-        const cylint_box box = boxes[i];
+        const cylint_boxed_piece box = boxes[i];
         boxes[i] = boxes[left];
         boxes[left] = box;
         left += (key(&box, axis) - least[axis]) * per_bin[axis] < (float)bin;
@@ -220,9 +220,12 @@ static size_t partition(cylint_box *boxes, size_t n, const scale *s, int axis,
 /* The multiple of 8 next to `left` that leaves something on both sides. */
 static size_t whole_blocks(size_t left, size_t n)
 {
-    const size_t most = (n - 1) / CYLINT_BLOCK * CYLINT_BLOCK;
-    const size_t near = (left + CYLINT_BLOCK / 2) / CYLINT_BLOCK * CYLINT_BLOCK;
-    return near < CYLINT_BLOCK ? CYLINT_BLOCK : near < most ? near : most;
+    const size_t most = (n - 1) / CYLINT_LEAF_SIZE * CYLINT_LEAF_SIZE;
+    const size_t near =
+        (left + CYLINT_LEAF_SIZE / 2) / CYLINT_LEAF_SIZE * CYLINT_LEAF_SIZE;
+    return near < CYLINT_LEAF_SIZE ? CYLINT_LEAF_SIZE
+           : near < most           ? near
+                                   : most;
 }
 
 /* Boxes that change sides for whole blocks, up to 8, are the nearest of so many
@@ -279,12 +282,12 @@ typedef struct {
 enum { MOST_TASKS = 128 };
 
 typedef struct {
-    const cylint_box *boxes; /* the first of all */
+    const cylint_boxed_piece *boxes; /* the first of all */
     cylint_node *nodes;
     float least_step;
     const float *center;
     size_t task_size;
-    cylint_crew_lock lock; /* of what is below */
+    cylint_mutex lock; /* of what is below */
     task tasks[MOST_TASKS];
     int n_tasks, busy; /* waiting; members of the crew at work */
     size_t n_nodes;
@@ -296,7 +299,7 @@ static int largest(const range *parts, int n, int evenly)
 {
     int best = -1;
     for (int i = 0; i < n; i++)
-        if (parts[i].n > CYLINT_BLOCK &&
+        if (parts[i].n > CYLINT_LEAF_SIZE &&
             (best < 0 || (evenly ? parts[i].n > parts[best].n
                                  : area(parts[i].box) > area(parts[best].box))))
             best = i;
@@ -366,22 +369,22 @@ enum { DEEP = 24 };
  *
  *   1 + sum (4 B_i - 1) / 7 = 1 + (4 (B - L) - (8 - L)) / 7 <= (4 B - 1) / 7.
  */
-size_t cylint_tree_most_nodes(size_t blocks)
+size_t cylint_build_most_nodes(size_t blocks)
 {
     return blocks < 2 ? 1 : (4 * blocks - 1) / 7;
 }
 
 static size_t blocks_in(const range *r)
 {
-    return (r->n + CYLINT_BLOCK - 1) / CYLINT_BLOCK;
+    return (r->n + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE;
 }
 
 static void post(builder *b, const task *t)
 {
-    cylint_crew_enter(&b->lock);
+    cylint_mutex_lock(&b->lock);
     b->tasks[b->n_tasks++] = *t;
-    cylint_crew_ring(&b->lock);
-    cylint_crew_leave(&b->lock);
+    cylint_mutex_wake_all(&b->lock);
+    cylint_mutex_unlock(&b->lock);
 }
 
 /* Makes the node and those below it, but for what it leaves as tasks.  How
@@ -397,14 +400,15 @@ static size_t make_nodes(builder *b, const task *t)
     place_children(node, parts, n, t->all.box, b);
     for (int i = 0; i < n; i++) {
         const range *part = &parts[i];
-        if (part->n <= CYLINT_BLOCK) {
+        if (part->n <= CYLINT_LEAF_SIZE) {
             const size_t box = (size_t)(part->boxes - b->boxes);
-            node->child[i] = CYLINT_LEAF | (uint32_t)(box / CYLINT_BLOCK);
+            node->child[i] =
+                CYLINT_LEAF_FLAG | (uint32_t)(box / CYLINT_LEAF_SIZE);
             continue;
         }
         const task child = {*part, number, t->depth + 1};
         node->child[i] = (uint32_t)number;
-        number += cylint_tree_most_nodes(blocks_in(part));
+        number += cylint_build_most_nodes(blocks_in(part));
         if (part->n > b->task_size)
             post(b, &child);
         else
@@ -419,26 +423,26 @@ static void do_tasks(void *self, size_t from, size_t to)
     builder *b = self;
     (void)from;
     (void)to;
-    cylint_crew_enter(&b->lock);
+    cylint_mutex_lock(&b->lock);
     for (;;) {
         while (b->n_tasks == 0 && b->busy > 0)
-            cylint_crew_wait(&b->lock);
+            cylint_mutex_wait(&b->lock);
         if (b->n_tasks == 0)
             break;
         const task t = b->tasks[--b->n_tasks];
         b->busy++;
-        cylint_crew_leave(&b->lock);
+        cylint_mutex_unlock(&b->lock);
         const size_t made = make_nodes(b, &t);
-        cylint_crew_enter(&b->lock);
+        cylint_mutex_lock(&b->lock);
         b->n_nodes += made;
         b->busy--;
-        cylint_crew_ring(&b->lock);
+        cylint_mutex_wake_all(&b->lock);
     }
-    cylint_crew_leave(&b->lock);
+    cylint_mutex_unlock(&b->lock);
 }
 
-size_t cylint_tree_build(cylint_node *nodes, cylint_box *boxes, size_t n,
-                         const float center[3], int threads)
+size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
+                          size_t n, const float center[3], int threads)
 {
     const range all = measured(boxes, n);
     float side[4], longest = 0;
@@ -451,11 +455,11 @@ size_t cylint_tree_build(cylint_node *nodes, cylint_box *boxes, size_t n,
                  .least_step = least > tiny ? least : tiny,
                  .center = center,
                  .task_size = n / MOST_TASKS,
-                 .lock = CYLINT_CREW_LOCK,
+                 .lock = CYLINT_MUTEX_INITIALIZER,
                  .tasks = {{all, 0, 0}},
                  .n_tasks = 1};
-    cylint_crew_share(threads, (size_t)threads, do_tasks, &b);
-    cylint_crew_end(&b.lock);
+    cylint_threads_run(threads, (size_t)threads, do_tasks, &b);
+    cylint_mutex_destroy(&b.lock);
     return b.n_nodes;
 }
 
@@ -466,12 +470,12 @@ static uint32_t copy_below(cylint_node *to, uint32_t *n,
     cylint_node *node = &to[copied];
     *node = from[number];
     for (unsigned i = 0; node->children >> i; i++)
-        if (!(node->child[i] & CYLINT_LEAF))
+        if (!(node->child[i] & CYLINT_LEAF_FLAG))
             node->child[i] = copy_below(to, n, from, node->child[i]);
     return copied;
 }
 
-void cylint_tree_copy(cylint_node *to, const cylint_node *from)
+void cylint_build_compact(cylint_node *to, const cylint_node *from)
 {
     uint32_t n = 0;
     copy_below(to, &n, from, 0);

@@ -10,12 +10,12 @@
 /* The stems of so many boxes are brought together at a time: they lie here and
  * there, and the processor then waits for many at once.  (Prefetching them
  * showed no effect where every one needs an address translated.) */
-enum { TOGETHER = 4 * CYLINT_BLOCK };
+enum { TOGETHER = 4 * CYLINT_LEAF_SIZE };
 
 /* Pieces that are to become blocks. */
 typedef struct {
-    const cylint_cut *cut;
-    cylint_block *blocks;
+    const cylint_split *cut;
+    cylint_leaf *blocks;
     double blur;
 } filling;
 
@@ -23,24 +23,25 @@ typedef struct {
 static void fill_blocks(void *self, size_t from, size_t to)
 {
     const filling *f = self;
-    const cylint_cut *cut = f->cut;
-    cylint_stem stem[TOGETHER];
+    const cylint_split *cut = f->cut;
+    cylint_packed_disc stem[TOGETHER];
     for (size_t first = from * TOGETHER; from < to; from++, first += TOGETHER) {
         const size_t left = cut->n - first;
         const int n = left < TOGETHER ? (int)left : TOGETHER;
-        const cylint_box *box = cut->box + first;
+        const cylint_boxed_piece *box = cut->box + first;
         for (int i = 0; i < n; i++)
             stem[i] = cut->stem[box[i].stem];
-        for (int i = 0; i < n; i += CYLINT_BLOCK)
-            cylint_block_fill(
-                f->blocks + (first + (size_t)i) / CYLINT_BLOCK, stem + i,
-                box + i, n - i < CYLINT_BLOCK ? n - i : CYLINT_BLOCK, f->blur);
+        for (int i = 0; i < n; i += CYLINT_LEAF_SIZE)
+            cylint_leaf_fill(
+                f->blocks + (first + (size_t)i) / CYLINT_LEAF_SIZE, stem + i,
+                box + i, n - i < CYLINT_LEAF_SIZE ? n - i : CYLINT_LEAF_SIZE,
+                f->blur);
     }
 }
 
 /* Boxes, and nodes above them. */
 typedef struct {
-    cylint_cut cut;
+    cylint_split cut;
     cylint_memory memory; /* of the nodes */
     cylint_node *nodes;
     size_t n_nodes;
@@ -48,11 +49,11 @@ typedef struct {
 
 static size_t blocks_of(size_t boxes)
 {
-    return (boxes + CYLINT_BLOCK - 1) / CYLINT_BLOCK;
+    return (boxes + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE;
 }
 
 /* S being the longest side of the box of all: pad and near_by as in traverse.c. */
-static void measure(cylint_group *group, const cylint_extent *box, double blur)
+static void measure(cylint_bvh *group, const cylint_extent *box, double blur)
 {
     double longest = 0;
     for (int j = 0; j < 3; j++) {
@@ -67,68 +68,69 @@ static void measure(cylint_group *group, const cylint_extent *box, double blur)
 
 static void give_plan(plan *p)
 {
-    cylint_cut_free(&p->cut);
-    cylint_memory_give(&p->memory);
+    cylint_split_free(&p->cut);
+    cylint_memory_free(&p->memory);
 }
 
-static cylint_cut_status make_plan(plan *p, cylint_group *group,
-                                   const cylint_members *m, size_t *refused)
+static cylint_bvh_status make_plan(plan *p, cylint_bvh *group,
+                                   const cylint_bvh_input *m, size_t *refused)
 {
-    const cylint_cut_status cuts = cylint_cut_shapes(&p->cut, m, refused);
-    if (cuts != CYLINT_CUT_OK)
+    const cylint_bvh_status cuts = cylint_split_shapes(&p->cut, m, refused);
+    if (cuts != CYLINT_BVH_OK)
         return cuts;
     const size_t blocks = blocks_of(p->cut.n);
-    if (blocks >= CYLINT_LEAF ||
-        !cylint_memory_take(&p->memory, m->source,
-                            cylint_tree_most_nodes(blocks) * sizeof *p->nodes))
-        return CYLINT_CUT_EMEMORY;
+    if (blocks >= CYLINT_LEAF_FLAG ||
+        !cylint_memory_allocate(&p->memory, m->source,
+                                cylint_build_most_nodes(blocks) *
+                                    sizeof *p->nodes))
+        return CYLINT_BVH_EMEMORY;
     p->nodes = p->memory.data;
     measure(group, &p->cut.all, m->view->blur);
-    p->n_nodes = cylint_tree_build(p->nodes, p->cut.box, p->cut.n,
-                                   group->center, m->threads);
-    return CYLINT_CUT_OK;
+    p->n_nodes = cylint_build_nodes(p->nodes, p->cut.box, p->cut.n,
+                                    group->center, m->threads);
+    return CYLINT_BVH_OK;
 }
 
 /* What was planned, in no more room than it takes. */
-static cylint_cut_status carry_out(cylint_group *group, const plan *p,
-                                   const cylint_members *m)
+static cylint_bvh_status carry_out(cylint_bvh *group, const plan *p,
+                                   const cylint_bvh_input *m)
 {
     group->n = blocks_of(p->cut.n);
-    if (!cylint_memory_take(&group->memory, m->source,
-                            p->n_nodes * sizeof *p->nodes +
-                                group->n * sizeof(cylint_block)))
-        return CYLINT_CUT_EMEMORY;
+    if (!cylint_memory_allocate(&group->memory, m->source,
+                                p->n_nodes * sizeof *p->nodes +
+                                    group->n * sizeof(cylint_leaf)))
+        return CYLINT_BVH_EMEMORY;
     cylint_node *nodes = group->memory.data;
-    cylint_block *blocks = (cylint_block *)(void *)(nodes + p->n_nodes);
+    cylint_leaf *blocks = (cylint_leaf *)(void *)(nodes + p->n_nodes);
     filling all = {&p->cut, blocks, m->view->blur};
-    cylint_tree_copy(nodes, p->nodes);
-    cylint_crew_share(m->threads, (p->cut.n + TOGETHER - 1) / TOGETHER,
-                      fill_blocks, &all);
+    cylint_build_compact(nodes, p->nodes);
+    cylint_threads_run(m->threads, (p->cut.n + TOGETHER - 1) / TOGETHER,
+                       fill_blocks, &all);
     group->nodes = nodes;
     group->blocks = blocks;
-    return CYLINT_CUT_OK;
+    return CYLINT_BVH_OK;
 }
 
-cylint_cut_status cylint_group_make(cylint_group *group,
-                                    const cylint_members *members,
-                                    size_t *refused)
+cylint_bvh_status cylint_bvh_build(cylint_bvh *group,
+                                   const cylint_bvh_input *members,
+                                   size_t *refused)
 {
-    cylint_members m = *members;
+    cylint_bvh_input m = *members;
     plan p = {0};
     memset(group, 0, sizeof *group);
-    group->box = cylint_no_box();
+    group->box = cylint_extent_empty();
     if (m.n == 0)
-        return CYLINT_CUT_OK;
-    m.threads = cylint_crew_for(m.n, m.threads);
-    cylint_cut_status status = make_plan(&p, group, &m, refused);
-    if (status == CYLINT_CUT_OK)
+        return CYLINT_BVH_OK;
+    m.threads = cylint_threads_for(m.n, m.threads);
+    cylint_bvh_status status = make_plan(&p, group, &m, refused);
+    if (status == CYLINT_BVH_OK)
         status = carry_out(group, &p, &m);
     give_plan(&p);
     return status;
 }
 
-void cylint_group_free(cylint_group *group)
+void cylint_bvh_free(cylint_bvh *group)
 {
-    cylint_memory_give(&group->memory);
+    cylint_memory_free(&group->memory);
     memset(group, 0, sizeof *group);
 }

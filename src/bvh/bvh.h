@@ -11,9 +11,9 @@
 #include "split.h"
 #include "memory.h"
 
-typedef struct cylint_group {
+typedef struct cylint_bvh {
     cylint_memory memory; /* of the blocks and nodes */
-    const cylint_block *blocks;
+    const cylint_leaf *blocks;
     const cylint_node *nodes; /* above them, the first one first */
     size_t n;                 /* blocks; 0: there are no nodes */
     cylint_extent box;        /* of all, or of nothing */
@@ -21,18 +21,18 @@ typedef struct cylint_group {
     float pad;                /* what boxes may miss on each side, beside
                                   2^-20 of how far the line begins */
     float near_by;            /* how far from the centre that is not much */
-} cylint_group;
+} cylint_bvh;
 
 /*
- * Groups the shapes, by as many threads as are wanted (cylint_crew_for()),
+ * Groups the shapes, by as many threads as are wanted (cylint_threads_for()),
  * which all make of it the same.  Every piece of every shape is in one lane of
  * one block.  Where that is not OK nothing is left; *refused is the first
  * shape for ESHAPE.
  */
-cylint_cut_status cylint_group_make(cylint_group *group,
-                                    const cylint_members *members,
-                                    size_t *refused);
+cylint_bvh_status cylint_bvh_build(cylint_bvh *group,
+                                   const cylint_bvh_input *members,
+                                   size_t *refused);
 
-void cylint_group_free(cylint_group *group);
+void cylint_bvh_free(cylint_bvh *group);
 
 #endif

@@ -14,11 +14,11 @@ static int has_fma(void)
 }
 #endif
 
-const cylint_walks *cylint_walks_used(void)
+const cylint_traversal *cylint_traversal_used(void)
 {
 #ifdef CYLINT_BUILDS_X86
     if (has_fma())
-        return &cylint_walks_avx2;
+        return &cylint_traversal_avx2;
 #endif
-    return &cylint_walks_plain;
+    return &cylint_traversal_plain;
 }

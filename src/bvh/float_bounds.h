@@ -88,20 +88,20 @@ static inline cylint_extent cylint_float_box(const double lo[3],
 
 /* Boxes lie within this: FLT_LARGE of the sources of Embree, which drops,
  * without a word, primitives whose box does not, or is empty. */
-#define CYLINT_BOUNDS_MOST 1.844e18f
+#define CYLINT_EXTENT_MOST 1.844e18f
 
-static inline int cylint_keeps_box(const cylint_extent *box)
+static inline int cylint_extent_is_valid(const cylint_extent *box)
 {
     int keeps = 1;
     EACH(j, 3)
-        keeps &= (-CYLINT_BOUNDS_MOST < box->lower[j]) &
+        keeps &= (-CYLINT_EXTENT_MOST < box->lower[j]) &
                  (box->lower[j] <= box->upper[j]) &
-                 (box->upper[j] < CYLINT_BOUNDS_MOST);
+                 (box->upper[j] < CYLINT_EXTENT_MOST);
     return keeps;
 }
 
 /* That of nothing. */
-static inline cylint_extent cylint_no_box(void)
+static inline cylint_extent cylint_extent_empty(void)
 {
     return (cylint_extent){{HUGE_VALF, HUGE_VALF, HUGE_VALF},
                            {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF}};
@@ -114,8 +114,8 @@ static inline void cylint_extend_side(float *lower, float *upper, float lo,
     *upper = hi > *upper ? hi : *upper;
 }
 
-static inline void cylint_extend_box(cylint_extent *box,
-                                     const cylint_extent *by)
+static inline void cylint_extent_include(cylint_extent *box,
+                                         const cylint_extent *by)
 {
     EACH(j, 3)
         cylint_extend_side(&box->lower[j], &box->upper[j], by->lower[j],

@@ -21,7 +21,7 @@ static uint16_t steps_per_unit(double half)
     return cylint_half_below(REACH < most * half ? REACH / half : most);
 }
 
-static void place(cylint_block *block, const cylint_box *boxes, int used)
+static void place(cylint_leaf *block, const cylint_boxed_piece *boxes, int used)
 {
     double most = 0;
     for (int j = 0; j < 3; j++) {
@@ -52,7 +52,7 @@ static double moved(const double p[3])
     return sqrt(square);
 }
 
-static int store(cylint_block *block, int lane, const hull *h)
+static int store(cylint_leaf *block, int lane, const hull *h)
 {
     const double r = ceil(h->r + cylint_larger(moved(h->p[0]), moved(h->p[1])));
     for (int end = 0; end < 2; end++)
@@ -64,19 +64,20 @@ static int store(cylint_block *block, int lane, const hull *h)
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < 3; j++)
             block->p[end][lane] |=
-                (uint32_t)(CYLINT_MIDDLE + lrint(h->p[end][j]))
-                << j * CYLINT_P_BITS;
+                (uint32_t)(CYLINT_LEAF_MIDDLE + lrint(h->p[end][j]))
+                << j * CYLINT_LEAF_P_BITS;
     block->r[lane] = (uint16_t)(block->r[lane] | (int)r);
     return 1;
 }
 
 /* What is not steps: of the piece and of the shape's ends. */
-static void label(cylint_block *block, int lane, cylint_piece piece, int ends)
+static void label(cylint_leaf *block, int lane, cylint_piece piece, int ends)
 {
     const uint32_t more = (uint32_t)piece.count - 1;
     block->p[0][lane] = more << 30;
     block->p[1][lane] = more >> 2 << 30;
-    block->r[lane] = (uint16_t)((piece.index | ends << 4) << CYLINT_R_BITS);
+    block->r[lane] =
+        (uint16_t)((piece.index | ends << 4) << CYLINT_LEAF_R_BITS);
 }
 
 /*
@@ -98,10 +99,10 @@ static void label(cylint_block *block, int lane, cylint_piece piece, int ends)
  * that is less, x = across 2 e / (l - 2 e).  4 more, so that no lane is without
  * axis.
  */
-static int hold(cylint_block *block, int lane, const cylint_stem *s,
+static int hold(cylint_leaf *block, int lane, const cylint_packed_disc *s,
                 cylint_piece piece, double blur)
 {
-    const double steps = cylint_block_steps(block);
+    const double steps = cylint_leaf_steps(block);
     const double *base = s->base, *axis = s->axis;
     const double k0 = s->across[0], k1 = s->across[1];
     const double slant = cylint_float_of_half(s->slant);
@@ -132,14 +133,14 @@ static int hold(cylint_block *block, int lane, const cylint_stem *s,
     return rough < 1 && store(block, lane, &h);
 }
 
-void cylint_block_fill(cylint_block *block, const cylint_stem *stems,
-                       const cylint_box *boxes, int used, double blur)
+void cylint_leaf_fill(cylint_leaf *block, const cylint_packed_disc *stems,
+                      const cylint_boxed_piece *boxes, int used, double blur)
 {
     memset(block, 0, sizeof *block);
     place(block, boxes, used);
-    block->used = (uint8_t)(used | CYLINT_SOLID);
+    block->used = (uint8_t)(used | CYLINT_LEAF_SOLID);
     for (int lane = 0; lane < used; lane++) {
-        const cylint_stem *stem = stems + lane;
+        const cylint_packed_disc *stem = stems + lane;
         const cylint_piece piece = {boxes[lane].index, boxes[lane].count};
         block->number[lane] = stem->number;
         label(block, lane, piece, stem->ends);

@@ -78,8 +78,8 @@ static inline vf dot(const vf x[3], const vf y[3])
 
 static inline vf steps_of(vi p, int j)
 {
-    return f_from_bits(i_right(p, j * CYLINT_P_BITS), CYLINT_P_MASK) -
-           f_set(CYLINT_MIDDLE);
+    return f_from_bits(i_right(p, j * CYLINT_LEAF_P_BITS), CYLINT_LEAF_P_MASK) -
+           f_set(CYLINT_LEAF_MIDDLE);
 }
 
 static inline unsigned greater(vf x, vf y)
@@ -92,7 +92,7 @@ typedef struct {
     vf p[3], w[3], W, ww, r;
 } pieces;
 
-CYLINT_INLINE pieces pieces_of(const cylint_block *b, int from)
+CYLINT_INLINE pieces pieces_of(const cylint_leaf *b, int from)
 {
     pieces s;
     const vi base = i_load(b->p[0] + from), top = i_load(b->p[1] + from);
@@ -102,7 +102,7 @@ CYLINT_INLINE pieces pieces_of(const cylint_block *b, int from)
     }
     s.W = f_abs(s.w[0]) + f_abs(s.w[1]) + f_abs(s.w[2]);
     s.ww = dot(s.w, s.w);
-    s.r = f_from_bits(i_load_shorts(b->r + from), CYLINT_R_MASK);
+    s.r = f_from_bits(i_load_shorts(b->r + from), CYLINT_LEAF_R_MASK);
     return s;
 }
 
@@ -163,9 +163,9 @@ CYLINT_INLINE unsigned test_lanes(const pieces *s, const lane_line *l,
     return met & f_not_greater(begin, l->last * nn);
 }
 
-static inline unsigned lanes_in_use(const cylint_block *b)
+static inline unsigned lanes_in_use(const cylint_leaf *b)
 {
-    return (1u << cylint_block_used(b)) - 1;
+    return (1u << cylint_leaf_used(b)) - 1;
 }
 
 #ifdef CYLINT_COUNT_VISITS
@@ -179,7 +179,7 @@ static inline int count_lanes(unsigned lanes)
 #endif
 
 /* all: the pieces of all lanes, or NULL: they are not made yet. */
-CYLINT_INLINE unsigned test(const cylint_block *b, const pieces *all,
+CYLINT_INLINE unsigned test(const cylint_leaf *b, const pieces *all,
                             const lane_line *l, float *least, unsigned *sure)
 {
     unsigned met = 0, all_sure = 0;
@@ -190,7 +190,7 @@ CYLINT_INLINE unsigned test(const cylint_block *b, const pieces *all,
         met |= test_lanes(&here, l, least + lane, sure ? &some : NULL) << lane;
         all_sure |= some << lane;
         lane += WIDTH;
-    } while (lane < CYLINT_BLOCK && lane < cylint_block_used(b));
+    } while (lane < CYLINT_LEAF_SIZE && lane < cylint_leaf_used(b));
     met = (met | b->always) & lanes_in_use(b);
     if (sure)
         *sure = all_sure & met & ~(unsigned)b->always;
@@ -205,10 +205,10 @@ CYLINT_INLINE unsigned test(const cylint_block *b, const pieces *all,
 
 /* ------------------------------------------------------- from far: lines -- */
 
-static inline unsigned all_lanes(const cylint_block *b, double tmin,
+static inline unsigned all_lanes(const cylint_leaf *b, double tmin,
                                  double *least)
 {
-    for (int lane = 0; lane < cylint_block_used(b); lane++)
+    for (int lane = 0; lane < cylint_leaf_used(b); lane++)
         least[lane] = tmin;
     return lanes_in_use(b);
 }
@@ -230,14 +230,14 @@ static inline float clamp(double s)
  * less than 11 roundings of |o - c|, here 16.  Should q still be far, the line
  * misses: sizes of components are at most sqrt(3) of lengths.
  */
-static inline unsigned test_line(const cylint_block *b, const double o[3],
+static inline unsigned test_line(const cylint_leaf *b, const double o[3],
                                  const double d[3], double tmin, double tmax,
-                                 double least[CYLINT_BLOCK])
+                                 double least[CYLINT_LEAF_SIZE])
 {
     const double dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     if (!(dd > 0x1p-900 && dd < 0x1p900))
         return all_lanes(b, tmin, least);
-    const double steps = cylint_block_steps(b), length = sqrt(dd);
+    const double steps = cylint_leaf_steps(b), length = sqrt(dd);
     const double per_length = 1 / length;
     double from[3], along = 0, far = 0, apart = 0;
     lane_line l;
@@ -264,7 +264,7 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
         cylint_float_above((apart + (double)REACH_OF_PIECES) * 0x1p-20 + off));
     l.first = f_set(clamp((tmin * length + along) * steps - off));
     l.last = f_set(clamp((tmax * length + along) * steps + off));
-    float s[CYLINT_BLOCK] = {0};
+    float s[CYLINT_LEAF_SIZE] = {0};
     const unsigned met = test(b, NULL, &l, s, NULL);
     for (unsigned lanes = met; lanes; lanes &= lanes - 1) {
         const int lane = cylint_lowest(lanes);
@@ -279,14 +279,14 @@ static inline unsigned test_line(const cylint_block *b, const double o[3],
 
 /* ------------------------------------------------------- from near: rays -- */
 
-ASIDE unsigned test_far_ray(const cylint_block *b, const cylint_float_ray *ray,
-                            float least[CYLINT_BLOCK])
+ASIDE unsigned test_far_ray(const cylint_leaf *b, const cylint_float_ray *ray,
+                            float least[CYLINT_LEAF_SIZE])
 {
     const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
     const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
-    double t[CYLINT_BLOCK];
+    double t[CYLINT_LEAF_SIZE];
     const unsigned met = test_line(b, o, d, ray->tnear, ray->tfar, t);
-    for (int lane = 0; lane < cylint_block_used(b); lane++)
+    for (int lane = 0; lane < cylint_leaf_used(b); lane++)
         if (met >> lane & 1)
             least[lane] = cylint_float_below(t[lane]);
     return met;
@@ -310,9 +310,9 @@ static inline int is_fit(float E)
 
 /* The ray as it is: e = d, q = (o - c) steps, s = t times steps.  That is of
  * use if the ray is fit and what is returned less than FAR_LIMIT. */
-CYLINT_INLINE vf aim(const cylint_block *b, const ray_lanes *r, lane_line *l)
+CYLINT_INLINE vf aim(const cylint_leaf *b, const ray_lanes *r, lane_line *l)
 {
-    const float per_unit = cylint_block_steps(b);
+    const float per_unit = cylint_leaf_steps(b);
     const vf steps = f_set(per_unit);
     EACH(j, 3) {
         l->q[j] = (r->o[j] - f_set(b->center[j])) * steps;
@@ -327,9 +327,10 @@ CYLINT_INLINE vf aim(const cylint_block *b, const ray_lanes *r, lane_line *l)
     return far;
 }
 
-CYLINT_INLINE unsigned test_near_ray(const cylint_block *b, const pieces *all,
+CYLINT_INLINE unsigned test_near_ray(const cylint_leaf *b, const pieces *all,
                                      const lane_line *l,
-                                     float least[CYLINT_BLOCK], unsigned *sure)
+                                     float least[CYLINT_LEAF_SIZE],
+                                     unsigned *sure)
 {
     const unsigned met = test(b, all, l, least, sure);
     for (unsigned lanes = met & b->always; lanes; lanes &= lanes - 1)
@@ -338,9 +339,9 @@ CYLINT_INLINE unsigned test_near_ray(const cylint_block *b, const pieces *all,
 }
 
 /* sure: NULL, or as in test_lanes().  E: size_of() the ray. */
-CYLINT_INLINE unsigned test_ray(const cylint_block *b,
+CYLINT_INLINE unsigned test_ray(const cylint_leaf *b,
                                 const cylint_float_ray *ray, float E,
-                                float least[CYLINT_BLOCK], unsigned *sure)
+                                float least[CYLINT_LEAF_SIZE], unsigned *sure)
 {
     const ray_lanes r = {{f_set(ray->o[0]), f_set(ray->o[1]), f_set(ray->o[2])},
                          {f_set(ray->d[0]), f_set(ray->d[1]), f_set(ray->d[2])},

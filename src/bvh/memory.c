@@ -36,8 +36,8 @@ static void *take_from_heap(void *owner, size_t bytes, void **handle)
 
 static const cylint_memory_source heap = {NULL, take_from_heap, free};
 
-int cylint_memory_take(cylint_memory *memory,
-                       const cylint_memory_source *source, size_t bytes)
+int cylint_memory_allocate(cylint_memory *memory,
+                           const cylint_memory_source *source, size_t bytes)
 {
     const cylint_memory_source *from = source ? source : &heap;
     void *handle;
@@ -54,7 +54,7 @@ int cylint_memory_take(cylint_memory *memory,
     return 1;
 }
 
-void cylint_memory_give(cylint_memory *memory)
+void cylint_memory_free(cylint_memory *memory)
 {
     if (memory->data)
         memory->give(memory->handle);

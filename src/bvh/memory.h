@@ -23,10 +23,10 @@ typedef struct cylint_memory {
 
 /* bytes > 0, not initialised; source NULL: from malloc().  0 where it was
  * refused: *memory is none. */
-int cylint_memory_take(cylint_memory *memory,
-                       const cylint_memory_source *source, size_t bytes);
+int cylint_memory_allocate(cylint_memory *memory,
+                           const cylint_memory_source *source, size_t bytes);
 
 /* Gives it back; none: does nothing. */
-void cylint_memory_give(cylint_memory *memory);
+void cylint_memory_free(cylint_memory *memory);
 
 #endif

@@ -15,14 +15,14 @@
  * d.  near and far are x r, more and less what entries into boxes and exits
  * may be off by.
  */
-typedef struct cylint_way {
+typedef struct cylint_ray_state {
     float r[3], near[3], far[3];
     int entry[3];      /* the face by which it enters boxes: 0 or 1 */
     float first, last; /* t between; t here is that of the line ... */
     double t0, slop;   /* ... less t0, and may be off by so much */
-} cylint_way;
+} cylint_ray_state;
 
-typedef cylint_way way;
+typedef cylint_ray_state way;
 
 /* ---------------------------------------------------------------- boxes -- */
 
@@ -84,11 +84,12 @@ static inline uint64_t stop_at(uint32_t enter, uint32_t child)
     return (uint64_t)enter << 32 | child;
 }
 
-static inline void fetch(const cylint_group *group, uint32_t child)
+static inline void fetch(const cylint_bvh *group, uint32_t child)
 {
 #ifdef __GNUC__
-    if (child & CYLINT_LEAF) {
-        const char *block = (const char *)&group->blocks[child & ~CYLINT_LEAF];
+    if (child & CYLINT_LEAF_FLAG) {
+        const char *block =
+            (const char *)&group->blocks[child & ~CYLINT_LEAF_FLAG];
         __builtin_prefetch(block);
         __builtin_prefetch(block + 64);
     } else {
@@ -121,7 +122,7 @@ static inline float larger(float x, float y) /* fmaxf() is a call */
 }
 
 /* From x, of which components may be off by so much; group->pad is 16 u S. */
-static inline void start(way *w, const cylint_group *group, const double x[3],
+static inline void start(way *w, const cylint_bvh *group, const double x[3],
                          const double d[3], float off)
 {
     const float D[3] = {(float)d[0], (float)d[1], (float)d[2]};
@@ -143,7 +144,7 @@ static inline void start(way *w, const cylint_group *group, const double x[3],
 
 /* From where the line is nearest to the group's centre: floats of what is far
  * away are coarse.  x and t0 d are rounded, and so is their sum. */
-static void start_near(way *w, const cylint_group *group, const double x[3],
+static void start_near(way *w, const cylint_bvh *group, const double x[3],
                        const double d[3])
 {
     const double far = fabs(x[0]) + fabs(x[1]) + fabs(x[2]);
@@ -156,7 +157,7 @@ static void start_near(way *w, const cylint_group *group, const double x[3],
     start(w, group, near, d, cylint_float_above(0x1p-49 * far));
 }
 
-static inline void begin(way *w, const cylint_group *group, const double o[3],
+static inline void begin(way *w, const cylint_bvh *group, const double o[3],
                          const double d[3], double tmin, double tmax)
 {
     double x[3];
@@ -171,7 +172,7 @@ static inline void begin(way *w, const cylint_group *group, const double o[3],
     w->last = above(w, tmax);
 }
 
-static inline void begin_ray(way *w, const cylint_group *group,
+static inline void begin_ray(way *w, const cylint_bvh *group,
                              const cylint_float_ray *ray)
 {
     const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
@@ -180,7 +181,7 @@ static inline void begin_ray(way *w, const cylint_group *group,
 }
 
 /* Whether the domain ends outside the box of all: S is its longest side. */
-static inline int leaves(const cylint_group *group, const cylint_float_ray *ray)
+static inline int leaves(const cylint_bvh *group, const cylint_float_ray *ray)
 {
     const double S = (double)group->near_by / 256;
     const float o[3] = {ray->o[0], ray->o[1], ray->o[2]};

@@ -19,7 +19,7 @@ static int is_elliptic(const cylint_shape *s)
 /* x a + y b with x^2 + y^2 <= 1 reaches sqrt((a.v)^2 + (b.v)^2) along a unit
  * vector v, and across the axis as far as the larger eigenvalue of the Gram
  * matrix of what a and b have across it. */
-static void elliptic(cylint_trunk *t, double ww)
+static void elliptic(cylint_swept_disc *t, double ww)
 {
     double a[3], b[3];
     const double aw = dot(t->a, t->axis), bw = dot(t->b, t->axis);
@@ -37,7 +37,8 @@ static void elliptic(cylint_trunk *t, double ww)
         sqrt((aa + bb + sqrt(difference * difference + 4 * ab * ab)) / 2);
 }
 
-void cylint_trunk_of(cylint_trunk *t, const cylint_view *view, uint32_t number)
+void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
+                          uint32_t number)
 {
     const cylint_shape *s = view->shapes + number;
     const double scale = view->scale;
@@ -65,7 +66,7 @@ void cylint_trunk_of(cylint_trunk *t, const cylint_view *view, uint32_t number)
 
 /* A disc across the axis w reaches sqrt(1 - w_j^2 / ww) of its radius, which
  * is computed without the difference; all of it, where squares underflow. */
-void cylint_trunk_reach(const cylint_trunk *t, double reach[3])
+void cylint_swept_disc_reach(const cylint_swept_disc *t, double reach[3])
 {
     double square[3];
     for (int j = 0; j < 3; j++)
@@ -80,18 +81,19 @@ void cylint_trunk_reach(const cylint_trunk *t, double reach[3])
                 : 1;
 }
 
-cylint_stem cylint_stem_of(const cylint_trunk *t, const cylint_shape *shape,
-                           uint32_t number)
+cylint_packed_disc cylint_packed_disc_of(const cylint_swept_disc *t,
+                                         const cylint_shape *shape,
+                                         uint32_t number)
 {
-    return (cylint_stem){{t->base[0], t->base[1], t->base[2]},
-                         {t->axis[0], t->axis[1], t->axis[2]},
-                         {cylint_float_above(t->k[0] * t->across),
-                          cylint_float_above(t->k[1] * t->across)},
-                         cylint_half_above(t->along / t->across),
-                         (uint8_t)shape->ends,
-                         shape->kind == CYLINT_KIND_CYLINDER &&
-                             shape->ends == CYLINT_ENDS_CAPPED,
-                         number};
+    return (cylint_packed_disc){{t->base[0], t->base[1], t->base[2]},
+                                {t->axis[0], t->axis[1], t->axis[2]},
+                                {cylint_float_above(t->k[0] * t->across),
+                                 cylint_float_above(t->k[1] * t->across)},
+                                cylint_half_above(t->along / t->across),
+                                (uint8_t)shape->ends,
+                                shape->kind == CYLINT_KIND_CYLINDER &&
+                                    shape->ends == CYLINT_ENDS_CAPPED,
+                                number};
 }
 
 void cylint_piece_ends(cylint_piece piece, double z[2])
@@ -108,8 +110,8 @@ void cylint_piece_ends(cylint_piece piece, double z[2])
  * one sign, or no larger than what is summed up in `size`: the sides are moved
  * out by 2^-48 of that, and by what can underflow.
  */
-cylint_extent cylint_piece_box(const cylint_trunk *t, const double reach[3],
-                               cylint_piece piece)
+cylint_extent cylint_piece_box(const cylint_swept_disc *t,
+                               const double reach[3], cylint_piece piece)
 {
     double z[2], lo[3], hi[3];
     cylint_piece_ends(piece, z);
@@ -130,11 +132,11 @@ cylint_extent cylint_piece_box(const cylint_trunk *t, const double reach[3],
     return cylint_float_box(lo, hi);
 }
 
-cylint_extent cylint_trunk_box(const cylint_view *view, uint32_t number)
+cylint_extent cylint_swept_disc_box(const cylint_view *view, uint32_t number)
 {
-    cylint_trunk trunk;
+    cylint_swept_disc trunk;
     double reach[3];
-    cylint_trunk_of(&trunk, view, number);
-    cylint_trunk_reach(&trunk, reach);
+    cylint_swept_disc_of(&trunk, view, number);
+    cylint_swept_disc_reach(&trunk, reach);
     return cylint_piece_box(&trunk, reach, (cylint_piece){0, 1});
 }

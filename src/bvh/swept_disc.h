@@ -10,14 +10,14 @@
 #include "float_bounds.h"
 #include "cylint.h"
 
-typedef struct cylint_trunk {
+typedef struct cylint_swept_disc {
     double base[3], axis[3];
     double k[2];
     double across, along;
     double length;     /* of the axis */
     double a[3], b[3]; /* of elliptic shapes */
     int elliptic;
-} cylint_trunk;
+} cylint_swept_disc;
 
 /* Whether it looks like that. */
 static inline int cylint_is_bounded(const cylint_shape *s)
@@ -48,33 +48,34 @@ static inline cylint_view cylint_plain_view(const cylint_shape *shapes)
  * shapes lie here and there, and the shapes are large and the caller's, on
  * small pages.  Numbers that are rounded are no smaller than in the trunk.
  */
-typedef struct cylint_stem {
+typedef struct cylint_packed_disc {
     double base[3], axis[3];
     float across[2]; /* reach across the axis at z = 0 and 1 */
     uint16_t slant;  /* reach along it, in multiples of that: half a float */
     uint8_t ends;    /* cylint_ends */
     uint8_t solid;   /* 1: a cylinder with both caps */
     uint32_t number; /* of the shape */
-} cylint_stem;
+} cylint_packed_disc;
 
-cylint_stem cylint_stem_of(const cylint_trunk *trunk, const cylint_shape *shape,
-                           uint32_t number);
+cylint_packed_disc cylint_packed_disc_of(const cylint_swept_disc *trunk,
+                                         const cylint_shape *shape,
+                                         uint32_t number);
 
-void cylint_trunk_of(cylint_trunk *trunk, const cylint_view *view,
-                     uint32_t number);
+void cylint_swept_disc_of(cylint_swept_disc *trunk, const cylint_view *view,
+                          uint32_t number);
 
 /* The section at z reaches k(z) reach[j] from its centre along coordinate j. */
-void cylint_trunk_reach(const cylint_trunk *trunk, double reach[3]);
+void cylint_swept_disc_reach(const cylint_swept_disc *trunk, double reach[3]);
 
 /* z of the ends of a piece, and a box that holds it, a little longer: pieces
  * overlap by 2^-20 of their length, so that a z that is not quite right
  * still lies in the piece it seems to. */
 void cylint_piece_ends(cylint_piece piece, double z[2]);
-cylint_extent cylint_piece_box(const cylint_trunk *trunk, const double reach[3],
-                               cylint_piece piece);
+cylint_extent cylint_piece_box(const cylint_swept_disc *trunk,
+                               const double reach[3], cylint_piece piece);
 
 /* That of all of a shape. */
-cylint_extent cylint_trunk_box(const cylint_view *view, uint32_t number);
+cylint_extent cylint_swept_disc_box(const cylint_view *view, uint32_t number);
 
 /* The piece that z, in [0, 1], belongs to. */
 static inline int cylint_piece_at(double z, int count)

@@ -10,7 +10,7 @@
 /* One thread's share. */
 typedef struct {
     pthread_t thread;
-    cylint_crew_part *part;
+    cylint_thread_work *part;
     void *self;
     size_t from, to;
 } share;
@@ -22,10 +22,10 @@ static void *do_share(void *argument)
     return NULL;
 }
 
-void cylint_crew_share(int threads, size_t n, cylint_crew_part *part,
-                       void *self)
+void cylint_threads_run(int threads, size_t n, cylint_thread_work *part,
+                        void *self)
 {
-    share shares[CYLINT_CREW_MOST];
+    share shares[CYLINT_THREADS_MOST];
     const size_t each = n / (size_t)threads, more = n % (size_t)threads;
     int started = 1;
     for (size_t i = 0, from = 0; i < (size_t)threads; i++) {
@@ -51,26 +51,26 @@ static long smaller(long x, long y)
 /* For so many shapes, 3 ms of work, a thread is worth its making by far. */
 enum { LEAST_SHARE = 4096 };
 
-int cylint_crew_for(size_t n, int wanted)
+int cylint_threads_for(size_t n, int wanted)
 {
     const long most = wanted > 0 ? wanted : sysconf(_SC_NPROCESSORS_ONLN);
     const size_t busy = n / LEAST_SHARE;
     const long threads =
-        smaller(smaller(most, CYLINT_CREW_MOST),
-                busy < CYLINT_CREW_MOST ? (long)busy : CYLINT_CREW_MOST);
+        smaller(smaller(most, CYLINT_THREADS_MOST),
+                busy < CYLINT_THREADS_MOST ? (long)busy : CYLINT_THREADS_MOST);
     return threads > 1 ? (int)threads : 1;
 }
 
 #else
 
-void cylint_crew_share(int threads, size_t n, cylint_crew_part *part,
-                       void *self)
+void cylint_threads_run(int threads, size_t n, cylint_thread_work *part,
+                        void *self)
 {
     (void)threads;
     part(self, 0, n);
 }
 
-int cylint_crew_for(size_t n, int wanted)
+int cylint_threads_for(size_t n, int wanted)
 {
     (void)n;
     (void)wanted;

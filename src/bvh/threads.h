@@ -9,19 +9,19 @@
 
 #include <stddef.h>
 
-enum { CYLINT_CREW_MOST = 64 };
+enum { CYLINT_THREADS_MOST = 64 };
 
 /* How many of the wanted threads, 0 standing for one a processor, find enough
- * to do in n shapes; CYLINT_CREW_MOST at most. */
-int cylint_crew_for(size_t n, int wanted);
+ * to do in n shapes; CYLINT_THREADS_MOST at most. */
+int cylint_threads_for(size_t n, int wanted);
 
 /* Does [from, to) of n things. */
-typedef void cylint_crew_part(void *self, size_t from, size_t to);
+typedef void cylint_thread_work(void *self, size_t from, size_t to);
 
 /* All n, each once, by so many threads, of which the caller is one, and not by
  * so many if no more are to be had. */
-void cylint_crew_share(int threads, size_t n, cylint_crew_part *part,
-                       void *self);
+void cylint_threads_run(int threads, size_t n, cylint_thread_work *part,
+                        void *self);
 
 /* A lock for what the members of a crew share, and a bell to wait for under
  * it: waiting opens the lock, ringing wakes all. */
@@ -29,38 +29,38 @@ void cylint_crew_share(int threads, size_t n, cylint_crew_part *part,
 
 #include <pthread.h>
 
-typedef struct cylint_crew_lock {
+typedef struct cylint_mutex {
     pthread_mutex_t mutex;
     pthread_cond_t bell;
-} cylint_crew_lock;
+} cylint_mutex;
 
 /* Neither allocates where both are initialised so. */
-#define CYLINT_CREW_LOCK                                    \
+#define CYLINT_MUTEX_INITIALIZER                            \
     {                                                       \
         PTHREAD_MUTEX_INITIALIZER, PTHREAD_COND_INITIALIZER \
     }
 
-static inline void cylint_crew_enter(cylint_crew_lock *l)
+static inline void cylint_mutex_lock(cylint_mutex *l)
 {
     pthread_mutex_lock(&l->mutex);
 }
 
-static inline void cylint_crew_leave(cylint_crew_lock *l)
+static inline void cylint_mutex_unlock(cylint_mutex *l)
 {
     pthread_mutex_unlock(&l->mutex);
 }
 
-static inline void cylint_crew_wait(cylint_crew_lock *l)
+static inline void cylint_mutex_wait(cylint_mutex *l)
 {
     pthread_cond_wait(&l->bell, &l->mutex);
 }
 
-static inline void cylint_crew_ring(cylint_crew_lock *l)
+static inline void cylint_mutex_wake_all(cylint_mutex *l)
 {
     pthread_cond_broadcast(&l->bell);
 }
 
-static inline void cylint_crew_end(cylint_crew_lock *l)
+static inline void cylint_mutex_destroy(cylint_mutex *l)
 {
     pthread_cond_destroy(&l->bell);
     pthread_mutex_destroy(&l->mutex);
@@ -68,26 +68,26 @@ static inline void cylint_crew_end(cylint_crew_lock *l)
 
 #else
 
-typedef char cylint_crew_lock;
-#define CYLINT_CREW_LOCK 0
+typedef char cylint_mutex;
+#define CYLINT_MUTEX_INITIALIZER 0
 
-static inline void cylint_crew_enter(cylint_crew_lock *l)
+static inline void cylint_mutex_lock(cylint_mutex *l)
 {
     (void)l;
 }
-static inline void cylint_crew_leave(cylint_crew_lock *l)
+static inline void cylint_mutex_unlock(cylint_mutex *l)
 {
     (void)l;
 }
-static inline void cylint_crew_wait(cylint_crew_lock *l)
+static inline void cylint_mutex_wait(cylint_mutex *l)
 {
     (void)l;
 }
-static inline void cylint_crew_ring(cylint_crew_lock *l)
+static inline void cylint_mutex_wake_all(cylint_mutex *l)
 {
     (void)l;
 }
-static inline void cylint_crew_end(cylint_crew_lock *l)
+static inline void cylint_mutex_destroy(cylint_mutex *l)
 {
     (void)l;
 }

@@ -5,21 +5,21 @@
 
 #include "ray.h"
 
-#ifndef CYLINT_WALKS
-#define CYLINT_WALKS cylint_walks_plain
+#ifndef CYLINT_TRAVERSAL
+#define CYLINT_TRAVERSAL cylint_traversal_plain
 #endif
 
 /* What is still to be visited, the next one last: where it is entered (a key,
  * in the upper half), and which child it is.  As one number, for it cannot be
  * foreseen which is nearer, and what cannot must not be a branch. */
 typedef struct {
-    uint64_t stop[CYLINT_DEPTH * (CYLINT_CHILDREN - 1) + 1];
+    uint64_t stop[CYLINT_BVH_DEPTH * (CYLINT_CHILDREN - 1) + 1];
     int n;
 } stack;
 
 /* Keeps those met for later, nearer ones above, but the nearest one, which it
  * returns. */
-CYLINT_INLINE uint32_t nearest_of(stack *s, const cylint_group *group,
+CYLINT_INLINE uint32_t nearest_of(stack *s, const cylint_bvh *group,
                                   const cylint_node *node, unsigned met,
                                   const uint32_t enter[CYLINT_CHILDREN])
 {
@@ -57,9 +57,8 @@ CYLINT_INLINE unsigned children_met(const cylint_node *node, const way *w,
 
 /* The next block, or NULL.  Whoever asks for one before he looks at the last
  * finds that in the cache. */
-CYLINT_INLINE const cylint_block *next_block(stack *s,
-                                             const cylint_group *group,
-                                             const way *w)
+CYLINT_INLINE const cylint_leaf *next_block(stack *s, const cylint_bvh *group,
+                                            const way *w)
 {
     while (s->n > 0) {
         const uint64_t next = s->stop[--s->n];
@@ -67,9 +66,9 @@ CYLINT_INLINE const cylint_block *next_block(stack *s,
             continue;
         uint32_t child = (uint32_t)next;
         for (;;) {
-            if (child & CYLINT_LEAF) {
+            if (child & CYLINT_LEAF_FLAG) {
                 cylint_visited(blocks, 1);
-                return &group->blocks[child & ~CYLINT_LEAF];
+                return &group->blocks[child & ~CYLINT_LEAF_FLAG];
             }
             const cylint_node *node = &group->nodes[child];
             uint32_t enter[CYLINT_CHILDREN];
@@ -91,13 +90,14 @@ static inline void set_out(stack *s, const way *w, uint32_t child)
 
 /* From a child on.  A shape that holds a point of a line which ends outside is
  * met behind that point; `certain`: that is enough. */
-CYLINT_INLINE int walk_rays(const cylint_group *group, uint32_t child, way *w,
-                            const cylint_float_ray *ray, cylint_meet_ray *meet,
-                            void *self, int certain)
+CYLINT_INLINE int walk_rays(const cylint_bvh *group, uint32_t child, way *w,
+                            const cylint_float_ray *ray,
+                            cylint_ray_leaf_callback *meet, void *self,
+                            int certain)
 {
     const float E = size_of(ray);
-    const cylint_block *block, *next;
-    float least[CYLINT_BLOCK];
+    const cylint_leaf *block, *next;
+    float least[CYLINT_LEAF_SIZE];
     stack s;
     set_out(&s, w, child);
     for (next = next_block(&s, group, w); (block = next);) {
@@ -107,7 +107,7 @@ CYLINT_INLINE int walk_rays(const cylint_group *group, uint32_t child, way *w,
             test_ray(block, ray, E, least, certain ? &sure : NULL);
         if (!lanes)
             continue;
-        if (sure && block->used & CYLINT_SOLID)
+        if (sure && block->used & CYLINT_LEAF_SOLID)
             return 1;
         if (meet(self, block, lanes, least))
             return 0;
@@ -116,35 +116,35 @@ CYLINT_INLINE int walk_rays(const cylint_group *group, uint32_t child, way *w,
     return 0;
 }
 
-static void walk_ray(const cylint_group *group, const cylint_float_ray *ray,
-                     cylint_meet_ray *meet, void *self)
+static void walk_ray(const cylint_bvh *group, const cylint_float_ray *ray,
+                     cylint_ray_leaf_callback *meet, void *self)
 {
     way w;
     begin_ray(&w, group, ray);
     walk_rays(group, 0, &w, ray, meet, self, 0);
 }
 
-static int walk_shadow(const cylint_group *group, const cylint_float_ray *ray,
-                       cylint_meet_ray *meet, void *self)
+static int walk_shadow(const cylint_bvh *group, const cylint_float_ray *ray,
+                       cylint_ray_leaf_callback *meet, void *self)
 {
     way w;
     begin_ray(&w, group, ray);
     return walk_rays(group, 0, &w, ray, meet, self, leaves(group, ray));
 }
 
-static int walk_below(const cylint_group *group, uint32_t child, way *w,
-                      const cylint_float_ray *ray, cylint_meet_ray *meet,
-                      void *self, int certain)
+static int walk_below(const cylint_bvh *group, uint32_t child, way *w,
+                      const cylint_float_ray *ray,
+                      cylint_ray_leaf_callback *meet, void *self, int certain)
 {
     return walk_rays(group, child, w, ray, meet, self, certain);
 }
 
-static void walk_line(const cylint_group *group, const double o[3],
+static void walk_line(const cylint_bvh *group, const double o[3],
                       const double d[3], double tmin, const double *tmax,
-                      cylint_meet_line *meet, void *self)
+                      cylint_line_leaf_callback *meet, void *self)
 {
-    const cylint_block *block, *next;
-    double least[CYLINT_BLOCK];
+    const cylint_leaf *block, *next;
+    double least[CYLINT_LEAF_SIZE];
     way w;
     stack s;
     begin(&w, group, o, d, tmin, *tmax);
@@ -160,5 +160,5 @@ static void walk_line(const cylint_group *group, const double o[3],
     }
 }
 
-const cylint_walks CYLINT_WALKS = {walk_ray, walk_shadow, walk_below,
-                                   walk_line};
+const cylint_traversal CYLINT_TRAVERSAL = {walk_ray, walk_shadow, walk_below,
+                                           walk_line};

@@ -21,43 +21,47 @@ typedef struct cylint_float_ray {
  * larger than the least t of a hit.  May make *tmax of the
  * line or tfar of the ray less.  Not 0: that is enough.
  */
-typedef int cylint_meet_ray(void *self, const cylint_block *block,
-                            unsigned lanes, const float least[CYLINT_BLOCK]);
-typedef int cylint_meet_line(void *self, const cylint_block *block,
-                             unsigned lanes, const double least[CYLINT_BLOCK]);
+typedef int cylint_ray_leaf_callback(void *self, const cylint_leaf *block,
+                                     unsigned lanes,
+                                     const float least[CYLINT_LEAF_SIZE]);
+typedef int cylint_line_leaf_callback(void *self, const cylint_leaf *block,
+                                      unsigned lanes,
+                                      const double least[CYLINT_LEAF_SIZE]);
 
 /*
  * The ray; or o + t d in doubles, tmin <= t <= *tmax, d off by 2^-52 of its
  * length (the high parts of a segment's).  The group is not empty.
  */
-typedef void cylint_walk_ray(const cylint_group *group,
-                             const cylint_float_ray *ray, cylint_meet_ray *meet,
-                             void *self);
-typedef void cylint_walk_line(const cylint_group *group, const double o[3],
-                              const double d[3], double tmin,
-                              const double *tmax, cylint_meet_line *meet,
-                              void *self);
+typedef void cylint_traverse_ray(const cylint_bvh *group,
+                                 const cylint_float_ray *ray,
+                                 cylint_ray_leaf_callback *meet, void *self);
+typedef void cylint_traverse_line(const cylint_bvh *group, const double o[3],
+                                  const double d[3], double tmin,
+                                  const double *tmax,
+                                  cylint_line_leaf_callback *meet, void *self);
 
 /* Whether the ray certainly meets some shape: then it is not to be asked.  If
  * not, `meet` was told as above of what it may meet. */
-typedef int cylint_walk_shadow(const cylint_group *group,
-                               const cylint_float_ray *ray,
-                               cylint_meet_ray *meet, void *self);
+typedef int cylint_traverse_occluded(const cylint_bvh *group,
+                                     const cylint_float_ray *ray,
+                                     cylint_ray_leaf_callback *meet,
+                                     void *self);
 
 /* As these two, from a child of some node on; the way, which has begun, ends
  * where the ray does.  `certain`: whether that it is certain is sought. */
-struct cylint_way;
-typedef int cylint_walk_below(const cylint_group *group, uint32_t child,
-                              struct cylint_way *way,
-                              const cylint_float_ray *ray,
-                              cylint_meet_ray *meet, void *self, int certain);
+struct cylint_ray_state;
+typedef int cylint_traverse_subtree(const cylint_bvh *group, uint32_t child,
+                                    struct cylint_ray_state *way,
+                                    const cylint_float_ray *ray,
+                                    cylint_ray_leaf_callback *meet, void *self,
+                                    int certain);
 
-typedef struct cylint_walks {
-    cylint_walk_ray *ray;
-    cylint_walk_shadow *shadow;
-    cylint_walk_below *below;
-    cylint_walk_line *line;
-} cylint_walks;
+typedef struct cylint_traversal {
+    cylint_traverse_ray *ray;
+    cylint_traverse_occluded *shadow;
+    cylint_traverse_subtree *below;
+    cylint_traverse_line *line;
+} cylint_traversal;
 
 /* A build that counts what is visited (make bench-embree); not for several
  * threads. */
@@ -71,9 +75,9 @@ extern struct cylint_visits {
 #endif
 
 /* Those for this processor. */
-const cylint_walks *cylint_walks_used(void);
+const cylint_traversal *cylint_traversal_used(void);
 
 /* The builds. */
-extern const cylint_walks cylint_walks_plain, cylint_walks_avx2;
+extern const cylint_traversal cylint_traversal_plain, cylint_traversal_avx2;
 
 #endif

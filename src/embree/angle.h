@@ -10,14 +10,14 @@
 #include "../numbers/simd.h"
 
 /* One below 1 as a float below 1. */
-static inline float cylint_turn(double phi)
+static inline float cylint_angle_as_float(double phi)
 {
     const float v = (float)phi;
     return v < 1 ? v : 1 - FLT_EPSILON / 2;
 }
 
 /*
- * atan2(y, x) over 2 pi, in [0, 1], within CYLINT_TURN_ERROR; *per_far is 1
+ * atan2(y, x) over 2 pi, in [0, 1], within CYLINT_ATAN2_TURNS_ERROR; *per_far is 1
  * over the hypotenuse or, by up to a twelfth of it, less.
  *
  * What is left of the angle when signs and the order of x and y are known
@@ -26,9 +26,9 @@ static inline float cylint_turn(double phi)
  * less than the first term that is, 0.4142136^29 / (58 pi) turns.  With all
  * roundings, proved: tests/prove/turn.g.
  */
-#define CYLINT_TURN_ERROR 0x1.8bp-45
+#define CYLINT_ATAN2_TURNS_ERROR 0x1.8bp-45
 
-INLINE vd cylint_turns(vd y, vd x, vd *per_far)
+INLINE vd cylint_atan2_turns(vd y, vd x, vd *per_far)
 {
 #define TERM(n) v_set(0.15915494309189533577 / (n)) /* of 1 / (2 pi) */
     const vd c[14] = {TERM(1),   TERM(-3),  TERM(5),   TERM(-7), TERM(9),

@@ -14,7 +14,7 @@ typedef struct RTCRayQueryContext cylint_rtc_context;
 
 #define cylint_rtc_filter_hit(args, filter) \
     rtcInvokeIntersectFilterFromGeometry(args, filter)
-#define cylint_rtc_filter_shadow(args, filter) \
+#define cylint_rtc_filter_occluded(args, filter) \
     rtcInvokeOccludedFilterFromGeometry(args, filter)
 
 #define cylint_rtc_init(context) rtcInitRayQueryContext(context)
@@ -42,7 +42,8 @@ static inline void cylint_rtc_any(RTCScene scene, cylint_rtc_context *c,
 typedef struct RTCIntersectContext cylint_rtc_context;
 
 #define cylint_rtc_filter_hit(args, filter) rtcFilterIntersection(args, filter)
-#define cylint_rtc_filter_shadow(args, filter) rtcFilterOcclusion(args, filter)
+#define cylint_rtc_filter_occluded(args, filter) \
+    rtcFilterOcclusion(args, filter)
 
 #define cylint_rtc_init(context) rtcInitIntersectContext(context)
 #define cylint_rtc_nearest(scene, context, ray) \

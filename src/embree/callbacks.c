@@ -10,12 +10,13 @@ static void trace(query *q, unsigned primID, int *valid, void *packet,
                   unsigned N)
 {
     if (N == 1)
-        tell(valid, 0, cylint_trace_one(q, primID));
+        tell(valid, 0, cylint_trace_single(q, primID));
     else
         cylint_trace_packet(q, primID, valid, packet, N);
 }
 
-void cylint_embree_trace(const struct RTCIntersectFunctionNArguments *args)
+void cylint_embree_intersect_callback(
+    const struct RTCIntersectFunctionNArguments *args)
 {
     struct RTCRayHit *one = (struct RTCRayHit *)args->rayhit;
     query q;
@@ -26,7 +27,8 @@ void cylint_embree_trace(const struct RTCIntersectFunctionNArguments *args)
     trace(&q, args->primID, args->valid, args->rayhit, args->N);
 }
 
-void cylint_embree_shadow(const struct RTCOccludedFunctionNArguments *args)
+void cylint_embree_occluded_callback(
+    const struct RTCOccludedFunctionNArguments *args)
 {
     query q;
     begin(&q, args->geometryUserPtr, args->context, args->geomID);

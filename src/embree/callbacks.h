@@ -6,7 +6,9 @@
 
 #include "api.h"
 
-void cylint_embree_trace(const struct RTCIntersectFunctionNArguments *args);
-void cylint_embree_shadow(const struct RTCOccludedFunctionNArguments *args);
+void cylint_embree_intersect_callback(
+    const struct RTCIntersectFunctionNArguments *args);
+void cylint_embree_occluded_callback(
+    const struct RTCOccludedFunctionNArguments *args);
 
 #endif

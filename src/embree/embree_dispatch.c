@@ -13,22 +13,22 @@ static int has_fma(void)
 }
 #endif
 
-cylint_walk_packet *cylint_packet_used(void)
+cylint_traverse_packet *cylint_traverse_packet_used(void)
 {
 #ifdef CYLINT_BUILDS_X86
     if (has_fma())
-        return cylint_packet_avx2;
+        return cylint_traverse_packet_avx2;
 #endif
-    return cylint_packet_plain;
+    return cylint_traverse_packet_plain;
 }
 
-const cylint_quick_build *cylint_quick_used(void)
+const cylint_float_filter *cylint_float_filter_used(void)
 {
 #ifdef CYLINT_BUILDS_X86
     if (has_fma())
-        return &cylint_quick_fma;
+        return &cylint_float_filter_fma;
 #endif
-    return &cylint_quick_plain;
+    return &cylint_float_filter_plain;
 }
 
 #ifdef CYLINT_BUILDS_X86
@@ -40,13 +40,13 @@ static int has_avx512(void)
 }
 #endif
 
-cylint_quick_many *cylint_quick_many_build(int i)
+cylint_packet_filter *cylint_packet_filter_build(int i)
 {
 #ifdef CYLINT_BUILDS_X86
     if (has_avx512() && i-- == 0)
-        return cylint_quick_many_avx512;
+        return cylint_packet_filter_avx512;
     if (has_fma() && i-- == 0)
-        return cylint_quick_many_avx2;
+        return cylint_packet_filter_avx2;
 #endif
-    return i == 0 ? cylint_quick_many_plain : NULL;
+    return i == 0 ? cylint_packet_filter_plain : NULL;
 }

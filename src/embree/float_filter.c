@@ -8,32 +8,32 @@
 #define CYLINT_ONE_LANE
 #include "float_filter_lanes.h"
 
-static cylint_quick_verdict told(verdict v)
+static cylint_float_filter_result told(verdict v)
 {
-    return v.hit      ? CYLINT_QUICK_HIT
-           : v.unsure ? CYLINT_QUICK_UNSURE
-                      : CYLINT_QUICK_MISS;
+    return v.hit      ? CYLINT_FLOAT_FILTER_HIT
+           : v.unsure ? CYLINT_FLOAT_FILTER_UNSURE
+                      : CYLINT_FLOAT_FILTER_MISS;
 }
 
-static cylint_quick_verdict enter(cylint_quick *q,
-                                  const cylint_quick_subject *subject,
-                                  const cylint_quick_line *l,
-                                  cylint_quick_hit *at)
+static cylint_float_filter_result enter(
+    cylint_float_filter_state *q, const cylint_float_filter_target *subject,
+    const cylint_float_filter_ray *l, cylint_float_filter_hit *at)
 {
     const char *const shape_row = subject->shape;
     const char *const line_row = (const char *)l;
     const cut_shape shape = shape_of(&shape_row, subject->small);
     const cut_line line = line_of(&line_row);
     q->whole = subject->whole;
-    q->cap[0] = cylint_quick_has_cap(subject->ends, 0);
-    q->cap[1] = cylint_quick_has_cap(subject->ends, 1);
+    q->cap[0] = cylint_float_filter_has_cap(subject->ends, 0);
+    q->cap[1] = cylint_float_filter_has_cap(subject->ends, 1);
     const verdict is = crosses(q, &shape, &line);
     return told(is.hit ? stop(q, 0, at) : is);
 }
 
-static cylint_quick_verdict leave(const cylint_quick *q, cylint_quick_hit *at)
+static cylint_float_filter_result leave(const cylint_float_filter_state *q,
+                                        cylint_float_filter_hit *at)
 {
-    return q->crosses ? told(stop(q, 1, at)) : CYLINT_QUICK_MISS;
+    return q->crosses ? told(stop(q, 1, at)) : CYLINT_FLOAT_FILTER_MISS;
 }
 
 /* Whether |w[i]| < |w[j]|, which are equal but for their low parts. */
@@ -57,8 +57,8 @@ static int least_in_full(const cylint_shape *s)
     return first;
 }
 
-static int describe(const cylint_quick *q, const cylint_quick_hit *at,
-                    cylint_quick_floats *to)
+static int describe(const cylint_float_filter_state *q,
+                    const cylint_float_filter_hit *at, cylint_hit_floats *to)
 {
     int least[3];
     floats f;
@@ -69,7 +69,7 @@ static int describe(const cylint_quick *q, const cylint_quick_hit *at,
     }
     if (!describe_lanes(q, at, least, &f))
         return 0;
-    *to = (cylint_quick_floats){
+    *to = (cylint_hit_floats){
         (float)f.z,
         (float)f.phi,
         {(float)f.normal[0], (float)f.normal[1], (float)f.normal[2]}};
@@ -78,10 +78,11 @@ static int describe(const cylint_quick *q, const cylint_quick_hit *at,
 
 /* --------------------------------------------------------------- builds -- */
 
-#ifndef CYLINT_QUICK
-#define CYLINT_QUICK cylint_quick_plain
+#ifndef CYLINT_FLOAT_FILTER
+#define CYLINT_FLOAT_FILTER cylint_float_filter_plain
 
-void cylint_quick_shape_of(cylint_quick_shape *to, const cylint_shape *s)
+void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
+                                  const cylint_shape *s)
 {
     EACH(j, 3) {
         to->base[j] = s->base[j];
@@ -102,7 +103,8 @@ static int is_float(double x, float *to)
            (fabs(x) >= (double)FLT_MIN || cylint_sign(x) == 0);
 }
 
-int cylint_quick_small_of(cylint_quick_small *to, const cylint_shape *s)
+int cylint_float_filter_small_of(cylint_float_filter_small *to,
+                                 const cylint_shape *s)
 {
     int is = s->kind == CYLINT_KIND_CYLINDER || s->kind == CYLINT_KIND_CONE;
     EACH(j, 3)
@@ -115,4 +117,4 @@ int cylint_quick_small_of(cylint_quick_small *to, const cylint_shape *s)
 
 #endif
 
-const cylint_quick_build CYLINT_QUICK = {enter, leave, describe};
+const cylint_float_filter CYLINT_FLOAT_FILTER = {enter, leave, describe};

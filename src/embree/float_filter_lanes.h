@@ -26,14 +26,14 @@
 #include "angle.h"
 
 #if LANES == 1
-typedef cylint_quick question;
-typedef cylint_quick_hit hit;
+typedef cylint_float_filter_state question;
+typedef cylint_float_filter_hit hit;
 #else
 typedef struct {
-    CYLINT_QUICK_MEMBERS(vd, vm)
+    CYLINT_FLOAT_FILTER_MEMBERS(vd, vm)
 } question;
 typedef struct {
-    CYLINT_QUICK_HIT_MEMBERS(vd, vm)
+    CYLINT_FLOAT_FILTER_HIT_MEMBERS(vd, vm)
 } hit;
 #endif
 
@@ -52,12 +52,12 @@ INLINE cut_shape shape_of(const char *const row[LANES], int small)
 {
     vd x[8];
     if (!small) {
-        v_columns(row, offsetof(cylint_quick_shape, base), x);
-        v_columns(row, offsetof(cylint_quick_shape, axis[1]), x + 4);
+        v_columns(row, offsetof(cylint_float_filter_shape, base), x);
+        v_columns(row, offsetof(cylint_float_filter_shape, axis[1]), x + 4);
         return (cut_shape){{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
     }
-    v_columns_of_floats(row, offsetof(cylint_quick_small, base), x);
-    v_columns_of_floats(row, offsetof(cylint_quick_small, top), x + 4);
+    v_columns_of_floats(row, offsetof(cylint_float_filter_small, base), x);
+    v_columns_of_floats(row, offsetof(cylint_float_filter_small, top), x + 4);
     /* differences that were doubles are the same doubles again */
     return (cut_shape){{x[0], x[1], x[2]},
                        {x[4] - x[0], x[5] - x[1], x[6] - x[2]},
@@ -68,8 +68,8 @@ INLINE cut_shape shape_of(const char *const row[LANES], int small)
 INLINE cut_line line_of(const char *const row[LANES])
 {
     vd x[8];
-    v_columns(row, offsetof(cylint_quick_line, o), x);
-    v_columns(row, offsetof(cylint_quick_line, d[1]), x + 4);
+    v_columns(row, offsetof(cylint_float_filter_ray, o), x);
+    v_columns(row, offsetof(cylint_float_filter_ray, d[1]), x + 4);
     return (cut_line){{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
 }
 
@@ -510,11 +510,11 @@ INLINE vm describe_phi(const question *q, const hit *at, vd across_w, vd c,
                        vd *phi)
 {
     vd per_far;
-    const vd turn = cylint_turns(across_w, -c * q->W, &per_far);
+    const vd turn = cylint_atan2_turns(across_w, -c * q->W, &per_far);
     /* both are wrong by at most W e_c, so the angle by less than sqrt(2) / (2
      * pi) of that over the hypotenuse, 13/12 at most for per_far */
     const vd part = q->W * at->e_c * per_far;
-    const vd e = v_set(0.25) * part + v_set(CYLINT_TURN_ERROR);
+    const vd e = v_set(0.25) * part + v_set(CYLINT_ATAN2_TURNS_ERROR);
     const vm inside =
         m_and(v_lt(e, turn), v_lt(turn + e, v_set(1 - (double)FLT_EPSILON)));
     return m_and(m_and(v_lt(part, v_set(0.125)), inside),

@@ -41,11 +41,11 @@ static void box_of(const cylint_embree_data *data, size_t number, int step,
 {
     const cylint_shape *shape = data->shapes + number;
     if (data->moved) {
-        cylint_moving_bounds(shape, data->moved + number, step, box);
+        cylint_motion_bounds(shape, data->moved + number, step, box);
         return;
     }
     const cylint_view view = cylint_plain_view(data->shapes);
-    *box = cylint_trunk_box(&view, (uint32_t)number);
+    *box = cylint_swept_disc_box(&view, (uint32_t)number);
 }
 
 static void group_bounds(const struct RTCBoundsFunctionArguments *args)
@@ -69,14 +69,14 @@ static int check_shape(const cylint_embree_data *data, size_t i,
     if (i >= RTC_INVALID_GEOMETRY_ID || !cylint_is_bounded(shape) ||
         (data->moved && !cylint_is_bounded(data->moved + i)))
         return CYLINT_EMBREE_ESHAPE;
-    if (data->moved && !cylint_moves_into(shape, data->moved + i))
+    if (data->moved && !cylint_can_move_into(shape, data->moved + i))
         return CYLINT_EMBREE_EMOTION;
     for (int step = 0; step < (data->moved ? 2 : 1); step++) {
         cylint_extent box;
         box_of(data, i, step, &box);
-        if (!cylint_keeps_box(&box))
+        if (!cylint_extent_is_valid(&box))
             return CYLINT_EMBREE_ESHAPE;
-        cylint_extend_box(all, &box);
+        cylint_extent_include(all, &box);
     }
     return CYLINT_EMBREE_OK;
 }
@@ -100,7 +100,7 @@ static void take_box(cylint_embree_data *data, const cylint_extent *all)
 static int check_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
-    cylint_extent all = cylint_no_box();
+    cylint_extent all = cylint_extent_empty();
     for (size_t i = 0; i < data->n; i++) {
         const int status = check_shape(data, i, &all);
         if (status != CYLINT_EMBREE_OK)
@@ -114,7 +114,7 @@ static int ask_for_room(cylint_memory *memory, cylint_embree_data *data,
                         size_t bytes)
 {
     *memory = (cylint_memory){0};
-    return bytes == 0 || cylint_memory_take(memory, &data->source, bytes);
+    return bytes == 0 || cylint_memory_allocate(memory, &data->source, bytes);
 }
 
 /* What float_filter.c asks of the shapes, being made, in the order of `number`. */
@@ -122,38 +122,38 @@ typedef struct {
     const cylint_shape *shapes;
     const uint32_t *number;
     cylint_memory memory;
-    cylint_quick_shapes made;
-    cylint_crew_lock lock; /* of what is below */
-    int fits;              /* they are as small as they should be */
+    cylint_float_filter_shapes made;
+    cylint_mutex lock; /* of what is below */
+    int fits;          /* they are as small as they should be */
 } asking;
 
 static void copy_asked(void *self, size_t from, size_t to)
 {
     asking *a = self;
-    cylint_quick_small *small = a->memory.data;
-    cylint_quick_shape *large = a->memory.data;
+    cylint_float_filter_small *small = a->memory.data;
+    cylint_float_filter_shape *large = a->memory.data;
     size_t i = from;
     if (a->made.small)
-        while (i < to &&
-               cylint_quick_small_of(&small[i], &a->shapes[a->number[i]]))
+        while (i < to && cylint_float_filter_small_of(&small[i],
+                                                      &a->shapes[a->number[i]]))
             i++;
     else
         for (; i < to; i++)
-            cylint_quick_shape_of(&large[i], &a->shapes[a->number[i]]);
-    cylint_crew_enter(&a->lock);
+            cylint_float_filter_shape_of(&large[i], &a->shapes[a->number[i]]);
+    cylint_mutex_lock(&a->lock);
     a->fits &= i == to;
-    cylint_crew_leave(&a->lock);
+    cylint_mutex_unlock(&a->lock);
 }
 
 /* The shapes in the order in which blocks, which nobody uses yet, name them
  * first, and then their ranks in the blocks.  All ranks are UINT32_MAX. */
-static void name_by_rank(const cylint_group *group, uint32_t *rank,
+static void name_by_rank(const cylint_bvh *group, uint32_t *rank,
                          uint32_t *number)
 {
     uint32_t next = 0;
     for (size_t i = 0; i < group->n; i++) {
-        cylint_block *block = (cylint_block *)&group->blocks[i];
-        for (int lane = 0; lane < cylint_block_used(block); lane++) {
+        cylint_leaf *block = (cylint_leaf *)&group->blocks[i];
+        for (int lane = 0; lane < cylint_leaf_used(block); lane++) {
             uint32_t *here = &rank[block->number[lane]];
             if (*here == UINT32_MAX) {
                 number[next] = block->number[lane];
@@ -166,7 +166,7 @@ static void name_by_rank(const cylint_group *group, uint32_t *rank,
 
 /* What lies together in blocks is to lie together where it is asked.  0:
  * refused. */
-static int sort_by_blocks(cylint_memory *number, const cylint_group *group,
+static int sort_by_blocks(cylint_memory *number, const cylint_bvh *group,
                           cylint_embree_data *data)
 {
     const size_t bytes = data->n * sizeof(uint32_t);
@@ -178,7 +178,7 @@ static int sort_by_blocks(cylint_memory *number, const cylint_group *group,
         memset(rank.data, 0xff, bytes);
         name_by_rank(group, rank.data, number->data);
     }
-    cylint_memory_give(&rank);
+    cylint_memory_free(&rank);
     return made;
 }
 
@@ -186,17 +186,17 @@ static int sort_by_blocks(cylint_memory *number, const cylint_group *group,
 static int make_asked(asking *a, cylint_embree_data *data)
 {
     for (int small = 1; small >= 0; small--) {
-        const size_t size =
-            small ? sizeof(cylint_quick_small) : sizeof(cylint_quick_shape);
+        const size_t size = small ? sizeof(cylint_float_filter_small)
+                                  : sizeof(cylint_float_filter_shape);
         if (!ask_for_room(&a->memory, data, data->n * size))
             return 0;
-        a->made = (cylint_quick_shapes){a->memory.data, small};
+        a->made = (cylint_float_filter_shapes){a->memory.data, small};
         a->fits = 1;
-        cylint_crew_share(cylint_crew_for(data->n, data->threads), data->n,
-                          copy_asked, a);
+        cylint_threads_run(cylint_threads_for(data->n, data->threads), data->n,
+                           copy_asked, a);
         if (a->fits)
             break;
-        cylint_memory_give(&a->memory);
+        cylint_memory_free(&a->memory);
     }
     return 1;
 }
@@ -206,17 +206,17 @@ static int group_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
     const cylint_view view = cylint_plain_view(data->shapes);
-    asking asked = {.shapes = data->shapes, .lock = CYLINT_CREW_LOCK};
-    cylint_group group;
+    asking asked = {.shapes = data->shapes, .lock = CYLINT_MUTEX_INITIALIZER};
+    cylint_bvh group;
     size_t shape;
-    const cylint_members members = {.view = &view,
-                                    .n = data->n,
-                                    .threads = data->threads,
-                                    .source = &data->source};
-    switch (cylint_group_make(&group, &members, &shape)) {
-    case CYLINT_CUT_OK:
+    const cylint_bvh_input members = {.view = &view,
+                                      .n = data->n,
+                                      .threads = data->threads,
+                                      .source = &data->source};
+    switch (cylint_bvh_build(&group, &members, &shape)) {
+    case CYLINT_BVH_OK:
         break;
-    case CYLINT_CUT_ESHAPE:
+    case CYLINT_BVH_ESHAPE:
         return refused(problem, CYLINT_EMBREE_ESHAPE, shape);
     default:
         return refused(problem, CYLINT_EMBREE_EMEMORY, 0);
@@ -225,15 +225,15 @@ static int group_shapes(cylint_embree_data *data,
     int made = sort_by_blocks(&number, &group, data);
     asked.number = number.data;
     made = made && make_asked(&asked, data);
-    cylint_crew_end(&asked.lock);
+    cylint_mutex_destroy(&asked.lock);
     if (!made) {
-        cylint_memory_give(&number);
-        cylint_group_free(&group);
+        cylint_memory_free(&number);
+        cylint_bvh_free(&group);
         return refused(problem, CYLINT_EMBREE_EMEMORY, 0);
     }
-    cylint_group_free(&data->group);
-    cylint_memory_give(&data->asked_memory);
-    cylint_memory_give(&data->number_memory);
+    cylint_bvh_free(&data->group);
+    cylint_memory_free(&data->asked_memory);
+    cylint_memory_free(&data->number_memory);
     data->group = group;
     data->asked_memory = asked.memory;
     data->number_memory = number;
@@ -275,8 +275,8 @@ static void attach(RTCGeometry geometry, cylint_embree_data *data)
     rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
     rtcSetGeometryBoundsFunction(
         geometry, data->walk ? group_bounds : shape_bounds, NULL);
-    rtcSetGeometryIntersectFunction(geometry, cylint_embree_trace);
-    rtcSetGeometryOccludedFunction(geometry, cylint_embree_shadow);
+    rtcSetGeometryIntersectFunction(geometry, cylint_embree_intersect_callback);
+    rtcSetGeometryOccludedFunction(geometry, cylint_embree_occluded_callback);
 }
 
 static cylint_embree_data *new_data(RTCDevice device,
@@ -285,7 +285,7 @@ static cylint_embree_data *new_data(RTCDevice device,
 {
     const cylint_memory_source source = cylint_device_memory(device);
     cylint_memory self;
-    if (!cylint_memory_take(&self, &source, sizeof(cylint_embree_data)))
+    if (!cylint_memory_allocate(&self, &source, sizeof(cylint_embree_data)))
         return NULL;
     cylint_embree_data *data = self.data;
     *data = (cylint_embree_data){.self = self,
@@ -293,8 +293,8 @@ static cylint_embree_data *new_data(RTCDevice device,
                                  .shapes = shapes,
                                  .n = n,
                                  .threads = 1,
-                                 .quick = cylint_quick_used(),
-                                 .many = cylint_quick_many_build(0)};
+                                 .quick = cylint_float_filter_used(),
+                                 .many = cylint_packet_filter_build(0)};
     if (options) {
         data->moved = options->moved;
         data->how = options->how;
@@ -302,17 +302,17 @@ static cylint_embree_data *new_data(RTCDevice device,
         data->threads = options->threads > 1 ? options->threads : 1;
     }
     if (!(data->how & CYLINT_EMBREE_SINGLE) && !data->moved)
-        data->walk = cylint_walks_used();
+        data->walk = cylint_traversal_used();
     return data;
 }
 
 static void free_data(cylint_embree_data *data)
 {
     cylint_memory self = data->self;
-    cylint_group_free(&data->group);
-    cylint_memory_give(&data->asked_memory);
-    cylint_memory_give(&data->number_memory);
-    cylint_memory_give(&self);
+    cylint_bvh_free(&data->group);
+    cylint_memory_free(&data->asked_memory);
+    cylint_memory_free(&data->number_memory);
+    cylint_memory_free(&self);
 }
 
 static RTCGeometry make(RTCDevice device, const cylint_shape *shapes, size_t n,

@@ -24,16 +24,16 @@ typedef struct cylint_embree_data {
     double pad;        /* by which boxes are widened for Embree */
     unsigned how;
     void *user;
-    int threads;              /* to group the shapes */
-    const cylint_walks *walk; /* NULL: one shape a primitive */
-    const cylint_quick_build *quick;
-    cylint_quick_many *many;
-    cylint_group group;
+    int threads;                  /* to group the shapes */
+    const cylint_traversal *walk; /* NULL: one shape a primitive */
+    const cylint_float_filter *quick;
+    cylint_packet_filter *many;
+    cylint_bvh group;
     cylint_memory asked_memory; /* of what float_filter.c asks of shapes, by
                                      their ranks in the blocks of the group */
     cylint_memory number_memory;
     const uint32_t *number; /* of the shape, by its rank */
-    cylint_quick_shapes asked;
+    cylint_float_filter_shapes asked;
 } cylint_embree_data;
 
 #endif

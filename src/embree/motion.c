@@ -18,7 +18,7 @@ static int family(const cylint_shape *s)
                                              : s->kind;
 }
 
-int cylint_moves_into(const cylint_shape *at_0, const cylint_shape *at_1)
+int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1)
 {
     return family(at_0) == family(at_1) && at_0->ends == at_1->ends;
 }
@@ -107,7 +107,7 @@ static double reach(const disc *at, const disc *other, int j)
  * sides are moved out by 2^-21 M, twice the total of 5 2^-24 M, which leaves
  * room for the doubles and for rounding M.
  */
-void cylint_moving_bounds(const cylint_shape *at_0, const cylint_shape *at_1,
+void cylint_motion_bounds(const cylint_shape *at_0, const cylint_shape *at_1,
                           int step, cylint_extent *box)
 {
     double lo[3], hi[3];

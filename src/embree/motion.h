@@ -8,11 +8,11 @@
 #include "cylint_embree.h"
 
 /* Whether there are shapes between: same constructor, same ends. */
-int cylint_moves_into(const cylint_shape *at_0, const cylint_shape *at_1);
+int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1);
 
 /* The box at time 0 or 1 (step), such that boxes interpolated by Embree hold
  * the shape at every time. */
-void cylint_moving_bounds(const cylint_shape *at_0, const cylint_shape *at_1,
+void cylint_motion_bounds(const cylint_shape *at_0, const cylint_shape *at_1,
                           int step, cylint_extent *box);
 
 #endif

@@ -48,7 +48,7 @@ static int trace_of_packet(query *q, unsigned primID, void *packet, unsigned N,
     q->ray = &ray;
     if (q->nearest)
         q->hit = &hit;
-    if (!cylint_trace_one(q, primID))
+    if (!cylint_trace_single(q, primID))
         return 0;
     scatter(packet, &ray, RAY_WORDS, N, i);
     if (q->nearest)
@@ -60,49 +60,49 @@ static int trace_of_packet(query *q, unsigned primID, void *packet, unsigned N,
 
 /* The rays of a packet that are asked together. */
 typedef struct {
-    query query[CYLINT_PACKET];
-    struct RTCRay ray[CYLINT_PACKET];
-    struct RTCHit hit[CYLINT_PACKET];
-    const cylint_float_ray *floats[CYLINT_PACKET]; /* of the rays */
-    unsigned at[CYLINT_PACKET];                    /* in the packet */
+    query query[CYLINT_PACKET_MOST];
+    struct RTCRay ray[CYLINT_PACKET_MOST];
+    struct RTCHit hit[CYLINT_PACKET_MOST];
+    const cylint_float_ray *floats[CYLINT_PACKET_MOST]; /* of the rays */
+    unsigned at[CYLINT_PACKET_MOST];                    /* in the packet */
     int n;
 } bundle;
 
 /* Questions of several rays, one of each. */
 typedef struct {
-    cylint_quick_subject subject[CYLINT_PACKET];
-    const cylint_quick_line *line[CYLINT_PACKET];
-    query *asks[CYLINT_PACKET];
+    cylint_float_filter_target subject[CYLINT_PACKET_MOST];
+    const cylint_float_filter_ray *line[CYLINT_PACKET_MOST];
+    query *asks[CYLINT_PACKET_MOST];
     int n;
 } inquiry;
 
 static void add(inquiry *r, query *q)
 {
     r->subject[r->n] =
-        cylint_query_subject(q, q->block->number[q->lane], NULL, NULL);
+        cylint_ray_test_target(q, q->block->number[q->lane], NULL, NULL);
     r->line[r->n] = &q->line;
     r->asks[r->n++] = q;
 }
 
 static void ask_all_at_once(const inquiry *r)
 {
-    cylint_quick_answers answers;
+    cylint_packet_filter_results answers;
     const query *first = r->asks[0];
     if (r->n == 1) {
         query *q = r->asks[0];
-        q->met |= cylint_query_try(q, q->block->number[q->lane], 0);
+        q->met |= cylint_ray_test_shape(q, q->block->number[q->lane], 0);
         return;
     }
     first->data->many(r->subject, r->line, r->n, is_seen(first), &answers);
     for (int i = 0; i < r->n; i++)
-        r->asks[i]->met |= cylint_query_heed(r->asks[i], &answers, i);
+        r->asks[i]->met |= cylint_ray_test_accept(r->asks[i], &answers, i);
 }
 
 /* As try_lanes(), for rays side by side: the nearest lanes first of all. */
-static unsigned try_met(void *self, const cylint_met *met)
+static unsigned try_met(void *self, const cylint_packet_leaf *met)
 {
     bundle *b = self;
-    unsigned rays = met->rays, enough = 0, left[CYLINT_PACKET];
+    unsigned rays = met->rays, enough = 0, left[CYLINT_PACKET_MOST];
     for (unsigned of = rays; of; of &= of - 1) {
         const int k = cylint_lowest(of);
         left[k] = met->lanes[k];
@@ -172,8 +172,9 @@ static void trace_together(const query *q, unsigned rays, int *valid,
         tell(valid, i, 0);
     }
     if (b.n > 0)
-        certain = cylint_packet_used()(&q->data->group, b.floats, b.n,
-                                       q->any && !has_filters(q), try_met, &b);
+        certain = cylint_traverse_packet_used()(&q->data->group, b.floats, b.n,
+                                                q->any && !has_filters(q),
+                                                try_met, &b);
     for (int k = 0; k < b.n; k++) {
         if (certain >> k & 1)
             b.ray[k].tfar = -HUGE_VALF;
@@ -212,7 +213,7 @@ static int are_enough(unsigned rays, unsigned N)
 }
 
 /* Those that begin within an eighth of the shapes' box of the first one. */
-static unsigned neighbours(unsigned rays, const cylint_group *group,
+static unsigned neighbours(unsigned rays, const cylint_bvh *group,
                            const float *packet, unsigned N)
 {
     const float S = group->near_by / 256; /* its longest side */

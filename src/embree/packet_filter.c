@@ -8,8 +8,8 @@
 
 #include "float_filter_lanes.h"
 
-#ifndef CYLINT_QUICK_MANY
-#define CYLINT_QUICK_MANY cylint_quick_many_plain
+#ifndef CYLINT_PACKET_FILTER
+#define CYLINT_PACKET_FILTER cylint_packet_filter_plain
 #endif
 
 typedef struct {
@@ -17,8 +17,8 @@ typedef struct {
     vm cap[2], some; /* that there are */
 } rows;
 
-static rows rows_of(const cylint_quick_subject *subject,
-                    const cylint_quick_line *const *line, int n)
+static rows rows_of(const cylint_float_filter_target *subject,
+                    const cylint_float_filter_ray *const *line, int n)
 {
     rows r;
     unsigned cap[2] = {0, 0};
@@ -27,8 +27,9 @@ static rows rows_of(const cylint_quick_subject *subject,
         r.shape[i] = subject[k].shape;
         r.line[i] = (const char *)line[k];
         for (int top = 0; top < 2; top++)
-            cap[top] |= (unsigned)cylint_quick_has_cap(subject[k].ends, top)
-                        << i;
+            cap[top] |=
+                (unsigned)cylint_float_filter_has_cap(subject[k].ends, top)
+                << i;
     }
     r.cap[0] = m_from(cap[0]);
     r.cap[1] = m_from(cap[1]);
@@ -37,7 +38,7 @@ static rows rows_of(const cylint_quick_subject *subject,
 }
 
 static vm describe(const question *q, const hit *at, int from,
-                   cylint_quick_answers *to)
+                   cylint_packet_filter_results *to)
 {
     vm least[3];
     floats f;
@@ -51,7 +52,7 @@ static vm describe(const question *q, const hit *at, int from,
 }
 
 static void answer(const rows *r, int small, int from, int describes,
-                   cylint_quick_answers *to)
+                   cylint_packet_filter_results *to)
 {
     const cut_shape shape = shape_of(r->shape, small);
     const cut_line line = line_of(r->line);
@@ -77,9 +78,9 @@ static void answer(const rows *r, int small, int from, int describes,
                          << from;
 }
 
-void CYLINT_QUICK_MANY(const cylint_quick_subject subject[],
-                       const cylint_quick_line *const line[], int n,
-                       int describe, cylint_quick_answers *to)
+void CYLINT_PACKET_FILTER(const cylint_float_filter_target subject[],
+                          const cylint_float_filter_ray *const line[], int n,
+                          int describe, cylint_packet_filter_results *to)
 {
     to->hit = to->unsure = to->crosses = to->described = 0;
     for (int from = 0; from < n; from += LANES) {

@@ -10,9 +10,9 @@
 
 #include "../bvh/ray.h"
 
-#ifndef CYLINT_WALK_PACKET
-#define CYLINT_WALK_PACKET cylint_packet_plain
-#define CYLINT_WALKS cylint_walks_plain
+#ifndef CYLINT_TRAVERSE_PACKET
+#define CYLINT_TRAVERSE_PACKET cylint_traverse_packet_plain
+#define CYLINT_TRAVERSAL cylint_traversal_plain
 #endif
 
 typedef struct {
@@ -21,18 +21,19 @@ typedef struct {
 } stop;
 
 typedef struct {
-    stop stop[CYLINT_DEPTH * (CYLINT_CHILDREN - 1) + 1];
+    stop stop[CYLINT_BVH_DEPTH * (CYLINT_CHILDREN - 1) + 1];
     int n;
     unsigned active;  /* rays for which it is not enough yet */
     unsigned certain; /* that certainly meet something */
     unsigned fit;     /* see is_fit() */
     unsigned outside; /* that end there, if it is of use: see leaves() */
-    way w[CYLINT_PACKET];
-    float o[3][CYLINT_PACKET], d[3][CYLINT_PACKET];
-    float tnear[CYLINT_PACKET], tfar[CYLINT_PACKET], E[CYLINT_PACKET];
-    const cylint_group *group;
+    way w[CYLINT_PACKET_MOST];
+    float o[3][CYLINT_PACKET_MOST], d[3][CYLINT_PACKET_MOST];
+    float tnear[CYLINT_PACKET_MOST], tfar[CYLINT_PACKET_MOST],
+        E[CYLINT_PACKET_MOST];
+    const cylint_bvh *group;
     const cylint_float_ray *const *ray;
-    cylint_meet_packet *meet;
+    cylint_packet_leaf_callback *meet;
     void *self;
 } packet;
 
@@ -41,7 +42,7 @@ typedef struct {
          k##_of && (k = (unsigned)cylint_lowest(k##_of), 1); \
          k##_of &= k##_of - 1)
 
-static void finish(packet *p, const cylint_met *met)
+static void finish(packet *p, const cylint_packet_leaf *met)
 {
     p->active &= ~p->meet(p->self, met);
     EACH_RAY(k, met->rays)
@@ -61,12 +62,12 @@ static void be_certain(packet *p, unsigned k)
 
 typedef struct {
     packet *p;
-    cylint_met met;
+    cylint_packet_leaf met;
     unsigned ray;
 } loner;
 
-static int meet_alone(void *self, const cylint_block *block, unsigned lanes,
-                      const float least[CYLINT_BLOCK])
+static int meet_alone(void *self, const cylint_leaf *block, unsigned lanes,
+                      const float least[CYLINT_LEAF_SIZE])
 {
     loner *l = self;
     l->met.block = block;
@@ -82,8 +83,8 @@ static void go_alone(packet *p, unsigned k, uint32_t child)
     loner l;
     l.p = p;
     l.ray = k;
-    if (CYLINT_WALKS.below(p->group, child, &p->w[k], p->ray[k], meet_alone, &l,
-                           p->outside >> k & 1))
+    if (CYLINT_TRAVERSAL.below(p->group, child, &p->w[k], p->ray[k], meet_alone,
+                               &l, p->outside >> k & 1))
         be_certain(p, k);
 }
 
@@ -156,17 +157,17 @@ static inline int is_one(unsigned rays)
 }
 
 /* The next block that several rays may meet, and these; or NULL. */
-CYLINT_INLINE const cylint_block *next_block(packet *p, unsigned *rays)
+CYLINT_INLINE const cylint_leaf *next_block(packet *p, unsigned *rays)
 {
     while (p->n > 0) {
         stop next = p->stop[--p->n];
         next.rays = going(p, &next);
         while (next.rays) {
             const uint32_t child = (uint32_t)next.at;
-            if (child & CYLINT_LEAF) {
+            if (child & CYLINT_LEAF_FLAG) {
                 cylint_visited(blocks, 1);
                 *rays = next.rays;
-                return &p->group->blocks[child & ~CYLINT_LEAF];
+                return &p->group->blocks[child & ~CYLINT_LEAF_FLAG];
             }
             if (is_one(next.rays)) {
                 go_alone(p, (unsigned)cylint_lowest(next.rays), child);
@@ -188,18 +189,18 @@ CYLINT_INLINE const cylint_block *next_block(packet *p, unsigned *rays)
 
 /* As aim() has it of each ray. */
 typedef struct {
-    float q[3][CYLINT_PACKET], k[CYLINT_PACKET];
-    float first[CYLINT_PACKET], last[CYLINT_PACKET];
+    float q[3][CYLINT_PACKET_MOST], k[CYLINT_PACKET_MOST];
+    float first[CYLINT_PACKET_MOST], last[CYLINT_PACKET_MOST];
     float t_per_s;
 } lines;
 
 /* Returns bits of those for which it is of use. */
-CYLINT_INLINE unsigned aim_all(const packet *p, const cylint_block *block,
+CYLINT_INLINE unsigned aim_all(const packet *p, const cylint_leaf *block,
                                unsigned rays, lines *to)
 {
     unsigned near = 0;
-    to->t_per_s = 1 / cylint_block_steps(block);
-    for (int i = 0; i < CYLINT_PACKET; i += WIDTH) {
+    to->t_per_s = 1 / cylint_leaf_steps(block);
+    for (int i = 0; i < CYLINT_PACKET_MOST; i += WIDTH) {
         ray_lanes r;
         lane_line l;
         if (!(rays >> i & ((1u << WIDTH) - 1)))
@@ -237,14 +238,14 @@ CYLINT_INLINE lane_line line_of(const packet *p, const lines *all, unsigned k)
 }
 
 /* Which lanes the rays may meet.  Those that are certain of one are done. */
-CYLINT_INLINE void look_at(packet *p, const cylint_block *block, unsigned rays,
-                           cylint_met *met)
+CYLINT_INLINE void look_at(packet *p, const cylint_leaf *block, unsigned rays,
+                           cylint_packet_leaf *met)
 {
-    const int solid = block->used & CYLINT_SOLID;
-    pieces all[CYLINT_BLOCK / WIDTH];
+    const int solid = block->used & CYLINT_LEAF_SOLID;
+    pieces all[CYLINT_LEAF_SIZE / WIDTH];
     lines lines;
     const unsigned good = aim_all(p, block, rays, &lines);
-    for (int i = 0; i < CYLINT_BLOCK; i += WIDTH)
+    for (int i = 0; i < CYLINT_LEAF_SIZE; i += WIDTH)
         all[i / WIDTH] = pieces_of(block, i);
     met->block = block;
     met->rays = 0;
@@ -269,21 +270,22 @@ CYLINT_INLINE void look_at(packet *p, const cylint_block *block, unsigned rays,
 
 static void walk_together(packet *p)
 {
-    const cylint_block *block;
+    const cylint_leaf *block;
     unsigned some;
     p->stop[0] = (stop){stop_at(0, 0), p->active};
     p->n = 1;
     while ((block = next_block(p, &some))) {
-        cylint_met met;
+        cylint_packet_leaf met;
         look_at(p, block, some, &met);
         if (met.rays)
             finish(p, &met);
     }
 }
 
-unsigned CYLINT_WALK_PACKET(const cylint_group *group,
-                            const cylint_float_ray *const ray[], int n,
-                            int certain, cylint_meet_packet *meet, void *self)
+unsigned CYLINT_TRAVERSE_PACKET(const cylint_bvh *group,
+                                const cylint_float_ray *const ray[], int n,
+                                int certain, cylint_packet_leaf_callback *meet,
+                                void *self)
 {
     packet p;
     p.group = group;

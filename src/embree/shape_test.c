@@ -9,7 +9,7 @@
 #include "angle.h"
 
 /* The library's answer; none for a line that it refuses. */
-static int ask(const cylint_shape *shape, const cylint_quick_line *l,
+static int ask(const cylint_shape *shape, const cylint_float_filter_ray *l,
                unsigned want, cylint_answer *answer)
 {
     cylint_line line;
@@ -106,15 +106,15 @@ static int comes_first(const query *q, unsigned number,
 
 /* ------------------------------------------------------------ one shape -- */
 
-static cylint_quick_floats floats_of(const cylint_hit *at)
+static cylint_hit_floats floats_of(const cylint_hit *at)
 {
-    return (cylint_quick_floats){
+    return (cylint_hit_floats){
         (float)at->z,
-        cylint_turn(at->phi),
+        cylint_angle_as_float(at->phi),
         {(float)at->normal[0], (float)at->normal[1], (float)at->normal[2]}};
 }
 
-static void describe(const cylint_quick_floats *floats, struct RTCHit *hit)
+static void describe(const cylint_hit_floats *floats, struct RTCHit *hit)
 {
     hit->Ng_x = floats->normal[0];
     hit->Ng_y = floats->normal[1];
@@ -154,7 +154,7 @@ static int passes_filters(const query *q, struct RTCHit *hit)
     if (q->nearest)
         cylint_rtc_filter_hit(q->nearest, &filter);
     else
-        cylint_rtc_filter_shadow(q->any, &filter);
+        cylint_rtc_filter_occluded(q->any, &filter);
 #if CYLINT_EMBREE == 4
     if (valid && q->data->how & CYLINT_EMBREE_CONTEXT_FILTER) {
         const RTCFilterFunctionN also =
@@ -169,7 +169,7 @@ static int passes_filters(const query *q, struct RTCHit *hit)
 /* Offers a hit at t to the filters; takes it if they let it pass.  The hit is
  * written where it will stay, so that nothing waits for it to be read. */
 static int take(query *q, unsigned number, float t,
-                const cylint_quick_floats *floats)
+                const cylint_hit_floats *floats)
 {
     const float tfar = q->ray->tfar;
     struct RTCHit spare = {0}, *hit = q->nearest ? q->hit : &spare;
@@ -209,11 +209,11 @@ static int try_exactly(query *q, const cylint_shape *shape, unsigned number,
     const int n = ask(shape, &q->line, wanted(q), &answer);
     for (int i = first; i < n; i++) {
         const cylint_hit *at = &answer.hit[i];
-        if (q->block && !cylint_block_owns(q->block, q->lane, at->z))
+        if (q->block && !cylint_leaf_owns(q->block, q->lane, at->z))
             continue;
         if (q->nearest && !comes_first(q, number, &answer, i))
             return 0;
-        const cylint_quick_floats floats = floats_of(at);
+        const cylint_hit_floats floats = floats_of(at);
         if (take(q, number, rounded_up(at->t, q->ray->tfar), &floats))
             return 1;
     }
@@ -232,7 +232,7 @@ static int owned(const query *q, const place *hit)
 {
     if (!q->block)
         return 1;
-    const cylint_piece piece = cylint_block_piece(q->block, q->lane);
+    const cylint_piece piece = cylint_leaf_piece(q->block, q->lane);
     if (piece.count == 1)
         return 1;
     const int lowest = cylint_piece_at(hit->z - hit->z_error, piece.count);
@@ -260,10 +260,11 @@ static turnout judge(const query *q, const place *hit, float *t)
     return own == 2 || !certain || *t == q->ray->tfar ? UNCERTAIN : TAKEN;
 }
 
-static turnout try_hit(query *q, unsigned number, const cylint_quick *quick,
-                       const cylint_quick_hit *hit)
+static turnout try_hit(query *q, unsigned number,
+                       const cylint_float_filter_state *quick,
+                       const cylint_float_filter_hit *hit)
 {
-    cylint_quick_floats floats;
+    cylint_hit_floats floats;
     const place at = {hit->t, hit->t_error, hit->z, hit->z_error};
     float t;
     const turnout is = judge(q, &at, &t);
@@ -274,39 +275,39 @@ static turnout try_hit(query *q, unsigned number, const cylint_quick *quick,
     return take(q, number, t, &floats) ? TAKEN : ANOTHERS;
 }
 
-cylint_quick_subject cylint_query_subject(const query *q, unsigned rank,
-                                          cylint_shape *between,
-                                          cylint_quick_shape *room)
+cylint_float_filter_target cylint_ray_test_target(
+    const query *q, unsigned rank, cylint_shape *between,
+    cylint_float_filter_shape *room)
 {
     const unsigned number = number_of(q, rank);
     if (q->block)
-        return (cylint_quick_subject){
-            cylint_quick_at(&q->data->asked, rank), q->data->asked.small,
-            q->data->shapes + number, cylint_block_ends(q->block, q->lane)};
+        return (cylint_float_filter_target){
+            cylint_float_filter_at(&q->data->asked, rank), q->data->asked.small,
+            q->data->shapes + number, cylint_leaf_ends(q->block, q->lane)};
     const cylint_shape *whole =
         shape_at(q->data, number, q->ray->time, between);
-    cylint_quick_shape_of(room, whole);
-    return (cylint_quick_subject){room, 0, whole, whole->ends};
+    cylint_float_filter_shape_of(room, whole);
+    return (cylint_float_filter_target){room, 0, whole, whole->ends};
 }
 
-int cylint_query_try(query *q, unsigned rank, int left)
+int cylint_ray_test_shape(query *q, unsigned rank, int left)
 {
     const unsigned number = number_of(q, rank);
     cylint_shape between;
-    cylint_quick quick;
-    cylint_quick_hit hit;
-    cylint_quick_shape room;
-    const cylint_quick_subject subject =
-        cylint_query_subject(q, rank, &between, &room);
-    cylint_quick_verdict is =
+    cylint_float_filter_state quick;
+    cylint_float_filter_hit hit;
+    cylint_float_filter_shape room;
+    const cylint_float_filter_target subject =
+        cylint_ray_test_target(q, rank, &between, &room);
+    cylint_float_filter_result is =
         q->data->quick->enter(&quick, &subject, &q->line, &hit);
     for (int i = 0, before = 0; i < 2; i++) {
         if (i == 1)
             is = q->data->quick->leave(&quick, &hit);
-        if (is == CYLINT_QUICK_MISS)
+        if (is == CYLINT_FLOAT_FILTER_MISS)
             continue;
-        const turnout hits = is != CYLINT_QUICK_HIT ? UNCERTAIN
-                             : i < left             ? ANOTHERS
+        const turnout hits = is != CYLINT_FLOAT_FILTER_HIT ? UNCERTAIN
+                             : i < left                    ? ANOTHERS
                                         : try_hit(q, number, &quick, &hit);
         if (hits == UNCERTAIN)
             return try_exactly(q, subject.whole, number, before);
@@ -317,27 +318,28 @@ int cylint_query_try(query *q, unsigned rank, int left)
     return 0;
 }
 
-int cylint_query_heed(query *q, const cylint_quick_answers *a, int i)
+int cylint_ray_test_accept(query *q, const cylint_packet_filter_results *a,
+                           int i)
 {
     const unsigned rank = q->block->number[q->lane], bit = 1u << i;
     if (a->unsure & bit)
-        return cylint_query_try(q, rank, 0);
+        return cylint_ray_test_shape(q, rank, 0);
     if (!(a->hit & bit))
-        return a->crosses & bit ? cylint_query_try(q, rank, 1) : 0;
+        return a->crosses & bit ? cylint_ray_test_shape(q, rank, 1) : 0;
     const place at = {a->t[i], a->t_error[i], a->z[i], a->z_error[i]};
     float t;
     const turnout is = judge(q, &at, &t);
     if (is == BEHIND)
         return 0;
     if (is == UNCERTAIN || (is == TAKEN && is_seen(q) && !(a->described & bit)))
-        return cylint_query_try(q, rank, 0);
-    const cylint_quick_floats floats = {(float)a->float_z[i],
-                                        (float)a->phi[i],
-                                        {(float)a->normal[0][i],
-                                         (float)a->normal[1][i],
-                                         (float)a->normal[2][i]}};
+        return cylint_ray_test_shape(q, rank, 0);
+    const cylint_hit_floats floats = {(float)a->float_z[i],
+                                      (float)a->phi[i],
+                                      {(float)a->normal[0][i],
+                                       (float)a->normal[1][i],
+                                       (float)a->normal[2][i]}};
     return (is == TAKEN && take(q, number_of(q, rank), t, &floats)) ||
-           cylint_query_try(q, rank, 1);
+           cylint_ray_test_shape(q, rank, 1);
 }
 
 void cylint_embree_complete(struct RTCGeometryTy *geometry,
@@ -345,7 +347,7 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
 {
     const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
     const struct RTCRay *ray = &rayhit->ray;
-    cylint_quick_line line = line_of(ray);
+    cylint_float_filter_ray line = line_of(ray);
     cylint_shape between;
     cylint_answer answer;
     if (!(rayhit->hit.primID < data->n))
@@ -355,7 +357,7 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
                       &line, CYLINT_WANT_ALL, &answer);
     for (int i = 0; i < n; i++)
         if (rounded_up(answer.hit[i].t, ray->tfar) == ray->tfar) {
-            const cylint_quick_floats floats = floats_of(&answer.hit[i]);
+            const cylint_hit_floats floats = floats_of(&answer.hit[i]);
             describe(&floats, &rayhit->hit);
             return;
         }

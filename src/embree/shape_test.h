@@ -15,21 +15,21 @@
 #include "geometry.h"
 
 /* One ray at one primitive; line and lane are set when they are needed. */
-typedef struct cylint_query {
+typedef struct cylint_ray_test {
     const cylint_embree_data *data;
     const struct RTCIntersectFunctionNArguments *nearest; /* one of them ... */
     const struct RTCOccludedFunctionNArguments *any;      /* ... is NULL */
     cylint_rtc_context *context;
     unsigned geomID;
     struct RTCRay *ray;
-    struct RTCHit *hit;        /* of nearest */
-    cylint_quick_line line;    /* the ray */
-    const cylint_block *block; /* NULL: one shape a primitive */
+    struct RTCHit *hit;           /* of nearest */
+    cylint_float_filter_ray line; /* the ray */
+    const cylint_leaf *block;     /* NULL: one shape a primitive */
     int lane;
     int met; /* something was, and was taken */
-} cylint_query;
+} cylint_ray_test;
 
-typedef cylint_query query;
+typedef cylint_ray_test query;
 
 /* Sets the pointers; clearing all of a query takes longer than a block does. */
 static inline void begin(query *q, const cylint_embree_data *data,
@@ -54,13 +54,13 @@ static inline int is_line(const struct RTCRay *r)
     return none >= 0 && any > 0 && r->tnear <= r->tfar;
 }
 
-static inline cylint_quick_line line_of(const struct RTCRay *ray)
+static inline cylint_float_filter_ray line_of(const struct RTCRay *ray)
 {
-    return (cylint_quick_line){{ray->org_x, ray->org_y, ray->org_z},
-                               {ray->dir_x, ray->dir_y, ray->dir_z},
-                               ray->tnear,
-                               HUGE_VAL,
-                               ray->tfar};
+    return (cylint_float_filter_ray){{ray->org_x, ray->org_y, ray->org_z},
+                                     {ray->dir_x, ray->dir_y, ray->dir_z},
+                                     ray->tnear,
+                                     HUGE_VAL,
+                                     ray->tfar};
 }
 
 /* Whether the ray is a line; if so, it is the query's. */
@@ -113,28 +113,29 @@ static inline unsigned number_of(const query *q, unsigned rank)
 
 /* The shape as the ray finds it: of the lane or, in `room`, of the primitive,
  * which may move and is then between two. */
-cylint_quick_subject cylint_query_subject(const query *q, unsigned rank,
-                                          cylint_shape *between,
-                                          cylint_quick_shape *room);
+cylint_float_filter_target cylint_ray_test_target(
+    const query *q, unsigned rank, cylint_shape *between,
+    cylint_float_filter_shape *room);
 
 /* 1 if the ray hits the shape and takes the hit.  Not where it enters the shape
  * if `left`: then it has been asked about that. */
-int cylint_query_try(query *q, unsigned rank, int left);
+int cylint_ray_test_shape(query *q, unsigned rank, int left);
 
 /* The same of the lane's shape, question i of those that were answered. */
-int cylint_query_heed(query *q, const cylint_quick_answers *answers, int i);
+int cylint_ray_test_accept(query *q,
+                           const cylint_packet_filter_results *answers, int i);
 
 /* ---------------------------------------------------------------- lanes -- */
 
 /* In line: GCC takes a function that does no more for one without effect, and
  * leaves its calls out. */
 CYLINT_INLINE void fetch_shapes(const cylint_embree_data *data,
-                                const cylint_block *block, unsigned lanes)
+                                const cylint_leaf *block, unsigned lanes)
 {
 #ifdef __GNUC__
     for (; lanes; lanes &= lanes - 1)
-        __builtin_prefetch(
-            cylint_quick_at(&data->asked, block->number[cylint_lowest(lanes)]));
+        __builtin_prefetch(cylint_float_filter_at(
+            &data->asked, block->number[cylint_lowest(lanes)]));
 #else
     (void)data;
     (void)block;
@@ -154,7 +155,7 @@ static inline int nearest_lane(unsigned lanes, const float *least)
 
 /* Turns to the nearest of the lanes, which it takes out of them; 0: it cannot
  * come first, nor can any other. */
-CYLINT_INLINE int turn_to_nearest(query *q, const cylint_block *block,
+CYLINT_INLINE int turn_to_nearest(query *q, const cylint_leaf *block,
                                   unsigned *lanes, const float *least)
 {
     const int lane = nearest_lane(*lanes, least);

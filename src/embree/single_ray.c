@@ -6,25 +6,25 @@
 #include "single_ray.h"
 
 /* The lanes the ray may meet, nearest first, until none can come first. */
-static int try_lanes(void *self, const cylint_block *block, unsigned lanes,
-                     const float least[CYLINT_BLOCK])
+static int try_lanes(void *self, const cylint_leaf *block, unsigned lanes,
+                     const float least[CYLINT_LEAF_SIZE])
 {
     query *q = self;
     fetch_shapes(q->data, block, lanes);
     while (lanes && turn_to_nearest(q, block, &lanes, least)) {
-        q->met |= cylint_query_try(q, block->number[q->lane], 0);
+        q->met |= cylint_ray_test_shape(q, block->number[q->lane], 0);
         if (q->met && q->any)
             return 1;
     }
     return 0;
 }
 
-int cylint_trace_one(query *q, unsigned primID)
+int cylint_trace_single(query *q, unsigned primID)
 {
     if (!is_set_out(q))
         return 0;
     if (!q->data->walk)
-        return cylint_query_try(q, primID, 0);
+        return cylint_ray_test_shape(q, primID, 0);
     const cylint_float_ray *ray = floats_of_ray(q->ray);
     if (q->any && !has_filters(q)) {
         if (q->data->walk->shadow(&q->data->group, ray, try_lanes, q)) {

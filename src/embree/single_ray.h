@@ -7,6 +7,6 @@
 #include "shape_test.h"
 
 /* 1 if the ray, of which all pointers are set, takes a hit. */
-int cylint_trace_one(query *q, unsigned primID);
+int cylint_trace_single(query *q, unsigned primID);
 
 #endif

@@ -76,27 +76,27 @@ static void clip(const cylint_frame *f, const cylint_line *line, double size,
  * which errs by less than 2^-102 of |o - center| + |e d| (error_bounds.h), so by
  * 2^-52 of the frame where these are at most 2^50 of it; the last rounding
  * adds as much, and the direction, off by 2^-52 over a length of at most 2.5,
- * less than 2^-50 with both: CYLINT_FRAME_BLUR but for the direction, of
+ * less than 2^-50 with both: CYLINT_FRAME_ERROR but for the direction, of
  * which whoever uses it knows.
  *
  * e is too early by 2^-50 of itself: a line from very far would begin far
  * outside; hence the limits on o and length.
  */
-cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
-                                       const cylint_line *line,
-                                       cylint_frame_ray *ray)
+cylint_frame_status cylint_frame_line(const cylint_frame *frame,
+                                      const cylint_line *line,
+                                      cylint_frame_ray *ray)
 {
     double to;
     if (!line->valid)
-        return CYLINT_FRAME_PASSED;
+        return CYLINT_FRAME_MISSED;
     const double size = largest(line->d);
     if (!(size <= CYLINT_FRAME_MOST) || !(size >= CYLINT_FRAME_LEAST) ||
         !(largest(line->o) <= CYLINT_FRAME_MOST) ||
         is_lopsided(line->d, size) || !cylint_rounds_to_nearest())
-        return CYLINT_FRAME_WILD;
+        return CYLINT_FRAME_UNUSABLE;
     clip(frame, line, size, &ray->entry, &to);
     if (ray->entry > to)
-        return CYLINT_FRAME_PASSED;
+        return CYLINT_FRAME_MISSED;
     ray->per_t = size * frame->scale;
     for (int j = 0; j < 3; j++) {
         const pair from = two_diff(line->o[j], frame->center[j]);
@@ -106,10 +106,10 @@ cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
         ray->d[j] = line->d[j] / size;
         const double far = (fabs(from.hi) + fabs(step.hi)) * frame->scale;
         if (!(fabs(ray->o[j]) < 2) || !(far <= 0x1p50))
-            return CYLINT_FRAME_WILD;
+            return CYLINT_FRAME_UNUSABLE;
     }
     ray->length = cylint_frame_reach(ray, to);
-    return ray->length <= 2.5 ? CYLINT_FRAME_ENTERED : CYLINT_FRAME_WILD;
+    return ray->length <= 2.5 ? CYLINT_FRAME_ENTERED : CYLINT_FRAME_UNUSABLE;
 }
 
 /* Such a root is below the double after t.  Difference and products err by

@@ -29,24 +29,24 @@ typedef struct {
 } cylint_frame_ray;
 
 /* How far such a ray may be from its line, while still in doubles. */
-#define CYLINT_FRAME_BLUR 0x1p-50
+#define CYLINT_FRAME_ERROR 0x1p-50
 
 typedef enum {
-    CYLINT_FRAME_PASSED,  /* the line has no point in the frame's box */
+    CYLINT_FRAME_MISSED,  /* the line has no point in the frame's box */
     CYLINT_FRAME_ENTERED, /* the ray is made */
-    CYLINT_FRAME_WILD     /* no ray is certainly near enough */
-} cylint_frame_verdict;
+    CYLINT_FRAME_UNUSABLE /* no ray is certainly near enough */
+} cylint_frame_status;
 
 /* The frame that holds the box.  0 if it cannot be framed. */
 int cylint_frame_make(cylint_frame *frame, const double lo[3],
                       const double hi[3]);
 
 /* Every point of the line's domain within the frame's box is within
- * CYLINT_FRAME_BLUR of the ray's point at its s; d is off by 2^-52 of
+ * CYLINT_FRAME_ERROR of the ray's point at its s; d is off by 2^-52 of
  * itself. */
-cylint_frame_verdict cylint_frame_line(const cylint_frame *frame,
-                                       const cylint_line *line,
-                                       cylint_frame_ray *ray);
+cylint_frame_status cylint_frame_line(const cylint_frame *frame,
+                                      const cylint_line *line,
+                                      cylint_frame_ray *ray);
 
 /* What is not below the s of any root that rounds to t or less. */
 double cylint_frame_reach(const cylint_frame_ray *ray, double t);

@@ -24,9 +24,9 @@ struct cylint_scene {
     const cylint_shape *shapes;
     size_t n;
     cylint_frame frame;
-    cylint_view view;   /* the shapes in the frame */
-    cylint_group group; /* of the boxed ones */
-    cylint_walk_line *walk;
+    cylint_view view; /* the shapes in the frame */
+    cylint_bvh group; /* of the boxed ones */
+    cylint_traverse_line *walk;
     uint32_t *boxed; /* the numbers of the shapes in the hierarchy, or
                               NULL: all */
     uint32_t *loose; /* and of those beside it, ascending */
@@ -93,8 +93,8 @@ static void *keep(cylint_scene *s, size_t count, size_t size)
 /* What is to be known of all shapes, and of whom. */
 typedef struct {
     const cylint_shape *shapes;
-    cylint_crew_lock lock; /* of what is below */
-    double lo[3], hi[3];   /* about those that have boxes */
+    cylint_mutex lock;   /* of what is below */
+    double lo[3], hi[3]; /* about those that have boxes */
     size_t boxed, valid;
 } census;
 
@@ -122,22 +122,23 @@ static void count_shapes(void *self, size_t from, size_t to)
         boxed++;
         extend(lo, hi, least, most);
     }
-    cylint_crew_enter(&all->lock);
+    cylint_mutex_lock(&all->lock);
     extend(all->lo, all->hi, lo, hi);
     all->boxed += boxed;
     all->valid += valid;
-    cylint_crew_leave(&all->lock);
+    cylint_mutex_unlock(&all->lock);
 }
 
 /* The frame of all that have boxes, none if it cannot be made. */
 static void make_frame(cylint_scene *s, int threads)
 {
     census all = {.shapes = s->shapes,
-                  .lock = CYLINT_CREW_LOCK,
+                  .lock = CYLINT_MUTEX_INITIALIZER,
                   .lo = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
                   .hi = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-    cylint_crew_share(cylint_crew_for(s->n, threads), s->n, count_shapes, &all);
-    cylint_crew_end(&all.lock);
+    cylint_threads_run(cylint_threads_for(s->n, threads), s->n, count_shapes,
+                       &all);
+    cylint_mutex_destroy(&all.lock);
     if (all.boxed > 0 && cylint_frame_make(&s->frame, all.lo, all.hi))
         s->n_boxed = all.boxed;
     s->n_loose = all.valid - s->n_boxed;
@@ -178,17 +179,17 @@ static int sort_shapes(cylint_scene *s)
 static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
 {
     size_t refused; /* none: all have boxes */
-    s->walk = cylint_walks_used()->line;
+    s->walk = cylint_traversal_used()->line;
     s->view = (cylint_view){
         s->shapes,
         {s->frame.center[0], s->frame.center[1], s->frame.center[2]},
         s->frame.scale,
-        CYLINT_FRAME_BLUR};
-    const cylint_members members = {.view = &s->view,
-                                    .numbers = s->boxed,
-                                    .n = s->n_boxed,
-                                    .threads = threads};
-    return cylint_group_make(&s->group, &members, &refused) == CYLINT_CUT_OK
+        CYLINT_FRAME_ERROR};
+    const cylint_bvh_input members = {.view = &s->view,
+                                      .numbers = s->boxed,
+                                      .n = s->n_boxed,
+                                      .threads = threads};
+    return cylint_bvh_build(&s->group, &members, &refused) == CYLINT_BVH_OK
                ? CYLINT_SCENE_OK
                : CYLINT_SCENE_EMEMORY;
 }
@@ -226,7 +227,7 @@ void cylint_scene_free(cylint_scene *scene)
 {
     if (!scene)
         return;
-    cylint_group_free(&scene->group);
+    cylint_bvh_free(&scene->group);
     free(scene->boxed);
     free(scene->loose);
     free(scene->copies);
@@ -367,9 +368,9 @@ static uint32_t *place_of(question *q, uint32_t number)
 }
 
 /* Whether the lane's shape is in other lanes, too. */
-static int in_pieces(const cylint_block *block, int lane)
+static int in_pieces(const cylint_leaf *block, int lane)
 {
-    return cylint_block_piece(block, lane).count > 1;
+    return cylint_leaf_piece(block, lane).count > 1;
 }
 
 static int was_asked(question *q, uint32_t number)
@@ -382,17 +383,16 @@ static int was_asked(question *q, uint32_t number)
 
 /* Whether the shape's first hit lies in the lane's piece.  That piece is sure
  * to be offered, and no other says so. */
-static int owns_first_hit(const question *q, const cylint_block *block,
-                          int lane)
+static int owns_first_hit(const question *q, const cylint_leaf *block, int lane)
 {
     cylint_answer answer;
     return cylint_intersect(&q->scene->shapes[block->number[lane]], &q->line,
                             CYLINT_WANT_NEAREST | CYLINT_WANT_Z, &answer) &&
-           cylint_block_owns(block, lane, answer.hit[0].z);
+           cylint_leaf_owns(block, lane, answer.hit[0].z);
 }
 
 /* As take_count, of a piece among several. */
-static int take_piece(question *q, const cylint_block *block, int lane)
+static int take_piece(question *q, const cylint_leaf *block, int lane)
 {
     const uint32_t number = block->number[lane];
     uint32_t *place = place_of(q, number);
@@ -409,17 +409,17 @@ static int take_piece(question *q, const cylint_block *block, int lane)
 }
 
 /* The lane, of some, which is first met. */
-static int first_lane(unsigned lanes, const double least[CYLINT_BLOCK])
+static int first_lane(unsigned lanes, const double least[CYLINT_LEAF_SIZE])
 {
     int first = -1;
-    for (int lane = 0; lane < CYLINT_BLOCK; lane++)
+    for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++)
         if (lanes >> lane & 1 && (first < 0 || least[lane] < least[first]))
             first = lane;
     return first;
 }
 
-static int ask_nearest(void *self, const cylint_block *block, unsigned lanes,
-                       const double least[CYLINT_BLOCK])
+static int ask_nearest(void *self, const cylint_leaf *block, unsigned lanes,
+                       const double least[CYLINT_LEAF_SIZE])
 {
     question *q = self;
     while (lanes) {
@@ -436,8 +436,8 @@ static int ask_nearest(void *self, const cylint_block *block, unsigned lanes,
     return 0;
 }
 
-static int ask_count(void *self, const cylint_block *block, unsigned lanes,
-                     const double least[CYLINT_BLOCK])
+static int ask_count(void *self, const cylint_leaf *block, unsigned lanes,
+                     const double least[CYLINT_LEAF_SIZE])
 {
     question *q = self;
     (void)least;
@@ -457,9 +457,9 @@ static void walk(question *q, int nearest)
     const cylint_scene *s = q->scene;
     if (s->n_boxed == 0)
         return;
-    const cylint_frame_verdict verdict =
+    const cylint_frame_status verdict =
         cylint_frame_line(&s->frame, &q->line, &q->ray);
-    if (verdict == CYLINT_FRAME_WILD) {
+    if (verdict == CYLINT_FRAME_UNUSABLE) {
         for (size_t i = 0; i < s->n_boxed; i++) {
             const size_t number = s->boxed ? s->boxed[i] : i;
             if (nearest)

@@ -1,10 +1,10 @@
-# cylint_turns() (src/embree/angle.h): y <= x, their sizes sorted, x scaled to
+# cylint_atan2_turns() (src/embree/angle.h): y <= x, their sizes sorted, x scaled to
 # [1, 2]; T is the true tangent from pi / 8 and t what is computed.  The true
 # angle of t, in turns, is its series less R, at most the first term left out,
 # 0.4142136^29 / (58 pi); that of T differs from it by at most |T - t| / (2 pi).
 # The sum shown rounds most.  Fused, everything is rounded less often.
 # modes: ne
-# bound: CYLINT_TURN_ERROR
+# bound: CYLINT_ATAN2_TURNS_ERROR
 @rn = float<ieee_64, MODE>;
 Tau = 0.414213562373095048801688724209698;
 P = 0.159154943091895335768883763372514;

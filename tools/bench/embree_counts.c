@@ -19,23 +19,22 @@ static struct {
     long shapes, exactly;
 } asked;
 
-static const cylint_quick_build *quick;
+static const cylint_float_filter *quick;
 
-static cylint_quick_verdict count_shape(cylint_quick *q,
-                                        const cylint_quick_subject *subject,
-                                        const cylint_quick_line *line,
-                                        cylint_quick_hit *hit)
+static cylint_float_filter_result count_shape(
+    cylint_float_filter_state *q, const cylint_float_filter_target *subject,
+    const cylint_float_filter_ray *line, cylint_float_filter_hit *hit)
 {
     asked.shapes++;
     return quick->enter(q, subject, line, hit);
 }
 
-const cylint_quick_build *__real_cylint_quick_used(void);
-const cylint_quick_build *__wrap_cylint_quick_used(void);
-const cylint_quick_build *__wrap_cylint_quick_used(void)
+const cylint_float_filter *__real_cylint_float_filter_used(void);
+const cylint_float_filter *__wrap_cylint_float_filter_used(void);
+const cylint_float_filter *__wrap_cylint_float_filter_used(void)
 {
-    static cylint_quick_build counting;
-    quick = __real_cylint_quick_used();
+    static cylint_float_filter counting;
+    quick = __real_cylint_float_filter_used();
     counting = *quick;
     counting.enter = count_shape;
     return &counting;
