@@ -15,7 +15,6 @@
 
 #include "input.h"
 #include "main.h"
-#include "npy.h"
 #include "output.h"
 
 static int is_stdin(const char *file)
@@ -256,22 +255,22 @@ static int read_until(struct input *in, struct block *b, size_t length)
 /* Returns 0 if it is not to be understood. */
 static int skip_npy_header(struct input *in, struct block *b)
 {
-    const char *wrong = NULL;
     if (!read_until(in, b, NPY_PREFIX) || !npy_begins(b->text, b->length)) {
-        return 1;
+        return !npy_is_damaged(b->text, b->length) ||
+               fail(b, ".npy header: magic: expected \\x93NUMPY", 0);
     }
-    const size_t length = npy_length(b->text);
+    const size_t length = npy_length(b->text, in->npy_wrong);
     unsigned long long rows = 0;
     if (length == 0) {
-        wrong = ".npy header: the version is not known";
-    } else if (!read_until(in, b, length)) {
-        wrong = ".npy header: the file ends within it";
-    } else {
-        wrong =
-            npy_read(b->text, length, in->record_size / sizeof(double), &rows);
+        return fail(b, in->npy_wrong, 0);
     }
-    if (wrong) {
-        return fail(b, wrong, 0);
+    if (!read_until(in, b, length)) {
+        return fail(b, ".npy header: length: the file ends within the header",
+                    0);
+    }
+    if (!npy_read(b->text, length, in->record_size / sizeof(double), &rows,
+                  in->npy_wrong)) {
+        return fail(b, in->npy_wrong, 0);
     }
     drop_front(b, length);
     in->promised = 1;

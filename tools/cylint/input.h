@@ -5,6 +5,7 @@
 #define CYLINT_INPUT_H
 
 #include "block.h"
+#include "npy.h"
 
 struct input {
     char *const *files; /* "-" is standard input */
@@ -21,8 +22,9 @@ struct input {
     size_t carried;
     unsigned long long line, record; /* numbers of the next ones */
 
-    int fresh;    /* nothing was given out of this file yet */
-    int promised; /* a .npy header told how many bytes follow */
+    int fresh;                 /* nothing was given out of this file yet */
+    char npy_wrong[NPY_WRONG]; /* a message about a .npy header */
+    int promised;              /* a .npy header told how many bytes follow */
     unsigned long long bytes_promised, bytes_given;
     int error;  /* errno of a read: to be told after what came before */
     int ending; /* a descriptor: when it is at its end, waiting for

@@ -9,24 +9,28 @@
 #include "sizes.h"
 
 enum {
-    NPY_PREFIX = 12,  /* bytes that tell the header's length */
-    NPY_WRITTEN = 128 /* bytes of a header that we write */
+    NPY_PREFIX = 12,   /* bytes that contain the header's length */
+    NPY_WRITTEN = 128, /* bytes of a header that we write */
+    NPY_WRONG = 256    /* bytes of a message */
 };
 
 /* Whether the bytes begin like a .npy file, as far as they go. */
 int npy_begins(const char *bytes, size_t length);
 
-/* Bytes of the whole header, from the first NPY_PREFIX of them; 0 if the
- * version is unknown or the header absurdly long. */
-size_t npy_length(const char *bytes);
+/* Whether the bytes begin with most of the magic, but not with all of it. */
+int npy_is_damaged(const char *bytes, size_t length);
+
+/* Bytes of the whole header, from the first NPY_PREFIX of them; 0 and a
+ * message if the version is unknown or the length out of range. */
+size_t npy_length(const char *bytes, char wrong[NPY_WRONG]);
 
 /*
- * NULL and the number of rows if the array is rows x columns doubles, little
- * endian, row after row; otherwise what is wrong with it.  Writes a NUL over
- * the header's last byte.
+ * Returns 1 and the number of rows if the array is rows x columns doubles,
+ * little endian, row after row; otherwise 0 and a message that names the
+ * wrong field.  Writes a NUL over the header's last byte.
  */
-const char *npy_read(char *header, size_t length, size_t columns,
-                     unsigned long long *rows);
+int npy_read(char *header, size_t length, size_t columns,
+             unsigned long long *rows, char wrong[NPY_WRONG]);
 
 /* The header of an array of so many rows of doubles; of the same length
  * whatever the numbers. */

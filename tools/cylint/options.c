@@ -62,6 +62,7 @@ static const struct option options_known[] = {{"b", 'b', 0},
 struct pending {
     const char *kinds, *query, *fields;
     int tail; /* --tail: no remark on it */
+    int hex;  /* -x */
 };
 
 /* ------------------------------------------------------------- values -- */
@@ -224,7 +225,7 @@ static void take_flag(struct options *options, struct pending *pending,
         options->comments = 1;
         break;
     case 'x':
-        options->style.digits = NUMBER_HEX;
+        pending->hex = 1;
         break;
     case OPT_HEADER:
         options->header = 1;
@@ -314,6 +315,21 @@ static int settle_fields(struct options *options, const char *names)
                  : usage("-f: no column '%s' here; see --list=columns", shown);
 }
 
+/* -x or -p, of numbers in text. */
+static int settle_digits(struct options *options, int hex)
+{
+    if (hex && options->style.digits > 0) {
+        return usage("-x and -p exclude each other");
+    }
+    if (options->style.binary && (hex || options->style.digits > 0)) {
+        return usage("-%c: binary output has no digits", hex ? 'x' : 'p');
+    }
+    if (hex) {
+        options->style.digits = NUMBER_HEX;
+    }
+    return 0;
+}
+
 static int settle_binary(const struct options *options)
 {
     const struct grammar *g = &options->grammar;
@@ -382,12 +398,15 @@ static int settle(struct options *options, const struct pending *pending)
     if (status == 0) {
         status = settle_fields(options, pending->fields);
     }
+    if (status == 0) {
+        status = settle_digits(options, pending->hex);
+    }
     return status == 0 ? settle_binary(options) : status;
 }
 
 int read_options(struct options *options, int argc, char **argv)
 {
-    struct asked asked = {options, {NULL, NULL, NULL, 0}};
+    struct asked asked = {options, {NULL, NULL, NULL, 0, 0}};
     memset(options, 0, sizeof *options);
     options->grammar.line = NOT_GIVEN;
     options->grammar.shape = NOT_GIVEN;
