@@ -1,21 +1,21 @@
-# The measurements of many_questions.c as text: awk -f batch.awk batch.csv
-# -v readme=1: the table of README.md.
+# The tables of batch.csv as text: awk -f batch.awk batch.csv
+# With -v readme=1: the table of README.md.
 BEGIN { FS = ","; width["plain"] = 128; width["avx2"] = 256; width["avx512"] = 512 }
 
-function once(list, name) { # keeps names in the order of their first coming
-    if (!((list, name) in known)) { known[list, name] = 1; names[list, ++many[list]] = name }
+function once(list, name) { # appends a name to a list unless it is there
+    if (!((list, name) in listed)) { listed[list, name] = 1; names[list, ++many[list]] = name }
 }
 
-# Hits as they were meant: 0, 1, 10 or 50 %.
-function meant(percent) { return percent < 0.2 ? 0 : percent < 3 ? 1 : percent < 20 ? 10 : 50 }
+# The share of hits that the race was set up for: 0, 1, 10 or 50 %.
+function nominal(percent) { return percent < 0.2 ? 0 : percent < 3 ? 1 : percent < 20 ? 10 : 50 }
 
 NR == 1 { next }
 $1 == "bytes" { bytes[$3] = $10 }
 $1 == "core" { core[$2, $5] = $10; once("widths", $2) }
 $1 == "cache" {
-    h = meant($7); k = $3 SUBSEP $4 SUBSEP $5 SUBSEP h
+    h = nominal($7); k = $3 SUBSEP $4 SUBSEP $5 SUBSEP h
     ns[k, $2] = $10; plain[k] = $11; reached[k] = $8; exactly[k] = $7
-    once("kernels", $2); once("shapes", $3); once("asked " $4, $5); once("hits", h); once("arrangements", $4)
+    once("kernels", $2); once("shapes", $3); once("query " $4, $5); once("hits", h); once("arrangements", $4)
 }
 $1 == "growth" { grown[$2, $5, $6] = $10; once("sizes", $6); once("runners", $2) }
 $1 == "families" || $1 == "drawing" {
@@ -26,19 +26,19 @@ function ratio(x, y) { return y + 0 > 0 ? sprintf("%6.2fx", x / y) : sprintf("%7
 
 function kernels_line(text,   k) {
     printf "%s", text
-    for (k = 1; k <= many["kernels"]; k++) printf " %16s", names["kernels", k]
+    for (k = 1; k <= many["kernels"]; k++) printf " %16s", called(names["kernels", k])
     print ""
 }
 
-function in_cache(   s, a, h, k, key, asked) {
-    print "One line against 512 capped shapes, in cache: ns a test, and beside the plain b2-4ac asked one by one"
-    kernels_line(sprintf("%-18s %-13s %5s %8s", "", "asked", "hits", "b2-4ac"))
+function in_cache(   s, a, h, k, key, query) {
+    print "One line against 512 capped shapes in cache: ns a test, and the ratio to the plain quadratic one by one (lower is better)"
+    kernels_line(sprintf("%-18s %-13s %5s %8s", "", "query", "hits", "plain q."))
     for (s = 1; s <= many["shapes"]; s++)
-        for (a = 1; a <= many["asked one line"]; a++)
+        for (a = 1; a <= many["query one line"]; a++)
             for (h = 1; h <= many["hits"]; h++) {
-                asked = names["asked one line", a]
-                key = names["shapes", s] SUBSEP "one line" SUBSEP asked SUBSEP names["hits", h]
-                printf "%-18s %-13s %4.1f%% %8s", (a + h == 2 ? names["shapes", s] : ""), (h == 1 ? asked : ""),
+                query = names["query one line", a]
+                key = names["shapes", s] SUBSEP "one line" SUBSEP query SUBSEP names["hits", h]
+                printf "%-18s %-13s %4.1f%% %8s", (a + h == 2 ? names["shapes", s] : ""), (h == 1 ? query : ""),
                     exactly[key], (plain[key] == "nan" ? "" : sprintf("%.2f", plain[key]))
                 for (k = 1; k <= many["kernels"]; k++)
                     printf " %8.2f %s", ns[key, names["kernels", k]], ratio(ns[key, names["kernels", k]], plain[key])
@@ -47,7 +47,7 @@ function in_cache(   s, a, h, k, key, asked) {
 }
 
 function beside_cylinders(   s, h, k, key, to) {
-    print "\nThe nearest of 512: beside cylinders"
+    print "\nThe nearest of 512: time over that for cylinders (lower is better)"
     kernels_line(sprintf("%-18s %5s", "", "hits"))
     for (s = 2; s <= many["shapes"]; s++)
         for (h = 1; h <= many["hits"]; h++) {
@@ -62,15 +62,15 @@ function beside_cylinders(   s, h, k, key, to) {
 }
 
 function arranged(   s, a, h, k, r, key, to) {
-    print "\nThe same answers in columns, 512 of each: one line; one shape and pairs beside it"
+    print "\nColumns of answers, 512 of each: ns a test with one line, and the ratios of one shape and of pairs to it (lower is better)"
     printf "%-18s %-10s %5s", "", "columns", "hits"
-    for (k = 1; k <= many["kernels"]; k++) printf "   %22s", names["kernels", k] ": line, shape, pairs"
+    for (k = 1; k <= many["kernels"]; k++) printf "   %22s", called(names["kernels", k]) ": line, shape, pairs"
     print ""
     for (s = 1; s <= many["shapes"]; s++)
-        for (a = 1; a <= many["asked pairs"]; a++)
+        for (a = 1; a <= many["query pairs"]; a++)
             for (h = 2; h <= many["hits"]; h++) {
-                printf "%-18s %-10s %4d%%", (a == 1 && h == 2 ? names["shapes", s] : ""), (h == 2 ? names["asked pairs", a] : ""), names["hits", h]
-                key = SUBSEP names["asked pairs", a] SUBSEP names["hits", h]
+                printf "%-18s %-10s %4d%%", (a == 1 && h == 2 ? names["shapes", s] : ""), (h == 2 ? names["query pairs", a] : ""), names["hits", h]
+                key = SUBSEP names["query pairs", a] SUBSEP names["hits", h]
                 for (k = 1; k <= many["kernels"]; k++) {
                     to = names["kernels", k]
                     r = ns[names["shapes", s] SUBSEP "one line" key, to]
@@ -81,23 +81,23 @@ function arranged(   s, a, h, k, r, key, to) {
             }
 }
 
-# lanes.h divides three times and takes one root where a line meets the ball
-# about a shape, and divides twice more for each root that is rounded.
-function limits(   h, k, a, to, key, asked, least, d, r, n) {
-    print "\nThe divider: ns a result, and the least that it lets a test of cylinders take (share of what it took)"
+# The filter divides three times and takes one square root where a line meets
+# the bounding ball of a shape, and divides twice more for each rounded root.
+function limits(   h, k, a, to, key, query, least, d, r, n) {
+    print "\nThe divider: ns a result, and the least ns a test of cylinders that it allows (in brackets: share of the measured time; higher is better)"
     for (k = 1; k <= many["widths"]; k++)
         printf "%s: divide %.2f, root %.2f%s", names["widths", k], core[names["widths", k], "divide"],
             core[names["widths", k], "root"], (k < many["widths"] ? "; " : "\n")
-    kernels_line(sprintf("%-10s %5s %9s", "asked", "hits", "reached"))
-    n = split("count,both t", asked, ",")
+    kernels_line(sprintf("%-10s %5s %9s", "query", "hits", "reached"))
+    n = split("count,both t", query, ",")
     for (a = 1; a <= n; a++)
         for (h = 2; h <= many["hits"]; h++) {
-            key = "cylinder" SUBSEP "one line" SUBSEP asked[a] SUBSEP names["hits", h]
-            printf "%-10s %4.1f%% %8.1f%%", asked[a], exactly[key], reached[key]
+            key = "cylinder" SUBSEP "one line" SUBSEP query[a] SUBSEP names["hits", h]
+            printf "%-10s %4.1f%% %8.1f%%", query[a], exactly[key], reached[key]
             for (k = 1; k <= many["kernels"]; k++) {
                 to = names["kernels", k]
                 d = core[width[to] " bits", "divide"]; r = core[width[to] " bits", "root"]
-                least = reached[key] / 100 * (3 * d + r) + (asked[a] == "count" ? 0 : 4 * d * exactly[key] / 100)
+                least = reached[key] / 100 * (3 * d + r) + (query[a] == "count" ? 0 : 4 * d * exactly[key] / 100)
                 printf " %8.2f (%3.0f%%) ", least, 100 * least / ns[key, to]
             }
             print ""
@@ -105,9 +105,9 @@ function limits(   h, k, a, to, key, asked, least, d, r, n) {
 }
 
 function growth(   i, k, n, read, to) {
-    printf "\nOne line against n capped cylinders: ns a test; nearest at 1 %% hits, any where nothing is met\n%9s", "n"
-    for (k = 1; k < many["runners"]; k++) printf " %18s", names["runners", k] (k == 1 ? ": near., any" : "")
-    print "   reading  of it: any, nearest"
+    printf "\nOne line against n capped cylinders: ns a test (lower is better); nearest at 1 %% hits, any at 0 %% hits\n%9s", "n"
+    for (k = 1; k < many["runners"]; k++) printf " %18s", (k == 1 ? "plain q.: near., any" : called(names["runners", k]))
+    print "   reading  over any, nearest (higher is better)"
     for (i = 1; i <= many["sizes"]; i++) {
         n = names["sizes", i]; read = grown["reading", "read", n]
         printf "%9d", n
@@ -118,25 +118,25 @@ function growth(   i, k, n, read, to) {
         to = names["runners", 2]
         printf "  %6.2f      %3.0f%% %3.0f%%\n", read, 100 * read / grown[to, "any", n], 100 * read / grown[to, "nearest", n]
     }
-    print "reading: " bytes["read in the first pass"] " bytes a shape, as fast as they can be read;"
-    printf "the last: %.1f GB/s, any %.1f GB/s; a shape takes %d bytes as made, %d packed\n", bytes["read in the first pass"] / read,
-        bytes["read in the first pass"] / grown[names["runners", 2], "any", n], bytes["as made"], bytes["packed"]
+    print "reading: " bytes["read by the first pass"] " bytes a shape as fast as this core reads;"
+    printf "in the last row %.1f GB/s, any %.1f GB/s; a shape takes %d bytes as made, %d packed\n", bytes["read by the first pass"] / read,
+        bytes["read by the first pass"] / grown[names["runners", 2], "any", n], bytes["as made"], bytes["packed"]
 }
 
 function cases(part, title,   i, k, name) {
     print "\n" title
     printf "%-26s %6s %10s", "", "hits", "undecided"
-    for (k = 1; k <= many["kernels"]; k++) printf " %8s", names["kernels", k]
-    print " one by one" (part == "drawing" ? "  b2-4ac" : "")
+    for (k = 1; k <= many["kernels"]; k++) printf " %8s", short(names["kernels", k])
+    print " one by one" (part == "drawing" ? " plain q." : "")
     for (i = 1; i <= many[part]; i++) {
         name = names[part, i]
         printf "%-26s %5.1f%% %9.1f%%", name, hit[name], undecided[name]
         for (k = 1; k <= many["kernels"]; k++) printf " %8.0f", case_ns[name, names["kernels", k]]
-        printf " %10.0f%s\n", single[name], (part == "drawing" ? sprintf(" %7.0f", by_plain[name]) : "")
+        printf " %10.0f%s\n", single[name], (part == "drawing" ? sprintf(" %8.0f", by_plain[name]) : "")
     }
 }
 
-# One kernels' row; the unit is the plain quadratic against cylinders.
+# One row; the unit is the plain quadratic against cylinders.
 function readme_row(title, shape, to,   h, key, unit, cells) {
     for (h = 1; h <= many["hits"]; h++) {
         key = SUBSEP "one line" SUBSEP "nearest" SUBSEP names["hits", h]
@@ -148,17 +148,19 @@ function readme_row(title, shape, to,   h, key, unit, cells) {
 }
 
 function readme_table(   h, k) {
-    printf "| ns a test"
+    printf "| ns a test, lower is better"
     for (h = 1; h <= many["hits"]; h++) printf " | %d %% hits", names["hits", h]
     print " |"
     for (h = 0; h <= many["hits"]; h++) printf "|---"
     print "|"
-    readme_row("cylinders, plain b²-4ac one by one", "cylinder", "")
+    readme_row("cylinders, plain quadratic one by one", "cylinder", "")
     for (k = 1; k <= many["kernels"]; k++)
         readme_row("cylinders, " called(names["kernels", k]), "cylinder", names["kernels", k])
     readme_row("cones, " called(names["kernels", 1]), "cone", names["kernels", 1])
     readme_row("elliptic cylinders, " called(names["kernels", 1]), "elliptic cylinder", names["kernels", 1])
 }
+
+function short(kernels) { return kernels == "plain" ? "no flags" : kernels == "avx2" ? "AVX2" : "AVX-512" }
 
 function called(kernels) { return kernels == "plain" ? "no vector flags" : kernels == "avx2" ? "AVX2" : "AVX-512" }
 
@@ -169,6 +171,6 @@ END {
     arranged()
     limits()
     growth()
-    cases("drawing", "Pairs on an integer grid (20 % parallel, 2 % tangent), and nothing but tangents: ns a test, both t")
-    cases("families", "Pairs of the families, all kinds and ends: what kernels leave undecided, ns a test, both t")
+    cases("drawing", "Pairs on an integer grid (20 % parallel, 2 % tangent), and exact tangents only: ns a test, both t (lower is better)")
+    cases("families", "Pairs of the families, all kinds and ends: share that the kernels leave undecided, ns a test, both t (lower is better)")
 }

@@ -1,20 +1,20 @@
 /*
- * many_questions.c - many shapes at once: how fast, and how near the limits
+ * batch.c - time of the batch functions, and the limits of the processor
  *
  *     batch [SECONDS] [MOST] [PART]
  *
- * Writes CSV.  Each row is ns a test, a line against a shape, beside the
- * plain quadratic asked the same one by one in the same race.  SECONDS is
- * what a large race may take, MOST the largest number of shapes.  The parts,
- * of which one can be asked for:
+ * Writes CSV.  Each row has the ns of a test (one line against one shape) and
+ * the ns of the plain quadratic, which answers the same tests one by one in
+ * the same race.  SECONDS is the longest time of a large race, MOST the
+ * largest number of shapes, PART one of these parts (default: all):
  *
  *   core      the processor: ns a result of independent divisions and roots
  *   cache     512 shapes or lines, by kind, arrangement and share of hits
- *   growth    one line against 1, 2, 4, ... shapes, and reading what the
- *             first pass reads of as many
+ *   growth    one line against 1, 2, 4, ... shapes, and the time of reading
+ *             the bytes that the first pass reads
  *   families  pairs, 16 x 256 cases of each family, both t
- *   drawing   pairs on an integer grid, and nothing but exact tangents
- *   bytes     of memory a shape
+ *   drawing   pairs on an integer grid, and exact tangents only
+ *   bytes     bytes of memory a shape
  */
 #include "batch_parts.h"
 
@@ -24,20 +24,20 @@
 
 #include "batch_core.h"
 
-/* So many questions that branches are not learned by heart from turn to
- * turn. */
+/* 512 questions, so that the processor cannot memorise the outcomes of the
+ * branches from turn to turn. */
 enum { CACHED = 512, RUNNERS = 200, ROUNDS = 1000 };
 
 static void print_header(void)
 {
-    puts("part,kernels,shapes,arrangement,asked,n,hits_percent,"
+    puts("part,kernels,shapes,arrangement,query,n,hits_percent,"
          "reached_percent,undecided_percent,ns,plain_ns,single_ns");
 }
 
 void print_row(const struct row *r)
 {
     printf("%s,%s,%s,%s,%s,%zu,%.3g,%.3g,%.3g,%.4g,%.4g,%.4g\n", r->part,
-           r->kernels, r->shapes, r->arrangement, r->asked, r->n, r->hits,
+           r->kernels, r->shapes, r->arrangement, r->query, r->n, r->hits,
            r->reached, r->undecided, r->ns, r->plain, r->single);
 }
 
@@ -64,7 +64,7 @@ static void measure_core(double seconds)
         snprintf(width, sizeof width, "%d bits", turns[i].width);
         r.part = "core";
         r.kernels = width;
-        r.asked = names[turns[i].work];
+        r.query = names[turns[i].work];
         r.ns = runners[i].least.ns / CORE_RESULTS;
         print_row(&r);
     }
@@ -88,28 +88,28 @@ struct cache_race {
     int n;
 };
 
-static void enter(struct cache_race *r, const struct turn *t)
+static void add_turn(struct cache_race *r, const struct turn *t)
 {
     r->turns[r->n] = *t;
     r->runners[r->n] = (struct runner){batch_turn, &r->turns[r->n], {0, 0}};
     r->n++;
 }
 
-/* The plain quadratic does not know fast and slow, nor ellipses. */
-static void enter_all(struct cache_race *r, int kind, int away)
+/* The plain quadratic has no fast mode and no elliptic shapes. */
+static void add_all_turns(struct cache_race *r, int kind, int away)
 {
     const struct scene *s = &r->scenes[kind];
     for (int k = -1; k < kernels_count(); k++)
         for (int a = 0; a < ARRANGEMENTS; a++)
-            for (int asked = 0; asked < ASKED; asked++) {
+            for (int query = 0; query < QUERIES; query++) {
                 const struct turn t = {s, away ? s->away : s->lines,
                                        k < 0 ? NULL : cylint_kernels_name(k),
-                                       (enum arrangement)a, (enum asked)asked};
-                if ((a != ONE_LINE && (asked < ASK_RELATIONS || away)) ||
-                    (k < 0 && asked == ASK_FAST) ||
+                                       (enum arrangement)a, (enum query)query};
+                if ((a != ONE_LINE && (query < QUERY_RELATIONS || away)) ||
+                    (k < 0 && query == QUERY_FAST) ||
                     (k < 0 && !plain_answers_for(&s->shapes[0])))
                     continue;
-                enter(r, &t);
+                add_turn(r, &t);
             }
 }
 
@@ -118,13 +118,13 @@ static int kind_of(const struct cache_race *r, const struct turn *t)
     return (int)(t->scene - r->scenes);
 }
 
-/* What the plain quadratic took for the same; NaN if it was not asked. */
+/* ns a test of the plain quadratic for the same query; NaN if not measured. */
 static double plain_of(const struct cache_race *r, const struct turn *t)
 {
-    const enum asked same = t->asked == ASK_FAST ? ASK_NEAREST : t->asked;
+    const enum query same = t->query == QUERY_FAST ? QUERY_NEAREST : t->query;
     for (int i = 0; i < r->n; i++) {
         const struct turn *p = &r->turns[i];
-        if (!p->kernels && p->scene == t->scene && p->asked == same &&
+        if (!p->kernels && p->scene == t->scene && p->query == same &&
             p->arrangement == t->arrangement)
             return r->runners[i].least.ns / (double)turn_tests(p);
     }
@@ -146,7 +146,7 @@ static void print_cached(const struct cache_race *race)
         r.kernels = t->kernels;
         r.shapes = kinds[kind_of(race, t)].name;
         r.arrangement = arrangement_name(t->arrangement);
-        r.asked = asked_name(t->asked);
+        r.query = query_name(t->query);
         r.n = turn_tests(t);
         r.hits = hits;
         r.reached = reached;
@@ -157,7 +157,7 @@ static void print_cached(const struct cache_race *race)
     fflush(stdout);
 }
 
-/* share: of hits, 0 by lines that pass everything. */
+/* share: the share of hits.  For 0 the lines miss everything. */
 static void measure_share(struct cache_race *r, double share, double seconds)
 {
     r->n = 0;
@@ -165,7 +165,7 @@ static void measure_share(struct cache_race *r, double share, double seconds)
         scene_allocate(&r->scenes[k], CACHED, CACHED);
         scene_scatter(&r->scenes[k], kinds[k].kind,
                       scene_radius(kinds[k].kind, share > 0 ? share : 0.1));
-        enter_all(r, k, share == 0);
+        add_all_turns(r, k, share == 0);
     }
     race(r->runners, r->n, CACHED, ROUNDS, seconds);
     print_cached(r);
@@ -188,7 +188,7 @@ static void measure_cache(double seconds)
 
 /* ------------------------------------------------------------- growth -- */
 
-/* Bytes of a shape that the first pass reads: a ball. */
+/* The first pass reads the bounding ball of a shape: 4 doubles. */
 enum { FIRST_PASS = 4 * sizeof(double), GROWTH_LINES = 512, TESTS = 1 << 20 };
 
 static int lines_for(size_t n)
@@ -199,22 +199,22 @@ static int lines_for(size_t n)
 }
 
 static void print_growth(const struct runner *runner, const char *kernels,
-                         const char *asked, size_t n, double plain)
+                         const char *query, size_t n, double plain)
 {
     struct row r = no_row;
     r.part = "growth";
     r.kernels = kernels;
     r.shapes = "cylinder";
     r.arrangement = arrangement_name(ONE_LINE);
-    r.asked = asked;
+    r.query = query;
     r.n = n;
     r.ns = runner->least.ns / (double)n;
     r.plain = plain;
     print_row(&r);
 }
 
-/* All against n shapes: nearest at 1 % hits, any where nothing is met, and
- * reading as many bytes. */
+/* Races over n shapes: `nearest` at 1 % hits, `any` at 0 % hits, and reading
+ * the bytes of the first pass. */
 static void measure_size(struct scene *s, size_t n, double seconds)
 {
     struct turn turns[40];
@@ -226,15 +226,16 @@ static void measure_size(struct scene *s, size_t n, double seconds)
         for (int any = 0; any < 2; any++, k++) {
             turns[k] = (struct turn){s, any ? s->away : s->lines,
                                      i < 0 ? NULL : cylint_kernels_name(i),
-                                     ONE_LINE, any ? ASK_ANY : ASK_NEAREST};
+                                     ONE_LINE, any ? QUERY_ANY : QUERY_NEAREST};
             runners[k] = (struct runner){batch_turn, &turns[k], {0, 0}};
         }
     runners[k] = (struct runner){read_turn, &bytes, {0, 0}};
     race(runners, k + 1, lines_for(n), ROUNDS, seconds);
     for (int i = 0; i < k; i++)
-        print_growth(
-            &runners[i], turns[i].kernels ? turns[i].kernels : "quadratic",
-            asked_name(turns[i].asked), n, runners[i % 2].least.ns / (double)n);
+        print_growth(&runners[i],
+                     turns[i].kernels ? turns[i].kernels : "plain quadratic",
+                     query_name(turns[i].query), n,
+                     runners[i % 2].least.ns / (double)n);
     print_growth(&runners[k], "reading", "read", n, NAN);
     fflush(stdout);
 }
@@ -261,7 +262,7 @@ static void print_bytes(void)
     r.shapes = "packed";
     r.ns = (double)(cylint_pack_bytes(1000001) - cylint_pack_bytes(1)) / 1e6;
     print_row(&r);
-    r.shapes = "read in the first pass";
+    r.shapes = "read by the first pass";
     r.ns = FIRST_PASS;
     print_row(&r);
 }

@@ -1,8 +1,8 @@
 /*
- * batch_cases.c - pairs of given lines and shapes: families and drawings
+ * batch_cases.c - races over pairs of lines and shapes: families and drawings
  *
- * Many small batches, so that the shuffled order of the batches keeps the
- * processor from learning the cases by heart.
+ * The cases are in many small batches.  Their order is shuffled, so that the
+ * processor cannot memorise the outcomes of the branches.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,8 +27,8 @@ struct cases {
     double hits, undecided;
 };
 
-/* Who goes through the cases: kernels, or one by one the plain quadratic or
- * the library. */
+/* What answers the cases: a build of the kernels, or one by one the plain
+ * quadratic or cylint_intersect(). */
 struct case_turn {
     const struct cases *cases;
     const char *kernels; /* NULL: one by one */
@@ -41,7 +41,7 @@ static void paired_turn(void *context, const int *order, int n)
     cylint_use_kernels(t->kernels);
     for (int k = 0; k < n; k++) {
         const struct scene *s = &t->cases->scenes[order[k]];
-        const struct turn pairs = {s, s->lines, t->kernels, PAIRS, ASK_BOTH};
+        const struct turn pairs = {s, s->lines, t->kernels, PAIRS, QUERY_BOTH};
         const int first = 0;
         if (t->kernels || t->plain) {
             batch_turn((void *)(uintptr_t)&pairs, &first, 1);
@@ -100,7 +100,7 @@ static void measure(struct cases *c, double seconds)
         r.kernels = cylint_kernels_name(i);
         r.shapes = c->shapes;
         r.arrangement = arrangement_name(PAIRS);
-        r.asked = asked_name(ASK_BOTH);
+        r.query = query_name(QUERY_BOTH);
         r.n = PAIRED;
         r.hits = c->hits;
         r.undecided = c->undecided;
@@ -132,7 +132,8 @@ static void cases_free(struct cases *c)
     free(c);
 }
 
-/* A batch's line has no low parts: a segment's direction is rounded. */
+/* The line without low parts, as a batch reads it: a segment's direction is
+ * rounded. */
 static int plain_line(cylint_line *to, const cylint_line *l)
 {
     return cylint_span(to, l->o, l->d, l->tmin, l->tmax) == CYLINT_OK;
@@ -167,7 +168,7 @@ void measure_families(double seconds)
     cases_free(c);
 }
 
-/* Questions of a drawing; of them all, or only those that touch. */
+/* Fills the cases with questions of a drawing; tangents: only tangent lines. */
 static int draw_grid(struct cases *c, enum cost_shape shape, struct question *q,
                      int n, int tangents)
 {

@@ -2,16 +2,16 @@
 #
 #     awk -v chart=growth|kernels -v out=file.svg -f batch_charts.awk batch.csv
 #
-# growth: million tests a second against the number of shapes, and what the
-# memory lets through.  kernels: the same by instruction set and share of
-# hits, one panel a kind of shape.
+# growth: million tests a second against the number of shapes, beside reading
+# the same bytes.  kernels: million tests a second by instruction set and share
+# of hits, one panel a kind of shape.
 BEGIN {
     FS = ","
-    colour["quadratic"] = "#777777"; colour["plain"] = "#e69f00"
+    colour["plain quadratic"] = "#777777"; colour["plain"] = "#e69f00"
     colour["avx2"] = "#0072b2"; colour["avx512"] = "#d55e00"
-    title["quadratic"] = "plain b^2-4ac, one by one"; title["plain"] = "cylint, without vector flags"
+    title["plain quadratic"] = "plain quadratic, one by one"; title["plain"] = "cylint, without vector flags"
     title["avx2"] = "cylint, AVX2"; title["avx512"] = "cylint, AVX-512"
-    n = split("quadratic plain avx2 avx512", order, " ")
+    n = split("plain quadratic,plain,avx2,avx512", order, ",")
     if (terminal == "") terminal = "svg size %d,%d dynamic font 'sans-serif,12' background 'white'"
 }
 
@@ -22,20 +22,23 @@ $1 == "cache" && $4 == "one line" && $5 == "nearest" && $7 > 0 {
     h = $7 < 3 ? 1 : $7 < 20 ? 2 : 3
     if (h > most) most = h
     rate[$3, $2, h] = 1000 / $10
-    if ($11 != "nan") rate[$3, "quadratic", h] = 1000 / $11
+    if ($11 != "nan") rate[$3, "plain quadratic", h] = 1000 / $11
 }
 
 function begin(w, h) {
     printf "set terminal " terminal "\nset output '%s'\nset encoding utf8\n", w, h, out
     print "set border 3 lw 0.6 lc rgb '#666666'; set tics nomirror scale 0.4"
     print "set grid ytics lw 0.4 lc rgb '#dddddd'"
-    print "set ylabel 'million tests a second'"
+    print "set ylabel 'million tests a second (higher is better)'"
 }
 
-# Colours tell who answers, dashes what is asked.
+# A name without blanks, for gnuplot's data blocks.
+function block(name) { gsub(/ /, "_", name); return name }
+
+# The colour is the contestant, the dash the query.
 function growth(   i, a, to, comma) {
     begin(860, 440)
-    for (a in line) { split(a, part, SUBSEP); printf "$%s_%s << EOD\n%sEOD\n", part[1], part[2], line[a] }
+    for (a in line) { split(a, part, SUBSEP); printf "$%s_%s << EOD\n%sEOD\n", block(part[1]), part[2], line[a] }
     print "set title 'One line against n capped cylinders' font ',15'"
     print "set logscale xy; set xlabel 'n'; set format x '10^{%T}'; set format y '%g'; set xrange [1:*]; set yrange [8:4000]"
     print "set key outside right center Left reverse samplen 2.5 spacing 1.4 width -2"
@@ -43,16 +46,16 @@ function growth(   i, a, to, comma) {
     for (i = n; i >= 1; i--) {
         to = order[i]
         if (!((to, "nearest") in line)) continue
-        printf "%s$%s_nearest using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '%s' title '%s'", comma, to, colour[to], title[to]
-        printf ", $%s_any using 1:2 with linespoints lw 1.5 pt 6 ps 0.4 dt 2 lc rgb '%s' notitle", to, colour[to]
+        printf "%s$%s_nearest using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '%s' title '%s'", comma, block(to), colour[to], title[to]
+        printf ", $%s_any using 1:2 with linespoints lw 1.5 pt 6 ps 0.4 dt 2 lc rgb '%s' notitle", block(to), colour[to]
         comma = ", "
     }
-    printf ", $reading_read using 1:2 with lines lw 1.2 dt 3 lc rgb 'black' title 'reading 56 bytes a test'"
+    printf ", $reading_read using 1:2 with lines lw 1.2 dt 3 lc rgb 'black' title 'reading the same bytes'"
     printf ", -1 with linespoints lw 2 pt 7 ps 0.5 lc rgb 'black' title 'solid: nearest, 1 %% hits'"
-    print ", -1 with linespoints lw 1.5 pt 6 ps 0.4 dt 2 lc rgb 'black' title 'dashed: any, nothing met'"
+    print ", -1 with linespoints lw 1.5 pt 6 ps 0.4 dt 2 lc rgb 'black' title 'dashed: any, 0 %% hits'"
 }
 
-# Bars stand side by side by instruction set, in groups by share of hits.
+# A group of bars is a share of hits, a bar in it an instruction set.
 function kernels(   k, i, h, to, comma, wide) {
     begin(860, 380)
     for (k = 1; k <= kinds; k++)

@@ -1,5 +1,5 @@
 /*
- * batch_core.c - what this core can do at most: divide, take roots, read
+ * batch_core.c - the limits of this core: division, square root, reading memory
  */
 #include "batch_core.h"
 
@@ -7,13 +7,14 @@
 #include <stdint.h>
 #include <string.h>
 
-/* More than the latency of a division holds at full rate; as many streams
- * of bytes as the first pass has columns: one alone reads slower. */
+/* CHAINS: enough independent results to hide the latency of a division.
+ * STREAMS: the first pass reads several columns at once, and that is faster
+ * than reading one stream. */
 enum { CHAINS = 10, STREAMS = 7 };
 
 static volatile double kept;
 
-/* Each chain stays between 1 and 3, whichever work it does. */
+/* The value of each chain stays between 1 and 3 for division and root. */
 #define DEFINE_CHAINS(name, attributes, vector, set, first, work)          \
     attributes static void name(int results)                               \
     {                                                                      \

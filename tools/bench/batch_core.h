@@ -1,5 +1,5 @@
 /*
- * batch_core.h - what this core can do at most: divide, take roots, read
+ * batch_core.h - the limits of this core: division, square root, reading memory
  */
 #ifndef BENCH_BATCH_CORE_H
 #define BENCH_BATCH_CORE_H
@@ -10,10 +10,10 @@
 
 enum core_work { CORE_DIVIDE, CORE_ROOT, CORE_WORKS };
 
-/* Vector widths in bits, ascending; 0 after the last this processor has. */
+/* Vector widths of this processor in bits, ascending; 0 after the last. */
 int core_width(int number);
 
-/* A turn is n times so many results, independent of each other. */
+/* A turn computes n times CORE_RESULTS independent results. */
 enum { CORE_RESULTS = 4096 };
 struct core_turn {
     int width;
@@ -21,8 +21,7 @@ struct core_turn {
 };
 turn_fn core_turn;
 
-/* A turn reads all bytes n times as fast as vectors load, seven streams at
- * once, as the first pass reads seven columns. */
+/* A turn reads all bytes n times with vector loads, in seven streams. */
 struct read_turn {
     const void *from;
     size_t bytes;

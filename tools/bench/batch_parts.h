@@ -1,5 +1,5 @@
 /*
- * batch_parts.h - the rows of many_questions.c, and those parts with files of their own
+ * batch_parts.h - a row of batch.c's output, and the parts in other files
  */
 #ifndef BENCH_BATCH_PARTS_H
 #define BENCH_BATCH_PARTS_H
@@ -8,12 +8,15 @@
 
 #include "batch_turns.h"
 
-/* hits, reached, undecided: per cent of the tests; reached: whose line meets
- * the lateral surface, were it infinite; undecided: those that the kernels
- * leave to cylint_intersect().  ns a test: of the batch, of the plain
- * quadratic and of cylint_intersect(), one by one.  NaN: not measured. */
+/*
+ * hits, reached and undecided are percentages of the tests.  reached: the line
+ * meets the shape's bounding ball.  undecided: the kernels leave the test to
+ * cylint_intersect().  ns, plain and single are ns a test: of the batch, of
+ * the plain quadratic one by one, and of cylint_intersect() one by one.  NaN:
+ * not measured.
+ */
 struct row {
-    const char *part, *kernels, *shapes, *arrangement, *asked;
+    const char *part, *kernels, *shapes, *arrangement, *query;
     size_t n;
     double hits, reached, undecided, ns, plain, single;
 };
@@ -21,7 +24,7 @@ struct row {
 extern const struct row no_row;
 void print_row(const struct row *r);
 
-/* batch_cases.c: seconds each. */
+/* batch_cases.c; `seconds` is the time of each race. */
 void measure_families(double seconds);
 void measure_drawings(double seconds);
 

@@ -1,5 +1,5 @@
 /*
- * batch_scene.c - many shapes and many lines, of which a given share meet
+ * batch_scene.c - many shapes and lines with a given share of hits
  */
 #include "batch_scene.h"
 
@@ -10,7 +10,7 @@
 
 enum { SAMPLE = 512, HALVINGS = 25, SHAPE_SEED = 1, LINE_SEED = 2 };
 
-static void *room(size_t n, size_t size)
+static void *allocate(size_t n, size_t size)
 {
     void *p = malloc(n * size);
     if (!p && n) {
@@ -25,15 +25,15 @@ void scene_allocate(struct scene *s, size_t n_shapes, size_t n_lines)
     const size_t most = n_shapes > n_lines ? n_shapes : n_lines;
     s->n_shapes = n_shapes;
     s->n_lines = n_lines;
-    s->shapes = room(n_shapes, sizeof *s->shapes);
-    s->subjects = room(n_shapes, sizeof *s->subjects);
-    s->memory = room(cylint_pack_bytes(n_shapes), 1);
-    s->lines = room(2 * n_lines, sizeof *s->lines);
-    s->away = room(n_lines, sizeof *s->away);
-    s->numbers = room(16 * n_lines, sizeof *s->numbers);
-    s->t[0] = room(2 * most, sizeof *s->t[0]);
+    s->shapes = allocate(n_shapes, sizeof *s->shapes);
+    s->subjects = allocate(n_shapes, sizeof *s->subjects);
+    s->memory = allocate(cylint_pack_bytes(n_shapes), 1);
+    s->lines = allocate(2 * n_lines, sizeof *s->lines);
+    s->away = allocate(n_lines, sizeof *s->away);
+    s->numbers = allocate(16 * n_lines, sizeof *s->numbers);
+    s->t[0] = allocate(2 * most, sizeof *s->t[0]);
     s->t[1] = s->t[0] + most;
-    s->relation = room(2 * most, 1);
+    s->relation = allocate(2 * most, 1);
     s->n = s->relation + most;
 }
 
@@ -130,7 +130,7 @@ static void point_of_ball(double radius, double p[3])
         p[i] *= radius;
 }
 
-/* Some direction across d, of length `length`. */
+/* A random vector perpendicular to d, of the given length. */
 static void across(const double d[3], double length, double e[3])
 {
     double any[3];

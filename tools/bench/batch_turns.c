@@ -1,5 +1,5 @@
 /*
- * batch_turns.c - what a batch is asked, and who answers
+ * batch_turns.c - the queries of a batch, and the turns that answer them
  */
 #include "batch_turns.h"
 
@@ -13,7 +13,7 @@
 
 static const char *const arrangement_names[] = {"one line", "one shape",
                                                 "pairs"};
-static const char *const asked_names[] = {
+static const char *const query_names[] = {
     "count",     "any",     "nearest", "nearest fast",
     "relations", "first t", "both t"};
 
@@ -22,9 +22,9 @@ const char *arrangement_name(enum arrangement arrangement)
     return arrangement_names[arrangement];
 }
 
-const char *asked_name(enum asked asked)
+const char *query_name(enum query query)
 {
-    return asked_names[asked];
+    return query_names[query];
 }
 
 int kernels_count(void)
@@ -51,20 +51,20 @@ INLINE size_t line_of(enum arrangement a, size_t i, size_t k)
     return a == ONE_LINE ? k : a == ONE_SHAPE ? i : i + k;
 }
 
-/* What keeps answers from being computed for nothing. */
+/* Stores results, so that the compiler keeps their computation. */
 static volatile size_t sink;
 
-/* Constant arguments make a loop of its own out of each call. */
+/* Each call with constant arguments compiles to a loop of its own. */
 INLINE void plain_loop(const struct turn *t, size_t k, enum arrangement a,
-                       enum asked asked)
+                       enum query query)
 {
-    static const unsigned wants[ASKED] = {0,
-                                          0,
-                                          CYLINT_WANT_T | CYLINT_WANT_NEAREST,
-                                          CYLINT_WANT_T | CYLINT_WANT_NEAREST,
-                                          0,
-                                          CYLINT_WANT_T | CYLINT_WANT_NEAREST,
-                                          CYLINT_WANT_T};
+    static const unsigned wants[QUERIES] = {0,
+                                            0,
+                                            CYLINT_WANT_T | CYLINT_WANT_NEAREST,
+                                            CYLINT_WANT_T | CYLINT_WANT_NEAREST,
+                                            0,
+                                            CYLINT_WANT_T | CYLINT_WANT_NEAREST,
+                                            CYLINT_WANT_T};
     const struct scene *s = t->scene;
     const size_t n = turn_tests(t);
     size_t found = n, count = 0;
@@ -72,21 +72,21 @@ INLINE void plain_loop(const struct turn *t, size_t k, enum arrangement a,
     for (size_t i = 0; i < n; i++) {
         cylint_answer answer;
         plain_quadratic(&s->subjects[shape_of(a, i, k)].shape,
-                        &t->lines[line_of(a, i, k)], wants[asked], &answer);
-        if (asked == ASK_RELATIONS)
+                        &t->lines[line_of(a, i, k)], wants[query], &answer);
+        if (query == QUERY_RELATIONS)
             s->relation[i] = (signed char)answer.relation;
-        if (asked == ASK_BOTH)
+        if (query == QUERY_BOTH)
             s->n[i] = (signed char)answer.n;
-        if (asked == ASK_FIRST || asked == ASK_BOTH)
+        if (query == QUERY_FIRST || query == QUERY_BOTH)
             s->t[0][i] = answer.n > 0 ? answer.hit[0].t : NAN;
-        if (asked == ASK_BOTH)
+        if (query == QUERY_BOTH)
             s->t[1][i] = answer.n > 1 ? answer.hit[1].t : NAN;
         if (answer.n == 0)
             continue;
         count++;
-        if (asked == ASK_ANY)
+        if (query == QUERY_ANY)
             break;
-        if (asked == ASK_NEAREST && answer.hit[0].t < nearest) {
+        if (query == QUERY_NEAREST && answer.hit[0].t < nearest) {
             nearest = answer.hit[0].t;
             found = i;
         }
@@ -94,52 +94,52 @@ INLINE void plain_loop(const struct turn *t, size_t k, enum arrangement a,
     sink = count + found;
 }
 
-INLINE void plain_asked(const struct turn *t, size_t k, enum arrangement a)
+INLINE void plain_query(const struct turn *t, size_t k, enum arrangement a)
 {
-    switch (t->asked) {
-    case ASK_COUNT:
-        plain_loop(t, k, a, ASK_COUNT);
+    switch (t->query) {
+    case QUERY_COUNT:
+        plain_loop(t, k, a, QUERY_COUNT);
         return;
-    case ASK_ANY:
-        plain_loop(t, k, a, ASK_ANY);
+    case QUERY_ANY:
+        plain_loop(t, k, a, QUERY_ANY);
         return;
-    case ASK_RELATIONS:
-        plain_loop(t, k, a, ASK_RELATIONS);
+    case QUERY_RELATIONS:
+        plain_loop(t, k, a, QUERY_RELATIONS);
         return;
-    case ASK_FIRST:
-        plain_loop(t, k, a, ASK_FIRST);
+    case QUERY_FIRST:
+        plain_loop(t, k, a, QUERY_FIRST);
         return;
-    case ASK_BOTH:
-        plain_loop(t, k, a, ASK_BOTH);
+    case QUERY_BOTH:
+        plain_loop(t, k, a, QUERY_BOTH);
         return;
     default:
-        plain_loop(t, k, a, ASK_NEAREST);
+        plain_loop(t, k, a, QUERY_NEAREST);
     }
 }
 
-static void plain_answers(const struct turn *t, size_t k)
+static void plain_question(const struct turn *t, size_t k)
 {
     switch (t->arrangement) {
     case ONE_LINE:
-        plain_asked(t, k, ONE_LINE);
+        plain_query(t, k, ONE_LINE);
         return;
     case ONE_SHAPE:
-        plain_asked(t, k, ONE_SHAPE);
+        plain_query(t, k, ONE_SHAPE);
         return;
     default:
-        plain_asked(t, k, PAIRS);
+        plain_query(t, k, PAIRS);
     }
 }
 
-static void columns_asked(const struct turn *t, size_t k)
+static void columns_query(const struct turn *t, size_t k)
 {
     const struct scene *s = t->scene;
     cylint_columns to = {0};
-    if (t->asked == ASK_RELATIONS)
+    if (t->query == QUERY_RELATIONS)
         to.relation = s->relation;
     else
         to.t0 = s->t[0];
-    if (t->asked == ASK_BOTH) {
+    if (t->query == QUERY_BOTH) {
         to.n = s->n;
         to.t1 = s->t[1];
     }
@@ -157,27 +157,27 @@ static void columns_asked(const struct turn *t, size_t k)
     }
 }
 
-static void batch_answers(const struct turn *t, size_t k)
+static void batch_question(const struct turn *t, size_t k)
 {
     const cylint_pack *pack = &t->scene->pack;
     const unsigned want = CYLINT_WANT_T | CYLINT_WANT_NEAREST;
     cylint_hit hit;
-    switch (t->asked) {
-    case ASK_COUNT:
+    switch (t->query) {
+    case QUERY_COUNT:
         sink = cylint_count(pack, &t->lines[k], 0);
         return;
-    case ASK_ANY:
+    case QUERY_ANY:
         sink = cylint_count(pack, &t->lines[k], 1);
         return;
-    case ASK_NEAREST:
+    case QUERY_NEAREST:
         sink = cylint_nearest(pack, &t->lines[k], want, &hit);
         return;
-    case ASK_FAST:
+    case QUERY_FAST:
         sink =
             cylint_nearest(pack, &t->lines[k], want | CYLINT_WANT_FAST, &hit);
         return;
     default:
-        columns_asked(t, k);
+        columns_query(t, k);
     }
 }
 
@@ -188,13 +188,13 @@ void batch_turn(void *turn, const int *order, int n)
         cylint_use_kernels(t->kernels);
     for (int i = 0; i < n; i++) {
         if (t->kernels)
-            batch_answers(t, (size_t)order[i]);
+            batch_question(t, (size_t)order[i]);
         else
-            plain_answers(t, (size_t)order[i]);
+            plain_question(t, (size_t)order[i]);
     }
 }
 
-/* What the first pass asks, but for its margin. */
+/* The test of the first pass without its error margin. */
 static int meets_ball(const cylint_shape *s, const cylint_line *l)
 {
     double D[3], M2 = 0, d2 = 0;

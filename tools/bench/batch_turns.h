@@ -1,5 +1,5 @@
 /*
- * batch_turns.h - what a batch is asked, and who answers
+ * batch_turns.h - the queries of a batch, and the turns that answer them
  */
 #ifndef BENCH_BATCH_TURNS_H
 #define BENCH_BATCH_TURNS_H
@@ -7,45 +7,46 @@
 #include "batch_scene.h"
 #include "race.h"
 
-/* Shapes under one line, lines against one shape, line i against shape i. */
+/* One line against all shapes, all lines against one shape, line i against
+ * shape i. */
 enum arrangement { ONE_LINE, ONE_SHAPE, PAIRS, ARRANGEMENTS };
 
-/* The first four are of one line and all shapes only. */
-enum asked {
-    ASK_COUNT,     /* how many are met */
-    ASK_ANY,       /* whether any is, stopping there */
-    ASK_NEAREST,   /* which is met first, and where */
-    ASK_FAST,      /* the same, t as the doubles have it */
-    ASK_RELATIONS, /* a column: relation */
-    ASK_FIRST,     /* a column: t of the first hit */
-    ASK_BOTH,      /* columns: how many, and both t */
-    ASKED
+/* The first four exist only for ONE_LINE. */
+enum query {
+    QUERY_COUNT,     /* the number of shapes hit */
+    QUERY_ANY,       /* whether a shape is hit; stops at the first */
+    QUERY_NEAREST,   /* the shape hit first, and t */
+    QUERY_FAST,      /* the same with CYLINT_WANT_FAST */
+    QUERY_RELATIONS, /* a column: relation */
+    QUERY_FIRST,     /* a column: t of the first hit */
+    QUERY_BOTH,      /* columns: number of hits and both t */
+    QUERIES
 };
 
 const char *arrangement_name(enum arrangement arrangement);
-const char *asked_name(enum asked asked);
+const char *query_name(enum query query);
 
 struct turn {
     const struct scene *scene;
-    const cylint_line *lines; /* the scene's, or those away */
+    const cylint_line *lines; /* the scene's `lines` or `away` */
     const char *kernels;      /* NULL: the plain quadratic, one by one */
     enum arrangement arrangement;
-    enum asked asked;
+    enum query query;
 };
 
-/* A turn_fn: question k is line k against all shapes, or shape k against
- * all lines, or all shapes with the lines k further on. */
+/* A turn_fn.  Question k is line k against all shapes, shape k against all
+ * lines, or line i + k against shape i for all i. */
 void batch_turn(void *turn, const int *order, int n);
 
-/* How many tests a question is. */
+/* The number of tests in a question. */
 size_t turn_tests(const struct turn *t);
 
-/* Of the tests of so many questions, per cent that hit; and per cent whose
- * line meets the ball about the shape. */
+/* Percentages of the tests in the given number of questions: hits, and lines
+ * that meet the bounding ball of the shape. */
 void turn_shares(const struct turn *t, int questions, double *hits,
                  double *reached);
 
-/* How many builds of the kernels this processor runs. */
+/* The number of builds of the kernels that this processor runs. */
 int kernels_count(void);
 
 #endif

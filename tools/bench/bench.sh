@@ -1,6 +1,6 @@
 #!/bin/sh
-# make bench: runs the benchmarks of $BUILD, and of $BUILD/fma where $FMA is
-# set, and writes everything to $BUILD/bench.  QUICK=1: under two minutes.
+# make bench: runs the benchmarks of $BUILD, and of $BUILD/fma if $FMA is set,
+# and writes tables and charts to $BUILD/bench.  QUICK=1: under two minutes.
 here=$(dirname "$0")
 out=$BUILD/bench
 mkdir -p "$out" || exit 3
@@ -10,8 +10,9 @@ else
     rounds=400 cases=100000 seconds=1 batch_seconds=20 most=10000000
 fi
 
-# Each program once per build; the lines of the second without its header.
-# Both builds give the same answers, so only the first is judged.
+# Runs a program of each build; the second build's output loses its header.
+# Both builds give the same answers, so only the first is compared with the
+# reference.
 measure() {
     program=$1 csv=$2 first=$3 second=$4
     "$BUILD/tools/bench/$program" "$flags" $first >"$csv" || exit 1
@@ -22,14 +23,14 @@ measure() {
     rm "$csv.fma"
 }
 
-# As many shapes as fit into half of the memory that is free.
+# The number of shapes that fit into half of the free memory, at most $1.
 fitting() {
     awk -v most="$1" '/^MemAvailable:/ { n = $2 * 1024 / 2 / 700 }
         END { if (n == 0) n = 1e6; printf "%d", n < most ? n : most }' \
         /proc/meminfo 2>/dev/null || echo 1000000
 }
 
-draw() { # script, csv and what else awk takes
+draw() { # SCRIPT CSV [AWK ARGUMENT]...
     script=$1 csv=$2
     shift 2
     awk "$@" -f "$here/$script" "$csv" | gnuplot
@@ -48,7 +49,7 @@ flags=$(echo " $CFLAGS" | sed 's/ -g[0-9a-z]*//g; s/,/ /g; s/^ *//')
 describe_machine >"$out/machine.txt"
 cat "$out/machine.txt"
 
-echo 'cost beside the plain quadratic ...' >&2
+echo 'time of a question beside the quadratics ...' >&2
 measure cost "$out/cost.csv" $rounds $rounds
 awk -f "$here/cost.awk" "$out/cost.csv" >"$out/cost.txt"
 
@@ -87,4 +88,4 @@ cat "$out/cost.txt"
 echo
 cat "$out/batch.txt"
 echo
-echo "all of it: $out/"
+echo "tables and charts: $out/"

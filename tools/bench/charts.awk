@@ -3,11 +3,11 @@
 #     awk -v class='cylinder capped' -v unit=radii -v out=file.svg \
 #         [-v only='ordinary;far origin'] -f charts.awk methods.csv
 #
-# One panel a family, one mark a method: x the ns of a question, y the error
-# of a hit along the line, 99 %, with a line from the median up to the
-# largest; unit=radii (of the shape) or unit=ulp (of t).  Errors beyond the
-# frame are drawn on it: nought has no logarithm, and a method that gave no
-# hit rightly has no error, but fails.
+# One panel a family, one mark a method.  x: ns of a question.  y: the error
+# that 99 % of the hits do not exceed, with a line from the median to the
+# largest error; unit=radii (of the shape, along the line) or unit=ulp (of t).
+# An error outside the frame is drawn on the frame: 0 has no logarithm, and a
+# method without any correct verdict has no error of hits.
 BEGIN {
     FS = ","; across = 5
     least = unit == "ulp" ? 1e-2 : 1e-18; most = unit == "ulp" ? 1e18 : 1e7
@@ -21,7 +21,7 @@ BEGIN {
     contestant("gullotti", "both", "Gullotti", 4, 5, "#56b4e9", 0.95)
     contestant("closest-points", "both", "closest points", 8, 9, "#009e73", 1.1)
     contestant("cychosz-waggenspack", "both", "Cychosz, Waggenspack 1994", 10, 11, "#cc79a7", 1.1)
-    contestant("quadratic", "both", "quadratic, all it can tell", 14, 15, "#555555", 1.1)
+    contestant("quadratic", "both", "full quadratic", 14, 15, "#555555", 1.1)
     contestant("plain", "both", "plain quadratic", 4, 5, "#999999", 0.8)
     contestant("gsl", "both", "GSL's solver", 6, 7, "#000000", 0.8)
     contestant("shader", "nearest", "shader, nearest hit", 8, 9, "#8b5a2b", 0.95)
@@ -57,13 +57,13 @@ function data(   f, m) {
             if ((f, m) in rows) printf "$D%d_%d << EOD\n%s\nEOD\n", f, m, rows[f, m]
 }
 
-# Of a box in pixels, from the top left.
+# Sets the margins to a box in pixels from the top left.
 function place(x, y, w, h) {
     printf "set lmargin at screen %.4f\nset rmargin at screen %.4f\n", x / width, (x + w) / width
     printf "set tmargin at screen %.4f\nset bmargin at screen %.4f\n", 1 - y / height, 1 - (y + h) / height
 }
 
-# Filled where no verdict is wrong, open otherwise; crossed from 1 % on.
+# Filled: no verdict is wrong.  Open: some are.  Crossed: 1 % or more are.
 function marks(f, m,   d, share) {
     d = sprintf("$D%d_%d", f, m); share = wrong[f, m]
     printf "%s using 1:2:(0):($4-$2) with vectors nohead lw 1.2 lc rgb '%s' notitle", d, colours[m]
@@ -101,7 +101,7 @@ function legend(   m, entries) {
     printf "plot NaN notitle"
     for (m = 1; m <= n_methods; m++)
         if (used[m] && ++entries) key_entry(sprintf("points pt %d ps %s lc rgb '%s'", fills[m], sizes[m] + 0.1, colours[m]), titles[m])
-    for (; entries % key_rows; entries++) key_entry("lines lc bgnd", " ") # the rest in a column of its own
+    for (; entries % key_rows; entries++) key_entry("lines lc bgnd", " ") # fills the column
     key_entry("points pt 7 ps 1 lc rgb 'black'", "filled: every verdict right")
     key_entry("points pt 6 ps 1 lw 1.3 lc rgb 'black'", "open: some verdicts wrong")
     key_entry("points pt 2 ps 0.8 lw 1.3 lc rgb '" cross "'", "crossed: 1 % or more wrong")
@@ -113,7 +113,7 @@ END {
     if (n_families == 0) exit
     for (m in used) n_used++
     if (n_families < across) across = n_families
-    key_rows = n_used > 8 ? int((n_used + 1) / 2) : 4 # two columns, and one of signs
+    key_rows = n_used > 8 ? int((n_used + 1) / 2) : 4 # two columns of methods, one of signs
     legend_height = 32 + 20 * key_rows
     down = int((n_families + across - 1) / across)
     wide = 205; tall = down > 1 ? 158 : 215; left = 66; top = 62; cross = "#c00000"
@@ -124,8 +124,8 @@ END {
     data()
     print "set multiplot"
     printf "set label 1 \"%s: time of a question against error of its hits\" at screen 0.5,%.4f center font ',15'\n", class, 1 - 20 / height
-    printf "set label 2 \"ns a question, both t\" at screen 0.5,%.4f center font ',12'\n", (legend_height + 16) / height
-    printf "set label 3 \"error of a hit, 99 %%, in %s\" at screen 0.013,%.4f center rotate font ',12'\n", \
+    printf "set label 2 \"ns a question, both t (lower is better)\" at screen 0.5,%.4f center font ',12'\n", (legend_height + 16) / height
+    printf "set label 3 \"error of 99 %% of hits, in %s (lower is better)\" at screen 0.013,%.4f center rotate font ',12'\n", \
         (unit == "ulp" ? "ulp of t" : "radii along the line"), 0.5 + legend_height / 2 / height
     print "set logscale xy; set mxtics 1; set mytics 1; set tics scale 0.4 font ',10'; set border lw 0.6 lc rgb '#666666'"
     print "set grid xtics ytics lw 0.4 lc rgb '#dddddd'; unset key"

@@ -1,5 +1,5 @@
 /*
- * contestants.c - the table of contestants and the loops that ask them
+ * contestants.c - the table of contestants and the loops that time them
  */
 #include "contestants.h"
 
@@ -53,7 +53,7 @@ const struct contestant *contestant_named(const char *name, const char *mode)
     for (const struct contestant *c = table; c->name; c++)
         if (!strcmp(c->name, name) && !strcmp(c->mode, mode))
             return c;
-    fprintf(stderr, "bench: nobody called %s answers %s\n", name, mode);
+    fprintf(stderr, "bench: no contestant '%s' in mode '%s'\n", name, mode);
     exit(2);
 }
 

@@ -1,17 +1,18 @@
 /*
- * contestants.h - who answers, and what each is asked
+ * contestants.h - the contestants of a race: a method and a mode each
  *
- * A contestant is a way to intersect and a mode: what is wanted of it.  All
- * are called alike, through a pointer, with the same shape, line and answer;
- * what a formulation may know of a shape beforehand stands in the subject.
+ * A contestant is an intersection method and a mode, which is the set of
+ * results it computes.  All are called through a pointer with the same shape,
+ * line and answer.  The subject holds the values that a method may prepare
+ * for a shape.
  */
 #ifndef BENCH_CONTESTANTS_H
 #define BENCH_CONTESTANTS_H
 
 #include "cylint_methods.h"
 
-/* A shape, and what the plain formulations keep of it.  The library is
- * handed the shape, which comes first, so that they can find the rest. */
+/* A shape and the values that the plain quadratic prepares for it.  The shape
+ * comes first: a method gets a pointer to it and reads the rest behind it. */
 struct subject {
     cylint_shape shape;
     double axis_axis; /* w.w */
@@ -31,27 +32,26 @@ struct contestant {
     const char *name;
     const char *mode;                    /* verdict, nearest, both, fast, all */
     cylint_method_fn *answer;            /* NULL: cylint_intersect itself */
-    contestant_answers_for *answers_for; /* NULL: asked, it tells */
+    contestant_answers_for *answers_for; /* NULL: by its status */
     unsigned want;
-    int only_hit; /* 1: no relation, just whether the nearest hit
-                                is there */
+    int only_hit; /* 1: writes the nearest hit or none, no relation */
 };
 
-/* Every contestant: the last one's name is NULL. */
+/* All contestants; the last entry's name is NULL. */
 const struct contestant *contestants(void);
 
-/* The one called so; stops the program if there is none. */
+/* The contestant of that name and mode; exits if there is none. */
 const struct contestant *contestant_named(const char *name, const char *mode);
 
-/* Whether it answers for this shape at all. */
+/* Whether the contestant answers for this shape. */
 int contestant_takes(const struct contestant *c, const cylint_shape *shape);
 
-/* One answer. */
+/* Computes one answer. */
 void contestant_answer(const struct contestant *c, const struct question *q,
                        cylint_answer *answer);
 
-/* A contestant's turn in a race (race.h): all questions, in that order.
- * The context is an entry. */
+/* A contestant's turn in a race (race.h): all questions in the given order.
+ * The context is a struct entry. */
 struct entry {
     const struct contestant *contestant;
     const struct question *questions;
@@ -59,18 +59,19 @@ struct entry {
 
 void contestant_turn(void *entry, const int *order, int n);
 
-/* ------------------------------------------- our own, for comparison -- */
+/* -------------------------------------------- methods to compare with -- */
 
-/* plain.c: B^2 - 4AC as lean as it can be had, for circular kinds given by
- * radii, capped or infinite: no parts, no sides, nothing but t. */
+/* plain.c: the plain quadratic, B^2 - AC with as few operations as possible,
+ * for cylinders and cones, capped or infinite.  It writes t, no parts and no
+ * sides. */
 cylint_method_fn plain_quadratic;
 int plain_answers_for(const cylint_shape *shape);
 
-/* shader.c: a capped cylinder's nearest hit, as shaders do it. */
+/* shader.c: the nearest hit of a capped cylinder by the shader formula. */
 cylint_method_fn shader_cylinder;
 int shader_answers_for(const cylint_shape *shape);
 
-/* gsl_quadratic.c: the plain coefficients, solved by GSL. */
+/* gsl_quadratic.c: the plain quadratic's coefficients, solved by GSL. */
 #ifdef HAVE_GSL
 cylint_method_fn gsl_quadratic;
 #endif

@@ -1,11 +1,12 @@
 /*
- * cost.c - what certainty costs beside the plain quadratic
+ * cost.c - time of a question beside the plain and the full quadratic
  *
  *     cost [BUILD] [ROUNDS]
  *
- * One row for each shape, work and mode: ns of the plain quadratic, of the
- * library, and their quotient, as CSV.  BUILD is copied into the first
- * column.
+ * Writes CSV.  One row for each shape, work and mode: ns of the plain
+ * quadratic, of the full quadratic (cylint --method=quadratic) and of
+ * cylint_intersect(), and the ratios of the last to the first two.  BUILD is
+ * copied into the first column.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,13 +14,14 @@
 #include "cost_inputs.h"
 #include "race.h"
 
-/* So many that no branch predictor keeps them, so few that they stay in the
- * second cache: the questions come in a new order every round. */
+/* Too many for a branch predictor, few enough for the second-level cache.
+ * Their order is shuffled in every round. */
 enum { QUESTIONS = 2000, MODES = 4, NAMES = 3 };
 
 static const char *const modes[MODES] = {"verdict", "nearest", "both", "fast"};
 
-/* Who answers in a mode: `fast` is the library's alone, beside `both`. */
+/* The contestant of a mode.  Only the library has `fast`; the quadratics
+ * answer `both` instead. */
 static const struct contestant *contestant(int name, int mode)
 {
     static const char *const names[NAMES] = {"plain", "quadratic", "cylint"};
@@ -60,8 +62,8 @@ int main(int argc, char **argv)
     if (!q)
         return 4;
     timing_begin();
-    printf("build,shape,work,hits_percent,mode,plain_ns,quadratic_ns,"
-           "cylint_ns,over_plain,over_quadratic\n");
+    printf("build,shape,work,hits_percent,mode,plain_ns,full_ns,"
+           "cylint_ns,over_plain,over_full\n");
     for (int shape = 0; shape < COST_SHAPES; shape++)
         for (int work = 0; work < COST_WORKS; work++)
             one_work(build, (enum cost_shape)shape, (enum cost_work)work, q,

@@ -1,5 +1,5 @@
 /*
- * cost_inputs.c - ordinary lines by a Sobol sequence, and a drawing's grid
+ * cost_inputs.c - ordinary lines from a Sobol sequence, and an integer grid
  */
 #include "cost_inputs.h"
 
@@ -101,8 +101,9 @@ static void ordinary_shape(struct question *q, enum cost_shape shape)
         !make_shape(q, shape, p0, between(0.5, 1.5), p1, between(0.1, 0.4)));
 }
 
-/* From a point of a ball about the shape, in any direction: five numbers in
- * [0, 1), of which the sequence takes care that they fill their cube. */
+/* The line through a point of a cube about the shape, in any direction.  x:
+ * five numbers in [0, 1) from the sequence, which fills the unit cube
+ * evenly. */
 static void line_of(const double x[5], struct question *q)
 {
     const double pi = 3.14159265358979323846;
@@ -117,8 +118,8 @@ static void line_of(const double x[5], struct question *q)
     cylint_whole_line(&q->line, o, d);
 }
 
-/* Lines of the sequence are taken while their kind, hit or miss, is still
- * wanted. */
+/* Takes lines from the sequence until it has `hits` hits and n - hits
+ * misses. */
 static void ordinary(enum cost_shape shape, struct question *q, int n, int hits)
 {
     gsl_qrng *sobol = gsl_qrng_alloc(gsl_qrng_sobol, 5);
@@ -140,9 +141,10 @@ static void ordinary(enum cost_shape shape, struct question *q, int n, int hits)
 
 /* ----------------------------------------------------- the grid -------- */
 
-/* An axis along a coordinate, everything in whole numbers. */
+/* A shape with integer coordinates whose axis is parallel to coordinate axis
+ * k. */
 struct grid_shape {
-    int i, j, k; /* across, across, along the axis */
+    int i, j, k; /* i, j: the other two coordinates */
     double p0[3], p1[3], r0, r1;
 };
 
@@ -169,8 +171,8 @@ static void grid_parallel(const struct grid_shape *g, double o[3], double d[3])
     d[g->k] = whole(0, 1) ? 1 : -1;
 }
 
-/* Through a point of the base's rim, in the plane that touches there: so
- * much along the rim, so much along the ruling. */
+/* A line through a point of the base's rim in the tangent plane there: a
+ * combination of the rim's tangent and the ruling. */
 static void grid_tangent(const struct grid_shape *g, double o[3], double d[3])
 {
     const int up = whole(-1, 1), back = whole(-4, 4);
@@ -191,7 +193,7 @@ static void grid_other(double o[3], double d[3])
     } while (d[0] == 0 && d[1] == 0 && d[2] == 0);
 }
 
-enum { PARALLEL = 20, TANGENT = 2 }; /* in 100 */
+enum { PARALLEL = 20, TANGENT = 2 }; /* per cent */
 
 static void grid_question(enum cost_shape shape, struct question *q, int which)
 {

@@ -1,10 +1,9 @@
 /*
- * cost_inputs.h - the questions whose price is asked: ordinary work
+ * cost_inputs.h - the questions of cost.c: two kinds of ordinary work
  *
- * Two kinds of work.  Ordinary lines past ordinary shapes, by a Sobol
- * sequence, with a given share of hits; and what a drawing on an integer
- * grid asks: 20 % of the lines exactly parallel to the axis, 2 % exactly
- * tangent, the rest between grid points.
+ * Lines from a Sobol sequence and random shapes, with a given share of hits;
+ * and a drawing on an integer grid: 20 % of the lines are exactly parallel to
+ * the axis, 2 % are exactly tangent, the rest pass through two grid points.
  */
 #ifndef BENCH_COST_INPUTS_H
 #define BENCH_COST_INPUTS_H
@@ -30,8 +29,8 @@ enum cost_work {
 const char *cost_shape_name(enum cost_shape shape);
 const char *cost_work_name(enum cost_work work);
 
-/* Fills n questions and tells how many of them are hits; 0 where the
- * sequences are missing (built without GSL). */
+/* Writes n questions and the number of hits among them.  Returns 0 if built
+ * without GSL, which has the sequence. */
 int cost_questions(enum cost_shape shape, enum cost_work work,
                    struct question *q, int n, int *hits);
 

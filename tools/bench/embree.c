@@ -3,9 +3,10 @@
  *
  * usage: embree SECONDS MOST
  *
- * Scenes of up to MOST cylinders; about SECONDS for each race of all rivals
- * over one kind of rays.  One core; the least of several turns counts; ratios
- * are of rays per second, Embree's cone curves being 1.
+ * Scenes have up to MOST cylinders.  Each race of all rivals over one kind of
+ * rays takes about SECONDS on one core; the least time of several turns
+ * counts.  ratio: rays a second over those of Embree's cone curves (higher is
+ * better).
  */
 #include <math.h>
 #include <stdio.h>
@@ -22,7 +23,7 @@ struct contestant {
     struct rival rival;
     struct timing least;
     long hits;
-    double t; /* sum */
+    double t; /* sum of all hits */
 };
 
 static void query_nearest(struct contestant *c, const struct rays *rays)
@@ -58,8 +59,9 @@ static void query_any(struct contestant *c, const struct rays *rays)
 
 typedef void query(struct contestant *c, const struct rays *rays);
 
-/* Rounds in which each has a turn, for `seconds`, at least three. */
-static void compete(struct contestant *c, int n, query *ask,
+/* Runs rounds for `seconds`, at least three; in a round each rival has a
+ * turn. */
+static void compete(struct contestant *c, int n, query *trace,
                     const struct rays *rays, double seconds)
 {
     const struct timing start = timing_now();
@@ -69,13 +71,13 @@ static void compete(struct contestant *c, int n, query *ask,
          round++)
         for (int i = 0; i < n; i++) {
             const struct timing begin = timing_now();
-            ask(&c[i], rays);
+            trace(&c[i], rays);
             timing_keep_least(&c[i].least, timing_since(begin));
         }
 }
 
-static int enter(struct contestant *c, const struct cylinder_kind *kind,
-                 const struct cylinders *cylinders, int all)
+static int make_rivals(struct contestant *c, const struct cylinder_kind *kind,
+                       const struct cylinders *cylinders, int all)
 {
     const char *one = "threads=1";
     const int segments = segments_for(cylinders, kind);
@@ -96,7 +98,7 @@ static int enter(struct contestant *c, const struct cylinder_kind *kind,
             .name = "blocks, no filters",
             .rival = build_shapes(cylinders, CYLINT_EMBREE_NO_FILTERS, one)};
     }
-    if (all && kind != &fibre) { /* boxes of fibres hold little but air */
+    if (all && kind != &fibre) { /* boxes of fibres are mostly empty */
         c[n++] = (struct contestant){
             .name = "one a primitive",
             .rival = build_shapes(cylinders, CYLINT_EMBREE_SINGLE, one)};
@@ -120,18 +122,18 @@ static void run(const struct cylinder_kind *kind, size_t n, int all,
 {
     struct contestant c[MOST_RIVALS];
     struct cylinders cylinders = draw_cylinders(kind, n);
-    struct rays wild = draw_incoherent_rays(RAYS);
+    struct rays incoherent = draw_incoherent_rays(RAYS);
     struct rays camera = draw_camera_rays(RAYS);
-    const int rivals = enter(c, kind, &cylinders, all);
-    compete(c, rivals, query_nearest, &wild, seconds);
-    show(kind->name, n, "incoherent", c, rivals, wild.n);
+    const int rivals = make_rivals(c, kind, &cylinders, all);
+    compete(c, rivals, query_nearest, &incoherent, seconds);
+    show(kind->name, n, "incoherent", c, rivals, incoherent.n);
     compete(c, rivals, query_nearest, &camera, seconds);
     show(kind->name, n, "coherent", c, rivals, camera.n);
-    compete(c, rivals, query_any, &wild, seconds);
-    show(kind->name, n, "occluded", c, rivals, wild.n);
+    compete(c, rivals, query_any, &incoherent, seconds);
+    show(kind->name, n, "occluded", c, rivals, incoherent.n);
     for (int i = 0; i < rivals; i++)
         free_rival(&c[i].rival);
-    free_rays(&wild);
+    free_rays(&incoherent);
     free_rays(&camera);
     free_cylinders(&cylinders);
 }
@@ -151,6 +153,8 @@ int main(int argc, char **argv)
         {&thin, 1000000, 1}, {&fat, 1000000, 1}, {&thin, 10000000, 0}};
     timing_begin();
     flush_subnormals();
+    puts("# higher is better: Mray/s, ratio (to Embree's cone curves); "
+         "lower is better: build s, bytes/shape");
     printf("scene\tn\trays\trival\tMray/s\tratio\thits/ray\tbuild s\t"
            "bytes/shape\n");
     for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++)

@@ -1,9 +1,11 @@
 /*
- * embree_counts.c - what is asked for a ray: nodes, blocks, pieces, shapes
+ * embree_counts.c - nodes, blocks, pieces and shapes that a ray visits
  *
- * For the scenes and rays of embree.c, with an adapter that counts its visits;
- * its questions are counted on their way (linked with --wrap).
  * usage: embree_counts MOST
+ *
+ * The scenes and rays of embree.c with an adapter that counts its visits.
+ * Calls of the float filter and of cylint_intersect() are counted by wrappers
+ * (linked with --wrap).
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,7 +19,7 @@ enum { RAYS = 100000 };
 
 static struct {
     long shapes, exactly;
-} asked;
+} counted;
 
 static const cylint_float_filter *quick;
 
@@ -25,7 +27,7 @@ static cylint_float_filter_result count_shape(
     cylint_float_filter_state *q, const cylint_float_filter_target *subject,
     const cylint_float_filter_ray *line, cylint_float_filter_hit *hit)
 {
-    asked.shapes++;
+    counted.shapes++;
     return quick->enter(q, subject, line, hit);
 }
 
@@ -47,7 +49,7 @@ int __wrap_cylint_intersect(const cylint_shape *shape, const cylint_line *line,
 int __wrap_cylint_intersect(const cylint_shape *shape, const cylint_line *line,
                             unsigned want, cylint_answer *answer)
 {
-    asked.exactly++;
+    counted.exactly++;
     return __real_cylint_intersect(shape, line, want, answer);
 }
 
@@ -60,7 +62,7 @@ static void count(const struct cylinder_kind *kind, size_t n)
             camera ? draw_camera_rays(RAYS) : draw_incoherent_rays(RAYS);
         cylint_rtc_context context;
         cylint_rtc_init(&context);
-        memset(&asked, 0, sizeof asked);
+        memset(&counted, 0, sizeof counted);
         memset(&cylint_visits, 0, sizeof cylint_visits);
         for (int i = 0; i < rays.n; i++) {
             struct RTCRayHit at = {.ray = rays.ray[i]};
@@ -73,7 +75,8 @@ static void count(const struct cylinder_kind *kind, size_t n)
                (double)cylint_visits.nodes / n_rays,
                (double)cylint_visits.blocks / n_rays,
                (double)cylint_visits.lanes / n_rays,
-               (double)asked.shapes / n_rays, (double)asked.exactly / n_rays);
+               (double)counted.shapes / n_rays,
+               (double)counted.exactly / n_rays);
         free_rays(&rays);
     }
     free_rival(&rival);
@@ -83,6 +86,7 @@ static void count(const struct cylinder_kind *kind, size_t n)
 int main(int argc, char **argv)
 {
     const size_t most = argc > 1 ? (size_t)atof(argv[1]) : 1000000;
+    puts("# visits a ray; fewer is better");
     printf("scene\tn\trays\tnodes/ray\tblocks/ray\tpieces/ray\tshapes/ray\t"
            "exactly/ray\n");
     for (size_t n = 1000; n <= most; n *= 10)

@@ -3,14 +3,15 @@
  *
  * usage: embree_packets SECONDS MOST [KIND]
  *
- * Scenes of up to MOST cylinders; about SECONDS for each race.  In a race all
- * rivals are given the same rays one by one and in packets of 4, 8 and 16,
- * which are said to be coherent or not to be: all those take turns on one
- * core, and the least time of each counts.  A camera's rays come as tiles, 8
- * as 4 x 2, 16 as 4 x 4, whoever is asked.
+ * Scenes have up to MOST cylinders; each race takes about SECONDS.  In a race
+ * all rivals trace the same rays one by one and in packets of 4, 8 and 16, each
+ * with Embree's flag `coherent` and with `incoherent`.  They take turns on one
+ * core, and the least time of each counts.  A camera's rays are in tiles: a
+ * packet of 8 is 4 x 2 pixels, a packet of 16 is 4 x 4.
  *
- * ratio: of rays a second, the curves asked in the same way being 1; best: the
- * curves asked in the way that is best for them being 1.
+ * Ratios are of rays a second to Embree's cone curves (higher is better).
+ * ratio: to the curves with the same packets and flag.  best: to the curves
+ * with the packets and flag that are fastest for them.
  */
 #include <math.h>
 #include <stddef.h>
@@ -21,25 +22,25 @@
 #include "embree_rivals.h"
 #include "timing.h"
 
-enum { RAYS = 100000, MOST_LANES = 16, WAYS = 8 };
+enum { RAYS = 100000, MOST_LANES = 16, CALLS = 8 };
 
-/* How rays are asked: in packets of so many, said to be coherent. */
-struct manner {
+/* How rays are traced: the rays in a packet, and the flag `coherent`. */
+struct call {
     int lanes, coherent;
 };
 
-static const struct manner manners[WAYS] = {{1, 0}, {4, 0}, {8, 0}, {16, 0},
-                                            {1, 1}, {4, 1}, {8, 1}, {16, 1}};
+static const struct call calls[CALLS] = {{1, 0}, {4, 0}, {8, 0}, {16, 0},
+                                         {1, 1}, {4, 1}, {8, 1}, {16, 1}};
 
 struct contestant {
     const char *name;
     struct rival rival;
-    struct timing least[WAYS];
-    long hits[WAYS];
+    struct timing least[CALLS];
+    long hits[CALLS];
 };
 
-/* A packet with its hits, as Embree has it: member m of ray i of n is word m n
- * + i, for n = 1 too. */
+/* A packet with its hits in Embree's layout: member m of ray i of n is word
+ * m n + i, for n = 1 too. */
 union packet {
     struct RTCRayHit one;
     struct RTCRayHit4 four;
@@ -54,10 +55,10 @@ enum {
     GEOM_WORD = RAY_WORDS + offsetof(struct RTCHit, geomID) / 4
 };
 
-/* ------------------------------------------------------------ questions -- */
+/* -------------------------------------------------------------- queries -- */
 
-/* What Embree is told beside the rays. */
-struct asking {
+/* The arguments of a query beside the rays. */
+struct arguments {
     cylint_rtc_context context;
 #if CYLINT_EMBREE == 4
     struct RTCIntersectArguments nearest;
@@ -65,7 +66,7 @@ struct asking {
 #endif
 };
 
-static void begin_asking(struct asking *a, int coherent)
+static void set_arguments(struct arguments *a, int coherent)
 {
     cylint_rtc_init(&a->context);
 #if CYLINT_EMBREE == 4
@@ -95,8 +96,8 @@ static void begin_asking(struct asking *a, int coherent)
 static const int valid[MOST_LANES] __attribute__((aligned(64))) = {
     -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
 
-static void ask_nearest(struct asking *a, RTCScene scene, int lanes,
-                        union packet *packet)
+static void query_nearest(struct arguments *a, RTCScene scene, int lanes,
+                          union packet *packet)
 {
     switch (lanes) {
     case 1:
@@ -114,8 +115,8 @@ static void ask_nearest(struct asking *a, RTCScene scene, int lanes,
     }
 }
 
-static void ask_any(struct asking *a, RTCScene scene, int lanes,
-                    union packet *packet)
+static void query_any(struct arguments *a, RTCScene scene, int lanes,
+                      union packet *packet)
 {
     switch (lanes) {
     case 1:
@@ -133,7 +134,7 @@ static void ask_any(struct asking *a, RTCScene scene, int lanes,
     }
 }
 
-/* Rays as packets have them. */
+/* The rays in the layout of packets. */
 static unsigned *in_lanes(const struct rays *rays, int lanes)
 {
     unsigned *words = need((size_t)rays->n * RAY_WORDS * sizeof *words);
@@ -146,26 +147,27 @@ static unsigned *in_lanes(const struct rays *rays, int lanes)
     return words;
 }
 
-typedef void query(struct asking *a, RTCScene scene, int lanes,
+typedef void query(struct arguments *a, RTCScene scene, int lanes,
                    union packet *packet);
 
-/* Returns how many hit: a geometry, or something, so that tfar is negative. */
-static long trace(RTCScene scene, query *ask, const struct manner *how,
+/* Traces n rays.  Returns the number of hits: rays with a geometry ID or, of
+ * occlusion queries, with a negative tfar. */
+static long trace(RTCScene scene, query *query_rays, const struct call *how,
                   const unsigned *rays, int n)
 {
     union packet packet __attribute__((aligned(64)));
-    struct asking a;
+    struct arguments a;
     const int lanes = how->lanes;
     unsigned *geom = packet.word + GEOM_WORD * lanes;
     const unsigned *tfar = packet.word + TFAR_WORD * lanes;
     long hits = 0;
-    begin_asking(&a, how->coherent);
+    set_arguments(&a, how->coherent);
     for (int i = 0; i < n; i += lanes) {
         memcpy(packet.word, rays + (size_t)i * RAY_WORDS,
                (size_t)lanes * RAY_WORDS * sizeof *rays);
         for (int k = 0; k < lanes; k++)
             geom[k] = RTC_INVALID_GEOMETRY_ID;
-        ask(&a, scene, lanes, &packet);
+        query_rays(&a, scene, lanes, &packet);
         for (int k = 0; k < lanes; k++)
             hits += geom[k] != RTC_INVALID_GEOMETRY_ID || tfar[k] >> 31;
     }
@@ -174,21 +176,21 @@ static long trace(RTCScene scene, query *ask, const struct manner *how,
 
 /* ---------------------------------------------------------------- races -- */
 
-static void compete(struct contestant *c, int n, query *ask,
-                    unsigned *const rays[WAYS], int n_rays, double seconds)
+static void compete(struct contestant *c, int n, query *query_rays,
+                    unsigned *const rays[CALLS], int n_rays, double seconds)
 {
     const struct timing start = timing_now();
     for (int i = 0; i < n; i++)
-        for (int way = 0; way < WAYS; way++)
-            c[i].least[way] = (struct timing){HUGE_VAL, HUGE_VAL};
+        for (int k = 0; k < CALLS; k++)
+            c[i].least[k] = (struct timing){HUGE_VAL, HUGE_VAL};
     for (int round = 0; round < 3 || timing_since(start).ns < seconds * 1e9;
          round++)
-        for (int way = 0; way < WAYS; way++)
+        for (int k = 0; k < CALLS; k++)
             for (int i = 0; i < n; i++) {
                 const struct timing begin = timing_now();
-                c[i].hits[way] = trace(c[i].rival.scene, ask, &manners[way],
-                                       rays[way], n_rays);
-                timing_keep_least(&c[i].least[way], timing_since(begin));
+                c[i].hits[k] = trace(c[i].rival.scene, query_rays, &calls[k],
+                                     rays[k], n_rays);
+                timing_keep_least(&c[i].least[k], timing_since(begin));
             }
 }
 
@@ -196,31 +198,31 @@ static void show(const char *scene, size_t n, const char *rays,
                  const struct contestant *c, int rivals, int n_rays)
 {
     double best = HUGE_VAL;
-    for (int way = 0; way < WAYS; way++)
-        best = fmin(best, c[0].least[way].ns);
-    for (int way = 0; way < WAYS; way++)
+    for (int k = 0; k < CALLS; k++)
+        best = fmin(best, c[0].least[k].ns);
+    for (int k = 0; k < CALLS; k++)
         for (int i = 0; i < rivals; i++)
             printf("%s\t%zu\t%s\t%d\t%s\t%s\t%.3f\t%.2f\t%.2f\t%.4f\n", scene,
-                   n, rays, manners[way].lanes,
-                   manners[way].coherent ? "coherent" : "incoherent", c[i].name,
-                   n_rays / c[i].least[way].ns * 1e3,
-                   c[0].least[way].ns / c[i].least[way].ns,
-                   best / c[i].least[way].ns, (double)c[i].hits[way] / n_rays);
+                   n, rays, calls[k].lanes,
+                   calls[k].coherent ? "coherent" : "incoherent", c[i].name,
+                   n_rays / c[i].least[k].ns * 1e3,
+                   c[0].least[k].ns / c[i].least[k].ns, best / c[i].least[k].ns,
+                   (double)c[i].hits[k] / n_rays);
     fflush(stdout);
 }
 
-static void race(const char *scene, size_t n, const char *name, query *ask,
-                 struct rays rays, struct contestant *c, int rivals,
-                 double seconds)
+static void race(const char *scene, size_t n, const char *name,
+                 query *query_rays, struct rays rays, struct contestant *c,
+                 int rivals, double seconds)
 {
-    unsigned *lanes[WAYS];
+    unsigned *lanes[CALLS];
     rays.n -= rays.n % MOST_LANES;
-    for (int way = 0; way < WAYS; way++)
-        lanes[way] = in_lanes(&rays, manners[way].lanes);
-    compete(c, rivals, ask, lanes, rays.n, seconds);
+    for (int k = 0; k < CALLS; k++)
+        lanes[k] = in_lanes(&rays, calls[k].lanes);
+    compete(c, rivals, query_rays, lanes, rays.n, seconds);
     show(scene, n, name, c, rivals, rays.n);
-    for (int way = 0; way < WAYS; way++)
-        free(lanes[way]);
+    for (int k = 0; k < CALLS; k++)
+        free(lanes[k]);
     free_rays(&rays);
 }
 
@@ -234,12 +236,12 @@ static void run(const struct cylinder_kind *kind, size_t n, double seconds)
         {.name = "blocks, no filters",
          .rival = build_shapes(&cylinders, CYLINT_EMBREE_NO_FILTERS, one)}};
     enum { RIVALS = sizeof c / sizeof *c };
-    race(kind->name, n, "camera", ask_nearest, draw_camera_rays(RAYS), c,
+    race(kind->name, n, "camera", query_nearest, draw_camera_rays(RAYS), c,
          RIVALS, seconds);
-    race(kind->name, n, "camera, occluded", ask_any, draw_camera_rays(RAYS), c,
-         RIVALS, seconds);
-    race(kind->name, n, "anyhow", ask_nearest, draw_incoherent_rays(RAYS), c,
-         RIVALS, seconds);
+    race(kind->name, n, "camera, occluded", query_any, draw_camera_rays(RAYS),
+         c, RIVALS, seconds);
+    race(kind->name, n, "incoherent", query_nearest, draw_incoherent_rays(RAYS),
+         c, RIVALS, seconds);
     for (int i = 0; i < RIVALS; i++)
         free_rival(&c[i].rival);
     free_cylinders(&cylinders);
@@ -258,7 +260,9 @@ int main(int argc, char **argv)
                   {&fat, 1000000}};
     timing_begin();
     flush_subnormals();
-    printf("scene\tn\trays\tlanes\tsaid to be\trival\tMray/s\tratio\tbest\t"
+    puts("# higher is better: Mray/s, ratio and best (to Embree's cone "
+         "curves)");
+    printf("scene\tn\trays\tlanes\tflag\trival\tMray/s\tratio\tbest\t"
            "hits/ray\n");
     for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++)
         if (scenes[i].n <= most && strstr(scenes[i].kind->name, only))

@@ -1,5 +1,5 @@
 /*
- * embree_rivals.c - the same cylinders as Embree scenes of several makes
+ * embree_rivals.c - the same cylinders as several kinds of Embree scenes
  */
 #include "embree_rivals.h"
 
@@ -19,11 +19,11 @@ static bool count_bytes(void *user, ssize_t bytes, bool post)
 {
     struct rival *r = user;
     (void)post;
-    r->bytes += (double)bytes; /* one thread builds */
+    r->bytes += (double)bytes; /* no lock: one thread builds */
     return true;
 }
 
-static void complain(void *user, enum RTCError code, const char *text)
+static void report_error(void *user, enum RTCError code, const char *text)
 {
     (void)user;
     fprintf(stderr, "embree: %s (%d)\n", text, (int)code);
@@ -34,7 +34,7 @@ static struct rival *begin(const char *config)
 {
     struct rival *r = need(sizeof *r);
     *r = (struct rival){.device = rtcNewDevice(config)};
-    rtcSetDeviceErrorFunction(r->device, complain, NULL);
+    rtcSetDeviceErrorFunction(r->device, report_error, NULL);
     rtcSetDeviceMemoryMonitorFunction(r->device, count_bytes, r);
     r->scene = rtcNewScene(r->device);
     return r;

@@ -1,5 +1,5 @@
 /*
- * embree_rivals.h - the same cylinders as Embree scenes of several makes
+ * embree_rivals.h - the same cylinders as several kinds of Embree scenes
  */
 #ifndef BENCH_EMBREE_RIVALS_H
 #define BENCH_EMBREE_RIVALS_H
@@ -11,22 +11,24 @@ struct rival {
     RTCScene scene;
     RTCGeometry geometry; /* ours, or NULL */
     double build_seconds; /* processor time of all threads */
-    double bytes;         /* held by Embree and adapter; not the caller's
-                              arrays, which all rivals share in place */
+    double bytes;         /* memory of Embree and the adapter, without the
+                              caller's arrays, which all rivals share */
 };
 
-/* RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE, each cylinder a chain of segments. */
+/* Cone curves (RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE): each cylinder is a chain
+ * of segments. */
 struct rival build_curves(const struct cylinders *c, int segments,
                           const char *device);
 
-/* cylint_embree_geometry(), `how` as there. */
+/* A geometry of cylint_embree_geometry() with the option `how`. */
 struct rival build_shapes(const struct cylinders *c, unsigned how,
                           const char *device);
 
 void free_rival(struct rival *r);
 
-/* How many segments pay for a kind: the root of the areas of box and cylinder,
- * as the adapter has it for pieces, averaged over directions. */
+/* The number of segments per cylinder that suits a kind: the square root of
+ * the ratio of box area to cylinder area, averaged over the cylinders.  The
+ * adapter computes its pieces by the same rule. */
 int segments_for(const struct cylinders *c, const struct cylinder_kind *kind);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * embree_scenes.c - cylinders strewn in a cube, and rays through it
+ * embree_scenes.c - random cylinders in a cube, and rays through it
  */
 #include "embree_scenes.h"
 
@@ -25,7 +25,7 @@ void *need(size_t bytes)
     return p;
 }
 
-/* In [0, 1): xorshift64*, [Vigna 2016]. */
+/* A random number in [0, 1) by xorshift64* [Vigna 2016]. */
 static double draw(uint64_t *state)
 {
     uint64_t x = *state;
@@ -107,7 +107,8 @@ struct rays draw_incoherent_rays(int n)
     return r;
 }
 
-/* Pixel i of tiles of 4 x 4, each of two halves of 4 x 2 of two of 2 x 2. */
+/* The pixel of ray i.  A tile is 4 x 4 pixels, made of halves of 4 x 2, made
+ * of quarters of 2 x 2. */
 static void pixel_of(int i, int side, int *x, int *y)
 {
     const int tile = i / 16, across = side / 4;

@@ -1,8 +1,8 @@
 /*
- * embree_scenes.h - cylinders strewn in a cube, and rays through it
+ * embree_scenes.h - random cylinders in a cube, and rays through it
  *
- * Everything is drawn in floats, so that Embree's own curves are given the
- * same numbers as the shapes.
+ * All numbers are floats, so that Embree's own curves have the same numbers as
+ * the shapes.
  */
 #ifndef BENCH_EMBREE_SCENES_H
 #define BENCH_EMBREE_SCENES_H
@@ -11,11 +11,11 @@
 
 #include "embree/api.h"
 
-/* In multiples of s, the mean spacing: length; in multiples of that: radius. */
+/* length in multiples of the mean spacing, radius in multiples of the length. */
 struct cylinder_kind {
     const char *name;
     double length, radius;
-    int most_segments; /* by which curves are split by hand */
+    int most_segments; /* of a curve that is split by hand */
 };
 
 extern const struct cylinder_kind thin, fat, fibre;
@@ -23,11 +23,11 @@ extern const struct cylinder_kind thin, fat, fibre;
 struct cylinders {
     size_t n;
     float (*ends)[2][3];
-    float *radius; /* all the same, but read like others */
+    float *radius; /* all equal, but read one by one */
     cylint_shape *shapes;
 };
 
-/* n capped cylinders in the unit cube; exits where there is no memory. */
+/* n capped cylinders in the unit cube; exits if there is no memory. */
 struct cylinders draw_cylinders(const struct cylinder_kind *kind, size_t n);
 void free_cylinders(struct cylinders *c);
 
@@ -36,16 +36,17 @@ struct rays {
     struct RTCRay *ray;
 };
 
-/* From anywhere in the cube to anywhere; a camera's before the cube, in the
- * order of packets: 4 after 4 are tiles of 2 x 2, 8 of 4 x 2, 16 of 4 x 4. */
+/* Incoherent: random origins in the cube and random directions.  Camera: rays
+ * of a camera in front of the cube in the order of packets: 4 successive rays
+ * are a tile of 2 x 2 pixels, 8 of 4 x 2, 16 of 4 x 4. */
 struct rays draw_incoherent_rays(int n);
 struct rays draw_camera_rays(int n);
 void free_rays(struct rays *r);
 
-/* What renderers do, as Embree advises: subnormal numbers are zero. */
+/* Sets flush-to-zero and denormals-are-zero, as Embree advises renderers. */
 void flush_subnormals(void);
 
-/* malloc(), or exits. */
+/* malloc(); exits if there is no memory. */
 void *need(size_t bytes);
 
 #endif

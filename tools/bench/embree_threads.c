@@ -1,11 +1,10 @@
 /*
- * embree_threads.c - rays a second with more and more threads on one scene
+ * embree_threads.c - rays a second of 1, 2, ... threads on one scene
  *
  * usage: embree_threads MOST N
  *
- * 1 to MOST threads, each with all of the incoherent rays of embree.c through
- * N thin cylinders; elapsed time, the least of some turns in which all
- * numbers of threads take part.
+ * Each of 1 to MOST threads traces all incoherent rays of embree.c through N
+ * thin cylinders.  The time is elapsed time, the least of several turns.
  */
 #include <math.h>
 #include <pthread.h>
@@ -45,7 +44,8 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Seconds that so many threads take; *hits are those of each. */
+/* Seconds that the threads take.  *hits: the hits of each thread, compared
+ * with those before; negative: none before. */
 static double race(const struct rival *rival, const struct rays *rays,
                    int threads, long *hits)
 {
@@ -55,7 +55,8 @@ static double race(const struct rival *rival, const struct rays *rays,
     for (int i = 0; i < threads; i++) {
         worker[i] = (struct worker){rival, rays, 0};
         if (pthread_create(&thread[i], NULL, trace, &worker[i]) != 0) {
-            fprintf(stderr, "embree_threads: no more than %d threads\n", i);
+            fprintf(stderr,
+                    "embree_threads: cannot start more than %d threads\n", i);
             exit(1);
         }
     }
@@ -64,7 +65,8 @@ static double race(const struct rival *rival, const struct rays *rays,
         if (*hits < 0)
             *hits = worker[i].hits;
         if (worker[i].hits != *hits) {
-            fprintf(stderr, "embree_threads: %ld hits, elsewhere %ld\n",
+            fprintf(stderr,
+                    "embree_threads: one thread has %ld hits, another %ld\n",
                     worker[i].hits, *hits);
             exit(1);
         }
@@ -87,7 +89,8 @@ int main(int argc, char **argv)
     for (int turn = 0; turn < TURNS; turn++)
         for (int i = 0; i < most; i++)
             least[i] = fmin(least[i], race(&rival, &rays, i + 1, &hits));
-    printf("threads\tMray/s\tof one\n");
+    puts("# higher is better: Mray/s, and its ratio to one thread");
+    printf("threads\tMray/s\tratio\n");
     for (int i = 0; i < most; i++)
         printf("%d\t%.3f\t%.2f\n", i + 1, (i + 1) * rays.n / least[i] * 1e-6,
                (i + 1) * least[0] / least[i]);

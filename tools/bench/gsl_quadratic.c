@@ -1,10 +1,10 @@
 /*
- * gsl_quadratic.c - the plain coefficients, solved by the GNU Scientific
- * Library
+ * gsl_quadratic.c - the plain quadratic's coefficients, solved by the GNU
+ * Scientific Library
  *
- * gsl_poly_solve_quadratic avoids the cancellation of -B +- sqrt(...), but
- * the digits that B^2 - 4AC lost were lost before.  Unbounded shapes only:
- * it tells the number of roots.
+ * gsl_poly_solve_quadratic avoids the cancellation in -B +- sqrt(...), but not
+ * that in B^2 - 4AC.  It returns the number of roots, so it answers for
+ * infinite shapes only.
  */
 #include <gsl/gsl_poly.h>
 
@@ -55,7 +55,8 @@ cylint_status gsl_quadratic(const cylint_shape *shape, const cylint_line *line,
     const int n = solve(s, line, &A, t);
     if (n == 0)
         return CYLINT_OK;
-    const int one = n == 2 && t[0] == t[1]; /* steep: a double cone's apex */
+    const int one =
+        n == 2 && t[0] == t[1]; /* A < 0: through a double cone's apex */
     answer->relation =
         one && A > 0 ? CYLINT_RELATION_TOUCH : CYLINT_RELATION_CROSS;
     for (int i = 0; i < (one ? 1 : n); i++) {

@@ -1,11 +1,10 @@
 /*
- * measure.c - runs a command and says what it took
+ * measure.c - runs a command and prints its time and memory
  *
  *   measure COMMAND [ARGUMENT]...
  *
- * prints seconds by the clock, seconds of processor time and the most memory
- * resident in KiB, and exits as the command does.  The command's standard
- * output should go elsewhere: the figures go to descriptor 3.
+ * Prints on descriptor 3: elapsed seconds, seconds of processor time and peak
+ * resident memory in KiB.  Exits with the command's status.
  */
 #if defined(__linux__)
 #define _DEFAULT_SOURCE /* wait4 */

@@ -3,9 +3,9 @@
  *
  *     methods [BUILD] [CASES] [SECONDS]
  *
- * Writes CSV: for each class of shapes, family, method and mode the time of
- * a question and how wrong the answers are.  CASES questions are compared
- * with the reference; the first of them are timed, SECONDS in all for each
+ * Writes CSV: for each class of shapes, family, method and mode the time of a
+ * question and the errors of the answers.  CASES questions are compared with
+ * the reference; the first 2000 of them are timed, for SECONDS in all for each
  * class of each family.  BUILD is copied into the first column.
  */
 #include <math.h>
@@ -16,7 +16,7 @@
 #include "race.h"
 #include "statistics.h"
 
-/* As many as stay in the second cache. */
+/* TIMED questions fit into the second-level cache. */
 enum { TIMED = 2000, CONTESTANTS = 40, ROUNDS = 1000 };
 
 struct event {
@@ -55,7 +55,7 @@ static void draw_questions(struct event *e)
         e->n_questions++;
 }
 
-static void judge(struct event *e)
+static void compare_with_truth(struct event *e)
 {
     uint64_t index = 0;
     for (int i = 0; i < e->n_runners; i++)
@@ -108,14 +108,14 @@ static void print_runner(struct event *e, int i)
     printf(",%ld\n", k->answers);
 }
 
-static void hold(struct event *e)
+static void run(struct event *e)
 {
     draw_questions(e);
     if (e->n_questions < TIMED)
         return; /* the family has no such shapes */
     choose_runners(e);
     race(e->runners, e->n_runners, e->n_questions, ROUNDS, e->seconds);
-    judge(e);
+    compare_with_truth(e);
     for (int i = 0; i < e->n_runners; i++)
         print_runner(e, i);
     fflush(stdout);
@@ -134,7 +134,7 @@ int main(int argc, char **argv)
     for (e->class_number = 0; e->class_number < class_count();
          e->class_number++)
         for (e->family = 0; e->family < family_count(); e->family++)
-            hold(e);
+            run(e);
     for (int i = 0; i < CONTESTANTS; i++) {
         sample_free(&e->records[i].radii);
         sample_free(&e->records[i].ulps);

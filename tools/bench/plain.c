@@ -1,9 +1,9 @@
 /*
- * plain.c - the quadratic that everyone writes, as lean as it can be had
+ * plain.c - the plain quadratic: the textbook's formula in few operations
  *
- * The measure of what the library costs: expanded dot products, B^2 - AC, a
- * square root, the slab of the caps; w.w is known beforehand.  It tells hit
- * or miss and t, and is wrong where the digits cancel.
+ * The library's time is compared with it: expanded dot products, B^2 - AC, a
+ * square root, and the slab of the caps; w.w is prepared.  It writes hit or
+ * miss and t, and is wrong where digits cancel.
  */
 #include <math.h>
 
@@ -22,7 +22,8 @@ static inline double dot(const double u[3], const double v[3])
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-/* The part of [t0, t1] between the planes z = 0 and z = 1. */
+/* Clips [t0, t1] to the planes z = 0 and z = 1; returns whether it is not
+ * empty. */
 static inline int clip_to_slab(double at, double slope, double height,
                                double *t0, double *t1)
 {
@@ -37,8 +38,8 @@ static inline int clip_to_slab(double at, double slope, double height,
     return *t0 <= *t1;
 }
 
-static inline int keep(const cylint_line *line, unsigned want, double t,
-                       cylint_answer *answer)
+static inline int add_hit(const cylint_line *line, unsigned want, double t,
+                          cylint_answer *answer)
 {
     if (!(t >= line->tmin && t <= line->tmax && fabs(t) < HUGE_VAL))
         return 0;
@@ -48,10 +49,10 @@ static inline int keep(const cylint_line *line, unsigned want, double t,
     return (want & CYLINT_WANT_NEAREST) != 0;
 }
 
-/* A t^2 + 2 B t + C <= 0 within. */
+/* Inside: A t^2 + 2 B t + C <= 0. */
 struct quadric {
     double A, B, C;
-    double rho_slope;  /* how the cone's radius changes along the line */
+    double rho_slope;  /* slope of the cone's radius along the line */
     double z, z_slope; /* times w.w */
 };
 
@@ -80,7 +81,7 @@ static inline struct quadric expand(const struct subject *s,
     return q;
 }
 
-/* A = 0: parallel to the axis, or to a ruling of a cone. */
+/* A = 0: the line is parallel to the axis or to a ruling of a cone. */
 static int linear_roots(const struct quadric *q, double *t0, double *t1)
 {
     *t0 = -HUGE_VAL;
@@ -103,8 +104,8 @@ static inline int roots(const struct quadric *q, double disc, double *t0,
     return 1;
 }
 
-/* A line steeper than the rulings lies within on both sides of [t0, t1]; of
- * a bounded cone only the side of rho > 0 is there. */
+/* A line steeper than the rulings is inside the double cone on both sides of
+ * [t0, t1].  A bounded cone has only the side where rho > 0. */
 static inline void other_side(double rho_slope, double *t0, double *t1)
 {
     const double low = *t0;
@@ -144,7 +145,7 @@ cylint_status plain_quadratic(const cylint_shape *shape,
     answer->relation = q.A == 0 && q.B == 0 && q.C == 0 ? CYLINT_RELATION_ALONG
                        : t0 < t1 || q.A < 0             ? CYLINT_RELATION_CROSS
                                                         : CYLINT_RELATION_TOUCH;
-    if (!keep(line, want, t0, answer) && t0 < t1)
-        keep(line, want, t1, answer);
+    if (!add_hit(line, want, t0, answer) && t0 < t1)
+        add_hit(line, want, t1, answer);
     return CYLINT_OK;
 }

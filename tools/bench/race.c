@@ -1,5 +1,5 @@
 /*
- * race.c - rounds of timed turns, interleaved
+ * race.c - timed turns of all contestants, round by round
  */
 #include "race.h"
 
@@ -10,7 +10,7 @@
 
 enum { LEAST_ROUNDS = 3 };
 
-/* xorshift64* [Marsaglia 2003; Vigna 2016]: enough to shuffle by. */
+/* xorshift64* [Marsaglia 2003; Vigna 2016]. */
 static uint64_t next_random(void)
 {
     static uint64_t x = UINT64_C(0x9e3779b97f4a7c15);

@@ -1,17 +1,15 @@
 /*
  * race.h - contestants answer the same questions in turns
  *
- * Before every turn the questions are shuffled, outside the time taken: a
- * processor of today learns the outcomes of thousands of branches by heart
- * when it meets them twice in one order.
+ * The questions are shuffled before every turn; that is not timed.  A branch
+ * predictor can memorise thousands of outcomes if their order repeats.
  */
 #ifndef BENCH_RACE_H
 #define BENCH_RACE_H
 
 #include "timing.h"
 
-/* Answers n questions, in the order given or, where the runner has only one
- * way to go through them, in its own. */
+/* Answers n questions in the given order, or in its own if it has only one. */
 typedef void turn_fn(void *context, const int *order, int n);
 
 struct runner {
@@ -20,8 +18,8 @@ struct runner {
     struct timing least; /* per question */
 };
 
-/* Rounds until each runner had `rounds` turns or the whole race took
- * `seconds`, but at least three. */
+/* Runs rounds until each runner had `rounds` turns or the race took `seconds`;
+ * at least three rounds. */
 void race(struct runner *runners, int n_runners, int n_questions, int rounds,
           double seconds);
 

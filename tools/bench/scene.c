@@ -1,11 +1,12 @@
 /*
- * scene.c - cylint_scene beside asking every shape, in time and memory
+ * scene.c - time and memory of cylint_scene, beside batches of all shapes
  *
  *     scene [-j THREADS] KIND N | NAME COMMAND
  *
- * KIND is a number of tests/scenes.h; COMMAND prints a scene.  Rays of a
- * camera, pixel by pixel, and random ones; CPU time of this thread, or, with
- * -j, wall time of so many threads that answer the same rays in parts.
+ * KIND is a number of tests/scenes.h; COMMAND prints a scene.  The rays are
+ * those of a camera, pixel by pixel, and random ones.  Times are processor
+ * time of this thread or, with -j, elapsed time of THREADS threads that share
+ * the rays.
  */
 #include <math.h>
 #include <pthread.h>
@@ -37,10 +38,10 @@ typedef enum { NEAREST, ANY, COUNT, ALL, QUESTIONS } question;
 
 static const char *const question_name[] = {"nearest", "any", "count", "all"};
 
-/* What is asked, of whom, by one of the threads. */
+/* The query, its target and the lines of one thread. */
 struct turn {
     const cylint_scene *scene;
-    const cylint_pack *pack; /* NULL: the scene is asked */
+    const cylint_pack *pack; /* NULL: query the scene */
     const cylint_line *lines;
     size_t n;
     question what;
@@ -48,7 +49,7 @@ struct turn {
     pthread_t thread;
 };
 
-static size_t ask_scene(const struct turn *t, const cylint_line *line)
+static size_t query_scene(const struct turn *t, const cylint_line *line)
 {
     cylint_hit hit;
     size_t numbers[64];
@@ -65,7 +66,7 @@ static size_t ask_scene(const struct turn *t, const cylint_line *line)
     }
 }
 
-static size_t ask_pack(const struct turn *t, const cylint_line *line)
+static size_t query_pack(const struct turn *t, const cylint_line *line)
 {
     cylint_hit hit;
     return t->what == NEAREST
@@ -78,12 +79,12 @@ static void *take_turn(void *argument)
 {
     struct turn *t = argument;
     for (size_t i = 0; i < t->n; i++)
-        t->sum +=
-            t->pack ? ask_pack(t, &t->lines[i]) : ask_scene(t, &t->lines[i]);
+        t->sum += t->pack ? query_pack(t, &t->lines[i])
+                          : query_scene(t, &t->lines[i]);
     return NULL;
 }
 
-/* Seconds a ray, the least of some turns. */
+/* Seconds a ray, the least of several turns. */
 static double time_of(const struct turn *of, int threads, int turns,
                       size_t *sum)
 {
@@ -115,7 +116,7 @@ static double time_of(const struct turn *of, int threads, int turns,
     return least / (double)of->n;
 }
 
-/* A picture of all of the scene: seen from a corner. */
+/* The rays of a camera that shows the whole scene from a corner. */
 static void camera(const struct scene_shapes *s, cylint_line *lines)
 {
     double size = 0, eye[3], d[3];
@@ -150,9 +151,9 @@ static void measure(const struct turn *of, const char *rays, int threads,
         t.n = BRUTE_RAYS;
         t.lines += RAYS / 2;
         if (brute && what != ALL)
-            printf("  by batch %10.0f ns",
+            printf("  batch of all shapes %10.0f ns",
                    1e9 * time_of(&t, 1, 1, &sum_by_brute_force));
-        printf("  (%zu)\n", sum);
+        printf("  (sum %zu)\n", sum);
     }
 }
 
@@ -182,8 +183,8 @@ int main(int argc, char **argv)
     cylint_scene *scene = cylint_scene_new(of.shapes, of.n, threads, NULL);
     if (!scene)
         return 3;
-    printf("%s: %zu shapes, built in %.3f s (%.3f s of CPU), %.1f bytes a "
-           "shape\n",
+    printf("%s: %zu shapes, built in %.3f s (%.3f s of processor time), %.1f "
+           "bytes a shape; ns: lower is better, Mray/s: higher is better\n",
            of.name, of.n, clock_now(CLOCK_MONOTONIC) - wall,
            clock_now(CLOCK_PROCESS_CPUTIME_ID) - cpu,
            (double)cylint_scene_bytes(scene) / (double)of.n);

@@ -1,6 +1,6 @@
 #!/bin/sh
-# make bench-scene: scenes beside asking every shape; SCENES names the kinds
-# of tests/scenes.h to generate, SIZES how many shapes each has.
+# make bench-scene: scenes beside batches of all shapes.  SCENES lists the
+# kinds of tests/scenes.h to generate, SIZES the numbers of shapes.
 : "${BUILD:=build}" "${SCENES:=0 1 2 5}" "${SIZES:=1000 10000 100000}"
 bench=$BUILD/tools/bench/scene
 neurons=../shared/data/medulla_top24.swc

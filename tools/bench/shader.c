@@ -1,10 +1,10 @@
 /*
- * shader.c - the capped cylinder of a thousand shaders
+ * shader.c - a capped cylinder by the formula that shaders use
  *
- * Dot products with the unnormalised axis, the nearer root of the side, and
- * where that lies beyond a cap, the cap.  It tells the first point of the
- * whole line, or that there is none: no relation, no second hit, nothing
- * about a line exactly along the axis (0/0).
+ * Dot products with the unnormalised axis, and the nearer lateral root; if
+ * that lies beyond a cap, the cap's root.  It writes the first hit of the
+ * whole line or none: no relation and no second hit.  A line exactly parallel
+ * to the axis gives NaN (0/0).
  */
 #include <math.h>
 
@@ -21,7 +21,8 @@ static inline double dot(const double u[3], const double v[3])
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-/* 1 and t, or 0.  k2 t^2 + 2 k1 t + k0 is the side. */
+/* Writes t and returns 1, or returns 0.  The lateral surface is the equation
+ * k2 t^2 + 2 k1 t + k0 = 0. */
 static inline int first_hit(const struct subject *s, const cylint_line *line,
                             double *t)
 {

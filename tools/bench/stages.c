@@ -1,18 +1,18 @@
 /*
- * stages.c - how far questions must go to be answered, family by family
+ * stages.c - share of questions that reach each stage, by family
  *
- *     stages [CASES]      of each family, 100000 if not said; `make stages`
+ *     stages [CASES]      of each family, default 100000 (make stages)
  *
- * Every question counts once, at the furthest arithmetic that it needed, in
- * per cent: first for the verdict (relation, number and parts), then for the
- * roots that belong to it.
+ * Prints percentages.  A question counts once, at the last stage that it
+ * needed: first for the verdict (relation, number and parts of hits), then for
+ * the roots.
  *
- *   kernels  straight-line code in doubles and pairs, all that vectors do
- *   doubles  a sign at a time, each with its own bound
- *   grid     a form that may be 0, but nothing in it was rounded
+ *   kernels  the filter: doubles and pairs in lanes
+ *   doubles  one sign at a time in doubles, with its own error bound
+ *   grid     a form that may be 0, computed without any rounding
  *   pairs    pairs of doubles
- *   exact    every digit
- *   middle   every digit, of the equation between two neighbouring doubles
+ *   exact    exact arithmetic
+ *   middle   exact arithmetic on the midpoint of two neighbouring doubles
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,23 +47,23 @@ static unsigned long long count_family(int family, unsigned long long cases,
                                        struct tally *verdicts,
                                        struct tally *roots)
 {
-    unsigned long long asked = 0;
+    unsigned long long counted = 0;
     for (unsigned long long i = 0; i < cases; i++) {
         struct family_case c;
         family_case(1, family, i, &c);
         if (c.line_status == CYLINT_OK && c.shape_status == CYLINT_OK) {
             verdicts->at[furthest(&c, CYLINT_WANT_PART)]++;
             roots->at[furthest(&c, CYLINT_WANT_PART | CYLINT_WANT_T)]++;
-            asked++;
+            counted++;
         }
     }
-    return asked;
+    return counted;
 }
 
-static void print_tally(const struct tally *tally, unsigned long long asked)
+static void print_tally(const struct tally *tally, unsigned long long counted)
 {
     for (int i = 0; i < FURTHEST; i++) {
-        const double share = 100 * (double)tally->at[i] / (double)asked;
+        const double share = 100 * (double)tally->at[i] / (double)counted;
         if (tally->at[i] == 0) {
             printf(" %7s", "-");
         } else {
@@ -74,7 +74,8 @@ static void print_tally(const struct tally *tally, unsigned long long asked)
 
 static void print_heads(void)
 {
-    printf("%-28s %47s %47s\n", "% of questions", "verdict", "roots");
+    printf("%-28s %47s %47s\n", "% of questions by last stage", "verdict",
+           "roots");
     printf("%-28s", "");
     for (int i = 0; i < 2 * FURTHEST; i++) {
         printf(" %7s", names[i % FURTHEST]);
@@ -89,12 +90,12 @@ int main(int argc, char **argv)
     print_heads();
     for (int family = 0; family < family_count(); family++) {
         struct tally verdicts = {{0}}, roots = {{0}};
-        const unsigned long long asked =
+        const unsigned long long counted =
             count_family(family, cases, &verdicts, &roots);
-        if (asked > 0) {
+        if (counted > 0) {
             printf("%-28s", family_name(family));
-            print_tally(&verdicts, asked);
-            print_tally(&roots, asked);
+            print_tally(&verdicts, counted);
+            print_tally(&roots, counted);
             putchar('\n');
         }
     }

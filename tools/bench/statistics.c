@@ -1,5 +1,5 @@
 /*
- * statistics.c - errors and wrong verdicts, counted up
+ * statistics.c - totals of errors and wrong verdicts
  */
 #include "statistics.h"
 
@@ -14,9 +14,9 @@
 
 void sample_add(struct sample *s, double value)
 {
-    if (s->n == s->room) {
-        s->room = s->room ? 2 * s->room : 1024;
-        s->values = realloc(s->values, (size_t)s->room * sizeof *s->values);
+    if (s->n == s->capacity) {
+        s->capacity = s->capacity ? 2 * s->capacity : 1024;
+        s->values = realloc(s->values, (size_t)s->capacity * sizeof *s->values);
         if (!s->values) {
             fputs("bench: out of memory\n", stderr);
             exit(4);

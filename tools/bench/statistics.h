@@ -1,5 +1,5 @@
 /*
- * statistics.h - errors and wrong verdicts, counted up
+ * statistics.h - totals of errors and wrong verdicts
  */
 #ifndef BENCH_STATISTICS_H
 #define BENCH_STATISTICS_H
@@ -8,21 +8,21 @@
 
 struct sample {
     double *values;
-    int n, room;
+    int n, capacity;
 };
 
 void sample_add(struct sample *s, double value);
-void sample_clear(struct sample *s); /* keeps its room */
+void sample_clear(struct sample *s); /* keeps its capacity */
 void sample_free(struct sample *s);
 
 struct quantiles {
-    double median, most99, max; /* NaN of an empty sample */
+    double median, most99, max; /* NaN if the sample is empty */
 };
 
 /* Sorts the sample. */
 struct quantiles sample_quantiles(struct sample *s);
 
-/* What became of one contestant's answers. */
+/* The verdicts and errors of one contestant's answers. */
 struct record {
     long answers, verdicts[VERDICTS];
     struct sample radii, ulps;

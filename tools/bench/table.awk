@@ -1,13 +1,18 @@
-# The measurements of methods.c as text: awk -f table.awk methods.csv
+# The tables of methods.csv as text: awk -f table.awk methods.csv
 #
-# For each class of shapes one table, a family a line: of each method the ns
-# of a question (both t; shader: the nearest), the 99 % error of a hit in
-# radii, and the share of wrong verdicts where there are any.
+# One table for each class of shapes, one line for each family.  For each
+# method: ns of a question (both t; shader: the nearest), the error in radii
+# that 99 % of the hits do not exceed, and the share of wrong verdicts if there
+# are any.
 BEGIN { FS = ","; first_build = "" }
 
-function column(method, mode) { return mode == "both" ? method : method " " mode }
+function column(method, mode) {
+    if (method == "plain") method = "plain quadratic"
+    if (method == "quadratic") method = "full quadratic"
+    return mode == "both" ? method : method " " mode
+}
 
-# Verdicts have no error; nearest and all only say what they cost.
+# The modes in the tables; the others are in the CSV only.
 function shown(method, mode) {
     if (method == "cylint") return mode == "verdict" || mode == "both" || mode == "fast"
     return mode == "both" || (method == "shader" && mode == "nearest")
@@ -59,7 +64,7 @@ function cell(k, c) {
 }
 
 function one_class(class,   i, j, c) {
-    printf "%s: ns, 99 %% error in radii, wrong verdicts (%s)\n%-22s", class, first_build, "family"
+    printf "%s: ns, error of 99 %% of hits in radii, wrong verdicts (%s); lower is better\n%-22s", class, first_build, "family"
     for (j = 1; j <= n_columns[class]; j++) {
         c = columns[class, j]
         printf (c == "cylint verdict" ? " %13s" : " %19s"), c
@@ -74,11 +79,11 @@ function one_class(class,   i, j, c) {
     print ""
 }
 
-# Times of the families as their geometric mean; beside it the same of a
-# second build, and what an ordinary question takes.
+# For each method: the ordinary family, the geometric mean of all families,
+# and that of a second build.
 function summary(   i, j, k, class, c, row) {
     row = "%-25s %-22s %8s %9s %8s %8s %8s %9s  %s\n"
-    printf "ns: built with %s%s\n", first_build, (other_build == "" ? "" : "; ns*: with " other_build)
+    printf "lower is better; ns: built with %s%s\n", first_build, (other_build == "" ? "" : "; ns*: with " other_build)
     printf row, "", "", "ordinary", "ordinary", "all", "all", "all", "worst", ""
     printf row, "shapes", "method", "ns", "99 % err", "ns", (other_build == "" ? "" : "ns*"), cycles, "99 % ulp", "most wrong verdicts"
     for (i = 1; i <= n_classes; i++)
@@ -93,6 +98,6 @@ function summary(   i, j, k, class, c, row) {
 
 END {
     for (i = 1; i <= n_classes; i++) one_class(classes[i])
-    printf "The families together, %s cases of each; the error of the worst family is in ulp of t\n", cases
+    printf "All families, %s cases of each; the 99 %% error of the worst family is in ulp of t\n", cases
     summary()
 }

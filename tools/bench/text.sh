@@ -1,11 +1,11 @@
 #!/bin/sh
-# make bench-text: the command on records of 13 numbers, beside what else
-# reads them, in one run: megabytes and records a second by the clock, best
-# of some rounds in which all take turns, and memory.  One processor means
-# pinned to one.  QUICK=1: a tenth of the records.
+# make bench-text: the command beside other programs that read numbers, on
+# records of 13 numbers: MB and records a second of elapsed time, and memory.
+# All programs take turns in several rounds, and the best round counts.  A run
+# on one processor is pinned to it.  QUICK=1: a tenth of the records.
 #
-# PYTHON has pandas, polars or duckdb; UNDER is a command that starts each
-# run, as in UNDER='nice -n -10'.
+# PYTHON is an interpreter that has pandas, polars or duckdb.  UNDER is a
+# command that starts each run, for instance UNDER='nice -n -10'.
 here=$(dirname "$0")
 : "${BUILD:=build}" "${PYTHON:=python3}"
 if [ -n "$QUICK" ]; then tenth=50000; else tenth=500000; fi
@@ -44,7 +44,7 @@ on() {
     $UNDER $pin "$@"
 }
 
-# keep PROCESSORS FILE RECORDS NAME FIGURES; a run that failed has none
+# keep PROCESSORS FILE RECORDS NAME FIGURES; FIGURES is empty if the run failed
 keep() {
     if [ -n "$5" ]; then
         printf '%s\t%s\t%s\t%s\t%s\n' "$4" "$1" "$(wc -c <"$2")" "$3" \
@@ -99,6 +99,7 @@ awk -F '\t' '
     }
     $7 > memory[key] { memory[key] = $7 }
     END {
+        print "higher is better: MB/s, Mrecord/s; lower is better: seconds, cpu, RSS MB"
         printf "%-18s %10s %8s %9s %8s %8s %7s\n", "program", "processors",
             "MB/s", "Mrecord/s", "seconds", "cpu", "RSS MB"
         for (i = 1; i <= n; i++) {

@@ -1,7 +1,7 @@
-# What Python's readers take for a file of 13 numbers a line: summed columns,
-# so that nothing can be left out.  usage: text_readers.py NAME FILE THREADS
-# Prints seconds by the clock and of the processor for the reading alone,
-# and the most memory resident in KiB; exit status 77 without the library.
+# Time of Python's readers for a file of 13 numbers a line.  All columns are
+# summed, so that every number is read.  usage: text_readers.py NAME FILE THREADS
+# Prints elapsed seconds and processor seconds of reading, and peak resident
+# memory in KiB; exits with status 77 without the library.
 import importlib.util
 import os
 import resource

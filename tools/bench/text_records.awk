@@ -1,5 +1,6 @@
-# n records of 13 numbers with six decimals: a ray in a box and a cylinder in
-# its middle, of which about every fifth is hit.  The same bytes by any awk.
+# Prints n records of 13 numbers with six decimals: a ray in a box and a
+# cylinder in its middle; about one ray in five hits.  Every awk prints the
+# same bytes.
 function within(most) {
     state = state * 16807 % 2147483647 # [Park, Miller 1988]
     return most * (2 * state / 2147483647 - 1)

@@ -1,5 +1,5 @@
 /*
- * timing.c - the thread's own clock, cycles and core, as far as there are
+ * timing.c - the thread's clock, its cycle counter and its core
  */
 #define _GNU_SOURCE /* sched_setaffinity, syscall */
 

@@ -1,30 +1,30 @@
 /*
- * timing.h - how long something takes
+ * timing.h - time and cycles of this thread
  *
- * The process's own time (the kernel's account of this thread), on one core.
- * Contestants take turns within one run, so that whatever slows the machine
- * slows them all; of each the least time counts.
+ * Processor time of this thread on one core.  Contestants take turns within
+ * one run, so that a slow phase of the machine slows them all; the least time
+ * of each counts.
  */
 #ifndef BENCH_TIMING_H
 #define BENCH_TIMING_H
 
-/* Keeps this thread on one core, the last it may use, and opens a counter
- * of cycles if there is one. */
+/* Pins this thread to the last core that it may use, and opens the cycle
+ * counter if there is one. */
 void timing_begin(void);
 
-/* "cycles" where the processor counts them for us, "ticks" where there is
- * only a clock of constant rate, "none". */
+/* "cycles" if the cycle counter is readable, "ticks" if only a clock of
+ * constant rate is, else "none". */
 const char *timing_cycle_kind(void);
 
 struct timing {
     double ns, cycles;
 };
 
-/* The time between the two; cycles is 0 where nothing counts them. */
+/* The time now, and the time since `start`; cycles is 0 if not counted. */
 struct timing timing_now(void);
 struct timing timing_since(struct timing start);
 
-/* The lesser of each. */
+/* Keeps the lesser ns and the lesser cycles. */
 void timing_keep_least(struct timing *least, struct timing sample);
 
 #endif

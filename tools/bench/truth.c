@@ -1,5 +1,5 @@
 /*
- * truth.c - the reference, and the comparison with it
+ * truth.c - the correct answer, and the error of another answer
  */
 #include "truth.h"
 
@@ -24,31 +24,30 @@ enum verdict verdict_of(const struct truth *truth, unsigned want, int only_hit,
                : n            ? VERDICT_HIT_AS_MISS
                               : VERDICT_MISS_AS_HIT;
     if (answer->relation != right->relation) {
-        const int is = right->relation, told = answer->relation;
-        return told == CYLINT_RELATION_MISS ? VERDICT_HIT_AS_MISS
-               : is == CYLINT_RELATION_MISS ? VERDICT_MISS_AS_HIT
-               : is == CYLINT_RELATION_TOUCH || told == CYLINT_RELATION_TOUCH
+        const int is = right->relation, given = answer->relation;
+        return given == CYLINT_RELATION_MISS ? VERDICT_HIT_AS_MISS
+               : is == CYLINT_RELATION_MISS  ? VERDICT_MISS_AS_HIT
+               : is == CYLINT_RELATION_TOUCH || given == CYLINT_RELATION_TOUCH
                    ? VERDICT_TANGENT
                    : VERDICT_ALONG;
     }
     return answer->n == n ? VERDICT_RIGHT : VERDICT_NUMBER;
 }
 
-/* In long double, so that 1e300 in 1e-300 radii can be told where that
- * has room for it. */
+/* In long double, whose exponents hold 1e300 over 1e-300 on some machines. */
 void error_of(const struct truth *truth, int i, double t, double *radii,
               double *ulps)
 {
     const double right = truth->answer.hit[i].t, away = fabs(right);
-    const long double off = fabsl((long double)t - right - truth->rest[i]);
+    const long double error = fabsl((long double)t - right - truth->rest[i]);
     const double ulp =
         away < HUGE_VAL ? nextafter(away, HUGE_VAL) - away : HUGE_VAL;
     if (t == right && !(away < HUGE_VAL)) {
         *radii = *ulps = 0;
         return;
     }
-    *radii = (double)(off / truth->size);
-    *ulps = (double)(off / ulp);
+    *radii = (double)(error / truth->size);
+    *ulps = (double)(error / ulp);
 }
 
 static double largest_radius(const cylint_shape *s)
@@ -143,16 +142,15 @@ static void cross(vector *uv, const vector *u, const vector *v)
 /* -------------------------------------------------- the rest of a root - */
 
 /*
- * With P the point at the rounded t, u the line's direction, w the axis: the
- * lateral surface is |X|^2 = rho^2, X and rho linear in P,
+ * P is the point at the rounded t, u the line's direction, w the axis.  The
+ * lateral surface is |X|^2 = rho^2 with X and rho linear in P:
  *
  *   circular  X = P x w,  rho = k P.w            acone
  *                         rho = r0 |w| + dr P.w / |w|   else
  *   elliptic  X = (P.p, P.q),  rho = det + kappa P.e
  *
- * so A x^2 + 2 B x + C = 0 with A = X1.X1 - rho1^2 and so on gives what is
- * missing, x = -C / (B +- sqrt(B^2 - A C)), the sign making the divisor
- * large.
+ * So the rest x is a root of A x^2 + 2 B x + C = 0 with A = X1.X1 - rho1^2 and
+ * so on: x = -C / (B +- sqrt(B^2 - A C)), with the sign of B.
  */
 static struct {
     int ready;
@@ -199,7 +197,7 @@ static void load(const cylint_shape *s, const cylint_line *l, double t)
     }
 }
 
-/* rho = from + k P.axial, and along the line. */
+/* Adds k P.axial to rho0 and sets rho1, the slope of rho along the line. */
 static void rho_of(const vector *axial)
 {
     dot(m.x, &m.P, axial);
