@@ -45,9 +45,10 @@ BEGIN {
     }
 }' >pairs
 awk 'BEGIN { for (i = 0; i < 400; i++) print "cylinder", i % 20, int(i / 20),
-    "0", i % 20 + 0.3, int(i / 20), 1, 0.2 + i / 2000 }' >shapes
+    "0", i % 20 + 0.3, int(i / 20), 1, 0.2 + i / 2000, "s" i % 150 }' >shapes
 awk 'BEGIN { srand(5); for (i = 1; i <= 4000; i++) print (i % 999 ? "ray" : "way"),
-    20 * rand(), 20 * rand(), "5  " rand() - 0.5, rand() - 0.5, "-1 q" i }' >rays
+    20 * rand(), 20 * rand(), "5  " rand() - 0.5, rand() - 0.5,
+    i % 3 ? "-1 q" i : "-1 not=s" i % 150 " q" i }' >rays
 awk 'BEGIN { for (i = 0; i < 2500; i++) print i, 0, i % 20, int(i / 20) % 20,
     i % 7 / 9, i / 9000, i ? int((i - 1) * 0.99) : -1 }' >neuron.swc
 # The hits of the pairs are 13 doubles each: rays and cylinders once more.
@@ -60,7 +61,7 @@ ask() { # PROGRAM JOB [OPTION]...: reads standard input
     shift 2
     case $job in
     pairs) "$program" -f relation,n,t0,t1,part0,part1,id "$@" ;;
-    scene) "$program" -s shapes -q all -f id,shape,t0,t1 "$@" ;;
+    scene) "$program" -s shapes -q all --not label -f id,shape,label,t0,t1 "$@" ;;
     neuron) "$program" -s neuron.swc "$@" ;;
     binary) "$program" -b -k ray,cylinder -f n,t0,t1,id "$@" ;;
     esac

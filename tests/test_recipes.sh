@@ -84,6 +84,22 @@ test_real_tree()
         "$(sed -n 's/^\.Dl \(.* within 2 cm .*\)/\1/p' man/cylint.7)"
 }
 
+# Two parallel bonds, the second 2 above the first: of the four atoms the lower
+# two see the upper bond, which is 0.2 thick, and nothing else.
+test_molecule()
+{
+    for atom in '1 C 0 0' '2 O 1.2 0' '3 C 0 2' '4 O 1.2 2'; do
+        set -- $atom
+        printf 'ATOM  %5d  %s   GLY A   %d    %8.3f%8.3f%8.3f  1.00  0.00           %s\n' \
+            "$1" "$2" "$1" "$3" 0 "$4" "$2"
+    done > "$scratch/molecule.pdb"
+    sh tests/recipe.sh molecule > "$scratch/molecule"
+    (cd "$scratch" && sh molecule) > "$scratch/said" 2>&1
+    printf '3-4\t1.8\t%d\n' 1 2 > "$scratch/right"
+    diff "$scratch/right" "$scratch/said"
+    verdict an_atom_sees_the_other_bond_and_not_its_own $?
+}
+
 # Every display of the page has a name or is a transcript, and every name is
 # asked for here or by tests/cluster/check.sh.
 test_all_are_run()
@@ -102,6 +118,7 @@ test_all_are_run()
 test_all_are_run
 test_foreign_shapes
 test_stand_in
+test_molecule
 if [ -d $data ]; then
     test_real_tree
 else

@@ -10,12 +10,14 @@
 #include "main.h"
 
 void job_prepare(struct job *job, const struct options *options,
-                 const struct scene *scene, const struct labels *labels)
+                 const struct scene *scene, const struct labels *labels,
+                 const struct groups *groups)
 {
     memset(job, 0, sizeof *job);
     job->options = options;
     job->scene = scene;
     job->labels = labels;
+    job->groups = groups;
     if (options->method) {
         snprintf(job->refusal, sizeof job->refusal,
                  "method '%s' does not answer%s", options->method->name,
@@ -28,9 +30,10 @@ void job_prepare(struct job *job, const struct options *options,
 int job_block(const struct job *job, struct block *block)
 {
     const struct options *o = job->options;
-    const size_t longest = job->labels ? job->labels->longest : 0;
+    const int finds_hits = o->query == QUERY_ALL || o->query == QUERY_NEAREST;
+    const size_t longest = job->labels->longest;
     if (!block_room(block, row_room(&o->fields, &o->style, longest),
-                    o->query == QUERY_ALL ? job->scene->count : 0)) {
+                    finds_hits ? job->scene->count : 0)) {
         return 0;
     }
     if (o->query == QUERY_PAIRS && !o->method &&
@@ -62,6 +65,12 @@ static enum answered deliver_if_full(struct job *job, struct block *b)
 static solver solver_of(const struct options *o)
 {
     return o->method ? o->method->answer : NULL;
+}
+
+static struct question question_of(const struct job *job, struct block *b)
+{
+    return (struct question){solver_of(job->options), &b->parsed.line,
+                             &b->left_out, b->hits};
 }
 
 /* ------------------------------------------------------------ records -- */
@@ -119,9 +128,9 @@ static int answer_nearest(struct task *task)
 {
     const struct options *o = task->job->options;
     cylint_answer answer;
-    const size_t refused =
-        scene_nearest(task->job->scene, solver_of(o), &task->block->parsed.line,
-                      o->fields.want, &answer, &task->row);
+    const struct question q = question_of(task->job, task->block);
+    const size_t refused = scene_nearest(task->job->scene, &q, o->fields.want,
+                                         &answer, &task->row);
     if (refused > 0) {
         return refuse_method(task, refused);
     }
@@ -132,9 +141,8 @@ static int answer_nearest(struct task *task)
 
 static int answer_count(struct task *task, unsigned long long most)
 {
-    const size_t refused =
-        scene_count(task->job->scene, solver_of(task->job->options),
-                    &task->block->parsed.line, most, &task->row);
+    const struct question q = question_of(task->job, task->block);
+    const size_t refused = scene_count(task->job->scene, &q, most, &task->row);
     if (refused > 0) {
         return refuse_method(task, refused);
     }
@@ -147,6 +155,9 @@ static void answer_one_of_all(struct task *task, size_t shape)
 {
     const struct options *o = task->job->options;
     cylint_answer answer;
+    if (left_out_has(&task->block->left_out, shape)) {
+        return;
+    }
     ask(solver_of(o), &task->job->scene->shapes[shape],
         &task->block->parsed.line, o->fields.want, &answer);
     if (answer.n > 0) {
@@ -163,9 +174,8 @@ static void answer_one_of_all(struct task *task, size_t shape)
 static int answer_all_by_method(struct task *task)
 {
     const struct scene *scene = task->job->scene;
-    const size_t refused =
-        scene_count(scene, solver_of(task->job->options),
-                    &task->block->parsed.line, ~0ULL, &task->row);
+    const struct question q = question_of(task->job, task->block);
+    const size_t refused = scene_count(scene, &q, ~0ULL, &task->row);
     if (refused > 0) {
         return refuse_method(task, refused);
     }
@@ -309,13 +319,28 @@ static struct parts place_of(struct block *b)
     return parts;
 }
 
+static int leave_out_none(struct block *b)
+{
+    b->left_out.count = 0;
+    return 1;
+}
+
+static int read_left_out(struct task *task)
+{
+    struct block *b = task->block;
+    return left_out_read(&b->left_out, task->job->groups, b->parsed.left_out,
+                         b->parsed.left_out_length, &b->remarks, &task->fault);
+}
+
 /* Returns whether the record is good. */
 static int read_text(struct task *task, const char *line, const char *end)
 {
     const struct grammar *g = &task->job->options->grammar;
     struct block *b = task->block;
     const struct parts parts = place_of(b);
-    return read_parts(g, line, end, &parts, &task->fault);
+    return read_parts(g, line, end, &parts, &task->fault) &&
+           (b->parsed.left_out_length == 0 ? leave_out_none(b)
+                                           : read_left_out(task));
 }
 
 static void answer_text(struct task *task)

@@ -18,7 +18,8 @@
 struct job {
     const struct options *options;
     const struct scene *scene;
-    const struct labels *labels; /* of its shapes; NULL: not kept */
+    const struct labels *labels; /* of its shapes, where they are kept */
+    const struct groups *groups; /* what its records may leave out */
     char refusal[96];            /* said when the method does not answer */
 
     struct input in;
@@ -31,9 +32,9 @@ struct job {
     int status; /* with which the work ended */
 };
 
-/* labels: of the scene's shapes, or NULL. */
 void job_prepare(struct job *job, const struct options *options,
-                 const struct scene *scene, const struct labels *labels);
+                 const struct scene *scene, const struct labels *labels,
+                 const struct groups *groups);
 
 /* Makes buffers for the job's blocks; returns whether there is memory. */
 int job_block(const struct job *job, struct block *block);

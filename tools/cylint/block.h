@@ -9,6 +9,7 @@
 #define CYLINT_BLOCK_H
 
 #include "grammar.h"
+#include "left_out.h"
 #include "pairs.h"
 #include "report.h"
 #include "text.h"
@@ -42,7 +43,8 @@ struct block {
     int stopped;          /* at a bad record, by -e stop */
     struct record parsed; /* the record that is being answered; or */
     struct pairs *pairs;  /* those that are to be, at once; NULL: one by one */
-    signed char *hits;    /* how many it has with each shape of the scene */
+    struct left_out left_out; /* by the parsed record */
+    signed char *hits;        /* how many it has with each shape of the scene */
 };
 
 #endif

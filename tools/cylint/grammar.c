@@ -132,14 +132,8 @@ static cylint_status make_shape(int kind, int ends, const double *v,
 struct reader {
     const char *p, *end;
     struct fault *fault;
-    int has_ends; /* ends=WORD was read */
+    int has_word; /* ends=WORD or not=NAME was read */
 };
-
-static inline const char *skip_separator(const char *p, const char *end)
-{
-    p = skip_blanks(p, end);
-    return p < end && *p == ',' ? skip_blanks(p + 1, end) : p;
-}
 
 static void skip_to(struct reader *r, const char *p)
 {
@@ -148,11 +142,7 @@ static void skip_to(struct reader *r, const char *p)
 
 static const char *end_of_field(const struct reader *r)
 {
-    const char *p = r->p;
-    while (p < r->end && !is_blank(*p) && *p != ',') {
-        p++;
-    }
-    return p;
+    return field_end(r->p, r->end);
 }
 
 /* A field of no length can only be a comma too many: show that. */
@@ -324,14 +314,19 @@ static int read_line(struct reader *r, const struct grammar *g,
                          status == CYLINT_EDOMAIN ? 6 : NOT_GIVEN);
 }
 
+static int begins_with(const struct reader *r, const char *word)
+{
+    const size_t length = strlen(word);
+    return (size_t)(r->end - r->p) >= length && memcmp(r->p, word, length) == 0;
+}
+
 static int read_ends(struct reader *r, int *ends)
 {
     static const char key[] = "ends=";
-    const size_t length = sizeof key - 1;
-    if ((size_t)(r->end - r->p) < length || memcmp(r->p, key, length) != 0) {
+    if (!begins_with(r, key)) {
         return 1;
     }
-    r->p += length;
+    r->p += strlen(key);
     const char *after = end_of_field(r);
     *ends = find_word(ends_words, r->p, (size_t)(after - r->p));
     if (*ends == NOT_GIVEN) {
@@ -340,7 +335,7 @@ static int read_ends(struct reader *r, int *ends)
             similar_word(ends_words, r->p, (size_t)(after - r->p));
         return 0;
     }
-    r->has_ends = 1;
+    r->has_word = 1;
     skip_to(r, after);
     return 1;
 }
@@ -370,13 +365,25 @@ static int read_shape(struct reader *r, const struct grammar *g,
                                                    : NOT_GIVEN);
 }
 
+/* The names are read by left_out_read(), which has the scene. */
+static int read_left_out(struct reader *r, const struct parts *parts)
+{
+    *parts->left_out = r->p;
+    while (begins_with(r, NOT_WORD)) {
+        r->has_word = 1;
+        skip_to(r, end_of_field(r));
+    }
+    *parts->left_out_length = (size_t)(r->p - *parts->left_out);
+    return 1;
+}
+
 /* Bare numbers go on in the tail: "N numbers where a ray has 6".  A word
- * ends=WORD ends them. */
+ * ends=WORD or not=NAME ends them. */
 static int surplus(const struct reader *r, const struct grammar *g,
                    struct fault *fault)
 {
     const int more =
-        g->bare[0] && !r->has_ends ? count_numbers(r->p, r->end) : 0;
+        g->bare[0] && !r->has_word ? count_numbers(r->p, r->end) : 0;
     if (more > 0) {
         *fault = (struct fault){.what = g->bare,
                                 .at = r->p,
@@ -458,7 +465,8 @@ int read_parts(const struct grammar *g, const char *text, const char *end,
         parts->remarks->found = 0;
     }
     return (!g->has_line || read_line(&r, g, parts)) &&
-           (!g->has_shape || read_shape(&r, g, parts->shape)) &&
+           (g->has_shape ? read_shape(&r, g, parts->shape)
+                         : read_left_out(&r, parts)) &&
            read_tail(&r, g, parts);
 }
 
@@ -478,6 +486,9 @@ int take_parts(const struct grammar *g, const double *numbers,
     if (g->has_shape && status == CYLINT_OK) {
         status = make_shape(g->shape, g->ends, numbers, parts->shape);
     }
+    if (!g->has_shape) {
+        *parts->left_out_length = 0;
+    }
     if (status != CYLINT_OK) {
         *fault = (struct fault){.what = cylint_strerror((int)status)};
     }
@@ -486,7 +497,9 @@ int take_parts(const struct grammar *g, const double *numbers,
 
 struct parts parts_of(struct record *r)
 {
-    return (struct parts){&r->line, &r->shape, &r->tail, &r->tail_length, NULL};
+    return (struct parts){
+        &r->line,     &r->shape,           &r->tail, &r->tail_length,
+        &r->left_out, &r->left_out_length, NULL};
 }
 
 int read_record(const struct grammar *g, const char *text, const char *end,

@@ -1,10 +1,11 @@
 /*
  * grammar.h - a record of text or of doubles becomes a line and a shape
  *
- *   record = [LINE] [SHAPE [ends=WORD]] [TAIL]
+ *   record = LINE SHAPE [ends=WORD] [TAIL]     a pair
+ *            LINE [not=NAME]... [TAIL]         a line asked of a scene
+ *            SHAPE [ends=WORD] [TAIL]          a shape of a scene
  *
- * Pairs have both, a scene's shapes only SHAPE, the lines asked of a scene
- * only LINE.  With -k the words are left out.
+ * With -k the words for LINE and SHAPE are left out.
  */
 #ifndef CYLINT_GRAMMAR_H
 #define CYLINT_GRAMMAR_H
@@ -56,7 +57,11 @@ struct record {
     cylint_shape shape;
     const char *tail; /* without the blanks around it */
     size_t tail_length;
+    const char *left_out; /* the words not=NAME, of a line without a shape */
+    size_t left_out_length;
 };
+
+#define NOT_WORD "not="
 
 /* What is wrong with a record.  at..end is the wrong text; NULL in binary.
  * expected: `what` should stand there; otherwise `what` is the matter. */
@@ -74,6 +79,7 @@ struct fault {
 enum remark {
     REMARK_SURPLUS, /* its tail begins with a number */
     REMARK_DOMAIN,  /* -t does not apply to its line */
+    REMARK_LABEL,   /* it leaves out a label that no shape has */
     REMARKS
 };
 
@@ -108,6 +114,21 @@ static inline const char *skip_blanks(const char *p, const char *end)
     return p;
 }
 
+/* Where the field at p ends. */
+static inline const char *field_end(const char *p, const char *end)
+{
+    while (p < end && !is_blank(*p) && *p != ',') {
+        p++;
+    }
+    return p;
+}
+
+static inline const char *skip_separator(const char *p, const char *end)
+{
+    p = skip_blanks(p, end);
+    return p < end && *p == ',' ? skip_blanks(p + 1, end) : p;
+}
+
 /* Where the line at p ends: its line feed, or the end of the text. */
 const char *end_of_line(const char *p, const char *end);
 
@@ -125,6 +146,8 @@ struct parts {
     cylint_shape *shape;
     const char **tail;
     size_t *tail_length;
+    const char **left_out; /* used only if there is no shape */
+    size_t *left_out_length;
     struct remarks *remarks; /* NULL: none are looked for */
 };
 

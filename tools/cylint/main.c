@@ -58,14 +58,31 @@ static int run(struct job *job)
     return job->report.bad > 0 ? EXIT_BAD : EXIT_ANSWERED;
 }
 
+static int read_scene(const struct options *o, struct scene *scene,
+                      struct labels *labels, struct groups *groups)
+{
+    if (o->fields.labels > 0 || o->not_label) {
+        labels_keep(labels, scene);
+    }
+    int status = scene_read(scene, o->scene, o->grammar.ends);
+    if (status == 0 && !o->method) {
+        status = scene_prepare(scene, o->accel, o->workers);
+    }
+    return status == 0
+               ? groups_make(groups, scene->count, o->not_label ? labels : NULL)
+               : status;
+}
+
 int main(int argc, char **argv)
 {
     struct options options;
     struct scene scene;
     struct labels labels;
+    struct groups groups;
     struct job job;
     memset(&scene, 0, sizeof scene);
     memset(&labels, 0, sizeof labels);
+    memset(&groups, 0, sizeof groups);
     guard_standard_streams();
     int status = read_options(&options, argc, argv);
     if (status != 0) {
@@ -74,22 +91,16 @@ int main(int argc, char **argv)
     if (options.print) {
         return print_about(options.print);
     }
-    const int keeps_labels = options.fields.labels > 0;
-    if (keeps_labels) {
-        labels_keep(&labels, &scene);
-    }
     if (options.scene) {
-        status = scene_read(&scene, options.scene, options.grammar.ends);
-    }
-    if (status == 0 && options.scene && !options.method) {
-        status = scene_prepare(&scene, options.accel, options.workers);
+        status = read_scene(&options, &scene, &labels, &groups);
     }
     if (status == 0) {
-        job_prepare(&job, &options, &scene, keeps_labels ? &labels : NULL);
+        job_prepare(&job, &options, &scene, &labels, &groups);
         status = run(&job);
         turns_destroy(&job.turns);
     }
     scene_free(&scene);
     labels_free(&labels);
+    groups_free(&groups);
     return status;
 }

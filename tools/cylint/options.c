@@ -22,6 +22,7 @@ enum option_id {
     OPT_METHOD,
     OPT_MISS,
     OPT_NO_TAIL,
+    OPT_NOT,
     OPT_NPY,
     OPT_PROGRESS,
     OPT_TAIL,
@@ -52,6 +53,7 @@ static const struct option options_known[] = {{"b", 'b', 0},
                                               {"method", OPT_METHOD, 1},
                                               {"miss", OPT_MISS, 1},
                                               {"no-tail", OPT_NO_TAIL, 0},
+                                              {"not", OPT_NOT, 1},
                                               {"npy", OPT_NPY, 0},
                                               {"progress", OPT_PROGRESS, 0},
                                               {"tail", OPT_TAIL, 0},
@@ -61,8 +63,9 @@ static const struct option options_known[] = {{"b", 'b', 0},
 /* What must wait until all options are known. */
 struct pending {
     const char *kinds, *query, *fields;
-    int tail; /* --tail: no remark on it */
-    int hex;  /* -x */
+    int tail;     /* --tail: no remark on it */
+    int not_what; /* --not was given */
+    int hex;      /* -x */
 };
 
 /* ------------------------------------------------------------- values -- */
@@ -143,6 +146,13 @@ static int read_bad_policy(struct options *options, const struct option *o,
     return status;
 }
 
+static int read_not(struct options *options, const struct option *o,
+                    const char *value)
+{
+    static const char *const words[] = {"number", "label", NULL};
+    return read_word(o, value, words, "number or label", &options->not_label);
+}
+
 static int read_list(struct options *options, const struct option *o,
                      const char *value)
 {
@@ -199,6 +209,9 @@ static int take_value(struct options *options, struct pending *pending,
         return read_list(options, o, value);
     case OPT_METHOD:
         return read_method(options, o, value);
+    case OPT_NOT:
+        pending->not_what = 1;
+        return read_not(options, o, value);
     default: /* OPT_MISS */
         options->style.missing = value;
         return 0;
@@ -362,6 +375,9 @@ static unsigned wanted_remarks(const struct grammar *g, int tail)
     if (g->has_domain) {
         wanted |= 1u << REMARK_DOMAIN;
     }
+    if (!g->has_shape) {
+        wanted |= 1u << REMARK_LABEL;
+    }
     return wanted;
 }
 
@@ -390,6 +406,9 @@ static int settle(struct options *options, const struct pending *pending)
         uses_stdin(options)) {
         return usage("the scene and the records are both standard input");
     }
+    if (pending->not_what && !options->scene) {
+        return usage("--not needs a scene, -s FILE");
+    }
     int status = pending->kinds ? settle_kinds(g, pending->kinds) : 0;
     options->remarks = wanted_remarks(g, pending->tail);
     if (status == 0) {
@@ -406,7 +425,7 @@ static int settle(struct options *options, const struct pending *pending)
 
 int read_options(struct options *options, int argc, char **argv)
 {
-    struct asked asked = {options, {NULL, NULL, NULL, 0, 0}};
+    struct asked asked = {options, {NULL, NULL, NULL, 0, 0, 0}};
     memset(options, 0, sizeof *options);
     options->grammar.line = NOT_GIVEN;
     options->grammar.shape = NOT_GIVEN;

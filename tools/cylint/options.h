@@ -20,6 +20,7 @@ struct options {
     struct style style;
     const cylint_method *method; /* NULL: cylint_intersect() */
     enum bad_policy bad;
+    int not_label;    /* not=NAME in a record is a label, not a number */
     unsigned remarks; /* a bit for each enum remark to look for */
     int binary_in;
     int array;    /* binary answers with a .npy header */

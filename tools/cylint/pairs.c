@@ -37,8 +37,10 @@ int pairs_answer(int line_kind, unsigned want, int sides)
 
 struct parts pairs_place(struct pairs *p)
 {
-    return (struct parts){&p->line, &p->shapes[p->count], &p->tail[p->count],
-                          &p->tail_length[p->count], NULL};
+    return (struct parts){.line = &p->line,
+                          .shape = &p->shapes[p->count],
+                          .tail = &p->tail[p->count],
+                          .tail_length = &p->tail_length[p->count]};
 }
 
 void pairs_take(struct pairs *p)

@@ -4,12 +4,14 @@
  * The library asks all of them at once; a published method is asked about one
  * after the other.  Of equal t the lower number is nearest either way.
  */
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "block.h"
 #include "input.h"
+#include "left_out.h"
 #include "main.h"
 #include "scene.h"
 #include "swc.h"
@@ -68,13 +70,13 @@ static int read_shapes(struct scene *scene, const struct grammar *g,
 static const char *converter_of(const char *file)
 {
     static const char *const remedies[][2] = {
-        {".csv", "convert it with qsm2scene"},
-        {".pdb", "convert it with pdb2scene"},
-        {".ent", "convert it with pdb2scene"},
-        {".cif", "convert it with pdb2scene"},
-        {".mmcif", "convert it with pdb2scene"},
-        {".pov", "convert it with pov2scene"},
-        {".inc", "convert it with pov2scene"}};
+        {".csv", "convert it with cylint-convert qsm"},
+        {".pdb", "convert it with cylint-convert pdb"},
+        {".ent", "convert it with cylint-convert pdb"},
+        {".cif", "convert it with cylint-convert pdb"},
+        {".mmcif", "convert it with cylint-convert pdb"},
+        {".pov", "convert it with cylint-convert pov"},
+        {".inc", "convert it with cylint-convert pov"}};
     const char *dot = strrchr(file, '.');
     for (size_t i = 0; dot && i < sizeof remedies / sizeof *remedies; i++) {
         if (strcmp(dot, remedies[i][0]) == 0) {
@@ -138,25 +140,114 @@ int ask(solver method, const cylint_shape *shape, const cylint_line *line,
     return 1;
 }
 
-static int ask_any(solver method, const cylint_shape *shape,
-                   const cylint_line *line, int *hit)
+static int ask_any(const struct question *q, const cylint_shape *shape,
+                   int *hit)
 {
     cylint_answer answer;
-    const int answered = ask(method, shape, line, CYLINT_WANT_COUNT, &answer);
+    const int answered =
+        ask(q->method, shape, q->line, CYLINT_WANT_COUNT, &answer);
     *hit = answered && answer.n > 0;
     return answered;
 }
 
+/* ------------------------------------------------------ by the library -- */
+
+static double next_up(double t)
+{
+    return nextafter(t, HUGE_VAL);
+}
+
+/* Of the shapes that are hit up to t = *end, the nearest that is not left
+ * out, or `count`. */
+static size_t nearest_until(const struct scene *scene, const struct question *q,
+                            double end)
+{
+    enum { ROOM = 256 };
+    cylint_line line = *q->line;
+    size_t number[ROOM], found, first = 0, nearest = scene->count;
+    double t = 0;
+    line.tmax = end < line.tmax ? end : line.tmax;
+    do {
+        found =
+            search_hits(&scene->search, &line, q->hits, first, number, ROOM);
+        for (size_t i = 0; i < found; i++) {
+            cylint_answer answer;
+            if (!left_out_has(q->left_out, number[i])) {
+                cylint_intersect(&scene->shapes[number[i]], &line,
+                                 CYLINT_WANT_T | CYLINT_WANT_NEAREST, &answer);
+                if (nearest == scene->count || answer.hit[0].t < t) {
+                    nearest = number[i];
+                    t = answer.hit[0].t;
+                }
+            }
+        }
+        first = found > 0 ? number[found - 1] + 1 : 0;
+    } while (found == ROOM);
+    return nearest;
+}
+
+/*
+ * The nearest of the shapes that are not left out.
+ *
+ * As long as the nearest of all is left out, the line is followed from behind
+ * that hit on.  What is found in the end need not be the answer: another shape
+ * may be hit at the same t, or between that and the next double, by which the
+ * line was cut.  But no shape further on than that is nearer, so all that are
+ * hit up to there are compared.
+ */
+static size_t nearest_by_search(const struct scene *scene,
+                                const struct question *q)
+{
+    cylint_line rest = *q->line;
+    double t = 0;
+    size_t shape = search_nearest(&scene->search, &rest, &t);
+    if (shape == scene->count || !left_out_has(q->left_out, shape)) {
+        return shape;
+    }
+    while (shape < scene->count && left_out_has(q->left_out, shape) &&
+           next_up(t) <= rest.tmax) {
+        rest.tmin = next_up(t);
+        if (rest.tmin == HUGE_VAL) {
+            break;
+        }
+        shape = search_nearest(&scene->search, &rest, &t);
+    }
+    return nearest_until(scene, q, next_up(t));
+}
+
+static unsigned long long count_by_search(const struct scene *scene,
+                                          const struct question *q,
+                                          unsigned long long most)
+{
+    size_t left_out = 0;
+    for (int i = 0; i < q->left_out->count; i++) {
+        const size_t *shapes;
+        const size_t count = left_out_shapes(q->left_out, i, &shapes);
+        for (size_t k = 0; k < count; k++) {
+            int hit;
+            ask_any(q, &scene->shapes[shapes[k]], &hit);
+            left_out += (size_t)hit;
+        }
+    }
+    const size_t enough = most < SIZE_MAX ? (size_t)most + left_out : 0;
+    return search_count(&scene->search, q->line, enough) - left_out;
+}
+
+/* --------------------------------------------------------- by a method -- */
+
 /* Sets row->shape.  Returns 0, or the shape the method does not answer for. */
-static size_t nearest_by_method(const struct scene *scene, solver method,
-                                const cylint_line *line, struct row *row)
+static size_t nearest_by_method(const struct scene *scene,
+                                const struct question *q, struct row *row)
 {
     const unsigned first = CYLINT_WANT_T | CYLINT_WANT_NEAREST;
     double t = 0;
     row->shape = 0;
     for (size_t i = 0; i < scene->count; i++) {
         cylint_answer answer;
-        if (!ask(method, &scene->shapes[i], line, first, &answer)) {
+        if (left_out_has(q->left_out, i)) {
+            continue;
+        }
+        if (!ask(q->method, &scene->shapes[i], q->line, first, &answer)) {
             return i + 1;
         }
         if (answer.n > 0 && (row->shape == 0 || answer.hit[0].t < t)) {
@@ -167,45 +258,50 @@ static size_t nearest_by_method(const struct scene *scene, solver method,
     return 0;
 }
 
-/* What is shown of the shape is asked of that one alone. */
-size_t scene_nearest(const struct scene *scene, solver method,
-                     const cylint_line *line, unsigned want,
-                     cylint_answer *answer, struct row *row)
+static size_t count_by_method(const struct scene *scene,
+                              const struct question *q, unsigned long long most,
+                              struct row *row)
+{
+    row->count = 0;
+    for (size_t i = 0; i < scene->count && row->count < most; i++) {
+        int hit = 0;
+        if (!left_out_has(q->left_out, i) &&
+            !ask_any(q, &scene->shapes[i], &hit)) {
+            return i + 1;
+        }
+        row->count += (unsigned long long)hit;
+    }
+    return 0;
+}
+
+/* The columns of the nearest hit are those of its shape alone. */
+size_t scene_nearest(const struct scene *scene, const struct question *q,
+                     unsigned want, cylint_answer *answer, struct row *row)
 {
     row->answer = NULL;
-    if (method) {
-        const size_t refused = nearest_by_method(scene, method, line, row);
+    if (q->method) {
+        const size_t refused = nearest_by_method(scene, q, row);
         if (refused > 0) {
             return refused;
         }
     } else {
-        const size_t i = search_nearest(&scene->search, line);
+        const size_t i = nearest_by_search(scene, q);
         row->shape = i < scene->count ? i + 1 : 0;
     }
     if (row->shape > 0) {
         row->answer = answer;
-        ask(method, &scene->shapes[row->shape - 1], line,
+        ask(q->method, &scene->shapes[row->shape - 1], q->line,
             want | CYLINT_WANT_NEAREST, answer);
     }
     return 0;
 }
 
-size_t scene_count(const struct scene *scene, solver method,
-                   const cylint_line *line, unsigned long long most,
-                   struct row *row)
+size_t scene_count(const struct scene *scene, const struct question *q,
+                   unsigned long long most, struct row *row)
 {
-    if (!method) {
-        const size_t enough = most < SIZE_MAX ? (size_t)most : 0;
-        row->count = search_count(&scene->search, line, enough);
-        return 0;
+    if (q->method) {
+        return count_by_method(scene, q, most, row);
     }
-    row->count = 0;
-    for (size_t i = 0; i < scene->count && row->count < most; i++) {
-        int hit;
-        if (!ask_any(method, &scene->shapes[i], line, &hit)) {
-            return i + 1;
-        }
-        row->count += (unsigned long long)hit;
-    }
+    row->count = count_by_search(scene, q, most);
     return 0;
 }

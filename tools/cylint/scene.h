@@ -41,14 +41,22 @@ typedef cylint_method_fn *solver;
 int ask(solver method, const cylint_shape *shape, const cylint_line *line,
         unsigned want, cylint_answer *answer);
 
+struct left_out;
+
+/* A line and the shapes of a scene that it is asked about. */
+struct question {
+    solver method;
+    const cylint_line *line;
+    const struct left_out *left_out; /* not about these */
+    signed char *hits;               /* a char per shape, for search_hits() */
+};
+
 /* Both fill *row and return 0, or the number of the shape, from 1, that the
  * method does not answer for.  *answer is what row->answer points to. */
-size_t scene_nearest(const struct scene *scene, solver method,
-                     const cylint_line *line, unsigned want,
-                     cylint_answer *answer, struct row *row);
+size_t scene_nearest(const struct scene *scene, const struct question *q,
+                     unsigned want, cylint_answer *answer, struct row *row);
 /* Counts the shapes that are hit, `most` of them at most. */
-size_t scene_count(const struct scene *scene, solver method,
-                   const cylint_line *line, unsigned long long most,
-                   struct row *row);
+size_t scene_count(const struct scene *scene, const struct question *q,
+                   unsigned long long most, struct row *row);
 
 #endif

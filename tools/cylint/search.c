@@ -104,12 +104,18 @@ static const cylint_scene *scene_for_line(const struct search *s)
     return scene;
 }
 
-size_t search_nearest(const struct search *s, const cylint_line *line)
+size_t search_nearest(const struct search *s, const cylint_line *line,
+                      double *t)
 {
     const cylint_scene *scene = scene_for_line(s);
+    const unsigned want = t ? CYLINT_WANT_T : 0;
     cylint_hit hit;
-    return scene ? cylint_scene_nearest(scene, line, 0, &hit)
-                 : cylint_nearest(&s->pack, line, 0, &hit);
+    const size_t shape = scene ? cylint_scene_nearest(scene, line, want, &hit)
+                               : cylint_nearest(&s->pack, line, want, &hit);
+    if (t && shape < s->count) {
+        *t = hit.t;
+    }
+    return shape;
 }
 
 size_t search_count(const struct search *s, const cylint_line *line,

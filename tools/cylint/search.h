@@ -30,8 +30,10 @@ int search_make(struct search *s, const cylint_shape *shapes, size_t count,
                 enum accel accel, int threads);
 void search_free(struct search *s);
 
-/* The number of the shape that is hit first, or `count`. */
-size_t search_nearest(const struct search *s, const cylint_line *line);
+/* The number of the shape that is hit first, or `count`; *t is where, unless
+ * `t` is NULL. */
+size_t search_nearest(const struct search *s, const cylint_line *line,
+                      double *t);
 
 /* Shapes that are hit; at most `enough`, unless that is 0. */
 size_t search_count(const struct search *s, const cylint_line *line,

@@ -1,0 +1,48 @@
+/*
+ * left_out.h - shapes that a record leaves out: not=NUMBER or not=LABEL
+ *
+ * What a word not=NAME names is a group.  By number each shape is a group of
+ * its own.  By label a group is all shapes whose labels begin with the same
+ * field.
+ */
+#ifndef CYLINT_LEFT_OUT_H
+#define CYLINT_LEFT_OUT_H
+
+#include "grammar.h"
+#include "labels.h"
+
+struct groups {
+    size_t shapes;
+    const struct labels *labels; /* NULL: by number */
+    size_t *order; /* by label: the shapes, those of a group together */
+    size_t *first; /* by label: where in order[] a shape's group begins */
+};
+
+/* Zero *groups before use.  labels: NULL, by number.  Returns 0 or an exit
+ * status, having said what is wrong. */
+int groups_make(struct groups *groups, size_t shapes,
+                const struct labels *labels);
+void groups_free(struct groups *groups);
+
+enum { LEFT_OUT_MOST = 64 };
+
+/* The groups that a record leaves out, each once. */
+struct left_out {
+    const struct groups *groups;
+    int count;
+    size_t group[LEFT_OUT_MOST]; /* a shape, or a place in groups->order */
+};
+
+/* Reads a record's words not=NAME.  Returns whether they are good, and fills
+ * *fault if they are not.  A label that no shape has is a remark. */
+int left_out_read(struct left_out *left_out, const struct groups *groups,
+                  const char *words, size_t length, struct remarks *remarks,
+                  struct fault *fault);
+
+int left_out_has(const struct left_out *left_out, size_t shape);
+
+/* How many shapes group number i has, and which. */
+size_t left_out_shapes(const struct left_out *left_out, int i,
+                       const size_t **shapes);
+
+#endif
