@@ -2,15 +2,36 @@
 # Runs every test given as an argument, shows what fails, adds the counts up.
 # A test is a program or a .sh file; its last line says `N passed, N failed`;
 # exit status 77 means it was skipped, for the reason it printed.
-passed=0 failed=0 skipped=0
+#
+# A reason or a note that ends with `(make deps)` is about something that
+# `make deps` installs, and so are the words in $MISSING.  These are listed
+# before the last line.  With CI=true each of them is a failure.
+
+# A make that a test starts is no part of the one that runs this.
+MAKEFLAGS=$(printf '%s' "$MAKEFLAGS" | sed 's/ *--jobserver-[a-z]*=[^ ]*//g')
+export MAKEFLAGS
+unset MFLAGS
+
+passed=0 failed=0 skipped=0 untested=
+untested() { # text: something was not tested for want of what deps installs
+    untested="$untested
+not tested: $1"
+    [ "$CI" = true ] && failed=$((failed + 1))
+}
+
+for word in $MISSING; do
+    untested "what needs $word"
+done
 for t in "$@"; do
     case $t in *.sh) run="sh $t" ;; *) run=$t ;; esac
     out=$($run 2>&1)
     status=$?
     counts=$(printf '%s\n' "$out" | sed -n 's/^\([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' | tail -n 1)
     if [ "$status" -eq 77 ]; then
+        reason=$(printf '%s\n' "$out" | tail -n 1)
         skipped=$((skipped + 1))
-        printf 'skip %s: %s\n' "$t" "$(printf '%s\n' "$out" | tail -n 1)"
+        printf 'skip %s: %s\n' "$t" "$reason"
+        case $reason in *'(make deps)') untested "$t: ${reason% (*}" ;; esac
         continue
     fi
     if [ -z "$counts" ]; then
@@ -24,11 +45,20 @@ for t in "$@"; do
     failed=$((failed + ${counts#* }))
     if [ "${counts#* }" -eq 0 ]; then
         printf 'ok   %s: %s passed\n' "$t" "${counts% *}"
-        printf '%s\n' "$out" | sed -n 's/^note: /     /p'
+        notes=$(printf '%s\n' "$out" | sed -n 's/^note: //p')
+        [ -z "$notes" ] || printf '%s\n' "$notes" | sed 's/^/     /'
+        case $notes in *'(make deps)'*)
+            untested "a part of $t: $(printf '%s\n' "$notes" |
+                sed -n 's/ (make deps)$//p' | tail -n 1)" ;;
+        esac
     else
         printf 'FAIL %s\n%s\n' "$t" "$out"
     fi
 done
+if [ -n "$untested" ]; then
+    printf '%s\n' "${untested#?}"
+    echo "'make deps check' installs what was missing and tests everything."
+fi
 [ "$skipped" -eq 0 ] && printf '%d passed, %d failed\n' $passed $failed ||
     printf '%d passed, %d failed, %d skipped\n' $passed $failed $skipped
 [ "$failed" -eq 0 ]

@@ -639,7 +639,7 @@ int main(void)
 {
     const char *kernels;
     if (family_count() == 0) {
-        puts("no GSL: no families to draw from");
+        puts("no GSL: no families to draw from (make deps)");
         return 77;
     }
     make_rooms();

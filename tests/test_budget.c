@@ -433,7 +433,7 @@ static void print_found(void)
 int main(void)
 {
     if (family_count() == 0) {
-        puts("no GSL: no families to draw from");
+        puts("no GSL: no families to draw from (make deps)");
         return 77;
     }
     printf("note: seed %llu\n", (unsigned long long)seed());
@@ -451,7 +451,7 @@ int main(void)
 
 int main(void)
 {
-    puts("no MPFR: nothing to measure against");
+    puts("no MPFR: nothing to measure against (make deps)");
     return 77;
 }
 

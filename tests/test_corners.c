@@ -393,7 +393,7 @@ int main(void)
 
 int main(void)
 {
-    puts("no MPFR: no oracle to compare with");
+    puts("no MPFR: no oracle to compare with (make deps)");
     return 77;
 }
 

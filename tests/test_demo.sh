@@ -75,7 +75,7 @@ if [ -x "$build/cylint-render" ]; then
     verdict the_demo_takes_a_picture $?
     rm "$scratch/bin/cylint-render"
 else
-    echo 'note: no cylint-render, the demo takes no picture'
+    echo 'note: no cylint-render, the demo takes no picture (make deps)'
 fi
 
 # Whoever fails along the way, the demo fails.

@@ -267,7 +267,7 @@ int main(void)
 
 int main(void)
 {
-    puts("no MPFR: nothing to compare with");
+    puts("no MPFR: nothing to compare with (make deps)");
     return 77;
 }
 

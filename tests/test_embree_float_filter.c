@@ -19,7 +19,7 @@
 
 int main(void)
 {
-    printf("no GSL, so no families of lines and shapes\n");
+    printf("no GSL: no families to draw from (make deps)\n");
     return 77;
 }
 

@@ -442,7 +442,7 @@ static void no_function_changes_the_environment(void)
 int main(void)
 {
     if (family_count() == 0) {
-        puts("no GSL: no families to draw from");
+        puts("no GSL: no families to draw from (make deps)");
         return 77;
     }
     if (!can_treat_subnormals(FLUSH | ZERO)) {

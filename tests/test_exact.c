@@ -426,7 +426,7 @@ int main(void)
 
 int main(void)
 {
-    puts("no MPFR and GMP: nothing to compare with");
+    puts("no MPFR and GMP: nothing to compare with (make deps)");
     return 77;
 }
 

@@ -172,9 +172,6 @@ test_example()
         example "the_example_as_c_$linking" $linking $cc -std=c99
         source=example.cc
         example "the_example_as_cxx_$linking" $linking $cxx -std=c++11
-        command -v clang > /dev/null && [ -z "$sanitizers" ] || continue
-        source=example.c
-        example "the_example_by_clang_$linking" $linking clang -std=c99
     done
 }
 

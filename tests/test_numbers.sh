@@ -8,7 +8,7 @@ rename='-Dcylint_read_number=plain_read_number
 strict='-std=c99 -D_POSIX_C_SOURCE=200809L -O2 -Itools/cylint -Itests'
 
 if ! $CXX -std=c++17 -O2 -c -o "$dir/cxx.o" tools/cylint/numbers.cc; then
-    echo "no C++17 compiler to compare with"
+    echo "no C++17 compiler to compare with (make deps)"
     exit 77
 fi
 # shellcheck disable=SC2086

@@ -630,7 +630,7 @@ static void hits_ascend_within_the_domain(void)
 int main(void)
 {
     if (family_count() == 0) {
-        puts("no GSL: no families to draw from");
+        puts("no GSL: no families to draw from (make deps)");
         return 77;
     }
     RUN(a_capped_shape_never_gives_a_hit_without_its_partner);

@@ -263,7 +263,7 @@ static void contains_is_exact(void)
 int main(void)
 {
     if (family_count() == 0) {
-        puts("no GSL: no families to draw from");
+        puts("no GSL: no families to draw from (make deps)");
         return 77;
     }
     RUN(oracle_agrees_with_points_sampled_along_the_line);
@@ -280,7 +280,7 @@ int main(void)
 
 int main(void)
 {
-    puts("no MPFR: no oracle to compare with");
+    puts("no MPFR: no oracle to compare with (make deps)");
     return 77;
 }
 

@@ -6,7 +6,7 @@
 . "$(dirname "$0")/verdict.sh"
 page=$top/man/cylint-render.1
 [ -x "$build/cylint-render" ] || {
-    echo 'no libpng, so no cylint-render'
+    echo 'no libpng, so no cylint-render (make deps)'
     exit 77
 }
 PATH=$build:$top/tools/convert:$PATH

@@ -62,6 +62,15 @@ exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
     return extent(arena, x.n + y.n, x.exponent + y.exponent);
 }
 
+exact cylint_exact_difference(cylint_arena *arena, double x, double y)
+{
+    const int used = arena->used;
+    const exact ex = cylint_exact_from(arena, x);
+    const exact ey = cylint_exact_from(arena, y);
+    return cylint_exact_keep(arena, used,
+                             cylint_exact_add(arena, ex, cylint_exact_neg(ey)));
+}
+
 exact cylint_exact_keep(cylint_arena *arena, int used, exact x)
 {
     if (x.n > 0 && x.limb >= arena->limb + used) {

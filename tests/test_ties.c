@@ -404,5 +404,8 @@ int main(void)
     RUN(subnormal_ties_go_to_even);
     RUN(ties_at_the_largest_double_go_to_infinity);
     printf("note: %ld ties, most of them with both neighbours\n", ties);
+#ifndef HAVE_MPFR
+    puts("note: no MPFR: no oracle to compare with (make deps)");
+#endif
     return check_end();
 }

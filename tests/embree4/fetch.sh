@@ -25,11 +25,11 @@ library() {
 
 [ -n "$(library)" ] && library && exit
 [ "$(uname -sm)" = 'Linux x86_64' ] || unavailable 'the wheel is for Linux on x86-64'
-command -v python3 >/dev/null || unavailable 'no python3 to fetch and unpack it'
+command -v python3 >/dev/null || unavailable 'no python3 to fetch and unpack it (make deps)'
 mkdir -p "$folder" || exit 1
 wheel=${EMBREE4_WHEEL:-$folder/$name}
 if [ ! -e "$wheel" ]; then
-    python3 -m pip --version >/dev/null 2>&1 || unavailable 'no pip to fetch it'
+    python3 -m pip --version >/dev/null 2>&1 || unavailable 'no pip to fetch it (make deps)'
     python3 -m pip --quiet --disable-pip-version-check download \
         --timeout 10 --retries 1 --no-deps --dest "$folder" \
         --only-binary :all: --implementation cp --python-version 3.11 \

@@ -1,0 +1,138 @@
+# tests/tests.mk: how the tests are built and run; the Makefile includes it.
+
+$(BUILD)/tests/%: extra := $(floats) $(posix) -Isrc -Itests $(embree) \
+	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL) $(if $(WRAP),-DWRAPPED)
+
+test_common   := $(patsubst %,$(BUILD)/tests/%.o,families constructed $(if $(MPFR),oracle))
+test_libs     := $(if $(MPFR),-lmpfr -lgmp) $(if $(GSL),-lgsl -lgslcblas)
+test_programs := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/test_*.c))
+scene_tests   := $(filter $(BUILD)/tests/test_scene%,$(test_programs))
+embree_tests  := $(filter $(BUILD)/tests/test_embree%,$(test_programs))
+test_programs := $(if $(EMBREE),$(test_programs),$(filter-out $(embree_tests),$(test_programs)))
+test_scripts  := $(wildcard tests/test_*.sh)
+
+# ---------------------------------------------------- tests in C, by floor --
+
+# Long runs, which `make check` leaves out, are built as the tests are.
+core_tests := $(filter-out $(scene_tests) $(embree_tests),$(test_programs)) \
+              $(patsubst %,$(BUILD)/tests/%,stress search records)
+$(core_tests): %: %.o $(test_common) $(BUILD)/libcylint.a
+$(scene_tests): %: %.o $(BUILD)/tests/scenes.o $(test_common) $(scene_library)
+$(embree_tests): $(patsubst %,$(BUILD)/tests/%.o,embree_rays embree_world)
+$(embree_tests) $(BUILD)/tests/scene_curves: %: %.o $(BUILD)/tests/scenes.o $(test_common) \
+	$(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
+$(BUILD)/tests/pixels: $(BUILD)/tests/pixels.o
+
+$(core_tests) $(scene_tests): libs := $(test_libs) $(threads_link)
+$(embree_tests) $(BUILD)/tests/scene_curves: libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
+$(BUILD)/tests/pixels: libs := -lpng
+
+# --wrap: calls of these go to the functions of a test.
+wrap = $(foreach c,$(1),-Wl,--wrap=$c)
+$(BUILD)/tests/test_scene_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc free))
+
+$(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/scene_curves $(BUILD)/tests/pixels:
+	$(link)
+
+# The command, with system calls that fail as tests/faults.c says.
+$(BUILD)/tests/faulty: $(BUILD)/tests/faults.o $(tool_objects) $(scene_library)
+$(BUILD)/tests/faulty: wrapped := $(call wrap,read write poll open close malloc calloc \
+	realloc posix_memalign free pipe pthread_create)
+
+# A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
+# replays files; in the fuzzed command the test reads and writes.
+fuzz_programs := $(patsubst %,$(BUILD)/tests/fuzz/%,record command shapes)
+$(BUILD)/tests/fuzz/main.o: tools/cylint/main.c $(BUILD)/tests/fuzz/flags
+	$(call say,CC $<)$(compile) -Dmain=command_main -c -o $@ $<
+$(fuzz_programs): %: %.o $(BUILD)/tests/fuzz/main.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/replay.o) \
+	$(filter-out %/main.o,$(tool_objects)) $(scene_library)
+$(fuzz_programs): libs := $(if $(FUZZER),-fsanitize=fuzzer)
+$(BUILD)/tests/fuzz/command: wrapped := $(call wrap,open read write close)
+
+$(BUILD)/tests/faulty $(fuzz_programs): linker = $(with_numbers) -pthread
+$(BUILD)/tests/faulty $(fuzz_programs):
+	$(link)
+
+# ----------------------------------------------------------------- check --
+
+# MISSING: what `make deps` installs and was not found, unless the user said so
+missing   = $(if $($(1))$(filter-out file undefined,$(origin $(1))),,$(2))
+run_tests = BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' \
+	MISSING='$(call missing,MPFR,MPFR) $(call missing,GSL,GSL) $(call missing,EMBREE,Embree) $(call missing,PNG,libpng) $(call missing,CXX17,C++17)' \
+	sh tests/run.sh
+
+check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/pixels) ## run every test (PARANOID=1: each decision twice)
+	@$(run_tests) $(test_programs) $(test_scripts)
+
+check-embree: $(if $(EMBREE),$(embree_tests)) ## the tests that need Embree, on the one that was found
+	@$(if $(EMBREE),,echo 'check-embree: no Embree (make deps)'; exit 1)
+	@$(run_tests) $(embree_tests)
+
+check-embree4: all ## the same on Embree 4, fetched from PyPI
+	@$(run_tests) tests/test_embree4.sh
+
+check-scene: $(BUILD)/tests/test_scene $(if $(EMBREE),$(BUILD)/tests/scene_curves) ## scenes against brute force, two minutes or so
+	$(BUILD)/tests/test_scene 1000
+	$(if $(EMBREE),$(BUILD)/tests/scene_curves)
+
+check-cross: $(BUILD)/tests/records ## the same bytes from other compilers and processors
+	@BUILD=$(BUILD) sh tests/cross.sh
+
+check-cluster: all ## cylint by GNU parallel, Slurm and Spark, as cylint(7) says
+	@BUILD=$(BUILD) sh tests/cluster/check.sh
+
+# ------------------------------------------------ sanitizers and fuzzing --
+
+sanitized := -fsanitize=address,undefined -fno-sanitize-recover=all
+sanitize: ## the tests under the address and undefined-behaviour sanitizers
+	$(MAKE) BUILD=$(BUILD)/sanitize check \
+	  CFLAGS='-g -O1 $(sanitized)' CXXFLAGS='-g -O1 $(sanitized)'
+
+threaded := -g -O1 -fsanitize=thread
+thread_tests := $(BUILD)/cylint $(BUILD)/tests/faulty $(BUILD)/tests/test_scene_tree \
+	$(if $(EMBREE),$(BUILD)/tests/test_embree_threads) $(if $(PNG),$(BUILD)/cylint-render)
+thread_tests: $(thread_tests)
+check-threads: ## threads build and ask scenes, 8 workers, under the thread sanitizer
+	$(MAKE) BUILD=$(BUILD)/threads CFLAGS='$(threaded)' CXXFLAGS='$(threaded)' thread_tests
+	TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_scene_tree
+	$(if $(EMBREE),TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_embree_threads)
+	BUILD=$(BUILD)/threads WORKERS=8 sh tests/test_faults.sh
+	$(if $(PNG),BUILD=$(BUILD)/threads sh tests/render_threads.sh)
+
+fuzzed := -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp $(sanitized)
+fuzz_programs: $(fuzz_programs)
+fuzz: ## libFuzzer on tests/fuzz; SECONDS=60 each (needs clang)
+	$(MAKE) -s BUILD=$(BUILD)/fuzz FUZZER=yes PARANOID=1 CC=clang CXX=clang++ \
+	  CPPFLAGS=-DCYLINT_SHRINK=1024 CFLAGS='-g -O1 $(fuzzed)' \
+	  CXXFLAGS='-g -O1 $(fuzzed)' fuzz_programs
+	@BUILD=$(BUILD)/fuzz SECONDS=$(or $(SECONDS),60) sh tests/fuzz/fuzz.sh
+
+# ----------------------------------------------- proofs, coverage, looks --
+
+prove: ## the error bounds, by Gappa; 1 % less must not be provable
+	@BUILD=$(BUILD) CC='$(CC)' sh tests/prove/prove.sh
+
+lint: ## what static analysis says, and how the sources look
+	@BUILD=$(BUILD) CC='$(CC)' sh tests/lint.sh
+
+covered: all $(test_programs)
+	@$(run_tests) $(test_programs) tests/test_hard.sh
+
+# Counters that threads share are wrong, even negative, unless they are atomic.
+counting := -g -O0 --coverage -fprofile-update=atomic -fno-math-errno
+coverage: ## branches of src/ that no test takes, and no reason is known for
+	rm -rf $(BUILD)/coverage
+	$(MAKE) BUILD=$(BUILD)/coverage vectors= CFLAGS='$(counting)' CXXFLAGS='$(counting)' covered
+	python3 tests/coverage.py $(BUILD)/coverage
+
+mutants: ## do the tests see a changed operator, constant or index? COUNT=20 a file
+	python3 tests/mutants.py --cc '$(CC)' --count $(or $(COUNT),20)
+
+stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, an hour or less
+	$(BUILD)/tests/stress
+
+search: $(BUILD)/tests/search ## hill climbing for the worst errors and the slowest query
+	$(BUILD)/tests/search
+
+.PHONY: check check-embree check-embree4 check-scene check-cross check-cluster check-threads \
+	thread_tests sanitize fuzz fuzz_programs prove lint covered coverage mutants stress search

@@ -1,0 +1,63 @@
+# tools/bench/bench.mk: the benchmarks; the Makefile includes it.
+
+$(BUILD)/tools/bench/%: extra := $(floats) $(posix) -Isrc -Itests $(embree) \
+	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
+bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
+
+bench_programs  := $(patsubst %,$(BUILD)/tools/bench/%,cost methods batch)
+embree_programs := $(patsubst %,$(BUILD)/tools/bench/%,embree embree_packets embree_threads embree_counts)
+bench_common    := $(call bench_objects,contestants race timing plain shader $(if $(GSL),gsl_quadratic))
+
+$(BUILD)/tools/bench/cost: $(call bench_objects,cost_inputs)
+$(BUILD)/tools/bench/methods: $(call bench_objects,classes statistics truth)
+$(BUILD)/tools/bench/batch: $(call bench_objects,batch_scene batch_turns batch_core batch_cases classes cost_inputs)
+$(bench_programs): %: %.o $(bench_common)
+$(bench_programs) $(BUILD)/tools/bench/stages: %: %.o $(test_common) $(BUILD)/libcylint.a
+$(bench_programs) $(BUILD)/tools/bench/stages: libs := $(test_libs)
+
+$(BUILD)/tools/bench/scene: %: %.o $(BUILD)/tests/scenes.o $(scene_library)
+$(BUILD)/tools/bench/scene: libs := $(threads_link)
+
+$(patsubst %,$(BUILD)/tools/bench/%,embree embree_packets): $(call bench_objects,timing)
+$(embree_programs): %: %.o $(call bench_objects,embree_scenes embree_rivals) \
+	$(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
+$(embree_programs): libs := $(EMBREE_LIBS) $(threads_link)
+$(BUILD)/tools/bench/embree_counts: wrapped := $(call wrap,cylint_float_filter_used cylint_intersect)
+
+$(BUILD)/tools/bench/measure: $(BUILD)/tools/bench/measure.o
+
+$(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene measure):
+	$(link)
+
+# Where the processor has fused multiply-add, a second build with it.
+FMA ?= $(shell grep -qw fma /proc/cpuinfo 2>/dev/null && echo yes)
+bench_programs: $(bench_programs)
+bench: bench_programs ## time against error, tables and charts; QUICK=1: in two minutes
+	@$(if $(GSL),,echo 'bench: no GSL, so no questions to ask (make deps)'; exit 1)
+	@$(if $(MPFR),,echo 'note: no MPFR, errors are not measured')
+	@$(if $(FMA),$(MAKE) BUILD=$(BUILD)/fma CFLAGS='$(CFLAGS) -mfma' bench_programs)
+	@BUILD='$(BUILD)' CC='$(CC)' CFLAGS='$(CFLAGS)' FMA='$(FMA)' QUICK='$(QUICK)' sh tools/bench/bench.sh
+
+bench-scene: $(BUILD)/tools/bench/scene ## scenes against asking every shape
+	@BUILD='$(BUILD)' sh tools/bench/scene.sh
+
+bench-text: $(commands) $(BUILD)/tools/bench/measure ## the command beside what else reads numbers; QUICK=1
+	@BUILD='$(BUILD)' QUICK='$(QUICK)' sh tools/bench/text.sh
+
+bench-embree: $(filter-out %_counts,$(embree_programs)) ## scenes beside Embree's own curves; QUICK=1: in a minute
+	$(BUILD)/tools/bench/embree $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree.tsv
+	$(BUILD)/tools/bench/embree_packets $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree-packets.tsv
+	$(BUILD)/tools/bench/embree_threads 2 $(if $(QUICK),1e5,1e6) | tee $(BUILD)/embree-threads.tsv
+	@$(if $(WRAP),$(MAKE) -s BUILD=$(BUILD)/visits CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_VISITS' count_visits | tee $(BUILD)/embree-counts.tsv)
+
+# What a ray is asked for: an adapter that counts.
+count_visits: $(BUILD)/tools/bench/embree_counts
+	$< $(if $(QUICK),1e5,1e6)
+
+# How far questions must go: a library that counts.
+count_stages: $(BUILD)/tools/bench/stages
+	$< $(CASES)
+stages: ## share of questions that need pairs, exact digits, ..., by family
+	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
+
+.PHONY: bench bench_programs bench-scene bench-text bench-embree count_visits stages count_stages

@@ -1,0 +1,103 @@
+#!/bin/sh
+# config.sh FILE - writes what this machine has into FILE, as make variables
+#
+# The Makefile includes FILE.  The compilers and their flags are in the
+# environment: CC CXX CPPFLAGS CFLAGS CXXFLAGS LDFLAGS EMBREE_CFLAGS
+# EMBREE_LIBS.  Each probe compiles and links a small program.  The first
+# lines of FILE are what the probes depend on: the compilers, their flags and
+# the headers that exist.  If these are as before, FILE is left alone and
+# nothing is probed.
+file=$1
+mkdir -p "$(dirname "$file")" || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+: "${CC:=cc}" "${CXX:=c++}"
+
+# facts: one preprocessor run that prints the compiler's version and the
+# optional headers that it finds
+facts() {
+    printf '%s\n' "$CC" "$CXX" "$CPPFLAGS" "$CFLAGS" "$CXXFLAGS" "$LDFLAGS" \
+        "$EMBREE_CFLAGS" "$EMBREE_LIBS"
+    command -v $CXX >/dev/null && echo 'a C++ compiler'
+    {
+        echo '__VERSION__'
+        echo '#ifdef __has_include'
+        for header in mpfr.h gmp.h gsl/gsl_rng.h png.h pthread.h poll.h \
+            embree3/rtcore.h embree4/rtcore.h; do
+            printf '#if __has_include(<%s>)\n"%s"\n#endif\n' $header $header
+        done
+        echo '#endif'
+    } >"$work/facts.c"
+    $CC $CPPFLAGS $EMBREE_CFLAGS $CFLAGS -E "$work/facts.c" 2>/dev/null |
+        grep -v -e '^#' -e '^$'
+    cksum <"$0"
+}
+
+facts | sed 's/^/# /' >"$work/facts"
+[ -e "$file" ] && head -n "$(wc -l <"$work/facts")" "$file" |
+    cmp -s - "$work/facts" && exit
+
+# probe NAME VALUE COMMAND...: assigns VALUE to NAME if COMMAND succeeds, else
+# nothing.  `?=` leaves a variable alone that the user has set.  Probes run
+# side by side; $work/NAME.out is theirs.
+probe() {
+    name=$1 value=$2
+    shift 2
+    {
+        "$@" -o "$work/$name.out" >/dev/null 2>&1 || value=
+        printf '%s ?= %s\n' "$name" "$value" >"$work/$name.mk"
+    } &
+}
+
+# c NAME HEADER FLAG...: whether a C program that includes HEADER links
+c() {
+    name=$1 header=$2
+    shift 2
+    printf '#include <stdio.h>\n#include <%s>\nint main(void)\n{ return 0; }\n' \
+        "$header" >"$work/$name.c"
+    probe "$name" yes $CC $CPPFLAGS $CFLAGS $LDFLAGS "$work/$name.c" "$@"
+}
+
+c MPFR mpfr.h -lmpfr -lgmp
+c GSL gsl/gsl_rng.h -lgsl -lgslcblas -lm
+c PNG png.h -lpng
+c PTHREAD pthread.h -pthread
+c POSIX poll.h -pthread -include pthread.h
+c WRAP stdio.h -Wl,--wrap=read
+c EMBREE_3 embree3/rtcore.h $EMBREE_CFLAGS ${EMBREE_LIBS:--lembree3}
+c EMBREE_4 embree4/rtcore.h $EMBREE_CFLAGS ${EMBREE_LIBS:--lembree4}
+
+# what the command's C++ part needs, linked to an object of the C compiler's
+echo 'int c_part;' >"$work/c_part.c"
+$CC $CPPFLAGS $CFLAGS -c -o "$work/c_part.o" "$work/c_part.c" 2>/dev/null
+printf '#include <charconv>\nint main()\n%s\n' \
+    '{ char c; return std::to_chars(&c, &c, 1.0).ptr == &c + 1; }' \
+    >"$work/charconv.cc"
+probe CXX17 yes $CXX -std=c++17 $CPPFLAGS $CXXFLAGS $LDFLAGS \
+    "$work/charconv.cc" "$work/c_part.o"
+
+# an x86 processor, and a compiler that knows its instruction sets
+cat >"$work/x86.c" <<'END'
+#include <immintrin.h>
+#if !defined __x86_64__ && !defined __i386__
+#error
+#endif
+int main(void)
+{
+    return !__builtin_cpu_supports("avx512dq");
+}
+END
+probe X86 yes $CC $CPPFLAGS $CFLAGS $LDFLAGS -mavx512f -mavx512dq \
+    "$work/x86.c"
+wait
+
+{
+    cat "$work/facts"
+    printf 'MACHINE ?= %s\n' "$($CC -dumpmachine 2>/dev/null)"
+    grep -q yes "$work/EMBREE_3.mk" && embree=3 || embree=
+    grep -q yes "$work/EMBREE_4.mk" && embree=4
+    printf 'EMBREE ?= %s\n' "$embree"
+    printf 'EMBREE_LIBS ?= %s\n' "${embree:+-lembree$embree}"
+    rm "$work"/EMBREE_*.mk
+    cat "$work"/*.mk
+} >"$file.new" && mv "$file.new" "$file"
