@@ -1,9 +1,10 @@
 # common.awk - what all kinds share: reading files, numbers, messages
 #
 # A kind defines begin_file(), read_line(text), end_file() and, for what
-# follows the last file, finish(); its BEGIN calls convert_files().  Files are
-# read by getline, so that a missing or empty file and a name with a `=` are
-# noticed, and lines end with LF, CR LF or CR.
+# follows the last file, finish(); its BEGIN calls convert_files().  A kind
+# that reads ahead calls next_line() in begin_file().  Files are read by
+# getline, so that a missing or empty file and a name with a `=` are noticed.
+# Lines end with LF, CR LF or CR.
 #
 # Numbers are written as the text that was read, so no digit is lost; their
 # values serve to refuse what `cylint -s` refuses.
@@ -17,38 +18,45 @@ function convert_files(   i)
     finish()
 }
 
-function convert_file(name,   status, text)
+function convert_file(name)
 {
     file = name
-    line_number = 0
+    line_number = parts = 0
+    next_part = 1
     begin_file()
-    while ((status = (getline text < file)) > 0) {
-        if (line_number == 0)
-            sub(/^\357\273\277/, "", text) # a byte-order mark
-        sub(/\r$/, "", text)
-        if (index(text, "\r") > 0)
-            read_lines(text)
-        else
-            take_line(text)
-    }
-    if (status < 0)
-        fail(file, "cannot be read", 3)
+    while (next_line())
+        read_line(line)
     close(file)
     end_file()
 }
 
-# The lines of a file in which CR alone ends a line.
-function read_lines(text,   i, n, lines)
+# Reads the next line of the file into `line`.  Returns whether there is one.
+function next_line(   status)
 {
-    n = split(text, lines, "\r")
-    for (i = 1; i <= n; i++)
-        take_line(lines[i])
+    if (next_part <= parts)
+        line = part[next_part++]
+    else {
+        status = (getline line < file)
+        if (status < 0)
+            fail(file, "cannot be read", 3)
+        if (status == 0)
+            return 0
+        if (line_number == 0)
+            sub(/^\357\273\277/, "", line) # a byte-order mark
+        sub(/\r$/, "", line)
+        if (index(line, "\r") > 0)
+            cut_line()
+    }
+    line_number++
+    return 1
 }
 
-function take_line(text)
+# `line` is several lines, in a file in which CR alone ends a line.
+function cut_line()
 {
-    line_number++
-    read_line(text)
+    parts = split(line, part, "\r")
+    line = part[1]
+    next_part = 2
 }
 
 # ------------------------------------------------------------------ numbers --

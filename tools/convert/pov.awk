@@ -1,211 +1,299 @@
 # pov.awk - POV-Ray cylinders and cones
+#
+# Takes `cylinder { <x,y,z>, <x,y,z>, r [open] ... }` and `cone { <x,y,z>, r,
+# <x,y,z>, r [open] ... }` whose numbers pov_numbers.awk understands; each
+# becomes one line of the scene, labelled with the line of the file it begins
+# on.  Other objects are passed over, textures too.  Coordinates stay as they
+# are, so that POV-Ray's left-handed axes are mirrored if taken as
+# right-handed.
+#
+# A shape that needs POV-Ray itself is refused, or left out and counted if
+# `skip`: one that is transformed, clipped, declared, repeated, conditional, or
+# a part of a difference, an intersection or an object that is transformed.
 
 BEGIN { convert_files() }
 
 function begin_file()
 {
-    start_file()
+    begin_tokens()
+    begin_names()
+    depth = directives = declaring = 0
+    in_macro[0] = 0
+    previous = ""
+    advance()
+    while (token != "")
+        take()
+    if (depth > 0)
+        refuse(here(), "the file ends inside a block")
 }
 
 function read_line(text)
 {
-    read_tokens(text)
 }
 
 function end_file()
 {
-    if (depth > 0)
-        refuse(last_place, "the file ends inside a block")
 }
 
 function finish(   n)
 {
     for (n = 1; n <= shapes; n++)
         print scene[n]
+    for (n = 1; n <= kinds; n++)
+        note(left_out[kind_of[n]] " " noun_of[n] " {} left out" reason_of[n])
+    if (shapes == 0)
+        note("no cylinder {} or cone {} was converted")
 }
 
-# state: what the next token may be.  "" anything; "brace" the { of a shape;
-# "number" the next number of a shape; "rest" the words after its numbers.
-function start_file()
+function take(   word)
 {
-    depth = in_comment = directives = 0
-    state = word = ""
-}
-
-# Cuts a line into words, numbers, strings and single characters.
-function read_tokens(rest)
-{
-    last_place = here()
-    while (rest != "") {
-        if (in_comment) {
-            if (!match(rest, /\*\//))
-                return
-            in_comment = 0
-        } else if (match(rest, /^[ \t,]+/)) {
-            # Commas only part numbers, which are counted.
-        } else if (match(rest, /^\/\//)) {
-            return
-        } else if (match(rest, /^\/\*/)) {
-            in_comment = 1
-        } else if (match(rest, /^"([^"\\]|\\.)*"/) ||
-                   match(rest, /^#?[A-Za-z_][A-Za-z_0-9]*/) ||
-                   match(rest, \
-                   /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?/) ||
-                   match(rest, /^./)) {
-            take(substr(rest, 1, RLENGTH))
-        }
-        rest = substr(rest, RSTART + RLENGTH)
-    }
-}
-
-function take(token)
-{
-    if (state == "brace")
-        open_shape(token)
-    else if (state == "number")
-        take_number(token)
-    else if (state == "rest" && depth == shape_depth)
-        take_modifier(token)
-    else if (token == "cylinder" || token == "cone")
-        begin_shape(token)
-    else if (token ~ /^#(while|for|if|ifdef|ifndef|macro|switch)$/)
-        directives++
-    else if (token == "#end")
-        directives--
-    else
-        take_other(token)
-    if (token == "#declare" || token == "#local")
-        declares = 4 # this word, the name, the = and the word of an object
-    else if (token == ";")
-        declares = 0
-    else if (declares > 0)
-        declares--
+    if (declaring > 0)
+        declaring--
     word = token
+    if (word ~ /^#/) {
+        previous = word
+        take_directive(word)
+        return
+    }
+    if (word == "cylinder" || word == "cone")
+        take_shape(word)
+    else {
+        if (word == "{")
+            open_block(previous)
+        else if (word == "}")
+            close_block()
+        else
+            take_modifier(word, previous)
+        advance()
+        if (block[depth] == "object" && previous == "{" && depth > 0 &&
+            word ~ /^[A-Za-z_]/ && token != "{")
+            count_left_out("object", ": declared elsewhere")
+        if (word in macro && token == "(") {
+            take_modifier("(", word)
+            skip_arguments(1)
+        }
+    }
+    previous = word
 }
+
+# -------------------------------------------------------------- directives --
+
+function take_directive(word)
+{
+    advance()
+    if (word ~ /^#(while|for|if|ifdef|ifndef|macro|switch)$/) {
+        directives++
+        depth_at[directives] = depth
+        in_macro[directives] = in_macro[directives - 1] || word == "#macro"
+        if (word == "#macro")
+            read_macro_name()
+        skip_arguments(word == "#for")
+    } else if (word ~ /^#(else|elseif|case|range)$/ && directives > 0) {
+        depth = depth_at[directives] # the branches open the same blocks
+        skip_arguments(0)
+    } else if (word == "#end" && directives > 0)
+        directives--
+    else if (word == "#declare" || word == "#local")
+        read_declaration(word)
+    else if (word == "#undef")
+        forget(token)
+    else if (word == "#read")
+        skip_arguments(1)
+    else if (word == "#include")
+        forget_all_names()
+}
+
+# ------------------------------------------------------------------ blocks --
 
 # Blocks are kept on a stack by the word before their brace.
-function take_other(token)
+function open_block(name)
 {
-    if (token == "{") {
-        depth++
-        block[depth] = word
-        holds[depth] = ""
-        transformed[depth] = declared[depth] = 0
-        if (declares > 0)
-            declared[depth] = 1
-    } else if (token == "}") {
-        if (depth == 0)
-            refuse(here(), "a } without its {")
-        close_block()
-    } else if (is_transform(token) && depth > 0 && state == "")
-        transformed[depth] = 1
+    depth++
+    block[depth] = name
+    shape_of[depth] = altered[depth] = ""
+    first_inside[depth] = shapes + 1
+    declared[depth] = declaring == 1
+    conditional[depth] = directives > 0
+    if (name ~ /^(sphere|box|torus|mesh2?|plane|disc|triangle|prism|lathe|sor)$/ ||
+        name ~ /^(smooth_triangle|polygon|height_field|text|bicubic_patch)$/ ||
+        name ~ /^(superellipsoid|blob|isosurface|parametric|julia_fractal)$/ ||
+        name ~ /^(quadric|cubic|quartic|poly|sphere_sweep)$/)
+        count_left_out(name, "")
 }
 
-function close_block()
+function close_block(   n, reason)
 {
-    if (state == "rest" && depth == shape_depth)
+    if (depth == 0)
+        refuse(here(), "a } without its {")
+    if (shape_of[depth] != "")
         end_shape()
-    else if (transformed[depth] && holds[depth] != "")
-        refuse(holds[depth], "a shape inside a transformed " block[depth])
-    else if (holds[depth] != "" && depth > 1)
-        holds[depth - 1] = holds[depth]
+    else if (altered[depth] != "") {
+        reason = "inside " block[depth] " {}, which is " altered[depth]
+        for (n = first_inside[depth]; n <= shapes; n++)
+            leave_out(shape_kind[n], reason, shape_place[n])
+        if (shapes >= first_inside[depth])
+            shapes = first_inside[depth] - 1
+    }
     depth--
 }
 
-function begin_shape(token)
+# A word in a block that alters what is in it.  A word before a parenthesis
+# may be a macro that does so.
+function take_modifier(word, before)
+{
+    if (depth == 0)
+        return
+    if (word ~ /^(translate|rotate|scale|matrix|transform)$/)
+        alter("transformed")
+    else if (word == "clipped_by")
+        alter("clipped")
+    else if (word == "(" && before ~ /^[A-Za-z_]/)
+        alter("given to a macro")
+    else if (word == "open" && shape_of[depth] != "") {
+        ends[depth] = " ends=open"
+        if (directives > 0)
+            alter("inside a loop, condition or macro")
+    }
+}
+
+function alter(how)
+{
+    if (altered[depth] != "")
+        return
+    altered[depth] = how
+    if (shape_of[depth] != "")
+        leave_out_now(how, here())
+}
+
+# ------------------------------------------------------------------ shapes --
+
+# After the word cylinder or cone, which is also a kind of light.
+function take_shape(kind,   place, first_line, reason)
 {
     place = here()
-    shape = token
     first_line = line_number
-    state = "brace"
+    advance()
+    if (token != "{")
+        return
+    reason = surroundings()
+    open_block(kind)
+    declaring = 0
+    advance()
+    previous = ""
+    shape_of[depth] = kind
+    left[depth] = ""
+    ends[depth] = ""
+    place_of[depth] = place
+    label[depth] = first_line
+    directives_of[depth] = directives
+    if (reason != "")
+        leave_out_now(reason, place)
+    else
+        read_numbers(kind)
 }
 
-# Refuses a shape that does not stand in the picture as it is written.
-function check_surroundings(   i)
+# Why a shape that stands here is not in the picture as it is written, or "".
+function surroundings(   i)
 {
+    for (i = 1; i <= depth; i++)
+        if (block[i] == "bounded_by")
+            return "bounds"
     if (directives > 0)
-        refuse(place, "a shape inside a loop, condition or macro")
-    if (declares > 0)
-        refuse(place, "a shape that is only declared")
+        return "inside a loop, condition or macro"
+    if (declaring > 0)
+        return "only declared"
     for (i = 1; i <= depth; i++) {
         if (declared[i])
-            refuse(place, "a shape that is only declared")
+            return "only declared"
+        if (conditional[i])
+            return "inside a loop, condition or macro"
         if (block[i] !~ /^(union|merge|object|light_group)$/)
-            refuse(place, "a shape inside " block[i] "{}")
+            return "inside " (block[i] ~ /^[A-Za-z_]/ ? block[i] : "a block") \
+                   " {}"
+    }
+    return ""
+}
+
+# The shape that is being read is left out, once.  A bounding shape is not part
+# of the picture.
+function leave_out_now(reason, place)
+{
+    if (left[depth] == "" && reason != "bounds")
+        leave_out(shape_of[depth], reason, place)
+    left[depth] = reason
+}
+
+function leave_out(kind, reason, place)
+{
+    if (!skip)
+        refuse(place, kind ": " reason "; --skip leaves such shapes out")
+    count_left_out(kind, ": " reason)
+}
+
+function count_left_out(noun, reason)
+{
+    if (!skip)
+        return
+    if (!((noun reason) in left_out)) {
+        kind_of[++kinds] = noun reason
+        noun_of[kinds] = noun
+        reason_of[kinds] = reason
+    }
+    left_out[noun reason]++
+}
+
+# plan: v for a vector, n for a number.
+function read_numbers(kind,   plan, i, value)
+{
+    plan = kind == "cone" ? "vnvn" : "vvn"
+    numbers[depth] = kind
+    for (i = 1; i <= length(plan); i++) {
+        value = parse_value()
+        if (value != "" && value !~ / / && substr(plan, i, 1) == "v")
+            value = value " " value " " value
+        if (value ~ / / && substr(plan, i, 1) == "n")
+            value = expect("a number, not a vector, before this")
+        if (i < length(plan) && token == ",")
+            advance()
+        if (i == length(plan) && value != "" && token !~ /^[#}A-Za-z_]/)
+            value = expect("the end of a number")
+        if (value == "") {
+            if (!skip)
+                refuse(here(), trouble "; --skip leaves such shapes out")
+            leave_out_now("with numbers that are not understood", here())
+            return
+        }
+        numbers[depth] = numbers[depth] " " value
     }
 }
 
-function open_shape(token)
+function end_shape(   fault)
 {
-    if (token != "{") { # for instance `cylinder` as a kind of light
-        state = ""
-        take_other(token)
+    if (left[depth] != "")
+        return
+    fault = directives != directives_of[depth] ? \
+            "inside a loop, condition or macro" : fault_of(numbers[depth])
+    if (fault != "") {
+        leave_out_now(fault, place_of[depth])
         return
     }
-    check_surroundings()
-    depth++
-    block[depth] = shape
-    holds[depth] = ""
-    transformed[depth] = 0
-    shape_depth = depth
-    plan = shape == "cone" ? "<nnn>n<nnn>n" : "<nnn><nnn>n"
-    numbers = shape
-    ends = ""
-    state = "number"
+    scene[++shapes] = numbers[depth] ends[depth] " " label[depth]
+    shape_kind[shapes] = shape_of[depth]
+    shape_place[shapes] = place_of[depth]
 }
 
-# The plan says what follows: brackets as they are, n for a number.
-function take_number(token,   expected)
+function fault_of(text,   n, value, p, q, r0)
 {
-    expected = substr(plan, 1, 1)
-    plan = substr(plan, 2)
-    if (expected == "n") {
-        if (!is_number(token))
-            refuse_found("a literal number", token)
-        numbers = numbers " " token
-    } else if (token != expected)
-        refuse_found(quoted(expected), token)
-    if (plan == "")
-        state = "rest"
-}
-
-function take_modifier(token)
-{
-    if (token == "open")
-        ends = " ends=open"
-    else if (is_transform(token))
-        refuse(here(), "a transformed " shape)
-    else if (token ~ /^[-+*\/.0-9]/)
-        refuse_found("the end of a number", token)
-    else
-        take_other(token)
-}
-
-function is_transform(token)
-{
-    return token ~ /^(translate|rotate|scale|matrix|transform)$/
-}
-
-function end_shape(   n, value)
-{
-    n = split(numbers, value, " ")
-    check_shape(n, value)
-    scene[++shapes] = numbers ends " " first_line
-    state = ""
-    if (depth > 1)
-        holds[depth - 1] = place
-}
-
-function check_shape(n, value,   p, q, r0)
-{
+    n = split(text, value, " ")
     p = 2
-    q = shape == "cone" ? 6 : 5
-    r0 = shape == "cone" ? value[5] : value[8]
+    q = value[1] == "cone" ? 6 : 5
+    r0 = value[1] == "cone" ? value[5] : value[8]
     if (r0 < 0 || value[n] < 0)
-        refuse(place, "negative radius")
+        return "with a negative radius"
     if (r0 + 0 == 0 && value[n] + 0 == 0)
-        refuse(place, "no radius")
+        return "without radius"
     if (value[p] + 0 == value[q] + 0 && value[p + 1] + 0 == value[q + 1] + 0 \
         && value[p + 2] + 0 == value[q + 2] + 0)
-        refuse(place, "no length")
+        return "without length"
+    return ""
 }
