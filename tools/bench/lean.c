@@ -1,0 +1,162 @@
+/*
+ * lean.c - prepared quadratics in doubles: cylinder, cone, elliptic cylinder
+ */
+#include "lean.h"
+
+#include <math.h>
+
+static inline double dot(const double u[3], const double v[3])
+{
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+static inline void from_base(const struct lean_shape *s, const double o[3],
+                             double q[3])
+{
+    for (int i = 0; i < 3; i++)
+        q[i] = o[i] - s->base[i];
+}
+
+/* The overlap of [a, b] with the slab, and its ends within [t0, t1]. */
+static inline int clip(const struct lean_shape *s, double z, double speed,
+                       double a, double b, double t0, double t1, double t[2])
+{
+    if (s->height < HUGE_VAL) {
+        const double inverse = 1 / speed;
+        double first = -z * inverse, last = (s->height - z) * inverse;
+        if (first > last) {
+            const double kept = first;
+            first = last;
+            last = kept;
+        }
+        a = first > a ? first : a;
+        b = last < b ? last : b;
+        if (a > b)
+            return 0;
+    }
+    t[0] = a;
+    t[1] = b;
+    return (a >= t0 && a <= t1) + (b >= t0 && b <= t1);
+}
+
+int lean_cylinder(const struct lean_shape *s, const double o[3],
+                  const double d[3], double t0, double t1, double t[2])
+{
+    double q[3];
+    from_base(s, o, q);
+    const double speed = dot(d, s->axis), z = dot(q, s->axis);
+    const double A = dot(d, d) - speed * speed, B = dot(q, d) - z * speed;
+    const double C = dot(q, q) - z * z - s->r0_squared, G = B * B - A * C;
+    if (!(G >= 0))
+        return 0;
+    const double root = sqrt(G), inverse = 1 / A;
+    return clip(s, z, speed, (-B - root) * inverse, (-B + root) * inverse, t0,
+                t1, t);
+}
+
+int lean_cone(const struct lean_shape *s, const double o[3], const double d[3],
+              double t0, double t1, double t[2])
+{
+    double q[3];
+    from_base(s, o, q);
+    const double speed = dot(d, s->axis), z = dot(q, s->axis);
+    const double rho = s->r0 + s->slope * z, growth = s->slope * speed;
+    const double A = dot(d, d) - speed * speed - growth * growth;
+    const double B = dot(q, d) - z * speed - rho * growth;
+    const double C = dot(q, q) - z * z - rho * rho, G = B * B - A * C;
+    if (!(G >= 0))
+        return 0;
+    const double root = sqrt(G), inverse = 1 / A;
+    double a = (-B - root) * inverse, b = (-B + root) * inverse;
+    if (A < 0 && s->height < HUGE_VAL) {
+        const double low = b < a ? b : a, high = b < a ? a : b;
+        a = growth > 0 ? high : -HUGE_VAL;
+        b = growth > 0 ? HUGE_VAL : low;
+    }
+    return clip(s, z, speed, a, b, t0, t1, t);
+}
+
+int lean_elliptic(const struct lean_shape *s, const double o[3],
+                  const double d[3], double t0, double t1, double t[2])
+{
+    double q[3];
+    from_base(s, o, q);
+    const double x = dot(q, s->row[0]), y = dot(q, s->row[1]);
+    const double u = dot(d, s->row[0]), v = dot(d, s->row[1]);
+    const double A = u * u + v * v, B = x * u + y * v;
+    const double C = x * x + y * y - 1, G = B * B - A * C;
+    if (!(G >= 0))
+        return 0;
+    const double root = sqrt(G), inverse = 1 / A;
+    return clip(s, dot(q, s->axis), dot(d, s->axis), (-B - root) * inverse,
+                (-B + root) * inverse, t0, t1, t);
+}
+
+int lean_shader(const struct lean_shape *s, const double o[3],
+                const double d[3], double t0, double t1, double t[2])
+{
+    double q[3];
+    from_base(s, o, q);
+    const double speed = dot(d, s->axis), z = dot(q, s->axis);
+    const double A = dot(d, d) - speed * speed, B = dot(q, d) - z * speed;
+    const double C = dot(q, q) - z * z - s->r0_squared, G = B * B - A * C;
+    if (G < 0)
+        return 0;
+    const double root = sqrt(G);
+    double first = (-B - root) / A;
+    const double at = z + first * speed;
+    if (!(at > 0 && at < s->height)) {
+        first = ((at < 0 ? 0 : s->height) - z) / speed;
+        if (!(fabs(B + A * first) < root))
+            return 0;
+    }
+    t[0] = t[1] = first;
+    return first >= t0 && first <= t1;
+}
+
+static void cross(const double u[3], const double v[3], double w[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        w[i] = u[j] * v[k] - u[k] * v[j];
+    }
+}
+
+static void prepare_elliptic(struct lean_shape *to, const cylint_shape *s)
+{
+    double bh[3], ha[3], ab[3];
+    cross(s->b, s->axis, bh);
+    cross(s->axis, s->a, ha);
+    cross(s->a, s->b, ab);
+    const double det = dot(s->a, bh);
+    for (int i = 0; i < 3; i++) {
+        to->row[0][i] = bh[i] / det;
+        to->row[1][i] = ha[i] / det;
+        to->axis[i] = ab[i] / det;
+    }
+    to->height = 1;
+}
+
+void lean_prepare(struct lean_shape *to, const cylint_shape *s)
+{
+    const double length = sqrt(dot(s->axis, s->axis));
+    for (int i = 0; i < 3; i++) {
+        to->base[i] = s->base[i];
+        to->axis[i] = s->axis[i] / length;
+    }
+    to->height = length;
+    to->r0 = s->r0;
+    to->r0_squared = s->r0 * s->r0;
+    to->slope = (s->r1 - s->r0) / length;
+    if (s->kind == CYLINT_KIND_ECYLINDER)
+        prepare_elliptic(to, s);
+    if (s->ends == CYLINT_ENDS_INFINITE)
+        to->height = HUGE_VAL;
+}
+
+lean_intersect *lean_formula(const cylint_shape *shape)
+{
+    return shape->kind == CYLINT_KIND_CYLINDER    ? lean_cylinder
+           : shape->kind == CYLINT_KIND_ECYLINDER ? lean_elliptic
+                                                  : lean_cone;
+}
