@@ -4,13 +4,14 @@ $(BUILD)/tools/bench/%: extra := $(floats) $(posix) -Isrc -Itests $(embree) \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 
-bench_programs  := $(patsubst %,$(BUILD)/tools/bench/%,cost methods batch)
+bench_programs  := $(patsubst %,$(BUILD)/tools/bench/%,cost methods batch single)
 embree_programs := $(patsubst %,$(BUILD)/tools/bench/%,embree embree_packets embree_threads embree_counts)
 bench_common    := $(call bench_objects,contestants race timing plain shader $(if $(GSL),gsl_quadratic))
 
 $(BUILD)/tools/bench/cost: $(call bench_objects,cost_inputs)
 $(BUILD)/tools/bench/methods: $(call bench_objects,classes statistics truth)
 $(BUILD)/tools/bench/batch: $(call bench_objects,batch_scene batch_turns batch_core batch_cases classes cost_inputs)
+$(BUILD)/tools/bench/single: $(call bench_objects,lean)
 $(bench_programs): %: %.o $(bench_common)
 $(bench_programs) $(BUILD)/tools/bench/stages: %: %.o $(test_common) $(BUILD)/libcylint.a
 $(bench_programs) $(BUILD)/tools/bench/stages: libs := $(test_libs)

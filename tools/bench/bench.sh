@@ -5,9 +5,9 @@ here=$(dirname "$0")
 out=$BUILD/bench
 mkdir -p "$out" || exit 3
 if [ -n "$QUICK" ]; then
-    rounds=40 cases=400 seconds=0.02 batch_seconds=2 most=4000000
+    turns=20 rounds=40 cases=400 seconds=0.02 batch_seconds=2 most=4000000
 else
-    rounds=400 cases=100000 seconds=1 batch_seconds=20 most=10000000
+    turns=120 rounds=400 cases=100000 seconds=1 batch_seconds=20 most=10000000
 fi
 
 # Runs a program of each build; the second build's output loses its header.
@@ -53,6 +53,10 @@ echo 'time of a question beside the quadratics ...' >&2
 measure cost "$out/cost.csv" $rounds $rounds
 awk -f "$here/cost.awk" "$out/cost.csv" >"$out/cost.txt"
 
+echo 'single questions beside the leanest formula ...' >&2
+"$BUILD/tools/bench/single" $turns "$flags" >"$out/single.csv" || exit 1
+awk -f "$here/single.awk" "$out/single.csv" >"$out/single.txt"
+
 echo "time against error, $cases cases a family ..." >&2
 measure methods "$out/methods.csv" "$cases $seconds" "0 $seconds"
 awk -f "$here/table.awk" "$out/methods.csv" >"$out/methods.txt"
@@ -85,6 +89,8 @@ fi
 cat "$out/methods.txt"
 echo
 cat "$out/cost.txt"
+echo
+cat "$out/single.txt"
 echo
 cat "$out/batch.txt"
 echo
