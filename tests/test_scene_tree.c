@@ -1,5 +1,5 @@
 /*
- * test_scene_tree.c - what stands above the blocks, whoever built it
+ * test_scene_tree.c - the hierarchy's nodes, and builds by several threads
  */
 #include <stdlib.h>
 #include <string.h>
@@ -9,59 +9,60 @@
 #include "bvh/bvh.h"
 #include "scenes.h"
 
-static int make(cylint_bvh *group, const struct scene_shapes *of, int threads)
+static int make(cylint_bvh *bvh, const struct scene_shapes *of, int threads)
 {
     const cylint_view view = cylint_plain_view(of->shapes);
-    const cylint_bvh_input members = {
+    const cylint_bvh_input input = {
         .view = &view, .n = of->n, .threads = threads};
     size_t refused;
-    return CHECK(cylint_bvh_build(group, &members, &refused) == CYLINT_BVH_OK);
+    return CHECK(cylint_bvh_build(bvh, &input, &refused) == CYLINT_BVH_OK);
 }
 
 /* ---------------------------------------------------------------- nodes -- */
 
-/* What a walk through all nodes comes upon. */
-struct found {
-    const cylint_bvh *group;
-    unsigned char *blocks; /* how often each */
-    size_t nodes, gaps;    /* in the order of the walk */
+/* Totals over all nodes. */
+struct visited {
+    const cylint_bvh *bvh;
+    unsigned char *leaves; /* the number of parents of each leaf */
+    size_t nodes;
+    size_t gaps; /* nodes that do not follow the last one in memory */
     int depth;
 };
 
-static void visit(struct found *f, uint32_t number, int depth)
+static void visit(struct visited *f, uint32_t number, int depth)
 {
-    const cylint_node *node = &f->group->nodes[number];
+    const cylint_node *node = &f->bvh->nodes[number];
     f->gaps += number != f->nodes++;
     f->depth = depth > f->depth ? depth : f->depth;
     for (unsigned i = 0; node->children >> i; i++)
         if (node->child[i] & CYLINT_LEAF_FLAG)
-            f->blocks[node->child[i] & ~CYLINT_LEAF_FLAG]++;
+            f->leaves[node->child[i] & ~CYLINT_LEAF_FLAG]++;
         else
             visit(f, node->child[i], depth + 1);
 }
 
 static void check_nodes(const struct scene_shapes *of)
 {
-    cylint_bvh group;
-    if (!make(&group, of, 2))
+    cylint_bvh bvh;
+    if (!make(&bvh, of, 2))
         return;
-    struct found f = {.group = &group, .blocks = calloc(group.n, 1)};
+    struct visited f = {.bvh = &bvh, .leaves = calloc(bvh.n_leaves, 1)};
     size_t once = 0;
-    if (!f.blocks)
+    if (!f.leaves)
         abort();
     visit(&f, 0, 1);
-    for (size_t i = 0; i < group.n; i++)
-        once += f.blocks[i] == 1;
-    CHECK(once == group.n);
+    for (size_t i = 0; i < bvh.n_leaves; i++)
+        once += f.leaves[i] == 1;
+    CHECK(once == bvh.n_leaves);
     CHECK(f.gaps == 0);
-    CHECK(f.nodes <= cylint_build_most_nodes(group.n));
+    CHECK(f.nodes <= cylint_build_most_nodes(bvh.n_leaves));
     CHECK(f.depth <= CYLINT_BVH_DEPTH);
-    CHECK((const char *)group.blocks == (const char *)(group.nodes + f.nodes));
-    free(f.blocks);
-    cylint_bvh_free(&group);
+    CHECK((const char *)bvh.leaves == (const char *)(bvh.nodes + f.nodes));
+    free(f.leaves);
+    cylint_bvh_free(&bvh);
 }
 
-static void every_block_is_below_one_node_and_no_node_is_between(void)
+static void every_leaf_has_one_parent_and_nodes_have_no_gaps(void)
 {
     static const size_t sizes[] = {1, 7, 8, 9, 57, 64, 65, 520, 3000, 20000};
     static const int kinds[] = {SCENE_THIN, SCENE_FIBRES, SCENE_LATTICE,
@@ -75,8 +76,9 @@ static void every_block_is_below_one_node_and_no_node_is_between(void)
         }
 }
 
-/* Where no split tells shapes apart, and where each takes one off. */
-static void hopeless_scenes_have_nodes_too(void)
+/* Shapes that no split separates, and shapes of which each split separates
+ * one. */
+static void scenes_without_good_splits_have_nodes_too(void)
 {
     enum { N = 3000 };
     static cylint_shape shapes[N];
@@ -95,7 +97,7 @@ static void hopeless_scenes_have_nodes_too(void)
 
 /* -------------------------------------------------------------- threads -- */
 
-/* Enough shapes for five threads; more are wanted than that. */
+/* Enough shapes for five threads; some calls want more. */
 static void any_number_of_threads_builds_the_same_bytes(void)
 {
     static const int kinds[] = {SCENE_FIBRES, SCENE_MIXED, SCENE_FAT};
@@ -109,7 +111,7 @@ static void any_number_of_threads_builds_the_same_bytes(void)
         for (size_t i = 0; i < sizeof threads / sizeof *threads; i++) {
             if (!make(&other, &of, threads[i]))
                 return;
-            CHECK(other.n == alone.n && other.pad <= alone.pad &&
+            CHECK(other.n_leaves == alone.n_leaves && other.pad <= alone.pad &&
                   other.pad >= alone.pad);
             CHECK(memcmp(&other.box, &alone.box, sizeof alone.box) == 0);
             CHECK(other.memory.bytes == alone.memory.bytes &&
@@ -122,8 +124,8 @@ static void any_number_of_threads_builds_the_same_bytes(void)
     }
 }
 
-/* The lowest, whichever thread comes upon one. */
-static void the_first_refused_shape_is_told(void)
+/* The lowest number, whichever thread finds it. */
+static void the_first_refused_shape_is_reported(void)
 {
     struct scene_shapes of;
     scene_generate(SCENE_THIN, 23000, 5, &of);
@@ -131,12 +133,12 @@ static void the_first_refused_shape_is_told(void)
     static const size_t bad[] = {22999, 12000, 11999, 300};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         for (int threads = 1; threads < 6; threads++) {
-            const cylint_bvh_input members = {
+            const cylint_bvh_input input = {
                 .view = &view, .n = of.n, .threads = threads};
             size_t refused = 0;
-            cylint_bvh group;
+            cylint_bvh bvh;
             of.shapes[bad[i]].kind = CYLINT_KIND_NONE;
-            CHECK(cylint_bvh_build(&group, &members, &refused) ==
+            CHECK(cylint_bvh_build(&bvh, &input, &refused) ==
                   CYLINT_BVH_ESHAPE);
             CHECK(refused == bad[i]);
         }
@@ -170,10 +172,10 @@ static void scenes_of_several_threads_answer_as_those_of_one(void)
 
 int main(void)
 {
-    RUN(every_block_is_below_one_node_and_no_node_is_between);
-    RUN(hopeless_scenes_have_nodes_too);
+    RUN(every_leaf_has_one_parent_and_nodes_have_no_gaps);
+    RUN(scenes_without_good_splits_have_nodes_too);
     RUN(any_number_of_threads_builds_the_same_bytes);
-    RUN(the_first_refused_shape_is_told);
+    RUN(the_first_refused_shape_is_reported);
     RUN(scenes_of_several_threads_answer_as_those_of_one);
     return check_end();
 }

@@ -1,9 +1,9 @@
 /*
- * build.c - building trees
+ * build.c - builds the nodes of a bounding volume hierarchy over boxes
  *
- * The surface area heuristic over bins [Wald 2007], with costs counted in
- * whole blocks.  Embree's own rtcBuildBVH fills leaves of 8 by 4.4 on average
- * and takes twice the time.
+ * The surface area heuristic over bins [Wald 2007]; costs count whole leaves.
+ * Embree's rtcBuildBVH fills leaves of 8 with 4.4 boxes on average and takes
+ * twice the time.
  */
 #include "build.h"
 
@@ -15,52 +15,53 @@
 #include "threads.h"
 #include "../numbers/float_simd.h"
 
-/* Where to split more than SAMPLES boxes, every second of them tells, every
- * third, and so on, as well as all would. */
+/* Of more than SAMPLES boxes, only every second, third, ... is put into the
+ * bins: it gives as good a split as all. */
 enum { BINS = 16, SAMPLES = 2048 };
 
 typedef struct {
     v4 lower, upper;
-} hull;
+} bounds;
 
-static hull nothing(void)
+static bounds nothing(void)
 {
-    return (hull){v4_set(FLT_MAX), v4_set(-FLT_MAX)};
+    return (bounds){v4_set(FLT_MAX), v4_set(-FLT_MAX)};
 }
 
-static hull joined(hull a, hull b)
+static bounds joined(bounds a, bounds b)
 {
-    return (hull){v4_min(a.lower, b.lower), v4_max(a.upper, b.upper)};
+    return (bounds){v4_min(a.lower, b.lower), v4_max(a.upper, b.upper)};
 }
 
-static hull hull_of(const cylint_boxed_piece *b)
+static bounds bounds_of(const cylint_boxed_piece *b)
 {
-    /* the fourth is not a float; no one looks at it */
-    return (hull){v4_load(b->lower), v4_load(b->upper)};
+    /* the fourth member is not a float and is not used */
+    return (bounds){v4_load(b->lower), v4_load(b->upper)};
 }
 
-/* Half of it; infinite of nothing. */
-static float area(hull h)
+/* Half the area; infinite for no boxes. */
+static float area(bounds h)
 {
     const v4 side = v4_sub(v4_xyz(h.upper), v4_xyz(h.lower));
     return v4_sum_xyz(v4_mul(side, v4_yzx(side)));
 }
 
-/* Boxes side by side in memory, all of them and their centres, twice. */
+/* Consecutive boxes, the box of all of them, and the box of their centres times
+ * two. */
 typedef struct {
     cylint_boxed_piece *boxes;
     size_t n;
-    hull box, centers;
+    bounds box, centers;
 } range;
 
-/* How a range is cut into bins. */
+/* Maps a centre to its bin. */
 typedef struct {
     v4 least, per_bin;
 } scale;
 
 static v4 center_of(const cylint_boxed_piece *b)
 {
-    const hull h = hull_of(b);
+    const bounds h = bounds_of(b);
     return v4_add(v4_xyz(h.lower), v4_xyz(h.upper));
 }
 
@@ -69,8 +70,8 @@ static range measured(cylint_boxed_piece *boxes, size_t n)
     range r = {boxes, n, nothing(), nothing()};
     for (size_t i = 0; i < n; i++) {
         const v4 c = center_of(&boxes[i]);
-        r.box = joined(r.box, hull_of(&boxes[i]));
-        r.centers = joined(r.centers, (hull){c, c});
+        r.box = joined(r.box, bounds_of(&boxes[i]));
+        r.centers = joined(r.centers, (bounds){c, c});
     }
     return r;
 }
@@ -103,11 +104,11 @@ static void bins_of(const cylint_boxed_piece *b, const scale *s, int32_t bin[4])
 }
 
 typedef struct {
-    hull box[3][BINS];
+    bounds box[3][BINS];
     size_t n[3][BINS];
 } bins;
 
-/* Every so many boxes; returns how many those are. */
+/* Puts every `every`-th box into the bins.  Returns their number. */
 static size_t fill(bins *b, const scale *s, const range *r, size_t every)
 {
     size_t n = 0;
@@ -117,7 +118,7 @@ static size_t fill(bins *b, const scale *s, const range *r, size_t every)
             b->n[j][i] = 0;
         }
     for (size_t i = 0; i < r->n; i += every, n++) {
-        const hull h = hull_of(&r->boxes[i]);
+        const bounds h = bounds_of(&r->boxes[i]);
         int32_t bin[4];
         bins_of(&r->boxes[i], s, bin);
         for (int j = 0; j < 3; j++) {
@@ -128,22 +129,22 @@ static size_t fill(bins *b, const scale *s, const range *r, size_t every)
     return n;
 }
 
-static float blocks(size_t n)
+static float leaf_count(size_t n)
 {
     return (float)(ptrdiff_t)((n + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE);
 }
 
-/* Where to split: before bin `bin` along `axis`, n boxes to the left. */
+/* A place to split: before bin `bin` along `axis`, with n boxes to the left. */
 typedef struct {
     float cost;
     int axis, bin;
     size_t n;
-} split;
+} cut_plan;
 
-static void try_axis(const bins *b, int axis, size_t n, split *best)
+static void try_axis(const bins *b, int axis, size_t n, cut_plan *best)
 {
     float right[BINS];
-    hull h = nothing();
+    bounds h = nothing();
     for (int i = BINS - 1; i > 0; i--) {
         h = joined(h, b->box[axis][i]);
         right[i] = area(h);
@@ -155,9 +156,10 @@ static void try_axis(const bins *b, int axis, size_t n, split *best)
         left += b->n[axis][i - 1];
         if (left == 0 || left == n)
             continue;
-        const float cost = area(h) * blocks(left) + right[i] * blocks(n - left);
+        const float cost =
+            area(h) * leaf_count(left) + right[i] * leaf_count(n - left);
         if (cost < best->cost)
-            *best = (split){cost, axis, i, left};
+            *best = (cut_plan){cost, axis, i, left};
     }
 }
 
@@ -173,10 +175,10 @@ static float key(const cylint_boxed_piece *b, int axis)
     return b->lower[axis] + b->upper[axis];
 }
 
-/* So that none of the first k has a larger key than any of the rest. */
+/* Sorts so far that none of the first k keys is larger than any other key. */
 static void select(cylint_boxed_piece *boxes, size_t n, size_t k, int axis)
 {
-    size_t from = 0, to = n; /* the k-th is in here */
+    size_t from = 0, to = n; /* the k-th lies in [from, to) */
     while (to - from > 1) {
         const float pivot = key(&boxes[from + (to - from - 1) / 2], axis);
         size_t i = from, j = to - 1;
@@ -197,9 +199,10 @@ static void select(cylint_boxed_piece *boxes, size_t n, size_t k, int axis)
 }
 
 /*
- * Those before the bin to the front; returns how many.  Which side a box is
- * on cannot be foreseen, so there is no branch: each changes places with the
- * first of the right side, which begins later if that was one of the left.
+ * Moves the boxes before the bin to the front and returns their number.  The
+ * side of a box is unpredictable, so there is no branch: each box changes places
+ * with the first box of the right side, which then begins one later if the box
+ * belongs to the left side.
  */
 static size_t partition(cylint_boxed_piece *boxes, size_t n, const scale *s,
                         int axis, int bin)
@@ -217,8 +220,8 @@ static size_t partition(cylint_boxed_piece *boxes, size_t n, const scale *s,
     return left;
 }
 
-/* The multiple of 8 next to `left` that leaves something on both sides. */
-static size_t whole_blocks(size_t left, size_t n)
+/* The multiple of 8 nearest to `left` that leaves boxes on both sides. */
+static size_t whole_leaves(size_t left, size_t n)
 {
     const size_t most = (n - 1) / CYLINT_LEAF_SIZE * CYLINT_LEAF_SIZE;
     const size_t near =
@@ -228,73 +231,73 @@ static size_t whole_blocks(size_t left, size_t n)
                                    : most;
 }
 
-/* Boxes that change sides for whole blocks, up to 8, are the nearest of so many
- * to the other side: of all, for few. */
-enum { AMONG = 512 };
+/* Up to 8 boxes change sides to make whole leaves: the nearest to the other side
+ * among so many. */
+enum { NEARBY = 512 };
 
-/* Splits more than 8 boxes; returns how many are to the left, a multiple. */
+/* Splits more than 8 boxes.  Returns the number to the left, a multiple of 8. */
 ASIDE size_t divide(const range *r)
 {
     const size_t n = r->n;
     const scale s = scale_of(r);
-    split best = {FLT_MAX, -1, 0, 0};
+    cut_plan best = {FLT_MAX, -1, 0, 0};
     bins b;
     const size_t filled = fill(&b, &s, r, n / SAMPLES + 1);
     for (int axis = 0; axis < 3; axis++)
         try_axis(&b, axis, filled, &best);
     if (best.axis < 0) /* all in one place */
-        return whole_blocks(n / 2, n);
+        return whole_leaves(n / 2, n);
     const size_t left = partition(r->boxes, n, &s, best.axis, best.bin);
-    const size_t k = whole_blocks(left, n);
+    const size_t k = whole_leaves(left, n);
     if (k < left) {
-        const size_t from = left > AMONG ? left - AMONG : 0;
+        const size_t from = left > NEARBY ? left - NEARBY : 0;
         select(r->boxes + from, left - from, k - from, best.axis);
     } else if (k > left) {
-        const size_t m = n - left < AMONG ? n - left : AMONG;
+        const size_t m = n - left < NEARBY ? n - left : NEARBY;
         select(r->boxes + left, m, k - left, best.axis);
     }
     return k;
 }
 
-/* In the order of the widest side's centres, half and half. */
+/* Splits into halves, in the order of the centres along the widest side. */
 static size_t halve(const range *r)
 {
     const scale s = scale_of(r);
-    const size_t k = whole_blocks(r->n / 2, r->n);
+    const size_t k = whole_leaves(r->n / 2, r->n);
     select(r->boxes, r->n, k, widest_axis(&s));
     return k;
 }
 
 /* ---------------------------------------------------------------- nodes -- */
 
-/* Steps are not 0, and no less than so much of the longest side of all. */
+/* A step is at least so much of the longest side of all boxes. */
 #define LEAST_STEP 0x1p-30f
 
-/* A node to be made of what is in the range. */
+/* A node to be built over a range. */
 typedef struct {
     range all;
     size_t number;
     int depth;
 } task;
 
-/* Ranges of more than a MOST_TASKS-th of all boxes are tasks, for whoever is
- * idle; so, as tasks have no box in common, there are never more of them. */
+/* A range of more than 1/MOST_TASKS of all boxes becomes a task for an idle
+ * thread.  Tasks share no box, so at most MOST_TASKS wait at any time. */
 enum { MOST_TASKS = 128 };
 
 typedef struct {
-    const cylint_boxed_piece *boxes; /* the first of all */
+    const cylint_boxed_piece *boxes; /* all of them */
     cylint_node *nodes;
     float least_step;
     const float *center;
     size_t task_size;
-    cylint_mutex lock; /* of what is below */
+    cylint_mutex lock; /* protects the members below */
     task tasks[MOST_TASKS];
-    int n_tasks, busy; /* waiting; members of the crew at work */
+    int n_tasks, busy; /* waiting tasks; working threads */
     size_t n_nodes;
 } builder;
 
-/* Of those with more than a block, the one of the largest box or, evenly, of
- * the most boxes; -1: none. */
+/* Among parts of more than a leaf, the one with the largest box or, if `evenly`,
+ * with the most boxes; -1 if there is none. */
 static int largest(const range *parts, int n, int evenly)
 {
     int best = -1;
@@ -306,7 +309,7 @@ static int largest(const range *parts, int n, int evenly)
     return best;
 }
 
-/* Splits until there are 8 parts or nothing to be split. */
+/* Splits until there are 8 parts or no part can be split. */
 static int split_up(range parts[CYLINT_CHILDREN], int evenly)
 {
     int n = 1, i;
@@ -319,8 +322,8 @@ static int split_up(range parts[CYLINT_CHILDREN], int evenly)
     return n;
 }
 
-/* Counts of steps, from the node's corner, that certainly hold [lo, hi]; the
- * differences and quotients are rounded, by 2^-52 of themselves at most. */
+/* Steps from the node's corner to a face, rounded outward.  The distance and the
+ * quotient have errors of at most 2^-52 of themselves. */
 static uint8_t steps_below(double distance, double step)
 {
     return (uint8_t)(distance / step * (1 - 0x1p-50));
@@ -332,7 +335,7 @@ static uint8_t steps_above(double distance, double step)
 }
 
 static void place_children(cylint_node *node, const range *parts, int n,
-                           hull all, const builder *b)
+                           bounds all, const builder *b)
 {
     float from[4], to[4], lower[4], upper[4];
     v4_store(from, all.lower);
@@ -357,24 +360,24 @@ static void place_children(cylint_node *node, const range *parts, int n,
     }
 }
 
-/* Below so many nodes parts are as many boxes each, which bounds the depth. */
-enum { DEEP = 24 };
+/* From this depth on, ranges are split into halves: that bounds the depth. */
+enum { EVEN_DEPTH = 24 };
 
 /*
- * Room for the nodes above B blocks: how many there are at most, so that of
- * every node to be made the number is known before.  A node has 8 children or,
- * with less than 8 blocks in it, as many as those.  By induction they are at
- * most (4 B - 1) / 7 where B >= 2, which is 1 if all children are blocks; and
- * if of 8 children L are blocks, at most
+ * The most nodes above B leaves.  With it the index of a node is known before
+ * the nodes beside it are built.  A node over less than 8 leaves has these as
+ * its children, any other has 8 children.  By induction there are at most
+ * (4 B - 1) / 7 nodes where B >= 2: if all children are leaves, there is 1
+ * node; and if L of 8 children are leaves, at most
  *
  *   1 + sum (4 B_i - 1) / 7 = 1 + (4 (B - L) - (8 - L)) / 7 <= (4 B - 1) / 7.
  */
-size_t cylint_build_most_nodes(size_t blocks)
+size_t cylint_build_most_nodes(size_t leaves)
 {
-    return blocks < 2 ? 1 : (4 * blocks - 1) / 7;
+    return leaves < 2 ? 1 : (4 * leaves - 1) / 7;
 }
 
-static size_t blocks_in(const range *r)
+static size_t leaves_in(const range *r)
 {
     return (r->n + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE;
 }
@@ -387,15 +390,15 @@ static void post(builder *b, const task *t)
     cylint_mutex_unlock(&b->lock);
 }
 
-/* Makes the node and those below it, but for what it leaves as tasks.  How
- * many it made. */
+/* Builds the node and the nodes below it, except those it posts as tasks.
+ * Returns the number of nodes built. */
 static size_t make_nodes(builder *b, const task *t)
 {
     range parts[CYLINT_CHILDREN] = {t->all};
     cylint_node *node = &b->nodes[t->number];
     size_t made = 1, number = t->number + 1;
     memset(node, 0, sizeof *node);
-    const int n = split_up(parts, t->depth >= DEEP);
+    const int n = split_up(parts, t->depth >= EVEN_DEPTH);
     node->children = (uint8_t)((1u << n) - 1);
     place_children(node, parts, n, t->all.box, b);
     for (int i = 0; i < n; i++) {
@@ -408,7 +411,7 @@ static size_t make_nodes(builder *b, const task *t)
         }
         const task child = {*part, number, t->depth + 1};
         node->child[i] = (uint32_t)number;
-        number += cylint_build_most_nodes(blocks_in(part));
+        number += cylint_build_most_nodes(leaves_in(part));
         if (part->n > b->task_size)
             post(b, &child);
         else
@@ -417,7 +420,7 @@ static size_t make_nodes(builder *b, const task *t)
     return made;
 }
 
-/* One of a crew: does tasks until there are none and there will be none. */
+/* One thread: does tasks until none is waiting and no thread is working. */
 static void do_tasks(void *self, size_t from, size_t to)
 {
     builder *b = self;

@@ -1,5 +1,5 @@
 /*
- * bvh.c - pieces that lie together in blocks, nodes above these
+ * bvh.c - builds and frees a bounding volume hierarchy
  */
 #include "bvh.h"
 
@@ -7,130 +7,133 @@
 
 #include "threads.h"
 
-/* The stems of so many boxes are brought together at a time: they lie here and
- * there, and the processor then waits for many at once.  (Prefetching them
- * showed no effect where every one needs an address translated.) */
+/* So many discs are copied together before leaves are filled.  They lie at
+ * random addresses, and the processor waits for several at once.  (Prefetching
+ * them had no effect where every address needs a translation.) */
 enum { TOGETHER = 4 * CYLINT_LEAF_SIZE };
 
-/* Pieces that are to become blocks. */
+/* Pieces to be stored in leaves. */
 typedef struct {
-    const cylint_split *cut;
-    cylint_leaf *blocks;
-    double blur;
-} filling;
+    const cylint_split *split;
+    cylint_leaf *leaves;
+    double line_error;
+} leaf_job;
 
-/* Of so many together, numbers [from, to). */
-static void fill_blocks(void *self, size_t from, size_t to)
+/* Fills the leaves of groups [from, to) of TOGETHER pieces. */
+static void fill_leaves(void *self, size_t from, size_t to)
 {
-    const filling *f = self;
-    const cylint_split *cut = f->cut;
-    cylint_packed_disc stem[TOGETHER];
+    const leaf_job *job = self;
+    const cylint_split *split = job->split;
+    cylint_packed_disc disc[TOGETHER];
     for (size_t first = from * TOGETHER; from < to; from++, first += TOGETHER) {
-        const size_t left = cut->n - first;
+        const size_t left = split->n - first;
         const int n = left < TOGETHER ? (int)left : TOGETHER;
-        const cylint_boxed_piece *box = cut->box + first;
+        const cylint_boxed_piece *box = split->box + first;
         for (int i = 0; i < n; i++)
-            stem[i] = cut->stem[box[i].stem];
+            disc[i] = split->disc[box[i].disc];
         for (int i = 0; i < n; i += CYLINT_LEAF_SIZE)
             cylint_leaf_fill(
-                f->blocks + (first + (size_t)i) / CYLINT_LEAF_SIZE, stem + i,
+                job->leaves + (first + (size_t)i) / CYLINT_LEAF_SIZE, disc + i,
                 box + i, n - i < CYLINT_LEAF_SIZE ? n - i : CYLINT_LEAF_SIZE,
-                f->blur);
+                job->line_error);
     }
 }
 
-/* Boxes, and nodes above them. */
+/* Pieces, and nodes above them with gaps. */
 typedef struct {
-    cylint_split cut;
+    cylint_split split;
     cylint_memory memory; /* of the nodes */
     cylint_node *nodes;
     size_t n_nodes;
-} plan;
+} draft;
 
-static size_t blocks_of(size_t boxes)
+static size_t leaves_for(size_t boxes)
 {
     return (boxes + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE;
 }
 
-/* S being the longest side of the box of all: pad and near_by as in traverse.c. */
-static void measure(cylint_bvh *group, const cylint_extent *box, double blur)
+/* Sets what ray.h uses: its S is the longest side of the box. */
+static void set_box(cylint_bvh *bvh, const cylint_extent *box,
+                    double line_error)
 {
     double longest = 0;
     for (int j = 0; j < 3; j++) {
         const double lower = box->lower[j], upper = box->upper[j];
         longest = fmax(longest, upper - lower);
-        group->center[j] = (float)((lower + upper) / 2);
+        bvh->center[j] = (float)((lower + upper) / 2);
     }
-    group->box = *box;
-    group->pad = cylint_float_above(longest * 0x1p-20 + blur);
-    group->near_by = cylint_float_above(longest * 256);
+    bvh->box = *box;
+    bvh->pad = cylint_float_above(longest * 0x1p-20 + line_error);
+    bvh->near_distance = cylint_float_above(longest * 256);
 }
 
-static void give_plan(plan *p)
+static void free_draft(draft *d)
 {
-    cylint_split_free(&p->cut);
-    cylint_memory_free(&p->memory);
+    cylint_split_free(&d->split);
+    cylint_memory_free(&d->memory);
 }
 
-static cylint_bvh_status make_plan(plan *p, cylint_bvh *group,
-                                   const cylint_bvh_input *m, size_t *refused)
+static cylint_bvh_status make_draft(draft *d, cylint_bvh *bvh,
+                                    const cylint_bvh_input *input,
+                                    size_t *refused)
 {
-    const cylint_bvh_status cuts = cylint_split_shapes(&p->cut, m, refused);
-    if (cuts != CYLINT_BVH_OK)
-        return cuts;
-    const size_t blocks = blocks_of(p->cut.n);
-    if (blocks >= CYLINT_LEAF_FLAG ||
-        !cylint_memory_allocate(&p->memory, m->source,
-                                cylint_build_most_nodes(blocks) *
-                                    sizeof *p->nodes))
+    const cylint_bvh_status status =
+        cylint_split_shapes(&d->split, input, refused);
+    if (status != CYLINT_BVH_OK)
+        return status;
+    const size_t leaves = leaves_for(d->split.n);
+    if (leaves >= CYLINT_LEAF_FLAG ||
+        !cylint_memory_allocate(&d->memory, input->source,
+                                cylint_build_most_nodes(leaves) *
+                                    sizeof *d->nodes))
         return CYLINT_BVH_EMEMORY;
-    p->nodes = p->memory.data;
-    measure(group, &p->cut.all, m->view->blur);
-    p->n_nodes = cylint_build_nodes(p->nodes, p->cut.box, p->cut.n,
-                                    group->center, m->threads);
+    d->nodes = d->memory.data;
+    set_box(bvh, &d->split.all, input->view->line_error);
+    d->n_nodes = cylint_build_nodes(d->nodes, d->split.box, d->split.n,
+                                    bvh->center, input->threads);
     return CYLINT_BVH_OK;
 }
 
-/* What was planned, in no more room than it takes. */
-static cylint_bvh_status carry_out(cylint_bvh *group, const plan *p,
-                                   const cylint_bvh_input *m)
+/* Writes nodes and leaves into memory of exactly their size. */
+static cylint_bvh_status finish(cylint_bvh *bvh, const draft *d,
+                                const cylint_bvh_input *input)
 {
-    group->n = blocks_of(p->cut.n);
-    if (!cylint_memory_allocate(&group->memory, m->source,
-                                p->n_nodes * sizeof *p->nodes +
-                                    group->n * sizeof(cylint_leaf)))
+    bvh->n_leaves = leaves_for(d->split.n);
+    if (!cylint_memory_allocate(&bvh->memory, input->source,
+                                d->n_nodes * sizeof *d->nodes +
+                                    bvh->n_leaves * sizeof(cylint_leaf)))
         return CYLINT_BVH_EMEMORY;
-    cylint_node *nodes = group->memory.data;
-    cylint_leaf *blocks = (cylint_leaf *)(void *)(nodes + p->n_nodes);
-    filling all = {&p->cut, blocks, m->view->blur};
-    cylint_build_compact(nodes, p->nodes);
-    cylint_threads_run(m->threads, (p->cut.n + TOGETHER - 1) / TOGETHER,
-                       fill_blocks, &all);
-    group->nodes = nodes;
-    group->blocks = blocks;
+    cylint_node *nodes = bvh->memory.data;
+    cylint_leaf *leaves = (cylint_leaf *)(void *)(nodes + d->n_nodes);
+    leaf_job job = {&d->split, leaves, input->view->line_error};
+    cylint_build_compact(nodes, d->nodes);
+    cylint_threads_run(input->threads, (d->split.n + TOGETHER - 1) / TOGETHER,
+                       fill_leaves, &job);
+    bvh->nodes = nodes;
+    bvh->leaves = leaves;
     return CYLINT_BVH_OK;
 }
 
-cylint_bvh_status cylint_bvh_build(cylint_bvh *group,
-                                   const cylint_bvh_input *members,
+cylint_bvh_status cylint_bvh_build(cylint_bvh *bvh,
+                                   const cylint_bvh_input *input,
                                    size_t *refused)
 {
-    cylint_bvh_input m = *members;
-    plan p = {0};
-    memset(group, 0, sizeof *group);
-    group->box = cylint_extent_empty();
-    if (m.n == 0)
+    cylint_bvh_input in = *input;
+    draft d = {0};
+    memset(bvh, 0, sizeof *bvh);
+    bvh->box = cylint_extent_empty();
+    if (in.n == 0)
         return CYLINT_BVH_OK;
-    m.threads = cylint_threads_for(m.n, m.threads);
-    cylint_bvh_status status = make_plan(&p, group, &m, refused);
+    in.threads = cylint_threads_for(in.n, in.threads);
+    cylint_bvh_status status = make_draft(&d, bvh, &in, refused);
     if (status == CYLINT_BVH_OK)
-        status = carry_out(group, &p, &m);
-    give_plan(&p);
+        status = finish(bvh, &d, &in);
+    free_draft(&d);
     return status;
 }
 
-void cylint_bvh_free(cylint_bvh *group)
+void cylint_bvh_free(cylint_bvh *bvh)
 {
-    cylint_memory_free(&group->memory);
-    memset(group, 0, sizeof *group);
+    cylint_memory_free(&bvh->memory);
+    memset(bvh, 0, sizeof *bvh);
 }

@@ -1,6 +1,5 @@
 /*
- * bvh.h - pieces of shapes, those that lie together in blocks, and nodes
- * above them
+ * bvh.h - a bounding volume hierarchy over pieces of shapes
  */
 #ifndef CYLINT_BVH_BVH_H
 #define CYLINT_BVH_BVH_H
@@ -12,27 +11,27 @@
 #include "memory.h"
 
 typedef struct cylint_bvh {
-    cylint_memory memory; /* of the blocks and nodes */
-    const cylint_leaf *blocks;
-    const cylint_node *nodes; /* above them, the first one first */
-    size_t n;                 /* blocks; 0: there are no nodes */
-    cylint_extent box;        /* of all, or of nothing */
-    float center[3];          /* its middle: nodes' corners are from there */
-    float pad;                /* what boxes may miss on each side, beside
-                                  2^-20 of how far the line begins */
-    float near_by;            /* how far from the centre that is not much */
+    cylint_memory memory;      /* of leaves and nodes */
+    const cylint_leaf *leaves; /* NULL if there are none */
+    const cylint_node *nodes;  /* the root first */
+    size_t n_leaves;           /* 0: no nodes either */
+    cylint_extent box;         /* of all shapes, empty if there are none */
+    float center[3];           /* of the box: the origin of nodes' corners */
+    float pad;                 /* the error of each side of a box, beside 2^-20
+                                  of the distance of the line's origin */
+    float near_distance;       /* origins within it are near the centre */
 } cylint_bvh;
 
 /*
- * Groups the shapes, by as many threads as are wanted (cylint_threads_for()),
- * which all make of it the same.  Every piece of every shape is in one lane of
- * one block.  Where that is not OK nothing is left; *refused is the first
- * shape for ESHAPE.
+ * Builds a hierarchy on as many threads as cylint_threads_for() allows; the
+ * result does not depend on their number.  Each piece of each shape is in one
+ * lane of one leaf.  On failure nothing stays allocated; for ESHAPE *refused
+ * is the first such shape.
  */
-cylint_bvh_status cylint_bvh_build(cylint_bvh *group,
-                                   const cylint_bvh_input *members,
+cylint_bvh_status cylint_bvh_build(cylint_bvh *bvh,
+                                   const cylint_bvh_input *input,
                                    size_t *refused);
 
-void cylint_bvh_free(cylint_bvh *group);
+void cylint_bvh_free(cylint_bvh *bvh);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * bvh_dispatch.c - the build of traverse.c for this processor
+ * bvh_dispatch.c - chooses the build of traverse.c for this processor
  */
 #include "traverse.h"
 

@@ -11,7 +11,7 @@
 
 #include "../numbers/compiler.h"
 
-/* The float so many places after x; no subnormal ones between. */
+/* The float `places` floats after x, in size; no subnormal floats between. */
 static inline float cylint_float_after(float x, int places)
 {
     uint32_t bits;
@@ -21,9 +21,9 @@ static inline float cylint_float_after(float x, int places)
     return x;
 }
 
-/* The least float not below x, subnormal floats left out: threads may take
- * them for zero, Embree's do.  Whether that is the next one cannot be
- * foreseen, so there is no branch. */
+/* The least float not below x, except subnormal floats: a thread may flush them
+ * to zero, and Embree's threads do.  The rounding is unpredictable, so the code
+ * has no branch. */
 static inline float cylint_float_above(double x)
 {
     if (fabs(x) < (double)FLT_MIN)
@@ -32,20 +32,21 @@ static inline float cylint_float_above(double x)
     return cylint_float_after(f, (double)f < x);
 }
 
-/* Whether f is that of all numbers within e of x, none of them subnormal. */
+/* Whether cylint_float_above() is f for every number within e of x, and none of
+ * these numbers is subnormal. */
 static inline int cylint_is_float_above(float f, double x, double e)
 {
     return fabs(x) - e > 2 * (double)FLT_MIN && x + e <= (double)f &&
            x - e > (double)cylint_float_after(f, -1);
 }
 
-/* The largest not above it, likewise. */
+/* The largest float not above x, except subnormal floats. */
 static inline float cylint_float_below(double x)
 {
     return -cylint_float_above(-x);
 }
 
-/* The upper half of a float that is not above x >= 0, and the float of it. */
+/* Half floats: the upper 16 bits of a float.  This one is not above x >= 0. */
 static inline uint16_t cylint_half_below(double x)
 {
     const float f = cylint_float_below(x);
@@ -54,7 +55,7 @@ static inline uint16_t cylint_half_below(double x)
     return (uint16_t)(bits >> 16);
 }
 
-/* That of one that is not below it, likewise. */
+/* One that is not below x >= 0. */
 static inline uint16_t cylint_half_above(double x)
 {
     const float f = cylint_float_above(x);
@@ -71,7 +72,7 @@ static inline float cylint_float_of_half(uint16_t half)
     return f;
 }
 
-/* Where something lies. */
+/* A box of floats. */
 typedef struct cylint_extent {
     float lower[3], upper[3];
 } cylint_extent;
@@ -86,21 +87,21 @@ static inline cylint_extent cylint_float_box(const double lo[3],
          cylint_float_above(hi[2])}};
 }
 
-/* Boxes lie within this: FLT_LARGE of the sources of Embree, which drops,
- * without a word, primitives whose box does not, or is empty. */
-#define CYLINT_EXTENT_MOST 1.844e18f
+/* FLT_LARGE in Embree's sources.  Embree silently drops a primitive whose box
+ * is empty or has a coordinate at or beyond this. */
+#define CYLINT_EXTENT_LIMIT 1.844e18f
 
 static inline int cylint_extent_is_valid(const cylint_extent *box)
 {
     int keeps = 1;
     EACH(j, 3)
-        keeps &= (-CYLINT_EXTENT_MOST < box->lower[j]) &
+        keeps &= (-CYLINT_EXTENT_LIMIT < box->lower[j]) &
                  (box->lower[j] <= box->upper[j]) &
-                 (box->upper[j] < CYLINT_EXTENT_MOST);
+                 (box->upper[j] < CYLINT_EXTENT_LIMIT);
     return keeps;
 }
 
-/* That of nothing. */
+/* The empty box. */
 static inline cylint_extent cylint_extent_empty(void)
 {
     return (cylint_extent){{HUGE_VALF, HUGE_VALF, HUGE_VALF},

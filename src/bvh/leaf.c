@@ -1,27 +1,29 @@
 /*
- * leaf.c - filling blocks
+ * leaf.c - bounds pieces by cylinders and stores them in leaves
  */
 #include "leaf.h"
 
 #include <string.h>
 
 /*
- * From the box's centre to its sides it is at most REACH steps.  Ten bits hold
- * the rest: radii, at most sqrt(3/2) REACH for a disc in such a box, and axes
- * that are lengthened below.
+ * The sides of the box are at most REACH steps from its centre.  Then ten bits
+ * bound_piece the radii, at most sqrt(3/2) REACH for a disc in such a box, and the
+ * ends of the axes after bound_piece() has lengthened them.
  */
 #define REACH 440.0
 #define LARGEST_P 511.0
 #define LARGEST_R 1023.0
 
-/* At most 2^100 a unit: what floats take for zero is no part of a step. */
+/* At most 2^100 steps per unit, so that flushed subnormal floats are far below
+ * a step. */
 static uint16_t steps_per_unit(double half)
 {
     const double most = 0x1p100;
     return cylint_half_below(REACH < most * half ? REACH / half : most);
 }
 
-static void place(cylint_leaf *block, const cylint_boxed_piece *boxes, int used)
+static void set_center(cylint_leaf *leaf, const cylint_boxed_piece *boxes,
+                       int used)
 {
     double most = 0;
     for (int j = 0; j < 3; j++) {
@@ -31,20 +33,20 @@ static void place(cylint_leaf *block, const cylint_boxed_piece *boxes, int used)
                                boxes[lane].upper[j]);
         }
         const float c = (float)(((double)lower + (double)upper) / 2);
-        block->center[j] = c;
+        leaf->center[j] = c;
         most = cylint_larger(most, cylint_larger((double)upper - (double)c,
                                                  (double)c - (double)lower));
     }
-    block->steps = steps_per_unit(most);
+    leaf->steps = steps_per_unit(most);
 }
 
 /* A cylinder in steps. */
 typedef struct {
     double p[2][3], r;
-} hull;
+} step_cylinder;
 
-/* How far rounding it to whole steps moves an end. */
-static double moved(const double p[3])
+/* The distance by which rounding to whole steps moves an end. */
+static double rounding_shift(const double p[3])
 {
     double square = 0;
     for (int j = 0; j < 3; j++)
@@ -52,9 +54,10 @@ static double moved(const double p[3])
     return sqrt(square);
 }
 
-static int store(cylint_leaf *block, int lane, const hull *h)
+static int store_cylinder(cylint_leaf *leaf, int lane, const step_cylinder *h)
 {
-    const double r = ceil(h->r + cylint_larger(moved(h->p[0]), moved(h->p[1])));
+    const double r = ceil(
+        h->r + cylint_larger(rounding_shift(h->p[0]), rounding_shift(h->p[1])));
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < 3; j++)
             if (!(fabs(h->p[end][j]) < LARGEST_P))
@@ -63,56 +66,58 @@ static int store(cylint_leaf *block, int lane, const hull *h)
         return 0;
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < 3; j++)
-            block->p[end][lane] |=
+            leaf->p[end][lane] |=
                 (uint32_t)(CYLINT_LEAF_MIDDLE + lrint(h->p[end][j]))
                 << j * CYLINT_LEAF_P_BITS;
-    block->r[lane] = (uint16_t)(block->r[lane] | (int)r);
+    leaf->r[lane] = (uint16_t)(leaf->r[lane] | (int)r);
     return 1;
 }
 
-/* What is not steps: of the piece and of the shape's ends. */
-static void label(cylint_leaf *block, int lane, cylint_piece piece, int ends)
+/* Stores the piece's index and count and the shape's ends. */
+static void store_numbers(cylint_leaf *leaf, int lane, cylint_piece piece,
+                          int ends)
 {
     const uint32_t more = (uint32_t)piece.count - 1;
-    block->p[0][lane] = more << 30;
-    block->p[1][lane] = more >> 2 << 30;
-    block->r[lane] =
-        (uint16_t)((piece.index | ends << 4) << CYLINT_LEAF_R_BITS);
+    leaf->p[0][lane] = more << 30;
+    leaf->p[1][lane] = more >> 2 << 30;
+    leaf->r[lane] = (uint16_t)((piece.index | ends << 4) << CYLINT_LEAF_R_BITS);
 }
 
 /*
- * The piece is the hull of two sections; A(z) is on its axis, X in the
- * section at z, |X - A(z)| <= across off the axis and <= along along it.  Ends
- * are lengthened by g along the axis, then rounded: the rounded axis passes
- * A(z) at Q(z), and is less than e = 7/8 step from it, at most sqrt(3)/2 from
- * the rounding and the rest (`rough`) from the doubles before; and as much as
- * a line may be off, the piece must be thicker and longer.  So
+ * Bounds a piece by a cylinder whose axis ends at whole steps.
  *
- *   X is at most across + e from the rounded axis (stored with what the
- *   rounding was, not the most that it can be),
+ * The piece is the convex hull of two sections.  A(z) is a point of its axis, X
+ * a point of the section at z: X is at most `across` from the axis and at most
+ * `along` from A(z) along it.  The axis is lengthened by g at both ends, then
+ * its ends are rounded.  The nearest point Q(z) of the rounded axis is less
+ * than e = 7/8 + input_error steps from A(z): the rounding adds at most sqrt(3)/2,
+ * the doubles before it and the line's own error add `input_error`.  So
+ *
+ *   X is at most across + e from the rounded axis (the stored radius uses the
+ *   actual rounding instead of its bound),
  *   and along it at most e + along + across sin(a) from Q(z),
  *
- * a being the angle between the axes: its ends being moved less than e, the
- * lengthened axis turns by sin(a) <= 2 e / (l + 2 g - 2 e).  g must be no less
- * than what X may stick out: with g = e + along + 4 + x, where x is
- * sqrt(across e), sin(a) is less than e / x, and across sin(a) than x; or, if
- * that is less, x = across 2 e / (l - 2 e).  4 more, so that no lane is without
- * axis.
+ * where a is the angle between the two axes.  Both ends move by less than e, so
+ * sin(a) <= 2 e / (l + 2 g - 2 e).  g must not be less than the second bound.
+ * With g = e + along + 4 + x and x = sqrt(across e), sin(a) < e / x and
+ * across sin(a) < x.  x = across 2 e / (l - 2 e) also does, if it is less.
+ * The 4 gives every lane an axis.
  */
-static int hold(cylint_leaf *block, int lane, const cylint_packed_disc *s,
-                cylint_piece piece, double blur)
+static int bound_piece(cylint_leaf *leaf, int lane, const cylint_packed_disc *s,
+                       cylint_piece piece, double line_error)
 {
-    const double steps = cylint_leaf_steps(block);
+    const double steps = cylint_leaf_steps(leaf);
     const double *base = s->base, *axis = s->axis;
     const double k0 = s->across[0], k1 = s->across[1];
-    const double slant = cylint_float_of_half(s->slant);
+    const double slope = cylint_float_of_half(s->slope);
     const double length =
         sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    const double rough =
-        blur * steps + 0x1p-48 * steps *
-                           (fabs(base[0]) + fabs(base[1]) + fabs(base[2]) +
-                            length + cylint_larger(k0, k1) * (1 + slant));
-    const double e = 0.875 + rough;
+    const double input_error =
+        line_error * steps +
+        0x1p-48 * steps *
+            (fabs(base[0]) + fabs(base[1]) + fabs(base[2]) + length +
+             cylint_larger(k0, k1) * (1 + slope));
+    const double e = 0.875 + input_error;
     double z[2];
     cylint_piece_ends(piece, z);
     const double across =
@@ -120,33 +125,34 @@ static int hold(cylint_leaf *block, int lane, const cylint_packed_disc *s,
     const double l = length * steps * (z[1] - z[0]);
     const double out = sqrt(across * e);
     const double g =
-        e + across * slant + 4 +
+        e + across * slope + 4 +
         (l > 4 * e ? cylint_smaller(out, across * 2 * e / (l - 2 * e)) : out);
     const double g_per_length = length > 0 ? g / length : 0;
-    hull h = {.r = across + rough + 0x1p-20};
+    step_cylinder h = {.r = across + input_error + 0x1p-20};
     for (int j = 0; j < 3; j++) {
-        const double from = base[j] - (double)block->center[j];
+        const double from = base[j] - (double)leaf->center[j];
         const double more = length > 0 ? g_per_length * axis[j] : j ? 0 : g;
         h.p[0][j] = (from + z[0] * axis[j]) * steps - more;
         h.p[1][j] = (from + z[1] * axis[j]) * steps + more;
     }
-    return rough < 1 && store(block, lane, &h);
+    return input_error < 1 && store_cylinder(leaf, lane, &h);
 }
 
-void cylint_leaf_fill(cylint_leaf *block, const cylint_packed_disc *stems,
-                      const cylint_boxed_piece *boxes, int used, double blur)
+void cylint_leaf_fill(cylint_leaf *leaf, const cylint_packed_disc *discs,
+                      const cylint_boxed_piece *boxes, int used,
+                      double line_error)
 {
-    memset(block, 0, sizeof *block);
-    place(block, boxes, used);
-    block->used = (uint8_t)(used | CYLINT_LEAF_SOLID);
+    memset(leaf, 0, sizeof *leaf);
+    set_center(leaf, boxes, used);
+    leaf->used = (uint8_t)(used | CYLINT_LEAF_SOLID);
     for (int lane = 0; lane < used; lane++) {
-        const cylint_packed_disc *stem = stems + lane;
+        const cylint_packed_disc *disc = discs + lane;
         const cylint_piece piece = {boxes[lane].index, boxes[lane].count};
-        block->number[lane] = stem->number;
-        label(block, lane, piece, stem->ends);
-        if (!stem->solid)
-            block->used = (uint8_t)used;
-        if (!hold(block, lane, stem, piece, blur))
-            block->always |= (uint8_t)(1u << lane);
+        leaf->number[lane] = disc->number;
+        store_numbers(leaf, lane, piece, disc->ends);
+        if (!disc->solid)
+            leaf->used = (uint8_t)used;
+        if (!bound_piece(leaf, lane, disc, piece, line_error))
+            leaf->always |= (uint8_t)(1u << lane);
     }
 }

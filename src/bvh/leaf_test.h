@@ -1,13 +1,13 @@
 /*
- * leaf_test.h - which lanes of a block a line may meet
+ * leaf_test.h - which lanes of a leaf a line may hit
  *
- * A block answers in floats, conservatively: a lane is left out only if the
- * line certainly does not meet its piece within the domain.  What comes from
- * far is moved to the block's centre in doubles, so a block is as discerning
- * far from the origin as near it.
+ * The test is conservative and in floats: the line certainly does not hit the
+ * piece of a rejected lane within the domain.  The origin is first moved near
+ * the leaf's centre, in doubles where it is far away, so that the test is as
+ * tight far from the origin as near it.
  *
- * For traverse.c, which is compiled for several instruction sets: they may differ
- * in what they let through, not in what they owe.
+ * For files that are compiled for several instruction sets.  The builds may
+ * pass different lanes, but none rejects a piece that is hit.
  */
 #ifndef CYLINT_BVH_LEAF_TEST_H
 #define CYLINT_BVH_LEAF_TEST_H
@@ -18,58 +18,58 @@
 #include "traverse.h"
 
 /*
- * In steps around the block's centre a lane is a cylinder: axis p to p + w,
- * radius r.  The line is q + s e.  With D = q - p
+ * In steps relative to the leaf's centre, a lane is a cylinder with the axis p
+ * to p + w and the radius r.  The line is q + s e.  With D = q - p
  *
  *   n = e x w,  f = D.n:           the line passes the axis at |f| / |n|;
  *   T = (D.w)(e.w) - (D.e) ww:     nearest at s = T / nn;
  *   C = sqrt((r^2 nn - f^2) ww):   within r of the axis for |s nn - T| <= C,
  *
- * where (D + s e).w must come into [0, ww], and s into the domain.  All is
- * multiplied by nn, so that a line along the axis needs no division; it only
- * makes the errors weigh more.
+ * the line hits the cylinder only if (D + s e).w is in [0, ww] and s in the
+ * domain.  All is multiplied by nn, so that a line parallel to the axis needs no
+ * division; there the errors below are merely larger beside nn.
  *
- * Errors.  u = 2^-24; W >= |w|, E >= |e|, N = |n| <= E W.  K bounds D and, as
- * pieces lie within 2^11 of the centre, counting sizes of components, r < K / 4
- * and s e where it counts.
+ * Errors.  u = 2^-24; W >= |w|, E >= |e|, N = |n| <= E W.  K bounds D.  Cylinders
+ * lie within 2^11 of the centre, as a sum of sizes of components, so K also
+ * bounds s e where it matters, and r < K / 4.
  *
- *  - q, e and D are rounded, by 3 u K in all: a wider and longer lane.  So it
- *    is by `off`, what q is off before.
- *  - n is wrong by a vector of at most 2 sqrt(3) u E W,
- *    f by K (2 sqrt(3) u E W + 3 u N).
- *    |f| <= r N is certainly false if more than
- *      (r + 3 u K + off) N + 2 sqrt(3) u (K + r) E W + 3 u K N
- *        <= r N + (k - 5 u K) E W,  k = 16 u K + off,
- *    and so if f^2 > g2 = r^2 nn + (2 r + k) k E^2 W^2: the square of the
- *    former is less by 10 u r K E^2 W^2 at least, and by 5 u K k E^2 W^2,
- *    which is more than g2 and f^2 round by: 8 u r^2 E^2 W^2 and 6 u of the
- *    rest.  g2 serves C too: g2 - f^2 >= r^2 nn - f^2 with what f is, as what
- *    f^2 and r^2 nn are wrong by, (13 r K + 42 u K^2 + 13 r^2) u E^2 W^2 where
- *    |f| <= r N, is less than 32 u r K and 256 u^2 K^2.
- *  - T: the dot products are wrong by 3 u of their bounds K W, E W, K E, W^2,
- *    so T by 15 u K E W^2; where s is within r of the axis, s nn differs from
- *    T + C by what n's error makes of K, r and T, 8 u K E W^2 at most, C is
- *    wrong by 2 u K E W^2, and rounding t to s, s nn and T / nn to s to t
- *    takes 9 u K E W^2.
+ *  - q, e and D are rounded, by 3 u K together, and q has an error q_error
+ *    before.  Both count as a wider and longer cylinder.
+ *  - The error of n is a vector of at most 2 sqrt(3) u E W,
+ *    that of f is K (2 sqrt(3) u E W + 3 u N).
+ *    |f| <= r N is certainly false if |f| exceeds
+ *      (r + 3 u K + q_error) N + 2 sqrt(3) u (K + r) E W + 3 u K N
+ *        <= r N + (k - 5 u K) E W,  k = 16 u K + q_error,
+ *    and so if f^2 > g2 = r^2 nn + (2 r + k) k E^2 W^2.  The square of the
+ *    bound is less than g2 by at least 10 u r K E^2 W^2 + 5 u K k E^2 W^2, more
+ *    than the roundings of g2 and f^2: 8 u r^2 E^2 W^2 and 6 u of the rest.
+ *    g2 serves C too: g2 - f^2 as computed >= r^2 nn - f^2 as it is, since the
+ *    errors of f^2 and r^2 nn, (13 r K + 42 u K^2 + 13 r^2) u E^2 W^2 where
+ *    |f| <= r N, are less than those of 32 u r K and 256 u^2 K^2.
+ *  - T: the dot products have errors of 3 u of their bounds K W, E W, K E, W^2,
+ *    so T one of 15 u K E W^2.  Where s is within r of the axis, n's error times
+ *    K, r and T moves s nn from T + C by at most 8 u K E W^2; C has an error of
+ *    2 u K E W^2; roundings from t to s, to s nn, and from T / nn to s and t
+ *    are 9 u K E W^2.
  *    In all less than 3 k E W^2.
  *  - (D.w) nn + (e.w) s nn: 13 u K E^2 W^3 for the products, 31 from T, and
- *    the longer ends, (3 u K + off) W nn: in all less than 4 k E^2 W^3.
- *  - A line that comes to be within r of the axis before the end of the lane it
- *    comes by enters there, at s nn = T - A / |e.w|, A being the axial
- *    coordinate at T from that end on.  Where that counts, |s nn - T| < K E W^2
- *    / 2, so the error of e.w makes 1.5 u K E^2 W^3 of A, and two sums make 4:
- *    with the 47 above still less than 4 k E^2 W^3.  The quotient, the
- *    difference and a reciprocal of nn instead of a quotient round by 4 u K E
- *    W^2, which with the 34 above is still less than 3 k E W^2.
+ *    (3 u K + q_error) W nn for the longer ends: in all less than 4 k E^2 W^3.
+ *  - If the line is within r of the axis before it passes the end of the
+ *    cylinder on its side, it enters there, at s nn = T - A / |e.w|, where A is
+ *    the axial distance from that end to the point at T.  Where that matters,
+ *    |s nn - T| < K E W^2 / 2, so the error of e.w adds 1.5 u K E^2 W^3 to A,
+ *    and two sums add 4: with the 47 above still less than 4 k E^2 W^3.  The
+ *    quotient, the difference and the reciprocal of nn round by 4 u K E W^2,
+ *    which with the 34 above is still less than 3 k E W^2.
  *
- * All are not small beside W^2 nn and W^3 nn when the line is nearly along
- * the axis.  What is flushed to zero instead of being subnormal disappears in
- * k E W, as every lane has W >= 1, and E and K are limited below.
+ * These errors are not small beside W^2 nn and W^3 nn for lines nearly parallel
+ * to the axis.  A number flushed to zero is less than k E W, since W >= 1 in
+ * every lane and E and K are limited below.
  */
 typedef struct {
     vf q[3], e[3], E, k, first, last;
     vf t_per_s;
-} lane_line;
+} leaf_line;
 
 static inline vf dot(const vf x[3], const vf y[3])
 {
@@ -87,14 +87,14 @@ static inline unsigned greater(vf x, vf y)
     return ~f_not_greater(x, y) & ((1u << WIDTH) - 1);
 }
 
-/* WIDTH of a block's lanes, from a multiple of that on: all but the line. */
+/* WIDTH lanes of a leaf, unpacked. */
 typedef struct {
     vf p[3], w[3], W, ww, r;
-} pieces;
+} cylinders;
 
-CYLINT_INLINE pieces pieces_of(const cylint_leaf *b, int from)
+CYLINT_INLINE cylinders cylinders_of(const cylint_leaf *b, int from)
 {
-    pieces s;
+    cylinders s;
     const vi base = i_load(b->p[0] + from), top = i_load(b->p[1] + from);
     EACH(j, 3) {
         s.p[j] = steps_of(base, j);
@@ -107,18 +107,18 @@ CYLINT_INLINE pieces pieces_of(const cylint_leaf *b, int from)
 }
 
 /*
- * Those that the line may meet.  least[] of each is at most what s is there,
- * times t_per_s.  *sure, unless NULL: the lanes of which the line's point
- * nearest to the axis is certainly within the piece, if that is a cylinder, and
- * in the domain.
+ * Returns the lanes (bits) that the line may hit.  least[] of a lane is a lower
+ * bound of s times t_per_s.  *sure, unless sure is NULL: the lanes where the
+ * line's point nearest to the axis certainly lies in the domain and, if the
+ * piece belongs to a cylinder, in the piece.
  *
- * In leaf.c's words: r <= across + 1 + 2 e - 7/8 and the axes are less than e
- * apart, e < 15/8, so that what is within r - 5 of the rounded one is in the
- * cylinder; and what is 3 e + 4 + 2 sqrt(e r) < 25 + r / 8 from the ends of the
- * lane, of which g was added, is between those of the piece.  Errors are those
- * above, from the other side.
+ * With the letters of leaf.c: r <= across + 1 + 2 e - 7/8, and the axes are less
+ * than e < 15/8 apart, so a point within r - 5 of the rounded axis is in the
+ * cylinder.  g is less than 3 e + 4 + 2 sqrt(e r) < 25 + r / 8, so a point that
+ * far from the ends of the rounded axis is between the ends of the piece.  The
+ * errors are those above, subtracted instead of added.
  */
-CYLINT_INLINE unsigned test_lanes(const pieces *s, const lane_line *l,
+CYLINT_INLINE unsigned test_lanes(const cylinders *s, const leaf_line *l,
                                   float *least, unsigned *sure)
 {
     const vf *const e = l->e;
@@ -133,34 +133,35 @@ CYLINT_INLINE unsigned test_lanes(const pieces *s, const lane_line *l,
     const vf EW = l->E * s->W;
     const vf kEW = l->k * EW;
     const vf gg = f_mad(r * r, nn, (r + r + l->k) * (kEW * EW));
-    unsigned met = f_not_greater(ff, gg);
+    unsigned hit = f_not_greater(ff, gg);
     const vf Dw = dot(D, s->w), ew = dot(e, s->w);
     const vf T = f_mad(Dw, ew, -(dot(D, e) * ww));
     const vf C = f_sqrt((gg - ff) * ww);
     const vf middle = ww * nn * f_set(0.5f), kEWW = kEW * s->W;
-    const vf off = kEWW * EW * f_set(4), spare = kEWW * f_set(3);
-    const vf above = f_mad(Dw, nn, ew * T) - middle, foot = f_abs(above);
-    met &= f_not_greater(foot, middle + f_mad(f_abs(ew), C, off));
+    const vf offset_error = kEWW * EW * f_set(4), T_error = kEWW * f_set(3);
+    const vf offset = f_mad(Dw, nn, ew * T) - middle, distance = f_abs(offset);
+    hit &= f_not_greater(distance, middle + f_mad(f_abs(ew), C, offset_error));
     if (sure) {
         const vf ri = r - f_set(5);
         const vf gi = f_mad(ri * ri, nn, -((ri + ri + l->k) * (kEW * EW)));
         const vf inset = f_mad(r, f_set(0.125f), f_set(25)) * (s->W * nn);
         *sure = greater(ri, f_set(0)) & greater(gi, ff) &
-                greater(middle - inset - off, foot) &
-                greater(T - spare, l->first * nn) &
-                greater(l->last * nn, T + spare);
+                greater(middle - inset - offset_error, distance) &
+                greater(T - T_error, l->first * nn) &
+                greater(l->last * nn, T + T_error);
     }
-    const vf reach = spare + C;
-    met &= f_not_greater(T - reach, l->last * nn);
-    met &= f_not_greater(l->first * nn, T + reach);
-    if (!met)
+    const vf reach = T_error + C;
+    hit &= f_not_greater(T - reach, l->last * nn);
+    hit &= f_not_greater(l->first * nn, T + reach);
+    if (!hit)
         return 0;
-    /* none where e.w is 0 */
+    /* entry_shift is infinite or NaN where e.w is 0: f_higher() ignores it */
     const vf per_nn = f_set(1) / nn, per_ew = f_set(1) / f_abs(ew);
-    const vf past_cap = (f_turned(above, ew) + middle + off) * per_ew;
-    const vf begin = f_higher(T - spare - past_cap, T - reach);
-    f_store(least, begin * (per_nn * l->t_per_s));
-    return met & f_not_greater(begin, l->last * nn);
+    const vf entry_shift =
+        (f_turned(offset, ew) + middle + offset_error) * per_ew;
+    const vf first_s = f_higher(T - T_error - entry_shift, T - reach);
+    f_store(least, first_s * (per_nn * l->t_per_s));
+    return hit & f_not_greater(first_s, l->last * nn);
 }
 
 static inline unsigned lanes_in_use(const cylint_leaf *b)
@@ -178,32 +179,34 @@ static inline int count_lanes(unsigned lanes)
 }
 #endif
 
-/* all: the pieces of all lanes, or NULL: they are not made yet. */
-CYLINT_INLINE unsigned test(const cylint_leaf *b, const pieces *all,
-                            const lane_line *l, float *least, unsigned *sure)
+/* all: the unpacked cylinders of all lanes, or NULL to unpack them here. */
+CYLINT_INLINE unsigned test_cylinders(const cylint_leaf *b,
+                                      const cylinders *all, const leaf_line *l,
+                                      float *least, unsigned *sure)
 {
-    unsigned met = 0, all_sure = 0;
+    unsigned hit = 0, all_certain = 0;
     int lane = 0;
-    do { /* more than once only where WIDTH asks for it */
+    do {
         unsigned some = 0;
-        const pieces here = all ? all[lane / WIDTH] : pieces_of(b, lane);
-        met |= test_lanes(&here, l, least + lane, sure ? &some : NULL) << lane;
-        all_sure |= some << lane;
+        const cylinders here = all ? all[lane / WIDTH] : cylinders_of(b, lane);
+        hit |= test_lanes(&here, l, least + lane, sure ? &some : NULL) << lane;
+        all_certain |= some << lane;
         lane += WIDTH;
     } while (lane < CYLINT_LEAF_SIZE && lane < cylint_leaf_used(b));
-    met = (met | b->always) & lanes_in_use(b);
+    hit = (hit | b->always) & lanes_in_use(b);
     if (sure)
-        *sure = all_sure & met & ~(unsigned)b->always;
-    cylint_visited(lanes, (unsigned)count_lanes(met));
-    return met;
+        *sure = all_certain & hit & ~(unsigned)b->always;
+    cylint_visited(lanes, (unsigned)count_lanes(hit));
+    return hit;
 }
 
-/* How far a line may begin, in steps, and its E, for floats to be of use. */
+/* Floats are accurate enough for origins up to FAR_LIMIT steps away and E and
+ * 1 / E up to E_LIMIT. */
 #define FAR_LIMIT 0x1p18f
 #define E_LIMIT 0x1p10f
-#define REACH_OF_PIECES 0x1p11f
+#define CYLINDER_REACH 0x1p11f
 
-/* ------------------------------------------------------- from far: lines -- */
+/* --------------------------------------------- lines in doubles, far rays -- */
 
 static inline unsigned all_lanes(const cylint_leaf *b, double tmin,
                                  double *least)
@@ -213,22 +216,22 @@ static inline unsigned all_lanes(const cylint_leaf *b, double tmin,
     return lanes_in_use(b);
 }
 
-/* All that q may be off, beyond which floats are of no use. */
-#define OFF_LIMIT 64.0
+/* The largest error of q for which the test is of use. */
+#define Q_ERROR_LIMIT 64.0
 
-/* Farther than pieces are, but for what rounding adds. */
-static inline float clamp(double s)
+/* To a bound that is farther away than all cylinders. */
+static inline float clamped(double s)
 {
     const double most = 0x1p13;
     return (float)(s < -most ? -most : s > most ? most : s);
 }
 
 /*
- * The line is moved to its point nearest to the block's centre, in doubles,
- * e being of unit length.  o - c, the unit vector, the distance along it and
- * the sums are rounded: the line is displaced, and a t misplaced along it, by
- * less than 11 roundings of |o - c|, here 16.  Should q still be far, the line
- * misses: sizes of components are at most sqrt(3) of lengths.
+ * Moves the line's origin to its point nearest to the leaf's centre, in doubles,
+ * and makes e a unit vector.  o - c, the unit vector, the distance along it and
+ * the sums are rounded: this moves the line, and a t along it, by less than 11
+ * roundings of |o - c|; q_error allows 16.  If q is still far, the line misses:
+ * a sum of sizes of components is at most sqrt(3) times the length.
  */
 static inline unsigned test_line(const cylint_leaf *b, const double o[3],
                                  const double d[3], double tmin, double tmax,
@@ -240,7 +243,7 @@ static inline unsigned test_line(const cylint_leaf *b, const double o[3],
     const double steps = cylint_leaf_steps(b), length = sqrt(dd);
     const double per_length = 1 / length;
     double from[3], along = 0, far = 0, apart = 0;
-    lane_line l;
+    leaf_line l;
     l.E = f_set(2);
     l.t_per_s = f_set(1);
     for (int j = 0; j < 3; j++) {
@@ -248,8 +251,8 @@ static inline unsigned test_line(const cylint_leaf *b, const double o[3],
         along += from[j] * (d[j] * per_length);
         far += fabs(from[j]);
     }
-    const double off = 0x1p-49 * far * steps;
-    if (!(off <= OFF_LIMIT))
+    const double q_error = 0x1p-49 * far * steps;
+    if (!(q_error <= Q_ERROR_LIMIT))
         return all_lanes(b, tmin, least);
     for (int j = 0; j < 3; j++) {
         const double e = d[j] * per_length;
@@ -258,26 +261,27 @@ static inline unsigned test_line(const cylint_leaf *b, const double o[3],
         l.q[j] = f_set((float)q);
         l.e[j] = f_set((float)e);
     }
-    if (apart > (double)REACH_OF_PIECES + 2 * OFF_LIMIT)
+    if (apart > (double)CYLINDER_REACH + 2 * Q_ERROR_LIMIT)
         return 0;
-    l.k = f_set(
-        cylint_float_above((apart + (double)REACH_OF_PIECES) * 0x1p-20 + off));
-    l.first = f_set(clamp((tmin * length + along) * steps - off));
-    l.last = f_set(clamp((tmax * length + along) * steps + off));
+    l.k = f_set(cylint_float_above((apart + (double)CYLINDER_REACH) * 0x1p-20 +
+                                   q_error));
+    l.first = f_set(clamped((tmin * length + along) * steps - q_error));
+    l.last = f_set(clamped((tmax * length + along) * steps + q_error));
     float s[CYLINT_LEAF_SIZE] = {0};
-    const unsigned met = test(b, NULL, &l, s, NULL);
-    for (unsigned lanes = met; lanes; lanes &= lanes - 1) {
+    const unsigned hit = test_cylinders(b, NULL, &l, s, NULL);
+    for (unsigned lanes = hit; lanes; lanes &= lanes - 1) {
         const int lane = cylint_lowest(lanes);
         least[lane] = tmin;
         if (b->always >> lane & 1)
             continue;
-        const double t = (((double)s[lane] - off) / steps - along) * per_length;
+        const double t =
+            (((double)s[lane] - q_error) / steps - along) * per_length;
         least[lane] = t > tmin ? t : tmin;
     }
-    return met;
+    return hit;
 }
 
-/* ------------------------------------------------------- from near: rays -- */
+/* ------------------------------------------------------------------ rays -- */
 
 ASIDE unsigned test_far_ray(const cylint_leaf *b, const cylint_float_ray *ray,
                             float least[CYLINT_LEAF_SIZE])
@@ -285,11 +289,11 @@ ASIDE unsigned test_far_ray(const cylint_leaf *b, const cylint_float_ray *ray,
     const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
     const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
     double t[CYLINT_LEAF_SIZE];
-    const unsigned met = test_line(b, o, d, ray->tnear, ray->tfar, t);
+    const unsigned hit = test_line(b, o, d, ray->tnear, ray->tfar, t);
     for (int lane = 0; lane < cylint_leaf_used(b); lane++)
-        if (met >> lane & 1)
+        if (hit >> lane & 1)
             least[lane] = cylint_float_below(t[lane]);
-    return met;
+    return hit;
 }
 
 static inline float size_of(const cylint_float_ray *ray)
@@ -297,20 +301,22 @@ static inline float size_of(const cylint_float_ray *ray)
     return fabsf(ray->d[0]) + fabsf(ray->d[1]) + fabsf(ray->d[2]);
 }
 
-/* Rays, in lanes, or the same one in all lanes; E is size_of() it. */
+/* A ray in each lane, or the same ray in all lanes; E is its size_of(). */
 typedef struct {
     vf o[3], d[3], tnear, tfar, E;
 } ray_lanes;
 
-/* Whether a ray's direction has a size of which floats are of use. */
+/* Whether floats are accurate enough for a ray's direction of this size. */
 static inline int is_fit(float E)
 {
     return (E > 1 / E_LIMIT) & (E < E_LIMIT);
 }
 
-/* The ray as it is: e = d, q = (o - c) steps, s = t times steps.  That is of
- * use if the ray is fit and what is returned less than FAR_LIMIT. */
-CYLINT_INLINE vf aim(const cylint_leaf *b, const ray_lanes *r, lane_line *l)
+/* Sets e = d, q = (o - c) steps, so that s = t steps.  Returns the distance of q
+ * from the centre.  The result is accurate enough if the ray is_fit() and that
+ * distance is less than FAR_LIMIT. */
+CYLINT_INLINE vf to_leaf_line(const cylint_leaf *b, const ray_lanes *r,
+                              leaf_line *l)
 {
     const float per_unit = cylint_leaf_steps(b);
     const vf steps = f_set(per_unit);
@@ -320,25 +326,25 @@ CYLINT_INLINE vf aim(const cylint_leaf *b, const ray_lanes *r, lane_line *l)
     }
     const vf far = f_abs(l->q[0]) + f_abs(l->q[1]) + f_abs(l->q[2]);
     l->E = r->E;
-    l->k = (far + f_set(REACH_OF_PIECES)) * f_set(0x1p-20f);
+    l->k = (far + f_set(CYLINDER_REACH)) * f_set(0x1p-20f);
     l->first = r->tnear * steps;
     l->last = r->tfar * steps;
     l->t_per_s = f_set(1 / per_unit);
     return far;
 }
 
-CYLINT_INLINE unsigned test_near_ray(const cylint_leaf *b, const pieces *all,
-                                     const lane_line *l,
+CYLINT_INLINE unsigned test_near_ray(const cylint_leaf *b, const cylinders *all,
+                                     const leaf_line *l,
                                      float least[CYLINT_LEAF_SIZE],
                                      unsigned *sure)
 {
-    const unsigned met = test(b, all, l, least, sure);
-    for (unsigned lanes = met & b->always; lanes; lanes &= lanes - 1)
+    const unsigned hit = test_cylinders(b, all, l, least, sure);
+    for (unsigned lanes = hit & b->always; lanes; lanes &= lanes - 1)
         least[cylint_lowest(lanes)] = -HUGE_VALF;
-    return met;
+    return hit;
 }
 
-/* sure: NULL, or as in test_lanes().  E: size_of() the ray. */
+/* sure: NULL, or as in test_lanes().  E: the ray's size_of(). */
 CYLINT_INLINE unsigned test_ray(const cylint_leaf *b,
                                 const cylint_float_ray *ray, float E,
                                 float least[CYLINT_LEAF_SIZE], unsigned *sure)
@@ -348,8 +354,8 @@ CYLINT_INLINE unsigned test_ray(const cylint_leaf *b,
                          f_set(ray->tnear),
                          f_set(ray->tfar),
                          f_set(E)};
-    lane_line l;
-    const float far = f_first(aim(b, &r, &l));
+    leaf_line l;
+    const float far = f_first(to_leaf_line(b, &r, &l));
     if (is_fit(E) & (far < FAR_LIMIT))
         return test_near_ray(b, NULL, &l, least, sure);
     if (sure)

@@ -1,5 +1,5 @@
 /*
- * memory.c - memory on whole cache lines, and on large pages
+ * memory.c - memory in whole cache lines, on large pages where there are any
  */
 #ifdef __linux__
 #define _DEFAULT_SOURCE /* madvise() */
@@ -13,8 +13,8 @@
 
 enum { CACHE_LINE = 64, HUGE_PAGE = 2 << 20 };
 
-/* What is read here and there is found sooner on few large pages. */
-static void ask_for_huge_pages(void *data, size_t bytes)
+/* Random reads cost fewer address translations on large pages. */
+static void request_huge_pages(void *data, size_t bytes)
 {
 #ifdef MADV_HUGEPAGE
     const uintptr_t from = ((uintptr_t)data + HUGE_PAGE - 1) / HUGE_PAGE;
@@ -28,13 +28,13 @@ static void ask_for_huge_pages(void *data, size_t bytes)
 #endif
 }
 
-static void *take_from_heap(void *owner, size_t bytes, void **handle)
+static void *allocate_from_heap(void *owner, size_t bytes, void **handle)
 {
     (void)owner;
     return *handle = malloc(bytes);
 }
 
-static const cylint_memory_source heap = {NULL, take_from_heap, free};
+static const cylint_memory_source heap = {NULL, allocate_from_heap, free};
 
 int cylint_memory_allocate(cylint_memory *memory,
                            const cylint_memory_source *source, size_t bytes)
@@ -44,19 +44,19 @@ int cylint_memory_allocate(cylint_memory *memory,
     *memory = (cylint_memory){0};
     if (bytes > SIZE_MAX - CACHE_LINE)
         return 0;
-    char *data = from->take(from->owner, bytes + CACHE_LINE, &handle);
+    char *data = from->allocate(from->owner, bytes + CACHE_LINE, &handle);
     if (!data)
         return 0;
     *memory =
         (cylint_memory){data + (CACHE_LINE - (uintptr_t)data % CACHE_LINE),
-                        bytes, handle, from->give};
-    ask_for_huge_pages(memory->data, bytes);
+                        bytes, handle, from->release};
+    request_huge_pages(memory->data, bytes);
     return 1;
 }
 
 void cylint_memory_free(cylint_memory *memory)
 {
     if (memory->data)
-        memory->give(memory->handle);
+        memory->release(memory->handle);
     *memory = (cylint_memory){0};
 }

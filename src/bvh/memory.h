@@ -1,32 +1,32 @@
 /*
- * memory.h - memory on whole cache lines, from malloc() or from elsewhere
+ * memory.h - memory in whole cache lines, from malloc() or another source
  */
 #ifndef CYLINT_BVH_MEMORY_H
 #define CYLINT_BVH_MEMORY_H
 
 #include <stddef.h>
 
-/* take() returns so many bytes of `owner`, or NULL, and in *handle what
- * give() wants in order to take them back. */
+/* allocate() returns `bytes` bytes of `owner`, or NULL, and writes *handle, the
+ * argument of release(). */
 typedef struct cylint_memory_source {
     void *owner;
-    void *(*take)(void *owner, size_t bytes, void **handle);
-    void (*give)(void *handle);
+    void *(*allocate)(void *owner, size_t bytes, void **handle);
+    void (*release)(void *handle);
 } cylint_memory_source;
 
 typedef struct cylint_memory {
-    void *data; /* on a cache line; NULL: none */
+    void *data; /* at the begin of a cache line; NULL: no memory */
     size_t bytes;
     void *handle;
-    void (*give)(void *handle);
+    void (*release)(void *handle);
 } cylint_memory;
 
-/* bytes > 0, not initialised; source NULL: from malloc().  0 where it was
- * refused: *memory is none. */
+/* Allocates bytes > 0 without initialising them, by malloc() if `source` is
+ * NULL.  Returns 0 and no memory if the source refuses. */
 int cylint_memory_allocate(cylint_memory *memory,
                            const cylint_memory_source *source, size_t bytes);
 
-/* Gives it back; none: does nothing. */
+/* Releases the memory, if there is any. */
 void cylint_memory_free(cylint_memory *memory);
 
 #endif

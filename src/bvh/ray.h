@@ -1,7 +1,8 @@
 /*
- * ray.h - a line on its way through boxes: which it may meet, and where
+ * ray.h - the state of a line in a traversal, and its test against boxes
  *
- * For traverse.c and packet_traverse.c, which are compiled for several instruction sets.
+ * For traverse.c and packet_traverse.c, which are compiled for several
+ * instruction sets.
  */
 #ifndef CYLINT_BVH_RAY_H
 #define CYLINT_BVH_RAY_H
@@ -11,41 +12,42 @@
 #include "leaf_test.h"
 
 /*
- * A line on its way: x + t d, x counted from the group's centre, with r = 1 /
- * d.  near and far are x r, more and less what entries into boxes and exits
- * may be off by.
+ * The line x + t d, where x is relative to the centre of the hierarchy, and
+ * r = 1 / d.  near and far are x r, plus and minus the error bound of entries
+ * into boxes and exits from them.
  */
 typedef struct cylint_ray_state {
     float r[3], near[3], far[3];
-    int entry[3];      /* the face by which it enters boxes: 0 or 1 */
-    float first, last; /* t between; t here is that of the line ... */
-    double t0, slop;   /* ... less t0, and may be off by so much */
+    int entry[3];        /* the face where it enters boxes: 0 or 1 */
+    float first, last;   /* the domain; its t is the line's t ... */
+    double t0, t0_error; /* ... minus t0, with this error */
 } cylint_ray_state;
 
-typedef cylint_ray_state way;
+typedef cylint_ray_state ray_state;
 
 /* ---------------------------------------------------------------- boxes -- */
 
 /*
- * Which boxes of a node the line may meet, and where it enters them.  A face at
- * F = corner + q step is crossed at t = (F - x) r.  With u = 2^-24, S the
- * longest side of all boxes, |corner| and q step at most S:
+ * Which boxes of a node the line may hit, and where it enters them.  The line
+ * crosses a face at F = corner + q step at t = (F - x) r.  With u = 2^-24, S the
+ * longest side of the box of all, |corner| and q step at most S:
  *
- *   r is wrong by u of itself, so t by 2 u S |r|, and, r being another where x
- *   r is made, by u |x r|; F is rounded once or, if that is not fused, twice,
- *   by 3 u S; x r is rounded twice, F r once if it is not fused, and their
- *   difference once,
+ *   r has an error of u r, so t one of 2 u S |r| and, as x r is computed from
+ *   another r, one of u |x r|; F is rounded once or, without fused operations,
+ *   twice, by 3 u S; x r is rounded twice, F r once if it is not fused, and
+ *   their difference once,
  *
- * in all by less than 10 u (|x| + S) |r|.  start() allows for 16 u.  That
- * moves a face by another 2^-21 S, more than what it moves when a d below
- * 2^-60 of the largest is taken for that much, on 2^10 S of a line.  What is
- * flushed to zero is less than FLT_MIN each.  Where something overflows,
- * f_higher() and f_lower() leave out what is not a number.
+ * in all less than 10 u (|x| + S) |r|.  start() allows 16 u.  A component of d
+ * below 2^-60 of the largest is replaced by that; on a length of 2^10 S this
+ * moves the line by less than another 2^-21 S, which the 16 u cover.  A number
+ * flushed to zero is less than FLT_MIN.  After an overflow f_higher() and
+ * f_lower() ignore a NaN.
  */
 
-/* Where lines with these `entry` enter and leave the boxes from `from` on. */
-CYLINT_INLINE void faces_of(const cylint_node *node, int from,
-                            const int entry[3], vf enter[3], vf leave[3])
+/* The faces where lines with this `entry` enter and leave the boxes of children
+ * from `from` on. */
+CYLINT_INLINE void child_faces(const cylint_node *node, int from,
+                               const int entry[3], vf enter[3], vf leave[3])
 {
     EACH(j, 3) {
         const vf corner = f_set(node->corner[j]), step = f_set(node->step[j]);
@@ -56,64 +58,62 @@ CYLINT_INLINE void faces_of(const cylint_node *node, int from,
     }
 }
 
-/* Where one may do so; whether it may is the answer. */
-CYLINT_INLINE vm boxes_met(const vf enter[3], const vf leave[3], const way *w,
-                           vf *from)
+/* Whether the line may hit the boxes; *from: where it enters them. */
+CYLINT_INLINE vm hit_boxes(const vf enter[3], const vf leave[3],
+                           const ray_state *s, vf *from)
 {
-    vf to = f_set(w->last);
-    *from = f_set(w->first);
+    vf to = f_set(s->last);
+    *from = f_set(s->first);
     EACH(j, 3) {
-        const vf r = f_set(w->r[j]);
-        *from = f_higher(f_mad(enter[j], r, -f_set(w->near[j])), *from);
-        to = f_lower(f_mad(leave[j], r, -f_set(w->far[j])), to);
+        const vf r = f_set(s->r[j]);
+        *from = f_higher(f_mad(enter[j], r, -f_set(s->near[j])), *from);
+        to = f_lower(f_mad(leave[j], r, -f_set(s->far[j])), to);
     }
     return m_not_greater(*from, to);
 }
 
-/* ----------------------------------------------------------------- order -- */
+/* ---------------------------------------------------------------- order -- */
 
-static inline uint32_t key_of(float x)
+/* Integers in the order of the floats. */
+static inline uint32_t order_key(float x)
 {
     uint32_t key;
     memcpy(&key, &x, sizeof key);
     return key >> 31 ? ~key : key | 0x80000000u;
 }
 
-static inline uint64_t stop_at(uint32_t enter, uint32_t child)
+/* A child (lower half) and the key of where it is entered (upper half). */
+static inline uint64_t keyed_child(uint32_t enter, uint32_t child)
 {
     return (uint64_t)enter << 32 | child;
 }
 
-static inline void fetch(const cylint_bvh *group, uint32_t child)
+static inline void prefetch_child(const cylint_bvh *bvh, uint32_t child)
 {
 #ifdef __GNUC__
-    if (child & CYLINT_LEAF_FLAG) {
-        const char *block =
-            (const char *)&group->blocks[child & ~CYLINT_LEAF_FLAG];
-        __builtin_prefetch(block);
-        __builtin_prefetch(block + 64);
-    } else {
-        const char *node = (const char *)&group->nodes[child];
-        __builtin_prefetch(node);
-        __builtin_prefetch(node + 64);
-    }
+    const char *data =
+        child & CYLINT_LEAF_FLAG
+            ? (const char *)&bvh->leaves[child & ~CYLINT_LEAF_FLAG]
+            : (const char *)&bvh->nodes[child];
+    __builtin_prefetch(data);
+    __builtin_prefetch(data + 64);
 #else
-    (void)group;
+    (void)bvh;
     (void)child;
 #endif
 }
 
-/* ------------------------------------------------------------------ ways -- */
+/* ---------------------------------------------------------------- start -- */
 
-/* t of the line on the way. */
-static inline float above(const way *w, double t)
+/* The state's t for the line's t, rounded up or down. */
+static inline float local_above(const ray_state *s, double t)
 {
-    return cylint_float_above(t - w->t0 + w->slop);
+    return cylint_float_above(t - s->t0 + s->t0_error);
 }
 
-static inline float below(const way *w, double t)
+static inline float local_below(const ray_state *s, double t)
 {
-    return cylint_float_below(t - w->t0 - w->slop);
+    return cylint_float_below(t - s->t0 - s->t0_error);
 }
 
 static inline float larger(float x, float y) /* fmaxf() is a call */
@@ -121,9 +121,9 @@ static inline float larger(float x, float y) /* fmaxf() is a call */
     return x > y ? x : y;
 }
 
-/* From x, of which components may be off by so much; group->pad is 16 u S. */
-static inline void start(way *w, const cylint_bvh *group, const double x[3],
-                         const double d[3], float off)
+/* x may have an error of x_error. */
+static inline void start(ray_state *s, const cylint_bvh *bvh, const double x[3],
+                         const double d[3], float x_error)
 {
     const float D[3] = {(float)d[0], (float)d[1], (float)d[2]};
     const float least =
@@ -133,62 +133,64 @@ static inline void start(way *w, const cylint_bvh *group, const double x[3],
                              : D[j] < 0           ? -least
                                                   : least);
         const float X = (float)x[j];
-        const float e =
-            fabsf(r) * (fabsf(X) * 0x1p-20f + group->pad + off) + 16 * FLT_MIN;
-        w->r[j] = r;
-        w->near[j] = X * r + e;
-        w->far[j] = X * r - e;
-        w->entry[j] = D[j] < 0;
+        const float e = fabsf(r) * (fabsf(X) * 0x1p-20f + bvh->pad + x_error) +
+                        16 * FLT_MIN;
+        s->r[j] = r;
+        s->near[j] = X * r + e;
+        s->far[j] = X * r - e;
+        s->entry[j] = D[j] < 0;
     }
 }
 
-/* From where the line is nearest to the group's centre: floats of what is far
- * away are coarse.  x and t0 d are rounded, and so is their sum. */
-static void start_near(way *w, const cylint_bvh *group, const double x[3],
-                       const double d[3])
+/* Moves the origin to the line's point nearest to the centre: floats are coarse
+ * far away.  x, t0 d and their sum are rounded. */
+static void start_nearer(ray_state *s, const cylint_bvh *bvh, const double x[3],
+                         const double d[3])
 {
     const double far = fabs(x[0]) + fabs(x[1]) + fabs(x[2]);
     double near[3];
-    w->t0 = -(x[0] * d[0] + x[1] * d[1] + x[2] * d[2]) /
+    s->t0 = -(x[0] * d[0] + x[1] * d[1] + x[2] * d[2]) /
             (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-    w->slop = 0x1p-51 * fabs(w->t0);
+    s->t0_error = 0x1p-51 * fabs(s->t0);
     EACH(j, 3)
-        near[j] = x[j] + w->t0 * d[j];
-    start(w, group, near, d, cylint_float_above(0x1p-49 * far));
+        near[j] = x[j] + s->t0 * d[j];
+    start(s, bvh, near, d, cylint_float_above(0x1p-49 * far));
 }
 
-static inline void begin(way *w, const cylint_bvh *group, const double o[3],
-                         const double d[3], double tmin, double tmax)
+static inline void start_line(ray_state *s, const cylint_bvh *bvh,
+                              const double o[3], const double d[3], double tmin,
+                              double tmax)
 {
     double x[3];
     EACH(j, 3)
-        x[j] = o[j] - (double)group->center[j];
-    w->t0 = w->slop = 0;
-    if (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) < (double)group->near_by)
-        start(w, group, x, d, 0);
+        x[j] = o[j] - (double)bvh->center[j];
+    s->t0 = s->t0_error = 0;
+    if (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) < (double)bvh->near_distance)
+        start(s, bvh, x, d, 0);
     else
-        start_near(w, group, x, d);
-    w->first = below(w, tmin);
-    w->last = above(w, tmax);
+        start_nearer(s, bvh, x, d);
+    s->first = local_below(s, tmin);
+    s->last = local_above(s, tmax);
 }
 
-static inline void begin_ray(way *w, const cylint_bvh *group,
+static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
                              const cylint_float_ray *ray)
 {
     const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
     const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
-    begin(w, group, o, d, ray->tnear, ray->tfar);
+    start_line(s, bvh, o, d, ray->tnear, ray->tfar);
 }
 
-/* Whether the domain ends outside the box of all: S is its longest side. */
-static inline int leaves(const cylint_bvh *group, const cylint_float_ray *ray)
+/* Whether the domain ends outside the box of all; S is its longest side. */
+static inline int ends_outside(const cylint_bvh *bvh,
+                               const cylint_float_ray *ray)
 {
-    const double S = (double)group->near_by / 256;
+    const double S = (double)bvh->near_distance / 256;
     const float o[3] = {ray->o[0], ray->o[1], ray->o[2]};
     const float d[3] = {ray->d[0], ray->d[1], ray->d[2]};
     int out = 0;
     EACH(j, 3)
-        out |= fabs((double)o[j] - (double)group->center[j] +
+        out |= fabs((double)o[j] - (double)bvh->center[j] +
                     (double)ray->tfar * (double)d[j]) > S;
     return out;
 }

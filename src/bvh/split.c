@@ -1,5 +1,5 @@
 /*
- * split.c - shapes cut into pieces that their boxes are tight about
+ * split.c - splits shapes into pieces with tight boxes
  */
 #include "split.h"
 
@@ -15,8 +15,8 @@ static double box_area(const cylint_extent *b)
     return 2 * (x * y + y * z + z * x);
 }
 
-/* Of the cylinder about a trunk, nearly. */
-static double trunk_area(const cylint_swept_disc *t)
+/* About the area of the cylinder around the swept disc. */
+static double surface_area(const cylint_swept_disc *t)
 {
     const double pi = 3.14159265358979323846;
     const double k = fmax(t->k[0], t->k[1]), r = k * t->across;
@@ -24,45 +24,47 @@ static double trunk_area(const cylint_swept_disc *t)
 }
 
 /*
- * A ray that comes through the box meets the shape with the ratio of their
- * areas.  m pieces have m boxes of 1/m^2 the area, together 1/m of it, and m
- * times the boxes: the root of the ratio of areas is where one gains what the
- * other loses.  MANY pieces pay for fibres only, for which twice as many would
- * be faster by less than 10 % and slower to build.
+ * The chance that a ray through the box hits the shape is the ratio of their
+ * areas.  m pieces have m boxes of 1/m^2 the area each, 1/m of it together.  The
+ * gain balances the cost of m boxes where m is the square root of the ratio.
+ * MANY pieces pay for fibres only; twice as many make queries less than 10 %
+ * faster and the build slower.
  */
 enum { FEW = 4, MANY = 8 };
 
-/* So many shapes tell how many pieces the others may have. */
+/* The first FIRST shapes predict the number of pieces of the others. */
 enum { FIRST = 4096 };
 
 static const cylint_piece whole = {0, 1};
 
-static int pieces_of(const cylint_swept_disc *t, const cylint_extent *box)
+static int piece_count(const cylint_swept_disc *t, const cylint_extent *box)
 {
-    const double m = sqrt(box_area(box) / trunk_area(t));
-    const double most = m > 2 * FEW ? MANY : FEW;
-    return !(m > 1) ? 1 : (int)fmin(m + 0.5, most);
+    const double balance = sqrt(box_area(box) / surface_area(t));
+    const double most = balance > 2 * FEW ? MANY : FEW;
+    return !(balance > 1) ? 1 : (int)fmin(balance + 0.5, most);
 }
 
-static uint32_t member(const cylint_bvh_input *m, size_t i)
+static uint32_t number_of(const cylint_bvh_input *input, size_t i)
 {
-    return m->numbers ? m->numbers[i] : (uint32_t)i;
+    return input->numbers ? input->numbers[i] : (uint32_t)i;
 }
 
-/* Boxes of pieces, as many as there is room for. */
+/* A growing array of boxes. */
 typedef struct {
     cylint_memory memory;
     cylint_boxed_piece *box;
-    size_t n, room;
+    size_t n, capacity;
     cylint_extent all;
-} pieces;
+} piece_list;
 
-static int make_room(pieces *p, const cylint_memory_source *source, size_t room)
+static int grow(piece_list *p, const cylint_memory_source *source,
+                size_t capacity)
 {
-    pieces more = *p;
-    more.room = room;
-    if (room > SIZE_MAX / sizeof *p->box ||
-        !cylint_memory_allocate(&more.memory, source, room * sizeof *p->box))
+    piece_list more = *p;
+    more.capacity = capacity;
+    if (capacity > SIZE_MAX / sizeof *p->box ||
+        !cylint_memory_allocate(&more.memory, source,
+                                capacity * sizeof *p->box))
         return 0;
     more.box = more.memory.data;
     if (p->n > 0)
@@ -72,9 +74,9 @@ static int make_room(pieces *p, const cylint_memory_source *source, size_t room)
     return 1;
 }
 
-/* Room for all pieces, if those to come are like those of the first `done`
- * shapes; and for the next ones in any case. */
-static size_t room_for(const pieces *p, size_t done, size_t shapes)
+/* The capacity for all pieces, if the remaining shapes have as many as the
+ * first `done` ones, plus MANY for each of the next FIRST shapes. */
+static size_t wanted_capacity(const piece_list *p, size_t done, size_t shapes)
 {
     const size_t first = shapes < FIRST ? shapes : FIRST;
     const double each = done > 0 ? (double)p->n / (double)done : 0;
@@ -82,158 +84,162 @@ static size_t room_for(const pieces *p, size_t done, size_t shapes)
            (size_t)(each * 1.0625 * (double)(shapes - done));
 }
 
-static void add_piece(pieces *p, const cylint_extent *b, uint32_t stem,
+static void add_piece(piece_list *p, const cylint_extent *b, uint32_t disc,
                       cylint_piece piece)
 {
     p->box[p->n++] =
         (cylint_boxed_piece){{b->lower[0], b->lower[1], b->lower[2]},
-                             stem,
+                             disc,
                              {b->upper[0], b->upper[1], b->upper[2]},
                              (uint16_t)piece.index,
                              (uint16_t)piece.count};
     cylint_extent_include(&p->all, b);
 }
 
-/* The pieces of a shape that is the stem of the given index.  0: its box is
- * not one to be kept. */
-static int cut_shape(pieces *p, const cylint_view *view, uint32_t number,
-                     cylint_packed_disc *stems, uint32_t stem)
+/* Adds the pieces of a shape and stores its packed disc in discs[disc].
+ * Returns 0 if its box is invalid. */
+static int split_shape(piece_list *p, const cylint_view *view, uint32_t number,
+                       cylint_packed_disc *discs, uint32_t disc)
 {
-    cylint_swept_disc trunk;
+    cylint_swept_disc swept;
     double reach[3];
-    cylint_swept_disc_of(&trunk, view, number);
-    cylint_swept_disc_reach(&trunk, reach);
-    const cylint_extent box = cylint_piece_box(&trunk, reach, whole);
+    cylint_swept_disc_of(&swept, view, number);
+    cylint_swept_disc_reach(&swept, reach);
+    const cylint_extent box = cylint_piece_box(&swept, reach, whole);
     if (!cylint_extent_is_valid(&box))
         return 0;
-    stems[stem] = cylint_packed_disc_of(&trunk, &view->shapes[number], number);
-    const int count = pieces_of(&trunk, &box);
+    discs[disc] = cylint_packed_disc_of(&swept, &view->shapes[number], number);
+    const int count = piece_count(&swept, &box);
     if (count == 1)
-        add_piece(p, &box, stem, whole);
+        add_piece(p, &box, disc, whole);
     else
         for (int index = 0; index < count; index++) {
             const cylint_piece piece = {index, count};
-            const cylint_extent b = cylint_piece_box(&trunk, reach, piece);
-            add_piece(p, &b, stem, piece);
+            const cylint_extent b = cylint_piece_box(&swept, reach, piece);
+            add_piece(p, &b, disc, piece);
         }
     return 1;
 }
 
-/* What one thread makes of its shapes, [from, to). */
+/* The shapes [from, to) of one thread, and their pieces. */
 typedef struct {
     size_t from, to;
-    pieces pieces;
+    piece_list pieces;
     cylint_bvh_status status;
     size_t refused;
-} share;
+} portion;
 
-static cylint_bvh_status cut_share(share *s, const cylint_bvh_input *m,
-                                   cylint_packed_disc *stems)
+static cylint_bvh_status split_portion(portion *s,
+                                       const cylint_bvh_input *input,
+                                       cylint_packed_disc *discs)
 {
-    pieces *p = &s->pieces;
+    piece_list *p = &s->pieces;
     for (size_t i = s->from; i < s->to; i++) {
-        if (p->room - p->n < MANY &&
-            !make_room(p, m->source, room_for(p, i - s->from, s->to - s->from)))
+        if (p->capacity - p->n < MANY &&
+            !grow(p, input->source,
+                  wanted_capacity(p, i - s->from, s->to - s->from)))
             return CYLINT_BVH_EMEMORY;
-        s->refused = member(m, i);
+        s->refused = number_of(input, i);
         if (s->refused >= UINT32_MAX ||
-            !cylint_is_bounded(&m->view->shapes[s->refused]) ||
-            !cut_shape(p, m->view, (uint32_t)s->refused, stems, (uint32_t)i))
+            !cylint_is_bounded(&input->view->shapes[s->refused]) ||
+            !split_shape(p, input->view, (uint32_t)s->refused, discs,
+                         (uint32_t)i))
             return CYLINT_BVH_ESHAPE;
     }
     return CYLINT_BVH_OK;
 }
 
-/* All shares, and where their pieces come together. */
+/* All portions, and the split that gets their pieces. */
 typedef struct {
-    const cylint_bvh_input *m;
-    cylint_split *cut;
-    share share[CYLINT_THREADS_MOST];
-} work;
+    const cylint_bvh_input *input;
+    cylint_split *split;
+    portion portion[CYLINT_THREADS_MOST];
+} split_job;
 
-/* Numbers [from, to) of the shares, and below. */
-static void cut_some(void *self, size_t from, size_t to)
+/* Splits portions [from, to). */
+static void split_portions(void *self, size_t from, size_t to)
 {
-    work *w = self;
+    split_job *w = self;
     for (; from < to; from++) {
-        share *s = &w->share[from];
-        s->status = cut_share(s, w->m, w->cut->stem);
+        portion *s = &w->portion[from];
+        s->status = split_portion(s, w->input, w->split->disc);
     }
 }
 
-static void collect_some(void *self, size_t from, size_t to)
+/* Copies the pieces of portions [from, to). */
+static void copy_portions(void *self, size_t from, size_t to)
 {
-    work *w = self;
+    split_job *w = self;
     size_t before = 0;
     for (size_t i = 0; i < to; i++) {
-        const pieces *p = &w->share[i].pieces;
+        const piece_list *p = &w->portion[i].pieces;
         if (i >= from)
-            memcpy(w->cut->box + before, p->box, p->n * sizeof *p->box);
+            memcpy(w->split->box + before, p->box, p->n * sizeof *p->box);
         before += p->n;
     }
 }
 
-/* A share that is all there is stays where it is. */
-static int collect(work *w)
+/* Joins the pieces of all portions; a single portion is not copied. */
+static int join_portions(split_job *w)
 {
-    cylint_split *cut = w->cut;
-    cut->all = cylint_extent_empty();
-    for (int i = 0; i < w->m->threads; i++) {
-        cut->n += w->share[i].pieces.n;
-        cylint_extent_include(&cut->all, &w->share[i].pieces.all);
+    cylint_split *split = w->split;
+    split->all = cylint_extent_empty();
+    for (int i = 0; i < w->input->threads; i++) {
+        split->n += w->portion[i].pieces.n;
+        cylint_extent_include(&split->all, &w->portion[i].pieces.all);
     }
-    if (w->m->threads == 1) {
-        cut->box_memory = w->share[0].pieces.memory;
-        w->share[0].pieces.memory = (cylint_memory){0};
-    } else if (!cylint_memory_allocate(&cut->box_memory, w->m->source,
-                                       cut->n * sizeof *cut->box)) {
+    if (w->input->threads == 1) {
+        split->box_memory = w->portion[0].pieces.memory;
+        w->portion[0].pieces.memory = (cylint_memory){0};
+    } else if (!cylint_memory_allocate(&split->box_memory, w->input->source,
+                                       split->n * sizeof *split->box)) {
         return 0;
     }
-    cut->box = cut->box_memory.data;
-    if (w->m->threads > 1)
-        cylint_threads_run(w->m->threads, (size_t)w->m->threads, collect_some,
-                           w);
+    split->box = split->box_memory.data;
+    if (w->input->threads > 1)
+        cylint_threads_run(w->input->threads, (size_t)w->input->threads,
+                           copy_portions, w);
     return 1;
 }
 
-static cylint_bvh_status cut_all(work *w, size_t *refused)
+static cylint_bvh_status split_all(split_job *w, size_t *refused)
 {
-    const cylint_bvh_input *m = w->m;
-    const size_t threads = (size_t)m->threads;
+    const cylint_bvh_input *input = w->input;
+    const size_t threads = (size_t)input->threads;
     for (size_t i = 0; i < threads; i++)
-        w->share[i] =
-            (share){.from = m->n / threads * i,
-                    .to = i + 1 < threads ? m->n / threads * (i + 1) : m->n,
-                    .pieces = {.all = cylint_extent_empty()}};
-    cylint_threads_run(m->threads, threads, cut_some, w);
+        w->portion[i] = (portion){
+            .from = input->n / threads * i,
+            .to = i + 1 < threads ? input->n / threads * (i + 1) : input->n,
+            .pieces = {.all = cylint_extent_empty()}};
+    cylint_threads_run(input->threads, threads, split_portions, w);
     for (size_t i = 0; i < threads; i++)
-        if (w->share[i].status != CYLINT_BVH_OK) {
-            *refused = w->share[i].refused;
-            return w->share[i].status;
+        if (w->portion[i].status != CYLINT_BVH_OK) {
+            *refused = w->portion[i].refused;
+            return w->portion[i].status;
         }
-    return collect(w) ? CYLINT_BVH_OK : CYLINT_BVH_EMEMORY;
+    return join_portions(w) ? CYLINT_BVH_OK : CYLINT_BVH_EMEMORY;
 }
 
-cylint_bvh_status cylint_split_shapes(cylint_split *cut,
-                                      const cylint_bvh_input *m,
+cylint_bvh_status cylint_split_shapes(cylint_split *split,
+                                      const cylint_bvh_input *input,
                                       size_t *refused)
 {
-    work w = {.m = m, .cut = cut};
-    *cut = (cylint_split){0};
-    if (m->n > SIZE_MAX / sizeof *cut->stem ||
-        !cylint_memory_allocate(&cut->stem_memory, m->source,
-                                m->n * sizeof *cut->stem))
+    split_job w = {.input = input, .split = split};
+    *split = (cylint_split){0};
+    if (input->n > SIZE_MAX / sizeof *split->disc ||
+        !cylint_memory_allocate(&split->disc_memory, input->source,
+                                input->n * sizeof *split->disc))
         return CYLINT_BVH_EMEMORY;
-    cut->stem = cut->stem_memory.data;
-    const cylint_bvh_status status = cut_all(&w, refused);
-    for (int i = 0; i < m->threads; i++)
-        cylint_memory_free(&w.share[i].pieces.memory);
+    split->disc = split->disc_memory.data;
+    const cylint_bvh_status status = split_all(&w, refused);
+    for (int i = 0; i < input->threads; i++)
+        cylint_memory_free(&w.portion[i].pieces.memory);
     return status;
 }
 
-void cylint_split_free(cylint_split *cut)
+void cylint_split_free(cylint_split *split)
 {
-    cylint_memory_free(&cut->stem_memory);
-    cylint_memory_free(&cut->box_memory);
-    *cut = (cylint_split){0};
+    cylint_memory_free(&split->disc_memory);
+    cylint_memory_free(&split->box_memory);
+    *split = (cylint_split){0};
 }

@@ -1,5 +1,5 @@
 /*
- * split.h - shapes cut into pieces that their boxes are tight about
+ * split.h - splits shapes into pieces with tight boxes
  */
 #ifndef CYLINT_BVH_SPLIT_H
 #define CYLINT_BVH_SPLIT_H
@@ -10,8 +10,8 @@
 #include "build.h"
 #include "swept_disc.h"
 
-/* n shapes of the given numbers (NULL: those from 0 on), for so many threads,
- * with memory from the source. */
+/* The n shapes with the given numbers (NULL: numbers 0 to n - 1), the number of
+ * threads that build the hierarchy, and the source of its memory. */
 typedef struct cylint_bvh_input {
     const cylint_view *view;
     const uint32_t *numbers;
@@ -20,28 +20,30 @@ typedef struct cylint_bvh_input {
     const cylint_memory_source *source;
 } cylint_bvh_input;
 
-/* A stem of every shape, and a box of every piece, in the order of shapes. */
+/* The packed disc of every shape and the box of every piece, in the order of
+ * shapes. */
 typedef struct cylint_split {
-    cylint_memory stem_memory, box_memory;
-    cylint_packed_disc *stem;
+    cylint_memory disc_memory, box_memory;
+    cylint_packed_disc *disc;
     cylint_boxed_piece *box;
     size_t n;          /* pieces */
-    cylint_extent all; /* about them */
+    cylint_extent all; /* the box of all pieces */
 } cylint_split;
 
 typedef enum cylint_bvh_status {
     CYLINT_BVH_OK,
-    CYLINT_BVH_ESHAPE, /* not bounded, its box not one to be kept, or number
-                           2^32 - 1 */
-    CYLINT_BVH_EMEMORY /* refused */
+    CYLINT_BVH_ESHAPE, /* a shape is unbounded, its box is invalid, or its
+                          number is 2^32 - 1 */
+    CYLINT_BVH_EMEMORY /* out of memory */
 } cylint_bvh_status;
 
-/* By exactly m->threads, at most CYLINT_THREADS_MOST.  *refused: the first shape
- * for ESHAPE.  The cut is to be freed however it went. */
-cylint_bvh_status cylint_split_shapes(cylint_split *cut,
-                                      const cylint_bvh_input *m,
+/* Uses exactly input->threads threads, at most CYLINT_THREADS_MOST.  For ESHAPE
+ * *refused is the first such shape.  The caller frees the split after a failure
+ * too. */
+cylint_bvh_status cylint_split_shapes(cylint_split *split,
+                                      const cylint_bvh_input *input,
                                       size_t *refused);
 
-void cylint_split_free(cylint_split *cut);
+void cylint_split_free(cylint_split *split);
 
 #endif

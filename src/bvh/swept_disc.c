@@ -1,5 +1,5 @@
 /*
- * swept_disc.c - what all bounded shapes look like from far: discs along an axis
+ * swept_disc.c - bounded shapes as swept discs, and the boxes of their pieces
  */
 #include "swept_disc.h"
 
@@ -13,13 +13,13 @@ static int is_elliptic(const cylint_shape *s)
     return s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE;
 }
 
-/* Below, squares may have underflowed. */
+/* Below this, squares may have underflowed. */
 #define LEAST_SQUARE (DBL_MIN * 0x1p60)
 
-/* x a + y b with x^2 + y^2 <= 1 reaches sqrt((a.v)^2 + (b.v)^2) along a unit
- * vector v, and across the axis as far as the larger eigenvalue of the Gram
- * matrix of what a and b have across it. */
-static void elliptic(cylint_swept_disc *t, double ww)
+/* The points x a + y b, x^2 + y^2 <= 1, reach sqrt((a.v)^2 + (b.v)^2) along a
+ * unit vector v.  Across the axis they reach the square root of the larger
+ * eigenvalue of the Gram matrix of the components of a and b across it. */
+static void set_elliptic_reach(cylint_swept_disc *t, double ww)
 {
     double a[3], b[3];
     const double aw = dot(t->a, t->axis), bw = dot(t->b, t->axis);
@@ -61,11 +61,12 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
         t->a[j] = s->a[j] * scale;
         t->b[j] = s->b[j] * scale;
     }
-    elliptic(t, ww);
+    set_elliptic_reach(t, ww);
 }
 
-/* A disc across the axis w reaches sqrt(1 - w_j^2 / ww) of its radius, which
- * is computed without the difference; all of it, where squares underflow. */
+/* A disc perpendicular to the axis w reaches sqrt(1 - w_j^2 / ww) of its
+ * radius along coordinate j, computed here without the difference.  Where
+ * squares underflow, the result is 1. */
 void cylint_swept_disc_reach(const cylint_swept_disc *t, double reach[3])
 {
     double square[3];
@@ -106,9 +107,9 @@ void cylint_piece_ends(cylint_piece piece, double z[2])
 }
 
 /*
- * Every coordinate below comes of at most 16 roundings in sums of numbers of
- * one sign, or no larger than what is summed up in `size`: the sides are moved
- * out by 2^-48 of that, and by what can underflow.
+ * Each coordinate below is computed with at most 16 roundings of numbers not
+ * larger than `size`.  The sides are moved out by 2^-48 of size, and by DBL_MIN
+ * for underflow.
  */
 cylint_extent cylint_piece_box(const cylint_swept_disc *t,
                                const double reach[3], cylint_piece piece)
@@ -125,7 +126,7 @@ cylint_extent cylint_piece_box(const cylint_swept_disc *t,
         const double to = t->base[j] + z[1] * t->axis[j];
         const double out0 = k[0] * reach[j] + more;
         const double out1 = k[1] * reach[j] + more;
-        /* which end is lower cannot be foreseen: no branch */
+        /* which end is lower is unpredictable, so there is no branch */
         lo[j] = cylint_smaller(from - out0, to - out1);
         hi[j] = cylint_larger(from + out0, to + out1);
     }

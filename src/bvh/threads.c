@@ -1,46 +1,61 @@
 /*
- * threads.c - threads that share work, where there are any
+ * threads.c - work that several threads share
  */
 #include "threads.h"
 
 #ifdef CYLINT_THREADS
 
+#ifdef _WIN32
+#include <windows.h>
+#else
 #include <unistd.h>
+#endif
 
-/* One thread's share. */
+static long processors(void)
+{
+#ifdef _WIN32
+    SYSTEM_INFO info;
+    GetSystemInfo(&info);
+    return (long)info.dwNumberOfProcessors;
+#else
+    return sysconf(_SC_NPROCESSORS_ONLN);
+#endif
+}
+
+/* The items of one thread. */
 typedef struct {
     pthread_t thread;
-    cylint_thread_work *part;
+    cylint_thread_work *work;
     void *self;
     size_t from, to;
-} share;
+} job;
 
-static void *do_share(void *argument)
+static void *run_job(void *argument)
 {
-    const share *s = argument;
-    s->part(s->self, s->from, s->to);
+    const job *j = argument;
+    j->work(j->self, j->from, j->to);
     return NULL;
 }
 
-void cylint_threads_run(int threads, size_t n, cylint_thread_work *part,
+void cylint_threads_run(int threads, size_t n, cylint_thread_work *work,
                         void *self)
 {
-    share shares[CYLINT_THREADS_MOST];
+    job jobs[CYLINT_THREADS_MOST];
     const size_t each = n / (size_t)threads, more = n % (size_t)threads;
     int started = 1;
     for (size_t i = 0, from = 0; i < (size_t)threads; i++) {
         const size_t to = from + each + (i < more);
-        shares[i] = (share){.part = part, .self = self, .from = from, .to = to};
+        jobs[i] = (job){.work = work, .self = self, .from = from, .to = to};
         from = to;
     }
-    while (started < threads && pthread_create(&shares[started].thread, NULL,
-                                               do_share, &shares[started]) == 0)
+    while (started < threads && pthread_create(&jobs[started].thread, NULL,
+                                               run_job, &jobs[started]) == 0)
         started++;
-    do_share(&shares[0]);
+    run_job(&jobs[0]);
     for (int i = started; i < threads; i++)
-        do_share(&shares[i]);
+        run_job(&jobs[i]);
     for (int i = 1; i < started; i++)
-        pthread_join(shares[i].thread, NULL);
+        pthread_join(jobs[i].thread, NULL);
 }
 
 static long smaller(long x, long y)
@@ -48,13 +63,14 @@ static long smaller(long x, long y)
     return x < y ? x : y;
 }
 
-/* For so many shapes, 3 ms of work, a thread is worth its making by far. */
-enum { LEAST_SHARE = 4096 };
+/* A thread gets at least so many shapes.  They take 3 ms, far more than
+ * starting the thread. */
+enum { LEAST_SHAPES = 4096 };
 
 int cylint_threads_for(size_t n, int wanted)
 {
-    const long most = wanted > 0 ? wanted : sysconf(_SC_NPROCESSORS_ONLN);
-    const size_t busy = n / LEAST_SHARE;
+    const long most = wanted > 0 ? wanted : processors();
+    const size_t busy = n / LEAST_SHAPES;
     const long threads =
         smaller(smaller(most, CYLINT_THREADS_MOST),
                 busy < CYLINT_THREADS_MOST ? (long)busy : CYLINT_THREADS_MOST);
@@ -63,11 +79,11 @@ int cylint_threads_for(size_t n, int wanted)
 
 #else
 
-void cylint_threads_run(int threads, size_t n, cylint_thread_work *part,
+void cylint_threads_run(int threads, size_t n, cylint_thread_work *work,
                         void *self)
 {
     (void)threads;
-    part(self, 0, n);
+    work(self, 0, n);
 }
 
 int cylint_threads_for(size_t n, int wanted)

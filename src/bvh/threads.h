@@ -1,8 +1,8 @@
 /*
- * threads.h - threads that share work, where there are any
+ * threads.h - work that several threads share
  *
- * With CYLINT_THREADS they are POSIX threads; without, the caller does all.
- * What comes out must not depend on who does what.
+ * With CYLINT_THREADS these are POSIX threads.  Without it the caller does all
+ * the work.  The result of the work must not depend on how it is divided.
  */
 #ifndef CYLINT_BVH_THREADS_H
 #define CYLINT_BVH_THREADS_H
@@ -11,59 +11,59 @@
 
 enum { CYLINT_THREADS_MOST = 64 };
 
-/* How many of the wanted threads, 0 standing for one a processor, find enough
- * to do in n shapes; CYLINT_THREADS_MOST at most. */
+/* The number of threads to use for n shapes, at most `wanted` and at most
+ * CYLINT_THREADS_MOST.  wanted = 0: one for every processor. */
 int cylint_threads_for(size_t n, int wanted);
 
-/* Does [from, to) of n things. */
+/* Does items [from, to) of the work. */
 typedef void cylint_thread_work(void *self, size_t from, size_t to);
 
-/* All n, each once, by so many threads, of which the caller is one, and not by
- * so many if no more are to be had. */
-void cylint_threads_run(int threads, size_t n, cylint_thread_work *part,
+/* Calls `work` for n items, each once, on so many threads, the caller's being
+ * one of them.  Uses fewer if the system refuses threads. */
+void cylint_threads_run(int threads, size_t n, cylint_thread_work *work,
                         void *self);
 
-/* A lock for what the members of a crew share, and a bell to wait for under
- * it: waiting opens the lock, ringing wakes all. */
+/* A mutex and a condition: waiting unlocks the mutex until another thread
+ * wakes all that wait. */
 #ifdef CYLINT_THREADS
 
 #include <pthread.h>
 
 typedef struct cylint_mutex {
     pthread_mutex_t mutex;
-    pthread_cond_t bell;
+    pthread_cond_t condition;
 } cylint_mutex;
 
-/* Neither allocates where both are initialised so. */
+/* Initialised so, neither allocates. */
 #define CYLINT_MUTEX_INITIALIZER                            \
     {                                                       \
         PTHREAD_MUTEX_INITIALIZER, PTHREAD_COND_INITIALIZER \
     }
 
-static inline void cylint_mutex_lock(cylint_mutex *l)
+static inline void cylint_mutex_lock(cylint_mutex *m)
 {
-    pthread_mutex_lock(&l->mutex);
+    pthread_mutex_lock(&m->mutex);
 }
 
-static inline void cylint_mutex_unlock(cylint_mutex *l)
+static inline void cylint_mutex_unlock(cylint_mutex *m)
 {
-    pthread_mutex_unlock(&l->mutex);
+    pthread_mutex_unlock(&m->mutex);
 }
 
-static inline void cylint_mutex_wait(cylint_mutex *l)
+static inline void cylint_mutex_wait(cylint_mutex *m)
 {
-    pthread_cond_wait(&l->bell, &l->mutex);
+    pthread_cond_wait(&m->condition, &m->mutex);
 }
 
-static inline void cylint_mutex_wake_all(cylint_mutex *l)
+static inline void cylint_mutex_wake_all(cylint_mutex *m)
 {
-    pthread_cond_broadcast(&l->bell);
+    pthread_cond_broadcast(&m->condition);
 }
 
-static inline void cylint_mutex_destroy(cylint_mutex *l)
+static inline void cylint_mutex_destroy(cylint_mutex *m)
 {
-    pthread_cond_destroy(&l->bell);
-    pthread_mutex_destroy(&l->mutex);
+    pthread_cond_destroy(&m->condition);
+    pthread_mutex_destroy(&m->mutex);
 }
 
 #else
@@ -71,25 +71,25 @@ static inline void cylint_mutex_destroy(cylint_mutex *l)
 typedef char cylint_mutex;
 #define CYLINT_MUTEX_INITIALIZER 0
 
-static inline void cylint_mutex_lock(cylint_mutex *l)
+static inline void cylint_mutex_lock(cylint_mutex *m)
 {
-    (void)l;
+    (void)m;
 }
-static inline void cylint_mutex_unlock(cylint_mutex *l)
+static inline void cylint_mutex_unlock(cylint_mutex *m)
 {
-    (void)l;
+    (void)m;
 }
-static inline void cylint_mutex_wait(cylint_mutex *l)
+static inline void cylint_mutex_wait(cylint_mutex *m)
 {
-    (void)l;
+    (void)m;
 }
-static inline void cylint_mutex_wake_all(cylint_mutex *l)
+static inline void cylint_mutex_wake_all(cylint_mutex *m)
 {
-    (void)l;
+    (void)m;
 }
-static inline void cylint_mutex_destroy(cylint_mutex *l)
+static inline void cylint_mutex_destroy(cylint_mutex *m)
 {
-    (void)l;
+    (void)m;
 }
 
 #endif

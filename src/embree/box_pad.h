@@ -45,7 +45,7 @@ static inline double cylint_box_pad(const cylint_extent *all, int sizes)
 static inline struct RTCBounds cylint_padded_box(const cylint_extent *box,
                                                  double pad)
 {
-    const double most = (double)CYLINT_EXTENT_MOST * (1 - 0x1p-23);
+    const double most = (double)CYLINT_EXTENT_LIMIT * (1 - 0x1p-23);
     double lo[3], hi[3];
     for (int j = 0; j < 3; j++) {
         lo[j] = fmax(box->lower[j] - pad, -most);

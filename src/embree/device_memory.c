@@ -3,19 +3,19 @@
  */
 #include "device_memory.h"
 
-static void *take_buffer(void *device, size_t bytes, void **handle)
+static void *allocate_buffer(void *device, size_t bytes, void **handle)
 {
     RTCBuffer buffer = rtcNewBuffer(device, bytes);
     *handle = buffer;
     return buffer ? rtcGetBufferData(buffer) : NULL;
 }
 
-static void give_buffer(void *buffer)
+static void release_buffer(void *buffer)
 {
     rtcReleaseBuffer(buffer);
 }
 
 cylint_memory_source cylint_device_memory(RTCDevice device)
 {
-    return (cylint_memory_source){device, take_buffer, give_buffer};
+    return (cylint_memory_source){device, allocate_buffer, release_buffer};
 }

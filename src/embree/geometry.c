@@ -151,8 +151,8 @@ static void name_by_rank(const cylint_bvh *group, uint32_t *rank,
                          uint32_t *number)
 {
     uint32_t next = 0;
-    for (size_t i = 0; i < group->n; i++) {
-        cylint_leaf *block = (cylint_leaf *)&group->blocks[i];
+    for (size_t i = 0; i < group->n_leaves; i++) {
+        cylint_leaf *block = (cylint_leaf *)&group->leaves[i];
         for (int lane = 0; lane < cylint_leaf_used(block); lane++) {
             uint32_t *here = &rank[block->number[lane]];
             if (*here == UINT32_MAX) {
@@ -262,8 +262,8 @@ static int fill(RTCGeometry geometry, cylint_embree_data *data,
         return 0;
     }
     problem->status = CYLINT_EMBREE_OK;
-    rtcSetGeometryUserPrimitiveCount(geometry, data->walk ? data->group.n > 0
-                                                          : (unsigned)data->n);
+    rtcSetGeometryUserPrimitiveCount(
+        geometry, data->walk ? data->group.n_leaves > 0 : (unsigned)data->n);
     rtcCommitGeometry(geometry);
     return 1;
 }

@@ -106,14 +106,14 @@ static unsigned try_met(void *self, const cylint_packet_leaf *met)
     for (unsigned of = rays; of; of &= of - 1) {
         const int k = cylint_lowest(of);
         left[k] = met->lanes[k];
-        fetch_shapes(b->query[0].data, met->block, left[k]);
+        fetch_shapes(b->query[0].data, met->leaf, left[k]);
     }
     while (rays) {
         inquiry r;
         r.n = 0;
         for (unsigned of = rays; of; of &= of - 1) {
             const int k = cylint_lowest(of);
-            if (left[k] && turn_to_nearest(&b->query[k], met->block, &left[k],
+            if (left[k] && turn_to_nearest(&b->query[k], met->leaf, &left[k],
                                            met->least[k]))
                 add(&r, &b->query[k]);
             else
@@ -216,7 +216,7 @@ static int are_enough(unsigned rays, unsigned N)
 static unsigned neighbours(unsigned rays, const cylint_bvh *group,
                            const float *packet, unsigned N)
 {
-    const float S = group->near_by / 256; /* its longest side */
+    const float S = group->near_distance / 256; /* its longest side */
     const float *o = packet + cylint_lowest(rays);
     unsigned near = 0;
     for (; rays; rays &= rays - 1) {

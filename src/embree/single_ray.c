@@ -27,7 +27,7 @@ int cylint_trace_single(query *q, unsigned primID)
         return cylint_ray_test_shape(q, primID, 0);
     const cylint_float_ray *ray = floats_of_ray(q->ray);
     if (q->any && !has_filters(q)) {
-        if (q->data->walk->shadow(&q->data->group, ray, try_lanes, q)) {
+        if (q->data->walk->occluded(&q->data->group, ray, try_lanes, q)) {
             q->ray->tfar = -HUGE_VALF;
             return 1;
         }

@@ -73,7 +73,7 @@ static void count(const struct cylinder_kind *kind, size_t n)
         printf("%s\t%zu\t%s\t%.2f\t%.2f\t%.2f\t%.2f\t%.4f\n", kind->name, n,
                camera ? "coherent" : "incoherent",
                (double)cylint_visits.nodes / n_rays,
-               (double)cylint_visits.blocks / n_rays,
+               (double)cylint_visits.leaves / n_rays,
                (double)cylint_visits.lanes / n_rays,
                (double)counted.shapes / n_rays,
                (double)counted.exactly / n_rays);
