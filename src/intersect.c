@@ -223,11 +223,11 @@ static const unsigned beside_t =
     CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
 
 static void describe(cylint_query *q, const stop *at, double t, double more,
-                     unsigned want, cylint_hit *hit)
+                     double error, unsigned want, cylint_hit *hit)
 {
     if (want & beside_t)
-        cylint_describe_hit(q, at->root, t, more, at->part, at->apex, want,
-                            hit);
+        cylint_describe_hit(q, at->root, t, more, error, at->part, at->apex,
+                            want, hit);
 }
 
 int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
@@ -258,7 +258,7 @@ int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
             hit->part = v.at[i].part;
             hit->side = v.at[i].side;
         }
-        describe(&q, &v.at[i], t, more, want, hit);
+        describe(&q, &v.at[i], t, more, 1.01 * q.t_error * fabs(t), want, hit);
         if (want & CYLINT_WANT_NEAREST)
             break;
     }
@@ -287,8 +287,7 @@ static void describe_hits(const cylint_shape *shape, const cylint_line *line,
             hit->part = k->part;
             hit->side = k->side;
         }
-        q.t_error = rest->error[i] / fabs(k->t);
-        describe(&q, &at, k->t, rest->more[i], want, hit);
+        describe(&q, &at, k->t, rest->more[i], rest->error[i], want, hit);
     }
 }
 
@@ -326,18 +325,31 @@ static int contradicts(const cylint_shape *shape, const cylint_line *line,
 }
 #endif
 
+/* The fast mode is about t alone: all else is computed from the root. */
+ASIDE int ask_fast_and_more(const cylint_shape *shape, const cylint_line *line,
+                            unsigned want, cylint_answer *answer)
+{
+    ask_more(shape, line, want & ~(unsigned)CYLINT_WANT_FAST, answer);
+    return cylint_kernels_used()->one(shape, line, want & ~beside_t, answer,
+                                      NULL);
+}
+
 int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer)
 {
     answer->flags = 0;
 #if CYLINT_IS_PARANOID
-    if (want & beside_t)
+    if (want & beside_t && want & CYLINT_WANT_FAST)
+        ask_fast_and_more(shape, line, want, answer);
+    else if (want & beside_t)
         ask_more(shape, line, want, answer);
     else
         cylint_kernels_used()->one(shape, line, want, answer, NULL);
     cylint_contradiction(contradicts(shape, line, want, answer));
     return answer->n;
 #else
+    if (want & beside_t && want & CYLINT_WANT_FAST)
+        return ask_fast_and_more(shape, line, want, answer);
     if (want & beside_t)
         return ask_more(shape, line, want, answer);
     return cylint_kernels_used()->one(shape, line, want, answer, NULL);

@@ -252,3 +252,68 @@ void constructed_wild(uint64_t seed, uint64_t index, struct family_case *out)
         x[12] = fabs(x[12]);
     } while (!family_make(out));
 }
+
+/* --------------------------------------------------------------- plain -- */
+
+/* A number as people write it: whole, or in tenths, which no double is. */
+static double plain_number(int most, int tenths)
+{
+    return tenths ? whole(-10 * most, 10 * most) / 10.0 : whole(-most, most);
+}
+
+/* Rarely one that is far from all others, so that things nearly cancel. */
+static double odd_number(void)
+{
+    static const double odd[] = {1e17, 1e-17, 1e-9, 1e9, 0x1p-1022, 1e150};
+    return odd[one_of(6)];
+}
+
+static void plain_vector(double v[3], int most, int tenths)
+{
+    const int along = one_of(3) ? -1 : one_of(3); /* a coordinate */
+    for (int i = 0; i < 3; i++)
+        v[i] = along < 0 || along == i ? plain_number(most, tenths) : 0;
+}
+
+static void plain_shape(struct family_case *c, int most, int tenths)
+{
+    double *x = c->shape_data;
+    const int size = family_shape_size(c->shape_word);
+    for (int i = 0; i + 3 <= size; i += 3)
+        plain_vector(x + i, most, tenths);
+    if (c->shape_word == FAMILY_CONE) {
+        plain_vector(x + 4, most, tenths);
+        x[3] = fabs(plain_number(most, tenths));
+        x[7] = fabs(plain_number(most, tenths));
+    }
+    if (c->shape_word <= FAMILY_ACONE && one_of(2)) /* along a coordinate */
+        for (int i = 1; i < 3; i++) {
+            const int from = c->shape_word == FAMILY_CONE ? 4 : 3;
+            x[from + i] = c->shape_word == FAMILY_ACONE ? 0 : x[i];
+        }
+    if (c->shape_word == FAMILY_CYLINDER)
+        x[6] = fabs(plain_number(most, tenths));
+    if (c->shape_word == FAMILY_ACONE)
+        x[6] = one_of(4) ? whole(1, 89) : 1e-9 * whole(1, 100);
+    if (c->shape_word == FAMILY_ECONE)
+        x[12] = fabs(plain_number(most, tenths));
+    if (one_of(8) == 0)
+        x[size - 1] = odd_number();
+}
+
+void constructed_plain(uint64_t seed, uint64_t index, struct family_case *out)
+{
+    begin(seed, index);
+    do {
+        const int most = 1 << (1 + one_of(5)), tenths = one_of(3) == 0;
+        memset(out, 0, sizeof *out);
+        out->line_word = (family_line)one_of(3);
+        out->shape_word = (family_shape)one_of(5);
+        out->ends = (cylint_ends)one_of(6);
+        plain_shape(out, most, tenths);
+        plain_vector(out->line_data, most, tenths);
+        plain_vector(out->line_data + 3, most, tenths);
+        if (one_of(16) == 0)
+            out->line_data[one_of(6)] *= odd_number();
+    } while (!family_make(out));
+}

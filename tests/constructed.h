@@ -26,6 +26,10 @@ int constructed_neighbour(const struct family_case *base, int which,
 /* Every number with an exponent of its own out of -1074 ... 1023. */
 void constructed_wild(uint64_t seed, uint64_t index, struct family_case *out);
 
+/* Small whole numbers or tenths, often along the coordinates, rarely one that
+ * is far from the others. */
+void constructed_plain(uint64_t seed, uint64_t index, struct family_case *out);
+
 /* x moved by that many units in the last place; infinities not reached. */
 double constructed_stepped(double x, int ulps);
 

@@ -399,6 +399,13 @@ int oracle_contains(const cylint_shape *shape, const double point[3])
 
 /* -------------------------------------- points, normals, z and the angle -- */
 
+/* The nearest double, but a zero for a zero alone. */
+static double double_of(mpfr_t x)
+{
+    const double nearest = mpfr_get_d(x, MPFR_RNDN);
+    return nearest == 0 && !mpfr_zero_p(x) ? mpfr_sgn(x) * 0x1p-1074 : nearest;
+}
+
 static void point_at(const critical *at, double point[3])
 {
     mpfr_t x;
@@ -406,7 +413,7 @@ static void point_at(const critical *at, double point[3])
     for (int i = 0; i < 3; i++) {
         linear_value(x, o_.o[i], o_.d[i], at);
         mpfr_mul_2si(x, x, o_.unit, MPFR_RNDN);
-        point[i] = mpfr_get_d(x, MPFR_RNDN);
+        point[i] = double_of(x);
     }
     mpfr_clear(x);
 }
@@ -417,7 +424,7 @@ static double z_at(const critical *at)
     mpfr_init2(z, BITS);
     linear_value(z, o_.Z.g0, o_.Z.g1, at);
     mpfr_div_z(z, z, o_.whole, MPFR_RNDN);
-    const double value = mpfr_get_d(z, MPFR_RNDN);
+    const double value = double_of(z);
     mpfr_clear(z);
     return value;
 }
@@ -435,7 +442,7 @@ static void normalise(mpfr_t v[3], double out[3])
     mpfr_sqrt(sum, sum, MPFR_RNDN);
     for (int i = 0; i < 3; i++) {
         mpfr_div(v[i], v[i], sum, MPFR_RNDN);
-        out[i] = mpfr_get_d(v[i], MPFR_RNDN);
+        out[i] = double_of(v[i]);
         mpfr_clear(v[i]);
     }
     mpfr_clears(sum, square, (mpfr_ptr)NULL);
@@ -559,7 +566,7 @@ static double phi_at(const critical *at)
     if (mpfr_sgn(x) < 0) {
         mpfr_add_ui(x, x, 1, MPFR_RNDN);
     }
-    const double phi = mpfr_get_d(x, MPFR_RNDN);
+    const double phi = double_of(x);
     mpfr_clears(x, y, turn, (mpfr_ptr)NULL);
     return phi;
 }

@@ -14,7 +14,8 @@
 
 /* What cylint_intersect must answer.  relation, n and of each hit t, part
  * and side are always written, the rest as far as `want` names it; NEAREST
- * keeps the first hit only.  -0 and 0 are not told apart. */
+ * keeps the first hit only.  -0 and 0 are not told apart.  Of point, normal, z
+ * and phi what is not 0 is not given as 0, but as 2^-1074 or more in size. */
 void oracle_intersect(const cylint_shape *shape, const cylint_line *line,
                       unsigned want, cylint_answer *expected);
 

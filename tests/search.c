@@ -101,7 +101,7 @@ static double error_of(const struct family_case *c, enum goal goal)
             off[ULPS_T] =
                 ulps_apart(got.hit[i].t, want.hit[i].t, want.hit[i].t);
         else
-            ulps_of_hit(c->line.o, &got.hit[i], &want.hit[i], off);
+            ulps_of_hit(&got.hit[i], &want.hit[i], off);
         worst = fmax(worst, off[measure[goal]]);
     }
     return worst;

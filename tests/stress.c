@@ -2,7 +2,8 @@
  * stress.c - the library against the oracle, for as long as one likes
  *
  * Every family, and the constructed coincidences with all their neighbours:
- * relation, number, parts, sides and every bit of t.  The work is done in
+ * relation, number, parts, sides, every bit of t, and each component of point,
+ * normal, z and phi within 4 units in its own last place.  The work is done in
  * rounds, shared out to processes; a case depends on the seed and its number
  * alone, not on how many processes there are.
  *
@@ -21,16 +22,19 @@
 
 #include "constructed.h"
 #include "oracle.h"
+#include "ulps.h"
 
 enum { MOST_FAMILIES = 40, MOST_JOBS = 64, SHOWN = 10 };
 enum { CASES_A_ROUND = 200, BASES_A_ROUND = 4, WILD_A_ROUND = 40 };
-enum { EXTRA = 2 }; /* families beside those of families.c */
+enum { PLAIN_A_ROUND = 800, ULPS = 4 };
+enum { EXTRA = 3 }; /* families beside those of families.c */
 
-static const char *const extra_names[EXTRA] = {"coincidences, neighbours",
-                                               "wild exponents"};
+static const char *const extra_names[EXTRA] = {
+    "coincidences, neighbours", "wild exponents", "plain numbers"};
 
 struct tally {
-    long cases, hits, verdicts, roots; /* the last two: wrong ones */
+    long cases, hits, verdicts, roots, derived; /* the last three: wrong */
+    double off[MEASURES];                       /* the largest error */
 };
 
 /* What a process says after each round, in one write. */
@@ -88,20 +92,35 @@ static int same_roots(const cylint_answer *got, const cylint_answer *want)
     return 1;
 }
 
+static int near_numbers(const cylint_answer *got, const cylint_answer *want,
+                        struct tally *sum)
+{
+    int near = 1;
+    for (int i = 0; i < want->n; i++) {
+        double off[MEASURES];
+        ulps_of_hit(&got->hit[i], &want->hit[i], off);
+        for (int k = ULPS_POINT; k < MEASURES; k++) {
+            sum->off[k] = fmax(sum->off[k], off[k]);
+            near &= off[k] <= ULPS;
+        }
+    }
+    return near;
+}
+
 static void try_case(const struct family_case *c, struct tally *sum)
 {
     static int shown;
     cylint_answer got, want;
-    cylint_intersect(&c->shape, &c->line, CYLINT_WANT_T | CYLINT_WANT_PART,
-                     &got);
-    oracle_intersect(&c->shape, &c->line, CYLINT_WANT_T | CYLINT_WANT_PART,
-                     &want);
+    cylint_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &got);
+    oracle_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &want);
     sum->cases++;
     sum->hits += want.n;
     const int verdict = same_verdict(&got, &want);
-    const int good = verdict && same_roots(&got, &want);
+    const int root = verdict && same_roots(&got, &want);
+    const int good = root && near_numbers(&got, &want, sum);
     sum->verdicts += !verdict;
-    sum->roots += verdict && !good;
+    sum->roots += verdict && !root;
+    sum->derived += root && !good;
     if (!good && shown++ < SHOWN) {
         show(c, &got, "got");
         show(c, &want, "want");
@@ -132,6 +151,10 @@ static void do_round(uint64_t seed, uint64_t round, struct report *said)
         constructed_wild(seed, round * WILD_A_ROUND + i, &c);
         try_case(&c, &said->of[families + 1]);
     }
+    for (uint64_t i = 0; i < PLAIN_A_ROUND; i++) {
+        constructed_plain(seed, round * PLAIN_A_ROUND + i, &c);
+        try_case(&c, &said->of[families + 2]);
+    }
 }
 
 static void work(uint64_t seed, int job, int jobs, long cases, time_t until,
@@ -160,6 +183,9 @@ static long add(struct report *sum, const struct report *said)
         sum->of[f].hits += said->of[f].hits;
         sum->of[f].verdicts += said->of[f].verdicts;
         sum->of[f].roots += said->of[f].roots;
+        sum->of[f].derived += said->of[f].derived;
+        for (int k = 0; k < MEASURES; k++)
+            sum->of[f].off[k] = fmax(sum->of[f].off[k], said->of[f].off[k]);
         cases += sum->of[f].cases;
     }
     return cases;
@@ -191,23 +217,33 @@ static int collect(int from, int jobs, double wanted, struct report *sum)
     return well;
 }
 
+static void print_row(const char *name, const struct tally *t)
+{
+    printf("%-24s %9ld %9ld %7ld %7ld %7ld  %6g %6g %6g %6g\n", name, t->cases,
+           t->hits, t->verdicts, t->roots, t->derived, t->off[ULPS_POINT],
+           t->off[ULPS_NORMAL], t->off[ULPS_Z], t->off[ULPS_PHI]);
+}
+
 static int print_table(const struct report *sum)
 {
-    struct tally all = {0, 0, 0, 0};
-    puts("family                       cases       hits  wrong verdict"
-         "  wrong t");
+    struct tally all = {0};
+    puts("                                               wrong            "
+         "         worst, ulp\n"
+         "family                       cases      hits verdict       t  beside"
+         "   point normal      z    phi");
     for (int f = 0; f < family_count() + EXTRA; f++) {
         const struct tally *t = &sum->of[f];
-        printf("%-24s %9ld  %9ld  %13ld  %7ld\n", name_of(f), t->cases, t->hits,
-               t->verdicts, t->roots);
+        print_row(name_of(f), t);
         all.cases += t->cases;
         all.hits += t->hits;
         all.verdicts += t->verdicts;
         all.roots += t->roots;
+        all.derived += t->derived;
+        for (int k = 0; k < MEASURES; k++)
+            all.off[k] = fmax(all.off[k], t->off[k]);
     }
-    printf("%-24s %9ld  %9ld  %13ld  %7ld\n", "all", all.cases, all.hits,
-           all.verdicts, all.roots);
-    const long failed = all.verdicts + all.roots;
+    print_row("all", &all);
+    const long failed = all.verdicts + all.roots + all.derived;
     printf("%ld passed, %ld failed\n", all.cases - failed, failed);
     return failed == 0;
 }

@@ -182,7 +182,7 @@ static int agrees(const struct family_case *c)
     int same = CHECK(got.relation == want.relation) && CHECK(got.n == want.n);
     for (int i = 0; same && i < want.n; i++) {
         double off[MEASURES];
-        ulps_of_hit(c->line.o, &got.hit[i], &want.hit[i], off);
+        ulps_of_hit(&got.hit[i], &want.hit[i], off);
         same = CHECK(got.hit[i].t == want.hit[i].t) &&
                CHECK(got.hit[i].part == want.hit[i].part) &&
                CHECK(got.hit[i].side == want.hit[i].side);

@@ -355,7 +355,7 @@ static int limbs_used(const wild *c, int kind)
         if (!exists(q, root))
             continue;
         cylint_root_within(q, root, 1, &t, &more);
-        cylint_describe_hit(q, root, t, more, CYLINT_PART_LATERAL, 0,
+        cylint_describe_hit(q, root, t, more, 0, CYLINT_PART_LATERAL, 0,
                             CYLINT_WANT_ALL, &hit);
     }
     return q->arena.most;

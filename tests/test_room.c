@@ -157,8 +157,8 @@ static void ask_root(cylint_query *q, cylint_root root)
     q->arena.used = used;
     for (int part = CYLINT_PART_LATERAL; part <= CYLINT_PART_CAP1; part++)
         for (int apex = 0; apex < 2; apex++)
-            cylint_describe_hit(q, root, t, more, part, apex, CYLINT_WANT_ALL,
-                                &hit);
+            cylint_describe_hit(q, root, t, more, 0, part, apex,
+                                CYLINT_WANT_ALL, &hit);
 }
 
 /* The most limbs in use, in one such question. */

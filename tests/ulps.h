@@ -1,9 +1,8 @@
 /*
  * ulps.h - how far apart two answers are, in units in the last place
  *
- * The units: of t, its own; of a point, that of its largest coordinate; of
- * normals and angles, that of numbers just below 1; of z, that of z or, if
- * that is larger, of numbers just below 1.
+ * The unit of each number is its own: of t, of each component of points and
+ * normals, of z and of phi.  What is 0 must be 0, and not -0.
  */
 #ifndef CYLINT_ULPS_H
 #define CYLINT_ULPS_H
@@ -35,36 +34,39 @@ static inline double ulps_apart(double x, double y, double size)
     return off == off ? off : HUGE_VAL;
 }
 
-static inline double ulps_largest(const double v[3])
+/* A member of a hit: infinite unless 0 is 0. */
+static inline double ulps_member(double got, double want)
 {
-    return fmax(fmax(fabs(v[0]), fabs(v[1])), fabs(v[2]));
+    if (got == 0 && signbit(got))
+        return HUGE_VAL;
+    return want == 0 && got != 0 ? HUGE_VAL : ulps_apart(got, want, want);
 }
 
-static inline double ulps_vectors(const double x[3], const double y[3],
-                                  double size)
+static inline double ulps_vectors(const double got[3], const double want[3])
 {
     double worst = 0;
     for (int i = 0; i < 3; i++)
-        worst = fmax(worst, ulps_apart(x[i], y[i], size));
+        worst = fmax(worst, ulps_member(got[i], want[i]));
     return worst;
 }
 
-/* Of the line's origin: where less than that is left of it, the point is at
- * the coordinates' origin but for the last of the digits computed. */
-#define LEFT_OF_ORIGIN 0x1p-90
+/* Angles in turns: what rounds to a whole turn is given as 0. */
+static inline double ulps_turns(double got, double want)
+{
+    if (got == 0 && !signbit(got) && want > 0.75)
+        return ulps_apart(1, want, 0.75);
+    return ulps_member(got, want);
+}
 
 /* Of one hit, all members computed. */
-static inline void ulps_of_hit(const double o[3], const cylint_hit *got,
-                               const cylint_hit *want, double off[MEASURES])
+static inline void ulps_of_hit(const cylint_hit *got, const cylint_hit *want,
+                               double off[MEASURES])
 {
-    const double turn = fabs(got->phi - want->phi);
     off[ULPS_T] = ulps_apart(got->t, want->t, want->t);
-    off[ULPS_POINT] = ulps_vectors(
-        got->point, want->point,
-        fmax(ulps_largest(want->point), ulps_largest(o) * LEFT_OF_ORIGIN));
-    off[ULPS_NORMAL] = ulps_vectors(got->normal, want->normal, 0.75);
-    off[ULPS_Z] = ulps_apart(got->z, want->z, fmax(fabs(want->z), 0.75));
-    off[ULPS_PHI] = ulps_apart(turn > 0.5 ? 1 - turn : turn, 0, 0.75);
+    off[ULPS_POINT] = ulps_vectors(got->point, want->point);
+    off[ULPS_NORMAL] = ulps_vectors(got->normal, want->normal);
+    off[ULPS_Z] = ulps_member(got->z, want->z);
+    off[ULPS_PHI] = ulps_turns(got->phi, want->phi);
 }
 
 #endif

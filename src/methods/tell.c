@@ -10,6 +10,8 @@
  */
 #include "methods.h"
 
+#include "../shapes/measure.h"
+
 typedef struct frame {
     double x_of[3], y_of[3], z_of[3]; /* the gradients of x, y and z */
     double rho, drho;                 /* rho(z) = rho + drho z */
@@ -65,17 +67,12 @@ static frame frame_of(const cylint_shape *shape)
     return f;
 }
 
-/* Along the axis, away from the solid; of a double cone against d, and
- * where d is perpendicular to it, towards the base. */
-static void normal_at_apex(const cylint_shape *shape, const frame *f,
-                           const double d[3], double normal[3])
+static void normal_at_apex(const cylint_shape *shape, const double d[3],
+                           double normal[3])
 {
-    double sign = f->drho < 0 ? 1 : -1;
+    const double climb = dot(d, shape->axis);
+    const int sign = cylint_apex_normal_sign(shape, (climb > 0) - (climb < 0));
 
-    if (shape->ends == CYLINT_ENDS_INFINITE) {
-        const double climb = dot(d, shape->axis);
-        sign = climb < 0 ? 1 : -1;
-    }
     for (int i = 0; i < 3; i++)
         normal[i] = sign * shape->axis[i];
     unit(normal, normal);
@@ -94,7 +91,7 @@ static void normal_at(const cylint_shape *shape, const frame *f,
         return;
     }
     if (x == 0 && y == 0) {
-        normal_at_apex(shape, f, d, normal);
+        normal_at_apex(shape, d, normal);
         return;
     }
     const double slope = (f->rho + f->drho * z) * f->drho;

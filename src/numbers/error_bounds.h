@@ -67,6 +67,28 @@
 #define CYLINT_SURD_ERROR 0x1p-97
 
 /*
+ * What a hit has beside t is computed from t and the root's rest as a multiple
+ * of 2^-12 units in the last place of t (root.c): few enough bits that the
+ * errors of most roots, 2^-20 units or less, leave no doubt about the multiple;
+ * enough that a point 2^9 times nearer to the origin than |t d| has its digits.
+ * Where |t d| is 2^7 sizes of the shape or more, a better root is taken at
+ * once.  These choices are about speed: other values change last digits, not
+ * the bound on them.  A rest that is nearer to the middle between two multiples
+ * than the margin is computed in every digit; there its error is below 2^-52 of
+ * a rest of 2^11 multiples at most, which is less than the margin.  t is such
+ * that its rest and products with it are normal.
+ */
+#define CYLINT_REST_BITS 12
+#define CYLINT_REST_FAR 0x1p7
+#define CYLINT_REST_MARGIN 0x1p-20
+#define CYLINT_REST_LEAST 0x1p-300
+#define CYLINT_REST_MOST 0x1p300
+
+/* A relative error that leaves all but a few digits of a pair.  Where Newton's
+ * step leaves a larger one, the root is computed in every digit. */
+#define CYLINT_POLISHED 0x1p-90
+
+/*
  * Errors in pairs are summed up operation by operation (sign.h, wide), in
  * doubles and in units of CYLINT_PAIR_ROUNDING; a path of K operations meets
  * at most 5 K roundings of that sum and of high parts.  Proved.

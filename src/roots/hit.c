@@ -1,24 +1,67 @@
 /*
- * hit.c - what a hit can tell beside t: point, normal, z and angle
+ * hit.c - what a hit has beside t: point, normal, z and angle
  *
- * Everything is computed in pairs of doubles from the root as a pair, so
- * that a far origin or a thin shape costs no digits, and rounded at the end.
- * Where the point's coordinates nearly cancel, or the data are too wild for
- * pairs, the same forms are evaluated in every digit, and at the root by
- * surd.c, which loses none of them.
+ * They are functions of the question and of which root the hit is, however
+ * the root was found.  The point and the facts below are affine in t.  They
+ * are computed three times at most, each time with bounds on their errors:
+ *
+ *   1. in pairs of doubles, at t and its canonical rest (root.c);
+ *   2. in pairs, at the root as a pair, for what cancels;
+ *   3. in every digit, by surd.c, for what cancels still, for exact zeros and
+ *      for data too wild for pairs.
+ *
+ * A group of facts goes on to the next step unless each of its numbers has its
+ * own digits.  Every step depends on the question alone, and so does the
+ * choice among them: all paths give the same bits.
  */
+#include <limits.h>
+
 #include "roots.h"
 
-/* An error so many times smaller leaves 54 bits. */
+/* An accepted number's error is so many times smaller than the number: at most
+ * one unit in the last place, to which the last rounding adds a half. */
 #define ENOUGH 0x1p54
 
-#define UNDERFLOWS (CYLINT_UNDERFLOW * 0x1p60)
-
-static int keeps_digits(wide x, double least)
+/*
+ * A zero is accepted if no rounding was on its way, that is if the sum of the
+ * errors is 0, and no product can have underflowed: a component of the data is
+ * 0 or at least 2^-150, a difference of two such is 0 or at least 2^-202, and
+ * no fact is of a degree above 5.
+ */
+static int is_tame(double x)
 {
-    return cylint_larger(fabs(x.v.hi), least) >
-           ENOUGH * wide_error(x) + UNDERFLOWS;
+    return cylint_sign(x) == 0 || fabs(x) >= 0x1p-150;
 }
+
+static int data_are_tame(const cylint_query *q)
+{
+    const cylint_shape *s = q->shape;
+    const cylint_line *l = q->line;
+    int tame = is_tame(s->r0) && is_tame(s->r1) && is_tame(s->dr);
+    for (int i = 0; i < 3; i++) {
+        tame &= is_tame(l->o[i]) && is_tame(l->d[i]);
+        tame &= is_tame(s->base[i]) && is_tame(s->axis[i]);
+        if (q->kind >= CYLINT_KIND_ECYLINDER)
+            tame &= is_tame(s->a[i]) && is_tame(s->b[i]);
+    }
+    return tame;
+}
+
+/* Whether the error of x is small beside a size. */
+static int is_known(wide x, double size)
+{
+    return size > ENOUGH * wide_error(x);
+}
+
+/* Whether x has digits enough of its own. */
+static int has_digits(const cylint_query *q, wide x)
+{
+    if (x.off == 0) /* a datum, or a sum of products by 0 */
+        return x.v.hi != 0 || data_are_tame(q);
+    return is_known(x, fabs(x.v.hi));
+}
+
+/* ------------------------------------------------- the last roundings -- */
 
 static floating floating_of_wide(wide x)
 {
@@ -30,37 +73,56 @@ static double rounded(floating x)
     return cylint_scaled(x.v.hi, x.e);
 }
 
-static void normalise(const floating x[3], int sign, double to[3])
+/* Below those of all other numbers for 0. */
+static int exponent_of(floating x)
 {
-    int most = 0;
-    for (int i = 1; i < 3; i++)
-        if (x[most].v.hi == 0 ||
-            (x[i].v.hi != 0 && x[i].e + cylint_exponent(x[i].v.hi) >
-                                   x[most].e + cylint_exponent(x[most].v.hi)))
-            most = i;
-    const int e = x[most].e + cylint_exponent(x[most].v.hi);
-    double y[3];
-    for (int i = 0; i < 3; i++)
-        y[i] = cylint_scaled(x[i].v.hi, x[i].e - e);
-    const double size = sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
-    for (int i = 0; i < 3; i++)
-        to[i] = sign * y[i] / size + 0; /* no -0 */
+    return x.v.hi == 0 ? INT_MIN / 2 : x.e + cylint_exponent(x.v.hi);
 }
 
-/* atan2(y, x) over 2 pi, in [0, 1). */
+/* x 2^e. */
+static pair pair_of(floating x, int e)
+{
+    return (pair){cylint_scaled(x.v.hi, x.e + e),
+                  cylint_scaled(x.v.lo, x.e + e)};
+}
+
+/* x / |x|, each component within 3 units in its last place: |x|^2 is summed
+ * in pairs, so that there remain the roundings of it, of its root, of the
+ * component and of the quotient. */
+static void normalise(const floating x[3], int sign, double to[3])
+{
+    int e = exponent_of(x[0]);
+    for (int i = 1; i < 3; i++)
+        e = exponent_of(x[i]) > e ? exponent_of(x[i]) : e;
+    pair sum = {0, 0};
+    for (int i = 0; i < 3; i++) {
+        const pair y = pair_of(x[i], -e);
+        sum = pair_add(sum, pair_mul(y, y));
+        to[i] = y.hi;
+    }
+    const double size = sign * sqrt(sum.hi);
+    for (int i = 0; i < 3; i++)
+        to[i] = to[i] / size + 0; /* no -0 */
+}
+
+/* atan2(y, x) over 2 pi, in [0, 1).  The low parts dx and dy turn the angle by
+ * (x dy - y dx) / (x^2 + y^2). */
 static double turns(floating y, floating x)
 {
     const double pi = 3.14159265358979323846;
     if (y.v.hi == 0 && x.v.hi == 0)
         return 0;
-    const int e = x.v.hi == 0 || (y.v.hi != 0 && y.e > x.e) ? y.e : x.e;
-    double phi =
-        atan2(cylint_scaled(y.v.hi, y.e - e), cylint_scaled(x.v.hi, x.e - e)) /
-        (2 * pi);
+    const int ex = exponent_of(x), ey = exponent_of(y), e = ex > ey ? ex : ey;
+    const pair X = pair_of(x, -e), Y = pair_of(y, -e);
+    const double rest =
+        (X.hi * Y.lo - Y.hi * X.lo) / (X.hi * X.hi + Y.hi * Y.hi);
+    double phi = (atan2(Y.hi, X.hi) + rest) / (2 * pi);
     if (phi < 0)
         phi += 1;
     return phi < 1 ? phi + 0 : 0;
 }
+
+/* ------------------------------------------------------------- facts --- */
 
 /* |x| < |y|. */
 static int smaller(pair x, pair y)
@@ -90,7 +152,7 @@ static int least_component(const cylint_query *q)
     return least;
 }
 
-/* What the hit's letters give. */
+/* Forms of the letters whose quotients the hit's numbers are. */
 enum {
     GRADIENT = 0,
     AXIAL = 3,
@@ -103,18 +165,20 @@ enum {
     FACTS
 };
 
-/* Groups of facts that are still needed.  Each is found as if it were alone,
- * so that no answer depends on what else is wanted. */
+/* Groups of facts that are still needed.  Each is computed as if it were
+ * alone, so that no answer depends on what else is wanted. */
 typedef struct {
     int gradient, axial, axis, z, phi;
 } needs;
 
-static needs needs_of(unsigned want, int part, int apex)
+static needs needs_of(unsigned want, cylint_root root, int part, int apex)
 {
     const int normal = (want & CYLINT_WANT_NORMAL) != 0;
     const int lateral = part == CYLINT_PART_LATERAL;
+    const int on_plane = root == ROOT_CAP0 || root == ROOT_CAP1;
     return (needs){normal && lateral && !apex, normal && !lateral,
-                   normal && lateral && apex, (want & CYLINT_WANT_Z) != 0,
+                   normal && lateral && apex,
+                   (want & CYLINT_WANT_Z) != 0 && !on_plane,
                    (want & CYLINT_WANT_PHI) != 0 && !apex};
 }
 
@@ -123,38 +187,37 @@ static int any_need(const needs *n)
     return n->gradient || n->axial || n->axis || n->z || n->phi;
 }
 
-/* A direction: each component beside the largest. */
-static int vector_in_pairs(const wide x[3], floating *facts)
+static int vector_in_pairs(const cylint_query *q, const wide x[3],
+                           floating *facts)
 {
-    double most = 0;
-    int keeps = 1;
+    int known = 1;
     for (int i = 0; i < 3; i++) {
-        most = cylint_larger(most, fabs(x[i].v.hi));
         facts[i] = floating_of_wide(x[i]);
+        known = known && has_digits(q, x[i]);
     }
-    for (int i = 0; i < 3; i++)
-        keeps &= keeps_digits(x[i], most);
-    return keeps;
+    return known;
 }
 
-static int gradient_in_pairs(const letters_wide *L, floating *facts)
+static int gradient_in_pairs(const cylint_query *q, const letters_wide *L,
+                             floating *facts)
 {
     wide x[3];
     for (int i = 0; i < 3; i++)
         x[i] = gradient_wide(L, i);
-    return vector_in_pairs(x, facts);
+    return vector_in_pairs(q, x, facts);
 }
 
-/* The quotient of two; the point may be near, the base's vectors be nearly
- * dependent, so that each must have its own digits. */
-static int z_in_pairs(const letters_wide *L, floating *facts)
+static int z_in_pairs(const cylint_query *q, const letters_wide *L,
+                      floating *facts)
 {
     const wide alpha = form_alpha_wide(L, 0), top = form_root_of_S_wide(L);
     facts[ALPHA] = floating_of_wide(alpha);
     facts[ALPHA_AT_TOP] = floating_of_wide(top);
-    return keeps_digits(alpha, fabs(top.v.hi)) && keeps_digits(top, 0);
+    return has_digits(q, alpha) && has_digits(q, top);
 }
 
+/* The angle is small where y is, if x > 0: then it needs the digits of y.
+ * Elsewhere x and y need those of the larger of them. */
 static int angle_in_pairs(const cylint_query *q, const letters_wide *L,
                           floating *facts)
 {
@@ -164,59 +227,46 @@ static int angle_in_pairs(const cylint_query *q, const letters_wide *L,
     facts[X] = floating_of_wide(x);
     facts[Y] = floating_of_wide(y);
     facts[VV] = floating_of_wide(vv);
-    const double wx = fabs(x.v.hi), wy = fabs(y.v.hi);
     const double scale = q->kind < CYLINT_KIND_ECYLINDER ? sqrt(vv.v.hi) : 1;
-    return keeps_digits(x, wy / scale) && keeps_digits(y, wx * scale);
+    const double wx = fabs(x.v.hi), wy = fabs(y.v.hi);
+    if (!is_known(x, cylint_larger(wx, wy / scale)))
+        return 0;
+    return x.v.hi > 0 ? has_digits(q, y)
+                      : is_known(y, cylint_larger(wy, wx * scale));
 }
 
 static void facts_of(const cylint_query *q, const letters_wide *L, needs *need,
                      floating *facts)
 {
     if (need->axial)
-        need->axial = !vector_in_pairs(axial_wide(L), facts + AXIAL);
+        need->axial = !vector_in_pairs(q, axial_wide(L), facts + AXIAL);
     if (need->axis)
-        need->axis = !vector_in_pairs(L->w, facts + AXIS);
+        need->axis = !vector_in_pairs(q, L->w, facts + AXIS);
     if (need->gradient)
-        need->gradient = !gradient_in_pairs(L, facts + GRADIENT);
+        need->gradient = !gradient_in_pairs(q, L, facts + GRADIENT);
     if (need->z)
-        need->z = !z_in_pairs(L, facts);
+        need->z = !z_in_pairs(q, L, facts);
     if (need->phi)
         need->phi = !angle_in_pairs(q, L, facts);
 }
 
-/* In pairs, the line's origin moved to the hit.  What that would leave with
- * too few digits is needed still, and all of a hit so far away that what
- * underflows counts for more than wide_error() has for it. */
-static void facts_in_pairs(cylint_query *q, pair t, needs *need,
+/* In pairs, with the line's origin moved to the hit, if that lies in the
+ * window in which wide_error() holds. */
+static void facts_in_pairs(cylint_query *q, wide t, needs *need,
                            floating *facts)
 {
-    if (!q->filters || q->near_shape != q->shape)
-        return;
     letters_wide *L = cylint_wide(q);
-    const wide at = {t, q->t_error / CYLINT_PAIR_ROUNDING * fabs(t.hi)};
     wide kept[3];
     int in_window = 1;
     for (int i = 0; i < 3; i++) {
         kept[i] = L->D[0][i];
-        L->D[0][i] = wide_add(kept[i], wide_mul(at, L->u[i]));
+        L->D[0][i] = wide_add(kept[i], wide_mul(t, L->u[i]));
         in_window &= fabs(L->D[0][i].v.hi) <= CYLINT_WINDOW;
     }
     if (in_window)
         facts_of(q, L, need, facts);
     for (int i = 0; i < 3; i++)
         L->D[0][i] = kept[i];
-}
-
-/* The hit's point as every digit has it. */
-static void point_in_full(cylint_query *q, surd *t, double point[3])
-{
-    const letters_exact *L = cylint_exact(q);
-    for (int i = 0; i < 3; i++) {
-        const int used = q->arena.used;
-        const exact o = cylint_exact_from(&q->arena, q->line->o[i]);
-        point[i] = rounded(cylint_value_at(q, t, o, L->u[i])) + 0;
-        q->arena.used = used;
-    }
 }
 
 static int is_needed(const needs *need, int fact)
@@ -246,8 +296,8 @@ static exact fact_exact(const cylint_query *q, const letters_exact *L, int i)
     return i == X ? x : y;
 }
 
-/* Every fact is affine in the point, so that o and o + d tell it all along
- * the line. */
+/* Every fact is affine in the point: its values at o and at o + d give it
+ * along the line. */
 static void facts_in_full(cylint_query *q, surd *t, const needs *need,
                           floating *facts)
 {
@@ -269,36 +319,84 @@ static void facts_in_full(cylint_query *q, surd *t, const needs *need,
     arena->used = used;
 }
 
-/* o + t d in pairs; 0 where that would leave too few digits. */
-static int point_in_pairs(const cylint_query *q, pair t, double point[3])
+/* ------------------------------------------------------------- point --- */
+
+/* Coordinate i of all points of a cap whose plane is perpendicular to that
+ * coordinate's direction. */
+static int cap_coordinate(const cylint_shape *s, int cap, int i, double *x)
+{
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const int level =
+        s->kind >= CYLINT_KIND_ECYLINDER
+            ? !cylint_sign(s->a[i]) && !cylint_sign(s->b[i])
+            : !cylint_sign(s->axis[j]) && !cylint_sign(s->axis[k]);
+    if (level)
+        *x = !cap                          ? s->base[i]
+             : s->kind <= CYLINT_KIND_CONE ? s->top[i]
+                                           : s->base[i] + s->axis[i];
+    return level;
+}
+
+/* The coordinates that do not depend on t; returns the bits of the others. */
+static unsigned fixed_coordinates(const cylint_query *q, cylint_root root,
+                                  double point[3])
 {
     const cylint_line *l = q->line;
-    if (!q->filters || q->near_shape != q->shape || !(fabs(t.hi) > 0x1p-900))
-        return 0;
-    double from = 0, size = 0;
+    unsigned left = 0;
     for (int i = 0; i < 3; i++) {
-        const pair step = pair_mul(t, (pair){l->d[i], l->d_lo[i]});
-        point[i] = pair_add((pair){l->o[i], 0}, step).hi;
-        from = cylint_larger(from, fabs(l->o[i]) + fabs(step.hi));
-        size = cylint_larger(size, fabs(point[i]));
+        if (!cylint_sign(l->d[i]) && !cylint_sign(l->d_lo[i]))
+            point[i] = l->o[i];
+        else if (!(root == ROOT_CAP0 || root == ROOT_CAP1) ||
+                 !cap_coordinate(q->shape, root == ROOT_CAP1, i, &point[i]))
+            left |= 1u << i;
+        point[i] += 0; /* no -0 */
     }
-    return size > ENOUGH * (2 * CYLINT_PAIR_ROUNDING + q->t_error) * from;
+    return left;
 }
 
-/* Away from the solid; at a double cone's apex against the line. */
+/* o + t d in pairs; returns the bits of coordinates with too few digits. */
+static unsigned point_in_pairs(const cylint_query *q, wide t, unsigned left,
+                               double point[3])
+{
+    const cylint_line *l = q->line;
+    for (int i = 0; i < 3; i++) {
+        if (!(left >> i & 1))
+            continue;
+        const wide o = {{l->o[i], 0}, 0}, d = {{l->d[i], l->d_lo[i]}, 0};
+        const wide x = wide_add(o, wide_mul(t, d));
+        point[i] = x.v.hi + 0;
+        left &= ~((unsigned)is_known(x, fabs(x.v.hi)) << i);
+    }
+    return left;
+}
+
+static void point_in_full(cylint_query *q, surd *t, unsigned left,
+                          double point[3])
+{
+    const letters_exact *L = cylint_exact(q);
+    for (int i = 0; i < 3; i++) {
+        const int used = q->arena.used;
+        if (!(left >> i & 1))
+            continue;
+        const exact o = cylint_exact_from(&q->arena, q->line->o[i]);
+        point[i] = rounded(cylint_value_at(q, t, o, L->u[i])) + 0;
+        q->arena.used = used;
+    }
+}
+
+/* -------------------------------------------------------- description -- */
+
+/* The axis's direction or its opposite. */
 static int apex_sign(cylint_query *q)
 {
-    const int grows = cylint_sign(q->shape->dr);
-    if (q->ends != CYLINT_ENDS_INFINITE)
-        return -grows;
-    const int along = cylint_sign_along(q);
-    if (along == 0) /* towards the base, if that is not the apex itself */
-        return cylint_sign(q->shape->r0) == 0 ? -1 : grows;
-    return -along;
+    const int along =
+        q->ends == CYLINT_ENDS_INFINITE ? cylint_sign_along(q) : 0;
+    return cylint_apex_normal_sign(q->shape, along);
 }
 
-static void describe(cylint_query *q, const floating *facts, cylint_root root,
-                     int part, int apex, unsigned want, cylint_hit *hit)
+static void write_facts(cylint_query *q, const floating *facts,
+                        cylint_root root, int part, int apex, unsigned want,
+                        cylint_hit *hit)
 {
     if (want & CYLINT_WANT_NORMAL) {
         if (part != CYLINT_PART_LATERAL)
@@ -310,12 +408,13 @@ static void describe(cylint_query *q, const floating *facts, cylint_root root,
             normalise(facts + GRADIENT, 1, hit->normal);
     }
     if (want & CYLINT_WANT_Z) {
-        const int known = root == ROOT_CAP0 || root == ROOT_CAP1;
-        hit->z = known ? root == ROOT_CAP1
-                       : cylint_scaled(
-                             pair_div(facts[ALPHA].v, facts[ALPHA_AT_TOP].v).hi,
-                             facts[ALPHA].e - facts[ALPHA_AT_TOP].e) +
-                             0;
+        const int on_plane = root == ROOT_CAP0 || root == ROOT_CAP1;
+        hit->z = on_plane
+                     ? root == ROOT_CAP1
+                     : cylint_scaled(
+                           pair_div(facts[ALPHA].v, facts[ALPHA_AT_TOP].v).hi,
+                           facts[ALPHA].e - facts[ALPHA_AT_TOP].e) +
+                           0;
     }
     if (want & CYLINT_WANT_PHI) {
         if (apex) {
@@ -334,54 +433,75 @@ static void describe(cylint_query *q, const floating *facts, cylint_root root,
     }
 }
 
-/* What a hit can tell, and what of it is still needed. */
+/* What is still needed of a hit, and what is known. */
 typedef struct {
-    int point;
+    unsigned left; /* coordinates of the point, as bits */
     needs need;
     floating facts[FACTS];
-} told;
+} description;
 
-static int is_told(const told *x)
+static int is_complete(const description *x)
 {
-    return !x->point && !any_need(&x->need);
+    return !x->left && !any_need(&x->need);
 }
 
-static void tell_in_pairs(cylint_query *q, pair t, told *x, double point[3])
+static void describe_in_pairs(cylint_query *q, wide t, description *x,
+                              double point[3])
 {
-    if (x->point)
-        x->point = !point_in_pairs(q, t, point);
+    if (x->left)
+        x->left = point_in_pairs(q, t, x->left, point);
     if (any_need(&x->need))
         facts_in_pairs(q, t, &x->need, x->facts);
 }
 
-static void tell_in_full(cylint_query *q, cylint_root root, told *x,
-                         double point[3])
+static void describe_in_full(cylint_query *q, cylint_root root, description *x,
+                             double point[3])
 {
     const int used = cylint_exact_mark(q, root);
     surd t = cylint_surd(q, root);
-    if (x->point)
-        point_in_full(q, &t, point);
+    point_in_full(q, &t, x->left, point);
     facts_in_full(q, &t, &x->need, x->facts);
     q->arena.used = used;
 }
 
-void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
-                         double more, int part, int apex, unsigned want,
-                         cylint_hit *hit)
+/* Whether pairs are of use: data in the window, of which none was scaled, and
+ * a root whose rest is a normal number too; or 0. */
+static int has_pairs(const cylint_query *q, double t)
 {
-    told x;
-    x.point = (want & CYLINT_WANT_POINT) != 0;
-    x.need = needs_of(want, part, apex);
-    if (fabs(t) <= DBL_MAX) {
-        pair at = fast_two_sum(t, more);
-        tell_in_pairs(q, at, &x, hit->point);
-        if (!is_told(&x) && q->t_error > CYLINT_PAIR_ROUNDING) {
-            /* once more, from a root as good as pairs can be */
-            cylint_polish_root(q, root, &at);
-            tell_in_pairs(q, at, &x, hit->point);
+    return q->filters && q->near_shape == q->shape &&
+           fabs(t) < CYLINT_REST_MOST &&
+           (fabs(t) > CYLINT_REST_LEAST || cylint_sign(t) == 0) &&
+           cylint_rounds_to_nearest();
+}
+
+/* So far away that the canonical root would leave the facts too few digits. */
+static int is_far(const cylint_query *q, double t)
+{
+    const cylint_shape *s = q->shape;
+    double size = s->size;
+    if (!cylint_dimensionless_radii(s))
+        size = cylint_larger(size, cylint_larger(s->r0, s->r1));
+    return fabs(t) * q->line->size > CYLINT_REST_FAR * size;
+}
+
+void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
+                         double more, double error, int part, int apex,
+                         unsigned want, cylint_hit *hit)
+{
+    description x;
+    x.left =
+        want & CYLINT_WANT_POINT ? fixed_coordinates(q, root, hit->point) : 0;
+    x.need = needs_of(want, root, part, apex);
+    if (!is_complete(&x) && has_pairs(q, t)) {
+        wide at;
+        if (!is_far(q, t)) {
+            at = cylint_canonical_root(q, root, t, more, error);
+            describe_in_pairs(q, at, &x, hit->point);
         }
+        if (!is_complete(&x) && cylint_polished_root(q, root, t, &at))
+            describe_in_pairs(q, at, &x, hit->point);
     }
-    if (!is_told(&x))
-        tell_in_full(q, root, &x, hit->point);
-    describe(q, x.facts, root, part, apex, want, hit);
+    if (!is_complete(&x))
+        describe_in_full(q, root, &x, hit->point);
+    write_facts(q, x.facts, root, part, apex, want, hit);
 }

@@ -379,39 +379,132 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
     return exact_value(q, root, more);
 }
 
-/* An error that leaves all but a few digits of a pair, relative. */
-#define POLISHED 0x1p-90
+/* ----------------------------------------------- canonical pairs ------ */
 
-static void polish_by_exact_quotient(cylint_query *q, cylint_root root, pair *t)
+/* The slope at a root of the lateral quadric, by pairs if doubles do not know
+ * it. */
+static estimate slope_of(cylint_query *q, cylint_root root)
+{
+    const estimate k = estimate_of(q, root);
+    if (k.slope_error < 0x1p-10)
+        return k;
+    int near;
+    const letters_wide *L = cylint_wide_line(q);
+    const quotient_wide f = half_quotient_wide(L, root == ROOT_EXIT, &near);
+    const wide A = form_A_wide(L);
+    return (estimate){0, 0, root == ROOT_EXIT ? f.radical : -f.radical,
+                      f.radical_error, fabs(A.v.hi) + wide_error(A)};
+}
+
+/* One step towards a root of a plane from t, at most `off` away. */
+static pair refined_on_plane(cylint_query *q, int cap, double t, double off,
+                             double *error)
+{
+    letters_wide *L = cylint_wide(q);
+    const wide beta = L->beta, t0 = {{t, 0}, 0};
+    wide kept[3];
+    for (int i = 0; i < 3; i++) {
+        kept[i] = L->D[cap][i];
+        L->D[cap][i] = wide_add(kept[i], wide_mul(t0, L->u[i]));
+    }
+    const wide alpha = form_alpha_wide(L, cap);
+    for (int i = 0; i < 3; i++)
+        L->D[cap][i] = kept[i];
+    const double slope = fabs(beta.v.hi);
+    *error = wide_error(beta) < 0x1p-10 * slope
+                 ? 1.01 *
+                       (wide_error(alpha) +
+                        off * (wide_error(beta) + 0x1p-50 * slope)) /
+                       slope
+                 : HUGE_VAL;
+    return fast_two_sum(t, -alpha.v.hi / beta.v.hi);
+}
+
+/* Newton's steps from t, which is within half a unit of the root.  Returns
+ * whether that gives all but a few digits of a pair. */
+static int newton_from(cylint_query *q, cylint_root root, double t, pair *x,
+                       double *error)
+{
+    const double enough = CYLINT_POLISHED * fabs(t), off = 0x1p-53 * fabs(t);
+    if (root == ROOT_CAP0 || root == ROOT_CAP1) {
+        *x = refined_on_plane(q, root == ROOT_CAP1, t, off, error);
+        return *error < enough;
+    }
+    if (root != ROOT_ENTRY && root != ROOT_EXIT)
+        return 0;
+    estimate k = slope_of(q, root);
+    if (!(k.slope_error < 0x1p-10))
+        return 0;
+    *x = (pair){t, 0};
+    *error = off;
+    do {
+        k.t = x->hi;
+        k.error = *error;
+        *x = refined(q, k, x->lo, error);
+    } while (*error >= enough && *error < 0x1p-4 * k.error);
+    return *error < enough;
+}
+
+int cylint_polished_root(cylint_query *q, cylint_root root, double t, wide *to)
+{
+    double error;
+    if (t == 0)
+        return 0;
+    if (!newton_from(q, root, t, &to->v, &error)) {
+        const int used = cylint_exact_mark(q, root);
+        surd in_full = cylint_surd(q, root);
+        const floating f = exact_root(q, &in_full);
+        q->arena.used = used;
+        to->v = (pair){cylint_scaled(f.v.hi, f.e), cylint_scaled(f.v.lo, f.e)};
+        error = CYLINT_SURD_ERROR * fabs(t);
+    }
+    to->off = 1.01 * error / CYLINT_PAIR_ROUNDING;
+    return 1;
+}
+
+/* The multiple of the quantum nearest to the rest, if that is certain. */
+static int rest_rounds(double rest, double error, double quantum, double *to)
+{
+    const double x = rest / quantum, nearest = (x + 0x3p51) - 0x3p51;
+    *to = nearest * quantum;
+    return fabs(x - nearest) + error / quantum < 0.5 - CYLINT_REST_MARGIN;
+}
+
+static int rest_by_newton(cylint_query *q, cylint_root root, double t,
+                          double quantum, double *rest)
+{
+    pair x;
+    double error;
+    return newton_from(q, root, t, &x, &error) &&
+           rest_rounds((x.hi - t) + x.lo, error, quantum, rest);
+}
+
+static void rest_in_full(cylint_query *q, cylint_root root, double t,
+                         double quantum, double *rest)
 {
     const int used = cylint_exact_mark(q, root);
     surd in_full = cylint_surd(q, root);
-    const floating f = exact_root(q, &in_full);
-    if (f.v.hi != 0 && f.e > -900 && f.e < 900) {
-        *t = (pair){cylint_scaled(f.v.hi, f.e), cylint_scaled(f.v.lo, f.e)};
-        q->t_error = CYLINT_SURD_ERROR;
-    }
+    const exact from = cylint_exact_neg(cylint_exact_from(&q->arena, t));
+    const floating f = cylint_value_at(q, &in_full, from, cylint_exact(q)->one);
+    rest_rounds(cylint_scaled(f.v.hi, f.e), 0, quantum, rest);
     q->arena.used = used;
 }
 
-void cylint_polish_root(cylint_query *q, cylint_root root, pair *t)
+wide cylint_canonical_root(cylint_query *q, cylint_root root, double t,
+                           double more, double error)
 {
-    if (!q->filters || q->t_exponent != 0)
-        return;
-    estimate k = estimate_of(q, root);
-    if (k.slope_error < 0x1p-10) {
-        double error;
-        k.t = t->hi;
-        k.error = q->t_error * fabs(t->hi);
-        const pair better = refined(q, k, t->lo, &error);
-        if (error < k.error) {
-            *t = better;
-            q->t_error = error / fabs(better.hi);
-        }
-    }
-    if (q->t_error > POLISHED)
-        polish_by_exact_quotient(q, root, t);
+    if (t == 0) /* the root is below the least double */
+        return (wide){{0, 0}, 0x1p-900};
+    const double quantum =
+        cylint_power_of_two(cylint_exponent(t) - 52 - CYLINT_REST_BITS);
+    double rest;
+    if (!rest_rounds(more, error, quantum, &rest) &&
+        !rest_by_newton(q, root, t, quantum, &rest))
+        rest_in_full(q, root, t, quantum, &rest);
+    return (wide){{t, rest}, 0.51 * quantum / CYLINT_PAIR_ROUNDING};
 }
+
+/* ------------------------------------------------------- the domain ---- */
 
 /* t in the scale of the filters, rounded. */
 static double in_scale(const cylint_query *q, double t)

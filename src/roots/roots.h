@@ -22,8 +22,19 @@ typedef enum {
 int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
                        double *more);
 
-/* Finds a root's pair anew where t_error is larger than pairs allow. */
-void cylint_polish_root(cylint_query *q, cylint_root root, pair *t);
+/*
+ * The canonical pair of a root: t, the double nearest to it, and its rest, the
+ * nearest multiple of 2^-CYLINT_REST_BITS units in the last place of t.  Both
+ * are functions of the root alone.  t + more is the root as the caller knows
+ * it, but for `error` at most.  CYLINT_REST_LEAST < |t| < CYLINT_REST_MOST, or
+ * t = 0; the filters see the data as given, and rounding is to nearest.
+ */
+wide cylint_canonical_root(cylint_query *q, cylint_root root, double t,
+                           double more, double error);
+
+/* The root as near as pairs come to it, likewise a function of the root alone.
+ * Returns 0 for t = 0. */
+int cylint_polished_root(cylint_query *q, cylint_root root, double t, wide *to);
 
 /* A value with a binary exponent of its own: v 2^e, 1/4 < |v| < 4 or v = 0. */
 typedef struct {
@@ -52,10 +63,11 @@ surd cylint_surd(cylint_query *q, cylint_root root);
 int cylint_sign_at(cylint_query *q, const surd *t, exact f0, exact f1);
 floating cylint_value_at(cylint_query *q, surd *t, exact f0, exact f1);
 
-/* The wanted members of a hit but part and side.  t + more is the root;
- * apex: whether the hit is the apex of a cone. */
+/* The wanted members of a hit but t, part and side.  t is the double nearest
+ * to the root, t + more the root, but for `error` at most: neither changes a
+ * bit of the answer.  apex: whether the hit is the apex of a cone. */
 void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
-                         double more, int part, int apex, unsigned want,
-                         cylint_hit *hit);
+                         double more, double error, int part, int apex,
+                         unsigned want, cylint_hit *hit);
 
 #endif

@@ -97,3 +97,13 @@ void cylint_measure_shape(cylint_shape *s)
                   (!cylint_dimensionless_radii(s) || s->r1 <= CYLINT_WINDOW);
     measure_ball(s);
 }
+
+int cylint_apex_normal_sign(const cylint_shape *s, int along)
+{
+    const int grows = cylint_sign(s->dr);
+    if (s->ends != CYLINT_ENDS_INFINITE)
+        return -grows;
+    if (along != 0)
+        return -along;
+    return cylint_sign(s->r0) == 0 ? -1 : grows;
+}

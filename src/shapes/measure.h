@@ -10,6 +10,12 @@
 void cylint_measure_shape(cylint_shape *shape);
 void cylint_measure_line(cylint_line *line);
 
+/* The unit normal at a cone's apex is the axis's direction times this: away
+ * from the solid; of a double cone against a line's direction, whose sign along
+ * the axis is `along`, and for 0 towards the base or, where that is the apex
+ * itself, against the axis. */
+int cylint_apex_normal_sign(const cylint_shape *s, int along);
+
 /* The double nearest to the tangent of an angle in (0, 90) degrees. */
 double cylint_tangent(double degrees);
 
