@@ -468,10 +468,9 @@ static void describe_in_full(cylint_query *q, cylint_root root, description *x,
  * a root whose rest is a normal number too; or 0. */
 static int has_pairs(const cylint_query *q, double t)
 {
-    return q->filters && q->near_shape == q->shape &&
+    return q->pairs && q->near_shape == q->shape &&
            fabs(t) < CYLINT_REST_MOST &&
-           (fabs(t) > CYLINT_REST_LEAST || cylint_sign(t) == 0) &&
-           cylint_rounds_to_nearest();
+           (fabs(t) > CYLINT_REST_LEAST || cylint_sign(t) == 0);
 }
 
 /* So far away that the canonical root would leave the facts too few digits. */

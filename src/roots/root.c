@@ -368,7 +368,8 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
 {
     pair t = {0, 0};
     double error;
-    if (is_quotient(q, root) && root_in_pairs(q, root, k, known, &t, &error)) {
+    if (q->pairs && is_quotient(q, root) &&
+        root_in_pairs(q, root, k, known, &t, &error)) {
         const double value = cylint_scaled(t.hi, q->t_exponent);
         cylint_contradiction(exact_value(q, root, more) != value);
         q->t_error = error > 0 ? error / fabs(t.hi) : 0;
@@ -550,7 +551,7 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
     const quotient_wide *known = NULL;
     if (limited) {
         int place = k.error < HUGE_VAL ? placed(q, k.t, k.error) : 0;
-        if (place == 0 && is_quotient(q, root)) {
+        if (place == 0 && q->pairs && is_quotient(q, root)) {
             f = quotient_of_wide(cylint_wide_line(q), root);
             known = &f;
             place = placed_by_pairs(q, known);

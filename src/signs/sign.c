@@ -19,6 +19,13 @@ static void scale_vector(double to[3], const double from[3], int e)
         to[i] = cylint_scaled(from[i], e);
 }
 
+/* Whether a vector is clear of overflow.  A coordinate that overflowed when it
+ * was scaled is infinite, or, where rounding is directed, the largest double. */
+static int is_in_range(const double x[3])
+{
+    return cylint_largest(x) <= 0x1p1000;
+}
+
 static int filters_apply(const cylint_shape *s, const cylint_line *l)
 {
     double far = 0;
@@ -69,7 +76,8 @@ static void scale_query(cylint_query *q)
     q->near_shape = to;
     q->near_line = &q->scaled_line;
     q->t_exponent = f - e;
-    q->filters = filters_apply(to, &q->scaled_line);
+    q->filters = is_in_range(q->scaled_line.o) && is_in_range(to->base) &&
+                 filters_apply(to, &q->scaled_line);
 }
 
 /* -------------------------------------------------------- letters ------ */
@@ -262,8 +270,8 @@ static const letters_quantum *quanta(cylint_query *q)
     const cylint_shape *s = q->near_shape;
     const cylint_line *l = q->near_line;
     double D[3];
-    q->quanta = q->near_shape == q->shape && cylint_sign(s->dr_lo) == 0 &&
-                cylint_rounds_to_nearest();
+    q->quanta =
+        q->near_shape == q->shape && cylint_sign(s->dr_lo) == 0 && q->pairs;
     for (int i = 0; i < 3; i++) {
         q->quanta &= !cylint_too_small(l->o[i]) && !cylint_too_small(l->d[i]);
         q->quanta &=
@@ -312,6 +320,7 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
     q->filters = filters_apply(shape, line);
     if (!q->filters)
         scale_query(q);
+    q->pairs = q->filters && cylint_rounds_to_nearest();
     if (q->filters) {
         load_ball(q);
         prepare_line_ball(&q->ball);
@@ -354,7 +363,7 @@ static int no_rounding(double size, int e)
                        no_rounding(b_.size, form##_quantum(e_ __VA_ARGS__))) { \
                 cylint_reached(QUANTA);                                        \
                 sign_ = cylint_sign(b_.v);                                     \
-            } else if (cylint_rounds_to_nearest()) {                           \
+            } else if ((q)->pairs) {                                           \
                 const wide w_ = form##_wide(cylint_wide_line(q) __VA_ARGS__);  \
                 if (certain_wide(w_))                                          \
                     sign_ = cylint_sign(w_.v.hi);                              \

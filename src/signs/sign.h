@@ -24,9 +24,11 @@ typedef struct {
     const cylint_shape *shape; /* as given: what exact answers are about */
     const cylint_line *line;
     int kind, ends;
-    int filters;                    /* 0: data too wild, exact stage only */
-    int t_exponent;                 /* t = 2^t_exponent * t of the filters */
-    double t_error;                 /* of the last root as a pair, relative */
+    int filters;    /* 0: data too wild, exact stage only */
+    int pairs;      /* 0: filters is 0, or rounding is directed and
+                       two_prod() not exact */
+    int t_exponent; /* t = 2^t_exponent * t of the filters */
+    double t_error; /* of the last root as a pair, relative */
     const cylint_shape *near_shape; /* what the filters see: as given, or */
     const cylint_line *near_line;   /* scaled by powers of two */
     cylint_shape scaled_shape;
