@@ -211,6 +211,7 @@ install: all ## into $(DESTDIR)$(PREFIX)
 	$(foreach l,$(libraries),$(call install_library,$l))
 	install -m 644 $(headers) $(DESTDIR)$(INCLUDEDIR)
 	$(foreach s,1 3 7,install -m 644 $(wildcard man/*.$s) $(DESTDIR)$(MANDIR)/man$s;)
+	@$(if $(DESTDIR),,sh tools/install_hints.sh '$(BINDIR)' '$(LIBDIR)' '$(MANDIR)')
 
 uninstall: ## what install put there
 	rm -f $(patsubst %,$(DESTDIR)$(BINDIR)/%,cylint cylint-convert cylint-render) \

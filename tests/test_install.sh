@@ -175,6 +175,54 @@ test_example()
     done
 }
 
+# The README's lines, with these compilers, in a home of its own where only the
+# system's folders are known: the linked example runs, and its manual is found.
+# Then make install has no lines to print any more.
+test_readme_install()
+{
+    [ -z "$(sanitizers_of)" ] && command -v pkg-config > /dev/null || {
+        echo 'note: sanitized or no pkg-config, the README is not installed'
+        return
+    }
+    home=$scratch/home
+    mkdir "$home"
+    cp "$scratch/example.c" "$home"
+    cp README.md tools/install_hints.sh "$home"
+    { echo "make() { (cd '$top' && command $make -s --no-print-directory \
+          BUILD='${BUILD:-build}' CC='$cc' CXX='$cxx' \"\$@\"); }"
+      echo "cc() { command $cc \"\$@\"; }"
+      block sh 1
+      echo 'command -v cylint'
+      echo 'man -w cylint 2>/dev/null || echo $MANPATH'
+      echo 'make install PREFIX=$HOME/.local'; } > "$home/lines"
+    (cd "$home" && env -i HOME="$home" PATH=/usr/local/bin:/usr/bin:/bin \
+        ${CXX17+CXX17="$CXX17"} sh lines) > "$scratch/said" 2> "$scratch/log"
+    { echo 'To use what was installed, set:'
+      echo "    export PATH=$home/.local/bin:\$PATH"
+      echo "    export PKG_CONFIG_PATH=$home/.local/lib/pkgconfig:\$PKG_CONFIG_PATH"
+      echo "    export LD_LIBRARY_PATH=$home/.local/lib\${LD_LIBRARY_PATH:+:\$LD_LIBRARY_PATH}"
+      cat "$scratch/example.said"
+      echo "$home/.local/bin/cylint"; } > "$scratch/expected"
+    grep -v "^install\|^ln\|MANPATH\|^$home/.local/share/man" "$scratch/said" |
+        diff "$scratch/expected" - && grep -q "$home/.local/share/man" "$scratch/said"
+    verdict the_readmes_lines_install_and_run_a_linked_example $? ||
+        cat "$scratch/log"
+}
+
+# The lines that are printed do what they say, for a folder that nothing knows.
+test_hints()
+{
+    at=$scratch/else/where
+    env -i PATH=/usr/bin:/bin sh tools/install_hints.sh "$at/bin" "$at/lib" \
+        "$at/man" > "$scratch/hints"
+    [ "$(grep -c '^    export [A-Z_]*=' "$scratch/hints")" -eq 4 ]
+    verdict four_lines_for_a_folder_that_nothing_knows $?
+    { sed 1d "$scratch/hints"
+      echo "exec sh tools/install_hints.sh $at/bin $at/lib $at/man"; } > "$scratch/again"
+    [ -z "$(env -i PATH=/usr/bin:/bin sh "$scratch/again")" ]
+    verdict no_lines_where_they_are_set $?
+}
+
 # display PAGE NUMBER: the text of a literal display in a page's EXAMPLES.
 display()
 {
@@ -403,6 +451,8 @@ test_uninstall()
 test_install
 test_converters
 test_example
+test_readme_install
+test_hints
 test_symbols
 (test_without_makefile)
 verdict the_library_compiles_without_the_makefile $?
