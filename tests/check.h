@@ -2,8 +2,8 @@
  * check.h - the test harness, one page
  *
  * A test is a function whose name states a property.  CHECK(cond) counts a
- * failure and says where; REPORT(...) adds what a person needs to repeat it,
- * in the command's own input format.  A program ends with
+ * failure and prints its place; REPORT(...) prints the input of a failure, in
+ * the command's own input format where it has one.  A program ends with
  *
  *     int main(void) { RUN(name); RUN(other_name); return check_end(); }
  *
@@ -12,22 +12,16 @@
 #ifndef CYLINT_CHECK_H
 #define CYLINT_CHECK_H
 
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-/* A number that the environment may say. */
-static inline uint64_t check_setting(const char *name, uint64_t otherwise)
-{
-    const char *text = getenv(name);
-    return text ? strtoull(text, NULL, 10) : otherwise;
-}
+#include "program.h"
 
 static int check_passed, check_failed, check_bad;
 
 #define CHECK_SHOWN 10 /* failures printed in full per test */
 
-#ifdef CHECK_STOPS /* by tests/mutants.py: one failure is enough */
+#ifdef CHECK_STOPS /* set by tests/mutants.py: the first failure ends the program */
 #define CHECK(cond) ((cond) ? 1 : (exit(1), 0))
 #else
 #define CHECK(cond)                                                      \

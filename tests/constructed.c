@@ -14,38 +14,26 @@
 #include <math.h>
 #include <string.h>
 
+#include "random.h"
+
 /* ------------------------------------------------------ random numbers -- */
 
-static uint64_t state;
-
-/* [Steele, Lea, Flood 2014]: the numbers of SplitMix64. */
-static uint64_t draw(void)
-{
-    uint64_t x = state += UINT64_C(0x9e3779b97f4a7c15);
-    x = (x ^ x >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
-    x = (x ^ x >> 27) * UINT64_C(0x94d049bb133111eb);
-    return x ^ x >> 31;
-}
+static uint64_t stream;
 
 static void begin(uint64_t seed, uint64_t index)
 {
-    state = seed;
-    state = draw() + index;
+    stream = seed;
+    stream = random_bits(&stream) + index;
 }
 
 static int one_of(int n)
 {
-    return (int)(draw() >> 33) % n;
+    return random_int(&stream, n);
 }
 
 static int whole(int low, int high)
 {
     return low + one_of(high - low + 1);
-}
-
-static double any_mantissa(void)
-{
-    return 1 + (double)(draw() >> 12) * 0x1p-52;
 }
 
 /* --------------------------------------------------------------- bases -- */
@@ -223,7 +211,7 @@ static double any_double(const int about[2])
     if (where < 9)
         e = about[where < 6 ? 0 : 1] + whole(-8, 8);
     e = e < -1074 ? -1074 : e > 1023 ? 1023 : e;
-    const double x = ldexp(any_mantissa(), e);
+    const double x = ldexp(random_mantissa(&stream), e);
     return one_of(8) == 0 ? 0 : one_of(2) ? x : -x;
 }
 

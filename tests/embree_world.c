@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "random.h"
+
 /* -------------------------------------------------------------- device -- */
 
 struct world_memory world_memory;
@@ -167,13 +169,9 @@ void world_show(const struct world *w, struct rays *r, int i)
 
 /* --------------------------------------------------- drawing at random -- */
 
-/* [Steele, Lea, Flood 2014]: SplitMix64 */
 double world_uniform(uint64_t *state)
 {
-    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (double)((z ^ (z >> 31)) >> 40) / 16777216;
+    return (double)(random_bits(state) >> 40) / 16777216;
 }
 
 /* By the height and the longitude, which are uniform on a sphere. */

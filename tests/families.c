@@ -88,6 +88,12 @@ void family_print(FILE *to, const struct family_case *c)
     fprintf(to, "  ends=%s", ends_words[c->ends]);
 }
 
+void family_report(const struct family_case *c)
+{
+    family_print(stderr, c);
+    fputc('\n', stderr);
+}
+
 #ifndef HAVE_GSL
 
 int family_count(void)

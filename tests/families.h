@@ -1,8 +1,8 @@
 /*
- * families.h - the input every test and benchmark draws from
+ * families.h - the random lines and shapes of all tests and benchmarks
  *
- * A family is a kind of difficulty; a case is a line and a shape, fixed by
- * (seed, family, index) alone.  Without GSL there are no families.
+ * A family is a kind of difficulty.  A case is a line and a shape; it depends
+ * only on seed, family and index.  Without GSL there are no families.
  */
 #ifndef CYLINT_FAMILIES_H
 #define CYLINT_FAMILIES_H
@@ -27,7 +27,8 @@ typedef enum family_shape {
     FAMILY_ECONE      /* c a b h k */
 } family_shape;
 
-/* The numbers as a record of the command holds them, and what they make. */
+/* The numbers of a record of the command, and the line and shape made of
+ * them. */
 struct family_case {
     family_line line_word;
     double line_data[8];
@@ -42,23 +43,30 @@ struct family_case {
 int family_count(void);
 const char *family_name(int family);
 
-/* 1 where exponents lie hundreds apart, so that most questions go to every
- * digit: slow to ask, and slower for the oracle. */
+/* Whether the exponents in a case differ by hundreds, so that most questions
+ * need exact arithmetic.  Such families are slow, most of all in the oracle. */
 int family_is_wild(int family);
 
-/* Case `index` of a family; line and shape are made (see the statuses). */
+/* Writes case `index` of a family and makes its line and shape; line_status and
+ * shape_status hold their statuses. */
 void family_case(uint64_t seed, int family, uint64_t index,
                  struct family_case *out);
 
-/* Makes line and shape anew, after the data were changed.  1 if both are
- * valid. */
+/* Makes line and shape from the numbers.  Returns 1 if both are valid. */
 int family_make(struct family_case *c);
 
-/* How many numbers a shape's or a line's record holds. */
+/* The number of numbers in a record of the shape or line. */
 int family_shape_size(family_shape word);
 int family_line_size(family_line word);
 
-/* The case as a record of the command, in hexadecimal, without newline. */
+/* Prints the case as a record of the command, in hexadecimal, without a
+ * newline. */
 void family_print(FILE *to, const struct family_case *c);
+
+/* Prints a failed case on standard error, with a newline. */
+void family_report(const struct family_case *c);
+
+/* The same within a test of check.h, for its first failures only. */
+#define REPORT_CASE(c) (check_bad <= CHECK_SHOWN ? family_report(c) : (void)0)
 
 #endif

@@ -39,12 +39,12 @@ CORE = ["signs/forms_template.h", "roots/root_quotient_template.h",
 # (program, its cases): those that take seconds are tried with few first, and
 # in full only for --full, on what those let through.
 FEW = {"CYLINT_CASES": "50"}
-QUICK = [("test_corners", {}), ("test_shape", {}), ("test_hard", {}),
-         ("test_depth", {}), ("test_query", FEW), ("test_ties", {}),
+QUICK = [("test_special_cases", {}), ("test_shape", {}), ("test_hard", {}),
+         ("test_form_depth", {}), ("test_query", FEW), ("test_ties", {}),
          ("test_budget", FEW), ("test_environment", FEW),
          ("test_properties", FEW), ("test_batch", {"CYLINT_CASES": "3"})]
 FULL = [("test_query", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
-        ("test_environment", {}), ("test_exact", {}), ("test_eft", {}),
+        ("test_environment", {}), ("test_exact", {}), ("test_double_double", {}),
         ("test_budget", {}), ("test_properties", {}), ("test_batch", {})]
 
 # (pattern, what may stand there instead)

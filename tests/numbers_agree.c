@@ -12,19 +12,15 @@
 
 #include "check.h"
 #include "numbers.h"
+#include "random.h"
 
 const char *plain_read_number(const char *text, const char *end, double *value);
 size_t plain_write_number(char out[NUMBER_ROOM], double value, int digits);
 
-static uint64_t state = 20240601;
-
-/* splitmix64, [Steele, Lea, Flood 2014] */
 static uint64_t next_random(void)
 {
-    uint64_t z = state += 0x9e3779b97f4a7c15U;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebU;
-    return z ^ z >> 31;
+    static uint64_t stream = 20240601;
+    return random_bits(&stream);
 }
 
 static double from_bits(uint64_t bits)

@@ -3,7 +3,7 @@
  *
  *   records SEED COUNT     COUNT records, from all families in turn
  *
- * Domains that infinity bounds have no record and are passed over.
+ * Cases with an infinite end of the domain have no record and are left out.
  */
 #include <math.h>
 #include <stdio.h>
@@ -23,7 +23,7 @@ int main(int argc, char **argv)
     const uint64_t count = argc > 2 ? strtoull(argv[2], NULL, 10) : 1000;
     const uint64_t families = (uint64_t)family_count();
     if (families == 0) {
-        fputs("records: no GSL, no families to draw from\n", stderr);
+        fputs("records: no GSL, so no families\n", stderr);
         return 77;
     }
     uint64_t printed = 0;

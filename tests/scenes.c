@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "random.h"
 #include "scenes.h"
 
 /* ------------------------------------------------------ random numbers -- */
@@ -15,13 +16,9 @@ typedef struct {
     uint64_t state;
 } dice;
 
-/* SplitMix64 [Steele, Lea, Flood 2014]. */
 static uint64_t bits(dice *r)
 {
-    uint64_t x = r->state += UINT64_C(0x9e3779b97f4a7c15);
-    x = (x ^ x >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
-    x = (x ^ x >> 27) * UINT64_C(0x94d049bb133111eb);
-    return x ^ x >> 31;
+    return random_bits(&r->state);
 }
 
 static dice dice_of(uint64_t seed, uint64_t kind, uint64_t index)
@@ -34,7 +31,7 @@ static dice dice_of(uint64_t seed, uint64_t kind, uint64_t index)
 
 static double between(dice *r, double low, double high)
 {
-    return low + (high - low) * ((double)(bits(r) >> 11) * 0x1p-53);
+    return low + (high - low) * random_unit(&r->state);
 }
 
 static size_t one_of(dice *r, size_t n)

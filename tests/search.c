@@ -1,14 +1,14 @@
 /*
- * search.c - the worst cases there are, by hill climbing
+ * search.c - searches the largest errors and the slowest query (make search)
  *
- * For every kind of shape and every family: begin with the worst of some
- * random cases, change one number at a time and keep what is not better for
- * the library.  Goals are the errors of point, normal, z, phi and of the fast
- * t, in units in the last place (ulps.h), and the time one query takes.  What
- * is found is printed in the format of hard.txt, with the oracle's answer,
- * never the library's.  Exponents stay near those of the case begun with.
+ * Hill climbing for every kind of shape and every family: it starts with the
+ * worst of some random cases, changes one number at a time, and keeps the
+ * change if the result is not better for the library.  Goals are the errors of
+ * point, normal, z, phi and of the fast t in ulp (ulps.h), and the time of a
+ * query.  The worst cases are printed in the format of hard.txt with the
+ * oracle's answer.  Exponents stay near those of the first case.
  *
- *   CYLINT_SECONDS  for all of it, default 120     CYLINT_SEED  default 1
+ *   CYLINT_SECONDS  in all, default 120     CYLINT_SEED  default 1
  */
 #ifdef HAVE_MPFR
 
@@ -19,6 +19,8 @@
 
 #include "constructed.h"
 #include "oracle.h"
+#include "program.h"
+#include "random.h"
 #include "ulps.h"
 
 enum { BEGINNINGS = 60, KINDS = 5, REPEATS = 7, QUERIES = 20 };
@@ -35,12 +37,6 @@ struct found {
     int family;
 };
 
-static double number(const char *name, double otherwise)
-{
-    const char *text = getenv(name);
-    return text ? strtod(text, NULL) : otherwise;
-}
-
 static double now(void)
 {
     struct timespec t;
@@ -48,24 +44,16 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static uint64_t state;
-
-static uint64_t draw(void)
-{
-    uint64_t x = state += UINT64_C(0x9e3779b97f4a7c15);
-    x = (x ^ x >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
-    x = (x ^ x >> 27) * UINT64_C(0x94d049bb133111eb);
-    return x ^ x >> 31;
-}
+static uint64_t stream;
 
 static int one_of(int n)
 {
-    return (int)(draw() >> 33) % n;
+    return random_int(&stream, n);
 }
 
 /* -------------------------------------------------------------- scores -- */
 
-/* Nanoseconds for both roots, the least of a few tries. */
+/* Nanoseconds for both roots, the least of several runs. */
 static double time_of(const struct family_case *c)
 {
     cylint_answer answer;
@@ -83,12 +71,12 @@ static double time_of(const struct family_case *c)
 static double error_of(const struct family_case *c, enum goal goal)
 {
     cylint_answer got, want;
-    const unsigned asked =
+    const unsigned want_mask =
         goal == FAST ? CYLINT_WANT_T | CYLINT_WANT_FAST : CYLINT_WANT_ALL;
     double worst = 0;
     memset(&got, 0, sizeof got);
-    cylint_intersect(&c->shape, &c->line, asked, &got);
-    oracle_intersect(&c->shape, &c->line, asked, &want);
+    cylint_intersect(&c->shape, &c->line, want_mask, &got);
+    oracle_intersect(&c->shape, &c->line, want_mask, &want);
     if (got.n != want.n || got.relation != want.relation)
         return HUGE_VAL;
     for (int i = 0; i < want.n; i++) {
@@ -132,7 +120,7 @@ static double changed(double x, double was)
         x = ldexp(x, one_of(3) - 1);
         break;
     default:
-        x = copysign(ldexp(1 + (double)(draw() >> 12) * 0x1p-52, ilogb(x)), x);
+        x = copysign(ldexp(random_mantissa(&stream), ilogb(x)), x);
     }
     frexp(x, &e);
     frexp(was, &e_was);
@@ -153,7 +141,7 @@ static int change(const struct family_case *from,
     return family_make(to);
 }
 
-/* The worst of some random cases of that kind; 0 if there are none. */
+/* The worst of some random cases of the kind; returns 0 if there are none. */
 static int begin(uint64_t seed, int family, int kind, enum goal goal,
                  struct found *best)
 {
@@ -218,10 +206,10 @@ static void print_found(const struct found *f, int kind, enum goal goal)
 
 int main(void)
 {
-    const double seconds = number("CYLINT_SECONDS", 120);
-    const uint64_t seed = (uint64_t)number("CYLINT_SEED", 1);
+    const double seconds = check_number("CYLINT_SECONDS", 120);
+    const uint64_t seed = (uint64_t)check_number("CYLINT_SEED", 1);
     double until = now();
-    state = seed;
+    stream = seed;
     printf("# seed %llu, %g s\n", (unsigned long long)seed, seconds);
     for (int goal = 0; goal < GOALS; goal++)
         for (int kind = 0; kind < KINDS; kind++) {
@@ -243,12 +231,11 @@ int main(void)
 
 #else
 
-#include <stdio.h>
+#include "program.h"
 
 int main(void)
 {
-    puts("no MPFR: no oracle to compare with (make deps)");
-    return 77;
+    return check_skip("no MPFR: no oracle to compare with (make deps)");
 }
 
 #endif

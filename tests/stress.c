@@ -1,14 +1,14 @@
 /*
- * stress.c - the library against the oracle, for as long as one likes
+ * stress.c - compares the library with the oracle on 1e8 cases (make stress)
  *
- * Every family, and the constructed coincidences with all their neighbours:
+ * All families, and the constructed coincidences with all their neighbours:
  * relation, number, parts, sides, every bit of t, and each component of point,
- * normal, z and phi within 4 units in its own last place.  The work is done in
- * rounds, shared out to processes; a case depends on the seed and its number
- * alone, not on how many processes there are.
+ * normal, z and phi within 4 units in its own last place.  Several processes
+ * share the work in rounds.  A case depends only on the seed and its number,
+ * not on the number of processes.
  *
  *   CYLINT_CASES    in all, default 1e8      CYLINT_SEED  default 20240
- *   CYLINT_SECONDS  stop then, whatever      CYLINT_JOBS  default 2
+ *   CYLINT_SECONDS  stops after that time    CYLINT_JOBS  default 2
  */
 #ifdef HAVE_MPFR
 
@@ -22,6 +22,7 @@
 
 #include "constructed.h"
 #include "oracle.h"
+#include "program.h"
 #include "ulps.h"
 
 enum { MOST_FAMILIES = 40, MOST_JOBS = 64, SHOWN = 10 };
@@ -37,16 +38,10 @@ struct tally {
     double off[MEASURES];                       /* the largest error */
 };
 
-/* What a process says after each round, in one write. */
+/* A process writes this after each round. */
 struct report {
     struct tally of[MOST_FAMILIES];
 };
-
-static double number(const char *name, double otherwise)
-{
-    const char *text = getenv(name);
-    return text ? strtod(text, NULL) : otherwise;
-}
 
 static const char *name_of(int family)
 {
@@ -129,45 +124,45 @@ static void try_case(const struct family_case *c, struct tally *sum)
 
 /* ------------------------------------------------------------ working -- */
 
-static void do_round(uint64_t seed, uint64_t round, struct report *said)
+static void do_round(uint64_t seed, uint64_t round, struct report *part)
 {
     const int families = family_count();
     struct family_case c, base;
-    memset(said, 0, sizeof *said);
+    memset(part, 0, sizeof *part);
     for (int f = 0; f < families; f++) {
         const int n = family_is_wild(f) ? WILD_A_ROUND : CASES_A_ROUND;
         for (uint64_t i = 0; i < (uint64_t)n; i++) {
             family_case(seed, f, round * (uint64_t)n + i, &c);
-            try_case(&c, &said->of[f]);
+            try_case(&c, &part->of[f]);
         }
     }
     for (uint64_t i = 0; i < BASES_A_ROUND; i++) {
         constructed_base(seed, round * BASES_A_ROUND + i, &base);
         for (int k = 0; k < constructed_neighbours(&base); k++)
             if (constructed_neighbour(&base, k, &c))
-                try_case(&c, &said->of[families]);
+                try_case(&c, &part->of[families]);
     }
     for (uint64_t i = 0; i < WILD_A_ROUND; i++) {
         constructed_wild(seed, round * WILD_A_ROUND + i, &c);
-        try_case(&c, &said->of[families + 1]);
+        try_case(&c, &part->of[families + 1]);
     }
     for (uint64_t i = 0; i < PLAIN_A_ROUND; i++) {
         constructed_plain(seed, round * PLAIN_A_ROUND + i, &c);
-        try_case(&c, &said->of[families + 2]);
+        try_case(&c, &part->of[families + 2]);
     }
 }
 
 static void work(uint64_t seed, int job, int jobs, long cases, time_t until,
                  int to)
 {
-    struct report said;
+    struct report part;
     long done = 0;
     for (uint64_t round = (uint64_t)job; done < cases && time(NULL) < until;
          round += (uint64_t)jobs) {
-        do_round(seed, round, &said);
+        do_round(seed, round, &part);
         for (int f = 0; f < MOST_FAMILIES; f++)
-            done += said.of[f].cases;
-        if (write(to, &said, sizeof said) != (ssize_t)sizeof said)
+            done += part.of[f].cases;
+        if (write(to, &part, sizeof part) != (ssize_t)sizeof part)
             exit(1);
     }
     exit(0);
@@ -175,17 +170,17 @@ static void work(uint64_t seed, int job, int jobs, long cases, time_t until,
 
 /* ---------------------------------------------------------- reporting -- */
 
-static long add(struct report *sum, const struct report *said)
+static long add(struct report *sum, const struct report *part)
 {
     long cases = 0;
     for (int f = 0; f < MOST_FAMILIES; f++) {
-        sum->of[f].cases += said->of[f].cases;
-        sum->of[f].hits += said->of[f].hits;
-        sum->of[f].verdicts += said->of[f].verdicts;
-        sum->of[f].roots += said->of[f].roots;
-        sum->of[f].derived += said->of[f].derived;
+        sum->of[f].cases += part->of[f].cases;
+        sum->of[f].hits += part->of[f].hits;
+        sum->of[f].verdicts += part->of[f].verdicts;
+        sum->of[f].roots += part->of[f].roots;
+        sum->of[f].derived += part->of[f].derived;
         for (int k = 0; k < MEASURES; k++)
-            sum->of[f].off[k] = fmax(sum->of[f].off[k], said->of[f].off[k]);
+            sum->of[f].off[k] = fmax(sum->of[f].off[k], part->of[f].off[k]);
         cases += sum->of[f].cases;
     }
     return cases;
@@ -202,14 +197,14 @@ static void progress(double cases, double wanted, time_t began)
             difftime(now, began));
 }
 
-/* Reads the reports of all; 0 if a process did not end well. */
+/* Adds up the reports of all processes; returns 0 if one failed. */
 static int collect(int from, int jobs, double wanted, struct report *sum)
 {
-    struct report said;
+    struct report part;
     const time_t began = time(NULL);
     int well = 1;
-    while (read(from, &said, sizeof said) == (ssize_t)sizeof said)
-        progress((double)add(sum, &said), wanted, began);
+    while (read(from, &part, sizeof part) == (ssize_t)sizeof part)
+        progress((double)add(sum, &part), wanted, began);
     for (int i = 0; i < jobs; i++) {
         int status;
         well &= wait(&status) > 0 && status == 0;
@@ -250,10 +245,10 @@ static int print_table(const struct report *sum)
 
 int main(void)
 {
-    const double wanted = number("CYLINT_CASES", 1e8);
-    const uint64_t seed = (uint64_t)number("CYLINT_SEED", 20240);
-    const double seconds = number("CYLINT_SECONDS", 1e9);
-    int jobs = (int)number("CYLINT_JOBS", 2), ends[2];
+    const double wanted = check_number("CYLINT_CASES", 1e8);
+    const uint64_t seed = (uint64_t)check_number("CYLINT_SEED", 20240);
+    const double seconds = check_number("CYLINT_SECONDS", 1e9);
+    int jobs = (int)check_number("CYLINT_JOBS", 2), ends[2];
     jobs = jobs < 1 ? 1 : jobs > MOST_JOBS ? MOST_JOBS : jobs;
     struct report sum;
     memset(&sum, 0, sizeof sum);
@@ -280,12 +275,11 @@ int main(void)
 
 #else
 
-#include <stdio.h>
+#include "program.h"
 
 int main(void)
 {
-    puts("no MPFR: no oracle to compare with (make deps)");
-    return 77;
+    return check_skip("no MPFR: no oracle to compare with (make deps)");
 }
 
 #endif

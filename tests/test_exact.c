@@ -1,36 +1,25 @@
 /*
- * test_exact.c - exact arithmetic against GMP, and the room it takes
+ * test_exact.c - floor numbers: exact arithmetic against GMP, and its memory
  *
- * Numbers are compared as integers, times 2^BASE.  How much of the arena is
- * used is measured where more room follows it than any input can ask for, on
- * inputs made to ask for much: a search by small changes from random starts.
+ * Numbers are compared as integers, multiplied by 2^BASE.  A second test
+ * searches for inputs that use as much of the arena as possible, by small
+ * changes from random starts; memory behind the arena catches what overflows.
  */
-#include <stdio.h>
-
 #ifdef HAVE_MPFR
 #include <gmp.h>
 #include <math.h>
 #include <stddef.h>
 
 #include "check.h"
+#include "random.h"
 #include "roots/roots.h"
 
 enum { BASE = 8192, CASES = 20000 };
 
-static uint64_t state = 0x9e3779b97f4a7c15u;
-
-/* xorshift64* [Vigna 2016] */
-static uint64_t draw(void)
-{
-    state ^= state >> 12;
-    state ^= state << 25;
-    state ^= state >> 27;
-    return state * 0x2545f4914f6cdd1du;
-}
-
 static uint64_t below(uint64_t n)
 {
-    return (draw() >> 11) % n;
+    static uint64_t stream = 1;
+    return random_below(&stream, n);
 }
 
 static double from_bits(uint64_t bits)
@@ -40,7 +29,7 @@ static double from_bits(uint64_t bits)
     return x;
 }
 
-/* Any finite double: zero, subnormal, of every exponent. */
+/* Any finite double: zero, subnormal, or with any exponent. */
 static double any_double(void)
 {
     const uint64_t sign = below(2) << 63;
@@ -76,18 +65,18 @@ static void integer_of(mpz_t z, exact x)
         mpz_neg(z, z);
 }
 
-/* Whether x is well made and x 2^shift the integer. */
+/* Whether x has no zero limb at its ends and x 2^BASE is the integer. */
 static int is_integer(exact x, const mpz_t wanted)
 {
     mpz_t z;
     mpz_init(z);
     integer_of(z, x);
-    const int made = x.sign == 0
-                         ? x.n == 0
-                         : x.n > 0 && x.limb[0] != 0 && x.limb[x.n - 1] != 0;
+    const int trimmed = x.sign == 0
+                            ? x.n == 0
+                            : x.n > 0 && x.limb[0] != 0 && x.limb[x.n - 1] != 0;
     const int same = mpz_cmp(z, wanted) == 0 && mpz_sgn(z) == x.sign;
     mpz_clear(z);
-    return made && same;
+    return trimmed && same;
 }
 
 static cylint_arena arena;
@@ -108,7 +97,7 @@ static void doubles_are_placed_exactly(void)
 
 enum { TERMS = 6 };
 
-/* A sum whose terms cancel often, exactly and nearly. */
+/* A sum in which terms often cancel, exactly or nearly. */
 static exact cancelling_sum(mpz_t sum)
 {
     double term[TERMS];
@@ -153,7 +142,7 @@ static void products_of_sums_are_exact(void)
     mpz_clears(x, y, NULL);
 }
 
-static void what_is_kept_is_all_that_stays(void)
+static void keeping_a_number_frees_the_rest(void)
 {
     mpz_t x, y;
     mpz_inits(x, y, NULL);
@@ -216,18 +205,18 @@ static void roundings_are_within_their_bound(void)
         CHECK(off < CYLINT_EXACT_ROUNDING);
         CHECK(fabs(v.hi) >= 1 && fabs(v.hi) <= 2 && v.hi + v.lo == v.hi);
     }
-    printf("note: rounding to a pair is off by at most %.3f 2^-104\n",
+    printf("note: largest error of rounding to a pair: %.3f 2^-104\n",
            worst * 0x1p104);
     mpz_clears(x, y, NULL);
 }
 
-/* ------------------------------------------------- room in the arena --- */
+/* ----------------------------------------------- memory of the arena --- */
 
-/* The arena is the query's last member, so what overflows it lands here. */
+/* The arena is the last member of the query, so `spare` catches overflow. */
 static struct {
     cylint_query q;
     uint32_t spare[1 << 20];
-} roomy;
+} spacious;
 
 enum { SHAPE_DATA = 13, DATA = SHAPE_DATA + 6, KINDS = 5 };
 
@@ -237,7 +226,7 @@ typedef struct {
     int segment;
 } wild;
 
-/* Both ends of the exponent range, and what lies between. */
+/* A number at either end of the exponent range, or between. */
 static double wild_double(void)
 {
     const double sign = below(2) ? 1 : -1;
@@ -309,7 +298,7 @@ static int made(const wild *c, int kind, cylint_shape *s, cylint_line *l)
                        : cylint_whole_line(l, o, o + 3)) == CYLINT_OK;
 }
 
-/* Whether there is such a root, so that it may be asked for. */
+/* Whether the root exists and may be computed. */
 static int exists(cylint_query *q, cylint_root root)
 {
     const int linear =
@@ -329,13 +318,14 @@ static int exists(cylint_query *q, cylint_root root)
     }
 }
 
-/* The most limbs in use while every sign, root and fact is asked for. */
+/* The largest number of limbs in use while all signs, roots and members of a
+ * hit are computed. */
 static int limbs_used(const wild *c, int kind)
 {
     cylint_shape s;
     cylint_line l;
     cylint_hit hit;
-    cylint_query *q = &roomy.q;
+    cylint_query *q = &spacious.q;
     if (!made(c, kind, &s, &l))
         return 0;
     cylint_query_open(q, &s, &l);
@@ -416,7 +406,7 @@ int main(void)
     RUN(doubles_are_placed_exactly);
     RUN(sums_are_exact);
     RUN(products_of_sums_are_exact);
-    RUN(what_is_kept_is_all_that_stays);
+    RUN(keeping_a_number_frees_the_rest);
     RUN(roundings_are_within_their_bound);
     RUN(wild_exponents_fit_the_arena);
     return check_end();
@@ -424,10 +414,11 @@ int main(void)
 
 #else
 
+#include "program.h"
+
 int main(void)
 {
-    puts("no MPFR and GMP: nothing to compare with (make deps)");
-    return 77;
+    return check_skip("no MPFR and GMP: nothing to compare with (make deps)");
 }
 
 #endif

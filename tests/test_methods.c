@@ -1,34 +1,33 @@
 /*
- * The published methods: each agrees with a reference in long double on
- * well-conditioned input of its shape, and refuses what it was not published
- * for.  Degenerate input is test_methods_contract.c's; what the print gets
- * wrong, test_misprints.c's.
+ * test_methods.c - floor methods: ordinary input, against long double
  *
- * The reference knows no method: it maps the line to the shape's own
- * coordinates, collects every parameter at which anything could change
- * (lateral roots, planes of the ends), and asks between them whether a
- * point is inside.
+ * Each published method agrees with a reference on well-conditioned input of
+ * its shapes, and returns CYLINT_EMETHOD for all others.  Degenerate input is
+ * in test_methods_contract.c, misprints are in test_methods_misprints.c.
+ *
+ * The reference shares no code with a method.  It maps the line to the shape's
+ * own coordinates, collects all parameters at which inside and outside can
+ * change (lateral roots, planes of the ends), and tests a point between each
+ * two of them.
  */
 #include <math.h>
 #include <string.h>
 
 #include "method_cases.h"
+#include "random.h"
 
 typedef long double real;
 
 #define SEED 20240229u
 #define TRIALS 20000
-#define AGREEMENT 1e-9L /* what is asked of the methods, relative */
+#define AGREEMENT 1e-9L /* required of the methods, relative */
 
 /* -------------------------------------------------------------- random -- */
 
-static unsigned long long state = SEED;
-
-/* The high bits of a linear congruence, MMIX's [Knuth 1997, 3.3.4]. */
 static double between(double low, double high)
 {
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
+    static uint64_t stream = SEED;
+    return low + (high - low) * random_unit(&stream);
 }
 
 static void random_vector(double size, double out[3])

@@ -1,14 +1,14 @@
 /*
- * test_ties.c - roots exactly halfway between two doubles, and just beside
+ * test_ties.c - floor roots: roots at the midpoint of two doubles, and beside it
  *
- * Random roots never lie there, so these are built.  A root t = T 2^f with
- * T = 2m + 1 of 54 bits (or, where doubles are subnormal, f = -1075 and any
- * m) is the middle between m 2^(f+1) and (m+1) 2^(f+1).  A coordinate moves
- * with c t, so the line must begin c T before the place where it meets the
- * boundary; c T = hi + lo is too long for a double, but as a difference of
- * two, the line's origin -hi and the shape's place lo, it is exact.  The even
- * neighbour is thus known without any arithmetic of the library's or the
- * oracle's; moving the shape by one ulp must give the lower or the upper one.
+ * Random roots are never midpoints, so these are constructed.  A root
+ * t = T 2^f with T = 2m + 1 of 54 bits (for subnormal t f = -1075 and any m) is
+ * the midpoint of m 2^(f+1) and (m+1) 2^(f+1).  A coordinate of the line is
+ * c t plus its origin, so the origin must be c T before the boundary.
+ * c T = hi + lo is too long for one double, but the difference of the line's
+ * origin -hi and the shape's place lo is exact.  So the even neighbour is known
+ * without arithmetic of the library or the oracle.  Moving the shape by one ulp
+ * must give the lower or the upper neighbour.
  */
 #include <math.h>
 #include <string.h>
@@ -16,6 +16,7 @@
 #include "check.h"
 #include "constructed.h"
 #include "numbers/double_double.h"
+#include "random.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
 #endif
@@ -25,34 +26,26 @@ enum where { CAP, SIDE, TANGENT, ALONG_A_RULING, APEX, PLACES };
 static const char *const place_names[PLACES] = {"cap", "side", "tangent",
                                                 "along a ruling", "apex"};
 
-/* What is to be built: m, f and c as above; lengths are whole numbers times
- * 2^e; side +1 or -1 of the axis; t positive or negative. */
+/* The tie to construct: m, f and c as above; lengths are whole numbers times
+ * 2^e; side: +1 or -1 of the axis; sign: of t. */
 struct plan {
     enum where where;
     family_shape word;
     double m, c;
-    int f, e, side, sign, axis, other; /* other: choices within a place */
+    int f, e, side, sign, axis, other; /* other: further choices */
 };
 
-static uint64_t state = 1;
-
-static uint64_t draw(void)
-{
-    uint64_t x = state += UINT64_C(0x9e3779b97f4a7c15);
-    x = (x ^ x >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
-    x = (x ^ x >> 27) * UINT64_C(0x94d049bb133111eb);
-    return x ^ x >> 31;
-}
+static uint64_t stream = 1;
 
 static int one_of(int n)
 {
-    return (int)(draw() >> 33) % n;
+    return random_int(&stream, n);
 }
 
 /* ------------------------------------------------------------ building -- */
 
-/* The line in the shape's own coordinates, x y along the section, z along
- * the axis; place: what must be added to the shape's coordinates. */
+/* The line in the shape's own coordinates: x, y in the section, z along the
+ * axis.  place: the vector to add to the shape's coordinates. */
 struct scene {
     double o[3], d[3], place[3];
     double low, high;     /* z of base and top, or of apex and end of u */
@@ -61,8 +54,8 @@ struct scene {
     cylint_ends ends;
 };
 
-/* d_i T = hi + lo. */
-static void go_back(const struct plan *p, struct scene *s, int i)
+/* Sets origin and place of coordinate i from d_i T = hi + lo. */
+static void set_origin(const struct plan *p, struct scene *s, int i)
 {
     const pair twice = two_prod(2 * s->d[i], p->m);
     s->o[i] = -twice.hi;
@@ -80,7 +73,7 @@ static void cap_tie(const struct plan *p, struct scene *s)
     const int top = p->word == FAMILY_ACONE || (p->other & 1);
     s->d[2] = p->c;
     s->d[0] = p->word == FAMILY_ACONE ? 0 : one_of(3) - 1;
-    go_back(p, s, 2);
+    set_origin(p, s, 2);
     s->low = top ? -height : 0;
     s->high = top ? 0 : height;
     s->r0 = s->a = s->b = wide;
@@ -90,8 +83,8 @@ static void cap_tie(const struct plan *p, struct scene *s)
     s->lean[1] = -4;
 }
 
-/* Half-way up, a section of semi-axes `size` a and b, which a line along x
- * at y = q meets at x = +-p. */
+/* Half-way up is a section with the semi-axes size a and size b.  A line along
+ * x at y = q meets it at x = +-p. */
 static void side_tie(const struct plan *p, struct scene *s)
 {
     static const int triples[][3] = {
@@ -115,7 +108,7 @@ static void side_tie(const struct plan *p, struct scene *s)
         s->high = size * s->a;
     }
     s->d[0] = p->c;
-    go_back(p, s, 0);
+    set_origin(p, s, 0);
     s->place[0] -= p->side * size * px * (s->a / r);
     s->o[1] = size * qy * (s->b / r);
     if (cylinder && (p->other & 1)) {
@@ -129,7 +122,7 @@ static void side_tie(const struct plan *p, struct scene *s)
     }
 }
 
-/* About its apex at z = 0 the cone is |z| wide. */
+/* A cone with its apex at z = 0 and the radius |z|. */
 static void cone_of_45(const struct plan *p, struct scene *s)
 {
     s->low = p->word == FAMILY_ACONE ? 0 : 1;
@@ -138,14 +131,14 @@ static void cone_of_45(const struct plan *p, struct scene *s)
     s->r1 = s->k = 2;
 }
 
-/* x - z = 2 side all along: the quadratic is a linear equation. */
+/* x - z = 2 side on the whole line, so the quadratic is a linear equation. */
 static void ruling_tie(const struct plan *p, struct scene *s)
 {
     cone_of_45(p, s);
     s->ends = CYLINT_ENDS_INFINITE;
     s->d[0] = s->d[2] = p->c;
-    go_back(p, s, 0);
-    go_back(p, s, 2);
+    set_origin(p, s, 0);
+    set_origin(p, s, 2);
     s->place[0] -= p->side;
     s->place[2] += p->side;
 }
@@ -163,15 +156,14 @@ static void apex_tie(const struct plan *p, struct scene *s)
     s->d[1] = p->other & 2 ? one_of(5) - 2 : 0;
     s->d[2] = p->c;
     if (s->d[0] * s->d[0] + s->d[1] * s->d[1] == p->c * p->c)
-        s->ends =
-            CYLINT_ENDS_NAPPE; /* of a double cone this is a whole ruling */
+        s->ends = CYLINT_ENDS_NAPPE; /* on a double cone it is a ruling */
     for (int i = 0; i < 3; i++)
         if (s->d[i] != 0)
-            go_back(p, s, i);
+            set_origin(p, s, i);
 }
 
-/* Turned so that the axis is coordinate p->axis, lengths by 2^e, directions
- * by 2^(e - f). */
+/* Writes the case with coordinate p->axis as the axis, lengths times 2^e,
+ * directions times 2^(e - f). */
 static int write_case(const struct plan *p, const struct scene *s,
                       struct family_case *c)
 {
@@ -272,14 +264,11 @@ static void expect(const struct plan *p, const struct family_case *c, double t,
         return;
     REPORT("%s, %s: want %a, got %d: %a %a", place_names[p->where], which, t,
            got.n, got.n > 0 ? got.hit[0].t : 0, got.n > 1 ? got.hit[1].t : 0);
-    if (check_bad <= CHECK_SHOWN) {
-        family_print(stderr, c);
-        fputc('\n', stderr);
-    }
+    REPORT_CASE(c);
 }
 
-/* The coordinate of the shape that t depends on, moved by one ulp: a plane's
- * own, else that of the whole axis. */
+/* Moves by one ulp the coordinate of the shape on which t depends: of the
+ * plane, or else of the whole axis. */
 static int move_shape(const struct plan *p, int ulps, struct family_case *c)
 {
     const int along = p->where == CAP ? 2 : 0;
@@ -307,7 +296,7 @@ static void try_plan(const struct plan *p)
     ties++;
     expect(p, &c, odd ? upper : lower, "tie");
     if (p->where == APEX)
-        return; /* off the apex it is another root altogether */
+        return; /* a moved line misses the apex and has other roots */
     for (int ulps = -1; ulps <= 1; ulps += 2) {
         moved = c;
         if (move_shape(p, ulps, &moved))
@@ -321,7 +310,7 @@ static void try_plan(const struct plan *p)
 static double whole_of_bits(int bits)
 {
     const uint64_t top = (uint64_t)1 << (bits - 1);
-    return (double)(top | (draw() & (top - 1)));
+    return (double)(top | (random_bits(&stream) & (top - 1)));
 }
 
 static void for_all_places(void (*choose)(struct plan *p), int times)
@@ -384,7 +373,7 @@ static void subnormal_ties_go_to_even(void)
     for_all_places(below_normal, 200);
 }
 
-/* Between the largest double and 2^1024, which counts as even. */
+/* Midpoints of the largest double and 2^1024, which counts as even. */
 static void at_the_end(struct plan *p)
 {
     p->m = one_of(2) ? 0x1p53 - 1 : 0x1p53 - 2 - one_of(2);
@@ -403,7 +392,7 @@ int main(void)
     RUN(ties_of_any_exponent_go_to_even);
     RUN(subnormal_ties_go_to_even);
     RUN(ties_at_the_largest_double_go_to_infinity);
-    printf("note: %ld ties, most of them with both neighbours\n", ties);
+    printf("note: %ld ties, most with both neighbours\n", ties);
 #ifndef HAVE_MPFR
     puts("note: no MPFR: no oracle to compare with (make deps)");
 #endif

@@ -20,7 +20,7 @@
 #define CYLINT_BOUNDS_H
 
 /*
- * K: the deepest form is G of a cone.  tests/test_depth.c runs forms_template.h over
+ * K: the deepest form is G of a cone.  tests/test_form_depth.c runs forms_template.h over
  * an arithmetic of path lengths and wants exactly this.
  */
 #define CYLINT_DEPTH 25
@@ -99,7 +99,7 @@
  * The filters run only where every datum is at most CYLINT_WINDOW in size.
  * An operation that underflows, flushing to zero included, errs by at most
  * 2^-1022, and what multiplies that error later is bounded by the window:
- * tests/test_depth.c adds up what arrives at the worst form.
+ * tests/test_form_depth.c adds up what arrives at the worst form.
  */
 #define CYLINT_WINDOW 0x1p60
 #define CYLINT_UNDERFLOW 0x1p-586
@@ -130,7 +130,7 @@
 
 /*
  * C and alpha in the unnormalised pairs of simd.h, in which roots are rounded
- * in lanes, to nearest only: tests/test_depth.c runs forms_template.h over what lo and
+ * in lanes, to nearest only: tests/test_form_depth.c runs forms_template.h over what lo and
  * the error can come to, in units of 2^-53 and 2^-106 of the sizes.
  */
 #define CYLINT_LAZY_BOUND (512 * 0x1p-106)

@@ -23,7 +23,7 @@ typedef struct {
  * How much room a question may need.  A double's lowest bit is 2^-1074 at
  * least and its highest below 2^1024: a datum takes at most 67 limbs, a product
  * of d data 67 d, and forms keep nothing but their result (BEGIN, RETURN).
- * Proved: tests/test_room.c runs the library over numbers that have every limb
+ * Proved: tests/test_arena.c runs the library over numbers that have every limb
  * they might have, and uses 14221 at most; the next power of two.
  */
 enum { CYLINT_ARENA_LIMBS = 16384 };

@@ -1,10 +1,9 @@
 /*
- * test_corners.c - inputs made to reach what random ones do not
+ * test_special_cases.c - floors signs, roots and shapes: constructed inputs
  *
- * Each row was added because a branch of src/ was never taken, or a changed
- * operator there never noticed, by the families (`make coverage`, `make
- * mutants`); it says which.  Everything a hit tells must agree with the
- * oracle.
+ * Each row reaches a branch of src/ that the families never take, or an
+ * operator whose change they do not detect (make coverage, make mutants), and
+ * names it.  All members of a hit must agree with the oracle.
  */
 #ifdef HAVE_MPFR
 
@@ -19,7 +18,7 @@
 
 enum { ULPS = 4 };
 
-struct corner {
+struct special_case {
     const char *what;
     family_line line;
     double o_d[6];
@@ -28,20 +27,20 @@ struct corner {
     cylint_ends ends;
 };
 
-static const struct corner corners[] = {
-    {"a root whose next digits are too far off, kept where it is safe",
+static const struct special_case special_cases[] = {
+    {"a root whose further digits are too inaccurate",
      FAMILY_LINE,
      {0, 0, 0, 0, -7, 6},
      FAMILY_CYLINDER,
      {6, 0x1.0a0a0a0a0a0ap+907, 0, 0, 0, 0, 6},
      CYLINT_ENDS_CAP0},
-    {"a root that differs from -1 by 2^-2007 only: its normal was a NaN",
+    {"a root that differs from -1 by 2^-2007: the normal was NaN",
      FAMILY_LINE,
      {0x1p934, 0x1p934, 0x1p934, 0x1p934, 0x1p934, 0x1p934},
      FAMILY_ECYLINDER,
      {0, 0, 0, 0, -7, 0, 0, -7, -0x1p-1073, 4, 0x1.8p-977, -8},
      CYLINT_ENDS_CAP0},
-    {"z where a, b and h nearly depend: was off by 22 ulp",
+    {"z where a, b and h are nearly dependent: had an error of 22 ulp",
      FAMILY_LINE,
      {-0x1.f4e4804e96c52p-54, -0x1.645d5c3ab05ecp-63, 0x1.ffe90529f6272p-55,
       -0x1.636ff62d275b5p-1, 0x1.645d5c3ab05ecp-4, 0x1.6fad609d8e459p-7},
@@ -51,13 +50,13 @@ static const struct corner corners[] = {
       -0x1.e2e0745d73a1cp-1, 0x1.db5a6f97f68ccp-1, -0x1.a76af030a74cep-3,
       -0x1.796907f3e6a6ap-2},
      CYLINT_ENDS_NAPPE},
-    {"z where a.(b x h) underflows: was a NaN",
+    {"z where a.(b x h) underflows: was NaN",
      FAMILY_LINE,
      {0, 0, 0, 0x1p-904, 0x1p36, 0},
      FAMILY_ECYLINDER,
      {0, 0, 0x1p-33, 0, 0, 0x1p35, 0x1p-184, 0, 0, 0, 0x1p-467, 0},
      CYLINT_ENDS_NAPPE},
-    {"phi so far away that what underflows counts: was off by 1/4",
+    {"phi so far away that underflow matters: had an error of 1/4",
      FAMILY_LINE,
      {-0x1.2400d3b2cp-38, 0, -0x1.6358f422p+53, -0x1.18e0d9e54p-799,
       -0x1.e882d99fp+25, -0x1.4a609288p-860},
@@ -66,7 +65,7 @@ static const struct corner corners[] = {
       -0x1.0678551bp-937, -0x1.16d1c872cp-282, 0, 0, -0x1.c3f62d74p-598,
       -0x1.a985db15p+50, 0, 0, 0x1.f2bb2209p-193, 0},
      CYLINT_ENDS_NAPPE},
-    {"z beyond the doubles in pairs: was a NaN",
+    {"z beyond the doubles in pairs: was NaN",
      FAMILY_LINE,
      {-0x1.72879722p-916, 0x1.5381e2ep-664, 0, -0x1.634e62b1p-971,
       -0x1.986f203fp-56, 0},
@@ -82,7 +81,7 @@ static const struct corner corners[] = {
      FAMILY_ACONE,
      {0, 0, 0, 1, 1, 0, 45},
      CYLINT_ENDS_INFINITE},
-    {"apex normal: u.w needs every digit",
+    {"apex normal: u.w needs exact arithmetic",
      FAMILY_LINE,
      {0, 0, 0, 1, 0, -0x1p-1000},
      FAMILY_ACONE,
@@ -100,19 +99,19 @@ static const struct corner corners[] = {
      FAMILY_ACONE,
      {0, 0, 0, 0, 0, 1, 45},
      CYLINT_ENDS_INFINITE},
-    {"parallel to a ruling: the sign of B needs every digit",
+    {"parallel to a ruling: the sign of B needs exact arithmetic",
      FAMILY_LINE,
      {1, 0, 1, 1, 0, 1},
      FAMILY_ACONE,
      {0x1p-106, 0, 0, 0, 0, 1, 45},
      CYLINT_ENDS_INFINITE},
-    {"the same from the other side",
+    {"the same with the other sign",
      FAMILY_LINE,
      {1, 0, 1, 1, 0, 1},
      FAMILY_ACONE,
      {-0x1p-106, 0, 0, 0, 0, 1, 45},
      CYLINT_ENDS_NAPPE},
-    {"parallel to a ruling: B on a grid that pairs need not know",
+    {"parallel to a ruling: B on a grid, exact without pairs",
      FAMILY_LINE,
      {0x1.0000000000004p50, 0, 0x1p50, 1, 0, 1},
      FAMILY_ACONE,
@@ -124,7 +123,7 @@ static const struct corner corners[] = {
      FAMILY_ACONE,
      {0, 0, 0, 0, 0, 1, 45},
      CYLINT_ENDS_NAPPE},
-    {"a double whose middle to the next is the other root",
+    {"the midpoint of two doubles is the other root",
      FAMILY_LINE,
      {-0x1.8p80, 0x1.ffffffffffffep51, 0, 1, 0, 0},
      FAMILY_CYLINDER,
@@ -162,7 +161,7 @@ static const struct corner corners[] = {
      CYLINT_ENDS_CAPPED},
 };
 
-static int case_of(const struct corner *from, struct family_case *c)
+static int case_of(const struct special_case *from, struct family_case *c)
 {
     memset(c, 0, sizeof *c);
     c->line_word = from->line;
@@ -192,25 +191,25 @@ static int agrees(const struct family_case *c)
     return same;
 }
 
-static void every_corner_agrees_with_the_oracle(void)
+static void every_special_case_agrees_with_the_oracle(void)
 {
-    for (size_t i = 0; i < sizeof corners / sizeof corners[0]; i++) {
+    for (size_t i = 0; i < sizeof special_cases / sizeof special_cases[0];
+         i++) {
         struct family_case c;
-        if (CHECK(case_of(&corners[i], &c)) && agrees(&c))
+        if (CHECK(case_of(&special_cases[i], &c)) && agrees(&c))
             continue;
-        REPORT("%s", corners[i].what);
-        family_print(stderr, &c);
-        fputc('\n', stderr);
+        REPORT("%s", special_cases[i].what);
+        family_report(&c);
     }
 }
 
-/* From afar the root in pairs, good enough for t, may be too coarse for the
- * point: how coarse it is must be known (t_error). */
+/* From far away the root in pairs is accurate enough for t but may be too
+ * inaccurate for the point, so its error must be bounded (t_error). */
 static void a_grazing_line_from_afar_finds_its_point(void)
 {
     for (int far = 8; far <= 60; far += 4) {
         for (int depth = 2; depth <= 48; depth += 2) {
-            struct corner k = {
+            struct special_case k = {
                 "grazing from afar",
                 FAMILY_LINE,
                 {-ldexp(1.1, far), 0, 1 - ldexp(1.3, -depth), 1, 0x1p-40, 0},
@@ -221,13 +220,12 @@ static void a_grazing_line_from_afar_finds_its_point(void)
             k.o_d[1] = k.o_d[0] * 0x1p-40; /* aims at the origin's plane */
             if (CHECK(case_of(&k, &c)) && agrees(&c))
                 continue;
-            family_print(stderr, &c);
-            fputc('\n', stderr);
+            family_report(&c);
         }
     }
 }
 
-/* Its t is rounded to the largest double, which is where the domain ends. */
+/* t is rounded to the largest double, which is the end of the domain. */
 static void a_root_beyond_the_largest_double_is_outside(void)
 {
     const double o[3] = {0, 0, 0x1.2p-102}, d[3] = {0, 0, 0x1.8p-1073};
@@ -301,7 +299,7 @@ static void boxes_of_nappes_open_the_right_way(void)
     }
 }
 
-/* The axis and its length are beyond the largest double, the box is not. */
+/* The axis and its length exceed the largest double; the box does not. */
 static void boxes_of_the_longest_axes_are_tight(void)
 {
     const double most = DBL_MAX, half = DBL_MAX / 2;
@@ -327,7 +325,7 @@ static void boxes_of_the_longest_axes_are_tight(void)
     CHECK(hi[2] - 0x1p1000 <= ULPS * ulp(0x1p1000));
 }
 
-/* Sizes at both ends of the range: one was cut short, one infinite, one a
+/* Sizes at both ends of the range: one box was too small, one infinite, one
  * NaN. */
 static void boxes_of_the_least_and_largest_sections_are_tight(void)
 {
@@ -383,18 +381,17 @@ int main(void)
     RUN(a_grazing_line_from_afar_finds_its_point);
     RUN(an_angle_stays_below_a_turn);
     RUN(boxes_of_nappes_open_the_right_way);
-    RUN(every_corner_agrees_with_the_oracle);
+    RUN(every_special_case_agrees_with_the_oracle);
     return check_end();
 }
 
 #else
 
-#include <stdio.h>
+#include "program.h"
 
 int main(void)
 {
-    puts("no MPFR: no oracle to compare with (make deps)");
-    return 77;
+    return check_skip("no MPFR: no oracle to compare with (make deps)");
 }
 
 #endif

@@ -1,27 +1,24 @@
 /*
- * test_room.c - the arena holds whatever a question may need
+ * test_arena.c - floor numbers: the arena is large enough for every question
  *
- * The library runs here on numbers that are extents only: which limbs a
- * number may have, from the lowest a double can have to the highest, and at
- * each sum one more for a carry.  This file's cylint_exact_* stand in for
- * those of exact.c and take the same room, or more: nothing cancels, nothing
- * is trimmed.  Whichever limbs real numbers have, theirs are among these, so
- * that what is used here is never exceeded.  Signs, on which it depends where
- * the library goes next, are drawn at random.
+ * The functions cylint_exact_*() of this file replace those of exact.c.  They
+ * keep only a number's extent, the range of limbs that it can have: all limbs
+ * that a double can have, and one more for the carry of each sum.  Nothing
+ * cancels and nothing is trimmed, so real numbers never use more limbs.  Signs
+ * decide what the library computes next; they are random.
  */
 #include "check.h"
+#include "random.h"
 #include "roots/roots.h"
 
-/* A double's limbs (exact.c): of 2^-1074 limb -34, of 2^1023 limb 31, and
- * one above as it is placed. */
+/* The limbs of doubles (exact.c): 2^-1074 is in limb -34, 2^1023 in limb 31,
+ * and cylint_exact_from() uses one more. */
 enum { LOWEST = -34, LEAF = 67 };
 
-static uint64_t state = 1;
-
-static unsigned below(unsigned n)
+static uint64_t below(uint64_t n)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return (unsigned)(state >> 33) % n;
+    static uint64_t stream = 1;
+    return random_below(&stream, n);
 }
 
 static exact extent(cylint_arena *arena, int n, int exponent)
@@ -95,7 +92,7 @@ pair cylint_exact_round(exact x, int *e)
     return (pair){1, 0};
 }
 
-/* Any shape of a kind, any line: their numbers do not count. */
+/* A shape of the kind and a line; their numbers have no effect here. */
 static void make(int kind, int segment, cylint_shape *s, cylint_line *l)
 {
     static const double p[3] = {0, 0, 0}, a[3] = {1, 0, 0}, b[3] = {0, 1, 0},
@@ -123,7 +120,7 @@ static void make(int kind, int segment, cylint_shape *s, cylint_line *l)
         cylint_whole_line(l, o, d);
 }
 
-static void ask_signs(cylint_query *q)
+static void compute_signs(cylint_query *q)
 {
     for (int cap = 0; cap < 2; cap++) {
         cylint_sign_alpha(q, cap);
@@ -141,9 +138,9 @@ static void ask_signs(cylint_query *q)
     cylint_sign_rho0(q);
 }
 
-/* t, t against a number, and what else a hit can tell.  A middle between two
- * doubles is made of five numbers. */
-static void ask_root(cylint_query *q, cylint_root root)
+/* Computes t, compares it with a number, and writes all members of a hit.  The
+ * midpoint of two doubles is the sum of five numbers. */
+static void compute_root(cylint_query *q, cylint_root root)
 {
     cylint_hit hit;
     double t = 0, more = 0;
@@ -161,7 +158,7 @@ static void ask_root(cylint_query *q, cylint_root root)
                                 CYLINT_WANT_ALL, &hit);
 }
 
-/* The most limbs in use, in one such question. */
+/* The largest number of limbs in use in one random question. */
 static int limbs_used(int kind, int segment)
 {
     cylint_shape s;
@@ -171,9 +168,9 @@ static int limbs_used(int kind, int segment)
     cylint_query_open(&q, &s, &l);
     q.filters = 0; /* nothing is decided before the exact stage */
     if (below(2))
-        ask_signs(&q);
+        compute_signs(&q);
     for (cylint_root root = ROOT_ENTRY; root <= ROOT_CAP1; root++)
-        ask_root(&q, root);
+        compute_root(&q, root);
     return q.arena.most;
 }
 

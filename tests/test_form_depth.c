@@ -1,10 +1,11 @@
 /*
- * test_depth.c - how many roundings lie between the data and each form
+ * test_form_depth.c - floor signs: error_bounds.h has the depth of the forms
  *
- * forms_template.h is run over an arithmetic of path lengths: a sum is one rounding
- * more than its longer side, a product one more than both together.  The
- * longest path over all forms and kinds is what error_bounds.h says it is, neither
- * more nor less.
+ * The depth of a form is the largest number of roundings on a path from the
+ * data to it.  forms_template.h is compiled with an arithmetic of path lengths:
+ * a sum has one rounding more than its longer side, a product one more than
+ * both sides together.  The largest depth of all forms and kinds must be
+ * CYLINT_DEPTH, neither more nor less.
  */
 #include <string.h>
 
@@ -36,7 +37,7 @@ static int depth_of_product(int x, int y)
 #define RETURN(x) return x;
 #include "signs/forms_template.h"
 
-/* What a difference of data is to an arithmetic, see sign.c. */
+/* The rounding of a difference of data; see sign.c. */
 typedef enum {
     EXACT_DIFFERENCE,  /* pairs, rounding to nearest */
     ROUNDED_DIFFERENCE /* doubles, where it is a high part; and pairs in the
@@ -68,7 +69,7 @@ static void load(letters_depth *L, int kind, arithmetic in)
     prepare_top_depth(L);
 }
 
-/* Every polynomial whose value or sign is asked for. */
+/* All polynomials whose value or sign the library computes. */
 typedef enum {
     ALPHA_0,
     ALPHA_1,
@@ -158,7 +159,7 @@ static int deepest(arithmetic in, const char *title)
     return most;
 }
 
-static void the_deepest_form_is_as_deep_as_bounds_h_says(void)
+static void the_deepest_form_has_the_depth_in_error_bounds_h(void)
 {
     const int most = deepest(ROUNDED_DIFFERENCE, "in doubles");
     if (!CHECK(most == CYLINT_DEPTH))
@@ -180,7 +181,7 @@ static void move_to_t(letters_depth *L)
 
 /* Q, its gradient and the angle at D + t u (root.c, hit.c) are no deeper than
  * the forms themselves. */
-static void what_a_point_of_the_line_tells_is_no_deeper(void)
+static void values_at_a_point_of_the_line_are_no_deeper(void)
 {
     int most = 0;
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
@@ -207,8 +208,8 @@ static void what_a_point_of_the_line_tells_is_no_deeper(void)
 
 /* ------------------------------------------------------- underflow ----- */
 
-/* How large a number can be within the window, and how far off where each
- * operation may lose what is too small for it. */
+/* The largest size of a number within the window, and the error that underflow
+ * in each operation can cause. */
 typedef struct {
     double size, off;
 } sized;
@@ -241,8 +242,8 @@ static lazy lazy_mul(lazy x, lazy y)
 #define MUL(x, y) lazy_mul(x, y)
 #include "signs/forms_template.h"
 
-/* What lanes.h, round_root() evaluates. */
-static void unnormalised_pairs_err_as_bounds_h_says(void)
+/* The forms that round_root() in lanes.h evaluates. */
+static void unnormalised_pairs_keep_the_bound_in_error_bounds_h(void)
 {
     const lazy datum = {1, 0}, exact_datum = {0, 0};
     double most = 0;
@@ -265,9 +266,10 @@ static void unnormalised_pairs_err_as_bounds_h_says(void)
     CHECK(most * 0x1p-106 * 4 > CYLINT_LAZY_BOUND);
 }
 
-/* An operation on doubles loses one number below 2^-1022 where a processor
- * flushes to zero.  On pairs it loses one for each of its steps, twenty at
- * most: six of two_sum, three of fast_two_sum, eleven of Dekker's product. */
+/* Where the processor flushes to zero, an operation on doubles loses at most
+ * one number below 2^-1022.  An operation on pairs loses one in each of at most
+ * twenty steps: six of two_sum, three of fast_two_sum, eleven of Dekker's
+ * product. */
 static double lost_per_operation;
 
 static sized sized_add(sized x, sized y)
@@ -288,8 +290,7 @@ static sized sized_mul(sized x, sized y)
 #define MUL(x, y) sized_mul(x, y)
 #include "signs/forms_template.h"
 
-/* A datum may have lost something when it was scaled, a difference when it
- * was taken as well. */
+/* Scaling a datum can underflow, and taking a difference can too. */
 static void load_window(letters_sized *L, int kind)
 {
     const sized datum = {CYLINT_WINDOW, 0x1p-1022},
@@ -352,7 +353,7 @@ static double lost_by_any_form(double per_operation)
     return most;
 }
 
-static void what_underflows_stays_below_its_bound(void)
+static void underflow_stays_below_its_bound(void)
 {
     const double in_doubles = lost_by_any_form(0x1p-1022),
                  in_pairs = lost_by_any_form(20 * 0x1p-1022);
@@ -364,10 +365,10 @@ static void what_underflows_stays_below_its_bound(void)
 
 int main(void)
 {
-    RUN(the_deepest_form_is_as_deep_as_bounds_h_says);
+    RUN(the_deepest_form_has_the_depth_in_error_bounds_h);
     RUN(pairs_are_no_deeper);
-    RUN(what_a_point_of_the_line_tells_is_no_deeper);
-    RUN(what_underflows_stays_below_its_bound);
-    RUN(unnormalised_pairs_err_as_bounds_h_says);
+    RUN(values_at_a_point_of_the_line_are_no_deeper);
+    RUN(underflow_stays_below_its_bound);
+    RUN(unnormalised_pairs_keep_the_bound_in_error_bounds_h);
     return check_end();
 }

@@ -1,12 +1,11 @@
 /*
- * test_eft.c - error-free sums and products, and pairs within their bounds
+ * test_double_double.c - floor numbers: double_double.h against MPFR
  *
- * double_double.h is compiled twice, with products by Dekker's splitting and by fused
- * multiply-add, which must agree bit by bit.  The reference is MPFR with
- * more bits than any of these results has.
+ * Tests that sums and products are error-free and that pairs keep their error
+ * bounds.  double_double.h is compiled twice, with products by Dekker's
+ * splitting and by fused multiply-add; both must give the same bits.  MPFR has
+ * more bits than any of the results.
  */
-#include <stdio.h>
-
 #ifdef HAVE_MPFR
 #include <fenv.h>
 #include <math.h>
@@ -15,6 +14,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "random.h"
 
 #undef __FMA__
 #include "numbers/error_bounds.h"
@@ -48,23 +48,13 @@
 
 enum { CASES = 60000, BITS = 4500 };
 
-static uint64_t state = 0x2545f4914f6cdd1du;
-
-/* xorshift64* [Vigna 2016] */
-static uint64_t draw(void)
-{
-    state ^= state >> 12;
-    state ^= state << 25;
-    state ^= state >> 27;
-    return state * 0x2545f4914f6cdd1du;
-}
-
 static uint64_t below(uint64_t n)
 {
-    return (draw() >> 11) % n;
+    static uint64_t stream = 1;
+    return random_below(&stream, n);
 }
 
-/* A double in [1, 2), its mantissa random, sparse, or at an end. */
+/* A double in [1, 2) with a random mantissa, a sparse one, or one at an end. */
 static double mantissa(void)
 {
     switch (below(5)) {
@@ -82,7 +72,7 @@ static double mantissa(void)
     }
 }
 
-/* Exponents as the forms meet them: up to the eighth power of the window. */
+/* The exponents of the forms: up to the eighth power of the window. */
 static double any_double(void)
 {
     const int reach = below(4) ? 8 : 480;
@@ -98,7 +88,7 @@ static pair any_pair(void)
     switch (below(4)) {
     case 0:
         return (pair){hi, 0};
-    case 1: /* half an ulp, nearly */
+    case 1: /* nearly half an ulp */
         return two_sum(hi, ldexp(below(2) ? 2 - 0x1p-52 : -1, e - 55));
     default:
         return two_sum(hi, ldexp(below(2) ? mantissa() : -mantissa(),
@@ -106,8 +96,8 @@ static pair any_pair(void)
     }
 }
 
-/* Another that cancels against the first, wholly or nearly. */
-static pair against(pair a)
+/* A pair that cancels a, exactly or nearly, in half of the cases. */
+static pair cancelling(pair a)
 {
     pair b = any_pair();
     switch (below(4)) {
@@ -144,11 +134,11 @@ static void set(mpfr_t to, pair a)
     mpfr_add_d(to, to, a.lo, MPFR_RNDN);
 }
 
-static void sums_and_products_lose_nothing(void)
+static void sums_and_products_have_no_error(void)
 {
     for (int i = 0; i < CASES; i++) {
         const pair a = {any_double(), 0};
-        const pair b = {below(2) ? against(a).hi : any_double(), 0};
+        const pair b = {below(2) ? cancelling(a).hi : any_double(), 0};
         set(x, a);
         set(y, b);
         mpfr_add(z, x, y, MPFR_RNDN);
@@ -163,8 +153,8 @@ static void sums_and_products_lose_nothing(void)
     }
 }
 
-/* |result - z| relative to size. */
-static double off_by(pair result, double size)
+/* |result - z| / size. */
+static double relative_error(pair result, double size)
 {
     set(x, result);
     mpfr_sub(x, x, z, MPFR_RNDN);
@@ -181,7 +171,8 @@ static double larger(double a, double b)
     return a > b ? a : b;
 }
 
-/* Dekker's splitting is for rounding to nearest: elsewhere, fused. */
+/* Dekker's splitting is correct in rounding to nearest only; the other modes
+ * use the fused product. */
 static pair product_in_mode(pair a, pair b, int mode)
 {
     if (mode == FE_TONEAREST)
@@ -196,7 +187,7 @@ static errors worst_of_pairs(int mode)
     errors worst = {0, 0, 0, 0};
     for (int i = 0; i < CASES; i++) {
         fesetround(FE_TONEAREST);
-        pair a = any_pair(), b = against(a);
+        pair a = any_pair(), b = cancelling(a);
         if (b.hi == 0)
             continue;
         fesetround(mode);
@@ -211,14 +202,17 @@ static errors worst_of_pairs(int mode)
         set(p, a);
         set(q, b);
         mpfr_add(z, p, q, MPFR_RNDN);
-        worst.add = larger(worst.add, off_by(sum, fabs(a.hi) + fabs(b.hi)));
+        worst.add =
+            larger(worst.add, relative_error(sum, fabs(a.hi) + fabs(b.hi)));
         mpfr_mul(z, p, q, MPFR_RNDN);
-        worst.mul = larger(worst.mul, off_by(product, fabs(a.hi * b.hi)));
+        worst.mul =
+            larger(worst.mul, relative_error(product, fabs(a.hi * b.hi)));
         mpfr_div(z, p, q, MPFR_RNDN);
-        worst.div = larger(worst.div, off_by(quotient, fabs(a.hi / b.hi)));
+        worst.div =
+            larger(worst.div, relative_error(quotient, fabs(a.hi / b.hi)));
         mpfr_abs(p, p, MPFR_RNDN);
         mpfr_sqrt(z, p, MPFR_RNDN);
-        worst.sqrt = larger(worst.sqrt, off_by(root, sqrt(size.hi)));
+        worst.sqrt = larger(worst.sqrt, relative_error(root, sqrt(size.hi)));
         mpfr_clears(p, q, (mpfr_ptr)0);
     }
     return worst;
@@ -227,7 +221,8 @@ static errors worst_of_pairs(int mode)
 static void pairs_stay_within_their_bounds(void)
 {
     const errors e = worst_of_pairs(FE_TONEAREST);
-    printf("note: worst of its bound: sum %.2f, product %.2f, quotient %.2f, "
+    printf("note: largest error over its bound: sum %.2f, product %.2f, "
+           "quotient %.2f, "
            "root %.2f\n",
            e.add / CYLINT_PAIR_ADD, e.mul / CYLINT_PAIR_MUL,
            e.div / CYLINT_PAIR_DIV, e.sqrt / CYLINT_PAIR_SQRT);
@@ -244,7 +239,7 @@ static void other_rounding_modes_stay_within_the_common_bound(void)
         most.add = larger(most.add, e.add);
         most.mul = larger(most.mul, e.mul);
     }
-    printf("note: directed modes, worst of the bound: sum %.2f, "
+    printf("note: directed modes, largest error over the bound: sum %.2f, "
            "product %.2f\n",
            most.add / CYLINT_PAIR_ROUNDING, most.mul / CYLINT_PAIR_ROUNDING);
     CHECK(most.add <= CYLINT_PAIR_ROUNDING);
@@ -255,7 +250,7 @@ int main(void)
 {
     mpfr_inits2(BITS, x, y, z, (mpfr_ptr)0);
     RUN(both_products_give_the_same_bits);
-    RUN(sums_and_products_lose_nothing);
+    RUN(sums_and_products_have_no_error);
     RUN(pairs_stay_within_their_bounds);
     RUN(other_rounding_modes_stay_within_the_common_bound);
     mpfr_clears(x, y, z, (mpfr_ptr)0);
@@ -265,10 +260,11 @@ int main(void)
 
 #else
 
+#include "program.h"
+
 int main(void)
 {
-    puts("no MPFR: nothing to compare with (make deps)");
-    return 77;
+    return check_skip("no MPFR: nothing to compare with (make deps)");
 }
 
 #endif
