@@ -114,10 +114,11 @@ function open_block(name)
     first_inside[depth] = shapes + 1
     declared[depth] = declaring == 1
     conditional[depth] = directives > 0
-    if (name ~ /^(sphere|box|torus|mesh2?|plane|disc|triangle|prism|lathe|sor)$/ ||
-        name ~ /^(smooth_triangle|polygon|height_field|text|bicubic_patch)$/ ||
-        name ~ /^(superellipsoid|blob|isosurface|parametric|julia_fractal)$/ ||
-        name ~ /^(quadric|cubic|quartic|poly|sphere_sweep)$/)
+    if (name ~ /^(sphere|box|torus|mesh2?|plane|disc|triangle|prism)$/ ||
+        name ~ /^(lathe|sor|smooth_triangle|polygon|height_field|text)$/ ||
+        name ~ /^(bicubic_patch|superellipsoid|blob|isosurface|cubic)$/ ||
+        name ~ /^(parametric|julia_fractal|quadric|quartic|poly)$/ ||
+        name == "sphere_sweep")
         count_left_out(name, "")
 }
 

@@ -43,8 +43,9 @@ int swc_is_name(const char *file)
 
 /* -------------------------------------------------- numbers to nodes -- */
 
-/* Nodes mostly have consecutive numbers: eight of these are neighbours here
- * too, and the multiplier, 2^64 over the golden ratio, scatters the eights. */
+/* The hash.  Most nodes have consecutive numbers: eight of them stay together
+ * in the table; the multiplier, 2^64 over the golden ratio, spreads the
+ * groups of eight. */
 static size_t first_place(const struct swc *swc, uint64_t number)
 {
     const uint64_t scattered = (number >> 3) * 0x9e3779b97f4a7c15u;
@@ -52,7 +53,7 @@ static size_t first_place(const struct swc *swc, uint64_t number)
            (size_t)(number & 7);
 }
 
-/* The place of this number, or the free one where it belongs. */
+/* The entry of this number, or the free entry where it belongs. */
 static size_t *find_place(const struct swc *swc, uint64_t number)
 {
     const size_t mask = ((size_t)1 << swc->bits) - 1;
@@ -64,7 +65,7 @@ static size_t *find_place(const struct swc *swc, uint64_t number)
     return &swc->places[i];
 }
 
-/* Twice the room: at least half of the places stay free. */
+/* Doubles the capacity.  At least half of the entries stay free. */
 static int grow(struct swc *swc)
 {
     const int bits = swc->bits > 0 ? swc->bits + 1 : 12;
@@ -99,7 +100,7 @@ void swc_free(struct swc *swc)
 
 /* ------------------------------------------------------------- one node -- */
 
-/* Where reading has come to, and what went wrong. */
+/* The text that is still to be read, and where a fault is written. */
 struct reader {
     const char *p, *end;
     struct fault *fault;

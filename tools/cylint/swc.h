@@ -13,16 +13,16 @@ struct swc_node;
 struct swc {
     struct swc_node *nodes;
     size_t count, room;
-    size_t *places; /* where in nodes[] a number is, by hashing; from 1 */
-    int bits;       /* there are 2^bits places */
+    size_t *places; /* a hash table of indices into nodes[], from 1 */
+    int bits;       /* it has 2^bits entries */
 };
 
-/* Whether a file is taken for SWC: by its name, which ends in .swc or .SWC. */
+/* Whether a file is SWC: its name ends in .swc or .SWC. */
 int swc_is_name(const char *file);
 
-/* Both return 0 or an exit status, having said what is wrong. */
+/* Both return 0, or an exit status after a message. */
 int swc_read_nodes(struct swc *swc, struct block *block);
-/* Adds the frusta to the scene, once all nodes were read. */
+/* Adds the frusta to the scene, after all nodes were read. */
 int swc_add_frusta(struct swc *swc, struct scene *scene, int ends,
                    const char *name);
 
