@@ -250,6 +250,13 @@ test_manual_examples()
     display cylint_scene.3 1 > "$scratch/example.c"
     display cylint_scene.3 2 > "$scratch/example.said"
     example_of cylint_scene.3 cylint-scene
+    display cylint_scene.3 3 > "$scratch/example.c"
+    display cylint_scene.3 4 > "$scratch/example.said"
+    with_threads=-pthread
+    example_of cylint_scene.3_threads cylint-scene
+    with_threads=
+    display cylint_scene.3 1 > "$scratch/example.c"
+    display cylint_scene.3 2 > "$scratch/example.said"
     command -v pkg-config > /dev/null &&
         grep -q lembree3 "$lib/pkgconfig/cylint-embree.pc" 2>/dev/null || return
     example_of cylint_scene.3 cylint-embree
@@ -268,7 +275,7 @@ example_of()
     packages=$*
     for linking in static shared; do
         example "${page}_example_${linking}_$(echo $packages | tr ' ' _)" \
-            $linking $cc -std=c99
+            $linking $cc -std=c99 $with_threads
     done
     packages=
 }
