@@ -244,7 +244,7 @@ test_faults()
     refuses 2 "--look-at needs --eye" some.scene -o x.png --look-at 0,0,0
     refuses 2 "--from and --eye exclude each other" some.scene -o x.png \
         --from 1,0,0 --eye 1,0,0
-    refuses 2 "unknown option '--eyes'" --eyes 1,2,3
+    refuses 2 "unknown option '--eyes'; did you mean --eye?" --eyes 1,2,3
     refuses 3 "no.scene: No such file or directory" no.scene -o x.png
     refuses 3 "no/x.png: No such file or directory" some.scene -o no/x.png
     refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full
