@@ -5,6 +5,7 @@
  * Each test runs in all rounding modes, with subnormal results flushed to zero
  * or not, and subnormal operands taken for zero or not.
  */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -94,6 +95,104 @@ static void the_least_of_subnormal_t(struct environment there)
 static void nearest_tells_subnormal_t_apart(void)
 {
     everywhere(the_least_of_subnormal_t);
+}
+
+/* ------------------------------------------------- scenes of wild shapes -- */
+
+/* Whether the line hits the shape, alone and in a scene with a larger one. */
+static void hits_in_a_scene(const cylint_shape *shape, const cylint_line *line)
+{
+    static const double p0[3] = {100, 0, 0}, p1[3] = {104, 0, 0};
+    cylint_shape shapes[2] = {*shape};
+    cylint_hit hit;
+    cylint_answer a;
+    cylint_cylinder(&shapes[1], p0, p1, 9, CYLINT_ENDS_CAPPED);
+    cylint_scene *scene = cylint_scene_new(shapes, 2, 1, NULL);
+    if (!CHECK(scene))
+        return;
+    CHECK(cylint_intersect(shape, line, CYLINT_WANT_T, &a) > 0);
+    CHECK(cylint_scene_nearest(scene, line, CYLINT_WANT_T, &hit) == 0 &&
+          hit.t == a.hit[0].t);
+    cylint_scene_free(scene);
+}
+
+/* A disc whose axis is subnormal, or too short for its square; sections whose
+ * semi-axes are, and whose factor makes up for it. */
+static void made_anywhere(struct environment there)
+{
+    static const double o[3] = {3, -5, 0.5}, d[3] = {0, 1, 0};
+    static const double c[3] = {3, 0, 0}, h[3] = {0, 0, 1};
+    static const double high[3] = {2.5, 0, 9}, along[3] = {0, 0, -1};
+    const double length[] = {0x1p-1057, 0x1p-600, 0x1p-500};
+    cylint_line line, fall;
+    cylint_shape shape;
+    cylint_ray(&line, o, d);
+    cylint_ray(&fall, high, along);
+    for (int i = 0; i < 3; i++) {
+        const double p0[3] = {0, 0, 0}, p1[3] = {0, length[i], 0};
+        const double a[3] = {length[i], 0, 0}, b[3] = {0, length[i], 0};
+        const double up[3] = {0, 0, length[i]};
+        enter(there);
+        cylint_cylinder(&shape, p0, p1, 7, CYLINT_ENDS_CAPPED);
+        hits_in_a_scene(&shape, &line);
+        cylint_elliptic_cone(&shape, c, a, b, h, i ? 1 / length[i] : DBL_MAX,
+                             CYLINT_ENDS_CAPPED);
+        if (i)
+            hits_in_a_scene(&shape, &fall);
+        cylint_tangent_cone(&shape, p0, up, i ? 3 / length[i] : DBL_MAX,
+                            CYLINT_ENDS_CAPPED);
+        if (i)
+            hits_in_a_scene(&shape, &fall);
+        leave();
+    }
+}
+
+static void scenes_hold_tiny_axes_and_huge_factors(void)
+{
+    everywhere(made_anywhere);
+}
+
+/* ------------------------------------------------------ largest exponents -- */
+
+/* Coordinates whose differences are rounded and which overflow where they are
+ * scaled: the same hits under every `want`. */
+static void segments_at_the_largest_exponents(struct environment there)
+{
+    static const double a[3] = {-0x1.8p+1002, 0x1.8p+1002, 0};
+    static const double b[3] = {0, -0x1p+1002, -0x1p+1001};
+    static const double p0[3] = {0, -1, 0}, p1[3] = {0, DBL_MAX, 0};
+    static const double far[3] = {0x0.008p-1022, -3.5, 0};
+    static const double farther[3] = {0, -DBL_MAX, -0.5};
+    static const double c[3] = {0x0.03p-1022, -3, DBL_MIN / 2};
+    static const double e1[3] = {-DBL_MIN / 2, DBL_MIN / 2, 0};
+    static const double e2[3] = {-0x0.028p-1022, DBL_MIN / 2, -0x1p-1074};
+    static const double h[3] = {0x1p-1074, 0, 0x0.01p-1022};
+    cylint_line line;
+    cylint_shape shape;
+    cylint_answer x;
+    int n = 0, m = 0;
+    cylint_segment(&line, a, b);
+    cylint_cone(&shape, p0, 0x1.8p702, p1, DBL_MAX, CYLINT_ENDS_CAPPED);
+    enter(there);
+    for (unsigned want = 0; want < CYLINT_WANT_FAST; want++)
+        n += cylint_intersect(&shape, &line, want, &x);
+    cylint_intersect(&shape, &line, CYLINT_WANT_T | CYLINT_WANT_PART, &x);
+    const int occluded = cylint_occluded(&shape, &line);
+    leave();
+    CHECK(n == CYLINT_WANT_FAST && occluded && x.hit[0].t == 0x1.7ffff7p-300 &&
+          x.hit[0].side == CYLINT_SIDE_LEAVING);
+    cylint_segment(&line, far, farther);
+    cylint_elliptic_cylinder(&shape, c, e1, e2, h, CYLINT_ENDS_INFINITE);
+    enter(there);
+    for (unsigned want = 0; want < CYLINT_WANT_FAST; want++)
+        m += cylint_intersect(&shape, &line, want, &x);
+    leave();
+    CHECK(m == 0 && x.relation == CYLINT_RELATION_CROSS);
+}
+
+static void hits_at_the_largest_exponents_are_the_same(void)
+{
+    everywhere(segments_at_the_largest_exponents);
 }
 
 /* ------------------------------------------------------- subnormal lines -- */
@@ -243,6 +342,8 @@ static void constructors_take_subnormal_numbers_for_what_they_are(void)
 int main(void)
 {
     RUN(nearest_tells_subnormal_t_apart);
+    RUN(scenes_hold_tiny_axes_and_huge_factors);
+    RUN(hits_at_the_largest_exponents_are_the_same);
     RUN(batches_of_subnormal_lines_are_the_same);
     RUN(subnormal_domains_are_empty_or_not);
     RUN(constructors_take_subnormal_numbers_for_what_they_are);

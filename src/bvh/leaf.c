@@ -101,7 +101,8 @@ static void store_numbers(cylint_leaf *leaf, int lane, cylint_piece piece,
  * sin(a) <= 2 e / (l + 2 g - 2 e).  g must not be less than the second bound.
  * With g = e + along + 4 + x and x = sqrt(across e), sin(a) < e / x and
  * across sin(a) < x.  x = across 2 e / (l - 2 e) also does, if it is less.
- * The 4 gives every lane an axis.
+ * The 4 gives every lane an axis.  An axis so short that its direction is lost
+ * to underflow has none: such a lane is always tested.
  */
 static int bound_piece(cylint_leaf *leaf, int lane, const cylint_packed_disc *s,
                        cylint_piece piece, double line_error)
@@ -110,8 +111,8 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_packed_disc *s,
     const double *base = s->base, *axis = s->axis;
     const double k0 = s->across[0], k1 = s->across[1];
     const double slope = cylint_float_of_half(s->slope);
-    const double length =
-        sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    const double ww = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
+    const double length = sqrt(ww);
     const double input_error =
         line_error * steps +
         0x1p-48 * steps *
@@ -127,15 +128,16 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_packed_disc *s,
     const double g =
         e + across * slope + 4 +
         (l > 4 * e ? cylint_smaller(out, across * 2 * e / (l - 2 * e)) : out);
-    const double g_per_length = length > 0 ? g / length : 0;
+    const double g_per_length = g / length;
     step_cylinder h = {.r = across + input_error + 0x1p-20};
     for (int j = 0; j < 3; j++) {
         const double from = base[j] - (double)leaf->center[j];
-        const double more = length > 0 ? g_per_length * axis[j] : j ? 0 : g;
+        const double more = g_per_length * axis[j];
         h.p[0][j] = (from + z[0] * axis[j]) * steps - more;
         h.p[1][j] = (from + z[1] * axis[j]) * steps + more;
     }
-    return input_error < 1 && store_cylinder(leaf, lane, &h);
+    return ww > CYLINT_LEAST_SQUARE && input_error < 1 &&
+           store_cylinder(leaf, lane, &h);
 }
 
 void cylint_leaf_fill(cylint_leaf *leaf, const cylint_packed_disc *discs,

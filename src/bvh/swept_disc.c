@@ -13,9 +13,6 @@ static int is_elliptic(const cylint_shape *s)
     return s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE;
 }
 
-/* Below this, squares may have underflowed. */
-#define LEAST_SQUARE (DBL_MIN * 0x1p60)
-
 /* The points x a + y b, x^2 + y^2 <= 1, reach sqrt((a.v)^2 + (b.v)^2) along a
  * unit vector v.  Across the axis they reach the square root of the larger
  * eigenvalue of the Gram matrix of the components of a and b across it. */
@@ -24,7 +21,7 @@ static void set_elliptic_reach(cylint_swept_disc *t, double ww)
     double a[3], b[3];
     const double aw = dot(t->a, t->axis), bw = dot(t->b, t->axis);
     t->across = t->along = sqrt(dot(t->a, t->a) + dot(t->b, t->b));
-    if (!(ww > LEAST_SQUARE))
+    if (!(ww > CYLINT_LEAST_SQUARE))
         return;
     t->along = sqrt((aw * aw + bw * bw) / ww);
     for (int j = 0; j < 3; j++) {
@@ -77,7 +74,7 @@ void cylint_swept_disc_reach(const cylint_swept_disc *t, double reach[3])
     for (int j = 0; j < 3; j++)
         reach[j] =
             t->elliptic ? sqrt(t->a[j] * t->a[j] + t->b[j] * t->b[j])
-            : ww > LEAST_SQUARE
+            : ww > CYLINT_LEAST_SQUARE
                 ? sqrt(square[(j + 1) % 3] + square[(j + 2) % 3]) * per_length
                 : 1;
 }

@@ -11,6 +11,9 @@
 #include "float_bounds.h"
 #include "cylint.h"
 
+/* A sum of squares below this may have underflowed. */
+#define CYLINT_LEAST_SQUARE (DBL_MIN * 0x1p60)
+
 typedef struct cylint_swept_disc {
     double base[3], axis[3];
     double k[2];

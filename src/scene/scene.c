@@ -66,10 +66,12 @@ static double rough_reach(const cylint_shape *s, int end, int j)
 }
 
 /* Whether a frame can hold the shape, and if so a box about it.  No number
- * comes of more than 6 roundings or errors of its data. */
+ * comes of more than 6 roundings or errors of its data.  Squares of lengths may
+ * underflow later on, which a larger factor would make count. */
 static int has_box(const cylint_shape *s, double lo[3], double hi[3])
 {
-    if (!cylint_is_bounded(s))
+    const int has_factors = s->kind >= CYLINT_KIND_ACONE;
+    if (!cylint_is_bounded(s) || (has_factors && s->r1 > CYLINT_FRAME_MOST))
         return 0;
     for (int j = 0; j < 3; j++) {
         const double bottom = rough_reach(s, 0, j), top = rough_reach(s, 1, j);
