@@ -258,7 +258,8 @@ int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
             hit->part = v.at[i].part;
             hit->side = v.at[i].side;
         }
-        describe(&q, &v.at[i], t, more, 1.01 * q.t_error * fabs(t), want, hit);
+        describe(&q, &v.at[i], t, more, CYLINT_ROOT_SLACK * q.t_error * fabs(t),
+                 want, hit);
         if (want & CYLINT_WANT_NEAREST)
             break;
     }

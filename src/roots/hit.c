@@ -88,21 +88,24 @@ static pair pair_of(floating x, int e)
 
 /* x / |x|, each component within 3 units in its last place: |x|^2 is summed
  * in pairs, so that there remain the roundings of it, of its root, of the
- * component and of the quotient. */
+ * component and of the quotient.  Squares neither overflow nor, of the largest
+ * component, underflow. */
 static void normalise(const floating x[3], int sign, double to[3])
 {
-    int e = exponent_of(x[0]);
+    pair y[3], sum = {0, 0};
+    int e = exponent_of(x[0]), scaled = 0;
     for (int i = 1; i < 3; i++)
         e = exponent_of(x[i]) > e ? exponent_of(x[i]) : e;
-    pair sum = {0, 0};
+    for (int i = 0; i < 3; i++)
+        scaled |= x[i].e != 0;
+    scaled |= e > 400 || e < -400;
     for (int i = 0; i < 3; i++) {
-        const pair y = pair_of(x[i], -e);
-        sum = pair_add(sum, pair_mul(y, y));
-        to[i] = y.hi;
+        y[i] = scaled ? pair_of(x[i], -e) : x[i].v;
+        sum = pair_add(sum, pair_mul(y[i], y[i]));
     }
     const double size = sign * sqrt(sum.hi);
     for (int i = 0; i < 3; i++)
-        to[i] = to[i] / size + 0; /* no -0 */
+        to[i] = y[i].hi / size + 0; /* no -0 */
 }
 
 /* atan2(y, x) over 2 pi, in [0, 1).  The low parts dx and dy turn the angle by
@@ -359,13 +362,17 @@ static unsigned point_in_pairs(const cylint_query *q, wide t, unsigned left,
                                double point[3])
 {
     const cylint_line *l = q->line;
+    const double t_error = CYLINT_PAIR_UNIT * t.off;
     for (int i = 0; i < 3; i++) {
         if (!(left >> i & 1))
             continue;
-        const wide o = {{l->o[i], 0}, 0}, d = {{l->d[i], l->d_lo[i]}, 0};
-        const wide x = wide_add(o, wide_mul(t, d));
-        point[i] = x.v.hi + 0;
-        left &= ~((unsigned)is_known(x, fabs(x.v.hi)) << i);
+        const pair step = pair_mul(t.v, (pair){l->d[i], l->d_lo[i]});
+        const pair x = pair_add((pair){l->o[i], 0}, step);
+        const double sizes = fabs(l->o[i]) + 2 * fabs(step.hi);
+        const double error = CYLINT_PAIR_UNIT * sizes +
+                             t_error * fabs(l->d[i]) + CYLINT_UNDERFLOW;
+        point[i] = x.hi + 0; /* no -0 */
+        left &= ~((unsigned)(fabs(x.hi) > ENOUGH * error) << i);
     }
     return left;
 }
@@ -492,12 +499,10 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
         want & CYLINT_WANT_POINT ? fixed_coordinates(q, root, hit->point) : 0;
     x.need = needs_of(want, root, part, apex);
     if (!is_complete(&x) && has_pairs(q, t)) {
-        wide at;
-        if (!is_far(q, t)) {
-            at = cylint_canonical_root(q, root, t, more, error);
+        wide at = cylint_canonical_root(q, root, t, more, error);
+        if (!is_far(q, t))
             describe_in_pairs(q, at, &x, hit->point);
-        }
-        if (!is_complete(&x) && cylint_polished_root(q, root, t, &at))
+        if (!is_complete(&x) && cylint_polish_root(q, root, &at))
             describe_in_pairs(q, at, &x, hit->point);
     }
     if (!is_complete(&x))

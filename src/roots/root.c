@@ -128,9 +128,9 @@ static pair refined(cylint_query *q, estimate k, double low, double *error)
         L->D[0][i] = kept[i];
     const double s = 2 * fabs(k.slope), delta = Q.v.hi / (2 * k.slope);
     const double off = fabs(delta) + k.error;
-    *error =
-        1.01 * (wide_error(Q) / s + fabs(delta) * (k.slope_error + 0x1p-50) +
-                k.bend * off / s * off);
+    *error = CYLINT_ROOT_SLACK *
+             (wide_error(Q) / s + fabs(delta) * (k.slope_error + 0x1p-50) +
+              k.bend * off / s * off);
     return fast_two_sum(k.t, low - delta);
 }
 
@@ -382,101 +382,95 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
 
 /* ----------------------------------------------- canonical pairs ------ */
 
-/* The slope at a root of the lateral quadric, by pairs if doubles do not know
- * it. */
-static estimate slope_of(cylint_query *q, cylint_root root)
+/*
+ * One of Newton's steps towards a root of the lateral quadric from *t, at most
+ * *error away.  With the origin moved to *t, C is Q there and B half its slope,
+ *
+ *   root = t - C / (2 B) - A (t - root)^2 / (2 B),
+ *
+ * near the shape, so that a far origin costs no digits.  A: at most |A|.
+ */
+static void step_on_side(letters_wide *L, double A, pair *t, double *error)
 {
-    const estimate k = estimate_of(q, root);
-    if (k.slope_error < 0x1p-10)
-        return k;
-    int near;
-    const letters_wide *L = cylint_wide_line(q);
-    const quotient_wide f = half_quotient_wide(L, root == ROOT_EXIT, &near);
-    const wide A = form_A_wide(L);
-    return (estimate){0, 0, root == ROOT_EXIT ? f.radical : -f.radical,
-                      f.radical_error, fabs(A.v.hi) + wide_error(A)};
+    const wide at = {*t, 0};
+    wide kept[3];
+    for (int i = 0; i < 3; i++) {
+        kept[i] = L->D[0][i];
+        L->D[0][i] = wide_add(kept[i], wide_mul(at, L->u[i]));
+    }
+    const wide C = form_C_wide(L), B = form_B_wide(L);
+    for (int i = 0; i < 3; i++)
+        L->D[0][i] = kept[i];
+    const double s = 2 * fabs(B.v.hi), e = 2 * wide_error(B);
+    const double delta = C.v.hi / (2 * B.v.hi), off = *error;
+    *error = e < 0x1p-10 * s
+                 ? CYLINT_ROOT_SLACK *
+                       (wide_error(C) + fabs(delta) * (e + 0x1p-50 * s) +
+                        A * off * off) /
+                       s
+                 : HUGE_VAL;
+    *t = fast_two_sum(t->hi, t->lo - delta);
 }
 
-/* One step towards a root of a plane from t, at most `off` away. */
-static pair refined_on_plane(cylint_query *q, int cap, double t, double off,
-                             double *error)
+/* The same towards the plane of a cap. */
+static void step_on_plane(letters_wide *L, int cap, pair *t, double *error)
 {
-    letters_wide *L = cylint_wide(q);
-    const wide beta = L->beta, t0 = {{t, 0}, 0};
+    const wide at = {*t, 0}, beta = L->beta;
     wide kept[3];
     for (int i = 0; i < 3; i++) {
         kept[i] = L->D[cap][i];
-        L->D[cap][i] = wide_add(kept[i], wide_mul(t0, L->u[i]));
+        L->D[cap][i] = wide_add(kept[i], wide_mul(at, L->u[i]));
     }
     const wide alpha = form_alpha_wide(L, cap);
     for (int i = 0; i < 3; i++)
         L->D[cap][i] = kept[i];
-    const double slope = fabs(beta.v.hi);
-    *error = wide_error(beta) < 0x1p-10 * slope
-                 ? 1.01 *
-                       (wide_error(alpha) +
-                        off * (wide_error(beta) + 0x1p-50 * slope)) /
-                       slope
+    const double s = fabs(beta.v.hi), e = wide_error(beta);
+    const double delta = alpha.v.hi / beta.v.hi;
+    *error = e < 0x1p-10 * s
+                 ? CYLINT_ROOT_SLACK *
+                       (wide_error(alpha) + fabs(delta) * (e + 0x1p-50 * s)) / s
                  : HUGE_VAL;
-    return fast_two_sum(t, -alpha.v.hi / beta.v.hi);
+    *t = fast_two_sum(t->hi, t->lo - delta);
 }
 
-/* Newton's steps from t, which is within half a unit of the root.  Returns
- * whether that gives all but a few digits of a pair. */
-static int newton_from(cylint_query *q, cylint_root root, double t, pair *x,
+/* Newton's steps from *t, at most *error away.  Returns whether they give all
+ * but a few digits of a pair. */
+static int newton_from(cylint_query *q, cylint_root root, pair *t,
                        double *error)
 {
-    const double enough = CYLINT_POLISHED * fabs(t), off = 0x1p-53 * fabs(t);
+    const double enough = CYLINT_POLISHED * fabs(t->hi);
+    double before;
     if (root == ROOT_CAP0 || root == ROOT_CAP1) {
-        *x = refined_on_plane(q, root == ROOT_CAP1, t, off, error);
+        step_on_plane(cylint_wide(q), root == ROOT_CAP1, t, error);
         return *error < enough;
     }
     if (root != ROOT_ENTRY && root != ROOT_EXIT)
         return 0;
-    estimate k = slope_of(q, root);
-    if (!(k.slope_error < 0x1p-10))
-        return 0;
-    *x = (pair){t, 0};
-    *error = off;
+    letters_wide *L = cylint_wide_line(q);
+    const wide A = form_A_wide(L);
     do {
-        k.t = x->hi;
-        k.error = *error;
-        *x = refined(q, k, x->lo, error);
-    } while (*error >= enough && *error < 0x1p-4 * k.error);
+        before = *error;
+        step_on_side(L, fabs(A.v.hi) + wide_error(A), t, error);
+    } while (*error >= enough && *error < 0x1p-4 * before);
     return *error < enough;
 }
 
-int cylint_polished_root(cylint_query *q, cylint_root root, double t, wide *to)
-{
-    double error;
-    if (t == 0)
-        return 0;
-    if (!newton_from(q, root, t, &to->v, &error)) {
-        const int used = cylint_exact_mark(q, root);
-        surd in_full = cylint_surd(q, root);
-        const floating f = exact_root(q, &in_full);
-        q->arena.used = used;
-        to->v = (pair){cylint_scaled(f.v.hi, f.e), cylint_scaled(f.v.lo, f.e)};
-        error = CYLINT_SURD_ERROR * fabs(t);
-    }
-    to->off = 1.01 * error / CYLINT_PAIR_ROUNDING;
-    return 1;
-}
-
-/* The multiple of the quantum nearest to the rest, if that is certain. */
+/* The multiple of the quantum, a power of two, nearest to the rest, if that is
+ * certain. */
 static int rest_rounds(double rest, double error, double quantum, double *to)
 {
-    const double x = rest / quantum, nearest = (x + 0x3p51) - 0x3p51;
-    *to = nearest * quantum;
-    return fabs(x - nearest) + error / quantum < 0.5 - CYLINT_REST_MARGIN;
+    const double nearest = (rest + 0x3p51 * quantum) - 0x3p51 * quantum;
+    *to = nearest;
+    return fabs(rest - nearest) + error < (0.5 - CYLINT_REST_MARGIN) * quantum;
 }
 
+/* From t, which is within half a unit of the root. */
 static int rest_by_newton(cylint_query *q, cylint_root root, double t,
                           double quantum, double *rest)
 {
-    pair x;
-    double error;
-    return newton_from(q, root, t, &x, &error) &&
+    pair x = {t, 0};
+    double error = 0x1p-53 * fabs(t);
+    return newton_from(q, root, &x, &error) &&
            rest_rounds((x.hi - t) + x.lo, error, quantum, rest);
 }
 
@@ -503,6 +497,23 @@ wide cylint_canonical_root(cylint_query *q, cylint_root root, double t,
         !rest_by_newton(q, root, t, quantum, &rest))
         rest_in_full(q, root, t, quantum, &rest);
     return (wide){{t, rest}, 0.51 * quantum / CYLINT_PAIR_ROUNDING};
+}
+
+int cylint_polish_root(cylint_query *q, cylint_root root, wide *t)
+{
+    double error = CYLINT_PAIR_UNIT * t->off;
+    if (t->v.hi == 0)
+        return 0;
+    if (!newton_from(q, root, &t->v, &error)) {
+        const int used = cylint_exact_mark(q, root);
+        surd in_full = cylint_surd(q, root);
+        const floating f = exact_root(q, &in_full);
+        q->arena.used = used;
+        t->v = (pair){cylint_scaled(f.v.hi, f.e), cylint_scaled(f.v.lo, f.e)};
+        error = CYLINT_SURD_ERROR * fabs(t->v.hi);
+    }
+    t->off = CYLINT_ROOT_SLACK * error / CYLINT_PAIR_ROUNDING;
+    return 1;
 }
 
 /* ------------------------------------------------------- the domain ---- */

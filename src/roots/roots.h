@@ -32,9 +32,9 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
 wide cylint_canonical_root(cylint_query *q, cylint_root root, double t,
                            double more, double error);
 
-/* The root as near as pairs come to it, likewise a function of the root alone.
- * Returns 0 for t = 0. */
-int cylint_polished_root(cylint_query *q, cylint_root root, double t, wide *to);
+/* From there, the root as near as pairs come to it, a function of the root
+ * alone too.  Returns 0 for t = 0. */
+int cylint_polish_root(cylint_query *q, cylint_root root, wide *t);
 
 /* A value with a binary exponent of its own: v 2^e, 1/4 < |v| < 4 or v = 0. */
 typedef struct {
