@@ -314,7 +314,12 @@ typedef struct cylint_answer {
  *   double cone                 on it: along, no hit
  *
  * Relation, n, part and side are exact; t is the double nearest to the root
- * (ties to even, beyond the largest double: infinite, zero: never -0).
+ * (ties to even, beyond the largest double: infinite, zero: never -0).  Each
+ * component of point and normal, z and phi are within 4 units in their own last
+ * place of their values at the root; what is 0 is 0, never -0.  They are
+ * functions of line, shape and root: the same bits whatever else is wanted, with
+ * CYLINT_WANT_FAST too, and from every function (rounding to nearest; phi as far
+ * as atan2() is the same).
  */
 CYLINT_API int cylint_intersect(const cylint_shape *shape,
                                 const cylint_line *line, unsigned want,
