@@ -1,11 +1,12 @@
 /*
- * cylint_methods - the published ways to meet a cylinder or a cone
+ * cylint_methods - published methods to intersect a line with a cylinder or a
+ * cone
  *
- * Each is what its author published, in double precision, corrected where
- * the print is wrong; the correction stands beside the code with its
- * reference.  They are here to be compared, not to be relied upon: how far
- * each can be trusted is measured by `make bench`.  For answers, call
- * cylint_intersect().
+ * Each is a method as its author published it, in double precision, corrected
+ * where the print is wrong; the comments of its source file list the
+ * corrections.  The methods serve to compare run time with error, which
+ * `make bench` measures.  Their answers can be wrong; use cylint_intersect()
+ * for correct ones.
  *
  * Full references: cylint(3), REFERENCES.
  */
@@ -19,10 +20,9 @@ extern "C" {
 #endif
 
 /*
- * A method answers as cylint_intersect() does: relation, n, hits with t and
- * part (further members of hits by the caller's want, see below), for the
- * shapes and ends it is published for; otherwise it writes a miss with
- * CYLINT_FLAG_INVALID and returns CYLINT_EMETHOD.
+ * A method writes the same members of an answer as cylint_intersect(), for the
+ * shapes and ends it is published for, and returns CYLINT_OK.  For others it
+ * writes a miss with CYLINT_FLAG_INVALID and returns CYLINT_EMETHOD.
  */
 typedef cylint_status cylint_method_fn(const cylint_shape *shape,
                                        const cylint_line *line, unsigned want,
@@ -42,7 +42,7 @@ typedef struct cylint_method {
     cylint_method_fn *answer;
 } cylint_method;
 
-/* All of them; the last entry's name is NULL. */
+/* All methods; the last entry's name is NULL. */
 CYLINT_API const cylint_method *cylint_methods(void);
 
 #ifdef __cplusplus
