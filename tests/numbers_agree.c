@@ -1,8 +1,8 @@
 /*
- * numbers_agree.c - the two number back-ends of the command, compared
+ * numbers_agree.c - compares the two back-ends for numbers of the command
  *
- * tests/test_numbers.sh compiles numbers.cc as it is and numbers_c.c with its
- * two functions renamed, and links both to this.
+ * tests/test_numbers.sh compiles numbers.cc, and numbers_c.c with its two
+ * functions renamed, and links both to this file.
  */
 #include <float.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: sh tests/recipe.sh [NAME [MANUAL]]
-# Prints a display of MANUAL, cylint.7 by default, unescaped: the one behind the comment line
-# `.\" recipe NAME`.  Without a NAME, the names of all.
+# Prints, unescaped, the display of MANUAL (default: cylint.7) that follows the
+# comment line `.\" recipe NAME`.  Without NAME, prints the names of all.
 awk -v name="${1-}" '
     /^\.\\" recipe / { found = $3; if (name == "") print found }
     /^\.Ed/ { inside = 0; found = "" }

@@ -1,14 +1,10 @@
 #!/bin/sh
-# A picture by 8 workers under the thread sanitizer, which must stay silent,
-# is the picture by one.  On one processor, since Embree's own threads, which
-# then do not run, mean nothing to the sanitizer.  For make check-threads.
-build=${BUILD:-build}
-command -v taskset > /dev/null || {
-    echo 'no taskset, which comes with util-linux'
-    exit 77
-}
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+# Floor tools: 8 workers draw the picture that one worker draws, and the thread
+# sanitizer reports nothing (make check-threads).  It runs on one processor:
+# Embree then starts no threads of its own, which the sanitizer cannot check.
+. "$(dirname "$0")/verdict.sh"
+command -v taskset > /dev/null ||
+    skip_all 'no taskset, which is in the package util-linux'
 TSAN_OPTIONS=exitcode=66
 export TSAN_OPTIONS
 awk -v trees=2 -f tools/render/autumn.awk > "$scratch/scene"
@@ -17,4 +13,6 @@ for workers in 1 8; do
         "$build/cylint-render" "$scratch/scene" -o "$scratch/$workers.png" \
         --size 64x36 --samples 2 --ground '#808080' -j $workers || exit
 done
-cmp "$scratch/1.png" "$scratch/8.png" && echo '1 passed, 0 failed'
+cmp "$scratch/1.png" "$scratch/8.png"
+verdict 'eight workers draw the picture of one' $?
+check_end

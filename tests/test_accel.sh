@@ -1,10 +1,10 @@
 #!/bin/sh
-# However a scene is searched, `cylint` answers the same bytes.  The lines
-# are more than auto asks by batches before it builds a hierarchy.
+# Floor command: --accel does not change the answers of a scene.  There are
+# more lines than --accel auto answers by batches before it builds a BVH.
 . "$(dirname "$0")/verdict.sh"
 cylint=$build/cylint
 
-# 3,000 sticks and cones at random, 700 discs in a row, and some without end.
+# 3,000 random cylinders and cones, 700 discs in a row, 5 infinite cylinders.
 awk 'function at() { return 40 * rand() - 20 }
 BEGIN {
     srand(7)
@@ -37,13 +37,13 @@ BEGIN {
 
 for query in nearest any count all; do
     "$cylint" -s "$scratch/scene" -q $query --accel none -j 1 \
-        "$scratch/lines" >"$scratch/none" 2>"$scratch/complaints"
+        "$scratch/lines" >"$scratch/none" 2>"$scratch/messages"
     status=$?
     "$cylint" -s "$scratch/scene" -q $query -j 2 "$scratch/lines" \
-        2>>"$scratch/complaints" | cmp -s - "$scratch/none"
-    verdict "-q $query: --accel auto answers as none does" $?
+        2>>"$scratch/messages" | cmp -s - "$scratch/none"
+    verdict "-q $query: --accel auto and none give the same bytes" $?
     [ $status -eq 1 ] && [ -s "$scratch/none" ]
-    verdict "-q $query answers, and says that one line is bad" $?
+    verdict "-q $query answers, and its exit status counts one bad line" $?
 done
 [ "$(cut -f 1 "$scratch/none" | grep -c '^4001$')" -eq 700 ]
 verdict 'a line down 700 discs hits them all' $?
@@ -54,22 +54,23 @@ grep -v 1e300 "$scratch/lines" >"$scratch/good"
 for how in tree embree; do
     "$cylint" -s "$scratch/scene" --accel $how -q all "$scratch/good" |
         cmp -s - "$scratch/none"
-    verdict "--accel $how answers as none does" $?
+    verdict "--accel $how and none give the same bytes" $?
 done
 
-# --- shapes left out.  All hits without not=, and awk, say what is right.
-# Every shape is there twice, under a label of its pair, so that many hits
-# have the same t.
+# --- shapes left out.  awk computes the expected answers from all hits without
+# not=.  Every shape is in the scene twice with the label of its pair, so many
+# hits have the same t.
 awk 'NF < 10 && NR % 4 == 0 { n++; $NF += 1; print $0 "  L" n " stick"
                               print $0 "  L" n }' "$scratch/scene" >"$scratch/twins"
 grep ' id[0-9]*$' "$scratch/good" >"$scratch/few"
 "$cylint" -s "$scratch/twins" -q all -f record,shape,t0 -p 17 "$scratch/few" |
     sort -s -k1,1n -k3,3g >"$scratch/hits"
-# Leaves out the shapes of the first hits: a third of the lines none, one, two
-# shapes; HOW: number or label.  Writes lines with not=, and the answers.
+# leave_out HOW: writes lines with not= and their expected answers.  A third of
+# the lines leave out no shape, a third the shape of the first hit, a third
+# those of the first two hits.  HOW: by number or by label.
 leave_out() { # HOW
-    awk -v how="$1" -v few="$scratch/few" -v asked="$scratch/asked" \
-        -v right="$scratch/right" '
+    awk -v how="$1" -v few="$scratch/few" -v lines="$scratch/excluding" \
+        -v expected="$scratch/expected" '
         function name(shape) {
             return how == "number" ? shape : "L" int((shape + 1) / 2)
         }
@@ -92,8 +93,8 @@ leave_out() { # HOW
         }
         function answer(text, near, words, n) {
             match(text, / id[0-9]+$/)
-            print substr(text, 1, RSTART - 1) words substr(text, RSTART) > asked
-            print near "\t" n "\t" substr(text, RSTART + 1) > right
+            print substr(text, 1, RSTART - 1) words substr(text, RSTART) > lines
+            print near "\t" n "\t" substr(text, RSTART + 1) > expected
         }
         $1 != last { if (last) finish(); last = $1; hits = 0 }
         { hits++; shape[hits] = $2; t0[hits] = $3 }
@@ -102,32 +103,32 @@ leave_out() { # HOW
 }
 for how in number label; do
     leave_out $how
-    [ "$(grep -c not= "$scratch/asked")" -gt 500 ]
-    verdict "--not $how: there are lines that leave out shapes" $?
+    [ "$(grep -c not= "$scratch/excluding")" -gt 500 ]
+    verdict "--not $how: more than 500 lines leave out shapes" $?
     for accel in none tree auto; do
         for query in nearest count any all; do
             "$cylint" -s "$scratch/twins" --not $how --accel $accel -q $query \
-                "$scratch/asked" >"$scratch/$query" || echo "status $?"
+                "$scratch/excluding" >"$scratch/$query" || echo "status $?"
         done >"$scratch/log"
-        cut -f 1,4 "$scratch/nearest" >"$scratch/said"
-        cut -f 1,3 "$scratch/right" | cmp -s - "$scratch/said"
+        cut -f 1,4 "$scratch/nearest" >"$scratch/answers"
+        cut -f 1,3 "$scratch/expected" | cmp -s - "$scratch/answers"
         verdict "--not $how, --accel $accel: the nearest of the others" $?
-        cut -f 2,3 "$scratch/right" | cmp -s - "$scratch/count"
+        cut -f 2,3 "$scratch/expected" | cmp -s - "$scratch/count"
         verdict "--not $how, --accel $accel: the count of the others" $?
-        awk '{ print ($2 > 0) "\t" $3 }' "$scratch/right" |
+        awk '{ print ($2 > 0) "\t" $3 }' "$scratch/expected" |
             cmp -s - "$scratch/any"
-        verdict "--not $how, --accel $accel: whether there is another" $?
+        verdict "--not $how, --accel $accel: any of the others" $?
         cut -f 5 "$scratch/all" | uniq -c |
-            awk '{ print $1 "\t" $2 }' >"$scratch/said"
-        awk '$2 > 0 { print $2 "\t" $3 }' "$scratch/right" |
-            cmp -s - "$scratch/said" && [ ! -s "$scratch/log" ]
+            awk '{ print $1 "\t" $2 }' >"$scratch/answers"
+        awk '$2 > 0 { print $2 "\t" $3 }' "$scratch/expected" |
+            cmp -s - "$scratch/answers" && [ ! -s "$scratch/log" ]
         verdict "--not $how, --accel $accel: all the others" $?
     done
     "$cylint" -s "$scratch/twins" --not $how --method=quadratic -f shape,t \
-        "$scratch/asked" 2>/dev/null | cut -f 1,3 >"$scratch/said"
-    agree=$(cut -f 1,3 "$scratch/right" | paste - "$scratch/said" |
+        "$scratch/excluding" 2>/dev/null | cut -f 1,3 >"$scratch/answers"
+    agree=$(cut -f 1,3 "$scratch/expected" | paste - "$scratch/answers" |
         awk '$1 == $3 { n++ } END { print int(1000 * n / NR) }')
     [ "$agree" -ge 999 ]
-    verdict "--not $how: a published method leaves them out as well" $?
+    verdict "--not $how: --method=quadratic leaves them out too" $?
 done
 check_end

@@ -1,14 +1,11 @@
 #!/bin/sh
-# What fuzzing has found worth keeping, run again: tests/fuzz says what each
-# target sees to.  `make fuzz` looks for more.
+# Floors intersect and command: the fuzz targets of tests/fuzz hold on the kept
+# inputs.  `make fuzz` searches for more inputs.
 . "$(dirname "$0")/verdict.sh"
 for target in record command shapes; do
     program=$build/tests/fuzz/$target
-    [ -x "$program" ] || {
-        echo "no linker that wraps calls"
-        exit 77
-    }
-    # All in one process; where that fails, one by one, to tell which.
+    [ -x "$program" ] || skip_all 'no linker that wraps calls'
+    # All in one process; if that fails, one by one, to name the input.
     count=$(ls tests/fuzz/corpus/$target | wc -l)
     if "$program" tests/fuzz/corpus/$target/* 2>/dev/null; then
         passed=$((passed + count))
@@ -20,5 +17,5 @@ for target in record command shapes; do
     done
 done
 [ $passed -gt 30 ]
-verdict "there is a corpus" $?
+verdict "the corpus has more than 30 inputs" $?
 check_end

@@ -1,6 +1,7 @@
 #!/bin/sh
-# What would break exact arithmetic is refused by the compiler, or found by
-# cylint_selftest() where no macro tells.
+# Floor numbers: with compiler flags that break exact arithmetic the library
+# does not compile, or, where no macro shows the flag, cylint_selftest() finds
+# the fault.
 . "$(dirname "$0")/verdict.sh"
 src=$top/src
 cc=${CC:-cc}
@@ -10,15 +11,15 @@ result() { # what status
     verdict "$1" "$2" || cat "$scratch/messages"
 }
 
-# understood FLAG...: whether the compiler knows these on this processor
-understood() {
+# supported FLAG...: whether the compiler supports the flags on this processor
+supported() {
     $cc $flags "$@" -c -o "$scratch/probe.o" "$scratch/probe.c" 2>/dev/null
 }
 
-# refused FLAG...: root.c does not compile, for a reason of ours
+# refused FLAG...: root.c does not compile, and the message is libcylint's
 refused() {
-    if ! understood "$@"; then
-        printf 'note: %s does not know %s\n' "$cc" "$*"
+    if ! supported "$@"; then
+        printf 'note: %s does not support %s\n' "$cc" "$*"
         return
     fi
     if $cc $flags "$@" -c -o "$scratch/x.o" "$src/roots/root.c" 2>"$scratch/messages"
@@ -26,7 +27,7 @@ refused() {
         result "refused with $*" 1
     else
         grep -q 'error.*libcylint' "$scratch/messages"
-        result "refused with $* for a reason of ours" $?
+        result "refused with $* by a message of libcylint" $?
     fi
 }
 
@@ -36,13 +37,13 @@ accepted() {
     result "accepted with $*" $?
 }
 
-# found MASK FLAG...: a program whose selftest has all of MASK's bits set,
-# and if MASK is 0 no others
+# found MASK FLAG...: the selftest of a program returns all bits of MASK; for
+# MASK 0 it returns 0
 found() {
     mask=$1
     shift
-    if ! understood "$@"; then
-        printf 'note: %s does not know %s\n' "$cc" "$*"
+    if ! supported "$@"; then
+        printf 'note: %s does not support %s\n' "$cc" "$*"
         return
     fi
     $cc $flags "$@" -o "$scratch/selftest" "$scratch/main.c" "$src/selftest.c" \
@@ -70,7 +71,7 @@ int main(void)
     return printf("%d\n", cylint_selftest()) < 0;
 }
 END
-bit() { # NAME: its value, by asking the compiler
+bit() { # NAME: the value of CYLINT_SELFTEST_NAME
     cat >"$scratch/bit.c" <<END
 #include <cylint.h>
 #include <stdio.h>
@@ -90,7 +91,7 @@ refused -ffinite-math-only
 refused -mfpmath=387
 refused -m32 -mfpmath=387
 
-# A header that says what a stranger's machine would.
+# A <float.h> of a machine with other doubles.
 for wrong in 'FLT_EVAL_METHOD 2' 'FLT_EVAL_METHOD -1' 'DBL_MANT_DIG 64' \
              'DBL_MAX_EXP 128' 'FLT_RADIX 16'; do
     printf '#include_next <float.h>\n#undef %s\n#define %s\n' \
@@ -103,13 +104,13 @@ found 0 -ffp-contract=off
 found 0 -O0 -ffp-contract=off
 found 0 -O3 -march=native -ffp-contract=off
 if $cc --version | grep -qi clang; then
-    # its pragma holds whatever is asked for
+    # the pragma of the source overrides the flag
     found 0 -mfma -ffp-contract=on
 else
     fused=$(bit CONTRACTED)
     grep -qw fma /proc/cpuinfo 2>/dev/null &&
         found "$fused" -mfma -ffp-contract=fast
-    # no macro of gcc 12 tells of these
+    # no macro of gcc 12 shows these flags
     [ "$(printf '__ASSOCIATIVE_MATH__' |
         $cc -fno-signed-zeros -fno-trapping-math -fassociative-math -E - |
         tail -n 1)" = __ASSOCIATIVE_MATH__ ] &&
@@ -123,7 +124,7 @@ case $($cc -dumpmachine) in x86_64-*)
         "$scratch/main.c" "$scratch/own.o" -lm 2>"$scratch/messages"; then
         "$scratch/fast" >"$scratch/messages"
         [ "$(cat "$scratch/messages")" -eq $(($(bit FLUSHED) | $(bit ZEROED))) ]
-        result 'flushing start-up code is found, and nothing else' $?
+        result 'the selftest finds flushing start-up code, and nothing else' $?
     fi ;;
 esac
 

@@ -1,20 +1,18 @@
 #!/bin/sh
-# The records of hard.txt through the command: the left of each `=>` is the
-# input, the right what must be answered.  Numbers are compared as numbers.
-here=$(dirname "$0")
-cylint=${BUILD:-build}/cylint
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+# Floors intersect and command: the command answers the records of hard.txt.
+# In each line the input is left of `=>`, the expected answer right of it.
+# Numbers are compared as numbers.
+. "$(dirname "$0")/verdict.sh"
 
-grep '=>' "$here/hard.txt" | grep -v '^#' >"$work/cases"
-sed 's/ *=>.*//' "$work/cases" >"$work/input"
-sed 's/.*=> *//' "$work/cases" >"$work/expected"
-"$cylint" "$work/input" >"$work/answers" 2>"$work/messages"
+grep '=>' tests/hard.txt | grep -v '^#' >"$scratch/cases"
+sed 's/ *=>.*//' "$scratch/cases" >"$scratch/input"
+sed 's/.*=> *//' "$scratch/cases" >"$scratch/expected"
+"$build/cylint" "$scratch/input" >"$scratch/answers" 2>"$scratch/messages"
 status=$?
-[ -s "$work/messages" ] && cat "$work/messages"
+[ -s "$scratch/messages" ] && cat "$scratch/messages"
 
-# paste's TAB parts answer from expectation; the answer's own are blanks
-tr '\t' ' ' <"$work/answers" | paste - "$work/expected" "$work/input" |
+# paste separates by TAB, so the answer's own TABs become blanks
+tr '\t' ' ' <"$scratch/answers" | paste - "$scratch/expected" "$scratch/input" |
 awk -F '\t' -v status=$status '
 function number(x) { return x ~ /^-?[0-9]/ }
 function same(x, y) {

@@ -1,14 +1,12 @@
 #!/bin/sh
-# Pictures: their bytes are a PNG's and the same for any number of workers,
-# what is seen is where it should be, shadows and colours included, what goes
-# wrong is said and leaves nothing half written, and the manual's examples
-# run.  Pixels are read by tests/pixels.
+# Floor tools: cylint-render writes PNG files whose bytes do not depend on the
+# number of workers; shapes, shadows and colours are at the right pixels; errors
+# give a message and leave no incomplete file; the manual's examples run.
+# tests/pixels prints the pixels of a file.
 . "$(dirname "$0")/verdict.sh"
 page=$top/man/cylint-render.1
-[ -x "$build/cylint-render" ] || {
-    echo 'no libpng, so no cylint-render (make deps)'
-    exit 77
-}
+[ -x "$build/cylint-render" ] ||
+    skip_all 'no libpng, so no cylint-render (make deps)'
 PATH=$build:$top/tools/convert:$PATH
 cd "$scratch" || exit 1
 
@@ -49,13 +47,13 @@ test_bytes()
     verdict the_picture_is_the_same_for_any_number_of_workers $?
     [ "$(od -An -tx1 -N 24 1.png | tr -d ' \n')" = \
         89504e470d0a1a0a0000000d494844520000005a0000003d ]
-    verdict it_is_a_png_of_the_size_asked_for $?
+    verdict it_is_a_png_of_the_given_size $?
     cylint-render - -o - --size 90x61 --samples 3 --ground '#808080' \
         < some.scene | cmp - 1.png
-    verdict a_scene_and_a_picture_may_be_standard_streams $?
+    verdict scene_and_picture_may_be_standard_streams $?
     cylint-render some.scene -o /dev/stdout --size 90x61 --samples 3 \
         --ground '#808080' | cmp - 1.png
-    verdict what_is_not_a_regular_file_is_written_to $?
+    verdict a_picture_may_go_to_a_file_that_is_not_regular $?
 }
 
 # Looking down x at a cylinder and a cone of height 2 about z = 0: with
@@ -65,7 +63,7 @@ cylinder 0 -2 -1  0 -2 1  1  #ff0000
 cone 0 2 -1 1  0 2 1 0  tail #0000ff more
 END
 
-# brightest FILE X Y CHANNEL: only this channel is far from black there
+# brightest FILE X Y CHANNEL: at this pixel only this channel is bright
 brightest()
 {
     pixel "$1" "$2" "$3" | awk -v c="$4" '{
@@ -91,7 +89,7 @@ test_framing()
         # the 6 units fill 318 / 1.06 = 300 pixels, from the 9th on
         END { exit !(low == 9 && high == 308 && top >= 2 && bottom <= 103 &&
                      bottom - top == 99) }'
-    verdict the_scene_fills_the_picture_but_for_its_margin $?
+    verdict the_scene_fills_the_picture_except_its_margin $?
     "$build/tests/pixels" level.png | awk '
         # the cone at its foot, at half height and near its apex
         $2 == 102 && $1 > 159 && $6 { foot++ }
@@ -118,7 +116,7 @@ test_framing()
     "$build/tests/pixels" eye.png | awk '
         $1 == 50 && $6 { if (top == "") top = $2; bottom = $2 }
         END { exit !(top == 18 && bottom == 81) }'
-    verdict an_eye_sees_what_its_angle_says $?
+    verdict fov_is_the_angle_of_the_picture $?
 }
 
 # A pillar on a wide plate, the sun at 45 degrees: its shadow is as long as
@@ -136,9 +134,9 @@ test_shadow()
               exit !(light[212 - 60] < 0.8 * lit &&
                      light[212 - 78] < 0.8 * lit &&
                      light[212 - 102] > 0.97 * lit) }'
-    verdict a_shadow_is_as_long_as_the_sun_says $?
-    # No surface shades itself by rounding: the plate, far from the pillar,
-    # and a cylinder drawn twice, far from the origin, have no dark pixel.
+    verdict a_shadow_has_the_length_of_the_suns_angle $?
+    # Rounding makes no surface shade itself: the plate, far from the pillar,
+    # and a cylinder drawn three times, far from the origin, have no dark pixel.
     "$build/tests/pixels" shadow.png | awk '
         $1 > 240 && $1 < 370 && $2 > 150 && $2 < 270 {
             s = $3 + $4 + $5
@@ -192,7 +190,7 @@ test_inside()
 
 # ---------------------------------------------------------------- colours --
 
-# shows NAME COLOURS ARGUMENT...: so many different colours of flat caps
+# shows NAME COLOURS ARGUMENT...: the caps have COLOURS different colours
 shows()
 {
     name=$1 wanted=$2
@@ -257,15 +255,15 @@ test_faults()
     refuses 1 "some.scene: no view of it:\
  say --eye and --look-at, not along --up" some.scene -o x.png --from 0,0,1
     [ ! -e x.png ] && [ -z "$(ls | grep part)" ]
-    verdict what_fails_leaves_no_file $?
+    verdict a_failure_leaves_no_file $?
 
     cylint-render some.scene -o - --size 20x20 >&- 2> messages
     [ $? -eq 3 ] && [ "$(cat messages)" = \
         'cylint-render: standard output: Bad file descriptor' ]
-    verdict a_closed_standard_output_is_told $?
+    verdict a_closed_standard_output_gives_a_message $?
     cylint-render some.scene -o y.png --size 20x20 --progress <&- 2>&- >&- &&
         cylint-render some.scene -o z.png --size 20x20 && cmp y.png z.png
-    verdict closed_streams_do_not_get_into_the_picture $?
+    verdict closed_streams_do_not_change_the_picture $?
 
     # The old picture stays until the new one is whole.
     echo old > kept.png
@@ -285,13 +283,13 @@ test_faults()
     cylint-render some.scene -o - --size 20x20 --samples 1 2> messages | cat \
         > /dev/null
     [ ! -s messages ]
-    verdict no_progress_but_on_a_terminal $?
+    verdict progress_appears_on_a_terminal_only $?
     cylint-render some.scene -o x.png --size 20x20 --progress 2> messages &&
         grep -q '^cylint-render: traced 400 pixels: [0-9.]* s, [0-9.]* s of CPU$' messages
-    verdict progress_when_asked_for $?
+    verdict progress_appears_with_its_option $?
 }
 
-# The manual's commands, each of which must succeed and make its picture.
+# Each command of the manual succeeds and makes its picture.
 test_manual()
 {
     mkdir manual && cd manual || return 1
@@ -312,7 +310,7 @@ test_manual()
         grep -Eo -e '^  -(-[a-z-]+|[a-zA-Z])' | tr -d - | sort -u); do
         grep -Eq "(Fl|Fl -|Cm) *-?$(echo "$word" | sed 's/lookat/look-at/')" \
             "$page"
-        verdict "the manual tells of $word" $?
+        verdict "the manual describes $word" $?
     done
     cd ..
 }

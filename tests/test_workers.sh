@@ -1,19 +1,19 @@
 #!/bin/sh
-# Any number of workers gives the bytes of one: answers, messages, status.
-# And none waits for input when the work is over.
+# Floor command: any number of workers gives the same answers, messages and exit
+# status as one worker, and no worker waits for input after the work has ended.
 . "$(dirname "$0")/verdict.sh"
 cd "$scratch" || exit 1
 PATH=$build:$PATH
 
-is() { # what it is about; the test's words follow
+is() { # NAME, then the arguments of test(1)
     about=$1
     shift
     [ "$@" ]
     verdict "$about" $?
 }
 
-# Eight blocks and more: numbered rays at cylinders, comments, and bad
-# records, of which some blocks have none and some have many.
+# More than eight blocks: numbered rays and cylinders, comments and bad records.
+# Some blocks have no bad record and some have many.
 awk 'BEGIN {
     for (i = 1; i <= 20000; i++) {
         if (i % 1999 == 0) print "# comment " i
@@ -30,7 +30,7 @@ printf '%s\n' 'cylinder 0 0 0  0 0 9  3' 'cone 5 5 0 2  5 5 4 0' \
 cut -d, -f1,2 many >rays
 is 'the input has many blocks' "$(wc -c <many)" -gt 6000000
 
-same() { # name; the command's arguments follow
+same() { # NAME, then the command's arguments
     name=$1
     shift
     cylint -j 1 "$@" >want 2>want.err
@@ -45,8 +45,8 @@ same() { # name; the command's arguments follow
 
 same 'pairs'                -k ray,cylinder -f id,relation,t0,t1 many
 is 'no answer is lost' "$(wc -l <want)" -eq 120000
-is 'eleven messages, and the status' "$(wc -l <want.err)" -eq 12
-same 'all that is known'    -k ray,cylinder -p 9 -C \
+is 'eleven messages and the status' "$(wc -l <want.err)" -eq 12
+same 'many columns'         -k ray,cylinder -p 9 -C \
     -f n,t0,part0,side0,x0,ny0,h0,phi0,part1 records
 same 'bad records left out' -k ray,cylinder -e skip many
 same 'the work stops at a bad record' -k ray,cylinder -e stop good many good
@@ -56,24 +56,24 @@ same 'nearest'              -k ray -s scene rays
 same 'all, more answers than records' -k ray -s scene -q all rays
 sed 's/ id/ /' good >numbered
 { cat good; cat numbered numbered; } >late
-same 'a remark on the tail, said once' -k ray,cylinder late
-is 'the first numeric tail is named' "$(cut -d: -f3 want.err | head -n 1)" \
+same 'one warning about the tail' -k ray,cylinder late
+is 'the warning names the first numeric tail' "$(cut -d: -f3 want.err | head -n 1)" \
     -eq "$(($(wc -l <good) + 1))"
-is 'there is no second remark' "$(wc -l <want.err)" -eq 2
+is 'there is no second warning' "$(wc -l <want.err)" -eq 2
 same 'a method'             -k ray,cylinder --method=quadratic many
 same 'binary answers'       -k ray,cylinder --binary-out many
 
 cut -d' ' -f1-13 good | sed 's/ id.*//' >bare
 cylint -k ray,cylinder --binary-out -f t0,t1,n,t0,t1,n,t0,t1,n,t0,t1,n,n bare |
     cat - - >doubles 2>/dev/null
-same 'binary input, of which many records are bad' -b -k ray,cylinder doubles
+same 'binary input with many bad records' -b -k ray,cylinder doubles
 
 cat many | cylint -k ray,cylinder -j 3 >out 2>err
 cylint -k ray,cylinder -j 1 many >want 2>/dev/null
-is 'a pipe gives what a file gives' "$(cksum <out)" = "$(cksum <want)"
+is 'a pipe and a file give the same bytes' "$(cksum <out)" = "$(cksum <want)"
 
 mkfifo there
-ended() { # name, status; the command's arguments follow
+ended() { # NAME STATUS, then the command's arguments
     name=$1 wanted=$2
     shift 2
     (cat good && echo nonsense && exec sleep 30) >there &

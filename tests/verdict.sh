@@ -1,8 +1,9 @@
-# What shell tests begin with: `. "$(dirname "$0")/verdict.sh"`.
+# The first lines of every shell test: . "$(dirname "$0")/verdict.sh"
 #
-# $top is the folder they were started in, $build, absolute, has what is
-# tested, $scratch is theirs and goes when they do.  Their last line is
-# check_end, which prints what tests/run.sh adds up.
+# It sets $top, the folder in which the test was started (the repository's),
+# $build, the absolute path of the build, and $scratch, a folder of the test's
+# own that is removed at its end.  A test's last line is check_end, which
+# prints the counts that tests/run.sh adds up.
 LC_ALL=C
 export LC_ALL
 top=$(pwd)
@@ -10,10 +11,10 @@ build=${BUILD:-build}
 case $build in /*) ;; *) build=$top/$build ;; esac
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
-passed=0 failed=0
+passed=0 failed=0 skipped=0
 
-# verdict NAME STATUS: counts a test that ended with STATUS 0 as passed, names
-# one that did not, and ends with STATUS.
+# verdict NAME STATUS: counts a test.  STATUS 0 means passed; a failed test is
+# named.  Returns STATUS.
 verdict()
 {
     if [ "$2" -eq 0 ]; then
@@ -25,8 +26,27 @@ verdict()
     return "$2"
 }
 
+# skip_all REASON: ends a test that cannot run here.  tests/run.sh counts exit
+# status 77 as skipped.
+skip_all()
+{
+    echo "$1"
+    exit 77
+}
+
+# skip NAME REASON: counts one part of a test as skipped.
+skip()
+{
+    skipped=$((skipped + 1))
+    echo "skip $1: $2"
+}
+
 check_end()
 {
-    printf '%d passed, %d failed\n' $passed $failed
+    if [ $skipped -eq 0 ]; then
+        printf '%d passed, %d failed\n' $passed $failed
+    else
+        printf '%d passed, %d failed, %d skipped\n' $passed $failed $skipped
+    fi
     [ $failed -eq 0 ]
 }

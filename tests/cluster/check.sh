@@ -1,40 +1,23 @@
 #!/bin/sh
-# The recipes of cylint(7), MANY PROCESSORS, MANY MACHINES: each must give the
-# bytes that one process gives, and must fail, without answers in the place of
-# the whole ones, if one record is bad.  What has no tool here is skipped;
-# `make deps-cluster` installs them.  RECORDS sets how many there are, RECIPES
-# which are run.
-LC_ALL=C
-export LC_ALL
-here=$(pwd)
-build=${BUILD:-build}
-case $build in /*) ;; *) build=$here/$build ;; esac
+# Floor command: the recipes of cylint(7), MANY PROCESSORS, MANY MACHINES, give
+# the bytes of one process.  If one record is bad they fail and write no
+# complete answers.  Recipes without their tool are skipped; `make deps-cluster`
+# installs the tools.  RECORDS is the number of records, RECIPES the recipes.
+. "$(dirname "$0")/../verdict.sh"
 records=${RECORDS:-16000} pieces=8
 PATH=$build:$build/spark/bin:$PATH
 export PATH
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-passed=0 failed=0 skipped=0
 
-verdict() # status, text
+result() # NAME STATUS
 {
-    if [ "$1" -eq 0 ]; then
-        passed=$((passed + 1))
-        echo "ok   $2"
+    if verdict "$1" "$2"; then
+        echo "ok   $1"
     else
-        failed=$((failed + 1))
-        echo "FAIL $2"
         tail -n 15 "$scratch/log"
     fi
 }
 
-skip() # recipe, why
-{
-    skipped=$((skipped + 1))
-    echo "skip $1: $2"
-}
-
-# Seconds that a command took go to $seconds, what it says to the log.
+# Runs a command; sets $seconds and writes its output to the log.
 timed()
 {
     began=$(date +%s.%N)
@@ -44,7 +27,7 @@ timed()
     return $status
 }
 
-# A forest, and a scan of it with every ray numbered, whole and in pieces.
+# Writes a forest and numbered rays, in one file and in pieces.
 make_input()
 {
     mkdir "$scratch/rays" &&
@@ -58,7 +41,7 @@ make_input()
             "$scratch/rays/"
 }
 
-# The same with one bad record in the middle.
+# Makes one record in the middle bad.
 make_bad_input()
 {
     sed -i "$((records / 2))s/^ray/rye/" "$scratch/rays.txt" &&
@@ -71,11 +54,11 @@ clear_answers()
     rm -rf "$scratch/answers" "$scratch"/rays/*.answers "$scratch"/rays/*.part
 }
 
-# In the scratch folder, as the manual says to run it.
+# Runs a recipe in the scratch folder, as the manual describes.
 run_recipe()
 {
     clear_answers
-    sh tests/recipe.sh "$1" > "$scratch/recipe.py" # what spark-submit wants
+    sh tests/recipe.sh "$1" > "$scratch/recipe.py" # spark-submit needs this suffix
     (cd "$scratch" && case $1 in
         parallel-*) sh ./recipe.py ;;
         slurm) run_array ./recipe.py ;;
@@ -83,8 +66,8 @@ run_recipe()
     esac)
 }
 
-# What sbatch does with an array: the script once for every task, after the
-# options in its comments.
+# Runs a script as sbatch runs an array: once for every task, with the options
+# in its comments.
 run_array()
 {
     bash -n "$1" &&
@@ -97,8 +80,8 @@ run_array()
     [ -z "${failed_task:-}" ]
 }
 
-# Two executors, processes of their own, as on two machines.  They work, and
-# leave their messages, in Spark's own folder: ours is made of links.
+# Two executors in processes of their own, as on two machines.  They work and
+# write messages in Spark's own folder, so this one consists of links.
 submit()
 {
     rm -rf "$scratch/spark"
@@ -127,11 +110,11 @@ answers_of()
 succeeds()
 {
     timed run_recipe "$1" && answers_of "$1" | cmp - "$scratch/expected"
-    verdict $? "$1: $records records in the same bytes, $seconds s"
+    result "$1: $records records in the same bytes, $seconds s" $?
 }
 
-# Loudly: an exit status, a message, and no whole set of answers.  The message
-# is the record's, or, where parallel cut that off, parallel's.
+# A recipe fails with an exit status, a message and no complete answers.  The
+# message is cylint's or, where parallel cut it off, parallel's.
 fails()
 {
     timed run_recipe "$1"
@@ -139,7 +122,7 @@ fails()
         grep -q -e "found 'rye'" -e 'This job failed' "$scratch/log" &&
         ! answers_of "$1" 2> /dev/null | cmp -s - "$scratch/expected" &&
         [ ! -e "$scratch/answers/_SUCCESS" ] && [ ! -f "$scratch/answers" ]
-    verdict $? "$1: fails for one bad record, $seconds s"
+    result "$1: fails for one bad record, $seconds s" $?
 }
 
 have_tools_for()
@@ -162,7 +145,7 @@ for recipe in ${RECIPES:-$all}; do
 done
 make_input || exit 1
 timed cylint -j1 -s "$scratch/scene" -o "$scratch/expected" "$scratch/rays.txt"
-verdict $? "one process: $records records, $seconds s"
+result "one process: $records records, $seconds s" $?
 for recipe in $recipes; do
     succeeds $recipe
 done
@@ -170,5 +153,4 @@ make_bad_input || exit 1
 for recipe in $recipes; do
     fails $recipe
 done
-printf '%d passed, %d failed, %d skipped\n' $passed $failed $skipped
-[ $failed -eq 0 ]
+check_end

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Fuzzes each target for $SECONDS and stops at the first finding, which is
-# left in $BUILD.  What is new in the corpus stays in $BUILD too; keep little
-# of it: TARGET -merge=1 tests/fuzz/corpus/TARGET $BUILD/corpus/TARGET
+# Fuzzes each target for $SECONDS.  Stops at the first finding, which it writes
+# to $BUILD.  New inputs of the corpus stay in $BUILD too; to keep the useful
+# ones: TARGET -merge=1 tests/fuzz/corpus/TARGET $BUILD/corpus/TARGET
 for target in ${TARGETS:-record command shapes}; do
     mkdir -p "$BUILD/corpus/$target"
     echo "fuzz: $target, $SECONDS s"

@@ -1,36 +1,28 @@
 #!/bin/sh
-# Proves bounds stated in headers with Gappa, each claim twice: as stated,
-# which must succeed in every rounding mode it is about, and 1 % smaller,
-# which must fail in one of them.  The numbers come from the headers
-# themselves, through the C compiler.
+# Floors numbers and embree: Gappa proves the error bounds of the headers.  Each
+# claim is proved as stated in every rounding mode that it names; 1 % smaller,
+# it must be unprovable in one of them.  The C compiler reads the numbers from
+# the headers.
 #
-# A claim is a *.g file.  Its comments name the bound it claims, the rounding
-# modes it is about and the size of one factor's d; in its text MODE and BOUND
-# stand for these, RANGES(K) for |d1| <= each /\ ... /\ |dK| <= each, FACTORS(K)
-# for (1 + d1) * ... * (1 + dK), SHRINK(n) for n factors (1 - 2^-52).
-here=$(dirname "$0")
-build=${BUILD:-build}/prove
-headers='error_bounds.h embree/angle.h'
-if ! command -v gappa >/dev/null; then
-    echo 'no gappa: the bounds are not proved (Debian: apt-get install gappa)'
-    exit 77
-fi
+# A claim is a *.g file.  Its comments name the bound, the rounding modes and
+# the size of one factor's d.  In its text MODE and BOUND stand for these,
+# RANGES(K) for |d1| <= each /\ ... /\ |dK| <= each, FACTORS(K) for
+# (1 + d1) * ... * (1 + dK), SHRINK(n) for n factors (1 - 2^-52).
+. "$(dirname "$0")/../verdict.sh"
+here=$top/tests/prove
+build=$build/prove
+headers='numbers/error_bounds.h embree/angle.h'
+command -v gappa >/dev/null ||
+    skip_all 'no gappa, so no proof of the bounds (Debian: apt-get install gappa)'
 mkdir -p "$build"
-passed=0 failed=0
 
-tell() { # name, whether it is as it should be
-    if [ "$2" = yes ]; then
-        passed=$((passed + 1))
-        echo "note: $1"
-    else
-        failed=$((failed + 1))
-        echo "FAILED $1"
-    fi
+result() { # NAME STATUS
+    verdict "$1" "$2" && echo "note: $1"
 }
 
-constants() { # every constant: name, hexadecimal, the same 1 % smaller
+constants() { # prints all constants: name, hexadecimal, 1 % smaller
     names=$(cd "$here/../../src" &&
-            sed -n 's/^#define \(CYLINT_[A-Z_]*\) .*/\1/p' $headers)
+            sed -n 's/^#define \(CYLINT_[A-Z0-9_]*\) .*/\1/p' $headers)
     {
         printf '#include <stdio.h>\n'
         printf '#include "%s"\n' $headers
@@ -45,7 +37,7 @@ constants() { # every constant: name, hexadecimal, the same 1 % smaller
         "$build/constants.c" && "$build/constants"
 }
 
-ratios() { # the lines of ratios.txt: text, yes or no
+ratios() { # prints the lines of ratios.txt with yes or no
     {
         printf '#include <stdio.h>\n#include "numbers/error_bounds.h"\nint main(void)\n{\n'
         sed -n 's/^\(CYLINT.*\) | \(.*\)$/printf("%s;\1 >= \2\\n", (\1) >= (\2) ? "yes" : "no");/p' \
@@ -56,7 +48,7 @@ ratios() { # the lines of ratios.txt: text, yes or no
         "$build/ratios.c" && "$build/ratios"
 }
 
-expand() { # claim, mode, column of constants: 2 as stated, 3 smaller
+expand() { # CLAIM MODE COLUMN; column of constants: 2 as stated, 3 smaller
     awk -v mode="$2" -v column="$3" '
         function repeat(text, n, between,    i, all, one) {
             for (i = 1; i <= n; i++) {
@@ -101,12 +93,12 @@ expand() { # claim, mode, column of constants: 2 as stated, 3 smaller
         }' "$build/constants.txt" "$here/../../src/numbers/error_bounds.h" "$1"
 }
 
-is_proved() { # claim, mode, column
+is_proved() { # CLAIM MODE COLUMN
     expand "$1" "$2" "$3" > "$build/claim.g"
     timeout 60 gappa -Eprecision=300 "$build/claim.g" \
         > "$build/claim.log" 2>&1
     status=$?
-    # 1 is "not proved"; anything else is no answer at all
+    # 1 means "not proved"; any other status is a failure of gappa
     if grep -q 'syntax error' "$build/claim.log"; then
         status=2
     fi
@@ -117,19 +109,18 @@ constants > "$build/constants.txt" || exit 1
 for claim in "$here"/*.g; do
     name=$(basename "$claim" .g)
     bound=$(sed -n 's/^# bound: //p' "$claim")
-    sharp=no
+    sharp=1
     for mode in $(sed -n 's/^# modes: //p' "$claim"); do
         is_proved "$claim" "$mode" 2
-        [ $? -eq 0 ] && ok=yes || ok=no
-        tell "$name ($mode): at most $bound" $ok
+        result "$name ($mode): at most $bound" $?
         is_proved "$claim" "$mode" 3
-        [ $? -eq 1 ] && sharp=yes
+        [ $? -eq 1 ] && sharp=0
     done
-    tell "$name: 1 % less is not proved" $sharp
+    result "$name: 1 % less is not proved" $sharp
 done
 ratios > "$build/ratios.txt" || exit 1
 while IFS=';' read -r ok text; do
-    tell "$text" "$ok"
+    [ "$ok" = yes ]
+    result "$text" $?
 done < "$build/ratios.txt"
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+check_end
