@@ -133,7 +133,7 @@ enum {
 
 /* All zero is a good start. */
 typedef struct cylint_embree_options {
-    unsigned how;              /* CYLINT_EMBREE_... */
+    unsigned flags;            /* CYLINT_EMBREE_... */
     const cylint_shape *moved; /* NULL, or n shapes: those at time 1 */
     void *user;                /* geometryUserPtr of the filters; the
                                   geometry's own user data is taken */

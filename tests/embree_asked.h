@@ -17,7 +17,7 @@ static const unsigned both_ways[2] = {0, CYLINT_EMBREE_SINGLE};
 static inline cylint_embree_options options_for(unsigned how)
 {
     cylint_embree_options options = {0};
-    options.how = how;
+    options.flags = how;
     return options;
 }
 

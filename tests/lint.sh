@@ -50,7 +50,7 @@ judged() {
         -e 'exact\.c:.*right shift is undefined' \
         -e 'swc\.c:.*memleak' \
         -e 'build\.c:.*bugprone-integer-division' \
-        -e '\(packet\.c\|shape_test\.h\):.*\(autoVariables\|StackAddressEscape\|negativeIndex\)' \
+        -e '\(packet\.c\|ray_test\.h\):.*\(autoVariables\|StackAddressEscape\|negativeIndex\)' \
         -e 'geometry\.c:.*NonNullParamChecker' \
         -e 'hit\.c:.*\(CallAndMessage\|UndefinedBinaryOperatorResult\)' \
         -e 'eft\.h:.*UndefinedBinaryOperatorResult' \

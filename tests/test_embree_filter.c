@@ -282,7 +282,7 @@ static void with_filters(unsigned how, int kind)
     cylint_embree_options options = {0};
     uint64_t state = 11;
     struct world w;
-    options.how = how | CYLINT_EMBREE_CONTEXT_FILTER;
+    options.flags = how | CYLINT_EMBREE_CONTEXT_FILTER;
     options.user = &user_word;
     world_shapes(&state, kind, shapes, SOME);
     if (!CHECK(world_make(&w, shapes, SOME, &options)))

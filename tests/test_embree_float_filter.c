@@ -126,11 +126,11 @@ static int agrees(const cylint_float_filter *build, const struct question *x,
     cylint_float_filter_shape_of(&shape, x->shape);
     const cylint_float_filter_target subject = {&shape, 0, x->shape,
                                                 x->shape->ends};
-    cylint_float_filter_result is = build->enter(&q, &subject, &x->line, &at);
+    cylint_float_filter_result is = build->test_entry(&q, &subject, &x->line, &at);
     tally->hits += x->n;
     for (int i = 0; i < 2 && is != CYLINT_FLOAT_FILTER_UNSURE; i++) {
         if (i == 1)
-            is = build->leave(&q, &at);
+            is = build->test_exit(&q, &at);
         if (is != CYLINT_FLOAT_FILTER_HIT)
             continue;
         if (n == x->n || !describes(build, &q, &at, &x->answer.hit[n], tally))
@@ -351,8 +351,8 @@ static long small_as_large(const cylint_float_filter *build, int family)
         cylint_float_filter_shape_of(&large, &shape);
         const cylint_float_filter_target subject[2] = {
             {&large, 0, &shape, shape.ends}, {&small, 1, &shape, shape.ends}};
-        CHECK(build->enter(&q[0], &subject[0], &x.line, &at[0]) ==
-              build->enter(&q[1], &subject[1], &x.line, &at[1]));
+        CHECK(build->test_entry(&q[0], &subject[0], &x.line, &at[0]) ==
+              build->test_entry(&q[1], &subject[1], &x.line, &at[1]));
         same += CHECK(memcmp(&q[0], &q[1], sizeof q[0]) == 0 &&
                       memcmp(&at[0], &at[1], sizeof at[0]) == 0);
     }

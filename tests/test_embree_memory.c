@@ -43,7 +43,7 @@ static void refuse_making(unsigned how, const cylint_shape *moved)
     cylint_shape shapes[SHAPES];
     cylint_embree_options options = {0};
     int refusals = 0, made = 0;
-    options.how = how;
+    options.flags = how;
     options.moved = moved;
     shapes_of_all_kinds(shapes, 1);
     for (int k = 1; k < ENOUGH && !made; k++) {
@@ -100,7 +100,7 @@ static void updating_gives_back_what_it_took(void)
         cylint_embree_options options = {0};
         struct world w;
         int refusals = 0, made = 0;
-        options.how = how ? CYLINT_EMBREE_SINGLE : 0;
+        options.flags = how ? CYLINT_EMBREE_SINGLE : 0;
         shapes_of_all_kinds(shapes, 2);
         if (!CHECK(world_make(&w, shapes, SHAPES, &options)))
             return;

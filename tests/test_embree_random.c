@@ -143,7 +143,7 @@ static void answers_are_those_of_brute_force(unsigned how, double sizes)
         struct scene_shapes s;
         struct world w;
         cylint_embree_options options = {0};
-        options.how = how;
+        options.flags = how;
         scene_generate(scenes[i], (size_t)shapes_wanted, seed, &s);
         if (CHECK(world_make(&w, s.shapes, s.n, &options))) {
             for (int kind = 0; kind < LINES_KINDS; kind++)
@@ -244,7 +244,7 @@ static void shadows_that_are_none_but_for_a_hair_are_none(void)
     cylint_embree_options options = {0};
     uint64_t state = seed;
     long met = 0;
-    options.how = CYLINT_EMBREE_NO_FILTERS;
+    options.flags = CYLINT_EMBREE_NO_FILTERS;
     for (int scene = SCENE_THIN; scene <= SCENE_FAT; scene++) {
         cylint_shape shapes[SOLIDS];
         struct world w;

@@ -1,5 +1,5 @@
 /*
- * angle.h - angles in turns
+ * angle.h - angles in turns, 1 being 2 pi
  */
 #ifndef CYLINT_EMBREE_ANGLE_H
 #define CYLINT_EMBREE_ANGLE_H
@@ -9,7 +9,7 @@
 
 #include "../numbers/simd.h"
 
-/* One below 1 as a float below 1. */
+/* phi as a float below 1. */
 static inline float cylint_angle_as_float(double phi)
 {
     const float v = (float)phi;
@@ -17,14 +17,15 @@ static inline float cylint_angle_as_float(double phi)
 }
 
 /*
- * atan2(y, x) over 2 pi, in [0, 1], within CYLINT_ATAN2_TURNS_ERROR; *per_far is 1
- * over the hypotenuse or, by up to a twelfth of it, less.
+ * atan2(y, x) / (2 pi), in [0, 1], with an error of at most
+ * CYLINT_ATAN2_TURNS_ERROR.  *per_far is between 11/12 and 1 times
+ * 1 / hypotenuse.
  *
- * What is left of the angle when signs and the order of x and y are known
- * differs from pi / 8 by at most that, and has a tangent t of at most 0.4142136
- * from there.  The series of atan(t) alternates, so what is left out of it is
- * less than the first term that is, 0.4142136^29 / (58 pi) turns.  With all
- * roundings, proved: tests/prove/turn.g.
+ * The signs and the order of x and y reduce the angle to one between 0 and
+ * pi / 4.  Its difference from pi / 8 has a tangent t of at most 0.4142136.  The
+ * series of atan(t) alternates, so the truncation error is less than the first
+ * omitted term, 0.4142136^29 / (58 pi) turns.  The bound with all roundings is
+ * proved: tests/prove/turn.g.
  */
 #define CYLINT_ATAN2_TURNS_ERROR 0x1.8bp-45
 
@@ -46,7 +47,7 @@ INLINE vd cylint_atan2_turns(vd y, vd x, vd *per_far)
                    z4 * ((c[4] + c[5] * z) + z2 * (c[6] + c[7] * z));
     const vd high =
         (c[8] + c[9] * z) + z2 * (c[10] + c[11] * z) + z4 * (c[12] + c[13] * z);
-    /* mirrored where x and y change places, and at both axes */
+    /* reflected if x and y were exchanged, and by both signs */
     const vd octant = v_set(0.125) - v_like(v_set(0.0625), wider);
     const vd quadrant = v_set(0.25) - v_like(v_set(0.25) - octant, x);
     const vd half = v_set(0.5) - v_like(v_set(0.5) - quadrant, y);

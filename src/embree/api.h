@@ -1,7 +1,7 @@
 /*
- * api.h - Embree 3 and 4 as one interface, as far as the adapter uses it
+ * api.h - one interface to Embree 3 and 4, as far as the adapter uses it
  *
- * CYLINT_EMBREE is the major version, set by the Makefile.
+ * The Makefile defines CYLINT_EMBREE, the major version.
  */
 #ifndef CYLINT_EMBREE_API_H
 #define CYLINT_EMBREE_API_H
@@ -52,7 +52,7 @@ typedef struct RTCIntersectContext cylint_rtc_context;
 
 #endif
 
-/* The last words of a hit, which a callback takes from the context. */
+/* Whether hits and contexts have the member instPrimID. */
 #ifdef RTC_GEOMETRY_INSTANCE_ARRAY
 #define CYLINT_INSTANCE_ARRAYS 1
 #else

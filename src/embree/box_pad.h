@@ -1,5 +1,5 @@
 /*
- * box_pad.h - boxes that Embree's walk does not pass by
+ * box_pad.h - boxes padded by the rounding error of Embree's traversal
  */
 #ifndef CYLINT_EMBREE_BOX_PAD_H
 #define CYLINT_EMBREE_BOX_PAD_H
@@ -10,25 +10,24 @@
 #include "api.h"
 
 /*
- * Boxes are widened by what Embree's walk errs.  For user geometries it knows
- * no robust mode, RTC_SCENE_FLAG_ROBUST or not.  Where a ray crosses a face b
- * it computes b r - o r, fused or not, in floats, r being about 1 / d: an
- * estimate, off by 1.5 2^-12 at most, and a Newton step, which squares that
- * and rounds three times, so off by less than 6 2^-24.  The products round by
- * 2^-24 of |b| and |o|, and so does their difference: it errs by at most |r|
- * times
+ * Each face is moved out by the error of Embree's traversal, which has no robust
+ * mode for user geometries, with or without RTC_SCENE_FLAG_ROBUST.  Embree
+ * computes where a ray crosses a face b as b r - o r in floats, fused or not,
+ * where r is about 1 / d: an estimate with an error of at most 1.5 2^-12, then a
+ * Newton step, which squares that error and rounds three times: less than
+ * 6 2^-24.  The products round by 2^-24 of |b| and |o|, and so does their
+ * difference.  The error is at most |r| times
  *
  *     2^-24 (6 |b - o| + |b| + |o| + |b - o|)
  *     <= 2^-21 |b - o| + 2^-23 |b|,         for |o| <= |b| + |b - o|,
  *
- * which is what moving the face by the latter does.  Faces are moved out by
- * as much for origins within so many sizes of the geometry's box, a size
- * S being its longest side, where |b - o| <= (sizes + 1) S; M is its largest
- * coordinate.
+ * and moving the face by that compensates it.  Faces are moved for origins within
+ * `sizes` sizes of the geometry's box, where |b - o| <= (sizes + 1) S; a size S
+ * is the longest side of the box, M its largest coordinate.
  *
- * That also settles which of two shapes hit at nearly the same t is nearer:
- * only the shapes can tell, but Embree passes by a box whose entry, as it
- * computes it, is beyond tfar (single rays), or not below it (packets).
+ * The padding also keeps Embree from choosing between shapes hit at nearly the
+ * same t: it skips a box whose computed entry is beyond tfar (single rays) or
+ * not below it (packets).
  */
 static inline double cylint_box_pad(const cylint_extent *all, int sizes)
 {
@@ -41,7 +40,7 @@ static inline double cylint_box_pad(const cylint_extent *all, int sizes)
     return 0x1p-21 * (sizes + 1) * S + 0x1p-23 * M;
 }
 
-/* The padded box, still one that Embree keeps. */
+/* The padded box, within the limits of Embree. */
 static inline struct RTCBounds cylint_padded_box(const cylint_extent *box,
                                                  double pad)
 {

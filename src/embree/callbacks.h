@@ -1,5 +1,5 @@
 /*
- * callbacks.h - the callbacks of a geometry
+ * callbacks.h - the functions that Embree calls with rays
  */
 #ifndef CYLINT_EMBREE_CALLBACKS_H
 #define CYLINT_EMBREE_CALLBACKS_H

@@ -1,5 +1,5 @@
 /*
- * device_memory.c - memory from an Embree device
+ * device_memory.c - memory in buffers of an Embree device
  */
 #include "device_memory.h"
 

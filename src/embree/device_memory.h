@@ -1,8 +1,8 @@
 /*
- * device_memory.h - memory from an Embree device, as its memory monitor likes it
+ * device_memory.h - memory in buffers of an Embree device
  *
- * Buffers, so that what the adapter holds is counted and may be refused like
- * Embree's own, the refusal being told to the device's error function.
+ * The device's memory monitor counts buffers and may refuse them, as it does
+ * Embree's own memory; the device then calls its error function.
  */
 #ifndef CYLINT_EMBREE_DEVICE_MEMORY_H
 #define CYLINT_EMBREE_DEVICE_MEMORY_H

@@ -1,6 +1,6 @@
 /*
- * embree_dispatch.c - the builds for this processor of what is compiled for
- * several instruction sets
+ * embree_dispatch.c - chooses the builds for this processor of the files that
+ * are compiled for several instruction sets
  */
 #include "float_filter.h"
 #include "packet_filter.h"

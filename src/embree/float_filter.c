@@ -1,50 +1,52 @@
 /*
- * float_filter.c - a hit in doubles, where doubles are certain of it: one question
+ * float_filter.c - hits of float rays in doubles, one question at a time
  *
- * Compiled once as it is and again where the processor has fused multiply-add.
+ * Compiled once as it is and again for processors with fused multiply-add.
  */
 #include "../numbers/bits.h"
 
 #define CYLINT_ONE_LANE
 #include "float_filter_lanes.h"
 
-static cylint_float_filter_result told(verdict v)
+static cylint_float_filter_result result_of(hit_result v)
 {
     return v.hit      ? CYLINT_FLOAT_FILTER_HIT
            : v.unsure ? CYLINT_FLOAT_FILTER_UNSURE
                       : CYLINT_FLOAT_FILTER_MISS;
 }
 
-static cylint_float_filter_result enter(
-    cylint_float_filter_state *q, const cylint_float_filter_target *subject,
+static cylint_float_filter_result test_entry(
+    cylint_float_filter_state *q, const cylint_float_filter_target *target,
     const cylint_float_filter_ray *l, cylint_float_filter_hit *at)
 {
-    const char *const shape_row = subject->shape;
+    const char *const shape_row = target->shape;
     const char *const line_row = (const char *)l;
-    const cut_shape shape = shape_of(&shape_row, subject->small);
-    const cut_line line = line_of(&line_row);
-    q->whole = subject->whole;
-    q->cap[0] = cylint_float_filter_has_cap(subject->ends, 0);
-    q->cap[1] = cylint_float_filter_has_cap(subject->ends, 1);
-    const verdict is = crosses(q, &shape, &line);
-    return told(is.hit ? stop(q, 0, at) : is);
+    const shape_columns shape = shape_of(&shape_row, target->small);
+    const line_columns line = line_of(&line_row);
+    q->whole = target->whole;
+    q->cap[0] = cylint_float_filter_has_cap(target->ends, 0);
+    q->cap[1] = cylint_float_filter_has_cap(target->ends, 1);
+    const hit_result is = load_and_cross(q, &shape, &line);
+    return result_of(is.hit ? hit_at_end(q, 0, at) : is);
 }
 
-static cylint_float_filter_result leave(const cylint_float_filter_state *q,
-                                        cylint_float_filter_hit *at)
+static cylint_float_filter_result test_exit(const cylint_float_filter_state *q,
+                                            cylint_float_filter_hit *at)
 {
-    return q->crosses ? told(stop(q, 1, at)) : CYLINT_FLOAT_FILTER_MISS;
+    return q->crosses ? result_of(hit_at_end(q, 1, at))
+                      : CYLINT_FLOAT_FILTER_MISS;
 }
 
-/* Whether |w[i]| < |w[j]|, which are equal but for their low parts. */
-static int is_lower(const cylint_shape *s, int i, int j)
+/* Whether |w[i]| < |w[j]| by the low parts; the doubles are equal. */
+static int is_smaller_in_full(const cylint_shape *s, int i, int j)
 {
     return s->axis_lo[i] * copysign(1, s->axis[i]) <
            s->axis_lo[j] * copysign(1, s->axis[j]);
 }
 
-/* The first coordinate along which the axis is least, doubles being tied. */
-static int least_in_full(const cylint_shape *s)
+/* The first coordinate along which the axis is least, where doubles are
+ * tied. */
+static int least_component_in_full(const cylint_shape *s)
 {
     const double *w = s->axis;
     const double least =
@@ -52,7 +54,7 @@ static int least_in_full(const cylint_shape *s)
     int first = 2;
     for (int j = 1; j >= 0; j--)
         if (fabs(w[j]) <= least &&
-            (fabs(w[first]) > least || !is_lower(s, first, j)))
+            (fabs(w[first]) > least || !is_smaller_in_full(s, first, j)))
             first = j;
     return first;
 }
@@ -63,7 +65,7 @@ static int describe(const cylint_float_filter_state *q,
     int least[3];
     floats f;
     if (!least_components(q, least)) {
-        const int first = least_in_full(q->whole);
+        const int first = least_component_in_full(q->whole);
         for (int j = 0; j < 3; j++)
             least[j] = j == first;
     }
@@ -95,7 +97,7 @@ void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
                  : s->dr;
 }
 
-/* Zero by the bits: a thread may take a subnormal number for it. */
+/* Whether x is a float and not subnormal. */
 static int is_float(double x, float *to)
 {
     *to = (float)x;
@@ -117,4 +119,5 @@ int cylint_float_filter_small_of(cylint_float_filter_small *to,
 
 #endif
 
-const cylint_float_filter CYLINT_FLOAT_FILTER = {enter, leave, describe};
+const cylint_float_filter CYLINT_FLOAT_FILTER = {test_entry, test_exit,
+                                                 describe};

@@ -1,23 +1,22 @@
 /*
- * float_filter.h - a hit in doubles, where doubles are certain of it
+ * float_filter.h - hits of float rays, computed in doubles with error bounds
  *
- * For circular shapes with two ends, the great majority of questions: what
- * cylint_intersect() would say, as far as floats show it, or that it has to
- * be asked.
+ * For circular shapes with two ends, most questions by far.  A result is what
+ * cylint_intersect() returns, as far as floats show it, or UNSURE.
  */
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_H
 #define CYLINT_EMBREE_FLOAT_FILTER_H
 
 #include "cylint.h"
 
-/* A line with its domain, as yet unchecked; o, d and near hold
- * floats.  near: some t near the shape, if that is known; else not finite. */
+/* A ray whose o, d and near are floats; not checked yet.  near: a t near the
+ * shape, or not finite if none is known. */
 typedef struct cylint_float_filter_ray {
     double o[3], d[3], tmin, near, tmax;
 } cylint_float_filter_ray;
 
-/* What is asked of a circular shape, on a cache line.  r0 of others is -1:
- * every question about them is UNSURE. */
+/* A circular shape, in one cache line.  Other shapes have r0 = -1, and every
+ * result for them is UNSURE. */
 typedef struct cylint_float_filter_shape {
     double base[3], axis[3], r0, dr;
 } cylint_float_filter_shape;
@@ -25,17 +24,17 @@ typedef struct cylint_float_filter_shape {
 void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
                                   const cylint_shape *shape);
 
-/* The same in half the room, where base, top and radii are floats, none of
- * them subnormal. */
+/* The same in half the memory, if base, top and radii are floats and none of
+ * them is subnormal. */
 typedef struct cylint_float_filter_small {
     float base[3], r0, top[3], r1;
 } cylint_float_filter_small;
 
-/* 0 where it is not so. */
+/* Returns 0 if the shape does not fit. */
 int cylint_float_filter_small_of(cylint_float_filter_small *to,
                                  const cylint_shape *shape);
 
-/* One or the other of shapes side by side. */
+/* An array of shapes, either small or not. */
 typedef struct cylint_float_filter_shapes {
     const void *data;
     int small;
@@ -50,8 +49,8 @@ static inline const void *cylint_float_filter_at(
                : (const cylint_float_filter_shape *)s->data + number;
 }
 
-/* Whom to ask: the same shape twice, `whole` being read only where doubles of
- * the axis do not tell which of its components is least; and its ends. */
+/* The shape to test, and its ends.  `whole` is the same shape, read only if the
+ * doubles of the axis do not decide which of its components is least. */
 typedef struct cylint_float_filter_target {
     const void
         *shape; /* cylint_float_filter_small, if it is small, else _shape */
@@ -61,18 +60,18 @@ typedef struct cylint_float_filter_target {
 } cylint_float_filter_target;
 
 typedef enum {
-    CYLINT_FLOAT_FILTER_UNSURE = -1, /* ask cylint_intersect() */
+    CYLINT_FLOAT_FILTER_UNSURE = -1, /* cylint_intersect() must decide */
     CYLINT_FLOAT_FILTER_MISS,
     CYLINT_FLOAT_FILTER_HIT
 } cylint_float_filter_result;
 
 /*
- * What is known of a question, in numbers R and truths M: the axis w, its
- * length and radii; t = from + s, where the line is D + s u from the base;
- * alpha = D.w, beta = u.w, n = u x w, m = D x w; s[], where it crosses the
- * lateral surface's Q, if it does, of which a is what s^2 is multiplied by and
- * root^2 a quarter of the discriminant; sizes U of u and Dn of D; which caps
- * there are; and whether the chord has no end where s[i] were.
+ * The state of a question, in numbers R and truth values M: the axis w, its
+ * length W and the radii; t = from + s, where the line is D + s u from the base;
+ * alpha = D.w, beta = u.w, n = u x w, m = D x w; s[], the roots of the lateral
+ * surface's Q if the line crosses it, a, the coefficient of s^2 in Q, root^2, a
+ * quarter of the discriminant; sizes U of u and Dn of D; which caps are present;
+ * endless[i]: the chord has no end at s[i].
  */
 #define CYLINT_FLOAT_FILTER_MEMBERS(R, M)                               \
     R w[3], W, ww, per_ww, r0, dr, from, tmin, alpha, beta, n[3], m[3]; \
@@ -84,8 +83,8 @@ typedef struct cylint_float_filter_state {
     const cylint_shape *whole;
 } cylint_float_filter_state;
 
-/* A hit at t and z, within the errors; s: t from near the shape, c = P x w
- * there, k: the radius; on a cap, that of the top. */
+/* A hit at t and z, with error bounds.  s = t - from, c = P x w at the hit, k is
+ * the radius there.  capped: the hit is on a cap; top: on the top one. */
 #define CYLINT_FLOAT_FILTER_HIT_MEMBERS(R, M)                \
     R t, t_error, z, z_error, s, s_error, c[3], e_c, k, e_k; \
     M capped, top;
@@ -94,40 +93,41 @@ typedef struct cylint_float_filter_hit {
     CYLINT_FLOAT_FILTER_HIT_MEMBERS(double, int)
 } cylint_float_filter_hit;
 
-/* Whether shapes of these ends have a cap at the base (0) or the top (1). */
+/* Whether shapes with these ends have a cap at the base (top = 0) or the top
+ * (top = 1). */
 static inline int cylint_float_filter_has_cap(int ends, int top)
 {
     return ends == CYLINT_ENDS_CAPPED ||
            ends == (top ? CYLINT_ENDS_CAP1 : CYLINT_ENDS_CAP0);
 }
 
-/* What floats show of a hit, rounded as the library's doubles would be. */
+/* The floats of a hit, equal to the library's doubles rounded to floats. */
 typedef struct cylint_hit_floats {
     float z, phi, normal[3];
 } cylint_hit_floats;
 
 /*
- * enter     whether the line hits the shape where it enters it: on a part
- *           that is present, at tmin or later;
- * leave     if it does not, or that is not the hit that is sought: whether it
- *           does where it leaves it.  Not to be asked after UNSURE;
- * describe  a hit; 0 where that is not certain.
+ * test_entry  whether the line hits the shape where it enters it: on a part
+ *             that is present, at t >= tmin;
+ * test_exit   the same where it leaves the shape; not to be called after
+ *             test_entry returned UNSURE;
+ * describe    writes the floats of a hit; returns 0 if they are uncertain.
  */
 typedef struct cylint_float_filter {
-    cylint_float_filter_result (*enter)(
-        cylint_float_filter_state *q, const cylint_float_filter_target *subject,
+    cylint_float_filter_result (*test_entry)(
+        cylint_float_filter_state *q, const cylint_float_filter_target *target,
         const cylint_float_filter_ray *line, cylint_float_filter_hit *hit);
-    cylint_float_filter_result (*leave)(const cylint_float_filter_state *q,
-                                        cylint_float_filter_hit *hit);
+    cylint_float_filter_result (*test_exit)(const cylint_float_filter_state *q,
+                                            cylint_float_filter_hit *hit);
     int (*describe)(const cylint_float_filter_state *q,
                     const cylint_float_filter_hit *hit,
                     cylint_hit_floats *floats);
 } cylint_float_filter;
 
-/* That for this processor. */
+/* The build for this processor. */
 const cylint_float_filter *cylint_float_filter_used(void);
 
-/* The builds. */
+/* All builds. */
 extern const cylint_float_filter cylint_float_filter_plain,
     cylint_float_filter_fma;
 

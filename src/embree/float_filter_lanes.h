@@ -1,19 +1,18 @@
 /*
- * quicklanes.h - a hit in doubles, where doubles are certain of it, in lanes
+ * float_filter_lanes.h - the mathematics of the float filter
  *
- * The mathematics of float_filter.c, of one question in plain doubles, and of
- * packet_filter.c, of as many as there are lanes.
+ * For float_filter.c, one question in plain doubles, and for packet_filter.c,
+ * one question in each vector lane.
  *
- * Every quantity comes with a bound on its error, in the same letters: `f` is
- * wrong by at most `e_f`.  Roundings u = 2^-53 are counted in eps = 2^-50,
- * eight of them; the axis, whose double is rounded once, is wrong by u, an
- * acone's radius by 6 u.  Those of vectors are of lengths: a cross product's
- * is at most 2 / sqrt(3) of those of its products.  W is the axis's length, U
- * and Dn are sizes of vectors, never less than that.
+ * Every quantity has an error bound in the same letters: `f` has an error of at
+ * most `e_f`.  A rounding is u = 2^-53; eps = 2^-50 counts eight.  The double of
+ * the axis is rounded once, an acone's radius has an error of 6 u.  The errors
+ * of vectors are lengths: a cross product has at most 2 / sqrt(3) of the errors
+ * of its products.  W is the length of the axis.  U and Dn are sizes of vectors,
+ * at least their lengths.
  *
- * Compiled as it is and, where the processor has fused multiply-add,
- * contracted: which rounds less, and all that is told is certain either way.
- * Lanes of which nothing is to be known are not divided by what may be 0.
+ * Compiled as it is and again with fused multiply-add, which rounds less often:
+ * the bounds hold either way.  Unused lanes divide by 1.
  */
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_LANES_H
 #define CYLINT_EMBREE_FLOAT_FILTER_LANES_H
@@ -37,49 +36,49 @@ typedef struct {
 } hit;
 #endif
 
-/* Shapes and lines as they are asked for; near is not finite where nothing is
- * known. */
+/* Shapes and lines, one in each lane.  near as in cylint_float_filter_ray. */
 typedef struct {
     vd base[3], axis[3], r0, dr;
-} cut_shape;
+} shape_columns;
 
 typedef struct {
     vd o[3], d[3], tmin, near;
-} cut_line;
+} line_columns;
 
-/* Of one in every lane, from the structs of float_filter.h at row[0], row[1], ... */
-INLINE cut_shape shape_of(const char *const row[LANES], int small)
+/* Loads the structs of float_filter.h at row[0], row[1], ... */
+INLINE shape_columns shape_of(const char *const row[LANES], int small)
 {
     vd x[8];
     if (!small) {
         v_columns(row, offsetof(cylint_float_filter_shape, base), x);
         v_columns(row, offsetof(cylint_float_filter_shape, axis[1]), x + 4);
-        return (cut_shape){{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
+        return (shape_columns){
+            {x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
     }
     v_columns_of_floats(row, offsetof(cylint_float_filter_small, base), x);
     v_columns_of_floats(row, offsetof(cylint_float_filter_small, top), x + 4);
-    /* differences that were doubles are the same doubles again */
-    return (cut_shape){{x[0], x[1], x[2]},
-                       {x[4] - x[0], x[5] - x[1], x[6] - x[2]},
-                       x[3],
-                       x[7] - x[3]};
+    /* cylint_float_filter_small_of() checked that these are exact */
+    return (shape_columns){{x[0], x[1], x[2]},
+                           {x[4] - x[0], x[5] - x[1], x[6] - x[2]},
+                           x[3],
+                           x[7] - x[3]};
 }
 
-INLINE cut_line line_of(const char *const row[LANES])
+INLINE line_columns line_of(const char *const row[LANES])
 {
     vd x[8];
     v_columns(row, offsetof(cylint_float_filter_ray, o), x);
     v_columns(row, offsetof(cylint_float_filter_ray, d[1]), x + 4);
-    return (cut_line){{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
+    return (line_columns){{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
 }
 
-/* Neither: certainly not. */
+/* hit: certainly a hit.  unsure: undecided.  Neither: certainly no hit. */
 typedef struct {
     vm hit, unsure;
-} verdict;
+} hit_result;
 
-/* So many eps. */
-INLINE vd few(double n)
+/* n eps. */
+INLINE vd eps(double n)
 {
     return v_set(n * 0x1p-50);
 }
@@ -106,9 +105,9 @@ INLINE vm m_none(void)
     return m_from(0);
 }
 
-/* Products below are of at most ten lengths, none of which may be smaller than
- * this, if it matters beside the others: so what is flushed to zero does not.
- * What overflows leaves infinite bounds or NaN, of which nothing is certain. */
+/* Products below have at most ten lengths as factors.  If none of these is less
+ * than 2^-90, a product flushed to zero is negligible.  An overflow gives an
+ * infinite bound or NaN, and then nothing is certain. */
 INLINE vm in_window(const question *q)
 {
     const vd least = v_set(0x1p-90), R = q->r0 + v_abs(q->dr);
@@ -116,19 +115,19 @@ INLINE vm in_window(const question *q)
 }
 
 /*
- * The origin is moved by `from` multiples of u to near the shape, so that what
- * follows has errors of the shape's size, however far the ray began: to what
- * is known to be near or, else, to the point nearest to the base.  u and
- * `from` having 24 bits, their product is exact; what is lost in o - base is
- * found again [Moller 1965, Knuth]; so D is wrong by its own roundings only.
+ * Moves the origin by from * u to a point near the shape, so that the errors
+ * below are relative to the shape's size, wherever the ray begins: to `near` if
+ * it is known, else to the point nearest to the base.  u and `from` have 24 bits
+ * each, so their product is exact.  The rounding error of o - base is added
+ * again [Moller 1965, Knuth].  So D has no error but its own roundings.
  */
-INLINE vd lost_by_difference(vd x, vd y, vd difference)
+INLINE vd difference_error(vd x, vd y, vd difference)
 {
     const vd minus_y = difference - x;
     return (x - (difference - minus_y)) - (y + minus_y);
 }
 
-INLINE vd place_near(const cut_line *l, const vd D0[3])
+INLINE vd origin_shift(const line_columns *l, const vd D0[3])
 {
     const vm known = v_le(v_abs(l->near), v_set((double)FLT_MAX));
     if (!m_any(m_not(known)))
@@ -140,15 +139,16 @@ INLINE vd place_near(const cut_line *l, const vd D0[3])
  * Errors: D's 2 u Dn, beta's 4 u U W, alpha's 6 u W Dn, ww's 5 u ww; with n's
  * 4 u U W and m's 6 u Dn W.
  */
-INLINE void place(question *q, const cut_shape *s, const cut_line *l, vd D[3])
+INLINE void load_question(question *q, const shape_columns *s,
+                          const line_columns *l, vd D[3])
 {
     vd D0[3];
     EACH(j, 3)
         D0[j] = l->o[j] - s->base[j];
-    q->from = place_near(l, D0);
+    q->from = origin_shift(l, D0);
     EACH(j, 3)
         D[j] = (D0[j] + q->from * l->d[j]) +
-               lost_by_difference(l->o[j], s->base[j], D0[j]);
+               difference_error(l->o[j], s->base[j], D0[j]);
     EACH(j, 3)
         q->w[j] = s->axis[j];
     q->r0 = s->r0;
@@ -165,7 +165,7 @@ INLINE void place(question *q, const cut_shape *s, const cut_line *l, vd D[3])
     q->tmin = l->tmin;
 }
 
-/* Whether any is that of a cone. */
+/* The lanes with a cone. */
 INLINE vm is_cone(const question *q)
 {
     return m_not(v_eq(q->dr, v_set(0)));
@@ -180,16 +180,16 @@ INLINE vm is_cone(const question *q)
  *   k = r0 + dr alpha / ww,      f = D.n,   g = r0 n + dr u x D,
  *   G = ww gg - (ww + dr^2) ff.
  *
- * a > 0: Q < 0 between the roots, on one nappe.  a < 0: before the first root
- * and behind the second, on one nappe each; that where radii are positive is
- * the second's if they grow along the line, and its chord has no other end.
- * Either way the chord begins at (-b - sqrt(G)) / a and ends at (-b + sqrt(G))
- * / a.  Errors, S being the bound U (r0 W + |dr| Dn) of |g|:
+ * If a > 0, Q < 0 between the roots, on one nappe.  If a < 0, Q < 0 before the
+ * first root and behind the second, on one nappe each.  The nappe with positive
+ * radii is the second's if the radii grow along the line; its chord has one end
+ * only.  In both cases the chord begins at (-b - sqrt(G)) / a and ends at
+ * (-b + sqrt(G)) / a.  Errors, where S = U (r0 W + |dr| Dn) bounds |g|:
  *
  *   f: 9 u Dn U W.   g: 14 u S.   ww gg: 37 u ww S^2.   ww + dr^2: 13 u of it.
- *   a: 10 u U^2 W^2 + 30 u dr^2 U^2; that of a cylinder is positive if G is.
+ *   a: 10 u U^2 W^2 + 30 u dr^2 U^2; a cylinder's a is positive if G is.
  */
-INLINE verdict cut(question *q, const vd u[3], const vd D[3])
+INLINE hit_result cross_lateral(question *q, const vd u[3], const vd D[3])
 {
     const vd r0 = q->r0, dr = q->dr, kb = dr * q->beta;
     const vd ww = q->ww, N = q->U * q->W, f = dot(D, q->n);
@@ -208,13 +208,13 @@ INLINE verdict cut(question *q, const vd u[3], const vd D[3])
         slant = slant + dr * dr;
         b = b - (r0 + dr * q->alpha * q->per_ww) * kb;
         q->a = q->a - kb * kb * q->per_ww;
-        const vd e_a = few(4) * (N * N) + few(8) * (dr * dr * (q->U * q->U));
+        const vd e_a = eps(4) * (N * N) + eps(8) * (dr * dr * (q->U * q->U));
         known = m_and(known, m_or(m_not(cone), v_lt(e_a, v_abs(q->a))));
     }
-    const vd G = ww * gg - slant * (f * f), e_f = few(2) * q->Dn * N;
+    const vd G = ww * gg - slant * (f * f), e_f = eps(2) * q->Dn * N;
     const vd e_G =
-        few(6) * ww * (S * S) +
-        slant * (e_f * (v_set(2) * v_abs(f) + e_f) + few(2) * (f * f));
+        eps(6) * ww * (S * S) +
+        slant * (e_f * (v_set(2) * v_abs(f) + e_f) + eps(2) * (f * f));
     const vm is = m_and(known, v_lt(v_set(16) * e_G, G));
     const vm is_not = m_and(known, v_lt(G, -e_G));
     q->crosses = is;
@@ -228,34 +228,35 @@ INLINE verdict cut(question *q, const vd u[3], const vd D[3])
         q->endless[0] = m_and(apart, m_not(grows));
         q->endless[1] = m_and(apart, grows);
     }
-    return (verdict){is, m_not(m_or(is, is_not))};
+    return (hit_result){is, m_not(m_or(is, is_not))};
 }
 
 /*
- * What the line has at s: c = P x w = m + s n, z, k; and how far s is from
- * the root of Q that it is taken for, by what Q leaves there.
+ * Evaluates the line at s: c = P x w = m + s n, z and the radius k.  The residual
+ * of Q there bounds the distance of s from the root.
  *
  * With X = Dn + |s| U and K = r0 + |dr| X / W the errors are
  *
- *   c: 7 u Dn W + 6 u |s| U W < eps W X, alpha + s beta no more;
- *   k: 23 u K < 3 eps K, none of a cylinder's;
+ *   c: 7 u Dn W + 6 u |s| U W < eps W X, alpha + s beta no more than that;
+ *   k: 23 u K < 3 eps K, for a cylinder 0;
  *   Q: e_c (2 |c| + e_c) + e_k (2 |k| + e_k) ww + eps (cc + kk ww).
  *
- * s is on the root's side of the middle if a s + b, which is -+sqrt(G) as
- * computed, is certain of its sign.  Its errors: b: 13 u Dn U W^2 + 28 u |dr|
- * K U W;  s a: 10 u |s| U^2 W^2 + 31 u |dr| K U W;  and 4 u (|b| + sqrt(G))
- * for s.  Then |Q| = |s - root| |2 sqrt(G) +- a |s - root|| >= |s - root|
- * sqrt(G).  G being known to 1/16 of it and a to 1/2, this first bounds
- * a |s - root| by sqrt(G) / 5, and then |s - root| by 0.57 of |Q| / sqrt(G).
+ * s is on the root's side of the middle if the sign of a s + b, which is
+ * -+sqrt(G), is certain.  Its errors: b: 13 u Dn U W^2 + 28 u |dr| K U W;
+ * s a: 10 u |s| U^2 W^2 + 31 u |dr| K U W;  s: 4 u (|b| + sqrt(G)).
+ * Then |Q| = |s - root| |2 sqrt(G) +- a |s - root|| >= |s - root| sqrt(G).  The
+ * error of G is at most G / 16 and that of a at most a / 2.  So this first
+ * bounds a |s - root| by sqrt(G) / 5, and then |s - root| by
+ * 0.57 |Q| / sqrt(G).
  *
- * z is compared with the library's, whose dividend has 54 bits beside its
- * divisor (keeps_digits() of hit.c), however small it is itself: so that is
- * wrong by 2^-54 = eps / 16 and by roundings of z, for which eps |z| has room.
+ * The bound of z includes the error of the library's z: at most 2^-54 = eps / 16,
+ * as its dividend has 54 bits beside its divisor, and roundings of z, which
+ * eps |z| covers.
  */
-INLINE vm meet(const question *q, vd s, hit *at)
+INLINE vm evaluate_at(const question *q, vd s, hit *at)
 {
     const vd X = q->Dn + v_abs(s) * q->U, N = q->U * q->W;
-    const vd e_c = few(1) * q->W * X, dr = v_abs(q->dr);
+    const vd e_c = eps(1) * q->W * X, dr = v_abs(q->dr);
     const int cones = m_any(is_cone(q));
     vd e_k = v_set(0), e_H = v_set(4) * e_c;
     EACH(j, 3)
@@ -266,72 +267,72 @@ INLINE vm meet(const question *q, vd s, hit *at)
     if (cones) {
         const vd K = q->r0 + dr * X * (q->W * q->per_ww);
         at->k = at->k + q->dr * at->z;
-        e_k = v_select(is_cone(q), few(3) * K, e_k);
-        e_H = e_H + few(8) * dr * K;
+        e_k = v_select(is_cone(q), eps(3) * K, e_k);
+        e_H = e_H + eps(8) * dr * K;
     }
     const vd c = size(at->c), cc = dot(at->c, at->c);
     const vd kkww = at->k * at->k * q->ww;
-    vd e_Q = e_c * (v_set(2) * c + e_c) + few(1) * (cc + kkww);
+    vd e_Q = e_c * (v_set(2) * c + e_c) + eps(1) * (cc + kkww);
     if (cones)
         e_Q = e_Q + e_k * (v_set(2) * v_abs(at->k) + e_k) * q->ww;
-    const vd off = (v_abs(cc - kkww) + e_Q) * q->per_root;
-    at->s_error = v_set(0.6) * off;
-    at->e_c = e_c + N * at->s_error + few(1) * c;
+    const vd root_error = (v_abs(cc - kkww) + e_Q) * q->per_root;
+    at->s_error = v_set(0.6) * root_error;
+    at->e_c = e_c + N * at->s_error + eps(1) * c;
     at->e_k = e_k + dr * N * q->per_ww * at->s_error;
-    at->z_error = at->e_c * q->per_ww + few(1) * (v_abs(at->z) + v_set(0.0625));
-    return m_and(v_lt(v_set(9) * v_abs(q->a) * off, q->root),
+    at->z_error = at->e_c * q->per_ww + eps(1) * (v_abs(at->z) + v_set(0.0625));
+    return m_and(v_lt(v_set(9) * v_abs(q->a) * root_error, q->root),
                  v_lt(N * e_H, q->root));
 }
 
-/* Where the line is as it begins (i = 0) or ceases to be inside the lateral
- * surface; none of them where that is uncertain. */
+/* Where the chord begins (i = 0) or ends (i = 1): below the base, between base
+ * and top, above the top.  None of these where that is uncertain. */
 typedef struct {
-    vm below, between, above; /* the base, both ends, the top */
-} level;
+    vm below, between, above;
+} axial_range;
 
-INLINE level level_at(const question *q, int i, hit *at)
+INLINE axial_range axial_range_at(const question *q, int i, hit *at)
 {
-    const vm sure = meet(q, q->s[i], at), endless = q->endless[i];
+    const vm sure = evaluate_at(q, q->s[i], at), endless = q->endless[i];
     const vm rises = v_lt(v_set(0), q->beta);
     const vm beyond = i == 1 ? rises : m_not(rises); /* the top */
     const vm ends = m_and(sure, m_not(endless));
-    const vd e = at->z_error + few(1);
-    return (level){
+    const vd e = at->z_error + eps(1);
+    return (axial_range){
         m_or(m_and(ends, v_lt(at->z, -e)), m_and(endless, m_not(beyond))),
         m_and(ends, m_and(v_lt(e, at->z), v_lt(at->z, v_set(1) - e))),
         m_or(m_and(ends, v_lt(v_set(1) + e, at->z)), m_and(endless, beyond))};
 }
 
-INLINE vm uncertain(const level *l)
+INLINE vm uncertain(const axial_range *l)
 {
     return m_not(m_or(l->below, m_or(l->between, l->above)));
 }
 
-/* Where the line pierces the plane of the base or the top. */
-INLINE vm pierce(const question *q, vm top, hit *at)
+/* Computes where the line crosses the plane of the base or the top. */
+INLINE vm hit_plane(const question *q, vm top, hit *at)
 {
     const vd rise = v_select(top, q->ww, v_set(0)) - q->alpha;
-    const vd N = q->U * q->W, b = v_abs(q->beta), e_b = few(1) * N;
+    const vd N = q->U * q->W, b = v_abs(q->beta), e_b = eps(1) * N;
     const vm sure = v_lt(v_set(2) * e_b, b);
     const vd per_b = v_set(1) / v_select(sure, b, v_set(1));
     at->s = v_select(v_lt(q->beta, v_set(0)), -rise, rise) * per_b;
     at->s_error =
         v_set(2) *
-            (few(1) * q->W * q->Dn + few(1) * (q->ww + v_abs(q->alpha)) +
+            (eps(1) * q->W * q->Dn + eps(1) * (q->ww + v_abs(q->alpha)) +
              v_abs(at->s) * e_b) *
             per_b +
-        few(1) * v_abs(at->s);
+        eps(1) * v_abs(at->s);
     EACH(j, 3)
         at->c[j] = q->m[j] + at->s * q->n[j];
-    at->e_c = few(1) * (q->W * (q->Dn + v_abs(at->s) * q->U) + size(at->c)) +
+    at->e_c = eps(1) * (q->W * (q->Dn + v_abs(at->s) * q->U) + size(at->c)) +
               N * at->s_error;
     at->z = v_select(top, v_set(1), v_set(0));
     at->z_error = v_set(0);
     return sure;
 }
 
-/* What is the other's where that is so. */
-INLINE void choose(hit *at, vm where, const hit *other)
+/* Copies *other in the lanes `where`. */
+INLINE void select_hit(hit *at, vm where, const hit *other)
 {
     at->s = v_select(where, other->s, at->s);
     at->s_error = v_select(where, other->s_error, at->s_error);
@@ -342,41 +343,43 @@ INLINE void choose(hit *at, vm where, const hit *other)
         at->c[j] = v_select(where, other->c[j], at->c[j]);
 }
 
-/* Where the chord that begins at s[i], outside both ends, comes upon a cap from
- * beyond it. */
-INLINE verdict stop_at_cap(const question *q, int i, const level *here, hit *at)
+/* For chords that begin or end at s[i] below the base or above the top: the hit
+ * on the cap that the chord crosses. */
+INLINE hit_result hit_cap(const question *q, int i, const axial_range *here,
+                          hit *at)
 {
     hit other, cap;
     const vm outside = m_or(here->below, here->above);
     const vm present =
         m_or(m_and(here->below, q->cap[0]), m_and(here->above, q->cap[1]));
-    const level there = level_at(q, 1 - i, &other);
+    const axial_range there = axial_range_at(q, 1 - i, &other);
     const vm lost = m_and(outside, uncertain(&there));
     const vm stays =
         m_or(m_and(here->below, there.below), m_and(here->above, there.above));
     const vm comes = m_and(m_and(outside, present), m_not(m_or(lost, stays)));
     if (!m_any(comes))
-        return (verdict){comes, lost};
-    const vm sure = pierce(q, here->above, &cap);
-    choose(at, comes, &cap);
+        return (hit_result){comes, lost};
+    const vm sure = hit_plane(q, here->above, &cap);
+    select_hit(at, comes, &cap);
     at->capped = comes;
     at->top = here->above;
-    return (verdict){m_and(comes, sure), m_or(lost, m_and(comes, m_not(sure)))};
+    return (hit_result){m_and(comes, sure),
+                        m_or(lost, m_and(comes, m_not(sure)))};
 }
 
-INLINE verdict stop(const question *q, int i, hit *at)
+INLINE hit_result hit_at_end(const question *q, int i, hit *at)
 {
-    const level here = level_at(q, i, at);
+    const axial_range here = axial_range_at(q, i, at);
     const vm outside = m_or(here.below, here.above);
-    verdict is = {here.between, uncertain(&here)};
+    hit_result is = {here.between, uncertain(&here)};
     at->capped = at->top = m_none();
     if (m_any(outside)) {
-        const verdict cap = stop_at_cap(q, i, &here, at);
+        const hit_result cap = hit_cap(q, i, &here, at);
         is.hit = m_or(is.hit, cap.hit);
         is.unsure = m_or(is.unsure, cap.unsure);
     }
     at->t = q->from + at->s;
-    at->t_error = at->s_error + few(1) * v_abs(at->t);
+    at->t_error = at->s_error + eps(1) * v_abs(at->t);
     const vm later = v_lt(q->tmin + at->t_error, at->t);
     const vm before = v_lt(at->t, q->tmin - at->t_error);
     is.unsure = m_or(is.unsure, m_and(is.hit, m_not(m_or(later, before))));
@@ -386,33 +389,36 @@ INLINE verdict stop(const question *q, int i, hit *at)
     return is;
 }
 
-/* Whether the line comes into the lateral surface at all; if so it may stop()
- * there. */
-INLINE verdict crosses(question *q, const cut_shape *s, const cut_line *l)
+/* Loads the question.  hit: the line crosses the lateral surface, and
+ * hit_at_end() decides about hits. */
+INLINE hit_result load_and_cross(question *q, const shape_columns *s,
+                                 const line_columns *l)
 {
     vd D[3];
-    place(q, s, l, D);
-    return cut(q, l->d, D);
+    load_question(q, s, l, D);
+    return cross_lateral(q, l->d, D);
 }
 
 /* ---------------------------------------------------------- description -- */
 
-/* Floats, as doubles. */
+/* Floats, stored as doubles. */
 typedef struct {
     vd z, phi, normal[3];
 } floats;
 
-/* x, which is wrong by at most e, the library's own error included, as a
- * float, if that is certain. */
+/* Rounds x to a float.  x has an error of at most e, which includes the error of
+ * the library's x.  Returns whether the float is certain. */
 INLINE vm to_float(vd x, vd e, vd *f)
 {
     *f = v_float(x + e);
     return v_eq(v_float(x - e), *f);
 }
 
-/* w x c, and its error from e_c, where rounding is counted, by component, so
- * that components that are zero because those of the axis are stay certain. */
-INLINE void across(const question *q, const hit *at, vd N[3], vd e[3])
+/* w x c and its error, which follows from e_c, rounding included.  The error is
+ * computed by component: a component that is zero because components of the
+ * axis are zero stays exact. */
+INLINE void lateral_direction(const question *q, const hit *at, vd N[3],
+                              vd e[3])
 {
     const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
     cross(N, q->w, at->c);
@@ -421,13 +427,14 @@ INLINE void across(const question *q, const hit *at, vd N[3], vd e[3])
     e[2] = (x + y) * at->e_c;
 }
 
-/* A vector N, wrong by at most e[], the length of which is 1 / per_length, by
- * at most e_length of it. */
+/* A vector N with errors e[].  Its length is 1 / per_length, with a relative
+ * error of e_length. */
 typedef struct {
     vd N[3], e[3], per_length, e_length;
-} arrow;
+} bounded_vector;
 
-INLINE void choose_arrow(arrow *a, vm where, const arrow *other)
+INLINE void select_vector(bounded_vector *a, vm where,
+                          const bounded_vector *other)
 {
     EACH(j, 3) {
         a->N[j] = v_select(where, other->N[j], a->N[j]);
@@ -438,7 +445,7 @@ INLINE void choose_arrow(arrow *a, vm where, const arrow *other)
 }
 
 /* N / |N|. */
-INLINE vm unit_floats(const arrow *a, vd unit[3])
+INLINE vm unit_floats(const bounded_vector *a, vd unit[3])
 {
     vm sure = m_not(m_none());
     EACH(j, 3) {
@@ -450,15 +457,14 @@ INLINE vm unit_floats(const arrow *a, vd unit[3])
 }
 
 /*
- * The lateral normal is N = w x c - k dr w.  On the surface, where |c| = k
- * |w|, it is as long as k |w| sqrt(ww + dr^2), which is known to 15 u of it,
- * and to what k is.
+ * The lateral normal is N = w x c - k dr w.  On the surface |c| = k |w|, so its
+ * length is k |w| sqrt(ww + dr^2), with a relative error of 15 u plus that of k.
  */
-INLINE vm lean(const question *q, const hit *at, const arrow *across_w,
-               arrow *to)
+INLINE vm cone_normal(const question *q, const hit *at,
+                      const bounded_vector *across_w, bounded_vector *to)
 {
     const vd dr = q->dr, k = at->k, lean = k * dr;
-    const vd e_lean = v_abs(dr) * (at->e_k + few(1) * v_abs(k));
+    const vd e_lean = v_abs(dr) * (at->e_k + eps(1) * v_abs(k));
     const vm sure = v_lt(v_set(32) * at->e_k, k);
     const vd length = k * (q->W * v_sqrt(q->ww + dr * dr));
     EACH(j, 3) {
@@ -466,38 +472,38 @@ INLINE vm lean(const question *q, const hit *at, const arrow *across_w,
         to->e[j] = across_w->e[j] + e_lean * v_abs(q->w[j]);
     }
     to->per_length = v_set(1) / v_select(sure, length, v_set(1));
-    to->e_length = at->e_k / v_select(sure, k, v_set(1)) + few(3);
+    to->e_length = at->e_k / v_select(sure, k, v_set(1)) + eps(3);
     return sure;
 }
 
-INLINE arrow upright(const question *q, vm top)
+INLINE bounded_vector cap_normal(const question *q, vm top)
 {
-    arrow a;
+    bounded_vector a;
     EACH(j, 3) {
         a.N[j] = v_select(top, q->w[j], -q->w[j]);
         a.e[j] = v_set(0);
     }
     a.per_length = v_set(1) / q->W;
-    a.e_length = few(2);
+    a.e_length = eps(2);
     return a;
 }
 
-INLINE vm describe_normal(const question *q, const hit *at, arrow *across_w,
-                          vd normal[3])
+INLINE vm describe_normal(const question *q, const hit *at,
+                          bounded_vector *across_w, vd normal[3])
 {
     const vm cone = is_cone(q), capped = at->capped;
-    arrow a = *across_w;
+    bounded_vector a = *across_w;
     vm sure = m_not(m_none());
     a.per_length = q->per_ww / v_select(cone, v_set(1), q->r0);
-    a.e_length = few(3);
+    a.e_length = eps(3);
     if (m_any(cone)) {
-        arrow leaning;
-        sure = m_or(lean(q, at, across_w, &leaning), m_not(cone));
-        choose_arrow(&a, cone, &leaning);
+        bounded_vector leaning;
+        sure = m_or(cone_normal(q, at, across_w, &leaning), m_not(cone));
+        select_vector(&a, cone, &leaning);
     }
     if (m_any(capped)) {
-        const arrow up = upright(q, at->top);
-        choose_arrow(&a, capped, &up);
+        const bounded_vector up = cap_normal(q, at->top);
+        select_vector(&a, capped, &up);
     }
     return m_and(m_or(sure, capped), unit_floats(&a, normal));
 }
@@ -511,8 +517,8 @@ INLINE vm describe_phi(const question *q, const hit *at, vd across_w, vd c,
 {
     vd per_far;
     const vd turn = cylint_atan2_turns(across_w, -c * q->W, &per_far);
-    /* both are wrong by at most W e_c, so the angle by less than sqrt(2) / (2
-     * pi) of that over the hypotenuse, 13/12 at most for per_far */
+    /* both have an error of at most W e_c, so the angle one of less than
+     * sqrt(2) / (2 pi) of that over the hypotenuse; 13/12 covers per_far */
     const vd part = q->W * at->e_c * per_far;
     const vd e = v_set(0.25) * part + v_set(CYLINT_ATAN2_TURNS_ERROR);
     const vm inside =
@@ -521,8 +527,8 @@ INLINE vm describe_phi(const question *q, const hit *at, vd across_w, vd c,
                  to_float(turn, e, phi));
 }
 
-/* least[j]: whether the axis is least along coordinate j, the first such; not
- * known where only the low parts of coordinates tell: what is 0 has none. */
+/* least[j]: the axis is least along coordinate j, the first such.  Returns
+ * whether that is certain: of equal doubles other than 0 the low parts decide. */
 INLINE vm least_components(const question *q, vm least[3])
 {
     const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
@@ -538,8 +544,8 @@ INLINE vm least_components(const question *q, vm least[3])
 INLINE vm describe_lanes(const question *q, const hit *at, const vm least[3],
                          floats *to)
 {
-    arrow a;
-    across(q, at, a.N, a.e);
+    bounded_vector a;
+    lateral_direction(q, at, a.N, a.e);
     const vd across_w =
         v_select(least[1], a.N[1], v_select(least[2], a.N[2], a.N[0]));
     const vd c =

@@ -1,5 +1,5 @@
 /*
- * geometry.h - what a geometry holds beside the shapes of the caller
+ * geometry.h - the data of a geometry, beside the caller's shapes
  */
 #ifndef CYLINT_EMBREE_GEOMETRY_H
 #define CYLINT_EMBREE_GEOMETRY_H
@@ -13,27 +13,27 @@
 #include "cylint_embree.h"
 #include "device_memory.h"
 
-/* What the geometry's user data points to. */
+/* The user data of the geometry. */
 typedef struct cylint_embree_data {
-    cylint_memory self;          /* which holds this very struct */
-    cylint_memory_source source; /* of this and what is below */
+    cylint_memory self;          /* holds this struct */
+    cylint_memory_source source; /* of all memory */
     const cylint_shape *shapes;  /* at time 0 */
     const cylint_shape *moved;   /* at time 1, or NULL */
     size_t n;
-    cylint_extent box; /* of all */
-    double pad;        /* by which boxes are widened for Embree */
-    unsigned how;
-    void *user;
-    int threads;                  /* to group the shapes */
-    const cylint_traversal *walk; /* NULL: one shape a primitive */
-    const cylint_float_filter *quick;
-    cylint_packet_filter *many;
-    cylint_bvh group;
-    cylint_memory asked_memory; /* of what float_filter.c asks of shapes, by
-                                     their ranks in the blocks of the group */
-    cylint_memory number_memory;
-    const uint32_t *number; /* of the shape, by its rank */
-    cylint_float_filter_shapes asked;
+    cylint_extent box; /* of all shapes */
+    double pad;        /* added to each side of Embree's boxes: box_pad.h */
+    unsigned flags;    /* CYLINT_EMBREE_SINGLE, ... */
+    void *user;        /* for filter functions */
+    int threads;       /* to build the hierarchy */
+    const cylint_traversal *traversal; /* NULL: each shape is a primitive */
+    const cylint_float_filter *filter;
+    cylint_packet_filter *packet_filter;
+    cylint_bvh bvh;
+    /* Leaves name shapes by rank, in the order in which leaves first name
+     * them; the filter's shapes have the same order. */
+    cylint_memory filter_memory, number_memory;
+    cylint_float_filter_shapes filter_shapes;
+    const uint32_t *number; /* of the shape with that rank */
 } cylint_embree_data;
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * motion.c - shapes between two states, and boxes that keep up with them
+ * motion.c - moving shapes and their boxes
  */
 #include "motion.h"
 
@@ -10,8 +10,8 @@ static int is_elliptic(const cylint_shape *s)
     return s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE;
 }
 
-/* Which constructor made it. */
-static int family(const cylint_shape *s)
+/* The kind whose constructor can make all shapes between this one and others. */
+static int constructor_of(const cylint_shape *s)
 {
     return is_elliptic(s)                    ? CYLINT_KIND_ECONE
            : s->kind == CYLINT_KIND_CYLINDER ? CYLINT_KIND_CONE
@@ -20,19 +20,20 @@ static int family(const cylint_shape *s)
 
 int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1)
 {
-    return family(at_0) == family(at_1) && at_0->ends == at_1->ends;
+    return constructor_of(at_0) == constructor_of(at_1) &&
+           at_0->ends == at_1->ends;
 }
 
-static double between(double x, double y, double time)
+static double interpolate(double x, double y, double time)
 {
     return (1 - time) * x + time * y;
 }
 
-static void between3(double to[3], const double x[3], const double y[3],
-                     double time)
+static void interpolate3(double to[3], const double x[3], const double y[3],
+                         double time)
 {
     for (int i = 0; i < 3; i++)
-        to[i] = between(x[i], y[i], time);
+        to[i] = interpolate(x[i], y[i], time);
 }
 
 cylint_status cylint_embree_between(const cylint_shape *at_0,
@@ -41,35 +42,36 @@ cylint_status cylint_embree_between(const cylint_shape *at_0,
 {
     double base[3], top[3], a[3], b[3];
     const cylint_ends ends = (cylint_ends)at_0->ends;
-    const double r0 = between(at_0->r0, at_1->r0, time);
-    const double r1 = between(at_0->r1, at_1->r1, time);
-    between3(base, at_0->base, at_1->base, time);
-    if (family(at_0) == CYLINT_KIND_CONE) {
-        between3(top, at_0->top, at_1->top, time);
+    const double r0 = interpolate(at_0->r0, at_1->r0, time);
+    const double r1 = interpolate(at_0->r1, at_1->r1, time);
+    interpolate3(base, at_0->base, at_1->base, time);
+    if (constructor_of(at_0) == CYLINT_KIND_CONE) {
+        interpolate3(top, at_0->top, at_1->top, time);
         return cylint_cone(shape, base, r0, top, r1, ends);
     }
-    between3(top, at_0->axis, at_1->axis, time);
+    interpolate3(top, at_0->axis, at_1->axis, time);
     if (!is_elliptic(at_0))
         return cylint_tangent_cone(shape, base, top, r1, ends);
-    between3(a, at_0->a, at_1->a, time);
-    between3(b, at_0->b, at_1->b, time);
+    interpolate3(a, at_0->a, at_1->a, time);
+    interpolate3(b, at_0->b, at_1->b, time);
     return cylint_elliptic_cone(shape, base, a, b, top, r1, ends);
 }
 
 /*
- * Boxes.  Embree takes (1-t) box_0 + t box_1, so both must be such that this
- * holds the shape at every t.  A shape is the hull of its discs.  A disc's
- * centre is linear in t.  Along coordinate j it reaches no farther than f(t),
+ * Boxes.  Embree uses (1-t) box_0 + t box_1, which must contain the shape at
+ * every t.  A shape is the convex hull of its two discs.  A disc's centre is
+ * linear in t.  Along coordinate j the disc reaches f(t) from its centre,
  *
  *   circular: the radius, linear in t;
  *   acone:    0 at v; at v + u the tangent times |u|, the product of a
  *             linear function k and a convex one g, both >= 0;
  *   elliptic: sqrt(a_j^2 + b_j^2), convex; at the top that times k.
  *
- * g lies below its chord, and k times a chord below the chord of the products
- * unless one grows and the other shrinks, when it rises above by t (1-t)
- * |k1-k0| |g1-g0|, at most a quarter of that, which is added.  centre + f of
- * the two discs then lies below linear functions, so does the larger of them.
+ * g is convex, so it is at most its linear interpolation.  k times that is at
+ * most the linear interpolation of the products, except if one of k and g grows
+ * and the other shrinks: then it may exceed it by t (1-t) |k1-k0| |g1-g0|, at
+ * most a quarter of |k1-k0| |g1-g0|, which is added.  So centre + f of each
+ * disc, and the larger of the two, are below a linear function.
  */
 typedef struct {
     double center[3], k, g[3];
@@ -82,9 +84,10 @@ static disc disc_of(const cylint_shape *s, int cap)
                           s->axis[2] * s->axis[2]);
     d.k = cap ? s->r1 : s->r0;
     for (int j = 0; j < 3; j++) {
-        d.center[j] = !cap                            ? s->base[j]
-                      : family(s) == CYLINT_KIND_CONE ? s->top[j]
-                                                      : s->base[j] + s->axis[j];
+        d.center[j] = !cap ? s->base[j]
+                      : constructor_of(s) == CYLINT_KIND_CONE
+                          ? s->top[j]
+                          : s->base[j] + s->axis[j];
         d.g[j] = is_elliptic(s) ? sqrt(s->a[j] * s->a[j] + s->b[j] * s->b[j])
                  : s->kind == CYLINT_KIND_ACONE ? u
                                                 : 1;
@@ -99,13 +102,13 @@ static double reach(const disc *at, const disc *other, int j)
 }
 
 /*
- * What is rounded.  The numbers above and cylint_embree_between() are doubles
- * with a few roundings each.  Embree stores lower0 and upper0, their
- * differences to lower1 and upper1, and adds t times these, in floats: with M
- * the largest number in sight, the differences are at most 2 M and wrong by
- * 2^-24 of that, and so are the product and, by half of that, the sum.  The
- * sides are moved out by 2^-21 M, twice the total of 5 2^-24 M, which leaves
- * room for the doubles and for rounding M.
+ * Roundings.  The numbers above and those of cylint_embree_between() are doubles
+ * with a few roundings each.  Embree stores lower0 and upper0 and their
+ * differences to lower1 and upper1, and adds t times these, in floats.  M is the
+ * largest of these sizes: the differences are at most 2 M, with errors of 2^-24
+ * of that; the product adds as much, the sum half of it.  The sides are moved
+ * out by 2^-21 M, more than the total of 5 2^-24 M; the rest covers the doubles
+ * and the rounding of M.
  */
 void cylint_motion_bounds(const cylint_shape *at_0, const cylint_shape *at_1,
                           int step, cylint_extent *box)

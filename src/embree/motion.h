@@ -1,5 +1,5 @@
 /*
- * motion.h - shapes between two states, and boxes that keep up with them
+ * motion.h - moving shapes and their boxes
  */
 #ifndef CYLINT_EMBREE_MOTION_H
 #define CYLINT_EMBREE_MOTION_H
@@ -7,11 +7,11 @@
 #include "../bvh/float_bounds.h"
 #include "cylint_embree.h"
 
-/* Whether there are shapes between: same constructor, same ends. */
+/* Whether the two states have the same constructor and the same ends. */
 int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1);
 
-/* The box at time 0 or 1 (step), such that boxes interpolated by Embree hold
- * the shape at every time. */
+/* The box at time 0 or 1 (step).  The boxes that Embree interpolates between the
+ * two contain the shape at every time. */
 void cylint_motion_bounds(const cylint_shape *at_0, const cylint_shape *at_1,
                           int step, cylint_extent *box);
 

@@ -1,7 +1,9 @@
 /*
- * packet.c - rays of packets: together, where they go together, or alone
+ * packet.c - traces the rays of a packet through the shapes of a geometry
  *
- * They are copied out, asked, and copied back where they hit.
+ * Rays are copied out of the packet, traced together if they begin near each
+ * other and go into the same octant, else one by one, and copied back if they
+ * are hit.
  */
 #include "packet.h"
 
@@ -10,8 +12,8 @@
 #include "packet_traverse.h"
 #include "single_ray.h"
 
-/* Words of a ray and of a hit, of which packets of N store N each, those of
- * hits, where there are any, behind those of rays. */
+/* The members of a ray and of a hit, 4 bytes each.  A packet of N rays stores
+ * each member N times, those of hits behind those of rays. */
 enum {
     RAY_WORDS = sizeof(struct RTCRay) / 4,
     HIT_WORDS = 7 + RTC_MAX_INSTANCE_LEVEL_COUNT * (1 + CYLINT_INSTANCE_ARRAYS)
@@ -36,156 +38,169 @@ static void *hits_of(const void *packet, unsigned N)
     return (char *)packet + 4 * RAY_WORDS * N;
 }
 
-/* Ray i of the packet, alone. */
-static int trace_of_packet(query *q, unsigned primID, void *packet, unsigned N,
-                           unsigned i)
+/* Traces ray i of the packet. */
+static int trace_ray(ray_test *r, unsigned primID, void *packet, unsigned N,
+                     unsigned i)
 {
     struct RTCRay ray;
     struct RTCHit hit;
     gather(&ray, packet, RAY_WORDS, N, i);
-    if (q->nearest)
+    if (r->nearest)
         gather(&hit, hits_of(packet, N), HIT_WORDS, N, i);
-    q->ray = &ray;
-    if (q->nearest)
-        q->hit = &hit;
-    if (!cylint_trace_single(q, primID))
+    r->ray = &ray;
+    if (r->nearest)
+        r->hit = &hit;
+    if (!cylint_trace_single(r, primID))
         return 0;
     scatter(packet, &ray, RAY_WORDS, N, i);
-    if (q->nearest)
+    if (r->nearest)
         scatter(hits_of(packet, N), &hit, HIT_WORDS, N, i);
     return 1;
 }
 
+static void trace_one_by_one(ray_test *r, unsigned primID, unsigned rays,
+                             int *valid, void *packet, unsigned N)
+{
+    for (; rays; rays &= rays - 1) {
+        const unsigned i = (unsigned)cylint_lowest(rays);
+        set_valid(valid, i, trace_ray(r, primID, packet, N, i));
+    }
+}
+
 /* ------------------------------------------------------------- together -- */
 
-/* The rays of a packet that are asked together. */
+/* The rays of a packet that are traced together. */
 typedef struct {
-    query query[CYLINT_PACKET_MOST];
+    ray_test test[CYLINT_PACKET_MOST];
     struct RTCRay ray[CYLINT_PACKET_MOST];
     struct RTCHit hit[CYLINT_PACKET_MOST];
-    const cylint_float_ray *floats[CYLINT_PACKET_MOST]; /* of the rays */
-    unsigned at[CYLINT_PACKET_MOST];                    /* in the packet */
+    const cylint_float_ray *float_ray[CYLINT_PACKET_MOST];
+    unsigned place[CYLINT_PACKET_MOST]; /* in the packet */
     int n;
-} bundle;
+} packet_state;
 
-/* Questions of several rays, one of each. */
+/* Questions for the packet filter, at most one for each ray. */
 typedef struct {
-    cylint_float_filter_target subject[CYLINT_PACKET_MOST];
+    cylint_float_filter_target target[CYLINT_PACKET_MOST];
     const cylint_float_filter_ray *line[CYLINT_PACKET_MOST];
-    query *asks[CYLINT_PACKET_MOST];
+    ray_test *test[CYLINT_PACKET_MOST];
     int n;
-} inquiry;
+} filter_batch;
 
-static void add(inquiry *r, query *q)
+static void add_question(filter_batch *b, ray_test *r)
 {
-    r->subject[r->n] =
-        cylint_ray_test_target(q, q->block->number[q->lane], NULL, NULL);
-    r->line[r->n] = &q->line;
-    r->asks[r->n++] = q;
+    b->target[b->n] =
+        cylint_ray_test_target(r, r->leaf->number[r->lane], NULL, NULL);
+    b->line[b->n] = &r->line;
+    b->test[b->n++] = r;
 }
 
-static void ask_all_at_once(const inquiry *r)
+static void test_batch(const filter_batch *b)
 {
-    cylint_packet_filter_results answers;
-    const query *first = r->asks[0];
-    if (r->n == 1) {
-        query *q = r->asks[0];
-        q->met |= cylint_ray_test_shape(q, q->block->number[q->lane], 0);
+    cylint_packet_filter_results results;
+    const ray_test *first = b->test[0];
+    if (b->n == 1) {
+        ray_test *r = b->test[0];
+        r->found |= cylint_ray_test_shape(r, r->leaf->number[r->lane], 0);
         return;
     }
-    first->data->many(r->subject, r->line, r->n, is_seen(first), &answers);
-    for (int i = 0; i < r->n; i++)
-        r->asks[i]->met |= cylint_ray_test_accept(r->asks[i], &answers, i);
+    first->data->packet_filter(b->target, b->line, b->n,
+                               needs_description(first), &results);
+    for (int i = 0; i < b->n; i++)
+        b->test[i]->found |= cylint_ray_test_accept(b->test[i], &results, i);
 }
 
-/* As try_lanes(), for rays side by side: the nearest lanes first of all. */
-static unsigned try_met(void *self, const cylint_packet_leaf *met)
+/* Tests the lanes of all rays in turns, the nearest lane of each ray first.
+ * Returns the rays (bits) that need no other hit. */
+static unsigned test_lanes_in_order(void *self, const cylint_packet_leaf *hit)
 {
-    bundle *b = self;
-    unsigned rays = met->rays, enough = 0, left[CYLINT_PACKET_MOST];
+    packet_state *p = self;
+    unsigned rays = hit->rays, stopped = 0, left[CYLINT_PACKET_MOST];
     for (unsigned of = rays; of; of &= of - 1) {
         const int k = cylint_lowest(of);
-        left[k] = met->lanes[k];
-        fetch_shapes(b->query[0].data, met->leaf, left[k]);
+        left[k] = hit->lanes[k];
+        prefetch_shapes(p->test[0].data, hit->leaf, left[k]);
     }
     while (rays) {
-        inquiry r;
-        r.n = 0;
+        filter_batch b;
+        b.n = 0;
         for (unsigned of = rays; of; of &= of - 1) {
             const int k = cylint_lowest(of);
-            if (left[k] && turn_to_nearest(&b->query[k], met->leaf, &left[k],
-                                           met->least[k]))
-                add(&r, &b->query[k]);
+            if (left[k] && select_nearest_lane(&p->test[k], hit->leaf, &left[k],
+                                               hit->least[k]))
+                add_question(&b, &p->test[k]);
             else
                 rays &= ~(1u << k);
         }
-        if (r.n > 0)
-            ask_all_at_once(&r);
-        if (b->query[0].any)
+        if (b.n > 0)
+            test_batch(&b);
+        if (p->test[0].any)
             for (unsigned of = rays; of; of &= of - 1) {
                 const int k = cylint_lowest(of);
-                enough |= (unsigned)(b->query[k].met != 0) << k;
+                stopped |= (unsigned)(p->test[k].found != 0) << k;
             }
-        rays &= ~enough;
+        rays &= ~stopped;
     }
-    return enough;
+    return stopped;
 }
 
-/* Ray i of the packet, if it is a line. */
-static void join(bundle *b, const query *q, const void *packet, unsigned N,
-                 unsigned i)
+/* Copies ray i out of the packet, if it is a line. */
+static void load_ray(packet_state *p, const ray_test *all, const void *packet,
+                     unsigned N, unsigned i)
 {
-    struct RTCRay *ray = &b->ray[b->n];
-    query *each = &b->query[b->n];
+    struct RTCRay *ray = &p->ray[p->n];
+    ray_test *one = &p->test[p->n];
     gather(ray, packet, RAY_WORDS, N, i);
-    begin(each, q->data, q->context, q->geomID);
-    each->nearest = q->nearest;
-    each->any = q->any;
-    each->ray = ray;
-    if (!is_set_out(each))
+    initialise(one, all->data, all->context, all->geomID);
+    one->nearest = all->nearest;
+    one->any = all->any;
+    one->ray = ray;
+    if (!set_line(one))
         return;
-    if (q->nearest) {
-        each->hit = &b->hit[b->n];
-        gather(each->hit, hits_of(packet, N), HIT_WORDS, N, i);
+    if (all->nearest) {
+        one->hit = &p->hit[p->n];
+        gather(one->hit, hits_of(packet, N), HIT_WORDS, N, i);
     }
-    b->floats[b->n] = floats_of_ray(ray);
-    b->at[b->n++] = i;
+    p->float_ray[p->n] = float_ray(ray);
+    p->place[p->n++] = i;
 }
 
-/* The k-th of them goes back. */
-static void part(const bundle *b, int k, void *packet, unsigned N)
+/* Copies the k-th loaded ray back. */
+static void store_ray(const packet_state *p, int k, void *packet, unsigned N)
 {
-    scatter(packet, &b->ray[k], RAY_WORDS, N, b->at[k]);
-    if (b->query[k].nearest)
-        scatter(hits_of(packet, N), &b->hit[k], HIT_WORDS, N, b->at[k]);
+    scatter(packet, &p->ray[k], RAY_WORDS, N, p->place[k]);
+    if (p->test[k].nearest)
+        scatter(hits_of(packet, N), &p->hit[k], HIT_WORDS, N, p->place[k]);
 }
 
-static void trace_together(const query *q, unsigned rays, int *valid,
+static void trace_together(const ray_test *r, unsigned rays, int *valid,
                            void *packet, unsigned N)
 {
-    bundle b;
+    packet_state p;
     unsigned certain = 0;
-    b.n = 0;
+    p.n = 0;
     for (; rays; rays &= rays - 1) {
         const unsigned i = (unsigned)cylint_lowest(rays);
-        join(&b, q, packet, N, i);
-        tell(valid, i, 0);
+        load_ray(&p, r, packet, N, i);
+        set_valid(valid, i, 0);
     }
-    if (b.n > 0)
-        certain = cylint_traverse_packet_used()(&q->data->group, b.floats, b.n,
-                                                q->any && !has_filters(q),
-                                                try_met, &b);
-    for (int k = 0; k < b.n; k++) {
+    if (p.n > 0)
+        certain = cylint_traverse_packet_used()(&r->data->bvh, p.float_ray, p.n,
+                                                r->any && !has_filters(r),
+                                                test_lanes_in_order, &p);
+    for (int k = 0; k < p.n; k++) {
         if (certain >> k & 1)
-            b.ray[k].tfar = -HUGE_VALF;
-        else if (!b.query[k].met)
+            p.ray[k].tfar = -HUGE_VALF;
+        else if (!p.test[k].found)
             continue;
-        part(&b, k, packet, N);
-        tell(valid, b.at[k], 1);
+        store_ray(&p, k, packet, N);
+        set_valid(valid, p.place[k], 1);
     }
 }
 
-/* The rays of a packet, as bits, by the octant they go into. */
+/* ------------------------------------------------- which rays go together -- */
+
+/* Writes the rays (bits) that go into each octant. */
 static void sort_by_octant(unsigned octant[8], unsigned rays,
                            const float *packet, unsigned N)
 {
@@ -198,7 +213,7 @@ static void sort_by_octant(unsigned octant[8], unsigned rays,
     }
 }
 
-static unsigned how_many(unsigned rays)
+static unsigned count_rays(unsigned rays)
 {
     unsigned n = 0;
     for (; rays; rays &= rays - 1)
@@ -206,17 +221,18 @@ static unsigned how_many(unsigned rays)
     return n;
 }
 
-/* Fewer are often in one octant though all go anyhow. */
+/* Fewer rays often share an octant by chance. */
 static int are_enough(unsigned rays, unsigned N)
 {
-    return how_many(rays) > N / 4 + 1;
+    return count_rays(rays) > N / 4 + 1;
 }
 
-/* Those that begin within an eighth of the shapes' box of the first one. */
-static unsigned neighbours(unsigned rays, const cylint_bvh *group,
+/* The rays that begin near the first one, within 1/8 of the longest side S of
+ * the shapes' box. */
+static unsigned neighbours(unsigned rays, const cylint_bvh *bvh,
                            const float *packet, unsigned N)
 {
-    const float S = group->near_distance / 256; /* its longest side */
+    const float S = bvh->near_distance / 256;
     const float *o = packet + cylint_lowest(rays);
     unsigned near = 0;
     for (; rays; rays &= rays - 1) {
@@ -229,40 +245,31 @@ static unsigned neighbours(unsigned rays, const cylint_bvh *group,
     return near;
 }
 
-static void trace_alone(query *q, unsigned primID, unsigned rays, int *valid,
-                        void *packet, unsigned N)
-{
-    for (; rays; rays &= rays - 1) {
-        const unsigned i = (unsigned)cylint_lowest(rays);
-        tell(valid, i, trace_of_packet(q, primID, packet, N, i));
-    }
-}
-
-/* Rays that go into one octant. */
-static void trace_octant(query *q, unsigned primID, unsigned rays, int *valid,
-                         void *packet, unsigned N)
+/* Traces rays that go into one octant. */
+static void trace_octant(ray_test *r, unsigned primID, unsigned rays,
+                         int *valid, void *packet, unsigned N)
 {
     unsigned together = 0;
     if (are_enough(rays, N))
-        together = neighbours(rays, &q->data->group, packet, N);
+        together = neighbours(rays, &r->data->bvh, packet, N);
     if (!are_enough(together, N))
         together = 0;
     if (together)
-        trace_together(q, together, valid, packet, N);
-    trace_alone(q, primID, rays & ~together, valid, packet, N);
+        trace_together(r, together, valid, packet, N);
+    trace_one_by_one(r, primID, rays & ~together, valid, packet, N);
 }
 
-void cylint_trace_packet(query *q, unsigned primID, int *valid, void *packet,
+void cylint_trace_packet(ray_test *r, unsigned primID, int *valid, void *packet,
                          unsigned N)
 {
     unsigned rays = 0, octant[8];
     for (unsigned i = 0; i < N; i++)
         rays |= (unsigned)(valid[i] != 0) << i;
-    if (!q->data->walk || !are_enough(rays, N)) {
-        trace_alone(q, primID, rays, valid, packet, N);
+    if (!r->data->traversal || !are_enough(rays, N)) {
+        trace_one_by_one(r, primID, rays, valid, packet, N);
         return;
     }
     sort_by_octant(octant, rays, packet, N);
     for (int i = 0; i < 8; i++)
-        trace_octant(q, primID, octant[i], valid, packet, N);
+        trace_octant(r, primID, octant[i], valid, packet, N);
 }

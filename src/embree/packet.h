@@ -1,13 +1,13 @@
 /*
- * packet.h - the rays of a packet at the shapes of a primitive
+ * packet.h - traces the rays of a packet through the shapes of a geometry
  */
 #ifndef CYLINT_EMBREE_PACKET_H
 #define CYLINT_EMBREE_PACKET_H
 
-#include "shape_test.h"
+#include "ray_test.h"
 
-/* All rays of a packet. */
-void cylint_trace_packet(query *q, unsigned primID, int *valid, void *packet,
+/* r: a ray test with the data, context and arguments that all rays share. */
+void cylint_trace_packet(ray_test *r, unsigned primID, int *valid, void *packet,
                          unsigned N);
 
 #endif

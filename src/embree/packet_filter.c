@@ -1,8 +1,8 @@
 /*
- * packet_filter.c - a hit in doubles, where doubles are certain of it: a question
- * a lane
+ * packet_filter.c - the float filter, one question in each vector lane
  *
- * Compiled for several instruction sets, contracted as float_filter.c is.
+ * Compiled for several instruction sets; operations may be fused, as in
+ * float_filter.c.
  */
 #include "packet_filter.h"
 
@@ -14,31 +14,31 @@
 
 typedef struct {
     const char *shape[LANES], *line[LANES];
-    vm cap[2], some; /* that there are */
-} rows;
+    vm cap[2], used; /* used: lanes with a question */
+} question_rows;
 
-static rows rows_of(const cylint_float_filter_target *subject,
-                    const cylint_float_filter_ray *const *line, int n)
+static question_rows load_rows(const cylint_float_filter_target *target,
+                               const cylint_float_filter_ray *const *line,
+                               int n)
 {
-    rows r;
+    question_rows r;
     unsigned cap[2] = {0, 0};
     for (int i = 0; i < LANES; i++) {
-        const int k = i < n ? i : 0; /* lanes to spare ask the first again */
-        r.shape[i] = subject[k].shape;
+        const int k = i < n ? i : 0; /* unused lanes repeat the first */
+        r.shape[i] = target[k].shape;
         r.line[i] = (const char *)line[k];
         for (int top = 0; top < 2; top++)
             cap[top] |=
-                (unsigned)cylint_float_filter_has_cap(subject[k].ends, top)
-                << i;
+                (unsigned)cylint_float_filter_has_cap(target[k].ends, top) << i;
     }
     r.cap[0] = m_from(cap[0]);
     r.cap[1] = m_from(cap[1]);
-    r.some = m_from((1u << (n < LANES ? n : LANES)) - 1);
+    r.used = m_from((1u << (n < LANES ? n : LANES)) - 1);
     return r;
 }
 
-static vm describe(const question *q, const hit *at, int from,
-                   cylint_packet_filter_results *to)
+static vm describe_hits(const question *q, const hit *at, int from,
+                        cylint_packet_filter_results *to)
 {
     vm least[3];
     floats f;
@@ -51,40 +51,40 @@ static vm describe(const question *q, const hit *at, int from,
     return sure;
 }
 
-static void answer(const rows *r, int small, int from, int describes,
-                   cylint_packet_filter_results *to)
+static void answer_lanes(const question_rows *r, int small, int from,
+                         int describe, cylint_packet_filter_results *to)
 {
-    const cut_shape shape = shape_of(r->shape, small);
-    const cut_line line = line_of(r->line);
+    const shape_columns shape = shape_of(r->shape, small);
+    const line_columns line = line_of(r->line);
     question q;
     hit at;
     q.cap[0] = r->cap[0];
     q.cap[1] = r->cap[1];
-    const verdict comes = crosses(&q, &shape, &line);
-    to->unsure |= m_bits(m_and(comes.unsure, r->some)) << from;
+    const hit_result comes = load_and_cross(&q, &shape, &line);
+    to->unsure |= m_bits(m_and(comes.unsure, r->used)) << from;
     if (!m_any(comes.hit))
         return;
-    const verdict is = stop(&q, 0, &at);
-    const vm hits = m_and(is.hit, r->some);
+    const hit_result is = hit_at_end(&q, 0, &at);
+    const vm hits = m_and(is.hit, r->used);
     to->hit |= m_bits(hits) << from;
-    to->unsure |= m_bits(m_and(is.unsure, r->some)) << from;
-    to->crosses |= m_bits(m_and(q.crosses, r->some)) << from;
+    to->unsure |= m_bits(m_and(is.unsure, r->used)) << from;
+    to->crosses |= m_bits(m_and(q.crosses, r->used)) << from;
     v_store(to->t + from, at.t);
     v_store(to->t_error + from, at.t_error);
     v_store(to->z + from, at.z);
     v_store(to->z_error + from, at.z_error);
-    if (describes && m_any(hits))
-        to->described |= m_bits(m_and(hits, describe(&q, &at, from, to)))
+    if (describe && m_any(hits))
+        to->described |= m_bits(m_and(hits, describe_hits(&q, &at, from, to)))
                          << from;
 }
 
-void CYLINT_PACKET_FILTER(const cylint_float_filter_target subject[],
+void CYLINT_PACKET_FILTER(const cylint_float_filter_target target[],
                           const cylint_float_filter_ray *const line[], int n,
                           int describe, cylint_packet_filter_results *to)
 {
     to->hit = to->unsure = to->crosses = to->described = 0;
     for (int from = 0; from < n; from += LANES) {
-        const rows r = rows_of(subject + from, line + from, n - from);
-        answer(&r, subject[0].small, from, describe, to);
+        const question_rows r = load_rows(target + from, line + from, n - from);
+        answer_lanes(&r, target[0].small, from, describe, to);
     }
 }

@@ -1,5 +1,5 @@
 /*
- * packet_filter.h - float_filter.h's questions, many at a time
+ * packet_filter.h - the float filter, one question in each vector lane
  */
 #ifndef CYLINT_EMBREE_PACKET_FILTER_H
 #define CYLINT_EMBREE_PACKET_FILTER_H
@@ -8,9 +8,10 @@
 
 enum { CYLINT_PACKET_FILTER_MOST = 16 };
 
-/* Of each question, as bits: whether it enters the shape at a hit; may do so,
- * but float_filter.h's functions must be asked; if not, whether it may still leave
- * it at one; and whether the hit is described.  Floats are as doubles. */
+/* For each question, as bits: hit, the line enters the shape at a hit; unsure,
+ * the functions of float_filter.h must decide; crosses, without a hit at the
+ * entry there may be one at the exit; described, the floats of the hit are
+ * certain.  Floats are stored as doubles. */
 typedef struct cylint_packet_filter_results {
     unsigned hit, unsure, crosses, described;
     double t[CYLINT_PACKET_FILTER_MOST], t_error[CYLINT_PACKET_FILTER_MOST];
@@ -19,18 +20,18 @@ typedef struct cylint_packet_filter_results {
     double normal[3][CYLINT_PACKET_FILTER_MOST];
 } cylint_packet_filter_results;
 
-/* n questions, 1 to CYLINT_PACKET_FILTER_MOST, of which all shapes are small or none
- * is.  describe: or no hit is described. */
-typedef void cylint_packet_filter(const cylint_float_filter_target subject[],
+/* Answers n questions, 1 to CYLINT_PACKET_FILTER_MOST.  All shapes are small or
+ * none is.  describe = 0: no hit is described. */
+typedef void cylint_packet_filter(const cylint_float_filter_target target[],
                                   const cylint_float_filter_ray *const line[],
                                   int n, int describe,
                                   cylint_packet_filter_results *to);
 
-/* Of the builds that this processor can run the i-th, the best first, or NULL:
- * there are no more. */
+/* The i-th of the builds that this processor can run, the best first; NULL if
+ * there are fewer. */
 cylint_packet_filter *cylint_packet_filter_build(int i);
 
-/* The builds. */
+/* All builds. */
 extern cylint_packet_filter cylint_packet_filter_plain,
     cylint_packet_filter_avx2, cylint_packet_filter_avx512;
 

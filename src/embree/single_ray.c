@@ -1,38 +1,39 @@
 /*
- * single_ray.c - rays one by one
- *
- * All blocks are one primitive, through which traverse.h leads.
+ * single_ray.c - traces one ray through the shapes of a geometry
  */
 #include "single_ray.h"
 
-/* The lanes the ray may meet, nearest first, until none can come first. */
-static int try_lanes(void *self, const cylint_leaf *block, unsigned lanes,
-                     const float least[CYLINT_LEAF_SIZE])
+/* Tests the lanes that the ray may hit, nearest first, until no remaining lane
+ * can hold the nearest hit. */
+static int test_lanes_in_order(void *self, const cylint_leaf *leaf,
+                               unsigned lanes,
+                               const float least[CYLINT_LEAF_SIZE])
 {
-    query *q = self;
-    fetch_shapes(q->data, block, lanes);
-    while (lanes && turn_to_nearest(q, block, &lanes, least)) {
-        q->met |= cylint_ray_test_shape(q, block->number[q->lane], 0);
-        if (q->met && q->any)
+    ray_test *r = self;
+    prefetch_shapes(r->data, leaf, lanes);
+    while (lanes && select_nearest_lane(r, leaf, &lanes, least)) {
+        r->found |= cylint_ray_test_shape(r, leaf->number[r->lane], 0);
+        if (r->found && r->any)
             return 1;
     }
     return 0;
 }
 
-int cylint_trace_single(query *q, unsigned primID)
+int cylint_trace_single(ray_test *r, unsigned primID)
 {
-    if (!is_set_out(q))
+    const cylint_traversal *traversal = r->data->traversal;
+    if (!set_line(r))
         return 0;
-    if (!q->data->walk)
-        return cylint_ray_test_shape(q, primID, 0);
-    const cylint_float_ray *ray = floats_of_ray(q->ray);
-    if (q->any && !has_filters(q)) {
-        if (q->data->walk->occluded(&q->data->group, ray, try_lanes, q)) {
-            q->ray->tfar = -HUGE_VALF;
+    if (!traversal)
+        return cylint_ray_test_shape(r, primID, 0);
+    const cylint_float_ray *ray = float_ray(r->ray);
+    if (r->any && !has_filters(r)) {
+        if (traversal->occluded(&r->data->bvh, ray, test_lanes_in_order, r)) {
+            r->ray->tfar = -HUGE_VALF;
             return 1;
         }
     } else {
-        q->data->walk->ray(&q->data->group, ray, try_lanes, q);
+        traversal->ray(&r->data->bvh, ray, test_lanes_in_order, r);
     }
-    return q->met;
+    return r->found;
 }

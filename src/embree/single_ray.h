@@ -1,12 +1,12 @@
 /*
- * single_ray.h - one ray at the shapes of a primitive
+ * single_ray.h - traces one ray through the shapes of a geometry
  */
 #ifndef CYLINT_EMBREE_SINGLE_RAY_H
 #define CYLINT_EMBREE_SINGLE_RAY_H
 
-#include "shape_test.h"
+#include "ray_test.h"
 
-/* 1 if the ray, of which all pointers are set, takes a hit. */
-int cylint_trace_single(query *q, unsigned primID);
+/* Returns 1 if the ray test, initialised but for the line, records a hit. */
+int cylint_trace_single(ray_test *r, unsigned primID);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * embree_counts.c - nodes, blocks, pieces and shapes that a ray visits
+ * embree_counts.c - nodes, leaves, pieces and shapes that a ray visits
  *
  * usage: embree_counts MOST
  *
@@ -21,14 +21,14 @@ static struct {
     long shapes, exactly;
 } counted;
 
-static const cylint_float_filter *quick;
+static const cylint_float_filter *filter;
 
 static cylint_float_filter_result count_shape(
-    cylint_float_filter_state *q, const cylint_float_filter_target *subject,
+    cylint_float_filter_state *q, const cylint_float_filter_target *target,
     const cylint_float_filter_ray *line, cylint_float_filter_hit *hit)
 {
     counted.shapes++;
-    return quick->enter(q, subject, line, hit);
+    return filter->test_entry(q, target, line, hit);
 }
 
 const cylint_float_filter *__real_cylint_float_filter_used(void);
@@ -36,9 +36,9 @@ const cylint_float_filter *__wrap_cylint_float_filter_used(void);
 const cylint_float_filter *__wrap_cylint_float_filter_used(void)
 {
     static cylint_float_filter counting;
-    quick = __real_cylint_float_filter_used();
-    counting = *quick;
-    counting.enter = count_shape;
+    filter = __real_cylint_float_filter_used();
+    counting = *filter;
+    counting.test_entry = count_shape;
     return &counting;
 }
 

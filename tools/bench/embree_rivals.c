@@ -93,7 +93,7 @@ struct rival build_shapes(const struct cylinders *c, unsigned how,
                           const char *config)
 {
     struct rival *r = begin(config);
-    const cylint_embree_options options = {.how = how};
+    const cylint_embree_options options = {.flags = how};
     const double started = process_seconds();
     RTCGeometry g =
         cylint_embree_geometry(r->device, c->shapes, c->n, &options, NULL);

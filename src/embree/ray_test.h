@@ -1,0 +1,187 @@
+/*
+ * ray_test.h - tests one ray of Embree's against one shape, records the hit
+ *
+ * cylint_intersect() decides whether and where a shape is hit; the float filter
+ * decides the same for most questions, with certainty and faster.
+ */
+#ifndef CYLINT_EMBREE_RAY_TEST_H
+#define CYLINT_EMBREE_RAY_TEST_H
+
+#include <math.h>
+#include <stddef.h>
+
+#include "../numbers/compiler.h"
+#include "geometry.h"
+
+/* A ray, and the lane or primitive to test it against. */
+typedef struct cylint_ray_test {
+    const cylint_embree_data *data;
+    const struct RTCIntersectFunctionNArguments *nearest; /* one of these ... */
+    const struct RTCOccludedFunctionNArguments *any;      /* ... is NULL */
+    cylint_rtc_context *context;
+    unsigned geomID;
+    struct RTCRay *ray;
+    struct RTCHit *hit;           /* of `nearest` */
+    cylint_float_filter_ray line; /* the ray in doubles; set by set_line() */
+    const cylint_leaf *leaf;      /* NULL: each shape is a primitive */
+    int lane;
+    int found; /* a hit was recorded */
+} cylint_ray_test;
+
+typedef cylint_ray_test ray_test;
+
+/* Sets the pointers only: clearing the whole struct takes longer than testing a
+ * leaf. */
+static inline void initialise(ray_test *r, const cylint_embree_data *data,
+                              cylint_rtc_context *context, unsigned geomID)
+{
+    r->data = data;
+    r->nearest = NULL;
+    r->any = NULL;
+    r->context = context;
+    r->geomID = geomID;
+    r->ray = NULL;
+    r->hit = NULL;
+    r->leaf = NULL;
+}
+
+/* Whether cylint_span() accepts the ray.  The box tests do not reject all rays
+ * that it refuses. */
+static inline int is_line(const struct RTCRay *r)
+{
+    const float none = 0 * r->org_x + 0 * r->org_y + 0 * r->org_z +
+                       0 * r->dir_x + 0 * r->dir_y + 0 * r->dir_z;
+    const float any = fabsf(r->dir_x) + fabsf(r->dir_y) + fabsf(r->dir_z);
+    return none >= 0 && any > 0 && r->tnear <= r->tfar;
+}
+
+static inline cylint_float_filter_ray line_of(const struct RTCRay *ray)
+{
+    return (cylint_float_filter_ray){{ray->org_x, ray->org_y, ray->org_z},
+                                     {ray->dir_x, ray->dir_y, ray->dir_z},
+                                     ray->tnear,
+                                     HUGE_VAL,
+                                     ray->tfar};
+}
+
+/* Sets the line from the ray.  Returns 0 if the ray is not a line. */
+static inline int set_line(ray_test *r)
+{
+    if (!is_line(r->ray))
+        return 0;
+    r->line = line_of(r->ray);
+    r->found = 0;
+    return 1;
+}
+
+/* cylint_float_ray has the layout of the first members of RTCRay. */
+#define SAME(ours, theirs) \
+    (offsetof(cylint_float_ray, ours) == offsetof(struct RTCRay, theirs))
+typedef char same_layout[SAME(o[0], org_x) && SAME(o[1], org_y) &&
+                                 SAME(o[2], org_z) && SAME(tnear, tnear) &&
+                                 SAME(d[0], dir_x) && SAME(d[1], dir_y) &&
+                                 SAME(d[2], dir_z) && SAME(tfar, tfar)
+                             ? 1
+                             : -1];
+#undef SAME
+
+static inline const cylint_float_ray *float_ray(const struct RTCRay *ray)
+{
+    return (const cylint_float_ray *)ray;
+}
+
+static inline int is_bare(const ray_test *r)
+{
+    return (r->data->flags & CYLINT_EMBREE_BARE) != 0;
+}
+
+static inline int has_filters(const ray_test *r)
+{
+    return !(r->data->flags & CYLINT_EMBREE_NO_FILTERS);
+}
+
+/* Whether u, v and Ng of a hit are read by the caller or a filter. */
+static inline int needs_description(const ray_test *r)
+{
+    return !is_bare(r) && (r->nearest || has_filters(r));
+}
+
+/* The shape's number.  rank: its rank in leaves, or the primitive's number. */
+static inline unsigned number_of(const ray_test *r, unsigned rank)
+{
+    return r->leaf ? r->data->number[rank] : rank;
+}
+
+/* The shape of the lane for the filter, or that of the primitive, which is
+ * written to *made.  A moving shape at the ray's time is written to *between. */
+cylint_float_filter_target cylint_ray_test_target(
+    const ray_test *r, unsigned rank, cylint_shape *between,
+    cylint_float_filter_shape *made);
+
+/* Tests the shape, and records the hit if it is nearer than the present one
+ * and the filters accept it: then returns 1.  skip_entry: the entry hit was
+ * tested before. */
+int cylint_ray_test_shape(ray_test *r, unsigned rank, int skip_entry);
+
+/* The same for the lane's shape, with result i of the packet filter. */
+int cylint_ray_test_accept(ray_test *r,
+                           const cylint_packet_filter_results *results, int i);
+
+/* ---------------------------------------------------------------- lanes -- */
+
+/* Always inlined: GCC believes that a function which only prefetches has no
+ * effect, and removes calls of it. */
+CYLINT_INLINE void prefetch_shapes(const cylint_embree_data *data,
+                                   const cylint_leaf *leaf, unsigned lanes)
+{
+#ifdef __GNUC__
+    for (; lanes; lanes &= lanes - 1)
+        __builtin_prefetch(cylint_float_filter_at(
+            &data->filter_shapes, leaf->number[cylint_lowest(lanes)]));
+#else
+    (void)data;
+    (void)leaf;
+    (void)lanes;
+#endif
+}
+
+static inline int nearest_lane(unsigned lanes, const float *least)
+{
+    int first = cylint_lowest(lanes);
+    while ((lanes &= lanes - 1)) {
+        const int lane = cylint_lowest(lanes);
+        first = least[lane] < least[first] ? lane : first;
+    }
+    return first;
+}
+
+/* Selects the nearest lane and removes it from *lanes.  Returns 0 if no lane can
+ * hold the nearest hit. */
+CYLINT_INLINE int select_nearest_lane(ray_test *r, const cylint_leaf *leaf,
+                                      unsigned *lanes, const float *least)
+{
+    const int lane = nearest_lane(*lanes, least);
+    if (least[lane] > r->ray->tfar)
+        return 0;
+    *lanes &= ~(1u << lane);
+    r->leaf = leaf;
+    r->lane = lane;
+    r->line.near = least[lane] > r->ray->tnear ? least[lane] : r->ray->tnear;
+    return 1;
+}
+
+/* ----------------------------------------------------------------- rays -- */
+
+/* Embree 4 expects in valid[] whether the ray was hit. */
+static inline void set_valid(int *valid, unsigned i, int hit)
+{
+#if CYLINT_EMBREE == 4
+    valid[i] = hit ? -1 : 0;
+#else
+    (void)valid;
+    (void)i;
+    (void)hit;
+#endif
+}
+
+#endif
