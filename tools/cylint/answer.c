@@ -1,8 +1,8 @@
 /*
  * answer.c - a block of records becomes a block of answers
  *
- * Answers gather in the block.  When there are many they are delivered in
- * between, since of a scene one line may have a million.
+ * Answers gather in the block.  If they fill it they are delivered before its
+ * end: one line may hit a million shapes of a scene.
  */
 #include <stdio.h>
 
@@ -45,7 +45,7 @@ int job_block(const struct job *job, struct block *block)
     return 1;
 }
 
-/* Keeps the turn, so that what is left of the block follows. */
+/* Keeps the turn, so that the rest of the block follows. */
 static enum answered deliver(struct job *job, struct block *b)
 {
     if (!turns_wait(&job->turns, b->ticket)) {
@@ -169,8 +169,8 @@ static void answer_one_of_all(struct task *task, size_t shape)
     }
 }
 
-/* A method is first asked whether it answers for all shapes: a record is
- * either answered or bad, not half of each. */
+/* Tests first that the method answers for all shapes: a record is either
+ * answered or bad, never half of each. */
 static int answer_all_by_method(struct task *task)
 {
     const struct scene *scene = task->job->scene;
@@ -225,7 +225,7 @@ static int answer_record(struct task *task)
     }
 }
 
-/* Answers the pairs that wait to be asked about together. */
+/* Answers the pairs that were gathered for a batch. */
 static void answer_pairs(struct task *task)
 {
     struct pairs *p = task->block->pairs;

@@ -18,7 +18,7 @@
  * failure.  Told when all that came before is answered. */
 struct failure {
     int status;
-    const char *what; /* NULL: errno tells */
+    const char *what; /* NULL: the text for `error` */
     int error;        /* errno */
 };
 

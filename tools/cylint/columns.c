@@ -1,5 +1,5 @@
 /*
- * columns.c - what can be answered, and how an answer is written
+ * columns.c - the columns of an answer, and how they are written
  *
  * A new column is a line in the table, and a case in value_of() if no value
  * of the kind is there yet.

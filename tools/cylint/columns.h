@@ -1,5 +1,5 @@
 /*
- * columns.h - what can be answered, and how an answer is written
+ * columns.h - the columns of an answer, and how they are written
  *
  * A column is a name, a value and what must be computed for it.  Which
  * columns there are depends on the question.
@@ -33,7 +33,7 @@ struct fields {
     unsigned want;
 };
 
-/* Whether a row tells on which side a line is of what it hits. */
+/* Whether a column is a side: entering, leaving or both. */
 int fields_tell_sides(const struct fields *fields);
 
 /* How rows look. */
@@ -44,11 +44,11 @@ struct style {
     const char *missing; /* NULL: nan for a number, - for a word */
 };
 
-/* What a row tells. */
+/* The values of a row. */
 struct row {
     unsigned long long record, shape, count;
     const cylint_answer *answer; /* NULL: there is none, as of no shape */
-    const char *label;           /* the shape's, if it was asked for */
+    const char *label;           /* the shape's, if a column needs it */
     size_t label_length;
     const char *tail;
     size_t tail_length;
@@ -77,7 +77,7 @@ void put_error(struct text *out, const struct fields *fields,
 void put_header(struct text *out, const struct fields *fields,
                 const struct style *style);
 
-/* For --list=columns: name, TAB, where it is known, TAB, what it is. */
+/* For --list=columns: name, TAB, the queries that have it, TAB, its meaning. */
 void list_columns(void (*print)(const char *name, const char *queries,
                                 const char *about));
 

@@ -2,7 +2,7 @@
  * grammar.h - a record of text or of doubles becomes a line and a shape
  *
  *   record = LINE SHAPE [ends=WORD] [TAIL]     a pair
- *            LINE [not=NAME]... [TAIL]         a line asked of a scene
+ *            LINE [not=NAME]... [TAIL]         a line, with a scene
  *            SHAPE [ends=WORD] [TAIL]          a shape of a scene
  *
  * With -k the words for LINE and SHAPE are left out.
@@ -75,7 +75,7 @@ struct fault {
     const char *remedy;       /* what to do about it, or NULL */
 };
 
-/* What is said of a good record, once for all records. */
+/* A message about a good record; printed for the first such record only. */
 enum remark {
     REMARK_SURPLUS, /* its tail begins with a number */
     REMARK_DOMAIN,  /* -t does not apply to its line */
@@ -133,7 +133,7 @@ static inline const char *skip_separator(const char *p, const char *end)
 const char *end_of_line(const char *p, const char *end);
 
 /* Whether a line has a record: it is neither blank nor a comment, or it is
- * too long to tell. */
+ * too long to be looked at. */
 int is_record(const char *line, const char *end);
 
 /* Takes a carriage return off the end; a line too long is a fault, and 0. */

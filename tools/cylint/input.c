@@ -22,7 +22,7 @@ static int is_stdin(const char *file)
     return strcmp(file, "-") == 0;
 }
 
-/* The bytes of all files, for the time left; 0 if one cannot tell. */
+/* The bytes of all files, for the time left; 0 if the size of one is unknown. */
 static double total_size(char *const *files, int count)
 {
     double total = 0;

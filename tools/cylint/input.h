@@ -26,21 +26,21 @@ struct input {
     char npy_wrong[NPY_WRONG]; /* a message about a .npy header */
     int promised;              /* a .npy header told how many bytes follow */
     unsigned long long bytes_promised, bytes_given;
-    int error;  /* errno of a read: to be told after what came before */
+    int error;  /* errno of a read: reported after the records before it */
     int ending; /* a descriptor: when it is at its end, waiting for
                            input is too; -1: none */
 
     unsigned long long bytes; /* read so far, of all files */
-    double total;             /* bytes of all files; 0: not known */
+    double total;             /* bytes of all files; 0: unknown */
 };
 
 /* Returns 0 or an exit status, having said what is wrong. */
 int input_open(struct input *in, char *const *files, int count,
                size_t record_size);
 /* Fills the block; its length is 0 at the end of all input, and where
- * block->failure tells of one. */
+ * block->failure is set. */
 void input_take(struct input *in, struct block *block);
-/* Tells the failure. */
+/* Prints the failure. */
 void input_complain(const struct block *block);
 /* The same at once: returns 0 or an exit status, having said what is wrong. */
 int input_next(struct input *in, struct block *block);

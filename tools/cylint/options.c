@@ -1,5 +1,5 @@
 /*
- * options.c - what the command line asks for
+ * options.c - the command line becomes settings
  */
 #include <limits.h>
 #include <math.h>
@@ -60,7 +60,7 @@ static const struct option options_known[] = {{"b", 'b', 0},
                                               {"version", OPT_VERSION, 0},
                                               {NULL, 0, 0}};
 
-/* What must wait until all options are known. */
+/* Values that are checked when all options are read. */
 struct pending {
     const char *kinds, *query, *fields;
     int tail;     /* --tail: no remark on it */
@@ -259,7 +259,7 @@ static void take_flag(struct options *options, struct pending *pending,
     }
 }
 
-/* The arguments' context: what is asked for, and what must wait. */
+/* The arguments' context. */
 struct asked {
     struct options *options;
     struct pending pending;
@@ -365,7 +365,7 @@ static int settle_binary(const struct options *options)
     return 0;
 }
 
-/* What is said of good records, once. */
+/* The remarks to look for. */
 static unsigned wanted_remarks(const struct grammar *g, int tail)
 {
     unsigned wanted = 0;

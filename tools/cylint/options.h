@@ -1,5 +1,5 @@
 /*
- * options.h - what the command line asks for
+ * options.h - the command line becomes settings
  */
 #ifndef CYLINT_OPTIONS_H
 #define CYLINT_OPTIONS_H

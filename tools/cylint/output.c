@@ -70,7 +70,7 @@ static int empty_file(const struct output *out, const struct options *o)
     return 0;
 }
 
-/* How many rows there are is known at the end, so there must be a way back. */
+/* The number of rows is written at the end: the file must be seekable. */
 static int begin_array(struct output *out)
 {
     struct stat s;

@@ -1,5 +1,5 @@
 /*
- * pairs.c - lines and shapes that are asked about together
+ * pairs.c - pairs of lines and shapes, answered in batches
  */
 #include <stdlib.h>
 
@@ -54,7 +54,7 @@ void pairs_take(struct pairs *p)
     p->tmax[i] = p->line.tmax;
 }
 
-/* Where the first hit is enough, whether there is one is told by its part. */
+/* Where the first hit is enough, its part is -1 if there is none. */
 void pairs_ask(struct pairs *p, unsigned want)
 {
     const int both = !(want & CYLINT_WANT_NEAREST);

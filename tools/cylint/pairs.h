@@ -1,8 +1,8 @@
 /*
- * pairs.h - lines and shapes that are asked about together
+ * pairs.h - pairs of lines and shapes, answered in batches
  *
- * A record's line and shape are put down where the library's batches read
- * them; the answers are those of one at a time, only sooner.
+ * A record's line and shape are written to the arrays that the library's
+ * batches read.  The answers are the same as one at a time.
  */
 #ifndef CYLINT_PAIRS_H
 #define CYLINT_PAIRS_H
@@ -32,7 +32,7 @@ struct pairs *pairs_make(void);
 void pairs_free(struct pairs *pairs);
 
 /* Whether lines of this kind, a cylint_intersect() mask and no column of a
- * side can be had of batches, in which a direction is three doubles. */
+ * side can be answered in batches, where a direction is three doubles. */
 int pairs_answer(int line_kind, unsigned want, int sides);
 
 /* Where the next pair is to be read to; then, if it is good, taken. */

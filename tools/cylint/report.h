@@ -34,7 +34,7 @@ struct report {
     unsigned long long bad;   /* bad records */
     unsigned long long shown; /* those that had a message */
     unsigned remarks;         /* a bit for each remark that was made */
-    const char *binary;       /* the file that is known to be binary, or NULL */
+    const char *binary;       /* the file that looked binary last, or NULL */
 };
 
 /* Notes that a record, which begins at `text`, is bad.  The block's text goes

@@ -1,8 +1,8 @@
 /*
- * scene.c - the shapes that every line is asked about
+ * scene.c - the shapes that every line is intersected with
  *
- * The library asks all of them at once; a published method is asked about one
- * after the other.  Of equal t the lower number is nearest either way.
+ * The library intersects them in batches or by a hierarchy, a published method
+ * one after the other.  Of equal t the lower number is nearest either way.
  */
 #include <math.h>
 #include <stdint.h>

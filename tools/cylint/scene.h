@@ -1,5 +1,5 @@
 /*
- * scene.h - the shapes that every line is asked about
+ * scene.h - the shapes that every line is intersected with
  */
 #ifndef CYLINT_COMMAND_SCENE_H
 #define CYLINT_COMMAND_SCENE_H
@@ -34,7 +34,7 @@ int scene_read(struct scene *scene, const char *file, int ends);
 int scene_prepare(struct scene *scene, enum accel accel, int threads);
 void scene_free(struct scene *scene);
 
-/* How one line is asked about one shape: NULL is cylint_intersect(). */
+/* Intersects one line and one shape; NULL is cylint_intersect(). */
 typedef cylint_method_fn *solver;
 
 /* Returns 0 if the method does not answer for this shape. */
@@ -43,11 +43,11 @@ int ask(solver method, const cylint_shape *shape, const cylint_line *line,
 
 struct left_out;
 
-/* A line and the shapes of a scene that it is asked about. */
+/* A line to intersect with the shapes of a scene. */
 struct question {
     solver method;
     const cylint_line *line;
-    const struct left_out *left_out; /* not about these */
+    const struct left_out *left_out; /* these excepted */
     signed char *hits;               /* a char per shape, for search_hits() */
 };
 

@@ -1,5 +1,5 @@
 /*
- * search.c - how the shapes that a line hits are found among all
+ * search.c - finds the shapes of a scene that a line hits
  */
 #include <stdint.h>
 #include <stdlib.h>
@@ -16,16 +16,16 @@ const char *const accel_words[] = {"auto", "none", "tree", "embree", NULL};
  * What auto does.  A hierarchy answers sooner than a batch from about PAYS_FROM
  * shapes on, but takes about as long to be made as PAYS_AFTER lines take by
  * batches: 0.5 to 2.6 microseconds a shape against 0.8 to 1.6 ns a shape and
- * line, 550 to 1600 lines (make bench-scene).  Who goes by batches until then
- * and builds it then needs at most about twice the time that the better way
- * would have taken, however many lines there will be.
+ * line, 550 to 1600 lines (make bench-scene).  Batches until
+ * then, and the hierarchy from then on, take at most about twice the time of
+ * the better one, whatever the number of lines.
  */
 enum { PAYS_FROM = 64, PAYS_AFTER = 1024 };
 
 /* The hierarchy, which one of the threads may still be making. */
 struct tree {
     cylint_scene *scene; /* NULL: not there yet, or never */
-    size_t asked;        /* lines, before it was there */
+    size_t asked;        /* lines before it was built */
 };
 
 static int make_pack(struct search *s)
@@ -90,8 +90,8 @@ static const cylint_scene *scene_of(const struct search *s)
     return s->tree ? __atomic_load_n(&s->tree->scene, __ATOMIC_ACQUIRE) : NULL;
 }
 
-/* The same; one line more is to be asked.  The thread that asks the one that
- * makes it pay makes it, while the others go on by batches. */
+/* The same, for one line more.  The thread with line number PAYS_AFTER builds
+ * the hierarchy; the others go on with batches. */
 static const cylint_scene *scene_for_line(const struct search *s)
 {
     const cylint_scene *scene = scene_of(s);

@@ -1,8 +1,8 @@
 /*
- * search.h - how the shapes that a line hits are found among all
+ * search.h - finds the shapes of a scene that a line hits
  *
  * By batches of all shapes or, where it pays, by a hierarchy of boxes: the
- * answers are the same bits.  Any number of threads may ask.
+ * answers are the same bits.  Any number of threads may search.
  */
 #ifndef CYLINT_SEARCH_H
 #define CYLINT_SEARCH_H
@@ -40,8 +40,8 @@ size_t search_count(const struct search *s, const cylint_line *line,
                     size_t enough);
 
 /* Writes the numbers of the shapes from `first` on that are hit, ascending,
- * `room` of them at most, and returns how many.  hits: a char per shape, to
- * be left alone until the line is asked from 0 again. */
+ * `room` of them at most, and returns how many.  hits: a char per shape,
+ * which keeps its contents between calls for the same line. */
 size_t search_hits(const struct search *s, const cylint_line *line,
                    signed char *hits, size_t first, size_t *numbers,
                    size_t room);

@@ -1,8 +1,8 @@
 /*
  * text.h - bytes put one after another into room that was made before
  *
- * Nothing here allocates: whoever makes a text gives it room for the longest
- * row it will hold beyond TEXT_FULL, and empties it when it is full.
+ * Nothing here allocates: the caller provides memory for TEXT_FULL bytes and the
+ * longest row, and empties the text when it holds TEXT_FULL bytes.
  */
 #ifndef CYLINT_TEXT_H
 #define CYLINT_TEXT_H

@@ -1,8 +1,9 @@
 /*
  * turns.h - blocks leave in the order in which they came
  *
- * Every block gets a ticket when it is read, 0, 1, 2, ...; whoever has the
- * turn may write, alone, until it passes the turn on or ends the work.
+ * Every block gets a ticket when it is read, 0, 1, 2, ...; the
+ * thread whose ticket is next may write, alone, until it passes the turn on or
+ * ends the work.
  */
 #ifndef CYLINT_TURNS_H
 #define CYLINT_TURNS_H
