@@ -10,9 +10,9 @@
  *   3. in every digit, by surd.c, for what cancels still, for exact zeros and
  *      for data too wild for pairs.
  *
- * A group of facts goes on to the next step unless each of its numbers has its
- * own digits.  Every step depends on the question alone, and so does the
- * choice among them: all paths give the same bits.
+ * A number goes on to the next step unless it has digits of its own.  Every
+ * step depends on the question alone, and so does the choice among them: all
+ * paths give the same bits.
  */
 #include <limits.h>
 
@@ -168,19 +168,20 @@ enum {
     FACTS
 };
 
-/* Groups of facts that are still needed.  Each is computed as if it were
- * alone, so that no answer depends on what else is wanted. */
+/* Facts that are still needed.  Each is computed as if it were alone, so that
+ * no answer depends on what else is wanted. */
 typedef struct {
-    int gradient, axial, axis, z, phi;
+    unsigned gradient, axial, axis; /* bits of components */
+    int z, phi;
 } needs;
 
 static needs needs_of(unsigned want, cylint_root root, int part, int apex)
 {
-    const int normal = (want & CYLINT_WANT_NORMAL) != 0;
+    const unsigned normal = want & CYLINT_WANT_NORMAL ? 7 : 0;
     const int lateral = part == CYLINT_PART_LATERAL;
     const int on_plane = root == ROOT_CAP0 || root == ROOT_CAP1;
-    return (needs){normal && lateral && !apex, normal && !lateral,
-                   normal && lateral && apex,
+    return (needs){lateral && !apex ? normal : 0, lateral ? 0 : normal,
+                   lateral && apex ? normal : 0,
                    (want & CYLINT_WANT_Z) != 0 && !on_plane,
                    (want & CYLINT_WANT_PHI) != 0 && !apex};
 }
@@ -190,24 +191,26 @@ static int any_need(const needs *n)
     return n->gradient || n->axial || n->axis || n->z || n->phi;
 }
 
-static int vector_in_pairs(const cylint_query *q, const wide x[3],
-                           floating *facts)
+/* Returns which of the needed components have too few digits. */
+static unsigned vector_in_pairs(const cylint_query *q, const wide x[3],
+                                unsigned need, floating *facts)
 {
-    int known = 1;
-    for (int i = 0; i < 3; i++) {
-        facts[i] = floating_of_wide(x[i]);
-        known = known && has_digits(q, x[i]);
-    }
-    return known;
+    for (int i = 0; i < 3; i++)
+        if (need >> i & 1) {
+            facts[i] = floating_of_wide(x[i]);
+            need &= ~((unsigned)has_digits(q, x[i]) << i);
+        }
+    return need;
 }
 
-static int gradient_in_pairs(const cylint_query *q, const letters_wide *L,
-                             floating *facts)
+static unsigned gradient_in_pairs(const cylint_query *q, const letters_wide *L,
+                                  unsigned need, floating *facts)
 {
     wide x[3];
     for (int i = 0; i < 3; i++)
-        x[i] = gradient_wide(L, i);
-    return vector_in_pairs(q, x, facts);
+        if (need >> i & 1)
+            x[i] = gradient_wide(L, i);
+    return vector_in_pairs(q, x, need, facts);
 }
 
 static int z_in_pairs(const cylint_query *q, const letters_wide *L,
@@ -242,11 +245,13 @@ static void facts_of(const cylint_query *q, const letters_wide *L, needs *need,
                      floating *facts)
 {
     if (need->axial)
-        need->axial = !vector_in_pairs(q, axial_wide(L), facts + AXIAL);
+        need->axial =
+            vector_in_pairs(q, axial_wide(L), need->axial, facts + AXIAL);
     if (need->axis)
-        need->axis = !vector_in_pairs(q, L->w, facts + AXIS);
+        need->axis = vector_in_pairs(q, L->w, need->axis, facts + AXIS);
     if (need->gradient)
-        need->gradient = !gradient_in_pairs(q, L, facts + GRADIENT);
+        need->gradient =
+            gradient_in_pairs(q, L, need->gradient, facts + GRADIENT);
     if (need->z)
         need->z = !z_in_pairs(q, L, facts);
     if (need->phi)
@@ -274,9 +279,9 @@ static void facts_in_pairs(cylint_query *q, wide t, needs *need,
 
 static int is_needed(const needs *need, int fact)
 {
-    return fact < AXIAL   ? need->gradient
-           : fact < AXIS  ? need->axial
-           : fact < ALPHA ? need->axis
+    return fact < AXIAL   ? (int)(need->gradient >> fact & 1)
+           : fact < AXIS  ? (int)(need->axial >> (fact - AXIAL) & 1)
+           : fact < ALPHA ? (int)(need->axis >> (fact - AXIS) & 1)
            : fact < X     ? need->z
                           : need->phi;
 }
@@ -502,7 +507,9 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
         wide at = cylint_canonical_root(q, root, t, more, error);
         if (!is_far(q, t))
             describe_in_pairs(q, at, &x, hit->point);
-        if (!is_complete(&x) && cylint_polish_root(q, root, &at))
+        /* a rest of 0 is often all of it: a better root would not help */
+        if (!is_complete(&x) && at.v.lo != 0 &&
+            cylint_polish_root(q, root, &at))
             describe_in_pairs(q, at, &x, hit->point);
     }
     if (!is_complete(&x))
