@@ -51,6 +51,15 @@ warnings := -Wall -Wextra -Wpedantic -Wconversion
 exactly  := -ffp-contract=off -fno-fast-math
 compile   = $(CC) -std=c99 $(warnings) -Iinclude -MMD -MP $(CPPFLAGS) $(CFLAGS) $(extra) $(exactly)
 
+# mingw-w64: isinf() is a macro that converts to float, and gcc 12 takes the
+# stack for aligned to 32 bytes (gcc bug 54412).
+windows := $(findstring mingw,$(MACHINE))
+ifneq ($(windows),)
+warnings += -Wno-float-conversion
+unaligned:= -Wa,-muse-unaligned-vector-move
+static   := -DCYLINT_STATIC
+endif
+
 # What is added in a folder.  gcc makes vectors of loops with -O3.  gcc 12 with
 # its SLP vectorizer takes (double)(float)x for x where it finds two in a row.
 posix   := -D_POSIX_C_SOURCE=200809L
@@ -64,11 +73,11 @@ $(BUILD)/src/filter/%: extra += $(vectors)
 $(BUILD)/src/bvh/%: extra += $(floats) $(threads) $(vectors)
 $(BUILD)/src/scene/%: extra += $(floats) $(threads)
 $(BUILD)/src/embree/%: extra += $(floats) $(threads) $(vectors) $(embree)
-$(BUILD)/tools/%: extra := $(floats) $(posix) -Itools/cylint
+$(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
 # One file built again for an instruction set: `isa.FILE-NAME` has the flags
 # of FILE.c's build NAME.
-avx2   := -mavx2 -mfma
+avx2   := -mavx2 -mfma $(unaligned)
 avx512 := -mavx512f -mavx512vl -mavx512dq $(avx2)
 isa.src/filter/one_question-fma      := $(avx2) -DCYLINT_ONE=cylint_one_fma
 isa.src/filter/one_question-avx512   := $(avx512) -DCYLINT_ONE=cylint_one_avx512
@@ -119,10 +128,9 @@ ifneq ($(findstring darwin,$(MACHINE)),)
 shared  = $(1)$(2:%=.%).dylib
 soname  = -dynamiclib -install_name $(LIBDIR)/$(call shared,$(basename $(@F)),$(major)) \
           -current_version $(version) -compatibility_version $(major)
-else ifneq ($(findstring mingw,$(MACHINE)),)
+else ifneq ($(windows),)
 shared  = $(1).dll
 soname  = -shared -Wl,--out-implib,$@.a
-windows := yes
 endif
 version = $(shell sed -n 's/^.define CYLINT_VERSION "\(.*\)"/\1/p' include/cylint.h)
 major   = $(firstword $(subst ., ,$(version)))
@@ -190,7 +198,7 @@ installed      = $(DESTDIR)$(LIBDIR)/$(call shared,$(1),$(2))
 install_shared = install -m 755 $(call dynamic,$(1)) $(call installed,$(1),$(version)); \
 	ln -sf $(notdir $(call installed,$(1),$(version))) $(call installed,$(1),$(major)); \
 	ln -sf $(notdir $(call installed,$(1),$(major))) $(call installed,$(1))
-ifdef windows
+ifneq ($(windows),)
 install_shared = install -m 755 $(call dynamic,$(1)) $(DESTDIR)$(BINDIR); \
 	install -m 644 $(call dynamic,$(1)).a $(DESTDIR)$(LIBDIR)
 endif

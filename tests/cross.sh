@@ -2,13 +2,26 @@
 # The command's answers, byte by byte, from every compiler, optimisation and
 # processor that can be had here: relation, n, t, part and side must be the
 # same everywhere; for what is derived from t, columns that differ are listed.
+# Where the command cannot be built, the library's answers are compared, as
+# tests/answers.c prints them.  Then the C tests run that are about a system or
+# a compiler: under Windows (wine), and with subnormals flushed.
 # Input: hard.txt, and CYLINT_CASES (100000) records of all families with
-# CYLINT_SEED (1).  Called by `make check-cross`; takes some minutes.
+# CYLINT_SEED (1).  Called by `make check-cross`; takes some minutes.  What a
+# compiler or an emulator is missing for is skipped (make deps-cross).
 here=$(dirname "$0")
 build=${BUILD:-build}/cross
 records=${BUILD:-build}/tests/records
 mkdir -p "$build" || exit 1
+build=$(cd "$build" && pwd)
 passed=0 failed=0 skipped=0
+
+# The makes started here are no part of the one that runs this.
+MAKEFLAGS=$(printf '%s' "$MAKEFLAGS" | sed 's/ *--jobserver-[a-z]*=[^ ]*//g')
+export MAKEFLAGS
+unset MFLAGS
+unset DISPLAY
+WINEPREFIX=$build/wine WINEDEBUG=-all
+export WINEPREFIX WINEDEBUG
 
 exact=relation,n,t0,t1,part0,part1,side0,side1
 derived=x0,y0,z0,nx0,ny0,nz0,h0,phi0,x1,y1,z1,nx1,ny1,nz1,h1,phi1,chord
@@ -27,9 +40,20 @@ gcc -O3 -march=native|gcc|-O3 -march=native||
 clang -O0|clang|-O0||
 clang -O3|clang|-O3||
 clang -O3 -mfma|clang|-O3 -mfma||
+clang 19 -O2|clang-19|-O2||
+clang 19 -O3 -mfma|clang-19|-O3 -mfma||
+musl|musl-gcc|-O2|-static|
 gcc -m32 (SSE2)|gcc|-O2 -m32 -msse2 -mfpmath=sse $kernel_headers|-m32|
 aarch64 (qemu)|aarch64-linux-gnu-gcc|-O2|-static|qemu-aarch64
 s390x, big-endian (qemu)|s390x-linux-gnu-gcc|-O2|-static|qemu-s390x
+END
+}
+
+# what answers without the command, in the same form
+libraries() {
+    cat <<END
+tcc, without the Makefile|tcc|-O2||
+Windows (mingw-w64, wine)|x86_64-w64-mingw32-gcc|-O2|-static|/usr/lib/wine/wine64
 END
 }
 
@@ -46,9 +70,44 @@ usable() {
     done
     printf '#include <errno.h>\n#include <math.h>\nint main(int n, char **x)\n%s\n' \
         '{ return x[0] && sqrt((double)n) != 1; }' >"$build/probe.c"
+    rm -f "$build/probe" "$build/probe.exe"
     $1 $2 $3 -o "$build/probe" "$build/probe.c" -lm 2>/dev/null ||
         { echo "$1 $2 does not link"; return 1; }
+    [ -e "$build/probe" ] || mv "$build/probe.exe" "$build/probe"
     $4 "$build/probe" 2>/dev/null || { echo 'its programs do not run'; return 1; }
+}
+
+# folder_of NAME: where its build goes
+folder_of() {
+    printf '%s/%s' "$build" "$(printf '%s' "$1" | tr -c 'a-zA-Z0-9\n' _)"
+}
+
+# built NAME TARGET...: by make in $folder with $compiler, $flags and $link;
+# numbers by the C library, since few targets have a C++ one
+built() {
+    what=$1
+    shift
+    targets=
+    for target in "$@"; do
+        targets="$targets $folder/$target"
+    done
+    ${MAKE:-make} -s -C "$here/.." CC="$compiler" CXX17= CFLAGS="$flags" \
+        LDFLAGS="$link" BUILD="$folder" $targets >"$build/messages" 2>&1 &&
+        return
+    printf 'FAIL %s: it cannot be built\n' "$what"
+    tail -n 5 "$build/messages"
+    failed=$((failed + 1))
+    return 1
+}
+
+result() { # name status
+    if [ "$2" -eq 0 ]; then
+        passed=$((passed + 1))
+        printf 'ok   %s\n' "$1"
+    else
+        failed=$((failed + 1))
+        printf 'FAIL %s\n' "$1"
+    fi
 }
 
 # answers FOLDER COLUMNS RUNNER: asks, into FOLDER/answers
@@ -96,17 +155,8 @@ while IFS='|' read -r name compiler flags link runner; do
         skip "$name" "$missing"
         continue
     }
-    folder=$build/$(printf '%s' "$name" | tr -c 'a-zA-Z0-9\n' _)
-    # numbers by the C library, since few targets have a C++ one
-    if ! ${MAKE:-make} -s -j 2 -C "$here/.." CC="$compiler" CXX17= MPFR= GSL= \
-        CFLAGS="$flags" LDFLAGS="$link" BUILD="$(cd "$build" && pwd)/${folder##*/}" \
-        "$(cd "$build" && pwd)/${folder##*/}/cylint" \
-        >"$build/messages" 2>&1; then
-        printf 'FAIL %s: it cannot be built\n' "$name"
-        tail -n 5 "$build/messages"
-        failed=$((failed + 1))
-        continue
-    fi
+    folder=$(folder_of "$name")
+    built "$name" cylint || continue
     trouble=$(answers "$folder" "$exact" "$runner" </dev/null)
     if [ -z "$reference" ]; then
         reference=$name
@@ -139,6 +189,96 @@ while IFS='|' read -r name compiler flags link runner; do
 done <"$build/table"
 
 printf 'answers of %s are the measure\n' "$reference"
+
+# ------------------------------------------- the library without the command --
+
+compiler=gcc flags=-O2 link= folder=$build/gcc__O2
+built 'answers.c' tests/answers || exit
+"$records" "${CYLINT_SEED:-1}" "${CYLINT_CASES:-100000}" "$build/binary" &&
+    "$folder/tests/answers" "$build/binary" >"$build/library" || exit
+
+# bare FOLDER: $compiler on all files but those of scenes, and answers.c
+bare() {
+    mkdir -p "$1/tests"
+    for file in $(find src -name '*.c' ! -path 'src/bvh/*' ! -path 'src/scene/*' \
+        ! -path 'src/embree/*') tests/families.c tests/answers.c; do
+        object=$1/$(printf '%s' "${file%.c}" | tr / -).o
+        $compiler $flags -ffp-contract=off -Iinclude -Isrc -c -o "$object" \
+            "$file" || return
+    done >"$build/messages" 2>&1
+    $compiler $link -o "$1/tests/answers" "$1"/*.o -lm
+}
+
+libraries >"$build/table"
+while IFS='|' read -r name compiler flags link runner; do
+    missing=$(usable "$compiler" "$flags" "$link" "$runner") || {
+        skip "$name" "$missing"
+        continue
+    }
+    folder=$(folder_of "$name")
+    case $name in
+    *'without the Makefile')
+        bare "$folder" || {
+            result "$name: it cannot be built" 1
+            tail -n 5 "$build/messages"
+            continue
+        } ;;
+    *) built "$name" tests/answers || continue ;;
+    esac
+    program=$folder/tests/answers
+    [ -e "$program" ] || program=$program.exe
+    $runner "$program" "$build/binary" </dev/null 2>"$build/messages" |
+        tr -d '\r' >"$folder/answers"
+    cmp -s "$build/library" "$folder/answers"
+    result "$name: the library's answers" $?
+done <"$build/table"
+
+# ----------------------------------------------------------- tests of systems --
+
+# tests_pass NAME RUNNER TEST...: what is skipped says why
+tests_pass() {
+    name=$1 runner=$2
+    shift 2
+    for test in "$@"; do
+        [ -e "$folder/tests/$test.exe" ] && test=$test.exe
+        $runner "$folder/tests/$test" </dev/null >"$build/messages" 2>&1
+        status=$?
+        last=$(tr -d '\r' <"$build/messages" | tail -n 1)
+        if [ $status -eq 77 ]; then
+            skip "$name, $test" "$last"
+        else
+            result "$name, $test: $last" $status
+            [ $status -eq 0 ] || head -n 5 "$build/messages"
+        fi
+    done
+}
+
+name=Windows compiler=x86_64-w64-mingw32-gcc flags=-O2 link=-static
+runner=/usr/lib/wine/wine64
+folder=$(folder_of 'Windows (mingw-w64, wine)')
+if missing=$(usable $compiler "$flags" "$link" $runner); then
+    # those that need neither GSL nor memory that may not be touched
+    tests='test_depth test_interface test_methods test_methods_contract
+        test_misprints test_room test_scene test_scene_environment
+        test_scene_tree test_shape test_ties'
+    built $name $(printf 'tests/%s ' $tests) && tests_pass $name $runner $tests
+else
+    skip "$name, C tests" "$missing"
+fi
+
+# FTZ and DAZ are set by these tests.
+link=
+for compiler in gcc clang clang-19; do
+    flags=-O2
+    folder=$(folder_of "$compiler environment")
+    missing=$(usable $compiler "$flags" '' '') || {
+        skip "$compiler, subnormals flushed" "$missing"
+        continue
+    }
+    built "$compiler" tests/test_environment tests/test_scene_environment &&
+        tests_pass "$compiler" '' test_environment test_scene_environment
+done
+
 [ "$skipped" -eq 0 ] && printf '%d passed, %d failed\n' $passed $failed ||
     printf '%d passed, %d failed, %d skipped\n' $passed $failed $skipped
 [ "$failed" -eq 0 ] && [ "$passed" -gt 1 ]

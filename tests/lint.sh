@@ -1,8 +1,9 @@
 #!/bin/sh
 # What tools other than the compiler say of the sources: cppcheck, clang-tidy,
-# gcc's analyzer, sh -n, mandoc; and how they look: tabs, blanks at line ends,
-# width, file length.  What is not installed is named and passed over.
-# `make lint` runs it; every finding fails.
+# gcc's analyzer, sh -n, mandoc; whether includes and calls point down the
+# ladder; and how the sources look: clang-format, tabs, blanks at line ends,
+# width, file length.  A tool that is not installed is named and its check
+# skipped (make deps-cross).  `make lint` runs this; every finding fails.
 cd "$(dirname "$0")/.." || exit 1
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -62,7 +63,7 @@ judged() {
         -e 'uninitialized value .q\.alpha\[1\]' \
         -e 'uninitialized value .\*\?f\.den' \
         -e 'Nd where does a line meet a cylinder or a cone?' \
-        -e 'referenced manual not found: Xr \(cylint\|sbatch\)' \
+        -e 'referenced manual not found: Xr \(cylint\|sbatch\|parallel\)' \
         -e 'outdated mandoc\.db'
     # cross() writes all of a row; task->row is filled anew before each use;
     # a record has as many numbers as its kinds say; va_start was called; the
@@ -113,6 +114,13 @@ if installed gcc 'gcc -fanalyzer'; then
     verdict 'gcc -fanalyzer'
 fi
 
+# ------------------------------------------------------------ the ladder --
+
+if installed python3 'the ladder'; then
+    python3 tests/ladder.py "${BUILD:-build}" >"$work/found" 2>&1
+    verdict 'includes and calls point down the ladder of src/README.md'
+fi
+
 # -------------------------------------------------- scripts and manuals --
 
 : >"$work/found"
@@ -127,6 +135,12 @@ if installed mandoc mandoc; then
 fi
 
 # ------------------------------------------------------------ appearance --
+
+if installed clang-format-14 'layout by clang-format'; then
+    clang-format-14 --dry-run $(of_kind '\.(c|h)$' |
+        grep -v '^tests/embree4/') 2>&1 | grep 'warning:' >"$work/found"
+    verdict 'layout as .clang-format has it'
+fi
 
 tab=$(printf '\t')
 grep -nE "$tab" $sources $scripts >"$work/found"

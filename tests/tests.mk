@@ -1,6 +1,6 @@
 # tests/tests.mk: how the tests are built and run; the Makefile includes it.
 
-$(BUILD)/tests/%: extra := $(floats) $(posix) -Isrc -Itests $(embree) \
+$(BUILD)/tests/%: extra := $(floats) $(posix) $(static) -Isrc -Itests $(embree) \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL) $(if $(WRAP),-DWRAPPED)
 
 test_common   := $(patsubst %,$(BUILD)/tests/%.o,families constructed $(if $(MPFR),oracle))
@@ -15,7 +15,7 @@ test_scripts  := $(wildcard tests/test_*.sh)
 
 # Long runs, which `make check` leaves out, are built as the tests are.
 core_tests := $(filter-out $(scene_tests) $(embree_tests),$(test_programs)) \
-              $(patsubst %,$(BUILD)/tests/%,stress search records)
+              $(patsubst %,$(BUILD)/tests/%,stress search records answers)
 $(core_tests): %: %.o $(test_common) $(BUILD)/libcylint.a
 $(scene_tests): %: %.o $(BUILD)/tests/scenes.o $(test_common) $(scene_library)
 $(embree_tests): $(patsubst %,$(BUILD)/tests/%.o,embree_rays embree_world)
@@ -112,7 +112,7 @@ fuzz: ## libFuzzer on tests/fuzz; SECONDS=60 each (needs clang)
 prove: ## the error bounds, by Gappa; 1 % less must not be provable
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/prove/prove.sh
 
-lint: ## what static analysis says, and how the sources look
+lint: all ## what static analysis says, the ladder, and how the sources look
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/lint.sh
 
 covered: all $(test_programs)

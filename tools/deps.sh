@@ -6,10 +6,11 @@
 wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev libgsl-dev mandoc libembree-dev
     libpng-dev python3-pip'
 # gcc-multilib would be simpler for -m32, but excludes cross compilers
-[ "$1" = cross ] && wanted="$wanted clang clang-tidy cppcheck qemu-user
-    gcc-aarch64-linux-gnu libc6-dev-arm64-cross
+[ "$1" = cross ] && wanted="$wanted clang clang-19 clang-tidy clang-format-14
+    cppcheck qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross
     gcc-s390x-linux-gnu libc6-dev-s390x-cross
-    libc6-dev-i386 lib32gcc-$(gcc -dumpversion | cut -d . -f 1)-dev"
+    libc6-dev-i386 lib32gcc-$(gcc -dumpversion | cut -d . -f 1)-dev
+    gcc-mingw-w64-x86-64 wine64 musl-tools tcc"
 [ "$1" = cluster ] && wanted="$wanted bash parallel python3 python3-venv"
 [ "$1" = cluster ] && ! command -v java >/dev/null &&
     wanted="$wanted default-jre-headless"

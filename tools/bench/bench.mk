@@ -1,6 +1,6 @@
 # tools/bench/bench.mk: the benchmarks; the Makefile includes it.
 
-$(BUILD)/tools/bench/%: extra := $(floats) $(posix) -Isrc -Itests $(embree) \
+$(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests $(embree) \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 

@@ -1,0 +1,42 @@
+/*
+ * answers.c - what the library answers, as bits
+ *
+ *   answers FILE     FILE is what `records SEED COUNT FILE` writes
+ *
+ * One line a question: relation, number of hits and, of each hit, t, part and
+ * side, numbers as the bits of the double.  It needs the C library only, so
+ * that tests/cross.sh can compare systems on which the command is not built.
+ */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "families.h"
+
+static uint64_t bits(double x)
+{
+    uint64_t u;
+    memcpy(&u, &x, sizeof u);
+    return u;
+}
+
+int main(int argc, char **argv)
+{
+    FILE *file = argc == 2 ? fopen(argv[1], "rb") : NULL;
+    struct family_case c;
+    if (!file) {
+        fputs("usage: answers FILE\n", stderr);
+        return 2;
+    }
+    while (family_read(file, &c)) {
+        cylint_answer a;
+        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T | CYLINT_WANT_PART,
+                         &a);
+        printf("%d %d", (int)a.relation, a.n);
+        for (int i = 0; i < a.n; i++)
+            printf(" %016" PRIx64 " %d %d", bits(a.hit[i].t),
+                   (int)a.hit[i].part, (int)a.hit[i].side);
+        putchar('\n');
+    }
+    return ferror(file) || ferror(stdout);
+}
