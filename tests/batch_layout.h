@@ -1,8 +1,8 @@
 /*
  * batch_layout.h - batches whose arrays lie between guard pages
  *
- * Each array has a room of its own, so that every address can be tried at
- * both edges.  What is input can only be read once it is laid out.
+ * Each array has guard pages of its own, so that every address can be tested at
+ * both of them.  Inputs become read-only after they are written.
  */
 #ifndef CYLINT_BATCH_LAYOUT_H
 #define CYLINT_BATCH_LAYOUT_H
@@ -16,51 +16,50 @@ enum {
     ALL_COLUMNS = 63
 };
 
-/* Where arrays lie and which of them there are. */
+/* The places of the arrays, and which of them are present. */
 struct layout {
-    size_t offset; /* bytes from an edge, 0 to 63 */
-    int at_end;    /* which edge */
+    size_t offset; /* bytes from a guard page, 0 to 63 */
+    int at_end;    /* from the upper guard page */
     int columns;   /* a bit for each member of cylint_columns */
-    int domain;    /* 1: there is tmin, 2: there is tmax */
+    int domain;    /* bits: 1 tmin is present, 2 tmax is present */
 };
 
 static const struct layout usual = {0, 1, ALL_COLUMNS, 3};
 
-static struct room line_room[8], answer_room[6], shape_room, pack_room;
+static struct guarded line_pages[8], answer_pages[6], shape_pages, pack_pages;
 static const size_t answer_size[6] = {1, 1, sizeof(double), sizeof(double),
                                       1, 1};
 
-static void make_rooms(void)
+static void allocate_pages(void)
 {
     for (int i = 0; i < 8; i++)
-        line_room[i] = guarded_room(MOST * sizeof(double));
+        line_pages[i] = guarded_allocate(MOST * sizeof(double));
     for (int i = 0; i < 6; i++)
-        answer_room[i] = guarded_room(MOST * answer_size[i]);
-    shape_room = guarded_room(MOST * sizeof(cylint_shape));
-    pack_room = guarded_room(cylint_pack_bytes(MOST));
+        answer_pages[i] = guarded_allocate(MOST * answer_size[i]);
+    shape_pages = guarded_allocate(MOST * sizeof(cylint_shape));
+    pack_pages = guarded_allocate(cylint_pack_bytes(MOST));
 }
 
-/* The i-th array's gap: doubles are moved by doubles, bytes by bytes, and
- * no two arrays alike. */
+/* The gap of array i, a multiple of `size`; no two arrays have the same. */
 static size_t gap_of(const struct layout *at, int i, size_t size)
 {
     return (at->offset + (size_t)i * size) % (64 / size) * size;
 }
 
-/* Whether packing kept to the memory it was given. */
+/* Packs shapes; returns whether only the pack's own memory was written. */
 static int lay_pack(cylint_pack *pack, const struct family_case *shapes,
                     size_t n, const struct layout *at)
 {
     const size_t bytes = cylint_pack_bytes(n);
-    cylint_shape *to = guarded_place(&shape_room, n * sizeof *to,
+    cylint_shape *to = guarded_place(&shape_pages, n * sizeof *to,
                                      gap_of(at, 3, sizeof(double)), at->at_end);
     for (size_t i = 0; i < n; i++)
         to[i] = shapes[i].shape;
-    guarded_permit(&shape_room, 0);
-    char *memory = guarded_place(&pack_room, bytes, at->offset, at->at_end);
+    guarded_permit(&shape_pages, 0);
+    char *memory = guarded_place(&pack_pages, bytes, at->offset, at->at_end);
     cylint_pack_shapes(pack, memory, to, n);
-    guarded_permit(&pack_room, 0);
-    return guarded_kept(&pack_room, memory, bytes);
+    guarded_permit(&pack_pages, 0);
+    return guarded_kept(&pack_pages, memory, bytes);
 }
 
 static void lay_lines(cylint_lines *lines, const struct family_case *from,
@@ -68,7 +67,7 @@ static void lay_lines(cylint_lines *lines, const struct family_case *from,
 {
     double *array[8];
     for (int i = 0; i < 8; i++)
-        array[i] = guarded_place(&line_room[i], n * sizeof(double),
+        array[i] = guarded_place(&line_pages[i], n * sizeof(double),
                                  gap_of(at, i, sizeof(double)), at->at_end);
     for (size_t i = 0; i < n; i++) {
         const cylint_line *l = &from[i].line;
@@ -80,7 +79,7 @@ static void lay_lines(cylint_lines *lines, const struct family_case *from,
         array[7][i] = l->tmax;
     }
     for (int i = 0; i < 8; i++)
-        guarded_permit(&line_room[i], 0);
+        guarded_permit(&line_pages[i], 0);
     *lines = (cylint_lines){n,
                             {array[0], array[1], array[2]},
                             {array[3], array[4], array[5]},
@@ -92,7 +91,7 @@ static void lay_answers(cylint_columns *to, size_t n, const struct layout *at)
 {
     void *p[6];
     for (int i = 0; i < 6; i++) {
-        p[i] = guarded_place(&answer_room[i], n * answer_size[i],
+        p[i] = guarded_place(&answer_pages[i], n * answer_size[i],
                              gap_of(at, i, answer_size[i]), at->at_end);
         if (!(at->columns >> i & 1))
             p[i] = NULL;
@@ -100,14 +99,14 @@ static void lay_answers(cylint_columns *to, size_t n, const struct layout *at)
     *to = (cylint_columns){p[0], p[1], p[2], p[3], p[4], p[5]};
 }
 
-/* Whether nothing but the answers was written. */
+/* Whether only the answers were written. */
 static int only_answers_written(const cylint_columns *a, size_t n)
 {
     const void *p[6] = {a->relation, a->n, a->t0, a->t1, a->part0, a->part1};
     int kept = 1;
     for (int i = 0; i < 6; i++)
         kept &=
-            guarded_kept(&answer_room[i], p[i], p[i] ? n * answer_size[i] : 0);
+            guarded_kept(&answer_pages[i], p[i], p[i] ? n * answer_size[i] : 0);
     return kept;
 }
 

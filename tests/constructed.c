@@ -1,13 +1,14 @@
 /*
  * constructed.c - exact coincidences in whole numbers, and their neighbours
  *
- * All kinds share one frame: c + x a + y b + z h with a, b, h whole, and the
- * surface x^2 + y^2 = rho(z)^2.  With a Pythagorean triple p^2 + q^2 = r^2
- * and a = r a', b = r b' the surface holds c + rho (p a' + q b') + z h; the
- * line's direction is there tangential, -q a' + p b', and along the ruling,
- * h + rho' (p a' + q b'), times whole numbers.  Circular kinds have a', b', h
- * along the coordinates; a cone by its angle has 45 degrees, whose tangent
- * is 1, and |h| = r, so that its rulings are p a' + q b' + h.
+ * All kinds use one frame: points c + x a + y b + z h with whole a, b, h, and
+ * the surface x^2 + y^2 = rho(z)^2.  With a Pythagorean triple
+ * p^2 + q^2 = r^2 and a = r a', b = r b' the point c + rho (p a' + q b') + z h
+ * is on the surface.  The line's direction there is a combination, by whole
+ * numbers, of the tangent -q a' + p b' and the ruling h + rho' (p a' + q b').
+ * Circular kinds have a', b', h along the coordinates.  A cone by its angle has
+ * 45 degrees, whose tangent is 1, and |h| = r, so its rulings are
+ * p a' + q b' + h.
  */
 #include "constructed.h"
 
@@ -126,15 +127,15 @@ static void write_shape(struct family_case *c, family_shape word,
         x[12] = 1 + f->slope;
 }
 
-/* A line through a point of the surface, of its plane z or of the apex;
- * quarters of the tangent vectors keep everything exact. */
+/* A line through a point of the surface, of its plane z, or the apex.  Quarters
+ * of the tangent vectors keep all numbers exact. */
 static void write_line(struct family_case *c, const frame *f)
 {
     enum { TANGENT, RIM, RULING, APEX, KINDS };
     const int what = one_of(KINDS);
     double z = what == RIM || one_of(3) == 0 ? whole(0, 1) : whole(-1, 5) / 4.;
     if (what == APEX && f->slope != 0)
-        z = -f->rho0 / f->slope; /* where not exact, only near it */
+        z = -f->rho0 / f->slope; /* if not exact, near the apex */
     const double rho = f->rho0 + f->slope * z;
     const double around = what == RULING ? 0 : whole(1, 3);
     const double up = what == RULING ? whole(1, 3) : whole(-3, 3);
@@ -152,7 +153,7 @@ static void write_line(struct family_case *c, const frame *f)
     if (c->line_word == FAMILY_SEGMENT)
         for (int i = 0; i < 3; i++)
             d[i] += o[i];
-    o[6] = back; /* a span that begins or ends there */
+    o[6] = back; /* a span that begins or ends at the point */
     o[7] = back + whole(0, 2);
 }
 
@@ -202,8 +203,8 @@ int constructed_neighbour(const struct family_case *base, int which,
 
 /* ---------------------------------------------------------------- wild -- */
 
-/* Mostly about one of two sizes, so that shape and line have to do with each
- * other, else anywhere. */
+/* Usually near one of two sizes, so that line and shape are near each other;
+ * otherwise any exponent. */
 static double any_double(const int about[2])
 {
     const int where = one_of(10);
@@ -243,13 +244,13 @@ void constructed_wild(uint64_t seed, uint64_t index, struct family_case *out)
 
 /* --------------------------------------------------------------- plain -- */
 
-/* A number as people write it: whole, or in tenths, which no double is. */
+/* A number as people write it: whole, or in tenths, which doubles round. */
 static double plain_number(int most, int tenths)
 {
     return tenths ? whole(-10 * most, 10 * most) / 10.0 : whole(-most, most);
 }
 
-/* Rarely one that is far from all others, so that things nearly cancel. */
+/* Rarely a number far from all others, so that sums nearly cancel. */
 static double odd_number(void)
 {
     static const double odd[] = {1e17, 1e-17, 1e-9, 1e9, 0x1p-1022, 1e150};

@@ -1,10 +1,10 @@
 /*
  * constructed.h - exact coincidences in whole numbers, and their neighbours
  *
- * A base is a line that is tangent to a shape, passes a rim or the apex, or
- * runs along a ruling, exactly, for all five kinds; its neighbours have one
- * of its numbers moved by -4 to +4 units in the last place, every number by
- * every amount.  Unlike the families these need no GSL.
+ * A base is a shape and a line that is exactly tangent, through a rim or the
+ * apex, or along a ruling, for all five kinds.  A neighbour has one of the
+ * base's numbers moved by -4 to +4 ulp; there is one for every number and every
+ * amount.  These cases need no GSL.
  */
 #ifndef CYLINT_CONSTRUCTED_H
 #define CYLINT_CONSTRUCTED_H
@@ -13,24 +13,24 @@
 
 enum { CONSTRUCTED_SHIFTS = 9, CONSTRUCTED_MOST = 21 * CONSTRUCTED_SHIFTS };
 
-/* Base number `base` of a seed. */
+/* Writes base number `base` of a seed. */
 void constructed_base(uint64_t seed, uint64_t base, struct family_case *out);
 
-/* How many neighbours a base has, itself among them once per number. */
+/* The number of neighbours of a base, counting the base once per number. */
 int constructed_neighbours(const struct family_case *base);
 
-/* Neighbour `which` of it; 0 where the numbers make no shape or line. */
+/* Writes neighbour `which`; returns 0 if the numbers make no shape or line. */
 int constructed_neighbour(const struct family_case *base, int which,
                           struct family_case *out);
 
-/* Every number with an exponent of its own out of -1074 ... 1023. */
+/* Every number has its own exponent in -1074 ... 1023. */
 void constructed_wild(uint64_t seed, uint64_t index, struct family_case *out);
 
-/* Small whole numbers or tenths, often along the coordinates, rarely one that
- * is far from the others. */
+/* Small whole numbers or tenths, often along the coordinates, rarely with one
+ * number far from the others. */
 void constructed_plain(uint64_t seed, uint64_t index, struct family_case *out);
 
-/* x moved by that many units in the last place; infinities not reached. */
+/* x moved by the given number of ulp, at most to the largest double. */
 double constructed_stepped(double x, int ulps);
 
 #endif

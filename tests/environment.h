@@ -1,5 +1,5 @@
 /*
- * environment.h - a thread's floating-point environment: rounding, subnormals
+ * environment.h - sets a thread's rounding mode and treatment of subnormals
  */
 #ifndef CYLINT_TEST_ENVIRONMENT_H
 #define CYLINT_TEST_ENVIRONMENT_H
@@ -14,7 +14,7 @@ enum { FLUSH = 1, ZERO = 2 };
 
 struct environment {
     int rounding; /* fesetround's */
-    int tiny;     /* what happens to subnormals: FLUSH, ZERO or both */
+    int tiny;     /* subnormals: FLUSH results, ZERO operands, or both */
 };
 
 #if defined(__SSE2__)
@@ -38,7 +38,7 @@ static inline int can_treat_subnormals(int how)
     return 1;
 }
 #elif defined(__aarch64__)
-/* One bit for operands and results alike. */
+/* One bit governs operands and results. */
 static inline void treat_subnormals(int how)
 {
     uint64_t control;

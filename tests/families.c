@@ -1,11 +1,11 @@
 /*
- * families.c - the input every test and benchmark draws from
+ * families.c - the random lines and shapes of all tests and benchmarks
  *
  * Most families set the line by points in the shape's own coordinates
- * (x a + y b + z h, with x = y = 1 one radius), so that the difficulty is
- * the same for every kind of shape; families about exact coincidences use
- * small whole numbers instead, since rounding would destroy what they are
- * about.  The stream of random numbers starts anew for every case.
+ * (x a + y b + z h, with x = y = 1 one radius), so the difficulty is the same
+ * for every kind of shape.  Families of exact coincidences use small whole
+ * numbers, because rounding would destroy the coincidence.  Every case has a
+ * stream of random numbers of its own.
  */
 #include "families.h"
 
@@ -204,7 +204,7 @@ static int is_point(const struct family_case *c, int i)
            (c->shape_word == FAMILY_CONE && i >= 4 && i < 7);
 }
 
-/* Everything moved by v. */
+/* Moves line and shape by v. */
 static void translate(struct family_case *c, const double v[3])
 {
     for (int i = 0; i < family_shape_size(c->shape_word); i++) {
@@ -298,11 +298,11 @@ static void exactly_parallel(struct family_case *out)
 }
 
 /*
- * Lines tangent in whole numbers.  The radius is the hypotenuse of a
- * Pythagorean triple (p, q, r) in the plane of two coordinates, the axis
- * along the third: the line through axis + (p, q) along (-q, p), tilted by
- * any whole amount along the axis, touches the cylinder; with dr = -r and
- * h = 1 the ruling's direction (-p, -q, 1) may be added on a cone.
+ * Exact tangents in whole numbers.  (p, q, r) is a Pythagorean triple in the
+ * plane of two coordinates, r the radius, and the axis is along the third.  The
+ * line through axis + (p, q) along (-q, p), plus any whole multiple of the axis
+ * direction, touches the cylinder.  For a cone with dr = -r and h = 1 the ruling
+ * (-p, -q, 1) may be added to the direction.
  */
 static void pythagorean(struct family_case *out)
 {
@@ -346,7 +346,7 @@ static void multiply(double *x, int n, double by)
     }
 }
 
-/* Lengths times `by`; directions of lines and factors stay. */
+/* Multiplies lengths by `by`, but no directions of lines and no factors. */
 static void enlarge(struct family_case *c, double by)
 {
     const int factor =
@@ -418,7 +418,7 @@ static void huge(struct family_case *out)
              ldexp(1, whole_between(0, 1020)));
 }
 
-/* Every number with an exponent of its own. */
+/* Every number has its own exponent. */
 static void mixed_exponents(struct family_case *out)
 {
     const int deep = chance(0.3) ? 1074 : 60;
@@ -436,7 +436,7 @@ static void mixed_exponents(struct family_case *out)
 
 /* ----- cones ------------------------------------------------------------ */
 
-/* z of the apex; 0.5, any point, where there is none. */
+/* z of the apex; 0.5 if there is none. */
 static double apex_z(const frame *f)
 {
     return f->by_angle ? 0 : f->k != 1 ? 1 / (1 - f->k) : 0.5;
@@ -488,7 +488,7 @@ static void narrow_or_wide(struct family_case *out)
     aim(out, &f, 1.5);
 }
 
-/* Exactly through the apex, then perhaps moved by a few ulp. */
+/* Exactly through the apex, sometimes moved by a few ulp. */
 static void through_the_apex(struct family_case *out)
 {
     double d[3], apex[3], h[3];
@@ -519,7 +519,7 @@ static void through_the_apex(struct family_case *out)
     }
 }
 
-/* Steep enough to meet both nappes. */
+/* So steep that the line meets both nappes. */
 static void both_nappes(struct family_case *out)
 {
     frame f;
@@ -594,8 +594,8 @@ static void thin(struct family_case *out)
 
 /* ----- differences of points -------------------------------------------- */
 
-/* Parts of very different size, so that b - a and p1 - p0 need all of their
- * digits: large common offsets, ends moved by a few ulp of the offset. */
+/* Terms of very different size, so that b - a and p1 - p0 need all digits:
+ * large common offsets, with ends moved by a few ulp of the offset. */
 static void exact_differences(struct family_case *out)
 {
     ordinary(out);
@@ -617,7 +617,7 @@ static void exact_differences(struct family_case *out)
         x[i + 3] += far * away[i]; /* one end far, the other near */
     }
     if (out->shape_word == FAMILY_CYLINDER && chance(0.5)) {
-        for (int i = 0; i < 3; i++) { /* the line along the axis, nearly */
+        for (int i = 0; i < 3; i++) { /* the line is nearly along the axis */
             x[i] = out->shape_data[i] + between(-1, 1);
             x[i + 3] = out->shape_data[i + 3] + between(-1, 1) * 1e-9;
         }
@@ -683,7 +683,7 @@ void family_case(uint64_t seed, int family, uint64_t index,
         rng = gsl_rng_alloc(gsl_rng_taus2);
     }
     uint64_t stream = mixed(mixed(mixed(seed) + (uint64_t)family) + index);
-    do { /* numbers that make no shape are drawn again */
+    do { /* until the numbers make a shape */
         gsl_rng_set(rng, (unsigned long)(stream & 0xffffffff));
         memset(out, 0, sizeof *out);
         out->ends = any_ends();

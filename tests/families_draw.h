@@ -1,7 +1,5 @@
 /*
- * families_draw.h - random numbers, vectors, shapes and lines to build from
- *
- * What families.c makes its cases of; included by it alone.
+ * families_draw.h - random numbers, vectors, shapes and lines for families.c
  */
 #ifndef CYLINT_FAMILIES_DRAW_H
 #define CYLINT_FAMILIES_DRAW_H
@@ -17,7 +15,7 @@
 
 static gsl_rng *rng;
 
-/* The finaliser of MurmurHash3: neighbours get unrelated streams. */
+/* The finaliser of MurmurHash3: adjacent numbers give unrelated streams. */
 static uint64_t mixed(uint64_t x)
 {
     x = (x ^ x >> 33) * UINT64_C(0xff51afd7ed558ccd);
@@ -45,13 +43,13 @@ static int whole_between(int low, int high)
     return low + one_of(high - low + 1);
 }
 
-/* 10^x with x even between the two */
+/* 10^x with x uniform in [low, high] */
 static double power(double low, double high)
 {
     return pow(10, between(low, high));
 }
 
-/* a small number of either sign, or exactly 0 */
+/* a small number of either sign, or 0 */
 static double small(double low, double high)
 {
     return chance(0.1) ? 0 : (chance(0.5) ? 1 : -1) * power(low, high);
@@ -144,8 +142,8 @@ static family_shape cone_word(void)
     return cones[one_of(3)];
 }
 
-/* A frame for shapes of this word: radius r, height h, of any direction;
- * elliptic ones with unequal axes, often oblique. */
+/* A random frame for shapes of this word: radius r, height h, any direction.
+ * Elliptic ones have unequal semi-axes and are often oblique. */
 static void make_frame(frame *f, family_shape word, double r, double h)
 {
     double other[3];
@@ -187,7 +185,7 @@ static void write_shape(struct family_case *out, family_shape word,
         x[3] = r;
         place(f, 0, 0, 1, x + 4);
         x[7] = r * f->k;
-        if (chance(0.5)) { /* the narrow end may be the base */
+        if (chance(0.5)) { /* exchanges the ends */
             double p[4];
             memcpy(p, x, sizeof p);
             memcpy(x, x + 4, sizeof p);
@@ -234,7 +232,7 @@ static void write_line(struct family_case *out, const double p[3],
     }
 }
 
-/* The same, the origin moved back by `back` directions. */
+/* The same with the origin moved by -back d. */
 static void write_line_from(struct family_case *out, const double p[3],
                             const double d[3], double back)
 {
@@ -255,7 +253,8 @@ static double any_z(const frame *f)
     return f->by_angle ? between(0.05, 1) : between(0, 1);
 }
 
-/* A point of the lateral surface, `factor` times as far from the axis. */
+/* A point of the lateral surface with its distance from the axis times
+ * `factor`. */
 static void surface_point(const frame *f, double z, double factor, double p[3])
 {
     const double turn = between(0, 6.283185307179586);
@@ -273,7 +272,7 @@ static void whole_vector(double v[3], int most)
     } while (v[0] == 0 && v[1] == 0 && v[2] == 0);
 }
 
-/* A shape of small whole numbers; most axes along a coordinate. */
+/* A shape of small whole numbers, usually with its axis along a coordinate. */
 static void whole_shape(struct family_case *out)
 {
     double *x = out->shape_data, h[3];
@@ -304,7 +303,7 @@ static void whole_shape(struct family_case *out)
         whole_vector(x + 3, 3);
         whole_vector(x + 6, 3);
         copy3(x + 9, h);
-        if (chance(0.5)) { /* a box of axes */
+        if (chance(0.5)) { /* axes along coordinates */
             const int i = one_of(3);
             set3(x + 3, 0, 0, 0);
             set3(x + 6, 0, 0, 0);
@@ -318,7 +317,7 @@ static void whole_shape(struct family_case *out)
     out->ends = any_ends();
 }
 
-/* The axis of a case's shape, as written. */
+/* The axis of a case's shape, from its record. */
 static void axis_of(const struct family_case *c, double h[3])
 {
     const double *x = c->shape_data;

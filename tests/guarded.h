@@ -1,9 +1,9 @@
 /*
- * guarded.h - arrays that end, or begin, where no memory may be touched
+ * guarded.h - arrays that begin or end at a guard page
  *
- * A room is some pages between two that can be neither read nor written; an
- * array is placed `gap` bytes from the one before it or from the one after
- * it.  Whoever steps over the edge ends the program, which says so.
+ * A struct guarded is some pages between two guard pages, which can be neither
+ * read nor written.  An array is placed `gap` bytes from one of them.  An access
+ * to a guard page ends the program with a message.
  */
 #ifndef CYLINT_GUARDED_H
 #define CYLINT_GUARDED_H
@@ -17,22 +17,22 @@
 
 enum { GUARDED_UNTOUCHED = 0x5a };
 
-struct room {
-    char *from, *to; /* what may be touched */
+struct guarded {
+    char *from, *to; /* the accessible bytes */
 };
 
-static void guarded_stepped_over(int signal_number)
+static void guarded_access(int signal_number)
 {
     static const char message[] =
-        "FAILED memory outside of an array, or for reading only, was touched\n";
+        "FAILED an access outside of an array, or a write to a read-only one\n";
     (void)signal_number;
     if (write(2, message, sizeof message - 1) >= 0)
         _exit(1);
     _exit(2);
 }
 
-/* Room for `bytes` and a gap of up to 64. */
-static struct room guarded_room(size_t bytes)
+/* Allocates pages for `bytes` and a gap of up to 64. */
+static struct guarded guarded_allocate(size_t bytes)
 {
     const size_t page = (size_t)sysconf(_SC_PAGESIZE);
     const size_t inside = (bytes + 64 + page - 1) / page * page;
@@ -43,35 +43,36 @@ static struct room guarded_room(size_t bytes)
         mprotect(all + page + inside, page, PROT_NONE))
         abort();
     close(zeros);
-    signal(SIGSEGV, guarded_stepped_over);
-    signal(SIGBUS, guarded_stepped_over);
-    return (struct room){all + page, all + page + inside};
+    signal(SIGSEGV, guarded_access);
+    signal(SIGBUS, guarded_access);
+    return (struct guarded){all + page, all + page + inside};
 }
 
-static void guarded_permit(const struct room *room, int writing)
+static void guarded_permit(const struct guarded *pages, int writing)
 {
-    if (mprotect(room->from, (size_t)(room->to - room->from),
+    if (mprotect(pages->from, (size_t)(pages->to - pages->from),
                  writing ? PROT_READ | PROT_WRITE : PROT_READ))
         abort();
 }
 
-/* A place for `bytes` in the room, which is filled with a pattern. */
-static void *guarded_place(const struct room *room, size_t bytes, size_t gap,
-                           int at_end)
+/* Fills the pages with a pattern and returns a place for `bytes` in them. */
+static void *guarded_place(const struct guarded *pages, size_t bytes,
+                           size_t gap, int at_end)
 {
-    guarded_permit(room, 1);
-    memset(room->from, GUARDED_UNTOUCHED, (size_t)(room->to - room->from));
-    return at_end ? room->to - bytes - gap : room->from + gap;
+    guarded_permit(pages, 1);
+    memset(pages->from, GUARDED_UNTOUCHED, (size_t)(pages->to - pages->from));
+    return at_end ? pages->to - bytes - gap : pages->from + gap;
 }
 
-/* Whether all of the room but `bytes` at p still holds the pattern. */
-static int guarded_kept(const struct room *room, const void *p, size_t bytes)
+/* Whether all bytes except `bytes` at p still have the pattern. */
+static int guarded_kept(const struct guarded *pages, const void *p,
+                        size_t bytes)
 {
     const char *first = p;
-    for (const char *c = room->from; c < room->to; c++) {
+    for (const char *c = pages->from; c < pages->to; c++) {
         if (c == first)
             c += bytes;
-        if (c < room->to && *c != GUARDED_UNTOUCHED)
+        if (c < pages->to && *c != GUARDED_UNTOUCHED)
             return 0;
     }
     return 1;

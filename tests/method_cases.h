@@ -1,5 +1,5 @@
 /*
- * method_cases.h - what the tests of the published methods share
+ * method_cases.h - shared by the tests of the published methods
  */
 #ifndef CYLINT_METHOD_CASES_H
 #define CYLINT_METHOD_CASES_H
@@ -10,7 +10,7 @@
 #include "check.h"
 #include "cylint_methods.h"
 
-/* Which shapes and ends each method is published for. */
+/* Whether the method is published for the kind and ends. */
 static int answers_for(const char *name, int kind, int ends)
 {
     const int unbounded =
@@ -73,8 +73,8 @@ static void put_shape(char *text, const cylint_shape *s)
     sprintf(text + used, " ends=%s", ends[s->ends]);
 }
 
-/* A case as a record of the command; a segment by its rounded difference,
- * as the methods see it. */
+/* Prints a case as a record of the command; a segment with its rounded
+ * difference, as the methods read it. */
 static void report_case(const char *method, const cylint_shape *s,
                         const cylint_line *l)
 {

@@ -1,11 +1,10 @@
 /*
- * test_batch.c - batches answer what single questions answer, bit for bit
+ * test_batch.c - floor batch: batches give the bits of single questions
  *
- * Every batch here lies between pages that cannot be touched, its inputs and
- * its pack in memory that can only be read while it is asked.  Every build
- * of the kernels that this processor runs takes its turn.  CYLINT_SEED
- * changes all cases drawn from the families, CYLINT_CASES how many lines, up to
- * 59, are asked of each.
+ * The arrays of every batch lie between guard pages; its inputs and its pack
+ * are read-only during the call.  All tests run with every build of the kernels
+ * that this processor has.  CYLINT_SEED changes all cases of the families,
+ * CYLINT_CASES sets the number of lines of each, at most 59.
  */
 #include <math.h>
 #include <pthread.h>
@@ -17,7 +16,7 @@
 #include "families.h"
 
 enum {
-    FEW = 21 /* where every address is tried: twice the lanes, more */
+    FEW = 21 /* for all addresses: more than twice the lanes */
 };
 
 static uint64_t seed(void)
@@ -25,14 +24,14 @@ static uint64_t seed(void)
     return check_setting("CYLINT_SEED", 1);
 }
 
-static size_t lines_asked(void)
+static size_t lines_per_family(void)
 {
     return (size_t)check_setting("CYLINT_CASES", 24);
 }
 
 /* ------------------------------------------------------------- answers -- */
 
-/* What a batch makes of a line: its direction as it is stored. */
+/* The line as a batch reads it, with the stored direction. */
 static cylint_line column_line(const cylint_line *from, int domain)
 {
     cylint_line line;
@@ -51,8 +50,8 @@ static int missing(const double *t, const signed char *part, size_t i)
     return (!t || t[i] != t[i]) && (!part || part[i] == -1);
 }
 
-static int answered(const cylint_columns *got, size_t i,
-                    const cylint_answer *want)
+static int is_answer(const cylint_columns *got, size_t i,
+                     const cylint_answer *want)
 {
     const double *t[2] = {got->t0, got->t1};
     const signed char *part[2] = {got->part0, got->part1};
@@ -71,7 +70,7 @@ static int answered(const cylint_columns *got, size_t i,
     return 1;
 }
 
-/* A record that asks the same of the command, where it has the words. */
+/* Prints the case as a record of the command. */
 static void show(const struct family_case *line,
                  const struct family_case *shape)
 {
@@ -91,7 +90,7 @@ static void check_answer(const cylint_columns *got, size_t i,
     cylint_answer want;
     cylint_intersect(&shape_case->shape, line, CYLINT_WANT_T | CYLINT_WANT_PART,
                      &want);
-    if (CHECK(answered(got, i, &want)) || check_bad > CHECK_SHOWN)
+    if (CHECK(is_answer(got, i, &want)) || check_bad > CHECK_SHOWN)
         return;
     show(line_case, shape_case);
     fprintf(stderr, "    %zu: want relation %d n %d", i, want.relation, want.n);
@@ -193,7 +192,7 @@ static void check_nearest(const cylint_pack *pack, const cylint_line *line,
     }
 }
 
-/* A quick t does not depend on the neighbours in a vector either. */
+/* A fast t does not depend on the other lanes either. */
 static void check_fast(const cylint_pack *pack, const cylint_line *line)
 {
     cylint_hit hit;
@@ -208,7 +207,7 @@ static void check_fast(const cylint_pack *pack, const cylint_line *line)
     CHECK(answer.n == 1 && same(answer.hit[0].t, hit.t));
 }
 
-/* Nearest and count, by asking all shapes in their order. */
+/* Nearest and count, compared with a loop over all shapes. */
 static void check_scene(const struct family_case *line,
                         const struct family_case *cases, size_t n,
                         const struct layout *at)
@@ -251,7 +250,7 @@ static void draw(int family, uint64_t first, size_t n)
         family_case(seed(), family, first + i, &drawn[i]);
 }
 
-/* All families in turn, all kinds and ends, now and then what is refused. */
+/* All families in turn, with all kinds and ends and some invalid cases. */
 static void draw_mixed(size_t n)
 {
     for (size_t i = 0; i < n; i++) {
@@ -265,8 +264,8 @@ static void draw_mixed(size_t n)
     }
 }
 
-/* Lines that meet the shape of a case as its own line does, by moving its
- * origin along it, each beside the line of another case. */
+/* Lines that meet the shape of one case as its own line does, with the origin
+ * moved along the line; every second line is from another case. */
 static void slide(const struct family_case *one, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
@@ -315,11 +314,11 @@ static void lines_answer_as_single_questions(void)
 {
     for (int family = 0; family < family_count(); family++) {
         draw(family, 1000, MOST);
-        for (size_t i = 0; i < lines_asked(); i++) {
+        for (size_t i = 0; i < lines_per_family(); i++) {
             slide(&drawn[i], 100);
             check_lines(&drawn[i], lined, 100, &usual);
         }
-        check_lines(&drawn[lines_asked()], drawn, MOST, &usual);
+        check_lines(&drawn[lines_per_family()], drawn, MOST, &usual);
     }
 }
 
@@ -327,27 +326,27 @@ static void shapes_answer_as_single_questions(void)
 {
     for (int family = 0; family < family_count(); family++) {
         draw(family, 2000, 100);
-        for (size_t i = 0; i < lines_asked(); i++)
+        for (size_t i = 0; i < lines_per_family(); i++)
             check_shapes(&drawn[i], drawn, 100, &usual);
     }
     draw_mixed(MOST);
-    for (size_t i = 0; i < 2 * lines_asked(); i++)
+    for (size_t i = 0; i < 2 * lines_per_family(); i++)
         check_shapes(&drawn[i], drawn, MOST, &usual);
 }
 
-static void scenes_answer_as_asking_every_shape(void)
+static void packs_answer_as_a_loop_over_all_shapes(void)
 {
     for (int family = 0; family < family_count(); family++) {
         draw(family, 3000, 60);
-        for (size_t i = 0; i < lines_asked(); i++)
+        for (size_t i = 0; i < lines_per_family(); i++)
             check_scene(&drawn[i], drawn, 60, &usual);
     }
     draw_mixed(MOST);
-    for (size_t i = 0; i < 2 * lines_asked(); i++)
+    for (size_t i = 0; i < 2 * lines_per_family(); i++)
         check_scene(&drawn[i], drawn, MOST, &usual);
 }
 
-/* Of one kind and one way to end, so that all lanes are of one run. */
+/* Shapes of one kind with the same ends, so that all lanes are of one run. */
 static void runs_of_one_kind_answer_as_single_questions(void)
 {
     const int families = family_count();
@@ -379,7 +378,7 @@ static void check_all(size_t n, const struct layout *at)
     check_scene(&drawn[0], drawn, n, at);
 }
 
-/* A case of one family, its shape among others and its line slid along. */
+/* A case of one family: its shape among others, its line moved along itself. */
 static void draw_around(int family)
 {
     draw_mixed(MOST);
@@ -387,7 +386,7 @@ static void draw_around(int family)
     slide(&drawn[0], MOST);
 }
 
-static void every_length_is_answered(void)
+static void every_length_has_its_answers(void)
 {
     static const size_t longer[] = {31,  255, 256, 257, 263,
                                     264, 511, 513, MOST};
@@ -402,7 +401,7 @@ static void every_length_is_answered(void)
         check_all(longer[i], &usual);
 }
 
-static void every_address_is_served(void)
+static void every_address_has_its_answers(void)
 {
     for (int family = 0; family < 2; family++) {
         draw_around(family);
@@ -426,7 +425,7 @@ static void only_wanted_columns_are_written(void)
     }
 }
 
-static void an_absent_domain_is_that_of_a_ray(void)
+static void without_a_domain_lines_are_rays(void)
 {
     draw_around(0);
     for (int domain = 0; domain < 4; domain++) {
@@ -436,7 +435,7 @@ static void an_absent_domain_is_that_of_a_ray(void)
     }
 }
 
-static void segments_keep_the_digits_their_directions_lack(void)
+static void segments_keep_the_low_parts_of_their_directions(void)
 {
     int asked = 0;
     draw_mixed(100);
@@ -466,7 +465,7 @@ static void make_easy(struct family_case *c)
     family_make(c);
 }
 
-static void a_line_that_makes_no_sense_misses(void)
+static void an_invalid_line_misses(void)
 {
     static const double wrong[] = {NAN, HUGE_VAL, -HUGE_VAL};
     struct family_case bad[40];
@@ -492,7 +491,7 @@ static void a_line_that_makes_no_sense_misses(void)
     check_scene(&bad[0], bad, 40, &usual);
 }
 
-/* tmin just above tmax, where every hit of the line is near. */
+/* tmin is just above tmax, near every hit of the line. */
 static void an_empty_domain_misses(void)
 {
     struct family_case lines[FEW];
@@ -505,7 +504,7 @@ static void an_empty_domain_misses(void)
     check_pairs(lines, FEW, &usual);
 }
 
-/* The hard line is the easy one's neighbour in every lane in turn. */
+/* The hard line is in every lane in turn, among easy ones. */
 static void a_hard_lane_does_not_disturb_its_neighbours(void)
 {
     static const double hard[][6] = {
@@ -515,7 +514,7 @@ static void a_hard_lane_does_not_disturb_its_neighbours(void)
         {2, 0, -3, 0, 0, 1},        /* parallel, outside */
         {-3, 0, 0, 1, 0, 0},        /* in a cap's plane */
         {-1, 0, 4, 1, 0, -0.5},     /* from the rim */
-        {1, -3e155, 1, 0, 1e300, 0} /* touches, far beyond the filter */
+        {1, -3e155, 1, 0, 1e300, 0} /* touches, outside the filter's range */
     };
     struct family_case cases[FEW];
     for (size_t h = 0; h < sizeof hard / sizeof *hard; h++) {
@@ -552,8 +551,8 @@ static void a_hard_shape_does_not_disturb_its_neighbours(void)
     }
 }
 
-/* The same cylinder, said in four ways and met by the same line. */
-static void make_said_in_another_way(struct family_case *c, int way)
+/* The same cylinder in four forms. */
+static void make_in_another_form(struct family_case *c, int way)
 {
     static const double data[4][13] = {{0, 0, 0, 0, 0, 4, 1},
                                        {0, 0, 0, 1, 0, 0, 4, 1},
@@ -567,14 +566,14 @@ static void make_said_in_another_way(struct family_case *c, int way)
     family_make(c);
 }
 
-static void of_equal_t_the_lower_number_is_nearest(void)
+static void the_lower_number_is_nearest_for_equal_t(void)
 {
     struct family_case cases[FEW], line;
     make_easy(&line);
     for (int turn = 0; turn < 24; turn++) {
-        const int ahead = turn / 4; /* that are missed, or met later */
+        const int ahead = turn / 4; /* shapes that are missed or hit later */
         for (int i = 0; i < FEW; i++) {
-            make_said_in_another_way(&cases[i], (i + turn) % 4);
+            make_in_another_form(&cases[i], (i + turn) % 4);
             if (i < ahead) {
                 cases[i].shape_data[0] += i % 2 ? 0 : 100;
                 cases[i].shape_data[0] += 0.25;
@@ -599,7 +598,7 @@ struct share {
     double t[MOST], t0[MOST];
 };
 
-static void *ask_all(void *at)
+static void *query_all(void *at)
 {
     struct share *s = at;
     cylint_columns columns = {0};
@@ -624,7 +623,7 @@ static void threads_share_a_pack(void)
     CHECK(lay_pack(&pack, drawn, MOST, &usual));
     for (int i = 0; i < 2; i++) {
         of[i].pack = &pack;
-        CHECK(pthread_create(&thread[i], NULL, ask_all, &of[i]) == 0);
+        CHECK(pthread_create(&thread[i], NULL, query_all, &of[i]) == 0);
     }
     for (int i = 0; i < 2; i++)
         CHECK(pthread_join(thread[i], NULL) == 0);
@@ -640,7 +639,7 @@ int main(void)
     if (family_count() == 0) {
         return check_skip("no GSL: no families to draw from (make deps)");
     }
-    make_rooms();
+    allocate_pages();
     RUN(kernels_are_chosen_by_name);
     RUN(threads_share_a_pack);
     for (int i = 0; (kernels = cylint_kernels_name(i)) != NULL; i++) {
@@ -648,18 +647,18 @@ int main(void)
         RUN(pairs_answer_as_single_questions);
         RUN(lines_answer_as_single_questions);
         RUN(shapes_answer_as_single_questions);
-        RUN(scenes_answer_as_asking_every_shape);
+        RUN(packs_answer_as_a_loop_over_all_shapes);
         RUN(runs_of_one_kind_answer_as_single_questions);
-        RUN(every_length_is_answered);
-        RUN(every_address_is_served);
+        RUN(every_length_has_its_answers);
+        RUN(every_address_has_its_answers);
         RUN(only_wanted_columns_are_written);
-        RUN(an_absent_domain_is_that_of_a_ray);
-        RUN(segments_keep_the_digits_their_directions_lack);
-        RUN(a_line_that_makes_no_sense_misses);
+        RUN(without_a_domain_lines_are_rays);
+        RUN(segments_keep_the_low_parts_of_their_directions);
+        RUN(an_invalid_line_misses);
         RUN(an_empty_domain_misses);
         RUN(a_hard_lane_does_not_disturb_its_neighbours);
         RUN(a_hard_shape_does_not_disturb_its_neighbours);
-        RUN(of_equal_t_the_lower_number_is_nearest);
+        RUN(the_lower_number_is_nearest_for_equal_t);
     }
     return check_end();
 }

@@ -126,7 +126,8 @@ static int agrees(const cylint_float_filter *build, const struct question *x,
     cylint_float_filter_shape_of(&shape, x->shape);
     const cylint_float_filter_target subject = {&shape, 0, x->shape,
                                                 x->shape->ends};
-    cylint_float_filter_result is = build->test_entry(&q, &subject, &x->line, &at);
+    cylint_float_filter_result is =
+        build->test_entry(&q, &subject, &x->line, &at);
     tally->hits += x->n;
     for (int i = 0; i < 2 && is != CYLINT_FLOAT_FILTER_UNSURE; i++) {
         if (i == 1)

@@ -44,8 +44,8 @@ static void random_vector(double size, double out[3])
         out[i] *= size / sqrt(length2);
 }
 
-/* The top's radius over the base's: pointed, narrowing or widening, but not
- * so nearly 1 that the apex is far away. */
+/* The ratio of the top's radius to the base's: 0, below 1 or above 1, but not so
+ * near 1 that the apex is far away. */
 static double random_ratio(void)
 {
     const double pick = between(0, 4);
@@ -82,7 +82,7 @@ static void random_shape(int kind, cylint_ends ends, cylint_shape *shape)
     }
 }
 
-/* A line aimed at somewhere near the shape: about half of them hit it. */
+/* A line through a point near the shape: about half of the lines hit it. */
 static void random_line(const cylint_shape *shape, cylint_line *line)
 {
     double o[3], d[3], off[3], target[3];
@@ -131,7 +131,7 @@ static int is_elliptic(const cylint_shape *shape)
            shape->kind == CYLINT_KIND_ECONE;
 }
 
-/* Of a vector from the base; rho without its constant part. */
+/* The place of a vector from the base; rho without its constant term. */
 static place place_of_vector(const cylint_shape *shape, const real D[3])
 {
     place at = {{0, 0, 0}, 0, 0};
@@ -185,7 +185,7 @@ static int bounded(const cylint_shape *shape)
            shape->ends != CYLINT_ENDS_NAPPE;
 }
 
-/* < 0 inside the lateral surface, both nappes taken together. */
+/* Negative inside the lateral surface of both nappes. */
 static real excess(const place *at)
 {
     return at->off[0] * at->off[0] + at->off[1] * at->off[1] +
@@ -210,8 +210,8 @@ typedef struct event {
     int part;
 } event;
 
-/* Where anything could change, ascending; -1 where that is ill-conditioned:
- * nearly tangent, nearly along a ruling. */
+/* The parameters at which inside and outside can change, ascending.  Returns -1
+ * if the case is ill-conditioned: nearly tangent or nearly along a ruling. */
 static int events(const cylint_shape *shape, const cylint_line *line,
                   event e[4])
 {
@@ -253,7 +253,7 @@ static int events(const cylint_shape *shape, const cylint_line *line,
     return n;
 }
 
-/* The answer, or 0 where the case is not well-conditioned. */
+/* Writes the answer; returns 0 if the case is not well-conditioned. */
 static int reference(const cylint_shape *shape, const cylint_line *line,
                      cylint_answer *want, real t[2])
 {
@@ -294,15 +294,15 @@ static int reference(const cylint_shape *shape, const cylint_line *line,
 
 /* ----------------------------------------------------------- agreement -- */
 
-/* How far the point moves in local coordinates on a step along `way`. */
+/* The change in local coordinates on a step along `direction`. */
 static real change(const cylint_shape *shape, const cylint_hit *hit,
-                   const real way[3], int part)
+                   const real direction[3], int part)
 {
     const real step = 1e-5L;
     real p[3], m[3];
     for (int i = 0; i < 3; i++) {
-        p[i] = hit->point[i] + step * way[i];
-        m[i] = hit->point[i] - step * way[i];
+        p[i] = hit->point[i] + step * direction[i];
+        m[i] = hit->point[i] - step * direction[i];
     }
     const place a = place_of_point(shape, p), b = place_of_point(shape, m);
     if (part == CYLINT_PART_LATERAL)
@@ -310,8 +310,8 @@ static real change(const cylint_shape *shape, const cylint_hit *hit,
     return (part == CYLINT_PART_CAP1 ? a.z - b.z : b.z - a.z) / (2 * step);
 }
 
-/* The normal is the direction of the gradient; z and the point agree with t,
- * and phi points from the axis to the hit. */
+/* Whether the normal is the direction of the gradient, z and the point agree
+ * with t, and phi is the angle of the hit. */
 static int members_agree(const cylint_shape *shape, const cylint_line *line,
                          const cylint_hit *hit)
 {
@@ -319,8 +319,8 @@ static int members_agree(const cylint_shape *shape, const cylint_line *line,
     int good = 1;
 
     for (int i = 0; i < 3; i++) {
-        const real way[3] = {i == 0, i == 1, i == 2};
-        gradient[i] = change(shape, hit, way, hit->part);
+        const real direction[3] = {i == 0, i == 1, i == 2};
+        gradient[i] = change(shape, hit, direction, hit->part);
         size += gradient[i] * gradient[i];
         along += gradient[i] * hit->normal[i];
         p[i] = line->o[i] + (real)hit->t * line->d[i];
@@ -338,7 +338,7 @@ static int members_agree(const cylint_shape *shape, const cylint_line *line,
     return good && hit->phi >= 0 && hit->phi < 1;
 }
 
-static real worst; /* difference in t of the method at hand, relative */
+static real worst; /* relative difference in t of this method */
 
 static int same_answer(const cylint_shape *shape, const cylint_line *line,
                        const cylint_answer *got, const cylint_answer *want,
@@ -396,14 +396,14 @@ static void every_method_agrees_with_long_double(void)
     }
 }
 
-/* phi leaps from 1 to 0. */
+/* phi jumps from 1 to 0. */
 static int same_turn(double a, double b)
 {
     const double apart = fabs(a - b);
     return apart < 1e-9 || 1 - apart < 1e-9;
 }
 
-static void hits_tell_what_the_librarys_hits_tell(void)
+static void members_of_hits_agree_with_the_library(void)
 {
     cylint_shape shape;
     cylint_line line;
@@ -432,7 +432,7 @@ static void hits_tell_what_the_librarys_hits_tell(void)
     }
 }
 
-static void what_a_method_is_not_published_for_is_refused(void)
+static void a_method_refuses_shapes_that_it_is_not_published_for(void)
 {
     cylint_shape shape;
     cylint_line line;
@@ -498,8 +498,8 @@ int main(void)
 {
     printf("note: seed %u\n", SEED);
     RUN(every_method_agrees_with_long_double);
-    RUN(hits_tell_what_the_librarys_hits_tell);
-    RUN(what_a_method_is_not_published_for_is_refused);
+    RUN(members_of_hits_agree_with_the_library);
+    RUN(a_method_refuses_shapes_that_it_is_not_published_for);
     RUN(refused_shapes_and_lines_miss_with_the_flag);
     RUN(the_table_names_each_method_once);
     return check_end();

@@ -1,7 +1,10 @@
 /*
- * The published methods keep the contract of cylint_intersect() on
- * degenerate input that doubles hold exactly: tangents, rims, lines along a
- * ruling, in a cap's plane, down an open cylinder, through an apex.
+ * test_methods_contract.c - floor methods: degenerate input
+ *
+ * The published methods keep the contract of cylint_intersect() on degenerate
+ * input that doubles represent exactly: tangents, rims, and lines along a
+ * ruling, in a cap's plane, along the axis of an open cylinder or through an
+ * apex.
  */
 #include <math.h>
 
@@ -12,17 +15,16 @@
 #define AL CYLINT_RELATION_ALONG
 #define CR CYLINT_RELATION_CROSS
 
-/* One case: a line and what is due. */
-typedef struct due {
+/* A line and its expected answer. */
+typedef struct expected {
     int ends;
     double o[3], d[3];
     int relation, n;
     double t[2];
     int part[2];
-} due;
+} expected;
 
-/* The library itself as a method, so that what is due is held to the same
- * contract as the methods are. */
+/* The library as a method: the expected answers are checked against it too. */
 static cylint_status intersect(const cylint_shape *shape,
                                const cylint_line *line, unsigned want,
                                cylint_answer *answer)
@@ -33,8 +35,8 @@ static cylint_status intersect(const cylint_shape *shape,
 
 static const cylint_method the_library = {"intersect", "", "", intersect};
 
-/* Of the same hit, told by a method and by the library. */
-static int tell_the_same(const cylint_hit *a, const cylint_hit *b)
+/* Compares a hit of a method with the library's. */
+static int same_hit(const cylint_hit *a, const cylint_hit *b)
 {
     const double apart = fabs(a->phi - b->phi);
     int good = a->part == b->part && a->side == b->side &&
@@ -47,8 +49,8 @@ static int tell_the_same(const cylint_hit *a, const cylint_hit *b)
     return good;
 }
 
-static void check_due(const cylint_method *m, const cylint_shape *shape,
-                      const due *c)
+static void check_expected(const cylint_method *m, const cylint_shape *shape,
+                           const expected *c)
 {
     cylint_line line;
     cylint_answer a, library;
@@ -60,16 +62,17 @@ static void check_due(const cylint_method *m, const cylint_shape *shape,
     for (int i = 0; good && i < c->n; i++)
         good = a.hit[i].part == c->part[i] &&
                fabs(a.hit[i].t - c->t[i]) <= 1e-12 &&
-               tell_the_same(&a.hit[i], &library.hit[i]);
+               same_hit(&a.hit[i], &library.hit[i]);
     if (!CHECK(good)) {
         report_case(m->name, shape, &line);
-        REPORT("relation %d n %d t %a %a, due %d %d %a %a", a.relation, a.n,
-               a.hit[0].t, a.hit[1].t, c->relation, c->n, c->t[0], c->t[1]);
+        REPORT("relation %d n %d t %a %a, expected %d %d %a %a", a.relation,
+               a.n, a.hit[0].t, a.hit[1].t, c->relation, c->n, c->t[0],
+               c->t[1]);
     }
 }
 
 /* Radius 1 about the z axis, 0 <= z <= 2. */
-static const due of_a_cylinder[] = {
+static const expected of_a_cylinder[] = {
     {CYLINT_ENDS_INFINITE, {-3, 0, 5}, {1, 0, 0}, CR, 2, {2, 4}, {0, 0}},
     {CYLINT_ENDS_INFINITE, {1, -3, 5}, {0, 1, 0}, TO, 1, {3}, {0}},
     {CYLINT_ENDS_INFINITE, {2, -3, 5}, {0, 1, 0}, NO, 0, {0}, {0}},
@@ -82,7 +85,7 @@ static const due of_a_cylinder[] = {
     {CYLINT_ENDS_CAPPED, {-3, 0, 5}, {1, 0, 0}, NO, 0, {0}, {0}},
     {CYLINT_ENDS_CAPPED, {1, -3, 1}, {0, 1, 0}, TO, 1, {3}, {0}},
     {CYLINT_ENDS_CAPPED, {1, -3, 3}, {0, 1, 0}, NO, 0, {0}, {0}},
-    /* down the axis, down a ruling, and back */
+    /* along the axis and along a ruling, both directions */
     {CYLINT_ENDS_CAPPED, {0.5, 0, 5}, {0, 0, -1}, CR, 2, {3, 5}, {2, 1}},
     {CYLINT_ENDS_CAP0, {0.5, 0, 5}, {0, 0, -1}, CR, 1, {5}, {1}},
     {CYLINT_ENDS_CAP1, {0.5, 0, 5}, {0, 0, -1}, CR, 1, {3}, {2}},
@@ -90,17 +93,17 @@ static const due of_a_cylinder[] = {
     {CYLINT_ENDS_CAPPED, {0, -1, 5}, {0, 0, -1}, AL, 2, {3, 5}, {0, 0}},
     {CYLINT_ENDS_OPEN, {0, -1, -1}, {0, 0, 1}, AL, 2, {1, 3}, {0, 0}},
     {CYLINT_ENDS_CAPPED, {0, -2, 5}, {0, 0, -1}, NO, 0, {0}, {0}},
-    /* in the planes of the caps: a chord, a tangent, beside */
+    /* in the planes of the caps: a chord, a tangent, a miss */
     {CYLINT_ENDS_CAPPED, {-3, 0, 0}, {1, 0, 0}, AL, 2, {2, 4}, {0, 0}},
     {CYLINT_ENDS_CAPPED, {-3, 0, 2}, {1, 0, 0}, AL, 2, {2, 4}, {0, 0}},
     {CYLINT_ENDS_CAPPED, {1, -3, 2}, {0, 1, 0}, TO, 1, {3}, {0}},
     {CYLINT_ENDS_OPEN, {1, -3, 0}, {0, 1, 0}, TO, 1, {3}, {0}},
 };
 
-/* The same case on four times the size: no t changes. */
-static due times_four(const due *c)
+/* The case at four times the size: t does not change. */
+static expected times_four(const expected *c)
 {
-    due scaled = *c;
+    expected scaled = *c;
     for (int i = 0; i < 3; i++) {
         scaled.o[i] *= 4;
         scaled.d[i] *= 4;
@@ -115,21 +118,21 @@ static void cylinder_methods_keep_the_contract(void)
 
     for (const cylint_method *m = cylint_methods(); m->name; m++)
         for (int i = 0; i < n; i++) {
-            const due *c = &of_a_cylinder[i];
-            const due wide = times_four(c);
+            const expected *c = &of_a_cylinder[i];
+            const expected wide = times_four(c);
             cylint_shape shape, wide_shape;
             cylint_cylinder(&shape, p0, p1, 1, (cylint_ends)c->ends);
             cylint_cylinder(&wide_shape, p0, p2, 4, (cylint_ends)c->ends);
-            check_due(&the_library, &shape, c);
+            check_expected(&the_library, &shape, c);
             if (!answers_for(m->name, CYLINT_KIND_CYLINDER, c->ends))
                 continue;
-            check_due(m, &shape, c);
-            check_due(m, &wide_shape, &wide);
+            check_expected(m, &shape, c);
+            check_expected(m, &wide_shape, &wide);
         }
 }
 
 /* Apex at the origin, about the z axis, tangent 3/4; z = 1 at (0, 0, 4). */
-static const due of_a_cone[] = {
+static const expected of_a_cone[] = {
     {CYLINT_ENDS_INFINITE, {-8, 0, 4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
     {CYLINT_ENDS_INFINITE, {-8, 0, -4}, {1, 0, 0}, CR, 2, {5, 11}, {0, 0}},
     {CYLINT_ENDS_INFINITE, {3, 0, 0}, {0, 0, 1}, CR, 2, {-4, 4}, {0, 0}},
@@ -156,22 +159,23 @@ static void cone_methods_keep_the_contract(void)
 
     for (const cylint_method *m = cylint_methods(); m->name; m++)
         for (int i = 0; i < n; i++) {
-            const due *c = &of_a_cone[i];
+            const expected *c = &of_a_cone[i];
             cylint_shape by_angle, by_radii;
             cylint_tangent_cone(&by_angle, v, u, 0.75, (cylint_ends)c->ends);
             cylint_cone(&by_radii, v, 0, u, 3, (cylint_ends)c->ends);
-            check_due(&the_library, &by_angle, c);
-            check_due(&the_library, &by_radii, c);
+            check_expected(&the_library, &by_angle, c);
+            check_expected(&the_library, &by_radii, c);
             if (!answers_for(m->name, CYLINT_KIND_CONE, c->ends))
                 continue;
-            check_due(m, &by_angle, c);
-            check_due(m, &by_radii, c);
+            check_expected(m, &by_angle, c);
+            check_expected(m, &by_radii, c);
         }
 }
 
-/* Parallel to a ruling, along one, and in the tangent plane of one: tangent
- * 1, about the z axis, so that the quadratic's coefficients are exact. */
-static const due of_a_right_angled_cone[] = {
+/* Lines parallel to a ruling, along one, and in the tangent plane of one.  The
+ * cone has the tangent 1 and the z axis, so the quadratic's coefficients are
+ * exact. */
+static const expected of_a_right_angled_cone[] = {
     {CYLINT_ENDS_INFINITE, {0, 0, -1}, {1, 0, 1}, CR, 1, {0.5}, {0}},
     {CYLINT_ENDS_INFINITE, {0, 0, 1}, {1, 0, 1}, CR, 1, {-0.5}, {0}},
     {CYLINT_ENDS_INFINITE, {1, 0, 1}, {1, 0, 1}, AL, 0, {0}, {0}},
@@ -183,7 +187,7 @@ static const due of_a_right_angled_cone[] = {
     {CYLINT_ENDS_CAPPED, {1, 0, 1}, {1, 0, 1}, AL, 2, {-1, 0}, {0, 0}},
 };
 
-static void lines_parallel_to_a_ruling_are_told_apart(void)
+static void lines_parallel_to_a_ruling_have_their_relations(void)
 {
     const double v[3] = {0, 0, 0}, u[3] = {0, 0, 1};
     const cylint_method *m = cylint_methods();
@@ -193,20 +197,20 @@ static void lines_parallel_to_a_ruling_are_told_apart(void)
     while (strcmp(m->name, "quadratic"))
         m++;
     for (int i = 0; i < n; i++) {
-        const due *c = &of_a_right_angled_cone[i];
+        const expected *c = &of_a_right_angled_cone[i];
         cylint_shape by_angle, by_radii;
         cylint_tangent_cone(&by_angle, v, u, 1, (cylint_ends)c->ends);
         cylint_cone(&by_radii, v, 0, u, 1, (cylint_ends)c->ends);
-        check_due(m, &by_angle, c);
-        check_due(m, &by_radii, c);
-        check_due(&the_library, &by_angle, c);
-        check_due(&the_library, &by_radii, c);
+        check_expected(m, &by_angle, c);
+        check_expected(m, &by_radii, c);
+        check_expected(&the_library, &by_angle, c);
+        check_expected(&the_library, &by_radii, c);
     }
 }
 
-/* Through rims by a diagonal, whose unit vector no double holds: only the
- * methods that do not normalise can meet both rims. */
-static const due through_rims[] = {
+/* A diagonal through two rims.  No double represents its unit vector, so only
+ * methods that do not normalise hit both rims. */
+static const expected through_rims[] = {
     {CYLINT_ENDS_CAPPED, {-3, 0, -2}, {1, 0, 1}, CR, 2, {2, 4}, {0, 0}},
     {CYLINT_ENDS_OPEN, {-3, 0, -2}, {1, 0, 1}, CR, 2, {2, 4}, {0, 0}},
     {CYLINT_ENDS_CAPPED, {3, 0, -2}, {-2, 0, 2}, CR, 2, {1, 2}, {0, 0}},
@@ -233,13 +237,13 @@ static void a_point_of_a_rim_counts_once_and_as_lateral(void)
                 m++;
             cylint_cylinder(&shape, p0, p1, 1,
                             (cylint_ends)through_rims[i].ends);
-            check_due(&the_library, &shape, &through_rims[i]);
-            check_due(m, &shape, &through_rims[i]);
+            check_expected(&the_library, &shape, &through_rims[i]);
+            check_expected(m, &shape, &through_rims[i]);
         }
 }
 
-/* Lines aimed at the apex pass it by an ulp or two: whatever the quadratic
- * makes of them, no hit lies on a cap that is not there. */
+/* Lines aimed at the apex miss it by an ulp or two.  Whatever the quadratic
+ * computes, no hit is on the absent cap. */
 static void a_pointed_end_is_never_hit_as_a_cap(void)
 {
     const double apex[3] = {1, 2, 3}, other[3] = {2, 4, 7};
@@ -266,7 +270,7 @@ static void a_pointed_end_is_never_hit_as_a_cap(void)
     CHECK(hits > 500);
 }
 
-static void only_what_is_wanted_is_written(void)
+static void only_wanted_members_are_written(void)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     const double from[3] = {-3, 0, 0.5}, x[3] = {1, 0, 0};
@@ -287,8 +291,7 @@ static void only_what_is_wanted_is_written(void)
     CHECK(!memcmp(&a.hit[1], &before.hit[1], sizeof a.hit[1]));
 }
 
-/* Each member that places a hit is written where it is wanted, and only
- * there, as it is where all are. */
+/* A member wanted alone has the value that it has when all are wanted. */
 static void each_member_is_written_by_itself(void)
 {
     static const unsigned wants[] = {CYLINT_WANT_POINT, CYLINT_WANT_NORMAL,
@@ -339,7 +342,8 @@ static void same_normal(const cylint_shape *shape, const double o[3],
         report_case("quadratic", shape, &line);
 }
 
-/* At the apex of a pointed cone away from it, of a double cone against d. */
+/* At the apex of a pointed cone the normal points away from the solid, at that
+ * of a double cone against d. */
 static void normals_at_an_apex_are_the_librarys(void)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, down[3] = {0, 0, -1};
@@ -357,7 +361,7 @@ static void normals_at_an_apex_are_the_librarys(void)
     same_normal(&shape, above, fall);
 }
 
-/* An angle a little below 0 is 0, not a whole turn. */
+/* An angle slightly below 0 is 0, not one turn. */
 static void an_angle_stays_below_a_turn(void)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, y[3] = {0, 1, 0};
@@ -376,8 +380,8 @@ static void an_angle_stays_below_a_turn(void)
     }
 }
 
-/* Shene's plane touches the cone in a ruling, which the line meets in one
- * point or, parallel to it, not at all. */
+/* Shene's plane is tangent to the cone in a ruling.  The line meets the ruling in
+ * one point, or is parallel to it. */
 static void a_tangent_plane_has_one_ruling(void)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1};
@@ -401,7 +405,7 @@ static void a_tangent_plane_has_one_ruling(void)
         cylint_shene_cone(&narrow, &line, CYLINT_WANT_T, &a);
         misses += a.relation == CYLINT_RELATION_MISS;
     }
-    /* where rounding leaves the plane tangent, and the line in parallel */
+    /* rounding keeps the plane tangent and the line parallel */
     CHECK(touches > 0);
     CHECK(misses > 0);
 }
@@ -414,9 +418,9 @@ int main(void)
     RUN(a_tangent_plane_has_one_ruling);
     RUN(cylinder_methods_keep_the_contract);
     RUN(cone_methods_keep_the_contract);
-    RUN(lines_parallel_to_a_ruling_are_told_apart);
+    RUN(lines_parallel_to_a_ruling_have_their_relations);
     RUN(a_point_of_a_rim_counts_once_and_as_lateral);
     RUN(a_pointed_end_is_never_hit_as_a_cap);
-    RUN(only_what_is_wanted_is_written);
+    RUN(only_wanted_members_are_written);
     return check_end();
 }

@@ -1,9 +1,8 @@
 /*
- * test_properties.c - what must hold of any answer, whatever it is
+ * test_properties.c - floor intersect: properties of answers, without an oracle
  *
- * No reference answers here: the library is compared with itself on input
- * changed in ways that change the answer in a known way.  CYLINT_CASES scales
- * the number of cases a family.
+ * The library is compared with itself on changed input whose answer changes in
+ * a known manner.  CYLINT_CASES is the number of cases of each family.
  */
 #include <float.h>
 #include <math.h>
@@ -16,7 +15,7 @@
 
 enum { CASES = 500 };
 
-static cylint_answer ask(const struct family_case *c)
+static cylint_answer intersect(const struct family_case *c)
 {
     cylint_answer a;
     memset(&a, 0, sizeof a);
@@ -24,7 +23,7 @@ static cylint_answer ask(const struct family_case *c)
     return a;
 }
 
-/* Relation, n, t, part and side of both. */
+/* Compares relation, n, t, part and side. */
 static int same(const cylint_answer *x, const cylint_answer *y)
 {
     int equal =
@@ -39,7 +38,7 @@ static int same(const cylint_answer *x, const cylint_answer *y)
 
 typedef void property(const struct family_case *c);
 
-/* The property on CASES cases of each family. */
+/* Tests the property on CASES cases of each family. */
 static void over_all_families(property *holds)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
@@ -67,7 +66,7 @@ static void parity(const struct family_case *given)
     family_make(&c);
     c.line.tmin = -HUGE_VAL;
     c.line.tmax = HUGE_VAL;
-    const cylint_answer a = ask(&c);
+    const cylint_answer a = intersect(&c);
     const int due = a.relation == CYLINT_RELATION_MISS    ? 0
                     : a.relation == CYLINT_RELATION_TOUCH ? 1
                                                           : 2;
@@ -83,7 +82,7 @@ static void parity(const struct family_case *given)
     }
 }
 
-static void a_capped_shape_never_gives_a_hit_without_its_partner(void)
+static void a_capped_shape_has_an_even_number_of_hits(void)
 {
     over_all_families(parity);
 }
@@ -104,14 +103,14 @@ static void reversed(const struct family_case *given)
     if (c.line_word == FAMILY_SEGMENT) {
         return;
     }
-    const cylint_answer a = ask(given);
+    const cylint_answer a = intersect(given);
     for (int i = 3; i < 6; i++) {
         c.line_data[i] = -c.line_data[i];
     }
     family_make(&c);
     c.line.tmin = -given->line.tmax;
     c.line.tmax = -given->line.tmin;
-    const cylint_answer b = ask(&c);
+    const cylint_answer b = intersect(&c);
     int good = a.relation == b.relation && a.n == b.n;
     for (int i = 0; i < a.n && good; i++) {
         const cylint_hit *x = &a.hit[i], *y = &b.hit[a.n - 1 - i];
@@ -123,13 +122,13 @@ static void reversed(const struct family_case *given)
     }
 }
 
-static void a_reversed_line_is_met_at_minus_t(void)
+static void a_reversed_line_has_hits_at_minus_t(void)
 {
     over_all_families(reversed);
 }
 
 /* A segment's relation and parts do not depend on its order. */
-static void segment_turned(const struct family_case *given)
+static void segment_reversed(const struct family_case *given)
 {
     struct family_case c = *given;
     if (c.line_word != FAMILY_SEGMENT) {
@@ -138,7 +137,7 @@ static void segment_turned(const struct family_case *given)
     memcpy(c.line_data, given->line_data + 3, 3 * sizeof(double));
     memcpy(c.line_data + 3, given->line_data, 3 * sizeof(double));
     family_make(&c);
-    const cylint_answer a = ask(given), b = ask(&c);
+    const cylint_answer a = intersect(given), b = intersect(&c);
     int good = a.relation == b.relation && a.n == b.n;
     for (int i = 0; i < a.n && good; i++) {
         const cylint_hit *x = &a.hit[i], *y = &b.hit[a.n - 1 - i];
@@ -150,20 +149,20 @@ static void segment_turned(const struct family_case *given)
     }
 }
 
-static void a_segment_turned_round_is_met_at_1_minus_t(void)
+static void a_reversed_segment_has_hits_at_1_minus_t(void)
 {
-    over_all_families(segment_turned);
+    over_all_families(segment_reversed);
 }
 
-/* Clipping: the hits of the whole line that lie in the domain.  (Where t
- * rounds to a limit the exact root decides, which only the oracle sees.) */
+/* The hits are those of the whole line that lie in the domain.  Where t rounds
+ * to an end of the domain the exact root decides; only the oracle tests that. */
 static void clipped(const struct family_case *given)
 {
     struct family_case c = *given;
     const double tmin = c.line.tmin, tmax = c.line.tmax;
     c.line.tmin = -HUGE_VAL;
     c.line.tmax = HUGE_VAL;
-    const cylint_answer all = ask(&c), some = ask(given);
+    const cylint_answer all = intersect(&c), some = intersect(given);
     int n = 0, good = all.relation == some.relation;
     for (int i = 0; i < all.n; i++) {
         const double t = all.hit[i].t;
@@ -189,7 +188,7 @@ static void hits_in_a_domain_are_the_lines_hits_within_it(void)
 
 /* ---------------------------------------------- changes of the whole -- */
 
-/* Where a shape's record holds vectors: index of each, up to four. */
+/* The index of each vector in a shape's record, up to four. */
 static int vectors(family_shape word, int at[4])
 {
     static const int where[5][4] = {
@@ -198,8 +197,8 @@ static int vectors(family_shape word, int at[4])
     return word >= FAMILY_ECYLINDER ? 4 : 2;
 }
 
-/* Coordinates go round: (x, y, z) becomes (z, x, y); the signs of x and of y
- * change as asked. */
+/* Rotates the coordinates, (x, y, z) to (z, x, y), `round` times, and changes
+ * the signs of x and y by the bits of `flip`. */
 static void turn3(double v[3], int round, int flip)
 {
     const double x[3] = {v[0], v[1], v[2]};
@@ -219,7 +218,7 @@ static void moved(const struct family_case *given, int round, int flip)
     turn3(c.line_data, round, flip);
     turn3(c.line_data + 3, round, flip);
     family_make(&c);
-    const cylint_answer a = ask(given), b = ask(&c);
+    const cylint_answer a = intersect(given), b = intersect(&c);
     if (!CHECK(same(&a, &b))) {
         REPORT_CASE(given);
     }
@@ -248,7 +247,7 @@ static void coordinates_may_change_sign(void)
     over_all_families(mirrored);
 }
 
-/* x 2^e, if that is exact. */
+/* Multiplies by 2^e; returns whether that is exact. */
 static int scale_exactly(double *x, int n, int e)
 {
     for (int i = 0; i < n; i++) {
@@ -261,7 +260,7 @@ static int scale_exactly(double *x, int n, int e)
     return 1;
 }
 
-/* All lengths times 2^e, and d times 2^f: t times 2^(e - f). */
+/* All lengths times 2^e and d times 2^f give t times 2^(e - f). */
 static void scaled_by(const struct family_case *given, int e, int f)
 {
     struct family_case c = *given;
@@ -280,7 +279,7 @@ static void scaled_by(const struct family_case *given, int e, int f)
         whole.line.tmin = c.line.tmin = -HUGE_VAL;
         whole.line.tmax = c.line.tmax = HUGE_VAL;
     }
-    const cylint_answer a = ask(&whole), b = ask(&c);
+    const cylint_answer a = intersect(&whole), b = intersect(&c);
     int good = a.relation == b.relation && a.n == b.n;
     for (int i = 0; i < a.n && good; i++) {
         const double t = a.hit[i].t, s = ldexp(t, segment ? 0 : e - f);
@@ -304,7 +303,7 @@ static void powers_of_two(const struct family_case *c)
     scaled_by(c, 900, 0);
 }
 
-static void scaling_by_powers_of_two_leaves_the_digits_of_t(void)
+static void scaling_by_powers_of_two_keeps_the_digits_of_t(void)
 {
     over_all_families(powers_of_two);
 }
@@ -325,7 +324,7 @@ static cylint_ends other_ends(cylint_ends ends)
                                       : ends;
 }
 
-/* p0, r0 and p1, r1 change places: cap 0 and cap 1 do. */
+/* Exchanging p0, r0 with p1, r1 exchanges cap 0 with cap 1. */
 static void swapped(const struct family_case *given)
 {
     struct family_case c = *given;
@@ -337,8 +336,8 @@ static void swapped(const struct family_case *given)
     memcpy(c.shape_data + n, given->shape_data, (size_t)n * sizeof(double));
     c.ends = other_ends(c.ends);
     family_make(&c);
-    const cylint_answer a = ask(given);
-    cylint_answer b = ask(&c);
+    const cylint_answer a = intersect(given);
+    cylint_answer b = intersect(&c);
     for (int i = 0; i < b.n; i++) {
         b.hit[i].part = other_cap(b.hit[i].part);
     }
@@ -352,24 +351,24 @@ static void the_ends_may_be_swapped(void)
     over_all_families(swapped);
 }
 
-/* An ellipse's axes change places, or one changes sign. */
+/* Exchanges the semi-axes of an ellipse, or changes the sign of one. */
 static void axes_swapped(const struct family_case *given)
 {
     struct family_case c = *given;
     if (c.shape_word < FAMILY_ECYLINDER) {
         return;
     }
-    const cylint_answer a = ask(given);
+    const cylint_answer a = intersect(given);
     memcpy(c.shape_data + 3, given->shape_data + 6, 3 * sizeof(double));
     memcpy(c.shape_data + 6, given->shape_data + 3, 3 * sizeof(double));
     family_make(&c);
-    const cylint_answer b = ask(&c);
+    const cylint_answer b = intersect(&c);
     if (!CHECK(same(&a, &b))) {
         REPORT_CASE(given);
     }
     turn3(c.shape_data + 6, 0, 7);
     family_make(&c);
-    const cylint_answer d = ask(&c);
+    const cylint_answer d = intersect(&c);
     if (!CHECK(same(&a, &d))) {
         REPORT_CASE(given);
     }
@@ -391,7 +390,7 @@ static void equal_radii(const struct family_case *given)
     memcpy(c.shape_data, data, sizeof data);
     c.shape_word = FAMILY_CONE;
     family_make(&c);
-    const cylint_answer a = ask(given), b = ask(&c);
+    const cylint_answer a = intersect(given), b = intersect(&c);
     if (!CHECK(same(&a, &b))) {
         REPORT_CASE(given);
     }
@@ -412,7 +411,7 @@ static void factor_one(const struct family_case *given)
     c.shape_word = FAMILY_ECONE;
     c.shape_data[12] = 1;
     family_make(&c);
-    const cylint_answer a = ask(given), b = ask(&c);
+    const cylint_answer a = intersect(given), b = intersect(&c);
     if (!CHECK(same(&a, &b))) {
         REPORT_CASE(given);
     }
@@ -423,11 +422,10 @@ static void an_elliptic_cone_with_k_1_is_an_elliptic_cylinder(void)
     over_all_families(factor_one);
 }
 
-/* Along coordinate `up` a circular shape is an elliptic one with the axes
- * (r, 0, 0) and (0, r, 0); k = r1 / r0 is kept a power of two.  `form` picks
- * the two spellings. */
-static void spell(struct family_case *c, int form, int up, double h, double r0,
-                  double r1)
+/* Writes a shape along coordinate `up` in two forms: circular, or elliptic with
+ * the semi-axes (r, 0, 0) and (0, r, 0).  k = r1 / r0 is a power of two. */
+static void write_form(struct family_case *c, int form, int up, double h,
+                       double r0, double r1)
 {
     double *x = c->shape_data;
     double p[3];
@@ -454,14 +452,14 @@ static void circular_as_elliptic(const struct family_case *given)
 {
     static const double factors[] = {0, 0.5, 1, 2};
     struct family_case c = *given;
-    for (int i = 0; i < 3; i++) { /* so that p1 - p0 is h exactly */
+    for (int i = 0; i < 3; i++) { /* p1 - p0 is h exactly */
         c.shape_data[i] = floor(fmod(c.shape_data[i], 64));
     }
     for (int k = 0; k < 4; k++) {
         struct family_case e = c;
-        spell(&c, 0, k % 3, 2, 1.25, 1.25 * factors[k]);
-        spell(&e, 1, k % 3, 2, 1.25, 1.25 * factors[k]);
-        const cylint_answer a = ask(&c), b = ask(&e);
+        write_form(&c, 0, k % 3, 2, 1.25, 1.25 * factors[k]);
+        write_form(&e, 1, k % 3, 2, 1.25, 1.25 * factors[k]);
+        const cylint_answer a = intersect(&c), b = intersect(&e);
         if (!CHECK(same(&a, &b))) {
             REPORT_CASE(&c);
         }
@@ -473,17 +471,17 @@ static void a_circular_shape_is_an_elliptic_one_with_equal_axes(void)
     over_all_families(circular_as_elliptic);
 }
 
-/* Open ends and single caps leave hits out, and change nothing else. */
+/* Open ends and single caps remove hits and change nothing else. */
 static void fewer_caps(const struct family_case *given)
 {
     struct family_case c = *given, capped = *given;
     c.shape.ends = CYLINT_ENDS_CAPPED;
     capped.shape.ends = CYLINT_ENDS_CAPPED;
-    const cylint_answer all = ask(&capped);
+    const cylint_answer all = intersect(&capped);
     for (int ends = CYLINT_ENDS_OPEN; ends <= CYLINT_ENDS_CAP1; ends++) {
         c.ends = (cylint_ends)ends;
         family_make(&c);
-        const cylint_answer some = ask(&c);
+        const cylint_answer some = intersect(&c);
         int n = 0, good = some.relation == all.relation;
         for (int i = 0; i < all.n; i++) {
             const int part = all.hit[i].part;
@@ -501,27 +499,27 @@ static void fewer_caps(const struct family_case *given)
     }
 }
 
-static void missing_caps_only_leave_hits_out(void)
+static void missing_caps_only_remove_hits(void)
 {
     over_all_families(fewer_caps);
 }
 
-/* ------------------------------------------------------- what is asked -- */
+/* -------------------------------------------------------------- wants -- */
 
 static void occluded(const struct family_case *c)
 {
-    const cylint_answer a = ask(c);
+    const cylint_answer a = intersect(c);
     if (!CHECK(cylint_occluded(&c->shape, &c->line) == (a.n > 0))) {
         REPORT_CASE(c);
     }
 }
 
-static void occluded_says_whether_there_is_a_hit(void)
+static void occluded_is_whether_there_is_a_hit(void)
 {
     over_all_families(occluded);
 }
 
-/* Where one member of a hit lies, and which want asks for it. */
+/* The place of each member of a hit, and the want that names it. */
 static const struct {
     unsigned want;
     size_t at, size;
@@ -535,7 +533,8 @@ static const struct {
     {CYLINT_WANT_PHI, offsetof(cylint_hit, phi), sizeof(double)},
 };
 
-/* What is wanted has the bits of the full answer, the rest is untouched. */
+/* Wanted members have the bits of the full answer; the others keep their
+ * bytes. */
 static int as_wanted(const cylint_answer *full, const cylint_answer *some,
                      const cylint_answer *before, unsigned want)
 {
@@ -555,7 +554,7 @@ static int as_wanted(const cylint_answer *full, const cylint_answer *some,
 
 static void masks(const struct family_case *c)
 {
-    const cylint_answer full = ask(c);
+    const cylint_answer full = intersect(c);
     for (unsigned want = 0; want < 2 * CYLINT_WANT_NEAREST; want++) {
         cylint_answer some, before;
         memset(&before, 0x5a, sizeof before);
@@ -570,7 +569,7 @@ static void masks(const struct family_case *c)
     }
 }
 
-static void what_is_not_wanted_is_not_written_and_changes_nothing(void)
+static void unwanted_members_are_not_written_and_change_nothing(void)
 {
     for (int family = 0; family < family_count(); family++) {
         for (uint64_t i = 0; i < CASES / 25; i++) {
@@ -586,7 +585,7 @@ static int minus_zero(double x)
     return x == 0 && signbit(x);
 }
 
-static int tells_minus_zero(const cylint_hit *h)
+static int has_minus_zero(const cylint_hit *h)
 {
     return minus_zero(h->t) || minus_zero(h->z) || minus_zero(h->phi) ||
            minus_zero(h->point[0]) || minus_zero(h->point[1]) ||
@@ -596,11 +595,11 @@ static int tells_minus_zero(const cylint_hit *h)
 
 static void ascending(const struct family_case *c)
 {
-    const cylint_answer a = ask(c);
+    const cylint_answer a = intersect(c);
     CHECK(a.n >= 0 && a.n <= 2);
     for (int i = 0; i < a.n; i++) {
         const cylint_hit *h = &a.hit[i];
-        if (!CHECK(!tells_minus_zero(h))) {
+        if (!CHECK(!has_minus_zero(h))) {
             REPORT_CASE(c);
         }
         if (!isfinite(h->t) || !wholly_finite(&a)) {
@@ -624,21 +623,21 @@ int main(void)
     if (family_count() == 0) {
         return check_skip("no GSL: no families to draw from (make deps)");
     }
-    RUN(a_capped_shape_never_gives_a_hit_without_its_partner);
-    RUN(a_reversed_line_is_met_at_minus_t);
-    RUN(a_segment_turned_round_is_met_at_1_minus_t);
+    RUN(a_capped_shape_has_an_even_number_of_hits);
+    RUN(a_reversed_line_has_hits_at_minus_t);
+    RUN(a_reversed_segment_has_hits_at_1_minus_t);
     RUN(hits_in_a_domain_are_the_lines_hits_within_it);
     RUN(coordinates_may_be_permuted);
     RUN(coordinates_may_change_sign);
-    RUN(scaling_by_powers_of_two_leaves_the_digits_of_t);
+    RUN(scaling_by_powers_of_two_keeps_the_digits_of_t);
     RUN(the_ends_may_be_swapped);
     RUN(an_ellipses_axes_may_be_swapped_or_reversed);
     RUN(a_cone_with_equal_radii_is_a_cylinder);
     RUN(an_elliptic_cone_with_k_1_is_an_elliptic_cylinder);
     RUN(a_circular_shape_is_an_elliptic_one_with_equal_axes);
-    RUN(missing_caps_only_leave_hits_out);
-    RUN(occluded_says_whether_there_is_a_hit);
-    RUN(what_is_not_wanted_is_not_written_and_changes_nothing);
+    RUN(missing_caps_only_remove_hits);
+    RUN(occluded_is_whether_there_is_a_hit);
+    RUN(unwanted_members_are_not_written_and_change_nothing);
     RUN(hits_ascend_within_the_domain);
     return check_end();
 }

@@ -1,13 +1,13 @@
 /*
- * command.c - fuzzes the whole command
+ * command.c - floor command: fuzzes the whole command
  *
- * An input is the arguments in one line, separated by single blanks, then
- * standard input; what follows a line `%%`, if any, is in whatever file is
- * read besides.  The command is run twice: with one worker, reading a file,
- * and with two, reading a pipe a few bytes at a time.  Both must write the
- * same bytes and exit with the same status.  Nothing else is written:
- * Makefile puts our open(), read(), write() and close() in the place of the
- * system's.
+ * An input has the arguments in its first line, separated by single blanks,
+ * then standard input.  Text after a line `%%`, if there is one, is the content
+ * of every other file.  The command runs twice: with one worker that reads a
+ * file, and with two workers that read a pipe a few bytes at a time.  Both must
+ * write the same bytes and exit with the same status.  The Makefile links this
+ * file's open(), read(), write() and close() in place of the system's, so
+ * nothing else is written.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -20,7 +20,7 @@
 
 enum { PIPE_MOST = 1 << 15, ARGUMENTS_MOST = 64 };
 
-/* What the run under way reads and writes. */
+/* The input and output of the current run. */
 static struct {
     const char *input, *file; /* standard input, all other files */
     size_t input_size, file_size;
@@ -37,7 +37,7 @@ int __real_close(int fd);
 
 /* ------------------------------------------------------------ the files -- */
 
-/* A descriptor from which the bytes can be read. */
+/* A descriptor that reads the given bytes. */
 static int readable(const char *bytes, size_t size)
 {
     char name[] = "/tmp/cylint-fuzz-XXXXXX";
@@ -130,7 +130,7 @@ static int run(const char *line, const char *jobs)
     return status;
 }
 
-/* The first `%%` that is a line; NULL if none is. */
+/* The first line `%%`; NULL if there is none. */
 static const char *find_mark(const char *text, const char *end)
 {
     for (const char *p = text; end - p >= 3; p++) {

@@ -1,7 +1,7 @@
 /*
- * fuzz.h - one fuzzed input, and how a property that does not hold is told
+ * fuzz.h - the entry of a fuzz target, and MUST, which reports a failure
  *
- * `make fuzz` links each target to libFuzzer, which invents inputs; without
+ * `make fuzz` links each target to libFuzzer, which generates inputs.  Without
  * it replay.c runs the target on the files of corpus/.
  */
 #ifndef CYLINT_FUZZ_H

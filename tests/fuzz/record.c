@@ -1,8 +1,9 @@
 /*
- * record.c - fuzzes the grammar of a record and the number routines
+ * record.c - floor command: fuzzes the grammar of a record and the numbers
  *
- * The first two bytes say what a record is made of, the rest is its text.
- * Numbers are checked against strtod() and by reading what was written.
+ * The first two bytes set the kinds of a record, the others are its text.
+ * Numbers are compared with strtod(), and with themselves after writing and
+ * reading.
  */
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /*
- * replay.c - runs a fuzz target on files, where there is no fuzzer
+ * replay.c - runs a fuzz target on files, without a fuzzer
  */
 #include "fuzz.h"
 
@@ -11,8 +11,7 @@ static void replay(const char *name)
     MUST(file && data);
     const size_t size = fread(data, 1, MOST, file);
     fclose(file);
-    /* Room that ends where the input does, so that a sanitizer sees whoever
-     * reads on. */
+    /* The memory ends with the input, so a sanitizer detects reading beyond. */
     data = realloc(data, size + (size == 0));
     MUST(data);
     LLVMFuzzerTestOneInput(data, size);

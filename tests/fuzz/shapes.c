@@ -1,9 +1,10 @@
 /*
- * shapes.c - fuzzes the library: bytes become a line and some shapes
+ * shapes.c - floors intersect and batch: fuzzes the library
  *
- * What must hold is exact: the same answer however it is asked for, and
- * under mirrors, rotations of the axes, powers of two and a line's reversal.
- * Built with CYLINT_PARANOID each decision is also taken twice.
+ * The bytes of an input become a line and some shapes.  All functions of the
+ * library must give the same answer, also under mirrors, rotations of the
+ * axes, powers of two and reversal of the line.  A build with CYLINT_PARANOID
+ * also makes each decision twice.
  */
 #include <math.h>
 #include <string.h>
@@ -17,7 +18,7 @@ enum { SHAPES_MOST = 9 };
 
 struct bytes {
     const uint8_t *p, *end;
-    double last[8]; /* numbers, to be taken up again */
+    double last[8]; /* recent numbers, for reuse */
     unsigned count;
 };
 
@@ -48,8 +49,8 @@ static double raw(struct bytes *b)
     return value;
 }
 
-/* Small integers mostly, so that lines touch, graze and run along; else a
- * number from before, perhaps a few units away, a power of two, anything. */
+/* Usually a small integer, so that lines touch, graze and lie along; otherwise a
+ * recent number, perhaps moved by a few ulp, a power of two, or any double. */
 static double draw(struct bytes *b)
 {
     const unsigned kind = next(b);
@@ -81,8 +82,8 @@ static double number(struct bytes *b)
 
 /* ------------------------------------------------- numbers to the library -- */
 
-/* Lengths first, so that they can be scaled: three vectors of a line, of a
- * shape four, and what is a length besides. */
+/* Lengths are kept apart, so that they can be scaled: the vectors of a line, the
+ * four vectors of a shape, and its other lengths. */
 struct given_line {
     int kind;
     double o[3], d[3], tmin, tmax;
@@ -184,7 +185,7 @@ static int same_bits(double a, double b)
 
 static const unsigned verdicts = CYLINT_WANT_T | CYLINT_WANT_PART;
 
-/* Relation, number, parts, sides and t, which is rounded correctly. */
+/* Compares relation, number, parts, sides and t. */
 static void must_agree(const cylint_answer *a, const cylint_answer *b)
 {
     MUST(a->relation == b->relation && a->n == b->n && a->flags == b->flags);
@@ -228,7 +229,7 @@ static void check_answer(const cylint_shape *s, const cylint_line *line,
     }
 }
 
-/* What a hit tells is the same bits when nothing else is wanted. */
+/* A member wanted alone has the bits that it has when all are wanted. */
 static void check_alone(const cylint_shape *s, const cylint_line *line,
                         const cylint_answer *all)
 {
@@ -268,7 +269,7 @@ static void check_wants(const cylint_shape *s, const cylint_line *line,
     }
 }
 
-/* Where the origin is tells something of the line through it. */
+/* The place of the origin bounds the relation of the line. */
 static void check_origin(const cylint_shape *s, const cylint_line *line,
                          const cylint_answer *a)
 {
@@ -287,7 +288,7 @@ static void check_origin(const cylint_shape *s, const cylint_line *line,
 
 /* ------------------------------------------------------- transformations -- */
 
-/* Each takes one vector; returns whether that is exact. */
+/* Transforms a vector; returns whether the result is exact. */
 typedef int transformation(double v[3], int k);
 
 static int scaled(double v[3], int k)
@@ -346,7 +347,7 @@ static void check_transformed(const struct given_shape *shape,
     }
 }
 
-/* The line the other way round has the same hits, last first. */
+/* The reversed line has the same hits in reverse order. */
 static void check_reversed(const cylint_shape *s, const cylint_line *line,
                            const cylint_answer *all)
 {
@@ -444,7 +445,7 @@ static void check_pack(const cylint_pack *pack, const cylint_line *line)
     MUST(cylint_count(pack, line, 1) == (met > 0));
 }
 
-/* The same line a few times over, each with a domain that begins later. */
+/* Several copies of the line, each with a later tmin. */
 static void check_lines(const cylint_shape *s, const cylint_line *line)
 {
     enum { N = 5 };
