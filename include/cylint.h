@@ -1,28 +1,33 @@
 /*
- * cylint - where does a line meet a cylinder or a cone?
+ * cylint - intersections of lines with cylinders and cones
  *
- * Every answer is about the real numbers that the given doubles are: nothing
- * is normalised, nothing is compared with a tolerance.
+ * Each double that the caller gives stands for exactly one real number.  The
+ * answers are exact for these real numbers.  The library normalises no vector
+ * and uses no tolerance.
  *
- * Conventions, once for the whole file:
+ * Conventions of the whole file:
  *
- *   - Space is right-handed; any one unit of length serves.
- *   - A line is o + t d.  t is in multiples of d, which need not be a unit
- *     vector.  A segment's d is the difference of its end points as real
- *     numbers, not rounded.
- *   - A point of a shape has an axial coordinate z: 0 at the base, 1 at the
- *     top, z proportional to the distance from the base plane.
- *   - Making a shape or a line can fail and says why by a status.  Asking
- *     never fails: a shape or line that was refused answers "miss" with the
- *     flag CYLINT_FLAG_INVALID.
- *   - The library allocates nothing, prints nothing, keeps no state but which
- *     kernels it uses, and does not touch errno or the locale.  All functions
- *     may be called from any number of threads; shapes and lines are plain
- *     structs without pointers and may be copied, stored in arrays and sent
- *     through pipes.
- *   - Null pointers are the caller's mistake.
+ *   - Coordinates are right-handed.  All lengths have the same unit, which
+ *     may be any.
+ *   - A line is o + t d.  The parameter t counts multiples of d.  The vector
+ *     d need not have length 1.  The d of a segment is the difference of its
+ *     end points as real numbers; it is not rounded.
+ *   - z is the axial coordinate of a shape: 0 in the plane of the base, 1 in
+ *     the plane of the top, linear in between and beyond.
+ *   - Only the constructors of shapes and lines can fail.  They return a
+ *     status.  Queries never fail: if a constructor refused the shape or the
+ *     line, the relation is "miss" and CYLINT_FLAG_INVALID is set.
+ *   - The library does not allocate memory, does not print, and does not
+ *     change errno, the locale or the floating-point environment.  Its only
+ *     state is the choice of kernels.
+ *   - All functions but cylint_use_kernels() may run in any number of threads
+ *     at once.
+ *   - Shapes and lines are plain structs without pointers.  They may be
+ *     copied, stored in arrays and sent through pipes.
+ *   - Pointers must not be NULL unless a comment below allows it.  The
+ *     library does not check this.
  *
- * Accuracy is stated in cylint(3), section ACCURACY.
+ * cylint(3), section ACCURACY, states the accuracy.
  */
 #ifndef CYLINT_H
 #define CYLINT_H
@@ -32,17 +37,18 @@
 #define CYLINT_VERSION_PATCH 0
 #define CYLINT_VERSION "0.1.0"
 
-/* Ascends with the version: #if CYLINT_VERSION_NUMBER >= 100 means 0.1.0. */
+/* 10000 major + 100 minor + patch.  Later versions have larger numbers.
+ * Example: #if CYLINT_VERSION_NUMBER >= 100 tests for 0.1.0 or later. */
 #define CYLINT_VERSION_NUMBER                                    \
     (CYLINT_VERSION_MAJOR * 10000 + CYLINT_VERSION_MINOR * 100 + \
      CYLINT_VERSION_PATCH)
 
 /*
- * How functions are declared.  A program that links the static library, or
- * compiles the sources as its own, defines CYLINT_STATIC: on Windows it must,
- * because functions are imported from a DLL otherwise; elsewhere functions then
- * have the visibility that the compiler's options say.  The Makefile defines
- * CYLINT_BUILDING for the sources of the libraries.
+ * CYLINT_API declares each function.  Define CYLINT_STATIC in a program that
+ * links the static library or compiles the sources as its own.  On Windows
+ * this is required: otherwise the functions are imported from a DLL.  On other
+ * systems the compiler's options then set the visibility of the functions.
+ * The Makefile defines CYLINT_BUILDING when it compiles the libraries.
  */
 #if defined(CYLINT_STATIC)
 #define CYLINT_API
@@ -65,9 +71,11 @@ extern "C" {
 /* ------------------------------------------------------------ version -- */
 
 /*
- * CYLINT_VERSION and CYLINT_VERSION_NUMBER of the library that runs, which may
- * be another than the one this header is of; and the sizes in bytes of its
- * structs, for callers that load it at run time and have no header.
+ * cylint_version() and cylint_version_number() return CYLINT_VERSION and
+ * CYLINT_VERSION_NUMBER of the library that runs.  They can differ from those
+ * of this header.  The other functions return the size in bytes of each
+ * struct of that library, for programs that load it at run time and do not
+ * compile this header.
  */
 CYLINT_API const char *cylint_version(void);
 CYLINT_API int cylint_version_number(void);
@@ -81,96 +89,108 @@ CYLINT_API size_t cylint_sizeof_pack(void);
 
 typedef enum cylint_status {
     CYLINT_OK = 0,
-    CYLINT_ENONFINITE,  /* a coordinate, radius or factor is not finite */
-    CYLINT_EAXIS,       /* the axis (or the height vector) has no length */
+    CYLINT_ENONFINITE,  /* a coordinate, radius, factor, angle or tangent is
+                           infinite or NaN */
+    CYLINT_EAXIS,       /* the axis (or the height vector) has length 0 */
     CYLINT_EDEGENERATE, /* the vectors a, b, h are linearly dependent */
     CYLINT_ERADIUS,     /* a radius is negative, or all radii are zero */
-    CYLINT_EANGLE,      /* a half angle outside the open range (0, 90), or
-                           so small that its tangent rounds to 0 */
-    CYLINT_EENDS,       /* not a value of cylint_ends */
-    CYLINT_EDIRECTION,  /* a direction, or a segment, of no length */
-    CYLINT_EDOMAIN,     /* tmin > tmax, or one of them is not a number */
-    CYLINT_EMETHOD      /* a published method does not answer for this */
+    CYLINT_EANGLE,      /* the half angle is not in the open interval (0, 90)
+                           degrees, or its tangent rounds to 0 */
+    CYLINT_EENDS,       /* `ends` is not a value of cylint_ends */
+    CYLINT_EDIRECTION,  /* the direction or the segment has length 0 */
+    CYLINT_EDOMAIN,     /* tmin > tmax, or one of them is NaN */
+    CYLINT_EMETHOD      /* a published method does not support the shape or
+                           its ends (cylint_methods.h only) */
 } cylint_status;
 
-/* A short English text for a status, static, lower case, no full stop. */
+/* Returns a short English text for a status.  The text is static, in lower
+ * case, without a full stop.  An unknown status gives "unknown status". */
 CYLINT_API const char *cylint_strerror(int status);
 
 /* -------------------------------------------------------------- shapes -- */
 
-/* How a shape ends.  The first four bound it by the planes z = 0 and z = 1
- * and differ only in which of the two caps can be hit: the relation is
- * always that of the line to the closed solid. */
+/* The ends of a shape.  With the first four the planes z = 0 and z = 1 bound
+ * the solid.  These four differ only in the caps that a line can hit.  The
+ * relation is always the one to the closed solid, with both caps. */
 typedef enum cylint_ends {
     CYLINT_ENDS_CAPPED = 0, /* both caps: a closed solid */
     CYLINT_ENDS_OPEN,       /* no caps: a tube */
     CYLINT_ENDS_CAP0,       /* the cap at z = 0 only */
     CYLINT_ENDS_CAP1,       /* the cap at z = 1 only */
     CYLINT_ENDS_INFINITE,   /* unbounded: whole cylinder, double cone */
-    CYLINT_ENDS_NAPPE /* the unbounded nappe that holds the base, or, where
-                          the base is the apex, the one that holds the top;
-                          a cylinder has one nappe, all of itself */
+    CYLINT_ENDS_NAPPE /* the unbounded nappe that contains the base.  If the
+                          base is the apex: the nappe that contains the top.
+                          The nappe of a cylinder is the whole cylinder */
 } cylint_ends;
 
 typedef enum cylint_kind {
-    CYLINT_KIND_NONE = 0,  /* what a refused shape is */
+    CYLINT_KIND_NONE = 0,  /* refused by its constructor */
     CYLINT_KIND_CYLINDER,  /* circular, constant radius */
-    CYLINT_KIND_CONE,      /* circular, radius linear in z: frustum or cone */
-    CYLINT_KIND_ACONE,     /* circular cone by apex, axis and half angle */
-    CYLINT_KIND_ECYLINDER, /* elliptic, possibly oblique, constant section */
-    CYLINT_KIND_ECONE      /* elliptic, section scaled linearly in z */
+    CYLINT_KIND_CONE,      /* circular, radius linear in z */
+    CYLINT_KIND_ACONE,     /* circular, from apex, axis and half angle */
+    CYLINT_KIND_ECYLINDER, /* elliptic, oblique allowed, constant section */
+    CYLINT_KIND_ECONE      /* elliptic, size of the section linear in z */
 } cylint_kind;
 
 /*
- * A prepared shape.  Made by one of the constructors below; its members are
- * for the library.  Of use to a reader: kind and ends.
+ * A shape, written by one of the constructors below.  Programs may read kind
+ * and ends.  The other members are for the library.
  */
 typedef struct cylint_shape {
-    int kind;               /* cylint_kind */
-    int ends;               /* cylint_ends */
-    double base[3];         /* p0, c, or the apex v */
-    double axis[3];         /* p1 - p0, h, or u: the nearest doubles ... */
-    double r0, r1;          /* radii at z = 0, 1; elliptic: 1, k; acone:
-                              0 and the tangent of the half angle */
-    double dr, dr_lo;       /* r1 - r0 exactly, as a pair; acone: the tangent */
-    double axis_lo[3];      /* ... and what they miss: axis + axis_lo is
-                              p1 - p0 exactly, unless that overflows */
-    double top[3];          /* p1; cylinder and cone only */
-    double a[3], b[3];      /* elliptic kinds: conjugate semi-axes */
+    int kind;          /* cylint_kind */
+    int ends;          /* cylint_ends */
+    double base[3];    /* p0, c, or the apex v */
+    double axis[3];    /* p1 - p0, h, or u: the nearest doubles */
+    double r0, r1;     /* radii at z = 0, 1; elliptic: 1, k; acone:
+                          0 and the tangent of the half angle */
+    double dr, dr_lo;  /* dr + dr_lo = r1 - r0 exactly; acone: the tangent */
+    double axis_lo[3]; /* the rest: axis + axis_lo = p1 - p0 exactly,
+                          unless p1 - p0 overflows */
+    double top[3];     /* p1; cylinder and cone only */
+    double a[3], b[3]; /* elliptic kinds: conjugate semi-axes */
     double center[3], ball; /* a ball that holds the solid; infinite: none */
-    double size;            /* the largest component of axis */
+    double size;            /* max of axis[i] in absolute value */
     int ordinary;           /* 1: doubles neither over- nor underflow */
     int flip;               /* elliptic: 1 where a.(b x h) < 0 */
 } cylint_shape;
 
 /*
- * Constructors.  Each fills *shape and returns CYLINT_OK, or returns what is
- * wrong and leaves a shape that every query answers with "miss".  Any finite
- * doubles will do, subnormal and huge ones included.  Of several faults the
- * first in this order is returned: ENONFINITE, ERADIUS or EANGLE, EAXIS, EENDS,
- * EDEGENERATE.
+ * Constructors.  Each one writes *shape and returns CYLINT_OK.  If an
+ * argument is wrong, it returns another status and writes a refused shape,
+ * which no line hits.  All finite doubles are allowed, including subnormal and
+ * huge ones.  If several arguments are wrong, the status is the first of
+ * these: ENONFINITE, ERADIUS or EANGLE, EAXIS, EENDS, EDEGENERATE.
  *
- * cylint_cylinder   the points within r of the axis from p0 to p1.
- *                   EAXIS: p0 = p1.  ERADIUS: not r > 0.
- * cylint_cone       the points within r0 + (r1 - r0) z of the axis from p0
- *                   to p1; r0 = 0 or r1 = 0 gives a pointed cone, r0 = r1 a
- *                   cylinder.  ERADIUS: a radius < 0, or both 0.
+ * cylint_cylinder   All points at most r from the axis.  The axis runs from
+ *                   p0 (z = 0) to p1 (z = 1).
+ *                   EAXIS: p0 = p1.  ERADIUS: r <= 0.
+ * cylint_cone       All points at most r0 + (r1 - r0) z from the axis p0 p1:
+ *                   a frustum.  If one radius is 0, the cone has its apex
+ *                   there.  If r0 = r1, the shape is a cylinder.
+ *                   EAXIS: p0 = p1.  ERADIUS: a radius < 0, or both are 0.
  * cylint_elliptic_cylinder
- *                   c + x a + y b + z h with x^2 + y^2 <= 1.  a, b, h: any
- *                   three independent vectors, oblique ones included.
- *                   EDEGENERATE: a.(b x h) = 0, decided exactly.
+ *                   All points c + x a + y b + z h with x^2 + y^2 <= 1.  The
+ *                   vectors a, b, h must be linearly independent.  They need
+ *                   not be perpendicular.
+ *                   EAXIS: h = 0.  EDEGENERATE: a.(b x h) = 0, an exact test.
  * cylint_elliptic_cone
- *                   the same with x^2 + y^2 <= (1 + (k-1) z)^2; k >= 0
- *                   scales the top, k = 1 gives an elliptic cylinder, k = 0
- *                   an elliptic cone with its apex at c + h.
- * cylint_angle_cone the double cone with apex v about the line through v
- *                   along u whose rulings make `degrees` with the axis,
- *                   0 < degrees < 90.  Stored by the nearest double to the
- *                   tangent.  EANGLE: not in that range, or at most
- *                   1.4e-322, where that double is 0.  z = 0 at v, z = 1 at v + u; the nappe and the
- *                   bounded shapes are on the side u points into.
+ *                   All points c + x a + y b + z h with
+ *                   x^2 + y^2 <= (1 + (k-1) z)^2.  The factor k >= 0 scales
+ *                   the top: k = 1 gives an elliptic cylinder, k = 0 a cone
+ *                   with its apex at c + h.
+ *                   ERADIUS: k < 0.  EAXIS, EDEGENERATE: as before.
+ * cylint_angle_cone The double cone with apex v and the axis v + s u, all
+ *                   real s.  The angle between its rulings and its axis is
+ *                   `degrees`, 0 < degrees < 90.  The shape stores the double
+ *                   nearest to the tangent of that angle.  z = 0 at v, z = 1
+ *                   at v + u.  The nappe, and the bounded shapes, contain
+ *                   v + u.
+ *                   EANGLE: degrees is not in that interval, or is at most
+ *                   1.4e-322, because the tangent then rounds to 0.
+ *                   EAXIS: u = 0.
  * cylint_tangent_cone
- *                   the same from the tangent itself, which is then exact.
+ *                   The same shape, from the tangent of the half angle, which
+ *                   is stored without rounding.  EANGLE: tangent <= 0.
  */
 CYLINT_API cylint_status cylint_cylinder(cylint_shape *shape,
                                          const double p0[3], const double p1[3],
@@ -194,27 +214,36 @@ CYLINT_API cylint_status cylint_tangent_cone(cylint_shape *shape,
 
 /* --------------------------------------------------------------- lines -- */
 
-/* A line with its domain [tmin, tmax], which infinities may bound. */
+/* A line o + t d with its domain tmin <= t <= tmax.  tmin and tmax may be
+ * infinite.  Written by one of the constructors below. */
 typedef struct cylint_line {
     double o[3];
-    double d[3];    /* the direction: the nearest doubles ... */
-    double d_lo[3]; /* ... and what they miss: d + d_lo is b - a exactly,
-                       unless that overflows; 0 unless a segment */
-    double end[3];  /* a segment's b */
+    double d[3];    /* the direction: the nearest doubles */
+    double d_lo[3]; /* segments: d + d_lo = b - a exactly, unless b - a
+                       overflows; other lines: 0 */
+    double end[3];  /* segments: b */
     double tmin, tmax;
-    double size;  /* the largest component of d */
+    double size;  /* max of d[i] in absolute value */
     int ordinary; /* 1: doubles neither over- nor underflow */
     int segment;  /* 1: the direction is end - o */
-    int valid;    /* 0: refused, answers "miss" */
+    int valid;    /* 0: refused by its constructor */
 } cylint_line;
 
 /*
- * cylint_whole_line all t.            cylint_ray      t >= 0.
- * cylint_segment    from a to b: o = a, d = b - a exactly, 0 <= t <= 1.
- * cylint_span       tmin <= t <= tmax; either may be infinite.
+ * Constructors.  Each one writes *line and returns CYLINT_OK.  If an argument
+ * is wrong, it returns another status and writes a refused line, which hits
+ * nothing.
  *
- * Of several faults the first in this order is returned: ENONFINITE,
- * EDIRECTION, EDOMAIN.
+ * cylint_whole_line  All real t.
+ * cylint_ray         t >= 0.
+ * cylint_segment     From a to b: o = a, d = b - a exactly, 0 <= t <= 1.
+ *                    EDIRECTION: a = b.
+ * cylint_span        tmin <= t <= tmax.  Both may be infinite.
+ *                    EDOMAIN: tmin > tmax, or one of them is NaN.
+ *
+ * For all: ENONFINITE if a coordinate is infinite or NaN; EDIRECTION if d = 0.
+ * If several arguments are wrong, the status is the first of these:
+ * ENONFINITE, EDIRECTION, EDOMAIN.
  */
 CYLINT_API cylint_status cylint_whole_line(cylint_line *line, const double o[3],
                                            const double d[3]);
@@ -228,30 +257,32 @@ CYLINT_API cylint_status cylint_span(cylint_line *line, const double o[3],
 
 /* ------------------------------------------------------------- queries -- */
 
-/* The whole line against the closed solid, whatever domain and caps. */
+/* How the whole line, t from -infinity to infinity, lies to the closed solid.
+ * The domain of the line and the missing caps make no difference. */
 typedef enum cylint_relation {
     CYLINT_RELATION_MISS = 0, /* no common point */
-    CYLINT_RELATION_TOUCH,    /* one common point, not interior */
-    CYLINT_RELATION_ALONG,    /* a piece of the boundary longer than a point: a
-                        ruling, or a chord in a cap's plane */
-    CYLINT_RELATION_CROSS     /* a point of the interior is met */
+    CYLINT_RELATION_TOUCH,    /* one common point, on the boundary */
+    CYLINT_RELATION_ALONG,    /* more than one common point, all on the
+                        boundary: on a ruling, or in the plane of a cap */
+    CYLINT_RELATION_CROSS     /* a common point in the interior */
 } cylint_relation;
 
 typedef enum cylint_part {
-    CYLINT_PART_LATERAL = 0, /* the lateral surface, rims and apex included */
+    CYLINT_PART_LATERAL = 0, /* the lateral surface with its rims and apex */
     CYLINT_PART_CAP0,
     CYLINT_PART_CAP1
 } cylint_part;
 
 typedef enum cylint_side {
-    CYLINT_SIDE_ENTERING = 0, /* the overlap of line and solid begins */
-    CYLINT_SIDE_LEAVING,      /* the overlap ends */
-    CYLINT_SIDE_BOTH          /* both at once: a touch, or the apex of a double
-                            cone met from within */
+    CYLINT_SIDE_ENTERING = 0, /* the line enters the solid as t grows */
+    CYLINT_SIDE_LEAVING,      /* the line leaves the solid as t grows */
+    CYLINT_SIDE_BOTH          /* both: a touch, or the line passes through the
+                            apex from one nappe to the other */
 } cylint_side;
 
-/* What to compute.  What is not wanted is not computed and not written;
- * relation and n always are.  NEAREST asks for the first hit only. */
+/* The members that a query computes: a sum of these.  The relation and n are
+ * always written.  Members that are not wanted are neither computed nor
+ * written. */
 enum {
     CYLINT_WANT_T = 1 << 0,
     CYLINT_WANT_PART = 1 << 1, /* part and side */
@@ -259,133 +290,150 @@ enum {
     CYLINT_WANT_NORMAL = 1 << 3,
     CYLINT_WANT_Z = 1 << 4,
     CYLINT_WANT_PHI = 1 << 5,
-    CYLINT_WANT_NEAREST = 1 << 6, /* n is 0 or 1: the hit with the least t */
-    CYLINT_WANT_FAST = 1 << 7,    /* t in doubles: within 2^-34 of the larger
-                                     of |t| and the base's distance from o in
-                                     multiples of d; a few ulp as a rule */
-    CYLINT_WANT_COUNT = 0,        /* relation and number only */
+    CYLINT_WANT_NEAREST = 1
+                          << 6, /* only the hit with the least t: n is 0 or 1 */
+    CYLINT_WANT_FAST = 1 << 7,  /* t may be less accurate.  Error bound:
+                                     2^-34 times the larger of |t| and the
+                                     distance from o to the base in multiples
+                                     of |d|; a few ulp in most cases */
+    CYLINT_WANT_COUNT = 0,      /* relation and n only */
     CYLINT_WANT_ALL = (1 << 6) - 1
 };
 
-enum { CYLINT_FLAG_INVALID = 1 }; /* a refused line or shape was asked */
+enum { CYLINT_FLAG_INVALID = 1 }; /* the line or the shape was refused */
 
 typedef struct cylint_hit {
     double t;
     double point[3];  /* o + t d */
-    double normal[3]; /* outward unit normal: of the cap on a cap, of the
-                         lateral surface elsewhere, rims included; at an
-                         apex along the axis, away from the solid; at the
-                         apex of a double cone along the axis, against d
-                         (perpendicular to d: towards the base, or, where
-                         that is the apex itself, against the axis) */
+    double normal[3]; /* outward unit normal.  On a cap: of the cap.  On the
+                         lateral surface and the rims: of the lateral
+                         surface.  At an apex: along the axis, away from
+                         the solid.  At the apex of a double cone: along
+                         the axis, its scalar product with d negative; if d
+                         is perpendicular to the axis, towards the base,
+                         or, if the base is the apex, opposite to the
+                         axis */
     double z;         /* axial coordinate: 0 at the base, 1 at the top */
-    double phi;       /* angle about the axis over 2 pi, in [0, 1): one that
-                         rounds to 1 is given as 0.
-                         Elliptic kinds: from a towards b.  Circular kinds:
-                         from e x axis, turning right-handed about the axis,
-                         e being the coordinate direction in which the axis
-                         has its smallest component in size (the first such).
-                         0 on the axis. */
+    double phi;       /* angle about the axis divided by 2 pi, in [0, 1).
+                         A value that rounds to 1 is returned as 0; on the
+                         axis phi is 0.
+                         Elliptic kinds: 0 along a, 1/4 along b.
+                         Circular kinds: 0 along e x axis, right-handed
+                         about the axis.  e is the coordinate direction
+                         along which the axis has its component of least
+                         size; of equal ones the first. */
     int part;         /* cylint_part */
     int side;         /* cylint_side */
 } cylint_hit;
 
 typedef struct cylint_answer {
     int relation;      /* cylint_relation, of the whole line */
-    int n;             /* hits in the domain on parts that are present */
+    int n;             /* number of hits: 0, 1 or 2 */
     int flags;         /* CYLINT_FLAG_... */
-    cylint_hit hit[2]; /* the first n are written, t ascending */
+    cylint_hit hit[2]; /* hit[0] to hit[n-1] are written, t ascending */
 } cylint_answer;
 
 /*
- * cylint_intersect - where a line meets a shape
+ * cylint_intersect - intersects one line with one shape
  *
- * Writes *answer and returns its n.  Hits are the points where line and
- * solid begin and stop to overlap, so there are at most two, and of a capped
- * shape an unbounded line never meets just one, but for a touch.  A hit is
- * kept if it lies on a part that is present and in the line's domain, ends
- * included.  A point of a rim counts once and as lateral.
+ * Writes *answer and returns answer->n, the number of hits.
  *
- *   down an open tube           cross, no hit
- *   along a ruling, bounded     along, hits on the two rims
- *   along a ruling, unbounded   along, no hit (a nappe: its apex)
- *   in a cap's plane            along, hits on the rim; touch at one point
- *   through the apex of a       inside: cross, one hit; outside: touch;
- *   double cone                 on it: along, no hit
+ * The hits are the points where the overlap of the line and the solid begins
+ * and ends, so there are at most two.  The answer contains a hit if it lies
+ * on a part that is present and tmin <= t <= tmax.  A whole line has 0 or 2
+ * hits with a capped shape, and 1 if it touches it.  A point of a rim is one
+ * hit, on the lateral surface.
  *
- * Relation, n, part and side are exact; t is the double nearest to the root
- * (ties to even, beyond the largest double: infinite, zero: never -0).  Each
- * component of point and normal, z and phi are within 4 units in their own last
- * place of their values at the root; what is 0 is 0, never -0.  They are
- * functions of line, shape and root: the same bits whatever else is wanted, with
- * CYLINT_WANT_FAST too, and from every function (rounding to nearest; phi as far
- * as atan2() is the same).
+ * Degenerate cases of a whole line:
+ *
+ *   inside an open tube, parallel    cross, no hit
+ *     to the axis
+ *   on a ruling, bounded shape       along, a hit on each rim
+ *   on a ruling, unbounded shape     along, no hit; a nappe: one, the apex
+ *   in the plane of a cap            along, two hits on the rim; or touch
+ *   through the apex of a double     inside the cone: cross, one hit;
+ *     cone                           outside: touch; on it: along, no hit
+ *
+ * `want` is a sum of CYLINT_WANT_ values.
+ *
+ * Accuracy.  Relation, n, part and side are exact.  t is the double nearest to
+ * the root: ties to even; infinite if the root is beyond the largest double;
+ * 0 is never -0.  Point, normal, z and phi are computed from the root, not from
+ * the rounded t, also with CYLINT_WANT_FAST.  Each component is within 4 units
+ * in its own last place.  A component that is 0 is returned as 0, never as -0.
+ * In rounding to nearest their bits do not depend on the other members wanted
+ * or on the function that returns them; the bits of phi depend on atan2() of
+ * the C library.
  */
 CYLINT_API int cylint_intersect(const cylint_shape *shape,
                                 const cylint_line *line, unsigned want,
                                 cylint_answer *answer);
 
-/* 1 if the line meets a present part of the shape within its domain. */
+/* Returns 1 if cylint_intersect() finds a hit, else 0.  Exact. */
 CYLINT_API int cylint_occluded(const cylint_shape *shape,
                                const cylint_line *line);
 
-/* +1 inside the solid, 0 on its boundary, -1 outside; exact.  A refused
- * shape, or a point that is not finite: -1. */
+/* Returns 1 if the point is inside the solid, 0 if it is on the boundary, -1
+ * if it is outside.  Exact.  Returns -1 for a refused shape and for a point
+ * with an infinite or NaN coordinate. */
 CYLINT_API int cylint_contains(const cylint_shape *shape,
                                const double point[3]);
 
-/* The least axis-parallel box that holds the solid, each side rounded
- * outward by at most 5 units in the last place, or, where coordinate and
- * reach nearly cancel, by 2^-95 of them; +-HUGE_VAL where it is unbounded.
- * A refused shape: lo = +HUGE_VAL, hi = -HUGE_VAL. */
+/* Writes the least box parallel to the coordinate axes that contains the
+ * solid.  Each side is rounded outward, by at most 5 units in the last place.
+ * Where the centre and the reach of a disc nearly cancel, by at most 2^-95 of
+ * them.  A side is -HUGE_VAL or HUGE_VAL where the solid is unbounded.  A
+ * refused shape gives lo = HUGE_VAL, hi = -HUGE_VAL. */
 CYLINT_API void cylint_bounds(const cylint_shape *shape, double lo[3],
                               double hi[3]);
 
-/* What cylint_selftest finds.  BROKEN: answers are not to be relied on. */
+/* The faults that cylint_selftest() reports.  If one of the bits of
+ * CYLINT_SELFTEST_BROKEN is set, the library's answers can be wrong. */
 enum {
-    CYLINT_SELFTEST_FORMAT = 1 << 0,     /* a double is not IEEE 754's, or not
-                                            in the byte order of integers */
-    CYLINT_SELFTEST_CONTRACTED = 1 << 1, /* a * b + c was rounded once: build
-                                            with -ffp-contract=off */
-    CYLINT_SELFTEST_UNROUNDED = 1 << 2,  /* excess digits, regrouped sums, or
-                                            a quotient or root that is not
-                                            the nearest double */
+    CYLINT_SELFTEST_FORMAT = 1 << 0, /* double is not binary64 of IEEE 754, or
+                                            its byte order is not that of
+                                            integers */
+    CYLINT_SELFTEST_CONTRACTED = 1 << 1, /* a * b + c is rounded only once:
+                                            compile with -ffp-contract=off */
+    CYLINT_SELFTEST_UNROUNDED = 1 << 2,  /* excess precision, reordered sums,
+                                            or a quotient or square root that
+                                            is not correctly rounded */
     CYLINT_SELFTEST_FLUSHED = 1 << 3,    /* subnormal results become 0 */
-    CYLINT_SELFTEST_ZEROED = 1 << 4,     /* subnormal operands count as 0 */
+    CYLINT_SELFTEST_ZEROED = 1 << 4,     /* subnormal operands are read as 0 */
     CYLINT_SELFTEST_DIRECTED = 1 << 5,   /* rounding is not to nearest even */
     CYLINT_SELFTEST_BROKEN = (1 << 3) - 1
 };
 
-/* How this build computes in the calling thread's floating-point environment
- * as it is now: 0, or some of the above.  FLUSHED, ZEROED and DIRECTED are
- * the caller's choice and leave every relation, n, part, side and t as it
- * is.  No function of this library changes the environment. */
+/* Tests this build of the library in the present floating-point environment
+ * of the calling thread.  Returns 0 or a sum of the values above.  The caller
+ * may choose FLUSHED, ZEROED and DIRECTED: relation, n, part, side and t stay
+ * the same. */
 CYLINT_API int cylint_selftest(void);
 
 /* ------------------------------------------------------------- batches -- */
 
 /*
- * Many shapes, prepared: what does not depend on a line is computed once and
- * laid out for the widest vectors of the processor.  The caller gives the
- * memory, cylint_pack_bytes(n) bytes at any address, and keeps it there, and
- * the shapes, which are read again where doubles cannot decide, as long as the
- * pack is used.  Shapes are known by their numbers, 0 to n - 1.  A pack is
- * only read by queries: any number of threads may share it.
+ * A pack: n shapes, arranged for SIMD.  cylint_pack_shapes() computes what
+ * does not depend on a line and writes it to `memory`, which has
+ * cylint_pack_bytes(n) bytes at any address.  Queries read `memory` and also
+ * `shapes`.  The caller must not move or change either of them while the pack
+ * is in use.  The shapes have the numbers 0 to n - 1.  No line hits a refused
+ * shape.  Queries do not write to a pack: any number of threads may share it.
  */
 typedef struct cylint_pack {
     size_t n;
     const cylint_shape *shapes;
-    void *memory; /* as it was given */
+    void *memory; /* the pointer that the caller gave */
 } cylint_pack;
 
 CYLINT_API size_t cylint_pack_bytes(size_t n);
 CYLINT_API void cylint_pack_shapes(cylint_pack *pack, void *memory,
                                    const cylint_shape *shapes, size_t n);
 
-/* Many lines, one array per coordinate, n long, at any address.  tmin and
- * tmax may be NULL: then all are 0, and all infinite.  A line that is not
- * finite, has no length, or whose tmin <= tmax does not hold is invalid: it
- * answers "miss". */
+/* n lines o + t d: one array of n doubles for each coordinate, at any address.
+ * tmin = NULL: all tmin are 0.  tmax = NULL: all tmax are infinite.  A line is
+ * invalid if a coordinate is infinite or NaN, if d = 0, or if tmin <= tmax is
+ * false.  Its relation is "miss". */
 typedef struct cylint_lines {
     size_t n;
     const double *o[3], *d[3];
@@ -393,10 +441,9 @@ typedef struct cylint_lines {
 } cylint_lines;
 
 /*
- * Where the answers go: one array per member, as long as there are answers,
- * apart from all inputs; NULL for what is not wanted, which then costs
- * nothing.  Of an answer with fewer than two hits, t and part of the missing
- * ones are NaN and -1.
+ * The arrays for the answers, one element for each answer.  They must not
+ * overlap the input.  A member that is NULL is neither computed nor written.
+ * If there is no first or second hit, its t is NaN and its part is -1.
  */
 typedef struct cylint_columns {
     signed char *relation; /* cylint_relation */
@@ -405,39 +452,51 @@ typedef struct cylint_columns {
     signed char *part0, *part1; /* cylint_part */
 } cylint_columns;
 
-/* The answers are those of cylint_intersect(), bit for bit, whatever the
- * processor, the number of shapes or lines and their addresses. */
+/* All batch functions return the same bits as cylint_intersect(), on every
+ * processor, for every number of lines and shapes, at every address. */
 
-/* One line against all shapes; answers in the order of the shapes. */
+/* Intersects one line with each shape.  Answer i is that of shape i. */
 CYLINT_API void cylint_intersect_shapes(const cylint_pack *pack,
                                         const cylint_line *line,
                                         const cylint_columns *answers);
 
-/* All lines against one shape; answers in the order of the lines. */
+/* Intersects each line with one shape.  Answer i is that of line i. */
 CYLINT_API void cylint_intersect_lines(const cylint_shape *shape,
                                        const cylint_lines *lines,
                                        const cylint_columns *answers);
 
-/* Line i against shape i, for as many as there are shapes. */
+/* Intersects line i with shape i, for 0 <= i < pack->n.  There must be at least
+ * pack->n lines. */
 CYLINT_API void cylint_intersect_pairs(const cylint_pack *pack,
                                        const cylint_lines *lines,
                                        const cylint_columns *answers);
 
-/* The number of the shape that the line meets first, its hit in *hit as far
- * as wanted; the pack's n if it meets none.  Of equal t the lower number. */
+/* Returns the number of the shape with the first hit, that of least t.  Of
+ * hits with equal t it chooses the shape with the lowest number.  Writes the
+ * wanted members of the hit to *hit.  If no shape is hit, it returns pack->n
+ * and writes nothing. */
 CYLINT_API size_t cylint_nearest(const cylint_pack *pack,
                                  const cylint_line *line, unsigned want,
                                  cylint_hit *hit);
 
-/* The number of shapes that the line meets; at most `enough`, where that is
- * not 0: with 1, whether it meets any. */
+/* Returns the number of shapes that the line hits.  If `enough` is not 0, it
+ * stops counting at `enough`: with 1 it returns whether any shape is hit. */
 CYLINT_API size_t cylint_count(const cylint_pack *pack, const cylint_line *line,
                                size_t enough);
 
-/* The kernels in use, and those this processor can run, best first, by
- * number from 0; NULL after the last.  cylint_use_kernels() chooses, for
- * tests and measurements, and says whether there are such; NULL: the best.
- * Not to be called while queries run. */
+/*
+ * The kernels are compiled for several instruction sets.  The library chooses
+ * the best that the processor runs.  The answers are the same for all.
+ *
+ * cylint_kernels_in_use()  returns the name of the kernels in use.
+ * cylint_kernels_name()    returns the names of those that this processor
+ *                          runs, best first, numbered from 0.  Other numbers
+ *                          give NULL.
+ * cylint_use_kernels()     chooses kernels by name, NULL for the best, and
+ *                          returns 1.  Returns 0 and changes nothing if the
+ *                          processor runs none of that name.  Do not call it
+ *                          while queries run.
+ */
 CYLINT_API const char *cylint_kernels_in_use(void);
 CYLINT_API const char *cylint_kernels_name(int number);
 CYLINT_API int cylint_use_kernels(const char *name);
