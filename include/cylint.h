@@ -44,7 +44,7 @@
      CYLINT_VERSION_PATCH)
 
 /*
- * CYLINT_API declares each function.  Define CYLINT_STATIC in a program that
+ * The linkage of the functions.  Define CYLINT_STATIC in a program that
  * links the static library or compiles the sources as its own.  On Windows
  * this is required: otherwise the functions are imported from a DLL.  On other
  * systems the compiler's options then set the visibility of the functions.
