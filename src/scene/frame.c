@@ -1,5 +1,5 @@
 /*
- * frame.c - lines of doubles in a scene's own coordinates
+ * frame.c - the coordinates of a scene's hierarchy
  */
 #include <stdint.h>
 #include <string.h>
@@ -32,9 +32,9 @@ int cylint_frame_make(cylint_frame *frame, const double lo[3],
     return 1;
 }
 
-/* Whether some component of a direction of that size is so small beside it
- * that clip() would divide what may be flushed to zero by too little. */
-static int is_lopsided(const double d[3], double size)
+/* Whether a component of d is so small beside its size that clip() would divide
+ * a number that may be flushed to zero by it. */
+static int is_too_oblique(const double d[3], double size)
 {
     int is = 0;
     for (int j = 0; j < 3; j++)
@@ -42,10 +42,10 @@ static int is_lopsided(const double d[3], double size)
     return is;
 }
 
-/* Where the line's domain begins and ends to be within the frame's box.  A
- * quotient errs by less than 2^-51 of itself, by what a segment's direction
- * misses as well.  What is flushed to zero adds less than 2^-1020 / |d[j]|, which
- * the slack covers: it moves a point by less than 2^-499. */
+/* Clips the line's domain to the frame's box.  A quotient has an error of less
+ * than 2^-51 of itself, with the error of a segment's direction.  A number
+ * flushed to zero adds less than 2^-1020 / |d[j]|, which the slack covers; the
+ * slack moves a point by less than 2^-499. */
 static void clip(const cylint_frame *f, const cylint_line *line, double size,
                  double *from, double *to)
 {
@@ -58,7 +58,7 @@ static void clip(const cylint_frame *f, const cylint_line *line, double size,
         double last = ((up ? f->hi[j] : f->lo[j]) - line->o[j]) / line->d[j];
         first -= fabs(first) * 0x1p-50 + slack;
         last += fabs(last) * 0x1p-50 + slack;
-        if (line->d[j] == 0) { /* a direction of -0 has its signs reversed */
+        if (line->d[j] == 0) { /* no limit from this coordinate */
             if (line->o[j] < f->lo[j] || line->o[j] > f->hi[j])
                 *to = -HUGE_VAL;
             continue;
@@ -69,18 +69,17 @@ static void clip(const cylint_frame *f, const cylint_line *line, double size,
 }
 
 /*
- * With e where the clipped domain begins, the ray begins at
+ * Let e be the begin of the clipped domain.  The ray begins at
  *
  *     (o - center + e d) scale,   in pairs,
  *
- * which errs by less than 2^-102 of |o - center| + |e d| (error_bounds.h), so by
- * 2^-52 of the frame where these are at most 2^50 of it; the last rounding
- * adds as much, and the direction, off by 2^-52 over a length of at most 2.5,
- * less than 2^-50 with both: CYLINT_FRAME_ERROR but for the direction, of
- * which whoever uses it knows.
+ * with an error of less than 2^-102 of |o - center| + |e d| (error_bounds.h):
+ * 2^-52 of the frame if these are at most 2^50 of it.  The last rounding adds as
+ * much, and the direction's error of 2^-52 over a length of at most 2.5 keeps
+ * the sum below 2^-50 = CYLINT_FRAME_ERROR.
  *
- * e is too early by 2^-50 of itself: a line from very far would begin far
- * outside; hence the limits on o and length.
+ * e is early by 2^-50 of itself, so a line from very far would begin far outside
+ * the box: the limits on o and length reject it.
  */
 cylint_frame_status cylint_frame_line(const cylint_frame *frame,
                                       const cylint_line *line,
@@ -92,7 +91,7 @@ cylint_frame_status cylint_frame_line(const cylint_frame *frame,
     const double size = largest(line->d);
     if (!(size <= CYLINT_FRAME_MOST) || !(size >= CYLINT_FRAME_LEAST) ||
         !(largest(line->o) <= CYLINT_FRAME_MOST) ||
-        is_lopsided(line->d, size) || !cylint_rounds_to_nearest())
+        is_too_oblique(line->d, size) || !cylint_rounds_to_nearest())
         return CYLINT_FRAME_UNUSABLE;
     clip(frame, line, size, &ray->entry, &to);
     if (ray->entry > to)
@@ -112,8 +111,8 @@ cylint_frame_status cylint_frame_line(const cylint_frame *frame,
     return ray->length <= 2.5 ? CYLINT_FRAME_ENTERED : CYLINT_FRAME_UNUSABLE;
 }
 
-/* Such a root is below the double after t.  Difference and products err by
- * less than 2^-51 of s. */
+/* Such a root is less than the double after t.  The difference and the products
+ * have errors of less than 2^-51 of s. */
 double cylint_frame_reach(const cylint_frame_ray *ray, double t)
 {
     const double s = (cylint_next_above(t) - ray->entry) * ray->per_t;

@@ -1,54 +1,54 @@
 /*
- * frame.h - lines of doubles in a scene's own coordinates
+ * frame.h - the coordinates of a scene's hierarchy
  *
- * Nodes and blocks are made of floats.  Floats near 0 and below 1 are fine
- * enough and never overflow, so a scene is moved and scaled to lie there, and
- * of every line only the piece within the scene's box is looked at.
+ * Nodes and leaves consist of floats.  Floats below 1 are accurate enough and do
+ * not overflow, so the hierarchy uses coordinates in which the scene lies within
+ * [-1, 1], and each line is clipped to the scene's box.
  */
 #ifndef CYLINT_SCENE_FRAME_H
 #define CYLINT_SCENE_FRAME_H
 
 #include "cylint.h"
 
-/* What is x for the caller is (x - center) scale here, within [-1, 1]. */
+/* The caller's x becomes (x - center) scale, within [-1, 1]. */
 typedef struct {
     double center[3], lo[3], hi[3];
     double scale; /* a power of two */
 } cylint_frame;
 
-/* Data beyond 2^+-CYLINT_FRAME_RANGE are not framed: nothing over- or
- * underflows then. */
+/* Larger coordinates and smaller boxes have no frame, so that nothing overflows
+ * or underflows. */
 #define CYLINT_FRAME_MOST 0x1p400
 #define CYLINT_FRAME_LEAST 0x1p-400
 
-/* A line's piece within the frame: o + s d, 0 <= s <= length, where
- * t = entry + s / per_t, components of d at most 1. */
+/* The part of a line within the frame: o + s d, 0 <= s <= length, where
+ * t = entry + s / per_t and no component of d is larger than 1. */
 typedef struct {
     double o[3], d[3], length;
     double entry, per_t;
 } cylint_frame_ray;
 
-/* How far such a ray may be from its line, while still in doubles. */
+/* The most by which points of such a ray, in doubles, are wrong. */
 #define CYLINT_FRAME_ERROR 0x1p-50
 
 typedef enum {
     CYLINT_FRAME_MISSED,  /* the line has no point in the frame's box */
-    CYLINT_FRAME_ENTERED, /* the ray is made */
-    CYLINT_FRAME_UNUSABLE /* no ray is certainly near enough */
+    CYLINT_FRAME_ENTERED, /* *ray is written */
+    CYLINT_FRAME_UNUSABLE /* the error of the ray may be too large */
 } cylint_frame_status;
 
-/* The frame that holds the box.  0 if it cannot be framed. */
+/* Makes the frame of the box.  Returns 0 if the box has none. */
 int cylint_frame_make(cylint_frame *frame, const double lo[3],
                       const double hi[3]);
 
 /* Every point of the line's domain within the frame's box is within
- * CYLINT_FRAME_ERROR of the ray's point at its s; d is off by 2^-52 of
+ * CYLINT_FRAME_ERROR of the ray's point at its s.  d has an error of 2^-52 of
  * itself. */
 cylint_frame_status cylint_frame_line(const cylint_frame *frame,
                                       const cylint_line *line,
                                       cylint_frame_ray *ray);
 
-/* What is not below the s of any root that rounds to t or less. */
+/* An upper bound of the s of every root that rounds to t or less. */
 double cylint_frame_reach(const cylint_frame_ray *ray, double t);
 
 #endif

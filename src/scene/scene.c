@@ -1,10 +1,9 @@
 /*
- * scene.c - exact answers about many shapes, most of which are not asked
+ * scene.c - exact answers about many shapes, of which few are tested
  *
- * Shapes are cut into pieces, pieces that lie together are blocks of 8, with
- * nodes above them (bvh.h).  The walk from the first node leaves out what
- * the line certainly does not meet, or meets only behind the nearest hit so
- * far (traverse.h).  What is left is asked by cylint_intersect().
+ * A hierarchy over pieces of shapes (bvh.h) rejects shapes that the line
+ * certainly does not hit, or hits behind the nearest hit so far (traverse.h).
+ * cylint_intersect() tests the others.
  */
 #include <float.h>
 #include <math.h>
@@ -25,16 +24,15 @@ struct cylint_scene {
     size_t n;
     cylint_frame frame;
     cylint_view view; /* the shapes in the frame */
-    cylint_bvh group; /* of the boxed ones */
-    cylint_traverse_line *walk;
-    uint32_t *boxed; /* the numbers of the shapes in the hierarchy, or
-                              NULL: all */
-    uint32_t *loose; /* and of those beside it, ascending */
-    size_t n_boxed, n_loose;
-    cylint_shape *copies; /* of the latter, for their pack */
+    cylint_bvh bvh;
+    cylint_traverse_line *traverse;
+    uint32_t *bounded; /* numbers of the shapes in the hierarchy; NULL: all */
+    uint32_t *others;  /* numbers of the other shapes, ascending */
+    size_t n_bounded, n_others;
+    cylint_shape *copies; /* of the other shapes, in a pack */
     void *pack_memory;
     cylint_pack pack;
-    size_t own_bytes; /* beside the group's */
+    size_t own_bytes; /* without the hierarchy's */
 };
 
 const char *cylint_scene_strerror(int status)
@@ -53,8 +51,8 @@ const char *cylint_scene_strerror(int status)
 
 /* ------------------------------------------------------------ building -- */
 
-/* How far the section of a shape at z = 0 or 1 reaches from the axis along
- * coordinate j, or somewhat farther. */
+/* An upper bound of how far the section at z = 0 (end = 0) or z = 1 reaches from
+ * the axis along coordinate j. */
 static double rough_reach(const cylint_shape *s, int end, int j)
 {
     const double r = end ? s->r1 : s->r0;
@@ -65,9 +63,9 @@ static double rough_reach(const cylint_shape *s, int end, int j)
     return r;
 }
 
-/* Whether a frame can hold the shape, and if so a box about it.  No number
- * comes of more than 6 roundings or errors of its data.  Squares of lengths may
- * underflow later on, which a larger factor would make count. */
+/* Whether a frame can contain the shape; if so, writes its box.  Each number has
+ * at most 6 roundings and errors of its data.  Squares of lengths may underflow
+ * later; multiplied by a larger factor, the lost part would matter. */
 static int has_box(const cylint_shape *s, double lo[3], double hi[3])
 {
     const int has_factors = s->kind >= CYLINT_KIND_ACONE;
@@ -86,19 +84,19 @@ static int has_box(const cylint_shape *s, double lo[3], double hi[3])
     return 1;
 }
 
-static void *keep(cylint_scene *s, size_t count, size_t size)
+static void *allocate(cylint_scene *s, size_t count, size_t size)
 {
     s->own_bytes += count * size;
     return malloc(count > 0 ? count * size : 1);
 }
 
-/* What is to be known of all shapes, and of whom. */
+/* Totals over all shapes. */
 typedef struct {
     const cylint_shape *shapes;
-    cylint_mutex lock;   /* of what is below */
-    double lo[3], hi[3]; /* about those that have boxes */
-    size_t boxed, valid;
-} census;
+    cylint_mutex mutex;    /* protects the members below */
+    double lo[3], hi[3];   /* the box of all bounded shapes */
+    size_t bounded, valid; /* the numbers of bounded and of valid shapes */
+} totals;
 
 static void extend(double lo[3], double hi[3], const double from[3],
                    const double to[3])
@@ -109,89 +107,90 @@ static void extend(double lo[3], double hi[3], const double from[3],
     }
 }
 
-/* Adds shapes [from, to); nothing depends on who is first. */
+/* Adds shapes [from, to).  The order of threads does not matter. */
 static void count_shapes(void *self, size_t from, size_t to)
 {
-    census *all = self;
+    totals *sum = self;
     double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
     double hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    size_t boxed = 0, valid = 0;
+    size_t bounded = 0, valid = 0;
     for (size_t i = from; i < to; i++) {
         double least[3], most[3];
-        valid += all->shapes[i].kind != CYLINT_KIND_NONE;
-        if (!has_box(&all->shapes[i], least, most))
+        valid += sum->shapes[i].kind != CYLINT_KIND_NONE;
+        if (!has_box(&sum->shapes[i], least, most))
             continue;
-        boxed++;
+        bounded++;
         extend(lo, hi, least, most);
     }
-    cylint_mutex_lock(&all->lock);
-    extend(all->lo, all->hi, lo, hi);
-    all->boxed += boxed;
-    all->valid += valid;
-    cylint_mutex_unlock(&all->lock);
+    cylint_mutex_lock(&sum->mutex);
+    extend(sum->lo, sum->hi, lo, hi);
+    sum->bounded += bounded;
+    sum->valid += valid;
+    cylint_mutex_unlock(&sum->mutex);
 }
 
-/* The frame of all that have boxes, none if it cannot be made. */
-static void make_frame(cylint_scene *s, int threads)
+/* Makes the frame of all bounded shapes.  If it cannot be made, no shape is in
+ * the hierarchy. */
+static void choose_frame(cylint_scene *s, int threads)
 {
-    census all = {.shapes = s->shapes,
-                  .lock = CYLINT_MUTEX_INITIALIZER,
+    totals sum = {.shapes = s->shapes,
+                  .mutex = CYLINT_MUTEX_INITIALIZER,
                   .lo = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
                   .hi = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     cylint_threads_run(cylint_threads_for(s->n, threads), s->n, count_shapes,
-                       &all);
-    cylint_mutex_destroy(&all.lock);
-    if (all.boxed > 0 && cylint_frame_make(&s->frame, all.lo, all.hi))
-        s->n_boxed = all.boxed;
-    s->n_loose = all.valid - s->n_boxed;
+                       &sum);
+    cylint_mutex_destroy(&sum.mutex);
+    if (sum.bounded > 0 && cylint_frame_make(&s->frame, sum.lo, sum.hi))
+        s->n_bounded = sum.bounded;
+    s->n_others = sum.valid - s->n_bounded;
 }
 
-static void sort_out(cylint_scene *s)
+static void sort_into_lists(cylint_scene *s)
 {
     double lo[3], hi[3];
-    size_t boxed = 0, loose = 0;
+    size_t bounded = 0, others = 0;
     for (size_t i = 0; i < s->n; i++) {
-        if (s->n_boxed > 0 && has_box(&s->shapes[i], lo, hi)) {
-            s->boxed[boxed++] = (uint32_t)i;
+        if (s->n_bounded > 0 && has_box(&s->shapes[i], lo, hi)) {
+            s->bounded[bounded++] = (uint32_t)i;
         } else if (s->shapes[i].kind != CYLINT_KIND_NONE) {
-            s->loose[loose] = (uint32_t)i;
-            s->copies[loose++] = s->shapes[i];
+            s->others[others] = (uint32_t)i;
+            s->copies[others++] = s->shapes[i];
         }
     }
 }
 
-/* Numbers of boxed shapes, unless those are all, and a pack of the others.  A
- * refused shape is neither, for no line meets it. */
+/* Lists the numbers of bounded shapes, unless all are bounded, and packs the
+ * others.  A refused shape is in neither list: no line hits it. */
 static int sort_shapes(cylint_scene *s)
 {
-    const int mixed = s->n_boxed < s->n;
-    s->loose = keep(s, s->n_loose, sizeof *s->loose);
-    s->copies = keep(s, s->n_loose, sizeof *s->copies);
-    s->pack_memory = keep(s, cylint_pack_bytes(s->n_loose), 1);
+    const int mixed = s->n_bounded < s->n;
+    s->others = allocate(s, s->n_others, sizeof *s->others);
+    s->copies = allocate(s, s->n_others, sizeof *s->copies);
+    s->pack_memory = allocate(s, cylint_pack_bytes(s->n_others), 1);
     if (mixed)
-        s->boxed = keep(s, s->n_boxed, sizeof *s->boxed);
-    if (!s->loose || !s->copies || !s->pack_memory || (mixed && !s->boxed))
+        s->bounded = allocate(s, s->n_bounded, sizeof *s->bounded);
+    if (!s->others || !s->copies || !s->pack_memory || (mixed && !s->bounded))
         return 0;
     if (mixed)
-        sort_out(s);
-    cylint_pack_shapes(&s->pack, s->pack_memory, s->copies, s->n_loose);
+        sort_into_lists(s);
+    cylint_pack_shapes(&s->pack, s->pack_memory, s->copies, s->n_others);
     return 1;
 }
 
 static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
 {
-    size_t refused; /* none: all have boxes */
-    s->walk = cylint_traversal_used()->line;
+    size_t refused; /* not used: all shapes are bounded */
+    s->traverse = cylint_traversal_used()->line;
     s->view = (cylint_view){
         s->shapes,
         {s->frame.center[0], s->frame.center[1], s->frame.center[2]},
         s->frame.scale,
         CYLINT_FRAME_ERROR};
     const cylint_bvh_input members = {.view = &s->view,
-                                      .numbers = s->boxed,
-                                      .n = s->n_boxed,
+                                      .numbers = s->bounded,
+                                      .n = s->n_bounded,
                                       .threads = threads};
-    return cylint_bvh_build(&s->group, &members, &refused) == CYLINT_BVH_OK
+    return cylint_bvh_build(&s->bvh, &members, &refused) == CYLINT_BVH_OK
                ? CYLINT_SCENE_OK
                : CYLINT_SCENE_EMEMORY;
 }
@@ -200,10 +199,10 @@ static cylint_scene_status build(cylint_scene *s, int threads)
 {
     if (s->n > MOST_SHAPES)
         return CYLINT_SCENE_ESIZE;
-    make_frame(s, threads);
+    choose_frame(s, threads);
     if (!sort_shapes(s))
         return CYLINT_SCENE_EMEMORY;
-    return s->n_boxed > 0 ? build_hierarchy(s, threads) : CYLINT_SCENE_OK;
+    return s->n_bounded > 0 ? build_hierarchy(s, threads) : CYLINT_SCENE_OK;
 }
 
 cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
@@ -229,9 +228,9 @@ void cylint_scene_free(cylint_scene *scene)
 {
     if (!scene)
         return;
-    cylint_bvh_free(&scene->group);
-    free(scene->boxed);
-    free(scene->loose);
+    cylint_bvh_free(&scene->bvh);
+    free(scene->bounded);
+    free(scene->others);
     free(scene->copies);
     free(scene->pack_memory);
     free(scene);
@@ -239,37 +238,38 @@ void cylint_scene_free(cylint_scene *scene)
 
 size_t cylint_scene_bytes(const cylint_scene *scene)
 {
-    return scene->own_bytes + scene->group.memory.bytes;
+    return scene->own_bytes + scene->bvh.memory.bytes;
 }
 
 /* ------------------------------------------------------------- queries -- */
 
-/* What is remembered of shapes of several pieces, which are offered again:
- * some of those that need not be asked again, by the last digits of their
- * numbers, and all that are counted, as long as there is room. */
-enum { ASKED = 16, COUNTED = 256, COUNTED_MOST = 192 };
-#define NOBODY UINT32_MAX
+/* A shape of several pieces is found several times.  A direct-mapped cache of
+ * recently tested shapes, and a hash table of all counted shapes, of limited
+ * size, save repeated tests. */
+enum { RECENT = 16, TABLE_SIZE = 256, TABLE_MOST = 192 };
+#define NO_SHAPE UINT32_MAX
 
-/* One question on its way through the hierarchy. */
+/* The state of one query. */
 typedef struct {
     const cylint_scene *scene;
-    cylint_line line;     /* tmax: what is beyond is of no interest */
-    cylint_frame_ray ray; /* nor what is beyond its length */
-    size_t best;          /* nearest: its number, and its hit */
+    cylint_line line;     /* tmax decreases to the nearest hit so far */
+    cylint_frame_ray ray; /* its length does too */
+    size_t best;          /* nearest: the shape's number, and its hit */
     cylint_hit hit;
-    size_t count, enough;  /* count */
-    size_t *numbers, room; /* all: a heap of the lowest, the highest first */
-    size_t first;          /* all: lower numbers are of no interest */
-    uint32_t asked[ASKED];
-    uint32_t counted[COUNTED]; /* a hash table */
-    int n_counted;
-    size_t except; /* the number of a shape that is not asked */
-} question;
+    size_t count, enough;      /* count */
+    size_t *numbers, capacity; /* all: a heap of the lowest numbers, with the
+                              highest of them first */
+    size_t first;              /* all: the least number of interest */
+    uint32_t recent[RECENT];
+    uint32_t table[TABLE_SIZE];
+    int n_table;
+    size_t except; /* the number of a shape that is not tested */
+} search;
 
-/* Takes the shape's hit if it is the first so far.  Roots that round to t
- * are no greater than the double above t, so that one bounds what may still
- * be nearest, or as near with a lower number. */
-static int take_nearest(question *q, size_t number)
+/* Tests a shape and stores its hit if it is the nearest so far.  A root that
+ * rounds to t is less than the double above t, so that bounds the domain for
+ * nearer hits and for hits at the same t with a lower number. */
+static int test_nearest(search *q, size_t number)
 {
     cylint_answer answer;
     if (!cylint_intersect(
@@ -320,98 +320,100 @@ static void sort_heap(size_t *heap, size_t n)
     }
 }
 
-/* Whether the number could be one of the lowest. */
-static int is_low(const question *q, size_t number)
+/* Whether the number may be one of the lowest. */
+static int is_among_lowest(const search *q, size_t number)
 {
-    return number >= q->first && (q->count < q->room || number < q->numbers[0]);
+    return number >= q->first &&
+           (q->count < q->capacity || number < q->numbers[0]);
 }
 
-static void keep_number(question *q, size_t number)
+static void store_number(search *q, size_t number)
 {
-    if (q->count < q->room) {
+    if (q->count < q->capacity) {
         q->numbers[q->count] = number;
         sift_up(q->numbers, q->count++);
     } else {
         q->numbers[0] = number;
-        sift_down(q->numbers, q->room, 0);
+        sift_down(q->numbers, q->capacity, 0);
     }
 }
 
-/* Takes the number of a shape that is met.  Whether there are enough now. */
-static int take_number(question *q, size_t number)
+/* Counts a shape that is hit.  Returns whether there are enough now. */
+static int count_number(search *q, size_t number)
 {
     if (q->numbers)
-        keep_number(q, number);
+        store_number(q, number);
     else
         q->count++;
     return q->enough != 0 && q->count == q->enough;
 }
 
-static int is_wanted(const question *q, size_t number)
+static int is_candidate(const search *q, size_t number)
 {
-    return number != q->except && (!q->numbers || is_low(q, number));
+    return number != q->except && (!q->numbers || is_among_lowest(q, number));
 }
 
-/* Whether there are enough now. */
-static int take_count(question *q, size_t number)
+/* Tests a shape and counts it if it is hit.  Returns whether there are enough
+ * now. */
+static int test_count(search *q, size_t number)
 {
-    return is_wanted(q, number) &&
+    return is_candidate(q, number) &&
            cylint_occluded(&q->scene->shapes[number], &q->line) &&
-           take_number(q, number);
+           count_number(q, number);
 }
 
-/* Where the number is, or would be, among the counted ones. */
-static uint32_t *place_of(question *q, uint32_t number)
+/* The slot of the hash table that has the number or is free for it. */
+static uint32_t *slot_of(search *q, uint32_t number)
 {
     uint32_t at = number * UINT32_C(2654435769) >> 24;
-    while (q->counted[at] != number && q->counted[at] != NOBODY)
-        at = (at + 1) % COUNTED;
-    return &q->counted[at];
+    while (q->table[at] != number && q->table[at] != NO_SHAPE)
+        at = (at + 1) % TABLE_SIZE;
+    return &q->table[at];
 }
 
-/* Whether the lane's shape is in other lanes, too. */
-static int in_pieces(const cylint_leaf *block, int lane)
+/* Whether the lane's shape has other pieces. */
+static int is_split(const cylint_leaf *leaf, int lane)
 {
-    return cylint_leaf_piece(block, lane).count > 1;
+    return cylint_leaf_piece(leaf, lane).count > 1;
 }
 
-static int was_asked(question *q, uint32_t number)
+static int was_tested(search *q, uint32_t number)
 {
-    uint32_t *asked = &q->asked[number % ASKED];
-    const int was = *asked == number;
-    *asked = number;
+    uint32_t *recent = &q->recent[number % RECENT];
+    const int was = *recent == number;
+    *recent = number;
     return was;
 }
 
-/* Whether the shape's first hit lies in the lane's piece.  That piece is sure
- * to be offered, and no other says so. */
-static int owns_first_hit(const question *q, const cylint_leaf *block, int lane)
+/* Whether the lane's piece contains the shape's first hit.  The traversal finds
+ * that piece, and no other piece contains the hit. */
+static int owns_first_hit(const search *q, const cylint_leaf *leaf, int lane)
 {
     cylint_answer answer;
-    return cylint_intersect(&q->scene->shapes[block->number[lane]], &q->line,
+    return cylint_intersect(&q->scene->shapes[leaf->number[lane]], &q->line,
                             CYLINT_WANT_NEAREST | CYLINT_WANT_Z, &answer) &&
-           cylint_leaf_owns(block, lane, answer.hit[0].z);
+           cylint_leaf_owns(leaf, lane, answer.hit[0].z);
 }
 
-/* As take_count, of a piece among several. */
-static int take_piece(question *q, const cylint_leaf *block, int lane)
+/* As test_count() for a shape of several pieces. */
+static int test_piece(search *q, const cylint_leaf *leaf, int lane)
 {
-    const uint32_t number = block->number[lane];
-    uint32_t *place = place_of(q, number);
-    if (*place == number || !is_wanted(q, number))
+    const uint32_t number = leaf->number[lane];
+    uint32_t *slot = slot_of(q, number);
+    if (*slot == number || !is_candidate(q, number))
         return 0;
-    if (q->n_counted == COUNTED_MOST)
-        return owns_first_hit(q, block, lane) && take_number(q, number);
-    if (was_asked(q, number) ||
+    if (q->n_table == TABLE_MOST)
+        return owns_first_hit(q, leaf, lane) && count_number(q, number);
+    if (was_tested(q, number) ||
         !cylint_occluded(&q->scene->shapes[number], &q->line))
         return 0;
-    *place = number;
-    q->n_counted++;
-    return take_number(q, number);
+    *slot = number;
+    q->n_table++;
+    return count_number(q, number);
 }
 
-/* The lane, of some, which is first met. */
-static int first_lane(unsigned lanes, const double least[CYLINT_LEAF_SIZE])
+/* The lane with the least t. */
+static int nearest_lane(unsigned lanes, const double least[CYLINT_LEAF_SIZE])
 {
     int first = -1;
     for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++)
@@ -420,17 +422,18 @@ static int first_lane(unsigned lanes, const double least[CYLINT_LEAF_SIZE])
     return first;
 }
 
-static int ask_nearest(void *self, const cylint_leaf *block, unsigned lanes,
-                       const double least[CYLINT_LEAF_SIZE])
+static int test_leaf_nearest(void *self, const cylint_leaf *leaf,
+                             unsigned lanes,
+                             const double least[CYLINT_LEAF_SIZE])
 {
-    question *q = self;
+    search *q = self;
     while (lanes) {
-        const int lane = first_lane(lanes, least);
+        const int lane = nearest_lane(lanes, least);
         if (least[lane] > q->ray.length)
             break;
         lanes &= ~(1u << lane);
-        if ((in_pieces(block, lane) && was_asked(q, block->number[lane])) ||
-            !take_nearest(q, block->number[lane]))
+        if ((is_split(leaf, lane) && was_tested(q, leaf->number[lane])) ||
+            !test_nearest(q, leaf->number[lane]))
             continue;
         q->ray.length =
             fmin(q->ray.length, cylint_frame_reach(&q->ray, q->hit.t));
@@ -438,70 +441,70 @@ static int ask_nearest(void *self, const cylint_leaf *block, unsigned lanes,
     return 0;
 }
 
-static int ask_count(void *self, const cylint_leaf *block, unsigned lanes,
-                     const double least[CYLINT_LEAF_SIZE])
+static int test_leaf_count(void *self, const cylint_leaf *leaf, unsigned lanes,
+                           const double least[CYLINT_LEAF_SIZE])
 {
-    question *q = self;
+    search *q = self;
     (void)least;
     for (; lanes; lanes &= lanes - 1) {
         const int lane = cylint_lowest(lanes);
-        if (in_pieces(block, lane) ? take_piece(q, block, lane)
-                                   : take_count(q, block->number[lane]))
+        if (is_split(leaf, lane) ? test_piece(q, leaf, lane)
+                                 : test_count(q, leaf->number[lane]))
             return 1;
     }
     return 0;
 }
 
-/* Walks the hierarchy, or, where no float ray will do, asks every shape in
- * it. */
-static void walk(question *q, int nearest)
+/* Traverses the hierarchy or, where the frame cannot hold the line, tests every
+ * shape in it. */
+static void traverse(search *q, int nearest)
 {
     const cylint_scene *s = q->scene;
-    if (s->n_boxed == 0)
+    if (s->n_bounded == 0)
         return;
-    const cylint_frame_status verdict =
+    const cylint_frame_status status =
         cylint_frame_line(&s->frame, &q->line, &q->ray);
-    if (verdict == CYLINT_FRAME_UNUSABLE) {
-        for (size_t i = 0; i < s->n_boxed; i++) {
-            const size_t number = s->boxed ? s->boxed[i] : i;
+    if (status == CYLINT_FRAME_UNUSABLE) {
+        for (size_t i = 0; i < s->n_bounded; i++) {
+            const size_t number = s->bounded ? s->bounded[i] : i;
             if (nearest)
-                take_nearest(q, number);
-            else if (take_count(q, number))
+                test_nearest(q, number);
+            else if (test_count(q, number))
                 return;
         }
-    } else if (verdict == CYLINT_FRAME_ENTERED) {
+    } else if (status == CYLINT_FRAME_ENTERED) {
         if (!nearest) {
-            q->n_counted = 0;
-            memset(q->counted, 0xff, sizeof q->counted); /* NOBODY */
+            q->n_table = 0;
+            memset(q->table, 0xff, sizeof q->table); /* NOBODY */
         }
-        s->walk(&s->group, q->ray.o, q->ray.d, 0, &q->ray.length,
-                nearest ? ask_nearest : ask_count, q);
+        s->traverse(&s->bvh, q->ray.o, q->ray.d, 0, &q->ray.length,
+                    nearest ? test_leaf_nearest : test_leaf_count, q);
     }
 }
 
-static void open_question(question *q, const cylint_scene *scene,
-                          const cylint_line *line)
+static void start_search(search *q, const cylint_scene *scene,
+                         const cylint_line *line)
 {
     q->scene = scene;
     q->line = *line;
     q->best = q->except = scene->n;
     q->count = q->enough = 0;
     q->numbers = NULL;
-    memset(q->asked, 0xff, sizeof q->asked); /* NOBODY */
+    memset(q->recent, 0xff, sizeof q->recent); /* NOBODY */
 }
 
 size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,
                             unsigned want, cylint_hit *hit)
 {
-    question q;
-    open_question(&q, scene, line);
-    const size_t loose = cylint_nearest(&scene->pack, line, 0, &q.hit);
-    if (loose < scene->n_loose)
-        take_nearest(&q, scene->loose[loose]);
-    walk(&q, 1);
+    search q;
+    start_search(&q, scene, line);
+    const size_t others = cylint_nearest(&scene->pack, line, 0, &q.hit);
+    if (others < scene->n_others)
+        test_nearest(&q, scene->others[others]);
+    traverse(&q, 1);
     if (q.best < scene->n && want) {
         cylint_answer answer;
-        answer.hit[0] = *hit; /* what is not wanted is not written */
+        answer.hit[0] = *hit; /* unwanted members stay as they are */
         cylint_intersect(&scene->shapes[q.best], line,
                          (want & ~(unsigned)CYLINT_WANT_FAST) |
                              CYLINT_WANT_NEAREST,
@@ -514,42 +517,42 @@ size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,
 size_t cylint_scene_count(const cylint_scene *scene, const cylint_line *line,
                           size_t enough)
 {
-    question q;
-    open_question(&q, scene, line);
+    search q;
+    start_search(&q, scene, line);
     q.enough = enough;
     q.count = cylint_count(&scene->pack, line, enough);
     if (enough == 0 || q.count < enough)
-        walk(&q, 0);
+        traverse(&q, 0);
     return q.count;
 }
 
 int cylint_scene_occluded(const cylint_scene *scene, const cylint_line *line,
                           size_t except)
 {
-    question q;
-    open_question(&q, scene, line);
+    search q;
+    start_search(&q, scene, line);
     q.enough = 1;
     q.except = except;
-    for (size_t i = 0; i < scene->n_loose; i++)
-        if (take_count(&q, scene->loose[i]))
+    for (size_t i = 0; i < scene->n_others; i++)
+        if (test_count(&q, scene->others[i]))
             return 1;
-    walk(&q, 0);
+    traverse(&q, 0);
     return q.count > 0;
 }
 
 size_t cylint_scene_all(const cylint_scene *scene, const cylint_line *line,
-                        size_t first, size_t *numbers, size_t room)
+                        size_t first, size_t *numbers, size_t capacity)
 {
-    question q;
-    if (room == 0)
+    search q;
+    if (capacity == 0)
         return 0;
-    open_question(&q, scene, line);
+    start_search(&q, scene, line);
     q.numbers = numbers;
-    q.room = room;
+    q.capacity = capacity;
     q.first = first;
-    for (size_t i = 0; i < scene->n_loose; i++)
-        take_count(&q, scene->loose[i]);
-    walk(&q, 0);
+    for (size_t i = 0; i < scene->n_others; i++)
+        test_count(&q, scene->others[i]);
+    traverse(&q, 0);
     sort_heap(numbers, q.count);
     return q.count;
 }
