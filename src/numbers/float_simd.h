@@ -1,15 +1,17 @@
 /*
- * float_simd.h - vectors of floats, for work that only chooses what to ask
+ * float_simd.h - vectors of floats, for conservative tests
  *
- * The one place with intrinsics of scenes.  vf adds, subtracts, multiplies and
- * divides by the operators of C; the rest has names here.  WIDTH divides 8; vi
- * holds as many numbers of 32 bits, of which f_from_bits() takes the last bits
- * for floats, vm as many truths.  f_mad(x, y, z) is x y + z, rounded once or
- * twice: what is computed here is bounded, not told, so builds may differ.
- * f_lower(x, y) and f_higher(x, y) are y where x is not a number.
- * f_store_keys() stores numbers that are in the order of the floats.
- * f_turned(x, y) is x or, where y is negative, -x.  i_or_where(x, m, y) is
- * x | y where m, else x.
+ * The only header of the bounding volume hierarchy with intrinsics.  vf has the
+ * operators + - * / of C; other operations are functions.  WIDTH, the number of
+ * lanes, divides 8.  vi holds as many 32-bit integers, vm as many truth values.
+ *
+ *   f_mad(x, y, z)       x y + z, rounded once or twice: results are used with
+ *                        error bounds, so builds may differ
+ *   f_lower, f_higher    the lesser or greater of x and y; y if x is NaN
+ *   f_turned(x, y)       -x where y is negative, else x
+ *   f_from_bits(x, m)    the integers x & m as floats
+ *   f_store_keys(p, x)   stores integers in the order of the floats
+ *   i_or_where(x, m, y)  x | y where m, else x
  */
 #ifndef CYLINT_NUMBERS_FLOAT_SIMD_H
 #define CYLINT_NUMBERS_FLOAT_SIMD_H
@@ -191,13 +193,13 @@ static inline void i_store(uint32_t *x, vi v) { *x = v; }
 
 #endif
 
-/* Bits of the lanes where x > y is not so. */
+/* The lanes (bits) where x > y is false. */
 static inline unsigned f_not_greater(vf x, vf y)
 {
     return m_bits(m_not_greater(x, y));
 }
 
-/* Four floats, for boxes: x, y, z and one to spare, which v4_xyz() clears. */
+/* Four floats for boxes: x, y, z and an unused one, which v4_xyz() clears. */
 #ifdef NO_LANES
 
 typedef struct {

@@ -75,8 +75,8 @@ static void clip(const cylint_frame *f, const cylint_line *line, double size,
  *
  * with an error of less than 2^-102 of |o - center| + |e d| (error_bounds.h):
  * 2^-52 of the frame if these are at most 2^50 of it.  The last rounding adds as
- * much, and the direction's error of 2^-52 over a length of at most 2.5 keeps
- * the sum below 2^-50 = CYLINT_FRAME_ERROR.
+ * much: in all less than 2^-50 = CYLINT_FRAME_ERROR.  The direction has an error
+ * of 2^-52 besides, for which the traversal allows.
  *
  * e is early by 2^-50 of itself, so a line from very far would begin far outside
  * the box: the limits on o and length reject it.
