@@ -1,15 +1,14 @@
 #!/usr/bin/env python3
-"""Which branches of the library do the tests not take, and is it known why?
+"""Prints the branches of the library that no test takes.
 
-Adds up what gcov counted in src/, less src/bvh/, src/scene/ and src/embree/,
-in a build with --coverage and without optimisation, whose folder is the
-argument.  A
-branch of a line is the same in all objects that have the line (a header's, or
-a kernel's for each instruction set): one of them must take it.  Printed are
-functions never called and, of lines that were run, how many branches were not
-taken; no other line can have been left out.  Those in tests/coverage.txt, with
-the reason, are counted but not printed; what stands there and is taken is
-printed, too. Anything printed is a failure.
+The argument is the folder of a build with --coverage and without optimisation.
+The counts of gcov are added up for src/ without src/bvh/, src/scene/ and
+src/embree/.  A line can be in several objects (a header's line, or a kernel's
+line for each instruction set); a branch is taken if one object takes it.
+Prints functions that are never called and, of lines that ran, the number of
+branches that were not taken; every other line ran.  tests/coverage.txt lists
+known ones with the reason; these are not printed.  An entry of that file that
+a test takes is printed.  Any printed line is a failure.
 """
 import json
 import os
@@ -19,7 +18,7 @@ import sys
 
 
 def counted(folder):
-    """gcov's account of every object below the folder."""
+    """gcov's report on every object below the folder."""
     for place, _, names in os.walk(folder):
         for name in names:
             if not name.endswith(".gcno"):
@@ -34,16 +33,16 @@ def counted(folder):
 def add_up(folder):
     """Calls by function; counts by line, and by branches of a line."""
     calls, runs, taken = {}, {}, {}
-    for account in counted(folder):
-        name = account["file"]
+    for report in counted(folder):
+        name = report["file"]
         if not name.startswith("src/") or name.startswith(
                 ("src/bvh/", "src/scene/", "src/embree/")):
             continue
-        for f in account["functions"]:
+        for f in report["functions"]:
             # a macro may name a kernel's functions by instruction set
             at = (name, f["start_line"])
             calls[at] = calls.get(at, 0) + f["execution_count"]
-        for line in account["lines"]:
+        for line in report["lines"]:
             at = (name, line["line_number"])
             runs[at] = runs.get(at, 0) + line["count"]
             counts = [b["count"] for b in line["branches"]]
@@ -52,7 +51,7 @@ def add_up(folder):
     return calls, runs, taken
 
 
-def left_out(calls, runs, taken):
+def not_taken(calls, runs, taken):
     """(file, line, what) in order of lines."""
     found = [at + ("never called",) for at, n in calls.items() if n == 0]
     for (name, line, n), counts in taken.items():
@@ -72,7 +71,7 @@ def main():
     reasons = known(os.path.join(tests, "coverage.txt"))
     calls, runs, taken = add_up(sys.argv[1])
     texts, seen, printed = {}, set(), 0
-    for name, line, what in left_out(calls, runs, taken):
+    for name, line, what in not_taken(calls, runs, taken):
         if name not in texts:
             with open(os.path.join(tests, "..", name)) as f:
                 texts[name] = f.read().split("\n")
@@ -84,10 +83,10 @@ def main():
                                      texts[name][line - 1].strip()))
     for key in sorted(reasons - seen):
         printed += 1
-        print("known, but taken: " + key)
+        print("in coverage.txt, but taken: " + key)
     branches = [n for counts in taken.values() for n in counts]
     print("%d of %d functions called, %d of %d lines run, "
-          "%d of %d branches taken; %d not understood"
+          "%d of %d branches taken; %d without a reason"
           % (sum(n > 0 for n in calls.values()), len(calls),
              sum(n > 0 for n in runs.values()), len(runs),
              sum(n > 0 for n in branches), len(branches), printed))

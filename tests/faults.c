@@ -1,31 +1,31 @@
 /*
- * faults.c - the system's calls, failing as they are told to
+ * faults.c - system calls that fail on request, for tests/test_faults.sh
  *
- * Linked around the command by -Wl,--wrap=read and so on (Makefile), it
- * reads from the environment what shall go wrong:
+ * The Makefile links it around the command with -Wl,--wrap=read and so on.  The
+ * environment sets the failures:
  *
  *   CYLINT_FAULTS='short=7 eintr=7'
  *
- *   short=SEED    reads and writes do only a part of what they are asked
- *   eintr=SEED    one call in three is interrupted and did nothing
+ *   short=SEED    reads and writes transfer only a part
+ *   eintr=SEED    one call in three is interrupted and does nothing
  *   again=SEED    one read or write in three would block
- *   wait=SEED     one poll in three that does not wait says "nothing there"
- *   storm=MICROS  so often comes a signal, whose handler does nothing
+ *   wait=SEED     one poll in three that does not wait returns 0
+ *   storm=MICROS  a signal every MICROS microseconds; its handler does nothing
  *   nonblock=1    standard input and output do not block
  *   read=N        N bytes are read, then reading fails with EIO
  *   write=N       N bytes are written, then writing fails with ENOSPC
  *   close=N       the N-th close fails with EIO
- *   alloc=N       the N-th allocation fails; allocs=N: that and all after
- *   thread=N      the N-th thread is not made, nor any after
- *   pipe=1        no pipe is made
+ *   alloc=N       the N-th allocation fails; allocs=N: the N-th and all later ones
+ *   thread=N      the N-th thread and all later ones fail
+ *   pipe=1        every pipe fails
  *   calls=N       aborts after N reads, writes and polls
- *   rss=KIB       complains at the end if more was ever resident
- *   leaks=1       complains at the end of memory not freed
- *   tell=1        says at the end how many allocations there were
+ *   rss=KIB       fails at the end if peak resident memory was larger
+ *   leaks=1       fails at the end if memory was not freed
+ *   count=1       prints the number of allocations at the end
  *
- * N counts from 1, bytes from 0.  A complaint is exit status 99.  Each call
- * draws its luck from a counter, so that one thread is unlucky the same way
- * every time.
+ * N counts from 1, bytes from 0.  These failures have the exit status 99.  A
+ * counter decides which calls fail, so one thread has the same failures in every
+ * run.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -45,18 +45,29 @@
 
 static long long partly, eintr, again, waits, storm, nonblock,
     read_most = -1, write_most = -1, close_nth, alloc_nth, alloc_from,
-    thread_from, pipes, calls_most, rss_most, leaks, tell;
+    thread_from, pipes, calls_most, rss_most, leaks, count_allocations;
 
 static const struct {
     const char *name;
     long long *value;
 } words[] = {
-    {"short", &partly},    {"eintr", &eintr},       {"again", &again},
-    {"wait", &waits},      {"storm", &storm},       {"nonblock", &nonblock},
-    {"read", &read_most},  {"write", &write_most},  {"close", &close_nth},
-    {"alloc", &alloc_nth}, {"allocs", &alloc_from}, {"thread", &thread_from},
-    {"pipe", &pipes},      {"calls", &calls_most},  {"rss", &rss_most},
-    {"leaks", &leaks},     {"tell", &tell},
+    {"short", &partly},
+    {"eintr", &eintr},
+    {"again", &again},
+    {"wait", &waits},
+    {"storm", &storm},
+    {"nonblock", &nonblock},
+    {"read", &read_most},
+    {"write", &write_most},
+    {"close", &close_nth},
+    {"alloc", &alloc_nth},
+    {"allocs", &alloc_from},
+    {"thread", &thread_from},
+    {"pipe", &pipes},
+    {"calls", &calls_most},
+    {"rss", &rss_most},
+    {"leaks", &leaks},
+    {"count", &count_allocations},
 };
 
 static long long draws, calls, allocations, alive, closes, threads, bytes_read,
@@ -64,7 +75,7 @@ static long long draws, calls, allocations, alive, closes, threads, bytes_read,
 
 /* ---------------------------------------------------------- beginning -- */
 
-static void complain_and_exit(const char *what)
+static void fail_and_exit(const char *what)
 {
     fprintf(stderr, "faults: %s\n", what);
     fflush(stderr);
@@ -81,7 +92,7 @@ static void set_word(const char *word, size_t length)
             return;
         }
     }
-    complain_and_exit("a word of CYLINT_FAULTS is not known");
+    fail_and_exit("unknown word in CYLINT_FAULTS");
 }
 
 static void on_signal(int number)
@@ -89,7 +100,7 @@ static void on_signal(int number)
     (void)number;
 }
 
-/* Without SA_RESTART: whatever waits is interrupted. */
+/* Without SA_RESTART, so that signals interrupt waiting calls. */
 static void begin_storm(void)
 {
     struct sigaction action;
@@ -122,22 +133,22 @@ __attribute__((constructor)) static void begin(void)
 __attribute__((destructor)) static void end(void)
 {
     struct rusage used;
-    if (tell) {
+    if (count_allocations) {
         fprintf(stderr, "faults: %lld allocations\n", allocations);
     }
     getrusage(RUSAGE_SELF, &used);
     if (rss_most && used.ru_maxrss > rss_most) {
         fprintf(stderr, "faults: %ld KiB resident\n", used.ru_maxrss);
-        complain_and_exit("too much memory");
+        fail_and_exit("too much memory");
     }
     if (leaks && alive) {
-        complain_and_exit("memory was not freed");
+        fail_and_exit("memory was not freed");
     }
 }
 
-/* --------------------------------------------------------------- luck -- */
+/* ------------------------------------------------------ random failures -- */
 
-/* splitmix64 of the next number */
+/* SplitMix64 of the next number, for all threads */
 static uint64_t draw(long long seed)
 {
     uint64_t z = (uint64_t)seed * 0x100000001b3u +

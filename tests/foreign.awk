@@ -1,20 +1,20 @@
-# foreign.awk - are these the points where that other program's solid is met?
+# foreign.awk - compares hits with the solids of other programs
 #
-# A line here is an answer of cylint, what the other program calls the solid,
-# `|`, and the line that was asked:
+# An input line has an answer of cylint, the other program's name and parameters
+# of the solid, `|`, and the line:
 #
 #     relation n t0 t1  NAME PARAMETER...  |  ox oy oz  dx dy dz
 #
-# inside() is each program's own definition, written down from its manual and
-# from nothing of ours: < 0 inside, > 0 outside.  Along the line its sign must
-# change at the hits, that is within 1e-7 (1 + |t|) of t, and nowhere else.
+# inside() is the other program's definition, written from its manual, not from
+# this library: negative inside, positive outside.  Along the line its sign must
+# change within 1e-7 (1 + |t|) of each hit, and nowhere else.
 
 function max(a, b) { return a > b ? a : b }
 
 function square(a) { return a * a }
 
-# Squared distance from the axis through p[i..i+2] along u, and, in `along`,
-# the coordinate along it, in multiples of u.
+# Squared distance from the axis through p[i..i+2] along u.  Sets `along`, the
+# coordinate along the axis in multiples of u.
 function off_axis(i, ux, uy, uz,   dx, dy, dz)
 {
     dx = x - p[i]; dy = y - p[i + 1]; dz = z - p[i + 2]
@@ -23,10 +23,10 @@ function off_axis(i, ux, uy, uz,   dx, dy, dz)
     return dx * dx + dy * dy + dz * dz
 }
 
-# Between the planes along = 0 and along = 1.
+# Bounds the solid by the planes along = 0 and along = 1.
 function bounded(f) { return max(f, max(-along, along - 1)) }
 
-# Parameters as they stand in the card; x, y, z is the point.
+# The parameters are in the order of the card; x, y, z is the point.
 function inside(name,   d, slope)
 {
     if (name == "RCC")
@@ -96,7 +96,7 @@ function at(t)
     return inside($5)
 }
 
-# Has it one sign from t = a to t = b?
+# Whether the sign is constant from t = a to t = b.
 function constant(a, b,   i, sign)
 {
     sign = at(a)
@@ -119,8 +119,8 @@ function near(t) { return 1e-7 * (1 + max(t, -t)) }
     split("", p)
     for (i = 6; i < bar; i++)
         p[i - 5] = $i
-    asked[$5]++
-    met[$5] += $2 == 2
+    lines_of[$5]++
+    hits_of[$5] += $2 == 2
     fine = $1 == "miss" ? $2 == 0 : $1 == "cross"
     from = ($2 > 0 && $3 < 0 ? $3 : 0) - 100
     to = ($2 > 0 && $(2 + $2) > 0 ? $(2 + $2) : 0) + 100
@@ -130,7 +130,7 @@ function near(t) { return 1e-7 * (1 + max(t, -t)) }
         from = t + near(t)
     }
     if (!fine || !constant(from, to)) {
-        print "not so: " $0
+        print "wrong: " $0
         wrong++
     }
 }
@@ -140,10 +140,10 @@ END {
         print "no definition of " name
         wrong++
     }
-    for (name in asked) {
+    for (name in lines_of) {
         kinds++
-        if (met[name] < 20 || met[name] > asked[name] - 20) {
-            print name " is met by " met[name] + 0 " of " asked[name]
+        if (hits_of[name] < 20 || hits_of[name] > lines_of[name] - 20) {
+            print name ": hit by " hits_of[name] + 0 " of " lines_of[name]
             wrong++
         }
     }

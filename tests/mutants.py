@@ -1,20 +1,22 @@
 #!/usr/bin/env python3
-"""Do the tests notice when the library is wrong?
+"""Tests whether the tests detect a wrong library.
 
-Changes one operator, sign, constant or index of the numeric core at a time,
-builds that and runs the library's tests, first those that found most of what
-was wrong with this file so far.  What they let through is printed with its
-line.  A survivor is a test that is missing, a bound that is wider than need
-be, or a change that changes nothing; those that were understood stand in
-tests/mutants.txt, with the reason, and are counted but not printed.
+Changes one operator, sign, constant or index of the numeric core at a time (a
+mutant), builds the library and runs its tests; those that detected most
+mutants of the file so far run first.  Prints each mutant that passes all tests
+(a survivor) with its line.  A survivor means that a test is missing, that a
+bound is wider than necessary, or that the change has no effect.
+tests/mutants.txt lists the understood survivors with the reason; these are
+counted but not printed.
 
     tests/mutants.py [--count N] [--seed N] [--skip N] [--files a.c,b.h]
                      [--jobs N] [--full] [--again FILE]
 
-Needs what `make check` needs, MPFR and GSL among it.  Of each file N are
-drawn; --skip leaves out the first N of the seed's sequence, so that a run can
-be taken up again; --again tries only what an earlier run printed to FILE, or
-what stands in tests/mutants.txt; --full asks all tests in full.
+Needs what `make check` needs, including MPFR and GSL.  --count is the number of
+random mutants of each file.  --skip leaves out the first N of the seed's
+sequence, so that a run can be continued.  --again tries only the mutants that
+an earlier run printed to FILE, or those in tests/mutants.txt.  --full runs all
+tests with all cases.
 """
 import argparse
 import os
@@ -36,10 +38,10 @@ CORE = ["signs/forms_template.h", "roots/root_quotient_template.h",
         "shapes/tangent.c", "signs/sign.c", "roots/root.c", "roots/surd.c",
         "roots/hit.c", "filter/lanes.h", "filter/one_question.c",
         "filter/many_questions.c", "intersect.c", "batch.c", "box.c"]
-# (program, its cases): those that take seconds are tried with few first, and
-# in full only for --full, on what those let through.
+# (program, environment).  Programs that take seconds run with few cases first,
+# and with all cases only for --full, on mutants that pass the others.
 FEW = {"CYLINT_CASES": "50"}
-QUICK = [("test_special_cases", {}), ("test_shape", {}), ("test_hard", {}),
+SHORT = [("test_special_cases", {}), ("test_shape", {}), ("test_hard", {}),
          ("test_form_depth", {}), ("test_query", FEW), ("test_ties", {}),
          ("test_budget", FEW), ("test_environment", FEW),
          ("test_properties", FEW), ("test_batch", {"CYLINT_CASES": "3"})]
@@ -47,7 +49,7 @@ FULL = [("test_query", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
         ("test_environment", {}), ("test_exact", {}), ("test_double_double", {}),
         ("test_budget", {}), ("test_properties", {}), ("test_batch", {})]
 
-# (pattern, what may stand there instead)
+# (pattern, replacements)
 SWAPS = [
     (r"(?<= )\+(?= )", ["-"]), (r"(?<= )-(?= )", ["+"]),
     (r"(?<= )\*(?= )", ["+"]), (r"(?<= )/(?= )", ["*"]),
@@ -61,8 +63,8 @@ SWAPS = [
     (r"\bpair_add\b", ["pair_sub"]), (r"\bpair_sub\b", ["pair_add"]),
     (r"\btwo_sum\b", ["two_diff"]), (r"\bfast_two_sum\b", ["two_diff"]),
     (r"\bROOT_ENTRY\b", ["ROOT_EXIT"]), (r"\bROOT_EXIT\b", ["ROOT_ENTRY"]),
-    (r"\bCYLINT_ENTERING\b", ["CYLINT_SIDE_LEAVING"]),
-    (r"\bCYLINT_LEAVING\b", ["CYLINT_SIDE_ENTERING"]),
+    (r"\bCYLINT_SIDE_ENTERING\b", ["CYLINT_SIDE_LEAVING"]),
+    (r"\bCYLINT_SIDE_LEAVING\b", ["CYLINT_SIDE_ENTERING"]),
     (r"(?<![\w.])[0-9]+(?![\w.])", ["+1"]),   # a constant or an index
     (r"(?<=p)[-+]?[0-9]+\b", ["+1"]),         # a power of two
 ]
@@ -103,7 +105,7 @@ def run(command, **more):
 
 
 class Bench:
-    """A copy of the sources, built once; then what sees the changed file."""
+    """A copy of the sources: built once, then only what uses the changed file."""
 
     def __init__(self, top, work, cc, tests):
         self.work, self.cc, self.tests = work, cc, tests
@@ -134,7 +136,7 @@ class Bench:
 
     def compile(self, sources):
         def job(source):
-            # what is compiled once may take long, but not many_questions.c's lanes
+            # tests are compiled once, so they may be optimised
             fast = ("-O2" if source.startswith("tests") else
                     "-O0" if source == "src/filter/many_questions.c" else "-O1")
             return run([self.cc] + self.flags +
@@ -159,7 +161,7 @@ class Bench:
                    for job in jobs)
 
     def users(self, name):
-        """The sources that see this file."""
+        """The sources that include this file."""
         if name.endswith(".c"):
             return ["src/" + name]
         name, seen = "/" + os.path.basename(name), []
@@ -188,14 +190,14 @@ class Bench:
 
     def killer(self, order):
         """The number of the first test to fail, or None.  A test that takes
-        far longer than it should hangs, which is a failure."""
+        far longer than usual counts as a failure."""
         for i in order:
             if not self.passes(*self.tests[i], 3 * self.seconds[i] + 2):
                 return i
         return None
 
-    def judge(self, texts, mutant, users, order):
-        """Who kills it: the number of a test, "compiler", or None."""
+    def detect(self, texts, mutant, users, order):
+        """The number of the test that fails, "compiler", or None."""
         name, start, end, other = mutant
         text, path = texts[name], os.path.join(self.work, "src", name)
         with open(path, "w") as f:
@@ -218,7 +220,7 @@ def line_of(texts, mutant):
 
 
 def describe(texts, mutant):
-    """What is changed, by its text: line numbers do not last."""
+    """The change with the text of its line; line numbers would not last."""
     name, start, end, other = mutant
     line = texts[name].splitlines()[line_of(texts, mutant) - 1].strip()
     return "%r -> %r: %s" % (texts[name][start:end], other, line)
@@ -229,14 +231,14 @@ def key(texts, mutant):
 
 
 def keys_of(path):
-    """Of a run's output, or of mutants.txt, where `#` begins a reason."""
+    """The keys in a run's output or in mutants.txt, where `#` begins a reason."""
     with open(path) as f:
         lines = [line.split("  #")[0].strip() for line in f]
     return {re.sub(r"^(src/[^:]*):\d+:", r"\1:", line) for line in lines}
 
 
 def drawn(args, texts, name):
-    """All of a file's mutants, and those to try."""
+    """All mutants of a file, and those to try."""
     every = list(mutants_of(name, texts[name]))
     if args.again:
         again = keys_of(args.again)
@@ -245,7 +247,7 @@ def drawn(args, texts, name):
     return every, chosen[args.skip:args.skip + args.count]
 
 
-def judge_file(name, args, benches, texts, understood):
+def try_file(name, args, benches, texts, understood):
     every, chosen = drawn(args, texts, name)
     for k in understood - {key(texts, m) for m in every}:
         if k.startswith("src/%s:" % name):
@@ -255,20 +257,20 @@ def judge_file(name, args, benches, texts, understood):
         idle.put(bench)
     users = benches[0].users(name)
     kills = [0] * len(benches[0].tests)
-    count = dict.fromkeys(("killed", "senseless", "understood", "survived"), 0)
+    count = dict.fromkeys(("killed", "uncompiled", "understood", "survived"), 0)
 
     def try_one(mutant):
         bench = idle.get()
         worth = [-k / s for k, s in zip(kills, bench.seconds)]
         order = sorted(range(len(worth)), key=lambda i: worth[i])
-        killer = bench.judge(texts, mutant, users, order)
+        killer = bench.detect(texts, mutant, users, order)
         idle.put(bench)
         if killer is None:
             fate = "survived"
             if key(texts, mutant) in understood:
                 fate = "understood"
         elif killer == "compiler":
-            fate = "senseless"
+            fate = "uncompiled"
         else:
             fate = "killed"
             kills[killer] += 1
@@ -280,9 +282,9 @@ def judge_file(name, args, benches, texts, understood):
     with ThreadPoolExecutor(len(benches)) as pool:
         list(pool.map(try_one, chosen))
     print("%s: %d possible, %d tried: %d killed, %d did not compile, "
-          "%d survived as they must, %d survived"
+          "%d survived for a known reason, %d survived"
           % (name, len(every), len(chosen), count["killed"],
-             count["senseless"], count["understood"], count["survived"]),
+             count["uncompiled"], count["understood"], count["survived"]),
           flush=True)
     return count["survived"]
 
@@ -305,9 +307,9 @@ def main():
              for n in args.files.split(",")}
     with tempfile.TemporaryDirectory() as work:
         benches = [Bench(top, os.path.join(work, str(i)), args.cc,
-                         QUICK + FULL if args.full else QUICK)
+                         SHORT + FULL if args.full else SHORT)
                    for i in range(args.jobs)]
-        survived = sum(judge_file(n, args, benches, texts, understood)
+        survived = sum(try_file(n, args, benches, texts, understood)
                        for n in texts)
     return survived > 0
 

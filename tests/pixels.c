@@ -1,5 +1,5 @@
 /*
- * pixels.c - the pixels of a PNG file as text, for tests/test_render.sh
+ * pixels.c - prints the pixels of a PNG file, for tests/test_render.sh
  *
  *   pixels FILE X Y   red green blue opacity of one pixel
  *   pixels FILE       x y red green blue opacity of all, a line each

@@ -231,7 +231,7 @@ judge 'a file that may not grow, a disk that is full'
 # For every n: the n-th allocation fails, alone or with all after it.
 for job in $jobs neuron; do
     for j in $WORKERS; do
-        CYLINT_FAULTS='tell=1' ask "$faulty" $job -j $j <"$(input_of $job)" 2>&1 >out |
+        CYLINT_FAULTS='count=1' ask "$faulty" $job -j $j <"$(input_of $job)" 2>&1 >out |
             sed -n 's/^faults: \(.*\) allocations/\1/p' >count
         n=$(cat count) died=0
         [ "$n" -lt 1000 ] || n=1000

@@ -1,8 +1,8 @@
 #!/bin/sh
 # demo.sh - a laser scan of a generated forest, from text to text
 #
-# BUILD is the folder that holds the command; what is made stays in
-# BUILD/demo.  AWK chooses the awk.
+# BUILD is the folder of the command; the demo writes to BUILD/demo.  AWK is the
+# awk to use.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -31,12 +31,12 @@ echo "A forest, one shape a line, in $out/forest.scene:"
 echo
 sed -n 2,6p "$out/forest.scene"
 echo
-echo "A laser scanner in its midst, one ray a line, in $out/rays.txt:"
+echo "A laser scanner among the trees, one ray a line, in $out/rays.txt:"
 echo
 sed -n 1,3p "$out/rays.txt"
 echo
-echo "Which shape does each ray meet first, how far away, on which part, how"
-echo "high above the ground?"
+echo "Which shape does each ray hit first, at which distance, on which part, and"
+echo "at which height above the ground?"
 echo
 echo "\$ cylint -s forest.scene -f shape,t,part,z rays.txt > answers.txt"
 started=$(now)
@@ -55,7 +55,7 @@ sort -t "$(printf '\t')" -k 2,2n "$out/answers.txt" > "$out/by-range.txt"
 $awk -v seconds="$seconds" -f "$here/summary.awk" \
     "$out/forest.scene" "$out/by-range.txt"
 
-# In colours too, where a picture can be taken.
+# A picture in colours, if cylint-render was built.
 [ -x "$build/cylint-render" ] || exit 0
 $awk -f "$here/paint.awk" "$out/forest.scene" > "$out/painted.scene"
 "$build/cylint-render" "$out/painted.scene" -o "$out/forest.png" \

@@ -1,14 +1,13 @@
 # forest.awk - plants a small forest: a scene for `cylint -s`
 #
-# Spruces are a tapering stem and pointed cones of foliage, beeches in winter
-# are stems and branches of frusta, the ground is a cylinder so flat that
-# only its upper cap is seen.  z is up, all in metres, the scanner's place
-# (the origin) is left free.  Each shape's label is tree-part, for instance
-# spruce7-stem.
+# A spruce is a tapering stem with pointed cones of foliage; a beech in winter
+# consists of frusta; the ground is a flat cylinder whose upper cap is visible.
+# z is up, units are metres, and no tree stands near the scanner at the origin.
+# A shape's label is tree-part, for instance spruce7-stem.
 #
-# Random numbers are Lehmer's, x -> 16807 x mod 2^31 - 1 [Park & Miller 1988]:
-# every product is below 2^53, hence exact in any awk; coordinates are
-# printed to the millimetre, where no awk's arithmetic differs from another's.
+# Random numbers: x -> 16807 x mod 2^31 - 1 [Park & Miller 1988].  Every product
+# is below 2^53, so it is exact in any awk.  Coordinates are printed to the
+# millimetre, so all awks print the same.
 
 BEGIN {
     state = 5150
@@ -25,7 +24,7 @@ function random(low, high)
     return low + (high - low) * state / 2147483647
 }
 
-# Places are tried until one is free, so the trees keep their distance.
+# Tries places until one is far from all other trees.
 function plant(n,   x, y, angle, range, crowded, i)
 {
     do {
@@ -89,7 +88,7 @@ function beech(name, x, y, height,   i, pieces, z, r, next_x, next_y, next_r)
     }
 }
 
-# Branches all round a point of the stem, each bent upward once and forked.
+# Branches around a point of the stem, each bent upward once and forked.
 function whorl(name, x, y, z, r, reach,   count, turn, i, a, x1, y1, z1, r1)
 {
     count = 4

@@ -1,6 +1,6 @@
-# paint.awk - gives the shapes of forest.awk colours for cylint-render
+# paint.awk - adds colours to the shapes of forest.awk, for cylint-render
 #
-# A shape's label ends in what it is, for instance spruce7-stem.
+# The last word of a label is the kind, for instance stem of spruce7-stem.
 
 BEGIN {
     colour["ground"] = "#a39b6f"

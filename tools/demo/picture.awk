@@ -1,9 +1,9 @@
 # picture.awk - the scanner's range image, as text
 #
 # Reads a scene, then the answers of `cylint -f shape,t,part,z` with labels
-# `column row`.  Each character stands for wide x high rays and shows the
-# nearest of what they met: stems, branches and foliage by their range, near
-# to far in `shades`, the ground as dots, the sky as nothing.
+# `column row`.  Each character shows the nearest hit of wide x high rays: a
+# tree by its range, near to far in `shades`, the ground as a dot, the sky as a
+# blank.
 
 BEGIN {
     shades = "@#%*+=-:"

@@ -1,10 +1,10 @@
 # scanner.awk - a terrestrial laser scanner: one ray per line for `cylint -s`
 #
-# Stands `height` metres above the origin, looks along x, sweeps the given
-# degrees of azimuth (left to right) and elevation (top to bottom) in
-# `columns` by `rows` steps.  Directions need not be of unit length for
-# cylint, and are not quite, being decimals; t is the range to a part in 10^9.
-# The label of a ray is its column and row.
+# The scanner is `height` metres above the origin and faces along x.  It sweeps
+# `azimuth` degrees from left to right in `columns` steps, and the elevations
+# from `highest` to `lowest` in `rows` steps.  Directions are decimals of almost
+# unit length, so t is the range to a part in 10^9.  The label of a ray is its
+# column and row.
 
 BEGIN {
     degree = atan2(0, -1) / 180

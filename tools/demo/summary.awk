@@ -1,7 +1,7 @@
-# summary.awk - what a scan says, as a short text
+# summary.awk - prints the totals of a scan
 #
 # Reads a scene, then the answers of `cylint -f shape,t,part,z` sorted by t.
-# `seconds` is what the command took, 0 if the clock was too coarse.
+# `seconds` is the time of the command, 0 if the clock is too coarse.
 
 FNR == 1 { files++ }
 
@@ -24,8 +24,8 @@ files == 2 && $1 > 0 {
         seen[label[$1]] = 1
         tree = label[$1]
         sub(/-.*/, "", tree)
-        if (!(tree in met)) {
-            met[tree] = 1
+        if (!(tree in tree_hit)) {
+            tree_hit[tree] = 1
             trees++
         }
     }
@@ -46,8 +46,8 @@ END {
     printf "range: nearest %.3f m, median %.3f m, farthest %.3f m\n",
            range[1], median(), range[hits]
     printf "tallest hit: %.3f m, on %s\n", height, tallest
-    printf "trees met: %d\n", trees
-    printf "surface met: lateral %d, cap0 %d, cap1 %d\n\n",
+    printf "trees hit: %d\n", trees
+    printf "part hit: lateral %d, cap0 %d, cap1 %d\n\n",
            parts["lateral"], parts["cap0"], parts["cap1"]
     printf "%-8s %7s %7s %12s\n", "", "shapes", "hits", "nearest (m)"
     row("ground")

@@ -1,8 +1,7 @@
-# table.awk - some answers of the scan, with the label of the shape met
+# table.awk - prints some answers of the scan with the label of the shape hit
 #
-# Reads a scene, then the answers of `cylint -f shape,t,part,z`; shows the
-# first hit on each part of each kind of shape, in the command's own words,
-# only aligned.
+# Reads a scene, then the answers of `cylint -f shape,t,part,z`.  Prints the
+# first hit on each part of each kind of shape, in aligned columns.
 
 FNR == 1 { files++ }
 
