@@ -6,6 +6,7 @@
  */
 #include "signs/sign.h"
 #include "filter/filter.h"
+#include "intersect.h"
 
 /* A run for each kind, bounded or not, and one for what no kernel takes. */
 enum { KINDS = CYLINT_KIND_ECONE + 1, RUNS = 2 * KINDS + 1, PADDING = 8 };
@@ -149,7 +150,8 @@ static void fill_columns(const cylint_columns *to, size_t i,
 }
 
 /* Uses an answer that is no miss.  Returns 1 when no more are wanted. */
-CYLINT_INLINE int use_answer(batch_job *job, size_t number, const batch_answer *a)
+CYLINT_INLINE int use_answer(batch_job *job, size_t number,
+                             const batch_answer *a)
 {
     switch (job->purpose) {
     case FIND_NEAREST:
@@ -178,16 +180,18 @@ static int line_of(const batch_job *job, size_t number, cylint_line *line)
                        l->tmax ? l->tmax[number] : HUGE_VAL) == CYLINT_OK;
 }
 
-/* One question by itself.  Returns 1 when no more are wanted. */
+/* One question by itself; hard: the filter would not decide it.  Returns 1
+ * when no more are wanted. */
 static int answer_alone(batch_job *job, const cylint_shape *shape,
-                        size_t number)
+                        size_t number, int hard)
 {
     cylint_line line;
     cylint_answer a;
     batch_answer answer;
     if (!line_of(job, number, &line))
         return 0;
-    cylint_intersect(shape, &line, job->want | CYLINT_WANT_PART, &a);
+    (hard ? cylint_intersect_by_signs
+          : cylint_intersect)(shape, &line, job->want | CYLINT_WANT_PART, &a);
     if (a.relation == CYLINT_RELATION_MISS)
         return 0;
     answer.relation = a.relation;
@@ -202,8 +206,8 @@ static int answer_alone(batch_job *job, const cylint_shape *shape,
 }
 
 /* Of a lane that the filter decided. */
-CYLINT_INLINE void lane_answer(const cylint_filter_group *g, int lane, unsigned want,
-                        batch_answer *a)
+CYLINT_INLINE void lane_answer(const cylint_filter_group *g, int lane,
+                               unsigned want, batch_answer *a)
 {
     a->relation = CYLINT_RELATION_CROSS;
     a->n = 0;
@@ -230,7 +234,7 @@ static int use_group(batch_job *job, const cylint_filter_batch *from,
         int enough;
         if (g->undecided >> lane & 1) {
             enough = answer_alone(job, &from->shapes[from->run ? number : 0],
-                                  number);
+                                  number, (int)(g->hard >> lane & 1));
         } else {
             lane_answer(g, lane, job->want, &answer);
             enough = use_answer(job, number, &answer);
@@ -292,7 +296,7 @@ static void answer_pack(const cylint_pack *pack, batch_job *job)
         }
         for (size_t i = 0; i < run->n; i++) {
             const size_t number = run->number[i];
-            if (answer_alone(job, &pack->shapes[number], number))
+            if (answer_alone(job, &pack->shapes[number], number, 0))
                 return;
         }
     }
@@ -398,5 +402,5 @@ void cylint_intersect_lines(const cylint_shape *shape,
         return;
     }
     for (size_t i = 0; i < lines->n; i++)
-        answer_alone(&job, shape, i);
+        answer_alone(&job, shape, i, 0);
 }

@@ -8,10 +8,10 @@
 /* Best first; the last runs anywhere. */
 static const cylint_kernels builds[] = {
 #ifdef CYLINT_BUILDS_X86
-    {"avx512", cylint_one_avx512, cylint_many_avx512},
-    {"avx2", cylint_one_fma, cylint_many_avx2},
+    {"avx512", &cylint_one_avx512, cylint_many_avx512},
+    {"avx2", &cylint_one_fma, cylint_many_avx2},
 #endif
-    {"plain", cylint_one_plain, cylint_many_plain},
+    {"plain", &cylint_one_plain, cylint_many_plain},
 };
 
 enum { BUILDS = sizeof builds / sizeof builds[0] };

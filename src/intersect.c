@@ -6,6 +6,8 @@
  * ends the interval is read off the signs of forms_template.h at the two cap planes;
  * no root is computed for it and none is compared with another.
  */
+#include "intersect.h"
+
 #include "roots/roots.h"
 #include "filter/filter.h"
 
@@ -230,8 +232,19 @@ static void describe(cylint_query *q, const stop *at, double t, double more,
                             want, hit);
 }
 
-int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
-                     unsigned want, cylint_answer *answer)
+/* The fast t of a root that the filter computes in doubles, too. */
+static int fast_t(const cylint_query *q, cylint_root root, double *t)
+{
+    const int part = root == ROOT_CAP0   ? CYLINT_PART_CAP0
+                     : root == ROOT_CAP1 ? CYLINT_PART_CAP1
+                                         : CYLINT_PART_LATERAL;
+    return root != ROOT_DOUBLE && root != ROOT_APEX &&
+           cylint_fast_root(q->shape, q->line, part, root == ROOT_EXIT, t);
+}
+
+int cylint_intersect_by_signs(const cylint_shape *shape,
+                              const cylint_line *line, unsigned want,
+                              cylint_answer *answer)
 {
     if (shape->kind == CYLINT_KIND_NONE || !line->valid) {
         answer->relation = CYLINT_RELATION_MISS;
@@ -244,16 +257,17 @@ int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
     answer->relation = v.relation;
     answer->n = 0;
     for (int i = 0; i < v.n; i++) {
-        double t = 0, more = 0;
+        double t = 0, more = 0, fast;
         if (!present(q.ends, v.at[i].part))
             continue;
-        if (!cylint_root_within(&q, v.at[i].root,
-                                (want & (CYLINT_WANT_T | beside_t)) != 0, &t,
-                                &more))
+        const int is_fast = want & CYLINT_WANT_T && want & CYLINT_WANT_FAST &&
+                            fast_t(&q, v.at[i].root, &fast);
+        const int rounded = !is_fast && want & (CYLINT_WANT_T | beside_t);
+        if (!cylint_root_within(&q, v.at[i].root, rounded, &t, &more))
             continue;
         cylint_hit *hit = &answer->hit[answer->n++];
         if (want & CYLINT_WANT_T)
-            hit->t = t;
+            hit->t = is_fast ? fast : t;
         if (want & CYLINT_WANT_PART) {
             hit->part = v.at[i].part;
             hit->side = v.at[i].side;
@@ -298,10 +312,11 @@ ASIDE int ask_more(const cylint_shape *shape, const cylint_line *line,
 {
     cylint_answer known;
     cylint_root_rest rest;
-    const int n = cylint_kernels_used()->one(
-        shape, line, want | CYLINT_WANT_T | CYLINT_WANT_PART, &known, &rest);
+    const int n = cylint_filter_one(cylint_kernels_used()->one, shape, line,
+                                    want | CYLINT_WANT_T | CYLINT_WANT_PART,
+                                    &known, &rest);
     if (n == CYLINT_UNDECIDED)
-        return cylint_ask_signs(shape, line, want, answer);
+        return cylint_intersect_by_signs(shape, line, want, answer);
     answer->relation = known.relation;
     answer->n = n;
     if (n > 0)
@@ -314,7 +329,7 @@ static int contradicts(const cylint_shape *shape, const cylint_line *line,
                        unsigned want, const cylint_answer *known)
 {
     cylint_answer a;
-    cylint_ask_signs(shape, line, want, &a);
+    cylint_intersect_by_signs(shape, line, want, &a);
     int wrong = a.relation != known->relation || a.n != known->n;
     for (int i = 0; i < a.n && !wrong; i++)
         wrong = ((want & CYLINT_WANT_PART) &&
@@ -326,35 +341,44 @@ static int contradicts(const cylint_shape *shape, const cylint_line *line,
 }
 #endif
 
+/* Relation, n, t and part: by the filter, or else by signs. */
+CYLINT_INLINE int answer_t(const cylint_shape *shape, const cylint_line *line,
+                           unsigned want, cylint_answer *answer)
+{
+    const int n = cylint_filter_one(cylint_kernels_used()->one, shape, line,
+                                    want, answer, NULL);
+    if (n == CYLINT_UNDECIDED)
+        return cylint_intersect_by_signs(shape, line, want, answer);
+    return n;
+}
+
 /* The fast mode is about t alone: all else is computed from the root. */
 ASIDE int ask_fast_and_more(const cylint_shape *shape, const cylint_line *line,
                             unsigned want, cylint_answer *answer)
 {
     ask_more(shape, line, want & ~(unsigned)CYLINT_WANT_FAST, answer);
-    return cylint_kernels_used()->one(shape, line, want & ~beside_t, answer,
-                                      NULL);
+    return answer_t(shape, line, want & ~beside_t, answer);
+}
+
+static int answer_question(const cylint_shape *shape, const cylint_line *line,
+                           unsigned want, cylint_answer *answer)
+{
+    answer->flags = 0;
+    if (want & beside_t && want & CYLINT_WANT_FAST)
+        return ask_fast_and_more(shape, line, want, answer);
+    if (want & beside_t)
+        return ask_more(shape, line, want, answer);
+    return answer_t(shape, line, want, answer);
 }
 
 int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer)
 {
-    answer->flags = 0;
+    const int n = answer_question(shape, line, want, answer);
 #if CYLINT_IS_PARANOID
-    if (want & beside_t && want & CYLINT_WANT_FAST)
-        ask_fast_and_more(shape, line, want, answer);
-    else if (want & beside_t)
-        ask_more(shape, line, want, answer);
-    else
-        cylint_kernels_used()->one(shape, line, want, answer, NULL);
     cylint_contradiction(contradicts(shape, line, want, answer));
-    return answer->n;
-#else
-    if (want & beside_t && want & CYLINT_WANT_FAST)
-        return ask_fast_and_more(shape, line, want, answer);
-    if (want & beside_t)
-        return ask_more(shape, line, want, answer);
-    return cylint_kernels_used()->one(shape, line, want, answer, NULL);
 #endif
+    return n;
 }
 
 int cylint_occluded(const cylint_shape *shape, const cylint_line *line)

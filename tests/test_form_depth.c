@@ -27,6 +27,7 @@ static int depth_of_product(int x, int y)
     return x + y + 1;
 }
 
+#define INLINE static inline
 #define NUM int
 #define FORM(name) name##_depth
 #define ADD(x, y) depth_of_sum(x, y)

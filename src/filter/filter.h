@@ -5,6 +5,8 @@
 #ifndef CYLINT_KERNELS_H
 #define CYLINT_KERNELS_H
 
+#include <float.h>
+
 #include "cylint.h"
 
 /* What is known of the roots of n hits beside t: root = t + more, but for an
@@ -13,18 +15,36 @@ typedef struct {
     double more[2], error[2];
 } cylint_root_rest;
 
-/* One line and shape: fills in *answer and returns its n.  Point, normal, z
- * and phi are not wanted of it; who needs more of the roots to find those sets
- * `rest`, and is then told CYLINT_UNDECIDED where it would take signs. */
+/* One line and shape: fills in *answer and returns its n, or returns
+ * CYLINT_UNDECIDED.  Point, normal, z and phi are not computed; `rest`, where
+ * it is not NULL, receives what finding them needs. */
 typedef int cylint_kernel_one(const cylint_shape *shape,
                               const cylint_line *line, unsigned want,
                               cylint_answer *answer, cylint_root_rest *rest);
 enum { CYLINT_UNDECIDED = -1 };
 
-/* The way that always answers (intersect.c): by signs and, where need be, every
- * digit. */
-int cylint_ask_signs(const cylint_shape *shape, const cylint_line *line,
-                     unsigned want, cylint_answer *answer);
+/* By kind, ends and whether relation and number of the whole line suffice. */
+typedef cylint_kernel_one
+    *const cylint_one_table[CYLINT_KIND_ECONE + 1][CYLINT_ENDS_NAPPE + 1][2];
+
+static inline int cylint_filter_one(cylint_one_table *table,
+                                    const cylint_shape *shape,
+                                    const cylint_line *line, unsigned want,
+                                    cylint_answer *answer,
+                                    cylint_root_rest *rest)
+{
+    const int brief = !(want & (CYLINT_WANT_T | CYLINT_WANT_PART)) &
+                      (line->tmin < -DBL_MAX) & (line->tmax > DBL_MAX);
+    if (!(shape->ordinary & line->ordinary))
+        return CYLINT_UNDECIDED;
+    return (*table)[shape->kind][shape->ends][brief](shape, line, want, answer,
+                                                     rest);
+}
+
+/* The fast t of the root on a part of the surface, where the lateral quadric
+ * rises (exits) or falls.  Returns 0 if the root must be rounded correctly. */
+int cylint_fast_root(const cylint_shape *shape, const cylint_line *line,
+                     int part, int exits, double *t);
 
 /* A question of a batch is a line and a shape, and it has a number.  All
  * questions of one cylint_filter_batch have the same kind of shape, and either
@@ -60,10 +80,11 @@ typedef struct {
 } cylint_filter_batch;
 
 /* Answers to up to 8 questions: those of lanes in `found` cross, or are
- * undecided; all others miss, or their hits are not wanted.  Masks have a bit
+ * undecided; all others miss, or their hits are not wanted.  Of the undecided,
+ * those in `hard` are beyond the filter of one question, too.  Masks have a bit
  * for each lane.  Hit 0 leaves and hit 1 enters in lanes of leaving_first. */
 typedef struct {
-    unsigned found, undecided, hit[2], leaving_first;
+    unsigned found, undecided, hard, hit[2], leaving_first;
     const size_t *number;
     double t[2][8], part[2][8];
 } cylint_filter_group;
@@ -74,12 +95,12 @@ typedef int cylint_filter_next(cylint_filter_batch *batch,
 
 typedef struct {
     const char *name;
-    cylint_kernel_one *one;
+    cylint_one_table *one;
     cylint_filter_next *many;
 } cylint_kernels;
 
 /* The builds: narrow for single questions, wide for batches. */
-extern cylint_kernel_one cylint_one_plain, cylint_one_fma, cylint_one_avx512;
+extern cylint_one_table cylint_one_plain, cylint_one_fma, cylint_one_avx512;
 extern cylint_filter_next cylint_many_plain, cylint_many_avx2,
     cylint_many_avx512;
 

@@ -72,13 +72,13 @@ INLINE void broadcast_line(lanes_line *to, const cylint_line *l)
     to->segment = l->segment;
 }
 
-INLINE void broadcast_ends(lanes_shape *to, int ends)
+/* The caps that are there: bit 0 and bit 1. */
+INLINE unsigned caps_present(int ends)
 {
-    const unsigned all = (1u << LANES) - 1;
-    to->cap[0] = m_from(
-        ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0 ? all : 0);
-    to->cap[1] = m_from(
-        ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1 ? all : 0);
+    return ends == CYLINT_ENDS_CAPPED ? 3
+           : ends == CYLINT_ENDS_CAP0 ? 1
+           : ends == CYLINT_ENDS_CAP1 ? 2
+                                      : 0;
 }
 
 INLINE void broadcast_shape(lanes_shape *to, const cylint_shape *s)
@@ -95,7 +95,9 @@ INLINE void broadcast_shape(lanes_shape *to, const cylint_shape *s)
     to->r[1] = v_set(s->r1);
     to->dr = v_set(s->dr);
     to->dr_lo = v_set(s->dr_lo);
-    broadcast_ends(to, s->ends);
+    const unsigned all = (1u << LANES) - 1, caps = caps_present(s->ends);
+    to->cap[0] = m_from(caps & 1 ? all : 0);
+    to->cap[1] = m_from(caps & 2 ? all : 0);
 }
 
 /* A value with a bound on its error. */
@@ -124,10 +126,11 @@ INLINE bounded_value quotient(bounded_value x, bounded_value y)
 }
 
 /* cross: the relation is cross; neither cross nor undecided: it is miss.
+ * hard: of the undecided, those whose lateral roots doubles do not know.
  * hit: in the domain, on a part that is present.  leaving_first: the first
  * stop ends an overlap, the second begins one. */
 typedef struct {
-    vm undecided, cross, hit[2], leaving_first;
+    vm undecided, hard, cross, hit[2], leaving_first;
     bounded_value stop[2];
     vd part[2];
 } lanes_verdict;
@@ -176,9 +179,11 @@ INLINE void prepare_lanes(letters_lanes *L, letters_sizes *N)
 }
 
 /* The letters of lines and shapes in lanes. */
-INLINE void lanes_letters(letters_lanes *L, letters_sizes *N,
-                          const lanes_shape *s, const lanes_line *l, int kind)
+INLINE void lanes_letters(lanes_query *q, const lanes_shape *s,
+                          const lanes_line *l, int kind, int bounded)
 {
+    letters_lanes *L = &q->L;
+    letters_sizes *N = &q->N;
     const int circular = kind < CYLINT_KIND_ECYLINDER;
     vd a = v_set(0);
     L->kind = N->kind = kind;
@@ -196,7 +201,9 @@ INLINE void lanes_letters(letters_lanes *L, letters_sizes *N,
     if (!circular)
         a = v_max(v_largest(s->a), v_largest(s->b));
     const vd u = v_largest(L->u), w = v_largest(L->w);
-    const vd D = v_max(v_largest(L->D[0]), v_largest(L->D[1]));
+    vd D = v_largest(L->D[0]);
+    if (bounded)
+        D = v_max(D, v_largest(L->D[1]));
     L->r[0] = N->r[0] = s->r[0];
     L->r[1] = N->r[1] = s->r[1];
     L->dr = s->dr;
@@ -302,9 +309,9 @@ INLINE void slab_interval(lanes_query *q, bounded_value plane[2], vm *unsure,
 }
 
 /* Which stops are hits; unsure where a limit is too near. */
-INLINE vm within_domain(bounded_value t, const lanes_line *l, vm *unsure)
+INLINE vm within_domain(bounded_value t, vd tmin, vd tmax, vm *unsure)
 {
-    const bounded_value from = limit(l->tmin), to = limit(l->tmax);
+    const bounded_value from = limit(tmin), to = limit(tmax);
     const vm in = m_and(above(t, from), above(to, t));
     const vm out = m_or(above(from, t), above(t, to));
     *unsure = m_not(m_or(in, out));
@@ -331,10 +338,15 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
     const vm none = m_from(0);
     const vd lateral = v_set(CYLINT_PART_LATERAL), zero = v_set(0);
     const bounded_value nowhere = {zero, zero};
-    lanes_verdict v = {
-        none, none, {none, none}, none, {nowhere, nowhere}, {lateral, lateral}};
+    lanes_verdict v = {none,
+                       none,
+                       none,
+                       {none, none},
+                       none,
+                       {nowhere, nowhere},
+                       {lateral, lateral}};
     q->A = q->B = q->R = q->beta = nowhere;
-    lanes_letters(&q->L, &q->N, s, l, kind);
+    lanes_letters(q, s, l, kind, bounded);
     const bounded_value G =
         with_bound(form_G_lanes(&q->L), form_G_sizes(&q->N));
     const vm window = lanes_in_window(q, kind);
@@ -346,6 +358,7 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
     bounded_value *const stop = v.stop;
     q->beta = with_bound(q->L.beta, form_beta_sizes(&q->N));
     lateral_interval(q, G, kind, bounded, stop, &unsure, &outside);
+    v.hard = unsure;
     if (bounded) {
         const vd cap0 = v_set(CYLINT_PART_CAP0), cap1 = v_set(CYLINT_PART_CAP1);
         bounded_value plane[2];
@@ -376,7 +389,7 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
     v.undecided = m_and(alive, unsure);
     EACH(i, 2) {
         vm near;
-        const vm in = within_domain(stop[i], l, &near);
+        const vm in = within_domain(stop[i], l->tmin, l->tmax, &near);
         const vm there = m_and(v.cross, part_present(s, v.part[i]));
         v.hit[i] = m_and(there, in);
         v.undecided = m_or(v.undecided, m_and(there, near));
@@ -390,13 +403,18 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
 /* What rounding takes from a query that was judged. */
 typedef struct {
     bounded_value R, beta;
-    vd A, D, u; /* |A|; the largest components of D and u */
+    vd A, D, u, w, a; /* |A|; the largest components of vectors */
 } lanes_slopes;
 
 INLINE lanes_slopes slopes_of(const lanes_query *q)
 {
-    return (lanes_slopes){q->R, q->beta, v_abs(q->A.v), q->N.D[0][0],
-                          q->N.u[0]};
+    return (lanes_slopes){q->R,
+                          q->beta,
+                          v_abs(q->A.v),
+                          q->N.D[0][0],
+                          q->N.u[0],
+                          q->N.w[0],
+                          elliptic_sizes(&q->N) ? q->N.a[0] : v_set(0)};
 }
 
 /* A root rounded: value + more, and whether value is certainly nearest. */
@@ -408,11 +426,14 @@ typedef struct {
 /* The fast mode: t as the doubles have it, if its error is certainly below
  * CYLINT_FAST_BOUND of the larger of |t| and the distance of the shape, in
  * multiples of d. */
+INLINE vm fast_enough(bounded_value t, vd D, vd u)
+{
+    return v_le(t.e * u, v_set(CYLINT_FAST_BOUND) * v_max(v_abs(t.v) * u, D));
+}
+
 INLINE lanes_root take_root(const lanes_slopes *q, bounded_value t)
 {
-    const vd size = v_max(v_abs(t.v), q->D / q->u);
-    return (lanes_root){t.v, v_set(0), t.e,
-                        v_le(t.e, v_set(CYLINT_FAST_BOUND) * size)};
+    return (lanes_root){t.v, v_set(0), t.e, fast_enough(t, q->D, q->u)};
 }
 
 /* Lane by lane the quick root where that is sure, so that no root depends on
@@ -462,12 +483,10 @@ INLINE vd letters_at(letters_pairs *P, letters_sizes *N, const lanes_slopes *q,
             P->b[i] = (vpair){s->b[i], zero};
         }
     }
-    const vd w = v_largest(s->axis);
-    const vd a = elliptic ? v_max(v_largest(s->a), v_largest(s->b)) : zero;
     EACH(i, 3) {
-        N->w[i] = w;
+        N->w[i] = q->w;
         N->D[0][i] = size;
-        N->a[i] = N->b[i] = a;
+        N->a[i] = N->b[i] = q->a;
     }
     P->r[0] = (vpair){s->r[0], zero};
     N->r[0] = s->r[0];

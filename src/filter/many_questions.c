@@ -346,6 +346,7 @@ INLINE void judge(const cylint_filter_batch *from, const question *x, int kind,
         v.hit[1] = m_and(v.hit[1], wanted);
     }
     g->undecided = m_bits(v.undecided);
+    g->hard = m_bits(v.hard);
     g->hit[0] = m_bits(v.hit[0]);
     g->hit[1] = m_bits(v.hit[1]);
     g->leaving_first = m_bits(v.leaving_first);
@@ -404,15 +405,18 @@ INLINE void round_hits(const cylint_filter_batch *from, const question *x,
             m_from(wanted), m_from(second ^ g->leaving_first),
             choose(last, at->t[1], at->t[0]),
             v_select(last, v_load(g->part[1]), v_load(g->part[0]))};
-        if (wanted)
-            g->undecided |=
-                round_roots(&at->slopes, x, kind, from->want, &of, g->t[i]);
+        if (!wanted)
+            continue;
+        const unsigned unsure =
+            round_roots(&at->slopes, x, kind, from->want, &of, g->t[i]);
+        g->undecided |= unsure;
+        g->hard |= unsure;
     }
     if (nearest) /* one root a lane: it stands in both places */
         memcpy(g->t[1], g->t[0], sizeof g->t[1]);
 }
 
-/* A kernel of its own for each kind. */
+/* Functions of their own for each kind; elliptic kinds round alike. */
 typedef struct {
     void (*judge)(const cylint_filter_batch *from, const question *x, stops *at,
                   cylint_filter_group *g);
@@ -420,36 +424,40 @@ typedef struct {
                   const stops *at, cylint_filter_group *g);
 } kernels;
 
-#define KERNELS(kind)                                           \
-    ASIDE void judge_##kind(const cylint_filter_batch *from,    \
-                            const question *x, stops *at,       \
-                            cylint_filter_group *g)             \
-    {                                                           \
-        judge(from, x, kind, at, g);                            \
-    }                                                           \
+#define JUDGE(kind)                                          \
+    ASIDE void judge_##kind(const cylint_filter_batch *from, \
+                            const question *x, stops *at,    \
+                            cylint_filter_group *g)          \
+    {                                                        \
+        judge(from, x, kind, at, g);                         \
+    }
+#define ROUND(kind)                                             \
     ASIDE void round_##kind(const cylint_filter_batch *from,    \
                             const question *x, const stops *at, \
                             cylint_filter_group *g)             \
     {                                                           \
         round_hits(from, x, kind, at, g);                       \
     }
-KERNELS(CYLINT_KIND_CYLINDER)
-KERNELS(CYLINT_KIND_CONE)
-KERNELS(CYLINT_KIND_ACONE)
-KERNELS(CYLINT_KIND_ECYLINDER)
-KERNELS(CYLINT_KIND_ECONE)
-#undef KERNELS
+JUDGE(CYLINT_KIND_CYLINDER)
+JUDGE(CYLINT_KIND_CONE)
+JUDGE(CYLINT_KIND_ACONE)
+JUDGE(CYLINT_KIND_ECYLINDER)
+JUDGE(CYLINT_KIND_ECONE)
+ROUND(CYLINT_KIND_CYLINDER)
+ROUND(CYLINT_KIND_CONE)
+ROUND(CYLINT_KIND_ACONE)
+ROUND(CYLINT_KIND_ECONE)
+#undef JUDGE
+#undef ROUND
 
-#define KERNELS(kind)              \
-    {                              \
-        judge_##kind, round_##kind \
-    }
-static const kernels of_kind[] = {{NULL, NULL},
-                                  KERNELS(CYLINT_KIND_CYLINDER),
-                                  KERNELS(CYLINT_KIND_CONE),
-                                  KERNELS(CYLINT_KIND_ACONE),
-                                  KERNELS(CYLINT_KIND_ECYLINDER),
-                                  KERNELS(CYLINT_KIND_ECONE)};
+static const kernels of_kind[] = {
+    {NULL, NULL},
+    {judge_CYLINT_KIND_CYLINDER, round_CYLINT_KIND_CYLINDER},
+    {judge_CYLINT_KIND_CONE, round_CYLINT_KIND_CONE},
+    {judge_CYLINT_KIND_ACONE, round_CYLINT_KIND_ACONE},
+    {judge_CYLINT_KIND_ECYLINDER, round_CYLINT_KIND_ECONE},
+    {judge_CYLINT_KIND_ECONE, round_CYLINT_KIND_ECONE},
+};
 
 static void answer_group(const cylint_filter_batch *from, const size_t *list,
                          int lanes, cylint_filter_group *g)

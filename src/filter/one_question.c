@@ -19,6 +19,26 @@
 #define CYLINT_ONE cylint_one_plain
 #endif
 
+#define ARGUMENTS                                                      \
+    const cylint_shape *shape, const cylint_line *line, unsigned want, \
+        cylint_answer *answer, cylint_root_rest *rest
+
+/* For what has no kernel. */
+static int undecided(ARGUMENTS)
+{
+    (void)shape;
+    (void)line;
+    (void)want;
+    (void)answer;
+    (void)rest;
+    return CYLINT_UNDECIDED;
+}
+
+#define NEITHER              \
+    {                        \
+        undecided, undecided \
+    }
+
 #if LANES == 2
 
 INLINE vm is_positive(bounded_value x)
@@ -43,29 +63,28 @@ INLINE bounded_value of_base(bounded_value x)
     return (bounded_value){v_firsts(x.v, x.v), v_firsts(x.e, x.e)};
 }
 
-/* The letters as both caps see them, and the shape they are made of. */
-INLINE void see(lanes_query *q, lanes_shape *s, const cylint_shape *shape,
+/* The letters as both caps see them. */
+INLINE void see(lanes_query *q, const cylint_shape *shape,
                 const cylint_line *line, int kind, int bounded)
 {
     letters_lanes *L = &q->L;
     const int two_ends = bounded && kind <= CYLINT_KIND_CONE;
     L->kind = kind;
     EACH(i, 3) {
+        const vd base = two_ends ? v_two(shape->base[i], shape->top[i])
+                                 : v_set(shape->base[i]);
         L->u[i] = v_set(line->d[i]);
-        L->w[i] = s->axis[i] = v_set(shape->axis[i]);
-        s->base[i] = two_ends ? v_two(shape->base[i], shape->top[i])
-                              : v_set(shape->base[i]);
-        L->D[0][i] = v_set(line->o[i]) - s->base[i];
+        L->w[i] = v_set(shape->axis[i]);
+        L->D[0][i] = v_set(line->o[i]) - base;
         if (bounded && !two_ends)
             L->D[0][i] = L->D[0][i] - v_two(0, shape->axis[i]);
         if (kind >= CYLINT_KIND_ECYLINDER) {
-            L->a[i] = s->a[i] = v_set(shape->a[i]);
-            L->b[i] = s->b[i] = v_set(shape->flip ? -shape->b[i] : shape->b[i]);
+            L->a[i] = v_set(shape->a[i]);
+            L->b[i] = v_set(shape->flip ? -shape->b[i] : shape->b[i]);
         }
     }
-    L->r[0] = s->r[0] =
-        bounded ? v_two(shape->r0, shape->r1) : v_set(shape->r0);
-    L->dr = s->dr = v_set(shape->dr);
+    L->r[0] = bounded ? v_two(shape->r0, shape->r1) : v_set(shape->r0);
+    L->dr = v_set(shape->dr);
     L->one = v_set(1);
     prepare_shape_lanes(L);
     prepare_line_lanes(L);
@@ -93,17 +112,6 @@ INLINE void measure(lanes_query *q, const cylint_shape *shape,
     }
     prepare_shape_sizes(N);
     prepare_line_sizes(N);
-}
-
-/* What else of shape and line the stops need. */
-INLINE void see_rest(lanes_shape *s, lanes_line *l, const cylint_shape *shape,
-                     const cylint_line *line)
-{
-    broadcast_line(l, line);
-    EACH(i, 3)
-        s->axis_lo[i] = v_set(shape->axis_lo[i]);
-    s->dr_lo = v_set(shape->dr_lo);
-    broadcast_ends(s, shape->ends);
 }
 
 /* Beyond doubt the line does not come near a bounded shape: the middle of its
@@ -174,6 +182,7 @@ typedef struct {
     vd part, exits;  /* exits: -1, or +1 where Q rises */
     unsigned unsure; /* bits of lanes */
     int first;       /* the lane of the lesser t */
+    lanes_slopes slopes;
 } stops;
 
 /* A stop on the side is the entry root in the lane of the cap that is come
@@ -196,7 +205,10 @@ INLINE stops stops_bounded(lanes_query *q, bounded_value G, int kind,
         quotient(choose(v->pierced, plane, lateral_numerator(q, exits)), over),
         v_select(v->pierced, v_two(CYLINT_PART_CAP0, CYLINT_PART_CAP1),
                  v_set(CYLINT_PART_LATERAL)),
-        exits, m_bits(unsure), !at_base(up)};
+        exits,
+        m_bits(unsure),
+        !at_base(up),
+        slopes_of(q)};
 }
 
 /* The entry root and the exit root, which come in this order unless A < 0. */
@@ -204,39 +216,63 @@ INLINE stops stops_unbounded(lanes_query *q, bounded_value G, int kind)
 {
     const vm unknown = lateral_quadratic(q, G, kind);
     const vd exits = v_two(-1, 1);
+    q->beta = (bounded_value){v_set(0), v_set(0)}; /* there are no caps */
     return (stops){quotient(lateral_numerator(q, exits), q->A),
-                   v_set(CYLINT_PART_LATERAL), exits, m_bits(unknown),
-                   at_base(v_lt(q->A.v, v_set(0)))};
+                   v_set(CYLINT_PART_LATERAL),
+                   exits,
+                   m_bits(unknown),
+                   at_base(v_lt(q->A.v, v_set(0))),
+                   slopes_of(q)};
 }
 
 /* The stops that are hits, as bits of lanes. */
-INLINE unsigned hits_of(const stops *at, const lanes_shape *s,
-                        const lanes_line *l, unsigned want, int *unsure)
+INLINE unsigned hits_of(const stops *at, const cylint_shape *shape,
+                        const cylint_line *line, unsigned want, int *unsure)
 {
     vm near;
-    const vm in = within_domain(at->t, l, &near);
-    const vm present = part_present(s, at->part);
-    const unsigned hits = m_bits(m_and(present, in));
-    *unsure = (at->unsure | m_bits(m_and(present, near))) != 0;
+    const vm in =
+        within_domain(at->t, v_set(line->tmin), v_set(line->tmax), &near);
+    const unsigned lateral = m_bits(v_eq(at->part, v_set(CYLINT_PART_LATERAL)));
+    const unsigned present = lateral | caps_present(shape->ends);
+    const unsigned hits = present & m_bits(in);
+    *unsure = (at->unsure | (present & m_bits(near))) != 0;
     return want & CYLINT_WANT_NEAREST && hits == 3 ? 1u << at->first : hits;
 }
 
-/* Both roots.  Returns whether the hits among them are certain. */
-INLINE int roots_of(lanes_root *r, const lanes_query *q, const lanes_shape *s,
-                    const vd center[3], const lanes_line *l, int kind,
-                    int bounded, const stops *at, unsigned want, unsigned hits)
+/* Both roots in pairs. */
+INLINE void round_both(lanes_root *r, const cylint_shape *shape,
+                       const cylint_line *line, int kind, const stops *at)
 {
-    const lanes_slopes slopes = slopes_of(q);
+    const int bounded = shape->ends < CYLINT_ENDS_INFINITE;
+    const double *top = bounded ? shape->top : shape->base;
+    lanes_shape s;
+    lanes_line l;
+    broadcast_shape(&s, shape);
+    broadcast_line(&l, line);
+    if (kind <= CYLINT_KIND_CONE)
+        EACH(i, 3)
+            s.base[i] = v_two(shape->base[i], top[i]);
+    s.r[0] = v_two(shape->r0, bounded ? shape->r1 : shape->r0);
+    *r = round_root(&at->slopes, &s, s.base, &l, kind, 1, at->exits, at->t,
+                    at->part);
+}
+
+/* Both roots.  Returns whether the hits among them are certain. */
+INLINE int roots_of(lanes_root *r, const cylint_shape *shape,
+                    const cylint_line *line, int kind, const stops *at,
+                    unsigned want, unsigned hits)
+{
+    lanes_root fast;
     if (want & CYLINT_WANT_FAST) {
-        *r = take_root(&slopes, at->t);
+        fast = *r = take_root(&at->slopes, at->t);
         if (!(hits & ~m_bits(r->sure)))
             return 1;
     }
     if (!cylint_rounds_to_nearest()) /* would certify nothing */
         return 0;
-    const lanes_root rounded = round_root(&slopes, s, center, l, kind, bounded,
-                                          at->exits, at->t, at->part);
-    *r = want & CYLINT_WANT_FAST ? either_root(*r, rounded) : rounded;
+    round_both(r, shape, line, kind, at);
+    if (want & CYLINT_WANT_FAST)
+        *r = either_root(fast, *r);
     return !(hits & ~m_bits(r->sure));
 }
 
@@ -269,29 +305,38 @@ INLINE void tell(cylint_answer *answer, cylint_root_rest *rest, const stops *at,
     answer->n = n;
 }
 
-/* From the stops on. */
-INLINE int finish(const lanes_query *q, const lanes_shape *s,
-                  const vd center[3], const lanes_line *l, const stops *at,
-                  int kind, int bounded, unsigned want, cylint_answer *answer,
-                  cylint_root_rest *rest)
+/* From the stops on.  Returns n. */
+INLINE int finish(ARGUMENTS, int kind, const stops *at)
 {
     int unsure;
     lanes_root r = {v_set(0), v_set(0), v_set(0), m_from(0)};
-    const unsigned hits = hits_of(at, s, l, want, &unsure);
-    if (unsure ||
-        (hits && want & CYLINT_WANT_T &&
-         !roots_of(&r, q, s, center, l, kind, bounded, at, want, hits)))
-        return 0;
-    tell(answer, rest, at, &r, hits, bounded, want);
-    return 1;
+    const unsigned hits = hits_of(at, shape, line, want, &unsure);
+    if (unsure || (hits && want & CYLINT_WANT_T &&
+                   !roots_of(&r, shape, line, kind, at, want, hits)))
+        return CYLINT_UNDECIDED;
+    answer->relation = CYLINT_RELATION_CROSS;
+    tell(answer, rest, at, &r, hits, shape->ends < CYLINT_ENDS_INFINITE, want);
+    return answer->n;
 }
 
+/* One function of each kind; elliptic kinds share theirs. */
+#define FINISH(kind)                                              \
+    ASIDE int finish_##kind(ARGUMENTS, const stops *at)           \
+    {                                                             \
+        return finish(shape, line, want, answer, rest, kind, at); \
+    }
+FINISH(CYLINT_KIND_CYLINDER)
+FINISH(CYLINT_KIND_CONE)
+FINISH(CYLINT_KIND_ACONE)
+FINISH(CYLINT_KIND_ECONE)
+#define finish_CYLINT_KIND_ECYLINDER finish_CYLINT_KIND_ECONE
+
 /* G, and what the signs tell. */
-INLINE verdict judge(lanes_query *q, lanes_shape *s, bounded_value *G,
+INLINE verdict judge(lanes_query *q, bounded_value *G,
                      const cylint_shape *shape, const cylint_line *line,
                      int kind, int bounded)
 {
-    see(q, s, shape, line, kind, bounded);
+    see(q, shape, line, kind, bounded);
     measure(q, shape, line, kind, bounded);
     if (bounded && passes_ball(q, shape))
         return (verdict){at_base(v_le(q->N.D[0][0], v_set(CYLINT_WINDOW))), 0,
@@ -314,100 +359,47 @@ INLINE int ask_in_brief(const cylint_shape *shape, const cylint_line *line,
                         cylint_answer *answer)
 {
     lanes_query q;
-    lanes_shape s;
     bounded_value G;
-    const verdict v = judge(&q, &s, &G, shape, line, kind, bounded);
+    const verdict v = judge(&q, &G, shape, line, kind, bounded);
     answer->relation =
         v.crosses * CYLINT_RELATION_CROSS; /* CYLINT_RELATION_MISS is 0 */
     answer->n = v.crosses << !(want & CYLINT_WANT_NEAREST);
-    return v.misses | v.crosses;
+    if (__builtin_expect(!(v.misses | v.crosses), 0))
+        return CYLINT_UNDECIDED;
+    return answer->n;
 }
 
-INLINE int ask_in_full(const cylint_shape *shape, const cylint_line *line,
-                       int kind, int bounded, unsigned want,
-                       cylint_answer *answer, cylint_root_rest *rest)
+/* The stops of a line that crosses: then 1, else 0 or CYLINT_UNDECIDED. */
+INLINE int find_stops(const cylint_shape *shape, const cylint_line *line,
+                      int kind, int bounded, cylint_answer *answer, stops *at)
 {
     lanes_query q;
-    lanes_shape s;
-    lanes_line l;
     bounded_value G;
-    const verdict v = judge(&q, &s, &G, shape, line, kind, bounded);
-    answer->relation = v.crosses ? CYLINT_RELATION_CROSS : CYLINT_RELATION_MISS;
+    const verdict v = judge(&q, &G, shape, line, kind, bounded);
+    answer->relation = CYLINT_RELATION_MISS;
     answer->n = 0;
     if (!v.crosses)
-        return v.misses;
-    see_rest(&s, &l, shape, line);
-    const stops at =
+        return v.misses ? 0 : CYLINT_UNDECIDED;
+    *at =
         bounded ? stops_bounded(&q, G, kind, &v) : stops_unbounded(&q, G, kind);
-    return finish(&q, &s, s.base, &l, &at, kind, bounded, want, answer, rest);
-}
-
-/* As a batch asks: a quick t must not depend on how it was asked. */
-ASIDE int ask_intervals(const cylint_shape *shape, const cylint_line *line,
-                        int kind, int bounded, unsigned want,
-                        cylint_answer *answer, cylint_root_rest *rest)
-{
-    lanes_query q;
-    lanes_shape s;
-    lanes_line l;
-    vd center[3];
-    broadcast_shape(&s, shape);
-    broadcast_line(&l, line);
-    const lanes_verdict v =
-        lanes_judge(&q, &s, &l, kind, bounded, m_from((1u << LANES) - 1));
-    if (m_any(v.undecided))
-        return 0;
-    answer->relation =
-        m_any(v.cross) ? CYLINT_RELATION_CROSS : CYLINT_RELATION_MISS;
-    answer->n = 0;
-    if (!m_any(v.cross))
-        return 1;
-    const int swapped = !bounded && at_base(v.leaving_first);
-    const stops at = {{v_firsts(v.stop[swapped].v, v.stop[!swapped].v),
-                       v_firsts(v.stop[swapped].e, v.stop[!swapped].e)},
-                      v_firsts(v.part[0], v.part[1]),
-                      v_two(-1, 1),
-                      0,
-                      swapped};
-    root_centers(center, &s, kind, at.part);
-    return finish(&q, &s, center, &l, &at, kind, bounded, want, answer, rest);
-}
-
-#define ARGUMENTS                                                      \
-    const cylint_shape *shape, const cylint_line *line, unsigned want, \
-        cylint_answer *answer, cylint_root_rest *rest
-
-static int has_kernel(const cylint_shape *s, const cylint_line *l)
-{
-    return s->ordinary && l->ordinary &&
-           (s->ends < CYLINT_ENDS_NAPPE || s->kind == CYLINT_KIND_CYLINDER ||
-            s->kind == CYLINT_KIND_ECYLINDER);
-}
-
-/* What the kernel below did not decide. */
-ASIDE int ask_otherwise(ARGUMENTS)
-{
-    if (want & CYLINT_WANT_FAST && has_kernel(shape, line) &&
-        ask_intervals(shape, line, shape->kind,
-                      shape->ends < CYLINT_ENDS_INFINITE, want, answer, rest))
-        return answer->n;
-    return rest ? CYLINT_UNDECIDED
-                : cylint_ask_signs(shape, line, want, answer);
+    return 1;
 }
 
 /* A kernel of its own for each kind, bounded or not, in full or in brief. */
-#define KERNELS(kind, bounded)                                             \
-    static int full_##kind##_##bounded(ARGUMENTS)                          \
-    {                                                                      \
-        return ask_in_full(shape, line, kind, bounded, want, answer, rest) \
-                   ? answer->n                                             \
-                   : ask_otherwise(shape, line, want, answer, rest);       \
-    }                                                                      \
-    static int brief_##kind##_##bounded(ARGUMENTS)                         \
-    {                                                                      \
-        return ask_in_brief(shape, line, kind, bounded, want, answer)      \
-                   ? answer->n                                             \
-                   : ask_otherwise(shape, line, want, answer, rest);       \
+#define KERNELS(kind, bounded)                                            \
+    static int full_##kind##_##bounded(ARGUMENTS)                         \
+    {                                                                     \
+        stops at;                                                         \
+        const int crosses =                                               \
+            find_stops(shape, line, kind, bounded, answer, &at);          \
+        return crosses != 1                                               \
+                   ? crosses                                              \
+                   : finish_##kind(shape, line, want, answer, rest, &at); \
+    }                                                                     \
+    static int brief_##kind##_##bounded(ARGUMENTS)                        \
+    {                                                                     \
+        (void)rest;                                                       \
+        return ask_in_brief(shape, line, kind, bounded, want, answer);    \
     }
 #define KIND(kind) KERNELS(kind, 0) KERNELS(kind, 1)
 KIND(CYLINT_KIND_CYLINDER)
@@ -429,16 +421,12 @@ KIND(CYLINT_KIND_ECONE)
     {                                     \
         full_##kind##_0, brief_##kind##_0 \
     }
-#define NEITHER                      \
-    {                                \
-        ask_otherwise, ask_otherwise \
-    }
 #define BY_ENDS(kind, nappe)                                    \
     {                                                           \
         CAPPED(kind), PARTLY(kind), PARTLY(kind), PARTLY(kind), \
             INFINITE(kind), nappe                               \
     }
-static cylint_kernel_one *const kernels[][CYLINT_ENDS_NAPPE + 1][2] = {
+cylint_one_table CYLINT_ONE = {
     {NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER},
     BY_ENDS(CYLINT_KIND_CYLINDER, INFINITE(CYLINT_KIND_CYLINDER)),
     BY_ENDS(CYLINT_KIND_CONE, NEITHER),
@@ -446,24 +434,14 @@ static cylint_kernel_one *const kernels[][CYLINT_ENDS_NAPPE + 1][2] = {
     BY_ENDS(CYLINT_KIND_ECYLINDER, INFINITE(CYLINT_KIND_ECYLINDER)),
     BY_ENDS(CYLINT_KIND_ECONE, NEITHER)};
 
-int CYLINT_ONE(ARGUMENTS)
-{
-    const int brief = !(want & (CYLINT_WANT_T | CYLINT_WANT_PART)) &
-                      (line->tmin < -DBL_MAX) & (line->tmax > DBL_MAX);
-    if (!(shape->ordinary & line->ordinary))
-        return ask_otherwise(shape, line, want, answer, rest);
-    return kernels[shape->kind][shape->ends][brief](shape, line, want, answer,
-                                                    rest);
-}
-
 #else
 
-/* Every question is asked by signs one at a time. */
-int CYLINT_ONE(const cylint_shape *shape, const cylint_line *line,
-               unsigned want, cylint_answer *answer, cylint_root_rest *rest)
-{
-    return rest ? CYLINT_UNDECIDED
-                : cylint_ask_signs(shape, line, want, answer);
-}
+/* Without vectors of two lanes. */
+#define UNDECIDED                                            \
+    {                                                        \
+        NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER \
+    }
+cylint_one_table CYLINT_ONE = {UNDECIDED, UNDECIDED, UNDECIDED,
+                               UNDECIDED, UNDECIDED, UNDECIDED};
 
 #endif

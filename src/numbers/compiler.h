@@ -22,6 +22,13 @@
 #define ASIDE static
 #endif
 
+/* A function of a header that is not to be copied into its callers. */
+#ifdef __GNUC__
+#define CYLINT_APART static __attribute__((noinline, unused))
+#else
+#define CYLINT_APART static inline
+#endif
+
 /* fmax() and fmin() without NaN: those are calls. */
 static inline double cylint_larger(double x, double y)
 {

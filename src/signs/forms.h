@@ -99,6 +99,8 @@ static inline wide wide_mul(wide x, wide y)
                       a * b};
 }
 
+#undef INLINE
+#define INLINE CYLINT_APART
 #define NUM wide
 #define FORM(name) name##_wide
 #define ADD(x, y) wide_add(x, y)
@@ -119,6 +121,7 @@ static inline wide wide_mul(wide x, wide y)
 #define BEGIN const int used_before = L->arena->used;
 #define RETURN(x) return cylint_exact_keep(L->arena, used_before, x);
 #include "forms_template.h"
+#undef INLINE
 #undef MEMORY
 #undef BEGIN
 #undef RETURN

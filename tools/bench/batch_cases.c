@@ -62,8 +62,8 @@ static int decided(const cylint_shape *shape, const cylint_line *line)
 {
     cylint_answer answer;
     cylint_root_rest rest;
-    return cylint_one_plain(shape, line, CYLINT_WANT_T, &answer, &rest) !=
-           CYLINT_UNDECIDED;
+    return cylint_filter_one(&cylint_one_plain, shape, line, CYLINT_WANT_T,
+                             &answer, &rest) != CYLINT_UNDECIDED;
 }
 
 static void finish(struct cases *c)
