@@ -1,8 +1,8 @@
 /*
- * embree_asked.h - what tests ask of the adapter and of the library alike
+ * embree_asked.h - compares the adapter with the library
  *
- * Every question is asked of Embree and of the library, with the ray's floats
- * taken for doubles, and the answers are compared bit for bit.
+ * Embree traces a ray of floats; the library answers the same line in doubles;
+ * the answers must have the same bits.
  */
 #ifndef CYLINT_EMBREE_ASKED_H
 #define CYLINT_EMBREE_ASKED_H
@@ -29,15 +29,15 @@ static inline struct world made(const cylint_shape *shapes, size_t n,
     if (!CHECK(world_make(&w, shapes, n, &options))) {
         REPORT("%s, shape %lu", cylint_embree_strerror(w.problem.status),
                (unsigned long)w.problem.shape);
-        exit(1); /* there is nothing to ask */
+        exit(1); /* no geometry to test */
     }
     return w;
 }
 
 enum { SOME = 200 };
 
-/* A ray to a point among SOME shapes, from as far as three times their cube,
- * direction of any length in 1e-3 to 1e3; some begin inside. */
+/* A ray to a point among SOME shapes, from up to three sides of their cube away,
+ * with a direction of a length from 1e-3 to 1e3; some rays begin inside. */
 static inline void aim(uint64_t *state, struct rays *r, int i)
 {
     float o[3], d[3];
@@ -66,7 +66,7 @@ static inline void agrees(const struct world *w, struct rays *r)
     CHECK(rays_strayed(r, 0) == 0);
 }
 
-/* One ray, asked alone, of which both say the same. */
+/* Traces one ray and checks the answer. */
 static inline struct rays asked_alone(const struct world *w, const float o[3],
                                       const float d[3], float tnear, float tfar)
 {

@@ -37,9 +37,8 @@ void rays_add(struct rays *r, int i, const float o[3], const float d[3],
 
 /* ------------------------------------------------------------- queries -- */
 
-/* Embree hands the context through to callbacks and filters, so what follows
- * it comes along: in Embree 4 the filter that CYLINT_EMBREE_CONTEXT_FILTER
- * looks for. */
+/* Embree passes the context to callbacks and filters, and with it the members
+ * that follow: in Embree 4 the filter of CYLINT_EMBREE_CONTEXT_FILTER. */
 struct asked {
 #if RTC_VERSION_MAJOR >= 4
     struct RTCRayQueryContext context;

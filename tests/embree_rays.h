@@ -1,10 +1,10 @@
 /*
- * embree_rays.h - rays for Embree 3 and 4 as words, watched for stray writes
+ * embree_rays.h - rays for Embree 3 and 4 as words, checked for stray writes
  *
  * Embree lays out n rays member by member: member m of ray i is word m n + i,
  * for n = 1 too; a hit's members follow the ray's.  So one array of words
- * serves single rays and packets of 4, 8 and 16, and every word that a query
- * has no right to write can be compared with what it was before.
+ * holds single rays and packets of 4, 8 and 16, and every word that a query must
+ * not write can be compared with its value before.
  */
 #ifndef CYLINT_EMBREE_RAYS_H
 #define CYLINT_EMBREE_RAYS_H
@@ -37,7 +37,7 @@ enum ray_member {
 enum {
     RAYS_MOST = 16,
     RAYS_WORDS = sizeof(struct RTCRayHit16) / 4,
-    RAYS_BEYOND = 16 /* words after the last that nobody may write */
+    RAYS_BEYOND = 16 /* words after the last that no query may write */
 };
 
 union ray_word {
@@ -45,11 +45,11 @@ union ray_word {
     unsigned u;
 };
 
-/* Rays are added one by one; those that were not are inactive. */
+/* Rays are added one by one; the others are inactive. */
 struct rays {
     union ray_word word[RAYS_WORDS + RAYS_BEYOND];
     int valid[RAYS_MOST];
-    union ray_word before[RAYS_WORDS + RAYS_BEYOND]; /* when it was asked */
+    union ray_word before[RAYS_WORDS + RAYS_BEYOND]; /* before the query */
     int n;
 } __attribute__((aligned(64)));
 
@@ -58,7 +58,7 @@ void rays_add(struct rays *, int i, const float o[3], const float d[3],
               float tnear, float tfar);
 union ray_word *rays_at(struct rays *, enum ray_member, int i);
 
-/* What to ask with; NULL: nothing special. */
+/* Arguments of a query; NULL: the defaults. */
 struct rays_query {
     RTCFilterFunctionN filter; /* the context's (3), the arguments' (4) */
     int coherent;

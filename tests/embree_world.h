@@ -1,6 +1,6 @@
 /*
- * embree_world.h - a device that remembers its errors, a scene of shapes on
- * it, and what the library says of the same shapes and the same float rays
+ * embree_world.h - a device that counts its errors, a scene of shapes on it,
+ * and the library's answers for the same shapes and float rays
  */
 #ifndef CYLINT_EMBREE_WORLD_H
 #define CYLINT_EMBREE_WORLD_H
@@ -40,10 +40,10 @@ int world_make(struct world *w, const cylint_shape *shapes, size_t n,
                const cylint_embree_options *options);
 void world_free(struct world *w);
 
-/* The least float that is not below x: how a hit's t is told. */
+/* The least float that is not below x: tfar of a hit at t = x. */
 float world_float_above(double x);
 
-/* phi as a float below 1: how it is told by v. */
+/* phi as a float below 1: v of a hit. */
 float world_turn(double phi);
 
 /* Whether the answer to ray i is what cylint_nearest() says, all members,

@@ -1,10 +1,10 @@
 /*
- * scene_curves.c - what Embree's own cone curves make of the same lines
+ * scene_curves.c - wrong answers of Embree's own cone curves to the same lines
  *
  * Not a test: figures beside those of test_scene.c, where no line is wrong.
- * Capped cylinders and frusta, with floats for coordinates, so that curves
- * and shapes are the same; rays of floats likewise.  Wrong is a ray that
- * meets some shape and no curve, or the other way round.
+ * Capped cylinders, frusta and rays have float coordinates, so that curves and
+ * shapes are the same.  A ray is wrong if it hits a shape and no curve, or a
+ * curve and no shape.
  */
 #include <math.h>
 #include <stdio.h>
@@ -16,8 +16,7 @@
 
 enum { SHAPES = 2000, RAYS = 4000 };
 
-/* Rounds the shape's data to floats, where the shape is circular; returns
- * whether it is. */
+/* Rounds the data of a circular shape to floats.  Returns 0 for others. */
 static int as_floats(cylint_shape *s, float *vertex)
 {
     if (s->kind != CYLINT_KIND_CYLINDER && s->kind != CYLINT_KIND_CONE)
@@ -50,7 +49,7 @@ static RTCScene curves_of(RTCDevice device, struct scene_shapes *s)
         n += (size_t)as_floats(&s->shapes[n], vertex + 8 * n);
     }
     for (size_t i = n; i < s->n; i++)
-        index[i] = 0; /* the first once more */
+        index[i] = 0; /* the first again */
     s->n = n;
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     rtcCommitGeometry(g);
@@ -60,7 +59,7 @@ static RTCScene curves_of(RTCDevice device, struct scene_shapes *s)
     return scene;
 }
 
-/* A ray of floats; unit: of a direction that is 1 long. */
+/* A ray of floats; unit: with a unit direction. */
 static struct RTCRay ray_of(const cylint_line *line, int unit)
 {
     const double length =

@@ -44,7 +44,7 @@ static double power(dice *r, double low, double high)
     return pow(10, between(r, low, high));
 }
 
-/* Of size 1 or less, never 0. */
+/* At most 1 in size, never 0. */
 static void direction(dice *r, double d[3])
 {
     do
@@ -135,7 +135,7 @@ static cylint_status any_shape(dice *r, const double at[3], double size,
 }
 
 /* Whole numbers: neighbours share caps, rims and tangents, and some shapes
- * are there twice. */
+ * occur twice. */
 static cylint_status lattice_shape(dice *r, size_t n, cylint_shape *shape)
 {
     const size_t side = (size_t)cbrt((double)n) + 1;
@@ -233,7 +233,7 @@ int scene_generate(int kind, size_t n, uint64_t seed,
     scene->name = scene_names[kind];
     scene->n = n;
     scene->shapes = room(n);
-    for (size_t i = 0; i < n; i++) /* refused ones stay, as they may */
+    for (size_t i = 0; i < n; i++) /* refused shapes stay */
         shape_of(&r, (enum scene_kind)kind, n, &scene->shapes[i]);
     measure(scene);
     return 1;

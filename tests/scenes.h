@@ -1,8 +1,8 @@
 /*
  * scenes.h - many shapes, and lines that are hard for a hierarchy of them
  *
- * What the tests and benchmarks of cylint_scene draw from.  Scene and line
- * are fixed by the seed; no library is needed.
+ * Input of the tests and benchmarks of cylint_scene.  The seed determines scene
+ * and line; no library is needed.
  */
 #ifndef CYLINT_SCENES_H
 #define CYLINT_SCENES_H
@@ -15,7 +15,7 @@ struct scene_shapes {
     const char *name;
     cylint_shape *shapes;
     size_t n;
-    double lo[3], hi[3]; /* a box of those that have one */
+    double lo[3], hi[3]; /* a box of the bounded shapes */
 };
 
 enum scene_kind { /* the first six lie in a cube of side cbrt(n) about 0 */
@@ -34,14 +34,13 @@ enum scene_kind { /* the first six lie in a cube of side cbrt(n) about 0 */
                   SCENE_KINDS
 };
 
-/* Generated kinds of scenes, by number from 0; 0 if there is no such.  The
- * caller frees *scene by scene_release(). */
+/* Generates a scene of a kind, numbered from 0.  Returns 0 if there is no such
+ * kind.  The caller frees *scene with scene_release(). */
 int scene_generate(int kind, size_t n, uint64_t seed,
                    struct scene_shapes *scene);
 
-/* A scene of the command, cylinders and cones in decimal only, as the
- * scripts of tools/convert write them, from what the shell command prints.
- * 0 if there is none. */
+/* Reads a scene file, with cylinders and cones in decimal only as cylint-convert
+ * writes them, from the output of a shell command.  Returns 0 if there is none. */
 int scene_from(const char *name, const char *command,
                struct scene_shapes *scene);
 
@@ -64,7 +63,7 @@ enum scene_lines {
 
 extern const char *const scene_lines_name[LINES_KINDS];
 
-/* Line `index` of a kind; its status. */
+/* Writes line `index` of a kind.  Returns its status. */
 cylint_status scene_line(const struct scene_shapes *scene,
                          enum scene_lines kind, uint64_t seed, uint64_t index,
                          cylint_line *line);

@@ -1,5 +1,5 @@
 /*
- * test_embree_answers.c - the adapter answers float rays as the library does
+ * test_embree_answers.c - embree/: the adapter answers float rays as the library does
  */
 #include <float.h>
 #include <math.h>
@@ -7,7 +7,7 @@
 
 #include "embree_asked.h"
 
-/* A ray at a shape: from away to a point within 1.2 radii of its axis. */
+/* A ray from outside to a point in the shape's box. */
 static void aim_at(uint64_t *state, const cylint_shape *shape, struct rays *r,
                    int i)
 {
@@ -53,7 +53,7 @@ static void every_kind_with_all_caps_answers_as_the_library(void)
                         parts[hit.part]++;
                     }
                 }
-                /* the questions were worth asking */
+                /* enough rays hit, and enough miss */
                 CHECK(hits > 60 && hits < 300 && parts[CYLINT_PART_LATERAL]);
                 CHECK((parts[CYLINT_PART_CAP1] > 0) ==
                           (ends == CYLINT_ENDS_CAPPED ||
@@ -78,7 +78,7 @@ static void packets_answer_and_leave_other_lanes_alone(void)
             query.coherent = turn & 1;
             rays_begin(&r, sizes[turn % 4]);
             for (int i = 0; i < r.n; i++) {
-                aim(&state, &r, i); /* inactive rays would hit, too */
+                aim(&state, &r, i); /* inactive rays too would hit */
                 r.valid[i] = r.n == 1 || world_uniform(&state) < 0.7 ? -1 : 0;
             }
             rays_intersect(&r, w.scene, &query);
@@ -158,7 +158,7 @@ static void the_domain_holds_its_ends(void)
     }
 }
 
-/* Where 0 / d tells Embree's boxes nothing: tangents in their faces. */
+/* Tangents in the faces of Embree's boxes, where 0 / 0 decides nothing. */
 static void a_ray_within_a_face_of_the_box_is_not_lost(void)
 {
     const double p0[3] = {-1, 0, 2}, p1[3] = {1, 0, 2};
@@ -191,8 +191,8 @@ static void a_ray_within_a_face_of_the_box_is_not_lost(void)
     }
 }
 
-/* The library refuses such a line, so nothing is hit.  (Rays that are not
- * finite are kept from Embree: it answers them as it likes, or aborts.) */
+/* The library refuses such a line, so nothing is hit.  (Embree gets no rays that
+ * are not finite: for these its results are undefined.) */
 static void a_ray_without_direction_hits_nothing(void)
 {
     const double p0[3] = {0, 0, -1}, p1[3] = {0, 0, 1};
@@ -233,7 +233,7 @@ static int seen(struct world *w, unsigned mask)
     return hit;
 }
 
-static void masks_choose_who_is_seen(void)
+static void masks_select_the_visible_geometries(void)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {1, 1, 1};
     cylint_shape shape;
@@ -257,10 +257,10 @@ static void masks_choose_who_is_seen(void)
 
 /* ----------------------------------------------------------------- ties -- */
 
-/* Of shapes that are hit at the same t the lowest number answers, however
- * they were grouped; of shapes whose t differ by less than a float's last
- * place the nearer one. */
-static void equal_and_nearly_equal_hits_are_told_apart(void)
+/* Of shapes hit at the same t the lowest number is reported, whichever leaf they
+ * are in; of shapes whose t differ by less than a float's last place the nearer
+ * one. */
+static void equal_and_nearly_equal_hits_are_distinguished(void)
 {
     enum { MANY = 40 };
     cylint_shape shapes[MANY];
@@ -293,8 +293,8 @@ static void equal_and_nearly_equal_hits_are_told_apart(void)
         }
 }
 
-/* The same while all move along the ray: at time 1/2 the caps meet it. */
-static void equal_hits_of_moving_shapes_are_told_apart(void)
+/* The same with shapes that move along the ray; at time 1/2 it hits the caps. */
+static void equal_hits_of_moving_shapes_are_distinguished(void)
 {
     enum { MANY = 40 };
     cylint_shape shapes[MANY], moved[MANY], now[MANY];
@@ -330,8 +330,8 @@ static void equal_hits_of_moving_shapes_are_told_apart(void)
     world_free(&w);
 }
 
-/* An angle a little less than a whole turn: v is below 1 even so. */
-static void a_whole_turn_is_not_reached(void)
+/* An angle a little less than a whole turn: v is still below 1. */
+static void v_is_below_a_whole_turn(void)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
     cylint_shape shape;
@@ -354,8 +354,8 @@ static void a_whole_turn_is_not_reached(void)
 
 /* ------------------------------------------------------------ instances -- */
 
-/* A geometry that nothing hits, but that sees the rays, by their ids, as they
- * are inside an instance. */
+/* A geometry that is never hit.  It records the rays, by their ids, as they
+ * reach it inside an instance. */
 static struct rays local[RAYS_MOST];
 
 static void spy_bounds(const struct RTCBoundsFunctionArguments *a)
@@ -414,7 +414,7 @@ static RTCScene scene_with_instance(RTCScene of, unsigned id, uint64_t *state)
     return outer;
 }
 
-/* Ray `at`, which is in instance 7: whether it hit. */
+/* Whether ray `at`, in instance 7, hit. */
 static int agrees_inside(const struct world *w, struct rays *r, int at)
 {
     struct rays *seen = &local[at];
@@ -425,7 +425,7 @@ static int agrees_inside(const struct world *w, struct rays *r, int at)
 #if RTC_VERSION_MAJOR >= 4
     CHECK(rays_at(r, HIT_INST_PRIM, at)->u == (hit ? 0 : none));
 #endif
-    /* the answer, on the ray that the spy saw */
+    /* the answer, for the ray that the recorder got */
     seen->n = 1;
     for (int m = HIT_NG; m < RAY_MEMBERS; m++)
         seen->word[m] = *rays_at(r, (enum ray_member)m, at);
@@ -436,7 +436,7 @@ static int agrees_inside(const struct world *w, struct rays *r, int at)
     return hit;
 }
 
-/* Skewed and scaled: what counts is the ray as Embree transforms it. */
+/* Skewed and scaled instances: the transformed ray counts. */
 static void instances_answer_for_the_transformed_ray(void)
 {
     cylint_shape shapes[SOME];
@@ -480,9 +480,9 @@ static void instances_answer_for_the_transformed_ray(void)
     }
 }
 
-/* As where an application instances scenes of its own accord: what stands in
- * the context is the hit's.  (Both Embrees tested allow one level.) */
-static void the_contexts_instance_is_the_hits(void)
+/* An application may instance scenes itself: the hit gets the ids in the
+ * context.  (Both versions of Embree tested allow one level.) */
+static void a_hit_gets_the_instance_of_the_context(void)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 13;
@@ -550,12 +550,12 @@ int main(void)
     RUN(the_domain_holds_its_ends);
     RUN(a_ray_within_a_face_of_the_box_is_not_lost);
     RUN(a_ray_without_direction_hits_nothing);
-    RUN(masks_choose_who_is_seen);
-    RUN(equal_and_nearly_equal_hits_are_told_apart);
-    RUN(equal_hits_of_moving_shapes_are_told_apart);
-    RUN(a_whole_turn_is_not_reached);
+    RUN(masks_select_the_visible_geometries);
+    RUN(equal_and_nearly_equal_hits_are_distinguished);
+    RUN(equal_hits_of_moving_shapes_are_distinguished);
+    RUN(v_is_below_a_whole_turn);
     RUN(instances_answer_for_the_transformed_ray);
-    RUN(the_contexts_instance_is_the_hits);
+    RUN(a_hit_gets_the_instance_of_the_context);
     RUN(bare_hits_are_completed_later);
     return check_end();
 }

@@ -1,9 +1,9 @@
 /*
- * test_embree_filter.c - filters are offered the hits there are, once each
+ * test_embree_filter.c - embree/: filters get each hit once
  *
- * A filter here rejects by a rule on shape and t; what it is offered must be
- * a hit of the library with all its members, and what is left in the end the
- * nearest hit that the rule lets pass.
+ * A filter here rejects by a rule on shape and t.  Each hit that it gets must be a
+ * hit of the library with all its members, and the result must be the nearest
+ * hit that the rule accepts.
  */
 #include <math.h>
 #include <string.h>
@@ -15,7 +15,7 @@ enum { SOME = 150, MOST_OFFERS = 4 * SOME };
 
 typedef enum rule { ACCEPT, REJECT, EXITS, HALF, RULES } rule;
 
-/* What the filters of one query saw and how they answer. */
+/* The rules of the filters in one query, and the hits that they got. */
 struct record {
     const struct world *w;
     rule geometry, context; /* ACCEPT where there is no such filter */
@@ -27,7 +27,7 @@ struct record {
     } offer[2][MOST_OFFERS];
     int offers[2]; /* to the geometry's, the context's */
     int bare, occlusion;
-    int bad; /* arguments that are not as promised */
+    int bad; /* wrong arguments */
 };
 
 static int user_word; /* its address is the user pointer */
@@ -48,7 +48,7 @@ static int passes(rule rule, unsigned prim, float t, int leaving)
     }
 }
 
-/* The hit of the library that is offered: which, or -1. */
+/* The index of the library's hit with these members, or -1. */
 static int offered_hit(const struct record *q, unsigned prim, float t, float u,
                        int ray, cylint_answer *answer)
 {
@@ -64,7 +64,7 @@ static int offered_hit(const struct record *q, unsigned prim, float t, float u,
     return number;
 }
 
-/* u, v and Ng, which a bare hit has from before. */
+/* Whether u, v and Ng are right; a bare hit keeps the values before. */
 static int described(const struct record *q, const union ray_word *hit, int ray,
                      const cylint_hit *at)
 {
@@ -88,7 +88,7 @@ static void filter(struct record *q, int which,
     cylint_answer answer;
     int number, lane;
     if (which == 1 && a->valid[0] == 0)
-        return; /* Embree 3 asks it of what the geometry's rejected, too */
+        return; /* Embree 3 calls it after a rejection by the geometry's too */
     if (a->N != 1 || a->valid[0] != -1 || a->geometryUserPtr != &user_word) {
         q->bad++;
         return;
@@ -127,7 +127,7 @@ static void context_filter(const struct RTCFilterFunctionNArguments *a)
     filter(rays_user(a), 1, a);
 }
 
-/* The nearest hit that both rules let pass: the shape, or n. */
+/* The shape of the nearest hit that both rules accept, or n. */
 static size_t expected(const struct record *q, int ray, double *t)
 {
     const cylint_line line = rays_line(q->r, ray);
@@ -164,7 +164,7 @@ static int hits_at(const struct record *q, int ray, unsigned prim, float t)
     return n;
 }
 
-/* Offers beyond the hits there are. */
+/* The number of calls beyond one for each hit. */
 static int twice(const struct record *q, int which)
 {
     int n = 0;
@@ -224,7 +224,7 @@ static void check_answers(struct record *q, int occlusion)
     }
 }
 
-/* Half of the packets go together. */
+/* Half of the packets are coherent. */
 static void add_rays(uint64_t *state, struct rays *r)
 {
     const double spread = world_uniform(state) < 0.5 ? 1 : 0.05;
@@ -302,27 +302,27 @@ static void with_filters(unsigned how, int kind)
     world_free(&w);
 }
 
-static void blocks_offer_each_hit_once(void)
+static void filters_get_each_hit_once_from_leaves(void)
 {
     for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++)
         with_filters(0, kind);
 }
 
-static void single_primitives_offer_each_hit_once(void)
+static void filters_get_each_hit_once_from_single_primitives(void)
 {
     with_filters(CYLINT_EMBREE_SINGLE, SCENE_FIBRES);
     with_filters(CYLINT_EMBREE_SINGLE, SCENE_MIXED);
 }
 
-static void bare_hits_are_offered_without_description(void)
+static void filters_get_bare_hits_without_description(void)
 {
     with_filters(CYLINT_EMBREE_BARE, SCENE_MIXED);
 }
 
 int main(void)
 {
-    RUN(blocks_offer_each_hit_once);
-    RUN(single_primitives_offer_each_hit_once);
-    RUN(bare_hits_are_offered_without_description);
+    RUN(filters_get_each_hit_once_from_leaves);
+    RUN(filters_get_each_hit_once_from_single_primitives);
+    RUN(filters_get_bare_hits_without_description);
     return check_end();
 }

@@ -1,9 +1,9 @@
 /*
- * test_scene_float_filter.c - what doubles are certain of is what the library says
+ * test_embree_float_filter.c - embree/: the float filter agrees with the library
  *
- * Every build of float_filter.c that this processor can run, on lines of all
- * families, rounded to floats: hits, parts, t and z within their errors, and
- * the floats of a description bit for bit.
+ * Every build of float_filter.c and packet_filter.c that this processor can run,
+ * on lines of all families, rounded to floats: hits, parts, t and z within their
+ * errors, and the floats of a description bit for bit.
  */
 #include <float.h>
 #include <math.h>
@@ -27,12 +27,12 @@ int main(void)
 
 enum { CASES = 10000 };
 
-/* How many hits there were, and of how many doubles were certain. */
+/* The numbers of hits, of certain hits, and of certain descriptions. */
 struct tally {
     long hits, certain, described;
 };
 
-/* A case's line in floats, about its shape made circular and bounded. */
+/* A case's line in floats, and its shape, made circular and bounded. */
 struct question {
     cylint_float_filter_ray line;
     const cylint_shape *shape;
@@ -48,7 +48,7 @@ static int circular(struct family_case *c, uint64_t index)
     return family_make(c);
 }
 
-/* near is unknown, some float before the shape, or one behind it. */
+/* near: unknown, a float before the hit, or a float behind it. */
 static float near_shape(const struct question *q, uint64_t index)
 {
     const double t = q->n ? q->answer.hit[0].t : 0;
@@ -179,15 +179,15 @@ static void ask_all(const char *name, const cylint_float_filter *build)
     }
     printf("%s: %ld hits, certain of %ld, described %ld\n", name, sum.hits,
            sum.certain, sum.described);
-    CHECK((double)sum.described > 0.6 * (double)sum.hits); /* worth asking */
+    CHECK((double)sum.described > 0.6 * (double)sum.hits);
 }
 
-static void what_is_certain_is_what_the_library_says(void)
+static void a_certain_result_is_the_librarys(void)
 {
     ask_all("plain", &cylint_float_filter_plain);
 }
 
-static void what_is_certain_when_fused_is_so_too(void)
+static void a_certain_result_with_fused_operations_is_the_librarys(void)
 {
     if (cylint_float_filter_used() != &cylint_float_filter_plain)
         ask_all("fused", cylint_float_filter_used());
@@ -239,7 +239,7 @@ static int is_described(const cylint_packet_filter_results *a, int i,
     return same_floats(&f, hit);
 }
 
-/* Whether what is said of question i is so. */
+/* Whether the result of question i is right. */
 static int is_right(const cylint_packet_filter_results *a, int i,
                     const struct question *x)
 {
@@ -255,7 +255,7 @@ static int is_right(const cylint_packet_filter_results *a, int i,
 static void ask_crowds(cylint_packet_filter *many, int family,
                        struct tally *tally)
 {
-    int most = 1; /* of each number, in turn */
+    int most = 1; /* the number of questions, 1 to all in turn */
     for (uint64_t i = 0; i < CASES;
          most = most % CYLINT_PACKET_FILTER_MOST + 1) {
         struct crowd c;
@@ -277,7 +277,7 @@ static void ask_crowds(cylint_packet_filter *many, int family,
     }
 }
 
-static void what_many_are_told_is_so(void)
+static void a_certain_result_of_the_packet_filter_is_the_librarys(void)
 {
     cylint_packet_filter *many;
     for (int i = 0; (many = cylint_packet_filter_build(i)); i++) {
@@ -290,8 +290,8 @@ static void what_many_are_told_is_so(void)
     }
 }
 
-/* Near the base z is small, and the library's is no better than beside 1. */
-static void a_small_z_is_not_more_certain_than_the_librarys(void)
+/* Near the base z is small, and the error of the library's z is relative to 1. */
+static void a_small_z_is_no_more_certain_than_the_librarys(void)
 {
     const double p0[3] = {-0x1.6020a5d5p+48, -0x1.c0feab9p+8, 0};
     const double p1[3] = {-0x1.7d09b8488p+46, -0x1.95b9e5dap+12,
@@ -317,7 +317,7 @@ static void a_small_z_is_not_more_certain_than_the_librarys(void)
     CHECK(agrees(cylint_float_filter_used(), &x, &tally));
 }
 
-/* The case's shape, all of its numbers rounded to floats. */
+/* The case's shape with all its numbers rounded to floats. */
 static int in_floats(const struct family_case *c, cylint_shape *shape)
 {
     double base[3], top[3];
@@ -331,7 +331,7 @@ static int in_floats(const struct family_case *c, cylint_shape *shape)
                        (cylint_ends)c->shape.ends) == CYLINT_OK;
 }
 
-/* The same in every bit; how often that was so. */
+/* Checks that both records give the same bits.  Returns how many do. */
 static long small_as_large(const cylint_float_filter *build, int family)
 {
     long same = 0;
@@ -360,7 +360,7 @@ static long small_as_large(const cylint_float_filter *build, int family)
     return same;
 }
 
-/* The same of many at a time. */
+/* The same with the packet filter. */
 static long many_small_as_large(cylint_packet_filter *many, int family)
 {
     long same = 0;
@@ -391,7 +391,7 @@ static long many_small_as_large(cylint_packet_filter *many, int family)
     return same;
 }
 
-static void small_shapes_are_asked_what_large_ones_are(void)
+static void small_records_give_the_same_bits_as_large_ones(void)
 {
     long same = 0;
     for (int family = 0; family < family_count(); family++)
@@ -400,7 +400,7 @@ static void small_shapes_are_asked_what_large_ones_are(void)
     CHECK(same > CASES);
 }
 
-static void many_small_shapes_are_asked_so_too(void)
+static void the_packet_filter_gives_the_same_bits_for_small_records(void)
 {
     cylint_packet_filter *many;
     for (int i = 0; (many = cylint_packet_filter_build(i)); i++) {
@@ -424,7 +424,7 @@ static int is_small(double x, double r, int cone)
            cylint_float_filter_small_of(&small, &shape);
 }
 
-static void only_what_is_made_of_floats_is_small(void)
+static void only_shapes_made_of_floats_have_small_records(void)
 {
     const double base[3] = {1, 2, 3}, up[3] = {0, 0, 1};
     const double a[3] = {1, 0, 0}, b[3] = {0, 1, 0};
@@ -446,8 +446,8 @@ static void only_what_is_made_of_floats_is_small(void)
           !cylint_float_filter_small_of(&small, &shape));
 }
 
-/* As far as long doubles tell; the bound is not far above what there is. */
-static void an_angle_in_turns_errs_by_its_bound_at_most(void)
+/* Compared with long doubles; the bound is not far above the largest error. */
+static void the_error_of_an_angle_is_within_its_bound(void)
 {
     const long double two_pi = 6.283185307179586476925286766559L;
     double most = 0;
@@ -482,15 +482,15 @@ static void ordinary_cylinders_are_certain(void)
 
 int main(void)
 {
-    RUN(what_is_certain_is_what_the_library_says);
-    RUN(what_is_certain_when_fused_is_so_too);
+    RUN(a_certain_result_is_the_librarys);
+    RUN(a_certain_result_with_fused_operations_is_the_librarys);
     RUN(ordinary_cylinders_are_certain);
-    RUN(what_many_are_told_is_so);
-    RUN(a_small_z_is_not_more_certain_than_the_librarys);
-    RUN(small_shapes_are_asked_what_large_ones_are);
-    RUN(many_small_shapes_are_asked_so_too);
-    RUN(only_what_is_made_of_floats_is_small);
-    RUN(an_angle_in_turns_errs_by_its_bound_at_most);
+    RUN(a_certain_result_of_the_packet_filter_is_the_librarys);
+    RUN(a_small_z_is_no_more_certain_than_the_librarys);
+    RUN(small_records_give_the_same_bits_as_large_ones);
+    RUN(the_packet_filter_gives_the_same_bits_for_small_records);
+    RUN(only_shapes_made_of_floats_have_small_records);
+    RUN(the_error_of_an_angle_is_within_its_bound);
     return check_end();
 }
 

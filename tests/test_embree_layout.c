@@ -1,9 +1,9 @@
 /*
- * test_embree_layout.c - Embree lays out rays, hits and arguments as declared
+ * test_embree_layout.c - embree/: rays, hits and arguments have the declared layout
  *
- * No adapter here: a curve of Embree's own, in an instance, is hit by rays
- * among patterns.  What is declared wrongly, as it may be for a library that
- * came without its header (tests/embree4), writes elsewhere.
+ * The adapter is not tested: rays with a known pattern around them hit one of
+ * Embree's own curves in an instance.  With a wrong declaration, possible for a
+ * library without its header (tests/embree4), Embree writes elsewhere.
  */
 #include <math.h>
 #include <string.h>
@@ -128,7 +128,7 @@ static void a_box_is_written_where_it_is_declared(void)
     RTCScene scene = curve_scene();
     memset(&at, 0x5a, sizeof at);
     rtcGetSceneBounds(scene, &at.box);
-    /* it holds the curve, and not much else: half a radius more or two */
+    /* it contains the curve and is at most a few half radii larger */
     CHECK(at.box.lower_x <= -1 && at.box.lower_x > -2);
     CHECK(at.box.upper_x >= 1 && at.box.upper_x < 2);
     CHECK(at.box.lower_y <= -0.5f && at.box.lower_y > -1);

@@ -1,8 +1,8 @@
 /*
- * test_embree_memory.c - every allocation refused in turn, nothing lost
+ * test_embree_memory.c - embree/: refused allocations leave no memory behind
  *
- * What the adapter takes, it takes from the device, whose memory monitor
- * refuses one allocation after the other.
+ * The adapter allocates from the device, whose memory monitor refuses one
+ * allocation after the other.
  */
 #include <string.h>
 
@@ -18,7 +18,7 @@ static void begin(int refuse)
     world_errors();
 }
 
-/* Whether the refusal came about; then the device was told. */
+/* Whether an allocation was refused; then the device reported an error. */
 static int was_refused(void)
 {
     const int refused = world_memory.asked >= world_memory.refuse;
@@ -66,7 +66,7 @@ static void refuse_making(unsigned how, const cylint_shape *moved)
     CHECK(made && refusals > 0);
 }
 
-static void making_gives_back_what_it_took(void)
+static void a_failed_making_frees_all_memory(void)
 {
     cylint_shape moved[SHAPES];
     shapes_of_all_kinds(moved, 1);
@@ -90,8 +90,8 @@ static void ask(struct world *w, uint64_t *state)
     }
 }
 
-/* An update that was refused can be made again. */
-static void updating_gives_back_what_it_took(void)
+/* A refused update can be repeated. */
+static void a_failed_update_frees_all_memory(void)
 {
     cylint_shape shapes[SHAPES];
     uint64_t state = 5;
@@ -127,8 +127,8 @@ static void updating_gives_back_what_it_took(void)
     }
 }
 
-/* Embree's own hierarchy: what is refused then reaches the error function,
- * and the scene can be committed again. */
+/* If memory for Embree's own hierarchy is refused, Embree calls the error
+ * function, and the scene can be committed again. */
 static void a_refused_commit_can_be_repeated(void)
 {
     cylint_shape shapes[SHAPES];
@@ -173,8 +173,8 @@ static void a_thousand_geometries_leave_nothing(void)
 
 int main(void)
 {
-    RUN(making_gives_back_what_it_took);
-    RUN(updating_gives_back_what_it_took);
+    RUN(a_failed_making_frees_all_memory);
+    RUN(a_failed_update_frees_all_memory);
     RUN(a_refused_commit_can_be_repeated);
     RUN(a_thousand_geometries_leave_nothing);
     return check_end();

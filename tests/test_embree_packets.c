@@ -1,9 +1,9 @@
 /*
- * test_embree_packets.c - packets are answered as their rays are alone
+ * test_embree_packets.c - embree/: packets return the answers to the rays alone
  *
- * Rays that go together, some of them, or none, through all kinds of scenes:
- * every word of every answer is compared with that to the same ray asked alone,
- * which the other tests compare with the library.
+ * All, some or none of the rays of a packet go the same way through all kinds of
+ * scenes.  Every word of every answer is compared with the answer to the ray
+ * alone, which other tests compare with the library.
  */
 #include <math.h>
 #include <string.h>
@@ -19,10 +19,10 @@ static const int scenes[] = {SCENE_THIN,    SCENE_FAT,     SCENE_FIBRES,
                              SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE};
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
-/* How the rays of a packet lie to each other. */
+/* Arrangements of the rays of a packet. */
 enum manner {
     EYE,    /* from one point to points that are near each other */
-    BEAM,   /* nearly side by side, from here and there */
+    BEAM,   /* nearly parallel, from different places */
     MIXED,  /* as from an eye, but every third anywhere */
     OCTANT, /* only their signs are the same */
     AFAR,   /* from an eye a hundred to a million sizes away */
@@ -67,7 +67,7 @@ static struct aim draw_aim(uint64_t *state, const struct scene_shapes *s,
     return a;
 }
 
-/* A ray of the packet, of a length of its own. */
+/* A ray of the packet, with a random length. */
 static void add(uint64_t *state, const struct aim *a, enum manner manner,
                 struct rays *r, int i)
 {
@@ -115,7 +115,7 @@ static int same_words(const struct rays *packet, int i, const struct rays *one)
     return same;
 }
 
-/* Asks the packet and its rays; how many hits there are. */
+/* Traces the packet and its rays alone.  Returns the number of hits. */
 static int ask(const struct world *w, struct rays *r, int coherent)
 {
     struct rays_query query = {0};
@@ -185,22 +185,22 @@ static void ask_scenes(unsigned how, RTCFilterFunctionN filter)
     }
 }
 
-static void packets_are_answered_as_rays_alone(void)
+static void packets_return_the_answers_to_rays_alone(void)
 {
     ask_scenes(0, NULL);
 }
 
-static void packets_without_filters_are_answered_as_rays_alone(void)
+static void packets_without_filters_return_the_answers_to_rays_alone(void)
 {
     ask_scenes(CYLINT_EMBREE_NO_FILTERS, NULL);
 }
 
-static void bare_packets_are_answered_as_rays_alone(void)
+static void bare_packets_return_the_answers_to_rays_alone(void)
 {
     ask_scenes(CYLINT_EMBREE_BARE, NULL);
 }
 
-/* By shape and t, so that it does not matter in which order they come. */
+/* Depends on shape and t only, not on the order of hits. */
 static void reject_some(const struct RTCFilterFunctionNArguments *a)
 {
     for (int i = 0; i < (int)a->N; i++) {
@@ -211,14 +211,14 @@ static void reject_some(const struct RTCFilterFunctionNArguments *a)
     }
 }
 
-static void filtered_packets_are_answered_as_rays_alone(void)
+static void filtered_packets_return_the_answers_to_rays_alone(void)
 {
     ask_scenes(0, reject_some);
 }
 
-/* -------------------------------------------------- what Embree may refuse */
+/* ------------------------------------------------- rays that are no lines */
 
-/* Asks the callback itself: Embree answers such rays as it likes, or aborts. */
+/* Calls the callback directly: Embree's results for such rays are undefined. */
 static void call(const struct world *w, struct rays *r)
 {
     cylint_rtc_context context;
@@ -233,7 +233,7 @@ static void call(const struct world *w, struct rays *r)
     cylint_embree_intersect_callback(&a);
 }
 
-static void lines_that_are_none_do_not_disturb_others(void)
+static void rays_that_are_no_lines_do_not_disturb_others(void)
 {
     static const int sizes[3] = {4, 8, 16};
     const cylint_embree_options options = options_for(CYLINT_EMBREE_NO_FILTERS);
@@ -383,10 +383,10 @@ int main(void)
 {
     RUN(a_domain_of_one_point_is_answered_or_skipped);
     RUN(of_hits_at_tnear_the_lower_number_is_reported);
-    RUN(packets_are_answered_as_rays_alone);
-    RUN(packets_without_filters_are_answered_as_rays_alone);
-    RUN(bare_packets_are_answered_as_rays_alone);
-    RUN(filtered_packets_are_answered_as_rays_alone);
-    RUN(lines_that_are_none_do_not_disturb_others);
+    RUN(packets_return_the_answers_to_rays_alone);
+    RUN(packets_without_filters_return_the_answers_to_rays_alone);
+    RUN(bare_packets_return_the_answers_to_rays_alone);
+    RUN(filtered_packets_return_the_answers_to_rays_alone);
+    RUN(rays_that_are_no_lines_do_not_disturb_others);
     return check_end();
 }

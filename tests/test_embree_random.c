@@ -1,11 +1,11 @@
 /*
- * test_embree_random.c - nothing missed, nothing false, no other shape first
+ * test_embree_random.c - embree/: random rays have the answers of brute force
  *
- * All kinds of lines through all kinds of scenes, as float rays, compared
- * with brute force by cylint_nearest() on the same floats.  From within three
- * sizes of the scene every answer must be the same to the last bit.  Of rays
- * from farther away, up to 1e16 sizes, Embree loses some, as cylint_embree.h
- * says: they are counted, but what is hit must be a hit of the library.
+ * All kinds of lines through all kinds of scenes, as float rays, compared with
+ * cylint_nearest() on the same floats.  From within three sizes of the scene
+ * every answer has the same bits.  Embree misses some rays from farther away, up
+ * to 1e16 sizes, as cylint_embree.h says: they are counted, and a reported hit
+ * must be a hit of the library.
  *
  *     test_embree_random [RAYS [SHAPES [SEED]]]
  */
@@ -30,7 +30,7 @@ struct tally {
     double sizes;                    /* as far as boxes are wide enough */
 };
 
-/* The line as a ray that Embree can take; 0 if it is none. */
+/* Makes a ray for Embree from the line.  Returns 0 if that is impossible. */
 static int add_line(struct rays *r, int i, const cylint_line *line)
 {
     float o[3], d[3];
@@ -165,13 +165,13 @@ static void answers_are_those_of_brute_force(unsigned how, double sizes)
            n.rays, n.hits, n.far, sizes, n.far_missed, n.far_other);
 }
 
-static void blocks_answer_as_brute_force_does(void)
+static void leaves_answer_as_brute_force_does(void)
 {
     answers_are_those_of_brute_force(0, 4095);
 }
 
-/* Floats that are certain of a shadow are right. */
-static void without_filters_blocks_answer_as_brute_force_does(void)
+/* Certain occlusion in floats is right. */
+static void without_filters_leaves_answer_as_brute_force_does(void)
 {
     answers_are_those_of_brute_force(CYLINT_EMBREE_NO_FILTERS, 4095);
 }
@@ -181,10 +181,10 @@ static void primitives_answer_as_brute_force_does(void)
     answers_are_those_of_brute_force(CYLINT_EMBREE_SINGLE, 3);
 }
 
-/* Lengths from 1e-6 to 1e7: t has few floats within the small ones, which
- * then begin and end in the same.  The entry is the hit even where Embree
- * offers another piece of the shape, with its exit, first. */
-static void hits_of_a_shape_that_share_a_float_are_told_apart(void)
+/* Lengths from 1e-6 to 1e7: the entry and the exit of a small shape may round to
+ * the same float.  The entry is the hit even if the traversal finds the piece
+ * with the exit first. */
+static void hits_of_a_shape_that_share_a_float_are_distinguished(void)
 {
     struct tally n = {.sizes = 4095};
     for (uint64_t turn = 1; turn <= 8; turn++) {
@@ -211,8 +211,8 @@ static void cross(const double x[3], const double y[3], double to[3])
             x[(k + 1) % 3] * y[(k + 2) % 3] - x[(k + 2) % 3] * y[(k + 1) % 3];
 }
 
-/* A ray that all but touches the shape: by its mantle, at a rim, or by an end
- * of its domain. */
+/* A ray that nearly touches the shape: at its lateral surface, at a rim, or with
+ * an end of its domain. */
 static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
                             uint64_t *state)
 {
@@ -238,7 +238,7 @@ static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
                  : (float)(L + between(state, -0.2, 0.2)));
 }
 
-static void shadows_that_are_none_but_for_a_hair_are_none(void)
+static void rays_that_barely_miss_are_not_occluded(void)
 {
     enum { SOLIDS = 100, TURNS = 40000 };
     cylint_embree_options options = {0};
@@ -280,10 +280,10 @@ int main(int argc, char **argv)
         shapes_wanted = atoi(argv[2]);
     if (argc > 3)
         seed = strtoull(argv[3], NULL, 10);
-    RUN(blocks_answer_as_brute_force_does);
-    RUN(without_filters_blocks_answer_as_brute_force_does);
+    RUN(leaves_answer_as_brute_force_does);
+    RUN(without_filters_leaves_answer_as_brute_force_does);
     RUN(primitives_answer_as_brute_force_does);
-    RUN(shadows_that_are_none_but_for_a_hair_are_none);
-    RUN(hits_of_a_shape_that_share_a_float_are_told_apart);
+    RUN(rays_that_barely_miss_are_not_occluded);
+    RUN(hits_of_a_shape_that_share_a_float_are_distinguished);
     return check_end();
 }

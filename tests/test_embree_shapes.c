@@ -1,6 +1,6 @@
 /*
- * test_embree_shapes.c - what becomes of the shapes a geometry is given: they
- * move, are changed, have a box, or are refused by number
+ * test_embree_shapes.c - embree/: shapes of a geometry move, change, have a box,
+ * or are refused with their number
  */
 #include <math.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 
 /* --------------------------------------------------------------- motion -- */
 
-static void moving_shapes_are_where_they_are_at_the_rays_time(void)
+static void moving_shapes_are_hit_where_they_are_at_the_rays_time(void)
 {
     static const float times[4] = {0, 0.25f, 0.5f, 1};
     cylint_shape shapes[SOME], moved[SOME], now[SOME];
@@ -59,7 +59,7 @@ static void moving_shapes_are_where_they_are_at_the_rays_time(void)
     world_free(&w);
 }
 
-/* The numbers given to the constructors are what moves. */
+/* The numbers given to the constructors change linearly. */
 static void between_moves_the_constructors_numbers(void)
 {
     const double p[2][3] = {{0, 0, 0}, {1, 2, 4}},
@@ -104,7 +104,7 @@ static void between_moves_the_constructors_numbers(void)
         (z[1] = 0.5, z[2] = 3.5,
          cylint_elliptic_cone(&expected, pm, x, y, z, km, CYLINT_ENDS_CAPPED)));
 #undef HALF
-    /* an axis that vanishes half way */
+    /* an axis that vanishes at time 1/2 */
     cylint_cylinder(&a, p[0], q[0], 1, CYLINT_ENDS_CAPPED);
     cylint_cylinder(&b, q[0], p[0], 1, CYLINT_ENDS_CAPPED);
     CHECK(cylint_embree_between(&a, &b, 0.5, &half) == CYLINT_EAXIS);
@@ -125,7 +125,7 @@ static void ask_some(struct world *w, uint64_t *state)
     }
 }
 
-static void an_update_takes_over_what_was_changed(void)
+static void an_update_reads_the_changed_shapes(void)
 {
     cylint_shape shapes[SOME], kept;
     uint64_t state = 6;
@@ -144,13 +144,13 @@ static void an_update_takes_over_what_was_changed(void)
             cylint_pack_shapes(&w.pack, w.room, shapes, SOME);
             ask_some(&w, &state);
         }
-        /* what a first scene took is enough for the last */
+        /* a later scene needs no more memory than the first */
         world_shapes(&state, SCENE_THIN, shapes, SOME);
         for (int i = 0; i < 50; i++)
             CHECK(cylint_embree_update(w.geometry, NULL) == CYLINT_EMBREE_OK);
         rtcCommitScene(w.scene);
         CHECK(world_memory.bytes < 2 * bytes);
-        /* a shape that cannot be taken over, and then one that can */
+        /* a shape that is refused, and then one that is not */
         kept = shapes[17];
         cylint_cylinder(&shapes[17], kept.base, kept.base, 1,
                         CYLINT_ENDS_CAPPED);
@@ -172,9 +172,9 @@ static void an_update_takes_over_what_was_changed(void)
 
 /* --------------------------------------------------------------- bounds -- */
 
-/* Embree's box of the shapes holds them, and is wider only by what the header
- * says and a rounding to float. */
-static void the_scenes_box_is_that_of_the_shapes_and_a_little(void)
+/* Embree's box contains the shapes; it is wider only by the padding that the
+ * header states and a rounding to float. */
+static void the_scenes_box_is_the_padded_box_of_the_shapes(void)
 {
     cylint_shape shapes[SOME];
     uint64_t state = 7;
@@ -219,7 +219,7 @@ static void the_scenes_box_is_that_of_the_shapes_and_a_little(void)
             }
 }
 
-static void no_shapes_are_a_scene_that_nothing_hits(void)
+static void a_geometry_without_shapes_is_never_hit(void)
 {
     const float o[3] = {0, 0, 0}, d[3] = {0, 0, 1};
     for (int how = 0; how < 2; how++) {
@@ -268,7 +268,7 @@ static void refused(const cylint_shape *bad, size_t first, int status)
     }
 }
 
-static void what_embree_would_drop_is_refused_by_number(void)
+static void shapes_that_embree_would_drop_are_refused_by_number(void)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 1};
     double far[3] = {0, 0, 1.9e18}, near[3] = {0, 0, 1.8e18},
@@ -286,7 +286,7 @@ static void what_embree_would_drop_is_refused_by_number(void)
     refused(&shape, 15, CYLINT_EMBREE_ESHAPE);
     CHECK(!cylint_cylinder(&shape, p0, p1, 1e300, CYLINT_ENDS_CAPPED));
     refused(&shape, 16, CYLINT_EMBREE_ESHAPE);
-    /* and within the limit it is found */
+    /* a shape within the limit is hit */
     CHECK(!cylint_cylinder(&shape, p0, near, 1e17, CYLINT_ENDS_CAPPED));
     for (int how = 0; how < 2; how++) {
         const float o[3] = {0, 1e16f, -1e18f}, d[3] = {0, 0, 1};
@@ -297,7 +297,7 @@ static void what_embree_would_drop_is_refused_by_number(void)
     }
 }
 
-static void motion_that_makes_no_sense_is_refused_by_number(void)
+static void impossible_motion_is_refused_by_number(void)
 {
     cylint_shape shapes[ROW], moved[ROW];
     cylint_embree_options options = {0};
@@ -329,7 +329,7 @@ static void motion_that_makes_no_sense_is_refused_by_number(void)
     world_errors();
 }
 
-/* Enough shapes that five threads are used, for making and for updating. */
+/* Enough shapes for five threads to make and update the geometry. */
 static void five_threads_make_a_geometry_that_answers_the_same(void)
 {
     enum { MANY = 21000 };
@@ -381,13 +381,13 @@ static void every_status_has_its_text(void)
 
 int main(void)
 {
-    RUN(moving_shapes_are_where_they_are_at_the_rays_time);
+    RUN(moving_shapes_are_hit_where_they_are_at_the_rays_time);
     RUN(between_moves_the_constructors_numbers);
-    RUN(an_update_takes_over_what_was_changed);
-    RUN(the_scenes_box_is_that_of_the_shapes_and_a_little);
-    RUN(no_shapes_are_a_scene_that_nothing_hits);
-    RUN(what_embree_would_drop_is_refused_by_number);
-    RUN(motion_that_makes_no_sense_is_refused_by_number);
+    RUN(an_update_reads_the_changed_shapes);
+    RUN(the_scenes_box_is_the_padded_box_of_the_shapes);
+    RUN(a_geometry_without_shapes_is_never_hit);
+    RUN(shapes_that_embree_would_drop_are_refused_by_number);
+    RUN(impossible_motion_is_refused_by_number);
     RUN(five_threads_make_a_geometry_that_answers_the_same);
     RUN(every_status_has_its_text);
     return check_end();

@@ -1,10 +1,10 @@
 /*
- * test_embree_threads.c - eight threads in one scene answer as one does
+ * test_embree_threads.c - embree/: eight threads get the answers of one
  *
- * Single rays and packets, nearest and occluded, through one adapter geometry
- * and one cylint_scene, every thread all of them, in another order each.  The
- * subnormal modes of the processor differ from thread to thread: the answers
- * do not.  `make check-threads` runs this under the thread sanitizer.
+ * Every thread traces all single rays and packets, nearest and occluded, through
+ * one geometry of the adapter and one cylint_scene, each in another order.  The
+ * processor's subnormal modes differ from thread to thread; the answers must
+ * not.  `make check-threads` runs this under the thread sanitizer.
  *
  *     test_embree_threads [RAYS]
  */
@@ -26,7 +26,7 @@ static int asked = 2000;
 static struct world w;
 static cylint_scene *scene;
 
-/* What a question is answered; bytes, so that they can be compared. */
+/* An answer, as bytes that can be compared. */
 struct answer {
     unsigned word[RAY_MEMBERS - RAY_TFAR];
     unsigned shadowed;
@@ -36,7 +36,7 @@ struct answer {
 
 static struct answer answers[THREADS + 1][MOST];
 
-/* Question `number`, the same whoever asks. */
+/* Question `number`, the same for all threads. */
 static void ask(int number, struct answer *a)
 {
     static const int sizes[4] = {1, 4, 8, 16};
@@ -68,7 +68,7 @@ static void ask(int number, struct answer *a)
     a->count = (unsigned long)cylint_scene_count(scene, &line, 0);
 }
 
-/* 0 to 3: subnormal results, operands taken for zero. */
+/* 0 to 3: flush subnormal results, flush subnormal operands. */
 static void choose_subnormals(int mode)
 {
 #if defined(__SSE2__)
@@ -90,7 +90,7 @@ static void *work(void *p)
     return NULL;
 }
 
-static void eight_threads_answer_as_one(void)
+static void eight_threads_get_the_answers_of_one(void)
 {
     static cylint_shape shapes[SHAPES];
     pthread_t thread[THREADS];
@@ -128,6 +128,6 @@ int main(int argc, char **argv)
         asked = atoi(argv[1]);
     if (asked < 1 || asked > MOST)
         return 2;
-    RUN(eight_threads_answer_as_one);
+    RUN(eight_threads_get_the_answers_of_one);
     return check_end();
 }

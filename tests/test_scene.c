@@ -1,11 +1,11 @@
 /*
- * test_scene.c - a scene answers what all its shapes answer, bit for bit
+ * test_scene.c - scene/: a scene returns what all its shapes return
  *
- * Every kind of scene is asked every kind of line, and so is each shape of
- * it, by batch: no shape may be missed, none be told that is not hit, none
- * but the same be nearest, and no bit of its hit differ.  With an argument,
- * that many lines of each kind for each scene (make check-scene).
- * CYLINT_SEED changes everything drawn.
+ * Every kind of line is traced through every kind of scene, and tested against
+ * each shape in a batch.  Both must find the same shapes, the same nearest shape
+ * and the same bits of its hit.  An argument sets the number of lines of each
+ * kind for each scene (make check-scene).  CYLINT_SEED changes all random
+ * numbers.
  */
 #include <math.h>
 #include <pthread.h>
@@ -35,7 +35,7 @@ static void *room(size_t bytes)
 
 /* ------------------------------------------------------------ one scene -- */
 
-/* A scene both ways. */
+/* A scene, and its shapes in a pack. */
 struct asked {
     struct scene_shapes of;
     cylint_scene *scene;
@@ -98,7 +98,7 @@ static void check_nearest(const struct asked *a, const cylint_line *line)
     }
 }
 
-/* All numbers again, three by three. */
+/* All numbers again, three at a time. */
 static void check_threes(const struct asked *a, const cylint_line *line)
 {
     size_t first = 0, found, number[4] = {0, 0, 0, a->of.n};
@@ -146,7 +146,7 @@ static void check_numbers(const struct asked *a, const cylint_line *line)
         show_line(a, line, "three", three, count);
 }
 
-/* What doubles cannot decide takes brute force far longer. */
+/* Brute force takes far longer where doubles cannot decide. */
 static size_t shapes_of(int kind)
 {
     struct scene_shapes few;
@@ -229,7 +229,7 @@ static void real_scenes_answer_as_brute_force_does(void)
 
 /* ------------------------------------------------------------ contracts -- */
 
-static void a_scene_of_nothing_is_never_hit(void)
+static void an_empty_scene_is_never_hit(void)
 {
     const double o[3] = {0, 0, 0}, d[3] = {1, 2, 3};
     cylint_scene *scene = cylint_scene_new(NULL, 0, 1, NULL);
@@ -246,7 +246,7 @@ static void a_scene_of_nothing_is_never_hit(void)
     cylint_scene_free(NULL);
 }
 
-static void what_is_not_wanted_is_not_written(void)
+static void unwanted_members_are_not_written(void)
 {
     struct asked a;
     scene_generate(0, 200, seed(), &a.of);
@@ -265,7 +265,7 @@ static void what_is_not_wanted_is_not_written(void)
     close_both(&a);
 }
 
-static void what_is_behind_a_hit_is_never_that_hit(void)
+static void a_ray_that_begins_behind_a_hit_does_not_find_it(void)
 {
     struct asked a;
     size_t hits = 0;
@@ -294,9 +294,9 @@ static void what_is_behind_a_hit_is_never_that_hit(void)
     CHECK(hits > 500);
 }
 
-/* Long shapes are in many boxes.  Lines down a bundle of nested tubes meet
- * each tube in most of its boxes, and more tubes than a question remembers. */
-static void a_shape_that_is_met_in_many_boxes_counts_once(void)
+/* Long shapes have many boxes.  Lines along a bundle of nested tubes pass most
+ * boxes of each tube, and hit more tubes than the query's hash table holds. */
+static void a_shape_that_is_found_in_many_boxes_counts_once(void)
 {
     enum { NESTED = 700 };
     struct asked a = {.of = {.name = "nested", .n = NESTED}};
@@ -377,10 +377,10 @@ int main(int argc, char **argv)
     RUN(generated_scenes_answer_as_brute_force_does);
     RUN(small_scenes_answer_as_brute_force_does);
     RUN(real_scenes_answer_as_brute_force_does);
-    RUN(a_scene_of_nothing_is_never_hit);
-    RUN(what_is_not_wanted_is_not_written);
-    RUN(what_is_behind_a_hit_is_never_that_hit);
-    RUN(a_shape_that_is_met_in_many_boxes_counts_once);
+    RUN(an_empty_scene_is_never_hit);
+    RUN(unwanted_members_are_not_written);
+    RUN(a_ray_that_begins_behind_a_hit_does_not_find_it);
+    RUN(a_shape_that_is_found_in_many_boxes_counts_once);
     RUN(threads_share_a_scene_and_get_the_same_answers);
     printf("note: %zu lines, %zu of them hit\n", lines_asked, lines_hit);
     return check_end();

@@ -1,8 +1,8 @@
 /*
- * test_scene_memory.c - every allocation refused in turn, nothing lost
+ * test_scene_memory.c - scene/: refused allocations leave no memory behind
  *
- * What a scene takes comes from malloc() and calloc(), which the linker
- * replaces by those below.
+ * A scene allocates with malloc() and calloc(), which the linker replaces by the
+ * functions below.  Each allocation is refused in turn.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +26,7 @@ enum { SHAPES = 300, ENOUGH = 1000 };
 static struct {
     int watched;
     int asked, refuse; /* allocations; the number of the one to refuse */
-    int held;          /* blocks that were not given back */
+    int held;          /* allocations not freed yet */
 } heap;
 
 void *__real_malloc(size_t);
@@ -63,7 +63,7 @@ void __wrap_free(void *p)
     __real_free(p);
 }
 
-/* Whether it was made in spite of the refusal: there were not so many. */
+/* Whether the scene was made: it has fewer allocations than that number. */
 static int is_made(const struct scene_shapes *of, int refuse)
 {
     cylint_scene_status status = CYLINT_SCENE_OK;
@@ -80,8 +80,8 @@ static int is_made(const struct scene_shapes *of, int refuse)
     return made;
 }
 
-/* Unbounded shapes are beside the hierarchy, and long ones are cut. */
-static void a_scene_gives_back_what_it_took(void)
+/* Unbounded shapes are beside the hierarchy, long ones are split. */
+static void a_scene_frees_all_memory(void)
 {
     static const int kinds[] = {SCENE_FIBRES, SCENE_UNBOUNDED};
     for (int i = 0; i < 2; i++) {
@@ -97,7 +97,7 @@ static void a_scene_gives_back_what_it_took(void)
 
 int main(void)
 {
-    RUN(a_scene_gives_back_what_it_took);
+    RUN(a_scene_frees_all_memory);
     return check_end();
 }
 

@@ -8,11 +8,6 @@ static double dot(const double x[3], const double y[3])
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
 
-static int is_elliptic(const cylint_shape *s)
-{
-    return s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE;
-}
-
 /* The points x a + y b, x^2 + y^2 <= 1, reach sqrt((a.v)^2 + (b.v)^2) along a
  * unit vector v.  Across the axis they reach the square root of the larger
  * eigenvalue of the Gram matrix of the components of a and b across it. */
@@ -45,7 +40,7 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
     }
     const double ww = dot(t->axis, t->axis);
     t->length = sqrt(ww);
-    t->elliptic = is_elliptic(s);
+    t->elliptic = cylint_is_elliptic(s);
     t->k[0] = t->elliptic ? s->r0 : s->r0 * scale;
     t->k[1] = t->elliptic
                   ? s->r1
@@ -73,7 +68,7 @@ void cylint_swept_disc_reach(const cylint_swept_disc *t, double reach[3])
     const double per_length = 1 / t->length;
     for (int j = 0; j < 3; j++)
         reach[j] =
-            t->elliptic ? sqrt(t->a[j] * t->a[j] + t->b[j] * t->b[j])
+            t->elliptic ? cylint_elliptic_reach(t->a, t->b, j)
             : ww > CYLINT_LEAST_SQUARE
                 ? sqrt(square[(j + 1) % 3] + square[(j + 2) % 3]) * per_length
                 : 1;

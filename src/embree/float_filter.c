@@ -86,15 +86,17 @@ static int describe(const cylint_float_filter_state *q,
 void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
                                   const cylint_shape *s)
 {
+    const int in_length =
+        s->kind == CYLINT_KIND_CYLINDER || s->kind == CYLINT_KIND_CONE;
+    const int is_acone = s->kind == CYLINT_KIND_ACONE;
     EACH(j, 3) {
         to->base[j] = s->base[j];
         to->axis[j] = s->axis[j];
     }
-    to->r0 = s->kind > CYLINT_KIND_ACONE ? -1 : s->r0;
-    to->dr = s->kind > CYLINT_KIND_ACONE ? 0
-             : s->kind == CYLINT_KIND_ACONE
-                 ? s->dr * sqrt(dot(s->axis, s->axis))
-                 : s->dr;
+    to->r0 = in_length || is_acone ? s->r0 : -1;
+    to->dr = in_length  ? s->dr
+             : is_acone ? s->dr * sqrt(dot(s->axis, s->axis))
+                        : 0;
 }
 
 /* Whether x is a float and not subnormal. */

@@ -56,7 +56,7 @@ const char *cylint_scene_strerror(int status)
 static double rough_reach(const cylint_shape *s, int end, int j)
 {
     const double r = end ? s->r1 : s->r0;
-    if (s->kind >= CYLINT_KIND_ECYLINDER)
+    if (cylint_is_elliptic(s))
         return r * (fabs(s->a[j]) + fabs(s->b[j]));
     if (s->kind == CYLINT_KIND_ACONE) /* from the tangent */
         return r * (fabs(s->axis[0]) + fabs(s->axis[1]) + fabs(s->axis[2]));
@@ -68,7 +68,8 @@ static double rough_reach(const cylint_shape *s, int end, int j)
  * later; multiplied by a larger factor, the lost part would matter. */
 static int has_box(const cylint_shape *s, double lo[3], double hi[3])
 {
-    const int has_factors = s->kind >= CYLINT_KIND_ACONE;
+    const int has_factors =
+        cylint_is_elliptic(s) || s->kind == CYLINT_KIND_ACONE;
     if (!cylint_is_bounded(s) || (has_factors && s->r1 > CYLINT_FRAME_MOST))
         return 0;
     for (int j = 0; j < 3; j++) {
