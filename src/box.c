@@ -1,14 +1,15 @@
 /*
  * box.c - the least axis-parallel box of a shape, rounded outward
  *
- * A disc of radius r across the axis w reaches r sqrt(1 - w_j^2 / vv) from
- * its centre along coordinate j; the ellipse of a and b reaches
- * sqrt(a_j^2 + b_j^2).  A bounded shape is the hull of its two discs.
+ * A disc of radius r perpendicular to the axis w reaches
+ * r sqrt(1 - w_j^2 / vv) from its centre along coordinate j, vv = w.w.  The
+ * ellipse with the semi-axes a and b reaches sqrt(a_j^2 + b_j^2).  A bounded
+ * shape is the convex hull of its two discs.
  */
 #include "signs/sign.h"
 
-/* The axis as pairs, true lengths being 2^e times these: e is 0 unless the
- * axis is longer than the largest double. */
+/* The axis is 2^e times these pairs.  e is 0 unless a component of the axis
+ * overflows. */
 typedef struct {
     pair axis[3];
     int e;
@@ -39,7 +40,7 @@ static pair unscaled(pair x, int e)
     return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
 }
 
-/* By which power of two x > 0 comes near 1. */
+/* The e with 2^e <= x < 2^(e+1), for x > 0, subnormal x included. */
 static int exponent_of(double x)
 {
     return x < DBL_MIN ? cylint_exponent(x * 0x1p60) - 60 : cylint_exponent(x);
@@ -60,9 +61,10 @@ static pair hypotenuse(pair x, pair y, int *e)
     return pair_sqrt(squares(unscaled(x, -k), unscaled(y, -k)));
 }
 
-/* How far the section of unit radius (circular: at distance 1 from the axis;
- * acone: where the tangent is 1) reaches along coordinate j, times 2^*e;
- * *is_exact: no rounding was needed. */
+/* How far a section of radius 1 reaches along coordinate j: the result times
+ * 2^*e.  Elliptic kinds: the section with the semi-axes a, b.  acone: the
+ * section at z = 1 of a cone of tangent 1.  *is_exact: 1 if nothing was
+ * rounded. */
 static pair unit_reach(const cylint_shape *s, const long_axis *k, int j, int *e,
                        int *is_exact)
 {
@@ -94,7 +96,7 @@ static pair unit_reach(const cylint_shape *s, const long_axis *k, int j, int *e,
     return pair_div(across, length);
 }
 
-/* The next double up or down; there is none beyond the infinite. */
+/* The next double above or below x; x if it is infinite. */
 static double step(double x, int up)
 {
     if (!(fabs(x) <= DBL_MAX))
@@ -110,9 +112,10 @@ static double step(double x, int up)
     return x;
 }
 
-/* center + offset + reach, outward.  Where nothing was rounded the sum's own
- * low part tells on which side of hi it lies; else the pairs' error, below
- * 2^-98 of what was summed up, is added before the last rounding. */
+/* center + offset + reach (up) or - reach, rounded outward.  If nothing was
+ * rounded before, the sign of the sum's low part decides the rounding.
+ * Otherwise the error of the pairs is below 2^-98 of the terms; it is added
+ * before the last rounding. */
 static double outward(double center, pair offset, pair reach, int is_exact,
                       int up)
 {
@@ -135,7 +138,7 @@ static double outward(double center, pair offset, pair reach, int is_exact,
     return step(step(wide, up), up);
 }
 
-/* x 2^e, outward beyond the largest double. */
+/* x 2^e; if that overflows, rounded outward. */
 static double scaled_outward(double x, int e, int up)
 {
     if (e == 0 || fabs(x) < cylint_power_of_two(1024 - e))
@@ -143,8 +146,8 @@ static double scaled_outward(double x, int e, int up)
     return x > 0 ? (up ? HUGE_VAL : DBL_MAX) : (up ? -DBL_MAX : -HUGE_VAL);
 }
 
-/* The disc of cap i, to the box.  Of three terms two may pass the largest
- * double together where the third brings them back: they are added smaller. */
+/* Extends the box by the disc of a cap.  The sum of two of the three terms may
+ * overflow although the sum of all does not: the terms are scaled down first. */
 static void take_disc(const cylint_shape *s, int cap, double lo[3],
                       double hi[3])
 {
@@ -179,7 +182,8 @@ static void take_disc(const cylint_shape *s, int cap, double lo[3],
     }
 }
 
-/* The sign of |axis_j| - reach of the rulings, per unit of z; exactly. */
+/* Whether |axis_j| is at least the growth of the disc's reach along coordinate
+ * j, both per unit of z.  Exact. */
 static int leans_inward(cylint_query *q, int j)
 {
     const letters_exact *L = cylint_exact(q);
@@ -204,8 +208,8 @@ static int leans_inward(cylint_query *q, int j)
     return sign >= 0;
 }
 
-/* A nappe grows from its apex without bound, but not backwards along a
- * coordinate to which all its rulings lean the same way. */
+/* Writes the box of a nappe.  It is unbounded, except on one side of each
+ * coordinate along which no ruling runs backwards: there the apex bounds it. */
 static void take_nappe(const cylint_shape *s, double lo[3], double hi[3])
 {
     static const double along[3] = {1, 0, 0};

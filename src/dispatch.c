@@ -1,11 +1,11 @@
 /*
- * dispatch.c - which processor is this, and which build of the kernels
+ * dispatch.c - chooses the build of the kernels for this processor
  */
 #include <string.h>
 
 #include "filter/filter.h"
 
-/* Best first; the last runs anywhere. */
+/* Best first.  The last one runs on every processor. */
 static const cylint_kernels builds[] = {
 #ifdef CYLINT_BUILDS_X86
     {"avx512", &cylint_one_avx512, cylint_many_avx512},
@@ -16,8 +16,8 @@ static const cylint_kernels builds[] = {
 
 enum { BUILDS = sizeof builds / sizeof builds[0] };
 
-/* __builtin_cpu_supports() asks the processor and whether the system saves
- * the registers. */
+/* __builtin_cpu_supports() tests the processor, and that the operating system
+ * saves the registers. */
 static int runs(int build)
 {
 #ifdef CYLINT_BUILDS_X86
@@ -39,7 +39,7 @@ static int best(void)
     return build;
 }
 
-/* NULL: not chosen yet.  Threads that choose at once choose the same. */
+/* NULL until the first use.  All threads choose the same build. */
 const cylint_kernels *cylint_kernels_chosen;
 
 #ifdef __GNUC__

@@ -1,16 +1,16 @@
 /*
- * selftest.c - what this build, on this processor, in this thread's
- * floating-point environment, makes of a double
+ * selftest.c - tests the arithmetic of this build, on this processor, in the
+ * floating-point environment of the calling thread
  *
- * Every operand is read from a volatile, so that the sums are done where the
- * caller runs and not by the compiler; every expression is an ordinary one,
- * so that the compiler treats it as it treated the rest of the library.
+ * Every operand is read from a volatile, so that the compiler does not compute
+ * the result itself.  The expressions are plain C, so that the compiler
+ * translates them like the rest of the library.
  */
 #include "numbers/bits.h"
 
 #include "cylint.h"
 
-/* x, but the compiler does not know it. */
+/* Returns x; the compiler cannot compute with its value. */
 static double hidden(double x)
 {
     volatile double v = x;
@@ -24,7 +24,7 @@ static uint64_t bits_of(double x)
     return bits;
 }
 
-/* IEEE 754 binary64, its bytes in the order of an uint64_t's. */
+/* Tests for IEEE 754 binary64 in the byte order of uint64_t. */
 static int format_differs(void)
 {
     return sizeof(double) != sizeof(uint64_t) ||
@@ -33,8 +33,9 @@ static int format_differs(void)
            bits_of(hidden(0x1p-1074)) != 1;
 }
 
-/* (1 + e)^2 is 1 + 2 e + e^2; rounded in whichever direction, it is no
- * nearer to 1 + 2 e than a unit in the last place, 4 e^2, unless equal. */
+/* (1 + e)^2 = 1 + 2 e + e^2.  One unit in its last place is 4 e^2, so the
+ * rounded product differs from 1 + 2 e by 0 or by at least 4 e^2.  A
+ * difference of e^2 shows that the product was not rounded. */
 static int contracts(void)
 {
     const double e = 0x1p-27, a = hidden(1 + e), b = hidden(1 + e);
@@ -44,15 +45,15 @@ static int contracts(void)
     return added == e * e || subtracted == e * e || reversed == -e * e;
 }
 
-/* 1 + 2^-60 has no double near it but 1; more digits, or a compiler that
- * cancels the ones, would give 2^-60 back. */
+/* 1 + 2^-60 is not a double.  The difference to 1 is 2^-60 only with excess
+ * precision, or if the compiler cancels the ones. */
 static int keeps_too_much(void)
 {
     const double one = hidden(1), tiny = hidden(0x1p-60);
     return (one + tiny) - one == tiny || one + (tiny - one) == tiny;
 }
 
-/* Towards either side 1 loses or gains nothing, and ties go to even. */
+/* 1 + 2^-60 and 1 - 2^-60 round to 1, and ties round to even. */
 static int rounds_to_nearest(void)
 {
     const double one = hidden(1), tiny = hidden(0x1p-60);
@@ -61,7 +62,7 @@ static int rounds_to_nearest(void)
            odd + half == 1 + 0x1p-51;
 }
 
-/* Rounded to nearest, of course: no estimates, no refined reciprocals. */
+/* Called in rounding to nearest.  Reciprocal estimates fail this test. */
 static int quotients_are_off(void)
 {
     return hidden(1) / hidden(3) != 0x1.5555555555555p-2 ||

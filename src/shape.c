@@ -1,8 +1,8 @@
 /*
- * shape.c - making and checking shapes and lines
+ * shape.c - the constructors of shapes and lines, and their checks
  *
- * The only place where anything can fail.  What is refused is left in a
- * state that every query answers with "miss".
+ * No other function of the library can fail.  A refused shape or line is all
+ * zero; every query then returns "miss".
  */
 #include "signs/sign.h"
 
@@ -28,7 +28,7 @@ const char *cylint_strerror(int status)
     case CYLINT_EDOMAIN:
         return "the domain is empty or not a number";
     case CYLINT_EMETHOD:
-        return "this method does not answer for such a shape";
+        return "this method does not support such a shape";
     default:
         return "unknown status";
     }
@@ -74,7 +74,7 @@ static int ends_exist(int ends)
     return ends >= CYLINT_ENDS_CAPPED && ends <= CYLINT_ENDS_NAPPE;
 }
 
-/* Every query answers "miss" for what is left. */
+/* Writes a shape that no line hits. */
 static cylint_status refuse_shape(cylint_shape *shape, cylint_status why)
 {
     memset(shape, 0, sizeof *shape);
@@ -86,8 +86,8 @@ static void zero_vector(double x[3])
     x[0] = x[1] = x[2] = 0;
 }
 
-/* A good shape is written member by member, each once: to clear it first took
- * as long as all else. */
+/* The constructors write each member of a valid shape once.  Clearing the
+ * struct first would double their run time. */
 
 cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
                           const double p1[3], double r1, cylint_ends ends)

@@ -1,6 +1,8 @@
 /*
- * bits.h - doubles by their bits: exponent, sign, order, exact scaling and
- * differences, right in whatever floating-point environment
+ * bits.h - exponent, sign and order of doubles from their bits, exact scaling
+ * and differences
+ *
+ * All of these are right in every floating-point environment.
  */
 #ifndef CYLINT_BITS_H
 #define CYLINT_BITS_H
@@ -23,9 +25,10 @@ static inline double cylint_power_of_two(int e)
 }
 
 /*
- * The bits of x, as an integer that the compiler cannot trace back to x: clang
- * 19 compiles "no bit but the sign is set" into the comparison x == 0.0, which
- * is true of subnormals where the processor takes them for zero.
+ * The bits of x.  The asm hides from the compiler that they come from x:
+ * clang 19 compiles "no bit but the sign is set" into the comparison
+ * x == 0.0, which is true for subnormal x if the processor reads subnormals as
+ * zero.
  */
 static inline uint64_t cylint_bits(double x)
 {
@@ -43,21 +46,22 @@ static inline int cylint_exponent(double x)
     return (int)(cylint_bits(x) >> 52 & 0x7ff) - 1023;
 }
 
-/* By the bits: right for subnormals even where they are taken for zero. */
+/* -1, 0 or 1.  Right for subnormals even if the processor reads them as zero. */
 static inline int cylint_sign(double x)
 {
     const uint64_t bits = cylint_bits(x);
     return bits << 1 == 0 ? 0 : bits >> 63 ? -1 : 1;
 }
 
-/* Sums with such a number may have a part that a processor flushes. */
+/* Whether 0 < |x| < 2^-900: a two_sum with x can have a subnormal low part,
+ * which the processor may flush. */
 static inline int cylint_too_small(double x)
 {
     const uint64_t least = (uint64_t)(1023 - 900) << 53; /* without the sign */
     return (cylint_bits(x) << 1) - 1 < least - 1; /* a zero wraps round */
 }
 
-/* An integer that ascends with x; both zeros have 0. */
+/* An integer that grows with x.  Both zeros give 0. */
 static inline int64_t cylint_rank(double x)
 {
     const uint64_t bits = cylint_bits(x);
@@ -65,13 +69,13 @@ static inline int64_t cylint_rank(double x)
     return bits >> 63 ? -size : size;
 }
 
-/* x < y by the bits, likewise; neither is a NaN. */
+/* x < y, computed from the bits.  Neither is NaN. */
 static inline int cylint_less(double x, double y)
 {
     return cylint_rank(x) < cylint_rank(y);
 }
 
-/* The least double above x, by the bits; infinity for infinity. */
+/* The least double above x, computed from the bits; infinity for infinity. */
 static inline double cylint_next_above(double x)
 {
     if (x > DBL_MAX)
@@ -89,8 +93,8 @@ static inline double cylint_largest(const double x[3])
     return cylint_larger(cylint_larger(fabs(x[0]), fabs(x[1])), fabs(x[2]));
 }
 
-/* x - y as a pair, exactly unless it overflows (then lo = 0), in whatever
- * floating-point environment. */
+/* x - y as a pair, exactly, in every floating-point environment.  If x - y
+ * overflows, lo is 0. */
 pair cylint_wild_difference(double x, double y);
 static inline pair cylint_difference(double x, double y)
 {
@@ -103,7 +107,7 @@ static inline pair cylint_difference(double x, double y)
 /* x 2^e, rounded at most once. */
 double cylint_scaled(double x, int e);
 
-/* to - from, scaled by 2^e, as pairs; e brings both below overflow. */
+/* (to - from) 2^e as pairs.  With this e nothing overflows. */
 void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
                               const double from[3], int e);
 

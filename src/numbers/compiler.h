@@ -1,21 +1,22 @@
 /*
- * compiler.h - loops of few rounds: over small arrays, over the ones of a mask;
- * the larger of two; and what is, and what is not, to be in line
+ * compiler.h - unrolled loops, inlining, the larger of two doubles, the lowest
+ * bit of a mask
  */
 #ifndef CYLINT_EACH_H
 #define CYLINT_EACH_H
 
 #include <stdint.h>
 
-/* Written out by the compiler before it decides what is kept in registers:
- * GCC would leave the arrays in memory. */
+/* A loop that GCC unrolls before it allocates registers.  Otherwise it keeps
+ * small arrays in memory. */
 #if defined(__GNUC__) && !defined(__clang__)
 #define EACH(i, n) _Pragma("GCC unroll 4") for (int i = 0; i < (n); i++)
 #else
 #define EACH(i, n) for (int i = 0; i < (n); i++)
 #endif
 
-/* A function rarely called, whose registers its callers need not save. */
+/* A function that is rarely called.  It is not inlined, so that its callers
+ * save fewer registers. */
 #ifdef __GNUC__
 #define ASIDE static __attribute__((noinline))
 #else
@@ -29,7 +30,7 @@
 #define CYLINT_APART static inline
 #endif
 
-/* fmax() and fmin() without NaN: those are calls. */
+/* The larger of two, neither of them NaN.  fmax() would be a function call. */
 static inline double cylint_larger(double x, double y)
 {
     return x > y ? x : y;
@@ -40,7 +41,7 @@ static inline double cylint_smaller(double x, double y)
     return x < y ? x : y;
 }
 
-/* The number of the lowest 1, of which there is one. */
+/* The number of the lowest bit that is 1.  bits is not 0. */
 static inline int cylint_lowest(uint64_t bits)
 {
 #ifdef __GNUC__
@@ -53,9 +54,9 @@ static inline int cylint_lowest(uint64_t bits)
 #endif
 }
 
-/* Part of whatever calls it, however large that is: constant arguments are to
- * make a piece of code of their own; without optimisation, one for all, that
- * `make coverage` can count. */
+/* A function that is always inlined, so that the compiler specialises it for
+ * constant arguments.  Without optimisation it is compiled once, so that
+ * `make coverage` counts it. */
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define CYLINT_INLINE static inline __attribute__((always_inline))
 #else

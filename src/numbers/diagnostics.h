@@ -1,12 +1,12 @@
 /*
- * diagnostics.h - builds that check every decision or count the stages
+ * diagnostics.h - builds that check every decision, or count the stages
  */
 #ifndef CYLINT_DIAGNOSTICS_H
 #define CYLINT_DIAGNOSTICS_H
 
 #include "cylint.h"
 
-/* A build that asks every question again in every digit (make PARANOID=1). */
+/* A build that compares every answer with exact arithmetic (make PARANOID=1). */
 #ifdef CYLINT_PARANOID
 #include <stdlib.h>
 #define CYLINT_IS_PARANOID 1
@@ -16,14 +16,14 @@
 #define cylint_contradiction(wrong) ((void)(0 && (wrong)))
 #endif
 
-/* A build that counts how far questions must go (make stages); not for
- * several threads. */
+/* A build that counts the queries that reach each stage (make stages).  It
+ * must run in one thread. */
 enum {
-    CYLINT_STAGE_FILTER, /* asked one by one: the kernels did not decide */
-    CYLINT_STAGE_QUANTA, /* a sign near 0, but nothing was rounded */
+    CYLINT_STAGE_FILTER, /* the kernels did not decide */
+    CYLINT_STAGE_QUANTA, /* a sign near 0, but no operation rounded */
     CYLINT_STAGE_PAIRS,
     CYLINT_STAGE_EXACT,
-    CYLINT_STAGE_MIDDLE, /* a root beside the middle of two doubles */
+    CYLINT_STAGE_MIDDLE, /* a root close to the midpoint of two doubles */
     CYLINT_STAGES
 };
 #ifdef CYLINT_COUNT_STAGES

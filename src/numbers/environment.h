@@ -1,7 +1,7 @@
 /*
- * environment.h - what the proofs ask of compiler, processor and thread
+ * environment.h - what the proofs assume of compiler, processor and thread
  *
- * Included before any arithmetic, so that clang's pragmas reach all of it.
+ * Include it before any arithmetic: clang's pragmas apply to what follows.
  */
 #ifndef CYLINT_ENVIRONMENT_H
 #define CYLINT_ENVIRONMENT_H
@@ -9,7 +9,7 @@
 #include <float.h>
 #include <stdint.h>
 
-/* What no macro tells, cylint_selftest does. */
+/* cylint_selftest() detects at run time what no macro states. */
 #if defined(__FAST_MATH__) ||                                        \
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||       \
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
@@ -20,14 +20,14 @@
     DBL_MIN_EXP != -1021
 #error "libcylint needs doubles of IEEE 754, binary64"
 #endif
-/* 1 and 16 widen float and _Float16 only; 2 is the x87's registers. */
+/* 1 and 16 widen only float and _Float16.  2 means x87 registers. */
 #if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
 #error "libcylint needs doubles without excess precision (-mfpmath=sse)"
 #endif
 #ifndef UINT64_MAX
 #error "libcylint needs uint64_t"
 #endif
-#ifdef __clang__ /* for all that follows; gcc knows only -ffp-contract=off */
+#ifdef __clang__ /* for all that follows; gcc has only -ffp-contract=off */
 #pragma STDC FP_CONTRACT OFF
 #pragma clang fp reassociate(off)
 #endif

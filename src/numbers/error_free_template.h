@@ -1,11 +1,13 @@
 /*
- * error_free_template.h - sums and products without error, once for doubles and for lanes
+ * error_free_template.h - sums and products without error, for doubles and for
+ * lanes
  *
- * The including file names the type REAL, the struct PAIR of hi and lo, the
- * functions EFT(name), how they are declared INLINE, BROADCAST(x) for a
- * constant, and FUSED(a, b, c) for a b + c in one rounding where there is such
- * an operation.  The order of operations is the algorithm: a compiler must not
- * reassociate or contract (environment.h refuses the flags that would).
+ * The including file defines the type REAL, the struct PAIR of hi and lo, the
+ * names EFT(name) of the functions, INLINE for their declarations, and
+ * BROADCAST(x) for a constant.  It defines FUSED(a, b, c) if the processor
+ * computes a b + c with one rounding.  The compiler must not reorder or
+ * contract the operations; environment.h stops with an error for the flags
+ * that would.
  *
  * [Dekker 1971], [Knuth TAOCP 2, 4.2.2].
  */
@@ -23,8 +25,8 @@ INLINE PAIR EFT(fast_two_sum)(REAL a, REAL b)
     return (PAIR){s, b - (s - a)};
 }
 
-/* The error of a product is a double, whichever way it is found, so both
- * ways give the same bits. */
+/* The error of a product is a double.  Both computations return exactly that
+ * error, so both return the same bits. */
 INLINE PAIR EFT(two_prod)(REAL a, REAL b)
 {
     const REAL p = a * b;

@@ -1,9 +1,9 @@
 /*
  * exact.c - schoolbook integers with a limb exponent
  *
- * Numbers here have one to a dozen limbs when the data are ordinary, so the
- * simplest algorithms are also the fast ones.  Alignment is by whole limbs:
- * a double is shifted once, when it is placed, and never again.
+ * Typical numbers have 1 to 12 limbs.  For these the simplest algorithms are
+ * the fastest.  Exponents count whole limbs, so a double is shifted once, when
+ * it is converted; sums need no shift.
  */
 #include "exact.h"
 
@@ -23,7 +23,7 @@ static uint32_t *take(cylint_arena *arena, int n)
     return limb;
 }
 
-/* Drops zero limbs at both ends; the top of the arena follows. */
+/* Drops zero limbs at both ends and returns the unused limbs to the arena. */
 static exact trimmed(cylint_arena *arena, uint32_t *limb, int n, int exponent,
                      int sign)
 {
@@ -146,7 +146,7 @@ exact cylint_exact_keep(cylint_arena *arena, int used, exact x)
     return x;
 }
 
-/* Bit number i of |x|, bit 0 being the one of weight 1. */
+/* Bit number i of |x|.  Bit 0 has the weight 1. */
 static unsigned bit_at(exact x, int i)
 {
     const int position = (i >= 0 ? i : i - 31) / 32;

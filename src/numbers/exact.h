@@ -1,9 +1,9 @@
 /*
  * exact.h - exact sums and products of doubles, of any size
  *
- * A number is sign * (limb[0] + limb[1] 2^32 + ...) * 2^(32 exponent), in an
- * arena on the caller's stack.  Doubles are placed by their bits, so neither
- * subnormals nor a processor told to flush them make a difference.
+ * A number is sign * (limb[0] + limb[1] 2^32 + ...) * 2^(32 exponent).  Its
+ * limbs are in an arena on the caller's stack.  Doubles are converted from
+ * their bits, so subnormals are exact even if the processor flushes them.
  */
 #ifndef CYLINT_EXACT_H
 #define CYLINT_EXACT_H
@@ -20,11 +20,11 @@ typedef struct {
 } exact;
 
 /*
- * How much room a question may need.  A double's lowest bit is 2^-1074 at
- * least and its highest below 2^1024: a datum takes at most 67 limbs, a product
- * of d data 67 d, and forms keep nothing but their result (BEGIN, RETURN).
- * Proved: tests/test_arena.c runs the library over numbers that have every limb
- * they might have, and uses 14221 at most; the next power of two.
+ * The capacity of the arena.  The bits of a double have weights from 2^-1074 to
+ * 2^1023: an input takes at most 67 limbs, a product of d inputs 67 d.  A form
+ * keeps only its result (BEGIN, RETURN).  Proved: tests/test_arena.c runs the
+ * library with numbers of full length and measures at most 14221 limbs.  The
+ * capacity is the next power of two.
  */
 enum { CYLINT_ARENA_LIMBS = 16384 };
 
@@ -51,11 +51,11 @@ static inline exact cylint_exact_neg(exact x)
 /* x - y. */
 exact cylint_exact_difference(cylint_arena *arena, double x, double y);
 
-/* Lets go of all that was made since `used`, but for x. */
+/* Frees all limbs from `used` on, except those of x, and returns x. */
 exact cylint_exact_keep(cylint_arena *arena, int used, exact x);
 
-/* The double nearest to x 2^e, ties to even, beyond the largest infinite, in
- * whatever floating-point environment. */
+/* The double nearest to x 2^e: ties to even, infinite on overflow.  The same in
+ * every floating-point environment. */
 double cylint_exact_nearest(exact x, int e);
 
 /* x = (hi + lo) 2^e with 1 <= |hi| < 2, lo nearly the nearest: the relative

@@ -8,7 +8,8 @@ double cylint_scaled(double x, int e)
 {
     if (cylint_sign(x) == 0 || !(fabs(x) <= DBL_MAX))
         return x;
-    if (cylint_exponent(x) < -1022) { /* by the bits: it may count as 0 */
+    if (cylint_exponent(x) <
+        -1022) { /* subnormal: the processor may read it as 0 */
         x = cylint_sign(x) * (double)(cylint_bits(x) << 12 >> 12);
         e -= 1074;
     }

@@ -1,17 +1,17 @@
 /*
  * simd.h - a lane vector vd, its mask vm and the few operations on them
  *
- * The one place with intrinsics.  vd adds, subtracts, multiplies and divides
- * by the operators of C; the rest has names here.  v_float(x) is x rounded to
- * floats, v_like(x, y) is x with the signs of y.
+ * All intrinsics on doubles are in this file.  The operators + - * / of C work
+ * on vd; the other operations are the functions below.  v_float(x) is x
+ * rounded to floats.  v_like(x, y) is x with the signs of y.
  *
- * The instruction set is that of the compiler's flags.  CYLINT_ONE_LANE asks
- * for plain doubles, which there are without any, too; CYLINT_NARROW for the
- * narrowest that has branch-free masks, of two lanes, for work on one line and
- * one shape, and gets two from any compiler that knows GNU's vectors.  Of two
- * lanes there are also: two numbers side by side, the first lanes of two
- * vectors, and both lanes the other way round.  Every operation rounds once, so
- * every width gives the same bits.
+ * The compiler's flags choose the instruction set.  CYLINT_ONE_LANE chooses
+ * plain doubles, which are also the choice where no instruction set is
+ * available.  CYLINT_NARROW chooses two lanes with branch-free masks, for one
+ * line and one shape; compilers with GNU's vectors have two lanes on every
+ * processor.  With two lanes there are also functions that join two numbers,
+ * join the first lanes of two vectors, and swap the lanes.  Every operation
+ * rounds once, so every width gives the same bits.
  */
 #ifndef CYLINT_SIMD_H
 #define CYLINT_SIMD_H
@@ -216,8 +216,7 @@ static inline vm m_from(unsigned bits)
 
 #elif defined(CYLINT_NARROW) && defined(__GNUC__)
 
-/* What the compiler makes of two lanes where nothing is known of the
- * processor. */
+/* Two lanes by GNU's vectors, for processors without intrinsics here. */
 #define LANES 2
 typedef double vd __attribute__((vector_size(16)));
 typedef int64_t vm __attribute__((vector_size(16)));
@@ -319,7 +318,7 @@ static inline vd v_pick(const double *x, const size_t *at)
 #endif
 }
 
-/* Columns of four numbers from rows of four: to[k] holds the k-th of each. */
+/* Transposes rows of four numbers: to[k] has the k-th number of each row. */
 #if LANES >= 4
 typedef __m256d v_row;
 static inline v_row v_row_at(const double *x) { return _mm256_loadu_pd(x); }
@@ -373,7 +372,7 @@ static inline void v_transpose(const v_row row[LANES], vd to[4])
 }
 #endif
 
-/* Of rows that begin `at` bytes from row[0], row[1], ... on. */
+/* The same for the rows that begin `at` bytes behind row[0], row[1], ... */
 static inline void v_columns(const char *const row[LANES], size_t at,
                              vd to[4])
 {
@@ -410,8 +409,8 @@ typedef struct {
 #undef BROADCAST
 #undef FUSED
 
-/* Sums and products of pairs that are left unnormalised: lo may grow to some
- * 30 ulp of what was summed up.  Their error: CYLINT_LAZY_BOUND, error_bounds.h. */
+/* Sums and products of pairs without the final normalisation.  lo can grow to
+ * about 30 ulp of the terms.  The error: CYLINT_LAZY_BOUND in error_bounds.h. */
 INLINE vpair vpair_add(vpair a, vpair b)
 {
     const vpair s = v_two_sum(a.hi, b.hi);
