@@ -42,10 +42,10 @@ CORE = ["signs/forms_template.h", "roots/root_quotient_template.h",
 # and with all cases only for --full, on mutants that pass the others.
 FEW = {"CYLINT_CASES": "50"}
 SHORT = [("test_special_cases", {}), ("test_shape", {}), ("test_hard", {}),
-         ("test_form_depth", {}), ("test_query", FEW), ("test_ties", {}),
+         ("test_form_depth", {}), ("test_intersect", FEW), ("test_ties", {}),
          ("test_budget", FEW), ("test_environment", FEW),
          ("test_properties", FEW), ("test_batch", {"CYLINT_CASES": "3"})]
-FULL = [("test_query", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
+FULL = [("test_intersect", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
         ("test_environment", {}), ("test_exact", {}), ("test_double_double", {}),
         ("test_budget", {}), ("test_properties", {}), ("test_batch", {})]
 

@@ -1,16 +1,16 @@
 /*
- * oracle.c - the exact answer, by whole numbers alone
+ * oracle.c - the oracle: exact answers by integer arithmetic
  *
- * Before editing, know the two units.  Lengths (o, base, axis, radii, a, b)
- * are whole numbers times 2^unit, the direction d times 2^d_unit; so the
- * parameter used inside is tau with t = tau 2^(unit - d_unit).
+ * There are two units.  Lengths (o, base, axis, radii, a, b) are integers times
+ * 2^unit, the direction d is integers times 2^d_unit.  So the parameter of this
+ * file is tau with t = tau 2^(unit - d_unit).
  *
  * In these units every lateral surface on the line is
  *     F(tau) = A tau^2 + 2 B tau + C,        F < 0 inside,
- * and z and the radius are linear in tau.  The parameters where anything
- * changes (roots of F, of z, of z - 1, of the radius) all have the form
+ * and z and the radius are linear in tau.  The critical parameters (roots of F,
+ * of z, of z - 1 and of the radius) all have the form
  *     tau = (p + q sqrt(D)) / r,   q in {-1, 0, 1},  r > 0,  D = B^2 - A C,
- * whose comparisons need the sign of x + y sqrt(D) only.
+ * and comparing them needs only the sign of x + y sqrt(D).
  */
 #include "oracle.h"
 #include "oracle_field.h"
@@ -166,7 +166,7 @@ static void load_quadratic(void)
     mpz_submul(o_.D, o_.A, o_.C);
 }
 
-/* Everything about the shape and the line o + tau d; o_.d is set. */
+/* Loads the shape and the line o + tau d; o_.d is set. */
 static void load(const cylint_shape *shape, const double o[3])
 {
     load_lengths(shape, o);
@@ -253,7 +253,7 @@ static int lateral_sign(const critical *at)
     return mpz_sgn(o_.s[1]);
 }
 
-/* Sorted, equal ones made one; it is lateral if any of them is. */
+/* Sorts and merges equal ones; the result is lateral if one of them is. */
 static void sort_critical(void)
 {
     int kept = 0;
@@ -297,8 +297,8 @@ static void find_critical(void)
 
 /* --------------------------------------------------------- membership -- */
 
-/* 1 interior, 0 boundary, -1 outside, from the signs of F and of what must
- * not be negative. */
+/* 1 interior, 0 boundary, -1 outside, from the sign of F and from the signs of
+ * the values that must not be negative. */
 static int combine(int f, int low, int high)
 {
     if (f > 0 || low < 0 || high < 0) {
@@ -332,8 +332,8 @@ static int inside_at(const critical *at)
     return in;
 }
 
-/* The sign of g on the open gap before critical parameter `gap`.  Its zero,
- * where it matters, is a critical parameter. */
+/* The sign of g on the open interval before critical parameter `gap`.  A zero of
+ * g that matters is a critical parameter. */
 static int linear_sign_in_gap(linear *g, int gap)
 {
     const int slope = mpz_sgn(g->g1);
@@ -347,7 +347,7 @@ static int linear_sign_in_gap(linear *g, int gap)
     return before != 0 ? before : slope;
 }
 
-/* The sign of F on the open gap: that of A outside its roots. */
+/* The sign of F on the open interval; outside the roots it is that of A. */
 static int lateral_sign_in_gap(int gap)
 {
     int roots_before = 0, roots = 0;
@@ -399,7 +399,7 @@ int oracle_contains(const cylint_shape *shape, const double point[3])
 
 /* -------------------------------------- points, normals, z and the angle -- */
 
-/* The nearest double, but a zero for a zero alone. */
+/* The nearest double, but 0 only for an exact 0. */
 static double double_of(mpfr_t x)
 {
     const double nearest = mpfr_get_d(x, MPFR_RNDN);
@@ -459,7 +459,8 @@ static void unit_vector(mpz_t v[3], int sign, double out[3])
     normalise(real, out);
 }
 
-/* Away from the solid; of a double cone against d, else to the base. */
+/* The normal at the apex: away from the solid; of a double cone against d, or
+ * towards the base. */
 static int apex_normal_sign(void)
 {
     const int opening = mpz_sgn(o_.delta);
@@ -473,7 +474,7 @@ static int apex_normal_sign(void)
     return mpz_sgn(o_.gamma) == 0 ? -1 : opening;
 }
 
-/* n_i += (s g)(tau) v_i, in parts constant and linear */
+/* n_i += (s g)(tau) v_i; constant and linear terms are kept apart */
 static void add_scaled(mpz_t n0, mpz_t n1, mpz_t s, linear *g, mpz_t v,
                        int sign)
 {

@@ -1,10 +1,9 @@
 /*
- * oracle_field.h - whole numbers, and sums of one with y sqrt(D)
+ * oracle_field.h - the oracle's arithmetic: integers, and x + y sqrt(D)
  *
- * The oracle's arithmetic; included by oracle.c alone.  A double is a whole
- * number times a power of two, and a parameter of the line where something
- * changes is (p + q sqrt(D)) / r: here are their signs, comparisons and
- * roundings, all exact but for *_value, which give BITS bits.
+ * Only oracle.c includes it.  A double is an integer times a power of two, and a
+ * critical parameter is (p + q sqrt(D)) / r.  This file computes their signs,
+ * comparisons and roundings exactly; functions *_value round to BITS bits.
  */
 #ifndef CYLINT_ORACLE_FIELD_H
 #define CYLINT_ORACLE_FIELD_H
@@ -17,7 +16,7 @@
 #include <mpfr.h>
 #include <string.h>
 
-#define BITS 400 /* of every real that is not kept exactly */
+#define BITS 400 /* of a real that is rounded */
 
 typedef struct linear {
     mpz_t g0, g1; /* g0 + g1 tau */
@@ -31,7 +30,7 @@ typedef struct critical {
 
 enum { MOST_CRITICAL = 5, SCRATCH = 6 };
 
-/* One query's numbers; kept from call to call to spare allocations. */
+/* The numbers of one query, allocated once for all calls. */
 static struct {
     int ready;
     long unit, d_unit;
@@ -137,7 +136,7 @@ static void dot(mpz_t out, mpz_t u[3], mpz_t v[3])
     mpz_addmul(out, u[2], v[2]);
 }
 
-/* out may not be u or v */
+/* out is neither u nor v */
 static void cross(mpz_t out[3], mpz_t u[3], mpz_t v[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -290,8 +289,8 @@ static int is_odd(double x)
     return (int)(bits & 1);
 }
 
-/* The double nearest to t, ties to even: a first guess by MPFR, rounded
- * towards zero, then the exact side of the midpoint above it. */
+/* The double nearest to t, ties to even: MPFR rounds t towards zero, then the
+ * exact comparison with the midpoint above it decides. */
 static double nearest(const critical *at)
 {
     mpfr_t value;

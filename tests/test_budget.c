@@ -1,15 +1,15 @@
 /*
- * test_budget.c - no error is larger than what budgets.txt promises
+ * test_budget.c - floors intersect and roots: errors stay within budgets.txt
  *
- * Every line of budgets.txt is measured anew, against the oracle and, for
- * boxes and tangents, against MPFR; what has no line there is a failure, and
- * so is a table in cylint(3) that says something else.  CYLINT_CASES and
- * CYLINT_SEED change what is drawn, CYLINT_MEASURE=1 prints the worst found
- * of everything, in the format of budgets.txt.
+ * Measures every line of budgets.txt against the oracle and, for boxes and
+ * tangents, against MPFR.  A function without a line fails, and so does a
+ * different table in cylint(3).  CYLINT_CASES and CYLINT_SEED change the cases,
+ * CYLINT_MEASURE=1 prints the largest error of every function in the format of
+ * budgets.txt.
  *
- * Errors are between rounded answers: 0 is within half a unit of the truth,
- * and what is 1 unit off is within 1.5.  Budgets speak of the truth, so half
- * a unit is added to what is found.
+ * An error is measured between rounded answers: error 0 means within half a
+ * unit of the exact value, error 1 within 1.5 units.  Budgets are about the
+ * exact value, so half a unit is added to the measured error.
  */
 #ifdef HAVE_MPFR
 
@@ -145,8 +145,7 @@ static void judge(const char *function, const char *family, double found,
     if (!getenv("CYLINT_MEASURE") && b->ulps >= 0 && !CHECK(found <= b->ulps) &&
         check_bad <= CHECK_SHOWN) {
         REPORT("%s, %s: %g ulp", function, family, found);
-        family_print(stderr, c);
-        fputc('\n', stderr);
+        family_report(c);
     }
 }
 
@@ -163,7 +162,7 @@ static void measure_hits(int family, const struct family_case *c)
     if (!CHECK(got.n == want.n && fast.n == want.n &&
                fast.relation == want.relation))
         return;
-    double far = 0; /* the distance of the base, in multiples of d */
+    double far = 0; /* distance of the base in multiples of d */
     for (int j = 0; j < 3; j++)
         far = fmax(far, fabs(c->line.o[j] - c->shape.base[j]) / c->line.size);
     for (int i = 0; i < want.n; i++) {
@@ -181,7 +180,7 @@ static void measure_hits(int family, const struct family_case *c)
 
 /* --------------------------------------------------------------- boxes -- */
 
-enum { BITS = 4400 }; /* any two doubles' sum and product */
+enum { BITS = 4400 }; /* holds the sum and product of any two doubles */
 
 static mpfr_t m_[6];
 
@@ -191,7 +190,7 @@ static void set_difference(mpfr_t x, double a, double b)
     mpfr_sub_d(x, x, b, MPFR_RNDN);
 }
 
-/* m_[0] += x^2 in the truth */
+/* m_[0] += x^2, exactly */
 static void add_square(double a, double b)
 {
     set_difference(m_[2], a, b);
@@ -206,7 +205,7 @@ static void axis_ends(const cylint_shape *s, int i, double *a, double *b)
     *b = points ? s->base[i] : 0;
 }
 
-/* m_[0] = how far the disc of cap i reaches along j. */
+/* m_[0] = half the width of the disc of cap i along coordinate j. */
 static void true_reach(const cylint_shape *s, int i, int j)
 {
     double a, b;
@@ -245,8 +244,8 @@ static void true_bound(const cylint_shape *s, int i, int j, int up)
         mpfr_sub(m_[1], m_[1], m_[0], MPFR_RNDN);
 }
 
-/* Where coordinate and reach cancel a side is as good as pairs of doubles
- * make it: 2^-96 of what it is the sum of. */
+/* Where coordinate and half width cancel, the error is that of pairs of doubles:
+ * 2^-96 of the terms. */
 static double cancelled(const cylint_shape *s, int j)
 {
     const int factors = s->kind >= CYLINT_KIND_ACONE;
@@ -259,7 +258,8 @@ static double cancelled(const cylint_shape *s, int j)
     return isinf(size) ? ldexp(1, 930) : most;
 }
 
-/* By how much a side of the box is loose; infinite if it cuts. */
+/* The distance of a side of the box from the solid; infinite if the side cuts
+ * the solid. */
 static double looseness(const cylint_shape *s, int j, int up, double side)
 {
     true_bound(s, 0, j, up);
@@ -341,7 +341,7 @@ static void no_error_is_above_its_budget(void)
     mpfr_free_cache();
 }
 
-static void every_line_is_about_something(void)
+static void every_line_has_its_function(void)
 {
     for (int i = 0; i < line_count; i++)
         if (!CHECK(lines[i].ulps >= 0 && lines[i].found > 0))
@@ -349,7 +349,7 @@ static void every_line_is_about_something(void)
                    lines[i].ulps < 0 ? "no such line" : "never measured");
 }
 
-/* The largest budget of a function over tame or wild families. */
+/* The largest budget of a function over the ordinary or the wild families. */
 static double promised(const char *function, int wild)
 {
     double most = 0;
@@ -367,7 +367,7 @@ static int put_row(char *to, const char *what, double ulps, const char *kind)
     return sprintf(to, ".It %s Ta %g Ta %s\n", what, ulps, kind);
 }
 
-/* What must stand between the marks in cylint(3). */
+/* Prints the text that cylint(3) must have between its marks. */
 static void write_table(char *to)
 {
     static const char *const named[] = {"point", "normal", "z", "phi"};
@@ -433,13 +433,12 @@ static void print_found(void)
 int main(void)
 {
     if (family_count() == 0) {
-        puts("no GSL: no families to draw from (make deps)");
-        return 77;
+        return check_skip("no GSL: no families to draw from (make deps)");
     }
     printf("note: seed %llu\n", (unsigned long long)seed());
     RUN(read_budgets);
     RUN(no_error_is_above_its_budget);
-    RUN(every_line_is_about_something);
+    RUN(every_line_has_its_function);
     RUN(the_manual_shows_these_budgets);
     print_found();
     return check_end();
@@ -447,12 +446,11 @@ int main(void)
 
 #else
 
-#include <stdio.h>
+#include "program.h"
 
 int main(void)
 {
-    puts("no MPFR: nothing to measure against (make deps)");
-    return 77;
+    return check_skip("no MPFR: nothing to measure against (make deps)");
 }
 
 #endif

@@ -19,8 +19,7 @@
 
 int main(void)
 {
-    printf("no GSL: no families to draw from (make deps)\n");
-    return 77;
+    return check_skip("no GSL: no families to draw from (make deps)");
 }
 
 #else
@@ -145,10 +144,7 @@ static void show(const cylint_float_filter_ray *line,
                  const struct family_case *c)
 {
     REPORT("in floats, near %a, from %a:", line->near, line->tmin);
-    if (check_bad <= CHECK_SHOWN) {
-        family_print(stderr, c);
-        fputc('\n', stderr);
-    }
+    REPORT_CASE(c);
 }
 
 static struct tally asked(const cylint_float_filter *build, int family,

@@ -1,12 +1,13 @@
 /*
- * test_environment.c - the floating-point environment changes no answer
+ * test_environment.c - floors shape and intersect: answers do not depend on the
+ * floating-point environment
  *
- * Shapes, lines and questions, each in the default environment and in
+ * Shapes are made and questions answered in the default environment and in
  * another one: rounding upward, downward or toward zero, subnormal results
- * flushed to zero, subnormal operands taken for zero.  Relation, number,
- * parts, sides, every bit of t, and what the constructors refuse must agree.
- * CYLINT_CASES scales the number of cases a family, CYLINT_SEED changes
- * them all, CYLINT_FAMILY=n asks for one family.
+ * flushed to zero, subnormal operands treated as zero.  Relation, number, parts,
+ * sides, every bit of t, and the statuses of the constructors must agree.
+ * CYLINT_CASES is the number of cases of each family, CYLINT_SEED changes all
+ * cases, CYLINT_FAMILY=n tests one family.
  */
 #include <math.h>
 #include <string.h>
@@ -20,10 +21,11 @@ enum { CASES = 400 };
 
 /* ------------------------------------------------------------- answers -- */
 
-/* What the constructors subtract: axis, dr and d, high and low. */
+/* The differences that constructors compute: axis, dr and d, high and low
+ * parts. */
 enum { DIFFERENCES = 14 };
 
-/* All that must be the same. */
+/* All values that must agree. */
 struct answers {
     int line_status, shape_status, kind, flip;
     double made[DIFFERENCES];
@@ -36,7 +38,7 @@ static int same_bits(double x, double y)
     return memcmp(&x, &y, sizeof x) == 0;
 }
 
-/* x.hit is compared member by member: a struct has padding. */
+/* Hits are compared by members, because a struct has padding. */
 static const char *difference(const struct answers *x, const struct answers *y)
 {
     if (x->line_status != y->line_status ||
@@ -109,8 +111,8 @@ static void report(const struct family_case *c, const char *what,
             want->all.hit[1].t);
 }
 
-/* Made here and asked there, made there and asked there, made there and
- * asked here. */
+/* Makes the case in the default or the other environment and answers it in the
+ * default or the other one, in three combinations. */
 static void compare(struct family_case *c, struct environment there)
 {
     static const char *const where[] = {"asked there", "made and asked there",
@@ -156,7 +158,7 @@ static void every_family(struct environment there)
     }
 }
 
-/* ----------------------------------------------- what no family draws --- */
+/* -------------------------------------------- cases of no other family --- */
 
 static struct family_case record(family_line line, const double *line_data,
                                  family_shape shape, const double *shape_data)
@@ -172,8 +174,8 @@ static struct family_case record(family_line line, const double *line_data,
     return c;
 }
 
-/* Frusta whose radii differ by a subnormal number, their axes subnormal
- * too; radii and axes one subnormal from nothing. */
+/* Frusta whose radii differ by a subnormal number and whose axes are subnormal;
+ * radii and axes of one subnormal unit. */
 static void subnormal_differences(struct environment there)
 {
     static const double size[] = {0x1p-1022, 0x1.8p-1021, 0x1p-1000, 0x1p-1060,
@@ -194,9 +196,8 @@ static void subnormal_differences(struct environment there)
     }
 }
 
-/* A shape of tiny radius far out, or with a subnormal offset that matters
- * because all else is as small: what a scale brings back must not be lost
- * before. */
+/* A shape with a tiny radius far from the origin, or with a subnormal offset
+ * among other tiny numbers: it must not be lost before scaling. */
 static void subnormal_offsets(struct environment there)
 {
     for (int e = 0; e < 70; e++) {
@@ -229,7 +230,7 @@ static void subnormal_domains(struct environment there)
     compare(&c, there);
 }
 
-/* The tangent of an angle is rounded to nearest, subnormal ones as well. */
+/* The tangent of an angle is rounded to nearest, also if it is subnormal. */
 static void angles(struct environment there)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
@@ -253,8 +254,8 @@ static void angles(struct environment there)
     }
 }
 
-/* Signs that doubles do not know: of B, parallel to a ruling, and of u.w at
- * an apex, which is the direction of its normal. */
+/* Signs that doubles cannot decide: of B for lines parallel to a ruling, and of
+ * u.w at an apex, which decides the normal. */
 static void signs_by_more_than_doubles(struct environment there)
 {
     const double beside[] = {0x1.0000000000001p0, 0, 1, 1, 0, 1};
@@ -276,7 +277,7 @@ static void signs_by_more_than_doubles(struct environment there)
 
 enum { ROW = 40 };
 
-/* What a batch tells; NaN and -1 where it tells nothing. */
+/* A batch's answer; NaN and -1 for no hit. */
 struct batch_answers {
     double t[2][ROW];
     signed char relation[ROW], n[ROW], part[2][ROW];
@@ -316,7 +317,7 @@ static void batches(struct environment there)
                               {column[3], column[4], column[5]},
                               NULL,
                               NULL};
-        for (int i = ROW - 1; i >= 0; i--) { /* the first is kept in c */
+        for (int i = ROW - 1; i >= 0; i--) { /* c keeps the first */
             family_case(check_setting("CYLINT_SEED", 1), family, (uint64_t)i,
                         &c);
             shapes[i] = c.shape;
@@ -374,7 +375,7 @@ static void answers_are_the_same_flushing_results(void)
     compare_all(FE_TONEAREST, FLUSH);
 }
 
-static void answers_are_the_same_taking_operands_for_zero(void)
+static void answers_are_the_same_with_operands_as_zero(void)
 {
     compare_all(FE_TONEAREST, ZERO);
 }
@@ -397,7 +398,7 @@ static void the_selftest_finds_nothing_in_the_default_environment(void)
     }
 }
 
-static void the_selftest_tells_environments_apart(void)
+static void the_selftest_detects_each_environment(void)
 {
     static const int directed[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     for (int tiny = 0; tiny <= (FLUSH | ZERO); tiny++) {
@@ -417,7 +418,7 @@ static void the_selftest_tells_environments_apart(void)
     }
 }
 
-/* Asked in an odd environment, the library leaves it as it is. */
+/* Called in another environment, the library does not change it. */
 static void no_function_changes_the_environment(void)
 {
     const struct environment odd = {
@@ -442,17 +443,16 @@ static void no_function_changes_the_environment(void)
 int main(void)
 {
     if (family_count() == 0) {
-        puts("no GSL: no families to draw from (make deps)");
-        return 77;
+        return check_skip("no GSL: no families to draw from (make deps)");
     }
     if (!can_treat_subnormals(FLUSH | ZERO)) {
         puts("note: no way known to flush subnormals here");
     }
     RUN(the_selftest_finds_nothing_in_the_default_environment);
-    RUN(the_selftest_tells_environments_apart);
+    RUN(the_selftest_detects_each_environment);
     RUN(no_function_changes_the_environment);
     RUN(answers_are_the_same_flushing_results);
-    RUN(answers_are_the_same_taking_operands_for_zero);
+    RUN(answers_are_the_same_with_operands_as_zero);
     RUN(answers_are_the_same_doing_both);
     RUN(answers_are_the_same_rounding_upward);
     RUN(answers_are_the_same_rounding_downward);

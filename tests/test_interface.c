@@ -1,6 +1,5 @@
 /*
- * test_interface.c - the interface beside its answers: which fault is
- * reported, version and sizes, whose memory a pack's is
+ * test_interface.c - floor shape: order of errors, version, sizes, packs
  */
 #include <math.h>
 #include <stdio.h>
@@ -27,8 +26,8 @@ static void half_angles_whose_tangent_rounds_to_0_are_refused(void)
           CYLINT_OK);
 }
 
-/* Every set of the faults a constructor can have, the bits of `faults`: the
- * first in the order of the list is returned. */
+/* For every set of faults, the bits of `faults`, a constructor returns the first
+ * fault in the order of the list. */
 struct faults {
     double number; /* not finite */
     double radius, angle, axis[3], zero[3];
@@ -47,7 +46,7 @@ static struct faults faults_of(int bits, int number, int size, int axis,
     return f;
 }
 
-static void of_several_faults_of_a_shape_the_first_is_returned(void)
+static void a_shape_with_several_faults_returns_the_first(void)
 {
     enum { NUMBER = 1, SIZE = 2, AXIS = 4, ENDS = 8, PLANE = 16, ALL = 31 };
     for (int bits = 0; bits <= ALL; bits++) {
@@ -83,7 +82,7 @@ static void of_several_faults_of_a_shape_the_first_is_returned(void)
     }
 }
 
-static void of_several_faults_of_a_line_the_first_is_returned(void)
+static void a_line_with_several_faults_returns_the_first(void)
 {
     enum { NUMBER = 1, LENGTH = 2, DOMAIN = 4, ALL = 7 };
     for (int bits = 0; bits <= ALL; bits++) {
@@ -105,7 +104,7 @@ static void of_several_faults_of_a_line_the_first_is_returned(void)
     }
 }
 
-static void the_library_says_its_version_and_the_sizes_of_its_structs(void)
+static void version_and_sizes_of_structs_are_those_of_the_header(void)
 {
     char text[40];
     const int number = cylint_version_number();
@@ -121,8 +120,8 @@ static void the_library_says_its_version_and_the_sizes_of_its_structs(void)
     CHECK(cylint_sizeof_pack() == sizeof(cylint_pack));
 }
 
-/* At every address, and after a pack was copied. */
-static void the_memory_of_a_pack_is_the_callers(void)
+/* Tests every address, and a copy of the pack. */
+static void a_pack_keeps_the_callers_pointer(void)
 {
     enum { SHAPES = 20, MOST = 12000 };
     static char memory[MOST + 64];
@@ -155,9 +154,9 @@ static void the_memory_of_a_pack_is_the_callers(void)
 int main(void)
 {
     RUN(half_angles_whose_tangent_rounds_to_0_are_refused);
-    RUN(of_several_faults_of_a_shape_the_first_is_returned);
-    RUN(of_several_faults_of_a_line_the_first_is_returned);
-    RUN(the_library_says_its_version_and_the_sizes_of_its_structs);
-    RUN(the_memory_of_a_pack_is_the_callers);
+    RUN(a_shape_with_several_faults_returns_the_first);
+    RUN(a_line_with_several_faults_returns_the_first);
+    RUN(version_and_sizes_of_structs_are_those_of_the_header);
+    RUN(a_pack_keeps_the_callers_pointer);
     return check_end();
 }

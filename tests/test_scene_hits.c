@@ -76,8 +76,7 @@ static void expect(const struct family_case *c, const char *path,
     REPORT("want %a %a %a  %a %a %a  %a %a", want->point[0], want->point[1],
            want->point[2], want->normal[0], want->normal[1], want->normal[2],
            want->z, want->phi);
-    family_print(stderr, c);
-    fputc('\n', stderr);
+    family_report(c);
 }
 
 static void expect_all(const struct family_case *c, const char *path,

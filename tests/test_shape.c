@@ -1,5 +1,5 @@
 /*
- * test_shape.c - making shapes and lines, bounds, and what is refused
+ * test_shape.c - floor shape: constructors, their errors, and boxes
  */
 #include <float.h>
 #include <math.h>
@@ -16,7 +16,7 @@ static const double bad_numbers[] = {NAN, HUGE_VAL, -HUGE_VAL};
 static const double axis_z[3] = {0, 0, 1}, origin[3] = {0, 0, 0};
 static const double axis_x[3] = {1, 0, 0}, axis_y[3] = {0, 1, 0};
 
-/* A good case of each shape word, with data to spoil. */
+/* A valid case of each shape word; tests change its data. */
 static struct family_case good_case(family_shape word)
 {
     static const double data[5][13] = {
@@ -34,7 +34,7 @@ static struct family_case good_case(family_shape word)
     return c;
 }
 
-/* The status a shape gets once number i of its record is x. */
+/* The status of the shape after number i of its record is set to x. */
 static cylint_status spoiled(family_shape word, int i, double x)
 {
     struct family_case c = good_case(word);
@@ -66,7 +66,7 @@ static void good_shapes_are_accepted_with_all_ends(void)
     }
 }
 
-static void what_is_not_finite_is_refused_in_every_place(void)
+static void a_number_that_is_not_finite_is_refused_in_every_place(void)
 {
     for (int word = 0; word < 5; word++) {
         const int n = family_shape_size((family_shape)word);
@@ -221,7 +221,7 @@ static void every_status_has_a_text_of_its_own(void)
     CHECK(cylint_strerror(-1) != NULL);
 }
 
-static void what_was_refused_answers_miss_with_the_flag(void)
+static void an_invalid_shape_or_line_misses_with_the_flag(void)
 {
     cylint_line line, no_line;
     cylint_whole_line(&line, origin, axis_x);
@@ -243,7 +243,7 @@ static void what_was_refused_answers_miss_with_the_flag(void)
     }
 }
 
-static void a_box_is_three_numbers_to_either_side(void)
+static void bounds_writes_three_numbers_to_each_array(void)
 {
     for (int word = 0; word < 5; word++)
         for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_NAPPE; ends++) {
@@ -300,7 +300,7 @@ static void extreme_shapes_are_accepted(void)
 
 /* -------------------------------------------------------------- bounds -- */
 
-/* lo and hi within `ulps` of what they should be, and not inside of it. */
+/* lo and hi are within `ulps` of the exact box and not inside it. */
 static int outward(const double lo[3], const double hi[3],
                    const double want_lo[3], const double want_hi[3], int ulps)
 {
@@ -320,7 +320,7 @@ static int outward(const double lo[3], const double hi[3],
 
 enum { BOX_ULPS = 4 };
 
-static void boxes_of_simple_shapes_are_known(void)
+static void boxes_of_simple_shapes_are_tight(void)
 {
     cylint_shape s;
     double lo[3], hi[3];
@@ -382,7 +382,7 @@ static double dot3(const double u[3], const double v[3])
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-/* A point of a rim by its angle; 0 where the shape is not bounded. */
+/* A point of a rim by its angle; returns 0 if the shape is not bounded. */
 static void rim_point(const struct family_case *c, int top, double turn,
                       double p[3])
 {
@@ -417,8 +417,8 @@ static void rim_point(const struct family_case *c, int top, double turn,
     }
 }
 
-/* The box holds the rims and is no larger than they are, up to the rounding
- * of the points and to the steps between them. */
+/* The box contains the rims and is no larger, within the rounding of the points
+ * and the steps between them. */
 static void boxes_fit_the_rims(void)
 {
     enum { POINTS = 720 };
@@ -446,8 +446,7 @@ static void boxes_fit_the_rims(void)
                        hi[k] >= high[k] - 1e-14 * size) ||
                 !CHECK(lo[k] >= low[k] - 1e-4 * size &&
                        hi[k] <= high[k] + 1e-4 * size)) {
-                family_print(stderr, &c);
-                fputc('\n', stderr);
+                family_report(&c);
             }
         }
     }
@@ -455,7 +454,7 @@ static void boxes_fit_the_rims(void)
 
 #ifdef HAVE_MPFR
 
-/* The double next to x, in and out of the box's side i, `up` or down. */
+/* The double next to x, on the inner or outer side of side i of the box. */
 static void at_side(const double lo[3], const double hi[3], int i, int up,
                     double p[3])
 {
@@ -465,9 +464,9 @@ static void at_side(const double lo[3], const double hi[3], int i, int up,
     p[i] = up ? nextafter(hi[i], HUGE_VAL) : nextafter(lo[i], -HUGE_VAL);
 }
 
-/* No line in the plane next to a side of the box meets the solid, and lines
- * through hits on the solid stay within it: both exactly. */
-static void nothing_of_a_solid_is_outside_its_box(void)
+/* No line in the plane just outside a side of the box meets the solid, and hits
+ * on the solid are inside the box, both exactly. */
+static void a_box_contains_its_solid(void)
 {
     for (int family = 0; family < family_count(); family++) {
         for (uint64_t n = 0; n < 100; n++) {
@@ -494,8 +493,7 @@ static void nothing_of_a_solid_is_outside_its_box(void)
                 oracle_intersect(&c.shape, &line, 0, &answer);
                 if (!CHECK(answer.relation == CYLINT_RELATION_MISS)) {
                     REPORT("side %d of the box", side);
-                    family_print(stderr, &c);
-                    fputc('\n', stderr);
+                    family_report(&c);
                 }
             }
         }
@@ -503,7 +501,7 @@ static void nothing_of_a_solid_is_outside_its_box(void)
 }
 
 /* d + d_lo is b - a, and axis + axis_lo is p1 - p0, as real numbers. */
-static void differences_are_kept_whole(void)
+static void differences_have_their_low_parts(void)
 {
     for (int family = 0; family < family_count(); family++) {
         for (uint64_t n = 0; n < 200; n++) {
@@ -530,7 +528,7 @@ static void differences_are_kept_whole(void)
 int main(void)
 {
     RUN(good_shapes_are_accepted_with_all_ends);
-    RUN(what_is_not_finite_is_refused_in_every_place);
+    RUN(a_number_that_is_not_finite_is_refused_in_every_place);
     RUN(ends_outside_the_list_are_refused);
     RUN(an_axis_without_length_is_refused);
     RUN(radii_must_not_be_negative_nor_all_zero);
@@ -539,16 +537,16 @@ int main(void)
     RUN(dependent_axes_are_refused_exactly);
     RUN(lines_are_checked);
     RUN(every_status_has_a_text_of_its_own);
-    RUN(what_was_refused_answers_miss_with_the_flag);
-    RUN(a_box_is_three_numbers_to_either_side);
+    RUN(an_invalid_shape_or_line_misses_with_the_flag);
+    RUN(bounds_writes_three_numbers_to_each_array);
     RUN(points_that_are_not_finite_are_outside);
     RUN(extreme_shapes_are_accepted);
-    RUN(boxes_of_simple_shapes_are_known);
+    RUN(boxes_of_simple_shapes_are_tight);
     RUN(boxes_are_exact_where_nothing_is_rounded);
     RUN(boxes_fit_the_rims);
 #ifdef HAVE_MPFR
-    RUN(nothing_of_a_solid_is_outside_its_box);
-    RUN(differences_are_kept_whole);
+    RUN(a_box_contains_its_solid);
+    RUN(differences_have_their_low_parts);
 #else
     puts("note: no MPFR: no oracle to compare boxes with (make deps)");
 #endif

@@ -1,8 +1,8 @@
 /*
- * ulps.h - how far apart two answers are, in units in the last place
+ * ulps.h - the difference of two answers in units in the last place (ulp)
  *
- * The unit of each number is its own: of t, of each component of points and
- * normals, of z and of phi.  What is 0 must be 0, and not -0.
+ * The unit is that of each number itself: of t, of each component of point and
+ * normal, of z and of phi.  An exact 0 must be 0, not -0.
  */
 #ifndef CYLINT_ULPS_H
 #define CYLINT_ULPS_H
@@ -24,17 +24,17 @@ static inline double ulp(double x)
     return x == 0 || e - 53 < -1074 ? 0x1p-1074 : ldexp(1, e - 53);
 }
 
-/* |x - y| in units of the last place of `size`; infinite for NaN. */
+/* |x - y| in ulp of `size`; infinite for NaN. */
 static inline double ulps_apart(double x, double y, double size)
 {
     if (x == y)
         return 0;
-    const double half = size > 1 ? 0.5 : 1; /* neither over- nor underflow */
+    const double half = size > 1 ? 0.5 : 1; /* avoids overflow and underflow */
     const double off = fabs(half * x - half * y) / ulp(size) / half;
     return off == off ? off : HUGE_VAL;
 }
 
-/* A member of a hit: infinite unless 0 is 0. */
+/* The difference of a member of a hit; infinite if only one of them is 0. */
 static inline double ulps_member(double got, double want)
 {
     if (got == 0 && signbit(got))
@@ -50,7 +50,7 @@ static inline double ulps_vectors(const double got[3], const double want[3])
     return worst;
 }
 
-/* Angles in turns: what rounds to a whole turn is given as 0. */
+/* Angles in turns; an angle that rounds to one turn is given as 0. */
 static inline double ulps_turns(double got, double want)
 {
     if (got == 0 && !signbit(got) && want > 0.75)
@@ -58,7 +58,7 @@ static inline double ulps_turns(double got, double want)
     return ulps_member(got, want);
 }
 
-/* Of one hit, all members computed. */
+/* The differences of all members of a hit. */
 static inline void ulps_of_hit(const cylint_hit *got, const cylint_hit *want,
                                double off[MEASURES])
 {

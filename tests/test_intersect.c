@@ -1,10 +1,10 @@
 /*
- * test_query.c - the library against the exact oracle, family by family
+ * test_intersect.c - floor intersect: the library against the oracle, by family
  *
- * Relation, number, parts, sides and every bit of t must agree; what else a
- * hit can tell must lie within a few units in the last place, whose largest
- * values are printed.  CYLINT_CASES scales the number of cases a family,
- * CYLINT_SEED changes them all, CYLINT_FAMILY=n asks for one family.
+ * Relation, number, parts, sides and every bit of t must agree; point, normal, z
+ * and phi must agree within 4 ulp, and their largest errors are printed.
+ * CYLINT_CASES is the number of cases of each family, CYLINT_SEED changes all
+ * cases, CYLINT_FAMILY=n tests one family.
  */
 #include <math.h>
 #include <string.h>
@@ -18,14 +18,13 @@
 
 enum { CASES = 2000 };
 
-/* What was wrong and how far off, in one family. */
+/* The numbers of wrong answers and the largest errors of one family. */
 struct tally {
     long cases, hits, relation, number, part, t, derived;
     double off[MEASURES]; /* worst */
 };
 
-/* How far off points, normals, z and phi may be (ulps.h); what was observed
- * is printed beside. */
+/* The largest permitted error of point, normal, z and phi (ulps.h). */
 enum { ULPS = 4 };
 
 static uint64_t seed(void)
@@ -56,8 +55,7 @@ static void show(const struct family_case *c, const char *what,
 {
     const cylint_answer *both[2] = {got, want};
     fprintf(stderr, "# %s\n", what);
-    family_print(stderr, c);
-    fputc('\n', stderr);
+    family_report(c);
     for (int k = 0; k < 2; k++) {
         fprintf(stderr, "#   %s relation %d n %d", k ? "want" : "got ",
                 both[k]->relation, both[k]->n);
@@ -74,7 +72,7 @@ static void show(const struct family_case *c, const char *what,
     }
 }
 
-/* The first thing that is wrong, or NULL; counts it. */
+/* Counts and returns the first difference, or returns NULL. */
 static const char *compare(struct tally *sum, const cylint_answer *got,
                            const cylint_answer *want)
 {
@@ -132,7 +130,7 @@ static void run_family(int family)
     print_tally(family_name(family), &sum);
 }
 
-static void library_answers_as_the_oracle(void)
+static void library_and_oracle_agree(void)
 {
     const int only =
         getenv("CYLINT_FAMILY") ? atoi(getenv("CYLINT_FAMILY")) : -1;
@@ -142,7 +140,7 @@ static void library_answers_as_the_oracle(void)
            (unsigned long long)seed());
     for (int family = 0; family < family_count(); family++) {
         if (only < 0 || family == only) {
-            check_bad = 0; /* so that each family shows its first failures */
+            check_bad = 0; /* each family prints its first failures */
             run_family(family);
             bad += check_bad;
         }
@@ -150,7 +148,7 @@ static void library_answers_as_the_oracle(void)
     check_bad = bad;
 }
 
-/* A point of the line near t, found to be inside or outside. */
+/* Whether the point of the line near t is inside or outside. */
 static int inside_at(const struct family_case *c, double t)
 {
     double p[3];
@@ -160,8 +158,8 @@ static int inside_at(const struct family_case *c, double t)
     return oracle_contains(&c->shape, p);
 }
 
-/* The oracle against itself by another road: just before and just after
- * each of its hits, points of the line are in or out as it said. */
+/* Checks the oracle itself: points of the line just before and just after each
+ * hit are inside or outside as the side of the hit says. */
 static void oracle_agrees_with_points_sampled_along_the_line(void)
 {
     for (uint64_t i = 0; i < cases(); i++) {
@@ -185,14 +183,13 @@ static void oracle_agrees_with_points_sampled_along_the_line(void)
             }
             if (!CHECK(inside_at(&c, t + step) == in &&
                        inside_at(&c, t - step) == -in)) {
-                family_print(stderr, &c);
-                fputc('\n', stderr);
+                family_report(&c);
             }
         }
     }
 }
 
-static void any_question_has_the_same_answer(void)
+static void occluded_agrees_with_the_oracle(void)
 {
     for (int family = 0; family < family_count(); family++) {
         for (uint64_t i = 0; i < cases() / 10; i++) {
@@ -201,8 +198,7 @@ static void any_question_has_the_same_answer(void)
             family_case(seed() + 1, family, i, &c);
             oracle_intersect(&c.shape, &c.line, CYLINT_WANT_NEAREST, &want);
             if (!CHECK(cylint_occluded(&c.shape, &c.line) == want.n)) {
-                family_print(stderr, &c);
-                fputc('\n', stderr);
+                family_report(&c);
             }
         }
     }
@@ -220,12 +216,11 @@ static void ends_at(const struct family_case *given, double tmin, double tmax)
     if (!CHECK(got.n == want.n) ||
         !CHECK(got.n < 1 || got.hit[0].t == want.hit[0].t)) {
         REPORT("from %a to %a", tmin, tmax);
-        family_print(stderr, &c);
-        fputc('\n', stderr);
+        family_report(&c);
     }
 }
 
-/* The root itself may lie on either side of that. */
+/* The exact root may lie on either side of the end. */
 static void a_domain_may_end_where_a_hit_is_rounded(void)
 {
     for (int family = 0; family < family_count(); family++) {
@@ -253,8 +248,7 @@ static void contains_is_exact(void)
             const int want = oracle_contains(&c.shape, o);
             if (!CHECK(cylint_contains(&c.shape, o) == want)) {
                 REPORT("want %d, family %s", want, family_name(family));
-                family_print(stderr, &c);
-                fputc('\n', stderr);
+                family_report(&c);
             }
         }
     }
@@ -263,12 +257,11 @@ static void contains_is_exact(void)
 int main(void)
 {
     if (family_count() == 0) {
-        puts("no GSL: no families to draw from (make deps)");
-        return 77;
+        return check_skip("no GSL: no families to draw from (make deps)");
     }
     RUN(oracle_agrees_with_points_sampled_along_the_line);
-    RUN(library_answers_as_the_oracle);
-    RUN(any_question_has_the_same_answer);
+    RUN(library_and_oracle_agree);
+    RUN(occluded_agrees_with_the_oracle);
     RUN(a_domain_may_end_where_a_hit_is_rounded);
     RUN(contains_is_exact);
     return check_end();
@@ -276,12 +269,11 @@ int main(void)
 
 #else
 
-#include <stdio.h>
+#include "program.h"
 
 int main(void)
 {
-    puts("no MPFR: no oracle to compare with (make deps)");
-    return 77;
+    return check_skip("no MPFR: no oracle to compare with (make deps)");
 }
 
 #endif
