@@ -230,7 +230,7 @@ test_colours()
 test_faults()
 {
     refuses 2 "expected one scene, found 0" -o x.png
-    refuses 2 "where to? -o FILE, or -o - for standard output" some.scene
+    refuses 2 "no output file: use -o FILE, or -o - for standard output" some.scene
     refuses 2 "--size: expected WIDTHxHEIGHT, found '3x'" --size 3x
     refuses 2 "--size: expected WIDTHxHEIGHT, found '0x7'" --size 0x7
     refuses 2 "--fov: expected degrees above 0 and below 180, found '180'" \

@@ -16,8 +16,8 @@ struct box {
 struct boxes {
     struct box *box;
     size_t count;
-    struct vector middle; /* of the box about all */
-    double size;          /* its diagonal; 0: there is no box */
+    struct vector middle; /* of the box of all shapes */
+    double size;          /* the diagonal of that box; 0: no shape is bounded */
 };
 
 /* Returns 0 or an exit status. */
@@ -26,7 +26,7 @@ void boxes_free(struct boxes *boxes);
 
 struct vector box_middle(const struct box *box);
 
-/* The most of direction . point over all boxes. */
+/* The maximum of direction . point over all boxes. */
 double reach(const struct boxes *boxes, struct vector direction);
 
 #endif

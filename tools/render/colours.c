@@ -59,8 +59,8 @@ static uint32_t colour_of_lch(double lightness, double chroma, double hue)
 
 /* ----------------------------------------------------------- palettes -- */
 
-/* Hues a golden section of the circle apart never come close soon; every
- * third colour is of another lightness. */
+/* Hues differ by the golden section of the circle, so close hues are far apart in
+ * the order; every third colour has another lightness. */
 static uint32_t colour_of_number(size_t n)
 {
     static const double lightness[3] = {0.74, 0.64, 0.82};
@@ -69,7 +69,7 @@ static uint32_t colour_of_number(size_t n)
                          0.7 + golden_angle * (double)(n % 100000));
 }
 
-/* Green to brown for thin to thick; blue to yellow for low to high. */
+/* Green (thin) to brown (thick); blue (low) to yellow (high). */
 static uint32_t colour_of_radius(double x)
 {
     return colour_of_lch(0.72 - 0.22 * x, 0.11 - 0.04 * x, 2.2 - 1.2 * x);
@@ -150,7 +150,7 @@ static int resize(uint32_t **words, size_t count)
     return 0;
 }
 
-/* Room for so many; those of which nothing was seen have no colour. */
+/* Grows the arrays; new shapes have no colour. */
 static int grow(struct colours *c, size_t count)
 {
     if (count > c->room) {
@@ -180,9 +180,9 @@ int colours_take_tail(struct scene *scene, const struct record *record)
     return status;
 }
 
-/* --------------------------------------------------------- the others -- */
+/* ---------------------------------------------- shapes without a colour -- */
 
-/* Radii of elliptic shapes: of the circle with their section's area. */
+/* The radius of an elliptic shape: that of a circle with the same area. */
 static double radius_of(const cylint_shape *s)
 {
     if (s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE) {
@@ -193,7 +193,7 @@ static double radius_of(const cylint_shape *s)
     return fmax(s->r0, s->r1);
 }
 
-/* Halfway between the ends of the axis. */
+/* The middle of the axis. */
 static double height_of(const cylint_shape *s, struct vector up)
 {
     return up.v[0] * (s->base[0] + 0.5 * s->axis[0]) +
@@ -207,7 +207,7 @@ static double measure(enum colouring how, const cylint_shape *shape,
     return how == COLOUR_RADIUS ? log(radius_of(shape)) : height_of(shape, up);
 }
 
-/* Along a gradient from the least to the greatest value that is finite. */
+/* Colours along a gradient, from the least to the greatest finite value. */
 static void by_measure(struct colours *c, const struct scene *scene,
                        enum colouring how, struct vector up)
 {

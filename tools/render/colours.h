@@ -1,8 +1,8 @@
 /*
  * colours.h - a colour for every shape
  *
- * A field #rrggbb in the tail of a shape's record is its colour; what the
- * others get is chosen.
+ * A field #rrggbb in the tail of a shape's record is its colour; an option says
+ * how the other shapes get theirs.
  */
 #ifndef CYLINT_COLOURS_H
 #define CYLINT_COLOURS_H
@@ -14,11 +14,11 @@
 #include "vector.h"
 
 enum colouring {
-    COLOUR_ONE,       /* the same for all */
+    COLOUR_ONE,       /* one colour for all */
     COLOUR_NUMBER,    /* one after the other from a palette */
     COLOUR_LABEL,     /* by the record's tail: equal tails, equal colours */
     COLOUR_KIND,      /* by the kind of shape */
-    COLOUR_CONNECTED, /* shapes that hang together by common end points */
+    COLOUR_CONNECTED, /* one colour for shapes connected by common end points */
     COLOUR_RADIUS,    /* from thin to thick */
     COLOUR_HEIGHT     /* from low to high */
 };
@@ -28,23 +28,23 @@ extern const char *const colouring_words[]; /* from COLOUR_NUMBER on, NULL */
 struct colours {
     uint32_t *of;       /* 0xrrggbb for each shape, sRGB */
     uint32_t *label;    /* a hash of each tail, 0 if it has none */
-    size_t room, count; /* those of which a tail was seen */
+    size_t room, count; /* capacity; the number of shapes read */
 };
 
-/* For struct scene's `also`, its context a struct colours. */
+/* The callback `also` of struct scene; its context is a struct colours. */
 int colours_take_tail(struct scene *scene, const struct record *record);
 
-/* Colours for all shapes of the scene that have none yet.  `one` is
- * COLOUR_ONE's.  Returns 0 or an exit status. */
+/* Gives a colour to all shapes of the scene that have none.  `one` is the colour
+ * for COLOUR_ONE.  Returns 0 or an exit status. */
 int colours_complete(struct colours *colours, const struct scene *scene,
                      enum colouring how, uint32_t one, struct vector up);
 
 void colours_free(struct colours *colours);
 
-/* Reads #rrggbb, and no more than that; returns whether it is that. */
+/* Reads #rrggbb.  Returns 0 if the text is anything else. */
 int read_colour(const char *text, size_t length, uint32_t *colour);
 
-/* 0xrrggbb as shares of the brightest light, and back. */
+/* Converts 0xrrggbb to shares of the brightest light, and back. */
 struct vector light_of_colour(uint32_t colour);
 unsigned char byte_of_light(double light);
 

@@ -1,8 +1,8 @@
 /*
- * connected.c - which shapes hang together
+ * connected.c - groups of connected shapes
  *
- * A table of end points by their bits tells who had one before; groups are
- * trees of shapes, joined at their roots, the lower number on top.
+ * A hash table maps the bits of an end point to the first shape with that end.
+ * Groups are trees of shapes (union-find); the root has the lowest number.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -41,7 +41,7 @@ static int same_point(const double p[3], const double q[3])
     return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
 }
 
-/* The first end at the same point, which may be this one. */
+/* The first end at the same point; it may be this one. */
 static uint32_t first_end(const struct ends *ends, uint32_t end)
 {
     const double *p = end_point(ends, end);
@@ -56,7 +56,7 @@ static uint32_t first_end(const struct ends *ends, uint32_t end)
     return end;
 }
 
-/* The root of i's tree; the way there becomes shorter. */
+/* The root of i's tree; shortens the path to it. */
 static uint32_t root_of(uint32_t *parent, uint32_t i)
 {
     while (parent[i] != i) {
@@ -84,8 +84,8 @@ static void join_shapes(const struct ends *ends, size_t n, uint32_t *parent)
     }
 }
 
-/* Roots have lower numbers than what hangs below them, so that each is
- * numbered before it is asked for its number. */
+/* A root has a lower number than its descendants, so its group gets a number
+ * before they read it. */
 static void number_groups(uint32_t *group, size_t n)
 {
     uint32_t groups = 0;

@@ -1,5 +1,5 @@
 /*
- * connected.h - which shapes hang together
+ * connected.h - groups of connected shapes
  */
 #ifndef CYLINT_CONNECTED_H
 #define CYLINT_CONNECTED_H
@@ -9,10 +9,10 @@
 
 #include "cylint.h"
 
-/* Cylinders and cones belong together if they have an end of their axes in
- * common, to the last bit, or are linked by such; other shapes stand alone.
- * Groups are numbered from 0 in the order of their first shapes.  Returns 0
- * or an exit status. */
+/* Cylinders and cones are connected if ends of their axes are equal, to the last
+ * bit, or if other shapes connect them; every other shape is a group of its own.
+ * Groups are numbered from 0 in the order of their first shapes.  Returns 0 or an
+ * exit status. */
 int connected_groups(const cylint_shape *shapes, size_t n, uint32_t *group);
 
 #endif

@@ -1,28 +1,28 @@
 /*
- * light.c - what colour one sees along a line
+ * light.c - the colour along a line
  *
- * Every surface is matt.  It is lit by a sun, whose disc gives shadows soft
- * edges, and by the sky, as far as the surface sees it: one ray for each and
- * sample.  That a ray does not meet the surface it begins on is decided
- * without a tolerance, see meets_again().
+ * Every surface is matt.  The sun, a disc, lights it with soft shadows, and so
+ * does the visible part of the sky: one ray to each for every sample.  Whether a
+ * ray hits the surface it begins on is decided without a tolerance, see
+ * hits_again().
  */
 #include "colours.h"
 #include "light.h"
 #include "sampling.h"
 
-/* Light that falls on a surface square to it.  Under an open sky both make
- * white nearly white. */
+/* Light on a surface perpendicular to it.  Under an open sky both together show
+ * white as nearly white. */
 static const struct vector SUN = {{2.05, 1.86, 1.58}};
 static const struct vector ZENITH = {{0.50, 0.64, 0.86}};
 static const struct vector HORIZON = {{0.80, 0.80, 0.78}};
 static const struct vector BELOW = {{0.36, 0.33, 0.30}};
-/* What comes back from a surface that hides the sky, as a share of it. */
+/* Light from a surface that hides the sky, as a share of the sky's. */
 static const double BOUNCE = 0.22;
 static const double SUN_RADIUS = 0.025; /* tangent of its angular radius */
 
-enum { FOR_SUN = 1, FOR_SKY = 2 }; /* what samples are drawn for */
+enum { FOR_SUN = 1, FOR_SKY = 2 }; /* the purpose of samples */
 
-/* Where a ray met a shape.  `facing` is the normal on the viewer's side. */
+/* A hit.  `facing` is the normal on the viewer's side. */
 struct place {
     size_t number;
     const cylint_shape *shape;
@@ -32,16 +32,16 @@ struct place {
 /* ------------------------------------------------------------- shadows -- */
 
 /*
- * Whether a ray from a hit, along d, is free.  The hit's point was rounded,
- * so its shape's surface may lie ahead by a rounding error.  But a line
- * crosses that surface at most twice, once entering and once leaving, and
- * which one the ray begins with is known: d.n > 0 leaves the solid, else it
- * enters.  So the shape is met again only where the crossing that ends the
- * whole line's is of the other kind: the far wall of an open tube, the other
- * nappe of a double cone.  Leaving what is convex, one need not even ask.
+ * Whether a ray from a hit, along d, hits the same shape again.  The hit's point
+ * is rounded, so the surface may lie ahead by a rounding error.  But a line
+ * crosses the surface at most twice, entering once and leaving once, and the
+ * sign of d.n is the side on which the ray begins: d.n > 0 leaves the solid.  So
+ * the ray hits the shape again only if the last hit of the whole line has the
+ * other side: the far wall of an open tube, the other nappe of a double cone.  A
+ * ray that leaves a convex solid never does.
  */
-static int meets_again(const struct place *at, const cylint_line *ray,
-                       int leaves)
+static int hits_again(const struct place *at, const cylint_line *ray,
+                      int leaves)
 {
     cylint_line line;
     cylint_answer answer;
@@ -59,10 +59,10 @@ static int meets_again(const struct place *at, const cylint_line *ray,
 }
 
 /*
- * Another shape may have the same surface there, a cylinder drawn twice for
- * instance.  The point is within e = 2^-52 |p| of one on that surface, hence
- * nowhere deeper below the tangent plane, behind which a convex solid stays;
- * so along the unit vector d the ray has left it after e / |d.n|.
+ * Another shape may have the same surface there, as a cylinder that occurs
+ * twice.  The point is within e = 2^-52 |p| of that surface, so at most e below
+ * its tangent plane, and a convex solid lies below that plane.  So the ray along
+ * the unit vector d has left the solid after e / |d.n|.
  */
 static int is_free(const struct stage *stage, const struct place *at,
                    struct vector d)
@@ -71,7 +71,7 @@ static int is_free(const struct stage *stage, const struct place *at,
     const double start = 0x1p-52 * length(at->point) / fabs(cosine);
     cylint_line ray;
     return cylint_span(&ray, at->point.v, d.v, start, HUGE_VAL) == CYLINT_OK &&
-           !meets_again(at, &ray, cosine > 0) &&
+           !hits_again(at, &ray, cosine > 0) &&
            !cylint_scene_occluded(stage->scene, &ray, at->number);
 }
 
@@ -131,7 +131,7 @@ static struct vector shaded(const struct stage *stage, const struct place *at,
     }
 }
 
-/* The ground is there under what stands on it and fades out around it. */
+/* The ground is opaque under the scene and fades out around it. */
 static double opacity(const struct stage *stage, const struct place *at)
 {
     if (!stage->has_ground || at->number + 1 < stage->count) {

@@ -1,5 +1,5 @@
 /*
- * light.h - what colour one sees along a line
+ * light.h - the colour along a line
  */
 #ifndef CYLINT_LIGHT_H
 #define CYLINT_LIGHT_H
@@ -12,27 +12,27 @@
 #include "vector.h"
 
 enum shading {
-    SHADE_LIGHT, /* sun with shadows, and the sky as far as it is seen */
-    SHADE_PLAIN, /* by the angle to the viewer alone; no further rays */
+    SHADE_LIGHT, /* sun with shadows, and the visible sky */
+    SHADE_PLAIN, /* by the angle to the viewer; no further rays */
     SHADE_NORMAL /* the normal's coordinates as red, green and blue */
 };
 
-/* What is looked at, and in what light. */
+/* The scene and its light. */
 struct stage {
     const cylint_scene *scene;
     const cylint_shape *shapes;
-    size_t count;            /* of shapes; the ground comes last */
+    size_t count;            /* the number of shapes; the ground is the last */
     const uint32_t *colours; /* of shapes, 0xrrggbb */
     int has_ground;
-    struct vector middle; /* of what stands on the ground */
+    struct vector middle; /* of the scene without the ground */
     double size;
     enum shading shading;
     struct vector sun; /* unit vector towards it */
     struct vector up;  /* unit vector */
 };
 
-/* Light times opacity, and opacity: 1 on a shape, 0 beside all, between them
- * where the ground fades. */
+/* Light times opacity, and opacity: 1 on a shape, 0 on none, between these where
+ * the ground fades. */
 struct seen {
     struct vector light;
     double opacity;

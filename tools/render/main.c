@@ -19,28 +19,29 @@ const char *const program = "cylint-render";
 static const char help[] =
     "cylint-render [OPTION]... SCENE -o FILE\n"
     "\n"
-    "Takes a picture of a scene as cylint -s reads it, and writes a PNG.\n"
+    "Renders a scene, as cylint -s reads it, and writes a PNG file.\n"
     "\n"
     "  -o FILE            the picture; - is standard output\n"
-    "  --size WxH         pixels, 1280x720 unless said\n"
-    "  --samples N        lines a pixel, 8 unless said\n"
+    "  --size WxH         pixels, default 1280x720\n"
+    "  --samples N        rays per pixel, default 8\n"
     "  -j N               workers; the picture is the same\n"
-    "  --eye X,Y,Z        where the camera stands; else it finds a place\n"
-    "  --look-at X,Y,Z    what an --eye looks at, else the scene's middle\n"
-    "  --from X,Y,Z       only the direction in which it stands\n"
-    "  --up X,Y,Z         what is up, 0,0,1 unless said\n"
-    "  --fov DEGREES      from bottom to top, 30 unless said\n"
-    "  --ortho            parallel lines instead\n"
+    "  --eye X,Y,Z        the camera's place; default: the scene fits\n"
+    "  --look-at X,Y,Z    the point that an --eye looks at, default the "
+    "middle\n"
+    "  --from X,Y,Z       only the direction to the camera\n"
+    "  --up X,Y,Z         the upward direction, default 0,0,1\n"
+    "  --fov DEGREES      from bottom to top, default 30\n"
+    "  --ortho            parallel rays\n"
     "  --zoom FACTOR      enlarge about the picture's centre\n"
     "  --colour HOW       of shapes without a field #rrggbb in their records:\n"
     "                     number, label, kind, connected, radius, height\n"
     "                     or #rrggbb\n"
     "  --shade HOW        light (default), plain or normal\n"
-    "  --light X,Y,Z      the direction of the sun\n"
+    "  --light X,Y,Z      the direction to the sun\n"
     "  --ground HOW       #rrggbb below the scene, or none (default)\n"
     "  --background HOW   sky (default), #rrggbb or none: transparent\n"
-    "  --ends WORD        the ends of shapes that do not say\n"
-    "  --progress         tell the progress on standard error\n"
+    "  --ends WORD        the ends of shapes whose records do not state them\n"
+    "  --progress         report the progress on standard error\n"
     "  --help, --version\n"
     "\n"
     "Exit status: 0 done, 1 a bad scene, 2 usage, 3 input or output failed,\n"
@@ -58,8 +59,8 @@ static int print_about(const char *what)
     return 0;
 }
 
-/* The ground is a flat cylinder under the scene, so wide that its rim is far
- * behind where it has faded.  Its tail has its colour. */
+/* The ground is a flat cylinder under the scene, so wide that it has faded before
+ * its rim.  Its record's tail has its colour. */
 static int add_ground(struct scene *scene, const char *colour, struct vector up,
                       const struct boxes *all)
 {
@@ -74,7 +75,7 @@ static int add_ground(struct scene *scene, const char *colour, struct vector up,
     return scene_add(scene, &record);
 }
 
-/* From the left above the camera, unless it was told. */
+/* The default: from the left above the camera. */
 static struct vector sun_of(const struct options *o, const struct view *view)
 {
     return unit(o->has_sun ? o->sun
@@ -89,7 +90,7 @@ static int take_picture(const struct options *o, struct stage *stage,
     const unsigned long long pixels =
         (unsigned long long)o->width * (unsigned long long)o->height;
     struct picture picture;
-    /* More builders than processors are none the faster. */
+    /* More builders than processors are not faster. */
     const int processors_here = processors();
     const int workers = o->workers > 0 ? o->workers : processors_here;
     const int builders = workers < processors_here ? workers : processors_here;
@@ -118,7 +119,7 @@ static int take_picture(const struct options *o, struct stage *stage,
     return status;
 }
 
-/* The view is of the scene without its ground. */
+/* The view contains the scene without the ground. */
 static int set_stage(const struct options *o, struct scene *scene,
                      struct colours *colours, const struct boxes *boxes,
                      struct stage *stage, struct view *view)

@@ -1,5 +1,5 @@
 /*
- * options.c - what the command line asks for
+ * options.c - the options of the command line
  */
 #include <limits.h>
 #include <string.h>
@@ -79,7 +79,7 @@ static int read_point(const char *p, struct vector *point)
     return 1;
 }
 
-/* A direction has a length that neither vanishes nor overflows. */
+/* The length of a direction neither vanishes nor overflows. */
 static int read_direction(const char *p, struct vector *direction)
 {
     return read_point(p, direction) && length(*direction) > 0 &&
@@ -155,7 +155,7 @@ static int read_ground(const char *value, const char **ground)
 
 /* ------------------------------------------------------------ options -- */
 
-/* Returns what was expected, NULL if it was found. */
+/* Returns NULL, or a text that names the expected value. */
 static const char *take_view(struct viewing *v, int id, const char *value)
 {
     switch (id) {
@@ -268,7 +268,8 @@ static int settle(struct options *options, char **argv, int files)
     }
     options->scene = argv[0];
     if (!options->output) {
-        return usage("where to? -o FILE, or -o - for standard output");
+        return usage(
+            "no output file: use -o FILE, or -o - for standard output");
     }
     if (v->has_target && !v->has_eye) {
         return usage("--look-at needs --eye");

@@ -1,5 +1,5 @@
 /*
- * options.h - what the command line asks for
+ * options.h - the options of the command line
  */
 #ifndef CYLINT_RENDER_OPTIONS_H
 #define CYLINT_RENDER_OPTIONS_H
@@ -13,23 +13,23 @@
 
 struct options {
     const char *scene, *output;
-    int ends; /* of shapes that do not say, or NOT_GIVEN */
+    int ends; /* of records without ends, or NOT_GIVEN */
     int width, height, samples;
-    int workers; /* 0: as many as there are processors */
+    int workers; /* 0: one for each processor */
     int progress;
     struct viewing viewing;
     int has_sun;
     struct vector sun; /* towards it */
     enum shading shading;
     enum colouring colouring;
-    uint32_t colour;    /* of shapes without another */
+    uint32_t colour;    /* of shapes without a colour of their own */
     const char *ground; /* #rrggbb, or NULL */
     struct backdrop backdrop;
 
-    const char *print; /* help or version, and nothing else is done */
+    const char *print; /* the text of --help or --version, or NULL */
 };
 
-/* Returns 0 or EXIT_USAGE, having said what is wrong. */
+/* Returns 0, or reports the fault and returns EXIT_USAGE. */
 int read_options(struct options *options, int argc, char **argv);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * picture.c - rows of pixels to a PNG file, whole or not at all
+ * picture.c - writes rows of pixels to a PNG file, whole or not at all
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -32,12 +32,12 @@ void picture_free(struct picture *picture)
     picture->pixels = NULL;
 }
 
-/* ------------------------------------------------------ where it goes -- */
+/* --------------------------------------------------------- the target -- */
 
-/* A file that is being written.  `part` is its name until it is whole. */
+/* A file in progress.  `part` is its name until it is complete. */
 struct target {
     const char *name;
-    char *part; /* NULL: written to as it is */
+    char *part; /* NULL: written in place */
     FILE *file;
 };
 
@@ -47,7 +47,7 @@ static int failed(const struct target *t)
     return EXIT_IO;
 }
 
-/* Only a file that is there already can be something else than regular. */
+/* Only an existing file can be other than a regular file. */
 static int is_regular(const char *name)
 {
     struct stat s;
@@ -90,7 +90,7 @@ static int target_open(struct target *t, const char *name)
     return 0;
 }
 
-/* Gives the whole file its name, or leaves nothing behind. */
+/* Renames the complete file, or removes an incomplete one. */
 static int target_close(struct target *t, int status)
 {
     if (status == 0 && fflush(t->file) != 0) {
@@ -128,7 +128,7 @@ int picture_try(const char *file)
 
 /* ------------------------------------------------------------ the file -- */
 
-static int last_errno; /* of a write: libpng only jumps */
+static int last_errno; /* of a failed write: libpng only jumps */
 
 static void write_bytes(png_structp png, png_bytep bytes, size_t n)
 {
@@ -143,7 +143,7 @@ static void flush_bytes(png_structp png)
     (void)png; /* when the file is closed */
 }
 
-/* The message is ours, by errno. */
+/* The caller reports the error from errno. */
 static void jump_back(png_structp png, png_const_charp what)
 {
     (void)what;
@@ -156,7 +156,7 @@ static void keep_silent(png_structp png, png_const_charp what)
     (void)what;
 }
 
-/* Returns 0 where libpng jumped back. */
+/* Returns 0 if libpng failed. */
 static int encode(png_structp png, png_infop info, const struct picture *p)
 {
     const size_t row = (size_t)p->width * (size_t)p->channels;
@@ -188,7 +188,7 @@ static int write_png(const struct picture *p, struct target *t)
         png_set_write_fn(png, t->file, write_bytes, flush_bytes);
     }
     if (!info || (!encode(png, info, p) && last_errno == 0)) {
-        status = out_of_memory(); /* libpng's only other complaint */
+        status = out_of_memory(); /* libpng's only other error */
     } else if (last_errno != 0) {
         errno = last_errno;
         status = failed(t);

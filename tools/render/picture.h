@@ -1,5 +1,5 @@
 /*
- * picture.h - rows of pixels to a PNG file, whole or not at all
+ * picture.h - writes rows of pixels to a PNG file, whole or not at all
  */
 #ifndef CYLINT_PICTURE_H
 #define CYLINT_PICTURE_H
@@ -11,13 +11,13 @@ struct picture {
                               colour not multiplied by opacity */
 };
 
-/* All return 0 or an exit status, having said what is wrong.  `file` is "-"
- * for standard output. */
+/* All return 0, or report the fault and return an exit status.  `file` is "-" for
+ * standard output. */
 int picture_make(struct picture *picture, int width, int height, int channels);
-/* Whether a picture could be written, before the work is done. */
+/* Whether the file can be written; called before the work. */
 int picture_try(const char *file);
-/* Beside `file` first, so that it is the old one or the whole new one; what
- * is not a regular file is written to as it is. */
+/* Writes a new file beside `file` and renames it, so that `file` is the old one or
+ * the complete new one.  A file that is not regular is written in place. */
 int picture_write(const struct picture *picture, const char *file);
 
 void picture_free(struct picture *picture);

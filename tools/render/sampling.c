@@ -10,8 +10,8 @@
  */
 #include "sampling.h"
 
-/* Multiplications by odd numbers and shifts, each of which can be undone:
- * different words stay different. */
+/* Multiplications by odd numbers and shifts, each invertible: different words
+ * stay different. */
 static uint32_t mixed_word(uint32_t x)
 {
     x = (x ^ x >> 16) * 0x7feb352du;
@@ -33,7 +33,7 @@ static uint32_t reversed(uint32_t x)
     return (x & 0xaaaaaaaau) >> 1 | (x & 0x55555555u) << 1;
 }
 
-/* Of the reversed number, so that high digits decide about low ones. */
+/* Scrambles the reversed number, so that high digits change low ones. */
 static uint32_t scrambled_from_below(uint32_t x, uint32_t seed)
 {
     x += seed;
@@ -68,7 +68,7 @@ void sample_square(uint32_t i, uint32_t seed, double point[2])
     point[1] = unit_of_word * scrambled(sobol_second(k), hash_words(seed, 2));
 }
 
-/* Squares about the centre become circles [Shirley & Chiu 1997]. */
+/* Maps squares about the centre to circles [Shirley & Chiu 1997]. */
 void sample_disc(uint32_t i, uint32_t seed, double point[2])
 {
     const double quarter = 0.78539816339744831; /* pi / 4 */
@@ -84,7 +84,7 @@ void sample_disc(uint32_t i, uint32_t seed, double point[2])
     point[1] = radius * sin(turn);
 }
 
-/* Points of the disc lifted to the hemisphere above it. */
+/* Lifts points of the disc to the hemisphere above it. */
 struct vector sample_hemisphere(uint32_t i, uint32_t seed, struct vector n)
 {
     double disc[2];

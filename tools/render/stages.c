@@ -1,5 +1,5 @@
 /*
- * stages.c - what took how long
+ * stages.c - the time of each stage of the work
  */
 #include <stdio.h>
 #include <time.h>

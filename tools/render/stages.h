@@ -1,5 +1,5 @@
 /*
- * stages.h - what took how long
+ * stages.h - the time of each stage of the work
  */
 #ifndef CYLINT_STAGES_H
 #define CYLINT_STAGES_H
@@ -11,8 +11,8 @@ struct stages {
 
 void stages_start(struct stages *stages, int told);
 
-/* Tells how long it took since the last call: `WHAT COUNT UNIT: SECONDS s,
- * SECONDS s of CPU`. */
+/* Reports the time since the last call: `WHAT COUNT UNIT: SECONDS s, SECONDS s of
+ * CPU`. */
 void stages_end(struct stages *stages, const char *what,
                 unsigned long long count, const char *unit);
 

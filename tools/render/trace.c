@@ -1,8 +1,7 @@
 /*
- * trace.c - the rows of a picture, shared out among threads
+ * trace.c - traces the rows of a picture on several threads
  *
- * A worker takes the next row that nobody has; a pixel depends on nothing
- * but its place.
+ * A worker takes the next free row; a pixel depends on its place only.
  */
 #include <pthread.h>
 #include <stdlib.h>
@@ -21,12 +20,12 @@ struct work {
     const struct backdrop *backdrop;
     int samples;
 
-    pthread_mutex_t lock; /* of what follows */
+    pthread_mutex_t lock; /* protects the members below */
     int next_row, rows_done;
     struct progress progress;
 };
 
-/* All pixels have the same places of samples, so that edges are even. */
+/* Samples have the same places in all pixels, so that edges are even. */
 static struct seen look_through(const struct work *w, int x, int y)
 {
     const struct picture *p = w->picture;
@@ -48,7 +47,7 @@ static struct seen look_through(const struct work *w, int x, int y)
     return (struct seen){times(share, sum.light), share * sum.opacity};
 }
 
-/* Bright light saturates slowly instead of being cut off. */
+/* Bright light saturates slowly instead of being clipped. */
 static double exposed(double light)
 {
     return 1 - exp(-light);
@@ -99,8 +98,8 @@ static void *take_rows(void *context)
     return NULL;
 }
 
-/* The caller is the first worker; those that cannot be started are done
- * without. */
+/* The caller is the first worker.  If the system refuses threads, there are
+ * fewer. */
 int trace(struct picture *picture, const struct stage *stage,
           const struct view *view, const struct backdrop *backdrop, int samples,
           int workers, int progress)

@@ -32,7 +32,7 @@ static inline struct vector minus(struct vector a, struct vector b)
     return plus(a, -1, b);
 }
 
-/* Coordinate by coordinate: light of a colour on a surface of a colour. */
+/* The product by coordinates: coloured light on a coloured surface. */
 static inline struct vector filtered(struct vector a, struct vector b)
 {
     return vector(a.v[0] * b.v[0], a.v[1] * b.v[1], a.v[2] * b.v[2]);
@@ -66,8 +66,8 @@ static inline struct vector unit(struct vector a)
     return times(1 / length(a), a);
 }
 
-/* A unit vector perpendicular to the unit vector n: n x the coordinate
- * direction in which n is smallest. */
+/* A unit vector perpendicular to the unit vector n: n times (cross product) the
+ * coordinate direction in which n is least. */
 static inline struct vector perpendicular(struct vector n)
 {
     int least = fabs(n.v[1]) < fabs(n.v[0]) ? 1 : 0;

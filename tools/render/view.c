@@ -1,23 +1,24 @@
 /*
- * view.c - where the picture is taken from, and a line for each of its points
+ * view.c - the camera, and the line for each point of the picture
  *
- * Framing is exact for the shapes' boxes: the eye is moved until every box
- * is within the four planes of the picture's edges and touches them.
+ * The eye is placed so that all boxes of shapes lie within the four planes
+ * through the picture's edges and touch them.
  */
 #include "view.h"
 
-static const double MARGIN = 1.06; /* of the picture about the scene */
+static const double MARGIN =
+    1.06; /* size of the picture over that of the scene */
 static const double DEGREE = 0.017453292519943295;
 
-/* From the side where the scene is thinnest, this much aside and above: a
- * flat scene is looked down upon. */
+/* The default direction: from the side where the scene is thinnest, so much aside
+ * and above; a flat scene is viewed from above. */
 static const double ASIDE = 28 * 0.017453292519943295;
 static const double ABOVE = 14 * 0.017453292519943295;
 static const double ABOVE_FLAT = 32 * 0.017453292519943295;
 
-/* ------------------------------------------------- the side to look from -- */
+/* ------------------------------------------------- the default direction -- */
 
-/* Second moments of the shapes' middles, each as heavy as its box is long,
+/* Second moments of the middles of shapes, weighted by the lengths of their boxes,
  * along the horizontal directions u and v and the vertical one. */
 struct spread {
     double uu, uv, vv, ww;
@@ -40,9 +41,8 @@ static struct spread spread_of(const struct boxes *boxes, struct vector u,
     return s;
 }
 
-/* The horizontal direction in which the scene is thinnest is the eigenvector
- * of the lesser eigenvalue; half the angle of (uu - vv, 2 uv) belongs to the
- * greater one. */
+/* The scene is thinnest along the eigenvector of the lesser eigenvalue.  Half the
+ * angle of (uu - vv, 2 uv) is the direction of the other eigenvector. */
 static struct vector flattering_side(const struct boxes *boxes,
                                      struct vector up)
 {
@@ -71,11 +71,11 @@ static int look_along(struct view *view, struct vector forward,
 }
 
 /*
- * The eye e sees p between the planes to the left and to the right if
- * (p - e).(cos a (+-right) - sin a forward) <= 0, with tan a half the
- * picture's width at the distance 1.  With the most m of each product over
- * the scene, e.(...) >= m twice; adding them gives how far forward e may
- * be, subtracting where it stands between them.
+ * A point p lies between the left and the right plane through the eye e if
+ * (p - e).(cos a (+-right) - sin a forward) <= 0, where tan a is half the
+ * picture's width at the distance 1.  Let m be the maximum of p.(...) over the
+ * scene, for each sign: then e.(...) >= m.  The sum of the two bounds how far
+ * forward e may be; the difference gives its place between the planes.
  */
 static double forward_most(double m_right, double m_left, double half)
 {
@@ -98,7 +98,7 @@ static struct vector edge_plane(struct vector outward, struct vector forward,
 
 static void stand_back(struct view *view, const struct boxes *boxes)
 {
-    /* With a margin the scene seems wider than it is. */
+    /* the margin widens the scene */
     const double w = view->half_width / MARGIN, h = view->half_height / MARGIN;
     const struct vector left = times(-1, view->right);
     const struct vector down = times(-1, view->up);
@@ -118,7 +118,7 @@ static void stand_back(struct view *view, const struct boxes *boxes)
         view->forward);
 }
 
-/* The eye is where the scene begins, the picture as wide as the scene. */
+/* The eye is at the begin of the scene, and the picture as wide as the scene. */
 static void stand_aside(struct view *view, double aspect,
                         const struct boxes *boxes)
 {
@@ -134,36 +134,36 @@ static void stand_aside(struct view *view, double aspect,
                      -back, view->forward);
 }
 
-int view_of_scene(struct view *view, const struct viewing *asked,
+int view_of_scene(struct view *view, const struct viewing *camera,
                   const struct boxes *boxes)
 {
     if (boxes->size == 0 &&
-        !(asked->has_eye && asked->has_target && !asked->parallel)) {
+        !(camera->has_eye && camera->has_target && !camera->parallel)) {
         return 0;
     }
-    const struct vector up = unit(asked->up);
+    const struct vector up = unit(camera->up);
     const struct vector target =
-        asked->has_target ? asked->target : boxes->middle;
-    const struct vector backward = asked->has_eye ? minus(asked->eye, target)
-                                   : asked->has_from
-                                       ? asked->from
+        camera->has_target ? camera->target : boxes->middle;
+    const struct vector backward = camera->has_eye ? minus(camera->eye, target)
+                                   : camera->has_from
+                                       ? camera->from
                                        : flattering_side(boxes, up);
-    view->parallel = asked->parallel;
-    view->half_height = tan(0.5 * DEGREE * asked->fov);
-    view->half_width = asked->aspect * view->half_height;
+    view->parallel = camera->parallel;
+    view->half_height = tan(0.5 * DEGREE * camera->fov);
+    view->half_width = camera->aspect * view->half_height;
     if (!look_along(view, times(-1, backward), up)) {
         return 0;
     }
-    if (asked->parallel) {
-        stand_aside(view, asked->aspect, boxes);
-    } else if (!asked->has_eye) {
+    if (camera->parallel) {
+        stand_aside(view, camera->aspect, boxes);
+    } else if (!camera->has_eye) {
         stand_back(view, boxes);
     }
-    if (asked->has_eye) {
-        view->eye = asked->eye;
+    if (camera->has_eye) {
+        view->eye = camera->eye;
     }
-    view->half_width /= asked->zoom;
-    view->half_height /= asked->zoom;
+    view->half_width /= camera->zoom;
+    view->half_height /= camera->zoom;
     return 1;
 }
 

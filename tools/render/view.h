@@ -1,5 +1,5 @@
 /*
- * view.h - where the picture is taken from, and a line for each of its points
+ * view.h - the camera, and the line for each point of the picture
  */
 #ifndef CYLINT_VIEW_H
 #define CYLINT_VIEW_H
@@ -7,12 +7,12 @@
 #include "boxes.h"
 #include "vector.h"
 
-/* What was asked for; what was not is found from the scene. */
+/* The options of the camera; the scene determines those not given. */
 struct viewing {
     int has_eye, has_from, has_target;
-    struct vector eye;    /* where the camera stands */
-    struct vector from;   /* or only the side it stands on */
-    struct vector target; /* what it looks at, with an eye */
+    struct vector eye;    /* the camera's place */
+    struct vector from;   /* or only the side of the scene where it is */
+    struct vector target; /* the point it looks at, with an eye */
     struct vector up;
     double fov;   /* degrees from bottom to top */
     int parallel; /* all lines have one direction */
@@ -28,9 +28,9 @@ struct view {
     int parallel;
 };
 
-/* Fits the scene into the picture where no eye is given.  Returns 0 if it
- * cannot: no shape is bounded, or up and the direction of view agree. */
-int view_of_scene(struct view *view, const struct viewing *asked,
+/* Fits the scene into the picture if no eye is given.  Returns 0 if no shape is
+ * bounded, or if up is the direction of view. */
+int view_of_scene(struct view *view, const struct viewing *camera,
                   const struct boxes *boxes);
 
 /* The ray through the point x, y of the picture: -1 to 1 from left to right
