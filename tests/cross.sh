@@ -258,9 +258,9 @@ runner=/usr/lib/wine/wine64
 folder=$(folder_of 'Windows (mingw-w64, wine)')
 if missing=$(usable $compiler "$flags" "$link" $runner); then
     # those that need neither GSL nor memory that may not be touched
-    tests='test_depth test_interface test_methods test_methods_contract
-        test_misprints test_room test_scene test_scene_environment
-        test_scene_tree test_shape test_ties'
+    tests='test_form_depth test_interface test_methods test_methods_contract
+        test_methods_misprints test_arena test_scene test_scene_environment
+        test_scene_bvh test_shape test_ties'
     built $name $(printf 'tests/%s ' $tests) && tests_pass $name $runner $tests
 else
     skip "$name, C tests" "$missing"

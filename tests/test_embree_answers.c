@@ -1,5 +1,6 @@
 /*
- * test_embree_answers.c - embree/: the adapter answers float rays as the library does
+ * test_embree_answers.c - floor embree: the adapter answers float rays as the
+ * library does
  */
 #include <float.h>
 #include <math.h>

@@ -1,5 +1,6 @@
 /*
- * test_embree_float_filter.c - embree/: the float filter agrees with the library
+ * test_embree_float_filter.c - floor embree: the float filter agrees with the
+ * library
  *
  * Every build of float_filter.c and packet_filter.c that this processor can run,
  * on lines of all families, rounded to floats: hits, parts, t and z within their

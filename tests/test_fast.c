@@ -1,24 +1,23 @@
 /*
- * test_fast.c - the fast t: a function of line, shape and root
+ * test_fast.c - floor filter: the fast t depends on line, shape and root only
  *
- * Tests of src/filter: whichever way an answer came, from a lane, a single
- * question or the exact signs, the fast t is the same and within its bound.
- * The lines come from afar, where the doubles' t is barely good enough.
+ * A lane, a single question and the exact signs give the same fast t, within its
+ * bound.  The origins are far away, where t in doubles is barely accurate
+ * enough.
  */
 #include <math.h>
 
 #include "check.h"
 #include "cylint.h"
+#include "random.h"
 
 enum { SHAPES = 256, ROUNDS = 1200, FAST = CYLINT_WANT_T | CYLINT_WANT_FAST };
 
-static uint64_t state = 7;
-
-/* In (-1, 1). */
+/* A random number in [-1, 1). */
 static double draw(void)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return (double)(int64_t)state * 0x1p-63;
+    static uint64_t stream = 7;
+    return 2 * random_unit(&stream) - 1;
 }
 
 static cylint_shape shapes[SHAPES];

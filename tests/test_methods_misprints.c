@@ -1,5 +1,6 @@
 /*
- * test_methods_misprints.c - floor methods: the print fails, the method does not
+ * test_methods_misprints.c - floor methods: the print fails, the method does
+ * not
  *
  * Each error or omission of the published methods is here as a small function,
  * as printed.  It fails on an input where the corrected method is right.  The

@@ -1,5 +1,5 @@
 /*
- * test_scene.c - scene/: a scene returns what all its shapes return
+ * test_scene.c - floor scene: a scene returns what all its shapes return
  *
  * Every kind of line is traced through every kind of scene, and tested against
  * each shape in a batch.  Both must find the same shapes, the same nearest shape
@@ -41,7 +41,7 @@ struct asked {
     cylint_scene *scene;
     cylint_pack pack;
     void *memory;
-    signed char *hits; /* of all shapes, by brute force */
+    signed char *hits; /* of all shapes, by the batch */
     size_t *numbers;
 };
 
@@ -176,7 +176,7 @@ static void check_lines(const struct asked *a)
         }
 }
 
-static void generated_scenes_answer_as_brute_force_does(void)
+static void generated_scenes_answer_as_brute_force(void)
 {
     struct asked a;
     for (int kind = 0; scene_generate(kind, shapes_of(kind), seed(), &a.of);
@@ -187,7 +187,7 @@ static void generated_scenes_answer_as_brute_force_does(void)
     }
 }
 
-static void small_scenes_answer_as_brute_force_does(void)
+static void small_scenes_answer_as_brute_force(void)
 {
     struct asked a;
     for (size_t n = 1; n <= 20; n++)
@@ -204,7 +204,7 @@ static void small_scenes_answer_as_brute_force_does(void)
         }
 }
 
-static void real_scenes_answer_as_brute_force_does(void)
+static void real_scenes_answer_as_brute_force(void)
 {
     static const char *const real[][2] = {
         {"neuron", "tools/convert/swc2scene ../shared/data/medulla_7114.swc "
@@ -323,7 +323,7 @@ static void a_shape_that_is_found_in_many_boxes_counts_once(void)
 
 struct part {
     const struct asked *asked;
-    uint64_t sum; /* of all answers */
+    uint64_t sum; /* checksum of all answers */
     pthread_t thread;
 };
 
@@ -350,7 +350,7 @@ static void *answer_part(void *argument)
     return NULL;
 }
 
-static void threads_share_a_scene_and_get_the_same_answers(void)
+static void threads_share_a_scene_with_the_same_answers(void)
 {
     struct asked a;
     struct part parts[THREADS];
@@ -374,14 +374,14 @@ int main(int argc, char **argv)
 {
     if (argc > 1)
         lines_of_a_kind = strtoull(argv[1], NULL, 10);
-    RUN(generated_scenes_answer_as_brute_force_does);
-    RUN(small_scenes_answer_as_brute_force_does);
-    RUN(real_scenes_answer_as_brute_force_does);
+    RUN(generated_scenes_answer_as_brute_force);
+    RUN(small_scenes_answer_as_brute_force);
+    RUN(real_scenes_answer_as_brute_force);
     RUN(an_empty_scene_is_never_hit);
     RUN(unwanted_members_are_not_written);
     RUN(a_ray_that_begins_behind_a_hit_does_not_find_it);
     RUN(a_shape_that_is_found_in_many_boxes_counts_once);
-    RUN(threads_share_a_scene_and_get_the_same_answers);
+    RUN(threads_share_a_scene_with_the_same_answers);
     printf("note: %zu lines, %zu of them hit\n", lines_asked, lines_hit);
     return check_end();
 }

@@ -1,9 +1,10 @@
 /*
- * test_scene_environment.c - batches and scenes in every floating-point
- * environment: subnormal t are told apart, subnormal lines are no points
+ * test_scene_environment.c - floors batch and scene: every floating-point
+ * environment
  *
- * Each test runs in all rounding modes, with subnormal results flushed to zero
- * or not, and subnormal operands taken for zero or not.
+ * Subnormal t are compared exactly, and lines with a subnormal direction are
+ * valid.  Each test runs in all rounding modes, with subnormal results flushed
+ * to zero or not, and subnormal operands treated as zero or not.
  */
 #include <float.h>
 #include <math.h>
@@ -37,7 +38,7 @@ static void everywhere(test_there *test)
 
 enum { DISCS = 11 };
 
-/* Shapes whose lower caps a line along z meets at t = base[i]. */
+/* Shapes whose lower caps a line along z hits at t = base[i]. */
 static void nearest_of(const double base[DISCS], size_t n,
                        const cylint_line *line, size_t want,
                        struct environment there)
@@ -92,7 +93,7 @@ static void the_least_of_subnormal_t(struct environment there)
     nearest_of(many, DISCS, &behind, 6, there);
 }
 
-static void nearest_tells_subnormal_t_apart(void)
+static void nearest_compares_subnormal_t_exactly(void)
 {
     everywhere(the_least_of_subnormal_t);
 }
@@ -116,8 +117,8 @@ static void hits_in_a_scene(const cylint_shape *shape, const cylint_line *line)
     cylint_scene_free(scene);
 }
 
-/* A disc whose axis is subnormal, or too short for its square; sections whose
- * semi-axes are, and whose factor makes up for it. */
+/* A disc with a subnormal axis, or with one whose square underflows; sections
+ * with such semi-axes and a large factor. */
 static void made_anywhere(struct environment there)
 {
     static const double o[3] = {3, -5, 0.5}, d[3] = {0, 1, 0};
@@ -147,7 +148,7 @@ static void made_anywhere(struct environment there)
     }
 }
 
-static void scenes_hold_tiny_axes_and_huge_factors(void)
+static void scenes_find_tiny_axes_and_huge_factors(void)
 {
     everywhere(made_anywhere);
 }
@@ -334,18 +335,18 @@ static void every_subnormal_number_is_a_number(struct environment there)
     }
 }
 
-static void constructors_take_subnormal_numbers_for_what_they_are(void)
+static void constructors_use_subnormal_numbers_exactly(void)
 {
     everywhere(every_subnormal_number_is_a_number);
 }
 
 int main(void)
 {
-    RUN(nearest_tells_subnormal_t_apart);
-    RUN(scenes_hold_tiny_axes_and_huge_factors);
+    RUN(nearest_compares_subnormal_t_exactly);
+    RUN(scenes_find_tiny_axes_and_huge_factors);
     RUN(hits_at_the_largest_exponents_are_the_same);
     RUN(batches_of_subnormal_lines_are_the_same);
     RUN(subnormal_domains_are_empty_or_not);
-    RUN(constructors_take_subnormal_numbers_for_what_they_are);
+    RUN(constructors_use_subnormal_numbers_exactly);
     return check_end();
 }

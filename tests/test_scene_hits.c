@@ -1,11 +1,11 @@
 /*
- * test_scene_hits.c - roots/: point, normal, z and phi have the same bits from
- * every path
+ * test_scene_hits.c - floors roots, batch and scene: point, normal, z and phi
+ * have the same bits from every path
  *
- * The paths: a single question with each set of wanted members, with each set
- * of kernels, with the domain ended at the hit itself, so that no kernel
- * decides; the nearest shape of a pack and of a scene.  CYLINT_CASES and
- * CYLINT_SEED change what is drawn.
+ * The paths are: a single question with each set of wanted members, with each
+ * build of the kernels, with a domain that ends at the hit, so that the filter
+ * is undecided; the nearest shape of a pack and of a scene.  CYLINT_CASES and
+ * CYLINT_SEED change the cases.
  */
 #include <math.h>
 #include <string.h>
@@ -32,7 +32,7 @@ static uint64_t cases(void)
     return check_setting("CYLINT_CASES", CASES);
 }
 
-/* Case i, in turn of each family, of coincidences and of plain numbers. */
+/* Case i: of the families in turn, of coincidences, and of plain numbers. */
 static int draw_case(uint64_t i, struct family_case *c)
 {
     const uint64_t kinds = (uint64_t)family_count() + 6, kind = i % kinds;
@@ -107,8 +107,8 @@ static void single_questions(const struct family_case *c,
         expect_all(c, "single", wants[i], all);
 }
 
-/* A domain that ends at the hit: whether the hit is in it only signs decide,
- * and it is not where the root was rounded out of it. */
+/* A domain that ends at the hit.  Only exact signs decide whether the hit is in
+ * it; it is not if the root was rounded away from it. */
 static void ended_domains(const struct family_case *given,
                           const cylint_answer *all)
 {
@@ -153,7 +153,7 @@ static void every_kernel(const struct family_case *c, const cylint_answer *all)
     cylint_use_kernels(NULL);
 }
 
-static void every_path_tells_the_same_of_a_shape(void)
+static void every_path_gives_the_same_bits_for_a_shape(void)
 {
     for (uint64_t i = 0; i < cases(); i++) {
         struct family_case c;
@@ -170,9 +170,9 @@ static void every_path_tells_the_same_of_a_shape(void)
     }
 }
 
-/* Lines against packs and scenes of shapes of every sort: what the nearest
- * tells is what it tells when asked alone. */
-static void scenes_and_packs_tell_what_shapes_do(void)
+/* Lines against packs and scenes of all kinds of shapes: the hit of the nearest
+ * shape has the bits of the single question. */
+static void scenes_and_packs_give_the_bits_of_single_shapes(void)
 {
     static cylint_shape shapes[SHAPES];
     static char memory[1 << 18];
@@ -210,8 +210,8 @@ static void scenes_and_packs_tell_what_shapes_do(void)
 
 int main(void)
 {
-    RUN(every_path_tells_the_same_of_a_shape);
-    RUN(scenes_and_packs_tell_what_shapes_do);
+    RUN(every_path_gives_the_same_bits_for_a_shape);
+    RUN(scenes_and_packs_give_the_bits_of_single_shapes);
     printf("note: %ld hits, seed %llu\n", hits_seen,
            (unsigned long long)seed());
     return check_end();

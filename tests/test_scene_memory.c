@@ -1,5 +1,5 @@
 /*
- * test_scene_memory.c - scene/: refused allocations leave no memory behind
+ * test_scene_memory.c - floor scene: refused allocations leave no memory behind
  *
  * A scene allocates with malloc() and calloc(), which the linker replaces by the
  * functions below.  Each allocation is refused in turn.
@@ -25,8 +25,8 @@ enum { SHAPES = 300, ENOUGH = 1000 };
 
 static struct {
     int watched;
-    int asked, refuse; /* allocations; the number of the one to refuse */
-    int held;          /* allocations not freed yet */
+    int requested, refuse; /* allocations; the number of the one that fails */
+    int held;              /* allocations not freed yet */
 } heap;
 
 void *__real_malloc(size_t);
@@ -38,7 +38,7 @@ void __wrap_free(void *);
 
 static int heap_refuses(void)
 {
-    return heap.watched && ++heap.asked == heap.refuse;
+    return heap.watched && ++heap.requested == heap.refuse;
 }
 
 static void *heap_hold(void *p)
@@ -67,11 +67,11 @@ void __wrap_free(void *p)
 static int is_made(const struct scene_shapes *of, int refuse)
 {
     cylint_scene_status status = CYLINT_SCENE_OK;
-    heap.asked = heap.held = 0;
+    heap.requested = heap.held = 0;
     heap.refuse = refuse;
     heap.watched = 1;
     cylint_scene *scene = cylint_scene_new(of->shapes, of->n, 1, &status);
-    const int made = heap.asked < refuse;
+    const int made = heap.requested < refuse;
     CHECK(made ? scene && status == CYLINT_SCENE_OK
                : !scene && status == CYLINT_SCENE_EMEMORY);
     cylint_scene_free(scene);

@@ -1,18 +1,19 @@
 /*
- * test_scene_wild.c - wild and subnormal questions, by every call, have one
- * answer in every floating-point environment
+ * test_scene_wild.c - floors intersect, batch and scene: extreme exponents have
+ * the same answers from every call in every floating-point environment
  *
- * Groups of shapes and lines, of like sizes so that they meet: numbers with
- * exponents of their own, small whole numbers times powers of two up to the
- * largest and down to the least double, exact coincidences scaled until they
- * are subnormal or huge; domains that begin and end at hits.  Each group is
- * asked one by one, under several `want`, and by every batch and scene call, in
- * all rounding modes, with subnormal results flushed or not and subnormal
- * operands taken for zero or not.
+ * Groups of shapes and lines of similar sizes: numbers with exponents of their
+ * own; small whole numbers times powers of two from the least to the largest
+ * double; exact coincidences scaled until they are subnormal or huge; domains
+ * that begin and end at hits.  Each group is answered one by one, with several
+ * values of `want`, and by every batch and scene function, in all rounding
+ * modes, with subnormal results flushed or not and subnormal operands treated as
+ * zero or not.
  *
- * A question is one line and one shape in one call.  CYLINT_CASES is the
- * number of questions in each environment, CYLINT_SEED draws others,
- * CYLINT_GROUP=n asks one group.  The program prints a digest of all answers, to compare compilers by.
+ * A question is one line and one shape in one call.  CYLINT_CASES is the number
+ * of questions in each environment, CYLINT_SEED changes the groups,
+ * CYLINT_GROUP=n tests one group.  The program prints a digest of all answers,
+ * which must be the same from all compilers.
  */
 #include <float.h>
 #include <math.h>
@@ -24,25 +25,17 @@
 #include "cylint_scene.h"
 #include "environment.h"
 #include "families.h"
+#include "random.h"
 
 enum { CASES = 8000, GROUP = 6, MASKS = 4, ENVIRONMENTS = 16 };
 
 /* ------------------------------------------------------ random numbers -- */
 
-static uint64_t state;
-
-/* [Steele, Lea, Flood 2014]: the numbers of SplitMix64. */
-static uint64_t draw(void)
-{
-    uint64_t x = state += UINT64_C(0x9e3779b97f4a7c15);
-    x = (x ^ x >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
-    x = (x ^ x >> 27) * UINT64_C(0x94d049bb133111eb);
-    return x ^ x >> 31;
-}
+static uint64_t stream;
 
 static int whole(int low, int high)
 {
-    return low + (int)((draw() >> 33) % (uint64_t)(high - low + 1));
+    return low + random_int(&stream, high - low + 1);
 }
 
 static double power(int e)
@@ -50,7 +43,7 @@ static double power(int e)
     return ldexp(1, e < -1074 ? -1074 : e > 1023 ? 1023 : e);
 }
 
-/* What the numbers of a group are about. */
+/* The exponents of the numbers of a group. */
 typedef enum { ANY_DIGITS, FEW_DIGITS, SCALED, SORTS } sort;
 
 struct sizes {
@@ -75,7 +68,7 @@ static double few_digits(const struct sizes *s)
 static double any_digits(const struct sizes *s)
 {
     const int where = whole(0, 9);
-    const double mantissa = 1 + (double)(draw() >> 12) * 0x1p-52;
+    const double mantissa = random_mantissa(&stream);
     const int e = where == 0 ? whole(-1074, 1023)
                              : s->about[where < 6 ? 0 : 1] + whole(-8, 8);
     if (whole(0, 7) == 0)
@@ -124,13 +117,13 @@ static void scale(double *x, int n, int e)
     }
 }
 
-/* An exact coincidence, or a neighbour of one, of another size. */
+/* An exact coincidence, or a neighbour of one, scaled to another size. */
 static void scaled_case(const struct sizes *s, struct family_case *c)
 {
     struct family_case base;
     double *x = c->shape_data;
     const int e = s->about[0], f = s->about[1];
-    constructed_base(draw(), 0, &base);
+    constructed_base(random_bits(&stream), 0, &base);
     if (whole(0, 1) ||
         !constructed_neighbour(&base,
                                whole(0, constructed_neighbours(&base) - 1), c))
@@ -185,8 +178,8 @@ static struct sizes any_sizes(void)
 static void draw_group(uint64_t seed, uint64_t index,
                        struct family_case group[GROUP])
 {
-    state = seed;
-    state = draw() + index;
+    stream = seed;
+    stream = random_bits(&stream) + index;
     const struct sizes s = any_sizes();
     for (int i = 0; i < GROUP; i++) {
         do {
@@ -201,7 +194,7 @@ static void draw_group(uint64_t seed, uint64_t index,
 
 /* ------------------------------------------------------------- answers -- */
 
-/* One answer; members that are not wanted are 0. */
+/* One answer; unwanted members are 0. */
 struct answer {
     int relation, n, part[2], side[2];
     uint64_t t[2]; /* bits */
@@ -226,8 +219,8 @@ struct answers {
     int occluded[GROUP][GROUP];
 };
 
-/* Questions in a group: those above, packs and scenes counted as asking every
- * shape once for nearest, count and any. */
+/* The number of questions in a group.  Nearest, count and any of a pack or scene
+ * count once for every shape. */
 enum { QUESTIONS = GROUP * GROUP * (1 + 2 + 3 + 3 + 1) + GROUP * (MASKS + 1) };
 
 static uint64_t bits_of(double x)
@@ -270,7 +263,7 @@ static const cylint_columns *at(struct columns *to, cylint_columns *columns)
     return columns;
 }
 
-/* Lines of doubles, for batches: a segment's direction as it is rounded. */
+/* Lines in columns, for batches; a segment has its rounded direction. */
 struct line_columns {
     double o[3][GROUP], d[3][GROUP], tmin[GROUP], tmax[GROUP];
 };
@@ -334,7 +327,8 @@ static void ask_scene(const struct family_case group[GROUP],
     }
 }
 
-/* Asks all of the group; a scene is made of the shapes unless given. */
+/* Answers all questions of the group.  Makes a scene of the shapes unless one is
+ * given. */
 static void ask(const struct family_case group[GROUP],
                 const struct line_columns *columns, const unsigned mask[MASKS],
                 cylint_scene *scene, struct answers *to)
@@ -393,7 +387,7 @@ static void show_firsts(const struct family_case *line, const struct answers *a,
 
 #define SAME(member) (memcmp(&a->member, &b->member, sizeof a->member) == 0)
 
-/* Reports what differs, pair by pair where that can be told. */
+/* Reports differences, by line and shape if possible. */
 static void compare(const struct family_case group[GROUP],
                     const struct answers *a, const struct answers *b)
 {
@@ -417,7 +411,8 @@ static void compare(const struct family_case group[GROUP],
         show(&group[0], &group[0], "pairs");
 }
 
-/* In one environment: batches, scenes and masks against one by one. */
+/* Compares batches, scenes and masks with single questions in one
+ * environment. */
 static void compare_calls(const struct family_case group[GROUP],
                           const unsigned mask[MASKS], const struct answers *a)
 {
@@ -475,7 +470,7 @@ static const char *name_of(int i)
 static uint64_t digest = UINT64_C(0xcbf29ce484222325);
 static unsigned long long n_single, n_met, n_hit;
 
-/* FNV-1a, of numbers that are alike on every machine. */
+/* FNV-1a of numbers that are the same on every machine. */
 static void digest_number(uint64_t x)
 {
     for (int i = 0; i < 8; i++)
@@ -509,8 +504,8 @@ static void use_kernels(uint64_t number)
     CHECK(cylint_use_kernels(cylint_kernels_name((int)(number % (uint64_t)n))));
 }
 
-/* A group in its environment, against the default one: odd groups are made
- * there as well, scenes included. */
+/* Compares a group in its environment with the default one.  Groups of odd
+ * number are also made in their environment, scenes included. */
 static void test_group(uint64_t index, int differences[ENVIRONMENTS])
 {
     struct family_case group[GROUP], here[GROUP];
@@ -548,7 +543,7 @@ static void test_group(uint64_t index, int differences[ENVIRONMENTS])
     cylint_scene_free(scene);
 }
 
-static void every_call_answers_the_same_in_every_environment(void)
+static void every_call_has_the_same_answers_in_every_environment(void)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", CASES);
     const uint64_t groups = (cases + QUESTIONS - 1) / QUESTIONS;
@@ -570,6 +565,6 @@ static void every_call_answers_the_same_in_every_environment(void)
 
 int main(void)
 {
-    RUN(every_call_answers_the_same_in_every_environment);
+    RUN(every_call_has_the_same_answers_in_every_environment);
     return check_end();
 }

@@ -89,12 +89,12 @@ sanitize: ## the tests under the address and undefined-behaviour sanitizers
 	  CFLAGS='-g -O1 $(sanitized)' CXXFLAGS='-g -O1 $(sanitized)'
 
 threaded := -g -O1 -fsanitize=thread
-thread_tests := $(BUILD)/cylint $(BUILD)/tests/faulty $(BUILD)/tests/test_scene_tree \
+thread_tests := $(BUILD)/cylint $(BUILD)/tests/faulty $(BUILD)/tests/test_scene_bvh \
 	$(if $(EMBREE),$(BUILD)/tests/test_embree_threads) $(if $(PNG),$(BUILD)/cylint-render)
 thread_tests: $(thread_tests)
 check-threads: ## threads build and ask scenes, 8 workers, under the thread sanitizer
 	$(MAKE) BUILD=$(BUILD)/threads CFLAGS='$(threaded)' CXXFLAGS='$(threaded)' thread_tests
-	TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_scene_tree
+	TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_scene_bvh
 	$(if $(EMBREE),TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_embree_threads)
 	BUILD=$(BUILD)/threads WORKERS=8 sh tests/test_faults.sh
 	$(if $(PNG),BUILD=$(BUILD)/threads sh tests/render_threads.sh)

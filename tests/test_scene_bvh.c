@@ -1,5 +1,5 @@
 /*
- * test_scene_tree.c - the hierarchy's nodes, and builds by several threads
+ * test_scene_bvh.c - floor bvh: the nodes, and builds by several threads
  */
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +23,7 @@ static int make(cylint_bvh *bvh, const struct scene_shapes *of, int threads)
 /* Totals over all nodes. */
 struct visited {
     const cylint_bvh *bvh;
-    unsigned char *leaves; /* the number of parents of each leaf */
+    unsigned char *leaves; /* number of parents of each leaf */
     size_t nodes;
     size_t gaps; /* nodes that do not follow the last one in memory */
     int depth;
@@ -78,7 +78,7 @@ static void every_leaf_has_one_parent_and_nodes_have_no_gaps(void)
 
 /* Shapes that no split separates, and shapes of which each split separates
  * one. */
-static void scenes_without_good_splits_have_nodes_too(void)
+static void scenes_without_good_splits_have_correct_nodes(void)
 {
     enum { N = 3000 };
     static cylint_shape shapes[N];
@@ -97,7 +97,7 @@ static void scenes_without_good_splits_have_nodes_too(void)
 
 /* -------------------------------------------------------------- threads -- */
 
-/* Enough shapes for five threads; some calls want more. */
+/* Enough shapes for five threads; some calls use more. */
 static void any_number_of_threads_builds_the_same_bytes(void)
 {
     static const int kinds[] = {SCENE_FIBRES, SCENE_MIXED, SCENE_FAT};
@@ -173,7 +173,7 @@ static void scenes_of_several_threads_answer_as_those_of_one(void)
 int main(void)
 {
     RUN(every_leaf_has_one_parent_and_nodes_have_no_gaps);
-    RUN(scenes_without_good_splits_have_nodes_too);
+    RUN(scenes_without_good_splits_have_correct_nodes);
     RUN(any_number_of_threads_builds_the_same_bytes);
     RUN(the_first_refused_shape_is_reported);
     RUN(scenes_of_several_threads_answer_as_those_of_one);
