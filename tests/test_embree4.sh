@@ -14,6 +14,5 @@ mkdir -p "$folder/src" &&
     cp -pr "$build/src/." "$folder/src" &&
     rm -rf "$folder/src/scene" "$folder/src/embree" "$folder/src/bvh" &&
     make -s -C "$here/.." BUILD="$folder" EMBREE=4 \
-        CPPFLAGS="$CPPFLAGS -Werror=implicit-function-declaration" \
-        EMBREE_CFLAGS='-Itests/embree4' \
+        EMBREE_CFLAGS='-Itests/embree4 -Werror=implicit-function-declaration' \
         EMBREE_LIBS="$library -Wl,-rpath,$(dirname "$library")" check-embree
