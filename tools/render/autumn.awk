@@ -2,14 +2,14 @@
 #
 #   awk -v trees=48 -f autumn.awk > forest.scene
 #
-# Broadleaves are branches of frusta, forking, and leaves, thin elliptic
-# cylinders; spruces are a stem, whorls of drooping branches and twigs, all
-# frusta and cones; fallen leaves and grass lie and stand between them.  Each
-# shape has its colour.  z is up, all in metres.  About 4000 shapes a tree, on
-# 14 square metres each, twice as wide as deep.
+# A broadleaf tree has forking branches of frusta, and leaves of thin elliptic
+# cylinders.  A spruce has a stem, whorls of drooping branches and twigs, all
+# frusta and cones.  Fallen leaves and grass cover the ground.  Each shape has
+# its colour.  z is up, units are metres.  Each tree has about 4000 shapes and
+# 14 square metres of ground; the forest is twice as wide as deep.
 #
-# Random numbers are Lehmer's, x -> 16807 x mod 2^31 - 1 [Park & Miller 1988].
-# Forks keep the sum of their cross sections, as Leonardo saw.
+# Random numbers: x -> 16807 x mod 2^31 - 1 [Park & Miller 1988].  A fork keeps
+# the sum of the cross sections (Leonardo's rule).
 
 BEGIN {
     state = 2026
@@ -31,7 +31,7 @@ function random(low, high)
 
 # ------------------------------------------------------------------ shapes --
 
-# The colour of three shares of light, each up to 255, a little varied.
+# A colour from red, green and blue up to 255, varied a little.
 function colour(red, green, blue, spread,   f)
 {
     f = random(1 - spread, 1 + spread)
@@ -51,8 +51,8 @@ function frustum(x0, y0, z0, r0, x1, y1, z1, r1, tint)
            x0, y0, z0, r0, x1, y1, z1, r1, tint
 }
 
-# An ellipse of half axes 1 and 0.6 times `size`, as good as flat, in the
-# plane of the unit vectors p and q, both square to n.
+# A very thin ellipse with the semi-axes size and 0.6 size, in the plane of the
+# unit vectors p and q, which are perpendicular to n.
 function leaf(x, y, z, size, nx, ny, nz, tint,   k, turn, c, s, a, b)
 {
     k = sqrt(nx * nx + ny * ny + nz * nz)
@@ -73,7 +73,7 @@ function leaf(x, y, z, size, nx, ny, nz, tint,   k, turn, c, s, a, b)
 
 # ------------------------------------------------------------------- trees --
 
-# Places are tried until one is free; small groups stand closer.
+# Tries up to 200 places for one at least 2.2 m from the last 400 trees.
 function plant(n,   x, y, i, crowded, tries)
 {
     do {
@@ -106,7 +106,7 @@ function broadleaf(x, y, height,   kind)
            0.016 * height, 0.30 * height, 0)
 }
 
-# A branch from x, y, z along d, which bends towards the light, then forks.
+# A branch from x, y, z along d.  It bends towards the light, then forks.
 function branch(x, y, z, dx, dy, dz, r, len, level,
                 i, k, x1, y1, z1, r1, forks, ex, ey, ez, turn, open)
 {
@@ -129,7 +129,7 @@ function branch(x, y, z, dx, dy, dz, r, len, level,
     turn = random(0, 2 * pi)
     for (i = 0; i < forks; i++) {
         open = random(0.45, 0.85)
-        # square to d, all round it
+        # perpendicular to d, evenly around it
         turn += 2 * pi / forks + random(-0.3, 0.3)
         aside(dx, dy, dz, turn)
         branch(x, y, z, dx + open * side_x, dy + open * side_y,
@@ -138,7 +138,7 @@ function branch(x, y, z, dx, dy, dz, r, len, level,
     }
 }
 
-# A unit vector square to d, `turn` about it.
+# A unit vector perpendicular to d, at the angle `turn` about it.
 function aside(dx, dy, dz, turn,   k, px, py, pz, qx, qy, qz)
 {
     k = sqrt(dx * dx + dz * dz) + 1e-9
@@ -176,7 +176,7 @@ function spruce(x, y, height,   z, r, reach, i, count, turn, a)
 
 # A drooping branch with twigs on both sides, shorter towards its tip.
 function spray(x, y, z, a, reach,
-               steps, i, t, s, x1, y1, z1, tint, way, twig)
+               steps, i, t, s, x1, y1, z1, tint, heading, twig)
 {
     steps = int(reach / 0.16) + 2
     frustum(x, y, z, 0.012 + 0.006 * reach, x + reach * cos(a),
@@ -188,10 +188,10 @@ function spray(x, y, z, a, reach,
         z1 = z - 0.22 * reach * t
         twig = 0.10 + 0.36 * reach * (1.05 - t)
         for (s = -1; s <= 1; s += 2) {
-            way = a + s * random(0.6, 0.95)
+            heading = a + s * random(0.6, 0.95)
             tint = colour(58, 92, 58, 0.25)
-            frustum(x1, y1, z1, 0.045, x1 + twig * cos(way),
-                    y1 + twig * sin(way), z1 - twig * random(0.05, 0.35),
+            frustum(x1, y1, z1, 0.045, x1 + twig * cos(heading),
+                    y1 + twig * sin(heading), z1 - twig * random(0.05, 0.35),
                     0, tint)
         }
     }
