@@ -1,13 +1,13 @@
 #!/bin/sh
-# The command's answers, byte by byte, from every compiler, optimisation and
-# processor that can be had here: relation, n, t, part and side must be the
-# same everywhere; for what is derived from t, columns that differ are listed.
-# Where the command cannot be built, the library's answers are compared, as
-# tests/answers.c prints them.  Then the C tests run that are about a system or
-# a compiler: under Windows (wine), and with subnormals flushed.
-# Input: hard.txt, and CYLINT_CASES (100000) records of all families with
-# CYLINT_SEED (1).  Called by `make check-cross`; takes some minutes.  What a
-# compiler or an emulator is missing for is skipped (make deps-cross).
+# Compares the command's answers from every compiler, optimisation and processor
+# of this machine (make check-cross; takes some minutes).  relation, n, t, part
+# and side must be the same bytes everywhere; of the columns derived from t those
+# that differ are listed.  Where the command cannot be built, the library's
+# answers are compared, which tests/answers.c prints.  Then the C tests about
+# systems and compilers run: under Windows (wine), and with subnormals flushed.
+# The input is hard.txt and CYLINT_CASES (100000) records of all families with
+# CYLINT_SEED (1).  Parts without their compiler or emulator are skipped; `make
+# deps-cross` installs them.
 here=$(dirname "$0")
 build=${BUILD:-build}/cross
 records=${BUILD:-build}/tests/records
@@ -15,7 +15,7 @@ mkdir -p "$build" || exit 1
 build=$(cd "$build" && pwd)
 passed=0 failed=0 skipped=0
 
-# The makes started here are no part of the one that runs this.
+# The makes started here do not share the jobs of the make that runs this.
 MAKEFLAGS=$(printf '%s' "$MAKEFLAGS" | sed 's/ *--jobserver-[a-z]*=[^ ]*//g')
 export MAKEFLAGS
 unset MFLAGS
@@ -26,8 +26,8 @@ export WINEPREFIX WINEDEBUG
 exact=relation,n,t0,t1,part0,part1,side0,side1
 derived=x0,y0,z0,nx0,ny0,nz0,h0,phi0,x1,y1,z1,nx1,ny1,nz1,h1,phi1,chord
 
-# gcc -m32 without gcc-multilib, which Debian does not install beside cross
-# compilers, looks for the kernel's headers nowhere.
+# gcc -m32 without gcc-multilib, which Debian cannot install beside cross
+# compilers, does not find the kernel's headers.
 kernel_headers="-idirafter /usr/include/$(gcc -print-multiarch 2>/dev/null)"
 
 # name | compiler | its flags | flags to link | what runs the program
@@ -49,7 +49,7 @@ s390x, big-endian (qemu)|s390x-linux-gnu-gcc|-O2|-static|qemu-s390x
 END
 }
 
-# what answers without the command, in the same form
+# prints the library's answers in the form of the command's
 libraries() {
     cat <<END
 tcc, without the Makefile|tcc|-O2||
@@ -77,7 +77,7 @@ usable() {
     $4 "$build/probe" 2>/dev/null || { echo 'its programs do not run'; return 1; }
 }
 
-# folder_of NAME: where its build goes
+# folder_of NAME: the folder of its build
 folder_of() {
     printf '%s/%s' "$build" "$(printf '%s' "$1" | tr -c 'a-zA-Z0-9\n' _)"
 }
@@ -110,7 +110,7 @@ result() { # name status
     fi
 }
 
-# answers FOLDER COLUMNS RUNNER: asks, into FOLDER/answers
+# answers FOLDER COLUMNS RUNNER: writes the answers to FOLDER/answers
 answers() {
     $3 "$1/cylint" -x -f "$2" "$build/input" >"$1/answers" 2>"$1/messages"
     status=$?
@@ -235,7 +235,7 @@ done <"$build/table"
 
 # ----------------------------------------------------------- tests of systems --
 
-# tests_pass NAME RUNNER TEST...: what is skipped says why
+# tests_pass NAME RUNNER TEST...: skipped tests print their reason
 tests_pass() {
     name=$1 runner=$2
     shift 2

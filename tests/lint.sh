@@ -1,5 +1,5 @@
 #!/bin/sh
-# What tools other than the compiler say of the sources: cppcheck, clang-tidy,
+# Checks the sources with other tools than the compiler: cppcheck, clang-tidy,
 # gcc's analyzer, sh -n, mandoc; whether includes and calls point down the
 # ladder; and how the sources look: clang-format, tabs, blanks at line ends,
 # width, file length.  A tool that is not installed is named and its check

@@ -1,19 +1,19 @@
 #!/bin/sh
-# Runs every test given as an argument, shows what fails, adds the counts up.
-# A test is a program or a .sh file; its last line says `N passed, N failed`;
-# exit status 77 means it was skipped, for the reason it printed.
+# Runs every test given as an argument, prints failures and adds up the counts.
+# A test is a program or a .sh file.  Its last line is `N passed, N failed`; exit
+# status 77 means skipped, for the reason that it printed.
 #
-# A reason or a note that ends with `(make deps)` is about something that
-# `make deps` installs, and so are the words in $MISSING.  These are listed
-# before the last line.  With CI=true each of them is a failure.
+# `make deps` installs what a reason or a note that ends with `(make deps)` names,
+# and the packages in $MISSING.  These are listed before the last line.  With
+# CI=true each of them is a failure.
 
-# A make that a test starts is no part of the one that runs this.
+# A make that a test starts does not share the jobs of the make that runs this.
 MAKEFLAGS=$(printf '%s' "$MAKEFLAGS" | sed 's/ *--jobserver-[a-z]*=[^ ]*//g')
 export MAKEFLAGS
 unset MFLAGS
 
 passed=0 failed=0 skipped=0 untested=
-untested() { # text: something was not tested for want of what deps installs
+untested() { # TEXT: not tested, because a package of `make deps` is missing
     untested="$untested
 not tested: $1"
     [ "$CI" = true ] && failed=$((failed + 1))

@@ -1,13 +1,14 @@
 #!/bin/sh
-# The Makefile: probes run after `deps`, what they find reaches the objects,
-# nothing is compiled twice, and a test that could not run is named.
+# Floor tools: the Makefile runs its probes after `deps`, objects depend on what
+# the probes find, nothing is compiled twice, and tests that could not run are
+# named.
 . "$(dirname "$0")/verdict.sh"
 make=${MAKE:-make}
 real=${CC:-cc}
 unset MPFR GSL
 
-# A machine whose packages lack MPFR until apt-get installs them: a compiler
-# that finds no mpfr.h, and package tools that only note that they were called.
+# A machine without MPFR until apt-get installs it: a compiler that finds no
+# mpfr.h, and package tools that only record their calls.
 mkdir "$scratch/bin"
 cat > "$scratch/bin/dpkg-query" << END
 #!/bin/sh
@@ -32,12 +33,12 @@ END
 chmod +x "$scratch"/bin/*
 object=tests/test_ties.o
 
-# make_bare ARGUMENT...: in $scratch/b, what it prints goes to $scratch/said
+# make_bare ARGUMENT...: make in $scratch/b; its output goes to $scratch/output
 make_bare()
 {
     PATH=$scratch/bin:$PATH $make -C "$top" BUILD="$scratch/b" \
         CC="$scratch/bin/bare-cc" CFLAGS="${flags:--O0}" "$@" \
-        > "$scratch/said" 2>&1 || { cat "$scratch/said"; return 1; }
+        > "$scratch/output" 2>&1 || { cat "$scratch/output"; return 1; }
 }
 
 $make -C "$top" BUILD="$scratch/none" help | grep -q '^demo' &&
@@ -46,56 +47,56 @@ verdict help_builds_nothing $?
 
 make_bare "$scratch/b/$object" && grep -q '^MPFR ?= *$' "$scratch/b/config.mk" &&
     ! grep -q HAVE_MPFR "$scratch/b/tests/flags"
-verdict what_is_missing_is_not_used $?
-make_bare "$scratch/b/$object" && ! grep -q '^CC ' "$scratch/said"
+verdict missing_packages_are_not_used $?
+make_bare "$scratch/b/$object" && ! grep -q '^CC ' "$scratch/output"
 verdict nothing_is_compiled_twice $?
 make_bare deps "$scratch/b/$object" &&
     grep -q '^MPFR ?= yes' "$scratch/b/config.mk" &&
-    grep -q "^CC tests/test_ties.c" "$scratch/said"
-verdict what_deps_installs_is_compiled_in_by_the_same_run $?
+    grep -q "^CC tests/test_ties.c" "$scratch/output"
+verdict packages_from_deps_are_used_by_the_same_run $?
 rm -rf "$scratch/b" "$scratch/installed"
 make_bare -j4 deps "$scratch/b/$object" &&
     grep -q HAVE_MPFR "$scratch/b/tests/flags"
-verdict and_so_it_is_by_parallel_jobs $?
-make_bare "$scratch/b/$object" && ! grep -q '^CC ' "$scratch/said"
-verdict and_not_compiled_again_by_the_next $?
+verdict packages_from_deps_are_used_by_parallel_jobs $?
+make_bare "$scratch/b/$object" && ! grep -q '^CC ' "$scratch/output"
+verdict the_next_run_compiles_nothing $?
 
 flags=-O1
-make_bare "$scratch/b/$object" && grep -qx 'CC tests/test_ties.c' "$scratch/said"
+make_bare "$scratch/b/$object" && grep -qx 'CC tests/test_ties.c' "$scratch/output"
 verdict other_flags_compile_again $?
 flags=-O0
-make_bare V=1 "$scratch/b/$object" && grep -q -e "-O0.*-c -o.*$object" "$scratch/said"
+make_bare V=1 "$scratch/b/$object" && grep -q -e "-O0.*-c -o.*$object" "$scratch/output"
 verdict V_1_prints_commands $?
-! grep -i 'warning' "$scratch/said"
-verdict make_warns_of_nothing $?
+! grep -i 'warning' "$scratch/output"
+verdict make_prints_no_warning $?
 
-# systems that are not here
+# other systems
 $make -n -C "$top" BUILD="$scratch/none" MACHINE=arm64-apple-darwin23 CC="$real" \
-    PREFIX=/opt all > "$scratch/said" 2>&1 &&
-    grep -q -e '-dynamiclib -install_name /opt/lib/libcylint\.0\.dylib' "$scratch/said" &&
-    ! grep -q -e '-soname' "$scratch/said"
-verdict macos_has_its_way_of_shared_libraries $?
+    PREFIX=/opt all > "$scratch/output" 2>&1 &&
+    grep -q -e '-dynamiclib -install_name /opt/lib/libcylint\.0\.dylib' "$scratch/output" &&
+    ! grep -q -e '-soname' "$scratch/output"
+verdict macos_links_shared_libraries_with_its_options $?
 $make -n -C "$top" BUILD="$scratch/none" MACHINE=x86_64-w64-mingw32 CC="$real" \
-    all > "$scratch/said" 2>&1 &&
-    grep -q -e '--out-implib,[^ ]*libcylint\.dll\.a' "$scratch/said"
-verdict windows_has_its_way_of_shared_libraries $?
+    all > "$scratch/output" 2>&1 &&
+    grep -q -e '--out-implib,[^ ]*libcylint\.dll\.a' "$scratch/output"
+verdict windows_links_shared_libraries_with_its_options $?
 
-# a test that wants a package is named, and fails where CI=true
+# a test without its package is named, and fails with CI=true
 printf '#!/bin/sh\necho "no MPFR: no oracle (make deps)"\nexit 77\n' \
     > "$scratch/lacks.sh"
 printf '#!/bin/sh\necho "no disk can be filled"\nexit 77\n' > "$scratch/other.sh"
 MISSING=Embree CI='' sh tests/run.sh "$scratch/lacks.sh" "$scratch/other.sh" \
-    > "$scratch/said" &&
-    grep -q '^not tested: .*lacks.sh: no MPFR' "$scratch/said" &&
-    grep -q '^not tested: what needs Embree' "$scratch/said" &&
-    grep -q 'make deps' "$scratch/said" &&
-    [ "$(tail -n 1 "$scratch/said")" = '0 passed, 0 failed, 2 skipped' ]
-verdict what_was_not_tested_is_named_at_the_end $?
+    > "$scratch/output" &&
+    grep -q '^not tested: .*lacks.sh: no MPFR' "$scratch/output" &&
+    grep -q '^not tested: what needs Embree' "$scratch/output" &&
+    grep -q 'make deps' "$scratch/output" &&
+    [ "$(tail -n 1 "$scratch/output")" = '0 passed, 0 failed, 2 skipped' ]
+verdict skipped_tests_are_named_at_the_end $?
 MISSING=Embree CI=true sh tests/run.sh "$scratch/lacks.sh" "$scratch/other.sh" \
-    > "$scratch/said"
-[ $? -ne 0 ] && [ "$(tail -n 1 "$scratch/said")" = '0 passed, 2 failed, 2 skipped' ]
-verdict with_CI_it_fails $?
-MISSING='' CI=true sh tests/run.sh "$scratch/other.sh" > "$scratch/said"
+    > "$scratch/output"
+[ $? -ne 0 ] && [ "$(tail -n 1 "$scratch/output")" = '0 passed, 2 failed, 2 skipped' ]
+verdict with_CI_a_missing_package_fails $?
+MISSING='' CI=true sh tests/run.sh "$scratch/other.sh" > "$scratch/output"
 verdict with_CI_other_reasons_do_not_fail $?
 
 check_end

@@ -1,16 +1,16 @@
 #!/bin/sh
-# Runs the transcripts of tests/cli.txt and the manuals' examples, and sees to
-# it that no option, word or column is without a transcript.
+# Floor command: the transcripts of tests/cli.txt and the examples of the manuals
+# give their output, and every option, word and column has a transcript.
 #
-# A transcript is `$ command`, then the expected output; `! text` is a line
-# of standard error, `? N` the exit status (0 if not said).  `(empty)` stands
-# for an empty line, a blank line ends the transcript, and what stands
-# between transcripts is comment.  All commands share one scratch folder.
+# A transcript is `$ command` and the expected output.  `! text` is a line of
+# standard error, `? N` the exit status (default 0), `(empty)` an empty line.  A
+# blank line ends the transcript; text between transcripts is comment.  All
+# commands run in one scratch folder.
 . "$(dirname "$0")/verdict.sh"
 mkdir "$scratch/work"
 PATH=$build:$top/tools/convert:$PATH
 
-# Runs $command, compares with the files expected.out and expected.err.
+# Runs $command and compares its output with expected.out and expected.err.
 finish() {
     [ -n "$command" ] || return
     (cd "$scratch/work" && sh -c "$command") </dev/null \
@@ -46,7 +46,7 @@ run_transcripts() { # name; transcripts on standard input
     finish
 }
 
-# The literal displays of an mdoc page that hold a command, unescaped.
+# Prints, unescaped, the literal displays of a manual that have a command.
 examples() {
     awk '/^\.Bd -literal/ { show = 1; next }
          /^\.Ed/ { show = 0; print "" }

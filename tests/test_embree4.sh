@@ -1,6 +1,6 @@
 #!/bin/sh
-# The tests of the adapter and of scenes once more, on Embree 4, where it can
-# be had (tests/embree4/fetch.sh).  EMBREE4=no: not even asked for.
+# Floors scene and embree: their tests on Embree 4, if tests/embree4/fetch.sh gets
+# it.  EMBREE4=no skips them without a download.
 here=$(dirname "$0")
 build=${BUILD:-build}
 folder=$build/embree4
@@ -9,7 +9,7 @@ library=$(sh "$here/embree4/fetch.sh" "$folder/wheel")
 status=$?
 [ $status -eq 0 ] || { echo "$library"; exit $status; }
 library=$(cd "$(dirname "$library")" && pwd)/$(basename "$library")
-# the library proper is the same: its objects need not be compiled again
+# libcylint is the same, so its objects are not compiled again
 mkdir -p "$folder/src" &&
     cp -pr "$build/src/." "$folder/src" &&
     rm -rf "$folder/src/scene" "$folder/src/embree" "$folder/src/bvh" &&

@@ -1,6 +1,6 @@
 /*
- * test_embree_layout.c - floor embree: rays, hits and arguments have the declared
- * layout
+ * test_embree_layout.c - floor embree: rays, hits and arguments have the
+ * declared layout
  *
  * The adapter is not tested: rays with a known pattern around them hit one of
  * Embree's own curves in an instance.  With a wrong declaration, possible for a

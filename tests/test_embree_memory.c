@@ -1,5 +1,6 @@
 /*
- * test_embree_memory.c - floor embree: refused allocations leave no memory behind
+ * test_embree_memory.c - floor embree: refused allocations leave no memory
+ * behind
  *
  * The adapter allocates from the device, whose memory monitor refuses one
  * allocation after the other.

@@ -1,5 +1,6 @@
 /*
- * test_embree_packets.c - floor embree: packets return the answers to the rays alone
+ * test_embree_packets.c - floor embree: packets return the answers to the rays
+ * alone
  *
  * All, some or none of the rays of a packet go the same way through all kinds of
  * scenes.  Every word of every answer is compared with the answer to the ray

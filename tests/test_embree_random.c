@@ -1,5 +1,6 @@
 /*
- * test_embree_random.c - floor embree: random rays have the answers of brute force
+ * test_embree_random.c - floor embree: random rays have the answers of brute
+ * force
  *
  * All kinds of lines through all kinds of scenes, as float rays, compared with
  * cylint_nearest() on the same floats.  From within three sizes of the scene

@@ -1,6 +1,6 @@
 /*
- * test_embree_shapes.c - floor embree: shapes of a geometry move, change, have a
- * box, or are refused with their number
+ * test_embree_shapes.c - floor embree: shapes of a geometry move, change, have
+ * a box, or are refused with their number
  */
 #include <math.h>
 #include <string.h>

@@ -1,27 +1,24 @@
 #!/bin/sh
-# Nothing is lost, reordered or altered when the system serves the command
-# badly, and when it fails the command says so and stops at a line's end.
-# What the system does wrong is said in tests/faults.c; tests/test_hostile.sh
-# has hostile input and the failures that any shell can make.
+# Floor command: when system calls are short, interrupted or late, no answer is
+# lost, reordered or changed; when they fail, the command prints a message and
+# stops at the end of a line.  tests/faults.c makes the calls fail.
+# tests/test_hostile.sh has hostile input and the failures that a shell can make.
 . "$(dirname "$0")/verdict.sh"
-[ -x "$build/tests/faulty" ] || {
-    echo "no linker that wraps calls"
-    exit 77
-}
+[ -x "$build/tests/faulty" ] || skip_all 'no linker that wraps calls'
 cd "$scratch" || exit 1
 cylint=$build/cylint faulty=$build/tests/faulty
 : "${WORKERS:=1 2}"
 
-judge() { # NAME; fails if $wrong is not empty
+judged() { # NAME; fails if $wrong is not empty
     [ -z "$wrong" ]
     verdict "$1:$wrong" $?
     wrong=
 }
 
-# ------------------------------------------------------------ the inputs --
+# ---------------------------------------------------------------- inputs --
 
-# Records of all kinds with their number as a tail; some are bad, some lines
-# are none.
+# Records of all kinds with their number as a tail; some are bad, and some lines
+# are comments or blank.
 awk 'function num(most) { return sprintf("%.17g", (2 * rand() - 1) * most) }
 function three(most) { return num(most) " " num(most) " " num(most) }
 BEGIN {
@@ -51,12 +48,12 @@ awk 'BEGIN { srand(5); for (i = 1; i <= 4000; i++) print (i % 999 ? "ray" : "way
     i % 3 ? "-1 q" i : "-1 not=s" i % 150 " q" i }' >rays
 awk 'BEGIN { for (i = 0; i < 2500; i++) print i, 0, i % 20, int(i / 20) % 20,
     i % 7 / 9, i / 9000, i ? int((i - 1) * 0.99) : -1 }' >neuron.swc
-# The hits of the pairs are 13 doubles each: rays and cylinders once more.
+# The hits of the pairs are 13 doubles each; they serve as rays and cylinders.
 "$cylint" --binary-out -f x0,y0,z0,nx0,ny0,nz0,x1,y1,z1,nx1,ny1,nz1,chord \
     pairs >doubles 2>/dev/null
 
 jobs='pairs scene binary'
-ask() { # PROGRAM JOB [OPTION]...: reads standard input
+answer() { # PROGRAM JOB [OPTION]...: reads standard input
     program=$1 job=$2
     shift 2
     case $job in
@@ -70,10 +67,10 @@ input_of() {
     case $1 in pairs) echo pairs ;; scene | neuron) echo rays ;; binary) echo doubles ;; esac
 }
 
-# What is right is what one worker answers when nothing goes wrong; that the
-# pairs are all there, in order, is seen by their tails.
+# One worker without failures gives the expected answers.  The tails show that
+# they are complete and in order.
 for job in $jobs neuron; do
-    ask "$cylint" $job -j 1 <"$(input_of $job)" >$job.out 2>$job.err
+    answer "$cylint" $job -j 1 <"$(input_of $job)" >$job.out 2>$job.err
     [ $? -eq 1 ] && [ -s $job.out ] && [ "$(wc -l <$job.err)" -ge 4 ] ||
         wrong="$wrong $job"
 done
@@ -81,11 +78,11 @@ cut -f 8 pairs.out | grep -v '^$' >ids
 awk 'BEGIN { for (i = 1; i <= 9000; i++) if (i % 701) print "r" i }' | cmp -s - ids ||
     wrong="$wrong ids"
 [ "$(wc -l <pairs.out)" -eq 9000 ] || wrong="$wrong count"
-judge 'what is right has every record in its place'
+judged 'the expected answers have all records in order'
 
-# ----------------------------------------------------- served, but badly --
+# ------------------------------------- short, interrupted and late calls --
 
-same() { # JOB STATUS WHAT: out and err are what is right
+same() { # JOB STATUS WHAT: out and err are as expected
     [ "$2" -eq 1 ] || wrong="$wrong $3: status $2;"
     cmp -s $1.out out || wrong="$wrong $3: other answers;"
     cmp -s $1.err err || wrong="$wrong $3: other messages;"
@@ -94,16 +91,16 @@ same() { # JOB STATUS WHAT: out and err are what is right
 badly() { # NAME FAULTS: from a file and through a pipe
     for job in $jobs; do
         for j in $WORKERS; do
-            CYLINT_FAULTS=$2 ask "$faulty" $job -j $j <"$(input_of $job)" >out 2>err
+            CYLINT_FAULTS=$2 answer "$faulty" $job -j $j <"$(input_of $job)" >out 2>err
             same $job $? "$job -j $j from a file"
             { cat "$(input_of $job)" | {
-                CYLINT_FAULTS=$2 ask "$faulty" $job -j $j 2>err
+                CYLINT_FAULTS=$2 answer "$faulty" $job -j $j 2>err
                 echo $? >code
             }; } | cat >out
             same $job "$(cat code)" "$job -j $j from a pipe"
         done
     done
-    judge "$1"
+    judged "$1"
 }
 
 badly 'wrapped calls that do no harm' 'leaks=1'
@@ -119,7 +116,7 @@ for seed in 2 3; do
 done
 
 for j in $WORKERS; do
-    ask "$faulty" pairs -j $j <pairs >out 2>err &
+    answer "$faulty" pairs -j $j <pairs >out 2>err &
     pid=$!
     while kill -STOP $pid && kill -CONT $pid; do
         :
@@ -127,12 +124,12 @@ for j in $WORKERS; do
     wait $pid
     same pairs $? "-j $j"
 done
-judge 'stopped and continued all the time'
+judged 'stopped and continued all the time'
 
-# A writer of single bytes, with pauses that let the reader starve: few calls
-# are to be made meanwhile, or it does not wait but ask again and again.
+# A writer of single bytes with pauses.  The command must wait for them; with too
+# many calls it polls instead.
 head -n 3 pairs | cut -c 1-60 >few
-ask "$cylint" pairs <few >few.out 2>few.err
+answer "$cylint" pairs <few >few.out 2>few.err
 for j in $WORKERS; do
     { i=1
     while [ $i -le "$(wc -c <few)" ]; do
@@ -140,20 +137,20 @@ for j in $WORKERS; do
         [ $((i % 20)) -ne 0 ] || sleep 0.02
         i=$((i + 1))
     done; } | {
-        CYLINT_FAULTS='nonblock=1 calls=1000' ask "$faulty" pairs -j $j >out 2>err
+        CYLINT_FAULTS='nonblock=1 calls=1000' answer "$faulty" pairs -j $j >out 2>err
         echo $? >code
     }
     same few "$(cat code)" "-j $j"
 done
-judge 'single bytes, from a pipe that does not block'
+judged 'single bytes, from a pipe that does not block'
 
-# A reader that sleeps while the pipe to it fills up.
+# A reader that sleeps while its pipe becomes full.
 for j in $WORKERS; do
-    { CYLINT_FAULTS='nonblock=1 calls=2000' ask "$faulty" scene -j $j <rays 2>err
+    { CYLINT_FAULTS='nonblock=1 calls=2000' answer "$faulty" scene -j $j <rays 2>err
     echo $? >code; } | { sleep 0.3; cat >out; }
     same scene "$(cat code)" "-j $j"
 done
-judge 'a slow reader of a pipe that does not block'
+judged 'a slow reader of a pipe that does not block'
 
 # ------------------------------------------------------------- failures --
 
@@ -166,57 +163,56 @@ first_lines() { # JOB LINES WHAT: out is the first lines of what is right
     head -n "$2" $1.out | cmp -s - out || wrong="$wrong $3: other answers;"
 }
 
-# The records that were read whole are answered, whatever was read of the
-# next one.
+# Complete records are answered, whatever part of the next one was read.
 whole=$(head -n 5000 pairs | wc -c)
 for bytes in 0 1 $((whole - 1)) $whole $((whole + 1)) 262144; do
     lines=$(head -n "$(head -c $bytes pairs | wc -l)" pairs | grep -c '^[a-z]')
     for j in $WORKERS; do
-        CYLINT_FAULTS="read=$bytes short=5" ask "$faulty" pairs -j $j <pairs >out 2>err
+        CYLINT_FAULTS="read=$bytes short=5" answer "$faulty" pairs -j $j <pairs >out 2>err
         stopped $? 3 'stdin: Input/output error' "$bytes -j $j"
         first_lines pairs "$lines" "$bytes -j $j"
     done
 done
-judge 'a read that fails in mid-file'
+judged 'a read that fails in mid-file'
 
 for j in $WORKERS; do
-    CYLINT_FAULTS="read=$(($(wc -c <shapes) - 5))" ask "$faulty" scene -j $j <rays >out 2>err
+    CYLINT_FAULTS="read=$(($(wc -c <shapes) - 5))" answer "$faulty" scene -j $j <rays >out 2>err
     stopped $? 3 'shapes: Input/output error' "-j $j"
     first_lines scene 0 "-j $j"
-    CYLINT_FAULTS="read=$(($(wc -c <neuron.swc) - 5))" ask "$faulty" neuron -j $j <rays >out 2>err
+    CYLINT_FAULTS="read=$(($(wc -c <neuron.swc) - 5))" answer "$faulty" neuron -j $j <rays >out 2>err
     stopped $? 3 'neuron.swc: Input/output error' "-j $j"
     first_lines neuron 0 "-j $j"
 done
-judge 'a read that fails in the scene'
+judged 'a read that fails in the scene'
 
 for j in $WORKERS; do
     for bytes in 0 1 100000; do
-        CYLINT_FAULTS="write=$bytes short=6 eintr=6" ask "$faulty" pairs -j $j \
+        CYLINT_FAULTS="write=$bytes short=6 eintr=6" answer "$faulty" pairs -j $j \
             <pairs >out 2>err
         stopped $? 3 'standard output: No space left on device' "$bytes -j $j"
         first_lines pairs "$(head -c $bytes pairs.out | wc -l)" "$bytes -j $j"
-        CYLINT_FAULTS="write=$bytes" ask "$faulty" binary -j $j <doubles >out 2>err
+        CYLINT_FAULTS="write=$bytes" answer "$faulty" binary -j $j <doubles >out 2>err
         stopped $? 3 'standard output: No space left on device' "$bytes -j $j"
         head -c $((bytes / 32 * 32)) binary.out | cmp -s - out ||
             wrong="$wrong $bytes -j $j: other rows;"
-        CYLINT_FAULTS="write=$bytes" ask "$faulty" pairs -j $j <pairs 2>err | cat >out
+        CYLINT_FAULTS="write=$bytes" answer "$faulty" pairs -j $j <pairs 2>err | cat >out
         head -c $bytes pairs.out | cmp -s - out || wrong="$wrong $bytes -j $j: other bytes;"
     done
-    CYLINT_FAULTS='close=1' ask "$faulty" pairs -j $j -o out <few 2>err
-    CYLINT_FAULTS='close=1' ask "$faulty" pairs -j $j <few >out 2>err
+    CYLINT_FAULTS='close=1' answer "$faulty" pairs -j $j -o out <few 2>err
+    CYLINT_FAULTS='close=1' answer "$faulty" pairs -j $j <few >out 2>err
     stopped $? 3 'standard output: Input/output error' "close -j $j"
 done
-judge 'a write or a close that fails'
+judged 'a write or a close that fails'
 
-# Ten thousand bytes are where a file must end, and 64 KiB where the disk does.
+# A file may have ten thousand bytes, the disk 64 KiB.
 for j in $WORKERS; do
-    (ulimit -f 20; trap '' XFSZ; ask "$cylint" pairs -j $j -o limited <pairs 2>err)
+    (ulimit -f 20; trap '' XFSZ; answer "$cylint" pairs -j $j -o limited <pairs 2>err)
     stopped $? 3 'limited: File too large' "-j $j"
     mv limited out
     [ -s out ] || wrong="$wrong -j $j: nothing;"
     first_lines pairs "$(wc -l <out)" "-j $j"
     if mkdir -p disk && mount -t tmpfs -o size=64k none disk 2>/dev/null; then
-        ask "$cylint" pairs -j $j -o disk/full <pairs 2>err
+        answer "$cylint" pairs -j $j -o disk/full <pairs 2>err
         stopped $? 3 'disk/full: No space left on device' "-j $j"
         mv disk/full out
         [ "$(wc -c <out)" -ge 60000 ] || wrong="$wrong disk -j $j: not full;"
@@ -226,18 +222,18 @@ for j in $WORKERS; do
         echo 'note: no disk can be made and filled here'
     fi
 done
-judge 'a file that may not grow, a disk that is full'
+judged 'a file that may not grow, a disk that is full'
 
-# For every n: the n-th allocation fails, alone or with all after it.
+# For every n the n-th allocation fails, alone or with all later ones.
 for job in $jobs neuron; do
     for j in $WORKERS; do
-        CYLINT_FAULTS='count=1' ask "$faulty" $job -j $j <"$(input_of $job)" 2>&1 >out |
+        CYLINT_FAULTS='count=1' answer "$faulty" $job -j $j <"$(input_of $job)" 2>&1 >out |
             sed -n 's/^faults: \(.*\) allocations/\1/p' >count
         n=$(cat count) died=0
         [ "$n" -lt 1000 ] || n=1000
         while [ "$n" -gt 0 ]; do
             for fault in alloc allocs; do
-                CYLINT_FAULTS="$fault=$n leaks=1" ask "$faulty" $job -j $j \
+                CYLINT_FAULTS="$fault=$n leaks=1" answer "$faulty" $job -j $j \
                     <"$(input_of $job)" >out 2>err
                 status=$?
                 [ $status -ne 1 ] || { same $job 1 "$job -j $j $fault=$n"; continue; }
@@ -250,31 +246,31 @@ for job in $jobs neuron; do
         [ $died -ge 8 ] || wrong="$wrong $job -j $j: only $died of $(cat count) matter?"
     done
 done
-judge 'out of memory at the n-th allocation, for every n'
+judged 'out of memory at the n-th allocation, for every n'
 
 n=0
 while [ $n -lt 9 ]; do
     n=$((n + 1))
-    CYLINT_FAULTS="thread=$n leaks=1" ask "$faulty" pairs -j 4 <pairs >out 2>err
+    CYLINT_FAULTS="thread=$n leaks=1" answer "$faulty" pairs -j 4 <pairs >out 2>err
     same pairs $? "thread=$n"
 done
-CYLINT_FAULTS='pipe=1 leaks=1' ask "$faulty" pairs -j 4 <pairs >out 2>err
+CYLINT_FAULTS='pipe=1 leaks=1' answer "$faulty" pairs -j 4 <pairs >out 2>err
 same pairs $? 'no pipe'
-judge 'threads that cannot be made'
+judged 'threads that cannot be made'
 
 for j in $WORKERS; do
-    { ask "$cylint" pairs -j $j <pairs 2>err; echo $? >code; } | head -n 1 >out
+    { answer "$cylint" pairs -j $j <pairs 2>err; echo $? >code; } | head -n 1 >out
     [ "$(cat code)" -eq 141 ] && ! grep -v nonsense err ||
         wrong="$wrong status $(cat code);"
     first_lines pairs 1 "-j $j"
-    { (trap '' PIPE; ask "$cylint" pairs -j $j <pairs 2>err; echo $? >code); } | head -n 1 >out
+    { (trap '' PIPE; answer "$cylint" pairs -j $j <pairs 2>err; echo $? >code); } | head -n 1 >out
     stopped "$(cat code)" 3 'standard output: Broken pipe' "-j $j, ignored"
     first_lines pairs 1 "-j $j, ignored"
 done
-judge 'a reader that leaves'
+judged 'a reader that leaves'
 
-# Ten million bad records: ten messages and a count, and no more memory than
-# for ten thousand.
+# Ten million bad records give ten messages and a count, and need no more memory
+# than ten thousand.
 many=10000000 memory=yes
 if grep -Eq '__(asan|tsan)_init' "$cylint"; then
     echo 'note: a sanitizer takes memory and time of its own'
@@ -292,14 +288,14 @@ for count in 10000 $many; do
             wrong="$wrong $count -j $j: status $(cat code), $(tail -n 1 err)"
     done
 done
-judge "$many bad records have eleven messages"
+judged "$many bad records have eleven messages"
 
-# What the command calls to read, write or get memory is wrapped, so that a
-# new way of failing is not overlooked.
+# All functions that the command calls to read, write or allocate are wrapped, so
+# that a new one is not forgotten.
 nm -u "$build"/tools/cylint/*.o | awk '{ print $NF }' | sort -u | grep -Ex \
     '(f|fd|fre|p|open_mem)open.*|creat|f?read|f?write|[pf]?(read|write)v|pread|pwrite|send|recv|getc.*|fgets|getdelim|getline|mmap|.*alloc|strn?dup|v?asprintf|p?select|ppoll|dup[23]?|pipe|fork|aligned_alloc' |
     grep -Evx 'read|write|fwrite|[mc]alloc|realloc|pipe' >unwrapped
 [ ! -s unwrapped ] || wrong=" $(cat unwrapped)"
-judge 'there are no other calls that can fail'
+judged 'there are no other calls that can fail'
 
 check_end

@@ -1,13 +1,14 @@
 #!/bin/sh
-# The command and input that means it no good: never a crash, never half a
-# line, never a silent loss, and an exit status that says what happened.
+# Floor command: with hostile input the command never crashes, never writes part
+# of a line, never loses input without a message, and exits with the right
+# status.
 . "$(dirname "$0")/verdict.sh"
 cd "$scratch" || exit 1
 PATH=$build:$PATH
 good='line 0 0 -1  0 0 1  cylinder 0 0 0  0 0 1  1'
 
-# expect NAME STATUS: the files out and err are as want and want.err, if
-# those exist, and $status is STATUS.  Removes the wants.
+# expect NAME STATUS: out equals want and err equals want.err, if those exist,
+# and $status is STATUS.  Removes want and want.err.
 expect() {
     wrong=0
     [ "$status" = "$2" ] || { echo "status $status, not $2"; wrong=1; }
@@ -271,7 +272,8 @@ printf 'cross\t2\t1\t2\n' >want
 expect 'a byte order mark in single bytes is skipped' 0
 
 # The partner writes a record and reads its answer before it writes the next.
-# If answers were held back both would wait for ever, so a timer ends it.
+# If the command held answers back both would wait forever, so a timer ends
+# them.
 mkfifo there back
 cylint -f n,id <there >back 2>err &
 pid=$!

@@ -1,7 +1,7 @@
 #!/bin/sh
-# What a packager and a newcomer do: install to a scratch folder, build the
-# README's example against what was installed, run the README's commands,
-# compile the library without the Makefile, uninstall.
+# Floor tools: what make install puts into a scratch folder works: the README's
+# example compiles and links with it, the README's commands run, and uninstall
+# removes it.  The library also compiles without the Makefile.
 . "$(dirname "$0")/verdict.sh"
 cc=${CC:-cc}
 cxx=${CXX:-c++}
@@ -21,8 +21,8 @@ quiet()
     }
 }
 
-# make_here TARGET: with the same build folder and compilers, so that
-# nothing is built anew.
+# make_here TARGET: make with the same build folder and compilers, so nothing is
+# compiled again.
 make_here()
 {
     quiet $make --no-print-directory BUILD="${BUILD:-build}" CC="$cc" CXX="$cxx" \
@@ -48,7 +48,7 @@ test_install()
     ! grep -l '@[A-Z_]*@' "$lib"/pkgconfig/*.pc
     verdict the_pc_files_are_filled_in $?
     "$root/usr/bin/cylint" --version | grep -q -F "$version"
-    verdict the_installed_command_tells_the_version $?
+    verdict the_installed_command_prints_the_version $?
 }
 
 # converts NAME TEXT ARGUMENT...: the installed cylint-convert, found in the
@@ -107,8 +107,8 @@ block()
     ' README.md
 }
 
-# The flags of the installed .pc files of $packages; by hand where pkg-config is
-# missing.
+# The flags of the installed .pc files of $packages; without pkg-config this
+# function reads them.
 flags()
 {
     if command -v pkg-config > /dev/null; then
@@ -120,7 +120,7 @@ flags()
     fi
 }
 
-# archives: the static libraries of $packages, and what they need.
+# archives: the static libraries of $packages and their dependencies.
 archives()
 {
     for package in $packages; do
@@ -133,8 +133,8 @@ archives()
     esac
 }
 
-# example NAME LINKING COMPILER FLAGS...: the README's program, compiled so,
-# says what the README says.
+# example NAME LINKING COMPILER FLAGS...: compiles the README's program, which
+# must print what the README shows.
 example()
 {
     name=$1 linking=$2
@@ -151,7 +151,7 @@ example()
     verdict "$name" $?
 }
 
-# A library built with sanitizers wants them when it is linked.
+# A library built with sanitizers needs them at linking.
 sanitizers_of()
 {
     if nm "$lib/libcylint.a" | grep -q '__asan\|__ubsan'; then
@@ -175,9 +175,9 @@ test_example()
     done
 }
 
-# The README's lines, with these compilers, in a home of its own where only the
-# system's folders are known: the linked example runs, and its manual is found.
-# Then make install has no lines to print any more.
+# The README's lines in a home where only the system's folders are known: the
+# linked example runs and its manual is found.  After that make install prints no
+# lines.
 test_readme_install()
 {
     [ -z "$(sanitizers_of)" ] && command -v pkg-config > /dev/null || {
@@ -209,18 +209,18 @@ test_readme_install()
         cat "$scratch/log"
 }
 
-# The lines that are printed do what they say, for a folder that nothing knows.
+# The printed lines work for a folder that the system does not search.
 test_hints()
 {
     at=$scratch/else/where
     env -i PATH=/usr/bin:/bin sh tools/install_hints.sh "$at/bin" "$at/lib" \
         "$at/man" > "$scratch/hints"
     [ "$(grep -c '^    export [A-Z_]*=' "$scratch/hints")" -eq 4 ]
-    verdict four_lines_for_a_folder_that_nothing_knows $?
+    verdict four_lines_for_a_folder_outside_all_paths $?
     { sed 1d "$scratch/hints"
       echo "exec sh tools/install_hints.sh $at/bin $at/lib $at/man"; } > "$scratch/again"
     [ -z "$(env -i PATH=/usr/bin:/bin sh "$scratch/again")" ]
-    verdict no_lines_where_they_are_set $?
+    verdict no_lines_if_all_paths_are_set $?
 }
 
 # display PAGE NUMBER: the text of a literal display in a page's EXAMPLES.
@@ -234,7 +234,7 @@ display()
     ' "man/$1"
 }
 
-# A program is followed by what it prints.
+# After a program comes its output.
 test_manual_examples()
 {
     sanitizers=$(sanitizers_of)
@@ -267,7 +267,7 @@ test_manual_examples()
     example_of cylint_embree.3 cylint-embree
 }
 
-# example_of PAGE LIBRARY...: linked with these both ways.
+# example_of PAGE LIBRARY...: links with shared and with static libraries.
 example_of()
 {
     page=$1
@@ -280,8 +280,8 @@ example_of()
     packages=
 }
 
-# The structs that the manuals show have the members of the headers, at the
-# same places: otherwise an array of negative length.
+# The structs in the manuals have the members of the headers at the same offsets;
+# otherwise an array has a negative length.
 test_manual_structs()
 {
     { echo '#include <stddef.h>'
@@ -325,14 +325,14 @@ test_manual_structs()
     verdict the_manuals_show_the_structs_of_the_headers $?
 }
 
-# none FOUND VERDICT: nothing was found.
+# none FOUND VERDICT: passes if FOUND is empty.
 none()
 {
     [ -z "$1" ] || { echo "found: $1"; false; }
     verdict "$2" $?
 }
 
-# foreign_to LIBRARY NAMES: what it uses beside these and its own kind's.
+# foreign_to LIBRARY NAMES: undefined symbols except NAMES and cylint_*.
 foreign_to()
 {
     nm -u "$lib/$1.a" | awk -v known="$2" '
@@ -341,7 +341,7 @@ foreign_to()
         $1 == "U" && !($2 in fine) && $2 !~ /^cylint_/ { print $2 }' | sort -u
 }
 
-# declared HEADER...: the functions declared there.
+# declared HEADER...: the functions that the headers declare.
 declared()
 {
     for header; do
@@ -350,7 +350,7 @@ declared()
     done
 }
 
-# missing_from LIBRARY: those of the functions read that it does not export.
+# missing_from LIBRARY: functions on standard input that it does not export.
 missing_from()
 {
     nm -D --defined-only "$1" | awk '{ print $3 }' | sort > "$scratch/exported"
@@ -380,13 +380,13 @@ test_symbols()
         echo 'note: sanitized, so what the libraries use is not looked at'
         return
     fi
-    # What C99 has in math.h and what compilers make of loops and copies.
+    # Functions of math.h, and those that compilers call for loops and copies.
     math='acos asin atan atan2 ceil copysign cos fabs floor fma fmax fmin'
     math="$math fmod frexp hypot ilogb ldexp log log2 logb lrint modf"
     math="$math nearbyint nextafter pow rint round scalbln scalbn sin sincos"
     math="$math sqrt tan trunc sinpi cospi"
     memory='memcpy memmove memset memcmp strlen strcmp __stack_chk_fail'
-    # __cpu_model: the compiler's own, which processor this is
+    # __cpu_model: the compiler's record of the processor
     others='_GLOBAL_OFFSET_TABLE_ __assert_fail __cpu_model'
     [ -z "${PARANOID:-}" ] || others="$others abort" # what that is for
     none "$(foreign_to libcylint "$math $memory $others")" \
@@ -416,8 +416,8 @@ test_without_makefile()
         "$scratch/bare/example" | diff "$scratch/example.said" -
 }
 
-# Each `$ ` line of the README's console blocks is run by sh with the installed
-# command in the path; what follows it is what it must say.
+# sh runs each `$ ` line of the README's console blocks with the installed command
+# in the path; the lines after it are the expected output.
 test_readme_commands()
 {
     here=$(pwd)

@@ -1,13 +1,12 @@
 #!/bin/sh
-# Records of -k are asked about by the hundred, records with words one by one:
-# the answers are the same bytes, whatever the kinds, the columns and what
-# stands between the records.
+# Floor command: records of -k, answered in batches, and records with words,
+# answered one by one, give the same bytes for all kinds, columns and comments.
 . "$(dirname "$0")/verdict.sh"
 cd "$scratch" || exit 1
 PATH=$build:$PATH
 
-# records KINDS: numbers of one sign and of both, ends, tails, comments and
-# records that are refused; with the words of the kinds, unless bare.
+# records KINDS BARE: prints records with ends, tails, comments and invalid
+# shapes; with the words of the kinds unless BARE is 1.
 records() {
     awk -v kinds="$1" -v bare="$2" '
     function any() { return int(2001 * rand() - 1000) / 250 }
@@ -37,7 +36,7 @@ records() {
     }'
 }
 
-same() { # name, kinds; the options follow
+same() { # NAME KINDS, then options
     name=$1 kinds=$2
     shift 2
     cylint "$@" worded >want 2>messages
@@ -56,7 +55,7 @@ for line in line ray span; do
         same 'the nearest only'  $line,$shape -f t0,part0
         same 'parts, hits only'  $line,$shape -f part0,part1,chord --hits-only
         same 'relation, comments' $line,$shape -f relation -C
-        same 'what batches do not have' $line,$shape -f t0,side1,nx0
+        same 'columns without batches'  $line,$shape -f t0,side1,nx0
     done
 done
 

@@ -1,13 +1,13 @@
 #!/bin/sh
-# The displays of cylint(7) that are not transcripts (those, tests/test_cli.sh
-# runs): shapes of other programs, and the laser scan.  The first line of each
-# is `# NAME`; the rest, about many machines, is run by make check-cluster.
+# Floor command: the displays of cylint(7) that are not transcripts work: shapes
+# of other programs, the laser scan and the molecule.  tests/test_cli.sh runs the
+# transcripts, `make check-cluster` the displays about many machines.
 . "$(dirname "$0")/verdict.sh"
 PATH=$build:$top/tools/convert:$PATH
 data=../shared/data
 
-# asked_of NAME LINES: each shape of the display with lines around it.
-asked_of()
+# records_of NAME LINES: each shape of the display with LINES lines around it.
+records_of()
 {
     sh tests/recipe.sh "$1" | awk -v lines="$2" '
         function pick(reach) { return (2 * rand() - 1) * reach }
@@ -36,27 +36,27 @@ asked_of()
 test_foreign_shapes()
 {
     for program in mcnp geant4 openmc; do
-        asked_of $program 300 > "$scratch/asked" &&
-            [ "$(wc -l < "$scratch/asked")" -ge 1200 ] &&
-            cylint "$scratch/asked" > "$scratch/answers" &&
+        records_of $program 300 > "$scratch/records" &&
+            [ "$(wc -l < "$scratch/records")" -ge 1200 ] &&
+            cylint "$scratch/records" > "$scratch/answers" &&
             awk -f tests/foreign.awk "$scratch/answers" > "$scratch/log"
         status=$?
         [ $status -eq 0 ] || head -5 "$scratch/log"
-        verdict "${program}_solids_are_met_where_their_manuals_say" $status
+        verdict "${program}_solids_are_hit_where_their_manuals_say" $status
     done
 }
 
-# says NAME TEXT: what the recipe prints in a folder with its files.
-says()
+# prints NAME TEXT: the recipe prints TEXT in a folder with its files.
+prints()
 {
     sh tests/recipe.sh lidar > "$scratch/lidar"
-    (cd "$scratch" && sh lidar) > "$scratch/said" 2>&1
-    [ "$(cat "$scratch/said")" = "$2" ] || { cat "$scratch/said"; false; }
+    (cd "$scratch" && sh lidar) > "$scratch/output" 2>&1
+    [ "$(cat "$scratch/output")" = "$2" ] || { cat "$scratch/output"; false; }
     verdict "$1" $?
 }
 
-# Forty trunks; of each, one point 1 cm before the bark and one 5 cm before
-# it, seen from the recipe's scanner at (0, 0, 255.5).
+# Forty stems.  Each has one point 1 cm and one 5 cm in front of the bark, as seen
+# from the recipe's scanner at (0, 0, 255.5).
 test_stand_in()
 {
     awk -v scratch="$scratch" 'BEGIN {
@@ -72,7 +72,7 @@ test_stand_in()
                        (d - r - off) * s > cloud
         }
     }'
-    says half_of_the_points_are_near_a_trunk \
+    prints half_of_the_points_are_near_a_stem \
         '40 of 80 points are within 2 cm of a hit: 50.0 %'
 }
 
@@ -80,12 +80,12 @@ test_real_tree()
 {
     cp $data/tree_archi.csv "$scratch/tree.csv"
     cp $data/tree_cloud_xyz.txt "$scratch/cloud.txt"
-    says the_scan_of_a_real_tree_is_as_cylint_7_says \
+    prints the_scan_of_a_real_tree_has_the_share_in_cylint_7 \
         "$(sed -n 's/^\.Dl \(.* within 2 cm .*\)/\1/p' man/cylint.7)"
 }
 
-# Two parallel bonds, the second 2 above the first: of the four atoms the lower
-# two see the upper bond, which is 0.2 thick, and nothing else.
+# Two parallel bonds, the second 2 above the first.  Rays from the two lower atoms
+# hit the upper bond, which is 0.2 thick, and nothing else.
 test_molecule()
 {
     for atom in '1 C 0 0' '2 O 1.2 0' '3 C 0 2' '4 O 1.2 2'; do
@@ -94,14 +94,14 @@ test_molecule()
             "$1" "$2" "$1" "$3" 0 "$4" "$2"
     done > "$scratch/molecule.pdb"
     sh tests/recipe.sh molecule > "$scratch/molecule"
-    (cd "$scratch" && sh molecule) > "$scratch/said" 2>&1
-    printf '3-4\t1.8\t%d\n' 1 2 > "$scratch/right"
-    diff "$scratch/right" "$scratch/said"
-    verdict an_atom_sees_the_other_bond_and_not_its_own $?
+    (cd "$scratch" && sh molecule) > "$scratch/output" 2>&1
+    printf '3-4\t1.8\t%d\n' 1 2 > "$scratch/expected"
+    diff "$scratch/expected" "$scratch/output"
+    verdict a_ray_from_an_atom_hits_the_other_bond_and_not_its_own $?
 }
 
-# Every display of the page has a name or is a transcript, and every name is
-# asked for here or by tests/cluster/check.sh.
+# Every display of the page has a name or is a transcript, and every name is run
+# here or by tests/cluster/check.sh.
 test_all_are_run()
 {
     awk '/^\.\\" recipe/ { named = NR + 1 }
@@ -122,6 +122,6 @@ test_molecule
 if [ -d $data ]; then
     test_real_tree
 else
-    echo "note: no $data, the real tree is left out"
+    echo "note: no $data, the real tree is not tested"
 fi
 check_end

@@ -1,12 +1,12 @@
 #!/bin/sh
-# `cylint -s neuron.swc` against tools/convert/swc2scene: the same shapes in
-# the same order, the same files refused, in the same words, at the column
-# where the bad field begins.
+# Floors command and tools: `cylint -s neuron.swc` and cylint-convert swc read the
+# same shapes in the same order and refuse the same files with the same message,
+# at the column of the bad field.
 . "$(dirname "$0")/verdict.sh"
 data=../shared/data
 native=$scratch/neuron.swc converted=$scratch/neuron.scene
 
-# answers SCENE: every hit of the lines, to the last bit, and all messages.
+# answers SCENE: writes all hits of the lines, with all bits, and all messages.
 answers()
 {
     "$build/cylint" -s "$1" -q all -x "$scratch/lines" \
@@ -21,7 +21,7 @@ lines_through_nodes()
     }' "$1" > "$scratch/lines"
 }
 
-# both NAME: the file's scenes, read and converted, answer the same.
+# both NAME: the file read and the file converted give the same answers.
 both()
 {
     tools/convert/swc2scene "$native" > "$converted" 2> "$scratch/skipped" &&
@@ -33,7 +33,7 @@ both()
     verdict "$1" $?
 }
 
-# Nodes of a random tree; ids have gaps, some edges no length or no radius.
+# Nodes of a random tree; ids have gaps, some edges have length 0 or radius 0.
 random_neuron()
 {
     awk -v seed="$1" -v nodes="$2" 'BEGIN {
@@ -90,10 +90,10 @@ test_same_shapes()
     echo 'ray 0 0 -5  0 0 1' > "$scratch/lines"
     [ "$("$build/cylint" -s "$native" "$scratch/lines")" = "$(printf '1\t5\tcap1')" ] &&
         [ "$("$build/cylint" -s "$native" --ends open "$scratch/lines")" = "$(printf '0\tnan\t-')" ]
-    verdict swc_frusta_end_as_ends_says $?
+    verdict swc_frusta_have_the_ends_of_the_option $?
 }
 
-# refuses MESSAGE LINE...: both readers refuse a file of these lines so.
+# refuses MESSAGE LINE...: both readers refuse a file of these lines with MESSAGE.
 refuses()
 {
     message=$1
@@ -103,7 +103,8 @@ refuses()
     verdict "swc_refused: $message" $? || cat "$scratch/messages"
 }
 
-# Exit status 1 and the same message, but for program and column; or none.
+# Both exit with 1 and the same message except program and column, or both read
+# the file.
 said_by_both()
 {
     tools/convert/swc2scene "$native" > "$converted" 2> "$scratch/expected"
@@ -157,8 +158,8 @@ test_refused()
     verdict swc_refuses_lines_longer_than_1_mib $?
 }
 
-# A neuron with one byte changed, 300 times over: both agree whether it is
-# good, and if so on the scene, else on the message.
+# 300 neurons with one byte changed: both readers give the same scene or the same
+# message.
 test_one_byte_changed()
 {
     random_neuron 2 20 > "$scratch/good"
@@ -184,7 +185,7 @@ test_one_byte_changed()
     done
     [ $wrong -eq 0 ] && [ $refused -gt 30 ] && [ $refused -lt 270 ] ||
         { echo "$wrong of 300 differ, $refused were refused"; false; }
-    verdict swc_with_a_byte_changed_is_read_as_it_is_converted $?
+    verdict swc_with_a_byte_changed_is_read_as_converted $?
 }
 
 test_real_neuron()

@@ -1,21 +1,21 @@
 #!/bin/sh
-# usage: fetch.sh FOLDER    puts Embree 4.4.0 there, prints its library's path
+# usage: fetch.sh FOLDER    puts Embree 4.4.0 there and prints its library's path
 #
-# Debian 12 has Embree 3 only.  The wheel embreex 4.4.0.post1 on PyPI carries
-# Intel's build of 4.4.0 for any x86-64 Linux of glibc 2.27 or later, without
-# headers; ours are beside this script.  $EMBREE4_WHEEL is taken instead of
-# the network, where it is set.  Exit status 77 and a reason on standard
-# output: it cannot be had here.
+# Debian 12 has Embree 3 only.  The wheel embreex 4.4.0.post1 on PyPI contains
+# Intel's build of 4.4.0 for any x86-64 Linux with glibc 2.27 or later, without
+# headers; rtcore.h is beside this script.  $EMBREE4_WHEEL, if set, is used
+# instead of a download.  Exit status 77: Embree 4 is not available, for the
+# reason on standard output.
 folder=$1
 name=embreex-4.4.0.post1-cp311-cp311-manylinux_2_27_x86_64.manylinux_2_28_x86_64.whl
 sum=2cd0f7d5c6342e6247e31f700761689cae7829454d8c6de0c41e62124a023e1f
 
-unavailable() { # why
+unavailable() { # REASON
     echo "no Embree 4: $1"
     exit 77
 }
 
-genuine() { # file
+genuine() { # FILE
     [ "$(sha256sum "$1" 2>/dev/null | cut -d ' ' -f 1)" = $sum ]
 }
 
