@@ -5,11 +5,11 @@
  * within a run; lanes carry the shapes' numbers.
  */
 #include "signs/sign.h"
-#include "filter/filter.h"
+#include "dispatch.h"
 #include "intersect.h"
 
 /* A run for each kind, bounded or not, and one for what no kernel takes. */
-enum { KINDS = CYLINT_KIND_ECONE + 1, RUNS = 2 * KINDS + 1, PADDING = 8 };
+enum { RUNS = 2 * CYLINT_KINDS + 1, PADDING = 8 };
 
 typedef struct {
     cylint_run run[RUNS];
@@ -17,13 +17,9 @@ typedef struct {
 
 static int run_of(const cylint_shape *s)
 {
-    const int bounded = s->ends < CYLINT_ENDS_INFINITE;
-    const int nappe = s->ends == CYLINT_ENDS_NAPPE &&
-                      s->kind != CYLINT_KIND_CYLINDER &&
-                      s->kind != CYLINT_KIND_ECYLINDER;
-    if (s->kind == CYLINT_KIND_NONE || !s->ordinary || nappe)
+    if (s->kind == CYLINT_KIND_NONE || !s->ordinary || cylint_is_nappe(s))
         return RUNS - 1;
-    return 2 * s->kind + bounded;
+    return 2 * s->kind + cylint_is_bounded(s);
 }
 
 /* Whole vectors; and never a power of two of a page, where all columns would
@@ -258,7 +254,7 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
     from.line = l;
     from.lines = job->lines;
     from.kind = run ? run->kind : shapes->kind;
-    from.bounded = run ? run->bounded : shapes->ends < CYLINT_ENDS_INFINITE;
+    from.bounded = run ? run->bounded : cylint_ends_are_planes(shapes->ends);
     from.n = n;
     from.want = job->want;
     from.relations = job->relations;

@@ -70,7 +70,7 @@ static pair unit_reach(const cylint_shape *s, const long_axis *k, int j, int *e,
 {
     *is_exact = 1;
     *e = 0;
-    if (s->kind >= CYLINT_KIND_ECYLINDER) {
+    if (cylint_is_elliptic(s->kind)) {
         if (cylint_sign(s->a[j]) == 0)
             return size_of(s->b[j], e);
         if (cylint_sign(s->b[j]) == 0)
@@ -153,7 +153,7 @@ static void take_disc(const cylint_shape *s, int cap, double lo[3],
 {
     enum { SMALLER = 4 };
     const long_axis k = axis_of(s);
-    const double r = cap ? s->r1 : s->r0;
+    const double r = cylint_end_factor(s, cap);
     int er;
     const pair radius = size_of(r, &er);
     for (int j = 0; j < 3; j++) {
@@ -164,7 +164,7 @@ static void take_disc(const cylint_shape *s, int cap, double lo[3],
             cylint_sign(r) == 0 ||
             (is_exact && (r == 1 || unit.hi == 1 || cylint_sign(unit.hi) == 0));
         double center = s->base[j], offset = 0;
-        if (cap && s->kind <= CYLINT_KIND_CONE)
+        if (cap && cylint_has_end_points(s->kind))
             center = s->top[j];
         else if (cap)
             offset = s->axis[j];
@@ -191,7 +191,7 @@ static int leans_inward(cylint_query *q, int j)
     const int used = m->used;
     exact along = cylint_exact_mul(m, L->w[j], L->w[j]), across;
     const exact dr2 = cylint_exact_mul(m, L->dr, L->dr);
-    if (q->kind >= CYLINT_KIND_ECYLINDER) {
+    if (cylint_is_elliptic(q->kind)) {
         across = cylint_exact_add(m, cylint_exact_mul(m, L->a[j], L->a[j]),
                                   cylint_exact_mul(m, L->b[j], L->b[j]));
     } else {
@@ -249,10 +249,8 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
     }
     if (shape->kind == CYLINT_KIND_NONE)
         return;
-    const int constant = shape->kind == CYLINT_KIND_CYLINDER ||
-                         shape->kind == CYLINT_KIND_ECYLINDER;
-    if (shape->ends >= CYLINT_ENDS_INFINITE && !constant) {
-        if (shape->ends == CYLINT_ENDS_NAPPE) {
+    if (!cylint_is_bounded(shape) && cylint_is_tapered(shape->kind)) {
+        if (cylint_is_nappe(shape)) {
             take_nappe(shape, lo, hi);
             return;
         }
@@ -263,7 +261,7 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
         return;
     }
     take_disc(shape, 0, lo, hi);
-    if (shape->ends < CYLINT_ENDS_INFINITE) {
+    if (cylint_ends_are_planes(shape->ends)) {
         take_disc(shape, 1, lo, hi);
         return;
     }

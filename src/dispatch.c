@@ -3,7 +3,7 @@
  */
 #include <string.h>
 
-#include "filter/filter.h"
+#include "dispatch.h"
 
 /* Best first.  The last one runs on every processor. */
 static const cylint_kernels builds[] = {

@@ -9,7 +9,7 @@
 #include "intersect.h"
 
 #include "roots/roots.h"
-#include "filter/filter.h"
+#include "dispatch.h"
 
 typedef struct {
     cylint_root root;
@@ -56,7 +56,7 @@ static stop lateral(cylint_root root)
 
 static int radius_is_zero(const cylint_query *q, int cap)
 {
-    return cylint_sign(cap ? q->shape->r1 : q->shape->r0) == 0;
+    return cylint_sign(cylint_end_factor(q->shape, cap)) == 0;
 }
 
 /* Where the line pierces a cap's plane within the cap (E > 0) or on its rim
@@ -205,21 +205,14 @@ static overlap nappe(cylint_query *q)
 
 static overlap overlap_of(cylint_query *q)
 {
-    if (q->ends < CYLINT_ENDS_INFINITE)
+    if (cylint_ends_are_planes(q->ends))
         return bounded(q);
-    if (q->kind == CYLINT_KIND_CYLINDER || q->kind == CYLINT_KIND_ECYLINDER)
+    if (!cylint_is_tapered(q->kind))
         return whole_cylinder(q);
-    return q->ends == CYLINT_ENDS_NAPPE ? nappe(q) : double_cone(q);
+    return cylint_is_nappe(q->shape) ? nappe(q) : double_cone(q);
 }
 
 /* ------------------------------------------------------- the domain ---- */
-
-static int present(int ends, int part)
-{
-    return part == CYLINT_PART_LATERAL || ends == CYLINT_ENDS_CAPPED ||
-           ends ==
-               (part == CYLINT_PART_CAP0 ? CYLINT_ENDS_CAP0 : CYLINT_ENDS_CAP1);
-}
 
 static const unsigned beside_t =
     CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
@@ -258,7 +251,7 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
     answer->n = 0;
     for (int i = 0; i < v.n; i++) {
         double t = 0, more = 0, fast;
-        if (!present(q.ends, v.at[i].part))
+        if (!cylint_part_is_present(q.ends, v.at[i].part))
             continue;
         const int is_fast = want & CYLINT_WANT_T && want & CYLINT_WANT_FAST &&
                             fast_t(&q, v.at[i].root, &fast);
@@ -397,7 +390,7 @@ int cylint_contains(const cylint_shape *shape, const double point[3])
     cylint_query q;
     cylint_query_open(&q, shape, &line);
     int within = 1; /* the least of the signs */
-    if (q.ends < CYLINT_ENDS_INFINITE) {
+    if (cylint_ends_are_planes(q.ends)) {
         const int above = cylint_sign_alpha(&q, 0);
         const int below = -cylint_sign_alpha(&q, 1);
         within = above < below ? above : below;

@@ -40,7 +40,7 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
     }
     const double ww = dot(t->axis, t->axis);
     t->length = sqrt(ww);
-    t->elliptic = cylint_is_elliptic(s);
+    t->elliptic = cylint_is_elliptic(s->kind);
     t->k[0] = t->elliptic ? s->r0 : s->r0 * scale;
     t->k[1] = t->elliptic
                   ? s->r1

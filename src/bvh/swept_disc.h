@@ -9,6 +9,7 @@
 #define CYLINT_BVH_SWEPT_DISC_H
 
 #include "float_bounds.h"
+#include "../shapes/shape_facts.h"
 #include "cylint.h"
 
 /* A sum of squares below this may have underflowed. */
@@ -22,24 +23,6 @@ typedef struct cylint_swept_disc {
     double a[3], b[3]; /* of elliptic shapes */
     int elliptic;
 } cylint_swept_disc;
-
-/* Whether the shape is a swept disc. */
-static inline int cylint_is_bounded(const cylint_shape *s)
-{
-    return s->kind != CYLINT_KIND_NONE && s->ends < CYLINT_ENDS_INFINITE;
-}
-
-static inline int cylint_is_elliptic(const cylint_shape *s)
-{
-    return s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE;
-}
-
-/* The ellipse x a + y b, x^2 + y^2 <= 1, reaches so far along coordinate j. */
-static inline double cylint_elliptic_reach(const double a[3], const double b[3],
-                                           int j)
-{
-    return sqrt(a[j] * a[j] + b[j] * b[j]);
-}
 
 /* A piece of a shape: number `index` of `count` equal ones along z. */
 typedef struct cylint_piece {

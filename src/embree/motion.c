@@ -5,12 +5,12 @@
 
 #include <float.h>
 
-#include "../bvh/swept_disc.h"
+#include "../shapes/shape_facts.h"
 
 /* The kind whose constructor can make all shapes between this one and others. */
 static int constructor_of(const cylint_shape *s)
 {
-    return cylint_is_elliptic(s)             ? CYLINT_KIND_ECONE
+    return cylint_is_elliptic(s->kind)       ? CYLINT_KIND_ECONE
            : s->kind == CYLINT_KIND_CYLINDER ? CYLINT_KIND_CONE
                                              : s->kind;
 }
@@ -47,7 +47,7 @@ cylint_status cylint_embree_between(const cylint_shape *at_0,
         return cylint_cone(shape, base, r0, top, r1, ends);
     }
     interpolate3(top, at_0->axis, at_1->axis, time);
-    if (!cylint_is_elliptic(at_0))
+    if (!cylint_is_elliptic(at_0->kind))
         return cylint_tangent_cone(shape, base, top, r1, ends);
     interpolate3(a, at_0->a, at_1->a, time);
     interpolate3(b, at_0->b, at_1->b, time);
@@ -85,7 +85,8 @@ static disc disc_of(const cylint_shape *s, int cap)
                       : constructor_of(s) == CYLINT_KIND_CONE
                           ? s->top[j]
                           : s->base[j] + s->axis[j];
-        d.g[j] = cylint_is_elliptic(s) ? cylint_elliptic_reach(s->a, s->b, j)
+        d.g[j] = cylint_is_elliptic(s->kind)
+                     ? cylint_elliptic_reach(s->a, s->b, j)
                  : s->kind == CYLINT_KIND_ACONE ? u
                                                 : 1;
     }

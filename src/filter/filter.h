@@ -1,12 +1,12 @@
 /*
- * filter.h - what each build of one_question.c and many_questions.c offers, and what a
- * pack looks like to them
+ * filter.h - certified answers in doubles, or "undecided"
  */
-#ifndef CYLINT_KERNELS_H
-#define CYLINT_KERNELS_H
+#ifndef CYLINT_FILTER_H
+#define CYLINT_FILTER_H
 
 #include <float.h>
 
+#include "../shapes/shape_facts.h"
 #include "cylint.h"
 
 /* What is known of the roots of n hits beside t: root = t + more, but for an
@@ -25,7 +25,7 @@ enum { CYLINT_UNDECIDED = -1 };
 
 /* By kind, ends and whether relation and number of the whole line suffice. */
 typedef cylint_kernel_one
-    *const cylint_one_table[CYLINT_KIND_ECONE + 1][CYLINT_ENDS_NAPPE + 1][2];
+    *const cylint_one_table[CYLINT_KINDS][CYLINT_ENDS_NAPPE + 1][2];
 
 static inline int cylint_filter_one(cylint_one_table *table,
                                     const cylint_shape *shape,
@@ -93,29 +93,9 @@ typedef struct {
 typedef int cylint_filter_next(cylint_filter_batch *batch,
                                cylint_filter_group *group);
 
-typedef struct {
-    const char *name;
-    cylint_one_table *one;
-    cylint_filter_next *many;
-} cylint_kernels;
-
 /* The builds: narrow for single questions, wide for batches. */
 extern cylint_one_table cylint_one_plain, cylint_one_fma, cylint_one_avx512;
 extern cylint_filter_next cylint_many_plain, cylint_many_avx2,
     cylint_many_avx512;
-
-/* Those in use: dispatch.c chooses when first asked. */
-extern const cylint_kernels *cylint_kernels_chosen;
-const cylint_kernels *cylint_choose_kernels(void);
-static inline const cylint_kernels *cylint_kernels_used(void)
-{
-#ifdef __GNUC__
-    const cylint_kernels *kernels =
-        __atomic_load_n(&cylint_kernels_chosen, __ATOMIC_RELAXED);
-#else
-    const cylint_kernels *kernels = cylint_kernels_chosen;
-#endif
-    return kernels ? kernels : cylint_choose_kernels();
-}
 
 #endif

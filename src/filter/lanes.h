@@ -19,6 +19,8 @@
 #include "cylint.h"
 #include "../numbers/compiler.h"
 #include "../numbers/simd.h"
+#include "../shapes/shape_facts.h"
+#include "../signs/radical.h"
 
 #define BEGIN (void)L;
 #define RETURN(x) return x;
@@ -48,6 +50,11 @@
 #undef BEGIN
 #undef RETURN
 
+INLINE vd v_times(vd x, vd y)
+{
+    return x * y;
+}
+
 /* What the lanes hold of lines and shapes; see cylint.h for the members. */
 typedef struct {
     vd o[3], u[3], u_lo[3], tmin, tmax;
@@ -72,15 +79,6 @@ INLINE void broadcast_line(lanes_line *to, const cylint_line *l)
     to->segment = l->segment;
 }
 
-/* The caps that are there: bit 0 and bit 1. */
-INLINE unsigned caps_present(int ends)
-{
-    return ends == CYLINT_ENDS_CAPPED ? 3
-           : ends == CYLINT_ENDS_CAP0 ? 1
-           : ends == CYLINT_ENDS_CAP1 ? 2
-                                      : 0;
-}
-
 INLINE void broadcast_shape(lanes_shape *to, const cylint_shape *s)
 {
     EACH(i, 3) {
@@ -95,7 +93,7 @@ INLINE void broadcast_shape(lanes_shape *to, const cylint_shape *s)
     to->r[1] = v_set(s->r1);
     to->dr = v_set(s->dr);
     to->dr_lo = v_set(s->dr_lo);
-    const unsigned all = (1u << LANES) - 1, caps = caps_present(s->ends);
+    const unsigned all = (1u << LANES) - 1, caps = cylint_caps_present(s->ends);
     to->cap[0] = m_from(caps & 1 ? all : 0);
     to->cap[1] = m_from(caps & 2 ? all : 0);
 }
@@ -121,8 +119,8 @@ INLINE bounded_value quotient(bounded_value x, bounded_value y)
 {
     const vd inverse = v_set(1) / y.v, t = x.v * inverse;
     return (bounded_value){t, (x.e + v_abs(t) * y.e) * v_abs(inverse) *
-                                      v_set(1.02) +
-                                  v_abs(t) * v_set(0x1p-50)};
+                                      v_set(CYLINT_LANES_SLACK) +
+                                  v_abs(t) * v_set(CYLINT_QUOTIENT_ROUNDING)};
 }
 
 /* cross: the relation is cross; neither cross nor undecided: it is miss.
@@ -138,12 +136,12 @@ typedef struct {
 /* Clearly of a sign. */
 INLINE vm certain(bounded_value x)
 {
-    return v_lt(v_set(0x1p10) * x.e, v_abs(x.v));
+    return v_lt(v_set(1 / CYLINT_FIRST_ORDER) * x.e, v_abs(x.v));
 }
 
 INLINE vm above(bounded_value x, bounded_value y)
 {
-    return v_lt((x.e + y.e) * v_set(1.02), x.v - y.v);
+    return v_lt((x.e + y.e) * v_set(CYLINT_LANES_SLACK), x.v - y.v);
 }
 
 INLINE bounded_value limit(vd t)
@@ -184,15 +182,15 @@ INLINE void lanes_letters(lanes_query *q, const lanes_shape *s,
 {
     letters_lanes *L = &q->L;
     letters_sizes *N = &q->N;
-    const int circular = kind < CYLINT_KIND_ECYLINDER;
+    const int circular = !cylint_is_elliptic(kind);
     vd a = v_set(0);
     L->kind = N->kind = kind;
     EACH(i, 3) {
         L->u[i] = l->u[i];
         L->w[i] = s->axis[i];
         L->D[0][i] = l->o[i] - s->base[i];
-        L->D[1][i] = kind <= CYLINT_KIND_CONE ? l->o[i] - s->top[i]
-                                              : L->D[0][i] - L->w[i];
+        L->D[1][i] = cylint_has_end_points(kind) ? l->o[i] - s->top[i]
+                                                 : L->D[0][i] - L->w[i];
         if (!circular) {
             L->a[i] = s->a[i];
             L->b[i] = s->b[i];
@@ -226,11 +224,11 @@ INLINE vm lanes_in_window(const lanes_query *q, int kind)
     vm within = m_and(m_and(v_le(N->u[0], most), v_le(least, N->u[0])),
                       m_and(v_le(N->w[0], most), v_le(N->D[0][0], most)));
     vd length = N->w[0];
-    if (kind >= CYLINT_KIND_ECYLINDER) {
+    if (cylint_is_elliptic(kind)) {
         within = m_and(within, v_le(N->a[0], most));
         length = v_max(length, N->a[0]);
     }
-    if (kind < CYLINT_KIND_ACONE)
+    if (!cylint_has_factors(kind))
         length = v_max(length, v_max(N->r[0], N->r[1]));
     within = m_and(within, v_le(v_max(N->r[0], N->r[1]), most));
     return m_and(within, v_le(least, length));
@@ -246,20 +244,15 @@ INLINE vm lateral_quadratic(lanes_query *q, bounded_value G, int kind)
     q->B = with_bound(form_B_lanes(L), form_B_sizes(N));
     const vd S = form_root_of_S_lanes(L);
     const vd eS = v_set(CYLINT_FILTER_BOUND) * form_root_of_S_sizes(N);
-    const int halves =
-        kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_ACONE;
-    /* R = sqrt(S G), or S sqrt(G) where form_root_of_S is a root already;
-     * dR / R <= dG / G + dS / S while these are small */
-    const vd SG = S * G.v;
-    vd R = v_sqrt(halves ? SG : G.v);
-    if (!halves)
-        R = S * R;
-    q->R = (bounded_value){R, R * ((S * G.e + eS * G.v) / SG + v_set(0x1p-49))};
+    /* dR / R <= dG / G + dS / S while these are small */
+    const vd SG = S * G.v, R = CYLINT_RADICAL(kind, S, G.v, v_times, v_sqrt);
+    q->R = (bounded_value){
+        R, R * ((S * G.e + eS * G.v) / SG + v_set(CYLINT_RADICAL_ROUNDING))};
     vm known = m_and(certain(q->A),
                      certain((bounded_value){S, eS + v_set(CYLINT_UNDERFLOW)}));
-    known = m_and(known, v_lt(v_set(0x1p4) * G.e, G.v));
-    if (halves)
-        known = m_and(known, v_lt(v_set(0x1p-900), SG));
+    known = m_and(known, v_lt(v_set(1 / CYLINT_RADICAND) * G.e, G.v));
+    if (!cylint_S_is_square(kind)) /* else nothing can have underflowed */
+        known = m_and(known, v_lt(v_set(CYLINT_RADICAL_LEAST), R));
     return m_not(known);
 }
 
@@ -267,7 +260,7 @@ INLINE vm lateral_quadratic(lanes_query *q, bounded_value G, int kind)
 INLINE bounded_value lateral_numerator(const lanes_query *q, vd exits)
 {
     return (bounded_value){-q->B.v + exits * q->R.v,
-                           (q->B.e + q->R.e) * v_set(1.02)};
+                           (q->B.e + q->R.e) * v_set(CYLINT_LANES_SLACK)};
 }
 
 /* The interval in which the lateral quadric is within, of lanes with G > 0:
@@ -281,8 +274,7 @@ INLINE void lateral_interval(lanes_query *q, bounded_value G, int kind,
     stop[0] = quotient(lateral_numerator(q, v_set(-1)), q->A);
     stop[1] = quotient(lateral_numerator(q, v_set(1)), q->A);
     *outside = v_lt(q->A.v, v_set(0));
-    if (bounded && kind != CYLINT_KIND_CYLINDER &&
-        kind != CYLINT_KIND_ECYLINDER) {
+    if (bounded && cylint_is_tapered(kind)) {
         /* on the nappe of the solid rho grows along the line, or shrinks */
         const vd growth = q->beta.v * L->dr;
         const vm ends = m_and(*outside, v_lt(growth, v_set(0)));
@@ -451,7 +443,7 @@ INLINE void root_centers(vd center[3], const lanes_shape *s, int kind, vd part)
 {
     const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
     EACH(i, 3)
-        center[i] = kind <= CYLINT_KIND_CONE
+        center[i] = cylint_has_end_points(kind)
                         ? v_select(top, s->top[i], s->base[i])
                         : s->base[i];
 }
@@ -464,13 +456,13 @@ INLINE vd letters_at(letters_pairs *P, letters_sizes *N, const lanes_slopes *q,
 {
     const vd zero = v_set(0);
     const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
-    const int elliptic = kind >= CYLINT_KIND_ECYLINDER;
+    const int elliptic = cylint_is_elliptic(kind);
     vd size = zero;
     P->kind = N->kind = kind;
     EACH(i, 3) {
         vpair D = v_two_sum(l->o[i], -center[i]);
         P->w[i] = (vpair){s->axis[i], s->axis_lo[i]};
-        if (kind > CYLINT_KIND_CONE)
+        if (!cylint_has_end_points(kind))
             D = vpair_sub(D, (vpair){v_select(top, s->axis[i], zero), zero});
         vpair step = v_two_prod(t, l->u[i]);
         if (l->segment)
@@ -533,17 +525,19 @@ INLINE lanes_root round_root(const lanes_slopes *q, const lanes_shape *s,
     const vd inverse = v_set(1) / slope, delta = residual * inverse;
     const vd s_size = v_abs(slope), off = v_abs(delta) + t.e;
     /* as in refined(); P is off by 2^-101 of what it was summed up from */
-    const vd spread = v_set(CYLINT_LAZY_BOUND) + v_set(0x1p-99) * from;
+    const vd spread =
+        v_set(CYLINT_LAZY_BOUND) + v_set(CYLINT_MOVED_BOUND) * from;
     const vd e =
-        v_set(1.02) * v_abs(inverse) *
+        v_set(CYLINT_LANES_SLACK) * v_abs(inverse) *
         (spread * sizes + v_set(CYLINT_UNDERFLOW) +
-         v_abs(delta) * (slope_e + s_size * v_set(0x1p-50)) + bend * off * off);
+         v_abs(delta) * (slope_e + s_size * v_set(CYLINT_QUOTIENT_ROUNDING)) +
+         bend * off * off);
     const vpair r = v_fast_two_sum(t.v, -delta);
     const vd t_size = v_abs(r.hi);
     const vm nearest =
         m_and(v_eq(r.hi + (r.lo + e), r.hi), v_eq(r.hi + (r.lo - e), r.hi));
-    const vm ordinary =
-        m_and(v_lt(t_size, v_set(0x1p300)), v_lt(v_set(0x1p-300), t_size));
+    const vm ordinary = m_and(v_lt(t_size, v_set(1 / CYLINT_ROOT_LEAST)),
+                              v_lt(v_set(CYLINT_ROOT_LEAST), t_size));
     return (lanes_root){r.hi, r.lo, e, m_and(nearest, ordinary)};
 }
 

@@ -49,14 +49,10 @@ static void shapes_at(const cylint_filter_batch *from, const size_t *number,
     unsigned cap[2] = {0, 0}, flip = 0;
     for (int i = 0; i < LANES; i++) {
         const cylint_shape *one = &from->shapes[number[i]];
-        const int ends = one->ends;
+        const unsigned caps = cylint_caps_present(one->ends);
         shape[i] = (const char *)one;
-        cap[0] |=
-            (unsigned)(ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0)
-            << i;
-        cap[1] |=
-            (unsigned)(ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1)
-            << i;
+        cap[0] |= (caps & 1) << i;
+        cap[1] |= (caps >> 1) << i;
         flip |= (unsigned)one->flip << i;
     }
 /* four members in a row, from `name` on */
@@ -73,7 +69,7 @@ static void shapes_at(const cylint_filter_batch *from, const size_t *number,
     s->r[1] = four[1];
     s->dr = four[2];
     s->dr_lo = four[3];
-    if (kind >= CYLINT_KIND_ECYLINDER) {
+    if (cylint_is_elliptic(kind)) {
         const vd turn = v_select(m_from(flip), v_set(-1), v_set(1));
         MEMBERS(a);
         EACH(i, 3)

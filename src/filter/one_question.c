@@ -68,7 +68,7 @@ INLINE void see(lanes_query *q, const cylint_shape *shape,
                 const cylint_line *line, int kind, int bounded)
 {
     letters_lanes *L = &q->L;
-    const int two_ends = bounded && kind <= CYLINT_KIND_CONE;
+    const int two_ends = bounded && cylint_has_end_points(kind);
     L->kind = kind;
     EACH(i, 3) {
         const vd base = two_ends ? v_two(shape->base[i], shape->top[i])
@@ -78,7 +78,7 @@ INLINE void see(lanes_query *q, const cylint_shape *shape,
         L->D[0][i] = v_set(line->o[i]) - base;
         if (bounded && !two_ends)
             L->D[0][i] = L->D[0][i] - v_two(0, shape->axis[i]);
-        if (kind >= CYLINT_KIND_ECYLINDER) {
+        if (cylint_is_elliptic(kind)) {
             L->a[i] = v_set(shape->a[i]);
             L->b[i] = v_set(shape->flip ? -shape->b[i] : shape->b[i]);
         }
@@ -107,7 +107,7 @@ INLINE void measure(lanes_query *q, const cylint_shape *shape,
         N->u[i] = v_set(line->size);
         N->w[i] = v_set(shape->size);
         N->D[0][i] = D;
-        if (kind >= CYLINT_KIND_ECYLINDER)
+        if (cylint_is_elliptic(kind))
             N->a[i] = N->b[i] = v_max(v_largest(L->a), v_largest(L->b));
     }
     prepare_shape_sizes(N);
@@ -168,7 +168,7 @@ INLINE verdict judge_unbounded(const lanes_query *q, bounded_value G, int kind)
     const vm no_caps = m_from(0);
     const int none = at_base(is_negative(G));
     int two = at_base(is_positive(G));
-    if (kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ECYLINDER) {
+    if (cylint_is_tapered(kind)) {
         const bounded_value A =
             with_bound(form_A_lanes(&q->L), form_A_sizes(&q->N));
         two &= at_base(m_or(is_positive(A), is_negative(A)));
@@ -233,7 +233,7 @@ INLINE unsigned hits_of(const stops *at, const cylint_shape *shape,
     const vm in =
         within_domain(at->t, v_set(line->tmin), v_set(line->tmax), &near);
     const unsigned lateral = m_bits(v_eq(at->part, v_set(CYLINT_PART_LATERAL)));
-    const unsigned present = lateral | caps_present(shape->ends);
+    const unsigned present = lateral | cylint_caps_present(shape->ends);
     const unsigned hits = present & m_bits(in);
     *unsure = (at->unsure | (present & m_bits(near))) != 0;
     return want & CYLINT_WANT_NEAREST && hits == 3 ? 1u << at->first : hits;
@@ -243,13 +243,13 @@ INLINE unsigned hits_of(const stops *at, const cylint_shape *shape,
 INLINE void round_both(lanes_root *r, const cylint_shape *shape,
                        const cylint_line *line, int kind, const stops *at)
 {
-    const int bounded = shape->ends < CYLINT_ENDS_INFINITE;
+    const int bounded = cylint_ends_are_planes(shape->ends);
     const double *top = bounded ? shape->top : shape->base;
     lanes_shape s;
     lanes_line l;
     broadcast_shape(&s, shape);
     broadcast_line(&l, line);
-    if (kind <= CYLINT_KIND_CONE)
+    if (cylint_has_end_points(kind))
         EACH(i, 3)
             s.base[i] = v_two(shape->base[i], top[i]);
     s.r[0] = v_two(shape->r0, bounded ? shape->r1 : shape->r0);
@@ -315,7 +315,7 @@ INLINE int finish(ARGUMENTS, int kind, const stops *at)
                    !roots_of(&r, shape, line, kind, at, want, hits)))
         return CYLINT_UNDECIDED;
     answer->relation = CYLINT_RELATION_CROSS;
-    tell(answer, rest, at, &r, hits, shape->ends < CYLINT_ENDS_INFINITE, want);
+    tell(answer, rest, at, &r, hits, cylint_ends_are_planes(shape->ends), want);
     return answer->n;
 }
 

@@ -141,6 +141,39 @@
  */
 #define CYLINT_LAZY_BOUND (512 * 0x1p-106)
 
+/*
+ * First-order errors of quotients and roots are added up where each divisor,
+ * slope and radicand is known to CYLINT_FIRST_ORDER, relative; in lanes G is
+ * known to CYLINT_RADICAND only, but sqrt(G) then errs by 0.52 of that and the
+ * bound counts all of it.  What of second order remains is below 0.2 %, the
+ * roundings of the error itself are below 2^-45 of it: CYLINT_LANES_SLACK
+ * covers both in lanes, CYLINT_ROOT_SLACK in root.c.
+ */
+#define CYLINT_FIRST_ORDER 0x1p-10
+#define CYLINT_RADICAND 0x1p-4
+#define CYLINT_LANES_SLACK 1.02
+
+/*
+ * Roundings of a quotient in doubles: three operations at most, in any rounding
+ * mode; of a root as a sum, two products, a square root and a quotient: seven
+ * at most; and the same seven in pairs, of which none errs by more than
+ * CYLINT_PAIR_DIV.
+ */
+#define CYLINT_QUOTIENT_ROUNDING 0x1p-50
+#define CYLINT_RADICAL_ROUNDING 0x1p-49
+#define CYLINT_PAIR_RADICAL_ROUNDING 0x1p-98
+
+/* sqrt(S G) above this: S G has not underflowed. */
+#define CYLINT_RADICAL_LEAST 0x1p-450
+
+/* In unnormalised pairs the origin moved by t is off by 2^-101 of what it was
+ * summed up from; a form's relative change is at most four times that. */
+#define CYLINT_MOVED_BOUND 0x1p-99
+
+/* Roots in lanes of this size and more, up to its inverse: no product on the
+ * way underflows, no low part of a sum is subnormal. */
+#define CYLINT_ROOT_LEAST 0x1p-300
+
 /* The bound on the error of t in the fast mode (lanes.h). */
 #define CYLINT_FAST_BOUND 0x1p-34
 

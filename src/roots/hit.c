@@ -41,7 +41,7 @@ static int data_are_tame(const cylint_query *q)
     for (int i = 0; i < 3; i++) {
         tame &= is_tame(l->o[i]) && is_tame(l->d[i]);
         tame &= is_tame(s->base[i]) && is_tame(s->axis[i]);
-        if (q->kind >= CYLINT_KIND_ECYLINDER)
+        if (cylint_is_elliptic(q->kind))
             tame &= is_tame(s->a[i]) && is_tame(s->b[i]);
     }
     return tame;
@@ -233,7 +233,7 @@ static int angle_in_pairs(const cylint_query *q, const letters_wide *L,
     facts[X] = floating_of_wide(x);
     facts[Y] = floating_of_wide(y);
     facts[VV] = floating_of_wide(vv);
-    const double scale = q->kind < CYLINT_KIND_ECYLINDER ? sqrt(vv.v.hi) : 1;
+    const double scale = !cylint_is_elliptic(q->kind) ? sqrt(vv.v.hi) : 1;
     const double wx = fabs(x.v.hi), wy = fabs(y.v.hi);
     if (!is_known(x, cylint_larger(wx, wy / scale)))
         return 0;
@@ -335,13 +335,11 @@ static int cap_coordinate(const cylint_shape *s, int cap, int i, double *x)
 {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     const int level =
-        s->kind >= CYLINT_KIND_ECYLINDER
+        cylint_is_elliptic(s->kind)
             ? !cylint_sign(s->a[i]) && !cylint_sign(s->b[i])
             : !cylint_sign(s->axis[j]) && !cylint_sign(s->axis[k]);
     if (level)
-        *x = !cap                          ? s->base[i]
-             : s->kind <= CYLINT_KIND_CONE ? s->top[i]
-                                           : s->base[i] + s->axis[i];
+        *x = cylint_end_center(s, cap, i);
     return level;
 }
 
@@ -434,7 +432,7 @@ static void write_facts(cylint_query *q, const floating *facts,
             return;
         }
         floating x = facts[X], y = facts[Y], vv = facts[VV];
-        if (q->kind < CYLINT_KIND_ECYLINDER) {
+        if (!cylint_is_elliptic(q->kind)) {
             const floating size = cylint_floating_sqrt(vv);
             x.v = pair_mul(x.v, size.v);
             x.e += size.e;
@@ -490,7 +488,7 @@ static int is_far(const cylint_query *q, double t)
 {
     const cylint_shape *s = q->shape;
     double size = s->size;
-    if (!cylint_dimensionless_radii(s))
+    if (!cylint_has_factors(s->kind))
         size = cylint_larger(size, cylint_larger(s->r0, s->r1));
     return fabs(t) * q->line->size > CYLINT_REST_FAR * size;
 }

@@ -17,6 +17,8 @@
  */
 #include "roots.h"
 
+#include "../signs/radical.h"
+
 /* Certain if |t - (hi + lo)| <= error makes hi the nearest double.  In other
  * rounding modes the additions do not tell, nor do the errors hold. */
 static int rounds_to_hi(pair t, double error)
@@ -42,7 +44,7 @@ static double double_sqrt(double x)
 #define V_NEG(x) (-(x))
 #define V_SQRT(x) double_sqrt(x)
 #define ERROR(x) ball_error(x)
-#define ROUNDING 0x1p-49
+#define ROUNDING CYLINT_RADICAL_ROUNDING
 #include "root_quotient_template.h"
 #undef NUM
 #undef VALUE
@@ -66,7 +68,7 @@ static double double_sqrt(double x)
 #define V_NEG(x) pair_neg(x)
 #define V_SQRT(x) pair_sqrt(x)
 #define ERROR(x) wide_error(x)
-#define ROUNDING 0x1p-98
+#define ROUNDING CYLINT_PAIR_RADICAL_ROUNDING
 #include "root_quotient_template.h"
 
 /* A root in doubles, with what is known of it. */
@@ -91,10 +93,10 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
     const letters_ball *L =
         root == ROOT_CAP1 ? cylint_ball_with_top(q) : &q->ball;
     const quotient_ball f = quotient_of_ball(L, root);
-    if (!(f.error < 0x1p-10))
+    if (!(f.error < CYLINT_FIRST_ORDER))
         return k;
     k.t = f.num / f.den;
-    k.error = (f.error + 0x1p-49) * fabs(k.t);
+    k.error = (f.error + CYLINT_RADICAL_ROUNDING) * fabs(k.t);
     k.slope = root == ROOT_EXIT ? f.radical : -f.radical;
     k.slope_error = f.radical_error;
     k.bend = f.A;
@@ -129,7 +131,8 @@ static pair refined(cylint_query *q, estimate k, double low, double *error)
     const double s = 2 * fabs(k.slope), delta = Q.v.hi / (2 * k.slope);
     const double off = fabs(delta) + k.error;
     *error = CYLINT_ROOT_SLACK *
-             (wide_error(Q) / s + fabs(delta) * (k.slope_error + 0x1p-50) +
+             (wide_error(Q) / s +
+              fabs(delta) * (k.slope_error + CYLINT_QUOTIENT_ROUNDING) +
               k.bend * off / s * off);
     return fast_two_sum(k.t, low - delta);
 }
@@ -310,7 +313,7 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
     num.hi *= cylint_power_of_two(e);
     num.lo *= cylint_power_of_two(e);
     const pair t = pair_div(exits ? pair_neg(num) : num, f.den);
-    *error = (f.error + 0x1p-98) * fabs(t.hi);
+    *error = (f.error + CYLINT_PAIR_RADICAL_ROUNDING) * fabs(t.hi);
     return t;
 }
 
@@ -328,7 +331,7 @@ static int newton(cylint_query *q, estimate k, double low, pair *t,
                   double *error)
 {
     *error = HUGE_VAL;
-    while (k.slope_error < 0x1p-10) {
+    while (k.slope_error < CYLINT_FIRST_ORDER) {
         *t = refined(q, k, low, error);
         if (settles(q, *t, *error))
             return 1;
@@ -351,9 +354,9 @@ static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
         return 1;
     const quotient_wide f =
         known ? *known : quotient_of_wide(cylint_wide_line(q), root);
-    if (f.error < 0x1p-10) {
+    if (f.error < CYLINT_FIRST_ORDER) {
         *t = pair_div(f.num, f.den);
-        *error = (f.error + 0x1p-98) * fabs(t->hi);
+        *error = (f.error + CYLINT_PAIR_RADICAL_ROUNDING) * fabs(t->hi);
         if (settles(q, *t, *error))
             return 1;
         if (newton(q, estimate_by_pairs(root, &f, *t, *error), t->lo, t, error))
@@ -533,7 +536,7 @@ static int placed(const cylint_query *q, double t, double error)
     /* of a limit brought into scale */
     const double off_from = 0x1p-50 * cylint_smaller(fabs(from), DBL_MAX);
     const double off_to = 0x1p-50 * cylint_smaller(fabs(to), DBL_MAX);
-    error = 1.01 * error + CYLINT_UNDERFLOW;
+    error = CYLINT_ROOT_SLACK * error + CYLINT_UNDERFLOW;
     if (t + error < from - off_from || t - error > to + off_to)
         return -1;
     return t - error > from + off_from && t + error < to - off_to;
@@ -542,10 +545,10 @@ static int placed(const cylint_query *q, double t, double error)
 /* The same by pairs, which know a root that lies near the line's origin. */
 static int placed_by_pairs(const cylint_query *q, const quotient_wide *f)
 {
-    if (!(f->error < 0x1p-10))
+    if (!(f->error < CYLINT_FIRST_ORDER))
         return 0;
     const double t = pair_div(f->num, f->den).hi;
-    return placed(q, t, (f->error + 0x1p-50) * fabs(t));
+    return placed(q, t, (f->error + CYLINT_QUOTIENT_ROUNDING) * fabs(t));
 }
 
 int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,

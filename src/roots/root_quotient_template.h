@@ -23,16 +23,13 @@ static VALUE FORM(radical)(const FORM(letters) *L, double *error)
     const NUM G = FORM(form_G)(L), S = FORM(form_root_of_S)(L);
     const double eG = FORM(relative)(G);
     *error = 2;
-    if (!(HIGH(OF(G)) > 0 && eG < 0x1p-10))
+    if (!(HIGH(OF(G)) > 0 && eG < CYLINT_FIRST_ORDER))
         return OF(G);
-    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ACONE) {
+    /* without a square, S G may have underflowed */
+    const VALUE R = CYLINT_RADICAL(L->kind, OF(S), OF(G), V_MUL, V_SQRT);
+    if (cylint_S_is_square(L->kind) || HIGH(R) > CYLINT_RADICAL_LEAST)
         *error = eG + FORM(relative)(S) + ROUNDING;
-        return V_MUL(OF(S), V_SQRT(OF(G)));
-    }
-    const VALUE SG = V_MUL(OF(S), OF(G));
-    if (HIGH(SG) > 0x1p-900) /* else it may have underflowed */
-        *error = eG + FORM(relative)(S) + ROUNDING;
-    return V_SQRT(SG);
+    return R;
 }
 
 /* |B| + R, which one of the two forms of a root divides by, with its error;

@@ -9,6 +9,8 @@
  */
 #include "roots.h"
 
+#include "../signs/radical.h"
+
 /* ---------------------------------------- pairs with an exponent ------- */
 
 floating cylint_floating(exact x)
@@ -104,9 +106,7 @@ static floating radical(cylint_query *q, surd *t)
     const floating S = cylint_floating(form_root_of_S_exact(L));
     const floating G = cylint_floating(form_G_exact(L));
     q->arena.used = used;
-    t->R = L->kind == CYLINT_KIND_CYLINDER || L->kind == CYLINT_KIND_ACONE
-               ? cylint_floating_sqrt(floating_mul(S, G))
-               : floating_mul(S, cylint_floating_sqrt(G));
+    t->R = CYLINT_RADICAL(L->kind, S, G, floating_mul, cylint_floating_sqrt);
     return t->R;
 }
 

@@ -51,29 +51,17 @@ const char *cylint_scene_strerror(int status)
 
 /* ------------------------------------------------------------ building -- */
 
-/* An upper bound of how far the section at z = 0 (end = 0) or z = 1 reaches from
- * the axis along coordinate j. */
-static double rough_reach(const cylint_shape *s, int end, int j)
-{
-    const double r = end ? s->r1 : s->r0;
-    if (cylint_is_elliptic(s))
-        return r * (fabs(s->a[j]) + fabs(s->b[j]));
-    if (s->kind == CYLINT_KIND_ACONE) /* from the tangent */
-        return r * (fabs(s->axis[0]) + fabs(s->axis[1]) + fabs(s->axis[2]));
-    return r;
-}
-
 /* Whether a frame can contain the shape; if so, writes its box.  Each number has
  * at most 6 roundings and errors of its data.  Squares of lengths may underflow
  * later; multiplied by a larger factor, the lost part would matter. */
 static int has_box(const cylint_shape *s, double lo[3], double hi[3])
 {
-    const int has_factors =
-        cylint_is_elliptic(s) || s->kind == CYLINT_KIND_ACONE;
+    const int has_factors = cylint_has_factors(s->kind);
     if (!cylint_is_bounded(s) || (has_factors && s->r1 > CYLINT_FRAME_MOST))
         return 0;
     for (int j = 0; j < 3; j++) {
-        const double bottom = rough_reach(s, 0, j), top = rough_reach(s, 1, j);
+        const double bottom = cylint_rough_reach(s, 0, j),
+                     top = cylint_rough_reach(s, 1, j);
         const double base = s->base[j], end = base + s->axis[j];
         const double more =
             DBL_MIN + 0x1p-50 * (fabs(base) + fabs(s->axis[j]) + bottom + top);

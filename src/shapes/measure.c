@@ -6,20 +6,15 @@
 #include "../numbers/bits.h"
 #include "../numbers/error_bounds.h"
 
-int cylint_dimensionless_radii(const cylint_shape *s)
-{
-    return s->kind >= CYLINT_KIND_ACONE;
-}
-
 static double largest_length(const cylint_shape *s)
 {
     double most = cylint_largest(s->axis);
-    if (s->kind >= CYLINT_KIND_ECYLINDER) {
+    if (cylint_is_elliptic(s->kind)) {
         const double a = cylint_largest(s->a), b = cylint_largest(s->b);
         most = a > most ? a : most;
         most = b > most ? b : most;
     }
-    if (!cylint_dimensionless_radii(s)) {
+    if (!cylint_has_factors(s->kind)) {
         most = s->r0 > most ? s->r0 : most;
         most = s->r1 > most ? s->r1 : most;
     }
@@ -56,11 +51,9 @@ static double dot3(const double x[3], const double y[3])
 static double disc_reach(const cylint_shape *s, double *skew)
 {
     *skew = 0;
-    if (s->kind == CYLINT_KIND_ACONE)
-        return s->r1 * s->r1 * dot3(s->axis, s->axis);
     const double r = cylint_larger(s->r0, s->r1);
-    if (s->kind <= CYLINT_KIND_CONE)
-        return r * r;
+    if (!cylint_is_elliptic(s->kind))
+        return r * r * cylint_radius_unit(s, dot3(s->axis, s->axis));
     *skew = r * (fabs(dot3(s->a, s->axis)) + fabs(dot3(s->b, s->axis)));
     return r * r *
            (cylint_larger(dot3(s->a, s->a), dot3(s->b, s->b)) +
@@ -77,10 +70,10 @@ static void measure_ball(cylint_shape *s)
 {
     s->ball = HUGE_VAL;
     s->center[0] = s->center[1] = s->center[2] = 0;
-    if (s->ends >= CYLINT_ENDS_INFINITE)
+    if (!cylint_ends_are_planes(s->ends))
         return;
     for (int i = 0; i < 3; i++)
-        s->center[i] = s->kind <= CYLINT_KIND_CONE
+        s->center[i] = cylint_has_end_points(s->kind)
                            ? 0.5 * s->base[i] + 0.5 * s->top[i]
                            : s->base[i] + 0.5 * s->axis[i];
     double skew;
@@ -94,7 +87,7 @@ void cylint_measure_shape(cylint_shape *s)
 {
     s->size = cylint_largest(s->axis);
     s->ordinary = within_window(largest_length(s)) &&
-                  (!cylint_dimensionless_radii(s) || s->r1 <= CYLINT_WINDOW);
+                  (!cylint_has_factors(s->kind) || s->r1 <= CYLINT_WINDOW);
     measure_ball(s);
 }
 

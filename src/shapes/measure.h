@@ -5,6 +5,7 @@
 #define CYLINT_MEASURE_H
 
 #include "cylint.h"
+#include "shape_facts.h"
 
 /* center, ball, size and ordinary of a shape; size and ordinary of a line. */
 void cylint_measure_shape(cylint_shape *shape);
@@ -18,9 +19,6 @@ int cylint_apex_normal_sign(const cylint_shape *s, int along);
 
 /* The double nearest to the tangent of an angle in (0, 90) degrees. */
 double cylint_tangent(double degrees);
-
-/* Whether r0 and r1 are no lengths but factors. */
-int cylint_dimensionless_radii(const cylint_shape *s);
 
 /* The binary exponent of the largest length of a shape. */
 int cylint_length_exponent(const cylint_shape *s);

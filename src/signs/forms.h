@@ -8,6 +8,7 @@
 #include "../numbers/bits.h"
 #include "../numbers/error_bounds.h"
 #include "../numbers/exact.h"
+#include "../shapes/shape_facts.h"
 #include "cylint.h"
 
 /* ------------------------------------------- the three arithmetics ----- */

@@ -91,7 +91,7 @@ INLINE void FORM(cross)(const FORM(letters) *L, const NUM x[3], const NUM y[3],
 
 INLINE int FORM(elliptic)(const FORM(letters) *L)
 {
-    return L->kind >= CYLINT_KIND_ECYLINDER;
+    return cylint_is_elliptic(L->kind);
 }
 
 /* The axial functional: z grows with P.axial. */
@@ -210,7 +210,7 @@ INLINE NUM FORM(form_N)(const FORM(letters) *L, int i)
         if (L->kind == CYLINT_KIND_CONE)
             N = MUL(L->vv, N);
     }
-    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ECYLINDER)
+    if (cylint_is_tapered(L->kind))
         N = SUB(N, MUL(MUL(L->r[i], L->dr), MUL(L->beta, L->beta)));
     RETURN(N)
 }
@@ -287,7 +287,7 @@ INLINE NUM FORM(form_A)(const FORM(letters) *L)
         if (L->kind == CYLINT_KIND_CONE)
             A = MUL(L->vv, A);
     }
-    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ECYLINDER) {
+    if (cylint_is_tapered(L->kind)) {
         NUM rho1 = FORM(form_rho1)(L);
         A = SUB(A, MUL(rho1, rho1));
     }
@@ -318,7 +318,7 @@ INLINE NUM FORM(form_B)(const FORM(letters) *L)
         if (L->kind == CYLINT_KIND_CONE)
             B = MUL(L->vv, B);
     }
-    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ECYLINDER)
+    if (cylint_is_tapered(L->kind))
         B = SUB(B, MUL(FORM(form_rho0)(L), FORM(form_rho1)(L)));
     RETURN(B)
 }
@@ -371,7 +371,7 @@ INLINE NUM FORM(gradient)(const FORM(letters) *L, int i)
         if (L->kind == CYLINT_KIND_CONE)
             N = MUL(L->vv, N);
     }
-    if (L->kind != CYLINT_KIND_CYLINDER && L->kind != CYLINT_KIND_ECYLINDER)
+    if (cylint_is_tapered(L->kind))
         N = SUB(N, MUL(MUL(FORM(form_rho0)(L), L->dr), FORM(axial)(L)[i]));
     RETURN(N)
 }

@@ -46,7 +46,7 @@ static void scale_query(cylint_query *q)
     cylint_shape *to = &q->scaled_shape;
     *to = *s;
     scale_vector(to->base, s->base, e);
-    if (s->kind <= CYLINT_KIND_CONE) {
+    if (cylint_has_end_points(s->kind)) {
         scale_vector(to->top, s->top, e);
         cylint_scaled_difference(to->axis, to->axis_lo, s->top, s->base, e);
         to->r0 = cylint_scaled(s->r0, e);
@@ -98,7 +98,7 @@ static void load_ball(cylint_query *q)
         L->w[i] = ball_of(s->axis[i]);
         L->D[0][i] = ball_of(l->o[i] - s->base[i]);
     }
-    if (s->kind >= CYLINT_KIND_ECYLINDER)
+    if (cylint_is_elliptic(s->kind))
         for (int i = 0; i < 3; i++) {
             L->a[i] = ball_of(s->a[i]);
             L->b[i] = ball_of(s->flip ? -s->b[i] : s->b[i]);
@@ -116,7 +116,7 @@ const letters_ball *cylint_ball_with_top(cylint_query *q)
         letters_ball *L = &q->ball;
         for (int i = 0; i < 3; i++)
             L->D[1][i] =
-                L->kind <= CYLINT_KIND_CONE
+                cylint_has_end_points(L->kind)
                     ? ball_of(q->near_line->o[i] - q->near_shape->top[i])
                     : ball_sub(L->D[0][i], L->w[i]);
         prepare_top_ball(L);
@@ -151,11 +151,11 @@ letters_wide *cylint_wide(cylint_query *q)
         L->u[i] = wide_of(l->d[i], l->d_lo[i]);
         L->w[i] = wide_of(s->axis[i], s->axis_lo[i]);
         L->D[0][i] = wide_difference(l->o[i], s->base[i]);
-        L->D[1][i] = s->kind <= CYLINT_KIND_CONE
+        L->D[1][i] = cylint_has_end_points(s->kind)
                          ? wide_difference(l->o[i], s->top[i])
                          : wide_sub(L->D[0][i], L->w[i]);
     }
-    if (s->kind >= CYLINT_KIND_ECYLINDER)
+    if (cylint_is_elliptic(s->kind))
         for (int i = 0; i < 3; i++) {
             L->a[i] = wide_of(s->a[i], 0);
             L->b[i] = wide_of(s->flip ? -s->b[i] : s->b[i], 0);
@@ -189,7 +189,7 @@ static void load_exact(cylint_query *q, letters_exact *L)
         L->u[i] = l->segment ? cylint_exact_difference(m, l->end[i], l->o[i])
                              : cylint_exact_from(m, l->d[i]);
         L->D[0][i] = cylint_exact_difference(m, l->o[i], s->base[i]);
-        if (s->kind <= CYLINT_KIND_CONE) {
+        if (cylint_has_end_points(s->kind)) {
             L->w[i] = cylint_exact_difference(m, s->top[i], s->base[i]);
             L->D[1][i] = cylint_exact_difference(m, l->o[i], s->top[i]);
         } else {
@@ -197,7 +197,7 @@ static void load_exact(cylint_query *q, letters_exact *L)
             L->D[1][i] =
                 cylint_exact_add(m, L->D[0][i], cylint_exact_neg(L->w[i]));
         }
-        if (s->kind >= CYLINT_KIND_ECYLINDER) {
+        if (cylint_is_elliptic(s->kind)) {
             L->a[i] = cylint_exact_from(m, s->a[i]);
             L->b[i] = cylint_exact_from(m, s->flip ? -s->b[i] : s->b[i]);
         }
@@ -281,7 +281,7 @@ static const letters_quantum *quanta(cylint_query *q)
         const pair d = two_diff(l->o[i], s->base[i]);
         q->quanta &= d.lo == 0 && cylint_sign(l->d_lo[i]) == 0 &&
                      cylint_sign(s->axis_lo[i]) == 0;
-        if (s->kind <= CYLINT_KIND_CONE)
+        if (cylint_has_end_points(s->kind))
             q->quanta &= two_diff(l->o[i], s->top[i]).lo == 0;
         D[i] = d.hi;
     }
@@ -293,7 +293,7 @@ static const letters_quantum *quanta(cylint_query *q)
     fill3(L->w, ew);
     fill3(L->D[0], eD);
     fill3(L->D[1], eD < ew ? eD : ew);
-    if (s->kind >= CYLINT_KIND_ECYLINDER) {
+    if (cylint_is_elliptic(s->kind)) {
         fill3(L->a, least_quantum(s->a));
         fill3(L->b, least_quantum(s->b));
     }

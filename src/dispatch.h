@@ -1,0 +1,29 @@
+/*
+ * dispatch.h - the builds of the filter that are in use
+ */
+#ifndef CYLINT_DISPATCH_H
+#define CYLINT_DISPATCH_H
+
+#include "filter/filter.h"
+
+typedef struct {
+    const char *name;
+    cylint_one_table *one;
+    cylint_filter_next *many;
+} cylint_kernels;
+
+/* dispatch.c chooses when first called. */
+extern const cylint_kernels *cylint_kernels_chosen;
+const cylint_kernels *cylint_choose_kernels(void);
+static inline const cylint_kernels *cylint_kernels_used(void)
+{
+#ifdef __GNUC__
+    const cylint_kernels *kernels =
+        __atomic_load_n(&cylint_kernels_chosen, __ATOMIC_RELAXED);
+#else
+    const cylint_kernels *kernels = cylint_kernels_chosen;
+#endif
+    return kernels ? kernels : cylint_choose_kernels();
+}
+
+#endif

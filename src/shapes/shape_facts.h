@@ -1,0 +1,136 @@
+/*
+ * shape_facts.h - everything that is to be known of a kind of shape
+ *
+ * The code asks these functions and does not compare kinds.  The polynomials
+ * of each kind are in signs/forms_template.h.
+ *
+ *              elliptic  tapered  end points  factors   the radius at z
+ *   cylinder      -         -         yes        -      r0
+ *   cone          -        yes        yes        -      r0 + dr z
+ *   acone         -        yes         -        yes     (r0 + dr z) |axis|
+ *   ecylinder    yes        -          -        yes     times the semi-axes
+ *   econe        yes       yes         -        yes     times the semi-axes
+ *
+ * A shape is bounded by the planes z = 0 and z = 1 or, where it is tapered, by
+ * the plane through its apex (a nappe), or it is unbounded.
+ */
+#ifndef CYLINT_SHAPE_FACTS_H
+#define CYLINT_SHAPE_FACTS_H
+
+#include <math.h>
+
+#include "../numbers/compiler.h"
+#include "cylint.h"
+
+enum { CYLINT_KINDS = CYLINT_KIND_ECONE + 1 };
+
+/* ------------------------------------------------------- of a kind ----- */
+
+/* A section is an ellipse with the semi-axes a and b; else a circle. */
+CYLINT_INLINE int cylint_is_elliptic(int kind)
+{
+    return kind >= CYLINT_KIND_ECYLINDER;
+}
+
+/* The section changes with z. */
+CYLINT_INLINE int cylint_is_tapered(int kind)
+{
+    return kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ECYLINDER;
+}
+
+/* Both ends of the axis are data, its direction is their difference; else the
+ * base and the direction are data. */
+CYLINT_INLINE int cylint_has_end_points(int kind)
+{
+    return kind <= CYLINT_KIND_CONE;
+}
+
+/* r0 and r1 are factors; else they are lengths. */
+CYLINT_INLINE int cylint_has_factors(int kind)
+{
+    return kind >= CYLINT_KIND_ACONE;
+}
+
+/* The S of forms_template.h is the square of form_root_of_S(); else it is that
+ * itself. */
+CYLINT_INLINE int cylint_S_is_square(int kind)
+{
+    return kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ACONE;
+}
+
+/* -------------------------------------------------------- of ends ------ */
+
+/* The planes z = 0 and z = 1 bound the shape. */
+CYLINT_INLINE int cylint_ends_are_planes(int ends)
+{
+    return ends < CYLINT_ENDS_INFINITE;
+}
+
+/* The caps that can be hit: bit 0 and bit 1. */
+CYLINT_INLINE unsigned cylint_caps_present(int ends)
+{
+    return ends == CYLINT_ENDS_CAPPED ? 3
+           : ends == CYLINT_ENDS_CAP0 ? 1
+           : ends == CYLINT_ENDS_CAP1 ? 2
+                                      : 0;
+}
+
+CYLINT_INLINE int cylint_part_is_present(int ends, int part)
+{
+    return part == CYLINT_PART_LATERAL ||
+           (cylint_caps_present(ends) >> (part == CYLINT_PART_CAP1) & 1);
+}
+
+/* ------------------------------------------------------- of a shape ---- */
+
+CYLINT_INLINE int cylint_is_bounded(const cylint_shape *s)
+{
+    return s->kind != CYLINT_KIND_NONE && cylint_ends_are_planes(s->ends);
+}
+
+/* One side of a double cone: the plane through the apex bounds it. */
+CYLINT_INLINE int cylint_is_nappe(const cylint_shape *s)
+{
+    return s->ends == CYLINT_ENDS_NAPPE && cylint_is_tapered(s->kind);
+}
+
+/* r0 or r1. */
+CYLINT_INLINE double cylint_end_factor(const cylint_shape *s, int end)
+{
+    return end ? s->r1 : s->r0;
+}
+
+/* Coordinate i of the centre of an end, rounded at most once. */
+CYLINT_INLINE double cylint_end_center(const cylint_shape *s, int end, int i)
+{
+    return !end                             ? s->base[i]
+           : cylint_has_end_points(s->kind) ? s->top[i]
+                                            : s->base[i] + s->axis[i];
+}
+
+/* What the radius of a circular kind is a multiple of: an acone's tangent is
+ * one of the axis's length, which the caller has. */
+CYLINT_INLINE double cylint_radius_unit(const cylint_shape *s, double length)
+{
+    return s->kind == CYLINT_KIND_ACONE ? length : 1;
+}
+
+/* The ellipse x a + y b, x^2 + y^2 <= 1, reaches so far along coordinate j. */
+CYLINT_INLINE double cylint_elliptic_reach(const double a[3], const double b[3],
+                                           int j)
+{
+    return sqrt(a[j] * a[j] + b[j] * b[j]);
+}
+
+/* An upper bound of how far the section at an end reaches from the axis along
+ * coordinate j, but for roundings. */
+CYLINT_INLINE double cylint_rough_reach(const cylint_shape *s, int end, int j)
+{
+    const double r = cylint_end_factor(s, end);
+    if (cylint_is_elliptic(s->kind))
+        return r * (fabs(s->a[j]) + fabs(s->b[j]));
+    return r * cylint_radius_unit(s, fabs(s->axis[0]) + fabs(s->axis[1]) +
+                                         fabs(s->axis[2]));
+}
+
+#endif
