@@ -100,8 +100,8 @@ static void compare(RTCScene curves, const cylint_scene *exact,
         missed += (size_t)(hit && !told);
         seen += (size_t)(!hit && told);
     }
-    printf("%-8s %-9s %-9s %6zu rays, %6zu meet a shape; by the curves %5.2f "
-           "%% of these missed, %zu seen that are not there\n",
+    printf("%-8s %-9s %-9s %6zu rays, %6zu hit a shape; the curves miss %5.2f "
+           "%% of these and report %zu false hits\n",
            s->name, scene_lines_name[kind], unit ? "unit d" : "d as is", asked,
            met, met ? 100.0 * (double)missed / (double)met : 0, seen);
 }

@@ -35,7 +35,7 @@ static int was_refused(void)
 static void shapes_of_all_kinds(cylint_shape *shapes, uint64_t seed)
 {
     world_shapes(&seed, SCENE_MIXED, shapes, SHAPES);
-    seed = 77; /* and long ones, which are cut */
+    seed = 77; /* and long ones, which are split */
     world_shapes(&seed, SCENE_FIBRES, shapes, SHAPES / 2);
 }
 

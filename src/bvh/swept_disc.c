@@ -127,9 +127,9 @@ cylint_extent cylint_piece_box(const cylint_swept_disc *t,
 
 cylint_extent cylint_swept_disc_box(const cylint_view *view, uint32_t number)
 {
-    cylint_swept_disc trunk;
+    cylint_swept_disc disc;
     double reach[3];
-    cylint_swept_disc_of(&trunk, view, number);
-    cylint_swept_disc_reach(&trunk, reach);
-    return cylint_piece_box(&trunk, reach, (cylint_piece){0, 1});
+    cylint_swept_disc_of(&disc, view, number);
+    cylint_swept_disc_reach(&disc, reach);
+    return cylint_piece_box(&disc, reach, (cylint_piece){0, 1});
 }

@@ -57,22 +57,22 @@ typedef struct cylint_packed_disc {
     uint32_t number; /* of the shape */
 } cylint_packed_disc;
 
-cylint_packed_disc cylint_packed_disc_of(const cylint_swept_disc *trunk,
+cylint_packed_disc cylint_packed_disc_of(const cylint_swept_disc *disc,
                                          const cylint_shape *shape,
                                          uint32_t number);
 
-void cylint_swept_disc_of(cylint_swept_disc *trunk, const cylint_view *view,
+void cylint_swept_disc_of(cylint_swept_disc *disc, const cylint_view *view,
                           uint32_t number);
 
 /* Writes reach[j]: the section at z reaches k(z) reach[j] from its centre along
  * coordinate j. */
-void cylint_swept_disc_reach(const cylint_swept_disc *trunk, double reach[3]);
+void cylint_swept_disc_reach(const cylint_swept_disc *disc, double reach[3]);
 
 /* The z range of a piece, and its box.  Pieces overlap by 2^-20 of their
  * length, so that a z with a rounding error still lies in the piece that
  * cylint_piece_at() returns. */
 void cylint_piece_ends(cylint_piece piece, double z[2]);
-cylint_extent cylint_piece_box(const cylint_swept_disc *trunk,
+cylint_extent cylint_piece_box(const cylint_swept_disc *disc,
                                const double reach[3], cylint_piece piece);
 
 /* The box of a whole shape. */

@@ -88,19 +88,19 @@ static int make_rivals(struct contestant *c, const struct cylinder_kind *kind,
         c[n++] = (struct contestant){
             .name = "curves, split by hand",
             .rival = build_curves(cylinders, segments, one)};
-    c[n++] = (struct contestant){.name = "blocks",
+    c[n++] = (struct contestant){.name = "adapter",
                                  .rival = build_shapes(cylinders, 0, one)};
     if (all) {
         c[n++] = (struct contestant){
-            .name = "blocks, bare",
+            .name = "adapter, bare",
             .rival = build_shapes(cylinders, CYLINT_EMBREE_BARE, one)};
         c[n++] = (struct contestant){
-            .name = "blocks, no filters",
+            .name = "adapter, no filters",
             .rival = build_shapes(cylinders, CYLINT_EMBREE_NO_FILTERS, one)};
     }
     if (all && kind != &fibre) { /* boxes of fibres are mostly empty */
         c[n++] = (struct contestant){
-            .name = "one a primitive",
+            .name = "adapter, one shape per primitive",
             .rival = build_shapes(cylinders, CYLINT_EMBREE_SINGLE, one)};
     }
     return n;

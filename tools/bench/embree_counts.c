@@ -87,7 +87,7 @@ int main(int argc, char **argv)
 {
     const size_t most = argc > 1 ? (size_t)atof(argv[1]) : 1000000;
     puts("# visits a ray; fewer is better");
-    printf("scene\tn\trays\tnodes/ray\tblocks/ray\tpieces/ray\tshapes/ray\t"
+    printf("scene\tn\trays\tnodes/ray\tleaves/ray\tpieces/ray\tshapes/ray\t"
            "exactly/ray\n");
     for (size_t n = 1000; n <= most; n *= 10)
         count(&thin, n);

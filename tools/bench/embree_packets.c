@@ -232,8 +232,8 @@ static void run(const struct cylinder_kind *kind, size_t n, double seconds)
     struct cylinders cylinders = draw_cylinders(kind, n);
     struct contestant c[] = {
         {.name = "curves", .rival = build_curves(&cylinders, 1, one)},
-        {.name = "blocks", .rival = build_shapes(&cylinders, 0, one)},
-        {.name = "blocks, no filters",
+        {.name = "adapter", .rival = build_shapes(&cylinders, 0, one)},
+        {.name = "adapter, no filters",
          .rival = build_shapes(&cylinders, CYLINT_EMBREE_NO_FILTERS, one)}};
     enum { RIVALS = sizeof c / sizeof *c };
     race(kind->name, n, "camera", query_nearest, draw_camera_rays(RAYS), c,
