@@ -249,9 +249,9 @@ INLINE hit_result cross_lateral(question *q, const vd u[3], const vd D[3])
  * bounds a |s - root| by sqrt(G) / 5, and then |s - root| by
  * 0.57 |Q| / sqrt(G).
  *
- * The bound of z includes the error of the library's z: at most 2^-54 = eps / 16,
- * as its dividend has 54 bits beside its divisor, and roundings of z, which
- * eps |z| covers.
+ * The bound of z includes the error of the library's z: its dividend and divisor
+ * are right to 2^-54 of themselves (hit.c), so with its roundings it is right to
+ * eps |z| / 2.  The eps / 16 besides is to spare.
  */
 INLINE vm evaluate_at(const question *q, vd s, hit *at)
 {
