@@ -39,7 +39,7 @@ void rays_add(struct rays *r, int i, const float o[3], const float d[3],
 
 /* Embree passes the context to callbacks and filters, and with it the members
  * that follow: in Embree 4 the filter of CYLINT_EMBREE_CONTEXT_FILTER. */
-struct asked {
+struct call {
 #if RTC_VERSION_MAJOR >= 4
     struct RTCRayQueryContext context;
     RTCFilterFunctionN filter;
@@ -57,16 +57,16 @@ static void remember(struct rays *r)
 #if RTC_VERSION_MAJOR >= 4
 
 #define ASK(TYPE, INIT)                                                       \
-    struct asked asked = {0};                                                 \
+    struct call call = {0};                                                   \
     struct TYPE arguments;                                                    \
-    rtcInitRayQueryContext(&asked.context);                                   \
+    rtcInitRayQueryContext(&call.context);                                    \
     INIT(&arguments);                                                         \
-    arguments.context = &asked.context;                                       \
+    arguments.context = &call.context;                                        \
     if (query) {                                                              \
-        asked.user = query->user;                                             \
+        call.user = query->user;                                              \
         if (query->instance)                                                  \
-            asked.context.instID[0] = query->instance;                        \
-        asked.filter = query->filter;                                         \
+            call.context.instID[0] = query->instance;                         \
+        call.filter = query->filter;                                          \
         arguments.filter = query->filter;                                     \
         arguments.flags = (enum RTCRayQueryFlags)(                            \
             (query->filter ? RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER : 0) | \
@@ -80,23 +80,23 @@ static void remember(struct rays *r)
 
 #else
 
-#define ASK(TYPE, INIT)                                                    \
-    struct asked asked = {0};                                              \
-    rtcInitIntersectContext(&asked.context);                               \
-    if (query) {                                                           \
-        asked.user = query->user;                                          \
-        if (query->instance)                                               \
-            asked.context.instID[0] = query->instance;                     \
-        asked.context.filter = query->filter;                              \
-        asked.context.flags = query->coherent                              \
-                                  ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT    \
-                                  : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT; \
+#define ASK(TYPE, INIT)                                                   \
+    struct call call = {0};                                               \
+    rtcInitIntersectContext(&call.context);                               \
+    if (query) {                                                          \
+        call.user = query->user;                                          \
+        if (query->instance)                                              \
+            call.context.instID[0] = query->instance;                     \
+        call.context.filter = query->filter;                              \
+        call.context.flags = query->coherent                              \
+                                 ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT    \
+                                 : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT; \
     }
 
 #define TRACE(CALL, TYPE, N) \
-    CALL##N(r->valid, scene, &asked.context, (struct TYPE##N *)(void *)r->word)
+    CALL##N(r->valid, scene, &call.context, (struct TYPE##N *)(void *)r->word)
 #define TRACE_ONE(CALL, TYPE) \
-    CALL##1(scene, &asked.context, (struct TYPE *)(void *)r->word)
+    CALL##1(scene, &call.context, (struct TYPE *)(void *)r->word)
 
 #endif
 
@@ -135,7 +135,7 @@ void rays_occluded(struct rays *r, RTCScene scene,
 
 void *rays_user(const struct RTCFilterFunctionNArguments *a)
 {
-    return ((const struct asked *)(const void *)a->context)->user;
+    return ((const struct call *)(const void *)a->context)->user;
 }
 
 float rays_filter_t(const struct RTCFilterFunctionNArguments *a, int i)

@@ -71,7 +71,7 @@ void rays_occluded(struct rays *, RTCScene, const struct rays_query *);
 /* In a filter: the query's `user`. */
 void *rays_user(const struct RTCFilterFunctionNArguments *);
 
-/* What a filter sees of ray i: its words, ray and hit apart. */
+/* The arguments of a filter for ray i: its words, ray and hit apart. */
 float rays_filter_t(const struct RTCFilterFunctionNArguments *, int i);
 unsigned rays_filter_prim(const struct RTCFilterFunctionNArguments *, int i);
 

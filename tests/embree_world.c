@@ -29,7 +29,7 @@ static bool watch(void *user, ssize_t bytes, bool post)
     (void)post;
     if (bytes > 0) {
         const int number =
-            __atomic_add_fetch(&world_memory.asked, 1, __ATOMIC_RELAXED);
+            __atomic_add_fetch(&world_memory.requests, 1, __ATOMIC_RELAXED);
         if (number == world_memory.refuse)
             return false;
     }

@@ -13,13 +13,13 @@
 /* The one device of a test program, its errors counted; memory is watched:
  * see world_memory. */
 RTCDevice world_device(void);
-int world_errors(void); /* since it was asked last */
+int world_errors(void); /* since the last call */
 enum RTCError world_last_error(void);
 
 /* What the device's memory monitor saw. */
 struct world_memory {
     long long bytes; /* in use now */
-    int asked;       /* allocations asked for, the refused one too */
+    int requests;    /* allocations, including the refused one */
     int refuse;      /* the number of the one to refuse, from 1; 0: none */
 };
 extern struct world_memory world_memory;

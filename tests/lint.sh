@@ -65,23 +65,23 @@ judged() {
         -e 'Nd where does a line meet a cylinder or a cone?' \
         -e 'referenced manual not found: Xr \(cylint\|sbatch\|parallel\)' \
         -e 'outdated mandoc\.db'
-    # cross() writes all of a row; task->row is filled anew before each use;
-    # a record has as many numbers as its kinds say; va_start was called; the
-    # letters of circular and elliptic kinds are never mixed, as an analyzer
-    # that forgets the kind on the way believes; a box has three sides; a
-    # number with limbs has a highest bit; what grows is kept in its struct;
-    # blocks are counted whole; a query lives as long as its packet, and
-    # lanes that are left have a first; room that was given is not NULL; of
-    # the facts of a hit those are read that were asked for and made; both
-    # analyzers take three rounds of EACH for one, and gcc's the assignments
-    # of f.num = f.den and sum = size_of() for none; the name line is a
-    # question; manuals are referred to that are not installed.
+    # The reasons, in the order of the patterns: cross() writes all of a row;
+    # task->row is filled before each use; a record has the count of numbers of
+    # its kinds; va_start was called; terms of circular and elliptic kinds are
+    # never mixed, but an analyzer can forget the kind; a box has three sides; a
+    # number with limbs has a highest bit; growing memory is kept in its struct;
+    # blocks are counted whole; a query lives as long as its packet, and a mask
+    # that is not 0 has a first lane; allocated memory is not NULL; of the facts
+    # of a hit only the computed ones are read; both analyzers take three rounds
+    # of EACH for one, and gcc's misses the assignments f.num = f.den and
+    # sum = size_of(); the name line is a question; manuals that are not
+    # installed are referenced.
 }
 
 # ------------------------------------------------------------- analysis --
 
 if installed cppcheck cppcheck; then
-    # Not asked: style, which has other tastes.
+    # Not enabled: style, whose rules differ from ours.
     cppcheck --quiet -j 2 --std=c99 --language=c --inline-suppr -Iinclude \
         -Isrc --enable=warning,portability,performance --max-configs=4 \
         --suppress=missingIncludeSystem --suppress=toomanyconfigs \

@@ -80,7 +80,7 @@ static void compare(RTCScene curves, const cylint_scene *exact,
                     const struct scene_shapes *s, enum scene_lines kind,
                     int unit)
 {
-    size_t met = 0, missed = 0, seen = 0, asked = 0;
+    size_t met = 0, missed = 0, false_hits = 0, rays_traced = 0;
     for (size_t i = 0; i < RAYS; i++) {
         cylint_line line;
         cylint_rtc_context context;
@@ -94,16 +94,17 @@ static void compare(RTCScene curves, const cylint_scene *exact,
         cylint_rtc_init(&context);
         cylint_rtc_any(curves, &context, &ray);
         const int hit = cylint_scene_count(exact, &line, 1) > 0;
-        const int told = ray.tfar < 0;
-        asked++;
+        const int curve_hit = ray.tfar < 0;
+        rays_traced++;
         met += (size_t)hit;
-        missed += (size_t)(hit && !told);
-        seen += (size_t)(!hit && told);
+        missed += (size_t)(hit && !curve_hit);
+        false_hits += (size_t)(!hit && curve_hit);
     }
     printf("%-8s %-9s %-9s %6zu rays, %6zu hit a shape; the curves miss %5.2f "
            "%% of these and report %zu false hits\n",
-           s->name, scene_lines_name[kind], unit ? "unit d" : "d as is", asked,
-           met, met ? 100.0 * (double)missed / (double)met : 0, seen);
+           s->name, scene_lines_name[kind], unit ? "unit d" : "d as is",
+           rays_traced, met, met ? 100.0 * (double)missed / (double)met : 0,
+           false_hits);
 }
 
 int main(void)

@@ -437,19 +437,19 @@ static void without_a_domain_lines_are_rays(void)
 
 static void segments_keep_the_low_parts_of_their_directions(void)
 {
-    int asked = 0;
+    int n_drawn = 0;
     draw_mixed(100);
-    for (uint64_t i = 0; asked < 60 && i < 100000; i++) {
+    for (uint64_t i = 0; n_drawn < 60 && i < 100000; i++) {
         struct family_case c;
         family_case(seed(), (int)(i % (uint64_t)family_count()), i, &c);
         if (c.line_word != FAMILY_SEGMENT ||
             (c.line.d_lo[0] == 0 && c.line.d_lo[1] == 0 && c.line.d_lo[2] == 0))
             continue;
-        drawn[asked++] = c;
+        drawn[n_drawn++] = c;
         check_shapes(&c, drawn, 100, &usual);
         check_scene(&c, drawn, 100, &usual);
     }
-    CHECK(asked == 60);
+    CHECK(n_drawn == 60);
 }
 
 /* A cylinder about the z axis, and a line that crosses it. */
@@ -552,7 +552,7 @@ static void a_hard_shape_does_not_disturb_its_neighbours(void)
 }
 
 /* The same cylinder in four forms. */
-static void make_in_another_form(struct family_case *c, int way)
+static void make_in_another_form(struct family_case *c, int form)
 {
     static const double data[4][13] = {{0, 0, 0, 0, 0, 4, 1},
                                        {0, 0, 0, 1, 0, 0, 4, 1},
@@ -561,8 +561,8 @@ static void make_in_another_form(struct family_case *c, int way)
     static const family_shape word[4] = {FAMILY_CYLINDER, FAMILY_CONE,
                                          FAMILY_ECYLINDER, FAMILY_ECONE};
     make_easy(c);
-    c->shape_word = word[way];
-    memcpy(c->shape_data, data[way], sizeof data[way]);
+    c->shape_word = word[form];
+    memcpy(c->shape_data, data[form], sizeof data[form]);
     family_make(c);
 }
 

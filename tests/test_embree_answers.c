@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "embree_asked.h"
+#include "embree_compare.h"
 
 /* A ray from outside to a point in the shape's box. */
 static void aim_at(uint64_t *state, const cylint_shape *shape, struct rays *r,
@@ -72,7 +72,7 @@ static void packets_answer_and_leave_other_lanes_alone(void)
     world_shapes(&state, SCENE_MIXED, shapes, SOME);
     for (int how = 0; how < 2; how++) {
         struct world w = made(shapes, SOME, both_ways[how]);
-        int hits = 0, asked = 0;
+        int hits = 0, active = 0;
         for (int turn = 0; turn < 800; turn++) {
             struct rays r;
             struct rays_query query = {0};
@@ -85,7 +85,7 @@ static void packets_answer_and_leave_other_lanes_alone(void)
             rays_intersect(&r, w.scene, &query);
             agrees(&w, &r);
             for (int i = 0; i < r.n; i++) {
-                asked += r.valid[i] != 0;
+                active += r.valid[i] != 0;
                 hits += r.valid[i] && rays_hit(&r, i);
             }
             memcpy(r.word, r.before, sizeof r.word);
@@ -96,8 +96,8 @@ static void packets_answer_and_leave_other_lanes_alone(void)
                     world_show(&w, &r, i);
             CHECK(rays_strayed(&r, 1) == 0);
         }
-        if (!CHECK(hits > asked / 10 && hits < asked))
-            REPORT("%d hits of %d", hits, asked);
+        if (!CHECK(hits > active / 10 && hits < active))
+            REPORT("%d hits of %d", hits, active);
         world_free(&w);
     }
 }
@@ -170,16 +170,16 @@ static void a_ray_within_a_face_of_the_box_is_not_lost(void)
         int hits = 0;
         for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n)
             for (int face = 0; face < 6; face++)
-                for (int way = 0; way < 8; way++) {
+                for (int sign = 0; sign < 8; sign++) {
                     const int across = face / 2,
-                              along = (across + 1 + way % 2) % 3;
-                    const float zero = way & 4 ? -0.0f : 0.0f;
+                              along = (across + 1 + sign % 2) % 3;
+                    const float zero = sign & 4 ? -0.0f : 0.0f;
                     float o[3] = {0, 0, 2}, d[3];
                     struct rays r;
                     o[across] += face % 2 ? 1.0f : -1.0f;
                     for (int k = 0; k < 3; k++)
                         d[k] = zero;
-                    d[along] = way & 2 ? 1.0f : -1.0f;
+                    d[along] = sign & 2 ? 1.0f : -1.0f;
                     o[along] -= 3 * d[along];
                     rays_begin(&r, n);
                     rays_add(&r, n / 2, o, d, 0, HUGE_VALF);

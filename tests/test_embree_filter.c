@@ -243,8 +243,8 @@ static void add_rays(uint64_t *state, struct rays *r)
     }
 }
 
-static void ask(struct world *w, uint64_t *state, rule geometry, rule context,
-                int n, int occlusion, int bare)
+static void query_packets(struct world *w, uint64_t *state, rule geometry,
+                          rule context, int n, int occlusion, int bare)
 {
     static struct record q;
     struct rays r;
@@ -296,8 +296,9 @@ static void with_filters(unsigned how, int kind)
         rtcCommitScene(w.scene);
         for (int context = ACCEPT; context < RULES; context++)
             for (int i = 0; i < 40; i++)
-                ask(&w, &state, (rule)geometry, (rule)context, sizes[i / 2 % 4],
-                    i & 1, (how & CYLINT_EMBREE_BARE) != 0);
+                query_packets(&w, &state, (rule)geometry, (rule)context,
+                              sizes[i / 2 % 4], i & 1,
+                              (how & CYLINT_EMBREE_BARE) != 0);
     }
     world_free(&w);
 }

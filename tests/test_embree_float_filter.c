@@ -148,8 +148,8 @@ static void show(const cylint_float_filter_ray *line,
     REPORT_CASE(c);
 }
 
-static struct tally asked(const cylint_float_filter *build, int family,
-                          family_shape last)
+static struct tally compare_family(const cylint_float_filter *build, int family,
+                                   family_shape last)
 {
     struct tally tally = {0, 0, 0};
     for (uint64_t i = 0; i < CASES; i++) {
@@ -169,7 +169,7 @@ static void ask_all(const char *name, const cylint_float_filter *build)
 {
     struct tally sum = {0, 0, 0};
     for (int family = 0; family < family_count(); family++) {
-        const struct tally t = asked(build, family, FAMILY_ACONE);
+        const struct tally t = compare_family(build, family, FAMILY_ACONE);
         sum.hits += t.hits;
         sum.certain += t.certain;
         sum.described += t.described;
@@ -471,7 +471,7 @@ static void ordinary_cylinders_are_certain(void)
     const int ordinary = 0;
     CHECK(strcmp(family_name(ordinary), "ordinary") == 0);
     const struct tally t =
-        asked(cylint_float_filter_used(), ordinary, FAMILY_CYLINDER);
+        compare_family(cylint_float_filter_used(), ordinary, FAMILY_CYLINDER);
     if (!CHECK(t.hits > CASES / 4 &&
                (double)t.described >= 0.999 * (double)t.hits))
         REPORT("%ld of %ld hits", t.described, t.hits);

@@ -14,7 +14,7 @@ enum { SHAPES = 300, ENOUGH = 1000 };
 
 static void begin(int refuse)
 {
-    world_memory.asked = 0;
+    world_memory.requests = 0;
     world_memory.refuse = refuse;
     world_errors();
 }
@@ -22,7 +22,7 @@ static void begin(int refuse)
 /* Whether an allocation was refused; then the device reported an error. */
 static int was_refused(void)
 {
-    const int refused = world_memory.asked >= world_memory.refuse;
+    const int refused = world_memory.requests >= world_memory.refuse;
     world_memory.refuse = 0;
     if (refused)
         CHECK(world_errors() > 0 &&
@@ -76,7 +76,7 @@ static void a_failed_making_frees_all_memory(void)
     refuse_making(0, moved);
 }
 
-static void ask(struct world *w, uint64_t *state)
+static void query_all(struct world *w, uint64_t *state)
 {
     for (int i = 0; i < 50; i++) {
         struct rays r;
@@ -122,7 +122,7 @@ static void a_failed_update_frees_all_memory(void)
         }
         CHECK(made && (how || refusals > 0));
         rtcCommitScene(w.scene);
-        ask(&w, &state);
+        query_all(&w, &state);
         world_free(&w);
         CHECK(world_memory.bytes == before);
     }
@@ -150,7 +150,7 @@ static void a_refused_commit_can_be_repeated(void)
             made = 1;
     }
     CHECK(made && refusals > 0);
-    ask(&w, &state);
+    query_all(&w, &state);
     world_free(&w);
     CHECK(world_memory.bytes == before);
 }

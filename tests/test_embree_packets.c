@@ -2,7 +2,7 @@
  * test_embree_packets.c - floor embree: packets return the answers to the rays
  * alone
  *
- * All, some or none of the rays of a packet go the same way through all kinds of
+ * All, some or none of the rays of a packet go in the same direction through all kinds of
  * scenes.  Every word of every answer is compared with the answer to the ray
  * alone, which other tests compare with the library.
  */
@@ -11,7 +11,7 @@
 
 #include "embree/callbacks.h"
 #include "embree/geometry.h"
-#include "embree_asked.h"
+#include "embree_compare.h"
 
 enum { SHAPES = 400, PACKETS = 450 /* of each manner, a scene */ };
 
@@ -117,7 +117,7 @@ static int same_words(const struct rays *packet, int i, const struct rays *one)
 }
 
 /* Traces the packet and its rays alone.  Returns the number of hits. */
-static int ask(const struct world *w, struct rays *r, int coherent)
+static int compare_packet(const struct world *w, struct rays *r, int coherent)
 {
     struct rays_query query = {0};
     int hits = 0;
@@ -161,7 +161,7 @@ static void ask_scene(const struct world *w, const struct scene_shapes *s,
                 add(&state, &a, manner, &r, i);
             else
                 r.valid[i] = 0;
-        hits += ask(w, &r, turn / 2 % 2);
+        hits += compare_packet(w, &r, turn / 2 % 2);
     }
     if (!CHECK(hits > (strcmp(s->name, "needles") ? turns : 0)))
         REPORT("%d hits of %d packets at %s", hits, turns, s->name);

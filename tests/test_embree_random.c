@@ -107,19 +107,20 @@ static void compare_shadow(const struct world *w, const struct scene_shapes *s,
         world_show(w, r, i);
 }
 
-static void ask(const struct world *w, const struct scene_shapes *s,
-                enum scene_lines kind, uint64_t seed, int rays, struct tally *n)
+static void compare_lines(const struct world *w, const struct scene_shapes *s,
+                          enum scene_lines kind, uint64_t seed, int rays,
+                          struct tally *n)
 {
     static const int sizes[4] = {1, 4, 8, 16};
     uint64_t index = 0;
-    for (int asked = 0, turn = 0; asked < rays && index < 100u * (unsigned)rays;
-         turn++) {
+    for (int n_rays = 0, turn = 0;
+         n_rays < rays && index < 100u * (unsigned)rays; turn++) {
         struct rays r;
         rays_begin(&r, sizes[turn % 4]);
         for (int i = 0; i < r.n; i++) {
             cylint_line line;
             if (scene_line(s, kind, seed, index++, &line) == CYLINT_OK)
-                asked += add_line(&r, i, &line);
+                n_rays += add_line(&r, i, &line);
         }
         if (r.n == 1 && !r.valid[0])
             continue;
@@ -148,8 +149,8 @@ static void answers_are_those_of_brute_force(unsigned how, double sizes)
         scene_generate(scenes[i], (size_t)shapes_wanted, seed, &s);
         if (CHECK(world_make(&w, s.shapes, s.n, &options))) {
             for (int kind = 0; kind < LINES_KINDS; kind++)
-                ask(&w, &s, (enum scene_lines)kind, seed,
-                    1 + rays_wanted / (2 * SCENES * LINES_KINDS), &n);
+                compare_lines(&w, &s, (enum scene_lines)kind, seed,
+                              1 + rays_wanted / (2 * SCENES * LINES_KINDS), &n);
             world_free(&w);
         } else {
             REPORT("scene %s, shape %lu: %s", s.name,
@@ -193,7 +194,7 @@ static void hits_of_a_shape_that_share_a_float_are_distinguished(void)
         struct world w;
         scene_generate(SCENE_LENGTHS, 300, turn, &s);
         if (CHECK(world_make(&w, s.shapes, s.n, NULL)))
-            ask(&w, &s, LINES_BEYOND, turn, 3000, &n);
+            compare_lines(&w, &s, LINES_BEYOND, turn, 3000, &n);
         world_free(&w);
         scene_release(&s);
     }

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "embree_asked.h"
+#include "embree_compare.h"
 
 /* --------------------------------------------------------------- motion -- */
 

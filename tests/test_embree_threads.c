@@ -22,7 +22,7 @@
 
 enum { THREADS = 8, SHAPES = 500, MOST = 1 << 16 };
 
-static int asked = 2000;
+static int n_questions = 2000;
 static struct world w;
 static cylint_scene *scene;
 
@@ -37,7 +37,7 @@ struct answer {
 static struct answer answers[THREADS + 1][MOST];
 
 /* Question `number`, the same for all threads. */
-static void ask(int number, struct answer *a)
+static void answer_question(int number, struct answer *a)
 {
     static const int sizes[4] = {1, 4, 8, 16};
     const double side = cbrt(SHAPES);
@@ -83,9 +83,9 @@ static void *work(void *p)
 {
     const int thread = *(const int *)p;
     choose_subnormals(thread & 3);
-    for (int i = 0; i < asked; i++) {
-        const int number = (i + thread * (asked / THREADS)) % asked;
-        ask(number, &answers[thread][number]);
+    for (int i = 0; i < n_questions; i++) {
+        const int number = (i + thread * (n_questions / THREADS)) % n_questions;
+        answer_question(number, &answers[thread][number]);
     }
     return NULL;
 }
@@ -108,7 +108,7 @@ static void eight_threads_get_the_answers_of_one(void)
         CHECK(pthread_create(&thread[i], NULL, work, &number[i]) == 0);
     for (int i = 0; i < THREADS; i++)
         pthread_join(thread[i], NULL);
-    for (int i = 0; i < asked; i++) {
+    for (int i = 0; i < n_questions; i++) {
         const struct answer *alone = &answers[THREADS][i];
         const int hit = alone->word[HIT_GEOM - RAY_TFAR] == 0;
         hits += hit;
@@ -117,7 +117,7 @@ static void eight_threads_get_the_answers_of_one(void)
             if (!CHECK(memcmp(&answers[t][i], alone, sizeof *alone) == 0))
                 REPORT("question %d, thread %d", i, t);
     }
-    CHECK(hits > asked / 10);
+    CHECK(hits > n_questions / 10);
     cylint_scene_free(scene);
     world_free(&w);
 }
@@ -125,8 +125,8 @@ static void eight_threads_get_the_answers_of_one(void)
 int main(int argc, char **argv)
 {
     if (argc > 1)
-        asked = atoi(argv[1]);
-    if (asked < 1 || asked > MOST)
+        n_questions = atoi(argv[1]);
+    if (n_questions < 1 || n_questions > MOST)
         return 2;
     RUN(eight_threads_get_the_answers_of_one);
     return check_end();

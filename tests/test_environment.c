@@ -73,7 +73,7 @@ static const char *difference(const struct answers *x, const struct answers *y)
                                         : NULL;
 }
 
-static void ask(const struct family_case *c, struct answers *to)
+static void compute_answers(const struct family_case *c, struct answers *to)
 {
     memset(to, 0, sizeof *to);
     to->line_status = (int)c->line_status;
@@ -115,17 +115,17 @@ static void report(const struct family_case *c, const char *what,
  * default or the other one, in three combinations. */
 static void compare(struct family_case *c, struct environment there)
 {
-    static const char *const where[] = {"asked there", "made and asked there",
-                                        "made there"};
+    static const char *const where[] = {
+        "answered there", "made and answered there", "made there"};
     struct answers want, got[3];
     family_make(c);
-    ask(c, &want);
+    compute_answers(c, &want);
     enter(there);
-    ask(c, &got[0]);
+    compute_answers(c, &got[0]);
     family_make(c);
-    ask(c, &got[1]);
+    compute_answers(c, &got[1]);
     leave();
-    ask(c, &got[2]);
+    compute_answers(c, &got[2]);
     for (int i = 0; i < 3; i++) {
         const char *what = difference(&got[i], &want);
         if (!CHECK(what == NULL)) {
@@ -431,7 +431,7 @@ static void no_function_changes_the_environment(void)
         enter(odd);
         const int before = cylint_selftest();
         family_make(&c);
-        ask(&c, &answers);
+        compute_answers(&c, &answers);
         cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &answers.all);
         cylint_bounds(&c.shape, lo, hi);
         const int after = cylint_selftest(), rounding = fegetround();
@@ -446,7 +446,7 @@ int main(void)
         return check_skip("no GSL: no families to draw from (make deps)");
     }
     if (!can_treat_subnormals(FLUSH | ZERO)) {
-        puts("note: no way known to flush subnormals here");
+        puts("note: this processor cannot flush subnormals");
     }
     RUN(the_selftest_finds_nothing_in_the_default_environment);
     RUN(the_selftest_detects_each_environment);

@@ -43,7 +43,7 @@ BEGIN {
 }' >pairs
 awk 'BEGIN { for (i = 0; i < 400; i++) print "cylinder", i % 20, int(i / 20),
     "0", i % 20 + 0.3, int(i / 20), 1, 0.2 + i / 2000, "s" i % 150 }' >shapes
-awk 'BEGIN { srand(5); for (i = 1; i <= 4000; i++) print (i % 999 ? "ray" : "way"),
+awk 'BEGIN { srand(5); for (i = 1; i <= 4000; i++) print (i % 999 ? "ray" : "rye"),
     20 * rand(), 20 * rand(), "5  " rand() - 0.5, rand() - 0.5,
     i % 3 ? "-1 q" i : "-1 not=s" i % 150 " q" i }' >rays
 awk 'BEGIN { for (i = 0; i < 2500; i++) print i, 0, i % 20, int(i / 20) % 20,

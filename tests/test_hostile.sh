@@ -147,21 +147,21 @@ if [ -w /dev/full ]; then
     echo 'cylint: standard output: No space left on device' >want.err
     cylint in >/dev/full 2>err
     status=$?
-    expect 'a full disk is told' 3
+    expect 'a full disk gives a message' 3
     cylint --help >/dev/full 2>err
     status=$?
-    expect 'a full disk is told of help too' 3
+    expect 'a full disk gives a message with --help too' 3
     echo 'cylint: /dev/full: No space left on device' >want.err
     run -o /dev/full in
-    expect 'a full disk is told of -o' 3
+    expect 'a full disk gives a message with -o too' 3
 fi
 echo 'cylint: standard output: Bad file descriptor' >want.err
 cylint in >&- 2>err
 status=$?
-expect 'a closed standard output is told' 3
+expect 'a closed standard output gives a message' 3
 cylint --version >&- 2>err
 status=$?
-expect 'a closed standard output is told of the version too' 3
+expect 'a closed standard output gives a message with --version too' 3
 cylint -o written in >&- 2>err
 status=$?
 [ "$(wc -l <written)" -eq 100000 ] || status="$status, lost"
@@ -183,7 +183,7 @@ expect 'death by SIGPIPE is silent' 141
 (ulimit -f 8; trap '' XFSZ; cylint -o limited in 2>err; echo $? >code)
 status=$(cat code)
 echo 'cylint: limited: File too large' >want.err
-expect 'a file size limit is told' 3
+expect 'a file size limit gives a message' 3
 
 # --- input that fails
 mkdir folder
@@ -196,11 +196,11 @@ echo 'cylint: missing: No such file or directory' >want.err
 echo "$good" >one
 printf 'cross\t2\t1\t2\n' >want
 run one missing one
-expect 'a missing file is told, what came before is answered' 3
+expect 'a missing file gives a message after the answers before it' 3
 echo 'cylint: stdin: Bad file descriptor' >want.err
 cylint <&- >out 2>err
 status=$?
-expect 'a closed standard input is told' 3
+expect 'a closed standard input gives a message' 3
 : >want
 : >want.err
 run /dev/null

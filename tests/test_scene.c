@@ -36,7 +36,7 @@ static void *room(size_t bytes)
 /* ------------------------------------------------------------ one scene -- */
 
 /* A scene, and its shapes in a pack. */
-struct asked {
+struct scene_and_pack {
     struct scene_shapes of;
     cylint_scene *scene;
     cylint_pack pack;
@@ -45,7 +45,7 @@ struct asked {
     size_t *numbers;
 };
 
-static int open_both(struct asked *a)
+static int open_both(struct scene_and_pack *a)
 {
     cylint_scene_status status;
     a->scene = cylint_scene_new(a->of.shapes, a->of.n, 2, &status);
@@ -56,7 +56,7 @@ static int open_both(struct asked *a)
     return CHECK(a->scene && status == CYLINT_SCENE_OK);
 }
 
-static void close_both(struct asked *a)
+static void close_both(struct scene_and_pack *a)
 {
     cylint_scene_free(a->scene);
     free(a->memory);
@@ -65,7 +65,7 @@ static void close_both(struct asked *a)
     scene_release(&a->of);
 }
 
-static void show_line(const struct asked *a, const cylint_line *l,
+static void show_line(const struct scene_and_pack *a, const cylint_line *l,
                       const char *what, size_t got, size_t want)
 {
     REPORT("scene %s, seed %llu, %s: %zu, by brute force %zu", a->of.name,
@@ -83,7 +83,8 @@ static int same_hit(const cylint_hit *x, const cylint_hit *y)
     return memcmp(x, y, sizeof *x) == 0;
 }
 
-static void check_nearest(const struct asked *a, const cylint_line *line)
+static void check_nearest(const struct scene_and_pack *a,
+                          const cylint_line *line)
 {
     cylint_hit got, want;
     memset(&got, 0x55, sizeof got);
@@ -99,7 +100,8 @@ static void check_nearest(const struct asked *a, const cylint_line *line)
 }
 
 /* All numbers again, three at a time. */
-static void check_threes(const struct asked *a, const cylint_line *line)
+static void check_threes(const struct scene_and_pack *a,
+                         const cylint_line *line)
 {
     size_t first = 0, found, number[4] = {0, 0, 0, a->of.n};
     do {
@@ -117,7 +119,8 @@ static void check_threes(const struct asked *a, const cylint_line *line)
         show_line(a, line, "all, by threes, too few", a->of.n, first);
 }
 
-static void check_numbers(const struct asked *a, const cylint_line *line)
+static void check_numbers(const struct scene_and_pack *a,
+                          const cylint_line *line)
 {
     cylint_columns columns = {0};
     size_t count = 0;
@@ -160,7 +163,7 @@ static size_t shapes_of(int kind)
 
 static size_t lines_asked, lines_hit;
 
-static void check_lines(const struct asked *a)
+static void check_lines(const struct scene_and_pack *a)
 {
     for (int kind = 0; kind < LINES_KINDS; kind++)
         for (size_t i = 0; i < lines_of_a_kind / (kind == LINES_WILD ? 10 : 1);
@@ -178,7 +181,7 @@ static void check_lines(const struct asked *a)
 
 static void generated_scenes_answer_as_brute_force(void)
 {
-    struct asked a;
+    struct scene_and_pack a;
     for (int kind = 0; scene_generate(kind, shapes_of(kind), seed(), &a.of);
          kind++) {
         if (open_both(&a))
@@ -189,7 +192,7 @@ static void generated_scenes_answer_as_brute_force(void)
 
 static void small_scenes_answer_as_brute_force(void)
 {
-    struct asked a;
+    struct scene_and_pack a;
     for (size_t n = 1; n <= 20; n++)
         for (int kind = 0; scene_generate(kind, n, seed(), &a.of); kind++) {
             if (open_both(&a))
@@ -215,7 +218,7 @@ static void real_scenes_answer_as_brute_force(void)
     const size_t usual = lines_of_a_kind;
     lines_of_a_kind = usual > LINES ? usual / 4 : usual / 2;
     for (size_t i = 0; i < sizeof real / sizeof real[0]; i++) {
-        struct asked a;
+        struct scene_and_pack a;
         if (!scene_from(real[i][0], real[i][1], &a.of)) {
             printf("note: no %s in ../shared/data\n", real[i][0]);
             continue;
@@ -248,7 +251,7 @@ static void an_empty_scene_is_never_hit(void)
 
 static void unwanted_members_are_not_written(void)
 {
-    struct asked a;
+    struct scene_and_pack a;
     scene_generate(0, 200, seed(), &a.of);
     if (open_both(&a))
         for (size_t i = 0; i < 40; i++)
@@ -267,7 +270,7 @@ static void unwanted_members_are_not_written(void)
 
 static void a_ray_that_begins_behind_a_hit_does_not_find_it(void)
 {
-    struct asked a;
+    struct scene_and_pack a;
     size_t hits = 0;
     for (int kind = 0; scene_generate(kind, 500, seed(), &a.of); kind++) {
         if (open_both(&a))
@@ -299,7 +302,7 @@ static void a_ray_that_begins_behind_a_hit_does_not_find_it(void)
 static void a_shape_that_is_found_in_many_boxes_counts_once(void)
 {
     enum { NESTED = 700 };
-    struct asked a = {.of = {.name = "nested", .n = NESTED}};
+    struct scene_and_pack a = {.of = {.name = "nested", .n = NESTED}};
     a.of.shapes = room(NESTED * sizeof *a.of.shapes);
     for (int i = 0; i < NESTED; i++) {
         const double from[3] = {-30 - i * 0.0005, -30, -30};
@@ -322,7 +325,7 @@ static void a_shape_that_is_found_in_many_boxes_counts_once(void)
 /* -------------------------------------------------------------- threads -- */
 
 struct part {
-    const struct asked *asked;
+    const struct scene_and_pack *both;
     uint64_t sum; /* checksum of all answers */
     pthread_t thread;
 };
@@ -330,7 +333,7 @@ struct part {
 static void *answer_part(void *argument)
 {
     struct part *p = argument;
-    const struct asked *a = p->asked;
+    const struct scene_and_pack *a = p->both;
     for (int kind = 0; kind < LINES_KINDS; kind++)
         for (size_t i = 0; i < LINES; i++) {
             cylint_line line;
@@ -352,12 +355,12 @@ static void *answer_part(void *argument)
 
 static void threads_share_a_scene_with_the_same_answers(void)
 {
-    struct asked a;
+    struct scene_and_pack a;
     struct part parts[THREADS];
     scene_generate(6, SHAPES, seed(), &a.of);
     if (open_both(&a)) {
         for (int i = 0; i < THREADS; i++) {
-            parts[i] = (struct part){.asked = &a};
+            parts[i] = (struct part){.both = &a};
             if (pthread_create(&parts[i].thread, NULL, answer_part,
                                &parts[i]) != 0)
                 abort();

@@ -329,9 +329,10 @@ static void ask_scene(const struct family_case group[GROUP],
 
 /* Answers all questions of the group.  Makes a scene of the shapes unless one is
  * given. */
-static void ask(const struct family_case group[GROUP],
-                const struct line_columns *columns, const unsigned mask[MASKS],
-                cylint_scene *scene, struct answers *to)
+static void answer_all(const struct family_case group[GROUP],
+                       const struct line_columns *columns,
+                       const unsigned mask[MASKS], cylint_scene *scene,
+                       struct answers *to)
 {
     cylint_shape shapes[GROUP];
     memset(to, 0, sizeof *to);
@@ -521,7 +522,7 @@ static void test_group(uint64_t index, int differences[ENVIRONMENTS])
         shapes[i] = group[i].shape;
     use_kernels(index);
     cylint_scene *scene = cylint_scene_new(shapes, GROUP, 1, NULL);
-    ask(group, &columns, mask, scene, &want);
+    answer_all(group, &columns, mask, scene, &want);
     compare_calls(group, mask, &want);
     digest_answers(&want);
     for (int e = 1; e < ENVIRONMENTS; e++) {
@@ -533,7 +534,7 @@ static void test_group(uint64_t index, int differences[ENVIRONMENTS])
         enter(there);
         for (int i = 0; i < GROUP && index % 2; i++)
             family_make(&here[i]);
-        ask(here, &columns, mask, index % 2 ? NULL : scene, &got);
+        answer_all(here, &columns, mask, index % 2 ? NULL : scene, &got);
         leave();
         compare(group, &want, &got);
         differences[e] += check_bad - bad;

@@ -278,14 +278,14 @@ static void an_angle_stays_below_a_turn(void)
 }
 
 /* A narrow nappe ends at its apex, before the base where its radius grows,
- * beyond the top where it shrinks, whichever way its axis points; it fills
- * all that lies on the base's side of it. */
-static void boxes_of_nappes_open_the_right_way(void)
+ * beyond the top where it shrinks, for both directions of its axis.  It has all
+ * points on the base's side of the apex. */
+static void boxes_of_nappes_are_open_on_the_bases_side(void)
 {
     for (int which = 0; which < 4; which++) {
-        const double way = which & 1 ? 1 : -1, grows = which & 2 ? 1 : 0;
-        const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, way};
-        const double apex = grows ? -way : 2 * way;
+        const double direction = which & 1 ? 1 : -1, grows = which & 2 ? 1 : 0;
+        const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, direction};
+        const double apex = grows ? -direction : 2 * direction;
         double lo[3], hi[3];
         cylint_shape s;
         CHECK(cylint_cone(&s, p0, grows ? 0.5 : 1, p1, grows ? 1 : 0.5,
@@ -380,7 +380,7 @@ int main(void)
     RUN(boxes_of_the_least_and_largest_sections_are_tight);
     RUN(a_grazing_line_from_afar_finds_its_point);
     RUN(an_angle_stays_below_a_turn);
-    RUN(boxes_of_nappes_open_the_right_way);
+    RUN(boxes_of_nappes_are_open_on_the_bases_side);
     RUN(every_special_case_agrees_with_the_oracle);
     return check_end();
 }

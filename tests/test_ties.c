@@ -84,7 +84,7 @@ static void cap_tie(const struct plan *p, struct scene *s)
     s->lean[1] = -4;
 }
 
-/* Half-way up is a section with the semi-axes size a and size b.  A line along
+/* At half the height is a section with the semi-axes size a and size b.  A line along
  * x at y = q meets it at x = +-p. */
 static void side_tie(const struct plan *p, struct scene *s)
 {

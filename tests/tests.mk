@@ -92,7 +92,7 @@ threaded := -g -O1 -fsanitize=thread
 thread_tests := $(BUILD)/cylint $(BUILD)/tests/faulty $(BUILD)/tests/test_scene_bvh \
 	$(if $(EMBREE),$(BUILD)/tests/test_embree_threads) $(if $(PNG),$(BUILD)/cylint-render)
 thread_tests: $(thread_tests)
-check-threads: ## threads build and ask scenes, 8 workers, under the thread sanitizer
+check-threads: ## scenes of several threads, 8 workers, under the thread sanitizer
 	$(MAKE) BUILD=$(BUILD)/threads CFLAGS='$(threaded)' CXXFLAGS='$(threaded)' thread_tests
 	TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_scene_bvh
 	$(if $(EMBREE),TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_embree_threads)

@@ -5,7 +5,7 @@
  * unbounded solid.  The steps that the authors leave to the reader are
  * shared, so that every method does them alike: clipping the chord by the
  * planes of the ends (chord.c), writing it as a cylint_answer (report.c) and
- * computing a hit's point, normal, z and phi (tell.c).
+ * computing a hit's point, normal, z and phi (method_hit.c).
  *
  * All arithmetic is in plain doubles, without tolerances and without error
  * bounds, because the methods are here to be measured.  They read only the

@@ -34,7 +34,7 @@ $(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages 
 FMA ?= $(shell grep -qw fma /proc/cpuinfo 2>/dev/null && echo yes)
 bench_programs: $(bench_programs)
 bench: bench_programs ## time against error, tables and charts; QUICK=1: in two minutes
-	@$(if $(GSL),,echo 'bench: no GSL, so no questions to ask (make deps)'; exit 1)
+	@$(if $(GSL),,echo 'bench: no GSL, so no questions (make deps)'; exit 1)
 	@$(if $(MPFR),,echo 'note: no MPFR, errors are not measured')
 	@$(if $(FMA),$(MAKE) BUILD=$(BUILD)/fma CFLAGS='$(CFLAGS) -mfma' bench_programs)
 	@BUILD='$(BUILD)' CC='$(CC)' CFLAGS='$(CFLAGS)' FMA='$(FMA)' QUICK='$(QUICK)' sh tools/bench/bench.sh
@@ -51,7 +51,7 @@ bench-embree: $(filter-out %_counts,$(embree_programs)) ## scenes beside Embree'
 	$(BUILD)/tools/bench/embree_threads 2 $(if $(QUICK),1e5,1e6) | tee $(BUILD)/embree-threads.tsv
 	@$(if $(WRAP),$(MAKE) -s BUILD=$(BUILD)/visits CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_VISITS' count_visits | tee $(BUILD)/embree-counts.tsv)
 
-# What a ray is asked for: an adapter that counts.
+# Visits of a ray: an adapter that counts.
 count_visits: $(BUILD)/tools/bench/embree_counts
 	$< $(if $(QUICK),1e5,1e6)
 

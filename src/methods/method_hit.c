@@ -1,12 +1,12 @@
 /*
- * tell.c - what a published method's hit can tell: point, normal, z and phi
+ * method_hit.c - point, normal, z and phi of a published method's hit
  *
- * No author defines these, so they are computed from the hit's point in one
- * place, in plain double, as cylint.h defines them.
+ * No author defines these.  They are computed from the hit's point in plain
+ * doubles, as cylint.h defines them.
  *
- * A point is c + x a + y b + z h, and inside where x^2 + y^2 <= rho(z)^2.
- * A circular shape is that with a = e x axis, b perpendicular to it and to
- * the axis, both of length one.
+ * A point is c + x a + y b + z h; it is inside if x^2 + y^2 <= rho(z)^2.  For a
+ * circular shape a is e x axis, b is perpendicular to a and to the axis, and both
+ * have length one.
  */
 #include "methods.h"
 

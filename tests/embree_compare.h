@@ -1,11 +1,11 @@
 /*
- * embree_asked.h - compares the adapter with the library
+ * embree_compare.h - compares the adapter with the library
  *
  * Embree traces a ray of floats; the library answers the same line in doubles;
  * the answers must have the same bits.
  */
-#ifndef CYLINT_EMBREE_ASKED_H
-#define CYLINT_EMBREE_ASKED_H
+#ifndef CYLINT_EMBREE_COMPARE_H
+#define CYLINT_EMBREE_COMPARE_H
 
 #include <math.h>
 
