@@ -61,7 +61,7 @@ void cylint_chord_clip(cylint_chord *chord, cylint_affine f, int part)
 void cylint_chord_ends(cylint_chord *chord, const cylint_shape *shape,
                        cylint_affine z)
 {
-    if (!is_bounded(shape))
+    if (!cylint_is_bounded(shape))
         return;
     if (shape->r0 != 0)
         cylint_chord_clip(chord, z, CYLINT_PART_CAP0);

@@ -71,7 +71,7 @@ cylint_status cylint_closest_points(const cylint_shape *shape,
     if (shape->kind != CYLINT_KIND_CYLINDER)
         return cylint_method_not_applicable(answer);
     cylint_chord chord = chord_of(shape, line);
-    if (is_bounded(shape))
+    if (cylint_is_bounded(shape))
         cylint_chord_ends(&chord, shape, cylint_axial(shape, line));
     return cylint_method_report(shape, line, want, &chord, answer);
 }

@@ -85,7 +85,7 @@ cylint_status cylint_cychosz_waggenspack(const cylint_shape *shape,
     unit(shape->axis, axis);
     minus(line->o, shape->base, RC);
     cylint_chord chord = intcyl(RC, raycos, axis, shape->r0);
-    if (is_bounded(shape))
+    if (cylint_is_bounded(shape))
         clipobj(&chord, line, raycos, axis, shape);
     chord.t[0] /= speed; /* from distance along the ray to multiples of d */
     chord.t[1] /= speed;

@@ -42,8 +42,7 @@ static frame frame_of(const cylint_shape *shape)
     frame f;
     const double *h = shape->axis;
 
-    if (shape->kind == CYLINT_KIND_ECYLINDER ||
-        shape->kind == CYLINT_KIND_ECONE) {
+    if (cylint_is_elliptic(shape->kind)) {
         double normal[3];
         cross(shape->a, shape->b, normal);
         const double det = dot(normal, h);
@@ -62,8 +61,7 @@ static frame frame_of(const cylint_shape *shape)
     for (int i = 0; i < 3; i++)
         f.z_of[i] = h[i] / size / size;
     f.rho = shape->r0;
-    f.drho = shape->kind == CYLINT_KIND_ACONE ? shape->r1 * size
-                                              : shape->r1 - shape->r0;
+    f.drho = (shape->r1 - shape->r0) * cylint_radius_unit(shape, size);
     return f;
 }
 

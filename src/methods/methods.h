@@ -17,6 +17,7 @@
 
 #include <math.h>
 
+#include "../shapes/shape_facts.h"
 #include "cylint_methods.h"
 
 /* ------------------------------------------------------------- vectors -- */
@@ -120,12 +121,6 @@ void cylint_chord_ends(cylint_chord *chord, const cylint_shape *shape,
 
 /* Reduces a double cone's chord to the nappe where rho >= 0. */
 void cylint_chord_nappe(cylint_chord *chord, cylint_affine rho);
-
-static inline int is_bounded(const cylint_shape *shape)
-{
-    return shape->ends != CYLINT_ENDS_INFINITE &&
-           shape->ends != CYLINT_ENDS_NAPPE;
-}
 
 /* -------------------------------------------------------------- answer -- */
 

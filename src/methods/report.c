@@ -19,27 +19,14 @@ cylint_status cylint_method_not_applicable(cylint_answer *answer)
     return CYLINT_EMETHOD;
 }
 
-static int is_present(const cylint_shape *shape, int part)
-{
-    switch (part) {
-    case CYLINT_PART_CAP0:
-        return shape->ends == CYLINT_ENDS_CAPPED ||
-               shape->ends == CYLINT_ENDS_CAP0;
-    case CYLINT_PART_CAP1:
-        return shape->ends == CYLINT_ENDS_CAPPED ||
-               shape->ends == CYLINT_ENDS_CAP1;
-    default:
-        return 1;
-    }
-}
-
 static void add_hit(const cylint_shape *shape, const cylint_line *line,
                     unsigned want, double t, int part, int side,
                     cylint_answer *answer)
 {
     if (!(t > -INFINITY && t < INFINITY)) /* the chord has no end, or NaN */
         return;
-    if (!(t >= line->tmin && t <= line->tmax) || !is_present(shape, part))
+    if (!(t >= line->tmin && t <= line->tmax) ||
+        !cylint_part_is_present(shape->ends, part))
         return;
     if (answer->n == 1 && (want & CYLINT_WANT_NEAREST))
         return;

@@ -66,7 +66,7 @@ cylint_status cylint_shene_cylinder(const cylint_shape *shape,
 {
     double u[3], v[3], D[3];
 
-    if (shape->kind != CYLINT_KIND_CYLINDER || is_bounded(shape))
+    if (shape->kind != CYLINT_KIND_CYLINDER || cylint_is_bounded(shape))
         return cylint_method_not_applicable(answer);
     const double speed = unit(line->d, u);
     unit(shape->axis, v);
