@@ -33,7 +33,7 @@ struct tally {
 };
 
 /* A case's line in floats, and its shape, made circular and bounded. */
-struct question {
+struct scene_query {
     cylint_float_filter_ray line;
     const cylint_shape *shape;
     cylint_answer answer;
@@ -49,7 +49,7 @@ static int circular(struct family_case *c, uint64_t index)
 }
 
 /* near: unknown, a float before the hit, or a float behind it. */
-static float near_shape(const struct question *q, uint64_t index)
+static float near_shape(const struct scene_query *q, uint64_t index)
 {
     const double t = q->n ? q->answer.hit[0].t : 0;
     if (index % 3 == 0)
@@ -57,7 +57,7 @@ static float near_shape(const struct question *q, uint64_t index)
     return (float)(t * (index % 3 == 1 ? 0.98 : 1.03));
 }
 
-static int pose(struct question *q, struct family_case *c, uint64_t index)
+static int pose(struct scene_query *q, struct family_case *c, uint64_t index)
 {
     cylint_line line;
     if (!circular(c, index))
@@ -116,7 +116,7 @@ static int describes(const cylint_float_filter *build,
     return same_floats(&floats, hit);
 }
 
-static int agrees(const cylint_float_filter *build, const struct question *x,
+static int agrees(const cylint_float_filter *build, const struct scene_query *x,
                   struct tally *tally)
 {
     cylint_float_filter_state q;
@@ -154,7 +154,7 @@ static struct tally compare_family(const cylint_float_filter *build, int family,
     struct tally tally = {0, 0, 0};
     for (uint64_t i = 0; i < CASES; i++) {
         struct family_case c;
-        struct question x;
+        struct scene_query x;
         family_case(1, family, i, &c);
         if (c.shape_word > last || !pose(&x, &c, i))
             continue;
@@ -194,7 +194,7 @@ static void a_certain_result_with_fused_operations_is_the_librarys(void)
 
 /* Questions side by side. */
 struct crowd {
-    struct question question[CYLINT_PACKET_FILTER_MOST];
+    struct scene_query question[CYLINT_PACKET_FILTER_MOST];
     struct family_case from[CYLINT_PACKET_FILTER_MOST];
     cylint_float_filter_shape shape[CYLINT_PACKET_FILTER_MOST];
     cylint_float_filter_target subject[CYLINT_PACKET_FILTER_MOST];
@@ -207,7 +207,7 @@ static void gather(struct crowd *c, int family, uint64_t *i, int most)
 {
     for (c->n = 0; c->n < most && *i < CASES; ++*i) {
         const int n = c->n;
-        struct question *x = &c->question[n];
+        struct scene_query *x = &c->question[n];
         family_case(3, family, *i, &c->from[n]);
         if (c->from[n].shape_word > FAMILY_ACONE || !pose(x, &c->from[n], *i))
             continue;
@@ -238,7 +238,7 @@ static int is_described(const cylint_packet_filter_results *a, int i,
 
 /* Whether the result of question i is right. */
 static int is_right(const cylint_packet_filter_results *a, int i,
-                    const struct question *x)
+                    const struct scene_query *x)
 {
     const unsigned hit = a->hit >> i & 1, unsure = a->unsure >> i & 1;
     if (hit && (unsure || x->n == 0 || !is_told(a, i, &x->answer.hit[0])))
@@ -296,7 +296,7 @@ static void a_small_z_is_no_more_certain_than_the_librarys(void)
     const double o[3] = {0x1.0d3666p+53, -0x1.4a6948p-27, -0x1.86878cp-40};
     const double d[3] = {-0x1.0d3666p+53, 0x1.0321c4p-28, 0x1.86878cp-40};
     struct tally tally = {0, 0, 0};
-    struct question x;
+    struct scene_query x;
     cylint_shape shape;
     cylint_line line;
     memset(&x, 0, sizeof x);
@@ -334,7 +334,7 @@ static long small_as_large(const cylint_float_filter *build, int family)
     long same = 0;
     for (uint64_t i = 0; i < CASES / 10; i++) {
         struct family_case c;
-        struct question x;
+        struct scene_query x;
         cylint_shape shape;
         cylint_float_filter_small small;
         cylint_float_filter_shape large;

@@ -37,8 +37,8 @@ int job_block(const struct job *job, struct block *block)
         return 0;
     }
     if (o->query == QUERY_PAIRS && !o->method &&
-        pairs_answer(o->grammar.line, o->fields.want,
-                     fields_tell_sides(&o->fields))) {
+        pairs_can_answer(o->grammar.line, o->fields.want,
+                         fields_need_sides(&o->fields))) {
         block->pairs = pairs_make();
         return block->pairs != NULL;
     }
@@ -67,10 +67,10 @@ static solver solver_of(const struct options *o)
     return o->method ? o->method->answer : NULL;
 }
 
-static struct question question_of(const struct job *job, struct block *b)
+static struct scene_query query_of(const struct job *job, struct block *b)
 {
-    return (struct question){solver_of(job->options), &b->parsed.line,
-                             &b->left_out, b->hits};
+    return (struct scene_query){solver_of(job->options), &b->parsed.line,
+                                &b->left_out, b->hits};
 }
 
 /* ------------------------------------------------------------ records -- */
@@ -116,7 +116,7 @@ static int answer_pair(struct task *task)
     const struct options *o = task->job->options;
     const struct record *r = &task->block->parsed;
     cylint_answer answer;
-    if (!ask(solver_of(o), &r->shape, &r->line, o->fields.want, &answer)) {
+    if (!solve(solver_of(o), &r->shape, &r->line, o->fields.want, &answer)) {
         return refuse_method(task, 0);
     }
     task->row.answer = &answer;
@@ -128,7 +128,7 @@ static int answer_nearest(struct task *task)
 {
     const struct options *o = task->job->options;
     cylint_answer answer;
-    const struct question q = question_of(task->job, task->block);
+    const struct scene_query q = query_of(task->job, task->block);
     const size_t refused = scene_nearest(task->job->scene, &q, o->fields.want,
                                          &answer, &task->row);
     if (refused > 0) {
@@ -141,7 +141,7 @@ static int answer_nearest(struct task *task)
 
 static int answer_count(struct task *task, unsigned long long most)
 {
-    const struct question q = question_of(task->job, task->block);
+    const struct scene_query q = query_of(task->job, task->block);
     const size_t refused = scene_count(task->job->scene, &q, most, &task->row);
     if (refused > 0) {
         return refuse_method(task, refused);
@@ -158,8 +158,8 @@ static void answer_one_of_all(struct task *task, size_t shape)
     if (left_out_has(&task->block->left_out, shape)) {
         return;
     }
-    ask(solver_of(o), &task->job->scene->shapes[shape],
-        &task->block->parsed.line, o->fields.want, &answer);
+    solve(solver_of(o), &task->job->scene->shapes[shape],
+          &task->block->parsed.line, o->fields.want, &answer);
     if (answer.n > 0) {
         task->row.shape = shape + 1;
         task->row.answer = &answer;
@@ -174,7 +174,7 @@ static void answer_one_of_all(struct task *task, size_t shape)
 static int answer_all_by_method(struct task *task)
 {
     const struct scene *scene = task->job->scene;
-    const struct question q = question_of(task->job, task->block);
+    const struct scene_query q = query_of(task->job, task->block);
     const size_t refused = scene_count(scene, &q, ~0ULL, &task->row);
     if (refused > 0) {
         return refuse_method(task, refused);
@@ -233,7 +233,7 @@ static void answer_pairs(struct task *task)
     if (!p || p->count == 0) {
         return;
     }
-    pairs_ask(p, want);
+    pairs_intersect(p, want);
     for (int i = 0; i < p->count && task->status == ANSWERED; i++) {
         cylint_answer answer;
         pairs_get(p, i, want, &answer);

@@ -161,7 +161,7 @@ static int needs_both_hits(const struct fields *fields)
     return 0;
 }
 
-int fields_tell_sides(const struct fields *fields)
+int fields_need_sides(const struct fields *fields)
 {
     for (int i = 0; i < fields->count; i++) {
         if (fields->column[i]->value == VALUE_SIDE) {

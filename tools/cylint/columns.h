@@ -34,7 +34,7 @@ struct fields {
 };
 
 /* Whether a column is a side: entering, leaving or both. */
-int fields_tell_sides(const struct fields *fields);
+int fields_need_sides(const struct fields *fields);
 
 /* How rows look. */
 struct style {

@@ -260,18 +260,18 @@ static void take_flag(struct options *options, struct pending *pending,
 }
 
 /* The arguments' context. */
-struct asked {
+struct parsed_options {
     struct options *options;
     struct pending pending;
 };
 
 static int take_option(void *context, const struct option *o, const char *value)
 {
-    struct asked *asked = context;
+    struct parsed_options *parsed = context;
     if (o->has_value) {
-        return take_value(asked->options, &asked->pending, o, value);
+        return take_value(parsed->options, &parsed->pending, o, value);
     }
-    take_flag(asked->options, &asked->pending, o);
+    take_flag(parsed->options, &parsed->pending, o);
     return 0;
 }
 
@@ -425,7 +425,7 @@ static int settle(struct options *options, const struct pending *pending)
 
 int read_options(struct options *options, int argc, char **argv)
 {
-    struct asked asked = {options, {NULL, NULL, NULL, 0, 0, 0}};
+    struct parsed_options parsed = {options, {NULL, NULL, NULL, 0, 0, 0}};
     memset(options, 0, sizeof *options);
     options->grammar.line = NOT_GIVEN;
     options->grammar.shape = NOT_GIVEN;
@@ -433,7 +433,7 @@ int read_options(struct options *options, int argc, char **argv)
     options->style.separator = '\t';
     options->files = argv;
     const int status = take_arguments(options_known, argc, argv, take_option,
-                                      &asked, &options->file_count);
+                                      &parsed, &options->file_count);
     return status != 0 || options->print ? status
-                                         : settle(options, &asked.pending);
+                                         : settle(options, &parsed.pending);
 }

@@ -28,7 +28,7 @@ void pairs_free(struct pairs *p)
     }
 }
 
-int pairs_answer(int line_kind, unsigned want, int sides)
+int pairs_can_answer(int line_kind, unsigned want, int sides)
 {
     const unsigned can = CYLINT_WANT_T | CYLINT_WANT_PART | CYLINT_WANT_NEAREST;
     return line_kind != NOT_GIVEN && line_kind != LINE_SEGMENT && !sides &&
@@ -55,7 +55,7 @@ void pairs_take(struct pairs *p)
 }
 
 /* Where the first hit is enough, its part is -1 if there is none. */
-void pairs_ask(struct pairs *p, unsigned want)
+void pairs_intersect(struct pairs *p, unsigned want)
 {
     const int both = !(want & CYLINT_WANT_NEAREST);
     const int roots = (want & CYLINT_WANT_T) != 0;

@@ -33,7 +33,7 @@ void pairs_free(struct pairs *pairs);
 
 /* Whether lines of this kind, a cylint_intersect() mask and no column of a
  * side can be answered in batches, where a direction is three doubles. */
-int pairs_answer(int line_kind, unsigned want, int sides);
+int pairs_can_answer(int line_kind, unsigned want, int sides);
 
 /* Where the next pair is to be read to; then, if it is good, taken. */
 struct parts pairs_place(struct pairs *pairs);
@@ -41,7 +41,7 @@ void pairs_take(struct pairs *pairs);
 
 /* Asks about all; then each has an answer, of which only what is wanted and
  * relation and n are written. */
-void pairs_ask(struct pairs *pairs, unsigned want);
+void pairs_intersect(struct pairs *pairs, unsigned want);
 void pairs_get(const struct pairs *pairs, int i, unsigned want,
                cylint_answer *answer);
 

@@ -1,8 +1,9 @@
 /*
  * processors.c - how many processors this process may use
  *
- * Linux tells which ones a process is bound to (taskset, cpusets); elsewhere,
- * or where they are more than its set holds, all that are on line count.
+ * On Linux this is the number of processors to which the process is bound
+ * (taskset, cpusets).  On other systems, and if they are more than cpu_set_t
+ * holds, it is the number of processors on line.
  */
 #if defined(__linux__)
 #define _GNU_SOURCE

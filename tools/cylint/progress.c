@@ -1,5 +1,5 @@
 /*
- * progress.c - how far the work is, on standard error
+ * progress.c - the progress of the work, on standard error
  */
 #include <stdio.h>
 #include <time.h>

@@ -1,26 +1,26 @@
 /*
- * progress.h - how far the work is, on standard error
+ * progress.h - the progress of the work, on standard error
  *
- * By itself on a terminal once the work has lasted a second; with --progress
- * also elsewhere, a line a second.
+ * On a terminal it appears when the work has lasted a second.  With --progress
+ * it is also written elsewhere, one line a second.
  */
 #ifndef CYLINT_PROGRESS_H
 #define CYLINT_PROGRESS_H
 
 struct progress {
     const char *unit;    /* what is counted, in the plural */
-    int in_bytes;        /* how far it is, is told in bytes */
-    int shown, terminal; /* shown: at all */
+    int in_bytes;        /* `done` and `total` are bytes */
+    int shown, terminal; /* shown: whether anything is written */
     double start, last;  /* seconds */
-    int dirty;           /* a line stands on the terminal */
+    int dirty;           /* the terminal has a progress line */
     unsigned long long count;
 };
 
 void progress_start(struct progress *p, int wanted, const char *unit,
                     int in_bytes);
 
-/* So many more are done, which takes the work to `done` of `total` (0: not
- * known). */
+/* Adds `count` to the number done.  The work is at `done` of `total`; 0: the
+ * total is unknown. */
 void progress_add(struct progress *p, unsigned long long count, double done,
                   double total);
 

@@ -53,8 +53,8 @@ static void describe(char text[NOTE_ROOM], const struct fault *fault)
 }
 
 /* In text, control characters other than tabs and line ends are rare; in
- * random bytes every ninth is one.  More than one in 20 of the first 512 are
- * taken for a binary file; so few that they might be slips are not. */
+ * random bytes every ninth is one.  A file looks binary if they are more than
+ * one in 20 of its first 512 bytes.  A few of them may be typing errors. */
 static int looks_binary(const char *text, const char *end)
 {
     enum { LOOKED_AT = 512, ONE_IN = 20, SLIPS = 3 };
@@ -124,7 +124,7 @@ void print_note(const struct note *note, const char *name)
     }
 }
 
-/* Whether a note is to be printed; *report is then what was said with it. */
+/* Returns whether a note must be printed, and updates *report if so. */
 static int is_news(struct report *report, const struct note *note,
                    const char *name)
 {

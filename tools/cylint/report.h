@@ -1,8 +1,8 @@
 /*
  * report.h - messages about records: the first ten bad ones, then a count
  *
- * Blocks keep notes; they become messages when the block is delivered, so
- * that their order is the input's.
+ * Blocks keep notes.  They are printed when the block is delivered, so the
+ * messages are in the order of the input.
  */
 #ifndef CYLINT_REPORT_H
 #define CYLINT_REPORT_H
@@ -29,11 +29,11 @@ struct notes {
     unsigned long long bad; /* bad records in all */
 };
 
-/* What was said so far, of all blocks. */
+/* The messages printed so far, of all blocks. */
 struct report {
     unsigned long long bad;   /* bad records */
     unsigned long long shown; /* those that had a message */
-    unsigned remarks;         /* a bit for each remark that was made */
+    unsigned remarks;         /* a bit for each remark that was printed */
     const char *binary;       /* the file that looked binary last, or NULL */
 };
 
@@ -43,16 +43,16 @@ void take_note(struct notes *notes, unsigned long long line,
                unsigned long long record, const char *text, const char *end,
                const struct fault *fault);
 
-/* Notes the remarks on a good record, and no longer wants them. */
+/* Notes the remarks on a good record, and removes them from those wanted. */
 void take_remarks(struct notes *notes, struct remarks *remarks,
                   unsigned long long line, unsigned long long record,
                   const char *text);
 
-/* Prints a block's notes, each remark once and bad records until there were
- * ten messages about them, and empties the notes. */
+/* Prints the notes of a block and clears them.  Each remark is printed once; of
+ * the bad records the first ten of the whole input are printed. */
 void report_notes(struct report *report, struct notes *notes, const char *name);
 
-/* One note, at once: a scene's bad line. */
+/* Prints one note at once, for a bad line of a scene. */
 void print_note(const struct note *note, const char *name);
 
 /* Prints the count, if some bad records had no message. */

@@ -1,8 +1,8 @@
 /*
  * scene.c - the shapes that every line is intersected with
  *
- * The library intersects them in batches or by a hierarchy, a published method
- * one after the other.  Of equal t the lower number is nearest either way.
+ * The library intersects them in batches or by a hierarchy.  A published method
+ * intersects them one by one.  Both choose the lower number at equal t.
  */
 #include <math.h>
 #include <stdint.h>
@@ -66,7 +66,7 @@ static int read_shapes(struct scene *scene, const struct grammar *g,
     return 0;
 }
 
-/* How a file of another program becomes a scene, by the file's name. */
+/* Returns the command that converts a file with this name, or NULL. */
 static const char *converter_of(const char *file)
 {
     static const char *const remedies[][2] = {
@@ -130,8 +130,8 @@ void scene_free(struct scene *scene)
     scene->shapes = NULL;
 }
 
-int ask(solver method, const cylint_shape *shape, const cylint_line *line,
-        unsigned want, cylint_answer *answer)
+int solve(solver method, const cylint_shape *shape, const cylint_line *line,
+          unsigned want, cylint_answer *answer)
 {
     if (method) {
         return method(shape, line, want, answer) == CYLINT_OK;
@@ -140,12 +140,12 @@ int ask(solver method, const cylint_shape *shape, const cylint_line *line,
     return 1;
 }
 
-static int ask_any(const struct question *q, const cylint_shape *shape,
-                   int *hit)
+static int solve_any(const struct scene_query *q, const cylint_shape *shape,
+                     int *hit)
 {
     cylint_answer answer;
     const int answered =
-        ask(q->method, shape, q->line, CYLINT_WANT_COUNT, &answer);
+        solve(q->method, shape, q->line, CYLINT_WANT_COUNT, &answer);
     *hit = answered && answer.n > 0;
     return answered;
 }
@@ -157,10 +157,10 @@ static double next_up(double t)
     return nextafter(t, HUGE_VAL);
 }
 
-/* Of the shapes that are hit up to t = *end, the nearest that is not left
- * out, or `count`. */
-static size_t nearest_until(const struct scene *scene, const struct question *q,
-                            double end)
+/* Returns the nearest shape that is hit up to t = *end and not left out, or
+ * `count`. */
+static size_t nearest_until(const struct scene *scene,
+                            const struct scene_query *q, double end)
 {
     enum { ROOM = 256 };
     cylint_line line = *q->line;
@@ -187,16 +187,16 @@ static size_t nearest_until(const struct scene *scene, const struct question *q,
 }
 
 /*
- * The nearest of the shapes that are not left out.
+ * Returns the nearest of the shapes that are not left out.
  *
- * As long as the nearest of all is left out, the line is followed from behind
- * that hit on.  What is found in the end need not be the answer: another shape
- * may be hit at the same t, or between that and the next double, by which the
- * line was cut.  But no shape further on than that is nearer, so all that are
- * hit up to there are compared.
+ * While the nearest of all shapes is left out, the search is repeated with tmin
+ * = the double after its t.  The shape found in the end need not be the
+ * nearest: another shape may be hit at the same t, or between that t and the
+ * next double, where the line was cut.  But no farther shape is nearer.
+ * Therefore all shapes that are hit up to that t are compared.
  */
 static size_t nearest_by_search(const struct scene *scene,
-                                const struct question *q)
+                                const struct scene_query *q)
 {
     cylint_line rest = *q->line;
     double t = 0;
@@ -216,7 +216,7 @@ static size_t nearest_by_search(const struct scene *scene,
 }
 
 static unsigned long long count_by_search(const struct scene *scene,
-                                          const struct question *q,
+                                          const struct scene_query *q,
                                           unsigned long long most)
 {
     size_t left_out = 0;
@@ -225,7 +225,7 @@ static unsigned long long count_by_search(const struct scene *scene,
         const size_t count = left_out_shapes(q->left_out, i, &shapes);
         for (size_t k = 0; k < count; k++) {
             int hit;
-            ask_any(q, &scene->shapes[shapes[k]], &hit);
+            solve_any(q, &scene->shapes[shapes[k]], &hit);
             left_out += (size_t)hit;
         }
     }
@@ -235,9 +235,9 @@ static unsigned long long count_by_search(const struct scene *scene,
 
 /* --------------------------------------------------------- by a method -- */
 
-/* Sets row->shape.  Returns 0, or the shape the method does not answer for. */
+/* Sets row->shape.  Returns 0, or the shape that the method does not support. */
 static size_t nearest_by_method(const struct scene *scene,
-                                const struct question *q, struct row *row)
+                                const struct scene_query *q, struct row *row)
 {
     const unsigned first = CYLINT_WANT_T | CYLINT_WANT_NEAREST;
     double t = 0;
@@ -247,7 +247,7 @@ static size_t nearest_by_method(const struct scene *scene,
         if (left_out_has(q->left_out, i)) {
             continue;
         }
-        if (!ask(q->method, &scene->shapes[i], q->line, first, &answer)) {
+        if (!solve(q->method, &scene->shapes[i], q->line, first, &answer)) {
             return i + 1;
         }
         if (answer.n > 0 && (row->shape == 0 || answer.hit[0].t < t)) {
@@ -259,14 +259,14 @@ static size_t nearest_by_method(const struct scene *scene,
 }
 
 static size_t count_by_method(const struct scene *scene,
-                              const struct question *q, unsigned long long most,
-                              struct row *row)
+                              const struct scene_query *q,
+                              unsigned long long most, struct row *row)
 {
     row->count = 0;
     for (size_t i = 0; i < scene->count && row->count < most; i++) {
         int hit = 0;
         if (!left_out_has(q->left_out, i) &&
-            !ask_any(q, &scene->shapes[i], &hit)) {
+            !solve_any(q, &scene->shapes[i], &hit)) {
             return i + 1;
         }
         row->count += (unsigned long long)hit;
@@ -274,8 +274,8 @@ static size_t count_by_method(const struct scene *scene,
     return 0;
 }
 
-/* The columns of the nearest hit are those of its shape alone. */
-size_t scene_nearest(const struct scene *scene, const struct question *q,
+/* The columns of the nearest hit are computed for its shape only. */
+size_t scene_nearest(const struct scene *scene, const struct scene_query *q,
                      unsigned want, cylint_answer *answer, struct row *row)
 {
     row->answer = NULL;
@@ -290,13 +290,13 @@ size_t scene_nearest(const struct scene *scene, const struct question *q,
     }
     if (row->shape > 0) {
         row->answer = answer;
-        ask(q->method, &scene->shapes[row->shape - 1], q->line,
-            want | CYLINT_WANT_NEAREST, answer);
+        solve(q->method, &scene->shapes[row->shape - 1], q->line,
+              want | CYLINT_WANT_NEAREST, answer);
     }
     return 0;
 }
 
-size_t scene_count(const struct scene *scene, const struct question *q,
+size_t scene_count(const struct scene *scene, const struct scene_query *q,
                    unsigned long long most, struct row *row)
 {
     if (q->method) {

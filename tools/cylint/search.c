@@ -13,19 +13,19 @@
 const char *const accel_words[] = {"auto", "none", "tree", "embree", NULL};
 
 /*
- * What auto does.  A hierarchy answers sooner than a batch from about PAYS_FROM
- * shapes on, but takes about as long to be made as PAYS_AFTER lines take by
+ * The rule for `auto`.  With PAYS_FROM shapes or more a hierarchy is faster than
+ * batches.  Building it takes about as long as PAYS_AFTER lines take by
  * batches: 0.5 to 2.6 microseconds a shape against 0.8 to 1.6 ns a shape and
- * line, 550 to 1600 lines (make bench-scene).  Batches until
- * then, and the hierarchy from then on, take at most about twice the time of
- * the better one, whatever the number of lines.
+ * line, 550 to 1600 lines (make bench-scene).  Batches for the first lines and
+ * the hierarchy for the others take at most about twice the time of the better
+ * one, for every number of lines.
  */
 enum { PAYS_FROM = 64, PAYS_AFTER = 1024 };
 
-/* The hierarchy, which one of the threads may still be making. */
+/* The hierarchy.  A thread may still be building it. */
 struct tree {
-    cylint_scene *scene; /* NULL: not there yet, or never */
-    size_t asked;        /* lines before it was built */
+    cylint_scene *scene; /* NULL: not built, or building failed */
+    size_t lines;        /* lines before it was built */
 };
 
 static int make_pack(struct search *s)
@@ -47,8 +47,8 @@ static cylint_scene_status make_scene(const struct search *s)
     return status;
 }
 
-/* The same from the beginning, that is, or nothing. */
-static int insist_on_scene(const struct search *s)
+/* Builds the hierarchy.  Returns 0 or an exit status. */
+static int require_scene(const struct search *s)
 {
     const cylint_scene_status status = make_scene(s);
     if (status == CYLINT_SCENE_OK) {
@@ -71,7 +71,7 @@ int search_make(struct search *s, const cylint_shape *shapes, size_t count,
             return out_of_memory();
         }
     }
-    return accel == ACCEL_TREE ? insist_on_scene(s) : make_pack(s);
+    return accel == ACCEL_TREE ? require_scene(s) : make_pack(s);
 }
 
 void search_free(struct search *s)
@@ -84,21 +84,21 @@ void search_free(struct search *s)
     memset(s, 0, sizeof *s);
 }
 
-/* The hierarchy, if it is there. */
+/* Returns the hierarchy, or NULL if it is not built. */
 static const cylint_scene *scene_of(const struct search *s)
 {
     return s->tree ? __atomic_load_n(&s->tree->scene, __ATOMIC_ACQUIRE) : NULL;
 }
 
-/* The same, for one line more.  The thread with line number PAYS_AFTER builds
- * the hierarchy; the others go on with batches. */
+/* The same, and counts one line.  The thread with line number PAYS_AFTER builds
+ * the hierarchy; the others continue with batches. */
 static const cylint_scene *scene_for_line(const struct search *s)
 {
     const cylint_scene *scene = scene_of(s);
     if (s->tree && !scene &&
-        __atomic_add_fetch(&s->tree->asked, 1, __ATOMIC_RELAXED) ==
+        __atomic_add_fetch(&s->tree->lines, 1, __ATOMIC_RELAXED) ==
             PAYS_AFTER) {
-        make_scene(s); /* if that fails, batches will do */
+        make_scene(s); /* if that fails, batches are used */
         scene = scene_of(s);
     }
     return scene;
@@ -126,7 +126,7 @@ size_t search_count(const struct search *s, const cylint_line *line,
                  : cylint_count(&s->pack, line, enough);
 }
 
-/* Most shapes are missed: look at eight at a time. */
+/* Most lines miss most shapes, so eight are tested at a time. */
 static size_t next_hit(const signed char *n, size_t from, size_t count)
 {
     uint64_t eight = 0;

@@ -1,8 +1,8 @@
 /*
  * search.h - finds the shapes of a scene that a line hits
  *
- * By batches of all shapes or, where it pays, by a hierarchy of boxes: the
- * answers are the same bits.  Any number of threads may search.
+ * It uses batches of all shapes or a hierarchy of boxes, whichever is faster.
+ * Both return the same bits.  Any number of threads may search.
  */
 #ifndef CYLINT_SEARCH_H
 #define CYLINT_SEARCH_H
@@ -17,31 +17,32 @@ extern const char *const accel_words[]; /* in that order, then NULL */
 struct search {
     const cylint_shape *shapes;
     size_t count;
-    cylint_pack pack;  /* unless there is a hierarchy from the beginning */
+    cylint_pack pack;  /* not used with ACCEL_TREE */
     void *memory;      /* the pack's */
     struct tree *tree; /* NULL: batches only */
     int threads;       /* to build it */
 };
 
-/* Prepares `count` shapes, which the caller keeps, by so many threads (0: as
- * many as there are processors).  Returns 0 or an exit status, having said
- * what is wrong. */
+/* Prepares `count` shapes with this number of threads; 0: one for each
+ * processor.  The shapes must not change while the search is used.  Returns 0,
+ * or an exit status after a message. */
 int search_make(struct search *s, const cylint_shape *shapes, size_t count,
                 enum accel accel, int threads);
 void search_free(struct search *s);
 
-/* The number of the shape that is hit first, or `count`; *t is where, unless
- * `t` is NULL. */
+/* Returns the number of the shape that is hit first, or `count`.  Writes t of
+ * its hit to *t, unless t is NULL. */
 size_t search_nearest(const struct search *s, const cylint_line *line,
                       double *t);
 
-/* Shapes that are hit; at most `enough`, unless that is 0. */
+/* Returns the number of shapes that are hit, at most `enough` unless that is
+ * 0. */
 size_t search_count(const struct search *s, const cylint_line *line,
                     size_t enough);
 
-/* Writes the numbers of the shapes from `first` on that are hit, ascending,
- * `room` of them at most, and returns how many.  hits: a char per shape,
- * which keeps its contents between calls for the same line. */
+/* Writes the numbers of the shapes that are hit, ascending from `first`, at
+ * most `room` of them, and returns how many.  hits: one char for each shape;
+ * keep it unchanged between calls for the same line. */
 size_t search_hits(const struct search *s, const cylint_line *line,
                    signed char *hits, size_t first, size_t *numbers,
                    size_t room);

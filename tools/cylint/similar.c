@@ -1,10 +1,10 @@
 /*
- * similar.c - the word that was probably meant
+ * similar.c - the known word that is nearest to a mistyped one
  *
  * The distance of two words is the number of characters inserted, deleted or
- * replaced, and of neighbours exchanged (optimal string alignment).  A letter
- * in the other case costs nothing.  A word is near if the distance is at most
- * a third of the text's length, or 1, and less than the length.
+ * replaced, and of neighbours exchanged (optimal string alignment).  Upper and
+ * lower case count as equal.  A word is near if the distance is at most a third
+ * of the text's length, or 1, and less than the length.
  */
 #include <string.h>
 

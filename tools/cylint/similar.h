@@ -1,12 +1,12 @@
 /*
- * similar.h - the word that was probably meant
+ * similar.h - the known word that is nearest to a mistyped one
  */
 #ifndef CYLINT_SIMILAR_H
 #define CYLINT_SIMILAR_H
 
 #include <stddef.h>
 
-/* A text that is none of the words expected, and the nearest of them. */
+/* A text that is not one of the expected words, and the nearest of these. */
 struct similar {
     const char *text;
     size_t length;

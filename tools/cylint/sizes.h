@@ -1,8 +1,8 @@
 /*
- * sizes.h - how many bytes are handled at a time, and how many at most
+ * sizes.h - the sizes of buffers, and the longest line
  *
- * CYLINT_SHRINK divides them all, so that a fuzzer's few bytes are cut into
- * as many blocks as a large file is.
+ * CYLINT_SHRINK divides them all, so that the short input of a fuzzer has as
+ * many blocks as a large file.
  */
 #ifndef CYLINT_SIZES_H
 #define CYLINT_SIZES_H
@@ -12,10 +12,12 @@
 #endif
 
 enum {
-    LINE_MOST = (1 << 20) / CYLINT_SHRINK,  /* of a line, its end not counted */
-    BLOCK_GOAL = (1 << 18) / CYLINT_SHRINK, /* enough to begin answering */
-    BLOCK_ROOM = 2 * LINE_MOST, /* a long line, and what comes with it */
-    TEXT_FULL = (1 << 18) / CYLINT_SHRINK, /* time to write answers out */
+    LINE_MOST = (1 << 20) / CYLINT_SHRINK, /* of a line, without its end */
+    BLOCK_GOAL =
+        (1 << 18) / CYLINT_SHRINK, /* a block is answered from this size on */
+    BLOCK_ROOM = 2 * LINE_MOST,    /* a long line and the bytes read with it */
+    TEXT_FULL =
+        (1 << 18) / CYLINT_SHRINK, /* answers are written from this size on */
     NPY_HEADER_MOST = (1 << 16) / CYLINT_SHRINK
 };
 

@@ -23,7 +23,7 @@
 enum { DIGITS_MOST = 18 }; /* of a node's number: it fits 64 bits */
 
 #define NO_PARENT UINT64_MAX
-/* Whole numbers below this one are told apart by doubles. */
+/* All whole numbers below this one are doubles. */
 #define DECIMAL_MOST 9007199254740992.0 /* 2^53 */
 
 struct swc_node {
@@ -100,7 +100,7 @@ void swc_free(struct swc *swc)
 
 /* ------------------------------------------------------------- one node -- */
 
-/* The text that is still to be read, and where a fault is written. */
+/* The rest of the text, and the place for a fault. */
 struct reader {
     const char *p, *end;
     struct fault *fault;

@@ -1,5 +1,5 @@
 /*
- * text.h - bytes put one after another into room that was made before
+ * text.h - appends bytes to a buffer of the caller
  *
  * Nothing here allocates: the caller provides memory for TEXT_FULL bytes and the
  * longest row, and empties the text when it holds TEXT_FULL bytes.
@@ -34,11 +34,11 @@ static inline void put_string(struct text *t, const char *s)
     put_bytes(t, s, strlen(s));
 }
 
-/* A whole number, in plain digits. */
+/* Appends a whole number in decimal digits. */
 void put_whole(struct text *t, unsigned long long value);
 
-/* A double's eight bytes, the lowest first on every machine: compilers make
- * one load or store of them. */
+/* Appends the eight bytes of a double, the lowest first on every machine.
+ * Compilers translate this to one store. */
 static inline void put_little_endian(struct text *t, double value)
 {
     uint64_t bits;
@@ -62,10 +62,10 @@ static inline double get_little_endian(const char bytes[8])
 }
 
 /*
- * Copies [from, end) with every byte but printable ASCII as \xHH, and the
- * backslash too, so that what is shown is what was there.  Stops with "..."
- * after `most` bytes.  Needs room for 4 * most + 4 bytes, ends with a NUL and
- * returns the length.
+ * Copies [from, end).  Writes each byte that is not printable ASCII, and the
+ * backslash, as \xHH, so that the text is unambiguous.  After `most` bytes it
+ * writes "..." and stops.  `to` has 4 * most + 4 bytes.  Writes a NUL at the
+ * end.  Returns the length.
  */
 size_t escape_bytes(char *to, const char *from, const char *end, size_t most);
 

@@ -1,5 +1,5 @@
 /*
- * turns.c - blocks leave in the order in which they came
+ * turns.c - blocks are written in the order in which they were read
  */
 #include "turns.h"
 

@@ -1,11 +1,11 @@
 /*
- * workers.c - all blocks of the input, by as many threads as are worth it
+ * workers.c - answers all blocks of the input in several threads
  *
  * Every worker reads a block while no other reads, answers it, waits for its
- * turn and writes.  So no data is handed over, one worker runs the same code as
- * many, and the number of workers bounds the memory.
- * A worker that reads a full block, behind which there must be more, starts
- * the next: a short input, or a slow partner on a pipe, has one only.
+ * turn and writes.  Therefore threads exchange no data, one worker runs the same
+ * code as many, and the number of workers bounds the memory.
+ * A worker that reads a full block starts another worker, because more input
+ * follows.  A short input, or slow input from a pipe, has one worker.
  */
 #include <fcntl.h>
 #include <stdlib.h>
@@ -25,14 +25,14 @@ struct worker {
 
 struct team {
     struct job *job;
-    pthread_mutex_t reading; /* for job->in and what stands below */
+    pthread_mutex_t reading; /* protects job->in and the members below */
     unsigned long long tickets;
     int most, count;
     struct worker *others; /* all but the first */
 
-    int ending[2]; /* a pipe: closed when the work is over, which wakes a
-                      worker that waits for input; made before there is
-                      more than one, else -1 */
+    int ending[2]; /* a pipe, closed when the work ends: this wakes a
+                      worker that waits for input.  It is opened before the
+                      second worker starts; until then -1 */
 };
 
 static void *work(void *worker);
@@ -68,7 +68,7 @@ static int has_ending(struct team *team)
     return team->ending[0] >= 0;
 }
 
-/* Where memory, threads or descriptors are short, those there are go on. */
+/* If memory, threads or descriptors are short, the present workers continue. */
 static void start_worker(struct team *team)
 {
     struct worker *w = has_ending(team) ? make_worker(team) : NULL;
@@ -84,7 +84,7 @@ static void start_worker(struct team *team)
     team->most = team->count;
 }
 
-/* Returns 0 if the work is over; else there is a block whose turn comes. */
+/* Reads a block and gives it a ticket.  Returns 0 if the work has ended. */
 static int take_block(struct team *team, struct block *b)
 {
     pthread_mutex_lock(&team->reading);
@@ -129,7 +129,7 @@ static void *work(void *worker)
     return NULL;
 }
 
-/* No worker is started once the work is over and no other reads. */
+/* Waits for all workers.  None starts after the work has ended. */
 static void join_workers(struct team *team)
 {
     pthread_mutex_lock(&team->reading);

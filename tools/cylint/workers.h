@@ -1,13 +1,13 @@
 /*
- * workers.h - all blocks of the input, by as many threads as are worth it
+ * workers.h - answers all blocks of the input in several threads
  */
 #ifndef CYLINT_WORKERS_H
 #define CYLINT_WORKERS_H
 
 #include "answer.h"
 
-/* Answers all input with at most `most` workers, of which the caller is one.
- * Returns the status with which the work ended. */
+/* Answers all input with at most `most` workers, the caller included.  Returns
+ * the exit status of the work. */
 int workers_run(struct job *job, int most);
 
 #endif
