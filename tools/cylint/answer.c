@@ -1,8 +1,8 @@
 /*
- * answer.c - a block of records becomes a block of answers
+ * answer.c - computes the answers to a block of records
  *
- * Answers gather in the block.  If they fill it they are delivered before its
- * end: one line may hit a million shapes of a scene.
+ * Answers are collected in the block.  If they fill it, they are written before
+ * the block is finished: one line may hit a million shapes of a scene.
  */
 #include <stdio.h>
 
@@ -45,7 +45,7 @@ int job_block(const struct job *job, struct block *block)
     return 1;
 }
 
-/* Keeps the turn, so that the rest of the block follows. */
+/* Does not pass the turn, so that the rest of the block follows. */
 static enum answered deliver(struct job *job, struct block *b)
 {
     if (!turns_wait(&job->turns, b->ticket)) {
@@ -75,13 +75,13 @@ static struct scene_query query_of(const struct job *job, struct block *b)
 
 /* ------------------------------------------------------------ records -- */
 
-/* The record being answered, and what becomes of it. */
+/* The present record and its result. */
 struct task {
     struct job *job;
     struct block *block;
     struct row row;
     struct fault fault;
-    enum answered status; /* of a delivery in between */
+    enum answered status; /* of the last delivery */
 };
 
 static void put_answer(struct task *task, int hit)
@@ -92,7 +92,7 @@ static void put_answer(struct task *task, int hit)
     }
 }
 
-/* Sets the row's label, where one is asked for, to that of its shape. */
+/* If a column needs it, sets the row's label to that of its shape. */
 static void find_label(struct task *task)
 {
     const struct job *job = task->job;
@@ -104,7 +104,7 @@ static void find_label(struct task *task)
     }
 }
 
-/* Returns 0: the method refuses this shape, which is the record's fault. */
+/* Records the fault that the method does not support this shape.  Returns 0. */
 static int refuse_method(struct task *task, size_t shape)
 {
     task->fault = (struct fault){.what = task->job->refusal, .shape = shape};
@@ -150,7 +150,7 @@ static int answer_count(struct task *task, unsigned long long most)
     return 1;
 }
 
-/* A row if the line hits the shape. */
+/* Writes a row if the line hits the shape. */
 static void answer_one_of_all(struct task *task, size_t shape)
 {
     const struct options *o = task->job->options;
@@ -169,8 +169,8 @@ static void answer_one_of_all(struct task *task, size_t shape)
     }
 }
 
-/* Tests first that the method answers for all shapes: a record is either
- * answered or bad, never half of each. */
+/* Tests first that the method supports all shapes, so that a bad record has no
+ * partial answer. */
 static int answer_all_by_method(struct task *task)
 {
     const struct scene *scene = task->job->scene;
@@ -205,7 +205,7 @@ static int answer_all(struct task *task)
     return 1;
 }
 
-/* Returns whether the parsed record could be answered. */
+/* Answers the parsed record.  Returns 0 if it is bad. */
 static int answer_record(struct task *task)
 {
     const struct record *r = &task->block->parsed;
@@ -225,7 +225,7 @@ static int answer_record(struct task *task)
     }
 }
 
-/* Answers the pairs that were gathered for a batch. */
+/* Answers the pairs collected for a batch. */
 static void answer_pairs(struct task *task)
 {
     struct pairs *p = task->block->pairs;
@@ -247,7 +247,7 @@ static void answer_pairs(struct task *task)
     p->count = 0;
 }
 
-/* A good pair need not be answered yet. */
+/* Adds a good pair to the batch; answers the batch when it is full. */
 static void take_pair(struct task *task)
 {
     struct pairs *p = task->block->pairs;
@@ -310,7 +310,7 @@ static void copy_comment(struct task *task, const char *line, const char *end)
     }
 }
 
-/* Where the next record is written to. */
+/* Returns the place for the next record. */
 static struct parts place_of(struct block *b)
 {
     struct parts parts =
@@ -392,7 +392,7 @@ static void answer_doubles(struct task *task)
     }
 }
 
-/* The input's end, a failure of it and -e stop end the work. */
+/* The end of the input, an input failure and -e stop end the work. */
 static enum answered finish_block(struct job *job, const struct block *b)
 {
     progress_add(&job->progress, b->records, (double)b->input, job->in.total);

@@ -1,5 +1,5 @@
 /*
- * answer.h - a block of records becomes a block of answers
+ * answer.h - computes the answers to a block of records
  */
 #ifndef CYLINT_ANSWER_H
 #define CYLINT_ANSWER_H
@@ -13,14 +13,14 @@
 #include "scene.h"
 #include "turns.h"
 
-/* What all blocks share.  The first group does not change, the second is for
- * whoever reads, the last for the block whose turn it is to be delivered. */
+/* The data shared by all blocks.  The first group is constant.  The second is
+ * for the thread that reads, the last for the thread that writes. */
 struct job {
     const struct options *options;
     const struct scene *scene;
-    const struct labels *labels; /* of its shapes, where they are kept */
-    const struct groups *groups; /* what its records may leave out */
-    char refusal[96];            /* said when the method does not answer */
+    const struct labels *labels; /* of the shapes, if they are kept */
+    const struct groups *groups; /* of shapes that records may leave out */
+    char refusal[96];            /* message: the method does not support this */
 
     struct input in;
 
@@ -29,20 +29,20 @@ struct job {
     struct output out;
     struct report report;
     struct progress progress;
-    int status; /* with which the work ended */
+    int status; /* exit status of the work */
 };
 
 void job_prepare(struct job *job, const struct options *options,
                  const struct scene *scene, const struct labels *labels,
                  const struct groups *groups);
 
-/* Makes buffers for the job's blocks; returns whether there is memory. */
+/* Allocates the buffers of a block.  Returns 0 if there is no memory. */
 int job_block(const struct job *job, struct block *block);
 
 enum answered {
-    ANSWERED,      /* it is still the block's turn */
-    ANSWERED_LAST, /* so it is, but there will be no other: job->status */
-    OVERTAKEN      /* the work ended before its turn came */
+    ANSWERED,      /* it is still this block's turn */
+    ANSWERED_LAST, /* the same, and the work ends: see job->status */
+    OVERTAKEN      /* the work ended before its turn */
 };
 
 /* Answers all records of a block and delivers the answers in its turn. */

@@ -61,7 +61,7 @@ int read_word(const struct option *o, const char *value,
                                similar_word(words, value, length));
 }
 
-/* The arguments, how far they are used up, and who takes them. */
+/* The arguments, the position in them, and the function that takes them. */
 struct arguments {
     char **argv;
     int count, next;
@@ -81,7 +81,7 @@ static const struct option *find_option(const struct option *known,
     return NULL;
 }
 
-/* A letter is too short to be nearly an option's name. */
+/* One letter is too short for a suggestion. */
 static int refuse_option(const struct option *known, const char *dashes,
                          const char *name, size_t length)
 {

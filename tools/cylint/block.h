@@ -1,9 +1,9 @@
 /*
- * block.h - some whole records on their way from input to output
+ * block.h - a block of whole records with its answers
  *
- * A block holds everything that changes while its records are answered, so
- * that several can be under way at once: what was read, where it stood, the
- * answers, the complaints.
+ * A block has all data that change while its records are answered: the text,
+ * its position in the input, the answers and the messages.  Therefore several
+ * blocks can be processed at once.
  */
 #ifndef CYLINT_BLOCK_H
 #define CYLINT_BLOCK_H
@@ -14,8 +14,8 @@
 #include "report.h"
 #include "text.h"
 
-/* Why there is no more input though there should be; status 0: there is no
- * failure.  Told when all that came before is answered. */
+/* Why the input ends too early; status 0: no failure.  The message is printed
+ * after the answers to the records before it. */
 struct failure {
     int status;
     const char *what; /* NULL: the text for `error` */
@@ -23,28 +23,28 @@ struct failure {
 };
 
 struct block {
-    char *text; /* whole records, and one byte more: a NUL; but the
-                         last may be the beginning of a line too long, or
-                         a binary record that the input's end cut off */
+    char *text; /* whole records and a NUL byte.  The last record may be
+                         the beginning of a line that is too long, or a
+                         binary record cut off by the end of the input */
     size_t length;
-    int full;         /* as much as is read at a time: there may be more */
-    const char *name; /* of the file, for messages */
+    int full; /* has BLOCK_GOAL bytes or more: there may be more input */
+    const char *name;           /* of the file, for messages */
     unsigned long long line;    /* number of the first line, from 1 */
     unsigned long long record;  /* number of the first record, from 1 */
-    unsigned long long records; /* how many there are */
+    unsigned long long records; /* number of records */
 
-    unsigned long long ticket; /* blocks are delivered in this order */
-    unsigned long long input;  /* bytes of input read with it, in all */
-    struct failure failure;    /* of the input behind it */
+    unsigned long long ticket; /* blocks are written in this order */
+    unsigned long long input;  /* bytes of all input read so far */
+    struct failure failure;    /* of the input after it */
 
     struct text out;
     struct notes notes;
     struct remarks remarks;
-    int stopped;          /* at a bad record, by -e stop */
-    struct record parsed; /* the record that is being answered; or */
-    struct pairs *pairs;  /* those that are to be, at once; NULL: one by one */
-    struct left_out left_out; /* by the parsed record */
-    signed char *hits;        /* how many it has with each shape of the scene */
+    int stopped;              /* at a bad record, by -e stop */
+    struct record parsed;     /* the present record */
+    struct pairs *pairs;      /* the present batch of pairs; NULL: one by one */
+    struct left_out left_out; /* shapes that the record leaves out */
+    signed char *hits; /* the number of hits with each shape of the scene */
 };
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * columns.c - the columns of an answer, and how they are written
  *
- * A new column is a line in the table, and a case in value_of() if no value
- * of the kind is there yet.
+ * A new column needs a line in the table and, for a new kind of value, a case
+ * in value_of().
  */
 #include <math.h>
 
@@ -149,7 +149,7 @@ const char *similar_field(const char *name, size_t length, enum query query)
     return similar.word;
 }
 
-/* The first hit is enough unless a column needs both, or their number. */
+/* Whether a column needs both hits or their number. */
 static int needs_both_hits(const struct fields *fields)
 {
     for (int i = 0; i < fields->count; i++) {
@@ -241,7 +241,7 @@ static inline int is_missing(const struct column *c, const struct row *row)
     }
 }
 
-/* Neither of a missing value nor of a label. */
+/* The value of a column that is not missing and not a label. */
 static inline double value_of(const struct column *c, const struct row *row)
 {
     const cylint_answer *a = row->answer;
@@ -263,7 +263,7 @@ static inline double value_of(const struct column *c, const struct row *row)
     }
 }
 
-/* The words for a value, or NULL where it is a number. */
+/* The words for a value, or NULL if it is a number. */
 static const char *const *words_of(enum value value)
 {
     static const char *const relations[] = {[CYLINT_RELATION_MISS] = "miss",
@@ -386,7 +386,7 @@ void put_header(struct text *out, const struct fields *fields,
     put_char(out, '\n');
 }
 
-/* Names and words are shorter than numbers; "error" stands in one field. */
+/* Names and words are shorter than numbers; "error" fits into one field. */
 size_t row_room(const struct fields *fields, const struct style *style,
                 size_t longest_label)
 {

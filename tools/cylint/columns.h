@@ -1,8 +1,8 @@
 /*
  * columns.h - the columns of an answer, and how they are written
  *
- * A column is a name, a value and what must be computed for it.  Which
- * columns there are depends on the question.
+ * A column is a name, a value and the members of a hit that it needs.  Each
+ * query has its own set of columns.
  */
 #ifndef CYLINT_COLUMNS_H
 #define CYLINT_COLUMNS_H
@@ -29,17 +29,17 @@ enum { MOST_FIELDS = 256 };
 struct fields {
     const struct column *column[MOST_FIELDS];
     int count;
-    int labels; /* how many columns are labels */
+    int labels; /* number of columns that are labels */
     unsigned want;
 };
 
-/* Whether a column is a side: entering, leaving or both. */
+/* Whether a column is a side. */
 int fields_need_sides(const struct fields *fields);
 
 /* How rows look. */
 struct style {
     int binary;
-    int digits; /* as for cylint_write_number() */
+    int digits; /* see cylint_write_number() */
     char separator;
     const char *missing; /* NULL: nan for a number, - for a word */
 };
@@ -47,7 +47,7 @@ struct style {
 /* The values of a row. */
 struct row {
     unsigned long long record, shape, count;
-    const cylint_answer *answer; /* NULL: there is none, as of no shape */
+    const cylint_answer *answer; /* NULL: there is none */
     const char *label;           /* the shape's, if a column needs it */
     size_t label_length;
     const char *tail;
@@ -56,15 +56,15 @@ struct row {
 
 const char *default_fields(enum query query);
 
-/* Fills *fields from names separated by commas.  Returns NULL, or the name
- * that is none of this query's, or one too many, with its length. */
+/* Writes *fields from names separated by commas.  Returns NULL, or the first
+ * name that is not a column of this query or is one too many, and its length. */
 const char *find_fields(struct fields *fields, const char *names,
                         enum query query, size_t *length);
 
-/* The column of this query whose name is nearly this one, or NULL. */
+/* The name of this query's column nearest to this one, or NULL. */
 const char *similar_field(const char *name, size_t length, enum query query);
 
-/* The most bytes that a row, or the header, can take beside its tail, where
+/* The largest length of a row or of the header in bytes, without the tail, if
  * no label is longer than this. */
 size_t row_room(const struct fields *fields, const struct style *style,
                 size_t longest_label);

@@ -1,8 +1,8 @@
 /*
- * grammar.c - a record of text or of doubles becomes a line and a shape
+ * grammar.c - reads a line and a shape from a record of text or doubles
  *
- * Text is pointers and lengths, never strings: a NUL is a bad byte.  Fields
- * are separated by blanks, tabs, and at most one comma.
+ * Texts are pointers to their begin and end, not C strings: a NUL is a bad byte.
+ * Fields are separated by blanks, tabs, and at most one comma.
  */
 #include <stdio.h>
 #include <string.h>
@@ -128,7 +128,7 @@ static cylint_status make_shape(int kind, int ends, const double *v,
 
 /* ------------------------------------------------------------ text fields */
 
-/* How far the text is read, and what went wrong. */
+/* The position in the text, and the fault. */
 struct reader {
     const char *p, *end;
     struct fault *fault;
@@ -145,7 +145,7 @@ static const char *end_of_field(const struct reader *r)
     return field_end(r->p, r->end);
 }
 
-/* A field of no length can only be a comma too many: show that. */
+/* An empty field is a comma too many: the message shows the comma. */
 static int refuse(struct reader *r, const char *what, int expected)
 {
     const char *after = end_of_field(r);
@@ -157,8 +157,7 @@ static int refuse(struct reader *r, const char *what, int expected)
     return 0;
 }
 
-/* The number at p, if it is a whole field, ends where the result is; else
- * NULL. */
+/* Returns the end of the number at p if it is a whole field, else NULL. */
 static const char *end_of_number(const char *p, const char *end, double *value)
 {
     const char *after = cylint_read_number(p, end, value);
@@ -166,7 +165,7 @@ static const char *end_of_number(const char *p, const char *end, double *value)
                                                                         : NULL;
 }
 
-/* How many numbers stand at p, one after the other. */
+/* Counts the successive numbers at p. */
 static int count_numbers(const char *p, const char *end)
 {
     double value;
@@ -204,7 +203,7 @@ static int read_kind(struct reader *r, const struct kind *kinds, int count)
     return kind;
 }
 
-/* The kind whose word the text is nearly, or NULL. */
+/* The word of a kind that is nearest to the text, or NULL. */
 static const char *similar_kind(const struct reader *r,
                                 const struct kind *kinds, int count)
 {
@@ -249,7 +248,7 @@ static int refuse_shape_kind(struct reader *r, const struct grammar *g)
     return 0;
 }
 
-/* The first negative one of a shape's radii, or its first. */
+/* The number of the first negative radius of a shape, or of its first radius. */
 static int wrong_radius(int kind, const double *v)
 {
     switch (kind) {
@@ -262,8 +261,8 @@ static int wrong_radius(int kind, const double *v)
     }
 }
 
-/* The library refuses a line or shape that begins at `at`.  The message shows
- * its number `wrong`, from 0; NOT_GIVEN: its beginning. */
+/* The library refused the line or shape that begins at `at`.  The message
+ * shows its number `wrong`, counted from 0; NOT_GIVEN: its first word. */
 static int refuse_status(struct reader *r, const char *at, int has_word,
                          int status, int wrong)
 {
@@ -365,7 +364,7 @@ static int read_shape(struct reader *r, const struct grammar *g,
                                                    : NOT_GIVEN);
 }
 
-/* The names are read by left_out_read(), which has the scene. */
+/* Finds the end of the names.  left_out_read() reads them with the scene. */
 static int read_left_out(struct reader *r, const struct parts *parts)
 {
     *parts->left_out = r->p;
@@ -377,8 +376,9 @@ static int read_left_out(struct reader *r, const struct parts *parts)
     return 1;
 }
 
-/* Bare numbers go on in the tail: "N numbers where a ray has 6".  A word
- * ends=WORD or not=NAME ends them. */
+/* Whether the tail of a record of bare numbers begins with a number.  Writes
+ * the fault "N numbers where a ray has 6".  After ends=WORD or not=NAME a tail
+ * may begin with a number. */
 static int surplus(const struct reader *r, const struct grammar *g,
                    struct fault *fault)
 {
@@ -393,8 +393,8 @@ static int surplus(const struct reader *r, const struct grammar *g,
     return more > 0;
 }
 
-/* The rest of the line is copied as it is.  A NUL is refused: no text tool
- * that reads the answers would survive it. */
+/* The tail is copied unchanged.  A NUL is refused, because text tools that read
+ * the answers do not accept it. */
 static int read_tail(struct reader *r, const struct grammar *g,
                      const struct parts *parts)
 {

@@ -1,5 +1,5 @@
 /*
- * grammar.h - a record of text or of doubles becomes a line and a shape
+ * grammar.h - reads a line and a shape from a record of text or doubles
  *
  *   record = LINE SHAPE [ends=WORD] [TAIL]     a pair
  *            LINE [not=NAME]... [TAIL]         a line, with a scene
@@ -28,7 +28,7 @@ enum shape_kind {
 
 enum { NOT_GIVEN = -1, MOST_NUMBERS = 8 + 13 /* a span and an econe */ };
 
-/* How a kind is written: its word, how many numbers follow and their names. */
+/* The notation of a kind: its word, the count and the names of its numbers. */
 struct kind {
     const char *word;
     int numbers;
@@ -39,7 +39,7 @@ extern const struct kind line_kinds[LINE_KINDS];
 extern const struct kind shape_kinds[SHAPE_KINDS];
 extern const char *const ends_words[]; /* in cylint_ends' order, then NULL */
 
-/* What a record is made of, and what holds where it says nothing. */
+/* The parts of a record, and their defaults. */
 struct grammar {
     int has_line, has_shape;
     int line;  /* enum line_kind by -k, or NOT_GIVEN: a word names it */
@@ -63,16 +63,16 @@ struct record {
 
 #define NOT_WORD "not="
 
-/* What is wrong with a record.  at..end is the wrong text; NULL in binary.
- * expected: `what` should stand there; otherwise `what` is the matter. */
+/* The fault of a record.  at..end is the wrong text; NULL in binary input.
+ * expected: 1 if `what` was expected there; 0 if `what` describes the fault. */
 struct fault {
     const char *what;
     int expected;
     const char *at, *end;
     unsigned long long shape; /* of the scene, or 0 */
     int numbers;              /* "N numbers where WHAT", or 0 */
-    const char *meant;        /* the word that the text is nearly, or NULL */
-    const char *remedy;       /* what to do about it, or NULL */
+    const char *meant;        /* the known word nearest to the text, or NULL */
+    const char *remedy;       /* what the user can do, or NULL */
 };
 
 /* A message about a good record; printed for the first such record only. */
@@ -83,22 +83,22 @@ enum remark {
     REMARKS
 };
 
-/* wanted: a bit for each remark that is looked for.  found: those that hold
- * for the last record, with a text each. */
+/* wanted: a bit for each remark to test for.  found: those that apply to the
+ * last record, each with its text. */
 struct remarks {
     unsigned wanted, found;
     struct fault fault[REMARKS];
 };
 
-/* Which of `words` (NULL at the end) the text is; NOT_GIVEN if none. */
+/* The index of the text in `words` (NULL at the end), or NOT_GIVEN. */
 int find_word(const char *const *words, const char *text, size_t length);
 int find_kind(const struct kind *kinds, int count, const char *text,
               size_t length);
 
-/* Writes g->bare, once the kinds are given. */
+/* Writes g->bare from the kinds. */
 void describe_bare(struct grammar *g);
 
-/* Doubles in a record without words. */
+/* The number of doubles in a record without words. */
 int numbers_of_record(const struct grammar *g);
 
 static inline int is_blank(char c)
@@ -114,7 +114,7 @@ static inline const char *skip_blanks(const char *p, const char *end)
     return p;
 }
 
-/* Where the field at p ends. */
+/* Returns the end of the field at p. */
 static inline const char *field_end(const char *p, const char *end)
 {
     while (p < end && !is_blank(*p) && *p != ',') {
@@ -129,18 +129,19 @@ static inline const char *skip_separator(const char *p, const char *end)
     return p < end && *p == ',' ? skip_blanks(p + 1, end) : p;
 }
 
-/* Where the line at p ends: its line feed, or the end of the text. */
+/* Returns the end of the line at p: its line feed, or the end of the text. */
 const char *end_of_line(const char *p, const char *end);
 
-/* Whether a line has a record: it is neither blank nor a comment, or it is
- * too long to be looked at. */
+/* Whether a line has a record: it is neither blank nor a comment.  A line that
+ * is too long counts as a record. */
 int is_record(const char *line, const char *end);
 
-/* Takes a carriage return off the end; a line too long is a fault, and 0. */
+/* Removes a carriage return from the end.  Returns 0 and a fault if the line is
+ * too long. */
 int trim_line(const char *text, const char **end, struct fault *fault);
 
-/* Where a record's parts go: its line and its shape, as far as the grammar
- * has them. */
+/* The places for the parts of a record; only those in the grammar are
+ * written. */
 struct parts {
     cylint_line *line;
     cylint_shape *shape;
@@ -148,11 +149,11 @@ struct parts {
     size_t *tail_length;
     const char **left_out; /* used only if there is no shape */
     size_t *left_out_length;
-    struct remarks *remarks; /* NULL: none are looked for */
+    struct remarks *remarks; /* NULL: no remarks */
 };
 
-/* All return whether the record is good, and fill *fault if it is not.
- * [text, end) is one line without its line feed; *end must be readable. */
+/* All return 1 if the record is good, else 0 and write *fault.  [text, end) is
+ * one line without its line feed; *end must be readable. */
 int read_record(const struct grammar *g, const char *text, const char *end,
                 struct record *record, struct fault *fault);
 struct parts parts_of(struct record *record);

@@ -1,9 +1,9 @@
 /*
- * input.c - blocks of whole records from one file after another
+ * input.c - reads blocks of whole records from one file after another
  *
- * A block ends with a record's end: what was read beyond it is carried to
- * the next block.  It is given out as soon as it has a whole record and
- * reading on would wait, so that a partner on a pipe gets its answer.
+ * A block ends at the end of a record; bytes read beyond it are carried to the
+ * next block.  A block is returned as soon as it has a whole record and reading
+ * on would wait, so that a program on the other end of a pipe gets its answer.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -22,7 +22,8 @@ static int is_stdin(const char *file)
     return strcmp(file, "-") == 0;
 }
 
-/* The bytes of all files, for the time left; 0 if the size of one is unknown. */
+/* The bytes of all files, to estimate the remaining time; 0 if one has no known
+ * size. */
 static double total_size(char *const *files, int count)
 {
     double total = 0;
@@ -66,7 +67,7 @@ void input_close(struct input *in)
     in->carry = NULL;
 }
 
-/* Returns 0: there is no input. */
+/* Records a failure of the input.  Returns 0. */
 static int fail(struct block *b, const char *what, int error)
 {
     b->failure = (struct failure){EXIT_IO, what, error};
@@ -102,7 +103,7 @@ static int would_wait(const struct input *in)
     return ready == 0;
 }
 
-/* Returns whether there is anything to read, be it the end. */
+/* Waits for input or its end.  Returns 0 if the work ended meanwhile. */
 static int wait_for_input(const struct input *in)
 {
     struct pollfd p[2] = {{in->fd, POLLIN, 0}, {in->ending, POLLIN, 0}};
@@ -111,8 +112,8 @@ static int wait_for_input(const struct input *in)
     return in->regular || p[1].revents == 0;
 }
 
-/* Makes LF of each CR that no LF follows, in the bytes from `from` on.  The
- * last byte waits for the one that follows it. */
+/* From `from` on, replaces each CR by LF unless an LF follows.  A CR at the end
+ * is kept until the next byte is read. */
 static void end_lines_at_cr(struct block *b, size_t from)
 {
     char *last = b->text + b->length - 1;
@@ -125,7 +126,8 @@ static void end_lines_at_cr(struct block *b, size_t from)
     }
 }
 
-/* Appends to the block's text.  At the end, and at an error, in->ended. */
+/* Appends bytes to the block's text.  Sets in->ended at the end and at an
+ * error. */
 static void read_more(struct input *in, struct block *b)
 {
     while (wait_for_input(in)) {
@@ -155,7 +157,7 @@ static void drop_front(struct block *b, size_t n)
     b->length -= n;
 }
 
-/* The rest of a line that was refused for its length. */
+/* Skips the rest of a line that was too long. */
 static void skip_line(struct input *in, struct block *b)
 {
     while (in->skipping && !in->ended) {
@@ -175,8 +177,8 @@ static void skip_line(struct input *in, struct block *b)
 
 /* ------------------------------------------------------------ records -- */
 
-/* Bytes up to the end of the last whole record; `known` of them are known
- * to be whole, `seen` were looked at. */
+/* Returns the bytes up to the end of the last whole record.  The first `known`
+ * bytes are whole records; `seen` bytes were searched before. */
 static size_t find_whole(const struct input *in, const struct block *b,
                          size_t known, size_t seen)
 {
@@ -191,7 +193,8 @@ static size_t find_whole(const struct input *in, const struct block *b,
     return known;
 }
 
-/* Reads until there is a whole record and enough, or waiting to be done. */
+/* Reads until the block has a whole record and is large enough, or until
+ * reading would wait. */
 static size_t gather(struct input *in, struct block *b)
 {
     size_t whole = find_whole(in, b, 0, 0);
@@ -252,7 +255,7 @@ static int read_until(struct input *in, struct block *b, size_t length)
     return b->length >= length;
 }
 
-/* Returns 0 if it is not to be understood. */
+/* Skips a .npy header.  Returns 0 after a failure. */
 static int skip_npy_header(struct input *in, struct block *b)
 {
     if (!read_until(in, b, NPY_PREFIX) || !npy_begins(b->text, b->length)) {
@@ -278,8 +281,8 @@ static int skip_npy_header(struct input *in, struct block *b)
     return 1;
 }
 
-/* What was put off until the block before it was given out.  Returns 0 at a
- * failure. */
+/* The checks at the end of a file, after its last block was returned.  Returns 0
+ * after a failure. */
 static int finish_file(struct input *in, struct block *b)
 {
     const int kept = !in->promised || in->bytes_given == in->bytes_promised;
@@ -289,7 +292,8 @@ static int finish_file(struct input *in, struct block *b)
         return fail(b, NULL, in->error);
     }
     return kept ||
-           fail(b, "the .npy header promises another number of rows", 0);
+           fail(b, "the .npy header has another number of rows than the file",
+                0);
 }
 
 static int begin_block(struct input *in, struct block *b)
@@ -301,16 +305,16 @@ static int begin_block(struct input *in, struct block *b)
     return !in->fresh || in->record_size == 0 || skip_npy_header(in, b);
 }
 
-/* Leaves a file that was read, if one is open, for the next.  Returns 0 if
- * there is none, or at a failure. */
+/* Closes the present file, if one is open, and opens the next.  Returns 0 if
+ * there is none, or after a failure. */
 static int change_file(struct input *in, struct block *b)
 {
     return (in->fd < 0 || finish_file(in, b)) && in->next < in->count &&
            open_next(in, b);
 }
 
-/* What is gathered beyond the last whole record waits for the next block;
- * at the end of a file nothing does. */
+/* Carries the bytes beyond the last whole record to the next block.  At the end
+ * of a file there are none. */
 static void cut_block(struct input *in, struct block *b, size_t whole)
 {
     if (!in->ended) {

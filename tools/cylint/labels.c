@@ -8,7 +8,7 @@
 #include "labels.h"
 #include "report.h"
 
-/* Makes room for `more` bytes, twice what there was at least. */
+/* Makes room for `more` bytes; at least doubles the capacity. */
 static int grow_bytes(struct labels *labels, size_t more)
 {
     if (more <= labels->room - labels->length) {

@@ -46,8 +46,8 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Merge sort, since qsort() has no place for the labels.  first[] is its
- * second array. */
+/* Merge sort, because qsort() cannot pass the labels to its comparison.
+ * first[] is the second array. */
 static void sort_by_name(const struct groups *g)
 {
     for (size_t i = 0; i < g->shapes; i++) {
@@ -114,7 +114,7 @@ static size_t find_label(const struct groups *g, struct label name)
                : g->shapes;
 }
 
-/* The shape with this number, from 1; `shapes` if it is no such number. */
+/* The shape with this number, counted from 1; `shapes` if there is none. */
 static size_t find_number(const struct groups *g, struct label name)
 {
     size_t number = 0;

@@ -1,9 +1,8 @@
 /*
  * left_out.h - shapes that a record leaves out: not=NUMBER or not=LABEL
  *
- * What a word not=NAME names is a group.  By number each shape is a group of
- * its own.  By label a group is all shapes whose labels begin with the same
- * field.
+ * A word not=NAME names a group.  By number each shape is a group.  By label a
+ * group is all shapes whose labels begin with the same field.
  */
 #ifndef CYLINT_LEFT_OUT_H
 #define CYLINT_LEFT_OUT_H
@@ -18,30 +17,30 @@ struct groups {
     size_t *first; /* by label: where in order[] a shape's group begins */
 };
 
-/* Zero *groups before use.  labels: NULL, by number.  Returns 0 or an exit
- * status, having said what is wrong. */
+/* Zero *groups before use.  labels: NULL means by number.  Returns 0, or an exit
+ * status after a message. */
 int groups_make(struct groups *groups, size_t shapes,
                 const struct labels *labels);
 void groups_free(struct groups *groups);
 
 enum { LEFT_OUT_MOST = 64 };
 
-/* The groups that a record leaves out, each once. */
+/* The groups that a record leaves out, without repetition. */
 struct left_out {
     const struct groups *groups;
     int count;
-    size_t group[LEFT_OUT_MOST]; /* a shape, or a place in groups->order */
+    size_t group[LEFT_OUT_MOST]; /* a shape, or an index into groups->order */
 };
 
-/* Reads a record's words not=NAME.  Returns whether they are good, and fills
- * *fault if they are not.  A label that no shape has is a remark. */
+/* Reads a record's words not=NAME.  Returns 1, or 0 and writes *fault.  A label
+ * that no shape has is a remark. */
 int left_out_read(struct left_out *left_out, const struct groups *groups,
                   const char *words, size_t length, struct remarks *remarks,
                   struct fault *fault);
 
 int left_out_has(const struct left_out *left_out, size_t shape);
 
-/* How many shapes group number i has, and which. */
+/* Returns the number of shapes of group i, and the shapes. */
 size_t left_out_shapes(const struct left_out *left_out, int i,
                        const size_t **shapes);
 

@@ -1,7 +1,7 @@
 /*
  * main.c - cylint, the command: records in, answers out
  *
- * The locale is never set: numbers have a point everywhere.
+ * The locale is never set, so the decimal separator is always a point.
  */
 #include "main.h"
 #include "processors.h"
@@ -9,7 +9,7 @@
 
 const char *const program = "cylint";
 
-/* Before any worker is there. */
+/* Writes the header line, before the workers start. */
 static int put_first_line(struct job *job)
 {
     const struct options *o = job->options;

@@ -4,7 +4,7 @@
 #ifndef CYLINT_MAIN_H
 #define CYLINT_MAIN_H
 
-extern const char *const program; /* its name, in messages */
+extern const char *const program; /* the name of the program, in messages */
 
 enum {
     EXIT_ANSWERED = 0, /* all records; a miss is an answer */

@@ -16,7 +16,8 @@ static const char magic[] = "\x93NUMPY";
 
 enum {
     MAGIC = sizeof magic - 1,
-    MAGIC_SURE = 4, /* so many bytes of the magic are not data by chance */
+    MAGIC_SURE =
+        4, /* this many bytes of the magic do not occur in data by chance */
     VALUE_MOST = 40 /* bytes of a value in a message */
 };
 
@@ -67,7 +68,7 @@ static const char *skip_spaces(const char *p)
     return p;
 }
 
-/* What stands behind 'key': in the dictionary. */
+/* Returns the text after 'key': in the dictionary. */
 static const char *value_of_key(const char *dictionary, const char *key)
 {
     const char *p = strstr(dictionary, key);
@@ -78,7 +79,7 @@ static const char *value_of_key(const char *dictionary, const char *key)
     return *p == ':' ? skip_spaces(p + 1) : NULL;
 }
 
-/* A number and a comma behind it. */
+/* Reads a number and the comma after it. */
 static const char *read_extent(const char *p, unsigned long long *extent)
 {
     const char *first = p = skip_spaces(p);
@@ -105,8 +106,8 @@ static int read_shape(const char *p, unsigned long long extents[2])
     return p && (*p == ')' || (*p == ',' && *skip_spaces(p + 1) == ')'));
 }
 
-/* Writes that a key's value is wrong.  The value ends with `last`, which
- * belongs to it if it is a bracket. */
+/* Writes the message that the value of a key is wrong.  The value ends before
+ * `last`, or with it if it is a bracket. */
 static int refuse(char wrong[NPY_WRONG], const char *key, const char *expected,
                   const char *value, char last)
 {
@@ -126,7 +127,7 @@ int npy_read(char *header, size_t length, size_t columns,
              unsigned long long *rows, char wrong[NPY_WRONG])
 {
     const char *dictionary = header + prefix_length(header);
-    header[length - 1] = '\0'; /* a line feed, says the format */
+    header[length - 1] = '\0'; /* the format has a line feed here */
     const char *descr = value_of_key(dictionary, "'descr'");
     const char *fortran = value_of_key(dictionary, "'fortran_order'");
     const char *shape = value_of_key(dictionary, "'shape'");

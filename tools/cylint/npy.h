@@ -14,7 +14,7 @@ enum {
     NPY_WRONG = 256    /* bytes of a message */
 };
 
-/* Whether the bytes begin like a .npy file, as far as they go. */
+/* Whether the bytes are the beginning of a .npy file. */
 int npy_begins(const char *bytes, size_t length);
 
 /* Whether the bytes begin with most of the magic, but not with all of it. */
@@ -32,8 +32,8 @@ size_t npy_length(const char *bytes, char wrong[NPY_WRONG]);
 int npy_read(char *header, size_t length, size_t columns,
              unsigned long long *rows, char wrong[NPY_WRONG]);
 
-/* The header of an array of so many rows of doubles; of the same length
- * whatever the numbers. */
+/* Writes the header of an array of `rows` rows of doubles.  Its length does not
+ * depend on the numbers. */
 void npy_write(char header[NPY_WRITTEN], unsigned long long rows,
                size_t columns);
 

@@ -1,9 +1,9 @@
 /*
- * numbers.h - text to double and back, the only two number routines
+ * numbers.h - converts text to double and double to text
  *
  * Two back-ends give the same bytes: numbers.cc (std::from_chars and
- * std::to_chars) and numbers_c.c (strtod and printf, slower).  Neither looks
- * at the locale: the command never calls setlocale().
+ * std::to_chars) and numbers_c.c (strtod and printf, slower).  The command
+ * never calls setlocale(), so the locale has no effect.
  */
 #ifndef CYLINT_NUMBERS_H
 #define CYLINT_NUMBERS_H
@@ -22,14 +22,14 @@ enum {
 };
 
 /*
- * Reads the number that [text, end) begins with and returns the byte after
- * it, or NULL if it begins with none.  Correctly rounded; HUGE_VAL with the
- * number's sign if it is too large, a subnormal or zero if too small.
+ * Reads the number at the beginning of [text, end).  Returns the byte after it,
+ * or NULL if there is none.  The value is correctly rounded: HUGE_VAL with the
+ * number's sign on overflow, a subnormal or zero on underflow.
  *
  *   number = [+-] (digits [. [digits]] | . digits) [e [+-] digits]
  *          | [+-] 0x (hex [. [hex]] | . hex) [p [+-] digits]
  *
- * *end must be readable and must not be able to continue a number.
+ * *end must be readable and must not be a character of a number.
  */
 const char *cylint_read_number(const char *text, const char *end,
                                double *value);

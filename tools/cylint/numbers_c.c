@@ -1,7 +1,7 @@
 /*
- * numbers_c.c - numbers by the C library, where there is no C++17
+ * numbers_c.c - numbers by the C library, for compilers without C++17
  *
- * Gives the bytes of numbers.cc.  Also compiled as C++ from there.
+ * Writes the same bytes as numbers.cc, which includes this file as C++.
  */
 #include <stdio.h>
 
@@ -28,15 +28,14 @@ const char *cylint_read_number(const char *text, const char *end, double *value)
     return skip_exponent(after, end, 'e');
 }
 
-/* A decimal: digits d[0] d[1] ..., the first before the point, times
- * 10^exponent. */
+/* A decimal number: d[0].d[1]d[2]... times 10^exponent. */
 struct decimal {
     char digits[NUMBER_MAX_DIGITS + 1];
     int count;
     int exponent;
 };
 
-/* The decimal of `count` digits nearest to a positive value. */
+/* Writes the decimal of `count` digits nearest to a positive value. */
 static void round_decimal(struct decimal *d, double value, int count)
 {
     char text[NUMBER_ROOM];
@@ -49,7 +48,7 @@ static void round_decimal(struct decimal *d, double value, int count)
     d->exponent = atoi(text + (count > 1 ? count + 2 : 2));
 }
 
-/* The next larger decimal of as many digits. */
+/* Replaces *d by the next larger decimal of as many digits. */
 static void next_decimal(struct decimal *d)
 {
     int i = d->count - 1;
@@ -86,10 +85,11 @@ static int reads_back(const struct decimal *d, double value)
 }
 
 /*
- * The shortest decimal that reads back, of these the closest.  The nearest
- * of a given length is the closest that can read back, but for a power of
- * two: there the doubles below are twice as dense, so that the next larger
- * decimal may read back where the nearest does not (2^-44, 16 digits).
+ * Writes the shortest decimal that reads back as the value; of several the
+ * closest.  In general only the nearest decimal of a given length needs a test.
+ * A power of two is an exception: the doubles below it are twice as dense, so
+ * the next larger decimal may read back although the nearest does not (2^-44,
+ * 16 digits).
  */
 static void shortest_decimal(struct decimal *d, double value)
 {

@@ -1,8 +1,7 @@
 /*
- * numbers_common.h - what both number back-ends share, in C and in C++
+ * numbers_common.h - the common part of both number back-ends, C and C++
  *
- * Short decimals, hexadecimal in both directions and the words for what is
- * not finite.
+ * It reads short decimals, reads and writes hexadecimal, and writes inf and nan.
  */
 #ifndef CYLINT_NUMBERS_COMMON_H
 #define CYLINT_NUMBERS_COMMON_H
@@ -34,8 +33,8 @@ static const char *skip_and_count(const char *p, uint64_t *count)
     return p;
 }
 
-/* Whether none of eight bytes is a separator or a sign: all that is below
- * '.'.  A borrow may only add to those that are. */
+/* Whether none of eight bytes is below '.', as separators and signs are.  A
+ * borrow can only make a further byte count as below. */
 static int is_solid(const char *p)
 {
     const uint64_t ones = 0x0101010101010101u;
@@ -44,18 +43,18 @@ static int is_solid(const char *p)
     return ((x - ones * '.') & ~x & (ones << 7)) == 0;
 }
 
-/* Numbers of 17 characters and more seldom are short: they need not be tried. */
+/* Numbers of 17 characters or more are rarely short and are not tested. */
 static int is_long(const char *text, const char *end)
 {
     return end - text > 17 && (is_solid(text + 1) & is_solid(text + 9));
 }
 
 /*
- * What is read as a rule: digits and a point, no exponent.  The digits M,
- * without the point, and the 10^k that it divides them by are doubles if M <
- * 2^53 and k <= 22, so that the quotient is rounded once: it is the nearest
- * double [Clinger 1990].  Needs doubles not to be kept with more digits than
- * they have.  NULL: not such a number.
+ * Reads digits with a point but without an exponent, the most frequent form.
+ * The number is M / 10^k, where M has all the digits and k of them are after
+ * the point.  If M < 2^53 and k <= 22, both are doubles and the quotient is
+ * rounded once: it is the nearest double [Clinger 1990].  This needs arithmetic
+ * without excess precision.  Returns NULL for other numbers.
  */
 static const char *read_short(const char *text, const char *end, double *value)
 {
@@ -96,7 +95,7 @@ static const char *read_short(const char *text, const char *end, double *value)
 }
 #endif
 
-/* p is behind the sign. */
+/* p points behind the sign. */
 static int begins_hex(const char *p, const char *end)
 {
     return end - p > 2 && p[0] == '0' && (p[1] == 'x' || p[1] == 'X');
@@ -130,7 +129,7 @@ static const char *skip_digits(const char *p, const char *end,
     return p;
 }
 
-/* Digits with a point among, before or behind them; NULL without a digit. */
+/* Skips digits and at most one point.  Returns NULL if there is no digit. */
 static const char *skip_mantissa(const char *p, const char *end,
                                  int (*belongs)(char))
 {
@@ -144,8 +143,8 @@ static const char *skip_mantissa(const char *p, const char *end,
     return digits > 0 ? whole : NULL;
 }
 
-/* strtod() reads what was found to be a number: the byte after it ends it,
- * so that nothing needs to be copied. */
+/* Reads a number by strtod().  The byte after it cannot continue the number, so
+ * nothing is copied. */
 static const char *read_hex(const char *text, const char *digits,
                             const char *end, double *value)
 {
@@ -164,8 +163,8 @@ static size_t write_bytes(char *out, const char *text)
     return length;
 }
 
-/* Of printf("%a") libraries differ in subnormals and in the leading digit,
- * so the bits are taken apart here. */
+/* Writes a hexadecimal number from its bits: printf("%a") of C libraries differs
+ * for subnormals and in the leading digit. */
 static size_t write_hex(char *out, double value)
 {
     static const char hex[] = "0123456789abcdef";
@@ -204,7 +203,7 @@ static size_t write_hex(char *out, double value)
     return (size_t)(p - out);
 }
 
-/* nan without a sign, which differs between machines; inf with it. */
+/* Writes nan without its sign, which differs between machines; inf with it. */
 static size_t write_not_finite(char *out, double value)
 {
     return write_bytes(out, value > 0 ? "inf" : value < 0 ? "-inf" : "nan");

@@ -1,5 +1,5 @@
 /*
- * options.c - the command line becomes settings
+ * options.c - reads the options of cylint
  */
 #include <limits.h>
 #include <math.h>
@@ -60,7 +60,7 @@ static const struct option options_known[] = {{"b", 'b', 0},
                                               {"version", OPT_VERSION, 0},
                                               {NULL, 0, 0}};
 
-/* Values that are checked when all options are read. */
+/* Values that are checked after all options were read. */
 struct pending {
     const char *kinds, *query, *fields;
     int tail;     /* --tail: no remark on it */
@@ -70,7 +70,7 @@ struct pending {
 
 /* ------------------------------------------------------------- values -- */
 
-/* A domain's end may be infinite, unlike a record's numbers. */
+/* The ends of a domain may be infinite; the numbers of a record may not. */
 static const char *read_bound(const char *p, double *bound)
 {
     const char *word = p + (*p == '-' || *p == '+');
@@ -259,7 +259,7 @@ static void take_flag(struct options *options, struct pending *pending,
     }
 }
 
-/* The arguments' context. */
+/* The context of take_arguments(). */
 struct parsed_options {
     struct options *options;
     struct pending pending;
@@ -365,7 +365,7 @@ static int settle_binary(const struct options *options)
     return 0;
 }
 
-/* The remarks to look for. */
+/* The remarks to test for. */
 static unsigned wanted_remarks(const struct grammar *g, int tail)
 {
     unsigned wanted = 0;

@@ -1,5 +1,5 @@
 /*
- * options.h - the command line becomes settings
+ * options.h - reads the options of cylint
  */
 #ifndef CYLINT_OPTIONS_H
 #define CYLINT_OPTIONS_H
@@ -21,25 +21,25 @@ struct options {
     const cylint_method *method; /* NULL: cylint_intersect() */
     enum bad_policy bad;
     int not_label;    /* not=NAME in a record is a label, not a number */
-    unsigned remarks; /* a bit for each enum remark to look for */
+    unsigned remarks; /* a bit for each enum remark to test for */
     int binary_in;
     int array;    /* binary answers with a .npy header */
-    int workers;  /* 0: as many as there are processors */
+    int workers;  /* 0: one for each processor */
     int comments; /* copied through */
     int hits_only, header, progress;
     const char *output; /* NULL: standard output */
     char **files;
     int file_count;
 
-    const char *print; /* help, version or the name of a list, and then
-                              nothing else is done */
+    const char *print; /* help, version or the name of a list, to print
+                              instead of answers; or NULL */
 };
 
-/* Returns 0 or EXIT_USAGE, having said what is wrong.  Moves the files to
- * the front of argv, where options->files points. */
+/* Returns 0, or EXIT_USAGE after a message.  Moves the files to the front of
+ * argv, where options->files points. */
 int read_options(struct options *options, int argc, char **argv);
 
-/* Writes to standard output what options->print names. */
+/* Writes the help, the version or a list to standard output. */
 int print_about(const char *what);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * output.c - bytes to standard output or a file, all of them or a message
+ * output.c - writes bytes to standard output or a file
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -14,8 +14,8 @@
 #include "output.h"
 #include "report.h"
 
-/* What was closed is made a descriptor that neither reads nor writes, so
- * that using it fails as it should. */
+/* Opens each standard stream that is closed in the wrong direction, so that
+ * its use fails. */
 void guard_standard_streams(void)
 {
     for (int fd = 0; fd < 3; fd++) {
@@ -48,7 +48,7 @@ static int put_array_header(struct output *out, unsigned long long rows)
     return output_write(out, header, sizeof header);
 }
 
-/* A regular file loses what it held, so it must not be read from. */
+/* Empties a regular file.  It must not be an input file. */
 static int empty_file(const struct output *out, const struct options *o)
 {
     struct stat s;
@@ -70,7 +70,7 @@ static int empty_file(const struct output *out, const struct options *o)
     return 0;
 }
 
-/* The number of rows is written at the end: the file must be seekable. */
+/* The number of rows is written at the end, so the file must be seekable. */
 static int begin_array(struct output *out)
 {
     struct stat s;
@@ -101,7 +101,7 @@ int output_open(struct output *out, const struct options *o)
         complain_errno(out->name);
         return EXIT_IO;
     }
-    /* Tells a closed standard output even when there is nothing to say. */
+    /* Reports a closed standard output even if there is no output. */
     if ((fcntl(out->fd, F_GETFL) & O_ACCMODE) == O_RDONLY) {
         errno = EBADF;
         complain_errno(out->name);
@@ -110,7 +110,7 @@ int output_open(struct output *out, const struct options *o)
     return prepare_output(out, o);
 }
 
-/* How many of the bytes belong to a row that is not whole. */
+/* The number of bytes at the end that are not a whole row. */
 static size_t half_row(const struct output *out, const char *data,
                        size_t length)
 {
@@ -124,8 +124,8 @@ static size_t half_row(const struct output *out, const char *data,
     return length - whole;
 }
 
-/* A file that cannot take all shall end with a whole row, if nobody else has
- * written behind us. */
+/* Cuts a file that could not take all bytes after its last whole row, unless
+ * another program has written to its end. */
 static void take_back(const struct output *out, size_t length)
 {
     struct stat s;
@@ -155,7 +155,7 @@ int output_write(struct output *out, const char *data, size_t length)
     return 0;
 }
 
-/* Of a file that could not take all, what is behind its end does not count. */
+/* Completes the .npy header.  Rows that could not be written are not counted. */
 static int finish_array(struct output *out)
 {
     struct stat s;

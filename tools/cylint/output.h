@@ -1,5 +1,5 @@
 /*
- * output.h - bytes to standard output or a file, all of them or a message
+ * output.h - writes bytes to standard output or a file
  */
 #ifndef CYLINT_OUTPUT_H
 #define CYLINT_OUTPUT_H
@@ -12,19 +12,19 @@ struct output {
     int fd;
     const char *name;
     size_t row;      /* bytes of a binary row; 0: rows are lines */
-    long long array; /* where in the file a .npy header stands; -1: none */
+    long long array; /* position of the .npy header in the file; -1: none */
 };
 
-/* Descriptors 0 to 2 must be open before any other is: else a file that we
- * open becomes "standard output".  Call it first. */
+/* Opens those of the descriptors 0 to 2 that are closed.  Otherwise the next
+ * file opened would become standard output.  Call it first. */
 void guard_standard_streams(void);
 
-/* open(), again if a signal interrupts it, as on a pipe without a partner. */
+/* open(), repeated if a signal interrupts it. */
 int open_file(const char *name, int flags);
 
-/* All three return 0 or an exit status, having said why.  The file of -o is
- * refused if it is also read from.  A file that cannot take all that is
- * written ends with a whole row.  A .npy header is completed at the end. */
+/* All three return 0, or an exit status after a message.  The file of -o must
+ * not be an input file.  A file that cannot take all bytes ends with a whole
+ * row.  A .npy header is completed at the end. */
 int output_open(struct output *out, const struct options *options);
 int output_write(struct output *out, const char *data, size_t length);
 int output_close(struct output *out);

@@ -54,7 +54,7 @@ void pairs_take(struct pairs *p)
     p->tmax[i] = p->line.tmax;
 }
 
-/* Where the first hit is enough, its part is -1 if there is none. */
+/* If only the first hit is wanted, part0 is -1 if there is none. */
 void pairs_intersect(struct pairs *p, unsigned want)
 {
     const int both = !(want & CYLINT_WANT_NEAREST);

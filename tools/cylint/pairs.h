@@ -14,7 +14,7 @@ enum { PAIRS_MOST = 256 }; /* their memory, 170 kB, stays in the cache */
 
 struct pairs {
     int count;
-    cylint_line line; /* the next pair's, until it is taken */
+    cylint_line line; /* of the next pair, until pairs_take() */
     cylint_shape shapes[PAIRS_MOST];
     double o[3][PAIRS_MOST], d[3][PAIRS_MOST];
     double tmin[PAIRS_MOST], tmax[PAIRS_MOST];
@@ -31,16 +31,16 @@ struct pairs {
 struct pairs *pairs_make(void);
 void pairs_free(struct pairs *pairs);
 
-/* Whether lines of this kind, a cylint_intersect() mask and no column of a
- * side can be answered in batches, where a direction is three doubles. */
+/* Whether lines of this kind and a cylint_intersect() mask can be answered in
+ * batches.  Batches have rounded directions, and no sides. */
 int pairs_can_answer(int line_kind, unsigned want, int sides);
 
-/* Where the next pair is to be read to; then, if it is good, taken. */
+/* The place for the next pair.  pairs_take() adds it. */
 struct parts pairs_place(struct pairs *pairs);
 void pairs_take(struct pairs *pairs);
 
-/* Asks about all; then each has an answer, of which only what is wanted and
- * relation and n are written. */
+/* Intersects all pairs.  Of each answer the wanted members, relation and n are
+ * written. */
 void pairs_intersect(struct pairs *pairs, unsigned want);
 void pairs_get(const struct pairs *pairs, int i, unsigned want,
                cylint_answer *answer);
