@@ -148,10 +148,11 @@ typedef struct cylint_shape {
                           unless p1 - p0 overflows */
     double top[3];     /* p1; cylinder and cone only */
     double a[3], b[3]; /* elliptic kinds: conjugate semi-axes */
-    double center[3], ball; /* a ball that holds the solid; infinite: none */
-    double size;            /* max of axis[i] in absolute value */
-    int ordinary;           /* 1: doubles neither over- nor underflow */
-    int flip;               /* elliptic: 1 where a.(b x h) < 0 */
+    double center[3], bound_radius; /* of a ball that holds the solid;
+                                       infinite: there is none */
+    double size;                    /* max of axis[i] in absolute value */
+    int in_range;                   /* 1: doubles neither over- nor underflow */
+    int left_handed;                /* elliptic: 1 where a.(b x h) < 0 */
 } cylint_shape;
 
 /*
@@ -224,7 +225,7 @@ typedef struct cylint_line {
     double end[3];  /* segments: b */
     double tmin, tmax;
     double size;  /* max of d[i] in absolute value */
-    int ordinary; /* 1: doubles neither over- nor underflow */
+    int in_range; /* 1: doubles neither over- nor underflow */
     int segment;  /* 1: the direction is end - o */
     int valid;    /* 0: refused by its constructor */
 } cylint_line;

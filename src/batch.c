@@ -17,7 +17,7 @@ typedef struct {
 
 static int run_of(const cylint_shape *s)
 {
-    if (s->kind == CYLINT_KIND_NONE || !s->ordinary || cylint_is_nappe(s))
+    if (s->kind == CYLINT_KIND_NONE || !s->in_range || cylint_is_nappe(s))
         return RUNS - 1;
     return 2 * s->kind + cylint_is_bounded(s);
 }
@@ -53,7 +53,7 @@ static void fill_lane(double *column, size_t stride, const cylint_shape *s)
 {
     for (int i = 0; i < 3; i++)
         column[(size_t)(COLUMN_CENTER + i) * stride] = s->center[i];
-    column[COLUMN_BALL * stride] = s->ball;
+    column[COLUMN_BALL * stride] = s->bound_radius;
 }
 
 void cylint_pack_shapes(cylint_pack *pack, void *memory,
@@ -280,7 +280,7 @@ static void answer_pack(const cylint_pack *pack, batch_job *job)
         return;
     /* roots are rounded in lanes only where rounding is to nearest */
     const int scalar =
-        (job->line && !job->line->ordinary) || !cylint_rounds_to_nearest();
+        (job->line && !job->line->in_range) || !cylint_rounds_to_nearest();
     for (int r = 0; r < RUNS; r++) {
         const cylint_run *run = &head->run[r];
         if (run->n == 0)

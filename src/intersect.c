@@ -273,8 +273,7 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
     return answer->n;
 }
 
-/* What else is wanted of hits of which t and part are known, as the kernels
- * tell them. */
+/* The members beside t and part of hits that the filter decided. */
 static void describe_hits(const cylint_shape *shape, const cylint_line *line,
                           unsigned want, const cylint_answer *known,
                           const cylint_root_rest *rest, cylint_answer *answer)
@@ -299,9 +298,9 @@ static void describe_hits(const cylint_shape *shape, const cylint_line *line,
     }
 }
 
-/* t and part by the kernels, if they can, and more from there. */
-ASIDE int ask_more(const cylint_shape *shape, const cylint_line *line,
-                   unsigned want, cylint_answer *answer)
+/* t and part by the filter where it decides, the other members from them. */
+ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
+                     unsigned want, cylint_answer *answer)
 {
     cylint_answer known;
     cylint_root_rest rest;
@@ -346,10 +345,11 @@ CYLINT_INLINE int answer_t(const cylint_shape *shape, const cylint_line *line,
 }
 
 /* The fast mode is about t alone: all else is computed from the root. */
-ASIDE int ask_fast_and_more(const cylint_shape *shape, const cylint_line *line,
-                            unsigned want, cylint_answer *answer)
+ASIDE int answer_fast_and_all(const cylint_shape *shape,
+                              const cylint_line *line, unsigned want,
+                              cylint_answer *answer)
 {
-    ask_more(shape, line, want & ~(unsigned)CYLINT_WANT_FAST, answer);
+    answer_all(shape, line, want & ~(unsigned)CYLINT_WANT_FAST, answer);
     return answer_t(shape, line, want & ~beside_t, answer);
 }
 
@@ -358,9 +358,9 @@ static int answer_question(const cylint_shape *shape, const cylint_line *line,
 {
     answer->flags = 0;
     if (want & beside_t && want & CYLINT_WANT_FAST)
-        return ask_fast_and_more(shape, line, want, answer);
+        return answer_fast_and_all(shape, line, want, answer);
     if (want & beside_t)
-        return ask_more(shape, line, want, answer);
+        return answer_all(shape, line, want, answer);
     return answer_t(shape, line, want, answer);
 }
 

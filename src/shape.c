@@ -107,7 +107,7 @@ cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
     difference3(shape->axis, shape->axis_lo, p1, p0);
     zero_vector(shape->a);
     zero_vector(shape->b);
-    shape->flip = 0;
+    shape->left_handed = 0;
     shape->r0 = r0;
     shape->r1 = r1;
     const pair dr = cylint_difference(r1, r0);
@@ -155,7 +155,7 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
     copy3(shape->axis, h);
     zero_vector(shape->axis_lo);
     zero_vector(shape->top);
-    shape->flip = 0;
+    shape->left_handed = 0;
     copy3(shape->a, a);
     copy3(shape->b, b);
     shape->r0 = 1;
@@ -168,7 +168,7 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
         cylint_sign(dr.hi) == 0 ? CYLINT_KIND_ECYLINDER : CYLINT_KIND_ECONE;
     cylint_measure_shape(shape);
     const int det = orientation(shape);
-    shape->flip = det < 0;
+    shape->left_handed = det < 0;
     return det != 0 ? CYLINT_OK : refuse_shape(shape, CYLINT_EDEGENERATE);
 }
 
@@ -197,7 +197,7 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
     zero_vector(shape->top);
     zero_vector(shape->a);
     zero_vector(shape->b);
-    shape->flip = 0;
+    shape->left_handed = 0;
     shape->r0 = shape->dr_lo = 0;
     shape->r1 = shape->dr = tangent;
     shape->ends = (int)ends;

@@ -27,7 +27,7 @@ enum { DIFFERENCES = 14 };
 
 /* All values that must agree. */
 struct answers {
-    int line_status, shape_status, kind, flip;
+    int line_status, shape_status, kind, left_handed;
     double made[DIFFERENCES];
     cylint_answer all;
     int occluded, contains;
@@ -45,7 +45,7 @@ static const char *difference(const struct answers *x, const struct answers *y)
         x->shape_status != y->shape_status) {
         return "status";
     }
-    if (x->kind != y->kind || x->flip != y->flip) {
+    if (x->kind != y->kind || x->left_handed != y->left_handed) {
         return "kind of shape";
     }
     for (int i = 0; i < DIFFERENCES; i++) {
@@ -79,7 +79,7 @@ static void compute_answers(const struct family_case *c, struct answers *to)
     to->line_status = (int)c->line_status;
     to->shape_status = (int)c->shape_status;
     to->kind = c->shape.kind;
-    to->flip = c->shape.flip;
+    to->left_handed = c->shape.left_handed;
     for (int i = 0; i < 3; i++) {
         to->made[i] = c->shape.axis[i];
         to->made[i + 3] = c->shape.axis_lo[i];

@@ -51,7 +51,7 @@ enum {
     KINDS = LAST_KIND + 1
 };
 
-static void load(letters_depth *L, int kind, arithmetic in)
+static void load(terms_depth *L, int kind, arithmetic in)
 {
     const int difference = in == EXACT_DIFFERENCE ? 0 : 1;
     memset(L, 0, sizeof *L);
@@ -97,7 +97,7 @@ static const char *const form_name[FORMS] = {
     "rho1",   "E0",     "E1",   "N0",    "N1",        "G",
     "A",      "B",      "C",    "T",     "ball"};
 
-static int depth_of(const letters_depth *L, form f)
+static int depth_of(const terms_depth *L, form f)
 {
     switch (f) {
     case ALPHA_0:
@@ -149,7 +149,7 @@ static int deepest(arithmetic in, const char *title)
     for (form f = ALPHA_0; f < FORMS; f++) {
         printf("\nnote: %-12s", form_name[f]);
         for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
-            letters_depth L;
+            terms_depth L;
             load(&L, kind, in);
             const int depth = depth_of(&L, f);
             most = longer(most, depth);
@@ -173,7 +173,7 @@ static void pairs_are_no_deeper(void)
 }
 
 /* The point of the line at a parameter given as a pair. */
-static void move_to_t(letters_depth *L)
+static void move_to_t(terms_depth *L)
 {
     const int t = 0;
     for (int i = 0; i < 3; i++)
@@ -186,7 +186,7 @@ static void values_at_a_point_of_the_line_are_no_deeper(void)
 {
     int most = 0;
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
-        letters_depth L;
+        terms_depth L;
         int facts[5];
         load(&L, kind, ROUNDED_DIFFERENCE);
         move_to_t(&L);
@@ -249,7 +249,7 @@ static void unnormalised_pairs_keep_the_bound_in_error_bounds_h(void)
     const lazy datum = {1, 0}, exact_datum = {0, 0};
     double most = 0;
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
-        letters_lazy L;
+        terms_lazy L;
         memset(&L, 0, sizeof L);
         L.kind = kind;
         for (int i = 0; i < 3; i++) {
@@ -292,7 +292,7 @@ static sized sized_mul(sized x, sized y)
 #include "signs/forms_template.h"
 
 /* Scaling a datum can underflow, and taking a difference can too. */
-static void load_window(letters_sized *L, int kind)
+static void load_window(terms_sized *L, int kind)
 {
     const sized datum = {CYLINT_WINDOW, 0x1p-1022},
                 difference = {CYLINT_WINDOW,
@@ -317,7 +317,7 @@ static void load_window(letters_sized *L, int kind)
     prepare_top_sized(L);
 }
 
-static double lost(const letters_sized *L)
+static double lost(const terms_sized *L)
 {
     const sized of_form[FORMS] = {form_alpha_sized(L, 0),
                                   form_alpha_sized(L, 1),
@@ -347,7 +347,7 @@ static double lost_by_any_form(double per_operation)
     double most = 0;
     lost_per_operation = per_operation;
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
-        letters_sized L;
+        terms_sized L;
         load_window(&L, kind);
         most = fmax(most, lost(&L));
     }

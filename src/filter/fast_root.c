@@ -37,11 +37,11 @@ int cylint_fast_root(const cylint_shape *shape, const cylint_line *line,
     lanes_shape s;
     lanes_line l;
     vm sure;
-    if (!shape->ordinary || !line->ordinary || cylint_is_nappe(shape))
+    if (!shape->in_range || !line->in_range || cylint_is_nappe(shape))
         return 0;
     broadcast_shape(&s, shape);
     broadcast_line(&l, line);
-    lanes_letters(&q, &s, &l, kind, cylint_ends_are_planes(shape->ends));
+    load_terms(&q, &s, &l, kind, cylint_ends_are_planes(shape->ends));
     if (!lanes_in_window(&q, kind))
         return 0;
     const bounded_value root =

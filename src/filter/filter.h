@@ -35,7 +35,7 @@ static inline int cylint_filter_one(cylint_one_table *table,
 {
     const int brief = !(want & (CYLINT_WANT_T | CYLINT_WANT_PART)) &
                       (line->tmin < -DBL_MAX) & (line->tmax > DBL_MAX);
-    if (!(shape->ordinary & line->ordinary))
+    if (!(shape->in_range & line->in_range))
         return CYLINT_UNDECIDED;
     return (*table)[shape->kind][shape->ends][brief](shape, line, want, answer,
                                                      rest);

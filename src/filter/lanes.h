@@ -87,7 +87,7 @@ INLINE void broadcast_shape(lanes_shape *to, const cylint_shape *s)
         to->axis[i] = v_set(s->axis[i]);
         to->axis_lo[i] = v_set(s->axis_lo[i]);
         to->a[i] = v_set(s->a[i]);
-        to->b[i] = v_set(s->flip ? -s->b[i] : s->b[i]);
+        to->b[i] = v_set(s->left_handed ? -s->b[i] : s->b[i]);
     }
     to->r[0] = v_set(s->r0);
     to->r[1] = v_set(s->r1);
@@ -163,12 +163,12 @@ INLINE bounded_value inner(bounded_value x, bounded_value y, int last)
 
 /* Everything about a lane that later steps need. */
 typedef struct {
-    letters_lanes L;
-    letters_sizes N; /* the same letters, each its largest component */
+    terms_lanes L;
+    terms_sizes N; /* the same terms, each its largest component */
     bounded_value A, B, R, beta, alpha[2];
 } lanes_query;
 
-INLINE void prepare_lanes(letters_lanes *L, letters_sizes *N)
+INLINE void prepare_lanes(terms_lanes *L, terms_sizes *N)
 {
     prepare_shape_lanes(L);
     prepare_shape_sizes(N);
@@ -176,12 +176,12 @@ INLINE void prepare_lanes(letters_lanes *L, letters_sizes *N)
     prepare_line_sizes(N);
 }
 
-/* The letters of lines and shapes in lanes. */
-INLINE void lanes_letters(lanes_query *q, const lanes_shape *s,
-                          const lanes_line *l, int kind, int bounded)
+/* The terms of lines and shapes in lanes. */
+INLINE void load_terms(lanes_query *q, const lanes_shape *s,
+                       const lanes_line *l, int kind, int bounded)
 {
-    letters_lanes *L = &q->L;
-    letters_sizes *N = &q->N;
+    terms_lanes *L = &q->L;
+    terms_sizes *N = &q->N;
     const int circular = !cylint_is_elliptic(kind);
     vd a = v_set(0);
     L->kind = N->kind = kind;
@@ -219,7 +219,7 @@ INLINE void lanes_letters(lanes_query *q, const lanes_shape *s,
 /* Lanes whose data lie in the window of error_bounds.h. */
 INLINE vm lanes_in_window(const lanes_query *q, int kind)
 {
-    const letters_sizes *N = &q->N;
+    const terms_sizes *N = &q->N;
     const vd most = v_set(CYLINT_WINDOW), least = v_set(1 / CYLINT_WINDOW);
     vm within = m_and(m_and(v_le(N->u[0], most), v_le(least, N->u[0])),
                       m_and(v_le(N->w[0], most), v_le(N->D[0][0], most)));
@@ -238,8 +238,8 @@ INLINE vm lanes_in_window(const lanes_query *q, int kind)
  * known well enough for a root. */
 INLINE vm lateral_quadratic(lanes_query *q, bounded_value G, int kind)
 {
-    const letters_lanes *L = &q->L;
-    const letters_sizes *N = &q->N;
+    const terms_lanes *L = &q->L;
+    const terms_sizes *N = &q->N;
     q->A = with_bound(form_A_lanes(L), form_A_sizes(N));
     q->B = with_bound(form_B_lanes(L), form_B_sizes(N));
     const vd S = form_root_of_S_lanes(L);
@@ -269,7 +269,7 @@ INLINE void lateral_interval(lanes_query *q, bounded_value G, int kind,
                              int bounded, bounded_value stop[2], vm *unsure,
                              vm *outside)
 {
-    const letters_lanes *L = &q->L;
+    const terms_lanes *L = &q->L;
     *unsure = m_or(*unsure, lateral_quadratic(q, G, kind));
     stop[0] = quotient(lateral_numerator(q, v_set(-1)), q->A);
     stop[1] = quotient(lateral_numerator(q, v_set(1)), q->A);
@@ -288,7 +288,7 @@ INLINE void lateral_interval(lanes_query *q, bounded_value G, int kind,
 INLINE void slab_interval(lanes_query *q, bounded_value plane[2], vm *unsure,
                           vm *up)
 {
-    const letters_lanes *L = &q->L;
+    const terms_lanes *L = &q->L;
     const vd size = form_alpha_sizes(&q->N, 0);
     EACH(i, 2)
         q->alpha[i] = with_bound(-form_alpha_lanes(L, i), size);
@@ -323,9 +323,9 @@ INLINE vm part_present(const lanes_shape *s, vd part)
  * ends are planes.  An unbounded kind other than cylinder and ecylinder is
  * the double cone (its nappe is for intersect.c).  lanes: those in use.
  */
-INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
-                                 const lanes_line *l, int kind, int bounded,
-                                 vm lanes)
+INLINE lanes_verdict lanes_classify(lanes_query *q, const lanes_shape *s,
+                                    const lanes_line *l, int kind, int bounded,
+                                    vm lanes)
 {
     const vm none = m_from(0);
     const vd lateral = v_set(CYLINT_PART_LATERAL), zero = v_set(0);
@@ -338,7 +338,7 @@ INLINE lanes_verdict lanes_judge(lanes_query *q, const lanes_shape *s,
                        {nowhere, nowhere},
                        {lateral, lateral}};
     q->A = q->B = q->R = q->beta = nowhere;
-    lanes_letters(q, s, l, kind, bounded);
+    load_terms(q, s, l, kind, bounded);
     const bounded_value G =
         with_bound(form_G_lanes(&q->L), form_G_sizes(&q->N));
     const vm window = lanes_in_window(q, kind);
@@ -423,19 +423,19 @@ INLINE vm fast_enough(bounded_value t, vd D, vd u)
     return v_le(t.e * u, v_set(CYLINT_FAST_BOUND) * v_max(v_abs(t.v) * u, D));
 }
 
-INLINE lanes_root take_root(const lanes_slopes *q, bounded_value t)
+INLINE lanes_root fast_root(const lanes_slopes *q, bounded_value t)
 {
     return (lanes_root){t.v, v_set(0), t.e, fast_enough(t, q->D, q->u)};
 }
 
-/* Lane by lane the quick root where that is sure, so that no root depends on
+/* Lane by lane the fast root where that is sure, so that no root depends on
  * its neighbours. */
-INLINE lanes_root either_root(lanes_root quick, lanes_root slow)
+INLINE lanes_root choose_root(lanes_root fast, lanes_root slow)
 {
-    return (lanes_root){v_select(quick.sure, quick.value, slow.value),
-                        v_select(quick.sure, quick.more, slow.more),
-                        v_select(quick.sure, quick.error, slow.error),
-                        m_or(quick.sure, slow.sure)};
+    return (lanes_root){v_select(fast.sure, fast.value, slow.value),
+                        v_select(fast.sure, fast.more, slow.more),
+                        v_select(fast.sure, fast.error, slow.error),
+                        m_or(fast.sure, slow.sure)};
 }
 
 /* From where each lane's root is seen: the centre of its cap, or the base. */
@@ -450,9 +450,9 @@ INLINE void root_centers(vd center[3], const lanes_shape *s, int kind, vd part)
 
 /* The pairs and sizes of a question whose line begins at t.  Returns what
  * the origin's coordinates were summed up from, in its own sizes. */
-INLINE vd letters_at(letters_pairs *P, letters_sizes *N, const lanes_slopes *q,
-                     const lanes_shape *s, const vd center[3],
-                     const lanes_line *l, int kind, vd t, vd part)
+INLINE vd terms_at(terms_pairs *P, terms_sizes *N, const lanes_slopes *q,
+                   const lanes_shape *s, const vd center[3],
+                   const lanes_line *l, int kind, vd t, vd part)
 {
     const vd zero = v_set(0);
     const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
@@ -501,9 +501,9 @@ INLINE lanes_root round_root(const lanes_slopes *q, const lanes_shape *s,
 {
     const vd zero = v_set(0);
     const vm cap = caps ? v_lt(zero, part) : m_from(0);
-    letters_pairs P;
-    letters_sizes N;
-    const vd from = letters_at(&P, &N, q, s, center, l, kind, t.v, part);
+    terms_pairs P;
+    terms_sizes N;
+    const vd from = terms_at(&P, &N, q, s, center, l, kind, t.v, part);
     vd residual = zero, sizes = zero, slope = zero, slope_e = zero;
     vd bend = zero;
     if (!caps || m_any(m_not(cap))) {
@@ -536,9 +536,9 @@ INLINE lanes_root round_root(const lanes_slopes *q, const lanes_shape *s,
     const vd t_size = v_abs(r.hi);
     const vm nearest =
         m_and(v_eq(r.hi + (r.lo + e), r.hi), v_eq(r.hi + (r.lo - e), r.hi));
-    const vm ordinary = m_and(v_lt(t_size, v_set(1 / CYLINT_ROOT_LEAST)),
+    const vm in_range = m_and(v_lt(t_size, v_set(1 / CYLINT_ROOT_LEAST)),
                               v_lt(v_set(CYLINT_ROOT_LEAST), t_size));
-    return (lanes_root){r.hi, r.lo, e, m_and(nearest, ordinary)};
+    return (lanes_root){r.hi, r.lo, e, m_and(nearest, in_range)};
 }
 
 #endif

@@ -46,14 +46,14 @@ static void shapes_at(const cylint_filter_batch *from, const size_t *number,
                       int kind, lanes_shape *s)
 {
     const char *shape[LANES];
-    unsigned cap[2] = {0, 0}, flip = 0;
+    unsigned cap[2] = {0, 0}, left_handed = 0;
     for (int i = 0; i < LANES; i++) {
         const cylint_shape *one = &from->shapes[number[i]];
         const unsigned caps = cylint_caps_present(one->ends);
         shape[i] = (const char *)one;
         cap[0] |= (caps & 1) << i;
         cap[1] |= (caps >> 1) << i;
-        flip |= (unsigned)one->flip << i;
+        left_handed |= (unsigned)one->left_handed << i;
     }
 /* four members in a row, from `name` on */
 #define MEMBERS(name) v_columns(shape, offsetof(cylint_shape, name), four)
@@ -70,7 +70,7 @@ static void shapes_at(const cylint_filter_batch *from, const size_t *number,
     s->dr = four[2];
     s->dr_lo = four[3];
     if (cylint_is_elliptic(kind)) {
-        const vd turn = v_select(m_from(flip), v_set(-1), v_set(1));
+        const vd turn = v_select(m_from(left_handed), v_set(-1), v_set(1));
         MEMBERS(a);
         EACH(i, 3)
             s->a[i] = four[i];
@@ -109,7 +109,7 @@ INLINE void shape_of_ball(lanes_ball *b, const cylint_shape *s)
 {
     EACH(i, 3)
         b->center[i] = v_set(s->center[i]);
-    b->radius = v_set(s->ball);
+    b->radius = v_set(s->bound_radius);
 }
 
 /* Those of lanes from `lane` on, as far as they differ from lane to lane. */
@@ -143,8 +143,7 @@ INLINE void ball_at(const cylint_filter_batch *from, size_t lane, mode m,
     }
 }
 
-INLINE void ball_letters(const lanes_ball *b, letters_lanes *L,
-                         letters_sizes *N)
+INLINE void ball_terms(const lanes_ball *b, terms_lanes *L, terms_sizes *N)
 {
     EACH(i, 3) {
         L->u[i] = b->u[i];
@@ -160,9 +159,9 @@ INLINE void ball_letters(const lanes_ball *b, letters_lanes *L,
 /* The lanes that pass by for certain. */
 INLINE vm pass_by(const lanes_ball *b)
 {
-    letters_lanes L;
-    letters_sizes N;
-    ball_letters(b, &L, &N);
+    terms_lanes L;
+    terms_sizes N;
+    ball_terms(b, &L, &N);
     cross_lanes(&L, L.D[0], L.u, L.M[0]);
     cross_sizes(&N, N.D[0], N.u, N.M[0]);
     const vd u = N.u[0], D = N.D[0][0];
@@ -175,11 +174,10 @@ INLINE vm pass_by(const lanes_ball *b)
 }
 
 /* A value of form_foot: where t stands from the foot of a ball's centre. */
-INLINE bounded_value foot(const letters_lanes *L, const letters_sizes *N,
-                          double t)
+INLINE bounded_value foot(const terms_lanes *L, const terms_sizes *N, double t)
 {
-    letters_lanes at = *L;
-    letters_sizes size = *N;
+    terms_lanes at = *L;
+    terms_sizes size = *N;
     at.r[0] = v_set(t);
     size.r[0] = v_set(fabs(t));
     return with_bound(form_foot_lanes(&at), form_foot_sizes(&size));
@@ -191,9 +189,9 @@ INLINE unsigned within_reach(const lanes_ball *b,
                              const cylint_filter_batch *from)
 {
     const cylint_line *line = from->line;
-    letters_lanes L;
-    letters_sizes N;
-    ball_letters(b, &L, &N);
+    terms_lanes L;
+    terms_sizes N;
+    ball_terms(b, &L, &N);
     const vd reach = b->radius * v_set(from->speed);
     const double end = from->nearest < line->tmax ? from->nearest : line->tmax;
     const bounded_value first = foot(&L, &N, line->tmin);
@@ -328,12 +326,12 @@ INLINE vm not_beyond(const cylint_filter_batch *from, const lanes_verdict *v)
 }
 
 /* Relation and hits; and, where their t is wanted, what rounding needs. */
-INLINE void judge(const cylint_filter_batch *from, const question *x, int kind,
-                  stops *at, cylint_filter_group *g)
+INLINE void classify(const cylint_filter_batch *from, const question *x,
+                     int kind, stops *at, cylint_filter_group *g)
 {
     lanes_query q;
     lanes_verdict v =
-        lanes_judge(&q, &x->shape, &x->line, kind, from->bounded, x->in_use);
+        lanes_classify(&q, &x->shape, &x->line, kind, from->bounded, x->in_use);
     if (!from->line)
         leave_undecided(&v, m_and(x->in_use, v_eq(x->line.tmin, x->line.tmax)));
     if (from->line && from->want & CYLINT_WANT_NEAREST) {
@@ -374,14 +372,14 @@ INLINE unsigned round_roots(const lanes_slopes *q, const question *x, int kind,
     vd center[3];
     lanes_root r = {v_set(0), v_set(0), v_set(0), m_from(0)};
     if (want & CYLINT_WANT_FAST)
-        r = take_root(q, of->t);
+        r = fast_root(q, of->t);
     if (m_any(m_and(of->wanted, m_not(r.sure)))) {
         const lanes_root fast = r;
         root_centers(center, &x->shape, kind, of->part);
         r = round_root(q, &x->shape, center, &x->line, kind, 1, sign, of->t,
                        of->part);
         if (want & CYLINT_WANT_FAST)
-            r = either_root(fast, r);
+            r = choose_root(fast, r);
     }
     v_store(t, r.value);
     return m_bits(m_and(of->wanted, m_not(r.sure)));
@@ -414,18 +412,18 @@ INLINE void round_hits(const cylint_filter_batch *from, const question *x,
 
 /* Functions of their own for each kind; elliptic kinds round alike. */
 typedef struct {
-    void (*judge)(const cylint_filter_batch *from, const question *x, stops *at,
-                  cylint_filter_group *g);
+    void (*classify)(const cylint_filter_batch *from, const question *x,
+                     stops *at, cylint_filter_group *g);
     void (*round)(const cylint_filter_batch *from, const question *x,
                   const stops *at, cylint_filter_group *g);
 } kernels;
 
-#define JUDGE(kind)                                          \
-    ASIDE void judge_##kind(const cylint_filter_batch *from, \
-                            const question *x, stops *at,    \
-                            cylint_filter_group *g)          \
-    {                                                        \
-        judge(from, x, kind, at, g);                         \
+#define CLASSIFY(kind)                                          \
+    ASIDE void classify_##kind(const cylint_filter_batch *from, \
+                               const question *x, stops *at,    \
+                               cylint_filter_group *g)          \
+    {                                                           \
+        classify(from, x, kind, at, g);                         \
     }
 #define ROUND(kind)                                             \
     ASIDE void round_##kind(const cylint_filter_batch *from,    \
@@ -434,25 +432,25 @@ typedef struct {
     {                                                           \
         round_hits(from, x, kind, at, g);                       \
     }
-JUDGE(CYLINT_KIND_CYLINDER)
-JUDGE(CYLINT_KIND_CONE)
-JUDGE(CYLINT_KIND_ACONE)
-JUDGE(CYLINT_KIND_ECYLINDER)
-JUDGE(CYLINT_KIND_ECONE)
+CLASSIFY(CYLINT_KIND_CYLINDER)
+CLASSIFY(CYLINT_KIND_CONE)
+CLASSIFY(CYLINT_KIND_ACONE)
+CLASSIFY(CYLINT_KIND_ECYLINDER)
+CLASSIFY(CYLINT_KIND_ECONE)
 ROUND(CYLINT_KIND_CYLINDER)
 ROUND(CYLINT_KIND_CONE)
 ROUND(CYLINT_KIND_ACONE)
 ROUND(CYLINT_KIND_ECONE)
-#undef JUDGE
+#undef CLASSIFY
 #undef ROUND
 
 static const kernels of_kind[] = {
     {NULL, NULL},
-    {judge_CYLINT_KIND_CYLINDER, round_CYLINT_KIND_CYLINDER},
-    {judge_CYLINT_KIND_CONE, round_CYLINT_KIND_CONE},
-    {judge_CYLINT_KIND_ACONE, round_CYLINT_KIND_ACONE},
-    {judge_CYLINT_KIND_ECYLINDER, round_CYLINT_KIND_ECONE},
-    {judge_CYLINT_KIND_ECONE, round_CYLINT_KIND_ECONE},
+    {classify_CYLINT_KIND_CYLINDER, round_CYLINT_KIND_CYLINDER},
+    {classify_CYLINT_KIND_CONE, round_CYLINT_KIND_CONE},
+    {classify_CYLINT_KIND_ACONE, round_CYLINT_KIND_ACONE},
+    {classify_CYLINT_KIND_ECYLINDER, round_CYLINT_KIND_ECONE},
+    {classify_CYLINT_KIND_ECONE, round_CYLINT_KIND_ECONE},
 };
 
 static void answer_group(const cylint_filter_batch *from, const size_t *list,
@@ -461,7 +459,7 @@ static void answer_group(const cylint_filter_batch *from, const size_t *list,
     question x;
     stops at;
     load(from, list, lanes, &x);
-    of_kind[from->kind].judge(from, &x, &at, g);
+    of_kind[from->kind].classify(from, &x, &at, g);
     if (from->want & CYLINT_WANT_T && g->hit[0] | g->hit[1])
         of_kind[from->kind].round(from, &x, &at, g);
     g->found |= g->undecided;

@@ -4,12 +4,12 @@
  * Compiled once as it is and, where the Makefile knows a processor with a
  * fused multiply-add, again for that: the answers are the same bits.
  *
- * The two lanes are the two caps: each sees the line from its own centre, with
- * its own radius.  The signs of forms_template.h at both tell what is met, as in
+ * The two lanes are the two caps: in each the line begins relative to the centre
+ * of its cap, with its radius.  The signs of forms_template.h at both tell what is met, as in
  * intersect.c, slab(), but without a branch; no root is needed for that.  Then the
  * lanes are the two stops: the plane of a cap where the line pierces it, else
- * a root of the lateral quadric.  Of an unbounded shape both lanes see the
- * base.
+ * a root of the lateral quadric.  Of an unbounded shape both lanes
+ * have the base.
  */
 #define CYLINT_NARROW
 #include "lanes.h"
@@ -63,11 +63,11 @@ INLINE bounded_value of_base(bounded_value x)
     return (bounded_value){v_firsts(x.v, x.v), v_firsts(x.e, x.e)};
 }
 
-/* The letters as both caps see them. */
-INLINE void see(lanes_query *q, const cylint_shape *shape,
-                const cylint_line *line, int kind, int bounded)
+/* The terms, each lane from the centre of its own cap. */
+INLINE void load_terms_of_caps(lanes_query *q, const cylint_shape *shape,
+                               const cylint_line *line, int kind, int bounded)
 {
-    letters_lanes *L = &q->L;
+    terms_lanes *L = &q->L;
     const int two_ends = bounded && cylint_has_end_points(kind);
     L->kind = kind;
     EACH(i, 3) {
@@ -80,7 +80,7 @@ INLINE void see(lanes_query *q, const cylint_shape *shape,
             L->D[0][i] = L->D[0][i] - v_two(0, shape->axis[i]);
         if (cylint_is_elliptic(kind)) {
             L->a[i] = v_set(shape->a[i]);
-            L->b[i] = v_set(shape->flip ? -shape->b[i] : shape->b[i]);
+            L->b[i] = v_set(shape->left_handed ? -shape->b[i] : shape->b[i]);
         }
     }
     L->r[0] = bounded ? v_two(shape->r0, shape->r1) : v_set(shape->r0);
@@ -91,11 +91,11 @@ INLINE void see(lanes_query *q, const cylint_shape *shape,
 }
 
 /* Their sizes. */
-INLINE void measure(lanes_query *q, const cylint_shape *shape,
-                    const cylint_line *line, int kind, int bounded)
+INLINE void load_sizes(lanes_query *q, const cylint_shape *shape,
+                       const cylint_line *line, int kind, int bounded)
 {
-    const letters_lanes *L = &q->L;
-    letters_sizes *N = &q->N;
+    const terms_lanes *L = &q->L;
+    terms_sizes *N = &q->N;
     N->kind = kind;
     N->r[0] = L->r[0];
     N->dr = v_abs(L->dr);
@@ -114,11 +114,11 @@ INLINE void measure(lanes_query *q, const cylint_shape *shape,
     prepare_line_sizes(N);
 }
 
-/* Beyond doubt the line does not come near a bounded shape: the middle of its
- * axis lies between the centres of the caps, and so do the moments. */
+/* Whether the line certainly misses the ball about a bounded shape.  The middle
+ * of the axis is the mean of the centres of the caps, its moment that of theirs. */
 INLINE int passes_ball(const lanes_query *q, const cylint_shape *shape)
 {
-    const vd twice = v_set(2 * shape->ball);
+    const vd twice = v_set(2 * shape->bound_radius);
     vd M[3], sizes[3];
     EACH(i, 3) {
         M[i] = q->L.M[0][i] + v_turned(q->L.M[0][i]);
@@ -129,7 +129,7 @@ INLINE int passes_ball(const lanes_query *q, const cylint_shape *shape)
     return at_base(is_negative(near));
 }
 
-/* What the signs tell, for certain: the relation, and which caps the line
+/* What is certain by signs: the relation, and which caps the line
  * pierces and which not. */
 typedef struct {
     int misses, crosses; /* neither: uncertain */
@@ -143,7 +143,7 @@ typedef struct {
  * chord lies between them if N_0 < 0 < N_1.  All of that holds of lines
  * parallel to the caps too, for N_i has the sign of -alpha_i then.
  */
-INLINE verdict judge_bounded(const lanes_query *q, bounded_value G)
+INLINE verdict classify_bounded(const lanes_query *q, bounded_value G)
 {
     const bounded_value E =
         with_bound(form_E_lanes(&q->L, 0), form_E_sizes(&q->N, 0));
@@ -163,7 +163,8 @@ INLINE verdict judge_bounded(const lanes_query *q, bounded_value G)
 /* An unbounded one is crossed if Q has two roots, and missed if it has none:
  * a line cannot stay inside a double cone.  G > 0 tells that A > 0, but of a
  * double cone, where A = 0 leaves one root. */
-INLINE verdict judge_unbounded(const lanes_query *q, bounded_value G, int kind)
+INLINE verdict classify_unbounded(const lanes_query *q, bounded_value G,
+                                  int kind)
 {
     const vm no_caps = m_from(0);
     const int none = at_base(is_negative(G));
@@ -264,7 +265,7 @@ INLINE int roots_of(lanes_root *r, const cylint_shape *shape,
 {
     lanes_root fast;
     if (want & CYLINT_WANT_FAST) {
-        fast = *r = take_root(&at->slopes, at->t);
+        fast = *r = fast_root(&at->slopes, at->t);
         if (!(hits & ~m_bits(r->sure)))
             return 1;
     }
@@ -272,13 +273,14 @@ INLINE int roots_of(lanes_root *r, const cylint_shape *shape,
         return 0;
     round_both(r, shape, line, kind, at);
     if (want & CYLINT_WANT_FAST)
-        *r = either_root(fast, *r);
+        *r = choose_root(fast, *r);
     return !(hits & ~m_bits(r->sure));
 }
 
 /* The hits in their order. */
-INLINE void tell(cylint_answer *answer, cylint_root_rest *rest, const stops *at,
-                 const lanes_root *r, unsigned hits, int bounded, unsigned want)
+INLINE void write_hits(cylint_answer *answer, cylint_root_rest *rest,
+                       const stops *at, const lanes_root *r, unsigned hits,
+                       int bounded, unsigned want)
 {
     double part[2], t[2], more[2], error[2];
     int n = 0;
@@ -315,7 +317,8 @@ INLINE int finish(ARGUMENTS, int kind, const stops *at)
                    !roots_of(&r, shape, line, kind, at, want, hits)))
         return CYLINT_UNDECIDED;
     answer->relation = CYLINT_RELATION_CROSS;
-    tell(answer, rest, at, &r, hits, cylint_ends_are_planes(shape->ends), want);
+    write_hits(answer, rest, at, &r, hits, cylint_ends_are_planes(shape->ends),
+               want);
     return answer->n;
 }
 
@@ -331,13 +334,13 @@ FINISH(CYLINT_KIND_ACONE)
 FINISH(CYLINT_KIND_ECONE)
 #define finish_CYLINT_KIND_ECYLINDER finish_CYLINT_KIND_ECONE
 
-/* G, and what the signs tell. */
-INLINE verdict judge(lanes_query *q, bounded_value *G,
-                     const cylint_shape *shape, const cylint_line *line,
-                     int kind, int bounded)
+/* Computes G, and what is certain by signs. */
+INLINE verdict classify(lanes_query *q, bounded_value *G,
+                        const cylint_shape *shape, const cylint_line *line,
+                        int kind, int bounded)
 {
-    see(q, shape, line, kind, bounded);
-    measure(q, shape, line, kind, bounded);
+    load_terms_of_caps(q, shape, line, kind, bounded);
+    load_sizes(q, shape, line, kind, bounded);
     if (bounded && passes_ball(q, shape))
         return (verdict){at_base(v_le(q->N.D[0][0], v_set(CYLINT_WINDOW))), 0,
                          m_from(0), m_from(0)};
@@ -345,7 +348,8 @@ INLINE verdict judge(lanes_query *q, bounded_value *G,
     *G = with_bound(value, form_G_sizes(&q->N));
     if (bounded)
         *G = of_base(*G);
-    verdict v = bounded ? judge_bounded(q, *G) : judge_unbounded(q, *G, kind);
+    verdict v =
+        bounded ? classify_bounded(q, *G) : classify_unbounded(q, *G, kind);
     const int near = at_base(v_le(q->N.D[0][0], v_set(CYLINT_WINDOW)));
     v.misses &= near;
     v.crosses &= near;
@@ -354,13 +358,13 @@ INLINE verdict judge(lanes_query *q, bounded_value *G,
 
 /* Relation and number, if they are all that is asked, of all of the line, and
  * all of the shape is there: then a line that crosses has both its hits. */
-INLINE int ask_in_brief(const cylint_shape *shape, const cylint_line *line,
+INLINE int answer_brief(const cylint_shape *shape, const cylint_line *line,
                         int kind, int bounded, unsigned want,
                         cylint_answer *answer)
 {
     lanes_query q;
     bounded_value G;
-    const verdict v = judge(&q, &G, shape, line, kind, bounded);
+    const verdict v = classify(&q, &G, shape, line, kind, bounded);
     answer->relation =
         v.crosses * CYLINT_RELATION_CROSS; /* CYLINT_RELATION_MISS is 0 */
     answer->n = v.crosses << !(want & CYLINT_WANT_NEAREST);
@@ -375,7 +379,7 @@ INLINE int find_stops(const cylint_shape *shape, const cylint_line *line,
 {
     lanes_query q;
     bounded_value G;
-    const verdict v = judge(&q, &G, shape, line, kind, bounded);
+    const verdict v = classify(&q, &G, shape, line, kind, bounded);
     answer->relation = CYLINT_RELATION_MISS;
     answer->n = 0;
     if (!v.crosses)
@@ -399,7 +403,7 @@ INLINE int find_stops(const cylint_shape *shape, const cylint_line *line,
     static int brief_##kind##_##bounded(ARGUMENTS)                        \
     {                                                                     \
         (void)rest;                                                       \
-        return ask_in_brief(shape, line, kind, bounded, want, answer);    \
+        return answer_brief(shape, line, kind, bounded, want, answer);    \
     }
 #define KIND(kind) KERNELS(kind, 0) KERNELS(kind, 1)
 KIND(CYLINT_KIND_CYLINDER)

@@ -48,13 +48,13 @@ static int data_are_tame(const cylint_query *q)
 }
 
 /* Whether the error of x is small beside a size. */
-static int is_known(wide x, double size)
+static int is_known(bounded_pair x, double size)
 {
-    return size > ENOUGH * wide_error(x);
+    return size > ENOUGH * bounded_pair_error(x);
 }
 
 /* Whether x has digits enough of its own. */
-static int has_digits(const cylint_query *q, wide x)
+static int has_digits(const cylint_query *q, bounded_pair x)
 {
     if (x.off == 0) /* a datum, or a sum of products by 0 */
         return x.v.hi != 0 || data_are_tame(q);
@@ -63,7 +63,7 @@ static int has_digits(const cylint_query *q, wide x)
 
 /* ------------------------------------------------- the last roundings -- */
 
-static floating floating_of_wide(wide x)
+static floating floating_of_pair(bounded_pair x)
 {
     return (floating){x.v, 0};
 }
@@ -155,7 +155,7 @@ static int least_component(const cylint_query *q)
     return least;
 }
 
-/* Forms of the letters whose quotients the hit's numbers are. */
+/* Forms of the terms whose quotients the hit's numbers are. */
 enum {
     GRADIENT = 0,
     AXIAL = 3,
@@ -192,47 +192,48 @@ static int any_need(const needs *n)
 }
 
 /* Returns which of the needed components have too few digits. */
-static unsigned vector_in_pairs(const cylint_query *q, const wide x[3],
+static unsigned vector_in_pairs(const cylint_query *q, const bounded_pair x[3],
                                 unsigned need, floating *facts)
 {
     for (int i = 0; i < 3; i++)
         if (need >> i & 1) {
-            facts[i] = floating_of_wide(x[i]);
+            facts[i] = floating_of_pair(x[i]);
             need &= ~((unsigned)has_digits(q, x[i]) << i);
         }
     return need;
 }
 
-static unsigned gradient_in_pairs(const cylint_query *q, const letters_wide *L,
+static unsigned gradient_in_pairs(const cylint_query *q, const terms_pair *L,
                                   unsigned need, floating *facts)
 {
-    wide x[3];
+    bounded_pair x[3];
     for (int i = 0; i < 3; i++)
         if (need >> i & 1)
-            x[i] = gradient_wide(L, i);
+            x[i] = gradient_pair(L, i);
     return vector_in_pairs(q, x, need, facts);
 }
 
-static int z_in_pairs(const cylint_query *q, const letters_wide *L,
+static int z_in_pairs(const cylint_query *q, const terms_pair *L,
                       floating *facts)
 {
-    const wide alpha = form_alpha_wide(L, 0), top = form_root_of_S_wide(L);
-    facts[ALPHA] = floating_of_wide(alpha);
-    facts[ALPHA_AT_TOP] = floating_of_wide(top);
+    const bounded_pair alpha = form_alpha_pair(L, 0),
+                       top = form_root_of_S_pair(L);
+    facts[ALPHA] = floating_of_pair(alpha);
+    facts[ALPHA_AT_TOP] = floating_of_pair(top);
     return has_digits(q, alpha) && has_digits(q, top);
 }
 
 /* The angle is small where y is, if x > 0: then it needs the digits of y.
  * Elsewhere x and y need those of the larger of them. */
-static int angle_in_pairs(const cylint_query *q, const letters_wide *L,
+static int angle_in_pairs(const cylint_query *q, const terms_pair *L,
                           floating *facts)
 {
-    wide x, y;
-    const wide vv = form_root_of_S_wide(L);
-    about_axis_wide(L, least_component(q), &x, &y);
-    facts[X] = floating_of_wide(x);
-    facts[Y] = floating_of_wide(y);
-    facts[VV] = floating_of_wide(vv);
+    bounded_pair x, y;
+    const bounded_pair vv = form_root_of_S_pair(L);
+    about_axis_pair(L, least_component(q), &x, &y);
+    facts[X] = floating_of_pair(x);
+    facts[Y] = floating_of_pair(y);
+    facts[VV] = floating_of_pair(vv);
     const double scale = !cylint_is_elliptic(q->kind) ? sqrt(vv.v.hi) : 1;
     const double wx = fabs(x.v.hi), wy = fabs(y.v.hi);
     if (!is_known(x, cylint_larger(wx, wy / scale)))
@@ -241,12 +242,12 @@ static int angle_in_pairs(const cylint_query *q, const letters_wide *L,
                       : is_known(y, cylint_larger(wy, wx * scale));
 }
 
-static void facts_of(const cylint_query *q, const letters_wide *L, needs *need,
+static void facts_of(const cylint_query *q, const terms_pair *L, needs *need,
                      floating *facts)
 {
     if (need->axial)
         need->axial =
-            vector_in_pairs(q, axial_wide(L), need->axial, facts + AXIAL);
+            vector_in_pairs(q, axial_pair(L), need->axial, facts + AXIAL);
     if (need->axis)
         need->axis = vector_in_pairs(q, L->w, need->axis, facts + AXIS);
     if (need->gradient)
@@ -259,16 +260,16 @@ static void facts_of(const cylint_query *q, const letters_wide *L, needs *need,
 }
 
 /* In pairs, with the line's origin moved to the hit, if that lies in the
- * window in which wide_error() holds. */
-static void facts_in_pairs(cylint_query *q, wide t, needs *need,
+ * window in which bounded_pair_error() holds. */
+static void facts_in_pairs(cylint_query *q, bounded_pair t, needs *need,
                            floating *facts)
 {
-    letters_wide *L = cylint_wide(q);
-    wide kept[3];
+    terms_pair *L = cylint_pair_terms(q);
+    bounded_pair kept[3];
     int in_window = 1;
     for (int i = 0; i < 3; i++) {
         kept[i] = L->D[0][i];
-        L->D[0][i] = wide_add(kept[i], wide_mul(t, L->u[i]));
+        L->D[0][i] = bounded_pair_add(kept[i], bounded_pair_mul(t, L->u[i]));
         in_window &= fabs(L->D[0][i].v.hi) <= CYLINT_WINDOW;
     }
     if (in_window)
@@ -287,7 +288,7 @@ static int is_needed(const needs *need, int fact)
 }
 
 /* A fact of the point that D[0] leads to. */
-static exact fact_exact(const cylint_query *q, const letters_exact *L, int i)
+static exact fact_exact(const cylint_query *q, const terms_exact *L, int i)
 {
     exact x, y;
     if (i < AXIAL)
@@ -311,7 +312,7 @@ static void facts_in_full(cylint_query *q, surd *t, const needs *need,
 {
     cylint_arena *arena = &q->arena;
     const int used = arena->used;
-    letters_exact at_o = *cylint_exact_line(q), beyond = at_o;
+    terms_exact at_o = *cylint_exact_line_terms(q), beyond = at_o;
     for (int i = 0; i < 3; i++)
         beyond.D[0][i] = cylint_exact_add(arena, at_o.D[0][i], at_o.u[i]);
     for (int i = 0; i < FACTS; i++) {
@@ -361,8 +362,8 @@ static unsigned fixed_coordinates(const cylint_query *q, cylint_root root,
 }
 
 /* o + t d in pairs; returns the bits of coordinates with too few digits. */
-static unsigned point_in_pairs(const cylint_query *q, wide t, unsigned left,
-                               double point[3])
+static unsigned point_in_pairs(const cylint_query *q, bounded_pair t,
+                               unsigned left, double point[3])
 {
     const cylint_line *l = q->line;
     const double t_error = CYLINT_PAIR_UNIT * t.off;
@@ -383,7 +384,7 @@ static unsigned point_in_pairs(const cylint_query *q, wide t, unsigned left,
 static void point_in_full(cylint_query *q, surd *t, unsigned left,
                           double point[3])
 {
-    const letters_exact *L = cylint_exact(q);
+    const terms_exact *L = cylint_exact_terms(q);
     for (int i = 0; i < 3; i++) {
         const int used = q->arena.used;
         if (!(left >> i & 1))
@@ -436,7 +437,7 @@ static void write_facts(cylint_query *q, const floating *facts,
             const floating size = cylint_floating_sqrt(vv);
             x.v = pair_mul(x.v, size.v);
             x.e += size.e;
-        } else if (q->shape->flip) {
+        } else if (q->shape->left_handed) {
             y.v = pair_neg(y.v);
         }
         hit->phi = turns(y, x);
@@ -455,7 +456,7 @@ static int is_complete(const description *x)
     return !x->left && !any_need(&x->need);
 }
 
-static void describe_in_pairs(cylint_query *q, wide t, description *x,
+static void describe_in_pairs(cylint_query *q, bounded_pair t, description *x,
                               double point[3])
 {
     if (x->left)
@@ -502,7 +503,7 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
         want & CYLINT_WANT_POINT ? fixed_coordinates(q, root, hit->point) : 0;
     x.need = needs_of(want, root, part, apex);
     if (!is_complete(&x) && has_pairs(q, t)) {
-        wide at = cylint_canonical_root(q, root, t, more, error);
+        bounded_pair at = cylint_canonical_root(q, root, t, more, error);
         if (!is_far(q, t))
             describe_in_pairs(q, at, &x, hit->point);
         /* a rest of 0 is often all of it: a better root would not help */

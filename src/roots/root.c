@@ -34,16 +34,16 @@ static double double_sqrt(double x)
     return sqrt(x);
 }
 
-#define NUM ball
+#define NUM bounded_double
 #define VALUE double
 #define HIGH(v) (v)
 #define OF(x) (x).v
-#define FORM(name) name##_ball
+#define FORM(name) name##_bounded
 #define V_ADD(x, y) ((x) + (y))
 #define V_MUL(x, y) ((x) * (y))
 #define V_NEG(x) (-(x))
 #define V_SQRT(x) double_sqrt(x)
-#define ERROR(x) ball_error(x)
+#define ERROR(x) bounded_error(x)
 #define ROUNDING CYLINT_RADICAL_ROUNDING
 #include "root_quotient_template.h"
 #undef NUM
@@ -58,16 +58,16 @@ static double double_sqrt(double x)
 #undef ERROR
 #undef ROUNDING
 
-#define NUM wide
+#define NUM bounded_pair
 #define VALUE pair
 #define HIGH(x) ((x).hi)
 #define OF(x) (x).v
-#define FORM(name) name##_wide
+#define FORM(name) name##_pair
 #define V_ADD(x, y) pair_add(x, y)
 #define V_MUL(x, y) pair_mul(x, y)
 #define V_NEG(x) pair_neg(x)
 #define V_SQRT(x) pair_sqrt(x)
-#define ERROR(x) wide_error(x)
+#define ERROR(x) bounded_pair_error(x)
 #define ROUNDING CYLINT_PAIR_RADICAL_ROUNDING
 #include "root_quotient_template.h"
 
@@ -90,9 +90,10 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
     estimate k = {0, HUGE_VAL, 0, 2, 0};
     if (!is_quotient(q, root))
         return k;
-    const letters_ball *L =
-        root == ROOT_CAP1 ? cylint_ball_with_top(q) : &q->ball;
-    const quotient_ball f = quotient_of_ball(L, root);
+    const terms_bounded *L = root == ROOT_CAP1
+                                 ? cylint_bounded_terms_with_top(q)
+                                 : &q->bounded_terms;
+    const quotient_bounded f = quotient_of_bounded(L, root);
     if (!(f.error < CYLINT_FIRST_ORDER))
         return k;
     k.t = f.num / f.den;
@@ -118,20 +119,20 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
  */
 static pair refined(cylint_query *q, estimate k, double low, double *error)
 {
-    letters_wide *L = cylint_wide(q);
-    wide kept[3];
-    const wide t0 = {{k.t, low}, 0};
+    terms_pair *L = cylint_pair_terms(q);
+    bounded_pair kept[3];
+    const bounded_pair t0 = {{k.t, low}, 0};
     for (int i = 0; i < 3; i++) {
         kept[i] = L->D[0][i];
-        L->D[0][i] = wide_add(kept[i], wide_mul(t0, L->u[i]));
+        L->D[0][i] = bounded_pair_add(kept[i], bounded_pair_mul(t0, L->u[i]));
     }
-    const wide Q = form_C_wide(L);
+    const bounded_pair Q = form_C_pair(L);
     for (int i = 0; i < 3; i++)
         L->D[0][i] = kept[i];
     const double s = 2 * fabs(k.slope), delta = Q.v.hi / (2 * k.slope);
     const double off = fabs(delta) + k.error;
     *error = CYLINT_ROOT_SLACK *
-             (wide_error(Q) / s +
+             (bounded_pair_error(Q) / s +
               fabs(delta) * (k.slope_error + CYLINT_QUOTIENT_ROUNDING) +
               k.bend * off / s * off);
     return fast_two_sum(k.t, low - delta);
@@ -142,7 +143,8 @@ static pair refined(cylint_query *q, estimate k, double low, double *error)
 /* The sign of t - m. */
 static int against_exact(cylint_query *q, const surd *t, exact m)
 {
-    return cylint_sign_at(q, t, cylint_exact_neg(m), cylint_exact(q)->one);
+    return cylint_sign_at(q, t, cylint_exact_neg(m),
+                          cylint_exact_terms(q)->one);
 }
 
 /* Sizes of doubles are handled by their bits from here on, because a
@@ -229,7 +231,7 @@ static double settle(cylint_query *q, const surd *t, int sign, uint64_t size)
 static floating exact_root(cylint_query *q, surd *t)
 {
     const exact zero = {q->arena.limb, 0, 0, 0};
-    return cylint_value_at(q, t, zero, cylint_exact(q)->one);
+    return cylint_value_at(q, t, zero, cylint_exact_terms(q)->one);
 }
 
 static double exact_value(cylint_query *q, cylint_root root, double *more)
@@ -296,15 +298,15 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
     }
     if (q->near_shape != q->shape)
         return none;
-    const quotient_wide f =
-        half_quotient_wide(cylint_wide_line(q), exits, &near);
+    const quotient_pair f =
+        half_quotient_pair(cylint_pair_line_terms(q), exits, &near);
     if (!near || !(f.error < 0x1p-60))
         return none;
     if (cylint_sign_C(q) == 0) {
         *error = 0;
         return none;
     }
-    const letters_exact *L = cylint_exact(q);
+    const terms_exact *L = cylint_exact_terms(q);
     const int used = q->arena.used;
     pair num = cylint_exact_round(form_C_exact(L), &e);
     q->arena.used = used;
@@ -318,7 +320,7 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
 }
 
 /* What the quotient in pairs knows where doubles know too little. */
-static estimate estimate_by_pairs(cylint_root root, const quotient_wide *f,
+static estimate estimate_by_pairs(cylint_root root, const quotient_pair *f,
                                   pair t, double error)
 {
     return (estimate){t.hi, error, root == ROOT_EXIT ? f->radical : -f->radical,
@@ -348,12 +350,12 @@ static int newton(cylint_query *q, estimate k, double low, pair *t,
  * pairs (NULL: not found yet), its refinement, the quotient with an exact
  * numerator.  Returns whether the rounding is certain. */
 static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
-                         const quotient_wide *known, pair *t, double *error)
+                         const quotient_pair *known, pair *t, double *error)
 {
     if (newton(q, k, 0, t, error))
         return 1;
-    const quotient_wide f =
-        known ? *known : quotient_of_wide(cylint_wide_line(q), root);
+    const quotient_pair f =
+        known ? *known : quotient_of_pair(cylint_pair_line_terms(q), root);
     if (f.error < CYLINT_FIRST_ORDER) {
         *t = pair_div(f.num, f.den);
         *error = (f.error + CYLINT_PAIR_RADICAL_ROUNDING) * fabs(t->hi);
@@ -367,7 +369,7 @@ static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
 }
 
 static double root_value(cylint_query *q, cylint_root root, estimate k,
-                         const quotient_wide *known, double *more)
+                         const quotient_pair *known, double *more)
 {
     pair t = {0, 0};
     double error;
@@ -393,46 +395,47 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
  *
  * near the shape, so that a far origin costs no digits.  A: at most |A|.
  */
-static void step_on_side(letters_wide *L, double A, pair *t, double *error)
+static void step_on_side(terms_pair *L, double A, pair *t, double *error)
 {
-    const wide at = {*t, 0};
-    wide kept[3];
+    const bounded_pair at = {*t, 0};
+    bounded_pair kept[3];
     for (int i = 0; i < 3; i++) {
         kept[i] = L->D[0][i];
-        L->D[0][i] = wide_add(kept[i], wide_mul(at, L->u[i]));
+        L->D[0][i] = bounded_pair_add(kept[i], bounded_pair_mul(at, L->u[i]));
     }
-    const wide C = form_C_wide(L), B = form_B_wide(L);
+    const bounded_pair C = form_C_pair(L), B = form_B_pair(L);
     for (int i = 0; i < 3; i++)
         L->D[0][i] = kept[i];
-    const double s = 2 * fabs(B.v.hi), e = 2 * wide_error(B);
+    const double s = 2 * fabs(B.v.hi), e = 2 * bounded_pair_error(B);
     const double delta = C.v.hi / (2 * B.v.hi), off = *error;
     *error = e < 0x1p-10 * s
                  ? CYLINT_ROOT_SLACK *
-                       (wide_error(C) + fabs(delta) * (e + 0x1p-50 * s) +
-                        A * off * off) /
+                       (bounded_pair_error(C) +
+                        fabs(delta) * (e + 0x1p-50 * s) + A * off * off) /
                        s
                  : HUGE_VAL;
     *t = fast_two_sum(t->hi, t->lo - delta);
 }
 
 /* The same towards the plane of a cap. */
-static void step_on_plane(letters_wide *L, int cap, pair *t, double *error)
+static void step_on_plane(terms_pair *L, int cap, pair *t, double *error)
 {
-    const wide at = {*t, 0}, beta = L->beta;
-    wide kept[3];
+    const bounded_pair at = {*t, 0}, beta = L->beta;
+    bounded_pair kept[3];
     for (int i = 0; i < 3; i++) {
         kept[i] = L->D[cap][i];
-        L->D[cap][i] = wide_add(kept[i], wide_mul(at, L->u[i]));
+        L->D[cap][i] = bounded_pair_add(kept[i], bounded_pair_mul(at, L->u[i]));
     }
-    const wide alpha = form_alpha_wide(L, cap);
+    const bounded_pair alpha = form_alpha_pair(L, cap);
     for (int i = 0; i < 3; i++)
         L->D[cap][i] = kept[i];
-    const double s = fabs(beta.v.hi), e = wide_error(beta);
+    const double s = fabs(beta.v.hi), e = bounded_pair_error(beta);
     const double delta = alpha.v.hi / beta.v.hi;
-    *error = e < 0x1p-10 * s
-                 ? CYLINT_ROOT_SLACK *
-                       (wide_error(alpha) + fabs(delta) * (e + 0x1p-50 * s)) / s
-                 : HUGE_VAL;
+    *error = e < 0x1p-10 * s ? CYLINT_ROOT_SLACK *
+                                   (bounded_pair_error(alpha) +
+                                    fabs(delta) * (e + 0x1p-50 * s)) /
+                                   s
+                             : HUGE_VAL;
     *t = fast_two_sum(t->hi, t->lo - delta);
 }
 
@@ -444,16 +447,16 @@ static int newton_from(cylint_query *q, cylint_root root, pair *t,
     const double enough = CYLINT_POLISHED * fabs(t->hi);
     double before;
     if (root == ROOT_CAP0 || root == ROOT_CAP1) {
-        step_on_plane(cylint_wide(q), root == ROOT_CAP1, t, error);
+        step_on_plane(cylint_pair_terms(q), root == ROOT_CAP1, t, error);
         return *error < enough;
     }
     if (root != ROOT_ENTRY && root != ROOT_EXIT)
         return 0;
-    letters_wide *L = cylint_wide_line(q);
-    const wide A = form_A_wide(L);
+    terms_pair *L = cylint_pair_line_terms(q);
+    const bounded_pair A = form_A_pair(L);
     do {
         before = *error;
-        step_on_side(L, fabs(A.v.hi) + wide_error(A), t, error);
+        step_on_side(L, fabs(A.v.hi) + bounded_pair_error(A), t, error);
     } while (*error >= enough && *error < 0x1p-4 * before);
     return *error < enough;
 }
@@ -483,26 +486,27 @@ static void rest_in_full(cylint_query *q, cylint_root root, double t,
     const int used = cylint_exact_mark(q, root);
     surd in_full = cylint_surd(q, root);
     const exact from = cylint_exact_neg(cylint_exact_from(&q->arena, t));
-    const floating f = cylint_value_at(q, &in_full, from, cylint_exact(q)->one);
+    const floating f =
+        cylint_value_at(q, &in_full, from, cylint_exact_terms(q)->one);
     rest_rounds(cylint_scaled(f.v.hi, f.e), 0, quantum, rest);
     q->arena.used = used;
 }
 
-wide cylint_canonical_root(cylint_query *q, cylint_root root, double t,
-                           double more, double error)
+bounded_pair cylint_canonical_root(cylint_query *q, cylint_root root, double t,
+                                   double more, double error)
 {
     if (t == 0) /* the root is below the least double */
-        return (wide){{0, 0}, 0x1p-900};
+        return (bounded_pair){{0, 0}, 0x1p-900};
     const double quantum =
         cylint_power_of_two(cylint_exponent(t) - 52 - CYLINT_REST_BITS);
     double rest;
     if (!rest_rounds(more, error, quantum, &rest) &&
         !rest_by_newton(q, root, t, quantum, &rest))
         rest_in_full(q, root, t, quantum, &rest);
-    return (wide){{t, rest}, 0.51 * quantum / CYLINT_PAIR_ROUNDING};
+    return (bounded_pair){{t, rest}, 0.51 * quantum / CYLINT_PAIR_ROUNDING};
 }
 
-int cylint_polish_root(cylint_query *q, cylint_root root, wide *t)
+int cylint_polish_root(cylint_query *q, cylint_root root, bounded_pair *t)
 {
     double error = CYLINT_PAIR_UNIT * t->off;
     if (t->v.hi == 0)
@@ -543,7 +547,7 @@ static int placed(const cylint_query *q, double t, double error)
 }
 
 /* The same by pairs, which know a root that lies near the line's origin. */
-static int placed_by_pairs(const cylint_query *q, const quotient_wide *f)
+static int placed_by_pairs(const cylint_query *q, const quotient_pair *f)
 {
     if (!(f->error < CYLINT_FIRST_ORDER))
         return 0;
@@ -561,12 +565,12 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
     if (!wanted && !limited)
         return 1;
     const estimate k = estimate_of(q, root);
-    quotient_wide f;
-    const quotient_wide *known = NULL;
+    quotient_pair f;
+    const quotient_pair *known = NULL;
     if (limited) {
         int place = k.error < HUGE_VAL ? placed(q, k.t, k.error) : 0;
         if (place == 0 && q->pairs && is_quotient(q, root)) {
-            f = quotient_of_wide(cylint_wide_line(q), root);
+            f = quotient_of_pair(cylint_pair_line_terms(q), root);
             known = &f;
             place = placed_by_pairs(q, known);
         }

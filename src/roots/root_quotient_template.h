@@ -18,7 +18,7 @@ static double FORM(relative)(NUM x)
 }
 
 /* R = sqrt(S G), unknown unless G is certainly positive. */
-static VALUE FORM(radical)(const FORM(letters) *L, double *error)
+static VALUE FORM(radical)(const FORM(terms) *L, double *error)
 {
     const NUM G = FORM(form_G)(L), S = FORM(form_root_of_S)(L);
     const double eG = FORM(relative)(G);
@@ -36,7 +36,7 @@ static VALUE FORM(radical)(const FORM(letters) *L, double *error)
  * num is for the caller to find.  *near: it is C that belongs there, for of
  * the two roots this one is nearer to the line's origin. */
 static FORM(quotient)
-    FORM(half_quotient)(const FORM(letters) *L, int exits, int *near)
+    FORM(half_quotient)(const FORM(terms) *L, int exits, int *near)
 {
     FORM(quotient) f;
     const NUM B = FORM(form_B)(L);
@@ -53,7 +53,7 @@ static FORM(quotient)
     return f;
 }
 
-static FORM(quotient) FORM(side_quotient)(const FORM(letters) *L, int exits)
+static FORM(quotient) FORM(side_quotient)(const FORM(terms) *L, int exits)
 {
     int near;
     FORM(quotient) f = FORM(half_quotient)(L, exits, &near);
@@ -74,8 +74,7 @@ static FORM(quotient) FORM(side_quotient)(const FORM(letters) *L, int exits)
     return f;
 }
 
-static FORM(quotient)
-    FORM(quotient_of)(const FORM(letters) *L, cylint_root root)
+static FORM(quotient) FORM(quotient_of)(const FORM(terms) *L, cylint_root root)
 {
     if (root == ROOT_ENTRY || root == ROOT_EXIT)
         return FORM(side_quotient)(L, root == ROOT_EXIT);

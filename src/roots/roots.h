@@ -29,12 +29,12 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
  * it, but for `error` at most.  CYLINT_REST_LEAST < |t| < CYLINT_REST_MOST, or
  * t = 0; the filters see the data as given, and rounding is to nearest.
  */
-wide cylint_canonical_root(cylint_query *q, cylint_root root, double t,
-                           double more, double error);
+bounded_pair cylint_canonical_root(cylint_query *q, cylint_root root, double t,
+                                   double more, double error);
 
 /* From there, the root as near as pairs come to it, a function of the root
  * alone too.  Returns 0 for t = 0. */
-int cylint_polish_root(cylint_query *q, cylint_root root, wide *t);
+int cylint_polish_root(cylint_query *q, cylint_root root, bounded_pair *t);
 
 /* A value with a binary exponent of its own: v 2^e, 1/4 < |v| < 4 or v = 0. */
 typedef struct {

@@ -58,7 +58,7 @@ static floating sum_of_sizes(floating x, floating y)
 
 static const exact *coefficients(cylint_query *q)
 {
-    const letters_exact *L = cylint_exact_line(q);
+    const terms_exact *L = cylint_exact_line_terms(q);
     if (!(q->ready & CYLINT_READY_QUADRATIC)) {
         q->ready |= CYLINT_READY_QUADRATIC;
         q->exact_coefficient[0] = form_A_exact(L);
@@ -72,13 +72,13 @@ int cylint_exact_mark(cylint_query *q, cylint_root root)
 {
     if (root < ROOT_APEX)
         coefficients(q);
-    cylint_exact_line(q);
+    cylint_exact_line_terms(q);
     return q->arena.used;
 }
 
 surd cylint_surd(cylint_query *q, cylint_root root)
 {
-    const letters_exact *L = cylint_exact_line(q);
+    const terms_exact *L = cylint_exact_line_terms(q);
     const exact zero = {q->arena.limb, 0, 0, 0};
     surd t = {L->beta, zero, zero, 0, {{0, 0}, 0}};
     if (root < ROOT_APEX) {
@@ -101,7 +101,7 @@ static floating radical(cylint_query *q, surd *t)
 {
     if (t->R.v.hi != 0)
         return t->R;
-    const letters_exact *L = cylint_exact_line(q);
+    const terms_exact *L = cylint_exact_line_terms(q);
     const int used = q->arena.used;
     const floating S = cylint_floating(form_root_of_S_exact(L));
     const floating G = cylint_floating(form_G_exact(L));
@@ -133,7 +133,7 @@ static affine affine_at(cylint_query *q, const surd *t, exact f0, exact f1)
     cylint_arena *arena = &q->arena;
     const int s = t->s * f1.sign, used = arena->used;
     if (f1.sign == 0) /* whatever A is */
-        return (affine){f0, cylint_exact(q)->one, 0, f0.sign};
+        return (affine){f0, cylint_exact_terms(q)->one, 0, f0.sign};
     const exact X = cylint_exact_keep(
         arena, used,
         cylint_exact_add(arena, cylint_exact_mul(arena, t->A, f0),

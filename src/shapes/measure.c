@@ -38,7 +38,7 @@ static int within_window(double x)
 void cylint_measure_line(cylint_line *line)
 {
     line->size = cylint_largest(line->d);
-    line->ordinary = within_window(line->size);
+    line->in_range = within_window(line->size);
 }
 
 static double dot3(const double x[3], const double y[3])
@@ -68,7 +68,7 @@ static double disc_reach(const cylint_shape *s, double *skew)
  */
 static void measure_ball(cylint_shape *s)
 {
-    s->ball = HUGE_VAL;
+    s->bound_radius = HUGE_VAL;
     s->center[0] = s->center[1] = s->center[2] = 0;
     if (!cylint_ends_are_planes(s->ends))
         return;
@@ -78,7 +78,7 @@ static void measure_ball(cylint_shape *s)
                            : s->base[i] + 0.5 * s->axis[i];
     double skew;
     const double reach = disc_reach(s, &skew);
-    s->ball =
+    s->bound_radius =
         sqrt(0.25 * dot3(s->axis, s->axis) + reach + skew) * CYLINT_SLACK +
         2 * CYLINT_ROUNDING * cylint_largest(s->center);
 }
@@ -86,7 +86,7 @@ static void measure_ball(cylint_shape *s)
 void cylint_measure_shape(cylint_shape *s)
 {
     s->size = cylint_largest(s->axis);
-    s->ordinary = within_window(largest_length(s)) &&
+    s->in_range = within_window(largest_length(s)) &&
                   (!cylint_has_factors(s->kind) || s->r1 <= CYLINT_WINDOW);
     measure_ball(s);
 }

@@ -1,6 +1,6 @@
 /*
  * forms.h - the forms over each arithmetic of single questions: bounded
- * doubles, doubles, sizes, quanta, bounded pairs and exact numbers
+ * doubles, quanta, bounded pairs and exact numbers
  */
 #ifndef CYLINT_FORMS_H
 #define CYLINT_FORMS_H
@@ -16,45 +16,30 @@
 /* A double and the size of what was summed up to it (bounds.h). */
 typedef struct {
     double v, size;
-} ball;
+} bounded_double;
 
-static inline ball ball_add(ball x, ball y)
+static inline bounded_double bounded_add(bounded_double x, bounded_double y)
 {
-    return (ball){x.v + y.v, x.size + y.size};
+    return (bounded_double){x.v + y.v, x.size + y.size};
 }
-static inline ball ball_sub(ball x, ball y)
+static inline bounded_double bounded_sub(bounded_double x, bounded_double y)
 {
-    return (ball){x.v - y.v, x.size + y.size};
+    return (bounded_double){x.v - y.v, x.size + y.size};
 }
-static inline ball ball_mul(ball x, ball y)
+static inline bounded_double bounded_mul(bounded_double x, bounded_double y)
 {
-    return (ball){x.v * y.v, x.size * y.size};
+    return (bounded_double){x.v * y.v, x.size * y.size};
 }
 
 #define INLINE static inline
-#define NUM ball
-#define FORM(name) name##_ball
-#define ADD(x, y) ball_add(x, y)
-#define SUB(x, y) ball_sub(x, y)
-#define MUL(x, y) ball_mul(x, y)
+#define NUM bounded_double
+#define FORM(name) name##_bounded
+#define ADD(x, y) bounded_add(x, y)
+#define SUB(x, y) bounded_sub(x, y)
+#define MUL(x, y) bounded_mul(x, y)
 #define MEMORY
 #define BEGIN (void)L;
 #define RETURN(x) return x;
-#include "forms_template.h"
-
-/* Doubles alone, and sizes alone, where one bound serves many. */
-#define NUM double
-#define FORM(name) name##_double
-#define ADD(x, y) ((x) + (y))
-#define SUB(x, y) ((x) - (y))
-#define MUL(x, y) ((x) * (y))
-#include "forms_template.h"
-
-#define NUM double
-#define FORM(name) name##_size
-#define ADD(x, y) ((x) + (y))
-#define SUB(x, y) ((x) + (y))
-#define MUL(x, y) ((x) * (y))
 #include "forms_template.h"
 
 /* The binary exponent of what a number is certainly a multiple of: the same
@@ -81,32 +66,32 @@ static inline int quantum_mul(int x, int y)
 typedef struct {
     pair v;
     double off;
-} wide;
+} bounded_pair;
 
-static inline wide wide_add(wide x, wide y)
+static inline bounded_pair bounded_pair_add(bounded_pair x, bounded_pair y)
 {
-    return (wide){pair_add(x.v, y.v),
-                  x.off + y.off + (fabs(x.v.hi) + fabs(y.v.hi))};
+    return (bounded_pair){pair_add(x.v, y.v),
+                          x.off + y.off + (fabs(x.v.hi) + fabs(y.v.hi))};
 }
-static inline wide wide_sub(wide x, wide y)
+static inline bounded_pair bounded_pair_sub(bounded_pair x, bounded_pair y)
 {
-    return wide_add(x, (wide){pair_neg(y.v), y.off});
+    return bounded_pair_add(x, (bounded_pair){pair_neg(y.v), y.off});
 }
-static inline wide wide_mul(wide x, wide y)
+static inline bounded_pair bounded_pair_mul(bounded_pair x, bounded_pair y)
 {
     const double a = fabs(x.v.hi), b = fabs(y.v.hi);
-    return (wide){pair_mul(x.v, y.v),
-                  a * y.off + (b + CYLINT_PAIR_ROUNDING * y.off) * x.off +
-                      a * b};
+    return (bounded_pair){
+        pair_mul(x.v, y.v),
+        a * y.off + (b + CYLINT_PAIR_ROUNDING * y.off) * x.off + a * b};
 }
 
 #undef INLINE
 #define INLINE CYLINT_APART
-#define NUM wide
-#define FORM(name) name##_wide
-#define ADD(x, y) wide_add(x, y)
-#define SUB(x, y) wide_sub(x, y)
-#define MUL(x, y) wide_mul(x, y)
+#define NUM bounded_pair
+#define FORM(name) name##_pair
+#define ADD(x, y) bounded_pair_add(x, y)
+#define SUB(x, y) bounded_pair_sub(x, y)
+#define MUL(x, y) bounded_pair_mul(x, y)
 #include "forms_template.h"
 #undef MEMORY
 #undef BEGIN
@@ -127,12 +112,12 @@ static inline wide wide_mul(wide x, wide y)
 #undef BEGIN
 #undef RETURN
 
-static inline double ball_error(ball x)
+static inline double bounded_error(bounded_double x)
 {
     return CYLINT_FILTER_BOUND * x.size + CYLINT_UNDERFLOW;
 }
 
-static inline double wide_error(wide x)
+static inline double bounded_pair_error(bounded_pair x)
 {
     return CYLINT_PAIR_UNIT * x.off + CYLINT_UNDERFLOW;
 }

@@ -10,11 +10,11 @@
  *   FORM(name)              how the functions of this arithmetic are called
  *   ADD SUB MUL (x, y)      its operations
  *   INLINE                  how its functions are declared
- *   MEMORY                  a declaration in the letters, if it needs room
+ *   MEMORY                  a declaration in the terms, if it needs room
  *   BEGIN, RETURN(x)        first and last words of a form, for arithmetics
  *                           whose intermediate results need to be let go
  *
- * The letters.  Line A + t u; D_i = A - p_i, the origin seen from the centre
+ * The terms.  Line A + t u; D_i = A - p_i, the origin seen from the centre
  * of cap i; M_i = D_i x u, its moment about that centre.
  *
  * Circular kinds: axis w, vv = w.w, n = u x w, z = P.w/vv.  With X = P x w
@@ -64,16 +64,16 @@ typedef struct {
     NUM vv, n[3];                      /* circular */
     NUM e[3], p[3], q[3], det, U, V;   /* elliptic */
     NUM beta, M[2][3];
-} FORM(letters);
+} FORM(terms);
 
-INLINE NUM FORM(dot)(const FORM(letters) *L, const NUM x[3], const NUM y[3])
+INLINE NUM FORM(dot)(const FORM(terms) *L, const NUM x[3], const NUM y[3])
 {
     BEGIN
     NUM sum = ADD(ADD(MUL(x[0], y[0]), MUL(x[1], y[1])), MUL(x[2], y[2]));
     RETURN(sum)
 }
 
-INLINE NUM FORM(minor)(const FORM(letters) *L, const NUM x[3], const NUM y[3],
+INLINE NUM FORM(minor)(const FORM(terms) *L, const NUM x[3], const NUM y[3],
                        int i, int j)
 {
     BEGIN
@@ -81,7 +81,7 @@ INLINE NUM FORM(minor)(const FORM(letters) *L, const NUM x[3], const NUM y[3],
     RETURN(m)
 }
 
-INLINE void FORM(cross)(const FORM(letters) *L, const NUM x[3], const NUM y[3],
+INLINE void FORM(cross)(const FORM(terms) *L, const NUM x[3], const NUM y[3],
                         NUM xy[3])
 {
     xy[0] = FORM(minor)(L, x, y, 1, 2);
@@ -89,19 +89,19 @@ INLINE void FORM(cross)(const FORM(letters) *L, const NUM x[3], const NUM y[3],
     xy[2] = FORM(minor)(L, x, y, 0, 1);
 }
 
-INLINE int FORM(elliptic)(const FORM(letters) *L)
+INLINE int FORM(elliptic)(const FORM(terms) *L)
 {
     return cylint_is_elliptic(L->kind);
 }
 
 /* The axial functional: z grows with P.axial. */
-INLINE const NUM *FORM(axial)(const FORM(letters) *L)
+INLINE const NUM *FORM(axial)(const FORM(terms) *L)
 {
     return FORM(elliptic)(L) ? L->e : L->w;
 }
 
 /* What depends on the shape alone. */
-INLINE void FORM(prepare_shape)(FORM(letters) *L)
+INLINE void FORM(prepare_shape)(FORM(terms) *L)
 {
     if (FORM(elliptic)(L)) {
         FORM(cross)(L, L->a, L->b, L->e);
@@ -114,7 +114,7 @@ INLINE void FORM(prepare_shape)(FORM(letters) *L)
 }
 
 /* What every question about a line needs. */
-INLINE void FORM(prepare_line)(FORM(letters) *L)
+INLINE void FORM(prepare_line)(FORM(terms) *L)
 {
     if (FORM(elliptic)(L)) {
         L->U = FORM(dot)(L, L->u, L->p);
@@ -126,35 +126,35 @@ INLINE void FORM(prepare_line)(FORM(letters) *L)
     FORM(cross)(L, L->D[0], L->u, L->M[0]);
 }
 
-INLINE void FORM(prepare_top)(FORM(letters) *L)
+INLINE void FORM(prepare_top)(FORM(terms) *L)
 {
     FORM(cross)(L, L->D[1], L->u, L->M[1]);
 }
 
 /* z of the origin from cap i's plane, times a positive factor. */
-INLINE NUM FORM(form_alpha)(const FORM(letters) *L, int i)
+INLINE NUM FORM(form_alpha)(const FORM(terms) *L, int i)
 {
     return FORM(dot)(L, L->D[i], FORM(axial)(L));
 }
 
-INLINE NUM FORM(form_det)(const FORM(letters) *L)
+INLINE NUM FORM(form_det)(const FORM(terms) *L)
 {
     return L->det;
 }
 
-INLINE NUM FORM(form_beta)(const FORM(letters) *L)
+INLINE NUM FORM(form_beta)(const FORM(terms) *L)
 {
     return L->beta;
 }
 
 /* On which side of the line's direction the axis points. */
-INLINE NUM FORM(form_along)(const FORM(letters) *L)
+INLINE NUM FORM(form_along)(const FORM(terms) *L)
 {
     return FORM(dot)(L, L->u, L->w);
 }
 
 /* rho = rho0 + t rho1 along the line. */
-INLINE NUM FORM(form_rho0)(const FORM(letters) *L)
+INLINE NUM FORM(form_rho0)(const FORM(terms) *L)
 {
     BEGIN
     NUM rho;
@@ -174,12 +174,12 @@ INLINE NUM FORM(form_rho0)(const FORM(letters) *L)
     RETURN(rho)
 }
 
-INLINE NUM FORM(form_rho1)(const FORM(letters) *L)
+INLINE NUM FORM(form_rho1)(const FORM(terms) *L)
 {
     return MUL(L->dr, L->beta);
 }
 
-INLINE NUM FORM(form_E)(const FORM(letters) *L, int i)
+INLINE NUM FORM(form_E)(const FORM(terms) *L, int i)
 {
     BEGIN
     NUM x = MUL(L->r[i], L->beta), E;
@@ -197,7 +197,7 @@ INLINE NUM FORM(form_E)(const FORM(letters) *L, int i)
     RETURN(E)
 }
 
-INLINE NUM FORM(form_N)(const FORM(letters) *L, int i)
+INLINE NUM FORM(form_N)(const FORM(terms) *L, int i)
 {
     BEGIN
     NUM N;
@@ -215,7 +215,7 @@ INLINE NUM FORM(form_N)(const FORM(letters) *L, int i)
     RETURN(N)
 }
 
-INLINE NUM FORM(form_G)(const FORM(letters) *L)
+INLINE NUM FORM(form_G)(const FORM(terms) *L)
 {
     BEGIN
     NUM h = FORM(dot)(L, L->w, L->M[0]), h2 = MUL(h, h), G;
@@ -252,7 +252,7 @@ INLINE NUM FORM(form_G)(const FORM(letters) *L)
 
 /* Whether the line, of that moment about a point, comes within r of it: below
  * 0 if not.  r^2 |u|^2 - |M|^2. */
-INLINE NUM FORM(form_ball)(const FORM(letters) *L, const NUM M[3], NUM r)
+INLINE NUM FORM(form_ball)(const FORM(terms) *L, const NUM M[3], NUM r)
 {
     BEGIN
     NUM x = SUB(MUL(MUL(r, r), FORM(dot)(L, L->u, L->u)), FORM(dot)(L, M, M));
@@ -261,7 +261,7 @@ INLINE NUM FORM(form_ball)(const FORM(letters) *L, const NUM M[3], NUM r)
 
 /* Where t = r_0 stands from the foot of D_0 on the line: before, at or after
  * it, in units of |u|. */
-INLINE NUM FORM(form_foot)(const FORM(letters) *L)
+INLINE NUM FORM(form_foot)(const FORM(terms) *L)
 {
     BEGIN
     NUM x = ADD(FORM(dot)(L, L->D[0], L->u),
@@ -271,12 +271,12 @@ INLINE NUM FORM(form_foot)(const FORM(letters) *L)
 
 /* The factor between G and the discriminant, as a square root if one
  * exists: cone vv, elliptic det.  Cylinder and acone have S = vv itself. */
-INLINE NUM FORM(form_root_of_S)(const FORM(letters) *L)
+INLINE NUM FORM(form_root_of_S)(const FORM(terms) *L)
 {
     return FORM(elliptic)(L) ? L->det : L->vv;
 }
 
-INLINE NUM FORM(form_A)(const FORM(letters) *L)
+INLINE NUM FORM(form_A)(const FORM(terms) *L)
 {
     BEGIN
     NUM A;
@@ -295,7 +295,7 @@ INLINE NUM FORM(form_A)(const FORM(letters) *L)
 }
 
 /* X0 of the line's origin: three numbers, or two for elliptic kinds. */
-INLINE int FORM(radial)(const FORM(letters) *L, NUM X[3])
+INLINE int FORM(radial)(const FORM(terms) *L, NUM X[3])
 {
     if (!FORM(elliptic)(L)) {
         FORM(cross)(L, L->D[0], L->w, X);
@@ -306,7 +306,7 @@ INLINE int FORM(radial)(const FORM(letters) *L, NUM X[3])
     return 2;
 }
 
-INLINE NUM FORM(form_B)(const FORM(letters) *L)
+INLINE NUM FORM(form_B)(const FORM(terms) *L)
 {
     BEGIN
     NUM X[3], B;
@@ -324,7 +324,7 @@ INLINE NUM FORM(form_B)(const FORM(letters) *L)
 }
 
 /* C = Q at the line's origin: the one to ask where a point lies. */
-INLINE NUM FORM(form_C)(const FORM(letters) *L)
+INLINE NUM FORM(form_C)(const FORM(terms) *L)
 {
     BEGIN
     NUM X[3], C, rho = FORM(form_rho0)(L), rho2 = MUL(rho, rho);
@@ -342,7 +342,7 @@ INLINE NUM FORM(form_C)(const FORM(letters) *L)
 }
 
 /* rho at the vertex of Q times A/s: on which nappe a chord lies. */
-INLINE NUM FORM(form_T)(const FORM(letters) *L)
+INLINE NUM FORM(form_T)(const FORM(terms) *L)
 {
     BEGIN
     NUM T;
@@ -360,7 +360,7 @@ INLINE NUM FORM(form_T)(const FORM(letters) *L)
 /* A component of half the gradient of Q at the origin, the outward normal of
  * the lateral surface through it: s w x (P x w) - rho dr w, or, for elliptic
  * kinds, X_p p + X_q q - rho kappa e. */
-INLINE NUM FORM(gradient)(const FORM(letters) *L, int i)
+INLINE NUM FORM(gradient)(const FORM(terms) *L, int i)
 {
     BEGIN
     NUM X[3], N;
@@ -380,7 +380,7 @@ INLINE NUM FORM(gradient)(const FORM(letters) *L, int i)
  * positive number, but that for circular kinds x wants a factor |w|.  phi
  * counts from e x w, e the coordinate direction of the given number; for
  * elliptic kinds from a towards b. */
-INLINE void FORM(about_axis)(const FORM(letters) *L, int number, NUM *x, NUM *y)
+INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y)
 {
     if (FORM(elliptic)(L)) {
         *x = FORM(dot)(L, L->D[0], L->p);

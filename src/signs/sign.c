@@ -33,7 +33,7 @@ static int filters_apply(const cylint_shape *s, const cylint_line *l)
         const double d = fabs(l->o[i] - s->base[i]);
         far = d > far ? d : far;
     }
-    return s->ordinary && l->ordinary && far <= CYLINT_WINDOW;
+    return s->in_range && l->in_range && far <= CYLINT_WINDOW;
 }
 
 /* Copies of shape and line with lengths near 1 and a direction near 1.
@@ -80,107 +80,107 @@ static void scale_query(cylint_query *q)
                  filters_apply(to, &q->scaled_line);
 }
 
-/* -------------------------------------------------------- letters ------ */
+/* -------------------------------------------------------- terms ------ */
 
-static ball ball_of(double x)
+static bounded_double bounded_of(double x)
 {
-    return (ball){x, fabs(x)};
+    return (bounded_double){x, fabs(x)};
 }
 
-static void load_ball(cylint_query *q)
+static void load_bounded(cylint_query *q)
 {
     const cylint_shape *s = q->near_shape;
     const cylint_line *l = q->near_line;
-    letters_ball *L = &q->ball;
+    terms_bounded *L = &q->bounded_terms;
     L->kind = s->kind;
     for (int i = 0; i < 3; i++) {
-        L->u[i] = ball_of(l->d[i]);
-        L->w[i] = ball_of(s->axis[i]);
-        L->D[0][i] = ball_of(l->o[i] - s->base[i]);
+        L->u[i] = bounded_of(l->d[i]);
+        L->w[i] = bounded_of(s->axis[i]);
+        L->D[0][i] = bounded_of(l->o[i] - s->base[i]);
     }
     if (cylint_is_elliptic(s->kind))
         for (int i = 0; i < 3; i++) {
-            L->a[i] = ball_of(s->a[i]);
-            L->b[i] = ball_of(s->flip ? -s->b[i] : s->b[i]);
+            L->a[i] = bounded_of(s->a[i]);
+            L->b[i] = bounded_of(s->left_handed ? -s->b[i] : s->b[i]);
         }
-    L->r[0] = ball_of(s->r0);
-    L->r[1] = ball_of(s->r1);
-    L->dr = ball_of(s->dr);
-    L->one = ball_of(1);
-    prepare_shape_ball(L);
+    L->r[0] = bounded_of(s->r0);
+    L->r[1] = bounded_of(s->r1);
+    L->dr = bounded_of(s->dr);
+    L->one = bounded_of(1);
+    prepare_shape_bounded(L);
 }
 
-const letters_ball *cylint_ball_with_top(cylint_query *q)
+const terms_bounded *cylint_bounded_terms_with_top(cylint_query *q)
 {
     if (!(q->ready & CYLINT_READY_TOP)) {
-        letters_ball *L = &q->ball;
+        terms_bounded *L = &q->bounded_terms;
         for (int i = 0; i < 3; i++)
             L->D[1][i] =
                 cylint_has_end_points(L->kind)
-                    ? ball_of(q->near_line->o[i] - q->near_shape->top[i])
-                    : ball_sub(L->D[0][i], L->w[i]);
-        prepare_top_ball(L);
+                    ? bounded_of(q->near_line->o[i] - q->near_shape->top[i])
+                    : bounded_sub(L->D[0][i], L->w[i]);
+        prepare_top_bounded(L);
         q->ready |= CYLINT_READY_TOP;
     }
-    return &q->ball;
+    return &q->bounded_terms;
 }
 
-static wide wide_of(double hi, double lo)
+static bounded_pair bounded_pair_of(double hi, double lo)
 {
-    return (wide){{hi, lo}, 0};
+    return (bounded_pair){{hi, lo}, 0};
 }
 
 /* Exact in rounding to nearest; counted as rounded, for the other modes. */
-static wide wide_difference(double x, double y)
+static bounded_pair bounded_pair_difference(double x, double y)
 {
     const pair d = two_diff(x, y);
-    return (wide){d, fabs(d.hi)};
+    return (bounded_pair){d, fabs(d.hi)};
 }
 
-letters_wide *cylint_wide(cylint_query *q)
+terms_pair *cylint_pair_terms(cylint_query *q)
 {
-    if (q->ready & CYLINT_READY_WIDE)
-        return &q->wide;
-    q->ready |= CYLINT_READY_WIDE;
+    if (q->ready & CYLINT_READY_PAIR)
+        return &q->pair_terms;
+    q->ready |= CYLINT_READY_PAIR;
     cylint_reached(PAIRS);
     const cylint_shape *s = q->near_shape;
     const cylint_line *l = q->near_line;
-    letters_wide *L = &q->wide;
+    terms_pair *L = &q->pair_terms;
     L->kind = s->kind;
     for (int i = 0; i < 3; i++) {
-        L->u[i] = wide_of(l->d[i], l->d_lo[i]);
-        L->w[i] = wide_of(s->axis[i], s->axis_lo[i]);
-        L->D[0][i] = wide_difference(l->o[i], s->base[i]);
+        L->u[i] = bounded_pair_of(l->d[i], l->d_lo[i]);
+        L->w[i] = bounded_pair_of(s->axis[i], s->axis_lo[i]);
+        L->D[0][i] = bounded_pair_difference(l->o[i], s->base[i]);
         L->D[1][i] = cylint_has_end_points(s->kind)
-                         ? wide_difference(l->o[i], s->top[i])
-                         : wide_sub(L->D[0][i], L->w[i]);
+                         ? bounded_pair_difference(l->o[i], s->top[i])
+                         : bounded_pair_sub(L->D[0][i], L->w[i]);
     }
     if (cylint_is_elliptic(s->kind))
         for (int i = 0; i < 3; i++) {
-            L->a[i] = wide_of(s->a[i], 0);
-            L->b[i] = wide_of(s->flip ? -s->b[i] : s->b[i], 0);
+            L->a[i] = bounded_pair_of(s->a[i], 0);
+            L->b[i] = bounded_pair_of(s->left_handed ? -s->b[i] : s->b[i], 0);
         }
-    L->r[0] = wide_of(s->r0, 0);
-    L->r[1] = wide_of(s->r1, 0);
-    L->dr = wide_of(s->dr, s->dr_lo);
-    L->one = wide_of(1, 0);
-    prepare_shape_wide(L);
-    L->beta = dot_wide(L, L->u, axial_wide(L));
+    L->r[0] = bounded_pair_of(s->r0, 0);
+    L->r[1] = bounded_pair_of(s->r1, 0);
+    L->dr = bounded_pair_of(s->dr, s->dr_lo);
+    L->one = bounded_pair_of(1, 0);
+    prepare_shape_pair(L);
+    L->beta = dot_pair(L, L->u, axial_pair(L));
     return L;
 }
 
-letters_wide *cylint_wide_line(cylint_query *q)
+terms_pair *cylint_pair_line_terms(cylint_query *q)
 {
-    letters_wide *L = cylint_wide(q);
-    if (!(q->ready & CYLINT_READY_WIDE_LINE)) {
-        q->ready |= CYLINT_READY_WIDE_LINE;
-        prepare_line_wide(L);
-        prepare_top_wide(L);
+    terms_pair *L = cylint_pair_terms(q);
+    if (!(q->ready & CYLINT_READY_PAIR_LINE)) {
+        q->ready |= CYLINT_READY_PAIR_LINE;
+        prepare_line_pair(L);
+        prepare_top_pair(L);
     }
     return L;
 }
 
-static void load_exact(cylint_query *q, letters_exact *L)
+static void load_exact(cylint_query *q, terms_exact *L)
 {
     const cylint_shape *s = q->shape;
     const cylint_line *l = q->line;
@@ -199,7 +199,7 @@ static void load_exact(cylint_query *q, letters_exact *L)
         }
         if (cylint_is_elliptic(s->kind)) {
             L->a[i] = cylint_exact_from(m, s->a[i]);
-            L->b[i] = cylint_exact_from(m, s->flip ? -s->b[i] : s->b[i]);
+            L->b[i] = cylint_exact_from(m, s->left_handed ? -s->b[i] : s->b[i]);
         }
     }
     L->r[0] = cylint_exact_from(m, s->r0);
@@ -210,13 +210,13 @@ static void load_exact(cylint_query *q, letters_exact *L)
     L->one = cylint_exact_from(m, 1);
 }
 
-const letters_exact *cylint_exact(cylint_query *q)
+const terms_exact *cylint_exact_terms(cylint_query *q)
 {
     if (q->ready & CYLINT_READY_EXACT)
         return &q->exact;
     q->ready |= CYLINT_READY_EXACT;
     cylint_reached(EXACT);
-    letters_exact *L = &q->exact;
+    terms_exact *L = &q->exact;
     L->kind = q->shape->kind;
     L->arena = &q->arena;
     cylint_arena_open(L->arena);
@@ -225,9 +225,9 @@ const letters_exact *cylint_exact(cylint_query *q)
     return L;
 }
 
-const letters_exact *cylint_exact_line(cylint_query *q)
+const terms_exact *cylint_exact_line_terms(cylint_query *q)
 {
-    const letters_exact *L = cylint_exact(q);
+    const terms_exact *L = cylint_exact_terms(q);
     if (!(q->ready & CYLINT_READY_EXACT_LINE)) {
         q->ready |= CYLINT_READY_EXACT_LINE;
         prepare_line_exact(&q->exact);
@@ -261,9 +261,9 @@ static void fill3(int to[3], int e)
 }
 
 /* Quanta of the data; NULL unless the filters see every digit of them. */
-static const letters_quantum *quanta(cylint_query *q)
+static const terms_quantum *quanta(cylint_query *q)
 {
-    letters_quantum *L = &q->quantum;
+    terms_quantum *L = &q->quantum;
     if (q->ready & CYLINT_READY_QUANTUM)
         return q->quanta ? L : NULL;
     q->ready |= CYLINT_READY_QUANTUM;
@@ -322,21 +322,21 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
         scale_query(q);
     q->pairs = q->filters && cylint_rounds_to_nearest();
     if (q->filters) {
-        load_ball(q);
-        prepare_line_ball(&q->ball);
+        load_bounded(q);
+        prepare_line_bounded(&q->bounded_terms);
     }
 }
 
 /* ---------------------------------------------------------- signs ------ */
 
-static int certain_ball(ball x)
+static int certain_bounded(bounded_double x)
 {
-    return fabs(x.v) > ball_error(x);
+    return fabs(x.v) > bounded_error(x);
 }
 
-static int certain_wide(wide x)
+static int certain_pair(bounded_pair x)
 {
-    return fabs(x.v.hi) > wide_error(x);
+    return fabs(x.v.hi) > bounded_pair_error(x);
 }
 
 /*
@@ -355,23 +355,24 @@ static int no_rounding(double size, int e)
     do {                                                                       \
         int sign_ = 2; /* unknown */                                           \
         if ((q)->filters) {                                                    \
-            const ball b_ = form##_ball(balls __VA_ARGS__);                    \
-            const letters_quantum *e_;                                         \
-            if (certain_ball(b_)) {                                            \
+            const bounded_double b_ = form##_bounded(balls __VA_ARGS__);       \
+            const terms_quantum *e_;                                           \
+            if (certain_bounded(b_)) {                                         \
                 sign_ = cylint_sign(b_.v);                                     \
             } else if ((e_ = quanta(q)) != NULL &&                             \
                        no_rounding(b_.size, form##_quantum(e_ __VA_ARGS__))) { \
                 cylint_reached(QUANTA);                                        \
                 sign_ = cylint_sign(b_.v);                                     \
             } else if ((q)->pairs) {                                           \
-                const wide w_ = form##_wide(cylint_wide_line(q) __VA_ARGS__);  \
-                if (certain_wide(w_))                                          \
+                const bounded_pair w_ =                                        \
+                    form##_pair(cylint_pair_line_terms(q) __VA_ARGS__);        \
+                if (certain_pair(w_))                                          \
                     sign_ = cylint_sign(w_.v.hi);                              \
             }                                                                  \
         }                                                                      \
         if (sign_ != 2 && !CYLINT_IS_PARANOID)                                 \
             return sign_;                                                      \
-        const letters_exact *x_ = cylint_exact_line(q);                        \
+        const terms_exact *x_ = cylint_exact_line_terms(q);                    \
         const int used_ = (q)->arena.used;                                     \
         const int exact_ = form##_exact(x_ __VA_ARGS__).sign;                  \
         (q)->arena.used = used_;                                               \
@@ -383,61 +384,63 @@ static int no_rounding(double size, int e)
 
 int cylint_sign_alpha(cylint_query *q, int cap)
 {
-    DECIDE(q, (cap ? cylint_ball_with_top(q) : &q->ball), form_alpha,
-           COMMA cap);
+    DECIDE(q, (cap ? cylint_bounded_terms_with_top(q) : &q->bounded_terms),
+           form_alpha, COMMA cap);
 }
 
 int cylint_sign_det(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_det, );
+    DECIDE(q, &q->bounded_terms, form_det, );
 }
 
 int cylint_sign_beta(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_beta, );
+    DECIDE(q, &q->bounded_terms, form_beta, );
 }
 
 int cylint_sign_along(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_along, );
+    DECIDE(q, &q->bounded_terms, form_along, );
 }
 
 int cylint_sign_E(cylint_query *q, int cap)
 {
-    DECIDE(q, (cap ? cylint_ball_with_top(q) : &q->ball), form_E, COMMA cap);
+    DECIDE(q, (cap ? cylint_bounded_terms_with_top(q) : &q->bounded_terms),
+           form_E, COMMA cap);
 }
 
 int cylint_sign_N(cylint_query *q, int cap)
 {
-    DECIDE(q, (cap ? cylint_ball_with_top(q) : &q->ball), form_N, COMMA cap);
+    DECIDE(q, (cap ? cylint_bounded_terms_with_top(q) : &q->bounded_terms),
+           form_N, COMMA cap);
 }
 
 int cylint_sign_G(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_G, );
+    DECIDE(q, &q->bounded_terms, form_G, );
 }
 
 int cylint_sign_A(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_A, );
+    DECIDE(q, &q->bounded_terms, form_A, );
 }
 
 int cylint_sign_B(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_B, );
+    DECIDE(q, &q->bounded_terms, form_B, );
 }
 
 int cylint_sign_C(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_C, );
+    DECIDE(q, &q->bounded_terms, form_C, );
 }
 
 int cylint_sign_T(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_T, );
+    DECIDE(q, &q->bounded_terms, form_T, );
 }
 
 int cylint_sign_rho0(cylint_query *q)
 {
-    DECIDE(q, &q->ball, form_rho0, );
+    DECIDE(q, &q->bounded_terms, form_rho0, );
 }

@@ -12,8 +12,8 @@
 
 enum { /* what of cylint_query has been made */
        CYLINT_READY_TOP = 1,
-       CYLINT_READY_WIDE = 2,
-       CYLINT_READY_WIDE_LINE = 4,
+       CYLINT_READY_PAIR = 2,
+       CYLINT_READY_PAIR_LINE = 4,
        CYLINT_READY_EXACT = 8,
        CYLINT_READY_EXACT_LINE = 16,
        CYLINT_READY_QUADRATIC = 32,
@@ -33,12 +33,12 @@ typedef struct {
     const cylint_line *near_line;   /* scaled by powers of two */
     cylint_shape scaled_shape;
     cylint_line scaled_line;
-    unsigned ready; /* which letters are there */
-    letters_ball ball;
-    letters_wide wide;
-    letters_quantum quantum;
+    unsigned ready; /* which terms are there */
+    terms_bounded bounded_terms;
+    terms_pair pair_terms;
+    terms_quantum quantum;
     int quanta; /* 1: every datum of the filters is exact */
-    letters_exact exact;
+    terms_exact exact;
     exact exact_coefficient[3]; /* A, B, C */
     cylint_arena arena;
 } cylint_query;
@@ -46,17 +46,17 @@ typedef struct {
 void cylint_query_open(cylint_query *q, const cylint_shape *shape,
                        const cylint_line *line);
 
-/* The letters of the slower arithmetics, made when first asked for. */
-letters_wide *cylint_wide(cylint_query *q);      /* data and shape only */
-letters_wide *cylint_wide_line(cylint_query *q); /* moments as well */
-const letters_ball *cylint_ball_with_top(cylint_query *q);
-const letters_exact *cylint_exact(cylint_query *q); /* likewise */
-const letters_exact *cylint_exact_line(cylint_query *q);
+/* The terms of the slower arithmetics, made when first asked for. */
+terms_pair *cylint_pair_terms(cylint_query *q);      /* data and shape only */
+terms_pair *cylint_pair_line_terms(cylint_query *q); /* moments as well */
+const terms_bounded *cylint_bounded_terms_with_top(cylint_query *q);
+const terms_exact *cylint_exact_terms(cylint_query *q); /* likewise */
+const terms_exact *cylint_exact_line_terms(cylint_query *q);
 
 /* Exact signs of the forms, by the cheapest arithmetic that is certain. */
 int cylint_sign_alpha(cylint_query *q, int cap);
 int cylint_sign_beta(cylint_query *q);
-int cylint_sign_det(cylint_query *q); /* before shape->flip is set */
+int cylint_sign_det(cylint_query *q); /* before shape->left_handed is set */
 int cylint_sign_along(cylint_query *q);
 int cylint_sign_E(cylint_query *q, int cap);
 int cylint_sign_N(cylint_query *q, int cap);

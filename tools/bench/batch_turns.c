@@ -206,7 +206,7 @@ static int meets_ball(const cylint_shape *s, const cylint_line *l)
         M2 += m * m;
         d2 += l->d[i] * l->d[i];
     }
-    return M2 <= s->ball * s->ball * d2;
+    return M2 <= s->bound_radius * s->bound_radius * d2;
 }
 
 void turn_shares(const struct turn *t, int questions, double *hits,
