@@ -41,10 +41,11 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
     const double ww = dot(t->axis, t->axis);
     t->length = sqrt(ww);
     t->elliptic = cylint_is_elliptic(s->kind);
-    t->k[0] = t->elliptic ? s->r0 : s->r0 * scale;
-    t->k[1] = t->elliptic
-                  ? s->r1
-                  : s->r1 * (s->kind == CYLINT_KIND_ACONE ? t->length : scale);
+    const double unit = t->elliptic                   ? 1
+                        : cylint_has_factors(s->kind) ? t->length
+                                                      : scale;
+    t->k[0] = s->r0 * unit;
+    t->k[1] = s->r1 * unit;
     t->across = 1;
     t->along = 0;
     if (!t->elliptic)

@@ -4,6 +4,7 @@
  * Compiled once as it is and again for processors with fused multiply-add.
  */
 #include "../numbers/bits.h"
+#include "../shapes/shape_facts.h"
 
 #define CYLINT_ONE_LANE
 #include "float_filter_lanes.h"
@@ -24,8 +25,9 @@ static cylint_float_filter_result test_entry(
     const shape_columns shape = shape_of(&shape_row, target->small);
     const line_columns line = line_of(&line_row);
     q->whole = target->whole;
-    q->cap[0] = cylint_float_filter_has_cap(target->ends, 0);
-    q->cap[1] = cylint_float_filter_has_cap(target->ends, 1);
+    const unsigned caps = cylint_caps_present(target->ends);
+    q->cap[0] = (int)(caps & 1);
+    q->cap[1] = (int)(caps >> 1);
     const hit_result is = load_and_cross(q, &shape, &line);
     return result_of(is.hit ? hit_at_end(q, 0, at) : is);
 }
@@ -86,17 +88,14 @@ static int describe(const cylint_float_filter_state *q,
 void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
                                   const cylint_shape *s)
 {
-    const int in_length =
-        s->kind == CYLINT_KIND_CYLINDER || s->kind == CYLINT_KIND_CONE;
-    const int is_acone = s->kind == CYLINT_KIND_ACONE;
+    const int circular = cylint_is_bounded(s) && !cylint_is_elliptic(s->kind);
+    const double length = sqrt(dot(s->axis, s->axis));
     EACH(j, 3) {
         to->base[j] = s->base[j];
         to->axis[j] = s->axis[j];
     }
-    to->r0 = in_length || is_acone ? s->r0 : -1;
-    to->dr = in_length  ? s->dr
-             : is_acone ? s->dr * sqrt(dot(s->axis, s->axis))
-                        : 0;
+    to->r0 = circular ? s->r0 : -1;
+    to->dr = circular ? s->dr * cylint_radius_unit(s, length) : 0;
 }
 
 /* Whether x is a float and not subnormal. */
@@ -110,7 +109,7 @@ static int is_float(double x, float *to)
 int cylint_float_filter_small_of(cylint_float_filter_small *to,
                                  const cylint_shape *s)
 {
-    int is = s->kind == CYLINT_KIND_CYLINDER || s->kind == CYLINT_KIND_CONE;
+    int is = cylint_is_bounded(s) && cylint_has_end_points(s->kind);
     EACH(j, 3)
         is &= is_float(s->base[j], &to->base[j]) &
               is_float(s->top[j], &to->top[j]) &

@@ -93,14 +93,6 @@ typedef struct cylint_float_filter_hit {
     CYLINT_FLOAT_FILTER_HIT_MEMBERS(double, int)
 } cylint_float_filter_hit;
 
-/* Whether shapes with these ends have a cap at the base (top = 0) or the top
- * (top = 1). */
-static inline int cylint_float_filter_has_cap(int ends, int top)
-{
-    return ends == CYLINT_ENDS_CAPPED ||
-           ends == (top ? CYLINT_ENDS_CAP1 : CYLINT_ENDS_CAP0);
-}
-
 /* The floats of a hit, equal to the library's doubles rounded to floats. */
 typedef struct cylint_hit_floats {
     float z, phi, normal[3];

@@ -79,16 +79,12 @@ static disc disc_of(const cylint_shape *s, int cap)
     disc d;
     const double u = sqrt(s->axis[0] * s->axis[0] + s->axis[1] * s->axis[1] +
                           s->axis[2] * s->axis[2]);
-    d.k = cap ? s->r1 : s->r0;
+    d.k = cylint_end_factor(s, cap);
     for (int j = 0; j < 3; j++) {
-        d.center[j] = !cap ? s->base[j]
-                      : constructor_of(s) == CYLINT_KIND_CONE
-                          ? s->top[j]
-                          : s->base[j] + s->axis[j];
+        d.center[j] = cylint_end_center(s, cap, j);
         d.g[j] = cylint_is_elliptic(s->kind)
                      ? cylint_elliptic_reach(s->a, s->b, j)
-                 : s->kind == CYLINT_KIND_ACONE ? u
-                                                : 1;
+                     : cylint_radius_unit(s, u);
     }
     return d;
 }

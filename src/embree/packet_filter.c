@@ -6,6 +6,7 @@
  */
 #include "packet_filter.h"
 
+#include "../shapes/shape_facts.h"
 #include "float_filter_lanes.h"
 
 #ifndef CYLINT_PACKET_FILTER
@@ -28,8 +29,7 @@ static question_rows load_rows(const cylint_float_filter_target *target,
         r.shape[i] = target[k].shape;
         r.line[i] = (const char *)line[k];
         for (int top = 0; top < 2; top++)
-            cap[top] |=
-                (unsigned)cylint_float_filter_has_cap(target[k].ends, top) << i;
+            cap[top] |= (cylint_caps_present(target[k].ends) >> top & 1) << i;
     }
     r.cap[0] = m_from(cap[0]);
     r.cap[1] = m_from(cap[1]);
