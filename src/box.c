@@ -82,11 +82,11 @@ static pair unit_reach(const cylint_shape *s, const long_axis *k, int j, int *e,
     const pair y = k->axis[(j + 1) % 3], z = k->axis[(j + 2) % 3];
     if (cylint_sign(y.hi) == 0 && cylint_sign(z.hi) == 0)
         return (pair){0, 0};
-    if (s->kind != CYLINT_KIND_ACONE && cylint_sign(x.hi) == 0)
+    if (!cylint_has_tangent(s->kind) && cylint_sign(x.hi) == 0)
         return (pair){1, 0};
     *is_exact = 0;
     const pair across = hypotenuse(y, z, e);
-    if (s->kind == CYLINT_KIND_ACONE)
+    if (cylint_has_tangent(s->kind))
         return across;
     const int ex = cylint_exponent(x.hi), most = ex > *e ? ex : *e;
     int length_e = 0;
@@ -197,7 +197,7 @@ static int leans_inward(cylint_query *q, int j)
     } else {
         const exact wj2 = along;
         across = cylint_exact_add(m, L->vv, cylint_exact_neg(wj2));
-        if (q->kind == CYLINT_KIND_CONE)
+        if (cylint_has_end_points(q->kind))
             along = cylint_exact_mul(m, along, L->vv);
     }
     const int sign =

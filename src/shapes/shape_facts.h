@@ -45,6 +45,12 @@ CYLINT_INLINE int cylint_has_end_points(int kind)
     return kind <= CYLINT_KIND_CONE;
 }
 
+/* r0 and r1 are tangents: the radius is their product with |axis|. */
+CYLINT_INLINE int cylint_has_tangent(int kind)
+{
+    return kind == CYLINT_KIND_ACONE;
+}
+
 /* r0 and r1 are factors; else they are lengths. */
 CYLINT_INLINE int cylint_has_factors(int kind)
 {
@@ -73,6 +79,11 @@ CYLINT_INLINE unsigned cylint_caps_present(int ends)
            : ends == CYLINT_ENDS_CAP0 ? 1
            : ends == CYLINT_ENDS_CAP1 ? 2
                                       : 0;
+}
+
+CYLINT_INLINE int cylint_has_cap(int ends, int cap)
+{
+    return (int)(cylint_caps_present(ends) >> cap & 1);
 }
 
 CYLINT_INLINE int cylint_part_is_present(int ends, int part)
@@ -112,7 +123,7 @@ CYLINT_INLINE double cylint_end_center(const cylint_shape *s, int end, int i)
  * one of the axis's length, which the caller has. */
 CYLINT_INLINE double cylint_radius_unit(const cylint_shape *s, double length)
 {
-    return s->kind == CYLINT_KIND_ACONE ? length : 1;
+    return cylint_has_tangent(s->kind) ? length : 1;
 }
 
 /* The ellipse x a + y b, x^2 + y^2 <= 1, reaches so far along coordinate j. */

@@ -204,7 +204,7 @@ static void load_exact(cylint_query *q, terms_exact *L)
     }
     L->r[0] = cylint_exact_from(m, s->r0);
     L->r[1] = cylint_exact_from(m, s->r1);
-    L->dr = s->kind == CYLINT_KIND_ACONE
+    L->dr = cylint_has_tangent(s->kind)
                 ? L->r[1]
                 : cylint_exact_difference(m, s->r1, s->r0);
     L->one = cylint_exact_from(m, 1);
