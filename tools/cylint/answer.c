@@ -20,8 +20,8 @@ void job_prepare(struct job *job, const struct options *options,
     job->groups = groups;
     if (options->method) {
         snprintf(job->refusal, sizeof job->refusal,
-                 "method '%s' does not answer%s", options->method->name,
-                 options->scene ? "" : " for this");
+                 "method '%s' does not support this shape",
+                 options->method->name);
     }
     turns_prepare(&job->turns);
     progress_start(&job->progress, options->progress, "records", 1);

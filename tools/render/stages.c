@@ -14,9 +14,9 @@ static double seconds(clockid_t clock)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-void stages_start(struct stages *stages, int told)
+void stages_start(struct stages *stages, int reported)
 {
-    stages->told = told;
+    stages->reported = reported;
     stages->last = seconds(CLOCK_MONOTONIC);
     stages->last_cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
 }
@@ -24,7 +24,7 @@ void stages_start(struct stages *stages, int told)
 void stages_end(struct stages *stages, const char *what,
                 unsigned long long count, const char *unit)
 {
-    if (stages->told) {
+    if (stages->reported) {
         const double now = seconds(CLOCK_MONOTONIC);
         const double now_cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
         fprintf(stderr, "%s: %s %llu %s: %.2f s, %.2f s of CPU\n", program,

@@ -5,11 +5,11 @@
 #define CYLINT_STAGES_H
 
 struct stages {
-    int told;              /* on standard error */
+    int reported;              /* on standard error */
     double last, last_cpu; /* seconds; of all threads together */
 };
 
-void stages_start(struct stages *stages, int told);
+void stages_start(struct stages *stages, int reported);
 
 /* Reports the time since the last call: `WHAT COUNT UNIT: SECONDS s, SECONDS s of
  * CPU`. */
