@@ -176,37 +176,43 @@ INLINE void prepare_lanes(terms_lanes *L, terms_sizes *N)
     prepare_line_sizes(N);
 }
 
-/* The terms of lines and shapes in lanes. */
+#define FORM(name) name##_lanes
+#define LOAD_INLINE INLINE
+#define SHAPE lanes_shape
+#define LINE lanes_line
+#define DIRECTION(l, i) l->u[i]
+#define AXIS(s, i) s->axis[i]
+#define FROM_BASE(l, s, i) l->o[i] - s->base[i]
+#define FROM_TOP(l, s, i) l->o[i] - s->top[i]
+#define BEFORE_TOP(D, w) D - w
+#define SEMI_AXIS_A(s, i) s->a[i]
+#define SEMI_AXIS_B(s, i) s->b[i]
+#define RADIUS(s, end) s->r[end]
+#define RADIUS_GROWTH(s) s->dr
+#define ONE v_set(1)
+#include "../signs/load_template.h"
+
+/* The terms of lines and shapes in lanes, and their sizes. */
 INLINE void load_terms(lanes_query *q, const lanes_shape *s,
                        const lanes_line *l, int kind, int bounded)
 {
     terms_lanes *L = &q->L;
     terms_sizes *N = &q->N;
-    const int circular = !cylint_is_elliptic(kind);
     vd a = v_set(0);
-    L->kind = N->kind = kind;
-    EACH(i, 3) {
-        L->u[i] = l->u[i];
-        L->w[i] = s->axis[i];
-        L->D[0][i] = l->o[i] - s->base[i];
-        L->D[1][i] = cylint_has_end_points(kind) ? l->o[i] - s->top[i]
-                                                 : L->D[0][i] - L->w[i];
-        if (!circular) {
-            L->a[i] = s->a[i];
-            L->b[i] = s->b[i];
-        }
-    }
-    if (!circular)
+    N->kind = kind;
+    load_shape_lanes(L, s, kind);
+    load_line_lanes(L, s, l);
+    load_top_lanes(L, s, l);
+    if (cylint_is_elliptic(kind))
         a = v_max(v_largest(s->a), v_largest(s->b));
     const vd u = v_largest(L->u), w = v_largest(L->w);
     vd D = v_largest(L->D[0]);
     if (bounded)
         D = v_max(D, v_largest(L->D[1]));
-    L->r[0] = N->r[0] = s->r[0];
-    L->r[1] = N->r[1] = s->r[1];
-    L->dr = s->dr;
+    N->r[0] = s->r[0];
+    N->r[1] = s->r[1];
     N->dr = v_abs(s->dr);
-    L->one = N->one = v_set(1);
+    N->one = v_set(1);
     EACH(i, 3) {
         N->u[i] = u;
         N->w[i] = w;

@@ -73,6 +73,14 @@ INLINE NUM FORM(dot)(const FORM(terms) *L, const NUM x[3], const NUM y[3])
     RETURN(sum)
 }
 
+/* a x - b y. */
+INLINE NUM FORM(combined)(const FORM(terms) *L, NUM a, NUM x, NUM b, NUM y)
+{
+    BEGIN
+    NUM z = SUB(MUL(a, x), MUL(b, y));
+    RETURN(z)
+}
+
 INLINE NUM FORM(minor)(const FORM(terms) *L, const NUM x[3], const NUM y[3],
                        int i, int j)
 {
@@ -225,9 +233,9 @@ INLINE NUM FORM(form_G)(const FORM(terms) *L)
         break;
     case CYLINT_KIND_CONE: {
         NUM Y[3];
-        Y[0] = SUB(MUL(L->r[0], L->n[0]), MUL(L->dr, L->M[0][0]));
-        Y[1] = SUB(MUL(L->r[0], L->n[1]), MUL(L->dr, L->M[0][1]));
-        Y[2] = SUB(MUL(L->r[0], L->n[2]), MUL(L->dr, L->M[0][2]));
+        Y[0] = FORM(combined)(L, L->r[0], L->n[0], L->dr, L->M[0][0]);
+        Y[1] = FORM(combined)(L, L->r[0], L->n[1], L->dr, L->M[0][1]);
+        Y[2] = FORM(combined)(L, L->r[0], L->n[2], L->dr, L->M[0][2]);
         G = SUB(MUL(L->vv, FORM(dot)(L, Y, Y)),
                 MUL(ADD(L->vv, MUL(L->dr, L->dr)), h2));
         break;

@@ -87,26 +87,27 @@ static bounded_double bounded_of(double x)
     return (bounded_double){x, fabs(x)};
 }
 
+#define FORM(name) name##_bounded
+#define LOAD_INLINE static
+#define SHAPE cylint_shape
+#define LINE cylint_line
+#define DIRECTION(l, i) bounded_of(l->d[i])
+#define AXIS(s, i) bounded_of(s->axis[i])
+#define FROM_BASE(l, s, i) bounded_of(l->o[i] - s->base[i])
+#define FROM_TOP(l, s, i) bounded_of(l->o[i] - s->top[i])
+#define BEFORE_TOP(D, w) bounded_sub(D, w)
+#define SEMI_AXIS_A(s, i) bounded_of(s->a[i])
+#define SEMI_AXIS_B(s, i) bounded_of(s->left_handed ? -s->b[i] : s->b[i])
+#define RADIUS(s, end) bounded_of(cylint_end_factor(s, end))
+#define RADIUS_GROWTH(s) bounded_of(s->dr)
+#define ONE bounded_of(1)
+#include "load_template.h"
+
 static void load_bounded(cylint_query *q)
 {
-    const cylint_shape *s = q->near_shape;
-    const cylint_line *l = q->near_line;
     terms_bounded *L = &q->bounded_terms;
-    L->kind = s->kind;
-    for (int i = 0; i < 3; i++) {
-        L->u[i] = bounded_of(l->d[i]);
-        L->w[i] = bounded_of(s->axis[i]);
-        L->D[0][i] = bounded_of(l->o[i] - s->base[i]);
-    }
-    if (cylint_is_elliptic(s->kind))
-        for (int i = 0; i < 3; i++) {
-            L->a[i] = bounded_of(s->a[i]);
-            L->b[i] = bounded_of(s->left_handed ? -s->b[i] : s->b[i]);
-        }
-    L->r[0] = bounded_of(s->r0);
-    L->r[1] = bounded_of(s->r1);
-    L->dr = bounded_of(s->dr);
-    L->one = bounded_of(1);
+    load_shape_bounded(L, q->near_shape, q->near_shape->kind);
+    load_line_bounded(L, q->near_shape, q->near_line);
     prepare_shape_bounded(L);
 }
 
@@ -114,11 +115,7 @@ const terms_bounded *cylint_bounded_terms_with_top(cylint_query *q)
 {
     if (!(q->ready & CYLINT_READY_TOP)) {
         terms_bounded *L = &q->bounded_terms;
-        for (int i = 0; i < 3; i++)
-            L->D[1][i] =
-                cylint_has_end_points(L->kind)
-                    ? bounded_of(q->near_line->o[i] - q->near_shape->top[i])
-                    : bounded_sub(L->D[0][i], L->w[i]);
+        load_top_bounded(L, q->near_shape, q->near_line);
         prepare_top_bounded(L);
         q->ready |= CYLINT_READY_TOP;
     }
@@ -137,33 +134,33 @@ static bounded_pair bounded_pair_difference(double x, double y)
     return (bounded_pair){d, fabs(d.hi)};
 }
 
+#define FORM(name) name##_pair
+#define LOAD_INLINE static
+#define SHAPE cylint_shape
+#define LINE cylint_line
+#define DIRECTION(l, i) bounded_pair_of(l->d[i], l->d_lo[i])
+#define AXIS(s, i) bounded_pair_of(s->axis[i], s->axis_lo[i])
+#define FROM_BASE(l, s, i) bounded_pair_difference(l->o[i], s->base[i])
+#define FROM_TOP(l, s, i) bounded_pair_difference(l->o[i], s->top[i])
+#define BEFORE_TOP(D, w) bounded_pair_sub(D, w)
+#define SEMI_AXIS_A(s, i) bounded_pair_of(s->a[i], 0)
+#define SEMI_AXIS_B(s, i) \
+    bounded_pair_of(s->left_handed ? -s->b[i] : s->b[i], 0)
+#define RADIUS(s, end) bounded_pair_of(cylint_end_factor(s, end), 0)
+#define RADIUS_GROWTH(s) bounded_pair_of(s->dr, s->dr_lo)
+#define ONE bounded_pair_of(1, 0)
+#include "load_template.h"
+
 terms_pair *cylint_pair_terms(cylint_query *q)
 {
     if (q->ready & CYLINT_READY_PAIR)
         return &q->pair_terms;
     q->ready |= CYLINT_READY_PAIR;
     cylint_reached(PAIRS);
-    const cylint_shape *s = q->near_shape;
-    const cylint_line *l = q->near_line;
     terms_pair *L = &q->pair_terms;
-    L->kind = s->kind;
-    for (int i = 0; i < 3; i++) {
-        L->u[i] = bounded_pair_of(l->d[i], l->d_lo[i]);
-        L->w[i] = bounded_pair_of(s->axis[i], s->axis_lo[i]);
-        L->D[0][i] = bounded_pair_difference(l->o[i], s->base[i]);
-        L->D[1][i] = cylint_has_end_points(s->kind)
-                         ? bounded_pair_difference(l->o[i], s->top[i])
-                         : bounded_pair_sub(L->D[0][i], L->w[i]);
-    }
-    if (cylint_is_elliptic(s->kind))
-        for (int i = 0; i < 3; i++) {
-            L->a[i] = bounded_pair_of(s->a[i], 0);
-            L->b[i] = bounded_pair_of(s->left_handed ? -s->b[i] : s->b[i], 0);
-        }
-    L->r[0] = bounded_pair_of(s->r0, 0);
-    L->r[1] = bounded_pair_of(s->r1, 0);
-    L->dr = bounded_pair_of(s->dr, s->dr_lo);
-    L->one = bounded_pair_of(1, 0);
+    load_shape_pair(L, q->near_shape, q->near_shape->kind);
+    load_line_pair(L, q->near_shape, q->near_line);
+    load_top_pair(L, q->near_shape, q->near_line);
     prepare_shape_pair(L);
     L->beta = dot_pair(L, L->u, axial_pair(L));
     return L;
@@ -180,35 +177,30 @@ terms_pair *cylint_pair_line_terms(cylint_query *q)
     return L;
 }
 
-static void load_exact(cylint_query *q, terms_exact *L)
-{
-    const cylint_shape *s = q->shape;
-    const cylint_line *l = q->line;
-    cylint_arena *m = L->arena;
-    for (int i = 0; i < 3; i++) {
-        L->u[i] = l->segment ? cylint_exact_difference(m, l->end[i], l->o[i])
-                             : cylint_exact_from(m, l->d[i]);
-        L->D[0][i] = cylint_exact_difference(m, l->o[i], s->base[i]);
-        if (cylint_has_end_points(s->kind)) {
-            L->w[i] = cylint_exact_difference(m, s->top[i], s->base[i]);
-            L->D[1][i] = cylint_exact_difference(m, l->o[i], s->top[i]);
-        } else {
-            L->w[i] = cylint_exact_from(m, s->axis[i]);
-            L->D[1][i] =
-                cylint_exact_add(m, L->D[0][i], cylint_exact_neg(L->w[i]));
-        }
-        if (cylint_is_elliptic(s->kind)) {
-            L->a[i] = cylint_exact_from(m, s->a[i]);
-            L->b[i] = cylint_exact_from(m, s->left_handed ? -s->b[i] : s->b[i]);
-        }
-    }
-    L->r[0] = cylint_exact_from(m, s->r0);
-    L->r[1] = cylint_exact_from(m, s->r1);
-    L->dr = cylint_has_tangent(s->kind)
-                ? L->r[1]
-                : cylint_exact_difference(m, s->r1, s->r0);
-    L->one = cylint_exact_from(m, 1);
-}
+/* Differences of data, not the nearest doubles to them. */
+#define FORM(name) name##_exact
+#define LOAD_INLINE static
+#define SHAPE cylint_shape
+#define LINE cylint_line
+#define DATUM(x) cylint_exact_from(L->arena, x)
+#define DIFFERENCE(x, y) cylint_exact_difference(L->arena, x, y)
+#define DIRECTION(l, i) \
+    (l->segment ? DIFFERENCE(l->end[i], l->o[i]) : DATUM(l->d[i]))
+#define AXIS(s, i)                                                   \
+    (cylint_has_end_points(kind) ? DIFFERENCE(s->top[i], s->base[i]) \
+                                 : DATUM(s->axis[i]))
+#define FROM_BASE(l, s, i) DIFFERENCE(l->o[i], s->base[i])
+#define FROM_TOP(l, s, i) DIFFERENCE(l->o[i], s->top[i])
+#define BEFORE_TOP(D, w) cylint_exact_add(L->arena, D, cylint_exact_neg(w))
+#define SEMI_AXIS_A(s, i) DATUM(s->a[i])
+#define SEMI_AXIS_B(s, i) DATUM(s->left_handed ? -s->b[i] : s->b[i])
+#define RADIUS(s, end) DATUM(cylint_end_factor(s, end))
+#define RADIUS_GROWTH(s) \
+    (cylint_has_tangent(kind) ? L->r[1] : DIFFERENCE(s->r1, s->r0))
+#define ONE DATUM(1)
+#include "load_template.h"
+#undef DATUM
+#undef DIFFERENCE
 
 const terms_exact *cylint_exact_terms(cylint_query *q)
 {
@@ -217,10 +209,11 @@ const terms_exact *cylint_exact_terms(cylint_query *q)
     q->ready |= CYLINT_READY_EXACT;
     cylint_reached(EXACT);
     terms_exact *L = &q->exact;
-    L->kind = q->shape->kind;
     L->arena = &q->arena;
     cylint_arena_open(L->arena);
-    load_exact(q, L);
+    load_shape_exact(L, q->shape, q->shape->kind);
+    load_line_exact(L, q->shape, q->line);
+    load_top_exact(L, q->shape, q->line);
     prepare_shape_exact(L);
     return L;
 }
