@@ -8,12 +8,11 @@
 # The input is hard.txt and CYLINT_CASES (100000) records of all families with
 # CYLINT_SEED (1).  Parts without their compiler or emulator are skipped; `make
 # deps-cross` installs them.
-here=$(dirname "$0")
-build=${BUILD:-build}/cross
-records=${BUILD:-build}/tests/records
+. "$(dirname "$0")/verdict.sh"
+here=$top/tests
+records=$build/tests/records
+build=$build/cross
 mkdir -p "$build" || exit 1
-build=$(cd "$build" && pwd)
-passed=0 failed=0 skipped=0
 
 # The makes started here do not share the jobs of the make that runs this.
 MAKEFLAGS=$(printf '%s' "$MAKEFLAGS" | sed 's/ *--jobserver-[a-z]*=[^ ]*//g')
@@ -57,11 +56,6 @@ Windows (mingw-w64, wine)|x86_64-w64-mingw32-gcc|-O2|-static|/usr/lib/wine/wine6
 END
 }
 
-skip() { # name reason
-    skipped=$((skipped + 1))
-    printf 'skip %s: %s\n' "$1" "$2"
-}
-
 # usable COMPILER FLAGS LINK RUNNER: whether programs can be built and run;
 # says what is missing
 usable() {
@@ -94,20 +88,12 @@ built() {
     ${MAKE:-make} -s -C "$here/.." CC="$compiler" CXX17= CFLAGS="$flags" \
         LDFLAGS="$link" BUILD="$folder" $targets >"$build/messages" 2>&1 &&
         return
-    printf 'FAIL %s: it cannot be built\n' "$what"
-    tail -n 5 "$build/messages"
-    failed=$((failed + 1))
+    verdict "$what: it cannot be built" 1 || tail -n 5 "$build/messages"
     return 1
 }
 
-result() { # name status
-    if [ "$2" -eq 0 ]; then
-        passed=$((passed + 1))
-        printf 'ok   %s\n' "$1"
-    else
-        failed=$((failed + 1))
-        printf 'FAIL %s\n' "$1"
-    fi
+result() { # NAME STATUS
+    verdict "$1" "$2" && printf 'ok   %s\n' "$1"
 }
 
 # answers FOLDER COLUMNS RUNNER: writes the answers to FOLDER/answers
@@ -163,11 +149,9 @@ while IFS='|' read -r name compiler flags link runner; do
         cp "$folder/answers" "$build/exact"
     fi
     if [ -z "$trouble" ] && cmp -s "$build/exact" "$folder/answers"; then
-        passed=$((passed + 1))
-        printf 'ok   %s\n' "$name"
+        result "$name" 0
     else
-        failed=$((failed + 1))
-        printf 'FAIL %s: %s\n' "$name" "$trouble"
+        result "$name: $trouble" 1
         printf '%d answers differ\n' \
             "$(diff "$build/exact" "$folder/answers" | grep -c '^>')"
         paste "$build/input" "$build/exact" "$folder/answers" |
@@ -279,6 +263,4 @@ for compiler in gcc clang clang-19; do
         tests_pass "$compiler" '' test_environment test_scene_environment
 done
 
-[ "$skipped" -eq 0 ] && printf '%d passed, %d failed\n' $passed $failed ||
-    printf '%d passed, %d failed, %d skipped\n' $passed $failed $skipped
-[ "$failed" -eq 0 ] && [ "$passed" -gt 1 ]
+check_end && [ $passed -gt 1 ]

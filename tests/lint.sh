@@ -5,25 +5,21 @@
 # width, file length.  A tool that is not installed is named and its check
 # skipped (make deps-cross).  `make lint` runs this; every finding fails.
 cd "$(dirname "$0")/.." || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-passed=0 failed=0 skipped=0
+. tests/verdict.sh
+work=$scratch
 
-verdict() { # what: passes if nothing was found
-    if [ -s "$work/found" ]; then
-        failed=$((failed + 1))
-        printf 'FAIL %s\n' "$1"
-        head -n 40 "$work/found"
-    else
-        passed=$((passed + 1))
+result() { # NAME: passes if $work/found is empty
+    [ ! -s "$work/found" ]
+    if verdict "$1" $?; then
         printf 'ok   %s\n' "$1"
+    else
+        head -n 40 "$work/found"
     fi
 }
 
-installed() { # tool what-it-checks
+installed() { # TOOL CHECK
     command -v "$1" >/dev/null && return
-    skipped=$((skipped + 1))
-    printf 'skip %s: no %s\n' "$2" "$1"
+    skip "$2" "no $1"
     return 1
 }
 
@@ -87,7 +83,7 @@ if installed cppcheck cppcheck; then
         --suppress=missingIncludeSystem --suppress=toomanyconfigs \
         --template='{file}:{line}: {severity}: {message} [{id}]' \
         $library $command 2>&1 | judged >"$work/found"
-    verdict cppcheck
+    result cppcheck
 fi
 
 if installed clang-tidy clang-tidy; then
@@ -102,7 +98,7 @@ if installed clang-tidy clang-tidy; then
         clang-tidy --quiet --checks="$checks" "$@" -- $options 2>/dev/null' \
         sh "$checks" "$options" | grep -E '(warning|error):' |
         sort -u | judged >"$work/found"
-    verdict clang-tidy
+    result clang-tidy
 fi
 
 if installed gcc 'gcc -fanalyzer'; then
@@ -111,14 +107,14 @@ if installed gcc 'gcc -fanalyzer'; then
         [ "$file" = src/filter/many_questions.c ] || printf '%s\n' "$file"
     done | xargs -n 1 -P 2 gcc $options -O1 -fanalyzer -c -o /dev/null 2>&1 |
         grep -E '(warning|error):' | sort -u | judged >"$work/found"
-    verdict 'gcc -fanalyzer'
+    result 'gcc -fanalyzer'
 fi
 
 # ------------------------------------------------------------ the ladder --
 
 if installed python3 'the ladder'; then
     python3 tests/ladder.py "${BUILD:-build}" >"$work/found" 2>&1
-    verdict 'includes and calls point down the ladder of src/README.md'
+    result 'includes and calls point down the ladder of src/README.md'
 fi
 
 # -------------------------------------------------- scripts and manuals --
@@ -127,11 +123,11 @@ fi
 for file in $scripts; do
     sh -n "$file" 2>>"$work/found"
 done
-verdict 'sh -n'
+result 'sh -n'
 
 if installed mandoc mandoc; then
     mandoc -T lint -W style $pages 2>&1 | judged >"$work/found"
-    verdict mandoc
+    result mandoc
 fi
 
 # ------------------------------------------------------------ appearance --
@@ -139,15 +135,15 @@ fi
 if installed clang-format-14 'layout by clang-format'; then
     clang-format-14 --dry-run $(of_kind '\.(c|h)$' |
         grep -v '^tests/embree4/') 2>&1 | grep 'warning:' >"$work/found"
-    verdict 'layout as .clang-format has it'
+    result 'layout as .clang-format has it'
 fi
 
 tab=$(printf '\t')
 grep -nE "$tab" $sources $scripts >"$work/found"
-verdict 'no tabs'
+result 'no tabs'
 
 grep -nE "[ $tab]+\$" $sources $scripts Makefile README.md >"$work/found"
-verdict 'no blanks at line ends'
+result 'no blanks at line ends'
 
 # Aligned formulas may stay aligned; beyond these few columns nothing may.
 awk 'length($0) > 80 {
@@ -155,25 +151,23 @@ awk 'length($0) > 80 {
            FILENAME, FNR, length($0)
 }' $sources >"$work/wide"
 grep -v '^note' "$work/wide" >"$work/found"
-verdict '80 columns'
+result '80 columns'
 grep '^note' "$work/wide"
 
 for file in $sources; do
     lines=$(wc -l <"$file")
     [ "$lines" -lt 700 ] || printf '%s: %d lines\n' "$file" "$lines"
 done >"$work/found"
-verdict 'files below 700 lines'
+result 'files below 700 lines'
 
 for file in $(grep -Ev '^tests/fuzz/corpus/|\.png$' "$work/files"); do
     [ ! -s "$file" ] || [ -z "$(tail -c 1 "$file" | tr -d '\n')" ] ||
         printf '%s\n' "$file"
 done >"$work/found"
-verdict 'every file ends with a newline'
+result 'every file ends with a newline'
 
 grep -nE '(^|[^[:alnum:]_])(TODO|FIXME|XXX)([^[:alnum:]_]|$)' $sources \
     $scripts | grep -v '^tests/lint.sh' >"$work/found"
-verdict 'nothing left for later'
+result 'nothing left for later'
 
-[ "$skipped" -eq 0 ] && printf '%d passed, %d failed\n' $passed $failed ||
-    printf '%d passed, %d failed, %d skipped\n' $passed $failed $skipped
-[ "$failed" -eq 0 ]
+check_end

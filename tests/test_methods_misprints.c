@@ -70,6 +70,15 @@ static cylint_shape upright(double height, cylint_ends ends)
     return shape;
 }
 
+/* Lines parallel to the axis of upright(): inside, on the surface, outside. */
+enum { PARALLELS = 3 };
+static const struct {
+    double o[3];
+    int relation;
+} parallels[PARALLELS] = {{{0.5, 0, -2}, CYLINT_RELATION_CROSS},
+                          {{1, 0, -2}, CYLINT_RELATION_ALONG},
+                          {{7, 0, -2}, CYLINT_RELATION_MISS}};
+
 /* ------------------------------------------------- Shene, Gems IV and V -- */
 
 /* "two intersections if r < |d|, one if r = |d|, none otherwise" */
@@ -269,16 +278,13 @@ static int gullotti_parallel_as_printed(const double p[3], const double v[3])
 static void gullotti_puts_every_parallel_line_on_the_surface(void)
 {
     const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
-    const double x[3] = {0.5, 1, 7};
-    const int expected[3] = {CYLINT_RELATION_CROSS, CYLINT_RELATION_ALONG,
-                             CYLINT_RELATION_MISS};
 
-    for (int i = 0; i < 3; i++) {
-        const double o[3] = {x[i], 0, -2};
+    for (int i = 0; i < PARALLELS; i++) {
+        const double *o = parallels[i].o;
         CHECK(gullotti_parallel_as_printed(o, along_z) ==
               CYLINT_RELATION_ALONG);
         CHECK(corrected(cylint_gullotti, &shape, o, along_z).relation ==
-              expected[i]);
+              parallels[i].relation);
     }
 }
 
@@ -370,15 +376,12 @@ static void closest_points_lose_a_nearly_parallel_line(void)
 static void closest_points_have_no_answer_for_a_parallel_line(void)
 {
     const cylint_shape shape = upright(1, CYLINT_ENDS_INFINITE);
-    const double x[3] = {0.5, 1, 7};
-    const int expected[3] = {CYLINT_RELATION_CROSS, CYLINT_RELATION_ALONG,
-                             CYLINT_RELATION_MISS};
 
-    for (int i = 0; i < 3; i++) {
-        const double o[3] = {x[i], 0, -2};
-        CHECK(!(delta_as_printed(along_z, along_z, 1, x[i]) < HUGE_VAL));
+    for (int i = 0; i < PARALLELS; i++) {
+        const double *o = parallels[i].o;
+        CHECK(!(delta_as_printed(along_z, along_z, 1, o[0]) < HUGE_VAL));
         CHECK(corrected(cylint_closest_points, &shape, o, along_z).relation ==
-              expected[i]);
+              parallels[i].relation);
     }
 }
 
