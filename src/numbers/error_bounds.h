@@ -166,12 +166,12 @@
 /* sqrt(S G) above this: S G has not underflowed. */
 #define CYLINT_RADICAL_LEAST 0x1p-450
 
-/* In unnormalised pairs the origin moved by t is off by 2^-101 of what it was
- * summed up from; a form's relative change is at most four times that. */
+/* The error of the origin moved by t, in unnormalised pairs, is 2^-101 of its
+ * terms.  The relative change of a form is at most four times that. */
 #define CYLINT_MOVED_BOUND 0x1p-99
 
-/* Roots in lanes of this size and more, up to its inverse: no product on the
- * way underflows, no low part of a sum is subnormal. */
+/* Roots in lanes have at least this size and at most its inverse.  Then no
+ * product underflows, and no low part of a sum is subnormal. */
 #define CYLINT_ROOT_LEAST 0x1p-300
 
 /* The bound on the error of t in the fast mode (lanes.h). */

@@ -1,9 +1,9 @@
 # bonds.awk - the bonds between atoms, by distance
 #
-# Two atoms are bonded where their distance is at least 0.4 and at most the
-# sum of their covalent radii [Cordero et al. 2008] plus 0.45 angstrom, the
-# customary allowance; hydrogens do not bond each other.  Each bond gives
-# one cylinder of the given radius, labelled by the atoms' serial numbers:
+# Two atoms are bonded if their distance is at least 0.4 angstrom and at most
+# the sum of their covalent radii [Cordero et al. 2008] plus 0.45 angstrom, the
+# usual tolerance.  Two hydrogens are never bonded.  Each bond gives one
+# cylinder of the given radius.  Its label is the serial numbers of the atoms:
 #
 #     cylinder x0 y0 z0  x1 y1 z1  radius  serial0-serial1
 
@@ -37,8 +37,8 @@ function forget_atoms()
     atoms = 0
 }
 
-# Of the alternate locations in a residue, the first counts.  Returns whether
-# this is the one; none is given as "".
+# Returns whether an atom has the first alternate location of its residue; ""
+# means that there is none.
 function is_chosen(residue, alternate)
 {
     if (alternate == "")
@@ -61,7 +61,7 @@ function add_atom(number, symbol, ax, ay, az)
     bond_with_neighbours(atoms)
 }
 
-# Cells as wide as the longest bond: partners are in the 27 around an atom.
+# Cells as wide as the longest bond: the partners of an atom are in 27 cells.
 function bond_with_neighbours(new,   i, j, k, m, n, width, near, count,
                               others)
 {

@@ -1,13 +1,13 @@
-# common.awk - what all kinds share: reading files, numbers, messages
+# common.awk - the common part of all kinds: files, numbers, messages
 #
-# A kind defines begin_file(), read_line(text), end_file() and, for what
-# follows the last file, finish(); its BEGIN calls convert_files().  A kind
-# that reads ahead calls next_line() in begin_file().  Files are read by
-# getline, so that a missing or empty file and a name with a `=` are noticed.
-# Lines end with LF, CR LF or CR.
+# A kind defines begin_file(), read_line(text), end_file() and finish(), which is
+# called after the last file; its BEGIN calls convert_files().  A kind that
+# reads ahead calls next_line() in begin_file().  Files are read by getline, so
+# that a missing or empty file is detected and a name may have a `=`.  Lines end
+# with LF, CR LF or CR.
 #
-# Numbers are written as the text that was read, so no digit is lost; their
-# values serve to refuse what `cylint -s` refuses.
+# Numbers are written with the digits that were read.  Their values are used only
+# to refuse what `cylint -s` refuses.
 
 function convert_files(   i)
 {
@@ -51,7 +51,7 @@ function next_line(   status)
     return 1
 }
 
-# `line` is several lines, in a file in which CR alone ends a line.
+# Splits `line` into lines, in a file in which CR alone ends a line.
 function cut_line()
 {
     parts = split(line, part, "\r")
@@ -61,7 +61,7 @@ function cut_line()
 
 # ------------------------------------------------------------------ numbers --
 
-# Is this text a finite decimal number?
+# Returns whether the text is a finite decimal number.
 function is_number(text)
 {
     return is_decimal(text) && is_finite(text)
@@ -86,7 +86,7 @@ function here()
     return file ":" line_number
 }
 
-# The command's wording.
+# The same wording as in cylint.
 function refuse_found(expected, text)
 {
     refuse(here(), "expected " expected ", found " quoted(text))

@@ -1,14 +1,14 @@
 # mmcif.awk - the atoms of an mmCIF file
 #
-# A file is a sequence of tokens: names of items, values and the words data_,
-# loop_ and the like.  `loop_` is followed by the names of its columns, then
-# by rows of values, which may continue over lines.  A value may be quoted or
-# be a text of several lines between lines that begin with `;`.  The category
-# _atom_site has one row an atom; with one atom it may be given without a loop.
+# A file is a sequence of tokens: names of items, values and keywords such as
+# data_ and loop_.  After `loop_` come the names of its columns, then rows of
+# values, which may continue over lines.  A value may be quoted, or it may be a
+# text of several lines between lines that begin with `;`.  The category
+# _atom_site has one row for each atom; for one atom there may be no loop.
 # [Hall, Allen and Brown 1991, "The Crystallographic Information File"]
 
-# state: "" names of single items may follow; "names" a loop's names may
-# follow; "values" a loop's values may follow.
+# state: the tokens that may follow.  "": names of single items; "names": names
+# of a loop; "values": values of a loop.
 function begin_mmcif()
 {
     state = pending = ""
@@ -43,7 +43,7 @@ function read_mmcif_line(text)
         text = take_token(substr(text, RSTART))
 }
 
-# Takes the token that the text begins with; returns what follows it.
+# Reads the token at the beginning of the text.  Returns the rest of the text.
 function take_token(text,   quote, i, token)
 {
     quote = substr(text, 1, 1)
@@ -152,7 +152,7 @@ function take_atom(   ax, ay, az)
     add_atom(item_of("id", ""), element_of_item(), ax, ay, az)
 }
 
-# The value of one item, or else of the other; "" where both are unknown.
+# Returns the value of an item, or of the other if it is unknown; "" if both are.
 function item_of(name, other)
 {
     if (name in item && item[name] != "." && item[name] != "?")
@@ -177,8 +177,8 @@ function cartesian(axis,   text)
     return text
 }
 
-# Without type_symbol the element is taken from the atom's name: all its
-# letters where the residue is that atom alone, otherwise the first.
+# Without type_symbol the element is read from the atom's name: all its letters
+# if the residue has the same name, otherwise the first.
 function element_of_item(   name)
 {
     name = toupper(item_of("type_symbol", ""))

@@ -1,9 +1,9 @@
 # pdb.awk - molecules in PDB or mmCIF: a cylinder for each bond
 #
 # The first line that is neither blank nor a comment shows which of the two a
-# file is: mmCIF begins with `data_`, `loop_` or an item's name.  Of several
-# models the first counts, of alternate locations the first letter found in a
-# residue.  A file without atoms is refused.
+# file is: mmCIF begins with `data_`, `loop_` or an item's name.  Only the first
+# model is read, and only the first alternate location in each residue.  A file
+# without atoms is refused.
 
 BEGIN {
     if (!is_number(radius) || radius <= 0)
@@ -69,8 +69,8 @@ function bare(text)
     return text
 }
 
-# The element stands in columns 77 and 78.  Where it is missing, it is taken
-# from the first two columns of the atom's name, which is right-aligned.
+# The element is in columns 77 and 78.  If it is missing, it is read from the
+# first two columns of the atom's name, right-aligned.
 function element_of_line(text,   name)
 {
     name = toupper(bare(substr(text, 77, 2)))

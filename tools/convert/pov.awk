@@ -1,13 +1,12 @@
 # pov.awk - POV-Ray cylinders and cones
 #
-# Takes `cylinder { <x,y,z>, <x,y,z>, r [open] ... }` and `cone { <x,y,z>, r,
-# <x,y,z>, r [open] ... }` whose numbers pov_numbers.awk understands; each
-# becomes one line of the scene, labelled with the line of the file it begins
-# on.  Other objects are passed over, textures too.  Coordinates stay as they
-# are, so that POV-Ray's left-handed axes are mirrored if taken as
-# right-handed.
+# Reads `cylinder { <x,y,z>, <x,y,z>, r [open] ... }` and `cone { <x,y,z>, r,
+# <x,y,z>, r [open] ... }` whose numbers pov_numbers.awk can compute.  Each
+# becomes one line of the scene; its label is the line of the file on which it
+# begins.  Other objects and textures are skipped.  Coordinates are not changed:
+# POV-Ray's axes are left-handed, so the scene is mirrored in right-handed axes.
 #
-# A shape that needs POV-Ray itself is refused, or left out and counted if
+# A shape that only POV-Ray can evaluate is refused, or left out and counted if
 # `skip`: one that is transformed, clipped, declared, repeated, conditional, or
 # a part of a difference, an intersection or an object that is transformed.
 
@@ -105,7 +104,7 @@ function take_directive(word)
 
 # ------------------------------------------------------------------ blocks --
 
-# Blocks are kept on a stack by the word before their brace.
+# A stack has the word before the brace of each open block.
 function open_block(name)
 {
     depth++
@@ -138,8 +137,8 @@ function close_block(   n, reason)
     depth--
 }
 
-# A word in a block that alters what is in it.  A word before a parenthesis
-# may be a macro that does so.
+# A word in a block that transforms or clips its contents.  A word before a
+# parenthesis may be a macro that does this.
 function take_modifier(word, before)
 {
     if (depth == 0)
@@ -168,7 +167,7 @@ function alter(how)
 
 # ------------------------------------------------------------------ shapes --
 
-# After the word cylinder or cone, which is also a kind of light.
+# Reads the text after the word cylinder or cone, which may also be a light.
 function take_shape(kind,   place, first_line, reason)
 {
     place = here()
@@ -193,7 +192,7 @@ function take_shape(kind,   place, first_line, reason)
         read_numbers(kind)
 }
 
-# Why a shape that stands here is not in the picture as it is written, or "".
+# Returns why POV-Ray does not show a shape here as it is written, or "".
 function surroundings(   i)
 {
     for (i = 1; i <= depth; i++)
@@ -215,8 +214,8 @@ function surroundings(   i)
     return ""
 }
 
-# The shape that is being read is left out, once.  A bounding shape is not part
-# of the picture.
+# Leaves out the present shape and counts it once.  A bounding shape is not
+# part of the picture.
 function leave_out_now(reason, place)
 {
     if (left[depth] == "" && reason != "bounds")

@@ -5,11 +5,11 @@
 #     factor = (+ | -) factor | atom { . (x | y | z) }
 #     atom   = number | name | x | y | z | pi | ( sum ) | < sum , sum , sum >
 #
-# A value is the text of one number, or of three with blanks between.  A
-# literal keeps its text.  As in POV-Ray, operators take vectors component by
-# component, and a number beside a vector stands for three equal ones.
+# A value is the text of one number, or of three numbers separated by blanks.  A
+# literal keeps its text.  As in POV-Ray, operators work on each component of
+# vectors, and a number beside a vector means three equal components.
 #
-# Each function returns "" where it fails; `trouble` then is the message.
+# Each function returns "" if it fails; then `trouble` is the message.
 
 function parse_value()
 {
@@ -196,8 +196,8 @@ function forget_all_names()
     split("", known)
 }
 
-# After the word #declare or #local.  In a loop or a condition it leaves the
-# name unknown; in a macro #local is the macro's own.
+# Reads the text after the word #declare or #local.  In a loop or a condition the
+# name becomes unknown.  In a macro #local declares a name of the macro.
 function read_declaration(directive,   name, value)
 {
     name = token
@@ -224,7 +224,7 @@ function read_declaration(directive,   name, value)
         known[name] = value
 }
 
-# Skips a value that is not a number, to its end or to the block that it is.
+# Skips a value that is not a number: to its end, or to its block.
 function skip_value()
 {
     while (token != "" && token !~ /^([;{}]|#.*|cylinder|cone)$/) {
@@ -240,8 +240,7 @@ function read_macro_name()
     advance()
 }
 
-# Skips what stands between parentheses, to the last one.  forgetting: the
-# names there may be set.
+# Skips the text in parentheses.  forgetting: the names in it become unknown.
 function skip_arguments(forgetting,   open)
 {
     if (token != "(")

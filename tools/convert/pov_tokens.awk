@@ -23,7 +23,7 @@ function advance()
     }
 }
 
-# Takes a token, blanks or a part of a comment off the rest of the line.
+# Removes a token, blanks or a part of a comment from the rest of the line.
 function cut_token()
 {
     if (comments > 0) {

@@ -1,11 +1,11 @@
 # qsm.awk - trees as tables of cylinders (QSM)
 #
-# Columns are found by name, whatever their order, case and punctuation, so
-# that the tables of aRchi, rTwig and SimpleForest can be read: startX or
-# start_x, endX or else axis_x and length, radius or radius_cyl, ID or
-# cyl_ID.  Fields are separated by commas, semicolons or tabs, whichever the
-# header has.  TreeQSM text (`treeqsm`) has no header; its columns are radius,
-# length, start (3) and axis (3), then others; its lines are numbered from 1.
+# Columns are found by name, in any order, case and punctuation, so that the
+# tables of aRchi, rTwig and SimpleForest can be read: startX or start_x, endX
+# or else axis_x and length, radius or radius_cyl, ID or cyl_ID.  Fields are
+# separated by commas, semicolons or tabs, as in the header.  TreeQSM text
+# (`treeqsm`) has no header; its columns are radius, length, start (3) and axis
+# (3), then others; its lines are numbered from 1.
 #
 #     cylinder x0 y0 z0  x1 y1 z1  radius  id
 
@@ -48,7 +48,7 @@ function finish()
     note_skipped(without_radius, "cylinder", "radius")
 }
 
-# The value of a named column of the current line, which must be a number.
+# Returns the value of a named column of the current line; it must be a number.
 function number(name,   text)
 {
     text = bare(field[column[name]])

@@ -49,7 +49,7 @@ function split_fields(text)
     fields = split(text, field, ",")
 }
 
-# An empty field is a comma too many.
+# An empty field means a comma too many.
 function refuse_field(what, i)
 {
     if (i <= fields)
