@@ -21,7 +21,7 @@ static int check_passed, check_failed, check_bad;
 
 #define CHECK_SHOWN 10 /* failures printed in full per test */
 
-#ifdef CHECK_STOPS /* set by tests/mutants.py: the first failure ends the program */
+#ifdef CHECK_STOPS /* by tests/mutants.py: the first failure ends the run */
 #define CHECK(cond) ((cond) ? 1 : (exit(1), 0))
 #else
 #define CHECK(cond)                                                      \

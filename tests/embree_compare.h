@@ -36,8 +36,9 @@ static inline struct world made(const cylint_shape *shapes, size_t n,
 
 enum { SOME = 200 };
 
-/* A ray to a point among SOME shapes, from up to three sides of their cube away,
- * with a direction of a length from 1e-3 to 1e3; some rays begin inside. */
+/* A ray to a point among SOME shapes, from up to three sides of their cube
+ * away, with a direction of a length from 1e-3 to 1e3; some rays begin
+ * inside. */
 static inline void aim(uint64_t *state, struct rays *r, int i)
 {
     float o[3], d[3];

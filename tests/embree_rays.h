@@ -2,9 +2,9 @@
  * embree_rays.h - rays for Embree 3 and 4 as words, checked for stray writes
  *
  * Embree lays out n rays member by member: member m of ray i is word m n + i,
- * for n = 1 too; a hit's members follow the ray's.  So one array of words
- * holds single rays and packets of 4, 8 and 16, and every word that a query must
- * not write can be compared with its value before.
+ * for n = 1 too; a hit's members follow the ray's.  So one array of words holds
+ * single rays and packets of 4, 8 and 16, and every word that a query must not
+ * write can be compared with its value before.
  */
 #ifndef CYLINT_EMBREE_RAYS_H
 #define CYLINT_EMBREE_RAYS_H

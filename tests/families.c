@@ -301,8 +301,8 @@ static void exactly_parallel(struct family_case *out)
  * Exact tangents in whole numbers.  (p, q, r) is a Pythagorean triple in the
  * plane of two coordinates, r the radius, and the axis is along the third.  The
  * line through axis + (p, q) along (-q, p), plus any whole multiple of the axis
- * direction, touches the cylinder.  For a cone with dr = -r and h = 1 the ruling
- * (-p, -q, 1) may be added to the direction.
+ * direction, touches the cylinder.  For a cone with dr = -r and h = 1 the
+ * ruling (-p, -q, 1) may be added to the direction.
  */
 static void pythagorean(struct family_case *out)
 {

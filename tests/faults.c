@@ -15,7 +15,7 @@
  *   read=N        N bytes are read, then reading fails with EIO
  *   write=N       N bytes are written, then writing fails with ENOSPC
  *   close=N       the N-th close fails with EIO
- *   alloc=N       the N-th allocation fails; allocs=N: the N-th and all later ones
+ *   alloc=N       the N-th allocation fails; allocs=N: and all later ones
  *   thread=N      the N-th thread and all later ones fail
  *   pipe=1        every pipe fails
  *   calls=N       aborts after N reads, writes and polls
@@ -24,8 +24,8 @@
  *   count=1       prints the number of allocations at the end
  *
  * N counts from 1, bytes from 0.  These failures have the exit status 99.  A
- * counter decides which calls fail, so one thread has the same failures in every
- * run.
+ * counter decides which calls fail, so one thread has the same failures in
+ * every run.
  */
 #include <errno.h>
 #include <fcntl.h>

@@ -2,8 +2,8 @@
  * guarded.h - arrays that begin or end at a guard page
  *
  * A struct guarded is some pages between two guard pages, which can be neither
- * read nor written.  An array is placed `gap` bytes from one of them.  An access
- * to a guard page ends the program with a message.
+ * read nor written.  An array is placed `gap` bytes from one of them.  An
+ * access to a guard page ends the program with a message.
  */
 #ifndef CYLINT_GUARDED_H
 #define CYLINT_GUARDED_H

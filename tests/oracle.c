@@ -332,8 +332,8 @@ static int inside_at(const critical *at)
     return in;
 }
 
-/* The sign of g on the open interval before critical parameter `gap`.  A zero of
- * g that matters is a critical parameter. */
+/* The sign of g on the open interval before critical parameter `gap`.  A zero
+ * of g that matters is a critical parameter. */
 static int linear_sign_in_gap(linear *g, int gap)
 {
     const int slope = mpz_sgn(g->g1);

@@ -12,10 +12,10 @@
 
 #include "cylint.h"
 
-/* Writes the answer that cylint_intersect() must give.  relation, n, and t, part
- * and side of each hit are always written, other members if `want` names them;
- * NEAREST keeps the first hit only.  Zeros have no sign.  A component of point,
- * normal, z or phi that is not exactly 0 is at least 2^-1074 in size. */
+/* Writes the answer that cylint_intersect() must give.  relation, n, and t,
+ * part and side of each hit are always written, other members if `want` names
+ * them; NEAREST keeps the first hit only.  Zeros have no sign.  A component of
+ * point, normal, z or phi that is not exactly 0 is at least 2^-1074 in size. */
 void oracle_intersect(const cylint_shape *shape, const cylint_line *line,
                       unsigned want, cylint_answer *expected);
 

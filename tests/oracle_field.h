@@ -1,8 +1,8 @@
 /*
  * oracle_field.h - the oracle's arithmetic: integers, and x + y sqrt(D)
  *
- * Only oracle.c includes it.  A double is an integer times a power of two, and a
- * critical parameter is (p + q sqrt(D)) / r.  This file computes their signs,
+ * Only oracle.c includes it.  A double is an integer times a power of two, and
+ * a critical parameter is (p + q sqrt(D)) / r.  This file computes their signs,
  * comparisons and roundings exactly; functions *_value round to BITS bits.
  */
 #ifndef CYLINT_ORACLE_FIELD_H

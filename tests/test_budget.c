@@ -244,8 +244,8 @@ static void true_bound(const cylint_shape *s, int i, int j, int up)
         mpfr_sub(m_[1], m_[1], m_[0], MPFR_RNDN);
 }
 
-/* Where coordinate and half width cancel, the error is that of pairs of doubles:
- * 2^-96 of the terms. */
+/* Where coordinate and half width cancel, the error is that of pairs of
+ * doubles: 2^-96 of the terms. */
 static double cancelled(const cylint_shape *s, int j)
 {
     const int factors = s->kind >= CYLINT_KIND_ACONE;

@@ -192,8 +192,8 @@ static void a_ray_within_a_face_of_the_box_is_not_lost(void)
     }
 }
 
-/* The library refuses such a line, so nothing is hit.  (Embree gets no rays that
- * are not finite: for these its results are undefined.) */
+/* The library refuses such a line, so nothing is hit.  (Embree gets no rays
+ * that are not finite: for these its results are undefined.) */
 static void a_ray_without_direction_hits_nothing(void)
 {
     const double p0[3] = {0, 0, -1}, p1[3] = {0, 0, 1};
@@ -258,9 +258,9 @@ static void masks_select_the_visible_geometries(void)
 
 /* ----------------------------------------------------------------- ties -- */
 
-/* Of shapes hit at the same t the lowest number is reported, whichever leaf they
- * are in; of shapes whose t differ by less than a float's last place the nearer
- * one. */
+/* Of shapes hit at the same t the lowest number is reported, whichever leaf
+ * they are in; of shapes whose t differ by less than a float's last place the
+ * nearer one. */
 static void equal_and_nearly_equal_hits_are_distinguished(void)
 {
     enum { MANY = 40 };
@@ -294,7 +294,8 @@ static void equal_and_nearly_equal_hits_are_distinguished(void)
         }
 }
 
-/* The same with shapes that move along the ray; at time 1/2 it hits the caps. */
+/* The same with shapes that move along the ray; at time 1/2 it hits the
+ * caps. */
 static void equal_hits_of_moving_shapes_are_distinguished(void)
 {
     enum { MANY = 40 };

@@ -1,9 +1,9 @@
 /*
  * test_embree_filter.c - floor embree: filters get each hit once
  *
- * A filter here rejects by a rule on shape and t.  Each hit that it gets must be a
- * hit of the library with all its members, and the result must be the nearest
- * hit that the rule accepts.
+ * A filter here rejects by a rule on shape and t.  Each hit that it gets must
+ * be a hit of the library with all its members, and the result must be the
+ * nearest hit that the rule accepts.
  */
 #include <math.h>
 #include <string.h>

@@ -2,9 +2,9 @@
  * test_embree_float_filter.c - floor embree: the float filter agrees with the
  * library
  *
- * Every build of float_filter.c and packet_filter.c that this processor can run,
- * on lines of all families, rounded to floats: hits, parts, t and z within their
- * errors, and the floats of a description bit for bit.
+ * Every build of float_filter.c and packet_filter.c that this processor can
+ * run, on lines of all families, rounded to floats: hits, parts, t and z within
+ * their errors, and the floats of a description bit for bit.
  */
 #include <float.h>
 #include <math.h>
@@ -287,7 +287,8 @@ static void a_certain_result_of_the_packet_filter_is_the_librarys(void)
     }
 }
 
-/* Near the base z is small, and the error of the library's z is relative to 1. */
+/* Near the base z is small, and the error of the library's z is relative to
+ * 1. */
 static void a_small_z_is_no_more_certain_than_the_librarys(void)
 {
     const double p0[3] = {-0x1.6020a5d5p+48, -0x1.c0feab9p+8, 0};

@@ -2,9 +2,9 @@
  * test_embree_packets.c - floor embree: packets return the answers to the rays
  * alone
  *
- * All, some or none of the rays of a packet go in the same direction through all kinds of
- * scenes.  Every word of every answer is compared with the answer to the ray
- * alone, which other tests compare with the library.
+ * All, some or none of the rays of a packet go in the same direction through
+ * all kinds of scenes.  Every word of every answer is compared with the answer
+ * to the ray alone, which other tests compare with the library.
  */
 #include <math.h>
 #include <string.h>

@@ -4,9 +4,9 @@
  *
  * All kinds of lines through all kinds of scenes, as float rays, compared with
  * cylint_nearest() on the same floats.  From within three sizes of the scene
- * every answer has the same bits.  Embree misses some rays from farther away, up
- * to 1e16 sizes, as cylint_embree.h says: they are counted, and a reported hit
- * must be a hit of the library.
+ * every answer has the same bits.  Embree misses some rays from farther away,
+ * up to 1e16 sizes, as cylint_embree.h says: they are counted, and a reported
+ * hit must be a hit of the library.
  *
  *     test_embree_random [RAYS [SHAPES [SEED]]]
  */
@@ -183,9 +183,9 @@ static void primitives_answer_as_brute_force_does(void)
     answers_are_those_of_brute_force(CYLINT_EMBREE_SINGLE, 3);
 }
 
-/* Lengths from 1e-6 to 1e7: the entry and the exit of a small shape may round to
- * the same float.  The entry is the hit even if the traversal finds the piece
- * with the exit first. */
+/* Lengths from 1e-6 to 1e7: the entry and the exit of a small shape may round
+ * to the same float.  The entry is the hit even if the traversal finds the
+ * piece with the exit first. */
 static void hits_of_a_shape_that_share_a_float_are_distinguished(void)
 {
     struct tally n = {.sizes = 4095};
@@ -213,8 +213,8 @@ static void cross(const double x[3], const double y[3], double to[3])
             x[(k + 1) % 3] * y[(k + 2) % 3] - x[(k + 2) % 3] * y[(k + 1) % 3];
 }
 
-/* A ray that nearly touches the shape: at its lateral surface, at a rim, or with
- * an end of its domain. */
+/* A ray that nearly touches the shape: at its lateral surface, at a rim, or
+ * with an end of its domain. */
 static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
                             uint64_t *state)
 {

@@ -1,10 +1,10 @@
 /*
  * test_embree_threads.c - floor embree: eight threads get the answers of one
  *
- * Every thread traces all single rays and packets, nearest and occluded, through
- * one geometry of the adapter and one cylint_scene, each in another order.  The
- * processor's subnormal modes differ from thread to thread; the answers must
- * not.  `make check-threads` runs this under the thread sanitizer.
+ * Every thread traces all single rays and packets, nearest and occluded,
+ * through one geometry of the adapter and one cylint_scene, each in another
+ * order.  The processor's subnormal modes differ from thread to thread; the
+ * answers must not.  `make check-threads` runs this under the thread sanitizer.
  *
  *     test_embree_threads [RAYS]
  */

@@ -4,10 +4,10 @@
  *
  * Shapes are made and questions answered in the default environment and in
  * another one: rounding upward, downward or toward zero, subnormal results
- * flushed to zero, subnormal operands treated as zero.  Relation, number, parts,
- * sides, every bit of t, and the statuses of the constructors must agree.
- * CYLINT_CASES is the number of cases of each family, CYLINT_SEED changes all
- * cases, CYLINT_FAMILY=n tests one family.
+ * flushed to zero, subnormal operands treated as zero.  Relation, number,
+ * parts, sides, every bit of t, and the statuses of the constructors must
+ * agree. CYLINT_CASES is the number of cases of each family, CYLINT_SEED
+ * changes all cases, CYLINT_FAMILY=n tests one family.
  */
 #include <math.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /*
  * test_fast.c - floor filter: the fast t depends on line, shape and root only
  *
- * A lane, a single question and the exact signs give the same fast t, within its
- * bound.  The origins are far away, where t in doubles is barely accurate
+ * A lane, a single question and the exact signs give the same fast t, within
+ * its bound.  The origins are far away, where t in doubles is barely accurate
  * enough.
  */
 #include <math.h>

@@ -26,8 +26,8 @@ static void half_angles_whose_tangent_rounds_to_0_are_refused(void)
           CYLINT_OK);
 }
 
-/* For every set of faults, the bits of `faults`, a constructor returns the first
- * fault in the order of the list. */
+/* For every set of faults, the bits of `faults`, a constructor returns the
+ * first fault in the order of the list. */
 struct faults {
     double number; /* not finite */
     double radius, angle, axis[3], zero[3];

@@ -1,8 +1,8 @@
 /*
  * test_intersect.c - floor intersect: the library against the oracle, by family
  *
- * Relation, number, parts, sides and every bit of t must agree; point, normal, z
- * and phi must agree within 4 ulp, and their largest errors are printed.
+ * Relation, number, parts, sides and every bit of t must agree; point, normal,
+ * z and phi must agree within 4 ulp, and their largest errors are printed.
  * CYLINT_CASES is the number of cases of each family, CYLINT_SEED changes all
  * cases, CYLINT_FAMILY=n tests one family.
  */

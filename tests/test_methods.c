@@ -44,8 +44,8 @@ static void random_vector(double size, double out[3])
         out[i] *= size / sqrt(length2);
 }
 
-/* The ratio of the top's radius to the base's: 0, below 1 or above 1, but not so
- * near 1 that the apex is far away. */
+/* The ratio of the top's radius to the base's: 0, below 1 or above 1, but not
+ * so near 1 that the apex is far away. */
 static double random_ratio(void)
 {
     const double pick = between(0, 4);

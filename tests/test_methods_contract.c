@@ -380,8 +380,8 @@ static void an_angle_stays_below_a_turn(void)
     }
 }
 
-/* Shene's plane is tangent to the cone in a ruling.  The line meets the ruling in
- * one point, or is parallel to it. */
+/* Shene's plane is tangent to the cone in a ruling.  The line meets the ruling
+ * in one point, or is parallel to it. */
 static void a_tangent_plane_has_one_ruling(void)
 {
     const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1};

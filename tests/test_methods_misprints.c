@@ -334,8 +334,8 @@ static void gullottis_leading_coefficient_cancels(void)
     CHECK(a.n == 2 && a.hit[0].t == 2 && a.hit[1].t == 4);
 }
 
-/* The x coordinate under M = T R S.  The columns of R are the directions of a, b
- * and c; R is inverted by its transpose, as a rotation is. */
+/* The x coordinate under M = T R S.  The columns of R are the directions of a,
+ * b and c; R is inverted by its transpose, as a rotation is. */
 static double gullotti_local_x_as_printed(const double D[3], const double a[3])
 {
     return dot(D, a) / dot(a, a);

@@ -155,7 +155,8 @@ static void a_reversed_segment_has_hits_at_1_minus_t(void)
 }
 
 /* The hits are those of the whole line that lie in the domain.  Where t rounds
- * to an end of the domain the exact root decides; only the oracle tests that. */
+ * to an end of the domain the exact root decides; only the oracle tests
+ * that. */
 static void clipped(const struct family_case *given)
 {
     struct family_case c = *given;

@@ -2,9 +2,9 @@
  * test_scene.c - floor scene: a scene returns what all its shapes return
  *
  * Every kind of line is traced through every kind of scene, and tested against
- * each shape in a batch.  Both must find the same shapes, the same nearest shape
- * and the same bits of its hit.  An argument sets the number of lines of each
- * kind for each scene (make check-scene).  CYLINT_SEED changes all random
+ * each shape in a batch.  Both must find the same shapes, the same nearest
+ * shape and the same bits of its hit.  An argument sets the number of lines of
+ * each kind for each scene (make check-scene).  CYLINT_SEED changes all random
  * numbers.
  */
 #include <math.h>

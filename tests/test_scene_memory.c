@@ -1,8 +1,8 @@
 /*
  * test_scene_memory.c - floor scene: refused allocations leave no memory behind
  *
- * A scene allocates with malloc() and calloc(), which the linker replaces by the
- * functions below.  Each allocation is refused in turn.
+ * A scene allocates with malloc() and calloc(), which the linker replaces by
+ * the functions below.  Each allocation is refused in turn.
  */
 #include <stdlib.h>
 #include <string.h>

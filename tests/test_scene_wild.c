@@ -7,8 +7,8 @@
  * double; exact coincidences scaled until they are subnormal or huge; domains
  * that begin and end at hits.  Each group is answered one by one, with several
  * values of `want`, and by every batch and scene function, in all rounding
- * modes, with subnormal results flushed or not and subnormal operands treated as
- * zero or not.
+ * modes, with subnormal results flushed or not and subnormal operands treated
+ * as zero or not.
  *
  * A question is one line and one shape in one call.  CYLINT_CASES is the number
  * of questions in each environment, CYLINT_SEED changes the groups,
@@ -219,8 +219,8 @@ struct answers {
     int occluded[GROUP][GROUP];
 };
 
-/* The number of questions in a group.  Nearest, count and any of a pack or scene
- * count once for every shape. */
+/* The number of questions in a group.  Nearest, count and any of a pack or
+ * scene count once for every shape. */
 enum { QUESTIONS = GROUP * GROUP * (1 + 2 + 3 + 3 + 1) + GROUP * (MASKS + 1) };
 
 static uint64_t bits_of(double x)
@@ -327,8 +327,8 @@ static void ask_scene(const struct family_case group[GROUP],
     }
 }
 
-/* Answers all questions of the group.  Makes a scene of the shapes unless one is
- * given. */
+/* Answers all questions of the group.  Makes a scene of the shapes unless one
+ * is given. */
 static void answer_all(const struct family_case group[GROUP],
                        const struct line_columns *columns,
                        const unsigned mask[MASKS], cylint_scene *scene,

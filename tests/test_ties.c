@@ -84,8 +84,8 @@ static void cap_tie(const struct plan *p, struct scene *s)
     s->lean[1] = -4;
 }
 
-/* At half the height is a section with the semi-axes size a and size b.  A line along
- * x at y = q meets it at x = +-p. */
+/* At half the height is a section with the semi-axes size a and size b.  A line
+ * along x at y = q meets it at x = +-p. */
 static void side_tie(const struct plan *p, struct scene *s)
 {
     static const int triples[][3] = {

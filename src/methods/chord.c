@@ -74,7 +74,7 @@ void cylint_chord_ends(cylint_chord *chord, const cylint_shape *shape,
  *
  *   gap        the chord has two pieces on opposite nappes: one of them stays
  *   along      the line is a ruling: the part beyond the apex, rho = 0, stays
- *   unbounded  the line is parallel to a ruling: rho at the infinite end decides
+ *   unbounded  parallel to a ruling: rho at the infinite end decides
  *   bounded    the chord lies on one nappe: rho at its middle decides
  */
 void cylint_chord_nappe(cylint_chord *chord, cylint_affine rho)

@@ -5,8 +5,8 @@
  * doubles, as cylint.h defines them.
  *
  * A point is c + x a + y b + z h; it is inside if x^2 + y^2 <= rho(z)^2.  For a
- * circular shape a is e x axis, b is perpendicular to a and to the axis, and both
- * have length one.
+ * circular shape a is e x axis, b is perpendicular to a and to the axis, and
+ * both have length one.
  */
 #include "methods.h"
 

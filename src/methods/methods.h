@@ -75,7 +75,7 @@ static inline double unit(const double a[3], double out[3])
  * double cone.
  */
 typedef struct cylint_chord {
-    int relation; /* cylint_relation; of CYLINT_RELATION_MISS the rest is unset */
+    int relation; /* cylint_relation; of a miss the rest is unset */
     int gap;
     double t[2];
     int part[2]; /* cylint_part at t[0] and t[1] */

@@ -49,8 +49,9 @@ static double raw(struct bytes *b)
     return value;
 }
 
-/* Usually a small integer, so that lines touch, graze and lie along; otherwise a
- * recent number, perhaps moved by a few ulp, a power of two, or any double. */
+/* Usually a small integer, so that lines touch, graze and lie along; otherwise
+ * a recent number, perhaps moved by a few ulp, a power of two, or any
+ * double. */
 static double draw(struct bytes *b)
 {
     const unsigned kind = next(b);
@@ -82,8 +83,8 @@ static double number(struct bytes *b)
 
 /* ------------------------------------------------- numbers to the library -- */
 
-/* Lengths are kept apart, so that they can be scaled: the vectors of a line, the
- * four vectors of a shape, and its other lengths. */
+/* Lengths are kept apart, so that they can be scaled: the vectors of a line,
+ * the four vectors of a shape, and its other lengths. */
 struct given_line {
     int kind;
     double o[3], d[3], tmin, tmax;

@@ -11,7 +11,8 @@
 
 #include "embree/api.h"
 
-/* length in multiples of the mean spacing, radius in multiples of the length. */
+/* length in multiples of the mean spacing, radius in multiples of the
+ * length. */
 struct cylinder_kind {
     const char *name;
     double length, radius;
