@@ -3,8 +3,8 @@
  *
  * A bounded shape is convex, so the line overlaps it in one interval:
  * [where the lateral quadric Q <= 0] and [where 0 <= z <= 1].  Which of these
- * ends the interval is read off the signs of forms_template.h at the two cap planes;
- * no root is computed for it and none is compared with another.
+ * ends the interval is read off the signs of forms_template.h at the two cap
+ * planes; no root is computed for it and none is compared with another.
  */
 #include "intersect.h"
 

@@ -1,10 +1,10 @@
 /*
  * lanes.h - a line against a shape in every lane: what doubles can decide
  *
- * The formulas of forms_template.h in doubles give the two intervals whose overlap is
- * the answer, with bounds on their errors; one step of Newton's in pairs of
- * doubles rounds each root that is wanted.  A lane about which any sign or
- * rounding is uncertain is marked undecided and must be asked again by
+ * The formulas of forms_template.h in doubles give the two intervals whose
+ * overlap is the answer, with bounds on their errors; one step of Newton's in
+ * pairs of doubles rounds each root that is wanted.  A lane about which any
+ * sign or rounding is uncertain is marked undecided and must be asked again by
  * intersect.c, which always answers.  What is decided is exactly right, so it
  * does not matter which way an answer came.
  *

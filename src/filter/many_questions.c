@@ -97,14 +97,6 @@ typedef struct {
     vd center[3], radius, o[3], u[3];
 } lanes_ball;
 
-INLINE void line_of_ball(lanes_ball *b, const lanes_line *l)
-{
-    EACH(i, 3) {
-        b->o[i] = l->o[i];
-        b->u[i] = l->u[i];
-    }
-}
-
 INLINE void shape_of_ball(lanes_ball *b, const cylint_shape *s)
 {
     EACH(i, 3)

@@ -5,11 +5,11 @@
  * fused multiply-add, again for that: the answers are the same bits.
  *
  * The two lanes are the two caps: in each the line begins relative to the centre
- * of its cap, with its radius.  The signs of forms_template.h at both tell what is met, as in
- * intersect.c, slab(), but without a branch; no root is needed for that.  Then the
- * lanes are the two stops: the plane of a cap where the line pierces it, else
- * a root of the lateral quadric.  Of an unbounded shape both lanes
- * have the base.
+ * of its cap, with its radius.  The signs of forms_template.h at both tell what
+ * is met, as in intersect.c, slab(), but without a branch; no root is needed
+ * for that.  Then the lanes are the two stops: the plane of a cap where the
+ * line pierces it, else a root of the lateral quadric.  Of an unbounded shape
+ * both lanes have the base.
  */
 #define CYLINT_NARROW
 #include "lanes.h"
@@ -115,7 +115,8 @@ INLINE void load_sizes(lanes_query *q, const cylint_shape *shape,
 }
 
 /* Whether the line certainly misses the ball about a bounded shape.  The middle
- * of the axis is the mean of the centres of the caps, its moment that of theirs. */
+ * of the axis is the mean of the centres of the caps, its moment that of
+ * theirs. */
 INLINE int passes_ball(const lanes_query *q, const cylint_shape *shape)
 {
     const vd twice = v_set(2 * shape->bound_radius);

@@ -33,7 +33,8 @@
 #endif
 
 /* Whether this thread rounds to nearest now, without which the sums of
- * double_double.h are not free of error and no rounding can be certified.  1 loses or
+ * double_double.h are not free of error and no rounding can be certified.  1
+ * loses or
  * gains nothing by a tiny number then, and only then on both sides. */
 static inline int cylint_rounds_to_nearest(void)
 {

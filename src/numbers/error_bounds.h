@@ -21,8 +21,9 @@
 #define CYLINT_BOUNDS_H
 
 /*
- * K: the deepest form is G of a cone.  tests/test_form_depth.c runs forms_template.h over
- * an arithmetic of path lengths and tests that the result is exactly this.
+ * K: the deepest form is G of a cone.  tests/test_form_depth.c runs
+ * forms_template.h over an arithmetic of path lengths and tests that the result
+ * is exactly this.
  */
 #define CYLINT_DEPTH 25
 

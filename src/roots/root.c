@@ -112,10 +112,10 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
  *   t     = t0 - delta + A (t0 - t)^2 / (2 s),   delta = Q(t0) / (2 s).
  *
  * Q(t0) is C for the line with its origin moved to D + t0 u.  That may lie
- * beyond the window of error_bounds.h, within 2^361 where settles() accepts t: what
- * underflows on the way to what is squared last, x, comes to less than 2^-560
- * there.  Twice that times x is below the rounding of x^2, or, if x is below
- * 2^-450, below CYLINT_UNDERFLOW.
+ * beyond the window of error_bounds.h, within 2^361 where settles() accepts t:
+ * what underflows on the way to what is squared last, x, comes to less than
+ * 2^-560 there.  Twice that times x is below the rounding of x^2, or, if x is
+ * below 2^-450, below CYLINT_UNDERFLOW.
  */
 static pair refined(cylint_query *q, estimate k, double low, double *error)
 {

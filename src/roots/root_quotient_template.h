@@ -1,6 +1,6 @@
 /*
- * root_quotient_template.h - a root as a quotient without cancellation, once for doubles
- * and once for pairs (root.c names the arithmetic by macros)
+ * root_quotient_template.h - a root as a quotient without cancellation, once
+ * for doubles and once for pairs (root.c names the arithmetic by macros)
  *
  * Errors are relative and to first order: the callers' slack of a few per
  * cent covers the products of errors, each of which is below 2^-10.

@@ -7,7 +7,8 @@
 #include "cylint.h"
 #include "shape_facts.h"
 
-/* center, bound_radius, size and in_range of a shape; size and in_range of a line. */
+/* center, bound_radius, size and in_range of a shape; size and in_range of a
+ * line. */
 void cylint_measure_shape(cylint_shape *shape);
 void cylint_measure_line(cylint_line *line);
 
