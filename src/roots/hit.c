@@ -88,8 +88,8 @@ static pair pair_of(floating x, int e)
 
 /* x / |x|, each component within 3 units in its last place: |x|^2 is summed
  * in pairs, so that there remain the roundings of it, of its root, of the
- * component and of the quotient.  Squares neither overflow nor, of the largest
- * component, underflow. */
+ * component and of the quotient.  No component exceeds 1.  Squares neither
+ * overflow nor, of the largest component, underflow. */
 static void normalise(const floating x[3], int sign, double to[3])
 {
     pair y[3], sum = {0, 0};
@@ -104,8 +104,10 @@ static void normalise(const floating x[3], int sign, double to[3])
         sum = pair_add(sum, pair_mul(y[i], y[i]));
     }
     const double size = sign * sqrt(sum.hi);
-    for (int i = 0; i < 3; i++)
-        to[i] = y[i].hi / size + 0; /* no -0 */
+    for (int i = 0; i < 3; i++) {
+        const double component = y[i].hi / size + 0; /* no -0 */
+        to[i] = component > 1 ? 1 : component < -1 ? -1 : component;
+    }
 }
 
 /* atan2(y, x) over 2 pi, in [0, 1).  The low parts dx and dy turn the angle by
