@@ -5,7 +5,7 @@
 #define CYLINT_STAGES_H
 
 struct stages {
-    int reported;              /* on standard error */
+    int reported;          /* on standard error */
     double last, last_cpu; /* seconds; of all threads together */
 };
 
