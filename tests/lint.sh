@@ -55,7 +55,7 @@ judged() {
         -e 'leaf_test\.h:.*use of uninitialized value' \
         -e 'surd\.c:.*uninitialized value .sum' \
         -e 'forms_template\.h:.*core\.UndefinedBinaryOperatorResult' \
-        -e 'lanes\.h:.*uninitialized value .*\[[12]\]' \
+        -e '\(lanes\.h\|cc1\):.*uninitialized value .*\[[12]\]' \
         -e 'uninitialized value .q\.alpha\[1\]' \
         -e 'uninitialized value .\*\?f\.den' \
         -e 'Nd where does a line meet a cylinder or a cone?' \
