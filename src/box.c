@@ -186,7 +186,7 @@ static void take_disc(const cylint_shape *s, int cap, double lo[3],
  * j, both per unit of z.  Exact. */
 static int leans_inward(cylint_query *q, int j)
 {
-    const terms_exact *L = cylint_exact_terms(q);
+    const cylint_terms_exact *L = cylint_load_exact(q);
     cylint_arena *m = &q->arena;
     const int used = m->used;
     exact along = cylint_exact_mul(m, L->w[j], L->w[j]), across;

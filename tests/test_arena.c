@@ -150,7 +150,7 @@ static void compute_root(cylint_query *q, cylint_root root)
     exact m = cylint_exact_from(&q->arena, 1);
     for (int i = 0; i < 4; i++)
         m = cylint_exact_add(&q->arena, m, cylint_exact_from(&q->arena, 1));
-    cylint_sign_at(q, &in_full, m, cylint_exact_terms(q)->one);
+    cylint_sign_at(q, &in_full, m, cylint_load_exact(q)->one);
     q->arena.used = used;
     for (int part = CYLINT_PART_LATERAL; part <= CYLINT_PART_CAP1; part++)
         for (int apex = 0; apex < 2; apex++)

@@ -329,7 +329,7 @@ static int limbs_used(const wild *c, int kind)
     if (!made(c, kind, &s, &l))
         return 0;
     cylint_query_open(q, &s, &l);
-    cylint_exact_terms(q);
+    cylint_load_exact(q);
     q->filters = 0; /* nothing is decided before the exact stage */
     for (int cap = 0; cap < 2; cap++) {
         cylint_sign_alpha(q, cap);

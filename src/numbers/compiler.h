@@ -23,13 +23,6 @@
 #define ASIDE static
 #endif
 
-/* A function of a header that is not to be copied into its callers. */
-#ifdef __GNUC__
-#define CYLINT_APART static __attribute__((noinline, unused))
-#else
-#define CYLINT_APART static inline
-#endif
-
 /* The larger of two, neither of them NaN.  fmax() would be a function call. */
 static inline double cylint_larger(double x, double y)
 {

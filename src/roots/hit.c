@@ -205,21 +205,22 @@ static unsigned vector_in_pairs(const cylint_query *q, const bounded_pair x[3],
     return need;
 }
 
-static unsigned gradient_in_pairs(const cylint_query *q, const terms_pair *L,
-                                  unsigned need, floating *facts)
+static unsigned gradient_in_pairs(const cylint_query *q,
+                                  const cylint_terms_pair *L, unsigned need,
+                                  floating *facts)
 {
     bounded_pair x[3];
     for (int i = 0; i < 3; i++)
         if (need >> i & 1)
-            x[i] = gradient_pair(L, i);
+            x[i] = cylint_gradient_pair(L, i);
     return vector_in_pairs(q, x, need, facts);
 }
 
-static int z_in_pairs(const cylint_query *q, const terms_pair *L,
+static int z_in_pairs(const cylint_query *q, const cylint_terms_pair *L,
                       floating *facts)
 {
-    const bounded_pair alpha = form_alpha_pair(L, 0),
-                       top = form_root_of_S_pair(L);
+    const bounded_pair alpha = cylint_form_alpha_pair(L, 0),
+                       top = cylint_form_root_of_S_pair(L);
     facts[ALPHA] = floating_of_pair(alpha);
     facts[ALPHA_AT_TOP] = floating_of_pair(top);
     return has_digits(q, alpha) && has_digits(q, top);
@@ -227,12 +228,12 @@ static int z_in_pairs(const cylint_query *q, const terms_pair *L,
 
 /* The angle is small where y is, if x > 0: then it needs the digits of y.
  * Elsewhere x and y need those of the larger of them. */
-static int angle_in_pairs(const cylint_query *q, const terms_pair *L,
+static int angle_in_pairs(const cylint_query *q, const cylint_terms_pair *L,
                           floating *facts)
 {
     bounded_pair x, y;
-    const bounded_pair vv = form_root_of_S_pair(L);
-    about_axis_pair(L, least_component(q), &x, &y);
+    const bounded_pair vv = cylint_form_root_of_S_pair(L);
+    cylint_about_axis_pair(L, least_component(q), &x, &y);
     facts[X] = floating_of_pair(x);
     facts[Y] = floating_of_pair(y);
     facts[VV] = floating_of_pair(vv);
@@ -244,12 +245,12 @@ static int angle_in_pairs(const cylint_query *q, const terms_pair *L,
                       : is_known(y, cylint_larger(wy, wx * scale));
 }
 
-static void facts_of(const cylint_query *q, const terms_pair *L, needs *need,
-                     floating *facts)
+static void facts_of(const cylint_query *q, const cylint_terms_pair *L,
+                     needs *need, floating *facts)
 {
     if (need->axial)
-        need->axial =
-            vector_in_pairs(q, axial_pair(L), need->axial, facts + AXIAL);
+        need->axial = vector_in_pairs(q, cylint_axial_pair(L), need->axial,
+                                      facts + AXIAL);
     if (need->axis)
         need->axis = vector_in_pairs(q, L->w, need->axis, facts + AXIS);
     if (need->gradient)
@@ -266,7 +267,7 @@ static void facts_of(const cylint_query *q, const terms_pair *L, needs *need,
 static void facts_in_pairs(cylint_query *q, bounded_pair t, needs *need,
                            floating *facts)
 {
-    terms_pair *L = cylint_pair_terms(q);
+    cylint_terms_pair *L = cylint_load_pairs(q);
     bounded_pair kept[3];
     int in_window = 1;
     for (int i = 0; i < 3; i++) {
@@ -290,20 +291,21 @@ static int is_needed(const needs *need, int fact)
 }
 
 /* A fact of the point that D[0] leads to. */
-static exact fact_exact(const cylint_query *q, const terms_exact *L, int i)
+static exact fact_exact(const cylint_query *q, const cylint_terms_exact *L,
+                        int i)
 {
     exact x, y;
     if (i < AXIAL)
-        return gradient_exact(L, i);
+        return cylint_gradient_exact(L, i);
     if (i < AXIS)
-        return axial_exact(L)[i - AXIAL];
+        return cylint_axial_exact(L)[i - AXIAL];
     if (i < ALPHA)
         return L->w[i - AXIS];
     if (i == ALPHA)
-        return form_alpha_exact(L, 0);
+        return cylint_form_alpha_exact(L, 0);
     if (i == ALPHA_AT_TOP || i == VV)
-        return form_root_of_S_exact(L);
-    about_axis_exact(L, least_component(q), &x, &y);
+        return cylint_form_root_of_S_exact(L);
+    cylint_about_axis_exact(L, least_component(q), &x, &y);
     return i == X ? x : y;
 }
 
@@ -314,7 +316,7 @@ static void facts_in_full(cylint_query *q, surd *t, const needs *need,
 {
     cylint_arena *arena = &q->arena;
     const int used = arena->used;
-    terms_exact at_o = *cylint_exact_line_terms(q), beyond = at_o;
+    cylint_terms_exact at_o = *cylint_load_exact_moments(q), beyond = at_o;
     for (int i = 0; i < 3; i++)
         beyond.D[0][i] = cylint_exact_add(arena, at_o.D[0][i], at_o.u[i]);
     for (int i = 0; i < FACTS; i++) {
@@ -386,7 +388,7 @@ static unsigned point_in_pairs(const cylint_query *q, bounded_pair t,
 static void point_in_full(cylint_query *q, surd *t, unsigned left,
                           double point[3])
 {
-    const terms_exact *L = cylint_exact_terms(q);
+    const cylint_terms_exact *L = cylint_load_exact(q);
     for (int i = 0; i < 3; i++) {
         const int used = q->arena.used;
         if (!(left >> i & 1))

@@ -62,7 +62,7 @@ static double double_sqrt(double x)
 #define VALUE pair
 #define HIGH(x) ((x).hi)
 #define OF(x) (x).v
-#define FORM(name) name##_pair
+#define FORM(name) cylint_##name##_pair
 #define V_ADD(x, y) pair_add(x, y)
 #define V_MUL(x, y) pair_mul(x, y)
 #define V_NEG(x) pair_neg(x)
@@ -90,9 +90,8 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
     estimate k = {0, HUGE_VAL, 0, 2, 0};
     if (!is_quotient(q, root))
         return k;
-    const terms_bounded *L = root == ROOT_CAP1
-                                 ? cylint_bounded_terms_with_top(q)
-                                 : &q->bounded_terms;
+    const terms_bounded *L =
+        root == ROOT_CAP1 ? cylint_load_top(q) : &q->bounded_terms;
     const quotient_bounded f = quotient_of_bounded(L, root);
     if (!(f.error < CYLINT_FIRST_ORDER))
         return k;
@@ -119,14 +118,14 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
  */
 static pair refined(cylint_query *q, estimate k, double low, double *error)
 {
-    terms_pair *L = cylint_pair_terms(q);
+    cylint_terms_pair *L = cylint_load_pairs(q);
     bounded_pair kept[3];
     const bounded_pair t0 = {{k.t, low}, 0};
     for (int i = 0; i < 3; i++) {
         kept[i] = L->D[0][i];
         L->D[0][i] = bounded_pair_add(kept[i], bounded_pair_mul(t0, L->u[i]));
     }
-    const bounded_pair Q = form_C_pair(L);
+    const bounded_pair Q = cylint_form_C_pair(L);
     for (int i = 0; i < 3; i++)
         L->D[0][i] = kept[i];
     const double s = 2 * fabs(k.slope), delta = Q.v.hi / (2 * k.slope);
@@ -143,8 +142,7 @@ static pair refined(cylint_query *q, estimate k, double low, double *error)
 /* The sign of t - m. */
 static int against_exact(cylint_query *q, const surd *t, exact m)
 {
-    return cylint_sign_at(q, t, cylint_exact_neg(m),
-                          cylint_exact_terms(q)->one);
+    return cylint_sign_at(q, t, cylint_exact_neg(m), cylint_load_exact(q)->one);
 }
 
 /* Sizes of doubles are handled by their bits from here on, because a
@@ -231,7 +229,7 @@ static double settle(cylint_query *q, const surd *t, int sign, uint64_t size)
 static floating exact_root(cylint_query *q, surd *t)
 {
     const exact zero = {q->arena.limb, 0, 0, 0};
-    return cylint_value_at(q, t, zero, cylint_exact_terms(q)->one);
+    return cylint_value_at(q, t, zero, cylint_load_exact(q)->one);
 }
 
 static double exact_value(cylint_query *q, cylint_root root, double *more)
@@ -298,17 +296,17 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
     }
     if (q->near_shape != q->shape)
         return none;
-    const quotient_pair f =
-        half_quotient_pair(cylint_pair_line_terms(q), exits, &near);
+    const cylint_quotient_pair f =
+        cylint_half_quotient_pair(cylint_load_pair_moments(q), exits, &near);
     if (!near || !(f.error < 0x1p-60))
         return none;
     if (cylint_sign_C(q) == 0) {
         *error = 0;
         return none;
     }
-    const terms_exact *L = cylint_exact_terms(q);
+    const cylint_terms_exact *L = cylint_load_exact(q);
     const int used = q->arena.used;
-    pair num = cylint_exact_round(form_C_exact(L), &e);
+    pair num = cylint_exact_round(cylint_form_C_exact(L), &e);
     q->arena.used = used;
     if (!(e > -400 && e < 400))
         return none;
@@ -320,8 +318,9 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
 }
 
 /* What the quotient in pairs knows where doubles know too little. */
-static estimate estimate_by_pairs(cylint_root root, const quotient_pair *f,
-                                  pair t, double error)
+static estimate estimate_by_pairs(cylint_root root,
+                                  const cylint_quotient_pair *f, pair t,
+                                  double error)
 {
     return (estimate){t.hi, error, root == ROOT_EXIT ? f->radical : -f->radical,
                       f->radical_error, f->A};
@@ -350,12 +349,14 @@ static int newton(cylint_query *q, estimate k, double low, pair *t,
  * pairs (NULL: not found yet), its refinement, the quotient with an exact
  * numerator.  Returns whether the rounding is certain. */
 static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
-                         const quotient_pair *known, pair *t, double *error)
+                         const cylint_quotient_pair *known, pair *t,
+                         double *error)
 {
     if (newton(q, k, 0, t, error))
         return 1;
-    const quotient_pair f =
-        known ? *known : quotient_of_pair(cylint_pair_line_terms(q), root);
+    const cylint_quotient_pair f =
+        known ? *known
+              : cylint_quotient_of_pair(cylint_load_pair_moments(q), root);
     if (f.error < CYLINT_FIRST_ORDER) {
         *t = pair_div(f.num, f.den);
         *error = (f.error + CYLINT_PAIR_RADICAL_ROUNDING) * fabs(t->hi);
@@ -369,7 +370,7 @@ static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
 }
 
 static double root_value(cylint_query *q, cylint_root root, estimate k,
-                         const quotient_pair *known, double *more)
+                         const cylint_quotient_pair *known, double *more)
 {
     pair t = {0, 0};
     double error;
@@ -395,7 +396,7 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
  *
  * near the shape, so that a far origin costs no digits.  A: at most |A|.
  */
-static void step_on_side(terms_pair *L, double A, pair *t, double *error)
+static void step_on_side(cylint_terms_pair *L, double A, pair *t, double *error)
 {
     const bounded_pair at = {*t, 0};
     bounded_pair kept[3];
@@ -403,7 +404,7 @@ static void step_on_side(terms_pair *L, double A, pair *t, double *error)
         kept[i] = L->D[0][i];
         L->D[0][i] = bounded_pair_add(kept[i], bounded_pair_mul(at, L->u[i]));
     }
-    const bounded_pair C = form_C_pair(L), B = form_B_pair(L);
+    const bounded_pair C = cylint_form_C_pair(L), B = cylint_form_B_pair(L);
     for (int i = 0; i < 3; i++)
         L->D[0][i] = kept[i];
     const double s = 2 * fabs(B.v.hi), e = 2 * bounded_pair_error(B);
@@ -418,7 +419,7 @@ static void step_on_side(terms_pair *L, double A, pair *t, double *error)
 }
 
 /* The same towards the plane of a cap. */
-static void step_on_plane(terms_pair *L, int cap, pair *t, double *error)
+static void step_on_plane(cylint_terms_pair *L, int cap, pair *t, double *error)
 {
     const bounded_pair at = {*t, 0}, beta = L->beta;
     bounded_pair kept[3];
@@ -426,7 +427,7 @@ static void step_on_plane(terms_pair *L, int cap, pair *t, double *error)
         kept[i] = L->D[cap][i];
         L->D[cap][i] = bounded_pair_add(kept[i], bounded_pair_mul(at, L->u[i]));
     }
-    const bounded_pair alpha = form_alpha_pair(L, cap);
+    const bounded_pair alpha = cylint_form_alpha_pair(L, cap);
     for (int i = 0; i < 3; i++)
         L->D[cap][i] = kept[i];
     const double s = fabs(beta.v.hi), e = bounded_pair_error(beta);
@@ -447,13 +448,13 @@ static int newton_from(cylint_query *q, cylint_root root, pair *t,
     const double enough = CYLINT_POLISHED * fabs(t->hi);
     double before;
     if (root == ROOT_CAP0 || root == ROOT_CAP1) {
-        step_on_plane(cylint_pair_terms(q), root == ROOT_CAP1, t, error);
+        step_on_plane(cylint_load_pairs(q), root == ROOT_CAP1, t, error);
         return *error < enough;
     }
     if (root != ROOT_ENTRY && root != ROOT_EXIT)
         return 0;
-    terms_pair *L = cylint_pair_line_terms(q);
-    const bounded_pair A = form_A_pair(L);
+    cylint_terms_pair *L = cylint_load_pair_moments(q);
+    const bounded_pair A = cylint_form_A_pair(L);
     do {
         before = *error;
         step_on_side(L, fabs(A.v.hi) + bounded_pair_error(A), t, error);
@@ -487,7 +488,7 @@ static void rest_in_full(cylint_query *q, cylint_root root, double t,
     surd in_full = cylint_surd(q, root);
     const exact from = cylint_exact_neg(cylint_exact_from(&q->arena, t));
     const floating f =
-        cylint_value_at(q, &in_full, from, cylint_exact_terms(q)->one);
+        cylint_value_at(q, &in_full, from, cylint_load_exact(q)->one);
     rest_rounds(cylint_scaled(f.v.hi, f.e), 0, quantum, rest);
     q->arena.used = used;
 }
@@ -547,7 +548,7 @@ static int placed(const cylint_query *q, double t, double error)
 }
 
 /* The same by pairs, which know a root that lies near the line's origin. */
-static int placed_by_pairs(const cylint_query *q, const quotient_pair *f)
+static int placed_by_pairs(const cylint_query *q, const cylint_quotient_pair *f)
 {
     if (!(f->error < CYLINT_FIRST_ORDER))
         return 0;
@@ -565,12 +566,12 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
     if (!wanted && !limited)
         return 1;
     const estimate k = estimate_of(q, root);
-    quotient_pair f;
-    const quotient_pair *known = NULL;
+    cylint_quotient_pair f;
+    const cylint_quotient_pair *known = NULL;
     if (limited) {
         int place = k.error < HUGE_VAL ? placed(q, k.t, k.error) : 0;
         if (place == 0 && q->pairs && is_quotient(q, root)) {
-            f = quotient_of_pair(cylint_pair_line_terms(q), root);
+            f = cylint_quotient_of_pair(cylint_load_pair_moments(q), root);
             known = &f;
             place = placed_by_pairs(q, known);
         }

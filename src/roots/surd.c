@@ -58,12 +58,12 @@ static floating sum_of_sizes(floating x, floating y)
 
 static const exact *coefficients(cylint_query *q)
 {
-    const terms_exact *L = cylint_exact_line_terms(q);
+    const cylint_terms_exact *L = cylint_load_exact_moments(q);
     if (!(q->ready & CYLINT_READY_QUADRATIC)) {
         q->ready |= CYLINT_READY_QUADRATIC;
-        q->exact_coefficient[0] = form_A_exact(L);
-        q->exact_coefficient[1] = form_B_exact(L);
-        q->exact_coefficient[2] = form_C_exact(L);
+        q->exact_coefficient[0] = cylint_form_A_exact(L);
+        q->exact_coefficient[1] = cylint_form_B_exact(L);
+        q->exact_coefficient[2] = cylint_form_C_exact(L);
     }
     return q->exact_coefficient;
 }
@@ -72,13 +72,13 @@ int cylint_exact_mark(cylint_query *q, cylint_root root)
 {
     if (root < ROOT_APEX)
         coefficients(q);
-    cylint_exact_line_terms(q);
+    cylint_load_exact_moments(q);
     return q->arena.used;
 }
 
 surd cylint_surd(cylint_query *q, cylint_root root)
 {
-    const terms_exact *L = cylint_exact_line_terms(q);
+    const cylint_terms_exact *L = cylint_load_exact_moments(q);
     const exact zero = {q->arena.limb, 0, 0, 0};
     surd t = {L->beta, zero, zero, 0, {{0, 0}, 0}};
     if (root < ROOT_APEX) {
@@ -88,10 +88,10 @@ surd cylint_surd(cylint_query *q, cylint_root root)
         t.C = c[2];
         t.s = root == ROOT_DOUBLE ? 0 : root == ROOT_EXIT ? 1 : -1;
     } else if (root == ROOT_APEX) {
-        t.A = form_rho1_exact(L);
-        t.B = form_rho0_exact(L);
+        t.A = cylint_form_rho1_exact(L);
+        t.B = cylint_form_rho0_exact(L);
     } else {
-        t.B = form_alpha_exact(L, root == ROOT_CAP1);
+        t.B = cylint_form_alpha_exact(L, root == ROOT_CAP1);
     }
     return t;
 }
@@ -101,10 +101,10 @@ static floating radical(cylint_query *q, surd *t)
 {
     if (t->R.v.hi != 0)
         return t->R;
-    const terms_exact *L = cylint_exact_line_terms(q);
+    const cylint_terms_exact *L = cylint_load_exact_moments(q);
     const int used = q->arena.used;
-    const floating S = cylint_floating(form_root_of_S_exact(L));
-    const floating G = cylint_floating(form_G_exact(L));
+    const floating S = cylint_floating(cylint_form_root_of_S_exact(L));
+    const floating G = cylint_floating(cylint_form_G_exact(L));
     q->arena.used = used;
     t->R = CYLINT_RADICAL(L->kind, S, G, floating_mul, cylint_floating_sqrt);
     return t->R;
@@ -133,7 +133,7 @@ static affine affine_at(cylint_query *q, const surd *t, exact f0, exact f1)
     cylint_arena *arena = &q->arena;
     const int s = t->s * f1.sign, used = arena->used;
     if (f1.sign == 0) /* whatever A is */
-        return (affine){f0, cylint_exact_terms(q)->one, 0, f0.sign};
+        return (affine){f0, cylint_load_exact(q)->one, 0, f0.sign};
     const exact X = cylint_exact_keep(
         arena, used,
         cylint_exact_add(arena, cylint_exact_mul(arena, t->A, f0),

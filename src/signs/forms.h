@@ -11,9 +11,8 @@
 #include "../shapes/shape_facts.h"
 #include "cylint.h"
 
-/* ------------------------------------------- the three arithmetics ----- */
-
-/* A double and the size of what was summed up to it (bounds.h). */
+/* A double, and the same computed from absolute values by sums only: its size
+ * (error_bounds.h). */
 typedef struct {
     double v, size;
 } bounded_double;
@@ -42,8 +41,7 @@ static inline bounded_double bounded_mul(bounded_double x, bounded_double y)
 #define RETURN(x) return x;
 #include "forms_template.h"
 
-/* The binary exponent of what a number is certainly a multiple of: the same
- * formulas over exponents.  A zero is a multiple of anything. */
+/* An e such that the number is a multiple of 2^e. */
 static inline int quantum_add(int x, int y)
 {
     return x < y ? x : y;
@@ -60,9 +58,9 @@ static inline int quantum_mul(int x, int y)
 #define MUL(x, y) quantum_mul(x, y)
 #include "forms_template.h"
 
-/* A pair of doubles and what its error is at most, in units of
- * CYLINT_PAIR_ROUNDING: unlike a size it stays small where sums cancel and are
- * squared.  x' and y' for x and y miss x y by x' (y' - y) + y (x' - x). */
+/* A pair of doubles and a bound on its error in units of CYLINT_PAIR_ROUNDING.
+ * Unlike a size, the bound stays small when a sum that cancels is squared.
+ * With x' for x and y' for y the error of x y is x' (y' - y) + y (x' - x). */
 typedef struct {
     pair v;
     double off;
@@ -86,31 +84,24 @@ static inline bounded_pair bounded_pair_mul(bounded_pair x, bounded_pair y)
 }
 
 #undef INLINE
-#define INLINE CYLINT_APART
-#define NUM bounded_pair
-#define FORM(name) name##_pair
-#define ADD(x, y) bounded_pair_add(x, y)
-#define SUB(x, y) bounded_pair_sub(x, y)
-#define MUL(x, y) bounded_pair_mul(x, y)
-#include "forms_template.h"
-#undef MEMORY
 #undef BEGIN
 #undef RETURN
 
-/* Every digit. */
+/* forms.c defines these. */
+#define INLINE
+#define FORMS_DECLARED
+#define NUM bounded_pair
+#define FORM(name) cylint_##name##_pair
+#include "forms_template.h"
+#undef MEMORY
+
+#define FORMS_DECLARED
 #define NUM exact
-#define FORM(name) name##_exact
-#define ADD(x, y) cylint_exact_add(L->arena, x, y)
-#define SUB(x, y) cylint_exact_add(L->arena, x, cylint_exact_neg(y))
-#define MUL(x, y) cylint_exact_mul(L->arena, x, y)
+#define FORM(name) cylint_##name##_exact
 #define MEMORY cylint_arena *arena;
-#define BEGIN const int used_before = L->arena->used;
-#define RETURN(x) return cylint_exact_keep(L->arena, used_before, x);
 #include "forms_template.h"
 #undef INLINE
 #undef MEMORY
-#undef BEGIN
-#undef RETURN
 
 static inline double bounded_error(bounded_double x)
 {

@@ -13,6 +13,8 @@
  *   MEMORY                  a declaration in the terms, if it needs room
  *   BEGIN, RETURN(x)        first and last words of a form, for arithmetics
  *                           whose intermediate results need to be let go
+ *   FORMS_DECLARED          the file defines the terms and declares the functions
+ *   FORMS_DEFINED           it defines the functions only; neither: both
  *
  * The terms.  Line A + t u; D_i = A - p_i, the origin seen from the centre
  * of cap i; M_i = D_i x u, its moment about that centre.
@@ -56,6 +58,7 @@
  * E_1, N_0, N_1 and G say in which order they come.
  */
 
+#ifndef FORMS_DEFINED
 typedef struct {
     MEMORY
     int kind;
@@ -65,7 +68,32 @@ typedef struct {
     NUM e[3], p[3], q[3], det, U, V;   /* elliptic */
     NUM beta, M[2][3];
 } FORM(terms);
+#endif
 
+#ifdef FORMS_DECLARED
+INLINE const NUM *FORM(axial)(const FORM(terms) *L);
+INLINE void FORM(prepare_shape)(FORM(terms) *L);
+INLINE void FORM(prepare_line)(FORM(terms) *L);
+INLINE void FORM(prepare_top)(FORM(terms) *L);
+INLINE void FORM(prepare_beta)(FORM(terms) *L);
+INLINE NUM FORM(form_alpha)(const FORM(terms) *L, int i);
+INLINE NUM FORM(form_det)(const FORM(terms) *L);
+INLINE NUM FORM(form_beta)(const FORM(terms) *L);
+INLINE NUM FORM(form_along)(const FORM(terms) *L);
+INLINE NUM FORM(form_rho0)(const FORM(terms) *L);
+INLINE NUM FORM(form_rho1)(const FORM(terms) *L);
+INLINE NUM FORM(form_E)(const FORM(terms) *L, int i);
+INLINE NUM FORM(form_N)(const FORM(terms) *L, int i);
+INLINE NUM FORM(form_G)(const FORM(terms) *L);
+INLINE NUM FORM(form_root_of_S)(const FORM(terms) *L);
+INLINE NUM FORM(form_A)(const FORM(terms) *L);
+INLINE int FORM(radial)(const FORM(terms) *L, NUM X[3]);
+INLINE NUM FORM(form_B)(const FORM(terms) *L);
+INLINE NUM FORM(form_C)(const FORM(terms) *L);
+INLINE NUM FORM(form_T)(const FORM(terms) *L);
+INLINE NUM FORM(gradient)(const FORM(terms) *L, int i);
+INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y);
+#else
 INLINE NUM FORM(dot)(const FORM(terms) *L, const NUM x[3], const NUM y[3])
 {
     BEGIN
@@ -121,7 +149,12 @@ INLINE void FORM(prepare_shape)(FORM(terms) *L)
     }
 }
 
-/* What every question about a line needs. */
+INLINE void FORM(prepare_beta)(FORM(terms) *L)
+{
+    L->beta = FORM(dot)(L, L->u, FORM(axial)(L));
+}
+
+/* What every query of a line needs. */
 INLINE void FORM(prepare_line)(FORM(terms) *L)
 {
     if (FORM(elliptic)(L)) {
@@ -130,7 +163,7 @@ INLINE void FORM(prepare_line)(FORM(terms) *L)
     } else {
         FORM(cross)(L, L->u, L->w, L->n);
     }
-    L->beta = FORM(dot)(L, L->u, FORM(axial)(L));
+    FORM(prepare_beta)(L);
     FORM(cross)(L, L->D[0], L->u, L->M[0]);
 }
 
@@ -404,9 +437,12 @@ INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y)
     *x = FORM(dot)(L, L->D[0], from);
     *y = FORM(dot)(L, L->D[0], to);
 }
+#endif
 
 #undef NUM
 #undef FORM
 #undef ADD
 #undef SUB
 #undef MUL
+#undef FORMS_DECLARED
+#undef FORMS_DEFINED

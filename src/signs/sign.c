@@ -111,7 +111,7 @@ static void load_bounded(cylint_query *q)
     prepare_shape_bounded(L);
 }
 
-const terms_bounded *cylint_bounded_terms_with_top(cylint_query *q)
+const terms_bounded *cylint_load_top(cylint_query *q)
 {
     if (!(q->ready & CYLINT_READY_TOP)) {
         terms_bounded *L = &q->bounded_terms;
@@ -134,7 +134,7 @@ static bounded_pair bounded_pair_difference(double x, double y)
     return (bounded_pair){d, fabs(d.hi)};
 }
 
-#define FORM(name) name##_pair
+#define FORM(name) cylint_##name##_pair
 #define LOAD_INLINE static
 #define SHAPE cylint_shape
 #define LINE cylint_line
@@ -151,34 +151,34 @@ static bounded_pair bounded_pair_difference(double x, double y)
 #define ONE bounded_pair_of(1, 0)
 #include "load_template.h"
 
-terms_pair *cylint_pair_terms(cylint_query *q)
+cylint_terms_pair *cylint_load_pairs(cylint_query *q)
 {
     if (q->ready & CYLINT_READY_PAIR)
         return &q->pair_terms;
     q->ready |= CYLINT_READY_PAIR;
     cylint_reached(PAIRS);
-    terms_pair *L = &q->pair_terms;
-    load_shape_pair(L, q->near_shape, q->near_shape->kind);
-    load_line_pair(L, q->near_shape, q->near_line);
-    load_top_pair(L, q->near_shape, q->near_line);
-    prepare_shape_pair(L);
-    L->beta = dot_pair(L, L->u, axial_pair(L));
+    cylint_terms_pair *L = &q->pair_terms;
+    cylint_load_shape_pair(L, q->near_shape, q->near_shape->kind);
+    cylint_load_line_pair(L, q->near_shape, q->near_line);
+    cylint_load_top_pair(L, q->near_shape, q->near_line);
+    cylint_prepare_shape_pair(L);
+    cylint_prepare_beta_pair(L);
     return L;
 }
 
-terms_pair *cylint_pair_line_terms(cylint_query *q)
+cylint_terms_pair *cylint_load_pair_moments(cylint_query *q)
 {
-    terms_pair *L = cylint_pair_terms(q);
+    cylint_terms_pair *L = cylint_load_pairs(q);
     if (!(q->ready & CYLINT_READY_PAIR_LINE)) {
         q->ready |= CYLINT_READY_PAIR_LINE;
-        prepare_line_pair(L);
-        prepare_top_pair(L);
+        cylint_prepare_line_pair(L);
+        cylint_prepare_top_pair(L);
     }
     return L;
 }
 
 /* Differences of data, not the nearest doubles to them. */
-#define FORM(name) name##_exact
+#define FORM(name) cylint_##name##_exact
 #define LOAD_INLINE static
 #define SHAPE cylint_shape
 #define LINE cylint_line
@@ -202,29 +202,29 @@ terms_pair *cylint_pair_line_terms(cylint_query *q)
 #undef DATUM
 #undef DIFFERENCE
 
-const terms_exact *cylint_exact_terms(cylint_query *q)
+const cylint_terms_exact *cylint_load_exact(cylint_query *q)
 {
     if (q->ready & CYLINT_READY_EXACT)
         return &q->exact;
     q->ready |= CYLINT_READY_EXACT;
     cylint_reached(EXACT);
-    terms_exact *L = &q->exact;
+    cylint_terms_exact *L = &q->exact;
     L->arena = &q->arena;
     cylint_arena_open(L->arena);
-    load_shape_exact(L, q->shape, q->shape->kind);
-    load_line_exact(L, q->shape, q->line);
-    load_top_exact(L, q->shape, q->line);
-    prepare_shape_exact(L);
+    cylint_load_shape_exact(L, q->shape, q->shape->kind);
+    cylint_load_line_exact(L, q->shape, q->line);
+    cylint_load_top_exact(L, q->shape, q->line);
+    cylint_prepare_shape_exact(L);
     return L;
 }
 
-const terms_exact *cylint_exact_line_terms(cylint_query *q)
+const cylint_terms_exact *cylint_load_exact_moments(cylint_query *q)
 {
-    const terms_exact *L = cylint_exact_terms(q);
+    const cylint_terms_exact *L = cylint_load_exact(q);
     if (!(q->ready & CYLINT_READY_EXACT_LINE)) {
         q->ready |= CYLINT_READY_EXACT_LINE;
-        prepare_line_exact(&q->exact);
-        prepare_top_exact(&q->exact);
+        cylint_prepare_line_exact(&q->exact);
+        cylint_prepare_top_exact(&q->exact);
     }
     return L;
 }
@@ -357,17 +357,17 @@ static int no_rounding(double size, int e)
                 cylint_reached(QUANTA);                                        \
                 sign_ = cylint_sign(b_.v);                                     \
             } else if ((q)->pairs) {                                           \
-                const bounded_pair w_ =                                        \
-                    form##_pair(cylint_pair_line_terms(q) __VA_ARGS__);        \
+                const bounded_pair w_ = cylint_##form##_pair(                  \
+                    cylint_load_pair_moments(q) __VA_ARGS__);                  \
                 if (certain_pair(w_))                                          \
                     sign_ = cylint_sign(w_.v.hi);                              \
             }                                                                  \
         }                                                                      \
         if (sign_ != 2 && !CYLINT_IS_PARANOID)                                 \
             return sign_;                                                      \
-        const terms_exact *x_ = cylint_exact_line_terms(q);                    \
+        const cylint_terms_exact *x_ = cylint_load_exact_moments(q);           \
         const int used_ = (q)->arena.used;                                     \
-        const int exact_ = form##_exact(x_ __VA_ARGS__).sign;                  \
+        const int exact_ = cylint_##form##_exact(x_ __VA_ARGS__).sign;         \
         (q)->arena.used = used_;                                               \
         cylint_contradiction(sign_ != 2 && sign_ != exact_);                   \
         return exact_;                                                         \
@@ -377,8 +377,8 @@ static int no_rounding(double size, int e)
 
 int cylint_sign_alpha(cylint_query *q, int cap)
 {
-    DECIDE(q, (cap ? cylint_bounded_terms_with_top(q) : &q->bounded_terms),
-           form_alpha, COMMA cap);
+    DECIDE(q, (cap ? cylint_load_top(q) : &q->bounded_terms), form_alpha,
+           COMMA cap);
 }
 
 int cylint_sign_det(cylint_query *q)
@@ -398,14 +398,14 @@ int cylint_sign_along(cylint_query *q)
 
 int cylint_sign_E(cylint_query *q, int cap)
 {
-    DECIDE(q, (cap ? cylint_bounded_terms_with_top(q) : &q->bounded_terms),
-           form_E, COMMA cap);
+    DECIDE(q, (cap ? cylint_load_top(q) : &q->bounded_terms), form_E,
+           COMMA cap);
 }
 
 int cylint_sign_N(cylint_query *q, int cap)
 {
-    DECIDE(q, (cap ? cylint_bounded_terms_with_top(q) : &q->bounded_terms),
-           form_N, COMMA cap);
+    DECIDE(q, (cap ? cylint_load_top(q) : &q->bounded_terms), form_N,
+           COMMA cap);
 }
 
 int cylint_sign_G(cylint_query *q)

@@ -35,10 +35,10 @@ typedef struct {
     cylint_line scaled_line;
     unsigned ready; /* which terms are there */
     terms_bounded bounded_terms;
-    terms_pair pair_terms;
+    cylint_terms_pair pair_terms;
     terms_quantum quantum;
     int quanta; /* 1: every datum of the filters is exact */
-    terms_exact exact;
+    cylint_terms_exact exact;
     exact exact_coefficient[3]; /* A, B, C */
     cylint_arena arena;
 } cylint_query;
@@ -47,11 +47,12 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
                        const cylint_line *line);
 
 /* The terms of the slower arithmetics, made when first asked for. */
-terms_pair *cylint_pair_terms(cylint_query *q);      /* data and shape only */
-terms_pair *cylint_pair_line_terms(cylint_query *q); /* moments as well */
-const terms_bounded *cylint_bounded_terms_with_top(cylint_query *q);
-const terms_exact *cylint_exact_terms(cylint_query *q); /* likewise */
-const terms_exact *cylint_exact_line_terms(cylint_query *q);
+cylint_terms_pair *cylint_load_pairs(cylint_query *q); /* data and shape only */
+cylint_terms_pair *cylint_load_pair_moments(
+    cylint_query *q); /* moments as well */
+const terms_bounded *cylint_load_top(cylint_query *q);
+const cylint_terms_exact *cylint_load_exact(cylint_query *q); /* likewise */
+const cylint_terms_exact *cylint_load_exact_moments(cylint_query *q);
 
 /* Exact signs of the forms, by the cheapest arithmetic that is certain. */
 int cylint_sign_alpha(cylint_query *q, int cap);

@@ -1,0 +1,31 @@
+/*
+ * forms.c - the forms over bounded pairs and over exact numbers
+ *
+ * These are large and rarely needed, so the library has them once.
+ */
+#include "forms.h"
+
+#define INLINE
+#define MEMORY
+
+#define FORMS_DEFINED
+#define NUM bounded_pair
+#define FORM(name) cylint_##name##_pair
+#define ADD(x, y) bounded_pair_add(x, y)
+#define SUB(x, y) bounded_pair_sub(x, y)
+#define MUL(x, y) bounded_pair_mul(x, y)
+#define BEGIN (void)L;
+#define RETURN(x) return x;
+#include "forms_template.h"
+#undef BEGIN
+#undef RETURN
+
+#define FORMS_DEFINED
+#define NUM exact
+#define FORM(name) cylint_##name##_exact
+#define ADD(x, y) cylint_exact_add(L->arena, x, y)
+#define SUB(x, y) cylint_exact_add(L->arena, x, cylint_exact_neg(y))
+#define MUL(x, y) cylint_exact_mul(L->arena, x, y)
+#define BEGIN const int used_before = L->arena->used;
+#define RETURN(x) return cylint_exact_keep(L->arena, used_before, x);
+#include "forms_template.h"
