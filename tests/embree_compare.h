@@ -68,8 +68,9 @@ static inline void agrees(const struct world *w, struct rays *r)
 }
 
 /* Traces one ray and checks the answer. */
-static inline struct rays asked_alone(const struct world *w, const float o[3],
-                                      const float d[3], float tnear, float tfar)
+static inline struct rays traced_alone(const struct world *w, const float o[3],
+                                       const float d[3], float tnear,
+                                       float tfar)
 {
     struct rays r;
     rays_begin(&r, 1);

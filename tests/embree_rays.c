@@ -56,7 +56,7 @@ static void remember(struct rays *r)
 
 #if RTC_VERSION_MAJOR >= 4
 
-#define ASK(TYPE, INIT)                                                       \
+#define SET_ARGUMENTS(TYPE, INIT)                                             \
     struct call call = {0};                                                   \
     struct TYPE arguments;                                                    \
     rtcInitRayQueryContext(&call.context);                                    \
@@ -80,7 +80,7 @@ static void remember(struct rays *r)
 
 #else
 
-#define ASK(TYPE, INIT)                                                   \
+#define SET_ARGUMENTS(TYPE, INIT)                                         \
     struct call call = {0};                                               \
     rtcInitIntersectContext(&call.context);                               \
     if (query) {                                                          \
@@ -122,14 +122,14 @@ static void remember(struct rays *r)
 void rays_intersect(struct rays *r, RTCScene scene,
                     const struct rays_query *query)
 {
-    ASK(RTCIntersectArguments, rtcInitIntersectArguments)
+    SET_ARGUMENTS(RTCIntersectArguments, rtcInitIntersectArguments)
     TRACE_ALL(rtcIntersect, RTCRayHit);
 }
 
 void rays_occluded(struct rays *r, RTCScene scene,
                    const struct rays_query *query)
 {
-    ASK(RTCOccludedArguments, rtcInitOccludedArguments)
+    SET_ARGUMENTS(RTCOccludedArguments, rtcInitOccludedArguments)
     TRACE_ALL(rtcOccluded, RTCRay);
 }
 

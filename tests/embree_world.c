@@ -86,16 +86,16 @@ int world_make(struct world *w, const cylint_shape *shapes, size_t n,
 #endif
     rtcAttachGeometry(w->scene, w->geometry);
     rtcCommitScene(w->scene);
-    w->room = malloc(cylint_pack_bytes(n) + 1);
-    cylint_pack_shapes(&w->pack, w->room, shapes, n);
-    return w->room != NULL;
+    w->pack_memory = malloc(cylint_pack_bytes(n) + 1);
+    cylint_pack_shapes(&w->pack, w->pack_memory, shapes, n);
+    return w->pack_memory != NULL;
 }
 
 void world_free(struct world *w)
 {
     rtcReleaseScene(w->scene);
     cylint_embree_release(w->geometry);
-    free(w->room);
+    free(w->pack_memory);
     memset(w, 0, sizeof *w);
 }
 

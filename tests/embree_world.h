@@ -30,7 +30,7 @@ struct world {
     const cylint_shape *shapes;
     size_t n;
     cylint_pack pack;
-    void *room; /* of the pack */
+    void *pack_memory; /* of the pack */
     cylint_embree_problem problem;
 };
 

@@ -63,13 +63,13 @@ static inline int can_treat_subnormals(int how)
 }
 #endif
 
-static inline void enter(struct environment e)
+static inline void environment_set(struct environment e)
 {
     fesetround(e.rounding);
     treat_subnormals(e.tiny);
 }
 
-static inline void leave(void)
+static inline void environment_reset(void)
 {
     fesetround(FE_TONEAREST);
     treat_subnormals(0);

@@ -36,8 +36,8 @@ scripts=$(of_kind '\.sh$')
 pages=$(of_kind '^man/.*\.[0-9]$')
 options='-std=c99 -Iinclude -Isrc -Itools/cylint -D_POSIX_C_SOURCE=200809L -DCYLINT_EMBREE=3'
 
-# What was looked into and is as it should be:
-judged() {
+# Removes findings that were checked and are no faults.
+remove_checked() {
     grep -v \
         -e 'gullotti\.c:.*Uninitialized variable: m\.row' \
         -e 'answer\.c:.*StackAddressEscape' \
@@ -83,7 +83,7 @@ if installed cppcheck cppcheck; then
         -Isrc --enable=warning,portability,performance --max-configs=4 \
         --suppress=missingIncludeSystem --suppress=toomanyconfigs \
         --template='{file}:{line}: {severity}: {message} [{id}]' \
-        $library $command 2>&1 | judged >"$work/found"
+        $library $command 2>&1 | remove_checked >"$work/found"
     result cppcheck
 fi
 
@@ -98,7 +98,7 @@ if installed clang-tidy clang-tidy; then
     done | xargs -n 4 -P 2 sh -c 'checks=$1 options=$2; shift 2
         clang-tidy --quiet --checks="$checks" "$@" -- $options 2>/dev/null' \
         sh "$checks" "$options" | grep -E '(warning|error):' |
-        sort -u | judged >"$work/found"
+        sort -u | remove_checked >"$work/found"
     result clang-tidy
 fi
 
@@ -107,7 +107,7 @@ if installed gcc 'gcc -fanalyzer'; then
     for file in $library $command; do
         [ "$file" = src/filter/many_questions.c ] || printf '%s\n' "$file"
     done | xargs -n 1 -P 2 gcc $options -O1 -fanalyzer -c -o /dev/null 2>&1 |
-        grep -E '(warning|error):' | sort -u | judged >"$work/found"
+        grep -E '(warning|error):' | sort -u | remove_checked >"$work/found"
     result 'gcc -fanalyzer'
 fi
 
@@ -127,7 +127,7 @@ done
 result 'sh -n'
 
 if installed mandoc mandoc; then
-    mandoc -T lint -W style $pages 2>&1 | judged >"$work/found"
+    mandoc -T lint -W style $pages 2>&1 | remove_checked >"$work/found"
     result mandoc
 fi
 

@@ -15,7 +15,7 @@
 #include "random.h"
 
 const char *plain_read_number(const char *text, const char *end, double *value);
-size_t plain_write_number(char out[NUMBER_ROOM], double value, int digits);
+size_t plain_write_number(char out[NUMBER_CAPACITY], double value, int digits);
 
 static uint64_t next_random(void)
 {
@@ -40,7 +40,7 @@ static void check_written(double value)
 {
     static const int forms[] = {NUMBER_SHORTEST, NUMBER_HEX, 17, 6, 1};
     for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
-        char one[NUMBER_ROOM + 1], two[NUMBER_ROOM + 1];
+        char one[NUMBER_CAPACITY + 1], two[NUMBER_CAPACITY + 1];
         size_t m = cylint_write_number(one, value, forms[i]);
         size_t n = plain_write_number(two, value, forms[i]);
         one[m] = two[n] = '\0';

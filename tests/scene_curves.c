@@ -80,7 +80,7 @@ static void compare(RTCScene curves, const cylint_scene *exact,
                     const struct scene_shapes *s, enum scene_lines kind,
                     int unit)
 {
-    size_t met = 0, missed = 0, false_hits = 0, rays_traced = 0;
+    size_t hits = 0, missed = 0, false_hits = 0, rays_traced = 0;
     for (size_t i = 0; i < RAYS; i++) {
         cylint_line line;
         cylint_rtc_context context;
@@ -96,14 +96,14 @@ static void compare(RTCScene curves, const cylint_scene *exact,
         const int hit = cylint_scene_count(exact, &line, 1) > 0;
         const int curve_hit = ray.tfar < 0;
         rays_traced++;
-        met += (size_t)hit;
+        hits += (size_t)hit;
         missed += (size_t)(hit && !curve_hit);
         false_hits += (size_t)(!hit && curve_hit);
     }
     printf("%-8s %-9s %-9s %6zu rays, %6zu hit a shape; the curves miss %5.2f "
            "%% of these and report %zu false hits\n",
            s->name, scene_lines_name[kind], unit ? "unit d" : "d as is",
-           rays_traced, met, met ? 100.0 * (double)missed / (double)met : 0,
+           rays_traced, hits, hits ? 100.0 * (double)missed / (double)hits : 0,
            false_hits);
 }
 

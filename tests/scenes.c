@@ -214,7 +214,7 @@ static void measure(struct scene_shapes *s)
             s->lo[j] = s->hi[j] = 0;
 }
 
-static cylint_shape *room(size_t n)
+static cylint_shape *allocate(size_t n)
 {
     cylint_shape *shapes = malloc((n > 0 ? n : 1) * sizeof *shapes);
     if (!shapes) {
@@ -232,7 +232,7 @@ int scene_generate(int kind, size_t n, uint64_t seed,
         return 0;
     scene->name = scene_names[kind];
     scene->n = n;
-    scene->shapes = room(n);
+    scene->shapes = allocate(n);
     for (size_t i = 0; i < n; i++) /* refused shapes stay */
         shape_of(&r, (enum scene_kind)kind, n, &scene->shapes[i]);
     measure(scene);
@@ -262,10 +262,10 @@ int scene_from(const char *name, const char *command,
     FILE *lines = popen(command, "r");
     scene->name = name;
     scene->n = 0;
-    scene->shapes = room(full);
+    scene->shapes = allocate(full);
     while (lines && fgets(text, sizeof text, lines)) {
         if (scene->n == full) {
-            cylint_shape *more = room(2 * full);
+            cylint_shape *more = allocate(2 * full);
             memcpy(more, scene->shapes, full * sizeof *more);
             free(scene->shapes);
             scene->shapes = more;

@@ -126,8 +126,8 @@ static void read_budgets(void)
     fclose(f);
 }
 
-static void judge(const char *function, const char *family, double found,
-                  const struct family_case *c)
+static void check_budget(const char *function, const char *family, double found,
+                         const struct family_case *c)
 {
     struct budget *b = line_of(function, family);
     if (!b) {
@@ -169,12 +169,13 @@ static void measure_hits(int family, const struct family_case *c)
         double off[MEASURES];
         const double t = want.hit[i].t;
         ulps_of_hit(&got.hit[i], &want.hit[i], off);
-        judge("t", "all", 0.5 + off[ULPS_T], c);
-        judge("t-fast", "all",
-              0.5 + ulps_apart(fast.hit[i].t, t, fmax(fabs(t), far)), c);
+        check_budget("t", "all", 0.5 + off[ULPS_T], c);
+        check_budget("t-fast", "all",
+                     0.5 + ulps_apart(fast.hit[i].t, t, fmax(fabs(t), far)), c);
         for (int k = ULPS_POINT; k < MEASURES; k++)
             if (fabs(t) <= 0x1.fffffffffffffp1023)
-                judge(measure_names[k], family_word(family), 0.5 + off[k], c);
+                check_budget(measure_names[k], family_word(family),
+                             0.5 + off[k], c);
     }
 }
 
@@ -301,8 +302,8 @@ static void measure_box(int family, const struct family_case *c)
         if (s->ends >= CYLINT_ENDS_INFINITE && a != b)
             continue;
         for (int up = 0; up < 2; up++)
-            judge("bounds", family_word(family),
-                  looseness(s, j, up, box[up][j]), c);
+            check_budget("bounds", family_word(family),
+                         looseness(s, j, up, box[up][j]), c);
     }
 }
 
@@ -317,7 +318,8 @@ static void measure_tangent(const struct family_case *c)
     mpfr_div_ui(x, x, 180, MPFR_RNDN);
     mpfr_tan(x, x, MPFR_RNDN);
     const double want = mpfr_get_d(x, MPFR_RNDN);
-    judge("tangent", "all", 0.5 + ulps_apart(c->shape.r1, want, want), c);
+    check_budget("tangent", "all", 0.5 + ulps_apart(c->shape.r1, want, want),
+                 c);
     mpfr_clears(x, pi, (mpfr_ptr)NULL);
 }
 
@@ -350,7 +352,7 @@ static void every_line_has_its_function(void)
 }
 
 /* The largest budget of a function over the ordinary or the wild families. */
-static double promised(const char *function, int wild)
+static double largest_budget(const char *function, int wild)
 {
     double most = 0;
     for (int i = 0; i < line_count; i++)
@@ -376,19 +378,19 @@ static void write_table(char *to)
                       "\"correctly rounded\"\n"
                       ".It Sy answer Ta Sy error Ta Sy kind\n"
                       ".It relation, n, part, side Ta 0 Ta exact\n");
-    to += put_row(to, "t", promised("t", 0), "correctly rounded");
-    to +=
-        put_row(to, "t, fast, of t or the distance", promised("t-fast", 0),
-                line_of("t-fast", "all") ? line_of("t-fast", "all")->kind : "");
+    to += put_row(to, "t", largest_budget("t", 0), "correctly rounded");
+    to += put_row(
+        to, "t, fast, of t or the distance", largest_budget("t-fast", 0),
+        line_of("t-fast", "all") ? line_of("t-fast", "all")->kind : "");
     for (int wild = 0; wild < 2; wild++)
         for (int i = 0; i < 4; i++) {
             char what[80];
             sprintf(what, wild ? "%s, wild exponents" : "%s", shown[i]);
-            to += put_row(to, what, promised(named[i], wild), "observed");
+            to += put_row(to, what, largest_budget(named[i], wild), "observed");
         }
-    to += put_row(to, "a box's sides, outward", promised("bounds", 0),
+    to += put_row(to, "a box's sides, outward", largest_budget("bounds", 0),
                   "observed");
-    to += put_row(to, "tangent of a half angle", promised("tangent", 0),
+    to += put_row(to, "tangent of a half angle", largest_budget("tangent", 0),
                   "observed");
     sprintf(to, ".El\n");
 }
@@ -425,7 +427,8 @@ static void print_found(void)
                    b->ulps);
         else if (strcmp(b->function, before) != 0)
             printf("note: %s within %g, wild %g\n", b->function,
-                   promised(b->function, 0), promised(b->function, 1));
+                   largest_budget(b->function, 0),
+                   largest_budget(b->function, 1));
         before = b->function;
     }
 }

@@ -110,7 +110,7 @@ static void a_ray_that_starts_inside_hits_where_it_leaves(void)
     cylint_cylinder(&shape, p0, p1, 1, CYLINT_ENDS_CAPPED);
     for (int how = 0; how < 2; how++) {
         struct world w = made(&shape, 1, both_ways[how]);
-        struct rays r = asked_alone(&w, o, d, 0, HUGE_VALF);
+        struct rays r = traced_alone(&w, o, d, 0, HUGE_VALF);
         CHECK(rays_hit(&r, 0) && rays_at(&r, RAY_TFAR, 0)->f == 6);
         CHECK(rays_at(&r, HIT_U, 0)->f == 1);
         world_free(&w);
@@ -217,7 +217,7 @@ static void a_ray_without_direction_hits_nothing(void)
 
 /* ---------------------------------------------------------------- masks -- */
 
-static int seen(struct world *w, unsigned mask)
+static int is_visible(struct world *w, unsigned mask)
 {
     const float o[3] = {0.5f, 0.5f, -3}, d[3] = {0, 0, 1};
     struct rays r;
@@ -247,12 +247,13 @@ static void masks_select_the_visible_geometries(void)
     cylint_cylinder(&shape, p0, p1, 0.5, CYLINT_ENDS_CAPPED);
     w = made(&shape, 1, 0);
     for (int bit = 0; bit < 32; bit++)
-        CHECK(seen(&w, 1u << bit));
-    CHECK(!seen(&w, 0));
+        CHECK(is_visible(&w, 1u << bit));
+    CHECK(!is_visible(&w, 0));
     rtcSetGeometryMask(w.geometry, 6);
     rtcCommitGeometry(w.geometry);
     rtcCommitScene(w.scene);
-    CHECK(!seen(&w, 1) && seen(&w, 2) && seen(&w, 4) && !seen(&w, ~6u));
+    CHECK(!is_visible(&w, 1) && is_visible(&w, 2) && is_visible(&w, 4) &&
+          !is_visible(&w, ~6u));
     world_free(&w);
 }
 
@@ -316,7 +317,7 @@ static void equal_hits_of_moving_shapes_are_distinguished(void)
     if (!CHECK(world_make(&w, shapes, MANY, &options)))
         return;
     at = w;
-    cylint_pack_shapes(&at.pack, w.room, now, MANY);
+    cylint_pack_shapes(&at.pack, w.pack_memory, now, MANY);
     at.shapes = now;
     for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
         struct rays r;
@@ -419,7 +420,7 @@ static RTCScene scene_with_instance(RTCScene of, unsigned id, uint64_t *state)
 /* Whether ray `at`, in instance 7, hit. */
 static int agrees_inside(const struct world *w, struct rays *r, int at)
 {
-    struct rays *seen = &local[at];
+    struct rays *offered = &local[at];
     const unsigned none = RTC_INVALID_GEOMETRY_ID;
     const int hit = rays_hit(r, at);
     CHECK(rays_at(r, HIT_INST, at)->u == (hit ? 7 : none));
@@ -428,13 +429,13 @@ static int agrees_inside(const struct world *w, struct rays *r, int at)
     CHECK(rays_at(r, HIT_INST_PRIM, at)->u == (hit ? 0 : none));
 #endif
     /* the answer, for the ray that the recorder got */
-    seen->n = 1;
+    offered->n = 1;
     for (int m = HIT_NG; m < RAY_MEMBERS; m++)
-        seen->word[m] = *rays_at(r, (enum ray_member)m, at);
-    seen->word[RAY_TFAR] = *rays_at(r, RAY_TFAR, at);
-    seen->before[RAY_TFAR].f = HUGE_VALF;
-    if (!CHECK(world_agrees(w, seen, 0, 1)))
-        world_show(w, seen, 0);
+        offered->word[m] = *rays_at(r, (enum ray_member)m, at);
+    offered->word[RAY_TFAR] = *rays_at(r, RAY_TFAR, at);
+    offered->before[RAY_TFAR].f = HUGE_VALF;
+    if (!CHECK(world_agrees(w, offered, 0, 1)))
+        world_show(w, offered, 0);
     return hit;
 }
 

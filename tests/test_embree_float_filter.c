@@ -57,7 +57,8 @@ static float near_shape(const struct scene_query *q, uint64_t index)
     return (float)(t * (index % 3 == 1 ? 0.98 : 1.03));
 }
 
-static int pose(struct scene_query *q, struct family_case *c, uint64_t index)
+static int make_query(struct scene_query *q, struct family_case *c,
+                      uint64_t index)
 {
     cylint_line line;
     if (!circular(c, index))
@@ -156,7 +157,7 @@ static struct tally compare_family(const cylint_float_filter *build, int family,
         struct family_case c;
         struct scene_query x;
         family_case(1, family, i, &c);
-        if (c.shape_word > last || !pose(&x, &c, i))
+        if (c.shape_word > last || !make_query(&x, &c, i))
             continue;
         if (!CHECK(agrees(build, &x, &tally))) {
             show(&x.line, &c);
@@ -165,7 +166,7 @@ static struct tally compare_family(const cylint_float_filter *build, int family,
     return tally;
 }
 
-static void ask_all(const char *name, const cylint_float_filter *build)
+static void query_families(const char *name, const cylint_float_filter *build)
 {
     struct tally sum = {0, 0, 0};
     for (int family = 0; family < family_count(); family++) {
@@ -181,13 +182,13 @@ static void ask_all(const char *name, const cylint_float_filter *build)
 
 static void a_certain_result_is_the_librarys(void)
 {
-    ask_all("plain", &cylint_float_filter_plain);
+    query_families("plain", &cylint_float_filter_plain);
 }
 
 static void a_certain_result_with_fused_operations_is_the_librarys(void)
 {
     if (cylint_float_filter_used() != &cylint_float_filter_plain)
-        ask_all("fused", cylint_float_filter_used());
+        query_families("fused", cylint_float_filter_used());
 }
 
 /* ------------------------------------------------------- many at a time -- */
@@ -209,7 +210,8 @@ static void gather(struct crowd *c, int family, uint64_t *i, int most)
         const int n = c->n;
         struct scene_query *x = &c->question[n];
         family_case(3, family, *i, &c->from[n]);
-        if (c->from[n].shape_word > FAMILY_ACONE || !pose(x, &c->from[n], *i))
+        if (c->from[n].shape_word > FAMILY_ACONE ||
+            !make_query(x, &c->from[n], *i))
             continue;
         cylint_float_filter_shape_of(&c->shape[n], x->shape);
         c->subject[n] = (cylint_float_filter_target){&c->shape[n], 0, x->shape,
@@ -218,8 +220,8 @@ static void gather(struct crowd *c, int family, uint64_t *i, int most)
     }
 }
 
-static int is_told(const cylint_packet_filter_results *a, int i,
-                   const cylint_hit *hit)
+static int is_reported(const cylint_packet_filter_results *a, int i,
+                       const cylint_hit *hit)
 {
     return fabs(a->t[i] - hit->t) <= a->t_error[i] &&
            fabs(a->z[i] - hit->z) <= a->z_error[i];
@@ -241,7 +243,7 @@ static int is_right(const cylint_packet_filter_results *a, int i,
                     const struct scene_query *x)
 {
     const unsigned hit = a->hit >> i & 1, unsure = a->unsure >> i & 1;
-    if (hit && (unsure || x->n == 0 || !is_told(a, i, &x->answer.hit[0])))
+    if (hit && (unsure || x->n == 0 || !is_reported(a, i, &x->answer.hit[0])))
         return 0;
     if (a->described >> i & 1 &&
         !(hit && is_described(a, i, &x->answer.hit[0])))
@@ -249,8 +251,8 @@ static int is_right(const cylint_packet_filter_results *a, int i,
     return hit || unsure || x->n <= (int)(a->crosses >> i & 1);
 }
 
-static void ask_crowds(cylint_packet_filter *many, int family,
-                       struct tally *tally)
+static void query_batches(cylint_packet_filter *many, int family,
+                          struct tally *tally)
 {
     int most = 1; /* the number of questions, 1 to all in turn */
     for (uint64_t i = 0; i < CASES;
@@ -280,7 +282,7 @@ static void a_certain_result_of_the_packet_filter_is_the_librarys(void)
     for (int i = 0; (many = cylint_packet_filter_build(i)); i++) {
         struct tally t = {0, 0, 0};
         for (int family = 0; family < family_count(); family++)
-            ask_crowds(many, family, &t);
+            query_batches(many, family, &t);
         printf("build %d: %ld are hit, certain of %ld, described %ld\n", i,
                t.hits, t.certain, t.described);
         CHECK((double)t.described > 0.4 * (double)t.hits);
@@ -342,7 +344,7 @@ static long small_as_large(const cylint_float_filter *build, int family)
         cylint_float_filter_state q[2];
         cylint_float_filter_hit at[2];
         family_case(2, family, i, &c);
-        if (!pose(&x, &c, i) || !in_floats(&c, &shape) ||
+        if (!make_query(&x, &c, i) || !in_floats(&c, &shape) ||
             !cylint_float_filter_small_of(&small, &shape))
             continue;
         memset(q, 0, sizeof q);

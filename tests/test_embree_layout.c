@@ -58,20 +58,20 @@ static RTCScene instance_of(RTCScene inner)
     return scene;
 }
 
-struct seen {
+struct call_counts {
     int calls, bad;
 };
 
 /* Arguments as declared, and the context that was given. */
-static void look(const struct RTCFilterFunctionNArguments *a)
+static void count_call(const struct RTCFilterFunctionNArguments *a)
 {
-    struct seen *seen = rays_user(a);
-    seen->calls++;
+    struct call_counts *counts = rays_user(a);
+    counts->calls++;
     for (unsigned i = 0; i < a->N; i++)
         if (a->valid[i] == -1)
-            seen->bad += rays_filter_prim(a, (int)i) != 0 ||
-                         !(rays_filter_t(a, (int)i) > 6) ||
-                         a->context->instID[0] != INSTANCE_ID;
+            counts->bad += rays_filter_prim(a, (int)i) != 0 ||
+                           !(rays_filter_t(a, (int)i) > 6) ||
+                           a->context->instID[0] != INSTANCE_ID;
 }
 
 static void a_hit_is_written_where_it_is_declared(void)
@@ -85,11 +85,11 @@ static void a_hit_is_written_where_it_is_declared(void)
     rtcCommitScene(inner);
     scene = instance_of(inner);
     for (int n = 1; n <= 16; n = n == 1 ? 4 : 2 * n) {
-        struct seen seen = {0, 0};
+        struct call_counts counts = {0, 0};
         struct rays_query query = {0};
         struct rays r;
-        query.filter = look;
-        query.user = &seen;
+        query.filter = count_call;
+        query.user = &counts;
         rays_begin(&r, n);
         for (int i = 0; i < n; i += 2) {
             const float o[3] = {0.25f, 0, 1}, d[3] = {0, 0, 1};
@@ -108,13 +108,13 @@ static void a_hit_is_written_where_it_is_declared(void)
             CHECK(fabsf(rays_at(&r, RAY_TFAR, i)->f - 6.5f) < 1e-4f);
             CHECK(fabsf(rays_at(&r, HIT_U, i)->f - 0.625f) < 1e-4f);
         }
-        CHECK(seen.calls > 0 && seen.bad == 0);
+        CHECK(counts.calls > 0 && counts.bad == 0);
         memcpy(r.word, r.before, sizeof r.word);
         rays_occluded(&r, scene, &query);
         CHECK(rays_strayed(&r, 1) == 0);
         for (int i = 0; i < n; i += 2)
             CHECK(rays_shadowed(&r, i));
-        CHECK(seen.bad == 0);
+        CHECK(counts.bad == 0);
     }
     rtcReleaseScene(scene);
     rtcReleaseScene(inner);

@@ -144,8 +144,8 @@ static int compare_packet(const struct world *w, struct rays *r, int coherent)
     return hits;
 }
 
-static void ask_scene(const struct world *w, const struct scene_shapes *s,
-                      uint64_t seed, int turns)
+static void query_scene(const struct world *w, const struct scene_shapes *s,
+                        uint64_t seed, int turns)
 {
     static const int sizes[3] = {4, 8, 16};
     uint64_t state = seed;
@@ -167,7 +167,7 @@ static void ask_scene(const struct world *w, const struct scene_shapes *s,
         REPORT("%d hits of %d packets at %s", hits, turns, s->name);
 }
 
-static void ask_scenes(unsigned how, RTCFilterFunctionN filter)
+static void query_scenes(unsigned how, RTCFilterFunctionN filter)
 {
     for (int i = 0; i < SCENES; i++) {
         const cylint_embree_options options = options_for(how);
@@ -179,7 +179,7 @@ static void ask_scenes(unsigned how, RTCFilterFunctionN filter)
             rtcSetGeometryOccludedFilterFunction(w.geometry, filter);
             rtcCommitGeometry(w.geometry);
             rtcCommitScene(w.scene);
-            ask_scene(&w, &s, how + 1, MANNERS * PACKETS);
+            query_scene(&w, &s, how + 1, MANNERS * PACKETS);
             world_free(&w);
         }
         scene_release(&s);
@@ -188,17 +188,17 @@ static void ask_scenes(unsigned how, RTCFilterFunctionN filter)
 
 static void packets_return_the_answers_to_rays_alone(void)
 {
-    ask_scenes(0, NULL);
+    query_scenes(0, NULL);
 }
 
 static void packets_without_filters_return_the_answers_to_rays_alone(void)
 {
-    ask_scenes(CYLINT_EMBREE_NO_FILTERS, NULL);
+    query_scenes(CYLINT_EMBREE_NO_FILTERS, NULL);
 }
 
 static void bare_packets_return_the_answers_to_rays_alone(void)
 {
-    ask_scenes(CYLINT_EMBREE_BARE, NULL);
+    query_scenes(CYLINT_EMBREE_BARE, NULL);
 }
 
 /* Depends on shape and t only, not on the order of hits. */
@@ -214,7 +214,7 @@ static void reject_some(const struct RTCFilterFunctionNArguments *a)
 
 static void filtered_packets_return_the_answers_to_rays_alone(void)
 {
-    ask_scenes(0, reject_some);
+    query_scenes(0, reject_some);
 }
 
 /* ------------------------------------------------- rays that are no lines */

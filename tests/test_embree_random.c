@@ -245,7 +245,7 @@ static void rays_that_barely_miss_are_not_occluded(void)
     enum { SOLIDS = 100, TURNS = 40000 };
     cylint_embree_options options = {0};
     uint64_t state = seed;
-    long met = 0;
+    long hits = 0;
     options.flags = CYLINT_EMBREE_NO_FILTERS;
     for (int scene = SCENE_THIN; scene <= SCENE_FAT; scene++) {
         cylint_shape shapes[SOLIDS];
@@ -265,13 +265,13 @@ static void rays_that_barely_miss_are_not_occluded(void)
             rays_occluded(&r, w.scene, NULL);
             const cylint_line line = rays_line(&r, 0);
             const int expected = cylint_count(&w.pack, &line, 1) != 0;
-            met += expected;
+            hits += expected;
             if (!CHECK(rays_shadowed(&r, 0) == expected))
                 world_show(&w, &r, 0);
         }
         world_free(&w);
     }
-    CHECK(met > TURNS / 4 && met < 2 * TURNS - TURNS / 4);
+    CHECK(hits > TURNS / 4 && hits < 2 * TURNS - TURNS / 4);
 }
 
 int main(int argc, char **argv)

@@ -29,12 +29,12 @@ static void moving_shapes_are_hit_where_they_are_at_the_rays_time(void)
     if (!CHECK(world_make(&w, shapes, SOME, &options)))
         return;
     at = w;
-    at.room = malloc(cylint_pack_bytes(SOME));
+    at.pack_memory = malloc(cylint_pack_bytes(SOME));
     for (int turn = 0; turn < 4; turn++) {
         for (int i = 0; i < SOME; i++)
             CHECK(cylint_embree_between(&shapes[i], &moved[i], times[turn],
                                         &now[i]) == CYLINT_OK);
-        cylint_pack_shapes(&at.pack, at.room, now, SOME);
+        cylint_pack_shapes(&at.pack, at.pack_memory, now, SOME);
         at.shapes = now;
         for (int i = 0; i < 500; i++) {
             static const int sizes[4] = {1, 4, 8, 16};
@@ -55,7 +55,7 @@ static void moving_shapes_are_hit_where_they_are_at_the_rays_time(void)
         }
     }
     CHECK(hits > 100);
-    free(at.room);
+    free(at.pack_memory);
     world_free(&w);
 }
 
@@ -113,7 +113,7 @@ static void between_moves_the_constructors_numbers(void)
 
 /* --------------------------------------------------------------- update -- */
 
-static void ask_some(struct world *w, uint64_t *state)
+static void query_some(struct world *w, uint64_t *state)
 {
     for (int i = 0; i < 100; i++) {
         struct rays r;
@@ -134,15 +134,15 @@ static void an_update_reads_the_changed_shapes(void)
         long long bytes;
         world_shapes(&state, SCENE_THIN, shapes, SOME);
         w = made(shapes, SOME, both_ways[how]);
-        ask_some(&w, &state);
+        query_some(&w, &state);
         bytes = world_memory.bytes;
         for (int kind = SCENE_THIN; kind <= SCENE_MIXED; kind++) {
             world_shapes(&state, kind, shapes, SOME);
             CHECK(cylint_embree_update(w.geometry, &w.problem) ==
                   CYLINT_EMBREE_OK);
             rtcCommitScene(w.scene);
-            cylint_pack_shapes(&w.pack, w.room, shapes, SOME);
-            ask_some(&w, &state);
+            cylint_pack_shapes(&w.pack, w.pack_memory, shapes, SOME);
+            query_some(&w, &state);
         }
         /* a later scene needs no more memory than the first */
         world_shapes(&state, SCENE_THIN, shapes, SOME);
@@ -164,8 +164,8 @@ static void an_update_reads_the_changed_shapes(void)
         shapes[17] = kept;
         CHECK(cylint_embree_update(w.geometry, &w.problem) == CYLINT_EMBREE_OK);
         rtcCommitScene(w.scene);
-        cylint_pack_shapes(&w.pack, w.room, shapes, SOME);
-        ask_some(&w, &state);
+        cylint_pack_shapes(&w.pack, w.pack_memory, shapes, SOME);
+        query_some(&w, &state);
         world_free(&w);
     }
 }
@@ -291,7 +291,7 @@ static void shapes_that_embree_would_drop_are_refused_by_number(void)
     for (int how = 0; how < 2; how++) {
         const float o[3] = {0, 1e16f, -1e18f}, d[3] = {0, 0, 1};
         struct world w = made(&shape, 1, both_ways[how]);
-        struct rays r = asked_alone(&w, o, d, 0, HUGE_VALF);
+        struct rays r = traced_alone(&w, o, d, 0, HUGE_VALF);
         CHECK(rays_hit(&r, 0));
         world_free(&w);
     }

@@ -120,11 +120,11 @@ static void compare(struct family_case *c, struct environment there)
     struct answers want, got[3];
     family_make(c);
     compute_answers(c, &want);
-    enter(there);
+    environment_set(there);
     compute_answers(c, &got[0]);
     family_make(c);
     compute_answers(c, &got[1]);
-    leave();
+    environment_reset();
     compute_answers(c, &got[2]);
     for (int i = 0; i < 3; i++) {
         const char *what = difference(&got[i], &want);
@@ -243,10 +243,10 @@ static void angles(struct environment there)
         cylint_shape want, got;
         const cylint_status status =
             cylint_angle_cone(&want, v, u, angle, CYLINT_ENDS_CAPPED);
-        enter(there);
+        environment_set(there);
         const cylint_status other =
             cylint_angle_cone(&got, v, u, angle, CYLINT_ENDS_CAPPED);
-        leave();
+        environment_reset();
         if (!CHECK(status == other && same_bits(want.r1, got.r1))) {
             REPORT("acone 0 0 0  0 0 1  %a: got %a, want %a", angle, got.r1,
                    want.r1);
@@ -269,9 +269,9 @@ static void signs_by_more_than_doubles(struct environment there)
     c.ends = CYLINT_ENDS_INFINITE;
     compare(&c, there);
     cylint_answer a;
-    enter(there);
+    environment_set(there);
     cylint_intersect(&c.shape, &c.line, CYLINT_WANT_NORMAL, &a);
-    leave();
+    environment_reset();
     CHECK(a.n == 1 && a.hit[0].normal[0] < 0 && a.hit[0].normal[1] < 0);
 }
 
@@ -285,8 +285,8 @@ struct batch_answers {
     double first;
 };
 
-static void ask_batches(const cylint_pack *pack, const cylint_lines *lines,
-                        const cylint_line *line, struct batch_answers to[2])
+static void query_batches(const cylint_pack *pack, const cylint_lines *lines,
+                          const cylint_line *line, struct batch_answers to[2])
 {
     memset(to, 0, 2 * sizeof *to);
     for (int i = 0; i < 2; i++) {
@@ -307,7 +307,7 @@ static void ask_batches(const cylint_pack *pack, const cylint_lines *lines,
 static void batches(struct environment there)
 {
     for (int family = 0; family < family_count(); family++) {
-        static double room[ROW * 64], column[6][ROW];
+        static double memory[ROW * 64], column[6][ROW];
         cylint_shape shapes[ROW];
         cylint_pack pack;
         struct family_case c;
@@ -326,13 +326,13 @@ static void batches(struct environment there)
                 column[3 + k][i] = c.line.d[k];
             }
         }
-        if (!CHECK(cylint_pack_bytes(ROW) <= sizeof room))
+        if (!CHECK(cylint_pack_bytes(ROW) <= sizeof memory))
             return;
-        cylint_pack_shapes(&pack, room, shapes, ROW);
-        ask_batches(&pack, &lines, &c.line, want);
-        enter(there);
-        ask_batches(&pack, &lines, &c.line, got);
-        leave();
+        cylint_pack_shapes(&pack, memory, shapes, ROW);
+        query_batches(&pack, &lines, &c.line, want);
+        environment_set(there);
+        query_batches(&pack, &lines, &c.line, got);
+        environment_reset();
         if (!CHECK(memcmp(got, want, sizeof got) == 0))
             REPORT("family %s", family_name(family));
     }
@@ -408,9 +408,9 @@ static void the_selftest_detects_each_environment(void)
             const int want = (i < 0 ? 0 : CYLINT_SELFTEST_DIRECTED) |
                              (tiny & FLUSH ? CYLINT_SELFTEST_FLUSHED : 0) |
                              (tiny & ZERO ? CYLINT_SELFTEST_ZEROED : 0);
-            enter(there);
+            environment_set(there);
             const int found = cylint_selftest();
-            leave();
+            environment_reset();
             if (!CHECK(found == want)) {
                 REPORT("found %d, not %d", found, want);
             }
@@ -428,14 +428,14 @@ static void no_function_changes_the_environment(void)
         struct answers answers;
         double lo[3], hi[3];
         family_case(1, family, 0, &c);
-        enter(odd);
+        environment_set(odd);
         const int before = cylint_selftest();
         family_make(&c);
         compute_answers(&c, &answers);
         cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &answers.all);
         cylint_bounds(&c.shape, lo, hi);
         const int after = cylint_selftest(), rounding = fegetround();
-        leave();
+        environment_reset();
         CHECK(before == after && rounding == FE_DOWNWARD);
     }
 }

@@ -9,7 +9,7 @@ cd "$scratch" || exit 1
 cylint=$build/cylint faulty=$build/tests/faulty
 : "${WORKERS:=1 2}"
 
-judged() { # NAME; fails if $wrong is not empty
+check_wrong() { # NAME; fails if $wrong is not empty
     [ -z "$wrong" ]
     verdict "$1:$wrong" $?
     wrong=
@@ -78,7 +78,7 @@ cut -f 8 pairs.out | grep -v '^$' >ids
 awk 'BEGIN { for (i = 1; i <= 9000; i++) if (i % 701) print "r" i }' | cmp -s - ids ||
     wrong="$wrong ids"
 [ "$(wc -l <pairs.out)" -eq 9000 ] || wrong="$wrong count"
-judged 'the expected answers have all records in order'
+check_wrong 'the expected answers have all records in order'
 
 # ------------------------------------- short, interrupted and late calls --
 
@@ -100,7 +100,7 @@ badly() { # NAME FAULTS: from a file and through a pipe
             same $job "$(cat code)" "$job -j $j from a pipe"
         done
     done
-    judged "$1"
+    check_wrong "$1"
 }
 
 badly 'wrapped calls that do no harm' 'leaks=1'
@@ -124,7 +124,7 @@ for j in $WORKERS; do
     wait $pid
     same pairs $? "-j $j"
 done
-judged 'stopped and continued all the time'
+check_wrong 'stopped and continued all the time'
 
 # A writer of single bytes with pauses.  The command must wait for them; with too
 # many calls it polls instead.
@@ -142,7 +142,7 @@ for j in $WORKERS; do
     }
     same few "$(cat code)" "-j $j"
 done
-judged 'single bytes, from a pipe that does not block'
+check_wrong 'single bytes, from a pipe that does not block'
 
 # A reader that sleeps while its pipe becomes full.
 for j in $WORKERS; do
@@ -150,7 +150,7 @@ for j in $WORKERS; do
     echo $? >code; } | { sleep 0.3; cat >out; }
     same scene "$(cat code)" "-j $j"
 done
-judged 'a slow reader of a pipe that does not block'
+check_wrong 'a slow reader of a pipe that does not block'
 
 # ------------------------------------------------------------- failures --
 
@@ -173,7 +173,7 @@ for bytes in 0 1 $((whole - 1)) $whole $((whole + 1)) 262144; do
         first_lines pairs "$lines" "$bytes -j $j"
     done
 done
-judged 'a read that fails in mid-file'
+check_wrong 'a read that fails in mid-file'
 
 for j in $WORKERS; do
     CYLINT_FAULTS="read=$(($(wc -c <shapes) - 5))" answer "$faulty" scene -j $j <rays >out 2>err
@@ -183,7 +183,7 @@ for j in $WORKERS; do
     stopped $? 3 'neuron.swc: Input/output error' "-j $j"
     first_lines neuron 0 "-j $j"
 done
-judged 'a read that fails in the scene'
+check_wrong 'a read that fails in the scene'
 
 for j in $WORKERS; do
     for bytes in 0 1 100000; do
@@ -202,7 +202,7 @@ for j in $WORKERS; do
     CYLINT_FAULTS='close=1' answer "$faulty" pairs -j $j <few >out 2>err
     stopped $? 3 'standard output: Input/output error' "close -j $j"
 done
-judged 'a write or a close that fails'
+check_wrong 'a write or a close that fails'
 
 # A file may have ten thousand bytes, the disk 64 KiB.
 for j in $WORKERS; do
@@ -222,7 +222,7 @@ for j in $WORKERS; do
         echo 'note: no disk can be made and filled here'
     fi
 done
-judged 'a file that may not grow, a disk that is full'
+check_wrong 'a file that may not grow, a disk that is full'
 
 # For every n the n-th allocation fails, alone or with all later ones.
 for job in $jobs neuron; do
@@ -246,7 +246,7 @@ for job in $jobs neuron; do
         [ $died -ge 8 ] || wrong="$wrong $job -j $j: only $died of $(cat count) matter?"
     done
 done
-judged 'out of memory at the n-th allocation, for every n'
+check_wrong 'out of memory at the n-th allocation, for every n'
 
 n=0
 while [ $n -lt 9 ]; do
@@ -256,7 +256,7 @@ while [ $n -lt 9 ]; do
 done
 CYLINT_FAULTS='pipe=1 leaks=1' answer "$faulty" pairs -j 4 <pairs >out 2>err
 same pairs $? 'no pipe'
-judged 'threads that cannot be made'
+check_wrong 'threads that cannot be made'
 
 for j in $WORKERS; do
     { answer "$cylint" pairs -j $j <pairs 2>err; echo $? >code; } | head -n 1 >out
@@ -267,7 +267,7 @@ for j in $WORKERS; do
     stopped "$(cat code)" 3 'standard output: Broken pipe' "-j $j, ignored"
     first_lines pairs 1 "-j $j, ignored"
 done
-judged 'a reader that leaves'
+check_wrong 'a reader that leaves'
 
 # Ten million bad records give ten messages and a count, and need no more memory
 # than ten thousand.
@@ -288,7 +288,7 @@ for count in 10000 $many; do
             wrong="$wrong $count -j $j: status $(cat code), $(tail -n 1 err)"
     done
 done
-judged "$many bad records have eleven messages"
+check_wrong "$many bad records have eleven messages"
 
 # All functions that the command calls to read, write or allocate are wrapped, so
 # that a new one is not forgotten.
@@ -296,6 +296,6 @@ nm -u "$build"/tools/cylint/*.o | awk '{ print $NF }' | sort -u | grep -Ex \
     '(f|fd|fre|p|open_mem)open.*|creat|f?read|f?write|[pf]?(read|write)v|pread|pwrite|send|recv|getc.*|fgets|getdelim|getline|mmap|.*alloc|strn?dup|v?asprintf|p?select|ppoll|dup[23]?|pipe|fork|aligned_alloc' |
     grep -Evx 'read|write|fwrite|[mc]alloc|realloc|pipe' >unwrapped
 [ ! -s unwrapped ] || wrong=" $(cat unwrapped)"
-judged 'there are no other calls that can fail'
+check_wrong 'there are no other calls that can fail'
 
 check_end

@@ -25,7 +25,7 @@ static uint64_t seed(void)
     return check_setting("CYLINT_SEED", 1);
 }
 
-static void *room(size_t bytes)
+static void *allocate(size_t bytes)
 {
     void *p = malloc(bytes > 0 ? bytes : 1);
     if (!p)
@@ -49,10 +49,10 @@ static int open_both(struct scene_and_pack *a)
 {
     cylint_scene_status status;
     a->scene = cylint_scene_new(a->of.shapes, a->of.n, 2, &status);
-    a->memory = room(cylint_pack_bytes(a->of.n));
+    a->memory = allocate(cylint_pack_bytes(a->of.n));
     cylint_pack_shapes(&a->pack, a->memory, a->of.shapes, a->of.n);
-    a->hits = room(a->of.n);
-    a->numbers = room(a->of.n * sizeof *a->numbers);
+    a->hits = allocate(a->of.n);
+    a->numbers = allocate(a->of.n * sizeof *a->numbers);
     return CHECK(a->scene && status == CYLINT_SCENE_OK);
 }
 
@@ -303,7 +303,7 @@ static void a_shape_that_is_found_in_many_boxes_counts_once(void)
 {
     enum { NESTED = 700 };
     struct scene_and_pack a = {.of = {.name = "nested", .n = NESTED}};
-    a.of.shapes = room(NESTED * sizeof *a.of.shapes);
+    a.of.shapes = allocate(NESTED * sizeof *a.of.shapes);
     for (int i = 0; i < NESTED; i++) {
         const double from[3] = {-30 - i * 0.0005, -30, -30};
         const double to[3] = {30, 30 + i * 0.0005, 30};

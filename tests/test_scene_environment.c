@@ -57,16 +57,16 @@ static void nearest_of(const double base[DISCS], size_t n,
     if (!CHECK(cylint_pack_bytes(n) <= sizeof memory && scene))
         return;
     cylint_pack_shapes(&pack, memory, shapes, n);
-    enter(there);
+    environment_set(there);
     const size_t in_pack = cylint_nearest(&pack, line, CYLINT_WANT_T, &hit);
-    leave();
+    environment_reset();
     if (!CHECK(in_pack == want && hit.t == base[want]))
         REPORT("pack: %zu at %a, not %zu at %a", in_pack, hit.t, want,
                base[want]);
-    enter(there);
+    environment_set(there);
     const size_t in_scene =
         cylint_scene_nearest(scene, line, CYLINT_WANT_T, &hit);
-    leave();
+    environment_reset();
     if (!CHECK(in_scene == want && hit.t == base[want]))
         REPORT("scene: %zu at %a, not %zu at %a", in_scene, hit.t, want,
                base[want]);
@@ -133,7 +133,7 @@ static void made_anywhere(struct environment there)
         const double p0[3] = {0, 0, 0}, p1[3] = {0, length[i], 0};
         const double a[3] = {length[i], 0, 0}, b[3] = {0, length[i], 0};
         const double up[3] = {0, 0, length[i]};
-        enter(there);
+        environment_set(there);
         cylint_cylinder(&shape, p0, p1, 7, CYLINT_ENDS_CAPPED);
         hits_in_a_scene(&shape, &line);
         cylint_elliptic_cone(&shape, c, a, b, h, i ? 1 / length[i] : DBL_MAX,
@@ -144,7 +144,7 @@ static void made_anywhere(struct environment there)
                             CYLINT_ENDS_CAPPED);
         if (i)
             hits_in_a_scene(&shape, &fall);
-        leave();
+        environment_reset();
     }
 }
 
@@ -174,20 +174,20 @@ static void segments_at_the_largest_exponents(struct environment there)
     int n = 0, m = 0;
     cylint_segment(&line, a, b);
     cylint_cone(&shape, p0, 0x1.8p702, p1, DBL_MAX, CYLINT_ENDS_CAPPED);
-    enter(there);
+    environment_set(there);
     for (unsigned want = 0; want < CYLINT_WANT_FAST; want++)
         n += cylint_intersect(&shape, &line, want, &x);
     cylint_intersect(&shape, &line, CYLINT_WANT_T | CYLINT_WANT_PART, &x);
     const int occluded = cylint_occluded(&shape, &line);
-    leave();
+    environment_reset();
     CHECK(n == CYLINT_WANT_FAST && occluded && x.hit[0].t == 0x1.7ffff7p-300 &&
           x.hit[0].side == CYLINT_SIDE_LEAVING);
     cylint_segment(&line, far, farther);
     cylint_elliptic_cylinder(&shape, c, e1, e2, h, CYLINT_ENDS_INFINITE);
-    enter(there);
+    environment_set(there);
     for (unsigned want = 0; want < CYLINT_WANT_FAST; want++)
         m += cylint_intersect(&shape, &line, want, &x);
-    leave();
+    environment_reset();
     CHECK(m == 0 && x.relation == CYLINT_RELATION_CROSS);
 }
 
@@ -220,8 +220,8 @@ static void subnormal_lines(double column[8][LINES])
     }
 }
 
-static void ask_columns(const cylint_shape *shape, double column[8][LINES],
-                        int pairs, struct columns *to)
+static void query_columns(const cylint_shape *shape, double column[8][LINES],
+                          int pairs, struct columns *to)
 {
     static double memory[40000];
     static cylint_shape copies[LINES];
@@ -257,10 +257,10 @@ static void columns_of_subnormal_lines(struct environment there)
     cylint_cylinder(&shape[0], p0, p1, 0x1p-1030, CYLINT_ENDS_CAPPED);
     cylint_cylinder(&shape[1], q0, q1, 1, CYLINT_ENDS_INFINITE);
     for (int i = 0; i < 4; i++) {
-        ask_columns(&shape[i / 2], column, i % 2, &want);
-        enter(there);
-        ask_columns(&shape[i / 2], column, i % 2, &got);
-        leave();
+        query_columns(&shape[i / 2], column, i % 2, &want);
+        environment_set(there);
+        query_columns(&shape[i / 2], column, i % 2, &got);
+        environment_reset();
         int differ = 0;
         for (int k = 0; k < LINES; k++)
             differ +=
@@ -296,9 +296,9 @@ static void columns_of_empty_domains(struct environment there)
         column[7][i] = (1 + i % 3) * tiny;
     }
     for (int pairs = 0; pairs < 2; pairs++) {
-        enter(there);
-        ask_columns(&shape, column, pairs, &got);
-        leave();
+        environment_set(there);
+        query_columns(&shape, column, pairs, &got);
+        environment_reset();
         for (int i = 0; i < LINES; i++)
             CHECK(got.relation[i] == (i % 3 == 0 ? CYLINT_RELATION_MISS
                                                  : CYLINT_RELATION_CROSS) &&
@@ -318,7 +318,7 @@ static void every_subnormal_number_is_a_number(struct environment there)
         const double zero[3] = {0, 0, 0}, d[3] = {x, 0, 0}, b[3] = {0, y, 0};
         cylint_line line;
         cylint_shape shape;
-        enter(there);
+        environment_set(there);
         const int made = cylint_ray(&line, zero, d) == CYLINT_OK &&
                          cylint_segment(&line, zero, b) == CYLINT_OK &&
                          cylint_span(&line, zero, b, y, x) == CYLINT_OK;
@@ -329,7 +329,7 @@ static void every_subnormal_number_is_a_number(struct environment there)
                                                CYLINT_ENDS_OPEN) == CYLINT_OK;
         const cylint_status negative =
             cylint_cylinder(&shape, zero, d, y, CYLINT_ENDS_OPEN);
-        leave();
+        environment_reset();
         CHECK(made && refused == CYLINT_EDOMAIN && shapes &&
               negative == CYLINT_ERADIUS);
     }

@@ -230,8 +230,8 @@ static uint64_t bits_of(double x)
     return bits;
 }
 
-static void ask_one(const cylint_shape *shape, const cylint_line *line,
-                    unsigned want, struct answer *to)
+static void query_one(const cylint_shape *shape, const cylint_line *line,
+                      unsigned want, struct answer *to)
 {
     cylint_answer a;
     to->n = cylint_intersect(shape, line, want, &a);
@@ -282,9 +282,9 @@ static void columns_of(const struct family_case group[GROUP],
     }
 }
 
-static void ask_batches(const struct family_case group[GROUP],
-                        const cylint_shape shapes[GROUP],
-                        const struct line_columns *c, struct answers *to)
+static void query_batches(const struct family_case group[GROUP],
+                          const cylint_shape shapes[GROUP],
+                          const struct line_columns *c, struct answers *to)
 {
     static double memory[2000];
     const cylint_lines lines = {GROUP,
@@ -312,8 +312,8 @@ static void ask_batches(const struct family_case group[GROUP],
     cylint_intersect_pairs(&pack, &lines, at(&to->pairs, &columns));
 }
 
-static void ask_scene(const struct family_case group[GROUP],
-                      const cylint_scene *scene, struct answers *to)
+static void query_scene(const struct family_case group[GROUP],
+                        const cylint_scene *scene, struct answers *to)
 {
     cylint_hit hit;
     for (int i = 0; i < GROUP; i++) {
@@ -341,20 +341,20 @@ static void answer_all(const struct family_case group[GROUP],
         to->status[i][0] = (int)group[i].shape_status;
         to->status[i][1] = (int)group[i].line_status;
         for (int k = 0; k < MASKS; k++)
-            ask_one(&group[i].shape, &group[i].line, mask[k],
-                    &to->masked[i][k]);
+            query_one(&group[i].shape, &group[i].line, mask[k],
+                      &to->masked[i][k]);
         for (int j = 0; j < GROUP; j++) {
-            ask_one(&group[j].shape, &group[i].line,
-                    CYLINT_WANT_T | CYLINT_WANT_PART, &to->single[i][j]);
+            query_one(&group[j].shape, &group[i].line,
+                      CYLINT_WANT_T | CYLINT_WANT_PART, &to->single[i][j]);
             to->occluded[i][j] =
                 cylint_occluded(&group[j].shape, &group[i].line);
         }
     }
-    ask_batches(group, shapes, columns, to);
+    query_batches(group, shapes, columns, to);
     cylint_scene *made =
         scene ? scene : cylint_scene_new(shapes, GROUP, 1, NULL);
     if (CHECK(made))
-        ask_scene(group, made, to);
+        query_scene(group, made, to);
     if (!scene)
         cylint_scene_free(made);
 }
@@ -531,11 +531,11 @@ static void test_group(uint64_t index, int differences[ENVIRONMENTS])
         if (!can_treat_subnormals(there.tiny))
             continue;
         memcpy(here, group, sizeof here);
-        enter(there);
+        environment_set(there);
         for (int i = 0; i < GROUP && index % 2; i++)
             family_make(&here[i]);
         answer_all(here, &columns, mask, index % 2 ? NULL : scene, &got);
-        leave();
+        environment_reset();
         compare(group, &want, &got);
         differences[e] += check_bad - bad;
         if (check_bad > bad)

@@ -20,10 +20,10 @@ static int same_bits(double a, double b)
 
 static size_t written_length(double value, int digits)
 {
-    char text[NUMBER_ROOM + 1];
+    char text[NUMBER_CAPACITY + 1];
     double again;
     const size_t n = cylint_write_number(text, value, digits);
-    MUST(n > 0 && n <= NUMBER_ROOM);
+    MUST(n > 0 && n <= NUMBER_CAPACITY);
     text[n] = '\n';
     MUST(cylint_read_number(text, text + n, &again) == text + n);
     MUST(same_bits(value, again));

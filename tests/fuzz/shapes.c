@@ -426,14 +426,14 @@ static void check_pack(const cylint_pack *pack, const cylint_line *line)
         part1[SHAPES_MOST];
     double t0[SHAPES_MOST], t1[SHAPES_MOST];
     const cylint_columns columns = {relation, n, t0, t1, part0, part1};
-    size_t nearest = pack->n, met = 0;
+    size_t nearest = pack->n, hit_count = 0;
     double t = 0;
     cylint_intersect_shapes(pack, line, &columns);
     for (size_t i = 0; i < pack->n; i++) {
         cylint_answer a;
         cylint_intersect(&pack->shapes[i], line, verdicts, &a);
         must_be_column(&columns, i, &a);
-        met += a.n > 0;
+        hit_count += a.n > 0;
         if (a.n > 0 && (nearest == pack->n || a.hit[0].t < t)) {
             nearest = i;
             t = a.hit[0].t;
@@ -442,8 +442,8 @@ static void check_pack(const cylint_pack *pack, const cylint_line *line)
     cylint_hit hit;
     MUST(cylint_nearest(pack, line, verdicts, &hit) == nearest);
     MUST(nearest == pack->n || same_bits(hit.t, t));
-    MUST(cylint_count(pack, line, 0) == met);
-    MUST(cylint_count(pack, line, 1) == (met > 0));
+    MUST(cylint_count(pack, line, 0) == hit_count);
+    MUST(cylint_count(pack, line, 1) == (hit_count > 0));
 }
 
 /* Several copies of the line, each with a later tmin. */

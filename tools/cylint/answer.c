@@ -23,7 +23,7 @@ void job_prepare(struct job *job, const struct options *options,
                  "method '%s' does not support this shape",
                  options->method->name);
     }
-    turns_prepare(&job->turns);
+    write_order_prepare(&job->order);
     progress_start(&job->progress, options->progress, "records", 1);
 }
 
@@ -32,8 +32,8 @@ int job_block(const struct job *job, struct block *block)
     const struct options *o = job->options;
     const int finds_hits = o->query == QUERY_ALL || o->query == QUERY_NEAREST;
     const size_t longest = job->labels->longest;
-    if (!block_room(block, row_room(&o->fields, &o->style, longest),
-                    finds_hits ? job->scene->count : 0)) {
+    if (!block_allocate(block, row_capacity(&o->fields, &o->style, longest),
+                        finds_hits ? job->scene->count : 0)) {
         return 0;
     }
     if (o->query == QUERY_PAIRS && !o->method &&
@@ -45,10 +45,10 @@ int job_block(const struct job *job, struct block *block)
     return 1;
 }
 
-/* Does not pass the turn, so that the rest of the block follows. */
+/* Keeps the ticket, because the other answers of the block follow. */
 static enum answered deliver(struct job *job, struct block *b)
 {
-    if (!turns_wait(&job->turns, b->ticket)) {
+    if (!write_order_wait(&job->order, b->ticket)) {
         return OVERTAKEN;
     }
     job->status = output_write(&job->out, b->out.data, b->out.length);

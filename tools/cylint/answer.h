@@ -11,7 +11,7 @@
 #include "output.h"
 #include "progress.h"
 #include "scene.h"
-#include "turns.h"
+#include "write_order.h"
 
 /* The data shared by all blocks.  The first group is constant.  The second is
  * for the thread that reads, the last for the thread that writes. */
@@ -24,7 +24,7 @@ struct job {
 
     struct input in;
 
-    struct turns turns;
+    struct write_order order;
 
     struct output out;
     struct report report;
@@ -40,12 +40,13 @@ void job_prepare(struct job *job, const struct options *options,
 int job_block(const struct job *job, struct block *block);
 
 enum answered {
-    ANSWERED,      /* it is still this block's turn */
+    ANSWERED,      /* the block's ticket is still the next */
     ANSWERED_LAST, /* the same, and the work ends: see job->status */
-    OVERTAKEN      /* the work ended before its turn */
+    OVERTAKEN      /* the work ended before its ticket was the next */
 };
 
-/* Answers all records of a block and delivers the answers in its turn. */
+/* Answers all records of a block, and delivers the answers in the order of the
+ * tickets. */
 enum answered answer_block(struct job *job, struct block *b);
 
 #endif

@@ -66,7 +66,7 @@ struct arguments {
     char **argv;
     int count, next;
     const struct option *known;
-    option_taker *take;
+    option_handler *handle;
     void *context;
 };
 
@@ -110,13 +110,13 @@ static int take_long(struct arguments *args, const char *name)
     }
     if (!o->has_value) {
         return name[length] == '=' ? usage("--%s takes no value", shown)
-                                   : args->take(args->context, o, NULL);
+                                   : args->handle(args->context, o, NULL);
     }
     if (name[length] == '=') {
-        return args->take(args->context, o, name + length + 1);
+        return args->handle(args->context, o, name + length + 1);
     }
     return args->next < args->count
-               ? args->take(args->context, o, args->argv[args->next++])
+               ? args->handle(args->context, o, args->argv[args->next++])
                : usage("--%s needs a value", shown);
 }
 
@@ -133,11 +133,11 @@ static int take_short(struct arguments *args, const char *letters)
                        : usage("unknown option '-%s'", shown);
         }
         if (!o->has_value) {
-            status = args->take(args->context, o, NULL);
+            status = args->handle(args->context, o, NULL);
         } else if (p[1]) {
-            return args->take(args->context, o, p + 1);
+            return args->handle(args->context, o, p + 1);
         } else if (args->next < args->count) {
-            return args->take(args->context, o, args->argv[args->next++]);
+            return args->handle(args->context, o, args->argv[args->next++]);
         } else {
             return usage("-%s needs a value", shown);
         }
@@ -146,9 +146,9 @@ static int take_short(struct arguments *args, const char *letters)
 }
 
 int take_arguments(const struct option *known, int argc, char **argv,
-                   option_taker *take, void *context, int *files)
+                   option_handler *handle, void *context, int *files)
 {
-    struct arguments args = {argv, argc, argc > 0, known, take, context};
+    struct arguments args = {argv, argc, argc > 0, known, handle, context};
     int only_files = 0, status = 0;
     *files = 0;
     while (status == 0 && args.next < args.count) {

@@ -33,13 +33,13 @@ int read_word(const struct option *o, const char *value,
 
 /* Handles an option; value is NULL if it has none.  Returns 0 or an exit
  * status. */
-typedef int option_taker(void *context, const struct option *o,
-                         const char *value);
+typedef int option_handler(void *context, const struct option *o,
+                           const char *value);
 
-/* Calls `take` for each option in argv[1..argc).  Moves the files to the front
+/* Calls `handle` for each option in argv[1..argc).  Moves the files to the front
  * of argv and their number to *files.  The last name in `known` is NULL.
- * Returns 0, EXIT_USAGE, or the result of `take`. */
+ * Returns 0, EXIT_USAGE, or the result of `handle`. */
 int take_arguments(const struct option *known, int argc, char **argv,
-                   option_taker *take, void *context, int *files);
+                   option_handler *handle, void *context, int *files);
 
 #endif

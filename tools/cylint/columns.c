@@ -387,11 +387,11 @@ void put_header(struct text *out, const struct fields *fields,
 }
 
 /* Names and words are shorter than numbers; "error" fits into one field. */
-size_t row_room(const struct fields *fields, const struct style *style,
-                size_t longest_label)
+size_t row_capacity(const struct fields *fields, const struct style *style,
+                    size_t longest_label)
 {
     const size_t missing = style->missing ? strlen(style->missing) : 0;
-    const size_t widest = missing > NUMBER_ROOM ? missing : NUMBER_ROOM;
+    const size_t widest = missing > NUMBER_CAPACITY ? missing : NUMBER_CAPACITY;
     return (size_t)(fields->count + 1) * (widest + 1) +
            (size_t)fields->labels * longest_label;
 }
@@ -401,8 +401,8 @@ void list_columns(void (*print)(const char *name, const char *queries,
 {
     for (int i = 0; i < COLUMNS; i++) {
         struct text where;
-        char room[64];
-        where.data = room;
+        char buffer[64];
+        where.data = buffer;
         where.length = 0;
         for (int q = 0; q < QUERIES; q++) {
             if (columns[i].queries >> q & 1) {
@@ -411,6 +411,6 @@ void list_columns(void (*print)(const char *name, const char *queries,
             }
         }
         put_char(&where, '\0');
-        print(columns[i].name, room, columns[i].about);
+        print(columns[i].name, buffer, columns[i].about);
     }
 }

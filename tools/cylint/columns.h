@@ -66,8 +66,8 @@ const char *similar_field(const char *name, size_t length, enum query query);
 
 /* The largest length of a row or of the header in bytes, without the tail, if
  * no label is longer than this. */
-size_t row_room(const struct fields *fields, const struct style *style,
-                size_t longest_label);
+size_t row_capacity(const struct fields *fields, const struct style *style,
+                    size_t longest_label);
 
 void put_row(struct text *out, const struct fields *fields,
              const struct style *style, const struct row *row);

@@ -277,8 +277,8 @@ static int refuse_status(struct reader *r, const char *at, int has_word,
     return 0;
 }
 
-static void look_at_domain(const struct grammar *g, int kind, const char *at,
-                           struct remarks *remarks)
+static void remark_domain(const struct grammar *g, int kind, const char *at,
+                          struct remarks *remarks)
 {
     if (g->has_domain && kind >= LINE_SEGMENT && remarks &&
         remarks->wanted & 1u << REMARK_DOMAIN) {
@@ -306,7 +306,7 @@ static int read_line(struct reader *r, const struct grammar *g,
     if (!read_numbers(r, v, line_kinds[kind].numbers)) {
         return 0;
     }
-    look_at_domain(g, kind, at, parts->remarks);
+    remark_domain(g, kind, at, parts->remarks);
     const cylint_status status = make_line(g, kind, v, parts->line);
     return status == CYLINT_OK ||
            refuse_status(r, at, g->line == NOT_GIVEN, (int)status,
@@ -479,7 +479,7 @@ int take_parts(const struct grammar *g, const double *numbers,
         parts->remarks->found = 0;
     }
     if (g->has_line) {
-        look_at_domain(g, g->line, NULL, parts->remarks);
+        remark_domain(g, g->line, NULL, parts->remarks);
         status = make_line(g, g->line, numbers, parts->line);
         numbers += line_kinds[g->line].numbers;
     }

@@ -48,7 +48,7 @@ int input_open(struct input *in, char *const *files, int count,
     in->fd = in->ending = -1;
     in->record = 1;
     in->total = total_size(files, count);
-    in->carry = malloc(BLOCK_ROOM);
+    in->carry = malloc(BLOCK_CAPACITY);
     return in->carry ? 0 : out_of_memory();
 }
 
@@ -178,14 +178,14 @@ static void skip_line(struct input *in, struct block *b)
 /* ------------------------------------------------------------ records -- */
 
 /* Returns the bytes up to the end of the last whole record.  The first `known`
- * bytes are whole records; `seen` bytes were searched before. */
+ * bytes are whole records; The first `searched` bytes were searched before. */
 static size_t find_whole(const struct input *in, const struct block *b,
-                         size_t known, size_t seen)
+                         size_t known, size_t searched)
 {
     if (in->record_size > 0) {
         return b->length - b->length % in->record_size;
     }
-    for (size_t i = b->length; i > seen; i--) {
+    for (size_t i = b->length; i > searched; i--) {
         if (b->text[i - 1] == '\n') {
             return i;
         }
@@ -204,9 +204,9 @@ static size_t gather(struct input *in, struct block *b)
             in->skipping = 1;
             return b->length = LINE_MOST + 1;
         }
-        const size_t seen = b->length;
+        const size_t searched = b->length;
         read_more(in, b);
-        whole = find_whole(in, b, whole, seen);
+        whole = find_whole(in, b, whole, searched);
     }
     b->full = b->length >= BLOCK_GOAL;
     return in->ended && !in->error ? b->length : whole;
@@ -343,7 +343,7 @@ static void fill_block(struct input *in, struct block *b)
     }
 }
 
-void input_take(struct input *in, struct block *b)
+void input_read(struct input *in, struct block *b)
 {
     b->length = 0;
     b->records = 0;
@@ -368,17 +368,17 @@ void input_complain(const struct block *b)
 
 int input_next(struct input *in, struct block *b)
 {
-    input_take(in, b);
+    input_read(in, b);
     if (b->failure.status != 0) {
         input_complain(b);
     }
     return b->failure.status;
 }
 
-int block_room(struct block *block, size_t row, size_t shapes)
+int block_allocate(struct block *block, size_t row, size_t shapes)
 {
     memset(block, 0, sizeof *block);
-    block->text = malloc(BLOCK_ROOM + 1);
+    block->text = malloc(BLOCK_CAPACITY + 1);
     block->out.data = malloc(TEXT_FULL + LINE_MOST + row + 2);
     block->hits = malloc(shapes + 1);
     return block->text && block->out.data && block->hits;
@@ -386,7 +386,7 @@ int block_room(struct block *block, size_t row, size_t shapes)
 
 int block_make(struct block *block, size_t row, size_t shapes)
 {
-    return block_room(block, row, shapes) ? 0 : out_of_memory();
+    return block_allocate(block, row, shapes) ? 0 : out_of_memory();
 }
 
 void block_free(struct block *block)

@@ -39,7 +39,7 @@ int input_open(struct input *in, char *const *files, int count,
                size_t record_size);
 /* Reads the next block.  Its length is 0 at the end of all input and if
  * block->failure is set. */
-void input_take(struct input *in, struct block *block);
+void input_read(struct input *in, struct block *block);
 /* Prints the failure. */
 void input_complain(const struct block *block);
 /* Reads a block and prints its failure.  Returns 0, or an exit status after a
@@ -49,10 +49,10 @@ int input_next(struct input *in, struct block *block);
 void input_close(struct input *in);
 
 /* Allocate the buffers of a block: for answers of at most `row` bytes without
- * the tail, and for the numbers of hits with `shapes` shapes.  block_room()
+ * the tail, and for the numbers of hits with `shapes` shapes.  block_allocate()
  * returns 0 if there is no memory, block_make() an exit status after a
  * message. */
-int block_room(struct block *block, size_t row, size_t shapes);
+int block_allocate(struct block *block, size_t row, size_t shapes);
 int block_make(struct block *block, size_t row, size_t shapes);
 void block_free(struct block *block);
 

@@ -8,42 +8,43 @@
 #include "labels.h"
 #include "report.h"
 
-/* Makes room for `more` bytes; at least doubles the capacity. */
+/* Makes space for `more` bytes; at least doubles the capacity. */
 static int grow_bytes(struct labels *labels, size_t more)
 {
-    if (more <= labels->room - labels->length) {
+    if (more <= labels->capacity - labels->length) {
         return 0;
     }
-    const size_t twice = 2 * labels->room;
-    const size_t room =
+    const size_t twice = 2 * labels->capacity;
+    const size_t capacity =
         labels->length + more > twice ? labels->length + more : twice;
-    char *bytes = realloc(labels->bytes, room);
+    char *bytes = realloc(labels->bytes, capacity);
     if (!bytes) {
         return out_of_memory();
     }
     labels->bytes = bytes;
-    labels->room = room;
+    labels->capacity = capacity;
     return 0;
 }
 
 static int grow_ends(struct labels *labels)
 {
-    if (labels->count < labels->places) {
+    if (labels->count < labels->end_capacity) {
         return 0;
     }
-    const size_t places = labels->places > 0 ? 2 * labels->places : 64;
-    size_t *end = places <= SIZE_MAX / sizeof *end
-                      ? realloc(labels->end, places * sizeof *end)
+    const size_t end_capacity =
+        labels->end_capacity > 0 ? 2 * labels->end_capacity : 64;
+    size_t *end = end_capacity <= SIZE_MAX / sizeof *end
+                      ? realloc(labels->end, end_capacity * sizeof *end)
                       : NULL;
     if (!end) {
         return out_of_memory();
     }
     labels->end = end;
-    labels->places = places;
+    labels->end_capacity = end_capacity;
     return 0;
 }
 
-static int take_label(struct scene *scene, const struct record *record)
+static int store_label(struct scene *scene, const struct record *record)
 {
     struct labels *labels = scene->context;
     const size_t length = record->tail_length;
@@ -65,9 +66,9 @@ static int take_label(struct scene *scene, const struct record *record)
     return 0;
 }
 
-void labels_keep(struct labels *labels, struct scene *scene)
+void labels_collect(struct labels *labels, struct scene *scene)
 {
-    scene->also = take_label;
+    scene->also = store_label;
     scene->context = labels;
 }
 

@@ -13,9 +13,9 @@
 /* Zero it before use. */
 struct labels {
     char *bytes; /* of all labels, one after the other */
-    size_t length, room;
+    size_t length, capacity;
     size_t *end; /* end of each shape's label in bytes */
-    size_t count, places;
+    size_t count, end_capacity;
     size_t longest; /* bytes of the longest label */
 };
 
@@ -25,7 +25,7 @@ struct label {
 };
 
 /* Makes scene_read() store the labels here. */
-void labels_keep(struct labels *labels, struct scene *scene);
+void labels_collect(struct labels *labels, struct scene *scene);
 void labels_free(struct labels *labels);
 
 /* The label of a shape, counted from 0.  Its length is 0 if there is none. */

@@ -17,7 +17,7 @@ static int put_first_line(struct job *job)
     if (!o->header) {
         return 0;
     }
-    int status = block_make(&b, row_room(&o->fields, &o->style, 0), 0);
+    int status = block_make(&b, row_capacity(&o->fields, &o->style, 0), 0);
     if (status == 0) {
         put_header(&b.out, &o->fields, &o->style);
         status = output_write(&job->out, b.out.data, b.out.length);
@@ -62,7 +62,7 @@ static int read_scene(const struct options *o, struct scene *scene,
                       struct labels *labels, struct groups *groups)
 {
     if (o->fields.labels > 0 || o->not_label) {
-        labels_keep(labels, scene);
+        labels_collect(labels, scene);
     }
     int status = scene_read(scene, o->scene, o->grammar.ends);
     if (status == 0 && !o->method) {
@@ -97,7 +97,7 @@ int main(int argc, char **argv)
     if (status == 0) {
         job_prepare(&job, &options, &scene, &labels, &groups);
         status = run(&job);
-        turns_destroy(&job.turns);
+        write_order_destroy(&job.order);
     }
     scene_free(&scene);
     labels_free(&labels);

@@ -38,7 +38,7 @@ extern "C" const char *cylint_read_number(const char *text, const char *end,
     return after;
 }
 
-extern "C" size_t cylint_write_number(char out[NUMBER_ROOM], double value,
+extern "C" size_t cylint_write_number(char out[NUMBER_CAPACITY], double value,
                                       int digits)
 {
     if (!is_finite(value)) {
@@ -49,8 +49,8 @@ extern "C" size_t cylint_write_number(char out[NUMBER_ROOM], double value,
     }
     const auto written =
         digits == NUMBER_SHORTEST
-            ? std::to_chars(out, out + NUMBER_ROOM, value)
-            : std::to_chars(out, out + NUMBER_ROOM, value,
+            ? std::to_chars(out, out + NUMBER_CAPACITY, value)
+            : std::to_chars(out, out + NUMBER_CAPACITY, value,
                             std::chars_format::general, digits);
     return static_cast<size_t>(written.ptr - out);
 }

@@ -15,8 +15,8 @@ extern "C" {
 #endif
 
 enum {
-    NUMBER_ROOM = 32,    /* bytes that any written number fits into */
-    NUMBER_SHORTEST = 0, /* the shortest text that reads back the same */
+    NUMBER_CAPACITY = 32, /* bytes that any written number fits into */
+    NUMBER_SHORTEST = 0,  /* the shortest text that reads back the same */
     NUMBER_MAX_DIGITS = 17,
     NUMBER_HEX = -1 /* 0x1.8p+3, the leading digit 1 unless zero */
 };
@@ -39,7 +39,7 @@ const char *cylint_read_number(const char *text, const char *end,
  * or 1 to 17 significant digits as printf("%.*g") writes them.  The shortest
  * text is the shorter of fixed and scientific notation, fixed when equal.
  */
-size_t cylint_write_number(char out[NUMBER_ROOM], double value, int digits);
+size_t cylint_write_number(char out[NUMBER_CAPACITY], double value, int digits);
 
 #ifdef __cplusplus
 }

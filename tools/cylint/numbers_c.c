@@ -38,7 +38,7 @@ struct decimal {
 /* Writes the decimal of `count` digits nearest to a positive value. */
 static void round_decimal(struct decimal *d, double value, int count)
 {
-    char text[NUMBER_ROOM];
+    char text[NUMBER_CAPACITY];
     snprintf(text, sizeof text, "%.*e", count - 1, value);
     d->count = count;
     d->digits[0] = text[0];
@@ -79,7 +79,7 @@ static size_t write_scientific(char *out, const struct decimal *d)
 
 static int reads_back(const struct decimal *d, double value)
 {
-    char text[NUMBER_ROOM];
+    char text[NUMBER_CAPACITY];
     text[write_scientific(text, d)] = '\0';
     return strtod(text, NULL) == value;
 }
@@ -109,7 +109,7 @@ static void shortest_decimal(struct decimal *d, double value)
 static size_t write_fixed(char *out, const struct decimal *d, double value)
 {
     if (d->exponent >= d->count - 1) {
-        return (size_t)snprintf(out, NUMBER_ROOM, "%.0f", value);
+        return (size_t)snprintf(out, NUMBER_CAPACITY, "%.0f", value);
     }
     char *p = out;
     if (d->exponent < 0) {
@@ -142,7 +142,7 @@ static int fixed_length(const struct decimal *d)
     return d->exponent >= d->count - 1 ? d->exponent + 1 : d->count + 1;
 }
 
-size_t cylint_write_number(char out[NUMBER_ROOM], double value, int digits)
+size_t cylint_write_number(char out[NUMBER_CAPACITY], double value, int digits)
 {
     if (!is_finite(value)) {
         return write_not_finite(out, value);
@@ -151,7 +151,7 @@ size_t cylint_write_number(char out[NUMBER_ROOM], double value, int digits)
         return write_hex(out, value);
     }
     if (digits != NUMBER_SHORTEST) {
-        return (size_t)snprintf(out, NUMBER_ROOM, "%.*g", digits, value);
+        return (size_t)snprintf(out, NUMBER_CAPACITY, "%.*g", digits, value);
     }
     char *p = out;
     if (value < 0 || (value == 0 && 1 / value < 0)) {

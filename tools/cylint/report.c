@@ -13,7 +13,7 @@
 enum { SHOWN_MOST = 32, NAME_MOST = 256 };
 
 /* WHAT: 'TEXT', or expected WHAT, found 'TEXT'. */
-static int describe_matter(char text[NOTE_ROOM], const struct fault *fault)
+static int describe_matter(char text[NOTE_CAPACITY], const struct fault *fault)
 {
     char found[4 * SHOWN_MOST + 4];
     const int shown = fault->at != fault->end;
@@ -21,33 +21,33 @@ static int describe_matter(char text[NOTE_ROOM], const struct fault *fault)
         escape_bytes(found, fault->at, fault->end, SHOWN_MOST);
     }
     if (fault->shape > 0) {
-        return snprintf(text, NOTE_ROOM, "%s: shape %llu of the scene",
+        return snprintf(text, NOTE_CAPACITY, "%s: shape %llu of the scene",
                         fault->what, fault->shape);
     }
     if (fault->numbers > 0) {
-        return snprintf(text, NOTE_ROOM, "%d numbers where %s", fault->numbers,
-                        fault->what);
+        return snprintf(text, NOTE_CAPACITY, "%d numbers where %s",
+                        fault->numbers, fault->what);
     }
     if (!fault->expected) {
-        return snprintf(text, NOTE_ROOM, shown ? "%s: '%s'" : "%s", fault->what,
-                        shown ? found : "");
+        return snprintf(text, NOTE_CAPACITY, shown ? "%s: '%s'" : "%s",
+                        fault->what, shown ? found : "");
     }
-    return shown ? snprintf(text, NOTE_ROOM, "expected %s, found '%s'",
+    return shown ? snprintf(text, NOTE_CAPACITY, "expected %s, found '%s'",
                             fault->what, found)
-                 : snprintf(text, NOTE_ROOM,
+                 : snprintf(text, NOTE_CAPACITY,
                             "expected %s, found the end of the line",
                             fault->what);
 }
 
-static void describe(char text[NOTE_ROOM], const struct fault *fault)
+static void describe(char text[NOTE_CAPACITY], const struct fault *fault)
 {
     int length = describe_matter(text, fault);
-    if (fault->meant && length < NOTE_ROOM) {
-        length += snprintf(text + length, (size_t)(NOTE_ROOM - length),
+    if (fault->meant && length < NOTE_CAPACITY) {
+        length += snprintf(text + length, (size_t)(NOTE_CAPACITY - length),
                            "; did you mean %s?", fault->meant);
     }
-    if (fault->remedy && length < NOTE_ROOM) {
-        snprintf(text + length, (size_t)(NOTE_ROOM - length), "; %s",
+    if (fault->remedy && length < NOTE_CAPACITY) {
+        snprintf(text + length, (size_t)(NOTE_CAPACITY - length), "; %s",
                  fault->remedy);
     }
 }
@@ -125,14 +125,14 @@ void print_note(const struct note *note, const char *name)
 }
 
 /* Returns whether a note must be printed, and updates *report if so. */
-static int is_news(struct report *report, const struct note *note,
-                   const char *name)
+static int must_print(struct report *report, const struct note *note,
+                      const char *name)
 {
     if (note->remark != NOT_GIVEN) {
         const unsigned bit = 1u << note->remark;
-        const int news = !(report->remarks & bit);
+        const int is_first = !(report->remarks & bit);
         report->remarks |= bit;
-        return news;
+        return is_first;
     }
     if (report->shown == NOTES_MOST || report->binary == name) {
         return 0;
@@ -145,7 +145,7 @@ static int is_news(struct report *report, const struct note *note,
 void report_notes(struct report *report, struct notes *notes, const char *name)
 {
     for (int i = 0; i < notes->kept; i++) {
-        if (is_news(report, &notes->note[i], name)) {
+        if (must_print(report, &notes->note[i], name)) {
             print_note(&notes->note[i], name);
         }
     }

@@ -11,7 +11,7 @@
 
 #include "grammar.h"
 
-enum { NOTES_MOST = 10, NOTE_ROOM = 384 };
+enum { NOTES_MOST = 10, NOTE_CAPACITY = 384 };
 
 struct note {
     unsigned long long line;   /* from 1; 0 in binary input */
@@ -19,7 +19,7 @@ struct note {
     unsigned long long column; /* from 1 */
     int remark; /* enum remark: the record is good; NOT_GIVEN: it is bad */
     int binary; /* its file looks like a binary one */
-    char text[NOTE_ROOM];
+    char text[NOTE_CAPACITY];
 };
 
 struct notes {

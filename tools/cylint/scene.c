@@ -18,17 +18,17 @@
 
 static int add_shape(struct scene *scene, const cylint_shape *shape)
 {
-    if (scene->count == scene->room) {
-        const size_t room = scene->room > 0 ? 2 * scene->room : 64;
-        if (room > SIZE_MAX / sizeof *shape) {
+    if (scene->count == scene->capacity) {
+        const size_t capacity = scene->capacity > 0 ? 2 * scene->capacity : 64;
+        if (capacity > SIZE_MAX / sizeof *shape) {
             return out_of_memory();
         }
-        cylint_shape *more = realloc(scene->shapes, room * sizeof *shape);
+        cylint_shape *more = realloc(scene->shapes, capacity * sizeof *shape);
         if (!more) {
             return out_of_memory();
         }
         scene->shapes = more;
-        scene->room = room;
+        scene->capacity = capacity;
     }
     scene->shapes[scene->count++] = *shape;
     return 0;
@@ -162,14 +162,14 @@ static double next_up(double t)
 static size_t nearest_until(const struct scene *scene,
                             const struct scene_query *q, double end)
 {
-    enum { ROOM = 256 };
+    enum { CAPACITY = 256 };
     cylint_line line = *q->line;
-    size_t number[ROOM], found, first = 0, nearest = scene->count;
+    size_t number[CAPACITY], found, first = 0, nearest = scene->count;
     double t = 0;
     line.tmax = end < line.tmax ? end : line.tmax;
     do {
-        found =
-            search_hits(&scene->search, &line, q->hits, first, number, ROOM);
+        found = search_hits(&scene->search, &line, q->hits, first, number,
+                            CAPACITY);
         for (size_t i = 0; i < found; i++) {
             cylint_answer answer;
             if (!left_out_has(q->left_out, number[i])) {
@@ -182,7 +182,7 @@ static size_t nearest_until(const struct scene *scene,
             }
         }
         first = found > 0 ? number[found - 1] + 1 : 0;
-    } while (found == ROOM);
+    } while (found == CAPACITY);
     return nearest;
 }
 

@@ -12,7 +12,7 @@
 
 struct scene {
     cylint_shape *shapes;
-    size_t count, room;
+    size_t count, capacity;
     struct search search; /* once scene_prepare() was called */
 
     /* Called with the record of shape number `count`, unless NULL.  Returns

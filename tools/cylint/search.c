@@ -23,7 +23,7 @@ const char *const accel_words[] = {"auto", "none", "tree", "embree", NULL};
 enum { PAYS_FROM = 64, PAYS_AFTER = 1024 };
 
 /* The hierarchy.  A thread may still be building it. */
-struct tree {
+struct hierarchy {
     cylint_scene *scene; /* NULL: not built, or building failed */
     size_t lines;        /* lines before it was built */
 };
@@ -43,7 +43,7 @@ static cylint_scene_status make_scene(const struct search *s)
     cylint_scene_status status;
     cylint_scene *scene =
         cylint_scene_new(s->shapes, s->count, s->threads, &status);
-    __atomic_store_n(&s->tree->scene, scene, __ATOMIC_RELEASE);
+    __atomic_store_n(&s->hierarchy->scene, scene, __ATOMIC_RELEASE);
     return status;
 }
 
@@ -66,8 +66,8 @@ int search_make(struct search *s, const cylint_shape *shapes, size_t count,
     s->count = count;
     s->threads = threads;
     if (accel == ACCEL_TREE || (accel == ACCEL_AUTO && count >= PAYS_FROM)) {
-        s->tree = calloc(1, sizeof *s->tree);
-        if (!s->tree) {
+        s->hierarchy = calloc(1, sizeof *s->hierarchy);
+        if (!s->hierarchy) {
             return out_of_memory();
         }
     }
@@ -76,10 +76,10 @@ int search_make(struct search *s, const cylint_shape *shapes, size_t count,
 
 void search_free(struct search *s)
 {
-    if (s->tree) {
-        cylint_scene_free(s->tree->scene);
+    if (s->hierarchy) {
+        cylint_scene_free(s->hierarchy->scene);
     }
-    free(s->tree);
+    free(s->hierarchy);
     free(s->memory);
     memset(s, 0, sizeof *s);
 }
@@ -87,7 +87,9 @@ void search_free(struct search *s)
 /* Returns the hierarchy, or NULL if it is not built. */
 static const cylint_scene *scene_of(const struct search *s)
 {
-    return s->tree ? __atomic_load_n(&s->tree->scene, __ATOMIC_ACQUIRE) : NULL;
+    return s->hierarchy
+               ? __atomic_load_n(&s->hierarchy->scene, __ATOMIC_ACQUIRE)
+               : NULL;
 }
 
 /* The same, and counts one line.  The thread with line number PAYS_AFTER builds
@@ -95,8 +97,8 @@ static const cylint_scene *scene_of(const struct search *s)
 static const cylint_scene *scene_for_line(const struct search *s)
 {
     const cylint_scene *scene = scene_of(s);
-    if (s->tree && !scene &&
-        __atomic_add_fetch(&s->tree->lines, 1, __ATOMIC_RELAXED) ==
+    if (s->hierarchy && !scene &&
+        __atomic_add_fetch(&s->hierarchy->lines, 1, __ATOMIC_RELAXED) ==
             PAYS_AFTER) {
         make_scene(s); /* if that fails, batches are used */
         scene = scene_of(s);
@@ -145,12 +147,12 @@ static size_t next_hit(const signed char *n, size_t from, size_t count)
 
 size_t search_hits(const struct search *s, const cylint_line *line,
                    signed char *hits, size_t first, size_t *numbers,
-                   size_t room)
+                   size_t capacity)
 {
     size_t found = 0;
     const cylint_scene *scene = first == 0 ? scene_for_line(s) : scene_of(s);
     if (scene) {
-        return cylint_scene_all(scene, line, first, numbers, room);
+        return cylint_scene_all(scene, line, first, numbers, capacity);
     }
     if (first == 0) {
         cylint_columns columns = {0};
@@ -158,7 +160,8 @@ size_t search_hits(const struct search *s, const cylint_line *line,
         cylint_intersect_shapes(&s->pack, line, &columns);
     }
     for (size_t i = next_hit(hits, first, s->count);
-         i < s->count && found < room; i = next_hit(hits, i + 1, s->count)) {
+         i < s->count && found < capacity;
+         i = next_hit(hits, i + 1, s->count)) {
         numbers[found++] = i;
     }
     return found;

@@ -17,10 +17,10 @@ extern const char *const accel_words[]; /* in that order, then NULL */
 struct search {
     const cylint_shape *shapes;
     size_t count;
-    cylint_pack pack;  /* not used with ACCEL_TREE */
-    void *memory;      /* the pack's */
-    struct tree *tree; /* NULL: batches only */
-    int threads;       /* to build it */
+    cylint_pack pack;            /* not used with ACCEL_TREE */
+    void *memory;                /* the pack's */
+    struct hierarchy *hierarchy; /* NULL: batches only */
+    int threads;                 /* to build it */
 };
 
 /* Prepares `count` shapes with this number of threads; 0: one for each
@@ -41,10 +41,10 @@ size_t search_count(const struct search *s, const cylint_line *line,
                     size_t enough);
 
 /* Writes the numbers of the shapes that are hit, ascending from `first`, at
- * most `room` of them, and returns how many.  hits: one char for each shape;
+ * most `capacity` of them, and returns how many.  hits: one char for each shape;
  * keep it unchanged between calls for the same line. */
 size_t search_hits(const struct search *s, const cylint_line *line,
                    signed char *hits, size_t first, size_t *numbers,
-                   size_t room);
+                   size_t capacity);
 
 #endif

@@ -14,8 +14,8 @@
 enum {
     LINE_MOST = (1 << 20) / CYLINT_SHRINK, /* of a line, without its end */
     BLOCK_GOAL =
-        (1 << 18) / CYLINT_SHRINK, /* a block is answered from this size on */
-    BLOCK_ROOM = 2 * LINE_MOST,    /* a long line and the bytes read with it */
+        (1 << 18) / CYLINT_SHRINK,  /* a block is answered from this size on */
+    BLOCK_CAPACITY = 2 * LINE_MOST, /* a long line and the bytes read with it */
     TEXT_FULL =
         (1 << 18) / CYLINT_SHRINK, /* answers are written from this size on */
     NPY_HEADER_MOST = (1 << 16) / CYLINT_SHRINK

@@ -31,7 +31,7 @@ struct swc_node {
     double centre[3], radius;
     unsigned long long line, column; /* of the parent's number */
     size_t up;                       /* the parent's index, from 1; 0: a root */
-    size_t walk; /* the first node, from 1, whose ancestor this is; 0: none */
+    size_t path; /* the first node, from 1, whose ancestor this is; 0: none */
 };
 
 int swc_is_name(const char *file)
@@ -69,23 +69,23 @@ static size_t *find_place(const struct swc *swc, uint64_t number)
 static int grow(struct swc *swc)
 {
     const int bits = swc->bits > 0 ? swc->bits + 1 : 12;
-    const size_t room = (size_t)1 << (bits - 1);
-    if (room > SIZE_MAX / sizeof *swc->nodes) {
+    const size_t capacity = (size_t)1 << (bits - 1);
+    if (capacity > SIZE_MAX / sizeof *swc->nodes) {
         return out_of_memory();
     }
-    struct swc_node *nodes = realloc(swc->nodes, room * sizeof *nodes);
+    struct swc_node *nodes = realloc(swc->nodes, capacity * sizeof *nodes);
     if (!nodes) {
         return out_of_memory();
     }
     swc->nodes = nodes;
-    size_t *places = calloc(2 * room, sizeof *places);
+    size_t *places = calloc(2 * capacity, sizeof *places);
     if (!places) {
         return out_of_memory();
     }
     free(swc->places);
     swc->places = places;
     swc->bits = bits;
-    swc->room = room;
+    swc->capacity = capacity;
     for (size_t i = 0; i < swc->count; i++) {
         *find_place(swc, nodes[i].number) = i + 1;
     }
@@ -227,8 +227,8 @@ static int read_node(const char *text, const char *end, struct swc_node *node,
 
 /* ------------------------------------------------------------ all nodes -- */
 
-static int say_fault(struct block *b, unsigned long long line, const char *text,
-                     const struct fault *fault)
+static int print_fault(struct block *b, unsigned long long line,
+                       const char *text, const struct fault *fault)
 {
     take_note(&b->notes, line, 0, text, b->text + b->length, fault);
     print_note(&b->notes.note[0], b->name);
@@ -243,9 +243,9 @@ static int read_line(struct swc *swc, struct block *b, const char *text,
     node.line = line;
     if (!trim_line(text, &end, &fault) ||
         !read_node(text, end, &node, &fault)) {
-        return say_fault(b, line, text, &fault);
+        return print_fault(b, line, text, &fault);
     }
-    if (swc->count == swc->room) {
+    if (swc->count == swc->capacity) {
         const int status = grow(swc);
         if (status != 0) {
             return status;
@@ -255,7 +255,7 @@ static int read_line(struct swc *swc, struct block *b, const char *text,
     if (*place > 0) {
         struct reader r = {skip_blanks(text, end), end, &fault};
         refuse(&r, "this node was given before", 0);
-        return say_fault(b, line, text, &fault);
+        return print_fault(b, line, text, &fault);
     }
     swc->nodes[swc->count++] = node;
     *place = swc->count;
@@ -303,16 +303,16 @@ static size_t first_of_cycle(const struct swc *swc, size_t start)
 }
 
 /* Follows the parents of each node to a root or to a node followed before:
- * to one of the same walk, if they form a cycle. */
+ * to one of the same path, if they form a cycle. */
 static int refuse_cycles(const struct swc *swc, const char *name)
 {
     for (size_t start = 1; start <= swc->count; start++) {
         size_t i = start;
-        while (i > 0 && swc->nodes[i - 1].walk == 0) {
-            swc->nodes[i - 1].walk = start;
+        while (i > 0 && swc->nodes[i - 1].path == 0) {
+            swc->nodes[i - 1].path = start;
             i = swc->nodes[i - 1].up;
         }
-        if (i > 0 && swc->nodes[i - 1].walk == start) {
+        if (i > 0 && swc->nodes[i - 1].path == start) {
             return refuse_cycle(swc, first_of_cycle(swc, i), name);
         }
     }
@@ -333,7 +333,7 @@ static size_t find_parents(const struct swc *swc)
     return missing;
 }
 
-static void say_missing(size_t count, const char *name)
+static void print_missing(size_t count, const char *name)
 {
     char what[120];
     if (count > 0) {
@@ -346,7 +346,7 @@ static void say_missing(size_t count, const char *name)
     }
 }
 
-static void say_skipped(size_t count, const char *lack, const char *name)
+static void print_skipped(size_t count, const char *lack, const char *name)
 {
     char what[80];
     if (count > 0) {
@@ -399,8 +399,8 @@ int swc_add_frusta(struct swc *swc, struct scene *scene, int ends,
             status = add_frustum(scene, node, parent, ends);
         }
     }
-    say_missing(missing, name);
-    say_skipped(without_length, "length", name);
-    say_skipped(without_radius, "radius", name);
+    print_missing(missing, name);
+    print_skipped(without_length, "length", name);
+    print_skipped(without_radius, "radius", name);
     return status;
 }

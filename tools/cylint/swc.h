@@ -12,7 +12,7 @@ struct swc_node;
 /* The nodes of one file, in its order; zero it before use. */
 struct swc {
     struct swc_node *nodes;
-    size_t count, room;
+    size_t count, capacity;
     size_t *places; /* a hash table of indices into nodes[], from 1 */
     int bits;       /* it has 2^bits entries */
 };

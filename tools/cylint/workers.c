@@ -1,9 +1,10 @@
 /*
  * workers.c - answers all blocks of the input in several threads
  *
- * Every worker reads a block while no other reads, answers it, waits for its
- * turn and writes.  Therefore threads exchange no data, one worker runs the same
- * code as many, and the number of workers bounds the memory.
+ * Every worker reads a block while no other reads, answers it, waits until
+ * its ticket is the next, and writes.  Therefore threads exchange no data, one
+ * worker runs the same code as many, and the number of workers bounds the
+ * memory.
  * A worker that reads a full block starts another worker, because more input
  * follows.  A short input, or slow input from a pipe, has one worker.
  */
@@ -85,19 +86,19 @@ static void start_worker(struct team *team)
 }
 
 /* Reads a block and gives it a ticket.  Returns 0 if the work has ended. */
-static int take_block(struct team *team, struct block *b)
+static int read_block(struct team *team, struct block *b)
 {
     pthread_mutex_lock(&team->reading);
-    const int over = turns_over(&team->job->turns);
-    if (!over) {
-        input_take(&team->job->in, b);
+    const int ended = write_order_ended(&team->job->order);
+    if (!ended) {
+        input_read(&team->job->in, b);
         b->ticket = team->tickets++;
         if (b->full && team->count < team->most) {
             start_worker(team);
         }
     }
     pthread_mutex_unlock(&team->reading);
-    return !over;
+    return !ended;
 }
 
 static void close_end(int fd)
@@ -113,13 +114,13 @@ static void *work(void *worker)
     struct team *team = w->team;
     struct job *job = team->job;
     struct block *b = &w->block;
-    while (take_block(team, b)) {
+    while (read_block(team, b)) {
         switch (answer_block(job, b)) {
         case ANSWERED:
-            turns_pass(&job->turns);
+            write_order_pass(&job->order);
             break;
         case ANSWERED_LAST:
-            turns_end(&job->turns);
+            write_order_end(&job->order);
             close_end(team->ending[1]);
             break;
         default: /* OVERTAKEN */

@@ -153,12 +153,13 @@ static int resize(uint32_t **words, size_t count)
 /* Grows the arrays; new shapes have no colour. */
 static int grow(struct colours *c, size_t count)
 {
-    if (count > c->room) {
-        const size_t room = count > 2 * c->room ? count : 2 * c->room;
-        if (resize(&c->of, room) != 0 || resize(&c->label, room) != 0) {
+    if (count > c->capacity) {
+        const size_t capacity =
+            count > 2 * c->capacity ? count : 2 * c->capacity;
+        if (resize(&c->of, capacity) != 0 || resize(&c->label, capacity) != 0) {
             return EXIT_MEMORY;
         }
-        c->room = room;
+        c->capacity = capacity;
     }
     for (; c->count < count; c->count++) {
         c->of[c->count] = NO_COLOUR;

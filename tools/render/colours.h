@@ -26,9 +26,9 @@ enum colouring {
 extern const char *const colouring_words[]; /* from COLOUR_NUMBER on, NULL */
 
 struct colours {
-    uint32_t *of;       /* 0xrrggbb for each shape, sRGB */
-    uint32_t *label;    /* a hash of each tail, 0 if it has none */
-    size_t room, count; /* capacity; the number of shapes read */
+    uint32_t *of;           /* 0xrrggbb for each shape, sRGB */
+    uint32_t *label;        /* a hash of each tail, 0 if it has none */
+    size_t capacity, count; /* capacity; the number of shapes read */
 };
 
 /* The callback `also` of struct scene; its context is a struct colours. */

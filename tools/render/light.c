@@ -141,14 +141,14 @@ static double opacity(const struct stage *stage, const struct place *at)
     return exp(-far * far);
 }
 
-struct seen look(const struct stage *stage, const cylint_line *ray, uint32_t i,
-                 uint32_t seed)
+struct sample trace_sample(const struct stage *stage, const cylint_line *ray,
+                           uint32_t i, uint32_t seed)
 {
     cylint_hit hit;
     const size_t shape = cylint_scene_nearest(
         stage->scene, ray, CYLINT_WANT_POINT | CYLINT_WANT_NORMAL, &hit);
     if (shape == stage->count) {
-        return (struct seen){vector(0, 0, 0), 0};
+        return (struct sample){vector(0, 0, 0), 0};
     }
     const struct vector point =
         vector(hit.point[0], hit.point[1], hit.point[2]);
@@ -160,5 +160,5 @@ struct seen look(const struct stage *stage, const cylint_line *ray, uint32_t i,
     const double covered = opacity(stage, &at);
     const struct vector light = shaded(
         stage, &at, ray, light_of_colour(stage->colours[shape]), i, seed);
-    return (struct seen){times(covered, light), covered};
+    return (struct sample){times(covered, light), covered};
 }

@@ -33,13 +33,13 @@ struct stage {
 
 /* Light times opacity, and opacity: 1 on a shape, 0 on none, between these where
  * the ground fades. */
-struct seen {
+struct sample {
     struct vector light;
     double opacity;
 };
 
 /* Sample i of the pixel whose hash is `seed`. */
-struct seen look(const struct stage *stage, const cylint_line *ray, uint32_t i,
-                 uint32_t seed);
+struct sample trace_sample(const struct stage *stage, const cylint_line *ray,
+                           uint32_t i, uint32_t seed);
 
 #endif

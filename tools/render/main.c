@@ -84,7 +84,7 @@ static struct vector sun_of(const struct options *o, const struct view *view)
                                   -0.45, view->forward));
 }
 
-static int take_picture(const struct options *o, struct stage *stage,
+static int draw_picture(const struct options *o, struct stage *stage,
                         const struct view *view, struct stages *stages)
 {
     const unsigned long long pixels =
@@ -183,7 +183,7 @@ int main(int argc, char **argv)
     }
     if (status == 0) {
         stages_end(&stages, "read", stage.count, "shapes");
-        status = take_picture(&options, &stage, &view, &stages);
+        status = draw_picture(&options, &stage, &view, &stages);
     }
     scene_free(&scene);
     colours_free(&colours);

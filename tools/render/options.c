@@ -156,7 +156,8 @@ static int read_ground(const char *value, const char **ground)
 /* ------------------------------------------------------------ options -- */
 
 /* Returns NULL, or a text that names the expected value. */
-static const char *take_view(struct viewing *v, int id, const char *value)
+static const char *read_view_options(struct viewing *v, int id,
+                                     const char *value)
 {
     switch (id) {
     case OPT_EYE:
@@ -180,7 +181,8 @@ static const char *take_view(struct viewing *v, int id, const char *value)
     }
 }
 
-static const char *take_look(struct options *options, int id, const char *value)
+static const char *read_look_options(struct options *options, int id,
+                                     const char *value)
 {
     switch (id) {
     case OPT_BACKGROUND:
@@ -233,10 +235,10 @@ static int take_value(struct options *options, const struct option *o,
     case OPT_UP:
     case OPT_FOV:
     case OPT_ZOOM:
-        expected = take_view(&options->viewing, o->id, value);
+        expected = read_view_options(&options->viewing, o->id, value);
         break;
     default:
-        expected = take_look(options, o->id, value);
+        expected = read_look_options(options, o->id, value);
     }
     return expected ? usage_value(o, value, expected) : 0;
 }

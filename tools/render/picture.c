@@ -56,12 +56,12 @@ static int is_regular(const char *name)
 
 static int name_part(struct target *t)
 {
-    const size_t room = strlen(t->name) + 40;
-    t->part = malloc(room);
+    const size_t capacity = strlen(t->name) + 40;
+    t->part = malloc(capacity);
     if (!t->part) {
         return out_of_memory();
     }
-    snprintf(t->part, room, "%s.%ld.part", t->name, (long)getpid());
+    snprintf(t->part, capacity, "%s.%ld.part", t->name, (long)getpid());
     return 0;
 }
 

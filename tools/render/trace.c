@@ -26,11 +26,11 @@ struct work {
 };
 
 /* Samples have the same places in all pixels, so that edges are even. */
-static struct seen look_through(const struct work *w, int x, int y)
+static struct sample pixel_of_samples(const struct work *w, int x, int y)
 {
     const struct picture *p = w->picture;
     const uint32_t seed = hash_words((uint32_t)x, (uint32_t)y);
-    struct seen sum = {vector(0, 0, 0), 0};
+    struct sample sum = {vector(0, 0, 0), 0};
     for (int i = 0; i < w->samples; i++) {
         double at[2] = {0.5, 0.5};
         cylint_line ray;
@@ -39,12 +39,13 @@ static struct seen look_through(const struct work *w, int x, int y)
         }
         view_ray(w->view, 2 * (x + at[0]) / p->width - 1,
                  1 - 2 * (y + at[1]) / p->height, &ray);
-        const struct seen one = look(w->stage, &ray, (uint32_t)i, seed);
+        const struct sample one =
+            trace_sample(w->stage, &ray, (uint32_t)i, seed);
         sum.light = plus(sum.light, 1, one.light);
         sum.opacity += one.opacity;
     }
     const double share = 1.0 / w->samples;
-    return (struct seen){times(share, sum.light), share * sum.opacity};
+    return (struct sample){times(share, sum.light), share * sum.opacity};
 }
 
 /* Bright light saturates slowly instead of being clipped. */
@@ -53,7 +54,7 @@ static double exposed(double light)
     return 1 - exp(-light);
 }
 
-static void put_pixel(const struct work *w, int y, struct seen seen,
+static void put_pixel(const struct work *w, int y, struct sample mean,
                       unsigned char *bytes)
 {
     const struct backdrop *b = w->backdrop;
@@ -61,14 +62,14 @@ static void put_pixel(const struct work *w, int y, struct seen seen,
     const struct vector behind = mixed(b->top, b->bottom, down);
     for (int i = 0; i < 3; i++) {
         const double light =
-            seen.opacity > 0 ? exposed(seen.light.v[i] / seen.opacity) : 0;
+            mean.opacity > 0 ? exposed(mean.light.v[i] / mean.opacity) : 0;
         bytes[i] = byte_of_light(b->transparent
                                      ? light
-                                     : seen.opacity * light +
-                                           (1 - seen.opacity) * behind.v[i]);
+                                     : mean.opacity * light +
+                                           (1 - mean.opacity) * behind.v[i]);
     }
     if (b->transparent) {
-        bytes[3] = (unsigned char)(255 * seen.opacity + 0.5);
+        bytes[3] = (unsigned char)(255 * mean.opacity + 0.5);
     }
 }
 
@@ -78,7 +79,7 @@ static void trace_row(const struct work *w, int y)
     unsigned char *bytes =
         p->pixels + (size_t)y * (size_t)p->width * (size_t)p->channels;
     for (int x = 0; x < p->width; x++, bytes += p->channels) {
-        put_pixel(w, y, look_through(w, x, y), bytes);
+        put_pixel(w, y, pixel_of_samples(w, x, y), bytes);
     }
 }
 

@@ -43,8 +43,7 @@ static struct spread spread_of(const struct boxes *boxes, struct vector u,
 
 /* The scene is thinnest along the eigenvector of the lesser eigenvalue.  Half the
  * angle of (uu - vv, 2 uv) is the direction of the other eigenvector. */
-static struct vector flattering_side(const struct boxes *boxes,
-                                     struct vector up)
+static struct vector default_side(const struct boxes *boxes, struct vector up)
 {
     const struct vector v = perpendicular(up), u = cross(v, up);
     const struct spread s = spread_of(boxes, u, v, up);
@@ -145,9 +144,8 @@ int view_of_scene(struct view *view, const struct viewing *camera,
     const struct vector target =
         camera->has_target ? camera->target : boxes->middle;
     const struct vector backward = camera->has_eye ? minus(camera->eye, target)
-                                   : camera->has_from
-                                       ? camera->from
-                                       : flattering_side(boxes, up);
+                                   : camera->has_from ? camera->from
+                                                      : default_side(boxes, up);
     view->parallel = camera->parallel;
     view->half_height = tan(0.5 * DEGREE * camera->fov);
     view->half_width = camera->aspect * view->half_height;
