@@ -1,14 +1,13 @@
 # libcylint: `make help` lists what can be made.
 #
-# This file builds and installs.  tests/tests.mk tests, tools/bench/bench.mk
-# measures.  Everything is built below $(BUILD), one folder per configuration:
+# This file has the rules to build and install, tests/tests.mk those of tests,
+# tools/bench/bench.mk those of benchmarks.  Everything is built below $(BUILD), one folder per configuration:
 # `make BUILD=build/clang CC=clang`.  These variables are the user's; the
 # project's own flags stand around them.
 CC         ?= cc
 CXX        ?= c++
 CFLAGS     ?= -O2 -g
 CXXFLAGS   ?= -O2 -g
-PARANOID   ?=
 BUILD      ?= build$(if $(PARANOID),/paranoid)
 PREFIX     ?= /usr/local
 BINDIR     ?= $(PREFIX)/bin
@@ -16,10 +15,9 @@ LIBDIR     ?= $(PREFIX)/lib
 INCLUDEDIR ?= $(PREFIX)/include
 MANDIR     ?= $(PREFIX)/share/man
 
-all: ## the libraries and the command
+all: ## build the libraries and the commands
 
 # ------------------------------------------------- jobs, output, probes --
-
 # Jobs run in parallel; `make -j1` does one at a time.
 ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += $(shell case " $$MAKEFLAGS" in (*\ -j* | \ [a-z]*j*) ;; \
@@ -34,10 +32,9 @@ options := $(firstword -$(MAKEFLAGS))
 say      = $(if $(V)$(findstring s,$(options)),,@echo '$(1)';)
 quote    = '$(subst ','\'',$(1))'
 
-# $(BUILD)/config.mk says what this machine has: MPFR, GSL, PNG, EMBREE (3, 4
-# or nothing), PTHREAD and so on.  `make MPFR= check` does without.  Make
-# writes the file anew and starts again if that changes.  `deps` comes first:
-# it installs what the file then finds.
+# $(BUILD)/config.mk lists what this machine has: MPFR, GSL, PNG, EMBREE (3, 4
+# or nothing), PTHREAD and so on.  `make MPFR= check` does without MPFR.  If the
+# list changes, make writes the file and starts again; `deps` runs before that.
 ifneq ($(filter-out help clean uninstall deps deps-%,$(or $(MAKECMDGOALS),all)),)
 include $(BUILD)/config.mk
 endif
@@ -46,13 +43,12 @@ $(BUILD)/config.mk: $(if $(findstring n,$(options)),,$(filter deps deps-cross,$(
 	  CXXFLAGS=$(call quote,$(CXXFLAGS)) sh tools/config.sh $@
 
 # ---------------------------------------------------------------- flags --
-
 warnings := -Wall -Wextra -Wpedantic -Wconversion
 exactly  := -ffp-contract=off -fno-fast-math
 compile   = $(CC) -std=c99 $(warnings) -Iinclude -MMD -MP $(CPPFLAGS) $(CFLAGS) $(extra) $(exactly)
 
-# mingw-w64: isinf() is a macro that converts to float, and gcc 12 takes the
-# stack for aligned to 32 bytes (gcc bug 54412).
+# mingw-w64: isinf() is a macro that converts to float, and gcc 12 assumes that
+# the stack is aligned to 32 bytes (gcc bug 54412).
 windows := $(findstring mingw,$(MACHINE))
 ifneq ($(windows),)
 warnings += -Wno-float-conversion
@@ -60,8 +56,8 @@ unaligned:= -Wa,-muse-unaligned-vector-move
 static   := -DCYLINT_STATIC
 endif
 
-# What is added in a folder.  gcc makes vectors of loops with -O3.  gcc 12 with
-# its SLP vectorizer takes (double)(float)x for x where it finds two in a row.
+# Flags by folder.  gcc vectorizes loops with -O3.  The SLP vectorizer of gcc 12
+# compiles (double)(float)x to x where two of them are adjacent.
 posix   := -D_POSIX_C_SOURCE=200809L
 floats  := -fno-tree-slp-vectorize
 vectors := -O3
@@ -75,8 +71,8 @@ $(BUILD)/src/scene/%: extra += $(floats) $(threads)
 $(BUILD)/src/embree/%: extra += $(floats) $(threads) $(vectors) $(embree)
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
-# One file built again for an instruction set: `isa.FILE-NAME` has the flags
-# of FILE.c's build NAME.
+# Files that are built again for an instruction set: `isa.FILE-NAME` has the
+# flags of FILE.c's build NAME.
 avx2   := -mavx2 -mfma $(unaligned)
 avx512 := -mavx512f -mavx512vl -mavx512dq $(avx2)
 isa.src/filter/one_question-fma      := $(avx2) -DCYLINT_ONE=cylint_one_fma
@@ -91,8 +87,7 @@ isa.src/embree/packet_filter-avx512  := $(avx512) -ffp-contract=fast -DCYLINT_PA
 isa_builds := $(if $(X86),$(sort $(patsubst isa.%,%,$(filter isa.%,$(.VARIABLES)))))
 
 # -------------------------------------------------------------- objects --
-
-# $(call objects,FOLDER...): of every C file there, and of its further builds
+# $(call objects,FOLDER...): the objects of all C files there, with all builds
 objects = $(foreach d,$(1),$(patsubst %,$(BUILD)/%.o,$(filter $(d)/%,$(isa_builds)) $(patsubst %.c,%,$(wildcard $(d)/*.c))))
 library_objects := $(call objects,src/filter src/roots src/signs src/shapes src/numbers src/methods) \
                    $(patsubst %.c,$(BUILD)/%.o,$(wildcard src/*.c))
@@ -111,17 +106,16 @@ $(isa_builds:%=$(BUILD)/%.o): $(BUILD)/%.o: $$(firstword $$(subst -, ,$$*)).c $$
 $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc $$(@D)/flags
 	$(call say,CXX $<)$(CXX) -std=c++17 $(warnings) -MMD -MP $(CPPFLAGS) $(CXXFLAGS) -c -o $@ $<
 
-# A folder's `flags` holds the commands that compile its files.  It is written
-# when they change, and the folder's objects are then compiled again.
+# FOLDER/flags holds the commands that compile the folder's files.  If they
+# change, the file is written and the folder's objects are compiled again.
 folders := $(patsubst %/,%,$(sort $(dir $(wildcard src/*.c src/*/*.c tools/*/*.c tests/*.c tests/*/*.c))))
 $(folders:%=$(BUILD)/%/flags): $(BUILD)/%/flags: FORCE
 	@mkdir -p $(@D); printf '%s\n' $(call quote,$(compile) $(foreach b,$(filter $*/%,$(isa_builds)),$(isa.$b)) $(CXX) $(CXXFLAGS)) >$@.new; \
 	  if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 # ------------------------------------------------ libraries and programs --
-
-# $(call shared,NAME) and $(call shared,NAME,VERSION) are file names; $(soname)
-# is what the linker is told.  ELF, macOS, Windows.
+# $(call shared,NAME) and $(call shared,NAME,VERSION) are file names, $(soname)
+# the linker's flags, for ELF, macOS and Windows.
 shared  = $(1).so$(2:%=.%)
 soname  = -shared -Wl,-soname,$(@F).$(major)
 ifneq ($(findstring darwin,$(MACHINE)),)
@@ -164,8 +158,8 @@ $(BUILD)/tools/cylint.a: $(filter-out %/main.o,$(tool_objects))
 $(BUILD)/cylint-render: $(call objects,tools/render) $(BUILD)/tools/cylint.a $(scene_library)
 $(BUILD)/cylint-render: libs := -lpng
 commands := $(if $(POSIX),$(BUILD)/cylint $(if $(PNG),$(BUILD)/cylint-render))
-$(BUILD)/cylint $(BUILD)/cylint-render: linker = $(with_numbers) -pthread
-$(BUILD)/cylint $(BUILD)/cylint-render:
+$(commands): linker = $(with_numbers) -pthread
+$(commands):
 	$(link)
 
 all: $(foreach l,$(libraries),$(call archive,$l)) $(commands) $(foreach l,$(libraries),$(call dynamic,$l))
@@ -176,31 +170,18 @@ demo: $(BUILD)/libcylint.a $(BUILD)/cylint ## scan a generated forest and show w
 include tests/tests.mk
 include tools/bench/bench.mk
 
-# ------------------------------------------------------------- packages --
-
-deps: ## install what the tests need (Debian)
-	@sh tools/deps.sh
-
-deps-cross: ## what check-cross and lint need as well (Debian)
-	@sh tools/deps.sh cross
-
-deps-cluster: ## what check-cluster needs as well (Debian; Spark by pip)
-	@BUILD=$(BUILD) sh tools/deps.sh cluster
-
 # -------------------------------------------------------------- install --
-
 fill_in = sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|' \
 	  -e 's|@THREADS@|$(threads_link)|; s|@EMBREE@|$(EMBREE)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|; s|@EMBREE_CFLAGS@|$(EMBREE_CFLAGS)|'
 headers  = $(patsubst %,include/%.h,cylint cylint_methods cylint_scene $(if $(EMBREE),cylint_embree))
 
-# $(call install_library,libcylint...); $(call installed,NAME,VERSION)
-installed      = $(DESTDIR)$(LIBDIR)/$(call shared,$(1),$(2))
-install_shared = install -m 755 $(call dynamic,$(1)) $(call installed,$(1),$(version)); \
-	ln -sf $(notdir $(call installed,$(1),$(version))) $(call installed,$(1),$(major)); \
-	ln -sf $(notdir $(call installed,$(1),$(major))) $(call installed,$(1))
+# $(call install_library,NAME)
 ifneq ($(windows),)
 install_shared = install -m 755 $(call dynamic,$(1)) $(DESTDIR)$(BINDIR); \
 	install -m 644 $(call dynamic,$(1)).a $(DESTDIR)$(LIBDIR)
+else
+install_shared = install -m 755 $(call dynamic,$(1)) $(DESTDIR)$(LIBDIR)/$(call shared,$(1),$(version)); cd $(DESTDIR)$(LIBDIR) && \
+	ln -sf $(call shared,$(1),$(version)) $(call shared,$(1),$(major)) && ln -sf $(call shared,$(1),$(major)) $(call shared,$(1))
 endif
 define install_library
 install -m 644 $(BUILD)/$(1).a $(DESTDIR)$(LIBDIR)
@@ -209,7 +190,7 @@ install -m 644 $(BUILD)/$(1).a $(DESTDIR)$(LIBDIR)
 
 endef
 
-install: all ## into $(DESTDIR)$(PREFIX)
+install: all ## install into $(DESTDIR)$(PREFIX)
 	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(INCLUDEDIR) \
 	  $(DESTDIR)$(PREFIX)/share/cylint $(patsubst %,$(DESTDIR)$(MANDIR)/man%,1 3 7)
 	$(foreach c,$(commands),install -m 755 $c $(DESTDIR)$(BINDIR);)
@@ -221,20 +202,19 @@ install: all ## into $(DESTDIR)$(PREFIX)
 	$(foreach s,1 3 7,install -m 644 $(wildcard man/*.$s) $(DESTDIR)$(MANDIR)/man$s;)
 	@$(if $(DESTDIR),,sh tools/install_hints.sh '$(BINDIR)' '$(LIBDIR)' '$(MANDIR)')
 
-uninstall: ## what install put there
+uninstall: ## remove what install wrote
 	rm -f $(patsubst %,$(DESTDIR)$(BINDIR)/%,cylint cylint-convert cylint-render) \
-	  $(patsubst include/%,$(DESTDIR)$(INCLUDEDIR)/%,$(wildcard include/*.h)) \
-	  $(foreach l,libcylint libcylint-scene libcylint-embree,$(DESTDIR)$(LIBDIR)/$l.* $(DESTDIR)$(LIBDIR)/pkgconfig/$(l:lib%=%).pc) \
-	  $(DESTDIR)$(MANDIR)/man[137]/cylint*
+	  $(patsubst include/%,$(DESTDIR)$(INCLUDEDIR)/%,$(wildcard include/*.h)) $(DESTDIR)$(MANDIR)/man[137]/cylint* \
+	  $(foreach l,cylint cylint-scene cylint-embree,$(DESTDIR)$(LIBDIR)/lib$l.* $(DESTDIR)$(LIBDIR)/pkgconfig/$l.pc)
 	rm -rf $(DESTDIR)$(PREFIX)/share/cylint
 
-clean: ## what was built
+clean: ## remove $(BUILD)
 	rm -rf $(BUILD)
 
-help: ## this list
+help: ## print this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1	\2/p' Makefile tests/tests.mk tools/bench/bench.mk
 
-.PHONY: all demo deps deps-cross deps-cluster install uninstall clean help FORCE
+.PHONY: all demo install uninstall clean help FORCE
 .SECONDARY:
 .SUFFIXES:
 $(BUILD)/%.d: ;

@@ -27,7 +27,7 @@ $(core_tests) $(scene_tests): libs := $(test_libs) $(threads_link)
 $(embree_tests) $(BUILD)/tests/scene_curves: libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
 $(BUILD)/tests/pixels: libs := -lpng
 
-# --wrap: calls of these go to the functions of a test.
+# --wrap: calls of these functions go to __wrap_ functions of a test.
 wrap = $(foreach c,$(1),-Wl,--wrap=$c)
 $(BUILD)/tests/test_scene_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc free))
 
@@ -55,6 +55,15 @@ $(BUILD)/tests/faulty $(fuzz_programs):
 
 # ----------------------------------------------------------------- check --
 
+deps: ## install what the tests need (Debian)
+	@sh tools/deps.sh
+
+deps-cross: ## what check-cross and lint need as well (Debian)
+	@sh tools/deps.sh cross
+
+deps-cluster: ## what check-cluster needs as well (Debian; Spark by pip)
+	@BUILD=$(BUILD) sh tools/deps.sh cluster
+
 # MISSING: what `make deps` installs and was not found, unless the user said so
 missing   = $(if $($(1))$(filter-out file undefined,$(origin $(1))),,$(2))
 run_tests = BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' \
@@ -64,27 +73,27 @@ run_tests = BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(
 check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/pixels) ## run every test (PARANOID=1: each decision twice)
 	@$(run_tests) $(test_programs) $(test_scripts)
 
-check-embree: $(if $(EMBREE),$(embree_tests)) ## the tests that need Embree, on the one that was found
+check-embree: $(if $(EMBREE),$(embree_tests)) ## run the tests that need Embree, with the installed one
 	@$(if $(EMBREE),,echo 'check-embree: no Embree (make deps)'; exit 1)
 	@$(run_tests) $(embree_tests)
 
-check-embree4: all ## the same on Embree 4, fetched from PyPI
+check-embree4: all ## the same with Embree 4, downloaded from PyPI
 	@$(run_tests) tests/test_embree4.sh
 
-check-scene: $(BUILD)/tests/test_scene $(if $(EMBREE),$(BUILD)/tests/scene_curves) ## scenes against brute force, two minutes or so
+check-scene: $(BUILD)/tests/test_scene $(if $(EMBREE),$(BUILD)/tests/scene_curves) ## compare scenes with brute force, about two minutes
 	$(BUILD)/tests/test_scene 1000
 	$(if $(EMBREE),$(BUILD)/tests/scene_curves)
 
-check-cross: $(BUILD)/tests/records ## the same bytes from other compilers and processors
+check-cross: $(BUILD)/tests/records ## compare the bytes from other compilers and processors
 	@BUILD=$(BUILD) sh tests/cross.sh
 
-check-cluster: all ## cylint by GNU parallel, Slurm and Spark, as cylint(7) says
+check-cluster: all ## run the recipes of cylint(7) for GNU parallel, Slurm and Spark
 	@BUILD=$(BUILD) sh tests/cluster/check.sh
 
 # ------------------------------------------------ sanitizers and fuzzing --
 
 sanitized := -fsanitize=address,undefined -fno-sanitize-recover=all
-sanitize: ## the tests under the address and undefined-behaviour sanitizers
+sanitize: ## run the tests under the address and undefined-behaviour sanitizers
 	$(MAKE) BUILD=$(BUILD)/sanitize check \
 	  CFLAGS='-g -O1 $(sanitized)' CXXFLAGS='-g -O1 $(sanitized)'
 
@@ -92,7 +101,7 @@ threaded := -g -O1 -fsanitize=thread
 thread_tests := $(BUILD)/cylint $(BUILD)/tests/faulty $(BUILD)/tests/test_scene_bvh \
 	$(if $(EMBREE),$(BUILD)/tests/test_embree_threads) $(if $(PNG),$(BUILD)/cylint-render)
 thread_tests: $(thread_tests)
-check-threads: ## scenes of several threads, 8 workers, under the thread sanitizer
+check-threads: ## run scenes of several threads, 8 workers, under the thread sanitizer
 	$(MAKE) BUILD=$(BUILD)/threads CFLAGS='$(threaded)' CXXFLAGS='$(threaded)' thread_tests
 	TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_scene_bvh
 	$(if $(EMBREE),TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_embree_threads)
@@ -101,7 +110,7 @@ check-threads: ## scenes of several threads, 8 workers, under the thread sanitiz
 
 fuzzed := -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp $(sanitized)
 fuzz_programs: $(fuzz_programs)
-fuzz: ## libFuzzer on tests/fuzz; SECONDS=60 each (needs clang)
+fuzz: ## run libFuzzer on tests/fuzz; SECONDS=60 each (needs clang)
 	$(MAKE) -s BUILD=$(BUILD)/fuzz FUZZER=yes PARANOID=1 CC=clang CXX=clang++ \
 	  CPPFLAGS=-DCYLINT_SHRINK=1024 CFLAGS='-g -O1 $(fuzzed)' \
 	  CXXFLAGS='-g -O1 $(fuzzed)' fuzz_programs
@@ -109,10 +118,10 @@ fuzz: ## libFuzzer on tests/fuzz; SECONDS=60 each (needs clang)
 
 # ----------------------------------------------- proofs, coverage, looks --
 
-prove: ## the error bounds, by Gappa; 1 % less must not be provable
+prove: ## prove the error bounds by Gappa; 1 % less must not be provable
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/prove/prove.sh
 
-lint: all ## what static analysis says, the ladder, and how the sources look
+lint: all ## static analysis, the ladder of floors, the format of sources
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/lint.sh
 
 covered: all $(test_programs)
@@ -120,19 +129,19 @@ covered: all $(test_programs)
 
 # Counters that threads share are wrong, even negative, unless they are atomic.
 counting := -g -O0 --coverage -fprofile-update=atomic -fno-math-errno
-coverage: ## branches of src/ that no test takes, and no reason is known for
+coverage: ## branches of src/ that no test takes and coverage.txt does not list
 	rm -rf $(BUILD)/coverage
 	$(MAKE) BUILD=$(BUILD)/coverage vectors= CFLAGS='$(counting)' CXXFLAGS='$(counting)' covered
 	python3 tests/coverage.py $(BUILD)/coverage
 
-mutants: ## do the tests see a changed operator, constant or index? COUNT=20 a file
+mutants: ## change operators and constants, and list changes that pass; COUNT=20 a file
 	python3 tests/mutants.py --cc '$(CC)' --count $(or $(COUNT),20)
 
-stress: $(BUILD)/tests/stress ## 1e8 cases against the oracle, an hour or less
+stress: $(BUILD)/tests/stress ## compare 1e8 cases with the oracle, up to an hour
 	$(BUILD)/tests/stress
 
-search: $(BUILD)/tests/search ## hill climbing for the worst errors and the slowest query
+search: $(BUILD)/tests/search ## search for the worst errors and the slowest query
 	$(BUILD)/tests/search
 
-.PHONY: check check-embree check-embree4 check-scene check-cross check-cluster check-threads \
+.PHONY: deps deps-cross deps-cluster check check-embree check-embree4 check-scene check-cross check-cluster check-threads \
 	thread_tests sanitize fuzz fuzz_programs prove lint covered coverage mutants stress search

@@ -39,26 +39,26 @@ bench: bench_programs ## time against error, tables and charts; QUICK=1: in two 
 	@$(if $(FMA),$(MAKE) BUILD=$(BUILD)/fma CFLAGS='$(CFLAGS) -mfma' bench_programs)
 	@BUILD='$(BUILD)' CC='$(CC)' CFLAGS='$(CFLAGS)' FMA='$(FMA)' QUICK='$(QUICK)' sh tools/bench/bench.sh
 
-bench-scene: $(BUILD)/tools/bench/scene ## scenes against asking every shape
+bench-scene: $(BUILD)/tools/bench/scene ## time of scenes and of batches of all shapes
 	@BUILD='$(BUILD)' sh tools/bench/scene.sh
 
-bench-text: $(commands) $(BUILD)/tools/bench/measure ## the command beside what else reads numbers; QUICK=1
+bench-text: $(commands) $(BUILD)/tools/bench/measure ## time of the command and of programs that read numbers; QUICK=1
 	@BUILD='$(BUILD)' QUICK='$(QUICK)' sh tools/bench/text.sh
 
-bench-embree: $(filter-out %_counts,$(embree_programs)) ## scenes beside Embree's own curves; QUICK=1: in a minute
+bench-embree: $(filter-out %_counts,$(embree_programs)) ## time of scenes and of Embree's own curves; QUICK=1: in a minute
 	$(BUILD)/tools/bench/embree $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree.tsv
 	$(BUILD)/tools/bench/embree_packets $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree-packets.tsv
 	$(BUILD)/tools/bench/embree_threads 2 $(if $(QUICK),1e5,1e6) | tee $(BUILD)/embree-threads.tsv
 	@$(if $(WRAP),$(MAKE) -s BUILD=$(BUILD)/visits CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_VISITS' count_visits | tee $(BUILD)/embree-counts.tsv)
 
-# Visits of a ray: an adapter that counts.
+# An adapter that counts the nodes and leaves that a ray visits.
 count_visits: $(BUILD)/tools/bench/embree_counts
 	$< $(if $(QUICK),1e5,1e6)
 
-# How far questions must go: a library that counts.
+# A library that counts the stages of queries.
 count_stages: $(BUILD)/tools/bench/stages
 	$< $(CASES)
-stages: ## share of questions that need pairs, exact digits, ..., by family
+stages: ## share of queries that reach each stage (pairs, exact digits), by family
 	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
 
 .PHONY: bench bench_programs bench-scene bench-text bench-embree count_visits stages count_stages
