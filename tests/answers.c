@@ -1,7 +1,7 @@
 /*
- * answers.c - what the library answers, as bits
+ * answers.c - prints the bits of the library's answers
  *
- *   answers FILE     FILE is what `records SEED COUNT FILE` writes
+ *   answers FILE     FILE was written by `records SEED COUNT FILE`
  *
  * One line a question: relation, number of hits and, of each hit, t, part and
  * side, numbers as the bits of the double.  It needs the C library only, so

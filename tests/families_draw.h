@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "families.h"
+#include "vectors.h"
 
 /* ------------------------------------------------------ random numbers -- */
 
@@ -78,12 +79,6 @@ static void set3(double to[3], double x, double y, double z)
 static void copy3(double to[3], const double from[3])
 {
     set3(to, from[0], from[1], from[2]);
-}
-
-static void cross3(double to[3], const double u[3], const double v[3])
-{
-    set3(to, u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-         u[0] * v[1] - u[1] * v[0]);
 }
 
 static double length3(const double v[3])

@@ -35,7 +35,7 @@ static int same(double x, double y)
     return memcmp(&x, &y, sizeof x) == 0;
 }
 
-/* Written alike by both, and read back as what was written. */
+/* Both back-ends write the same text, and it reads back as the value. */
 static void check_written(double value)
 {
     static const int forms[] = {NUMBER_SHORTEST, NUMBER_HEX, 17, 6, 1};
@@ -56,8 +56,8 @@ static void check_written(double value)
     }
 }
 
-/* Read alike by both, the same end and the same bits, and as the C library
- * does, of which the two make different use. */
+/* Both back-ends read the text alike: they return the same end and the same
+ * bits, and these are strtod()'s. */
 static void check_read(const char *text)
 {
     const char *end = text + strlen(text);

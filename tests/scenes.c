@@ -9,6 +9,7 @@
 
 #include "random.h"
 #include "scenes.h"
+#include "vectors.h"
 
 /* ------------------------------------------------------ random numbers -- */
 
@@ -54,23 +55,11 @@ static void direction(dice *r, double d[3])
            (d[0] == 0 && d[1] == 0 && d[2] == 0));
 }
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static void unit(double d[3])
 {
-    const double length = sqrt(dot(d, d));
+    const double length = sqrt(dot3(d, d));
     for (int j = 0; j < 3; j++)
         d[j] /= length;
-}
-
-static void cross(double to[3], const double a[3], const double b[3])
-{
-    for (int j = 0; j < 3; j++)
-        to[j] =
-            a[(j + 1) % 3] * b[(j + 2) % 3] - a[(j + 2) % 3] * b[(j + 1) % 3];
 }
 
 static void along(double to[3], const double o[3], double t, const double d[3])
@@ -376,7 +365,7 @@ static cylint_status grazing_line(dice *r, const struct scene_shapes *s,
     if (!some_hit(r, s, line, &hit))
         return random_line(r, s, line);
     direction(r, other);
-    cross(d, hit.normal, other);
+    cross3(d, hit.normal, other);
     const double size = size_of(s);
     const double off = bits(r) % 3 == 0
                            ? 0
@@ -395,7 +384,7 @@ static cylint_status axis_line(dice *r, const struct scene_shapes *s,
     for (int j = 0; j < 3; j++)
         d[j] = shape->axis[j];
     if (bits(r) % 2 == 0)
-        along(d, d, power(r, -14, -3) * sqrt(dot(d, d)), off);
+        along(d, d, power(r, -14, -3) * sqrt(dot3(d, d)), off);
     direction(r, off);
     along(o, shape->base, 0.5 * shape->r0, off);
     along(o, o, -between(r, 0, 5), d);

@@ -1,7 +1,7 @@
 #!/bin/sh
-# cylint-convert swc, qsm and pdb: small files with the scenes they must give,
-# lines that they must refuse, and real files where ../shared/data has them.
-# All tests run with each awk found.
+# Floor tools: cylint-convert swc, qsm and pdb convert small files to the expected
+# scenes and refuse invalid lines; they convert real files where ../shared/data
+# has them.  All tests run with each awk found.
 . "$(dirname "$0")/verdict.sh"
 . "$(dirname "$0")/converts.sh"
 data=../shared/data

@@ -1,6 +1,7 @@
 #!/bin/sh
-# cylint-convert pov: small files with the scenes they must give, those that it
-# must refuse, and what --skip leaves out.  All tests run with each awk found.
+# Floor tools: cylint-convert pov converts small files to the expected scenes,
+# refuses others, and leaves shapes out with --skip.  All tests run with each awk
+# found.
 . "$(dirname "$0")/verdict.sh"
 . "$(dirname "$0")/converts.sh"
 remedy='; --skip leaves such shapes out'

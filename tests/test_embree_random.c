@@ -16,6 +16,7 @@
 
 #include "check.h"
 #include "embree_world.h"
+#include "vectors.h"
 
 static int rays_wanted = 100000, shapes_wanted = 200;
 static uint64_t seed = 1;
@@ -206,13 +207,6 @@ static double between(uint64_t *state, double from, double to)
     return from + (to - from) * world_uniform(state);
 }
 
-static void cross(const double x[3], const double y[3], double to[3])
-{
-    for (int k = 0; k < 3; k++)
-        to[k] =
-            x[(k + 1) % 3] * y[(k + 2) % 3] - x[(k + 2) % 3] * y[(k + 1) % 3];
-}
-
 /* A ray that nearly touches the shape: at its lateral surface, at a rim, or
  * with an end of its domain. */
 static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
@@ -224,10 +218,10 @@ static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
     float o[3], d[3];
     for (int k = 0; k < 3; k++)
         v[k] = between(state, -1, 1);
-    cross(s->axis, v, out);
+    cross3(out, s->axis, v);
     for (int k = 0; k < 3; k++)
         size += out[k] * out[k];
-    cross(out, s->axis, along);
+    cross3(along, out, s->axis);
     for (int k = 0; k < 3; k++) {
         const double radial = s->r0 * away * out[k] / sqrt(size);
         d[k] = (float)(along[k] / sqrt(size) +

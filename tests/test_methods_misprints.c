@@ -11,22 +11,11 @@
 
 #include "check.h"
 #include "cylint_methods.h"
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
+#include "vectors.h"
 
 static void unit(const double a[3], double out[3])
 {
-    const double size = sqrt(dot(a, a));
+    const double size = sqrt(dot3(a, a));
     for (int i = 0; i < 3; i++)
         out[i] = a[i] / size;
 }
@@ -123,12 +112,12 @@ static void shenes_foot_halves_the_chord_of_an_oblique_line(void)
     double u[3], uv[3], w[3], D[3], Dv[3];
 
     unit(d, u);
-    cross(u, along_z, uv);
+    cross3(uv, u, along_z);
     unit(uv, w);
     minus(origin, o, D);
-    cross(D, along_z, Dv);
-    CHECK(!is(dot(Dv, w), 5));
-    CHECK(is(dot(Dv, uv) / dot(uv, uv), 5)); /* the foot: x = 0 */
+    cross3(Dv, D, along_z);
+    CHECK(!is(dot3(Dv, w), 5));
+    CHECK(is(dot3(Dv, uv) / dot3(uv, uv), 5)); /* the foot: x = 0 */
 
     const cylint_answer a = corrected(cylint_shene_cylinder, &shape, o, d);
     CHECK(a.n == 2 && is((a.hit[0].t + a.hit[1].t) / 2, 1));
@@ -143,13 +132,13 @@ static int shene_cone_without_exceptions(double cosine, const double D[3],
 {
     double n[3], m[3], k[3];
 
-    cross(d, D, n);
+    cross3(n, d, D);
     unit(n, n);
     for (int i = 0; i < 3; i++)
         m[i] = along_z[i] - n[2] * n[i];
-    const double cos_theta = sqrt(dot(m, m));
+    const double cos_theta = sqrt(dot3(m, m));
     unit(m, m);
-    cross(n, m, k);
+    cross3(k, n, m);
     const double cos_b = cosine / cos_theta;
     if (cos_b > 1)
         return 0;
@@ -159,9 +148,9 @@ static int shene_cone_without_exceptions(double cosine, const double D[3],
         for (int j = 0; j < 3; j++)
             delta[j] = cos_b * m[j] + (i ? sin_b : -sin_b) * k[j];
         minus(origin, D, to_V);
-        cross(d, delta, across);
-        cross(to_V, delta, reach);
-        t[i] = dot(reach, across) / dot(across, across);
+        cross3(across, d, delta);
+        cross3(reach, to_V, delta);
+        t[i] = dot3(reach, across) / dot3(across, across);
     }
     return 1;
 }
@@ -187,7 +176,7 @@ static void shenes_general_cone_case_is_right_where_it_applies(void)
     CHECK(shene_cone_without_exceptions(0.6, o, u, t));
     const cylint_answer a = corrected(cylint_shene_cone, &shape, o, d);
     const cylint_answer q = corrected(cylint_quadratic, &shape, o, d);
-    const double size = sqrt(dot(d, d));
+    const double size = sqrt(dot3(d, d));
     CHECK(a.n == 2 && q.n == 2);
     for (int i = 0; i < 2; i++) {
         CHECK(is(a.hit[i].t, q.hit[i].t));
@@ -229,7 +218,7 @@ static void a_plane_perpendicular_to_the_axis_cuts_the_apex_only(void)
     const double o[3] = {1, -3, 0}, to_apex[3] = {0, -3, 0};
     double n[3], m[3];
 
-    cross(along_y, o, n);
+    cross3(n, along_y, o);
     unit(n, n);
     for (int i = 0; i < 3; i++)
         m[i] = along_z[i] - n[2] * n[i];
@@ -266,9 +255,9 @@ static void a_line_parallel_to_a_ruling_meets_the_other_one_only(void)
 /* "the discriminant is 0 and v' is parallel to h: the line lies on it" */
 static int gullotti_parallel_as_printed(const double p[3], const double v[3])
 {
-    const double a = dot(v, v) - v[2] * v[2];
-    const double b = 2 * (dot(v, p) - v[2] * p[2]);
-    const double c = dot(p, p) - p[2] * p[2] - 1;
+    const double a = dot3(v, v) - v[2] * v[2];
+    const double b = 2 * (dot3(v, p) - v[2] * p[2]);
+    const double c = dot3(p, p) - p[2] * p[2] - 1;
 
     if (b * b - 4 * a * c == 0 && v[0] == 0 && v[1] == 0)
         return CYLINT_RELATION_ALONG;
@@ -328,7 +317,7 @@ static void gullottis_leading_coefficient_cancels(void)
     const double o[3] = {-3, 0, 0}, d[3] = {1, 0, 0.5};
     const double v[3] = {1, 0, 0x1p29}; /* d in local coordinates */
 
-    CHECK(dot(v, v) - v[2] * v[2] == 0);
+    CHECK(dot3(v, v) - v[2] * v[2] == 0);
     CHECK(v[0] * v[0] + v[1] * v[1] == 1);
     const cylint_answer a = corrected(cylint_gullotti, &disc, o, d);
     CHECK(a.n == 2 && a.hit[0].t == 2 && a.hit[1].t == 4);
@@ -338,7 +327,7 @@ static void gullottis_leading_coefficient_cancels(void)
  * b and c; R is inverted by its transpose, as a rotation is. */
 static double gullotti_local_x_as_printed(const double D[3], const double a[3])
 {
-    return dot(D, a) / dot(a, a);
+    return dot3(D, a) / dot3(a, a);
 }
 
 static void gullottis_rotation_is_none_for_an_oblique_cylinder(void)
@@ -359,8 +348,8 @@ static void gullottis_rotation_is_none_for_an_oblique_cylinder(void)
 static double delta_as_printed(const double d[3], const double e[3], double r,
                                double f)
 {
-    const double below = dot(d, d) * dot(e, e) - dot(d, e) * dot(d, e);
-    return sqrt(dot(e, e) * (r * r - f * f) / below);
+    const double below = dot3(d, d) * dot3(e, e) - dot3(d, e) * dot3(d, e);
+    return sqrt(dot3(e, e) * (r * r - f * f) / below);
 }
 
 static void closest_points_lose_a_nearly_parallel_line(void)
@@ -416,9 +405,9 @@ static void the_closest_point_halves_the_chord(void)
         M[i] = o[i] + t_c * d[i];
     minus(p1, p0, e);
     minus(M, p0, D);
-    cross(d, e, n);
-    cross(D, e, De);
-    CHECK(fabs(dot(De, n)) <= 1e-9 * dot(n, n));
+    cross3(n, d, e);
+    cross3(De, D, e);
+    CHECK(fabs(dot3(De, n)) <= 1e-9 * dot3(n, n));
 }
 
 /* ------------------------------------------------ Cychosz, Waggenspack -- */

@@ -8,6 +8,7 @@
 #include "check.h"
 #include "cylint.h"
 #include "families.h"
+#include "vectors.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
 #endif
@@ -375,11 +376,6 @@ static void boxes_are_exact_where_nothing_is_rounded(void)
     cylint_cone(&s, p0, 0, p1, 1, CYLINT_ENDS_NAPPE);
     cylint_bounds(&s, lo, hi);
     CHECK(outward(lo, hi, lo3, hi3, 0));
-}
-
-static double dot3(const double u[3], const double v[3])
-{
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
 /* A point of a rim by its angle; returns 0 if the shape is not bounded. */

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Installs what `make check` needs on Debian and its descendants; with the
-# argument `cross` what `make check-cross` and `make lint` need as well, with
-# `cluster` what `make check-cluster` does: Spark goes to $BUILD/spark.  Only
-# what is missing is asked for, so a second run needs neither network nor root.
+# Installs the packages for `make check` on Debian and its descendants; with the
+# argument `cross` also those for `make check-cross` and `make lint`, with
+# `cluster` those for `make check-cluster` (Spark goes to $BUILD/spark).  It
+# installs only missing packages, so a second run needs neither network nor root.
 wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev libgsl-dev mandoc libembree-dev
     libpng-dev python3-pip'
 # gcc-multilib would be simpler for -m32, but excludes cross compilers

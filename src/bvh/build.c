@@ -15,8 +15,8 @@
 #include "threads.h"
 #include "../numbers/float_simd.h"
 
-/* Of more than SAMPLES boxes, only every second, third, ... is put into the
- * bins: it gives as good a split as all. */
+/* Of more than SAMPLES boxes only every second, third, ... box is put into the
+ * bins.  The split is as good as with all boxes. */
 enum { BINS = 16, SAMPLES = 2048 };
 
 typedef struct {
@@ -175,7 +175,7 @@ static float key(const cylint_boxed_piece *b, int axis)
     return b->lower[axis] + b->upper[axis];
 }
 
-/* Sorts so far that none of the first k keys is larger than any other key. */
+/* Sorts partially: none of the first k keys is larger than any other key. */
 static void select(cylint_boxed_piece *boxes, size_t n, size_t k, int axis)
 {
     size_t from = 0, to = n; /* the k-th lies in [from, to) */
@@ -231,8 +231,8 @@ static size_t whole_leaves(size_t left, size_t n)
                                    : most;
 }
 
-/* Up to 8 boxes change sides to make whole leaves: the nearest to the other side
- * among so many. */
+/* Up to 8 boxes move to the other side, so that the leaves of both sides are
+ * full.  They are the nearest to that side among NEARBY boxes. */
 enum { NEARBY = 512 };
 
 /* Splits more than 8 boxes.  Returns the number to the left, a multiple of 8. */

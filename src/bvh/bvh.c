@@ -7,9 +7,9 @@
 
 #include "threads.h"
 
-/* So many discs are copied together before leaves are filled.  They lie at
- * random addresses, and the processor waits for several at once.  (Prefetching
- * them had no effect where every address needs a translation.) */
+/* The number of discs that are copied together before leaves are filled.  They
+ * lie at random addresses, and the processor waits for several at once.
+ * (Prefetching them had no effect where every address needs a translation.) */
 enum { TOGETHER = 4 * CYLINT_LEAF_SIZE };
 
 /* Pieces to be stored in leaves. */

@@ -112,7 +112,7 @@ CYLINT_INLINE cylinders cylinders_of(const cylint_leaf *b, int from)
  * line's point nearest to the axis certainly lies in the domain and, if the
  * piece belongs to a cylinder, in the piece.
  *
- * With the letters of leaf.c: r <= across + 1 + 2 e - 7/8, and the axes are less
+ * In the notation of leaf.c: r <= across + 1 + 2 e - 7/8, and the axes are less
  * than e < 15/8 apart, so a point within r - 5 of the rounded axis is in the
  * cylinder.  g is less than 3 e + 4 + 2 sqrt(e r) < 25 + r / 8, so a point that
  * far from the ends of the rounded axis is between the ends of the piece.  The

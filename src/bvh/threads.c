@@ -63,7 +63,7 @@ static long smaller(long x, long y)
     return x < y ? x : y;
 }
 
-/* A thread gets at least so many shapes.  They take 3 ms, far more than
+/* The least number of shapes for a thread.  They take 3 ms, far more than
  * starting the thread. */
 enum { LEAST_SHAPES = 4096 };
 

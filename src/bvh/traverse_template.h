@@ -3,8 +3,8 @@
  *
  * Included once by each file that traverses.  Before, that file defines
  *
- *   entry       a struct with the member `key`, see keyed_child(): what is
- *               still to be visited
+ *   entry       a struct with the member `key`, see keyed_child(), for a
+ *               node or leaf that is not visited yet
  *   child_hits  where the children of a node are entered, and by which rays
  *   traversal   a struct with the members `bvh`, `stack` (an array of entry
  *               with CYLINT_STACK_SIZE elements) and `n`, its length
@@ -14,17 +14,18 @@
  *   int is_needed(traversal *, entry *)   whether the entry, just taken from
  *                                         the stack, may still hold the
  *                                         nearest hit
- *   int is_done_alone(traversal *, const entry *)   visits the entry in another
- *                                         way and returns 1, or returns 0
+ *   int is_done_alone(traversal *, const entry *)   traverses the entry
+ *                                         by other code and returns 1, or
+ *                                         returns 0
  *   unsigned hit_children(const traversal *, const entry *,
  *                         const cylint_node *, child_hits *)
  *                                         bits of the children that are hit
  *   entry entry_of(const child_hits *, const cylint_node *, int i)
  */
 
-/* Takes the children that are hit: returns the nearest one and pushes the
- * others, the farthest first.  The order is unpredictable, so that there are
- * conditional moves instead of branches. */
+/* Returns the nearest of the children that are hit, and pushes the others, the
+ * farthest first.  Their order is unpredictable, so the code has conditional
+ * moves instead of branches. */
 CYLINT_INLINE entry push_children(traversal *t, const cylint_node *node,
                                   unsigned hit, const child_hits *hits)
 {
@@ -45,8 +46,8 @@ CYLINT_INLINE entry push_children(traversal *t, const cylint_node *node,
     return next;
 }
 
-/* The next leaf, with its entry in *at, or NULL.  Asking for the next leaf
- * before testing the last one prefetches it. */
+/* The next leaf, with its entry in *at, or NULL.  A call before the last leaf
+ * is tested prefetches the next one. */
 CYLINT_INLINE const cylint_leaf *next_leaf(traversal *t, entry *at)
 {
     while (t->n > 0) {

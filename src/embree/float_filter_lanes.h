@@ -4,12 +4,11 @@
  * For float_filter.c, one question in plain doubles, and for packet_filter.c,
  * one question in each vector lane.
  *
- * Every quantity has an error bound in the same letters: `f` has an error of at
- * most `e_f`.  A rounding is u = 2^-53; eps = 2^-50 counts eight.  The double of
- * the axis is rounded once, an acone's radius has an error of 6 u.  The errors
- * of vectors are lengths: a cross product has at most 2 / sqrt(3) of the errors
- * of its products.  W is the length of the axis.  U and Dn are sizes of vectors,
- * at least their lengths.
+ * The error of a quantity `f` is at most `e_f`.  A rounding is u = 2^-53; eps =
+ * 2^-50 is eight of them.  The double of the axis is rounded once, an acone's
+ * radius has an error of 6 u.  The errors of vectors are lengths: a cross
+ * product has at most 2 / sqrt(3) of the errors of its products.  W is the
+ * length of the axis.  U and Dn are sizes of vectors, at least their lengths.
  *
  * Compiled as it is and again with fused multiply-add, which rounds less often:
  * the bounds hold either way.  Unused lanes divide by 1.

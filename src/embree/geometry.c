@@ -81,9 +81,9 @@ static int check_shape(const cylint_embree_data *data, size_t i,
     return CYLINT_EMBREE_OK;
 }
 
-/* Boxes are padded for rays that begin within so many sizes of the geometry:
- * FAR_SIZES if it has one box, NEAR_SIZES if each shape has a box, where more
- * padding would cost too much. */
+/* Boxes are padded for rays that begin within FAR_SIZES sizes of the geometry
+ * if it has one box, within NEAR_SIZES sizes if each shape has a box: more
+ * padding would cost too much there. */
 enum { NEAR_SIZES = 3, FAR_SIZES = 4095 };
 
 static int refuse(cylint_embree_problem *problem, int status, size_t shape)

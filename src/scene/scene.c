@@ -464,7 +464,9 @@ static void traverse(search *q, int nearest)
     } else if (status == CYLINT_FRAME_ENTERED) {
         if (!nearest) {
             q->n_table = 0;
-            memset(q->table, 0xff, sizeof q->table); /* NOBODY */
+            memset(q->table, 0xff,
+                   sizeof q
+                       ->table); /* NO_SHAPE */
         }
         s->traverse(&s->bvh, q->ray.o, q->ray.d, 0, &q->ray.length,
                     nearest ? test_leaf_nearest : test_leaf_count, q);
@@ -479,7 +481,7 @@ static void start_search(search *q, const cylint_scene *scene,
     q->best = q->except = scene->n;
     q->count = q->enough = 0;
     q->numbers = NULL;
-    memset(q->recent, 0xff, sizeof q->recent); /* NOBODY */
+    memset(q->recent, 0xff, sizeof q->recent); /* NO_SHAPE */
 }
 
 size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,

@@ -9,11 +9,7 @@
 #include <gsl/gsl_poly.h>
 
 #include "contestants.h"
-
-static inline double dot(const double u[3], const double v[3])
-{
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
+#include "vectors.h"
 
 static inline int solve(const struct subject *s, const cylint_line *line,
                         double *leading, double t[2])
@@ -21,10 +17,10 @@ static inline int solve(const struct subject *s, const cylint_line *line,
     const double *d = line->d, *w = s->shape.axis, *base = s->shape.base;
     const double D[3] = {line->o[0] - base[0], line->o[1] - base[1],
                          line->o[2] - base[2]};
-    const double ww = s->axis_axis, wd = dot(w, d), wD = dot(w, D);
-    double A = ww * dot(d, d) - wd * wd;
-    double B = 2 * (ww * dot(d, D) - wd * wD);
-    double C = ww * dot(D, D) - wD * wD;
+    const double ww = s->axis_axis, wd = dot3(w, d), wD = dot3(w, D);
+    double A = ww * dot3(d, d) - wd * wd;
+    double B = 2 * (ww * dot3(d, D) - wd * wD);
+    double C = ww * dot3(D, D) - wD * wD;
     if (s->shape.kind == CYLINT_KIND_CYLINDER) {
         C -= s->radius;
     } else {

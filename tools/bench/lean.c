@@ -5,10 +5,7 @@
 
 #include <math.h>
 
-static inline double dot(const double u[3], const double v[3])
-{
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
+#include "vectors.h"
 
 static inline void from_base(const struct lean_shape *s, const double o[3],
                              double q[3])
@@ -39,19 +36,55 @@ static inline int clip(const struct lean_shape *s, double z, double speed,
     return (a >= t0 && a <= t1) + (b >= t0 && b <= t1);
 }
 
+/* The line's axial coordinate z + t speed, and A t^2 + 2 B t + C, the squared
+ * distance from the axis less r0^2; G = B^2 - A C. */
+struct lateral {
+    double z, speed, A, B, G;
+};
+
+static inline struct lateral cylinder_lateral(const struct lean_shape *s,
+                                              const double o[3],
+                                              const double d[3])
+{
+    struct lateral l;
+    double q[3];
+    from_base(s, o, q);
+    l.speed = dot3(d, s->axis);
+    l.z = dot3(q, s->axis);
+    l.A = dot3(d, d) - l.speed * l.speed;
+    l.B = dot3(q, d) - l.z * l.speed;
+    const double C = dot3(q, q) - l.z * l.z - s->r0_squared;
+    l.G = l.B * l.B - l.A * C;
+    return l;
+}
+
 int lean_cylinder(const struct lean_shape *s, const double o[3],
                   const double d[3], double t0, double t1, double t[2])
 {
-    double q[3];
-    from_base(s, o, q);
-    const double speed = dot(d, s->axis), z = dot(q, s->axis);
-    const double A = dot(d, d) - speed * speed, B = dot(q, d) - z * speed;
-    const double C = dot(q, q) - z * z - s->r0_squared, G = B * B - A * C;
-    if (!(G >= 0))
+    const struct lateral l = cylinder_lateral(s, o, d);
+    if (!(l.G >= 0))
         return 0;
-    const double root = sqrt(G), inverse = 1 / A;
-    return clip(s, z, speed, (-B - root) * inverse, (-B + root) * inverse, t0,
-                t1, t);
+    const double root = sqrt(l.G), inverse = 1 / l.A;
+    return clip(s, l.z, l.speed, (-l.B - root) * inverse,
+                (-l.B + root) * inverse, t0, t1, t);
+}
+
+int lean_shader(const struct lean_shape *s, const double o[3],
+                const double d[3], double t0, double t1, double t[2])
+{
+    const struct lateral l = cylinder_lateral(s, o, d);
+    if (!(l.G >= 0))
+        return 0;
+    const double root = sqrt(l.G);
+    double first = (-l.B - root) / l.A;
+    const double at = l.z + first * l.speed;
+    if (!(at > 0 && at < s->height)) {
+        first = ((at < 0 ? 0 : s->height) - l.z) / l.speed;
+        if (!(fabs(l.B + l.A * first) < root))
+            return 0;
+    }
+    t[0] = t[1] = first;
+    return first >= t0 && first <= t1;
 }
 
 int lean_cone(const struct lean_shape *s, const double o[3], const double d[3],
@@ -59,11 +92,11 @@ int lean_cone(const struct lean_shape *s, const double o[3], const double d[3],
 {
     double q[3];
     from_base(s, o, q);
-    const double speed = dot(d, s->axis), z = dot(q, s->axis);
+    const double speed = dot3(d, s->axis), z = dot3(q, s->axis);
     const double rho = s->r0 + s->slope * z, growth = s->slope * speed;
-    const double A = dot(d, d) - speed * speed - growth * growth;
-    const double B = dot(q, d) - z * speed - rho * growth;
-    const double C = dot(q, q) - z * z - rho * rho, G = B * B - A * C;
+    const double A = dot3(d, d) - speed * speed - growth * growth;
+    const double B = dot3(q, d) - z * speed - rho * growth;
+    const double C = dot3(q, q) - z * z - rho * rho, G = B * B - A * C;
     if (!(G >= 0))
         return 0;
     const double root = sqrt(G), inverse = 1 / A;
@@ -81,54 +114,24 @@ int lean_elliptic(const struct lean_shape *s, const double o[3],
 {
     double q[3];
     from_base(s, o, q);
-    const double x = dot(q, s->row[0]), y = dot(q, s->row[1]);
-    const double u = dot(d, s->row[0]), v = dot(d, s->row[1]);
+    const double x = dot3(q, s->row[0]), y = dot3(q, s->row[1]);
+    const double u = dot3(d, s->row[0]), v = dot3(d, s->row[1]);
     const double A = u * u + v * v, B = x * u + y * v;
     const double C = x * x + y * y - 1, G = B * B - A * C;
     if (!(G >= 0))
         return 0;
     const double root = sqrt(G), inverse = 1 / A;
-    return clip(s, dot(q, s->axis), dot(d, s->axis), (-B - root) * inverse,
+    return clip(s, dot3(q, s->axis), dot3(d, s->axis), (-B - root) * inverse,
                 (-B + root) * inverse, t0, t1, t);
-}
-
-int lean_shader(const struct lean_shape *s, const double o[3],
-                const double d[3], double t0, double t1, double t[2])
-{
-    double q[3];
-    from_base(s, o, q);
-    const double speed = dot(d, s->axis), z = dot(q, s->axis);
-    const double A = dot(d, d) - speed * speed, B = dot(q, d) - z * speed;
-    const double C = dot(q, q) - z * z - s->r0_squared, G = B * B - A * C;
-    if (G < 0)
-        return 0;
-    const double root = sqrt(G);
-    double first = (-B - root) / A;
-    const double at = z + first * speed;
-    if (!(at > 0 && at < s->height)) {
-        first = ((at < 0 ? 0 : s->height) - z) / speed;
-        if (!(fabs(B + A * first) < root))
-            return 0;
-    }
-    t[0] = t[1] = first;
-    return first >= t0 && first <= t1;
-}
-
-static void cross(const double u[3], const double v[3], double w[3])
-{
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        w[i] = u[j] * v[k] - u[k] * v[j];
-    }
 }
 
 static void prepare_elliptic(struct lean_shape *to, const cylint_shape *s)
 {
     double bh[3], ha[3], ab[3];
-    cross(s->b, s->axis, bh);
-    cross(s->axis, s->a, ha);
-    cross(s->a, s->b, ab);
-    const double det = dot(s->a, bh);
+    cross3(bh, s->b, s->axis);
+    cross3(ha, s->axis, s->a);
+    cross3(ab, s->a, s->b);
+    const double det = dot3(s->a, bh);
     for (int i = 0; i < 3; i++) {
         to->row[0][i] = bh[i] / det;
         to->row[1][i] = ha[i] / det;
@@ -139,7 +142,7 @@ static void prepare_elliptic(struct lean_shape *to, const cylint_shape *s)
 
 void lean_prepare(struct lean_shape *to, const cylint_shape *s)
 {
-    const double length = sqrt(dot(s->axis, s->axis));
+    const double length = sqrt(dot3(s->axis, s->axis));
     for (int i = 0; i < 3; i++) {
         to->base[i] = s->base[i];
         to->axis[i] = s->axis[i] / length;

@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "contestants.h"
+#include "vectors.h"
 
 int plain_answers_for(const cylint_shape *shape)
 {
@@ -15,11 +16,6 @@ int plain_answers_for(const cylint_shape *shape)
             shape->kind == CYLINT_KIND_CONE) &&
            (shape->ends == CYLINT_ENDS_CAPPED ||
             shape->ends == CYLINT_ENDS_INFINITE);
-}
-
-static inline double dot(const double u[3], const double v[3])
-{
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
 /* Clips [t0, t1] to the planes z = 0 and z = 1; returns whether it is not
@@ -62,10 +58,10 @@ static inline struct quadric expand(const struct subject *s,
     const double *d = line->d, *w = s->shape.axis, *base = s->shape.base;
     const double D[3] = {line->o[0] - base[0], line->o[1] - base[1],
                          line->o[2] - base[2]};
-    const double ww = s->axis_axis, wd = dot(w, d), wD = dot(w, D);
-    struct quadric q = {ww * dot(d, d) - wd * wd,
-                        ww * dot(d, D) - wd * wD,
-                        ww * dot(D, D) - wD * wD,
+    const double ww = s->axis_axis, wd = dot3(w, d), wD = dot3(w, D);
+    struct quadric q = {ww * dot3(d, d) - wd * wd,
+                        ww * dot3(d, D) - wd * wD,
+                        ww * dot3(D, D) - wD * wD,
                         0,
                         wD,
                         wd};

@@ -9,16 +9,12 @@
 #include <math.h>
 
 #include "contestants.h"
+#include "vectors.h"
 
 int shader_answers_for(const cylint_shape *shape)
 {
     return shape->kind == CYLINT_KIND_CYLINDER &&
            shape->ends == CYLINT_ENDS_CAPPED;
-}
-
-static inline double dot(const double u[3], const double v[3])
-{
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
 /* Writes t and returns 1, or returns 0.  The lateral surface is the equation
@@ -30,10 +26,10 @@ static inline int first_hit(const struct subject *s, const cylint_line *line,
     const double oc[3] = {line->o[0] - base[0], line->o[1] - base[1],
                           line->o[2] - base[2]};
     const double baba = s->axis_axis;
-    const double bard = dot(ba, line->d), baoc = dot(ba, oc);
-    const double k2 = baba * dot(line->d, line->d) - bard * bard;
-    const double k1 = baba * dot(oc, line->d) - baoc * bard;
-    const double k0 = baba * dot(oc, oc) - baoc * baoc - s->radius;
+    const double bard = dot3(ba, line->d), baoc = dot3(ba, oc);
+    const double k2 = baba * dot3(line->d, line->d) - bard * bard;
+    const double k1 = baba * dot3(oc, line->d) - baoc * bard;
+    const double k0 = baba * dot3(oc, oc) - baoc * baoc - s->radius;
     const double h = k1 * k1 - k2 * k0;
     if (h < 0)
         return 0;

@@ -18,6 +18,7 @@
 
 #include "lean.h"
 #include "timing.h"
+#include "vectors.h"
 
 enum { PAIRS = 4096, MODES = 3, CALLS = 2 * MODES };
 enum line_kind { RAY, SEGMENT, LINE };
@@ -60,14 +61,9 @@ static double power_between(double low, double high)
     return pow(10, between(low, high));
 }
 
-static double dot(const double u[3], const double v[3])
-{
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-
 static double unit(double v[3])
 {
-    const double size = sqrt(dot(v, v));
+    const double size = sqrt(dot3(v, v));
     for (int i = 0; i < 3; i++)
         v[i] /= size;
     return size;
@@ -173,13 +169,13 @@ static double ordinary_lines(enum line_kind kind, double wanted)
 /* A unit vector across the axis of shape i. */
 static void across(int i, double v[3])
 {
-    const double *w = shapes[i].axis, ww = dot(w, w);
+    const double *w = shapes[i].axis, ww = dot3(w, w);
     do {
         gsl_ran_dir_3d(rng, &v[0], &v[1], &v[2]);
-        const double along = dot(v, w) / ww;
+        const double along = dot3(v, w) / ww;
         for (int c = 0; c < 3; c++)
             v[c] -= along * w[c];
-    } while (dot(v, v) < 0.1);
+    } while (dot3(v, v) < 0.1);
     unit(v);
 }
 
@@ -189,7 +185,7 @@ static double middle_radius(int i)
     const cylint_shape *s = &shapes[i];
     if (s->kind != CYLINT_KIND_ECYLINDER)
         return 0.5 * (s->r0 + s->r1);
-    const double aa = dot(s->a, s->a), bb = dot(s->b, s->b);
+    const double aa = dot3(s->a, s->a), bb = dot3(s->b, s->b);
     return sqrt(aa < bb ? aa : bb);
 }
 
@@ -202,11 +198,11 @@ static void grazing_line(int i)
         (gsl_rng_uniform(rng) < 0.5 ? -1 : 1) * power_between(-13, -4);
     across(i, x);
     const double radius = middle_radius(i);
-    const double growth = (shapes[i].r1 - shapes[i].r0) / sqrt(dot(w, w));
+    const double growth = (shapes[i].r1 - shapes[i].r0) / sqrt(dot3(w, w));
     /* the normal of the surface: x less the growth along the axis */
     double n[3], tangent[3];
     for (int c = 0; c < 3; c++)
-        n[c] = x[c] - growth * w[c] / sqrt(dot(w, w));
+        n[c] = x[c] - growth * w[c] / sqrt(dot3(w, w));
     unit(n);
     for (int c = 0; c < 3; c++) {
         const int j = (c + 1) % 3, k = (c + 2) % 3;
@@ -253,7 +249,7 @@ static void surface_line(int i)
     while (cylint_intersect(&shapes[i], &lines[i],
                             CYLINT_WANT_POINT | CYLINT_WANT_NORMAL, &a) == 0);
     const double *n = a.hit[0].normal;
-    const double along = 2 * dot(lines[i].d, n);
+    const double along = 2 * dot3(lines[i].d, n);
     for (int c = 0; c < 3; c++)
         d[c] = lines[i].d[c] - along * n[c];
     make_line(i, RAY, a.hit[0].point, d);

@@ -31,7 +31,7 @@ extern "C" const char *cylint_read_number(const char *text, const char *end,
     if (error == std::errc::invalid_argument) {
         return nullptr;
     }
-    // Too large or too small, which from_chars does not tell apart.
+    // Too large or too small: from_chars returns the same error for both.
     if (error == std::errc::result_out_of_range) {
         *value = std::strtod(text, nullptr);
     }

@@ -61,7 +61,7 @@ void report_end(const struct report *report);
 /* `PROGRAM: NAME: WHAT`, NAME escaped. */
 void complain(const char *name, const char *what);
 
-/* `PROGRAM: NAME: what errno says` */
+/* `PROGRAM: NAME: TEXT OF ERRNO` */
 void complain_errno(const char *name);
 
 int out_of_memory(void);

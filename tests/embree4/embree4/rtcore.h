@@ -1,13 +1,13 @@
 /*
- * rtcore.h - what libcylint uses of Embree 4, declared anew
+ * rtcore.h - declares the part of Embree 4 that libcylint uses
  *
- * The PyPI wheel that brings Embree 4.4.0 to any Linux brings no headers.
+ * The PyPI wheel of Embree 4.4.0 has no headers.
  * These declarations were written from the published interface of Embree 4.3
  * and 4.4 (github.com/RenderKit/embree, doc/ and include/), in its default
  * configuration: one level of instances, instance arrays present.  They hold
- * what the adapter and its tests name and no more; a program of your own
- * takes Embree's headers.  tests/embree4.sh finds out by canaries whether the
- * library lays out its structures like this.
+ * only the names that the adapter and its tests use; other programs must use
+ * Embree's headers.  tests/test_embree_layout.c tests by canaries that the
+ * library's structures have this layout.
  */
 #ifndef CYLINT_TESTS_EMBREE4_RTCORE_H
 #define CYLINT_TESTS_EMBREE4_RTCORE_H
