@@ -59,22 +59,6 @@ static int radius_is_zero(const cylint_query *q, int cap)
     return cylint_sign(cylint_end_factor(q->shape, cap)) == 0;
 }
 
-/* Where the line pierces a cap's plane within the cap (E > 0) or on its rim
- * (E = 0; the apex where the cap has shrunk to it). */
-static stop pierced(const cylint_query *q, int cap, int E)
-{
-    const int part = cap ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
-    return (stop){cap ? ROOT_CAP1 : ROOT_CAP0,
-                  E > 0 ? part : CYLINT_PART_LATERAL, 0,
-                  E == 0 && radius_is_zero(q, cap)};
-}
-
-static overlap touch_rim(const cylint_query *q, int cap)
-{
-    const stop s = pierced(q, cap, 0);
-    return one(CYLINT_RELATION_TOUCH, s.root, CYLINT_SIDE_BOTH, s.apex);
-}
-
 /* Q <= 0 on one interval between its roots: a chord, a point or nothing. */
 static overlap chord(cylint_query *q, int relation, int apex)
 {
@@ -100,38 +84,90 @@ static overlap level(cylint_query *q)
     return chord(q, CYLINT_RELATION_ALONG, radius_is_zero(q, above1 == 0));
 }
 
-/* Bounded shapes, the line not parallel to the caps: `first` is the plane it
- * comes to first; up is the sign of dz/dt. */
+/* The exact signs that decide the overlap with a bounded shape.  E is computed
+ * at once, the others when they are needed. */
+typedef struct {
+    cylint_query *q;
+    int E[2], inward[2], G;
+} cap_signs;
+
+enum { UNKNOWN = 2 };
+
+static int inward_sign(cap_signs *c, int cap)
+{
+    if (c->inward[cap] == UNKNOWN)
+        c->inward[cap] = (cap ? 1 : -1) * cylint_sign_N(c->q, cap);
+    return c->inward[cap];
+}
+
+static int sign_G(cap_signs *c)
+{
+    if (c->G == UNKNOWN)
+        c->G = cylint_sign_G(c->q);
+    return c->G;
+}
+
+#define FORM(name) name##_exactly
+#define OVERLAP_INLINE static
+#define TRUTH int
+#define AND(a, b) ((a) && (b))
+#define OR(a, b) ((a) || (b))
+#define PART int
+#define CHOOSE(a, x, y) ((a) ? (x) : (y))
+#define CAP0 CYLINT_PART_CAP0
+#define CAP1 CYLINT_PART_CAP1
+#define LATERAL CYLINT_PART_LATERAL
+#define CAPS cap_signs
+#define E(c, i) ((c)->E[i])
+#define INWARD(c, i) inward_sign(c, i)
+#define G(c) sign_G(c)
+#define POSITIVE(x) ((x) > 0)
+#define NEGATIVE(x) ((x) < 0)
+#define NOT_POSITIVE(x) ((x) <= 0)
+#include "signs/overlap_template.h"
+
+/* Where the overlap begins (end = 0) or ends.  On a rim (E = 0) the plane and
+ * the lateral root have the same t; the part is lateral. */
+static stop stop_at(const cap_signs *c, int up, int end)
+{
+    const int cap = up ? end : !end;
+    if (c->E[cap] < 0)
+        return lateral(end ? ROOT_EXIT : ROOT_ENTRY);
+    return (stop){cap ? ROOT_CAP1 : ROOT_CAP0,
+                  part_at_exactly(up, c->E[cap] > 0, end), 0,
+                  c->E[cap] == 0 && radius_is_zero(c->q, cap)};
+}
+
+static overlap touch_rim(const cap_signs *c, int cap)
+{
+    const stop s = stop_at(c, 1, cap);
+    return one(CYLINT_RELATION_TOUCH, s.root, CYLINT_SIDE_BOTH, s.apex);
+}
+
+/* Bounded shapes; the line is not parallel to the caps.  up: z grows along
+ * it. */
 static overlap slab(cylint_query *q, int up)
 {
-    const int first = up > 0 ? 0 : 1, last = 1 - first;
-    const int Ef = cylint_sign_E(q, first), El = cylint_sign_E(q, last);
-    const stop begin = Ef >= 0 ? pierced(q, first, Ef) : lateral(ROOT_ENTRY);
-    const stop end = El >= 0 ? pierced(q, last, El) : lateral(ROOT_EXIT);
-
-    if (Ef > 0 || El > 0)
+    cap_signs c = {q,
+                   {cylint_sign_E(q, 0), cylint_sign_E(q, 1)},
+                   {UNKNOWN, UNKNOWN},
+                   UNKNOWN};
+    const stop begin = stop_at(&c, up, 0), end = stop_at(&c, up, 1);
+    if (crosses_exactly(&c))
         return two(CYLINT_RELATION_CROSS, begin, end);
-    if (Ef == 0 && El == 0) /* Q' = 0 at a rim as well: Q vanishes */
-        return two(cylint_sign_N(q, first) == 0 ? CYLINT_RELATION_ALONG
-                                                : CYLINT_RELATION_CROSS,
-                   begin, end);
-    if (Ef == 0)
-        return up * cylint_sign_N(q, first) < 0
-                   ? two(CYLINT_RELATION_CROSS, begin, end)
-                   : touch_rim(q, first);
-    if (El == 0)
-        return up * cylint_sign_N(q, last) > 0
-                   ? two(CYLINT_RELATION_CROSS, begin, end)
-                   : touch_rim(q, last);
-    if (up * cylint_sign_N(q, first) < 0 && up * cylint_sign_N(q, last) > 0)
-        return chord(q, CYLINT_RELATION_CROSS, 0);
-    return none();
+    if (c.E[0] == 0 && c.E[1] == 0) /* a ruling: Q = 0 on all of the line */
+        return two(CYLINT_RELATION_ALONG, begin, end);
+    if (c.E[0] == 0 || c.E[1] == 0)
+        return touch_rim(&c, c.E[1] == 0);
+    if (misses_exactly(&c))
+        return none();
+    return one(CYLINT_RELATION_TOUCH, ROOT_DOUBLE, CYLINT_SIDE_BOTH, 0);
 }
 
 static overlap bounded(cylint_query *q)
 {
     const int up = cylint_sign_beta(q);
-    return up == 0 ? level(q) : slab(q, up);
+    return up == 0 ? level(q) : slab(q, up > 0);
 }
 
 /* A whole cylinder; or what a parallel line is to any unbounded shape. */

@@ -324,6 +324,18 @@ INLINE vm part_present(const lanes_shape *s, vd part)
     return m_or(lateral, m_or(m_and(cap0, s->cap[0]), m_and(cap1, s->cap[1])));
 }
 
+#define FORM(name) name##_lanes
+#define OVERLAP_INLINE INLINE
+#define TRUTH vm
+#define PART vd
+#define CHOOSE(a, x, y) v_select(a, x, y)
+#define CAP0 v_set(CYLINT_PART_CAP0)
+#define CAP1 v_set(CYLINT_PART_CAP1)
+#define LATERAL v_set(CYLINT_PART_LATERAL)
+#define VALUE bounded_value
+#define LATER(s, t) above(s, t)
+#include "../signs/overlap_template.h"
+
 /*
  * Relation and hits.  kind is a constant where this is inlined; bounded: the
  * ends are planes.  An unbounded kind other than cylinder and ecylinder is
@@ -358,22 +370,18 @@ INLINE lanes_verdict lanes_classify(lanes_query *q, const lanes_shape *s,
     lateral_interval(q, G, kind, bounded, stop, &unsure, &outside);
     v.hard = unsure;
     if (bounded) {
-        const vd cap0 = v_set(CYLINT_PART_CAP0), cap1 = v_set(CYLINT_PART_CAP1);
         bounded_value plane[2];
-        vm up;
+        vm up, certain_ends;
         slab_interval(q, plane, &unsure, &up);
-        const vm by_side0 = above(stop[0], plane[0]);
-        const vm by_side1 = above(plane[1], stop[1]);
-        const vm by_cap0 = above(plane[0], stop[0]);
-        const vm by_cap1 = above(stop[1], plane[1]);
-        v.part[0] = v_select(by_side0, lateral, v_select(up, cap0, cap1));
-        v.part[1] = v_select(by_side1, lateral, v_select(up, cap1, cap0));
-        stop[0] = inner(stop[0], plane[0], 1);
-        stop[1] = inner(stop[1], plane[1], 0);
+        const bounds_lanes by = bounds_of_lanes(stop, plane);
+        certain_ends = m_and(m_or(by.by_root[0], by.by_plane[0]),
+                             m_or(by.by_root[1], by.by_plane[1]));
+        EACH(i, 2) {
+            v.part[i] = part_at_lanes(up, m_not(by.by_root[i]), i);
+            stop[i] = inner(stop[i], plane[i], !i);
+        }
         const vm apart = above(stop[0], stop[1]);
-        v.cross =
-            m_and(above(stop[1], stop[0]),
-                  m_and(m_or(by_side0, by_cap0), m_or(by_side1, by_cap1)));
+        v.cross = m_and(above(stop[1], stop[0]), certain_ends);
         unsure = m_or(unsure, m_not(m_or(apart, v.cross)));
     } else {
         const bounded_value first = stop[0];

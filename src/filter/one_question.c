@@ -137,13 +137,39 @@ typedef struct {
     vm pierced, spared;
 } verdict;
 
-/*
- * A bounded shape, which is convex, is crossed if the line pierces a cap
- * (E > 0) or, sparing both, enters and leaves through the side between them:
- * N is dQ/dz at the caps up to a positive factor, so that the middle of the
- * chord lies between them if N_0 < 0 < N_1.  All of that holds of lines
- * parallel to the caps too, for N_i has the sign of -alpha_i then.
- */
+/* The signs of E and inward, a bit for each cap, and of G. */
+typedef struct {
+    unsigned positive, negative;
+} sign_bits;
+
+typedef struct {
+    sign_bits E, inward, G;
+} cap_signs;
+
+INLINE sign_bits signs_of(bounded_value x)
+{
+    return (sign_bits){m_bits(is_positive(x)), m_bits(is_negative(x))};
+}
+
+INLINE sign_bits at_cap(sign_bits x, int cap)
+{
+    return (sign_bits){x.positive >> cap, x.negative >> cap};
+}
+
+#define FORM(name) name##_one
+#define OVERLAP_INLINE INLINE
+#define TRUTH unsigned
+#define AND(a, b) ((a) & (b))
+#define OR(a, b) ((a) | (b))
+#define CAPS const cap_signs
+#define E(c, i) at_cap((c)->E, i)
+#define INWARD(c, i) at_cap((c)->inward, i)
+#define G(c) (c)->G
+#define POSITIVE(x) (x).positive
+#define NEGATIVE(x) (x).negative
+#define NOT_POSITIVE(x) (x).negative
+#include "../signs/overlap_template.h"
+
 INLINE verdict classify_bounded(const lanes_query *q, bounded_value G)
 {
     const bounded_value E =
@@ -151,14 +177,10 @@ INLINE verdict classify_bounded(const lanes_query *q, bounded_value G)
     const bounded_value N =
         with_bound(form_N_lanes(&q->L, 0), form_N_sizes(&q->N, 0));
     const bounded_value inward = {N.v * v_two(-1, 1), N.e};
-    const vm pierced = is_positive(E), spared = is_negative(E);
-    const int within = m_bits(is_positive(inward)) == 3;
-    const int beyond = m_any(is_negative(inward));
-    const int none = m_bits(spared) == 3;
-    const int misses = at_base(is_negative(G)) | (none & beyond);
-    const int crosses =
-        m_any(pierced) | (none & within & at_base(is_positive(G)));
-    return (verdict){misses, crosses & !misses, pierced, spared};
+    const cap_signs c = {signs_of(E), signs_of(inward), signs_of(G)};
+    const int misses = (int)(misses_one(&c) & 1);
+    const int crosses = (int)(crosses_one(&c) & 1);
+    return (verdict){misses, crosses & !misses, is_positive(E), is_negative(E)};
 }
 
 /* An unbounded one is crossed if Q has two roots, and missed if it has none:
