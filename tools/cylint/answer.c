@@ -80,6 +80,7 @@ struct task {
     struct job *job;
     struct block *block;
     struct row row;
+    struct parts parts; /* the places for the record */
     struct fault fault;
     enum answered status; /* of the last delivery */
 };
@@ -310,13 +311,13 @@ static void copy_comment(struct task *task, const char *line, const char *end)
     }
 }
 
-/* Returns the place for the next record. */
-static struct parts place_of(struct block *b)
+/* Returns the places for the next record. */
+static const struct parts *next_places(struct task *task)
 {
-    struct parts parts =
-        b->pairs ? pairs_place(b->pairs) : parts_of(&b->parsed);
-    parts.remarks = b->remarks.wanted ? &b->remarks : NULL;
-    return parts;
+    if (task->block->pairs) {
+        pairs_place(task->block->pairs, &task->parts);
+    }
+    return &task->parts;
 }
 
 static int leave_out_none(struct block *b)
@@ -337,8 +338,7 @@ static int read_text(struct task *task, const char *line, const char *end)
 {
     const struct grammar *g = &task->job->options->grammar;
     struct block *b = task->block;
-    const struct parts parts = place_of(b);
-    return read_parts(g, line, end, &parts, &task->fault) &&
+    return read_parts(g, line, end, next_places(task), &task->fault) &&
            (b->parsed.left_out_length == 0 ? leave_out_none(b)
                                            : read_left_out(task));
 }
@@ -366,7 +366,6 @@ static int take_doubles(struct task *task, const char *bytes, size_t size,
                         size_t left)
 {
     const struct grammar *g = &task->job->options->grammar;
-    struct block *b = task->block;
     double numbers[MOST_NUMBERS];
     if (left < size) {
         task->fault = (struct fault){.what = "the input ends within it"};
@@ -375,8 +374,7 @@ static int take_doubles(struct task *task, const char *bytes, size_t size,
     for (size_t i = 0; i < size / 8; i++) {
         numbers[i] = get_little_endian(bytes + 8 * i);
     }
-    const struct parts parts = place_of(b);
-    return take_parts(g, numbers, &parts, &task->fault);
+    return take_parts(g, numbers, next_places(task), &task->fault);
 }
 
 static void answer_doubles(struct task *task)
@@ -412,6 +410,8 @@ enum answered answer_block(struct job *job, struct block *b)
     task.row.record = b->record;
     b->remarks.wanted = job->options->remarks;
     b->remarks.found = 0;
+    task.parts = parts_of(&b->parsed);
+    task.parts.remarks = b->remarks.wanted ? &b->remarks : NULL;
     if (job->in.record_size > 0) {
         answer_doubles(&task);
     } else {

@@ -35,12 +35,12 @@ int pairs_can_answer(int line_kind, unsigned want, int sides)
            !(want & ~can);
 }
 
-struct parts pairs_place(struct pairs *p)
+void pairs_place(struct pairs *p, struct parts *parts)
 {
-    return (struct parts){.line = &p->line,
-                          .shape = &p->shapes[p->count],
-                          .tail = &p->tail[p->count],
-                          .tail_length = &p->tail_length[p->count]};
+    parts->line = &p->line;
+    parts->shape = &p->shapes[p->count];
+    parts->tail = &p->tail[p->count];
+    parts->tail_length = &p->tail_length[p->count];
 }
 
 void pairs_take(struct pairs *p)

@@ -35,8 +35,9 @@ void pairs_free(struct pairs *pairs);
  * batches.  Batches have rounded directions, and no sides. */
 int pairs_can_answer(int line_kind, unsigned want, int sides);
 
-/* The place for the next pair.  pairs_take() adds it. */
-struct parts pairs_place(struct pairs *pairs);
+/* Sets the places of line, shape and tail to those of the next pair.
+ * pairs_take() adds it. */
+void pairs_place(struct pairs *pairs, struct parts *parts);
 void pairs_take(struct pairs *pairs);
 
 /* Intersects all pairs.  Of each answer the wanted members, relation and n are
