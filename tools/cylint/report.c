@@ -7,6 +7,7 @@
 
 #include "grammar.h"
 #include "main.h"
+#include "message.h"
 #include "report.h"
 #include "text.h"
 
@@ -116,11 +117,10 @@ void print_note(const struct note *note, const char *name)
     const char *binary = note->binary ? "; this looks like a binary file" : "";
     escape_bytes(escaped, name, name + strlen(name), NAME_MOST);
     if (note->line > 0) {
-        fprintf(stderr, "%s: %s:%llu:%llu: %s%s\n", program, escaped,
-                note->line, note->column, note->text, binary);
+        message("%s:%llu:%llu: %s%s", escaped, note->line, note->column,
+                note->text, binary);
     } else {
-        fprintf(stderr, "%s: %s: record %llu: %s\n", program, escaped,
-                note->record, note->text);
+        message("%s: record %llu: %s", escaped, note->record, note->text);
     }
 }
 
@@ -157,7 +157,7 @@ void report_notes(struct report *report, struct notes *notes, const char *name)
 void report_end(const struct report *report)
 {
     if (report->bad > report->shown) {
-        fprintf(stderr, "%s: %llu bad records in all\n", program, report->bad);
+        message("%llu bad records in all", report->bad);
     }
 }
 
@@ -165,7 +165,7 @@ void complain(const char *name, const char *what)
 {
     char escaped[4 * NAME_MOST + 4];
     escape_bytes(escaped, name, name + strlen(name), NAME_MOST);
-    fprintf(stderr, "%s: %s: %s\n", program, escaped, what);
+    message("%s: %s", escaped, what);
 }
 
 void complain_errno(const char *name)
@@ -175,6 +175,6 @@ void complain_errno(const char *name)
 
 int out_of_memory(void)
 {
-    fprintf(stderr, "%s: out of memory\n", program);
+    message("out of memory");
     return EXIT_MEMORY;
 }
