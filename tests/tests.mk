@@ -55,11 +55,11 @@ $(BUILD)/tests/faulty $(fuzz_programs):
 
 # ----------------------------------------------------------------- check --
 
-deps: ## install what the tests need (Debian)
-	@sh tools/deps.sh
+deps: ## install what the tests need (Debian; Python's packages by pip)
+	@BUILD=$(BUILD) sh tools/deps.sh
 
 deps-cross: ## what check-cross and lint need as well (Debian)
-	@sh tools/deps.sh cross
+	@BUILD=$(BUILD) sh tools/deps.sh cross
 
 deps-cluster: ## what check-cluster needs as well (Debian; Spark by pip)
 	@BUILD=$(BUILD) sh tools/deps.sh cluster

@@ -4,7 +4,7 @@
 # `cluster` those for `make check-cluster` (Spark goes to $BUILD/spark).  It
 # installs only missing packages, so a second run needs neither network nor root.
 wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev libgsl-dev mandoc libembree-dev
-    libpng-dev python3-pip'
+    libpng-dev python3-pip python3-venv python3-dev'
 # gcc-multilib would be simpler for -m32, but excludes cross compilers
 [ "$1" = cross ] && wanted="$wanted clang clang-19 clang-tidy clang-format-14
     cppcheck qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross
@@ -26,6 +26,14 @@ if [ -n "$missing" ]; then
         DEBIAN_FRONTEND=noninteractive \
         $as_root apt-get install -q -y --no-install-recommends $missing || exit
 fi
+
+# The Python package is built and tested in an environment of its own.
+python=${BUILD:-build}/python
+[ -x "$python/bin/pytest" ] ||
+    { python3 -m venv "$python" && "$python/bin/pip" install -q \
+        'scikit-build-core>=1.0' 'nanobind>=2.4' cmake ninja numpy pytest hypothesis; } ||
+    { rm -rf "$python" && echo 'deps: the Python package will not be tested' >&2; }
+
 spark=${BUILD:-build}/spark
 [ "$1" != cluster ] || [ -x "$spark/bin/spark-submit" ] ||
     { python3 -m venv "$spark" && "$spark/bin/pip" install -q 'pyspark==4.*'; }

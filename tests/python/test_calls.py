@@ -1,0 +1,200 @@
+"""Calls: threads, interrupts, progress, references, memory."""
+
+import gc
+import os
+import signal
+import sys
+import threading
+import time
+import tracemalloc
+
+import numpy as np
+import pytest
+from conftest import drawn, forest, same
+
+import cylint
+
+ROD = cylint.cylinder([0, 0, 0], [0, 0, 1], 0.5)
+BIG = 2_000_000
+
+
+def test_threads_make_no_difference():
+    shapes, (o, d) = forest(500, 31), drawn(20_000, 32)
+    o = o * 0.1 + 0.5
+    scene = cylint.Scene(shapes, threads=1)
+    one = scene.nearest(o, d, threads=1)
+    table = cylint.intersect(shapes[:40, None], o, d, threads=1)
+    for threads in (2, 3, 8):
+        many = scene.nearest(o, d, threads=threads)
+        assert np.array_equal(one.index, many.index) and same(one.t, many.t)
+        again = cylint.intersect(shapes[:40, None], o, d, threads=threads)
+        assert same(table.t, again.t) and np.array_equal(table.n, again.n)
+        every, again = (
+            scene.all(o, d, threads=1),
+            scene.all(o, d, threads=threads),
+        )
+        assert np.array_equal(every.line, again.line) and same(every.t, again.t)
+        assert np.array_equal(every.index, again.index)
+    with pytest.raises(
+        ValueError, match="threads: expected at least 1, found 0"
+    ):
+        scene.any(o, d, threads=0)
+
+
+def test_threads_of_python_share_a_scene():
+    scene = cylint.Scene(forest(500, 33))
+    o, d = drawn(20_000, 34)
+    want, got = scene.nearest(o, d).index, [None] * 4
+
+    def ask(i):
+        got[i] = scene.nearest(o, d, threads=1).index
+
+    crew = [threading.Thread(target=ask, args=(i,)) for i in range(4)]
+    for thread in crew:
+        thread.start()
+    for thread in crew:
+        thread.join()
+    assert all(np.array_equal(want, index) for index in got)
+
+
+def test_other_threads_run_during_a_call():
+    """The lock is released: a counter counts while a call computes."""
+    scene = cylint.Scene(forest(2000, 35))
+    o, d = drawn(30_000, 36)
+    o, counts, stop = o * 0.1 + 0.5, [0], threading.Event()
+
+    def count():
+        while not stop.is_set():
+            counts[0] += 1
+            time.sleep(0.001)
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    time.sleep(0.05)
+    before, start = counts[0], time.perf_counter()
+    scene.count(o, d, threads=1)
+    spent, during = time.perf_counter() - start, counts[0] - before
+    stop.set()
+    counter.join()
+    assert spent > 0.02
+    assert during > 5
+
+
+def test_a_signal_ends_a_call():
+    scene = cylint.Scene(forest(2000, 37))
+    o, d = drawn(1000, 38)
+    o, d = np.tile(o * 0.1 + 0.5, (3000, 1)), np.tile(d, (3000, 1))
+    timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    start = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        for _ in range(1000):
+            scene.count(o, d)
+    assert time.perf_counter() - start < 5
+    timer.join()
+
+
+def test_progress_grows_to_the_total():
+    calls = []
+    scene = cylint.Scene(forest(2000, 39))
+    o, d = drawn(50_000, 40)
+    scene.count(
+        o * 0.1 + 0.5, d, threads=1, progress=lambda *a: calls.append(a)
+    )
+    assert calls[-1] == (50_000, 50_000)
+    assert len(calls) > 2
+    assert calls == sorted(calls) and all(total == 50_000 for _, total in calls)
+
+
+def test_an_exception_of_progress_ends_the_call():
+    def fail(done, total):
+        raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        cylint.intersect(ROD, *drawn(100, 41), progress=fail)
+    scene = cylint.Scene(forest(2000, 42))
+    o, d = drawn(50_000, 43)
+    with pytest.raises(LookupError):
+        scene.count(o, d, progress=fail)
+
+
+def references(*objects):
+    gc.collect()
+    return [sys.getrefcount(o) for o in objects]
+
+
+def test_no_reference_is_kept_or_lost():
+    o, d = drawn(300, 44)
+    shapes = forest(300, 45)
+    watched = (cylint.intersect, o, d, shapes, shapes._records)
+    before = references(*watched)
+    for _ in range(50):
+        scene = cylint.Scene(shapes)
+        near = scene.nearest(o, d)
+        hit = cylint.intersect(shapes, o, d)
+        assert hit.point is not None and near.normal is not None
+        shapes.bounds(), shapes.contains(o), scene.all(o, d), scene.any(o, d)
+        with pytest.raises(ValueError):
+            scene.nearest(o * np.nan, d)
+        with pytest.raises(ValueError):
+            cylint.cylinder(o, o, 1)
+    del scene, near, hit
+    after = references(*watched)
+    assert after == before
+
+
+def test_a_scene_keeps_its_shapes_alive():
+    scene = cylint.Scene(forest(1000, 46))
+    o, d = drawn(500, 47)
+    want = scene.nearest(o, d).t
+    gc.collect()
+    junk = [np.full(29_000, np.nan) for _ in range(50)]
+    assert same(want, scene.nearest(o, d).t)
+    assert len(junk) == 50
+
+
+def test_arrays_are_not_copied():
+    """What a call allocates is its answer; a copy of the lines has 96 MB."""
+    o = np.ones((BIG, 3))
+    d = np.ones((BIG, 3))
+    scene = cylint.Scene(ROD)
+    tracemalloc.start()
+    try:
+        for ask, answer in (
+            (lambda: cylint.intersect(ROD, o, d), 20),
+            (lambda: cylint.intersect(ROD, o[::-1, ::-1], d[:1]), 20),
+            (lambda: scene.nearest(o, d), 17),
+            (lambda: scene.any(o, d), 1),
+            (lambda: ROD.contains(o), 1),
+        ):
+            tracemalloc.reset_peak()
+            before = tracemalloc.get_traced_memory()[0]
+            ask()
+            peak = tracemalloc.get_traced_memory()[1] - before
+            assert peak < answer * BIG + 100_000
+    finally:
+        tracemalloc.stop()
+
+
+def test_memory_does_not_grow():
+    def resident():
+        with open("/proc/self/statm") as file:
+            return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+    if not os.path.exists("/proc/self/statm"):
+        pytest.skip("no /proc")
+    o, d = drawn(500, 48)
+    shapes = forest(500, 49)
+
+    def run():
+        scene = cylint.Scene(shapes)
+        scene.all(o, d)
+        assert scene.nearest(o, d).point.shape == (500, 3)
+        assert cylint.intersect(shapes, o, d).normal.shape == (500, 2, 3)
+
+    for _ in range(20):
+        run()
+    before = resident()
+    for _ in range(100):
+        run()
+    assert resident() - before < 20e6

@@ -1,0 +1,173 @@
+"""Scene: equal to brute force and to the command."""
+
+import pickle
+
+import numpy as np
+import pytest
+from conftest import forest, hexadecimal, numbers, same, text_of
+from hypothesis import given
+from hypothesis import strategies as st
+
+import cylint
+
+
+def rays(n, seed):
+    random = np.random.default_rng(seed)
+    o = random.uniform(-1, 2, (n, 3))
+    return o, random.random((n, 3)) - o
+
+
+def brute_force(shapes, o, d, **domain):
+    hit = cylint.intersect(shapes[:, None], o, d, **domain)
+    t = np.where(hit.n > 0, hit.t[..., 0], np.inf)
+    index = np.where(hit.n.any(axis=0), t.argmin(axis=0), -1)
+    return hit, index
+
+
+@given(st.integers(0, 2**32), st.integers(0, 300), st.integers(0, 60))
+def test_a_scene_equals_brute_force(seed, n, lines):
+    shapes = forest(n, seed)
+    o, d = rays(lines, seed)
+    scene = cylint.Scene(shapes)
+    if n == 0:
+        assert (scene.nearest(o, d).index == -1).all()
+        return
+    hit, index = brute_force(shapes, o, d, tmin=0.1, tmax=1.1)
+    near = scene.nearest(o, d, 0.1, 1.1)
+    assert np.array_equal(near.index, index)
+    found = index >= 0
+    column = np.flatnonzero(found)
+    assert same(near.t[found], hit.t[index[found], column, 0])
+    assert np.array_equal(near.part[found], hit.part[index[found], column, 0])
+    assert np.isnan(near.t[~found]).all() and (near.part[~found] == -1).all()
+    assert np.array_equal(scene.count(o, d, 0.1, 1.1), (hit.n > 0).sum(axis=0))
+    assert np.array_equal(scene.any(o, d, 0.1, 1.1), found)
+    line, shape = np.nonzero((hit.n > 0).T)
+    every = scene.all(o, d, 0.1, 1.1)
+    assert np.array_equal(every.line, line) and np.array_equal(
+        every.index, shape
+    )
+    assert same(every.t, hit.t[shape, line])
+
+
+def test_lazy_members_are_those_of_the_nearest_shape():
+    shapes, (o, d) = forest(400, 21), rays(500, 22)
+    near = cylint.Scene(shapes).nearest(o, d)
+    found = near.index >= 0
+    assert 50 < found.sum() < 500
+    hit = cylint.intersect(shapes[near.index[found]], o[found], d[found])
+    for member in ("point", "normal", "z", "phi", "side"):
+        value = getattr(near, member)
+        assert np.array_equal(value[found], getattr(hit, member)[:, 0])
+        none = value[~found]
+        assert (none == -1).all() if member == "side" else np.isnan(none).all()
+
+
+def test_1e5_rays_equal_the_command(command, tmp_path):
+    n, lines = 2000, 100_000
+    random = np.random.default_rng(23)
+    p0 = random.random((n, 3))
+    p1 = p0 + random.normal(size=(n, 3)) * 0.05
+    r = random.uniform(0.002, 0.02, n)
+    scene = tmp_path / "scene"
+    scene.write_text(
+        text_of(
+            ["cylinder"] * n, hexadecimal(p0), hexadecimal(p1), hexadecimal(r)
+        )
+    )
+    o, d = rays(lines, 24)
+    text = text_of(["ray"] * lines, hexadecimal(o), hexadecimal(d))
+    fields = command(text, "-s", str(scene), "-f", "shape,t")
+    near = cylint.Scene(cylint.cylinder(p0, p1, r)).nearest(o, d)
+    value = numbers([[f[1]] for f in fields])[:, 0]
+    assert np.array_equal([int(f[0]) - 1 for f in fields], near.index)
+    assert same(value, near.t)
+    assert 50_000 < np.count_nonzero(near.index >= 0) < 95_000
+
+
+def test_lines_of_several_axes():
+    scene = cylint.Scene(forest(300, 25))
+    o, d = rays(60, 26)
+    flat = scene.nearest(o, d)
+    table = scene.nearest(o.reshape(3, 20, 3), d.reshape(3, 20, 3))
+    assert np.array_equal(table.index, flat.index.reshape(3, 20))
+    assert table.point.shape == (3, 20, 3)
+    spread = scene.nearest(o[:, None], d[:5])
+    assert spread.index.shape == (60, 5)
+    assert spread.index[7, 2] == scene.nearest(o[7], d[2]).index
+    every, one = scene.all(o[:, None], d[:5]), scene.all(o[7], d[2])
+    chosen = every.line == 7 * 5 + 2
+    assert np.array_equal(every.index[chosen], one.index)
+
+
+def test_equal_t_goes_to_the_lower_number():
+    rod = cylint.cylinder([0, 0, 0], [0, 0, 1], 1)
+    scene = cylint.Scene(cylint.concatenate([rod] * 20))
+    assert scene.nearest([-5, 0, 0.5], [1, 0, 0]).index == 0
+    assert scene.all([-5, 0, 0.5], [1, 0, 0]).index.tolist() == list(range(20))
+
+
+def test_more_hits_of_one_line_than_a_buffer_holds():
+    x = np.arange(1000.0)
+    p0 = np.c_[x, 0 * x, 0 * x]
+    scene = cylint.Scene(cylint.cylinder(p0, p0 + [0, 0, 1], 0.25))
+    every = scene.all([-1, 0, 0.5], [1, 0, 0])
+    assert every.index.tolist() == list(range(1000))
+    assert np.array_equal(every.t, np.c_[x + 0.75, x + 1.25])
+
+
+def test_scenes_of_nothing_and_of_one():
+    none = cylint.Scene(forest(4, 1)[:0])
+    assert none.nearest([0, 0, 0], [0, 0, 1]).index == -1
+    assert not none.any([0, 0, 0], [0, 0, 1])
+    assert len(none.all(np.empty((0, 3)), [0, 0, 1]).line) == 0
+    one = cylint.Scene(cylint.cylinder([0, 0, 0], [0, 0, 1], 1))
+    assert one.nearest([0, 0, -2], [0, 0, 1]).t == 2
+    with pytest.raises(ValueError, match="expected one axis"):
+        cylint.Scene(forest(4, 1)[:, None])
+
+
+def test_a_scene_is_pickled_with_its_shapes():
+    scene = cylint.Scene(forest(100, 27), threads=1)
+    again = pickle.loads(pickle.dumps(scene))
+    o, d = rays(100, 28)
+    assert same(scene.nearest(o, d).t, again.nearest(o, d).t)
+    assert len(again) == 100 and scene.nbytes == again.nbytes > 0
+
+
+def test_a_neuron_is_read_as_the_command_reads_it(command, tmp_path):
+    neuron = tmp_path / "n.swc"
+    neuron.write_text(
+        "# soma\n1 1 0 0 0 2 -1\n2 3 0 0 10 1 1\n3 3 0 5 20 1 2\n"
+    )
+    shapes = cylint.read_scene(neuron)
+    assert shapes.kind.tolist() == [cylint.Kind.CONE, cylint.Kind.CYLINDER]
+    near = cylint.Scene(shapes).nearest([5, 0, 5], [-1, 0, 0])
+    (answer,) = command(
+        "ray 5 0 5 -1 0 0\n", "-s", str(neuron), "-f", "shape,t"
+    )
+    assert (
+        int(answer[0]) - 1 == near.index and float.fromhex(answer[1]) == near.t
+    )
+
+
+def test_faults_of_files_are_raised(tmp_path):
+    bad = tmp_path / "bad.txt"
+    bad.write_text("cylinder 0 0 0 0 0 1 1\nbarrel 0 0 0\n")
+    with pytest.raises(
+        ValueError, match=r"bad\.txt:2:1: expected .*found 'barrel'"
+    ):
+        cylint.read_scene(bad)
+    with pytest.raises(FileNotFoundError):
+        cylint.read_scene(tmp_path / "none.swc")
+    with pytest.raises(OSError):
+        cylint.read_scene(tmp_path)
+    orphan = tmp_path / "orphan.swc"
+    orphan.write_text("1 1 0 0 0 2 7\n2 3 0 0 10 1 1\n")
+    with pytest.warns(UserWarning, match="1 node with a parent that is not in"):
+        assert len(cylint.read_scene(orphan)) == 1
+    tube = tmp_path / "tube"
+    tube.write_text("cylinder 0 0 0 0 0 1 1\n")
+    assert cylint.read_scene(tube, ends="open").ends.tolist() == [
+        cylint.Ends.OPEN
+    ]

@@ -1,0 +1,59 @@
+"""Exact intersections of lines with cylinders and cones.
+
+Arrays in, arrays out.  Each float64 stands for one real number, and the answers
+are exact for these numbers: no tolerance, the same bits on every processor.
+
+>>> import numpy as np
+>>> import cylint
+>>> rods = cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 9], [4, 0, 9]], 1)
+>>> hit = cylint.intersect(rods, [-5, 0, 3], [1, 0, 0])
+>>> hit.t
+array([[ 4.,  6.],
+       [ 8., 10.]])
+
+All lengths have the same unit, which may be any.  A line is o + t d; t counts
+multiples of d, which need not have length 1.
+"""
+
+from ._core import version as __version__
+from ._intersect import Hits, intersect
+from ._read import read_scene
+from ._scene import AllHits, NearestHits, Scene
+from ._shapes import (
+    Ends,
+    Kind,
+    Part,
+    Relation,
+    Shapes,
+    Side,
+    angle_cone,
+    concatenate,
+    cone,
+    cylinder,
+    elliptic_cone,
+    elliptic_cylinder,
+    tangent_cone,
+)
+
+__all__ = [
+    "AllHits",
+    "Ends",
+    "Hits",
+    "Kind",
+    "NearestHits",
+    "Part",
+    "Relation",
+    "Scene",
+    "Shapes",
+    "Side",
+    "__version__",
+    "angle_cone",
+    "concatenate",
+    "cone",
+    "cylinder",
+    "elliptic_cone",
+    "elliptic_cylinder",
+    "intersect",
+    "read_scene",
+    "tangent_cone",
+]

@@ -1,0 +1,149 @@
+"""Lines and shapes, element by element."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._arrays import Lines, Progress, broadcast, workers
+from ._shapes import Shapes
+
+_MEMBERS = ("point", "normal", "z", "phi", "side")
+
+
+def _describe(
+    member: str,
+    records: NDArray[np.void],
+    index: NDArray[np.int64] | None,
+    lines: Lines,
+    shape: tuple[int, ...],
+    threads: int | None,
+) -> NDArray[Any]:
+    """One member of all hits.  With `index`: of the nearest, else of two."""
+    hits = shape if index is not None else (*shape, 2)
+    if member in ("point", "normal"):
+        hits = (*hits, 3)
+    column = np.empty(hits, np.int8 if member == "side" else np.float64)
+    columns = tuple(column if name == member else None for name in _MEMBERS)
+    _core.describe(
+        records,
+        index,
+        lines.broadcast_to(shape),
+        index is not None,
+        columns,
+        workers(threads),
+        None,
+    )
+    return column
+
+
+class Hits:
+    """What `intersect` returns: at most two hits for each line and shape.
+
+    relation: (...) int8, a value of `Relation`, of the whole line.
+    n: (...) int8, the number of hits: 0, 1 or 2.
+    t: (..., 2), ascending; nan for none.
+    part: (..., 2) int8, a value of `Part`; -1 for none.
+
+    The others are computed when they are first used, from the arrays that were
+    given to `intersect`.  Do not change these arrays before.
+    """
+
+    relation: NDArray[np.int8]
+    n: NDArray[np.int8]
+    t: NDArray[np.float64]
+    part: NDArray[np.int8]
+
+    def __init__(
+        self,
+        records: NDArray[np.void],
+        lines: Lines,
+        shape: tuple[int, ...],
+        threads: int | None,
+    ) -> None:
+        self.relation = np.empty(shape, np.int8)
+        self.n = np.empty(shape, np.int8)
+        self.t = np.empty((*shape, 2))
+        self.part = np.empty((*shape, 2), np.int8)
+        self._source = (records, None, lines, shape, threads)
+
+    @cached_property
+    def point(self) -> NDArray[np.float64]:
+        """(..., 2, 3): the points o + t d; nan for none."""
+        return _describe("point", *self._source)
+
+    @cached_property
+    def normal(self) -> NDArray[np.float64]:
+        """(..., 2, 3): the outward unit normals; nan for none."""
+        return _describe("normal", *self._source)
+
+    @cached_property
+    def z(self) -> NDArray[np.float64]:
+        """(..., 2): axial coordinates, 0 at the base, 1 at the top."""
+        return _describe("z", *self._source)
+
+    @cached_property
+    def phi(self) -> NDArray[np.float64]:
+        """(..., 2): angles about the axis divided by 2 pi, in [0, 1)."""
+        return _describe("phi", *self._source)
+
+    @cached_property
+    def side(self) -> NDArray[np.int8]:
+        """(..., 2) int8, a value of `Side`; -1 for none."""
+        return _describe("side", *self._source)
+
+    def __repr__(self) -> str:
+        return f"<cylint.Hits {self.n.shape}: {int(self.n.sum())} hits>"
+
+
+def intersect(
+    shapes: Shapes,
+    origins: ArrayLike,
+    directions: ArrayLike,
+    tmin: ArrayLike = 0.0,
+    tmax: ArrayLike = np.inf,
+    *,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> Hits:
+    """Intersects lines o + t d, tmin <= t <= tmax, with shapes.
+
+    origins, directions: (..., 3); tmin, tmax: (...).  They and the shapes
+    broadcast as arrays of NumPy do: n lines and n shapes give n answers, and
+    shapes[:, None] gives a row for each shape.  tmin=-np.inf gives whole lines.
+
+    threads: at most so many; None: one per processor.  The answer does not
+    depend on it.  progress: called with (done, total) several times a second
+    and at the end.  A signal such as Ctrl-C ends the call.
+
+    Raises ValueError for the first line that is refused: a number that is not
+    finite, a direction of length 0, tmin > tmax.
+
+    >>> rod = cylint.cylinder([0, 0, 0], [0, 0, 1], 0.5)
+    >>> hit = cylint.intersect(rod, [[0, 0, -5], [9, 0, 0]], [0, 0, 1])
+    >>> hit.relation, hit.n
+    (array([3, 0], dtype=int8), array([2, 0], dtype=int8))
+    >>> hit.t
+    array([[ 5.,  6.],
+           [nan, nan]])
+    >>> hit.part
+    array([[ 1,  2],
+           [-1, -1]], dtype=int8)
+    >>> hit.normal[0]
+    array([[ 0.,  0., -1.],
+           [ 0.,  0.,  1.]])
+    """
+    lines = Lines(origins, directions, tmin, tmax)
+    shape = broadcast(("shapes", shapes.shape), ("lines", lines.shape))
+    records = np.broadcast_to(shapes._records, shape)
+    hits = Hits(records, lines, shape, threads)
+    columns = (hits.relation, hits.n, hits.t, hits.part)
+    if not _core.intersect(
+        records, lines.broadcast_to(shape), columns, workers(threads), progress
+    ):
+        raise lines.refuse()
+    return hits

@@ -1,0 +1,391 @@
+"""Arrays of shapes and their constructors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from enum import IntEnum
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._arrays import Progress, broadcast, doubles, place, workers
+
+
+class Kind(IntEnum):
+    """What a shape is."""
+
+    CYLINDER = 1
+    CONE = 2
+    ACONE = 3
+    ECYLINDER = 4
+    ECONE = 5
+
+
+class Ends(IntEnum):
+    """Which caps a shape has, or that it is unbounded."""
+
+    CAPPED = 0
+    OPEN = 1
+    CAP0 = 2
+    CAP1 = 3
+    INFINITE = 4
+    NAPPE = 5
+
+
+class Relation(IntEnum):
+    """How the whole line, for all t, lies to the closed solid."""
+
+    MISS = 0
+    TOUCH = 1
+    ALONG = 2
+    CROSS = 3
+
+
+class Part(IntEnum):
+    """The part of the surface where a hit lies."""
+
+    NONE = -1
+    LATERAL = 0
+    CAP0 = 1
+    CAP1 = 2
+
+
+class Side(IntEnum):
+    """Whether the line enters or leaves the solid at a hit, as t grows."""
+
+    NONE = -1
+    ENTERING = 0
+    LEAVING = 1
+    BOTH = 2
+
+
+_members = _core.shape_members()
+_record = np.dtype((np.void, _members["size"]))
+_readable = np.dtype(
+    {
+        "names": ["kind", "ends"],
+        "formats": [np.intc, np.intc],
+        "offsets": [_members["kind"], _members["ends"]],
+        "itemsize": _members["size"],
+    }
+)
+_constructors = {
+    name: [int(width) for width in widths]
+    for name, widths in _core.constructors()
+}
+_MOST_NUMBERS = max(sum(widths) for widths in _constructors.values())
+
+
+class Shapes:
+    """An array of shapes, made by a constructor such as `cylinder`.
+
+    It has a shape, a number of axes and a length, and is indexed, like an array
+    of NumPy.  Its elements cannot be changed.  It can be pickled.
+
+    >>> rods = cylint.cylinder([0, 0, 0], [[0, 0, 1], [0, 0, 2], [0, 0, 3]], 0.5)
+    >>> rods
+    <cylint.Shapes (3,): 3 cylinders>
+    >>> len(rods[1:]), rods[:, None].shape
+    (2, (3, 1))
+    """
+
+    __slots__ = ("__weakref__", "_records")
+    _records: NDArray[np.void]
+
+    def __init__(self, records: NDArray[np.void]) -> None:
+        if records.dtype != _record:
+            raise TypeError("shapes are made by their constructors")
+        self._records = records.view()
+        self._records.flags.writeable = False
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return self._records.shape
+
+    @property
+    def ndim(self) -> int:
+        return self._records.ndim
+
+    @property
+    def size(self) -> int:
+        return self._records.size
+
+    def __len__(self) -> int:
+        return len(self._records)
+
+    def __getitem__(self, index: Any) -> Shapes:
+        return Shapes(np.asarray(self._records[index], _record))
+
+    def __iter__(self) -> Iterator[Shapes]:
+        return (self[i] for i in range(len(self)))
+
+    def reshape(self, *shape: Any) -> Shapes:
+        """The same shapes in another array shape."""
+        return Shapes(self._records.reshape(*shape))
+
+    @property
+    def kind(self) -> NDArray[np.int32]:
+        """The kind of each shape, a value of `Kind`."""
+        return self._records.view(_readable)["kind"]
+
+    @property
+    def ends(self) -> NDArray[np.int32]:
+        """The ends of each shape, a value of `Ends`."""
+        return self._records.view(_readable)["ends"]
+
+    def bounds(self) -> NDArray[np.float64]:
+        """The least boxes that hold the solids, (..., 2, 3): low, high corner.
+
+        Each side is rounded outward.  Unbounded sides are infinite.
+
+        >>> cylint.cylinder([0, 0, 0], [0, 0, 2], 1).bounds()
+        array([[-1., -1.,  0.],
+               [ 1.,  1.,  2.]])
+        """
+        boxes = np.empty((self.size, 2, 3))
+        _core.bounds(self._records.reshape(-1), boxes)
+        return boxes.reshape(*self.shape, 2, 3)
+
+    def contains(
+        self,
+        points: ArrayLike,
+        *,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> NDArray[np.int8]:
+        """Where points lie: 1 inside, 0 on the boundary, -1 outside.  Exact.
+
+        points: (..., 3), broadcast against the shapes.
+
+        >>> cylint.cylinder([0, 0, 0], [0, 0, 2], 1).contains(
+        ...     [[0, 0, 1], [1, 0, 1], [0, 0, 3]])
+        array([ 1,  0, -1], dtype=int8)
+        """
+        p = doubles("points", points, 3)
+        shape = broadcast(("shapes", self.shape), ("points", p.shape[:-1]))
+        answers = np.empty(shape, np.int8)
+        _core.contains(
+            np.broadcast_to(self._records, shape),
+            np.broadcast_to(p, (*shape, 3)),
+            answers,
+            workers(threads),
+            progress,
+        )
+        return answers
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        kinds = np.empty(self.size, np.int8)
+        numbers = np.zeros((self.size, _MOST_NUMBERS))
+        _core.read_shapes(self._records.reshape(-1), kinds, numbers)
+        names = list(_constructors)
+        used = {names[k]: kinds == k for k in np.unique(kinds)}
+        parts = {
+            name: numbers[rows, : sum(_constructors[name])]
+            for name, rows in used.items()
+        }
+        return _restore, (self.shape, used, parts, self.ends.astype(np.int8))
+
+    def __repr__(self) -> str:
+        names = ("", "cylinder", "cone", "acone", "ecylinder", "econe")
+        counts = ", ".join(
+            f"{count} {name}{'s' if count != 1 else ''}"
+            for kind, name in enumerate(names)
+            if (count := np.count_nonzero(self.kind == kind)) > 0
+        )
+        return f"<cylint.Shapes {self.shape}: {counts or 'none'}>"
+
+
+def _restore(
+    shape: tuple[int, ...],
+    used: dict[str, NDArray[np.bool_]],
+    parts: dict[str, NDArray[np.float64]],
+    ends: NDArray[np.int8],
+) -> Shapes:
+    """The shapes of a pickle."""
+    records = np.zeros(ends.size, _record)
+    for name, rows in used.items():
+        records[rows] = _build(name, parts[name], ends.reshape(-1)[rows])
+    return Shapes(records.reshape(shape))
+
+
+def _codes(ends: str | int | ArrayLike) -> NDArray[np.int8]:
+    """The ends as numbers, from words or numbers."""
+    words = np.asarray(ends)
+    if words.dtype.kind not in "US":
+        return words.astype(np.int8)
+    codes = np.empty(words.shape, np.int8)
+    for word in np.unique(words):
+        if str(word).upper() not in Ends.__members__:
+            known = ", ".join(e.name.lower() for e in Ends)
+            raise ValueError(f"ends: expected one of {known}; found '{word}'")
+        codes[words == word] = Ends[str(word).upper()]
+    return codes
+
+
+def _build(
+    name: str, numbers: NDArray[np.float64], ends: NDArray[np.int8]
+) -> NDArray[np.void]:
+    """Shapes of one constructor, from numbers (n, k) and ends (n)."""
+    records = np.empty(len(numbers), _record)
+    statuses = np.empty(len(numbers), np.int8)
+    if _core.make_shapes(name, numbers, ends, records, statuses) > 0:
+        raise _Refused(int(np.flatnonzero(statuses)[0]), statuses)
+    return records
+
+
+class _Refused(Exception):
+    def __init__(self, row: int, statuses: NDArray[np.int8]) -> None:
+        self.row = row
+        self.reason = _core.strerror(int(statuses[row]))
+
+
+def _make(name: str, ends: Any, **arguments: ArrayLike) -> Shapes:
+    """Broadcasts the arguments of a constructor and calls it."""
+    widths = _constructors[name]
+    codes = _codes(ends)
+    arrays = [
+        doubles(key, value, width)
+        for (key, value), width in zip(arguments.items(), widths, strict=True)
+    ]
+    cut = [
+        a.shape[:-1] if w > 1 else a.shape
+        for a, w in zip(arrays, widths, strict=True)
+    ]
+    shape = broadcast(*zip(arguments, cut, strict=True), ("ends", codes.shape))
+    numbers = np.empty((*shape, sum(widths)))
+    at = 0
+    for array, width in zip(arrays, widths, strict=True):
+        numbers[..., at : at + width] = array if width > 1 else array[..., None]
+        at += width
+    size = int(np.prod(shape, dtype=np.intp))
+    rows = np.ascontiguousarray(np.broadcast_to(codes, shape)).reshape(size)
+    try:
+        records = _build(name, numbers.reshape(size, sum(widths)), rows)
+    except _Refused as refused:
+        raise ValueError(
+            f"{name}{place(refused.row, shape)}: {refused.reason}"
+        ) from None
+    return Shapes(records.reshape(shape))
+
+
+def cylinder(
+    p0: ArrayLike, p1: ArrayLike, r: ArrayLike, *, ends: Any = "capped"
+) -> Shapes:
+    """Circular cylinders: the points at most r from the axis p0 p1.
+
+    p0, p1: (..., 3), the axis; r: (...), the radius.  They broadcast.
+    ends: a word or an array of words: "capped" (both caps), "open" (none),
+    "cap0" (at p0 only), "cap1", "infinite", "nappe".
+
+    >>> cylint.cylinder([0, 0, 0], [0, 0, 1], [0.5, 1, 2], ends="open")
+    <cylint.Shapes (3,): 3 cylinders>
+    """
+    return _make("cylinder", ends, p0=p0, p1=p1, r=r)
+
+
+def cone(
+    p0: ArrayLike,
+    r0: ArrayLike,
+    p1: ArrayLike,
+    r1: ArrayLike,
+    *,
+    ends: Any = "capped",
+) -> Shapes:
+    """Frusta: radius r0 (...) at p0 (..., 3) and r1 at p1.
+
+    If a radius is 0, the cone has its apex there.  With ends="infinite" it is a
+    double cone, with "nappe" the nappe that holds the base.
+
+    >>> cylint.cone([0, 0, 0], 1, [0, 0, 3], 0).bounds()
+    array([[-1., -1.,  0.],
+           [ 1.,  1.,  3.]])
+    """
+    return _make("cone", ends, p0=p0, r0=r0, p1=p1, r1=r1)
+
+
+def elliptic_cylinder(
+    c: ArrayLike,
+    a: ArrayLike,
+    b: ArrayLike,
+    h: ArrayLike,
+    *,
+    ends: Any = "capped",
+) -> Shapes:
+    """Elliptic cylinders: c + x a + y b + z h with x^2 + y^2 <= 1.
+
+    c, a, b, h: (..., 3).  a, b, h must be linearly independent; they need not
+    be perpendicular.
+
+    >>> flat = cylint.elliptic_cylinder([0, 0, 0], [2, 0, 0], [0, 1, 0], [0, 0, 1])
+    >>> cylint.intersect(flat, [-5, 0, 0.5], [1, 0, 0]).t
+    array([3., 7.])
+    """
+    return _make("elliptic_cylinder", ends, c=c, a=a, b=b, h=h)
+
+
+def elliptic_cone(
+    c: ArrayLike,
+    a: ArrayLike,
+    b: ArrayLike,
+    h: ArrayLike,
+    k: ArrayLike,
+    *,
+    ends: Any = "capped",
+) -> Shapes:
+    """Elliptic cones: c + x a + y b + z h with x^2 + y^2 <= (1 + (k-1) z)^2.
+
+    c, a, b, h: (..., 3); k: (...) scales the top, 0 gives an apex at c + h.
+
+    >>> cylint.elliptic_cone([0, 0, 0], [2, 0, 0], [0, 1, 0], [0, 0, 1], 0.5)
+    <cylint.Shapes (): 1 econe>
+    """
+    return _make("elliptic_cone", ends, c=c, a=a, b=b, h=h, k=k)
+
+
+def angle_cone(
+    v: ArrayLike,
+    u: ArrayLike,
+    degrees: ArrayLike,
+    *,
+    ends: Any = "infinite",
+) -> Shapes:
+    """Cones from apex v, axis u (..., 3) and half angle in degrees (...).
+
+    The angle is between axis and rulings, 0 < degrees < 90.  Bounded ones end
+    at v + u.  The shape keeps the float64 nearest to the tangent.
+
+    >>> light = cylint.angle_cone([0, 0, 5], [0, 0, -1], 45, ends="nappe")
+    >>> light.contains([[1, 0, 3], [3, 0, 4]])
+    array([ 1, -1], dtype=int8)
+    """
+    return _make("angle_cone", ends, v=v, u=u, degrees=degrees)
+
+
+def tangent_cone(
+    v: ArrayLike,
+    u: ArrayLike,
+    tangent: ArrayLike,
+    *,
+    ends: Any = "infinite",
+) -> Shapes:
+    """Cones as of `angle_cone`, from the tangent of the half angle (...).
+
+    >>> cylint.tangent_cone([0, 0, 0], [0, 0, 1], 0.5, ends="capped").bounds()
+    array([[-0.5, -0.5,  0. ],
+           [ 0.5,  0.5,  1. ]])
+    """
+    return _make("tangent_cone", ends, v=v, u=u, tangent=tangent)
+
+
+def concatenate(shapes: Sequence[Shapes]) -> Shapes:
+    """Joins arrays of shapes along their first axis; single shapes count as one.
+
+    >>> a = cylint.cylinder([0, 0, 0], [0, 0, 1], [1, 2])
+    >>> b = cylint.cone([0, 0, 0], 1, [0, 0, 1], 0)
+    >>> cylint.concatenate([a, b])
+    <cylint.Shapes (3,): 2 cylinders, 1 cone>
+    """
+    parts = [np.atleast_1d(s._records) for s in shapes]
+    return Shapes(np.concatenate(parts) if parts else np.empty(0, _record))

@@ -1,0 +1,403 @@
+/*
+ * intersect.cc - lines and shapes, element by element, in batches
+ *
+ * A block is a part of a row of the grid.  If the shape does not change in it,
+ * its lines go to cylint_intersect_lines(); if the line does not change, its
+ * shapes to cylint_intersect_shapes(); else both to cylint_intersect_pairs().
+ */
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "calls.h"
+#include "work.h"
+
+namespace
+{
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/* Lines of a block: its columns fit the first cache. */
+constexpr size_t BLOCK = 512;
+
+double number(const char *p)
+{
+    double value;
+    std::memcpy(&value, p, sizeof value);
+    return value;
+}
+
+/* The places of the arrays in the grid. */
+struct Places {
+    int shapes, lines, relation, n, t, part;
+};
+
+/* What a worker keeps from block to block. */
+class Block
+{
+  public:
+    Block(const Grid &g, const Places &p, const Lines &l)
+        : grid(g), place(p), o_step(l.origins.stride(l.origins.axes() - 1)),
+          d_step(l.directions.stride(l.directions.axes() - 1))
+    {
+    }
+
+    /* Returns false if a line is refused. */
+    bool run(size_t row, size_t begin, size_t count)
+    {
+        grid.locate(row, first);
+        for (size_t i = 0; i < first.size(); i++) {
+            if (first[i])
+                first[i] += static_cast<ptrdiff_t>(begin) *
+                            grid.stride(static_cast<int>(i));
+        }
+        length = count;
+        const bool one_shape = grid.stride(place.shapes) == 0;
+        const bool one_line = grid.stride(place.lines) == 0 &&
+                              grid.stride(place.lines + 1) == 0 &&
+                              grid.stride(place.lines + 2) == 0 &&
+                              grid.stride(place.lines + 3) == 0;
+        if (one_line && !one_shape)
+            return run_shapes();
+        if (!gather_lines())
+            return false;
+        if (one_shape) {
+            cylint_intersect_lines(shape_at(0), &lines, &columns());
+        } else {
+            pack_shapes();
+            cylint_intersect_pairs(&pack, &lines, &columns());
+        }
+        scatter();
+        return true;
+    }
+
+  private:
+    bool run_shapes()
+    {
+        cylint_line line;
+        const char *const *at = &first[static_cast<size_t>(place.lines)];
+        if (make_line({at[0], at[1], at[2], at[3], o_step, d_step}, &line) !=
+            CYLINT_OK)
+            return false;
+        pack_shapes();
+        cylint_intersect_shapes(&pack, &line, &columns());
+        scatter();
+        return true;
+    }
+
+    const cylint_shape *shape_at(size_t i) const
+    {
+        return reinterpret_cast<const cylint_shape *>(
+            first[static_cast<size_t>(place.shapes)] +
+            static_cast<ptrdiff_t>(i) * grid.stride(place.shapes));
+    }
+
+    /* Consecutive blocks often have the same shapes. */
+    void pack_shapes()
+    {
+        const cylint_shape *shapes = shape_at(0);
+        if (shapes == packed && pack.n == length)
+            return;
+        packed = shapes;
+        if (grid.stride(place.shapes) !=
+            static_cast<ptrdiff_t>(sizeof(cylint_shape))) {
+            gathered.resize(length);
+            for (size_t i = 0; i < length; i++)
+                gathered[i] = *shape_at(i);
+            shapes = gathered.data();
+        }
+        memory.resize(cylint_pack_bytes(length));
+        cylint_pack_shapes(&pack, memory.data(), shapes, length);
+    }
+
+    void gather(double *to, int array, ptrdiff_t offset)
+    {
+        const char *p = first[static_cast<size_t>(array)] + offset;
+        const ptrdiff_t stride = grid.stride(array);
+        for (size_t i = 0; i < length; i++, p += stride)
+            to[i] = number(p);
+    }
+
+    /* Whether an array is one number, and which. */
+    bool is_constant(int array, double value) const
+    {
+        return grid.stride(array) == 0 &&
+               number(first[static_cast<size_t>(array)]) == value;
+    }
+
+    /* Reads the lines into columns and tests whether they are valid. */
+    bool gather_lines()
+    {
+        const std::vector<char *> from(first.begin() + place.lines,
+                                       first.begin() + place.lines + 4);
+        if (from == lines_from && length == lines.n)
+            return true;
+        for (int axis = 0; axis < 3; axis++) {
+            gather(column[axis], place.lines, axis * o_step);
+            gather(column[3 + axis], place.lines + 1, axis * d_step);
+            lines.o[axis] = column[axis];
+            lines.d[axis] = column[3 + axis];
+        }
+        lines.tmin = lines.tmax = nullptr;
+        if (!is_constant(place.lines + 2, 0)) {
+            gather(column[6], place.lines + 2, 0);
+            lines.tmin = column[6];
+        }
+        if (!is_constant(place.lines + 3, infinity)) {
+            gather(column[7], place.lines + 3, 0);
+            lines.tmax = column[7];
+        }
+        lines.n = length;
+        lines_from = from;
+        return are_valid();
+    }
+
+    bool are_valid() const
+    {
+        int bad = 0;
+        for (size_t i = 0; i < length; i++) {
+            double sum = 0; /* NaN if a coordinate is not finite */
+            for (int k = 0; k < 6; k++)
+                sum += column[k][i] * 0;
+            bad |= !(sum == 0) | ((column[3][i] == 0) & (column[4][i] == 0) &
+                                  (column[5][i] == 0));
+        }
+        for (size_t i = 0; i < length && (lines.tmin || lines.tmax); i++)
+            bad |= !((lines.tmin ? lines.tmin[i] : 0) <=
+                     (lines.tmax ? lines.tmax[i] : infinity));
+        return !bad;
+    }
+
+    const cylint_columns &columns()
+    {
+        answers = {relation, n, t[0], t[1], part[0], part[1]};
+        return answers;
+    }
+
+    template <class Value>
+    void scatter(const Value *from, int array, size_t offset)
+    {
+        char *p = first[static_cast<size_t>(array)] + offset * sizeof(Value);
+        const ptrdiff_t stride = grid.stride(array);
+        for (size_t i = 0; i < length; i++, p += stride)
+            *reinterpret_cast<Value *>(p) = from[i];
+    }
+
+    void scatter()
+    {
+        scatter(relation, place.relation, 0);
+        scatter(n, place.n, 0);
+        for (size_t k = 0; k < 2; k++) {
+            scatter(t[k], place.t, k);
+            scatter(part[k], place.part, k);
+        }
+    }
+
+    const Grid &grid;
+    const Places place;
+    const ptrdiff_t o_step, d_step;
+    size_t length = 0;
+    std::vector<char *> first, lines_from;
+    cylint_lines lines{};
+    cylint_pack pack{};
+    const cylint_shape *packed = nullptr;
+    std::vector<cylint_shape> gathered;
+    std::vector<char> memory;
+    cylint_columns answers{};
+    double column[8][BLOCK], t[2][BLOCK];
+    signed char relation[BLOCK], n[BLOCK], part[2][BLOCK];
+};
+
+} // namespace
+
+int Lines::add_to(Grid &grid) const
+{
+    const int number_of_first = grid.add(origins);
+    grid.add(directions), grid.add(starts), grid.add(ends);
+    return number_of_first;
+}
+
+int make_line(const LineAt &at, cylint_line *line)
+{
+    double o[3], d[3];
+    for (int axis = 0; axis < 3; axis++) {
+        o[axis] = number(at.o + axis * at.o_step);
+        d[axis] = number(at.d + axis * at.d_step);
+    }
+    return cylint_span(line, o, d, number(at.tmin), number(at.tmax));
+}
+
+/* columns: relation, n, t (..., 2), part (..., 2).  Returns false if a line is
+ * refused; the answers are then not complete. */
+bool intersect(nb::handle shapes, const Lines &lines, nb::tuple columns,
+               int threads, nb::handle progress)
+{
+    const Array s(shapes), relation(columns[0], true), n(columns[1], true),
+        t(columns[2], true), part(columns[3], true);
+    Grid grid(relation, 0);
+    Places place{};
+    place.shapes = grid.add(s);
+    place.lines = lines.add_to(grid);
+    place.relation = grid.add(relation);
+    place.n = grid.add(n);
+    place.t = grid.add(t);
+    place.part = grid.add(part);
+    grid.prepare();
+    std::vector<std::unique_ptr<Block>> blocks(
+        static_cast<size_t>(std::max(threads, 1)));
+    std::atomic<bool> good{true};
+    const size_t rows = grid.rows(); /* the blocks of a column stay together */
+    work(rows * ((grid.row() + BLOCK - 1) / BLOCK), grid.elements(), threads,
+         progress, [&](int worker, size_t i) {
+             auto &block = blocks[static_cast<size_t>(worker)];
+             if (!block)
+                 block = std::make_unique<Block>(grid, place, lines);
+             const size_t begin = i / rows * BLOCK;
+             if (!block->run(i % rows, begin,
+                             std::min(BLOCK, grid.row() - begin)))
+                 good = false;
+             return good.load();
+         });
+    return good;
+}
+
+namespace
+{
+
+/* Writes the members of hit k that are wanted, or what stands for none. */
+struct Members {
+    int point, normal, z, phi, side;
+    unsigned want;
+};
+
+double *doubles(char *p)
+{
+    return reinterpret_cast<double *>(p);
+}
+
+void write_hit(const Members &m, const std::vector<char *> &at, size_t k,
+               const cylint_hit *hit)
+{
+    for (size_t axis = 0; axis < 3; axis++) {
+        if (m.want & CYLINT_WANT_POINT)
+            doubles(at[static_cast<size_t>(m.point)])[3 * k + axis] =
+                hit ? hit->point[axis] : nan;
+        if (m.want & CYLINT_WANT_NORMAL)
+            doubles(at[static_cast<size_t>(m.normal)])[3 * k + axis] =
+                hit ? hit->normal[axis] : nan;
+    }
+    if (m.want & CYLINT_WANT_Z)
+        doubles(at[static_cast<size_t>(m.z)])[k] = hit ? hit->z : nan;
+    if (m.want & CYLINT_WANT_PHI)
+        doubles(at[static_cast<size_t>(m.phi)])[k] = hit ? hit->phi : nan;
+    if (m.want & CYLINT_WANT_PART)
+        at[static_cast<size_t>(m.side)][k] =
+            static_cast<char>(hit ? hit->side : -1);
+}
+
+} // namespace
+
+/*
+ * Computes members of hits one by one.  columns: point (..., 2, 3), normal,
+ * z (..., 2), phi, side; None where it is not wanted.  With `index` the shapes
+ * are numbered by it, -1 is a miss, and there is one hit, not two: the first.
+ */
+void describe(nb::handle shapes, nb::handle index, const Lines &lines,
+              bool nearest, nb::tuple columns, int threads, nb::handle progress)
+{
+    const Array s(shapes), number_of(index), point(columns[0], true),
+        normal(columns[1], true), z(columns[2], true), phi(columns[3], true),
+        side(columns[4], true);
+    Grid grid(lines.starts, 0);
+    const int of = nearest ? grid.add(number_of) : grid.add(s);
+    const int line = lines.add_to(grid);
+    Members m{};
+    m.point = grid.add(point);
+    m.normal = grid.add(normal);
+    m.z = grid.add(z);
+    m.phi = grid.add(phi);
+    m.side = grid.add(side);
+    m.want = (point ? CYLINT_WANT_POINT : 0u) |
+             (normal ? CYLINT_WANT_NORMAL : 0u) | (z ? CYLINT_WANT_Z : 0u) |
+             (phi ? CYLINT_WANT_PHI : 0u) | (side ? CYLINT_WANT_PART : 0u);
+    grid.prepare();
+    const ptrdiff_t o_step = lines.origins.stride(lines.origins.axes() - 1);
+    const ptrdiff_t d_step =
+        lines.directions.stride(lines.directions.axes() - 1);
+    const size_t pieces = (grid.row() + BLOCK - 1) / BLOCK;
+    const size_t hits = nearest ? 1 : 2;
+    work(grid.rows() * pieces, grid.elements(), threads, progress,
+         [&](int, size_t i) {
+             std::vector<char *> first, p;
+             grid.locate(i / pieces, first);
+             const size_t begin = i % pieces * BLOCK;
+             const size_t end = std::min(begin + BLOCK, grid.row());
+             for (size_t k = begin; k < end; k++) {
+                 p = first;
+                 for (size_t a = 0; a < p.size(); a++) {
+                     if (p[a])
+                         p[a] += static_cast<ptrdiff_t>(k) *
+                                 grid.stride(static_cast<int>(a));
+                 }
+                 const char *shape = p[static_cast<size_t>(of)];
+                 if (nearest) {
+                     int64_t which;
+                     std::memcpy(&which, shape, sizeof which);
+                     shape =
+                         which < 0 ? nullptr : s.data() + which * s.stride(0);
+                 }
+                 cylint_answer answer;
+                 answer.n = 0;
+                 cylint_line l;
+                 char *const *at = &p[static_cast<size_t>(line)];
+                 if (shape &&
+                     make_line({at[0], at[1], at[2], at[3], o_step, d_step},
+                               &l) == CYLINT_OK)
+                     cylint_intersect(
+                         reinterpret_cast<const cylint_shape *>(shape), &l,
+                         m.want | (nearest ? CYLINT_WANT_NEAREST : 0u),
+                         &answer);
+                 for (size_t h = 0; h < hits; h++)
+                     write_hit(m, p, h,
+                               static_cast<int>(h) < answer.n ? &answer.hit[h]
+                                                              : nullptr);
+             }
+             return true;
+         });
+}
+
+/* Returns (number of the first refused line in C order, status), or (-1, 0). */
+nb::tuple first_bad_line(const Lines &lines)
+{
+    const Array &model = lines.starts;
+    size_t count = 1;
+    for (int axis = 0; axis < model.axes(); axis++)
+        count *= static_cast<size_t>(model.size(axis));
+    const Array *const arrays[] = {&lines.origins, &lines.directions,
+                                   &lines.starts, &lines.ends};
+    for (size_t i = 0; i < count; i++) {
+        const char *at[4];
+        for (int k = 0; k < 4; k++) {
+            at[k] = arrays[k]->data();
+            size_t rest = i;
+            for (int axis = model.axes(); axis-- > 0;) {
+                const auto size = static_cast<size_t>(model.size(axis));
+                at[k] += static_cast<ptrdiff_t>(rest % size) *
+                         arrays[k]->stride(axis);
+                rest /= size;
+            }
+        }
+        cylint_line line;
+        const int status =
+            make_line({at[0], at[1], at[2], at[3],
+                       lines.origins.stride(lines.origins.axes() - 1),
+                       lines.directions.stride(lines.directions.axes() - 1)},
+                      &line);
+        if (status != CYLINT_OK)
+            return nb::make_tuple(i, status);
+    }
+    return nb::make_tuple(-1, 0);
+}

@@ -1,0 +1,185 @@
+/*
+ * shapes.cc - constructors, their inverse, points inside, boxes
+ */
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+#include "calls.h"
+#include "work.h"
+
+namespace
+{
+
+using Shape = cylint_shape;
+using Ends = cylint_ends;
+using Numbers = const double *;
+
+double *put(double *to, const double (&from)[3])
+{
+    std::memcpy(to, from, sizeof from);
+    return to + 3;
+}
+
+/* Constructors without `ends`. */
+[[maybe_unused]] int only_capped(Ends ends)
+{
+    return ends == CYLINT_ENDS_CAPPED ? CYLINT_OK : CYLINT_EENDS;
+}
+
+/*
+ * A row for each constructor: its name; the widths of its arguments; the kind of
+ * its shapes; shape from numbers; numbers from shape.  A shape of a kind is read
+ * by the first row of that kind.
+ */
+struct Constructor {
+    const char *name, *widths;
+    int kind;
+    int (*make)(Shape *s, Numbers x, Ends e);
+    void (*read)(const Shape &s, double *x);
+};
+
+/* clang-format off */
+const Constructor table[] = {
+    {"cylinder", "331", CYLINT_KIND_CYLINDER,
+     [](Shape *s, Numbers x, Ends e) -> int { return cylint_cylinder(s, x, x + 3, x[6], e); },
+     [](const Shape &s, double *x) { *put(put(x, s.base), s.top) = s.r0; }},
+    {"cone", "3131", CYLINT_KIND_CONE,
+     [](Shape *s, Numbers x, Ends e) -> int { return cylint_cone(s, x, x[3], x + 4, x[7], e); },
+     [](const Shape &s, double *x) { *put(x, s.base) = s.r0; *put(x + 4, s.top) = s.r1; }},
+    {"elliptic_cylinder", "3333", CYLINT_KIND_ECYLINDER,
+     [](Shape *s, Numbers x, Ends e) -> int { return cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9, e); },
+     [](const Shape &s, double *x) { put(put(put(put(x, s.base), s.a), s.b), s.axis); }},
+    {"elliptic_cone", "33331", CYLINT_KIND_ECONE,
+     [](Shape *s, Numbers x, Ends e) -> int { return cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9, x[12], e); },
+     [](const Shape &s, double *x) { *put(put(put(put(x, s.base), s.a), s.b), s.axis) = s.r1; }},
+    {"tangent_cone", "331", CYLINT_KIND_ACONE,
+     [](Shape *s, Numbers x, Ends e) -> int { return cylint_tangent_cone(s, x, x + 3, x[6], e); },
+     [](const Shape &s, double *x) { *put(put(x, s.base), s.axis) = s.r1; }},
+    {"angle_cone", "331", CYLINT_KIND_ACONE,
+     [](Shape *s, Numbers x, Ends e) -> int { return cylint_angle_cone(s, x, x + 3, x[6], e); },
+     nullptr},
+};
+/* clang-format on */
+
+const Constructor &find(const char *name)
+{
+    for (const Constructor &c : table) {
+        if (std::strcmp(c.name, name) == 0)
+            return c;
+    }
+    throw nb::value_error("no such constructor");
+}
+
+double at(const char *p, ptrdiff_t offset)
+{
+    double value;
+    std::memcpy(&value, p + offset, sizeof value);
+    return value;
+}
+
+} // namespace
+
+nb::tuple constructors()
+{
+    nb::list list;
+    for (const Constructor &c : table)
+        list.append(nb::make_tuple(c.name, c.widths));
+    return nb::tuple(list);
+}
+
+/* The members that Python reads: names and offsets. */
+nb::dict shape_members()
+{
+    nb::dict members;
+    members["kind"] = offsetof(cylint_shape, kind);
+    members["ends"] = offsetof(cylint_shape, ends);
+    members["size"] = sizeof(cylint_shape);
+    return members;
+}
+
+/* numbers (n, k) and ends (n), contiguous; writes statuses (n), and returns how
+ * many are not CYLINT_OK. */
+int make_shapes(const char *name, nb::handle numbers, nb::handle ends,
+                nb::handle shapes, nb::handle statuses)
+{
+    const Constructor &c = find(name);
+    const Array x(numbers), e(ends), s(shapes, true), status(statuses, true);
+    int refused = 0;
+    nb::gil_scoped_release released;
+    for (ptrdiff_t i = 0; i < x.size(0); i++) {
+        const auto row =
+            reinterpret_cast<const double *>(x.data() + i * x.stride(0));
+        const auto shape =
+            reinterpret_cast<cylint_shape *>(s.data() + i * s.stride(0));
+        const signed char word =
+            *reinterpret_cast<signed char *>(e.data() + i * e.stride(0));
+        std::memset(static_cast<void *>(shape), 0, sizeof *shape);
+        const int answer = c.make(shape, row, static_cast<Ends>(word));
+        status.data()[i * status.stride(0)] = static_cast<char>(answer);
+        refused += answer != CYLINT_OK;
+    }
+    return refused;
+}
+
+/* The inverse: shapes (n) to kinds, as rows of the table, and numbers (n, k). */
+void read_shapes(nb::handle shapes, nb::handle kinds, nb::handle numbers)
+{
+    const Array s(shapes), k(kinds, true), x(numbers, true);
+    nb::gil_scoped_release released;
+    for (ptrdiff_t i = 0; i < s.size(0); i++) {
+        const auto &shape =
+            *reinterpret_cast<const cylint_shape *>(s.data() + i * s.stride(0));
+        for (size_t row = 0; row < sizeof table / sizeof *table; row++) {
+            if (table[row].kind == shape.kind) {
+                k.data()[i * k.stride(0)] = static_cast<char>(row);
+                table[row].read(shape, reinterpret_cast<double *>(
+                                           x.data() + i * x.stride(0)));
+                break;
+            }
+        }
+    }
+}
+
+void contains(nb::handle shapes, nb::handle points, nb::handle answers,
+              int threads, nb::handle progress)
+{
+    enum { BLOCK = 1024 };
+    const Array s(shapes), p(points), a(answers, true);
+    Grid grid(a, 0);
+    grid.add(s), grid.add(p), grid.add(a);
+    grid.prepare();
+    const ptrdiff_t step = p.stride(p.axes() - 1);
+    const size_t pieces = (grid.row() + BLOCK - 1) / BLOCK;
+    work(grid.rows() * pieces, grid.elements(), threads, progress,
+         [&](int, size_t block) {
+             std::vector<char *> first;
+             grid.locate(block / pieces, first);
+             const size_t begin = block % pieces * BLOCK;
+             const size_t end = std::min(begin + BLOCK, grid.row());
+             for (size_t i = begin; i < end; i++) {
+                 const auto k = static_cast<ptrdiff_t>(i);
+                 const char *q = first[1] + k * grid.stride(1);
+                 const double point[3] = {at(q, 0), at(q, step),
+                                          at(q, 2 * step)};
+                 first[2][k * grid.stride(2)] = static_cast<char>(
+                     cylint_contains(reinterpret_cast<const cylint_shape *>(
+                                         first[0] + k * grid.stride(0)),
+                                     point));
+             }
+             return true;
+         });
+}
+
+/* shapes (n), boxes (n, 2, 3) contiguous */
+void bounds(nb::handle shapes, nb::handle boxes)
+{
+    const Array s(shapes), b(boxes, true);
+    nb::gil_scoped_release released;
+    for (ptrdiff_t i = 0; i < s.size(0); i++) {
+        const auto box = reinterpret_cast<double *>(b.data()) + 6 * i;
+        cylint_bounds(
+            reinterpret_cast<const cylint_shape *>(s.data() + i * s.stride(0)),
+            box, box + 3);
+    }
+}
