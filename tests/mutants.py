@@ -32,7 +32,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 FLOORS = ["src"] + ["src/" + floor for floor in (
     "numbers", "shapes", "signs", "roots", "filter", "methods")]
-CORE = ["signs/forms_template.h", "signs/overlap_template.h", "roots/root_quotient_template.h",
+CORE = ["signs/forms_template.h", "signs/overlap_template.h",
+        "roots/root_quotient_template.h", "roots/newton_template.h",
         "numbers/double_double.h", "numbers/error_free_template.h",
         "numbers/exact.c", "numbers/scale.c", "shapes/measure.c",
         "shapes/tangent.c", "signs/sign.c", "roots/root.c", "roots/surd.c",

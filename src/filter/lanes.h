@@ -503,11 +503,20 @@ INLINE vd terms_at(terms_pairs *P, terms_sizes *N, const lanes_slopes *q,
     return (q->D + v_abs(t) * q->u) / size;
 }
 
+#define FORM(name) name##_lanes
+#define NEWTON_INLINE INLINE
+#define NUM vd
+#define ABS(x) v_abs(x)
+#define CONSTANT(x) v_set(x)
+#define QUOTIENT(x, y, inverse) ((x) * (inverse))
+#define SLACK CYLINT_LANES_SLACK
+#include "../roots/newton_template.h"
+
 /*
- * Newton's step in pairs: root.c, refined(), in lanes and for caps too.
+ * One step of Newton's; the residual is computed in pairs.
  * exits: +1 in lanes whose lateral root leaves the quadric, -1 elsewhere.
- * A lateral root may be seen from any centre where s->r[0] is the radius.
- * caps: 0 if there are certainly none.
+ * The terms of a lateral root may begin at any centre where s->r[0] is the
+ * radius.  caps: 0 if there are certainly none.
  */
 INLINE lanes_root round_root(const lanes_slopes *q, const lanes_shape *s,
                              const vd center[3], const lanes_line *l, int kind,
@@ -519,14 +528,14 @@ INLINE lanes_root round_root(const lanes_slopes *q, const lanes_shape *s,
     terms_sizes N;
     const vd from = terms_at(&P, &N, q, s, center, l, kind, t.v, part);
     vd residual = zero, sizes = zero, slope = zero, slope_e = zero;
-    vd bend = zero;
+    vd curvature = zero;
     if (!caps || m_any(m_not(cap))) {
         const vpair Q = form_C_pairs(&P);
         residual = Q.hi + Q.lo;
         sizes = form_C_sizes(&N);
         slope = v_set(2) * exits * q->R.v;
         slope_e = v_set(2) * q->R.e;
-        bend = q->A;
+        curvature = q->A;
     }
     if (caps && m_any(cap)) {
         const vpair plane = form_alpha_pairs(&P, 0);
@@ -534,19 +543,16 @@ INLINE lanes_root round_root(const lanes_slopes *q, const lanes_shape *s,
         sizes = v_select(cap, form_alpha_sizes(&N, 0), sizes);
         slope = v_select(cap, q->beta.v, slope);
         slope_e = v_select(cap, q->beta.e, slope_e);
-        bend = v_select(cap, zero, bend);
+        curvature = v_select(cap, zero, curvature);
     }
-    const vd inverse = v_set(1) / slope, delta = residual * inverse;
-    const vd s_size = v_abs(slope), off = v_abs(delta) + t.e;
-    /* as in refined(); P is off by 2^-101 of what it was summed up from */
+    /* P has an error of 2^-101 of the terms of its origin */
     const vd spread =
         v_set(CYLINT_LAZY_BOUND) + v_set(CYLINT_MOVED_BOUND) * from;
-    const vd e =
-        v_set(CYLINT_LANES_SLACK) * v_abs(inverse) *
-        (spread * sizes + v_set(CYLINT_UNDERFLOW) +
-         v_abs(delta) * (slope_e + s_size * v_set(CYLINT_QUOTIENT_ROUNDING)) +
-         bend * off * off);
-    const vpair r = v_fast_two_sum(t.v, -delta);
+    const newton_lanes step =
+        newton_step_lanes(residual, spread * sizes + v_set(CYLINT_UNDERFLOW),
+                          slope, slope_e, curvature, t.e);
+    const vd e = step.error;
+    const vpair r = v_fast_two_sum(t.v, -step.delta);
     const vd t_size = v_abs(r.hi);
     const vm nearest =
         m_and(v_eq(r.hi + (r.lo + e), r.hi), v_eq(r.hi + (r.lo - e), r.hi));

@@ -56,7 +56,7 @@ static int is_known(bounded_pair x, double size)
 /* Whether x has digits enough of its own. */
 static int has_digits(const cylint_query *q, bounded_pair x)
 {
-    if (x.off == 0) /* a datum, or a sum of products by 0 */
+    if (x.error == 0) /* a datum, or a sum of products by 0 */
         return x.v.hi != 0 || data_are_tame(q);
     return is_known(x, fabs(x.v.hi));
 }
@@ -269,16 +269,9 @@ static void facts_in_pairs(cylint_query *q, bounded_pair t, needs *need,
 {
     cylint_terms_pair *L = cylint_load_pairs(q);
     bounded_pair kept[3];
-    int in_window = 1;
-    for (int i = 0; i < 3; i++) {
-        kept[i] = L->D[0][i];
-        L->D[0][i] = bounded_pair_add(kept[i], bounded_pair_mul(t, L->u[i]));
-        in_window &= fabs(L->D[0][i].v.hi) <= CYLINT_WINDOW;
-    }
-    if (in_window)
+    if (cylint_move_origin(L, 0, t, kept))
         facts_of(q, L, need, facts);
-    for (int i = 0; i < 3; i++)
-        L->D[0][i] = kept[i];
+    cylint_restore_origin(L, 0, kept);
 }
 
 static int is_needed(const needs *need, int fact)
@@ -370,7 +363,7 @@ static unsigned point_in_pairs(const cylint_query *q, bounded_pair t,
                                unsigned left, double point[3])
 {
     const cylint_line *l = q->line;
-    const double t_error = CYLINT_PAIR_UNIT * t.off;
+    const double t_error = CYLINT_PAIR_UNIT * t.error;
     for (int i = 0; i < 3; i++) {
         if (!(left >> i & 1))
             continue;

@@ -70,13 +70,15 @@ static double double_sqrt(double x)
 #define ERROR(x) bounded_pair_error(x)
 #define ROUNDING CYLINT_PAIR_RADICAL_ROUNDING
 #include "root_quotient_template.h"
+#undef NUM
+#undef FORM
 
 /* A root in doubles, with what is known of it. */
 typedef struct {
     double t, error;    /* absolute */
     double slope;       /* A t + B at the root */
     double slope_error; /* relative */
-    double bend;        /* at most |A| */
+    double curvature;   /* at least |A| */
 } estimate;
 
 /* Whether doubles or pairs may tell the root, as a quotient. */
@@ -99,42 +101,67 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
     k.error = (f.error + CYLINT_RADICAL_ROUNDING) * fabs(k.t);
     k.slope = root == ROOT_EXIT ? f.radical : -f.radical;
     k.slope_error = f.radical_error;
-    k.bend = f.A;
+    k.curvature = f.A;
     return k;
 }
 
+#define FORM(name) name##_double
+#define NEWTON_INLINE static
+#define NUM double
+#define ABS(x) fabs(x)
+#define CONSTANT(x) (x)
+#define QUOTIENT(x, y, inverse) ((x) / (y))
+#define SLACK CYLINT_ROOT_SLACK
+#include "newton_template.h"
+
+int cylint_move_origin(cylint_terms_pair *L, int cap, bounded_pair t,
+                       bounded_pair kept[3])
+{
+    int in_window = 1;
+    for (int i = 0; i < 3; i++) {
+        kept[i] = L->D[cap][i];
+        L->D[cap][i] = bounded_pair_add(kept[i], bounded_pair_mul(t, L->u[i]));
+        in_window &= fabs(L->D[cap][i].v.hi) <= CYLINT_WINDOW;
+    }
+    return in_window;
+}
+
+void cylint_restore_origin(cylint_terms_pair *L, int cap,
+                           const bounded_pair kept[3])
+{
+    for (int i = 0; i < 3; i++)
+        L->D[cap][i] = kept[i];
+}
+
+/* Subtracts the step from t; returns the bound on the error of the sum. */
+static double subtract_step(pair *t, newton_double step)
+{
+    *t = fast_two_sum(t->hi, t->lo - step.delta);
+    return step.error;
+}
+
 /*
- * One step of Newton's from t0 = k.t + low, its residual in pairs.  Around a
- * root t, where s = A t + B,
- *
- *   Q(t0) = 2 s (t0 - t) + A (t0 - t)^2,
- *   t     = t0 - delta + A (t0 - t)^2 / (2 s),   delta = Q(t0) / (2 s).
- *
- * Q(t0) is C for the line with its origin moved to D + t0 u.  That may lie
- * beyond the window of error_bounds.h, within 2^361 where settles() accepts t:
- * what underflows on the way to what is squared last, x, comes to less than
- * 2^-560 there.  Twice that times x is below the rounding of x^2, or, if x is
- * below 2^-450, below CYLINT_UNDERFLOW.
+ * One step of Newton's from t0 = k.t + low, with the slope at the root.  Q(t0)
+ * is C of the line with its origin moved to D + t0 u.  That may lie outside the
+ * window of error_bounds.h, within 2^361 where settles() accepts t.  Then the
+ * underflows on the way to x, which is squared last, add up to less than
+ * 2^-560.  Twice that times x is below the rounding of x^2, or, if x is below
+ * 2^-450, below CYLINT_UNDERFLOW.
  */
 static pair refined(cylint_query *q, estimate k, double low, double *error)
 {
     cylint_terms_pair *L = cylint_load_pairs(q);
     bounded_pair kept[3];
-    const bounded_pair t0 = {{k.t, low}, 0};
-    for (int i = 0; i < 3; i++) {
-        kept[i] = L->D[0][i];
-        L->D[0][i] = bounded_pair_add(kept[i], bounded_pair_mul(t0, L->u[i]));
-    }
+    pair t = {k.t, low};
+    cylint_move_origin(L, 0, (bounded_pair){t, 0}, kept);
     const bounded_pair Q = cylint_form_C_pair(L);
-    for (int i = 0; i < 3; i++)
-        L->D[0][i] = kept[i];
-    const double s = 2 * fabs(k.slope), delta = Q.v.hi / (2 * k.slope);
-    const double off = fabs(delta) + k.error;
-    *error = CYLINT_ROOT_SLACK *
-             (bounded_pair_error(Q) / s +
-              fabs(delta) * (k.slope_error + CYLINT_QUOTIENT_ROUNDING) +
-              k.bend * off / s * off);
-    return fast_two_sum(k.t, low - delta);
+    cylint_restore_origin(L, 0, kept);
+    const double slope = 2 * k.slope;
+    *error = subtract_step(
+        &t, newton_step_double(Q.v.hi, bounded_pair_error(Q), slope,
+                               k.slope_error * fabs(slope), k.curvature,
+                               CYLINT_ROOT_SLACK * k.error));
+    return t;
 }
 
 /* ---------------------------------------------------------- exact ------ */
@@ -388,56 +415,42 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
 
 /* ----------------------------------------------- canonical pairs ------ */
 
-/*
- * One of Newton's steps towards a root of the lateral quadric from *t, at most
- * *error away.  With the origin moved to *t, C is Q there and B half its slope,
- *
- *   root = t - C / (2 B) - A (t - root)^2 / (2 B),
- *
- * near the shape, so that a far origin costs no digits.  A: at most |A|.
- */
-static void step_on_side(cylint_terms_pair *L, double A, pair *t, double *error)
+/* One step of Newton's from *t, which is at most *error from the root, with the
+ * slope at *t.  curvature: at least half the second derivative. */
+static void step_from(bounded_pair residual, bounded_pair slope,
+                      double curvature, pair *t, double *error)
 {
-    const bounded_pair at = {*t, 0};
-    bounded_pair kept[3];
-    for (int i = 0; i < 3; i++) {
-        kept[i] = L->D[0][i];
-        L->D[0][i] = bounded_pair_add(kept[i], bounded_pair_mul(at, L->u[i]));
-    }
-    const bounded_pair C = cylint_form_C_pair(L), B = cylint_form_B_pair(L);
-    for (int i = 0; i < 3; i++)
-        L->D[0][i] = kept[i];
-    const double s = 2 * fabs(B.v.hi), e = 2 * bounded_pair_error(B);
-    const double delta = C.v.hi / (2 * B.v.hi), off = *error;
-    *error = e < 0x1p-10 * s
-                 ? CYLINT_ROOT_SLACK *
-                       (bounded_pair_error(C) +
-                        fabs(delta) * (e + 0x1p-50 * s) + A * off * off) /
-                       s
-                 : HUGE_VAL;
-    *t = fast_two_sum(t->hi, t->lo - delta);
+    const double slope_error = bounded_pair_error(slope);
+    if (slope_error < CYLINT_FIRST_ORDER * fabs(slope.v.hi))
+        *error = subtract_step(
+            t, newton_step_double(residual.v.hi, bounded_pair_error(residual),
+                                  slope.v.hi, slope_error, curvature, *error));
+    else
+        *error = HUGE_VAL;
 }
 
-/* The same towards the plane of a cap. */
-static void step_on_plane(cylint_terms_pair *L, int cap, pair *t, double *error)
+/* Towards a root of the lateral quadric.  With the line's origin moved to *t,
+ * C is Q there and B half its slope, near the shape, so that a far origin costs
+ * no digits. */
+static void step_to_lateral(cylint_terms_pair *L, double curvature, pair *t,
+                            double *error)
 {
-    const bounded_pair at = {*t, 0}, beta = L->beta;
     bounded_pair kept[3];
-    for (int i = 0; i < 3; i++) {
-        kept[i] = L->D[cap][i];
-        L->D[cap][i] = bounded_pair_add(kept[i], bounded_pair_mul(at, L->u[i]));
-    }
+    cylint_move_origin(L, 0, (bounded_pair){*t, 0}, kept);
+    const bounded_pair C = cylint_form_C_pair(L), B = cylint_form_B_pair(L);
+    cylint_restore_origin(L, 0, kept);
+    const bounded_pair slope = {{2 * B.v.hi, 2 * B.v.lo}, 2 * B.error};
+    step_from(C, slope, curvature, t, error);
+}
+
+/* Towards the plane of a cap. */
+static void step_to_plane(cylint_terms_pair *L, int cap, pair *t, double *error)
+{
+    bounded_pair kept[3];
+    cylint_move_origin(L, cap, (bounded_pair){*t, 0}, kept);
     const bounded_pair alpha = cylint_form_alpha_pair(L, cap);
-    for (int i = 0; i < 3; i++)
-        L->D[cap][i] = kept[i];
-    const double s = fabs(beta.v.hi), e = bounded_pair_error(beta);
-    const double delta = alpha.v.hi / beta.v.hi;
-    *error = e < 0x1p-10 * s ? CYLINT_ROOT_SLACK *
-                                   (bounded_pair_error(alpha) +
-                                    fabs(delta) * (e + 0x1p-50 * s)) /
-                                   s
-                             : HUGE_VAL;
-    *t = fast_two_sum(t->hi, t->lo - delta);
+    cylint_restore_origin(L, cap, kept);
+    step_from(alpha, L->beta, 0, t, error);
 }
 
 /* Newton's steps from *t, at most *error away.  Returns whether they give all
@@ -448,7 +461,7 @@ static int newton_from(cylint_query *q, cylint_root root, pair *t,
     const double enough = CYLINT_POLISHED * fabs(t->hi);
     double before;
     if (root == ROOT_CAP0 || root == ROOT_CAP1) {
-        step_on_plane(cylint_load_pairs(q), root == ROOT_CAP1, t, error);
+        step_to_plane(cylint_load_pairs(q), root == ROOT_CAP1, t, error);
         return *error < enough;
     }
     if (root != ROOT_ENTRY && root != ROOT_EXIT)
@@ -457,7 +470,7 @@ static int newton_from(cylint_query *q, cylint_root root, pair *t,
     const bounded_pair A = cylint_form_A_pair(L);
     do {
         before = *error;
-        step_on_side(L, fabs(A.v.hi) + bounded_pair_error(A), t, error);
+        step_to_lateral(L, fabs(A.v.hi) + bounded_pair_error(A), t, error);
     } while (*error >= enough && *error < 0x1p-4 * before);
     return *error < enough;
 }
@@ -509,7 +522,7 @@ bounded_pair cylint_canonical_root(cylint_query *q, cylint_root root, double t,
 
 int cylint_polish_root(cylint_query *q, cylint_root root, bounded_pair *t)
 {
-    double error = CYLINT_PAIR_UNIT * t->off;
+    double error = CYLINT_PAIR_UNIT * t->error;
     if (t->v.hi == 0)
         return 0;
     if (!newton_from(q, root, &t->v, &error)) {
@@ -520,7 +533,7 @@ int cylint_polish_root(cylint_query *q, cylint_root root, bounded_pair *t)
         t->v = (pair){cylint_scaled(f.v.hi, f.e), cylint_scaled(f.v.lo, f.e)};
         error = CYLINT_SURD_ERROR * fabs(t->v.hi);
     }
-    t->off = CYLINT_ROOT_SLACK * error / CYLINT_PAIR_ROUNDING;
+    t->error = CYLINT_ROOT_SLACK * error / CYLINT_PAIR_ROUNDING;
     return 1;
 }
 

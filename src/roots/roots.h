@@ -17,6 +17,14 @@ typedef enum {
     ROOT_CAP1
 } cylint_root;
 
+/* Moves the line's origin along the line by t, in the terms of one cap, and
+ * keeps the old origin.  Returns whether the new one lies in the window of
+ * error_bounds.h. */
+int cylint_move_origin(cylint_terms_pair *L, int cap, bounded_pair t,
+                       bounded_pair kept[3]);
+void cylint_restore_origin(cylint_terms_pair *L, int cap,
+                           const bounded_pair kept[3]);
+
 /* Whether tmin <= root <= tmax, exactly.  Where t is wanted, it becomes the
  * double nearest to such a root and *more what that misses, nearly. */
 int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,

@@ -63,24 +63,24 @@ static inline int quantum_mul(int x, int y)
  * With x' for x and y' for y the error of x y is x' (y' - y) + y (x' - x). */
 typedef struct {
     pair v;
-    double off;
+    double error;
 } bounded_pair;
 
 static inline bounded_pair bounded_pair_add(bounded_pair x, bounded_pair y)
 {
     return (bounded_pair){pair_add(x.v, y.v),
-                          x.off + y.off + (fabs(x.v.hi) + fabs(y.v.hi))};
+                          x.error + y.error + (fabs(x.v.hi) + fabs(y.v.hi))};
 }
 static inline bounded_pair bounded_pair_sub(bounded_pair x, bounded_pair y)
 {
-    return bounded_pair_add(x, (bounded_pair){pair_neg(y.v), y.off});
+    return bounded_pair_add(x, (bounded_pair){pair_neg(y.v), y.error});
 }
 static inline bounded_pair bounded_pair_mul(bounded_pair x, bounded_pair y)
 {
     const double a = fabs(x.v.hi), b = fabs(y.v.hi);
     return (bounded_pair){
         pair_mul(x.v, y.v),
-        a * y.off + (b + CYLINT_PAIR_ROUNDING * y.off) * x.off + a * b};
+        a * y.error + (b + CYLINT_PAIR_ROUNDING * y.error) * x.error + a * b};
 }
 
 #undef INLINE
@@ -110,7 +110,7 @@ static inline double bounded_error(bounded_double x)
 
 static inline double bounded_pair_error(bounded_pair x)
 {
-    return CYLINT_PAIR_UNIT * x.off + CYLINT_UNDERFLOW;
+    return CYLINT_PAIR_UNIT * x.error + CYLINT_UNDERFLOW;
 }
 
 #endif

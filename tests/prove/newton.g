@@ -1,5 +1,5 @@
-# root.c, refined.  With s the true slope, s = s0 (1 + x), |x| <= 2^-10, the
-# step from t0 misses the root by
+# newton_template.h, for the lateral quadric.  With s the true slope,
+# s = s0 (1 + x), |x| <= 2^-10, the step from t0 has the error
 #
 #   Q / (2 s) - delta - A (t0 - t)^2 / (2 s),  delta = Q.hi / (2 s0) (1 + d),
 #
