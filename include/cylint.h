@@ -96,7 +96,8 @@ typedef enum cylint_status {
     CYLINT_ERADIUS,     /* a radius is negative, or all radii are zero */
     CYLINT_EANGLE,      /* the half angle is not in the open interval (0, 90)
                            degrees, or its tangent rounds to 0 */
-    CYLINT_EENDS,       /* `ends` is not a value of cylint_ends */
+    CYLINT_EENDS,       /* `ends` is not a value of cylint_ends, or one that the
+                           kind of shape does not have */
     CYLINT_EDIRECTION,  /* the direction or the segment has length 0 */
     CYLINT_EDOMAIN,     /* tmin > tmax, or one of them is NaN */
     CYLINT_EMETHOD      /* a published method does not support the shape or
@@ -129,7 +130,10 @@ typedef enum cylint_kind {
     CYLINT_KIND_CONE,      /* circular, radius linear in z */
     CYLINT_KIND_ACONE,     /* circular, from apex, axis and half angle */
     CYLINT_KIND_ECYLINDER, /* elliptic, oblique allowed, constant section */
-    CYLINT_KIND_ECONE      /* elliptic, size of the section linear in z */
+    CYLINT_KIND_ECONE,     /* elliptic, size of the section linear in z */
+    CYLINT_KIND_SPHERE,    /* one ball */
+    CYLINT_KIND_CAPSULE,   /* the convex hull of two balls of equal radius */
+    CYLINT_KIND_RCONE      /* the convex hull of two balls */
 } cylint_kind;
 
 /*
@@ -146,13 +150,14 @@ typedef struct cylint_shape {
     double dr, dr_lo;  /* dr + dr_lo = r1 - r0 exactly; acone: the tangent */
     double axis_lo[3]; /* the rest: axis + axis_lo = p1 - p0 exactly,
                           unless p1 - p0 overflows */
-    double top[3];     /* p1; cylinder and cone only */
+    double top[3];     /* p1; kinds made of two points only */
     double a[3], b[3]; /* elliptic kinds: conjugate semi-axes */
     double center[3], bound_radius; /* of a ball that holds the solid;
                                        infinite: there is none */
     double size;                    /* max of axis[i] in absolute value */
     int in_range;                   /* 1: doubles neither over- nor underflow */
     int left_handed;                /* elliptic: 1 where a.(b x h) < 0 */
+    int surface;                    /* sphere: the cylint_part that it is */
 } cylint_shape;
 
 /*
@@ -180,6 +185,23 @@ typedef struct cylint_shape {
  *                   the top: k = 1 gives an elliptic cylinder, k = 0 a cone
  *                   with its apex at c + h.
  *                   ERADIUS: k < 0.  EAXIS, EDEGENERATE: as before.
+ * cylint_sphere     All points at most r from c.  Its surface is the part
+ *                   lateral; z and phi of a hit are 0.
+ *                   ERADIUS: r <= 0.  EENDS: ends is not capped.
+ * cylint_capsule    All points at most r from the segment from p0 (z = 0) to
+ *                   p1 (z = 1).  ERADIUS: r <= 0.  EENDS: infinite, nappe.
+ * cylint_round_cone The convex hull of the balls of radius r0 about p0 and r1
+ *                   about p1.  If r0 = r1, the shape is a capsule.  If one
+ *                   ball holds the other, |p1 - p0| <= |r1 - r0|, the shape is
+ *                   that ball, its kind is CYLINT_KIND_SPHERE, and its surface
+ *                   is the part CAP0 or CAP1.  Equal balls: CAP0.
+ *                   ERADIUS: a radius < 0, or both are 0.  EENDS: infinite,
+ *                   nappe.
+ *                   The lateral surface of a capsule and a round cone ends at
+ *                   the circles on which it touches the balls.  The circles
+ *                   are part of it.  The parts CAP0 and CAP1 are the rest of
+ *                   the balls about p0 and p1; z is below 0 and above 1 there,
+ *                   except next to a circle.
  * cylint_angle_cone The double cone with apex v and the axis v + s u, all
  *                   real s.  The angle between its rulings and its axis is
  *                   `degrees`, 0 < degrees < 90.  The shape stores the double
@@ -205,6 +227,15 @@ CYLINT_API cylint_status cylint_elliptic_cylinder(
 CYLINT_API cylint_status cylint_elliptic_cone(
     cylint_shape *shape, const double c[3], const double a[3],
     const double b[3], const double h[3], double k, cylint_ends ends);
+CYLINT_API cylint_status cylint_sphere(cylint_shape *shape, const double c[3],
+                                       double r, cylint_ends ends);
+CYLINT_API cylint_status cylint_capsule(cylint_shape *shape, const double p0[3],
+                                        const double p1[3], double r,
+                                        cylint_ends ends);
+CYLINT_API cylint_status cylint_round_cone(cylint_shape *shape,
+                                           const double p0[3], double r0,
+                                           const double p1[3], double r1,
+                                           cylint_ends ends);
 CYLINT_API cylint_status cylint_angle_cone(cylint_shape *shape,
                                            const double v[3], const double u[3],
                                            double degrees, cylint_ends ends);

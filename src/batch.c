@@ -17,7 +17,8 @@ typedef struct {
 
 static int run_of(const cylint_shape *s)
 {
-    if (s->kind == CYLINT_KIND_NONE || !s->in_range || cylint_is_nappe(s))
+    if (s->kind == CYLINT_KIND_NONE || !s->in_range || cylint_is_nappe(s) ||
+        cylint_is_round(s->kind))
         return RUNS - 1;
     return 2 * s->kind + cylint_is_bounded(s);
 }

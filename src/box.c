@@ -182,6 +182,20 @@ static void take_disc(const cylint_shape *s, int cap, double lo[3],
     }
 }
 
+/* Extends the box by the ball about an end. */
+static void take_ball(const cylint_shape *s, int end, double lo[3],
+                      double hi[3])
+{
+    const pair none = {0, 0}, r = {cylint_end_factor(s, end), 0};
+    for (int j = 0; j < 3; j++) {
+        const double c = cylint_end_center(s, end, j);
+        const double low = outward(c, none, r, 1, 0);
+        const double high = outward(c, none, r, 1, 1);
+        lo[j] = cylint_less(low, lo[j]) ? low : lo[j];
+        hi[j] = cylint_less(hi[j], high) ? high : hi[j];
+    }
+}
+
 /* Whether |axis_j| is at least the growth of the disc's reach along coordinate
  * j, both per unit of z.  Exact. */
 static int leans_inward(cylint_query *q, int j)
@@ -249,6 +263,12 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
     }
     if (shape->kind == CYLINT_KIND_NONE)
         return;
+    if (cylint_is_round(shape->kind)) {
+        take_ball(shape, 0, lo, hi);
+        if (shape->kind != CYLINT_KIND_SPHERE)
+            take_ball(shape, 1, lo, hi);
+        return;
+    }
     if (!cylint_is_bounded(shape) && cylint_is_tapered(shape->kind)) {
         if (cylint_is_nappe(shape)) {
             take_nappe(shape, lo, hi);

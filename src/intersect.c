@@ -239,8 +239,12 @@ static overlap nappe(cylint_query *q)
     return one(CYLINT_RELATION_CROSS, root, side, 0);
 }
 
+#include "round_overlap.h"
+
 static overlap overlap_of(cylint_query *q)
 {
+    if (cylint_is_round(q->kind))
+        return round_overlap(q);
     if (cylint_ends_are_planes(q->ends))
         return bounded(q);
     if (!cylint_is_tapered(q->kind))
@@ -268,13 +272,32 @@ static int fast_t(const cylint_query *q, cylint_root root, double *t)
                      : root == ROOT_CAP1 ? CYLINT_PART_CAP1
                                          : CYLINT_PART_LATERAL;
     return root != ROOT_DOUBLE && root != ROOT_APEX &&
+           !cylint_is_round(q->kind) &&
            cylint_fast_root(q->shape, q->line, part, root == ROOT_EXIT, t);
+}
+
+/* Opens the query of the surface that a hit lies on: of a ball of a capsule or
+ * rcone, or of the shape itself. */
+static void open_part(cylint_query *q, const cylint_shape *shape,
+                      const cylint_line *line, int part, cylint_shape *ball)
+{
+    const int end = part == CYLINT_PART_CAP1;
+    if (!cylint_is_round(shape->kind) || shape->kind == CYLINT_KIND_SPHERE)
+        return;
+    if (part == CYLINT_PART_LATERAL) {
+        if (q->shape != shape)
+            cylint_query_open(q, shape, line);
+        return;
+    }
+    cylint_ball_of(ball, shape, end);
+    cylint_query_open(q, ball, line);
 }
 
 int cylint_intersect_by_signs(const cylint_shape *shape,
                               const cylint_line *line, unsigned want,
                               cylint_answer *answer)
 {
+    cylint_shape ball;
     if (shape->kind == CYLINT_KIND_NONE || !line->valid) {
         answer->relation = CYLINT_RELATION_MISS;
         answer->flags = CYLINT_FLAG_INVALID;
@@ -289,6 +312,7 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
         double t = 0, more = 0, fast;
         if (!cylint_part_is_present(q.ends, v.at[i].part))
             continue;
+        open_part(&q, shape, line, v.at[i].part, &ball);
         const int is_fast = want & CYLINT_WANT_T && want & CYLINT_WANT_FAST &&
                             fast_t(&q, v.at[i].root, &fast);
         const int rounded = !is_fast && want & (CYLINT_WANT_T | beside_t);
@@ -315,14 +339,18 @@ static void describe_hits(const cylint_shape *shape, const cylint_line *line,
                           const cylint_root_rest *rest, cylint_answer *answer)
 {
     cylint_query q;
+    cylint_shape ball;
     cylint_query_open(&q, shape, line);
     for (int i = 0; i < known->n; i++) {
         const cylint_hit *k = &known->hit[i];
-        const cylint_root root = k->part == CYLINT_PART_CAP0       ? ROOT_CAP0
-                                 : k->part == CYLINT_PART_CAP1     ? ROOT_CAP1
-                                 : k->side == CYLINT_SIDE_ENTERING ? ROOT_ENTRY
-                                                                   : ROOT_EXIT;
+        const int on_plane =
+            k->part != CYLINT_PART_LATERAL && !cylint_is_round(shape->kind);
+        const cylint_root root =
+            on_plane ? (k->part == CYLINT_PART_CAP0 ? ROOT_CAP0 : ROOT_CAP1)
+            : k->side == CYLINT_SIDE_ENTERING ? ROOT_ENTRY
+                                              : ROOT_EXIT;
         const stop at = {root, k->part, k->side, 0};
+        open_part(&q, shape, line, k->part, &ball);
         cylint_hit *hit = &answer->hit[i];
         if (want & CYLINT_WANT_T)
             hit->t = k->t;
@@ -425,6 +453,8 @@ int cylint_contains(const cylint_shape *shape, const double point[3])
         return -1;
     cylint_query q;
     cylint_query_open(&q, shape, &line);
+    if (cylint_is_round(q.kind))
+        return round_contains(&q);
     int within = 1; /* the least of the signs */
     if (cylint_ends_are_planes(q.ends)) {
         const int above = cylint_sign_alpha(&q, 0);

@@ -69,9 +69,11 @@ static void difference3(double hi[3], double lo[3], const double to[3],
     }
 }
 
-static int ends_exist(int ends)
+/* Whether a shape of this kind may have these ends. */
+static int ends_exist(int kind, int ends)
 {
-    return ends >= CYLINT_ENDS_CAPPED && ends <= CYLINT_ENDS_NAPPE;
+    return ends >= CYLINT_ENDS_CAPPED && ends <= CYLINT_ENDS_NAPPE &&
+           cylint_ends_fit(kind, ends);
 }
 
 /* Writes a shape that no line hits. */
@@ -89,34 +91,54 @@ static void zero_vector(double x[3])
 /* The constructors write each member of a valid shape once.  Clearing the
  * struct first would double their run time. */
 
-cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
-                          const double p1[3], double r1, cylint_ends ends)
+/* Writes what a shape is that is given by two points and a radius at each.
+ * same: its kind for equal radii. */
+static void write_two_points(cylint_shape *shape, const double p0[3], double r0,
+                             const double p1[3], double r1, int same, int kind,
+                             cylint_ends ends)
 {
-    if (!finite3(p0) || !finite3(p1) || !(fabs(r0) <= DBL_MAX) ||
-        !(fabs(r1) <= DBL_MAX))
-        return refuse_shape(shape, CYLINT_ENONFINITE);
-    if (cylint_sign(r0) < 0 || cylint_sign(r1) < 0 ||
-        (cylint_sign(r0) == 0 && cylint_sign(r1) == 0))
-        return refuse_shape(shape, CYLINT_ERADIUS);
-    if (equal3(p0, p1))
-        return refuse_shape(shape, CYLINT_EAXIS);
-    if (!ends_exist((int)ends))
-        return refuse_shape(shape, CYLINT_EENDS);
     copy3(shape->base, p0);
     copy3(shape->top, p1);
     difference3(shape->axis, shape->axis_lo, p1, p0);
     zero_vector(shape->a);
     zero_vector(shape->b);
     shape->left_handed = 0;
+    shape->surface = CYLINT_PART_LATERAL;
     shape->r0 = r0;
     shape->r1 = r1;
     const pair dr = cylint_difference(r1, r0);
     shape->dr = dr.hi;
     shape->dr_lo = dr.lo;
     shape->ends = (int)ends;
-    shape->kind =
-        cylint_sign(dr.hi) == 0 ? CYLINT_KIND_CYLINDER : CYLINT_KIND_CONE;
+    shape->kind = cylint_sign(dr.hi) == 0 ? same : kind;
     cylint_measure_shape(shape);
+}
+
+/* CYLINT_OK, ENONFINITE or ERADIUS. */
+static cylint_status check_two_points(const double p0[3], double r0,
+                                      const double p1[3], double r1)
+{
+    if (!finite3(p0) || !finite3(p1) || !(fabs(r0) <= DBL_MAX) ||
+        !(fabs(r1) <= DBL_MAX))
+        return CYLINT_ENONFINITE;
+    if (cylint_sign(r0) < 0 || cylint_sign(r1) < 0 ||
+        (cylint_sign(r0) == 0 && cylint_sign(r1) == 0))
+        return CYLINT_ERADIUS;
+    return CYLINT_OK;
+}
+
+cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
+                          const double p1[3], double r1, cylint_ends ends)
+{
+    const cylint_status status = check_two_points(p0, r0, p1, r1);
+    if (status != CYLINT_OK)
+        return refuse_shape(shape, status);
+    if (equal3(p0, p1))
+        return refuse_shape(shape, CYLINT_EAXIS);
+    if (!ends_exist(CYLINT_KIND_CONE, (int)ends))
+        return refuse_shape(shape, CYLINT_EENDS);
+    write_two_points(shape, p0, r0, p1, r1, CYLINT_KIND_CYLINDER,
+                     CYLINT_KIND_CONE, ends);
     return CYLINT_OK;
 }
 
@@ -126,14 +148,68 @@ cylint_status cylint_cylinder(cylint_shape *shape, const double p0[3],
     return cylint_cone(shape, p0, r, p1, r, ends);
 }
 
+/* Opens the query of any line about a shape, for signs that do not depend on
+ * the line. */
+static void open_any_line(cylint_query *q, const cylint_shape *shape,
+                          cylint_line *line)
+{
+    static const double along[3] = {1, 0, 0};
+    cylint_whole_line(line, shape->base, along);
+    cylint_query_open(q, shape, line);
+}
+
+/* The sign of |p1 - p0|^2 - (r1 - r0)^2, exactly. */
+static int sign_of_overhang(const cylint_shape *shape)
+{
+    cylint_line line;
+    cylint_query q;
+    open_any_line(&q, shape, &line);
+    return cylint_sign_S(&q);
+}
+
+cylint_status cylint_sphere(cylint_shape *shape, const double c[3], double r,
+                            cylint_ends ends)
+{
+    const cylint_status status = check_two_points(c, r, c, r);
+    if (status != CYLINT_OK)
+        return refuse_shape(shape, status);
+    if (!ends_exist(CYLINT_KIND_SPHERE, (int)ends))
+        return refuse_shape(shape, CYLINT_EENDS);
+    write_two_points(shape, c, r, c, r, CYLINT_KIND_SPHERE, CYLINT_KIND_SPHERE,
+                     ends);
+    return CYLINT_OK;
+}
+
+cylint_status cylint_round_cone(cylint_shape *shape, const double p0[3],
+                                double r0, const double p1[3], double r1,
+                                cylint_ends ends)
+{
+    const cylint_status status = check_two_points(p0, r0, p1, r1);
+    if (status != CYLINT_OK)
+        return refuse_shape(shape, status);
+    if (!ends_exist(CYLINT_KIND_RCONE, (int)ends))
+        return refuse_shape(shape, CYLINT_EENDS);
+    write_two_points(shape, p0, r0, p1, r1, CYLINT_KIND_CAPSULE,
+                     CYLINT_KIND_RCONE, ends);
+    if (equal3(p0, p1) || sign_of_overhang(shape) <= 0) {
+        const cylint_shape hull = *shape;
+        cylint_ball_of(shape, &hull, cylint_less(r0, r1));
+    }
+    return CYLINT_OK;
+}
+
+cylint_status cylint_capsule(cylint_shape *shape, const double p0[3],
+                             const double p1[3], double r, cylint_ends ends)
+{
+    return cylint_round_cone(shape, p0, r, p1, r, ends);
+}
+
 /* The sign of a.(b x h), exactly. */
 static int orientation(const cylint_shape *shape)
 {
-    static const double along[3] = {1, 0, 0};
     cylint_line line;
-    cylint_whole_line(&line, shape->base, along);
     cylint_query q;
-    cylint_query_open(&q, shape, &line);
+    open_any_line(&q, shape, &line);
     return cylint_sign_det(&q);
 }
 
@@ -149,13 +225,14 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
         return refuse_shape(shape, CYLINT_ERADIUS);
     if (zero3(h))
         return refuse_shape(shape, CYLINT_EAXIS);
-    if (!ends_exist((int)ends))
+    if (!ends_exist(CYLINT_KIND_ECONE, (int)ends))
         return refuse_shape(shape, CYLINT_EENDS);
     copy3(shape->base, c);
     copy3(shape->axis, h);
     zero_vector(shape->axis_lo);
     zero_vector(shape->top);
     shape->left_handed = 0;
+    shape->surface = CYLINT_PART_LATERAL;
     copy3(shape->a, a);
     copy3(shape->b, b);
     shape->r0 = 1;
@@ -189,7 +266,7 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
         return refuse_shape(shape, CYLINT_EANGLE);
     if (zero3(u))
         return refuse_shape(shape, CYLINT_EAXIS);
-    if (!ends_exist((int)ends))
+    if (!ends_exist(CYLINT_KIND_ACONE, (int)ends))
         return refuse_shape(shape, CYLINT_EENDS);
     copy3(shape->base, v);
     copy3(shape->axis, u);
@@ -198,6 +275,7 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
     zero_vector(shape->a);
     zero_vector(shape->b);
     shape->left_handed = 0;
+    shape->surface = CYLINT_PART_LATERAL;
     shape->r0 = shape->dr_lo = 0;
     shape->r1 = shape->dr = tangent;
     shape->ends = (int)ends;

@@ -15,12 +15,13 @@
 static const char *const ends_words[] = {"capped", "open",     "cap0",
                                          "cap1",   "infinite", "nappe"};
 static const char *const line_words[] = {"line", "ray", "segment", "span"};
-static const char *const shape_words[] = {"cylinder", "cone", "acone",
-                                          "ecylinder", "econe"};
+static const char *const shape_words[] = {"cylinder",  "cone",  "acone",
+                                          "ecylinder", "econe", "sphere",
+                                          "capsule",   "rcone"};
 
 int family_shape_size(family_shape word)
 {
-    static const int sizes[] = {7, 8, 7, 12, 13};
+    static const int sizes[] = {7, 8, 7, 12, 13, 4, 7, 8};
     return sizes[word];
 }
 
@@ -70,6 +71,15 @@ int family_make(struct family_case *c)
     case FAMILY_ECONE:
         c->shape_status =
             cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9, x[12], c->ends);
+        break;
+    case FAMILY_SPHERE:
+        c->shape_status = cylint_sphere(s, x, x[3], c->ends);
+        break;
+    case FAMILY_CAPSULE:
+        c->shape_status = cylint_capsule(s, x, x + 3, x[6], c->ends);
+        break;
+    case FAMILY_RCONE:
+        c->shape_status = cylint_round_cone(s, x, x[3], x + 4, x[7], c->ends);
         break;
     }
     return c->line_status == CYLINT_OK && c->shape_status == CYLINT_OK;
@@ -132,6 +142,12 @@ const char *family_name(int family)
 }
 
 int family_is_wild(int family)
+{
+    (void)family;
+    return 0;
+}
+
+int family_is_round(int family)
 {
     (void)family;
     return 0;
@@ -200,8 +216,11 @@ static void far_origin(struct family_case *out)
 
 static int is_point(const struct family_case *c, int i)
 {
-    return i < 3 || (c->shape_word == FAMILY_CYLINDER && i < 6) ||
-           (c->shape_word == FAMILY_CONE && i >= 4 && i < 7);
+    const family_shape word = c->shape_word;
+    const int two_points = word == FAMILY_CYLINDER || word == FAMILY_CAPSULE;
+    const int radius_between = word == FAMILY_CONE || word == FAMILY_RCONE;
+    return i < 3 || (two_points && i < 6) ||
+           (radius_between && i >= 4 && i < 7);
 }
 
 /* Moves line and shape by v. */
@@ -209,7 +228,7 @@ static void translate(struct family_case *c, const double v[3])
 {
     for (int i = 0; i < family_shape_size(c->shape_word); i++) {
         if (is_point(c, i)) {
-            const int after_radius = c->shape_word == FAMILY_CONE && i >= 4;
+            const int after_radius = i >= 4 && is_point(c, 6);
             c->shape_data[i] += v[(after_radius ? i - 1 : i) % 3];
         }
     }
@@ -627,38 +646,55 @@ static void exact_differences(struct family_case *out)
     }
 }
 
+#include "families_round.h"
+
 static const struct {
     const char *name;
     void (*make)(struct family_case *out);
-    int wild;
+    int wild, round;
 } families[] = {
-    {"ordinary", ordinary, 0},
-    {"origin on the surface", on_the_surface, 0},
-    {"far origin", far_origin, 0},
-    {"translated", translated, 0},
-    {"grazing", grazing, 0},
-    {"nearly parallel", nearly_parallel, 0},
-    {"exactly parallel", exactly_parallel, 0},
-    {"integer grid", integer_grid, 0},
-    {"pythagorean tangents", pythagorean, 0},
-    {"scaled", scaled, 0},
-    {"scaled apart", scaled_apart, 1},
-    {"radius 1e+-12", wild_radius, 0},
-    {"direction not unit", not_unit, 0},
-    {"needle or disc", needle_or_disc, 0},
-    {"near the apex", near_the_apex, 0},
-    {"near a ruling", near_a_ruling, 0},
-    {"narrow or wide cone", narrow_or_wide, 0},
-    {"through the apex", through_the_apex, 0},
-    {"both nappes", both_nappes, 0},
-    {"near a rim", near_a_rim, 0},
-    {"near a cap's plane", near_a_cap_plane, 0},
-    {"elliptic, skewed", skewed, 0},
-    {"elliptic, thin", thin, 0},
-    {"exact differences", exact_differences, 0},
-    {"subnormal", subnormal, 0},
-    {"huge", huge, 0},
-    {"mixed exponents", mixed_exponents, 1},
+    {"ordinary", ordinary, 0, 0},
+    {"origin on the surface", on_the_surface, 0, 0},
+    {"far origin", far_origin, 0, 0},
+    {"translated", translated, 0, 0},
+    {"grazing", grazing, 0, 0},
+    {"nearly parallel", nearly_parallel, 0, 0},
+    {"exactly parallel", exactly_parallel, 0, 0},
+    {"integer grid", integer_grid, 0, 0},
+    {"pythagorean tangents", pythagorean, 0, 0},
+    {"scaled", scaled, 0, 0},
+    {"scaled apart", scaled_apart, 1, 0},
+    {"radius 1e+-12", wild_radius, 0, 0},
+    {"direction not unit", not_unit, 0, 0},
+    {"needle or disc", needle_or_disc, 0, 0},
+    {"near the apex", near_the_apex, 0, 0},
+    {"near a ruling", near_a_ruling, 0, 0},
+    {"narrow or wide cone", narrow_or_wide, 0, 0},
+    {"through the apex", through_the_apex, 0, 0},
+    {"both nappes", both_nappes, 0, 0},
+    {"near a rim", near_a_rim, 0, 0},
+    {"near a cap's plane", near_a_cap_plane, 0, 0},
+    {"elliptic, skewed", skewed, 0, 0},
+    {"elliptic, thin", thin, 0, 0},
+    {"exact differences", exact_differences, 0, 0},
+    {"subnormal", subnormal, 0, 0},
+    {"huge", huge, 0, 0},
+    {"mixed exponents", mixed_exponents, 1, 0},
+    {"round", round_ordinary, 0, 1},
+    {"round, on the surface", round_on_the_surface, 0, 1},
+    {"round, far origin", round_far_origin, 0, 1},
+    {"round, translated", round_translated, 0, 1},
+    {"round, grazing", round_grazing, 0, 1},
+    {"round, near a circle", round_near_a_circle, 0, 1},
+    {"round, across the axis", round_across, 0, 1},
+    {"round, ball in a ball", round_inside, 0, 1},
+    {"round, whole numbers", round_whole, 0, 1},
+    {"round, along a ruling", round_ruling, 0, 1},
+    {"round, sizes 1e+-12", round_needle, 0, 1},
+    {"round, ball and point", round_apex, 0, 1},
+    {"round, scaled", round_scaled, 0, 1},
+    {"round, subnormal or huge", round_extreme, 0, 1},
+    {"round, mixed exponents", round_mixed, 1, 1},
 };
 
 int family_count(void)
@@ -674,6 +710,11 @@ const char *family_name(int family)
 int family_is_wild(int family)
 {
     return families[family].wild;
+}
+
+int family_is_round(int family)
+{
+    return families[family].round;
 }
 
 void family_case(uint64_t seed, int family, uint64_t index,

@@ -24,7 +24,10 @@ typedef enum family_shape {
     FAMILY_CONE,      /* p0 r0 p1 r1 */
     FAMILY_ACONE,     /* v u angle */
     FAMILY_ECYLINDER, /* c a b h */
-    FAMILY_ECONE      /* c a b h k */
+    FAMILY_ECONE,     /* c a b h k */
+    FAMILY_SPHERE,    /* c r */
+    FAMILY_CAPSULE,   /* p0 p1 r */
+    FAMILY_RCONE      /* p0 r0 p1 r1 */
 } family_shape;
 
 /* The numbers of a record of the command, and the line and shape made of
@@ -46,6 +49,9 @@ const char *family_name(int family);
 /* Whether the exponents in a case differ by hundreds, so that most questions
  * need exact arithmetic.  Such families are slow, most of all in the oracle. */
 int family_is_wild(int family);
+
+/* Whether its shapes are spheres, capsules and rounded cones. */
+int family_is_round(int family);
 
 /* Writes case `index` of a family and makes its line and shape; line_status and
  * shape_status hold their statuses. */

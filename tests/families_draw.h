@@ -201,6 +201,8 @@ static void write_shape(struct family_case *out, family_shape word,
         copy3(x + 6, f->b);
         copy3(x + 9, f->h);
         break;
+    default: /* round kinds: families_round.h */
+        break;
     }
 }
 
@@ -307,6 +309,8 @@ static void whole_shape(struct family_case *out)
             x[6 + (i + 1) % 3] = whole_between(1, 4);
             x[9 + (i + 2) % 3] = whole_between(1, 4);
         }
+        break;
+    default:
         break;
     }
     out->ends = any_ends();

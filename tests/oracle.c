@@ -381,22 +381,6 @@ static int inside_gap(int gap)
     return in;
 }
 
-int oracle_contains(const cylint_shape *shape, const double point[3])
-{
-    if (shape->kind == CYLINT_KIND_NONE || !isfinite(point[0]) ||
-        !isfinite(point[1]) || !isfinite(point[2])) {
-        return -1;
-    }
-    start();
-    for (int i = 0; i < 3; i++) {
-        mpz_set_ui(o_.d[i], 0);
-    }
-    o_.d_unit = 0;
-    load(shape, point);
-    o_.count = 0;
-    return inside_gap(0);
-}
-
 /* -------------------------------------- points, normals, z and the angle -- */
 
 /* The nearest double, but 0 only for an exact 0. */
@@ -643,12 +627,37 @@ static void describe(const critical *at, unsigned want, cylint_hit *hit)
     }
 }
 
+#include "oracle_round.h"
+
+int oracle_contains(const cylint_shape *shape, const double point[3])
+{
+    if (shape->kind == CYLINT_KIND_NONE || !isfinite(point[0]) ||
+        !isfinite(point[1]) || !isfinite(point[2])) {
+        return -1;
+    }
+    if (is_round(shape)) {
+        return round_contains(shape, point);
+    }
+    start();
+    for (int i = 0; i < 3; i++) {
+        mpz_set_ui(o_.d[i], 0);
+    }
+    o_.d_unit = 0;
+    load(shape, point);
+    o_.count = 0;
+    return inside_gap(0);
+}
+
 void oracle_intersect(const cylint_shape *shape, const cylint_line *line,
                       unsigned want, cylint_answer *expected)
 {
     memset(expected, 0, sizeof *expected);
     if (shape->kind == CYLINT_KIND_NONE || !line->valid) {
         expected->flags = CYLINT_FLAG_INVALID;
+        return;
+    }
+    if (is_round(shape)) {
+        round_intersect(shape, line, want, expected);
         return;
     }
     start();

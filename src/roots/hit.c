@@ -162,13 +162,26 @@ enum {
     GRADIENT = 0,
     AXIAL = 3,
     AXIS = 6,
-    ALPHA = 9,
-    ALPHA_AT_TOP,
+    HEIGHT = 9,
+    HEIGHT_UNIT,
     X = 11,
     Y,
     VV,
     FACTS
 };
+
+/* Whether z of the hit is that of a cap. */
+static int is_on_cap(const cylint_query *q, cylint_root root)
+{
+    return (root == ROOT_CAP0 || root == ROOT_CAP1) &&
+           !cylint_is_round(q->kind);
+}
+
+/* Whether the normal is that of a quadric. */
+static int is_curved(const cylint_query *q, int part)
+{
+    return part == CYLINT_PART_LATERAL || cylint_is_round(q->kind);
+}
 
 /* Facts that are still needed.  Each is computed as if it were alone, so that
  * no answer depends on what else is wanted. */
@@ -177,15 +190,15 @@ typedef struct {
     int z, phi;
 } needs;
 
-static needs needs_of(unsigned want, cylint_root root, int part, int apex)
+static needs needs_of(const cylint_query *q, unsigned want, cylint_root root,
+                      int part, int apex)
 {
     const unsigned normal = want & CYLINT_WANT_NORMAL ? 7 : 0;
-    const int lateral = part == CYLINT_PART_LATERAL;
-    const int on_plane = root == ROOT_CAP0 || root == ROOT_CAP1;
-    return (needs){lateral && !apex ? normal : 0, lateral ? 0 : normal,
-                   lateral && apex ? normal : 0,
-                   (want & CYLINT_WANT_Z) != 0 && !on_plane,
-                   (want & CYLINT_WANT_PHI) != 0 && !apex};
+    const int curved = is_curved(q, part), axis = !cylint_has_no_axis(q->shape);
+    return (needs){curved && !apex ? normal : 0, curved ? 0 : normal,
+                   curved && apex ? normal : 0,
+                   (want & CYLINT_WANT_Z) != 0 && !is_on_cap(q, root) && axis,
+                   (want & CYLINT_WANT_PHI) != 0 && !apex && axis};
 }
 
 static int any_need(const needs *n)
@@ -219,11 +232,12 @@ static unsigned gradient_in_pairs(const cylint_query *q,
 static int z_in_pairs(const cylint_query *q, const cylint_terms_pair *L,
                       floating *facts)
 {
-    const bounded_pair alpha = cylint_form_alpha_pair(L, 0),
-                       top = cylint_form_root_of_S_pair(L);
-    facts[ALPHA] = floating_of_pair(alpha);
-    facts[ALPHA_AT_TOP] = floating_of_pair(top);
-    return has_digits(q, alpha) && has_digits(q, top);
+    const bounded_pair height =
+        cylint_form_height_pair(L, cylint_is_reversed(q->shape));
+    const bounded_pair unit = cylint_form_height_unit_pair(L);
+    facts[HEIGHT] = floating_of_pair(height);
+    facts[HEIGHT_UNIT] = floating_of_pair(unit);
+    return has_digits(q, height) && has_digits(q, unit);
 }
 
 /* The angle is small where y is, if x > 0: then it needs the digits of y.
@@ -232,8 +246,10 @@ static int angle_in_pairs(const cylint_query *q, const cylint_terms_pair *L,
                           floating *facts)
 {
     bounded_pair x, y;
-    const bounded_pair vv = cylint_form_root_of_S_pair(L);
+    const bounded_pair vv = cylint_form_height_unit_pair(L);
     cylint_about_axis_pair(L, least_component(q), &x, &y);
+    if (cylint_is_reversed(q->shape))
+        x.v = pair_neg(x.v);
     facts[X] = floating_of_pair(x);
     facts[Y] = floating_of_pair(y);
     facts[VV] = floating_of_pair(vv);
@@ -276,11 +292,11 @@ static void facts_in_pairs(cylint_query *q, bounded_pair t, needs *need,
 
 static int is_needed(const needs *need, int fact)
 {
-    return fact < AXIAL   ? (int)(need->gradient >> fact & 1)
-           : fact < AXIS  ? (int)(need->axial >> (fact - AXIAL) & 1)
-           : fact < ALPHA ? (int)(need->axis >> (fact - AXIS) & 1)
-           : fact < X     ? need->z
-                          : need->phi;
+    return fact < AXIAL    ? (int)(need->gradient >> fact & 1)
+           : fact < AXIS   ? (int)(need->axial >> (fact - AXIAL) & 1)
+           : fact < HEIGHT ? (int)(need->axis >> (fact - AXIS) & 1)
+           : fact < X      ? need->z
+                           : need->phi;
 }
 
 /* A fact of the point that D[0] leads to. */
@@ -292,13 +308,15 @@ static exact fact_exact(const cylint_query *q, const cylint_terms_exact *L,
         return cylint_gradient_exact(L, i);
     if (i < AXIS)
         return cylint_axial_exact(L)[i - AXIAL];
-    if (i < ALPHA)
+    if (i < HEIGHT)
         return L->w[i - AXIS];
-    if (i == ALPHA)
-        return cylint_form_alpha_exact(L, 0);
-    if (i == ALPHA_AT_TOP || i == VV)
-        return cylint_form_root_of_S_exact(L);
+    if (i == HEIGHT)
+        return cylint_form_height_exact(L, cylint_is_reversed(q->shape));
+    if (i == HEIGHT_UNIT || i == VV)
+        return cylint_form_height_unit_exact(L);
     cylint_about_axis_exact(L, least_component(q), &x, &y);
+    if (cylint_is_reversed(q->shape))
+        x = cylint_exact_neg(x);
     return i == X ? x : y;
 }
 
@@ -350,7 +368,7 @@ static unsigned fixed_coordinates(const cylint_query *q, cylint_root root,
     for (int i = 0; i < 3; i++) {
         if (!cylint_sign(l->d[i]) && !cylint_sign(l->d_lo[i]))
             point[i] = l->o[i];
-        else if (!(root == ROOT_CAP0 || root == ROOT_CAP1) ||
+        else if (!is_on_cap(q, root) ||
                  !cap_coordinate(q->shape, root == ROOT_CAP1, i, &point[i]))
             left |= 1u << i;
         point[i] += 0; /* no -0 */
@@ -402,12 +420,18 @@ static int apex_sign(cylint_query *q)
     return cylint_apex_normal_sign(q->shape, along);
 }
 
+static double z_of(const floating *facts)
+{
+    const floating height = facts[HEIGHT], unit = facts[HEIGHT_UNIT];
+    return cylint_scaled(pair_div(height.v, unit.v).hi, height.e - unit.e) + 0;
+}
+
 static void write_facts(cylint_query *q, const floating *facts,
                         cylint_root root, int part, int apex, unsigned want,
                         cylint_hit *hit)
 {
     if (want & CYLINT_WANT_NORMAL) {
-        if (part != CYLINT_PART_LATERAL)
+        if (!is_curved(q, part))
             normalise(facts + AXIAL, part == CYLINT_PART_CAP1 ? 1 : -1,
                       hit->normal);
         else if (apex)
@@ -415,17 +439,12 @@ static void write_facts(cylint_query *q, const floating *facts,
         else
             normalise(facts + GRADIENT, 1, hit->normal);
     }
-    if (want & CYLINT_WANT_Z) {
-        const int on_plane = root == ROOT_CAP0 || root == ROOT_CAP1;
-        hit->z = on_plane
-                     ? root == ROOT_CAP1
-                     : cylint_scaled(
-                           pair_div(facts[ALPHA].v, facts[ALPHA_AT_TOP].v).hi,
-                           facts[ALPHA].e - facts[ALPHA_AT_TOP].e) +
-                           0;
-    }
+    if (want & CYLINT_WANT_Z)
+        hit->z = is_on_cap(q, root)             ? root == ROOT_CAP1
+                 : cylint_has_no_axis(q->shape) ? 0
+                                                : z_of(facts);
     if (want & CYLINT_WANT_PHI) {
-        if (apex) {
+        if (apex || cylint_has_no_axis(q->shape)) {
             hit->phi = 0;
             return;
         }
@@ -498,7 +517,7 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
     description x;
     x.left =
         want & CYLINT_WANT_POINT ? fixed_coordinates(q, root, hit->point) : 0;
-    x.need = needs_of(want, root, part, apex);
+    x.need = needs_of(q, want, root, part, apex);
     if (!is_complete(&x) && has_pairs(q, t)) {
         bounded_pair at = cylint_canonical_root(q, root, t, more, error);
         if (!is_far(q, t))

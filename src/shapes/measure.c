@@ -60,6 +60,18 @@ static double disc_reach(const cylint_shape *s, double *skew)
             fabs(dot3(s->a, s->b)));
 }
 
+/* Of a ball about the centre that holds the balls of a round kind. */
+static double ball_radius(cylint_shape *s)
+{
+    double r = s->r0;
+    if (s->kind == CYLINT_KIND_SPHERE)
+        for (int i = 0; i < 3; i++)
+            s->center[i] = s->base[i];
+    else
+        r = 0.5 * sqrt(dot3(s->axis, s->axis)) + cylint_larger(s->r0, s->r1);
+    return r * CYLINT_SLACK + 2 * CYLINT_ROUNDING * cylint_largest(s->center);
+}
+
 /*
  * A ball about the middle of the axis.  A disc's points x a + y b reach as
  * far as the root of the larger eigenvalue of (aa ab; ab bb), which is at most
@@ -76,6 +88,10 @@ static void measure_ball(cylint_shape *s)
         s->center[i] = cylint_has_end_points(s->kind)
                            ? 0.5 * s->base[i] + 0.5 * s->top[i]
                            : s->base[i] + 0.5 * s->axis[i];
+    if (cylint_is_round(s->kind)) {
+        s->bound_radius = ball_radius(s);
+        return;
+    }
     double skew;
     const double reach = disc_reach(s, &skew);
     s->bound_radius =
@@ -89,6 +105,37 @@ void cylint_measure_shape(cylint_shape *s)
     s->in_range = within_window(largest_length(s)) &&
                   (!cylint_has_factors(s->kind) || s->r1 <= CYLINT_WINDOW);
     measure_ball(s);
+}
+
+int cylint_has_no_axis(const cylint_shape *s)
+{
+    return !cylint_sign(s->axis[0]) && !cylint_sign(s->axis[1]) &&
+           !cylint_sign(s->axis[2]);
+}
+
+static void swap(double *x, double *y)
+{
+    const double kept = *x;
+    *x = *y;
+    *y = kept;
+}
+
+void cylint_ball_of(cylint_shape *ball, const cylint_shape *s, int end)
+{
+    *ball = *s;
+    ball->kind = CYLINT_KIND_SPHERE;
+    ball->surface = end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
+    if (end) {
+        swap(&ball->r0, &ball->r1);
+        ball->dr = -s->dr;
+        ball->dr_lo = -s->dr_lo;
+        for (int i = 0; i < 3; i++) {
+            swap(&ball->base[i], &ball->top[i]);
+            ball->axis[i] = -s->axis[i];
+            ball->axis_lo[i] = -s->axis_lo[i];
+        }
+    }
+    cylint_measure_shape(ball);
 }
 
 int cylint_apex_normal_sign(const cylint_shape *s, int along)

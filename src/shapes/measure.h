@@ -12,6 +12,12 @@
 void cylint_measure_shape(cylint_shape *shape);
 void cylint_measure_line(cylint_line *line);
 
+/* The axis has length 0: z and phi of all points are 0. */
+int cylint_has_no_axis(const cylint_shape *s);
+
+/* The ball about an end of a capsule or rcone, as a sphere. */
+void cylint_ball_of(cylint_shape *ball, const cylint_shape *shape, int end);
+
 /* The unit normal at a cone's apex is the axis's direction times this: away
  * from the solid; of a double cone against a line's direction, whose sign along
  * the axis is `along`, and for 0 towards the base or, where that is the apex

@@ -10,9 +10,17 @@
  *   acone         -        yes         -        yes     (r0 + dr z) |axis|
  *   ecylinder    yes        -          -        yes     times the semi-axes
  *   econe        yes       yes         -        yes     times the semi-axes
+ *   sphere        -         -         yes        -      round: one ball
+ *   capsule       -         -         yes        -      round: two balls
+ *   rcone         -        yes        yes        -      round: two balls
  *
  * A shape is bounded by the planes z = 0 and z = 1 or, where it is tapered, by
- * the plane through its apex (a nappe), or it is unbounded.
+ * the plane through its apex (a nappe), or it is unbounded.  A round shape is
+ * the convex hull of the balls about its ends.
+ *
+ * The kind sphere is also the form of one ball of a capsule or rcone.  The
+ * base is then the centre of that ball, r0 its radius, and `surface` its part;
+ * for the ball at z = 1 the ends are exchanged (cylint_ball_of()).
  */
 #ifndef CYLINT_SHAPE_FACTS_H
 #define CYLINT_SHAPE_FACTS_H
@@ -22,27 +30,34 @@
 #include "../numbers/compiler.h"
 #include "cylint.h"
 
-enum { CYLINT_KINDS = CYLINT_KIND_ECONE + 1 };
+enum { CYLINT_KINDS = CYLINT_KIND_RCONE + 1 };
 
 /* ------------------------------------------------------- of a kind ----- */
 
 /* A section is an ellipse with the semi-axes a and b; else a circle. */
 CYLINT_INLINE int cylint_is_elliptic(int kind)
 {
-    return kind >= CYLINT_KIND_ECYLINDER;
+    return kind == CYLINT_KIND_ECYLINDER || kind == CYLINT_KIND_ECONE;
+}
+
+/* The solid is a ball, or the convex hull of two. */
+CYLINT_INLINE int cylint_is_round(int kind)
+{
+    return kind >= CYLINT_KIND_SPHERE;
 }
 
 /* The section changes with z. */
 CYLINT_INLINE int cylint_is_tapered(int kind)
 {
-    return kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ECYLINDER;
+    return kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ECYLINDER &&
+           kind != CYLINT_KIND_SPHERE && kind != CYLINT_KIND_CAPSULE;
 }
 
 /* Both ends of the axis are data, its direction is their difference; else the
  * base and the direction are data. */
 CYLINT_INLINE int cylint_has_end_points(int kind)
 {
-    return kind <= CYLINT_KIND_CONE;
+    return kind <= CYLINT_KIND_CONE || cylint_is_round(kind);
 }
 
 /* r0 and r1 are tangents: the radius is their product with |axis|. */
@@ -54,14 +69,15 @@ CYLINT_INLINE int cylint_has_tangent(int kind)
 /* r0 and r1 are factors; else they are lengths. */
 CYLINT_INLINE int cylint_has_factors(int kind)
 {
-    return kind >= CYLINT_KIND_ACONE;
+    return kind >= CYLINT_KIND_ACONE && !cylint_is_round(kind);
 }
 
 /* The S of forms_template.h is the square of form_root_of_S(); else it is that
  * itself. */
 CYLINT_INLINE int cylint_S_is_square(int kind)
 {
-    return kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ACONE;
+    return kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ACONE &&
+           !cylint_is_round(kind);
 }
 
 /* -------------------------------------------------------- of ends ------ */
@@ -92,6 +108,14 @@ CYLINT_INLINE int cylint_part_is_present(int ends, int part)
            (cylint_caps_present(ends) >> (part == CYLINT_PART_CAP1) & 1);
 }
 
+/* A shape of this kind can have these ends. */
+CYLINT_INLINE int cylint_ends_fit(int kind, int ends)
+{
+    return kind == CYLINT_KIND_SPHERE ? ends == CYLINT_ENDS_CAPPED
+           : cylint_is_round(kind)    ? cylint_ends_are_planes(ends)
+                                      : 1;
+}
+
 /* ------------------------------------------------------- of a shape ---- */
 
 CYLINT_INLINE int cylint_is_bounded(const cylint_shape *s)
@@ -103,6 +127,12 @@ CYLINT_INLINE int cylint_is_bounded(const cylint_shape *s)
 CYLINT_INLINE int cylint_is_nappe(const cylint_shape *s)
 {
     return s->ends == CYLINT_ENDS_NAPPE && cylint_is_tapered(s->kind);
+}
+
+/* The base is the end at z = 1. */
+CYLINT_INLINE int cylint_is_reversed(const cylint_shape *s)
+{
+    return s->surface == CYLINT_PART_CAP1;
 }
 
 /* r0 or r1. */

@@ -45,6 +45,7 @@
  *                             lone vv: k^2 vv |M|^2 - (1 + k^2) (w.M)^2
  *   elliptic   S = det^2  G = (U + kappa b.M)^2 + (V - kappa a.M)^2 - (w.M)^2
  *                             with U = u.p, V = u.q
+ *   round                 round_forms_template.h
  *
  * This is what keeps the digits: b^2 - ac loses them all at a far origin.
  *
@@ -77,6 +78,9 @@ INLINE void FORM(prepare_line)(FORM(terms) *L);
 INLINE void FORM(prepare_top)(FORM(terms) *L);
 INLINE void FORM(prepare_beta)(FORM(terms) *L);
 INLINE NUM FORM(form_alpha)(const FORM(terms) *L, int i);
+INLINE NUM FORM(form_end_ball)(const FORM(terms) *L, int i);
+INLINE NUM FORM(form_height_unit)(const FORM(terms) *L);
+INLINE NUM FORM(form_height)(const FORM(terms) *L, int reversed);
 INLINE NUM FORM(form_det)(const FORM(terms) *L);
 INLINE NUM FORM(form_beta)(const FORM(terms) *L);
 INLINE NUM FORM(form_along)(const FORM(terms) *L);
@@ -172,10 +176,31 @@ INLINE void FORM(prepare_top)(FORM(terms) *L)
     FORM(cross)(L, L->D[1], L->u, L->M[1]);
 }
 
-/* z of the origin from cap i's plane, times a positive factor. */
+#include "round_forms_template.h"
+
+/* z of the origin from the plane at end i, times a positive factor.  The plane
+ * is that of the cap, or of the circle of a round kind. */
 INLINE NUM FORM(form_alpha)(const FORM(terms) *L, int i)
 {
+    if (cylint_is_round(L->kind))
+        return FORM(round_alpha)(L, i);
     return FORM(dot)(L, L->D[i], FORM(axial)(L));
+}
+
+/* What the numerator of z is divided by. */
+INLINE NUM FORM(form_height_unit)(const FORM(terms) *L)
+{
+    return FORM(elliptic)(L) ? L->det : L->vv;
+}
+
+/* The numerator of z at the origin; reversed: z counts from the top. */
+INLINE NUM FORM(form_height)(const FORM(terms) *L, int reversed)
+{
+    BEGIN
+    NUM height = FORM(dot)(L, L->D[0], FORM(axial)(L));
+    if (reversed)
+        height = SUB(FORM(form_height_unit)(L), height);
+    RETURN(height)
 }
 
 INLINE NUM FORM(form_det)(const FORM(terms) *L)
@@ -222,6 +247,8 @@ INLINE NUM FORM(form_rho1)(const FORM(terms) *L)
 
 INLINE NUM FORM(form_E)(const FORM(terms) *L, int i)
 {
+    if (cylint_is_round(L->kind))
+        return FORM(round_E)(L, i);
     BEGIN
     NUM x = MUL(L->r[i], L->beta), E;
     if (FORM(elliptic)(L)) {
@@ -240,6 +267,8 @@ INLINE NUM FORM(form_E)(const FORM(terms) *L, int i)
 
 INLINE NUM FORM(form_N)(const FORM(terms) *L, int i)
 {
+    if (cylint_is_round(L->kind))
+        return FORM(round_N)(L, i);
     BEGIN
     NUM N;
     if (FORM(elliptic)(L)) {
@@ -258,6 +287,8 @@ INLINE NUM FORM(form_N)(const FORM(terms) *L, int i)
 
 INLINE NUM FORM(form_G)(const FORM(terms) *L)
 {
+    if (cylint_is_round(L->kind))
+        return FORM(round_G)(L);
     BEGIN
     NUM h = FORM(dot)(L, L->w, L->M[0]), h2 = MUL(h, h), G;
     switch (L->kind) {
@@ -291,15 +322,6 @@ INLINE NUM FORM(form_G)(const FORM(terms) *L)
     RETURN(G)
 }
 
-/* Whether the line, of that moment about a point, comes within r of it: below
- * 0 if not.  r^2 |u|^2 - |M|^2. */
-INLINE NUM FORM(form_ball)(const FORM(terms) *L, const NUM M[3], NUM r)
-{
-    BEGIN
-    NUM x = SUB(MUL(MUL(r, r), FORM(dot)(L, L->u, L->u)), FORM(dot)(L, M, M));
-    RETURN(x)
-}
-
 /* Where t = r_0 stands from the foot of D_0 on the line: before, at or after
  * it, in units of |u|. */
 INLINE NUM FORM(form_foot)(const FORM(terms) *L)
@@ -311,14 +333,19 @@ INLINE NUM FORM(form_foot)(const FORM(terms) *L)
 }
 
 /* The factor between G and the discriminant, as a square root if one
- * exists: cone vv, elliptic det.  Cylinder and acone have S = vv itself. */
+ * exists: cone vv, elliptic det.  Cylinder, acone and the round kinds: S
+ * itself. */
 INLINE NUM FORM(form_root_of_S)(const FORM(terms) *L)
 {
+    if (cylint_is_round(L->kind))
+        return FORM(round_S)(L);
     return FORM(elliptic)(L) ? L->det : L->vv;
 }
 
 INLINE NUM FORM(form_A)(const FORM(terms) *L)
 {
+    if (cylint_is_round(L->kind))
+        return FORM(round_A)(L);
     BEGIN
     NUM A;
     if (FORM(elliptic)(L)) {
@@ -349,6 +376,8 @@ INLINE int FORM(radial)(const FORM(terms) *L, NUM X[3])
 
 INLINE NUM FORM(form_B)(const FORM(terms) *L)
 {
+    if (cylint_is_round(L->kind))
+        return FORM(round_B)(L);
     BEGIN
     NUM X[3], B;
     FORM(radial)(L, X);
@@ -367,6 +396,8 @@ INLINE NUM FORM(form_B)(const FORM(terms) *L)
 /* C = Q at the line's origin: the one to ask where a point lies. */
 INLINE NUM FORM(form_C)(const FORM(terms) *L)
 {
+    if (cylint_is_round(L->kind))
+        return FORM(round_C)(L);
     BEGIN
     NUM X[3], C, rho = FORM(form_rho0)(L), rho2 = MUL(rho, rho);
     if (FORM(radial)(L, X) == 2) {
@@ -403,6 +434,8 @@ INLINE NUM FORM(form_T)(const FORM(terms) *L)
  * kinds, X_p p + X_q q - rho kappa e. */
 INLINE NUM FORM(gradient)(const FORM(terms) *L, int i)
 {
+    if (cylint_is_round(L->kind))
+        return FORM(round_gradient)(L, i);
     BEGIN
     NUM X[3], N;
     if (FORM(radial)(L, X) == 2) {

@@ -413,6 +413,17 @@ int cylint_sign_G(cylint_query *q)
     DECIDE(q, &q->bounded_terms, form_G, );
 }
 
+int cylint_sign_S(cylint_query *q)
+{
+    DECIDE(q, &q->bounded_terms, form_root_of_S, );
+}
+
+int cylint_sign_end_ball(cylint_query *q, int end)
+{
+    DECIDE(q, (end ? cylint_load_top(q) : &q->bounded_terms), form_end_ball,
+           COMMA end);
+}
+
 int cylint_sign_A(cylint_query *q)
 {
     DECIDE(q, &q->bounded_terms, form_A, );

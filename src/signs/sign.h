@@ -62,6 +62,8 @@ int cylint_sign_along(cylint_query *q);
 int cylint_sign_E(cylint_query *q, int cap);
 int cylint_sign_N(cylint_query *q, int cap);
 int cylint_sign_G(cylint_query *q);
+int cylint_sign_S(cylint_query *q);
+int cylint_sign_end_ball(cylint_query *q, int end);
 int cylint_sign_A(cylint_query *q);
 int cylint_sign_B(cylint_query *q);
 int cylint_sign_C(cylint_query *q);
