@@ -22,7 +22,7 @@ const char *cylint_strerror(int status)
     case CYLINT_EANGLE:
         return "the half angle is not between 0 and 90 degrees";
     case CYLINT_EENDS:
-        return "no such kind of ends";
+        return "this kind of shape has no such ends";
     case CYLINT_EDIRECTION:
         return "the direction has no length";
     case CYLINT_EDOMAIN:

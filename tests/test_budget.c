@@ -19,6 +19,7 @@
 #include "check.h"
 #include "constructed.h"
 #include "oracle.h"
+#include "shapes/shape_facts.h"
 #include "ulps.h"
 
 enum { CASES = 1500, WILD_CASES = 300, EXTRA = 2, MOST_LINES = 300 };
@@ -201,17 +202,20 @@ static void add_square(double a, double b)
 
 static void axis_ends(const cylint_shape *s, int i, double *a, double *b)
 {
-    const int points = s->kind <= CYLINT_KIND_CONE;
+    const int points = cylint_has_end_points(s->kind);
     *a = points ? s->top[i] : s->axis[i];
     *b = points ? s->base[i] : 0;
 }
 
-/* m_[0] = half the width of the disc of cap i along coordinate j. */
+/* m_[0] = half the width of the disc of cap i, or of the ball about end i,
+ * along coordinate j. */
 static void true_reach(const cylint_shape *s, int i, int j)
 {
     double a, b;
     mpfr_set_zero(m_[0], 1);
-    if (s->kind >= CYLINT_KIND_ECYLINDER) {
+    if (cylint_is_round(s->kind)) {
+        mpfr_set_ui(m_[0], 1, MPFR_RNDN);
+    } else if (cylint_is_elliptic(s->kind)) {
         add_square(s->a[j], 0);
         add_square(s->b[j], 0);
     } else {
@@ -226,7 +230,8 @@ static void true_reach(const cylint_shape *s, int i, int j)
             mpfr_div(m_[0], m_[3], m_[0], MPFR_RNDN);
         }
     }
-    mpfr_sqrt(m_[0], m_[0], MPFR_RNDN);
+    if (!cylint_is_round(s->kind))
+        mpfr_sqrt(m_[0], m_[0], MPFR_RNDN);
     mpfr_mul_d(m_[0], m_[0], i ? s->r1 : s->r0, MPFR_RNDN);
 }
 
@@ -235,7 +240,7 @@ static void true_bound(const cylint_shape *s, int i, int j, int up)
 {
     true_reach(s, i, j);
     mpfr_set_d(m_[1], s->base[j], MPFR_RNDN);
-    if (i && s->kind <= CYLINT_KIND_CONE)
+    if (i && cylint_has_end_points(s->kind))
         mpfr_set_d(m_[1], s->top[j], MPFR_RNDN);
     else if (i)
         mpfr_add_d(m_[1], m_[1], s->axis[j], MPFR_RNDN);
@@ -249,7 +254,7 @@ static void true_bound(const cylint_shape *s, int i, int j, int up)
  * doubles: 2^-96 of the terms. */
 static double cancelled(const cylint_shape *s, int j)
 {
-    const int factors = s->kind >= CYLINT_KIND_ACONE;
+    const int factors = cylint_has_factors(s->kind);
     double size = factors ? 0 : fmax(s->r0, s->r1);
     for (int i = 0; i < 3; i++)
         size = fmax(fmax(size, fabs(s->axis[i])),

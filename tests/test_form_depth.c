@@ -47,7 +47,7 @@ typedef enum {
 
 enum {
     FIRST_KIND = CYLINT_KIND_CYLINDER,
-    LAST_KIND = CYLINT_KIND_ECONE,
+    LAST_KIND = CYLINT_KIND_RCONE,
     KINDS = LAST_KIND + 1
 };
 
@@ -58,9 +58,9 @@ static void load(terms_depth *L, int kind, arithmetic in)
     L->kind = kind;
     for (int i = 0; i < 3; i++) {
         L->u[i] = difference; /* a segment's */
-        L->w[i] = kind <= CYLINT_KIND_CONE ? difference : 0;
+        L->w[i] = cylint_has_end_points(kind) ? difference : 0;
         L->D[0][i] = difference;
-        L->D[1][i] = kind <= CYLINT_KIND_CONE
+        L->D[1][i] = cylint_has_end_points(kind)
                          ? difference
                          : depth_of_sum(L->D[0][i], L->w[i]);
     }
@@ -89,13 +89,15 @@ typedef enum {
     C,
     T,
     BALL,
+    HEIGHT,
+    HEIGHT_UNIT,
     FORMS
 } form;
 
 static const char *const form_name[FORMS] = {
-    "alpha0", "alpha1", "beta", "along", "det or vv", "rho0",
-    "rho1",   "E0",     "E1",   "N0",    "N1",        "G",
-    "A",      "B",      "C",    "T",     "ball"};
+    "alpha0", "alpha1", "beta", "along",  "det or vv", "rho0", "rho1",
+    "E0",     "E1",     "N0",   "N1",     "G",         "A",    "B",
+    "C",      "T",      "ball", "height", "unit"};
 
 static int depth_of(const terms_depth *L, form f)
 {
@@ -132,16 +134,21 @@ static int depth_of(const terms_depth *L, form f)
         return form_C_depth(L);
     case T:
         return form_T_depth(L);
+    case BALL:
+        return form_end_ball_depth(L, 1);
+    case HEIGHT:
+        return form_height_depth(L, 1);
     default:
-        return form_ball_depth(L, L->M[0], L->r[0]);
+        return form_height_unit_depth(L);
     }
 }
 
 /* The table of one arithmetic; returns its largest entry. */
 static int deepest(arithmetic in, const char *title)
 {
-    static const char *const kind_name[KINDS] = {"",      "cylinder",  "cone",
-                                                 "acone", "ecylinder", "econe"};
+    static const char *const kind_name[KINDS] = {
+        "",      "cylinder", "cone",    "acone", "ecylinder",
+        "econe", "sphere",   "capsule", "rcone"};
     int most = 0;
     printf("note: %-12s", title);
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++)
@@ -302,13 +309,14 @@ static void load_window(terms_sized *L, int kind)
     L->kind = kind;
     for (int i = 0; i < 3; i++) {
         L->u[i] = L->D[0][i] = difference;
-        L->w[i] = kind <= CYLINT_KIND_CONE ? difference : datum;
-        L->D[1][i] = kind <= CYLINT_KIND_CONE ? difference
-                                              : sized_add(L->D[0][i], L->w[i]);
+        L->w[i] = cylint_has_end_points(kind) ? difference : datum;
+        L->D[1][i] = cylint_has_end_points(kind)
+                         ? difference
+                         : sized_add(L->D[0][i], L->w[i]);
         L->a[i] = L->b[i] = datum;
     }
-    L->r[0] = kind < CYLINT_KIND_ACONE ? datum
-                                       : (sized){kind != CYLINT_KIND_ACONE, 0};
+    L->r[0] = !cylint_has_factors(kind) ? datum
+                                        : (sized){kind != CYLINT_KIND_ACONE, 0};
     L->r[1] = datum;
     L->dr = kind == CYLINT_KIND_ACONE ? datum : difference;
     L->one = one;
@@ -319,23 +327,17 @@ static void load_window(terms_sized *L, int kind)
 
 static double lost(const terms_sized *L)
 {
-    const sized of_form[FORMS] = {form_alpha_sized(L, 0),
-                                  form_alpha_sized(L, 1),
-                                  form_beta_sized(L),
-                                  form_along_sized(L),
-                                  form_root_of_S_sized(L),
-                                  form_rho0_sized(L),
-                                  form_rho1_sized(L),
-                                  form_E_sized(L, 0),
-                                  form_E_sized(L, 1),
-                                  form_N_sized(L, 0),
-                                  form_N_sized(L, 1),
-                                  form_G_sized(L),
-                                  form_A_sized(L),
-                                  form_B_sized(L),
-                                  form_C_sized(L),
-                                  form_T_sized(L),
-                                  form_ball_sized(L, L->M[0], L->r[0])};
+    const sized of_form[FORMS] = {
+        form_alpha_sized(L, 0),    form_alpha_sized(L, 1),
+        form_beta_sized(L),        form_along_sized(L),
+        form_root_of_S_sized(L),   form_rho0_sized(L),
+        form_rho1_sized(L),        form_E_sized(L, 0),
+        form_E_sized(L, 1),        form_N_sized(L, 0),
+        form_N_sized(L, 1),        form_G_sized(L),
+        form_A_sized(L),           form_B_sized(L),
+        form_C_sized(L),           form_T_sized(L),
+        form_end_ball_sized(L, 1), form_height_sized(L, 1),
+        form_height_unit_sized(L)};
     double most = 0;
     for (form f = ALPHA_0; f < FORMS; f++)
         most = fmax(most, of_form[f].off);

@@ -123,7 +123,7 @@ static void version_and_sizes_of_structs_are_those_of_the_header(void)
 /* Tests every address, and a copy of the pack. */
 static void a_pack_keeps_the_callers_pointer(void)
 {
-    enum { SHAPES = 20, MOST = 12000 };
+    enum { SHAPES = 20, MOST = 16000 };
     static char memory[MOST + 64];
     cylint_shape shapes[SHAPES];
     cylint_line line;

@@ -189,13 +189,18 @@ static void hits_in_a_domain_are_the_lines_hits_within_it(void)
 
 /* ---------------------------------------------- changes of the whole -- */
 
+static int is_elliptic(family_shape word)
+{
+    return word == FAMILY_ECYLINDER || word == FAMILY_ECONE;
+}
+
 /* The index of each vector in a shape's record, up to four. */
 static int vectors(family_shape word, int at[4])
 {
-    static const int where[5][4] = {
-        {0, 3}, {0, 4}, {0, 3}, {0, 3, 6, 9}, {0, 3, 6, 9}};
+    static const int where[][4] = {{0, 3},       {0, 4}, {0, 3}, {0, 3, 6, 9},
+                                   {0, 3, 6, 9}, {0},    {0, 3}, {0, 4}};
     memcpy(at, where[word], sizeof where[word]);
-    return word >= FAMILY_ECYLINDER ? 4 : 2;
+    return is_elliptic(word) ? 4 : word == FAMILY_SPHERE ? 1 : 2;
 }
 
 /* Rotates the coordinates, (x, y, z) to (z, x, y), `round` times, and changes
@@ -329,8 +334,12 @@ static cylint_ends other_ends(cylint_ends ends)
 static void swapped(const struct family_case *given)
 {
     struct family_case c = *given;
-    const int n = c.shape_word == FAMILY_CONE ? 4 : 3;
-    if (c.shape_word > FAMILY_CONE) {
+    const family_shape word = c.shape_word;
+    const int n = word == FAMILY_CONE || word == FAMILY_RCONE ? 4 : 3;
+    const int equal = /* equal balls: always cap 0 */
+        memcmp(c.shape.base, c.shape.top, sizeof c.shape.base) == 0;
+    if (word == FAMILY_ACONE || is_elliptic(word) || word == FAMILY_SPHERE ||
+        equal) {
         return;
     }
     memcpy(c.shape_data, given->shape_data + n, (size_t)n * sizeof(double));
@@ -356,7 +365,7 @@ static void the_ends_may_be_swapped(void)
 static void axes_swapped(const struct family_case *given)
 {
     struct family_case c = *given;
-    if (c.shape_word < FAMILY_ECYLINDER) {
+    if (!is_elliptic(c.shape_word)) {
         return;
     }
     const cylint_answer a = intersect(given);
@@ -476,6 +485,9 @@ static void a_circular_shape_is_an_elliptic_one_with_equal_axes(void)
 static void fewer_caps(const struct family_case *given)
 {
     struct family_case c = *given, capped = *given;
+    if (c.shape_word == FAMILY_SPHERE) {
+        return; /* it has no other ends */
+    }
     c.shape.ends = CYLINT_ENDS_CAPPED;
     capped.shape.ends = CYLINT_ENDS_CAPPED;
     const cylint_answer all = intersect(&capped);

@@ -134,7 +134,7 @@ static void scaled_case(const struct sizes *s, struct family_case *c)
     scale(c->line_data + 6, 2, e - f);
     scale(x,
           c->shape_word == FAMILY_ACONE ? 6
-          : c->shape_word >= FAMILY_ECYLINDER
+          : c->shape_word == FAMILY_ECYLINDER || c->shape_word == FAMILY_ECONE
               ? 12
               : family_shape_size(c->shape_word),
           e);

@@ -384,6 +384,16 @@ static void rim_point(const struct family_case *c, int top, double turn,
 {
     const cylint_shape *s = &c->shape;
     const double x = cos(turn), y = sin(turn), r = top ? s->r1 : s->r0;
+    if (c->shape_word >= FAMILY_SPHERE) { /* of the ball about that end */
+        const int last = s->kind == CYLINT_KIND_SPHERE ? 0 : top;
+        const double up = sin(5 * turn), across = cos(5 * turn);
+        const double n[3] = {x * across, y * across, up};
+        for (int i = 0; i < 3; i++) {
+            p[i] =
+                (last ? s->top[i] : s->base[i]) + (last ? s->r1 : s->r0) * n[i];
+        }
+        return;
+    }
     if (c->shape_word >= FAMILY_ECYLINDER) {
         for (int i = 0; i < 3; i++) {
             p[i] = s->base[i] + (top ? s->axis[i] : 0) +

@@ -29,6 +29,16 @@ static void set_elliptic_reach(cylint_swept_disc *t, double ww)
         sqrt((aa + bb + sqrt(difference * difference + 4 * ab * ab)) / 2);
 }
 
+/* A single ball: its centre moves by a small part of its radius, because a leaf
+ * needs the direction of an axis. */
+static void set_one_ball(cylint_swept_disc *t)
+{
+    t->k[1] = t->k[0];
+    t->axis[0] = t->k[0] * 0x1p-10;
+    t->axis[1] = t->axis[2] = 0;
+    t->length = t->axis[0];
+}
+
 void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
                           uint32_t number)
 {
@@ -47,7 +57,11 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
     t->k[0] = s->r0 * unit;
     t->k[1] = s->r1 * unit;
     t->across = 1;
-    t->along = 0;
+    t->round = cylint_is_round(s->kind);
+    t->along = t->round ? 1 : 0;
+    t->divisible = !t->round || s->kind == CYLINT_KIND_CAPSULE;
+    if (s->kind == CYLINT_KIND_SPHERE)
+        set_one_ball(t);
     if (!t->elliptic)
         return;
     for (int j = 0; j < 3; j++) {
@@ -70,7 +84,7 @@ void cylint_swept_disc_reach(const cylint_swept_disc *t, double reach[3])
     for (int j = 0; j < 3; j++)
         reach[j] =
             t->elliptic ? cylint_elliptic_reach(t->a, t->b, j)
-            : ww > CYLINT_LEAST_SQUARE
+            : ww > CYLINT_LEAST_SQUARE && !t->round
                 ? sqrt(square[(j + 1) % 3] + square[(j + 2) % 3]) * per_length
                 : 1;
 }

@@ -3,7 +3,8 @@
  *
  * The section at z has its centre at base + z axis.  With k(z) = k0 + (k1-k0) z
  * its points are at most k(z) across from the axis and at most k(z) along
- * from the centre along the axis.
+ * from the centre along the axis.  A round shape is swept by a ball: then both
+ * are k(z).
  */
 #ifndef CYLINT_BVH_SWEPT_DISC_H
 #define CYLINT_BVH_SWEPT_DISC_H
@@ -21,7 +22,8 @@ typedef struct cylint_swept_disc {
     double across, along;
     double length;     /* of the axis */
     double a[3], b[3]; /* of elliptic shapes */
-    int elliptic;
+    int elliptic, round;
+    int divisible; /* the piece at z contains the points of the shape at z */
 } cylint_swept_disc;
 
 /* A piece of a shape: number `index` of `count` equal ones along z. */
@@ -78,10 +80,11 @@ cylint_extent cylint_piece_box(const cylint_swept_disc *disc,
 /* The box of a whole shape. */
 cylint_extent cylint_swept_disc_box(const cylint_view *view, uint32_t number);
 
-/* The index of the piece that contains z, 0 <= z <= 1. */
+/* The index of the piece that contains z.  The first and the last piece have
+ * the round ends, where z is below 0 and above 1. */
 static inline int cylint_piece_at(double z, int count)
 {
-    const int index = (int)(z * count);
+    const int index = z > 0 ? (z < 1 ? (int)(z * count) : count) : 0;
     return index < count ? index : count - 1;
 }
 

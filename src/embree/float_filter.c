@@ -88,7 +88,8 @@ static int describe(const cylint_float_filter_state *q,
 void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
                                   const cylint_shape *s)
 {
-    const int circular = cylint_is_bounded(s) && !cylint_is_elliptic(s->kind);
+    const int circular = cylint_is_bounded(s) && !cylint_is_elliptic(s->kind) &&
+                         !cylint_is_round(s->kind);
     const double length = sqrt(dot(s->axis, s->axis));
     EACH(j, 3) {
         to->base[j] = s->base[j];
@@ -109,7 +110,8 @@ static int is_float(double x, float *to)
 int cylint_float_filter_small_of(cylint_float_filter_small *to,
                                  const cylint_shape *s)
 {
-    int is = cylint_is_bounded(s) && cylint_has_end_points(s->kind);
+    int is = cylint_is_bounded(s) && cylint_has_end_points(s->kind) &&
+             !cylint_is_round(s->kind);
     EACH(j, 3)
         is &= is_float(s->base[j], &to->base[j]) &
               is_float(s->top[j], &to->top[j]) &

@@ -10,9 +10,12 @@
 /* The kind whose constructor can make all shapes between this one and others. */
 static int constructor_of(const cylint_shape *s)
 {
-    return cylint_is_elliptic(s->kind)       ? CYLINT_KIND_ECONE
-           : s->kind == CYLINT_KIND_CYLINDER ? CYLINT_KIND_CONE
-                                             : s->kind;
+    const int is_sphere =
+        s->kind == CYLINT_KIND_SPHERE && s->surface == CYLINT_PART_LATERAL;
+    return cylint_is_elliptic(s->kind)              ? CYLINT_KIND_ECONE
+           : s->kind == CYLINT_KIND_CYLINDER        ? CYLINT_KIND_CONE
+           : cylint_is_round(s->kind) && !is_sphere ? CYLINT_KIND_RCONE
+                                                    : s->kind;
 }
 
 int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1)
@@ -24,6 +27,23 @@ int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1)
 static double interpolate(double x, double y, double time)
 {
     return (1 - time) * x + time * y;
+}
+
+static double interpolate_radius(const cylint_shape *at_0,
+                                 const cylint_shape *at_1, double time, int end)
+{
+    return interpolate(cylint_end_factor(at_0, cylint_end_at(at_0, end)),
+                       cylint_end_factor(at_1, cylint_end_at(at_1, end)), time);
+}
+
+/* The centre of an end, for kinds made of two points. */
+static void interpolate_center(double to[3], const cylint_shape *at_0,
+                               const cylint_shape *at_1, double time, int end)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = interpolate(
+            cylint_end_center(at_0, cylint_end_at(at_0, end), i),
+            cylint_end_center(at_1, cylint_end_at(at_1, end), i), time);
 }
 
 static void interpolate3(double to[3], const double x[3], const double y[3],
@@ -39,13 +59,21 @@ cylint_status cylint_embree_between(const cylint_shape *at_0,
 {
     double base[3], top[3], a[3], b[3];
     const cylint_ends ends = (cylint_ends)at_0->ends;
-    const double r0 = interpolate(at_0->r0, at_1->r0, time);
-    const double r1 = interpolate(at_0->r1, at_1->r1, time);
-    interpolate3(base, at_0->base, at_1->base, time);
-    if (constructor_of(at_0) == CYLINT_KIND_CONE) {
-        interpolate3(top, at_0->top, at_1->top, time);
-        return cylint_cone(shape, base, r0, top, r1, ends);
+    const double r0 = interpolate_radius(at_0, at_1, time, 0);
+    const double r1 = interpolate_radius(at_0, at_1, time, 1);
+    if (cylint_has_end_points(at_0->kind)) {
+        interpolate_center(base, at_0, at_1, time, 0);
+        interpolate_center(top, at_0, at_1, time, 1);
+        switch (constructor_of(at_0)) {
+        case CYLINT_KIND_CONE:
+            return cylint_cone(shape, base, r0, top, r1, ends);
+        case CYLINT_KIND_SPHERE:
+            return cylint_sphere(shape, base, r0, ends);
+        default:
+            return cylint_round_cone(shape, base, r0, top, r1, ends);
+        }
     }
+    interpolate3(base, at_0->base, at_1->base, time);
     interpolate3(top, at_0->axis, at_1->axis, time);
     if (!cylint_is_elliptic(at_0->kind))
         return cylint_tangent_cone(shape, base, top, r1, ends);
@@ -59,7 +87,7 @@ cylint_status cylint_embree_between(const cylint_shape *at_0,
  * every t.  A shape is the convex hull of its two discs.  A disc's centre is
  * linear in t.  Along coordinate j the disc reaches f(t) from its centre,
  *
- *   circular: the radius, linear in t;
+ *   circular: the radius, linear in t; the balls of round shapes likewise;
  *   acone:    0 at v; at v + u the tangent times |u|, the product of a
  *             linear function k and a convex one g, both >= 0;
  *   elliptic: sqrt(a_j^2 + b_j^2), convex; at the top that times k.
@@ -74,9 +102,10 @@ typedef struct {
     double center[3], k, g[3];
 } disc;
 
-static disc disc_of(const cylint_shape *s, int cap)
+static disc disc_of(const cylint_shape *s, int end)
 {
     disc d;
+    const int cap = cylint_end_at(s, end);
     const double u = sqrt(s->axis[0] * s->axis[0] + s->axis[1] * s->axis[1] +
                           s->axis[2] * s->axis[2]);
     d.k = cylint_end_factor(s, cap);

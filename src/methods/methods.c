@@ -26,7 +26,7 @@ static const cylint_method methods[] = {
      "xissburg.github.io, 2022",
      "cylinder: any ends", cylint_closest_points},
     {"quadratic", "textbook: roots of A t^2 + B t + C by B^2 - 4AC",
-     "any shape: any ends", cylint_quadratic},
+     "cylinder, cone, acone, ecylinder, econe: any ends", cylint_quadratic},
     {"cychosz-waggenspack",
      "J. M. Cychosz and W. N. Waggenspack, Jr., Intersecting a Ray with a "
      "Cylinder, Graphics Gems IV, 1994",

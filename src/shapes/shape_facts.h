@@ -135,6 +135,12 @@ CYLINT_INLINE int cylint_is_reversed(const cylint_shape *s)
     return s->surface == CYLINT_PART_CAP1;
 }
 
+/* The end of the members of a shape that lies at z = `end`. */
+CYLINT_INLINE int cylint_end_at(const cylint_shape *s, int end)
+{
+    return cylint_is_reversed(s) ? !end : end;
+}
+
 /* r0 or r1. */
 CYLINT_INLINE double cylint_end_factor(const cylint_shape *s, int end)
 {

@@ -25,6 +25,9 @@ const struct kind shape_kinds[SHAPE_KINDS] = {
                          "cx cy cz  ax ay az  bx by bz  hx hy hz"},
     [SHAPE_ECONE] = {"econe", 13, "cx cy cz  ax ay az  bx by bz  hx hy hz  k"},
     [SHAPE_ACONE] = {"acone", 7, "vx vy vz  ux uy uz  degrees"},
+    [SHAPE_SPHERE] = {"sphere", 4, "cx cy cz  r"},
+    [SHAPE_CAPSULE] = {"capsule", 7, "p0x p0y p0z  p1x p1y p1z  r"},
+    [SHAPE_RCONE] = {"rcone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1"},
 };
 
 const char *const ends_words[] = {[CYLINT_ENDS_CAPPED] = "capped",
@@ -35,6 +38,8 @@ const char *const ends_words[] = {[CYLINT_ENDS_CAPPED] = "capped",
                                   [CYLINT_ENDS_NAPPE] = "nappe",
                                   NULL};
 
+#define SHAPE_WORDS \
+    "cylinder, cone, ecylinder, econe, acone, sphere, capsule or rcone"
 #define ENDS_WORDS "capped, open, cap0, cap1, infinite or nappe"
 
 static int is_word(const char *word, const char *text, size_t length)
@@ -121,6 +126,12 @@ static cylint_status make_shape(int kind, int ends, const double *v,
         return cylint_elliptic_cylinder(shape, v, v + 3, v + 6, v + 9, e);
     case SHAPE_ECONE:
         return cylint_elliptic_cone(shape, v, v + 3, v + 6, v + 9, v[12], e);
+    case SHAPE_SPHERE:
+        return cylint_sphere(shape, v, v[3], e);
+    case SHAPE_CAPSULE:
+        return cylint_capsule(shape, v, v + 3, v[6], e);
+    case SHAPE_RCONE:
+        return cylint_round_cone(shape, v, v[3], v + 4, v[7], e);
     default:
         return cylint_angle_cone(shape, v, v + 3, v[6], e);
     }
@@ -237,7 +248,7 @@ static int refuse_line_kind(struct reader *r, const struct grammar *g)
 
 static int refuse_shape_kind(struct reader *r, const struct grammar *g)
 {
-    refuse(r, "cylinder, cone, ecylinder, econe or acone", 1);
+    refuse(r, SHAPE_WORDS, 1);
     if (!g->has_line && is_kind(r, line_kinds, LINE_KINDS)) {
         r->fault->remedy = "a scene has shapes only; for records leave out -s";
     } else if (g->convert) {
@@ -252,7 +263,10 @@ static int refuse_shape_kind(struct reader *r, const struct grammar *g)
 static int wrong_radius(int kind, const double *v)
 {
     switch (kind) {
+    case SHAPE_SPHERE:
+        return 3;
     case SHAPE_CONE:
+    case SHAPE_RCONE:
         return v[3] >= 0 && v[7] < 0 ? 7 : 3;
     case SHAPE_ECONE:
         return 12;

@@ -23,6 +23,9 @@ enum shape_kind {
     SHAPE_ECYLINDER,
     SHAPE_ECONE,
     SHAPE_ACONE,
+    SHAPE_SPHERE,
+    SHAPE_CAPSULE,
+    SHAPE_RCONE,
     SHAPE_KINDS
 };
 

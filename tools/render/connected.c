@@ -73,11 +73,18 @@ static void join(uint32_t *parent, uint32_t a, uint32_t b)
     parent[a < b ? b : a] = a < b ? a : b;
 }
 
+/* Whether the shape is made of two points. */
+static int has_ends(const cylint_shape *s)
+{
+    return s->kind == CYLINT_KIND_CYLINDER || s->kind == CYLINT_KIND_CONE ||
+           s->kind == CYLINT_KIND_SPHERE || s->kind == CYLINT_KIND_CAPSULE ||
+           s->kind == CYLINT_KIND_RCONE;
+}
+
 static void join_shapes(const struct ends *ends, size_t n, uint32_t *parent)
 {
     for (uint32_t i = 0; i < n; i++) {
-        const int kind = ends->shapes[i].kind;
-        if (kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_CONE) {
+        if (has_ends(&ends->shapes[i])) {
             join(parent, i, first_end(ends, 2 * i) >> 1);
             join(parent, i, first_end(ends, 2 * i + 1) >> 1);
         }
