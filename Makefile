@@ -56,7 +56,7 @@ unaligned:= -Wa,-muse-unaligned-vector-move
 static   := -DCYLINT_STATIC
 endif
 
-# Flags by folder.  gcc vectorizes loops with -O3.  The SLP vectorizer of gcc 12
+# Flags by folder.  With -O3 gcc vectorizes loops.  The SLP vectorizer of gcc 12
 # compiles (double)(float)x to x where two of them are adjacent.
 posix   := -D_POSIX_C_SOURCE=200809L
 floats  := -fno-tree-slp-vectorize
@@ -65,10 +65,9 @@ threads := $(if $(PTHREAD),-pthread $(posix) -DCYLINT_THREADS)
 x86     := $(if $(X86),-DCYLINT_BUILDS_X86)
 embree  := $(if $(EMBREE),-DCYLINT_EMBREE=$(EMBREE)) $(EMBREE_CFLAGS)
 $(BUILD)/src/%: extra := -fPIC -fvisibility=hidden -DCYLINT_BUILDING $(x86) $(if $(PARANOID),-DCYLINT_PARANOID)
-$(BUILD)/src/filter/%: extra += $(vectors)
-$(BUILD)/src/bvh/%: extra += $(floats) $(threads) $(vectors)
-$(BUILD)/src/scene/%: extra += $(floats) $(threads)
-$(BUILD)/src/embree/%: extra += $(floats) $(threads) $(vectors) $(embree)
+$(BUILD)/src/bvh/% $(BUILD)/src/scene/% $(BUILD)/src/embree/%: extra += $(floats) $(threads)
+$(BUILD)/src/embree/%: extra += $(embree)
+$(BUILD)/src/filter/% $(BUILD)/src/bvh/traverse% $(BUILD)/src/embree/packet_% $(BUILD)/src/embree/float_filter%: extra += $(vectors)
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the
