@@ -136,18 +136,34 @@ typedef enum cylint_kind {
     CYLINT_KIND_RCONE      /* the convex hull of two balls */
 } cylint_kind;
 
+/* How a shape's own coordinates (x, y, z) follow from a point P.  The axis is
+ * the z axis, and the lateral surface is x^2 + y^2 = (r0 + slope z)^2. */
+typedef struct cylint_local {
+    double xyz[3][3]; /* x, y, z gain (P - base)[i] xyz[i][0], [1], [2] */
+    double height;    /* z of the top */
+    double slope;     /* (r1 - r0) / height */
+    double norm;      /* of the matrix; NaN: the coordinates are unusable */
+    double reach;     /* height + the larger radius */
+    double xyz_lo[3][3], height_lo, slope_lo; /* the rest: value + value_lo
+                                                 is accurate to: */
+    double error;                             /* relative to norm */
+} cylint_local;
+
 /*
  * A shape, written by one of the constructors below.  Programs may read kind
  * and ends.  The other members are for the library.
  */
 typedef struct cylint_shape {
-    int kind;          /* cylint_kind */
-    int ends;          /* cylint_ends */
-    double base[3];    /* p0, c, or the apex v */
+    int kind;         /* cylint_kind */
+    int ends;         /* cylint_ends */
+    int in_range;     /* 1: doubles neither over- nor underflow */
+    int left_handed;  /* elliptic: 1 where a.(b x h) < 0 */
+    double base[3];   /* p0, c, or the apex v */
+    double r0, r1;    /* radii at z = 0, 1; elliptic: 1, k; acone:
+                        0 and the tangent of the half angle */
+    double dr, dr_lo; /* dr + dr_lo = r1 - r0 exactly; acone: the tangent */
+    cylint_local local;
     double axis[3];    /* p1 - p0, h, or u: the nearest doubles */
-    double r0, r1;     /* radii at z = 0, 1; elliptic: 1, k; acone:
-                          0 and the tangent of the half angle */
-    double dr, dr_lo;  /* dr + dr_lo = r1 - r0 exactly; acone: the tangent */
     double axis_lo[3]; /* the rest: axis + axis_lo = p1 - p0 exactly,
                           unless p1 - p0 overflows */
     double top[3];     /* p1; kinds made of two points only */
@@ -155,8 +171,6 @@ typedef struct cylint_shape {
     double center[3], bound_radius; /* of a ball that holds the solid;
                                        infinite: there is none */
     double size;                    /* max of axis[i] in absolute value */
-    int in_range;                   /* 1: doubles neither over- nor underflow */
-    int left_handed;                /* elliptic: 1 where a.(b x h) < 0 */
     int surface;                    /* sphere: the cylint_part that it is */
 } cylint_shape;
 

@@ -4,6 +4,7 @@
  * No other function of the library can fail.  A refused shape or line is all
  * zero; every query then returns "miss".
  */
+#include "shapes/local.h"
 #include "signs/sign.h"
 
 const char *cylint_strerror(int status)
@@ -112,6 +113,7 @@ static void write_two_points(cylint_shape *shape, const double p0[3], double r0,
     shape->ends = (int)ends;
     shape->kind = cylint_sign(dr.hi) == 0 ? same : kind;
     cylint_measure_shape(shape);
+    cylint_measure_local(shape);
 }
 
 /* CYLINT_OK, ENONFINITE or ERADIUS. */
@@ -244,6 +246,7 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
     shape->kind =
         cylint_sign(dr.hi) == 0 ? CYLINT_KIND_ECYLINDER : CYLINT_KIND_ECONE;
     cylint_measure_shape(shape);
+    cylint_measure_local(shape);
     const int det = orientation(shape);
     shape->left_handed = det < 0;
     return det != 0 ? CYLINT_OK : refuse_shape(shape, CYLINT_EDEGENERATE);
@@ -281,6 +284,7 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
     shape->ends = (int)ends;
     shape->kind = CYLINT_KIND_ACONE;
     cylint_measure_shape(shape);
+    cylint_measure_local(shape);
     return CYLINT_OK;
 }
 

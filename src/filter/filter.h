@@ -23,9 +23,9 @@ typedef int cylint_kernel_one(const cylint_shape *shape,
                               cylint_answer *answer, cylint_root_rest *rest);
 enum { CYLINT_UNDECIDED = -1 };
 
-/* By kind, which is not round, ends and whether relation and number of the whole line suffice. */
+/* By kind, ends and whether no root is wanted. */
 typedef cylint_kernel_one
-    *const cylint_one_table[CYLINT_KIND_SPHERE][CYLINT_ENDS_NAPPE + 1][2];
+    *const cylint_one_table[CYLINT_KINDS][CYLINT_ENDS_NAPPE + 1][2];
 
 static inline int cylint_filter_one(cylint_one_table *table,
                                     const cylint_shape *shape,
@@ -33,11 +33,10 @@ static inline int cylint_filter_one(cylint_one_table *table,
                                     cylint_answer *answer,
                                     cylint_root_rest *rest)
 {
-    const int brief = !(want & (CYLINT_WANT_T | CYLINT_WANT_PART)) &
-                      (line->tmin < -DBL_MAX) & (line->tmax > DBL_MAX);
-    if (!(shape->in_range & line->in_range) || cylint_is_round(shape->kind))
+    const int signs = !(want & CYLINT_WANT_T);
+    if (!(shape->in_range & line->in_range))
         return CYLINT_UNDECIDED;
-    return (*table)[shape->kind][shape->ends][brief](shape, line, want, answer,
+    return (*table)[shape->kind][shape->ends][signs](shape, line, want, answer,
                                                      rest);
 }
 

@@ -55,7 +55,7 @@ static void shapes_at(const cylint_filter_batch *from, const size_t *number,
         cap[1] |= (caps >> 1) << i;
         left_handed |= (unsigned)one->left_handed << i;
     }
-/* four members in a row, from `name` on */
+/* four members in a row, from `name` on: r0, r1, dr, dr_lo are adjacent */
 #define MEMBERS(name) v_columns(shape, offsetof(cylint_shape, name), four)
     vd four[4];
     MEMBERS(base);

@@ -1,18 +1,19 @@
 /*
- * one_question.c - one line and one shape: verdicts by signs, roots two at a time
+ * one_question.c - one line and one shape: verdicts by signs, roots two at a
+ * time
  *
- * Compiled once as it is and, where the Makefile knows a processor with a
- * fused multiply-add, again for that: the answers are the same bits.
+ * Compiled once as it is and again for processors with a fused multiply-add:
+ * the answers are the same bits.
  *
- * The two lanes are the two caps: in each the line begins relative to the centre
- * of its cap, with its radius.  The signs of forms_template.h at both tell what
- * is met, as in intersect.c, slab(), but without a branch; no root is needed
- * for that.  Then the lanes are the two stops: the plane of a cap where the
- * line pierces it, else a root of the lateral quadric.  Of an unbounded shape
- * both lanes have the base.
+ * Verdicts need no root (local_lines.h).  Where t is wanted, the two lanes are
+ * the two ends of the overlap.  Of a bounded shape lane i is the end at cap i:
+ * the cap's plane where the line pierces the cap, else a root of the lateral
+ * quadric.  Of an unbounded shape lane 0 is the root at which the line enters.
+ * Each root is estimated in doubles and corrected by Newton's step on a
+ * residual in pairs.
  */
 #define CYLINT_NARROW
-#include "lanes.h"
+#include "local_lines.h"
 #include "filter.h"
 
 #ifndef CYLINT_ONE
@@ -23,7 +24,7 @@
     const cylint_shape *shape, const cylint_line *line, unsigned want, \
         cylint_answer *answer, cylint_root_rest *rest
 
-/* For what has no kernel. */
+/* For shapes without a kernel. */
 static int undecided(ARGUMENTS)
 {
     (void)shape;
@@ -39,436 +40,331 @@ static int undecided(ARGUMENTS)
         undecided, undecided \
     }
 
+#define UNDECIDED                                            \
+    {                                                        \
+        NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER \
+    }
+
 #if LANES == 2
 
-INLINE vm is_positive(bounded_value x)
+/* The lanes of ends on parts that are present, as bits. */
+INLINE unsigned ends_present(const local_verdict *v, const cylint_shape *shape)
 {
-    return v_lt(x.e, x.v);
+    return (~v->pierced & 3) | (v->pierced & cylint_caps_present(shape->ends));
 }
 
-INLINE vm is_negative(bounded_value x)
+/* The lane of the end with the lesser t. */
+INLINE int first_lane(const local_line *l, const cylint_shape *shape,
+                      int tapered, int bounded)
 {
-    return v_lt(x.v, -x.e);
-}
-
-/* Of the first lane. */
-INLINE int at_base(vm m)
-{
-    return m_bits(m) & 1;
-}
-
-/* The first lane's in both. */
-INLINE bounded_value of_base(bounded_value x)
-{
-    return (bounded_value){v_firsts(x.v, x.v), v_firsts(x.e, x.e)};
-}
-
-/* The terms, each lane from the centre of its own cap. */
-INLINE void load_terms_of_caps(lanes_query *q, const cylint_shape *shape,
-                               const cylint_line *line, int kind, int bounded)
-{
-    terms_lanes *L = &q->L;
-    const int two_ends = bounded && cylint_has_end_points(kind);
-    L->kind = kind;
-    EACH(i, 3) {
-        const vd base = two_ends ? v_two(shape->base[i], shape->top[i])
-                                 : v_set(shape->base[i]);
-        L->u[i] = v_set(line->d[i]);
-        L->w[i] = v_set(shape->axis[i]);
-        L->D[0][i] = v_set(line->o[i]) - base;
-        if (bounded && !two_ends)
-            L->D[0][i] = L->D[0][i] - v_two(0, shape->axis[i]);
-        if (cylint_is_elliptic(kind)) {
-            L->a[i] = v_set(shape->a[i]);
-            L->b[i] = v_set(shape->left_handed ? -shape->b[i] : shape->b[i]);
-        }
-    }
-    L->r[0] = bounded ? v_two(shape->r0, shape->r1) : v_set(shape->r0);
-    L->dr = v_set(shape->dr);
-    L->one = v_set(1);
-    prepare_shape_lanes(L);
-    prepare_line_lanes(L);
-}
-
-/* Their sizes. */
-INLINE void load_sizes(lanes_query *q, const cylint_shape *shape,
-                       const cylint_line *line, int kind, int bounded)
-{
-    const terms_lanes *L = &q->L;
-    terms_sizes *N = &q->N;
-    N->kind = kind;
-    N->r[0] = L->r[0];
-    N->dr = v_abs(L->dr);
-    N->one = L->one;
-    vd D = v_largest(L->D[0]);
     if (bounded)
-        D = v_max(D, v_turned(D));
-    EACH(i, 3) {
-        N->u[i] = v_set(line->size);
-        N->w[i] = v_set(shape->size);
-        N->D[0][i] = D;
-        if (cylint_is_elliptic(kind))
-            N->a[i] = N->b[i] = v_max(v_largest(L->a), v_largest(L->b));
+        return !(l->w > 0);
+    return tapered && quadratic_of(l, shape, 1).A < 0;
+}
+
+/* Writes the hits in lanes of `hits`, ascending in t. */
+INLINE void write_parts(cylint_answer *answer, const local_verdict *v,
+                        unsigned hits, int first, int bounded)
+{
+    int n = 0;
+    EACH(k, 2) {
+        const int lane = k ^ first;
+        if (!(hits >> lane & 1))
+            continue;
+        answer->hit[n].part = v->pierced >> lane & 1
+                                  ? (lane ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0)
+                                  : CYLINT_PART_LATERAL;
+        answer->hit[n].side = bounded ? k : lane;
+        n++;
     }
-    prepare_shape_sizes(N);
-    prepare_line_sizes(N);
 }
 
-/* Whether the line certainly misses the ball about a bounded shape.  The middle
- * of the axis is the mean of the centres of the caps, its moment that of
- * theirs. */
-INLINE int passes_ball(const lanes_query *q, const cylint_shape *shape)
+/* The lanes of the ends in the domain, by signs; or CYLINT_UNDECIDED. */
+INLINE int ends_in_domain(const local_line *l, const local_verdict *v,
+                          const cylint_shape *shape, const cylint_line *line,
+                          int first, int tapered, int bounded)
 {
-    const vd twice = v_set(2 * shape->bound_radius);
-    vd M[3], sizes[3];
-    EACH(i, 3) {
-        M[i] = q->L.M[0][i] + v_turned(q->L.M[0][i]);
-        sizes[i] = q->N.M[0][i] + q->N.M[0][i];
-    }
-    const bounded_value near = with_bound(form_ball_lanes(&q->L, M, twice),
-                                          form_ball_sizes(&q->N, sizes, twice));
-    return at_base(is_negative(near));
+    const int from = local_state(l, v, shape, line->tmin, tapered, bounded);
+    const int to = local_state(l, v, shape, line->tmax, tapered, bounded);
+    if (from == LOCAL_UNCERTAIN || to == LOCAL_UNCERTAIN)
+        return CYLINT_UNDECIDED;
+    const int begins = (from == LOCAL_BEFORE) & (to != LOCAL_BEFORE);
+    const int ends = (from != LOCAL_AFTER) & (to == LOCAL_AFTER);
+    return first ? begins << 1 | ends : ends << 1 | begins;
 }
 
-/* What is certain by signs: the relation, and which caps the line
- * pierces and which not. */
-typedef struct {
-    int misses, crosses; /* neither: uncertain */
-    vm pierced, spared;
-} verdict;
-
-/* The signs of E and inward, a bit for each cap, and of G. */
-typedef struct {
-    unsigned positive, negative;
-} sign_bits;
-
-typedef struct {
-    sign_bits E, inward, G;
-} cap_signs;
-
-INLINE sign_bits signs_of(bounded_value x)
+INLINE int answer_by_signs(const cylint_shape *shape, const cylint_line *line,
+                           int tapered, int bounded, unsigned want,
+                           cylint_answer *answer)
 {
-    return (sign_bits){m_bits(is_positive(x)), m_bits(is_negative(x))};
-}
-
-INLINE sign_bits at_cap(sign_bits x, int cap)
-{
-    return (sign_bits){x.positive >> cap, x.negative >> cap};
-}
-
-#define FORM(name) name##_one
-#define OVERLAP_INLINE INLINE
-#define TRUTH unsigned
-#define AND(a, b) ((a) & (b))
-#define OR(a, b) ((a) | (b))
-#define CAPS const cap_signs
-#define E(c, i) at_cap((c)->E, i)
-#define INWARD(c, i) at_cap((c)->inward, i)
-#define G(c) (c)->G
-#define POSITIVE(x) (x).positive
-#define NEGATIVE(x) (x).negative
-#define NOT_POSITIVE(x) (x).negative
-#include "../signs/overlap_template.h"
-
-INLINE verdict classify_bounded(const lanes_query *q, bounded_value G)
-{
-    const bounded_value E =
-        with_bound(form_E_lanes(&q->L, 0), form_E_sizes(&q->N, 0));
-    const bounded_value N =
-        with_bound(form_N_lanes(&q->L, 0), form_N_sizes(&q->N, 0));
-    const bounded_value inward = {N.v * v_two(-1, 1), N.e};
-    const cap_signs c = {signs_of(E), signs_of(inward), signs_of(G)};
-    const int misses = (int)(misses_one(&c) & 1);
-    const int crosses = (int)(crosses_one(&c) & 1);
-    return (verdict){misses, crosses & !misses, is_positive(E), is_negative(E)};
-}
-
-/* An unbounded one is crossed if Q has two roots, and missed if it has none:
- * a line cannot stay inside a double cone.  G > 0 tells that A > 0, but of a
- * double cone, where A = 0 leaves one root. */
-INLINE verdict classify_unbounded(const lanes_query *q, bounded_value G,
-                                  int kind)
-{
-    const vm no_caps = m_from(0);
-    const int none = at_base(is_negative(G));
-    int two = at_base(is_positive(G));
-    if (cylint_is_tapered(kind)) {
-        const bounded_value A =
-            with_bound(form_A_lanes(&q->L), form_A_sizes(&q->N));
-        two &= at_base(m_or(is_positive(A), is_negative(A)));
-    }
-    return (verdict){none, two, no_caps, no_caps};
-}
-
-/* The ends of the overlap, one a lane. */
-typedef struct {
-    bounded_value t;
-    vd part, exits;  /* exits: -1, or +1 where Q rises */
-    unsigned unsure; /* bits of lanes */
-    int first;       /* the lane of the lesser t */
-    lanes_slopes slopes;
-} stops;
-
-/* A stop on the side is the entry root in the lane of the cap that is come
- * to first, the exit root in the other. */
-INLINE stops stops_bounded(lanes_query *q, bounded_value G, int kind,
-                           const verdict *v)
-{
-    const vm unknown = lateral_quadratic(q, G, kind);
-    q->B = of_base(q->B);
-    q->beta = with_bound(q->L.beta, form_beta_sizes(&q->N));
-    const vm up = v_lt(v_set(0), q->beta.v);
-    const vd exits = v_select(up, v_two(-1, 1), v_two(1, -1));
-    const bounded_value plane =
-        with_bound(-form_alpha_lanes(&q->L, 0), form_alpha_sizes(&q->N, 0));
-    const bounded_value over = choose(v->pierced, q->beta, q->A);
-    const vm unsure =
-        m_or(m_not(m_or(v->pierced, v->spared)),
-             m_or(m_and(m_not(v->pierced), unknown), m_not(certain(over))));
-    return (stops){
-        quotient(choose(v->pierced, plane, lateral_numerator(q, exits)), over),
-        v_select(v->pierced, v_two(CYLINT_PART_CAP0, CYLINT_PART_CAP1),
-                 v_set(CYLINT_PART_LATERAL)),
-        exits,
-        m_bits(unsure),
-        !at_base(up),
-        slopes_of(q)};
-}
-
-/* The entry root and the exit root, which come in this order unless A < 0. */
-INLINE stops stops_unbounded(lanes_query *q, bounded_value G, int kind)
-{
-    const vm unknown = lateral_quadratic(q, G, kind);
-    const vd exits = v_two(-1, 1);
-    q->beta = (bounded_value){v_set(0), v_set(0)}; /* there are no caps */
-    return (stops){quotient(lateral_numerator(q, exits), q->A),
-                   v_set(CYLINT_PART_LATERAL),
-                   exits,
-                   m_bits(unknown),
-                   at_base(v_lt(q->A.v, v_set(0))),
-                   slopes_of(q)};
-}
-
-/* The stops that are hits, as bits of lanes. */
-INLINE unsigned hits_of(const stops *at, const cylint_shape *shape,
-                        const cylint_line *line, unsigned want, int *unsure)
-{
-    vm near;
-    const vm in =
-        within_domain(at->t, v_set(line->tmin), v_set(line->tmax), &near);
-    const unsigned lateral = m_bits(v_eq(at->part, v_set(CYLINT_PART_LATERAL)));
-    const unsigned present = lateral | cylint_caps_present(shape->ends);
-    const unsigned hits = present & m_bits(in);
-    *unsure = (at->unsure | (present & m_bits(near))) != 0;
-    return want & CYLINT_WANT_NEAREST && hits == 3 ? 1u << at->first : hits;
-}
-
-/* Both roots in pairs. */
-INLINE void round_both(lanes_root *r, const cylint_shape *shape,
-                       const cylint_line *line, int kind, const stops *at)
-{
-    const int bounded = cylint_ends_are_planes(shape->ends);
-    const double *top = bounded ? shape->top : shape->base;
-    lanes_shape s;
-    lanes_line l;
-    broadcast_shape(&s, shape);
-    broadcast_line(&l, line);
-    if (cylint_has_end_points(kind))
-        EACH(i, 3)
-            s.base[i] = v_two(shape->base[i], top[i]);
-    s.r[0] = v_two(shape->r0, bounded ? shape->r1 : shape->r0);
-    *r = round_root(&at->slopes, &s, s.base, &l, kind, 1, at->exits, at->t,
-                    at->part);
-}
-
-/* Both roots.  Returns whether the hits among them are certain. */
-INLINE int roots_of(lanes_root *r, const cylint_shape *shape,
-                    const cylint_line *line, int kind, const stops *at,
-                    unsigned want, unsigned hits)
-{
-    lanes_root fast;
-    if (want & CYLINT_WANT_FAST) {
-        fast = *r = fast_root(&at->slopes, at->t);
-        if (!(hits & ~m_bits(r->sure)))
-            return 1;
-    }
-    if (!cylint_rounds_to_nearest()) /* would certify nothing */
+    local_line l;
+    load_local(&l, shape, line);
+    const local_verdict v = classify(&l, shape, tapered, bounded);
+    answer->relation = v.crosses * CYLINT_RELATION_CROSS;
+    answer->n = 0;
+    if (v.misses)
         return 0;
-    round_both(r, shape, line, kind, at);
-    if (want & CYLINT_WANT_FAST)
-        *r = choose_root(fast, *r);
-    return !(hits & ~m_bits(r->sure));
+    if (__builtin_expect(!v.crosses, 0))
+        return CYLINT_UNDECIDED;
+    const int closed = shape->ends == CYLINT_ENDS_CAPPED || !bounded;
+    if (closed &&
+        (want & (CYLINT_WANT_NEAREST | CYLINT_WANT_PART)) ==
+            CYLINT_WANT_NEAREST &&
+        line->tmin <= 0 && line->tmax > DBL_MAX &&
+        is_ahead(&l, &v, shape, tapered, bounded))
+        return answer->n = 1;
+    if (!closed && (v.pierced | v.spared) != 3)
+        return CYLINT_UNDECIDED;
+    const int first = first_lane(&l, shape, tapered, bounded);
+    const int in = ends_in_domain(&l, &v, shape, line, first, tapered, bounded);
+    if (in == CYLINT_UNDECIDED)
+        return CYLINT_UNDECIDED;
+    unsigned hits = (unsigned)in & (bounded ? ends_present(&v, shape) : 3);
+    if (want & CYLINT_WANT_NEAREST && hits == 3)
+        hits = 1u << first;
+    if (want & CYLINT_WANT_PART) {
+        if (bounded && (v.pierced | v.spared) != 3)
+            return CYLINT_UNDECIDED;
+        write_parts(answer, &v, hits, first, bounded);
+    }
+    return answer->n = (int)(hits & 1) + (int)(hits >> 1);
+}
+
+/* ---------------------------------------------------------- the roots -- */
+
+/* Estimates of the ends, t, and what Newton's step needs: the slope of the
+ * residual there, a bound on its relative error, and half its curvature. */
+typedef struct {
+    vd t, slope, slope_error, curvature;
+    vm cap;
+    unsigned usable;
+    int first;
+} local_ends;
+
+INLINE local_ends estimate_ends(const local_line *l, const local_verdict *v,
+                                const cylint_shape *shape, int tapered,
+                                int bounded)
+{
+    local_ends at;
+    const local_quadratic q = quadratic_of(l, shape, tapered);
+    const int up = !bounded || l->w > 0;
+    const double s = sqrt(v->G), s_error = v->G_error / v->G;
+    const vd exits = up ? v_two(-1, 1) : v_two(1, -1);
+    const vd root = exits * v_set(s);
+    vd num = root - v_set(q.B), den = v_set(q.A);
+    at.cap = m_from(v->pierced);
+    at.slope = root + root;
+    at.slope_error = v_set(s_error);
+    at.curvature = v_set(fabs(q.A));
+    if (bounded) {
+        const vd w = v_set(l->w);
+        num = v_select(at.cap, -v_load(l->z), num);
+        den = v_select(at.cap, w, den);
+        at.slope = v_select(at.cap, w, at.slope);
+        at.slope_error =
+            v_select(at.cap, v_set(CYLINT_LOCAL_POSITION * l->D / fabs(l->w)),
+                     at.slope_error);
+        at.curvature = v_select(at.cap, v_set(0), at.curvature);
+    }
+    at.t = num * (v_set(1) / den);
+    /* the estimate of a lateral root is nearer to it than to the other one */
+    const vd off = v_sum_of(v_abs(at.t), v_set(q.A_error), v_set(q.B_error));
+    const unsigned near =
+        4 * v->G_error < v->G ? m_bits(v_le(off, v_set(0.25 * s))) : 0;
+    at.usable = near | v->pierced;
+    at.first = bounded ? !up : tapered && q.A < 0;
+    return at;
+}
+
+/* A row of the matrix in pairs times the point q: of each lane its own row. */
+INLINE vpair row_times(const cylint_local *f, const vpair q[3], int row0,
+                       int row1)
+{
+    vpair sum = {v_set(0), v_set(0)};
+    EACH(j, 3) {
+        const vpair entry = {v_two(f->xyz[j][row0], f->xyz[j][row1]),
+                             v_two(f->xyz_lo[j][row0], f->xyz_lo[j][row1])};
+        const vpair product = vpair_mul(q[j], entry);
+        sum = j ? vpair_add(sum, product) : product;
+    }
+    return sum;
+}
+
+/* The residual at t in pairs: of the lateral surface Q, of a cap z. */
+INLINE vd residual_at(const cylint_shape *shape, const cylint_line *line, vd t,
+                      vm cap, unsigned pierced, int tapered)
+{
+    const cylint_local *f = &shape->local;
+    const vd zero = v_set(0);
+    vpair q[3];
+    EACH(j, 3) {
+        const vpair from = v_two_sum(v_set(line->o[j]), v_set(-shape->base[j]));
+        vpair step = v_two_prod(t, v_set(line->d[j]));
+        step.lo = v_sum_of(t, v_set(line->d_lo[j]), step.lo);
+        q[j] = vpair_add(from, step);
+    }
+    const int cap0 = pierced & 1 ? 2 : 0, cap1 = pierced & 2 ? 2 : 0;
+    const vpair x = row_times(f, q, cap0, cap1);
+    vd value = zero;
+    if (pierced != 3) {
+        const vpair y = row_times(f, q, 1, 1);
+        vpair rho = {v_set(shape->r0), zero};
+        if (tapered) {
+            const vpair slope = {v_set(f->slope), v_set(f->slope_lo)};
+            rho = vpair_add(rho, vpair_mul(slope, row_times(f, q, 2, 2)));
+        }
+        const vpair Q = vpair_sub(vpair_add(vpair_mul(x, x), vpair_mul(y, y)),
+                                  vpair_mul(rho, rho));
+        value = Q.hi + Q.lo;
+    }
+    if (pierced) {
+        const vd top = v_two(0, f->height), top_lo = v_two(0, f->height_lo);
+        const vd z = (x.hi - top) + (x.lo - top_lo);
+        value = v_select(cap, z, value);
+    }
+    return value;
+}
+
+/* The roots: value + more with the error; low and high are bounds that are
+ * rounded.  Bits of lanes where value is certainly nearest. */
+typedef struct {
+    vd value, more, error, low, high;
+    unsigned nearest;
+} local_roots;
+
+INLINE local_roots round_ends(const local_line *l, const local_verdict *v,
+                              const cylint_shape *shape,
+                              const cylint_line *line, const local_ends *at,
+                              int tapered)
+{
+    const vd residual =
+        residual_at(shape, line, at->t, at->cap, v->pierced, tapered);
+    const vd inverse = v_set(1) / at->slope, delta = residual * inverse;
+    const vd flat = v_abs(inverse), step = v_abs(delta);
+    const double taper = taper_of(shape, tapered);
+    const vd size =
+        v_set(taper) * v_sum_of(v_abs(at->t), v_set(l->D), v_set(l->Q));
+    const vd rounding =
+        v_set(CYLINT_LOCAL_RESIDUAL * shape->local.error) * size;
+    const vd lost = v_select(at->cap, rounding, rounding * size);
+    const vd first =
+        v_set(CYLINT_LOCAL_SLACK) *
+        v_sum_of(lost, flat,
+                 step * (at->slope_error + v_set(CYLINT_QUOTIENT_ROUNDING)));
+    const vd off = step + first;
+    const vd error =
+        v_sum_of(v_set(4) * at->curvature * flat * off, off, first);
+    const vpair r = v_two_sum(at->t, -delta);
+    const vd low = r.hi + (r.lo - error), high = r.hi + (r.lo + error);
+    const vd t_size = v_abs(r.hi);
+    const vm in_range = m_and(v_lt(t_size, v_set(1 / CYLINT_ROOT_LEAST)),
+                              v_lt(v_set(CYLINT_ROOT_LEAST), t_size));
+    const vm nearest =
+        m_and(m_and(v_eq(low, r.hi), v_eq(high, r.hi)), in_range);
+    return (local_roots){r.hi, r.lo, error, low, high, m_bits(nearest)};
 }
 
 /* The hits in their order. */
-INLINE void write_hits(cylint_answer *answer, cylint_root_rest *rest,
-                       const stops *at, const lanes_root *r, unsigned hits,
-                       int bounded, unsigned want)
+INLINE void write_roots(cylint_answer *answer, cylint_root_rest *rest,
+                        const local_roots *r, unsigned hits, int first)
 {
-    double part[2], t[2], more[2], error[2];
+    double t[2], more[2], error[2];
     int n = 0;
-    v_store(part, at->part);
     v_store(t, r->value);
     v_store(more, r->more);
     v_store(error, r->error);
     EACH(k, 2) {
-        const int lane = k ^ at->first;
+        const int lane = k ^ first;
         if (!(hits >> lane & 1))
             continue;
-        if (want & CYLINT_WANT_T)
-            answer->hit[n].t = t[lane];
-        if (want & CYLINT_WANT_PART) {
-            answer->hit[n].part = (int)part[lane];
-            answer->hit[n].side = bounded ? k : lane;
-        }
+        answer->hit[n].t = t[lane];
         if (rest) {
             rest->more[n] = more[lane];
             rest->error[n] = error[lane];
         }
         n++;
     }
-    answer->n = n;
 }
 
-/* From the stops on.  Returns n. */
-INLINE int finish(ARGUMENTS, int kind, const stops *at)
+INLINE int answer_by_roots(const cylint_shape *shape, const cylint_line *line,
+                           int tapered, int bounded, unsigned want,
+                           cylint_answer *answer, cylint_root_rest *rest)
 {
-    int unsure;
-    lanes_root r = {v_set(0), v_set(0), v_set(0), m_from(0)};
-    const unsigned hits = hits_of(at, shape, line, want, &unsure);
-    if (unsure || (hits && want & CYLINT_WANT_T &&
-                   !roots_of(&r, shape, line, kind, at, want, hits)))
-        return CYLINT_UNDECIDED;
-    answer->relation = CYLINT_RELATION_CROSS;
-    write_hits(answer, rest, at, &r, hits, cylint_ends_are_planes(shape->ends),
-               want);
-    return answer->n;
-}
-
-/* One function of each kind; elliptic kinds share theirs. */
-#define FINISH(kind)                                              \
-    ASIDE int finish_##kind(ARGUMENTS, const stops *at)           \
-    {                                                             \
-        return finish(shape, line, want, answer, rest, kind, at); \
-    }
-FINISH(CYLINT_KIND_CYLINDER)
-FINISH(CYLINT_KIND_CONE)
-FINISH(CYLINT_KIND_ACONE)
-FINISH(CYLINT_KIND_ECONE)
-#define finish_CYLINT_KIND_ECYLINDER finish_CYLINT_KIND_ECONE
-
-/* Computes G, and what is certain by signs. */
-INLINE verdict classify(lanes_query *q, bounded_value *G,
-                        const cylint_shape *shape, const cylint_line *line,
-                        int kind, int bounded)
-{
-    load_terms_of_caps(q, shape, line, kind, bounded);
-    load_sizes(q, shape, line, kind, bounded);
-    if (bounded && passes_ball(q, shape))
-        return (verdict){at_base(v_le(q->N.D[0][0], v_set(CYLINT_WINDOW))), 0,
-                         m_from(0), m_from(0)};
-    const vd value = form_G_lanes(&q->L);
-    *G = with_bound(value, form_G_sizes(&q->N));
-    if (bounded)
-        *G = of_base(*G);
-    verdict v =
-        bounded ? classify_bounded(q, *G) : classify_unbounded(q, *G, kind);
-    const int near = at_base(v_le(q->N.D[0][0], v_set(CYLINT_WINDOW)));
-    v.misses &= near;
-    v.crosses &= near;
-    return v;
-}
-
-/* Relation and number, if they are all that is asked, of all of the line, and
- * all of the shape is there: then a line that crosses has both its hits. */
-INLINE int answer_brief(const cylint_shape *shape, const cylint_line *line,
-                        int kind, int bounded, unsigned want,
-                        cylint_answer *answer)
-{
-    lanes_query q;
-    bounded_value G;
-    const verdict v = classify(&q, &G, shape, line, kind, bounded);
-    answer->relation =
-        v.crosses * CYLINT_RELATION_CROSS; /* CYLINT_RELATION_MISS is 0 */
-    answer->n = v.crosses << !(want & CYLINT_WANT_NEAREST);
-    if (__builtin_expect(!(v.misses | v.crosses), 0))
-        return CYLINT_UNDECIDED;
-    return answer->n;
-}
-
-/* The stops of a line that crosses: then 1, else 0 or CYLINT_UNDECIDED. */
-INLINE int find_stops(const cylint_shape *shape, const cylint_line *line,
-                      int kind, int bounded, cylint_answer *answer, stops *at)
-{
-    lanes_query q;
-    bounded_value G;
-    const verdict v = classify(&q, &G, shape, line, kind, bounded);
-    answer->relation = CYLINT_RELATION_MISS;
+    local_line l;
+    load_local(&l, shape, line);
+    const local_verdict v = classify(&l, shape, tapered, bounded);
+    answer->relation = v.crosses * CYLINT_RELATION_CROSS;
     answer->n = 0;
-    if (!v.crosses)
-        return v.misses ? 0 : CYLINT_UNDECIDED;
-    *at =
-        bounded ? stops_bounded(&q, G, kind, &v) : stops_unbounded(&q, G, kind);
-    return 1;
+    if (v.misses)
+        return 0;
+    if (__builtin_expect(!v.crosses, 0) ||
+        (bounded && (v.pierced | v.spared) != 3))
+        return CYLINT_UNDECIDED;
+    const local_ends at = estimate_ends(&l, &v, shape, tapered, bounded);
+    if (at.usable != 3 || !cylint_rounds_to_nearest())
+        return CYLINT_UNDECIDED;
+    const local_roots r = round_ends(&l, &v, shape, line, &at, tapered);
+    const vd tmin = v_set(line->tmin), tmax = v_set(line->tmax);
+    const unsigned present = bounded ? ends_present(&v, shape) : 3;
+    const unsigned in = m_bits(m_and(v_lt(tmin, r.low), v_lt(r.high, tmax)));
+    const unsigned out = m_bits(m_or(v_lt(r.high, tmin), v_lt(tmax, r.low)));
+    unsigned hits = in & present;
+    if (present & ~(in | out))
+        return CYLINT_UNDECIDED;
+    if (want & CYLINT_WANT_NEAREST && hits == 3)
+        hits = 1u << at.first;
+    if (hits & ~r.nearest)
+        return CYLINT_UNDECIDED;
+    write_roots(answer, rest, &r, hits, at.first);
+    if (want & CYLINT_WANT_PART)
+        write_parts(answer, &v, hits, at.first, bounded);
+    return answer->n = (int)(hits & 1) + (int)(hits >> 1);
 }
 
-/* A kernel of its own for each kind, bounded or not, in full or in brief. */
-#define KERNELS(kind, bounded)                                            \
-    static int full_##kind##_##bounded(ARGUMENTS)                         \
-    {                                                                     \
-        stops at;                                                         \
-        const int crosses =                                               \
-            find_stops(shape, line, kind, bounded, answer, &at);          \
-        return crosses != 1                                               \
-                   ? crosses                                              \
-                   : finish_##kind(shape, line, want, answer, rest, &at); \
-    }                                                                     \
-    static int brief_##kind##_##bounded(ARGUMENTS)                        \
-    {                                                                     \
-        (void)rest;                                                       \
-        return answer_brief(shape, line, kind, bounded, want, answer);    \
+/* A kernel of its own for each: tapered or not, bounded or not, with roots or
+ * by signs. */
+#define KERNELS(name, tapered, bounded)                                      \
+    static int roots_##name(ARGUMENTS)                                       \
+    {                                                                        \
+        return answer_by_roots(shape, line, tapered, bounded, want, answer,  \
+                               rest);                                        \
+    }                                                                        \
+    static int signs_##name(ARGUMENTS)                                       \
+    {                                                                        \
+        (void)rest;                                                          \
+        return answer_by_signs(shape, line, tapered, bounded, want, answer); \
     }
-#define KIND(kind) KERNELS(kind, 0) KERNELS(kind, 1)
-KIND(CYLINT_KIND_CYLINDER)
-KIND(CYLINT_KIND_CONE)
-KIND(CYLINT_KIND_ACONE)
-KIND(CYLINT_KIND_ECYLINDER)
-KIND(CYLINT_KIND_ECONE)
+KERNELS(cylinder, 0, 1)
+KERNELS(cone, 1, 1)
+KERNELS(whole_cylinder, 0, 0)
+KERNELS(double_cone, 1, 0)
 
-/* Those of a kind, by ends and brevity. */
-#define CAPPED(kind)                      \
-    {                                     \
-        full_##kind##_1, brief_##kind##_1 \
+#define BOTH(name)                 \
+    {                              \
+        roots_##name, signs_##name \
     }
-#define PARTLY(kind)                     \
-    {                                    \
-        full_##kind##_1, full_##kind##_1 \
+#define STRAIGHT                                                        \
+    {                                                                   \
+        BOTH(cylinder), BOTH(cylinder), BOTH(cylinder), BOTH(cylinder), \
+            BOTH(whole_cylinder), BOTH(whole_cylinder)                  \
     }
-#define INFINITE(kind)                    \
-    {                                     \
-        full_##kind##_0, brief_##kind##_0 \
-    }
-#define BY_ENDS(kind, nappe)                                    \
-    {                                                           \
-        CAPPED(kind), PARTLY(kind), PARTLY(kind), PARTLY(kind), \
-            INFINITE(kind), nappe                               \
+#define TAPERED                                                            \
+    {                                                                      \
+        BOTH(cone), BOTH(cone), BOTH(cone), BOTH(cone), BOTH(double_cone), \
+            NEITHER                                                        \
     }
 cylint_one_table CYLINT_ONE = {
-    {NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER},
-    BY_ENDS(CYLINT_KIND_CYLINDER, INFINITE(CYLINT_KIND_CYLINDER)),
-    BY_ENDS(CYLINT_KIND_CONE, NEITHER),
-    BY_ENDS(CYLINT_KIND_ACONE, NEITHER),
-    BY_ENDS(CYLINT_KIND_ECYLINDER, INFINITE(CYLINT_KIND_ECYLINDER)),
-    BY_ENDS(CYLINT_KIND_ECONE, NEITHER)};
+    [CYLINT_KIND_NONE] = UNDECIDED,     [CYLINT_KIND_CYLINDER] = STRAIGHT,
+    [CYLINT_KIND_CONE] = TAPERED,       [CYLINT_KIND_ACONE] = TAPERED,
+    [CYLINT_KIND_ECYLINDER] = STRAIGHT, [CYLINT_KIND_ECONE] = TAPERED,
+    [CYLINT_KIND_SPHERE] = UNDECIDED,   [CYLINT_KIND_CAPSULE] = UNDECIDED,
+    [CYLINT_KIND_RCONE] = UNDECIDED};
 
 #else
 
 /* Without vectors of two lanes. */
-#define UNDECIDED                                            \
-    {                                                        \
-        NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER \
-    }
 cylint_one_table CYLINT_ONE = {UNDECIDED, UNDECIDED, UNDECIDED,
+                               UNDECIDED, UNDECIDED, UNDECIDED,
                                UNDECIDED, UNDECIDED, UNDECIDED};
 
 #endif

@@ -178,4 +178,39 @@
 /* The bound on the error of t in the fast mode (lanes.h). */
 #define CYLINT_FAST_BOUND 0x1p-34
 
+/*
+ * Local coordinates (shapes/local.h).  CYLINT_LOCAL_ERROR: the error of an entry
+ * of the matrix in pairs, relative to the norm of the matrix, where nothing
+ * cancels.  CYLINT_LOCAL_WORST: with larger errors the coordinates are not used.
+ */
+#define CYLINT_LOCAL_ERROR 0x1p-96
+#define CYLINT_LOCAL_WORST 0x1p-70
+
+/*
+ * The errors of the forms of filter/local_lines.h, in any rounding mode.
+ * eps = 2^-52; no coordinate of the line's origin exceeds Q, none of its
+ * direction exceeds D, no radius exceeds r <= Q; k = 1 + |slope|.
+ *
+ *   a coordinate of a point     CYLINT_LOCAL_POSITION Q
+ *   A                           CYLINT_LOCAL_A (k D)^2
+ *   B                           CYLINT_LOCAL_FORM k^2 Q D
+ *   N                           CYLINT_LOCAL_FORM k Q D^2
+ *   E, and G if slope = 0       CYLINT_LOCAL_FORM Q D^2
+ *                                   (r + CYLINT_LOCAL_SECOND Q)
+ *
+ * E and G are differences of two squares.  Their signs are those of the
+ * differences of the roots, so the error matters only where the two are nearly
+ * equal: there the second is about as large as the first, r w or r |v|.
+ */
+#define CYLINT_LOCAL_POSITION 0x1p-48
+#define CYLINT_LOCAL_A 0x1p-46
+#define CYLINT_LOCAL_FORM 0x1p-45
+#define CYLINT_LOCAL_SECOND 0x1p-48
+
+/* The residual at a root in pairs, in multiples of cylint_local.error and of
+ * the size of its terms; and what the terms of second order add to its error,
+ * for slopes known to one quarter. */
+#define CYLINT_LOCAL_RESIDUAL 16
+#define CYLINT_LOCAL_SLACK 1.25
+
 #endif

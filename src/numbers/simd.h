@@ -10,7 +10,8 @@
  * available.  CYLINT_NARROW chooses two lanes with branch-free masks, for one
  * line and one shape; compilers with GNU's vectors have two lanes on every
  * processor.  With two lanes there are also functions that join two numbers,
- * join the first lanes of two vectors, and swap the lanes.  Every operation
+ * join the first lanes of two vectors, swap the lanes, add the
+ * lanes of each of two vectors, and return the first lane.  Every operation
  * rounds once, so every width gives the same bits.
  */
 #ifndef CYLINT_SIMD_H
@@ -149,6 +150,11 @@ static inline vd v_select(vm m, vd x, vd y)
 static inline vd v_two(double x, double y) { return _mm_set_pd(y, x); }
 static inline vd v_firsts(vd x, vd y) { return _mm_unpacklo_pd(x, y); }
 static inline vd v_turned(vd x) { return _mm_shuffle_pd(x, x, 1); }
+static inline vd v_sums(vd x, vd y)
+{
+    return _mm_add_pd(_mm_unpacklo_pd(x, y), _mm_unpackhi_pd(x, y));
+}
+static inline double v_first(vd x) { return _mm_cvtsd_f64(x); }
 static inline vm m_not(vm m)
 {
     return _mm_xor_pd(m, _mm_castsi128_pd(_mm_set1_epi32(-1)));
@@ -196,6 +202,8 @@ static inline vd v_two(double x, double y)
 }
 static inline vd v_firsts(vd x, vd y) { return vzip1q_f64(x, y); }
 static inline vd v_turned(vd x) { return vextq_f64(x, x, 1); }
+static inline vd v_sums(vd x, vd y) { return vpaddq_f64(x, y); }
+static inline double v_first(vd x) { return vgetq_lane_f64(x, 0); }
 static inline vm m_not(vm m)
 {
     return veorq_u64(m, vdupq_n_u64(~(uint64_t)0));
@@ -248,6 +256,8 @@ static inline vd v_max(vd x, vd y) { return v_select(x > y, x, y); }
 static inline vd v_two(double x, double y) { return (vd){x, y}; }
 static inline vd v_firsts(vd x, vd y) { return (vd){x[0], y[0]}; }
 static inline vd v_turned(vd x) { return (vd){x[1], x[0]}; }
+static inline vd v_sums(vd x, vd y) { return (vd){x[0] + x[1], y[0] + y[1]}; }
+static inline double v_first(vd x) { return x[0]; }
 static inline vm m_not(vm m) { return ~m; }
 static inline vm m_and(vm a, vm b) { return a & b; }
 static inline vm m_or(vm a, vm b) { return a | b; }

@@ -1,0 +1,167 @@
+/*
+ * local.c - the local coordinates of a shape, in pairs
+ */
+#include "local.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../numbers/bits.h"
+#include "../numbers/double_double.h"
+#include "../numbers/error_bounds.h"
+#include "shape_facts.h"
+
+typedef struct {
+    pair x[3], y[3], z[3];
+} rows;
+
+static pair plain(double x)
+{
+    return (pair){x, 0};
+}
+
+static int least_component(const double x[3])
+{
+    int least = 0;
+    for (int i = 1; i < 3; i++)
+        if (fabs(x[i]) < fabs(x[least]))
+            least = i;
+    return least;
+}
+
+static void scale_row(pair row[3], pair factor)
+{
+    for (int i = 0; i < 3; i++)
+        row[i] = pair_mul(row[i], factor);
+}
+
+static pair dot(const pair u[3], const pair v[3])
+{
+    return pair_add(pair_add(pair_mul(u[0], v[0]), pair_mul(u[1], v[1])),
+                    pair_mul(u[2], v[2]));
+}
+
+/* Unit vectors along the axis and across it: x is perpendicular to the
+ * coordinate direction along which the axis is least.  Returns |axis|. */
+static pair upright_rows(rows *m, const cylint_shape *s)
+{
+    pair w[3], square[3];
+    for (int i = 0; i < 3; i++) {
+        w[i] = (pair){s->axis[i], s->axis_lo[i]};
+        square[i] = pair_mul(w[i], w[i]);
+    }
+    const int i = least_component(s->axis);
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const pair across2 = pair_add(square[j], square[k]);
+    const pair length = pair_sqrt(pair_add(across2, square[i]));
+    const pair across = pair_sqrt(across2);
+    const pair to_unit = pair_div(plain(1), length);
+    const pair level = pair_div(plain(1), across);
+    for (int c = 0; c < 3; c++)
+        m->z[c] = pair_mul(w[c], to_unit);
+    m->x[i] = plain(0);
+    m->x[j] = pair_mul(w[k], level);
+    m->x[k] = pair_neg(pair_mul(w[j], level));
+    m->y[i] = pair_neg(pair_mul(across, to_unit));
+    m->y[j] = pair_neg(pair_mul(m->z[i], m->x[k]));
+    m->y[k] = pair_mul(m->z[i], m->x[j]);
+    return length;
+}
+
+static void cross(pair xy[3], const double x[3], const double y[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        xy[i] = pair_sub(two_prod(x[j], y[k]), two_prod(x[k], y[j]));
+    }
+}
+
+/* The inverse of (a b h).  Returns how much its errors are enlarged by
+ * cancellation: |a| |b| |h| / det, not less. */
+static double inverse_rows(rows *m, const cylint_shape *s)
+{
+    cross(m->x, s->b, s->axis);
+    cross(m->y, s->axis, s->a);
+    cross(m->z, s->a, s->b);
+    const pair a[3] = {plain(s->a[0]), plain(s->a[1]), plain(s->a[2])};
+    const pair det = dot(a, m->x), inverse = pair_div(plain(1), det);
+    scale_row(m->x, inverse);
+    scale_row(m->y, inverse);
+    scale_row(m->z, inverse);
+    return cylint_largest(s->a) * cylint_largest(s->b) *
+           cylint_largest(s->axis) / fabs(det.hi);
+}
+
+/* The sum of the absolute values of a row. */
+static double size_of(const pair row[3])
+{
+    return fabs(row[0].hi) + fabs(row[1].hi) + fabs(row[2].hi);
+}
+
+/* Multiplies the row of z by a power of two so that it is as large as the
+ * others, within a factor of 2.  Returns the power. */
+static double balance(rows *m)
+{
+    const double across = cylint_larger(size_of(m->x), size_of(m->y));
+    const int e = cylint_exponent(across) - cylint_exponent(size_of(m->z));
+    if (!(e > -200 && e < 200))
+        return NAN;
+    const double power = cylint_power_of_two(e);
+    for (int i = 0; i < 3; i++)
+        m->z[i] = (pair){m->z[i].hi * power, m->z[i].lo * power};
+    return power;
+}
+
+static void store(cylint_local *to, const rows *m)
+{
+    for (int i = 0; i < 3; i++) {
+        to->xyz[i][0] = m->x[i].hi;
+        to->xyz[i][1] = m->y[i].hi;
+        to->xyz[i][2] = m->z[i].hi;
+        to->xyz_lo[i][0] = m->x[i].lo;
+        to->xyz_lo[i][1] = m->y[i].lo;
+        to->xyz_lo[i][2] = m->z[i].lo;
+    }
+}
+
+void cylint_measure_local(cylint_shape *s)
+{
+    cylint_local *to = &s->local;
+    rows m;
+    pair height, slope;
+    if (cylint_is_round(s->kind)) {
+        memset(to, 0, sizeof *to);
+        to->norm = NAN;
+        return;
+    }
+    to->error = CYLINT_LOCAL_ERROR;
+    if (cylint_is_elliptic(s->kind)) {
+        to->error *= inverse_rows(&m, s);
+        const double power = balance(&m);
+        height = plain(power);
+        slope = (pair){s->dr / power, s->dr_lo / power};
+    } else {
+        const pair length = upright_rows(&m, s);
+        height = length;
+        if (cylint_has_tangent(s->kind)) {
+            const pair inverse = pair_div(plain(1), length);
+            scale_row(m.x, inverse);
+            scale_row(m.y, inverse);
+            scale_row(m.z, inverse);
+            height = plain(1);
+        }
+        slope = pair_div((pair){s->dr, s->dr_lo}, height);
+    }
+    store(to, &m);
+    to->height = height.hi;
+    to->height_lo = height.lo;
+    to->slope = slope.hi;
+    to->slope_lo = slope.lo;
+    to->reach = (height.hi + cylint_larger(s->r0, s->r1)) * CYLINT_SLACK;
+    to->norm =
+        cylint_larger(cylint_larger(size_of(m.x), size_of(m.y)), size_of(m.z)) *
+        CYLINT_SLACK;
+    if (!(s->in_range && cylint_rounds_to_nearest() &&
+          to->error <= CYLINT_LOCAL_WORST))
+        to->norm = NAN;
+}

@@ -1,0 +1,29 @@
+/*
+ * local.h - the local coordinates of a shape
+ *
+ * In local coordinates (x, y, z) every shape is upright: its axis is the z
+ * axis, its base lies at z = 0, its top at z = height, and its section at z
+ * is the circle x^2 + y^2 = (r + slope z)^2.  A point P has the coordinates
+ *
+ *   (x, y, z) = M (P - base),
+ *
+ * where the rows of M are
+ *
+ *   cylinder, cone   unit vectors: two across the axis and one along it
+ *   acone            the same divided by |axis|: height = 1
+ *   elliptic kinds   the rows of the inverse of (a b h): x and y count
+ *                    semi-axes.  The row of z is multiplied by a power of two,
+ *                    the height, that makes it about as large as the others.
+ *
+ * and r is shape->r0 for all kinds.
+ */
+#ifndef CYLINT_LOCAL_H
+#define CYLINT_LOCAL_H
+
+#include "cylint.h"
+
+/* Computes shape->local from the other members.  Where M is not accurate
+ * enough, local.norm is NaN and every comparison with an error bound fails. */
+void cylint_measure_local(cylint_shape *shape);
+
+#endif
