@@ -338,10 +338,8 @@ enum {
     CYLINT_WANT_PHI = 1 << 5,
     CYLINT_WANT_NEAREST = 1
                           << 6, /* only the hit with the least t: n is 0 or 1 */
-    CYLINT_WANT_FAST = 1 << 7,  /* t may be less accurate.  Error bound:
-                                     2^-34 times the larger of |t| and the
-                                     distance from o to the base in multiples
-                                     of |d|; a few ulp in most cases */
+    CYLINT_WANT_FAST = 1 << 7,  /* has no effect: a rounded root costs no more
+                                   than an approximate one */
     CYLINT_WANT_COUNT = 0,      /* relation and n only */
     CYLINT_WANT_ALL = (1 << 6) - 1
 };
@@ -405,7 +403,7 @@ typedef struct cylint_answer {
  * Accuracy.  Relation, n, part and side are exact.  t is the double nearest to
  * the root: ties to even; infinite if the root is beyond the largest double;
  * 0 is never -0.  Point, normal, z and phi are computed from the root, not from
- * the rounded t, also with CYLINT_WANT_FAST.  Each component is within 4 units
+ * the rounded t.  Each component is within 4 units
  * in its own last place.  A component that is 0 is returned as 0, never as -0.
  * In rounding to nearest their bits do not depend on the other members wanted
  * or on the function that returns them; the bits of phi depend on atan2() of

@@ -305,8 +305,7 @@ size_t cylint_nearest(const cylint_pack *pack, const cylint_line *line,
     batch_job job = {.purpose = FIND_NEAREST,
                      .line = line,
                      .best = pack->n,
-                     .want = CYLINT_WANT_T | CYLINT_WANT_NEAREST |
-                             (want & CYLINT_WANT_FAST)};
+                     .want = CYLINT_WANT_T | CYLINT_WANT_NEAREST};
     answer_pack(pack, &job);
     if (job.best == pack->n)
         return pack->n;

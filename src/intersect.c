@@ -265,17 +265,6 @@ static void describe(cylint_query *q, const stop *at, double t, double more,
                             want, hit);
 }
 
-/* The fast t of a root that the filter computes in doubles, too. */
-static int fast_t(const cylint_query *q, cylint_root root, double *t)
-{
-    const int part = root == ROOT_CAP0   ? CYLINT_PART_CAP0
-                     : root == ROOT_CAP1 ? CYLINT_PART_CAP1
-                                         : CYLINT_PART_LATERAL;
-    return root != ROOT_DOUBLE && root != ROOT_APEX &&
-           !cylint_is_round(q->kind) &&
-           cylint_fast_root(q->shape, q->line, part, root == ROOT_EXIT, t);
-}
-
 /* Opens the query of the surface that a hit lies on: of a ball of a capsule or
  * rcone, or of the shape itself. */
 static void open_part(cylint_query *q, const cylint_shape *shape,
@@ -309,18 +298,16 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
     answer->relation = v.relation;
     answer->n = 0;
     for (int i = 0; i < v.n; i++) {
-        double t = 0, more = 0, fast;
+        double t = 0, more = 0;
         if (!cylint_part_is_present(q.ends, v.at[i].part))
             continue;
         open_part(&q, shape, line, v.at[i].part, &ball);
-        const int is_fast = want & CYLINT_WANT_T && want & CYLINT_WANT_FAST &&
-                            fast_t(&q, v.at[i].root, &fast);
-        const int rounded = !is_fast && want & (CYLINT_WANT_T | beside_t);
+        const int rounded = (want & (CYLINT_WANT_T | beside_t)) != 0;
         if (!cylint_root_within(&q, v.at[i].root, rounded, &t, &more))
             continue;
         cylint_hit *hit = &answer->hit[answer->n++];
         if (want & CYLINT_WANT_T)
-            hit->t = is_fast ? fast : t;
+            hit->t = t;
         if (want & CYLINT_WANT_PART) {
             hit->part = v.at[i].part;
             hit->side = v.at[i].side;
@@ -391,8 +378,7 @@ static int contradicts(const cylint_shape *shape, const cylint_line *line,
         wrong = ((want & CYLINT_WANT_PART) &&
                  (a.hit[i].part != known->hit[i].part ||
                   a.hit[i].side != known->hit[i].side)) ||
-                ((want & CYLINT_WANT_T) && !(want & CYLINT_WANT_FAST) &&
-                 a.hit[i].t != known->hit[i].t);
+                ((want & CYLINT_WANT_T) && a.hit[i].t != known->hit[i].t);
     return wrong;
 }
 #endif
@@ -408,21 +394,10 @@ CYLINT_INLINE int answer_t(const cylint_shape *shape, const cylint_line *line,
     return n;
 }
 
-/* The fast mode is about t alone: all else is computed from the root. */
-ASIDE int answer_fast_and_all(const cylint_shape *shape,
-                              const cylint_line *line, unsigned want,
-                              cylint_answer *answer)
-{
-    answer_all(shape, line, want & ~(unsigned)CYLINT_WANT_FAST, answer);
-    return answer_t(shape, line, want & ~beside_t, answer);
-}
-
 static int answer_question(const cylint_shape *shape, const cylint_line *line,
                            unsigned want, cylint_answer *answer)
 {
     answer->flags = 0;
-    if (want & beside_t && want & CYLINT_WANT_FAST)
-        return answer_fast_and_all(shape, line, want, answer);
     if (want & beside_t)
         return answer_all(shape, line, want, answer);
     return answer_t(shape, line, want, answer);

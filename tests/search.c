@@ -4,7 +4,7 @@
  * Hill climbing for every kind of shape and every family: it starts with the
  * worst of some random cases, changes one number at a time, and keeps the
  * change if the result is not better for the library.  Goals are the errors of
- * point, normal, z, phi and of the fast t in ulp (ulps.h), and the time of a
+ * point, normal, z and phi in ulp (ulps.h), and the time of a
  * query.  The worst cases are printed in the format of hard.txt with the
  * oracle's answer.  Exponents stay near those of the first case.
  *
@@ -24,10 +24,10 @@
 #include "ulps.h"
 
 enum { BEGINNINGS = 60, KINDS = 5, REPEATS = 7, QUERIES = 20 };
-enum goal { FAST, POINT, NORMAL, Z, PHI, TIME, GOALS };
+enum goal { POINT, NORMAL, Z, PHI, TIME, GOALS };
 
-static const char *const goal_names[GOALS] = {"fast t", "point", "normal",
-                                              "z",      "phi",   "time"};
+static const char *const goal_names[GOALS] = {"point", "normal", "z", "phi",
+                                              "time"};
 static const char *const kind_names[KINDS] = {"cylinder", "cone", "acone",
                                               "ecylinder", "econe"};
 
@@ -71,25 +71,19 @@ static double time_of(const struct family_case *c)
 static double error_of(const struct family_case *c, enum goal goal)
 {
     cylint_answer got, want;
-    const unsigned want_mask =
-        goal == FAST ? CYLINT_WANT_T | CYLINT_WANT_FAST : CYLINT_WANT_ALL;
     double worst = 0;
     memset(&got, 0, sizeof got);
-    cylint_intersect(&c->shape, &c->line, want_mask, &got);
-    oracle_intersect(&c->shape, &c->line, want_mask, &want);
+    cylint_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &got);
+    oracle_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &want);
     if (got.n != want.n || got.relation != want.relation)
         return HUGE_VAL;
     for (int i = 0; i < want.n; i++) {
-        static const enum measure measure[] = {ULPS_T, ULPS_POINT, ULPS_NORMAL,
-                                               ULPS_Z, ULPS_PHI};
+        static const enum measure measure[] = {ULPS_POINT, ULPS_NORMAL, ULPS_Z,
+                                               ULPS_PHI};
         double off[MEASURES];
         if (isinf(want.hit[i].t))
             continue;
-        if (goal == FAST)
-            off[ULPS_T] =
-                ulps_apart(got.hit[i].t, want.hit[i].t, want.hit[i].t);
-        else
-            ulps_of_hit(&got.hit[i], &want.hit[i], off);
+        ulps_of_hit(&got.hit[i], &want.hit[i], off);
         worst = fmax(worst, off[measure[goal]]);
     }
     return worst;

@@ -156,25 +156,17 @@ static void check_budget(const char *function, const char *family, double found,
 
 static void measure_hits(int family, const struct family_case *c)
 {
-    cylint_answer got, want, fast;
-    const unsigned fast_t = CYLINT_WANT_T | CYLINT_WANT_FAST;
+    cylint_answer got, want;
     memset(&got, 0, sizeof got);
     cylint_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &got);
-    cylint_intersect(&c->shape, &c->line, fast_t, &fast);
     oracle_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &want);
-    if (!CHECK(got.n == want.n && fast.n == want.n &&
-               fast.relation == want.relation))
+    if (!CHECK(got.n == want.n))
         return;
-    double far = 0; /* distance of the base in multiples of d */
-    for (int j = 0; j < 3; j++)
-        far = fmax(far, fabs(c->line.o[j] - c->shape.base[j]) / c->line.size);
     for (int i = 0; i < want.n; i++) {
         double off[MEASURES];
         const double t = want.hit[i].t;
         ulps_of_hit(&got.hit[i], &want.hit[i], off);
         check_budget("t", "all", 0.5 + off[ULPS_T], c);
-        check_budget("t-fast", "all",
-                     0.5 + ulps_apart(fast.hit[i].t, t, fmax(fabs(t), far)), c);
         for (int k = ULPS_POINT; k < MEASURES; k++)
             if (fabs(t) <= 0x1.fffffffffffffp1023)
                 check_budget(measure_names[k], family_word(family),
@@ -386,9 +378,6 @@ static void write_table(char *to)
                       ".It Sy answer Ta Sy error Ta Sy kind\n"
                       ".It relation, n, part, side Ta 0 Ta exact\n");
     to += put_row(to, "t", largest_budget("t", 0), "correctly rounded");
-    to += put_row(
-        to, "t, fast, of t or the distance", largest_budget("t-fast", 0),
-        line_of("t-fast", "all") ? line_of("t-fast", "all")->kind : "");
     for (int wild = 0; wild < 2; wild++)
         for (int i = 0; i < 4; i++) {
             char what[80];

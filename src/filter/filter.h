@@ -40,11 +40,6 @@ static inline int cylint_filter_one(cylint_one_table *table,
                                                      rest);
 }
 
-/* The fast t of the root on a part of the surface, where the lateral quadric
- * rises (exits) or falls.  Returns 0 if the root must be rounded correctly. */
-int cylint_fast_root(const cylint_shape *shape, const cylint_line *line,
-                     int part, int exits, double *t);
-
 /* A question of a batch is a line and a shape, and it has a number.  All
  * questions of one cylint_filter_batch have the same kind of shape, and either
  * the shape or the line may be the same in all. */

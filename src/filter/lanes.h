@@ -429,29 +429,6 @@ typedef struct {
     vm sure;
 } lanes_root;
 
-/* The fast mode: t as the doubles have it, if its error is certainly below
- * CYLINT_FAST_BOUND of the larger of |t| and the distance of the shape, in
- * multiples of d. */
-INLINE vm fast_enough(bounded_value t, vd D, vd u)
-{
-    return v_le(t.e * u, v_set(CYLINT_FAST_BOUND) * v_max(v_abs(t.v) * u, D));
-}
-
-INLINE lanes_root fast_root(const lanes_slopes *q, bounded_value t)
-{
-    return (lanes_root){t.v, v_set(0), t.e, fast_enough(t, q->D, q->u)};
-}
-
-/* Lane by lane the fast root where that is sure, so that no root depends on
- * its neighbours. */
-INLINE lanes_root choose_root(lanes_root fast, lanes_root slow)
-{
-    return (lanes_root){v_select(fast.sure, fast.value, slow.value),
-                        v_select(fast.sure, fast.more, slow.more),
-                        v_select(fast.sure, fast.error, slow.error),
-                        m_or(fast.sure, slow.sure)};
-}
-
 /* From where each lane's root is seen: the centre of its cap, or the base. */
 INLINE void root_centers(vd center[3], const lanes_shape *s, int kind, vd part)
 {

@@ -358,21 +358,13 @@ typedef struct {
 
 /* Rounds them.  Returns the lanes where that is uncertain. */
 INLINE unsigned round_roots(const lanes_slopes *q, const question *x, int kind,
-                            unsigned want, const roots *of, double t[LANES])
+                            const roots *of, double t[LANES])
 {
     const vd sign = v_select(of->exits, v_set(1), v_set(-1));
     vd center[3];
-    lanes_root r = {v_set(0), v_set(0), v_set(0), m_from(0)};
-    if (want & CYLINT_WANT_FAST)
-        r = fast_root(q, of->t);
-    if (m_any(m_and(of->wanted, m_not(r.sure)))) {
-        const lanes_root fast = r;
-        root_centers(center, &x->shape, kind, of->part);
-        r = round_root(q, &x->shape, center, &x->line, kind, 1, sign, of->t,
-                       of->part);
-        if (want & CYLINT_WANT_FAST)
-            r = choose_root(fast, r);
-    }
+    root_centers(center, &x->shape, kind, of->part);
+    const lanes_root r = round_root(q, &x->shape, center, &x->line, kind, 1,
+                                    sign, of->t, of->part);
     v_store(t, r.value);
     return m_bits(m_and(of->wanted, m_not(r.sure)));
 }
@@ -393,8 +385,7 @@ INLINE void round_hits(const cylint_filter_batch *from, const question *x,
             v_select(last, v_load(g->part[1]), v_load(g->part[0]))};
         if (!wanted)
             continue;
-        const unsigned unsure =
-            round_roots(&at->slopes, x, kind, from->want, &of, g->t[i]);
+        const unsigned unsure = round_roots(&at->slopes, x, kind, &of, g->t[i]);
         g->undecided |= unsure;
         g->hard |= unsure;
     }

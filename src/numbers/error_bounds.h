@@ -175,9 +175,6 @@
  * product underflows, and no low part of a sum is subnormal. */
 #define CYLINT_ROOT_LEAST 0x1p-300
 
-/* The bound on the error of t in the fast mode (lanes.h). */
-#define CYLINT_FAST_BOUND 0x1p-34
-
 /*
  * Local coordinates (shapes/local.h).  CYLINT_LOCAL_ERROR: the error of an entry
  * of the matrix in pairs, relative to the norm of the matrix, where nothing
