@@ -110,12 +110,40 @@ typedef struct {
     int misses, crosses; /* neither: uncertain */
 } local_verdict;
 
-/*
- * A bounded shape, which is convex, is crossed if the line pierces a cap
- * (E > 0), or if it passes outside both and the middle of the chord lies
- * between them (N_0 < 0 < N_1).  All of this is right for lines parallel to the
- * caps too.
- */
+/* Which signs are certain: of E and of N inward a bit for each cap, of G. */
+typedef struct {
+    unsigned positive, negative;
+} sign_bits;
+
+typedef struct {
+    sign_bits E, inward, G;
+} cap_signs;
+
+INLINE sign_bits signs_of(vd x, double error)
+{
+    return (sign_bits){m_bits(v_lt(v_set(error), x)),
+                       m_bits(v_lt(x, v_set(-error)))};
+}
+
+INLINE sign_bits at_cap(sign_bits x, int cap)
+{
+    return (sign_bits){x.positive >> cap, x.negative >> cap};
+}
+
+#define FORM(name) name##_local
+#define OVERLAP_INLINE INLINE
+#define TRUTH unsigned
+#define AND(a, b) ((a) & (b))
+#define OR(a, b) ((a) | (b))
+#define CAPS const cap_signs
+#define E(c, i) at_cap((c)->E, i)
+#define INWARD(c, i) at_cap((c)->inward, i)
+#define G(c) (c)->G
+#define POSITIVE(x) (x).positive
+#define NEGATIVE(x) (x).negative
+#define NOT_POSITIVE(x) (x).negative
+#include "../signs/overlap_template.h"
+
 INLINE void classify_bounded(local_verdict *to, const local_line *l,
                              const cylint_shape *shape, int tapered)
 {
@@ -134,14 +162,12 @@ INLINE void classify_bounded(local_verdict *to, const local_line *l,
     if (tapered)
         N = v_sum_of(rw, v_set(-shape->local.slope * l->w), N);
     const vd inward = N * v_two(-1, 1);
-    const vm pierced = v_lt(v_set(eE), E), spared = v_lt(E, v_set(-eE));
-    const int within = m_bits(v_lt(v_set(eN), inward)) == 3;
-    const int beyond = m_any(v_lt(inward, v_set(-eN)));
-    to->pierced = m_bits(pierced);
-    to->spared = m_bits(spared);
-    to->misses = (to->spared == 3) & beyond;
-    to->crosses = (to->pierced != 0) |
-                  ((to->spared == 3) & within & (to->G > to->G_error));
+    const cap_signs c = {
+        signs_of(E, eE), signs_of(inward, eN), {to->G > to->G_error, 0}};
+    to->pierced = c.E.positive;
+    to->spared = c.E.negative;
+    to->misses = (int)(misses_local(&c) & 1);
+    to->crosses = (int)(crosses_local(&c) & 1);
 }
 
 /* An unbounded shape is crossed if Q has two roots and missed if it has none:
