@@ -1,10 +1,7 @@
 /*
  * box.c - the least axis-parallel box of a shape, rounded outward
  *
- * A disc of radius r perpendicular to the axis w reaches
- * r sqrt(1 - w_j^2 / vv) from its centre along coordinate j, vv = w.w.  The
- * ellipse with the semi-axes a and b reaches sqrt(a_j^2 + b_j^2).  A bounded
- * shape is the convex hull of its two discs.
+ * A bounded shape is the convex hull of its two discs.
  */
 #include "signs/sign.h"
 
@@ -30,70 +27,16 @@ static long_axis axis_of(const cylint_shape *s)
     return k;
 }
 
-static pair squares(pair x, pair y)
-{
-    return pair_add(pair_mul(x, x), pair_mul(y, y));
-}
-
 static pair unscaled(pair x, int e)
 {
     return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
 }
 
-/* The e with 2^e <= x < 2^(e+1), for x > 0, subnormal x included. */
-static int exponent_of(double x)
-{
-    return x < DBL_MIN ? cylint_exponent(x * 0x1p60) - 60 : cylint_exponent(x);
-}
-
 /* |x| / 2^*e, whatever the exponent of x. */
 static pair size_of(double x, int *e)
 {
-    *e = exponent_of(fabs(x));
+    *e = cylint_any_exponent(x);
     return (pair){cylint_scaled(fabs(x), -*e), 0};
-}
-
-/* sqrt(x^2 + y^2) 2^*e, whatever the exponents of x and y; not both are 0. */
-static pair hypotenuse(pair x, pair y, int *e)
-{
-    const int k = exponent_of(cylint_larger(fabs(x.hi), fabs(y.hi)));
-    *e += k;
-    return pair_sqrt(squares(unscaled(x, -k), unscaled(y, -k)));
-}
-
-/* How far a section of radius 1 reaches along coordinate j: the result times
- * 2^*e.  Elliptic kinds: the section with the semi-axes a, b.  acone: the
- * section at z = 1 of a cone of tangent 1.  *is_exact: 1 if nothing was
- * rounded. */
-static pair unit_reach(const cylint_shape *s, const long_axis *k, int j, int *e,
-                       int *is_exact)
-{
-    *is_exact = 1;
-    *e = 0;
-    if (cylint_is_elliptic(s->kind)) {
-        if (cylint_sign(s->a[j]) == 0)
-            return size_of(s->b[j], e);
-        if (cylint_sign(s->b[j]) == 0)
-            return size_of(s->a[j], e);
-        *is_exact = 0;
-        return hypotenuse((pair){s->a[j], 0}, (pair){s->b[j], 0}, e);
-    }
-    const pair x = k->axis[j];
-    const pair y = k->axis[(j + 1) % 3], z = k->axis[(j + 2) % 3];
-    if (cylint_sign(y.hi) == 0 && cylint_sign(z.hi) == 0)
-        return (pair){0, 0};
-    if (!cylint_has_tangent(s->kind) && cylint_sign(x.hi) == 0)
-        return (pair){1, 0};
-    *is_exact = 0;
-    const pair across = hypotenuse(y, z, e);
-    if (cylint_has_tangent(s->kind))
-        return across;
-    const int ex = cylint_exponent(x.hi), most = ex > *e ? ex : *e;
-    int length_e = 0;
-    const pair length =
-        hypotenuse(unscaled(across, *e - most), unscaled(x, -most), &length_e);
-    *e -= most + length_e;
-    return pair_div(across, length);
 }
 
 /* The next double above or below x; x if it is infinite. */
@@ -158,7 +101,7 @@ static void take_disc(const cylint_shape *s, int cap, double lo[3],
     const pair radius = size_of(r, &er);
     for (int j = 0; j < 3; j++) {
         int is_exact, e;
-        const pair unit = unit_reach(s, &k, j, &e, &is_exact);
+        const pair unit = cylint_unit_reach(s, k.axis, j, &e, &is_exact);
         const pair product = pair_mul(unit, radius);
         is_exact =
             cylint_sign(r) == 0 ||

@@ -3,8 +3,7 @@
  *
  * Compiled once as it is and again for processors with fused multiply-add.
  */
-#include "../numbers/bits.h"
-#include "../shapes/shape_facts.h"
+#include "../shapes/measure.h"
 
 #define CYLINT_ONE_LANE
 #include "float_filter_lanes.h"
@@ -39,35 +38,14 @@ static cylint_float_filter_result test_exit(const cylint_float_filter_state *q,
                       : CYLINT_FLOAT_FILTER_MISS;
 }
 
-/* Whether |w[i]| < |w[j]| by the low parts; the doubles are equal. */
-static int is_smaller_in_full(const cylint_shape *s, int i, int j)
-{
-    return s->axis_lo[i] * copysign(1, s->axis[i]) <
-           s->axis_lo[j] * copysign(1, s->axis[j]);
-}
-
-/* The first coordinate along which the axis is least, where doubles are
- * tied. */
-static int least_component_in_full(const cylint_shape *s)
-{
-    const double *w = s->axis;
-    const double least =
-        cylint_smaller(fabs(w[0]), cylint_smaller(fabs(w[1]), fabs(w[2])));
-    int first = 2;
-    for (int j = 1; j >= 0; j--)
-        if (fabs(w[j]) <= least &&
-            (fabs(w[first]) > least || !is_smaller_in_full(s, first, j)))
-            first = j;
-    return first;
-}
-
 static int describe(const cylint_float_filter_state *q,
                     const cylint_float_filter_hit *at, cylint_hit_floats *to)
 {
     int least[3];
     floats f;
     if (!least_components(q, least)) {
-        const int first = least_component_in_full(q->whole);
+        const int first =
+            cylint_least_component(q->whole->axis, q->whole->axis_lo);
         for (int j = 0; j < 3; j++)
             least[j] = j == first;
     }

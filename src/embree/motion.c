@@ -7,20 +7,9 @@
 
 #include "../shapes/shape_facts.h"
 
-/* The kind whose constructor can make all shapes between this one and others. */
-static int constructor_of(const cylint_shape *s)
-{
-    const int is_sphere =
-        s->kind == CYLINT_KIND_SPHERE && s->surface == CYLINT_PART_LATERAL;
-    return cylint_is_elliptic(s->kind)              ? CYLINT_KIND_ECONE
-           : s->kind == CYLINT_KIND_CYLINDER        ? CYLINT_KIND_CONE
-           : cylint_is_round(s->kind) && !is_sphere ? CYLINT_KIND_RCONE
-                                                    : s->kind;
-}
-
 int cylint_can_move_into(const cylint_shape *at_0, const cylint_shape *at_1)
 {
-    return constructor_of(at_0) == constructor_of(at_1) &&
+    return cylint_constructor_kind(at_0) == cylint_constructor_kind(at_1) &&
            at_0->ends == at_1->ends;
 }
 
@@ -64,7 +53,7 @@ cylint_status cylint_embree_between(const cylint_shape *at_0,
     if (cylint_has_end_points(at_0->kind)) {
         interpolate_center(base, at_0, at_1, time, 0);
         interpolate_center(top, at_0, at_1, time, 1);
-        switch (constructor_of(at_0)) {
+        switch (cylint_constructor_kind(at_0)) {
         case CYLINT_KIND_CONE:
             return cylint_cone(shape, base, r0, top, r1, ends);
         case CYLINT_KIND_SPHERE:

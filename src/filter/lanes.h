@@ -192,34 +192,45 @@ INLINE void prepare_lanes(terms_lanes *L, terms_sizes *N)
 #define ONE v_set(1)
 #include "../signs/load_template.h"
 
+/* The largest components of the data. */
+typedef struct {
+    vd u, w, D, a, r[2], dr;
+} lanes_sizes;
+
+#define FORM(name) name##_sizes
+#define LOAD_INLINE INLINE
+#define SHAPE lanes_sizes
+#define LINE lanes_sizes
+#define DIRECTION(l, i) l->u
+#define AXIS(s, i) s->w
+#define FROM_BASE(l, s, i) l->D
+#define FROM_TOP(l, s, i) l->D
+#define BEFORE_TOP(D, w) D
+#define SEMI_AXIS_A(s, i) s->a
+#define SEMI_AXIS_B(s, i) s->a
+#define RADIUS(s, end) s->r[end]
+#define RADIUS_GROWTH(s) s->dr
+#define ONE v_set(1)
+#include "../signs/load_template.h"
+
 /* The terms of lines and shapes in lanes, and their sizes. */
 INLINE void load_terms(lanes_query *q, const lanes_shape *s,
                        const lanes_line *l, int kind, int bounded)
 {
     terms_lanes *L = &q->L;
-    terms_sizes *N = &q->N;
-    vd a = v_set(0);
-    N->kind = kind;
     load_shape_lanes(L, s, kind);
     load_line_lanes(L, s, l);
     load_top_lanes(L, s, l);
-    if (cylint_is_elliptic(kind))
-        a = v_max(v_largest(s->a), v_largest(s->b));
-    const vd u = v_largest(L->u), w = v_largest(L->w);
-    vd D = v_largest(L->D[0]);
+    lanes_sizes most = {v_largest(L->u), v_largest(L->w),    v_largest(L->D[0]),
+                        v_set(0),        {s->r[0], s->r[1]}, v_abs(s->dr)};
     if (bounded)
-        D = v_max(D, v_largest(L->D[1]));
-    N->r[0] = s->r[0];
-    N->r[1] = s->r[1];
-    N->dr = v_abs(s->dr);
-    N->one = v_set(1);
-    EACH(i, 3) {
-        N->u[i] = u;
-        N->w[i] = w;
-        N->D[0][i] = N->D[1][i] = D;
-        N->a[i] = N->b[i] = a;
-    }
-    prepare_lanes(L, N);
+        most.D = v_max(most.D, v_largest(L->D[1]));
+    if (cylint_is_elliptic(kind))
+        most.a = v_max(v_largest(s->a), v_largest(s->b));
+    load_shape_sizes(&q->N, &most, kind);
+    load_line_sizes(&q->N, &most, &most);
+    load_top_sizes(&q->N, &most, &most);
+    prepare_lanes(L, &q->N);
 }
 
 /* Lanes whose data lie in the window of error_bounds.h. */
@@ -439,42 +450,65 @@ INLINE void root_centers(vd center[3], const lanes_shape *s, int kind, vd part)
                         : s->base[i];
 }
 
-/* The pairs and sizes of a question whose line begins at t.  Returns what
- * the origin's coordinates were summed up from, in its own sizes. */
-INLINE vd terms_at(terms_pairs *P, terms_sizes *N, const lanes_slopes *q,
-                   const lanes_shape *s, const vd center[3],
-                   const lanes_line *l, int kind, vd t, vd part)
+/* A line in pairs: its direction, and its origin from a centre. */
+typedef struct {
+    vpair u[3], D[3];
+} lanes_pair_line;
+
+#define FORM(name) name##_pairs
+#define LOAD_INLINE INLINE
+#define SHAPE lanes_shape
+#define LINE lanes_pair_line
+#define DIRECTION(l, i) l->u[i]
+#define AXIS(s, i) ((vpair){s->axis[i], s->axis_lo[i]})
+#define FROM_BASE(l, s, i) l->D[i]
+#define FROM_TOP(l, s, i) l->D[i]
+#define BEFORE_TOP(D, w) vpair_sub(D, w)
+#define SEMI_AXIS_A(s, i) ((vpair){s->a[i], v_set(0)})
+#define SEMI_AXIS_B(s, i) ((vpair){s->b[i], v_set(0)})
+#define RADIUS(s, end) ((vpair){s->r[end], v_set(0)})
+#define RADIUS_GROWTH(s) ((vpair){s->dr, s->dr_lo})
+#define ONE ((vpair){v_set(1), v_set(0)})
+#include "../signs/load_template.h"
+
+/* Moves the line's origin by t and measures it from a centre, or from the
+ * centre of the top in lanes of `top` where the shape has no end points. */
+INLINE vd move_line(lanes_pair_line *to, const lanes_shape *s,
+                    const vd center[3], const lanes_line *l, int kind, vd t,
+                    vm top)
 {
     const vd zero = v_set(0);
-    const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
-    const int elliptic = cylint_is_elliptic(kind);
     vd size = zero;
-    P->kind = N->kind = kind;
     EACH(i, 3) {
         vpair D = v_two_sum(l->o[i], -center[i]);
-        P->w[i] = (vpair){s->axis[i], s->axis_lo[i]};
         if (!cylint_has_end_points(kind))
             D = vpair_sub(D, (vpair){v_select(top, s->axis[i], zero), zero});
         vpair step = v_two_prod(t, l->u[i]);
         if (l->segment)
             step.lo = step.lo + t * l->u_lo[i];
         const vpair at = vpair_add(D, step);
-        P->D[0][i] = v_fast_two_sum(at.hi, at.lo);
+        to->u[i] = (vpair){l->u[i], l->u_lo[i]};
+        to->D[i] = v_fast_two_sum(at.hi, at.lo);
         size = v_max(size, v_abs(at.hi));
-        if (elliptic) {
-            P->a[i] = (vpair){s->a[i], zero};
-            P->b[i] = (vpair){s->b[i], zero};
-        }
     }
-    EACH(i, 3) {
-        N->w[i] = q->w;
-        N->D[0][i] = size;
-        N->a[i] = N->b[i] = q->a;
-    }
-    P->r[0] = (vpair){s->r[0], zero};
-    N->r[0] = s->r[0];
-    P->dr = (vpair){s->dr, s->dr_lo};
-    N->dr = v_abs(s->dr);
+    return size;
+}
+
+/* The pairs and sizes of a query whose line begins at t.  Returns the size of
+ * the terms of the origin's coordinates, divided by that of these. */
+INLINE vd terms_at(terms_pairs *P, terms_sizes *N, const lanes_slopes *q,
+                   const lanes_shape *s, const vd center[3],
+                   const lanes_line *l, int kind, vd t, vd part)
+{
+    lanes_pair_line moved;
+    const vd size = move_line(&moved, s, center, l, kind, t,
+                              v_eq(part, v_set(CYLINT_PART_CAP1)));
+    const lanes_sizes most = {q->u,        q->w, size, q->a, {s->r[0], s->r[1]},
+                              v_abs(s->dr)};
+    load_shape_sizes(N, &most, kind);
+    load_line_sizes(N, &most, &most);
+    load_shape_pairs(P, s, kind);
+    load_line_pairs(P, s, &moved);
     prepare_shape_sizes(N);
     prepare_shape_pairs(P);
     return (q->D + v_abs(t) * q->u) / size;

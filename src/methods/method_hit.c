@@ -19,13 +19,10 @@ typedef struct frame {
 
 void cylint_phi_origin(const double axis[3], double out[3])
 {
-    int least = 0;
+    static const double none[3] = {0, 0, 0};
     double e[3] = {0, 0, 0};
 
-    for (int i = 1; i < 3; i++)
-        if (fabs(axis[i]) < fabs(axis[least]))
-            least = i;
-    e[least] = 1;
+    e[cylint_least_component(axis, none)] = 1;
     cross(e, axis, out);
 }
 
@@ -98,15 +95,6 @@ static void normal_at(const cylint_shape *shape, const frame *f,
     unit(normal, normal);
 }
 
-static double turn(double x, double y)
-{
-    const double two_pi = 6.283185307179586; /* 2 pi to nearest */
-    const double phi = atan2(y, x) / two_pi;
-    const double positive = phi < 0 ? phi + 1 : phi;
-
-    return positive < 1 ? positive + 0.0 : 0;
-}
-
 void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
                        unsigned want, double t, int part, int side,
                        cylint_hit *hit)
@@ -136,7 +124,7 @@ void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
     if (want & CYLINT_WANT_Z)
         hit->z = z;
     if (want & CYLINT_WANT_PHI)
-        hit->phi = x == 0 && y == 0 ? 0 : turn(x, y);
+        hit->phi = x == 0 && y == 0 ? 0 : cylint_turns(atan2(y, x));
     if (want & CYLINT_WANT_NORMAL)
         normal_at(shape, &f, line->d, x, y, z, part, hit->normal);
 }

@@ -46,6 +46,13 @@ static inline int cylint_exponent(double x)
     return (int)(cylint_bits(x) >> 52 & 0x7ff) - 1023;
 }
 
+/* The same for any finite x other than 0. */
+static inline int cylint_any_exponent(double x)
+{
+    return fabs(x) < DBL_MIN ? cylint_exponent(x * 0x1p60) - 60
+                             : cylint_exponent(x);
+}
+
 /* -1, 0 or 1.  Right for subnormals even if the processor reads them as zero. */
 static inline int cylint_sign(double x)
 {

@@ -114,30 +114,16 @@ static void normalise(const floating x[3], int sign, double to[3])
  * (x dy - y dx) / (x^2 + y^2). */
 static double turns(floating y, floating x)
 {
-    const double pi = 3.14159265358979323846;
     if (y.v.hi == 0 && x.v.hi == 0)
         return 0;
     const int ex = exponent_of(x), ey = exponent_of(y), e = ex > ey ? ex : ey;
     const pair X = pair_of(x, -e), Y = pair_of(y, -e);
     const double rest =
         (X.hi * Y.lo - Y.hi * X.lo) / (X.hi * X.hi + Y.hi * Y.hi);
-    double phi = (atan2(Y.hi, X.hi) + rest) / (2 * pi);
-    if (phi < 0)
-        phi += 1;
-    return phi < 1 ? phi + 0 : 0;
+    return cylint_turns(atan2(Y.hi, X.hi) + rest);
 }
 
 /* ------------------------------------------------------------- facts --- */
-
-/* |x| < |y|. */
-static int smaller(pair x, pair y)
-{
-    const double xh = fabs(x.hi), yh = fabs(y.hi);
-    if (xh != yh)
-        return cylint_less(xh, yh);
-    return cylint_less(cylint_sign(x.hi) < 0 ? -x.lo : x.lo,
-                       cylint_sign(y.hi) < 0 ? -y.lo : y.lo);
-}
 
 /* The coordinate along which the axis has its smallest component. */
 static int least_component(const cylint_query *q)
@@ -150,11 +136,7 @@ static int least_component(const cylint_query *q)
     }
     if (!(cylint_largest(hi) <= DBL_MAX))
         cylint_scaled_difference(hi, lo, s->top, s->base, -2);
-    int least = 0;
-    for (int i = 1; i < 3; i++)
-        if (smaller((pair){hi[i], lo[i]}, (pair){hi[least], lo[least]}))
-            least = i;
-    return least;
+    return cylint_least_component(hi, lo);
 }
 
 /* Forms of the terms whose quotients the hit's numbers are. */

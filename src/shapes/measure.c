@@ -1,5 +1,5 @@
 /*
- * measure.c - a ball about each shape, sizes, and whether doubles will do
+ * measure.c - a ball about each shape, sizes, and whether the filters apply
  */
 #include "measure.h"
 
@@ -24,10 +24,7 @@ static double largest_length(const cylint_shape *s)
 int cylint_length_exponent(const cylint_shape *s)
 {
     const double most = largest_length(s);
-    if (most <= DBL_MAX)
-        return most < DBL_MIN ? cylint_exponent(most * 0x1p60) - 60
-                              : cylint_exponent(most);
-    return 1024;
+    return most <= DBL_MAX ? cylint_any_exponent(most) : 1024;
 }
 
 static int within_window(double x)

@@ -1,7 +1,7 @@
 /*
- * shape_facts.h - everything that is to be known of a kind of shape
+ * shape_facts.h - all facts about the kinds of shapes
  *
- * The code asks these functions and does not compare kinds.  The polynomials
+ * Other files call these functions and do not compare kinds.  The polynomials
  * of each kind are in signs/forms_template.h.
  *
  *              elliptic  tapered  end points  factors   the radius at z
@@ -97,11 +97,6 @@ CYLINT_INLINE unsigned cylint_caps_present(int ends)
                                       : 0;
 }
 
-CYLINT_INLINE int cylint_has_cap(int ends, int cap)
-{
-    return (int)(cylint_caps_present(ends) >> cap & 1);
-}
-
 CYLINT_INLINE int cylint_part_is_present(int ends, int part)
 {
     return part == CYLINT_PART_LATERAL ||
@@ -141,6 +136,18 @@ CYLINT_INLINE int cylint_end_at(const cylint_shape *s, int end)
     return cylint_is_reversed(s) ? !end : end;
 }
 
+/* The kind whose constructor makes this shape and all shapes between it and
+ * others of that kind. */
+CYLINT_INLINE int cylint_constructor_kind(const cylint_shape *s)
+{
+    const int is_sphere =
+        s->kind == CYLINT_KIND_SPHERE && s->surface == CYLINT_PART_LATERAL;
+    return cylint_is_elliptic(s->kind)              ? CYLINT_KIND_ECONE
+           : s->kind == CYLINT_KIND_CYLINDER        ? CYLINT_KIND_CONE
+           : cylint_is_round(s->kind) && !is_sphere ? CYLINT_KIND_RCONE
+                                                    : s->kind;
+}
+
 /* r0 or r1. */
 CYLINT_INLINE double cylint_end_factor(const cylint_shape *s, int end)
 {
@@ -178,6 +185,16 @@ CYLINT_INLINE double cylint_rough_reach(const cylint_shape *s, int end, int j)
         return r * (fabs(s->a[j]) + fabs(s->b[j]));
     return r * cylint_radius_unit(s, fabs(s->axis[0]) + fabs(s->axis[1]) +
                                          fabs(s->axis[2]));
+}
+
+/* --------------------------------------------------------- of a hit ---- */
+
+/* An angle of at most pi in size, in radians, as turns: in [0, 1). */
+CYLINT_INLINE double cylint_turns(double angle)
+{
+    const double pi = 3.14159265358979323846, turns = angle / (2 * pi);
+    const double positive = turns < 0 ? turns + 1 : turns;
+    return positive < 1 ? positive + 0 : 0;
 }
 
 #endif

@@ -34,6 +34,7 @@ LOAD_INLINE void FORM(load_shape)(FORM(terms) *L, const SHAPE *s, int kind)
 
 LOAD_INLINE void FORM(load_line)(FORM(terms) *L, const SHAPE *s, const LINE *l)
 {
+    (void)s;
     EACH(i, 3) {
         L->u[i] = DIRECTION(l, i);
         L->D[0][i] = FROM_BASE(l, s, i);
@@ -43,6 +44,7 @@ LOAD_INLINE void FORM(load_line)(FORM(terms) *L, const SHAPE *s, const LINE *l)
 /* After the others. */
 LOAD_INLINE void FORM(load_top)(FORM(terms) *L, const SHAPE *s, const LINE *l)
 {
+    (void)s;
     EACH(i, 3)
         L->D[1][i] = cylint_has_end_points(L->kind)
                          ? FROM_TOP(l, s, i)

@@ -60,9 +60,7 @@ static void scale_query(cylint_query *q)
         scale_vector(to->b, s->b, e);
     }
     const double most = cylint_largest(l->d);
-    const int f = most > DBL_MAX   ? -1024
-                  : most < DBL_MIN ? 60 - cylint_exponent(most * 0x1p60)
-                                   : -cylint_exponent(most);
+    const int f = most > DBL_MAX ? -1024 : -cylint_any_exponent(most);
     q->scaled_line = *l;
     scale_vector(q->scaled_line.o, l->o, e);
     if (l->segment) {
@@ -248,10 +246,26 @@ static int least_quantum(const double x[3])
     return a < b ? (a < c ? a : c) : (b < c ? b : c);
 }
 
-static void fill3(int to[3], int e)
-{
-    to[0] = to[1] = to[2] = e;
-}
+/* Of vectors, one for all components. */
+typedef struct {
+    int u, w, D, a, b, r[2], dr;
+} data_quanta;
+
+#define FORM(name) name##_quantum
+#define LOAD_INLINE static
+#define SHAPE data_quanta
+#define LINE data_quanta
+#define DIRECTION(l, i) l->u
+#define AXIS(s, i) s->w
+#define FROM_BASE(l, s, i) l->D
+#define FROM_TOP(l, s, i) quantum_add(l->D, s->w)
+#define BEFORE_TOP(D, w) quantum_add(D, w)
+#define SEMI_AXIS_A(s, i) s->a
+#define SEMI_AXIS_B(s, i) s->b
+#define RADIUS(s, end) s->r[end]
+#define RADIUS_GROWTH(s) s->dr
+#define ONE 0
+#include "load_template.h"
 
 /* Quanta of the data; NULL unless the filters see every digit of them. */
 static const terms_quantum *quanta(cylint_query *q)
@@ -280,20 +294,14 @@ static const terms_quantum *quanta(cylint_query *q)
     }
     if (!q->quanta)
         return NULL;
-    L->kind = s->kind;
-    const int eD = least_quantum(D), ew = least_quantum(s->axis);
-    fill3(L->u, least_quantum(l->d));
-    fill3(L->w, ew);
-    fill3(L->D[0], eD);
-    fill3(L->D[1], eD < ew ? eD : ew);
-    if (cylint_is_elliptic(s->kind)) {
-        fill3(L->a, least_quantum(s->a));
-        fill3(L->b, least_quantum(s->b));
-    }
-    L->r[0] = quantum(s->r0);
-    L->r[1] = quantum(s->r1);
-    L->dr = quantum(s->dr);
-    L->one = 0;
+    const data_quanta data = {
+        least_quantum(l->d), least_quantum(s->axis),
+        least_quantum(D),    least_quantum(s->a),
+        least_quantum(s->b), {quantum(s->r0), quantum(s->r1)},
+        quantum(s->dr)};
+    load_shape_quantum(L, &data, s->kind);
+    load_line_quantum(L, &data, &data);
+    load_top_quantum(L, &data, &data);
     prepare_shape_quantum(L);
     prepare_line_quantum(L);
     prepare_top_quantum(L);
