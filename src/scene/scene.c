@@ -464,9 +464,7 @@ static void traverse(search *q, int nearest)
     } else if (status == CYLINT_FRAME_ENTERED) {
         if (!nearest) {
             q->n_table = 0;
-            memset(q->table, 0xff,
-                   sizeof q
-                       ->table); /* NO_SHAPE */
+            memset(q->table, 0xff, sizeof q->table); /* NO_SHAPE */
         }
         s->traverse(&s->bvh, q->ray.o, q->ray.d, 0, &q->ray.length,
                     nearest ? test_leaf_nearest : test_leaf_count, q);
