@@ -57,7 +57,7 @@ static double step(double x, int up)
 
 /* center + offset + reach (up) or - reach, rounded outward.  If nothing was
  * rounded before, the sign of the sum's low part decides the rounding.
- * Otherwise the error of the pairs is below 2^-98 of the terms; it is added
+ * Otherwise the error of the pairs is at most CYLINT_BOX_ERROR; it is added
  * before the last rounding. */
 static double outward(double center, pair offset, pair reach, int is_exact,
                       int up)
@@ -75,8 +75,9 @@ static double outward(double center, pair offset, pair reach, int is_exact,
             return sum.hi;
         return step(sum.hi, up);
     }
-    const double error = 0x1p-98 * fabs(center) + 0x1p-98 * fabs(offset.hi) +
-                         0x1p-98 * fabs(reach.hi);
+    const double error = CYLINT_BOX_ERROR * fabs(center) +
+                         CYLINT_BOX_ERROR * fabs(offset.hi) +
+                         CYLINT_BOX_ERROR * fabs(reach.hi);
     const double wide = sum.hi + (up ? sum.lo + error : sum.lo - error);
     return step(step(wide, up), up);
 }
@@ -112,7 +113,10 @@ static void take_disc(const cylint_shape *s, int cap, double lo[3],
         else if (cap)
             offset = s->axis[j];
         const double most = cylint_larger(fabs(center), fabs(offset));
-        const int down = most > 0x1p1000 || e + er > 1000 ? SMALLER : 0;
+        const int down = most > cylint_power_of_two(CYLINT_LARGE_EXPONENT) ||
+                                 e + er > CYLINT_LARGE_EXPONENT
+                             ? SMALLER
+                             : 0;
         const pair reach = unscaled(product, e + er - down);
         const pair along = {cylint_scaled(offset, -down), 0};
         center = cylint_scaled(center, -down);

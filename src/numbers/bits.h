@@ -14,6 +14,7 @@
 
 #include "compiler.h"
 #include "double_double.h"
+#include "error_bounds.h"
 
 /* 2^e for -1022 <= e <= 1023. */
 static inline double cylint_power_of_two(int e)
@@ -60,11 +61,12 @@ static inline int cylint_sign(double x)
     return bits << 1 == 0 ? 0 : bits >> 63 ? -1 : 1;
 }
 
-/* Whether 0 < |x| < 2^-900: a two_sum with x can have a subnormal low part,
- * which the processor may flush. */
+/* Whether 0 < |x| < 2^-CYLINT_SUM_EXPONENT: a two_sum with x can have a
+ * subnormal low part, which the processor may flush. */
 static inline int cylint_too_small(double x)
 {
-    const uint64_t least = (uint64_t)(1023 - 900) << 53; /* without the sign */
+    const uint64_t least = (uint64_t)(1023 - CYLINT_SUM_EXPONENT)
+                           << 53;                 /* without the sign */
     return (cylint_bits(x) << 1) - 1 < least - 1; /* a zero wraps round */
 }
 

@@ -1,5 +1,5 @@
 /*
- * error_bounds.h - all constants that decide anything, with their reasons
+ * error_bounds.h - all constants on which a decision depends, with their reasons
  *
  * `make prove` proves every constant that is called proved here.  It also shows
  * that the same proof fails for a constant that is 1 % smaller.
@@ -171,9 +171,53 @@
  * terms.  The relative change of a form is at most four times that. */
 #define CYLINT_MOVED_BOUND 0x1p-99
 
-/* Roots in lanes have at least this size and at most its inverse.  Then no
- * product underflows, and no low part of a sum is subnormal. */
+/* Roots that pairs decide, in lanes too, have at least this size and at most its
+ * inverse.  Then no product of three underflows, and no low part of a sum is
+ * subnormal. */
 #define CYLINT_ROOT_LEAST 0x1p-300
+
+/*
+ * Exponents.  A sum of two doubles of 2^-CYLINT_SUM_EXPONENT or more, or 0, has
+ * a low part that is a multiple of 2^-952, so it is not subnormal; and the low
+ * part of such a pair is at least 2^-1006.  A double below
+ * 2^CYLINT_LARGE_EXPONENT can be added and doubled without overflow.  Squares of
+ * pairs between 2^-CYLINT_SQUARE_EXPONENT and its inverse, and quotients of such
+ * pairs, neither overflow nor have subnormal low parts.
+ */
+#define CYLINT_SUM_EXPONENT 900
+#define CYLINT_LARGE_EXPONENT 1000
+#define CYLINT_SQUARE_EXPONENT 400
+
+/* Of two positive numbers one is so many times 2 smaller than the other that it
+ * does not change the sum within CYLINT_PAIR_ADD. */
+#define CYLINT_NEGLIGIBLE_EXPONENT 250
+
+/*
+ * Hits (roots/hit.c).  A number is accepted if it is 2^54 times its error: then
+ * the error is at most half a unit in the last place, to which the last rounding
+ * adds a half.  CYLINT_TAME_LEAST: if every datum is 0 or at least this, a
+ * difference of two is 0 or at least 2^-202, and no product of five underflows.
+ */
+#define CYLINT_DIGITS 0x1p54
+#define CYLINT_TAME_LEAST 0x1p-150
+
+/* A root whose nearest double is 0 is below 2^-1074.  In units of
+ * CYLINT_PAIR_ROUNDING this is more. */
+#define CYLINT_ZERO_ROOT_ERROR 0x1p-900
+
+/* Newton's steps go on while each makes the error so many times smaller, and a
+ * quotient with an exact C begins with a denominator of at most that error.
+ * These values affect only the speed. */
+#define CYLINT_NEWTON_GAIN 0x1p-4
+#define CYLINT_NEAR_ORIGIN 0x1p-60
+
+/* Boxes (box.c): the error of a coordinate, relative to the sizes of its terms:
+ * three sums, four products, two roots and two quotients of pairs. */
+#define CYLINT_BOX_ERROR 0x1p-98
+
+/* Below this many degrees the angle in radians has the same nearest double as
+ * its tangent, which is larger by less than 2^-130 of itself. */
+#define CYLINT_TANGENT_LEAST 0x1p-60
 
 /*
  * Local coordinates (shapes/local.h).  CYLINT_LOCAL_ERROR: the error of an entry

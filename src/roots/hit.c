@@ -18,10 +18,6 @@
 
 #include "roots.h"
 
-/* An accepted number's error is so many times smaller than the number: at most
- * one unit in the last place, to which the last rounding adds a half. */
-#define ENOUGH 0x1p54
-
 /*
  * A zero is accepted if no rounding was on its way, that is if the sum of the
  * errors is 0, and no product can have underflowed: a component of the data is
@@ -30,7 +26,7 @@
  */
 static int is_tame(double x)
 {
-    return cylint_sign(x) == 0 || fabs(x) >= 0x1p-150;
+    return cylint_sign(x) == 0 || fabs(x) >= CYLINT_TAME_LEAST;
 }
 
 static int data_are_tame(const cylint_query *q)
@@ -50,7 +46,7 @@ static int data_are_tame(const cylint_query *q)
 /* Whether the error of x is small beside a size. */
 static int is_known(bounded_pair x, double size)
 {
-    return size > ENOUGH * bounded_pair_error(x);
+    return size > CYLINT_DIGITS * bounded_pair_error(x);
 }
 
 /* Whether x has digits enough of its own. */
@@ -98,7 +94,7 @@ static void normalise(const floating x[3], int sign, double to[3])
         e = exponent_of(x[i]) > e ? exponent_of(x[i]) : e;
     for (int i = 0; i < 3; i++)
         scaled |= x[i].e != 0;
-    scaled |= e > 400 || e < -400;
+    scaled |= e > CYLINT_SQUARE_EXPONENT || e < -CYLINT_SQUARE_EXPONENT;
     for (int i = 0; i < 3; i++) {
         y[i] = scaled ? pair_of(x[i], -e) : x[i].v;
         sum = pair_add(sum, pair_mul(y[i], y[i]));
@@ -373,7 +369,7 @@ static unsigned point_in_pairs(const cylint_query *q, bounded_pair t,
         const double error = CYLINT_PAIR_UNIT * sizes +
                              t_error * fabs(l->d[i]) + CYLINT_UNDERFLOW;
         point[i] = x.hi + 0; /* no -0 */
-        left &= ~((unsigned)(fabs(x.hi) > ENOUGH * error) << i);
+        left &= ~((unsigned)(fabs(x.hi) > CYLINT_DIGITS * error) << i);
     }
     return left;
 }

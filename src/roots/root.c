@@ -265,7 +265,7 @@ static double exact_value(cylint_query *q, cylint_root root, double *more)
     surd in_full = cylint_surd(q, root);
     const floating f = exact_root(q, &in_full);
     const pair t = f.v;
-    const int tame = f.e > -900 && f.e < 1000;
+    const int tame = f.e > -CYLINT_SUM_EXPONENT && f.e < CYLINT_LARGE_EXPONENT;
     double value;
     if (t.hi == 0)
         value = 0;
@@ -295,9 +295,11 @@ static int root_against(cylint_query *q, cylint_root root, double m)
  * product of t on the way can have underflowed. */
 static int settles(const cylint_query *q, pair t, double error)
 {
-    const int e = cylint_exponent(t.hi);
-    return rounds_to_hi(t, error) && e > -300 && e < 300 &&
-           e + q->t_exponent > -900 && e + q->t_exponent < 1000;
+    const double size = fabs(t.hi);
+    const int e = cylint_exponent(t.hi) + q->t_exponent;
+    return rounds_to_hi(t, error) && size > CYLINT_ROOT_LEAST &&
+           size < 1 / CYLINT_ROOT_LEAST && e > -CYLINT_SUM_EXPONENT &&
+           e < CYLINT_LARGE_EXPONENT;
 }
 
 /* Whether a root that is no root of a quadratic, or its double root, is 0. */
@@ -325,7 +327,7 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
         return none;
     const cylint_quotient_pair f =
         cylint_half_quotient_pair(cylint_load_pair_moments(q), exits, &near);
-    if (!near || !(f.error < 0x1p-60))
+    if (!near || !(f.error < CYLINT_NEAR_ORIGIN))
         return none;
     if (cylint_sign_C(q) == 0) {
         *error = 0;
@@ -335,7 +337,7 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
     const int used = q->arena.used;
     pair num = cylint_exact_round(cylint_form_C_exact(L), &e);
     q->arena.used = used;
-    if (!(e > -400 && e < 400))
+    if (e < -CYLINT_SQUARE_EXPONENT || e > CYLINT_SQUARE_EXPONENT)
         return none;
     num.hi *= cylint_power_of_two(e);
     num.lo *= cylint_power_of_two(e);
@@ -363,7 +365,7 @@ static int newton(cylint_query *q, estimate k, double low, pair *t,
         *t = refined(q, k, low, error);
         if (settles(q, *t, *error))
             return 1;
-        if (!(*error < 0x1p-4 * k.error))
+        if (!(*error < CYLINT_NEWTON_GAIN * k.error))
             return 0;
         k.t = t->hi;
         k.error = *error;
@@ -471,7 +473,7 @@ static int newton_from(cylint_query *q, cylint_root root, pair *t,
     do {
         before = *error;
         step_to_lateral(L, fabs(A.v.hi) + bounded_pair_error(A), t, error);
-    } while (*error >= enough && *error < 0x1p-4 * before);
+    } while (*error >= enough && *error < CYLINT_NEWTON_GAIN * before);
     return *error < enough;
 }
 
@@ -489,7 +491,7 @@ static int rest_by_newton(cylint_query *q, cylint_root root, double t,
                           double quantum, double *rest)
 {
     pair x = {t, 0};
-    double error = 0x1p-53 * fabs(t);
+    double error = CYLINT_ROUNDING / 2 * fabs(t);
     return newton_from(q, root, &x, &error) &&
            rest_rounds((x.hi - t) + x.lo, error, quantum, rest);
 }
@@ -510,7 +512,7 @@ bounded_pair cylint_canonical_root(cylint_query *q, cylint_root root, double t,
                                    double more, double error)
 {
     if (t == 0) /* the root is below the least double */
-        return (bounded_pair){{0, 0}, 0x1p-900};
+        return (bounded_pair){{0, 0}, CYLINT_ZERO_ROOT_ERROR};
     const double quantum =
         cylint_power_of_two(cylint_exponent(t) - 52 - CYLINT_REST_BITS);
     double rest;
@@ -552,8 +554,10 @@ static int placed(const cylint_query *q, double t, double error)
     const double from = in_scale(q, q->line->tmin);
     const double to = in_scale(q, q->line->tmax);
     /* of a limit brought into scale */
-    const double off_from = 0x1p-50 * cylint_smaller(fabs(from), DBL_MAX);
-    const double off_to = 0x1p-50 * cylint_smaller(fabs(to), DBL_MAX);
+    const double off_from =
+        CYLINT_QUOTIENT_ROUNDING * cylint_smaller(fabs(from), DBL_MAX);
+    const double off_to =
+        CYLINT_QUOTIENT_ROUNDING * cylint_smaller(fabs(to), DBL_MAX);
     error = CYLINT_ROOT_SLACK * error + CYLINT_UNDERFLOW;
     if (t + error < from - off_from || t - error > to + off_to)
         return -1;

@@ -48,7 +48,7 @@ static floating sum_of_sizes(floating x, floating y)
 {
     if (x.e < y.e)
         return sum_of_sizes(y, x);
-    if (x.e - y.e > 250)
+    if (x.e - y.e > CYLINT_NEGLIGIBLE_EXPONENT)
         return x;
     const double w = cylint_power_of_two(y.e - x.e);
     return (floating){pair_add(x.v, (pair){y.v.hi * w, y.v.lo * w}), x.e};

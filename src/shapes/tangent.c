@@ -10,6 +10,7 @@
 #include "measure.h"
 
 #include "../numbers/bits.h"
+#include "../numbers/error_bounds.h"
 #include "../numbers/exact.h"
 
 static pair over(pair x, double n)
@@ -48,7 +49,7 @@ double cylint_tangent(double degrees)
     if (angle == 45)
         return 1;
     int e = 0;
-    if (angle < 0x1p-60) { /* keep clear of underflow: tan x = x there */
+    if (angle < CYLINT_TANGENT_LEAST) { /* no underflow; tan x = x there */
         e = -600;
         angle = cylint_scaled(angle, 600);
     }

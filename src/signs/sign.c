@@ -23,7 +23,7 @@ static void scale_vector(double to[3], const double from[3], int e)
  * was scaled is infinite, or, where rounding is directed, the largest double. */
 static int is_in_range(const double x[3])
 {
-    return cylint_largest(x) <= 0x1p1000;
+    return cylint_largest(x) <= cylint_power_of_two(CYLINT_LARGE_EXPONENT);
 }
 
 static int filters_apply(const cylint_shape *s, const cylint_line *l)
@@ -348,7 +348,8 @@ static int certain_pair(bounded_pair x)
  */
 static int no_rounding(double size, int e)
 {
-    return e > -900 && e < 900 && size < cylint_power_of_two(e + 53);
+    return e > -CYLINT_SUM_EXPONENT && e < CYLINT_SUM_EXPONENT &&
+           size < cylint_power_of_two(e + 53);
 }
 
 /* The cascade, for a form with the given further arguments. */

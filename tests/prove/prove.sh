@@ -39,13 +39,13 @@ constants() { # prints all constants: name, hexadecimal, 1 % smaller
 
 ratios() { # prints the lines of ratios.txt with yes or no
     {
-        printf '#include <stdio.h>\n#include "numbers/error_bounds.h"\nint main(void)\n{\n'
+        printf '#include <math.h>\n#include <stdio.h>\n#include "numbers/error_bounds.h"\nint main(void)\n{\n'
         sed -n 's/^\(CYLINT.*\) | \(.*\)$/printf("%s;\1 >= \2\\n", (\1) >= (\2) ? "yes" : "no");/p' \
             "$here/ratios.txt"
         printf 'return 0;\n}\n'
     } > "$build/ratios.c"
     ${CC:-cc} -I"$here/../../src" -o "$build/ratios" \
-        "$build/ratios.c" && "$build/ratios"
+        "$build/ratios.c" -lm && "$build/ratios"
 }
 
 expand() { # CLAIM MODE COLUMN; column of constants: 2 as stated, 3 smaller
