@@ -1,5 +1,5 @@
 /*
- * cylint - intersections of lines with cylinders and cones
+ * cylint - intersections of lines with cylinders, cones and round shapes
  *
  * Each double that the caller gives stands for exactly one real number.  The
  * answers are exact for these real numbers.  The library normalises no vector
@@ -422,6 +422,29 @@ CYLINT_API int cylint_occluded(const cylint_shape *shape,
  * with an infinite or NaN coordinate. */
 CYLINT_API int cylint_contains(const cylint_shape *shape,
                                const double point[3]);
+
+/*
+ * cylint_outside - a point from which a ray can leave a hit
+ *
+ * The point of a hit is rounded, so it is as often inside the solid as outside,
+ * and a ray from it can hit the same surface again.  This writes a point
+ * near hit->point for which cylint_contains() returns `side`: -1 outside, 1
+ * inside.  hit->point and hit->normal must be written.
+ *
+ * Returns 1.  The point is hit->point itself if that is on the side; else the
+ * nearest of the points that differ from it by k or 0 steps of the doubles in
+ * each coordinate, towards the side, for the least k from 1 to 4; else a point
+ * further along the normal or, on the inside, towards the middle of the shape.
+ * Returns 0 and writes hit->point if none of these is on the side.  This
+ * happens for side 1 if the solid is thinner than the steps of the doubles, and
+ * if the shape was refused.
+ *
+ * Let q be the point of a convex solid nearest to an outside point p: a ray
+ * p + t d with d.(p - q) >= 0 misses the solid.  A ray from an inside point of
+ * a bounded solid hits its surface once.
+ */
+CYLINT_API int cylint_outside(const cylint_shape *shape, const cylint_hit *hit,
+                              int side, double point[3]);
 
 /* Writes the least box parallel to the coordinate axes that contains the
  * solid.  Each side is rounded outward, by at most 5 units in the last place.

@@ -26,6 +26,30 @@ function off_axis(i, ux, uy, uz,   dx, dy, dz)
 # Bounds the solid by the planes along = 0 and along = 1.
 function bounded(f) { return max(f, max(-along, along - 1)) }
 
+function distance(cx, cy, cz)
+{
+    return sqrt(square(x - cx) + square(y - cy) + square(z - cz))
+}
+
+# The ball at s between two spheres: the least distance from its surface.  That
+# is a convex function of s.
+function from_ball(s)
+{
+    return distance(p[1] + s * (p[5] - p[1]), p[2] + s * (p[6] - p[2]),
+                    p[3] + s * (p[7] - p[3])) - p[4] - s * (p[8] - p[4])
+}
+
+function from_sweep(   a, b, i)
+{
+    b = 1
+    for (i = 0; i < 60; i++)
+        if (from_ball(a + (b - a) / 3) < from_ball(b - (b - a) / 3))
+            b -= (b - a) / 3
+        else
+            a += (b - a) / 3
+    return from_ball(a)
+}
+
 # The parameters are in the order of the card; x, y, z is the point.
 function inside(name,   d, slope)
 {
@@ -71,6 +95,12 @@ function inside(name,   d, slope)
     if (name == "RightCircularCylinder")
         return max(square(x - p[1]) + square(y - p[2]) - square(p[5]),
                    max(p[3] - z, z - p[3] - p[4]))
+    if (name == "SO" || name == "G4Orb")
+        return x * x + y * y + z * z - square(p[1])
+    if (name == "SPH" || name == "Sphere" || name == "sphere")
+        return distance(p[1], p[2], p[3]) - p[4]
+    if (name == "sphere_sweep")
+        return from_sweep()
     if (name == "G4Tubs")
         return max(x * x + y * y - square(p[2]), max(z, -z) - p[3])
     if (name == "G4Cons") {
@@ -114,6 +144,8 @@ function changes(a)
 function near(t) { return 1e-7 * (1 + max(t, -t)) }
 
 {
+    gsub(/[{}<>,]/, " ")
+    sub(/linear_spline 2/, "")
     for (bar = 5; $bar != "|"; bar++)
         ;
     split("", p)

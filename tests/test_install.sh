@@ -239,7 +239,7 @@ test_manual_examples()
 {
     sanitizers=$(sanitizers_of)
     source=example.c
-    for shown in cylint.3,1 cylint.3,3 cylint_methods.3,1; do
+    for shown in cylint.3,1 cylint.3,3 cylint.3,5 cylint_methods.3,1; do
         page=${shown%,*} number=${shown#*,}
         display $page $number > "$scratch/example.c"
         display $page $((number + 1)) > "$scratch/example.said"

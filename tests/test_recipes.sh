@@ -15,6 +15,7 @@ records_of()
         /^#/ || !NF { next }
         { numbers["cylinder"] = 7; numbers["acone"] = 7; numbers["cone"] = 8
           numbers["ecylinder"] = 12; numbers["econe"] = 13
+          numbers["sphere"] = 4; numbers["rcone"] = 8
           shape = $1
           for (i = 2; i <= 1 + numbers[$1]; i++)
               shape = shape " " $i
@@ -35,9 +36,9 @@ records_of()
 
 test_foreign_shapes()
 {
-    for program in mcnp geant4 openmc; do
+    for program in mcnp geant4 openmc povray; do
         records_of $program 300 > "$scratch/records" &&
-            [ "$(wc -l < "$scratch/records")" -ge 1200 ] &&
+            [ "$(wc -l < "$scratch/records")" -ge 600 ] &&
             cylint "$scratch/records" > "$scratch/answers" &&
             awk -f tests/foreign.awk "$scratch/answers" > "$scratch/log"
         status=$?

@@ -1,0 +1,175 @@
+/*
+ * outside.c - a point near a hit that is certainly outside or inside the solid
+ *
+ * The exact sign of cylint_contains() tests every point.  The first ones are
+ * the hit's point and its neighbours in the direction of the normal, 1 to NEAR
+ * steps of the doubles in some of the coordinates; of these the nearest is
+ * chosen.  A hit's coordinates have an error of at most 4 such steps.  Points
+ * farther along the normal follow.  From a rim the inside is not in the
+ * direction of the normal: there points towards the middle of the axis follow,
+ * which is in the interior of a bounded solid.  At the apex of a double cone the
+ * outside is not in the direction of the normal: the last points are
+ * farther and farther along all diagonals of the coordinates.
+ *
+ * A point outside of a rim may be beyond the cap only.  A ray that leaves the
+ * lateral surface could then pass through the cap.  So the point must be on the
+ * outer side of the part that the hit lies on.
+ */
+#include "signs/sign.h"
+
+enum { NEAR = 4, MASKS = 8, MOST_DOUBLINGS = 64 };
+
+/* The next double above or below x. */
+static double next(double x, int up)
+{
+    return up ? cylint_next_above(x) : -cylint_next_above(-x);
+}
+
+static double moved(double x, int up, int steps)
+{
+    for (; steps > 0; steps--)
+        x = next(x, up);
+    return x;
+}
+
+typedef struct {
+    const cylint_shape *shape;
+    int side, part;
+    double from[3], towards[3]; /* the hit and a direction to the side */
+} search;
+
+/* Whether p is on the outer side of the hit's part. */
+static int is_beyond_part(const search *s, const double p[3])
+{
+    static const double along[3] = {1, 0, 0};
+    const cylint_shape *shape = s->shape;
+    cylint_line line;
+    cylint_query q;
+    if (cylint_is_round(shape->kind) || !cylint_is_bounded(shape) ||
+        cylint_whole_line(&line, p, along) != CYLINT_OK)
+        return 1;
+    cylint_query_open(&q, shape, &line);
+    switch (s->part) {
+    case CYLINT_PART_CAP0:
+        return cylint_sign_alpha(&q, 0) < 0;
+    case CYLINT_PART_CAP1:
+        return cylint_sign_alpha(&q, 1) > 0;
+    default:
+        return cylint_sign_C(&q) > 0 ||
+               (cylint_is_tapered(shape->kind) && cylint_sign_rho0(&q) < 0);
+    }
+}
+
+static int is_there(const search *s, const double p[3])
+{
+    return cylint_contains(s->shape, p) == s->side &&
+           (s->side > 0 || is_beyond_part(s, p));
+}
+
+/* Moves coordinates by `steps` doubles; bit i of `mask` stands for coordinate
+ * i.  *distance: the square of the distance. */
+static void step_by(const search *s, unsigned mask, int steps, double p[3],
+                    double *distance)
+{
+    *distance = 0;
+    for (int i = 0; i < 3; i++) {
+        p[i] = s->from[i];
+        if (!(mask >> i & 1))
+            continue;
+        p[i] = moved(p[i], s->towards[i] > 0, steps);
+        *distance += (p[i] - s->from[i]) * (p[i] - s->from[i]);
+    }
+}
+
+/* The coordinates in which the direction is not 0. */
+static unsigned useful(const search *s)
+{
+    unsigned mask = 0;
+    for (int i = 0; i < 3; i++)
+        mask |= (unsigned)(cylint_sign(s->towards[i]) != 0) << i;
+    return mask;
+}
+
+/* The nearest neighbour of those `steps` away. */
+static int try_neighbours(const search *s, int steps, double p[3])
+{
+    double least = HUGE_VAL;
+    for (unsigned mask = 1; mask < MASKS; mask++) {
+        double q[3], distance;
+        if (mask & ~useful(s))
+            continue;
+        step_by(s, mask, steps, q, &distance);
+        if (!(distance < least) || !is_there(s, q))
+            continue;
+        least = distance;
+        for (int i = 0; i < 3; i++)
+            p[i] = q[i];
+    }
+    return least < HUGE_VAL;
+}
+
+/* Points from + x towards, x doubling, from `least` to 1 or, `beyond`, on. */
+static int try_line(const search *s, double least, int beyond, double p[3])
+{
+    double x = least;
+    for (int k = 0; k < MOST_DOUBLINGS && (beyond || x < 1); k++, x *= 2) {
+        for (int i = 0; i < 3; i++)
+            p[i] = s->from[i] + x * s->towards[i];
+        if (is_there(s, p))
+            return 1;
+    }
+    return 0;
+}
+
+/* Along the diagonals; x doubles. */
+static int try_diagonals(const search *s, double least, double p[3])
+{
+    double x = least;
+    for (int k = 0; k < MOST_DOUBLINGS; k++, x *= 2)
+        for (int diagonal = 0; diagonal < 27; diagonal++) {
+            p[0] = s->from[0] + x * (diagonal % 3 - 1);
+            p[1] = s->from[1] + x * (diagonal / 3 % 3 - 1);
+            p[2] = s->from[2] + x * (diagonal / 9 - 1);
+            if (is_there(s, p))
+                return 1;
+        }
+    return 0;
+}
+
+/* The largest step of the doubles at the hit. */
+static double largest_step(const search *s)
+{
+    double most = 0;
+    for (int i = 0; i < 3; i++)
+        most =
+            cylint_larger(most, next(fabs(s->from[i]), 1) - fabs(s->from[i]));
+    return most;
+}
+
+int cylint_outside(const cylint_shape *shape, const cylint_hit *hit, int side,
+                   double point[3])
+{
+    search s = {.shape = shape, .side = side, .part = hit->part};
+    for (int i = 0; i < 3; i++) {
+        s.from[i] = point[i] = hit->point[i];
+        s.towards[i] = side > 0 ? -hit->normal[i] : hit->normal[i];
+    }
+    if (is_there(&s, point))
+        return 1;
+    for (int steps = 1; steps <= NEAR; steps++)
+        if (try_neighbours(&s, steps, point))
+            return 1;
+    if (try_line(&s, largest_step(&s), 1, point))
+        return 1;
+    if (side > 0 && cylint_is_bounded(shape)) {
+        for (int i = 0; i < 3; i++)
+            s.towards[i] = shape->center[i] - s.from[i];
+        if (try_line(&s, 0x1p-52, 0, point))
+            return 1;
+    }
+    if (try_diagonals(&s, largest_step(&s), point))
+        return 1;
+    for (int i = 0; i < 3; i++)
+        point[i] = hit->point[i];
+    return 0;
+}

@@ -1,0 +1,271 @@
+/*
+ * test_outside.c - floor intersect: rays that leave a surface
+ *
+ * From every hit of the families cylint_outside() makes a point outside and a
+ * point inside.  cylint_contains() must say so, and rays from the point outside
+ * that point away from a convex solid must miss it; every ray from the point
+ * inside a bounded solid must hit it once.  CYLINT_CASES is the number of cases
+ * of each family, CYLINT_RAYS the number of rays from each point.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "families.h"
+#include "random.h"
+#include "shapes/shape_facts.h"
+#include "ulps.h"
+
+enum { CASES = 300, RAYS = 8, BINS = 8 };
+
+static uint64_t stream = 20261122;
+
+/* Points by how far they were moved, in units in the last place of the largest
+ * coordinate, rounded up: 0, 1, ... 4, up to 64, more; and what went wrong. */
+static struct tally {
+    long points, none, rays, wrong, moved[BINS];
+    double worst;
+} tally[2];
+
+static void random_direction(double d[3])
+{
+    double size;
+    do {
+        size = 0;
+        for (int i = 0; i < 3; i++) {
+            d[i] = 2 * random_unit(&stream) - 1;
+            size += d[i] * d[i];
+        }
+    } while (size > 1 || size < 0.01);
+}
+
+static double along(const double x[3], const double y[3])
+{
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
+static double length(const double x[3])
+{
+    return sqrt(along(x, x));
+}
+
+static int is_convex(const cylint_shape *s)
+{
+    return s->ends != CYLINT_ENDS_INFINITE || !cylint_is_tapered(s->kind);
+}
+
+static void count_move(struct tally *sum, const cylint_hit *hit,
+                       const double p[3])
+{
+    double most = 0, size = 0;
+    for (int i = 0; i < 3; i++) {
+        most = fmax(most, fabs(p[i] - hit->point[i]));
+        size = fmax(size, fabs(hit->point[i]));
+    }
+    most /= ulp(size);
+    const int bin = most <= 4 ? (int)ceil(most) : most <= 64 ? 5 : 6;
+    sum->moved[bin]++;
+    sum->worst = fmax(sum->worst, most);
+}
+
+/* The number of hits of a ray that starts at p. */
+static int hits_from(const cylint_shape *s, const double p[3],
+                     const double d[3])
+{
+    cylint_line ray;
+    cylint_answer a;
+    cylint_ray(&ray, p, d);
+    return cylint_intersect(s, &ray, CYLINT_WANT_COUNT, &a);
+}
+
+/* Rays that leave a convex solid.  All parts of it are there. */
+static void leave(const struct family_case *c, const cylint_shape *whole,
+                  const cylint_hit *hit, const double p[3], int rays)
+{
+    for (int k = 0; k < rays; k++) {
+        double d[3];
+        random_direction(d);
+        const double away = along(d, hit->normal);
+        if (away < 0)
+            for (int i = 0; i < 3; i++)
+                d[i] = -d[i];
+        tally[0].rays++;
+        const int n = hits_from(whole, p, d);
+        tally[0].wrong += n != 0;
+        if (!CHECK(n == 0)) {
+            REPORT_CASE(c);
+            REPORT("ray %a %a %a  %a %a %a", p[0], p[1], p[2], d[0], d[1],
+                   d[2]);
+        }
+    }
+}
+
+static void stay(const struct family_case *c, const cylint_shape *whole,
+                 const double p[3], int rays)
+{
+    for (int k = 0; k < rays; k++) {
+        double d[3];
+        random_direction(d);
+        tally[1].rays++;
+        const int n = hits_from(whole, p, d);
+        tally[1].wrong += n != 1;
+        if (!CHECK(n == 1)) {
+            REPORT_CASE(c);
+            REPORT("ray %a %a %a  %a %a %a", p[0], p[1], p[2], d[0], d[1],
+                   d[2]);
+        }
+    }
+}
+
+/* Whether the section at the hit is large beside the steps of the doubles.  At
+ * an apex, and where a few doubles span the shape, the normal does not say which
+ * rays point away. */
+static int is_smooth(const cylint_shape *s, const cylint_hit *hit)
+{
+    const double unit = cylint_is_elliptic(s->kind)
+                            ? fmin(length(s->a), length(s->b))
+                            : cylint_radius_unit(s, length(s->axis));
+    const double z =
+        cylint_is_round(s->kind) ? fmin(fmax(hit->z, 0), 1) : hit->z;
+    const double r =
+        s->kind == CYLINT_KIND_SPHERE ? s->r0 : s->r0 + (s->r1 - s->r0) * z;
+    double size = 0;
+    for (int i = 0; i < 3; i++)
+        size = fmax(size, fabs(hit->point[i]));
+    return fabs(r) * unit > 1e9 * ulp(size);
+}
+
+static int is_finite_point(const double p[3])
+{
+    return isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]);
+}
+
+static void from_hit(const struct family_case *c, const cylint_hit *hit,
+                     int rays)
+{
+    cylint_shape whole = c->shape;
+    double p[3];
+    if (cylint_ends_are_planes(whole.ends))
+        whole.ends = CYLINT_ENDS_CAPPED;
+    tally[0].points++;
+    if (!cylint_outside(&c->shape, hit, -1, p)) {
+        tally[0].none++; /* a double cone may contain all doubles nearby */
+        if (!CHECK(!is_convex(&whole)))
+            REPORT_CASE(c);
+    } else {
+        CHECK(cylint_contains(&c->shape, p) == -1);
+        count_move(&tally[0], hit, p);
+        if (is_convex(&whole) && is_smooth(&whole, hit))
+            leave(c, &whole, hit, p, rays);
+    }
+    tally[1].points++;
+    if (!cylint_outside(&c->shape, hit, 1, p)) {
+        tally[1].none++; /* no double may be inside a solid so thin */
+        CHECK(p[0] == hit->point[0] && p[1] == hit->point[1] &&
+              p[2] == hit->point[2]);
+    } else {
+        CHECK(cylint_contains(&c->shape, p) == 1);
+        count_move(&tally[1], hit, p);
+        if (cylint_is_bounded(&whole))
+            stay(c, &whole, p, rays);
+    }
+}
+
+static void print_tally(const char *name, const struct tally *t)
+{
+    printf("note: %-8s %ld points, none for %ld, %ld rays, %ld wrong; moved 0 "
+           "to 4 ulp: %ld %ld %ld %ld %ld, to 64: %ld, more: %ld, worst %.3g\n",
+           name, t->points, t->none, t->rays, t->wrong, t->moved[0],
+           t->moved[1], t->moved[2], t->moved[3], t->moved[4], t->moved[5],
+           t->moved[6], t->worst);
+}
+
+static void over_families(int wild)
+{
+    const uint64_t cases = check_setting("CYLINT_CASES", CASES);
+    const int rays = (int)check_setting("CYLINT_RAYS", RAYS);
+    memset(tally, 0, sizeof tally);
+    for (int f = 0; f < family_count(); f++) {
+        const int is_wild =
+            family_is_wild(f) || strcmp(family_name(f), "subnormal") == 0 ||
+            strcmp(family_name(f), "huge") == 0 ||
+            strcmp(family_name(f), "scaled") == 0 ||
+            strcmp(family_name(f), "round, scaled") == 0 ||
+            strcmp(family_name(f), "round, subnormal or huge") == 0;
+        if (is_wild != wild)
+            continue;
+        for (uint64_t i = 0; i < (wild ? cases / 10 : cases); i++) {
+            struct family_case c;
+            cylint_answer a;
+            family_case(5, f, i, &c);
+            cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &a);
+            for (int k = 0; k < a.n; k++)
+                if (is_finite_point(a.hit[k].point))
+                    from_hit(&c, &a.hit[k], rays);
+        }
+    }
+    print_tally("outside", &tally[0]);
+    print_tally("inside", &tally[1]);
+}
+
+static void rays_leave_the_solid_or_stay_in_it(void)
+{
+    over_families(0);
+}
+
+static void also_of_wild_sizes(void)
+{
+    over_families(1);
+}
+
+static void a_point_on_the_wanted_side_is_not_moved(void)
+{
+    cylint_shape s;
+    cylint_hit hit = {.point = {0, 0, 2}, .normal = {0, 0, 1}};
+    const double c[3] = {0, 0, 0};
+    double p[3];
+    CHECK(cylint_sphere(&s, c, 1, CYLINT_ENDS_CAPPED) == CYLINT_OK);
+    CHECK(cylint_outside(&s, &hit, -1, p) == 1 && p[2] == 2);
+    hit.point[2] = 0.5;
+    CHECK(cylint_outside(&s, &hit, 1, p) == 1 && p[2] == 0.5);
+    hit.point[2] = 1;
+    CHECK(cylint_outside(&s, &hit, -1, p) == 1 && p[2] == nextafter(1, 2) &&
+          p[0] == 0 && p[1] == 0);
+    CHECK(cylint_outside(&s, &hit, 1, p) == 1 && p[2] == nextafter(1, 0));
+}
+
+static void no_double_is_inside_a_solid_that_is_too_thin(void)
+{
+    cylint_shape s;
+    const double c[3] = {0.1, 0.2, 0.3}, to[3] = {1.7, 0.9, 1.1};
+    cylint_line line;
+    cylint_answer a;
+    double p[3];
+    cylint_capsule(&s, c, to, 0x1p-70, CYLINT_ENDS_CAPPED);
+    const double o[3] = {0.9, 0.55, -4}, d[3] = {0, 0, 1};
+    cylint_ray(&line, o, d);
+    cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a);
+    cylint_hit hit = a.hit[0];
+    if (a.n == 0) {
+        memcpy(hit.point, o, sizeof o);
+        hit.point[2] = 0.7;
+        hit.normal[0] = 0, hit.normal[1] = 0, hit.normal[2] = -1;
+    }
+    if (cylint_outside(&s, &hit, 1, p) == 0)
+        CHECK(memcmp(p, hit.point, sizeof p) == 0);
+    else
+        CHECK(cylint_contains(&s, p) == 1);
+    cylint_shape none;
+    memset(&none, 0, sizeof none);
+    CHECK(cylint_outside(&none, &hit, 1, p) == 0 && p[2] == hit.point[2]);
+    CHECK(cylint_outside(&none, &hit, -1, p) == 1);
+}
+
+int main(void)
+{
+    RUN(rays_leave_the_solid_or_stay_in_it);
+    RUN(also_of_wild_sizes);
+    RUN(a_point_on_the_wanted_side_is_not_moved);
+    RUN(no_double_is_inside_a_solid_that_is_too_thin);
+    return check_end();
+}
