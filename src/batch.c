@@ -1,5 +1,5 @@
 /*
- * src/batch.c - many shapes in columns, and the questions asked of batches
+ * batch.c - many shapes or many lines: pack, nearest, count, columns
  *
  * Shapes are sorted into runs, each for one kernel, keeping their order
  * within a run; lanes carry the shapes' numbers.
@@ -8,7 +8,7 @@
 #include "dispatch.h"
 #include "intersect.h"
 
-/* A run for each kind, bounded or not, and one for what no kernel takes. */
+/* A run for each kind, bounded or not, and one for shapes without a kernel. */
 enum { RUNS = 2 * CYLINT_KINDS + 1, PADDING = 8 };
 
 typedef struct {
@@ -102,7 +102,7 @@ typedef struct {
     double t[2];
 } batch_answer;
 
-/* What is asked, what becomes of the answers, and the outcome so far. */
+/* A batch query, the use of its answers, and the result so far. */
 typedef struct {
     enum { FIND_NEAREST, COUNT_HITS, FILL_COLUMNS } purpose;
     const cylint_line *line;   /* one line for all shapes, or NULL */

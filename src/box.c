@@ -40,7 +40,7 @@ static pair size_of(double x, int *e)
 }
 
 /* The next double above or below x; x if it is infinite. */
-static double step(double x, int up)
+static double next_double(double x, int up)
 {
     if (!(fabs(x) <= DBL_MAX))
         return x;
@@ -73,13 +73,13 @@ static double outward(double center, pair offset, pair reach, int is_exact,
     if (is_exact) {
         if (up ? sum.lo <= 0 : sum.lo >= 0)
             return sum.hi;
-        return step(sum.hi, up);
+        return next_double(sum.hi, up);
     }
     const double error = CYLINT_BOX_ERROR * fabs(center) +
                          CYLINT_BOX_ERROR * fabs(offset.hi) +
                          CYLINT_BOX_ERROR * fabs(reach.hi);
-    const double wide = sum.hi + (up ? sum.lo + error : sum.lo - error);
-    return step(step(wide, up), up);
+    const double moved = sum.hi + (up ? sum.lo + error : sum.lo - error);
+    return next_double(next_double(moved, up), up);
 }
 
 /* x 2^e; if that overflows, rounded outward. */
@@ -92,8 +92,7 @@ static double scaled_outward(double x, int e, int up)
 
 /* Extends the box by the disc of a cap.  The sum of two of the three terms may
  * overflow although the sum of all does not: the terms are scaled down first. */
-static void take_disc(const cylint_shape *s, int cap, double lo[3],
-                      double hi[3])
+static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
 {
     enum { SMALLER = 4 };
     const long_axis k = axis_of(s);
@@ -171,7 +170,7 @@ static int leans_inward(cylint_query *q, int j)
 
 /* Writes the box of a nappe.  It is unbounded, except on one side of each
  * coordinate along which no ruling runs backwards: there the apex bounds it. */
-static void take_nappe(const cylint_shape *s, double lo[3], double hi[3])
+static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
 {
     static const double along[3] = {1, 0, 0};
     cylint_line line;
@@ -218,7 +217,7 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
     }
     if (!cylint_is_bounded(shape) && cylint_is_tapered(shape->kind)) {
         if (cylint_is_nappe(shape)) {
-            take_nappe(shape, lo, hi);
+            write_nappe_box(shape, lo, hi);
             return;
         }
         for (int j = 0; j < 3; j++) {
@@ -227,9 +226,9 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
         }
         return;
     }
-    take_disc(shape, 0, lo, hi);
+    add_disc(shape, 0, lo, hi);
     if (cylint_ends_are_planes(shape->ends)) {
-        take_disc(shape, 1, lo, hi);
+        add_disc(shape, 1, lo, hi);
         return;
     }
     for (int j = 0; j < 3; j++)

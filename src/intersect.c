@@ -1,10 +1,11 @@
 /*
- * intersect.c - one line and one shape: from signs to relation and hits
+ * intersect.c - one line and one shape: relation and hits, by the filter or by
+ * exact signs
  *
  * A bounded shape is convex, so the line overlaps it in one interval:
- * [where the lateral quadric Q <= 0] and [where 0 <= z <= 1].  Which of these
- * ends the interval is read off the signs of forms_template.h at the two cap
- * planes; no root is computed for it and none is compared with another.
+ * [where the lateral quadric Q <= 0] and [where 0 <= z <= 1].  The signs of
+ * forms_template.h at the two planes of the caps decide which of these bounds
+ * the overlap (overlap_template.h); no root is computed for that.
  */
 #include "intersect.h"
 
@@ -170,7 +171,7 @@ static overlap bounded(cylint_query *q)
     return up == 0 ? level(q) : slab(q, up > 0);
 }
 
-/* A whole cylinder; or what a parallel line is to any unbounded shape. */
+/* A line parallel to the axis of a whole cylinder, or to a ruling. */
 static overlap parallel(cylint_query *q)
 {
     const int C = cylint_sign_C(q);

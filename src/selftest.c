@@ -11,7 +11,7 @@
 #include "cylint.h"
 
 /* Returns x; the compiler cannot compute with its value. */
-static double hidden(double x)
+static double unfolded(double x)
 {
     volatile double v = x;
     return v;
@@ -28,9 +28,9 @@ static uint64_t bits_of(double x)
 static int format_differs(void)
 {
     return sizeof(double) != sizeof(uint64_t) ||
-           bits_of(hidden(-0x1.23456789abcdep-1)) !=
+           bits_of(unfolded(-0x1.23456789abcdep-1)) !=
                UINT64_C(0xbfe23456789abcde) ||
-           bits_of(hidden(0x1p-1074)) != 1;
+           bits_of(unfolded(0x1p-1074)) != 1;
 }
 
 /* (1 + e)^2 = 1 + 2 e + e^2.  One unit in its last place is 4 e^2, so the
@@ -38,8 +38,8 @@ static int format_differs(void)
  * difference of e^2 shows that the product was not rounded. */
 static int contracts(void)
 {
-    const double e = 0x1p-27, a = hidden(1 + e), b = hidden(1 + e);
-    const double c = hidden(1 + 2 * e), minus_c = hidden(-c);
+    const double e = 0x1p-27, a = unfolded(1 + e), b = unfolded(1 + e);
+    const double c = unfolded(1 + 2 * e), minus_c = unfolded(-c);
     const double added = a * b + minus_c, subtracted = a * b - c;
     const double reversed = c - a * b;
     return added == e * e || subtracted == e * e || reversed == -e * e;
@@ -49,15 +49,15 @@ static int contracts(void)
  * precision, or if the compiler cancels the ones. */
 static int keeps_too_much(void)
 {
-    const double one = hidden(1), tiny = hidden(0x1p-60);
+    const double one = unfolded(1), tiny = unfolded(0x1p-60);
     return (one + tiny) - one == tiny || one + (tiny - one) == tiny;
 }
 
 /* 1 + 2^-60 and 1 - 2^-60 round to 1, and ties round to even. */
 static int rounds_to_nearest(void)
 {
-    const double one = hidden(1), tiny = hidden(0x1p-60);
-    const double half = hidden(0x1p-53), odd = hidden(1 + 0x1p-52);
+    const double one = unfolded(1), tiny = unfolded(0x1p-60);
+    const double half = unfolded(0x1p-53), odd = unfolded(1 + 0x1p-52);
     return one + tiny == one && one - tiny == one && one + half == one &&
            odd + half == 1 + 0x1p-51;
 }
@@ -65,21 +65,21 @@ static int rounds_to_nearest(void)
 /* Called in rounding to nearest.  Reciprocal estimates fail this test. */
 static int quotients_are_off(void)
 {
-    return hidden(1) / hidden(3) != 0x1.5555555555555p-2 ||
-           hidden(5) / hidden(7) != 0x1.6db6db6db6db7p-1 ||
-           sqrt(hidden(2)) != 0x1.6a09e667f3bcdp+0 ||
-           sqrt(hidden(3)) != 0x1.bb67ae8584caap+0;
+    return unfolded(1) / unfolded(3) != 0x1.5555555555555p-2 ||
+           unfolded(5) / unfolded(7) != 0x1.6db6db6db6db7p-1 ||
+           sqrt(unfolded(2)) != 0x1.6a09e667f3bcdp+0 ||
+           sqrt(unfolded(3)) != 0x1.bb67ae8584caap+0;
 }
 
 static int flushes_results(void)
 {
-    return bits_of(hidden(0x1p-1022) * hidden(0.5)) != UINT64_C(1) << 51;
+    return bits_of(unfolded(0x1p-1022) * unfolded(0.5)) != UINT64_C(1) << 51;
 }
 
 static int takes_operands_for_zero(void)
 {
-    return bits_of(hidden(0x1p-1030) * hidden(0x1p100)) !=
-           bits_of(hidden(0x1p-930));
+    return bits_of(unfolded(0x1p-1030) * unfolded(0x1p100)) !=
+           bits_of(unfolded(0x1p-930));
 }
 
 int cylint_selftest(void)

@@ -9,8 +9,7 @@
 #include "../shapes/shape_facts.h"
 #include "cylint.h"
 
-/* What is known of the roots of n hits beside t: root = t + more, but for an
- * error of at most that. */
+/* The roots of n hits beyond t: |root - (t + more)| <= error. */
 typedef struct {
     double more[2], error[2];
 } cylint_root_rest;

@@ -1,16 +1,15 @@
 /*
- * lanes.h - a line against a shape in every lane: what doubles can decide
+ * lanes.h - a line and a shape in every lane: decisions in doubles
  *
- * The formulas of forms_template.h in doubles give the two intervals whose
- * overlap is the answer, with bounds on their errors; one step of Newton's in
- * pairs of doubles rounds each root that is wanted.  A lane about which any
- * sign or rounding is uncertain is marked undecided and must be asked again by
- * intersect.c, which always answers.  What is decided is exactly right, so it
- * does not matter which way an answer came.
+ * The forms of forms_template.h in doubles give two intervals whose overlap is
+ * the answer, with bounds on their errors.  One step of Newton's in pairs of
+ * doubles rounds each root that is wanted.  A lane with an uncertain sign or
+ * rounding is marked undecided; then intersect.c computes its answer.  All
+ * decided answers are exact.
  *
- * Bounds are those of error_bounds.h with one simplification: the sizes are summed
- * up from the largest components of u, w, D, ..., which costs a few
- * operations in all instead of one beside every operation.
+ * The error bounds are those of error_bounds.h with one simplification: the
+ * sizes are computed from the largest components of u, w, D, ..., once for all
+ * forms.
  */
 #ifndef CYLINT_KERNEL_H
 #define CYLINT_KERNEL_H
@@ -283,11 +282,11 @@ INLINE bounded_value lateral_numerator(const lanes_query *q, vd exits)
 /* The interval in which the lateral quadric is within, of lanes with G > 0:
  * for one side of a cone it may have no beginning or no end. */
 INLINE void lateral_interval(lanes_query *q, bounded_value G, int kind,
-                             int bounded, bounded_value stop[2], vm *unsure,
+                             int bounded, bounded_value stop[2], vm *uncertain,
                              vm *outside)
 {
     const terms_lanes *L = &q->L;
-    *unsure = m_or(*unsure, lateral_quadratic(q, G, kind));
+    *uncertain = m_or(*uncertain, lateral_quadratic(q, G, kind));
     stop[0] = quotient(lateral_numerator(q, v_set(-1)), q->A);
     stop[1] = quotient(lateral_numerator(q, v_set(1)), q->A);
     *outside = v_lt(q->A.v, v_set(0));
@@ -302,14 +301,14 @@ INLINE void lateral_interval(lanes_query *q, bounded_value G, int kind,
 }
 
 /* The slab between the caps, first plane first. */
-INLINE void slab_interval(lanes_query *q, bounded_value plane[2], vm *unsure,
+INLINE void slab_interval(lanes_query *q, bounded_value plane[2], vm *uncertain,
                           vm *up)
 {
     const terms_lanes *L = &q->L;
     const vd size = form_alpha_sizes(&q->N, 0);
     EACH(i, 2)
         q->alpha[i] = with_bound(-form_alpha_lanes(L, i), size);
-    *unsure = m_or(*unsure, m_not(certain(q->beta)));
+    *uncertain = m_or(*uncertain, m_not(certain(q->beta)));
     *up = v_lt(v_set(0), q->beta.v);
     const bounded_value at0 = quotient(q->alpha[0], q->beta);
     const bounded_value at1 = quotient(q->alpha[1], q->beta);
@@ -317,13 +316,13 @@ INLINE void slab_interval(lanes_query *q, bounded_value plane[2], vm *unsure,
     plane[1] = choose(*up, at1, at0);
 }
 
-/* Which stops are hits; unsure where a limit is too near. */
-INLINE vm within_domain(bounded_value t, vd tmin, vd tmax, vm *unsure)
+/* Which stops are hits; uncertain where a limit is too near. */
+INLINE vm within_domain(bounded_value t, vd tmin, vd tmax, vm *uncertain)
 {
     const bounded_value from = limit(tmin), to = limit(tmax);
     const vm in = m_and(above(t, from), above(to, t));
     const vm out = m_or(above(from, t), above(t, to));
-    *unsure = m_not(m_or(in, out));
+    *uncertain = m_not(m_or(in, out));
     return in;
 }
 
@@ -375,15 +374,15 @@ INLINE lanes_verdict lanes_classify(lanes_query *q, const lanes_shape *s,
     if (!m_any(alive))
         return v;
 
-    vm unsure = m_not(window), outside;
+    vm uncertain = m_not(window), outside;
     bounded_value *const stop = v.stop;
     q->beta = with_bound(q->L.beta, form_beta_sizes(&q->N));
-    lateral_interval(q, G, kind, bounded, stop, &unsure, &outside);
-    v.hard = unsure;
+    lateral_interval(q, G, kind, bounded, stop, &uncertain, &outside);
+    v.hard = uncertain;
     if (bounded) {
         bounded_value plane[2];
         vm up, certain_ends;
-        slab_interval(q, plane, &unsure, &up);
+        slab_interval(q, plane, &uncertain, &up);
         const bounds_lanes by = bounds_of_lanes(stop, plane);
         certain_ends = m_and(m_or(by.by_root[0], by.by_plane[0]),
                              m_or(by.by_root[1], by.by_plane[1]));
@@ -393,17 +392,17 @@ INLINE lanes_verdict lanes_classify(lanes_query *q, const lanes_shape *s,
         }
         const vm apart = above(stop[0], stop[1]);
         v.cross = m_and(above(stop[1], stop[0]), certain_ends);
-        unsure = m_or(unsure, m_not(m_or(apart, v.cross)));
+        uncertain = m_or(uncertain, m_not(m_or(apart, v.cross)));
     } else {
         const bounded_value first = stop[0];
         v.leaving_first = outside;
         stop[0] = choose(outside, stop[1], first);
         stop[1] = choose(outside, first, stop[1]);
         v.cross = above(stop[1], stop[0]);
-        unsure = m_or(unsure, m_not(v.cross));
+        uncertain = m_or(uncertain, m_not(v.cross));
     }
-    v.cross = m_and(m_and(v.cross, alive), m_not(unsure));
-    v.undecided = m_and(alive, unsure);
+    v.cross = m_and(m_and(v.cross, alive), m_not(uncertain));
+    v.undecided = m_and(alive, uncertain);
     EACH(i, 2) {
         vm near;
         const vm in = within_domain(stop[i], l->tmin, l->tmax, &near);
@@ -437,10 +436,11 @@ INLINE lanes_slopes slopes_of(const lanes_query *q)
 /* A root rounded: value + more, and whether value is certainly nearest. */
 typedef struct {
     vd value, more, error;
-    vm sure;
+    vm certain;
 } lanes_root;
 
-/* From where each lane's root is seen: the centre of its cap, or the base. */
+/* The centre from which each lane's root is computed: of its cap, or of the
+ * base. */
 INLINE void root_centers(vd center[3], const lanes_shape *s, int kind, vd part)
 {
     const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));

@@ -1,13 +1,12 @@
 /*
  * many_questions.c - many lines or many shapes, in lanes
  *
- * Compiled once for each instruction set.  First every lane is asked whether
- * its line passes by the ball about its shape, which takes the fewest data
- * and operations and neither a division nor a square root.  Lanes that are
- * left are put side by side; as soon as there are enough for a vector they
- * are judged, and only those that hit have their roots rounded.  What a
- * kernel does not decide is asked one by one, without disturbing its
- * neighbours.
+ * Compiled once for each instruction set.  The first pass tests in every lane
+ * whether the line certainly misses the ball about the shape.  This test reads
+ * the fewest data and needs neither a division nor a square root.  The lanes
+ * that remain are collected.  As soon as they fill a vector they are classified,
+ * and the roots of those that hit are rounded.  Undecided lanes are returned as
+ * such; they do not affect their neighbours.
  */
 #include "lanes.h"
 #include "filter.h"
@@ -317,7 +316,7 @@ INLINE vm not_beyond(const cylint_filter_batch *from, const lanes_verdict *v)
     return m_not(v_lt(v_set(from->nearest), t.v - t.e));
 }
 
-/* Relation and hits; and, where their t is wanted, what rounding needs. */
+/* Relation and hits, and, if t is wanted, the slopes and stops for rounding. */
 INLINE void classify(const cylint_filter_batch *from, const question *x,
                      int kind, stops *at, cylint_filter_group *g)
 {
@@ -366,7 +365,7 @@ INLINE unsigned round_roots(const lanes_slopes *q, const question *x, int kind,
     const lanes_root r = round_root(q, &x->shape, center, &x->line, kind, 1,
                                     sign, of->t, of->part);
     v_store(t, r.value);
-    return m_bits(m_and(of->wanted, m_not(r.sure)));
+    return m_bits(m_and(of->wanted, m_not(r.certain)));
 }
 
 /* The hits' roots, one or two a lane. */
@@ -385,9 +384,10 @@ INLINE void round_hits(const cylint_filter_batch *from, const question *x,
             v_select(last, v_load(g->part[1]), v_load(g->part[0]))};
         if (!wanted)
             continue;
-        const unsigned unsure = round_roots(&at->slopes, x, kind, &of, g->t[i]);
-        g->undecided |= unsure;
-        g->hard |= unsure;
+        const unsigned uncertain =
+            round_roots(&at->slopes, x, kind, &of, g->t[i]);
+        g->undecided |= uncertain;
+        g->hard |= uncertain;
     }
     if (nearest) /* one root a lane: it stands in both places */
         memcpy(g->t[1], g->t[0], sizeof g->t[1]);

@@ -1,5 +1,5 @@
 /*
- * environment.h - what the proofs assume of compiler, processor and thread
+ * environment.h - assumptions of the proofs: compiler, processor and thread
  *
  * Include it before any arithmetic: clang's pragmas apply to what follows.
  */

@@ -1,17 +1,17 @@
 /*
- * hit.c - what a hit has beside t: point, normal, z and angle
+ * hit.c - point, normal, z and angle of a hit
  *
- * They are functions of the question and of which root the hit is, however
- * the root was found.  The point and the facts below are affine in t.  They
- * are computed three times at most, each time with bounds on their errors:
+ * They depend on the line, the shape and the root only, not on the way in which
+ * the root was computed.  The point and the facts below are affine in t.  They
+ * are computed up to three times, each time with bounds on their errors:
  *
  *   1. in pairs of doubles, at t and its canonical rest (root.c);
- *   2. in pairs, at the root as a pair, for what cancels;
- *   3. in every digit, by surd.c, for what cancels still, for exact zeros and
- *      for data too wild for pairs.
+ *   2. in pairs, at the root as a pair, for values that cancel;
+ *   3. exactly, by surd.c, for values that still cancel, for exact zeros and for
+ *      data out of the range of pairs.
  *
- * A number goes on to the next step unless it has digits of its own.  Every
- * step depends on the question alone, and so does the choice among them: all
+ * A number is computed in the next step if it has too few digits.  Every step,
+ * and the choice among them, depends on line, shape and root only, so that all
  * paths give the same bits.
  */
 #include <limits.h>
@@ -438,7 +438,7 @@ static void write_facts(cylint_query *q, const floating *facts,
     }
 }
 
-/* What is still needed of a hit, and what is known. */
+/* The members of a hit that are still needed, and the facts so far. */
 typedef struct {
     unsigned left; /* coordinates of the point, as bits */
     needs need;

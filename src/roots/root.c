@@ -1,26 +1,26 @@
 /*
- * root.c - where the line passes a boundary, correctly rounded
+ * root.c - roots in the domain, correctly rounded
  *
- * First in pairs of doubles, with a bound on the error that decides whether
- * the rounding is certain; else from exact coefficients; and where even that
- * lies too near the middle between two doubles, by the exact sign of the
- * boundary's equation at that middle.  A root is algebraic of degree two, so
- * every tie is decided.
+ * A root is computed in pairs of doubles with a bound on the error, which
+ * decides whether the rounding is certain.  If it is not, the root is computed
+ * from exact coefficients.  If that is too near to the midpoint of two doubles,
+ * the exact sign of the equation at the midpoint decides.  A root is algebraic
+ * of degree two, so every tie is decidable.
  *
- * On the entry root Q falls, A t + B = -sqrt(S G); on the exit root it rises:
+ * At the entry root Q falls, A t + B = -sqrt(S G); at the exit root it rises:
  *
  *   exit  = (-B + R) / A = -C / (B + R),   R = sqrt(S G)
  *   entry = (-B - R) / A =  C / (R - B).
  *
- * That holds for either sign of A and leaves the second form as the limit
- * for A = 0.  Of each two the one without cancellation is used.
+ * Both equations hold for either sign of A.  If A = 0, the second form is the
+ * limit.  The code uses the form without cancellation.
  */
 #include "roots.h"
 
 #include "../signs/radical.h"
 
 /* Certain if |t - (hi + lo)| <= error makes hi the nearest double.  In other
- * rounding modes the additions do not tell, nor do the errors hold. */
+ * rounding modes neither these additions nor the error bounds are valid. */
 static int rounds_to_hi(pair t, double error)
 {
     return t.hi + (t.lo + error) == t.hi && t.hi + (t.lo - error) == t.hi &&
@@ -73,7 +73,7 @@ static double double_sqrt(double x)
 #undef NUM
 #undef FORM
 
-/* A root in doubles, with what is known of it. */
+/* A root in doubles, its slope, and bounds on their errors. */
 typedef struct {
     double t, error;    /* absolute */
     double slope;       /* A t + B at the root */
@@ -81,7 +81,7 @@ typedef struct {
     double curvature;   /* at least |A| */
 } estimate;
 
-/* Whether doubles or pairs may tell the root, as a quotient. */
+/* Whether doubles or pairs can compute the root, as a quotient. */
 static int is_quotient(const cylint_query *q, cylint_root root)
 {
     return q->filters && root != ROOT_APEX;
@@ -173,7 +173,7 @@ static int against_exact(cylint_query *q, const surd *t, exact m)
 }
 
 /* Sizes of doubles are handled by their bits from here on, because a
- * processor may be told to take subnormals for zero. */
+ * processor can be set to read subnormals as zero. */
 static double from_bits(uint64_t bits, int sign)
 {
     double x;
@@ -346,7 +346,7 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
     return t;
 }
 
-/* What the quotient in pairs knows where doubles know too little. */
+/* From the quotient in pairs, for roots that doubles leave uncertain. */
 static estimate estimate_by_pairs(cylint_root root,
                                   const cylint_quotient_pair *f, pair t,
                                   double error)

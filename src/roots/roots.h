@@ -1,6 +1,6 @@
 /*
- * roots.h - roots in the domain, correctly rounded; roots as surds; and what
- * a hit has beside its t
+ * roots.h - roots in the domain, correctly rounded; roots as surds; point,
+ * normal, z and angle of a hit
  */
 #ifndef CYLINT_ROOTS_H
 #define CYLINT_ROOTS_H
@@ -25,23 +25,23 @@ int cylint_move_origin(cylint_terms_pair *L, int cap, bounded_pair t,
 void cylint_restore_origin(cylint_terms_pair *L, int cap,
                            const bounded_pair kept[3]);
 
-/* Whether tmin <= root <= tmax, exactly.  Where t is wanted, it becomes the
- * double nearest to such a root and *more what that misses, nearly. */
+/* Whether tmin <= root <= tmax, exactly.  If t is wanted, *t becomes the
+ * double nearest to such a root, and *more approximates root - *t. */
 int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
                        double *more);
 
 /*
  * The canonical pair of a root: t, the double nearest to it, and its rest, the
  * nearest multiple of 2^-CYLINT_REST_BITS units in the last place of t.  Both
- * are functions of the root alone.  t + more is the root as the caller knows
- * it, but for `error` at most.  CYLINT_REST_LEAST < |t| < CYLINT_REST_MOST, or
- * t = 0; the filters see the data as given, and rounding is to nearest.
+ * are functions of the root alone.  The caller has |root - (t + more)| <= error.
+ * CYLINT_REST_LEAST < |t| < CYLINT_REST_MOST, or
+ * t = 0; the data are not scaled, and rounding is to nearest.
  */
 bounded_pair cylint_canonical_root(cylint_query *q, cylint_root root, double t,
                                    double more, double error);
 
-/* From there, the root as near as pairs come to it, a function of the root
- * alone too.  Returns 0 for t = 0. */
+/* Refines a canonical pair to nearly all digits of a pair; this too is a function
+ * of the root alone.  Returns 0 for t = 0. */
 int cylint_polish_root(cylint_query *q, cylint_root root, bounded_pair *t);
 
 /* A value with a binary exponent of its own: v 2^e, 1/4 < |v| < 4 or v = 0. */
@@ -53,7 +53,7 @@ typedef struct {
 floating cylint_floating(exact x);
 floating cylint_floating_sqrt(floating x);
 
-/* A root in every digit: t = (-B + s R) / A with R^2 = B^2 - A C, or the limit
+/* A root with exact coefficients: t = (-B + s R) / A with R^2 = B^2 - A C, or the limit
  * of that for A = 0. */
 typedef struct {
     exact A, B, C;
@@ -61,8 +61,8 @@ typedef struct {
     floating R; /* 0: not found yet */
 } surd;
 
-/* Makes what must stay in the arena; what comes after it may be let go by
- * setting arena.used to the answer. */
+/* Computes all numbers that must stay in the arena.  The caller can free later
+ * ones by setting arena.used to the result. */
 int cylint_exact_mark(cylint_query *q, cylint_root root);
 
 surd cylint_surd(cylint_query *q, cylint_root root);

@@ -1,11 +1,11 @@
 /*
- * surd.c - the root in closed form, and what is affine along the line there
+ * surd.c - roots in closed form, and affine functions of t at such a root
  *
- * t itself, the point, the gradient, z and the angle's two coordinates are
- * all f0 + f1 t.  With the line's data in every digit such a value comes from
- * exact numbers, one square root, one sum in which nothing cancels and one
- * quotient: however near it is to 0, and however many digits of t that would
- * ask for, all but the last few of a pair's are right; its sign is exact.
+ * t itself, the point, the gradient, z and the two coordinates of the angle are
+ * all f0 + f1 t.  Such a value is computed from exact numbers by one square
+ * root, one sum in which nothing cancels and one quotient.  So all but the last
+ * few digits of a pair are right, however near the value is to 0.  Its sign is
+ * exact.
  */
 #include "roots.h"
 
@@ -96,7 +96,7 @@ surd cylint_surd(cylint_query *q, cylint_root root)
     return t;
 }
 
-/* R = sqrt(S G), when it is first asked for. */
+/* R = sqrt(S G).  The first call computes it. */
 static floating radical(cylint_query *q, surd *t)
 {
     if (t->R.v.hi != 0)

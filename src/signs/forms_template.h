@@ -16,7 +16,7 @@
  *   FORMS_DECLARED          the file defines the terms and declares the functions
  *   FORMS_DEFINED           it defines the functions only; neither: both
  *
- * The terms.  Line A + t u; D_i = A - p_i, the origin seen from the centre
+ * The terms.  Line A + t u; D_i = A - p_i, the origin relative to the centre
  * of cap i; M_i = D_i x u, its moment about that centre.
  *
  * Circular kinds: axis w, vv = w.w, n = u x w, z = P.w/vv.  With X = P x w
@@ -47,9 +47,9 @@
  *                             with U = u.p, V = u.q
  *   round                 round_forms_template.h
  *
- * This is what keeps the digits: b^2 - ac loses them all at a far origin.
+ * In this form far origins cost no digits; b^2 - ac loses all of them.
  *
- * Where the line meets the plane of cap i, the same moments tell (beta
+ * The same moments decide where the line crosses the plane of cap i (beta
  * being u.w, or u.e; the point is P = w x M_i / beta):
  *
  *   E_i = -beta^2 (distance^2 - radius^2): positive within the cap's disc
@@ -393,7 +393,7 @@ INLINE NUM FORM(form_B)(const FORM(terms) *L)
     RETURN(B)
 }
 
-/* C = Q at the line's origin: the one to ask where a point lies. */
+/* C = Q at the line's origin: its sign says whether that point is inside. */
 INLINE NUM FORM(form_C)(const FORM(terms) *L)
 {
     if (cylint_is_round(L->kind))

@@ -1,5 +1,5 @@
 /*
- * sign.c - the sign of each form: a filter, then pairs, then every digit
+ * sign.c - the sign of each form: in doubles, then in pairs, then exactly
  *
  * A filter's answer is final when the value exceeds the bound on its error
  * (error_bounds.h).  Comparisons are written so that a NaN falls to the next
@@ -267,7 +267,7 @@ typedef struct {
 #define ONE 0
 #include "load_template.h"
 
-/* Quanta of the data; NULL unless the filters see every digit of them. */
+/* Quanta of the data; NULL unless doubles hold all data exactly. */
 static const terms_quantum *quanta(cylint_query *q)
 {
     terms_quantum *L = &q->quantum;
@@ -344,7 +344,7 @@ static int certain_pair(bounded_pair x)
  * Every number on the way to a form is a multiple of its quantum and no
  * larger than its size.  If the size of the whole is below 2^53 quanta, so
  * is that of every part that is not multiplied by zero: then nothing was
- * rounded, and a zero is a zero.  This is what integer grids come to.
+ * rounded, and a zero is a zero.  Data on integer grids are such a case.
  */
 static int no_rounding(double size, int e)
 {

@@ -10,7 +10,7 @@
 
 /* --------------------------------------------------- one question ------ */
 
-enum { /* what of cylint_query has been made */
+enum { /* the parts of cylint_query that are computed */
        CYLINT_READY_TOP = 1,
        CYLINT_READY_PAIR = 2,
        CYLINT_READY_PAIR_LINE = 4,
@@ -21,15 +21,15 @@ enum { /* what of cylint_query has been made */
 };
 
 typedef struct {
-    const cylint_shape *shape; /* as given: what exact answers are about */
+    const cylint_shape *shape; /* as given, for exact answers */
     const cylint_line *line;
     int kind, ends;
-    int filters;    /* 0: data too wild, exact stage only */
+    int filters;    /* 0: data out of range, exact stage only */
     int pairs;      /* 0: filters is 0, or rounding is directed and
                        two_prod() not exact */
     int t_exponent; /* t = 2^t_exponent * t of the filters */
     double t_error; /* of the last root as a pair, relative */
-    const cylint_shape *near_shape; /* what the filters see: as given, or */
+    const cylint_shape *near_shape; /* for the filters: as given, or */
     const cylint_line *near_line;   /* scaled by powers of two */
     cylint_shape scaled_shape;
     cylint_line scaled_line;
@@ -46,7 +46,7 @@ typedef struct {
 void cylint_query_open(cylint_query *q, const cylint_shape *shape,
                        const cylint_line *line);
 
-/* The terms of the slower arithmetics, made when first asked for. */
+/* The terms of the slower arithmetics.  The first call computes them. */
 cylint_terms_pair *cylint_load_pairs(cylint_query *q); /* data and shape only */
 cylint_terms_pair *cylint_load_pair_moments(
     cylint_query *q); /* moments as well */
