@@ -91,7 +91,7 @@ def forest(n, seed):
     base = random.random((n, 3))
     axis = random.normal(size=(n, 3)) * 0.1
     r = random.uniform(0.002, 0.03, n)
-    q = n // 4
+    q = n // 5
     a = np.cross(axis, [1, 0, 0]) * 0.3
     b = np.cross(axis, a)
     b *= 0.02 / np.linalg.norm(b, axis=1, keepdims=True)
@@ -111,6 +111,14 @@ def forest(n, seed):
                 b[2 * q : 3 * q],
                 axis[2 * q : 3 * q],
             ),
-            cylint.angle_cone(base[3 * q :], axis[3 * q :], 10, ends="capped"),
+            cylint.angle_cone(
+                base[3 * q : 4 * q], axis[3 * q : 4 * q], 10, ends="capped"
+            ),
+            cylint.round_cone(
+                base[4 * q :],
+                r[4 * q :],
+                (base + axis)[4 * q :],
+                r[: n - 4 * q],
+            ),
         ]
     )

@@ -25,6 +25,15 @@ SHAPES = {
         ),
         "econe 0 0 -1 1 0 0 0 .5 0 .5 0 2 .5 ends=cap0",
     ),
+    "rcone": (
+        cylint.round_cone([0, 0, -1], 0.75, [0.25, 0, 1], 0.25),
+        "rcone 0 0 -1 .75 .25 0 1 .25",
+    ),
+    "capsule": (
+        cylint.capsule([0, 0, -1], [0, 0, 1], 0.5, ends="open"),
+        "capsule 0 0 -1 0 0 1 .5 ends=open",
+    ),
+    "sphere": (cylint.sphere([0, 0, 0], 0.5), "sphere 0 0 0 .5"),
     "acone": (
         cylint.angle_cone([0, 0, 0], [0, 0, 1], 40),
         "acone 0 0 0 0 0 1 40",

@@ -30,9 +30,24 @@ def test_constructors_make_their_kinds():
         cylint.tangent_cone(*UNIT, 0.5),
         cylint.elliptic_cylinder([0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]),
         cylint.elliptic_cone([0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], 2),
+        cylint.sphere([0, 0, 0], 1),
+        cylint.capsule(*UNIT, 1),
+        cylint.round_cone([0, 0, 0], 0.5, [0, 0, 1], 0.25),
+        cylint.round_cone([0, 0, 0], 0.5, [0, 0, 1], 2),
     ]
     kinds = [cylint.Kind(int(s.kind)).name for s in made]
-    assert kinds == ["CYLINDER", "CONE", "ACONE", "ACONE", "ECYLINDER", "ECONE"]
+    assert kinds == [
+        "CYLINDER",
+        "CONE",
+        "ACONE",
+        "ACONE",
+        "ECYLINDER",
+        "ECONE",
+        "SPHERE",
+        "CAPSULE",
+        "RCONE",
+        "SPHERE",
+    ]
     assert cylint.Ends(int(made[2].ends)) == cylint.Ends.INFINITE
 
 
@@ -44,7 +59,7 @@ def test_ends_are_words_numbers_or_arrays():
     assert again.ends.tolist() == list(range(6))
     with pytest.raises(ValueError, match="found 'lid'"):
         cylint.cylinder(*UNIT, 1, ends="lid")
-    with pytest.raises(ValueError, match="no such kind of ends"):
+    with pytest.raises(ValueError, match="no such ends"):
         cylint.cylinder(*UNIT, 1, ends=9)
 
 
@@ -173,6 +188,9 @@ def test_pickles_keep_every_number(a, b, c, d, k):
         ),
         lambda i: cylint.elliptic_cylinder(a[i], b[i], c[i], d[i]),
         lambda i: cylint.elliptic_cone(a[i], b[i], c[i], d[i], abs(k[i])),
+        lambda i: cylint.sphere(a[i], abs(k[i])),
+        lambda i: cylint.capsule(a[i], b[i], abs(k[i]), ends="open"),
+        lambda i: cylint.round_cone(a[i], abs(k[i]), b[i], abs(c[i, 0])),
         lambda i: cylint.tangent_cone(a[i], b[i], abs(k[i])),
         lambda i: cylint.angle_cone(a[i], b[i], abs(k[i]) % 90, ends="capped"),
     ):

@@ -27,11 +27,14 @@ from ._shapes import (
     Shapes,
     Side,
     angle_cone,
+    capsule,
     concatenate,
     cone,
     cylinder,
     elliptic_cone,
     elliptic_cylinder,
+    round_cone,
+    sphere,
     tangent_cone,
 )
 
@@ -48,6 +51,7 @@ __all__ = [
     "Side",
     "__version__",
     "angle_cone",
+    "capsule",
     "concatenate",
     "cone",
     "cylinder",
@@ -55,5 +59,7 @@ __all__ = [
     "elliptic_cylinder",
     "intersect",
     "read_scene",
+    "round_cone",
+    "sphere",
     "tangent_cone",
 ]

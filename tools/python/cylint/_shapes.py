@@ -21,6 +21,9 @@ class Kind(IntEnum):
     ACONE = 3
     ECYLINDER = 4
     ECONE = 5
+    SPHERE = 6
+    CAPSULE = 7
+    RCONE = 8
 
 
 class Ends(IntEnum):
@@ -188,10 +191,9 @@ class Shapes:
         return _restore, (self.shape, used, parts, self.ends.astype(np.int8))
 
     def __repr__(self) -> str:
-        names = ("", "cylinder", "cone", "acone", "ecylinder", "econe")
         counts = ", ".join(
-            f"{count} {name}{'s' if count != 1 else ''}"
-            for kind, name in enumerate(names)
+            f"{count} {kind.name.lower()}{'s' if count != 1 else ''}"
+            for kind in Kind
             if (count := np.count_nonzero(self.kind == kind)) > 0
         )
         return f"<cylint.Shapes {self.shape}: {counts or 'none'}>"
@@ -342,6 +344,50 @@ def elliptic_cone(
     <cylint.Shapes (): 1 econe>
     """
     return _make("elliptic_cone", ends, c=c, a=a, b=b, h=h, k=k)
+
+
+def sphere(c: ArrayLike, r: ArrayLike, *, ends: Any = "capped") -> Shapes:
+    """Balls: the points at most r (...) from c (..., 3).
+
+    >>> cylint.intersect(cylint.sphere([0, 0, 0], 1), [-3, 0, 0], [1, 0, 0]).t
+    array([2., 4.])
+    """
+    return _make("sphere", ends, c=c, r=r)
+
+
+def capsule(
+    p0: ArrayLike, p1: ArrayLike, r: ArrayLike, *, ends: Any = "capped"
+) -> Shapes:
+    """Capsules: the points at most r (...) from the segment p0 p1 (..., 3).
+
+    The round ends are the parts CAP0, about p0, and CAP1.  ends: as of
+    `cylinder`, but neither "infinite" nor "nappe".
+
+    >>> cylint.capsule([0, 0, 0], [0, 0, 2], 0.5).bounds()
+    array([[-0.5, -0.5, -0.5],
+           [ 0.5,  0.5,  2.5]])
+    """
+    return _make("capsule", ends, p0=p0, p1=p1, r=r)
+
+
+def round_cone(
+    p0: ArrayLike,
+    r0: ArrayLike,
+    p1: ArrayLike,
+    r1: ArrayLike,
+    *,
+    ends: Any = "capped",
+) -> Shapes:
+    """Round cones: the convex hulls of two balls.
+
+    p0, p1: (..., 3), their centres; r0, r1: (...), their radii, not both 0.
+    Where one ball holds the other, it is that ball.  ends: as of `capsule`.
+
+    >>> drop = cylint.round_cone([0, 0, 0], 1, [0, 0, 3], 0)
+    >>> cylint.intersect(drop, [0, 0, -5], [0, 0, 1]).t
+    array([4., 8.])
+    """
+    return _make("round_cone", ends, p0=p0, r0=r0, p1=p1, r1=r1)
 
 
 def angle_cone(

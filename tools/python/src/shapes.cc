@@ -21,10 +21,21 @@ double *put(double *to, const double (&from)[3])
     return to + 3;
 }
 
-/* Constructors without `ends`. */
-[[maybe_unused]] int only_capped(Ends ends)
+/* The ball about p1 has its base there. */
+void read_round_cone(const Shape &s, double *x)
 {
-    return ends == CYLINT_ENDS_CAPPED ? CYLINT_OK : CYLINT_EENDS;
+    const bool turned =
+        s.kind == CYLINT_KIND_SPHERE && s.surface == CYLINT_PART_CAP1;
+    *put(x, turned ? s.top : s.base) = turned ? s.r1 : s.r0;
+    *put(x + 4, turned ? s.base : s.top) = turned ? s.r0 : s.r1;
+}
+
+/* The kind of shape that the constructor made: a round cone can be a ball. */
+int made_as(const Shape &s)
+{
+    return s.kind == CYLINT_KIND_SPHERE && s.surface != CYLINT_PART_LATERAL
+               ? CYLINT_KIND_RCONE
+               : s.kind;
 }
 
 /*
@@ -53,6 +64,15 @@ const Constructor table[] = {
     {"elliptic_cone", "33331", CYLINT_KIND_ECONE,
      [](Shape *s, Numbers x, Ends e) -> int { return cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9, x[12], e); },
      [](const Shape &s, double *x) { *put(put(put(put(x, s.base), s.a), s.b), s.axis) = s.r1; }},
+    {"sphere", "31", CYLINT_KIND_SPHERE,
+     [](Shape *s, Numbers x, Ends e) -> int { return cylint_sphere(s, x, x[3], e); },
+     [](const Shape &s, double *x) { *put(x, s.base) = s.r0; }},
+    {"capsule", "331", CYLINT_KIND_CAPSULE,
+     [](Shape *s, Numbers x, Ends e) -> int { return cylint_capsule(s, x, x + 3, x[6], e); },
+     [](const Shape &s, double *x) { *put(put(x, s.base), s.top) = s.r0; }},
+    {"round_cone", "3131", CYLINT_KIND_RCONE,
+     [](Shape *s, Numbers x, Ends e) -> int { return cylint_round_cone(s, x, x[3], x + 4, x[7], e); },
+     read_round_cone},
     {"tangent_cone", "331", CYLINT_KIND_ACONE,
      [](Shape *s, Numbers x, Ends e) -> int { return cylint_tangent_cone(s, x, x + 3, x[6], e); },
      [](const Shape &s, double *x) { *put(put(x, s.base), s.axis) = s.r1; }},
@@ -130,8 +150,9 @@ void read_shapes(nb::handle shapes, nb::handle kinds, nb::handle numbers)
     for (ptrdiff_t i = 0; i < s.size(0); i++) {
         const auto &shape =
             *reinterpret_cast<const cylint_shape *>(s.data() + i * s.stride(0));
+        const int kind = made_as(shape);
         for (size_t row = 0; row < sizeof table / sizeof *table; row++) {
-            if (table[row].kind == shape.kind) {
+            if (table[row].kind == kind) {
                 k.data()[i * k.stride(0)] = static_cast<char>(row);
                 table[row].read(shape, reinterpret_cast<double *>(
                                            x.data() + i * x.stride(0)));
