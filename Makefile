@@ -168,6 +168,7 @@ demo: $(BUILD)/libcylint.a $(BUILD)/cylint ## scan a generated forest and show w
 
 include tests/tests.mk
 include tools/bench/bench.mk
+include tools/package/package.mk
 
 # -------------------------------------------------------------- install --
 fill_in = sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|' \
@@ -211,7 +212,7 @@ clean: ## remove $(BUILD)
 	rm -rf $(BUILD)
 
 help: ## print this list
-	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1	\2/p' Makefile tests/tests.mk tools/bench/bench.mk
+	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1	\2/p' Makefile tests/tests.mk tools/bench/bench.mk tools/package/package.mk
 
 .PHONY: all demo install uninstall clean help FORCE
 .SECONDARY:

@@ -1,0 +1,22 @@
+# tools/package/package.mk: how the project is packed for those who link to it.
+
+# ---------------------------------------------------------- amalgamation --
+amalgamated := $(patsubst $(BUILD)/%.o,%.c,$(filter-out $(isa_builds:%=$(BUILD)/%.o),$(library_objects)))
+one_file    := $(BUILD)/amalgamation/cylint.c
+isa_options  = $(filter-out -Wa$(comma)%,$(isa.$(1)))
+comma       := ,
+$(one_file): tools/package/amalgamate.py $(wildcard src/*.[ch] src/*/*.[ch]) include/cylint.h LICENSE
+	@mkdir -p $(@D)
+	$(call say,AMALGAMATE $@)cp include/cylint.h include/cylint_methods.h $(@D) && \
+	  python3 $< '$(CC)' $@ $(version) $(amalgamated) $(foreach b,$(filter src/filter/%,$(isa_builds)),'$b=$(call isa_options,$b)')
+
+amalgamation: $(one_file) ## write the library as one C file to $(BUILD)/amalgamation
+
+# The libraries and all tests, with this object for those of src/.
+check-amalgamation: $(one_file) ## run every test with that file for the library
+	$(MAKE) BUILD=$(BUILD)/amalgamated library_objects='$(abspath $(one_file:.c=.o))' check
+
+%/amalgamation/cylint.o: %/amalgamation/cylint.c
+	$(call say,CC $<)$(CC) $(CPPFLAGS) $(CFLAGS) -fPIC -fvisibility=hidden -c -o $@ $<
+
+.PHONY: amalgamation check-amalgamation
