@@ -46,18 +46,6 @@ static double double_sqrt(double x)
 #define ERROR(x) bounded_error(x)
 #define ROUNDING CYLINT_RADICAL_ROUNDING
 #include "root_quotient_template.h"
-#undef NUM
-#undef VALUE
-#undef HIGH
-#undef OF
-#undef FORM
-#undef V_ADD
-#undef V_MUL
-#undef V_NEG
-#undef V_SQRT
-#undef ERROR
-#undef ROUNDING
-
 #define NUM bounded_pair
 #define VALUE pair
 #define HIGH(x) ((x).hi)
@@ -70,8 +58,6 @@ static double double_sqrt(double x)
 #define ERROR(x) bounded_pair_error(x)
 #define ROUNDING CYLINT_PAIR_RADICAL_ROUNDING
 #include "root_quotient_template.h"
-#undef NUM
-#undef FORM
 
 /* A root in doubles, its slope, and bounds on their errors. */
 typedef struct {

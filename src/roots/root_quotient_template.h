@@ -1,6 +1,7 @@
 /*
  * root_quotient_template.h - a root as a quotient without cancellation, once
- * for doubles and once for pairs (root.c names the arithmetic by macros)
+ * for doubles and once for pairs (root.c names the arithmetic by macros, which
+ * end with this file)
  *
  * Errors are relative and to first order: the callers' slack of a few per
  * cent covers the products of errors, each of which is below 2^-10.
@@ -90,3 +91,15 @@ static FORM(quotient) FORM(quotient_of)(const FORM(terms) *L, cylint_root root)
                             2,
                             0};
 }
+
+#undef NUM
+#undef VALUE
+#undef HIGH
+#undef OF
+#undef FORM
+#undef V_ADD
+#undef V_MUL
+#undef V_NEG
+#undef V_SQRT
+#undef ERROR
+#undef ROUNDING

@@ -53,8 +53,8 @@ typedef struct {
 floating cylint_floating(exact x);
 floating cylint_floating_sqrt(floating x);
 
-/* A root with exact coefficients: t = (-B + s R) / A with R^2 = B^2 - A C, or the limit
- * of that for A = 0. */
+/* A root with exact coefficients: t = (-B + s R) / A with R^2 = B^2 - A C, or
+ * the limit of that for A = 0. */
 typedef struct {
     exact A, B, C;
     int s;      /* 1 at the exit, -1 at the entry, else 0 */

@@ -43,8 +43,9 @@ static double dot3(const double x[3], const double y[3])
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
 
-/* Of a disc's points from its centre, and what their direction adds to the
- * square of their distance from the middle of an oblique shape. */
+/* The square of the largest distance of a disc's points from its centre.
+ * *skew: how much the direction of a point can add to the square of its distance
+ * from the middle of an oblique shape. */
 static double disc_reach(const cylint_shape *s, double *skew)
 {
     *skew = 0;
