@@ -220,6 +220,15 @@ void world_shape(uint64_t *state, int kind, cylint_ends ends, const double c[3],
     case CYLINT_KIND_ECYLINDER:
         cylint_elliptic_cylinder(shape, c, a, b, h, ends);
         break;
+    case CYLINT_KIND_SPHERE:
+        cylint_sphere(shape, c, radius, CYLINT_ENDS_CAPPED);
+        break;
+    case CYLINT_KIND_CAPSULE:
+        cylint_capsule(shape, c, top, radius, ends);
+        break;
+    case CYLINT_KIND_RCONE:
+        cylint_round_cone(shape, c, radius, top, radius * 0.5, ends);
+        break;
     default:
         cylint_elliptic_cone(shape, c, a, b, h,
                              floor(4 * world_uniform(state)) / 2, ends);

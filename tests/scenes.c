@@ -71,8 +71,8 @@ static void along(double to[3], const double o[3], double t, const double d[3])
 /* -------------------------------------------------------------- scenes -- */
 
 static const char *const scene_names[SCENE_KINDS] = {
-    "thin",      "fat",     "fibres",  "needles", "discs", "mixed",
-    "unbounded", "distant", "lengths", "lattice", "small", "huge"};
+    "thin",    "fat",     "fibres",  "needles", "discs", "mixed", "unbounded",
+    "distant", "lengths", "lattice", "small",   "huge",  "round", "strands"};
 
 /* Length and radius in multiples of the mean distance of neighbours. */
 static const double proportions[SCENE_KINDS][2] = {
@@ -138,6 +138,46 @@ static cylint_status lattice_shape(dice *r, size_t n, cylint_shape *shape)
     return cylint_cylinder(shape, at, top, 0.5, (cylint_ends)one_of(r, 4));
 }
 
+/* A capsule, rounded cone or sphere; some are pointed, of some one ball holds the
+ * other. */
+static cylint_status round_shape(dice *r, const double at[3], double length,
+                                 double radius, cylint_shape *shape)
+{
+    double d[3], top[3];
+    const cylint_ends ends =
+        bits(r) % 2 ? CYLINT_ENDS_CAPPED : (cylint_ends)one_of(r, 4);
+    direction(r, d);
+    unit(d);
+    along(top, at, length, d);
+    switch (bits(r) % 6) {
+    case 0:
+        return cylint_sphere(shape, at, radius, CYLINT_ENDS_CAPPED);
+    case 1:
+        return cylint_round_cone(shape, at, radius, top, 0, ends);
+    case 2:
+        along(top, at, radius * between(r, 0, 1), d);
+        return cylint_round_cone(shape, at, radius * between(r, 0, 1), top,
+                                 radius, ends);
+    case 3:
+        return cylint_round_cone(shape, at, radius * between(r, 0, 1), top,
+                                 radius, ends);
+    default:
+        return cylint_capsule(shape, at, top, radius, ends);
+    }
+}
+
+static cylint_status round_lattice_shape(dice *r, size_t n, cylint_shape *shape)
+{
+    const size_t side = (size_t)cbrt((double)n) + 1;
+    double at[3], top[3];
+    for (int j = 0; j < 3; j++)
+        top[j] = at[j] = (double)one_of(r, side);
+    if (bits(r) % 4)
+        top[one_of(r, 3)] += 1;
+    return cylint_round_cone(shape, at, 0.5, top, 0.25 * (double)one_of(r, 4),
+                             (cylint_ends)one_of(r, 4));
+}
+
 /* In a cube of side cbrt(n), so that neighbours are about 1 apart. */
 static cylint_status shape_of(dice *r, enum scene_kind kind, size_t n,
                               cylint_shape *shape)
@@ -177,6 +217,11 @@ static cylint_status shape_of(dice *r, enum scene_kind kind, size_t n,
             at[j] *= 1e110;
         return any_shape(r, at, bits(r) % 32 ? 2e110 : 1e150,
                          (cylint_ends)one_of(r, 4), shape);
+    case SCENE_ROUND:
+        return bits(r) % 4 ? round_shape(r, at, 1.5, 0.3, shape)
+                           : round_lattice_shape(r, n, shape);
+    case SCENE_STRANDS:
+        return round_shape(r, at, 10, 0.02, shape);
     default:
         return stick(r, at, proportions[kind][0], proportions[kind][1], shape);
     }

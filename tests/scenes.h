@@ -31,6 +31,8 @@ enum scene_kind { /* the first six lie in a cube of side cbrt(n) about 0 */
                   SCENE_LATTICE,
                   SCENE_SMALL,
                   SCENE_HUGE,
+                  SCENE_ROUND,
+                  SCENE_STRANDS,
                   SCENE_KINDS
 };
 

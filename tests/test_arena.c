@@ -111,8 +111,19 @@ static void make(int kind, int segment, cylint_shape *s, cylint_line *l)
     case CYLINT_KIND_ECYLINDER:
         cylint_elliptic_cylinder(s, p, a, b, h, CYLINT_ENDS_CAPPED);
         break;
-    default:
+    case CYLINT_KIND_ECONE:
         cylint_elliptic_cone(s, p, a, b, h, 2, CYLINT_ENDS_CAPPED);
+        break;
+    case CYLINT_KIND_SPHERE:
+        cylint_sphere(s, p, 1, CYLINT_ENDS_CAPPED);
+        break;
+    case CYLINT_KIND_CAPSULE:
+        cylint_capsule(s, p, h, 1, CYLINT_ENDS_CAPPED);
+        break;
+    default:
+        cylint_round_cone(s, p, 1, h, 1.5, CYLINT_ENDS_CAPPED);
+        s->kind = CYLINT_KIND_RCONE; /* whatever the arithmetic here says */
+        s->surface = CYLINT_PART_LATERAL;
     }
     if (segment)
         cylint_segment(l, o, d);
@@ -134,6 +145,12 @@ static void compute_signs(cylint_query *q)
     cylint_sign_A(q);
     cylint_sign_B(q);
     cylint_sign_C(q);
+    if (cylint_is_round(q->kind)) {
+        cylint_sign_S(q);
+        cylint_sign_end_ball(q, 0);
+        cylint_sign_end_ball(q, 1);
+        return;
+    }
     cylint_sign_T(q);
     cylint_sign_rho0(q);
 }
@@ -170,13 +187,14 @@ static int limbs_used(int kind, int segment)
     if (below(2))
         compute_signs(&q);
     for (cylint_root root = ROOT_ENTRY; root <= ROOT_CAP1; root++)
-        compute_root(&q, root);
+        if (!cylint_is_round(kind) || root != ROOT_APEX)
+            compute_root(&q, root);
     return q.arena.most;
 }
 
 static void no_question_needs_more_than_the_arena(void)
 {
-    enum { KINDS = 5, ROUNDS = 2000 };
+    enum { KINDS = CYLINT_KINDS - 1, ROUNDS = 2000 };
     for (int kind = 1; kind <= KINDS; kind++) {
         int most = 0;
         for (int i = 0; i < ROUNDS; i++) {

@@ -17,7 +17,8 @@ enum { SHAPES = 400, PACKETS = 450 /* of each manner, a scene */ };
 
 static const int scenes[] = {SCENE_THIN,    SCENE_FAT,     SCENE_FIBRES,
                              SCENE_NEEDLES, SCENE_DISCS,   SCENE_MIXED,
-                             SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE};
+                             SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE,
+                             SCENE_ROUND,   SCENE_STRANDS};
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
 /* Arrangements of the rays of a packet. */

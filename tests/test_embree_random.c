@@ -23,7 +23,8 @@ static uint64_t seed = 1;
 
 static const int scenes[] = {SCENE_THIN,    SCENE_FAT,     SCENE_FIBRES,
                              SCENE_NEEDLES, SCENE_DISCS,   SCENE_MIXED,
-                             SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE};
+                             SCENE_DISTANT, SCENE_LENGTHS, SCENE_LATTICE,
+                             SCENE_ROUND,   SCENE_STRANDS};
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
 struct tally {

@@ -103,6 +103,21 @@ static void between_moves_the_constructors_numbers(void)
         cylint_elliptic_cone(&b, p[1], x, y, z, 0.25, CYLINT_ENDS_CAPPED),
         (z[1] = 0.5, z[2] = 3.5,
          cylint_elliptic_cone(&expected, pm, x, y, z, km, CYLINT_ENDS_CAPPED)));
+    HALF(cylint_capsule(&a, p[0], q[0], 1, CYLINT_ENDS_OPEN),
+         cylint_round_cone(&b, p[1], 2, q[1], 1, CYLINT_ENDS_OPEN),
+         cylint_round_cone(&expected, pm, 1.5, qm, 1, CYLINT_ENDS_OPEN));
+    HALF(cylint_sphere(&a, p[0], 1, CYLINT_ENDS_CAPPED),
+         cylint_sphere(&b, p[1], 3, CYLINT_ENDS_CAPPED),
+         cylint_sphere(&expected, pm, 2, CYLINT_ENDS_CAPPED));
+    /* the ball about q holds the other at time 0: the ends are exchanged */
+    HALF(
+        cylint_round_cone(&a, p[0], 1, q[0], 99, CYLINT_ENDS_CAPPED),
+        cylint_round_cone(&b, p[1], 0.5, q[1], 0.25, CYLINT_ENDS_CAPPED),
+        cylint_round_cone(&expected, pm, 0.75, qm, 49.625, CYLINT_ENDS_CAPPED));
+    cylint_sphere(&a, p[0], 1, CYLINT_ENDS_CAPPED);
+    cylint_capsule(&b, p[0], p[0], 1, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_embree_between(&a, &a, 0.5, &half) == CYLINT_OK &&
+          half.surface == CYLINT_PART_LATERAL);
 #undef HALF
     /* an axis that vanishes at time 1/2 */
     cylint_cylinder(&a, p[0], q[0], 1, CYLINT_ENDS_CAPPED);

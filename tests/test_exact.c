@@ -218,7 +218,7 @@ static struct {
     uint32_t spare[1 << 20];
 } spacious;
 
-enum { SHAPE_DATA = 13, DATA = SHAPE_DATA + 6, KINDS = 5 };
+enum { SHAPE_DATA = 13, DATA = SHAPE_DATA + 6, KINDS = 8 };
 
 typedef struct {
     double x[DATA];
@@ -289,9 +289,19 @@ static int made(const wild *c, int kind, cylint_shape *s, cylint_line *l)
     case 3:
         status = cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9, c->ends);
         break;
-    default:
+    case 4:
         status = cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9, fabs(x[12]),
                                       c->ends);
+        break;
+    case 5:
+        status = cylint_sphere(s, x, fabs(x[6]), CYLINT_ENDS_CAPPED);
+        break;
+    case 6:
+        status = cylint_capsule(s, x, x + 3, fabs(x[6]), CYLINT_ENDS_CAPPED);
+        break;
+    default:
+        status = cylint_round_cone(s, x, fabs(x[6]), x + 3, fabs(x[7]),
+                                   CYLINT_ENDS_CAPPED);
     }
     return status == CYLINT_OK &&
            (c->segment ? cylint_segment(l, o, o + 3)
@@ -301,8 +311,7 @@ static int made(const wild *c, int kind, cylint_shape *s, cylint_line *l)
 /* Whether the root exists and may be computed. */
 static int exists(cylint_query *q, cylint_root root)
 {
-    const int linear =
-        q->kind == CYLINT_KIND_CYLINDER || q->kind == CYLINT_KIND_ECYLINDER;
+    const int linear = !cylint_is_tapered(q->kind) || cylint_is_round(q->kind);
     const int G = cylint_sign_G(q), A = cylint_sign_A(q);
     switch (root) {
     case ROOT_ENTRY:
@@ -337,8 +346,13 @@ static int limbs_used(const wild *c, int kind)
         cylint_sign_N(q, cap);
     }
     cylint_sign_C(q);
-    cylint_sign_T(q);
-    cylint_sign_rho0(q);
+    if (cylint_is_round(q->kind)) {
+        cylint_sign_end_ball(q, 0);
+        cylint_sign_end_ball(q, 1);
+    } else {
+        cylint_sign_T(q);
+        cylint_sign_rho0(q);
+    }
     cylint_sign_along(q);
     for (cylint_root root = ROOT_ENTRY; root <= ROOT_CAP1; root++) {
         double t = 0, more = 0;
@@ -353,8 +367,9 @@ static int limbs_used(const wild *c, int kind)
 
 static void print_case(const wild *c, int kind)
 {
-    static const char *const name[KINDS] = {"cylinder", "cone", "acone",
-                                            "ecylinder", "econe"};
+    static const char *const name[KINDS] = {"cylinder",  "cone",  "acone",
+                                            "ecylinder", "econe", "sphere",
+                                            "capsule",   "rcone"};
     fprintf(stderr, "    %s ends %d, %s:", name[kind], (int)c->ends,
             c->segment ? "segment" : "line");
     for (int i = 0; i < DATA; i++)
