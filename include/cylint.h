@@ -147,6 +147,9 @@ typedef struct cylint_local {
     double xyz_lo[3][3], height_lo, slope_lo; /* the rest: value + value_lo
                                                  is accurate to: */
     double error;                             /* relative to norm */
+    double scale, square_scale; /* of the forms of z and of the lateral
+                                   surface (signs/forms_template.h): their
+                                   values here times these */
 } cylint_local;
 
 /*

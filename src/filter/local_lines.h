@@ -21,6 +21,7 @@
 #define CYLINT_LOCAL_LINES_H
 
 #include "../numbers/compiler.h"
+#include "../numbers/double_double.h" /* before simd.h */
 #include "../numbers/error_bounds.h"
 #include "../numbers/simd.h"
 #include "../shapes/shape_facts.h"

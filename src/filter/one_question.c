@@ -14,6 +14,7 @@
  */
 #define CYLINT_NARROW
 #include "local_lines.h"
+#include "residual_in_triples.h"
 #include "filter.h"
 
 #ifndef CYLINT_ONE
@@ -91,43 +92,6 @@ INLINE int ends_in_domain(const local_line *l, const local_verdict *v,
     const int begins = (from == LOCAL_BEFORE) & (to != LOCAL_BEFORE);
     const int ends = (from != LOCAL_AFTER) & (to == LOCAL_AFTER);
     return first ? begins << 1 | ends : ends << 1 | begins;
-}
-
-INLINE int answer_by_signs(const cylint_shape *shape, const cylint_line *line,
-                           int tapered, int bounded, unsigned want,
-                           cylint_answer *answer)
-{
-    local_line l;
-    load_local(&l, shape, line);
-    const local_verdict v = classify(&l, shape, tapered, bounded);
-    answer->relation = v.crosses * CYLINT_RELATION_CROSS;
-    answer->n = 0;
-    if (v.misses)
-        return 0;
-    if (__builtin_expect(!v.crosses, 0))
-        return CYLINT_UNDECIDED;
-    const int closed = shape->ends == CYLINT_ENDS_CAPPED || !bounded;
-    if (closed &&
-        (want & (CYLINT_WANT_NEAREST | CYLINT_WANT_PART)) ==
-            CYLINT_WANT_NEAREST &&
-        line->tmin <= 0 && line->tmax > DBL_MAX &&
-        is_ahead(&l, &v, shape, tapered, bounded))
-        return answer->n = 1;
-    if (!closed && (v.pierced | v.spared) != 3)
-        return CYLINT_UNDECIDED;
-    const int first = first_lane(&l, shape, tapered, bounded);
-    const int in = ends_in_domain(&l, &v, shape, line, first, tapered, bounded);
-    if (in == CYLINT_UNDECIDED)
-        return CYLINT_UNDECIDED;
-    unsigned hits = (unsigned)in & (bounded ? ends_present(&v, shape) : 3);
-    if (want & CYLINT_WANT_NEAREST && hits == 3)
-        hits = 1u << first;
-    if (want & CYLINT_WANT_PART) {
-        if (bounded && (v.pierced | v.spared) != 3)
-            return CYLINT_UNDECIDED;
-        write_parts(answer, &v, hits, first, bounded);
-    }
-    return answer->n = (int)(hits & 1) + (int)(hits >> 1);
 }
 
 /* ---------------------------------------------------------- the roots -- */
@@ -232,6 +196,46 @@ typedef struct {
     unsigned nearest;
 } local_roots;
 
+/* Newton's step from t.  residual and error: of each lane; distance: of t from
+ * the root, at most. */
+#define FORM(name) name##_lanes
+#define NEWTON_INLINE INLINE
+#define NUM vd
+#define ABS(x) v_abs(x)
+#define CONSTANT(x) v_set(x)
+#define QUOTIENT(x, y, inverse) ((x) * (inverse))
+#define SLACK CYLINT_LOCAL_SLACK
+#include "../roots/newton_template.h"
+
+/* How the roots round that Newton's step leads to from t. */
+INLINE local_roots stepped(vd t, vd residual, vd residual_error,
+                           const local_ends *at)
+{
+    const vd distance = v_set(CYLINT_LOCAL_DISTANCE) *
+                        (v_abs(residual) + residual_error) *
+                        v_abs(v_set(1) / at->slope);
+    const newton_lanes step = newton_step_lanes(
+        residual, residual_error, at->slope, at->slope_error * v_abs(at->slope),
+        at->curvature, distance);
+    const vpair r = v_two_sum(t, -step.delta);
+    const vd low = r.hi + (r.lo - step.error);
+    const vd high = r.hi + (r.lo + step.error);
+    const vd size = v_abs(r.hi);
+    const vm in_range = m_and(v_lt(size, v_set(1 / CYLINT_ROOT_LEAST)),
+                              v_lt(v_set(CYLINT_ROOT_LEAST), size));
+    const vm nearest =
+        m_and(m_and(v_eq(low, r.hi), v_eq(high, r.hi)), in_range);
+    return (local_roots){r.hi, r.lo, step.error, low, high, m_bits(nearest)};
+}
+
+/* Not less than any term of a residual at t. */
+INLINE vd size_at(vd t, const local_line *l, const cylint_shape *shape,
+                  int tapered)
+{
+    return v_set(taper_of(shape, tapered)) *
+           v_sum_of(v_abs(t), v_set(l->D), v_set(l->Q));
+}
+
 INLINE local_roots round_ends(const local_line *l, const local_verdict *v,
                               const cylint_shape *shape,
                               const cylint_line *line, const local_ends *at,
@@ -239,29 +243,44 @@ INLINE local_roots round_ends(const local_line *l, const local_verdict *v,
 {
     const vd residual =
         residual_at(shape, line, at->t, at->cap, v->pierced, tapered);
-    const vd inverse = v_set(1) / at->slope, delta = residual * inverse;
-    const vd flat = v_abs(inverse), step = v_abs(delta);
-    const double taper = taper_of(shape, tapered);
-    const vd size =
-        v_set(taper) * v_sum_of(v_abs(at->t), v_set(l->D), v_set(l->Q));
+    const vd size = size_at(at->t, l, shape, tapered);
     const vd rounding =
         v_set(CYLINT_LOCAL_RESIDUAL * shape->local.error) * size;
-    const vd lost = v_select(at->cap, rounding, rounding * size);
-    const vd first =
-        v_set(CYLINT_LOCAL_SLACK) *
-        v_sum_of(lost, flat,
-                 step * (at->slope_error + v_set(CYLINT_QUOTIENT_ROUNDING)));
-    const vd off = step + first;
-    const vd error =
-        v_sum_of(v_set(4) * at->curvature * flat * off, off, first);
-    const vpair r = v_two_sum(at->t, -delta);
-    const vd low = r.hi + (r.lo - error), high = r.hi + (r.lo + error);
-    const vd t_size = v_abs(r.hi);
-    const vm in_range = m_and(v_lt(t_size, v_set(1 / CYLINT_ROOT_LEAST)),
-                              v_lt(v_set(CYLINT_ROOT_LEAST), t_size));
-    const vm nearest =
-        m_and(m_and(v_eq(low, r.hi), v_eq(high, r.hi)), in_range);
-    return (local_roots){r.hi, r.lo, error, low, high, m_bits(nearest)};
+    return stepped(at->t, residual,
+                   v_select(at->cap, rounding, rounding * size), at);
+}
+
+/* Corrects the roots in lanes of `which` by a second step, from t = value, with
+ * residuals in triples. */
+ASIDE void correct_ends(local_roots *r, const local_line *l,
+                        const local_verdict *v, const cylint_shape *shape,
+                        const cylint_line *line, const local_ends *at,
+                        unsigned which)
+{
+    double t[2], residual[2] = {0, 0};
+    v_store(t, r->value);
+    EACH(i, 2)
+        if (which >> i & 1)
+            residual[i] = residual_in_triples(
+                shape, line, t[i], v->pierced >> i & 1 ? i : -1, shape->kind);
+    const double error = shape->local.error;
+    const vd size = size_at(r->value, l, shape, 1);
+    const vd rounding = v_set(CYLINT_LOCAL_TRIPLE * error * error) * size;
+    *r = stepped(r->value, v_load(residual),
+                 v_select(at->cap, rounding, rounding * size), at);
+}
+
+/* The roots of x in lanes of `which`, of y in others. */
+INLINE local_roots merged(const local_roots *x, const local_roots *y,
+                          unsigned which)
+{
+    const vm m = m_from(which);
+    return (local_roots){v_select(m, x->value, y->value),
+                         v_select(m, x->more, y->more),
+                         v_select(m, x->error, y->error),
+                         v_select(m, x->low, y->low),
+                         v_select(m, x->high, y->high),
+                         (x->nearest & which) | (y->nearest & ~which)};
 }
 
 /* The hits in their order. */
@@ -286,6 +305,42 @@ INLINE void write_roots(cylint_answer *answer, cylint_root_rest *rest,
     }
 }
 
+/* The hits of a line that crosses, by its roots. */
+INLINE int answer_from(const local_line *l, const local_verdict *v,
+                       const cylint_shape *shape, const cylint_line *line,
+                       int tapered, int bounded, unsigned want,
+                       cylint_answer *answer, cylint_root_rest *rest)
+{
+    if (bounded && (v->pierced | v->spared) != 3)
+        return CYLINT_UNDECIDED;
+    const local_ends at = estimate_ends(l, v, shape, tapered, bounded);
+    if (at.usable != 3 || !cylint_rounds_to_nearest())
+        return CYLINT_UNDECIDED;
+    local_roots r = round_ends(l, v, shape, line, &at, tapered);
+    const vd tmin = v_set(line->tmin), tmax = v_set(line->tmax);
+    const unsigned present = bounded ? ends_present(v, shape) : 3;
+    const unsigned in = m_bits(m_and(v_lt(tmin, r.low), v_lt(r.high, tmax)));
+    const unsigned out = m_bits(m_or(v_lt(r.high, tmin), v_lt(tmax, r.low)));
+    unsigned hits = in & present;
+    if (present & ~(in | out))
+        return CYLINT_UNDECIDED;
+    if (want & CYLINT_WANT_NEAREST && hits == 3)
+        hits = 1u << at.first;
+    if (want & CYLINT_WANT_T && hits & ~r.nearest) {
+        const local_roots kept = r;
+        const unsigned which = hits & ~r.nearest;
+        correct_ends(&r, l, v, shape, line, &at, which);
+        r = merged(&r, &kept, which);
+        if (hits & ~r.nearest)
+            return CYLINT_UNDECIDED;
+    }
+    if (want & CYLINT_WANT_T)
+        write_roots(answer, rest, &r, hits, at.first);
+    if (want & CYLINT_WANT_PART)
+        write_parts(answer, v, hits, at.first, bounded);
+    return answer->n = (int)(hits & 1) + (int)(hits >> 1);
+}
+
 INLINE int answer_by_roots(const cylint_shape *shape, const cylint_line *line,
                            int tapered, int bounded, unsigned want,
                            cylint_answer *answer, cylint_root_rest *rest)
@@ -297,27 +352,47 @@ INLINE int answer_by_roots(const cylint_shape *shape, const cylint_line *line,
     answer->n = 0;
     if (v.misses)
         return 0;
-    if (__builtin_expect(!v.crosses, 0) ||
-        (bounded && (v.pierced | v.spared) != 3))
+    if (__builtin_expect(!v.crosses, 0))
         return CYLINT_UNDECIDED;
-    const local_ends at = estimate_ends(&l, &v, shape, tapered, bounded);
-    if (at.usable != 3 || !cylint_rounds_to_nearest())
+    return answer_from(&l, &v, shape, line, tapered, bounded, want, answer,
+                       rest);
+}
+
+INLINE int answer_by_signs(const cylint_shape *shape, const cylint_line *line,
+                           int tapered, int bounded, unsigned want,
+                           cylint_answer *answer)
+{
+    local_line l;
+    load_local(&l, shape, line);
+    const local_verdict v = classify(&l, shape, tapered, bounded);
+    answer->relation = v.crosses * CYLINT_RELATION_CROSS;
+    answer->n = 0;
+    if (v.misses)
+        return 0;
+    if (__builtin_expect(!v.crosses, 0))
         return CYLINT_UNDECIDED;
-    const local_roots r = round_ends(&l, &v, shape, line, &at, tapered);
-    const vd tmin = v_set(line->tmin), tmax = v_set(line->tmax);
-    const unsigned present = bounded ? ends_present(&v, shape) : 3;
-    const unsigned in = m_bits(m_and(v_lt(tmin, r.low), v_lt(r.high, tmax)));
-    const unsigned out = m_bits(m_or(v_lt(r.high, tmin), v_lt(tmax, r.low)));
-    unsigned hits = in & present;
-    if (present & ~(in | out))
+    const int closed = shape->ends == CYLINT_ENDS_CAPPED || !bounded;
+    if (closed &&
+        (want & (CYLINT_WANT_NEAREST | CYLINT_WANT_PART)) ==
+            CYLINT_WANT_NEAREST &&
+        line->tmin <= 0 && line->tmax > DBL_MAX &&
+        is_ahead(&l, &v, shape, tapered, bounded))
+        return answer->n = 1;
+    if (!closed && (v.pierced | v.spared) != 3)
         return CYLINT_UNDECIDED;
+    const int first = first_lane(&l, shape, tapered, bounded);
+    const int in = ends_in_domain(&l, &v, shape, line, first, tapered, bounded);
+    if (in == CYLINT_UNDECIDED) /* the line begins or ends near the surface */
+        return answer_from(&l, &v, shape, line, tapered, bounded, want, answer,
+                           NULL);
+    unsigned hits = (unsigned)in & (bounded ? ends_present(&v, shape) : 3);
     if (want & CYLINT_WANT_NEAREST && hits == 3)
-        hits = 1u << at.first;
-    if (hits & ~r.nearest)
-        return CYLINT_UNDECIDED;
-    write_roots(answer, rest, &r, hits, at.first);
-    if (want & CYLINT_WANT_PART)
-        write_parts(answer, &v, hits, at.first, bounded);
+        hits = 1u << first;
+    if (want & CYLINT_WANT_PART) {
+        if (bounded && (v.pierced | v.spared) != 3)
+            return CYLINT_UNDECIDED;
+        write_parts(answer, &v, hits, first, bounded);
+    }
     return answer->n = (int)(hits & 1) + (int)(hits >> 1);
 }
 

@@ -253,5 +253,11 @@
  * for slopes known to one quarter. */
 #define CYLINT_LOCAL_RESIDUAL 16
 #define CYLINT_LOCAL_SLACK 1.25
+#define CYLINT_LOCAL_DISTANCE 1.5
+
+/* The error of one operation on triples; and of a residual in triples, in
+ * multiples of the square of cylint_local.error. */
+#define CYLINT_TRIPLE_ROUNDING 0x1p-150
+#define CYLINT_LOCAL_TRIPLE 0x1p52
 
 #endif

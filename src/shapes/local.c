@@ -9,6 +9,7 @@
 #include "../numbers/bits.h"
 #include "../numbers/double_double.h"
 #include "../numbers/error_bounds.h"
+#include "measure.h"
 #include "shape_facts.h"
 
 typedef struct {
@@ -18,15 +19,6 @@ typedef struct {
 static pair plain(double x)
 {
     return (pair){x, 0};
-}
-
-static int least_component(const double x[3])
-{
-    int least = 0;
-    for (int i = 1; i < 3; i++)
-        if (fabs(x[i]) < fabs(x[least]))
-            least = i;
-    return least;
 }
 
 static void scale_row(pair row[3], pair factor)
@@ -50,7 +42,7 @@ static pair upright_rows(rows *m, const cylint_shape *s)
         w[i] = (pair){s->axis[i], s->axis_lo[i]};
         square[i] = pair_mul(w[i], w[i]);
     }
-    const int i = least_component(s->axis);
+    const int i = cylint_least_component(s->axis, s->axis_lo);
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     const pair across2 = pair_add(square[j], square[k]);
     const pair length = pair_sqrt(pair_add(across2, square[i]));
@@ -76,8 +68,7 @@ static void cross(pair xy[3], const double x[3], const double y[3])
     }
 }
 
-/* The inverse of (a b h).  Returns how much its errors are enlarged by
- * cancellation: |a| |b| |h| / det, not less. */
+/* The inverse of (a b h).  Returns the size of their determinant. */
 static double inverse_rows(rows *m, const cylint_shape *s)
 {
     cross(m->x, s->b, s->axis);
@@ -88,8 +79,7 @@ static double inverse_rows(rows *m, const cylint_shape *s)
     scale_row(m->x, inverse);
     scale_row(m->y, inverse);
     scale_row(m->z, inverse);
-    return cylint_largest(s->a) * cylint_largest(s->b) *
-           cylint_largest(s->axis) / fabs(det.hi);
+    return fabs(det.hi);
 }
 
 /* The sum of the absolute values of a row. */
@@ -136,12 +126,19 @@ void cylint_measure_local(cylint_shape *s)
     }
     to->error = CYLINT_LOCAL_ERROR;
     if (cylint_is_elliptic(s->kind)) {
-        to->error *= inverse_rows(&m, s);
-        const double power = balance(&m);
+        const double det = inverse_rows(&m, s), power = balance(&m);
+        to->error *= cylint_largest(s->a) * cylint_largest(s->b) *
+                     cylint_largest(s->axis) / det; /* by cancellation */
+        to->scale = det / power;
+        to->square_scale = det * det;
         height = plain(power);
         slope = (pair){s->dr / power, s->dr_lo / power};
     } else {
         const pair length = upright_rows(&m, s);
+        const double square = length.hi * length.hi;
+        to->scale = cylint_has_tangent(s->kind) ? square : length.hi;
+        to->square_scale =
+            cylint_is_tapered(s->kind) ? square * square : square;
         height = length;
         if (cylint_has_tangent(s->kind)) {
             const pair inverse = pair_div(plain(1), length);
