@@ -8,7 +8,7 @@
 
 typedef struct {
     const char *name;
-    cylint_one_table *one;
+    const cylint_one_kernels *one;
     cylint_filter_next *many;
 } cylint_kernels;
 

@@ -22,11 +22,14 @@ typedef int cylint_kernel_one(const cylint_shape *shape,
                               cylint_answer *answer, cylint_root_rest *rest);
 enum { CYLINT_UNDECIDED = -1 };
 
-/* By kind, ends and whether no root is wanted. */
-typedef cylint_kernel_one
-    *const cylint_one_table[CYLINT_KINDS][CYLINT_ENDS_NAPPE + 1][2];
+/* The functions for one line and one shape: by kind, ends and whether no root
+ * is wanted, and one for the questions that those leave undecided. */
+typedef struct {
+    cylint_kernel_one *by_kind[CYLINT_KINDS][CYLINT_ENDS_NAPPE + 1][2];
+    cylint_kernel_one *hard;
+} cylint_one_kernels;
 
-static inline int cylint_filter_one(cylint_one_table *table,
+static inline int cylint_filter_one(const cylint_one_kernels *kernels,
                                     const cylint_shape *shape,
                                     const cylint_line *line, unsigned want,
                                     cylint_answer *answer,
@@ -35,8 +38,11 @@ static inline int cylint_filter_one(cylint_one_table *table,
     const int signs = !(want & CYLINT_WANT_T);
     if (!(shape->in_range & line->in_range))
         return CYLINT_UNDECIDED;
-    return (*table)[shape->kind][shape->ends][signs](shape, line, want, answer,
-                                                     rest);
+    const int n = kernels->by_kind[shape->kind][shape->ends][signs](
+        shape, line, want, answer, rest);
+    return n == CYLINT_UNDECIDED
+               ? kernels->hard(shape, line, want, answer, rest)
+               : n;
 }
 
 /* A question of a batch is a line and a shape, and it has a number.  All
@@ -87,7 +93,8 @@ typedef int cylint_filter_next(cylint_filter_batch *batch,
                                cylint_filter_group *group);
 
 /* The builds: narrow for single questions, wide for batches. */
-extern cylint_one_table cylint_one_plain, cylint_one_fma, cylint_one_avx512;
+extern const cylint_one_kernels cylint_one_plain, cylint_one_fma,
+    cylint_one_avx512;
 extern cylint_filter_next cylint_many_plain, cylint_many_avx2,
     cylint_many_avx512;
 

@@ -106,52 +106,37 @@ typedef struct {
 } local_ends;
 
 INLINE local_ends estimate_ends(const local_line *l, const local_verdict *v,
-                                const cylint_shape *shape, int tapered,
+                                const local_quadratic *q, int tapered,
                                 int bounded)
 {
     local_ends at;
-    const local_quadratic q = quadratic_of(l, shape, tapered);
     const int up = !bounded || l->w > 0;
     const double s = sqrt(v->G), s_error = v->G_error / v->G;
     const vd exits = up ? v_two(-1, 1) : v_two(1, -1);
     const vd root = exits * v_set(s);
-    vd num = root - v_set(q.B), den = v_set(q.A);
+    vd num = root - v_set(q->B), den = v_set(q->A);
     at.cap = m_from(v->pierced);
     at.slope = root + root;
     at.slope_error = v_set(s_error);
-    at.curvature = v_set(fabs(q.A));
+    at.curvature = v_set(fabs(q->A));
     if (bounded) {
         const vd w = v_set(l->w);
-        num = v_select(at.cap, -v_load(l->z), num);
+        num = v_select(at.cap, -l->in.z, num);
         den = v_select(at.cap, w, den);
         at.slope = v_select(at.cap, w, at.slope);
-        at.slope_error =
-            v_select(at.cap, v_set(CYLINT_LOCAL_POSITION * l->D / fabs(l->w)),
-                     at.slope_error);
+        at.slope_error = v_select(
+            at.cap, v_set(CYLINT_LOCAL_POSITION * l->unit * l->D / fabs(l->w)),
+            at.slope_error);
         at.curvature = v_select(at.cap, v_set(0), at.curvature);
     }
     at.t = num * (v_set(1) / den);
     /* the estimate of a lateral root is nearer to it than to the other one */
-    const vd off = v_sum_of(v_abs(at.t), v_set(q.A_error), v_set(q.B_error));
+    const vd off = v_sum_of(v_abs(at.t), v_set(q->A_error), v_set(q->B_error));
     const unsigned near =
         4 * v->G_error < v->G ? m_bits(v_le(off, v_set(0.25 * s))) : 0;
     at.usable = near | v->pierced;
-    at.first = bounded ? !up : tapered && q.A < 0;
+    at.first = bounded ? !up : tapered && q->A < 0;
     return at;
-}
-
-/* A row of the matrix in pairs times the point q: of each lane its own row. */
-INLINE vpair row_times(const cylint_local *f, const vpair q[3], int row0,
-                       int row1)
-{
-    vpair sum = {v_set(0), v_set(0)};
-    EACH(j, 3) {
-        const vpair entry = {v_two(f->xyz[j][row0], f->xyz[j][row1]),
-                             v_two(f->xyz_lo[j][row0], f->xyz_lo[j][row1])};
-        const vpair product = vpair_mul(q[j], entry);
-        sum = j ? vpair_add(sum, product) : product;
-    }
-    return sum;
 }
 
 /* The residual at t in pairs: of the lateral surface Q, of a cap z. */
@@ -162,19 +147,19 @@ INLINE vd residual_at(const cylint_shape *shape, const cylint_line *line, vd t,
     const vd zero = v_set(0);
     vpair q[3];
     EACH(j, 3) {
-        const vpair from = v_two_sum(v_set(line->o[j]), v_set(-shape->base[j]));
+        const pair from = two_diff(line->o[j], shape->base[j]);
         vpair step = v_two_prod(t, v_set(line->d[j]));
         step.lo = v_sum_of(t, v_set(line->d_lo[j]), step.lo);
-        q[j] = vpair_add(from, step);
+        q[j] = vpair_add(twice(from.hi, from.lo), step);
     }
     const int cap0 = pierced & 1 ? 2 : 0, cap1 = pierced & 2 ? 2 : 0;
     const vpair x = row_times(f, q, cap0, cap1);
     vd value = zero;
     if (pierced != 3) {
         const vpair y = row_times(f, q, 1, 1);
-        vpair rho = {v_set(shape->r0), zero};
+        vpair rho = twice(shape->r0, 0);
         if (tapered) {
-            const vpair slope = {v_set(f->slope), v_set(f->slope_lo)};
+            const vpair slope = twice(f->slope, f->slope_lo);
             rho = vpair_add(rho, vpair_mul(slope, row_times(f, q, 2, 2)));
         }
         const vpair Q = vpair_sub(vpair_add(vpair_mul(x, x), vpair_mul(y, y)),
@@ -252,10 +237,10 @@ INLINE local_roots round_ends(const local_line *l, const local_verdict *v,
 
 /* Corrects the roots in lanes of `which` by a second step, from t = value, with
  * residuals in triples. */
-ASIDE void correct_ends(local_roots *r, const local_line *l,
-                        const local_verdict *v, const cylint_shape *shape,
-                        const cylint_line *line, const local_ends *at,
-                        unsigned which)
+INLINE void correct_ends(local_roots *r, const local_line *l,
+                         const local_verdict *v, const cylint_shape *shape,
+                         const cylint_line *line, const local_ends *at,
+                         unsigned which)
 {
     double t[2], residual[2] = {0, 0};
     v_store(t, r->value);
@@ -305,18 +290,24 @@ INLINE void write_roots(cylint_answer *answer, cylint_root_rest *rest,
     }
 }
 
-/* The hits of a line that crosses, by its roots. */
+/* The hits of a line that crosses, by its roots.  hard: with residuals in
+ * triples where pairs do not round a root. */
 INLINE int answer_from(const local_line *l, const local_verdict *v,
-                       const cylint_shape *shape, const cylint_line *line,
-                       int tapered, int bounded, unsigned want,
-                       cylint_answer *answer, cylint_root_rest *rest)
+                       const local_quadratic *q, ARGUMENTS, int tapered,
+                       int bounded, int hard)
 {
     if (bounded && (v->pierced | v->spared) != 3)
         return CYLINT_UNDECIDED;
-    const local_ends at = estimate_ends(l, v, shape, tapered, bounded);
+    const local_ends at = estimate_ends(l, v, q, tapered, bounded);
     if (at.usable != 3 || !cylint_rounds_to_nearest())
         return CYLINT_UNDECIDED;
     local_roots r = round_ends(l, v, shape, line, &at, tapered);
+    if (hard && want & CYLINT_WANT_T && r.nearest != 3) {
+        const local_roots kept = r;
+        const unsigned which = 3 & ~r.nearest;
+        correct_ends(&r, l, v, shape, line, &at, which);
+        r = merged(&r, &kept, which);
+    }
     const vd tmin = v_set(line->tmin), tmax = v_set(line->tmax);
     const unsigned present = bounded ? ends_present(v, shape) : 3;
     const unsigned in = m_bits(m_and(v_lt(tmin, r.low), v_lt(r.high, tmax)));
@@ -326,27 +317,20 @@ INLINE int answer_from(const local_line *l, const local_verdict *v,
         return CYLINT_UNDECIDED;
     if (want & CYLINT_WANT_NEAREST && hits == 3)
         hits = 1u << at.first;
-    if (want & CYLINT_WANT_T && hits & ~r.nearest) {
-        const local_roots kept = r;
-        const unsigned which = hits & ~r.nearest;
-        correct_ends(&r, l, v, shape, line, &at, which);
-        r = merged(&r, &kept, which);
+    if (want & CYLINT_WANT_T) {
         if (hits & ~r.nearest)
             return CYLINT_UNDECIDED;
-    }
-    if (want & CYLINT_WANT_T)
         write_roots(answer, rest, &r, hits, at.first);
+    }
     if (want & CYLINT_WANT_PART)
         write_parts(answer, v, hits, at.first, bounded);
     return answer->n = (int)(hits & 1) + (int)(hits >> 1);
 }
 
-INLINE int answer_by_roots(const cylint_shape *shape, const cylint_line *line,
-                           int tapered, int bounded, unsigned want,
-                           cylint_answer *answer, cylint_root_rest *rest)
+INLINE int answer_by_roots(ARGUMENTS, int tapered, int bounded)
 {
     local_line l;
-    load_local(&l, shape, line);
+    load_local(&l, shape, line, tapered);
     const local_verdict v = classify(&l, shape, tapered, bounded);
     answer->relation = v.crosses * CYLINT_RELATION_CROSS;
     answer->n = 0;
@@ -354,16 +338,17 @@ INLINE int answer_by_roots(const cylint_shape *shape, const cylint_line *line,
         return 0;
     if (__builtin_expect(!v.crosses, 0))
         return CYLINT_UNDECIDED;
-    return answer_from(&l, &v, shape, line, tapered, bounded, want, answer,
-                       rest);
+    const local_quadratic q = quadratic_of(&l, shape, tapered);
+    return answer_from(&l, &v, &q, shape, line, want, answer, rest, tapered,
+                       bounded, 0);
 }
 
 INLINE int answer_by_signs(const cylint_shape *shape, const cylint_line *line,
-                           int tapered, int bounded, unsigned want,
-                           cylint_answer *answer)
+                           unsigned want, cylint_answer *answer, int tapered,
+                           int bounded)
 {
     local_line l;
-    load_local(&l, shape, line);
+    load_local(&l, shape, line, tapered);
     const local_verdict v = classify(&l, shape, tapered, bounded);
     answer->relation = v.crosses * CYLINT_RELATION_CROSS;
     answer->n = 0;
@@ -372,28 +357,51 @@ INLINE int answer_by_signs(const cylint_shape *shape, const cylint_line *line,
     if (__builtin_expect(!v.crosses, 0))
         return CYLINT_UNDECIDED;
     const int closed = shape->ends == CYLINT_ENDS_CAPPED || !bounded;
-    if (closed &&
-        (want & (CYLINT_WANT_NEAREST | CYLINT_WANT_PART)) ==
-            CYLINT_WANT_NEAREST &&
-        line->tmin <= 0 && line->tmax > DBL_MAX &&
-        is_ahead(&l, &v, shape, tapered, bounded))
+    const int plain = closed && !(want & CYLINT_WANT_PART);
+    if (plain && want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&
+        line->tmax > DBL_MAX && is_ahead(&l, &v, shape, tapered, bounded))
         return answer->n = 1;
-    if (!closed && (v.pierced | v.spared) != 3)
+    if (!plain && bounded && (v.pierced | v.spared) != 3)
         return CYLINT_UNDECIDED;
     const int first = first_lane(&l, shape, tapered, bounded);
     const int in = ends_in_domain(&l, &v, shape, line, first, tapered, bounded);
-    if (in == CYLINT_UNDECIDED) /* the line begins or ends near the surface */
-        return answer_from(&l, &v, shape, line, tapered, bounded, want, answer,
-                           NULL);
-    unsigned hits = (unsigned)in & (bounded ? ends_present(&v, shape) : 3);
+    if (in == CYLINT_UNDECIDED)
+        return CYLINT_UNDECIDED;
+    unsigned hits = (unsigned)in & (closed ? 3 : ends_present(&v, shape));
     if (want & CYLINT_WANT_NEAREST && hits == 3)
         hits = 1u << first;
-    if (want & CYLINT_WANT_PART) {
-        if (bounded && (v.pierced | v.spared) != 3)
-            return CYLINT_UNDECIDED;
+    if (want & CYLINT_WANT_PART)
         write_parts(answer, &v, hits, first, bounded);
-    }
     return answer->n = (int)(hits & 1) + (int)(hits >> 1);
+}
+
+/* A question that its kernel leaves undecided: the line begins on the surface,
+ * or is nearly tangent or parallel.  One function for all shapes. */
+static int answer_hard(ARGUMENTS)
+{
+    const int tapered = cylint_is_tapered(shape->kind);
+    const int bounded = cylint_ends_are_planes(shape->ends);
+    local_line l;
+    if (cylint_is_round(shape->kind) || cylint_is_nappe(shape) ||
+        !cylint_rounds_to_nearest())
+        return CYLINT_UNDECIDED;
+    load_local(&l, shape, line, tapered);
+    local_verdict v = classify(&l, shape, tapered, bounded);
+    local_quadratic q = quadratic_of(&l, shape, tapered);
+    int n = CYLINT_UNDECIDED;
+    if (v.crosses)
+        n = answer_from(&l, &v, &q, shape, line, want, answer, rest, tapered,
+                        bounded, 1);
+    if (n == CYLINT_UNDECIDED) {
+        v = classify_in_pairs(&l, &q, shape, line, tapered, bounded);
+        if (v.misses)
+            n = answer->n = 0;
+        else if (v.crosses)
+            n = answer_from(&l, &v, &q, shape, line, want, answer, rest,
+                            tapered, bounded, 1);
+    }
+    answer->relation = v.crosses * CYLINT_RELATION_CROSS;
+    return n;
 }
 
 /* A kernel of its own for each: tapered or not, bounded or not, with roots or
@@ -401,13 +409,13 @@ INLINE int answer_by_signs(const cylint_shape *shape, const cylint_line *line,
 #define KERNELS(name, tapered, bounded)                                      \
     static int roots_##name(ARGUMENTS)                                       \
     {                                                                        \
-        return answer_by_roots(shape, line, tapered, bounded, want, answer,  \
-                               rest);                                        \
+        return answer_by_roots(shape, line, want, answer, rest, tapered,     \
+                               bounded);                                     \
     }                                                                        \
     static int signs_##name(ARGUMENTS)                                       \
     {                                                                        \
         (void)rest;                                                          \
-        return answer_by_signs(shape, line, tapered, bounded, want, answer); \
+        return answer_by_signs(shape, line, want, answer, tapered, bounded); \
     }
 KERNELS(cylinder, 0, 1)
 KERNELS(cone, 1, 1)
@@ -428,18 +436,23 @@ KERNELS(double_cone, 1, 0)
         BOTH(cone), BOTH(cone), BOTH(cone), BOTH(cone), BOTH(double_cone), \
             NEITHER                                                        \
     }
-cylint_one_table CYLINT_ONE = {
-    [CYLINT_KIND_NONE] = UNDECIDED,     [CYLINT_KIND_CYLINDER] = STRAIGHT,
-    [CYLINT_KIND_CONE] = TAPERED,       [CYLINT_KIND_ACONE] = TAPERED,
-    [CYLINT_KIND_ECYLINDER] = STRAIGHT, [CYLINT_KIND_ECONE] = TAPERED,
-    [CYLINT_KIND_SPHERE] = UNDECIDED,   [CYLINT_KIND_CAPSULE] = UNDECIDED,
-    [CYLINT_KIND_RCONE] = UNDECIDED};
+const cylint_one_kernels CYLINT_ONE = {{[CYLINT_KIND_NONE] = UNDECIDED,
+                                        [CYLINT_KIND_CYLINDER] = STRAIGHT,
+                                        [CYLINT_KIND_CONE] = TAPERED,
+                                        [CYLINT_KIND_ACONE] = TAPERED,
+                                        [CYLINT_KIND_ECYLINDER] = STRAIGHT,
+                                        [CYLINT_KIND_ECONE] = TAPERED,
+                                        [CYLINT_KIND_SPHERE] = UNDECIDED,
+                                        [CYLINT_KIND_CAPSULE] = UNDECIDED,
+                                        [CYLINT_KIND_RCONE] = UNDECIDED},
+                                       answer_hard};
 
 #else
 
 /* Without vectors of two lanes. */
-cylint_one_table CYLINT_ONE = {UNDECIDED, UNDECIDED, UNDECIDED,
-                               UNDECIDED, UNDECIDED, UNDECIDED,
-                               UNDECIDED, UNDECIDED, UNDECIDED};
+const cylint_one_kernels CYLINT_ONE = {{UNDECIDED, UNDECIDED, UNDECIDED,
+                                        UNDECIDED, UNDECIDED, UNDECIDED,
+                                        UNDECIDED, UNDECIDED, UNDECIDED},
+                                       undecided};
 
 #endif

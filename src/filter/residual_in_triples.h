@@ -65,8 +65,8 @@ static inline triple moved_from(const moved_line *l, int i, double center)
 /* In local coordinates, of the part that holds the root: of the plane of `cap`
  * or, if cap is -1, of the lateral surface. */
 ASIDE double residual_in_triples(const cylint_shape *shape,
-                                  const cylint_line *line, double t, int cap,
-                                  int kind)
+                                 const cylint_line *line, double t, int cap,
+                                 int kind)
 {
     const moved_line moved = {line, t};
     terms_triple L;

@@ -228,25 +228,26 @@
 #define CYLINT_LOCAL_WORST 0x1p-70
 
 /*
- * The errors of the forms of filter/local_lines.h, in any rounding mode.
- * eps = 2^-52; no coordinate of the line's origin exceeds Q, none of its
- * direction exceeds D, no radius exceeds r <= Q; k = 1 + |slope|.
+ * The errors of the forms of filter/local_forms_template.h.  u is
+ * CYLINT_ROUNDING for doubles in any rounding mode, and cylint_local.error for
+ * pairs in rounding to nearest.  No coordinate of the line's origin exceeds Q,
+ * none of its direction exceeds D, no radius exceeds r <= Q; k = 1 + |slope|.
  *
- *   a coordinate of a point     CYLINT_LOCAL_POSITION Q
- *   A                           CYLINT_LOCAL_A (k D)^2
- *   B                           CYLINT_LOCAL_FORM k^2 Q D
- *   N                           CYLINT_LOCAL_FORM k Q D^2
- *   E, and G if slope = 0       CYLINT_LOCAL_FORM Q D^2
- *                                   (r + CYLINT_LOCAL_SECOND Q)
+ *   a coordinate of a point     CYLINT_LOCAL_POSITION u Q
+ *   A                           CYLINT_LOCAL_A u (k D)^2
+ *   B                           CYLINT_LOCAL_FORM u k^2 Q D
+ *   N                           CYLINT_LOCAL_FORM u k Q D^2
+ *   E, and G if slope = 0       CYLINT_LOCAL_FORM u Q D^2
+ *                                   (r + CYLINT_LOCAL_SECOND u Q)
  *
  * E and G are differences of two squares.  Their signs are those of the
  * differences of the roots, so the error matters only where the two are nearly
  * equal: there the second is about as large as the first, r w or r |v|.
  */
-#define CYLINT_LOCAL_POSITION 0x1p-48
-#define CYLINT_LOCAL_A 0x1p-46
-#define CYLINT_LOCAL_FORM 0x1p-45
-#define CYLINT_LOCAL_SECOND 0x1p-48
+#define CYLINT_LOCAL_POSITION 16
+#define CYLINT_LOCAL_A 64
+#define CYLINT_LOCAL_FORM 128
+#define CYLINT_LOCAL_SECOND 16
 
 /* The residual at a root in pairs, in multiples of cylint_local.error and of
  * the size of its terms; and what the terms of second order add to its error,
