@@ -19,4 +19,23 @@ check-amalgamation: $(one_file) ## run every test with that file for the library
 %/amalgamation/cylint.o: %/amalgamation/cylint.c
 	$(call say,CC $<)$(CC) $(CPPFLAGS) $(CFLAGS) -fPIC -fvisibility=hidden -c -o $@ $<
 
-.PHONY: amalgamation check-amalgamation
+# ---------------------------------------------- tarball, Debian, CMake --
+tarball = $(BUILD)/cylint-$(version).tar.gz
+dist: ## write the committed sources to $(BUILD)/cylint-VERSION.tar.gz
+	@mkdir -p $(BUILD)
+	$(call say,DIST $(tarball))git archive --format=tar --prefix=cylint-$(version)/ HEAD | gzip -n -9 > $(tarball)
+
+deb: dist ## build Debian packages of the committed sources and run lintian
+	sh tools/package/deb.sh $(tarball) $(version) $(BUILD)/deb
+
+cmake_files = $(DESTDIR)$(LIBDIR)/cmake/cylint
+install: install-cmake
+install-cmake:
+	install -d $(cmake_files)
+	$(foreach f,cylint-config cylint-config-version,$(fill_in) tools/package/cmake/$f.cmake.in > $(cmake_files)/$f.cmake;)
+
+uninstall: uninstall-cmake
+uninstall-cmake:
+	rm -rf $(cmake_files)
+
+.PHONY: amalgamation check-amalgamation dist deb install-cmake uninstall-cmake

@@ -1,0 +1,101 @@
+#!/bin/sh
+# Floor tools: what is packed for those who link.  `make dist` writes the same
+# bytes again, and its files build; CMake finds what make install installs.
+. "$(dirname "$0")/verdict.sh"
+cc=${CC:-cc}
+make=${MAKE:-make}
+version=$(sed -n 's/^#define CYLINT_VERSION "\(.*\)"/\1/p' include/cylint.h)
+
+# quiet COMMAND...: its output is shown only if it fails.
+quiet()
+{
+    "$@" > "$scratch/log" 2>&1 || {
+        echo "failed: $*"
+        tail -n 30 "$scratch/log"
+        return 1
+    }
+}
+
+make_here()
+{
+    quiet $make --no-print-directory BUILD="${BUILD:-build}" CC="$cc" \
+        CXX="${CXX:-c++}" ${CXX17+CXX17="$CXX17"} "$@"
+}
+
+test_dist()
+{
+    tarball=$build/cylint-$version.tar.gz
+    make_here dist && cp "$tarball" "$scratch/first" && make_here dist &&
+        cmp "$tarball" "$scratch/first"
+    verdict make_dist_writes_the_same_bytes_again $?
+    tar -xzf "$tarball" -C "$scratch" &&
+        git ls-tree -r --name-only HEAD | sort > "$scratch/committed" &&
+        (cd "$scratch/cylint-$version" && find . ! -type d | sed 's|^\./||' | sort) |
+        diff "$scratch/committed" -
+    verdict make_dist_packs_the_committed_files $?
+    (cd "$scratch/cylint-$version" &&
+        quiet env -u MAKEFLAGS -u MAKELEVEL $make BUILD=made CC="$cc" CFLAGS=-O0 CXXFLAGS=-O0 \
+            vectors= made/cylint &&
+        [ "$(echo 'ray 0 0 -5 0 0 1 cylinder 0 0 0 0 0 1 .5' | made/cylint)" = "cross	2	5	6" ])
+    verdict its_files_build_the_command $?
+}
+
+# The text of literal display NUMBER in the EXAMPLES of a manual page.
+display()
+{
+    awk -v wanted="$2" '
+        /^\.Sh/ { examples = $2 == "EXAMPLES" }
+        /^\.Ed/ { inside = 0 }
+        inside { gsub(/\\e/, "\\"); print }
+        examples && /^\.Bd -literal/ && ++n == wanted { inside = 1 }
+    ' "man/$1"
+}
+
+test_cmake()
+{
+    PATH=$PATH:$build/python/bin
+    command -v cmake > /dev/null || {
+        echo 'note: no CMake (make deps)'
+        return
+    }
+    make_here DESTDIR="$scratch/root" PREFIX=/usr install
+    verdict make_install_installs_cmake_files $? || return
+    components=scene
+    [ -f "$scratch/root/usr/lib/libcylint-embree.a" ] && components='scene;embree'
+    mkdir "$scratch/examples"
+    awk '/^```c$/ { inside = 1; next } /^```/ { inside = 0 } inside' README.md \
+        > "$scratch/examples/example.c"
+    printf 't = 5\nt = 6\n' > "$scratch/examples/example.said"
+    for page in scene embree; do
+        display cylint_$page.3 1 > "$scratch/examples/$page.c"
+        display cylint_$page.3 2 > "$scratch/examples/$page.said"
+    done
+    quiet cmake -S tests/cmake -B "$scratch/cmake" -G 'Unix Makefiles' \
+        -DCMAKE_C_COMPILER="${cc%% *}" -DCMAKE_C_FLAGS="${CFLAGS:-}" \
+        -DEXAMPLES="$scratch/examples" -DCOMPONENTS="$components" \
+        -DCMAKE_PREFIX_PATH="$scratch/root/usr" &&
+        quiet cmake --build "$scratch/cmake"
+    verdict cmake_builds_programs_with_the_components $? || return
+    for program in example $(echo $components | tr ';' ' '); do
+        for kind in '' -static; do
+            LD_LIBRARY_PATH=$scratch/root/usr/lib "$scratch/cmake/$program$kind" |
+                diff "$scratch/examples/$program.said" -
+            verdict "cmake_${program}${kind}_prints_what_is_shown" $?
+        done
+    done
+    ! cmake -S tests/cmake -B "$scratch/none" -G 'Unix Makefiles' -DCOMPONENTS=wheel \
+        -DEXAMPLES="$scratch/examples" -DCMAKE_PREFIX_PATH="$scratch/root/usr" \
+        > "$scratch/log" 2>&1 && grep -q 'without the component' "$scratch/log"
+    verdict cmake_names_a_component_that_is_missing $?
+    make_here DESTDIR="$scratch/root" PREFIX=/usr uninstall &&
+        [ ! -e "$scratch/root/usr/lib/cmake/cylint" ]
+    verdict make_uninstall_removes_cmake_files $?
+}
+
+if git rev-parse HEAD > /dev/null 2>&1; then
+    test_dist
+else
+    echo 'note: no repository, make dist is not tested'
+fi
+test_cmake
+check_end
