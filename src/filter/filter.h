@@ -29,6 +29,8 @@ typedef struct {
     cylint_kernel_one *hard;
 } cylint_one_kernels;
 
+cylint_kernel_one cylint_hard_plain, cylint_hard_fma;
+
 static inline int cylint_filter_one(const cylint_one_kernels *kernels,
                                     const cylint_shape *shape,
                                     const cylint_line *line, unsigned want,
