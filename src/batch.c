@@ -18,7 +18,7 @@ typedef struct {
 static int run_of(const cylint_shape *s)
 {
     if (s->kind == CYLINT_KIND_NONE || !s->in_range || cylint_is_nappe(s) ||
-        cylint_is_round(s->kind))
+        s->surface != CYLINT_PART_LATERAL)
         return RUNS - 1;
     return 2 * s->kind + cylint_is_bounded(s);
 }

@@ -523,6 +523,26 @@ INLINE vd terms_at(terms_pairs *P, terms_sizes *N, const lanes_slopes *q,
 #define SLACK CYLINT_LANES_SLACK
 #include "../roots/newton_template.h"
 
+/* Newton's step from t.  from: terms_at().  sizes: those of the residual. */
+INLINE lanes_root newton_root(vd residual, vd sizes, vd from, vd slope,
+                              vd slope_e, vd curvature, bounded_value t)
+{
+    /* P has an error of 2^-101 of the terms of its origin */
+    const vd spread =
+        v_set(CYLINT_LAZY_BOUND) + v_set(CYLINT_MOVED_BOUND) * from;
+    const newton_lanes step =
+        newton_step_lanes(residual, spread * sizes + v_set(CYLINT_UNDERFLOW),
+                          slope, slope_e, curvature, t.e);
+    const vd e = step.error;
+    const vpair r = v_fast_two_sum(t.v, -step.delta);
+    const vd t_size = v_abs(r.hi);
+    const vm nearest =
+        m_and(v_eq(r.hi + (r.lo + e), r.hi), v_eq(r.hi + (r.lo - e), r.hi));
+    const vm in_range = m_and(v_lt(t_size, v_set(1 / CYLINT_ROOT_LEAST)),
+                              v_lt(v_set(CYLINT_ROOT_LEAST), t_size));
+    return (lanes_root){r.hi, r.lo, e, m_and(nearest, in_range)};
+}
+
 /*
  * One step of Newton's; the residual is computed in pairs.
  * exits: +1 in lanes whose lateral root leaves the quadric, -1 elsewhere.
@@ -556,20 +576,7 @@ INLINE lanes_root round_root(const lanes_slopes *q, const lanes_shape *s,
         slope_e = v_select(cap, q->beta.e, slope_e);
         curvature = v_select(cap, zero, curvature);
     }
-    /* P has an error of 2^-101 of the terms of its origin */
-    const vd spread =
-        v_set(CYLINT_LAZY_BOUND) + v_set(CYLINT_MOVED_BOUND) * from;
-    const newton_lanes step =
-        newton_step_lanes(residual, spread * sizes + v_set(CYLINT_UNDERFLOW),
-                          slope, slope_e, curvature, t.e);
-    const vd e = step.error;
-    const vpair r = v_fast_two_sum(t.v, -step.delta);
-    const vd t_size = v_abs(r.hi);
-    const vm nearest =
-        m_and(v_eq(r.hi + (r.lo + e), r.hi), v_eq(r.hi + (r.lo - e), r.hi));
-    const vm in_range = m_and(v_lt(t_size, v_set(1 / CYLINT_ROOT_LEAST)),
-                              v_lt(v_set(CYLINT_ROOT_LEAST), t_size));
-    return (lanes_root){r.hi, r.lo, e, m_and(nearest, in_range)};
+    return newton_root(residual, sizes, from, slope, slope_e, curvature, t);
 }
 
 #endif

@@ -10,6 +10,7 @@
  */
 #include "lanes.h"
 #include "filter.h"
+#include "round_lanes.h"
 
 #ifndef CYLINT_MANY
 #define CYLINT_MANY cylint_many_plain
@@ -296,8 +297,9 @@ static void load(const cylint_filter_batch *from, const size_t *list, int lanes,
 
 /* Where the overlaps end, as doubles have it. */
 typedef struct {
-    lanes_slopes slopes;
+    lanes_slopes slopes; /* of both; a hull: of the first */
     bounded_value t[2];
+    round_stop last; /* a hull: of the last */
 } stops;
 
 /* Subnormal limits may compare as equal zeros: such lanes are undecided. */
@@ -321,8 +323,12 @@ INLINE void classify(const cylint_filter_batch *from, const question *x,
                      int kind, stops *at, cylint_filter_group *g)
 {
     lanes_query q;
+    round_stop stop[2];
+    const int hull = cylint_is_hull(kind);
+    const int planes = from->bounded && !cylint_is_round(kind);
     lanes_verdict v =
-        lanes_classify(&q, &x->shape, &x->line, kind, from->bounded, x->in_use);
+        hull ? round_classify(&q, &x->shape, &x->line, kind, x->in_use, stop)
+             : lanes_classify(&q, &x->shape, &x->line, kind, planes, x->in_use);
     if (!from->line)
         leave_undecided(&v, m_and(x->in_use, v_eq(x->line.tmin, x->line.tmax)));
     if (from->line && from->want & CYLINT_WANT_NEAREST) {
@@ -343,6 +349,11 @@ INLINE void classify(const cylint_filter_batch *from, const question *x,
     v_store(g->part[1], v.part[1]);
     if (!(from->want & CYLINT_WANT_T))
         return;
+    if (hull) {
+        q.R = stop[0].R;
+        q.A = (bounded_value){stop[0].A, v_set(0)};
+        at->last = stop[1];
+    }
     at->slopes = slopes_of(&q);
     at->t[0] = v.stop[0];
     at->t[1] = v.stop[1];
@@ -362,8 +373,11 @@ INLINE unsigned round_roots(const lanes_slopes *q, const question *x, int kind,
     const vd sign = v_select(of->exits, v_set(1), v_set(-1));
     vd center[3];
     root_centers(center, &x->shape, kind, of->part);
-    const lanes_root r = round_root(q, &x->shape, center, &x->line, kind, 1,
-                                    sign, of->t, of->part);
+    const lanes_root r = cylint_is_hull(kind)
+                             ? round_round_root(q, &x->shape, &x->line, kind,
+                                                sign, of->t, of->part)
+                             : round_root(q, &x->shape, center, &x->line, kind,
+                                          1, sign, of->t, of->part);
     v_store(t, r.value);
     return m_bits(m_and(of->wanted, m_not(r.certain)));
 }
@@ -384,8 +398,12 @@ INLINE void round_hits(const cylint_filter_batch *from, const question *x,
             v_select(last, v_load(g->part[1]), v_load(g->part[0]))};
         if (!wanted)
             continue;
-        const unsigned uncertain =
-            round_roots(&at->slopes, x, kind, &of, g->t[i]);
+        lanes_slopes slopes = at->slopes;
+        if (cylint_is_hull(kind)) {
+            slopes.R = choose(last, at->last.R, slopes.R);
+            slopes.A = v_select(last, at->last.A, slopes.A);
+        }
+        const unsigned uncertain = round_roots(&slopes, x, kind, &of, g->t[i]);
         g->undecided |= uncertain;
         g->hard |= uncertain;
     }
@@ -393,7 +411,8 @@ INLINE void round_hits(const cylint_filter_batch *from, const question *x,
         memcpy(g->t[1], g->t[0], sizeof g->t[1]);
 }
 
-/* Functions of their own for each kind; elliptic kinds round alike. */
+/* Functions of their own for each kind; elliptic kinds round alike, and a
+ * capsule is a rounded cone of equal radii. */
 typedef struct {
     void (*classify)(const cylint_filter_batch *from, const question *x,
                      stops *at, cylint_filter_group *g);
@@ -420,10 +439,14 @@ CLASSIFY(CYLINT_KIND_CONE)
 CLASSIFY(CYLINT_KIND_ACONE)
 CLASSIFY(CYLINT_KIND_ECYLINDER)
 CLASSIFY(CYLINT_KIND_ECONE)
+CLASSIFY(CYLINT_KIND_SPHERE)
+CLASSIFY(CYLINT_KIND_RCONE)
 ROUND(CYLINT_KIND_CYLINDER)
 ROUND(CYLINT_KIND_CONE)
 ROUND(CYLINT_KIND_ACONE)
 ROUND(CYLINT_KIND_ECONE)
+ROUND(CYLINT_KIND_SPHERE)
+ROUND(CYLINT_KIND_RCONE)
 #undef CLASSIFY
 #undef ROUND
 
@@ -434,6 +457,9 @@ static const kernels of_kind[] = {
     {classify_CYLINT_KIND_ACONE, round_CYLINT_KIND_ACONE},
     {classify_CYLINT_KIND_ECYLINDER, round_CYLINT_KIND_ECONE},
     {classify_CYLINT_KIND_ECONE, round_CYLINT_KIND_ECONE},
+    {classify_CYLINT_KIND_SPHERE, round_CYLINT_KIND_SPHERE},
+    {classify_CYLINT_KIND_RCONE, round_CYLINT_KIND_RCONE},
+    {classify_CYLINT_KIND_RCONE, round_CYLINT_KIND_RCONE},
 };
 
 static void answer_group(const cylint_filter_batch *from, const size_t *list,

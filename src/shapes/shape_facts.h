@@ -53,6 +53,12 @@ CYLINT_INLINE int cylint_is_tapered(int kind)
            kind != CYLINT_KIND_SPHERE && kind != CYLINT_KIND_CAPSULE;
 }
 
+/* The convex hull of two balls, neither of which holds the other. */
+CYLINT_INLINE int cylint_is_hull(int kind)
+{
+    return kind == CYLINT_KIND_CAPSULE || kind == CYLINT_KIND_RCONE;
+}
+
 /* Both ends of the axis are data, its direction is their difference; else the
  * base and the direction are data. */
 CYLINT_INLINE int cylint_has_end_points(int kind)
