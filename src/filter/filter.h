@@ -30,6 +30,7 @@ typedef struct {
 } cylint_one_kernels;
 
 cylint_kernel_one cylint_hard_plain, cylint_hard_fma;
+cylint_kernel_one cylint_round_plain, cylint_round_fma;
 
 static inline int cylint_filter_one(const cylint_one_kernels *kernels,
                                     const cylint_shape *shape,

@@ -14,6 +14,10 @@
 #define CYLINT_HARD cylint_hard_plain
 #endif
 
+#ifndef CYLINT_ROUND
+#define CYLINT_ROUND cylint_round_plain
+#endif
+
 /* For shapes without a kernel. */
 static int undecided(ARGUMENTS)
 {
@@ -145,15 +149,23 @@ KERNELS(double_cone, 1, 0)
         BOTH(cone), BOTH(cone), BOTH(cone), BOTH(cone), BOTH(double_cone), \
             NEITHER                                                        \
     }
+#define BY_ROUND                   \
+    {                              \
+        CYLINT_ROUND, CYLINT_ROUND \
+    }
+#define ROUND                                                    \
+    {                                                            \
+        BY_ROUND, BY_ROUND, BY_ROUND, BY_ROUND, NEITHER, NEITHER \
+    }
 const cylint_one_kernels CYLINT_ONE = {{[CYLINT_KIND_NONE] = UNDECIDED,
                                         [CYLINT_KIND_CYLINDER] = STRAIGHT,
                                         [CYLINT_KIND_CONE] = TAPERED,
                                         [CYLINT_KIND_ACONE] = TAPERED,
                                         [CYLINT_KIND_ECYLINDER] = STRAIGHT,
                                         [CYLINT_KIND_ECONE] = TAPERED,
-                                        [CYLINT_KIND_SPHERE] = UNDECIDED,
-                                        [CYLINT_KIND_CAPSULE] = UNDECIDED,
-                                        [CYLINT_KIND_RCONE] = UNDECIDED},
+                                        [CYLINT_KIND_SPHERE] = ROUND,
+                                        [CYLINT_KIND_CAPSULE] = ROUND,
+                                        [CYLINT_KIND_RCONE] = ROUND},
                                        CYLINT_HARD};
 
 #else

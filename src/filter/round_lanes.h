@@ -75,14 +75,14 @@ typedef struct {
     vd A; /* |A| */
 } round_stop;
 
-INLINE round_stop root_of(const round_quadratic *f, int exits, vm *uncertain)
+/* exits: -1 for the root at which the line enters, +1 for the other. */
+INLINE round_stop root_of(const round_quadratic *f, vd exits, vm *uncertain)
 {
     const vd R = v_sqrt(f->radicand.v);
     const bounded_value radical = {R, R * (f->radicand.e / f->radicand.v +
                                            v_set(CYLINT_RADICAL_ROUNDING))};
-    const bounded_value numerator = {-f->B.v + (exits ? R : -R),
-                                     (f->B.e + radical.e) *
-                                         v_set(CYLINT_LANES_SLACK)};
+    const bounded_value numerator = {
+        -f->B.v + exits * R, (f->B.e + radical.e) * v_set(CYLINT_LANES_SLACK)};
     *uncertain = m_not(m_and(f->known, v_lt(v_set(CYLINT_RADICAL_LEAST), R)));
     return (round_stop){quotient(numerator, f->A), radical, v_abs(f->A.v)};
 }
@@ -175,7 +175,7 @@ INLINE lanes_verdict round_classify(lanes_query *q, const lanes_shape *s,
         const round_quadratic other = choose_quadratic(on1, &ball1, &side);
         const round_quadratic f = choose_quadratic(on0, &ball0, &other);
         vm unknown;
-        stop[k] = root_of(&f, k, &unknown);
+        stop[k] = root_of(&f, v_set(k ? 1 : -1), &unknown);
         uncertain = m_or(uncertain, unknown);
         v.stop[k] = stop[k].t;
         v.part[k] = v_select(on0, v_set(CYLINT_PART_CAP0),
@@ -197,32 +197,45 @@ INLINE lanes_verdict round_classify(lanes_query *q, const lanes_shape *s,
     return v;
 }
 
-/* One step of Newton's on the surface of the part, the residual in pairs. */
-INLINE lanes_root round_round_root(const lanes_slopes *q, const lanes_shape *s,
-                                   const lanes_line *l, int kind, vd exits,
-                                   bounded_value t, vd part)
+/* One step of Newton's, the residual in pairs: of the ball of that radius about
+ * the centre in lanes of `ball`, else of the lateral surface.  The terms of the
+ * latter may begin at the centre of any end where s->r[0] is the radius. */
+INLINE lanes_root round_surface_root(const lanes_slopes *q,
+                                     const lanes_shape *s, const vd center[3],
+                                     const lanes_line *l, int kind, vd exits,
+                                     bounded_value t, vm ball, vd radius)
 {
-    const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
-    const vm ball = m_not(v_eq(part, v_set(CYLINT_PART_LATERAL)));
     terms_pairs P;
     terms_sizes N;
-    vd center[3], residual = v_set(0), sizes = v_set(0);
-    root_centers(center, s, kind, part);
-    const vd from = terms_at(&P, &N, q, s, center, l, kind, t.v, part);
-    if (m_any(m_not(ball))) {
+    vd residual = v_set(0), sizes = v_set(0);
+    const vd from = terms_at(&P, &N, q, s, center, l, kind, t.v, v_set(0));
+    if (cylint_is_hull(kind) && m_any(m_not(ball))) {
         const vpair Q = form_C_pairs(&P);
         residual = Q.hi + Q.lo;
         sizes = form_C_sizes(&N);
     }
     if (m_any(ball)) {
         P.kind = N.kind = CYLINT_KIND_SPHERE;
-        P.r[0].hi = N.r[0] = v_select(top, s->r[1], s->r[0]);
+        P.r[0].hi = N.r[0] = radius;
         const vpair Q = form_C_pairs(&P);
         residual = v_select(ball, Q.hi + Q.lo, residual);
         sizes = v_select(ball, form_C_sizes(&N), sizes);
     }
     return newton_root(residual, sizes, from, v_set(2) * exits * q->R.v,
                        v_set(2) * q->R.e, q->A, t);
+}
+
+/* The same for a hull in lanes, by parts. */
+INLINE lanes_root round_part_root(const lanes_slopes *q, const lanes_shape *s,
+                                  const lanes_line *l, int kind, vd exits,
+                                  bounded_value t, vd part)
+{
+    const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
+    const vm ball = m_not(v_eq(part, v_set(CYLINT_PART_LATERAL)));
+    vd center[3];
+    root_centers(center, s, kind, part);
+    return round_surface_root(q, s, center, l, kind, exits, t, ball,
+                              v_select(top, s->r[1], s->r[0]));
 }
 
 #endif

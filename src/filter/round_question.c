@@ -1,0 +1,342 @@
+/*
+ * round_question.c - one line and one sphere, capsule or rounded cone
+ *
+ * Compiled once as it is and again for processors with a fused multiply-add.
+ * Of a capsule or rounded cone lane i has the forms of end i; the forms of the
+ * lateral surface are the same from both ends.  Lane i is also the stop at end
+ * i: on the ball where the line pierces the disc of its circle, else on the
+ * lateral surface.  If both stops are on one ball, both lanes have its forms.
+ * round_lanes.h has the signs.
+ */
+#define CYLINT_NARROW
+#include "round_lanes.h"
+#include "filter.h"
+
+#ifndef CYLINT_ROUND
+#define CYLINT_ROUND cylint_round_plain
+#endif
+
+#define ARGUMENTS                                                      \
+    const cylint_shape *shape, const cylint_line *line, unsigned want, \
+        cylint_answer *answer, cylint_root_rest *rest
+
+#if LANES == 2
+
+/* The terms of both ends, one in each lane; of a sphere the same in both. */
+INLINE void load_ends(lanes_query *q, const cylint_shape *shape,
+                      const cylint_line *line, int kind)
+{
+    const int hull = cylint_is_hull(kind);
+    terms_lanes *L = &q->L;
+    L->kind = kind;
+    EACH(i, 3) {
+        const vd center =
+            hull ? v_two(shape->base[i], shape->top[i]) : v_set(shape->base[i]);
+        L->u[i] = v_set(line->d[i]);
+        L->w[i] = v_set(shape->axis[i]);
+        L->D[0][i] = v_set(line->o[i]) - center;
+    }
+    L->r[0] = hull ? v_two(shape->r0, shape->r1) : v_set(shape->r0);
+    L->dr = v_set(shape->dr);
+    L->one = v_set(1);
+    lanes_sizes most = {.u = v_set(line->size),
+                        .w = v_set(shape->size),
+                        .D = v_largest(L->D[0]),
+                        .a = v_set(0),
+                        .r = {L->r[0], L->r[0]},
+                        .dr = v_abs(L->dr)};
+    if (hull)
+        most.D = v_max(most.D, v_turned(most.D));
+    load_shape_sizes(&q->N, &most, kind);
+    load_line_sizes(&q->N, &most, &most);
+    prepare_lanes(L, &q->N);
+}
+
+/* Bits of lanes. */
+typedef struct {
+    unsigned positive, negative;
+} sign_bits;
+
+INLINE sign_bits signs_of(bounded_value x)
+{
+    return (sign_bits){m_bits(positive(x)), m_bits(negative(x))};
+}
+
+/* What the signs say.  in, out: the line pierces the disc at an end, or passes
+ * outside it.  chord: both stops are on the ball of that end. */
+typedef struct {
+    int misses, crosses;
+    unsigned in, out, chord;
+    int up;
+    bounded_value G, g;
+} end_verdict;
+
+INLINE end_verdict verdict_of_sphere(const lanes_query *q)
+{
+    end_verdict v = {
+        0, 0, 0, 3, 1, 1, {v_set(0), v_set(0)}, {v_set(0), v_set(0)}};
+    v.g = with_bound(form_G_lanes(&q->L), form_G_sizes(&q->N));
+    const sign_bits g = signs_of(v.g);
+    v.misses = (int)(g.negative & 1);
+    v.crosses = (int)(g.positive & 1);
+    return v;
+}
+
+INLINE end_verdict verdict_of_hull(lanes_query *q)
+{
+    const terms_lanes *L = &q->L;
+    const terms_sizes *N = &q->N;
+    end_verdict v;
+    v.G = with_bound(form_G_lanes(L), form_G_sizes(N));
+    v.g = with_bound(form_end_ball_lanes(L, 0), form_end_ball_sizes(N, 0));
+    const sign_bits G = signs_of(v.G), g = signs_of(v.g);
+    const sign_bits E =
+        signs_of(with_bound(form_E_lanes(L, 0), form_E_sizes(N, 0)));
+    const sign_bits inward = signs_of(
+        with_bound(form_N_lanes(L, 0) * v_two(-1, 1), form_N_sizes(N, 0)));
+    const int outside = E.negative == 3;
+    const int side = (inward.positive == 3) & (int)(G.positive & 1);
+    const int no_side = (int)(G.negative & 1) | (inward.negative != 0);
+    v.in = E.positive;
+    v.out = E.negative;
+    v.chord = outside ? inward.negative & g.positive : 0;
+    v.misses = outside & no_side & ((g.negative | inward.positive) == 3);
+    v.crosses = (v.in | v.chord) != 0 || (outside & side);
+    v.up = m_bits(v_lt(v_set(0), L->beta)) & 1;
+    return v;
+}
+
+/* Whether part of the chord certainly lies ahead of the line's origin: where it
+ * pierces a disc, or is nearest to the centre of a ball, or the vertex of Q. */
+INLINE int is_ahead(const lanes_query *q, const end_verdict *v, int kind)
+{
+    const terms_lanes *L = &q->L;
+    const terms_sizes *N = &q->N;
+    if (cylint_is_hull(kind) && v->in) {
+        const sign_bits alpha = signs_of(
+            with_bound(form_alpha_lanes(L, 0), form_alpha_sizes(N, 0)));
+        return (v->in & (v->up ? alpha.negative : alpha.positive)) != 0;
+    }
+    if (!cylint_is_hull(kind) || v->chord) {
+        const sign_bits B = signs_of(with_bound(dot_lanes(L, L->D[0], L->u),
+                                                dot_sizes(N, N->D[0], N->u)));
+        return (v->chord & B.negative) != 0;
+    }
+    return m_bits(negative(with_bound(form_B_lanes(L), form_B_sizes(N)))) & 1;
+}
+
+/* The value of lane `end` in both lanes. */
+INLINE vd of_end(vd x, int end)
+{
+    const vd y = end ? v_turned(x) : x;
+    return v_firsts(y, y);
+}
+
+INLINE bounded_value of_end_bounded(bounded_value x, int end)
+{
+    return (bounded_value){of_end(x.v, end), of_end(x.e, end)};
+}
+
+/* The stops.  ball: lanes on a ball, as bits.  end: of the ball if both stops
+ * are on one, else -1: each lane has its own. */
+typedef struct {
+    round_stop at;
+    vd exits;
+    unsigned ball, usable;
+    int end, first;
+} end_stops;
+
+INLINE end_stops stops_of(const lanes_query *q, const end_verdict *v, int kind)
+{
+    end_stops x;
+    const int hull = cylint_is_hull(kind), one_ball = !hull || v->chord;
+    vm unknown;
+    x.end = !hull ? 0 : v->chord ? (int)(v->chord >> 1) : -1;
+    x.ball = one_ball ? 3 : v->in;
+    x.first = one_ball ? 0 : !v->up;
+    x.exits = x.first ? v_two(1, -1) : v_two(-1, 1);
+    round_quadratic f = quadratic_of_ball(q, v->g, 0);
+    if (hull && v->chord) {
+        f.B = of_end_bounded(f.B, x.end);
+        f.radicand = of_end_bounded(f.radicand, x.end);
+        f.known = v_lt(v_set(1 / CYLINT_RADICAND) * f.radicand.e, f.radicand.v);
+    } else if (x.ball != 3) {
+        const round_quadratic side = quadratic_of_side(q, v->G);
+        f = choose_quadratic(m_from(x.ball), &f, &side);
+    }
+    x.at = root_of(&f, x.exits, &unknown);
+    x.usable = one_ball || (v->in | v->out) == 3 ? 3 & ~m_bits(unknown) : 0;
+    return x;
+}
+
+/* Both stops rounded. */
+INLINE lanes_root round_stops(const lanes_query *q, const end_stops *x,
+                              const cylint_shape *shape,
+                              const cylint_line *line, int kind)
+{
+    const int hull = cylint_is_hull(kind);
+    lanes_shape s;
+    lanes_line l;
+    vd center[3], radius = q->L.r[0];
+    broadcast_shape(&s, shape);
+    broadcast_line(&l, line);
+    EACH(i, 3)
+        center[i] = hull ? v_two(shape->base[i], shape->top[i]) : s.base[i];
+    if (hull && x->end >= 0) {
+        radius = of_end(radius, x->end);
+        EACH(i, 3)
+            center[i] = of_end(center[i], x->end);
+    }
+    s.r[0] = radius;
+    const lanes_slopes slopes = {x->at.R,   {v_set(0), v_set(0)},
+                                 x->at.A,   q->N.D[0][0],
+                                 q->N.u[0], q->N.w[0],
+                                 v_set(0)};
+    return round_surface_root(&slopes, &s, center, &l, kind, x->exits, x->at.t,
+                              m_from(x->ball), radius);
+}
+
+INLINE int part_of_lane(const end_stops *x, const cylint_shape *shape, int lane,
+                        int kind)
+{
+    const int end = x->end >= 0 ? x->end : lane;
+    return !cylint_is_hull(kind)    ? shape->surface
+           : !(x->ball >> lane & 1) ? CYLINT_PART_LATERAL
+           : end                    ? CYLINT_PART_CAP1
+                                    : CYLINT_PART_CAP0;
+}
+
+/* Lanes on parts that are present. */
+INLINE unsigned lanes_present(const end_stops *x, const cylint_shape *shape,
+                              int kind)
+{
+    unsigned present = 0;
+    if (shape->ends == CYLINT_ENDS_CAPPED)
+        return 3;
+    EACH(lane, 2)
+        present |= (unsigned)cylint_part_is_present(
+                       shape->ends, part_of_lane(x, shape, lane, kind))
+                   << lane;
+    return present;
+}
+
+/* Writes the hits of lanes in `hits`.  r: NULL if no root is wanted. */
+INLINE int write_stops(ARGUMENTS, const end_stops *x, const lanes_root *r,
+                       unsigned hits, int kind)
+{
+    double t[2] = {0, 0}, more[2] = {0, 0}, error[2] = {0, 0};
+    int n = 0;
+    (void)line;
+    if (want & CYLINT_WANT_NEAREST && hits == 3)
+        hits = 1u << x->first;
+    if (r) {
+        v_store(t, r->value);
+        v_store(more, r->more);
+        v_store(error, r->error);
+    }
+    EACH(k, 2) {
+        const int lane = k ^ x->first;
+        if (!(hits >> lane & 1))
+            continue;
+        if (r && want & CYLINT_WANT_T)
+            answer->hit[n].t = t[lane];
+        if (want & CYLINT_WANT_PART) {
+            answer->hit[n].part = part_of_lane(x, shape, lane, kind);
+            answer->hit[n].side = k;
+        }
+        if (r && rest) {
+            rest->more[n] = more[lane];
+            rest->error[n] = error[lane];
+        }
+        n++;
+    }
+    return answer->n = n;
+}
+
+/* The hits by estimates of the roots, without rounding these. */
+INLINE int answer_by_estimates(ARGUMENTS, const end_stops *x, int kind)
+{
+    vm near;
+    const unsigned present = lanes_present(x, shape, kind);
+    const unsigned in = m_bits(
+        within_domain(x->at.t, v_set(line->tmin), v_set(line->tmax), &near));
+    if (present & ~x->usable || present & m_bits(near))
+        return CYLINT_UNDECIDED;
+    return write_stops(shape, line, want, answer, rest, x, NULL, in & present,
+                       kind);
+}
+
+INLINE int answer_by_rounding(ARGUMENTS, const lanes_query *q,
+                              const end_stops *x, int kind)
+{
+    if (x->usable != 3 || !cylint_rounds_to_nearest())
+        return CYLINT_UNDECIDED;
+    const lanes_root r = round_stops(q, x, shape, line, kind);
+    const vd low = r.value + (r.more - r.error);
+    const vd high = r.value + (r.more + r.error);
+    const vd tmin = v_set(line->tmin), tmax = v_set(line->tmax);
+    const unsigned present = lanes_present(x, shape, kind);
+    const unsigned in = m_bits(m_and(v_lt(tmin, low), v_lt(high, tmax)));
+    const unsigned out = m_bits(m_or(v_lt(high, tmin), v_lt(tmax, low)));
+    unsigned hits = in & present;
+    if (present & ~(in | out))
+        return CYLINT_UNDECIDED;
+    if (want & CYLINT_WANT_NEAREST && hits == 3)
+        hits = 1u << x->first;
+    if (hits & ~m_bits(r.certain))
+        return CYLINT_UNDECIDED;
+    return write_stops(shape, line, want, answer, rest, x, &r, hits, kind);
+}
+
+INLINE int answer_kind(ARGUMENTS, int kind)
+{
+    lanes_query q;
+    load_ends(&q, shape, line, kind);
+    const end_verdict v =
+        cylint_is_hull(kind) ? verdict_of_hull(&q) : verdict_of_sphere(&q);
+    if (!(m_bits(v_le(q.N.D[0][0], v_set(CYLINT_WINDOW))) & 1))
+        return CYLINT_UNDECIDED;
+    answer->relation = v.crosses * CYLINT_RELATION_CROSS;
+    answer->n = 0;
+    if (v.misses)
+        return 0;
+    if (!v.crosses)
+        return CYLINT_UNDECIDED;
+    const int brief = !(want & (CYLINT_WANT_T | CYLINT_WANT_PART)) &
+                      (shape->ends == CYLINT_ENDS_CAPPED) &
+                      (line->tmax > DBL_MAX);
+    const int nearest = (want & CYLINT_WANT_NEAREST) != 0;
+    if (brief & (line->tmin < -DBL_MAX))
+        return answer->n = 2 - nearest;
+    if (brief & nearest & (line->tmin <= 0) && is_ahead(&q, &v, kind))
+        return answer->n = 1;
+    const end_stops x = stops_of(&q, &v, kind);
+    return want & CYLINT_WANT_T
+               ? answer_by_rounding(shape, line, want, answer, rest, &q, &x,
+                                    kind)
+               : answer_by_estimates(shape, line, want, answer, rest, &x, kind);
+}
+
+int CYLINT_ROUND(ARGUMENTS)
+{
+    return shape->kind == CYLINT_KIND_SPHERE
+               ? answer_kind(shape, line, want, answer, rest,
+                             CYLINT_KIND_SPHERE)
+               : answer_kind(shape, line, want, answer, rest,
+                             CYLINT_KIND_RCONE);
+}
+
+#else
+
+/* Without vectors of two lanes. */
+int CYLINT_ROUND(ARGUMENTS)
+{
+    (void)shape;
+    (void)line;
+    (void)want;
+    (void)answer;
+    (void)rest;
+    return CYLINT_UNDECIDED;
+}
+
+#endif
