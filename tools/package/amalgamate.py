@@ -116,13 +116,19 @@ def tokens_of(cc, path, flags, private):
     """The tokens of the preprocessed file, those of private files marked."""
     command = [*cc.split(), "-E", "-std=c99", "-Iinclude", *flags, str(path)]
     done = subprocess.run(command, check=True, capture_output=True, text=True)
-    inside = False
+    chain = [True]  # for the files that include each other: all are private
     for line in done.stdout.splitlines():
-        marker = re.match(r'# \d+ "(.*)"', line)
+        marker = re.match(r'# \d+ "(.*)"((?: \d)*)', line)
         if marker:
-            file = Path(marker[1])
-            inside = file.exists() and file.resolve() in private
+            flags = marker[2].split()
+            if "1" in flags:
+                file = Path(marker[1])
+                private_file = file.exists() and file.resolve() in private
+                chain.append(chain[-1] and private_file)
+            elif "2" in flags:
+                chain.pop()
             continue
+        inside = chain[-1]
         if line.startswith("#"):
             continue
         for token in re.findall(
