@@ -37,6 +37,8 @@ make_input()
             -f tools/demo/scanner.awk |
         awk '{ print $0, "ray" NR }' > "$scratch/rays.txt" &&
         [ "$(wc -l < "$scratch/rays.txt")" -eq "$records" ] &&
+        { [ -z "$python" ] || "$python" tests/cluster/table.py make \
+            "$scratch/rays.txt" "$scratch/rays.parquet"; } &&
         split -n l/$pieces -d --additional-suffix=.txt "$scratch/rays.txt" \
             "$scratch/rays/"
 }
@@ -45,6 +47,8 @@ make_input()
 make_bad_input()
 {
     sed -i "$((records / 2))s/^ray/rye/" "$scratch/rays.txt" &&
+        { [ -z "$python" ] || "$python" tests/cluster/table.py make \
+            "$scratch/rays.txt" "$scratch/rays.parquet"; } &&
         bad=$(grep -l '^' "$scratch"/rays/*.txt | sed -n "$((pieces / 2))p") &&
         sed -i '$s/^ray/rye/' "$bad"
 }
@@ -104,12 +108,22 @@ answers_of()
     parallel-*) cat "$scratch/answers" ;;
     slurm | spark-files) cat "$scratch"/rays/*.answers ;;
     spark-pipe) cat "$scratch"/answers/part-* ;;
+    spark-arrow) "$python" tests/cluster/table.py show "$scratch/answers" ;;
     esac
+}
+
+expected_of()
+{
+    case $1 in
+    spark-arrow) cylint -j1 -x -f shape,t -s "$scratch/scene" "$scratch/rays.txt" ;;
+    *) cat "$scratch/expected" ;;
+    esac > "$scratch/expected_here"
 }
 
 succeeds()
 {
-    timed run_recipe "$1" && answers_of "$1" | cmp - "$scratch/expected"
+    expected_of "$1" && timed run_recipe "$1" &&
+        answers_of "$1" | cmp - "$scratch/expected_here"
     result "$1: $records records in the same bytes, $seconds s" $?
 }
 
@@ -119,7 +133,8 @@ fails()
 {
     timed run_recipe "$1"
     [ $? -ne 0 ] &&
-        grep -q -e "found 'rye'" -e 'This job failed' "$scratch/log" &&
+        grep -q -e "found 'rye'" -e 'This job failed' \
+            -e 'the direction has no length' "$scratch/log" &&
         ! answers_of "$1" 2> /dev/null | cmp -s - "$scratch/expected" &&
         [ ! -e "$scratch/answers/_SUCCESS" ] && [ ! -f "$scratch/answers" ]
     result "$1: fails for one bad record, $seconds s" $?
@@ -136,9 +151,19 @@ have_tools_for()
     for tool in $wanted; do
         command -v $tool > /dev/null || { skip "$1" "no $tool"; return 1; }
     done
+    [ "$1" != spark-arrow ] || [ -n "$python" ] || {
+        skip "$1" 'no Python package (make deps deps-cluster check)'
+        return 1
+    }
 }
 
-all='parallel-pipe parallel-pipepart slurm spark-files spark-pipe'
+# The environment of Spark with the wheel that tests/test_python.sh has made.
+python=$build/spark/bin/python
+"$python" -m pip install -q --no-deps --no-index --force-reinstall \
+    "$build"/python/wheel/*.whl 2> /dev/null &&
+    "$python" -c 'import cylint, pyarrow' 2> /dev/null || python=
+
+all='parallel-pipe parallel-pipepart slurm spark-files spark-pipe spark-arrow'
 recipes=
 for recipe in ${RECIPES:-$all}; do
     have_tools_for $recipe && recipes="$recipes $recipe"

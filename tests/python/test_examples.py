@@ -13,7 +13,7 @@ import cylint
 MODULES = ["cylint"] + [
     f"cylint.{m.name}" for m in pkgutil.iter_modules(cylint.__path__)
 ]
-README = Path(__file__).parents[2] / "tools" / "python" / "README.md"
+TOP = Path(__file__).parents[2]
 
 
 @pytest.mark.parametrize("name", MODULES)
@@ -29,7 +29,20 @@ def test_every_public_name_has_an_example_or_a_docstring():
             assert getattr(cylint, name).__doc__, name
 
 
-def test_the_tutorial(tmp_path, monkeypatch):
+def examples_of(page):
+    """The examples of a page; its fences end their output."""
+    text = (TOP / page).read_text()
+    text = "".join(
+        "\n" if line.startswith("```") else line
+        for line in text.splitlines(True)
+    )
+    names = {"cylint": cylint, "np": np}
+    return doctest.DocTestParser().get_doctest(text, names, page, page, 0)
+
+
+@pytest.mark.parametrize("page", ["README.md", "tools/python/README.md"])
+def test_the_examples_of_pages(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    done = doctest.testfile(str(README), module_relative=False)
-    assert done.failed == 0 and done.attempted > 10
+    examples = examples_of(page)
+    assert len(examples.examples) >= 3
+    assert doctest.DocTestRunner().run(examples).failed == 0

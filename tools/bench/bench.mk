@@ -16,8 +16,9 @@ $(bench_programs): %: %.o $(bench_common)
 $(bench_programs) $(BUILD)/tools/bench/stages: %: %.o $(test_common) $(BUILD)/libcylint.a
 $(bench_programs) $(BUILD)/tools/bench/stages: libs := $(test_libs)
 
-$(BUILD)/tools/bench/scene: %: %.o $(BUILD)/tests/scenes.o $(scene_library)
-$(BUILD)/tools/bench/scene: libs := $(threads_link)
+$(BUILD)/tools/bench/scene: $(BUILD)/tests/scenes.o
+$(patsubst %,$(BUILD)/tools/bench/%,scene python_scene): %: %.o $(scene_library)
+$(patsubst %,$(BUILD)/tools/bench/%,scene python_scene): libs := $(threads_link)
 
 $(patsubst %,$(BUILD)/tools/bench/%,embree embree_packets): $(call bench_objects,timing)
 $(embree_programs): %: %.o $(call bench_objects,embree_scenes embree_rivals) \
@@ -27,7 +28,7 @@ $(BUILD)/tools/bench/embree_counts: wrapped := $(call wrap,cylint_float_filter_u
 
 $(BUILD)/tools/bench/measure: $(BUILD)/tools/bench/measure.o
 
-$(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene measure):
+$(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene python_scene measure):
 	$(link)
 
 # Where the processor has fused multiply-add, a second build with it.
@@ -51,6 +52,15 @@ bench-embree: $(filter-out %_counts,$(embree_programs)) ## time of scenes and of
 	$(BUILD)/tools/bench/embree_threads 2 $(if $(QUICK),1e5,1e6) | tee $(BUILD)/embree-threads.tsv
 	@$(if $(WRAP),$(MAKE) -s BUILD=$(BUILD)/visits CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_VISITS' count_visits | tee $(BUILD)/embree-counts.tsv)
 
+# The rivals have an environment of their own; the wheel is that of the tests.
+rivals := $(BUILD)/rivals
+bench-python: $(BUILD)/tools/bench/python_scene $(BUILD)/cylint ## time of the Python package and of its rivals, fetched by pip
+	@BUILD=$(BUILD) sh tests/run.sh tests/test_python.sh
+	@[ -x $(rivals)/bin/python ] || python3 -m venv $(rivals)
+	@$(rivals)/bin/pip install -q numpy scikit-spatial trimesh embreex rtree vtk open3d
+	@$(rivals)/bin/pip install -q --no-deps --force-reinstall $(BUILD)/python/wheel/*.whl
+	$(rivals)/bin/python tools/bench/python_rays.py $(BUILD)/tools/bench/python_scene $(rivals)/input
+
 # An adapter that counts the nodes and leaves that a ray visits.
 count_visits: $(BUILD)/tools/bench/embree_counts
 	$< $(if $(QUICK),1e5,1e6)
@@ -61,4 +71,4 @@ count_stages: $(BUILD)/tools/bench/stages
 stages: ## share of queries that reach each stage (pairs, exact digits), by family
 	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
 
-.PHONY: bench bench_programs bench-scene bench-text bench-embree count_visits stages count_stages
+.PHONY: bench bench_programs bench-scene bench-text bench-embree bench-python count_visits stages count_stages

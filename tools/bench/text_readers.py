@@ -17,22 +17,30 @@ os.environ["POLARS_MAX_THREADS"] = sys.argv[3]
 def reader():
     if name == "pandas":
         import pandas
+
         return lambda: pandas.read_csv(path, sep=" ", header=None).sum()
     if name == "polars":
         import polars
-        return lambda: polars.read_csv(path, separator=" ",
-                                       has_header=False).sum()
+
+        return lambda: polars.read_csv(
+            path, separator=" ", has_header=False
+        ).sum()
     import duckdb
+
     base = duckdb.connect(config={"threads": threads})
     columns = ", ".join(f"'c{i}': 'DOUBLE'" for i in range(13))
     sums = ", ".join(f"sum(c{i})" for i in range(13))
-    query = (f"SELECT {sums} FROM read_csv('{path}', delim=' ', "
-             f"header=false, columns={{{columns}}})")
+    query = (
+        f"SELECT {sums} FROM read_csv('{path}', delim=' ', "
+        f"header=false, columns={{{columns}}})"
+    )
     return lambda: base.execute(query).fetchall()
 
 
 read = reader()
 clock, processor = time.perf_counter(), time.process_time()
 read()
-print(f"{time.perf_counter() - clock:.3f} {time.process_time() - processor:.3f}"
-      f" {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss}")
+print(
+    f"{time.perf_counter() - clock:.3f} {time.process_time() - processor:.3f}"
+    f" {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss}"
+)
