@@ -267,15 +267,15 @@ CYLINT_API cylint_status cylint_tangent_cone(cylint_shape *shape,
  * infinite.  Written by one of the constructors below. */
 typedef struct cylint_line {
     double o[3];
-    double d[3];    /* the direction: the nearest doubles */
+    double d[3];  /* the direction: the nearest doubles */
+    double size;  /* max of d[i] in absolute value */
+    int in_range; /* 1: doubles neither over- nor underflow */
+    int valid;    /* 0: refused by its constructor */
+    double tmin, tmax;
     double d_lo[3]; /* segments: d + d_lo = b - a exactly, unless b - a
                        overflows; other lines: 0 */
     double end[3];  /* segments: b */
-    double tmin, tmax;
-    double size;  /* max of d[i] in absolute value */
-    int in_range; /* 1: doubles neither over- nor underflow */
-    int segment;  /* 1: the direction is end - o */
-    int valid;    /* 0: refused by its constructor */
+    int segment;    /* 1: the direction is end - o */
 } cylint_line;
 
 /*
