@@ -73,8 +73,19 @@ static void difference3(double hi[3], double lo[3], const double to[3],
 /* Whether a shape of this kind may have these ends. */
 static int ends_exist(int kind, int ends)
 {
+    ends &= ~CYLINT_FOR_PACKS;
     return ends >= CYLINT_ENDS_CAPPED && ends <= CYLINT_ENDS_NAPPE &&
            cylint_ends_fit(kind, ends);
+}
+
+/* Writes the members that follow from the others. */
+static void measure(cylint_shape *shape, int ends)
+{
+    shape->ends = ends & ~CYLINT_FOR_PACKS;
+    cylint_measure_shape(shape);
+    shape->has_local = 0;
+    if (!(ends & CYLINT_FOR_PACKS))
+        cylint_measure_local(shape);
 }
 
 /* Writes a shape that no line hits. */
@@ -110,10 +121,8 @@ static void write_two_points(cylint_shape *shape, const double p0[3], double r0,
     const pair dr = cylint_difference(r1, r0);
     shape->dr = dr.hi;
     shape->dr_lo = dr.lo;
-    shape->ends = (int)ends;
     shape->kind = cylint_sign(dr.hi) == 0 ? same : kind;
-    cylint_measure_shape(shape);
-    cylint_measure_local(shape);
+    measure(shape, (int)ends);
 }
 
 /* CYLINT_OK, ENONFINITE or ERADIUS. */
@@ -242,11 +251,9 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
     const pair dr = cylint_difference(k, 1);
     shape->dr = dr.hi;
     shape->dr_lo = dr.lo;
-    shape->ends = (int)ends;
     shape->kind =
         cylint_sign(dr.hi) == 0 ? CYLINT_KIND_ECYLINDER : CYLINT_KIND_ECONE;
-    cylint_measure_shape(shape);
-    cylint_measure_local(shape);
+    measure(shape, (int)ends);
     const int det = orientation(shape);
     shape->left_handed = det < 0;
     return det != 0 ? CYLINT_OK : refuse_shape(shape, CYLINT_EDEGENERATE);
@@ -281,10 +288,8 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
     shape->surface = CYLINT_PART_LATERAL;
     shape->r0 = shape->dr_lo = 0;
     shape->r1 = shape->dr = tangent;
-    shape->ends = (int)ends;
     shape->kind = CYLINT_KIND_ACONE;
-    cylint_measure_shape(shape);
-    cylint_measure_local(shape);
+    measure(shape, (int)ends);
     return CYLINT_OK;
 }
 

@@ -265,24 +265,37 @@ INLINE local_quadratic quadratic_of(const local_line *l,
     return with_errors(l, shape, AB_doubles(&l->in, tapered), tapered);
 }
 
+/* Computes G.  Returns 1 if it shows that the line misses. */
+INLINE int classify_by_G(local_verdict *v, const local_line *l,
+                         const cylint_shape *shape, int tapered)
+{
+    vd Y = v_set(0);
+    if (tapered)
+        Y = Y_doubles(&l->in);
+    v->G = v_first(G_doubles(&l->in, tapered, &Y));
+    v->G_error = tapered ? cone_error(l, shape, Y) : disc_error(l, shape->r0);
+    return v->G < -v->G_error;
+}
+
+/* The rest, of a line that G does not show to miss. */
+INLINE void classify_rest(local_verdict *v, const local_line *l,
+                          const cylint_shape *shape, int tapered, int bounded)
+{
+    if (bounded) {
+        classify_bounded(v, l, shape, E_doubles(&l->in),
+                         N_doubles(&l->in, tapered), tapered);
+    } else {
+        const local_quadratic q = quadratic_of(l, shape, tapered);
+        classify_unbounded(v, q.A, q.A_error, tapered);
+    }
+}
+
 INLINE local_verdict classify(const local_line *l, const cylint_shape *shape,
                               int tapered, int bounded)
 {
     local_verdict v = {0, 0, 0, 0, 1, 0};
-    vd Y = v_set(0);
-    if (tapered)
-        Y = Y_doubles(&l->in);
-    v.G = v_first(G_doubles(&l->in, tapered, &Y));
-    v.G_error = tapered ? cone_error(l, shape, Y) : disc_error(l, shape->r0);
-    if (v.G < -v.G_error)
-        return v;
-    if (bounded) {
-        classify_bounded(&v, l, shape, E_doubles(&l->in),
-                         N_doubles(&l->in, tapered), tapered);
-    } else {
-        const local_quadratic q = quadratic_of(l, shape, tapered);
-        classify_unbounded(&v, q.A, q.A_error, tapered);
-    }
+    if (!classify_by_G(&v, l, shape, tapered))
+        classify_rest(&v, l, shape, tapered, bounded);
     return v;
 }
 

@@ -64,24 +64,34 @@ INLINE int ends_in_domain(const local_line *l, const local_verdict *v,
     return first ? begins << 1 | ends : ends << 1 | begins;
 }
 
-INLINE int answer_by_roots(ARGUMENTS, int tapered, int bounded)
+/* Returns n if G shows that the line misses, else 1. */
+INLINE int begins_by_roots(local_line *l, local_verdict *v, ARGUMENTS,
+                           int tapered)
 {
-    local_line l;
-    load_local(&l, shape, line, tapered);
-    const local_verdict v = classify(&l, shape, tapered, bounded);
-    answer->relation = v.crosses * CYLINT_RELATION_CROSS;
+    (void)want;
+    (void)rest;
+    load_local(l, shape, line, tapered);
+    answer->relation = CYLINT_RELATION_MISS;
     answer->n = 0;
+    return !classify_by_G(v, l, shape, tapered);
+}
+
+/* From there on. */
+INLINE int ends_by_roots(const local_line *l, local_verdict v, ARGUMENTS,
+                         int tapered, int bounded)
+{
+    classify_rest(&v, l, shape, tapered, bounded);
     if (v.misses)
         return 0;
-    if (__builtin_expect(!v.crosses, 0))
+    if (__builtin_expect(!v.crosses, 0) ||
+        (bounded && (v.pierced | v.spared) != 3) || !cylint_rounds_to_nearest())
         return CYLINT_UNDECIDED;
-    if ((bounded && (v.pierced | v.spared) != 3) || !cylint_rounds_to_nearest())
-        return CYLINT_UNDECIDED;
-    const local_quadratic q = quadratic_of(&l, shape, tapered);
-    const local_ends at = estimate_ends(&l, &v, &q, tapered, bounded);
+    answer->relation = CYLINT_RELATION_CROSS;
+    const local_quadratic q = quadratic_of(l, shape, tapered);
+    const local_ends at = estimate_ends(l, &v, &q, tapered, bounded);
     if (at.usable != 3)
         return CYLINT_UNDECIDED;
-    const local_roots r = round_ends(&l, &v, shape, line, &at, tapered);
+    const local_roots r = round_ends(l, &v, shape, line, &at, tapered);
     return accept_roots(&r, &at, &v, shape, line, want, answer, rest, bounded);
 }
 
@@ -119,16 +129,26 @@ INLINE int answer_by_signs(const cylint_shape *shape, const cylint_line *line,
 
 /* A kernel of its own for each: tapered or not, bounded or not, with roots or
  * by signs. */
-#define KERNELS(name, tapered, bounded)                                      \
-    static int roots_##name(ARGUMENTS)                                       \
-    {                                                                        \
-        return answer_by_roots(shape, line, want, answer, rest, tapered,     \
-                               bounded);                                     \
-    }                                                                        \
-    static int signs_##name(ARGUMENTS)                                       \
-    {                                                                        \
-        (void)rest;                                                          \
-        return answer_by_signs(shape, line, want, answer, tapered, bounded); \
+#define KERNELS(name, tapered, bounded)                                       \
+    ASIDE int crossing_##name(const local_line *l, const local_verdict *v,    \
+                              ARGUMENTS)                                      \
+    {                                                                         \
+        return ends_by_roots(l, *v, shape, line, want, answer, rest, tapered, \
+                             bounded);                                        \
+    }                                                                         \
+    static int roots_##name(ARGUMENTS)                                        \
+    {                                                                         \
+        local_line l;                                                         \
+        local_verdict v;                                                      \
+        if (!begins_by_roots(&l, &v, shape, line, want, answer, rest,         \
+                             tapered))                                        \
+            return 0;                                                         \
+        return crossing_##name(&l, &v, shape, line, want, answer, rest);      \
+    }                                                                         \
+    static int signs_##name(ARGUMENTS)                                        \
+    {                                                                         \
+        (void)rest;                                                           \
+        return answer_by_signs(shape, line, want, answer, tapered, bounded);  \
     }
 KERNELS(cylinder, 0, 1)
 KERNELS(cone, 1, 1)

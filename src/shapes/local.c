@@ -4,7 +4,6 @@
 #include "local.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "../numbers/bits.h"
 #include "../numbers/double_double.h"
@@ -27,6 +26,16 @@ static void scale_row(pair row[3], pair factor)
         row[i] = pair_mul(row[i], factor);
 }
 
+/* 1 / sqrt(a): the double y nearest or next to it, and the next terms of
+ * y (1 - e)^(-1/2), e = 1 - a y^2. */
+static pair inverse_root(pair a)
+{
+    const double y = 1 / sqrt(a.hi);
+    const pair ay2 = pair_mul(a, two_prod(y, y));
+    const double e = (1 - ay2.hi) - ay2.lo;
+    return fast_two_sum(y, y * e * (0.5 + 0.375 * e));
+}
+
 static pair dot(const pair u[3], const pair v[3])
 {
     return pair_add(pair_add(pair_mul(u[0], v[0]), pair_mul(u[1], v[1])),
@@ -45,10 +54,9 @@ static pair upright_rows(rows *m, const cylint_shape *s)
     const int i = cylint_least_component(s->axis, s->axis_lo);
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     const pair across2 = pair_add(square[j], square[k]);
-    const pair length = pair_sqrt(pair_add(across2, square[i]));
-    const pair across = pair_sqrt(across2);
-    const pair to_unit = pair_div(plain(1), length);
-    const pair level = pair_div(plain(1), across);
+    const pair length2 = pair_add(across2, square[i]);
+    const pair to_unit = inverse_root(length2), level = inverse_root(across2);
+    const pair across = pair_mul(across2, level);
     for (int c = 0; c < 3; c++)
         m->z[c] = pair_mul(w[c], to_unit);
     m->x[i] = plain(0);
@@ -57,7 +65,7 @@ static pair upright_rows(rows *m, const cylint_shape *s)
     m->y[i] = pair_neg(pair_mul(across, to_unit));
     m->y[j] = pair_neg(pair_mul(m->z[i], m->x[k]));
     m->y[k] = pair_mul(m->z[i], m->x[j]);
-    return length;
+    return pair_mul(length2, to_unit);
 }
 
 static void cross(pair xy[3], const double x[3], const double y[3])
@@ -119,11 +127,9 @@ void cylint_measure_local(cylint_shape *s)
     cylint_local *to = &s->local;
     rows m;
     pair height, slope;
-    if (cylint_is_round(s->kind)) {
-        memset(to, 0, sizeof *to);
-        to->norm = NAN;
+    s->has_local = 0;
+    if (cylint_is_round(s->kind))
         return;
-    }
     to->error = CYLINT_LOCAL_ERROR;
     if (cylint_is_elliptic(s->kind)) {
         const double det = inverse_rows(&m, s), power = balance(&m);
@@ -147,7 +153,9 @@ void cylint_measure_local(cylint_shape *s)
             scale_row(m.z, inverse);
             height = plain(1);
         }
-        slope = pair_div((pair){s->dr, s->dr_lo}, height);
+        slope = cylint_is_tapered(s->kind)
+                    ? pair_div((pair){s->dr, s->dr_lo}, height)
+                    : plain(0);
     }
     store(to, &m);
     to->height = height.hi;
@@ -158,7 +166,6 @@ void cylint_measure_local(cylint_shape *s)
     to->norm =
         cylint_larger(cylint_larger(size_of(m.x), size_of(m.y)), size_of(m.z)) *
         CYLINT_SLACK;
-    if (!(s->in_range && cylint_rounds_to_nearest() &&
-          to->error <= CYLINT_LOCAL_WORST))
-        to->norm = NAN;
+    s->has_local = s->in_range && cylint_rounds_to_nearest() &&
+                   to->height > 0 && to->error <= CYLINT_LOCAL_WORST;
 }

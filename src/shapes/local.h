@@ -22,8 +22,8 @@
 
 #include "cylint.h"
 
-/* Computes shape->local from the other members.  Where M is not accurate
- * enough, local.norm is NaN and every comparison with an error bound fails. */
+/* Computes `local` and has_local from the other members.  has_local is 0 where
+ * the matrix is not accurate enough; `local` may then not be written. */
 void cylint_measure_local(cylint_shape *shape);
 
 #endif

@@ -36,9 +36,7 @@ int job_block(const struct job *job, struct block *block)
                         finds_hits ? job->scene->count : 0)) {
         return 0;
     }
-    if (o->query == QUERY_PAIRS && !o->method &&
-        pairs_can_answer(o->grammar.line, o->fields.want,
-                         fields_need_sides(&o->fields))) {
+    if (o->grammar.for_packs && !o->method) {
         block->pairs = pairs_make();
         return block->pairs != NULL;
     }
