@@ -83,7 +83,7 @@ static void measure(cylint_shape *shape, int ends)
 {
     shape->ends = ends & ~CYLINT_FOR_PACKS;
     cylint_measure_shape(shape);
-    shape->has_local = 0;
+    shape->prepared = 0;
     if (!(ends & CYLINT_FOR_PACKS))
         cylint_measure_local(shape);
 }

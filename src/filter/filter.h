@@ -39,7 +39,7 @@ static inline int cylint_filter_one(const cylint_one_kernels *kernels,
                                     cylint_root_rest *rest)
 {
     const int signs = !(want & CYLINT_WANT_T);
-    if (!(shape->has_local & line->in_range))
+    if (!(shape->prepared & line->in_range))
         return CYLINT_UNDECIDED;
     const int n = kernels->by_kind[shape->kind][shape->ends][signs](
         shape, line, want, answer, rest);

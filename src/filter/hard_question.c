@@ -75,7 +75,8 @@ int CYLINT_HARD(ARGUMENTS)
     const int bounded = cylint_ends_are_planes(shape->ends);
     int n = CYLINT_UNDECIDED;
     local_line l;
-    if (cylint_is_nappe(shape) || !cylint_rounds_to_nearest())
+    if (cylint_is_round(shape->kind) || cylint_is_nappe(shape) ||
+        !cylint_rounds_to_nearest())
         return CYLINT_UNDECIDED;
     load_local(&l, shape, line, tapered);
     for (int in_pairs = 0; in_pairs < 2 && n == CYLINT_UNDECIDED; in_pairs++) {

@@ -127,8 +127,8 @@ void cylint_measure_local(cylint_shape *s)
     cylint_local *to = &s->local;
     rows m;
     pair height, slope;
-    s->has_local = 0;
-    if (cylint_is_round(s->kind))
+    s->prepared = s->in_range;
+    if (cylint_is_round(s->kind)) /* they have none */
         return;
     to->error = CYLINT_LOCAL_ERROR;
     if (cylint_is_elliptic(s->kind)) {
@@ -166,6 +166,6 @@ void cylint_measure_local(cylint_shape *s)
     to->norm =
         cylint_larger(cylint_larger(size_of(m.x), size_of(m.y)), size_of(m.z)) *
         CYLINT_SLACK;
-    s->has_local = s->in_range && cylint_rounds_to_nearest() &&
+    s->prepared = s->in_range && cylint_rounds_to_nearest() &&
                    to->height > 0 && to->error <= CYLINT_LOCAL_WORST;
 }

@@ -22,7 +22,7 @@
 
 #include "cylint.h"
 
-/* Computes `local` and has_local from the other members.  has_local is 0 where
+/* Computes `local` and `prepared` from the other members.  `prepared` is 0 where
  * the matrix is not accurate enough; `local` may then not be written. */
 void cylint_measure_local(cylint_shape *shape);
 
