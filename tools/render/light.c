@@ -22,57 +22,26 @@ static const double SUN_RADIUS = 0.025; /* tangent of its angular radius */
 
 enum { FOR_SUN = 1, FOR_SKY = 2 }; /* the purpose of samples */
 
-/* A hit.  `facing` is the normal on the viewer's side. */
+/* A place beside a hit, on the viewer's side of the shape.  `facing` is the normal
+ * on that side. */
 struct place {
     size_t number;
-    const cylint_shape *shape;
-    struct vector point, normal, facing;
+    struct vector point, facing;
+    int leaves; /* a convex solid, from outside */
 };
 
 /* ------------------------------------------------------------- shadows -- */
 
-/*
- * Whether a ray from a hit, along d, hits the same shape again.  The hit's point
- * is rounded, so the surface may lie ahead by a rounding error.  But a line
- * crosses the surface at most twice, entering once and leaving once, and the
- * sign of d.n is the side on which the ray begins: d.n > 0 leaves the solid.  So
- * the ray hits the shape again only if the last hit of the whole line has the
- * other side: the far wall of an open tube, the other nappe of a double cone.  A
- * ray that leaves a convex solid never does.
- */
-static int hits_again(const struct place *at, const cylint_line *ray,
-                      int leaves)
-{
-    cylint_line line;
-    cylint_answer answer;
-    const int convex = !(at->shape->ends == CYLINT_ENDS_INFINITE &&
-                         at->shape->kind != CYLINT_KIND_CYLINDER &&
-                         at->shape->kind != CYLINT_KIND_ECYLINDER);
-    if (leaves && convex) {
-        return 0;
-    }
-    cylint_whole_line(&line, ray->o, ray->d);
-    cylint_intersect(at->shape, &line, CYLINT_WANT_PART, &answer);
-    return answer.n > 0 &&
-           answer.hit[answer.n - 1].side ==
-               (leaves ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING);
-}
-
-/*
- * Another shape may have the same surface there, as a cylinder that occurs
- * twice.  The point is within e = 2^-52 |p| of that surface, so at most e below
- * its tangent plane, and a convex solid lies below that plane.  So the ray along
- * the unit vector d has left the solid after e / |d.n|.
- */
+/* Whether nothing is in the way of a ray along d.  The place is certainly on the
+ * viewer's side of its shape.  If that is convex and the ray leaves it, it does
+ * not hit the shape again, so that need not be tested. */
 static int is_free(const struct stage *stage, const struct place *at,
                    struct vector d)
 {
-    const double cosine = dot(d, at->normal);
-    const double start = 0x1p-52 * length(at->point) / fabs(cosine);
     cylint_line ray;
-    return cylint_span(&ray, at->point.v, d.v, start, HUGE_VAL) == CYLINT_OK &&
-           !hits_again(at, &ray, cosine > 0) &&
-           !cylint_scene_occluded(stage->scene, &ray, at->number);
+    return cylint_ray(&ray, at->point.v, d.v) == CYLINT_OK &&
+           !cylint_scene_occluded(stage->scene, &ray,
+                                  at->leaves ? at->number : stage->count);
 }
 
 /* -------------------------------------------------------------- light -- */
@@ -141,22 +110,31 @@ static double opacity(const struct stage *stage, const struct place *at)
     return exp(-far * far);
 }
 
+/* A double cone is not; an unbounded cylinder is. */
+static int is_convex(const cylint_shape *s)
+{
+    return s->ends != CYLINT_ENDS_INFINITE || s->kind == CYLINT_KIND_CYLINDER ||
+           s->kind == CYLINT_KIND_ECYLINDER;
+}
+
 struct sample trace_sample(const struct stage *stage, const cylint_line *ray,
                            uint32_t i, uint32_t seed)
 {
     cylint_hit hit;
     const size_t shape = cylint_scene_nearest(
-        stage->scene, ray, CYLINT_WANT_POINT | CYLINT_WANT_NORMAL, &hit);
+        stage->scene, ray,
+        CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_PART, &hit);
     if (shape == stage->count) {
         return (struct sample){vector(0, 0, 0), 0};
     }
-    const struct vector point =
-        vector(hit.point[0], hit.point[1], hit.point[2]);
     const struct vector normal =
         vector(hit.normal[0], hit.normal[1], hit.normal[2]);
     const struct vector d = vector(ray->d[0], ray->d[1], ray->d[2]);
-    const struct place at = {shape, &stage->shapes[shape], point, normal,
-                             dot(normal, d) > 0 ? times(-1, normal) : normal};
+    const int inside = dot(normal, d) > 0;
+    struct place at = {shape, vector(0, 0, 0),
+                       inside ? times(-1, normal) : normal,
+                       !inside && is_convex(&stage->shapes[shape])};
+    cylint_outside(&stage->shapes[shape], &hit, inside ? 1 : -1, at.point.v);
     const double covered = opacity(stage, &at);
     const struct vector light = shaded(
         stage, &at, ray, light_of_colour(stage->colours[shape]), i, seed);
