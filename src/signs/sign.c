@@ -352,8 +352,9 @@ static int no_rounding(double size, int e)
            size < cylint_power_of_two(e + 53);
 }
 
-/* The cascade, for a form with the given further arguments. */
-#define DECIDE(q, balls, form, ...)                                            \
+/* The cascade, for a form with the given further arguments.  PAIRS and FULL are
+ * the functions that load its terms. */
+#define DECIDE_FROM(PAIRS, FULL, q, balls, form, ...)                          \
     do {                                                                       \
         int sign_ = 2; /* unknown */                                           \
         if ((q)->filters) {                                                    \
@@ -366,15 +367,15 @@ static int no_rounding(double size, int e)
                 cylint_reached(QUANTA);                                        \
                 sign_ = cylint_sign(b_.v);                                     \
             } else if ((q)->pairs) {                                           \
-                const bounded_pair w_ = cylint_##form##_pair(                  \
-                    cylint_load_pair_moments(q) __VA_ARGS__);                  \
+                const bounded_pair w_ =                                        \
+                    cylint_##form##_pair(PAIRS(q) __VA_ARGS__);                \
                 if (certain_pair(w_))                                          \
                     sign_ = cylint_sign(w_.v.hi);                              \
             }                                                                  \
         }                                                                      \
         if (sign_ != 2 && !CYLINT_IS_PARANOID)                                 \
             return sign_;                                                      \
-        const cylint_terms_exact *x_ = cylint_load_exact_moments(q);           \
+        const cylint_terms_exact *x_ = FULL(q);                                \
         const int used_ = (q)->arena.used;                                     \
         const int exact_ = cylint_##form##_exact(x_ __VA_ARGS__).sign;         \
         (q)->arena.used = used_;                                               \
@@ -382,17 +383,24 @@ static int no_rounding(double size, int e)
         return exact_;                                                         \
     } while (0)
 
+/* A form of the moments, and one of the line's origin alone. */
+#define DECIDE(...)                                                  \
+    DECIDE_FROM(cylint_load_pair_moments, cylint_load_exact_moments, \
+                __VA_ARGS__)
+#define DECIDE_AT_ORIGIN(...) \
+    DECIDE_FROM(cylint_load_pairs, cylint_load_exact, __VA_ARGS__)
+
 #define COMMA ,
 
 int cylint_sign_alpha(cylint_query *q, int cap)
 {
-    DECIDE(q, (cap ? cylint_load_top(q) : &q->bounded_terms), form_alpha,
-           COMMA cap);
+    DECIDE_AT_ORIGIN(q, (cap ? cylint_load_top(q) : &q->bounded_terms),
+                     form_alpha, COMMA cap);
 }
 
 int cylint_sign_det(cylint_query *q)
 {
-    DECIDE(q, &q->bounded_terms, form_det, );
+    DECIDE_AT_ORIGIN(q, &q->bounded_terms, form_det, );
 }
 
 int cylint_sign_beta(cylint_query *q)
@@ -424,7 +432,7 @@ int cylint_sign_G(cylint_query *q)
 
 int cylint_sign_S(cylint_query *q)
 {
-    DECIDE(q, &q->bounded_terms, form_root_of_S, );
+    DECIDE_AT_ORIGIN(q, &q->bounded_terms, form_root_of_S, );
 }
 
 int cylint_sign_end_ball(cylint_query *q, int end)
@@ -445,7 +453,7 @@ int cylint_sign_B(cylint_query *q)
 
 int cylint_sign_C(cylint_query *q)
 {
-    DECIDE(q, &q->bounded_terms, form_C, );
+    DECIDE_AT_ORIGIN(q, &q->bounded_terms, form_C, );
 }
 
 int cylint_sign_T(cylint_query *q)
@@ -455,5 +463,5 @@ int cylint_sign_T(cylint_query *q)
 
 int cylint_sign_rho0(cylint_query *q)
 {
-    DECIDE(q, &q->bounded_terms, form_rho0, );
+    DECIDE_AT_ORIGIN(q, &q->bounded_terms, form_rho0, );
 }
