@@ -16,24 +16,37 @@
 
 #if LANES == 2
 
-/* Corrects the roots in lanes of `which` by a second step, from t = value, with
- * residuals in triples. */
+/* Where the second step begins: at the root of the first, or at the estimate if
+ * the first may have led so far from the root that the slope differs there. */
+INLINE vd second_start(const local_roots *r, const local_ends *at)
+{
+    const vd off = (r->error + v_abs(r->more)) * at->curvature;
+    return v_select(v_le(off, v_set(CYLINT_LOCAL_NEAR) * v_abs(at->slope)),
+                    r->value, at->t);
+}
+
+/* Corrects the roots in lanes of `which` by a second step, with residuals in
+ * triples. */
 INLINE void correct_ends(local_roots *r, const local_line *l,
                          const local_verdict *v, const cylint_shape *shape,
                          const cylint_line *line, const local_ends *at,
                          unsigned which)
 {
+    const vd start = second_start(r, at);
     double t[2], residual[2] = {0, 0};
-    v_store(t, r->value);
+    v_store(t, start);
     EACH(i, 2)
         if (which >> i & 1)
             residual[i] = residual_in_triples(
                 shape, line, t[i], v->pierced >> i & 1 ? i : -1, shape->kind);
     const double error = shape->local.error;
-    const vd size = size_at(r->value, l, shape, 1);
+    const vd size = size_at(start, l, shape, 1);
     const vd rounding = v_set(CYLINT_LOCAL_TRIPLE * error * error) * size;
-    *r = stepped(r->value, v_load(residual),
-                 v_select(at->cap, rounding, rounding * size), at);
+    const vd f = v_load(residual);
+    *r = stepped(start, f,
+                 v_select(at->cap, rounding, rounding * size) +
+                     v_set(CYLINT_LOCAL_SCALING) * v_abs(f),
+                 at);
 }
 
 /* The roots of x in lanes of `which`, of y in others. */

@@ -61,7 +61,7 @@ INLINE local_ends estimate_ends(const local_line *l, const local_verdict *v,
     at.cap = m_from(v->pierced);
     at.slope = root + root;
     at.slope_error = v_set(s_error);
-    at.curvature = v_set(fabs(q->A));
+    at.curvature = v_set(fabs(q->A) + q->A_error);
     if (bounded) {
         const vd w = v_set(l->w);
         num = v_select(at.cap, -l->in.z, num);

@@ -220,12 +220,16 @@
 #define CYLINT_TANGENT_LEAST 0x1p-60
 
 /*
- * Local coordinates (shapes/local.h).  CYLINT_LOCAL_ERROR: the error of an entry
- * of the matrix in pairs, relative to the norm of the matrix, where nothing
- * cancels.  CYLINT_LOCAL_WORST: with larger errors the coordinates are not used.
+ * Local coordinates (shapes/local.h).  CYLINT_LOCAL_ERROR: the error of a row of
+ * the matrix in pairs, summed over its entries, relative to the norm of the
+ * matrix, where nothing cancels.  CYLINT_LOCAL_WORST: with larger errors the
+ * coordinates are not used.  CYLINT_LOCAL_LEAST: nor with a shorter axis or
+ * semi-axis; above it no low part of the matrix, or of a form in triples,
+ * underflows.
  */
 #define CYLINT_LOCAL_ERROR 0x1p-96
 #define CYLINT_LOCAL_WORST 0x1p-70
+#define CYLINT_LOCAL_LEAST 0x1p-120
 
 /*
  * The errors of the forms of filter/local_forms_template.h.  u is
@@ -249,16 +253,25 @@
 #define CYLINT_LOCAL_FORM 128
 #define CYLINT_LOCAL_SECOND 16
 
-/* The residual at a root in pairs, in multiples of cylint_local.error and of
- * the size of its terms; and what the terms of second order add to its error,
- * for slopes known to one quarter. */
+/*
+ * CYLINT_LOCAL_RESIDUAL: the error of a residual in pairs, in multiples of
+ * cylint_local.error and of the size of its terms.  CYLINT_LOCAL_SLACK: what the
+ * terms of second order add to the error of Newton's step; and
+ * CYLINT_LOCAL_DISTANCE: the distance of t from the root, in multiples of
+ * residual / slope; both for slopes that are known to one quarter.
+ * CYLINT_LOCAL_NEAR: a second step begins where the first ended if the slope
+ * changes by at most this fraction on the way to the root.
+ */
 #define CYLINT_LOCAL_RESIDUAL 16
 #define CYLINT_LOCAL_SLACK 1.25
 #define CYLINT_LOCAL_DISTANCE 1.5
+#define CYLINT_LOCAL_NEAR 0x1p-5
 
-/* The error of one operation on triples; and of a residual in triples, in
- * multiples of the square of cylint_local.error. */
+/* The error of one operation on triples; of a residual in triples, in multiples
+ * of the square of cylint_local.error; and, relative to the residual, of its
+ * division by cylint_local.scale or square_scale. */
 #define CYLINT_TRIPLE_ROUNDING 0x1p-150
 #define CYLINT_LOCAL_TRIPLE 0x1p52
+#define CYLINT_LOCAL_SCALING 0x1p-49
 
 #endif

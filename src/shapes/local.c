@@ -110,6 +110,15 @@ static double balance(rows *m)
     return power;
 }
 
+/* The axis and the semi-axes are so long that no low part underflows. */
+static int is_long_enough(const cylint_shape *s)
+{
+    return cylint_largest(s->axis) >= CYLINT_LOCAL_LEAST &&
+           (!cylint_is_elliptic(s->kind) ||
+            (cylint_largest(s->a) >= CYLINT_LOCAL_LEAST &&
+             cylint_largest(s->b) >= CYLINT_LOCAL_LEAST));
+}
+
 static void store(cylint_local *to, const rows *m)
 {
     for (int i = 0; i < 3; i++) {
@@ -133,8 +142,9 @@ void cylint_measure_local(cylint_shape *s)
     to->error = CYLINT_LOCAL_ERROR;
     if (cylint_is_elliptic(s->kind)) {
         const double det = inverse_rows(&m, s), power = balance(&m);
-        to->error *= cylint_largest(s->a) * cylint_largest(s->b) *
-                     cylint_largest(s->axis) / det; /* by cancellation */
+        const double cancelled = cylint_largest(s->a) * cylint_largest(s->b) *
+                                 cylint_largest(s->axis) / det;
+        to->error *= cylint_larger(1, cancelled);
         to->scale = det / power;
         to->square_scale = det * det;
         height = plain(power);
@@ -166,6 +176,7 @@ void cylint_measure_local(cylint_shape *s)
     to->norm =
         cylint_larger(cylint_larger(size_of(m.x), size_of(m.y)), size_of(m.z)) *
         CYLINT_SLACK;
-    s->prepared = s->in_range && cylint_rounds_to_nearest() &&
-                   to->height > 0 && to->error <= CYLINT_LOCAL_WORST;
+    s->prepared = s->in_range && is_long_enough(s) &&
+                  cylint_rounds_to_nearest() && to->height > 0 &&
+                  to->error <= CYLINT_LOCAL_WORST;
 }
