@@ -13,6 +13,8 @@
 #define CYLINT_ONE_LANE
 #include "check.h"
 #include "embree/packet_filter.h"
+#include "bvh/float_bounds.h"
+#include "bvh/swept_disc.h"
 #include "embree/angle.h"
 #include "families.h"
 
@@ -189,6 +191,94 @@ static void a_certain_result_with_fused_operations_is_the_librarys(void)
 {
     if (cylint_float_filter_used() != &cylint_float_filter_plain)
         query_families("fused", cylint_float_filter_used());
+}
+
+/* -------------------------------------------------------- nearest hits -- */
+
+/* The library's first hit on the piece, or NULL. */
+static const cylint_hit *hit_on_piece(const struct scene_query *x, int index,
+                                      int count)
+{
+    for (int i = 0; i < x->n; i++)
+        if (cylint_piece_at(x->answer.hit[i].z, count) == index)
+            return &x->answer.hit[i];
+    return NULL;
+}
+
+/* Pieces and limits of case i: tfar infinite, or near the first hit. */
+static cylint_float_filter_limits limits_of(const struct scene_query *x,
+                                            uint64_t i)
+{
+    const int count = i % 3 ? 1 : 1 + (int)(i / 3 % 16);
+    cylint_float_filter_limits limits = {HUGE_VALF, (int)(i / 48) % count,
+                                         count, i % 7 != 0};
+    if (i % 4 == 0 && x->n)
+        limits.tfar = cylint_float_after(
+            cylint_float_above(x->answer.hit[i / 4 % 2 ? x->n - 1 : 0].t),
+            (int)(i / 8 % 5) - 2);
+    return limits;
+}
+
+/* Whether a certain result is that of the library. */
+static int is_nearest(const cylint_float_filter *build,
+                      const struct scene_query *x, uint64_t i,
+                      struct tally *tally)
+{
+    cylint_float_filter_nearest at;
+    cylint_float_filter_shape shape;
+    cylint_float_filter_shape_of(&shape, x->shape);
+    const cylint_float_filter_target subject = {&shape, 0, x->shape,
+                                                x->shape->ends};
+    const cylint_float_filter_limits limits = limits_of(x, i);
+    const cylint_hit *hit = hit_on_piece(x, limits.index, limits.count);
+    const cylint_float_filter_result is =
+        build->nearest(&subject, &x->line, &limits, &at);
+    const float t = hit ? cylint_float_above(hit->t) : HUGE_VALF;
+    tally->hits += t < limits.tfar;
+    tally->certain += is == CYLINT_FLOAT_FILTER_HIT;
+    if (is == CYLINT_FLOAT_FILTER_UNSURE)
+        return 1;
+    if (is == CYLINT_FLOAT_FILTER_MISS)
+        return !hit || t > limits.tfar;
+    return hit && at.t == t && t < limits.tfar &&
+           at.leaves == (hit->side == CYLINT_SIDE_LEAVING) &&
+           (!limits.describes || same_floats(&at.floats, hit));
+}
+
+static struct tally nearest_of_family(const cylint_float_filter *build,
+                                      int family, family_shape last)
+{
+    struct tally tally = {0, 0, 0};
+    for (uint64_t i = 0; i < CASES; i++) {
+        struct family_case c;
+        struct scene_query x;
+        family_case(1, family, i, &c);
+        if (c.shape_word > last || !make_query(&x, &c, i))
+            continue;
+        if (!CHECK(is_nearest(build, &x, i, &tally)))
+            show(&x.line, &c);
+    }
+    return tally;
+}
+
+static void compare_nearest(const char *name, const cylint_float_filter *build)
+{
+    struct tally sum = {0, 0, 0};
+    for (int family = 0; family < family_count(); family++) {
+        const struct tally t = nearest_of_family(build, family, FAMILY_RCONE);
+        sum.hits += t.hits;
+        sum.certain += t.certain;
+    }
+    printf("%s: %ld nearest hits, certain of %ld\n", name, sum.hits,
+           sum.certain);
+    CHECK((double)sum.certain > 0.1 * (double)sum.hits);
+}
+
+static void a_certain_nearest_hit_is_the_librarys(void)
+{
+    compare_nearest("plain", &cylint_float_filter_plain);
+    if (cylint_float_filter_used() != &cylint_float_filter_plain)
+        compare_nearest("fused", cylint_float_filter_used());
 }
 
 /* ------------------------------------------------------- many at a time -- */
@@ -478,6 +568,10 @@ static void ordinary_cylinders_are_certain(void)
     if (!CHECK(t.hits > CASES / 4 &&
                (double)t.described >= 0.999 * (double)t.hits))
         REPORT("%ld of %ld hits", t.described, t.hits);
+    const struct tally n = nearest_of_family(cylint_float_filter_used(),
+                                             ordinary, FAMILY_CYLINDER);
+    if (!CHECK((double)n.certain >= 0.99 * (double)n.hits))
+        REPORT("%ld of %ld nearest hits", n.certain, n.hits);
 }
 
 int main(void)
@@ -485,6 +579,7 @@ int main(void)
     RUN(a_certain_result_is_the_librarys);
     RUN(a_certain_result_with_fused_operations_is_the_librarys);
     RUN(ordinary_cylinders_are_certain);
+    RUN(a_certain_nearest_hit_is_the_librarys);
     RUN(a_certain_result_of_the_packet_filter_is_the_librarys);
     RUN(a_small_z_is_no_more_certain_than_the_librarys);
     RUN(small_records_give_the_same_bits_as_large_ones);

@@ -7,12 +7,99 @@
 
 #define CYLINT_ONE_LANE
 #include "float_filter_lanes.h"
+#include "float_filter_dots.h"
 
 static cylint_float_filter_result result_of(hit_result v)
 {
     return v.hit      ? CYLINT_FLOAT_FILTER_HIT
            : v.unsure ? CYLINT_FLOAT_FILTER_UNSURE
                       : CYLINT_FLOAT_FILTER_MISS;
+}
+
+static int write_description(const question *q, const cylint_shape *whole,
+                             const hit *at, cylint_hit_floats *to)
+{
+    int least[3];
+    floats f;
+    if (!least_components(q, least)) {
+        const int first = cylint_least_component(whole->axis, whole->axis_lo);
+        for (int j = 0; j < 3; j++)
+            least[j] = j == first;
+    }
+    if (!describe_lanes(q, at, least, &f))
+        return 0;
+    *to = (cylint_hit_floats){
+        (float)f.z,
+        (float)f.phi,
+        {(float)f.normal[0], (float)f.normal[1], (float)f.normal[2]}};
+    return 1;
+}
+
+/* Whether the piece contains the hit; *certain: whether that is certain. */
+static int is_on_piece(const axial_hit *at,
+                       const cylint_float_filter_limits *limits, int *certain)
+{
+    if (limits->count == 1)
+        return *certain = 1;
+    const int low = cylint_piece_at(at->z - at->z_error, limits->count);
+    const int high = cylint_piece_at(at->z + at->z_error, limits->count);
+    *certain = low == high;
+    return low == limits->index;
+}
+
+/* HIT: the hit counts; MISS: it does not, but the next may. */
+static cylint_float_filter_result accept(
+    const axial_hit *at, const hit *h, const question *q, int ends, double tmin,
+    const cylint_float_filter_limits *limits, float *to)
+{
+    const double t = q->from + at->s, e = at->s_error + 0x1p-50 * fabs(t);
+    int certain;
+    if (t + e < tmin ||
+        (h->capped && !(cylint_caps_present(ends) >> h->top & 1)))
+        return CYLINT_FLOAT_FILTER_MISS;
+    *to = cylint_float_above(t);
+    if (!(t - e > tmin && cylint_is_float_above(*to, t, e)))
+        return CYLINT_FLOAT_FILTER_UNSURE;
+    if (*to > limits->tfar)
+        return CYLINT_FLOAT_FILTER_MISS;
+    const int on_piece = is_on_piece(at, limits, &certain);
+    return !certain || (on_piece && *to >= limits->tfar)
+               ? CYLINT_FLOAT_FILTER_UNSURE
+           : on_piece ? CYLINT_FLOAT_FILTER_HIT
+                      : CYLINT_FLOAT_FILTER_MISS;
+}
+
+static cylint_float_filter_result nearest(
+    const cylint_float_filter_target *target, const cylint_float_filter_ray *l,
+    const cylint_float_filter_limits *limits, cylint_float_filter_nearest *to)
+{
+    const char *const shape_row = target->shape;
+    const char *const line_row = (const char *)l;
+    const shape_columns shape = shape_of(&shape_row, target->small);
+    const line_columns line = line_of(&line_row);
+    dots x;
+    question q;
+    hit h;
+    axial_hit at;
+    load_dots(&x, &q, &shape, &line);
+    cylint_float_filter_result is = cross_by_dots(&x, &q);
+    if (is != CYLINT_FLOAT_FILTER_HIT)
+        return is;
+    for (int i = 0; i < 2; i++) {
+        is = end_by_dots(&x, &q, i ? 1 : -1, &h, &at);
+        if (is != CYLINT_FLOAT_FILTER_HIT)
+            return is;
+        is = accept(&at, &h, &q, target->ends, l->tmin, limits, &to->t);
+        to->leaves = i;
+        if (is != CYLINT_FLOAT_FILTER_MISS)
+            break;
+    }
+    if (is != CYLINT_FLOAT_FILTER_HIT || !limits->describes)
+        return is;
+    describe_by_dots(&x, &q, &at, &h);
+    return write_description(&q, target->whole, &h, &to->floats)
+               ? CYLINT_FLOAT_FILTER_HIT
+               : CYLINT_FLOAT_FILTER_UNSURE;
 }
 
 static cylint_float_filter_result test_entry(
@@ -41,21 +128,7 @@ static cylint_float_filter_result test_exit(const cylint_float_filter_state *q,
 static int describe(const cylint_float_filter_state *q,
                     const cylint_float_filter_hit *at, cylint_hit_floats *to)
 {
-    int least[3];
-    floats f;
-    if (!least_components(q, least)) {
-        const int first =
-            cylint_least_component(q->whole->axis, q->whole->axis_lo);
-        for (int j = 0; j < 3; j++)
-            least[j] = j == first;
-    }
-    if (!describe_lanes(q, at, least, &f))
-        return 0;
-    *to = (cylint_hit_floats){
-        (float)f.z,
-        (float)f.phi,
-        {(float)f.normal[0], (float)f.normal[1], (float)f.normal[2]}};
-    return 1;
+    return write_description(q, q->whole, at, to);
 }
 
 /* --------------------------------------------------------------- builds -- */
@@ -100,5 +173,5 @@ int cylint_float_filter_small_of(cylint_float_filter_small *to,
 
 #endif
 
-const cylint_float_filter CYLINT_FLOAT_FILTER = {test_entry, test_exit,
+const cylint_float_filter CYLINT_FLOAT_FILTER = {nearest, test_entry, test_exit,
                                                  describe};

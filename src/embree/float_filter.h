@@ -98,7 +98,25 @@ typedef struct cylint_hit_floats {
     float z, phi, normal[3];
 } cylint_hit_floats;
 
+/* What a question about a piece of a shape depends on beside the line: the
+ * piece, and the ray's tfar.  describes: the hit's floats are wanted. */
+typedef struct cylint_float_filter_limits {
+    float tfar;
+    int index, count, describes;
+} cylint_float_filter_limits;
+
+/* A hit: t rounded up to a float, whether the line leaves the shape there, and
+ * its floats if wanted. */
+typedef struct cylint_float_filter_nearest {
+    float t;
+    int leaves;
+    cylint_hit_floats floats;
+} cylint_float_filter_nearest;
+
 /*
+ * nearest     HIT: the first hit on the piece at t >= tmin, t as a float being
+ *             less than tfar; MISS: there is none; UNSURE: test_entry and
+ *             test_exit decide;
  * test_entry  whether the line hits the shape where it enters it: on a part
  *             that is present, at t >= tmin;
  * test_exit   the same where it leaves the shape; not to be called after
@@ -106,6 +124,11 @@ typedef struct cylint_hit_floats {
  * describe    writes the floats of a hit; returns 0 if they are uncertain.
  */
 typedef struct cylint_float_filter {
+    cylint_float_filter_result (*nearest)(
+        const cylint_float_filter_target *target,
+        const cylint_float_filter_ray *line,
+        const cylint_float_filter_limits *limits,
+        cylint_float_filter_nearest *to);
     cylint_float_filter_result (*test_entry)(
         cylint_float_filter_state *q, const cylint_float_filter_target *target,
         const cylint_float_filter_ray *line, cylint_float_filter_hit *hit);

@@ -299,6 +299,40 @@ cylint_float_filter_target cylint_ray_test_target(
     return (cylint_float_filter_target){made, 0, whole, whole->ends};
 }
 
+/* Returns 0 if cylint_ray_test_shape() must decide; else writes whether a hit
+ * was recorded. */
+static int test_nearest(ray_test *r, unsigned rank, int *hit)
+{
+    cylint_float_filter_nearest at;
+    const unsigned number = r->data->number[rank];
+    const cylint_float_filter_target target = {
+        cylint_float_filter_at(&r->data->filter_shapes, rank),
+        r->data->filter_shapes.small, r->data->shapes + number,
+        cylint_leaf_ends(r->leaf, r->lane)};
+    const cylint_piece piece = cylint_leaf_piece(r->leaf, r->lane);
+    const cylint_float_filter_limits limits = {
+        r->ray->tfar, piece.index, piece.count, needs_description(r)};
+    const cylint_float_filter_result is =
+        r->data->filter->nearest(&target, &r->line, &limits, &at);
+    if (is == CYLINT_FLOAT_FILTER_UNSURE)
+        return 0;
+    *hit = 0;
+    if (is == CYLINT_FLOAT_FILTER_HIT) {
+        *hit = record(r, number, at.t, &at.floats);
+        if (!*hit && !at.leaves)
+            *hit = cylint_ray_test_shape(r, rank, 1);
+    }
+    return 1;
+}
+
+int cylint_ray_test_lane(ray_test *r)
+{
+    const unsigned rank = r->leaf->number[r->lane];
+    int hit;
+    return test_nearest(r, rank, &hit) ? hit
+                                       : cylint_ray_test_shape(r, rank, 0);
+}
+
 int cylint_ray_test_shape(ray_test *r, unsigned rank, int skip_entry)
 {
     const unsigned number = number_of(r, rank);

@@ -123,6 +123,9 @@ cylint_float_filter_target cylint_ray_test_target(
  * tested before. */
 int cylint_ray_test_shape(ray_test *r, unsigned rank, int skip_entry);
 
+/* The same for the lane's shape. */
+int cylint_ray_test_lane(ray_test *r);
+
 /* The same for the lane's shape, with result i of the packet filter. */
 int cylint_ray_test_accept(ray_test *r,
                            const cylint_packet_filter_results *results, int i);

@@ -12,7 +12,7 @@ static int test_lanes_in_order(void *self, const cylint_leaf *leaf,
     ray_test *r = self;
     prefetch_shapes(r->data, leaf, lanes);
     while (lanes && select_nearest_lane(r, leaf, &lanes, least)) {
-        r->found |= cylint_ray_test_shape(r, leaf->number[r->lane], 0);
+        r->found |= cylint_ray_test_lane(r);
         if (r->found && r->any)
             return 1;
     }
