@@ -61,13 +61,15 @@ endif
 posix   := -D_POSIX_C_SOURCE=200809L
 floats  := -fno-tree-slp-vectorize
 vectors := -O3
+small   := -Os
 threads := $(if $(PTHREAD),-pthread $(posix) -DCYLINT_THREADS)
 x86     := $(if $(X86),-DCYLINT_BUILDS_X86)
 embree  := $(if $(EMBREE),-DCYLINT_EMBREE=$(EMBREE)) $(EMBREE_CFLAGS)
 $(BUILD)/src/%: extra := -fPIC -fvisibility=hidden -DCYLINT_BUILDING $(x86) $(if $(PARANOID),-DCYLINT_PARANOID)
 $(BUILD)/src/bvh/% $(BUILD)/src/scene/% $(BUILD)/src/embree/%: extra += $(floats) $(threads)
 $(BUILD)/src/embree/%: extra += $(embree)
-$(BUILD)/src/filter/% $(BUILD)/src/bvh/traverse% $(BUILD)/src/embree/packet_% $(BUILD)/src/embree/float_filter%: extra += $(vectors)
+$(BUILD)/src/filter/many% $(BUILD)/src/bvh/traverse% $(BUILD)/src/embree/packet_% $(BUILD)/src/embree/float_filter%: extra += $(vectors)
+$(BUILD)/src/signs/forms% $(BUILD)/src/roots/root%: extra += $(small)
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the

@@ -131,7 +131,7 @@ covered: all $(test_programs)
 counting := -g -O0 --coverage -fprofile-update=atomic -fno-math-errno
 coverage: ## branches of src/ that no test takes and coverage.txt does not list
 	rm -rf $(BUILD)/coverage
-	$(MAKE) BUILD=$(BUILD)/coverage vectors= CFLAGS='$(counting)' CXXFLAGS='$(counting)' covered
+	$(MAKE) BUILD=$(BUILD)/coverage vectors= small= CFLAGS='$(counting)' CXXFLAGS='$(counting)' covered
 	python3 tests/coverage.py $(BUILD)/coverage
 
 mutants: ## change operators and constants, and list changes that pass; COUNT=20 a file
