@@ -73,9 +73,9 @@ INLINE int answer_from(const local_line *l, const local_verdict *v,
     if (at.usable != 3)
         return CYLINT_UNDECIDED;
     local_roots r = round_ends(l, v, shape, line, &at, tapered);
-    if (want & CYLINT_WANT_T && r.nearest != 3) {
+    const unsigned which = 3 & ~r.nearest & ~roots_outside(&r, line);
+    if (want & CYLINT_WANT_T && which) {
         const local_roots kept = r;
-        const unsigned which = 3 & ~r.nearest;
         correct_ends(&r, l, v, shape, line, &at, which);
         r = merged(&r, &kept, which);
     }

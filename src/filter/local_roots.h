@@ -200,6 +200,13 @@ INLINE void write_roots(cylint_answer *answer, cylint_root_rest *rest,
     }
 }
 
+/* The roots that are certainly outside the domain of the line, as bits. */
+INLINE unsigned roots_outside(const local_roots *r, const cylint_line *line)
+{
+    return m_bits(m_or(v_lt(r->high, v_set(line->tmin)),
+                       v_lt(v_set(line->tmax), r->low)));
+}
+
 /* Writes the hits among the roots.  CYLINT_UNDECIDED: a root is too near to an
  * end of the domain, or is not certainly rounded. */
 INLINE int accept_roots(const local_roots *r, const local_ends *at,
@@ -208,7 +215,7 @@ INLINE int accept_roots(const local_roots *r, const local_ends *at,
     const vd tmin = v_set(line->tmin), tmax = v_set(line->tmax);
     const unsigned present = bounded ? ends_present(v, shape) : 3;
     const unsigned in = m_bits(m_and(v_lt(tmin, r->low), v_lt(r->high, tmax)));
-    const unsigned out = m_bits(m_or(v_lt(r->high, tmin), v_lt(tmax, r->low)));
+    const unsigned out = roots_outside(r, line);
     unsigned hits = in & present;
     if (present & ~(in | out))
         return CYLINT_UNDECIDED;

@@ -375,7 +375,7 @@ INLINE unsigned round_roots(const lanes_slopes *q, const question *x, int kind,
     root_centers(center, &x->shape, kind, of->part);
     const lanes_root r = cylint_is_hull(kind)
                              ? round_part_root(q, &x->shape, &x->line, kind,
-                                                sign, of->t, of->part)
+                                               sign, of->t, of->part)
                              : round_root(q, &x->shape, center, &x->line, kind,
                                           1, sign, of->t, of->part);
     v_store(t, r.value);
