@@ -334,9 +334,10 @@ INLINE local_verdict classify_in_pairs(local_line *l, local_quadratic *q,
                          rounded(N_pairs(&in, tapered)), tapered);
     else if (!v.misses)
         classify_unbounded(&v, q->A, q->A_error, tapered);
-    /* what the values lost when they were rounded */
+    /* what the values lost when they were rounded, and A t as well when t is
+     * estimated: three roundings */
     v.G_error += CYLINT_ROUNDING * fabs(v.G);
-    q->A_error += CYLINT_ROUNDING * fabs(q->A);
+    q->A_error += 2 * CYLINT_ROUNDING * fabs(q->A);
     q->B_error += CYLINT_ROUNDING * fabs(q->B);
     return v;
 }

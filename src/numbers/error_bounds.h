@@ -255,16 +255,22 @@
 
 /*
  * CYLINT_LOCAL_RESIDUAL: the error of a residual in pairs, in multiples of
- * cylint_local.error and of the size of its terms.  CYLINT_LOCAL_SLACK: what the
- * terms of second order add to the error of Newton's step; and
- * CYLINT_LOCAL_DISTANCE: the distance of t from the root, in multiples of
- * residual / slope; both for slopes that are known to one quarter.
- * CYLINT_LOCAL_NEAR: a second step begins where the first ended if the slope
- * changes by at most this fraction on the way to the root.
+ * cylint_local.error and of the size of its terms.
+ *
+ * A slope 2 s is known to one quarter: G is, because 4 G_error < G, and so is
+ * A t + B, because |t| A_error + B_error <= s / 4.  For the root r next to t,
+ * Q(t) = (t - r) (s' + A t + B), s' the true s.  Both terms have the sign of the
+ * slope, so t is nearer to r than to the other root, and |t - r| is at most
+ * CYLINT_LOCAL_DISTANCE |Q(t) / (2 s)|.  Proved.  CYLINT_LOCAL_SLACK covers the
+ * terms of second order in the error of Newton's step.  CYLINT_LOCAL_NEWTON is
+ * proved and is smaller.  A second step begins where the first ended if A times
+ * the distance from the root is at most CYLINT_LOCAL_NEAR of the slope: then
+ * A t + B is known to 1/16 s.
  */
 #define CYLINT_LOCAL_RESIDUAL 16
 #define CYLINT_LOCAL_SLACK 1.25
-#define CYLINT_LOCAL_DISTANCE 1.5
+#define CYLINT_LOCAL_NEWTON 1.155
+#define CYLINT_LOCAL_DISTANCE 1.25
 #define CYLINT_LOCAL_NEAR 0x1p-5
 
 /* The error of one operation on triples; of a residual in triples, in multiples

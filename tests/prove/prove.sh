@@ -40,7 +40,7 @@ constants() { # prints all constants: name, hexadecimal, 1 % smaller
 ratios() { # prints the lines of ratios.txt with yes or no
     {
         printf '#include <math.h>\n#include <stdio.h>\n#include "numbers/error_bounds.h"\nint main(void)\n{\n'
-        sed -n 's/^\(CYLINT.*\) | \(.*\)$/printf("%s;\1 >= \2\\n", (\1) >= (\2) ? "yes" : "no");/p' \
+        sed -n 's/^\([C(0].*\) | \(.*\)$/printf("%s;\1 >= \2\\n", (\1) >= (\2) ? "yes" : "no");/p' \
             "$here/ratios.txt"
         printf 'return 0;\n}\n'
     } > "$build/ratios.c"
