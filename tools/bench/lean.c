@@ -1,5 +1,6 @@
 /*
- * lean.c - prepared quadratics in doubles: cylinder, cone, elliptic cylinder
+ * lean.c - prepared quadratics in doubles: cylinder, cone, elliptic cylinder,
+ * sphere, capsule, rounded cone
  */
 #include "lean.h"
 
@@ -140,6 +141,73 @@ static void prepare_elliptic(struct lean_shape *to, const cylint_shape *s)
     to->height = 1;
 }
 
+int lean_sphere(const struct lean_shape *s, const double o[3],
+                const double d[3], double t0, double t1, double t[2])
+{
+    double q[3];
+    from_base(s, o, q);
+    const double A = dot3(d, d), B = dot3(q, d);
+    const double G = B * B - A * (dot3(q, q) - s->r0_squared);
+    if (!(G >= 0))
+        return 0;
+    const double root = sqrt(G), inverse = 1 / A;
+    t[0] = (-B - root) * inverse;
+    t[1] = (-B + root) * inverse;
+    return (t[0] >= t0 && t[0] <= t1) + (t[1] >= t0 && t[1] <= t1);
+}
+
+/*
+ * Capsule and rounded cone [Quilez, iquilezles.org/articles/intersectors], with
+ * both ends of the overlap.  If a root of the cone lies beyond its circles, it
+ * is replaced by that of the ball there.
+ */
+int lean_hull(const struct lean_shape *s, const double o[3], const double d[3],
+              double t0, double t1, double t[2])
+{
+    double q[3];
+    from_base(s, o, q);
+    const double *w = s->axis;
+    const double ww = s->height, shrink = -s->slope, shift = shrink * s->r0;
+    const double wq = dot3(w, q), wd = dot3(w, d), dq = dot3(d, q);
+    const double qq = dot3(q, q), dd = dot3(d, d);
+    const double d2 = ww - shrink * shrink;
+    const double A = d2 * dd - wd * wd, B = d2 * dq - wq * wd + wd * shift;
+    const double C = d2 * qq - wq * wq + 2 * wq * shift - ww * s->r0_squared;
+    const double G = B * B - A * C;
+    if (!(G >= 0))
+        return 0;
+    const double root = sqrt(G), inverse = 1 / A;
+    for (int k = 0; k < 2; k++) {
+        t[k] = (-B + (k ? root : -root)) * inverse;
+        const double y = wq - shift + t[k] * wd;
+        if (y > 0 && y < d2)
+            continue;
+        const int first = A > 0 ? y <= 0 : (wd > 0) != k;
+        const double r1 = s->r0 - shrink;
+        const double b = first ? dq : dq - wd;
+        const double c =
+            first ? qq - s->r0_squared : qq - 2 * wq + ww - r1 * r1;
+        const double g = b * b - dd * c;
+        if (!(g >= 0))
+            return 0;
+        t[k] = (-b + (k ? sqrt(g) : -sqrt(g))) / dd;
+    }
+    return (t[0] >= t0 && t[0] <= t1) + (t[1] >= t0 && t[1] <= t1);
+}
+
+static void prepare_hull(struct lean_shape *to, const cylint_shape *s)
+{
+    for (int i = 0; i < 3; i++)
+        to->axis[i] = s->axis[i];
+    to->height = dot3(s->axis, s->axis);
+    to->slope = s->r1 - s->r0;
+}
+
+static int is_hull(const cylint_shape *s)
+{
+    return s->kind == CYLINT_KIND_CAPSULE || s->kind == CYLINT_KIND_RCONE;
+}
+
 void lean_prepare(struct lean_shape *to, const cylint_shape *s)
 {
     const double length = sqrt(dot3(s->axis, s->axis));
@@ -153,6 +221,8 @@ void lean_prepare(struct lean_shape *to, const cylint_shape *s)
     to->slope = (s->r1 - s->r0) / length;
     if (s->kind == CYLINT_KIND_ECYLINDER)
         prepare_elliptic(to, s);
+    if (is_hull(s))
+        prepare_hull(to, s);
     if (s->ends == CYLINT_ENDS_INFINITE)
         to->height = HUGE_VAL;
 }
@@ -161,5 +231,7 @@ lean_intersect *lean_formula(const cylint_shape *shape)
 {
     return shape->kind == CYLINT_KIND_CYLINDER    ? lean_cylinder
            : shape->kind == CYLINT_KIND_ECYLINDER ? lean_elliptic
+           : shape->kind == CYLINT_KIND_SPHERE    ? lean_sphere
+           : is_hull(shape)                       ? lean_hull
                                                   : lean_cone;
 }

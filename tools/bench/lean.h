@@ -13,9 +13,11 @@
 #include "cylint.h"
 
 struct lean_shape {
-    double base[3], axis[3]; /* axis: unit; elliptic: rows of the inverse */
+    double base[3], axis[3]; /* axis: unit; elliptic: rows of the inverse;
+                                capsule, rcone: w = p1 - p0 */
     double row[2][3];        /* elliptic: the inverse's other two rows */
-    double height;           /* of the slab; infinite where there is none */
+    double height;           /* of the slab; infinite where there is none; of a
+                                hull the squared length of its axis w */
     double r0, r0_squared, slope; /* slope: of the radius along the unit axis */
 };
 
@@ -25,12 +27,13 @@ typedef int lean_intersect(const struct lean_shape *shape,
                            const double origin[3], const double direction[3],
                            double t0, double t1, double t[2]);
 
-lean_intersect lean_cylinder, lean_cone, lean_elliptic;
+lean_intersect lean_cylinder, lean_cone, lean_elliptic, lean_sphere, lean_hull;
 
 /* The usual capped cylinder of shaders: the first t >= 0, or 0 hits. */
 lean_intersect lean_shader;
 
-/* Prepares a cylinder, cone or ecylinder, capped or infinite. */
+/* Prepares a cylinder, cone or ecylinder, capped or infinite, or a sphere,
+ * capsule or rcone. */
 void lean_prepare(struct lean_shape *to, const cylint_shape *shape);
 
 /* The formula for a prepared shape. */

@@ -40,6 +40,9 @@ static const struct kind {
     {"ecylinder capped", CYLINT_KIND_ECYLINDER, CYLINT_ENDS_CAPPED},
     {"cylinder infinite", CYLINT_KIND_CYLINDER, CYLINT_ENDS_INFINITE},
     {"cone infinite", CYLINT_KIND_CONE, CYLINT_ENDS_INFINITE},
+    {"sphere", CYLINT_KIND_SPHERE, CYLINT_ENDS_CAPPED},
+    {"capsule", CYLINT_KIND_CAPSULE, CYLINT_ENDS_CAPPED},
+    {"rcone", CYLINT_KIND_RCONE, CYLINT_ENDS_CAPPED},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -99,6 +102,14 @@ static void make_shape(int i, const struct kind *k)
         status = cylint_elliptic_cylinder(&shapes[i], p0, a, b, axis, k->ends);
     } else if (k->kind == CYLINT_KIND_CONE) {
         status = cylint_cone(&shapes[i], p0, r0, p1, r1, k->ends);
+    } else if (k->kind == CYLINT_KIND_SPHERE) {
+        status = cylint_sphere(&shapes[i], middle[i], r0, k->ends);
+    } else if (k->kind == CYLINT_KIND_CAPSULE) {
+        status = cylint_capsule(&shapes[i], p0, p1, r0, k->ends);
+    } else if (k->kind == CYLINT_KIND_RCONE) {
+        const double r = r0 - 0.5 * sqrt(dot3(axis, axis));
+        status =
+            cylint_round_cone(&shapes[i], p0, r0, p1, r1 > r ? r1 : r, k->ends);
     } else {
         status = cylint_cylinder(&shapes[i], p0, p1, r0, k->ends);
     }
@@ -369,8 +380,9 @@ static void race_kind(const char *build, const struct kind *k, int turns)
             }
         }
     for (int family = FAR; family < FAMILIES; family++) {
-        if (family == GRAZING && formula == lean_elliptic)
-            continue;
+        if ((family == GRAZING && formula == lean_elliptic) ||
+            (family != FAR && formula == lean_sphere))
+            continue; /* a sphere has no ruling */
         hard_lines((enum family)family);
         const double hits = share_of_hits();
         measure(least, turns, formula);
