@@ -523,16 +523,21 @@ INLINE vd terms_at(terms_pairs *P, terms_sizes *N, const lanes_slopes *q,
 #define SLACK CYLINT_LANES_SLACK
 #include "../roots/newton_template.h"
 
-/* Newton's step from t.  from: terms_at().  sizes: those of the residual. */
-INLINE lanes_root newton_root(vd residual, vd sizes, vd from, vd slope,
-                              vd slope_e, vd curvature, bounded_value t)
+/* The error of a residual of those sizes.  from: terms_at(); the terms at t have
+ * an error of 2^-101 of the terms of their origin. */
+INLINE vd residual_error(vd sizes, vd from)
 {
-    /* P has an error of 2^-101 of the terms of its origin */
     const vd spread =
         v_set(CYLINT_LAZY_BOUND) + v_set(CYLINT_MOVED_BOUND) * from;
+    return spread * sizes + v_set(CYLINT_UNDERFLOW);
+}
+
+/* Newton's step from t.  Each value has a bound on its error. */
+INLINE lanes_root newton_root(vd residual, vd residual_e, vd slope, vd slope_e,
+                              vd curvature, bounded_value t)
+{
     const newton_lanes step =
-        newton_step_lanes(residual, spread * sizes + v_set(CYLINT_UNDERFLOW),
-                          slope, slope_e, curvature, t.e);
+        newton_step_lanes(residual, residual_e, slope, slope_e, curvature, t.e);
     const vd e = step.error;
     const vpair r = v_fast_two_sum(t.v, -step.delta);
     const vd t_size = v_abs(r.hi);
@@ -576,7 +581,8 @@ INLINE lanes_root round_root(const lanes_slopes *q, const lanes_shape *s,
         slope_e = v_select(cap, q->beta.e, slope_e);
         curvature = v_select(cap, zero, curvature);
     }
-    return newton_root(residual, sizes, from, slope, slope_e, curvature, t);
+    return newton_root(residual, residual_error(sizes, from), slope, slope_e,
+                       curvature, t);
 }
 
 #endif

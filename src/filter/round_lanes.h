@@ -221,8 +221,8 @@ INLINE lanes_root round_surface_root(const lanes_slopes *q,
         residual = v_select(ball, Q.hi + Q.lo, residual);
         sizes = v_select(ball, form_C_sizes(&N), sizes);
     }
-    return newton_root(residual, sizes, from, v_set(2) * exits * q->R.v,
-                       v_set(2) * q->R.e, q->A, t);
+    return newton_root(residual, residual_error(sizes, from),
+                       v_set(2) * exits * q->R.v, v_set(2) * q->R.e, q->A, t);
 }
 
 /* The same for a hull in lanes, by parts. */
