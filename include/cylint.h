@@ -438,13 +438,16 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * The point of a hit is rounded, so it is as often inside the solid as outside,
  * and a ray from it can hit the same surface again.  This writes a point
  * near hit->point for which cylint_contains() returns `side`: -1 outside, 1
- * inside.  hit->point and hit->normal must be written.
+ * inside.  An outside point of a bounded shape that is not round is also
+ * beyond the part that the hit lies on: beside a rim it is not only beyond the
+ * cap.  Point, normal and part of the hit must be written.
  *
  * Returns 1.  The point is hit->point itself if that is on the side; else the
  * nearest of the points that differ from it by k or 0 steps of the doubles in
  * each coordinate, towards the side, for the least k from 1 to 4; else a point
- * further along the normal or, on the inside, towards the middle of the shape.
- * Returns 0 and writes hit->point if none of these is on the side.  This
+ * further along the normal; else, on the inside, towards the middle of the
+ * shape; else along a diagonal of the coordinates, as at the apex of a double
+ * cone.  Returns 0 and writes hit->point if none of these is on the side.  This
  * happens for side 1 if the solid is thinner than the steps of the doubles, and
  * if the shape was refused.
  *
