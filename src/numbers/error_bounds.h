@@ -244,9 +244,17 @@
  *   E, and G if slope = 0       CYLINT_LOCAL_FORM u Q D^2
  *                                   (r + CYLINT_LOCAL_SECOND u Q)
  *
- * E and G are differences of two squares.  Their signs are those of the
- * differences of the roots, so the error matters only where the two are nearly
- * equal: there the second is about as large as the first, r w or r |v|.
+ *   G of a tapered shape        2 f (|Y| + f), f = CYLINT_LOCAL_FORM / 2 u k Q D,
+ *                                   G = |Y|^2 - (p x v)^2
+ *   C at a point of the line    4 f (widest + f), f = CYLINT_LOCAL_POSITION u k Q
+ *
+ * E, G and C are differences of two squares, a^2 - b^2.  The computed value
+ * grows with a and falls with b.  So its sign is right if the value exceeds the
+ * error for a = b, which is proportional to r D or |Y| there.  Where G > 0, this
+ * is the error of its value as well, because b < a.
+ *
+ * tests/test_local_bounds.c computes the errors by running the forms over
+ * bounds: all constants are bounds with slack, at most four times too large.
  */
 #define CYLINT_LOCAL_POSITION 16
 #define CYLINT_LOCAL_A 64
@@ -255,7 +263,8 @@
 
 /*
  * CYLINT_LOCAL_RESIDUAL: the error of a residual in pairs, in multiples of
- * cylint_local.error and of the size of its terms.
+ * cylint_local.error and of the size of its terms; tests/test_local_bounds.c
+ * computes it.
  *
  * A slope 2 s is known to one quarter: G is, because 4 G_error < G, and so is
  * A t + B, because |t| A_error + B_error <= s / 4.  For the root r next to t,
@@ -274,10 +283,12 @@
 #define CYLINT_LOCAL_NEAR 0x1p-5
 
 /* The error of one operation on triples; of a residual in triples, in multiples
- * of the square of cylint_local.error; and, relative to the residual, of its
- * division by cylint_local.scale or square_scale. */
+ * of the square of cylint_local.error and of the size of its terms
+ * (tests/test_local_bounds.c computes both, bounds with slack); and, relative to
+ * the residual, of its rounding and its division by cylint_local.scale or
+ * square_scale: nine roundings to nearest. */
 #define CYLINT_TRIPLE_ROUNDING 0x1p-150
-#define CYLINT_LOCAL_TRIPLE 0x1p52
+#define CYLINT_LOCAL_TRIPLE 0x1p53
 #define CYLINT_LOCAL_SCALING 0x1p-49
 
 #endif

@@ -1,9 +1,11 @@
 /*
  * triple.h - sums of three doubles
  *
- * A triple stands for a + b + c, |b| <= 2 ulp(a), |c| <= 2 ulp(b) or nearly.
- * The error of an operation is below CYLINT_TRIPLE_ROUNDING (error_bounds.h) of
- * |x| + |y| or of |x y|, in rounding to nearest.
+ * A triple stands for a + b + c.  Where nothing has cancelled, |b| is at most
+ * 2^-53 |a| and |c| at most 2^-104 |a|, or nearly.  The error of an operation is
+ * then below CYLINT_TRIPLE_ROUNDING (error_bounds.h) of |x| + |y| or of |x y|, in
+ * rounding to nearest.  Where terms have cancelled, it is below that of their
+ * sizes: tests/test_local_bounds.c.
  *
  * After the triple-word arithmetic of [Hida, Li, Bailey 2001].
  */

@@ -1,0 +1,603 @@
+/*
+ * test_local_bounds.c - floor filter: error_bounds.h covers the errors of
+ * local_forms_template.h
+ *
+ * The forms are compiled with an arithmetic that carries bounds: on a number,
+ * on its low part, and on its error.  Units: Q = 1, D = 1, norm = 1.  Every
+ * bound is a polynomial with positive coefficients in the radius r, the slope s
+ * and the size of what is compared, and so is every constant's product.  So a
+ * cell of a grid is covered if its greatest error is at most its least product.
+ * Each note has the least value of a constant that would do.  It must be at most
+ * the constant.  The greatest of them must be more than a quarter of it: these
+ * are bounds with slack.
+ */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "roots/roots.h"
+#include "numbers/error_bounds.h"
+#include "shapes/shape_facts.h"
+
+/* ------------------------------------------------------- arithmetic ----- */
+
+typedef struct {
+    double size, lo, off;
+} number;
+
+typedef struct {
+    number lane[2];
+} two;
+
+/* One operation: doubles, u = 2^-52 in any rounding mode; or unnormalised
+ * pairs (simd.h), whose high parts are exact and whose low parts are rounded to
+ * nearest, 2^-53. */
+static int in_pairs;
+
+static number sum(number x, number y)
+{
+    const double size = x.size + y.size;
+    if (!in_pairs)
+        return (number){
+            size, 0, x.off + y.off + CYLINT_ROUNDING * (size + x.off + y.off)};
+    const double high = size + x.lo + y.lo, low = x.lo + y.lo;
+    const double lo = 0x1p-53 * high + low * (1 + 0x1p-50);
+    return (number){size, lo, x.off + y.off + 0x1p-53 * (low + lo)};
+}
+
+static number product(number x, number y)
+{
+    const double size = x.size * y.size;
+    const double off = x.off * y.size + x.size * y.off + x.off * y.off;
+    if (!in_pairs)
+        return (number){size, 0, off + CYLINT_ROUNDING * (size + off)};
+    const double a = x.size + x.lo, b = y.size + y.lo;
+    const double cross = a * y.lo + x.lo * b;
+    const double lo = 0x1p-53 * a * b + cross * (1 + 0x1p-50);
+    return (number){size, lo, off + x.lo * y.lo + 0x1p-53 * (2 * cross + lo)};
+}
+
+/* A number that is known to be at most `size`. */
+static number at_most(number x, double size)
+{
+    return (number){fmin(x.size, size), x.lo, x.off};
+}
+
+/* What local_forms_template.h calls TRIMMED is compared with another number.
+ * If both are equal it is at most `cap`. */
+static double cap = HUGE_VAL;
+
+static number trimmed(number x)
+{
+    const double size = fmin(x.size, cap);
+    return (number){size, in_pairs ? 0x1p-53 * (size + x.off) : 0, x.off};
+}
+
+#define LANES_OF(one, other) ((two){{one, other}})
+
+static two add(two x, two y)
+{
+    return LANES_OF(sum(x.lane[0], y.lane[0]), sum(x.lane[1], y.lane[1]));
+}
+
+static two mul(two x, two y)
+{
+    return LANES_OF(product(x.lane[0], y.lane[0]),
+                    product(x.lane[1], y.lane[1]));
+}
+
+#define INLINE static inline
+#define V two
+#define FORM(name) name##_bounds
+#define ADD(x, y) add(x, y)
+#define SUB(x, y) add(x, y)
+#define MUL(x, y) mul(x, y)
+#define SUM_OF(x, y, z) add(mul(x, y), z)
+#define NEGATED(x) (x)
+#define TRIMMED(x) LANES_OF(trimmed((x).lane[0]), trimmed((x).lane[1]))
+#define SUMS(x, y) \
+    LANES_OF(sum((x).lane[0], (x).lane[1]), sum((y).lane[0], (y).lane[1]))
+#define TURNED(x) LANES_OF((x).lane[1], (x).lane[0])
+#define FIRSTS(x) LANES_OF((x).lane[0], (x).lane[0])
+#define PAIRED(x, y) LANES_OF((x).lane[0], (y).lane[0])
+#include "filter/local_forms_template.h"
+
+/* ------------------------------------------------------------- line ----- */
+
+static double u; /* of error_bounds.h */
+
+/* A number that is given exactly, or as a high part, or as a pair whose error
+ * is `off`. */
+static number given(double size, double off)
+{
+    if (in_pairs)
+        return (number){size, 0x1p-53 * size, off};
+    return (number){size, 0, CYLINT_ROUNDING * size + off};
+}
+
+static number known(double size)
+{
+    return (number){size, 0, 0};
+}
+
+/* The larger in each respect. */
+static number worse(number x, number y)
+{
+    return (number){fmax(x.size, y.size), fmax(x.lo, y.lo), fmax(x.off, y.off)};
+}
+
+/* A row of the matrix times a vector of components up to 1.  The bound is linear
+ * in the sizes of the entries, of which the sum is 1 and so is that of their
+ * errors in units of u, so it is greatest where one entry has all. */
+static number row_times(number component)
+{
+    const number entry = given(1, in_pairs ? u : 0), none = {0, 0, 0};
+    number most = none;
+    for (int all = 0; all < 3; all++) {
+        number total = none;
+        for (int j = 0; j < 3; j++) {
+            const number term = j == all ? product(component, entry) : none;
+            total = j ? sum(total, term) : term;
+        }
+        most = worse(most, total);
+    }
+    return at_most(most, 1);
+}
+
+/* The errors of the height and of the slope: relative, CYLINT_LOCAL_ERROR in
+ * pairs (tests/test_local.c). */
+static number relative(double size)
+{
+    return given(size, in_pairs ? CYLINT_LOCAL_ERROR * size : 0);
+}
+
+static void load(line_bounds *l, double r, double slope)
+{
+    const number of_origin = row_times(given(1, 0)),
+                 of_direction = row_times(given(1, 0));
+    const number top = at_most(sum(of_origin, relative(1)), 1);
+    l->p = LANES_OF(of_origin, of_origin);
+    l->v = l->w = LANES_OF(of_direction, of_direction);
+    l->z = LANES_OF(of_origin, top);
+    l->r = LANES_OF(known(r), known(r));
+    l->slope = LANES_OF(relative(slope), relative(slope));
+    set_products_bounds(l);
+}
+
+/* ------------------------------------------------------------- grid ----- */
+
+/* Slopes and the steps between them.  Beyond the last the greatest powers of
+ * the slope decide. */
+static const double first_slope = 0x1p-20, last_slope = 0x1p30, step = 1.02;
+
+/* The least value of a constant that would do. */
+static double needed;
+
+/* `error` is the greatest of a cell, `unit` the least product without the
+ * constant. */
+static void need(double error, double unit)
+{
+    needed = fmax(needed, error / unit);
+}
+
+typedef struct {
+    const char *name;
+    double value, needed;
+} constant;
+
+static constant POSITION = {"POSITION", CYLINT_LOCAL_POSITION, 0},
+                A = {"A", CYLINT_LOCAL_A, 0},
+                FORM_ERROR = {"FORM", CYLINT_LOCAL_FORM, 0},
+                RESIDUAL = {"RESIDUAL", CYLINT_LOCAL_RESIDUAL, 0},
+                TRIPLE = {"TRIPLE", CYLINT_LOCAL_TRIPLE, 0},
+                ROUNDING = {"TRIPLE_ROUNDING", CYLINT_TRIPLE_ROUNDING, 0};
+
+static void judge(constant *c, const char *of)
+{
+    printf("note: %-15s %-14s %s %.3g of %.4g\n", c->name, of,
+           in_pairs ? "pairs  " : "doubles", needed, c->value);
+    if (!CHECK(needed <= c->value))
+        REPORT("%s must be %g", c->name, needed);
+    c->needed = fmax(c->needed, needed);
+    needed = 0;
+}
+
+static void no_constant_is_four_times_too_large(void)
+{
+    const constant *const all[] = {&POSITION, &A,      &FORM_ERROR,
+                                   &RESIDUAL, &TRIPLE, &ROUNDING};
+    for (int i = 0; i < 6; i++)
+        if (!CHECK(4 * all[i]->needed > all[i]->value))
+            REPORT("%s: %g would do", all[i]->name, all[i]->needed);
+}
+
+typedef void cell(double r, double more_r, double s, double more_s);
+
+/* Calls `at` for all cells of radius and slope. */
+static void over_cells(cell *at)
+{
+    for (int i = 0; i < 40; i++) {
+        const double r = i / 40.0, more_r = (i + 1) / 40.0;
+        at(r, more_r, 0, first_slope);
+        for (double s = first_slope; s < last_slope; s *= step)
+            at(r, more_r, s, s * step);
+    }
+}
+
+/* In doubles; in pairs with the least and with the greatest u. */
+static void in_each_arithmetic(void (*test)(void))
+{
+    const double units[] = {CYLINT_ROUNDING, CYLINT_LOCAL_ERROR,
+                            CYLINT_LOCAL_WORST};
+    for (int i = 0; i < 3; i++) {
+        u = units[i];
+        in_pairs = i > 0;
+        test();
+    }
+}
+
+/* ------------------------------------------------------------ forms ----- */
+
+static double square(double x)
+{
+    return x * x;
+}
+
+static void position_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)r;
+    (void)s;
+    load(&l, more_r, more_s);
+    need(l.p.lane[0].off, u);
+    need(l.z.lane[1].off, u);
+    need(l.w.lane[0].off, u); /* the slope of a cap's residual, with D for Q */
+    /* is_ahead(): z w against 2 POSITION u Q D */
+    need(product(l.z.lane[1], l.w.lane[0]).off, 2 * u);
+}
+
+static void a_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    load(&l, more_r, more_s);
+    (void)r;
+    two AB = AB_bounds(&l, 1);
+    /* The estimate of a root rounds A t three times, and A itself. */
+    need(AB.lane[0].off + (in_pairs ? 0 : 4 * 0x1p-53 * AB.lane[0].size),
+         u * square(1 + s));
+}
+
+static void b_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    load(&l, more_r, more_s);
+    (void)r;
+    l.r.lane[0] = at_most(l.r.lane[0], 1);
+    need(AB_bounds(&l, 1).lane[1].off, u * square(1 + s));
+}
+
+static void n_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    load(&l, more_r, more_s);
+    (void)r;
+    need(N_bounds(&l, 1).lane[1].off, u * (1 + s));
+}
+
+/*
+ * E = a^2 - b^2, a = r |w|, b = |X|.  The computed E grows with a and falls with
+ * b.  So if b >= a, it is at most what it is for b = a, where E = 0; and if
+ * b <= a, it is at least that.  The sign is right if the value exceeds the
+ * error for b = a <= r D.  That error grows with a, and, for |X| = a, it is
+ * greatest if both components are equal.  G of a straight shape: a = r |v|,
+ * b = |p x v|.
+ */
+static void e_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)s;
+    (void)more_s;
+    load(&l, more_r, 0);
+    cap = more_r / sqrt(2);
+    need(E_bounds(&l).lane[1].off, u * (r + CYLINT_LOCAL_SECOND * u));
+    cap = HUGE_VAL;
+}
+
+static void straight_g_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)s;
+    (void)more_s;
+    load(&l, more_r, 0);
+    cap = more_r * sqrt(2);
+    need(G_bounds(&l, 0, &l.p).lane[0].off, u * (r + CYLINT_LOCAL_SECOND * u));
+    cap = HUGE_VAL;
+}
+
+/* The same for r near 0, where the second term decides. */
+static void over_radii(cell *at)
+{
+    at(0, u / 16, 0, 0);
+    for (double r = u / 16; r < 1; r *= step)
+        at(r, fmin(r * step, 1), 0, 0);
+}
+
+/*
+ * G = |Y|^2 - m^2 of a tapered shape, for |Y| = m = y.  The bound is
+ * 2 off (|Y| + off), off = FORM / 2 u k Q D, where |Y|, the sum of the computed
+ * components, is at least y less the error.
+ */
+static void tapered_g_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    load(&l, more_r, more_s);
+    (void)r;
+    const two Y = Y_bounds(&l);
+    const double k = 1 + s, off = CYLINT_LOCAL_FORM / 2 * u * k;
+    const double most = 2 * sqrt(2) * (1 + more_s);
+    const double lost = sqrt(2) * fmax(Y.lane[0].off, Y.lane[1].off);
+    const double cells[] = {0, u * k / 64};
+    double y = cells[0], more_y = cells[1];
+    while (y < most) {
+        two there = Y;
+        cap = more_y;
+        for (int i = 0; i < 2; i++)
+            there.lane[i].size = fmin(there.lane[i].size, more_y / sqrt(2));
+        if (in_pairs)
+            for (int i = 0; i < 2; i++)
+                there.lane[i].lo = 0x1p-53 * (more_y + there.lane[i].off);
+        need(G_bounds(&l, 1, &there).lane[0].off,
+             2 * off * (fmax(y - lost, 0) + off) / CYLINT_LOCAL_FORM);
+        y = more_y;
+        more_y *= step;
+    }
+    cap = HUGE_VAL;
+}
+
+static void forms(void)
+{
+    over_cells(position_cell);
+    judge(&POSITION, "");
+    over_cells(a_cell);
+    judge(&A, "");
+    over_cells(b_cell);
+    judge(&FORM_ERROR, "of B");
+    over_cells(n_cell);
+    judge(&FORM_ERROR, "of N");
+    over_radii(e_cell);
+    judge(&FORM_ERROR, "of E");
+    over_radii(straight_g_cell);
+    judge(&FORM_ERROR, "of G, straight");
+}
+
+static void the_constants_cover_the_errors_of_the_forms(void)
+{
+    in_each_arithmetic(forms);
+}
+
+static void tapered(void)
+{
+    tapered_g_cell(0, 1, 0, first_slope);
+    for (double s = first_slope; s < last_slope; s *= 1.1)
+        tapered_g_cell(0, 1, s, s * 1.1);
+    judge(&FORM_ERROR, "of G, tapered");
+}
+
+static void the_bound_of_a_cone_covers_the_error_of_its_G(void)
+{
+    in_each_arithmetic(tapered);
+}
+
+/* ------------------------------------------------- a point of the line -- */
+
+/* local_state(): the point at t in units of |t| D + Q, whose least and greatest
+ * share of |t| D have the greatest errors. */
+static number at_t(number p, number v)
+{
+    const double shares[] = {0, 0x1p-30, 0.5, 1 - 0x1p-30};
+    number most = {0, 0, 0};
+    for (int i = 0; i < 4; i++) {
+        const number t = known(shares[i]);
+        const double rest = 1 - shares[i];
+        const number from = {p.size * rest, p.lo * rest, p.off * rest};
+        most = worse(most, sum(product(t, v), from));
+    }
+    return at_most(most, 1);
+}
+
+static void point_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)r;
+    load(&l, more_r, more_s);
+    need(at_t(l.p.lane[0], l.v.lane[0]).off, u);
+    need(at_t(l.z.lane[1], l.w.lane[0]).off, u);
+    /* toward, by a cap: z w against 2 POSITION */
+    need(product(at_t(l.z.lane[1], l.w.lane[0]), l.w.lane[0]).off, 2 * u);
+    (void)s;
+}
+
+/* toward, by the vertex: A t + B against 2 FORM. */
+static void vertex_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)r;
+    load(&l, more_r, more_s);
+    const two AB = AB_bounds(&l, 1);
+    need(sum(product(known(1), AB.lane[0]), AB.lane[1]).off,
+         2 * u * square(1 + s));
+}
+
+/* C = |p|^2 - rho^2 against 4 eP (widest + eP), eP = POSITION u k, for
+ * |p| = |rho| <= widest. */
+static void point_C_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    (void)r;
+    load(&l, more_r, more_s);
+    const number p = at_t(l.p.lane[0], l.v.lane[0]);
+    const number z = at_t(l.z.lane[0], l.w.lane[0]);
+    const number rho = sum(product(l.slope.lane[0], z), l.r.lane[0]);
+    const double eP = u * (1 + s);
+    double least = 0, most = u / 16;
+    while (least < 1 + more_s) {
+        const number x = at_most(p, most / sqrt(2)), y = at_most(rho, most);
+        const number C = sum(product(y, y), sum(product(x, x), product(x, x)));
+        need(C.off, 4 * eP * (least + CYLINT_LOCAL_POSITION * eP));
+        least = most;
+        most *= 1.1;
+    }
+}
+
+static void the_signs_at_a_point_have_their_bounds(void)
+{
+    u = CYLINT_ROUNDING;
+    in_pairs = 0;
+    over_cells(point_cell);
+    judge(&POSITION, "at t");
+    over_cells(vertex_cell);
+    judge(&FORM_ERROR, "of A t + B");
+    point_C_cell(0, 1, 0, first_slope);
+    for (double s = first_slope; s < last_slope; s *= step)
+        point_C_cell(0, 1, s, s * step);
+    judge(&POSITION, "of C at t");
+}
+
+/* ----------------------------------------------------------- residuals -- */
+
+/* residual_at(), in units of (|t| D + Q) k. */
+static void residual_cell(double r, double more_r, double s, double more_s)
+{
+    /* o - base + t d: two pairs, of the second the low part is rounded */
+    const number step_t = {1, 2 * 0x1p-53, 2 * 0x1p-106};
+    const number q = at_most(sum(given(1, 0), step_t), 1);
+    const number x = row_times(q);
+    const number rho =
+        at_most(sum(known(more_r), product(relative(more_s), x)), 1 + more_s);
+    const number squares = sum(product(x, x), product(x, x));
+    (void)r;
+    need(sum(squares, product(rho, rho)).off, u * square(1 + s));
+    need(sum(x, relative(1)).off, u);
+}
+
+static void residuals(void)
+{
+    if (!in_pairs)
+        return;
+    over_cells(residual_cell);
+    judge(&RESIDUAL, "");
+}
+
+static void a_residual_in_pairs_has_its_bound(void)
+{
+    in_each_arithmetic(residuals);
+}
+
+/*
+ * Triples (triple.h).  After a triple_sum |b| is at most 2^-53 |a| + c and the
+ * third number at most c, where c counts what cancelled before.  A
+ * fast_two_sum is exact if its first number is the larger one or a multiple of
+ * the last digit of the other.  That is so but for what c adds to b, and then
+ * it errs by at most 2^-52 of that.
+ */
+typedef struct {
+    double size, c, off;
+} triple_number;
+
+static triple_number triple_sum_of(double size, double last, double unordered,
+                                   double off)
+{
+    /* at most six roundings of last, and that of the final fast_two_sum */
+    return (triple_number){size, last * (1 + 0x1p-50),
+                           off + 8 * 0x1p-53 * last + 0x1p-52 * unordered};
+}
+
+static triple_number triple_plus(triple_number x, triple_number y)
+{
+    const double size = x.size + y.size, c = x.c + y.c;
+    const double b = 0x1.001p-53 * size + c, u_hi = b + 0x1p-53 * (size + c);
+    return triple_sum_of(size, c + 0x1p-53 * (b + u_hi), c, x.off + y.off);
+}
+
+static triple_number triple_times(triple_number x, triple_number y)
+{
+    const double size = x.size * y.size;
+    const double xb = 0x1.001p-53 * x.size + x.c,
+                 yb = 0x1.001p-53 * y.size + y.c;
+    const double c = x.size * y.c + x.c * y.size;
+    const double middle = x.size * yb + xb * y.size + 0x1p-53 * size;
+    const double left_out = xb * y.c + x.c * yb + x.c * y.c;
+    const double off = x.off * y.size + x.size * y.off + x.off * y.off;
+    return triple_sum_of(size, c + xb * yb + 3 * 0x1p-53 * middle, c,
+                         off + left_out);
+}
+
+#define NUM triple_number
+#define FORM(name) name##_in_triples
+#define ADD(x, y) triple_plus(x, y)
+#define SUB(x, y) triple_plus(x, y)
+#define MUL(x, y) triple_times(x, y)
+#define MEMORY
+#define BEGIN (void)L;
+#define RETURN(x) return x;
+#include "signs/forms_template.h"
+
+/*
+ * residual_in_triples(), in units of |t| D + Q.  A circular shape: |w| = 1, so
+ * that norm = 1 and local.scale = 1.  An elliptic shape: |a| = |b| = |w| = 1 and
+ * det = 1 / c, where c is cylint_local.error / CYLINT_LOCAL_ERROR; a row
+ * of the matrix has at least the size 1 / |a|, so |P| is at most 1; and C / det^2
+ * has the error c^2 times that of C.
+ */
+static void residual_in_triples(int kind, double s, double more_s)
+{
+    const triple_number one = {1, 0, 0};
+    const triple_number D = triple_plus(one, triple_plus(one, one));
+    terms_in_triples L;
+    memset(&L, 0, sizeof L);
+    L.kind = kind;
+    for (int i = 0; i < 3; i++) {
+        L.w[i] = L.a[i] = L.b[i] = one;
+        L.D[0][i] = L.D[1][i] = (triple_number){1, D.c, D.off};
+    }
+    L.r[0] = L.r[1] = L.one = one;
+    L.dr = (triple_number){more_s, 0, 0};
+    prepare_shape_in_triples(&L);
+    const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;
+    need(form_C_in_triples(&L).off, unit * square(1 + s));
+    need(form_alpha_in_triples(&L, 0).off, unit);
+    need(form_alpha_in_triples(&L, 1).off, unit);
+}
+
+static void a_residual_in_triples_has_its_bound(void)
+{
+    in_pairs = 1;
+    for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE; kind++) {
+        residual_in_triples(kind, 0, first_slope);
+        for (double s = first_slope; s < last_slope; s *= step)
+            residual_in_triples(kind, s, s * step);
+    }
+    judge(&TRIPLE, "");
+}
+
+/* One operation on triples of the size 1, |c| <= 2^-104. */
+static void an_operation_on_triples_has_its_bound(void)
+{
+    const triple_number x = {1, 0x1p-104, 0};
+    need(triple_plus(x, x).off, 2);
+    need(triple_times(x, x).off, 1);
+    judge(&ROUNDING, "");
+}
+
+int main(void)
+{
+    RUN(the_constants_cover_the_errors_of_the_forms);
+    RUN(the_bound_of_a_cone_covers_the_error_of_its_G);
+    RUN(the_signs_at_a_point_have_their_bounds);
+    RUN(a_residual_in_pairs_has_its_bound);
+    RUN(an_operation_on_triples_has_its_bound);
+    RUN(a_residual_in_triples_has_its_bound);
+    RUN(no_constant_is_four_times_too_large);
+    return check_end();
+}
