@@ -23,13 +23,14 @@
 #include "random.h"
 #include "ulps.h"
 
-enum { BEGINNINGS = 60, KINDS = 5, REPEATS = 7, QUERIES = 20 };
+enum { BEGINNINGS = 60, KINDS = 8, REPEATS = 7, QUERIES = 20 };
 enum goal { POINT, NORMAL, Z, PHI, TIME, GOALS };
 
 static const char *const goal_names[GOALS] = {"point", "normal", "z", "phi",
                                               "time"};
-static const char *const kind_names[KINDS] = {"cylinder", "cone", "acone",
-                                              "ecylinder", "econe"};
+static const char *const kind_names[KINDS] = {"cylinder",  "cone",  "acone",
+                                              "ecylinder", "econe", "sphere",
+                                              "capsule",   "rcone"};
 
 struct found {
     struct family_case at;

@@ -103,6 +103,10 @@ static void between_moves_the_constructors_numbers(void)
         cylint_elliptic_cone(&b, p[1], x, y, z, 0.25, CYLINT_ENDS_CAPPED),
         (z[1] = 0.5, z[2] = 3.5,
          cylint_elliptic_cone(&expected, pm, x, y, z, km, CYLINT_ENDS_CAPPED)));
+    /* round shapes leave members unwritten */
+    memset(&a, 0, sizeof a);
+    memset(&b, 0, sizeof b);
+    memset(&expected, 0, sizeof expected);
     HALF(cylint_capsule(&a, p[0], q[0], 1, CYLINT_ENDS_OPEN),
          cylint_round_cone(&b, p[1], 2, q[1], 1, CYLINT_ENDS_OPEN),
          cylint_round_cone(&expected, pm, 1.5, qm, 1, CYLINT_ENDS_OPEN));

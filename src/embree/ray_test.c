@@ -202,21 +202,38 @@ static unsigned wanted(const ray_test *r)
                                        CYLINT_WANT_Z | CYLINT_WANT_PHI;
 }
 
-/* Tests the hits from number `first` on with cylint_intersect(). */
+/* Describes hit i of those that intersect() found. */
+static cylint_hit_floats describe(const ray_test *r, const cylint_shape *shape,
+                                  int i)
+{
+    cylint_answer answer;
+    const unsigned nearest = i == 0 ? CYLINT_WANT_NEAREST : 0;
+    intersect(shape, &r->line, wanted(r) | nearest, &answer);
+    return floats_of(&answer.hit[i]);
+}
+
+/* Tests the hits from number `first` on with cylint_intersect().  Hits of a
+ * whole shape are described when they are accepted, those of a piece at once,
+ * because z decides which piece owns them. */
 static int test_exactly(ray_test *r, const cylint_shape *shape, unsigned number,
                         int first)
 {
     cylint_answer answer;
+    const int whole =
+        !r->leaf || cylint_leaf_piece(r->leaf, r->lane).count == 1;
     if (r->nearest && has_own_hit(r))
         r->line.tmax = tmax_including(r->ray->tfar);
-    const int n = intersect(shape, &r->line, wanted(r), &answer);
+    const int n =
+        intersect(shape, &r->line, whole ? CYLINT_WANT_T : wanted(r), &answer);
     for (int i = first; i < n; i++) {
         const cylint_hit *at = &answer.hit[i];
-        if (r->leaf && !cylint_leaf_owns(r->leaf, r->lane, at->z))
+        cylint_hit_floats floats = {0};
+        if (!whole && !cylint_leaf_owns(r->leaf, r->lane, at->z))
             continue;
         if (r->nearest && !is_nearer(r, number, &answer, i))
             return 0;
-        const cylint_hit_floats floats = floats_of(at);
+        if (needs_description(r))
+            floats = whole ? describe(r, shape, i) : floats_of(at);
         if (record(r, number, rounded_up(at->t, r->ray->tfar), &floats))
             return 1;
     }
