@@ -120,7 +120,8 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_packed_disc *s,
              cylint_larger(k0, k1) * (1 + slope));
     const double e = 0.875 + input_error;
     double z[2];
-    cylint_piece_ends(piece, z);
+    cylint_piece_ends(piece, slope == 1 ? cylint_section_shift(k0, k1, ww) : 0,
+                      z);
     const double across =
         cylint_larger(k0 + (k1 - k0) * z[0], k0 + (k1 - k0) * z[1]) * steps;
     const double l = length * steps * (z[1] - z[0]);

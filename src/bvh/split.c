@@ -109,7 +109,7 @@ static int split_shape(piece_list *p, const cylint_view *view, uint32_t number,
     if (!cylint_extent_is_valid(&box))
         return 0;
     discs[disc] = cylint_packed_disc_of(&swept, &view->shapes[number], number);
-    const int count = swept.divisible ? piece_count(&swept, &box) : 1;
+    const int count = piece_count(&swept, &box);
     if (count == 1)
         add_piece(p, &box, disc, whole);
     else

@@ -37,6 +37,7 @@ static void set_one_ball(cylint_swept_disc *t)
     t->axis[0] = t->k[0] * 0x1p-10;
     t->axis[1] = t->axis[2] = 0;
     t->length = t->axis[0];
+    t->shift = 0;
 }
 
 void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
@@ -59,7 +60,7 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
     t->across = 1;
     t->round = cylint_is_round(s->kind);
     t->along = t->round ? 1 : 0;
-    t->divisible = !t->round || s->kind == CYLINT_KIND_CAPSULE;
+    t->shift = t->round ? cylint_section_shift(t->k[0], t->k[1], ww) : 0;
     if (s->kind == CYLINT_KIND_SPHERE)
         set_one_ball(t);
     if (!t->elliptic)
@@ -104,13 +105,15 @@ cylint_packed_disc cylint_packed_disc_of(const cylint_swept_disc *t,
                                 number};
 }
 
-void cylint_piece_ends(cylint_piece piece, double z[2])
+void cylint_piece_ends(cylint_piece piece, double shift, double z[2])
 {
     const double overlap = 0x1p-20;
     z[0] = piece.index == 0 ? 0 : (piece.index - overlap) / piece.count;
     z[1] = piece.index == piece.count - 1
                ? 1
                : (piece.index + 1 + overlap) / piece.count;
+    z[0] = cylint_larger(z[0] - shift, 0);
+    z[1] = cylint_smaller(z[1] + shift, 1);
 }
 
 /*
@@ -122,7 +125,7 @@ cylint_extent cylint_piece_box(const cylint_swept_disc *t,
                                const double reach[3], cylint_piece piece)
 {
     double z[2], lo[3], hi[3];
-    cylint_piece_ends(piece, z);
+    cylint_piece_ends(piece, t->shift, z);
     const double k[2] = {t->k[0] + (t->k[1] - t->k[0]) * z[0],
                          t->k[0] + (t->k[1] - t->k[0]) * z[1]};
     for (int j = 0; j < 3; j++) {

@@ -23,7 +23,8 @@ typedef struct cylint_swept_disc {
     double length;     /* of the axis */
     double a[3], b[3]; /* of elliptic shapes */
     int elliptic, round;
-    int divisible; /* the piece at z contains the points of the shape at z */
+    double shift; /* a point at z is on a section between z - shift and
+                     z + shift */
 } cylint_swept_disc;
 
 /* A piece of a shape: number `index` of `count` equal ones along z. */
@@ -70,10 +71,19 @@ void cylint_swept_disc_of(cylint_swept_disc *disc, const cylint_view *view,
  * coordinate j. */
 void cylint_swept_disc_reach(const cylint_swept_disc *disc, double reach[3]);
 
+/* The section at z touches the surface of a round shape at a z that differs by
+ * the slope of the radius k (k1 - k0) / length^2, at most by this. */
+static inline double cylint_section_shift(double k0, double k1, double square)
+{
+    const double slack = 1 + 0x1p-10; /* for k0 and k1 as floats */
+    const double growth = fabs(k1 - k0);
+    return growth > 0 ? cylint_larger(k0, k1) * growth / square * slack : 0;
+}
+
 /* The z range of a piece, and its box.  Pieces overlap by 2^-20 of their
  * length, so that a z with a rounding error still lies in the piece that
  * cylint_piece_at() returns. */
-void cylint_piece_ends(cylint_piece piece, double z[2]);
+void cylint_piece_ends(cylint_piece piece, double shift, double z[2]);
 cylint_extent cylint_piece_box(const cylint_swept_disc *disc,
                                const double reach[3], cylint_piece piece);
 
