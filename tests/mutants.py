@@ -37,13 +37,18 @@ CORE = ["signs/forms_template.h", "signs/overlap_template.h",
         "numbers/double_double.h", "numbers/error_free_template.h",
         "numbers/exact.c", "numbers/scale.c", "shapes/measure.c",
         "shapes/tangent.c", "signs/sign.c", "roots/root.c", "roots/surd.c",
-        "roots/hit.c", "filter/lanes.h", "filter/one_question.c",
-        "filter/many_questions.c", "intersect.c", "batch.c", "box.c"]
+        "roots/hit.c", "shapes/local.c", "numbers/triple.h",
+        "filter/local_forms_template.h", "filter/local_lines.h",
+        "filter/local_roots.h", "filter/residual_in_triples.h",
+        "filter/one_question.c", "filter/hard_question.c",
+        "filter/lanes.h", "filter/many_questions.c", "intersect.c", "batch.c",
+        "box.c"]
 # (program, environment).  Programs that take seconds run with few cases first,
 # and with all cases only for --full, on mutants that pass the others.
 FEW = {"CYLINT_CASES": "50"}
 SHORT = [("test_special_cases", {}), ("test_shape", {}), ("test_hard", {}),
-         ("test_form_depth", {}), ("test_intersect", FEW), ("test_ties", {}),
+         ("test_form_depth", {}), ("test_local_bounds", {}),
+         ("test_local", FEW), ("test_intersect", FEW), ("test_ties", {}),
          ("test_budget", FEW), ("test_environment", FEW),
          ("test_properties", FEW), ("test_batch", {"CYLINT_CASES": "3"})]
 FULL = [("test_intersect", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
@@ -120,7 +125,8 @@ class Bench:
         self.library = sum((self.c_files(f) for f in FLOORS), [])
         self.common = ["tests/%s.c" % t
                        for t in ("families", "constructed", "oracle")]
-        self.tool = self.c_files("tools/cylint") + self.c_files("src/scene")
+        self.tool = sum((self.c_files(f) for f in
+                         ("tools/cylint", "src/scene", "src/bvh")), [])
         self.programs = sorted({t for t, _ in tests} - {"test_hard"})
         self.sources = (self.library +
                         ["tests/%s.c" % t for t in self.programs])
