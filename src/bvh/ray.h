@@ -17,10 +17,10 @@
  * into boxes and exits from them.
  */
 typedef struct cylint_ray_state {
-    float r[3], near[3], far[3];
-    int entry[3];        /* the face where it enters boxes: 0 or 1 */
-    float first, last;   /* the domain; its t is the line's t ... */
-    double t0, t0_error; /* ... minus t0, with this error */
+    float r[4], near[4], far[4]; /* three of each */
+    int entry[3];                /* the face where it enters boxes: 0 or 1 */
+    float first, last;           /* the domain; its t is the line's t ... */
+    double t0, t0_error;         /* ... minus t0, with this error */
 } cylint_ray_state;
 
 typedef cylint_ray_state ray_state;
@@ -116,30 +116,32 @@ static inline float local_below(const ray_state *s, double t)
     return cylint_float_below(t - s->t0 - s->t0_error);
 }
 
-static inline float larger(float x, float y) /* fmaxf() is a call */
+/* x may have an error of x_error. */
+static inline void start_floats(ray_state *s, const cylint_bvh *bvh, v4 x, v4 d,
+                                float x_error)
 {
-    return x > y ? x : y;
+    const v4 negative = v4_below_zero(d);
+    const v4 size = v4_abs(v4_xyz(d)), turned = v4_yzx(size);
+    const v4 most = v4_max(size, v4_max(turned, v4_yzx(turned)));
+    const v4 least = v4_mul(most, v4_set(0x1p-60f));
+    const v4 r = v4_div(v4_set(1), v4_like(v4_max(size, least), negative));
+    const v4 off =
+        v4_add(v4_mul(v4_abs(x), v4_set(0x1p-20f)), v4_set(bvh->pad + x_error));
+    const v4 e = v4_add(v4_mul(v4_abs(r), off), v4_set(16 * FLT_MIN));
+    const v4 at = v4_mul(x, r);
+    v4_store(s->r, r);
+    v4_store(s->near, v4_add(at, e));
+    v4_store(s->far, v4_sub(at, e));
+    EACH(j, 3)
+        s->entry[j] = (int)(v4_signs(negative) >> j & 1);
 }
 
-/* x may have an error of x_error. */
 static inline void start(ray_state *s, const cylint_bvh *bvh, const double x[3],
                          const double d[3], float x_error)
 {
-    const float D[3] = {(float)d[0], (float)d[1], (float)d[2]};
-    const float least =
-        larger(fabsf(D[0]), larger(fabsf(D[1]), fabsf(D[2]))) * 0x1p-60f;
-    EACH(j, 3) {
-        const float r = 1 / (fabsf(D[j]) >= least ? D[j]
-                             : D[j] < 0           ? -least
-                                                  : least);
-        const float X = (float)x[j];
-        const float e = fabsf(r) * (fabsf(X) * 0x1p-20f + bvh->pad + x_error) +
-                        16 * FLT_MIN;
-        s->r[j] = r;
-        s->near[j] = X * r + e;
-        s->far[j] = X * r - e;
-        s->entry[j] = D[j] < 0;
-    }
+    const float X[4] = {(float)x[0], (float)x[1], (float)x[2], 0};
+    const float D[4] = {(float)d[0], (float)d[1], (float)d[2], 0};
+    start_floats(s, bvh, v4_load(X), v4_load(D), x_error);
 }
 
 /* Moves the origin to the line's point nearest to the centre: floats are coarse
@@ -173,12 +175,32 @@ static inline void start_line(ray_state *s, const cylint_bvh *bvh,
     s->last = local_above(s, tmax);
 }
 
-static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
-                             const cylint_float_ray *ray)
+static void start_far_ray(ray_state *s, const cylint_bvh *bvh,
+                          const cylint_float_ray *ray)
 {
     const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
     const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
     start_line(s, bvh, o, d, ray->tnear, ray->tfar);
+}
+
+static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
+                             const cylint_float_ray *ray)
+{
+    const v4 x = v4_sub(v4_load(ray->o), v4_load(bvh->center));
+    if (!(v4_sum_xyz(v4_abs(x)) < bvh->near_distance)) {
+        start_far_ray(s, bvh, ray);
+        return;
+    }
+    s->t0 = s->t0_error = 0;
+    start_floats(s, bvh, x, v4_load(ray->d), 0);
+    s->first = ray->tnear;
+    s->last = ray->tfar;
+}
+
+/* After tfar was reduced. */
+static inline void shorten(ray_state *s, float tfar)
+{
+    s->last = s->t0_error > 0 ? local_above(s, tfar) : tfar;
 }
 
 /* Whether the domain ends outside the box of all; S is its longest side. */

@@ -92,7 +92,7 @@ CYLINT_INLINE int traverse_from(const cylint_bvh *bvh, uint32_t child,
             return 1;
         if (callback(self, leaf, lanes, least))
             return 0;
-        state->last = local_above(state, ray->tfar);
+        shorten(state, ray->tfar);
     }
     return 0;
 }

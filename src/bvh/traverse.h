@@ -79,6 +79,7 @@ extern struct cylint_visits {
 const cylint_traversal *cylint_traversal_used(void);
 
 /* All builds. */
-extern const cylint_traversal cylint_traversal_plain, cylint_traversal_avx2;
+extern const cylint_traversal cylint_traversal_plain, cylint_traversal_avx2,
+    cylint_traversal_avx512;
 
 #endif

@@ -16,8 +16,9 @@ static cylint_float_filter_result result_of(hit_result v)
                       : CYLINT_FLOAT_FILTER_MISS;
 }
 
-static int write_description(const question *q, const cylint_shape *whole,
-                             const hit *at, cylint_hit_floats *to)
+CYLINT_INLINE int write_description(const question *q,
+                                    const cylint_shape *whole, const hit *at,
+                                    cylint_hit_floats *to)
 {
     int least[3];
     floats f;
@@ -36,8 +37,9 @@ static int write_description(const question *q, const cylint_shape *whole,
 }
 
 /* Whether the piece contains the hit; *certain: whether that is certain. */
-static int is_on_piece(const axial_hit *at,
-                       const cylint_float_filter_limits *limits, int *certain)
+CYLINT_INLINE int is_on_piece(const axial_hit *at,
+                              const cylint_float_filter_limits *limits,
+                              int *certain)
 {
     if (limits->count == 1)
         return *certain = 1;
@@ -48,9 +50,9 @@ static int is_on_piece(const axial_hit *at,
 }
 
 /* HIT: the hit counts; MISS: it does not, but the next may. */
-static cylint_float_filter_result accept(
-    const axial_hit *at, const hit *h, const question *q, int ends, double tmin,
-    const cylint_float_filter_limits *limits, float *to)
+CYLINT_INLINE cylint_float_filter_result
+accept(const axial_hit *at, const hit *h, const question *q, int ends,
+       double tmin, const cylint_float_filter_limits *limits, float *to)
 {
     const double t = q->from + at->s, e = at->s_error + 0x1p-50 * fabs(t);
     int certain;

@@ -169,28 +169,51 @@ static int filters_accept(const ray_test *r, struct RTCHit *hit)
     return valid != 0;
 }
 
-/* Records a hit at t if the filter functions accept it.  The hit is written in
- * its final place, which saves a copy. */
+/* Records a nearest hit at t if the filter functions accept it.  The hit is
+ * written in its final place, which saves a copy. */
+static int record_nearest(ray_test *r, unsigned number, float t,
+                          const cylint_hit_floats *floats)
+{
+    const float tfar = r->ray->tfar;
+    const struct RTCHit old = *r->hit;
+    if (!is_bare(r))
+        write_floats(floats, r->hit);
+    write_ids(r, number, r->hit);
+    r->ray->tfar = t;
+    if (has_filters(r) && !filters_accept(r, r->hit)) {
+        r->ray->tfar = tfar;
+        *r->hit = old;
+        return 0;
+    }
+    r->line.tmax = r->ray->tfar;
+    return 1;
+}
+
+/* The same for a hit of an occlusion query. */
+static int record_any(ray_test *r, unsigned number, float t,
+                      const cylint_hit_floats *floats)
+{
+    const float tfar = r->ray->tfar;
+    if (has_filters(r)) {
+        struct RTCHit hit = {0};
+        if (!is_bare(r))
+            write_floats(floats, &hit);
+        write_ids(r, number, &hit);
+        r->ray->tfar = t;
+        if (!filters_accept(r, &hit)) {
+            r->ray->tfar = tfar;
+            return 0;
+        }
+    }
+    r->ray->tfar = -HUGE_VALF;
+    return 1;
+}
+
 static int record(ray_test *r, unsigned number, float t,
                   const cylint_hit_floats *floats)
 {
-    const float tfar = r->ray->tfar;
-    struct RTCHit spare = {0}, *hit = r->nearest ? r->hit : &spare;
-    const struct RTCHit old = *hit;
-    if (needs_description(r))
-        write_floats(floats, hit);
-    write_ids(r, number, hit);
-    r->ray->tfar = t;
-    if (has_filters(r) && !filters_accept(r, hit)) {
-        r->ray->tfar = tfar;
-        *hit = old;
-        return 0;
-    }
-    if (r->nearest)
-        r->line.tmax = r->ray->tfar;
-    else
-        r->ray->tfar = -HUGE_VALF;
-    return 1;
+    return r->nearest ? record_nearest(r, number, t, floats)
+                      : record_any(r, number, t, floats);
 }
 
 /* ----------------------------------------------------- exact intersections -- */
@@ -342,12 +365,21 @@ static int test_nearest(ray_test *r, unsigned rank, int *hit)
     return 1;
 }
 
-int cylint_ray_test_lane(ray_test *r)
+int cylint_ray_test_lanes(ray_test *r, const cylint_leaf *leaf, unsigned lanes,
+                          const float least[CYLINT_LEAF_SIZE])
 {
-    const unsigned rank = r->leaf->number[r->lane];
-    int hit;
-    return test_nearest(r, rank, &hit) ? hit
-                                       : cylint_ray_test_shape(r, rank, 0);
+    if (lanes & (lanes - 1))
+        prefetch_shapes(r->data, leaf, lanes);
+    while (lanes && select_nearest_lane(r, leaf, &lanes, least)) {
+        const unsigned rank = leaf->number[r->lane];
+        int hit;
+        if (!test_nearest(r, rank, &hit))
+            hit = cylint_ray_test_shape(r, rank, 0);
+        r->found |= hit;
+        if (hit && r->any)
+            return 1;
+    }
+    return 0;
 }
 
 int cylint_ray_test_shape(ray_test *r, unsigned rank, int skip_entry)

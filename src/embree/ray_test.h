@@ -45,16 +45,6 @@ static inline void initialise(ray_test *r, const cylint_embree_data *data,
     r->leaf = NULL;
 }
 
-/* Whether cylint_span() accepts the ray.  The box tests do not reject all rays
- * that it refuses. */
-static inline int is_line(const struct RTCRay *r)
-{
-    const float none = 0 * r->org_x + 0 * r->org_y + 0 * r->org_z +
-                       0 * r->dir_x + 0 * r->dir_y + 0 * r->dir_z;
-    const float any = fabsf(r->dir_x) + fabsf(r->dir_y) + fabsf(r->dir_z);
-    return none >= 0 && any > 0 && r->tnear <= r->tfar;
-}
-
 static inline cylint_float_filter_ray line_of(const struct RTCRay *ray)
 {
     return (cylint_float_filter_ray){{ray->org_x, ray->org_y, ray->org_z},
@@ -64,14 +54,17 @@ static inline cylint_float_filter_ray line_of(const struct RTCRay *ray)
                                      ray->tfar};
 }
 
-/* Sets the line from the ray.  Returns 0 if the ray is not a line. */
+/* Sets the line from the ray.  Returns whether cylint_span() accepts it.  The
+ * box tests do not reject all rays that it refuses.  Sums of six floats do not
+ * overflow doubles. */
 static inline int set_line(ray_test *r)
 {
-    if (!is_line(r->ray))
-        return 0;
     r->line = line_of(r->ray);
     r->found = 0;
-    return 1;
+    const double *o = r->line.o, *d = r->line.d;
+    const double any = fabs(d[0]) + fabs(d[1]) + fabs(d[2]);
+    const double all = any + fabs(o[0]) + fabs(o[1]) + fabs(o[2]);
+    return (any > 0) & (all < HUGE_VAL) & (r->ray->tnear <= r->ray->tfar);
 }
 
 /* cylint_float_ray has the layout of the first members of RTCRay. */
@@ -123,8 +116,11 @@ cylint_float_filter_target cylint_ray_test_target(
  * tested before. */
 int cylint_ray_test_shape(ray_test *r, unsigned rank, int skip_entry);
 
-/* The same for the lane's shape. */
-int cylint_ray_test_lane(ray_test *r);
+/* Tests lanes (bits) of a leaf, nearest first, until no remaining lane can hold
+ * the nearest hit.  least as for a cylint_ray_leaf_callback.  Returns 1 if an
+ * occlusion query hits something. */
+int cylint_ray_test_lanes(ray_test *r, const cylint_leaf *leaf, unsigned lanes,
+                          const float least[CYLINT_LEAF_SIZE]);
 
 /* The same for the lane's shape, with result i of the packet filter. */
 int cylint_ray_test_accept(ray_test *r,

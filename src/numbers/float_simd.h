@@ -199,7 +199,9 @@ static inline unsigned f_not_greater(vf x, vf y)
     return m_bits(m_not_greater(x, y));
 }
 
-/* Four floats for boxes: x, y, z and an unused one, which v4_xyz() clears. */
+/* Four floats: x, y, z and an unused one, which v4_xyz() clears.  v4_like(a, b)
+ * is a with the signs of b, v4_signs() returns the signs as bits, and
+ * v4_below_zero(a) has negative signs where a < 0. */
 #ifdef NO_LANES
 
 typedef struct {
@@ -228,6 +230,20 @@ static inline v4 v4_max(v4 a, v4 b)
 static inline v4 v4_add(v4 a, v4 b) { V4_EACH(a.x[i] + b.x[i]) }
 static inline v4 v4_sub(v4 a, v4 b) { V4_EACH(a.x[i] - b.x[i]) }
 static inline v4 v4_mul(v4 a, v4 b) { V4_EACH(a.x[i] * b.x[i]) }
+static inline v4 v4_div(v4 a, v4 b) { V4_EACH(a.x[i] / b.x[i]) }
+static inline v4 v4_abs(v4 a) { V4_EACH(fabsf(a.x[i])) }
+static inline v4 v4_like(v4 a, v4 b)
+{
+    V4_EACH(signbit(b.x[i]) ? -fabsf(a.x[i]) : fabsf(a.x[i]))
+}
+static inline v4 v4_below_zero(v4 a) { V4_EACH(a.x[i] < 0 ? -1.0f : 1.0f) }
+static inline unsigned v4_signs(v4 a)
+{
+    unsigned bits = 0;
+    for (int i = 0; i < 4; i++)
+        bits |= (unsigned)(signbit(a.x[i]) != 0) << i;
+    return bits;
+}
 static inline v4 v4_xyz(v4 a)
 {
     a.x[3] = 0;
@@ -252,6 +268,15 @@ static inline v4 v4_max(v4 a, v4 b) { return _mm_max_ps(a, b); }
 static inline v4 v4_add(v4 a, v4 b) { return _mm_add_ps(a, b); }
 static inline v4 v4_sub(v4 a, v4 b) { return _mm_sub_ps(a, b); }
 static inline v4 v4_mul(v4 a, v4 b) { return _mm_mul_ps(a, b); }
+static inline v4 v4_div(v4 a, v4 b) { return _mm_div_ps(a, b); }
+static inline v4 v4_abs(v4 a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
+static inline v4 v4_like(v4 a, v4 b)
+{
+    const v4 sign = _mm_set1_ps(-0.0f);
+    return _mm_or_ps(_mm_andnot_ps(sign, a), _mm_and_ps(sign, b));
+}
+static inline v4 v4_below_zero(v4 a) { return _mm_cmplt_ps(a, _mm_setzero_ps()); }
+static inline unsigned v4_signs(v4 a) { return (unsigned)_mm_movemask_ps(a); }
 static inline v4 v4_xyz(v4 a)
 {
     return _mm_and_ps(a, _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1)));
