@@ -36,4 +36,4 @@ python=${BUILD:-build}/python
 
 spark=${BUILD:-build}/spark
 [ "$1" != cluster ] || [ -x "$spark/bin/spark-submit" ] ||
-    { python3 -m venv "$spark" && "$spark/bin/pip" install -q 'pyspark==4.*' pyarrow numpy; }
+    { python3 -m venv "$spark" && "$spark/bin/pip" install -q 'pyspark==4.*' pyarrow pandas numpy; }

@@ -23,8 +23,10 @@ def make(text, table):
         name: [float(row[i + 1]) if row[0] == "ray" else 0.0 for row in rows]
         for i, name in enumerate(NUMBERS)
     }
-    columns["id"] = [row[-1] for row in rows]
-    parquet.write_table(pa.table(columns), table, row_group_size=2000)
+    columns["id"] = [" ".join(row[7:]) for row in rows]
+    parquet.write_table(
+        pa.table(columns), table, row_group_size=2000, compression="gzip"
+    )
 
 
 def hexadecimal(t):
@@ -36,7 +38,7 @@ def hexadecimal(t):
 
 def show(answers):
     table = parquet.read_table(answers).to_pylist()
-    for row in sorted(table, key=lambda row: int(row["id"][3:])):
+    for row in sorted(table, key=lambda row: int(row["id"].split("ray")[1])):
         print(row["index"] + 1, hexadecimal(row["t"]), row["id"], sep="\t")
 
 
