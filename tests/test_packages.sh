@@ -36,7 +36,7 @@ test_dist()
     (cd "$scratch/cylint-$version" &&
         quiet env -u MAKEFLAGS -u MAKELEVEL $make BUILD=made CC="$cc" CFLAGS=-O0 CXXFLAGS=-O0 \
             vectors= made/cylint &&
-        [ "$(echo 'ray 0 0 -5 0 0 1 cylinder 0 0 0 0 0 1 .5' | made/cylint)" = "cross	2	5	6" ])
+        [ "$(echo 'ray 0 0 -5 0 0 1 cylinder 0 0 0 0 0 1 .5' | made/cylint -d ,)" = cross,2,5,6 ])
     verdict its_files_build_the_command $?
 }
 

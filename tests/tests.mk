@@ -97,6 +97,9 @@ sanitize: ## run the tests under the address and undefined-behaviour sanitizers
 	$(MAKE) BUILD=$(BUILD)/sanitize check \
 	  CFLAGS='-g -O1 $(sanitized)' CXXFLAGS='-g -O1 $(sanitized)'
 
+sanitize-python: $(BUILD)/cylint ## run the Python package's tests under the sanitizers
+	@BUILD=$(BUILD) CC='$(CC)' sh tests/python/sanitize.sh
+
 threaded := -g -O1 -fsanitize=thread
 thread_tests := $(BUILD)/cylint $(BUILD)/tests/faulty $(BUILD)/tests/test_scene_bvh \
 	$(if $(EMBREE),$(BUILD)/tests/test_embree_threads) $(if $(PNG),$(BUILD)/cylint-render)
@@ -144,4 +147,4 @@ search: $(BUILD)/tests/search ## search for the worst errors and the slowest que
 	$(BUILD)/tests/search
 
 .PHONY: deps deps-cross deps-cluster check check-embree check-embree4 check-scene check-cross check-cluster check-threads \
-	thread_tests sanitize fuzz fuzz_programs prove lint covered coverage mutants stress search
+	thread_tests sanitize sanitize-python fuzz fuzz_programs prove lint covered coverage mutants stress search

@@ -50,37 +50,37 @@ struct Constructor {
     void (*read)(const Shape &s, double *x);
 };
 
-/* clang-format off */
+#define MAKE(call) [](Shape *s, Numbers x, Ends e) -> int { return call; }
+#define READ(...) [](const Shape &s, double *x) { __VA_ARGS__; }
+
 const Constructor table[] = {
     {"cylinder", "331", CYLINT_KIND_CYLINDER,
-     [](Shape *s, Numbers x, Ends e) -> int { return cylint_cylinder(s, x, x + 3, x[6], e); },
-     [](const Shape &s, double *x) { *put(put(x, s.base), s.top) = s.r0; }},
+     MAKE(cylint_cylinder(s, x, x + 3, x[6], e)),
+     READ(*put(put(x, s.base), s.top) = s.r0)},
     {"cone", "3131", CYLINT_KIND_CONE,
-     [](Shape *s, Numbers x, Ends e) -> int { return cylint_cone(s, x, x[3], x + 4, x[7], e); },
-     [](const Shape &s, double *x) { *put(x, s.base) = s.r0; *put(x + 4, s.top) = s.r1; }},
+     MAKE(cylint_cone(s, x, x[3], x + 4, x[7], e)),
+     READ(*put(x, s.base) = s.r0, *put(x + 4, s.top) = s.r1)},
     {"elliptic_cylinder", "3333", CYLINT_KIND_ECYLINDER,
-     [](Shape *s, Numbers x, Ends e) -> int { return cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9, e); },
-     [](const Shape &s, double *x) { put(put(put(put(x, s.base), s.a), s.b), s.axis); }},
+     MAKE(cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9, e)),
+     READ(put(put(put(put(x, s.base), s.a), s.b), s.axis))},
     {"elliptic_cone", "33331", CYLINT_KIND_ECONE,
-     [](Shape *s, Numbers x, Ends e) -> int { return cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9, x[12], e); },
-     [](const Shape &s, double *x) { *put(put(put(put(x, s.base), s.a), s.b), s.axis) = s.r1; }},
-    {"sphere", "31", CYLINT_KIND_SPHERE,
-     [](Shape *s, Numbers x, Ends e) -> int { return cylint_sphere(s, x, x[3], e); },
-     [](const Shape &s, double *x) { *put(x, s.base) = s.r0; }},
+     MAKE(cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9, x[12], e)),
+     READ(*put(put(put(put(x, s.base), s.a), s.b), s.axis) = s.r1)},
+    {"sphere", "31", CYLINT_KIND_SPHERE, MAKE(cylint_sphere(s, x, x[3], e)),
+     READ(*put(x, s.base) = s.r0)},
     {"capsule", "331", CYLINT_KIND_CAPSULE,
-     [](Shape *s, Numbers x, Ends e) -> int { return cylint_capsule(s, x, x + 3, x[6], e); },
-     [](const Shape &s, double *x) { *put(put(x, s.base), s.top) = s.r0; }},
+     MAKE(cylint_capsule(s, x, x + 3, x[6], e)),
+     READ(*put(put(x, s.base), s.top) = s.r0)},
     {"round_cone", "3131", CYLINT_KIND_RCONE,
-     [](Shape *s, Numbers x, Ends e) -> int { return cylint_round_cone(s, x, x[3], x + 4, x[7], e); },
-     read_round_cone},
+     MAKE(cylint_round_cone(s, x, x[3], x + 4, x[7], e)), read_round_cone},
     {"tangent_cone", "331", CYLINT_KIND_ACONE,
-     [](Shape *s, Numbers x, Ends e) -> int { return cylint_tangent_cone(s, x, x + 3, x[6], e); },
-     [](const Shape &s, double *x) { *put(put(x, s.base), s.axis) = s.r1; }},
+     MAKE(cylint_tangent_cone(s, x, x + 3, x[6], e)),
+     READ(*put(put(x, s.base), s.axis) = s.r1)},
     {"angle_cone", "331", CYLINT_KIND_ACONE,
-     [](Shape *s, Numbers x, Ends e) -> int { return cylint_angle_cone(s, x, x + 3, x[6], e); },
-     nullptr},
+     MAKE(cylint_angle_cone(s, x, x + 3, x[6], e)), nullptr},
 };
-/* clang-format on */
+#undef MAKE
+#undef READ
 
 const Constructor &find(const char *name)
 {
