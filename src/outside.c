@@ -127,9 +127,10 @@ static int try_diagonals(const search *s, double least, double p[3])
     double x = least;
     for (int k = 0; k < MOST_DOUBLINGS; k++, x *= 2)
         for (int diagonal = 0; diagonal < 27; diagonal++) {
-            p[0] = s->from[0] + x * (diagonal % 3 - 1);
-            p[1] = s->from[1] + x * (diagonal / 3 % 3 - 1);
-            p[2] = s->from[2] + x * (diagonal / 9 - 1);
+            const int steps[3] = {diagonal % 3 - 1, diagonal / 3 % 3 - 1,
+                                  diagonal / 9 - 1};
+            for (int i = 0; i < 3; i++)
+                p[i] = s->from[i] + x * steps[i];
             if (is_there(s, p))
                 return 1;
         }
