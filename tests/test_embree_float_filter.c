@@ -132,7 +132,7 @@ static int agrees(const cylint_float_filter *build, const struct scene_query *x,
     cylint_float_filter_result is =
         build->test_entry(&q, &subject, &x->line, &at);
     tally->hits += x->n;
-    for (int i = 0; i < 2 && is != CYLINT_FLOAT_FILTER_UNSURE; i++) {
+    for (int i = 0; i < 2 && is != CYLINT_FLOAT_FILTER_UNCERTAIN; i++) {
         if (i == 1)
             is = build->test_exit(&q, &at);
         if (is != CYLINT_FLOAT_FILTER_HIT)
@@ -141,7 +141,7 @@ static int agrees(const cylint_float_filter *build, const struct scene_query *x,
             return 0;
         n++;
     }
-    return is == CYLINT_FLOAT_FILTER_UNSURE || n == x->n;
+    return is == CYLINT_FLOAT_FILTER_UNCERTAIN || n == x->n;
 }
 
 static void show(const cylint_float_filter_ray *line,
@@ -236,7 +236,7 @@ static int is_nearest(const cylint_float_filter *build,
     const float t = hit ? cylint_float_above(hit->t) : HUGE_VALF;
     tally->hits += t < limits.tfar;
     tally->certain += is == CYLINT_FLOAT_FILTER_HIT;
-    if (is == CYLINT_FLOAT_FILTER_UNSURE)
+    if (is == CYLINT_FLOAT_FILTER_UNCERTAIN)
         return 1;
     if (is == CYLINT_FLOAT_FILTER_MISS)
         return !hit || t > limits.tfar;
@@ -332,13 +332,14 @@ static int is_described(const cylint_packet_filter_results *a, int i,
 static int is_right(const cylint_packet_filter_results *a, int i,
                     const struct scene_query *x)
 {
-    const unsigned hit = a->hit >> i & 1, unsure = a->unsure >> i & 1;
-    if (hit && (unsure || x->n == 0 || !is_reported(a, i, &x->answer.hit[0])))
+    const unsigned hit = a->hit >> i & 1, uncertain = a->uncertain >> i & 1;
+    if (hit &&
+        (uncertain || x->n == 0 || !is_reported(a, i, &x->answer.hit[0])))
         return 0;
     if (a->described >> i & 1 &&
         !(hit && is_described(a, i, &x->answer.hit[0])))
         return 0;
-    return hit || unsure || x->n <= (int)(a->crosses >> i & 1);
+    return hit || uncertain || x->n <= (int)(a->crosses >> i & 1);
 }
 
 static void query_batches(cylint_packet_filter *many, int family,
@@ -353,7 +354,7 @@ static void query_batches(cylint_packet_filter *many, int family,
         if (c.n == 0)
             break;
         many(c.subject, c.line, c.n, 1, &a);
-        CHECK((a.hit | a.unsure | a.crosses | a.described) >> c.n == 0);
+        CHECK((a.hit | a.uncertain | a.crosses | a.described) >> c.n == 0);
         for (int k = 0; k < c.n; k++) {
             tally->hits += c.question[k].n > 0;
             tally->certain += a.hit >> k & 1;

@@ -108,7 +108,7 @@ CYLINT_INLINE cylinders cylinders_of(const cylint_leaf *b, int from)
 
 /*
  * Returns the lanes (bits) that the line may hit.  least[] of a lane is a lower
- * bound of s times t_per_s.  *sure, unless sure is NULL: the lanes where the
+ * bound of s times t_per_s.  *certain, unless certain is NULL: the lanes where the
  * line's point nearest to the axis certainly lies in the domain and, if the
  * piece belongs to a cylinder, in the piece.
  *
@@ -119,7 +119,7 @@ CYLINT_INLINE cylinders cylinders_of(const cylint_leaf *b, int from)
  * errors are those above, subtracted instead of added.
  */
 CYLINT_INLINE unsigned test_lanes(const cylinders *s, const leaf_line *l,
-                                  float *least, unsigned *sure)
+                                  float *least, unsigned *certain)
 {
     const vf *const e = l->e;
     vf D[3], n[3];
@@ -141,14 +141,14 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const leaf_line *l,
     const vf offset_error = kEWW * EW * f_set(4), T_error = kEWW * f_set(3);
     const vf offset = f_mad(Dw, nn, ew * T) - middle, distance = f_abs(offset);
     hit &= f_not_greater(distance, middle + f_mad(f_abs(ew), C, offset_error));
-    if (sure) {
+    if (certain) {
         const vf ri = r - f_set(5);
         const vf gi = f_mad(ri * ri, nn, -((ri + ri + l->k) * (kEW * EW)));
         const vf inset = f_mad(r, f_set(0.125f), f_set(25)) * (s->W * nn);
-        *sure = greater(ri, f_set(0)) & greater(gi, ff) &
-                greater(middle - inset - offset_error, distance) &
-                greater(T - T_error, l->first * nn) &
-                greater(l->last * nn, T + T_error);
+        *certain = greater(ri, f_set(0)) & greater(gi, ff) &
+                   greater(middle - inset - offset_error, distance) &
+                   greater(T - T_error, l->first * nn) &
+                   greater(l->last * nn, T + T_error);
     }
     const vf reach = T_error + C;
     hit &= f_not_greater(T - reach, l->last * nn);
@@ -182,20 +182,21 @@ static inline int count_lanes(unsigned lanes)
 /* all: the unpacked cylinders of all lanes, or NULL to unpack them here. */
 CYLINT_INLINE unsigned test_cylinders(const cylint_leaf *b,
                                       const cylinders *all, const leaf_line *l,
-                                      float *least, unsigned *sure)
+                                      float *least, unsigned *certain)
 {
     unsigned hit = 0, all_certain = 0;
     int lane = 0;
     do {
         unsigned some = 0;
         const cylinders here = all ? all[lane / WIDTH] : cylinders_of(b, lane);
-        hit |= test_lanes(&here, l, least + lane, sure ? &some : NULL) << lane;
+        hit |= test_lanes(&here, l, least + lane, certain ? &some : NULL)
+               << lane;
         all_certain |= some << lane;
         lane += WIDTH;
     } while (lane < CYLINT_LEAF_SIZE && lane < cylint_leaf_used(b));
     hit = (hit | b->always) & lanes_in_use(b);
-    if (sure)
-        *sure = all_certain & hit & ~(unsigned)b->always;
+    if (certain)
+        *certain = all_certain & hit & ~(unsigned)b->always;
     cylint_visited(lanes, (unsigned)count_lanes(hit));
     return hit;
 }
@@ -336,18 +337,19 @@ CYLINT_INLINE vf to_leaf_line(const cylint_leaf *b, const ray_lanes *r,
 CYLINT_INLINE unsigned test_near_ray(const cylint_leaf *b, const cylinders *all,
                                      const leaf_line *l,
                                      float least[CYLINT_LEAF_SIZE],
-                                     unsigned *sure)
+                                     unsigned *certain)
 {
-    const unsigned hit = test_cylinders(b, all, l, least, sure);
+    const unsigned hit = test_cylinders(b, all, l, least, certain);
     for (unsigned lanes = hit & b->always; lanes; lanes &= lanes - 1)
         least[cylint_lowest(lanes)] = -HUGE_VALF;
     return hit;
 }
 
-/* sure: NULL, or as in test_lanes().  E: the ray's size_of(). */
+/* certain: NULL, or as in test_lanes().  E: the ray's size_of(). */
 CYLINT_INLINE unsigned test_ray(const cylint_leaf *b,
                                 const cylint_float_ray *ray, float E,
-                                float least[CYLINT_LEAF_SIZE], unsigned *sure)
+                                float least[CYLINT_LEAF_SIZE],
+                                unsigned *certain)
 {
     const ray_lanes r = {{f_set(ray->o[0]), f_set(ray->o[1]), f_set(ray->o[2])},
                          {f_set(ray->d[0]), f_set(ray->d[1]), f_set(ray->d[2])},
@@ -357,9 +359,9 @@ CYLINT_INLINE unsigned test_ray(const cylint_leaf *b,
     leaf_line l;
     const float far = f_first(to_leaf_line(b, &r, &l));
     if (is_fit(E) & (far < FAR_LIMIT))
-        return test_near_ray(b, NULL, &l, least, sure);
-    if (sure)
-        *sure = 0;
+        return test_near_ray(b, NULL, &l, least, certain);
+    if (certain)
+        *certain = 0;
     return test_far_ray(b, ray, least);
 }
 

@@ -82,13 +82,13 @@ CYLINT_INLINE int traverse_from(const cylint_bvh *bvh, uint32_t child,
     entry at;
     push_start(&t, bvh, state, child);
     for (next = next_leaf(&t, &at); (leaf = next);) {
-        unsigned sure = 0;
+        unsigned certain_lanes = 0;
         next = next_leaf(&t, &at);
         const unsigned lanes =
-            test_ray(leaf, ray, E, least, certain ? &sure : NULL);
+            test_ray(leaf, ray, E, least, certain ? &certain_lanes : NULL);
         if (!lanes)
             continue;
-        if (sure && leaf->used & CYLINT_LEAF_SOLID)
+        if (certain_lanes && leaf->used & CYLINT_LEAF_SOLID)
             return 1;
         if (callback(self, leaf, lanes, least))
             return 0;

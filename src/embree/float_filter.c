@@ -11,9 +11,9 @@
 
 static cylint_float_filter_result result_of(hit_result v)
 {
-    return v.hit      ? CYLINT_FLOAT_FILTER_HIT
-           : v.unsure ? CYLINT_FLOAT_FILTER_UNSURE
-                      : CYLINT_FLOAT_FILTER_MISS;
+    return v.hit         ? CYLINT_FLOAT_FILTER_HIT
+           : v.uncertain ? CYLINT_FLOAT_FILTER_UNCERTAIN
+                         : CYLINT_FLOAT_FILTER_MISS;
 }
 
 CYLINT_INLINE int write_description(const question *q,
@@ -61,12 +61,12 @@ accept(const axial_hit *at, const hit *h, const question *q, int ends,
         return CYLINT_FLOAT_FILTER_MISS;
     *to = cylint_float_above(t);
     if (!(t - e > tmin && cylint_is_float_above(*to, t, e)))
-        return CYLINT_FLOAT_FILTER_UNSURE;
+        return CYLINT_FLOAT_FILTER_UNCERTAIN;
     if (*to > limits->tfar)
         return CYLINT_FLOAT_FILTER_MISS;
     const int on_piece = is_on_piece(at, limits, &certain);
     return !certain || (on_piece && *to >= limits->tfar)
-               ? CYLINT_FLOAT_FILTER_UNSURE
+               ? CYLINT_FLOAT_FILTER_UNCERTAIN
            : on_piece ? CYLINT_FLOAT_FILTER_HIT
                       : CYLINT_FLOAT_FILTER_MISS;
 }
@@ -101,7 +101,7 @@ static cylint_float_filter_result nearest(
     describe_by_dots(&x, &q, &at, &h);
     return write_description(&q, target->whole, &h, &to->floats)
                ? CYLINT_FLOAT_FILTER_HIT
-               : CYLINT_FLOAT_FILTER_UNSURE;
+               : CYLINT_FLOAT_FILTER_UNCERTAIN;
 }
 
 static cylint_float_filter_result test_entry(

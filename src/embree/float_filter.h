@@ -2,7 +2,7 @@
  * float_filter.h - hits of float rays, computed in doubles with error bounds
  *
  * For circular shapes with two ends, most questions by far.  A result is what
- * cylint_intersect() returns, as far as floats show it, or UNSURE.
+ * cylint_intersect() returns, as far as floats show it, or UNCERTAIN.
  */
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_H
 #define CYLINT_EMBREE_FLOAT_FILTER_H
@@ -16,7 +16,7 @@ typedef struct cylint_float_filter_ray {
 } cylint_float_filter_ray;
 
 /* A circular shape, in one cache line.  Other shapes have r0 = -1, and every
- * result for them is UNSURE. */
+ * result for them is UNCERTAIN. */
 typedef struct cylint_float_filter_shape {
     double base[3], axis[3], r0, dr;
 } cylint_float_filter_shape;
@@ -60,7 +60,7 @@ typedef struct cylint_float_filter_target {
 } cylint_float_filter_target;
 
 typedef enum {
-    CYLINT_FLOAT_FILTER_UNSURE = -1, /* cylint_intersect() must decide */
+    CYLINT_FLOAT_FILTER_UNCERTAIN = -1, /* cylint_intersect() must decide */
     CYLINT_FLOAT_FILTER_MISS,
     CYLINT_FLOAT_FILTER_HIT
 } cylint_float_filter_result;
@@ -115,12 +115,12 @@ typedef struct cylint_float_filter_nearest {
 
 /*
  * nearest     HIT: the first hit on the piece at t >= tmin, t as a float being
- *             less than tfar; MISS: there is none; UNSURE: test_entry and
+ *             less than tfar; MISS: there is none; UNCERTAIN: test_entry and
  *             test_exit decide;
  * test_entry  whether the line hits the shape where it enters it: on a part
  *             that is present, at t >= tmin;
  * test_exit   the same where it leaves the shape; not to be called after
- *             test_entry returned UNSURE;
+ *             test_entry returned UNCERTAIN;
  * describe    writes the floats of a hit; returns 0 if they are uncertain.
  */
 typedef struct cylint_float_filter {

@@ -94,11 +94,11 @@ INLINE cylint_float_filter_result cross_by_dots(dots *x, question *q)
     x->e_a = 8 * 0x1p-50 * S;
     x->e_G = 28 * 0x1p-50 * S * (DD + K * K);
     if (!in_window(q))
-        return CYLINT_FLOAT_FILTER_UNSURE;
+        return CYLINT_FLOAT_FILTER_UNCERTAIN;
     if (G < -x->e_G)
         return CYLINT_FLOAT_FILTER_MISS;
     if (!(G > 16 * x->e_G && x->a > 8 * x->e_a))
-        return CYLINT_FLOAT_FILTER_UNSURE;
+        return CYLINT_FLOAT_FILTER_UNCERTAIN;
     x->root = sqrt(G);
     x->per_a = 1 / x->a;
     x->per_root = 1 / x->root;
@@ -135,12 +135,12 @@ INLINE cylint_float_filter_result move_to_cap(const dots *x, const question *q,
     const double other_out = top ? other.z - 1 : -other.z;
     const double margin = other.z_error + 0x1p-50;
     if (!(out > at->z_error + 0x1p-50))
-        return CYLINT_FLOAT_FILTER_UNSURE;
+        return CYLINT_FLOAT_FILTER_UNCERTAIN;
     if (other_out > margin)
         return CYLINT_FLOAT_FILTER_MISS;
     const double perW = q->W * q->per_ww, dz = fabs(x->dz);
     if (!(other_out < -margin && dz > 16 * 0x1p-50 * q->U * perW))
-        return CYLINT_FLOAT_FILTER_UNSURE;
+        return CYLINT_FLOAT_FILTER_UNCERTAIN;
     const double per_dz = 1 / dz, rise = top - x->z0;
     h->capped = 1;
     h->top = top;

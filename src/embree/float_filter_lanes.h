@@ -71,9 +71,9 @@ INLINE line_columns line_of(const char *const row[LANES])
     return (line_columns){{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
 }
 
-/* hit: certainly a hit.  unsure: undecided.  Neither: certainly no hit. */
+/* hit: certainly a hit.  uncertain: undecided.  Neither: certainly no hit. */
 typedef struct {
-    vm hit, unsure;
+    vm hit, uncertain;
 } hit_result;
 
 /* n eps. */
@@ -291,10 +291,10 @@ typedef struct {
 
 INLINE axial_range axial_range_at(const question *q, int i, hit *at)
 {
-    const vm sure = evaluate_at(q, q->s[i], at), endless = q->endless[i];
+    const vm certain = evaluate_at(q, q->s[i], at), endless = q->endless[i];
     const vm rises = v_lt(v_set(0), q->beta);
     const vm beyond = i == 1 ? rises : m_not(rises); /* the top */
-    const vm ends = m_and(sure, m_not(endless));
+    const vm ends = m_and(certain, m_not(endless));
     const vd e = at->z_error + eps(1);
     return (axial_range){
         m_or(m_and(ends, v_lt(at->z, -e)), m_and(endless, m_not(beyond))),
@@ -312,8 +312,8 @@ INLINE vm hit_plane(const question *q, vm top, hit *at)
 {
     const vd rise = v_select(top, q->ww, v_set(0)) - q->alpha;
     const vd N = q->U * q->W, b = v_abs(q->beta), e_b = eps(1) * N;
-    const vm sure = v_lt(v_set(2) * e_b, b);
-    const vd per_b = v_set(1) / v_select(sure, b, v_set(1));
+    const vm certain = v_lt(v_set(2) * e_b, b);
+    const vd per_b = v_set(1) / v_select(certain, b, v_set(1));
     at->s = v_select(v_lt(q->beta, v_set(0)), -rise, rise) * per_b;
     at->s_error =
         v_set(2) *
@@ -327,7 +327,7 @@ INLINE vm hit_plane(const question *q, vm top, hit *at)
               N * at->s_error;
     at->z = v_select(top, v_set(1), v_set(0));
     at->z_error = v_set(0);
-    return sure;
+    return certain;
 }
 
 /* Copies *other in the lanes `where`. */
@@ -358,12 +358,12 @@ INLINE hit_result hit_cap(const question *q, int i, const axial_range *here,
     const vm comes = m_and(m_and(outside, present), m_not(m_or(lost, stays)));
     if (!m_any(comes))
         return (hit_result){comes, lost};
-    const vm sure = hit_plane(q, here->above, &cap);
+    const vm certain = hit_plane(q, here->above, &cap);
     select_hit(at, comes, &cap);
     at->capped = comes;
     at->top = here->above;
-    return (hit_result){m_and(comes, sure),
-                        m_or(lost, m_and(comes, m_not(sure)))};
+    return (hit_result){m_and(comes, certain),
+                        m_or(lost, m_and(comes, m_not(certain)))};
 }
 
 INLINE hit_result hit_at_end(const question *q, int i, hit *at)
@@ -375,16 +375,17 @@ INLINE hit_result hit_at_end(const question *q, int i, hit *at)
     if (m_any(outside)) {
         const hit_result cap = hit_cap(q, i, &here, at);
         is.hit = m_or(is.hit, cap.hit);
-        is.unsure = m_or(is.unsure, cap.unsure);
+        is.uncertain = m_or(is.uncertain, cap.uncertain);
     }
     at->t = q->from + at->s;
     at->t_error = at->s_error + eps(1) * v_abs(at->t);
     const vm later = v_lt(q->tmin + at->t_error, at->t);
     const vm before = v_lt(at->t, q->tmin - at->t_error);
-    is.unsure = m_or(is.unsure, m_and(is.hit, m_not(m_or(later, before))));
+    is.uncertain =
+        m_or(is.uncertain, m_and(is.hit, m_not(m_or(later, before))));
     is.hit = m_and(is.hit, later);
     is.hit = m_and(is.hit, q->crosses);
-    is.unsure = m_and(is.unsure, q->crosses);
+    is.uncertain = m_and(is.uncertain, q->crosses);
     return is;
 }
 
@@ -446,13 +447,13 @@ INLINE void select_vector(bounded_vector *a, vm where,
 /* N / |N|. */
 INLINE vm unit_floats(const bounded_vector *a, vd unit[3])
 {
-    vm sure = m_not(m_none());
+    vm certain = m_not(m_none());
     EACH(j, 3) {
         const vd x = a->N[j] * a->per_length;
         const vd e = a->e[j] * a->per_length + v_abs(x) * a->e_length;
-        sure = m_and(sure, to_float(x, v_set(1.1) * e, &unit[j]));
+        certain = m_and(certain, to_float(x, v_set(1.1) * e, &unit[j]));
     }
-    return sure;
+    return certain;
 }
 
 /*
@@ -464,15 +465,15 @@ INLINE vm cone_normal(const question *q, const hit *at,
 {
     const vd dr = q->dr, k = at->k, lean = k * dr;
     const vd e_lean = v_abs(dr) * (at->e_k + eps(1) * v_abs(k));
-    const vm sure = v_lt(v_set(32) * at->e_k, k);
+    const vm certain = v_lt(v_set(32) * at->e_k, k);
     const vd length = k * (q->W * v_sqrt(q->ww + dr * dr));
     EACH(j, 3) {
         to->N[j] = across_w->N[j] - lean * q->w[j];
         to->e[j] = across_w->e[j] + e_lean * v_abs(q->w[j]);
     }
-    to->per_length = v_set(1) / v_select(sure, length, v_set(1));
-    to->e_length = at->e_k / v_select(sure, k, v_set(1)) + eps(3);
-    return sure;
+    to->per_length = v_set(1) / v_select(certain, length, v_set(1));
+    to->e_length = at->e_k / v_select(certain, k, v_set(1)) + eps(3);
+    return certain;
 }
 
 INLINE bounded_vector cap_normal(const question *q, vm top)
@@ -492,19 +493,19 @@ INLINE vm describe_normal(const question *q, const hit *at,
 {
     const vm cone = is_cone(q), capped = at->capped;
     bounded_vector a = *across_w;
-    vm sure = m_not(m_none());
+    vm certain = m_not(m_none());
     a.per_length = q->per_ww / v_select(cone, v_set(1), q->r0);
     a.e_length = eps(3);
     if (m_any(cone)) {
         bounded_vector leaning;
-        sure = m_or(cone_normal(q, at, across_w, &leaning), m_not(cone));
+        certain = m_or(cone_normal(q, at, across_w, &leaning), m_not(cone));
         select_vector(&a, cone, &leaning);
     }
     if (m_any(capped)) {
         const bounded_vector up = cap_normal(q, at->top);
         select_vector(&a, capped, &up);
     }
-    return m_and(m_or(sure, capped), unit_floats(&a, normal));
+    return m_and(m_or(certain, capped), unit_floats(&a, normal));
 }
 
 /*
@@ -549,9 +550,9 @@ INLINE vm describe_lanes(const question *q, const hit *at, const vm least[3],
         v_select(least[1], a.N[1], v_select(least[2], a.N[2], a.N[0]));
     const vd c =
         v_select(least[1], at->c[1], v_select(least[2], at->c[2], at->c[0]));
-    vm sure = to_float(at->z, at->z_error, &to->z);
-    sure = m_and(sure, describe_phi(q, at, across_w, c, &to->phi));
-    return m_and(sure, describe_normal(q, at, &a, to->normal));
+    vm certain = to_float(at->z, at->z_error, &to->z);
+    certain = m_and(certain, describe_phi(q, at, across_w, c, &to->phi));
+    return m_and(certain, describe_normal(q, at, &a, to->normal));
 }
 
 #endif

@@ -43,12 +43,12 @@ static vm describe_hits(const question *q, const hit *at, int from,
     vm least[3];
     floats f;
     const vm known = least_components(q, least);
-    const vm sure = m_and(known, describe_lanes(q, at, least, &f));
+    const vm certain = m_and(known, describe_lanes(q, at, least, &f));
     v_store(to->float_z + from, f.z);
     v_store(to->phi + from, f.phi);
     EACH(j, 3)
         v_store(to->normal[j] + from, f.normal[j]);
-    return sure;
+    return certain;
 }
 
 static void answer_lanes(const question_rows *r, int small, int from,
@@ -61,13 +61,13 @@ static void answer_lanes(const question_rows *r, int small, int from,
     q.cap[0] = r->cap[0];
     q.cap[1] = r->cap[1];
     const hit_result comes = load_and_cross(&q, &shape, &line);
-    to->unsure |= m_bits(m_and(comes.unsure, r->used)) << from;
+    to->uncertain |= m_bits(m_and(comes.uncertain, r->used)) << from;
     if (!m_any(comes.hit))
         return;
     const hit_result is = hit_at_end(&q, 0, &at);
     const vm hits = m_and(is.hit, r->used);
     to->hit |= m_bits(hits) << from;
-    to->unsure |= m_bits(m_and(is.unsure, r->used)) << from;
+    to->uncertain |= m_bits(m_and(is.uncertain, r->used)) << from;
     to->crosses |= m_bits(m_and(q.crosses, r->used)) << from;
     v_store(to->t + from, at.t);
     v_store(to->t_error + from, at.t_error);
@@ -82,7 +82,7 @@ void CYLINT_PACKET_FILTER(const cylint_float_filter_target target[],
                           const cylint_float_filter_ray *const line[], int n,
                           int describe, cylint_packet_filter_results *to)
 {
-    to->hit = to->unsure = to->crosses = to->described = 0;
+    to->hit = to->uncertain = to->crosses = to->described = 0;
     for (int from = 0; from < n; from += LANES) {
         const question_rows r = load_rows(target + from, line + from, n - from);
         answer_lanes(&r, target[0].small, from, describe, to);

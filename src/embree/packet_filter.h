@@ -8,12 +8,12 @@
 
 enum { CYLINT_PACKET_FILTER_MOST = 16 };
 
-/* For each question, as bits: hit, the line enters the shape at a hit; unsure,
+/* For each question, as bits: hit, the line enters the shape at a hit; uncertain,
  * the functions of float_filter.h must decide; crosses, without a hit at the
  * entry there may be one at the exit; described, the floats of the hit are
  * certain.  Floats are stored as doubles. */
 typedef struct cylint_packet_filter_results {
-    unsigned hit, unsure, crosses, described;
+    unsigned hit, uncertain, crosses, described;
     double t[CYLINT_PACKET_FILTER_MOST], t_error[CYLINT_PACKET_FILTER_MOST];
     double z[CYLINT_PACKET_FILTER_MOST], z_error[CYLINT_PACKET_FILTER_MOST];
     double float_z[CYLINT_PACKET_FILTER_MOST], phi[CYLINT_PACKET_FILTER_MOST];

@@ -216,11 +216,11 @@ CYLINT_INLINE void test_rays(traversal *p, const cylint_leaf *leaf,
     EACH_RAY(k, rays & good)
     {
         const leaf_line l = line_of_ray(p, &lines, k);
-        unsigned sure = 0;
+        unsigned certain = 0;
         hit->lanes[k] = test_near_ray(leaf, all, &l, hit->least[k], NULL);
         if (solid && hit->lanes[k] && p->outside >> k & 1)
-            test_near_ray(leaf, all, &l, hit->least[k], &sure);
-        if (sure)
+            test_near_ray(leaf, all, &l, hit->least[k], &certain);
+        if (certain)
             set_certain(p, k);
         else
             hit->rays |= (unsigned)(hit->lanes[k] != 0) << k;

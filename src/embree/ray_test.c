@@ -354,7 +354,7 @@ static int test_nearest(ray_test *r, unsigned rank, int *hit)
         r->ray->tfar, piece.index, piece.count, needs_description(r)};
     const cylint_float_filter_result is =
         r->data->filter->nearest(&target, &r->line, &limits, &at);
-    if (is == CYLINT_FLOAT_FILTER_UNSURE)
+    if (is == CYLINT_FLOAT_FILTER_UNCERTAIN)
         return 0;
     *hit = 0;
     if (is == CYLINT_FLOAT_FILTER_HIT) {
@@ -416,7 +416,7 @@ int cylint_ray_test_accept(ray_test *r, const cylint_packet_filter_results *a,
                            int i)
 {
     const unsigned rank = r->leaf->number[r->lane], bit = 1u << i;
-    if (a->unsure & bit)
+    if (a->uncertain & bit)
         return cylint_ray_test_shape(r, rank, 0);
     if (!(a->hit & bit))
         return a->crosses & bit ? cylint_ray_test_shape(r, rank, 1) : 0;
