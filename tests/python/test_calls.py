@@ -49,10 +49,10 @@ def test_threads_of_python_share_a_scene():
     def ask(i):
         got[i] = scene.nearest(o, d, threads=1).index
 
-    crew = [threading.Thread(target=ask, args=(i,)) for i in range(4)]
-    for thread in crew:
+    threads = [threading.Thread(target=ask, args=(i,)) for i in range(4)]
+    for thread in threads:
         thread.start()
-    for thread in crew:
+    for thread in threads:
         thread.join()
     assert all(np.array_equal(want, index) for index in got)
 

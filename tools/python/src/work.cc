@@ -38,15 +38,15 @@ class Work
     {
         {
             nb::gil_scoped_release released;
-            std::vector<std::thread> crew;
+            std::vector<std::thread> started;
             try {
                 for (int i = 1; i < threads; i++)
-                    crew.emplace_back([this, i] { loop(i); });
+                    started.emplace_back([this, i] { loop(i); });
             } catch (const std::system_error &) {
                 /* fewer threads do the same work */
             }
             loop(0);
-            for (std::thread &thread : crew)
+            for (std::thread &thread : started)
                 thread.join();
         }
         if (failure)
