@@ -53,8 +53,9 @@ common=
 for part in families constructed oracle; do
     [ -f "$build/tests/$part.o" ] && common="$common $build/tests/$part.o"
 done
-for t in batch exact fast intersect interface methods methods_contract \
-    properties shape special_cases ties; do
+for t in batch environment exact fast intersect interface methods \
+    methods_contract methods_misprints outside properties round shape \
+    special_cases ties; do
     [ -f "$build/tests/test_$t.o" ] || continue
     $cc ${CFLAGS:-} -o "$scratch/$t" "$build/tests/test_$t.o" $common \
         "$scratch/library.o" $libraries -pthread -lm && "$scratch/$t" > "$scratch/log" 2>&1
