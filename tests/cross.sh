@@ -185,7 +185,7 @@ built 'answers.c' tests/answers || exit
 bare() {
     mkdir -p "$1/tests"
     for file in $(find src -name '*.c' ! -path 'src/bvh/*' ! -path 'src/scene/*' \
-        ! -path 'src/embree/*') tests/families.c tests/answers.c; do
+        ! -path 'src/embree/*') tests/families.c tests/family_records.c tests/answers.c; do
         object=$1/$(printf '%s' "${file%.c}" | tr / -).o
         $compiler $flags -ffp-contract=off -Iinclude -Isrc -c -o "$object" \
             "$file" || return

@@ -124,7 +124,7 @@ class Bench:
                       "-DHAVE_MPFR", "-DHAVE_GSL", "-DCHECK_STOPS"]
         self.library = sum((self.c_files(f) for f in FLOORS), [])
         self.common = ["tests/%s.c" % t
-                       for t in ("families", "constructed", "oracle")]
+                       for t in ("families", "family_records", "constructed", "oracle")]
         self.tool = sum((self.c_files(f) for f in
                          ("tools/cylint", "src/scene", "src/bvh")), [])
         self.programs = sorted({t for t, _ in tests} - {"test_hard"})

@@ -50,10 +50,10 @@ for library in mpfr gmp gsl gslcblas; do
         libraries="$libraries -l$library"
 done
 common=
-for part in families constructed oracle; do
+for part in families family_records constructed oracle; do
     [ -f "$build/tests/$part.o" ] && common="$common $build/tests/$part.o"
 done
-for t in batch environment exact fast intersect interface methods \
+for t in batch environment exact intersect interface methods \
     methods_contract methods_misprints outside properties round shape \
     special_cases ties; do
     [ -f "$build/tests/test_$t.o" ] || continue

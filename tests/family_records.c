@@ -1,0 +1,123 @@
+/*
+ * family_records.c - cases of the families as text, as doubles, and as the
+ * library's lines and shapes
+ */
+#include <string.h>
+
+#include "families.h"
+
+static const char *const ends_words[] = {"capped", "open",     "cap0",
+                                         "cap1",   "infinite", "nappe"};
+static const char *const line_words[] = {"line", "ray", "segment", "span"};
+static const char *const shape_words[] = {"cylinder",  "cone",  "acone",
+                                          "ecylinder", "econe", "sphere",
+                                          "capsule",   "rcone"};
+
+int family_shape_size(family_shape word)
+{
+    static const int sizes[] = {7, 8, 7, 12, 13, 4, 7, 8};
+    return sizes[word];
+}
+
+int family_line_size(family_line word)
+{
+    return word == FAMILY_SPAN ? 8 : 6;
+}
+
+static void make_line(struct family_case *c)
+{
+    const double *x = c->line_data;
+    switch (c->line_word) {
+    case FAMILY_LINE:
+        c->line_status = cylint_whole_line(&c->line, x, x + 3);
+        break;
+    case FAMILY_RAY:
+        c->line_status = cylint_ray(&c->line, x, x + 3);
+        break;
+    case FAMILY_SEGMENT:
+        c->line_status = cylint_segment(&c->line, x, x + 3);
+        break;
+    case FAMILY_SPAN:
+        c->line_status = cylint_span(&c->line, x, x + 3, x[6], x[7]);
+        break;
+    }
+}
+
+int family_make(struct family_case *c)
+{
+    const double *x = c->shape_data;
+    cylint_shape *s = &c->shape;
+    make_line(c);
+    switch (c->shape_word) {
+    case FAMILY_CYLINDER:
+        c->shape_status = cylint_cylinder(s, x, x + 3, x[6], c->ends);
+        break;
+    case FAMILY_CONE:
+        c->shape_status = cylint_cone(s, x, x[3], x + 4, x[7], c->ends);
+        break;
+    case FAMILY_ACONE:
+        c->shape_status = cylint_angle_cone(s, x, x + 3, x[6], c->ends);
+        break;
+    case FAMILY_ECYLINDER:
+        c->shape_status =
+            cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9, c->ends);
+        break;
+    case FAMILY_ECONE:
+        c->shape_status =
+            cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9, x[12], c->ends);
+        break;
+    case FAMILY_SPHERE:
+        c->shape_status = cylint_sphere(s, x, x[3], c->ends);
+        break;
+    case FAMILY_CAPSULE:
+        c->shape_status = cylint_capsule(s, x, x + 3, x[6], c->ends);
+        break;
+    case FAMILY_RCONE:
+        c->shape_status = cylint_round_cone(s, x, x[3], x + 4, x[7], c->ends);
+        break;
+    }
+    return c->line_status == CYLINT_OK && c->shape_status == CYLINT_OK;
+}
+
+void family_print(FILE *to, const struct family_case *c)
+{
+    fputs(line_words[c->line_word], to);
+    for (int i = 0; i < family_line_size(c->line_word); i++) {
+        fprintf(to, " %a", c->line_data[i]);
+    }
+    fprintf(to, "  %s", shape_words[c->shape_word]);
+    for (int i = 0; i < family_shape_size(c->shape_word); i++) {
+        fprintf(to, " %a", c->shape_data[i]);
+    }
+    fprintf(to, "  ends=%s", ends_words[c->ends]);
+}
+
+void family_report(const struct family_case *c)
+{
+    family_print(stderr, c);
+    fputc('\n', stderr);
+}
+
+enum { PACKED = 24 }; /* words and numbers of a case */
+
+int family_write(FILE *to, const struct family_case *c)
+{
+    double x[PACKED] = {c->line_word, c->shape_word, c->ends};
+    memcpy(x + 3, c->line_data, sizeof c->line_data);
+    memcpy(x + 11, c->shape_data, sizeof c->shape_data);
+    return fwrite(x, sizeof x, 1, to) == 1;
+}
+
+int family_read(FILE *from, struct family_case *c)
+{
+    double x[PACKED];
+    if (fread(x, sizeof x, 1, from) != 1)
+        return 0;
+    c->line_word = (family_line)x[0];
+    c->shape_word = (family_shape)x[1];
+    c->ends = (cylint_ends)x[2];
+    memcpy(c->line_data, x + 3, sizeof c->line_data);
+    memcpy(c->shape_data, x + 11, sizeof c->shape_data);
+    family_make(c);
+    return 1;
+}
