@@ -50,7 +50,7 @@ remove_checked() {
         -e 'build\.c:.*bugprone-integer-division' \
         -e '\(packet\.c\|ray_test\.h\):.*\(autoVariables\|StackAddressEscape\|negativeIndex\)' \
         -e 'geometry\.c:.*NonNullParamChecker' \
-        -e 'hit\.c:.*\(CallAndMessage\|UndefinedBinaryOperatorResult\)' \
+        -e '\(hit\|ray_test\)\.c:.*\(CallAndMessage\|UndefinedBinaryOperatorResult\)' \
         -e 'double_double\.h:.*UndefinedBinaryOperatorResult' \
         -e 'ray\.h:.*uninitialized\.ArraySubscript' \
         -e 'leaf_test\.h:.*use of uninitialized value' \
