@@ -5,11 +5,11 @@ $(BUILD)/tests/%: extra := $(floats) $(posix) $(static) -Isrc -Itests $(embree) 
 
 test_common   := $(patsubst %,$(BUILD)/tests/%.o,families family_records constructed $(if $(MPFR),oracle))
 test_libs     := $(if $(MPFR),-lmpfr -lgmp) $(if $(GSL),-lgsl -lgslcblas)
-test_programs := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/test_*.c))
+test_programs := $(filter-out $(left_out),$(patsubst %.c,$(BUILD)/%,$(wildcard tests/test_*.c)))
 scene_tests   := $(filter $(BUILD)/tests/test_scene%,$(test_programs))
 embree_tests  := $(filter $(BUILD)/tests/test_embree%,$(test_programs))
 test_programs := $(if $(EMBREE),$(test_programs),$(filter-out $(embree_tests),$(test_programs)))
-test_scripts  := $(wildcard tests/test_*.sh)
+test_scripts  := $(filter-out $(left_out),$(wildcard tests/test_*.sh))
 
 # ---------------------------------------------------- tests in C, by floor --
 
