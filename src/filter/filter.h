@@ -17,10 +17,22 @@ typedef struct {
 /* One line and shape: fills in *answer and returns its n, or returns
  * CYLINT_UNDECIDED.  Point, normal, z and phi are not computed; `rest`, where
  * it is not NULL, receives what finding them needs. */
-typedef int cylint_kernel_one(const cylint_shape *shape,
-                              const cylint_line *line, unsigned want,
-                              cylint_answer *answer, cylint_root_rest *rest);
+#define CYLINT_ONE_ARGUMENTS                                           \
+    const cylint_shape *shape, const cylint_line *line, unsigned want, \
+        cylint_answer *answer, cylint_root_rest *rest
+typedef int cylint_kernel_one(CYLINT_ONE_ARGUMENTS);
 enum { CYLINT_UNDECIDED = -1 };
+
+/* For shapes without a kernel, and for compilers without vectors of two lanes. */
+static inline int cylint_undecided(CYLINT_ONE_ARGUMENTS)
+{
+    (void)shape;
+    (void)line;
+    (void)want;
+    (void)answer;
+    (void)rest;
+    return CYLINT_UNDECIDED;
+}
 
 /* The functions for one line and one shape: by kind, ends and whether no root
  * is wanted, and one for the questions that those leave undecided. */

@@ -116,12 +116,7 @@ int CYLINT_HARD(ARGUMENTS)
 /* Without vectors of two lanes. */
 int CYLINT_HARD(ARGUMENTS)
 {
-    (void)shape;
-    (void)line;
-    (void)want;
-    (void)answer;
-    (void)rest;
-    return CYLINT_UNDECIDED;
+    return cylint_undecided(shape, line, want, answer, rest);
 }
 
 #endif

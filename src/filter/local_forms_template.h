@@ -6,7 +6,7 @@
  *
  *   V                      two numbers
  *   FORM(name)             the functions
- *   ADD SUB MUL (x, y)     lane by lane
+ *   SUB MUL (x, y)         lane by lane
  *   SUM_OF(x, y, z)        x y + z
  *   NEGATED(x)
  *   TRIMMED(x)             x without the cancelled digits in front, so that the
@@ -104,7 +104,6 @@ INLINE V FORM(AB)(const FORM(line) *l, int tapered)
 
 #undef V
 #undef FORM
-#undef ADD
 #undef SUB
 #undef MUL
 #undef SUM_OF

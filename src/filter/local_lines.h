@@ -37,7 +37,6 @@ INLINE vd v_sum_of(vd x, vd y, vd z)
 
 #define V vd
 #define FORM(name) name##_doubles
-#define ADD(x, y) ((x) + (y))
 #define SUB(x, y) ((x) - (y))
 #define MUL(x, y) ((x) * (y))
 #define SUM_OF(x, y, z) v_sum_of(x, y, z)
@@ -61,7 +60,6 @@ INLINE vpair vpair_firsts(vpair x, vpair y)
 
 #define V vpair
 #define FORM(name) name##_pairs
-#define ADD(x, y) vpair_add(x, y)
 #define SUB(x, y) vpair_sub(x, y)
 #define MUL(x, y) vpair_mul(x, y)
 #define SUM_OF(x, y, z) vpair_add(vpair_mul(x, y), z)

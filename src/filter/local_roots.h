@@ -12,9 +12,7 @@
 #include "local_lines.h"
 #include "filter.h"
 
-#define ARGUMENTS                                                      \
-    const cylint_shape *shape, const cylint_line *line, unsigned want, \
-        cylint_answer *answer, cylint_root_rest *rest
+#define ARGUMENTS CYLINT_ONE_ARGUMENTS
 
 /* The lanes of ends on parts that are present, as bits. */
 INLINE unsigned ends_present(const local_verdict *v, const cylint_shape *shape)

@@ -18,20 +18,9 @@
 #define CYLINT_ROUND cylint_round_plain
 #endif
 
-/* For shapes without a kernel. */
-static int undecided(ARGUMENTS)
-{
-    (void)shape;
-    (void)line;
-    (void)want;
-    (void)answer;
-    (void)rest;
-    return CYLINT_UNDECIDED;
-}
-
-#define NEITHER              \
-    {                        \
-        undecided, undecided \
+#define NEITHER                            \
+    {                                      \
+        cylint_undecided, cylint_undecided \
     }
 
 #define UNDECIDED                                            \
@@ -64,7 +53,7 @@ INLINE int ends_in_domain(const local_line *l, const local_verdict *v,
     return first ? begins << 1 | ends : ends << 1 | begins;
 }
 
-/* Returns n if G shows that the line misses, else 1. */
+/* Returns 0 if G shows that the line misses, which *answer then says, else 1. */
 INLINE int begins_by_roots(local_line *l, local_verdict *v, ARGUMENTS,
                            int tapered)
 {

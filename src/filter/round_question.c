@@ -17,9 +17,7 @@
 #define CYLINT_ROUND cylint_round_plain
 #endif
 
-#define ARGUMENTS                                                      \
-    const cylint_shape *shape, const cylint_line *line, unsigned want, \
-        cylint_answer *answer, cylint_root_rest *rest
+#define ARGUMENTS CYLINT_ONE_ARGUMENTS
 
 #if LANES == 2
 
@@ -340,12 +338,7 @@ int CYLINT_ROUND(ARGUMENTS)
 /* Without vectors of two lanes. */
 int CYLINT_ROUND(ARGUMENTS)
 {
-    (void)shape;
-    (void)line;
-    (void)want;
-    (void)answer;
-    (void)rest;
-    return CYLINT_UNDECIDED;
+    return cylint_undecided(shape, line, want, answer, rest);
 }
 
 #endif

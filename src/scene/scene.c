@@ -495,9 +495,7 @@ size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,
         cylint_answer answer;
         answer.hit[0] = *hit; /* unwanted members stay as they are */
         cylint_intersect(&scene->shapes[q.best], line,
-                         (want & ~(unsigned)CYLINT_WANT_FAST) |
-                             CYLINT_WANT_NEAREST,
-                         &answer);
+                         want | CYLINT_WANT_NEAREST, &answer);
         *hit = answer.hit[0];
     }
     return q.best;
