@@ -128,14 +128,15 @@ INLINE void load_ends(lanes_query *q, const cylint_shape *shape,
                       const cylint_line *line)
 {
     terms_lanes *L = &q->L;
-    L->kind = HULL;
-    EACH(i, 3) {
-        L->u[i] = v_set(line->d[i]);
-        L->w[i] = v_set(shape->axis[i]);
-        L->D[0][i] = v_set(line->o[i]) - v_two(shape->base[i], shape->top[i]);
-    }
-    L->r[0] = v_two(shape->r0, shape->r1);
-    L->dr = v_set(shape->dr);
+    lanes_shape s;
+    lanes_line l;
+    broadcast_shape(&s, shape);
+    broadcast_line(&l, line);
+    EACH(i, 3)
+        s.base[i] = v_two(shape->base[i], shape->top[i]);
+    s.r[0] = v_two(shape->r0, shape->r1);
+    load_shape_lanes(L, &s, HULL);
+    load_line_lanes(L, &s, &l);
     const vd D = v_largest(L->D[0]);
     const lanes_sizes most = {.u = v_set(line->size),
                               .w = v_set(shape->size),
