@@ -95,7 +95,7 @@ static void add_turn(struct cache_race *r, const struct turn *t)
     r->n++;
 }
 
-/* The plain quadratic has no fast mode and no elliptic shapes. */
+/* The plain quadratic has no elliptic shapes. */
 static void add_all_turns(struct cache_race *r, int kind, int away)
 {
     const struct scene *s = &r->scenes[kind];
@@ -106,7 +106,6 @@ static void add_all_turns(struct cache_race *r, int kind, int away)
                                        k < 0 ? NULL : cylint_kernels_name(k),
                                        (enum arrangement)a, (enum query)query};
                 if ((a != ONE_LINE && (query < QUERY_RELATIONS || away)) ||
-                    (k < 0 && query == QUERY_FAST) ||
                     (k < 0 && !plain_answers_for(&s->shapes[0])))
                     continue;
                 add_turn(r, &t);
@@ -121,10 +120,9 @@ static int kind_of(const struct cache_race *r, const struct turn *t)
 /* ns a test of the plain quadratic for the same query; NaN if not measured. */
 static double plain_of(const struct cache_race *r, const struct turn *t)
 {
-    const enum query same = t->query == QUERY_FAST ? QUERY_NEAREST : t->query;
     for (int i = 0; i < r->n; i++) {
         const struct turn *p = &r->turns[i];
-        if (!p->kernels && p->scene == t->scene && p->query == same &&
+        if (!p->kernels && p->scene == t->scene && p->query == t->query &&
             p->arrangement == t->arrangement)
             return r->runners[i].least.ns / (double)turn_tests(p);
     }

@@ -13,9 +13,8 @@
 
 static const char *const arrangement_names[] = {"one line", "one shape",
                                                 "pairs"};
-static const char *const query_names[] = {
-    "count",     "any",     "nearest", "nearest fast",
-    "relations", "first t", "both t"};
+static const char *const query_names[] = {"count",     "any",     "nearest",
+                                          "relations", "first t", "both t"};
 
 const char *arrangement_name(enum arrangement arrangement)
 {
@@ -58,13 +57,10 @@ static volatile size_t sink;
 INLINE void plain_loop(const struct turn *t, size_t k, enum arrangement a,
                        enum query query)
 {
-    static const unsigned wants[QUERIES] = {0,
-                                            0,
-                                            CYLINT_WANT_T | CYLINT_WANT_NEAREST,
-                                            CYLINT_WANT_T | CYLINT_WANT_NEAREST,
-                                            0,
-                                            CYLINT_WANT_T | CYLINT_WANT_NEAREST,
-                                            CYLINT_WANT_T};
+    static const unsigned wants[QUERIES] = {
+        [QUERY_NEAREST] = CYLINT_WANT_T | CYLINT_WANT_NEAREST,
+        [QUERY_FIRST] = CYLINT_WANT_T | CYLINT_WANT_NEAREST,
+        [QUERY_BOTH] = CYLINT_WANT_T};
     const struct scene *s = t->scene;
     const size_t n = turn_tests(t);
     size_t found = n, count = 0;
@@ -171,10 +167,6 @@ static void batch_question(const struct turn *t, size_t k)
         return;
     case QUERY_NEAREST:
         sink = cylint_nearest(pack, &t->lines[k], want, &hit);
-        return;
-    case QUERY_FAST:
-        sink =
-            cylint_nearest(pack, &t->lines[k], want | CYLINT_WANT_FAST, &hit);
         return;
     default:
         columns_query(t, k);

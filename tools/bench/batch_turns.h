@@ -11,12 +11,11 @@
  * shape i. */
 enum arrangement { ONE_LINE, ONE_SHAPE, PAIRS, ARRANGEMENTS };
 
-/* The first four exist only for ONE_LINE. */
+/* The first three exist only for ONE_LINE. */
 enum query {
     QUERY_COUNT,     /* the number of shapes hit */
     QUERY_ANY,       /* whether a shape is hit; stops at the first */
     QUERY_NEAREST,   /* the shape hit first, and t */
-    QUERY_FAST,      /* the same with CYLINT_WANT_FAST */
     QUERY_RELATIONS, /* a column: relation */
     QUERY_FIRST,     /* a column: t of the first hit */
     QUERY_BOTH,      /* columns: number of hits and both t */

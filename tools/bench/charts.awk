@@ -15,7 +15,6 @@ BEGIN {
     if (terminal == "") terminal = "svg size %d,%d dynamic font 'sans-serif,11' background 'white'"
     # name, mode, title, point type open and filled, colour, size
     contestant("cylint", "both", "cylint, correctly rounded", 12, 13, "#d55e00", 1.2)
-    contestant("cylint", "fast", "cylint, fast", 12, 13, "#e69f00", 0.9)
     contestant("shene-cylinder", "both", "Shene 1994", 6, 7, "#0072b2", 0.95)
     contestant("shene-cone", "both", "Shene 1995", 6, 7, "#0072b2", 0.95)
     contestant("gullotti", "both", "Gullotti", 4, 5, "#56b4e9", 0.95)

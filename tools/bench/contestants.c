@@ -28,7 +28,6 @@ void prepare_subject(struct subject *s)
 
 static const struct contestant table[] = {
     IN_THREE_MODES("cylint", NULL, NULL),
-    {"cylint", "fast", NULL, NULL, T | CYLINT_WANT_FAST, 0},
     {"cylint", "all", NULL, NULL, CYLINT_WANT_ALL, 0},
     IN_THREE_MODES("shene-cylinder", cylint_shene_cylinder, NULL),
     IN_THREE_MODES("shene-cone", cylint_shene_cone, NULL),

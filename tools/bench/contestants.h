@@ -30,7 +30,7 @@ typedef int contestant_answers_for(const cylint_shape *shape);
 
 struct contestant {
     const char *name;
-    const char *mode;                    /* verdict, nearest, both, fast, all */
+    const char *mode;                    /* verdict, nearest, both, all */
     cylint_method_fn *answer;            /* NULL: cylint_intersect itself */
     contestant_answers_for *answers_for; /* NULL: by its status */
     unsigned want;

@@ -8,8 +8,8 @@ $1 == "build" { next }
 $1 != build || $2 != shape {
     build = $1; shape = $2
     printf "\n%-19s %-13s", build, shape
-    printf "\n%-13s %5s  %-27s %-27s %-27s %s\n", "", "hits", "verdict", "nearest t", "both t", "both t, fast"
+    printf "\n%-13s %5s  %-27s %-27s %s\n", "", "hits", "verdict", "nearest t", "both t"
 }
 $5 == "verdict" { printf "%-13s %4.0f%%", $3, $4 }
 { printf "  %5.1f/%5.1f/%6.1f %5.2fx", $6, $7, $8, $9 }
-$5 == "fast" { print "" }
+$5 == "both" { print "" }

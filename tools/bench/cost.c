@@ -16,17 +16,14 @@
 
 /* Too many for a branch predictor, few enough for the second-level cache.
  * Their order is shuffled in every round. */
-enum { QUESTIONS = 2000, MODES = 4, NAMES = 3 };
+enum { QUESTIONS = 2000, MODES = 3, NAMES = 3 };
 
-static const char *const modes[MODES] = {"verdict", "nearest", "both", "fast"};
+static const char *const modes[MODES] = {"verdict", "nearest", "both"};
 
-/* The contestant of a mode.  Only the library has `fast`; the quadratics
- * answer `both` instead. */
 static const struct contestant *contestant(int name, int mode)
 {
     static const char *const names[NAMES] = {"plain", "quadratic", "cylint"};
-    const int own = name == 2;
-    return contestant_named(names[name], modes[!own && mode == 3 ? 2 : mode]);
+    return contestant_named(names[name], modes[mode]);
 }
 
 static void one_work(const char *build, enum cost_shape shape,

@@ -14,7 +14,7 @@ function column(method, mode) {
 
 # The modes in the tables; the others are in the CSV only.
 function shown(method, mode) {
-    if (method == "cylint") return mode == "verdict" || mode == "both" || mode == "fast"
+    if (method == "cylint") return mode == "verdict" || mode == "both"
     return mode == "both" || (method == "shader" && mode == "nearest")
 }
 
