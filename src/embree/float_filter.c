@@ -8,6 +8,7 @@
 #define CYLINT_ONE_LANE
 #include "float_filter_lanes.h"
 #include "float_filter_dots.h"
+#include "float_filter_round.h"
 
 static cylint_float_filter_result result_of(hit_result v)
 {
@@ -16,18 +17,40 @@ static cylint_float_filter_result result_of(hit_result v)
                          : CYLINT_FLOAT_FILTER_MISS;
 }
 
+CYLINT_INLINE void find_least(const question *q, const cylint_shape *whole,
+                              int least[3])
+{
+    if (!least_components(q, least)) {
+        const int first = cylint_least_component(whole->axis, whole->axis_lo);
+        for (int j = 0; j < 3; j++)
+            least[j] = j == first;
+    }
+}
+
+CYLINT_INLINE int describe_round_lanes(const question *q, const hit *at,
+                                       const int least[3], floats *to)
+{
+    double across[3], e[3];
+    int certain = to_float(at->z, at->z_error, &to->z);
+    if (at->round == 2) {
+        to->phi = 0;
+    } else {
+        const int j = least[1] ? 1 : least[2] ? 2 : 0;
+        lateral_direction(q, at, across, e);
+        certain &= describe_phi(q, at, across[j], at->c[j], &to->phi);
+    }
+    return certain & unit_floats(&at->normal, to->normal);
+}
+
 CYLINT_INLINE int write_description(const question *q,
                                     const cylint_shape *whole, const hit *at,
                                     cylint_hit_floats *to)
 {
     int least[3];
     floats f;
-    if (!least_components(q, least)) {
-        const int first = cylint_least_component(whole->axis, whole->axis_lo);
-        for (int j = 0; j < 3; j++)
-            least[j] = j == first;
-    }
-    if (!describe_lanes(q, at, least, &f))
+    find_least(q, whole, least);
+    if (!(at->round ? describe_round_lanes(q, at, least, &f)
+                    : describe_lanes(q, at, least, &f)))
         return 0;
     *to = (cylint_hit_floats){
         (float)f.z,
@@ -71,6 +94,36 @@ accept(const axial_hit *at, const hit *h, const question *q, int ends,
                       : CYLINT_FLOAT_FILTER_MISS;
 }
 
+/* A question about a sphere, capsule or rounded cone. */
+static cylint_float_filter_result nearest_round(
+    const cylint_float_filter_target *target, const cylint_float_filter_ray *l,
+    const shape_columns *shape, const line_columns *line,
+    const cylint_float_filter_limits *limits, cylint_float_filter_nearest *to)
+{
+    round_dots x;
+    question q;
+    hit h;
+    axial_hit at;
+    cylint_float_filter_result is = CYLINT_FLOAT_FILTER_MISS;
+    if (!load_round(&x, &q, shape, line))
+        return CYLINT_FLOAT_FILTER_UNCERTAIN;
+    if (!x.is_ball)
+        cross_cone(&x, &q);
+    for (int i = 0; i < 2 && is == CYLINT_FLOAT_FILTER_MISS; i++) {
+        is = round_end(&x, &q, i ? 1 : -1, &h, &at);
+        if (is != CYLINT_FLOAT_FILTER_HIT)
+            return is;
+        is = accept(&at, &h, &q, target->ends, l->tmin, limits, &to->t);
+        to->leaves = i;
+    }
+    if (is != CYLINT_FLOAT_FILTER_HIT || !limits->describes)
+        return is;
+    describe_round(&x, &q, &at, &h);
+    return write_description(&q, target->whole, &h, &to->floats)
+               ? CYLINT_FLOAT_FILTER_HIT
+               : CYLINT_FLOAT_FILTER_UNCERTAIN;
+}
+
 static cylint_float_filter_result nearest(
     const cylint_float_filter_target *target, const cylint_float_filter_ray *l,
     const cylint_float_filter_limits *limits, cylint_float_filter_nearest *to)
@@ -83,6 +136,9 @@ static cylint_float_filter_result nearest(
     question q;
     hit h;
     axial_hit at;
+    if (is_round(&shape))
+        return nearest_round(target, l, &shape, &line, limits, to);
+    h.round = 0;
     load_dots(&x, &q, &shape, &line);
     cylint_float_filter_result is = cross_by_dots(&x, &q);
     if (is != CYLINT_FLOAT_FILTER_HIT)
@@ -104,6 +160,45 @@ static cylint_float_filter_result nearest(
                : CYLINT_FLOAT_FILTER_UNCERTAIN;
 }
 
+/* HIT: the chord begins or ends (sign = 1) at t >= tmin on a part that is
+ * present. */
+static cylint_float_filter_result test_round(const round_dots *x,
+                                             const question *q, int ends,
+                                             double sign, hit *h)
+{
+    axial_hit at;
+    const cylint_float_filter_result is = round_end(x, q, sign, h, &at);
+    if (is != CYLINT_FLOAT_FILTER_HIT)
+        return is;
+    h->s = at.s;
+    h->t = q->from + at.s;
+    h->t_error = at.s_error + 0x1p-50 * fabs(h->t);
+    if (h->t + h->t_error < q->tmin ||
+        (h->capped && !(cylint_caps_present(ends) >> h->top & 1)))
+        return CYLINT_FLOAT_FILTER_MISS;
+    describe_round(x, q, &at, h);
+    return h->t - h->t_error > q->tmin ? CYLINT_FLOAT_FILTER_HIT
+                                       : CYLINT_FLOAT_FILTER_UNCERTAIN;
+}
+
+static cylint_float_filter_result test_round_entry(question *q, int ends,
+                                                   const shape_columns *shape,
+                                                   const line_columns *line,
+                                                   hit *at)
+{
+    round_dots x;
+    q->tmin = line->tmin;
+    if (!load_round(&x, q, shape, line))
+        return CYLINT_FLOAT_FILTER_UNCERTAIN;
+    if (!x.is_ball)
+        cross_cone(&x, q);
+    const cylint_float_filter_result is = test_round(&x, q, ends, -1, at);
+    q->exit = is == CYLINT_FLOAT_FILTER_UNCERTAIN
+                  ? is
+                  : test_round(&x, q, ends, 1, &q->exit_hit);
+    return is;
+}
+
 static cylint_float_filter_result test_entry(
     cylint_float_filter_state *q, const cylint_float_filter_target *target,
     const cylint_float_filter_ray *l, cylint_float_filter_hit *at)
@@ -113,6 +208,10 @@ static cylint_float_filter_result test_entry(
     const shape_columns shape = shape_of(&shape_row, target->small);
     const line_columns line = line_of(&line_row);
     q->whole = target->whole;
+    q->round = is_round(&shape);
+    if (q->round)
+        return test_round_entry(q, target->ends, &shape, &line, at);
+    at->round = q->exit_hit.round = 0;
     const unsigned caps = cylint_caps_present(target->ends);
     q->cap[0] = (int)(caps & 1);
     q->cap[1] = (int)(caps >> 1);
@@ -123,6 +222,11 @@ static cylint_float_filter_result test_entry(
 static cylint_float_filter_result test_exit(const cylint_float_filter_state *q,
                                             cylint_float_filter_hit *at)
 {
+    if (q->round) {
+        *at = q->exit_hit;
+        return (cylint_float_filter_result)q->exit;
+    }
+    at->round = 0;
     return q->crosses ? result_of(hit_at_end(q, 1, at))
                       : CYLINT_FLOAT_FILTER_MISS;
 }
@@ -138,18 +242,30 @@ static int describe(const cylint_float_filter_state *q,
 #ifndef CYLINT_FLOAT_FILTER
 #define CYLINT_FLOAT_FILTER cylint_float_filter_plain
 
+/* The sign of the radii in a record; 0: the filter does not decide. */
+static int radii_sign(const cylint_shape *s)
+{
+    if (!cylint_is_bounded(s) || cylint_is_elliptic(s->kind))
+        return 0;
+    if (!cylint_is_round(s->kind))
+        return 1;
+    return cylint_is_hull(s->kind) ||
+                   (cylint_has_no_axis(s) && s->ends == CYLINT_ENDS_CAPPED)
+               ? -1
+               : 0;
+}
+
 void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
                                   const cylint_shape *s)
 {
-    const int circular = cylint_is_bounded(s) && !cylint_is_elliptic(s->kind) &&
-                         !cylint_is_round(s->kind);
+    const int sign = radii_sign(s);
     const double length = sqrt(dot(s->axis, s->axis));
     EACH(j, 3) {
         to->base[j] = s->base[j];
-        to->axis[j] = s->axis[j];
+        to->axis[j] = s->axis[j] + 0; /* no -0 */
     }
-    to->r0 = circular ? s->r0 : -1;
-    to->dr = circular ? s->dr * cylint_radius_unit(s, length) : 0;
+    to->r0 = sign ? sign * s->r0 : 1;
+    to->dr = sign ? sign * s->dr * cylint_radius_unit(s, length) + 0 : -2;
 }
 
 /* Whether x is a float and not subnormal. */
@@ -163,14 +279,17 @@ static int is_float(double x, float *to)
 int cylint_float_filter_small_of(cylint_float_filter_small *to,
                                  const cylint_shape *s)
 {
-    int is = cylint_is_bounded(s) && cylint_has_end_points(s->kind) &&
-             !cylint_is_round(s->kind);
+    const int sign = radii_sign(s);
+    int is = sign != 0 && cylint_has_end_points(s->kind);
     EACH(j, 3)
         is &= is_float(s->base[j], &to->base[j]) &
               is_float(s->top[j], &to->top[j]) &
               ((double)to->top[j] - (double)to->base[j] == s->axis[j]);
-    return is & is_float(s->r0, &to->r0) & is_float(s->r1, &to->r1) &
-           ((double)to->r1 - (double)to->r0 == s->dr);
+    is = is & is_float(s->r0, &to->r0) & is_float(s->r1, &to->r1) &
+         ((double)to->r1 - (double)to->r0 == s->dr);
+    to->r0 *= (float)sign;
+    to->r1 *= (float)sign;
+    return is;
 }
 
 #endif

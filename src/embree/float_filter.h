@@ -1,7 +1,7 @@
 /*
  * float_filter.h - hits of float rays, computed in doubles with error bounds
  *
- * For circular shapes with two ends, most questions by far.  A result is what
+ * For circular and round shapes with two ends, most questions by far.  A result is what
  * cylint_intersect() returns, as far as floats show it, or UNCERTAIN.
  */
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_H
@@ -15,8 +15,9 @@ typedef struct cylint_float_filter_ray {
     double o[3], d[3], tmin, near, tmax;
 } cylint_float_filter_ray;
 
-/* A circular shape, in one cache line.  Other shapes have r0 = -1, and every
- * result for them is UNCERTAIN. */
+/* A circular shape, in one cache line.  Round kinds have both radii negated, and
+ * a sphere no axis.  Of other shapes the sum of the radii is 0, and every result
+ * for them is UNCERTAIN. */
 typedef struct cylint_float_filter_shape {
     double base[3], axis[3], r0, dr;
 } cylint_float_filter_shape;
@@ -78,20 +79,35 @@ typedef enum {
     R s[2], a, root, per_root, U, Dn;                                   \
     M cap[2], crosses, endless[2];
 
-typedef struct cylint_float_filter_state {
-    CYLINT_FLOAT_FILTER_MEMBERS(double, int)
-    const cylint_shape *whole;
-} cylint_float_filter_state;
-
 /* A hit at t and z, with error bounds.  s = t - from, c = P x w at the hit, k is
  * the radius there.  capped: the hit is on a cap; top: on the top one. */
 #define CYLINT_FLOAT_FILTER_HIT_MEMBERS(R, M)                \
     R t, t_error, z, z_error, s, s_error, c[3], e_c, k, e_k; \
     M capped, top;
 
+/* A vector N with errors e[].  Its length is 1 / per_length, with a relative
+ * error of e_length. */
+#define CYLINT_BOUNDED_VECTOR_MEMBERS(R) R N[3], e[3], per_length, e_length;
+
+typedef struct cylint_bounded_vector {
+    CYLINT_BOUNDED_VECTOR_MEMBERS(double)
+} cylint_bounded_vector;
+
+/* round: 0 for shapes with discs as ends, 1 for capsules and rounded cones, 2 for
+ * spheres.  Only round kinds have `normal`. */
 typedef struct cylint_float_filter_hit {
     CYLINT_FLOAT_FILTER_HIT_MEMBERS(double, int)
+    int round;
+    cylint_bounded_vector normal;
 } cylint_float_filter_hit;
+
+/* exit: of a round kind, what test_exit returns, and the hit. */
+typedef struct cylint_float_filter_state {
+    CYLINT_FLOAT_FILTER_MEMBERS(double, int)
+    const cylint_shape *whole;
+    int round, exit;
+    cylint_float_filter_hit exit_hit;
+} cylint_float_filter_state;
 
 /* The floats of a hit, equal to the library's doubles rounded to floats. */
 typedef struct cylint_hit_floats {

@@ -115,7 +115,7 @@ INLINE axial_hit lateral_at(const dots *x, const question *q, double sign)
 {
     axial_hit at;
     at.s = (sign * x->root - x->b) * x->per_a;
-    at.s_error = (x->e_G * x->per_root + fabs(at.s) * x->e_a) * x->per_a;
+    at.s_error = (x->e_G * x->per_root + fabs(at.s) * x->e_a) * fabs(x->per_a);
     const double X = x->Dn + fabs(at.s) * q->U;
     at.z = x->z0 + at.s * x->dz;
     at.z_error = at.s_error * fabs(x->dz) +

@@ -106,11 +106,13 @@ INLINE vm m_none(void)
 
 /* Products below have at most ten lengths as factors.  If none of these is less
  * than 2^-90, a product flushed to zero is negligible.  An overflow gives an
- * infinite bound or NaN, and then nothing is certain. */
+ * infinite bound or NaN, and then nothing is certain.  The sum of the radii is not
+ * positive if the record is not that of a cylinder or cone. */
 INLINE vm in_window(const question *q)
 {
-    const vd least = v_set(0x1p-90), R = q->r0 + v_abs(q->dr);
-    return m_and(v_lt(least, R), m_and(v_lt(least, q->W), v_lt(least, q->U)));
+    const vd least = v_set(0x1p-90), radii = q->r0 + (q->r0 + q->dr);
+    return m_and(v_lt(v_set(0x1p-89), radii),
+                 m_and(v_lt(least, q->W), v_lt(least, q->U)));
 }
 
 /*
@@ -427,11 +429,13 @@ INLINE void lateral_direction(const question *q, const hit *at, vd N[3],
     e[2] = (x + y) * at->e_c;
 }
 
-/* A vector N with errors e[].  Its length is 1 / per_length, with a relative
- * error of e_length. */
+#if LANES == 1
+typedef cylint_bounded_vector bounded_vector;
+#else
 typedef struct {
-    vd N[3], e[3], per_length, e_length;
+    CYLINT_BOUNDED_VECTOR_MEMBERS(vd)
 } bounded_vector;
+#endif
 
 INLINE void select_vector(bounded_vector *a, vm where,
                           const bounded_vector *other)
