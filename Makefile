@@ -69,7 +69,7 @@ $(BUILD)/src/%: extra := -fPIC -fvisibility=hidden -DCYLINT_BUILDING $(x86) $(if
 $(BUILD)/src/bvh/% $(BUILD)/src/scene/% $(BUILD)/src/embree/%: extra += $(floats) $(threads)
 $(BUILD)/src/embree/%: extra += $(embree)
 $(BUILD)/src/filter/many% $(BUILD)/src/bvh/traverse% $(BUILD)/src/embree/packet_% $(BUILD)/src/embree/float_filter%: extra += $(vectors)
-$(BUILD)/src/signs/forms% $(BUILD)/src/roots/root%: extra += $(small)
+$(BUILD)/src/signs/forms% $(BUILD)/src/roots/root% $(BUILD)/src/distance/%: extra += $(small)
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the
@@ -93,7 +93,7 @@ isa_builds := $(if $(X86),$(sort $(patsubst isa.%,%,$(filter isa.%,$(.VARIABLES)
 # -------------------------------------------------------------- objects --
 # $(call objects,FOLDER...): the objects of all C files there, with all builds
 objects = $(foreach d,$(1),$(patsubst %,$(BUILD)/%.o,$(filter $(d)/%,$(isa_builds)) $(patsubst %.c,%,$(wildcard $(d)/*.c))))
-library_objects := $(call objects,src/filter src/roots src/signs src/shapes src/numbers src/methods) \
+library_objects := $(call objects,src/distance src/filter src/roots src/signs src/shapes src/numbers src/methods) \
                    $(patsubst %.c,$(BUILD)/%.o,$(wildcard src/*.c))
 scene_objects   := $(call objects,src/bvh src/scene)
 embree_objects  := $(scene_objects) $(call objects,src/embree)
@@ -178,7 +178,7 @@ include tools/package/package.mk
 # -------------------------------------------------------------- install --
 fill_in = sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|' \
 	  -e 's|@THREADS@|$(threads_link)|; s|@EMBREE@|$(EMBREE)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|; s|@EMBREE_CFLAGS@|$(EMBREE_CFLAGS)|'
-headers  = $(patsubst %,include/%.h,cylint cylint_methods cylint_scene $(if $(EMBREE),cylint_embree))
+headers  = $(patsubst %,include/%.h,cylint cylint_distance cylint_methods cylint_scene $(if $(EMBREE),cylint_embree))
 
 # $(call install_library,NAME)
 ifneq ($(windows),)

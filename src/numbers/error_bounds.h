@@ -69,6 +69,12 @@
 #define CYLINT_EXACT_ROUNDING 0x1p-104
 #define CYLINT_SURD_ERROR 0x1p-97
 
+/* The error of the square of a distance (distance/), and of its root, in a
+ * directed rounding mode.  The low parts of pairs can be lost then, so this is
+ * far more than the roundings of their high parts.  It affects only the
+ * speed: candidates within it are compared exactly. */
+#define CYLINT_DIRECTED_SURD_ERROR 0x1p-44
+
 /*
  * Point, normal, z and phi are computed from t and from the rest of the root,
  * rounded to a multiple of 2^-12 units in the last place of t (root.c).  The

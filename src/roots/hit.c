@@ -82,11 +82,10 @@ static pair pair_of(floating x, int e)
                   cylint_scaled(x.v.lo, x.e + e)};
 }
 
-/* x / |x|, each component within 3 units in its last place: |x|^2 is summed
- * in pairs, so that there remain the roundings of it, of its root, of the
+/* Each component is within 3 units in its last place: |x|^2 is summed in pairs, so that there remain the roundings of it, of its root, of the
  * component and of the quotient.  No component exceeds 1.  Squares neither
  * overflow nor, of the largest component, underflow. */
-static void normalise(const floating x[3], int sign, double to[3])
+void cylint_normalise(const floating x[3], int sign, double to[3])
 {
     pair y[3], sum = {0, 0};
     int e = exponent_of(x[0]), scaled = 0;
@@ -120,20 +119,6 @@ static double turns(floating y, floating x)
 }
 
 /* ------------------------------------------------------------- facts --- */
-
-/* The coordinate along which the axis has its smallest component. */
-static int least_component(const cylint_query *q)
-{
-    const cylint_shape *s = q->shape;
-    double hi[3], lo[3];
-    for (int i = 0; i < 3; i++) {
-        hi[i] = s->axis[i];
-        lo[i] = s->axis_lo[i];
-    }
-    if (!(cylint_largest(hi) <= DBL_MAX))
-        cylint_scaled_difference(hi, lo, s->top, s->base, -2);
-    return cylint_least_component(hi, lo);
-}
 
 /* Forms of the terms whose quotients the hit's numbers are. */
 enum {
@@ -225,7 +210,7 @@ static int angle_in_pairs(const cylint_query *q, const cylint_terms_pair *L,
 {
     bounded_pair x, y;
     const bounded_pair vv = cylint_form_height_unit_pair(L);
-    cylint_about_axis_pair(L, least_component(q), &x, &y);
+    cylint_about_axis_pair(L, cylint_least_axis_component(q->shape), &x, &y);
     if (cylint_is_reversed(q->shape))
         x.v = pair_neg(x.v);
     facts[X] = floating_of_pair(x);
@@ -292,7 +277,7 @@ static exact fact_exact(const cylint_query *q, const cylint_terms_exact *L,
         return cylint_form_height_exact(L, cylint_is_reversed(q->shape));
     if (i == HEIGHT_UNIT || i == VV)
         return cylint_form_height_unit_exact(L);
-    cylint_about_axis_exact(L, least_component(q), &x, &y);
+    cylint_about_axis_exact(L, cylint_least_axis_component(q->shape), &x, &y);
     if (cylint_is_reversed(q->shape))
         x = cylint_exact_neg(x);
     return i == X ? x : y;
@@ -410,12 +395,12 @@ static void write_facts(cylint_query *q, const floating *facts,
 {
     if (want & CYLINT_WANT_NORMAL) {
         if (!is_curved(q, part))
-            normalise(facts + AXIAL, part == CYLINT_PART_CAP1 ? 1 : -1,
-                      hit->normal);
+            cylint_normalise(facts + AXIAL, part == CYLINT_PART_CAP1 ? 1 : -1,
+                             hit->normal);
         else if (apex)
-            normalise(facts + AXIS, apex_sign(q), hit->normal);
+            cylint_normalise(facts + AXIS, apex_sign(q), hit->normal);
         else
-            normalise(facts + GRADIENT, 1, hit->normal);
+            cylint_normalise(facts + GRADIENT, 1, hit->normal);
     }
     if (want & CYLINT_WANT_Z)
         hit->z = is_on_cap(q, root)             ? root == ROOT_CAP1

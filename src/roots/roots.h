@@ -6,6 +6,7 @@
 #define CYLINT_ROOTS_H
 
 #include "../signs/sign.h"
+#include "floating.h"
 
 /* Places on the line where something begins or ends. */
 typedef enum {
@@ -44,15 +45,6 @@ bounded_pair cylint_canonical_root(cylint_query *q, cylint_root root, double t,
  * of the root alone.  Returns 0 for t = 0. */
 int cylint_polish_root(cylint_query *q, cylint_root root, bounded_pair *t);
 
-/* A value with a binary exponent of its own: v 2^e, 1/4 < |v| < 4 or v = 0. */
-typedef struct {
-    pair v;
-    int e;
-} floating;
-
-floating cylint_floating(exact x);
-floating cylint_floating_sqrt(floating x);
-
 /* A root with exact coefficients: t = (-B + s R) / A with R^2 = B^2 - A C, or
  * the limit of that for A = 0. */
 typedef struct {
@@ -70,6 +62,9 @@ surd cylint_surd(cylint_query *q, cylint_root root);
 /* f0 + f1 t: its sign, exactly; its value to CYLINT_SURD_ERROR, relative. */
 int cylint_sign_at(cylint_query *q, const surd *t, exact f0, exact f1);
 floating cylint_value_at(cylint_query *q, surd *t, exact f0, exact f1);
+
+/* x / |x| times the sign: each component within 3 units in its last place. */
+void cylint_normalise(const floating x[3], int sign, double to[3]);
 
 /* The wanted members of a hit but t, part and side.  t is the double nearest
  * to the root, t + more the root, but for `error` at most: neither changes a

@@ -21,37 +21,11 @@ floating cylint_floating(exact x)
     return f;
 }
 
-static floating floating_mul(floating x, floating y)
-{
-    return (floating){pair_mul(x.v, y.v), x.e + y.e};
-}
-
-static floating floating_div(floating x, floating y)
-{
-    return (floating){pair_div(x.v, y.v), x.e - y.e};
-}
-
 floating cylint_floating_sqrt(floating x)
 {
     const int odd = x.e & 1, twice = odd ? 2 : 1;
     const pair even = {x.v.hi * twice, x.v.lo * twice};
     return (floating){pair_sqrt(even), (x.e - odd) / 2};
-}
-
-static floating size_of(floating x)
-{
-    return x.v.hi < 0 ? (floating){pair_neg(x.v), x.e} : x;
-}
-
-/* x + y of x > 0 and y > 0. */
-static floating sum_of_sizes(floating x, floating y)
-{
-    if (x.e < y.e)
-        return sum_of_sizes(y, x);
-    if (x.e - y.e > CYLINT_NEGLIGIBLE_EXPONENT)
-        return x;
-    const double w = cylint_power_of_two(y.e - x.e);
-    return (floating){pair_add(x.v, (pair){y.v.hi * w, y.v.lo * w}), x.e};
 }
 
 /* ------------------------------------------------------- the root ------ */
@@ -164,15 +138,15 @@ floating cylint_value_at(cylint_query *q, surd *t, exact f0, exact f1)
 {
     const int used = q->arena.used;
     const affine F = affine_at(q, t, f0, f1);
-    floating sum = size_of(cylint_floating(F.X));
+    floating sum = floating_size(cylint_floating(F.X));
     const floating beside = cylint_floating(F.beside);
     q->arena.used = used;
     if (F.sum * F.beside.sign == 0)
         return (floating){{0, 0}, 0};
     if (t->s * f1.sign != 0) {
         const floating rest =
-            floating_mul(size_of(cylint_floating(f1)), radical(q, t));
-        sum = F.X.sign != 0 ? sum_of_sizes(sum, rest) : rest;
+            floating_mul(floating_size(cylint_floating(f1)), radical(q, t));
+        sum = F.X.sign != 0 ? floating_sum_of_sizes(sum, rest) : rest;
     }
     if (F.sum < 0)
         sum.v = pair_neg(sum.v);

@@ -145,3 +145,12 @@ int cylint_apex_normal_sign(const cylint_shape *s, int along)
         return -along;
     return cylint_sign(s->r0) == 0 ? -1 : grows;
 }
+
+int cylint_least_axis_component(const cylint_shape *s)
+{
+    double hi[3], lo[3];
+    if (cylint_largest(s->axis) <= DBL_MAX)
+        return cylint_least_component(s->axis, s->axis_lo);
+    cylint_scaled_difference(hi, lo, s->top, s->base, -2);
+    return cylint_least_component(hi, lo);
+}

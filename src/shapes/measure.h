@@ -63,4 +63,8 @@ static inline int cylint_least_component(const double hi[3], const double lo[3])
     return least;
 }
 
+/* The first coordinate along which the axis of a shape has its smallest
+ * component. */
+int cylint_least_axis_component(const cylint_shape *s);
+
 #endif

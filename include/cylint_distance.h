@@ -1,0 +1,130 @@
+/*
+ * cylint_distance - how far points are from the surfaces of shapes
+ *
+ * The conventions of cylint.h apply.  Each double stands for exactly one real
+ * number, and nothing depends on a tolerance.  The functions may run in any
+ * number of threads at once.
+ */
+#ifndef CYLINT_DISTANCE_H
+#define CYLINT_DISTANCE_H
+
+#include "cylint.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Where the nearest point lies.  Rims and apex belong to the part lateral, caps
+ * and round ends to the parts cap0 and cap1. */
+typedef enum cylint_feature {
+    CYLINT_FEATURE_LATERAL = 0, /* the lateral surface without rims and apex;
+                                   the surface of a sphere */
+    CYLINT_FEATURE_CAP0,        /* a cap or a round end, without its rim */
+    CYLINT_FEATURE_CAP1,
+    CYLINT_FEATURE_RIM0, /* the circles where the lateral surface ends.  Of a
+                            capsule and a round cone: the circles on which it
+                            touches the balls */
+    CYLINT_FEATURE_RIM1,
+    CYLINT_FEATURE_APEX /* the point where a cone has the radius 0; an end of a
+                           round cone whose radius is 0 */
+} cylint_feature;
+
+/* The point of a surface that is nearest to a given point. */
+typedef struct cylint_closest {
+    double distance;
+    double point[3];  /* the nearest point */
+    double normal[3]; /* outward unit normal there, as in cylint_hit */
+    int part;         /* cylint_part; -1: there is no surface */
+    int feature;      /* cylint_feature */
+    int flags;        /* CYLINT_FLAG_INVALID: the shape was refused, or a
+                         coordinate of the point is infinite or NaN */
+} cylint_closest;
+
+/*
+ * cylint_distance - distance of a point from the surface of a shape
+ *
+ * The surface consists of the parts that `ends` leaves present.  For capped,
+ * infinite and nappe it is the whole boundary of the solid.  Then the distance
+ * is negative inside the solid: its sign is that of -cylint_contains().  For
+ * open, cap0 and cap1 the distance is never negative.
+ *
+ * Writes answer->distance and answer->flags, and returns answer->distance.
+ * `want` is a sum of CYLINT_WANT_PART (part and feature), CYLINT_WANT_POINT and
+ * CYLINT_WANT_NORMAL; other values have no effect.  Members that are not wanted
+ * are not written.  If the shape was refused, if the point is not finite, or if
+ * there is no surface, the distance is HUGE_VAL, part is -1, wanted or not, and
+ * point and normal are not written.  There is no surface if a round cone is the
+ * ball about one end and `ends` leaves out that end.
+ *
+ * If several points of the surface are nearest, the answer is the first of
+ * these:
+ *
+ *   - of several parts: lateral, cap0, cap1;
+ *   - of the two nappes of a double cone: the one that contains the base.  If
+ *     the base is the apex: the one that contains the top;
+ *   - of a circle about the axis: its point with phi = 0 (cylint_hit);
+ *   - of a sphere about the point: its point with the largest first
+ *     coordinate.
+ *
+ * Accuracy.  Circular and round kinds: part, feature and sign are exact.  The
+ * distance is the double nearest to the real distance, ties to even: 0 if and
+ * only if the point is on the surface or nearer to it than half the least
+ * subnormal number, infinite beyond the largest double, never -0, the same in
+ * every rounding mode.  Each component of point and normal is within 4 units in
+ * its own last place; a component that is 0 is returned as 0, never as -0.
+ */
+CYLINT_API double cylint_distance(const cylint_shape *shape,
+                                  const double point[3], unsigned want,
+                                  cylint_closest *answer);
+
+/* Returns a number from 0 to the absolute distance of the point from the
+ * surface, never above it.  HUGE_VAL where there is no surface and where
+ * cylint_distance() sets a flag. */
+CYLINT_API double cylint_safety(const cylint_shape *shape,
+                                const double point[3]);
+
+/* Returns 1 if the absolute distance is at most `ulps` units in the last place
+ * of the coordinate of the point that is the largest in absolute value, else 0.
+ * ulps = 0: the point is exactly on the surface.  The compared distance is the
+ * one that cylint_distance() returns. */
+CYLINT_API int cylint_on_surface(const cylint_shape *shape,
+                                 const double point[3], double ulps);
+
+/* n points: one array of n doubles for each coordinate, at any address. */
+typedef struct cylint_points {
+    size_t n;
+    const double *xyz[3];
+} cylint_points;
+
+/* The arrays for the answers, one element for each answer.  They must not
+ * overlap the input.  An array that is NULL is neither computed nor written.
+ * Where an answer has no point and no normal, NaN is written. */
+typedef struct cylint_closest_columns {
+    double *distance;
+    signed char *part, *feature;
+    double *point[3], *normal[3];
+} cylint_closest_columns;
+
+/* Each point and one shape.  Answer i is that of point i. */
+CYLINT_API void cylint_distance_points(const cylint_shape *shape,
+                                       const cylint_points *points,
+                                       const cylint_closest_columns *answers);
+
+/* Point i and shape i, for 0 <= i < points->n. */
+CYLINT_API void cylint_distance_pairs(const cylint_shape *shapes,
+                                      const cylint_points *points,
+                                      const cylint_closest_columns *answers);
+
+/* Returns the number of the shape with the least absolute distance, if that is
+ * at most `within`; of equal ones the lowest number.  Writes the wanted members
+ * of its answer as cylint_distance() does.  Returns n, and writes nothing, if
+ * there is none.  Compares the doubles that cylint_distance() returns. */
+CYLINT_API size_t cylint_closest_shape(const cylint_shape *shapes, size_t n,
+                                       const double point[3], double within,
+                                       unsigned want, cylint_closest *answer);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

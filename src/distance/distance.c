@@ -1,0 +1,84 @@
+/*
+ * distance.c - one point and one shape
+ */
+#include "../numbers/bits.h"
+#include "cylint_distance.h"
+#include "elliptic.h"
+#include "exact_distance.h"
+
+/* A finite point; an infinite or NaN coordinate fails the comparison. */
+static int is_finite(const double x[3])
+{
+    return fabs(x[0]) <= DBL_MAX && fabs(x[1]) <= DBL_MAX &&
+           fabs(x[2]) <= DBL_MAX;
+}
+
+/* There is no surface. */
+static double nowhere(cylint_closest *answer)
+{
+    answer->part = -1;
+    answer->feature = CYLINT_FEATURE_LATERAL;
+    return answer->distance = HUGE_VAL;
+}
+
+static double by_exact_numbers(const cylint_shape *shape, const double point[3],
+                               unsigned want, cylint_closest *answer)
+{
+    meridian m;
+    cylint_load_meridian(&m, shape, point);
+    const nearest n = cylint_nearest_feature(&m);
+    if (n.part < 0)
+        return nowhere(answer);
+    if (want & CYLINT_WANT_PART) {
+        answer->part = n.part;
+        answer->feature = n.feature;
+    }
+    if (want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL))
+        cylint_nearest_point(&m, &n, want, answer);
+    const double size = n.sign != 0 ? cylint_rounded_distance(&m, &n) : 0;
+    return answer->distance = n.sign < 0 ? -size : size;
+}
+
+double cylint_distance(const cylint_shape *shape, const double point[3],
+                       unsigned want, cylint_closest *answer)
+{
+    answer->flags = 0;
+    if (shape->kind == CYLINT_KIND_NONE || !is_finite(point)) {
+        answer->flags = CYLINT_FLAG_INVALID;
+        return nowhere(answer);
+    }
+    return cylint_is_elliptic(shape->kind)
+               ? cylint_elliptic_distance(shape, point, want, answer)
+               : by_exact_numbers(shape, point, want, answer);
+}
+
+double cylint_safety(const cylint_shape *shape, const double point[3])
+{
+    cylint_closest answer;
+    answer.part = 0;
+    const double size = fabs(cylint_distance(shape, point, 0, &answer));
+    if (answer.part < 0 || cylint_sign(size) == 0)
+        return size;
+    return -cylint_next_above(-size);
+}
+
+/* The distance of |x| from the next larger double. */
+static double unit_in_last_place(double x)
+{
+    const int e = cylint_exponent(x) - 52;
+    return e >= -1022 ? cylint_power_of_two(e)
+                      : cylint_scaled(1, e > -1074 ? e : -1074);
+}
+
+int cylint_on_surface(const cylint_shape *shape, const double point[3],
+                      double ulps)
+{
+    cylint_closest answer;
+    const double size = fabs(cylint_distance(shape, point, 0, &answer));
+    if (answer.flags != 0)
+        return 0;
+    if (cylint_sign(size) == 0)
+        return ulps >= 0;
+    const double unit = unit_in_last_place(cylint_largest(point));
+    return ulps > 0 && !cylint_less(ulps * unit, size);
+}

@@ -1,0 +1,14 @@
+/*
+ * elliptic.h - the distance of elliptic kinds
+ */
+#ifndef CYLINT_ELLIPTIC_DISTANCE_H
+#define CYLINT_ELLIPTIC_DISTANCE_H
+
+#include "cylint_distance.h"
+
+/* cylint_distance() of a valid elliptic shape and a finite point. */
+double cylint_elliptic_distance(const cylint_shape *shape,
+                                const double point[3], unsigned want,
+                                cylint_closest *answer);
+
+#endif

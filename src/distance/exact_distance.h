@@ -1,0 +1,75 @@
+/*
+ * exact_distance.h - the nearest feature, the distance and the nearest point
+ * of circular and round kinds from exact numbers
+ */
+#ifndef CYLINT_EXACT_DISTANCE_H
+#define CYLINT_EXACT_DISTANCE_H
+
+#include "../signs/sign.h"
+#include "cylint_distance.h"
+#include "surd_sum.h"
+
+/*
+ * The point and the shape in the half plane through the axis and the point.
+ * X is the point minus the base, w the axis, W = w.w, D_i the point minus the
+ * centre of end i.  The point has the axial coordinate X.w / |w| and the radial
+ * coordinate sqrt(q / W), q = |X x w|^2.
+ *
+ * All kinds with an axis have these expressions with the T, c, g of the table,
+ * and T = sqrt(g q):
+ *
+ *                     g            c
+ *   cylinder, cone    W            r0 W + dr X.w
+ *   acone             1            dr X.w
+ *   capsule, rcone    W - dr^2     r0 W + dr X.w
+ *
+ *   distance from the line in which the half plane intersects the lateral
+ *     surface, positive outside:       (T - c) / sqrt(W (g + dr^2))
+ *   the point's foot on that line is before the lateral surface begins or after
+ *     it ends:                         sign of foot_i,
+ *     foot_i = g D_i.w + dr T - (r_i dr W unless the kind is round)
+ *   the normal of the lateral surface:  g R / T - dr w,
+ *     R = w x (X x w), |R|^2 = W q.
+ *
+ * On the axis T and R are 0.  There R / T is the limit from the side of the
+ * direction phi = 0.
+ */
+typedef struct {
+    const cylint_shape *shape;
+    const double *point;
+    cylint_query query; /* the terms and the arena */
+    const cylint_terms_exact *L;
+    cylint_arena *arena;
+    int flip;   /* -1: the nappe of a double cone that does not contain the
+                  base; its c and dr have the opposite signs */
+    exact X[3]; /* D_0 x w */
+    exact q, g, c, dr, T2;
+    exact height[2]; /* D_i.w */
+} meridian;
+
+/* What is nearest. */
+typedef struct {
+    int part, feature;
+    int end;  /* of a cap, rim or apex */
+    int sign; /* of the distance */
+} nearest;
+
+void cylint_load_meridian(meridian *m, const cylint_shape *shape,
+                          const double point[3]);
+
+/* The feature of a valid shape that is not elliptic. */
+nearest cylint_nearest_feature(meridian *m);
+
+/* The square of the distance is (a + b sqrt(c)) / *denominator. */
+surd_sum cylint_square_of_distance(meridian *m, const nearest *n,
+                                   exact *denominator);
+
+/* The double nearest to the absolute distance.  The same in every
+ * floating-point environment. */
+double cylint_rounded_distance(meridian *m, const nearest *n);
+
+/* Point and normal. */
+void cylint_nearest_point(meridian *m, const nearest *n, unsigned want,
+                          cylint_closest *answer);
+
+#endif

@@ -1,0 +1,352 @@
+/*
+ * meridian.c - the nearest feature, from exact signs
+ */
+#include "exact_distance.h"
+
+#define ADD(x, y) cylint_exact_add(m->arena, x, y)
+#define SUB(x, y) cylint_exact_add(m->arena, x, cylint_exact_neg(y))
+#define MUL(x, y) cylint_exact_mul(m->arena, x, y)
+#define BEGIN const int used_before = m->arena->used;
+#define RETURN(x) return cylint_exact_keep(m->arena, used_before, x);
+
+static exact dot(meridian *m, const exact x[3], const exact y[3])
+{
+    BEGIN
+    exact sum = ADD(ADD(MUL(x[0], y[0]), MUL(x[1], y[1])), MUL(x[2], y[2]));
+    RETURN(sum)
+}
+
+static exact minor(meridian *m, const exact x[3], const exact y[3], int i,
+                   int j)
+{
+    BEGIN
+    exact xy = SUB(MUL(x[i], y[j]), MUL(x[j], y[i]));
+    RETURN(xy)
+}
+
+static exact scale_of_T(meridian *m)
+{
+    const cylint_terms_exact *L = m->L;
+    BEGIN
+    if (cylint_has_tangent(L->kind))
+        return L->one;
+    if (!cylint_is_round(L->kind))
+        return L->vv;
+    exact g = SUB(L->vv, MUL(L->dr, L->dr));
+    RETURN(g)
+}
+
+static exact section(meridian *m)
+{
+    const cylint_terms_exact *L = m->L;
+    BEGIN
+    exact c = ADD(MUL(L->r[0], L->vv), MUL(L->dr, m->height[0]));
+    RETURN(c)
+}
+
+static void load_axis(meridian *m)
+{
+    const cylint_terms_exact *L = m->L;
+    for (int i = 0; i < 2; i++)
+        m->height[i] = dot(m, L->D[i], L->w);
+    for (int i = 0; i < 3; i++)
+        m->X[i] = minor(m, L->D[0], L->w, (i + 1) % 3, (i + 2) % 3);
+    m->q = dot(m, m->X, m->X);
+    m->g = scale_of_T(m);
+    m->T2 = MUL(m->g, m->q);
+    m->c = section(m);
+    m->dr = L->dr;
+    m->flip = m->shape->ends == CYLINT_ENDS_INFINITE && m->c.sign < 0 ? -1 : 1;
+    if (m->flip < 0) {
+        m->c = cylint_exact_neg(m->c);
+        m->dr = cylint_exact_neg(m->dr);
+    }
+}
+
+void cylint_load_meridian(meridian *m, const cylint_shape *shape,
+                          const double point[3])
+{
+    static const double along[3] = {1, 0, 0};
+    cylint_line line;
+    cylint_whole_line(&line, point, along);
+    m->shape = shape;
+    m->point = point;
+    cylint_query_open(&m->query, shape, &line);
+    m->L = cylint_load_exact(&m->query);
+    m->arena = &m->query.arena;
+    m->flip = 1;
+    m->dr = m->L->dr;
+    if (shape->kind != CYLINT_KIND_SPHERE)
+        load_axis(m);
+}
+
+/* ------------------------------------------------------------- signs --- */
+
+static int sign_of(meridian *m, exact a, exact b, exact c)
+{
+    const surd_sum x = {a, b, c};
+    return cylint_surd_sum_sign(m->arena, &x);
+}
+
+/* T - c: outside or inside the lateral surface. */
+static int sign_lateral(meridian *m)
+{
+    return sign_of(m, cylint_exact_neg(m->c), m->L->one, m->T2);
+}
+
+/* The foot on the lateral line, from end i towards z = 1. */
+static int sign_foot(meridian *m, int i)
+{
+    const int used = m->arena->used;
+    exact a = MUL(m->g, m->height[i]);
+    if (!cylint_is_round(m->L->kind))
+        a = SUB(a, MUL(MUL(m->L->r[i], m->dr), m->L->vv));
+    const int sign = sign_of(m, a, m->dr, m->T2);
+    m->arena->used = used;
+    return sign;
+}
+
+/* The foot on the line of a nappe, from its apex. */
+static int sign_nappe_foot(meridian *m)
+{
+    const int used = m->arena->used;
+    const int sign = sign_of(m, MUL(m->c, m->g), MUL(m->dr, m->dr), m->T2);
+    m->arena->used = used;
+    return sign;
+}
+
+/* The radial coordinate against the radius of cap i. */
+static int sign_disc(meridian *m, int i)
+{
+    const int used = m->arena->used;
+    const exact r = MUL(m->L->r[i], m->L->vv);
+    const int sign = SUB(m->T2, MUL(r, r)).sign;
+    m->arena->used = used;
+    return sign;
+}
+
+/* The distance from feature n against that from the plane of cap i. */
+static int sign_beyond_cap(meridian *m, const nearest *n, int i)
+{
+    const int used = m->arena->used;
+    exact den;
+    surd_sum x = cylint_square_of_distance(m, n, &den);
+    x.a = SUB(MUL(x.a, m->L->vv), MUL(MUL(m->height[i], m->height[i]), den));
+    x.b = MUL(x.b, m->L->vv);
+    const int sign = cylint_surd_sum_sign(m->arena, &x);
+    m->arena->used = used;
+    return sign;
+}
+
+/* ----------------------------------------------------------- features -- */
+
+static nearest lateral(void)
+{
+    return (nearest){CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL, 0, 1};
+}
+
+static nearest rim(const meridian *m, int end)
+{
+    const int apex = m->L->r[end].sign == 0;
+    return (nearest){CYLINT_PART_LATERAL,
+                     apex  ? CYLINT_FEATURE_APEX
+                     : end ? CYLINT_FEATURE_RIM1
+                           : CYLINT_FEATURE_RIM0,
+                     end, 1};
+}
+
+static nearest cap(int end)
+{
+    return (nearest){end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0,
+                     end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0, end, 1};
+}
+
+static int cap_is_present(const meridian *m, int end)
+{
+    return cylint_part_is_present(m->shape->ends, cap(end).part);
+}
+
+/* The solid has its whole boundary. */
+static int is_closed(const meridian *m)
+{
+    return !cylint_ends_are_planes(m->shape->ends) ||
+           m->shape->ends == CYLINT_ENDS_CAPPED;
+}
+
+static nearest on_unbounded(meridian *m)
+{
+    const int nappe = cylint_is_nappe(m->shape);
+    nearest n = lateral();
+    n.sign = sign_lateral(m);
+    if ((nappe && sign_nappe_foot(m) <= 0) ||
+        (cylint_is_tapered(m->L->kind) && m->c.sign == 0 && m->q.sign == 0))
+        n.feature = CYLINT_FEATURE_APEX;
+    return n;
+}
+
+/* On the lateral surface and its rims. */
+static nearest on_lateral(meridian *m)
+{
+    return sign_foot(m, 0) <= 0   ? rim(m, 0)
+           : sign_foot(m, 1) >= 0 ? rim(m, 1)
+                                  : lateral();
+}
+
+/* -1, 0, 1: inside, on, outside of the solid between the planes. */
+static int sign_of_solid(meridian *m)
+{
+    const int below = -m->height[0].sign, above = m->height[1].sign;
+    const int beyond = below > above ? below : above;
+    const int side = sign_lateral(m);
+    return side > beyond ? side : beyond;
+}
+
+static nearest between_planes(meridian *m)
+{
+    nearest n = on_lateral(m);
+    for (int i = 0; i < 2; i++)
+        if (cap_is_present(m, i) && sign_disc(m, i) < 0 &&
+            sign_beyond_cap(m, &n, i) > 0)
+            n = cap(i);
+    if (is_closed(m))
+        n.sign = sign_of_solid(m);
+    return n;
+}
+
+static int sign_of_ball(meridian *m, int end)
+{
+    const cylint_terms_exact *L = m->L;
+    const int used = m->arena->used;
+    const int sign =
+        SUB(dot(m, L->D[end], L->D[end]), MUL(L->r[end], L->r[end])).sign;
+    m->arena->used = used;
+    return sign;
+}
+
+static nearest on_hull(meridian *m)
+{
+    const int before = sign_foot(m, 0), after = sign_foot(m, 1);
+    const int end = after >= 0;
+    nearest n = before > 0 && after < 0 ? lateral() : rim(m, end);
+    const int beyond = before < 0 || after > 0;
+    if (beyond && cap_is_present(m, end) && n.feature != CYLINT_FEATURE_APEX) {
+        n = cap(end);
+        if (is_closed(m))
+            n.sign = sign_of_ball(m, end);
+    } else if (is_closed(m) && n.feature != CYLINT_FEATURE_APEX) {
+        n.sign = sign_lateral(m);
+    }
+    return n;
+}
+
+static nearest on_sphere(meridian *m)
+{
+    nearest n = lateral();
+    n.part = m->shape->surface;
+    if (n.part != CYLINT_PART_LATERAL) {
+        const int top = n.part == CYLINT_PART_CAP1;
+        n.feature = top ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
+    }
+    if (!cylint_part_is_present(m->shape->ends, n.part))
+        n.part = -1;
+    if (is_closed(m))
+        n.sign = sign_of_ball(m, 0);
+    return n;
+}
+
+nearest cylint_nearest_feature(meridian *m)
+{
+    const int kind = m->L->kind;
+    return kind == CYLINT_KIND_SPHERE               ? on_sphere(m)
+           : cylint_is_round(kind)                  ? on_hull(m)
+           : cylint_ends_are_planes(m->shape->ends) ? between_planes(m)
+                                                    : on_unbounded(m);
+}
+
+/* ------------------------------------------------ square of distance --- */
+
+/* 2 x. */
+static exact twice(meridian *m, exact x)
+{
+    return ADD(x, x);
+}
+
+static surd_sum without_root(meridian *m, exact a)
+{
+    const exact zero = {m->arena->limb, 0, 0, 0};
+    return (surd_sum){a, zero, zero};
+}
+
+/* (|D_end| - r)^2. */
+static surd_sum from_ball(meridian *m, int end, exact *denominator)
+{
+    const cylint_terms_exact *L = m->L;
+    const exact dd = dot(m, L->D[end], L->D[end]), r = L->r[end];
+    *denominator = L->one;
+    return (surd_sum){ADD(dd, MUL(r, r)), cylint_exact_neg(twice(m, r)), dd};
+}
+
+/* (T - c)^2 / (W (g + dr^2)). */
+static surd_sum from_lateral(meridian *m, exact *denominator)
+{
+    *denominator = MUL(m->L->vv, ADD(m->g, MUL(m->dr, m->dr)));
+    return (surd_sum){ADD(m->T2, MUL(m->c, m->c)),
+                      cylint_exact_neg(twice(m, m->c)), m->T2};
+}
+
+/* The plane of a cap. */
+static surd_sum from_plane(meridian *m, int end, exact *denominator)
+{
+    *denominator = m->L->vv;
+    return without_root(m, MUL(m->height[end], m->height[end]));
+}
+
+/* The circle of radius r about the end: (g (q + h^2) + r^2 W^2 - 2 r W T) /
+ * (g W), h the height. */
+static surd_sum from_rim(meridian *m, int end, exact *denominator)
+{
+    const exact h = m->height[end], W = m->L->vv;
+    const exact r = MUL(m->L->r[end], W);
+    *denominator = MUL(m->g, W);
+    return (surd_sum){ADD(MUL(m->g, ADD(m->q, MUL(h, h))), MUL(r, r)),
+                      cylint_exact_neg(twice(m, r)), m->T2};
+}
+
+/* The circle of tangency of a ball: (q + h^2 + r^2 W + 2 r dr h - 2 r T) / W. */
+static surd_sum from_tangency(meridian *m, int end, exact *denominator)
+{
+    const exact h = m->height[end], W = m->L->vv, r = m->L->r[end];
+    const exact across = ADD(m->q, MUL(MUL(r, r), W));
+    const exact along = MUL(h, ADD(h, twice(m, MUL(r, m->dr))));
+    *denominator = W;
+    return (surd_sum){ADD(across, along), cylint_exact_neg(twice(m, r)), m->T2};
+}
+
+/* The apex of a nappe: (c^2 + dr^2 q) / (W dr^2). */
+static surd_sum from_apex(meridian *m, exact *denominator)
+{
+    const exact dr2 = MUL(m->dr, m->dr);
+    *denominator = MUL(m->L->vv, dr2);
+    return without_root(m, ADD(MUL(m->c, m->c), MUL(dr2, m->q)));
+}
+
+surd_sum cylint_square_of_distance(meridian *m, const nearest *n,
+                                   exact *denominator)
+{
+    const int round = cylint_is_round(m->L->kind);
+    if (m->L->kind == CYLINT_KIND_SPHERE)
+        return from_ball(m, 0, denominator);
+    switch (n->feature) {
+    case CYLINT_FEATURE_LATERAL:
+        return from_lateral(m, denominator);
+    case CYLINT_FEATURE_CAP0:
+    case CYLINT_FEATURE_CAP1:
+        return round ? from_ball(m, n->end, denominator)
+                     : from_plane(m, n->end, denominator);
+    default:
+        return !cylint_ends_are_planes(m->shape->ends)
+                   ? from_apex(m, denominator)
+               : round ? from_tangency(m, n->end, denominator)
+                       : from_rim(m, n->end, denominator);
+    }
+}

@@ -1,0 +1,239 @@
+/*
+ * nearest_point.c - the nearest point and the normal there
+ *
+ * Let V / sqrt(K) = g R / T (exact_distance.h).  Off the axis V = g R and
+ * K = T^2.  On the axis V = g W U and K = g W |U|^2, where U = e x w points to
+ * phi = 0.  Then, t = 1 off the axis and 0 on it,
+ *
+ *   lateral    P = x - (t sqrt(K) - c) (V / sqrt(K) - dr w) / (W (g + dr^2))
+ *   rim        P = centre + r V / (g sqrt(K))
+ *   tangency   P = centre + r (V / sqrt(K) - dr w) / W
+ *   cap        P = x - (D_i.w / W) w
+ *   ball       P = centre + r D_i / |D_i|
+ *   apex       P = base - (r_0 / dr) w
+ *
+ * so every coordinate is (a + b sqrt(K)) / d of exact numbers.
+ */
+#include "../roots/roots.h"
+#include "exact_distance.h"
+
+#define ADD(x, y) cylint_exact_add(m->arena, x, y)
+#define SUB(x, y) cylint_exact_add(m->arena, x, cylint_exact_neg(y))
+#define MUL(x, y) cylint_exact_mul(m->arena, x, y)
+
+/* The direction from the axis to the point: V / sqrt(K). */
+typedef struct {
+    exact V[3], K;
+    int off_axis;
+} radial;
+
+static exact zero_of(meridian *m)
+{
+    return (exact){m->arena->limb, 0, 0, 0};
+}
+
+static exact square_of(meridian *m, const exact x[3])
+{
+    return ADD(ADD(MUL(x[0], x[0]), MUL(x[1], x[1])), MUL(x[2], x[2]));
+}
+
+/* e x w, e the coordinate direction of the axis's least component. */
+static void phi_direction(meridian *m, exact U[3])
+{
+    const exact *w = m->L->w;
+    const int i = cylint_least_axis_component(m->shape);
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    U[i] = zero_of(m);
+    U[j] = cylint_exact_neg(w[k]);
+    U[k] = w[j];
+}
+
+static radial radial_direction(meridian *m)
+{
+    const exact *w = m->L->w;
+    radial d;
+    d.off_axis = m->q.sign != 0;
+    if (d.off_axis) {
+        for (int i = 0; i < 3; i++) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            d.V[i] = MUL(m->g, SUB(MUL(w[j], m->X[k]), MUL(w[k], m->X[j])));
+        }
+        d.K = m->T2;
+        return d;
+    }
+    exact U[3];
+    phi_direction(m, U);
+    const exact gW = MUL(m->g, m->L->vv);
+    for (int i = 0; i < 3; i++)
+        d.V[i] = MUL(gW, U[i]);
+    d.K = MUL(gW, square_of(m, U));
+    return d;
+}
+
+/* The direction from the centre of a ball. */
+static radial ball_direction(meridian *m, int end)
+{
+    const exact *D = m->L->D[end];
+    radial d = {{D[0], D[1], D[2]}, square_of(m, D), 1};
+    if (d.K.sign == 0)
+        d.K = d.V[0] = m->L->one;
+    return d;
+}
+
+/* ------------------------------------------------------------- point --- */
+
+/* Coordinate i of the centre of an end. */
+static exact centre(meridian *m, int end, int i)
+{
+    const cylint_shape *s = m->shape;
+    const exact base = cylint_exact_from(m->arena, s->base[i]);
+    if (!end)
+        return base;
+    return cylint_has_end_points(s->kind)
+               ? cylint_exact_from(m->arena, s->top[i])
+               : ADD(base, m->L->w[i]);
+}
+
+/* K (W (g + dr^2) x - t V - c dr w) + sqrt(K) (t dr w K + c V). */
+static surd_sum foot(meridian *m, const radial *d, int i, exact *denominator)
+{
+    const exact slope = MUL(m->dr, m->L->w[i]);
+    const exact unit = MUL(m->L->vv, ADD(m->g, MUL(m->dr, m->dr)));
+    exact a = MUL(unit, cylint_exact_from(m->arena, m->point[i]));
+    exact b = MUL(m->c, d->V[i]);
+    a = SUB(a, MUL(m->c, slope));
+    if (d->off_axis) {
+        a = SUB(a, d->V[i]);
+        b = ADD(b, MUL(slope, d->K));
+    }
+    *denominator = MUL(d->K, unit);
+    return (surd_sum){MUL(d->K, a), b, d->K};
+}
+
+static surd_sum on_rim(meridian *m, const radial *d, int end, int i,
+                       exact *denominator)
+{
+    *denominator = MUL(m->g, d->K);
+    return (surd_sum){MUL(*denominator, centre(m, end, i)),
+                      MUL(m->L->r[end], d->V[i]), d->K};
+}
+
+static surd_sum on_tangency(meridian *m, const radial *d, int end, int i,
+                            exact *denominator)
+{
+    const cylint_terms_exact *L = m->L;
+    const exact r = L->r[end];
+    const exact along =
+        SUB(MUL(L->vv, centre(m, end, i)), MUL(MUL(r, m->dr), L->w[i]));
+    *denominator = MUL(L->vv, d->K);
+    return (surd_sum){MUL(d->K, along), MUL(r, d->V[i]), d->K};
+}
+
+static surd_sum on_ball(meridian *m, const radial *d, int end, int i,
+                        exact *denominator)
+{
+    *denominator = d->K;
+    return (surd_sum){MUL(d->K, centre(m, end, i)), MUL(m->L->r[end], d->V[i]),
+                      d->K};
+}
+
+static surd_sum on_plane(meridian *m, int end, int i, exact *denominator)
+{
+    const exact W = m->L->vv, x = cylint_exact_from(m->arena, m->point[i]);
+    *denominator = W;
+    return (surd_sum){SUB(MUL(W, x), MUL(m->height[end], m->L->w[i])),
+                      zero_of(m), zero_of(m)};
+}
+
+static surd_sum at_apex(meridian *m, int i, exact *denominator)
+{
+    const exact base = MUL(m->L->dr, centre(m, 0, i));
+    *denominator = m->L->dr;
+    return (surd_sum){SUB(base, MUL(m->L->r[0], m->L->w[i])), zero_of(m),
+                      zero_of(m)};
+}
+
+/* The point is on a ball. */
+static int is_on_ball(const meridian *m, const nearest *n)
+{
+    return m->L->kind == CYLINT_KIND_SPHERE ||
+           (cylint_is_round(m->L->kind) && n->part != CYLINT_PART_LATERAL);
+}
+
+static surd_sum coordinate(meridian *m, const nearest *n, const radial *d,
+                           int i, exact *denominator)
+{
+    if (is_on_ball(m, n))
+        return on_ball(m, d, n->end, i, denominator);
+    switch (n->feature) {
+    case CYLINT_FEATURE_LATERAL:
+        return foot(m, d, i, denominator);
+    case CYLINT_FEATURE_CAP0:
+    case CYLINT_FEATURE_CAP1:
+        return on_plane(m, n->end, i, denominator);
+    default:
+        return !cylint_ends_are_planes(m->shape->ends)
+                   ? at_apex(m, i, denominator)
+               : cylint_is_round(m->L->kind)
+                   ? on_tangency(m, d, n->end, i, denominator)
+                   : on_rim(m, d, n->end, i, denominator);
+    }
+}
+
+static void write_point(meridian *m, const nearest *n, const radial *d,
+                        double point[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const int used = m->arena->used;
+        exact denominator;
+        const surd_sum x = coordinate(m, n, d, i, &denominator);
+        floating value = cylint_surd_sum_value(m->arena, &x);
+        if (value.v.hi != 0)
+            value = floating_div(value, cylint_floating(denominator));
+        point[i] = cylint_scaled(value.v.hi, value.e) + 0; /* no -0 */
+        m->arena->used = used;
+    }
+}
+
+/* ------------------------------------------------------------ normal --- */
+
+/* Component i of V - dr w sqrt(K). */
+static floating lateral_normal(meridian *m, const radial *d, int i)
+{
+    const int used = m->arena->used;
+    const surd_sum x = {d->V[i], cylint_exact_neg(MUL(m->dr, m->L->w[i])),
+                        d->K};
+    const floating value = cylint_surd_sum_value(m->arena, &x);
+    m->arena->used = used;
+    return value;
+}
+
+static void write_normal(meridian *m, const nearest *n, const radial *d,
+                         double normal[3])
+{
+    const int on_ball = is_on_ball(m, n);
+    const int is_cap = !on_ball && n->part != CYLINT_PART_LATERAL;
+    const int is_apex = n->feature == CYLINT_FEATURE_APEX;
+    floating x[3];
+    for (int i = 0; i < 3; i++)
+        x[i] = on_ball             ? cylint_floating(d->V[i])
+               : is_cap || is_apex ? cylint_floating(m->L->w[i])
+                                   : lateral_normal(m, d, i);
+    const int sign = is_apex  ? cylint_apex_normal_sign(m->shape, 0)
+                     : is_cap ? (n->end ? 1 : -1)
+                              : 1;
+    cylint_normalise(x, sign, normal);
+}
+
+void cylint_nearest_point(meridian *m, const nearest *n, unsigned want,
+                          cylint_closest *answer)
+{
+    const int used = m->arena->used;
+    const radial d =
+        is_on_ball(m, n) ? ball_direction(m, n->end) : radial_direction(m);
+    if (want & CYLINT_WANT_POINT)
+        write_point(m, n, &d, answer->point);
+    if (want & CYLINT_WANT_NORMAL)
+        write_normal(m, n, &d, answer->normal);
+    m->arena->used = used;
+}

@@ -1,0 +1,90 @@
+/*
+ * rounded_distance.c - the double nearest to a distance
+ *
+ * The square of the distance is (a + b sqrt(c)) / denominator, so whether the
+ * distance is above the middle of two doubles is the sign of another surd_sum.
+ */
+#include "exact_distance.h"
+
+/* The ranks (bits.h) of 0 or more. */
+static double of_rank(int64_t rank)
+{
+    double x;
+    memcpy(&x, &rank, sizeof x);
+    return x;
+}
+
+/* The double of a rank, or 2^1024 for infinity. */
+static exact exact_of_rank(cylint_arena *arena, int64_t rank)
+{
+    const double x = of_rank(rank);
+    if (x <= DBL_MAX)
+        return cylint_exact_from(arena, x);
+    const exact most = cylint_exact_from(arena, 0x1p1023);
+    return cylint_exact_add(arena, most, most);
+}
+
+/* The sign of the distance minus the middle of the double of this rank and the
+ * next. */
+static int sign_at_middle(cylint_arena *arena, const surd_sum *x,
+                          exact denominator, int64_t rank)
+{
+    const int used = arena->used;
+    const exact four = cylint_exact_from(arena, 4);
+    const exact sum = cylint_exact_add(arena, exact_of_rank(arena, rank),
+                                       exact_of_rank(arena, rank + 1));
+    const exact square =
+        cylint_exact_mul(arena, cylint_exact_mul(arena, sum, sum), denominator);
+    const surd_sum at = {cylint_exact_add(arena,
+                                          cylint_exact_mul(arena, four, x->a),
+                                          cylint_exact_neg(square)),
+                         cylint_exact_mul(arena, four, x->b), x->c};
+    const int sign = cylint_surd_sum_sign(arena, &at);
+    arena->used = used;
+    return sign;
+}
+
+/* The rank of the double nearest to d (1 + error). */
+static int64_t nearest_rank(cylint_arena *arena, floating d, double error)
+{
+    const int used = arena->used;
+    const exact sum = cylint_exact_add(
+        arena, cylint_exact_from(arena, d.v.hi),
+        cylint_exact_add(arena, cylint_exact_from(arena, d.v.lo),
+                         cylint_exact_from(arena, d.v.hi * error)));
+    const double x = cylint_exact_nearest(sum, d.e);
+    arena->used = used;
+    return cylint_rank(x);
+}
+
+double cylint_rounded_distance(meridian *m, const nearest *n)
+{
+    cylint_arena *arena = m->arena;
+    const int used = arena->used;
+    exact denominator;
+    const surd_sum x = cylint_square_of_distance(m, n, &denominator);
+    const floating square = cylint_surd_sum_value(arena, &x);
+    double distance = 0;
+    if (square.v.hi > 0) {
+        const double error = cylint_rounds_to_nearest()
+                                 ? CYLINT_SURD_ERROR
+                                 : CYLINT_DIRECTED_SURD_ERROR;
+        const floating d = cylint_floating_sqrt(
+            floating_div(square, cylint_floating(denominator)));
+        int64_t low = nearest_rank(arena, d, -error);
+        int64_t high = nearest_rank(arena, d, error);
+        while (low < high) {
+            const int64_t middle = low + (high - low) / 2;
+            const int sign = sign_at_middle(arena, &x, denominator, middle);
+            if (sign > 0 || (sign == 0 && middle & 1))
+                low = middle + 1;
+            else
+                high = middle;
+            if (sign == 0)
+                high = low;
+        }
+        distance = of_rank(low);
+    }
+    arena->used = used;
+    return distance;
+}

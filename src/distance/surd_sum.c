@@ -1,0 +1,47 @@
+/*
+ * surd_sum.c - a + b sqrt(c) of exact numbers: its sign and its value
+ *
+ * If a and b have opposite signs, a + b sqrt(c) = N / (a - b sqrt(c)) with
+ * N = a^2 - b^2 c, in whose denominator sizes are added.
+ */
+#include "surd_sum.h"
+
+/* a^2 - b^2 c. */
+static exact norm(cylint_arena *arena, const surd_sum *x)
+{
+    const int used = arena->used;
+    const exact aa = cylint_exact_mul(arena, x->a, x->a);
+    const exact bb = cylint_exact_mul(arena, x->b, x->b);
+    const exact bbc = cylint_exact_mul(arena, bb, x->c);
+    return cylint_exact_keep(
+        arena, used, cylint_exact_add(arena, aa, cylint_exact_neg(bbc)));
+}
+
+int cylint_surd_sum_sign(cylint_arena *arena, const surd_sum *x)
+{
+    const int a = x->a.sign, b = x->b.sign * x->c.sign, used = arena->used;
+    if (a * b >= 0)
+        return a != 0 ? a : b;
+    const int larger = norm(arena, x).sign;
+    arena->used = used;
+    return larger * a;
+}
+
+floating cylint_surd_sum_value(cylint_arena *arena, const surd_sum *x)
+{
+    const int a = x->a.sign, b = x->b.sign * x->c.sign, used = arena->used;
+    if (b == 0)
+        return cylint_floating(x->a);
+    const floating radical = floating_mul(
+        cylint_floating(x->b), cylint_floating_sqrt(cylint_floating(x->c)));
+    if (a == 0)
+        return radical;
+    const floating size = floating_sum_of_sizes(
+        floating_size(cylint_floating(x->a)), floating_size(radical));
+    const floating sum = {a < 0 ? pair_neg(size.v) : size.v, size.e};
+    if (a == b)
+        return sum;
+    const floating N = cylint_floating(norm(arena, x));
+    arena->used = used;
+    return N.v.hi == 0 ? N : floating_div(N, sum);
+}
