@@ -1,0 +1,30 @@
+/*
+ * distance_oracle.h - the oracle of distances
+ *
+ * It shares no formula with the library.  A circular or round kind is a plane
+ * figure that turns about its axis.  The oracle computes the coordinates of the
+ * point along the axis and away from it with MPFR, with so many bits that every
+ * product of the input's numbers is exact, then the point of each segment, ray
+ * and arc of the figure that is nearest.
+ */
+#ifndef CYLINT_DISTANCE_ORACLE_H
+#define CYLINT_DISTANCE_ORACLE_H
+
+#include "cylint.h"
+
+/* The numbers that cylint_distance() must give, each rounded once. */
+struct oracle_closest {
+    double distance, point[3], normal[3];
+    int part, feature; /* part -1: there is no surface */
+    int apex;          /* of a double cone: the normal there is a convention */
+    int center;        /* of a ball: the direction is a convention */
+};
+
+void oracle_distance(const cylint_shape *shape, const double point[3],
+                     struct oracle_closest *expected);
+
+/* The last distance was not rounded: how many units in its last place a
+ * double is away from it; negative where |got| is the smaller one. */
+double oracle_distance_error(double got);
+
+#endif

@@ -1,0 +1,218 @@
+/*
+ * distance_points.h - points at which distances are difficult
+ *
+ * A point is drawn for a case of the families: next to its shape's surface,
+ * axis, rims, apex and bisectors, exactly on them where the numbers allow, or
+ * far away.  It depends only on the case and on the stream.
+ */
+#ifndef CYLINT_DISTANCE_POINTS_H
+#define CYLINT_DISTANCE_POINTS_H
+
+#include <math.h>
+
+#include "families.h"
+#include "random.h"
+#include "shapes/shape_facts.h"
+#include "vectors.h"
+
+enum place {
+    PLACE_ORIGIN,    /* of the case's line */
+    PLACE_HIT,       /* the rounded point of a hit */
+    PLACE_AXIS,      /* on the axis, nearly or exactly */
+    PLACE_RIM,       /* about a rim or an end of the axis */
+    PLACE_BISECTOR,  /* as far from a cap as from the lateral surface */
+    PLACE_FAR,       /* up to 1e8 sizes away */
+    PLACE_ANY,       /* in a box about the shape */
+    PLACE_LATERAL,   /* on the lateral surface, nearly */
+    PLACE_WHOLE,     /* small whole or half numbers from the base */
+    PLACE_APEX,      /* about the apex, or the plane through it */
+    PLACES
+};
+
+static const char *const place_names[PLACES] = {
+    "line's origin", "hit", "axis",    "rim",   "bisector",
+    "far",           "box", "lateral", "whole", "apex"};
+
+static double draw(uint64_t *stream, double low, double high)
+{
+    return low + (high - low) * random_unit(stream);
+}
+
+/* 0, or either sign and 10^-17 to 10^-1. */
+static double draw_small(uint64_t *stream)
+{
+    const double x = pow(10, draw(stream, -17, -1));
+    const int what = random_int(stream, 5);
+    return what == 0 ? 0 : what % 2 ? x : -x;
+}
+
+static double draw_step(uint64_t *stream, double x)
+{
+    for (int n = random_int(stream, 4); n > 1; n--)
+        x = nextafter(x, random_int(stream, 2) ? HUGE_VAL : -HUGE_VAL);
+    return x;
+}
+
+/* Points base + x a + y b + z h; the lateral surface has x^2 + y^2 =
+ * rho(z)^2. */
+struct point_frame {
+    const cylint_shape *shape;
+    double a[3], b[3], h[3], length, unit;
+};
+
+static void make_point_frame(struct point_frame *f, const cylint_shape *s,
+                             uint64_t *stream)
+{
+    double across = 0, size = 0, unit[3];
+    f->shape = s;
+    for (int i = 0; i < 3; i++) {
+        f->a[i] = s->a[i];
+        f->b[i] = s->b[i];
+        f->h[i] = s->axis[i];
+        size = fmax(size, fabs(s->axis[i]));
+    }
+    for (int i = 0; i < 3; i++)
+        unit[i] = size > 0 ? s->axis[i] / size : i == 2;
+    const double norm = sqrt(dot3(unit, unit));
+    f->length = norm * size;
+    f->unit = cylint_radius_unit(s, f->length);
+    if (cylint_is_elliptic(s->kind))
+        return;
+    while (!(across > 0.1)) {
+        double any[3];
+        for (int i = 0; i < 3; i++)
+            any[i] = draw(stream, -1, 1);
+        cross3(f->a, unit, any);
+        across = sqrt(dot3(f->a, f->a));
+    }
+    for (int i = 0; i < 3; i++)
+        f->a[i] /= across;
+    cross3(f->b, unit, f->a);
+    for (int i = 0; i < 3; i++)
+        f->b[i] /= norm;
+}
+
+static double rho_at(const struct point_frame *f, double z)
+{
+    const cylint_shape *s = f->shape;
+    return fabs(s->r0 + (s->r1 - s->r0) * z) * f->unit;
+}
+
+static void put(const struct point_frame *f, uint64_t *stream, double rho,
+                double z, double p[3])
+{
+    const double turn = draw(stream, 0, 6.283185307179586);
+    for (int i = 0; i < 3; i++)
+        p[i] = f->shape->base[i] + z * f->h[i] +
+               rho * (cos(turn) * f->a[i] + sin(turn) * f->b[i]);
+}
+
+/* As far below the cap at `end` as inside the lateral surface, nearly. */
+static void put_on_bisector(const struct point_frame *f, uint64_t *stream,
+                            double p[3])
+{
+    const cylint_shape *s = f->shape;
+    const int end = random_int(stream, 2);
+    const double z = draw(stream, 0, 1) * draw(stream, 0, 1);
+    const double tan = (s->r1 - s->r0) * f->unit / f->length;
+    const double depth = z * f->length * sqrt(1 + tan * tan);
+    const double at = end ? 1 - z : z;
+    put(f, stream,
+        fabs(rho_at(f, at) - depth) * (1 + draw_small(stream) * 0.01), at, p);
+}
+
+static double any_z_of(uint64_t *stream)
+{
+    static const double special[] = {0, 1, 0.5, 0.25};
+    return random_int(stream, 3) ? draw(stream, -0.3, 1.3)
+                                 : special[random_int(stream, 4)];
+}
+
+static void put_whole(const struct family_case *c, uint64_t *stream,
+                      double p[3])
+{
+    for (int i = 0; i < 3; i++)
+        p[i] = c->shape.base[i] + 0.5 * (random_int(stream, 25) - 12);
+    if (random_int(stream, 3) == 0)
+        for (int i = 0; i < 3; i++)
+            p[i] = floor(p[i]);
+}
+
+static void put_hit(const struct family_case *c, uint64_t *stream, double p[3])
+{
+    cylint_answer a;
+    cylint_line line = c->line;
+    line.tmin = -HUGE_VAL;
+    line.tmax = HUGE_VAL;
+    const int n =
+        cylint_intersect(&c->shape, &line,
+                         CYLINT_WANT_T | CYLINT_WANT_POINT, &a);
+    for (int i = 0; i < 3; i++)
+        p[i] = n > 0 ? draw_step(stream, a.hit[n - 1].point[i])
+                     : c->line.o[i] + c->line.d[i];
+}
+
+static void put_near_apex(const struct point_frame *f, uint64_t *stream,
+                          double p[3])
+{
+    const cylint_shape *s = f->shape;
+    const double apex = s->r0 == s->r1 ? 0.5 : s->r0 / (s->r0 - s->r1);
+    const double big = fmax(rho_at(f, 0), rho_at(f, 1));
+    const int plane = random_int(stream, 3) == 0;
+    put(f, stream, plane ? big * draw(stream, 0, 2) : big * draw_small(stream),
+        apex + (random_int(stream, 2) ? draw_small(stream) : 0), p);
+}
+
+/* Writes a point for the case; returns its place. */
+static enum place draw_point(const struct family_case *c, uint64_t *stream,
+                             double p[3])
+{
+    const enum place place = (enum place)random_int(stream, PLACES);
+    struct point_frame f;
+    make_point_frame(&f, &c->shape, stream);
+    const double big = fmax(rho_at(&f, 0), rho_at(&f, 1));
+    const double z = any_z_of(stream);
+    switch (place) {
+    case PLACE_ORIGIN:
+        for (int i = 0; i < 3; i++)
+            p[i] = c->line.o[i];
+        break;
+    case PLACE_HIT:
+        put_hit(c, stream, p);
+        break;
+    case PLACE_AXIS:
+        put(&f, stream, random_int(stream, 2) ? 0 : big * draw_small(stream),
+            z, p);
+        break;
+    case PLACE_RIM: {
+        const int end = random_int(stream, 2);
+        put(&f, stream, rho_at(&f, end) + big * draw_small(stream),
+            end + draw_small(stream), p);
+        break;
+    }
+    case PLACE_BISECTOR:
+        put_on_bisector(&f, stream, p);
+        break;
+    case PLACE_FAR: {
+        const double far = pow(10, draw(stream, 0, 8));
+        put(&f, stream, big * far * draw(stream, 0, 1),
+            far * draw(stream, -1, 1), p);
+        break;
+    }
+    case PLACE_LATERAL:
+        put(&f, stream, rho_at(&f, z), z, p);
+        break;
+    case PLACE_WHOLE:
+        put_whole(c, stream, p);
+        break;
+    case PLACE_APEX:
+        put_near_apex(&f, stream, p);
+        break;
+    default:
+        put(&f, stream, big * draw(stream, 0, 3), draw(stream, -2, 3), p);
+        break;
+    }
+    return place;
+}
+
+#endif
