@@ -32,9 +32,9 @@ enum form { SEGMENT, RAY, LINE, ARC };
 
 typedef struct piece {
     enum form form;
-    mpfr_t s, rho;   /* start; arc: centre */
-    mpfr_t ds, drho; /* direction; arc: ds is the radius */
-    mpfr_t n[2];     /* normal along s and rho; arcs: none */
+    mpfr_t s, rho;                  /* start; arc: centre */
+    mpfr_t ds, drho;                /* direction; arc: ds is the radius */
+    mpfr_t n[2];                    /* normal along s and rho; arcs: none */
     int part, feature, first, last; /* inside, at the start, at the end */
 } piece;
 
@@ -62,10 +62,10 @@ static void add_number(mpfr_t x)
 
 static void start(void)
 {
-    mpfr_ptr single[] = {g.W,    g.length, g.Z,       g.s,       g.rho,
-                         g.r0,   g.r1,     g.dr,      g.sine,    g.cosine,
-                         g.best, g.scale,  g.foot[0], g.foot[1], g.normal[0],
-                         g.normal[1]};
+    mpfr_ptr single[] = {g.W,       g.length,  g.Z,         g.s,
+                         g.rho,     g.r0,      g.r1,        g.dr,
+                         g.sine,    g.cosine,  g.best,      g.scale,
+                         g.foot[0], g.foot[1], g.normal[0], g.normal[1]};
     if (g.ready)
         return;
     g.ready = 1;
@@ -413,7 +413,8 @@ static int foot_of_arc(const piece *p, const cylint_shape *shape)
     return p->feature;
 }
 
-static void take(const piece *p, int feature, struct oracle_closest *expected)
+static void take(const piece *p, int feature, int is_double,
+                 struct oracle_closest *expected)
 {
     piece *q = (piece *)p;
     const int is_arc = p->form == ARC;
@@ -428,6 +429,8 @@ static void take(const piece *p, int feature, struct oracle_closest *expected)
         mpfr_set_si(g.normal[0], p->first == feature ? -1 : 1, RND);
         if (p->form == RAY && mpfr_sgn(q->ds) < 0)
             mpfr_neg(g.normal[0], g.normal[0], RND);
+        if (is_double && mpfr_sgn(g.r0) != 0) /* towards the base */
+            mpfr_set_si(g.normal[0], mpfr_sgn(g.dr), RND);
         mpfr_set_ui(g.normal[1], 0, RND);
     }
 }
@@ -447,7 +450,7 @@ static void nearest_piece(const cylint_shape *shape,
         hypotenuse(g.t[7], g.t[7], g.t[8]);
         mpfr_sub(g.t[8], g.t[7], g.best, RND);
         if (expected->part < 0 || sign_of(g.t[8]) < 0)
-            take(p, feature, expected);
+            take(p, feature, shape->ends == CYLINT_ENDS_INFINITE, expected);
     }
 }
 
@@ -503,18 +506,21 @@ void oracle_distance(const cylint_shape *shape, const double point[3],
     nearest_piece(shape, expected);
     expected->distance = HUGE_VAL;
     if (shape->kind == CYLINT_KIND_SPHERE && g.count > 0 &&
-        expected->part < 0) { /* at the centre */
-        expected->center = 1;
+        expected->part < 0) { /* at the centre: along the first coordinate */
         expected->part = g.pieces[0].part;
         expected->feature = g.pieces[0].feature;
         mpfr_set(g.best, g.r0, RND);
+        mpfr_set(g.foot[0], g.r0, RND);
+        mpfr_set_ui(g.foot[1], 0, RND);
+        mpfr_set_ui(g.normal[0], 1, RND);
+        mpfr_set_ui(g.normal[1], 0, RND);
+        for (int i = 0; i < 3; i++)
+            mpfr_set_si(g.w[i], i == 0, RND);
     }
     if (expected->part < 0)
         return;
     apply_sign(shape, point);
     expected->distance = mpfr_get_d(g.best, RND);
-    expected->apex = expected->feature == CYLINT_FEATURE_APEX &&
-                     shape->ends == CYLINT_ENDS_INFINITE;
     in_space(expected->point, g.foot[0], g.foot[1], shape->base);
     in_space(expected->normal, g.normal[0], g.normal[1], NULL);
 }

@@ -16,8 +16,6 @@
 struct oracle_closest {
     double distance, point[3], normal[3];
     int part, feature; /* part -1: there is no surface */
-    int apex;          /* of a double cone: the normal there is a convention */
-    int center;        /* of a ball: the direction is a convention */
 };
 
 void oracle_distance(const cylint_shape *shape, const double point[3],

@@ -16,16 +16,16 @@
 #include "vectors.h"
 
 enum place {
-    PLACE_ORIGIN,    /* of the case's line */
-    PLACE_HIT,       /* the rounded point of a hit */
-    PLACE_AXIS,      /* on the axis, nearly or exactly */
-    PLACE_RIM,       /* about a rim or an end of the axis */
-    PLACE_BISECTOR,  /* as far from a cap as from the lateral surface */
-    PLACE_FAR,       /* up to 1e8 sizes away */
-    PLACE_ANY,       /* in a box about the shape */
-    PLACE_LATERAL,   /* on the lateral surface, nearly */
-    PLACE_WHOLE,     /* small whole or half numbers from the base */
-    PLACE_APEX,      /* about the apex, or the plane through it */
+    PLACE_ORIGIN,   /* of the case's line */
+    PLACE_HIT,      /* the rounded point of a hit */
+    PLACE_AXIS,     /* on the axis, nearly or exactly */
+    PLACE_RIM,      /* about a rim or an end of the axis */
+    PLACE_BISECTOR, /* as far from a cap as from the lateral surface */
+    PLACE_FAR,      /* up to 1e8 sizes away */
+    PLACE_ANY,      /* in a box about the shape */
+    PLACE_LATERAL,  /* on the lateral surface, nearly */
+    PLACE_WHOLE,    /* small whole or half numbers from the base */
+    PLACE_APEX,     /* about the apex, or the plane through it */
     PLACES
 };
 
@@ -131,8 +131,10 @@ static double any_z_of(uint64_t *stream)
 static void put_whole(const struct family_case *c, uint64_t *stream,
                       double p[3])
 {
+    const int at_end = random_int(stream, 8) == 0;
     for (int i = 0; i < 3; i++)
-        p[i] = c->shape.base[i] + 0.5 * (random_int(stream, 25) - 12);
+        p[i] = c->shape.base[i] +
+               (at_end ? 0 : 0.5 * (random_int(stream, 25) - 12));
     if (random_int(stream, 3) == 0)
         for (int i = 0; i < 3; i++)
             p[i] = floor(p[i]);
@@ -144,9 +146,8 @@ static void put_hit(const struct family_case *c, uint64_t *stream, double p[3])
     cylint_line line = c->line;
     line.tmin = -HUGE_VAL;
     line.tmax = HUGE_VAL;
-    const int n =
-        cylint_intersect(&c->shape, &line,
-                         CYLINT_WANT_T | CYLINT_WANT_POINT, &a);
+    const int n = cylint_intersect(&c->shape, &line,
+                                   CYLINT_WANT_T | CYLINT_WANT_POINT, &a);
     for (int i = 0; i < 3; i++)
         p[i] = n > 0 ? draw_step(stream, a.hit[n - 1].point[i])
                      : c->line.o[i] + c->line.d[i];
@@ -181,8 +182,8 @@ static enum place draw_point(const struct family_case *c, uint64_t *stream,
         put_hit(c, stream, p);
         break;
     case PLACE_AXIS:
-        put(&f, stream, random_int(stream, 2) ? 0 : big * draw_small(stream),
-            z, p);
+        put(&f, stream, random_int(stream, 2) ? 0 : big * draw_small(stream), z,
+            p);
         break;
     case PLACE_RIM: {
         const int end = random_int(stream, 2);
