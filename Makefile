@@ -84,6 +84,8 @@ isa.src/filter/many_questions-avx2   := $(avx2) -DCYLINT_MANY=cylint_many_avx2
 isa.src/filter/many_questions-avx512 := $(avx512) -DCYLINT_MANY=cylint_many_avx512
 isa.src/bvh/traverse-avx2            := $(avx2) -DCYLINT_TRAVERSAL=cylint_traversal_avx2
 isa.src/bvh/traverse-avx512          := $(avx512) -DCYLINT_TRAVERSAL=cylint_traversal_avx512
+isa.src/bvh/traverse_point-avx2      := $(avx2) -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx2
+isa.src/bvh/traverse_point-avx512    := $(avx512) -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx512
 isa.src/embree/packet_traverse-avx2  := $(avx2) -DCYLINT_TRAVERSAL=cylint_traversal_avx2 -DCYLINT_TRAVERSE_PACKET=cylint_traverse_packet_avx2
 isa.src/embree/float_filter-fma      := $(avx2) -ffp-contract=fast -fno-math-errno -DCYLINT_FLOAT_FILTER=cylint_float_filter_fma
 isa.src/embree/packet_filter-avx2    := $(avx2) -ffp-contract=fast -DCYLINT_PACKET_FILTER=cylint_packet_filter_avx2

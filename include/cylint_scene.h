@@ -1,5 +1,6 @@
 /*
- * cylint_scene - one line against very many shapes, by a hierarchy of boxes
+ * cylint_scene - one line or point against very many shapes, by a hierarchy of
+ * boxes
  *
  * A scene returns what cylint_nearest() and cylint_count() of cylint.h return
  * for all its shapes, bit for bit: the hierarchy only rejects shapes that the
@@ -15,6 +16,7 @@
 #define CYLINT_SCENE_H
 
 #include "cylint.h"
+#include "cylint_distance.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -78,6 +80,37 @@ CYLINT_API int cylint_scene_occluded(const cylint_scene *scene,
 CYLINT_API size_t cylint_scene_all(const cylint_scene *scene,
                                    const cylint_line *line, size_t first,
                                    size_t *numbers, size_t capacity);
+
+/*
+ * Distances of points.  The functions below compare the absolute values of the
+ * doubles that cylint_distance() of cylint_distance.h returns: of the distance
+ * to the surface, also inside a solid.  They return what a loop over all shapes
+ * returns, bit for bit.  A refused shape has no distance.  If the point is
+ * invalid, or the radius is negative or NaN, no shape is within it.  The radius
+ * may be HUGE_VAL.
+ */
+
+/* Returns the number of the shape whose surface is nearest to the point, if it
+ * is within the radius; of equal distances the lowest number.  Writes *answer
+ * as cylint_distance() does.  If there is none, returns n and writes nothing. */
+CYLINT_API size_t cylint_scene_closest(const cylint_scene *scene,
+                                       const double point[3], double radius,
+                                       unsigned want, cylint_closest *answer);
+
+/* Returns the number of shapes whose surfaces are within the radius, at most
+ * `enough` unless that is 0. */
+CYLINT_API size_t cylint_scene_within_count(const cylint_scene *scene,
+                                            const double point[3],
+                                            double radius, size_t enough);
+
+/* Writes the numbers of the shapes whose surfaces are within the radius,
+ * ascending from `first`, at most `capacity` of them, and their distances,
+ * unless `distances` is NULL.  Returns how many.  If it returns `capacity`,
+ * call again with first = last + 1. */
+CYLINT_API size_t cylint_scene_within(const cylint_scene *scene,
+                                      const double point[3], double radius,
+                                      size_t first, size_t *numbers,
+                                      double *distances, size_t capacity);
 
 #ifdef __cplusplus
 }

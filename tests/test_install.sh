@@ -255,6 +255,9 @@ test_manual_examples()
     with_threads=-pthread
     example_of cylint_scene.3_threads cylint-scene
     with_threads=
+    display cylint_scene.3 5 > "$scratch/example.c"
+    display cylint_scene.3 6 > "$scratch/example.said"
+    example_of cylint_scene.3_points cylint-scene
     display cylint_scene.3 1 > "$scratch/example.c"
     display cylint_scene.3 2 > "$scratch/example.said"
     command -v pkg-config > /dev/null &&

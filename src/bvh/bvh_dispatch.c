@@ -1,7 +1,9 @@
 /*
- * bvh_dispatch.c - chooses the build of traverse.c for this processor
+ * bvh_dispatch.c - chooses the builds of traverse.c and traverse_point.c for this
+ * processor
  */
 #include "traverse.h"
+#include "traverse_point.h"
 
 #ifdef CYLINT_COUNT_VISITS
 struct cylint_visits cylint_visits;
@@ -31,4 +33,15 @@ const cylint_traversal *cylint_traversal_used(void)
         return &cylint_traversal_avx2;
 #endif
     return &cylint_traversal_plain;
+}
+
+cylint_traverse_point *cylint_traverse_point_used(void)
+{
+#ifdef CYLINT_BUILDS_X86
+    if (has_avx512())
+        return cylint_traverse_point_avx512;
+    if (has_fma())
+        return cylint_traverse_point_avx2;
+#endif
+    return cylint_traverse_point_plain;
 }

@@ -7,33 +7,15 @@
  */
 #include <float.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "cylint_scene.h"
 #include "../numbers/bits.h"
 #include "../bvh/threads.h"
-#include "frame.h"
-#include "../bvh/traverse.h"
+#include "number_heap.h"
+#include "scene.h"
 
 enum { MOST_SHAPES = 1 << 28 };
-
-struct cylint_scene {
-    const cylint_shape *shapes;
-    size_t n;
-    cylint_frame frame;
-    cylint_view view; /* the shapes in the frame */
-    cylint_bvh bvh;
-    cylint_traverse_line *traverse;
-    uint32_t *bounded; /* numbers of the shapes in the hierarchy; NULL: all */
-    uint32_t *others;  /* numbers of the other shapes, ascending */
-    size_t n_bounded, n_others;
-    cylint_shape *copies; /* of the other shapes, in a pack */
-    void *pack_memory;
-    cylint_pack pack;
-    size_t own_bytes; /* without the hierarchy's */
-};
 
 const char *cylint_scene_strerror(int status)
 {
@@ -170,6 +152,7 @@ static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
 {
     size_t refused; /* not used: all shapes are bounded */
     s->traverse = cylint_traversal_used()->line;
+    s->traverse_point = cylint_traverse_point_used();
     s->view = (cylint_view){
         s->shapes,
         {s->frame.center[0], s->frame.center[1], s->frame.center[2]},
@@ -245,10 +228,8 @@ typedef struct {
     cylint_frame_ray ray; /* its length does too */
     size_t best;          /* nearest: the shape's number, and its hit */
     cylint_hit hit;
-    size_t count, enough;      /* count */
-    size_t *numbers, capacity; /* all: a heap of the lowest numbers, with the
-                              highest of them first */
-    size_t first;              /* all: the least number of interest */
+    size_t count, enough;    /* count */
+    cylint_number_heap heap; /* all; else its `numbers` is NULL */
     uint32_t recent[RECENT];
     uint32_t table[TABLE_SIZE];
     int n_table;
@@ -277,61 +258,11 @@ static int test_nearest(search *q, size_t number)
     return 1;
 }
 
-static void sift_down(size_t *heap, size_t n, size_t from)
-{
-    const size_t x = heap[from];
-    size_t child;
-    while ((child = 2 * from + 1) < n) {
-        child += child + 1 < n && heap[child + 1] > heap[child];
-        if (heap[child] <= x)
-            break;
-        heap[from] = heap[child];
-        from = child;
-    }
-    heap[from] = x;
-}
-
-static void sift_up(size_t *heap, size_t at)
-{
-    const size_t x = heap[at];
-    for (; at > 0 && heap[(at - 1) / 2] < x; at = (at - 1) / 2)
-        heap[at] = heap[(at - 1) / 2];
-    heap[at] = x;
-}
-
-static void sort_heap(size_t *heap, size_t n)
-{
-    while (n-- > 1) {
-        const size_t highest = heap[0];
-        heap[0] = heap[n];
-        heap[n] = highest;
-        sift_down(heap, n, 0);
-    }
-}
-
-/* Whether the number may be one of the lowest. */
-static int is_among_lowest(const search *q, size_t number)
-{
-    return number >= q->first &&
-           (q->count < q->capacity || number < q->numbers[0]);
-}
-
-static void store_number(search *q, size_t number)
-{
-    if (q->count < q->capacity) {
-        q->numbers[q->count] = number;
-        sift_up(q->numbers, q->count++);
-    } else {
-        q->numbers[0] = number;
-        sift_down(q->numbers, q->capacity, 0);
-    }
-}
-
 /* Counts a shape that is hit.  Returns whether there are enough now. */
 static int count_number(search *q, size_t number)
 {
-    if (q->numbers)
-        store_number(q, number);
+    if (q->heap.numbers)
+        cylint_heap_add(&q->heap, number, 0);
     else
         q->count++;
     return q->enough != 0 && q->count == q->enough;
@@ -339,7 +270,8 @@ static int count_number(search *q, size_t number)
 
 static int is_candidate(const search *q, size_t number)
 {
-    return number != q->except && (!q->numbers || is_among_lowest(q, number));
+    return number != q->except &&
+           (!q->heap.numbers || cylint_heap_accepts(&q->heap, number));
 }
 
 /* Tests a shape and counts it if it is hit.  Returns whether there are enough
@@ -478,7 +410,7 @@ static void start_search(search *q, const cylint_scene *scene,
     q->line = *line;
     q->best = q->except = scene->n;
     q->count = q->enough = 0;
-    q->numbers = NULL;
+    q->heap.numbers = NULL;
     memset(q->recent, 0xff, sizeof q->recent); /* NO_SHAPE */
 }
 
@@ -534,12 +466,11 @@ size_t cylint_scene_all(const cylint_scene *scene, const cylint_line *line,
     if (capacity == 0)
         return 0;
     start_search(&q, scene, line);
-    q.numbers = numbers;
-    q.capacity = capacity;
-    q.first = first;
+    q.heap = (cylint_number_heap){
+        .numbers = numbers, .capacity = capacity, .first = first};
     for (size_t i = 0; i < scene->n_others; i++)
         test_count(&q, scene->others[i]);
     traverse(&q, 0);
-    sort_heap(numbers, q.count);
-    return q.count;
+    cylint_heap_sort(&q.heap);
+    return q.heap.n;
 }

@@ -1,0 +1,31 @@
+/*
+ * scene.h - the members of a scene
+ */
+#ifndef CYLINT_SCENE_SCENE_H
+#define CYLINT_SCENE_SCENE_H
+
+#include <stdint.h>
+
+#include "cylint_scene.h"
+#include "../bvh/traverse.h"
+#include "../bvh/traverse_point.h"
+#include "frame.h"
+
+struct cylint_scene {
+    const cylint_shape *shapes;
+    size_t n;
+    cylint_frame frame;
+    cylint_view view; /* the shapes in the frame */
+    cylint_bvh bvh;
+    cylint_traverse_line *traverse;
+    cylint_traverse_point *traverse_point;
+    uint32_t *bounded; /* numbers of the shapes in the hierarchy; NULL: all */
+    uint32_t *others;  /* numbers of the other shapes, ascending */
+    size_t n_bounded, n_others;
+    cylint_shape *copies; /* of the other shapes, in a pack */
+    void *pack_memory;
+    cylint_pack pack;
+    size_t own_bytes; /* without the hierarchy's */
+};
+
+#endif
