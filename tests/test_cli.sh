@@ -72,7 +72,7 @@ for page in cylint.1 cylint.7 cylint-convert.1; do
 done
 
 for word in $(cylint --help | grep -Eo -e ' -(-[a-z-]+|[a-zA-Z])' | sort -u) \
-        line ray segment span capped open cap0 cap1 infinite nappe \
+        line ray segment span point capped open cap0 cap1 infinite nappe \
         $(cylint --list=shapes | cut -f1) $(cylint --list=methods | cut -f1) \
         $(cylint --list=columns | cut -f1); do
     covered "$word"

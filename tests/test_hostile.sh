@@ -40,7 +40,7 @@ run in
 expect 'a NUL is a bad byte, not an end' 1
 
 printf '\377\376l\000i\000n\000e\000\n\000' >in
-printf "cylint: in:1:1: expected line, ray, segment or span, found '%s'\n" \
+printf "cylint: in:1:1: expected line, ray, segment, span or point, found '%s'\n" \
     '\xff\xfel\x00i\x00n\x00e\x00' >want.err
 run -e skip in
 sed -i '1s/$/; this looks like a binary file/' want.err
@@ -234,8 +234,8 @@ expect '100000 bad records have eleven messages' 1
 { cat in; echo nonsense; cat in; } >mixed
 run -e stop mixed
 [ "$(wc -l <out)" -eq 100000 ] || status="$status, output"
-echo "cylint: mixed:100001:1: expected line, ray, segment or span,\
- found 'nonsense'" >want.err
+echo "cylint: mixed:100001:1: expected line, ray, segment,\
+ span or point, found 'nonsense'" >want.err
 expect 'the work stops at the bad record, with all answers before it' 1
 yes 'cylinder 0 0 0  0 0 1  1' | head -n 3000 >scene
 yes 'ray 0 0 -1  0 0 1' | head -n 100 >rays

@@ -54,6 +54,10 @@ same 'several files'        -k ray,cylinder -f id,n many records good many
 same 'a missing file'       -k ray,cylinder -f id,n good missing many
 same 'nearest'              -k ray -s scene rays
 same 'all, more answers than records' -k ray -s scene -q all rays
+awk '!/[a-z#]/ { print $1, $2, $3, "p" NR }' rays | head -n 60000 >near
+same 'points, nearest'      -k point -s scene -f shape,distance,part,feature,x near
+is 'every point has an answer' "$(grep -c 'p[0-9]' want)" -eq 60000
+same 'points, all within a radius' -k point -s scene -q all --within 4 near
 sed 's/ id/ /' good >numbered
 { cat good; cat numbered numbered; } >late
 same 'one warning about the tail' -k ray,cylinder late

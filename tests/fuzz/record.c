@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cylint_distance.h"
 #include "../../tools/cylint/grammar.h"
 #include "../../tools/cylint/numbers.h"
 #include "../../tools/cylint/text.h"
@@ -67,10 +68,15 @@ static void check_fault(const struct fault *fault, const char *text,
 static void check_record(const struct grammar *g, const struct record *r)
 {
     cylint_answer answer;
-    MUST(!g->has_line || r->line.valid);
+    MUST(!g->has_line || r->is_point || r->line.valid);
     MUST(!g->has_shape || r->shape.kind != CYLINT_KIND_NONE);
     MUST(memchr(r->tail, '\0', r->tail_length) == NULL);
-    if (g->has_line && g->has_shape) {
+    if (g->has_line && g->has_shape && r->is_point) {
+        cylint_closest closest;
+        const double d =
+            cylint_distance(&r->shape, r->point, CYLINT_WANT_PART, &closest);
+        MUST(d - d == 0 || d > 0);
+    } else if (g->has_line && g->has_shape) {
         const int n =
             cylint_intersect(&r->shape, &r->line, CYLINT_WANT_ALL, &answer);
         MUST(n == answer.n && n >= 0 && n <= 2 && answer.flags == 0);
@@ -83,7 +89,7 @@ static struct grammar make_grammar(unsigned a, unsigned b)
     g.has_line = a % 3 != 0;
     g.has_shape = a % 3 != 1;
     g.line = (int)(a / 3 % (LINE_KINDS + 1)) - 1;
-    g.shape = (int)(a / 15 % (SHAPE_KINDS + 1)) - 1;
+    g.shape = (int)(a / 18 % (SHAPE_KINDS + 1)) - 1;
     g.ends = (int)(b % 7) - 1;
     g.has_domain = b / 7 % 2 != 0;
     g.no_tail = b / 14 % 2 != 0;

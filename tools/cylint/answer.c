@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "answer.h"
+#include "nearby.h"
 #include "main.h"
 
 void job_prepare(struct job *job, const struct options *options,
@@ -32,7 +33,9 @@ int job_block(const struct job *job, struct block *block)
     const struct options *o = job->options;
     const int finds_hits = o->query == QUERY_ALL || o->query == QUERY_NEAREST;
     const size_t longest = job->labels->longest;
-    if (!block_allocate(block, row_capacity(&o->fields, &o->style, longest),
+    const size_t row = row_capacity(&o->fields, &o->style, longest);
+    const size_t other = row_capacity(&o->point_fields, &o->style, longest);
+    if (!block_allocate(block, row > other ? row : other,
                         finds_hits ? job->scene->count : 0)) {
         return 0;
     }
@@ -83,11 +86,21 @@ struct task {
     enum answered status; /* of the last delivery */
 };
 
+/* The columns of the present record.  A record that the options do not allow has
+ * those of the others. */
+static const struct fields *fields_of(const struct task *task)
+{
+    const struct options *o = task->job->options;
+    const int of_point = o->grammar.no_lines || (!o->grammar.no_points &&
+                                                 task->block->parsed.is_point);
+    return of_point ? &o->point_fields : &o->fields;
+}
+
 static void put_answer(struct task *task, int hit)
 {
     const struct options *o = task->job->options;
     if (hit || !o->hits_only) {
-        put_row(&task->block->out, &o->fields, &o->style, &task->row);
+        put_row(&task->block->out, fields_of(task), &o->style, &task->row);
     }
 }
 
@@ -95,7 +108,7 @@ static void put_answer(struct task *task, int hit)
 static void find_label(struct task *task)
 {
     const struct job *job = task->job;
-    if (job->options->fields.labels > 0 && task->row.shape > 0) {
+    if (fields_of(task)->labels > 0 && task->row.shape > 0) {
         const struct label label =
             labels_get(job->labels, (size_t)task->row.shape - 1);
         task->row.label = label.text;
@@ -204,12 +217,109 @@ static int answer_all(struct task *task)
     return 1;
 }
 
+/* ------------------------------------------------------------- points -- */
+
+static struct nearby nearby_of(const struct task *task)
+{
+    const struct job *job = task->job;
+    return (struct nearby){&job->scene->search, task->block->parsed.point,
+                           job->options->radius, &task->block->left_out};
+}
+
+static void answer_point_pair(struct task *task)
+{
+    const struct record *r = &task->block->parsed;
+    cylint_closest closest;
+    cylint_distance(&r->shape, r->point, fields_of(task)->want, &closest);
+    task->row.closest = &closest;
+    put_answer(task, 1);
+}
+
+static void answer_closest(struct task *task)
+{
+    const struct nearby n = nearby_of(task);
+    cylint_closest closest;
+    const size_t shape = nearby_closest(&n, fields_of(task)->want, &closest);
+    const int found = shape < task->job->scene->count;
+    task->row.closest = found ? &closest : NULL;
+    task->row.shape = found ? shape + 1 : 0;
+    find_label(task);
+    put_answer(task, found);
+}
+
+static void answer_within_count(struct task *task, unsigned long long most)
+{
+    const struct nearby n = nearby_of(task);
+    task->row.count = nearby_count(&n, most);
+    put_answer(task, task->row.count > 0);
+}
+
+/* Writes a row for a shape within the radius. */
+static void answer_one_within(struct task *task, size_t shape)
+{
+    const struct job *job = task->job;
+    cylint_closest closest;
+    if (left_out_has(&task->block->left_out, shape)) {
+        return;
+    }
+    cylint_distance(&job->scene->shapes[shape], task->block->parsed.point,
+                    fields_of(task)->want, &closest);
+    task->row.closest = &closest;
+    task->row.shape = shape + 1;
+    find_label(task);
+    put_answer(task, 1);
+    task->status = deliver_if_full(task->job, task->block);
+}
+
+static void answer_all_within(struct task *task)
+{
+    const struct nearby n = nearby_of(task);
+    size_t number[HITS_AT_ONCE], found, first = 0;
+    double distance[HITS_AT_ONCE];
+    do {
+        found = search_within(n.search, n.point, n.radius, first, number,
+                              distance, HITS_AT_ONCE);
+        for (size_t i = 0; i < found && task->status == ANSWERED; i++) {
+            answer_one_within(task, number[i]);
+        }
+        first = found > 0 ? number[found - 1] + 1 : 0;
+    } while (found == HITS_AT_ONCE && task->status == ANSWERED);
+}
+
+static void answer_point(struct task *task)
+{
+    switch (task->job->options->query) {
+    case QUERY_PAIRS:
+        answer_point_pair(task);
+        break;
+    case QUERY_NEAREST:
+        answer_closest(task);
+        break;
+    case QUERY_ANY:
+        answer_within_count(task, 1);
+        break;
+    case QUERY_COUNT:
+        answer_within_count(task, ~0ULL);
+        break;
+    default:
+        answer_all_within(task);
+    }
+    task->row.closest = NULL;
+}
+
+/* ------------------------------------------------------- good and bad -- */
+
 /* Answers the parsed record.  Returns 0 if it is bad. */
 static int answer_record(struct task *task)
 {
     const struct record *r = &task->block->parsed;
     task->row.tail = r->tail;
     task->row.tail_length = r->tail_length;
+    if (r->is_point) {
+        task->row.answer = NULL;
+        answer_point(task);
+        return 1;
+    }
     switch (task->job->options->query) {
     case QUERY_PAIRS:
         return answer_pair(task);
@@ -265,7 +375,7 @@ static void mark_bad(struct task *task, unsigned long long line,
     take_note(&b->notes, line, task->row.record, text, b->text + b->length,
               &task->fault);
     if (o->bad == BAD_MARK) {
-        put_error(&b->out, &o->fields, &o->style);
+        put_error(&b->out, fields_of(task), &o->style);
     }
     b->stopped = o->bad == BAD_STOP;
     task->row.record++;

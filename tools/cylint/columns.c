@@ -25,6 +25,8 @@ enum value {
     VALUE_H,
     VALUE_PHI,
     VALUE_CHORD,
+    VALUE_DISTANCE,
+    VALUE_FEATURE,
     VALUE_RECORD,
     VALUE_SHAPE,
     VALUE_LABEL,
@@ -43,60 +45,84 @@ const char *const query_words[] = {
     [QUERY_PAIRS] = "pairs", [QUERY_NEAREST] = "nearest", [QUERY_ANY] = "any",
     [QUERY_COUNT] = "count", [QUERY_ALL] = "all",         [QUERIES] = NULL};
 
+/* For --list=columns. */
+static const char *const point_query_words[] = {
+    "point-pairs", "point-nearest", "point-any", "point-count", "point-all"};
+
 enum {
     PAIRS = 1 << QUERY_PAIRS,
     NEAREST = 1 << QUERY_NEAREST,
     ANY = 1 << QUERY_ANY,
     COUNT = 1 << QUERY_COUNT,
     ALL = 1 << QUERY_ALL,
-    EVERY = PAIRS | NEAREST | ANY | COUNT | ALL
+    POINT = 1 << QUERY_POINT,
+    POINT_NEAREST = 1 << QUERY_POINT_NEAREST,
+    POINT_ANY = 1 << QUERY_POINT_ANY,
+    POINT_COUNT = 1 << QUERY_POINT_COUNT,
+    POINT_ALL = 1 << QUERY_POINT_ALL,
+    POINTS = POINT | POINT_NEAREST | POINT_ALL,
+    EVERY =
+        PAIRS | NEAREST | ANY | COUNT | ALL | POINTS | POINT_ANY | POINT_COUNT
 };
 
-#define HIT(name, value, about)                                  \
+/* Of both hits; of the nearest hit and, with POINTS, of the nearest point. */
+#define HIT(name, value, points, about)                          \
     {name "0", value, 0, PAIRS | ALL, about ", first hit"},      \
         {name "1", value, 1, PAIRS | ALL, about ", second hit"}, \
     {                                                            \
-        name, value, 0, NEAREST, about                           \
+        name, value, 0, NEAREST | (points), about                \
     }
 
 static const struct column columns[] = {
     {"relation", VALUE_RELATION, 0, PAIRS | NEAREST | ALL,
      "miss, touch, along or cross: the whole line and the closed solid"},
     {"n", VALUE_N, 0, PAIRS | ALL, "number of hits"},
-    HIT("t", VALUE_T, "where on the line"),
-    HIT("part", VALUE_PART, "lateral, cap0 or cap1"),
-    HIT("side", VALUE_SIDE, "entering, leaving or both"),
-    HIT("x", VALUE_X, "x of the point"),
-    HIT("y", VALUE_Y, "y of the point"),
-    HIT("z", VALUE_Z, "z of the point"),
-    HIT("nx", VALUE_NX, "x of the outward unit normal"),
-    HIT("ny", VALUE_NY, "y of the outward unit normal"),
-    HIT("nz", VALUE_NZ, "z of the outward unit normal"),
-    HIT("h", VALUE_H, "axial coordinate, 0 at the base, 1 at the top"),
-    HIT("phi", VALUE_PHI, "angle about the axis over 2 pi, in [0,1)"),
+    HIT("t", VALUE_T, 0, "where on the line"),
+    {"distance", VALUE_DISTANCE, 0, POINTS,
+     "of a point from the surface, negative inside the solid"},
+    HIT("part", VALUE_PART, POINTS, "lateral, cap0 or cap1"),
+    {"feature", VALUE_FEATURE, 0, POINTS,
+     "lateral, cap0, cap1, rim0, rim1 or apex: what is nearest"},
+    HIT("side", VALUE_SIDE, 0, "entering, leaving or both"),
+    HIT("x", VALUE_X, POINTS, "x of the point"),
+    HIT("y", VALUE_Y, POINTS, "y of the point"),
+    HIT("z", VALUE_Z, POINTS, "z of the point"),
+    HIT("nx", VALUE_NX, POINTS, "x of the outward unit normal"),
+    HIT("ny", VALUE_NY, POINTS, "y of the outward unit normal"),
+    HIT("nz", VALUE_NZ, POINTS, "z of the outward unit normal"),
+    HIT("h", VALUE_H, 0, "axial coordinate, 0 at the base, 1 at the top"),
+    HIT("phi", VALUE_PHI, 0, "angle about the axis over 2 pi, in [0,1)"),
     {"chord", VALUE_CHORD, 0, PAIRS | ALL, "t1 - t0"},
-    {"shape", VALUE_SHAPE, 0, NEAREST | ALL,
+    {"shape", VALUE_SHAPE, 0, NEAREST | ALL | POINT_NEAREST | POINT_ALL,
      "number of the shape in the scene, from 1; 0 for none"},
-    {"label", VALUE_LABEL, 0, NEAREST | ALL,
+    {"label", VALUE_LABEL, 0, NEAREST | ALL | POINT_NEAREST | POINT_ALL,
      "the tail of the shape's line in the scene"},
-    {"any", VALUE_COUNT, 0, ANY, "1 if a shape is hit, else 0"},
-    {"count", VALUE_COUNT, 0, COUNT, "number of shapes that are hit"},
+    {"any", VALUE_COUNT, 0, ANY | POINT_ANY,
+     "1 if a shape is hit or within the radius, else 0"},
+    {"count", VALUE_COUNT, 0, COUNT | POINT_COUNT,
+     "number of shapes that are hit or within the radius"},
     {"id", VALUE_RECORD, 0, EVERY, "number of the record, from 1"},
-    {"record", VALUE_RECORD, 0, ALL, "the same"},
+    {"record", VALUE_RECORD, 0, ALL | POINT_ALL, "the same"},
 };
 
 enum { COLUMNS = sizeof columns / sizeof *columns };
 
-const char *default_fields(enum query query)
+const char *default_fields(enum query query, int binary)
 {
-    static const char *const defaults[QUERIES] = {
+    static const char *const defaults[ALL_QUERIES] = {
         [QUERY_PAIRS] = "relation,n,t0,t1",
         [QUERY_NEAREST] = "shape,t,part",
         [QUERY_ANY] = "any",
         [QUERY_COUNT] = "count",
         [QUERY_ALL] = "record,shape,t0,t1",
+        [QUERY_POINT] = "distance,part",
+        [QUERY_POINT_NEAREST] = "shape,distance,part,label",
+        [QUERY_POINT_ANY] = "any",
+        [QUERY_POINT_COUNT] = "count",
+        [QUERY_POINT_ALL] = "record,shape,distance",
     };
-    return defaults[query];
+    return binary && query == QUERY_POINT_NEAREST ? "shape,distance,part"
+                                                  : defaults[query];
 }
 
 static unsigned want_of(enum value value)
@@ -106,6 +132,7 @@ static unsigned want_of(enum value value)
     case VALUE_CHORD:
         return CYLINT_WANT_T;
     case VALUE_PART:
+    case VALUE_FEATURE:
     case VALUE_SIDE:
         return CYLINT_WANT_PART;
     case VALUE_X:
@@ -190,7 +217,7 @@ const char *find_fields(struct fields *fields, const char *names,
         }
         names += *length + 1;
     }
-    if (!needs_both_hits(fields)) {
+    if (query < QUERIES && !needs_both_hits(fields)) {
         fields->want |= CYLINT_WANT_NEAREST;
     }
     return NULL;
@@ -222,6 +249,25 @@ static inline double value_of_hit(enum value value, const cylint_hit *hit)
     }
 }
 
+static inline double value_of_closest(enum value value,
+                                      const cylint_closest *closest)
+{
+    switch (value) {
+    case VALUE_DISTANCE:
+        return closest->distance;
+    case VALUE_PART:
+        return closest->part;
+    case VALUE_FEATURE:
+        return closest->feature;
+    case VALUE_X:
+    case VALUE_Y:
+    case VALUE_Z:
+        return closest->point[value - VALUE_X];
+    default:
+        return closest->normal[value - VALUE_NX];
+    }
+}
+
 static inline int is_missing(const struct column *c, const struct row *row)
 {
     switch (c->value) {
@@ -230,14 +276,16 @@ static inline int is_missing(const struct column *c, const struct row *row)
     case VALUE_SHAPE:
         return 0;
     case VALUE_LABEL:
-        return row->answer == NULL || row->label_length == 0;
+        return (row->answer == NULL && row->closest == NULL) ||
+               row->label_length == 0;
     case VALUE_RELATION:
     case VALUE_N:
         return row->answer == NULL;
     case VALUE_CHORD:
         return row->answer == NULL || row->answer->n < 2;
     default:
-        return row->answer == NULL || row->answer->n <= c->hit;
+        return row->closest ? row->closest->part < 0
+                            : row->answer == NULL || row->answer->n <= c->hit;
     }
 }
 
@@ -259,7 +307,8 @@ static inline double value_of(const struct column *c, const struct row *row)
     case VALUE_CHORD:
         return a->hit[1].t - a->hit[0].t;
     default:
-        return value_of_hit(c->value, &a->hit[c->hit]);
+        return row->closest ? value_of_closest(c->value, row->closest)
+                            : value_of_hit(c->value, &a->hit[c->hit]);
     }
 }
 
@@ -273,13 +322,18 @@ static const char *const *words_of(enum value value)
     static const char *const parts[] = {[CYLINT_PART_LATERAL] = "lateral",
                                         [CYLINT_PART_CAP0] = "cap0",
                                         [CYLINT_PART_CAP1] = "cap1"};
+    static const char *const features[] = {
+        [CYLINT_FEATURE_LATERAL] = "lateral", [CYLINT_FEATURE_CAP0] = "cap0",
+        [CYLINT_FEATURE_CAP1] = "cap1",       [CYLINT_FEATURE_RIM0] = "rim0",
+        [CYLINT_FEATURE_RIM1] = "rim1",       [CYLINT_FEATURE_APEX] = "apex"};
     static const char *const sides[] = {[CYLINT_SIDE_ENTERING] = "entering",
                                         [CYLINT_SIDE_LEAVING] = "leaving",
                                         [CYLINT_SIDE_BOTH] = "both"};
-    return value == VALUE_RELATION ? relations
-           : value == VALUE_PART   ? parts
-           : value == VALUE_SIDE   ? sides
-                                   : NULL;
+    return value == VALUE_RELATION  ? relations
+           : value == VALUE_PART    ? parts
+           : value == VALUE_FEATURE ? features
+           : value == VALUE_SIDE    ? sides
+                                    : NULL;
 }
 
 static int is_whole(enum value value)
@@ -401,13 +455,15 @@ void list_columns(void (*print)(const char *name, const char *queries,
 {
     for (int i = 0; i < COLUMNS; i++) {
         struct text where;
-        char buffer[64];
+        char buffer[128];
         where.data = buffer;
         where.length = 0;
-        for (int q = 0; q < QUERIES; q++) {
+        for (int q = 0; q < ALL_QUERIES; q++) {
             if (columns[i].queries >> q & 1) {
                 put_string(&where, where.length > 0 ? "," : "");
-                put_string(&where, query_words[q]);
+                put_string(&where, q < QUERIES
+                                       ? query_words[q]
+                                       : point_query_words[q - QUERIES]);
             }
         }
         put_char(&where, '\0');

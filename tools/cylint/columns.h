@@ -1,13 +1,14 @@
 /*
  * columns.h - the columns of an answer, and how they are written
  *
- * A column is a name, a value and the members of a hit that it needs.  Each
+ * A column is a name, a value and the members of an answer that it needs.  Each
  * query has its own set of columns.
  */
 #ifndef CYLINT_COLUMNS_H
 #define CYLINT_COLUMNS_H
 
 #include "cylint.h"
+#include "cylint_distance.h"
 #include "text.h"
 
 enum query {
@@ -16,16 +17,31 @@ enum query {
     QUERY_ANY,     /* whether one is hit */
     QUERY_COUNT,   /* how many are hit */
     QUERY_ALL,     /* all that are hit, a row for each */
-    QUERIES
+    QUERIES,
+
+    /* the same of points */
+    QUERY_POINT = QUERIES,
+    QUERY_POINT_NEAREST, /* the shape whose surface is nearest */
+    QUERY_POINT_ANY,     /* whether one is within the radius */
+    QUERY_POINT_COUNT,
+    QUERY_POINT_ALL,
+    ALL_QUERIES
 };
 
-extern const char *const query_words[]; /* in that order, then NULL */
+extern const char *const query_words[]; /* those of lines, then NULL */
+
+/* The same query of points. */
+static inline enum query query_of_points(enum query query)
+{
+    return (enum query)(query + QUERY_POINT);
+}
 
 struct column;
 
 enum { MOST_FIELDS = 256 };
 
-/* The columns of a row, and the cylint_intersect() mask they need. */
+/* The columns of a row, and the mask for cylint_intersect() or cylint_distance()
+ * that they need. */
 struct fields {
     const struct column *column[MOST_FIELDS];
     int count;
@@ -47,14 +63,16 @@ struct style {
 /* The values of a row. */
 struct row {
     unsigned long long record, shape, count;
-    const cylint_answer *answer; /* NULL: there is none */
-    const char *label;           /* the shape's, if a column needs it */
+    const cylint_answer *answer;   /* NULL: there is none */
+    const cylint_closest *closest; /* of a point; NULL: there is none */
+    const char *label;             /* the shape's, if a column needs it */
     size_t label_length;
     const char *tail;
     size_t tail_length;
 };
 
-const char *default_fields(enum query query);
+/* binary: the output has numbers only. */
+const char *default_fields(enum query query, int binary);
 
 /* Writes *fields from names separated by commas.  Returns NULL, or the first
  * name that is not a column of this query or is one too many, and its length. */

@@ -1,5 +1,5 @@
 /*
- * grammar.c - reads a line and a shape from a record of text or doubles
+ * grammar.c - reads a line or point and a shape from a record of text or doubles
  *
  * Texts are pointers to their begin and end, not C strings: a NUL is a bad byte.
  * Fields are separated by blanks, tabs, and at most one comma.
@@ -16,6 +16,7 @@ const struct kind line_kinds[LINE_KINDS] = {
     [LINE_RAY] = {"ray", 6, "ox oy oz  dx dy dz"},
     [LINE_SEGMENT] = {"segment", 6, "ax ay az  bx by bz"},
     [LINE_SPAN] = {"span", 8, "ox oy oz  dx dy dz  tmin tmax"},
+    [LINE_POINT] = {"point", 3, "x y z"},
 };
 
 const struct kind shape_kinds[SHAPE_KINDS] = {
@@ -40,6 +41,7 @@ const char *const ends_words[] = {[CYLINT_ENDS_CAPPED] = "capped",
 
 #define SHAPE_WORDS \
     "cylinder, cone, ecylinder, econe, acone, sphere, capsule or rcone"
+#define LINE_WORDS "line, ray, segment, span or point"
 #define ENDS_WORDS "capped, open, cap0, cap1, infinite or nappe"
 
 static int is_word(const char *word, const char *text, size_t length)
@@ -95,9 +97,25 @@ int numbers_of_record(const struct grammar *g)
 
 /* ---------------------------------------------------- doubles to shapes -- */
 
-static cylint_status make_line(const struct grammar *g, int kind,
-                               const double *v, cylint_line *line)
+static cylint_status make_point(const double *v, double point[3])
 {
+    for (int i = 0; i < 3; i++) {
+        if (v[i] - v[i] != 0) {
+            return CYLINT_ENONFINITE;
+        }
+        point[i] = v[i];
+    }
+    return CYLINT_OK;
+}
+
+static cylint_status make_line(const struct grammar *g, int kind,
+                               const double *v, const struct parts *parts)
+{
+    cylint_line *line = parts->line;
+    *parts->is_point = kind == LINE_POINT;
+    if (kind == LINE_POINT) {
+        return make_point(v, parts->point);
+    }
     if (kind == LINE_SEGMENT) {
         return cylint_segment(line, v, v + 3);
     }
@@ -236,7 +254,7 @@ static int is_kind(const struct reader *r, const struct kind *kinds, int count)
 
 static int refuse_line_kind(struct reader *r, const struct grammar *g)
 {
-    refuse(r, "line, ray, segment or span", 1);
+    refuse(r, LINE_WORDS, 1);
     if (count_numbers(r->p, r->end) > 0) {
         r->fault->remedy = g->has_shape ? "for bare numbers use -k ray,cylinder"
                                         : "for bare numbers use -k ray";
@@ -301,7 +319,8 @@ static void remark_domain(const struct grammar *g, int kind, const char *at,
         remarks->found |= 1u << REMARK_DOMAIN;
         remarks->fault[REMARK_DOMAIN] = (struct fault){
             .what = kind == LINE_SEGMENT ? "-t has no effect on a segment"
-                                         : "-t has no effect on a span",
+                    : kind == LINE_SPAN  ? "-t has no effect on a span"
+                                         : "-t has no effect on a point",
             .at = at,
             .end = at};
     }
@@ -319,11 +338,17 @@ static int read_line(struct reader *r, const struct grammar *g,
             return refuse_line_kind(r, g);
         }
     }
+    *parts->is_point = kind == LINE_POINT;
+    const char *reason = kind == LINE_POINT ? g->no_points : g->no_lines;
+    if (reason) {
+        r->p = at;
+        return refuse(r, reason, 0);
+    }
     if (!read_numbers(r, v, line_kinds[kind].numbers)) {
         return 0;
     }
     remark_domain(g, kind, at, parts->remarks);
-    const cylint_status status = make_line(g, kind, v, parts->line);
+    const cylint_status status = make_line(g, kind, v, parts);
     return status == CYLINT_OK ||
            refuse_status(r, at, g->line == NOT_GIVEN, (int)status,
                          status == CYLINT_EDOMAIN ? 6 : NOT_GIVEN);
@@ -477,6 +502,7 @@ int read_parts(const struct grammar *g, const char *text, const char *end,
         return 0;
     }
     struct reader r = {skip_blanks(text, end), end, fault, 0};
+    *parts->is_point = g->no_lines != NULL;
     if (parts->remarks) {
         parts->remarks->found = 0;
     }
@@ -496,7 +522,7 @@ int take_parts(const struct grammar *g, const double *numbers,
     }
     if (g->has_line) {
         remark_domain(g, g->line, NULL, parts->remarks);
-        status = make_line(g, g->line, numbers, parts->line);
+        status = make_line(g, g->line, numbers, parts);
         numbers += line_kinds[g->line].numbers;
     }
     if (g->has_shape && status == CYLINT_OK) {
@@ -513,9 +539,14 @@ int take_parts(const struct grammar *g, const double *numbers,
 
 struct parts parts_of(struct record *r)
 {
-    return (struct parts){
-        &r->line,     &r->shape,           &r->tail, &r->tail_length,
-        &r->left_out, &r->left_out_length, NULL};
+    return (struct parts){.is_point = &r->is_point,
+                          .line = &r->line,
+                          .point = r->point,
+                          .shape = &r->shape,
+                          .tail = &r->tail,
+                          .tail_length = &r->tail_length,
+                          .left_out = &r->left_out,
+                          .left_out_length = &r->left_out_length};
 }
 
 int read_record(const struct grammar *g, const char *text, const char *end,

@@ -1,8 +1,8 @@
 /*
- * grammar.h - reads a line and a shape from a record of text or doubles
+ * grammar.h - reads a line or point and a shape from a record of text or doubles
  *
  *   record = LINE SHAPE [ends=WORD] [TAIL]     a pair
- *            LINE [not=NAME]... [TAIL]         a line, with a scene
+ *            LINE [not=NAME]... [TAIL]         a line or point, with a scene
  *            SHAPE [ends=WORD] [TAIL]          a shape of a scene
  *
  * With -k the words for LINE and SHAPE are left out.
@@ -15,7 +15,15 @@
 #include "cylint.h"
 #include "sizes.h"
 
-enum line_kind { LINE_WHOLE, LINE_RAY, LINE_SEGMENT, LINE_SPAN, LINE_KINDS };
+/* Lines, and a point. */
+enum line_kind {
+    LINE_WHOLE,
+    LINE_RAY,
+    LINE_SEGMENT,
+    LINE_SPAN,
+    LINE_POINT,
+    LINE_KINDS
+};
 
 enum shape_kind {
     SHAPE_CYLINDER,
@@ -45,9 +53,11 @@ extern const char *const ends_words[]; /* in cylint_ends' order, then NULL */
 /* The parts of a record, and their defaults. */
 struct grammar {
     int has_line, has_shape;
-    int line;  /* enum line_kind by -k, or NOT_GIVEN: a word names it */
-    int shape; /* enum shape_kind likewise */
-    int ends;  /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
+    int line; /* enum line_kind by -k, or NOT_GIVEN: a word names it */
+    const char *no_lines, *no_points; /* why a line or a point is a fault; NULL:
+                                         it is none */
+    int shape;                        /* enum shape_kind likewise */
+    int ends; /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
     int has_domain; /* -t: for lines and rays */
     double tmin, tmax;
     int for_packs;       /* shapes are used in packs or by methods only */
@@ -57,7 +67,9 @@ struct grammar {
 };
 
 struct record {
+    int is_point;
     cylint_line line;
+    double point[3]; /* if is_point */
     cylint_shape shape;
     const char *tail; /* without the blanks around it */
     size_t tail_length;
@@ -82,7 +94,7 @@ struct fault {
 /* A message about a good record; printed for the first such record only. */
 enum remark {
     REMARK_SURPLUS, /* its tail begins with a number */
-    REMARK_DOMAIN,  /* -t does not apply to its line */
+    REMARK_DOMAIN,  /* -t does not apply to its line or point */
     REMARK_LABEL,   /* it leaves out a label that no shape has */
     REMARKS
 };
@@ -147,7 +159,9 @@ int trim_line(const char *text, const char **end, struct fault *fault);
 /* The places for the parts of a record; only those in the grammar are
  * written. */
 struct parts {
+    int *is_point;
     cylint_line *line;
+    double *point;
     cylint_shape *shape;
     const char **tail;
     size_t *tail_length;

@@ -17,9 +17,10 @@ static int put_first_line(struct job *job)
     if (!o->header) {
         return 0;
     }
-    int status = block_make(&b, row_capacity(&o->fields, &o->style, 0), 0);
+    int status =
+        block_make(&b, row_capacity(options_fields(o), &o->style, 0), 0);
     if (status == 0) {
-        put_header(&b.out, &o->fields, &o->style);
+        put_header(&b.out, options_fields(o), &o->style);
         status = output_write(&job->out, b.out.data, b.out.length);
     }
     block_free(&b);
@@ -58,10 +59,16 @@ static int run(struct job *job)
     return job->report.bad > 0 ? EXIT_BAD : EXIT_ANSWERED;
 }
 
+static int needs_labels(const struct options *o)
+{
+    return (!o->grammar.no_lines && o->fields.labels > 0) ||
+           (!o->grammar.no_points && o->point_fields.labels > 0);
+}
+
 static int read_scene(const struct options *o, struct scene *scene,
                       struct labels *labels, struct groups *groups)
 {
-    if (o->fields.labels > 0 || o->not_label) {
+    if (needs_labels(o) || o->not_label) {
         labels_collect(labels, scene);
     }
     int status = scene_read(scene, o->scene, o->grammar.ends);

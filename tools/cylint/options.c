@@ -27,7 +27,8 @@ enum option_id {
     OPT_NPY,
     OPT_PROGRESS,
     OPT_TAIL,
-    OPT_VERSION
+    OPT_VERSION,
+    OPT_WITHIN
 };
 
 static const struct option options_known[] = {{"b", 'b', 0},
@@ -59,6 +60,7 @@ static const struct option options_known[] = {{"b", 'b', 0},
                                               {"progress", OPT_PROGRESS, 0},
                                               {"tail", OPT_TAIL, 0},
                                               {"version", OPT_VERSION, 0},
+                                              {"within", OPT_WITHIN, 1},
                                               {NULL, 0, 0}};
 
 /* Values that are checked after all options were read. */
@@ -67,6 +69,7 @@ struct pending {
     int tail;     /* --tail: no remark on it */
     int not_what; /* --not was given */
     int hex;      /* -x */
+    int within;   /* --within */
 };
 
 /* ------------------------------------------------------------- values -- */
@@ -92,6 +95,12 @@ static int read_domain(const char *value, struct grammar *g)
     p = read_bound(p + 1, &g->tmax);
     g->has_domain = 1;
     return p && *p == '\0' && g->tmin <= g->tmax;
+}
+
+static int read_radius(const char *value, double *radius)
+{
+    const char *p = read_bound(value, radius);
+    return p && *p == '\0' && *radius >= 0;
 }
 
 static int read_separator(const char *value, char *separator)
@@ -213,6 +222,11 @@ static int take_value(struct options *options, struct pending *pending,
     case OPT_NOT:
         pending->not_what = 1;
         return read_not(options, o, value);
+    case OPT_WITHIN:
+        pending->within = 1;
+        return read_radius(value, &options->radius)
+                   ? 0
+                   : usage_value(o, value, "a radius >= 0");
     default: /* OPT_MISS */
         options->style.missing = value;
         return 0;
@@ -309,24 +323,84 @@ static int settle_query(struct options *options, const char *query)
     return options->scene ? 0 : usage("-q needs a scene, -s FILE");
 }
 
-static int settle_fields(struct options *options, const char *names)
+/* Prints the fault of -f at the name `bad`. */
+static int refuse_field(const struct fields *fields, const char *bad,
+                        size_t length, enum query query)
 {
-    size_t length;
-    const char *bad = find_fields(
-        &options->fields, names ? names : default_fields(options->query),
-        options->query, &length);
-    if (!bad) {
-        return 0;
-    }
-    if (options->fields.count == MOST_FIELDS) {
+    if (fields->count == MOST_FIELDS) {
         return usage("-f: more than %d columns", MOST_FIELDS);
     }
     char shown[4 * 64 + 4];
     escape_bytes(shown, bad, bad + length, 64);
-    const char *meant = similar_field(bad, length, options->query);
+    const char *meant = similar_field(bad, length, query);
     return meant ? usage("-f: no column '%s' here; did you mean %s?", shown,
                          meant)
                  : usage("-f: no column '%s' here; see --list=columns", shown);
+}
+
+/* Reads the columns of lines, of points, or of both: of those records that the
+ * other options allow.  If names fit only one of them, the other is refused. */
+static int settle_fields(struct options *o, const char *names)
+{
+    struct grammar *g = &o->grammar;
+    const enum query points = query_of_points(o->query);
+    const int binary = o->style.binary;
+    size_t length, point_length;
+    const char *bad = find_fields(
+        &o->fields, names ? names : default_fields(o->query, binary), o->query,
+        &length);
+    const char *point_bad = find_fields(
+        &o->point_fields, names ? names : default_fields(points, binary),
+        points, &point_length);
+    if (bad && (point_bad || g->no_points)) {
+        const int of_points = g->no_lines && !g->no_points;
+        return of_points ? refuse_field(&o->point_fields, point_bad,
+                                        point_length, points)
+                         : refuse_field(&o->fields, bad, length, o->query);
+    }
+    if (point_bad && g->no_lines) {
+        return refuse_field(&o->point_fields, point_bad, point_length, points);
+    }
+    if (bad && !g->no_lines) {
+        g->no_lines = "the columns of -f are those of points";
+    }
+    if (point_bad && !g->no_points) {
+        g->no_points = "the columns of -f are those of lines";
+    }
+    return 0;
+}
+
+/* Whether the options allow only lines or only points. */
+static int settle_records(struct options *o, const struct pending *pending)
+{
+    struct grammar *g = &o->grammar;
+    if (g->line == LINE_POINT || pending->within) {
+        g->no_lines = "the option --within is for points";
+    }
+    if (pending->within && !o->scene) {
+        return usage("--within needs a scene, -s FILE");
+    }
+    if (g->line != NOT_GIVEN && g->line != LINE_POINT) {
+        g->no_points = "";
+    } else if (o->method) {
+        g->no_points = "a method computes no distances";
+    }
+    if (g->no_lines && g->no_points) {
+        return usage(o->method ? "--method is for lines, not for points"
+                               : "--within is for points, not for lines");
+    }
+    return 0;
+}
+
+/* A header and rows of doubles have one set of columns. */
+static void settle_one_set(struct options *o)
+{
+    struct grammar *g = &o->grammar;
+    if ((o->header || o->style.binary) && !g->no_lines && !g->no_points) {
+        g->no_points =
+            o->header ? "the header is that of lines; for points use -k point"
+                      : "binary output is of lines; for points use -k point";
+    }
 }
 
 /* -x or -p, of numbers in text. */
@@ -354,7 +428,7 @@ static int settle_binary(const struct options *options)
     if (options->style.binary && options->header) {
         return usage("--header: binary output has none");
     }
-    if (options->style.binary && options->fields.labels > 0) {
+    if (options->style.binary && options_fields(options)->labels > 0) {
         return usage("-f label: binary output has numbers only");
     }
     if (options->style.binary && options->style.missing) {
@@ -380,6 +454,12 @@ static unsigned wanted_remarks(const struct grammar *g, int tail)
         wanted |= 1u << REMARK_LABEL;
     }
     return wanted;
+}
+
+const struct fields *options_fields(const struct options *options)
+{
+    return options->grammar.no_lines ? &options->point_fields
+                                     : &options->fields;
 }
 
 static int uses_stdin(const struct options *options)
@@ -416,12 +496,16 @@ static int settle(struct options *options, const struct pending *pending)
         status = settle_query(options, pending->query);
     }
     if (status == 0) {
+        status = settle_records(options, pending);
+    }
+    if (status == 0) {
         status = settle_fields(options, pending->fields);
+        settle_one_set(options);
     }
     if (status == 0) {
         status = settle_digits(options, pending->hex);
     }
-    g->for_packs = options->query == QUERY_PAIRS &&
+    g->for_packs = options->query == QUERY_PAIRS && g->line != LINE_POINT &&
                    (options->method ||
                     pairs_can_answer(g->line, options->fields.want,
                                      fields_need_sides(&options->fields)));
@@ -430,12 +514,13 @@ static int settle(struct options *options, const struct pending *pending)
 
 int read_options(struct options *options, int argc, char **argv)
 {
-    struct parsed_options parsed = {options, {NULL, NULL, NULL, 0, 0, 0}};
+    struct parsed_options parsed = {options, {NULL, NULL, NULL, 0, 0, 0, 0}};
     memset(options, 0, sizeof *options);
     options->grammar.line = NOT_GIVEN;
     options->grammar.shape = NOT_GIVEN;
     options->grammar.ends = NOT_GIVEN;
     options->style.separator = '\t';
+    options->radius = HUGE_VAL;
     options->files = argv;
     const int status = take_arguments(options_known, argc, argv, take_option,
                                       &parsed, &options->file_count);

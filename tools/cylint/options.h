@@ -16,7 +16,8 @@ struct options {
     const char *scene; /* NULL: pairs */
     enum accel accel;
     enum query query;
-    struct fields fields;
+    struct fields fields, point_fields; /* of lines, of points */
+    double radius;                      /* of points, by --within */
     struct style style;
     const cylint_method *method; /* NULL: cylint_intersect() */
     enum bad_policy bad;
@@ -38,6 +39,10 @@ struct options {
 /* Returns 0, or EXIT_USAGE after a message.  Moves the files to the front of
  * argv, where options->files points. */
 int read_options(struct options *options, int argc, char **argv);
+
+/* The columns of the header and of binary answers: those of points if the
+ * options allow only points. */
+const struct fields *options_fields(const struct options *options);
 
 /* Writes the help, the version or a list to standard output. */
 int print_about(const char *what);

@@ -95,7 +95,8 @@ int output_open(struct output *out, const struct options *o)
     const char *name = o->output;
     out->name = name ? name : "standard output";
     out->array = -1;
-    out->row = o->style.binary ? sizeof(double) * (size_t)o->fields.count : 0;
+    out->row =
+        o->style.binary ? sizeof(double) * (size_t)options_fields(o)->count : 0;
     out->fd = name ? open_file(name, O_WRONLY | O_CREAT) : 1;
     if (out->fd < 0) {
         complain_errno(out->name);

@@ -1,6 +1,8 @@
 /*
- * search.c - finds the shapes of a scene that a line hits
+ * search.c - finds the shapes of a scene that a line hits, or that are near a
+ * point
  */
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,10 +24,14 @@ const char *const accel_words[] = {"auto", "none", "tree", "embree", NULL};
  */
 enum { PAYS_FROM = 64, PAYS_AFTER = 1024 };
 
+/* A point takes about as long as this number of lines, because its shapes are
+ * tested one by one. */
+enum { LINES_PER_POINT = 32 };
+
 /* The hierarchy.  A thread may still be building it. */
 struct hierarchy {
     cylint_scene *scene; /* NULL: not built, or building failed */
-    size_t lines;        /* lines before it was built */
+    size_t lines;        /* lines before it was built; a point counts as many */
 };
 
 static int make_pack(struct search *s)
@@ -92,16 +98,18 @@ static const cylint_scene *scene_of(const struct search *s)
                : NULL;
 }
 
-/* The same, and counts one line.  The thread with line number PAYS_AFTER builds
- * the hierarchy; the others continue with batches. */
-static const cylint_scene *scene_for_line(const struct search *s)
+/* The same, and counts lines.  The thread with line number PAYS_AFTER builds the
+ * hierarchy; the others continue with batches. */
+static const cylint_scene *scene_for(const struct search *s, size_t lines)
 {
     const cylint_scene *scene = scene_of(s);
-    if (s->hierarchy && !scene &&
-        __atomic_add_fetch(&s->hierarchy->lines, 1, __ATOMIC_RELAXED) ==
-            PAYS_AFTER) {
-        make_scene(s); /* if that fails, batches are used */
-        scene = scene_of(s);
+    if (s->hierarchy && !scene) {
+        const size_t before =
+            __atomic_fetch_add(&s->hierarchy->lines, lines, __ATOMIC_RELAXED);
+        if (before < PAYS_AFTER && before + lines >= PAYS_AFTER) {
+            make_scene(s); /* if that fails, batches are used */
+            scene = scene_of(s);
+        }
     }
     return scene;
 }
@@ -109,7 +117,7 @@ static const cylint_scene *scene_for_line(const struct search *s)
 size_t search_nearest(const struct search *s, const cylint_line *line,
                       double *t)
 {
-    const cylint_scene *scene = scene_for_line(s);
+    const cylint_scene *scene = scene_for(s, 1);
     const unsigned want = t ? CYLINT_WANT_T : 0;
     cylint_hit hit;
     const size_t shape = scene ? cylint_scene_nearest(scene, line, want, &hit)
@@ -123,7 +131,7 @@ size_t search_nearest(const struct search *s, const cylint_line *line,
 size_t search_count(const struct search *s, const cylint_line *line,
                     size_t enough)
 {
-    const cylint_scene *scene = scene_for_line(s);
+    const cylint_scene *scene = scene_for(s, 1);
     return scene ? cylint_scene_count(scene, line, enough)
                  : cylint_count(&s->pack, line, enough);
 }
@@ -150,7 +158,7 @@ size_t search_hits(const struct search *s, const cylint_line *line,
                    size_t capacity)
 {
     size_t found = 0;
-    const cylint_scene *scene = first == 0 ? scene_for_line(s) : scene_of(s);
+    const cylint_scene *scene = first == 0 ? scene_for(s, 1) : scene_of(s);
     if (scene) {
         return cylint_scene_all(scene, line, first, numbers, capacity);
     }
@@ -165,4 +173,64 @@ size_t search_hits(const struct search *s, const cylint_line *line,
         numbers[found++] = i;
     }
     return found;
+}
+
+/* ------------------------------------------------------------- points -- */
+
+double search_distance(const struct search *s, size_t shape,
+                       const double point[3])
+{
+    cylint_closest closest;
+    closest.part = 0; /* written only if there is no surface */
+    const double distance =
+        fabs(cylint_distance(&s->shapes[shape], point, 0, &closest));
+    return closest.part >= 0 ? distance : NAN;
+}
+
+size_t search_closest(const struct search *s, const double point[3],
+                      double radius, unsigned want, cylint_closest *closest)
+{
+    const cylint_scene *scene = scene_for(s, LINES_PER_POINT);
+    return scene ? cylint_scene_closest(scene, point, radius, want, closest)
+                 : cylint_closest_shape(s->shapes, s->count, point, radius,
+                                        want, closest);
+}
+
+size_t search_within(const struct search *s, const double point[3],
+                     double radius, size_t first, size_t *numbers,
+                     double *distances, size_t capacity)
+{
+    const cylint_scene *scene =
+        first == 0 ? scene_for(s, LINES_PER_POINT) : scene_of(s);
+    size_t found = 0;
+    if (scene) {
+        return cylint_scene_within(scene, point, radius, first, numbers,
+                                   distances, capacity);
+    }
+    for (size_t i = first; i < s->count && found < capacity; i++) {
+        const double distance = search_distance(s, i, point);
+        if (distance <= radius) {
+            numbers[found] = i;
+            distances[found++] = distance;
+        }
+    }
+    return found;
+}
+
+size_t search_within_count(const struct search *s, const double point[3],
+                           double radius, size_t enough)
+{
+    const cylint_scene *scene = scene_for(s, LINES_PER_POINT);
+    size_t number, count = 0;
+    double distance;
+    if (scene) {
+        return cylint_scene_within_count(scene, point, radius, enough);
+    }
+    for (size_t first = 0;
+         (enough == 0 || count < enough) &&
+         search_within(s, point, radius, first, &number, &distance, 1) == 1;
+         first = number + 1) {
+        count++;
+    }
+    return count;
 }

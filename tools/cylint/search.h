@@ -1,5 +1,6 @@
 /*
- * search.h - finds the shapes of a scene that a line hits
+ * search.h - finds the shapes of a scene that a line hits, or that are near a
+ * point
  *
  * It uses batches of all shapes or a hierarchy of boxes, whichever is faster.
  * Both return the same bits.  Any number of threads may search.
@@ -8,6 +9,7 @@
 #define CYLINT_SEARCH_H
 
 #include "cylint.h"
+#include "cylint_distance.h"
 
 /* The last two are the same. */
 enum accel { ACCEL_AUTO, ACCEL_NONE, ACCEL_TREE, ACCEL_EMBREE };
@@ -46,5 +48,21 @@ size_t search_count(const struct search *s, const cylint_line *line,
 size_t search_hits(const struct search *s, const cylint_line *line,
                    signed char *hits, size_t first, size_t *numbers,
                    size_t capacity);
+
+/* The absolute distance of a point from the surface of a shape; NaN if the shape
+ * has no surface. */
+double search_distance(const struct search *s, size_t shape,
+                       const double point[3]);
+
+/* The same for points, as in cylint_scene.h. */
+size_t search_closest(const struct search *s, const double point[3],
+                      double radius, unsigned want, cylint_closest *closest);
+size_t search_within_count(const struct search *s, const double point[3],
+                           double radius, size_t enough);
+
+/* Writes also the distances of the shapes. */
+size_t search_within(const struct search *s, const double point[3],
+                     double radius, size_t first, size_t *numbers,
+                     double *distances, size_t capacity);
 
 #endif

@@ -1,0 +1,30 @@
+/*
+ * nearby.h - the shapes of a scene that are near a point
+ */
+#ifndef CYLINT_NEARBY_H
+#define CYLINT_NEARBY_H
+
+#include "cylint_distance.h"
+#include "left_out.h"
+#include "search.h"
+
+/* A point and a radius.  A shape is near if its surface is within the radius
+ * and it is not left out. */
+struct nearby {
+    const struct search *search;
+    const double *point;
+    double radius;
+    const struct left_out *left_out;
+};
+
+/* Returns the number of the nearest of these shapes, of equal distances the
+ * lowest, or the number of all shapes if there is none.  Writes *closest if
+ * there is one. */
+size_t nearby_closest(const struct nearby *n, unsigned want,
+                      cylint_closest *closest);
+
+/* Returns how many there are, at most `most`. */
+unsigned long long nearby_count(const struct nearby *n,
+                                unsigned long long most);
+
+#endif
