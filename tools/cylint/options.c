@@ -456,12 +456,6 @@ static unsigned wanted_remarks(const struct grammar *g, int tail)
     return wanted;
 }
 
-const struct fields *options_fields(const struct options *options)
-{
-    return options->grammar.no_lines ? &options->point_fields
-                                     : &options->fields;
-}
-
 static int uses_stdin(const struct options *options)
 {
     for (int i = 0; i < options->file_count; i++) {

@@ -42,7 +42,11 @@ int read_options(struct options *options, int argc, char **argv);
 
 /* The columns of the header and of binary answers: those of points if the
  * options allow only points. */
-const struct fields *options_fields(const struct options *options);
+static inline const struct fields *options_fields(const struct options *options)
+{
+    return options->grammar.no_lines ? &options->point_fields
+                                     : &options->fields;
+}
 
 /* Writes the help, the version or a list to standard output. */
 int print_about(const char *what);
