@@ -6,10 +6,11 @@
 data=../shared/data
 native=$scratch/neuron.swc converted=$scratch/neuron.scene
 
-# answers SCENE: writes all hits of the lines, with all bits, and all messages.
+# answers SCENE OPTION...: writes all hits of the lines, with all bits, and all
+# messages.
 answers()
 {
-    "$build/cylint" -s "$1" -q all -x "$scratch/lines" \
+    "$build/cylint" -s "$@" -q all -x "$scratch/lines" \
         > "$scratch/answers" 2> "$scratch/messages"
 }
 
@@ -21,16 +22,25 @@ lines_through_nodes()
     }' "$1" > "$scratch/lines"
 }
 
-# both NAME: the file read and the file converted give the same answers.
+# both NAME: the file read and the file converted give the same answers, as cones
+# and as round shapes.
 both()
 {
-    tools/convert/swc2scene "$native" > "$converted" 2> "$scratch/skipped" &&
+    for form in cones round; do
+        in_form $form
+        verdict "${1}_as_$form" $?
+    done
+}
+
+in_form()
+{
+    tools/convert/swc2scene --swc=$1 "$native" > "$converted" 2> "$scratch/skipped" &&
         answers "$converted" && mv "$scratch/answers" "$scratch/expected" &&
         [ -s "$scratch/expected" ] && [ ! -s "$scratch/messages" ] &&
-        answers "$native" && cmp "$scratch/expected" "$scratch/answers" &&
+        answers "$native" --swc=$1 &&
+        cmp "$scratch/expected" "$scratch/answers" &&
         sed "s|^cylint-convert: |cylint: $native: |" "$scratch/skipped" |
         diff - "$scratch/messages"
-    verdict "$1" $?
 }
 
 # Nodes of a random tree; ids have gaps, some edges have length 0 or radius 0.
@@ -91,6 +101,15 @@ test_same_shapes()
     [ "$("$build/cylint" -s "$native" "$scratch/lines")" = "$(printf '1\t5\tcap1')" ] &&
         [ "$("$build/cylint" -s "$native" --ends open "$scratch/lines")" = "$(printf '0\tnan\t-')" ]
     verdict swc_frusta_have_the_ends_of_the_option $?
+    printf '1 1 0 0 0 0 -1\n2 3 0 0 0 0 1\n3 3 0 0 10 1 2\n' > "$native"
+    both swc_what_has_no_radius_gives_nothing
+    grep -q '1 root of no radius skipped' "$scratch/messages"
+    verdict swc_roots_without_radius_are_counted $?
+    # The line enters at the point of the rounded cone and leaves through the ball
+    # about node 3, its first.
+    [ "$("$build/cylint" -s "$native" --swc=round -q all -f t0,t1 "$scratch/lines")" = "$(printf '5\t16')" ] &&
+        [ "$("$build/cylint" -s "$native" --swc=round --ends cap1 -q all -f t0,t1 "$scratch/lines")" = "$(printf '5\tnan')" ]
+    verdict swc_rounded_cones_have_the_ends_of_the_option $?
 }
 
 # refuses MESSAGE LINE...: both readers refuse a file of these lines with MESSAGE.

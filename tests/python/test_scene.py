@@ -151,6 +151,33 @@ def test_a_neuron_is_read_as_the_command_reads_it(command, tmp_path):
     )
 
 
+def test_a_neuron_is_round_on_request(command, tmp_path):
+    neuron = tmp_path / "n.swc"
+    neuron.write_text("1 1 0 0 0 2 -1\n2 3 0 0 10 1 1\n9 1 7 0 0 3 -1\n")
+    shapes = cylint.read_scene(neuron, swc="round")
+    assert shapes.kind.tolist() == [
+        cylint.Kind.SPHERE,
+        cylint.Kind.RCONE,
+        cylint.Kind.SPHERE,
+    ]
+    near = cylint.Scene(shapes).nearest([2, 0, 5], [-1, 0, 0])
+    (answer,) = command(
+        "ray 2 0 5 -1 0 0\n", "-s", str(neuron), "--swc=round", "-f", "shape,t"
+    )
+    assert (
+        int(answer[0]) - 1 == near.index and float.fromhex(answer[1]) == near.t
+    )
+    assert len(cylint.read_scene(neuron, swc="cones")) == 1
+    with pytest.raises(ValueError, match="expected cones or round, found 'x'"):
+        cylint.read_scene(neuron, swc="x")
+    with pytest.raises(ValueError, match=r"n\.swc:1:1: .*no such ends"):
+        cylint.read_scene(neuron, swc="round", ends="infinite")
+    text = tmp_path / "text"
+    text.write_text("sphere 0 0 0 1\n")
+    with pytest.raises(ValueError, match=r"swc: not a neuron, \*\.swc: .*text"):
+        cylint.read_scene(text, swc="round")
+
+
 def test_faults_of_files_are_raised(tmp_path):
     bad = tmp_path / "bad.txt"
     bad.write_text("cylinder 0 0 0 0 0 1 1\nbarrel 0 0 0\n")

@@ -1,10 +1,16 @@
-# swc.awk - neurons in SWC: a frustum from each node to its parent
+# swc.awk - neurons in SWC: a frustum or a rounded cone from each node to its
+# parent
 #
 # An SWC line is `id type x y z radius parent`; `#` begins a comment; parent
 # -1 marks a root.  Fields are separated by blanks, tabs and at most one comma.
 # Each node with a parent gives one frustum, labelled with the node's id:
 #
 #     cone x y z radius  xp yp zp radiusp  id
+#
+# If `round`, it gives a rounded cone, and each root gives a sphere:
+#
+#     rcone x y z radius  xp yp zp radiusp  id
+#     sphere x y z radius  id
 #
 # A node whose parent is not in the file is a root.  tools/cylint/swc.c reads
 # the same files, gives the same shapes and writes the same messages.
@@ -101,7 +107,9 @@ function end_file(   n)
     find_parents()
     for (n = 1; n <= nodes; n++)
         if (parent[n] > 0)
-            write_frustum(n, parent[n])
+            write_edge(n, parent[n])
+        else if (round)
+            write_ball(n)
 }
 
 # Replaces the parents' numbers by their indices; 0: the node is a root.
@@ -143,16 +151,25 @@ function first_of_cycle(start,   first, n)
     return first
 }
 
-function write_frustum(from, to)
+# A rounded cone without length is a ball.
+function write_edge(from, to)
 {
-    if (x[from] + 0 == x[to] + 0 && y[from] + 0 == y[to] + 0 &&
+    if (!round && x[from] + 0 == x[to] + 0 && y[from] + 0 == y[to] + 0 &&
         z[from] + 0 == z[to] + 0)
         without_length++
     else if (radius_of[from] + 0 == 0 && radius_of[to] + 0 == 0)
         without_radius++
     else
-        print "cone", x[from], y[from], z[from], radius_of[from],
-              x[to], y[to], z[to], radius_of[to], id[from]
+        print round ? "rcone" : "cone", x[from], y[from], z[from],
+              radius_of[from], x[to], y[to], z[to], radius_of[to], id[from]
+}
+
+function write_ball(root)
+{
+    if (radius_of[root] + 0 == 0)
+        roots_without_radius++
+    else
+        print "sphere", x[root], y[root], z[root], radius_of[root], id[root]
 }
 
 function finish()
@@ -163,4 +180,5 @@ function finish()
              (without_parent == 1 ? "a root" : "roots"))
     note_skipped(without_length, "edge", "length")
     note_skipped(without_radius, "edge", "radius")
+    note_skipped(roots_without_radius, "root", "radius")
 }

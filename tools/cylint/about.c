@@ -34,6 +34,7 @@ static const char help[] =
     "LINE\n"
     "  -s FILE            a scene, one SHAPE [ends=WORD] a line, or\n"
     "                     a neuron: NAME.swc\n"
+    "  --swc FORM         of a neuron: cones (default) or round\n"
     "  -q QUERY           with -s: nearest (default), any, count or all\n"
     "  --not WHAT         with -s: a record's not=NAME leaves out the shape "
     "with\n"

@@ -5,6 +5,7 @@
  */
 #include "main.h"
 #include "processors.h"
+#include "scene_read.h"
 #include "workers.h"
 
 const char *const program = "cylint";
@@ -71,7 +72,8 @@ static int read_scene(const struct options *o, struct scene *scene,
     if (needs_labels(o) || o->not_label) {
         labels_collect(labels, scene);
     }
-    int status = scene_read(scene, o->scene, o->grammar.ends);
+    int status =
+        scene_read(scene, o->scene, o->grammar.ends, (enum swc_form)o->swc);
     if (status == 0 && !o->method) {
         status = scene_prepare(scene, o->accel, o->workers);
     }

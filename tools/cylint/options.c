@@ -26,6 +26,7 @@ enum option_id {
     OPT_NOT,
     OPT_NPY,
     OPT_PROGRESS,
+    OPT_SWC,
     OPT_TAIL,
     OPT_VERSION,
     OPT_WITHIN
@@ -58,6 +59,7 @@ static const struct option options_known[] = {{"b", 'b', 0},
                                               {"not", OPT_NOT, 1},
                                               {"npy", OPT_NPY, 0},
                                               {"progress", OPT_PROGRESS, 0},
+                                              {"swc", OPT_SWC, 1},
                                               {"tail", OPT_TAIL, 0},
                                               {"version", OPT_VERSION, 0},
                                               {"within", OPT_WITHIN, 1},
@@ -68,6 +70,7 @@ struct pending {
     const char *kinds, *query, *fields;
     int tail;     /* --tail: no remark on it */
     int not_what; /* --not was given */
+    int has_swc;  /* --swc was given */
     int hex;      /* -x */
     int within;   /* --within */
 };
@@ -227,6 +230,9 @@ static int take_value(struct options *options, struct pending *pending,
         return read_radius(value, &options->radius)
                    ? 0
                    : usage_value(o, value, "a radius >= 0");
+    case OPT_SWC:
+        pending->has_swc = 1;
+        return read_word(o, value, swc_forms, SWC_FORMS, &options->swc);
     default: /* OPT_MISS */
         options->style.missing = value;
         return 0;
@@ -484,6 +490,9 @@ static int settle(struct options *options, const struct pending *pending)
     if (pending->not_what && !options->scene) {
         return usage("--not needs a scene, -s FILE");
     }
+    if (pending->has_swc && !(options->scene && swc_is_name(options->scene))) {
+        return usage("--swc needs a neuron, -s NAME.swc");
+    }
     int status = pending->kinds ? settle_kinds(g, pending->kinds) : 0;
     options->remarks = wanted_remarks(g, pending->tail);
     if (status == 0) {
@@ -508,7 +517,7 @@ static int settle(struct options *options, const struct pending *pending)
 
 int read_options(struct options *options, int argc, char **argv)
 {
-    struct parsed_options parsed = {options, {NULL, NULL, NULL, 0, 0, 0, 0}};
+    struct parsed_options parsed = {options, {NULL, NULL, NULL, 0, 0, 0, 0, 0}};
     memset(options, 0, sizeof *options);
     options->grammar.line = NOT_GIVEN;
     options->grammar.shape = NOT_GIVEN;

@@ -8,12 +8,14 @@
 #include "cylint_methods.h"
 #include "grammar.h"
 #include "search.h"
+#include "swc.h"
 
 enum bad_policy { BAD_MARK, BAD_SKIP, BAD_STOP };
 
 struct options {
     struct grammar grammar;
     const char *scene; /* NULL: pairs */
+    int swc;           /* enum swc_form of a neuron */
     enum accel accel;
     enum query query;
     struct fields fields, point_fields; /* of lines, of points */

@@ -9,12 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "block.h"
-#include "input.h"
 #include "left_out.h"
 #include "main.h"
+#include "report.h"
 #include "scene.h"
-#include "swc.h"
 
 static int add_shape(struct scene *scene, const cylint_shape *shape)
 {
@@ -38,83 +36,6 @@ int scene_add(struct scene *scene, const struct record *record)
 {
     const int status = scene->also ? scene->also(scene, record) : 0;
     return status != 0 ? status : add_shape(scene, &record->shape);
-}
-
-static int read_shapes(struct scene *scene, const struct grammar *g,
-                       struct block *b)
-{
-    const char *end = b->text + b->length;
-    unsigned long long number = b->line;
-    for (const char *p = b->text; p < end; number++) {
-        const char *stop = end_of_line(p, end);
-        struct fault fault;
-        if (!is_record(p, stop)) {
-            p = stop + 1;
-            continue;
-        }
-        if (!read_record(g, p, stop, &b->parsed, &fault)) {
-            take_note(&b->notes, number, 0, p, end, &fault);
-            print_note(&b->notes.note[0], b->name);
-            return EXIT_BAD;
-        }
-        const int status = scene_add(scene, &b->parsed);
-        if (status != 0) {
-            return status;
-        }
-        p = stop + 1;
-    }
-    return 0;
-}
-
-/* Returns the command that converts a file with this name, or NULL. */
-static const char *converter_of(const char *file)
-{
-    static const char *const remedies[][2] = {
-        {".csv", "convert it with cylint-convert qsm"},
-        {".pdb", "convert it with cylint-convert pdb"},
-        {".ent", "convert it with cylint-convert pdb"},
-        {".cif", "convert it with cylint-convert pdb"},
-        {".mmcif", "convert it with cylint-convert pdb"},
-        {".pov", "convert it with cylint-convert pov"},
-        {".inc", "convert it with cylint-convert pov"}};
-    const char *dot = strrchr(file, '.');
-    for (size_t i = 0; dot && i < sizeof remedies / sizeof *remedies; i++) {
-        if (strcmp(dot, remedies[i][0]) == 0) {
-            return remedies[i][1];
-        }
-    }
-    return NULL;
-}
-
-int scene_read(struct scene *scene, const char *file, int ends)
-{
-    const struct grammar g = {.has_shape = 1,
-                              .line = NOT_GIVEN,
-                              .shape = NOT_GIVEN,
-                              .ends = ends,
-                              .convert = converter_of(file)};
-    char *const files[] = {(char *)(uintptr_t)file};
-    const int is_swc = swc_is_name(file);
-    struct swc swc = {0};
-    struct input in;
-    struct block block;
-    int status = block_make(&block, 0, 0);
-    if (status == 0) {
-        status = input_open(&in, files, 1, 0);
-        in.cr_ends_lines = is_swc;
-        while (status == 0 && (status = input_next(&in, &block)) == 0 &&
-               block.length > 0) {
-            status = is_swc ? swc_read_nodes(&swc, &block)
-                            : read_shapes(scene, &g, &block);
-        }
-        if (status == 0 && is_swc) {
-            status = swc_add_frusta(&swc, scene, ends, file);
-        }
-        input_close(&in);
-    }
-    swc_free(&swc);
-    block_free(&block);
-    return status;
 }
 
 int scene_prepare(struct scene *scene, enum accel accel, int threads)

@@ -24,9 +24,6 @@ struct scene {
 /* Adds the shape of a record and calls also().  Returns 0 or an exit status. */
 int scene_add(struct scene *scene, const struct record *record);
 
-/* Reads a file of shapes, one a line, or of a neuron's nodes (swc.h).  Stops at
- * the first bad line.  Returns 0, or an exit status after a message. */
-int scene_read(struct scene *scene, const char *file, int ends);
 /* Prepares the shapes for all queries without a method.  Returns 0 or an exit
  * status. */
 int scene_prepare(struct scene *scene, enum accel accel, int threads);

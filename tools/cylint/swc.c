@@ -1,12 +1,14 @@
 /*
- * swc.c - neurons in SWC: a frustum from each node to its parent
+ * swc.c - neurons in SWC: a frustum or a rounded cone from each node to its
+ * parent
  *
  *   node = number type x y z radius parent
  *
  * Fields are separated by blanks, tabs and at most one comma; the type, and
  * what follows the parent, is ignored.  Parent -1, or a parent that is not in
  * the file, marks a root.  Parents may stand after their children, so the
- * shapes are made after all nodes were read.
+ * shapes are made after all nodes were read.  Rounded cones join without gaps;
+ * with them a root gives a sphere.
  *
  * tools/convert/swc.awk accepts the same files, gives the same shapes in the
  * same order and writes the same messages.
@@ -16,8 +18,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "block.h"
 #include "main.h"
 #include "numbers.h"
+#include "scene.h"
 #include "swc.h"
 
 enum { DIGITS_MOST = 18 }; /* of a node's number: it fits 64 bits */
@@ -33,6 +37,9 @@ struct swc_node {
     size_t up;                       /* the parent's index, from 1; 0: a root */
     size_t path; /* the first node, from 1, whose ancestor this is; 0: none */
 };
+
+const char *const swc_forms[] = {
+    [SWC_CONES] = "cones", [SWC_ROUND] = "round", NULL};
 
 int swc_is_name(const char *file)
 {
@@ -277,7 +284,7 @@ int swc_read_nodes(struct swc *swc, struct block *b)
     return status;
 }
 
-/* --------------------------------------------------------------- frusta -- */
+/* --------------------------------------------------------------- shapes -- */
 
 static int refuse_cycle(const struct swc *swc, size_t index, const char *name)
 {
@@ -346,61 +353,119 @@ static void print_missing(size_t count, const char *name)
     }
 }
 
-static void print_skipped(size_t count, const char *lack, const char *name)
+static void print_skipped(size_t count, const char *what, const char *lack,
+                          const char *name)
 {
-    char what[80];
+    char text[80];
     if (count > 0) {
-        snprintf(what, sizeof what, "%llu edge%s of no %s skipped",
-                 (unsigned long long)count, count == 1 ? "" : "s", lack);
-        complain(name, what);
+        snprintf(text, sizeof text, "%llu %s%s of no %s skipped",
+                 (unsigned long long)count, what, count == 1 ? "" : "s", lack);
+        complain(name, text);
     }
 }
 
-static int add_frustum(struct scene *scene, const struct swc_node *node,
-                       const struct swc_node *parent, int ends)
-{
-    char number[DIGITS_MOST + 1];
-    struct text label = {number, 0};
-    struct record record;
-    cylint_cone(&record.shape, node->centre, node->radius, parent->centre,
-                parent->radius,
-                ends == NOT_GIVEN ? CYLINT_ENDS_CAPPED : (cylint_ends)ends);
-    put_whole(&label, node->number);
-    record.tail = number;
-    record.tail_length = label.length;
-    return scene_add(scene, &record);
-}
+/* The nodes become shapes of a scene.  Counts what bounds nothing. */
+struct conversion {
+    struct scene *scene;
+    enum swc_form form;
+    int ends;         /* NOT_GIVEN: capped */
+    const char *name; /* of the file */
+    size_t without_length, without_radius, roots_without_radius;
+};
 
 static int same_place(const double a[3], const double b[3])
 {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-int swc_add_frusta(struct swc *swc, struct scene *scene, int ends,
-                   const char *name)
+/* Whether a root bounds a ball; counts it if not. */
+static int is_ball(struct conversion *c, const struct swc_node *root)
 {
-    size_t without_length = 0, without_radius = 0;
+    c->roots_without_radius += root->radius == 0;
+    return root->radius > 0;
+}
+
+/* Whether an edge bounds a shape; counts it if not.  A rounded cone without
+ * length is a ball. */
+static int is_solid(struct conversion *c, const struct swc_node *node,
+                    const struct swc_node *parent)
+{
+    if (c->form == SWC_CONES && same_place(node->centre, parent->centre)) {
+        c->without_length++;
+        return 0;
+    }
+    if (node->radius == 0 && parent->radius == 0) {
+        c->without_radius++;
+        return 0;
+    }
+    return 1;
+}
+
+/* parent: NULL for a root. */
+static cylint_status make_shape(const struct conversion *c,
+                                const struct swc_node *node,
+                                const struct swc_node *parent,
+                                cylint_shape *shape)
+{
+    const cylint_ends ends =
+        c->ends == NOT_GIVEN ? CYLINT_ENDS_CAPPED : (cylint_ends)c->ends;
+    if (!parent) {
+        return cylint_sphere(shape, node->centre, node->radius, ends);
+    }
+    if (c->form == SWC_ROUND) {
+        return cylint_round_cone(shape, node->centre, node->radius,
+                                 parent->centre, parent->radius, ends);
+    }
+    return cylint_cone(shape, node->centre, node->radius, parent->centre,
+                       parent->radius, ends);
+}
+
+static int add_shape(struct conversion *c, const struct swc_node *node,
+                     const struct swc_node *parent)
+{
+    char number[DIGITS_MOST + 1];
+    struct text label = {number, 0};
+    struct record record;
+    const cylint_status status = make_shape(c, node, parent, &record.shape);
+    if (status != CYLINT_OK) {
+        struct note note = {.line = node->line, .column = 1};
+        snprintf(note.text, sizeof note.text, "%s",
+                 cylint_strerror((int)status));
+        print_note(&note, c->name);
+        return EXIT_BAD;
+    }
+    put_whole(&label, node->number);
+    record.tail = number;
+    record.tail_length = label.length;
+    return scene_add(c->scene, &record);
+}
+
+static int convert_node(struct conversion *c, const struct swc *swc,
+                        const struct swc_node *node)
+{
+    const struct swc_node *parent =
+        node->up > 0 ? &swc->nodes[node->up - 1] : NULL;
+    const int is_shape = parent ? is_solid(c, node, parent)
+                                : c->form == SWC_ROUND && is_ball(c, node);
+    return is_shape ? add_shape(c, node, parent) : 0;
+}
+
+int swc_add_shapes(struct swc *swc, struct scene *scene, int ends,
+                   enum swc_form form, const char *name)
+{
+    struct conversion c = {
+        .scene = scene, .form = form, .ends = ends, .name = name};
     const size_t missing = find_parents(swc);
     int status = refuse_cycles(swc, name);
+    for (size_t i = 0; i < swc->count && status == 0; i++) {
+        status = convert_node(&c, swc, &swc->nodes[i]);
+    }
     if (status != 0) {
         return status;
     }
-    for (size_t i = 0; i < swc->count && status == 0; i++) {
-        const struct swc_node *node = &swc->nodes[i];
-        if (node->up == 0) {
-            continue;
-        }
-        const struct swc_node *parent = &swc->nodes[node->up - 1];
-        if (same_place(node->centre, parent->centre)) {
-            without_length++;
-        } else if (node->radius == 0 && parent->radius == 0) {
-            without_radius++;
-        } else {
-            status = add_frustum(scene, node, parent, ends);
-        }
-    }
     print_missing(missing, name);
-    print_skipped(without_length, "length", name);
-    print_skipped(without_radius, "radius", name);
-    return status;
+    print_skipped(c.without_length, "edge", "length", name);
+    print_skipped(c.without_radius, "edge", "radius", name);
+    print_skipped(c.roots_without_radius, "root", "radius", name);
+    return 0;
 }

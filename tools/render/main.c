@@ -12,6 +12,7 @@
 #include "output.h"
 #include "processors.h"
 #include "report.h"
+#include "scene_read.h"
 #include "stages.h"
 
 const char *const program = "cylint-render";
@@ -41,6 +42,7 @@ static const char help[] =
     "  --ground HOW       #rrggbb below the scene, or none (default)\n"
     "  --background HOW   sky (default), #rrggbb or none: transparent\n"
     "  --ends WORD        the ends of shapes whose records do not state them\n"
+    "  --swc FORM         of a neuron, NAME.swc: cones (default) or round\n"
     "  --progress         report the progress on standard error\n"
     "  --help, --version\n"
     "\n"
@@ -149,7 +151,7 @@ static int prepare(const struct options *o, struct scene *scene,
                    struct view *view)
 {
     struct boxes boxes;
-    int status = scene_read(scene, o->scene, o->ends);
+    int status = scene_read(scene, o->scene, o->ends, (enum swc_form)o->swc);
     if (status == 0) {
         status = boxes_make(&boxes, scene->shapes, scene->count);
         if (status == 0) {

@@ -8,6 +8,7 @@
 #include "main.h"
 #include "numbers.h"
 #include "options.h"
+#include "swc.h"
 
 enum option_id {
     OPT_BACKGROUND = 256,
@@ -25,6 +26,7 @@ enum option_id {
     OPT_SAMPLES,
     OPT_SHADE,
     OPT_SIZE,
+    OPT_SWC,
     OPT_UP,
     OPT_VERSION,
     OPT_ZOOM
@@ -48,6 +50,7 @@ static const struct option options_known[] = {{"j", 'j', 1},
                                               {"samples", OPT_SAMPLES, 1},
                                               {"shade", OPT_SHADE, 1},
                                               {"size", OPT_SIZE, 1},
+                                              {"swc", OPT_SWC, 1},
                                               {"up", OPT_UP, 1},
                                               {"version", OPT_VERSION, 0},
                                               {"zoom", OPT_ZOOM, 1},
@@ -229,6 +232,9 @@ static int take_value(struct options *options, const struct option *o,
                          &options->ends);
     case OPT_SHADE:
         return read_shading(o, value, &options->shading);
+    case OPT_SWC:
+        options->has_swc = 1;
+        return read_word(o, value, swc_forms, SWC_FORMS, &options->swc);
     case OPT_EYE:
     case OPT_LOOK_AT:
     case OPT_FROM:
@@ -269,6 +275,9 @@ static int settle(struct options *options, char **argv, int files)
         return usage("expected one scene, found %d", files);
     }
     options->scene = argv[0];
+    if (options->has_swc && !swc_is_name(options->scene)) {
+        return usage("--swc needs a neuron, NAME.swc");
+    }
     if (!options->output) {
         return usage(
             "no output file: use -o FILE, or -o - for standard output");

@@ -13,7 +13,8 @@
 
 struct options {
     const char *scene, *output;
-    int ends; /* of records without ends, or NOT_GIVEN */
+    int ends;         /* of records without ends, or NOT_GIVEN */
+    int has_swc, swc; /* whether --swc was given; its enum swc_form */
     int width, height, samples;
     int workers; /* 0: one for each processor */
     int progress;

@@ -55,6 +55,6 @@ nb::tuple first_bad_line(const Lines &lines);
 
 /* scene.cc, reader.cc */
 void register_scene(nb::module_ &module);
-nb::tuple read_scene(const char *file, int ends);
+nb::tuple read_scene(const char *file, int ends, bool round);
 
 #endif

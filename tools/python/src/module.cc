@@ -32,6 +32,7 @@ NB_MODULE(_core, m)
     m.def("describe", &describe, nb::arg("shapes"), nb::arg("index").none(),
           nb::arg("lines"), nb::arg("nearest"), nb::arg("columns"),
           nb::arg("threads"), nb::arg("progress").none());
-    m.def("read_scene", &read_scene, nb::arg("file"), nb::arg("ends"));
+    m.def("read_scene", &read_scene, nb::arg("file"), nb::arg("ends"),
+          nb::arg("round"));
     register_scene(m);
 }

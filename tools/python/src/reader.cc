@@ -18,8 +18,8 @@
 extern "C" {
 #include "message.h"
 
-int cylint_python_read(const char *file, int ends, cylint_shape **shapes,
-                       size_t *count);
+int cylint_python_read(const char *file, int ends, int round,
+                       cylint_shape **shapes, size_t *count);
 extern const char *const program;
 const char *const program = "cylint";
 }
@@ -41,7 +41,7 @@ extern "C" void message(const char *format, ...)
 }
 
 /* Returns (status, shapes as bytes, messages). */
-nb::tuple read_scene(const char *file, int ends)
+nb::tuple read_scene(const char *file, int ends, bool round)
 {
     std::vector<std::string> said;
     cylint_shape *shapes = nullptr;
@@ -50,7 +50,7 @@ nb::tuple read_scene(const char *file, int ends)
     {
         nb::gil_scoped_release released;
         messages = &said;
-        status = cylint_python_read(file, ends, &shapes, &count);
+        status = cylint_python_read(file, ends, round, &shapes, &count);
         messages = nullptr;
     }
     const nb::bytes data(shapes ? static_cast<const void *>(shapes) : "",
