@@ -21,7 +21,7 @@ union {
     cylinder */
     <0, 0, 3>, 0
   }
-  sphere { <0,0,0>, 1 translate x }
+  torus { 2, 1 translate x }
   pigment { color "cone {" }
 }
 cylinder{<1,2,3>,<4,5,6>,.25}
@@ -162,10 +162,11 @@ POV
     expect 'cylinder 0 0 0 0 2 0 0.25 10
 cone 0 0 0 1.50 0 4 0 0 ends=open 11
 cylinder 0 2 0 0 2 1 2 13
+sphere 0 0 0 1 39
 cylinder 0 0 0 0 1 0 6 43
 '
     gives pov_skip_takes_the_shapes_that_stand_as_written $pov
-    says pov_skip_counts_what_it_left_out 'cylint-convert: 2 sphere {} left out
+    says pov_skip_counts_what_it_left_out 'cylint-convert: 1 sphere {} left out: transformed
 cylint-convert: 1 cone {} left out: inside union {}, which is transformed
 cylint-convert: 2 object {} left out: declared elsewhere
 cylint-convert: 2 box {} left out

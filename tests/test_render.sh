@@ -225,6 +225,28 @@ test_colours()
     shows linked_shapes_agree 4 --shade plain --colour connected
 }
 
+# With round joints a bent neuron has no notch at its outer side: the pixel that
+# is background with cones shows the ball.  A soma of one point is a disc.
+test_joints()
+{
+    printf '%s\n' '1 1 0 0 0 1 -1' '2 3 4 0 0 1 1' '3 3 4 4 0 1 2' > bend.swc
+    echo '1 1 0 0 0 1 -1' > soma.swc
+    for form in cones round; do
+        cylint-render bend.swc --swc=$form -o $form.png --eye 4,0,60 \
+            --look-at 4,0,0 --up 0,1,0 --fov 5 --size 101x101 --samples 1 \
+            --shade plain --background none || return 1
+    done
+    # 19.3 pixels a unit at z = 0; (4.6, -0.6) is within 1 of the bend
+    [ "$(pixel cones.png 62 62 | cut -d ' ' -f 4)" = 0 ] &&
+        [ "$(pixel round.png 62 62 | cut -d ' ' -f 4)" = 255 ]
+    verdict a_round_joint_has_no_notch $?
+    cylint-render soma.swc --swc=round -o soma.png --size 106x106 --ortho \
+        --from 1,0,0 --samples 1 --shade plain --background none || return 1
+    "$build/tests/pixels" soma.png | awk '
+        $6 { n++ } END { exit !(n > 7800 && n < 7900) }' # pi 50^2 = 7854
+    verdict a_soma_of_one_point_is_a_disc $?
+}
+
 # ------------------------------------------------------------------ faults --
 
 test_faults()
@@ -246,6 +268,8 @@ test_faults()
     refuses 3 "no.scene: No such file or directory" no.scene -o x.png
     refuses 3 "no/x.png: No such file or directory" some.scene -o no/x.png
     refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full
+    refuses 2 "--swc needs a neuron, NAME.swc" some.scene -o x.png --swc=round
+    refuses 2 "--swc: expected cones or round, found 'oval'" --swc oval
     echo 'cylinder 0 0 0  0 0 zero 1' > bad.scene
     refuses 1 "bad.scene:1:21: expected a number, found 'zero'" \
         bad.scene -o x.png
@@ -325,18 +349,29 @@ test_pictures()
     else
         printf '1 1 0 0 0 2 -1\n2 3 0 9 9 1 1\n' > medulla_top24.swc
     fi
-    for p in forest neurons; do
+    molecule=$top/../shared/data/1hvr.pdb
+    if [ -e "$molecule" ]; then
+        ln -s "$molecule" molecule.pdb
+    else
+        printf 'ATOM  %5d  %s   GLY A   1    %8.3f   0.000   0.000\n' \
+            1 C 0 2 N 1.5 3 O -1.4 > molecule.pdb
+    fi
+    for p in forest neurons protein; do
         sh "$top/tests/recipe.sh" $p cylint-render.1 |
-            sed 's/forest -n 48/forest -n 1/; s/960x540/96x54/; s/samples 64/samples 1/' > small
+            sed 's/forest -n 48/forest -n 1/; s/960x540/96x54/; s/640x540/64x54/; s/samples 64/samples 1/' > small
         sh small > out 2>&1 && [ -s $p.png ] || { cat small out; false; }
         verdict "the manual's command draws $p" $?
     done
+    "$build/tests/pixels" protein.png | awk '
+        $3 > 2 * $4 { red++ }
+        $5 > 2 * $3 { blue++ }
+        END { exit !(red > 9 && blue > 9) }'
+    verdict "the manual's command gives atoms the colours of elements" $?
     for p in forest neurons; do
-        [ -s "$top/tools/render/$p.png" ] &&
-            "$build/tests/pixels" $p.png | awk '
-                !($3 $4 $5 in seen) { seen[$3 $4 $5] = 1; n++ }
-                END { exit !(n > 300) }'
-        verdict "the shipped $p is a picture" $?
+        "$build/tests/pixels" "$top/tools/render/$p.png" | awk '
+            !(($3, $4, $5) in seen) { seen[$3, $4, $5] = 1; n++ }
+            END { exit !(NR == 960 * 540 && n > 100) }'
+        verdict "the shipped $p is a picture of the size in its command" $?
     done
     cd ..
 }
@@ -362,6 +397,7 @@ test_framing
 test_shadow
 test_inside
 test_colours
+test_joints
 test_faults
 test_manual
 test_pictures

@@ -3,7 +3,8 @@
 # Two atoms are bonded if their distance is at least 0.4 angstrom and at most
 # the sum of their covalent radii [Cordero et al. 2008] plus 0.45 angstrom, the
 # usual tolerance.  Two hydrogens are never bonded.  Each bond gives one
-# cylinder of the given radius.  Its label is the serial numbers of the atoms:
+# cylinder of the given radius, unless this is 0.  Its label is the serial
+# numbers of the atoms:
 #
 #     cylinder x0 y0 z0  x1 y1 z1  radius  serial0-serial1
 
@@ -58,7 +59,10 @@ function add_atom(number, symbol, ax, ay, az)
     x[atoms] = ax
     y[atoms] = ay
     z[atoms] = az
-    bond_with_neighbours(atoms)
+    if (balls)
+        write_ball(atoms)
+    if (radius > 0)
+        bond_with_neighbours(atoms)
 }
 
 # Cells as wide as the longest bond: the partners of an atom are in 27 cells.

@@ -1,4 +1,5 @@
-# pdb.awk - molecules in PDB or mmCIF: a cylinder for each bond
+# pdb.awk - molecules in PDB or mmCIF: a cylinder for each bond, and a sphere
+# for each atom if `balls`
 #
 # The first line that is neither blank nor a comment shows which of the two a
 # file is: mmCIF begins with `data_`, `loop_` or an item's name.  Only the first
@@ -6,9 +7,13 @@
 # without atoms is refused.
 
 BEGIN {
-    if (!is_number(radius) || radius <= 0)
-        fail("-r", "expected a positive number, found " quoted(radius), 2)
+    if (!is_number(radius) || radius < 0 || (radius == 0 && !balls))
+        fail("-r", "expected a positive number" (balls ? " or 0" : "") \
+             ", found " quoted(radius), 2)
+    if (!is_number(fraction) || fraction <= 0)
+        fail("-b", "expected a positive number, found " quoted(fraction), 2)
     prepare_bonds()
+    prepare_balls()
     convert_files()
 }
 

@@ -1,10 +1,12 @@
-# pov.awk - POV-Ray cylinders and cones
+# pov.awk - POV-Ray cylinders, cones, spheres and sphere sweeps
 #
-# Reads `cylinder { <x,y,z>, <x,y,z>, r [open] ... }` and `cone { <x,y,z>, r,
-# <x,y,z>, r [open] ... }` whose numbers pov_numbers.awk can compute.  Each
-# becomes one line of the scene; its label is the line of the file on which it
-# begins.  Other objects and textures are skipped.  Coordinates are not changed:
-# POV-Ray's axes are left-handed, so the scene is mirrored in right-handed axes.
+# Reads `cylinder { <x,y,z>, <x,y,z>, r [open] ... }`, `cone { <x,y,z>, r,
+# <x,y,z>, r [open] ... }`, `sphere { <x,y,z>, r ... }` and `sphere_sweep {
+# linear_spline n, <x,y,z>, r, ... }` whose numbers pov_numbers.awk can compute.
+# Each becomes one line of the scene, a sweep n - 1 lines; the label is the line
+# of the file on which the object begins.  Other objects and textures are
+# skipped.  Coordinates are not changed: POV-Ray's axes are left-handed, so the
+# scene is mirrored in right-handed axes.
 #
 # A shape that only POV-Ray can evaluate is refused, or left out and counted if
 # `skip`: one that is transformed, clipped, declared, repeated, conditional, or
@@ -41,7 +43,8 @@ function finish(   n)
     for (n = 1; n <= kinds; n++)
         note(left_out[kind_of[n]] " " noun_of[n] " {} left out" reason_of[n])
     if (shapes == 0)
-        note("no cylinder {} or cone {} was converted")
+        note("no cylinder {}, cone {}, sphere {} or sphere_sweep {}" \
+             " was converted")
 }
 
 function take(   word)
@@ -54,7 +57,7 @@ function take(   word)
         take_directive(word)
         return
     }
-    if (word == "cylinder" || word == "cone")
+    if (is_shape(word))
         take_shape(word)
     else {
         if (word == "{")
@@ -73,6 +76,11 @@ function take(   word)
         }
     }
     previous = word
+}
+
+function is_shape(word)
+{
+    return word ~ /^(cylinder|cone|sphere|sphere_sweep)$/
 }
 
 # -------------------------------------------------------------- directives --
@@ -113,11 +121,10 @@ function open_block(name)
     first_inside[depth] = shapes + 1
     declared[depth] = declaring == 1
     conditional[depth] = directives > 0
-    if (name ~ /^(sphere|box|torus|mesh2?|plane|disc|triangle|prism)$/ ||
+    if (name ~ /^(box|torus|mesh2?|plane|disc|triangle|prism)$/ ||
         name ~ /^(lathe|sor|smooth_triangle|polygon|height_field|text)$/ ||
         name ~ /^(bicubic_patch|superellipsoid|blob|isosurface|cubic)$/ ||
-        name ~ /^(parametric|julia_fractal|quadric|quartic|poly)$/ ||
-        name == "sphere_sweep")
+        name ~ /^(parametric|julia_fractal|quadric|quartic|poly)$/)
         count_left_out(name, "")
 }
 
@@ -167,7 +174,7 @@ function alter(how)
 
 # ------------------------------------------------------------------ shapes --
 
-# Reads the text after the word cylinder or cone, which may also be a light.
+# Reads the text after the name of a shape; cylinder may also be a light.
 function take_shape(kind,   place, first_line, reason)
 {
     place = here()
@@ -196,7 +203,7 @@ function take_shape(kind,   place, first_line, reason)
 function surroundings(   i)
 {
     for (i = 1; i <= depth; i++)
-        if (block[i] == "bounded_by")
+        if (block[i] ~ /^(bounded_by|contained_by)$/)
             return "bounds"
     if (directives > 0)
         return "inside a loop, condition or macro"
@@ -242,29 +249,65 @@ function count_left_out(noun, reason)
     left_out[noun reason]++
 }
 
-# plan: v for a vector, n for a number.
-function read_numbers(kind,   plan, i, value)
+function read_numbers(kind,   fine)
 {
-    plan = kind == "cone" ? "vnvn" : "vvn"
     numbers[depth] = kind
-    for (i = 1; i <= length(plan); i++) {
-        value = parse_value()
-        if (value != "" && value !~ / / && substr(plan, i, 1) == "v")
-            value = value " " value " " value
-        if (value ~ / / && substr(plan, i, 1) == "n")
-            value = expect("a number, not a vector, before this")
-        if (i < length(plan) && token == ",")
-            advance()
-        if (i == length(plan) && value != "" && token !~ /^[#}A-Za-z_]/)
-            value = expect("the end of a number")
-        if (value == "") {
-            if (!skip)
-                refuse(here(), trouble "; --skip leaves such shapes out")
-            leave_out_now("with numbers that are not understood", here())
-            return
-        }
-        numbers[depth] = numbers[depth] " " value
+    if (kind == "sphere_sweep" && token != "linear_spline") {
+        leave_out_now("not of linear type", here())
+        return
     }
+    if (kind == "sphere_sweep")
+        fine = read_sweep()
+    else
+        fine = read_values(kind == "cylinder" ? "vvn" : \
+                           kind == "cone" ? "vnvn" : "vn")
+    if (fine)
+        return
+    if (!skip)
+        refuse(here(), trouble "; --skip leaves such shapes out")
+    leave_out_now("with numbers that are not understood", here())
+}
+
+# Appends values to the numbers of the present shape.  plan: v for a vector, n
+# for a number; the last value is followed by a word, a directive or a `}`.
+function read_values(plan,   i)
+{
+    for (i = 1; i <= length(plan); i++)
+        if (!read_value(substr(plan, i, 1), i == length(plan)))
+            return 0
+    return 1
+}
+
+function read_value(type, is_last,   value)
+{
+    value = parse_value()
+    if (value != "" && value !~ / / && type == "v")
+        value = value " " value " " value
+    if (value ~ / / && type == "n")
+        value = expect("a number, not a vector, before this")
+    if (!is_last && token == ",")
+        advance()
+    if (is_last && value != "" && token !~ /^[#}A-Za-z_]/)
+        value = expect("the end of a number")
+    numbers[depth] = numbers[depth] " " value
+    return value != ""
+}
+
+# The number of spheres, and the centre and the radius of each.
+function read_sweep(   i, count)
+{
+    advance()
+    count = parse_value()
+    if (count != "" && (count !~ /^[0-9]+$/ || count < 2))
+        count = expect("a whole number above 1 before this")
+    if (count == "")
+        return 0
+    if (token == ",")
+        advance()
+    for (i = 1; i <= count; i++)
+        if (!read_value("v", 0) || !read_value("n", i == count))
+            return 0
+    return 1
 }
 
 function end_shape(   fault)
@@ -277,23 +320,54 @@ function end_shape(   fault)
         leave_out_now(fault, place_of[depth])
         return
     }
-    scene[++shapes] = numbers[depth] ends[depth] " " label[depth]
+    write_shape()
+}
+
+# A sweep becomes a rounded cone for each pair of neighbours.
+function write_shape(   i, n, value)
+{
+    if (shape_of[depth] != "sphere_sweep") {
+        add_line(numbers[depth] ends[depth])
+        return
+    }
+    n = split(numbers[depth], value, " ")
+    for (i = 2; i + 7 <= n; i += 4)
+        add_line("rcone " value[i] " " value[i + 1] " " value[i + 2] " " \
+                 value[i + 3] " " value[i + 4] " " value[i + 5] " " \
+                 value[i + 6] " " value[i + 7])
+}
+
+function add_line(text)
+{
+    scene[++shapes] = text " " label[depth]
     shape_kind[shapes] = shape_of[depth]
     shape_place[shapes] = place_of[depth]
 }
 
-function fault_of(text,   n, value, p, q, r0)
+function fault_of(text,   i, n, value, fault)
 {
     n = split(text, value, " ")
-    p = 2
-    q = value[1] == "cone" ? 6 : 5
-    r0 = value[1] == "cone" ? value[5] : value[8]
-    if (r0 < 0 || value[n] < 0)
+    if (value[1] == "cylinder" || value[1] == "sphere")
+        fault = fault_of_radii(value[n], value[n])
+    else
+        for (i = 5; i + 4 <= n && fault == ""; i += 4)
+            fault = fault_of_radii(value[i], value[i + 4])
+    if (fault == "" && ((value[1] == "cylinder" && same_point(value, 2, 5)) ||
+                        (value[1] == "cone" && same_point(value, 2, 6))))
+        fault = "without length"
+    return fault
+}
+
+function fault_of_radii(r0, r1)
+{
+    if (r0 < 0 || r1 < 0)
         return "with a negative radius"
-    if (r0 + 0 == 0 && value[n] + 0 == 0)
-        return "without radius"
-    if (value[p] + 0 == value[q] + 0 && value[p + 1] + 0 == value[q + 1] + 0 \
-        && value[p + 2] + 0 == value[q + 2] + 0)
-        return "without length"
-    return ""
+    return r0 + 0 == 0 && r1 + 0 == 0 ? "without radius" : ""
+}
+
+function same_point(value, p, q)
+{
+    return value[p] + 0 == value[q] + 0 && \
+           value[p + 1] + 0 == value[q + 1] + 0 && \
+           value[p + 2] + 0 == value[q + 2] + 0
 }

@@ -227,7 +227,7 @@ function read_declaration(directive,   name, value)
 # Skips a value that is not a number: to its end, or to its block.
 function skip_value()
 {
-    while (token != "" && token !~ /^([;{}]|#.*|cylinder|cone)$/) {
+    while (token != "" && token !~ /^([;{}]|#.*)$/ && !is_shape(token)) {
         previous = token
         advance()
     }

@@ -8,6 +8,9 @@
 # (3), then others; its lines are numbered from 1.
 #
 #     cylinder x0 y0 z0  x1 y1 z1  radius  id
+#
+# If `round`, cylinders become capsules, whose round ends fill the joints.  A
+# capsule may have no length.
 
 BEGIN { convert_files() }
 
@@ -78,12 +81,12 @@ function write_cylinder(   x0, y0, z0, x1, y1, z1, r, length_, id)
         z1 = sprintf("%.17g", z0 + length_ * number("axisz"))
     }
     id = "id" in column ? bare(field[column["id"]]) : rows
-    if (x0 + 0 == x1 + 0 && y0 + 0 == y1 + 0 && z0 + 0 == z1 + 0)
+    if (!round && x0 + 0 == x1 + 0 && y0 + 0 == y1 + 0 && z0 + 0 == z1 + 0)
         without_length++
     else if (r + 0 == 0)
         without_radius++
     else
-        print "cylinder", x0, y0, z0, x1, y1, z1, r, id
+        print round ? "capsule" : "cylinder", x0, y0, z0, x1, y1, z1, r, id
 }
 
 function name_treeqsm_columns(   i, names)
