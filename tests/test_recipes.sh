@@ -47,17 +47,16 @@ test_foreign_shapes()
     done
 }
 
-# prints NAME TEXT: the recipe prints TEXT in a folder with its files.
+# prints NAME RECIPE TEXT: the recipe prints TEXT in a folder with its files.
 prints()
 {
-    sh tests/recipe.sh lidar > "$scratch/lidar"
-    (cd "$scratch" && sh lidar) > "$scratch/output" 2>&1
-    [ "$(cat "$scratch/output")" = "$2" ] || { cat "$scratch/output"; false; }
+    sh tests/recipe.sh "$2" > "$scratch/recipe"
+    (cd "$scratch" && sh recipe) > "$scratch/output" 2>&1
+    [ "$(cat "$scratch/output")" = "$3" ] || { cat "$scratch/output"; false; }
     verdict "$1" $?
 }
 
-# Forty stems.  Each has one point 1 cm and one 5 cm in front of the bark, as seen
-# from the recipe's scanner at (0, 0, 255.5).
+# Forty stems.  Each has one point 9 mm and one 45 mm in front of the bark.
 test_stand_in()
 {
     awk -v scratch="$scratch" 'BEGIN {
@@ -68,21 +67,30 @@ test_stand_in()
             r = 0.1 + n / 200; d = 10 + n
             printf "%.9f,%.9f,250,%.9f,%.9f,260,%g\n", d * c, d * s,
                    d * c, d * s, r > table
-            for (off = 0.01; off < 0.06; off += 0.04)
+            for (off = 0.009; off < 0.05; off += 0.036)
                 printf "%.9f %.9f 255.5\n", (d - r - off) * c,
                        (d - r - off) * s > cloud
         }
     }'
-    prints half_of_the_points_are_near_a_stem \
-        '40 of 80 points are within 2 cm of a hit: 50.0 %'
+    prints half_of_the_points_are_near_a_stem lidar \
+'of 80 points are within 1 cm 50.0 %, 2 cm 50.0 %, 5 cm 100.0 %
+-2 to -1 cm      0
+-1 to  0 cm      0
+ 0 to  1 cm     40
+ 1 to  2 cm      0
+ 2 to  3 cm      0
+ 3 to  4 cm      0
+ 4 to  5 cm     40'
 }
 
 test_real_tree()
 {
     cp $data/tree_archi.csv "$scratch/tree.csv"
     cp $data/tree_cloud_xyz.txt "$scratch/cloud.txt"
-    prints the_scan_of_a_real_tree_has_the_share_in_cylint_7 \
-        "$(sed -n 's/^\.Dl \(.* within 2 cm .*\)/\1/p' man/cylint.7)"
+    prints the_scan_of_a_real_tree_has_the_shares_in_cylint_7 \
+        lidar "$(sh tests/recipe.sh lidar-said)"
+    prints the_fit_of_a_real_tree_has_the_residuals_in_cylint_7 \
+        residuals "$(sh tests/recipe.sh residuals-said)"
 }
 
 # Two parallel bonds, the second 2 above the first.  Rays from the two lower atoms

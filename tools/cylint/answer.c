@@ -226,11 +226,19 @@ static struct nearby nearby_of(const struct task *task)
                            job->options->radius, &task->block->left_out};
 }
 
+/* Writes the columns' members; part is -1 only if there is no surface. */
+static void measure(const struct task *task, const cylint_shape *shape,
+                    cylint_closest *closest)
+{
+    closest->part = 0;
+    cylint_distance(shape, task->block->parsed.point, fields_of(task)->want,
+                    closest);
+}
+
 static void answer_point_pair(struct task *task)
 {
-    const struct record *r = &task->block->parsed;
     cylint_closest closest;
-    cylint_distance(&r->shape, r->point, fields_of(task)->want, &closest);
+    measure(task, &task->block->parsed.shape, &closest);
     task->row.closest = &closest;
     put_answer(task, 1);
 }
@@ -238,7 +246,7 @@ static void answer_point_pair(struct task *task)
 static void answer_closest(struct task *task)
 {
     const struct nearby n = nearby_of(task);
-    cylint_closest closest;
+    cylint_closest closest = {.part = 0};
     const size_t shape = nearby_closest(&n, fields_of(task)->want, &closest);
     const int found = shape < task->job->scene->count;
     task->row.closest = found ? &closest : NULL;
@@ -262,8 +270,7 @@ static void answer_one_within(struct task *task, size_t shape)
     if (left_out_has(&task->block->left_out, shape)) {
         return;
     }
-    cylint_distance(&job->scene->shapes[shape], task->block->parsed.point,
-                    fields_of(task)->want, &closest);
+    measure(task, &job->scene->shapes[shape], &closest);
     task->row.closest = &closest;
     task->row.shape = shape + 1;
     find_label(task);
