@@ -69,7 +69,7 @@ $(BUILD)/src/%: extra := -fPIC -fvisibility=hidden -DCYLINT_BUILDING $(x86) $(if
 $(BUILD)/src/bvh/% $(BUILD)/src/scene/% $(BUILD)/src/embree/%: extra += $(floats) $(threads)
 $(BUILD)/src/embree/%: extra += $(embree)
 $(BUILD)/src/filter/many% $(BUILD)/src/bvh/traverse% $(BUILD)/src/embree/packet_% $(BUILD)/src/embree/float_filter%: extra += $(vectors)
-$(BUILD)/src/signs/forms% $(BUILD)/src/roots/root% $(BUILD)/src/distance/%: extra += $(small)
+$(BUILD)/src/signs/forms% $(BUILD)/src/roots/root% $(patsubst %,$(BUILD)/src/distance/%.o,meridian nearest_point rounded_distance surd_sum): extra += $(small)
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the
@@ -80,6 +80,7 @@ isa.src/filter/one_question-fma      := $(avx2) -DCYLINT_ONE=cylint_one_fma -DCY
 isa.src/filter/one_question-avx512   := $(avx512) -DCYLINT_ONE=cylint_one_avx512 -DCYLINT_HARD=cylint_hard_fma -DCYLINT_ROUND=cylint_round_fma
 isa.src/filter/hard_question-fma     := $(avx2) -DCYLINT_HARD=cylint_hard_fma
 isa.src/filter/round_question-fma    := $(avx2) -DCYLINT_ROUND=cylint_round_fma
+isa.src/distance/certified_distance-fma := $(avx2) -DCYLINT_CERTIFIED=cylint_certified_fma
 isa.src/filter/many_questions-avx2   := $(avx2) -DCYLINT_MANY=cylint_many_avx2
 isa.src/filter/many_questions-avx512 := $(avx512) -DCYLINT_MANY=cylint_many_avx512
 isa.src/bvh/traverse-avx2            := $(avx2) -DCYLINT_TRAVERSAL=cylint_traversal_avx2

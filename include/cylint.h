@@ -142,7 +142,8 @@ typedef enum cylint_kind {
 } cylint_kind;
 
 /* How a shape's own coordinates (x, y, z) follow from a point P.  The axis is
- * the z axis, and the lateral surface is x^2 + y^2 = (r0 + slope z)^2. */
+ * the z axis, and the lateral surface is x^2 + y^2 = (r0 + slope z)^2.  A round
+ * shape whose local coordinates are not accurate has the height 0. */
 typedef struct cylint_local {
     double xyz[3][3]; /* x, y, z gain (P - base)[i] xyz[i][0], [1], [2] */
     double height;    /* z of the top */
@@ -155,6 +156,9 @@ typedef struct cylint_local {
     double scale, square_scale; /* of the forms of z and of the lateral
                                    surface (signs/forms_template.h): their
                                    values here times these */
+    double cosine, sine; /* of the angle between axis and lateral surface;
+                            circular and round kinds */
+    double cosine_lo, sine_lo;
 } cylint_local;
 
 /*

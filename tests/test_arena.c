@@ -8,6 +8,7 @@
  * decide what the library computes next; they are random.
  */
 #include "check.h"
+#include "distance/exact_distance.h"
 #include "random.h"
 #include "roots/roots.h"
 
@@ -82,7 +83,7 @@ double cylint_exact_nearest(exact x, int e)
 {
     (void)x;
     (void)e;
-    return 1;
+    return below(2) ? 1 : 1.25; /* candidates for a distance, to be compared */
 }
 
 pair cylint_exact_round(exact x, int *e)
@@ -192,6 +193,51 @@ static int limbs_used(int kind, int segment)
     return q.arena.most;
 }
 
+/* The same for the distance of a point, from every feature. */
+static int limbs_of_distance(int kind, cylint_ends ends)
+{
+    static const double point[3] = {0.3, -5, 0.4};
+    int most = 0;
+    cylint_shape s;
+    cylint_line l;
+    make(kind, 0, &s, &l);
+    s.ends = ends;
+    for (int feature = 0; feature <= CYLINT_FEATURE_APEX; feature++) {
+        meridian m;
+        cylint_closest answer;
+        cylint_load_meridian(&m, &s, point);
+        const int used = m.arena->used;
+        cylint_nearest_feature(&m);
+        CHECK(m.arena->used == used);
+        const int end = (int)below(2);
+        nearest n = {CYLINT_PART_LATERAL, feature, end, 1};
+        if (feature == CYLINT_FEATURE_CAP0 || feature == CYLINT_FEATURE_CAP1)
+            n.part = end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
+        cylint_rounded_distance(&m, &n);
+        cylint_nearest_point(&m, &n, CYLINT_WANT_ALL, &answer);
+        CHECK(m.arena->used == used);
+        most = m.arena->most > most ? m.arena->most : most;
+    }
+    return most;
+}
+
+static void no_distance_needs_more_than_the_arena(void)
+{
+    enum { ROUNDS = 2000 };
+    for (int kind = 1; kind < CYLINT_KINDS; kind++) {
+        int most = 0;
+        for (int i = 0; i < ROUNDS && !cylint_is_elliptic(kind); i++) {
+            const int planes = cylint_is_round(kind) || below(2);
+            const int used = limbs_of_distance(
+                kind, planes ? CYLINT_ENDS_CAPPED : CYLINT_ENDS_INFINITE);
+            most = used > most ? used : most;
+        }
+        printf("note: kind %d: %d of %d limbs\n", kind, most,
+               (int)CYLINT_ARENA_LIMBS);
+        CHECK(most <= CYLINT_ARENA_LIMBS);
+    }
+}
+
 static void no_question_needs_more_than_the_arena(void)
 {
     enum { KINDS = CYLINT_KINDS - 1, ROUNDS = 2000 };
@@ -210,5 +256,6 @@ static void no_question_needs_more_than_the_arena(void)
 int main(void)
 {
     RUN(no_question_needs_more_than_the_arena);
+    RUN(no_distance_needs_more_than_the_arena);
     return check_end();
 }

@@ -2,6 +2,8 @@
  * distance.c - one point and one shape
  */
 #include "../numbers/bits.h"
+#include "../dispatch.h"
+#include "certified_distance.h"
 #include "cylint_distance.h"
 #include "elliptic.h"
 #include "exact_distance.h"
@@ -21,8 +23,8 @@ static double nowhere(cylint_closest *answer)
     return answer->distance = HUGE_VAL;
 }
 
-static double by_exact_numbers(const cylint_shape *shape, const double point[3],
-                               unsigned want, cylint_closest *answer)
+ASIDE double by_exact_numbers(const cylint_shape *shape, const double point[3],
+                              unsigned want, cylint_closest *answer)
 {
     meridian m;
     cylint_load_meridian(&m, shape, point);
@@ -39,6 +41,17 @@ static double by_exact_numbers(const cylint_shape *shape, const double point[3],
     return answer->distance = n.sign < 0 ? -size : size;
 }
 
+/* The build of the kernel that goes with those of the filter. */
+static int is_certified(const cylint_shape *shape, const double point[3],
+                        nearest *n, double *distance)
+{
+#ifdef CYLINT_BUILDS_X86
+    if (cylint_kernels_used()->one != &cylint_one_plain)
+        return cylint_certified_fma(shape, point, n, distance);
+#endif
+    return cylint_certified_plain(shape, point, n, distance);
+}
+
 double cylint_distance(const cylint_shape *shape, const double point[3],
                        unsigned want, cylint_closest *answer)
 {
@@ -47,9 +60,19 @@ double cylint_distance(const cylint_shape *shape, const double point[3],
         answer->flags = CYLINT_FLAG_INVALID;
         return nowhere(answer);
     }
-    return cylint_is_elliptic(shape->kind)
-               ? cylint_elliptic_distance(shape, point, want, answer)
-               : by_exact_numbers(shape, point, want, answer);
+    if (cylint_is_elliptic(shape->kind))
+        return cylint_elliptic_distance(shape, point, want, answer);
+    nearest n;
+    double distance;
+    if (shape->prepared && !(want & ~(unsigned)CYLINT_WANT_PART) &&
+        is_certified(shape, point, &n, &distance)) {
+        if (want & CYLINT_WANT_PART) {
+            answer->part = n.part;
+            answer->feature = n.feature;
+        }
+        return answer->distance = distance;
+    }
+    return by_exact_numbers(shape, point, want, answer);
 }
 
 double cylint_safety(const cylint_shape *shape, const double point[3])

@@ -6,7 +6,7 @@
 #define CYLINT_EXACT_DISTANCE_H
 
 #include "../signs/sign.h"
-#include "cylint_distance.h"
+#include "nearest.h"
 #include "surd_sum.h"
 
 /*
@@ -46,13 +46,6 @@ typedef struct {
     exact q, g, c, dr, T2;
     exact height[2]; /* D_i.w */
 } meridian;
-
-/* What is nearest. */
-typedef struct {
-    int part, feature;
-    int end;  /* of a cap, rim or apex */
-    int sign; /* of the distance */
-} nearest;
 
 void cylint_load_meridian(meridian *m, const cylint_shape *shape,
                           const double point[3]);

@@ -20,6 +20,8 @@
 #define ADD(x, y) cylint_exact_add(m->arena, x, y)
 #define SUB(x, y) cylint_exact_add(m->arena, x, cylint_exact_neg(y))
 #define MUL(x, y) cylint_exact_mul(m->arena, x, y)
+#define BEGIN const int used_before = m->arena->used;
+#define RETURN(x) return cylint_exact_keep(m->arena, used_before, x);
 
 /* The direction from the axis to the point: V / sqrt(K). */
 typedef struct {
@@ -94,20 +96,47 @@ static exact centre(meridian *m, int end, int i)
                : ADD(base, m->L->w[i]);
 }
 
-/* K (W (g + dr^2) x - t V - c dr w) + sqrt(K) (t dr w K + c V). */
+/* dr w. */
+static exact slope(meridian *m, int i)
+{
+    return MUL(m->dr, m->L->w[i]);
+}
+
+/* W (g + dr^2). */
+static exact unit(meridian *m)
+{
+    BEGIN
+    exact x = MUL(m->L->vv, ADD(m->g, MUL(m->dr, m->dr)));
+    RETURN(x)
+}
+
+/* K (W (g + dr^2) x - t V - c dr w). */
+static exact foot_a(meridian *m, const radial *d, int i)
+{
+    BEGIN
+    exact a = MUL(unit(m), cylint_exact_from(m->arena, m->point[i]));
+    a = SUB(a, MUL(m->c, slope(m, i)));
+    if (d->off_axis)
+        a = SUB(a, d->V[i]);
+    a = MUL(d->K, a);
+    RETURN(a)
+}
+
+/* t dr w K + c V. */
+static exact foot_b(meridian *m, const radial *d, int i)
+{
+    BEGIN
+    exact b = MUL(m->c, d->V[i]);
+    if (d->off_axis)
+        b = ADD(b, MUL(slope(m, i), d->K));
+    RETURN(b)
+}
+
 static surd_sum foot(meridian *m, const radial *d, int i, exact *denominator)
 {
-    const exact slope = MUL(m->dr, m->L->w[i]);
-    const exact unit = MUL(m->L->vv, ADD(m->g, MUL(m->dr, m->dr)));
-    exact a = MUL(unit, cylint_exact_from(m->arena, m->point[i]));
-    exact b = MUL(m->c, d->V[i]);
-    a = SUB(a, MUL(m->c, slope));
-    if (d->off_axis) {
-        a = SUB(a, d->V[i]);
-        b = ADD(b, MUL(slope, d->K));
-    }
-    *denominator = MUL(d->K, unit);
-    return (surd_sum){MUL(d->K, a), b, d->K};
+    const exact a = foot_a(m, d, i), b = foot_b(m, d, i);
+    *denominator = MUL(d->K, unit(m));
+    return (surd_sum){a, b, d->K};
 }
 
 static surd_sum on_rim(meridian *m, const radial *d, int end, int i,

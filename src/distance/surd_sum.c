@@ -11,8 +11,10 @@ static exact norm(cylint_arena *arena, const surd_sum *x)
 {
     const int used = arena->used;
     const exact aa = cylint_exact_mul(arena, x->a, x->a);
+    const int kept = arena->used;
     const exact bb = cylint_exact_mul(arena, x->b, x->b);
-    const exact bbc = cylint_exact_mul(arena, bb, x->c);
+    const exact bbc =
+        cylint_exact_keep(arena, kept, cylint_exact_mul(arena, bb, x->c));
     return cylint_exact_keep(
         arena, used, cylint_exact_add(arena, aa, cylint_exact_neg(bbc)));
 }

@@ -76,6 +76,31 @@
 #define CYLINT_DIRECTED_SURD_ERROR 0x1p-44
 
 /*
+ * Distances in pairs (distance/half_plane.h).  S is at least |D|, D the point
+ * from the base, and at most 2 |D|.  The errors are
+ *
+ *   z     CYLINT_LOCAL_ERROR and fewer than 16 roundings of lo: 2^-95 S
+ *   rho   that of D.D - z^2 is below 2^-93 S^2, so 2^-92 S thin with
+ *         thin = S / (2 rho) >= 1/4
+ *
+ * and a distance is a sum of both with factors of at most 1, of terms of the
+ * shape with a relative error below 2^-94, and of roundings of lo below 2^-98
+ * of the terms.  CYLINT_HALF_PLANE_ERROR (S thin + reach) is more than all of
+ * that.  The root of the high parts alone errs by up to 2^-51 thin^2 of rho.
+ * Two terms of its series leave the third power of that, which is below
+ * 2^-66 of the bound for thin <= CYLINT_THINNEST.
+ *
+ * A combination of the high parts in doubles has fewer than 8 roundings of terms
+ * of at most S or a length of the shape; CYLINT_FEATURE_MARGIN is 2^3 times
+ * more.  Distances below CYLINT_DISTANCE_LEAST are left to exact numbers: above
+ * it no underflow is larger than the bound.
+ */
+#define CYLINT_HALF_PLANE_ERROR 0x1p-90
+#define CYLINT_THINNEST 0x1p12
+#define CYLINT_FEATURE_MARGIN 0x1p-46
+#define CYLINT_DISTANCE_LEAST 0x1p-300
+
+/*
  * Point, normal, z and phi are computed from t and from the rest of the root,
  * rounded to a multiple of 2^-12 units in the last place of t (root.c).  The
  * errors of most roots, 2^-20 units or less, are so small that the multiple is
@@ -236,6 +261,10 @@
 #define CYLINT_LOCAL_ERROR 0x1p-96
 #define CYLINT_LOCAL_WORST 0x1p-70
 #define CYLINT_LOCAL_LEAST 0x1p-120
+
+/* The local coordinates of a round cone are not used if the sine of its lateral
+ * surface is larger: its cosine would have too few digits. */
+#define CYLINT_LOCAL_STEEPEST 0.998
 
 /*
  * The errors of the forms of filter/local_forms_template.h.  u is

@@ -131,13 +131,54 @@ static void store(cylint_local *to, const rows *m)
     }
 }
 
+/* Writes cosine and sine, of a tapered shape with this slope. */
+static void measure_angle(cylint_local *to, const cylint_shape *s, pair slope)
+{
+    const pair square = pair_mul(slope, slope);
+    pair cosine = plain(1), sine = plain(0);
+    if (cylint_is_round(s->kind)) {
+        sine = slope;
+        cosine = pair_sqrt(pair_sub(plain(1), square));
+    } else if (cylint_is_tapered(s->kind)) {
+        cosine = inverse_root(pair_add(plain(1), square));
+        sine = pair_mul(slope, cosine);
+    }
+    to->cosine = cosine.hi;
+    to->cosine_lo = cosine.lo;
+    to->sine = sine.hi;
+    to->sine_lo = sine.lo;
+}
+
+/* The row of z, height, reach and angle of the convex hull of two balls. */
+static void measure_hull(cylint_shape *s)
+{
+    cylint_local *to = &s->local;
+    rows m;
+    to->height = 0;
+    if (!s->in_range || !is_long_enough(s) || !cylint_rounds_to_nearest())
+        return;
+    const pair length = upright_rows(&m, s);
+    const pair slope = pair_div((pair){s->dr, s->dr_lo}, length);
+    if (!(fabs(slope.hi) <= CYLINT_LOCAL_STEEPEST))
+        return;
+    store(to, &m);
+    to->height = length.hi;
+    to->height_lo = length.lo;
+    to->slope = slope.hi;
+    to->slope_lo = slope.lo;
+    to->reach = (length.hi + cylint_larger(s->r0, s->r1)) * CYLINT_SLACK;
+    measure_angle(to, s, slope);
+}
+
 void cylint_measure_local(cylint_shape *s)
 {
     cylint_local *to = &s->local;
     rows m;
     pair height, slope;
     s->prepared = s->in_range;
-    if (cylint_is_round(s->kind)) /* they have none */
+    if (cylint_is_hull(s->kind))
+        measure_hull(s);
+    if (cylint_is_round(s->kind))
         return;
     to->error = CYLINT_LOCAL_ERROR;
     if (cylint_is_elliptic(s->kind)) {
@@ -173,6 +214,8 @@ void cylint_measure_local(cylint_shape *s)
     to->slope = slope.hi;
     to->slope_lo = slope.lo;
     to->reach = (height.hi + cylint_larger(s->r0, s->r1)) * CYLINT_SLACK;
+    if (!cylint_is_elliptic(s->kind))
+        measure_angle(to, s, slope);
     to->norm =
         cylint_larger(cylint_larger(size_of(m.x), size_of(m.y)), size_of(m.z)) *
         CYLINT_SLACK;

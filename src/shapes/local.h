@@ -15,7 +15,8 @@
  *                    semi-axes.  The row of z is multiplied by a power of two,
  *                    the height, that makes it about as large as the others.
  *
- * and r is shape->r0 for all kinds.
+ * and r is shape->r0 for all kinds.  Capsules and round cones have only the row
+ * of z, height, slope, reach, cosine and sine; the slope is their sine.
  */
 #ifndef CYLINT_LOCAL_H
 #define CYLINT_LOCAL_H

@@ -27,7 +27,7 @@ DEFINED = re.compile(
     r"^(?:static|INLINE|CYLINT_INLINE|ASIDE) [^=;(]*?\b(\w+)\("
     r"|^typedef [^(]*?\b(\w+);|^} (\w+);"
 )
-PUBLIC = {"cylint.h", "cylint_methods.h"}
+PUBLIC = {"cylint.h", "cylint_distance.h", "cylint_methods.h"}
 X86 = "defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))"
 
 
@@ -329,6 +329,7 @@ PREAMBLE = """/*
 {licence}
  */
 #include "cylint.h"
+#include "cylint_distance.h"
 #include "cylint_methods.h"
 
 #if {x86}

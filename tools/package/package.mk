@@ -7,8 +7,8 @@ isa_options  = $(filter-out -Wa$(comma)%,$(isa.$(1)))
 comma       := ,
 $(one_file): tools/package/amalgamate.py $(wildcard src/*.[ch] src/*/*.[ch]) include/cylint.h LICENSE
 	@mkdir -p $(@D)
-	$(call say,AMALGAMATE $@)cp include/cylint.h include/cylint_methods.h $(@D) && \
-	  python3 $< '$(CC)' $@ $(version) $(amalgamated) $(foreach b,$(filter src/filter/%,$(isa_builds)),'$b=$(call isa_options,$b)')
+	$(call say,AMALGAMATE $@)cp include/cylint.h include/cylint_distance.h include/cylint_methods.h $(@D) && \
+	  python3 $< '$(CC)' $@ $(version) $(amalgamated) $(foreach b,$(filter src/filter/% src/distance/%,$(isa_builds)),'$b=$(call isa_options,$b)')
 
 amalgamation: $(one_file) ## write the library as one C file to $(BUILD)/amalgamation
 

@@ -1,0 +1,153 @@
+/*
+ * half_plane.h - a point and a shape in the half plane through the axis and the
+ * point, in pairs of doubles
+ *
+ * A pair here is not normalised: lo can be some ulps of hi.
+ */
+#ifndef CYLINT_HALF_PLANE_H
+#define CYLINT_HALF_PLANE_H
+
+#include "../numbers/double_double.h" /* before simd.h */
+#include "../numbers/error_bounds.h"
+#include "../numbers/simd.h"
+#include "../shapes/shape_facts.h"
+#include "cylint.h"
+
+#if LANES == 2
+
+/* x y + z, rounded once or twice. */
+INLINE double sum_of(double x, double y, double z)
+{
+#ifdef __FMA__
+    return __builtin_fma(x, y, z);
+#else
+    return x * y + z;
+#endif
+}
+
+INLINE pair lazy_sub(pair a, pair b)
+{
+    const pair d = two_diff(a.hi, b.hi);
+    return (pair){d.hi, d.lo + (a.lo - b.lo)};
+}
+
+INLINE pair lazy_mul(pair a, pair b)
+{
+    const pair p = two_prod(a.hi, b.hi);
+    return (pair){p.hi, sum_of(a.hi, b.lo, sum_of(a.lo, b.hi, p.lo))};
+}
+
+INLINE pair lazy_square(pair a)
+{
+    const pair p = two_prod(a.hi, a.hi);
+    return (pair){p.hi, sum_of(2 * a.hi, a.lo, p.lo)};
+}
+
+INLINE double size_of(pair a)
+{
+    return fabs(a.hi);
+}
+
+INLINE pair normal(pair a)
+{
+    return fast_two_sum(a.hi, a.lo);
+}
+
+/* A function of simd.h: sqrt() would also set errno. */
+INLINE double double_root(double x)
+{
+    return v_first(v_sqrt(v_set(x)));
+}
+
+/* sqrt(a) of a normal pair.  *half: 1 / (2 sqrt(a)), nearly. */
+INLINE pair root_of(pair a, double *half)
+{
+    const double s = double_root(a.hi);
+    const pair p = two_prod(s, s);
+    *half = 0.5 / s;
+    return (pair){s, (((a.hi - p.hi) - p.lo) + a.lo) * *half};
+}
+
+INLINE pair length_of(pair x, pair y)
+{
+    const pair a = lazy_square(normal(x)), b = lazy_square(normal(y));
+    const pair sum = two_sum(a.hi, b.hi);
+    double half;
+    return root_of(normal((pair){sum.hi, sum.lo + (a.lo + b.lo)}), &half);
+}
+
+typedef struct {
+    pair z, rho;
+    double size;  /* |D| <= size <= 2 |D|, D the point from the base */
+    double error; /* of z, rho, and combinations of both with factors of at
+                     most 1 in size */
+} half_plane;
+
+/* The point minus a point of the shape. */
+INLINE void point_from(const double point[3], const double from[3], pair D[3])
+{
+    EACH(i, 3)
+        D[i] = two_diff(point[i], from[i]);
+}
+
+/* (D.w, D.D) in two lanes.  All digits of the first terms are in hi, and lo
+ * does not wait for it. */
+INLINE vpair dots(const pair D[3], const pair w[3])
+{
+    vd hi[3], lo[3];
+    EACH(i, 3) {
+        const vd x = v_set(D[i].hi), y = v_two(w[i].hi, D[i].hi);
+        const vpair p = v_two_prod(x, y);
+        hi[i] = p.hi;
+        lo[i] = p.lo + (x * v_two(w[i].lo, D[i].lo) + v_set(D[i].lo) * y);
+    }
+    const vpair s = v_two_sum(hi[0], hi[1]), t = v_two_sum(s.hi, hi[2]);
+    return (vpair){t.hi, (s.lo + t.lo) + (lo[0] + (lo[1] + lo[2]))};
+}
+
+/*
+ * sqrt(dd - z^2).  The difference of the high parts is exact but for its own
+ * low part.  The rest of dd and z is far below it unless rho is far below |D|,
+ * so the root begins before the rest is there, and two steps correct it.
+ */
+INLINE pair radial_coordinate(pair z, pair dd, double *half)
+{
+    const pair zz = lazy_square(z);
+    const pair d = fast_two_sum(dd.hi, -zz.hi);
+    const double s = double_root(d.hi);
+    const pair p = two_prod(s, s);
+    *half = 0.5 / s;
+    const double rest = (d.hi - p.hi) - (p.lo - (d.lo + (dd.lo - zz.lo)));
+    const double step = rest * *half;
+    return (pair){s, step - step * step * *half};
+}
+
+INLINE void load_half_plane(half_plane *m, const cylint_shape *s,
+                            const double point[3], const pair w[3])
+{
+    const cylint_local *f = &s->local;
+    pair D[3];
+    double hi[2], lo[2], half;
+    point_from(point, s->base, D);
+    const vpair sums = dots(D, w);
+    v_store(hi, sums.hi);
+    v_store(lo, sums.lo);
+    m->z = (pair){hi[0], lo[0]};
+    m->rho = radial_coordinate(m->z, (pair){hi[1], lo[1]}, &half);
+    m->size = fabs(D[0].hi) + fabs(D[1].hi) + fabs(D[2].hi);
+    const double thin = m->size * half;
+    m->error = thin <= CYLINT_THINNEST
+                   ? CYLINT_HALF_PLANE_ERROR * (m->size * thin + f->reach)
+                   : HUGE_VAL;
+}
+
+/* Whether every number within `error` of d rounds to d.hi; d is normal. */
+INLINE int is_certain(pair d, double error)
+{
+    const double most = error + CYLINT_NEAREST_MARGIN * fabs(d.hi);
+    return (d.hi + (d.lo + most) == d.hi) & (d.hi + (d.lo - most) == d.hi) &
+           (fabs(d.hi) >= CYLINT_DISTANCE_LEAST);
+}
+
+#endif
+#endif
