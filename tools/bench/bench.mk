@@ -5,7 +5,7 @@ $(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests $(em
 bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 
 bench_programs  := $(patsubst %,$(BUILD)/tools/bench/%,cost methods batch single)
-embree_programs := $(patsubst %,$(BUILD)/tools/bench/%,embree embree_packets embree_threads embree_counts)
+embree_programs := $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_packets embree_threads embree_counts)
 bench_common    := $(call bench_objects,contestants race timing plain shader $(if $(GSL),gsl_quadratic))
 
 $(BUILD)/tools/bench/cost: $(call bench_objects,cost_inputs)
@@ -20,7 +20,8 @@ $(BUILD)/tools/bench/scene: $(BUILD)/tests/scenes.o
 $(patsubst %,$(BUILD)/tools/bench/%,scene python_scene): %: %.o $(scene_library)
 $(patsubst %,$(BUILD)/tools/bench/%,scene python_scene): libs := $(threads_link)
 
-$(patsubst %,$(BUILD)/tools/bench/%,embree embree_packets): $(call bench_objects,timing)
+$(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_packets): $(call bench_objects,timing)
+$(patsubst %,$(BUILD)/tools/bench/%,embree embree_round): $(call bench_objects,embree_race)
 $(embree_programs): %: %.o $(call bench_objects,embree_scenes embree_rivals) \
 	$(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 $(embree_programs): libs := $(EMBREE_LIBS) $(threads_link)
@@ -48,6 +49,7 @@ bench-text: $(commands) $(BUILD)/tools/bench/measure ## time of the command and 
 
 bench-embree: $(filter-out %_counts,$(embree_programs)) ## time of scenes and of Embree's own curves; QUICK=1: in a minute
 	$(BUILD)/tools/bench/embree $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree.tsv
+	$(BUILD)/tools/bench/embree_round $(if $(QUICK),0.5 1e5,5 1e6) | tee $(BUILD)/embree-round.tsv
 	$(BUILD)/tools/bench/embree_packets $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree-packets.tsv
 	$(BUILD)/tools/bench/embree_threads 2 $(if $(QUICK),1e5,1e6) | tee $(BUILD)/embree-threads.tsv
 	@$(if $(WRAP),$(MAKE) -s BUILD=$(BUILD)/visits CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_VISITS' count_visits | tee $(BUILD)/embree-counts.tsv)

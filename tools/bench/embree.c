@@ -13,68 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "embree_rivals.h"
-#include "timing.h"
+#include "embree_race.h"
 
 enum { RAYS = 100000, MOST_RIVALS = 8 };
-
-struct contestant {
-    const char *name;
-    struct rival rival;
-    struct timing least;
-    long hits;
-    double t; /* sum of all hits */
-};
-
-static void query_nearest(struct contestant *c, const struct rays *rays)
-{
-    cylint_rtc_context context;
-    cylint_rtc_init(&context);
-    c->hits = 0;
-    c->t = 0;
-    for (int i = 0; i < rays->n; i++) {
-        struct RTCRayHit at;
-        at.ray = rays->ray[i];
-        at.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        cylint_rtc_nearest(c->rival.scene, &context, &at);
-        if (at.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
-            c->hits++;
-            c->t += (double)at.ray.tfar;
-        }
-    }
-}
-
-static void query_any(struct contestant *c, const struct rays *rays)
-{
-    cylint_rtc_context context;
-    cylint_rtc_init(&context);
-    c->hits = 0;
-    c->t = 0;
-    for (int i = 0; i < rays->n; i++) {
-        struct RTCRay ray = rays->ray[i];
-        cylint_rtc_any(c->rival.scene, &context, &ray);
-        c->hits += ray.tfar < 0;
-    }
-}
-
-typedef void query(struct contestant *c, const struct rays *rays);
-
-/* Runs rounds for `seconds`, at least three; in a round each rival has a
- * turn. */
-static void compete(struct contestant *c, int n, query *trace,
-                    const struct rays *rays, double seconds)
-{
-    const struct timing start = timing_now();
-    for (int i = 0; i < n; i++)
-        c[i].least = (struct timing){HUGE_VAL, HUGE_VAL};
-    for (int round = 0; round < 3 || timing_since(start).ns < seconds * 1e9;
-         round++)
-        for (int i = 0; i < n; i++) {
-            const struct timing begin = timing_now();
-            trace(&c[i], rays);
-            timing_keep_least(&c[i].least, timing_since(begin));
-        }
-}
 
 static int make_rivals(struct contestant *c, const struct cylinder_kind *kind,
                        const struct cylinders *cylinders, int all)

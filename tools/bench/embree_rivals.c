@@ -1,5 +1,5 @@
 /*
- * embree_rivals.c - the same cylinders as several kinds of Embree scenes
+ * embree_rivals.c - the same shapes as several kinds of Embree scenes
  */
 #include "embree_rivals.h"
 
@@ -58,7 +58,9 @@ struct rival build_curves(const struct cylinders *c, int segments,
     struct rival *r = begin(config);
     const size_t m = (size_t)segments;
     RTCGeometry g =
-        rtcNewGeometry(r->device, RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+        rtcNewGeometry(r->device, c->form == ROUND_CONES
+                                      ? RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE
+                                      : RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
     float *vertex = rtcSetNewGeometryBuffer(
         g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, c->n * (m + 1));
     unsigned *index = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0,
@@ -71,7 +73,8 @@ struct rival build_curves(const struct cylinders *c, int segments,
             for (int j = 0; j < 3; j++)
                 *vertex++ = (float)((1 - z) * (double)c->ends[i][0][j] +
                                     z * (double)c->ends[i][1][j]);
-            *vertex++ = c->radius[i];
+            *vertex++ = (float)((1 - z) * (double)c->radius[i][0] +
+                                z * (double)c->radius[i][1]);
         }
         for (size_t k = 0; k < m; k++) {
             *index++ = (unsigned)(i * (m + 1) + k);
@@ -118,9 +121,9 @@ int segments_for(const struct cylinders *c, const struct cylinder_kind *kind)
         double lo[3], hi[3];
         cylint_bounds(&c->shapes[i], lo, hi);
         const double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
-        const double length = (double)c->radius[i] / kind->radius;
-        const double area = 2 * 3.14159265358979 * (double)c->radius[i] *
-                            (length + (double)c->radius[i]);
+        const double length = (double)c->radius[i][0] / kind->radius;
+        const double area = 2 * 3.14159265358979 * (double)c->radius[i][0] *
+                            (length + (double)c->radius[i][0]);
         ratios += sqrt(2 * (x * y + y * z + z * x) / area);
     }
     return (int)fmin(fmax(1, ratios / (double)n + 0.5), kind->most_segments);

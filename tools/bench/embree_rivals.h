@@ -1,5 +1,5 @@
 /*
- * embree_rivals.h - the same cylinders as several kinds of Embree scenes
+ * embree_rivals.h - the same shapes as several kinds of Embree scenes
  */
 #ifndef BENCH_EMBREE_RIVALS_H
 #define BENCH_EMBREE_RIVALS_H
@@ -15,8 +15,9 @@ struct rival {
                               caller's arrays, which all rivals share */
 };
 
-/* Cone curves (RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE): each cylinder is a chain
- * of segments. */
+/* Cone curves (RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE), of rounded cones round
+ * curves (RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE): each shape is a chain of
+ * segments. */
 struct rival build_curves(const struct cylinders *c, int segments,
                           const char *device);
 

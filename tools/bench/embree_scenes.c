@@ -1,5 +1,5 @@
 /*
- * embree_scenes.c - random cylinders in a cube, and rays through it
+ * embree_scenes.c - random shapes in a cube, and rays through it
  */
 #include "embree_scenes.h"
 
@@ -46,29 +46,50 @@ static void draw_unit(uint64_t *state, double v[3])
     v[2] = z;
 }
 
-struct cylinders draw_cylinders(const struct cylinder_kind *kind, size_t n)
+static void make_shape(const struct cylinders *c, size_t i)
+{
+    double p[2][3];
+    const double r0 = c->radius[i][0], r1 = c->radius[i][1];
+    for (int end = 0; end < 2; end++)
+        for (int j = 0; j < 3; j++)
+            p[end][j] = c->ends[i][end][j];
+    if (c->form == ROUND_CONES)
+        cylint_round_cone(&c->shapes[i], p[0], r0, p[1], r1,
+                          CYLINT_ENDS_CAPPED);
+    else
+        cylint_cone(&c->shapes[i], p[0], r0, p[1], r1, CYLINT_ENDS_CAPPED);
+}
+
+struct cylinders draw_cones(const struct cylinder_kind *kind, size_t n,
+                            enum form form)
 {
     uint64_t state = 20261121;
     const double length = kind->length / cbrt((double)n);
-    struct cylinders c = {n, need(n * sizeof *c.ends),
+    struct cylinders c = {n, form, need(n * sizeof *c.ends),
                           need(n * sizeof *c.radius),
                           need(n * sizeof *c.shapes)};
     for (size_t i = 0; i < n; i++) {
-        double u[3], p[2][3];
+        double u[3];
         draw_unit(&state, u);
         for (int j = 0; j < 3; j++) {
             const double middle = draw(&state);
-            for (int end = 0; end < 2; end++) {
+            for (int end = 0; end < 2; end++)
                 c.ends[i][end][j] =
                     (float)(middle + (end - 0.5) * length * u[j]);
-                p[end][j] = c.ends[i][end][j];
-            }
         }
-        c.radius[i] = (float)(length * kind->radius);
-        cylint_cylinder(&c.shapes[i], p[0], p[1], c.radius[i],
-                        CYLINT_ENDS_CAPPED);
+        for (int end = 0; end < 2; end++) {
+            const double part =
+                form == CYLINDERS ? 1 : 0.5 + 0.5 * draw(&state);
+            c.radius[i][end] = (float)(length * kind->radius * part);
+        }
+        make_shape(&c, i);
     }
     return c;
+}
+
+struct cylinders draw_cylinders(const struct cylinder_kind *kind, size_t n)
+{
+    return draw_cones(kind, n, CYLINDERS);
 }
 
 void free_cylinders(struct cylinders *c)

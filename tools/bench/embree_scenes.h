@@ -1,5 +1,5 @@
 /*
- * embree_scenes.h - random cylinders in a cube, and rays through it
+ * embree_scenes.h - random shapes in a cube, and rays through it
  *
  * All numbers are floats, so that Embree's own curves have the same numbers as
  * the shapes.
@@ -21,15 +21,24 @@ struct cylinder_kind {
 
 extern const struct cylinder_kind thin, fat, fibre;
 
+/* Which shape is made of two points and a radius at each. */
+enum form { CYLINDERS, CONES, ROUND_CONES };
+
 struct cylinders {
     size_t n;
+    enum form form;
     float (*ends)[2][3];
-    float *radius; /* all equal, but read one by one */
+    float (*radius)[2]; /* of cylinders all equal, but read one by one */
     cylint_shape *shapes;
 };
 
 /* n capped cylinders in the unit cube; exits if there is no memory. */
 struct cylinders draw_cylinders(const struct cylinder_kind *kind, size_t n);
+
+/* The same as cones or rounded cones, of radii between half of the cylinders'
+ * and all of it. */
+struct cylinders draw_cones(const struct cylinder_kind *kind, size_t n,
+                            enum form form);
 void free_cylinders(struct cylinders *c);
 
 struct rays {
