@@ -118,7 +118,7 @@ static cylint_float_filter_result nearest_round(
     }
     if (is != CYLINT_FLOAT_FILTER_HIT || !limits->describes)
         return is;
-    describe_round(&x, &q, &at, &h);
+    describe_round(&x, &q, to->leaves ? 1 : -1, &at, &h);
     return write_description(&q, target->whole, &h, &to->floats)
                ? CYLINT_FLOAT_FILTER_HIT
                : CYLINT_FLOAT_FILTER_UNCERTAIN;
@@ -154,6 +154,8 @@ static cylint_float_filter_result nearest(
     }
     if (is != CYLINT_FLOAT_FILTER_HIT || !limits->describes)
         return is;
+    if (!h.capped && needs_step(&q, q.r0 + fabs(q.dr), &at))
+        step_on_cone(&x, &q, 1, to->leaves ? 1 : -1, &at);
     describe_by_dots(&x, &q, &at, &h);
     return write_description(&q, target->whole, &h, &to->floats)
                ? CYLINT_FLOAT_FILTER_HIT
@@ -162,9 +164,8 @@ static cylint_float_filter_result nearest(
 
 /* HIT: the chord begins or ends (sign = 1) at t >= tmin on a part that is
  * present. */
-static cylint_float_filter_result test_round(const round_dots *x,
-                                             const question *q, int ends,
-                                             double sign, hit *h)
+static cylint_float_filter_result test_round(round_dots *x, const question *q,
+                                             int ends, double sign, hit *h)
 {
     axial_hit at;
     const cylint_float_filter_result is = round_end(x, q, sign, h, &at);
@@ -176,7 +177,7 @@ static cylint_float_filter_result test_round(const round_dots *x,
     if (h->t + h->t_error < q->tmin ||
         (h->capped && !(cylint_caps_present(ends) >> h->top & 1)))
         return CYLINT_FLOAT_FILTER_MISS;
-    describe_round(x, q, &at, h);
+    describe_round(x, q, sign, &at, h);
     return h->t - h->t_error > q->tmin ? CYLINT_FLOAT_FILTER_HIT
                                        : CYLINT_FLOAT_FILTER_UNCERTAIN;
 }

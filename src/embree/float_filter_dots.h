@@ -123,6 +123,67 @@ INLINE axial_hit lateral_at(const dots *x, const question *q, double sign)
     return at;
 }
 
+/* The radius at a hit and its error. */
+INLINE double radius_at(const dots *x, const question *q, const axial_hit *at,
+                        double *error)
+{
+    const double X = x->Dn + fabs(at->s) * q->U;
+    *error = 3 * 0x1p-50 * (q->r0 + fabs(q->dr) * X * (q->W * q->per_ww));
+    return q->r0 + q->dr * at->z;
+}
+
+/*
+ * A step of Newton's from a root at which Q' / 2 is sign * sqrt(G), for hits of
+ * which the floats would be uncertain.  Where s - root = d, Q is
+ * d (2 sign sqrt(G) + a d), so that the step leaves
+ *
+ *   d (1 - sqrt(G) / root) - a d^2 / (2 root) - (the error of Q) / (2 root),
+ *
+ * and sqrt(G) / root differs from 1 by at most 0.53 e_G / G.
+ */
+INLINE void step_to_root(const dots *x, const question *q, double sign,
+                         double Q, double Q_error, axial_hit *at)
+{
+    const double d = at->s_error;
+    at->s -= sign * Q * (0.5 * x->per_root);
+    at->s_error = d * (x->e_G * (x->per_root * x->per_root) + 0x1p-50) +
+                  0.6 * x->per_root * (fabs(x->a) * (d * d) + Q_error) +
+                  0x1p-52 * fabs(at->s);
+    const double X = x->Dn + fabs(at->s) * q->U;
+    at->z = x->z0 + at->s * x->dz;
+    at->z_error = at->s_error * fabs(x->dz) +
+                  3 * 0x1p-50 * (X * (q->W * q->per_ww) + 0.0625);
+}
+
+/* Whether the floats of a hit on a surface of radius r would often be uncertain
+ * for the error of s. */
+INLINE int needs_step(const question *q, double r, const axial_hit *at)
+{
+    return at->s_error * q->U > 0x1p-33 * r;
+}
+
+/*
+ * The same on a cone, where Q = S |c|^2 / ww - k^2, c = P x w, S = 1, and on the
+ * cone of a round kind (float_filter_round.h).  Errors: c: 3 eps W X, as in
+ * describe_by_dots(); S and 1 / ww and their products: 22 u.
+ */
+INLINE void step_on_cone(const dots *x, const question *q, double S,
+                         double sign, axial_hit *at)
+{
+    const double X = x->Dn + fabs(at->s) * q->U;
+    const double e_c = 3 * 0x1p-50 * (q->W * X);
+    double P[3], c[3], e_k;
+    EACH(j, 3)
+        P[j] = x->D[j] + at->s * x->u[j];
+    cross(c, P, q->w);
+    const double k = radius_at(x, q, at, &e_k), cc = dot(c, c);
+    const double Q = S * cc * q->per_ww - k * k;
+    const double e_Q =
+        (e_c * (2 * size(c) + e_c) + 4 * 0x1p-50 * cc) * q->per_ww +
+        e_k * (2 * fabs(k) + e_k) + 0x1p-50 * (k * k);
+    step_to_root(x, q, sign, Q, e_Q, at);
+}
+
 /* For a chord that begins or ends (sign = 1) at s below the base or above the
  * top: whether it crosses that cap's plane.  Then moves the hit there. */
 INLINE cylint_float_filter_result move_to_cap(const dots *x, const question *q,

@@ -41,11 +41,11 @@
 
 #include "float_filter_dots.h"
 
-/* cone: the cone's coefficients.  slanted: the sign of a, or 0.  crosses:
+/* cone, ball: the coefficients of the cone and of the ball in ball_at().  slanted: the sign of a, or 0.  crosses:
  * whether the line crosses the cone, uncertain if `slanted` is 0.  is_ball: it
  * is a sphere, which has no cone. */
 typedef struct {
-    dots cone;
+    dots cone, ball;
     double uu, Du, DD, R;
     int is_ball;
     double S, y0, K;
@@ -76,6 +76,9 @@ INLINE int load_round(round_dots *x, question *q, const shape_columns *s,
     q->W = sqrt(q->ww);
     q->per_ww = 0;
     x->cone.z0 = x->cone.dz = x->y0 = 0;
+    x->cone.a = x->cone.b = x->cone.root = x->cone.per_a = 0;
+    x->cone.per_root = x->cone.e_a = x->cone.e_G = 0;
+    x->ball = x->cone;
     x->S = 1;
     x->K = x->cone.Dn + q->r0;
     x->slanted = 0;
@@ -127,33 +130,35 @@ INLINE int range_of_y(const round_dots *x, const question *q,
 }
 
 /* Where the line enters or leaves (sign = 1) the ball about an end. */
-INLINE cylint_float_filter_result ball_at(const round_dots *x,
-                                          const question *q, int top,
-                                          double sign, axial_hit *at)
+INLINE cylint_float_filter_result ball_at(round_dots *x, const question *q,
+                                          int top, double sign, axial_hit *at)
 {
-    dots d = x->cone;
-    double DD = x->DD, r = q->r0, N = d.Dn;
-    d.b = x->Du;
+    dots *d = &x->ball;
+    double DD = x->DD, r = q->r0, N = x->cone.Dn;
+    d->z0 = x->cone.z0;
+    d->dz = x->cone.dz;
+    d->b = x->Du;
     if (top) {
         double D1[3];
         EACH(j, 3)
-            D1[j] = d.D[j] - q->w[j];
+            D1[j] = d->D[j] - q->w[j];
         DD = dot(D1, D1);
-        d.b = dot(D1, d.u);
+        d->b = dot(D1, d->u);
         r = q->r0 + q->dr;
         N = N + q->W;
     }
-    const double K = N + x->R, G = d.b * d.b - x->uu * (DD - r * r);
-    d.e_G = 6 * 0x1p-50 * x->uu * (K * K);
-    d.e_a = 0x1p-50 * x->uu;
-    if (G < -d.e_G)
+    const double K = N + x->R, G = d->b * d->b - x->uu * (DD - r * r);
+    d->a = x->uu;
+    d->e_G = 6 * 0x1p-50 * x->uu * (K * K);
+    d->e_a = 0x1p-50 * x->uu;
+    if (G < -d->e_G)
         return CYLINT_FLOAT_FILTER_MISS;
-    if (!(G > 16 * d.e_G))
+    if (!(G > 16 * d->e_G))
         return CYLINT_FLOAT_FILTER_UNCERTAIN;
-    d.root = sqrt(G);
-    d.per_root = 1 / d.root;
-    d.per_a = 1 / x->uu;
-    *at = lateral_at(&d, q, sign);
+    d->root = sqrt(G);
+    d->per_root = 1 / d->root;
+    d->per_a = 1 / x->uu;
+    *at = lateral_at(d, q, sign);
     if (x->is_ball)
         at->z_error = 0;
     return CYLINT_FLOAT_FILTER_HIT;
@@ -161,10 +166,9 @@ INLINE cylint_float_filter_result ball_at(const round_dots *x,
 
 /* The same if nothing is known of the cone but that it is hit at `range`, or not
  * at all (1): only balls may be hit. */
-INLINE cylint_float_filter_result either_ball(const round_dots *x,
-                                              const question *q, double sign,
-                                              int misses_cone, hit *h,
-                                              axial_hit *at)
+INLINE cylint_float_filter_result either_ball(round_dots *x, const question *q,
+                                              double sign, int misses_cone,
+                                              hit *h, axial_hit *at)
 {
     int misses = misses_cone;
     EACH(top, 2) {
@@ -182,9 +186,8 @@ INLINE cylint_float_filter_result either_ball(const round_dots *x,
 }
 
 /* Where the line enters or leaves (sign = 1) the solid. */
-INLINE cylint_float_filter_result round_end(const round_dots *x,
-                                            const question *q, double sign,
-                                            hit *h, axial_hit *at)
+INLINE cylint_float_filter_result round_end(round_dots *x, const question *q,
+                                            double sign, hit *h, axial_hit *at)
 {
     int range = -1;
     h->capped = h->top = 0;
@@ -206,6 +209,23 @@ INLINE cylint_float_filter_result round_end(const round_dots *x,
     return either_ball(x, q, sign,
                        range >= 0 || x->crosses == CYLINT_FLOAT_FILTER_MISS, h,
                        at);
+}
+
+/* A step of Newton's on a ball, where Q = |P|^2 - r^2.  The error of P is at most
+ * 6 u X, that of r 2 u R. */
+INLINE void step_on_ball(const round_dots *x, const question *q, int top,
+                         double sign, axial_hit *at)
+{
+    const double r = top ? q->r0 + q->dr : q->r0;
+    const double X = x->cone.Dn + fabs(at->s) * q->U + (top ? q->W : 0);
+    double P[3];
+    EACH(j, 3)
+        P[j] = (x->cone.D[j] + at->s * x->cone.u[j]) - (top ? q->w[j] : 0);
+    const double PP = dot(P, P), e_P = 0x1p-50 * X;
+    const double e_Q = e_P * (2 * size(P) + e_P) + 0x1p-50 * (PP + x->R * x->R);
+    step_to_root(&x->ball, q, sign, PP - r * r, e_Q, at);
+    if (x->is_ball)
+        at->z_error = 0;
 }
 
 /* ---------------------------------------------------------- description -- */
@@ -257,10 +277,16 @@ INLINE void cone_hull_normal(const round_dots *x, const question *q,
 }
 
 /* The members of a hit that its description reads. */
-INLINE void describe_round(const round_dots *x, const question *q,
-                           const axial_hit *at, hit *h)
+INLINE void describe_round(const round_dots *x, const question *q, double sign,
+                           axial_hit *at, hit *h)
 {
     double across[3], e_across[3];
+    if (needs_step(q, x->R, at)) {
+        if (h->capped || x->is_ball)
+            step_on_ball(x, q, h->top, sign, at);
+        else
+            step_on_cone(&x->cone, q, x->S, sign, at);
+    }
     h->round = 1 + x->is_ball;
     h->z = at->z;
     h->z_error = at->z_error;
