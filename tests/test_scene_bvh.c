@@ -1,12 +1,15 @@
 /*
  * test_scene_bvh.c - floor bvh: the nodes, and builds by several threads
  */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
 #include "cylint_scene.h"
 #include "bvh/bvh.h"
+#include "bvh/leaf_test.h"
+#include "random.h"
 #include "scenes.h"
 
 static int make(cylint_bvh *bvh, const struct scene_shapes *of, int threads)
@@ -170,8 +173,89 @@ static void scenes_of_several_threads_answer_as_those_of_one(void)
     scene_release(&of);
 }
 
+/* --------------------------------------------------------------- pieces -- */
+
+/* A cone or rounded cone of any taper, 1 to 30 times as long as thick. */
+static void draw_tapered(uint64_t *state, int round, cylint_shape *shape)
+{
+    double p[2][3], r[2];
+    const double length = exp(3.4 * random_unit(state)),
+                 taper = random_unit(state) < 0.3 ? 0 : random_unit(state);
+    const int end = random_unit(state) < 0.5;
+    double w[3], ww = 0;
+    for (int j = 0; j < 3; j++) {
+        p[0][j] = random_unit(state);
+        w[j] = random_unit(state) - 0.5;
+        ww += w[j] * w[j];
+    }
+    for (int j = 0; j < 3; j++)
+        p[1][j] = p[0][j] + length * w[j] / sqrt(ww);
+    r[end] = 1;
+    r[!end] = taper;
+    CHECK((round ? cylint_round_cone : cylint_cone)(
+              shape, p[0], r[0], p[1], r[1], CYLINT_ENDS_CAPPED) == CYLINT_OK);
+}
+
+/* Each hit lies in the box of the piece that owns it, and the leaf test does not
+ * reject that piece where the domain is the hit. */
+static long check_pieces(const cylint_shape *shape, const cylint_line *line,
+                         int count)
+{
+    const cylint_view view = cylint_plain_view(shape);
+    cylint_swept_disc swept;
+    cylint_answer answer;
+    double reach[3];
+    cylint_swept_disc_of(&swept, &view, 0);
+    cylint_swept_disc_reach(&swept, reach);
+    const cylint_packed_disc disc = cylint_packed_disc_of(&swept, shape, 0);
+    const int n = cylint_intersect(shape, line, CYLINT_WANT_ALL, &answer);
+    for (int i = 0; i < n; i++) {
+        const cylint_hit *hit = &answer.hit[i];
+        const cylint_piece piece = {cylint_piece_at(hit->z, count), count};
+        const cylint_extent box = cylint_piece_box(&swept, reach, piece);
+        const cylint_boxed_piece boxed = {
+            {box.lower[0], box.lower[1], box.lower[2]},
+            0,
+            {box.upper[0], box.upper[1], box.upper[2]},
+            (uint16_t)piece.index,
+            (uint16_t)piece.count};
+        cylint_leaf leaf;
+        double least[CYLINT_LEAF_SIZE];
+        cylint_leaf_fill(&leaf, &disc, &boxed, 1, 0);
+        for (int j = 0; j < 3; j++)
+            CHECK((double)box.lower[j] <= hit->point[j] &&
+                  hit->point[j] <= (double)box.upper[j]);
+        if (!CHECK(test_line(&leaf, line->o, line->d, hit->t, hit->t, least)))
+            REPORT("piece %d of %d, kind %d, radii %g and %g", piece.index,
+                   count, shape->kind, shape->r0, shape->r1);
+    }
+    return n;
+}
+
+static void pieces_contain_the_hits_that_they_own(void)
+{
+    uint64_t state = 15;
+    long hits = 0;
+    for (int i = 0; i < 20000; i++) {
+        cylint_shape shape;
+        cylint_line line;
+        double o[3], d[3];
+        draw_tapered(&state, i % 4 > 0, &shape);
+        const double z = random_unit(&state);
+        for (int j = 0; j < 3; j++) {
+            const double along = shape.base[j] + z * shape.axis[j];
+            o[j] = along + 30 * (random_unit(&state) - 0.5);
+            d[j] = along + 1.6 * (random_unit(&state) - 0.5) - o[j];
+        }
+        CHECK(cylint_whole_line(&line, o, d) == CYLINT_OK);
+        hits += check_pieces(&shape, &line, 1 + i % 8);
+    }
+    CHECK(hits > 20000);
+}
+
 int main(void)
 {
+    RUN(pieces_contain_the_hits_that_they_own);
     RUN(every_leaf_has_one_parent_and_nodes_have_no_gaps);
     RUN(scenes_without_good_splits_have_correct_nodes);
     RUN(any_number_of_threads_builds_the_same_bytes);

@@ -88,8 +88,9 @@ static void store_numbers(cylint_leaf *leaf, int lane, cylint_piece piece,
  *
  * The piece is the convex hull of two sections.  A(z) is a point of its axis, X
  * a point of the section at z: X is at most `across` from the axis and at most
- * `along` from A(z) along it.  The axis is lengthened by g at both ends, then
- * its ends are rounded.  The nearest point Q(z) of the rounded axis is less
+ * `along` from A(z) along it; a round shape has other sections than its ends,
+ * with along = 0.  The axis is lengthened by g, which may differ at both ends,
+ * then its ends are rounded.  The nearest point Q(z) of the rounded axis is less
  * than e = 7/8 + input_error steps from A(z): the rounding adds at most sqrt(3)/2,
  * the doubles before it and the line's own error add `input_error`.  So
  *
@@ -98,7 +99,7 @@ static void store_numbers(cylint_leaf *leaf, int lane, cylint_piece piece,
  *   and along it at most e + along + across sin(a) from Q(z),
  *
  * where a is the angle between the two axes.  Both ends move by less than e, so
- * sin(a) <= 2 e / (l + 2 g - 2 e).  g must not be less than the second bound.
+ * sin(a) <= 2 e / (l + g + g - 2 e).  g must not be less than the second bound.
  * With g = e + along + 4 + x and x = sqrt(across e), sin(a) < e / x and
  * across sin(a) < x.  x = across 2 e / (l - 2 e) also does, if it is less.
  * The 4 gives every lane an axis.  An axis so short that its direction is lost
@@ -119,23 +120,25 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_packed_disc *s,
             (fabs(base[0]) + fabs(base[1]) + fabs(base[2]) + length +
              cylint_larger(k0, k1) * (1 + slope));
     const double e = 0.875 + input_error;
-    double z[2];
-    cylint_piece_ends(piece, slope == 1 ? cylint_section_shift(k0, k1, ww) : 0,
-                      z);
-    const double across =
-        cylint_larger(k0 + (k1 - k0) * z[0], k0 + (k1 - k0) * z[1]) * steps;
-    const double l = length * steps * (z[1] - z[0]);
+    const int round = s->form == CYLINT_DISC_ROUND;
+    const cylint_piece_hull part = cylint_piece_hull_of(
+        piece, k0, k1, round, round ? cylint_section_shift(k0, k1, ww) : 0);
+    const double across = cylint_larger(part.k[0], part.k[1]) * steps;
+    const double l = length * steps * (part.z[1] - part.z[0]);
     const double out = sqrt(across * e);
-    const double g =
-        e + across * slope + 4 +
+    const double least =
+        e + 4 +
         (l > 4 * e ? cylint_smaller(out, across * 2 * e / (l - 2 * e)) : out);
-    const double g_per_length = g / length;
+    double more[2];
+    for (int end = 0; end < 2; end++) {
+        const int is_disc = round && !part.is_ball[end];
+        more[end] = (least + (is_disc ? 0 : across * slope)) / length;
+    }
     step_cylinder h = {.r = across + input_error + 0x1p-20};
     for (int j = 0; j < 3; j++) {
         const double from = base[j] - (double)leaf->center[j];
-        const double more = g_per_length * axis[j];
-        h.p[0][j] = (from + z[0] * axis[j]) * steps - more;
-        h.p[1][j] = (from + z[1] * axis[j]) * steps + more;
+        h.p[0][j] = (from + part.z[0] * axis[j]) * steps - more[0] * axis[j];
+        h.p[1][j] = (from + part.z[1] * axis[j]) * steps + more[1] * axis[j];
     }
     return ww > CYLINT_LEAST_SQUARE && input_error < 1 &&
            store_cylinder(leaf, lane, &h);
@@ -153,7 +156,7 @@ void cylint_leaf_fill(cylint_leaf *leaf, const cylint_packed_disc *discs,
         const cylint_piece piece = {boxes[lane].index, boxes[lane].count};
         leaf->number[lane] = disc->number;
         store_numbers(leaf, lane, piece, disc->ends);
-        if (!disc->solid)
+        if (disc->form != CYLINT_DISC_SOLID)
             leaf->used = (uint8_t)used;
         if (!bound_piece(leaf, lane, disc, piece, line_error))
             leaf->always |= (uint8_t)(1u << lane);

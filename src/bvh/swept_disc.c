@@ -85,7 +85,7 @@ void cylint_swept_disc_reach(const cylint_swept_disc *t, double reach[3])
     for (int j = 0; j < 3; j++)
         reach[j] =
             t->elliptic ? cylint_elliptic_reach(t->a, t->b, j)
-            : ww > CYLINT_LEAST_SQUARE && !t->round
+            : ww > CYLINT_LEAST_SQUARE
                 ? sqrt(square[(j + 1) % 3] + square[(j + 2) % 3]) * per_length
                 : 1;
 }
@@ -94,26 +94,51 @@ cylint_packed_disc cylint_packed_disc_of(const cylint_swept_disc *t,
                                          const cylint_shape *shape,
                                          uint32_t number)
 {
+    const int solid = shape->kind == CYLINT_KIND_CYLINDER &&
+                      shape->ends == CYLINT_ENDS_CAPPED;
+    const uint8_t form = solid      ? CYLINT_DISC_SOLID
+                         : t->round ? CYLINT_DISC_ROUND
+                                    : 0;
     return (cylint_packed_disc){{t->base[0], t->base[1], t->base[2]},
                                 {t->axis[0], t->axis[1], t->axis[2]},
                                 {cylint_float_above(t->k[0] * t->across),
                                  cylint_float_above(t->k[1] * t->across)},
                                 cylint_half_above(t->along / t->across),
                                 (uint8_t)shape->ends,
-                                shape->kind == CYLINT_KIND_CYLINDER &&
-                                    shape->ends == CYLINT_ENDS_CAPPED,
+                                form,
                                 number};
 }
 
-void cylint_piece_ends(cylint_piece piece, double shift, double z[2])
+static double radius_at(double k0, double k1, double z)
 {
-    const double overlap = 0x1p-20;
-    z[0] = piece.index == 0 ? 0 : (piece.index - overlap) / piece.count;
-    z[1] = piece.index == piece.count - 1
-               ? 1
-               : (piece.index + 1 + overlap) / piece.count;
-    z[0] = cylint_larger(z[0] - shift, 0);
-    z[1] = cylint_smaller(z[1] + shift, 1);
+    const double inside = cylint_larger(0, cylint_smaller(z, 1));
+    return k0 + (k1 - k0) * inside;
+}
+
+/*
+ * The lateral part of a round shape at z belongs to the ball at z + s, where s is
+ * at most `shift` in size and has one sign for all z.  If all planes of cuts are
+ * farther than that from the ends, then they cut the lateral part, which is a
+ * cone, and each section is at most as wide as that ball.  Else, which takes a
+ * shape too thick for several pieces, each piece is bounded as the whole.
+ */
+cylint_piece_hull cylint_piece_hull_of(cylint_piece piece, double k0, double k1,
+                                       int round, double shift)
+{
+    const double overlap = 0x1p-20, count = piece.count;
+    const int is_whole = round && !(shift * count < 1 - 2 * overlap);
+    const int at_end[2] = {is_whole || piece.index == 0,
+                           is_whole || piece.index == piece.count - 1};
+    cylint_piece_hull h;
+    h.z[0] = at_end[0] ? 0 : (piece.index - overlap) / count;
+    h.z[1] = at_end[1] ? 1 : (piece.index + 1 + overlap) / count;
+    for (int end = 0; end < 2; end++) {
+        const double s = at_end[end] ? 0 : shift;
+        h.is_ball[end] = round && at_end[end];
+        h.k[end] = cylint_larger(radius_at(k0, k1, h.z[end] - s),
+                                 radius_at(k0, k1, h.z[end] + s));
+    }
+    return h;
 }
 
 /*
@@ -124,18 +149,19 @@ void cylint_piece_ends(cylint_piece piece, double shift, double z[2])
 cylint_extent cylint_piece_box(const cylint_swept_disc *t,
                                const double reach[3], cylint_piece piece)
 {
-    double z[2], lo[3], hi[3];
-    cylint_piece_ends(piece, t->shift, z);
-    const double k[2] = {t->k[0] + (t->k[1] - t->k[0]) * z[0],
-                         t->k[0] + (t->k[1] - t->k[0]) * z[1]};
+    const cylint_piece_hull h =
+        cylint_piece_hull_of(piece, t->k[0], t->k[1], t->round, t->shift);
+    double lo[3], hi[3];
     for (int j = 0; j < 3; j++) {
+        const double reach0 = h.is_ball[0] ? 1 : reach[j];
+        const double reach1 = h.is_ball[1] ? 1 : reach[j];
         const double size = fabs(t->base[j]) + fabs(t->axis[j]) +
-                            (t->k[0] + t->k[1]) * reach[j];
+                            (t->k[0] + t->k[1]) * cylint_larger(reach0, reach1);
         const double more = size * 0x1p-48 + DBL_MIN;
-        const double from = t->base[j] + z[0] * t->axis[j];
-        const double to = t->base[j] + z[1] * t->axis[j];
-        const double out0 = k[0] * reach[j] + more;
-        const double out1 = k[1] * reach[j] + more;
+        const double from = t->base[j] + h.z[0] * t->axis[j];
+        const double to = t->base[j] + h.z[1] * t->axis[j];
+        const double out0 = h.k[0] * reach0 + more;
+        const double out1 = h.k[1] * reach1 + more;
         /* which end is lower is unpredictable, so there is no branch */
         lo[j] = cylint_smaller(from - out0, to - out1);
         hi[j] = cylint_larger(from + out0, to + out1);

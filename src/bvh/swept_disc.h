@@ -4,7 +4,7 @@
  * The section at z has its centre at base + z axis.  With k(z) = k0 + (k1-k0) z
  * its points are at most k(z) across from the axis and at most k(z) along
  * from the centre along the axis.  A round shape is swept by a ball: then both
- * are k(z).
+ * are k(z).  Pieces are cut by planes across the axis.
  */
 #ifndef CYLINT_BVH_SWEPT_DISC_H
 #define CYLINT_BVH_SWEPT_DISC_H
@@ -23,8 +23,7 @@ typedef struct cylint_swept_disc {
     double length;     /* of the axis */
     double a[3], b[3]; /* of elliptic shapes */
     int elliptic, round;
-    double shift; /* a point at z is on a section between z - shift and
-                     z + shift */
+    double shift; /* of a round shape: cylint_section_shift() */
 } cylint_swept_disc;
 
 /* A piece of a shape: number `index` of `count` equal ones along z. */
@@ -56,7 +55,7 @@ typedef struct cylint_packed_disc {
     float across[2]; /* reach across the axis at z = 0 and 1 */
     uint16_t slope;  /* reach along the axis / reach across: a half float */
     uint8_t ends;    /* a cylint_ends */
-    uint8_t solid;   /* 1: a cylinder with both caps */
+    uint8_t form;    /* CYLINT_DISC_SOLID or CYLINT_DISC_ROUND or 0 */
     uint32_t number; /* of the shape */
 } cylint_packed_disc;
 
@@ -67,12 +66,15 @@ cylint_packed_disc cylint_packed_disc_of(const cylint_swept_disc *disc,
 void cylint_swept_disc_of(cylint_swept_disc *disc, const cylint_view *view,
                           uint32_t number);
 
+/* A cylinder with both caps; a round shape. */
+enum { CYLINT_DISC_SOLID = 1, CYLINT_DISC_ROUND = 2 };
+
 /* Writes reach[j]: the section at z reaches k(z) reach[j] from its centre along
- * coordinate j. */
+ * coordinate j; of a round shape a disc across the axis does. */
 void cylint_swept_disc_reach(const cylint_swept_disc *disc, double reach[3]);
 
-/* The section at z touches the surface of a round shape at a z that differs by
- * the slope of the radius k (k1 - k0) / length^2, at most by this. */
+/* The cone of a round shape has the radius k(z) at z at most `shift` from here,
+ * and touches the balls of the ends at most `shift` from them. */
 static inline double cylint_section_shift(double k0, double k1, double square)
 {
     const double slack = 1 + 0x1p-10; /* for k0 and k1 as floats */
@@ -80,10 +82,18 @@ static inline double cylint_section_shift(double k0, double k1, double square)
     return growth > 0 ? cylint_larger(k0, k1) * growth / square * slack : 0;
 }
 
-/* The z range of a piece, and its box.  Pieces overlap by 2^-20 of their
- * length, so that a z with a rounding error still lies in the piece that
- * cylint_piece_at() returns. */
-void cylint_piece_ends(cylint_piece piece, double shift, double z[2]);
+/* A piece as the convex hull of two sections.  is_ball: the section is the ball
+ * of that end. */
+typedef struct cylint_piece_hull {
+    double z[2], k[2];
+    int is_ball[2];
+} cylint_piece_hull;
+
+/* Pieces overlap by 2^-20 of their length, so that a z with a rounding error
+ * still lies in the piece that cylint_piece_at() returns.  round: the shape is
+ * round, with this shift. */
+cylint_piece_hull cylint_piece_hull_of(cylint_piece piece, double k0, double k1,
+                                       int round, double shift);
 cylint_extent cylint_piece_box(const cylint_swept_disc *disc,
                                const double reach[3], cylint_piece piece);
 
