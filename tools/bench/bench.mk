@@ -4,7 +4,7 @@ $(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests $(em
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 
-bench_programs  := $(patsubst %,$(BUILD)/tools/bench/%,cost methods batch single)
+bench_programs  := $(patsubst %,$(BUILD)/tools/bench/%,cost methods batch single distance)
 embree_programs := $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_packets embree_threads embree_counts)
 bench_common    := $(call bench_objects,contestants race timing plain shader $(if $(GSL),gsl_quadratic))
 
@@ -12,13 +12,15 @@ $(BUILD)/tools/bench/cost: $(call bench_objects,cost_inputs)
 $(BUILD)/tools/bench/methods: $(call bench_objects,classes statistics truth)
 $(BUILD)/tools/bench/batch: $(call bench_objects,batch_scene batch_turns batch_core batch_cases classes cost_inputs)
 $(BUILD)/tools/bench/single: $(call bench_objects,lean)
+$(BUILD)/tools/bench/distance: $(call bench_objects,lean_distance)
 $(bench_programs): %: %.o $(bench_common)
 $(bench_programs) $(BUILD)/tools/bench/stages: %: %.o $(test_common) $(BUILD)/libcylint.a
 $(bench_programs) $(BUILD)/tools/bench/stages: libs := $(test_libs)
 
-$(BUILD)/tools/bench/scene: $(BUILD)/tests/scenes.o
-$(patsubst %,$(BUILD)/tools/bench/%,scene python_scene): %: %.o $(scene_library)
-$(patsubst %,$(BUILD)/tools/bench/%,scene python_scene): libs := $(threads_link)
+$(BUILD)/tools/bench/scene $(BUILD)/tools/bench/distance_scene: $(BUILD)/tests/scenes.o
+$(BUILD)/tools/bench/distance_scene: $(call bench_objects,timing)
+$(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene): %: %.o $(scene_library)
+$(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene): libs := $(threads_link)
 
 $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_packets): $(call bench_objects,timing)
 $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round): $(call bench_objects,embree_race)
@@ -29,7 +31,7 @@ $(BUILD)/tools/bench/embree_counts: wrapped := $(call wrap,cylint_float_filter_u
 
 $(BUILD)/tools/bench/measure: $(BUILD)/tools/bench/measure.o
 
-$(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene python_scene measure):
+$(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene distance_scene python_scene measure):
 	$(link)
 
 # Where the processor has fused multiply-add, a second build with it.
@@ -41,7 +43,7 @@ bench: bench_programs ## time against error, tables and charts; QUICK=1: in two 
 	@$(if $(FMA),$(MAKE) BUILD=$(BUILD)/fma CFLAGS='$(CFLAGS) -mfma' bench_programs)
 	@BUILD='$(BUILD)' CC='$(CC)' CFLAGS='$(CFLAGS)' FMA='$(FMA)' QUICK='$(QUICK)' sh tools/bench/bench.sh
 
-bench-scene: $(BUILD)/tools/bench/scene ## time of scenes and of batches of all shapes
+bench-scene: $(BUILD)/tools/bench/scene $(BUILD)/tools/bench/distance_scene ## time of scenes and of batches of all shapes
 	@BUILD='$(BUILD)' sh tools/bench/scene.sh
 
 bench-text: $(commands) $(BUILD)/tools/bench/measure ## time of the command and of programs that read numbers; QUICK=1

@@ -57,6 +57,10 @@ echo 'single questions beside the leanest formula ...' >&2
 "$BUILD/tools/bench/single" $turns "$flags" >"$out/single.csv" || exit 1
 awk -f "$here/single.awk" "$out/single.csv" >"$out/single.txt"
 
+echo 'distances beside the leanest formulas ...' >&2
+"$BUILD/tools/bench/distance" $turns "$flags" >"$out/distance.csv" || exit 1
+awk -f "$here/distance.awk" "$out/distance.csv" >"$out/distance.txt"
+
 echo "time against error, $cases cases a family ..." >&2
 measure methods "$out/methods.csv" "$cases $seconds" "0 $seconds"
 awk -f "$here/table.awk" "$out/methods.csv" >"$out/methods.txt"
@@ -91,6 +95,8 @@ echo
 cat "$out/cost.txt"
 echo
 cat "$out/single.txt"
+echo
+cat "$out/distance.txt"
 echo
 cat "$out/batch.txt"
 echo

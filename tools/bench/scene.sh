@@ -13,3 +13,5 @@ for kind in $SCENES; do
         $bench "$kind" "$n"
     done
 done
+# Distances of points: growth with the number of shapes, beside a loop.
+$BUILD/tools/bench/distance_scene 0 $SIZES
