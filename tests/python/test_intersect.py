@@ -12,6 +12,7 @@ import cylint
 ROD = cylint.cylinder([0, 0, 0], [0, 0, 1], 0.5)
 RELATIONS = {"miss": 0, "touch": 1, "along": 2, "cross": 3}
 PARTS = {"-": -1, "lateral": 0, "cap0": 1, "cap1": 2}
+MEMBERS = ("point", "normal", "z", "phi", "side", "outside", "inside")
 SIDES = {"-": -1, "entering": 0, "leaving": 1, "both": 2}
 SHAPES = {
     "cylinder": (ROD, "cylinder 0 0 0 0 0 1 .5"),
@@ -67,6 +68,34 @@ def test_every_member_equals_the_command(command, name):
     assert 0 < np.count_nonzero(hit.n) < len(o)
 
 
+@pytest.mark.parametrize("name", SHAPES)
+def test_rays_leave_from_outside_and_from_inside(name):
+    shape = SHAPES[name][0]
+    o, d = drawn(2000, 14)
+    hit = cylint.intersect(shape, o, d, tmin=-np.inf)
+    there = hit.part >= 0
+    assert np.array_equal(~there, np.isnan(hit.outside).any(-1))
+    assert np.array_equal(~there, np.isnan(hit.inside).any(-1))
+    assert (shape.contains(hit.point[there]) <= 0).any()
+    assert (shape.contains(hit.outside[there]) == -1).all()
+    assert (shape.contains(hit.inside[there]) == 1).all()
+    at = hit.point[there]
+    for moved in (hit.outside[there], hit.inside[there]):
+        assert np.abs(moved - at).max() <= 4 * np.spacing(np.abs(at).max())
+    if name in ("cylinder", "cone", "rcone", "sphere"):  # convex and closed
+        n = hit.normal[there]
+        out = cylint.intersect(shape, hit.outside[there], n)
+        back = cylint.intersect(shape, hit.inside[there], -n)
+        assert not out.n.any() and (back.n == 1).all()
+
+
+def test_a_solid_thinner_than_the_steps_of_doubles_has_no_inside():
+    disc = cylint.cylinder([0, 0, 1], [0, 0, np.nextafter(1, 2)], 1)
+    hit = cylint.intersect(disc, [0.5, 0.25, -1], [0, 0, 1])
+    assert hit.n == 2 and np.isnan(hit.inside).all()
+    assert (disc.contains(hit.outside) == -1).all()
+
+
 def equal(a, b):
     return (
         np.array_equal(a.relation, b.relation)
@@ -101,7 +130,7 @@ def test_lazy_members_follow_the_layout():
     o = o * 0.1 + 0.5
     table = cylint.intersect(shapes[:, None], o, d)
     one = cylint.intersect(shapes[7], o, d)
-    for member in ("point", "normal", "z", "phi", "side"):
+    for member in MEMBERS:
         assert np.array_equal(
             getattr(table, member)[7], getattr(one, member), equal_nan=True
         )

@@ -56,7 +56,15 @@ def test_lazy_members_are_those_of_the_nearest_shape():
     found = near.index >= 0
     assert 50 < found.sum() < 500
     hit = cylint.intersect(shapes[near.index[found]], o[found], d[found])
-    for member in ("point", "normal", "z", "phi", "side"):
+    for member in (
+        "point",
+        "normal",
+        "z",
+        "phi",
+        "side",
+        "outside",
+        "inside",
+    ):
         value = getattr(near, member)
         assert np.array_equal(value[found], getattr(hit, member)[:, 0])
         none = value[~found]

@@ -2,46 +2,15 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import Lines, Progress, broadcast, workers
+from ._hits import DescribedHits
 from ._shapes import Shapes
 
-_MEMBERS = ("point", "normal", "z", "phi", "side")
-
-
-def _describe(
-    member: str,
-    records: NDArray[np.void],
-    index: NDArray[np.int64] | None,
-    lines: Lines,
-    shape: tuple[int, ...],
-    threads: int | None,
-) -> NDArray[Any]:
-    """One member of all hits.  With `index`: of the nearest, else of two."""
-    hits = shape if index is not None else (*shape, 2)
-    if member in ("point", "normal"):
-        hits = (*hits, 3)
-    column = np.empty(hits, np.int8 if member == "side" else np.float64)
-    columns = tuple(column if name == member else None for name in _MEMBERS)
-    _core.describe(
-        records,
-        index,
-        lines.broadcast_to(shape),
-        index is not None,
-        columns,
-        workers(threads),
-        None,
-    )
-    return column
-
-
-class Hits:
+class Hits(DescribedHits):
     """What `intersect` returns: at most two hits for each line and shape.
 
     relation: (...) int8, a value of `Relation`, of the whole line.
@@ -50,7 +19,8 @@ class Hits:
     part: (..., 2) int8, a value of `Part`; -1 for none.
 
     The others are computed when they are first used, from the arrays that were
-    given to `intersect`.  Do not change these arrays before.
+    given to `intersect`.  Do not change these arrays before.  z, phi and side
+    are (..., 2); point, normal, outside and inside are (..., 2, 3).
     """
 
     relation: NDArray[np.int8]
@@ -69,32 +39,7 @@ class Hits:
         self.n = np.empty(shape, np.int8)
         self.t = np.empty((*shape, 2))
         self.part = np.empty((*shape, 2), np.int8)
-        self._source = (records, None, lines, shape, threads)
-
-    @cached_property
-    def point(self) -> NDArray[np.float64]:
-        """(..., 2, 3): the points o + t d; nan for none."""
-        return _describe("point", *self._source)
-
-    @cached_property
-    def normal(self) -> NDArray[np.float64]:
-        """(..., 2, 3): the outward unit normals; nan for none."""
-        return _describe("normal", *self._source)
-
-    @cached_property
-    def z(self) -> NDArray[np.float64]:
-        """(..., 2): axial coordinates, 0 at the base, 1 at the top."""
-        return _describe("z", *self._source)
-
-    @cached_property
-    def phi(self) -> NDArray[np.float64]:
-        """(..., 2): angles about the axis divided by 2 pi, in [0, 1)."""
-        return _describe("phi", *self._source)
-
-    @cached_property
-    def side(self) -> NDArray[np.int8]:
-        """(..., 2) int8, a value of `Side`; -1 for none."""
-        return _describe("side", *self._source)
+        super().__init__(records, None, lines, shape, threads)
 
     def __repr__(self) -> str:
         return f"<cylint.Hits {self.n.shape}: {int(self.n.sum())} hits>"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,11 +9,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import Lines, Progress, workers
-from ._intersect import _describe
+from ._hits import DescribedHits
 from ._shapes import Shapes
 
 
-class NearestHits:
+class NearestHits(DescribedHits):
     """What `Scene.nearest` returns: the first hit of each line.
 
     index: (...) int64, the number of the shape; -1 for none.
@@ -22,7 +21,8 @@ class NearestHits:
     part: (...) int8, a value of `Part`; -1 for none.
 
     The others are computed when they are first used, from the arrays that were
-    given to `Scene.nearest`.  Do not change these arrays before.
+    given to `Scene.nearest`.  Do not change these arrays before.  z, phi and side
+    are (...); point, normal, outside and inside are (..., 3).
     """
 
     index: NDArray[np.int64]
@@ -35,32 +35,7 @@ class NearestHits:
         self.index = np.empty(lines.shape, np.int64)
         self.t = np.empty(lines.shape)
         self.part = np.empty(lines.shape, np.int8)
-        self._source = (records, self.index, lines, lines.shape, threads)
-
-    @cached_property
-    def point(self) -> NDArray[np.float64]:
-        """(..., 3): the points o + t d; nan for none."""
-        return _describe("point", *self._source)
-
-    @cached_property
-    def normal(self) -> NDArray[np.float64]:
-        """(..., 3): the outward unit normals; nan for none."""
-        return _describe("normal", *self._source)
-
-    @cached_property
-    def z(self) -> NDArray[np.float64]:
-        """(...): axial coordinates, 0 at the base, 1 at the top."""
-        return _describe("z", *self._source)
-
-    @cached_property
-    def phi(self) -> NDArray[np.float64]:
-        """(...): angles about the axis divided by 2 pi, in [0, 1)."""
-        return _describe("phi", *self._source)
-
-    @cached_property
-    def side(self) -> NDArray[np.int8]:
-        """(...) int8, a value of `Side`; -1 for none."""
-        return _describe("side", *self._source)
+        super().__init__(records, self.index, lines, lines.shape, threads)
 
     def __repr__(self) -> str:
         found = np.count_nonzero(self.index >= 0)

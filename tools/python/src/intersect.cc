@@ -267,50 +267,70 @@ bool intersect(nb::handle shapes, const Lines &lines, nb::tuple columns,
 namespace
 {
 
-/* Writes the members of hit k that are wanted, or what stands for none. */
-struct Members {
-    int point, normal, z, phi, side;
-    unsigned want;
-};
+unsigned bit(bool wanted, unsigned value)
+{
+    return wanted ? value : 0;
+}
 
 double *doubles(char *p)
 {
     return reinterpret_cast<double *>(p);
 }
 
-void write_hit(const Members &m, const std::vector<char *> &at, size_t k,
-               const cylint_hit *hit)
+/* Copies three numbers, or NaN where there are none, to those of hit k, unless
+ * the array is not wanted. */
+void put(char *array, size_t k, const double *from)
 {
-    for (size_t axis = 0; axis < 3; axis++) {
-        if (m.want & CYLINT_WANT_POINT)
-            doubles(at[static_cast<size_t>(m.point)])[3 * k + axis] =
-                hit ? hit->point[axis] : nan;
-        if (m.want & CYLINT_WANT_NORMAL)
-            doubles(at[static_cast<size_t>(m.normal)])[3 * k + axis] =
-                hit ? hit->normal[axis] : nan;
+    for (size_t axis = 0; array && axis < 3; axis++)
+        doubles(array)[3 * k + axis] = from ? from[axis] : nan;
+}
+
+/* The numbers of the columns in the grid.  They are in the order of _MEMBERS in
+ * _hits.py. */
+struct Members {
+    int point, normal, z, phi, side, outside, inside;
+};
+
+/* Writes the members of hit k that are wanted.  hit: NULL if there is none. */
+void write_hit(const Members &m, const std::vector<char *> &first, size_t k,
+               const cylint_shape *shape, const cylint_hit *hit)
+{
+    const auto at = [&first](int array) {
+        return first[static_cast<size_t>(array)];
+    };
+    put(at(m.point), k, hit ? hit->point : nullptr);
+    put(at(m.normal), k, hit ? hit->normal : nullptr);
+    if (at(m.z))
+        doubles(at(m.z))[k] = hit ? hit->z : nan;
+    if (at(m.phi))
+        doubles(at(m.phi))[k] = hit ? hit->phi : nan;
+    if (at(m.side))
+        at(m.side)[k] = static_cast<char>(hit ? hit->side : -1);
+    for (const int side : {-1, 1}) {
+        char *const to = at(side < 0 ? m.outside : m.inside);
+        double point[3];
+        if (to)
+            put(to, k,
+                hit && cylint_outside(shape, hit, side, point) ? point
+                                                               : nullptr);
     }
-    if (m.want & CYLINT_WANT_Z)
-        doubles(at[static_cast<size_t>(m.z)])[k] = hit ? hit->z : nan;
-    if (m.want & CYLINT_WANT_PHI)
-        doubles(at[static_cast<size_t>(m.phi)])[k] = hit ? hit->phi : nan;
-    if (m.want & CYLINT_WANT_PART)
-        at[static_cast<size_t>(m.side)][k] =
-            static_cast<char>(hit ? hit->side : -1);
 }
 
 } // namespace
 
 /*
  * Computes members of hits one by one.  columns: point (..., 2, 3), normal,
- * z (..., 2), phi, side; None where it is not wanted.  With `index` the shapes
- * are numbered by it, -1 is a miss, and there is one hit, not two: the first.
+ * z (..., 2), phi, side, outside (..., 2, 3), inside; None where it is not
+ * wanted.  With `index` the shapes are numbered by it, -1 is a miss, and there
+ * is one hit, not two: the first.
  */
 void describe(nb::handle shapes, nb::handle index, const Lines &lines,
               bool nearest, nb::tuple columns, int threads, nb::handle progress)
 {
     const Array s(shapes), number_of(index), point(columns[0], true),
         normal(columns[1], true), z(columns[2], true), phi(columns[3], true),
-        side(columns[4], true);
+        side(columns[4], true), outside(columns[5], true),
+        inside(columns[6], true);
     Grid grid(lines.starts, 0);
     const int of = nearest ? grid.add(number_of) : grid.add(s);
     const int line = lines.add_to(grid);
@@ -320,9 +340,14 @@ void describe(nb::handle shapes, nb::handle index, const Lines &lines,
     m.z = grid.add(z);
     m.phi = grid.add(phi);
     m.side = grid.add(side);
-    m.want = (point ? CYLINT_WANT_POINT : 0u) |
-             (normal ? CYLINT_WANT_NORMAL : 0u) | (z ? CYLINT_WANT_Z : 0u) |
-             (phi ? CYLINT_WANT_PHI : 0u) | (side ? CYLINT_WANT_PART : 0u);
+    m.outside = grid.add(outside);
+    m.inside = grid.add(inside);
+    const bool moved = outside || inside;
+    const unsigned want =
+        bit(point || moved, CYLINT_WANT_POINT) |
+        bit(normal || moved, CYLINT_WANT_NORMAL) | bit(bool(z), CYLINT_WANT_Z) |
+        bit(bool(phi), CYLINT_WANT_PHI) | bit(side || moved, CYLINT_WANT_PART) |
+        bit(nearest, CYLINT_WANT_NEAREST);
     grid.prepare();
     const ptrdiff_t o_step = lines.origins.stride(lines.origins.axes() - 1);
     const ptrdiff_t d_step =
@@ -342,13 +367,15 @@ void describe(nb::handle shapes, nb::handle index, const Lines &lines,
                          p[a] += static_cast<ptrdiff_t>(k) *
                                  grid.stride(static_cast<int>(a));
                  }
-                 const char *shape = p[static_cast<size_t>(of)];
+                 const char *found = p[static_cast<size_t>(of)];
                  if (nearest) {
                      int64_t which;
-                     std::memcpy(&which, shape, sizeof which);
-                     shape =
+                     std::memcpy(&which, found, sizeof which);
+                     found =
                          which < 0 ? nullptr : s.data() + which * s.stride(0);
                  }
+                 const auto shape =
+                     reinterpret_cast<const cylint_shape *>(found);
                  cylint_answer answer;
                  answer.n = 0;
                  cylint_line l;
@@ -356,12 +383,9 @@ void describe(nb::handle shapes, nb::handle index, const Lines &lines,
                  if (shape &&
                      make_line({at[0], at[1], at[2], at[3], o_step, d_step},
                                &l) == CYLINT_OK)
-                     cylint_intersect(
-                         reinterpret_cast<const cylint_shape *>(shape), &l,
-                         m.want | (nearest ? CYLINT_WANT_NEAREST : 0u),
-                         &answer);
+                     cylint_intersect(shape, &l, want, &answer);
                  for (size_t h = 0; h < hits; h++)
-                     write_hit(m, p, h,
+                     write_hit(m, p, h, shape,
                                static_cast<int>(h) < answer.n ? &answer.hit[h]
                                                               : nullptr);
              }
