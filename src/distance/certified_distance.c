@@ -39,7 +39,7 @@ static pair plain(double x)
 }
 
 /* The profile of a cylinder or a cone. */
-INLINE void load_profile(profile *p, const cylint_shape *s, int tapered)
+INLINE void load_profile(profile *p, const cylint_shape *s)
 {
     const cylint_local *f = &s->local;
     p->height = (pair){f->height, f->height_lo};
@@ -49,9 +49,9 @@ INLINE void load_profile(profile *p, const cylint_shape *s, int tapered)
     p->r[1] = s->r1;
     p->rho[0] = plain(s->r0);
     p->rho[1] = plain(s->r1);
-    p->cosine = tapered ? (pair){f->cosine, f->cosine_lo} : plain(1);
-    p->sine = tapered ? (pair){f->sine, f->sine_lo} : plain(0);
-    p->offset = tapered ? lazy_mul(p->cosine, p->rho[0]) : p->rho[0];
+    p->cosine = (pair){f->cosine, f->cosine_lo};
+    p->sine = (pair){f->sine, f->sine_lo};
+    p->offset = lazy_mul(p->cosine, p->rho[0]);
 }
 
 /* That of the convex hull of two balls: the lateral line touches them. */
@@ -73,10 +73,8 @@ static void load_hull_profile(profile *p, const cylint_shape *s)
 
 /* --------------------------------------------------- pairs: distances -- */
 
-INLINE pair from_line(const half_plane *m, const profile *p, int tapered)
+INLINE pair from_line(const half_plane *m, const profile *p)
 {
-    if (!tapered)
-        return lazy_sub(m->rho, p->rho[0]);
     const pair across = lazy_mul(p->cosine, m->rho);
     const pair along = lazy_mul(p->sine, m->z);
     return lazy_sub(lazy_sub(across, along), p->offset);
@@ -102,19 +100,24 @@ INLINE pair from_ball(const double point[3], const double center[3], double r,
     return lazy_sub(d, plain(r));
 }
 
-INLINE pair from_feature(const half_plane *m, const profile *p, int feature,
-                         int tapered)
+/* From the plane of a cap, positive outside. */
+INLINE pair from_plane(const half_plane *m, const cylint_shape *s, int top)
 {
-    switch (feature) {
-    case CYLINT_FEATURE_LATERAL:
-        return from_line(m, p, tapered);
-    case CYLINT_FEATURE_CAP0:
-        return (pair){-m->z.hi, -m->z.lo};
-    case CYLINT_FEATURE_CAP1:
-        return lazy_sub(m->z, p->height);
-    default:
+    const cylint_local *f = &s->local;
+    const pair level = {top ? f->height : 0, top ? f->height_lo : 0};
+    const pair d = lazy_sub(m->z, level);
+    const double sign = top ? 1 : -1;
+    return (pair){sign * d.hi, sign * d.lo};
+}
+
+INLINE pair from_feature(const half_plane *m, const profile *p,
+                         const cylint_shape *s, int feature)
+{
+    if (feature == CYLINT_FEATURE_LATERAL)
+        return from_line(m, p);
+    if (feature >= CYLINT_FEATURE_RIM0)
         return from_end(m, p, feature == CYLINT_FEATURE_RIM1);
-    }
+    return from_plane(m, s, feature == CYLINT_FEATURE_CAP1);
 }
 
 /* ------------------------------------------------- doubles: features --- */
@@ -128,17 +131,16 @@ typedef struct {
 } position;
 
 INLINE void load_position(position *at, const half_plane *m, const profile *p,
-                          int tapered, int hull)
+                          int hull)
 {
     const double r0 = hull ? 0 : p->r[0], r1 = hull ? 0 : p->r[1];
     const double C = p->cosine.hi, S = p->sine.hi;
     at->z = m->z.hi;
     at->rho = m->rho.hi + m->rho.lo;
     at->above = at->z - p->height.hi;
-    at->outside =
-        tapered ? C * at->rho - S * at->z - p->offset.hi : at->rho - p->r[0];
-    at->before = tapered ? C * at->z + S * (at->rho - r0) : at->z;
-    at->after = tapered ? C * at->above + S * (at->rho - r1) : at->above;
+    at->outside = C * at->rho - S * at->z - p->offset.hi;
+    at->before = C * at->z + S * (at->rho - r0);
+    at->after = C * at->above + S * (at->rho - r1);
     at->margin =
         CYLINT_FEATURE_MARGIN * (m->size + p->height.hi + p->r[0] + p->r[1]) +
         m->error;
@@ -153,29 +155,6 @@ INLINE int lateral_feature(const position *at)
     return at->before < -M ? CYLINT_FEATURE_RIM0
            : at->after > M ? CYLINT_FEATURE_RIM1
                            : UNDECIDED;
-}
-
-INLINE int closed_feature(const position *at, const profile *p)
-{
-    const double M = at->margin, rho = at->rho;
-    const double depth = cylint_smaller(at->z, -at->above);
-    if ((at->outside < -M) & (depth > M)) {
-        if (-at->outside < depth - M)
-            return CYLINT_FEATURE_LATERAL;
-        if ((-at->outside < depth + M) | (fabs(at->z + at->above) < M))
-            return UNDECIDED;
-        return at->z < -at->above ? CYLINT_FEATURE_CAP0 : CYLINT_FEATURE_CAP1;
-    }
-    if ((at->outside < 2 * M) & (depth > -M))
-        return UNDECIDED;
-    if ((at->z < -M) & (rho < p->r[0] - M))
-        return CYLINT_FEATURE_CAP0;
-    if ((at->above > M) & (rho < p->r[1] - M))
-        return CYLINT_FEATURE_CAP1;
-    if (((at->z < M) & (rho < p->r[0] + M)) |
-        ((at->above > -M) & (rho < p->r[1] + M)))
-        return UNDECIDED;
-    return lateral_feature(at);
 }
 
 /* How far a point is, in doubles, from a part that it is not inside of. */
@@ -217,76 +196,123 @@ static int unbounded_feature(const position *at, const profile *p,
 
 /* ------------------------------------------------------------ answers -- */
 
-/* Writes what is nearest.  An end of the lateral line with the radius 0 is an
- * apex. */
-INLINE void write_nearest(nearest *n, int feature, const cylint_shape *s)
+/* An end of the lateral line with the radius 0 is an apex. */
+INLINE void write_part(const cylint_shape *s, int feature, unsigned want,
+                       cylint_closest *answer)
 {
-    n->end =
-        (feature == CYLINT_FEATURE_CAP1) | (feature == CYLINT_FEATURE_RIM1);
+    if (!(want & CYLINT_WANT_PART))
+        return;
     const int rim = feature >= CYLINT_FEATURE_RIM0;
-    const int apex = feature != CYLINT_FEATURE_LATERAL &&
-                     !(cylint_end_factor(s, n->end) > 0);
-    n->feature = apex ? CYLINT_FEATURE_APEX : feature;
-    n->part = rim | apex ? CYLINT_PART_LATERAL : feature;
+    const int end =
+        (feature == CYLINT_FEATURE_CAP1) | (feature == CYLINT_FEATURE_RIM1);
+    const int apex =
+        feature != CYLINT_FEATURE_LATERAL && !(cylint_end_factor(s, end) > 0);
+    answer->feature = apex ? CYLINT_FEATURE_APEX : feature;
+    answer->part = rim | apex ? CYLINT_PART_LATERAL : feature;
 }
 
-INLINE int finish(pair d, double error, int is_signed, double *distance)
+INLINE int finish(pair d, double error, int is_signed, cylint_closest *answer)
 {
     d = normal(d);
-    *distance = is_signed ? d.hi : fabs(d.hi);
+    answer->distance = is_signed ? d.hi : fabs(d.hi);
     return is_certain(d, error);
 }
 
-INLINE void load_row(pair w[3], const cylint_shape *s)
+/* The feature of a cap or a rim. */
+INLINE int at_end(int feature0, int top)
 {
-    EACH(i, 3)
-        w[i] = (pair){s->local.xyz[i][2], s->local.xyz_lo[i][2]};
+    return feature0 + top;
 }
 
-/* The frequent ends. */
-INLINE int closed_distance(const cylint_shape *s, const double point[3],
-                           nearest *n, double *distance, int tapered)
+/*
+ * A capped cylinder.  The point lies at the distance A from the lateral surface
+ * and B from the plane of the nearer cap, both positive outside.  If both are
+ * positive the rim is nearest, else the larger one counts.
+ */
+INLINE int cylinder_distance(const cylint_shape *s, const double point[3],
+                             unsigned want, cylint_closest *answer)
+{
+    half_plane m;
+    load_half_plane(&m, s, point);
+    const double M =
+        CYLINT_FEATURE_MARGIN * (m.size + s->local.reach) + m.error;
+    const double t = m.z.hi + (m.z.hi - s->local.height);
+    const int top = t > 0;
+    const pair A = lazy_sub(m.rho, plain(s->r0)), B = from_plane(&m, s, top);
+    const int cap = A.hi < B.hi, rim = (A.hi > 0) & (B.hi > 0);
+    const int inside = (A.hi < 0) & (B.hi < 0);
+    const int tie = (fabs(A.hi - B.hi) <= M) | (cap & (fabs(t) <= M));
+    if (!((fabs(A.hi) > M) & (fabs(B.hi) > M)) || (inside & tie))
+        return 0;
+    write_part(s,
+               rim   ? at_end(CYLINT_FEATURE_RIM0, top)
+               : cap ? at_end(CYLINT_FEATURE_CAP0, top)
+                     : CYLINT_FEATURE_LATERAL,
+               want, answer);
+    return finish(rim ? length_of(A, B) : cap ? B : A, m.error, 1, answer);
+}
+
+/* Whether the point lies beyond the cap; or undecided. */
+INLINE int is_beyond_cap(const position *at, const profile *p, int cap)
+{
+    const double M = at->margin, r = p->r[cap];
+    const double beyond = cap ? at->above : -at->z;
+    if ((beyond > M) & (at->rho < r - M))
+        return 1;
+    return (beyond < -M) | (at->rho > r + M) ? 0 : UNDECIDED;
+}
+
+/* The feature of a capped cone.  A and B as for a cylinder. */
+INLINE int cone_feature(const position *at, const profile *p, double A,
+                        double B)
+{
+    const double M = at->margin, t = at->z + at->above;
+    const int top = t > 0, cap = A < B;
+    if ((A < -M) & (B < -M)) {
+        if ((fabs(A - B) <= M) | (cap & (fabs(t) <= M)))
+            return UNDECIDED;
+        return cap ? at_end(CYLINT_FEATURE_CAP0, top) : CYLINT_FEATURE_LATERAL;
+    }
+    const int beyond = is_beyond_cap(at, p, top);
+    if (!((A > 2 * M) | (B > M)) || beyond == UNDECIDED ||
+        is_beyond_cap(at, p, !top) == UNDECIDED)
+        return UNDECIDED;
+    return beyond ? at_end(CYLINT_FEATURE_CAP0, top) : lateral_feature(at);
+}
+
+INLINE int cone_distance(const cylint_shape *s, const double point[3],
+                         unsigned want, cylint_closest *answer)
 {
     half_plane m;
     profile p;
     position at;
-    pair w[3];
-    load_row(w, s);
-    load_half_plane(&m, s, point, w);
-    load_profile(&p, s, tapered);
-    load_position(&at, &m, &p, tapered, 0);
-    const int feature = closed_feature(&at, &p);
+    load_half_plane(&m, s, point);
+    load_profile(&p, s);
+    load_position(&at, &m, &p, 0);
+    const pair A = from_line(&m, &p);
+    const pair B = from_plane(&m, s, at.z + at.above > 0);
+    const int feature = cone_feature(&at, &p, A.hi, B.hi);
     if (feature == UNDECIDED)
         return 0;
-    write_nearest(n, feature, s);
-    return finish(from_feature(&m, &p, feature, tapered), m.error, 1, distance);
-}
-
-static int cylinder_distance(const cylint_shape *s, const double point[3],
-                             nearest *n, double *distance)
-{
-    return closed_distance(s, point, n, distance, 0);
-}
-
-static int cone_distance(const cylint_shape *s, const double point[3],
-                         nearest *n, double *distance)
-{
-    return closed_distance(s, point, n, distance, 1);
+    write_part(s, feature, want, answer);
+    const pair d = feature == CYLINT_FEATURE_LATERAL ? A
+                   : feature < CYLINT_FEATURE_RIM0
+                       ? B
+                       : from_end(&m, &p, feature == CYLINT_FEATURE_RIM1);
+    return finish(d, m.error, 1, answer);
 }
 
 /* The other ends. */
 static int other_distance(const cylint_shape *s, const double point[3],
-                          nearest *n, double *distance)
+                          unsigned want, cylint_closest *answer)
 {
     const int bounded = cylint_ends_are_planes(s->ends);
     half_plane m;
     profile p;
     position at;
-    pair w[3];
-    load_row(w, s);
-    load_half_plane(&m, s, point, w);
-    load_profile(&p, s, 1);
-    load_position(&at, &m, &p, 1, 0);
+    load_half_plane(&m, s, point);
+    load_profile(&p, s);
+    load_position(&at, &m, &p, 0);
     const int cap = s->ends == CYLINT_ENDS_CAP0   ? 0
                     : s->ends == CYLINT_ENDS_CAP1 ? 1
                                                   : -1;
@@ -294,71 +320,69 @@ static int other_distance(const cylint_shape *s, const double point[3],
         bounded ? open_feature(&at, &p, cap) : unbounded_feature(&at, &p, s);
     if (feature == UNDECIDED)
         return 0;
-    write_nearest(n, feature, s);
-    return finish(from_feature(&m, &p, feature, 1), m.error, !bounded,
-                  distance);
+    write_part(s, feature, want, answer);
+    return finish(from_feature(&m, &p, s, feature), m.error, !bounded, answer);
 }
 
 static int hull_distance(const cylint_shape *s, const double point[3],
-                         nearest *n, double *distance)
+                         unsigned want, cylint_closest *answer)
 {
     half_plane m;
     profile p;
     position at;
-    pair w[3];
-    load_row(w, s);
-    load_half_plane(&m, s, point, w);
+    if (!(s->local.height > 0))
+        return 0;
+    load_half_plane(&m, s, point);
     load_hull_profile(&p, s);
-    load_position(&at, &m, &p, 1, 1);
+    load_position(&at, &m, &p, 1);
     const int closed = s->ends == CYLINT_ENDS_CAPPED;
-    int feature = lateral_feature(&at);
+    const int feature = lateral_feature(&at);
     if (feature == UNDECIDED)
         return 0;
     const int end = feature == CYLINT_FEATURE_RIM1;
-    const int ball = end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
+    const int ball = at_end(CYLINT_FEATURE_CAP0, end);
     if (feature == CYLINT_FEATURE_LATERAL ||
         !cylint_part_is_present(s->ends, ball)) {
-        write_nearest(n, feature, s);
-        return finish(from_feature(&m, &p, feature, 1), m.error, closed,
-                      distance);
+        write_part(s, feature, want, answer);
+        return finish(from_feature(&m, &p, s, feature), m.error, closed,
+                      answer);
     }
     double error;
     const pair d = from_ball(point, end ? s->top : s->base, p.r[end], &error);
-    write_nearest(n, ball, s);
-    return finish(d, error, closed, distance);
+    write_part(s, ball, want, answer);
+    return finish(d, error, closed, answer);
 }
 
 static int sphere_distance(const cylint_shape *s, const double point[3],
-                           nearest *n, double *distance)
+                           unsigned want, cylint_closest *answer)
 {
     double error;
     const pair d = from_ball(point, s->base, s->r0, &error);
     if (!cylint_part_is_present(s->ends, s->surface))
         return 0;
-    n->end = 0;
-    n->part = n->feature = s->surface;
-    return finish(d, error, s->ends == CYLINT_ENDS_CAPPED, distance);
+    if (want & CYLINT_WANT_PART)
+        answer->part = answer->feature = s->surface;
+    return finish(d, error, s->ends == CYLINT_ENDS_CAPPED, answer);
 }
 
-int CYLINT_CERTIFIED(const cylint_shape *s, const double point[3], nearest *n,
-                     double *distance)
+int CYLINT_CERTIFIED(const cylint_shape *s, const double point[3],
+                     unsigned want, cylint_closest *answer)
 {
     if (!cylint_rounds_to_nearest())
         return 0;
+    if (s->kind == CYLINT_KIND_CYLINDER && s->ends == CYLINT_ENDS_CAPPED)
+        return cylinder_distance(s, point, want, answer);
+    if (s->kind == CYLINT_KIND_CONE && s->ends == CYLINT_ENDS_CAPPED)
+        return cone_distance(s, point, want, answer);
     switch (s->kind) {
     case CYLINT_KIND_CYLINDER:
-        return s->ends == CYLINT_ENDS_CAPPED
-                   ? cylinder_distance(s, point, n, distance)
-                   : other_distance(s, point, n, distance);
     case CYLINT_KIND_CONE:
-        return s->ends == CYLINT_ENDS_CAPPED
-                   ? cone_distance(s, point, n, distance)
-                   : other_distance(s, point, n, distance);
+        return other_distance(s, point, want, answer);
     case CYLINT_KIND_SPHERE:
-        return sphere_distance(s, point, n, distance);
+        return sphere_distance(s, point, want, answer);
     case CYLINT_KIND_CAPSULE:
     case CYLINT_KIND_RCONE:
-        return s->local.height > 0 && hull_distance(s, point, n, distance);
+        return hull_distance(s, point, want, answer);
     default:
         return 0;
     }
@@ -368,12 +392,12 @@ int CYLINT_CERTIFIED(const cylint_shape *s, const double point[3], nearest *n,
 
 /* Without vectors of two lanes. */
 int CYLINT_CERTIFIED(const cylint_shape *shape, const double point[3],
-                     nearest *n, double *distance)
+                     unsigned want, cylint_closest *answer)
 {
     (void)shape;
     (void)point;
-    (void)n;
-    (void)distance;
+    (void)want;
+    (void)answer;
     return 0;
 }
 

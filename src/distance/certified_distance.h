@@ -4,12 +4,13 @@
 #ifndef CYLINT_CERTIFIED_DISTANCE_H
 #define CYLINT_CERTIFIED_DISTANCE_H
 
-#include "nearest.h"
+#include "cylint_distance.h"
 
-/* Writes *n and the distance and returns 1; or returns 0.  The shape is valid,
- * circular or round, and prepared; the point is finite. */
+/* Writes the distance and, if wanted, part and feature, and returns 1; or
+ * returns 0.  The shape is prepared.  For refused and elliptic shapes and points
+ * that are not finite it returns 0. */
 typedef int cylint_certified(const cylint_shape *shape, const double point[3],
-                             nearest *n, double *distance);
+                             unsigned want, cylint_closest *answer);
 
 cylint_certified cylint_certified_plain, cylint_certified_fma;
 

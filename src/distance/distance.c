@@ -23,8 +23,8 @@ static double nowhere(cylint_closest *answer)
     return answer->distance = HUGE_VAL;
 }
 
-ASIDE double by_exact_numbers(const cylint_shape *shape, const double point[3],
-                              unsigned want, cylint_closest *answer)
+static double by_exact_numbers(const cylint_shape *shape, const double point[3],
+                               unsigned want, cylint_closest *answer)
 {
     meridian m;
     cylint_load_meridian(&m, shape, point);
@@ -41,48 +41,38 @@ ASIDE double by_exact_numbers(const cylint_shape *shape, const double point[3],
     return answer->distance = n.sign < 0 ? -size : size;
 }
 
+/* All answers that the certified ones leave. */
+ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
+                         unsigned want, cylint_closest *answer)
+{
+    if (shape->kind == CYLINT_KIND_NONE || !is_finite(point)) {
+        answer->flags = CYLINT_FLAG_INVALID;
+        return nowhere(answer);
+    }
+    return cylint_is_elliptic(shape->kind)
+               ? cylint_elliptic_distance(shape, point, want, answer)
+               : by_exact_numbers(shape, point, want, answer);
+}
+
 /* The build of the kernel that goes with those of the filter. */
-static int is_certified(const cylint_shape *shape, const double point[3],
-                        nearest *n, double *distance)
+static inline int is_certified(const cylint_shape *shape, const double point[3],
+                               unsigned want, cylint_closest *answer)
 {
 #ifdef CYLINT_BUILDS_X86
     if (cylint_kernels_used()->one != &cylint_one_plain)
-        return cylint_certified_fma(shape, point, n, distance);
+        return cylint_certified_fma(shape, point, want, answer);
 #endif
-    return cylint_certified_plain(shape, point, n, distance);
+    return cylint_certified_plain(shape, point, want, answer);
 }
 
 double cylint_distance(const cylint_shape *shape, const double point[3],
                        unsigned want, cylint_closest *answer)
 {
     answer->flags = 0;
-    if (shape->kind == CYLINT_KIND_NONE || !is_finite(point)) {
-        answer->flags = CYLINT_FLAG_INVALID;
-        return nowhere(answer);
-    }
-    if (cylint_is_elliptic(shape->kind))
-        return cylint_elliptic_distance(shape, point, want, answer);
-    nearest n;
-    double distance;
-    if (shape->prepared && !(want & ~(unsigned)CYLINT_WANT_PART) &&
-        is_certified(shape, point, &n, &distance)) {
-        if (want & CYLINT_WANT_PART) {
-            answer->part = n.part;
-            answer->feature = n.feature;
-        }
-        return answer->distance = distance;
-    }
-    return by_exact_numbers(shape, point, want, answer);
-}
-
-double cylint_safety(const cylint_shape *shape, const double point[3])
-{
-    cylint_closest answer;
-    answer.part = 0;
-    const double size = fabs(cylint_distance(shape, point, 0, &answer));
-    if (answer.part < 0 || cylint_sign(size) == 0)
-        return size;
-    return -cylint_next_above(-size);
+    if (shape->prepared && !(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) &&
+        is_certified(shape, point, want, answer))
+        return answer->distance;
+    return answer_rest(shape, point, want, answer);
 }
 
 /* The distance of |x| from the next larger double. */

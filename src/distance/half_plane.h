@@ -25,6 +25,15 @@ INLINE double sum_of(double x, double y, double z)
 #endif
 }
 
+INLINE vd v_sum_of(vd x, vd y, vd z)
+{
+#if V_HAS_FMA
+    return v_fma(x, y, z);
+#else
+    return x * y + z;
+#endif
+}
+
 INLINE pair lazy_sub(pair a, pair b)
 {
     const pair d = two_diff(a.hi, b.hi);
@@ -68,12 +77,34 @@ INLINE pair root_of(pair a, double *half)
     return (pair){s, (((a.hi - p.hi) - p.lo) + a.lo) * *half};
 }
 
-INLINE pair length_of(pair x, pair y)
+/* The square, lo^2 included. */
+INLINE pair whole_square(pair a)
+{
+    const pair p = two_prod(a.hi, a.hi);
+    return (pair){p.hi, sum_of(sum_of(2, a.hi, a.lo), a.lo, p.lo)};
+}
+
+/* sqrt(x^2 + y^2), where the high parts have cancelled. */
+ASIDE pair short_length(pair x, pair y)
 {
     const pair a = lazy_square(normal(x)), b = lazy_square(normal(y));
     const pair sum = two_sum(a.hi, b.hi);
     double half;
     return root_of(normal((pair){sum.hi, sum.lo + (a.lo + b.lo)}), &half);
+}
+
+/* sqrt(x^2 + y^2).  The root begins before the low parts are there. */
+INLINE pair length_of(pair x, pair y)
+{
+    const pair a = whole_square(x), b = whole_square(y);
+    const pair sum = two_sum(a.hi, b.hi);
+    const double s = double_root(sum.hi), half = 0.5 / s;
+    const pair p = two_prod(s, s);
+    const double rest = (sum.hi - p.hi) + ((sum.lo - p.lo) + (a.lo + b.lo));
+    const double step = rest * half;
+    if (!(fabs(step) <= CYLINT_ROOT_STEP * s))
+        return short_length(x, y);
+    return (pair){s, step - step * step * half};
 }
 
 typedef struct {
@@ -99,7 +130,8 @@ INLINE vpair dots(const pair D[3], const pair w[3])
         const vd x = v_set(D[i].hi), y = v_two(w[i].hi, D[i].hi);
         const vpair p = v_two_prod(x, y);
         hi[i] = p.hi;
-        lo[i] = p.lo + (x * v_two(w[i].lo, D[i].lo) + v_set(D[i].lo) * y);
+        lo[i] = v_sum_of(x, v_two(w[i].lo, D[i].lo),
+                         v_sum_of(v_set(D[i].lo), y, p.lo));
     }
     const vpair s = v_two_sum(hi[0], hi[1]), t = v_two_sum(s.hi, hi[2]);
     return (vpair){t.hi, (s.lo + t.lo) + (lo[0] + (lo[1] + lo[2]))};
@@ -123,10 +155,12 @@ INLINE pair radial_coordinate(pair z, pair dd, double *half)
 }
 
 INLINE void load_half_plane(half_plane *m, const cylint_shape *s,
-                            const double point[3], const pair w[3])
+                            const double point[3])
 {
     const cylint_local *f = &s->local;
-    pair D[3];
+    pair D[3], w[3];
+    EACH(i, 3)
+        w[i] = (pair){f->xyz[i][2], f->xyz_lo[i][2]};
     double hi[2], lo[2], half;
     point_from(point, s->base, D);
     const vpair sums = dots(D, w);

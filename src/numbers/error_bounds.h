@@ -90,6 +90,9 @@
  * Two terms of its series leave the third power of that, which is below
  * 2^-66 of the bound for thin <= CYLINT_THINNEST.
  *
+ * The same holds for the distance from a rim, if the first step is at most
+ * CYLINT_ROOT_STEP of the root: then the third power is below 2^-91.
+ *
  * A combination of the high parts in doubles has fewer than 8 roundings of terms
  * of at most S or a length of the shape; CYLINT_FEATURE_MARGIN is 2^3 times
  * more.  Distances below CYLINT_DISTANCE_LEAST are left to exact numbers: above
@@ -97,8 +100,20 @@
  */
 #define CYLINT_HALF_PLANE_ERROR 0x1p-90
 #define CYLINT_THINNEST 0x1p12
+#define CYLINT_ROOT_STEP 0x1p-31
 #define CYLINT_FEATURE_MARGIN 0x1p-46
 #define CYLINT_DISTANCE_LEAST 0x1p-300
+
+/*
+ * The error of a distance in doubles (distance/safety.c), in any rounding mode,
+ * in units of CYLINT_ROUNDING times the sum S of the sizes of the local
+ * coordinates' terms, height and radii.  z: 5.  rho: 11.  The lateral line: 20.
+ * A foot: 18, and a point whose foot is on the wrong side of an end by that much
+ * is as much farther from the end than from the line.  A root of two squares
+ * adds 3, the last difference 2.  That is 43; 64 also covers the products of
+ * these errors.
+ */
+#define CYLINT_SAFETY_ERROR (64 * CYLINT_ROUNDING)
 
 /*
  * Point, normal, z and phi are computed from t and from the rest of the root,
