@@ -13,6 +13,7 @@
 #include "../numbers/bits.h"
 #include "../bvh/threads.h"
 #include "number_heap.h"
+#include "number_set.h"
 #include "scene.h"
 
 enum { MOST_SHAPES = 1 << 28 };
@@ -216,10 +217,8 @@ size_t cylint_scene_bytes(const cylint_scene *scene)
 /* ------------------------------------------------------------- queries -- */
 
 /* A shape of several pieces is found several times.  A direct-mapped cache of
- * recently tested shapes, and a hash table of all counted shapes, of limited
- * size, save repeated tests. */
-enum { RECENT = 16, TABLE_SIZE = 256, TABLE_MOST = 192 };
-#define NO_SHAPE UINT32_MAX
+ * recently tested shapes, and a set of counted shapes, save repeated tests. */
+enum { RECENT = 16 };
 
 /* The state of one query. */
 typedef struct {
@@ -231,8 +230,7 @@ typedef struct {
     size_t count, enough;    /* count */
     cylint_number_heap heap; /* all; else its `numbers` is NULL */
     uint32_t recent[RECENT];
-    uint32_t table[TABLE_SIZE];
-    int n_table;
+    cylint_number_set counted;
     size_t except; /* the number of a shape that is not tested */
 } search;
 
@@ -283,15 +281,6 @@ static int test_count(search *q, size_t number)
            count_number(q, number);
 }
 
-/* The slot of the hash table that has the number or is free for it. */
-static uint32_t *slot_of(search *q, uint32_t number)
-{
-    uint32_t at = number * UINT32_C(2654435769) >> 24;
-    while (q->table[at] != number && q->table[at] != NO_SHAPE)
-        at = (at + 1) % TABLE_SIZE;
-    return &q->table[at];
-}
-
 /* Whether the lane's shape has other pieces. */
 static int is_split(const cylint_leaf *leaf, int lane)
 {
@@ -320,16 +309,15 @@ static int owns_first_hit(const search *q, const cylint_leaf *leaf, int lane)
 static int test_piece(search *q, const cylint_leaf *leaf, int lane)
 {
     const uint32_t number = leaf->number[lane];
-    uint32_t *slot = slot_of(q, number);
+    uint32_t *slot = cylint_set_slot(&q->counted, number);
     if (*slot == number || !is_candidate(q, number))
         return 0;
-    if (q->n_table == TABLE_MOST)
+    if (cylint_set_is_full(&q->counted))
         return owns_first_hit(q, leaf, lane) && count_number(q, number);
     if (was_tested(q, number) ||
         !cylint_occluded(&q->scene->shapes[number], &q->line))
         return 0;
-    *slot = number;
-    q->n_table++;
+    cylint_set_add(&q->counted, slot, number);
     return count_number(q, number);
 }
 
@@ -394,10 +382,8 @@ static void traverse(search *q, int nearest)
                 return;
         }
     } else if (status == CYLINT_FRAME_ENTERED) {
-        if (!nearest) {
-            q->n_table = 0;
-            memset(q->table, 0xff, sizeof q->table); /* NO_SHAPE */
-        }
+        if (!nearest)
+            cylint_set_clear(&q->counted);
         s->traverse(&s->bvh, q->ray.o, q->ray.d, 0, &q->ray.length,
                     nearest ? test_leaf_nearest : test_leaf_count, q);
     }
@@ -411,7 +397,7 @@ static void start_search(search *q, const cylint_scene *scene,
     q->best = q->except = scene->n;
     q->count = q->enough = 0;
     q->heap.numbers = NULL;
-    memset(q->recent, 0xff, sizeof q->recent); /* NO_SHAPE */
+    memset(q->recent, 0xff, sizeof q->recent); /* CYLINT_NO_SHAPE */
 }
 
 size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,

@@ -11,11 +11,17 @@
 #include <string.h>
 
 #include "../numbers/bits.h"
+#include "../shapes/shape_facts.h"
 #include "number_heap.h"
+#include "number_set.h"
 #include "scene.h"
 
 /* The shapes of several pieces that were tested last; a direct-mapped cache. */
 enum { RECENT = 16 };
+
+/* How shapes of several pieces are tested once: by the set of the tested ones,
+ * or, if it becomes full, in a second traversal at one of their pieces. */
+typedef enum { BY_SET, SET_FULL, BY_PIECE } once;
 
 /* The state of one query. */
 typedef struct {
@@ -25,11 +31,14 @@ typedef struct {
     double reject; /* a lower bound of a distance above this is too far */
     double reach;  /* the same in the frame */
     double x[3];   /* the point in the frame */
-    int to_nearest; /* doubles are rounded to nearest */
-    size_t nearest; /* n: none so far */
+    int to_nearest;        /* doubles are rounded to nearest */
+    size_t nearest;        /* n: none so far */
+    cylint_closest answer; /* of it: distance and flags */
     size_t count, enough;
     cylint_number_heap heap;
     uint32_t recent[RECENT];
+    once once;
+    cylint_number_set tested;
 } search;
 
 /* More than the error of cylint_distance(). */
@@ -42,28 +51,33 @@ static void set_most(search *q, double most)
     q->reach = q->reject * q->scene->frame.scale * SLACK + 0x1p-400;
 }
 
-/* Whether the shape's surface is at most q->most away.  Writes the distance. */
-static int is_near(const search *q, size_t number, double *distance)
+/* Whether the shape's surface is at most q->most away.  Writes distance and
+ * flags.  cylint_safety() pays for elliptic shapes only. */
+static int is_near(const search *q, size_t number, cylint_closest *answer)
 {
     const cylint_shape *shape = &q->scene->shapes[number];
-    cylint_closest answer;
-    if (q->to_nearest && cylint_safety(shape, q->point) > q->reject)
+    if (cylint_is_elliptic(shape->kind) && q->to_nearest &&
+        cylint_safety(shape, q->point) > q->reject)
         return 0;
-    answer.part = 0; /* written only if there is no surface */
-    *distance = fabs(cylint_distance(shape, q->point, 0, &answer));
-    return answer.part >= 0 && !cylint_less(q->most, *distance);
+    answer->part = 0; /* written only if there is no surface */
+    cylint_distance(shape, q->point, 0, answer);
+    return answer->part >= 0 && !cylint_less(q->most, fabs(answer->distance));
 }
 
 /* ----------------------------------------------------- the nearest one -- */
 
 static void test_nearest(search *q, size_t number)
 {
-    double distance;
-    if (!is_near(q, number, &distance) ||
-        (number > q->nearest && !cylint_less(distance, q->most) &&
-         q->nearest < q->scene->n))
+    cylint_closest answer;
+    if (!is_near(q, number, &answer))
+        return;
+    const double distance = fabs(answer.distance);
+    if (number > q->nearest && !cylint_less(distance, q->most) &&
+        q->nearest < q->scene->n)
         return;
     q->nearest = number;
+    q->answer.distance = answer.distance;
+    q->answer.flags = answer.flags;
     set_most(q, distance);
 }
 
@@ -110,13 +124,13 @@ static int test_leaf_nearest(void *self, const cylint_leaf *leaf,
  * now. */
 static int test_within(search *q, size_t number)
 {
-    double distance;
+    cylint_closest answer;
     if (q->heap.numbers && !cylint_heap_accepts(&q->heap, number))
         return 0;
-    if (!is_near(q, number, &distance))
+    if (!is_near(q, number, &answer))
         return 0;
     if (q->heap.numbers)
-        cylint_heap_add(&q->heap, number, distance);
+        cylint_heap_add(&q->heap, number, fabs(answer.distance));
     q->count++;
     return q->count == q->enough;
 }
@@ -158,9 +172,10 @@ static int is_first_piece(const search *q, uint32_t number, cylint_piece piece)
     return first == piece.index;
 }
 
-/* The bound of a lane does not reject the piece at which a shape is tested. */
-static int test_leaf_within(void *self, const cylint_leaf *leaf,
-                            const double least[CYLINT_LEAF_SIZE])
+/* In the traversal BY_PIECE the bounds of lanes do not count, because they may
+ * reject that piece. */
+static int test_leaf_by_piece(void *self, const cylint_leaf *leaf,
+                              const double least[CYLINT_LEAF_SIZE])
 {
     search *q = self;
     for (int lane = 0; lane < cylint_leaf_used(leaf); lane++) {
@@ -171,6 +186,34 @@ static int test_leaf_within(void *self, const cylint_leaf *leaf,
             if (test_within(q, number))
                 return 1;
     }
+    return 0;
+}
+
+/* Whether the shape has several pieces and was tested.  If not, it counts as
+ * tested now. */
+static int was_tested_before(search *q, const cylint_leaf *leaf, int lane)
+{
+    const uint32_t number = leaf->number[lane];
+    if (cylint_leaf_piece(leaf, lane).count == 1)
+        return 0;
+    uint32_t *slot = cylint_set_slot(&q->tested, number);
+    if (*slot == number)
+        return 1;
+    if (cylint_set_is_full(&q->tested))
+        q->once = SET_FULL;
+    else
+        cylint_set_add(&q->tested, slot, number);
+    return 0;
+}
+
+static int test_leaf_by_set(void *self, const cylint_leaf *leaf,
+                            const double least[CYLINT_LEAF_SIZE])
+{
+    search *q = self;
+    for (int lane = 0; lane < cylint_leaf_used(leaf); lane++)
+        if (least[lane] <= q->reach && !was_tested_before(q, leaf, lane) &&
+            (q->once == SET_FULL || test_within(q, leaf->number[lane])))
+            return 1;
     return 0;
 }
 
@@ -205,7 +248,10 @@ static void test_bounded(search *q, int nearest)
         return;
     if (to_frame(q)) {
         s->traverse_point(&s->bvh, q->x, &q->reach,
-                          nearest ? test_leaf_nearest : test_leaf_within, q);
+                          nearest               ? test_leaf_nearest
+                          : q->once == BY_PIECE ? test_leaf_by_piece
+                                                : test_leaf_by_set,
+                          q);
         return;
     }
     for (size_t i = 0; i < s->n_bounded; i++)
@@ -228,14 +274,27 @@ static int is_finite(const double x[3])
            fabs(x[2]) <= DBL_MAX;
 }
 
+static void test_all_within(search *q)
+{
+    q->once = BY_SET;
+    cylint_set_clear(&q->tested);
+    test_all(q, 0);
+    if (q->once == SET_FULL) {
+        q->once = BY_PIECE;
+        q->count = q->heap.n = 0;
+        test_all(q, 0);
+    }
+}
+
 /* Returns 0 if no shape is within the radius. */
 static int start(search *q, const cylint_scene *scene, const double point[3],
                  double radius)
 {
     if (!(radius >= 0) || !is_finite(point))
         return 0;
-    memset(q, 0, sizeof *q);
-    memset(q->recent, 0xff, sizeof q->recent); /* no shape */
+    memset(q->recent, 0xff, sizeof q->recent); /* CYLINT_NO_SHAPE */
+    q->heap = (cylint_number_heap){.numbers = NULL};
+    q->count = q->enough = 0;
     q->scene = scene;
     q->point = point;
     q->nearest = scene->n;
@@ -243,6 +302,9 @@ static int start(search *q, const cylint_scene *scene, const double point[3],
     set_most(q, radius);
     return 1;
 }
+
+/* The members that the search does not compute. */
+#define WANTED (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
 
 size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
                             double radius, unsigned want,
@@ -252,8 +314,12 @@ size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
     if (!start(&q, scene, point, radius))
         return scene->n;
     test_all(&q, 1);
-    if (q.nearest < scene->n)
+    if (q.nearest < scene->n && want & WANTED) {
         cylint_distance(&scene->shapes[q.nearest], point, want, answer);
+    } else if (q.nearest < scene->n) {
+        answer->distance = q.answer.distance;
+        answer->flags = q.answer.flags;
+    }
     return q.nearest;
 }
 
@@ -265,7 +331,7 @@ size_t cylint_scene_within_count(const cylint_scene *scene,
     if (!start(&q, scene, point, radius))
         return 0;
     q.enough = enough;
-    test_all(&q, 0);
+    test_all_within(&q);
     return q.count;
 }
 
@@ -280,7 +346,7 @@ size_t cylint_scene_within(const cylint_scene *scene, const double point[3],
                                   .values = distances,
                                   .capacity = capacity,
                                   .first = first};
-    test_all(&q, 0);
+    test_all_within(&q);
     cylint_heap_sort(&q.heap);
     return q.heap.n;
 }
