@@ -14,6 +14,7 @@
 #define CYLINT_NARROW
 #include "certified_distance.h"
 
+#include "certified_point.h"
 #include "half_plane.h"
 
 #ifndef CYLINT_CERTIFIED
@@ -21,6 +22,10 @@
 #endif
 
 #if LANES == 2
+
+#define ARGUMENTS                                                \
+    const cylint_shape *s, const double point[3], unsigned want, \
+        cylint_closest *answer
 
 /* The features cap0 and cap1 have the numbers of the parts. */
 enum { UNDECIDED = -1 };
@@ -211,11 +216,29 @@ INLINE void write_part(const cylint_shape *s, int feature, unsigned want,
     answer->part = rim | apex ? CYLINT_PART_LATERAL : feature;
 }
 
-INLINE int finish(pair d, double error, int is_signed, cylint_closest *answer)
+/* Writes the answer; whether all of it is certain. */
+INLINE int finish(const half_plane *m, pair d, int feature, int is_signed,
+                  ARGUMENTS)
 {
     d = normal(d);
+    write_part(s, feature, want, answer);
     answer->distance = is_signed ? d.hi : fabs(d.hi);
-    return is_certain(d, error);
+    return is_certain(d, m->error) &&
+           (!(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) ||
+            describe(s, point, m, feature, d, want, answer));
+}
+
+/* The same for a ball. */
+INLINE int finish_ball(const double center[3], double r, int is_signed,
+                       ARGUMENTS)
+{
+    double error;
+    const pair d = normal(from_ball(point, center, r, &error));
+    (void)s;
+    answer->distance = is_signed ? d.hi : fabs(d.hi);
+    return is_certain(d, error) &&
+           (!(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) ||
+            describe_ball(point, center, r, want, answer));
 }
 
 /* The feature of a cap or a rim. */
@@ -229,8 +252,7 @@ INLINE int at_end(int feature0, int top)
  * and B from the plane of the nearer cap, both positive outside.  If both are
  * positive the rim is nearest, else the larger one counts.
  */
-INLINE int cylinder_distance(const cylint_shape *s, const double point[3],
-                             unsigned want, cylint_closest *answer)
+INLINE int cylinder_distance(ARGUMENTS)
 {
     half_plane m;
     load_half_plane(&m, s, point);
@@ -244,12 +266,14 @@ INLINE int cylinder_distance(const cylint_shape *s, const double point[3],
     const int tie = (fabs(A.hi - B.hi) <= M) | (cap & (fabs(t) <= M));
     if (!((fabs(A.hi) > M) & (fabs(B.hi) > M)) || (inside & tie))
         return 0;
-    write_part(s,
-               rim   ? at_end(CYLINT_FEATURE_RIM0, top)
-               : cap ? at_end(CYLINT_FEATURE_CAP0, top)
-                     : CYLINT_FEATURE_LATERAL,
-               want, answer);
-    return finish(rim ? length_of(A, B) : cap ? B : A, m.error, 1, answer);
+    return finish(&m,
+                  rim   ? length_of(A, B)
+                  : cap ? B
+                        : A,
+                  rim   ? at_end(CYLINT_FEATURE_RIM0, top)
+                  : cap ? at_end(CYLINT_FEATURE_CAP0, top)
+                        : CYLINT_FEATURE_LATERAL,
+                  1, s, point, want, answer);
 }
 
 /* Whether the point lies beyond the cap; or undecided. */
@@ -280,8 +304,7 @@ INLINE int cone_feature(const position *at, const profile *p, double A,
     return beyond ? at_end(CYLINT_FEATURE_CAP0, top) : lateral_feature(at);
 }
 
-INLINE int cone_distance(const cylint_shape *s, const double point[3],
-                         unsigned want, cylint_closest *answer)
+INLINE int cone_distance(ARGUMENTS)
 {
     half_plane m;
     profile p;
@@ -294,17 +317,15 @@ INLINE int cone_distance(const cylint_shape *s, const double point[3],
     const int feature = cone_feature(&at, &p, A.hi, B.hi);
     if (feature == UNDECIDED)
         return 0;
-    write_part(s, feature, want, answer);
     const pair d = feature == CYLINT_FEATURE_LATERAL ? A
                    : feature < CYLINT_FEATURE_RIM0
                        ? B
                        : from_end(&m, &p, feature == CYLINT_FEATURE_RIM1);
-    return finish(d, m.error, 1, answer);
+    return finish(&m, d, feature, 1, s, point, want, answer);
 }
 
 /* The other ends. */
-static int other_distance(const cylint_shape *s, const double point[3],
-                          unsigned want, cylint_closest *answer)
+static int other_distance(ARGUMENTS)
 {
     const int bounded = cylint_ends_are_planes(s->ends);
     half_plane m;
@@ -320,12 +341,11 @@ static int other_distance(const cylint_shape *s, const double point[3],
         bounded ? open_feature(&at, &p, cap) : unbounded_feature(&at, &p, s);
     if (feature == UNDECIDED)
         return 0;
-    write_part(s, feature, want, answer);
-    return finish(from_feature(&m, &p, s, feature), m.error, !bounded, answer);
+    return finish(&m, from_feature(&m, &p, s, feature), feature, !bounded, s,
+                  point, want, answer);
 }
 
-static int hull_distance(const cylint_shape *s, const double point[3],
-                         unsigned want, cylint_closest *answer)
+static int hull_distance(ARGUMENTS)
 {
     half_plane m;
     profile p;
@@ -342,27 +362,22 @@ static int hull_distance(const cylint_shape *s, const double point[3],
     const int end = feature == CYLINT_FEATURE_RIM1;
     const int ball = at_end(CYLINT_FEATURE_CAP0, end);
     if (feature == CYLINT_FEATURE_LATERAL ||
-        !cylint_part_is_present(s->ends, ball)) {
-        write_part(s, feature, want, answer);
-        return finish(from_feature(&m, &p, s, feature), m.error, closed,
-                      answer);
-    }
-    double error;
-    const pair d = from_ball(point, end ? s->top : s->base, p.r[end], &error);
+        !cylint_part_is_present(s->ends, ball) || !(p.r[end] > 0))
+        return finish(&m, from_feature(&m, &p, s, feature), feature, closed, s,
+                      point, want, answer);
     write_part(s, ball, want, answer);
-    return finish(d, error, closed, answer);
+    return finish_ball(end ? s->top : s->base, p.r[end], closed, s, point, want,
+                       answer);
 }
 
-static int sphere_distance(const cylint_shape *s, const double point[3],
-                           unsigned want, cylint_closest *answer)
+static int sphere_distance(ARGUMENTS)
 {
-    double error;
-    const pair d = from_ball(point, s->base, s->r0, &error);
     if (!cylint_part_is_present(s->ends, s->surface))
         return 0;
     if (want & CYLINT_WANT_PART)
         answer->part = answer->feature = s->surface;
-    return finish(d, error, s->ends == CYLINT_ENDS_CAPPED, answer);
+    return finish_ball(s->base, s->r0, s->ends == CYLINT_ENDS_CAPPED, s, point,
+                       want, answer);
 }
 
 int CYLINT_CERTIFIED(const cylint_shape *s, const double point[3],

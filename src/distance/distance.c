@@ -69,8 +69,7 @@ double cylint_distance(const cylint_shape *shape, const double point[3],
                        unsigned want, cylint_closest *answer)
 {
     answer->flags = 0;
-    if (shape->prepared && !(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) &&
-        is_certified(shape, point, want, answer))
+    if (shape->prepared && is_certified(shape, point, want, answer))
         return answer->distance;
     return answer_rest(shape, point, want, answer);
 }

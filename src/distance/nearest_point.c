@@ -14,6 +14,8 @@
  *
  * so every coordinate is (a + b sqrt(K)) / d of exact numbers.
  */
+#include <limits.h>
+
 #include "../roots/roots.h"
 #include "exact_distance.h"
 
@@ -237,6 +239,30 @@ static floating lateral_normal(meridian *m, const radial *d, int i)
     return value;
 }
 
+/* x 2^e. */
+static pair scaled(floating x, int e)
+{
+    return (pair){cylint_scaled(x.v.hi, x.e + e),
+                  cylint_scaled(x.v.lo, x.e + e)};
+}
+
+/* x / |x|, rounded from a quotient of pairs. */
+static void normalise(const floating x[3], int sign, double to[3])
+{
+    pair y[3], sum = {0, 0};
+    int e = INT_MIN;
+    for (int i = 0; i < 3; i++)
+        if (x[i].v.hi != 0 && x[i].e > e)
+            e = x[i].e;
+    for (int i = 0; i < 3; i++) {
+        y[i] = scaled(x[i], -e);
+        sum = pair_add(sum, pair_mul(y[i], y[i]));
+    }
+    const pair size = pair_sqrt(sum);
+    for (int i = 0; i < 3; i++)
+        to[i] = sign * pair_div(y[i], size).hi + 0; /* no -0 */
+}
+
 static void write_normal(meridian *m, const nearest *n, const radial *d,
                          double normal[3])
 {
@@ -251,7 +277,7 @@ static void write_normal(meridian *m, const nearest *n, const radial *d,
     const int sign = is_apex  ? cylint_apex_normal_sign(m->shape, 0)
                      : is_cap ? (n->end ? 1 : -1)
                               : 1;
-    cylint_normalise(x, sign, normal);
+    normalise(x, sign, normal);
 }
 
 void cylint_nearest_point(meridian *m, const nearest *n, unsigned want,

@@ -105,6 +105,13 @@
 #define CYLINT_DISTANCE_LEAST 0x1p-300
 
 /*
+ * The error of one operation on pairs whose lo can be some ulps of hi, relative
+ * to the sizes of its terms, and that of the unit vector of an axis, of cosine
+ * and of sine, relative to themselves (distance/certified_point.h).
+ */
+#define CYLINT_POINT_ROUNDING 0x1p-94
+
+/*
  * The error of a distance in doubles (distance/safety.c), in any rounding mode,
  * in units of CYLINT_ROUNDING times the sum S of the sizes of the local
  * coordinates' terms, height and radii.  z: 5.  rho: 11.  The lateral line: 20.

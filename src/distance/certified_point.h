@@ -1,0 +1,199 @@
+/*
+ * certified_point.h - the nearest point and the normal in pairs of doubles
+ *
+ * With the axis a, the direction u from the axis to the point x and the normal
+ * n = cosine u - sine a of the lateral surface:
+ *
+ *   lateral    x - distance n            rim        center + r u
+ *   cap        x - (height) a            tangency   center + r n
+ *   ball       center + r D / |D|        apex       center
+ *
+ * A component is accepted if every number within the bound on its error rounds
+ * to the same double.
+ */
+#ifndef CYLINT_CERTIFIED_POINT_H
+#define CYLINT_CERTIFIED_POINT_H
+
+#include "../shapes/measure.h"
+#include "half_plane.h"
+
+#if LANES == 2
+
+/* Numbers with bounds on their errors. */
+typedef struct {
+    pair v;
+    double error;
+} certified;
+
+static certified datum(double x)
+{
+    return (certified){{x, 0}, 0};
+}
+
+static certified c_sub(certified x, certified y)
+{
+    const pair v = normal(lazy_sub(x.v, y.v));
+    return (certified){v, x.error + y.error +
+                              CYLINT_POINT_ROUNDING *
+                                  (size_of(x.v) + size_of(y.v))};
+}
+
+static certified c_mul(certified x, certified y)
+{
+    const pair v = normal(lazy_mul(x.v, y.v));
+    const double a = size_of(x.v), b = size_of(y.v);
+    return (certified){v, a * y.error + (b + y.error) * x.error +
+                              CYLINT_POINT_ROUNDING * (a * b)};
+}
+
+static certified c_add(certified x, certified y)
+{
+    return c_sub(x, (certified){pair_neg(y.v), y.error});
+}
+
+/* x / y; the error of y is far below y. */
+static certified c_div(certified x, certified y)
+{
+    const pair v = pair_div(x.v, normal(y.v));
+    const double size = size_of(v);
+    return (certified){v, (x.error + size * y.error) * 1.25 / size_of(y.v) +
+                              CYLINT_POINT_ROUNDING * size};
+}
+
+/* Writes the component; whether it is certain. */
+static int c_write(certified x, double *to)
+{
+    *to = x.v.hi + 0; /* no -0 */
+    return x.error == 0 ? x.v.lo == 0 || is_certain(x.v, x.error)
+                        : is_certain(x.v, x.error);
+}
+
+/* The axis's direction and the direction from the axis to the point. */
+typedef struct {
+    certified a[3], u[3], D[3];
+    int aligned; /* the coordinate along which the axis runs, or -1 */
+} frame;
+
+static int aligned_coordinate(const cylint_shape *s)
+{
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        if (s->axis[j] == 0 && s->axis[k] == 0 && s->axis_lo[j] == 0 &&
+            s->axis_lo[k] == 0)
+            return i;
+    }
+    return -1;
+}
+
+static void load_frame(frame *f, const cylint_shape *s, const double point[3],
+                       const half_plane *m)
+{
+    const certified z = {normal(m->z), m->error}, rho = {m->rho, m->error};
+    f->aligned = aligned_coordinate(s);
+    for (int i = 0; i < 3; i++) {
+        const pair a = {s->local.xyz[i][2], s->local.xyz_lo[i][2]};
+        f->a[i] = (certified){a, CYLINT_POINT_ROUNDING * fabs(a.hi)};
+        f->D[i] = (certified){two_diff(point[i], s->base[i]), 0};
+        f->u[i] =
+            i == f->aligned
+                ? datum(0)
+                : c_div(f->aligned >= 0 ? f->D[i]
+                                        : c_sub(f->D[i], c_mul(z, f->a[i])),
+                        rho);
+    }
+}
+
+static certified lateral_normal(const frame *f, const cylint_shape *s, int i)
+{
+    const cylint_local *l = &s->local;
+    const certified C = {{l->cosine, l->cosine_lo},
+                         CYLINT_POINT_ROUNDING * l->cosine};
+    const certified S = {{l->sine, l->sine_lo},
+                         CYLINT_POINT_ROUNDING * fabs(l->sine)};
+    return cylint_is_tapered(s->kind)
+               ? c_sub(c_mul(C, f->u[i]), c_mul(S, f->a[i]))
+               : f->u[i];
+}
+
+/* A multiple of the axis's direction. */
+static certified along_axis(const frame *f, int i, int sign)
+{
+    const certified a = f->a[i];
+    return sign < 0 ? (certified){pair_neg(a.v), a.error} : a;
+}
+
+/* Of a feature that is not on a ball.  d: the distance. */
+static certified point_on(const frame *f, const cylint_shape *s,
+                          const double point[3], int feature, certified d,
+                          certified normal_i, int i)
+{
+    const int end =
+        (feature == CYLINT_FEATURE_CAP1) | (feature == CYLINT_FEATURE_RIM1);
+    const double *center = end ? s->top : s->base;
+    if (feature == CYLINT_FEATURE_LATERAL)
+        return c_sub(datum(point[i]), c_mul(d, normal_i));
+    if (feature < CYLINT_FEATURE_RIM0) {
+        if (f->aligned >= 0)
+            return datum(i == f->aligned ? center[i] : point[i]);
+        return c_sub(datum(point[i]), c_mul(d, normal_i));
+    }
+    return c_add(datum(center[i]),
+                 c_mul(datum(cylint_end_factor(s, end)),
+                       cylint_is_round(s->kind) ? normal_i : f->u[i]));
+}
+
+/* Lateral surface, cap, rim or apex. */
+ASIDE int describe(const cylint_shape *s, const double point[3],
+                   const half_plane *m, int feature, pair d, unsigned want,
+                   cylint_closest *answer)
+{
+    const int end =
+        (feature == CYLINT_FEATURE_CAP1) | (feature == CYLINT_FEATURE_RIM1);
+    const int cap =
+        (feature == CYLINT_FEATURE_CAP0) | (feature == CYLINT_FEATURE_CAP1);
+    const int apex =
+        feature != CYLINT_FEATURE_LATERAL && !(cylint_end_factor(s, end) > 0);
+    int certain = 1;
+    frame f;
+    load_frame(&f, s, point, m);
+    for (int i = 0; i < 3; i++) {
+        const certified n =
+            apex  ? along_axis(&f, i, cylint_apex_normal_sign(s, 0))
+            : cap ? along_axis(&f, i, end ? 1 : -1)
+                  : lateral_normal(&f, s, i);
+        if (want & CYLINT_WANT_NORMAL)
+            certain &= c_write(n, &answer->normal[i]);
+        if (want & CYLINT_WANT_POINT)
+            certain &= c_write(
+                point_on(&f, s, point, feature, (certified){d, m->error}, n, i),
+                &answer->point[i]);
+    }
+    return certain;
+}
+
+/* The ball about an end. */
+ASIDE int describe_ball(const double point[3], const double center[3], double r,
+                        unsigned want, cylint_closest *answer)
+{
+    certified D[3], square = datum(0);
+    double half;
+    int certain = 1;
+    for (int i = 0; i < 3; i++) {
+        D[i] = (certified){two_diff(point[i], center[i]), 0};
+        square = c_add(square, c_mul(D[i], D[i]));
+    }
+    const pair root = root_of(square.v, &half);
+    const certified size = {root, CYLINT_POINT_ROUNDING * 8 * root.hi};
+    for (int i = 0; i < 3; i++) {
+        const certified n = c_div(D[i], size);
+        if (want & CYLINT_WANT_NORMAL)
+            certain &= c_write(n, &answer->normal[i]);
+        if (want & CYLINT_WANT_POINT)
+            certain &= c_write(c_add(datum(center[i]), c_mul(datum(r), n)),
+                               &answer->point[i]);
+    }
+    return certain;
+}
+
+#endif
+#endif
