@@ -154,7 +154,7 @@ static cylint_float_filter_result nearest(
     }
     if (is != CYLINT_FLOAT_FILTER_HIT || !limits->describes)
         return is;
-    if (!h.capped && needs_step(&q, q.r0 + fabs(q.dr), &at))
+    if (!h.capped && needs_step(&q, q.r0 + fabs(q.dr), &at, 0x1p-33))
         step_on_cone(&x, &q, 1, to->leaves ? 1 : -1, &at);
     describe_by_dots(&x, &q, &at, &h);
     return write_description(&q, target->whole, &h, &to->floats)

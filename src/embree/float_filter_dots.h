@@ -155,11 +155,12 @@ INLINE void step_to_root(const dots *x, const question *q, double sign,
                   3 * 0x1p-50 * (X * (q->W * q->per_ww) + 0.0625);
 }
 
-/* Whether the floats of a hit on a surface of radius r would often be uncertain
- * for the error of s. */
-INLINE int needs_step(const question *q, double r, const axial_hit *at)
+/* Whether the floats of a hit on a surface of radius r would be uncertain so often
+ * that a step pays: at this error of the normal, about `limit` 2^27 times. */
+INLINE int needs_step(const question *q, double r, const axial_hit *at,
+                      double limit)
 {
-    return at->s_error * q->U > 0x1p-33 * r;
+    return at->s_error * q->U > limit * r;
 }
 
 /*

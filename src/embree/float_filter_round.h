@@ -281,7 +281,7 @@ INLINE void describe_round(const round_dots *x, const question *q, double sign,
                            axial_hit *at, hit *h)
 {
     double across[3], e_across[3];
-    if (needs_step(q, x->R, at)) {
+    if (needs_step(q, x->R, at, 0x1p-36)) {
         if (h->capped || x->is_ball)
             step_on_ball(x, q, h->top, sign, at);
         else
