@@ -22,11 +22,11 @@
  *   D: 2 u Dn.  w: u W.  u.w: 4 u U W.  D.w: 6 u Dn W.  1 / ww: 6.1 u of it.
  *   dr: u of it.  D.w + r0 dr: 7 u K W.  y0: 14.2 u K / W.  dz: 11.2 u U / W.
  *   S: 11.2 u.  DD - r0^2: 8 u K^2.
- *   a: 32.4 u U^2.  b: 38.4 u K U.  c: 44.4 u K^2.
+ *   a: 32.4 u U^2.  b: 39.2 u K U.  c: 44.4 u K^2.
  *
  * As |a| <= U^2, |b| <= 2 K U and |c| <= 2 K^2, the error of G is less than
  * 35 eps K^2 U^2 with the roundings of b^2 - a c, and e_a = 8 eps U^2 and
- * e_G = 36 eps K^2 U^2 fit lateral_at(): |b^2 - a c| <= 6 K^2 U^2, so the error of
+ * e_G = 38 eps K^2 U^2 fit lateral_at(): |b^2 - a c| <= 6 K^2 U^2, so the error of
  * b is less than 0.33 e_G / sqrt(G).
  *
  * Of a ball, with N = Dn or Dn + W, R = r0 + |dr| and K = N + R: x: 3 u N,
@@ -34,12 +34,20 @@
  * e_G = 6 eps K^2 U^2 and e_a = eps U^2 fit lateral_at(): G <= R^2 U^2 but for its
  * error, so that of b is less than 0.14 e_G / sqrt(G).
  *
- * tests/test_local_bounds.c computes the constants of a, b, c and G again.
+ * tests/test_embree_float_bounds.c computes these bounds from the forms.
  */
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_ROUND_H
 #define CYLINT_EMBREE_FLOAT_FILTER_ROUND_H
 
 #include "float_filter_dots.h"
+
+#define NUM double
+#define FORM(name) name
+#define ADD(x, y) ((x) + (y))
+#define SUB(x, y) ((x) - (y))
+#define MUL(x, y) ((x) * (y))
+#define SMALL(x) (x)
+#include "round_forms_template.h"
 
 /* cone, ball: the coefficients of the cone and of the ball in ball_at().  slanted: the sign of a, or 0.  crosses:
  * whether the line crosses the cone, uncertain if `slanted` is 0.  is_ball: it
@@ -92,19 +100,21 @@ INLINE int load_round(round_dots *x, question *q, const shape_columns *s,
 INLINE void cross_cone(round_dots *x, question *q)
 {
     dots *c = &x->cone;
+    round_cone f;
     q->per_ww = 1 / q->ww;
-    const double alpha = dot(c->D, q->w), beta = dot(c->u, q->w);
-    const double height = alpha + q->r0 * q->dr;
-    x->S = 1 - q->dr * q->dr * q->per_ww;
-    x->y0 = height * q->per_ww;
-    c->z0 = alpha * q->per_ww;
-    c->dz = beta * q->per_ww;
-    c->a = x->S * x->uu - beta * c->dz;
-    c->b = x->S * x->Du - height * c->dz;
-    const double k = x->S * (x->DD - q->r0 * q->r0) - height * x->y0;
-    const double G = c->b * c->b - c->a * k;
+    const round_terms terms = {x->uu,           x->Du,           x->DD,
+                               dot(c->D, q->w), dot(c->u, q->w), q->per_ww,
+                               q->r0,           q->dr,           1};
+    set_round_cone(&f, &terms);
+    const double G = f.G;
+    x->S = f.S;
+    x->y0 = f.y0;
+    c->z0 = f.z0;
+    c->dz = f.dz;
+    c->a = f.a;
+    c->b = f.b;
     c->e_a = 8 * 0x1p-50 * x->uu;
-    c->e_G = 36 * 0x1p-50 * x->uu * (x->K * x->K);
+    c->e_G = 38 * 0x1p-50 * x->uu * (x->K * x->K);
     x->slanted = c->a > 8 * c->e_a ? 1 : c->a < -8 * c->e_a ? -1 : 0;
     if (!x->slanted || !(x->S > 8 * 0x1p-50))
         return;
@@ -147,7 +157,7 @@ INLINE cylint_float_filter_result ball_at(round_dots *x, const question *q,
         r = q->r0 + q->dr;
         N = N + q->W;
     }
-    const double K = N + x->R, G = d->b * d->b - x->uu * (DD - r * r);
+    const double K = N + x->R, G = round_ball_G(x->uu, d->b, DD, r);
     d->a = x->uu;
     d->e_G = 6 * 0x1p-50 * x->uu * (K * K);
     d->e_a = 0x1p-50 * x->uu;

@@ -1,0 +1,175 @@
+/*
+ * test_embree_float_bounds.c - floor embree: the bounds and the records of the
+ * float filter
+ *
+ * The forms of round kinds run over an arithmetic that carries bounds on a number
+ * and on its error, in units u = 2^-53 of one rounding.  |w| = |u| = 1, and what
+ * is compared is K = |D| + r0 = 1.  The errors of dot products are those of
+ * float_filter_dots.h.
+ */
+#include <float.h>
+#include <math.h>
+
+#define CYLINT_ONE_LANE
+#include "check.h"
+#include "embree/float_filter.h"
+#include "embree/angle.h"
+
+typedef struct {
+    double size, off;
+} number;
+
+static number rounded(double size, double off)
+{
+    return (number){size, off + size};
+}
+
+static number sum(number x, number y)
+{
+    return rounded(x.size + y.size, x.off + y.off);
+}
+
+static number product(number x, number y)
+{
+    return rounded(x.size * y.size, x.off * y.size + x.size * y.off);
+}
+
+static number at_most_one(number x)
+{
+    return (number){fmin(x.size, 1), x.off};
+}
+
+#define NUM number
+#define FORM(name) name##_bounds
+#define ADD(x, y) sum(x, y)
+#define SUB(x, y) sum(x, y)
+#define MUL(x, y) product(x, y)
+#define SMALL(x) at_most_one(x)
+#include "embree/round_forms_template.h"
+
+/* An error is at most `most` eps (8 u); *share: the greatest part of that. */
+static void is_within(const char *what, number x, double most, double *share)
+{
+    const double part = x.off / (8 * most);
+    if (!CHECK(part <= 1))
+        REPORT("%s: %g eps, allowed %g", what, x.off / 8, most);
+    *share = fmax(*share, part);
+}
+
+/* The bounds of float_filter_round.h.  lateral_at() wants errors of at most 6/8
+ * e_a and 0.33 e_G / sqrt(G); of a cone G <= 6, of a ball G <= 1. */
+static void the_errors_of_round_forms_are_within_their_bounds(void)
+{
+    double a = 0, b = 0, G = 0, S = 0, y = 0, ball_b = 0, ball_G = 0;
+    for (int i = 0; i <= 100; i++) {
+        const double D = 0.01 * i, r0 = 1 - D;
+        for (int dr = 0; dr <= 10; dr++) {
+            const round_terms_bounds t = {
+                {1, 3},   {D, 5 * D}, {D * D, 7 * D * D},   {D, 6 * D}, {1, 4},
+                {1, 6.1}, {r0, 0},    {0.1 * dr, 0.1 * dr}, {1, 0}};
+            round_cone_bounds x;
+            set_round_cone_bounds(&x, &t);
+            is_within("a", x.a, 6, &a);
+            is_within("b", x.b, 0.33 * 38 / sqrt(6), &b);
+            is_within("G", x.G, 38, &G);
+            is_within("S", x.S, 2, &S);
+            is_within("y", x.y0, 3, &y);
+        }
+        /* x, of size D, has an error of 3 u D, and r one of 2 u (r0 + |dr|) */
+        const number xu = {D, 6 * D}, xx = {D * D, 9 * D * D}, r = {r0, 2 * r0},
+                     uu = {1, 3};
+        is_within("ball, b", xu, 0.33 * 6, &ball_b);
+        is_within("ball, G", round_ball_G_bounds(uu, xu, xx, r), 6, &ball_G);
+    }
+    const double least[] = {a, b, G, S, y, ball_b, ball_G};
+    for (int i = 0; i < 7; i++) /* no bound is four times too large */
+        if (!CHECK(least[i] > 0.25))
+            REPORT("bound %d: %g of it would do", i, least[i]);
+}
+
+/* ----------------------------------------------------- records, angles -- */
+
+static void small_records_keep_round_kinds(void)
+{
+    const double base[3] = {1, 2, 3}, top[3] = {4, 5, 6};
+    cylint_float_filter_small small;
+    cylint_shape shape;
+    CHECK(cylint_sphere(&shape, base, 1, CYLINT_ENDS_CAPPED) == CYLINT_OK &&
+          cylint_float_filter_small_of(&small, &shape));
+    CHECK(small.r0 < 0 && small.r1 < 0);
+    CHECK(cylint_round_cone(&shape, base, 0, top, 1, CYLINT_ENDS_OPEN) ==
+              CYLINT_OK &&
+          cylint_float_filter_small_of(&small, &shape));
+    CHECK(small.r0 + small.r1 < 0);
+    /* one ball in the other: z depends on the axis, the parts on the ends */
+    CHECK(cylint_round_cone(&shape, base, 1, top, 9, CYLINT_ENDS_OPEN) ==
+              CYLINT_OK &&
+          !cylint_float_filter_small_of(&small, &shape));
+}
+
+/* A cylinder or cone from base to top, or neither. */
+static int is_small(double x, double r, int cone)
+{
+    const double base[3] = {x, 2, 3}, top[3] = {4, 5, 6};
+    cylint_float_filter_small small;
+    cylint_shape shape;
+    return CHECK((cone
+                      ? cylint_cone(&shape, base, r, top, 1, CYLINT_ENDS_CAPPED)
+                      : cylint_cylinder(&shape, base, top, r,
+                                        CYLINT_ENDS_CAPPED)) == CYLINT_OK) &&
+           cylint_float_filter_small_of(&small, &shape);
+}
+
+static void only_shapes_made_of_floats_have_small_records(void)
+{
+    const double base[3] = {1, 2, 3}, up[3] = {0, 0, 1};
+    const double a[3] = {1, 0, 0}, b[3] = {0, 1, 0};
+    cylint_float_filter_small small;
+    cylint_shape shape;
+    for (int cone = 0; cone < 2; cone++) {
+        CHECK(is_small(1, 0.5, cone) && is_small(-0.0, 0.5, cone));
+        CHECK(is_small((double)FLT_MIN, 0.5, cone));
+        CHECK(!is_small(0.1, 0.5, cone) && !is_small(1, 0.1, cone));
+        CHECK(!is_small(0x1p-140, 0.5, cone));  /* a subnormal float */
+        CHECK(!is_small(0x1p-1070, 0.5, cone)); /* and double */
+        CHECK(!is_small(0x1p200, 0.5, cone));
+    }
+    CHECK(cylint_angle_cone(&shape, base, up, 45, CYLINT_ENDS_CAPPED) ==
+              CYLINT_OK &&
+          !cylint_float_filter_small_of(&small, &shape));
+    CHECK(cylint_elliptic_cylinder(&shape, base, a, b, up,
+                                   CYLINT_ENDS_CAPPED) == CYLINT_OK &&
+          !cylint_float_filter_small_of(&small, &shape));
+}
+
+/* Compared with long doubles; the bound is not far above the largest error. */
+static void the_error_of_an_angle_is_within_its_bound(void)
+{
+    const long double two_pi = 6.283185307179586476925286766559L;
+    double most = 0;
+    for (int i = 0; i < 1000000; i++) {
+        const double phi = 6.2831853 * (i + 0.5) / 1e6;
+        const double length = ldexp(1 + 1e-6 * i, i % 200 - 100);
+        const double x = length * cos(phi), y = length * sin(phi);
+        double per_far;
+        const double turn = cylint_atan2_turns(y, x, &per_far);
+        long double exact = atan2l(y, x) / two_pi;
+        exact += exact < 0;
+        most = fmax(most, (double)fabsl(turn - exact));
+        if (!CHECK(per_far * hypot(x, y) <= 1 + 0x1p-50 &&
+                   per_far * hypot(x, y) > 12 / 13.0))
+            REPORT("1 / %a of %a, %a", per_far, x, y);
+    }
+    if (!CHECK(most <= CYLINT_ATAN2_TURNS_ERROR &&
+               most > 0.5 * CYLINT_ATAN2_TURNS_ERROR))
+        REPORT("by %a", most);
+}
+
+int main(void)
+{
+    RUN(the_errors_of_round_forms_are_within_their_bounds);
+    RUN(only_shapes_made_of_floats_have_small_records);
+    RUN(small_records_keep_round_kinds);
+    RUN(the_error_of_an_angle_is_within_its_bound);
+    return check_end();
+}
