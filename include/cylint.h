@@ -142,22 +142,22 @@ typedef enum cylint_kind {
 } cylint_kind;
 
 /* How a shape's own coordinates (x, y, z) follow from a point P.  The axis is
- * the z axis, and the lateral surface is x^2 + y^2 = (r0 + slope z)^2.  A round
- * shape whose local coordinates are not accurate has the height 0. */
+ * the z axis, and the lateral surface is x^2 + y^2 = (r0 + slope z)^2.  For
+ * round kinds see src/shapes/local.h. */
 typedef struct cylint_local {
-    double xyz[3][3]; /* x, y, z gain (P - base)[i] xyz[i][0], [1], [2] */
-    double height;    /* z of the top */
-    double slope;     /* (r1 - r0) / height */
-    double norm;      /* of the matrix */
-    double reach;     /* height + the larger radius */
+    double xyz[3][3];    /* x, y, z gain (P - base)[i] xyz[i][0], [1], [2] */
+    double height;       /* z of the top */
+    double slope;        /* of the lateral surface */
+    double norm;         /* of the matrix */
+    double reach;        /* height + the larger radius */
+    double cosine, sine; /* of the angle between axis and lateral surface;
+                            circular and round kinds */
     double xyz_lo[3][3], height_lo, slope_lo; /* the rest: value + value_lo
                                                  is accurate to: */
     double error;                             /* relative to norm */
     double scale, square_scale; /* of the forms of z and of the lateral
                                    surface (signs/forms_template.h): their
                                    values here times these */
-    double cosine, sine; /* of the angle between axis and lateral surface;
-                            circular and round kinds */
     double cosine_lo, sine_lo;
 } cylint_local;
 

@@ -205,6 +205,7 @@ cylint_status cylint_round_cone(cylint_shape *shape, const double p0[3],
     if (equal3(p0, p1) || sign_of_overhang(shape) <= 0) {
         const cylint_shape hull = *shape;
         cylint_ball_of(shape, &hull, cylint_less(r0, r1));
+        measure(shape, (int)ends);
     }
     return CYLINT_OK;
 }

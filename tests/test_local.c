@@ -181,18 +181,43 @@ static int rows_are_accurate(const cylint_shape *s, exact_rows *m)
     return good;
 }
 
+/* To the relative error; low parts may underflow where x is tiny beside 1. */
+static int is_near(mpfr_t x, double hi, double lo, double error)
+{
+    return off_by(x, hi, lo) <= error * fmax(fabs(hi), 0x1p-900);
+}
+
+/* sine = dr / height, cosine = sqrt(1 - sine^2), slope = sine / cosine; the
+ * argument is the sine and becomes the slope. */
+static int angle_is_accurate(const cylint_local *l, mpfr_t slope)
+{
+    mpfr_t sine, cosine;
+    mpfr_inits(sine, cosine, (mpfr_ptr)0);
+    mpfr_set(sine, slope, MPFR_RNDN);
+    mpfr_sqr(cosine, sine, MPFR_RNDN);
+    mpfr_ui_sub(cosine, 1, cosine, MPFR_RNDN);
+    mpfr_sqrt(cosine, cosine, MPFR_RNDN);
+    mpfr_div(slope, slope, cosine, MPFR_RNDN);
+    const int good = is_near(sine, l->sine, l->sine_lo, l->error) &&
+                     is_near(cosine, l->cosine, l->cosine_lo, l->error);
+    mpfr_clears(sine, cosine, (mpfr_ptr)0);
+    return good;
+}
+
 static int sizes_are_accurate(const cylint_shape *s, exact_rows *m)
 {
     const cylint_local *l = &s->local;
+    const int round = cylint_is_hull(s->kind);
     mpfr_t slope;
     mpfr_init_set_d(slope, s->dr, MPFR_RNDN);
     mpfr_add_d(slope, slope, s->dr_lo, MPFR_RNDN);
     mpfr_div(slope, slope, m->height, MPFR_RNDN);
-    const int good = off_by(m->height, l->height, l->height_lo) <=
-                         CYLINT_LOCAL_ERROR * l->height &&
-                     off_by(slope, l->slope, l->slope_lo) <=
-                         CYLINT_LOCAL_ERROR * fabs(l->slope) + 0x1p-1074 &&
-                     l->height + fmax(s->r0, s->r1) <= l->reach;
+    const int good =
+        is_near(m->height, l->height, l->height_lo, CYLINT_LOCAL_ERROR) &&
+        (!round || angle_is_accurate(l, slope)) &&
+        is_near(slope, l->slope, l->slope_lo,
+                round ? l->error : CYLINT_LOCAL_ERROR) &&
+        l->height + fmax(s->r0, s->r1) <= l->reach;
     mpfr_clear(slope);
     return good;
 }
@@ -201,7 +226,8 @@ static int sizes_are_accurate(const cylint_shape *s, exact_rows *m)
 static int matrix_is_accurate(const cylint_shape *s)
 {
     exact_rows m;
-    if (s->kind == CYLINT_KIND_NONE || !s->prepared || cylint_is_round(s->kind))
+    if (s->kind == CYLINT_KIND_NONE || !s->prepared ||
+        s->kind == CYLINT_KIND_SPHERE)
         return 0;
     start_rows(&m);
     if (cylint_is_elliptic(s->kind))
@@ -211,8 +237,8 @@ static int matrix_is_accurate(const cylint_shape *s)
     CHECK(s->local.error >= CYLINT_LOCAL_ERROR &&
           s->local.error <= CYLINT_LOCAL_WORST);
     if (!CHECK(rows_are_accurate(s, &m) && sizes_are_accurate(s, &m)))
-        REPORT("kind %d, axis %a %a %a", s->kind, s->axis[0], s->axis[1],
-               s->axis[2]);
+        REPORT("kind %d, axis %a %a %a, radii %a %a", s->kind, s->axis[0],
+               s->axis[1], s->axis[2], s->r0, s->r1);
     end_rows(&m);
     return 1;
 }
@@ -231,6 +257,16 @@ static void the_matrix_is_as_accurate_as_it_states(void)
     CHECK(usable > 0);
 }
 
+/* Half of them with one ball that nearly holds the other. */
+static void any_round_cone(cylint_shape *s, const double h[3])
+{
+    const double zero[3] = {0, 0, 0}, r0 = power(-60, 50);
+    const double length = hypot(hypot(h[0], h[1]), h[2]);
+    const double r1 =
+        one_of(2) ? power(-60, 50) : r0 + length * (1 - power(-50, -1));
+    cylint_round_cone(s, zero, r0, h, r1, (cylint_ends)one_of(4));
+}
+
 /* Needles, discs, thin and oblique ellipses, down to lengths whose products
  * underflow. */
 static void any_shape(cylint_shape *s)
@@ -247,7 +283,13 @@ static void any_shape(cylint_shape *s)
             for (int i = 0; i < 3; i++) /* nearly in a plane with others */
                 b[i] = a[i] + off * b[i];
         }
-        switch (one_of(4)) {
+        switch (one_of(6)) {
+        case 4:
+            cylint_capsule(s, zero, h, power(-60, 50), (cylint_ends)one_of(4));
+            break;
+        case 5:
+            any_round_cone(s, h);
+            break;
         case 0:
             cylint_cylinder(s, zero, h, power(-60, 50), ends);
             break;

@@ -65,13 +65,14 @@ static number at_most(number x, double size)
 }
 
 /* What local_forms_template.h calls TRIMMED is compared with another number.
- * If both are equal it is at most `cap`. */
-static double cap = HUGE_VAL;
+ * If both are equal it is at most `cap`.  Its error is taken for least_off if
+ * that is larger. */
+static double cap = HUGE_VAL, least_off;
 
 static number trimmed(number x)
 {
-    const double size = fmin(x.size, cap);
-    return (number){size, in_pairs ? 0x1p-53 * (size + x.off) : 0, x.off};
+    const double size = fmin(x.size, cap), off = fmax(x.off, least_off);
+    return (number){size, in_pairs ? 0x1p-53 * (size + off) : 0, off};
 }
 
 #define LANES_OF(one, other) ((two){{one, other}})
@@ -152,6 +153,15 @@ static number relative(double size)
     return given(size, in_pairs ? CYLINT_LOCAL_ERROR * size : 0);
 }
 
+/* Of a rounded cone: sine, cosine and slope have the relative error u in pairs,
+ * and the planes and circles follow from these (round_lines.h). */
+static int is_round;
+
+static number of_angle(double size)
+{
+    return given(size, in_pairs ? u * size : 0);
+}
+
 static void load(line_bounds *l, double r, double slope)
 {
     const number of_origin = row_times(given(1, 0)),
@@ -162,7 +172,22 @@ static void load(line_bounds *l, double r, double slope)
     l->z = LANES_OF(of_origin, top);
     l->r = LANES_OF(known(r), known(r));
     l->slope = LANES_OF(relative(slope), relative(slope));
+    if (is_round) {
+        const number circle = at_most(product(of_angle(1), known(r)), r);
+        const number plane = at_most(sum(top, circle), 1);
+        l->z = LANES_OF(plane, plane);
+        l->r = LANES_OF(circle, circle);
+        l->slope = LANES_OF(of_angle(slope), of_angle(slope));
+    }
     set_products_bounds(l);
+}
+
+static void load_balls(balls_bounds *b, double r)
+{
+    const number of_origin = row_times(given(1, 0));
+    const number top = at_most(sum(of_origin, relative(1)), 1);
+    b->z = LANES_OF(of_origin, top);
+    b->r = LANES_OF(known(r), known(r));
 }
 
 /* ------------------------------------------------------------- grid ----- */
@@ -189,6 +214,7 @@ typedef struct {
 static constant POSITION = {"POSITION", CYLINT_LOCAL_POSITION, 0},
                 A = {"A", CYLINT_LOCAL_A, 0},
                 FORM_ERROR = {"FORM", CYLINT_LOCAL_FORM, 0},
+                BALL = {"BALL", CYLINT_LOCAL_BALL, 0},
                 RESIDUAL = {"RESIDUAL", CYLINT_LOCAL_RESIDUAL, 0},
                 TRIPLE = {"TRIPLE", CYLINT_LOCAL_TRIPLE, 0},
                 ROUNDING = {"TRIPLE_ROUNDING", CYLINT_TRIPLE_ROUNDING, 0};
@@ -205,9 +231,9 @@ static void judge(constant *c, const char *of)
 
 static void no_constant_is_four_times_too_large(void)
 {
-    const constant *const all[] = {&POSITION, &A,      &FORM_ERROR,
+    const constant *const all[] = {&POSITION, &A,      &FORM_ERROR, &BALL,
                                    &RESIDUAL, &TRIPLE, &ROUNDING};
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < 7; i++)
         if (!CHECK(4 * all[i]->needed > all[i]->value))
             REPORT("%s: %g would do", all[i]->name, all[i]->needed);
 }
@@ -228,8 +254,9 @@ static void over_cells(cell *at)
 /* In doubles; in pairs with the least and with the greatest u. */
 static void in_each_arithmetic(void (*test)(void))
 {
-    const double units[] = {CYLINT_ROUNDING, CYLINT_LOCAL_ERROR,
-                            CYLINT_LOCAL_WORST};
+    const double units[] = {is_round ? CYLINT_LOCAL_ROUND * CYLINT_ROUNDING
+                                     : CYLINT_ROUNDING,
+                            CYLINT_LOCAL_ERROR, CYLINT_LOCAL_WORST};
     for (int i = 0; i < 3; i++) {
         u = units[i];
         in_pairs = i > 0;
@@ -374,6 +401,9 @@ static void forms(void)
 static void the_constants_cover_the_errors_of_the_forms(void)
 {
     in_each_arithmetic(forms);
+    is_round = 1;
+    in_each_arithmetic(forms);
+    is_round = 0;
 }
 
 static void tapered(void)
@@ -387,6 +417,52 @@ static void tapered(void)
 static void the_bound_of_a_cone_covers_the_error_of_its_G(void)
 {
     in_each_arithmetic(tapered);
+    is_round = 1;
+    in_each_arithmetic(tapered);
+    is_round = 0;
+}
+
+/*
+ * g = a^2 - b^2 of a ball, a = r |d|, b^2 = m^2 + |X|^2: as E, for b = a, where
+ * |d| is at most sqrt(3) D.  If m and both components of X have the same error,
+ * that of g is greatest if all three are equal, and then they are r D at most.
+ */
+static void ball_g_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    balls_bounds b;
+    (void)s;
+    (void)more_s;
+    load(&l, more_r, 0);
+    load_balls(&b, more_r);
+    cap = more_r;
+    least_off =
+        fmax(moment_bounds(&l).lane[0].off,
+             X_bounds(&l, LANES_OF(b.z.lane[1], b.z.lane[1])).lane[0].off);
+    const two g = ball_g_bounds(&l, &b);
+    need(fmax(g.lane[0].off, g.lane[1].off), u * (r + CYLINT_LOCAL_SECOND * u));
+    cap = HUGE_VAL;
+    least_off = 0;
+}
+
+static void balls(void)
+{
+    line_bounds l;
+    balls_bounds b;
+    over_radii(ball_g_cell);
+    judge(&BALL, "of g");
+    load(&l, 1, 0);
+    load_balls(&b, 1);
+    const number ball_A = ball_A_bounds(&l).lane[0];
+    need(ball_A.off + (in_pairs ? 0 : 4 * 0x1p-53 * ball_A.size), u);
+    judge(&A, "of a ball");
+    need(ball_B_bounds(&l, &b).lane[1].off, u);
+    judge(&FORM_ERROR, "of B, ball");
+}
+
+static void the_forms_of_balls_have_their_bounds(void)
+{
+    in_each_arithmetic(balls);
 }
 
 /* ------------------------------------------------- a point of the line -- */
@@ -450,10 +526,49 @@ static void point_C_cell(double r, double more_r, double s, double more_s)
     }
 }
 
+/* round_state(): C = |P|^2 - r^2 of a ball against 8 eZ (r + eZ), eZ = POSITION
+ * u Q, for |P| = r; and A t + B of a ball. */
+static void ball_at_t(void)
+{
+    line_bounds l;
+    balls_bounds b;
+    double least = 0, most = u / 16;
+    load(&l, 1, 0);
+    load_balls(&b, 1);
+    const number p = at_t(l.p.lane[0], l.v.lane[0]);
+    const number z = at_t(b.z.lane[1], l.w.lane[0]);
+    while (least < 1) {
+        const number x = at_most(p, most), high = at_most(z, most);
+        const number pp = sum(product(x, x), product(x, x));
+        const number C = sum(sum(product(high, high), pp),
+                             product(known(most), known(most)));
+        need(C.off, 8 * u * (least + CYLINT_LOCAL_POSITION * u));
+        least = most;
+        most *= 1.1;
+    }
+    judge(&POSITION, "of C, ball");
+    need(sum(product(known(1), ball_A_bounds(&l).lane[0]),
+             ball_B_bounds(&l, &b).lane[1])
+             .off,
+         2 * u);
+    judge(&FORM_ERROR, "of A t + B");
+}
+
 static void the_signs_at_a_point_have_their_bounds(void)
 {
     u = CYLINT_ROUNDING;
     in_pairs = 0;
+    ball_at_t();
+    is_round = 1;
+    u = CYLINT_LOCAL_ROUND * CYLINT_ROUNDING;
+    over_cells(point_cell);
+    judge(&POSITION, "at t, round");
+    point_C_cell(0, 1, 0, first_slope);
+    for (double s = first_slope; s < last_slope; s *= step)
+        point_C_cell(0, 1, s, s * step);
+    judge(&POSITION, "of C, round");
+    is_round = 0;
+    u = CYLINT_ROUNDING;
     over_cells(point_cell);
     judge(&POSITION, "at t");
     over_cells(vertex_cell);
@@ -489,9 +604,105 @@ static void residuals(void)
     judge(&RESIDUAL, "");
 }
 
+/* The residuals of round kinds.  Here each double has a bound on its size and
+ * on its error, in rounding to nearest. */
+typedef struct {
+    double size, off;
+} real;
+
+typedef struct {
+    real hi, lo;
+} real_pair;
+
+static real real_of(double size, double off)
+{
+    return (real){size, off + 0x1p-53 * (size + off)};
+}
+
+static real real_sum(real x, real y)
+{
+    return real_of(x.size + y.size, x.off + y.off);
+}
+
+static real real_product(real x, real y)
+{
+    return real_of(x.size * y.size,
+                   x.off * y.size + x.size * y.off + x.off * y.off);
+}
+
+/* A sum or product without error: only its high part inherits those. */
+static real_pair exactly(real x)
+{
+    const double size = x.size * (1 + 0x1p-53);
+    return (real_pair){{size, x.off - 0x1p-53 * x.size}, {0x1p-53 * size, 0}};
+}
+
+static real real_result(real x, real y, real rest)
+{
+    return (real){x.size + y.size,
+                  x.off + y.off + rest.off + 0x1p-53 * rest.size};
+}
+
+#define V real
+#define PAIR real_pair
+#define FORM(name) name##_reals
+#define ADD(x, y) real_sum(x, y)
+#define SUB(x, y) real_sum(x, y)
+#define SUM_OF(x, y, z) real_sum(real_product(x, y), z)
+#define NEGATED(x) (x)
+#define RESULT(x, y, rest) real_result(x, y, rest)
+#define TWO_SUM(x, y) exactly(real_sum(x, y))
+#define TWO_PROD(x, y) exactly(real_product(x, y))
+#include "filter/round_residual_template.h"
+
+/* A number up to 1 whose pair has that error. */
+static real_pair known_pair(double size, double off)
+{
+    return (real_pair){{size, 0}, {0x1p-53 * size, off}};
+}
+
+/* In units of |t| D + Q.  share: of |t| D.  The bound is linear in the sizes of
+ * the axis's components, so it is greatest where one has all. */
+static void round_residual(double share, double sine, double cosine, int all)
+{
+    const real t = {1, 0}, d = {share, 0}, d_lo = {0x1p-53 * share, 0};
+    const real r = {1, 0};
+    real_pair q[3], axis[3];
+    for (int j = 0; j < 3; j++) {
+        q[j] = moved_reals(known_pair(1 - share, 0), t, d, d_lo);
+        q[j].hi.size = fmin(q[j].hi.size, 1);
+        axis[j] = j == all ? known_pair(1, u) : known_pair(0, 0);
+    }
+    need(ball_residual_reals(q, r).off, u);
+    const real_pair surplus = surplus_reals(q, r);
+    need(surplus.hi.off + surplus.lo.off + 0x1p-53 * surplus.lo.size, u);
+    real_pair height =
+        height_reals(q, axis, shift_reals(known_pair(sine, u * sine), r));
+    height.hi.size = fmin(height.hi.size, 1);
+    need(cylinder_residual_reals(surplus, height).off, u);
+    const real_pair square =
+        known_pair(cosine * cosine, 2.1 * u * cosine * cosine);
+    need(cone_residual_reals(surplus, square, height).off, u);
+}
+
+static void round_residuals(void)
+{
+    static const double shares[] = {0, 0x1p-30, 0.5, 1};
+    if (!in_pairs)
+        return;
+    for (int i = 0; i < 4; i++)
+        for (int all = 0; all < 3; all++) {
+            round_residual(shares[i], 0, 1, all);
+            round_residual(shares[i], 1, 0x1p-13, all);
+            round_residual(shares[i], 1, 1, all);
+        }
+    judge(&RESIDUAL, "round");
+}
+
 static void a_residual_in_pairs_has_its_bound(void)
 {
     in_each_arithmetic(residuals);
+    in_each_arithmetic(round_residuals);
 }
 
 /*
@@ -579,6 +790,11 @@ static void a_residual_in_triples_has_its_bound(void)
             residual_in_triples(kind, s, s * step);
     }
     judge(&TRIPLE, "");
+    /* |dr| is at most |w|; a ball is a sphere */
+    residual_in_triples(CYLINT_KIND_SPHERE, 0, 0);
+    residual_in_triples(CYLINT_KIND_CAPSULE, 0, 0);
+    residual_in_triples(CYLINT_KIND_RCONE, 0, 1);
+    judge(&TRIPLE, "round");
 }
 
 /* One operation on triples of the size 1, |c| <= 2^-104. */
@@ -594,6 +810,7 @@ int main(void)
 {
     RUN(the_constants_cover_the_errors_of_the_forms);
     RUN(the_bound_of_a_cone_covers_the_error_of_its_G);
+    RUN(the_forms_of_balls_have_their_bounds);
     RUN(the_signs_at_a_point_have_their_bounds);
     RUN(a_residual_in_pairs_has_its_bound);
     RUN(an_operation_on_triples_has_its_bound);

@@ -41,8 +41,14 @@ typedef struct {
     cylint_kernel_one *hard;
 } cylint_one_kernels;
 
-cylint_kernel_one cylint_hard_plain, cylint_hard_fma;
-cylint_kernel_one cylint_round_plain, cylint_round_fma;
+cylint_kernel_one cylint_hard_plain, cylint_hard_fma, cylint_hard_round_plain,
+    cylint_hard_round_fma;
+cylint_kernel_one cylint_sphere_roots_plain, cylint_sphere_roots_fma,
+    cylint_sphere_signs_plain, cylint_sphere_signs_fma,
+    cylint_capsule_roots_plain, cylint_capsule_roots_fma,
+    cylint_capsule_signs_plain, cylint_capsule_signs_fma,
+    cylint_rcone_roots_plain, cylint_rcone_roots_fma, cylint_rcone_signs_plain,
+    cylint_rcone_signs_fma;
 
 static inline int cylint_filter_one(const cylint_one_kernels *kernels,
                                     const cylint_shape *shape,

@@ -9,21 +9,14 @@
 #define CYLINT_NARROW
 #include "local_roots.h"
 #include "residual_in_triples.h"
+#include "second_step.h"
 
 #ifndef CYLINT_HARD
 #define CYLINT_HARD cylint_hard_plain
+#define CYLINT_HARD_ROUND cylint_hard_round_plain
 #endif
 
 #if LANES == 2
-
-/* Where the second step begins: at the root of the first, or at the estimate if
- * the first may have led so far from the root that the slope differs there. */
-INLINE vd second_start(const local_roots *r, const local_ends *at)
-{
-    const vd off = (r->error + v_abs(r->more)) * at->curvature;
-    return v_select(v_le(off, v_set(CYLINT_LOCAL_NEAR) * v_abs(at->slope)),
-                    r->value, at->t);
-}
 
 /* Corrects the roots in lanes of `which` by a second step, with residuals in
  * triples. */
@@ -39,27 +32,9 @@ INLINE void correct_ends(local_roots *r, const local_line *l,
         if (which >> i & 1)
             residual[i] = residual_in_triples(
                 shape, line, t[i], v->pierced >> i & 1 ? i : -1, shape->kind);
-    const double error = shape->local.error;
     const vd size = size_at(start, l, shape, 1);
-    const vd rounding = v_set(CYLINT_LOCAL_TRIPLE * error * error) * size;
-    const vd f = v_load(residual);
-    *r = stepped(start, f,
-                 v_select(at->cap, rounding, rounding * size) +
-                     v_set(CYLINT_LOCAL_SCALING) * v_abs(f),
-                 at);
-}
-
-/* The roots of x in lanes of `which`, of y in others. */
-INLINE local_roots merged(const local_roots *x, const local_roots *y,
-                          unsigned which)
-{
-    const vm m = m_from(which);
-    return (local_roots){v_select(m, x->value, y->value),
-                         v_select(m, x->more, y->more),
-                         v_select(m, x->error, y->error),
-                         v_select(m, x->low, y->low),
-                         v_select(m, x->high, y->high),
-                         (x->nearest & which) | (y->nearest & ~which)};
+    *r = second_step(start, v_load(residual),
+                     v_select(at->cap, size, size * size), shape, at);
 }
 
 /* By the roots. */
@@ -79,7 +54,8 @@ INLINE int answer_from(const local_line *l, const local_verdict *v,
         correct_ends(&r, l, v, shape, line, &at, which);
         r = merged(&r, &kept, which);
     }
-    return accept_roots(&r, &at, v, shape, line, want, answer, rest, bounded);
+    return accept_roots(&r, at.first, parts_of(v), shape, line, want, answer,
+                        rest, bounded);
 }
 
 int CYLINT_HARD(ARGUMENTS)
@@ -88,8 +64,9 @@ int CYLINT_HARD(ARGUMENTS)
     const int bounded = cylint_ends_are_planes(shape->ends);
     int n = CYLINT_UNDECIDED;
     local_line l;
-    if (cylint_is_round(shape->kind) || cylint_is_nappe(shape) ||
-        !cylint_rounds_to_nearest())
+    if (cylint_is_round(shape->kind))
+        return CYLINT_HARD_ROUND(shape, line, want, answer, rest);
+    if (cylint_is_nappe(shape) || !cylint_rounds_to_nearest())
         return CYLINT_UNDECIDED;
     load_local(&l, shape, line, tapered);
     for (int in_pairs = 0; in_pairs < 2 && n == CYLINT_UNDECIDED; in_pairs++) {

@@ -6,7 +6,7 @@
  *
  *   V                      two numbers
  *   FORM(name)             the functions
- *   SUB MUL (x, y)         lane by lane
+ *   ADD SUB MUL (x, y)     lane by lane
  *   SUM_OF(x, y, z)        x y + z
  *   NEGATED(x)
  *   TRIMMED(x)             x without the cancelled digits in front, so that the
@@ -27,6 +27,11 @@
  *   G   = |r v - slope X_0|^2 - (p x v)^2 = B^2 - A C
  *   E_i = r_i^2 w^2 - |X_i|^2             > 0: the line pierces cap i
  *   N_i = v . X_i - slope r_i w^2         dQ/dz at cap i, times w^2
+ *
+ * A ball of radius r about a point of the axis, z from there, is
+ *
+ *   |p + t v|^2 + (z + t w)^2 = r^2,   that is   A t^2 + 2 B t + C < 0,
+ *   A = v.v + w^2,  B = p.v + z w,  g = r^2 A - (p x v)^2 - |X|^2 = B^2 - A C.
  */
 
 typedef struct {
@@ -35,6 +40,11 @@ typedef struct {
     V w, slope; /* the same number twice */
     V products; /* (v.v, p.v) */
 } FORM(line);
+
+/* The balls of a round kind: z from each centre, and the radius. */
+typedef struct {
+    V z, r;
+} FORM(balls);
 
 /* After the other members. */
 INLINE void FORM(set_products)(FORM(line) *l)
@@ -57,12 +67,18 @@ INLINE V FORM(Y)(const FORM(line) *l)
     return TRIMMED(Y);
 }
 
-/* In lane 0. */
-INLINE V FORM(G)(const FORM(line) *l, int tapered, const V *Y)
+/* p x v, in lane 1 its negative. */
+INLINE V FORM(moment)(const FORM(line) *l)
 {
     const V turned = MUL(l->p, TURNED(l->v));
     const V difference = SUB(turned, TURNED(turned));
-    const V moment = TRIMMED(difference);
+    return TRIMMED(difference);
+}
+
+/* In lane 0. */
+INLINE V FORM(G)(const FORM(line) *l, int tapered, const V *Y)
+{
+    const V moment = FORM(moment)(l);
     V square;
     if (tapered) {
         const V Y2 = MUL(*Y, *Y);
@@ -102,8 +118,37 @@ INLINE V FORM(AB)(const FORM(line) *l, int tapered)
     return SUM_OF(NEGATED(rho1), PAIRED(rho1, rho0), l->products);
 }
 
+/* A of a ball, twice. */
+INLINE V FORM(ball_A)(const FORM(line) *l)
+{
+    return SUM_OF(l->w, l->w, FIRSTS(l->products));
+}
+
+/* B of both balls. */
+INLINE V FORM(ball_B)(const FORM(line) *l, const FORM(balls) *b)
+{
+    return SUM_OF(b->z, l->w, FIRSTS(TURNED(l->products)));
+}
+
+/* g of a ball, twice, z and r twice; of both balls. */
+INLINE V FORM(one_ball_g)(const FORM(line) *l, V z, V r)
+{
+    const V X = FORM(X)(l, z), m = FORM(moment)(l);
+    const V rv = MUL(r, l->v), rw = MUL(r, l->w);
+    const V across = SUM_OF(rv, rv, NEGATED(MUL(X, X)));
+    return ADD(SUMS(across, across), SUM_OF(rw, rw, NEGATED(MUL(m, m))));
+}
+
+INLINE V FORM(ball_g)(const FORM(line) *l, const FORM(balls) *b)
+{
+    return PAIRED(
+        FORM(one_ball_g)(l, FIRSTS(b->z), FIRSTS(b->r)),
+        FORM(one_ball_g)(l, FIRSTS(TURNED(b->z)), FIRSTS(TURNED(b->r))));
+}
+
 #undef V
 #undef FORM
+#undef ADD
 #undef SUB
 #undef MUL
 #undef SUM_OF

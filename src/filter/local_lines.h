@@ -14,7 +14,7 @@
 #include "../numbers/error_bounds.h"
 #include "../numbers/simd.h"
 #include "../shapes/shape_facts.h"
-#include "cylint.h"
+#include "filter.h"
 
 /* x y + z, rounded once or twice. */
 INLINE double sum_of(double x, double y, double z)
@@ -37,6 +37,7 @@ INLINE vd v_sum_of(vd x, vd y, vd z)
 
 #define V vd
 #define FORM(name) name##_doubles
+#define ADD(x, y) ((x) + (y))
 #define SUB(x, y) ((x) - (y))
 #define MUL(x, y) ((x) * (y))
 #define SUM_OF(x, y, z) v_sum_of(x, y, z)
@@ -60,6 +61,7 @@ INLINE vpair vpair_firsts(vpair x, vpair y)
 
 #define V vpair
 #define FORM(name) name##_pairs
+#define ADD(x, y) vpair_add(x, y)
 #define SUB(x, y) vpair_sub(x, y)
 #define MUL(x, y) vpair_mul(x, y)
 #define SUM_OF(x, y, z) vpair_add(vpair_mul(x, y), z)
@@ -213,17 +215,27 @@ INLINE sign_bits at_cap(sign_bits x, int cap)
 #define NOT_POSITIVE(x) (x).negative
 #include "../signs/overlap_template.h"
 
+INLINE double widest_of(const cylint_shape *shape, int tapered)
+{
+    return tapered ? cylint_larger(shape->r0, shape->r1) : shape->r0;
+}
+
 /* E and N: of both caps. */
+INLINE cap_signs signs_at_caps(const local_verdict *v, const local_line *l,
+                               const cylint_shape *shape, vd E, vd N,
+                               int tapered)
+{
+    const double N_error = CYLINT_LOCAL_FORM * l->unit * l->Q * l->D * l->D *
+                           taper_of(shape, tapered);
+    return (cap_signs){signs_of(E, disc_error(l, widest_of(shape, tapered))),
+                       signs_of(N * v_two(-1, 1), N_error),
+                       {v->G > v->G_error, 0}};
+}
+
 INLINE void classify_bounded(local_verdict *to, const local_line *l,
                              const cylint_shape *shape, vd E, vd N, int tapered)
 {
-    const double widest =
-        tapered ? cylint_larger(shape->r0, shape->r1) : shape->r0;
-    const double N_error = CYLINT_LOCAL_FORM * l->unit * l->Q * l->D * l->D *
-                           taper_of(shape, tapered);
-    const cap_signs c = {signs_of(E, disc_error(l, widest)),
-                         signs_of(N * v_two(-1, 1), N_error),
-                         {to->G > to->G_error, 0}};
+    const cap_signs c = signs_at_caps(to, l, shape, E, N, tapered);
     to->pierced = c.E.positive;
     to->spared = c.E.negative;
     to->misses = (int)(misses_local(&c) & 1);
@@ -393,6 +405,17 @@ INLINE int local_state(const local_line *l, const local_verdict *v,
     if (!outside || !(fabs(toward) > eT))
         return LOCAL_UNCERTAIN;
     return toward > 0 ? LOCAL_BEFORE : LOCAL_AFTER;
+}
+
+/* The lanes of ends in the domain, as bits, from where its limits lie; or
+ * CYLINT_UNDECIDED. */
+INLINE int ends_between(int from, int to, int first)
+{
+    if (from == LOCAL_UNCERTAIN || to == LOCAL_UNCERTAIN)
+        return CYLINT_UNDECIDED;
+    const int begins = (from == LOCAL_BEFORE) & (to != LOCAL_BEFORE);
+    const int ends = (from != LOCAL_AFTER) & (to == LOCAL_AFTER);
+    return first ? begins << 1 | ends : ends << 1 | begins;
 }
 
 /* Of a line that crosses: whether part of the overlap certainly lies ahead of

@@ -10,35 +10,55 @@
 #define CYLINT_LOCAL_ROOTS_H
 
 #include "local_lines.h"
-#include "filter.h"
 
 #define ARGUMENTS CYLINT_ONE_ARGUMENTS
 
-/* The lanes of ends on parts that are present, as bits. */
-INLINE unsigned ends_present(const local_verdict *v, const cylint_shape *shape)
+/* The parts of the ends, as bits of lanes: those on a cap, and of these those
+ * on cap 1. */
+typedef struct {
+    unsigned cap, top;
+} end_parts;
+
+INLINE end_parts parts_of(const local_verdict *v)
 {
-    return (~v->pierced & 3) | (v->pierced & cylint_caps_present(shape->ends));
+    return (end_parts){v->pierced, 2};
+}
+
+/* The lanes of ends on parts that are present, as bits. */
+INLINE unsigned ends_present(end_parts p, const cylint_shape *shape)
+{
+    if (shape->ends == CYLINT_ENDS_CAPPED)
+        return 3;
+    const unsigned caps = cylint_caps_present(shape->ends);
+    const unsigned present = (caps & 2 ? p.top : 0) | (caps & 1 ? ~p.top : 0);
+    return (~p.cap | present) & 3;
 }
 
 /* Writes the hits in lanes of `hits`, ascending in t. */
-INLINE void write_parts(cylint_answer *answer, const local_verdict *v,
-                        unsigned hits, int first, int bounded)
+INLINE void write_parts(cylint_answer *answer, end_parts p, unsigned hits,
+                        int first, int bounded)
 {
     int n = 0;
     EACH(k, 2) {
         const int lane = k ^ first;
         if (!(hits >> lane & 1))
             continue;
-        answer->hit[n].part = v->pierced >> lane & 1
-                                  ? (lane ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0)
-                                  : CYLINT_PART_LATERAL;
+        answer->hit[n].part = !(p.cap >> lane & 1) ? CYLINT_PART_LATERAL
+                              : p.top >> lane & 1  ? CYLINT_PART_CAP1
+                                                   : CYLINT_PART_CAP0;
         answer->hit[n].side = bounded ? k : lane;
         n++;
     }
 }
 
+/* Of two hits the nearest if only that is wanted. */
+INLINE unsigned wanted_hits(unsigned hits, unsigned want, int first)
+{
+    return want & CYLINT_WANT_NEAREST && hits == 3 ? 1u << first : hits;
+}
+
 /* Estimates of the ends, t, and what Newton's step needs: the slope of the
- * residual there, a bound on its relative error, and half its curvature. */
+ * residual there, a bound on its error, and half its curvature. */
 typedef struct {
     vd t, slope, slope_error, curvature;
     vm cap;
@@ -52,22 +72,22 @@ INLINE local_ends estimate_ends(const local_line *l, const local_verdict *v,
 {
     local_ends at;
     const int up = !bounded || l->w > 0;
-    const double s = sqrt(v->G), s_error = v->G_error / v->G;
+    const double s = sqrt(v->G);
     const vd exits = up ? v_two(-1, 1) : v_two(1, -1);
     const vd root = exits * v_set(s);
     vd num = root - v_set(q->B), den = v_set(q->A);
     at.cap = m_from(v->pierced);
     at.slope = root + root;
-    at.slope_error = v_set(s_error);
+    at.slope_error = v_set(2 * v->G_error / s);
     at.curvature = v_set(fabs(q->A) + q->A_error);
     if (bounded) {
         const vd w = v_set(l->w);
         num = v_select(at.cap, -l->in.z, num);
         den = v_select(at.cap, w, den);
         at.slope = v_select(at.cap, w, at.slope);
-        at.slope_error = v_select(
-            at.cap, v_set(CYLINT_LOCAL_POSITION * l->unit * l->D / fabs(l->w)),
-            at.slope_error);
+        at.slope_error =
+            v_select(at.cap, v_set(CYLINT_LOCAL_POSITION * l->unit * l->D),
+                     at.slope_error);
         at.curvature = v_select(at.cap, v_set(0), at.curvature);
     }
     at.t = num * (v_set(1) / den);
@@ -140,9 +160,9 @@ INLINE local_roots stepped(vd t, vd residual, vd residual_error,
     const vd distance = v_set(CYLINT_LOCAL_DISTANCE) *
                         (v_abs(residual) + residual_error) *
                         v_abs(v_set(1) / at->slope);
-    const newton_lanes step = newton_step_lanes(
-        residual, residual_error, at->slope, at->slope_error * v_abs(at->slope),
-        at->curvature, distance);
+    const newton_lanes step =
+        newton_step_lanes(residual, residual_error, at->slope, at->slope_error,
+                          at->curvature, distance);
     const vpair r = v_two_sum(t, -step.delta);
     const vd low = r.hi + (r.lo - step.error);
     const vd high = r.hi + (r.lo + step.error);
@@ -207,25 +227,22 @@ INLINE unsigned roots_outside(const local_roots *r, const cylint_line *line)
 
 /* Writes the hits among the roots.  CYLINT_UNDECIDED: a root is too near to an
  * end of the domain, or is not certainly rounded. */
-INLINE int accept_roots(const local_roots *r, const local_ends *at,
-                        const local_verdict *v, ARGUMENTS, int bounded)
+INLINE int accept_roots(const local_roots *r, int first, end_parts parts,
+                        ARGUMENTS, int bounded)
 {
     const vd tmin = v_set(line->tmin), tmax = v_set(line->tmax);
-    const unsigned present = bounded ? ends_present(v, shape) : 3;
+    const unsigned present = bounded ? ends_present(parts, shape) : 3;
     const unsigned in = m_bits(m_and(v_lt(tmin, r->low), v_lt(r->high, tmax)));
-    const unsigned out = roots_outside(r, line);
-    unsigned hits = in & present;
-    if (present & ~(in | out))
+    const unsigned hits = wanted_hits(in & present, want, first);
+    if (present & ~in && present & ~(in | roots_outside(r, line)))
         return CYLINT_UNDECIDED;
-    if (want & CYLINT_WANT_NEAREST && hits == 3)
-        hits = 1u << at->first;
     if (want & CYLINT_WANT_T) {
         if (hits & ~r->nearest)
             return CYLINT_UNDECIDED;
-        write_roots(answer, rest, r, hits, at->first);
+        write_roots(answer, rest, r, hits, first);
     }
     if (want & CYLINT_WANT_PART)
-        write_parts(answer, v, hits, at->first, bounded);
+        write_parts(answer, parts, hits, first, bounded);
     return answer->n = (int)(hits & 1) + (int)(hits >> 1);
 }
 

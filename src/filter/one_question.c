@@ -15,7 +15,7 @@
 #endif
 
 #ifndef CYLINT_ROUND
-#define CYLINT_ROUND cylint_round_plain
+#define CYLINT_ROUND plain
 #endif
 
 #define NEITHER                            \
@@ -46,11 +46,7 @@ INLINE int ends_in_domain(const local_line *l, const local_verdict *v,
 {
     const int from = local_state(l, v, shape, line->tmin, tapered, bounded);
     const int to = local_state(l, v, shape, line->tmax, tapered, bounded);
-    if (from == LOCAL_UNCERTAIN || to == LOCAL_UNCERTAIN)
-        return CYLINT_UNDECIDED;
-    const int begins = (from == LOCAL_BEFORE) & (to != LOCAL_BEFORE);
-    const int ends = (from != LOCAL_AFTER) & (to == LOCAL_AFTER);
-    return first ? begins << 1 | ends : ends << 1 | begins;
+    return ends_between(from, to, first);
 }
 
 /* Returns 0 if G shows that the line misses, which *answer then says, else 1. */
@@ -81,7 +77,8 @@ INLINE int ends_by_roots(const local_line *l, local_verdict v, ARGUMENTS,
     if (at.usable != 3)
         return CYLINT_UNDECIDED;
     const local_roots r = round_ends(l, &v, shape, line, &at, tapered);
-    return accept_roots(&r, &at, &v, shape, line, want, answer, rest, bounded);
+    return accept_roots(&r, at.first, parts_of(&v), shape, line, want, answer,
+                        rest, bounded);
 }
 
 INLINE int answer_by_signs(const cylint_shape *shape, const cylint_line *line,
@@ -108,11 +105,11 @@ INLINE int answer_by_signs(const cylint_shape *shape, const cylint_line *line,
     const int in = ends_in_domain(&l, &v, shape, line, first, tapered, bounded);
     if (in == CYLINT_UNDECIDED)
         return CYLINT_UNDECIDED;
-    unsigned hits = (unsigned)in & (closed ? 3 : ends_present(&v, shape));
-    if (want & CYLINT_WANT_NEAREST && hits == 3)
-        hits = 1u << first;
+    const unsigned hits = wanted_hits(
+        (unsigned)in & (closed ? 3 : ends_present(parts_of(&v), shape)), want,
+        first);
     if (want & CYLINT_WANT_PART)
-        write_parts(answer, &v, hits, first, bounded);
+        write_parts(answer, parts_of(&v), hits, first, bounded);
     return answer->n = (int)(hits & 1) + (int)(hits >> 1);
 }
 
@@ -158,13 +155,16 @@ KERNELS(double_cone, 1, 0)
         BOTH(cone), BOTH(cone), BOTH(cone), BOTH(cone), BOTH(double_cone), \
             NEITHER                                                        \
     }
-#define BY_ROUND                   \
-    {                              \
-        CYLINT_ROUND, CYLINT_ROUND \
+#define ROUND_OF(name, build)                                        \
+    {                                                                \
+        cylint_##name##_roots_##build, cylint_##name##_signs_##build \
     }
-#define ROUND                                                    \
-    {                                                            \
-        BY_ROUND, BY_ROUND, BY_ROUND, BY_ROUND, NEITHER, NEITHER \
+#define ROUND_BOTH(name, build) ROUND_OF(name, build)
+#define ROUND(name)                                                         \
+    {                                                                       \
+        ROUND_BOTH(name, CYLINT_ROUND), ROUND_BOTH(name, CYLINT_ROUND),     \
+            ROUND_BOTH(name, CYLINT_ROUND), ROUND_BOTH(name, CYLINT_ROUND), \
+            NEITHER, NEITHER                                                \
     }
 const cylint_one_kernels CYLINT_ONE = {{[CYLINT_KIND_NONE] = UNDECIDED,
                                         [CYLINT_KIND_CYLINDER] = STRAIGHT,
@@ -172,9 +172,9 @@ const cylint_one_kernels CYLINT_ONE = {{[CYLINT_KIND_NONE] = UNDECIDED,
                                         [CYLINT_KIND_ACONE] = TAPERED,
                                         [CYLINT_KIND_ECYLINDER] = STRAIGHT,
                                         [CYLINT_KIND_ECONE] = TAPERED,
-                                        [CYLINT_KIND_SPHERE] = ROUND,
-                                        [CYLINT_KIND_CAPSULE] = ROUND,
-                                        [CYLINT_KIND_RCONE] = ROUND},
+                                        [CYLINT_KIND_SPHERE] = ROUND(sphere),
+                                        [CYLINT_KIND_CAPSULE] = ROUND(capsule),
+                                        [CYLINT_KIND_RCONE] = ROUND(rcone)},
                                        CYLINT_HARD};
 
 #else

@@ -290,8 +290,9 @@
 
 /*
  * The errors of the forms of filter/local_forms_template.h.  u is
- * CYLINT_ROUNDING for doubles in any rounding mode, and cylint_local.error for
- * pairs in rounding to nearest.  No coordinate of the line's origin exceeds Q,
+ * CYLINT_ROUNDING for doubles in any rounding mode, of a rounded cone
+ * CYLINT_LOCAL_ROUND times that, and cylint_local.error for pairs in rounding to
+ * nearest.  No coordinate of the line's origin exceeds Q,
  * none of its direction exceeds D, no radius exceeds r <= Q; k = 1 + |slope|.
  *
  *   a coordinate of a point     CYLINT_LOCAL_POSITION u Q
@@ -300,6 +301,8 @@
  *   N                           CYLINT_LOCAL_FORM u k Q D^2
  *   E, and G if slope = 0       CYLINT_LOCAL_FORM u Q D^2
  *                                   (r + CYLINT_LOCAL_SECOND u Q)
+ *   g of a ball                 the same with CYLINT_LOCAL_BALL
+ *   A and B of a ball           as for slope = 0
  *
  *   G of a tapered shape        2 f (|Y| + f), f = CYLINT_LOCAL_FORM / 2 u k Q D,
  *                                   G = |Y|^2 - (p x v)^2
@@ -316,6 +319,8 @@
 #define CYLINT_LOCAL_POSITION 16
 #define CYLINT_LOCAL_A 64
 #define CYLINT_LOCAL_FORM 128
+#define CYLINT_LOCAL_BALL 256
+#define CYLINT_LOCAL_ROUND 1.25
 #define CYLINT_LOCAL_SECOND 16
 
 /*

@@ -113,6 +113,8 @@ static double balance(rows *m)
 /* The axis and the semi-axes are so long that no low part underflows. */
 static int is_long_enough(const cylint_shape *s)
 {
+    if (s->kind == CYLINT_KIND_SPHERE)
+        return 1;
     return cylint_largest(s->axis) >= CYLINT_LOCAL_LEAST &&
            (!cylint_is_elliptic(s->kind) ||
             (cylint_largest(s->a) >= CYLINT_LOCAL_LEAST &&
@@ -131,14 +133,21 @@ static void store(cylint_local *to, const rows *m)
     }
 }
 
-/* Writes cosine and sine, of a tapered shape with this slope. */
-static void measure_angle(cylint_local *to, const cylint_shape *s, pair slope)
+/* Writes cosine and sine, of a tapered shape with this growth of the radius
+ * along the axis.  Returns the slope.  The cosine of a rounded cone has the error
+ * of 1 - sine^2, which is larger relative to it. */
+static pair measure_angle(cylint_local *to, const cylint_shape *s, pair slope)
 {
     const pair square = pair_mul(slope, slope);
     pair cosine = plain(1), sine = plain(0);
-    if (cylint_is_round(s->kind)) {
+    if (s->kind == CYLINT_KIND_RCONE) {
+        const pair rest = pair_sub(plain(1), square);
         sine = slope;
-        cosine = pair_sqrt(pair_sub(plain(1), square));
+        if (rest.hi > 0) {
+            cosine = pair_sqrt(rest);
+            slope = pair_div(sine, cosine);
+        }
+        to->error /= rest.hi > 0 ? rest.hi : 0;
     } else if (cylint_is_tapered(s->kind)) {
         cosine = inverse_root(pair_add(plain(1), square));
         sine = pair_mul(slope, cosine);
@@ -147,27 +156,25 @@ static void measure_angle(cylint_local *to, const cylint_shape *s, pair slope)
     to->cosine_lo = cosine.lo;
     to->sine = sine.hi;
     to->sine_lo = sine.lo;
+    return slope;
 }
 
-/* The row of z, height, reach and angle of the convex hull of two balls. */
-static void measure_hull(cylint_shape *s)
+static void identity_rows(rows *m)
 {
-    cylint_local *to = &s->local;
-    rows m;
-    to->height = 0;
-    if (!s->in_range || !is_long_enough(s) || !cylint_rounds_to_nearest())
+    for (int i = 0; i < 3; i++) {
+        m->x[i] = plain(i == 0);
+        m->y[i] = plain(i == 1);
+        m->z[i] = plain(i == 2);
+    }
+}
+
+/* A round shape whose local coordinates are not accurate has the height 0. */
+static void check_round(cylint_shape *s)
+{
+    if (s->prepared && fabs(s->local.sine) <= CYLINT_LOCAL_STEEPEST)
         return;
-    const pair length = upright_rows(&m, s);
-    const pair slope = pair_div((pair){s->dr, s->dr_lo}, length);
-    if (!(fabs(slope.hi) <= CYLINT_LOCAL_STEEPEST))
-        return;
-    store(to, &m);
-    to->height = length.hi;
-    to->height_lo = length.lo;
-    to->slope = slope.hi;
-    to->slope_lo = slope.lo;
-    to->reach = (length.hi + cylint_larger(s->r0, s->r1)) * CYLINT_SLACK;
-    measure_angle(to, s, slope);
+    s->prepared = 0;
+    s->local.height = 0;
 }
 
 void cylint_measure_local(cylint_shape *s)
@@ -175,13 +182,12 @@ void cylint_measure_local(cylint_shape *s)
     cylint_local *to = &s->local;
     rows m;
     pair height, slope;
-    s->prepared = s->in_range;
-    if (cylint_is_hull(s->kind))
-        measure_hull(s);
-    if (cylint_is_round(s->kind))
-        return;
     to->error = CYLINT_LOCAL_ERROR;
-    if (cylint_is_elliptic(s->kind)) {
+    if (s->kind == CYLINT_KIND_SPHERE) {
+        identity_rows(&m);
+        to->scale = to->square_scale = 1;
+        height = slope = plain(0);
+    } else if (cylint_is_elliptic(s->kind)) {
         const double det = inverse_rows(&m, s), power = balance(&m);
         const double cancelled = cylint_largest(s->a) * cylint_largest(s->b) *
                                  cylint_largest(s->axis) / det;
@@ -195,7 +201,9 @@ void cylint_measure_local(cylint_shape *s)
         const double square = length.hi * length.hi;
         to->scale = cylint_has_tangent(s->kind) ? square : length.hi;
         to->square_scale =
-            cylint_is_tapered(s->kind) ? square * square : square;
+            cylint_is_tapered(s->kind) && !cylint_is_round(s->kind)
+                ? square * square
+                : square;
         height = length;
         if (cylint_has_tangent(s->kind)) {
             const pair inverse = pair_div(plain(1), length);
@@ -209,17 +217,20 @@ void cylint_measure_local(cylint_shape *s)
                     : plain(0);
     }
     store(to, &m);
+    if (!cylint_is_elliptic(s->kind))
+        slope = measure_angle(to, s, slope);
     to->height = height.hi;
     to->height_lo = height.lo;
     to->slope = slope.hi;
     to->slope_lo = slope.lo;
     to->reach = (height.hi + cylint_larger(s->r0, s->r1)) * CYLINT_SLACK;
-    if (!cylint_is_elliptic(s->kind))
-        measure_angle(to, s, slope);
     to->norm =
         cylint_larger(cylint_larger(size_of(m.x), size_of(m.y)), size_of(m.z)) *
         CYLINT_SLACK;
     s->prepared = s->in_range && is_long_enough(s) &&
-                  cylint_rounds_to_nearest() && to->height > 0 &&
+                  cylint_rounds_to_nearest() &&
+                  (to->height > 0 || s->kind == CYLINT_KIND_SPHERE) &&
                   to->error <= CYLINT_LOCAL_WORST;
+    if (cylint_is_round(s->kind))
+        check_round(s);
 }

@@ -15,8 +15,16 @@
  *                    semi-axes.  The row of z is multiplied by a power of two,
  *                    the height, that makes it about as large as the others.
  *
- * and r is shape->r0 for all kinds.  Capsules and round cones have only the row
- * of z, height, slope, reach, cosine and sine; the slope is their sine.
+ * and r is shape->r0 for all kinds but the round ones.
+ *
+ * A capsule or rounded cone has the matrix of a cone.  The cone that touches
+ * both balls makes an angle with the axis whose sine is (r1 - r0) / height.  It
+ * touches ball i on a circle of radius cosine r_i in the plane that lies sine r_i
+ * below the ball's centre.  Its slope is sine / cosine.  So the part between the
+ * planes is a cone, z counted from the plane of circle 0.  If the coordinates
+ * are not accurate, the height is 0.
+ *
+ * A sphere has the matrix 1.
  */
 #ifndef CYLINT_LOCAL_H
 #define CYLINT_LOCAL_H

@@ -1,0 +1,188 @@
+/*
+ * hard_round_question.c - one line and one round kind, where doubles do not
+ * decide
+ *
+ * As hard_question.c: forms in pairs, and residuals in triples for roots that
+ * residuals in pairs do not round.
+ */
+#define CYLINT_NARROW
+#include "round_roots.h"
+#include "residual_in_triples.h"
+#include "second_step.h"
+
+#ifndef CYLINT_HARD_ROUND
+#define CYLINT_HARD_ROUND cylint_hard_round_plain
+#endif
+
+#if LANES == 2
+
+/* As misses_at_once() and classify_round(), in pairs.  Writes the line rounded
+ * to doubles again, and the quadratics of balls and cone. */
+INLINE round_verdict classify_round_in_pairs(round_line *x,
+                                             round_quadratic *ball,
+                                             local_quadratic *cone,
+                                             const cylint_shape *shape,
+                                             const cylint_line *line, int kind)
+{
+    const int tapered = kind == ROUND_TAPERED;
+    const vd rounding = v_set(CYLINT_ROUNDING);
+    local_line *l = &x->l;
+    round_verdict v = {{0, 0, 0, 0, 0, 0}, v_set(0), v_set(0), 0};
+    round_pairs in;
+    load_round_pairs(&in, shape, line, kind);
+    l->unit = shape->local.error;
+    l->w = v_first(rounded(in.in.w));
+    v.g = rounded(ball_g_pairs(&in.in, &in.balls));
+    v.g_error = ball_error(x);
+    if (kind == ROUND_BALL) {
+        classify_sphere(&v);
+    } else {
+        vpair Y = twice(0, 0);
+        if (tapered)
+            Y = Y_pairs(&in.in);
+        v.cone.G = v_first(rounded(G_pairs(&in.in, tapered, &Y)));
+        v.cone.G_error = tapered ? cone_error(l, shape, rounded(Y))
+                                 : disc_error(l, shape->r0);
+        *cone =
+            with_errors(l, shape, rounded(AB_pairs(&in.in, tapered)), tapered);
+        v.cone.misses = v.cone.G < -v.cone.G_error;
+        if (!v.cone.misses) {
+            const unsigned balls =
+                classify_cone(&v, x, shape, rounded(E_pairs(&in.in)),
+                              rounded(N_pairs(&in.in, tapered)), tapered);
+            if (balls)
+                classify_balls(&v, balls);
+        }
+        /* what the values lost when they were rounded, and A t as well when t
+         * is estimated: three roundings */
+        v.cone.G_error += CYLINT_ROUNDING * fabs(v.cone.G);
+        cone->A_error += 2 * CYLINT_ROUNDING * fabs(cone->A);
+        cone->B_error += CYLINT_ROUNDING * fabs(cone->B);
+    }
+    *ball = quadratic_of_balls(x, &v, rounded(ball_A_pairs(&in.in)),
+                               rounded(ball_B_pairs(&in.in, &in.balls)));
+    ball->radicand_error =
+        v_sum_of(rounding, v_abs(ball->radicand), ball->radicand_error);
+    ball->A_error = v_sum_of(rounding + rounding, ball->A, ball->A_error);
+    ball->B_error = v_sum_of(rounding, v_abs(ball->B), ball->B_error);
+    return v;
+}
+
+INLINE round_verdict classify_round_in_doubles(round_line *x,
+                                               round_quadratic *ball,
+                                               local_quadratic *cone,
+                                               const cylint_shape *shape,
+                                               int kind)
+{
+    round_verdict v = {{0, 0, 0, 0, 1, 0}, v_set(0), v_set(0), 0};
+    if (!misses_at_once(&v, x, shape, kind)) {
+        classify_round(&v, x, shape, kind);
+        if (v.cone.crosses && !v.chord)
+            compute_balls(&v, x);
+        *cone = quadratic_of(&x->l, shape, kind == ROUND_TAPERED);
+        *ball = quadratic_of_balls(x, &v, ball_A_doubles(&x->l.in),
+                                   ball_B_doubles(&x->l.in, &x->balls));
+    }
+    return v;
+}
+
+/* The residual in triples of the ball of radius r about the centre. */
+static double ball_residual_in_triples(const double center[3], double r,
+                                       const cylint_line *line, double t)
+{
+    const moved_line moved = {line, t};
+    terms_triple L;
+    L.kind = CYLINT_KIND_SPHERE;
+    L.r[0] = triple_of(r);
+    EACH(i, 3)
+        L.D[0][i] = moved_from(&moved, i, center[i]);
+    const triple C = form_C_triple(&L);
+    return C.a + C.b;
+}
+
+/* The same of one lane. */
+INLINE double round_residual_in_triples(const cylint_shape *shape,
+                                        const cylint_line *line, double t,
+                                        end_parts e, int lane, int kind)
+{
+    const int top = kind != ROUND_BALL && e.top >> lane & 1;
+    if (e.cap >> lane & 1)
+        return ball_residual_in_triples(top ? shape->top : shape->base,
+                                        cylint_end_factor(shape, top), line, t);
+    return residual_in_triples(shape, line, t, -1, shape->kind);
+}
+
+INLINE int round_answer_from(const round_line *x, const round_verdict *v,
+                             const round_quadratic *q, ARGUMENTS, int kind)
+{
+    if ((v->cone.pierced | v->cone.spared) != 3)
+        return CYLINT_UNDECIDED;
+    const end_parts e = ends_of(v);
+    const local_ends at = estimate_round(q, v->chord || x->l.w > 0);
+    if (at.usable != 3)
+        return CYLINT_UNDECIDED;
+    local_roots r = rounded_ends(x, shape, line, &at, e, kind);
+    const unsigned which = 3 & ~r.nearest & ~roots_outside(&r, line);
+    if (want & CYLINT_WANT_T && which) {
+        const vd start = second_start(&r, &at);
+        double t[2], residual[2] = {0, 0};
+        v_store(t, start);
+        EACH(lane, 2)
+            if (which >> lane & 1)
+                residual[lane] = round_residual_in_triples(shape, line, t[lane],
+                                                           e, lane, kind);
+        const vd size = round_size_at(start, &x->l);
+        const local_roots better =
+            second_step(start, v_load(residual), size * size, shape, &at);
+        r = merged(&better, &r, which);
+    }
+    return accept_roots(&r, at.first, round_parts(e, shape, kind), shape, line,
+                        want, answer, rest, 1);
+}
+
+/* First in doubles, then in pairs. */
+INLINE int round_hard(ARGUMENTS, int kind)
+{
+    int n = CYLINT_UNDECIDED;
+    round_line x;
+    load_round(&x, shape, line, kind);
+    for (int in_pairs = 0; in_pairs < 2 && n == CYLINT_UNDECIDED; in_pairs++) {
+        round_quadratic q;
+        local_quadratic cone = {0, 0, 0, 0};
+        const round_verdict v =
+            in_pairs ? classify_round_in_pairs(&x, &q, &cone, shape, line, kind)
+                     : classify_round_in_doubles(&x, &q, &cone, shape, kind);
+        answer->relation = v.cone.crosses * CYLINT_RELATION_CROSS;
+        if (v.cone.misses)
+            return answer->n = 0;
+        if (!v.cone.crosses)
+            continue;
+        if (kind != ROUND_BALL)
+            q = choose_cone(m_from(ends_of(&v).cap), &q, &v, &cone, shape,
+                            kind == ROUND_TAPERED);
+        n = round_answer_from(&x, &v, &q, shape, line, want, answer, rest,
+                              kind);
+    }
+    return n;
+}
+
+int CYLINT_HARD_ROUND(ARGUMENTS)
+{
+    if (!cylint_rounds_to_nearest())
+        return CYLINT_UNDECIDED;
+    if (shape->kind == CYLINT_KIND_SPHERE)
+        return round_hard(shape, line, want, answer, rest, ROUND_BALL);
+    if (shape->kind == CYLINT_KIND_CAPSULE)
+        return round_hard(shape, line, want, answer, rest, ROUND_STRAIGHT);
+    return round_hard(shape, line, want, answer, rest, ROUND_TAPERED);
+}
+
+#else
+
+/* Without vectors of two lanes. */
+int CYLINT_HARD_ROUND(ARGUMENTS)
+{
+    return cylint_undecided(shape, line, want, answer, rest);
+}
+
+#endif
