@@ -26,6 +26,10 @@
 
 #define RND MPFR_RNDN
 
+/* distance_oracle_elliptic.c; size: the distance, not rounded */
+void oracle_elliptic_distance(const cylint_shape *shape, const double point[3],
+                              struct oracle_closest *expected, mpfr_t size);
+
 enum { BITS = 400, GUARD = 150, PIECES = 4, SCRATCH = 10 };
 
 enum form { SEGMENT, RAY, LINE, ARC };
@@ -496,6 +500,12 @@ void oracle_distance(const cylint_shape *shape, const double point[3],
 {
     memset(expected, 0, sizeof *expected);
     start();
+    if (shape->kind == CYLINT_KIND_ECYLINDER ||
+        shape->kind == CYLINT_KIND_ECONE) {
+        oracle_elliptic_distance(shape, point, expected, g.best);
+        g.bits = 0;
+        return;
+    }
     set_bits(shape, point);
     load(shape, point);
     g.count = 0;
@@ -532,6 +542,7 @@ double oracle_distance_error(double got)
         return got == 0 ? 0 : HUGE_VAL;
     if (!isfinite(got))
         return isinf(got) && isinf(mpfr_get_d(g.best, RND)) ? 0 : HUGE_VAL;
+    mpfr_set_prec(g.t[0], mpfr_get_prec(g.best));
     frexp(mpfr_get_d(g.best, MPFR_RNDZ), &e);
     if (mpfr_cmpabs_ui(g.best, 0) && mpfr_get_exp(g.best) - 53 < -1074)
         e = -1074 + 53;

@@ -15,7 +15,10 @@
 /* The numbers that cylint_distance() must give, each rounded once. */
 struct oracle_closest {
     double distance, point[3], normal[3];
-    int part, feature; /* part -1: there is no surface */
+    int part, feature;    /* part -1: there is no surface */
+    double by_feature[6]; /* elliptic kinds: the least distance of each */
+    int too_near; /* elliptic kinds: the distance is not 0, but smaller than
+                     2^-86 of the lengths, and not accurate */
 };
 
 void oracle_distance(const cylint_shape *shape, const double point[3],

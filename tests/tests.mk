@@ -3,7 +3,7 @@
 $(BUILD)/tests/%: extra := $(floats) $(posix) $(static) -Isrc -Itests $(embree) \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL) $(if $(WRAP),-DWRAPPED)
 
-test_common   := $(patsubst %,$(BUILD)/tests/%.o,families family_records constructed $(if $(MPFR),oracle distance_oracle))
+test_common   := $(patsubst %,$(BUILD)/tests/%.o,families family_records constructed $(if $(MPFR),oracle distance_oracle distance_oracle_elliptic))
 test_libs     := $(if $(MPFR),-lmpfr -lgmp) $(if $(GSL),-lgsl -lgslcblas)
 test_programs := $(filter-out $(left_out),$(patsubst %.c,$(BUILD)/%,$(wildcard tests/test_*.c)))
 scene_tests   := $(filter $(BUILD)/tests/test_scene%,$(test_programs))

@@ -1,20 +1,508 @@
 /*
  * elliptic.c - the distance of elliptic kinds
  *
- * Not computed yet: the answer has the flag of a refused shape.
+ * Q is the point minus the base c, k1 = k - 1, u = a cos + b sin, u' = b cos -
+ * a sin.  The ruling of an angle is c + u + z v, v = h + k1 u.  Its point
+ * nearest to Q has z = E.v / v.v, E = Q - u, and the residual R = E - z v.  The
+ * distance |R| is stationary where R.u' = 0.  Times v.v this is a form of cos
+ * and sin (critical.h):
+ *     E.u' v.v - E.v v.u' = 0.
+ * A rim has the points f + e u, where f is the centre of the end and e its
+ * factor.  Its R = Q - f - e u is stationary where R.u' = 0, too.  So the nearest
+ * point of the surface is one of
+ *     the stationary points of the lateral surface, at most 4, within its ends
+ *     those of each rim, at most 4
+ *     the apex
+ *     the foot of the perpendicular on the plane of a cap, within the cap.
+ * The residual R of each is computed in triples, and F, the nearest point minus
+ * the base.  The difference of two squares of distances is (F' - F).(R + R').
+ * The first of those that are not farther by more than the rounding errors of
+ * that product is the answer.  At the lateral surface the distance is computed
+ * as R.N / |N|, N = u' x v: its relative error is small beside the surface, too.
+ *
+ * All lengths are divided by the power of two of the longest of a, b and h.  If
+ * Q is longer than 2^MOST_RATIO of them, it is shortened to that: the nearest
+ * point of a bounded shape depends on its direction only, and of an unbounded
+ * one it is proportional to it.
  */
 #include "elliptic.h"
 
-#include <math.h>
+#include "../shapes/shape_facts.h"
+#include "../signs/sign.h"
+#include "critical.h"
+
+enum { MOST_RATIO = 400, NO_EXPONENT = -4000, ANY_FEATURE = -1 };
+
+/* The error of a component of a residual or normal relative to its terms: a
+ * smaller one is 0. */
+#define VECTOR_ERROR 0x1p-100
+
+typedef struct {
+    const cylint_shape *shape;
+    const double *point;
+    int e;    /* the lengths of the shape are divided by 2^e */
+    int far;  /* the length of Q by 2^far more */
+    int only; /* the feature to be found, or ANY_FEATURE */
+    triple k1;
+    triple Q[3], a[3], b[3], h[3];
+    triple aa, ab, bb, ah, bh, hh, Qa, Qb, Qh;
+    /* the nearest point so far; part -1: none */
+    int part, feature;
+    pair distance;
+    direction at;
+    triple R[3], F[3], N[3]; /* N: the normal, but for its length */
+    double terms[3];         /* the sizes of the terms of F */
+} search;
+
+/* ------------------------------------------------------- the problem ---- */
+
+static int exponent_of(const double v[3])
+{
+    const double size = cylint_largest(v);
+    return cylint_sign(size) ? cylint_any_exponent(size) : NO_EXPONENT;
+}
+
+static int larger(int x, int y)
+{
+    return x > y ? x : y;
+}
+
+static void load_scaled(triple to[3], const double v[3], int e)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = triple_of(cylint_scaled(v[i], -e));
+}
+
+/* The exponent of the longest of a, b, h, k a and k b. */
+static int exponent_of_shape(const cylint_shape *shape)
+{
+    const int section = larger(exponent_of(shape->a), exponent_of(shape->b));
+    const int k =
+        shape->r1 > 1 ? section + cylint_any_exponent(shape->r1) : section;
+    return larger(k, exponent_of(shape->axis));
+}
+
+static void load(search *s, const cylint_shape *shape, const double point[3])
+{
+    const int most = larger(exponent_of(point), exponent_of(shape->base));
+    s->shape = shape;
+    s->point = point;
+    s->e = exponent_of_shape(shape);
+    s->far = larger(0, most - s->e - MOST_RATIO);
+    s->only = ANY_FEATURE;
+    s->part = -1;
+    load_scaled(s->a, shape->a, s->e);
+    load_scaled(s->b, shape->b, s->e);
+    load_scaled(s->h, shape->axis, s->e);
+    for (int i = 0; i < 3; i++) {
+        const pair d = two_diff(cylint_scaled(point[i], -s->e - s->far),
+                                cylint_scaled(shape->base[i], -s->e - s->far));
+        s->Q[i] = (triple){d.hi, d.lo, 0};
+    }
+    s->k1 = triple_add(triple_of(shape->r1), triple_of(-1));
+    s->aa = triple_dot(s->a, s->a);
+    s->ab = triple_dot(s->a, s->b);
+    s->bb = triple_dot(s->b, s->b);
+    s->ah = triple_dot(s->a, s->h);
+    s->bh = triple_dot(s->b, s->h);
+    s->hh = triple_dot(s->h, s->h);
+    s->Qa = triple_dot(s->Q, s->a);
+    s->Qb = triple_dot(s->Q, s->b);
+    s->Qh = triple_dot(s->Q, s->h);
+}
+
+/* Q minus the centre of an end. */
+static void from_end(const search *s, int end, triple to[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = end ? triple_sub(s->Q[i], s->h[i]) : s->Q[i];
+}
+
+/* ---------------------------------------------------- stationary points - */
+
+/* E.u' v.v - E.v v.u' without the terms that cancel. */
+static void lateral_form(const search *s, stationary *f)
+{
+    const triple x =
+        triple_mul(s->k1, triple_add(triple_mul(s->k1, s->Qa), s->ah));
+    const triple y =
+        triple_mul(s->k1, triple_add(triple_mul(s->k1, s->Qb), s->bh));
+    const triple g = triple_add(s->hh, triple_mul(s->k1, s->Qh));
+    const triple ab = triple_mul(s->Qa, s->bh), ba = triple_mul(s->Qb, s->ah);
+    const triple turned = triple_det(s->ah, s->bh, g, s->ab);
+    f->linear[0] = triple_add(triple_det(s->aa, y, s->ab, x),
+                              triple_det(s->hh, s->Qb, s->Qh, s->bh));
+    f->linear[1] = triple_sub(triple_det(s->ab, y, s->bb, x),
+                              triple_det(s->hh, s->Qa, s->Qh, s->ah));
+    f->square[0] = triple_add(
+        triple_mul(s->k1, triple_sub(triple_scale(ba, 2), ab)), turned);
+    f->square[2] = triple_sub(
+        triple_mul(s->k1, triple_sub(ba, triple_scale(ab, 2))), turned);
+    f->square[1] = triple_sub(
+        triple_add(triple_mul(s->k1, triple_det(s->Qb, s->bh, s->Qa, s->ah)),
+                   triple_det(s->bh, s->bh, s->ah, s->ah)),
+        triple_mul(g, triple_sub(s->bb, s->aa)));
+}
+
+/* E.u' for E = Q - f - e u. */
+static void rim_form(const search *s, const triple from[3], triple factor,
+                     stationary *f)
+{
+    const triple ab = triple_mul(factor, s->ab);
+    f->linear[0] = triple_dot(from, s->b);
+    f->linear[1] = triple_neg(triple_dot(from, s->a));
+    f->square[0] = triple_neg(ab);
+    f->square[1] = triple_mul(factor, triple_sub(s->aa, s->bb));
+    f->square[2] = ab;
+}
+
+/* Whether the angle of x is less than that of y; both from 0 to a turn. */
+static int is_before(const direction *x, const direction *y)
+{
+    const int lower_x = x->sin.a < 0, lower_y = y->sin.a < 0;
+    if (lower_x != lower_y)
+        return lower_y;
+    return lower_x ? x->cos.a < y->cos.a : x->cos.a > y->cos.a;
+}
+
+/* -------------------------------------------------------- candidates ---- */
+
+/* The vectors of a ruling. */
+typedef struct {
+    direction at;
+    triple u[3], v[3], N[3];
+} ruling;
+
+static void load_ruling(const search *s, const direction *at, ruling *r)
+{
+    triple du[3];
+    r->at = *at;
+    triple_combine(r->u, s->a, at->cos, s->b, at->sin);
+    triple_combine(du, s->b, at->cos, s->a, triple_neg(at->sin));
+    for (int i = 0; i < 3; i++)
+        r->v[i] = triple_add(s->h[i], triple_mul(s->k1, r->u[i]));
+    triple_cross(r->N, du, r->v);
+}
+
+/* A candidate. */
+typedef struct {
+    int part, feature;
+    pair distance;
+    int has_direction;
+    direction at;
+    triple R[3], F[3];
+    double terms[3]; /* the sizes of the terms of F */
+} candidate;
+
+/* -1: x is nearer than the nearest point so far, 1: it is farther, 0: the
+ * difference of their distances is not certain. */
+static int compare(const search *s, const candidate *x)
+{
+    triple between[3], sum[3];
+    double error = 0;
+    for (int i = 0; i < 3; i++) {
+        between[i] = triple_sub(s->F[i], x->F[i]);
+        sum[i] = triple_add(s->R[i], x->R[i]);
+        error +=
+            (s->terms[i] + x->terms[i]) * (fabs(s->R[i].a) + fabs(x->R[i].a));
+    }
+    const double change = triple_dot(between, sum).a;
+    return fabs(change) <= VECTOR_ERROR * error ? 0 : change < 0 ? -1 : 1;
+}
+
+/* Accepts a candidate if it is nearer than all before, or as near and of
+ * smaller phi.  sign: of N. */
+static void offer(search *s, const candidate *x, const triple N[3], int sign)
+{
+    if (s->only != ANY_FEATURE && x->feature != s->only)
+        return;
+    const int order = s->part < 0 ? -1 : compare(s, x);
+    const int sooner = order == 0 && x->feature == s->feature &&
+                       x->has_direction && is_before(&x->at, &s->at);
+    if (order >= 0 && !sooner)
+        return;
+    s->part = x->part;
+    s->feature = x->feature;
+    s->distance = x->distance;
+    s->at = x->at;
+    for (int i = 0; i < 3; i++) {
+        s->R[i] = x->R[i];
+        s->F[i] = x->F[i];
+        s->terms[i] = x->terms[i];
+        s->N[i] = triple_scale(N[i], sign);
+    }
+}
+
+static pair length_of(const triple v[3])
+{
+    double scale;
+    const pair norm = triple_norm(v, &scale);
+    return (pair){norm.hi / scale, norm.lo / scale};
+}
+
+/* |R.N| / |N| */
+static pair height_over(const triple R[3], const triple N[3])
+{
+    double scale;
+    const pair norm = triple_norm(N, &scale);
+    triple unit[3];
+    for (int i = 0; i < 3; i++)
+        unit[i] = triple_scale(N[i], scale);
+    const triple product = triple_dot(R, unit);
+    const pair size = fast_two_sum(product.a, product.b);
+    return pair_div(size.hi < 0 ? pair_neg(size) : size, norm);
+}
+
+/* F = origin + u s + v t, R = Q - F. */
+static void place(const search *s, candidate *x, const triple origin[3],
+                  const triple u[3], triple p, const triple v[3], triple q)
+{
+    for (int i = 0; i < 3; i++) {
+        const triple up = triple_mul(u[i], p), vq = triple_mul(v[i], q);
+        x->F[i] = triple_add(origin[i], triple_add(up, vq));
+        x->R[i] = triple_sub(s->Q[i], x->F[i]);
+        x->terms[i] = fabs(origin[i].a) + fabs(up.a) + fabs(vq.a);
+    }
+}
+
+/* E.v, where terms that are exactly 0 stay 0. */
+static triple along_ruling(const search *s, const direction *at)
+{
+    const triple Qu = triple_mul2(s->Qa, at->cos, s->Qb, at->sin);
+    const triple uh = triple_mul2(s->ah, at->cos, s->bh, at->sin);
+    const triple by_cos = triple_mul2(s->aa, at->cos, s->ab, at->sin);
+    const triple by_sin = triple_mul2(s->ab, at->cos, s->bb, at->sin);
+    const triple uu = triple_mul2(by_cos, at->cos, by_sin, at->sin);
+    return triple_add(triple_sub(s->Qh, uh),
+                      triple_mul(s->k1, triple_sub(Qu, uu)));
+}
+
+/* Whether the lateral surface has the point z of a ruling; rho is 1 + k1 z. */
+static int is_within(const search *s, triple z, double rho)
+{
+    if (s->only != ANY_FEATURE)
+        return 1;
+    if (cylint_is_bounded(s->shape))
+        return z.a > 0 && triple_sub(z, triple_of(1)).a < 0;
+    return s->shape->ends == CYLINT_ENDS_INFINITE ? rho != 0 : rho > 0;
+}
+
+static const triple nowhere[3]; /* the base */
+
+/* nappe: the sign of rho that is wanted. */
+static void try_lateral(search *s, const direction *at, int nappe)
+{
+    ruling r;
+    candidate x = {CYLINT_PART_LATERAL,
+                   CYLINT_FEATURE_LATERAL,
+                   {0, 0},
+                   1,
+                   *at,
+                   {{0, 0, 0}},
+                   {{0, 0, 0}},
+                   {0}};
+    load_ruling(s, at, &r);
+    const triple z = triple_div(along_ruling(s, at), triple_dot(r.v, r.v));
+    const double rho = triple_add(triple_of(1), triple_mul(s->k1, z)).a;
+    if ((rho < 0) != (nappe < 0) || !is_within(s, z, rho))
+        return;
+    place(s, &x, nowhere, r.u, triple_of(1), r.v, z);
+    x.distance = height_over(x.R, r.N);
+    offer(s, &x, r.N, s->shape->left_handed ? -nappe : nappe);
+}
+
+static void try_rim(search *s, const triple center[3], int end,
+                    const direction *at)
+{
+    ruling r;
+    candidate x = {CYLINT_PART_LATERAL,
+                   end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0,
+                   {0, 0},
+                   1,
+                   *at,
+                   {{0, 0, 0}},
+                   {{0, 0, 0}},
+                   {0}};
+    const double factor = cylint_end_factor(s->shape, end);
+    load_ruling(s, at, &r);
+    place(s, &x, center, r.u, triple_of(factor), r.v, triple_of(0));
+    x.distance = length_of(x.R);
+    offer(s, &x, r.N, s->shape->left_handed ? -1 : 1);
+}
+
+/* The apex is at h share. */
+static void try_apex(search *s, triple share)
+{
+    candidate x = {
+        CYLINT_PART_LATERAL,    CYLINT_FEATURE_APEX, {0, 0},      0,
+        {{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}},         {{0, 0, 0}}, {0}};
+    place(s, &x, nowhere, s->h, share, s->h, triple_of(0));
+    x.distance = length_of(x.R);
+    offer(s, &x, s->h, cylint_apex_normal_sign(s->shape, 0));
+}
+
+/* ---------------------------------------------------------- features ---- */
+
+static void search_lateral(search *s)
+{
+    direction at[CYLINT_MOST_CRITICAL];
+    stationary form;
+    lateral_form(s, &form);
+    const int n = cylint_critical_directions(&form, at);
+    for (int i = 0; i < n; i++)
+        try_lateral(s, &at[i], 1);
+    for (int i = 0; i < n && s->shape->ends == CYLINT_ENDS_INFINITE; i++)
+        try_lateral(s, &at[i], -1);
+}
+
+static void search_end(search *s, int end)
+{
+    direction at[CYLINT_MOST_CRITICAL];
+    stationary form;
+    triple from[3];
+    const double factor = cylint_end_factor(s->shape, end);
+    if (cylint_sign(factor) == 0) {
+        try_apex(s, triple_of(end));
+        return;
+    }
+    from_end(s, end, from);
+    rim_form(s, from, triple_of(factor), &form);
+    const int n = cylint_critical_directions(&form, at);
+    for (int i = 0; i < n; i++)
+        try_rim(s, end ? s->h : nowhere, end, &at[i]);
+}
+
+/* The apex of an unbounded cone is at -h / k1. */
+static void search_apex(search *s)
+{
+    if (s->k1.a != 0)
+        try_apex(s, triple_div(triple_of(-1), s->k1));
+}
+
+/* The perpendicular on the plane of an end has the foot x a + y b from its
+ * centre, x = (from x b).M / M.M and y = (a x from).M / M.M, M = a x b. */
+static void search_cap(search *s, int end)
+{
+    triple from[3], M[3], unit[3], right[3], up[3];
+    candidate c = {end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0,
+                   end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0,
+                   {0, 0},
+                   0,
+                   {{0, 0, 0}, {0, 0, 0}},
+                   {{0, 0, 0}},
+                   {{0, 0, 0}},
+                   {0}};
+    const triple factor = triple_of(cylint_end_factor(s->shape, end));
+    from_end(s, end, from);
+    triple_cross(M, s->a, s->b);
+    const double scale = triple_normalizer(M);
+    for (int i = 0; i < 3; i++)
+        unit[i] = triple_scale(M[i], scale);
+    triple_cross(right, from, s->b);
+    triple_cross(up, s->a, from);
+    const triple whole = triple_dot(M, unit);
+    const triple x = triple_div(triple_dot(right, unit), whole);
+    const triple y = triple_div(triple_dot(up, unit), whole);
+    const triple room =
+        triple_sub(triple_mul(factor, factor), triple_mul2(x, x, y, y));
+    if (s->only == ANY_FEATURE && !(room.a > 0))
+        return;
+    place(s, &c, end ? s->h : nowhere, s->a, x, s->b, y);
+    c.distance = height_over(from, unit);
+    offer(s, &c, unit, s->shape->left_handed == end ? -1 : 1);
+}
+
+static void search_all(search *s)
+{
+    const unsigned caps = cylint_caps_present(s->shape->ends);
+    search_lateral(s);
+    if (!cylint_is_bounded(s->shape)) {
+        search_apex(s);
+        return;
+    }
+    for (int end = 0; end < 2; end++)
+        search_end(s, end);
+    for (int end = 0; end < 2; end++)
+        if (caps >> end & 1)
+            search_cap(s, end);
+}
+
+/* ---------------------------------------------------------- the answer -- */
+
+/* The feature that a point of the boundary of the solid lies on; ANY_FEATURE:
+ * `ends` leaves out that part. */
+static int feature_on_boundary(const cylint_shape *shape, const double point[3])
+{
+    static const double along[3] = {1, 0, 0};
+    const unsigned caps = cylint_caps_present(shape->ends);
+    cylint_line line;
+    cylint_query q;
+    cylint_whole_line(&line, point, along);
+    cylint_query_open(&q, shape, &line);
+    const int bounded = cylint_is_bounded(shape);
+    const int at0 = bounded && cylint_sign_alpha(&q, 0) == 0;
+    const int at1 = bounded && !at0 && cylint_sign_alpha(&q, 1) == 0;
+    if (cylint_sign_C(&q) == 0) {
+        if (cylint_is_tapered(shape->kind) && cylint_sign_rho0(&q) == 0)
+            return CYLINT_FEATURE_APEX;
+        return at0   ? CYLINT_FEATURE_RIM0
+               : at1 ? CYLINT_FEATURE_RIM1
+                     : CYLINT_FEATURE_LATERAL;
+    }
+    return at0 && (caps & 1)   ? CYLINT_FEATURE_CAP0
+           : at1 && (caps & 2) ? CYLINT_FEATURE_CAP1
+                               : ANY_FEATURE;
+}
+
+static void write_point(const search *s, int is_on, double to[3])
+{
+    const int is_ratio =
+        !cylint_is_bounded(s->shape) && s->feature == CYLINT_FEATURE_LATERAL;
+    const int e = is_ratio ? s->e + s->far : s->e;
+    for (int i = 0; i < 3; i++) {
+        const triple c = triple_of(cylint_scaled(s->shape->base[i], -e));
+        const double p = triple_value(triple_add(c, s->F[i]));
+        const double error = VECTOR_ERROR * (fabs(c.a) + s->terms[i]);
+        to[i] = is_on ? s->point[i] + 0.0
+                      : cylint_scaled(fabs(p) < error ? 0 : p, e);
+    }
+}
+
+static void write_normal(const search *s, double to[3])
+{
+    double scale;
+    const pair norm = triple_norm(s->N, &scale);
+    for (int i = 0; i < 3; i++) {
+        const triple x = triple_scale(s->N[i], scale);
+        const double n = pair_div(fast_two_sum(x.a, x.b), norm).hi;
+        to[i] = fabs(n) < VECTOR_ERROR ? 0 : n;
+    }
+}
 
 double cylint_elliptic_distance(const cylint_shape *shape,
                                 const double point[3], unsigned want,
                                 cylint_closest *answer)
 {
-    (void)shape;
-    (void)point;
-    (void)want;
-    answer->flags = CYLINT_FLAG_INVALID;
-    answer->part = -1;
-    return answer->distance = HUGE_VAL;
+    search s;
+    const int side = cylint_contains(shape, point);
+    const int is_signed = shape->ends == CYLINT_ENDS_CAPPED ||
+                          !cylint_ends_are_planes(shape->ends);
+    load(&s, shape, point);
+    if (side == 0)
+        s.only = feature_on_boundary(shape, point);
+    const int is_on = s.only != ANY_FEATURE;
+    search_all(&s);
+    if (want & CYLINT_WANT_PART) {
+        answer->part = s.part;
+        answer->feature = s.feature;
+    }
+    if (want & CYLINT_WANT_POINT)
+        write_point(&s, is_on, answer->point);
+    if (want & CYLINT_WANT_NORMAL)
+        write_normal(&s, answer->normal);
+    if (is_on)
+        return answer->distance = 0;
+    const double size = cylint_scaled(s.distance.hi, s.e + s.far);
+    const int negative = is_signed && side > 0 && cylint_sign(size) != 0;
+    return answer->distance = negative ? -size : size;
 }

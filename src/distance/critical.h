@@ -1,0 +1,31 @@
+/*
+ * critical.h - the points of an ellipse at which a distance is stationary
+ */
+#ifndef CYLINT_CRITICAL_H
+#define CYLINT_CRITICAL_H
+
+#include "triple_vector.h"
+
+/*
+ * A point of the ellipse is cos a + sin b.  Its distance from something is
+ * stationary where
+ *     linear[0] cos + linear[1] sin
+ *         + square[0] cos^2 + square[1] cos sin + square[2] sin^2 = 0.
+ */
+typedef struct {
+    triple linear[2], square[3];
+} stationary;
+
+/* cos and sin of an angle; the sum of their squares is 1 to the last place. */
+typedef struct {
+    triple cos, sin;
+} direction;
+
+enum { CYLINT_MOST_CRITICAL = 16 };
+
+/* Writes the directions in which the form is 0: all that are simple, some of
+ * them twice; the angle 0 if all coefficients are 0.  Returns their number. */
+int cylint_critical_directions(const stationary *form,
+                               direction to[CYLINT_MOST_CRITICAL]);
+
+#endif

@@ -1,0 +1,104 @@
+/*
+ * triple_vector.h - vectors, quotients and norms of triples
+ */
+#ifndef CYLINT_TRIPLE_VECTOR_H
+#define CYLINT_TRIPLE_VECTOR_H
+
+#include "../numbers/bits.h"
+#include "../numbers/triple.h"
+
+static inline triple triple_neg(triple x)
+{
+    return (triple){-x.a, -x.b, -x.c};
+}
+
+/* x f */
+static inline triple triple_scale(triple x, double f)
+{
+    return triple_mul(x, triple_of(f));
+}
+
+/* x y + z t */
+static inline triple triple_mul2(triple x, triple y, triple z, triple t)
+{
+    return triple_add(triple_mul(x, y), triple_mul(z, t));
+}
+
+/* x y - z t */
+static inline triple triple_det(triple x, triple y, triple z, triple t)
+{
+    return triple_sub(triple_mul(x, y), triple_mul(z, t));
+}
+
+/* x / y: each quotient of doubles yields a double's digits. */
+static inline triple triple_div(triple x, triple y)
+{
+    const double a = x.a / y.a;
+    const triple rest = triple_sub(x, triple_scale(y, a));
+    const double b = rest.a / y.a;
+    const triple last = triple_sub(rest, triple_scale(y, b));
+    return triple_sum(a, b, last.a / y.a);
+}
+
+/* The double nearest to x, or its neighbour. */
+static inline double triple_value(triple x)
+{
+    return x.a + (x.b + x.c);
+}
+
+static inline triple triple_dot(const triple u[3], const triple v[3])
+{
+    return triple_add(triple_mul2(u[0], v[0], u[1], v[1]),
+                      triple_mul(u[2], v[2]));
+}
+
+/* to = u x v; `to` is neither of them. */
+static inline void triple_cross(triple to[3], const triple u[3],
+                                const triple v[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        to[i] = triple_det(u[j], v[k], u[k], v[j]);
+    }
+}
+
+/* to = u s + v t */
+static inline void triple_combine(triple to[3], const triple u[3], triple s,
+                                  const triple v[3], triple t)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = triple_mul2(u[i], s, v[i], t);
+}
+
+/* to = u - v s */
+static inline void triple_less(triple to[3], const triple u[3],
+                               const triple v[3], triple s)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = triple_sub(u[i], triple_mul(v[i], s));
+}
+
+/* 2^-e for the e of the largest component; 1 for the vector 0. */
+static inline double triple_normalizer(const triple v[3])
+{
+    const double x[3] = {v[0].a, v[1].a, v[2].a};
+    const double size = cylint_largest(x);
+    if (size == 0)
+        return 1;
+    const int e = cylint_any_exponent(size);
+    return cylint_power_of_two(e > 1000 ? -1000 : e < -1000 ? 1000 : -e);
+}
+
+/* |v| as a pair times 1 / *scale, a power of two. */
+static inline pair triple_norm(const triple v[3], double *scale)
+{
+    triple unit[3];
+    *scale = triple_normalizer(v);
+    for (int i = 0; i < 3; i++)
+        unit[i] = triple_scale(v[i], *scale);
+    const triple square = triple_dot(unit, unit);
+    return square.a > 0 ? pair_sqrt(fast_two_sum(square.a, square.b))
+                        : (pair){0, 0};
+}
+
+#endif
