@@ -64,6 +64,7 @@ bench-python: $(BUILD)/tools/bench/python_scene $(BUILD)/cylint ## time of the P
 	@$(rivals)/bin/pip install -q numpy scikit-spatial trimesh embreex rtree vtk open3d
 	@$(rivals)/bin/pip install -q --no-deps --force-reinstall $(BUILD)/python/wheel/*.whl
 	$(rivals)/bin/python tools/bench/python_rays.py $(BUILD)/tools/bench/python_scene $(rivals)/input
+	$(rivals)/bin/python tools/bench/python_distance.py $(BUILD)/tools/bench/python_scene $(rivals)/input
 
 # An adapter that counts the nodes and leaves that a ray visits.
 count_visits: $(BUILD)/tools/bench/embree_counts

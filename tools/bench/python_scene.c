@@ -1,15 +1,19 @@
 /*
- * python_scene.c - the C library's time for the questions of python_rays.py
+ * python_scene.c - the C library's time for the questions of python_rays.py and
+ * python_distance.py
  *
  * usage: python_scene SHAPES RAYS ANSWERS
+ *        python_scene -p SHAPES POINTS ANSWERS
  *
- * SHAPES has p0 p1 r of cylinders, RAYS o d, in doubles.  Writes index and t of
- * the nearest hit of each ray, -1 and NaN for none, and prints nanoseconds of
- * processor time a ray, the least of several rounds.
+ * SHAPES has p0 p1 r of cylinders, RAYS o d, POINTS x y z, in doubles.  Writes
+ * index and t of the nearest hit of each ray, -1 and NaN for none, or index and
+ * distance of the cylinder nearest to each point.  Prints nanoseconds of
+ * processor time a ray or point, the least of several rounds.
  */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "cylint_scene.h"
@@ -34,6 +38,17 @@ static double *read_doubles(const char *name, size_t *count)
     return data;
 }
 
+static void measure(const cylint_scene *scene, const double *points, size_t n,
+                    double *answers)
+{
+    for (size_t i = 0; i < n; i++) {
+        cylint_closest closest;
+        answers[2 * i] = (double)cylint_scene_closest(scene, points + 3 * i,
+                                                      HUGE_VAL, 0, &closest);
+        answers[2 * i + 1] = closest.distance;
+    }
+}
+
 static void answer(const cylint_scene *scene, size_t shapes, const double *rays,
                    size_t n, double *answers)
 {
@@ -51,14 +66,16 @@ static void answer(const cylint_scene *scene, size_t shapes, const double *rays,
 int main(int count, char **argument)
 {
     size_t shapes, rays;
-    if (count != 4) {
-        fputs("usage: python_scene SHAPES RAYS ANSWERS\n", stderr);
+    const int points = count == 5 && strcmp(argument[1], "-p") == 0;
+    if (!points && count != 4) {
+        fputs("usage: python_scene [-p] SHAPES RAYS ANSWERS\n", stderr);
         return 2;
     }
+    argument += points;
     const double *of_shapes = read_doubles(argument[1], &shapes);
     const double *of_rays = read_doubles(argument[2], &rays);
     shapes /= 7;
-    rays /= 6;
+    rays /= points ? 3 : 6;
     cylint_shape *made = malloc(shapes * sizeof *made);
     double *answers = malloc(2 * rays * sizeof *answers);
     if (!made || !answers) {
@@ -72,7 +89,10 @@ int main(int count, char **argument)
     double least = HUGE_VAL;
     for (int round = 0; scene && round < ROUNDS; round++) {
         const clock_t start = clock();
-        answer(scene, shapes, of_rays, rays, answers);
+        if (points)
+            measure(scene, of_rays, rays, answers);
+        else
+            answer(scene, shapes, of_rays, rays, answers);
         const double spent = (double)(clock() - start) / CLOCKS_PER_SEC;
         least = spent < least ? spent : least;
     }
