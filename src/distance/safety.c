@@ -155,7 +155,7 @@ double cylint_safety(const cylint_shape *shape, const double point[3])
     const double error =
         CYLINT_SAFETY_ERROR * (at.size + shape->local.reach + shape->r0);
     const double bound = size - error;
-    if (!(bound > 0)) /* near the surface, or not finite */
+    if (!(bound > 0 && bound <= DBL_MAX)) /* near the surface, or overflow */
         return below_distance(shape, point);
     return cylint_is_elliptic(shape->kind)
                ? bound / stretch(shape) * (1 - CYLINT_SAFETY_ERROR)
