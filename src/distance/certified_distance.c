@@ -90,39 +90,46 @@ INLINE pair from_end(const half_plane *m, const profile *p, int end)
     return length_of(lazy_sub(m->rho, p->rho[end]), lazy_sub(m->z, p->z[end]));
 }
 
-INLINE pair from_ball(const double point[3], const double center[3], double r,
-                      double *error)
+INLINE pair square_of(const pair D[3])
 {
-    pair D[3], d;
-    double half;
-    point_from(point, center, D);
     const pair a = lazy_square(D[0]), b = lazy_square(D[1]),
                c = lazy_square(D[2]);
     const pair s = two_sum(a.hi, b.hi), t = two_sum(s.hi, c.hi);
-    d = root_of(normal((pair){t.hi, (s.lo + t.lo) + (a.lo + b.lo + c.lo)}),
-                &half);
+    return normal((pair){t.hi, (s.lo + t.lo) + (a.lo + b.lo + c.lo)});
+}
+
+INLINE pair from_ball(const double point[3], const double center[3], double r,
+                      double *error)
+{
+    pair D[3];
+    double half;
+    point_from(point, center, D);
+    const pair d = root_of(square_of(D), &half);
     *error = CYLINT_HALF_PLANE_ERROR * (d.hi + r);
     return lazy_sub(d, plain(r));
 }
 
 /* From the plane of a cap, positive outside. */
-INLINE pair from_plane(const half_plane *m, const cylint_shape *s, int top)
+INLINE pair from_level(const half_plane *m, pair height, int top)
 {
-    const cylint_local *f = &s->local;
-    const pair level = {top ? f->height : 0, top ? f->height_lo : 0};
+    const pair level = {top ? height.hi : 0, top ? height.lo : 0};
     const pair d = lazy_sub(m->z, level);
     const double sign = top ? 1 : -1;
     return (pair){sign * d.hi, sign * d.lo};
 }
 
-INLINE pair from_feature(const half_plane *m, const profile *p,
-                         const cylint_shape *s, int feature)
+INLINE pair from_plane(const half_plane *m, const profile *p, int top)
+{
+    return from_level(m, p->height, top);
+}
+
+INLINE pair from_feature(const half_plane *m, const profile *p, int feature)
 {
     if (feature == CYLINT_FEATURE_LATERAL)
         return from_line(m, p);
     if (feature >= CYLINT_FEATURE_RIM0)
         return from_end(m, p, feature == CYLINT_FEATURE_RIM1);
-    return from_plane(m, s, feature == CYLINT_FEATURE_CAP1);
+    return from_plane(m, p, feature == CYLINT_FEATURE_CAP1);
 }
 
 /* ------------------------------------------------- doubles: features --- */
@@ -185,18 +192,23 @@ static int open_feature(const position *at, const profile *p, int cap)
     return more < 0 ? feature : cap ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
 }
 
-/* Of an unbounded shape.  The nappe of a double cone on the other side of the
- * apex is left undecided. */
-static int unbounded_feature(const position *at, const profile *p,
-                             const cylint_shape *s)
+/* Of an unbounded shape.  Beyond the apex the nearest nappe of a double cone is
+ * the other one: *p becomes its profile, and *flipped 1. */
+static int unbounded_feature(const position *at, profile *p,
+                             const cylint_shape *s, int *flipped)
 {
     const double M = at->margin, C = p->cosine.hi, S = p->sine.hi;
+    const double c = p->offset.hi + S * at->z; /* radius times cosine */
     if (!cylint_is_tapered(s->kind))
         return CYLINT_FEATURE_LATERAL;
-    const double c = p->offset.hi + S * at->z; /* radius times cosine */
-    if (s->ends == CYLINT_ENDS_INFINITE)
-        return c > M ? CYLINT_FEATURE_LATERAL : UNDECIDED;
-    return C * c + S * S * at->rho > M ? CYLINT_FEATURE_LATERAL : UNDECIDED;
+    if (s->ends == CYLINT_ENDS_NAPPE)
+        return C * c + S * S * at->rho > M ? CYLINT_FEATURE_LATERAL : UNDECIDED;
+    if (c < -M) {
+        p->sine = pair_neg(p->sine);
+        p->offset = pair_neg(p->offset);
+        *flipped = 1;
+    }
+    return fabs(c) > M ? CYLINT_FEATURE_LATERAL : UNDECIDED;
 }
 
 /* ------------------------------------------------------------ answers -- */
@@ -260,7 +272,9 @@ INLINE int cylinder_distance(ARGUMENTS)
         CYLINT_FEATURE_MARGIN * (m.size + s->local.reach) + m.error;
     const double t = m.z.hi + (m.z.hi - s->local.height);
     const int top = t > 0;
-    const pair A = lazy_sub(m.rho, plain(s->r0)), B = from_plane(&m, s, top);
+    const pair A = lazy_sub(m.rho, plain(s->r0)),
+               B = from_level(&m, (pair){s->local.height, s->local.height_lo},
+                              top);
     const int cap = A.hi < B.hi, rim = (A.hi > 0) & (B.hi > 0);
     const int inside = (A.hi < 0) & (B.hi < 0);
     const int tie = (fabs(A.hi - B.hi) <= M) | (cap & (fabs(t) <= M));
@@ -313,7 +327,7 @@ INLINE int cone_distance(ARGUMENTS)
     load_profile(&p, s);
     load_position(&at, &m, &p, 0);
     const pair A = from_line(&m, &p);
-    const pair B = from_plane(&m, s, at.z + at.above > 0);
+    const pair B = from_plane(&m, &p, at.z + at.above > 0);
     const int feature = cone_feature(&at, &p, A.hi, B.hi);
     if (feature == UNDECIDED)
         return 0;
@@ -324,25 +338,55 @@ INLINE int cone_distance(ARGUMENTS)
     return finish(&m, d, feature, 1, s, point, want, answer);
 }
 
-/* The other ends. */
-static int other_distance(ARGUMENTS)
+static int profile_distance(const half_plane *m, profile *p, ARGUMENTS)
 {
+    int flipped = 0;
     const int bounded = cylint_ends_are_planes(s->ends);
-    half_plane m;
-    profile p;
-    position at;
-    load_half_plane(&m, s, point);
-    load_profile(&p, s);
-    load_position(&at, &m, &p, 0);
+    const int closed = !bounded || s->ends == CYLINT_ENDS_CAPPED;
     const int cap = s->ends == CYLINT_ENDS_CAP0   ? 0
                     : s->ends == CYLINT_ENDS_CAP1 ? 1
                                                   : -1;
+    position at;
+    load_position(&at, m, p, 0);
     const int feature =
-        bounded ? open_feature(&at, &p, cap) : unbounded_feature(&at, &p, s);
-    if (feature == UNDECIDED)
+        !bounded ? unbounded_feature(&at, p, s, &flipped)
+        : closed ? cone_feature(&at, p, from_line(m, p).hi,
+                                from_plane(m, p, at.z + at.above > 0).hi)
+                 : open_feature(&at, p, cap);
+    if (feature == UNDECIDED ||
+        (flipped && want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)))
         return 0;
-    return finish(&m, from_feature(&m, &p, s, feature), feature, !bounded, s,
-                  point, want, answer);
+    return finish(m, from_feature(m, p, feature), feature, closed, s, point,
+                  want, answer);
+}
+
+static int other_distance(ARGUMENTS)
+{
+    half_plane m;
+    profile p;
+    load_half_plane(&m, s, point);
+    load_profile(&p, s);
+    return profile_distance(&m, &p, s, point, want, answer);
+}
+
+/* An acone in world lengths: its local coordinates count axis lengths. */
+static int tangent_distance(ARGUMENTS)
+{
+    half_plane m;
+    profile p;
+    pair w[3];
+    double half;
+    if (want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL))
+        return 0;
+    EACH(i, 3)
+        w[i] = plain(s->axis[i]);
+    load_profile(&p, s);
+    p.height = normal(root_of(square_of(w), &half));
+    p.z[1] = p.height;
+    p.rho[1] = normal(lazy_mul(p.height, plain(s->r1)));
+    p.r[1] = p.rho[1].hi;
+    load_along(&m, s, point, w, &p.height, p.height.hi + p.r[1]);
+    return profile_distance(&m, &p, s, point, want, answer);
 }
 
 static int hull_distance(ARGUMENTS)
@@ -363,7 +407,7 @@ static int hull_distance(ARGUMENTS)
     const int ball = at_end(CYLINT_FEATURE_CAP0, end);
     if (feature == CYLINT_FEATURE_LATERAL ||
         !cylint_part_is_present(s->ends, ball) || !(p.r[end] > 0))
-        return finish(&m, from_feature(&m, &p, s, feature), feature, closed, s,
+        return finish(&m, from_feature(&m, &p, feature), feature, closed, s,
                       point, want, answer);
     write_part(s, ball, want, answer);
     return finish_ball(end ? s->top : s->base, p.r[end], closed, s, point, want,
@@ -393,6 +437,8 @@ int CYLINT_CERTIFIED(const cylint_shape *s, const double point[3],
     case CYLINT_KIND_CYLINDER:
     case CYLINT_KIND_CONE:
         return other_distance(s, point, want, answer);
+    case CYLINT_KIND_ACONE:
+        return tangent_distance(s, point, want, answer);
     case CYLINT_KIND_SPHERE:
         return sphere_distance(s, point, want, answer);
     case CYLINT_KIND_CAPSULE:

@@ -154,25 +154,37 @@ INLINE pair radial_coordinate(pair z, pair dd, double *half)
     return (pair){s, step - step * step * *half};
 }
 
-INLINE void load_half_plane(half_plane *m, const cylint_shape *s,
-                            const double point[3])
+/* w: the direction of the axis, a unit vector, or a vector of the given length.
+ * reach: of the shape. */
+INLINE void load_along(half_plane *m, const cylint_shape *s,
+                       const double point[3], const pair w[3],
+                       const pair *length, double reach)
 {
-    const cylint_local *f = &s->local;
-    pair D[3], w[3];
-    EACH(i, 3)
-        w[i] = (pair){f->xyz[i][2], f->xyz_lo[i][2]};
+    pair D[3];
     double hi[2], lo[2], half;
     point_from(point, s->base, D);
     const vpair sums = dots(D, w);
     v_store(hi, sums.hi);
     v_store(lo, sums.lo);
     m->z = (pair){hi[0], lo[0]};
+    if (length)
+        m->z = pair_div(normal(m->z), *length);
     m->rho = radial_coordinate(m->z, (pair){hi[1], lo[1]}, &half);
     m->size = fabs(D[0].hi) + fabs(D[1].hi) + fabs(D[2].hi);
     const double thin = m->size * half;
     m->error = thin <= CYLINT_THINNEST
-                   ? CYLINT_HALF_PLANE_ERROR * (m->size * thin + f->reach)
+                   ? CYLINT_HALF_PLANE_ERROR * (m->size * thin + reach)
                    : HUGE_VAL;
+}
+
+INLINE void load_half_plane(half_plane *m, const cylint_shape *s,
+                            const double point[3])
+{
+    const cylint_local *f = &s->local;
+    pair w[3];
+    EACH(i, 3)
+        w[i] = (pair){f->xyz[i][2], f->xyz_lo[i][2]};
+    load_along(m, s, point, w, NULL, f->reach);
 }
 
 /* Whether every number within `error` of d rounds to d.hi; d is normal. */

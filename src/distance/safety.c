@@ -25,7 +25,7 @@ static double below_distance(const cylint_shape *shape, const double point[3])
     const double size = fabs(cylint_distance(shape, point, 0, &answer));
     if (answer.part < 0 || cylint_sign(size) == 0)
         return size;
-    return -cylint_next_above(-size);
+    return -cylint_next_above(-size) + 0; /* no -0 */
 }
 
 /* A point and a shape in the half plane through the axis and the point. */
