@@ -19,7 +19,11 @@
 
 #if LANES == 2
 
-/* Numbers with bounds on their errors. */
+/*
+ * Numbers with bounds on their errors.  The error of a number that is not exact
+ * is at least CYLINT_POINT_UNDERFLOW, which covers what underflows, flushed to
+ * zero or not.  An exact zero stays one.
+ */
 typedef struct {
     pair v;
     double error;
@@ -30,42 +34,71 @@ static certified datum(double x)
     return (certified){{x, 0}, 0};
 }
 
-static certified c_sub(certified x, certified y)
+/* x - y of two data. */
+static certified difference(double x, double y)
 {
-    const pair v = normal(lazy_sub(x.v, y.v));
-    return (certified){v, x.error + y.error +
-                              CYLINT_POINT_ROUNDING *
-                                  (size_of(x.v) + size_of(y.v))};
+    const pair d = two_diff(x, y);
+    const int equal = cylint_rank(x) == cylint_rank(y);
+    return (certified){d, equal ? 0 : CYLINT_POINT_UNDERFLOW};
 }
 
-static certified c_mul(certified x, certified y)
+static int is_zero(certified x)
 {
-    const pair v = normal(lazy_mul(x.v, y.v));
-    const double a = size_of(x.v), b = size_of(y.v);
-    return (certified){v, a * y.error + (b + y.error) * x.error +
-                              CYLINT_POINT_ROUNDING * (a * b)};
+    return x.error == 0 && cylint_sign(x.v.hi) == 0;
+}
+
+static certified with_error(pair v, double error, double size)
+{
+    return (certified){normal(v), error + CYLINT_POINT_ROUNDING * size +
+                                      CYLINT_POINT_UNDERFLOW};
+}
+
+static certified c_neg(certified x)
+{
+    return (certified){pair_neg(x.v), x.error};
+}
+
+static certified c_sub(certified x, certified y)
+{
+    if (is_zero(y))
+        return x;
+    if (is_zero(x))
+        return c_neg(y);
+    return with_error(lazy_sub(x.v, y.v), x.error + y.error,
+                      size_of(x.v) + size_of(y.v));
 }
 
 static certified c_add(certified x, certified y)
 {
-    return c_sub(x, (certified){pair_neg(y.v), y.error});
+    return c_sub(x, c_neg(y));
+}
+
+static certified c_mul(certified x, certified y)
+{
+    const double a = size_of(x.v), b = size_of(y.v);
+    if (is_zero(x) || is_zero(y))
+        return datum(0);
+    return with_error(lazy_mul(x.v, y.v), a * y.error + (b + y.error) * x.error,
+                      a * b);
 }
 
 /* x / y; the error of y is far below y. */
 static certified c_div(certified x, certified y)
 {
+    if (is_zero(x))
+        return x;
     const pair v = pair_div(x.v, normal(y.v));
     const double size = size_of(v);
-    return (certified){v, (x.error + size * y.error) * 1.25 / size_of(y.v) +
-                              CYLINT_POINT_ROUNDING * size};
+    return with_error(v, (x.error + size * y.error) * 1.25 / size_of(y.v),
+                      size);
 }
 
 /* Writes the component; whether it is certain. */
 static int c_write(certified x, double *to)
 {
     *to = x.v.hi + 0; /* no -0 */
-    return x.error == 0 ? x.v.lo == 0 || is_certain(x.v, x.error)
-                        : is_certain(x.v, x.error);
+    return (x.error == 0 && cylint_sign(x.v.lo) == 0) ||
+           is_certain(x.v, x.error);
 }
 
 /* The axis's direction and the direction from the axis to the point. */
@@ -78,8 +111,7 @@ static int aligned_coordinate(const cylint_shape *s)
 {
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        if (s->axis[j] == 0 && s->axis[k] == 0 && s->axis_lo[j] == 0 &&
-            s->axis_lo[k] == 0)
+        if (!cylint_sign(s->axis[j]) && !cylint_sign(s->axis[k]))
             return i;
     }
     return -1;
@@ -92,8 +124,9 @@ static void load_frame(frame *f, const cylint_shape *s, const double point[3],
     f->aligned = aligned_coordinate(s);
     for (int i = 0; i < 3; i++) {
         const pair a = {s->local.xyz[i][2], s->local.xyz_lo[i][2]};
-        f->a[i] = (certified){a, CYLINT_POINT_ROUNDING * fabs(a.hi)};
-        f->D[i] = (certified){two_diff(point[i], s->base[i]), 0};
+        f->a[i] =
+            cylint_sign(s->axis[i]) ? with_error(a, 0, fabs(a.hi)) : datum(0);
+        f->D[i] = difference(point[i], s->base[i]);
         f->u[i] =
             i == f->aligned
                 ? datum(0)
@@ -106,10 +139,10 @@ static void load_frame(frame *f, const cylint_shape *s, const double point[3],
 static certified lateral_normal(const frame *f, const cylint_shape *s, int i)
 {
     const cylint_local *l = &s->local;
-    const certified C = {{l->cosine, l->cosine_lo},
-                         CYLINT_POINT_ROUNDING * l->cosine};
-    const certified S = {{l->sine, l->sine_lo},
-                         CYLINT_POINT_ROUNDING * fabs(l->sine)};
+    const certified C =
+        with_error((pair){l->cosine, l->cosine_lo}, 0, l->cosine);
+    const certified S =
+        with_error((pair){l->sine, l->sine_lo}, 0, fabs(l->sine));
     return cylint_is_tapered(s->kind)
                ? c_sub(c_mul(C, f->u[i]), c_mul(S, f->a[i]))
                : f->u[i];
@@ -119,7 +152,7 @@ static certified lateral_normal(const frame *f, const cylint_shape *s, int i)
 static certified along_axis(const frame *f, int i, int sign)
 {
     const certified a = f->a[i];
-    return sign < 0 ? (certified){pair_neg(a.v), a.error} : a;
+    return sign < 0 ? c_neg(a) : a;
 }
 
 /* Of a feature that is not on a ball.  d: the distance. */
@@ -179,7 +212,7 @@ ASIDE int describe_ball(const double point[3], const double center[3], double r,
     double half;
     int certain = 1;
     for (int i = 0; i < 3; i++) {
-        D[i] = (certified){two_diff(point[i], center[i]), 0};
+        D[i] = difference(point[i], center[i]);
         square = c_add(square, c_mul(D[i], D[i]));
     }
     const pair root = root_of(square.v, &half);

@@ -76,12 +76,12 @@ double cylint_rounded_distance(meridian *m, const nearest *n)
         while (low < high) {
             const int64_t middle = low + (high - low) / 2;
             const int sign = sign_at_middle(arena, &x, denominator, middle);
-            if (sign > 0 || (sign == 0 && middle & 1))
+            if (sign == 0) /* a tie, to even */
+                low = high = middle + (middle & 1);
+            else if (sign > 0)
                 low = middle + 1;
             else
                 high = middle;
-            if (sign == 0)
-                high = low;
         }
         distance = of_rank(low);
     }

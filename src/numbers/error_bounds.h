@@ -110,6 +110,7 @@
  * and of sine, relative to themselves (distance/certified_point.h).
  */
 #define CYLINT_POINT_ROUNDING 0x1p-94
+#define CYLINT_POINT_UNDERFLOW 0x1p-800
 
 /*
  * The error of a distance in doubles (distance/safety.c), in any rounding mode,

@@ -1,0 +1,521 @@
+/*
+ * test_distance.c - floor distance: answers known by hand, and properties
+ *
+ * The oracle's tests are in test_distance_oracle.c.  CYLINT_CASES is the number
+ * of shapes of each family, with POINTS points each.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_distance.h"
+#include "distance/certified_distance.h"
+#include "distance_points.h"
+#include "environment.h"
+
+enum { CASES = 60, POINTS = 4 };
+
+#define WANT (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
+
+static const double origin[3] = {0, 0, 0};
+
+/* ------------------------------------------------------ known answers -- */
+
+static cylint_shape cylinder(cylint_ends ends)
+{
+    static const double top[3] = {0, 0, 2};
+    cylint_shape s;
+    cylint_cylinder(&s, origin, top, 1, ends);
+    return s;
+}
+
+/* The lateral surface has the slope 4/3: x = 3, z = 0 to x = 0, z = 4. */
+static cylint_shape cone(cylint_ends ends)
+{
+    static const double top[3] = {0, 0, 4};
+    cylint_shape s;
+    cylint_cone(&s, origin, 3, top, 0, ends);
+    return s;
+}
+
+/* The balls of radius 5 and 2 at the distance 5: sine -3/5. */
+static cylint_shape round_cone(cylint_ends ends)
+{
+    static const double top[3] = {0, 0, 5};
+    cylint_shape s;
+    cylint_round_cone(&s, origin, 5, top, 2, ends);
+    return s;
+}
+
+struct known {
+    double p[3], distance;
+    int part, feature;
+    double point[3], normal[3];
+};
+
+enum {
+    LATERAL = CYLINT_FEATURE_LATERAL,
+    CAP0 = CYLINT_FEATURE_CAP0,
+    CAP1 = CYLINT_FEATURE_CAP1,
+    RIM0 = CYLINT_FEATURE_RIM0,
+    RIM1 = CYLINT_FEATURE_RIM1,
+    APEX = CYLINT_FEATURE_APEX
+};
+
+/* 0 is not equal to -0. */
+static int equal3(const double x[3], const double y[3])
+{
+    for (int i = 0; i < 3; i++)
+        if (x[i] != y[i] || (x[i] == 0 && signbit(x[i])))
+            return 0;
+    return 1;
+}
+
+static void check_known(const char *name, cylint_shape s, const struct known *k,
+                        int n)
+{
+    for (int i = 0; i < n; i++) {
+        cylint_closest a;
+        const double d = cylint_distance(&s, k[i].p, WANT, &a);
+        if (!CHECK(d == k[i].distance && a.distance == d && a.flags == 0 &&
+                   a.part == k[i].part && a.feature == k[i].feature &&
+                   equal3(a.point, k[i].point) &&
+                   equal3(a.normal, k[i].normal)))
+            REPORT("%s, row %d: %.17g part %d feature %d, point %.17g %.17g "
+                   "%.17g, normal %.17g %.17g %.17g",
+                   name, i, d, a.part, a.feature, a.point[0], a.point[1],
+                   a.point[2], a.normal[0], a.normal[1], a.normal[2]);
+    }
+}
+
+#define CHECK_KNOWN(shape, table) \
+    check_known(#table, shape, table, (int)(sizeof(table) / sizeof(table)[0]))
+
+static void answers_about_a_capped_cylinder_are_known(void)
+{
+    static const struct known capped[] = {
+        {{3, 0, 1}, 2, 0, LATERAL, {1, 0, 1}, {1, 0, 0}},
+        {{0, 0.5, 1}, -0.5, 0, LATERAL, {0, 1, 1}, {0, 1, 0}},
+        {{0, 0.5, -3}, 3, 1, CAP0, {0, 0.5, 0}, {0, 0, -1}},
+        {{0.5, 0, 7}, 5, 2, CAP1, {0.5, 0, 2}, {0, 0, 1}},
+        {{0.5, 0, 1.75}, -0.25, 2, CAP1, {0.5, 0, 2}, {0, 0, 1}},
+        {{4, 0, -4}, 5, 0, RIM0, {1, 0, 0}, {1, 0, 0}},
+        {{0, -4, 6}, 5, 0, RIM1, {0, -1, 2}, {0, -1, 0}},
+        {{1, 0, 1}, 0, 0, LATERAL, {1, 0, 1}, {1, 0, 0}},
+        {{0.5, 0.25, 0}, 0, 1, CAP0, {0.5, 0.25, 0}, {0, 0, -1}},
+        {{1, 0, 2}, 0, 0, RIM1, {1, 0, 2}, {1, 0, 0}},
+        /* right below a rim: the rim, not the cap */
+        {{1, 0, -2}, 2, 0, RIM0, {1, 0, 0}, {1, 0, 0}},
+        /* ties: lateral before caps, cap0 before cap1 */
+        {{0.75, 0, 0.25}, -0.25, 0, LATERAL, {1, 0, 0.25}, {1, 0, 0}},
+        /* on the axis: phi = 0 is the direction -y */
+        {{0, 0, 1}, -1, 0, LATERAL, {0, -1, 1}, {0, -1, 0}},
+    };
+    CHECK_KNOWN(cylinder(CYLINT_ENDS_CAPPED), capped);
+}
+
+static void answers_of_other_ends_are_known(void)
+{
+    static const struct known open[] = {
+        {{0.5, 0, 1}, 0.5, 0, LATERAL, {1, 0, 1}, {1, 0, 0}},
+        {{0, 0, -1}, 1.4142135623730951, 0, RIM0, {0, -1, 0}, {0, -1, 0}},
+        {{0, 0, 0}, 1, 0, RIM0, {0, -1, 0}, {0, -1, 0}},
+    };
+    static const struct known cap1[] = {
+        {{0.5, 0, 1.75}, 0.25, 2, CAP1, {0.5, 0, 2}, {0, 0, 1}},
+        {{0.5, 0, 0.25}, 0.5, 0, LATERAL, {1, 0, 0.25}, {1, 0, 0}},
+        {{0.25, 0, -1}, 1.25, 0, RIM0, {1, 0, 0}, {1, 0, 0}},
+    };
+    static const struct known infinite[] = {
+        {{0, 0.5, -7}, -0.5, 0, LATERAL, {0, 1, -7}, {0, 1, 0}},
+        {{0, 3, 1e9}, 2, 0, LATERAL, {0, 1, 1e9}, {0, 1, 0}},
+    };
+    CHECK_KNOWN(cylinder(CYLINT_ENDS_OPEN), open);
+    CHECK_KNOWN(cylinder(CYLINT_ENDS_CAP1), cap1);
+    CHECK_KNOWN(cylinder(CYLINT_ENDS_INFINITE), infinite);
+    CHECK_KNOWN(cylinder(CYLINT_ENDS_NAPPE), infinite);
+}
+
+static void answers_about_cones_are_known(void)
+{
+    static const struct known capped[] = {
+        {{9.5, 0, 8}, 10, 0, LATERAL, {1.5, 0, 2}, {0.8, 0, 0.6}},
+        {{0, 0, 6}, 2, 0, APEX, {0, 0, 4}, {0, 0, 1}},
+        {{0, 0, 4}, 0, 0, APEX, {0, 0, 4}, {0, 0, 1}},
+        {{6, 0, -4}, 5, 0, RIM0, {3, 0, 0}, {0.8, 0, 0.6}},
+        {{0, 0, 1}, -1, 1, CAP0, {0, 0, 0}, {0, 0, -1}},
+    };
+    static const struct known infinite[] = {
+        {{0, 0, 4}, 0, 0, APEX, {0, 0, 4}, {0, 0, -1}},
+    };
+    CHECK_KNOWN(cone(CYLINT_ENDS_CAPPED), capped);
+    cylint_shape whole = cone(CYLINT_ENDS_INFINITE);
+    CHECK_KNOWN(whole, infinite);
+    /* the nearer nappe of a double cone; in the plane of the apex the one with
+     * the base */
+    static const double above[3] = {0, 0, 9}, beside[3] = {5, 0, 4};
+    cylint_closest a;
+    CHECK(cylint_distance(&whole, above, WANT, &a) == -3 && a.part == 0);
+    CHECK(a.point[2] > 4 && a.normal[2] < 0);
+    CHECK(cylint_distance(&whole, beside, WANT, &a) == 4);
+    CHECK(a.point[2] < 4 && a.normal[2] > 0);
+    cylint_shape nappe = cone(CYLINT_ENDS_NAPPE);
+    CHECK(cylint_distance(&nappe, above, WANT, &a) == 5);
+    CHECK(a.feature == APEX && a.normal[2] == 1);
+}
+
+static void answers_about_round_shapes_are_known(void)
+{
+    static const struct known closed[] = {
+        {{8, 0, 6}, 5, 0, RIM0, {4, 0, 3}, {0.8, 0, 0.6}},
+        {{0, 0, -9}, 4, 1, CAP0, {0, 0, -5}, {0, 0, -1}},
+        {{0, 0, 10}, 3, 2, CAP1, {0, 0, 7}, {0, 0, 1}},
+    };
+    cylint_shape s = round_cone(CYLINT_ENDS_CAPPED);
+    CHECK_KNOWN(s, closed);
+    static const double at_p0[3] = {0, 0, 0}, below[3] = {0, 0, -9};
+    cylint_closest a;
+    CHECK(cylint_distance(&s, at_p0, WANT, &a) == -5 && a.feature == RIM0);
+    s = round_cone(CYLINT_ENDS_CAP1);
+    CHECK(cylint_distance(&s, below, WANT, &a) == sqrt(16 + 144));
+    CHECK(a.part == 0 && a.feature == RIM0);
+    static const struct known ball[] = {
+        {{3, 0, 4}, 4, 0, LATERAL, {0.6, 0, 0.8}, {0.6, 0, 0.8}},
+        {{0, 0, 0}, -1, 0, LATERAL, {1, 0, 0}, {1, 0, 0}},
+        {{0, 1, 0}, 0, 0, LATERAL, {0, 1, 0}, {0, 1, 0}},
+    };
+    cylint_sphere(&s, origin, 1, CYLINT_ENDS_CAPPED);
+    CHECK_KNOWN(s, ball);
+}
+
+static void where_there_is_no_surface_the_distance_is_infinite(void)
+{
+    static const double near[3] = {0, 0, 1},
+                        bad[2][3] = {{0, NAN, 0}, {HUGE_VAL, 0, 0}};
+    cylint_closest a;
+    cylint_shape s;
+    cylint_round_cone(&s, origin, 5, near, 1, CYLINT_ENDS_CAP1);
+    CHECK(cylint_distance(&s, near, 0, &a) == HUGE_VAL);
+    CHECK(a.part == -1 && a.flags == 0);
+    CHECK(cylint_safety(&s, near) == HUGE_VAL);
+    cylint_round_cone(&s, origin, 5, near, 1, CYLINT_ENDS_CAP0);
+    CHECK(cylint_distance(&s, near, WANT, &a) == 4 && a.part == 1);
+    cylint_cylinder(&s, origin, origin, 1, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_distance(&s, near, 0, &a) == HUGE_VAL);
+    CHECK(a.part == -1 && a.flags == CYLINT_FLAG_INVALID);
+    CHECK(!cylint_on_surface(&s, near, 1e300));
+    s = cylinder(CYLINT_ENDS_CAPPED);
+    for (int i = 0; i < 2; i++) {
+        CHECK(cylint_distance(&s, bad[i], WANT, &a) == HUGE_VAL);
+        CHECK(a.part == -1 && a.flags == CYLINT_FLAG_INVALID);
+        CHECK(cylint_safety(&s, bad[i]) == HUGE_VAL);
+        CHECK(!cylint_on_surface(&s, bad[i], 1));
+    }
+}
+
+static void a_point_is_on_a_surface_exactly_or_within_ulps(void)
+{
+    static const double on[3] = {0.6, 0.8, 1}, beside[3] = {1 + 0x1p-51, 0, 1},
+                        exactly[3] = {1, 0, 1};
+    const cylint_shape s = cylinder(CYLINT_ENDS_CAPPED);
+    CHECK(!cylint_on_surface(&s, on, 0)); /* 0.6 and 0.8 are rounded */
+    CHECK(cylint_on_surface(&s, on, 1));
+    CHECK(cylint_on_surface(&s, exactly, 0));
+    CHECK(!cylint_on_surface(&s, beside, 0));
+    CHECK(!cylint_on_surface(&s, beside, 1.9));
+    CHECK(cylint_on_surface(&s, beside, 2));
+    CHECK(!cylint_on_surface(&s, exactly, -1));
+    CHECK(!cylint_on_surface(&s, exactly, NAN));
+}
+
+static void every_exponent_is_answered(void)
+{
+    static const double least = 0x1p-1074, most = 0x1.fffffffffffffp1023;
+    const double tiny[3] = {0, 0, 3 * least}, huge[3] = {most, 0, 0},
+                 far[3] = {-most, -most, -most};
+    cylint_closest a;
+    cylint_shape s;
+    cylint_sphere(&s, origin, least, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_distance(&s, tiny, WANT, &a) == 2 * least);
+    CHECK(a.normal[2] == 1 && a.point[2] == least);
+    CHECK(cylint_safety(&s, tiny) <= 2 * least);
+    CHECK(cylint_distance(&s, huge, 0, &a) == most);
+    CHECK(cylint_distance(&s, far, 0, &a) == HUGE_VAL && a.flags == 0);
+    CHECK(cylint_safety(&s, far) == most);
+    cylint_cylinder(&s, far, huge, most, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_distance(&s, origin, WANT, &a) < 0);
+    CHECK(fabs(a.distance) > most / 4);
+}
+
+/* --------------------------------------------------------- properties -- */
+
+typedef void property(const struct family_case *c, const double p[3]);
+
+static void report(const struct family_case *c, const double p[3])
+{
+    REPORT_CASE(c);
+    REPORT("point %a %a %a", p[0], p[1], p[2]);
+}
+
+static void over_families(property *check)
+{
+    const uint64_t cases = check_setting("CYLINT_CASES", CASES);
+    const uint64_t seed = check_setting("CYLINT_SEED", 5);
+    for (int f = 0; f < family_count(); f++)
+        for (uint64_t i = 0; i < (family_is_wild(f) ? cases / 10 : cases);
+             i++) {
+            struct family_case c;
+            family_case(seed, f, i, &c);
+            uint64_t stream = seed + i * 64 + (uint64_t)f;
+            for (int k = 0; k < POINTS; k++) {
+                double p[3];
+                draw_point(&c, &stream, p);
+                if (!cylint_is_elliptic(c.shape.kind) && isfinite(p[0]) &&
+                    isfinite(p[1]) && isfinite(p[2]))
+                    check(&c, p);
+            }
+        }
+}
+
+/* All bits.  Members that were not written are equal because both answers were
+ * cleared before. */
+static int same(const cylint_closest *x, const cylint_closest *y)
+{
+    return memcmp(x, y, sizeof *x) == 0;
+}
+
+static cylint_closest answer_to(const cylint_shape *s, const double p[3],
+                                unsigned want)
+{
+    cylint_closest a;
+    memset(&a, 0, sizeof a);
+    cylint_distance(s, p, want, &a);
+    return a;
+}
+
+static void check_sign(const struct family_case *c, const double p[3])
+{
+    const cylint_shape *s = &c->shape;
+    const cylint_closest a = answer_to(s, p, 0);
+    const int within = cylint_contains(s, p);
+    const int closed =
+        !cylint_ends_are_planes(s->ends) || s->ends == CYLINT_ENDS_CAPPED;
+    const int sign = (a.distance > 0) - (a.distance < 0);
+    if (a.part == -1)
+        return;
+    /* half the least number rounds to 0 */
+    if (!CHECK(closed ? sign == -within || (sign == 0 && s->size < 0x1p-1000)
+                      : sign >= 0))
+        report(c, p);
+}
+
+static void the_sign_is_that_of_contains(void)
+{
+    over_families(check_sign);
+}
+
+/* The certified answers, of both builds, and the exact ones. */
+static void check_paths(const struct family_case *c, const double p[3])
+{
+    cylint_shape unprepared = c->shape;
+    unprepared.prepared = 0;
+    for (unsigned w = 0; w < 2; w++) {
+        const unsigned want = w ? WANT : CYLINT_WANT_PART;
+        const cylint_closest exact = answer_to(&unprepared, p, want);
+        const cylint_closest usual = answer_to(&c->shape, p, want);
+        cylint_closest plain;
+        memset(&plain, 0, sizeof plain);
+        const int certain = c->shape.prepared &&
+                            cylint_certified_plain(&c->shape, p, want, &plain);
+        if (!CHECK(same(&exact, &usual) && (!certain || same(&exact, &plain))))
+            report(c, p);
+    }
+    const cylint_closest all = answer_to(&c->shape, p, WANT);
+    const cylint_closest alone = answer_to(&c->shape, p, 0);
+    CHECK(all.distance == alone.distance);
+}
+
+static void all_paths_return_the_same_bits(void)
+{
+    over_families(check_paths);
+}
+
+static void check_environments(const struct family_case *c, const double p[3])
+{
+    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
+                                FE_TOWARDZERO};
+    const cylint_closest want = answer_to(&c->shape, p, CYLINT_WANT_PART);
+    for (int m = 0; m < 4; m++)
+        for (int tiny = 0; tiny <= (FLUSH | ZERO); tiny++) {
+            if (!can_treat_subnormals(tiny))
+                continue;
+            const struct environment e = {modes[m], tiny};
+            environment_set(e);
+            const cylint_closest got =
+                answer_to(&c->shape, p, CYLINT_WANT_PART);
+            const double safe = cylint_safety(&c->shape, p);
+            environment_reset();
+            if (!CHECK(same(&got, &want) && safe >= 0 &&
+                       safe <= fabs(want.distance)))
+                report(c, p);
+        }
+}
+
+static void the_floating_point_environment_changes_nothing(void)
+{
+    over_families(check_environments);
+}
+
+/* Of the rounded distance half a unit is forgiven. */
+static void check_safe(const struct family_case *c, const double p[3])
+{
+    const double distance = fabs(answer_to(&c->shape, p, 0).distance);
+    const double safe = cylint_safety(&c->shape, p);
+    if (!CHECK(safe >= 0 && safe <= distance))
+        report(c, p);
+}
+
+static void safety_is_never_above_the_distance(void)
+{
+    over_families(check_safe);
+}
+
+/* Scaling by a power of two scales the distance. */
+static void check_scaled(const struct family_case *c, const double p[3])
+{
+    struct family_case far = *c;
+    const int n = family_shape_size(c->shape_word);
+    const double e = 0x1p40;
+    double q[3];
+    if (!c->shape.in_range || c->shape_word == FAMILY_ACONE)
+        return;
+    for (int i = 0; i < n; i++)
+        far.shape_data[i] *= e;
+    family_make(&far);
+    for (int i = 0; i < 3; i++)
+        q[i] = p[i] * e;
+    const cylint_closest a = answer_to(&c->shape, p, CYLINT_WANT_PART);
+    const cylint_closest b = answer_to(&far.shape, q, CYLINT_WANT_PART);
+    if (!far.shape.in_range || fabs(a.distance) < 0x1p-900)
+        return;
+    if (!CHECK(a.distance * e == b.distance && a.part == b.part &&
+               a.feature == b.feature))
+        report(c, p);
+}
+
+static void a_power_of_two_scales_the_distance(void)
+{
+    over_families(check_scaled);
+}
+
+/* ------------------------------------------------------------ batches -- */
+
+enum { MANY = 100 };
+
+struct columns {
+    double distance[MANY], point[3][MANY], normal[3][MANY];
+    signed char part[MANY], feature[MANY];
+};
+
+static cylint_closest_columns columns_of(struct columns *c)
+{
+    cylint_closest_columns to = {c->distance,
+                                 c->part,
+                                 c->feature,
+                                 {c->point[0], c->point[1], c->point[2]},
+                                 {c->normal[0], c->normal[1], c->normal[2]}};
+    return to;
+}
+
+static void check_row(const struct columns *c, int i, const cylint_shape *s,
+                      const double p[3])
+{
+    const cylint_closest a = answer_to(s, p, WANT);
+    CHECK(c->distance[i] == a.distance && c->part[i] == a.part);
+    CHECK(c->feature[i] == a.feature);
+    for (int k = 0; k < 3; k++)
+        CHECK(a.part == -1 ? isnan(c->point[k][i]) && isnan(c->normal[k][i])
+                           : c->point[k][i] == a.point[k] &&
+                                 c->normal[k][i] == a.normal[k]);
+}
+
+static void batches_return_the_answers_of_single_questions(void)
+{
+    static cylint_shape shapes[MANY];
+    static double x[3][MANY];
+    struct columns c;
+    uint64_t stream = 3;
+    size_t best = MANY;
+    for (int i = 0; i < MANY; i++) {
+        struct family_case f;
+        double p[3];
+        do
+            family_case(7, random_int(&stream, family_count()), (uint64_t)i,
+                        &f);
+        while (cylint_is_elliptic(f.shape.kind) || !f.shape.in_range);
+        shapes[i] = f.shape;
+        draw_point(&f, &stream, p);
+        for (int k = 0; k < 3; k++)
+            x[k][i] = p[k];
+    }
+    x[1][5] = NAN;
+    const cylint_points points = {MANY, {x[0], x[1], x[2]}};
+    const cylint_closest_columns to = columns_of(&c);
+    cylint_distance_pairs(shapes, &points, &to);
+    for (int i = 0; i < MANY; i++) {
+        const double p[3] = {x[0][i], x[1][i], x[2][i]};
+        check_row(&c, i, &shapes[i], p);
+    }
+    cylint_distance_points(&shapes[1], &points, &to);
+    double least = HUGE_VAL;
+    const double p0[3] = {x[0][0], x[1][0], x[2][0]};
+    for (int i = 0; i < MANY; i++) {
+        const double p[3] = {x[0][i], x[1][i], x[2][i]};
+        check_row(&c, i, &shapes[1], p);
+        const cylint_closest a = answer_to(&shapes[i], p0, 0);
+        if (fabs(a.distance) < least) {
+            least = fabs(a.distance);
+            best = (size_t)i;
+        }
+    }
+    cylint_closest a;
+    CHECK(cylint_closest_shape(shapes, MANY, p0, HUGE_VAL, WANT, &a) == best);
+    CHECK(fabs(a.distance) == least);
+    CHECK(cylint_closest_shape(shapes, MANY, p0, least, 0, &a) == best);
+    CHECK(cylint_closest_shape(shapes, MANY, p0, nextafter(least, 0), 0, &a) ==
+          MANY);
+    CHECK(cylint_closest_shape(shapes, MANY, p0, NAN, 0, &a) == MANY);
+    CHECK(cylint_closest_shape(shapes, 0, p0, HUGE_VAL, 0, &a) == 0);
+}
+
+static void of_equal_shapes_the_first_is_closest(void)
+{
+    static const double p[3] = {5, 0, 1};
+    cylint_shape s[3];
+    cylint_closest a;
+    cylint_round_cone(&s[0], origin, 5, p, 0, CYLINT_ENDS_CAP1);
+    s[1] = s[2] = cylinder(CYLINT_ENDS_CAPPED);
+    CHECK(cylint_closest_shape(s, 3, p, 4, CYLINT_WANT_PART, &a) == 0 ||
+          a.part >= 0);
+    CHECK(cylint_closest_shape(s + 1, 2, p, 4, CYLINT_WANT_PART, &a) == 0);
+    CHECK(a.distance == 4 && a.feature == LATERAL);
+}
+
+int main(void)
+{
+    RUN(answers_about_a_capped_cylinder_are_known);
+    RUN(answers_of_other_ends_are_known);
+    RUN(answers_about_cones_are_known);
+    RUN(answers_about_round_shapes_are_known);
+    RUN(where_there_is_no_surface_the_distance_is_infinite);
+    RUN(a_point_is_on_a_surface_exactly_or_within_ulps);
+    RUN(every_exponent_is_answered);
+    RUN(the_sign_is_that_of_contains);
+    RUN(all_paths_return_the_same_bits);
+    RUN(the_floating_point_environment_changes_nothing);
+    RUN(safety_is_never_above_the_distance);
+    RUN(a_power_of_two_scales_the_distance);
+    RUN(batches_return_the_answers_of_single_questions);
+    RUN(of_equal_shapes_the_first_is_closest);
+    return check_end();
+}
