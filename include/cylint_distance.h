@@ -67,9 +67,10 @@ typedef struct cylint_closest {
  *     coordinate.
  *
  * Accuracy.  Circular and round kinds: part, feature and sign are exact.  The
- * distance is the double nearest to the real distance, ties to even: 0 if and
- * only if the point is on the surface or nearer to it than half the least
- * subnormal number, infinite beyond the largest double, never -0, the same in
+ * distance is the double nearest to the real distance, ties to even; infinite
+ * beyond the largest double.  It is 0 if and only if the point is on the
+ * surface: smaller distances than half the least subnormal number give that
+ * number.  It is never -0, and the same in
  * every rounding mode.  Each component of point and normal is within 4 units in
  * its own last place; a component that is 0 is returned as 0, never as -0.
  */

@@ -12,6 +12,7 @@
 #include "distance/certified_distance.h"
 #include "distance_points.h"
 #include "environment.h"
+#include "numbers/bits.h"
 
 enum { CASES = 60, POINTS = 4 };
 
@@ -232,7 +233,8 @@ static void every_exponent_is_answered(void)
 {
     static const double least = 0x1p-1074, most = 0x1.fffffffffffffp1023;
     const double tiny[3] = {0, 0, 3 * least}, huge[3] = {most, 0, 0},
-                 far[3] = {-most, -most, -most};
+                 far[3] = {-most, -most, -most}, along[3] = {0, 0, 1},
+                 beside[3] = {1, 0, least};
     cylint_closest a;
     cylint_shape s;
     cylint_sphere(&s, origin, least, CYLINT_ENDS_CAPPED);
@@ -240,6 +242,9 @@ static void every_exponent_is_answered(void)
     CHECK(a.normal[2] == 1 && a.point[2] == least);
     CHECK(cylint_safety(&s, tiny) <= 2 * least);
     CHECK(cylint_distance(&s, huge, 0, &a) == most);
+    cylint_cone(&s, origin, 1, along, 0.75, CYLINT_ENDS_INFINITE);
+    CHECK(cylint_distance(&s, beside, 0, &a) == least);
+    CHECK(cylint_safety(&s, beside) == 0);
     CHECK(cylint_distance(&s, far, 0, &a) == HUGE_VAL && a.flags == 0);
     CHECK(cylint_safety(&s, far) == most);
     cylint_cylinder(&s, far, huge, most, CYLINT_ENDS_CAPPED);
@@ -300,12 +305,10 @@ static void check_sign(const struct family_case *c, const double p[3])
     const int within = cylint_contains(s, p);
     const int closed =
         !cylint_ends_are_planes(s->ends) || s->ends == CYLINT_ENDS_CAPPED;
-    const int sign = (a.distance > 0) - (a.distance < 0);
     if (a.part == -1)
         return;
-    /* half the least number rounds to 0 */
-    if (!CHECK(closed ? sign == -within || (sign == 0 && s->size < 0x1p-1000)
-                      : sign >= 0))
+    if (!CHECK(closed ? cylint_sign(a.distance) == -within
+                      : cylint_sign(a.distance) >= 0))
         report(c, p);
 }
 
@@ -366,7 +369,6 @@ static void the_floating_point_environment_changes_nothing(void)
     over_families(check_environments);
 }
 
-/* Of the rounded distance half a unit is forgiven. */
 static void check_safe(const struct family_case *c, const double p[3])
 {
     const double distance = fabs(answer_to(&c->shape, p, 0).distance);

@@ -57,7 +57,8 @@ nearest cylint_nearest_feature(meridian *m);
 surd_sum cylint_square_of_distance(meridian *m, const nearest *n,
                                    exact *denominator);
 
-/* The double nearest to the absolute distance.  The same in every
+/* The double nearest to the absolute distance; the least above 0 for distances
+ * that would round to 0.  The same in every
  * floating-point environment. */
 double cylint_rounded_distance(meridian *m, const nearest *n);
 

@@ -83,7 +83,7 @@ double cylint_rounded_distance(meridian *m, const nearest *n)
             else
                 high = middle;
         }
-        distance = of_rank(low);
+        distance = of_rank(low > 0 ? low : 1); /* 0 is on the surface */
     }
     arena->used = used;
     return distance;
