@@ -28,4 +28,7 @@ void oracle_distance(const cylint_shape *shape, const double point[3],
  * double is away from it; negative where |got| is the smaller one. */
 double oracle_distance_error(double got);
 
+/* The last distance is 0: the point is on the surface. */
+int oracle_distance_is_zero(void);
+
 #endif

@@ -133,7 +133,7 @@ static void check_elliptic(const struct family_case *c, const double p[3],
 /* Of the last distance, which may have been rounded to 0. */
 static int sign_of_oracle(const struct oracle_closest *want)
 {
-    return want->distance != 0 || oracle_distance_error(0) == 0
+    return want->distance != 0 || oracle_distance_is_zero()
                ? sign(want->distance)
            : signbit(want->distance) ? -1
                                      : 1;
