@@ -64,12 +64,14 @@ vectors := -O3
 small   := -Os
 threads := $(if $(PTHREAD),-pthread $(posix) -DCYLINT_THREADS)
 x86     := $(if $(X86),-DCYLINT_BUILDS_X86)
+# $(call of,PATTERN...): objects, and the files `flags` (below) of their folders
+of       = $(addprefix $(BUILD)/,$(1) $(addsuffix flag%,$(sort $(dir $(1)))))
 embree  := $(if $(EMBREE),-DCYLINT_EMBREE=$(EMBREE)) $(EMBREE_CFLAGS)
 $(BUILD)/src/%: extra := -fPIC -fvisibility=hidden -DCYLINT_BUILDING $(x86) $(if $(PARANOID),-DCYLINT_PARANOID)
 $(BUILD)/src/bvh/% $(BUILD)/src/scene/% $(BUILD)/src/embree/%: extra += $(floats) $(threads)
 $(BUILD)/src/embree/%: extra += $(embree)
-$(BUILD)/src/filter/many% $(BUILD)/src/bvh/traverse% $(BUILD)/src/embree/packet_% $(BUILD)/src/embree/float_filter%: extra += $(vectors)
-$(BUILD)/src/signs/forms% $(BUILD)/src/roots/root% $(patsubst %,$(BUILD)/src/distance/%.o,meridian nearest_point rounded_distance surd_sum): extra += $(small)
+$(call of,src/filter/many% src/bvh/traverse% src/embree/packet_% src/embree/float_filter%): extra += $(vectors)
+$(call of,src/signs/forms% src/roots/root% $(patsubst %,src/distance/%.o,meridian nearest_point rounded_distance surd_sum)): extra += $(small)
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the

@@ -64,6 +64,14 @@ verdict the_next_run_compiles_nothing $?
 flags=-O1
 make_bare "$scratch/b/$object" && grep -qx 'CC tests/test_ties.c' "$scratch/output"
 verdict other_flags_compile_again $?
+form=src/signs/forms.o vector=src/bvh/traverse.o
+make_bare "$scratch/b/$form" "$scratch/b/$vector" &&
+    make_bare small=-O1 "$scratch/b/$form" "$scratch/b/$vector" &&
+    [ "$(grep '^CC ' "$scratch/output")" = "CC ${form%.o}.c" ]
+verdict other_flags_of_small_code_compile_it_again $?
+make_bare small=-O1 vectors=-O2 "$scratch/b/$form" "$scratch/b/$vector" &&
+    [ "$(grep '^CC ' "$scratch/output")" = "CC ${vector%.o}.c" ]
+verdict other_flags_of_vectors_compile_them_again $?
 flags=-O0
 make_bare V=1 "$scratch/b/$object" && grep -q -e "-O0.*-c -o.*$object" "$scratch/output"
 verdict V_1_prints_commands $?
