@@ -3,35 +3,16 @@
 # example compiles and links with it, the README's commands run, and uninstall
 # removes it.  The library also compiles without the Makefile.
 . "$(dirname "$0")/verdict.sh"
-cc=${CC:-cc}
-cxx=${CXX:-c++}
-make=${MAKE:-make}
+. "$(dirname "$0")/installs.sh"
 root=$scratch/root
 lib=$root/usr/lib
-version=$(sed -n 's/^#define CYLINT_VERSION "\(.*\)"/\1/p' include/cylint.h)
 major=${version%%.*}
 
-# quiet COMMAND...: its output is shown only if it fails.
-quiet()
-{
-    "$@" > "$scratch/log" 2>&1 || {
-        echo "failed: $*"
-        cat "$scratch/log"
-        return 1
-    }
-}
-
-# make_here TARGET: make with the same build folder and compilers, so nothing is
-# compiled again.
-make_here()
-{
-    quiet $make --no-print-directory BUILD="${BUILD:-build}" CC="$cc" CXX="$cxx" \
-        ${CXX17+CXX17="$CXX17"} DESTDIR="$root" PREFIX=/usr "$1"
-}
+make_in_root() { make_here DESTDIR="$root" PREFIX=/usr "$1"; }
 
 test_install()
 {
-    make_here install
+    make_in_root install
     verdict install_succeeds $?
     for f in bin/cylint lib/libcylint.a lib/libcylint.so \
         "lib/libcylint.so.$major" "lib/libcylint.so.$version" \
@@ -221,17 +202,6 @@ test_hints()
       echo "exec sh tools/install_hints.sh $at/bin $at/lib $at/man"; } > "$scratch/again"
     [ -z "$(env -i PATH=/usr/bin:/bin sh "$scratch/again")" ]
     verdict no_lines_if_all_paths_are_set $?
-}
-
-# display PAGE NUMBER: the text of a literal display in a page's EXAMPLES.
-display()
-{
-    awk -v wanted="$2" '
-        /^\.Sh/ { examples = $2 == "EXAMPLES" }
-        /^\.Ed/ { inside = 0 }
-        inside { gsub(/\\e/, "\\"); print }
-        examples && /^\.Bd -literal/ && ++n == wanted { inside = 1 }
-    ' "man/$1"
 }
 
 # After a program comes its output.
@@ -450,7 +420,7 @@ test_readme_commands()
 
 test_uninstall()
 {
-    make_here uninstall &&
+    make_in_root uninstall &&
         left=$(find "$root" ! -type d) && [ -z "$left" ] || {
         echo "left behind: $left"
         false

@@ -2,25 +2,7 @@
 # Floor tools: what is packed for those who link.  `make dist` writes the same
 # bytes again, and its files build; CMake finds what make install installs.
 . "$(dirname "$0")/verdict.sh"
-cc=${CC:-cc}
-make=${MAKE:-make}
-version=$(sed -n 's/^#define CYLINT_VERSION "\(.*\)"/\1/p' include/cylint.h)
-
-# quiet COMMAND...: its output is shown only if it fails.
-quiet()
-{
-    "$@" > "$scratch/log" 2>&1 || {
-        echo "failed: $*"
-        tail -n 30 "$scratch/log"
-        return 1
-    }
-}
-
-make_here()
-{
-    quiet $make --no-print-directory BUILD="${BUILD:-build}" CC="$cc" \
-        CXX="${CXX:-c++}" ${CXX17+CXX17="$CXX17"} "$@"
-}
+. "$(dirname "$0")/installs.sh"
 
 test_dist()
 {
@@ -38,17 +20,6 @@ test_dist()
             vectors= made/cylint &&
         [ "$(echo 'ray 0 0 -5 0 0 1 cylinder 0 0 0 0 0 1 .5' | made/cylint -d ,)" = cross,2,5,6 ])
     verdict its_files_build_the_command $?
-}
-
-# The text of literal display NUMBER in the EXAMPLES of a manual page.
-display()
-{
-    awk -v wanted="$2" '
-        /^\.Sh/ { examples = $2 == "EXAMPLES" }
-        /^\.Ed/ { inside = 0 }
-        inside { gsub(/\\e/, "\\"); print }
-        examples && /^\.Bd -literal/ && ++n == wanted { inside = 1 }
-    ' "man/$1"
 }
 
 test_cmake()

@@ -12,15 +12,6 @@ for flag in ${CFLAGS:-} ${CXXFLAGS:-}; do
     case $flag in -fsanitize*) skip_all 'sanitized, so Python does not load it' ;; esac
 done
 
-# quiet COMMAND...: its output is shown only if it fails.
-quiet()
-{
-    "$@" > "$scratch/log" 2>&1 || {
-        tail -n 40 "$scratch/log"
-        return 1
-    }
-}
-
 make_sdist()
 {
     rm -rf "$home/dist"

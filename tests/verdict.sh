@@ -41,6 +41,16 @@ skip()
     echo "skip $1: $2"
 }
 
+# quiet COMMAND...: the end of its output is shown if it fails.
+quiet()
+{
+    "$@" > "$scratch/log" 2>&1 || {
+        echo "failed: $*"
+        tail -n 40 "$scratch/log"
+        return 1
+    }
+}
+
 check_end()
 {
     if [ $skipped -eq 0 ]; then

@@ -1,0 +1,25 @@
+# What the tests of installed and of packaged files share; `verdict.sh` comes
+# first.
+cc=${CC:-cc}
+cxx=${CXX:-c++}
+make=${MAKE:-make}
+version=$(sed -n 's/^#define CYLINT_VERSION "\(.*\)"/\1/p' include/cylint.h)
+
+# make_here ARGUMENT...: make with the same build folder and compilers, so
+# nothing is compiled again.
+make_here()
+{
+    quiet $make --no-print-directory BUILD="${BUILD:-build}" CC="$cc" CXX="$cxx" \
+        ${CXX17+CXX17="$CXX17"} "$@"
+}
+
+# display PAGE NUMBER: the text of a literal display in a page's EXAMPLES.
+display()
+{
+    awk -v wanted="$2" '
+        /^\.Sh/ { examples = $2 == "EXAMPLES" }
+        /^\.Ed/ { inside = 0 }
+        inside { gsub(/\\e/, "\\"); print }
+        examples && /^\.Bd -literal/ && ++n == wanted { inside = 1 }
+    ' "man/$1"
+}
