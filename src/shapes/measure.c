@@ -105,12 +105,6 @@ void cylint_measure_shape(cylint_shape *s)
     measure_ball(s);
 }
 
-int cylint_has_no_axis(const cylint_shape *s)
-{
-    return !cylint_sign(s->axis[0]) && !cylint_sign(s->axis[1]) &&
-           !cylint_sign(s->axis[2]);
-}
-
 static void swap(double *x, double *y)
 {
     const double kept = *x;

@@ -14,7 +14,11 @@ void cylint_measure_shape(cylint_shape *shape);
 void cylint_measure_line(cylint_line *line);
 
 /* The axis has length 0: z and phi of all points are 0. */
-int cylint_has_no_axis(const cylint_shape *s);
+static inline int cylint_has_no_axis(const cylint_shape *s)
+{
+    return !cylint_sign(s->axis[0]) && !cylint_sign(s->axis[1]) &&
+           !cylint_sign(s->axis[2]);
+}
 
 /* The ball about an end of a capsule or rcone, as a sphere. */
 void cylint_ball_of(cylint_shape *ball, const cylint_shape *shape, int end);
