@@ -1,10 +1,11 @@
 /*
  * single.c - one line, one shape: the library beside the leanest formula
  *
- *     single [TURNS [BUILD]]
+ *     single [TURNS [BUILD [SHAPE]]]
  *
  * 4096 different pairs of line and shape; nanoseconds a question, the minimum
- * of TURNS turns (120), in order and shuffled.  The rival is lean.h.  CSV:
+ * of TURNS turns (120), in order and shuffled.  With SHAPE: only shapes whose
+ * name contains it.  The rival is lean.h.  CSV:
  * build, shape, family, line, percent of hits, order, mode, rival, its ns,
  * cylint's ns, ratio.  Hard families have two rivals: the lean formula, and
  * the library's own ordinary question with 93 % of hits ("own").
@@ -12,6 +13,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
@@ -405,7 +407,8 @@ int main(int argc, char **argv)
     printf("build,shape,family,line,hits_percent,order,mode,rival,rival_ns,"
            "cylint_ns,ratio\n");
     for (int k = 0; k < KINDS; k++)
-        race_kind(build, &kinds[k], turns);
+        if (argc <= 3 || strstr(kinds[k].name, argv[3]))
+            race_kind(build, &kinds[k], turns);
     gsl_rng_free(rng);
     return 0;
 }
