@@ -169,7 +169,7 @@ typedef struct cylint_shape {
     int kind;         /* cylint_kind */
     int ends;         /* cylint_ends */
     int in_range;     /* 1: doubles neither over- nor underflow */
-    int prepared;     /* 1: `local` is accurate */
+    int prepared;     /* not 0: `local` is accurate */
     int surface;      /* sphere: the cylint_part that it is */
     int left_handed;  /* elliptic: 1 where a.(b x h) < 0 */
     double base[3];   /* p0, c, or the apex v */

@@ -130,7 +130,9 @@ static number worse(number x, number y)
 
 /* A row of the matrix times a vector of components up to 1.  The bound is linear
  * in the sizes of the entries, of which the sum is 1 and so is that of their
- * errors in units of u, so it is greatest where one entry has all. */
+ * errors in units of u, so it is greatest where one entry has all.
+ * transformed() adds the low parts in another order: in the sum of each two
+ * numbers here as many roundings are counted, and of numbers as large. */
 static number row_times(number component)
 {
     const number entry = given(1, in_pairs ? u : 0), none = {0, 0, 0};
@@ -312,6 +314,16 @@ static void n_cell(double r, double more_r, double s, double more_s)
     need(N_bounds(&l, 1).lane[1].off, u * (1 + s));
 }
 
+/* T, of which |v| |Y| may be as large as k. */
+static void t_cell(double r, double more_r, double s, double more_s)
+{
+    line_bounds l;
+    load(&l, more_r, more_s);
+    (void)r;
+    const two Y = Y_bounds(&l);
+    need(T_bounds(&l, &Y).lane[0].off, u * (1 + s));
+}
+
 /*
  * E = a^2 - b^2, a = r |w|, b = |X|.  The computed E grows with a and falls with
  * b.  So if b >= a, it is at most what it is for b = a, where E = 0; and if
@@ -392,6 +404,8 @@ static void forms(void)
     judge(&FORM_ERROR, "of B");
     over_cells(n_cell);
     judge(&FORM_ERROR, "of N");
+    over_cells(t_cell);
+    judge(&FORM_ERROR, "of T");
     over_radii(e_cell);
     judge(&FORM_ERROR, "of E");
     over_radii(straight_g_cell);
@@ -467,7 +481,7 @@ static void the_forms_of_balls_have_their_bounds(void)
 
 /* ------------------------------------------------- a point of the line -- */
 
-/* local_state(): the point at t in units of |t| D + Q, whose least and greatest
+/* states_in_doubles(): the point at t in units of |t| D + Q, whose least and greatest
  * share of |t| D have the greatest errors. */
 static number at_t(number p, number v)
 {
@@ -489,12 +503,11 @@ static void point_cell(double r, double more_r, double s, double more_s)
     load(&l, more_r, more_s);
     need(at_t(l.p.lane[0], l.v.lane[0]).off, u);
     need(at_t(l.z.lane[1], l.w.lane[0]).off, u);
-    /* toward, by a cap: z w against 2 POSITION */
-    need(product(at_t(l.z.lane[1], l.w.lane[0]), l.w.lane[0]).off, 2 * u);
-    (void)s;
+    const number z = at_t(l.z.lane[0], l.w.lane[0]);
+    need(sum(product(l.slope.lane[0], z), l.r.lane[0]).off, u * (1 + s));
 }
 
-/* toward, by the vertex: A t + B against 2 FORM. */
+/* The side of the vertex: A t + B against 2 FORM. */
 static void vertex_cell(double r, double more_r, double s, double more_s)
 {
     line_bounds l;
@@ -581,19 +594,53 @@ static void the_signs_at_a_point_have_their_bounds(void)
 
 /* ----------------------------------------------------------- residuals -- */
 
-/* residual_at(), in units of (|t| D + Q) k. */
+/* The square of a pair whose low part need not be a rounding of the high one
+ * (vpair_square()). */
+static number square_of(number x)
+{
+    const double middle = 2 * x.size + x.lo, last = middle * x.lo;
+    const double lo = 0x1p-53 * x.size * x.size + last;
+    const double off = 2 * (x.size + x.lo) * x.off + x.off * x.off;
+    return (number){x.size * x.size, lo, off + 0x1p-53 * (2 * last + lo)};
+}
+
+/*
+ * lateral_at(), in units of |t| D + Q: all of across = |x| + |y| + |rho| in one
+ * of them, where the bound is greatest, since it is a sum of convex functions of
+ * each.  The difference of the high parts is exact, or the error is one rounding
+ * of it: Newton's step counts it, but for what the low parts add to it.  Of a
+ * straight shape across has no rho; where |rho| is more than twice across, the
+ * value is as large as rho^2, and the error of rho^2 is a rounding of the
+ * value.
+ */
+static double lateral_off(number x, number rho)
+{
+    const number xx = square_of(x), square = square_of(rho);
+    const double low = 0x1p-53 * xx.size + xx.lo + square.lo;
+    return xx.off + square.off + 0x1p-53 * 5 * low;
+}
+
 static void residual_cell(double r, double more_r, double s, double more_s)
 {
-    /* o - base + t d: two pairs, of the second the low part is rounded */
-    const number step_t = {1, 2 * 0x1p-53, 2 * 0x1p-106};
-    const number q = at_most(sum(given(1, 0), step_t), 1);
-    const number x = row_times(q);
-    const number rho =
-        at_most(sum(known(more_r), product(relative(more_s), x)), 1 + more_s);
-    const number squares = sum(product(x, x), product(x, x));
+    const number p = row_times(given(1, 0)), x = at_t(p, p);
+    const number top = at_t(sum(p, relative(1)), p);
+    const number rho = sum(known(more_r), product(relative(more_s), x));
+    const number none = {0, x.lo, x.off}, no_rho = {0, rho.lo, rho.off};
+    double least = 0, most = u;
     (void)r;
-    need(sum(squares, product(rho, rho)).off, u * square(1 + s));
-    need(sum(x, relative(1)).off, u);
+    while (least < 2 + more_s) {
+        const double off = CYLINT_LOCAL_RESIDUAL * u * (1 + s);
+        const double unit =
+            u * (1 + s) * (CYLINT_LOCAL_UNTRIMMED * (1 + s) + least + off);
+        need(lateral_off(at_most(x, most), no_rho), unit);
+        need(lateral_off(none, at_most(rho, most)), unit);
+        need(lateral_off(at_most(x, most), known(2 * most)), unit);
+        least = most;
+        most *= 1.1;
+    }
+    need(x.off + 0x1p-53 * x.lo, u);
+    need(top.off + 0x1p-53 * top.lo, u);
+    need(rho.off + 0x1p-53 * rho.lo, u * (1 + s));
 }
 
 static void residuals(void)
@@ -744,6 +791,9 @@ static triple_number triple_times(triple_number x, triple_number y)
                          off + left_out);
 }
 
+#undef ADD
+#undef SUB
+#undef MUL
 #define NUM triple_number
 #define FORM(name) name##_in_triples
 #define ADD(x, y) triple_plus(x, y)
@@ -797,6 +847,174 @@ static void a_residual_in_triples_has_its_bound(void)
     judge(&TRIPLE, "round");
 }
 
+/*
+ * residual_in_levels.h, step by step.  a, b, c: the sizes of the levels, of which
+ * a and b have no error.
+ */
+typedef struct {
+    double a, b, c, off;
+} level_number;
+
+static void add_to_c(level_number *x, double size)
+{
+    x->c += size;
+    x->off += 0x1p-53 * x->c;
+}
+
+static void add_to_b(level_number *x, double size)
+{
+    x->b += size;
+    add_to_c(x, 0x1p-53 * x->b);
+}
+
+static void add_to_a(level_number *x, double size)
+{
+    x->a += size;
+    add_to_b(x, 0x1p-53 * x->a);
+}
+
+static void add_product_to_a(level_number *x, double size)
+{
+    add_to_a(x, size);
+    add_to_b(x, 0x1p-53 * size);
+}
+
+static void add_product_to_b(level_number *x, double size)
+{
+    add_to_b(x, size);
+    add_to_c(x, 0x1p-53 * size);
+}
+
+/* Three lanes. */
+static void add_three(level_number *sum, level_number x)
+{
+    for (int i = 0; i < 3; i++) {
+        add_to_a(sum, x.a);
+        add_to_b(sum, x.b);
+        add_to_c(sum, x.c);
+        sum->off += x.off;
+    }
+}
+
+/* x (y + y_lo), y_lo <= 2^-53 y.  Left out: b y_lo and c y are rounded, c y_lo
+ * is not computed. */
+static level_number times(level_number x, double y)
+{
+    level_number xy = {x.a * y, 0, 0, x.off * y * (1 + 0x1p-53)};
+    xy.b = 0x1p-53 * xy.a;
+    add_to_c(&xy, x.c * y + x.b * 0x1p-53 * y);
+    add_product_to_b(&xy, x.b * y);
+    add_product_to_b(&xy, x.a * 0x1p-53 * y);
+    xy.off += 3 * 0x1p-53 * xy.c;
+    return xy;
+}
+
+static level_number squared(level_number x)
+{
+    level_number xx = {x.a * x.a, 0, 0, 0};
+    xx.b = 0x1p-53 * xx.a;
+    add_to_c(&xx, 2 * x.a * x.c + x.b * x.b);
+    add_product_to_b(&xx, 2 * x.a * x.b);
+    xx.off += 3 * 0x1p-53 * xx.c + 2 * x.b * x.c + x.c * x.c +
+              2 * (x.a + x.b + x.c) * x.off + x.off * x.off;
+    return xx;
+}
+
+/* A sum that is known to be at most `size`, in level a. */
+static level_number within(level_number x, double size)
+{
+    x.a = fmin(x.a, size + x.b + x.c);
+    return x;
+}
+
+/* The error of a coordinate in doubles that round to nearest. */
+static const double near = CYLINT_LOCAL_POSITION * 0x1p-53;
+
+/* F: of the vectors that are subtracted, `vectors` have no low part. */
+static level_number distance_from_point(int vectors)
+{
+    level_number F = {1, 0x1p-53, 0, 0};
+    add_product_to_a(&F, 1);
+    add_product_to_b(&F, 0x1p-53);
+    for (int i = 0; i < vectors; i++)
+        add_product_to_a(&F, 1);
+    if (vectors == 1)
+        add_product_to_b(&F, 0x1p-53);
+    return F;
+}
+
+/* r0 + dr (s + e), where e is known with the error e_off. */
+static level_number radius_of(double dr, double e, double e_off)
+{
+    level_number rho = {1, 0, 0, dr * e_off};
+    add_product_to_a(&rho, dr);
+    add_product_to_b(&rho, 0x1p-53 * dr);
+    add_product_to_b(&rho, dr * e);
+    add_to_c(&rho, 0x1p-52 * dr * e);
+    rho.off += 3 * 0x1p-53 * rho.c;
+    return within(rho, 1 + dr);
+}
+
+static void add_square(level_number *Q, level_number x)
+{
+    const level_number xx = squared(x);
+    add_to_a(Q, xx.a);
+    add_to_b(Q, 0x1p-53 * xx.a);
+    add_product_to_b(Q, 2 * x.a * x.b);
+    add_to_c(Q, xx.c);
+    Q->off += xx.off;
+}
+
+/* In units of |t| D + Q, |w| = 1. */
+static void circular_levels(double s, double more_s)
+{
+    const level_number F = within(distance_from_point(1), 1);
+    level_number g = {0, 0, 0, 0}, Q = {0, 0, 0, 0};
+    add_three(&g, times(F, 1));
+    /* e is as large as the error of s; the length in pairs has twice the error
+     * of the matrix */
+    const double e = near, e_off = g.off + 0x1p-50 * g.c + e * 0x1p-93;
+    add_three(&Q, squared(F));
+    add_square(&Q, radius_of(more_s, e, e_off));
+    add_to_c(&Q, e * e);
+    const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;
+    need(Q.off + 2 * 0x1p-53 * Q.c + 2 * e * e_off, unit * square(1 + s));
+    need(g.off + 0x1p-53 * g.c, unit);
+}
+
+/* |a| = |b| = |w| = 1, det = 1 / c: rows of the matrix have sums of at most
+ * sqrt(3) c, and |P| is at most 1. */
+static void elliptic_levels(double s, double more_s)
+{
+    const level_number F = distance_from_point(3);
+    const double size = 3 * near, norm = sqrt(3), c = 1;
+    const double f = norm * size;
+    const double f_off = norm * (F.off + 0x1p-53 * F.c) +
+                         CYLINT_LOCAL_ERROR * c * f + 8 * 0x1p-105 * f;
+    level_number Q = {0, 0, 0, 0};
+    for (int i = 0; i < 2; i++) {
+        add_product_to_a(&Q, 1);
+        add_product_to_b(&Q, 2 * f);
+        add_to_c(&Q, 0x1p-50 * f + f * f);
+        Q.off += 2 * f_off + 4 * 0x1p-53 * Q.c + 0x1p-48 * f * f;
+    }
+    add_square(&Q, radius_of(more_s, f, f_off));
+    const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;
+    need(Q.off + 0x1p-53 * Q.c, unit * square(1 + s));
+    need(f_off, unit);
+}
+
+static void a_residual_in_levels_has_its_bound(void)
+{
+    circular_levels(0, first_slope);
+    elliptic_levels(0, first_slope);
+    for (double s = first_slope; s < last_slope; s *= step) {
+        circular_levels(s, s * step);
+        elliptic_levels(s, s * step);
+    }
+    judge(&TRIPLE, "levels");
+}
+
 /* One operation on triples of the size 1, |c| <= 2^-104. */
 static void an_operation_on_triples_has_its_bound(void)
 {
@@ -815,6 +1033,7 @@ int main(void)
     RUN(a_residual_in_pairs_has_its_bound);
     RUN(an_operation_on_triples_has_its_bound);
     RUN(a_residual_in_triples_has_its_bound);
+    RUN(a_residual_in_levels_has_its_bound);
     RUN(no_constant_is_four_times_too_large);
     return check_end();
 }

@@ -488,8 +488,8 @@ static void fewer_caps(const struct family_case *given)
     if (c.shape_word == FAMILY_SPHERE) {
         return; /* it has no other ends */
     }
-    c.shape.ends = CYLINT_ENDS_CAPPED;
-    capped.shape.ends = CYLINT_ENDS_CAPPED;
+    capped.ends = CYLINT_ENDS_CAPPED;
+    family_make(&capped);
     const cylint_answer all = intersect(&capped);
     for (int ends = CYLINT_ENDS_OPEN; ends <= CYLINT_ENDS_CAP1; ends++) {
         c.ends = (cylint_ends)ends;

@@ -135,7 +135,7 @@ static int is_served(const cylint_shape *s)
 {
     const int closed =
         s->ends == CYLINT_ENDS_CAPPED || s->ends == CYLINT_ENDS_INFINITE;
-    return closed & s->prepared && s->kind != CYLINT_KIND_SPHERE &&
+    return closed && s->prepared && s->kind != CYLINT_KIND_SPHERE &&
            !cylint_has_tangent(s->kind) && s->local.height > 0;
 }
 

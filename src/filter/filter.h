@@ -34,21 +34,49 @@ static inline int cylint_undecided(CYLINT_ONE_ARGUMENTS)
     return CYLINT_UNDECIDED;
 }
 
-/* The functions for one line and one shape: by kind, ends and whether no root
- * is wanted, and one for the questions that those leave undecided. */
+/* The functions for one line and one shape: by solid and by whether no root is
+ * wanted. */
 typedef struct {
-    cylint_kernel_one *by_kind[CYLINT_KINDS][CYLINT_ENDS_NAPPE + 1][2];
-    cylint_kernel_one *hard;
+    cylint_kernel_one *by_solid[CYLINT_SOLIDS][2];
 } cylint_one_kernels;
 
-cylint_kernel_one cylint_hard_plain, cylint_hard_fma, cylint_hard_round_plain,
-    cylint_hard_round_fma;
+cylint_kernel_one cylint_hard_round_plain, cylint_hard_round_fma;
 cylint_kernel_one cylint_sphere_roots_plain, cylint_sphere_roots_fma,
     cylint_sphere_signs_plain, cylint_sphere_signs_fma,
     cylint_capsule_roots_plain, cylint_capsule_roots_fma,
     cylint_capsule_signs_plain, cylint_capsule_signs_fma,
     cylint_rcone_roots_plain, cylint_rcone_roots_fma, cylint_rcone_signs_plain,
     cylint_rcone_signs_fma;
+
+/*
+ * The functions that continue where a kernel of straight or tapered shapes does
+ * not decide (hard_question.c).  Q and D: no coordinate of the line's origin
+ * exceeds Q, none of its direction exceeds D, in local coordinates.
+ *
+ * hard: signs are uncertain, or the line is nearly tangent.  `known` is 0, or
+ * CYLINT_KNOWN_LINE and the bits of the caps that the line pierces and, times 4,
+ * of the ends of the overlap that exist: then only the signs at an end of the
+ * domain are uncertain.
+ *
+ * exact_roots: some roots are not certainly rounded.  The members of the
+ * estimates are those of local_roots.h.
+ */
+enum { CYLINT_KNOWN_LINE = 16 };
+
+typedef struct {
+    double Q, D;
+    unsigned pierced, lanes, nearest;
+    int first;
+    double t[2], slope[2], inverse[2], slope_error[2], curvature[2];
+    double value[2], more[2], error[2], low[2], high[2];
+} cylint_estimates;
+
+typedef int cylint_kernel_hard(CYLINT_ONE_ARGUMENTS, unsigned known, double Q,
+                               double D);
+typedef int cylint_kernel_roots(CYLINT_ONE_ARGUMENTS,
+                                const cylint_estimates *from);
+cylint_kernel_hard cylint_hard_plain, cylint_hard_fma;
+cylint_kernel_roots cylint_exact_roots_plain, cylint_exact_roots_fma;
 
 static inline int cylint_filter_one(const cylint_one_kernels *kernels,
                                     const cylint_shape *shape,
@@ -57,13 +85,8 @@ static inline int cylint_filter_one(const cylint_one_kernels *kernels,
                                     cylint_root_rest *rest)
 {
     const int signs = !(want & CYLINT_WANT_T);
-    if (!(shape->prepared & line->in_range))
-        return CYLINT_UNDECIDED;
-    const int n = kernels->by_kind[shape->kind][shape->ends][signs](
-        shape, line, want, answer, rest);
-    return n == CYLINT_UNDECIDED
-               ? kernels->hard(shape, line, want, answer, rest)
-               : n;
+    const int solid = shape->prepared & -line->in_range;
+    return kernels->by_solid[solid][signs](shape, line, want, answer, rest);
 }
 
 /* A question of a batch is a line and a shape, and it has a number.  All

@@ -2,98 +2,161 @@
  * hard_question.c - one line and one shape, where doubles do not decide
  *
  * The line is nearly tangent, or nearly parallel to the axis, or it passes near
- * a rim: then the forms are computed in pairs.  Or a root is not certainly
- * rounded by a residual in pairs, as the root near 0 of a line that begins on
- * the surface: then its residual is computed in triples.
+ * a rim: then the forms are computed in pairs.  Or an end of the domain lies
+ * near the surface, as the origin of a ray that begins there: then the signs at
+ * that end are.  Or a root is not certainly rounded by a residual in pairs, as
+ * the root near 0 of such a ray: then its residual is computed in triples.
  */
 #define CYLINT_NARROW
 #include "local_roots.h"
+#include "residual_in_levels.h"
 #include "residual_in_triples.h"
 #include "second_step.h"
 
 #ifndef CYLINT_HARD
 #define CYLINT_HARD cylint_hard_plain
-#define CYLINT_HARD_ROUND cylint_hard_round_plain
+#define CYLINT_EXACT_ROOTS cylint_exact_roots_plain
 #endif
 
 #if LANES == 2
 
-/* Corrects the roots in lanes of `which` by a second step, with residuals in
- * triples. */
-INLINE void correct_ends(local_roots *r, const local_line *l,
-                         const local_verdict *v, const cylint_shape *shape,
-                         const cylint_line *line, const local_ends *at,
-                         unsigned which)
+/* In local coordinates, of the part that holds the root: of the plane of `cap`
+ * or, if cap is -1, of the lateral surface. */
+INLINE double exact_residual(const cylint_shape *shape, const cylint_line *line,
+                             double t, int cap)
 {
-    const vd start = second_start(r, at);
+    switch (shape->kind) {
+    case CYLINT_KIND_CYLINDER:
+        return circular_residual(shape, line, t, cap, 0);
+    case CYLINT_KIND_CONE:
+        return circular_residual(shape, line, t, cap, 1);
+    case CYLINT_KIND_ECYLINDER:
+        return elliptic_residual(shape, line, t, cap, 0);
+    case CYLINT_KIND_ECONE:
+        return elliptic_residual(shape, line, t, cap, 1);
+    default:
+        return cap < 0 ? residual_in_triples(shape, line, t, cap, shape->kind)
+                       : circular_residual(shape, line, t, cap, 1);
+    }
+}
+
+/* Corrects the roots in lanes of `which` by a second step, with exact
+ * residuals. */
+INLINE local_roots corrected(const local_roots *first, const local_verdict *v,
+                             const local_ends *at, double Q, double D,
+                             const cylint_shape *shape, const cylint_line *line,
+                             unsigned which)
+{
+    const vd start = second_start(first, at);
     double t[2], residual[2] = {0, 0};
     v_store(t, start);
     EACH(i, 2)
         if (which >> i & 1)
-            residual[i] = residual_in_triples(
-                shape, line, t[i], v->pierced >> i & 1 ? i : -1, shape->kind);
-    const vd size = size_at(start, l, shape, 1);
-    *r = second_step(start, v_load(residual),
-                     v_select(at->cap, size, size * size), shape, at);
+            residual[i] =
+                exact_residual(shape, line, t[i], v->pierced >> i & 1 ? i : -1);
+    const vd height = size_at(start, Q, D);
+    const vd size = v_set(taper_of(shape, 1)) * height;
+    const local_roots better =
+        second_step(start, v_load(residual),
+                    v_select(at->cap, height, size * size), shape, at);
+    return merged(&better, first, which);
 }
 
-/* By the roots. */
-INLINE int answer_from(const local_line *l, const local_verdict *v,
-                       const local_quadratic *q, ARGUMENTS, int tapered,
-                       int bounded)
+/* What bounds the shape. */
+INLINE int extent_of(const cylint_shape *shape)
 {
-    if (bounded && (v->pierced | v->spared) != 3)
-        return CYLINT_UNDECIDED;
-    const local_ends at = estimate_ends(l, v, q, tapered, bounded);
-    if (at.usable != 3)
-        return CYLINT_UNDECIDED;
-    local_roots r = round_ends(l, v, shape, line, &at, tapered);
-    const unsigned which = 3 & ~r.nearest & ~roots_outside(&r, line);
-    if (want & CYLINT_WANT_T && which) {
-        const local_roots kept = r;
-        correct_ends(&r, l, v, shape, line, &at, which);
-        r = merged(&r, &kept, which);
-    }
-    return accept_roots(&r, at.first, parts_of(v), shape, line, want, answer,
-                        rest, bounded);
+    return cylint_ends_are_planes(shape->ends) ? CYLINT_BOUNDED
+           : cylint_is_nappe(shape)            ? CYLINT_NAPPE
+                                               : CYLINT_UNBOUNDED;
 }
 
-int CYLINT_HARD(ARGUMENTS)
+/* Writes the hits, if need be after another step. */
+INLINE int write_corrected(local_roots r, const local_verdict *v,
+                           const local_ends *at, double Q, double D, ARGUMENTS,
+                           int extent)
+{
+    const unsigned present = lanes_present(v, shape, extent);
+    const unsigned missing = roots_missing(&r, present, line, want);
+    if (missing)
+        r = corrected(&r, v, at, Q, D, shape, line, missing);
+    if (missing && roots_missing(&r, present, line, want))
+        return CYLINT_UNDECIDED;
+    return write_hits(&r, at->first, parts_of(v), present, shape, line, want,
+                      answer, rest, extent == CYLINT_BOUNDED);
+}
+
+int CYLINT_EXACT_ROOTS(ARGUMENTS, const cylint_estimates *from)
+{
+    local_verdict v;
+    local_ends at;
+    local_roots r;
+    load_estimates(from, &v, &at, &r);
+    return write_corrected(r, &v, &at, from->Q, from->D, shape, line, want,
+                           answer, rest, extent_of(shape));
+}
+
+INLINE int answer_by_signs(const local_line *l, const local_quadratic *q,
+                           const local_verdict *v, const line_pairs *in,
+                           const cylint_shape *shape, const cylint_line *line,
+                           unsigned want, cylint_answer *answer, int tapered,
+                           int extent)
+{
+    const int closed =
+        shape->ends == CYLINT_ENDS_CAPPED || extent != CYLINT_BOUNDED;
+    if ((v->pierced | v->spared) != 3 && extent == CYLINT_BOUNDED &&
+        (!closed || want & CYLINT_WANT_PART))
+        return CYLINT_UNDECIDED;
+    const local_states at =
+        states_in_pairs(l, v, q, in, shape, line, tapered, extent);
+    return write_signs(&at, v, first_lane(l, q->A, tapered, extent),
+                       closed ? v->lanes : ends_present(parts_of(v), shape),
+                       want, answer, extent);
+}
+
+INLINE int answer_by_roots(const local_line *l, const local_quadratic *q,
+                           const local_verdict *v, const line_pairs *in,
+                           ARGUMENTS, int tapered, int extent)
+{
+    if ((v->pierced | v->spared) != 3 && extent == CYLINT_BOUNDED)
+        return CYLINT_UNDECIDED;
+    const local_ends at = estimate_ends(l, v, q, tapered, extent);
+    if (lanes_present(v, shape, extent) & ~at.usable)
+        return CYLINT_UNDECIDED;
+    const local_roots r = round_ends(l, in, shape, &at, tapered, extent);
+    return write_corrected(r, v, &at, l->Q, l->D, shape, line, want, answer,
+                           rest, extent);
+}
+
+int CYLINT_HARD(ARGUMENTS, unsigned known, double Q, double D)
 {
     const int tapered = cylint_is_tapered(shape->kind);
-    const int bounded = cylint_ends_are_planes(shape->ends);
-    int n = CYLINT_UNDECIDED;
+    const int extent = extent_of(shape);
     local_line l;
-    if (cylint_is_round(shape->kind))
-        return CYLINT_HARD_ROUND(shape, line, want, answer, rest);
-    if (cylint_is_nappe(shape) || !cylint_rounds_to_nearest())
+    local_quadratic q;
+    line_pairs in;
+    local_verdict v = {0, 0, m_from(0), known & 3, ~known & 3, known >> 2 & 3,
+                       0, 1};
+    if (!cylint_rounds_to_nearest())
         return CYLINT_UNDECIDED;
-    load_local(&l, shape, line, tapered);
-    for (int in_pairs = 0; in_pairs < 2 && n == CYLINT_UNDECIDED; in_pairs++) {
-        local_quadratic q;
-        local_verdict v;
-        if (in_pairs) {
-            v = classify_in_pairs(&l, &q, shape, line, tapered, bounded);
-        } else {
-            v = classify(&l, shape, tapered, bounded);
-            q = quadratic_of(&l, shape, tapered);
-        }
-        answer->relation = v.crosses * CYLINT_RELATION_CROSS;
-        if (v.misses)
-            return answer->n = 0;
-        if (v.crosses)
-            n = answer_from(&l, &v, &q, shape, line, want, answer, rest,
-                            tapered, bounded);
+    l.Q = Q;
+    l.D = D;
+    load_pairs(&in, shape, line);
+    line_from_pairs(&l, &in, shape);
+    if (known)
+        q = quadratic_in_pairs(&l, &in, shape, tapered);
+    else
+        v = classify_in_pairs(&l, &q, &in, shape, tapered, extent);
+    if (v.misses) {
+        answer->relation = CYLINT_RELATION_MISS;
+        return answer->n = 0;
     }
-    return n;
-}
-
-#else
-
-/* Without vectors of two lanes. */
-int CYLINT_HARD(ARGUMENTS)
-{
-    return cylint_undecided(shape, line, want, answer, rest);
+    if (!v.crosses)
+        return CYLINT_UNDECIDED;
+    return want & CYLINT_WANT_T
+               ? answer_by_roots(&l, &q, &v, &in, shape, line, want, answer,
+                                 rest, tapered, extent)
+               : answer_by_signs(&l, &q, &v, &in, shape, line, want, answer,
+                                 tapered, extent);
 }
 
 #endif

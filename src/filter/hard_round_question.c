@@ -27,7 +27,7 @@ INLINE round_verdict classify_round_in_pairs(round_line *x,
     const int tapered = kind == ROUND_TAPERED;
     const vd rounding = v_set(CYLINT_ROUNDING);
     local_line *l = &x->l;
-    round_verdict v = {{0, 0, 0, 0, 0, 0}, v_set(0), v_set(0), 0};
+    round_verdict v = {{0, 0, m_from(0), 0, 0, 3, 0, 0}, v_set(0), v_set(0), 0};
     round_pairs in;
     load_round_pairs(&in, shape, line, kind);
     l->unit = shape->local.error;
@@ -74,7 +74,7 @@ INLINE round_verdict classify_round_in_doubles(round_line *x,
                                                const cylint_shape *shape,
                                                int kind)
 {
-    round_verdict v = {{0, 0, 0, 0, 1, 0}, v_set(0), v_set(0), 0};
+    round_verdict v = {{0, 0, m_from(0), 0, 0, 3, 1, 0}, v_set(0), v_set(0), 0};
     if (!misses_at_once(&v, x, shape, kind)) {
         classify_round(&v, x, shape, kind);
         if (v.cone.crosses && !v.chord)
@@ -131,7 +131,7 @@ INLINE int round_answer_from(const round_line *x, const round_verdict *v,
             if (which >> lane & 1)
                 residual[lane] = round_residual_in_triples(shape, line, t[lane],
                                                            e, lane, kind);
-        const vd size = round_size_at(start, &x->l);
+        const vd size = size_at(start, x->l.Q, x->l.D);
         const local_roots better =
             second_step(start, v_load(residual), size * size, shape, &at);
         r = merged(&better, &r, which);

@@ -27,6 +27,7 @@
  *   G   = |r v - slope X_0|^2 - (p x v)^2 = B^2 - A C
  *   E_i = r_i^2 w^2 - |X_i|^2             > 0: the line pierces cap i
  *   N_i = v . X_i - slope r_i w^2         dQ/dz at cap i, times w^2
+ *   T   = v . Y, Y = r v - slope X_0      A rho at the vertex of Q
  *
  * A ball of radius r about a point of the axis, z from there, is
  *
@@ -87,6 +88,13 @@ INLINE V FORM(G)(const FORM(line) *l, int tapered, const V *Y)
         square = MUL(MUL(l->r, l->r), l->products);
     }
     return SUM_OF(NEGATED(moment), moment, square);
+}
+
+/* In lane 0. */
+INLINE V FORM(T)(const FORM(line) *l, const V *Y)
+{
+    const V products = MUL(l->v, *Y);
+    return SUMS(products, products);
 }
 
 /* Of both caps. */

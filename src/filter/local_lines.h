@@ -75,6 +75,9 @@ INLINE vpair vpair_firsts(vpair x, vpair y)
 #define PAIRED(x, y) vpair_firsts(x, y)
 #include "local_forms_template.h"
 
+/* What bounds the shape: both planes, none, or the plane through the apex. */
+enum { CYLINT_UNBOUNDED, CYLINT_BOUNDED, CYLINT_NAPPE };
+
 /* The line in doubles.  unit: twice the error of a rounding. */
 typedef struct {
     line_doubles in;
@@ -82,45 +85,78 @@ typedef struct {
     double Q, D, unit;
 } local_line;
 
-INLINE void load_local(local_line *l, const cylint_shape *shape,
+/* The columns of the matrix times x, y, z. */
+INLINE vd sideways(const cylint_local *f, double x, double y, double z)
+{
+    const vd M0 = v_load(f->xyz[0]), M1 = v_load(f->xyz[1]),
+             M2 = v_load(f->xyz[2]);
+    return v_sum_of(v_set(z), M2, v_sum_of(v_set(y), M1, v_set(x) * M0));
+}
+
+INLINE double along(const cylint_local *f, double x, double y, double z)
+{
+    return sum_of(z, f->xyz[2][2], sum_of(y, f->xyz[1][2], x * f->xyz[0][2]));
+}
+
+/* The terms of the forms of a whole line. */
+INLINE void set_terms(local_line *l, const cylint_shape *shape, int tapered)
+{
+    l->in.r = tapered ? v_load(&shape->r0) : v_set(shape->r0);
+    l->in.slope = v_set(shape->local.slope);
+    if (tapered) {
+        l->in.z = v_set(l->z[0]);
+        l->in.w = v_set(l->w);
+    }
+    set_products_doubles(&l->in);
+}
+
+/* What every line needs: p and v, and of a tapered shape z and w. */
+INLINE void load_start(local_line *l, const cylint_shape *shape,
                        const cylint_line *line, int tapered)
 {
     const cylint_local *f = &shape->local;
     const double x = line->o[0] - shape->base[0];
     const double y = line->o[1] - shape->base[1];
     const double z = line->o[2] - shape->base[2];
-    const vd M0 = v_load(f->xyz[0]), M1 = v_load(f->xyz[1]),
-             M2 = v_load(f->xyz[2]);
-    l->in.p = v_sum_of(v_set(z), M2, v_sum_of(v_set(y), M1, v_set(x) * M0));
-    l->in.v = v_sum_of(v_set(line->d[2]), M2,
-                       v_sum_of(v_set(line->d[1]), M1, v_set(line->d[0]) * M0));
-    const double up0 = f->xyz[0][2], up1 = f->xyz[1][2], up2 = f->xyz[2][2];
-    l->z[0] = sum_of(z, up2, sum_of(y, up1, x * up0));
-    l->z[1] = l->z[0] - f->height;
-    l->w = sum_of(line->d[2], up2, sum_of(line->d[1], up1, line->d[0] * up0));
-    l->in.z = v_two(l->z[0], l->z[1]);
-    l->in.w = v_set(l->w);
-    l->in.r = tapered ? v_load(&shape->r0) : v_set(shape->r0);
-    l->in.slope = v_set(f->slope);
-    set_products_doubles(&l->in);
+    l->in.p = sideways(f, x, y, z);
+    l->in.v = sideways(f, line->d[0], line->d[1], line->d[2]);
+    if (tapered) {
+        l->z[0] = along(f, x, y, z);
+        l->w = along(f, line->d[0], line->d[1], line->d[2]);
+    }
     l->Q = sum_of(cylint_larger(cylint_larger(fabs(x), fabs(y)), fabs(z)),
                   f->norm, f->reach);
     l->D = line->size * f->norm;
     l->unit = CYLINT_ROUNDING;
+    set_terms(l, shape, tapered);
 }
 
-/* A row of the matrix in pairs times q: row0 in lane 0, row1 in lane 1. */
-INLINE vpair row_times(const cylint_local *f, const vpair q[3], int row0,
-                       int row1)
+/* The rest, which a line that misses does not need. */
+INLINE void load_rest(local_line *l, const cylint_shape *shape,
+                      const cylint_line *line, int tapered, int extent)
 {
-    vpair sum = {v_set(0), v_set(0)};
-    EACH(j, 3) {
-        const vpair entry = {v_two(f->xyz[j][row0], f->xyz[j][row1]),
-                             v_two(f->xyz_lo[j][row0], f->xyz_lo[j][row1])};
-        const vpair product = vpair_mul(q[j], entry);
-        sum = j ? vpair_add(sum, product) : product;
+    const cylint_local *f = &shape->local;
+    l->unit = CYLINT_ROUNDING;
+    set_terms(l, shape, tapered);
+    if (!tapered && extent != CYLINT_BOUNDED)
+        return;
+    if (!tapered) {
+        l->z[0] =
+            along(f, line->o[0] - shape->base[0], line->o[1] - shape->base[1],
+                  line->o[2] - shape->base[2]);
+        l->w = along(f, line->d[0], line->d[1], line->d[2]);
     }
-    return sum;
+    l->z[1] = l->z[0] - f->height;
+    l->in.w = v_set(l->w);
+    l->in.z = v_two(l->z[0], l->z[1]);
+}
+
+/* All of the line. */
+INLINE void load_local(local_line *l, const cylint_shape *shape,
+                       const cylint_line *line, int tapered)
+{
+    load_start(l, shape, line, tapered);
+    load_rest(l, shape, line, tapered, CYLINT_BOUNDED);
 }
 
 INLINE vpair twice(double hi, double lo)
@@ -128,24 +164,76 @@ INLINE vpair twice(double hi, double lo)
     return (vpair){v_set(hi), v_set(lo)};
 }
 
+/* The matrix times a vector, whose components are hi[j] + lo[j] in all lanes.
+ * lo may be NULL: 0. */
+INLINE vqpair transformed(const cylint_local *f, const vq hi[3], const vq lo[3])
+{
+    vq product[3], error[3];
+    EACH(j, 3) {
+        /* four numbers at each: height follows the last column */
+        const vq M = q_load(f->xyz[j]), M_lo = q_load(f->xyz_lo[j]);
+        product[j] = q_mul(hi[j], M);
+        error[j] = q_product_error(hi[j], M, product[j]);
+        error[j] = q_sum_of(hi[j], M_lo, error[j]);
+        if (lo)
+            error[j] = q_sum_of(lo[j], M, error[j]);
+    }
+    const vqpair two = q_two_sum(product[0], product[1]);
+    const vqpair all = q_two_sum(two.hi, product[2]);
+    return (vqpair){all.hi, q_add(q_add(q_add(error[0], error[1]), error[2]),
+                                  q_add(two.lo, all.lo))};
+}
+
+INLINE vpair low_of(vqpair x)
+{
+    return (vpair){q_low(x.hi), q_low(x.lo)};
+}
+
+/* Lane 2 twice. */
+INLINE vpair third_of(vqpair x)
+{
+    const vd hi = q_high(x.hi), lo = q_high(x.lo);
+    return (vpair){v_firsts(hi, hi), v_firsts(lo, lo)};
+}
+
+INLINE vqpair origin_in_pairs(const cylint_shape *shape,
+                              const cylint_line *line)
+{
+    const vqpair from = q_two_diff(q_load(line->o), q_load(shape->base));
+    const vq hi[3] = {q_firsts(from.hi), q_seconds(from.hi), q_thirds(from.hi)};
+    const vq lo[3] = {q_firsts(from.lo), q_seconds(from.lo), q_thirds(from.lo)};
+    return transformed(&shape->local, hi, lo);
+}
+
+INLINE vqpair direction_in_pairs(const cylint_shape *shape,
+                                 const cylint_line *line)
+{
+    const double *d = line->d, *d_lo = line->d_lo;
+    const vq hi[3] = {q_set(d[0]), q_set(d[1]), q_set(d[2])};
+    if (!line->segment)
+        return transformed(&shape->local, hi, NULL);
+    const vq lo[3] = {q_set(d_lo[0]), q_set(d_lo[1]), q_set(d_lo[2])};
+    return transformed(&shape->local, hi, lo);
+}
+
+/* z in pairs, of both caps. */
+INLINE vpair from_caps(const cylint_local *f, vpair z)
+{
+    const vpair top = {v_two(0, f->height), v_two(0, f->height_lo)};
+    return vpair_sub(z, top);
+}
+
 /* The line in pairs. */
 INLINE void load_pairs(line_pairs *to, const cylint_shape *shape,
                        const cylint_line *line)
 {
     const cylint_local *f = &shape->local;
-    vpair q[3]; /* the origin in lane 0, the direction in lane 1 */
-    EACH(j, 3) {
-        const pair from = two_diff(line->o[j], shape->base[j]);
-        q[j] =
-            (vpair){v_two(from.hi, line->d[j]), v_two(from.lo, line->d_lo[j])};
-    }
-    const vpair x = row_times(f, q, 0, 0), y = row_times(f, q, 1, 1);
-    const vpair z = row_times(f, q, 2, 2);
-    to->p = vpair_firsts(x, y);
-    to->v = vpair_firsts(vpair_turned(x), vpair_turned(y));
-    to->w = vpair_firsts(vpair_turned(z), vpair_turned(z));
-    const vpair top = {v_two(0, f->height), v_two(0, f->height_lo)};
-    to->z = vpair_sub(vpair_firsts(z, z), top);
+    const vqpair p = origin_in_pairs(shape, line);
+    const vqpair v = direction_in_pairs(shape, line);
+    to->p = low_of(p);
+    to->v = low_of(v);
+    to->w = third_of(v);
+    to->z = from_caps(f, third_of(p));
     to->r = (vpair){v_load(&shape->r0), v_set(0)};
     to->slope = twice(f->slope, f->slope_lo);
     set_products_pairs(to);
@@ -173,11 +261,20 @@ INLINE double cone_error(const local_line *l, const cylint_shape *shape, vd Y)
     return 2 * off * (v_first(v_sums(size, size)) + off);
 }
 
+/* The error of T, Y.v. */
+INLINE double T_error(const local_line *l, const cylint_shape *shape)
+{
+    return CYLINT_LOCAL_FORM * l->unit * l->Q * l->D * l->D *
+           taper_of(shape, 1);
+}
+
 /* What is certain of a whole line, by signs.  pierced, spared: bits of caps
- * in which the line pierces the cap's disc or passes outside it. */
+ * in which the line pierces the cap's disc or passes outside it.  lanes: the
+ * ends that exist (local_roots.h). */
 typedef struct {
     double G, G_error;
-    unsigned pierced, spared;
+    vm cap; /* pierced, as a mask */
+    unsigned pierced, spared, lanes;
     int misses, crosses; /* neither: uncertain */
 } local_verdict;
 
@@ -190,10 +287,9 @@ typedef struct {
     sign_bits E, inward, G;
 } cap_signs;
 
-INLINE sign_bits signs_of(vd x, double error)
+INLINE sign_bits signs_beyond(vd x, vd error)
 {
-    return (sign_bits){m_bits(v_lt(v_set(error), x)),
-                       m_bits(v_lt(x, v_set(-error)))};
+    return (sign_bits){m_bits(v_lt(error, x)), m_bits(v_lt(x, -error))};
 }
 
 INLINE sign_bits at_cap(sign_bits x, int cap)
@@ -221,14 +317,16 @@ INLINE double widest_of(const cylint_shape *shape, int tapered)
 }
 
 /* E and N: of both caps. */
-INLINE cap_signs signs_at_caps(const local_verdict *v, const local_line *l,
+INLINE cap_signs signs_at_caps(local_verdict *v, const local_line *l,
                                const cylint_shape *shape, vd E, vd N,
                                int tapered)
 {
     const double N_error = CYLINT_LOCAL_FORM * l->unit * l->Q * l->D * l->D *
                            taper_of(shape, tapered);
-    return (cap_signs){signs_of(E, disc_error(l, widest_of(shape, tapered))),
-                       signs_of(N * v_two(-1, 1), N_error),
+    const vd E_error = v_set(disc_error(l, widest_of(shape, tapered)));
+    v->cap = v_lt(E_error, E);
+    return (cap_signs){{m_bits(v->cap), m_bits(v_lt(E, -E_error))},
+                       signs_beyond(N * v_two(-1, 1), v_set(N_error)),
                        {v->G > v->G_error, 0}};
 }
 
@@ -238,19 +336,38 @@ INLINE void classify_bounded(local_verdict *to, const local_line *l,
     const cap_signs c = signs_at_caps(to, l, shape, E, N, tapered);
     to->pierced = c.E.positive;
     to->spared = c.E.negative;
+    to->lanes = 3;
     to->misses = (int)(misses_local(&c) & 1);
     to->crosses = (int)(crosses_local(&c) & 1);
 }
 
-/* An unbounded shape is crossed if Q has two roots and missed if it has none:
+/*
+ * An unbounded shape is crossed if Q has two roots and missed if it has none:
  * a line cannot stay inside a double cone.  G > 0 implies A > 0, but not for a
- * double cone, where A = 0 leaves one root. */
-INLINE void classify_unbounded(local_verdict *to, double A, double A_error,
-                               int tapered)
+ * double cone, where A = 0 leaves one root.
+ *
+ * If A > 0 both roots are on the nappe that holds the chord's middle, where rho
+ * has the sign of T.  If A < 0 there is one on each: the line enters the nappe
+ * if rho grows along it.
+ */
+INLINE void classify_unbounded(local_verdict *to, const local_line *l,
+                               const cylint_shape *shape, double A,
+                               double A_error, double T, double T_error,
+                               int tapered, int extent)
 {
+    const int two = to->G > to->G_error;
+    to->cap = m_from(0);
     to->pierced = to->spared = 0;
+    to->lanes = 3;
     to->misses = 0;
-    to->crosses = (to->G > to->G_error) & (!tapered | (fabs(A) > A_error));
+    if (extent == CYLINT_NAPPE) {
+        const int leaves = shape->local.slope * l->w < 0;
+        to->misses = (A > A_error) & (T < -T_error);
+        to->lanes = A > 0 ? 3 : 1u << leaves;
+        to->crosses = two & (((A > A_error) & (T > T_error)) | (A < -A_error));
+    } else {
+        to->crosses = two & (!tapered | (fabs(A) > A_error));
+    }
 }
 
 /* A and B of Q. */
@@ -289,24 +406,21 @@ INLINE int classify_by_G(local_verdict *v, const local_line *l,
 
 /* The rest, of a line that G does not show to miss. */
 INLINE void classify_rest(local_verdict *v, const local_line *l,
-                          const cylint_shape *shape, int tapered, int bounded)
+                          const cylint_shape *shape, int tapered, int extent)
 {
-    if (bounded) {
+    if (extent == CYLINT_BOUNDED) {
         classify_bounded(v, l, shape, E_doubles(&l->in),
                          N_doubles(&l->in, tapered), tapered);
     } else {
         const local_quadratic q = quadratic_of(l, shape, tapered);
-        classify_unbounded(v, q.A, q.A_error, tapered);
+        double T = 0;
+        if (extent == CYLINT_NAPPE) {
+            const vd Y = Y_doubles(&l->in);
+            T = v_first(T_doubles(&l->in, &Y));
+        }
+        classify_unbounded(v, l, shape, q.A, q.A_error, T, T_error(l, shape),
+                           tapered, extent);
     }
-}
-
-INLINE local_verdict classify(const local_line *l, const cylint_shape *shape,
-                              int tapered, int bounded)
-{
-    local_verdict v = {0, 0, 0, 0, 1, 0};
-    if (!classify_by_G(&v, l, shape, tapered))
-        classify_rest(&v, l, shape, tapered, bounded);
-    return v;
 }
 
 INLINE vd rounded(vpair x)
@@ -314,121 +428,321 @@ INLINE vd rounded(vpair x)
     return x.hi + x.lo;
 }
 
-/* As classify(), in pairs.  Writes the quadratic too, and rounds the line to
- * doubles again. */
-INLINE local_verdict classify_in_pairs(local_line *l, local_quadratic *q,
-                                       const cylint_shape *shape,
-                                       const cylint_line *line, int tapered,
-                                       int bounded)
+/* The line as doubles, from pairs. */
+INLINE void line_from_pairs(local_line *l, const line_pairs *in,
+                            const cylint_shape *shape)
 {
-    local_verdict v = {0, 0, 0, 0, 0, 0};
-    line_pairs in;
-    load_pairs(&in, shape, line);
     l->unit = shape->local.error;
-    l->in.p = rounded(in.p);
-    l->in.v = rounded(in.v);
-    l->in.z = rounded(in.z);
-    l->in.w = rounded(in.w);
+    l->in.p = rounded(in->p);
+    l->in.v = rounded(in->v);
+    l->in.z = rounded(in->z);
+    l->in.w = rounded(in->w);
     v_store(l->z, l->in.z);
     l->w = v_first(l->in.w);
+}
+
+/* The errors have what the values lost when they were rounded, and A t as well
+ * when t is estimated: three roundings. */
+INLINE local_quadratic quadratic_in_pairs(const local_line *l,
+                                          const line_pairs *in,
+                                          const cylint_shape *shape,
+                                          int tapered)
+{
+    local_quadratic q =
+        with_errors(l, shape, rounded(AB_pairs(in, tapered)), tapered);
+    q.A_error += 2 * CYLINT_ROUNDING * fabs(q.A);
+    q.B_error += CYLINT_ROUNDING * fabs(q.B);
+    return q;
+}
+
+/* The signs of the whole line in pairs, and its quadratic. */
+INLINE local_verdict classify_in_pairs(const local_line *l, local_quadratic *q,
+                                       const line_pairs *in,
+                                       const cylint_shape *shape, int tapered,
+                                       int extent)
+{
+    local_verdict v = {0, 0, m_from(0), 0, 0, 3, 0, 0};
     vpair Y = twice(0, 0);
     if (tapered)
-        Y = Y_pairs(&in);
-    v.G = v_first(rounded(G_pairs(&in, tapered, &Y)));
+        Y = Y_pairs(in);
+    v.G = v_first(rounded(G_pairs(in, tapered, &Y)));
     v.G_error =
         tapered ? cone_error(l, shape, rounded(Y)) : disc_error(l, shape->r0);
-    v.misses = v.G < -v.G_error;
-    *q = with_errors(l, shape, rounded(AB_pairs(&in, tapered)), tapered);
-    if (!v.misses && bounded)
-        classify_bounded(&v, l, shape, rounded(E_pairs(&in)),
-                         rounded(N_pairs(&in, tapered)), tapered);
-    else if (!v.misses)
-        classify_unbounded(&v, q->A, q->A_error, tapered);
-    /* what the values lost when they were rounded, and A t as well when t is
-     * estimated: three roundings */
-    v.G_error += CYLINT_ROUNDING * fabs(v.G);
-    q->A_error += 2 * CYLINT_ROUNDING * fabs(q->A);
-    q->B_error += CYLINT_ROUNDING * fabs(q->B);
+    *q = quadratic_in_pairs(l, in, shape, tapered);
+    if (v.G < -v.G_error) {
+        v.misses = 1;
+    } else if (extent == CYLINT_BOUNDED) {
+        classify_bounded(&v, l, shape, rounded(E_pairs(in)),
+                         rounded(N_pairs(in, tapered)), tapered);
+    } else {
+        const double T =
+            extent == CYLINT_NAPPE ? v_first(rounded(T_pairs(in, &Y))) : 0;
+        classify_unbounded(&v, l, shape, q->A, q->A_error, T, T_error(l, shape),
+                           tapered, extent);
+    }
+    v.G_error += CYLINT_ROUNDING * fabs(v.G); /* it was rounded */
     return v;
 }
 
-/* Where a point of a line that crosses the shape lies: before the overlap of
- * line and shape, inside it, or after it. */
-enum { LOCAL_BEFORE, LOCAL_INSIDE, LOCAL_AFTER, LOCAL_UNCERTAIN };
+/*
+ * Where the ends of the domain lie, if the line crosses the shape: before the
+ * overlap of line and shape, inside it, or after it.  Bit 0: tmin, bit 1: tmax.
+ */
+typedef struct {
+    unsigned before, inside, after;
+} local_states;
+
+/* Signs at both ends of the domain, a bit for each: of Q; of z from the plane of
+ * each cap, of a nappe of rho; of A t + B. */
+typedef struct {
+    sign_bits C, above[2], vertex;
+} domain_signs;
+
+INLINE sign_bits reversed(sign_bits x)
+{
+    return (sign_bits){x.negative, x.positive};
+}
+
+/* x if `choose`, else y, without a branch. */
+INLINE unsigned chosen(int choose, unsigned x, unsigned y)
+{
+    return y ^ ((x ^ y) & (0u - (unsigned)choose));
+}
+
+/* On which side of a pierced cap's centre the points lie, else of the vertex. */
+INLINE sign_bits behind_cap(const domain_signs *at, unsigned pierced, int down)
+{
+    const int first = pierced & 1, any = pierced != 0;
+    const unsigned positive =
+        chosen(first, at->above[0].positive, at->above[1].positive);
+    const unsigned negative =
+        chosen(first, at->above[0].negative, at->above[1].negative);
+    return (sign_bits){
+        chosen(any, chosen(down, negative, positive), at->vertex.positive),
+        chosen(any, chosen(down, positive, negative), at->vertex.negative)};
+}
 
 /*
  * A point outside lies before the overlap if a point of the chord lies ahead.
  * That is a pierced cap or else the vertex of Q.  Of a double cone with A < 0
  * the overlap is taken for the part of the line between the roots, which is
- * outside the solid.
+ * outside the solid.  Of a nappe it is a half-line then.
  */
-INLINE int local_state(const local_line *l, const local_verdict *v,
-                       const cylint_shape *shape, double t, int tapered,
-                       int bounded)
+INLINE local_states states_of(const domain_signs *at, const local_line *l,
+                              const local_verdict *v, double A,
+                              const cylint_line *line, int tapered, int extent)
 {
-    if (t > DBL_MAX)
-        return LOCAL_AFTER;
-    if (t < -DBL_MAX)
-        return LOCAL_BEFORE;
-    const local_quadratic q = quadratic_of(l, shape, tapered);
-    const vd p = v_sum_of(v_set(t), l->in.v, l->in.p);
-    const double z0 = sum_of(t, l->w, l->z[0]), z1 = sum_of(t, l->w, l->z[1]);
-    const double Q = sum_of(fabs(t), l->D, l->Q);
-    const double taper = taper_of(shape, tapered);
-    const double rho =
-        tapered ? sum_of(shape->local.slope, z0, shape->r0) : shape->r0;
-    const double eZ = CYLINT_LOCAL_POSITION * l->unit * Q, eP = eZ * taper;
-    const double widest =
-        bounded ? cylint_larger(shape->r0, shape->r1) : taper * Q;
-    const double eC = 4 * eP * (widest + eP);
-    const int reversed = tapered && !bounded && q.A < 0;
-    double C = sum_of(-rho, rho, v_first(v_sums(p * p, p * p)));
-    double toward, eT;
-    if (bounded && v->pierced) {
-        toward = -(v->pierced & 1 ? z0 : z1) * l->w;
-        eT = 2 * eZ * l->D;
-    } else {
-        toward = -sum_of(q.A, t, q.B);
-        eT = 2 * CYLINT_LOCAL_FORM * l->unit * taper * taper * Q * l->D;
+    const vd t = v_load(&line->tmin), most = v_set(DBL_MAX);
+    const unsigned above = m_bits(v_lt(most, t)),
+                   below = m_bits(v_lt(t, -most)), finite = ~(above | below);
+    sign_bits C = at->C, behind = at->vertex;
+    if (extent == CYLINT_BOUNDED)
+        behind = behind_cap(at, v->pierced, signbit(l->w) != 0);
+    if (tapered && extent == CYLINT_UNBOUNDED && A < 0) {
+        C = reversed(C);
+        behind = reversed(behind);
     }
-    if (reversed) {
-        C = -C;
-        toward = -toward;
+    if (extent == CYLINT_NAPPE && v->lanes != 3)
+        behind = v->lanes == 1 ? (sign_bits){0, 3} : (sign_bits){3, 0};
+    unsigned inside = C.negative, outside = C.positive;
+    if (extent != CYLINT_UNBOUNDED) {
+        inside &= at->above[0].positive;
+        outside |= at->above[0].negative;
     }
-    int outside = C > eC, inside = C < -eC;
-    if (bounded) {
-        outside |= (z0 < -eZ) | (z1 > eZ);
-        inside &= (z0 > eZ) & (z1 < -eZ);
+    if (extent == CYLINT_BOUNDED) {
+        inside &= at->above[1].negative;
+        outside |= at->above[1].positive;
     }
-    if (inside)
-        return LOCAL_INSIDE;
-    if (!outside || !(fabs(toward) > eT))
-        return LOCAL_UNCERTAIN;
-    return toward > 0 ? LOCAL_BEFORE : LOCAL_AFTER;
+    return (local_states){(outside & behind.negative & finite) | below,
+                          inside & finite,
+                          (outside & behind.positive & finite) | above};
 }
 
-/* The lanes of ends in the domain, as bits, from where its limits lie; or
- * CYLINT_UNDECIDED. */
-INLINE int ends_between(int from, int to, int first)
+/* The ends of the domain, 0 where they are infinite. */
+INLINE vd finite_ends(const cylint_line *line)
 {
-    if (from == LOCAL_UNCERTAIN || to == LOCAL_UNCERTAIN)
-        return CYLINT_UNDECIDED;
-    const int begins = (from == LOCAL_BEFORE) & (to != LOCAL_BEFORE);
-    const int ends = (from != LOCAL_AFTER) & (to == LOCAL_AFTER);
-    return first ? begins << 1 | ends : ends << 1 | begins;
+    const vd t = v_load(&line->tmin);
+    return v_select(v_le(v_abs(t), v_set(DBL_MAX)), t, v_set(0));
+}
+
+/* (x[0] + x[1], x[2] + x[3]) */
+INLINE vd halves_of(vq x)
+{
+    return v_firsts(q_low(x), q_high(x)) + v_seconds(q_low(x), q_high(x));
+}
+
+INLINE local_states states_in_doubles(const local_line *l,
+                                      const local_verdict *v,
+                                      const cylint_shape *shape,
+                                      const cylint_line *line, int tapered,
+                                      int extent)
+{
+    const local_quadratic q = quadratic_of(l, shape, tapered);
+    const vd t = finite_ends(line);
+    const vd x =
+        v_sum_of(t, v_firsts(l->in.v, l->in.v), v_firsts(l->in.p, l->in.p));
+    const vd y =
+        v_sum_of(t, v_seconds(l->in.v, l->in.v), v_seconds(l->in.p, l->in.p));
+    const vd z0 = v_sum_of(t, v_set(l->w), v_set(l->z[0]));
+    const vd z1 = v_sum_of(t, v_set(l->w), v_set(l->z[1]));
+    const vd r0 = v_set(shape->r0);
+    const vd rho = tapered ? v_sum_of(v_set(shape->local.slope), z0, r0) : r0;
+    const double taper = taper_of(shape, tapered);
+    const vd Q = v_sum_of(v_abs(t), v_set(l->D), v_set(l->Q));
+    const vd eZ = v_set(CYLINT_LOCAL_POSITION * l->unit) * Q;
+    const vd eP = eZ * v_set(taper);
+    vd widest = v_set(taper) * Q;
+    if (extent == CYLINT_BOUNDED)
+        widest = v_set(cylint_larger(shape->r0, shape->r1));
+    domain_signs at;
+    at.C = signs_beyond(v_sum_of(-rho, rho, v_sum_of(x, x, y * y)),
+                        v_set(4) * eP * (widest + eP));
+    at.above[0] =
+        extent == CYLINT_NAPPE ? signs_beyond(rho, eP) : signs_beyond(z0, eZ);
+    at.above[1] = signs_beyond(z1, eZ);
+    at.vertex = signs_beyond(
+        v_sum_of(v_set(q.A), t, v_set(q.B)),
+        v_set(2 * CYLINT_LOCAL_FORM * l->unit * taper * taper * l->D) * Q);
+    return states_of(&at, l, v, q.A, line, tapered, extent);
 }
 
 /* Of a line that crosses: whether part of the overlap certainly lies ahead of
  * the line's origin. */
 INLINE int is_ahead(const local_line *l, const local_verdict *v,
-                    const cylint_shape *shape, int tapered, int bounded)
+                    const cylint_shape *shape, int tapered, int extent)
 {
-    const double eZ = 2 * CYLINT_LOCAL_POSITION * l->unit * l->Q * l->D;
-    if (bounded && v->pierced)
-        return ((v->pierced & 1) && l->z[0] * l->w < -eZ) ||
-               ((v->pierced & 2) && l->z[1] * l->w < -eZ);
     const local_quadratic q = quadratic_of(l, shape, tapered);
-    return (!tapered || bounded || q.A > 0) && q.B < -q.B_error;
+    const int vertex = (!tapered | (extent == CYLINT_BOUNDED) | (q.A > 0)) &
+                       (q.B < -q.B_error);
+    if (extent != CYLINT_BOUNDED)
+        return vertex;
+    const double eZ = 2 * CYLINT_LOCAL_POSITION * l->unit * l->Q * l->D;
+    const unsigned below = m_bits(v_lt(l->in.z * l->in.w, v_set(-eZ)));
+    return ((v->pierced & below) != 0) | ((v->pierced == 0) & vertex);
+}
+
+/* -------------------------------------------------------- in pairs ----- */
+
+/* z + t w in pairs. */
+INLINE vpair moved(vpair z, vpair w, vd t)
+{
+    vpair step = v_two_prod(t, w.hi);
+    step.lo = v_sum_of(t, w.lo, step.lo);
+    return vpair_add(z, step);
+}
+
+/* (p, p) + (t[0] v, t[1] v): x and y at both t. */
+INLINE vqpair points_at(const line_pairs *in, vd t)
+{
+    const vq T = q_spread(t), v = q_join(in->v.hi, in->v.hi);
+    const vq step = q_mul(T, v);
+    const vq rest =
+        q_sum_of(T, q_join(in->v.lo, in->v.lo), q_product_error(T, v, step));
+    const vqpair sum = q_two_sum(q_join(in->p.hi, in->p.hi), step);
+    return (vqpair){sum.hi,
+                    q_add(sum.lo, q_add(q_join(in->p.lo, in->p.lo), rest))};
+}
+
+/* x^2.  x.lo may be larger than a rounding of x.hi. */
+INLINE vpair vpair_square(vpair x)
+{
+    const vpair square = v_two_prod(x.hi, x.hi);
+    return (vpair){square.hi, v_sum_of(x.hi + x.hi + x.lo, x.lo, square.lo)};
+}
+
+/* Q at t of both lanes.  `across`: |x| + |y|, and + |rho| of a tapered shape. */
+typedef struct {
+    vd value, across;
+} lateral_value;
+
+INLINE lateral_value lateral_at(const line_pairs *in, const cylint_shape *shape,
+                                vd t, int tapered)
+{
+    const vqpair p = points_at(in, t);
+    const vq squares = q_mul(p.hi, p.hi);
+    const vq rest = q_sum_of(q_add(q_add(p.hi, p.hi), p.lo), p.lo,
+                             q_product_error(p.hi, p.hi, squares));
+    const vd x = v_firsts(q_low(p.hi), q_high(p.hi)),
+             y = v_seconds(q_low(p.hi), q_high(p.hi));
+    const vpair pp = v_two_sum(v_firsts(q_low(squares), q_high(squares)),
+                               v_seconds(q_low(squares), q_high(squares)));
+    vpair rho2;
+    vd across = v_abs(x) + v_abs(y);
+    if (tapered) {
+        const vpair z0 = vpair_firsts(in->z, in->z);
+        const vpair rho = vpair_add(twice(shape->r0, 0),
+                                    vpair_mul(in->slope, moved(z0, in->w, t)));
+        rho2 = vpair_square(rho);
+        across = across + v_abs(rho.hi);
+    } else {
+        const pair square = two_prod(shape->r0, shape->r0);
+        rho2 = twice(square.hi, square.lo);
+    }
+    return (lateral_value){
+        (pp.hi - rho2.hi) + ((pp.lo + halves_of(rest)) - rho2.lo), across};
+}
+
+/* z + t w, rounded: the error is relative to it, but for that of z and w. */
+INLINE vd height_at(vpair z, vpair w, vd t)
+{
+    const vd low = v_sum_of(t, w.lo, z.lo);
+#if V_HAS_FMA
+    return v_fma(t, w.hi, z.hi) + low;
+#else
+    const vpair step = v_two_prod(t, w.hi);
+    return (z.hi + step.hi) + (step.lo + low);
+#endif
+}
+
+/* Not less than any coordinate at t. */
+INLINE vd size_at(vd t, double Q, double D)
+{
+    return v_sum_of(v_abs(t), v_set(D), v_set(Q));
+}
+
+/* The errors of height_at() and of lateral_at(). */
+INLINE vd height_error(vd size, const cylint_shape *shape)
+{
+    return v_set(CYLINT_LOCAL_RESIDUAL * shape->local.error) * size;
+}
+
+INLINE vd lateral_error(vd size, vd across, const cylint_shape *shape,
+                        int tapered)
+{
+    const vd most = v_set(taper_of(shape, tapered)) * size;
+    const vd off = height_error(most, shape);
+    return off * v_sum_of(v_set(CYLINT_LOCAL_UNTRIMMED), most, across + off);
+}
+
+/* As states_in_doubles(), in pairs.  q: the quadratic. */
+INLINE local_states states_in_pairs(const local_line *l, const local_verdict *v,
+                                    const local_quadratic *q,
+                                    const line_pairs *in,
+                                    const cylint_shape *shape,
+                                    const cylint_line *line, int tapered,
+                                    int extent)
+{
+    const vd t = finite_ends(line), size = size_at(t, l->Q, l->D);
+    const lateral_value C = lateral_at(in, shape, t, tapered);
+    const vpair z0 = vpair_firsts(in->z, in->z);
+    const vpair z1 = {v_seconds(in->z.hi, in->z.hi),
+                      v_seconds(in->z.lo, in->z.lo)};
+    const vd eZ = height_error(size, shape);
+    domain_signs at;
+    at.C = signs_beyond(C.value, lateral_error(size, C.across, shape, tapered));
+    at.above[0] = signs_beyond(height_at(z0, in->w, t), eZ);
+    at.above[1] = signs_beyond(height_at(z1, in->w, t), eZ);
+    if (extent == CYLINT_NAPPE) {
+        const vpair rho = vpair_add(twice(shape->r0, 0),
+                                    vpair_mul(in->slope, moved(z0, in->w, t)));
+        at.above[0] =
+            signs_beyond(rho.hi + rho.lo, v_set(taper_of(shape, 1)) * eZ);
+    }
+    const vd At = v_set(q->A) * t, B = v_set(q->B);
+    at.vertex = signs_beyond(
+        At + B, v_sum_of(v_abs(t), v_set(q->A_error), v_set(q->B_error)) +
+                    v_set(2 * CYLINT_ROUNDING) * (v_abs(At) + v_abs(B)));
+    return states_of(&at, l, v, q->A, line, tapered, extent);
 }
 
 #endif

@@ -9,9 +9,14 @@
 #ifndef CYLINT_LOCAL_ROOTS_H
 #define CYLINT_LOCAL_ROOTS_H
 
+#include "filter.h"
 #include "local_lines.h"
 
 #define ARGUMENTS CYLINT_ONE_ARGUMENTS
+
+/* Below this share of G_error an estimate in doubles seldom leads to a root that
+ * is certainly rounded.  Only time depends on it. */
+#define CYLINT_LOCAL_GRAZING 0x1p-17
 
 /* The parts of the ends, as bits of lanes: those on a cap, and of these those
  * on cap 1. */
@@ -57,10 +62,21 @@ INLINE unsigned wanted_hits(unsigned hits, unsigned want, int first)
     return want & CYLINT_WANT_NEAREST && hits == 3 ? 1u << first : hits;
 }
 
+/* The lane of the end with the lesser t.  If the sign of w is uncertain, both
+ * ends are lateral and either order of the lanes will do. */
+INLINE int first_lane(const local_line *l, double A, int tapered, int extent)
+{
+    if (extent == CYLINT_BOUNDED)
+        return signbit(l->w) != 0;
+    return tapered && extent == CYLINT_UNBOUNDED && A < 0;
+}
+
 /* Estimates of the ends, t, and what Newton's step needs: the slope of the
- * residual there, a bound on its error, and half its curvature. */
+ * residual there, the inverse of the slope, a bound on its error, and half its
+ * curvature.  usable: lanes whose estimate is nearer to its root than to the
+ * other one, or is that of a plane. */
 typedef struct {
-    vd t, slope, slope_error, curvature;
+    vd t, slope, inverse, slope_error, curvature;
     vm cap;
     unsigned usable;
     int first;
@@ -68,71 +84,37 @@ typedef struct {
 
 INLINE local_ends estimate_ends(const local_line *l, const local_verdict *v,
                                 const local_quadratic *q, int tapered,
-                                int bounded)
+                                int extent)
 {
     local_ends at;
-    const int up = !bounded || l->w > 0;
+    const int bounded = extent == CYLINT_BOUNDED;
     const double s = sqrt(v->G);
-    const vd exits = up ? v_two(-1, 1) : v_two(1, -1);
-    const vd root = exits * v_set(s);
+    const vd root = v_set(bounded ? copysign(s, l->w) : s) * v_two(-1, 1);
     vd num = root - v_set(q->B), den = v_set(q->A);
-    at.cap = m_from(v->pierced);
+    at.cap = v->cap;
     at.slope = root + root;
-    at.slope_error = v_set(2 * v->G_error / s);
     at.curvature = v_set(fabs(q->A) + q->A_error);
     if (bounded) {
         const vd w = v_set(l->w);
         num = v_select(at.cap, -l->in.z, num);
         den = v_select(at.cap, w, den);
         at.slope = v_select(at.cap, w, at.slope);
+        at.curvature = v_select(at.cap, v_set(0), at.curvature);
+    }
+    at.inverse = v_set(1) / at.slope;
+    /* 2 s has the error 2 G_error / s */
+    at.slope_error = v_set(4 * v->G_error) * v_abs(at.inverse);
+    if (bounded)
         at.slope_error =
             v_select(at.cap, v_set(CYLINT_LOCAL_POSITION * l->unit * l->D),
                      at.slope_error);
-        at.curvature = v_select(at.cap, v_set(0), at.curvature);
-    }
     at.t = num * (v_set(1) / den);
-    /* the estimate of a lateral root is nearer to it than to the other one */
     const vd off = v_sum_of(v_abs(at.t), v_set(q->A_error), v_set(q->B_error));
     const unsigned near =
         4 * v->G_error < v->G ? m_bits(v_le(off, v_set(0.25 * s))) : 0;
     at.usable = near | v->pierced;
-    at.first = bounded ? !up : tapered && q->A < 0;
+    at.first = first_lane(l, q->A, tapered, extent);
     return at;
-}
-
-/* The residual at t in pairs: of the lateral surface Q, of a cap z. */
-INLINE vd residual_at(const cylint_shape *shape, const cylint_line *line, vd t,
-                      vm cap, unsigned pierced, int tapered)
-{
-    const cylint_local *f = &shape->local;
-    const vd zero = v_set(0);
-    vpair q[3];
-    EACH(j, 3) {
-        const pair from = two_diff(line->o[j], shape->base[j]);
-        vpair step = v_two_prod(t, v_set(line->d[j]));
-        step.lo = v_sum_of(t, v_set(line->d_lo[j]), step.lo);
-        q[j] = vpair_add(twice(from.hi, from.lo), step);
-    }
-    const int cap0 = pierced & 1 ? 2 : 0, cap1 = pierced & 2 ? 2 : 0;
-    const vpair x = row_times(f, q, cap0, cap1);
-    vd value = zero;
-    if (pierced != 3) {
-        const vpair y = row_times(f, q, 1, 1);
-        vpair rho = twice(shape->r0, 0);
-        if (tapered) {
-            const vpair slope = twice(f->slope, f->slope_lo);
-            rho = vpair_add(rho, vpair_mul(slope, row_times(f, q, 2, 2)));
-        }
-        const vpair Q = vpair_sub(vpair_add(vpair_mul(x, x), vpair_mul(y, y)),
-                                  vpair_mul(rho, rho));
-        value = Q.hi + Q.lo;
-    }
-    if (pierced) {
-        const vd top = v_two(0, f->height), top_lo = v_two(0, f->height_lo);
-        const vd z = (x.hi - top) + (x.lo - top_lo);
-        value = v_select(cap, z, value);
-    }
-    return value;
 }
 
 /* The roots: value + more with the error; low and high are bounds that are
@@ -158,8 +140,7 @@ INLINE local_roots stepped(vd t, vd residual, vd residual_error,
                            const local_ends *at)
 {
     const vd distance = v_set(CYLINT_LOCAL_DISTANCE) *
-                        (v_abs(residual) + residual_error) *
-                        v_abs(v_set(1) / at->slope);
+                        (v_abs(residual) + residual_error) * v_abs(at->inverse);
     const newton_lanes step =
         newton_step_lanes(residual, residual_error, at->slope, at->slope_error,
                           at->curvature, distance);
@@ -174,47 +155,45 @@ INLINE local_roots stepped(vd t, vd residual, vd residual_error,
     return (local_roots){r.hi, r.lo, step.error, low, high, m_bits(nearest)};
 }
 
-/* Not less than any term of a residual at t. */
-INLINE vd size_at(vd t, const local_line *l, const cylint_shape *shape,
-                  int tapered)
+/* By residuals in pairs. */
+INLINE local_roots round_ends(const local_line *l, const line_pairs *in,
+                              const cylint_shape *shape, const local_ends *at,
+                              int tapered, int extent)
 {
-    return v_set(taper_of(shape, tapered)) *
-           v_sum_of(v_abs(t), v_set(l->D), v_set(l->Q));
+    const vd size = size_at(at->t, l->Q, l->D);
+    const lateral_value Q = lateral_at(in, shape, at->t, tapered);
+    vd residual = Q.value;
+    vd error = lateral_error(size, Q.across, shape, tapered);
+    if (extent == CYLINT_BOUNDED) {
+        residual = v_select(at->cap, height_at(in->z, in->w, at->t), residual);
+        error = v_select(at->cap, height_error(size, shape), error);
+    }
+    return stepped(at->t, residual, error, at);
 }
 
-INLINE local_roots round_ends(const local_line *l, const local_verdict *v,
-                              const cylint_shape *shape,
-                              const cylint_line *line, const local_ends *at,
-                              int tapered)
+INLINE void write_root(cylint_answer *answer, cylint_root_rest *rest, int n,
+                       double root[3][2], int lane)
 {
-    const vd residual =
-        residual_at(shape, line, at->t, at->cap, v->pierced, tapered);
-    const vd size = size_at(at->t, l, shape, tapered);
-    const vd rounding =
-        v_set(CYLINT_LOCAL_RESIDUAL * shape->local.error) * size;
-    return stepped(at->t, residual,
-                   v_select(at->cap, rounding, rounding * size), at);
+    answer->hit[n].t = root[0][lane];
+    if (rest) {
+        rest->more[n] = root[1][lane];
+        rest->error[n] = root[2][lane];
+    }
 }
 
 /* The hits in their order. */
 INLINE void write_roots(cylint_answer *answer, cylint_root_rest *rest,
                         const local_roots *r, unsigned hits, int first)
 {
-    double t[2], more[2], error[2];
-    int n = 0;
-    v_store(t, r->value);
-    v_store(more, r->more);
-    v_store(error, r->error);
-    EACH(k, 2) {
-        const int lane = k ^ first;
-        if (!(hits >> lane & 1))
-            continue;
-        answer->hit[n].t = t[lane];
-        if (rest) {
-            rest->more[n] = more[lane];
-            rest->error[n] = error[lane];
-        }
-        n++;
+    double root[3][2];
+    v_store(root[0], r->value);
+    v_store(root[1], r->more);
+    v_store(root[2], r->error);
+    if (hits == 3) {
+        write_root(answer, rest, 0, root, first);
+        write_root(answer, rest, 1, root, !first);
+    } else if (hits) {
+        write_root(answer, rest, 0, root, hits == 2);
     }
 }
 
@@ -225,25 +204,120 @@ INLINE unsigned roots_outside(const local_roots *r, const cylint_line *line)
                        v_lt(v_set(line->tmax), r->low)));
 }
 
+/* The lanes on parts that are present. */
+INLINE unsigned lanes_present(const local_verdict *v, const cylint_shape *shape,
+                              int extent)
+{
+    return extent == CYLINT_BOUNDED ? ends_present(parts_of(v), shape)
+                                    : v->lanes;
+}
+
+/* The roots that are certainly in the domain of the line, as bits. */
+INLINE unsigned roots_within(const local_roots *r, const cylint_line *line)
+{
+    return m_bits(m_and(v_lt(v_set(line->tmin), r->low),
+                        v_lt(r->high, v_set(line->tmax))));
+}
+
+/* The roots without which there is no answer. */
+INLINE unsigned roots_missing(const local_roots *r, unsigned present,
+                              const cylint_line *line, unsigned want)
+{
+    const unsigned known = want & CYLINT_WANT_T ? r->nearest : 3;
+    return present & ~(roots_within(r, line) & known) & ~roots_outside(r, line);
+}
+
+/* Writes the hits among the roots, of which none is missing. */
+INLINE int write_hits(const local_roots *r, int first, end_parts parts,
+                      unsigned present, ARGUMENTS, int bounded)
+{
+    const unsigned hits =
+        wanted_hits(present & roots_within(r, line), want, first);
+    (void)shape;
+    if (want & CYLINT_WANT_T)
+        write_roots(answer, rest, r, hits, first);
+    if (want & CYLINT_WANT_PART)
+        write_parts(answer, parts, hits, first, bounded);
+    answer->relation = CYLINT_RELATION_CROSS;
+    return answer->n = (int)(hits & 1) + (int)(hits >> 1);
+}
+
 /* Writes the hits among the roots.  CYLINT_UNDECIDED: a root is too near to an
  * end of the domain, or is not certainly rounded. */
 INLINE int accept_roots(const local_roots *r, int first, end_parts parts,
                         ARGUMENTS, int bounded)
 {
-    const vd tmin = v_set(line->tmin), tmax = v_set(line->tmax);
     const unsigned present = bounded ? ends_present(parts, shape) : 3;
-    const unsigned in = m_bits(m_and(v_lt(tmin, r->low), v_lt(r->high, tmax)));
-    const unsigned hits = wanted_hits(in & present, want, first);
-    if (present & ~in && present & ~(in | roots_outside(r, line)))
+    if (roots_missing(r, present, line, want))
         return CYLINT_UNDECIDED;
-    if (want & CYLINT_WANT_T) {
-        if (hits & ~r->nearest)
-            return CYLINT_UNDECIDED;
-        write_roots(answer, rest, r, hits, first);
-    }
+    return write_hits(r, first, parts, present, shape, line, want, answer, rest,
+                      bounded);
+}
+
+/* Writes the hits of a line that crosses, by signs alone; or returns
+ * CYLINT_UNDECIDED. */
+INLINE int write_signs(const local_states *at, const local_verdict *v,
+                       int first, unsigned present, unsigned want,
+                       cylint_answer *answer, int extent)
+{
+    if ((at->before | at->inside | at->after) != 3)
+        return CYLINT_UNDECIDED;
+    const unsigned begins = at->before & 1 & ~(at->before >> 1);
+    const unsigned ends = ~at->after & 1 & (at->after >> 1);
+    const unsigned hits =
+        wanted_hits(present & (begins << first | ends << !first), want, first);
     if (want & CYLINT_WANT_PART)
-        write_parts(answer, parts, hits, first, bounded);
+        write_parts(answer, parts_of(v), hits, first, extent == CYLINT_BOUNDED);
+    answer->relation = CYLINT_RELATION_CROSS;
     return answer->n = (int)(hits & 1) + (int)(hits >> 1);
+}
+
+/* ---------------------------------- for the functions that continue ----- */
+
+INLINE void store_estimates(cylint_estimates *to, double Q, double D,
+                            const local_verdict *v, const local_ends *at,
+                            const local_roots *r)
+{
+    to->Q = Q;
+    to->D = D;
+    to->pierced = v->pierced;
+    to->lanes = v->lanes;
+    to->nearest = r->nearest;
+    to->first = at->first;
+    v_store(to->t, at->t);
+    v_store(to->slope, at->slope);
+    v_store(to->inverse, at->inverse);
+    v_store(to->slope_error, at->slope_error);
+    v_store(to->curvature, at->curvature);
+    v_store(to->value, r->value);
+    v_store(to->more, r->more);
+    v_store(to->error, r->error);
+    v_store(to->low, r->low);
+    v_store(to->high, r->high);
+}
+
+INLINE void load_estimates(const cylint_estimates *from, local_verdict *v,
+                           local_ends *at, local_roots *r)
+{
+    *v = (local_verdict){0,
+                         0,
+                         m_from(from->pierced),
+                         from->pierced,
+                         ~from->pierced & 3,
+                         from->lanes,
+                         0,
+                         1};
+    *at = (local_ends){v_load(from->t),
+                       v_load(from->slope),
+                       v_load(from->inverse),
+                       v_load(from->slope_error),
+                       v_load(from->curvature),
+                       v->cap,
+                       3,
+                       from->first};
+    *r = (local_roots){v_load(from->value), v_load(from->more),
+                       v_load(from->error), v_load(from->low),
+                       v_load(from->high),  from->nearest};
 }
 
 #endif

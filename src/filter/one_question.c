@@ -4,7 +4,7 @@
  *
  * Compiled once as it is and again for processors with a fused multiply-add:
  * the answers are the same bits.  Verdicts need no root (local_lines.h).  What
- * is left undecided here is computed by hard_question.c.
+ * doubles and a residual in pairs leave undecided hard_question.c continues.
  */
 #define CYLINT_NARROW
 #include "local_roots.h"
@@ -12,6 +12,7 @@
 #ifndef CYLINT_ONE
 #define CYLINT_ONE cylint_one_plain
 #define CYLINT_HARD cylint_hard_plain
+#define CYLINT_EXACT_ROOTS cylint_exact_roots_plain
 #endif
 
 #ifndef CYLINT_ROUND
@@ -23,166 +24,158 @@
         cylint_undecided, cylint_undecided \
     }
 
-#define UNDECIDED                                            \
-    {                                                        \
-        NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER \
-    }
-
 #if LANES == 2
 
-/* The lane of the end with the lesser t. */
-INLINE int first_lane(const local_line *l, const cylint_shape *shape,
-                      int tapered, int bounded)
-{
-    if (bounded)
-        return !(l->w > 0);
-    return tapered && quadratic_of(l, shape, 1).A < 0;
-}
+/* What a kernel has computed of a line that G does not show to miss, in
+ * registers. */
+#define START vd p, vd v, double G, double G_error, double Q, double D
 
-/* The lanes of the ends in the domain, by signs; or CYLINT_UNDECIDED. */
-INLINE int ends_in_domain(const local_line *l, const local_verdict *v,
-                          const cylint_shape *shape, const cylint_line *line,
-                          int first, int tapered, int bounded)
-{
-    const int from = local_state(l, v, shape, line->tmin, tapered, bounded);
-    const int to = local_state(l, v, shape, line->tmax, tapered, bounded);
-    return ends_between(from, to, first);
-}
-
-/* Returns 0 if G shows that the line misses, which *answer then says, else 1. */
-INLINE int begins_by_roots(local_line *l, local_verdict *v, ARGUMENTS,
-                           int tapered)
-{
-    (void)want;
-    (void)rest;
-    load_local(l, shape, line, tapered);
-    answer->relation = CYLINT_RELATION_MISS;
-    answer->n = 0;
-    return !classify_by_G(v, l, shape, tapered);
-}
-
-/* From there on. */
-INLINE int ends_by_roots(const local_line *l, local_verdict v, ARGUMENTS,
-                         int tapered, int bounded)
-{
-    classify_rest(&v, l, shape, tapered, bounded);
-    if (v.misses)
-        return 0;
-    if (__builtin_expect(!v.crosses, 0) ||
-        (bounded && (v.pierced | v.spared) != 3) || !cylint_rounds_to_nearest())
-        return CYLINT_UNDECIDED;
-    answer->relation = CYLINT_RELATION_CROSS;
-    const local_quadratic q = quadratic_of(l, shape, tapered);
-    const local_ends at = estimate_ends(l, &v, &q, tapered, bounded);
-    if (at.usable != 3)
-        return CYLINT_UNDECIDED;
-    const local_roots r = round_ends(l, &v, shape, line, &at, tapered);
-    return accept_roots(&r, at.first, parts_of(&v), shape, line, want, answer,
-                        rest, bounded);
-}
-
-INLINE int answer_by_signs(const cylint_shape *shape, const cylint_line *line,
-                           unsigned want, cylint_answer *answer, int tapered,
-                           int bounded)
+INLINE local_line started(vd p, vd v, double Q, double D)
 {
     local_line l;
-    load_local(&l, shape, line, tapered);
-    const local_verdict v = classify(&l, shape, tapered, bounded);
-    answer->relation = v.crosses * CYLINT_RELATION_CROSS;
-    answer->n = 0;
-    if (v.misses)
-        return 0;
-    if (__builtin_expect(!v.crosses, 0))
-        return CYLINT_UNDECIDED;
-    const int closed = shape->ends == CYLINT_ENDS_CAPPED || !bounded;
-    const int plain = closed && !(want & CYLINT_WANT_PART);
-    if (plain && want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&
-        line->tmax > DBL_MAX && is_ahead(&l, &v, shape, tapered, bounded))
-        return answer->n = 1;
-    if (!plain && bounded && (v.pierced | v.spared) != 3)
-        return CYLINT_UNDECIDED;
-    const int first = first_lane(&l, shape, tapered, bounded);
-    const int in = ends_in_domain(&l, &v, shape, line, first, tapered, bounded);
-    if (in == CYLINT_UNDECIDED)
-        return CYLINT_UNDECIDED;
-    const unsigned hits = wanted_hits(
-        (unsigned)in & (closed ? 3 : ends_present(parts_of(&v), shape)), want,
-        first);
-    if (want & CYLINT_WANT_PART)
-        write_parts(answer, parts_of(&v), hits, first, bounded);
-    return answer->n = (int)(hits & 1) + (int)(hits >> 1);
+    l.in.p = p;
+    l.in.v = v;
+    l.Q = Q;
+    l.D = D;
+    return l;
 }
 
-/* A kernel of its own for each: tapered or not, bounded or not, with roots or
- * by signs. */
-#define KERNELS(name, tapered, bounded)                                       \
-    ASIDE int crossing_##name(const local_line *l, const local_verdict *v,    \
-                              ARGUMENTS)                                      \
+INLINE int write_miss(cylint_answer *answer)
+{
+    answer->relation = CYLINT_RELATION_MISS;
+    return answer->n = 0;
+}
+
+/* Where G does not show a miss. */
+INLINE int ends_by_roots(local_line *l, local_verdict v, ARGUMENTS, int tapered,
+                         int extent)
+{
+    load_rest(l, shape, line, tapered, extent);
+    classify_rest(&v, l, shape, tapered, extent);
+    if (v.misses)
+        return write_miss(answer);
+    if (!v.crosses ||
+        (extent == CYLINT_BOUNDED && (v.pierced | v.spared) != 3) ||
+        (v.pierced != 3 && v.G_error > CYLINT_LOCAL_GRAZING * v.G))
+        return CYLINT_HARD(shape, line, want, answer, rest, 0, l->Q, l->D);
+    if (!cylint_rounds_to_nearest())
+        return CYLINT_UNDECIDED;
+    line_pairs in;
+    load_pairs(&in, shape, line);
+    const local_quadratic q = quadratic_of(l, shape, tapered);
+    const local_ends at = estimate_ends(l, &v, &q, tapered, extent);
+    const unsigned present = lanes_present(&v, shape, extent);
+    if (present & ~at.usable)
+        return CYLINT_UNDECIDED;
+    const local_roots r = round_ends(l, &in, shape, &at, tapered, extent);
+    if (roots_missing(&r, present, line, want)) {
+        cylint_estimates known;
+        store_estimates(&known, l->Q, l->D, &v, &at, &r);
+        return CYLINT_EXACT_ROOTS(shape, line, want, answer, rest, &known);
+    }
+    return write_hits(&r, at.first, parts_of(&v), present, shape, line, want,
+                      answer, rest, extent == CYLINT_BOUNDED);
+}
+
+INLINE int ends_by_signs(local_line *l, local_verdict v, ARGUMENTS, int tapered,
+                         int extent)
+{
+    const int bounded = extent == CYLINT_BOUNDED;
+    const int closed = shape->ends == CYLINT_ENDS_CAPPED || !bounded;
+    const int plain = closed && !(want & CYLINT_WANT_PART);
+    load_rest(l, shape, line, tapered, extent);
+    classify_rest(&v, l, shape, tapered, extent);
+    if (v.misses)
+        return write_miss(answer);
+    if (!v.crosses || (!plain && bounded && (v.pierced | v.spared) != 3))
+        return CYLINT_HARD(shape, line, want, answer, rest, 0, l->Q, l->D);
+    if (plain && want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&
+        line->tmax > DBL_MAX && extent != CYLINT_NAPPE &&
+        is_ahead(l, &v, shape, tapered, extent)) {
+        answer->relation = CYLINT_RELATION_CROSS;
+        return answer->n = 1;
+    }
+    const local_states at =
+        states_in_doubles(l, &v, shape, line, tapered, extent);
+    const double A = quadratic_of(l, shape, tapered).A;
+    const int n =
+        write_signs(&at, &v, first_lane(l, A, tapered, extent),
+                    closed ? v.lanes : ends_present(parts_of(&v), shape), want,
+                    answer, extent);
+    if (n != CYLINT_UNDECIDED)
+        return n;
+    return CYLINT_HARD(shape, line, want, answer, rest,
+                       CYLINT_KNOWN_LINE | v.pierced | v.lanes << 2, l->Q,
+                       l->D);
+}
+
+/* A kernel of its own for each: tapered or not, each extent, with roots or by
+ * signs.  Each begins with G and continues in a function of its own, so that a
+ * miss saves no registers. */
+#define KERNEL(name, way, tapered, extent, MORE, LOAD_MORE, PASS_MORE)        \
+    ASIDE int way##_on_##name(ARGUMENTS, START MORE)                          \
     {                                                                         \
-        return ends_by_roots(l, *v, shape, line, want, answer, rest, tapered, \
-                             bounded);                                        \
+        local_line l = started(p, v, Q, D);                                   \
+        const local_verdict verdict = {G, G_error, m_from(0), 0, 0, 3, 0, 0}; \
+        LOAD_MORE                                                             \
+        return ends_by_##way(&l, verdict, shape, line, want, answer, rest,    \
+                             tapered, extent);                                \
     }                                                                         \
-    static int roots_##name(ARGUMENTS)                                        \
+    static int way##_##name(ARGUMENTS)                                        \
     {                                                                         \
         local_line l;                                                         \
         local_verdict v;                                                      \
-        if (!begins_by_roots(&l, &v, shape, line, want, answer, rest,         \
-                             tapered))                                        \
-            return 0;                                                         \
-        return crossing_##name(&l, &v, shape, line, want, answer, rest);      \
-    }                                                                         \
-    static int signs_##name(ARGUMENTS)                                        \
-    {                                                                         \
-        (void)rest;                                                           \
-        return answer_by_signs(shape, line, want, answer, tapered, bounded);  \
+        load_start(&l, shape, line, tapered);                                 \
+        if (classify_by_G(&v, &l, shape, tapered))                            \
+            return write_miss(answer);                                        \
+        return way##_on_##name(shape, line, want, answer, rest, l.in.p,       \
+                               l.in.v, v.G, v.G_error, l.Q, l.D PASS_MORE);   \
     }
-KERNELS(cylinder, 0, 1)
-KERNELS(cone, 1, 1)
-KERNELS(whole_cylinder, 0, 0)
-KERNELS(double_cone, 1, 0)
+#define NO_MORE
+#define KERNELS(name, extent)                                 \
+    KERNEL(name, roots, 0, extent, NO_MORE, NO_MORE, NO_MORE) \
+    KERNEL(name, signs, 0, extent, NO_MORE, NO_MORE, NO_MORE)
+#define COMMA ,
+#define HEIGHTS COMMA double z COMMA double w
+#define SET_HEIGHTS \
+    l.z[0] = z;     \
+    l.w = w;
+#define PASS_HEIGHTS COMMA l.z[0] COMMA l.w
+#define TAPERED_KERNELS(name, extent)                                  \
+    KERNEL(name, roots, 1, extent, HEIGHTS, SET_HEIGHTS, PASS_HEIGHTS) \
+    KERNEL(name, signs, 1, extent, HEIGHTS, SET_HEIGHTS, PASS_HEIGHTS)
+KERNELS(cylinder, CYLINT_BOUNDED)
+KERNELS(whole_cylinder, CYLINT_UNBOUNDED)
+TAPERED_KERNELS(cone, CYLINT_BOUNDED)
+TAPERED_KERNELS(double_cone, CYLINT_UNBOUNDED)
+TAPERED_KERNELS(nappe, CYLINT_NAPPE)
 
 #define BOTH(name)                 \
     {                              \
         roots_##name, signs_##name \
-    }
-#define STRAIGHT                                                        \
-    {                                                                   \
-        BOTH(cylinder), BOTH(cylinder), BOTH(cylinder), BOTH(cylinder), \
-            BOTH(whole_cylinder), BOTH(whole_cylinder)                  \
-    }
-#define TAPERED                                                            \
-    {                                                                      \
-        BOTH(cone), BOTH(cone), BOTH(cone), BOTH(cone), BOTH(double_cone), \
-            NEITHER                                                        \
     }
 #define ROUND_OF(name, build)                                        \
     {                                                                \
         cylint_##name##_roots_##build, cylint_##name##_signs_##build \
     }
 #define ROUND_BOTH(name, build) ROUND_OF(name, build)
-#define ROUND(name)                                                         \
-    {                                                                       \
-        ROUND_BOTH(name, CYLINT_ROUND), ROUND_BOTH(name, CYLINT_ROUND),     \
-            ROUND_BOTH(name, CYLINT_ROUND), ROUND_BOTH(name, CYLINT_ROUND), \
-            NEITHER, NEITHER                                                \
-    }
-const cylint_one_kernels CYLINT_ONE = {{[CYLINT_KIND_NONE] = UNDECIDED,
-                                        [CYLINT_KIND_CYLINDER] = STRAIGHT,
-                                        [CYLINT_KIND_CONE] = TAPERED,
-                                        [CYLINT_KIND_ACONE] = TAPERED,
-                                        [CYLINT_KIND_ECYLINDER] = STRAIGHT,
-                                        [CYLINT_KIND_ECONE] = TAPERED,
-                                        [CYLINT_KIND_SPHERE] = ROUND(sphere),
-                                        [CYLINT_KIND_CAPSULE] = ROUND(capsule),
-                                        [CYLINT_KIND_RCONE] = ROUND(rcone)},
-                                       CYLINT_HARD};
+#define ROUND(name) ROUND_BOTH(name, CYLINT_ROUND)
+const cylint_one_kernels CYLINT_ONE = {
+    {[CYLINT_SOLID_NONE] = NEITHER,
+     [CYLINT_SOLID_CYLINDER] = BOTH(cylinder),
+     [CYLINT_SOLID_CONE] = BOTH(cone),
+     [CYLINT_SOLID_WHOLE_CYLINDER] = BOTH(whole_cylinder),
+     [CYLINT_SOLID_DOUBLE_CONE] = BOTH(double_cone),
+     [CYLINT_SOLID_NAPPE] = BOTH(nappe),
+     [CYLINT_SOLID_SPHERE] = ROUND(sphere),
+     [CYLINT_SOLID_CAPSULE] = ROUND(capsule),
+     [CYLINT_SOLID_ROUND_CONE] = ROUND(rcone)}};
 
 #else
 
 /* Without vectors of two lanes. */
-const cylint_one_kernels CYLINT_ONE = {{UNDECIDED, UNDECIDED, UNDECIDED,
-                                        UNDECIDED, UNDECIDED, UNDECIDED,
-                                        UNDECIDED, UNDECIDED, UNDECIDED},
-                                       CYLINT_HARD};
+const cylint_one_kernels CYLINT_ONE = {{NEITHER, NEITHER, NEITHER, NEITHER,
+                                        NEITHER, NEITHER, NEITHER, NEITHER,
+                                        NEITHER}};
 
 #endif

@@ -176,7 +176,22 @@ INLINE void classify_round(round_verdict *v, round_line *x,
     }
 }
 
-/* Where the point at t lies; the line crosses the shape. */
+/* Where a point of a line that crosses the shape lies: before the overlap of
+ * line and shape, inside it, or after it. */
+enum { LOCAL_BEFORE, LOCAL_INSIDE, LOCAL_AFTER, LOCAL_UNCERTAIN };
+
+/* The lanes of ends in the domain, as bits, from where its limits lie; or
+ * CYLINT_UNDECIDED. */
+INLINE int ends_between(int from, int to, int first)
+{
+    if (from == LOCAL_UNCERTAIN || to == LOCAL_UNCERTAIN)
+        return CYLINT_UNDECIDED;
+    const int begins = (from == LOCAL_BEFORE) & (to != LOCAL_BEFORE);
+    const int ends = (from != LOCAL_AFTER) & (to == LOCAL_AFTER);
+    return first ? begins << 1 | ends : ends << 1 | begins;
+}
+
+/* Where the point at t lies. */
 INLINE int round_state(const round_line *x, const round_verdict *v,
                        const cylint_shape *shape, double t, int kind)
 {

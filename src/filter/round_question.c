@@ -10,6 +10,7 @@
 
 #ifndef CYLINT_ROUND
 #define CYLINT_ROUND plain
+#define CYLINT_HARD_ROUND cylint_hard_round_plain
 #endif
 
 /* The kernels of this build. */
@@ -79,17 +80,20 @@ INLINE int round_by_signs(round_line *x, round_verdict v, ARGUMENTS, int kind)
 }
 
 /* A kernel that begins with the part that decides most misses. */
-#define KERNEL(name, rest_of, kind)                                   \
-    int NAME(name)(ARGUMENTS)                                         \
-    {                                                                 \
-        round_line x;                                                 \
-        round_verdict v;                                              \
-        load_round(&x, shape, line, kind);                            \
-        answer->relation = CYLINT_RELATION_MISS;                      \
-        answer->n = 0;                                                \
-        if (misses_at_once(&v, &x, shape, kind))                      \
-            return 0;                                                 \
-        return rest_of(&x, v, shape, line, want, answer, rest, kind); \
+#define KERNEL(name, rest_of, kind)                                          \
+    int NAME(name)(ARGUMENTS)                                                \
+    {                                                                        \
+        round_line x;                                                        \
+        round_verdict v;                                                     \
+        load_round(&x, shape, line, kind);                                   \
+        answer->relation = CYLINT_RELATION_MISS;                             \
+        answer->n = 0;                                                       \
+        if (misses_at_once(&v, &x, shape, kind))                             \
+            return 0;                                                        \
+        const int n = rest_of(&x, v, shape, line, want, answer, rest, kind); \
+        return n == CYLINT_UNDECIDED                                         \
+                   ? CYLINT_HARD_ROUND(shape, line, want, answer, rest)      \
+                   : n;                                                      \
     }
 #define KERNELS(name, kind)                    \
     KERNEL(name##_roots, round_by_roots, kind) \

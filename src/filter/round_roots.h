@@ -96,6 +96,7 @@ INLINE local_ends estimate_round(const round_quadratic *q, int up)
     const vd root = (up ? v_two(-1, 1) : v_two(1, -1)) * s;
     at.t = (root - q->B) * (v_set(1) / q->A);
     at.slope = (root + root) * q->scale;
+    at.inverse = v_set(1) / at.slope;
     at.slope_error = (q->radicand_error + q->radicand_error) * q->scale / s;
     at.curvature = (v_abs(q->A) + q->A_error) * q->scale;
     /* the estimate is nearer to its root than to the other one */
@@ -172,17 +173,11 @@ INLINE vd round_residual_at(const cylint_shape *shape, const cylint_line *line,
         cone_residual_at(q, surplus, r, shape, kind == ROUND_TAPERED));
 }
 
-/* Not less than any term of a residual at t. */
-INLINE vd round_size_at(vd t, const local_line *l)
-{
-    return v_sum_of(v_abs(t), v_set(l->D), v_set(l->Q));
-}
-
 INLINE local_roots rounded_ends(const round_line *x, const cylint_shape *shape,
                                 const cylint_line *line, const local_ends *at,
                                 end_parts e, int kind)
 {
-    const vd size = round_size_at(at->t, &x->l);
+    const vd size = size_at(at->t, x->l.Q, x->l.D);
     const vd error =
         v_set(CYLINT_LOCAL_RESIDUAL * shape->local.error) * size * size;
     return stepped(at->t, round_residual_at(shape, line, at->t, e, kind), error,

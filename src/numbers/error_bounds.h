@@ -299,7 +299,7 @@
  *   a coordinate of a point     CYLINT_LOCAL_POSITION u Q
  *   A                           CYLINT_LOCAL_A u (k D)^2
  *   B                           CYLINT_LOCAL_FORM u k^2 Q D
- *   N                           CYLINT_LOCAL_FORM u k Q D^2
+ *   N, T                        CYLINT_LOCAL_FORM u k Q D^2
  *   E, and G if slope = 0       CYLINT_LOCAL_FORM u Q D^2
  *                                   (r + CYLINT_LOCAL_SECOND u Q)
  *   g of a ball                 the same with CYLINT_LOCAL_BALL
@@ -325,9 +325,15 @@
 #define CYLINT_LOCAL_SECOND 16
 
 /*
- * CYLINT_LOCAL_RESIDUAL: the error of a residual in pairs, in multiples of
- * cylint_local.error and of the size of its terms; tests/test_local_bounds.c
- * computes it.
+ * The error of a residual in pairs, u = cylint_local.error, at t, where no
+ * coordinate exceeds Q = |t| D + Q:
+ *
+ *   of a cap       f = CYLINT_LOCAL_RESIDUAL u Q
+ *   of the side    k f (|x| + |y| + k f + CYLINT_LOCAL_UNTRIMMED k Q), and
+ *                  |rho| beside |x| if the shape is tapered
+ *
+ * The last term is for the square of the low parts.  tests/test_local_bounds.c
+ * computes both.
  *
  * A slope 2 s is known to one quarter: G is, because 4 G_error < G, and so is
  * A t + B, because |t| A_error + B_error <= s / 4.  For the root r next to t,
@@ -340,18 +346,19 @@
  * A t + B is known to 1/16 s.
  */
 #define CYLINT_LOCAL_RESIDUAL 16
+#define CYLINT_LOCAL_UNTRIMMED 0x1p-50
 #define CYLINT_LOCAL_SLACK 1.25
 #define CYLINT_LOCAL_NEWTON 1.155
 #define CYLINT_LOCAL_DISTANCE 1.25
 #define CYLINT_LOCAL_NEAR 0x1p-5
 
-/* The error of one operation on triples; of a residual in triples, in multiples
+/* The error of one operation on triples; of a residual in triples or levels, in multiples
  * of the square of cylint_local.error and of the size of its terms
  * (tests/test_local_bounds.c computes both, bounds with slack); and, relative to
  * the residual, of its rounding and its division by cylint_local.scale or
  * square_scale: nine roundings to nearest. */
 #define CYLINT_TRIPLE_ROUNDING 0x1p-150
-#define CYLINT_LOCAL_TRIPLE 0x1p53
+#define CYLINT_LOCAL_TRIPLE 0x1p54
 #define CYLINT_LOCAL_SCALING 0x1p-49
 
 #endif

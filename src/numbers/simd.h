@@ -10,9 +10,10 @@
  * available.  CYLINT_NARROW chooses two lanes with branch-free masks, for one
  * line and one shape; compilers with GNU's vectors have two lanes on every
  * processor.  With two lanes there are also functions that join two numbers,
- * join the first lanes of two vectors, swap the lanes, add the
- * lanes of each of two vectors, and return the first lane.  Every operation
- * rounds once, so every width gives the same bits.
+ * join the first or the second lanes of two vectors, swap the lanes, add the
+ * lanes of each of two vectors, and return the first lane; and, where
+ * CYLINT_NARROW is defined, vectors vq of four lanes.  Every operation rounds
+ * once, so every width gives the same bits.
  */
 #ifndef CYLINT_SIMD_H
 #define CYLINT_SIMD_H
@@ -149,6 +150,7 @@ static inline vd v_select(vm m, vd x, vd y)
 }
 static inline vd v_two(double x, double y) { return _mm_set_pd(y, x); }
 static inline vd v_firsts(vd x, vd y) { return _mm_unpacklo_pd(x, y); }
+static inline vd v_seconds(vd x, vd y) { return _mm_unpackhi_pd(x, y); }
 static inline vd v_turned(vd x) { return _mm_shuffle_pd(x, x, 1); }
 static inline vd v_sums(vd x, vd y)
 {
@@ -201,6 +203,7 @@ static inline vd v_two(double x, double y)
     return vsetq_lane_f64(y, vdupq_n_f64(x), 1);
 }
 static inline vd v_firsts(vd x, vd y) { return vzip1q_f64(x, y); }
+static inline vd v_seconds(vd x, vd y) { return vzip2q_f64(x, y); }
 static inline vd v_turned(vd x) { return vextq_f64(x, x, 1); }
 static inline vd v_sums(vd x, vd y) { return vpaddq_f64(x, y); }
 static inline double v_first(vd x) { return vgetq_lane_f64(x, 0); }
@@ -255,6 +258,7 @@ static inline vd v_select(vm m, vd x, vd y)
 static inline vd v_max(vd x, vd y) { return v_select(x > y, x, y); }
 static inline vd v_two(double x, double y) { return (vd){x, y}; }
 static inline vd v_firsts(vd x, vd y) { return (vd){x[0], y[0]}; }
+static inline vd v_seconds(vd x, vd y) { return (vd){x[1], y[1]}; }
 static inline vd v_turned(vd x) { return (vd){x[1], x[0]}; }
 static inline vd v_sums(vd x, vd y) { return (vd){x[0] + x[1], y[0] + y[1]}; }
 static inline double v_first(vd x) { return x[0]; }
@@ -437,6 +441,114 @@ INLINE vpair vpair_mul(vpair a, vpair b)
     const vpair p = v_two_prod(a.hi, b.hi);
     return (vpair){p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi)};
 }
+
+/* ------------------------------------------------------- four lanes ----- */
+
+#if LANES == 2 && defined(CYLINT_NARROW)
+
+#if defined(__AVX2__) && defined(__FMA__)
+typedef __m256d vq;
+static inline vq q_set(double x) { return _mm256_set1_pd(x); }
+static inline vq q_load(const double *x) { return _mm256_loadu_pd(x); }
+static inline void q_store(double *x, vq v) { _mm256_storeu_pd(x, v); }
+static inline vq q_add(vq x, vq y) { return _mm256_add_pd(x, y); }
+static inline vq q_sub(vq x, vq y) { return _mm256_sub_pd(x, y); }
+static inline vq q_mul(vq x, vq y) { return _mm256_mul_pd(x, y); }
+/* x y + z, rounded once or twice; the error of the product p = x y. */
+static inline vq q_sum_of(vq x, vq y, vq z) { return _mm256_fmadd_pd(x, y, z); }
+static inline vq q_product_error(vq x, vq y, vq p)
+{
+    return _mm256_fmsub_pd(x, y, p);
+}
+/* Lanes 0 and 1; lanes 2 and 3. */
+static inline vd q_low(vq x) { return _mm256_castpd256_pd128(x); }
+static inline vd q_high(vq x) { return _mm256_extractf128_pd(x, 1); }
+static inline vq q_join(vd low, vd high) { return _mm256_set_m128d(high, low); }
+/* (x[0], x[0], x[1], x[1]) */
+static inline vq q_spread(vd x)
+{
+    return _mm256_permute4x64_pd(_mm256_castpd128_pd256(x), 0x50);
+}
+static inline vq q_firsts(vq x) { return _mm256_permute4x64_pd(x, 0x00); }
+static inline vq q_seconds(vq x) { return _mm256_permute4x64_pd(x, 0x55); }
+static inline vq q_thirds(vq x) { return _mm256_permute4x64_pd(x, 0xAA); }
+#else
+typedef struct {
+    vd low, high;
+} vq;
+static inline vq q_join(vd low, vd high) { return (vq){low, high}; }
+static inline vd q_low(vq x) { return x.low; }
+static inline vd q_high(vq x) { return x.high; }
+static inline vq q_set(double x) { return q_join(v_set(x), v_set(x)); }
+static inline vq q_load(const double *x)
+{
+    return q_join(v_load(x), v_load(x + 2));
+}
+static inline void q_store(double *x, vq v)
+{
+    v_store(x, v.low);
+    v_store(x + 2, v.high);
+}
+static inline vq q_add(vq x, vq y)
+{
+    return q_join(x.low + y.low, x.high + y.high);
+}
+static inline vq q_sub(vq x, vq y)
+{
+    return q_join(x.low - y.low, x.high - y.high);
+}
+static inline vq q_mul(vq x, vq y)
+{
+    return q_join(x.low * y.low, x.high * y.high);
+}
+static inline vd v_product_error(vd x, vd y, vd p)
+{
+#if V_HAS_FMA
+    return v_fma(x, y, -p);
+#else
+    (void)p;
+    return v_two_prod(x, y).lo;
+#endif
+}
+static inline vq q_product_error(vq x, vq y, vq p)
+{
+    return q_join(v_product_error(x.low, y.low, p.low),
+                  v_product_error(x.high, y.high, p.high));
+}
+static inline vq q_sum_of(vq x, vq y, vq z)
+{
+#if V_HAS_FMA
+    return q_join(v_fma(x.low, y.low, z.low), v_fma(x.high, y.high, z.high));
+#else
+    return q_add(q_mul(x, y), z);
+#endif
+}
+static inline vq q_spread(vd x)
+{
+    return q_join(v_firsts(x, x), v_seconds(x, x));
+}
+static inline vq q_firsts(vq x) { return q_spread(v_firsts(x.low, x.low)); }
+static inline vq q_seconds(vq x) { return q_spread(v_seconds(x.low, x.low)); }
+static inline vq q_thirds(vq x) { return q_spread(v_firsts(x.high, x.high)); }
+#endif
+
+typedef struct {
+    vq hi, lo;
+} vqpair;
+
+static inline vqpair q_two_sum(vq a, vq b)
+{
+    const vq s = q_add(a, b), bb = q_sub(s, a);
+    return (vqpair){s, q_add(q_sub(a, q_sub(s, bb)), q_sub(b, bb))};
+}
+
+static inline vqpair q_two_diff(vq a, vq b)
+{
+    const vq s = q_sub(a, b), bb = q_sub(s, a);
+    return (vqpair){s, q_sub(q_sub(a, q_sub(s, bb)), q_add(b, bb))};
+}
+
+#endif
 
 /* clang-format on */
 #endif

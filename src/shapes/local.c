@@ -227,10 +227,11 @@ void cylint_measure_local(cylint_shape *s)
     to->norm =
         cylint_larger(cylint_larger(size_of(m.x), size_of(m.y)), size_of(m.z)) *
         CYLINT_SLACK;
-    s->prepared = s->in_range && is_long_enough(s) &&
-                  cylint_rounds_to_nearest() &&
-                  (to->height > 0 || s->kind == CYLINT_KIND_SPHERE) &&
-                  to->error <= CYLINT_LOCAL_WORST;
+    const int accurate = s->in_range && is_long_enough(s) &&
+                         cylint_rounds_to_nearest() &&
+                         (to->height > 0 || s->kind == CYLINT_KIND_SPHERE) &&
+                         to->error <= CYLINT_LOCAL_WORST;
+    s->prepared = accurate ? cylint_solid(s) : CYLINT_SOLID_NONE;
     if (cylint_is_round(s->kind))
         check_round(s);
 }

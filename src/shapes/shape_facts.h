@@ -130,6 +130,35 @@ CYLINT_INLINE int cylint_is_nappe(const cylint_shape *s)
     return s->ends == CYLINT_ENDS_NAPPE && cylint_is_tapered(s->kind);
 }
 
+/* What a shape is in local coordinates (local.h): its section and what bounds
+ * it. */
+enum {
+    CYLINT_SOLID_NONE, /* refused */
+    CYLINT_SOLID_CYLINDER,
+    CYLINT_SOLID_CONE,
+    CYLINT_SOLID_WHOLE_CYLINDER,
+    CYLINT_SOLID_DOUBLE_CONE,
+    CYLINT_SOLID_NAPPE,
+    CYLINT_SOLID_SPHERE,
+    CYLINT_SOLID_CAPSULE,
+    CYLINT_SOLID_ROUND_CONE,
+    CYLINT_SOLIDS
+};
+
+CYLINT_INLINE int cylint_solid(const cylint_shape *s)
+{
+    if (s->kind == CYLINT_KIND_NONE)
+        return CYLINT_SOLID_NONE;
+    if (cylint_is_round(s->kind))
+        return CYLINT_SOLID_SPHERE + (s->kind - CYLINT_KIND_SPHERE);
+    if (cylint_ends_are_planes(s->ends))
+        return cylint_is_tapered(s->kind) ? CYLINT_SOLID_CONE
+                                          : CYLINT_SOLID_CYLINDER;
+    return !cylint_is_tapered(s->kind) ? CYLINT_SOLID_WHOLE_CYLINDER
+           : cylint_is_nappe(s)        ? CYLINT_SOLID_NAPPE
+                                       : CYLINT_SOLID_DOUBLE_CONE;
+}
+
 /* The base is the end at z = 1. */
 CYLINT_INLINE int cylint_is_reversed(const cylint_shape *s)
 {

@@ -1,0 +1,271 @@
+/*
+ * residual_in_levels.h - the residual at a root that pairs do not round
+ *
+ * A line that begins on the surface has a root near 0.  It is so small beside
+ * the shape that the residual in pairs has too few digits.  Here the point
+ * P = o + t d is written as
+ *
+ *   P = base + s w + F                circular kinds
+ *   P = base + x a + y b + s w + F    elliptic kinds
+ *
+ * with doubles s, x, y that are near its coordinates.  F is then a sum of
+ * products of doubles.  Circular kinds, with g = F.w and e = g / w.w:
+ *
+ *   Q = |F|^2 - g e - (r0 + dr (s + e))^2
+ *
+ * Elliptic kinds: F is small, so that its local coordinates f = M F are
+ * accurate in pairs, and Q = (x + f_x)^2 + (y + f_y)^2 - rho^2, with rho at the
+ * height of s + f_z.  Of a cap s is the end's, 0 or 1, and the residual is g or
+ * f_z.
+ *
+ * Sums are kept in levels: a + b + c, where a sums numbers of the size of the
+ * data without error, b the errors of a, without error, and c the errors of b.
+ */
+#ifndef CYLINT_RESIDUAL_IN_LEVELS_H
+#define CYLINT_RESIDUAL_IN_LEVELS_H
+
+#include "local_lines.h"
+
+/* ----------------------------------------------------------- levels ----- */
+
+/* In four lanes. */
+typedef struct {
+    vq a, b, c;
+} vq_levels;
+
+INLINE void q_add_b(vq_levels *sum, vq x)
+{
+    const vqpair s = q_two_sum(sum->b, x);
+    sum->b = s.hi;
+    sum->c = q_add(sum->c, s.lo);
+}
+
+INLINE void q_add_a(vq_levels *sum, vq x)
+{
+    const vqpair s = q_two_sum(sum->a, x);
+    sum->a = s.hi;
+    q_add_b(sum, s.lo);
+}
+
+/* Adds x y to a, or a product of the size of b to b. */
+INLINE void q_add_product_to_a(vq_levels *sum, vq x, vq y)
+{
+    const vq product = q_mul(x, y);
+    q_add_a(sum, product);
+    q_add_b(sum, q_product_error(x, y, product));
+}
+
+INLINE void q_add_product_to_b(vq_levels *sum, vq x, vq y)
+{
+    const vq product = q_mul(x, y);
+    q_add_b(sum, product);
+    sum->c = q_add(sum->c, q_product_error(x, y, product));
+}
+
+/* In one. */
+typedef struct {
+    double a, b, c;
+} levels;
+
+INLINE void add_b(levels *sum, double x)
+{
+    const pair s = two_sum(sum->b, x);
+    sum->b = s.hi;
+    sum->c += s.lo;
+}
+
+INLINE void add_a(levels *sum, double x)
+{
+    const pair s = two_sum(sum->a, x);
+    sum->a = s.hi;
+    add_b(sum, s.lo);
+}
+
+INLINE void add_product_to_a(levels *sum, double x, double y)
+{
+    const pair product = two_prod(x, y);
+    add_a(sum, product.hi);
+    add_b(sum, product.lo);
+}
+
+INLINE void add_product_to_b(levels *sum, double x, double y)
+{
+    const pair product = two_prod(x, y);
+    add_b(sum, product.hi);
+    sum->c += product.lo;
+}
+
+INLINE double total(const levels *x)
+{
+    const pair s = two_sum(x->a, x->b);
+    return s.hi + (s.lo + x->c);
+}
+
+/* Its total as a pair. */
+INLINE pair total_pair(const levels *x)
+{
+    const pair s = two_sum(x->a, x->b);
+    return fast_two_sum(s.hi, s.lo + x->c);
+}
+
+/* Adds lanes 0, 1 and 2. */
+INLINE void add_lanes(levels *sum, const vq_levels *x)
+{
+    double a[4], b[4], c[4];
+    q_store(a, x->a);
+    q_store(b, x->b);
+    q_store(c, x->c);
+    EACH(i, 3)
+        add_a(sum, a[i]);
+    EACH(i, 3)
+        add_b(sum, b[i]);
+    sum->c += (c[0] + c[1]) + c[2];
+}
+
+/* Lane by lane x y. */
+INLINE vq_levels q_product(const vq_levels *x, vq y, vq y_lo)
+{
+    const vq zero = q_set(0);
+    vq_levels xy = {zero, zero, q_sum_of(x->c, y, q_mul(x->b, y_lo))};
+    xy.a = q_mul(x->a, y);
+    xy.b = q_product_error(x->a, y, xy.a);
+    q_add_product_to_b(&xy, x->b, y);
+    q_add_product_to_b(&xy, x->a, y_lo);
+    return xy;
+}
+
+INLINE vq_levels q_square(const vq_levels *x)
+{
+    const vq twice_a = q_add(x->a, x->a);
+    vq_levels xx = {q_mul(x->a, x->a), q_set(0),
+                    q_sum_of(twice_a, x->c, q_mul(x->b, x->b))};
+    xx.b = q_product_error(x->a, x->a, xx.a);
+    q_add_product_to_b(&xx, twice_a, x->b);
+    return xx;
+}
+
+INLINE void subtract_square(levels *sum, const levels *x)
+{
+    const pair square = two_prod(x->a, x->a);
+    add_a(sum, -square.hi);
+    add_b(sum, -square.lo);
+    add_product_to_b(sum, -2 * x->a, x->b);
+    sum->c -= sum_of(2 * x->a, x->c, x->b * x->b);
+}
+
+/* -------------------------------------------------------- the point ----- */
+
+/* A point near P: its coordinates along the axis, which is counted as 1, and in
+ * units of the semi-axes. */
+typedef struct {
+    double x, y, s;
+} near_point;
+
+INLINE near_point point_near(const cylint_shape *shape, const cylint_line *line,
+                             double t, int cap)
+{
+    const cylint_local *f = &shape->local;
+    const double o[3] = {line->o[0] - shape->base[0],
+                         line->o[1] - shape->base[1],
+                         line->o[2] - shape->base[2]};
+    double q[3];
+    EACH(i, 3)
+        q[i] = sum_of(t, line->d[i], o[i]);
+    double p[2];
+    v_store(p, sideways(f, q[0], q[1], q[2]));
+    const double s = along(f, q[0], q[1], q[2]) / f->height;
+    return (near_point){p[0], p[1], cap < 0 ? s : cap};
+}
+
+/* F in lanes 0, 1 and 2. */
+INLINE vq_levels distance_from(const near_point *near,
+                               const cylint_shape *shape,
+                               const cylint_line *line, double t, int elliptic)
+{
+    const vqpair from = q_two_diff(q_load(line->o), q_load(shape->base));
+    const vq T = q_set(t), s = q_set(-near->s);
+    vq_levels F = {from.hi, from.lo, q_set(0)};
+    q_add_product_to_a(&F, T, q_load(line->d));
+    if (line->segment)
+        q_add_product_to_b(&F, T, q_load(line->d_lo));
+    if (elliptic) {
+        q_add_product_to_a(&F, q_set(-near->x), q_load(shape->a));
+        q_add_product_to_a(&F, q_set(-near->y), q_load(shape->b));
+    }
+    q_add_product_to_a(&F, s, q_load(shape->axis));
+    if (!elliptic)
+        q_add_product_to_b(&F, s, q_load(shape->axis_lo));
+    return F;
+}
+
+/* ---------------------------------------------------- the residuals ----- */
+
+/* r0 + dr z, z = s + e. */
+INLINE levels radius_at(const cylint_shape *shape, double s, pair e)
+{
+    levels rho = {shape->r0, 0, 0};
+    add_product_to_a(&rho, shape->dr, s);
+    add_product_to_b(&rho, shape->dr_lo, s);
+    add_product_to_b(&rho, shape->dr, e.hi);
+    rho.c += sum_of(shape->dr, e.lo, shape->dr_lo * e.hi);
+    return rho;
+}
+
+INLINE double circular_residual(const cylint_shape *shape,
+                                const cylint_line *line, double t, int cap,
+                                int tapered)
+{
+    const cylint_local *f = &shape->local;
+    const near_point near = point_near(shape, line, t, cap);
+    const vq_levels F = distance_from(&near, shape, line, t, 0);
+    const vq_levels Fw =
+        q_product(&F, q_load(shape->axis), q_load(shape->axis_lo));
+    levels g = {0, 0, 0}, Q = {0, 0, 0};
+    add_lanes(&g, &Fw);
+    if (cap >= 0)
+        return total(&g) / shape->local.scale;
+    const pair length = {f->height, f->height_lo};
+    const pair e = pair_div(total_pair(&g), pair_mul(length, length));
+    const vq_levels FF = q_square(&F);
+    levels rho = {shape->r0, 0, 0};
+    if (tapered)
+        rho = radius_at(shape, near.s, e);
+    add_lanes(&Q, &FF);
+    subtract_square(&Q, &rho);
+    Q.c -= total(&g) * e.hi;
+    return total(&Q);
+}
+
+INLINE double elliptic_residual(const cylint_shape *shape,
+                                const cylint_line *line, double t, int cap,
+                                int tapered)
+{
+    const near_point near = point_near(shape, line, t, cap);
+    const vq_levels F = distance_from(&near, shape, line, t, 1);
+    const vqpair sum = q_two_sum(F.a, F.b);
+    const vq low = q_add(sum.lo, F.c);
+    const vq hi[3] = {q_firsts(sum.hi), q_seconds(sum.hi), q_thirds(sum.hi)};
+    const vq lo[3] = {q_firsts(low), q_seconds(low), q_thirds(low)};
+    const vqpair f = transformed(&shape->local, hi, lo);
+    double f_hi[4], f_lo[4];
+    q_store(f_hi, f.hi);
+    q_store(f_lo, f.lo);
+    if (cap >= 0)
+        return f_hi[2] + f_lo[2];
+    const double at[2] = {near.x, near.y};
+    levels Q = {0, 0, 0}, rho = {1, 0, 0};
+    EACH(i, 2) {
+        add_product_to_a(&Q, at[i], at[i]);
+        add_product_to_b(&Q, 2 * at[i], f_hi[i]);
+        Q.c += sum_of(2 * at[i], f_lo[i], f_hi[i] * f_hi[i]);
+    }
+    if (tapered) {
+        /* the row of z counts in units of 1 / height, a power of two */
+        const double unit = 1 / shape->local.height;
+        rho = radius_at(shape, near.s, (pair){f_hi[2] * unit, f_lo[2] * unit});
+    }
+    subtract_square(&Q, &rho);
+    return total(&Q);
+}
+
+#endif
