@@ -19,6 +19,7 @@ test_install()
         lib/libcylint-scene.a "lib/libcylint-scene.so.$major" \
         lib/pkgconfig/cylint.pc lib/pkgconfig/cylint-scene.pc \
         include/cylint.h include/cylint_methods.h include/cylint_scene.h \
+        include/cylint_distance.h share/man/man3/cylint_distance.3 \
         share/man/man1/cylint.1 share/man/man3/cylint.3 \
         share/man/man3/cylint_methods.3 share/man/man3/cylint_scene.3 \
         bin/cylint-convert share/cylint/common.awk share/cylint/autumn.awk \
@@ -209,7 +210,8 @@ test_manual_examples()
 {
     sanitizers=$(sanitizers_of)
     source=example.c
-    for shown in cylint.3,1 cylint.3,3 cylint.3,5 cylint_methods.3,1; do
+    for shown in cylint.3,1 cylint.3,3 cylint.3,5 cylint_methods.3,1 \
+        cylint_distance.3,1 cylint_distance.3,3; do
         page=${shown%,*} number=${shown#*,}
         display $page $number > "$scratch/example.c"
         display $page $((number + 1)) > "$scratch/example.said"
@@ -259,6 +261,7 @@ test_manual_structs()
 {
     { echo '#include <stddef.h>'
       echo '#include <cylint_methods.h>'
+      echo '#include <cylint_distance.h>'
       awk '
         function equal(what, a, b) {
             print "typedef char same_" ++n "[" what "(" a ") == " \
@@ -341,7 +344,7 @@ test_symbols()
             awk 'NF == 3 && $3 !~ /^(cylint_|__odr_asan)/ { print $3 }')" \
             "static_${library}_defines_only_its_own_names"
     done
-    none "$(declared cylint.h cylint_methods.h |
+    none "$(declared cylint.h cylint_distance.h cylint_methods.h |
         missing_from "$lib/libcylint.so")" \
         libcylint_exports_every_function_of_its_headers
     none "$(declared cylint_scene.h | missing_from "$lib/libcylint-scene.so")" \
