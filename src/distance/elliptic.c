@@ -33,6 +33,9 @@
 
 enum { MOST_RATIO = 400, NO_EXPONENT = -4000, ANY_FEATURE = -1 };
 
+/* The error of a difference of squared distances relative to its terms. */
+#define ORDER_ERROR 0x1p-130
+
 /* The error of a component of a residual or normal relative to its terms: a
  * smaller one is 0. */
 #define VECTOR_ERROR 0x1p-100
@@ -207,7 +210,7 @@ static int compare(const search *s, const candidate *x)
             (s->terms[i] + x->terms[i]) * (fabs(s->R[i].a) + fabs(x->R[i].a));
     }
     const double change = triple_dot(between, sum).a;
-    return fabs(change) <= VECTOR_ERROR * error ? 0 : change < 0 ? -1 : 1;
+    return fabs(change) <= ORDER_ERROR * error ? 0 : change < 0 ? -1 : 1;
 }
 
 /* Accepts a candidate if it is nearer than all before, or as near and of
