@@ -73,6 +73,20 @@ typedef struct cylint_closest {
  * number.  It is never -0, and the same in
  * every rounding mode.  Each component of point and normal is within 4 units in
  * its own last place; a component that is 0 is returned as 0, never as -0.
+ *
+ * Elliptic kinds: the sign is exact, and the distance is 0 if and only if the
+ * point is on the surface.  The lateral surface and each rim have at most four
+ * stationary points.  All of them are computed, so the nearest of several
+ * local minima is found.  Let L be the length of the longest of a, b, h and the
+ * vector from c to the point.  In rounding to nearest, if a, b and h differ in
+ * length by factors up to 1e12 and |a.(b x h)| is at least 2^-60 of the cube of
+ * the longest, a distance of 2^-60 L or more is within 1 unit in its last place,
+ * and a smaller one has an error of at most 2^-113 L.  The components of point
+ * and normal are within 4 units in their last places, or 0 if they are below
+ * 2^-100 of their terms.  Part and feature are those of a distance that exceeds
+ * the least one by at most 2^-113 L.  Of points with equal distances on one
+ * ellipse the answer is the one with the least phi.  A question takes about
+ * 20 microseconds.
  */
 CYLINT_API double cylint_distance(const cylint_shape *shape,
                                   const double point[3], unsigned want,

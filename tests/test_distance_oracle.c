@@ -70,8 +70,8 @@ static void check_safety(const struct family_case *c, const double p[3],
 {
     const double safe = cylint_safety(&c->shape, p);
     const double far = fabs(want->distance);
-    const int above =
-        !(safe >= 0) || (safe > 0 && oracle_distance_error(safe) > 0);
+    const int above = !(safe >= 0) || signbit(safe) ||
+                      (safe > 0 && oracle_distance_error(safe) > 0);
     sum->above += above;
     if (far > 0)
         sum->safety = fmin(sum->safety, safe / far);
@@ -98,6 +98,15 @@ static int is_as_near(const cylint_shape *shape, const double p[3],
            fabs(at.distance) <= 8 * unit;
 }
 
+/* Of the last distance, which may have been rounded to 0. */
+static int sign_of_oracle(const struct oracle_closest *want)
+{
+    return want->distance != 0 || oracle_distance_is_zero()
+               ? sign(want->distance)
+           : signbit(want->distance) ? -1
+                                     : 1;
+}
+
 static void check_elliptic(const struct family_case *c, const double p[3],
                            struct tally *sum)
 {
@@ -107,10 +116,8 @@ static void check_elliptic(const struct family_case *c, const double p[3],
     oracle_distance(&c->shape, p, &want);
     CHECK(cylint_distance(&c->shape, p, WANT, &got) == got.distance);
     sum->n++;
-    if (!want.too_near)
-        check_safety(c, p, sum, &want);
-    const int wrong_sign = sign(got.distance) != sign(want.distance) &&
-                           !(want.too_near && got.distance == 0);
+    check_safety(c, p, sum, &want);
+    const int wrong_sign = sign(got.distance) != sign_of_oracle(&want);
     const double off =
         want.too_near ? 0 : fabs(oracle_distance_error(got.distance));
     int wrong_feature = got.part != want.part || got.feature != want.feature;
@@ -131,15 +138,6 @@ static void check_elliptic(const struct family_case *c, const double p[3],
     if (!CHECK(!wrong_sign && !wrong_feature && off <= 1 && off_point <= 4 &&
                off_normal <= 4))
         report_point(c, p, &got, &want);
-}
-
-/* Of the last distance, which may have been rounded to 0. */
-static int sign_of_oracle(const struct oracle_closest *want)
-{
-    return want->distance != 0 || oracle_distance_is_zero()
-               ? sign(want->distance)
-           : signbit(want->distance) ? -1
-                                     : 1;
 }
 
 static void check_point(const struct family_case *c, const double p[3],
@@ -244,6 +242,22 @@ static void distances_are_those_of_the_oracle(void)
     over_families(0, 0);
 }
 
+/* Found by the families: products of subnormal coordinates underflow. */
+static void a_subnormal_coordinate_is_not_lost(void)
+{
+    static const double shape[8] = {-7, 0, 3, 450, 618, 0, 3, 75};
+    static const double point[3] = {203, -9 * 0x1p-1074, 408};
+    struct tally sum = {0};
+    struct family_case c;
+    memset(&c, 0, sizeof c);
+    c.shape_word = FAMILY_RCONE;
+    memcpy(c.shape_data, shape, sizeof shape);
+    c.ends = CYLINT_ENDS_CAP1;
+    c.line_data[3] = 1;
+    if (CHECK(family_make(&c)))
+        check_point(&c, point, &sum);
+}
+
 static void also_of_mixed_exponents(void)
 {
     over_families(1, 0);
@@ -260,6 +274,7 @@ int main(void)
 {
 #ifdef HAVE_MPFR
     RUN(distances_are_those_of_the_oracle);
+    RUN(a_subnormal_coordinate_is_not_lost);
     RUN(also_of_mixed_exponents);
     RUN(elliptic_distances_are_those_of_the_oracle);
 #endif

@@ -33,6 +33,11 @@
 
 enum { MOST_RATIO = 400, NO_EXPONENT = -4000, ANY_FEATURE = -1 };
 
+/* The error of a distance relative to the longest length, for shapes with a
+ * volume a.(b x h) of at least FLAT of the cube of the longest of a, b and h. */
+#define DISTANCE_ERROR 0x1p-80
+#define FLAT 0x1p-60
+
 /* The error of a difference of squared distances relative to its terms. */
 #define ORDER_ERROR 0x1p-130
 
@@ -505,7 +510,23 @@ double cylint_elliptic_distance(const cylint_shape *shape,
         write_normal(&s, answer->normal);
     if (is_on)
         return answer->distance = 0;
-    const double size = cylint_scaled(s.distance.hi, s.e + s.far);
-    const int negative = is_signed && side > 0 && cylint_sign(size) != 0;
-    return answer->distance = negative ? -size : size;
+    const double d = cylint_scaled(s.distance.hi, s.e + s.far);
+    const double size = cylint_sign(d) == 0 ? 0x1p-1074 : d;
+    return answer->distance = is_signed && side > 0 ? -size : size;
+}
+
+double cylint_below_elliptic(const cylint_shape *shape, const double point[3],
+                             double below)
+{
+    search s;
+    triple M[3];
+    load(&s, shape, point);
+    triple_cross(M, s.a, s.b);
+    if (!(fabs(triple_dot(M, s.h).a) >= FLAT))
+        return 0;
+    const double x[3] = {s.Q[0].a, s.Q[1].a, s.Q[2].a};
+    const double error =
+        DISTANCE_ERROR * (1 + cylint_largest(x)); /* a, b and h are below 2 */
+    const double rest = below - cylint_scaled(error, s.e + s.far);
+    return rest > 0 ? -cylint_next_above(-rest) : 0;
 }

@@ -11,4 +11,9 @@ double cylint_elliptic_distance(const cylint_shape *shape,
                                 const double point[3], unsigned want,
                                 cylint_closest *answer);
 
+/* The double below the absolute value of cylint_elliptic_distance(), less the
+ * error of that; 0 for a shape too flat to bound it. */
+double cylint_below_elliptic(const cylint_shape *shape, const double point[3],
+                             double below);
+
 #endif

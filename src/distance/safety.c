@@ -12,6 +12,7 @@
 #include "../numbers/bits.h"
 #include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
+#include "elliptic.h"
 
 static double root(double x)
 {
