@@ -321,7 +321,7 @@ static void the_sign_is_that_of_contains(void)
 static void check_paths(const struct family_case *c, const double p[3])
 {
     cylint_shape unprepared = c->shape;
-    unprepared.prepared = 0;
+    unprepared.prepared = unprepared.in_range = 0;
     for (unsigned w = 0; w < 2; w++) {
         const unsigned want = w ? WANT : CYLINT_WANT_PART;
         const cylint_closest exact = answer_to(&unprepared, p, want);
@@ -333,7 +333,11 @@ static void check_paths(const struct family_case *c, const double p[3])
         if (!CHECK(same(&exact, &usual) && (!certain || same(&exact, &plain))))
             report(c, p);
     }
+    cylint_shape for_packs = c->shape;
+    for_packs.prepared = 0;
+    const cylint_closest unpacked = answer_to(&for_packs, p, WANT);
     const cylint_closest all = answer_to(&c->shape, p, WANT);
+    CHECK(same(&all, &unpacked));
     const cylint_closest alone = answer_to(&c->shape, p, 0);
     CHECK(all.distance == alone.distance);
 }

@@ -2,6 +2,7 @@
  * distance.c - one point and one shape
  */
 #include "../numbers/bits.h"
+#include "../shapes/local.h"
 #include "../dispatch.h"
 #include "certified_distance.h"
 #include "cylint_distance.h"
@@ -41,19 +42,6 @@ static double by_exact_numbers(const cylint_shape *shape, const double point[3],
     return answer->distance = n.sign < 0 ? -size : size;
 }
 
-/* All answers that the certified ones leave. */
-ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
-                         unsigned want, cylint_closest *answer)
-{
-    if (shape->kind == CYLINT_KIND_NONE || !is_finite(point)) {
-        answer->flags = CYLINT_FLAG_INVALID;
-        return nowhere(answer);
-    }
-    return cylint_is_elliptic(shape->kind)
-               ? cylint_elliptic_distance(shape, point, want, answer)
-               : by_exact_numbers(shape, point, want, answer);
-}
-
 /* The build of the kernel that goes with those of the filter. */
 static inline int is_certified(const cylint_shape *shape, const double point[3],
                                unsigned want, cylint_closest *answer)
@@ -63,6 +51,32 @@ static inline int is_certified(const cylint_shape *shape, const double point[3],
         return cylint_certified_fma(shape, point, want, answer);
 #endif
     return cylint_certified_plain(shape, point, want, answer);
+}
+
+/* A shape that its constructor did not prepare (CYLINT_FOR_PACKS). */
+static int is_certified_prepared(const cylint_shape *shape,
+                                 const double point[3], unsigned want,
+                                 cylint_closest *answer)
+{
+    cylint_shape prepared = *shape;
+    cylint_measure_local(&prepared);
+    return prepared.prepared && is_certified(&prepared, point, want, answer);
+}
+
+/* All answers that the certified ones leave. */
+ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
+                         unsigned want, cylint_closest *answer)
+{
+    if (shape->kind == CYLINT_KIND_NONE || !is_finite(point)) {
+        answer->flags = CYLINT_FLAG_INVALID;
+        return nowhere(answer);
+    }
+    if (cylint_is_elliptic(shape->kind))
+        return cylint_elliptic_distance(shape, point, want, answer);
+    if (!shape->prepared && shape->in_range &&
+        is_certified_prepared(shape, point, want, answer))
+        return answer->distance;
+    return by_exact_numbers(shape, point, want, answer);
 }
 
 double cylint_distance(const cylint_shape *shape, const double point[3],
