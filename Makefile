@@ -84,6 +84,8 @@ isa.src/filter/hard_question-fma     := $(avx2) -DCYLINT_HARD=cylint_hard_fma -D
 isa.src/filter/hard_round_question-fma := $(avx2) -DCYLINT_HARD_ROUND=cylint_hard_round_fma
 isa.src/filter/round_question-fma    := $(avx2) -DCYLINT_ROUND=fma -DCYLINT_HARD_ROUND=cylint_hard_round_fma
 isa.src/distance/certified_distance-fma := $(avx2) -DCYLINT_CERTIFIED=cylint_certified_fma
+isa.src/distance/certified_many-avx2   := $(avx2) -DCYLINT_CERTIFY_MANY=cylint_certify_many_avx2
+isa.src/distance/certified_many-avx512 := $(avx512) -DCYLINT_CERTIFY_MANY=cylint_certify_many_avx512
 isa.src/filter/many_questions-avx2   := $(avx2) -DCYLINT_MANY=cylint_many_avx2
 isa.src/filter/many_questions-avx512 := $(avx512) -DCYLINT_MANY=cylint_many_avx512
 isa.src/bvh/traverse-avx2            := $(avx2) -DCYLINT_TRAVERSAL=cylint_traversal_avx2

@@ -494,6 +494,50 @@ static void batches_return_the_answers_of_single_questions(void)
     CHECK(cylint_closest_shape(shapes, 0, p0, HUGE_VAL, 0, &a) == 0);
 }
 
+/* Points about the shape of a case, answered in lanes and one by one. */
+static void check_lanes(const struct family_case *f, int n, uint64_t *stream)
+{
+    static double x[3][MANY];
+    struct columns c;
+    for (int i = 0; i < n; i++) {
+        double p[3];
+        draw_point(f, stream, p);
+        for (int k = 0; k < 3; k++)
+            x[k][i] = random_int(stream, 50) ? p[k] : NAN;
+    }
+    const cylint_points points = {(size_t)n, {x[0], x[1], x[2]}};
+    cylint_closest_columns to = columns_of(&c);
+    for (int k = 0; k < 3; k++)
+        to.point[k] = to.normal[k] = NULL;
+    memset(&c, 77, sizeof c);
+    cylint_distance_points(&f->shape, &points, &to);
+    for (int i = 0; i < n; i++) {
+        const double p[3] = {x[0][i], x[1][i], x[2][i]};
+        const cylint_closest a = answer_to(&f->shape, p, CYLINT_WANT_PART);
+        if (!CHECK(c.distance[i] == a.distance && c.part[i] == a.part &&
+                   (a.part == -1 || c.feature[i] == a.feature)))
+            report(f, p);
+    }
+    CHECK(n == MANY || c.part[n] == 77);
+}
+
+static void lanes_of_all_builds_return_the_same_bits(void)
+{
+    for (int k = 0; cylint_kernels_name(k); k++) {
+        CHECK(cylint_use_kernels(cylint_kernels_name(k)));
+        for (int f = 0; f < family_count(); f++)
+            for (uint64_t i = 0; i < 8; i++) {
+                struct family_case c;
+                uint64_t stream = i * 99 + (uint64_t)f;
+                family_case(21, f, i, &c);
+                c.shape.ends = CYLINT_ENDS_CAPPED;
+                if (!cylint_is_elliptic(c.shape.kind))
+                    check_lanes(&c, 1 + random_int(&stream, MANY), &stream);
+            }
+    }
+    cylint_use_kernels(NULL);
+}
+
 static void of_equal_shapes_the_first_is_closest(void)
 {
     static const double p[3] = {5, 0, 1};
@@ -522,6 +566,7 @@ int main(void)
     RUN(safety_is_never_above_the_distance);
     RUN(a_power_of_two_scales_the_distance);
     RUN(batches_return_the_answers_of_single_questions);
+    RUN(lanes_of_all_builds_return_the_same_bits);
     RUN(of_equal_shapes_the_first_is_closest);
     return check_end();
 }

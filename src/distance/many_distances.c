@@ -1,7 +1,13 @@
 /*
  * many_distances.c - many points and shapes
+ *
+ * Points and one shape are answered in lanes; pairs, and what the lanes leave,
+ * one by one.
  */
+#include "../dispatch.h"
 #include "../numbers/bits.h"
+#include "../shapes/local.h"
+#include "certified_many.h"
 #include "cylint_distance.h"
 
 /* The members that the columns need. */
@@ -48,11 +54,84 @@ static void rows(const cylint_shape *shapes, size_t stride,
     }
 }
 
+/* Whether the kernels in lanes serve the shape. */
+static int has_lanes(const cylint_shape *s, const cylint_closest_columns *to)
+{
+    return s->prepared && s->ends == CYLINT_ENDS_CAPPED &&
+           !cylint_is_elliptic(s->kind) && !cylint_has_tangent(s->kind) &&
+           !(wanted(to) & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) &&
+           cylint_rounds_to_nearest();
+}
+
+static cylint_certify_many *kernel(void)
+{
+#ifdef CYLINT_BUILDS_X86
+    const cylint_kernels *used = cylint_kernels_used();
+    if (used->one == &cylint_one_avx512)
+        return cylint_certify_many_avx512;
+    if (used->one == &cylint_one_fma)
+        return cylint_certify_many_avx2;
+#endif
+    return cylint_certify_many_plain;
+}
+
+/* The part and feature that the kernels' feature stands for: an end of radius 0
+ * is an apex. */
+static void write_feature(const cylint_shape *s, int feature,
+                          const cylint_closest_columns *to, size_t row)
+{
+    const int end =
+        feature == CYLINT_FEATURE_CAP1 || feature == CYLINT_FEATURE_RIM1;
+    const int apex = feature != CYLINT_FEATURE_LATERAL &&
+                     !(cylint_end_factor(s, end) > 0) &&
+                     s->kind != CYLINT_KIND_SPHERE;
+    const int lateral = apex || feature >= CYLINT_FEATURE_RIM0;
+    if (to->feature)
+        to->feature[row] = (signed char)(apex ? CYLINT_FEATURE_APEX : feature);
+    if (to->part)
+        to->part[row] = (signed char)(lateral ? CYLINT_PART_LATERAL : feature);
+}
+
+static void block(const cylint_shape *shape, cylint_certify_many *certify,
+                  const cylint_points *points, size_t first, int n,
+                  const cylint_closest_columns *answers)
+{
+    double unwanted[CYLINT_POINT_BLOCK];
+    signed char feature[CYLINT_POINT_BLOCK];
+    int rest[CYLINT_POINT_BLOCK];
+    double *distance = answers->distance ? answers->distance + first : unwanted;
+    const double *const xyz[3] = {
+        points->xyz[0] + first, points->xyz[1] + first, points->xyz[2] + first};
+    const int left = certify(shape, xyz, n, distance, feature, rest);
+    if (answers->part || answers->feature)
+        for (int i = 0; i < n; i++)
+            write_feature(shape, feature[i], answers, first + (size_t)i);
+    for (int k = 0; k < left; k++) {
+        const int i = rest[k];
+        const double point[3] = {xyz[0][i], xyz[1][i], xyz[2][i]};
+        cylint_closest answer;
+        cylint_distance(shape, point, CYLINT_WANT_PART, &answer);
+        write_row(answers, first + (size_t)i, &answer);
+    }
+}
+
 void cylint_distance_points(const cylint_shape *shape,
                             const cylint_points *points,
                             const cylint_closest_columns *answers)
 {
-    rows(shape, 0, points, answers);
+    cylint_shape prepared = *shape;
+    if (!shape->prepared && shape->in_range && shape->kind != CYLINT_KIND_NONE)
+        cylint_measure_local(&prepared);
+    if (!has_lanes(&prepared, answers)) {
+        rows(&prepared, 0, points, answers);
+        return;
+    }
+    for (size_t i = 0; i < points->n; i += CYLINT_POINT_BLOCK) {
+        const size_t left = points->n - i;
+        block(&prepared, kernel(), points, i,
+              left < CYLINT_POINT_BLOCK ? (int)left : CYLINT_POINT_BLOCK,
+              answers);
+    }
 }
 
 void cylint_distance_pairs(const cylint_shape *shapes,

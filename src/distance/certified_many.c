@@ -1,0 +1,332 @@
+/*
+ * certified_many.c - distances of many points from one capped shape, in lanes
+ *
+ * The formulas and bounds are those of certified_distance.c.  Every lane
+ * computes all features, and masks choose.
+ */
+#include "certified_many.h"
+
+#include "../numbers/double_double.h" /* before simd.h */
+#include "../numbers/error_bounds.h"
+#include "../numbers/simd.h"
+#include "../shapes/shape_facts.h"
+
+#ifndef CYLINT_CERTIFY_MANY
+#define CYLINT_CERTIFY_MANY cylint_certify_many_plain
+#endif
+
+/* -------------------------------------------------------------- pairs -- */
+
+INLINE vd v_sum_of(vd x, vd y, vd z)
+{
+#if V_HAS_FMA
+    return v_fma(x, y, z);
+#else
+    return x * y + z;
+#endif
+}
+
+INLINE vpair both(double hi, double lo)
+{
+    return (vpair){v_set(hi), v_set(lo)};
+}
+
+INLINE vpair times(vpair a, vpair b)
+{
+    const vpair p = v_two_prod(a.hi, b.hi);
+    return (vpair){p.hi, v_sum_of(a.hi, b.lo, v_sum_of(a.lo, b.hi, p.lo))};
+}
+
+/* lo^2 included. */
+INLINE vpair square(vpair a)
+{
+    const vpair p = v_two_prod(a.hi, a.hi);
+    return (vpair){p.hi, v_sum_of(a.hi + a.hi + a.lo, a.lo, p.lo)};
+}
+
+INLINE vpair pick(vm m, vpair a, vpair b)
+{
+    return (vpair){v_select(m, a.hi, b.hi), v_select(m, a.lo, b.lo)};
+}
+
+INLINE vpair sum_of_squares(vpair x, vpair y, vpair z)
+{
+    const vpair a = square(x), b = square(y), c = square(z);
+    const vpair s = v_two_sum(a.hi, b.hi), t = v_two_sum(s.hi, c.hi);
+    return (vpair){t.hi, (s.lo + t.lo) + (a.lo + (b.lo + c.lo))};
+}
+
+/* A root and the size of its first correction relative to it. */
+typedef struct {
+    vpair v;
+    vd half, step;
+} vroot;
+
+INLINE vroot root_of(vpair a)
+{
+    vroot r;
+    const vd s = v_sqrt(a.hi);
+    const vpair p = v_two_prod(s, s);
+    r.half = v_set(0.5) / s;
+    const vd step = ((a.hi - p.hi) + (a.lo - p.lo)) * r.half;
+    r.v = (vpair){s, step - step * step * r.half};
+    r.step = v_abs(step) * (r.half + r.half);
+    return r;
+}
+
+/* --------------------------------------------------------- half plane -- */
+
+/* The constants of the shape in all lanes. */
+typedef struct {
+    vpair base[3], top[3], w[3], height, cosine, sine, offset;
+    vpair z[2], rho[2]; /* the ends of the lateral line */
+    vd r[2], reach;
+    int is_hull;
+} vshape;
+
+typedef struct {
+    vpair D[3], z, dd, rho;
+    vd size, error, margin;
+} vplane;
+
+/* The nearest feature so far. */
+typedef struct {
+    vpair d;
+    vd feature, error;
+    vm certain;
+} vnearest;
+
+INLINE void load_shape(vshape *v, const cylint_shape *s)
+{
+    const cylint_local *f = &s->local;
+    v->is_hull = cylint_is_hull(s->kind);
+    EACH(i, 3) {
+        v->base[i] = both(s->base[i], 0);
+        v->top[i] = both(s->top[i], 0);
+        v->w[i] = both(f->xyz[i][2], f->xyz_lo[i][2]);
+    }
+    v->height = both(f->height, f->height_lo);
+    v->cosine = both(f->cosine, f->cosine_lo);
+    v->sine = both(f->sine, f->sine_lo);
+    v->r[0] = v_set(s->r0);
+    v->r[1] = v_set(s->r1);
+    v->reach = v_set(f->reach + cylint_smaller(s->r0, s->r1));
+    v->z[0] = both(0, 0);
+    v->z[1] = v->height;
+    v->rho[0] = both(s->r0, 0);
+    v->rho[1] = both(s->r1, 0);
+    v->offset = v->is_hull ? v->rho[0] : times(v->cosine, v->rho[0]);
+}
+
+INLINE void load_plane(vplane *m, const vshape *s, const vd x[3])
+{
+    vpair sum = {v_set(0), v_set(0)};
+    EACH(i, 3) {
+        m->D[i] = v_two_sum(x[i], -s->base[i].hi);
+        const vpair p = times(m->D[i], s->w[i]);
+        sum = i ? vpair_add(sum, p) : p;
+    }
+    m->z = sum;
+    m->dd = sum_of_squares(m->D[0], m->D[1], m->D[2]);
+    const vpair zz = times(m->z, m->z);
+    const vpair rr = v_fast_two_sum(m->dd.hi, -zz.hi);
+    const vroot root = root_of((vpair){rr.hi, rr.lo + (m->dd.lo - zz.lo)});
+    m->rho = root.v;
+    m->size = v_abs(m->D[0].hi) + v_abs(m->D[1].hi) + v_abs(m->D[2].hi);
+    const vd thin = m->size * root.half;
+    m->error =
+        v_select(v_le(thin, v_set(CYLINT_THINNEST)),
+                 v_set(CYLINT_HALF_PLANE_ERROR) * (m->size * thin + s->reach),
+                 v_set(HUGE_VAL));
+    m->margin = v_set(CYLINT_FEATURE_MARGIN) * (m->size + s->reach) + m->error;
+}
+
+INLINE vpair from_line(const vplane *m, const vshape *s)
+{
+    const vpair across = times(s->cosine, m->rho);
+    return vpair_sub(vpair_sub(across, times(s->sine, m->z)), s->offset);
+}
+
+/* Feet on the lateral line: before it and after it; or neither is certain. */
+typedef struct {
+    vm before, on, after;
+} vfoot;
+
+INLINE vfoot foot_of(const vplane *m, const vshape *s)
+{
+    const vd C = s->cosine.hi, S = s->sine.hi, M = m->margin;
+    const vd rho = m->rho.hi + m->rho.lo;
+    const vd r0 = s->is_hull ? v_set(0) : s->r[0];
+    const vd r1 = s->is_hull ? v_set(0) : s->r[1];
+    const vd before = C * m->z.hi + S * (rho - r0);
+    const vd after = C * (m->z.hi - s->height.hi) + S * (rho - r1);
+    const vm is_before = v_lt(before, -M);
+    return (vfoot){is_before, m_and(v_lt(M, before), v_lt(after, -M)),
+                   m_and(v_lt(M, after), m_not(is_before))};
+}
+
+/* ------------------------------------------------- a capped cylinder or cone */
+
+/* Chooses the rim in lanes of `rims`. */
+INLINE void choose_rim(vnearest *n, const vplane *m, const vshape *s, vm rims,
+                       vm top)
+{
+    const vpair r = pick(top, s->rho[1], s->rho[0]);
+    const vpair z = pick(top, s->z[1], s->z[0]);
+    const vpair x = vpair_sub(m->rho, r), y = vpair_sub(m->z, z);
+    const vpair a = square(x), b = square(y), t = v_two_sum(a.hi, b.hi);
+    const vroot root = root_of((vpair){t.hi, t.lo + (a.lo + b.lo)});
+    const vm good = v_le(root.step, v_set(CYLINT_ROOT_STEP));
+    n->d = pick(rims, root.v, n->d);
+    n->feature = v_select(
+        rims,
+        v_select(top, v_set(CYLINT_FEATURE_RIM1), v_set(CYLINT_FEATURE_RIM0)),
+        n->feature);
+    n->certain = m_and(n->certain, m_or(m_not(rims), good));
+}
+
+INLINE vnearest between_planes(const vplane *m, const vshape *s)
+{
+    const vd M = m->margin, h = s->height.hi, zero = v_set(0);
+    const vd t = m->z.hi + (m->z.hi - h), rho = m->rho.hi + m->rho.lo;
+    const vm top = v_lt(zero, t);
+    const vpair level = pick(top, s->height, both(0, 0));
+    const vd sign = v_select(top, v_set(1), v_set(-1));
+    const vpair T = vpair_sub(m->z, level), A = from_line(m, s);
+    const vpair B = {sign * T.hi, sign * T.lo};
+    const vm less = v_lt(A.hi, B.hi);
+    const vm inside = m_and(v_lt(A.hi, -M), v_lt(B.hi, -M));
+    const vm tie =
+        m_or(v_le(v_abs(A.hi - B.hi), M), m_and(less, v_le(v_abs(t), M)));
+    const vm outside = m_or(v_lt(M + M, A.hi), v_lt(M, B.hi));
+    const vd r = v_select(top, s->r[1], s->r[0]);
+    const vm beyond = m_and(v_lt(M, B.hi), v_lt(rho, r - M));
+    const vm not_beyond = m_or(v_lt(B.hi, -M), v_lt(r + M, rho));
+    const vfoot foot = foot_of(m, s);
+    const vm known =
+        m_or(beyond,
+             m_and(not_beyond, m_or(foot.on, m_or(foot.before, foot.after))));
+    const vm cap = m_or(m_and(inside, less), m_and(m_not(inside), beyond));
+    const vm rims =
+        m_and(m_not(m_or(inside, beyond)), m_or(foot.before, foot.after));
+    vnearest n;
+    n.d = pick(cap, B, A);
+    n.feature = v_select(
+        cap,
+        v_select(top, v_set(CYLINT_FEATURE_CAP1), v_set(CYLINT_FEATURE_CAP0)),
+        v_set(CYLINT_FEATURE_LATERAL));
+    n.error = m->error;
+    n.certain = m_or(m_and(inside, m_not(tie)), m_and(outside, known));
+    n.certain = m_and(n.certain, v_lt(M + M, h));
+    if (m_any(rims))
+        choose_rim(&n, m, s, rims, foot.after);
+    return n;
+}
+
+/* ---------------------------------------------------- a hull or a sphere -- */
+
+/* Chooses the ball in lanes of `balls`. */
+INLINE void choose_ball(vnearest *n, vpair dd, vd r, vm balls, int feature)
+{
+    const vroot root = root_of(v_fast_two_sum(dd.hi, dd.lo));
+    const vpair d = vpair_sub(root.v, (vpair){r, v_set(0)});
+    n->d = pick(balls, d, n->d);
+    n->feature = v_select(balls, v_set(feature), n->feature);
+    n->error = v_select(balls, v_set(CYLINT_HALF_PLANE_ERROR) * (root.v.hi + r),
+                        n->error);
+}
+
+INLINE vnearest of_hull(const vplane *m, const vshape *s, const vd x[3])
+{
+    const vfoot foot = foot_of(m, s);
+    vnearest n;
+    n.d = from_line(m, s);
+    n.feature = v_set(CYLINT_FEATURE_LATERAL);
+    n.error = m->error;
+    n.certain = m_or(foot.on, m_or(foot.before, foot.after));
+    if (m_any(foot.before))
+        choose_ball(&n, m->dd, s->r[0], foot.before, CYLINT_FEATURE_CAP0);
+    if (m_any(foot.after)) {
+        vpair D[3];
+        EACH(i, 3)
+            D[i] = v_two_sum(x[i], -s->top[i].hi);
+        choose_ball(&n, sum_of_squares(D[0], D[1], D[2]), s->r[1], foot.after,
+                    CYLINT_FEATURE_CAP1);
+    }
+    return n;
+}
+
+INLINE vnearest of_sphere(const vshape *s, const vd x[3], int feature)
+{
+    const vm all = v_le(v_set(0), v_set(0));
+    vnearest n = {both(0, 0), v_set(0), v_set(0), all};
+    vpair D[3];
+    EACH(i, 3)
+        D[i] = v_two_sum(x[i], -s->base[i].hi);
+    choose_ball(&n, sum_of_squares(D[0], D[1], D[2]), s->r[0], all, feature);
+    return n;
+}
+
+/* ------------------------------------------------------------- blocks -- */
+
+/* Whether every number within the error rounds to d.hi; d becomes normal. */
+INLINE vm is_certain(vnearest *n)
+{
+    n->d = v_fast_two_sum(n->d.hi, n->d.lo);
+    const vd size = v_abs(n->d.hi);
+    const vd most = n->error + v_set(CYLINT_NEAREST_MARGIN) * size;
+    const vm up = v_eq(n->d.hi + (n->d.lo + most), n->d.hi);
+    const vm down = v_eq(n->d.hi + (n->d.lo - most), n->d.hi);
+    return m_and(m_and(n->certain, v_le(v_set(CYLINT_DISTANCE_LEAST), size)),
+                 m_and(up, down));
+}
+
+INLINE vnearest nearest_of(const cylint_shape *shape, const vshape *s,
+                           const vd x[3])
+{
+    vplane m;
+    if (shape->kind == CYLINT_KIND_SPHERE)
+        return of_sphere(s, x, shape->surface);
+    load_plane(&m, s, x);
+    return s->is_hull ? of_hull(&m, s, x) : between_planes(&m, s);
+}
+
+/* The points from i on, the last one again where there are no more. */
+INLINE void load_points(vd x[3], const double *const xyz[3], int i, int n)
+{
+    EACH(k, 3) {
+        double padded[LANES];
+        if (i + LANES <= n) {
+            x[k] = v_load(xyz[k] + i);
+            continue;
+        }
+        for (int lane = 0; lane < LANES; lane++)
+            padded[lane] = xyz[k][i + lane < n ? i + lane : n - 1];
+        x[k] = v_load(padded);
+    }
+}
+
+int CYLINT_CERTIFY_MANY(const cylint_shape *shape, const double *const xyz[3],
+                        int n, double *distance, signed char *feature,
+                        int *rest)
+{
+    vshape s;
+    int left = 0;
+    load_shape(&s, shape);
+    for (int i = 0; i < n; i += LANES) {
+        vd x[3];
+        double d[LANES], f[LANES];
+        load_points(x, xyz, i, n);
+        vnearest at = nearest_of(shape, &s, x);
+        const unsigned certain = m_bits(is_certain(&at));
+        v_store(d, at.d.hi);
+        v_store(f, at.feature);
+        for (int lane = 0; lane < LANES && i + lane < n; lane++) {
+            distance[i + lane] = d[lane];
+            feature[i + lane] = (signed char)f[lane];
+            rest[left] = i + lane;
+            left += !(certain >> lane & 1);
+        }
+    }
+    return left;
+}
