@@ -173,6 +173,12 @@ static int is_before(const direction *x, const direction *y)
     return lower_x ? x->cos.a < y->cos.a : x->cos.a > y->cos.a;
 }
 
+/* Whether the residual of the nearest point points outward. */
+static int is_outward(const search *s)
+{
+    return triple_dot(s->R, s->N).a > 0;
+}
+
 /* -------------------------------------------------------- candidates ---- */
 
 /* The vectors of a ruling. */
@@ -218,15 +224,17 @@ static int compare(const search *s, const candidate *x)
     return fabs(change) <= ORDER_ERROR * error ? 0 : change < 0 ? -1 : 1;
 }
 
-/* Accepts a candidate if it is nearer than all before, or as near and of
- * smaller phi.  sign: of N. */
+/* Accepts a candidate if it is nearer than all before, or as near and of an
+ * earlier part or of smaller phi.  sign: of N. */
 static void offer(search *s, const candidate *x, const triple N[3], int sign)
 {
     if (s->only != ANY_FEATURE && x->feature != s->only)
         return;
     const int order = s->part < 0 ? -1 : compare(s, x);
-    const int sooner = order == 0 && x->feature == s->feature &&
-                       x->has_direction && is_before(&x->at, &s->at);
+    const int sooner =
+        order == 0 &&
+        (x->part < s->part || (x->feature == s->feature && x->has_direction &&
+                               is_before(&x->at, &s->at)));
     if (order >= 0 && !sooner)
         return;
     s->part = x->part;
@@ -420,19 +428,36 @@ static void search_cap(search *s, int end)
     offer(s, &c, unit, s->shape->left_handed == end ? -1 : 1);
 }
 
-static void search_all(search *s)
+/*
+ * Bounded shapes are convex.  A point outside has one nearest point of the
+ * solid: where the solid lies on the inner side of the plane through it that is
+ * perpendicular to the residual.  A point inside is never nearest to a rim or
+ * an apex of a solid with both caps, because the balls about it that are in the
+ * solid do not touch those.
+ */
+static void search_bounded(search *s, int side)
 {
     const unsigned caps = cylint_caps_present(s->shape->ends);
-    search_lateral(s);
-    if (!cylint_is_bounded(s->shape)) {
-        search_apex(s);
-        return;
-    }
-    for (int end = 0; end < 2; end++)
-        search_end(s, end);
     for (int end = 0; end < 2; end++)
         if (caps >> end & 1)
             search_cap(s, end);
+    if (side < 0 && s->part >= 0 && is_outward(s))
+        return;
+    search_lateral(s);
+    if (side < 0 ? s->part >= 0 && is_outward(s) : side > 0 && caps == 3)
+        return;
+    for (int end = 0; end < 2; end++)
+        search_end(s, end);
+}
+
+static void search_all(search *s, int side)
+{
+    if (cylint_is_bounded(s->shape)) {
+        search_bounded(s, side);
+        return;
+    }
+    search_lateral(s);
+    search_apex(s);
 }
 
 /* ---------------------------------------------------------- the answer -- */
@@ -499,7 +524,7 @@ double cylint_elliptic_distance(const cylint_shape *shape,
     if (side == 0)
         s.only = feature_on_boundary(shape, point);
     const int is_on = s.only != ANY_FEATURE;
-    search_all(&s);
+    search_all(&s, side);
     if (want & CYLINT_WANT_PART) {
         answer->part = s.part;
         answer->feature = s.feature;
