@@ -95,7 +95,7 @@ INLINE pair square_of(const pair D[3])
     const pair a = lazy_square(D[0]), b = lazy_square(D[1]),
                c = lazy_square(D[2]);
     const pair s = two_sum(a.hi, b.hi), t = two_sum(s.hi, c.hi);
-    return normal((pair){t.hi, (s.lo + t.lo) + (a.lo + b.lo + c.lo)});
+    return normalized((pair){t.hi, (s.lo + t.lo) + (a.lo + b.lo + c.lo)});
 }
 
 INLINE pair from_ball(const double point[3], const double center[3], double r,
@@ -232,7 +232,7 @@ INLINE void write_part(const cylint_shape *s, int feature, unsigned want,
 INLINE int finish(const half_plane *m, pair d, int feature, int is_signed,
                   ARGUMENTS)
 {
-    d = normal(d);
+    d = normalized(d);
     write_part(s, feature, want, answer);
     answer->distance = is_signed ? d.hi : fabs(d.hi);
     return is_certain(d, m->error) &&
@@ -245,7 +245,7 @@ INLINE int finish_ball(const double center[3], double r, int is_signed,
                        ARGUMENTS)
 {
     double error;
-    const pair d = normal(from_ball(point, center, r, &error));
+    const pair d = normalized(from_ball(point, center, r, &error));
     (void)s;
     answer->distance = is_signed ? d.hi : fabs(d.hi);
     return is_certain(d, error) &&
@@ -297,7 +297,7 @@ INLINE int is_beyond_cap(const position *at, const profile *p, int cap)
     const double beyond = cap ? at->above : -at->z;
     if ((beyond > M) & (at->rho < r - M))
         return 1;
-    return (beyond < -M) | (at->rho > r + M) ? 0 : UNDECIDED;
+    return ((beyond < -M) | (at->rho > r + M)) ? 0 : UNDECIDED;
 }
 
 /* The feature of a capped cone.  A and B as for a cylinder. */
@@ -381,9 +381,9 @@ static int tangent_distance(ARGUMENTS)
     EACH(i, 3)
         w[i] = plain(s->axis[i]);
     load_profile(&p, s);
-    p.height = normal(root_of(square_of(w), &half));
+    p.height = normalized(root_of(square_of(w), &half));
     p.z[1] = p.height;
-    p.rho[1] = normal(lazy_mul(p.height, plain(s->r1)));
+    p.rho[1] = normalized(lazy_mul(p.height, plain(s->r1)));
     p.r[1] = p.rho[1].hi;
     load_along(&m, s, point, w, &p.height, p.height.hi + p.r[1]);
     return profile_distance(&m, &p, s, point, want, answer);

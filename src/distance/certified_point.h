@@ -49,8 +49,8 @@ static int is_zero(certified x)
 
 static certified with_error(pair v, double error, double size)
 {
-    return (certified){normal(v), error + CYLINT_POINT_ROUNDING * size +
-                                      CYLINT_POINT_UNDERFLOW};
+    return (certified){normalized(v), error + CYLINT_POINT_ROUNDING * size +
+                                          CYLINT_POINT_UNDERFLOW};
 }
 
 static certified c_neg(certified x)
@@ -87,7 +87,7 @@ static certified c_div(certified x, certified y)
 {
     if (is_zero(x))
         return x;
-    const pair v = pair_div(x.v, normal(y.v));
+    const pair v = pair_div(x.v, normalized(y.v));
     const double size = size_of(v);
     return with_error(v, (x.error + size * y.error) * 1.25 / size_of(y.v),
                       size);
@@ -120,7 +120,7 @@ static int aligned_coordinate(const cylint_shape *s)
 static void load_frame(frame *f, const cylint_shape *s, const double point[3],
                        const half_plane *m)
 {
-    const certified z = {normal(m->z), m->error}, rho = {m->rho, m->error};
+    const certified z = {normalized(m->z), m->error}, rho = {m->rho, m->error};
     f->aligned = aligned_coordinate(s);
     for (int i = 0; i < 3; i++) {
         const pair a = {s->local.xyz[i][2], s->local.xyz_lo[i][2]};

@@ -57,7 +57,7 @@ INLINE double size_of(pair a)
     return fabs(a.hi);
 }
 
-INLINE pair normal(pair a)
+INLINE pair normalized(pair a)
 {
     return fast_two_sum(a.hi, a.lo);
 }
@@ -87,10 +87,10 @@ INLINE pair whole_square(pair a)
 /* sqrt(x^2 + y^2), where the high parts have cancelled. */
 ASIDE pair short_length(pair x, pair y)
 {
-    const pair a = lazy_square(normal(x)), b = lazy_square(normal(y));
+    const pair a = lazy_square(normalized(x)), b = lazy_square(normalized(y));
     const pair sum = two_sum(a.hi, b.hi);
     double half;
-    return root_of(normal((pair){sum.hi, sum.lo + (a.lo + b.lo)}), &half);
+    return root_of(normalized((pair){sum.hi, sum.lo + (a.lo + b.lo)}), &half);
 }
 
 /* sqrt(x^2 + y^2).  The root begins before the low parts are there. */
@@ -168,7 +168,7 @@ INLINE void load_along(half_plane *m, const cylint_shape *s,
     v_store(lo, sums.lo);
     m->z = (pair){hi[0], lo[0]};
     if (length)
-        m->z = pair_div(normal(m->z), *length);
+        m->z = pair_div(normalized(m->z), *length);
     m->rho = radial_coordinate(m->z, (pair){hi[1], lo[1]}, &half);
     m->size = fabs(D[0].hi) + fabs(D[1].hi) + fabs(D[2].hi);
     const double thin = m->size * half;
