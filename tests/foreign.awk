@@ -97,7 +97,10 @@ function inside(name,   d, slope)
                    max(p[3] - z, z - p[3] - p[4]))
     if (name == "SO" || name == "G4Orb")
         return x * x + y * y + z * z - square(p[1])
-    if (name == "SPH" || name == "Sphere" || name == "sphere")
+    if (name == "SX" || name == "SY" || name == "SZ")
+        return distance(p[1] * (name == "SX"), p[1] * (name == "SY"), \
+                        p[1] * (name == "SZ")) - p[2]
+    if (name == "S" || name == "SPH" || name == "Sphere" || name == "sphere")
         return distance(p[1], p[2], p[3]) - p[4]
     if (name == "sphere_sweep")
         return from_sweep()
