@@ -68,6 +68,54 @@ def test_every_member_equals_the_command(command, name):
     assert 0 < np.count_nonzero(hit.n) < len(o)
 
 
+@pytest.mark.parametrize("name", ["cone", "econe", "rcone"])
+def test_segments_are_exact(command, name):
+    shape, text = SHAPES[name]
+    a, d = drawn(2000, 15)
+    b = a + 1.5 * d
+    long = (a != b).any(axis=1)
+    a, b = a[long], b[long]
+    hit = cylint.intersect(shape, a, to=b)
+    fields = command(
+        text_of(
+            ["segment"] * len(a),
+            hexadecimal(a),
+            hexadecimal(b),
+            [text] * len(a),
+        ),
+        "-f",
+        "relation,n,part0,part1,t0,t1,x0,y0,z0,x1,y1,z1",
+    )
+    assert [RELATIONS[f[0]] for f in fields] == hit.relation.tolist()
+    assert [int(f[1]) for f in fields] == hit.n.tolist()
+    assert [[PARTS[x] for x in f[2:4]] for f in fields] == hit.part.tolist()
+    value = numbers([f[4:] for f in fields])
+    assert same(value[:, 0:2], hit.t)
+    assert same(value[:, 2:8].reshape(-1, 2, 3), hit.point)
+    rounded = cylint.intersect(shape, a, b - a, 0, 1)
+    assert not same(rounded.t, hit.t) and hit.n.any()
+    scene = cylint.Scene(shape)
+    assert same(scene.nearest(a, to=b).t, hit.t[:, 0])
+    assert np.array_equal(scene.any(a, to=b), hit.n > 0)
+    assert np.array_equal(scene.count(a, to=b), hit.n > 0)
+    every = scene.all(a, to=b)
+    assert same(every.t, hit.t[hit.n > 0])
+    table = cylint.intersect(shape, a[:1, None], to=b[None, :9])
+    assert table.t.shape == (1, 9, 2)
+
+
+def test_a_segment_has_no_directions_and_no_domain():
+    for wrong in ({}, {"directions": [0, 0, 1], "to": [0, 0, 1]}):
+        with pytest.raises(TypeError, match="either directions or to"):
+            cylint.intersect(ROD, [0, 0, -5], **wrong)
+    with pytest.raises(TypeError, match="tmin and tmax need directions"):
+        cylint.intersect(ROD, [0, 0, -5], to=[0, 0, 1], tmax=1)
+    with pytest.raises(ValueError, match="line 1: the direction has no length"):
+        cylint.intersect(ROD, [[0, 0, -5], [0, 0, 1]], to=[0, 0, 1])
+    with pytest.raises(ValueError, match="to: expected the shape"):
+        cylint.intersect(ROD, [0, 0, -5], to=[0, 0])
+
+
 @pytest.mark.parametrize("name", SHAPES)
 def test_rays_leave_from_outside_and_from_inside(name):
     shape = SHAPES[name][0]

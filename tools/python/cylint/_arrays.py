@@ -59,25 +59,37 @@ def place(index: int, shape: tuple[int, ...]) -> str:
 
 
 class Lines:
-    """Lines of any shape, broadcast; raises ValueError for a refused one."""
+    """Lines of any shape, broadcast; raises ValueError for a refused one.
+
+    to: the other ends of segments, in place of directions.
+    """
 
     def __init__(
         self,
         origins: ArrayLike,
-        directions: ArrayLike,
+        directions: ArrayLike | None,
         tmin: ArrayLike,
         tmax: ArrayLike,
+        to: ArrayLike | None,
     ) -> None:
+        if (directions is None) == (to is None):
+            raise TypeError("expected either directions or to")
+        self.segments = to is not None
+        if self.segments and not (
+            np.array_equal(tmin, 0) and np.array_equal(tmax, np.inf)
+        ):
+            raise TypeError("tmin and tmax need directions; t of to is 0 to 1")
+        second = "to" if self.segments else "directions"
         self.arrays = (
             doubles("origins", origins, 3),
-            doubles("directions", directions, 3),
+            doubles(second, to if directions is None else directions, 3),
             doubles("tmin", tmin),
             doubles("tmax", tmax),
         )
         o, d, start, end = self.arrays
         self.shape = broadcast(
             ("origins", o.shape[:-1]),
-            ("directions", d.shape[:-1]),
+            (second, d.shape[:-1]),
             ("tmin", start.shape),
             ("tmax", end.shape),
         )
@@ -90,6 +102,7 @@ class Lines:
             np.broadcast_to(d, (*shape, 3)),
             np.broadcast_to(start, shape),
             np.broadcast_to(end, shape),
+            self.segments,
         )
 
     def flat(self) -> _core.Lines:
@@ -100,6 +113,7 @@ class Lines:
             np.broadcast_to(d, (*self.shape, 3)).reshape(-1, 3),
             np.broadcast_to(start, self.shape).reshape(-1),
             np.broadcast_to(end, self.shape).reshape(-1),
+            self.segments,
         )
 
     def refuse(self) -> ValueError:

@@ -48,10 +48,11 @@ class Hits(DescribedHits):
 def intersect(
     shapes: Shapes,
     origins: ArrayLike,
-    directions: ArrayLike,
+    directions: ArrayLike | None = None,
     tmin: ArrayLike = 0.0,
     tmax: ArrayLike = np.inf,
     *,
+    to: ArrayLike | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> Hits:
@@ -60,6 +61,9 @@ def intersect(
     origins, directions: (..., 3); tmin, tmax: (...).  They and the shapes
     broadcast as arrays of NumPy do: n lines and n shapes give n answers, and
     shapes[:, None] gives a row for each shape.  tmin=-np.inf gives whole lines.
+
+    to: (..., 3), in place of directions: the lines are segments from origins to
+    these points, 0 <= t <= 1, without the rounding of their difference.
 
     threads: at most so many; None: one per processor.  The answer does not
     depend on it.  progress: called with (done, total) several times a second
@@ -81,8 +85,10 @@ def intersect(
     >>> hit.normal[0]
     array([[ 0.,  0., -1.],
            [ 0.,  0.,  1.]])
+    >>> cylint.intersect(rod, [0, 0, -5], to=[0, 0, 5]).t
+    array([0.5, 0.6])
     """
-    lines = Lines(origins, directions, tmin, tmax)
+    lines = Lines(origins, directions, tmin, tmax, to)
     shape = broadcast(("shapes", shapes.shape), ("lines", lines.shape))
     records = np.broadcast_to(shapes._records, shape)
     hits = Hits(records, lines, shape, threads)

@@ -111,10 +111,11 @@ class Scene:
     def nearest(
         self,
         origins: ArrayLike,
-        directions: ArrayLike,
+        directions: ArrayLike | None = None,
         tmin: ArrayLike = 0.0,
         tmax: ArrayLike = np.inf,
         *,
+        to: ArrayLike | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> NearestHits:
@@ -123,7 +124,7 @@ class Scene:
         Arguments as of `intersect`.  At equal t the lower number is first.
         """
         chosen = self._choose(threads)
-        lines = Lines(origins, directions, tmin, tmax)
+        lines = Lines(origins, directions, tmin, tmax, to)
         hits = NearestHits(self._records, lines, chosen)
         columns = (hits.index, hits.t, hits.part)
         if not self._scene.nearest(
@@ -154,38 +155,41 @@ class Scene:
     def any(
         self,
         origins: ArrayLike,
-        directions: ArrayLike,
+        directions: ArrayLike | None = None,
         tmin: ArrayLike = 0.0,
         tmax: ArrayLike = np.inf,
         *,
+        to: ArrayLike | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> NDArray[np.bool_]:
         """Whether each line hits a shape: (...) bool."""
-        lines = Lines(origins, directions, tmin, tmax)
+        lines = Lines(origins, directions, tmin, tmax, to)
         return self._count(np.bool_, 1, lines, threads, progress)
 
     def count(
         self,
         origins: ArrayLike,
-        directions: ArrayLike,
+        directions: ArrayLike | None = None,
         tmin: ArrayLike = 0.0,
         tmax: ArrayLike = np.inf,
         *,
+        to: ArrayLike | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> NDArray[np.int64]:
         """How many shapes each line hits: (...) int64."""
-        lines = Lines(origins, directions, tmin, tmax)
+        lines = Lines(origins, directions, tmin, tmax, to)
         return self._count(np.int64, 0, lines, threads, progress)
 
     def all(
         self,
         origins: ArrayLike,
-        directions: ArrayLike,
+        directions: ArrayLike | None = None,
         tmin: ArrayLike = 0.0,
         tmax: ArrayLike = np.inf,
         *,
+        to: ArrayLike | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> AllHits:
@@ -197,7 +201,7 @@ class Scene:
                [ 8., 10.],
                [ 4.,  6.]]))
         """
-        lines = Lines(origins, directions, tmin, tmax)
+        lines = Lines(origins, directions, tmin, tmax, to)
         found = self._scene.all(
             lines.flat(), workers(self._choose(threads)), progress
         )

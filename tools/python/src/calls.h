@@ -12,28 +12,37 @@
 #include "array.h"
 #include "cylint.h"
 
-/* Arrays of lines: origins and directions (..., 3), tmin and tmax (...). */
+/* Arrays of lines: origins and directions (..., 3), tmin and tmax (...).
+ * are_segments: the directions are end points, b, and the lines are exact. */
 class Lines
 {
   public:
-    Lines(nb::handle o, nb::handle d, nb::handle tmin, nb::handle tmax)
-        : origins(o), directions(d), starts(tmin), ends(tmax)
+    Lines(nb::handle o, nb::handle d, nb::handle tmin, nb::handle tmax,
+          bool are_segments)
+        : origins(o), directions(d), starts(tmin), ends(tmax),
+          segments(are_segments)
     {
     }
     const Array origins, directions, starts, ends;
+    const bool segments;
 
     /* Adds the four arrays; returns the number of the first. */
     int add_to(Grid &grid) const;
-};
 
-/* Where the numbers of a line stand.  `step` is that of the coordinates. */
-struct LineAt {
-    const char *o, *d, *tmin, *tmax;
-    ptrdiff_t o_step, d_step;
-};
+    /* The strides of coordinates. */
+    ptrdiff_t o_step() const
+    {
+        return origins.stride(origins.axes() - 1);
+    }
+    ptrdiff_t d_step() const
+    {
+        return directions.stride(directions.axes() - 1);
+    }
 
-/* Returns the status of cylint_span(). */
-int make_line(const LineAt &at, cylint_line *line);
+    /* Makes a line of the elements of the four arrays.  Returns the status of
+     * its constructor. */
+    int make(const char *const *at, cylint_line *line) const;
+};
 
 /* shapes.cc */
 int make_shapes(const char *name, nb::handle numbers, nb::handle ends,

@@ -4,6 +4,7 @@
  * A block is a part of a row of the grid.  If the shape does not change in it,
  * its lines go to cylint_intersect_lines(); if the line does not change, its
  * shapes to cylint_intersect_shapes(); else both to cylint_intersect_pairs().
+ * Batches have no exact segments: these go to cylint_intersect() one by one.
  */
 #include <algorithm>
 #include <atomic>
@@ -40,8 +41,7 @@ class Block
 {
   public:
     Block(const Grid &g, const Places &p, const Lines &l)
-        : grid(g), place(p), o_step(l.origins.stride(l.origins.axes() - 1)),
-          d_step(l.directions.stride(l.directions.axes() - 1))
+        : grid(g), place(p), source(l)
     {
     }
 
@@ -55,6 +55,8 @@ class Block
                             grid.stride(static_cast<int>(i));
         }
         length = count;
+        if (source.segments)
+            return run_segments();
         const bool one_shape = grid.stride(place.shapes) == 0;
         const bool one_line = grid.stride(place.lines) == 0 &&
                               grid.stride(place.lines + 1) == 0 &&
@@ -78,14 +80,45 @@ class Block
     bool run_shapes()
     {
         cylint_line line;
-        const char *const *at = &first[static_cast<size_t>(place.lines)];
-        if (make_line({at[0], at[1], at[2], at[3], o_step, d_step}, &line) !=
+        if (source.make(&first[static_cast<size_t>(place.lines)], &line) !=
             CYLINT_OK)
             return false;
         pack_shapes();
         cylint_intersect_shapes(&pack, &line, &columns());
         scatter();
         return true;
+    }
+
+    bool run_segments()
+    {
+        for (size_t i = 0; i < length; i++) {
+            const char *at[4];
+            for (int k = 0; k < 4; k++)
+                at[k] =
+                    first[static_cast<size_t>(place.lines + k)] +
+                    static_cast<ptrdiff_t>(i) * grid.stride(place.lines + k);
+            cylint_line line;
+            if (source.make(at, &line) != CYLINT_OK)
+                return false;
+            cylint_answer answer;
+            cylint_intersect(shape_at(i), &line,
+                             CYLINT_WANT_T | CYLINT_WANT_PART, &answer);
+            write_answer(i, answer);
+        }
+        scatter();
+        return true;
+    }
+
+    void write_answer(size_t i, const cylint_answer &answer)
+    {
+        relation[i] = static_cast<signed char>(answer.relation);
+        n[i] = static_cast<signed char>(answer.n);
+        for (int k = 0; k < 2; k++) {
+            const bool there = k < answer.n;
+            t[k][i] = there ? answer.hit[k].t : nan;
+            part[k][i] =
+                static_cast<signed char>(there ? answer.hit[k].part : -1);
+        }
     }
 
     const cylint_shape *shape_at(size_t i) const
@@ -136,8 +169,8 @@ class Block
         if (from == lines_from && length == lines.n)
             return true;
         for (int axis = 0; axis < 3; axis++) {
-            gather(column[axis], place.lines, axis * o_step);
-            gather(column[3 + axis], place.lines + 1, axis * d_step);
+            gather(column[axis], place.lines, axis * source.o_step());
+            gather(column[3 + axis], place.lines + 1, axis * source.d_step());
             lines.o[axis] = column[axis];
             lines.d[axis] = column[3 + axis];
         }
@@ -198,7 +231,7 @@ class Block
 
     const Grid &grid;
     const Places place;
-    const ptrdiff_t o_step, d_step;
+    const Lines &source;
     size_t length = 0;
     std::vector<char *> first, lines_from;
     cylint_lines lines{};
@@ -220,14 +253,15 @@ int Lines::add_to(Grid &grid) const
     return number_of_first;
 }
 
-int make_line(const LineAt &at, cylint_line *line)
+int Lines::make(const char *const *at, cylint_line *line) const
 {
     double o[3], d[3];
     for (int axis = 0; axis < 3; axis++) {
-        o[axis] = number(at.o + axis * at.o_step);
-        d[axis] = number(at.d + axis * at.d_step);
+        o[axis] = number(at[0] + axis * o_step());
+        d[axis] = number(at[1] + axis * d_step());
     }
-    return cylint_span(line, o, d, number(at.tmin), number(at.tmax));
+    return segments ? cylint_segment(line, o, d)
+                    : cylint_span(line, o, d, number(at[2]), number(at[3]));
 }
 
 /* columns: relation, n, t (..., 2), part (..., 2).  Returns false if a line is
@@ -349,9 +383,6 @@ void describe(nb::handle shapes, nb::handle index, const Lines &lines,
         bit(bool(phi), CYLINT_WANT_PHI) | bit(side || moved, CYLINT_WANT_PART) |
         bit(nearest, CYLINT_WANT_NEAREST);
     grid.prepare();
-    const ptrdiff_t o_step = lines.origins.stride(lines.origins.axes() - 1);
-    const ptrdiff_t d_step =
-        lines.directions.stride(lines.directions.axes() - 1);
     const size_t pieces = (grid.row() + BLOCK - 1) / BLOCK;
     const size_t hits = nearest ? 1 : 2;
     work(grid.rows() * pieces, grid.elements(), threads, progress,
@@ -379,10 +410,8 @@ void describe(nb::handle shapes, nb::handle index, const Lines &lines,
                  cylint_answer answer;
                  answer.n = 0;
                  cylint_line l;
-                 char *const *at = &p[static_cast<size_t>(line)];
                  if (shape &&
-                     make_line({at[0], at[1], at[2], at[3], o_step, d_step},
-                               &l) == CYLINT_OK)
+                     lines.make(&p[static_cast<size_t>(line)], &l) == CYLINT_OK)
                      cylint_intersect(shape, &l, want, &answer);
                  for (size_t h = 0; h < hits; h++)
                      write_hit(m, p, h, shape,
@@ -415,11 +444,7 @@ nb::tuple first_bad_line(const Lines &lines)
             }
         }
         cylint_line line;
-        const int status =
-            make_line({at[0], at[1], at[2], at[3],
-                       lines.origins.stride(lines.origins.axes() - 1),
-                       lines.directions.stride(lines.directions.axes() - 1)},
-                      &line);
+        const int status = lines.make(at, &line);
         if (status != CYLINT_OK)
             return nb::make_tuple(i, status);
     }

@@ -188,9 +188,6 @@ class Scene
         for (const Array *array : arrays)
             grid.add(*array);
         grid.prepare();
-        const ptrdiff_t o_step = lines.origins.stride(lines.origins.axes() - 1);
-        const ptrdiff_t d_step =
-            lines.directions.stride(lines.directions.axes() - 1);
         const size_t pieces = (grid.row() + BLOCK - 1) / BLOCK;
         std::atomic<bool> good{true};
         work(grid.rows() * pieces, grid.elements(), threads, progress,
@@ -204,8 +201,7 @@ class Scene
                              grid.stride(static_cast<int>(a));
                  for (size_t i = begin; i < end && good; i++) {
                      cylint_line line;
-                     if (make_line({p[0], p[1], p[2], p[3], o_step, d_step},
-                                   &line) != CYLINT_OK) {
+                     if (lines.make(p.data(), &line) != CYLINT_OK) {
                          good = false;
                          break;
                      }
