@@ -60,6 +60,16 @@ typedef struct cylint_float_filter_target {
     int ends;
 } cylint_float_filter_target;
 
+/* Whether the record is that of a round kind. */
+static inline int cylint_float_filter_is_round(
+    const cylint_float_filter_target *t)
+{
+    const cylint_float_filter_shape *large = t->shape;
+    const cylint_float_filter_small *small = t->shape;
+    return t->small ? small->r0 + small->r1 < 0
+                    : large->r0 + (large->r0 + large->dr) < 0;
+}
+
 typedef enum {
     CYLINT_FLOAT_FILTER_UNCERTAIN = -1, /* cylint_intersect() must decide */
     CYLINT_FLOAT_FILTER_MISS,

@@ -87,10 +87,16 @@ typedef struct {
     int n;
 } filter_batch;
 
+/* The packet filter does not decide round shapes, which are tested at once. */
 static void add_question(filter_batch *b, ray_test *r)
 {
-    b->target[b->n] =
+    const cylint_float_filter_target target =
         cylint_ray_test_target(r, r->leaf->number[r->lane], NULL, NULL);
+    if (cylint_float_filter_is_round(&target)) {
+        r->found |= cylint_ray_test_lane(r);
+        return;
+    }
+    b->target[b->n] = target;
     b->line[b->n] = &r->line;
     b->test[b->n++] = r;
 }
@@ -100,8 +106,7 @@ static void test_batch(const filter_batch *b)
     cylint_packet_filter_results results;
     const ray_test *first = b->test[0];
     if (b->n == 1) {
-        ray_test *r = b->test[0];
-        r->found |= cylint_ray_test_shape(r, r->leaf->number[r->lane], 0);
+        b->test[0]->found |= cylint_ray_test_lane(b->test[0]);
         return;
     }
     first->data->packet_filter(b->target, b->line, b->n,

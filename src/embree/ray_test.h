@@ -116,6 +116,9 @@ cylint_float_filter_target cylint_ray_test_target(
  * tested before. */
 int cylint_ray_test_shape(ray_test *r, unsigned rank, int skip_entry);
 
+/* The same for the shape of r->lane of r->leaf, by the quickest path. */
+int cylint_ray_test_lane(ray_test *r);
+
 /* Tests lanes (bits) of a leaf, nearest first, until no remaining lane can hold
  * the nearest hit.  least as for a cylint_ray_leaf_callback.  Returns 1 if an
  * occlusion query hits something. */
