@@ -114,6 +114,10 @@ static cylint_float_filter_result nearest_round(
         if (is != CYLINT_FLOAT_FILTER_HIT)
             return is;
         is = accept(&at, &h, &q, target->ends, l->tmin, limits, &to->t);
+        if (is == CYLINT_FLOAT_FILTER_UNCERTAIN) {
+            step_on_round(&x, &q, i ? 1 : -1, &h, &at);
+            is = accept(&at, &h, &q, target->ends, l->tmin, limits, &to->t);
+        }
         to->leaves = i;
     }
     if (is != CYLINT_FLOAT_FILTER_HIT || !limits->describes)
@@ -148,6 +152,10 @@ static cylint_float_filter_result nearest(
         if (is != CYLINT_FLOAT_FILTER_HIT)
             return is;
         is = accept(&at, &h, &q, target->ends, l->tmin, limits, &to->t);
+        if (is == CYLINT_FLOAT_FILTER_UNCERTAIN && !h.capped) {
+            step_on_cone(&x, &q, 1, i ? 1 : -1, &at);
+            is = accept(&at, &h, &q, target->ends, l->tmin, limits, &to->t);
+        }
         to->leaves = i;
         if (is != CYLINT_FLOAT_FILTER_MISS)
             break;

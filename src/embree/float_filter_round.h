@@ -238,6 +238,16 @@ INLINE void step_on_ball(const round_dots *x, const question *q, int top,
         at->z_error = 0;
 }
 
+/* A step of Newton's on the surface of a hit. */
+INLINE void step_on_round(const round_dots *x, const question *q, double sign,
+                          const hit *h, axial_hit *at)
+{
+    if (h->capped || x->is_ball)
+        step_on_ball(x, q, h->top, sign, at);
+    else
+        step_on_cone(&x->cone, q, x->S, sign, at);
+}
+
 /* ---------------------------------------------------------- description -- */
 
 /* The unit normal on the ball about an end: N = (x + s u) / r. */
@@ -291,12 +301,8 @@ INLINE void describe_round(const round_dots *x, const question *q, double sign,
                            axial_hit *at, hit *h)
 {
     double across[3], e_across[3];
-    if (needs_step(q, x->R, at, 0x1p-36)) {
-        if (h->capped || x->is_ball)
-            step_on_ball(x, q, h->top, sign, at);
-        else
-            step_on_cone(&x->cone, q, x->S, sign, at);
-    }
+    if (needs_step(q, x->R, at, 0x1p-38))
+        step_on_round(x, q, sign, h, at);
     h->round = 1 + x->is_ball;
     h->z = at->z;
     h->z_error = at->z_error;

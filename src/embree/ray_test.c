@@ -365,7 +365,7 @@ static int test_nearest(ray_test *r, unsigned rank, int *hit)
     return 1;
 }
 
-int cylint_ray_test_lane(ray_test *r)
+static inline int test_lane(ray_test *r)
 {
     const unsigned rank = r->leaf->number[r->lane];
     int hit;
@@ -374,13 +374,18 @@ int cylint_ray_test_lane(ray_test *r)
     return hit;
 }
 
+int cylint_ray_test_lane(ray_test *r)
+{
+    return test_lane(r);
+}
+
 int cylint_ray_test_lanes(ray_test *r, const cylint_leaf *leaf, unsigned lanes,
                           const float least[CYLINT_LEAF_SIZE])
 {
     if (lanes & (lanes - 1))
         prefetch_shapes(r->data, leaf, lanes);
     while (lanes && select_nearest_lane(r, leaf, &lanes, least)) {
-        const int hit = cylint_ray_test_lane(r);
+        const int hit = test_lane(r);
         r->found |= hit;
         if (hit && r->any)
             return 1;

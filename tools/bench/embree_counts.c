@@ -4,8 +4,9 @@
  * usage: embree_counts MOST
  *
  * The scenes and rays of embree.c with an adapter that counts its visits.
- * Calls of the float filter and of cylint_intersect() are counted by wrappers
- * (linked with --wrap).
+ * Calls of the float filter, of its second stage for shapes that the first one
+ * does not decide, and of cylint_intersect() are counted by wrappers (linked with
+ * --wrap).
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,16 +19,25 @@
 enum { RAYS = 100000 };
 
 static struct {
-    long shapes, exactly;
+    long shapes, again, exactly;
 } counted;
 
 static const cylint_float_filter *filter;
 
-static cylint_float_filter_result count_shape(
+static cylint_float_filter_result count_nearest(
+    const cylint_float_filter_target *target,
+    const cylint_float_filter_ray *line,
+    const cylint_float_filter_limits *limits, cylint_float_filter_nearest *to)
+{
+    counted.shapes++;
+    return filter->nearest(target, line, limits, to);
+}
+
+static cylint_float_filter_result count_again(
     cylint_float_filter_state *q, const cylint_float_filter_target *target,
     const cylint_float_filter_ray *line, cylint_float_filter_hit *hit)
 {
-    counted.shapes++;
+    counted.again++;
     return filter->test_entry(q, target, line, hit);
 }
 
@@ -38,7 +48,8 @@ const cylint_float_filter *__wrap_cylint_float_filter_used(void)
     static cylint_float_filter counting;
     filter = __real_cylint_float_filter_used();
     counting = *filter;
-    counting.test_entry = count_shape;
+    counting.nearest = count_nearest;
+    counting.test_entry = count_again;
     return &counting;
 }
 
@@ -53,9 +64,10 @@ int __wrap_cylint_intersect(const cylint_shape *shape, const cylint_line *line,
     return __real_cylint_intersect(shape, line, want, answer);
 }
 
-static void count(const struct cylinder_kind *kind, size_t n)
+static void count(const struct cylinder_kind *kind, size_t n, enum form form)
 {
-    struct cylinders cylinders = draw_cylinders(kind, n);
+    static const char *const names[] = {"cylinders", "cones", "rounded cones"};
+    struct cylinders cylinders = draw_cones(kind, n, form);
     struct rival rival = build_shapes(&cylinders, 0, "threads=1");
     for (int camera = 0; camera < 2; camera++) {
         struct rays rays =
@@ -70,12 +82,12 @@ static void count(const struct cylinder_kind *kind, size_t n)
             cylint_rtc_nearest(rival.scene, &context, &at);
         }
         const double n_rays = rays.n;
-        printf("%s\t%zu\t%s\t%.2f\t%.2f\t%.2f\t%.2f\t%.4f\n", kind->name, n,
-               camera ? "coherent" : "incoherent",
+        printf("%s %s\t%zu\t%s\t%.2f\t%.2f\t%.2f\t%.2f\t%.4f\t%.4f\n",
+               kind->name, names[form], n, camera ? "coherent" : "incoherent",
                (double)cylint_visits.nodes / n_rays,
                (double)cylint_visits.leaves / n_rays,
                (double)cylint_visits.lanes / n_rays,
-               (double)counted.shapes / n_rays,
+               (double)counted.shapes / n_rays, (double)counted.again / n_rays,
                (double)counted.exactly / n_rays);
         free_rays(&rays);
     }
@@ -88,12 +100,17 @@ int main(int argc, char **argv)
     const size_t most = argc > 1 ? (size_t)atof(argv[1]) : 1000000;
     puts("# visits a ray; fewer is better");
     printf("scene\tn\trays\tnodes/ray\tleaves/ray\tpieces/ray\tshapes/ray\t"
-           "exactly/ray\n");
+           "again/ray\texactly/ray\n");
     for (size_t n = 1000; n <= most; n *= 10)
-        count(&thin, n);
+        count(&thin, n, CYLINDERS);
     for (size_t n = 1000; n <= most; n *= 1000)
-        count(&fat, n);
+        count(&fat, n, CYLINDERS);
     if (most >= 100000)
-        count(&fibre, 100000);
+        count(&fibre, 100000, CYLINDERS);
+    for (int form = CONES; form <= ROUND_CONES; form++) {
+        count(&thin, most, form);
+        count(&fat, most, form);
+        count(&fibre, most < 100000 ? most : 100000, form);
+    }
     return 0;
 }
