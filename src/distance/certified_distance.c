@@ -338,7 +338,7 @@ INLINE int cone_distance(ARGUMENTS)
     return finish(&m, d, feature, 1, s, point, want, answer);
 }
 
-static int profile_distance(const half_plane *m, profile *p, ARGUMENTS)
+ASIDE int profile_distance(const half_plane *m, profile *p, ARGUMENTS)
 {
     int flipped = 0;
     const int bounded = cylint_ends_are_planes(s->ends);
@@ -360,17 +360,28 @@ static int profile_distance(const half_plane *m, profile *p, ARGUMENTS)
                   want, answer);
 }
 
-static int other_distance(ARGUMENTS)
+/* One copy for the less frequent shapes. */
+ASIDE void load_aside(half_plane *m, const cylint_shape *s,
+                      const double point[3], const pair *length, double reach)
+{
+    pair w[3];
+    EACH(i, 3)
+        w[i] = length ? plain(s->axis[i])
+                      : (pair){s->local.xyz[i][2], s->local.xyz_lo[i][2]};
+    load_along(m, s, point, w, length, reach);
+}
+
+ASIDE int other_distance(ARGUMENTS)
 {
     half_plane m;
     profile p;
-    load_half_plane(&m, s, point);
+    load_aside(&m, s, point, NULL, s->local.reach);
     load_profile(&p, s);
     return profile_distance(&m, &p, s, point, want, answer);
 }
 
 /* An acone in world lengths: its local coordinates count axis lengths. */
-static int tangent_distance(ARGUMENTS)
+ASIDE int tangent_distance(ARGUMENTS)
 {
     half_plane m;
     profile p;
@@ -385,7 +396,7 @@ static int tangent_distance(ARGUMENTS)
     p.z[1] = p.height;
     p.rho[1] = normalized(lazy_mul(p.height, plain(s->r1)));
     p.r[1] = p.rho[1].hi;
-    load_along(&m, s, point, w, &p.height, p.height.hi + p.r[1]);
+    load_aside(&m, s, point, &p.height, p.height.hi + p.r[1]);
     return profile_distance(&m, &p, s, point, want, answer);
 }
 
@@ -414,6 +425,41 @@ static int hull_distance(ARGUMENTS)
                        answer);
 }
 
+/* A capped capsule: z decides which of the segment's points is nearest, and its
+ * distance is the root of a difference. */
+INLINE int capsule_distance(ARGUMENTS)
+{
+    const pair h = {s->local.height, s->local.height_lo};
+    pair D[3], w[3], z, dd;
+    double half;
+    load_row(w, s);
+    point_from(point, s->base, D);
+    load_sums(&z, &dd, D, w);
+    const double size = size_along(D), above = z.hi - h.hi;
+    const double M = CYLINT_FEATURE_MARGIN * (size + s->local.reach);
+    if (!((fabs(z.hi) > M) & (fabs(above) > M)))
+        return 0;
+    const int low = z.hi<0, high = above> 0;
+    const pair beyond = lazy_sub(z, h); /* h (2 z - h) = h (z + (z - h)) */
+    const pair t = low    ? plain(0)
+                   : high ? lazy_mul(h, lazy_add(z, beyond))
+                          : lazy_square(z);
+    const pair root = root_of_difference(dd, normalized(t), &half);
+    const half_plane m = {z, root, size,
+                          error_of_root(size, half, s->local.reach)};
+    const pair d = normalized(lazy_sub(root, plain(s->r0)));
+    const int feature = low    ? CYLINT_FEATURE_CAP0
+                        : high ? CYLINT_FEATURE_CAP1
+                               : CYLINT_FEATURE_LATERAL;
+    if (feature == CYLINT_FEATURE_LATERAL)
+        return finish(&m, d, feature, 1, s, point, want, answer);
+    write_part(s, feature, want, answer);
+    answer->distance = d.hi;
+    return is_certain(d, m.error) &&
+           (!(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) ||
+            describe_ball(point, high ? s->top : s->base, s->r0, want, answer));
+}
+
 static int sphere_distance(ARGUMENTS)
 {
     if (!cylint_part_is_present(s->ends, s->surface))
@@ -433,6 +479,8 @@ int CYLINT_CERTIFIED(const cylint_shape *s, const double point[3],
         return cylinder_distance(s, point, want, answer);
     if (s->kind == CYLINT_KIND_CONE && s->ends == CYLINT_ENDS_CAPPED)
         return cone_distance(s, point, want, answer);
+    if (s->kind == CYLINT_KIND_CAPSULE && s->ends == CYLINT_ENDS_CAPPED)
+        return s->local.height > 0 && capsule_distance(s, point, want, answer);
     switch (s->kind) {
     case CYLINT_KIND_CYLINDER:
     case CYLINT_KIND_CONE:

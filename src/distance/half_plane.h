@@ -40,6 +40,12 @@ INLINE pair lazy_sub(pair a, pair b)
     return (pair){d.hi, d.lo + (a.lo - b.lo)};
 }
 
+INLINE pair lazy_add(pair a, pair b)
+{
+    const pair s = two_sum(a.hi, b.hi);
+    return (pair){s.hi, s.lo + (a.lo + b.lo)};
+}
+
 INLINE pair lazy_mul(pair a, pair b)
 {
     const pair p = two_prod(a.hi, b.hi);
@@ -138,20 +144,45 @@ INLINE vpair dots(const pair D[3], const pair w[3])
 }
 
 /*
- * sqrt(dd - z^2).  The difference of the high parts is exact but for its own
- * low part.  The rest of dd and z is far below it unless rho is far below |D|,
- * so the root begins before the rest is there, and two steps correct it.
+ * sqrt(dd - t), 0 <= t <= dd but for rounding.  The difference of the high parts
+ * is exact but for its own low part.  The rest of dd and t is far below it
+ * unless the root is far below sqrt(dd), so the root begins before the rest is
+ * there, and two steps correct it.
  */
-INLINE pair radial_coordinate(pair z, pair dd, double *half)
+INLINE pair root_of_difference(pair dd, pair t, double *half)
 {
-    const pair zz = lazy_square(z);
-    const pair d = fast_two_sum(dd.hi, -zz.hi);
+    const pair d = fast_two_sum(dd.hi, -t.hi);
     const double s = double_root(d.hi);
     const pair p = two_prod(s, s);
     *half = 0.5 / s;
-    const double rest = (d.hi - p.hi) - (p.lo - (d.lo + (dd.lo - zz.lo)));
+    const double rest = (d.hi - p.hi) - (p.lo - (d.lo + (dd.lo - t.lo)));
     const double step = rest * *half;
     return (pair){s, step - step * step * *half};
+}
+
+INLINE double size_along(const pair D[3])
+{
+    return fabs(D[0].hi) + fabs(D[1].hi) + fabs(D[2].hi);
+}
+
+/* The bound on the errors of a root of a difference. */
+INLINE double error_of_root(double size, double half, double reach)
+{
+    const double thin = size * half;
+    return thin <= CYLINT_THINNEST
+               ? CYLINT_HALF_PLANE_ERROR * (size * thin + reach)
+               : HUGE_VAL;
+}
+
+/* z and |D|^2 of the point D from the base. */
+INLINE void load_sums(pair *z, pair *dd, const pair D[3], const pair w[3])
+{
+    double hi[2], lo[2];
+    const vpair sums = dots(D, w);
+    v_store(hi, sums.hi);
+    v_store(lo, sums.lo);
+    *z = (pair){hi[0], lo[0]};
+    *dd = (pair){hi[1], lo[1]};
 }
 
 /* w: the direction of the axis, a unit vector, or a vector of the given length.
@@ -160,21 +191,21 @@ INLINE void load_along(half_plane *m, const cylint_shape *s,
                        const double point[3], const pair w[3],
                        const pair *length, double reach)
 {
-    pair D[3];
-    double hi[2], lo[2], half;
+    pair D[3], dd;
+    double half;
     point_from(point, s->base, D);
-    const vpair sums = dots(D, w);
-    v_store(hi, sums.hi);
-    v_store(lo, sums.lo);
-    m->z = (pair){hi[0], lo[0]};
+    load_sums(&m->z, &dd, D, w);
     if (length)
         m->z = pair_div(normalized(m->z), *length);
-    m->rho = radial_coordinate(m->z, (pair){hi[1], lo[1]}, &half);
-    m->size = fabs(D[0].hi) + fabs(D[1].hi) + fabs(D[2].hi);
-    const double thin = m->size * half;
-    m->error = thin <= CYLINT_THINNEST
-                   ? CYLINT_HALF_PLANE_ERROR * (m->size * thin + reach)
-                   : HUGE_VAL;
+    m->rho = root_of_difference(dd, lazy_square(m->z), &half);
+    m->size = size_along(D);
+    m->error = error_of_root(m->size, half, reach);
+}
+
+INLINE void load_row(pair w[3], const cylint_shape *s)
+{
+    EACH(i, 3)
+        w[i] = (pair){s->local.xyz[i][2], s->local.xyz_lo[i][2]};
 }
 
 INLINE void load_half_plane(half_plane *m, const cylint_shape *s,
@@ -182,8 +213,7 @@ INLINE void load_half_plane(half_plane *m, const cylint_shape *s,
 {
     const cylint_local *f = &s->local;
     pair w[3];
-    EACH(i, 3)
-        w[i] = (pair){f->xyz[i][2], f->xyz_lo[i][2]};
+    load_row(w, s);
     load_along(m, s, point, w, NULL, f->reach);
 }
 
