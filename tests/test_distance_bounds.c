@@ -34,7 +34,7 @@ static floating root_of_quotient(exact x, exact y)
 
 static double difference(pair x, pair y)
 {
-    const pair d = pair_sub(normal(x), y);
+    const pair d = pair_sub(normalized(x), y);
     return fabs(d.hi + d.lo);
 }
 
