@@ -134,21 +134,25 @@ static void normalize(direction *d)
     d->sin = triple_sub(d->sin, triple_mul(d->sin, half));
 }
 
-/* Corrects a zero until the form gets no smaller. */
+/* Corrects a zero by Newton's iteration until the form gets no smaller, or until
+ * the square of a correction is below the last place of a triple.  The length
+ * grows by half the square of a correction.  normalize() squares that
+ * error. */
 static void correct(const stationary *f, direction *at)
 {
     triple form = form_at(f, at);
     for (int step = 0; step < MOST_CORRECTIONS && form.a != 0; step++) {
-        const double slope = slope_at(f, at), by = -form.a / slope;
+        const double by = -form.a / slope_at(f, at);
         if (!(fabs(by) < 0.5))
             return;
         direction next = {triple_sub(at->cos, triple_scale(at->sin, by)),
                           triple_add(at->sin, triple_scale(at->cos, by))};
-        normalize(&next);
-        normalize(&next);
-        if (fabs(by) > 0x1p-20)
+        for (double error = by * by; error > CYLINT_TRIPLE_ROUNDING;
+             error *= error)
             normalize(&next);
-        const triple smaller = form_at(f, &next);
+        normalize(&next);
+        const int is_last = by * by < CYLINT_TRIPLE_ROUNDING;
+        const triple smaller = is_last ? triple_of(0) : form_at(f, &next);
         if (!(fabs(smaller.a) < fabs(form.a)))
             return;
         *at = next;

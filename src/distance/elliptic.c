@@ -45,6 +45,15 @@ enum { MOST_RATIO = 400, NO_EXPONENT = -4000, ANY_FEATURE = -1 };
  * smaller one is 0. */
 #define VECTOR_ERROR 0x1p-100
 
+/* A point of the surface. */
+typedef struct {
+    int part, feature; /* part -1: none */
+    int nappe;         /* the sign of the section's factor there */
+    direction at;      /* of lateral surface and rims; else the angle 0 */
+    triple R[3], F[3];
+    double terms[3]; /* the sizes of the terms of F */
+} candidate;
+
 typedef struct {
     const cylint_shape *shape;
     const double *point;
@@ -54,12 +63,9 @@ typedef struct {
     triple k1;
     triple Q[3], a[3], b[3], h[3];
     triple aa, ab, bb, ah, bh, hh, Qa, Qb, Qh;
-    /* the nearest point so far; part -1: none */
-    int part, feature;
-    pair distance;
-    direction at;
-    triple R[3], F[3], N[3]; /* N: the normal, but for its length */
-    double terms[3];         /* the sizes of the terms of F */
+    candidate best;
+    triple N[3];   /* its normal, but for the length */
+    pair distance; /* of it */
 } search;
 
 /* ------------------------------------------------------- the problem ---- */
@@ -98,7 +104,7 @@ static void load(search *s, const cylint_shape *shape, const double point[3])
     s->e = exponent_of_shape(shape);
     s->far = larger(0, most - s->e - MOST_RATIO);
     s->only = ANY_FEATURE;
-    s->part = -1;
+    s->best.part = -1;
     load_scaled(s->a, shape->a, s->e);
     load_scaled(s->b, shape->b, s->e);
     load_scaled(s->h, shape->axis, s->e);
@@ -173,100 +179,50 @@ static int is_before(const direction *x, const direction *y)
     return lower_x ? x->cos.a < y->cos.a : x->cos.a > y->cos.a;
 }
 
-/* Whether the residual of the nearest point points outward. */
-static int is_outward(const search *s)
-{
-    return triple_dot(s->R, s->N).a > 0;
-}
-
 /* -------------------------------------------------------- candidates ---- */
 
-/* The vectors of a ruling. */
-typedef struct {
-    direction at;
-    triple u[3], v[3], N[3];
-} ruling;
-
-static void load_ruling(const search *s, const direction *at, ruling *r)
+static candidate candidate_of(int part, int feature)
 {
-    triple du[3];
-    r->at = *at;
-    triple_combine(r->u, s->a, at->cos, s->b, at->sin);
-    triple_combine(du, s->b, at->cos, s->a, triple_neg(at->sin));
-    for (int i = 0; i < 3; i++)
-        r->v[i] = triple_add(s->h[i], triple_mul(s->k1, r->u[i]));
-    triple_cross(r->N, du, r->v);
+    candidate x = {part,        feature,     1,  {{1, 0, 0}, {0, 0, 0}},
+                   {{0, 0, 0}}, {{0, 0, 0}}, {0}};
+    return x;
 }
 
-/* A candidate. */
-typedef struct {
-    int part, feature;
-    pair distance;
-    int has_direction;
-    direction at;
-    triple R[3], F[3];
-    double terms[3]; /* the sizes of the terms of F */
-} candidate;
+static candidate on_ellipse(int feature, const direction *at)
+{
+    candidate x = candidate_of(CYLINT_PART_LATERAL, feature);
+    x.at = *at;
+    return x;
+}
 
-/* -1: x is nearer than the nearest point so far, 1: it is farther, 0: the
- * difference of their distances is not certain. */
-static int compare(const search *s, const candidate *x)
+/* -1: x is nearer than the best so far, 1: it is farther, 0: the difference of
+ * their distances is not certain. */
+static int compare(const candidate *best, const candidate *x)
 {
     triple between[3], sum[3];
     double error = 0;
     for (int i = 0; i < 3; i++) {
-        between[i] = triple_sub(s->F[i], x->F[i]);
-        sum[i] = triple_add(s->R[i], x->R[i]);
-        error +=
-            (s->terms[i] + x->terms[i]) * (fabs(s->R[i].a) + fabs(x->R[i].a));
+        between[i] = triple_sub(best->F[i], x->F[i]);
+        sum[i] = triple_add(best->R[i], x->R[i]);
+        error += (best->terms[i] + x->terms[i]) *
+                 (fabs(best->R[i].a) + fabs(x->R[i].a));
     }
     const double change = triple_dot(between, sum).a;
     return fabs(change) <= ORDER_ERROR * error ? 0 : change < 0 ? -1 : 1;
 }
 
 /* Accepts a candidate if it is nearer than all before, or as near and of an
- * earlier part or of smaller phi.  sign: of N. */
-static void offer(search *s, const candidate *x, const triple N[3], int sign)
+ * earlier part or of smaller phi. */
+static void offer(search *s, const candidate *x)
 {
+    const candidate *best = &s->best;
     if (s->only != ANY_FEATURE && x->feature != s->only)
         return;
-    const int order = s->part < 0 ? -1 : compare(s, x);
-    const int sooner =
-        order == 0 &&
-        (x->part < s->part || (x->feature == s->feature && x->has_direction &&
-                               is_before(&x->at, &s->at)));
-    if (order >= 0 && !sooner)
-        return;
-    s->part = x->part;
-    s->feature = x->feature;
-    s->distance = x->distance;
-    s->at = x->at;
-    for (int i = 0; i < 3; i++) {
-        s->R[i] = x->R[i];
-        s->F[i] = x->F[i];
-        s->terms[i] = x->terms[i];
-        s->N[i] = triple_scale(N[i], sign);
-    }
-}
-
-static pair length_of(const triple v[3])
-{
-    double scale;
-    const pair norm = triple_norm(v, &scale);
-    return (pair){norm.hi / scale, norm.lo / scale};
-}
-
-/* |R.N| / |N| */
-static pair height_over(const triple R[3], const triple N[3])
-{
-    double scale;
-    const pair norm = triple_norm(N, &scale);
-    triple unit[3];
-    for (int i = 0; i < 3; i++)
-        unit[i] = triple_scale(N[i], scale);
-    const triple product = triple_dot(R, unit);
-    const pair size = fast_two_sum(product.a, product.b);
-    return pair_div(size.hi < 0 ? pair_neg(size) : size, norm);
+    const int order = best->part < 0 ? -1 : compare(best, x);
+    if (order < 0 || (order == 0 &&
+                      (x->part < best->part || (x->feature == best->feature &&
+                                                is_before(&x->at, &best->at)))))
+        s->best = *x;
 }
 
 /* F = origin + u s + v t, R = Q - F. */
@@ -279,6 +235,17 @@ static void place(const search *s, candidate *x, const triple origin[3],
         x->R[i] = triple_sub(s->Q[i], x->F[i]);
         x->terms[i] = fabs(origin[i].a) + fabs(up.a) + fabs(vq.a);
     }
+}
+
+static const triple nowhere[3]; /* the base */
+
+/* The vectors of a ruling. */
+static void load_ruling(const search *s, const direction *at, triple u[3],
+                        triple v[3])
+{
+    triple_combine(u, s->a, at->cos, s->b, at->sin);
+    for (int i = 0; i < 3; i++)
+        v[i] = triple_add(s->h[i], triple_mul(s->k1, u[i]));
 }
 
 /* E.v, where terms that are exactly 0 stay 0. */
@@ -303,58 +270,152 @@ static int is_within(const search *s, triple z, double rho)
     return s->shape->ends == CYLINT_ENDS_INFINITE ? rho != 0 : rho > 0;
 }
 
-static const triple nowhere[3]; /* the base */
-
 /* nappe: the sign of rho that is wanted. */
 static void try_lateral(search *s, const direction *at, int nappe)
 {
-    ruling r;
-    candidate x = {CYLINT_PART_LATERAL,
-                   CYLINT_FEATURE_LATERAL,
-                   {0, 0},
-                   1,
-                   *at,
-                   {{0, 0, 0}},
-                   {{0, 0, 0}},
-                   {0}};
-    load_ruling(s, at, &r);
-    const triple z = triple_div(along_ruling(s, at), triple_dot(r.v, r.v));
+    triple u[3], v[3];
+    candidate x = on_ellipse(CYLINT_FEATURE_LATERAL, at);
+    load_ruling(s, at, u, v);
+    const triple z = triple_div(along_ruling(s, at), triple_dot(v, v));
     const double rho = triple_add(triple_of(1), triple_mul(s->k1, z)).a;
     if ((rho < 0) != (nappe < 0) || !is_within(s, z, rho))
         return;
-    place(s, &x, nowhere, r.u, triple_of(1), r.v, z);
-    x.distance = height_over(x.R, r.N);
-    offer(s, &x, r.N, s->shape->left_handed ? -nappe : nappe);
+    x.nappe = nappe;
+    place(s, &x, nowhere, u, triple_of(1), v, z);
+    offer(s, &x);
 }
 
-static void try_rim(search *s, const triple center[3], int end,
-                    const direction *at)
+static void try_rim(search *s, int end, const direction *at)
 {
-    ruling r;
-    candidate x = {CYLINT_PART_LATERAL,
-                   end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0,
-                   {0, 0},
-                   1,
-                   *at,
-                   {{0, 0, 0}},
-                   {{0, 0, 0}},
-                   {0}};
-    const double factor = cylint_end_factor(s->shape, end);
-    load_ruling(s, at, &r);
-    place(s, &x, center, r.u, triple_of(factor), r.v, triple_of(0));
-    x.distance = length_of(x.R);
-    offer(s, &x, r.N, s->shape->left_handed ? -1 : 1);
+    const triple factor = triple_of(cylint_end_factor(s->shape, end));
+    candidate x =
+        on_ellipse(end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0, at);
+    place(s, &x, end ? s->h : nowhere, s->a, triple_mul(factor, at->cos), s->b,
+          triple_mul(factor, at->sin));
+    offer(s, &x);
 }
 
 /* The apex is at h share. */
 static void try_apex(search *s, triple share)
 {
-    candidate x = {
-        CYLINT_PART_LATERAL,    CYLINT_FEATURE_APEX, {0, 0},      0,
-        {{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}},         {{0, 0, 0}}, {0}};
+    candidate x = candidate_of(CYLINT_PART_LATERAL, CYLINT_FEATURE_APEX);
     place(s, &x, nowhere, s->h, share, s->h, triple_of(0));
-    x.distance = length_of(x.R);
-    offer(s, &x, s->h, cylint_apex_normal_sign(s->shape, 0));
+    offer(s, &x);
+}
+
+/* a x b, and the same times 1 / *scale, a power of two. */
+static void section_normal(const search *s, triple M[3], triple unit[3],
+                           double *scale)
+{
+    triple_cross(M, s->a, s->b);
+    *scale = triple_normalizer(M);
+    for (int i = 0; i < 3; i++)
+        unit[i] = triple_scale(M[i], *scale);
+}
+
+/* The perpendicular on the plane of an end has the foot x a + y b from its
+ * centre, x = (from x b).M / M.M and y = (a x from).M / M.M, M = a x b. */
+static void try_cap(search *s, int end)
+{
+    triple from[3], M[3], unit[3], right[3], up[3];
+    double scale;
+    candidate c = candidate_of(end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0,
+                               end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0);
+    const triple factor = triple_of(cylint_end_factor(s->shape, end));
+    from_end(s, end, from);
+    section_normal(s, M, unit, &scale);
+    triple_cross(right, from, s->b);
+    triple_cross(up, s->a, from);
+    const triple whole = triple_dot(M, unit);
+    const triple x = triple_div(triple_dot(right, unit), whole);
+    const triple y = triple_div(triple_dot(up, unit), whole);
+    const triple room =
+        triple_sub(triple_mul(factor, factor), triple_mul2(x, x, y, y));
+    if (s->only == ANY_FEATURE && !(room.a > 0))
+        return;
+    place(s, &c, end ? s->h : nowhere, s->a, x, s->b, y);
+    offer(s, &c);
+}
+
+/* --------------------------------------------------- distance and normal -- */
+
+static pair length_of(const triple v[3])
+{
+    double scale;
+    const pair norm = triple_norm(v, &scale);
+    return (pair){norm.hi / scale, norm.lo / scale};
+}
+
+/* |R.N| / |N| */
+static pair height_over(const triple R[3], const triple N[3])
+{
+    double scale;
+    const pair norm = triple_norm(N, &scale);
+    triple unit[3];
+    for (int i = 0; i < 3; i++)
+        unit[i] = triple_scale(N[i], scale);
+    const triple product = triple_dot(R, unit);
+    const pair size = fast_two_sum(product.a, product.b);
+    return pair_div(size.hi < 0 ? pair_neg(size) : size, norm);
+}
+
+/* N is u' x v, the axis or a x b: outward times this sign. */
+static int outward_sign(const search *s)
+{
+    const int right = s->shape->left_handed ? -1 : 1;
+    switch (s->best.feature) {
+    case CYLINT_FEATURE_APEX:
+        return cylint_apex_normal_sign(s->shape, 0);
+    case CYLINT_FEATURE_CAP0:
+        return -right;
+    default:
+        return s->best.nappe * right;
+    }
+}
+
+static void load_normal(search *s)
+{
+    triple u[3], v[3], du[3], M[3];
+    double scale;
+    const direction *at = &s->best.at;
+    if (s->best.feature == CYLINT_FEATURE_APEX) {
+        for (int i = 0; i < 3; i++)
+            s->N[i] = s->h[i];
+    } else if (s->best.part != CYLINT_PART_LATERAL) {
+        section_normal(s, M, s->N, &scale);
+    } else {
+        load_ruling(s, at, u, v);
+        triple_combine(du, s->b, at->cos, s->a, triple_neg(at->sin));
+        triple_cross(s->N, du, v);
+    }
+    const int sign = outward_sign(s);
+    for (int i = 0; i < 3; i++)
+        s->N[i] = triple_scale(s->N[i], sign);
+}
+
+/* Of the best candidate. */
+static void describe(search *s)
+{
+    triple from[3];
+    load_normal(s);
+    if (s->best.feature == CYLINT_FEATURE_LATERAL) {
+        s->distance = height_over(s->best.R, s->N);
+    } else if (s->best.part != CYLINT_PART_LATERAL) {
+        from_end(s, s->best.part == CYLINT_PART_CAP1, from);
+        s->distance = height_over(from, s->N);
+    } else {
+        s->distance = length_of(s->best.R);
+    }
+}
+
+/* Whether there is a point of a cap or of the lateral surface from which the
+ * residual points outward. */
+static int has_outward(search *s)
+{
+    if (s->best.part < 0)
+        return 0;
+    load_normal(s);
+    return triple_dot(s->best.R, s->N).a > 0;
 }
 
 /* ---------------------------------------------------------- features ---- */
@@ -385,7 +446,7 @@ static void search_end(search *s, int end)
     rim_form(s, from, triple_of(factor), &form);
     const int n = cylint_critical_directions(&form, at);
     for (int i = 0; i < n; i++)
-        try_rim(s, end ? s->h : nowhere, end, &at[i]);
+        try_rim(s, end, &at[i]);
 }
 
 /* The apex of an unbounded cone is at -h / k1. */
@@ -393,39 +454,6 @@ static void search_apex(search *s)
 {
     if (s->k1.a != 0)
         try_apex(s, triple_div(triple_of(-1), s->k1));
-}
-
-/* The perpendicular on the plane of an end has the foot x a + y b from its
- * centre, x = (from x b).M / M.M and y = (a x from).M / M.M, M = a x b. */
-static void search_cap(search *s, int end)
-{
-    triple from[3], M[3], unit[3], right[3], up[3];
-    candidate c = {end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0,
-                   end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0,
-                   {0, 0},
-                   0,
-                   {{0, 0, 0}, {0, 0, 0}},
-                   {{0, 0, 0}},
-                   {{0, 0, 0}},
-                   {0}};
-    const triple factor = triple_of(cylint_end_factor(s->shape, end));
-    from_end(s, end, from);
-    triple_cross(M, s->a, s->b);
-    const double scale = triple_normalizer(M);
-    for (int i = 0; i < 3; i++)
-        unit[i] = triple_scale(M[i], scale);
-    triple_cross(right, from, s->b);
-    triple_cross(up, s->a, from);
-    const triple whole = triple_dot(M, unit);
-    const triple x = triple_div(triple_dot(right, unit), whole);
-    const triple y = triple_div(triple_dot(up, unit), whole);
-    const triple room =
-        triple_sub(triple_mul(factor, factor), triple_mul2(x, x, y, y));
-    if (s->only == ANY_FEATURE && !(room.a > 0))
-        return;
-    place(s, &c, end ? s->h : nowhere, s->a, x, s->b, y);
-    c.distance = height_over(from, unit);
-    offer(s, &c, unit, s->shape->left_handed == end ? -1 : 1);
 }
 
 /*
@@ -440,11 +468,11 @@ static void search_bounded(search *s, int side)
     const unsigned caps = cylint_caps_present(s->shape->ends);
     for (int end = 0; end < 2; end++)
         if (caps >> end & 1)
-            search_cap(s, end);
-    if (side < 0 && s->part >= 0 && is_outward(s))
+            try_cap(s, end);
+    if (side < 0 && has_outward(s))
         return;
     search_lateral(s);
-    if (side < 0 ? s->part >= 0 && is_outward(s) : side > 0 && caps == 3)
+    if (side < 0 ? has_outward(s) : side > 0 && caps == 3)
         return;
     for (int end = 0; end < 2; end++)
         search_end(s, end);
@@ -489,13 +517,13 @@ static int feature_on_boundary(const cylint_shape *shape, const double point[3])
 
 static void write_point(const search *s, int is_on, double to[3])
 {
-    const int is_ratio =
-        !cylint_is_bounded(s->shape) && s->feature == CYLINT_FEATURE_LATERAL;
+    const int is_ratio = !cylint_is_bounded(s->shape) &&
+                         s->best.feature == CYLINT_FEATURE_LATERAL;
     const int e = is_ratio ? s->e + s->far : s->e;
     for (int i = 0; i < 3; i++) {
         const triple c = triple_of(cylint_scaled(s->shape->base[i], -e));
-        const double p = triple_value(triple_add(c, s->F[i]));
-        const double error = VECTOR_ERROR * (fabs(c.a) + s->terms[i]);
+        const double p = triple_value(triple_add(c, s->best.F[i]));
+        const double error = VECTOR_ERROR * (fabs(c.a) + s->best.terms[i]);
         to[i] = is_on ? s->point[i] + 0.0
                       : cylint_scaled(fabs(p) < error ? 0 : p, e);
     }
@@ -525,9 +553,10 @@ double cylint_elliptic_distance(const cylint_shape *shape,
         s.only = feature_on_boundary(shape, point);
     const int is_on = s.only != ANY_FEATURE;
     search_all(&s, side);
+    describe(&s);
     if (want & CYLINT_WANT_PART) {
-        answer->part = s.part;
-        answer->feature = s.feature;
+        answer->part = s.best.part;
+        answer->feature = s.best.feature;
     }
     if (want & CYLINT_WANT_POINT)
         write_point(&s, is_on, answer->point);
