@@ -4,13 +4,15 @@
  *   answers FILE     FILE was written by `records SEED COUNT FILE`
  *
  * One line a question: relation, number of hits and, of each hit, t, part and
- * side, numbers as the bits of the double.  It needs the C library only, so
- * that tests/cross.sh can compare systems on which the command is not built.
+ * side; then the distance of the line's origin, part and feature.  Numbers are
+ * the bits of the double.  It needs the C library only, so that tests/cross.sh can
+ * compare systems on which the command is not built.
  */
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "cylint_distance.h"
 #include "families.h"
 
 static uint64_t bits(double x)
@@ -36,7 +38,10 @@ int main(int argc, char **argv)
         for (int i = 0; i < a.n; i++)
             printf(" %016" PRIx64 " %d %d", bits(a.hit[i].t),
                    (int)a.hit[i].part, (int)a.hit[i].side);
-        putchar('\n');
+        cylint_closest closest = {.part = -1};
+        cylint_distance(&c.shape, c.line.o, CYLINT_WANT_PART, &closest);
+        printf(" %016" PRIx64 " %d %d\n", bits(closest.distance), closest.part,
+               closest.feature);
     }
     return ferror(file) || ferror(stdout);
 }

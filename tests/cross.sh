@@ -1,10 +1,11 @@
 #!/bin/sh
 # Compares the command's answers from every compiler, optimisation and processor
 # of this machine (make check-cross; takes some minutes).  relation, n, t, part
-# and side must be the same bytes everywhere; of the columns derived from t those
-# that differ are listed.  Where the command cannot be built, the library's
-# answers are compared, which tests/answers.c prints.  Then the C tests about
-# systems and compilers run: under Windows (wine), and with subnormals flushed.
+# and side must be the same bytes everywhere, and so must distances of points; of
+# the columns derived from t those that differ are listed.  Where the command
+# cannot be built, the library's answers are compared, which tests/answers.c
+# prints.  Then the C tests about systems and compilers run: under Windows (wine),
+# and with subnormals flushed.
 # The input is hard.txt and CYLINT_CASES (100000) records of all families with
 # CYLINT_SEED (1).  Parts without their compiler or emulator are skipped; `make
 # deps-cross` installs them.
@@ -23,6 +24,7 @@ WINEPREFIX=$build/wine WINEDEBUG=-all
 export WINEPREFIX WINEDEBUG
 
 exact=relation,n,t0,t1,part0,part1,side0,side1
+closest=distance,part,feature,x,y,z,nx,ny,nz
 derived=x0,y0,z0,nx0,ny0,nz0,h0,phi0,x1,y1,z1,nx1,ny1,nz1,h1,phi1,chord
 
 # gcc -m32 without gcc-multilib, which Debian cannot install beside cross
@@ -96,14 +98,29 @@ result() { # NAME STATUS
     verdict "$1" "$2" && printf 'ok   %s\n' "$1"
 }
 
-# answers FOLDER COLUMNS RUNNER: writes the answers to FOLDER/answers
+# answers FOLDER COLUMNS RUNNER INPUT: writes the answers to FOLDER/answers
 answers() {
-    $3 "$1/cylint" -x -f "$2" "$build/input" >"$1/answers" 2>"$1/messages"
+    $3 "$1/cylint" -x -f "$2" "$4" >"$1/answers" 2>"$1/messages"
     status=$?
     [ $status -eq 0 ] || {
         printf 'exit status %d\n' $status
         head -n 3 "$1/messages"
     }
+}
+
+# points: makes a record with a point of each record with a line: its first hit,
+# or the line's origin where the hit is nan or inf
+points() {
+    paste "$build/derived" "$build/input" | awk -F '\t' '{
+        n = split($NF, field, " ")
+        for (at = 2; field[at] !~ /^[a-z]/; at++)
+            ;
+        printf "point %s", $1 $2 $3 ~ /n/ ? field[2] " " field[3] " " field[4] :
+                                         $1 " " $2 " " $3
+        for (; at <= n; at++)
+            printf " %s", field[at]
+        print ""
+    }'
 }
 
 # columns_that_differ FOLDER: against the first build's derived columns
@@ -125,6 +142,29 @@ columns_that_differ() {
     }'
 }
 
+# compare NAME KIND COLUMNS INPUT: the answers of this build are the bytes of the
+# first build's, which are kept in $build/KIND
+compare() {
+    trouble=$(answers "$folder" "$3" "$runner" "$4" </dev/null)
+    [ "$reference" != "$name" ] || cp "$folder/answers" "$build/$2"
+    if [ -z "$trouble" ] && cmp -s "$build/$2" "$folder/answers"; then
+        result "$1" 0
+        return
+    fi
+    result "$1: $trouble" 1
+    printf '%d answers differ\n' \
+        "$(diff "$build/$2" "$folder/answers" | grep -c '^>')"
+    paste "$4" "$build/$2" "$folder/answers" |
+        awk -F '\t' -v columns="$(printf '%s' "$3" | tr -cd , | wc -c)" '{
+            want = got = ""
+            for (i = 2; i <= columns + 2; i++) want = want " " $i
+            for (i = columns + 3; i <= NF; i++) got = got " " $i
+        }
+        want != got && n++ < 5 {
+            printf "%s\n  got %s\n  want%s\n", $1, got, want
+        }'
+}
+
 if [ ! -x "$records" ]; then
     echo "$records has not been built"
     exit 77
@@ -143,33 +183,16 @@ while IFS='|' read -r name compiler flags link runner; do
     }
     folder=$(folder_of "$name")
     built "$name" cylint || continue
-    trouble=$(answers "$folder" "$exact" "$runner" </dev/null)
-    if [ -z "$reference" ]; then
-        reference=$name
-        cp "$folder/answers" "$build/exact"
-    fi
-    if [ -z "$trouble" ] && cmp -s "$build/exact" "$folder/answers"; then
-        result "$name" 0
-    else
-        result "$name: $trouble" 1
-        printf '%d answers differ\n' \
-            "$(diff "$build/exact" "$folder/answers" | grep -c '^>')"
-        paste "$build/input" "$build/exact" "$folder/answers" |
-            awk -F '\t' '{
-                want = got = ""
-                for (i = 2; i <= 9; i++) want = want " " $i
-                for (i = 10; i <= NF; i++) got = got " " $i
-            }
-            want != got && n++ < 5 {
-                printf "%s\n  got %s\n  want%s\n", $1, got, want
-            }'
-    fi
-    trouble=$(answers "$folder" "$derived" "$runner" </dev/null)
+    [ -n "$reference" ] || reference=$name
+    compare "$name" exact "$exact" "$build/input"
+    trouble=$(answers "$folder" "$derived" "$runner" "$build/input" </dev/null)
     if [ "$reference" = "$name" ]; then
         cp "$folder/answers" "$build/derived"
+        points >"$build/points"
     else
         columns_that_differ "$folder"
     fi
+    compare "$name, distances" closest "$closest" "$build/points"
 done <"$build/table"
 
 printf 'answers of %s are the measure\n' "$reference"
