@@ -384,18 +384,25 @@ static int contradicts(const cylint_shape *shape, const cylint_line *line,
 }
 #endif
 
-/* Relation, n, t and part: by the filter, or else by signs. */
+/* Relation, n, t and part: by the filter, or else by signs.  The arguments are
+ * volatile because the compiler then stores them before the call, instead of
+ * saving and restoring registers for them. */
 CYLINT_INLINE int answer_t(const cylint_shape *shape, const cylint_line *line,
                            unsigned want, cylint_answer *answer)
 {
+    const cylint_shape *volatile const its_shape = shape;
+    const cylint_line *volatile const its_line = line;
+    cylint_answer *volatile const its_answer = answer;
+    const volatile unsigned its_want = want;
     const int n = cylint_filter_one(cylint_kernels_used()->one, shape, line,
                                     want, answer, NULL);
     if (n == CYLINT_UNDECIDED)
-        return cylint_intersect_by_signs(shape, line, want, answer);
+        return cylint_intersect_by_signs(its_shape, its_line, its_want,
+                                         its_answer);
     return n;
 }
 
-static int answer_question(const cylint_shape *shape, const cylint_line *line,
+CYLINT_INLINE int answer_question(const cylint_shape *shape, const cylint_line *line,
                            unsigned want, cylint_answer *answer)
 {
     answer->flags = 0;
@@ -417,7 +424,11 @@ int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
 int cylint_occluded(const cylint_shape *shape, const cylint_line *line)
 {
     cylint_answer answer;
+#if CYLINT_IS_PARANOID
     return cylint_intersect(shape, line, CYLINT_WANT_NEAREST, &answer);
+#else
+    return answer_t(shape, line, CYLINT_WANT_NEAREST, &answer);
+#endif
 }
 
 int cylint_contains(const cylint_shape *shape, const double point[3])
