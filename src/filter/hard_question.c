@@ -50,10 +50,12 @@ INLINE local_roots corrected(const local_roots *first, const local_verdict *v,
     const vd start = second_start(first, at);
     double t[2], residual[2] = {0, 0};
     v_store(t, start);
-    EACH(i, 2)
-        if (which >> i & 1)
-            residual[i] =
-                exact_residual(shape, line, t[i], v->pierced >> i & 1 ? i : -1);
+    /* nearly always one of them: no branch depends on which */
+    for (unsigned left = which; left; left &= left - 1) {
+        const int i = (int)(left >> 1 & ~left);
+        residual[i] = exact_residual(shape, line, t[i],
+                                     v->pierced >> i & 1 ? i : -1);
+    }
     const vd height = size_at(start, Q, D);
     const vd size = v_set(taper_of(shape, 1)) * height;
     const local_roots better =

@@ -16,7 +16,7 @@
 
 /* Below this share of G_error an estimate in doubles seldom leads to a root that
  * is certainly rounded.  Only time depends on it. */
-#define CYLINT_LOCAL_GRAZING 0x1p-17
+#define CYLINT_LOCAL_GRAZING 0x1p-13
 
 /* The parts of the ends, as bits of lanes: those on a cap, and of these those
  * on cap 1. */
@@ -88,7 +88,7 @@ INLINE local_ends estimate_ends(const local_line *l, const local_verdict *v,
 {
     local_ends at;
     const int bounded = extent == CYLINT_BOUNDED;
-    const double s = sqrt(v->G);
+    const double s = v_first(v_sqrt(v_set(v->G))); /* without errno */
     const vd root = v_set(bounded ? copysign(s, l->w) : s) * v_two(-1, 1);
     vd num = root - v_set(q->B), den = v_set(q->A);
     at.cap = v->cap;
@@ -224,7 +224,8 @@ INLINE unsigned roots_missing(const local_roots *r, unsigned present,
                               const cylint_line *line, unsigned want)
 {
     const unsigned known = want & CYLINT_WANT_T ? r->nearest : 3;
-    return present & ~(roots_within(r, line) & known) & ~roots_outside(r, line);
+    const unsigned missing = present & ~(roots_within(r, line) & known);
+    return missing ? missing & ~roots_outside(r, line) : 0;
 }
 
 /* Writes the hits among the roots, of which none is missing. */
