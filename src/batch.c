@@ -177,18 +177,16 @@ static int line_of(const batch_job *job, size_t number, cylint_line *line)
                        l->tmax ? l->tmax[number] : HUGE_VAL) == CYLINT_OK;
 }
 
-/* One question by itself; hard: the filter would not decide it.  Returns 1
- * when no more are wanted. */
+/* One question by itself.  Returns 1 when no more are wanted. */
 static int answer_alone(batch_job *job, const cylint_shape *shape,
-                        size_t number, int hard)
+                        size_t number)
 {
     cylint_line line;
     cylint_answer a;
     batch_answer answer;
     if (!line_of(job, number, &line))
         return 0;
-    (hard ? cylint_intersect_by_signs
-          : cylint_intersect)(shape, &line, job->want | CYLINT_WANT_PART, &a);
+    cylint_intersect(shape, &line, job->want | CYLINT_WANT_PART, &a);
     if (a.relation == CYLINT_RELATION_MISS)
         return 0;
     answer.relation = a.relation;
@@ -231,7 +229,7 @@ static int use_group(batch_job *job, const cylint_filter_batch *from,
         int enough;
         if (g->undecided >> lane & 1) {
             enough = answer_alone(job, &from->shapes[from->run ? number : 0],
-                                  number, (int)(g->hard >> lane & 1));
+                                  number);
         } else {
             lane_answer(g, lane, job->want, &answer);
             enough = use_answer(job, number, &answer);
@@ -293,7 +291,7 @@ static void answer_pack(const cylint_pack *pack, batch_job *job)
         }
         for (size_t i = 0; i < run->n; i++) {
             const size_t number = run->number[i];
-            if (answer_alone(job, &pack->shapes[number], number, 0))
+            if (answer_alone(job, &pack->shapes[number], number))
                 return;
         }
     }
@@ -398,5 +396,5 @@ void cylint_intersect_lines(const cylint_shape *shape,
         return;
     }
     for (size_t i = 0; i < lines->n; i++)
-        answer_alone(&job, shape, i, 0);
+        answer_alone(&job, shape, i);
 }

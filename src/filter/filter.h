@@ -123,11 +123,10 @@ typedef struct {
 } cylint_filter_batch;
 
 /* Answers to up to 8 questions: those of lanes in `found` cross, or are
- * undecided; all others miss, or their hits are not wanted.  Of the undecided,
- * those in `hard` are beyond the filter of one question, too.  Masks have a bit
+ * undecided; all others miss, or their hits are not wanted.  Masks have a bit
  * for each lane.  Hit 0 leaves and hit 1 enters in lanes of leaving_first. */
 typedef struct {
-    unsigned found, undecided, hard, hit[2], leaving_first;
+    unsigned found, undecided, hit[2], leaving_first;
     const size_t *number;
     double t[2][8], part[2][8];
 } cylint_filter_group;

@@ -123,11 +123,10 @@ INLINE bounded_value quotient(bounded_value x, bounded_value y)
 }
 
 /* cross: the relation is cross; neither cross nor undecided: it is miss.
- * hard: of the undecided, those whose lateral roots doubles do not know.
  * hit: in the domain, on a part that is present.  leaving_first: the first
  * stop ends an overlap, the second begins one. */
 typedef struct {
-    vm undecided, hard, cross, hit[2], leaving_first;
+    vm undecided, cross, hit[2], leaving_first;
     bounded_value stop[2];
     vd part[2];
 } lanes_verdict;
@@ -358,13 +357,8 @@ INLINE lanes_verdict lanes_classify(lanes_query *q, const lanes_shape *s,
     const vm none = m_from(0);
     const vd lateral = v_set(CYLINT_PART_LATERAL), zero = v_set(0);
     const bounded_value nowhere = {zero, zero};
-    lanes_verdict v = {none,
-                       none,
-                       none,
-                       {none, none},
-                       none,
-                       {nowhere, nowhere},
-                       {lateral, lateral}};
+    lanes_verdict v = {
+        none, none, {none, none}, none, {nowhere, nowhere}, {lateral, lateral}};
     q->A = q->B = q->R = q->beta = nowhere;
     load_terms(q, s, l, kind, bounded);
     const bounded_value G =
@@ -378,7 +372,6 @@ INLINE lanes_verdict lanes_classify(lanes_query *q, const lanes_shape *s,
     bounded_value *const stop = v.stop;
     q->beta = with_bound(q->L.beta, form_beta_sizes(&q->N));
     lateral_interval(q, G, kind, bounded, stop, &uncertain, &outside);
-    v.hard = uncertain;
     if (bounded) {
         bounded_value plane[2];
         vm up, certain_ends;

@@ -337,7 +337,6 @@ INLINE void classify(const cylint_filter_batch *from, const question *x,
         v.hit[1] = m_and(v.hit[1], wanted);
     }
     g->undecided = m_bits(v.undecided);
-    g->hard = m_bits(v.hard);
     g->hit[0] = m_bits(v.hit[0]);
     g->hit[1] = m_bits(v.hit[1]);
     g->leaving_first = m_bits(v.leaving_first);
@@ -403,9 +402,7 @@ INLINE void round_hits(const cylint_filter_batch *from, const question *x,
             slopes.R = choose(last, at->last.R, slopes.R);
             slopes.A = v_select(last, at->last.A, slopes.A);
         }
-        const unsigned uncertain = round_roots(&slopes, x, kind, &of, g->t[i]);
-        g->undecided |= uncertain;
-        g->hard |= uncertain;
+        g->undecided |= round_roots(&slopes, x, kind, &of, g->t[i]);
     }
     if (nearest) /* one root a lane: it stands in both places */
         memcpy(g->t[1], g->t[0], sizeof g->t[1]);

@@ -141,13 +141,8 @@ INLINE lanes_verdict round_classify(lanes_query *q, const lanes_shape *s,
     const vm none = m_from(0);
     const vd lateral = v_set(CYLINT_PART_LATERAL);
     const bounded_value nowhere = {v_set(0), v_set(0)};
-    lanes_verdict v = {none,
-                       none,
-                       none,
-                       {none, none},
-                       none,
-                       {nowhere, nowhere},
-                       {lateral, lateral}};
+    lanes_verdict v = {
+        none, none, {none, none}, none, {nowhere, nowhere}, {lateral, lateral}};
     EACH(k, 2)
         stop[k] = (round_stop){nowhere, nowhere, v_set(0)};
     load_terms(q, s, l, kind, 1);
@@ -181,7 +176,6 @@ INLINE lanes_verdict round_classify(lanes_query *q, const lanes_shape *s,
         v.part[k] = v_select(on0, v_set(CYLINT_PART_CAP0),
                              v_select(on1, v_set(CYLINT_PART_CAP1), lateral));
     }
-    v.hard = uncertain;
     v.cross = m_and(alive, m_not(uncertain));
     v.undecided = m_and(alive, uncertain);
     EACH(k, 2) {
