@@ -67,9 +67,7 @@ static void aim(struct family_case *out, const frame *f, double size)
 static void ordinary(struct family_case *out)
 {
     frame f;
-    const family_shape word = any_word();
-    simple_frame(&f, word);
-    write_shape(out, word, &f);
+    simple_shape(out, &f, any_word());
     aim(out, &f, 3);
 }
 
@@ -77,9 +75,7 @@ static void on_the_surface(struct family_case *out)
 {
     frame f;
     double p[3], d[3];
-    const family_shape word = any_word();
-    simple_frame(&f, word);
-    write_shape(out, word, &f);
+    simple_shape(out, &f, any_word());
     surface_point(&f, any_z(&f), 1, p);
     random_direction(d);
     write_line(out, p, d);
@@ -90,9 +86,7 @@ static void far_origin(struct family_case *out)
 {
     frame f;
     double p[3], d[3];
-    const family_shape word = any_word();
-    simple_frame(&f, word);
-    write_shape(out, word, &f);
+    simple_shape(out, &f, any_word());
     surface_point(&f, any_z(&f), chance(0.5) ? 1 : between(0, 1.5), p);
     random_direction(d);
     write_line_from(out, p, d, power(3, 8));
@@ -134,9 +128,7 @@ static void grazing(struct family_case *out)
 {
     frame f;
     double p[3], d[3];
-    const family_shape word = any_word();
-    simple_frame(&f, word);
-    write_shape(out, word, &f);
+    simple_shape(out, &f, any_word());
     const double z = any_z(&f), turn = between(0, 6.283185307179586);
     const double r = rho(&f, z), slope = rho(&f, 1) - rho(&f, 0);
     const double x = cos(turn), y = sin(turn), off = 1 + small(-16, -4);
@@ -150,16 +142,11 @@ static void nearly_parallel(struct family_case *out)
 {
     frame f;
     double p[3], d[3], aside[3];
-    const family_shape word = any_word();
-    simple_frame(&f, word);
-    write_shape(out, word, &f);
+    simple_shape(out, &f, any_word());
     surface_point(&f, any_z(&f), chance(0.3) ? 1 : between(0, 1.2), p);
     copy3(d, f.h);
     random_direction(aside);
-    const double by = power(-12, -3);
-    for (int i = 0; i < 3; i++) {
-        d[i] += by * aside[i];
-    }
+    add3(d, power(-12, -3), aside);
     write_line_from(out, p, d, between(-2, 2));
 }
 
@@ -349,16 +336,11 @@ static void near_the_apex(struct family_case *out)
 {
     frame f;
     double p[3], d[3], aside[3];
-    const family_shape word = cone_word();
-    simple_frame(&f, word);
-    write_shape(out, word, &f);
+    simple_shape(out, &f, cone_word());
     place(&f, 0, 0, apex_z(&f), p);
     random_direction(aside);
     random_direction(d);
-    const double by = small(-17, -1);
-    for (int i = 0; i < 3; i++) {
-        p[i] += by * aside[i];
-    }
+    add3(p, small(-17, -1), aside);
     write_line_from(out, p, d, between(-2, 2));
 }
 
@@ -366,9 +348,7 @@ static void near_a_ruling(struct family_case *out)
 {
     frame f;
     double p[3], q[3], d[3], aside[3];
-    const family_shape word = cone_word();
-    simple_frame(&f, word);
-    write_shape(out, word, &f);
+    simple_shape(out, &f, cone_word());
     const double turn = between(0, 6.283185307179586), z = any_z(&f);
     const double r0 = rho(&f, 0), r1 = rho(&f, 1), x = cos(turn);
     const double y = sin(turn), off = small(-16, -3), tilt = small(-16, -3);
@@ -427,9 +407,7 @@ static void both_nappes(struct family_case *out)
 {
     frame f;
     double p[3], d[3];
-    const family_shape word = cone_word();
-    simple_frame(&f, word);
-    write_shape(out, word, &f);
+    simple_shape(out, &f, cone_word());
     const double apex = apex_z(&f), slope = fabs(rho(&f, 1) - rho(&f, 0));
     place(&f, between(-1, 1), between(-1, 1), apex + between(-1, 1), p);
     vary(&f, slope * between(-1.1, 1.1), slope * between(-0.4, 0.4), 1, d);
@@ -443,9 +421,7 @@ static void near_a_rim(struct family_case *out)
 {
     frame f;
     double p[3], d[3];
-    const family_shape word = any_word();
-    simple_frame(&f, word);
-    write_shape(out, word, &f);
+    simple_shape(out, &f, any_word());
     const double z = f.by_angle || chance(0.5) ? 1 : 0;
     surface_point(&f, z + small(-16, -4), 1 + small(-16, -4), p);
     random_direction(d);
@@ -456,9 +432,7 @@ static void near_a_cap_plane(struct family_case *out)
 {
     frame f;
     double p[3], d[3];
-    const family_shape word = any_word();
-    simple_frame(&f, word);
-    write_shape(out, word, &f);
+    simple_shape(out, &f, any_word());
     const double z = chance(0.5) ? 1 : 0;
     place(&f, between(-1, 1), between(-1, 1), z + small(-16, -4), p);
     vary(&f, between(-1, 1), between(-1, 1), small(-16, -4), d);

@@ -86,6 +86,14 @@ static double length3(const double v[3])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
+/* to += by v */
+static void add3(double to[3], double by, const double v[3])
+{
+    for (int i = 0; i < 3; i++) {
+        to[i] += by * v[i];
+    }
+}
+
 static void scale3(double v[3], double by)
 {
     set3(v, v[0] * by, v[1] * by, v[2] * by);
@@ -243,6 +251,12 @@ static void write_line_from(struct family_case *out, const double p[3],
 static void simple_frame(frame *f, family_shape word)
 {
     make_frame(f, word, between(0.2, 2), between(0.2, 3));
+}
+
+static void simple_shape(struct family_case *out, frame *f, family_shape word)
+{
+    simple_frame(f, word);
+    write_shape(out, word, f);
 }
 
 static double any_z(const frame *f)

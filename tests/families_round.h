@@ -124,6 +124,15 @@ static void boundary_point(const hull *h, double p[3], double n[3])
         p[i] = h->p[end][i] + h->r[end] * n[i];
 }
 
+/* An ordinary hull, and a boundary point with its normal. */
+static void hull_and_point(struct family_case *out, hull *h, double p[3],
+                           double n[3])
+{
+    simple_hull(h);
+    write_hull(out, h);
+    boundary_point(h, p, n);
+}
+
 static double size_of_hull(const hull *h)
 {
     double w[3];
@@ -159,9 +168,7 @@ static void round_on_the_surface(struct family_case *out)
 {
     hull h;
     double p[3], n[3], d[3];
-    simple_hull(&h);
-    write_hull(out, &h);
-    boundary_point(&h, p, n);
+    hull_and_point(out, &h, p, n);
     random_direction(d);
     write_line(out, p, d);
     out->line_word = chance(0.8) ? FAMILY_RAY : FAMILY_LINE;
@@ -171,13 +178,9 @@ static void round_far_origin(struct family_case *out)
 {
     hull h;
     double p[3], n[3], d[3];
-    simple_hull(&h);
-    write_hull(out, &h);
-    boundary_point(&h, p, n);
+    hull_and_point(out, &h, p, n);
     random_direction(d);
-    const double off = chance(0.5) ? 0 : between(-1, 0.5);
-    for (int i = 0; i < 3; i++)
-        p[i] += off * n[i];
+    add3(p, chance(0.5) ? 0 : between(-1, 0.5), n);
     write_line_from(out, p, d, power(3, 8));
 }
 
@@ -195,15 +198,10 @@ static void round_grazing(struct family_case *out)
 {
     hull h;
     double p[3], n[3], d[3];
-    simple_hull(&h);
-    write_hull(out, &h);
-    boundary_point(&h, p, n);
+    hull_and_point(out, &h, p, n);
     across(n, d);
-    const double off = small(-16, -4), lean = small(-16, -4);
-    for (int i = 0; i < 3; i++) {
-        p[i] += off * n[i];
-        d[i] += lean * n[i];
-    }
+    add3(p, small(-16, -4), n);
+    add3(d, small(-16, -4), n);
     write_line_from(out, p, d, between(-3, 3));
 }
 
