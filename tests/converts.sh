@@ -41,3 +41,32 @@ says()
 
 input() { printf "$1" > "$scratch/in"; }
 expect() { printf "$1" > "$scratch/expected"; }
+
+# accepted NAME COUNT FILE COMMAND...: the file gives COUNT shapes, all of
+# which `cylint -s` takes: one ray is answered without a message.
+accepted()
+{
+    name=$1 count=$2 file=$3
+    shift 3
+    "$@" "$file" > "$scratch/scene" 2> "$scratch/messages" &&
+        [ "$(wc -l < "$scratch/scene")" -eq "$count" ] &&
+        echo 'ray 1 2 3  1 1 1' |
+        "$build/cylint" -s "$scratch/scene" > "$scratch/out" 2>&1 &&
+        [ "$(wc -l < "$scratch/out")" -eq 1 ]
+    verdict "$AWK: $name" $?
+}
+
+# with_each_awk TEST...: runs each TEST with each awk found.
+with_each_awk()
+{
+    tried=
+    for AWK in mawk gawk awk; do
+        command -v $AWK > /dev/null || continue
+        [ $AWK = awk ] && [ -n "$tried" ] && continue
+        tried=yes
+        export AWK
+        for test in "$@"; do
+            $test
+        done
+    done
+}

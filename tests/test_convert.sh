@@ -294,20 +294,6 @@ cylinder 1.50 0.0 -0 2.9 0 0.000 0.15 12-15
         "cylint-convert: -:4: expected a number for _atom_site.Cartn_x, found 'A'" $pdb
 }
 
-# accepted NAME COUNT FILE COMMAND...: the file gives COUNT shapes, all of
-# which `cylint -s` takes: one ray is answered without a message.
-accepted()
-{
-    name=$1 count=$2 file=$3
-    shift 3
-    "$@" "$file" > "$scratch/scene" 2> "$scratch/messages" &&
-        [ "$(wc -l < "$scratch/scene")" -eq "$count" ] &&
-        echo 'ray 1 2 3  1 1 1' |
-        "$build/cylint" -s "$scratch/scene" > "$scratch/out" 2>&1 &&
-        [ "$(wc -l < "$scratch/out")" -eq 1 ]
-    verdict "$AWK: $name" $?
-}
-
 # Rays from a corner of the scene's box of axis ends to points within it,
 # by the low-discrepancy steps of the plastic number.
 rays_through()
@@ -362,18 +348,9 @@ test_scan_of_a_neuron()
     verdict "$AWK: ten_thousand_rays_at_a_neuron_are_answered" $?
 }
 
-for AWK in mawk gawk awk; do
-    command -v $AWK > /dev/null || continue
-    [ $AWK = awk ] && [ -n "${tried:-}" ] && continue
-    tried=yes
-    export AWK
-    test_swc
-    test_qsm
-    test_pdb
-    test_mmcif
-    [ -d $data ] && test_real_files
-done
+with_each_awk test_swc test_qsm test_pdb test_mmcif
 if [ -d $data ]; then
+    with_each_awk test_real_files
     AWK=awk test_scan_of_a_neuron
 else
     echo "note: no $data, the tests on real files are left out"

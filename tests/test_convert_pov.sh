@@ -205,13 +205,5 @@ cylint-convert: 1 cylinder {} left out: with a negative radius'
     done
 }
 
-for AWK in mawk gawk awk; do
-    command -v $AWK > /dev/null || continue
-    [ $AWK = awk ] && [ -n "${tried:-}" ] && continue
-    tried=yes
-    export AWK
-    test_pov
-    test_pov_numbers
-    test_pov_skip
-done
+with_each_awk test_pov test_pov_numbers test_pov_skip
 check_end

@@ -17,18 +17,24 @@ function prepare_bonds()
 
 # Covalent radii in angstrom: B. Cordero et al., "Covalent radii revisited",
 # Dalton Transactions 2008, 2832-2838, table 2.
-function name_covalent_radii(   i, n, words)
+function name_covalent_radii(   symbol)
 {
-    n = split("H 0.31 D 0.31 HE 0.28 LI 1.28 BE 0.96 B 0.84 C 0.76 N 0.71 " \
+    read_radii("H 0.31 D 0.31 HE 0.28 LI 1.28 BE 0.96 B 0.84 C 0.76 N 0.71 " \
               "O 0.66 F 0.57 NE 0.58 NA 1.66 MG 1.41 AL 1.21 SI 1.11 " \
               "P 1.07 S 1.05 CL 1.02 AR 1.06 K 2.03 CA 1.76 MN 1.39 " \
               "FE 1.32 CO 1.26 NI 1.24 CU 1.32 ZN 1.22 AS 1.19 SE 1.20 " \
-              "BR 1.20 CD 1.44 I 1.39 PT 1.36 AU 1.36 HG 1.32", words, " ")
-    for (i = 1; i < n; i += 2) {
-        covalent[words[i]] = words[i + 1]
-        if (words[i + 1] > largest)
-            largest = words[i + 1]
-    }
+              "BR 1.20 CD 1.44 I 1.39 PT 1.36 AU 1.36 HG 1.32", covalent)
+    for (symbol in covalent)
+        if (covalent[symbol] > largest)
+            largest = covalent[symbol]
+}
+
+# Reads "SYMBOL RADIUS SYMBOL RADIUS ..." into an array.
+function read_radii(text, radii,   i, n, words)
+{
+    n = split(text, words, " ")
+    for (i = 1; i < n; i += 2)
+        radii[words[i]] = words[i + 1]
 }
 
 function forget_atoms()
