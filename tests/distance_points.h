@@ -107,18 +107,24 @@ static void put(const struct point_frame *f, uint64_t *stream, double rho,
                rho * (cos(turn) * f->a[i] + sin(turn) * f->b[i]);
 }
 
-/* As far below the cap at `end` as inside the lateral surface, nearly. */
+/* As far below the cap at `end` as inside the lateral surface, nearly; often
+ * near the point of the axis that is. */
 static void put_on_bisector(const struct point_frame *f, uint64_t *stream,
                             double p[3])
 {
     const cylint_shape *s = f->shape;
     const int end = random_int(stream, 2);
-    const double z = draw(stream, 0, 1) * draw(stream, 0, 1);
-    const double tan = (s->r1 - s->r0) * f->unit / f->length;
-    const double depth = z * f->length * sqrt(1 + tan * tan);
+    const double grows = (end ? s->r0 - s->r1 : s->r1 - s->r0) * f->unit;
+    const double tan = grows / f->length;
+    const double slant = f->length * sqrt(1 + tan * tan);
+    const double on_axis = rho_at(f, end) / (slant - grows);
+    double z = draw(stream, 0, 1) * draw(stream, 0, 1);
+    if (random_int(stream, 2) && on_axis < 1)
+        z = on_axis * (1 - fabs(draw_small(stream)));
     const double at = end ? 1 - z : z;
     put(f, stream,
-        fabs(rho_at(f, at) - depth) * (1 + draw_small(stream) * 0.01), at, p);
+        fabs(rho_at(f, at) - z * slant) * (1 + draw_small(stream) * 0.01), at,
+        p);
 }
 
 static double any_z_of(uint64_t *stream)

@@ -109,6 +109,13 @@ INLINE pair from_ball(const double point[3], const double center[3], double r,
     return lazy_sub(d, plain(r));
 }
 
+/* The double near a pair whose low part is up to CYLINT_ROOT_STEP of the high one:
+ * a root near the axis. */
+INLINE double whole(pair a)
+{
+    return a.hi + a.lo;
+}
+
 /* From the plane of a cap, positive outside. */
 INLINE pair from_level(const half_plane *m, pair height, int top)
 {
@@ -275,10 +282,11 @@ INLINE int cylinder_distance(ARGUMENTS)
     const pair A = lazy_sub(m.rho, plain(s->r0)),
                B = from_level(&m, (pair){s->local.height, s->local.height_lo},
                               top);
-    const int cap = A.hi < B.hi, rim = (A.hi > 0) & (B.hi > 0);
-    const int inside = (A.hi < 0) & (B.hi < 0);
-    const int tie = (fabs(A.hi - B.hi) <= M) | (cap & (fabs(t) <= M));
-    if (!((fabs(A.hi) > M) & (fabs(B.hi) > M)) || (inside & tie))
+    const double a = whole(A), b = whole(B);
+    const int cap = a < b, rim = (a > 0) & (b > 0);
+    const int inside = (a < 0) & (b < 0);
+    const int tie = (fabs(a - b) <= M) | (cap & (fabs(t) <= M));
+    if (!((fabs(a) > M) & (fabs(b) > M)) || (inside & tie))
         return 0;
     return finish(&m,
                   rim   ? length_of(A, B)
@@ -328,7 +336,7 @@ INLINE int cone_distance(ARGUMENTS)
     load_position(&at, &m, &p, 0);
     const pair A = from_line(&m, &p);
     const pair B = from_plane(&m, &p, at.z + at.above > 0);
-    const int feature = cone_feature(&at, &p, A.hi, B.hi);
+    const int feature = cone_feature(&at, &p, whole(A), whole(B));
     if (feature == UNDECIDED)
         return 0;
     const pair d = feature == CYLINT_FEATURE_LATERAL ? A
@@ -350,8 +358,8 @@ ASIDE int profile_distance(const half_plane *m, profile *p, ARGUMENTS)
     load_position(&at, m, p, 0);
     const int feature =
         !bounded ? unbounded_feature(&at, p, s, &flipped)
-        : closed ? cone_feature(&at, p, from_line(m, p).hi,
-                                from_plane(m, p, at.z + at.above > 0).hi)
+        : closed ? cone_feature(&at, p, whole(from_line(m, p)),
+                                whole(from_plane(m, p, at.z + at.above > 0)))
                  : open_feature(&at, p, cap);
     if (feature == UNDECIDED ||
         (flipped && want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)))

@@ -194,14 +194,15 @@ INLINE vnearest between_planes(const vplane *m, const vshape *s)
     const vd sign = v_select(top, v_set(1), v_set(-1));
     const vpair T = vpair_sub(m->z, level), A = from_line(m, s);
     const vpair B = {sign * T.hi, sign * T.lo};
-    const vm less = v_lt(A.hi, B.hi);
-    const vm inside = m_and(v_lt(A.hi, -M), v_lt(B.hi, -M));
-    const vm tie =
-        m_or(v_le(v_abs(A.hi - B.hi), M), m_and(less, v_le(v_abs(t), M)));
-    const vm outside = m_or(v_lt(M + M, A.hi), v_lt(M, B.hi));
+    /* near the axis the low part of a root counts */
+    const vd a = A.hi + A.lo, b = B.hi + B.lo;
+    const vm less = v_lt(a, b);
+    const vm inside = m_and(v_lt(a, -M), v_lt(b, -M));
+    const vm tie = m_or(v_le(v_abs(a - b), M), m_and(less, v_le(v_abs(t), M)));
+    const vm outside = m_or(v_lt(M + M, a), v_lt(M, b));
     const vd r = v_select(top, s->r[1], s->r[0]);
-    const vm beyond = m_and(v_lt(M, B.hi), v_lt(rho, r - M));
-    const vm not_beyond = m_or(v_lt(B.hi, -M), v_lt(r + M, rho));
+    const vm beyond = m_and(v_lt(M, b), v_lt(rho, r - M));
+    const vm not_beyond = m_or(v_lt(b, -M), v_lt(r + M, rho));
     const vfoot foot = foot_of(m, s);
     const vm known =
         m_or(beyond,
