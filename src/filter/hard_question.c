@@ -8,10 +8,9 @@
  * the root near 0 of such a ray: then its residual is computed in triples.
  */
 #define CYLINT_NARROW
-#include "local_roots.h"
-#include "residual_in_levels.h"
-#include "residual_in_triples.h"
-#include "second_step.h"
+#include "../numbers/double_double.h" /* before simd.h */
+#include "../numbers/simd.h"
+#include "filter.h"
 
 #ifndef CYLINT_HARD
 #define CYLINT_HARD cylint_hard_plain
@@ -19,6 +18,11 @@
 #endif
 
 #if LANES == 2
+
+#include "local_roots.h"
+#include "residual_in_levels.h"
+#include "residual_in_triples.h"
+#include "second_step.h"
 
 /* In local coordinates, of the part that holds the root: of the plane of `cap`
  * or, if cap is -1, of the lateral surface. */
@@ -53,8 +57,8 @@ INLINE local_roots corrected(const local_roots *first, const local_verdict *v,
     /* nearly always one of them: no branch depends on which */
     for (unsigned left = which; left; left &= left - 1) {
         const int i = (int)(left >> 1 & ~left);
-        residual[i] = exact_residual(shape, line, t[i],
-                                     v->pierced >> i & 1 ? i : -1);
+        residual[i] =
+            exact_residual(shape, line, t[i], v->pierced >> i & 1 ? i : -1);
     }
     const vd height = size_at(start, Q, D);
     const vd size = v_set(taper_of(shape, 1)) * height;

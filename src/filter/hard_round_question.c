@@ -6,15 +6,19 @@
  * residuals in pairs do not round.
  */
 #define CYLINT_NARROW
-#include "round_roots.h"
-#include "residual_in_triples.h"
-#include "second_step.h"
+#include "../numbers/double_double.h" /* before simd.h */
+#include "../numbers/simd.h"
+#include "filter.h"
 
 #ifndef CYLINT_HARD_ROUND
 #define CYLINT_HARD_ROUND cylint_hard_round_plain
 #endif
 
 #if LANES == 2
+
+#include "round_roots.h"
+#include "residual_in_triples.h"
+#include "second_step.h"
 
 /* As misses_at_once() and classify_round(), in pairs.  Writes the line rounded
  * to doubles again, and the quadratics of balls and cone. */
@@ -180,7 +184,7 @@ int CYLINT_HARD_ROUND(ARGUMENTS)
 #else
 
 /* Without vectors of two lanes. */
-int CYLINT_HARD_ROUND(ARGUMENTS)
+int CYLINT_HARD_ROUND(CYLINT_ONE_ARGUMENTS)
 {
     return cylint_undecided(shape, line, want, answer, rest);
 }

@@ -7,7 +7,9 @@
  * doubles and a residual in pairs leave undecided hard_question.c continues.
  */
 #define CYLINT_NARROW
-#include "local_roots.h"
+#include "../numbers/double_double.h" /* before simd.h */
+#include "../numbers/simd.h"
+#include "filter.h"
 
 #ifndef CYLINT_ONE
 #define CYLINT_ONE cylint_one_plain
@@ -25,6 +27,8 @@
     }
 
 #if LANES == 2
+
+#include "local_roots.h"
 
 /* What a kernel has computed of a line that G does not show to miss, in
  * registers. */

@@ -6,7 +6,9 @@
  * hard_round_question.c.
  */
 #define CYLINT_NARROW
-#include "round_roots.h"
+#include "../numbers/double_double.h" /* before simd.h */
+#include "../numbers/simd.h"
+#include "filter.h"
 
 #ifndef CYLINT_ROUND
 #define CYLINT_ROUND plain
@@ -19,6 +21,8 @@
 #define NAME_JOINED(kernel, build) cylint_##kernel##_##build
 
 #if LANES == 2
+
+#include "round_roots.h"
 
 /* The answer by roots, of a line that misses_at_once() does not show to miss. */
 INLINE int round_by_roots(round_line *x, round_verdict v, ARGUMENTS, int kind)
@@ -106,11 +110,11 @@ KERNELS(rcone, ROUND_TAPERED)
 
 /* Without vectors of two lanes. */
 #define KERNELS(name)                                             \
-    int NAME(name##_roots)(ARGUMENTS)                             \
+    int NAME(name##_roots)(CYLINT_ONE_ARGUMENTS)                  \
     {                                                             \
         return cylint_undecided(shape, line, want, answer, rest); \
     }                                                             \
-    int NAME(name##_signs)(ARGUMENTS)                             \
+    int NAME(name##_signs)(CYLINT_ONE_ARGUMENTS)                  \
     {                                                             \
         return cylint_undecided(shape, line, want, answer, rest); \
     }
