@@ -114,6 +114,7 @@ typedef struct {
     size_t n;
     unsigned want;
     int relations;  /* wanted even where there is no hit */
+    int eager;      /* no answer makes later ones unwanted */
     double nearest; /* one line: hits beyond it are not wanted */
     double speed;   /* one line: |d|, not less */
     /* the numbers that the first pass left are list[first] .. list[end - 1];

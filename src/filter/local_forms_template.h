@@ -129,22 +129,23 @@ INLINE V FORM(AB)(const FORM(line) *l, int tapered)
 /* A of a ball, twice. */
 INLINE V FORM(ball_A)(const FORM(line) *l)
 {
-    return SUM_OF(l->w, l->w, FIRSTS(l->products));
+    const V squares = MUL(l->v, l->v);
+    return SUM_OF(l->w, l->w, SUMS(squares, squares));
 }
 
 /* B of both balls. */
 INLINE V FORM(ball_B)(const FORM(line) *l, const FORM(balls) *b)
 {
-    return SUM_OF(b->z, l->w, FIRSTS(TURNED(l->products)));
+    const V products = MUL(l->p, l->v);
+    return SUM_OF(b->z, l->w, SUMS(products, products));
 }
 
 /* g of a ball, twice, z and r twice; of both balls. */
 INLINE V FORM(one_ball_g)(const FORM(line) *l, V z, V r)
 {
-    const V X = FORM(X)(l, z), m = FORM(moment)(l);
-    const V rv = MUL(r, l->v), rw = MUL(r, l->w);
-    const V across = SUM_OF(rv, rv, NEGATED(MUL(X, X)));
-    return ADD(SUMS(across, across), SUM_OF(rw, rw, NEGATED(MUL(m, m))));
+    const V X = FORM(X)(l, z), m = FORM(moment)(l), squares = MUL(X, X);
+    const V square = SUM_OF(m, m, SUMS(squares, squares));
+    return SUM_OF(MUL(r, r), FORM(ball_A)(l), NEGATED(square));
 }
 
 INLINE V FORM(ball_g)(const FORM(line) *l, const FORM(balls) *b)

@@ -55,12 +55,15 @@ static void shapes_at(const cylint_filter_batch *from, const size_t *number,
         cap[1] |= (caps >> 1) << i;
         left_handed |= (unsigned)one->left_handed << i;
     }
-/* four members in a row, from `name` on: r0, r1, dr, dr_lo are adjacent */
+/* four members in a row, from `name` on: base, r0, r1, dr, dr_lo are adjacent */
 #define MEMBERS(name) v_columns(shape, offsetof(cylint_shape, name), four)
     vd four[4];
-    MEMBERS(base);
+    MEMBERS(base); /* and r0 */
     EACH(i, 3)
         s->base[i] = four[i];
+    s->r[0] = four[3];
+    if (kind == CYLINT_KIND_SPHERE)
+        return;
     MEMBERS(axis);
     EACH(i, 3)
         s->axis[i] = four[i];
@@ -92,26 +95,45 @@ static void shapes_at(const cylint_filter_batch *from, const size_t *number,
     s->cap[1] = m_from(cap[1]);
 }
 
-/* A ball and a line in every lane. */
+/* The ball about a shape and a line in every lane. */
 typedef struct {
     vd center[3], radius, o[3], u[3];
-} lanes_ball;
+} lanes_pass;
 
-INLINE void shape_of_ball(lanes_ball *b, const cylint_shape *s)
+INLINE void shape_of_pass(lanes_pass *b, const cylint_shape *s)
 {
     EACH(i, 3)
         b->center[i] = v_set(s->center[i]);
     b->radius = v_set(s->bound_radius);
 }
 
-/* Those of lanes from `lane` on, as far as they differ from lane to lane. */
-INLINE void ball_at(const cylint_filter_batch *from, size_t lane, mode m,
-                    lanes_ball *b)
+/* Copies of what the first pass reads: the list that it writes cannot change
+ * them. */
+typedef struct {
+    cylint_run run;
+    cylint_lines lines;
+    size_t n;
+} pass_columns;
+
+INLINE pass_columns columns_of(const cylint_filter_batch *from, mode m)
 {
-    const cylint_lines *lines = from->lines;
+    pass_columns c;
+    if (m != ONE_SHAPE)
+        c.run = *from->run;
+    if (m != ONE_LINE)
+        c.lines = *from->lines;
+    c.n = from->n;
+    return c;
+}
+
+/* Those of lanes from `lane` on, as far as they differ from lane to lane. */
+INLINE void pass_at(const pass_columns *from, size_t lane, mode m,
+                    lanes_pass *b)
+{
+    const cylint_lines *lines = &from->lines;
     if (m != ONE_SHAPE) {
-        const double *column = from->run->column + lane;
-        const size_t stride = from->run->stride;
+        const double *column = from->run.column + lane;
+        const size_t stride = from->run.stride;
         b->center[0] = v_load(column);
         b->center[1] = v_load(column + stride);
         b->center[2] = v_load(column + 2 * stride);
@@ -123,7 +145,7 @@ INLINE void ball_at(const cylint_filter_batch *from, size_t lane, mode m,
             b->u[i] = v_load(lines->d[i] + lane);
         }
     } else if (m == PAIRS) {
-        const size_t *at = from->run->number + lane;
+        const size_t *at = from->run.number + lane;
         const int in_a_row = lane + LANES <= from->n && /* not padded */
                              at[LANES - 1] - at[0] == LANES - 1;
         EACH(i, 3) {
@@ -135,59 +157,16 @@ INLINE void ball_at(const cylint_filter_batch *from, size_t lane, mode m,
     }
 }
 
-INLINE void ball_terms(const lanes_ball *b, terms_lanes *L, terms_sizes *N)
-{
-    EACH(i, 3) {
-        L->u[i] = b->u[i];
-        L->D[0][i] = b->o[i] - b->center[i];
-    }
-    const vd u = v_largest(L->u), D = v_largest(L->D[0]);
-    EACH(i, 3) {
-        N->u[i] = u;
-        N->D[0][i] = D;
-    }
-}
-
-/* The lanes that pass by for certain. */
-INLINE vm pass_by(const lanes_ball *b)
-{
-    terms_lanes L;
-    terms_sizes N;
-    ball_terms(b, &L, &N);
-    cross_lanes(&L, L.D[0], L.u, L.M[0]);
-    cross_sizes(&N, N.D[0], N.u, N.M[0]);
-    const vd u = N.u[0], D = N.D[0][0];
-    const bounded_value near =
-        with_bound(form_ball_lanes(&L, L.M[0], b->radius),
-                   form_ball_sizes(&N, N.M[0], b->radius));
-    const vd most = v_set(CYLINT_WINDOW), least = v_set(1 / CYLINT_WINDOW);
-    const vm window = m_and(v_le(v_max(u, D), most), v_le(least, u));
-    return m_and(window, v_lt(near.v, -near.e));
-}
-
-/* A value of form_foot: where t stands from the foot of a ball's centre. */
-INLINE bounded_value foot(const terms_lanes *L, const terms_sizes *N, double t)
-{
-    terms_lanes at = *L;
-    terms_sizes size = *N;
-    at.r[0] = v_set(t);
-    size.r[0] = v_set(fabs(t));
-    return with_bound(form_foot_lanes(&at), form_foot_sizes(&size));
-}
-
 /* The lanes whose ball is not for certain beyond the line's domain or the
  * nearest hit. */
 INLINE unsigned within_reach(const lanes_ball *b,
                              const cylint_filter_batch *from)
 {
     const cylint_line *line = from->line;
-    terms_lanes L;
-    terms_sizes N;
-    ball_terms(b, &L, &N);
-    const vd reach = b->radius * v_set(from->speed);
+    const vd reach = b->r * v_set(from->speed);
     const double end = from->nearest < line->tmax ? from->nearest : line->tmax;
-    const bounded_value first = foot(&L, &N, line->tmin);
-    const bounded_value last = foot(&L, &N, end);
+    const bounded_value first = ball_slope_at(b, line->tmin);
+    const bounded_value last = ball_slope_at(b, end);
     const vm before = v_lt(reach, first.v - first.e);
     const vm beyond = v_lt(last.v + last.e, -reach);
     return m_bits(m_not(m_or(before, beyond)));
@@ -195,10 +174,10 @@ INLINE unsigned within_reach(const lanes_ball *b,
 
 /* ------------------------------------------------- the first pass ---- */
 
-INLINE void load_ball(const cylint_filter_batch *from, mode m, lanes_ball *b)
+INLINE void load_pass(const cylint_filter_batch *from, mode m, lanes_pass *b)
 {
     if (m == ONE_SHAPE)
-        shape_of_ball(b, from->shapes);
+        shape_of_pass(b, from->shapes);
     if (m == ONE_LINE)
         EACH(i, 3) {
             b->o[i] = v_set(from->line->o[i]);
@@ -206,29 +185,38 @@ INLINE void load_ball(const cylint_filter_batch *from, mode m, lanes_ball *b)
         }
 }
 
+/* So many numbers the first pass finds at once where no answer can change it. */
+enum { AHEAD = 64 };
+
 /* Puts the numbers of lanes that do not pass by into the list, until they
  * suffice for a group. */
 INLINE void first_pass(cylint_filter_batch *from, mode m)
 {
     size_t *list = from->list, end = from->end, lane = from->lane;
-    const size_t enough = from->first + LANES;
-    lanes_ball ball;
-    load_ball(from, m, &ball);
-    for (; lane < from->n && end < enough; lane += LANES) {
-        const size_t rest = from->n - lane;
+    const size_t enough = from->first + (from->eager ? AHEAD : LANES);
+    const pass_columns columns = columns_of(from, m);
+    size_t counted[LANES];
+    lanes_pass pass;
+    load_pass(from, m, &pass);
+    for (; lane < columns.n && end < enough; lane += LANES) {
+        const size_t rest = columns.n - lane;
         unsigned left = rest < LANES ? (1u << rest) - 1 : ALL;
         if (m != ONE_SHAPE || rest >= LANES) { /* the caller's end there */
-            ball_at(from, lane, m, &ball);
-            left &= m_bits(m_not(pass_by(&ball)));
+            pass_at(&columns, lane, m, &pass);
+            const lanes_ball ball =
+                ball_and_line(pass.center, pass.radius, pass.o, pass.u);
+            left &= m_bits(m_not(passes_ball(&ball)));
+            if (m == ONE_LINE && left && !from->relations)
+                left &= within_reach(&ball, from);
         }
-        if (m == ONE_LINE && left && !from->relations)
-            left &= within_reach(&ball, from);
         if (!left)
             continue;
-        for (unsigned i = 0; i < LANES; i++) { /* no branch to guess */
-            list[end] = m == ONE_SHAPE ? lane + i : from->run->number[lane + i];
-            end += left >> i & 1;
-        }
+        if (m == ONE_SHAPE)
+            for (unsigned i = 0; i < LANES; i++)
+                counted[i] = lane + i;
+        end +=
+            v_keep(list + end,
+                   m == ONE_SHAPE ? counted : columns.run.number + lane, left);
     }
     from->lane = lane;
     from->end = end;
@@ -254,7 +242,9 @@ static int next_numbers(cylint_filter_batch *from)
 {
     static void (*const pass[])(cylint_filter_batch *) = {
         first_pass_one_line, first_pass_one_shape, first_pass_pairs};
-    enum { CAPACITY = sizeof from->list / sizeof *from->list - 2 * LANES };
+    enum {
+        CAPACITY = sizeof from->list / sizeof *from->list - 2 * LANES - AHEAD
+    };
     size_t left = from->end - from->first;
     if (from->first > CAPACITY) {
         memmove(from->list, from->list + from->first,
@@ -324,11 +314,12 @@ INLINE void classify(const cylint_filter_batch *from, const question *x,
 {
     lanes_query q;
     round_stop stop[2];
-    const int hull = cylint_is_hull(kind);
-    const int planes = from->bounded && !cylint_is_round(kind);
+    const int hull = cylint_is_hull(kind), sphere = kind == CYLINT_KIND_SPHERE;
     lanes_verdict v =
-        hull ? round_classify(&q, &x->shape, &x->line, kind, x->in_use, stop)
-             : lanes_classify(&q, &x->shape, &x->line, kind, planes, x->in_use);
+        sphere ? sphere_classify(&at->slopes, &x->shape, &x->line, x->in_use)
+        : hull ? round_classify(&q, &x->shape, &x->line, kind, x->in_use, stop)
+               : lanes_classify(&q, &x->shape, &x->line, kind, from->bounded,
+                                x->in_use);
     if (!from->line)
         leave_undecided(&v, m_and(x->in_use, v_eq(x->line.tmin, x->line.tmax)));
     if (from->line && from->want & CYLINT_WANT_NEAREST) {
@@ -353,7 +344,8 @@ INLINE void classify(const cylint_filter_batch *from, const question *x,
         q.A = (bounded_value){stop[0].A, v_set(0)};
         at->last = stop[1];
     }
-    at->slopes = slopes_of(&q);
+    if (!sphere)
+        at->slopes = slopes_of(&q);
     at->t[0] = v.stop[0];
     at->t[1] = v.stop[1];
 }
@@ -372,11 +364,13 @@ INLINE unsigned round_roots(const lanes_slopes *q, const question *x, int kind,
     const vd sign = v_select(of->exits, v_set(1), v_set(-1));
     vd center[3];
     root_centers(center, &x->shape, kind, of->part);
-    const lanes_root r = cylint_is_hull(kind)
-                             ? round_part_root(q, &x->shape, &x->line, kind,
-                                               sign, of->t, of->part)
-                             : round_root(q, &x->shape, center, &x->line, kind,
-                                          1, sign, of->t, of->part);
+    const lanes_root r =
+        kind == CYLINT_KIND_SPHERE
+            ? round_sphere_root(q, &x->shape, &x->line, sign, of->t)
+        : cylint_is_hull(kind) ? round_part_root(q, &x->shape, &x->line, kind,
+                                                 sign, of->t, of->part)
+                               : round_root(q, &x->shape, center, &x->line,
+                                            kind, 1, sign, of->t, of->part);
     v_store(t, r.value);
     return m_bits(m_and(of->wanted, m_not(r.certain)));
 }

@@ -15,7 +15,7 @@
 #ifndef CYLINT_ROUND_LANES_H
 #define CYLINT_ROUND_LANES_H
 
-#include "lanes.h"
+#include "sphere_lanes.h"
 
 INLINE vm positive(bounded_value x)
 {
@@ -191,45 +191,49 @@ INLINE lanes_verdict round_classify(lanes_query *q, const lanes_shape *s,
     return v;
 }
 
-/* One step of Newton's, the residual in pairs: of the ball of that radius about
- * the centre in lanes of `ball`, else of the lateral surface.  The terms of the
- * latter may begin at the centre of any end where s->r[0] is the radius. */
-INLINE lanes_root round_surface_root(const lanes_slopes *q,
-                                     const lanes_shape *s, const vd center[3],
-                                     const lanes_line *l, int kind, vd exits,
-                                     bounded_value t, vm ball, vd radius)
+/* |w|^2 - dr^2. */
+INLINE vpair hull_square(const vpair axis[3], vpair dr)
 {
-    terms_pairs P;
-    terms_sizes N;
-    vd residual = v_set(0), sizes = v_set(0);
-    const vd from = terms_at(&P, &N, q, s, center, l, kind, t.v, v_set(0));
-    if (cylint_is_hull(kind) && m_any(m_not(ball))) {
-        const vpair Q = form_C_pairs(&P);
-        residual = Q.hi + Q.lo;
-        sizes = form_C_sizes(&N);
-    }
-    if (m_any(ball)) {
-        P.kind = N.kind = CYLINT_KIND_SPHERE;
-        P.r[0].hi = N.r[0] = radius;
-        const vpair Q = form_C_pairs(&P);
-        residual = v_select(ball, Q.hi + Q.lo, residual);
-        sizes = v_select(ball, form_C_sizes(&N), sizes);
-    }
-    return newton_root(residual, residual_error(sizes, from),
-                       v_set(2) * exits * q->R.v, v_set(2) * q->R.e, q->A, t);
+    const vpair across =
+        vpair_add(vpair_mul(axis[0], axis[0]), vpair_mul(axis[1], axis[1]));
+    const vpair length = vpair_add(across, vpair_mul(axis[2], axis[2]));
+    return vpair_sub(length, vpair_mul(dr, dr));
 }
 
-/* The same for a hull in lanes, by parts. */
+/* One step of Newton's in lanes, by parts.  The residual is that of the ball or,
+ * in units of |w|^2, of the cone (round_residual_template.h). */
 INLINE lanes_root round_part_root(const lanes_slopes *q, const lanes_shape *s,
                                   const lanes_line *l, int kind, vd exits,
                                   bounded_value t, vd part)
 {
     const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
     const vm ball = m_not(v_eq(part, v_set(CYLINT_PART_LATERAL)));
+    const vd r = v_select(top, s->r[1], s->r[0]);
+    vpair x[3], axis[3];
     vd center[3];
     root_centers(center, s, kind, part);
-    return round_surface_root(q, s, center, l, kind, exits, t, ball,
-                              v_select(top, s->r[1], s->r[0]));
+    EACH(i, 3) {
+        x[i] = moved_lanes(v_two_sum(l->o[i], -center[i]), t.v, l->u[i],
+                           l->u_lo[i]);
+        axis[i] = (vpair){s->axis[i], s->axis_lo[i]};
+    }
+    const vpair surplus = surplus_lanes(x, r);
+    const vd at = v_sum_of(v_abs(t.v), q->u, q->D), size = at + at + r;
+    vd residual = surplus.hi + surplus.lo;
+    vd error =
+        v_set(CYLINT_LOCAL_RESIDUAL * CYLINT_LOCAL_ERROR * CYLINT_SLACK) *
+        (size * size);
+    if (m_any(m_not(ball))) {
+        const vpair dr = {s->dr, s->dr_lo};
+        const vpair height = height_lanes(x, axis, shift_lanes(dr, r));
+        const vd cone =
+            cone_residual_lanes(surplus, hull_square(axis, dr), height);
+        const vd ww = v_set(3 * CYLINT_SLACK) * q->w * q->w;
+        residual = v_select(ball, residual, cone);
+        error = v_select(ball, error, error * ww);
+    }
+    return newton_root(residual, error, v_set(2) * exits * q->R.v,
+                       v_set(2) * q->R.e, q->A, t);
 }
 
 #endif

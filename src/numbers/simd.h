@@ -20,6 +20,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "compiler.h"
@@ -331,6 +332,44 @@ static inline vd v_pick(const double *x, const size_t *at)
     return v_load(v);
 #endif
 }
+
+/* Writes those of the numbers from[0], from[1], ... whose bits are 1, in their
+ * order, and then others up to LANES in all.  Returns how many have their bits. */
+#if LANES == 8 && SIZE_MAX == UINT64_MAX
+static inline size_t v_keep(size_t *to, const size_t *from, unsigned bits)
+{
+    const __m512i x = _mm512_loadu_si512(from);
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi64((__mmask8)bits, x));
+    return (size_t)_mm_popcnt_u32(bits);
+}
+#elif LANES == 4 && SIZE_MAX == UINT64_MAX
+static inline size_t v_keep(size_t *to, const size_t *from, unsigned bits)
+{
+    /* the halves of the kept numbers, as indices in eight digits */
+    static const uint32_t kept[16] = {
+        0x00000000, 0x00000010, 0x00000032, 0x00003210,
+        0x00000054, 0x00005410, 0x00005432, 0x00543210,
+        0x00000076, 0x00007610, 0x00007632, 0x00763210,
+        0x00007654, 0x00765410, 0x00765432, 0x76543210};
+    const __m256i shift = _mm256_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28);
+    const __m256i at = _mm256_srlv_epi32(
+        _mm256_set1_epi32((int)kept[bits]), shift);
+    const __m256i x = _mm256_loadu_si256((const __m256i *)(const void *)from);
+    _mm256_storeu_si256((__m256i *)(void *)to,
+                        _mm256_permutevar8x32_epi32(x, at));
+    return (size_t)_mm_popcnt_u32(bits);
+}
+#else
+static inline size_t v_keep(size_t *to, const size_t *from, unsigned bits)
+{
+    size_t n = 0;
+    for (unsigned i = 0; i < LANES; i++) { /* no branch to guess */
+        to[n] = from[i];
+        n += bits >> i & 1;
+    }
+    return n;
+}
+#endif
 
 /* Transposes rows of four numbers: to[k] has the k-th number of each row. */
 #if LANES >= 4

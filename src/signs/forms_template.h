@@ -322,16 +322,6 @@ INLINE NUM FORM(form_G)(const FORM(terms) *L)
     RETURN(G)
 }
 
-/* Where t = r_0 stands from the foot of D_0 on the line: before, at or after
- * it, in units of |u|. */
-INLINE NUM FORM(form_foot)(const FORM(terms) *L)
-{
-    BEGIN
-    NUM x = ADD(FORM(dot)(L, L->D[0], L->u),
-                MUL(L->r[0], FORM(dot)(L, L->u, L->u)));
-    RETURN(x)
-}
-
 /* The factor between G and the discriminant, as a square root if one
  * exists: cone vv, elliptic det.  Cylinder, acone and the round kinds: S
  * itself. */

@@ -4,8 +4,8 @@
  *     batch [SECONDS] [MOST] [PART]
  *
  * Writes CSV.  Each row has the ns of a test (one line against one shape) and
- * the ns of the plain quadratic, which answers the same tests one by one in
- * the same race.  SECONDS is the longest time of a large race, MOST the
+ * the ns of the plain quadratic, or for round kinds of the prepared formula of
+ * lean.h, which answers the same tests one by one in the same race.  SECONDS is the longest time of a large race, MOST the
  * largest number of shapes, PART one of these parts (default: all):
  *
  *   core      the processor: ns a result of independent divisions and roots
@@ -26,7 +26,7 @@
 
 /* 512 questions, so that the processor cannot memorise the outcomes of the
  * branches from turn to turn. */
-enum { CACHED = 512, RUNNERS = 200, ROUNDS = 1000 };
+enum { CACHED = 512, RUNNERS = 300, ROUNDS = 1000 };
 
 static void print_header(void)
 {
@@ -77,7 +77,10 @@ static const struct {
     const char *name;
 } kinds[] = {{CYLINT_KIND_CYLINDER, "cylinder"},
              {CYLINT_KIND_CONE, "cone"},
-             {CYLINT_KIND_ECYLINDER, "elliptic cylinder"}};
+             {CYLINT_KIND_ECYLINDER, "elliptic cylinder"},
+             {CYLINT_KIND_SPHERE, "sphere"},
+             {CYLINT_KIND_CAPSULE, "capsule"},
+             {CYLINT_KIND_RCONE, "rounded cone"}};
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -106,7 +109,7 @@ static void add_all_turns(struct cache_race *r, int kind, int away)
                                        k < 0 ? NULL : cylint_kernels_name(k),
                                        (enum arrangement)a, (enum query)query};
                 if ((a != ONE_LINE && (query < QUERY_RELATIONS || away)) ||
-                    (k < 0 && !plain_answers_for(&s->shapes[0])))
+                    (k < 0 && !scene_has_rival(s)))
                     continue;
                 add_turn(r, &t);
             }

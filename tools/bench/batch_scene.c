@@ -27,6 +27,8 @@ void scene_allocate(struct scene *s, size_t n_shapes, size_t n_lines)
     s->n_lines = n_lines;
     s->shapes = allocate(n_shapes, sizeof *s->shapes);
     s->subjects = allocate(n_shapes, sizeof *s->subjects);
+    s->lean = allocate(n_shapes, sizeof *s->lean);
+    s->formula = NULL;
     s->memory = allocate(cylint_pack_bytes(n_shapes), 1);
     s->lines = allocate(2 * n_lines, sizeof *s->lines);
     s->away = allocate(n_lines, sizeof *s->away);
@@ -41,12 +43,18 @@ void scene_free(struct scene *s)
 {
     free(s->shapes);
     free(s->subjects);
+    free(s->lean);
     free(s->memory);
     free(s->lines);
     free(s->away);
     free(s->numbers);
     free(s->t[0]);
     free(s->relation);
+}
+
+int scene_has_rival(const struct scene *s)
+{
+    return s->formula || plain_answers_for(&s->shapes[0]);
 }
 
 void scene_use_first(struct scene *s, size_t n)
@@ -62,7 +70,10 @@ void scene_finish(struct scene *s, int with_domains)
     for (size_t i = 0; i < s->n_shapes; i++) {
         s->subjects[i].shape = s->shapes[i];
         prepare_subject(&s->subjects[i]);
+        lean_prepare(&s->lean[i], &s->shapes[i]);
     }
+    if (s->n_shapes && s->shapes[0].kind >= CYLINT_KIND_SPHERE)
+        s->formula = lean_formula(&s->shapes[0]);
     for (int k = 0; k < 8; k++)
         column[k] = s->numbers + 2 * n * (size_t)k;
     for (size_t i = 0; i < 2 * n; i++) {
@@ -159,6 +170,14 @@ static void scatter_shape(cylint_shape *shape, int kind, double radius)
         cylint_cylinder(shape, base, top, r, CYLINT_ENDS_CAPPED);
     } else if (kind == CYLINT_KIND_CONE) {
         cylint_cone(shape, base, r, top, other, CYLINT_ENDS_CAPPED);
+    } else if (kind == CYLINT_KIND_SPHERE) {
+        cylint_sphere(shape, base, r, CYLINT_ENDS_CAPPED);
+    } else if (kind == CYLINT_KIND_CAPSULE) {
+        cylint_capsule(shape, base, top, r, CYLINT_ENDS_CAPPED);
+    } else if (kind == CYLINT_KIND_RCONE) {
+        cylint_round_cone(shape, base, r, top,
+                          fabs(other - r) < 2 * half ? other : r + half,
+                          CYLINT_ENDS_CAPPED);
     } else {
         across(axis, r, a);
         for (int i = 0; i < 3; i++)

@@ -5,12 +5,15 @@
 #define BENCH_BATCH_SCENE_H
 
 #include "contestants.h"
+#include "lean.h"
 
 /* Shapes and lines in every form that a contestant reads. */
 struct scene {
     size_t n_shapes, n_lines;
     cylint_shape *shapes;
     struct subject *subjects; /* the same shapes for the plain quadratic */
+    struct lean_shape *lean;  /* and round kinds for their formula, */
+    lean_intersect *formula;  /* which is NULL for others */
     cylint_pack pack;
     cylint_line *lines; /* two copies, so that pairs can be shifted */
     cylint_line *away;  /* the same lines, moved so that they miss everything */
@@ -27,6 +30,9 @@ void scene_free(struct scene *s);
 /* Computes the other forms from the shapes and the first n_lines lines.
  * with_domains: some lines are not rays. */
 void scene_finish(struct scene *s, int with_domains);
+
+/* Whether a formula answers one by one. */
+int scene_has_rival(const struct scene *s);
 
 /* Packs only the first n shapes. */
 void scene_use_first(struct scene *s, size_t n);

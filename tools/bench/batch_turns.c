@@ -53,6 +53,26 @@ INLINE size_t line_of(enum arrangement a, size_t i, size_t k)
 /* Stores results, so that the compiler keeps their computation. */
 static volatile size_t sink;
 
+/* By the rival that the scene has. */
+INLINE void rival(const struct turn *t, size_t shape, size_t line,
+                  unsigned want, cylint_answer *answer)
+{
+    const struct scene *s = t->scene;
+    const cylint_line *l = &t->lines[line];
+    double at[2];
+    if (!s->formula) {
+        plain_quadratic(&s->subjects[shape].shape, l, want, answer);
+        return;
+    }
+    answer->n = s->formula(&s->lean[shape], l->o, l->d, l->tmin, l->tmax, at);
+    answer->relation = CYLINT_RELATION_MISS;
+    if (answer->n == 0)
+        return;
+    answer->relation = CYLINT_RELATION_CROSS;
+    answer->hit[0].t = at[2 - answer->n];
+    answer->hit[1].t = at[1];
+}
+
 /* Each call with constant arguments compiles to a loop of its own. */
 INLINE void plain_loop(const struct turn *t, size_t k, enum arrangement a,
                        enum query query)
@@ -67,8 +87,7 @@ INLINE void plain_loop(const struct turn *t, size_t k, enum arrangement a,
     double nearest = HUGE_VAL;
     for (size_t i = 0; i < n; i++) {
         cylint_answer answer;
-        plain_quadratic(&s->subjects[shape_of(a, i, k)].shape,
-                        &t->lines[line_of(a, i, k)], wants[query], &answer);
+        rival(t, shape_of(a, i, k), line_of(a, i, k), wants[query], &answer);
         if (query == QUERY_RELATIONS)
             s->relation[i] = (signed char)answer.relation;
         if (query == QUERY_BOTH)

@@ -10,7 +10,7 @@ bench_common    := $(call bench_objects,contestants race timing plain shader $(i
 
 $(BUILD)/tools/bench/cost: $(call bench_objects,cost_inputs)
 $(BUILD)/tools/bench/methods: $(call bench_objects,classes statistics truth)
-$(BUILD)/tools/bench/batch: $(call bench_objects,batch_scene batch_turns batch_core batch_cases classes cost_inputs)
+$(BUILD)/tools/bench/batch: $(call bench_objects,batch_scene batch_turns batch_core batch_cases classes cost_inputs lean)
 $(BUILD)/tools/bench/single: $(call bench_objects,lean)
 $(BUILD)/tools/bench/distance: $(call bench_objects,lean_distance)
 $(bench_programs): %: %.o $(bench_common)
