@@ -14,6 +14,7 @@
 #include "check.h"
 #include "cylint_distance.h"
 #include "cylint_scene.h"
+#include "environment.h"
 #include "random.h"
 #include "scenes.h"
 
@@ -345,6 +346,57 @@ static void a_shape_of_many_pieces_counts_once(void)
     free(shapes);
 }
 
+/* ---------------------------------------------------------- environment -- */
+
+/* Bytes of the answers to one point. */
+struct answers {
+    size_t nearest, count, numbers[5];
+    double distance, distances[5];
+};
+
+static void answer_point(const cylint_scene *scene, const double point[3],
+                         double radius, struct answers *to)
+{
+    cylint_closest a = {.distance = 0};
+    memset(to, 0, sizeof *to);
+    to->nearest = cylint_scene_closest(scene, point, HUGE_VAL, 0, &a);
+    to->distance = a.distance;
+    to->count = cylint_scene_within_count(scene, point, radius, 0);
+    cylint_scene_within(scene, point, radius, 0, to->numbers, to->distances, 5);
+}
+
+/* Of circular and round shapes, whose distances are correctly rounded. */
+static void every_environment_has_the_same_answers(void)
+{
+    static const int kinds[] = {SCENE_THIN, SCENE_LATTICE, SCENE_ROUND};
+    static const int rounding[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
+                                   FE_TOWARDZERO};
+    uint64_t random = seed() + 200;
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+        struct scene_shapes of;
+        scene_generate(kinds[k], 60, seed(), &of);
+        cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+        for (int i = 0; scene && i < 3 * FAMILIES; i++) {
+            struct answers want, got;
+            double point[3];
+            point_of(&of, (enum family)(i % FAMILIES), &random, point);
+            answer_point(scene, point, 2, &want);
+            for (int e = 1; e < 16; e++) {
+                if (!can_treat_subnormals(e % 4))
+                    continue;
+                environment_set((struct environment){rounding[e / 4], e % 4});
+                answer_point(scene, point, 2, &got);
+                environment_reset();
+                if (!CHECK(memcmp(&want, &got, sizeof want) == 0))
+                    REPORT("point %a %a %a  # scene %s, environment %d",
+                           point[0], point[1], point[2], of.name, e);
+            }
+        }
+        cylint_scene_free(scene);
+        scene_release(&of);
+    }
+}
+
 /* -------------------------------------------------------------- threads -- */
 
 struct part {
@@ -403,6 +455,7 @@ int main(int argc, char **argv)
     RUN(nothing_is_near_an_empty_scene);
     RUN(a_bad_point_or_radius_has_no_shape);
     RUN(a_shape_of_many_pieces_counts_once);
+    RUN(every_environment_has_the_same_answers);
     RUN(threads_share_a_scene_with_the_same_answers);
     printf("note: %zu points, %zu questions with a nearest shape\n", n_points,
            n_near);
