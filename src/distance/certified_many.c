@@ -1,5 +1,5 @@
 /*
- * certified_many.c - distances of many points from one capped shape, in lanes
+ * certified_many.c - distances of many points from capped shapes, in lanes
  *
  * The formulas and bounds are those of certified_distance.c.  Every lane
  * computes all features, and masks choose.
@@ -96,25 +96,41 @@ typedef struct {
     vm certain;
 } vnearest;
 
-INLINE void load_shape(vshape *v, const cylint_shape *s)
+/* A member of the shapes of all lanes. */
+#define OF_LANES(to, member)                     \
+    do {                                         \
+        double of_lane[LANES];                   \
+        for (int lane = 0; lane < LANES; lane++) \
+            of_lane[lane] = at[lane]->member;    \
+        (to) = v_load(of_lane);                  \
+    } while (0)
+
+INLINE void load_shapes(vshape *v, const cylint_shape *const at[LANES])
 {
-    const cylint_local *f = &s->local;
-    v->is_hull = cylint_is_hull(s->kind);
+    const vd zero = v_set(0);
+    vd reach;
+    v->is_hull = cylint_is_hull(at[0]->kind);
     EACH(i, 3) {
-        v->base[i] = both(s->base[i], 0);
-        v->top[i] = both(s->top[i], 0);
-        v->w[i] = both(f->xyz[i][2], f->xyz_lo[i][2]);
+        OF_LANES(v->base[i].hi, base[i]);
+        OF_LANES(v->top[i].hi, top[i]);
+        OF_LANES(v->w[i].hi, local.xyz[i][2]);
+        OF_LANES(v->w[i].lo, local.xyz_lo[i][2]);
+        v->base[i].lo = v->top[i].lo = zero;
     }
-    v->height = both(f->height, f->height_lo);
-    v->cosine = both(f->cosine, f->cosine_lo);
-    v->sine = both(f->sine, f->sine_lo);
-    v->r[0] = v_set(s->r0);
-    v->r[1] = v_set(s->r1);
-    v->reach = v_set(f->reach + cylint_smaller(s->r0, s->r1));
+    OF_LANES(v->height.hi, local.height);
+    OF_LANES(v->height.lo, local.height_lo);
+    OF_LANES(v->cosine.hi, local.cosine);
+    OF_LANES(v->cosine.lo, local.cosine_lo);
+    OF_LANES(v->sine.hi, local.sine);
+    OF_LANES(v->sine.lo, local.sine_lo);
+    OF_LANES(v->r[0], r0);
+    OF_LANES(v->r[1], r1);
+    OF_LANES(reach, local.reach);
+    v->reach = reach + v->r[0];
     v->z[0] = both(0, 0);
     v->z[1] = v->height;
-    v->rho[0] = both(s->r0, 0);
-    v->rho[1] = both(s->r1, 0);
+    v->rho[0] = (vpair){v->r[0], zero};
+    v->rho[1] = (vpair){v->r[1], zero};
     v->offset = v->is_hull ? v->rho[0] : times(v->cosine, v->rho[0]);
 }
 
@@ -257,14 +273,15 @@ INLINE vnearest of_hull(const vplane *m, const vshape *s, const vd x[3])
     return n;
 }
 
-INLINE vnearest of_sphere(const vshape *s, const vd x[3], int feature)
+INLINE vnearest of_sphere(const vshape *s, const vd x[3])
 {
     const vm all = v_le(v_set(0), v_set(0));
     vnearest n = {both(0, 0), v_set(0), v_set(0), all};
     vpair D[3];
     EACH(i, 3)
         D[i] = v_two_sum(x[i], -s->base[i].hi);
-    choose_ball(&n, sum_of_squares(D[0], D[1], D[2]), s->r[0], all, feature);
+    choose_ball(&n, sum_of_squares(D[0], D[1], D[2]), s->r[0], all,
+                CYLINT_FEATURE_LATERAL);
     return n;
 }
 
@@ -287,7 +304,7 @@ INLINE vnearest nearest_of(const cylint_shape *shape, const vshape *s,
 {
     vplane m;
     if (shape->kind == CYLINT_KIND_SPHERE)
-        return of_sphere(s, x, shape->surface);
+        return of_sphere(s, x);
     load_plane(&m, s, x);
     return s->is_hull ? of_hull(&m, s, x) : between_planes(&m, s);
 }
@@ -307,24 +324,56 @@ INLINE void load_points(vd x[3], const double *const xyz[3], int i, int n)
     }
 }
 
-int CYLINT_CERTIFY_MANY(const cylint_shape *shape, const double *const xyz[3],
-                        int n, double *distance, signed char *feature,
-                        int *rest)
+/* The shapes from i on, the last one again where there are no more.  Whether
+ * the kernels serve them together. */
+INLINE int find_shapes(const cylint_shape *at[LANES],
+                       const cylint_shape *shapes, int i, int n)
 {
+    const int class_of_all = cylint_lane_class(shapes + i);
+    int same = class_of_all != 0;
+    for (int lane = 0; lane < LANES; lane++) {
+        at[lane] = shapes + (i + lane < n ? i + lane : n - 1);
+        same &= cylint_lane_class(at[lane]) == class_of_all;
+    }
+    return same;
+}
+
+INLINE unsigned write_lanes(vnearest *at, int i, int n, double *distance,
+                            signed char *feature)
+{
+    double d[LANES], f[LANES];
+    const unsigned certain = m_bits(is_certain(at));
+    v_store(d, at->d.hi);
+    v_store(f, at->feature);
+    for (int lane = 0; lane < LANES && i + lane < n; lane++) {
+        distance[i + lane] = d[lane];
+        feature[i + lane] = (signed char)f[lane];
+    }
+    return certain;
+}
+
+int CYLINT_CERTIFY_MANY(const cylint_shape *shapes, int each,
+                        const double *const xyz[3], int n, double *distance,
+                        signed char *feature, int *rest)
+{
+    const cylint_shape *at[LANES];
     vshape s;
     int left = 0;
-    load_shape(&s, shape);
     for (int i = 0; i < n; i += LANES) {
         vd x[3];
-        double d[LANES], f[LANES];
-        load_points(x, xyz, i, n);
-        vnearest at = nearest_of(shape, &s, x);
-        const unsigned certain = m_bits(is_certain(&at));
-        v_store(d, at.d.hi);
-        v_store(f, at.feature);
+        unsigned certain = 0;
+        const int served = !each || find_shapes(at, shapes, i, n);
+        if (!each && i == 0)
+            for (int lane = 0; lane < LANES; lane++)
+                at[lane] = shapes;
+        if (served) {
+            if (each || i == 0)
+                load_shapes(&s, at);
+            load_points(x, xyz, i, n);
+            vnearest nearest = nearest_of(at[0], &s, x);
+            certain = write_lanes(&nearest, i, n, distance, feature);
+        }
         for (int lane = 0; lane < LANES && i + lane < n; lane++) {
-            distance[i + lane] = d[lane];
-            feature[i + lane] = (signed char)f[lane];
             rest[left] = i + lane;
             left += !(certain >> lane & 1);
         }

@@ -1,19 +1,34 @@
 /*
- * certified_many.h - distances of many points from one shape, in lanes
+ * certified_many.h - distances of many points, in lanes
  */
 #ifndef CYLINT_CERTIFIED_MANY_H
 #define CYLINT_CERTIFIED_MANY_H
 
+#include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
 
 /* Points of a block. */
 enum { CYLINT_POINT_BLOCK = 256 };
 
-/* Writes the distances and features of n <= CYLINT_POINT_BLOCK points that are
+/* What the kernels serve: prepared shapes, capped, circular or round but not
+ * given by an angle.  0: nothing.  Shapes of one class can share lanes. */
+static inline int cylint_lane_class(const cylint_shape *s)
+{
+    return !s->prepared || s->ends != CYLINT_ENDS_CAPPED ||
+                   cylint_is_elliptic(s->kind) || cylint_has_tangent(s->kind)
+               ? 0
+           : cylint_is_hull(s->kind)       ? 2
+           : s->kind == CYLINT_KIND_SPHERE ? 3
+                                           : 1;
+}
+
+/*
+ * Writes the distances and features of n <= CYLINT_POINT_BLOCK points that are
  * certain, writes the numbers of the others to `rest`, and returns how many these
- * are.  The shape is prepared, has the ends capped, and is circular or round
- * without an angle. */
-typedef int cylint_certify_many(const cylint_shape *shape,
+ * are.  each = 0: from one shape that the kernels serve; 1: point i from shape i,
+ * where LANES consecutive shapes of a class share lanes.
+ */
+typedef int cylint_certify_many(const cylint_shape *shapes, int each,
                                 const double *const xyz[3], int n,
                                 double *distance, signed char *feature,
                                 int *rest);

@@ -1,8 +1,8 @@
 /*
  * many_distances.c - many points and shapes
  *
- * Points and one shape are answered in lanes; pairs, and what the lanes leave,
- * one by one.
+ * Capped shapes are answered in lanes, if only distances, parts and features are
+ * wanted.  What the lanes leave is answered one by one.
  */
 #include "../dispatch.h"
 #include "../numbers/bits.h"
@@ -54,12 +54,10 @@ static void rows(const cylint_shape *shapes, size_t stride,
     }
 }
 
-/* Whether the kernels in lanes serve the shape. */
-static int has_lanes(const cylint_shape *s, const cylint_closest_columns *to)
+/* Lanes compute no points and normals, and round to nearest. */
+static int has_lanes(const cylint_closest_columns *to)
 {
-    return s->prepared && s->ends == CYLINT_ENDS_CAPPED &&
-           !cylint_is_elliptic(s->kind) && !cylint_has_tangent(s->kind) &&
-           !(wanted(to) & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) &&
+    return !(wanted(to) & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) &&
            cylint_rounds_to_nearest();
 }
 
@@ -76,25 +74,31 @@ static cylint_certify_many *kernel(void)
 }
 
 /* The part and feature that the kernels' feature stands for: an end of radius 0
- * is an apex. */
+ * is an apex, and a ball has one part. */
 static void write_feature(const cylint_shape *s, int feature,
                           const cylint_closest_columns *to, size_t row)
 {
     const int end =
         feature == CYLINT_FEATURE_CAP1 || feature == CYLINT_FEATURE_RIM1;
-    const int apex = feature != CYLINT_FEATURE_LATERAL &&
-                     !(cylint_end_factor(s, end) > 0) &&
-                     s->kind != CYLINT_KIND_SPHERE;
-    const int lateral = apex || feature >= CYLINT_FEATURE_RIM0;
+    const int apex =
+        feature != CYLINT_FEATURE_LATERAL && !(cylint_end_factor(s, end) > 0);
+    if (apex)
+        feature = CYLINT_FEATURE_APEX;
+    if (s->kind == CYLINT_KIND_SPHERE)
+        feature = s->surface;
     if (to->feature)
-        to->feature[row] = (signed char)(apex ? CYLINT_FEATURE_APEX : feature);
+        to->feature[row] = (signed char)feature;
     if (to->part)
-        to->part[row] = (signed char)(lateral ? CYLINT_PART_LATERAL : feature);
+        to->part[row] =
+            (signed char)(feature >= CYLINT_FEATURE_RIM0 ? CYLINT_PART_LATERAL
+                                                         : feature);
 }
 
-static void block(const cylint_shape *shape, cylint_certify_many *certify,
-                  const cylint_points *points, size_t first, int n,
-                  const cylint_closest_columns *answers)
+/* Points first to first + n - 1: one shape if `each` is 0, else a shape for each
+ * point. */
+static void block(const cylint_shape *shapes, size_t each,
+                  cylint_certify_many *certify, const cylint_points *points,
+                  size_t first, int n, const cylint_closest_columns *answers)
 {
     double unwanted[CYLINT_POINT_BLOCK];
     signed char feature[CYLINT_POINT_BLOCK];
@@ -102,16 +106,32 @@ static void block(const cylint_shape *shape, cylint_certify_many *certify,
     double *distance = answers->distance ? answers->distance + first : unwanted;
     const double *const xyz[3] = {
         points->xyz[0] + first, points->xyz[1] + first, points->xyz[2] + first};
-    const int left = certify(shape, xyz, n, distance, feature, rest);
-    if (answers->part || answers->feature)
-        for (int i = 0; i < n; i++)
+    const cylint_shape *from = shapes + each * first;
+    const int left = certify(from, each != 0, xyz, n, distance, feature, rest);
+    int next = 0;
+    for (int i = 0; i < n; i++) {
+        const cylint_shape *shape = from + each * (size_t)i;
+        if (next < left && rest[next] == i) {
+            const double point[3] = {xyz[0][i], xyz[1][i], xyz[2][i]};
+            cylint_closest answer;
+            cylint_distance(shape, point, CYLINT_WANT_PART, &answer);
+            write_row(answers, first + (size_t)i, &answer);
+            next++;
+        } else if (answers->part || answers->feature) {
             write_feature(shape, feature[i], answers, first + (size_t)i);
-    for (int k = 0; k < left; k++) {
-        const int i = rest[k];
-        const double point[3] = {xyz[0][i], xyz[1][i], xyz[2][i]};
-        cylint_closest answer;
-        cylint_distance(shape, point, CYLINT_WANT_PART, &answer);
-        write_row(answers, first + (size_t)i, &answer);
+        }
+    }
+}
+
+static void blocks(const cylint_shape *shapes, size_t each,
+                   const cylint_points *points,
+                   const cylint_closest_columns *answers)
+{
+    for (size_t i = 0; i < points->n; i += CYLINT_POINT_BLOCK) {
+        const size_t left = points->n - i;
+        block(shapes, each, kernel(), points, i,
+              left < CYLINT_POINT_BLOCK ? (int)left : CYLINT_POINT_BLOCK,
+              answers);
     }
 }
 
@@ -122,23 +142,20 @@ void cylint_distance_points(const cylint_shape *shape,
     cylint_shape prepared = *shape;
     if (!shape->prepared && shape->in_range && shape->kind != CYLINT_KIND_NONE)
         cylint_measure_local(&prepared);
-    if (!has_lanes(&prepared, answers)) {
+    if (cylint_lane_class(&prepared) && has_lanes(answers))
+        blocks(&prepared, 0, points, answers);
+    else
         rows(&prepared, 0, points, answers);
-        return;
-    }
-    for (size_t i = 0; i < points->n; i += CYLINT_POINT_BLOCK) {
-        const size_t left = points->n - i;
-        block(&prepared, kernel(), points, i,
-              left < CYLINT_POINT_BLOCK ? (int)left : CYLINT_POINT_BLOCK,
-              answers);
-    }
 }
 
 void cylint_distance_pairs(const cylint_shape *shapes,
                            const cylint_points *points,
                            const cylint_closest_columns *answers)
 {
-    rows(shapes, 1, points, answers);
+    if (has_lanes(answers))
+        blocks(shapes, 1, points, answers);
+    else
+        rows(shapes, 1, points, answers);
 }
 
 size_t cylint_closest_shape(const cylint_shape *shapes, size_t n,
