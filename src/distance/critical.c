@@ -201,7 +201,8 @@ int cylint_critical_directions(const stationary *form,
     int n = 0;
     if (is_zero(form)) {
         to[0] = (direction){triple_of(1), triple_of(0)};
-        return 1;
+        to[1] = (direction){triple_of(-1), triple_of(0)};
+        return 2;
     }
     for (int sign = 1; sign >= -1; sign -= 2) {
         double p[DEGREE + 1], zero[MOST_ZEROS];

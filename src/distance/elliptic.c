@@ -170,15 +170,6 @@ static void rim_form(const search *s, const triple from[3], triple factor,
     f->square[2] = ab;
 }
 
-/* Whether the angle of x is less than that of y; both from 0 to a turn. */
-static int is_before(const direction *x, const direction *y)
-{
-    const int lower_x = x->sin.a < 0, lower_y = y->sin.a < 0;
-    if (lower_x != lower_y)
-        return lower_y;
-    return lower_x ? x->cos.a < y->cos.a : x->cos.a > y->cos.a;
-}
-
 /* -------------------------------------------------------- candidates ---- */
 
 static candidate candidate_of(int part, int feature)
@@ -193,6 +184,17 @@ static candidate on_ellipse(int feature, const direction *at)
     candidate x = candidate_of(CYLINT_PART_LATERAL, feature);
     x.at = *at;
     return x;
+}
+
+/* Whether phi of x is less than that of y; both from 0 to a turn.  On the other
+ * nappe of a double cone it is half a turn more than the angle of the ruling. */
+static int is_before(const candidate *x, const candidate *y)
+{
+    const double cos_x = x->nappe * x->at.cos.a, sin_x = x->nappe * x->at.sin.a;
+    const double cos_y = y->nappe * y->at.cos.a, sin_y = y->nappe * y->at.sin.a;
+    if ((sin_x < 0) != (sin_y < 0))
+        return sin_y < 0;
+    return sin_x < 0 ? cos_x < cos_y : cos_x > cos_y;
 }
 
 /* -1: x is nearer than the best so far, 1: it is farther, 0: the difference of
@@ -219,9 +221,10 @@ static void offer(search *s, const candidate *x)
     if (s->only != ANY_FEATURE && x->feature != s->only)
         return;
     const int order = best->part < 0 ? -1 : compare(best, x);
-    if (order < 0 || (order == 0 &&
-                      (x->part < best->part || (x->feature == best->feature &&
-                                                is_before(&x->at, &best->at)))))
+    if (order < 0 ||
+        (order == 0 && (x->part < best->part ||
+                        (x->feature == best->feature &&
+                         x->nappe == best->nappe && is_before(x, best)))))
         s->best = *x;
 }
 

@@ -1,0 +1,303 @@
+/*
+ * test_distance_elliptic.c - floor distance: elliptic kinds
+ *
+ * Answers known by hand, and the nearest of many points of the surface: no point
+ * of it may be nearer than the one that cylint_distance() finds.  The oracle's
+ * tests are in test_distance_oracle.c.  CYLINT_CASES is the number of shapes.
+ */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_distance.h"
+#include "random.h"
+#include "ulps.h"
+
+enum { CASES = 6000, POINTS = 4, ANGLES = 180 };
+
+#define WANT (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
+
+enum {
+    LATERAL = CYLINT_FEATURE_LATERAL,
+    CAP0 = CYLINT_FEATURE_CAP0,
+    CAP1 = CYLINT_FEATURE_CAP1,
+    RIM0 = CYLINT_FEATURE_RIM0,
+    RIM1 = CYLINT_FEATURE_RIM1,
+    APEX = CYLINT_FEATURE_APEX
+};
+
+static const double origin[3] = {0, 0, 0};
+
+/* x^2 / 4 + y^2 = 1 from z = 0 to z = 4. */
+static cylint_shape tube(cylint_ends ends)
+{
+    static const double a[3] = {2, 0, 0}, b[3] = {0, 1, 0}, h[3] = {0, 0, 4};
+    cylint_shape s;
+    cylint_elliptic_cylinder(&s, origin, a, b, h, ends);
+    return s;
+}
+
+/* A circular cone of radius 3 and height 4. */
+static cylint_shape cone(cylint_ends ends)
+{
+    static const double a[3] = {3, 0, 0}, b[3] = {0, 3, 0}, h[3] = {0, 0, 4};
+    cylint_shape s;
+    cylint_elliptic_cone(&s, origin, a, b, h, 0, ends);
+    return s;
+}
+
+struct known {
+    double p[3], distance;
+    int part, feature;
+    double point[3], normal[3];
+};
+
+static int is_near(const double x[3], const double y[3])
+{
+    for (int i = 0; i < 3; i++)
+        if (!(fabs(x[i] - y[i]) <= 4 * ulp(y[i])) ||
+            (x[i] == 0 && signbit(x[i])))
+            return 0;
+    return 1;
+}
+
+static void check_known(cylint_shape s, const struct known *known, int n)
+{
+    for (int i = 0; i < n; i++) {
+        const struct known *k = &known[i];
+        cylint_closest got;
+        memset(&got, 0, sizeof got);
+        cylint_distance(&s, k->p, WANT, &got);
+        if (!CHECK(fabs(got.distance - k->distance) <= ulp(k->distance) &&
+                   (got.distance == 0) == (k->distance == 0) &&
+                   got.part == k->part && got.feature == k->feature &&
+                   is_near(got.point, k->point) &&
+                   is_near(got.normal, k->normal)))
+            REPORT("case %d: %.17g part %d feature %d, point %.17g %.17g "
+                   "%.17g, normal %.17g %.17g %.17g",
+                   i, got.distance, got.part, got.feature, got.point[0],
+                   got.point[1], got.point[2], got.normal[0], got.normal[1],
+                   got.normal[2]);
+    }
+}
+
+#define CHECK_KNOWN(shape, known) \
+    check_known(shape, known, (int)(sizeof known / sizeof known[0]))
+
+/* The middle has two nearest points, y = 1 and y = -1: phi is 1/4 and 3/4. */
+static void of_equal_points_the_first_is_taken(void)
+{
+    static const struct known capped[] = {
+        {{0, 0, 2}, -1, 0, LATERAL, {0, 1, 2}, {0, 1, 0}},
+        {{0, 0, 1}, -1, 0, LATERAL, {0, 1, 1}, {0, 1, 0}},
+        {{0, 0, 3}, -1, 0, LATERAL, {0, 1, 3}, {0, 1, 0}},
+    };
+    static const struct known open[] = {
+        {{0, 0, 2}, 1, 0, LATERAL, {0, 1, 2}, {0, 1, 0}},
+        {{0, 0, 4}, 1, 0, RIM1, {0, 1, 4}, {0, 1, 0}},
+        {{0, 0, 0}, 1, 0, RIM0, {0, 1, 0}, {0, 1, 0}},
+    };
+    static const struct known infinite[] = {
+        {{0, 0, 100}, -1, 0, LATERAL, {0, 1, 100}, {0, 1, 0}},
+    };
+    CHECK_KNOWN(tube(CYLINT_ENDS_CAPPED), capped);
+    CHECK_KNOWN(tube(CYLINT_ENDS_OPEN), open);
+    CHECK_KNOWN(tube(CYLINT_ENDS_INFINITE), infinite);
+    CHECK_KNOWN(tube(CYLINT_ENDS_NAPPE), infinite);
+}
+
+static void the_features_of_a_cylinder(void)
+{
+    static const struct known capped[] = {
+        {{0.5, 0, 0.25}, -0.25, 1, CAP0, {0.5, 0, 0}, {0, 0, -1}},
+        {{0.5, 0, 3.75}, -0.25, 2, CAP1, {0.5, 0, 4}, {0, 0, 1}},
+        {{5, 0, 2}, 3, 0, LATERAL, {2, 0, 2}, {1, 0, 0}},
+        {{0, -3, 1}, 2, 0, LATERAL, {0, -1, 1}, {0, -1, 0}},
+        {{2, 0, 6}, 2, 0, RIM1, {2, 0, 4}, {1, 0, 0}},
+        {{5, 0, -4}, 5, 0, RIM0, {2, 0, 0}, {1, 0, 0}},
+        {{0, 0, 6}, 2, 2, CAP1, {0, 0, 4}, {0, 0, 1}},
+        {{1, 0.5, -3}, 3, 1, CAP0, {1, 0.5, 0}, {0, 0, -1}},
+    };
+    CHECK_KNOWN(tube(CYLINT_ENDS_CAPPED), capped);
+}
+
+static void points_of_the_surface_have_the_distance_0(void)
+{
+    static const struct known capped[] = {
+        {{2, 0, 2}, 0, 0, LATERAL, {2, 0, 2}, {1, 0, 0}},
+        {{0, -1, 4}, 0, 0, RIM1, {0, -1, 4}, {0, -1, 0}},
+        {{0, 1, 0}, 0, 0, RIM0, {0, 1, 0}, {0, 1, 0}},
+        {{1, 0.5, 4}, 0, 2, CAP1, {1, 0.5, 4}, {0, 0, 1}},
+        {{0, 0, 0}, 0, 1, CAP0, {0, 0, 0}, {0, 0, -1}},
+    };
+    static const struct known cap1[] = {
+        {{0, 0, 4}, 0, 2, CAP1, {0, 0, 4}, {0, 0, 1}},
+        {{0, 0, 0}, 1, 0, RIM0, {0, 1, 0}, {0, 1, 0}},
+        {{0, 0, 3.5}, 0.5, 2, CAP1, {0, 0, 4}, {0, 0, 1}},
+    };
+    CHECK_KNOWN(tube(CYLINT_ENDS_CAPPED), capped);
+    CHECK_KNOWN(tube(CYLINT_ENDS_CAP1), cap1);
+}
+
+static void the_features_of_a_cone(void)
+{
+    static const struct known capped[] = {
+        {{0, 0, 3}, -0.6, 0, LATERAL, {0.48, 0, 3.36}, {0.8, 0, 0.6}},
+        {{0, 0, 1}, -1, 1, CAP0, {0, 0, 0}, {0, 0, -1}},
+        {{0, 0, 4}, 0, 0, APEX, {0, 0, 4}, {0, 0, 1}},
+        {{0, 0, 5}, 1, 0, APEX, {0, 0, 4}, {0, 0, 1}},
+        {{1.5, 0, 2}, 0, 0, LATERAL, {1.5, 0, 2}, {0.8, 0, 0.6}},
+        {{7, 0, -3}, 5, 0, RIM0, {3, 0, 0}, {0.8, 0, 0.6}},
+    };
+    static const struct known nappe[] = {
+        {{0, 0, 6}, 2, 0, APEX, {0, 0, 4}, {0, 0, 1}},
+        {{0, 0, -1}, -3, 0, LATERAL, {2.4, 0, 0.8}, {0.8, 0, 0.6}},
+    };
+    static const struct known both[] = {
+        {{5, 0, 4}, 4, 0, LATERAL, {1.8, 0, 1.6}, {0.8, 0, 0.6}},
+        {{0, 0, 4}, 0, 0, APEX, {0, 0, 4}, {0, 0, -1}},
+        {{0, 0, 9}, -3, 0, LATERAL, {2.4, 0, 7.2}, {0.8, 0, -0.6}},
+    };
+    CHECK_KNOWN(cone(CYLINT_ENDS_CAPPED), capped);
+    CHECK_KNOWN(cone(CYLINT_ENDS_NAPPE), nappe);
+    CHECK_KNOWN(cone(CYLINT_ENDS_INFINITE), both);
+}
+
+/* A shape that is many exponents smaller than the distance. */
+static void far_away_the_distance_is_that_of_the_base(void)
+{
+    const double a[3] = {2e-300, 0, 0}, b[3] = {0, 1e-300, 0};
+    const double h[3] = {0, 0, 4e-300};
+    const double p[3] = {3, 0, 4}, q[3] = {3, 4, 0};
+    cylint_shape s;
+    cylint_closest got;
+    cylint_elliptic_cylinder(&s, origin, a, b, h, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_distance(&s, p, WANT, &got) == 5);
+    CHECK(got.feature == RIM1 && got.point[0] == 2e-300 &&
+          got.point[2] == 4e-300);
+    CHECK(cylint_safety(&s, p) <= 5 && cylint_safety(&s, p) > 4.9);
+    cylint_elliptic_cylinder(&s, origin, a, b, h, CYLINT_ENDS_INFINITE);
+    CHECK(cylint_distance(&s, q, WANT, &got) == 5);
+    CHECK(got.feature == LATERAL && got.normal[0] == 0.6 &&
+          got.normal[1] == 0.8);
+}
+
+/* The sign is exact: a distance that is not 0 is not rounded to it. */
+static void only_points_of_the_surface_have_the_distance_0(void)
+{
+    const double a[3] = {0x3p-1074, 0, 0}, b[3] = {0, 0x3p-1074, 0};
+    const double h[3] = {0, 0, 0x9p-1074};
+    const double p[3] = {0x2p-1074, 0x2p-1074, 0x4p-1074};
+    cylint_shape s;
+    cylint_closest got;
+    cylint_elliptic_cylinder(&s, origin, a, b, h, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_contains(&s, p) == 1);
+    CHECK(cylint_distance(&s, p, WANT, &got) == -0x1p-1074);
+    CHECK(cylint_safety(&s, p) == 0 && !signbit(cylint_safety(&s, p)));
+}
+
+/* ------------------------------------- the nearest of many points ------- */
+
+static uint64_t stream = 16;
+
+static double between(double low, double high)
+{
+    return low + (high - low) * random_unit(&stream);
+}
+
+struct ellipse {
+    double c[3], a[3], b[3], h[3], k;
+};
+
+/* Oblique, sometimes thin or nearly flat; its sizes differ by 10^3 at most. */
+static void draw_shape(struct ellipse *e)
+{
+    const double thin = pow(10, between(-1.5, 0)),
+                 flat = pow(10, between(-1.5, 1));
+    const double lean[2] = {between(-2, 2), between(-2, 2)};
+    for (int i = 0; i < 3; i++) {
+        e->c[i] = between(-1, 1);
+        e->a[i] = between(-1, 1);
+        e->b[i] = thin * between(-1, 1);
+        e->h[i] = flat * between(-1, 1) + lean[0] * e->a[i] + lean[1] * e->b[i];
+    }
+    e->k = random_int(&stream, 3) ? between(0, 2) : 1;
+}
+
+/* The square of the distance of X from the segment on the ruling of an
+ * angle. */
+static double from_segment(const struct ellipse *e, const double X[3],
+                           double angle, int bounded)
+{
+    double E[3], v[3], Ev = 0, vv = 0, sum = 0;
+    for (int i = 0; i < 3; i++) {
+        const double u = cos(angle) * e->a[i] + sin(angle) * e->b[i];
+        E[i] = X[i] - e->c[i] - u;
+        v[i] = e->h[i] + (e->k - 1) * u;
+        Ev += E[i] * v[i];
+        vv += v[i] * v[i];
+    }
+    const double z = bounded ? fmin(fmax(Ev / vv, 0), 1) : Ev / vv;
+    for (int i = 0; i < 3; i++)
+        sum += (E[i] - z * v[i]) * (E[i] - z * v[i]);
+    return sum;
+}
+
+static void no_point_of_the_surface_is_nearer(void)
+{
+    const uint64_t cases = check_setting("CYLINT_CASES", CASES);
+    long second = 0;
+    for (uint64_t n = 0; n < cases; n++) {
+        struct ellipse e;
+        cylint_shape s;
+        draw_shape(&e);
+        const int bounded = random_int(&stream, 3) != 0;
+        if (cylint_elliptic_cone(&s, e.c, e.a, e.b, e.h, e.k,
+                                 bounded ? CYLINT_ENDS_OPEN
+                                         : CYLINT_ENDS_INFINITE) != CYLINT_OK)
+            continue;
+        for (int k = 0; k < POINTS; k++) {
+            double X[3], least = HUGE_VAL;
+            int minima = 0;
+            cylint_closest got;
+            const double x = between(-1.2, 1.2), y = between(-1.2, 1.2);
+            const double z = between(-0.2, 1.2);
+            for (int i = 0; i < 3; i++)
+                X[i] = e.c[i] + x * e.a[i] + y * e.b[i] + z * e.h[i];
+            double d[ANGLES];
+            for (int i = 0; i < ANGLES; i++) {
+                d[i] = from_segment(&e, X, 6.283185307179586 * i / ANGLES,
+                                    bounded);
+                least = fmin(least, d[i]);
+            }
+            for (int i = 0; i < ANGLES; i++)
+                minima += d[i] < d[(i + 1) % ANGLES] &&
+                          d[i] < d[(i + ANGLES - 1) % ANGLES];
+            second += minima > 1;
+            const double size = fabs(cylint_distance(&s, X, WANT, &got));
+            if (!CHECK(size <= sqrt(least) * (1 + 0x1p-30) + 0x1p-40))
+                REPORT(
+                    "econe %a %a %a  %a %a %a  %a %a %a  %a %a %a  %a, point "
+                    "%a %a %a: %g, nearer: %g",
+                    e.c[0], e.c[1], e.c[2], e.a[0], e.a[1], e.a[2], e.b[0],
+                    e.b[1], e.b[2], e.h[0], e.h[1], e.h[2], e.k, X[0], X[1],
+                    X[2], size, sqrt(least));
+        }
+    }
+    printf("note: of %ld points, %ld have several local minima\n",
+           (long)cases * POINTS, second);
+    CHECK(second > (long)cases / 4);
+}
+
+int main(void)
+{
+    RUN(of_equal_points_the_first_is_taken);
+    RUN(the_features_of_a_cylinder);
+    RUN(points_of_the_surface_have_the_distance_0);
+    RUN(the_features_of_a_cone);
+    RUN(far_away_the_distance_is_that_of_the_base);
+    RUN(only_points_of_the_surface_have_the_distance_0);
+    RUN(no_point_of_the_surface_is_nearer);
+    return check_end();
+}
