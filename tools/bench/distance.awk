@@ -6,7 +6,7 @@ BEGIN {
 $1 == "build" { next }
 $2 != shape { shape = $2; row = ""; printf "\n%s\n", shape }
 {
-    name = sprintf("%-30s %-8s  lean signs wrong %4.1f %%", $3, $4, $9)
+    name = sprintf("%-30s %-9s  lean signs wrong %4.1f %%", $3, $4, $9)
     if (name != row) {
         if (row != "")
             print ""

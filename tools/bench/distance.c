@@ -5,6 +5,8 @@
  *
  * 4096 different pairs of point and shape; nanoseconds a question, the minimum
  * of TURNS turns (120), in order and shuffled.  The rival is lean_distance.h.
+ * Mode "batch": cylint_distance_points() for 4096 points and one shape, where the
+ * rival has that shape too.
  * CSV: build, shape, family, order, mode, the rival's ns, cylint's ns, ratio,
  * per cent of points for which the rival's sign is wrong.
  */
@@ -185,6 +187,45 @@ static void race(const char *build, const struct kind *k, enum family family,
     fflush(stdout);
 }
 
+static double batch_turn(enum mode mode, lean_distance *formula)
+{
+    static double xyz[3][PAIRS], distance[PAIRS];
+    const cylint_points all = {PAIRS, {xyz[0], xyz[1], xyz[2]}};
+    const cylint_closest_columns answers = {.distance = distance};
+    double sum = 0;
+    for (int i = 0; i < PAIRS; i++)
+        for (int c = 0; c < 3; c++)
+            xyz[c][i] = points[i][c];
+    const struct timing start = timing_now();
+    if (mode == DISTANCE)
+        cylint_distance_points(&shapes[0], &all, &answers);
+    for (int i = 0; mode == RIVAL && i < PAIRS; i++)
+        sum += formula(&prepared[0], points[i]);
+    const double ns = timing_since(start).ns / PAIRS;
+    sink = sum + distance[0];
+    return ns;
+}
+
+/* Many points near one shape, or inside. */
+static void race_batch(const char *build, const struct kind *k,
+                       enum family family, int turns)
+{
+    lean_distance *formula = lean_distance_of(&shapes[0]);
+    double least[2] = {HUGE_VAL, HUGE_VAL};
+    for (int i = 0; i < PAIRS; i++) {
+        around(0, 1, points[i]);
+        while (family == INSIDE && cylint_contains(&shapes[0], points[i]) < 0)
+            around(0, 0.5, points[i]);
+    }
+    for (int n = 0; n < turns; n++)
+        for (int mode = RIVAL; mode <= DISTANCE; mode++)
+            least[mode] =
+                fmin(least[mode], batch_turn((enum mode)mode, formula));
+    printf("%s,%s,%s,one shape,batch,%.1f,%.1f,%.2f,0.0\n", build, k->name,
+           family_names[family], least[RIVAL], least[DISTANCE],
+           least[DISTANCE] / least[RIVAL]);
+}
+
 int main(int argc, char **argv)
 {
     const int turns = argc > 1 ? atoi(argv[1]) : 120;
@@ -201,6 +242,8 @@ int main(int argc, char **argv)
             make_shape(i, kinds[k].kind);
         for (int family = 0; family < FAMILIES; family++)
             race(build, &kinds[k], (enum family)family, turns);
+        race_batch(build, &kinds[k], NEAR, turns);
+        race_batch(build, &kinds[k], INSIDE, turns);
     }
     gsl_rng_free(rng);
     return 0;
