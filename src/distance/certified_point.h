@@ -47,7 +47,7 @@ static int is_zero(certified x)
     return x.error == 0 && cylint_sign(x.v.hi) == 0;
 }
 
-static certified with_error(pair v, double error, double size)
+INLINE certified with_error(pair v, double error, double size)
 {
     return (certified){normalized(v), error + CYLINT_POINT_ROUNDING * size +
                                           CYLINT_POINT_UNDERFLOW};
@@ -58,7 +58,7 @@ static certified c_neg(certified x)
     return (certified){pair_neg(x.v), x.error};
 }
 
-static certified c_sub(certified x, certified y)
+INLINE certified c_sub(certified x, certified y)
 {
     if (is_zero(y))
         return x;
@@ -68,12 +68,12 @@ static certified c_sub(certified x, certified y)
                       size_of(x.v) + size_of(y.v));
 }
 
-static certified c_add(certified x, certified y)
+INLINE certified c_add(certified x, certified y)
 {
     return c_sub(x, c_neg(y));
 }
 
-static certified c_mul(certified x, certified y)
+INLINE certified c_mul(certified x, certified y)
 {
     const double a = size_of(x.v), b = size_of(y.v);
     if (is_zero(x) || is_zero(y))
@@ -94,7 +94,7 @@ static certified c_div(certified x, certified y)
 }
 
 /* Writes the component; whether it is certain. */
-static int c_write(certified x, double *to)
+INLINE int c_write(certified x, double *to)
 {
     *to = x.v.hi + 0; /* no -0 */
     return (x.error == 0 && cylint_sign(x.v.lo) == 0) ||
@@ -121,18 +121,20 @@ static void load_frame(frame *f, const cylint_shape *s, const double point[3],
                        const half_plane *m)
 {
     const certified z = {normalized(m->z), m->error}, rho = {m->rho, m->error};
+    const certified inverse = c_div(datum(1), rho);
     f->aligned = aligned_coordinate(s);
     for (int i = 0; i < 3; i++) {
         const pair a = {s->local.xyz[i][2], s->local.xyz_lo[i][2]};
         f->a[i] =
             cylint_sign(s->axis[i]) ? with_error(a, 0, fabs(a.hi)) : datum(0);
         f->D[i] = difference(point[i], s->base[i]);
-        f->u[i] =
-            i == f->aligned
-                ? datum(0)
-                : c_div(f->aligned >= 0 ? f->D[i]
-                                        : c_sub(f->D[i], c_mul(z, f->a[i])),
-                        rho);
+        if (i == f->aligned) {
+            f->u[i] = datum(0);
+            continue;
+        }
+        const certified across =
+            f->aligned >= 0 ? f->D[i] : c_sub(f->D[i], c_mul(z, f->a[i]));
+        f->u[i] = c_mul(across, inverse);
     }
 }
 
@@ -217,8 +219,9 @@ ASIDE int describe_ball(const double point[3], const double center[3], double r,
     }
     const pair root = root_of(square.v, &half);
     const certified size = {root, CYLINT_POINT_ROUNDING * 8 * root.hi};
+    const certified inverse = c_div(datum(1), size);
     for (int i = 0; i < 3; i++) {
-        const certified n = c_div(D[i], size);
+        const certified n = c_mul(D[i], inverse);
         if (want & CYLINT_WANT_NORMAL)
             certain &= c_write(n, &answer->normal[i]);
         if (want & CYLINT_WANT_POINT)
