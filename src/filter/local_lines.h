@@ -1,8 +1,8 @@
 /*
  * local_lines.h - how a line lies to a shape, by signs in local coordinates
  *
- * The forms are those of local_forms_template.h, in doubles or, where those
- * are too near to 0, in pairs.  The bounds on their errors are in
+ * The forms are those of local_forms_template.h, in doubles; where those are too
+ * near to 0, local_pairs.h has them in pairs.  The bounds on their errors are in
  * error_bounds.h.  Q and D there: no coordinate of the line's origin exceeds
  * Q, none of its direction exceeds D.
  */
@@ -47,32 +47,6 @@ INLINE vd v_sum_of(vd x, vd y, vd z)
 #define TURNED(x) v_turned(x)
 #define FIRSTS(x) v_firsts(x, x)
 #define PAIRED(x, y) v_firsts(x, y)
-#include "local_forms_template.h"
-
-INLINE vpair vpair_turned(vpair x)
-{
-    return (vpair){v_turned(x.hi), v_turned(x.lo)};
-}
-
-INLINE vpair vpair_firsts(vpair x, vpair y)
-{
-    return (vpair){v_firsts(x.hi, y.hi), v_firsts(x.lo, y.lo)};
-}
-
-#define V vpair
-#define FORM(name) name##_pairs
-#define ADD(x, y) vpair_add(x, y)
-#define SUB(x, y) vpair_sub(x, y)
-#define MUL(x, y) vpair_mul(x, y)
-#define SUM_OF(x, y, z) vpair_add(vpair_mul(x, y), z)
-#define NEGATED(x) ((vpair){-(x).hi, -(x).lo})
-#define TRIMMED(x) v_two_sum((x).hi, (x).lo)
-#define SUMS(x, y)                \
-    vpair_add(vpair_firsts(x, y), \
-              vpair_firsts(vpair_turned(x), vpair_turned(y)))
-#define TURNED(x) vpair_turned(x)
-#define FIRSTS(x) vpair_firsts(x, x)
-#define PAIRED(x, y) vpair_firsts(x, y)
 #include "local_forms_template.h"
 
 /* What bounds the shape: both planes, none, or the plane through the apex. */
@@ -157,86 +131,6 @@ INLINE void load_local(local_line *l, const cylint_shape *shape,
 {
     load_start(l, shape, line, tapered);
     load_rest(l, shape, line, tapered, CYLINT_BOUNDED);
-}
-
-INLINE vpair twice(double hi, double lo)
-{
-    return (vpair){v_set(hi), v_set(lo)};
-}
-
-/* The matrix times a vector, whose components are hi[j] + lo[j] in all lanes.
- * lo may be NULL: 0. */
-INLINE vqpair transformed(const cylint_local *f, const vq hi[3], const vq lo[3])
-{
-    vq product[3], error[3];
-    EACH(j, 3) {
-        /* four numbers at each: height follows the last column */
-        const vq M = q_load(f->xyz[j]), M_lo = q_load(f->xyz_lo[j]);
-        product[j] = q_mul(hi[j], M);
-        error[j] = q_product_error(hi[j], M, product[j]);
-        error[j] = q_sum_of(hi[j], M_lo, error[j]);
-        if (lo)
-            error[j] = q_sum_of(lo[j], M, error[j]);
-    }
-    const vqpair two = q_two_sum(product[0], product[1]);
-    const vqpair all = q_two_sum(two.hi, product[2]);
-    return (vqpair){all.hi, q_add(q_add(q_add(error[0], error[1]), error[2]),
-                                  q_add(two.lo, all.lo))};
-}
-
-INLINE vpair low_of(vqpair x)
-{
-    return (vpair){q_low(x.hi), q_low(x.lo)};
-}
-
-/* Lane 2 twice. */
-INLINE vpair third_of(vqpair x)
-{
-    const vd hi = q_high(x.hi), lo = q_high(x.lo);
-    return (vpair){v_firsts(hi, hi), v_firsts(lo, lo)};
-}
-
-INLINE vqpair origin_in_pairs(const cylint_shape *shape,
-                              const cylint_line *line)
-{
-    const vqpair from = q_two_diff(q_load(line->o), q_load(shape->base));
-    const vq hi[3] = {q_firsts(from.hi), q_seconds(from.hi), q_thirds(from.hi)};
-    const vq lo[3] = {q_firsts(from.lo), q_seconds(from.lo), q_thirds(from.lo)};
-    return transformed(&shape->local, hi, lo);
-}
-
-INLINE vqpair direction_in_pairs(const cylint_shape *shape,
-                                 const cylint_line *line)
-{
-    const double *d = line->d, *d_lo = line->d_lo;
-    const vq hi[3] = {q_set(d[0]), q_set(d[1]), q_set(d[2])};
-    if (!line->segment)
-        return transformed(&shape->local, hi, NULL);
-    const vq lo[3] = {q_set(d_lo[0]), q_set(d_lo[1]), q_set(d_lo[2])};
-    return transformed(&shape->local, hi, lo);
-}
-
-/* z in pairs, of both caps. */
-INLINE vpair from_caps(const cylint_local *f, vpair z)
-{
-    const vpair top = {v_two(0, f->height), v_two(0, f->height_lo)};
-    return vpair_sub(z, top);
-}
-
-/* The line in pairs. */
-INLINE void load_pairs(line_pairs *to, const cylint_shape *shape,
-                       const cylint_line *line)
-{
-    const cylint_local *f = &shape->local;
-    const vqpair p = origin_in_pairs(shape, line);
-    const vqpair v = direction_in_pairs(shape, line);
-    to->p = low_of(p);
-    to->v = low_of(v);
-    to->w = third_of(v);
-    to->z = from_caps(f, third_of(p));
-    to->r = (vpair){v_load(&shape->r0), v_set(0)};
-    to->slope = twice(f->slope, f->slope_lo);
-    set_products_pairs(to);
 }
 
 /* 1 + |slope|: bounds what a slope adds to the errors. */
@@ -423,67 +317,6 @@ INLINE void classify_rest(local_verdict *v, const local_line *l,
     }
 }
 
-INLINE vd rounded(vpair x)
-{
-    return x.hi + x.lo;
-}
-
-/* The line as doubles, from pairs. */
-INLINE void line_from_pairs(local_line *l, const line_pairs *in,
-                            const cylint_shape *shape)
-{
-    l->unit = shape->local.error;
-    l->in.p = rounded(in->p);
-    l->in.v = rounded(in->v);
-    l->in.z = rounded(in->z);
-    l->in.w = rounded(in->w);
-    v_store(l->z, l->in.z);
-    l->w = v_first(l->in.w);
-}
-
-/* The errors have what the values lost when they were rounded, and A t as well
- * when t is estimated: three roundings. */
-INLINE local_quadratic quadratic_in_pairs(const local_line *l,
-                                          const line_pairs *in,
-                                          const cylint_shape *shape,
-                                          int tapered)
-{
-    local_quadratic q =
-        with_errors(l, shape, rounded(AB_pairs(in, tapered)), tapered);
-    q.A_error += 2 * CYLINT_ROUNDING * fabs(q.A);
-    q.B_error += CYLINT_ROUNDING * fabs(q.B);
-    return q;
-}
-
-/* The signs of the whole line in pairs, and its quadratic. */
-INLINE local_verdict classify_in_pairs(const local_line *l, local_quadratic *q,
-                                       const line_pairs *in,
-                                       const cylint_shape *shape, int tapered,
-                                       int extent)
-{
-    local_verdict v = {0, 0, m_from(0), 0, 0, 3, 0, 0};
-    vpair Y = twice(0, 0);
-    if (tapered)
-        Y = Y_pairs(in);
-    v.G = v_first(rounded(G_pairs(in, tapered, &Y)));
-    v.G_error =
-        tapered ? cone_error(l, shape, rounded(Y)) : disc_error(l, shape->r0);
-    *q = quadratic_in_pairs(l, in, shape, tapered);
-    if (v.G < -v.G_error) {
-        v.misses = 1;
-    } else if (extent == CYLINT_BOUNDED) {
-        classify_bounded(&v, l, shape, rounded(E_pairs(in)),
-                         rounded(N_pairs(in, tapered)), tapered);
-    } else {
-        const double T =
-            extent == CYLINT_NAPPE ? v_first(rounded(T_pairs(in, &Y))) : 0;
-        classify_unbounded(&v, l, shape, q->A, q->A_error, T, T_error(l, shape),
-                           tapered, extent);
-    }
-    v.G_error += CYLINT_ROUNDING * fabs(v.G); /* it was rounded */
-    return v;
-}
-
 /*
  * Where the ends of the domain lie, if the line crosses the shape: before the
  * overlap of line and shape, inside it, or after it.  Bit 0: tmin, bit 1: tmax.
@@ -619,130 +452,6 @@ INLINE int is_ahead(const local_line *l, const local_verdict *v,
     const double eZ = 2 * CYLINT_LOCAL_POSITION * l->unit * l->Q * l->D;
     const unsigned below = m_bits(v_lt(l->in.z * l->in.w, v_set(-eZ)));
     return ((v->pierced & below) != 0) | ((v->pierced == 0) & vertex);
-}
-
-/* -------------------------------------------------------- in pairs ----- */
-
-/* z + t w in pairs. */
-INLINE vpair moved(vpair z, vpair w, vd t)
-{
-    vpair step = v_two_prod(t, w.hi);
-    step.lo = v_sum_of(t, w.lo, step.lo);
-    return vpair_add(z, step);
-}
-
-/* (p, p) + (t[0] v, t[1] v): x and y at both t. */
-INLINE vqpair points_at(const line_pairs *in, vd t)
-{
-    const vq T = q_spread(t), v = q_join(in->v.hi, in->v.hi);
-    const vq step = q_mul(T, v);
-    const vq rest =
-        q_sum_of(T, q_join(in->v.lo, in->v.lo), q_product_error(T, v, step));
-    const vqpair sum = q_two_sum(q_join(in->p.hi, in->p.hi), step);
-    return (vqpair){sum.hi,
-                    q_add(sum.lo, q_add(q_join(in->p.lo, in->p.lo), rest))};
-}
-
-/* x^2.  x.lo may be larger than a rounding of x.hi. */
-INLINE vpair vpair_square(vpair x)
-{
-    const vpair square = v_two_prod(x.hi, x.hi);
-    return (vpair){square.hi, v_sum_of(x.hi + x.hi + x.lo, x.lo, square.lo)};
-}
-
-/* Q at t of both lanes.  `across`: |x| + |y|, and + |rho| of a tapered shape. */
-typedef struct {
-    vd value, across;
-} lateral_value;
-
-INLINE lateral_value lateral_at(const line_pairs *in, const cylint_shape *shape,
-                                vd t, int tapered)
-{
-    const vqpair p = points_at(in, t);
-    const vq squares = q_mul(p.hi, p.hi);
-    const vq rest = q_sum_of(q_add(q_add(p.hi, p.hi), p.lo), p.lo,
-                             q_product_error(p.hi, p.hi, squares));
-    const vd x = v_firsts(q_low(p.hi), q_high(p.hi)),
-             y = v_seconds(q_low(p.hi), q_high(p.hi));
-    const vpair pp = v_two_sum(v_firsts(q_low(squares), q_high(squares)),
-                               v_seconds(q_low(squares), q_high(squares)));
-    vpair rho2;
-    vd across = v_abs(x) + v_abs(y);
-    if (tapered) {
-        const vpair z0 = vpair_firsts(in->z, in->z);
-        const vpair rho = vpair_add(twice(shape->r0, 0),
-                                    vpair_mul(in->slope, moved(z0, in->w, t)));
-        rho2 = vpair_square(rho);
-        across = across + v_abs(rho.hi);
-    } else {
-        const pair square = two_prod(shape->r0, shape->r0);
-        rho2 = twice(square.hi, square.lo);
-    }
-    return (lateral_value){
-        (pp.hi - rho2.hi) + ((pp.lo + halves_of(rest)) - rho2.lo), across};
-}
-
-/* z + t w, rounded: the error is relative to it, but for that of z and w. */
-INLINE vd height_at(vpair z, vpair w, vd t)
-{
-    const vd low = v_sum_of(t, w.lo, z.lo);
-#if V_HAS_FMA
-    return v_fma(t, w.hi, z.hi) + low;
-#else
-    const vpair step = v_two_prod(t, w.hi);
-    return (z.hi + step.hi) + (step.lo + low);
-#endif
-}
-
-/* Not less than any coordinate at t. */
-INLINE vd size_at(vd t, double Q, double D)
-{
-    return v_sum_of(v_abs(t), v_set(D), v_set(Q));
-}
-
-/* The errors of height_at() and of lateral_at(). */
-INLINE vd height_error(vd size, const cylint_shape *shape)
-{
-    return v_set(CYLINT_LOCAL_RESIDUAL * shape->local.error) * size;
-}
-
-INLINE vd lateral_error(vd size, vd across, const cylint_shape *shape,
-                        int tapered)
-{
-    const vd most = v_set(taper_of(shape, tapered)) * size;
-    const vd off = height_error(most, shape);
-    return off * v_sum_of(v_set(CYLINT_LOCAL_UNTRIMMED), most, across + off);
-}
-
-/* As states_in_doubles(), in pairs.  q: the quadratic. */
-INLINE local_states states_in_pairs(const local_line *l, const local_verdict *v,
-                                    const local_quadratic *q,
-                                    const line_pairs *in,
-                                    const cylint_shape *shape,
-                                    const cylint_line *line, int tapered,
-                                    int extent)
-{
-    const vd t = finite_ends(line), size = size_at(t, l->Q, l->D);
-    const lateral_value C = lateral_at(in, shape, t, tapered);
-    const vpair z0 = vpair_firsts(in->z, in->z);
-    const vpair z1 = {v_seconds(in->z.hi, in->z.hi),
-                      v_seconds(in->z.lo, in->z.lo)};
-    const vd eZ = height_error(size, shape);
-    domain_signs at;
-    at.C = signs_beyond(C.value, lateral_error(size, C.across, shape, tapered));
-    at.above[0] = signs_beyond(height_at(z0, in->w, t), eZ);
-    at.above[1] = signs_beyond(height_at(z1, in->w, t), eZ);
-    if (extent == CYLINT_NAPPE) {
-        const vpair rho = vpair_add(twice(shape->r0, 0),
-                                    vpair_mul(in->slope, moved(z0, in->w, t)));
-        at.above[0] =
-            signs_beyond(rho.hi + rho.lo, v_set(taper_of(shape, 1)) * eZ);
-    }
-    const vd At = v_set(q->A) * t, B = v_set(q->B);
-    at.vertex = signs_beyond(
-        At + B, v_sum_of(v_abs(t), v_set(q->A_error), v_set(q->B_error)) +
-                    v_set(2 * CYLINT_ROUNDING) * (v_abs(At) + v_abs(B)));
-    return states_of(&at, l, v, q->A, line, tapered, extent);
 }
 
 #endif

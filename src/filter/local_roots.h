@@ -10,7 +10,7 @@
 #define CYLINT_LOCAL_ROOTS_H
 
 #include "filter.h"
-#include "local_lines.h"
+#include "local_pairs.h"
 
 #define ARGUMENTS CYLINT_ONE_ARGUMENTS
 

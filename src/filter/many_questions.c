@@ -10,6 +10,7 @@
  */
 #include "lanes.h"
 #include "filter.h"
+#include "local_lanes.h"
 #include "round_lanes.h"
 
 #ifndef CYLINT_MANY
@@ -27,18 +28,29 @@ static mode mode_of(const cylint_filter_batch *from)
     return !from->run ? ONE_SHAPE : from->line ? ONE_LINE : PAIRS;
 }
 
+/* Elements of an array; in_a_row: their numbers follow each other. */
+INLINE vd elements(const double *x, const size_t *number, int in_a_row)
+{
+    return in_a_row ? v_load(x + number[0]) : v_pick(x, number);
+}
+
 /* The lines of so many numbers. */
 static void lines_at(const cylint_filter_batch *from, const size_t *number,
                      lanes_line *l)
 {
     const cylint_lines *lines = from->lines;
+    const int in_a_row = number[LANES - 1] - number[0] == LANES - 1;
+    l->tmin = v_set(0);
+    l->tmax = v_set(HUGE_VAL);
     EACH(i, 3) {
-        l->o[i] = v_pick(lines->o[i], number);
-        l->u[i] = v_pick(lines->d[i], number);
+        l->o[i] = elements(lines->o[i], number, in_a_row);
+        l->u[i] = elements(lines->d[i], number, in_a_row);
         l->u_lo[i] = v_set(0);
     }
-    l->tmin = lines->tmin ? v_pick(lines->tmin, number) : v_set(0);
-    l->tmax = lines->tmax ? v_pick(lines->tmax, number) : v_set(HUGE_VAL);
+    if (lines->tmin)
+        l->tmin = elements(lines->tmin, number, in_a_row);
+    if (lines->tmax)
+        l->tmax = elements(lines->tmax, number, in_a_row);
     l->segment = 0;
 }
 
@@ -453,11 +465,73 @@ static const kernels of_kind[] = {
     {classify_CYLINT_KIND_RCONE, round_CYLINT_KIND_RCONE},
 };
 
+/* Lines and one shape that has local coordinates. */
+typedef void answer_lines(const local_lines *l, const cylint_shape *shape,
+                          unsigned want, int relations, vm lanes,
+                          cylint_filter_group *g);
+
+#define LOCAL(name, tapered, bounded)                                          \
+    ASIDE void name##_lines(const local_lines *l, const cylint_shape *shape,   \
+                            unsigned want, int relations, vm lanes,            \
+                            cylint_filter_group *g)                            \
+    {                                                                          \
+        answer_local_lines(l, shape, want, relations, lanes, tapered, bounded, \
+                           g);                                                 \
+    }
+LOCAL(cylinder, 0, 1)
+LOCAL(cone, 1, 1)
+LOCAL(whole_cylinder, 0, 0)
+LOCAL(double_cone, 1, 0)
+#undef LOCAL
+
+/* NULL: the shape has no local coordinates, or the filter does not serve it. */
+static answer_lines *local_kernel(const cylint_filter_batch *from)
+{
+    if (from->run)
+        return NULL;
+    switch (from->shapes->prepared) {
+    case CYLINT_SOLID_CYLINDER:
+        return cylinder_lines;
+    case CYLINT_SOLID_CONE:
+        return cone_lines;
+    case CYLINT_SOLID_WHOLE_CYLINDER:
+        return whole_cylinder_lines;
+    case CYLINT_SOLID_DOUBLE_CONE:
+        return double_cone_lines;
+    default:
+        return NULL;
+    }
+}
+
+static void answer_in_local(const cylint_filter_batch *from, const size_t *list,
+                            int lanes, answer_lines *answer,
+                            cylint_filter_group *g)
+{
+    const cylint_shape *shape = from->shapes;
+    lanes_line line;
+    local_lines l;
+    lines_at(from, list, &line);
+    EACH(i, 3) {
+        l.o[i] = line.o[i];
+        l.d[i] = line.u[i];
+    }
+    l.tmin = line.tmin;
+    l.tmax = line.tmax;
+    load_local_lines(&l, shape, cylint_is_tapered(shape->kind));
+    answer(&l, shape, from->want, from->relations,
+           m_and(m_from((1u << lanes) - 1), v_le(l.tmin, l.tmax)), g);
+}
+
 static void answer_group(const cylint_filter_batch *from, const size_t *list,
                          int lanes, cylint_filter_group *g)
 {
     question x;
     stops at;
+    answer_lines *const local = local_kernel(from);
+    if (local) {
+        answer_in_local(from, list, lanes, local, g);
+        return;
+    }
     load(from, list, lanes, &x);
     of_kind[from->kind].classify(from, &x, &at, g);
     if (from->want & CYLINT_WANT_T && g->hit[0] | g->hit[1])

@@ -24,7 +24,7 @@
 #ifndef CYLINT_RESIDUAL_IN_LEVELS_H
 #define CYLINT_RESIDUAL_IN_LEVELS_H
 
-#include "local_lines.h"
+#include "local_pairs.h"
 
 /* ----------------------------------------------------------- levels ----- */
 

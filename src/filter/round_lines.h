@@ -13,7 +13,7 @@
 #ifndef CYLINT_ROUND_LINES_H
 #define CYLINT_ROUND_LINES_H
 
-#include "local_lines.h"
+#include "local_pairs.h"
 
 /* What a kernel is compiled for. */
 enum { ROUND_BALL, ROUND_STRAIGHT, ROUND_TAPERED };
