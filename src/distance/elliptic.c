@@ -19,19 +19,14 @@
  * The first of those that are not farther by more than the rounding errors of
  * that product is the answer.  At the lateral surface the distance is computed
  * as R.N / |N|, N = u' x v: its relative error is small beside the surface, too.
- *
- * All lengths are divided by the power of two of the longest of a, b and h.  If
- * Q is longer than 2^MOST_RATIO of them, it is shortened to that: the nearest
- * point of a bounded shape depends on its direction only, and of an unbounded
- * one it is proportional to it.
  */
 #include "elliptic.h"
 
 #include "../shapes/shape_facts.h"
 #include "../signs/sign.h"
-#include "critical.h"
+#include "elliptic_terms.h"
 
-enum { MOST_RATIO = 400, NO_EXPONENT = -4000, ANY_FEATURE = -1 };
+enum { ANY_FEATURE = -1 };
 
 /* The error of a distance relative to the longest length, for shapes with a
  * volume a.(b x h) of at least FLAT of the cube of the longest of a, b and h. */
@@ -55,120 +50,12 @@ typedef struct {
 } candidate;
 
 typedef struct {
-    const cylint_shape *shape;
-    const double *point;
-    int e;    /* the lengths of the shape are divided by 2^e */
-    int far;  /* the length of Q by 2^far more */
+    elliptic_terms p;
     int only; /* the feature to be found, or ANY_FEATURE */
-    triple k1;
-    triple Q[3], a[3], b[3], h[3];
-    triple aa, ab, bb, ah, bh, hh, Qa, Qb, Qh;
     candidate best;
     triple N[3];   /* its normal, but for the length */
     pair distance; /* of it */
 } search;
-
-/* ------------------------------------------------------- the problem ---- */
-
-static int exponent_of(const double v[3])
-{
-    const double size = cylint_largest(v);
-    return cylint_sign(size) ? cylint_any_exponent(size) : NO_EXPONENT;
-}
-
-static int larger(int x, int y)
-{
-    return x > y ? x : y;
-}
-
-static void load_scaled(triple to[3], const double v[3], int e)
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = triple_of(cylint_scaled(v[i], -e));
-}
-
-/* The exponent of the longest of a, b, h, k a and k b. */
-static int exponent_of_shape(const cylint_shape *shape)
-{
-    const int section = larger(exponent_of(shape->a), exponent_of(shape->b));
-    const int k =
-        shape->r1 > 1 ? section + cylint_any_exponent(shape->r1) : section;
-    return larger(k, exponent_of(shape->axis));
-}
-
-static void load(search *s, const cylint_shape *shape, const double point[3])
-{
-    const int most = larger(exponent_of(point), exponent_of(shape->base));
-    s->shape = shape;
-    s->point = point;
-    s->e = exponent_of_shape(shape);
-    s->far = larger(0, most - s->e - MOST_RATIO);
-    s->only = ANY_FEATURE;
-    s->best.part = -1;
-    load_scaled(s->a, shape->a, s->e);
-    load_scaled(s->b, shape->b, s->e);
-    load_scaled(s->h, shape->axis, s->e);
-    for (int i = 0; i < 3; i++) {
-        const pair d = two_diff(cylint_scaled(point[i], -s->e - s->far),
-                                cylint_scaled(shape->base[i], -s->e - s->far));
-        s->Q[i] = (triple){d.hi, d.lo, 0};
-    }
-    s->k1 = triple_add(triple_of(shape->r1), triple_of(-1));
-    s->aa = triple_dot(s->a, s->a);
-    s->ab = triple_dot(s->a, s->b);
-    s->bb = triple_dot(s->b, s->b);
-    s->ah = triple_dot(s->a, s->h);
-    s->bh = triple_dot(s->b, s->h);
-    s->hh = triple_dot(s->h, s->h);
-    s->Qa = triple_dot(s->Q, s->a);
-    s->Qb = triple_dot(s->Q, s->b);
-    s->Qh = triple_dot(s->Q, s->h);
-}
-
-/* Q minus the centre of an end. */
-static void from_end(const search *s, int end, triple to[3])
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = end ? triple_sub(s->Q[i], s->h[i]) : s->Q[i];
-}
-
-/* ---------------------------------------------------- stationary points - */
-
-/* E.u' v.v - E.v v.u' without the terms that cancel. */
-static void lateral_form(const search *s, stationary *f)
-{
-    const triple x =
-        triple_mul(s->k1, triple_add(triple_mul(s->k1, s->Qa), s->ah));
-    const triple y =
-        triple_mul(s->k1, triple_add(triple_mul(s->k1, s->Qb), s->bh));
-    const triple g = triple_add(s->hh, triple_mul(s->k1, s->Qh));
-    const triple ab = triple_mul(s->Qa, s->bh), ba = triple_mul(s->Qb, s->ah);
-    const triple turned = triple_det(s->ah, s->bh, g, s->ab);
-    f->linear[0] = triple_add(triple_det(s->aa, y, s->ab, x),
-                              triple_det(s->hh, s->Qb, s->Qh, s->bh));
-    f->linear[1] = triple_sub(triple_det(s->ab, y, s->bb, x),
-                              triple_det(s->hh, s->Qa, s->Qh, s->ah));
-    f->square[0] = triple_add(
-        triple_mul(s->k1, triple_sub(triple_scale(ba, 2), ab)), turned);
-    f->square[2] = triple_sub(
-        triple_mul(s->k1, triple_sub(ba, triple_scale(ab, 2))), turned);
-    f->square[1] = triple_sub(
-        triple_add(triple_mul(s->k1, triple_det(s->Qb, s->bh, s->Qa, s->ah)),
-                   triple_det(s->bh, s->bh, s->ah, s->ah)),
-        triple_mul(g, triple_sub(s->bb, s->aa)));
-}
-
-/* E.u' for E = Q - f - e u. */
-static void rim_form(const search *s, const triple from[3], triple factor,
-                     stationary *f)
-{
-    const triple ab = triple_mul(factor, s->ab);
-    f->linear[0] = triple_dot(from, s->b);
-    f->linear[1] = triple_neg(triple_dot(from, s->a));
-    f->square[0] = triple_neg(ab);
-    f->square[1] = triple_mul(factor, triple_sub(s->aa, s->bb));
-    f->square[2] = ab;
-}
 
 /* -------------------------------------------------------- candidates ---- */
 
@@ -235,42 +122,21 @@ static void place(const search *s, candidate *x, const triple origin[3],
     for (int i = 0; i < 3; i++) {
         const triple up = triple_mul(u[i], p), vq = triple_mul(v[i], q);
         x->F[i] = triple_add(origin[i], triple_add(up, vq));
-        x->R[i] = triple_sub(s->Q[i], x->F[i]);
+        x->R[i] = triple_sub(s->p.Q[i], x->F[i]);
         x->terms[i] = fabs(origin[i].a) + fabs(up.a) + fabs(vq.a);
     }
 }
 
 static const triple nowhere[3]; /* the base */
 
-/* The vectors of a ruling. */
-static void load_ruling(const search *s, const direction *at, triple u[3],
-                        triple v[3])
-{
-    triple_combine(u, s->a, at->cos, s->b, at->sin);
-    for (int i = 0; i < 3; i++)
-        v[i] = triple_add(s->h[i], triple_mul(s->k1, u[i]));
-}
-
-/* E.v, where terms that are exactly 0 stay 0. */
-static triple along_ruling(const search *s, const direction *at)
-{
-    const triple Qu = triple_mul2(s->Qa, at->cos, s->Qb, at->sin);
-    const triple uh = triple_mul2(s->ah, at->cos, s->bh, at->sin);
-    const triple by_cos = triple_mul2(s->aa, at->cos, s->ab, at->sin);
-    const triple by_sin = triple_mul2(s->ab, at->cos, s->bb, at->sin);
-    const triple uu = triple_mul2(by_cos, at->cos, by_sin, at->sin);
-    return triple_add(triple_sub(s->Qh, uh),
-                      triple_mul(s->k1, triple_sub(Qu, uu)));
-}
-
 /* Whether the lateral surface has the point z of a ruling; rho is 1 + k1 z. */
 static int is_within(const search *s, triple z, double rho)
 {
     if (s->only != ANY_FEATURE)
         return 1;
-    if (cylint_is_bounded(s->shape))
+    if (cylint_is_bounded(s->p.shape))
         return z.a > 0 && triple_sub(z, triple_of(1)).a < 0;
-    return s->shape->ends == CYLINT_ENDS_INFINITE ? rho != 0 : rho > 0;
+    return s->p.shape->ends == CYLINT_ENDS_INFINITE ? rho != 0 : rho > 0;
 }
 
 /* nappe: the sign of rho that is wanted. */
@@ -278,10 +144,12 @@ static void try_lateral(search *s, const direction *at, int nappe)
 {
     triple u[3], v[3];
     candidate x = on_ellipse(CYLINT_FEATURE_LATERAL, at);
-    load_ruling(s, at, u, v);
-    const triple z = triple_div(along_ruling(s, at), triple_dot(v, v));
-    const double rho = triple_add(triple_of(1), triple_mul(s->k1, z)).a;
-    if ((rho < 0) != (nappe < 0) || !is_within(s, z, rho))
+    cylint_load_ruling(&s->p, at, u, v);
+    const triple z =
+        triple_div(cylint_along_ruling(&s->p, at), triple_dot(v, v));
+    const double rho = triple_add(triple_of(1), triple_mul(s->p.k1, z)).a;
+    if ((rho < 0) != (nappe < 0) ||
+        !is_within(s, triple_scale(z, s->p.stretch), rho))
         return;
     x.nappe = nappe;
     place(s, &x, nowhere, u, triple_of(1), v, z);
@@ -290,53 +158,63 @@ static void try_lateral(search *s, const direction *at, int nappe)
 
 static void try_rim(search *s, int end, const direction *at)
 {
-    const triple factor = triple_of(cylint_end_factor(s->shape, end));
+    const triple factor = triple_of(cylint_end_factor(s->p.shape, end));
     candidate x =
         on_ellipse(end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0, at);
-    place(s, &x, end ? s->h : nowhere, s->a, triple_mul(factor, at->cos), s->b,
-          triple_mul(factor, at->sin));
+    place(s, &x, end ? s->p.h : nowhere, s->p.a, triple_mul(factor, at->cos),
+          s->p.b, triple_mul(factor, at->sin));
     offer(s, &x);
 }
 
 /* The apex is at h share. */
-static void try_apex(search *s, triple share)
+static void try_apex(search *s, const triple h[3], triple share)
 {
     candidate x = candidate_of(CYLINT_PART_LATERAL, CYLINT_FEATURE_APEX);
-    place(s, &x, nowhere, s->h, share, s->h, triple_of(0));
+    place(s, &x, nowhere, h, share, h, triple_of(0));
     offer(s, &x);
 }
 
-/* a x b, and the same times 1 / *scale, a power of two. */
-static void section_normal(const search *s, triple M[3], triple unit[3],
-                           double *scale)
+/* v times a power of two, so that its length is about 1. */
+static double load_unit(triple unit[3], const triple v[3])
 {
-    triple_cross(M, s->a, s->b);
-    *scale = triple_normalizer(M);
+    const double scale = triple_normalizer(v);
     for (int i = 0; i < 3; i++)
-        unit[i] = triple_scale(M[i], *scale);
+        unit[i] = triple_scale(v[i], scale);
+    return scale;
+}
+
+/* to = u x v, times a power of two. */
+static void cross_units(triple to[3], const triple u[3], const triple v[3])
+{
+    triple x[3], y[3], z[3];
+    load_unit(x, u);
+    load_unit(y, v);
+    triple_cross(z, x, y);
+    load_unit(to, z);
 }
 
 /* The perpendicular on the plane of an end has the foot x a + y b from its
  * centre, x = (from x b).M / M.M and y = (a x from).M / M.M, M = a x b. */
 static void try_cap(search *s, int end)
 {
-    triple from[3], M[3], unit[3], right[3], up[3];
-    double scale;
+    triple from[3], a[3], b[3], M[3], right[3], up[3];
     candidate c = candidate_of(end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0,
                                end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0);
-    const triple factor = triple_of(cylint_end_factor(s->shape, end));
-    from_end(s, end, from);
-    section_normal(s, M, unit, &scale);
-    triple_cross(right, from, s->b);
-    triple_cross(up, s->a, from);
-    const triple whole = triple_dot(M, unit);
-    const triple x = triple_div(triple_dot(right, unit), whole);
-    const triple y = triple_div(triple_dot(up, unit), whole);
-    const triple room =
-        triple_sub(triple_mul(factor, factor), triple_mul2(x, x, y, y));
+    const triple factor = triple_of(cylint_end_factor(s->p.shape, end));
+    const double of_a = load_unit(a, s->p.a), of_b = load_unit(b, s->p.b);
+    cylint_from_end(&s->p, end, from);
+    triple_cross(M, a, b);
+    triple_cross(right, from, b);
+    triple_cross(up, a, from);
+    const triple whole = triple_dot(M, M);
+    const triple x = triple_div(triple_dot(right, M), whole);
+    const triple y = triple_div(triple_dot(up, M), whole);
+    const triple in_a = triple_scale(x, of_a), in_b = triple_scale(y, of_b);
+    const triple room = triple_sub(triple_mul(factor, factor),
+                                   triple_mul2(in_a, in_a, in_b, in_b));
     if (s->only == ANY_FEATURE && !(room.a > 0))
         return;
-    place(s, &c, end ? s->h : nowhere, s->a, x, s->b, y);
+    place(s, &c, end ? s->p.h : nowhere, a, x, b, y);
     offer(s, &c);
 }
 
@@ -365,10 +243,10 @@ static pair height_over(const triple R[3], const triple N[3])
 /* N is u' x v, the axis or a x b: outward times this sign. */
 static int outward_sign(const search *s)
 {
-    const int right = s->shape->left_handed ? -1 : 1;
+    const int right = s->p.shape->left_handed ? -1 : 1;
     switch (s->best.feature) {
     case CYLINT_FEATURE_APEX:
-        return cylint_apex_normal_sign(s->shape, 0);
+        return cylint_apex_normal_sign(s->p.shape, 0);
     case CYLINT_FEATURE_CAP0:
         return -right;
     default:
@@ -378,37 +256,59 @@ static int outward_sign(const search *s)
 
 static void load_normal(search *s)
 {
-    triple u[3], v[3], du[3], M[3];
-    double scale;
+    triple u[3], v[3], du[3];
     const direction *at = &s->best.at;
     if (s->best.feature == CYLINT_FEATURE_APEX) {
-        for (int i = 0; i < 3; i++)
-            s->N[i] = s->h[i];
+        load_unit(s->N, s->p.h);
     } else if (s->best.part != CYLINT_PART_LATERAL) {
-        section_normal(s, M, s->N, &scale);
+        cross_units(s->N, s->p.a, s->p.b);
     } else {
-        load_ruling(s, at, u, v);
-        triple_combine(du, s->b, at->cos, s->a, triple_neg(at->sin));
-        triple_cross(s->N, du, v);
+        cylint_load_ruling(&s->p, at, u, v);
+        triple_combine(du, s->p.b, at->cos, s->p.a, triple_neg(at->sin));
+        cross_units(s->N, du, v);
     }
     const int sign = outward_sign(s);
     for (int i = 0; i < 3; i++)
         s->N[i] = triple_scale(s->N[i], sign);
 }
 
-/* Of the best candidate. */
-static void describe(search *s)
+static int is_direction(const triple v[3])
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++)
+        sum += fabs(v[i].a);
+    return sum > 0 && sum <= DBL_MAX;
+}
+
+static void describe_best(search *s)
 {
     triple from[3];
     load_normal(s);
     if (s->best.feature == CYLINT_FEATURE_LATERAL) {
         s->distance = height_over(s->best.R, s->N);
     } else if (s->best.part != CYLINT_PART_LATERAL) {
-        from_end(s, s->best.part == CYLINT_PART_CAP1, from);
+        cylint_from_end(&s->p, s->best.part == CYLINT_PART_CAP1, from);
         s->distance = height_over(from, s->N);
     } else {
         s->distance = length_of(s->best.R);
     }
+}
+
+/* Normal and distance of the best candidate.  Where exponents differ by more than
+ * 900, products underflow: then the end of a is the answer, and a normal that
+ * vanished is replaced by a. */
+static void describe(search *s)
+{
+    if (s->best.part >= 0)
+        describe_best(s);
+    if (s->best.part < 0 || !(s->distance.hi <= DBL_MAX)) {
+        s->best = candidate_of(CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL);
+        place(s, &s->best, nowhere, s->p.a, triple_of(1), s->p.b, triple_of(0));
+        load_normal(s);
+        s->distance = length_of(s->best.R);
+    }
+    if (!is_direction(s->N))
+        load_unit(s->N, is_direction(s->p.a) ? s->p.a : s->p.h);
 }
 
 /* Whether there is a point of a cap or of the lateral surface from which the
@@ -427,11 +327,11 @@ static void search_lateral(search *s)
 {
     direction at[CYLINT_MOST_CRITICAL];
     stationary form;
-    lateral_form(s, &form);
+    cylint_lateral_form(&s->p, &form);
     const int n = cylint_critical_directions(&form, at);
     for (int i = 0; i < n; i++)
         try_lateral(s, &at[i], 1);
-    for (int i = 0; i < n && s->shape->ends == CYLINT_ENDS_INFINITE; i++)
+    for (int i = 0; i < n && s->p.shape->ends == CYLINT_ENDS_INFINITE; i++)
         try_lateral(s, &at[i], -1);
 }
 
@@ -440,13 +340,13 @@ static void search_end(search *s, int end)
     direction at[CYLINT_MOST_CRITICAL];
     stationary form;
     triple from[3];
-    const double factor = cylint_end_factor(s->shape, end);
+    const double factor = cylint_end_factor(s->p.shape, end);
     if (cylint_sign(factor) == 0) {
-        try_apex(s, triple_of(end));
+        try_apex(s, s->p.h, triple_of(end));
         return;
     }
-    from_end(s, end, from);
-    rim_form(s, from, triple_of(factor), &form);
+    cylint_from_end(&s->p, end, from);
+    cylint_rim_form(&s->p, from, triple_of(factor), &form);
     const int n = cylint_critical_directions(&form, at);
     for (int i = 0; i < n; i++)
         try_rim(s, end, &at[i]);
@@ -455,8 +355,8 @@ static void search_end(search *s, int end)
 /* The apex of an unbounded cone is at -h / k1. */
 static void search_apex(search *s)
 {
-    if (s->k1.a != 0)
-        try_apex(s, triple_div(triple_of(-1), s->k1));
+    if (s->p.k1.a != 0)
+        try_apex(s, s->p.g, triple_div(triple_of(-1), s->p.k1));
 }
 
 /*
@@ -468,14 +368,14 @@ static void search_apex(search *s)
  */
 static void search_bounded(search *s, int side)
 {
-    const unsigned caps = cylint_caps_present(s->shape->ends);
+    const unsigned caps = cylint_caps_present(s->p.shape->ends);
     for (int end = 0; end < 2; end++)
         if (caps >> end & 1)
             try_cap(s, end);
     if (side < 0 && has_outward(s))
         return;
     search_lateral(s);
-    if (side < 0 ? has_outward(s) : side > 0 && caps == 3)
+    if (side < 0 ? has_outward(s) : side > 0 && caps == 3 && s->best.part >= 0)
         return;
     for (int end = 0; end < 2; end++)
         search_end(s, end);
@@ -483,7 +383,7 @@ static void search_bounded(search *s, int side)
 
 static void search_all(search *s, int side)
 {
-    if (cylint_is_bounded(s->shape)) {
+    if (cylint_is_bounded(s->p.shape)) {
         search_bounded(s, side);
         return;
     }
@@ -520,14 +420,14 @@ static int feature_on_boundary(const cylint_shape *shape, const double point[3])
 
 static void write_point(const search *s, int is_on, double to[3])
 {
-    const int is_ratio = !cylint_is_bounded(s->shape) &&
+    const int is_ratio = !cylint_is_bounded(s->p.shape) &&
                          s->best.feature == CYLINT_FEATURE_LATERAL;
-    const int e = is_ratio ? s->e + s->far : s->e;
+    const int e = is_ratio ? s->p.e + s->p.far : s->p.e;
     for (int i = 0; i < 3; i++) {
-        const triple c = triple_of(cylint_scaled(s->shape->base[i], -e));
+        const triple c = triple_of(cylint_scaled(s->p.shape->base[i], -e));
         const double p = triple_value(triple_add(c, s->best.F[i]));
         const double error = VECTOR_ERROR * (fabs(c.a) + s->best.terms[i]);
-        to[i] = is_on ? s->point[i] + 0.0
+        to[i] = is_on ? s->p.point[i] + 0.0
                       : cylint_scaled(fabs(p) < error ? 0 : p, e);
     }
 }
@@ -551,7 +451,9 @@ double cylint_elliptic_distance(const cylint_shape *shape,
     const int side = cylint_contains(shape, point);
     const int is_signed = shape->ends == CYLINT_ENDS_CAPPED ||
                           !cylint_ends_are_planes(shape->ends);
-    load(&s, shape, point);
+    cylint_load_elliptic(&s.p, shape, point);
+    s.only = ANY_FEATURE;
+    s.best.part = -1;
     if (side == 0)
         s.only = feature_on_boundary(shape, point);
     const int is_on = s.only != ANY_FEATURE;
@@ -567,7 +469,7 @@ double cylint_elliptic_distance(const cylint_shape *shape,
         write_normal(&s, answer->normal);
     if (is_on)
         return answer->distance = 0;
-    const double d = cylint_scaled(s.distance.hi, s.e + s.far);
+    const double d = cylint_scaled(s.distance.hi, s.p.e + s.p.far);
     const double size = cylint_sign(d) == 0 ? 0x1p-1074 : d;
     return answer->distance = is_signed && side > 0 ? -size : size;
 }
@@ -575,15 +477,15 @@ double cylint_elliptic_distance(const cylint_shape *shape,
 double cylint_below_elliptic(const cylint_shape *shape, const double point[3],
                              double below)
 {
-    search s;
+    elliptic_terms p;
     triple M[3];
-    load(&s, shape, point);
-    triple_cross(M, s.a, s.b);
-    if (!(fabs(triple_dot(M, s.h).a) >= FLAT))
+    cylint_load_elliptic(&p, shape, point);
+    triple_cross(M, p.a, p.b);
+    if (!(fabs(triple_dot(M, p.h).a) >= FLAT))
         return 0;
-    const double x[3] = {s.Q[0].a, s.Q[1].a, s.Q[2].a};
+    const double x[3] = {p.Q[0].a, p.Q[1].a, p.Q[2].a};
     const double error =
         DISTANCE_ERROR * (1 + cylint_largest(x)); /* a, b and h are below 2 */
-    const double rest = below - cylint_scaled(error, s.e + s.far);
-    return rest > 0 ? -cylint_next_above(-rest) : 0;
+    const double rest = below - cylint_scaled(error, p.e + p.far);
+    return rest > 0 ? -cylint_next_above(-rest) + 0 : 0; /* no -0 */
 }

@@ -13,6 +13,7 @@
 #include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
 #include "elliptic.h"
+#include "elliptic.h"
 
 static double root(double x)
 {
@@ -26,7 +27,10 @@ static double below_distance(const cylint_shape *shape, const double point[3])
     const double size = fabs(cylint_distance(shape, point, 0, &answer));
     if (answer.part < 0 || cylint_sign(size) == 0)
         return size;
-    return -cylint_next_above(-size) + 0; /* no -0 */
+    const double below = -cylint_next_above(-size) + 0; /* no -0 */
+    return cylint_is_elliptic(shape->kind)
+               ? cylint_below_elliptic(shape, point, below)
+               : below;
 }
 
 /* A point and a shape in the half plane through the axis and the point. */
