@@ -140,26 +140,43 @@ static int is_served(const cylint_shape *s)
 {
     const int closed =
         s->ends == CYLINT_ENDS_CAPPED || s->ends == CYLINT_ENDS_INFINITE;
-    return closed && s->prepared && s->kind != CYLINT_KIND_SPHERE &&
-           !cylint_has_tangent(s->kind) && s->local.height > 0;
+    return closed && s->prepared && !cylint_has_tangent(s->kind);
+}
+
+static double sphere_distance(const cylint_shape *s, const double point[3],
+                              double *error)
+{
+    const double X = point[0] - s->base[0], Y = point[1] - s->base[1],
+                 Z = point[2] - s->base[2];
+    const double size = root(X * X + Y * Y + Z * Z);
+    *error = CYLINT_SPHERE_SAFETY_ERROR * (size + s->r0);
+    return size - s->r0;
+}
+
+static double local_distance(const cylint_shape *s, const double point[3],
+                             double *error)
+{
+    position at;
+    if (cylint_is_elliptic(s->kind))
+        locate_elliptic(&at, s, point);
+    else
+        locate(&at, s, point);
+    at.above = at.z - s->local.height;
+    at.r[0] = s->r0;
+    at.r[1] = s->r1;
+    *error = CYLINT_SAFETY_ERROR * (at.size + s->local.reach + s->r0);
+    return distance_at(&at, s);
 }
 
 double cylint_safety(const cylint_shape *shape, const double point[3])
 {
     if (!is_served(shape))
         return below_distance(shape, point);
-    position at;
-    if (cylint_is_elliptic(shape->kind))
-        locate_elliptic(&at, shape, point);
-    else
-        locate(&at, shape, point);
-    at.above = at.z - shape->local.height;
-    at.r[0] = shape->r0;
-    at.r[1] = shape->r1;
-    const double size = fabs(distance_at(&at, shape));
-    const double error =
-        CYLINT_SAFETY_ERROR * (at.size + shape->local.reach + shape->r0);
-    const double bound = size - error;
+    double error;
+    const double distance = shape->kind == CYLINT_KIND_SPHERE
+                                ? sphere_distance(shape, point, &error)
+                                : local_distance(shape, point, &error);
+    const double bound = fabs(distance) - error;
     if (!(bound > 0 && bound <= DBL_MAX)) /* near the surface, or overflow */
         return below_distance(shape, point);
     return cylint_is_elliptic(shape->kind)

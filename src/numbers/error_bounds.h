@@ -123,6 +123,11 @@
  */
 #define CYLINT_SAFETY_ERROR (64 * CYLINT_ROUNDING)
 
+/* The same of a sphere, times the distance from the centre and the radius: each
+ * coordinate has one rounding, its square three, their sum two, the root one of
+ * its own and half of those, the difference one.  That is below 6. */
+#define CYLINT_SPHERE_SAFETY_ERROR (8 * CYLINT_ROUNDING)
+
 /*
  * Point, normal, z and phi are computed from t and from the rest of the root,
  * rounded to a multiple of 2^-12 units in the last place of t (root.c).  The
