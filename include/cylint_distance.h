@@ -69,10 +69,10 @@ typedef struct cylint_closest {
  * Accuracy.  Circular and round kinds: part, feature and sign are exact.  The
  * distance is the double nearest to the real distance, ties to even; infinite
  * beyond the largest double.  It is 0 if and only if the point is on the
- * surface: smaller distances than half the least subnormal number give that
- * number.  It is never -0, and the same in
- * every rounding mode.  Each component of point and normal is within 4 units in
- * its own last place; a component that is 0 is returned as 0, never as -0.
+ * surface: a distance that would round to 0 becomes the least subnormal number.
+ * It is never -0, and the same in every rounding mode.  Each component of point
+ * and normal is within 4 units in its own last place; a component that is 0 is
+ * returned as 0, never as -0.
  *
  * Elliptic kinds: the sign is exact, and the distance is 0 if and only if the
  * point is on the surface.  The lateral surface and each rim have at most four
