@@ -118,7 +118,7 @@ INLINE void cross_cone(round_dots *x, question *q)
     x->slanted = c->a > 8 * c->e_a ? 1 : c->a < -8 * c->e_a ? -1 : 0;
     if (!x->slanted || !(x->S > 8 * 0x1p-50))
         return;
-    if (G < -c->e_G)
+    if (G < -c->e_G) /* then a > 0: a steep line crosses the double cone */
         x->crosses = CYLINT_FLOAT_FILTER_MISS;
     if (!(G > 16 * c->e_G))
         return;
@@ -174,8 +174,8 @@ INLINE cylint_float_filter_result ball_at(round_dots *x, const question *q,
     return CYLINT_FLOAT_FILTER_HIT;
 }
 
-/* The same if nothing is known of the cone but that it is hit at `range`, or not
- * at all (1): only balls may be hit. */
+/* The same for a line that may hit either ball.  misses_cone: it certainly does
+ * not enter or leave by the lateral surface. */
 INLINE cylint_float_filter_result either_ball(round_dots *x, const question *q,
                                               double sign, int misses_cone,
                                               hit *h, axial_hit *at)
@@ -203,7 +203,7 @@ INLINE cylint_float_filter_result round_end(round_dots *x, const question *q,
     h->capped = h->top = 0;
     if (x->is_ball)
         return ball_at(x, q, 0, sign, at);
-    if (x->crosses == CYLINT_FLOAT_FILTER_MISS && x->slanted > 0)
+    if (x->crosses == CYLINT_FLOAT_FILTER_MISS)
         return CYLINT_FLOAT_FILTER_MISS;
     if (x->crosses == CYLINT_FLOAT_FILTER_HIT) {
         *at = lateral_at(&x->cone, q, sign);
@@ -216,9 +216,7 @@ INLINE cylint_float_filter_result round_end(round_dots *x, const question *q,
             return ball_at(x, q, h->top, sign, at);
         }
     }
-    return either_ball(x, q, sign,
-                       range >= 0 || x->crosses == CYLINT_FLOAT_FILTER_MISS, h,
-                       at);
+    return either_ball(x, q, sign, range >= 0, h, at);
 }
 
 /* A step of Newton's on a ball, where Q = |P|^2 - r^2.  The error of P is at most
@@ -271,7 +269,8 @@ INLINE void ball_normal(const round_dots *x, const question *q,
  * The cone touches the ball of radius k = r0 + h dr about h w, h = y / S, and has
  * the normal (P - h w) / k there, which is (w x c) / (ww k) - (dr / ww) w.  The
  * errors of the factors of w x c and w are at most 11 u of them, and S has one of
- * 11.2 u.
+ * 11.2 u.  The factor 1.1 covers their products if e_h and e_k are below 1/16;
+ * else e_length is so large that nothing is certain.
  */
 INLINE void cone_hull_normal(const round_dots *x, const question *q,
                              const axial_hit *at, const double across[3],
@@ -289,11 +288,11 @@ INLINE void cone_hull_normal(const round_dots *x, const question *q,
         const double out = across[j] * scale, along = lean * q->w[j];
         to->N[j] = out - along;
         to->e[j] =
-            1.1 * (e_across[j] * scale + fabs(out) * (e_k + 2 * 0x1p-50) +
+            1.1 * (e_across[j] * fabs(scale) + fabs(out) * (e_k + 2 * 0x1p-50) +
                    fabs(along) * (2 * 0x1p-50));
     }
     to->per_length = 1;
-    to->e_length = e_h < 0x1p-4 && e_k < 0x1p-4 ? 0x1p-50 : HUGE_VAL;
+    to->e_length = 0x1p-50 + 16 * (e_h * e_h + e_k * e_k);
 }
 
 /* The members of a hit that its description reads. */
