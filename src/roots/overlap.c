@@ -1,0 +1,212 @@
+/*
+ * overlap.c - the overlap of a line and a shape between planes, or an unbounded
+ * one
+ *
+ * A bounded shape is convex, so the line overlaps it in one interval:
+ * [where the lateral quadric Q <= 0] and [where 0 <= z <= 1].  The signs of
+ * forms_template.h at the two planes of the caps decide which of these bounds
+ * the overlap (overlap_template.h); no root is computed for that.
+ */
+#include "overlap.h"
+
+int cylint_radius_is_zero(const cylint_query *q, int cap)
+{
+    return cylint_sign(cylint_end_factor(q->shape, cap)) == 0;
+}
+
+/* Q <= 0 on one interval between its roots: a chord, a point or nothing. */
+cylint_overlap cylint_chord(cylint_query *q, int relation, int apex)
+{
+    const int G = cylint_sign_G(q);
+    if (G < 0)
+        return cylint_no_overlap();
+    if (G == 0)
+        return cylint_one_stop(CYLINT_RELATION_TOUCH, ROOT_DOUBLE,
+                               CYLINT_SIDE_BOTH, apex);
+    return cylint_two_stops(relation, cylint_lateral_stop(ROOT_ENTRY),
+                            cylint_lateral_stop(ROOT_EXIT));
+}
+
+/* The line runs parallel to the caps. */
+static cylint_overlap level(cylint_query *q)
+{
+    const int above0 = cylint_sign_alpha(q, 0);
+    if (above0 < 0)
+        return cylint_no_overlap();
+    const int above1 = cylint_sign_alpha(q, 1);
+    if (above1 > 0)
+        return cylint_no_overlap();
+    if (above0 != 0 && above1 != 0)
+        return cylint_chord(q, CYLINT_RELATION_CROSS, 0);
+    return cylint_chord(q, CYLINT_RELATION_ALONG,
+                        cylint_radius_is_zero(q, above1 == 0));
+}
+
+/* The exact signs that decide the overlap with a bounded shape.  E is computed
+ * at once, the others when they are needed. */
+typedef struct {
+    cylint_query *q;
+    int E[2], inward[2], G;
+} cap_signs;
+
+enum { UNKNOWN = 2 };
+
+static int inward_sign(cap_signs *c, int cap)
+{
+    if (c->inward[cap] == UNKNOWN)
+        c->inward[cap] = (cap ? 1 : -1) * cylint_sign_N(c->q, cap);
+    return c->inward[cap];
+}
+
+static int sign_G(cap_signs *c)
+{
+    if (c->G == UNKNOWN)
+        c->G = cylint_sign_G(c->q);
+    return c->G;
+}
+
+#define FORM(name) name##_exactly
+#define OVERLAP_INLINE static
+#define TRUTH int
+#define AND(a, b) ((a) && (b))
+#define OR(a, b) ((a) || (b))
+#define PART int
+#define CHOOSE(a, x, y) ((a) ? (x) : (y))
+#define CAP0 CYLINT_PART_CAP0
+#define CAP1 CYLINT_PART_CAP1
+#define LATERAL CYLINT_PART_LATERAL
+#define CAPS cap_signs
+#define E(c, i) ((c)->E[i])
+#define INWARD(c, i) inward_sign(c, i)
+#define G(c) sign_G(c)
+#define POSITIVE(x) ((x) > 0)
+#define NEGATIVE(x) ((x) < 0)
+#define NOT_POSITIVE(x) ((x) <= 0)
+#include "../signs/overlap_template.h"
+
+/* Where the overlap begins (end = 0) or ends.  On a rim (E = 0) the plane and
+ * the lateral root have the same t; the part is lateral. */
+static cylint_stop stop_at(const cap_signs *c, int up, int end)
+{
+    const int cap = up ? end : !end;
+    if (c->E[cap] < 0)
+        return cylint_lateral_stop(end ? ROOT_EXIT : ROOT_ENTRY);
+    return (cylint_stop){cap ? ROOT_CAP1 : ROOT_CAP0,
+                         part_at_exactly(up, c->E[cap] > 0, end), 0,
+                         c->E[cap] == 0 && cylint_radius_is_zero(c->q, cap)};
+}
+
+static cylint_overlap touch_rim(const cap_signs *c, int cap)
+{
+    const cylint_stop s = stop_at(c, 1, cap);
+    return cylint_one_stop(CYLINT_RELATION_TOUCH, s.root, CYLINT_SIDE_BOTH,
+                           s.apex);
+}
+
+/* Bounded shapes; the line is not parallel to the caps.  up: z grows along
+ * it. */
+static cylint_overlap slab(cylint_query *q, int up)
+{
+    cap_signs c = {q,
+                   {cylint_sign_E(q, 0), cylint_sign_E(q, 1)},
+                   {UNKNOWN, UNKNOWN},
+                   UNKNOWN};
+    const cylint_stop begin = stop_at(&c, up, 0), end = stop_at(&c, up, 1);
+    if (crosses_exactly(&c))
+        return cylint_two_stops(CYLINT_RELATION_CROSS, begin, end);
+    if (c.E[0] == 0 && c.E[1] == 0) /* a ruling: Q = 0 on all of the line */
+        return cylint_two_stops(CYLINT_RELATION_ALONG, begin, end);
+    if (c.E[0] == 0 || c.E[1] == 0)
+        return touch_rim(&c, c.E[1] == 0);
+    if (misses_exactly(&c))
+        return cylint_no_overlap();
+    return cylint_one_stop(CYLINT_RELATION_TOUCH, ROOT_DOUBLE, CYLINT_SIDE_BOTH,
+                           0);
+}
+
+static cylint_overlap bounded(cylint_query *q)
+{
+    const int up = cylint_sign_beta(q);
+    return up == 0 ? level(q) : slab(q, up > 0);
+}
+
+/* A line parallel to the axis of a whole cylinder, or to a ruling. */
+static cylint_overlap parallel(cylint_query *q)
+{
+    const int C = cylint_sign_C(q);
+    cylint_overlap v = cylint_no_overlap();
+    v.relation = C < 0    ? CYLINT_RELATION_CROSS
+                 : C == 0 ? CYLINT_RELATION_ALONG
+                          : CYLINT_RELATION_MISS;
+    return v;
+}
+
+static cylint_overlap whole_cylinder(cylint_query *q)
+{
+    return cylint_sign_A(q) == 0 ? parallel(q)
+                                 : cylint_chord(q, CYLINT_RELATION_CROSS, 0);
+}
+
+static cylint_overlap double_cone(cylint_query *q)
+{
+    const int A = cylint_sign_A(q);
+    if (A > 0) {
+        cylint_overlap v = cylint_chord(q, CYLINT_RELATION_CROSS, 0);
+        if (v.n == 1)
+            v.at[0].apex = cylint_sign_T(q) == 0;
+        return v;
+    }
+    if (cylint_sign_G(q) == 0)
+        return A < 0 ? cylint_one_stop(CYLINT_RELATION_CROSS, ROOT_DOUBLE,
+                                       CYLINT_SIDE_BOTH, 1)
+                     : parallel(q);
+    if (A == 0)
+        return cylint_sign_B(q) > 0
+                   ? cylint_one_stop(CYLINT_RELATION_CROSS, ROOT_EXIT,
+                                     CYLINT_SIDE_LEAVING, 0)
+                   : cylint_one_stop(CYLINT_RELATION_CROSS, ROOT_ENTRY,
+                                     CYLINT_SIDE_ENTERING, 0);
+    cylint_overlap v =
+        cylint_two_stops(CYLINT_RELATION_CROSS, cylint_lateral_stop(ROOT_EXIT),
+                         cylint_lateral_stop(ROOT_ENTRY));
+    v.at[0].side = CYLINT_SIDE_LEAVING;
+    v.at[1].side = CYLINT_SIDE_ENTERING;
+    return v;
+}
+
+/* The nappe where rho >= 0. */
+static cylint_overlap nappe(cylint_query *q)
+{
+    const int A = cylint_sign_A(q);
+    if (A > 0) {
+        const int G = cylint_sign_G(q);
+        if (G < 0)
+            return cylint_no_overlap();
+        const int T = cylint_sign_T(q);
+        return T < 0 ? cylint_no_overlap()
+                     : cylint_chord(q, CYLINT_RELATION_CROSS, T == 0);
+    }
+    /* A <= 0: rho changes along the line, and grows with t or shrinks */
+    const int grows = cylint_sign_beta(q) * cylint_sign(q->shape->dr);
+    const int side = grows > 0 ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
+    const cylint_root root = grows > 0 ? ROOT_ENTRY : ROOT_EXIT;
+    if (cylint_sign_G(q) == 0) {
+        if (A < 0)
+            return cylint_one_stop(CYLINT_RELATION_CROSS, ROOT_APEX, side, 1);
+        return cylint_sign_C(q) == 0
+                   ? cylint_one_stop(CYLINT_RELATION_ALONG, ROOT_APEX, side, 1)
+                   : cylint_no_overlap();
+    }
+    if (A == 0 && cylint_sign_B(q) * grows > 0)
+        return cylint_no_overlap(); /* the half-line lies in the other nappe */
+    return cylint_one_stop(CYLINT_RELATION_CROSS, root, side, 0);
+}
+
+cylint_overlap cylint_overlap_of(cylint_query *q)
+{
+    if (cylint_ends_are_planes(q->ends))
+        return bounded(q);
+    if (!cylint_is_tapered(q->kind))
+        return whole_cylinder(q);
+    return cylint_is_nappe(q->shape) ? nappe(q) : double_cone(q);
+}
