@@ -200,6 +200,41 @@ INLINE void load_pass(const cylint_filter_batch *from, mode m, lanes_pass *b)
 /* So many numbers the first pass finds at once where no answer can change it. */
 enum { AHEAD = 64 };
 
+/* The first pass takes so many lanes at a time, and it branches on all of their
+ * outcomes together: those of one vector are hard to predict. */
+enum { BLOCK = 16, VECTORS = BLOCK / LANES };
+
+INLINE lanes_ball ball_at(const pass_columns *columns, size_t lane, mode m,
+                          lanes_pass *pass)
+{
+    pass_at(columns, lane, m, pass);
+    return ball_and_line(pass->center, pass->radius, pass->o, pass->u);
+}
+
+/* The lanes of a vector whose ball the line does not certainly pass by. */
+INLINE unsigned lanes_left(const pass_columns *columns, size_t lane, mode m,
+                           lanes_pass *pass)
+{
+    const size_t rest = columns->n - lane;
+    const unsigned there = rest < LANES ? (1u << rest) - 1 : ALL;
+    if (m == ONE_SHAPE && rest < LANES) /* the caller's end there */
+        return there;
+    const lanes_ball ball = ball_at(columns, lane, m, pass);
+    return there & m_bits(m_not(passes_ball(&ball)));
+}
+
+/* Puts those numbers of a vector into the list; returns how many. */
+INLINE size_t keep_numbers(size_t *list, const pass_columns *columns,
+                           size_t lane, mode m, unsigned left)
+{
+    size_t counted[LANES];
+    if (m == ONE_SHAPE)
+        for (unsigned i = 0; i < LANES; i++)
+            counted[i] = lane + i;
+    return v_keep(list, m == ONE_SHAPE ? counted : columns->run.number + lane,
+                  left);
+}
+
 /* Puts the numbers of lanes that do not pass by into the list, until they
  * suffice for a group. */
 INLINE void first_pass(cylint_filter_batch *from, mode m)
@@ -207,28 +242,27 @@ INLINE void first_pass(cylint_filter_batch *from, mode m)
     size_t *list = from->list, end = from->end, lane = from->lane;
     const size_t enough = from->first + (from->eager ? AHEAD : LANES);
     const pass_columns columns = columns_of(from, m);
-    size_t counted[LANES];
     lanes_pass pass;
     load_pass(from, m, &pass);
-    for (; lane < columns.n && end < enough; lane += LANES) {
+    while (lane < columns.n && end < enough) {
         const size_t rest = columns.n - lane;
-        unsigned left = rest < LANES ? (1u << rest) - 1 : ALL;
-        if (m != ONE_SHAPE || rest >= LANES) { /* the caller's end there */
-            pass_at(&columns, lane, m, &pass);
-            const lanes_ball ball =
-                ball_and_line(pass.center, pass.radius, pass.o, pass.u);
-            left &= m_bits(m_not(passes_ball(&ball)));
-            if (m == ONE_LINE && left && !from->relations)
-                left &= within_reach(&ball, from);
+        const int vectors =
+            rest < BLOCK ? (int)((rest + LANES - 1) / LANES) : VECTORS;
+        unsigned left[VECTORS], any = 0;
+        for (int i = 0; i < vectors; i++)
+            any |= left[i] =
+                lanes_left(&columns, lane + (size_t)i * LANES, m, &pass);
+        for (int i = 0; any && i < vectors; i++) {
+            const size_t at = lane + (size_t)i * LANES;
+            if (m == ONE_LINE && !from->relations) {
+                if (!left[i])
+                    continue;
+                const lanes_ball ball = ball_at(&columns, at, m, &pass);
+                left[i] &= within_reach(&ball, from);
+            }
+            end += keep_numbers(list + end, &columns, at, m, left[i]);
         }
-        if (!left)
-            continue;
-        if (m == ONE_SHAPE)
-            for (unsigned i = 0; i < LANES; i++)
-                counted[i] = lane + i;
-        end +=
-            v_keep(list + end,
-                   m == ONE_SHAPE ? counted : columns.run.number + lane, left);
+        lane += (size_t)vectors * LANES;
     }
     from->lane = lane;
     from->end = end;
@@ -255,7 +289,8 @@ static int next_numbers(cylint_filter_batch *from)
     static void (*const pass[])(cylint_filter_batch *) = {
         first_pass_one_line, first_pass_one_shape, first_pass_pairs};
     enum {
-        CAPACITY = sizeof from->list / sizeof *from->list - 2 * LANES - AHEAD
+        CAPACITY =
+            sizeof from->list / sizeof *from->list - AHEAD - BLOCK - 2 * LANES
     };
     size_t left = from->end - from->first;
     if (from->first > CAPACITY) {

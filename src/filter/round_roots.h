@@ -78,14 +78,17 @@ INLINE round_quadratic choose_cone(vm ball, const round_quadratic *q,
                                    const cylint_shape *shape, int tapered)
 {
     const double c = tapered ? shape->local.cosine : 1;
-    return (round_quadratic){
-        v_select(ball, q->A, v_set(cone->A)),
-        v_select(ball, q->B, v_set(cone->B)),
-        v_select(ball, q->A_error, v_set(cone->A_error)),
-        v_select(ball, q->B_error, v_set(cone->B_error)),
-        v_select(ball, q->radicand, v_set(v->cone.G)),
-        v_select(ball, q->radicand_error, v_set(v->cone.G_error)),
-        v_select(ball, q->scale, v_set(c * c))};
+    /* the roundings of c^2 and of the slope by it */
+    const double G_error =
+        tapered ? sum_of(4 * CYLINT_ROUNDING, v->cone.G, v->cone.G_error)
+                : v->cone.G_error;
+    return (round_quadratic){v_select(ball, q->A, v_set(cone->A)),
+                             v_select(ball, q->B, v_set(cone->B)),
+                             v_select(ball, q->A_error, v_set(cone->A_error)),
+                             v_select(ball, q->B_error, v_set(cone->B_error)),
+                             v_select(ball, q->radicand, v_set(v->cone.G)),
+                             v_select(ball, q->radicand_error, v_set(G_error)),
+                             v_select(ball, q->scale, v_set(c * c))};
 }
 
 /* As estimate_ends(). */
@@ -97,7 +100,8 @@ INLINE local_ends estimate_round(const round_quadratic *q, int up)
     at.t = (root - q->B) * (v_set(1) / q->A);
     at.slope = (root + root) * q->scale;
     at.inverse = v_set(1) / at.slope;
-    at.slope_error = (q->radicand_error + q->radicand_error) * q->scale / s;
+    at.slope_error = v_set(4) * q->radicand_error * (q->scale * q->scale) *
+                     v_abs(at.inverse);
     at.curvature = (v_abs(q->A) + q->A_error) * q->scale;
     /* the estimate is nearer to its root than to the other one */
     const vd off = v_sum_of(v_abs(at.t), q->A_error, q->B_error);

@@ -15,7 +15,7 @@ int cylint_radius_is_zero(const cylint_query *q, int cap)
 }
 
 /* Q <= 0 on one interval between its roots: a chord, a point or nothing. */
-cylint_overlap cylint_chord(cylint_query *q, int relation, int apex)
+cylint_overlap cylint_chord_overlap(cylint_query *q, int relation, int apex)
 {
     const int G = cylint_sign_G(q);
     if (G < 0)
@@ -37,9 +37,9 @@ static cylint_overlap level(cylint_query *q)
     if (above1 > 0)
         return cylint_no_overlap();
     if (above0 != 0 && above1 != 0)
-        return cylint_chord(q, CYLINT_RELATION_CROSS, 0);
-    return cylint_chord(q, CYLINT_RELATION_ALONG,
-                        cylint_radius_is_zero(q, above1 == 0));
+        return cylint_chord_overlap(q, CYLINT_RELATION_CROSS, 0);
+    return cylint_chord_overlap(q, CYLINT_RELATION_ALONG,
+                                cylint_radius_is_zero(q, above1 == 0));
 }
 
 /* The exact signs that decide the overlap with a bounded shape.  E is computed
@@ -143,15 +143,16 @@ static cylint_overlap parallel(cylint_query *q)
 
 static cylint_overlap whole_cylinder(cylint_query *q)
 {
-    return cylint_sign_A(q) == 0 ? parallel(q)
-                                 : cylint_chord(q, CYLINT_RELATION_CROSS, 0);
+    return cylint_sign_A(q) == 0
+               ? parallel(q)
+               : cylint_chord_overlap(q, CYLINT_RELATION_CROSS, 0);
 }
 
 static cylint_overlap double_cone(cylint_query *q)
 {
     const int A = cylint_sign_A(q);
     if (A > 0) {
-        cylint_overlap v = cylint_chord(q, CYLINT_RELATION_CROSS, 0);
+        cylint_overlap v = cylint_chord_overlap(q, CYLINT_RELATION_CROSS, 0);
         if (v.n == 1)
             v.at[0].apex = cylint_sign_T(q) == 0;
         return v;
@@ -184,7 +185,7 @@ static cylint_overlap nappe(cylint_query *q)
             return cylint_no_overlap();
         const int T = cylint_sign_T(q);
         return T < 0 ? cylint_no_overlap()
-                     : cylint_chord(q, CYLINT_RELATION_CROSS, T == 0);
+                     : cylint_chord_overlap(q, CYLINT_RELATION_CROSS, T == 0);
     }
     /* A <= 0: rho changes along the line, and grows with t or shrinks */
     const int grows = cylint_sign_beta(q) * cylint_sign(q->shape->dr);

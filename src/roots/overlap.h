@@ -29,7 +29,7 @@ int cylint_round_contains(cylint_query *q);
 
 /* Of Q <= 0, where that is one interval between its roots: a chord, a point or
  * nothing. */
-cylint_overlap cylint_chord(cylint_query *q, int relation, int apex);
+cylint_overlap cylint_chord_overlap(cylint_query *q, int relation, int apex);
 
 int cylint_radius_is_zero(const cylint_query *q, int end);
 

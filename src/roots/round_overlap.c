@@ -55,7 +55,7 @@ static cylint_overlap round_level(cylint_query *q)
         return ball_chord(cylint_sign_end_ball(q, 1), 1);
     const int at_apex = (above0 == 0 && cylint_radius_is_zero(q, 0)) ||
                         (above1 == 0 && cylint_radius_is_zero(q, 1));
-    return cylint_chord(q, CYLINT_RELATION_CROSS, at_apex);
+    return cylint_chord_overlap(q, CYLINT_RELATION_CROSS, at_apex);
 }
 
 /* Outside the solid at both planes: the line may pass through one ball beyond
@@ -70,7 +70,7 @@ static cylint_overlap round_between(cylint_query *q, int up, int first,
     }
     if (up * N_last < 0)
         return ball_chord(cylint_sign_end_ball(q, last), last);
-    return up * N_first < 0 ? cylint_chord(q, CYLINT_RELATION_CROSS, 0)
+    return up * N_first < 0 ? cylint_chord_overlap(q, CYLINT_RELATION_CROSS, 0)
                             : cylint_no_overlap();
 }
 
@@ -122,7 +122,7 @@ static cylint_overlap round_slab(cylint_query *q, int up)
 cylint_overlap cylint_round_overlap(cylint_query *q)
 {
     if (q->kind == CYLINT_KIND_SPHERE) {
-        cylint_overlap v = cylint_chord(q, CYLINT_RELATION_CROSS, 0);
+        cylint_overlap v = cylint_chord_overlap(q, CYLINT_RELATION_CROSS, 0);
         for (int i = 0; i < v.n; i++)
             v.at[i].part = q->shape->surface;
         return v;

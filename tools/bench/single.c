@@ -383,7 +383,8 @@ static void race_kind(const char *build, const struct kind *k, int turns)
         }
     for (int family = FAR; family < FAMILIES; family++) {
         if ((family == GRAZING && formula == lean_elliptic) ||
-            (family != FAR && formula == lean_sphere))
+            ((family == GRAZING || family == PARALLEL) &&
+             formula == lean_sphere))
             continue; /* a sphere has no ruling */
         hard_lines((enum family)family);
         const double hits = share_of_hits();
