@@ -79,12 +79,34 @@ ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
     return by_exact_numbers(shape, point, want, answer);
 }
 
+#if CYLINT_IS_PARANOID
+/* The certified answer is not the exact one. */
+static int contradicts(const cylint_shape *shape, const double point[3],
+                       unsigned want, const cylint_closest *known)
+{
+    cylint_closest a;
+    by_exact_numbers(shape, point, want, &a);
+    int wrong = a.distance != known->distance;
+    if (want & CYLINT_WANT_PART)
+        wrong |= a.part != known->part || a.feature != known->feature;
+    for (int i = 0; i < 3; i++) {
+        wrong |= want & CYLINT_WANT_POINT && a.point[i] != known->point[i];
+        wrong |= want & CYLINT_WANT_NORMAL && a.normal[i] != known->normal[i];
+    }
+    return wrong;
+}
+#endif
+
 double cylint_distance(const cylint_shape *shape, const double point[3],
                        unsigned want, cylint_closest *answer)
 {
     answer->flags = 0;
-    if (shape->prepared && is_certified(shape, point, want, answer))
+    if (shape->prepared && is_certified(shape, point, want, answer)) {
+#if CYLINT_IS_PARANOID
+        cylint_contradiction(contradicts(shape, point, want, answer));
+#endif
         return answer->distance;
+    }
     return answer_rest(shape, point, want, answer);
 }
 
