@@ -46,10 +46,10 @@ INLINE double exact_residual(const cylint_shape *shape, const cylint_line *line,
 
 /* Corrects the roots in lanes of `which` by a second step, with exact
  * residuals. */
-INLINE local_roots corrected(const local_roots *first, const local_verdict *v,
-                             const local_ends *at, double Q, double D,
-                             const cylint_shape *shape, const cylint_line *line,
-                             unsigned which)
+ASIDE local_roots corrected(const local_roots *first, const local_verdict *v,
+                            const local_ends *at, double Q, double D,
+                            const cylint_shape *shape, const cylint_line *line,
+                            unsigned which)
 {
     const vd start = second_start(first, at);
     double t[2], residual[2] = {0, 0};
