@@ -197,6 +197,71 @@ static void only_points_of_the_surface_have_the_distance_0(void)
     CHECK(cylint_safety(&s, p) == 0 && !signbit(cylint_safety(&s, p)));
 }
 
+/* Products of such numbers underflow: the distance is inaccurate, but a number,
+ * and its sign is right. */
+static void wild_exponents_give_numbers(void)
+{
+    static const struct {
+        double c[3], a[3], b[3], h[3], k;
+        int ends;
+        double p[3];
+    } wild[] = {
+        {{0x1p57, -0x1p-544, -0x1p-549},
+         {-0x1p-369, 0x1p-183, 0},
+         {-0x1p-262, -0x1p-679, 0x1p11},
+         {0, 0, 0xd8p-1074},
+         1,
+         CYLINT_ENDS_INFINITE,
+         {-0x1p-849, 0x1p-828, 0x1p-909}},
+        {{-0x1p-905, 0x1p-221, 0x1p-110},
+         {0x1f75aecp-1050, 0, 0},
+         {0, 0x1.1370888bp+36, 0},
+         {0, 0, 0x1.afd0ba678p-678},
+         1,
+         CYLINT_ENDS_CAPPED,
+         {-0x1p-905, 0x1p-221, 0x1p-110}},
+        {{0x1p-1017, -0x1p-853, 0},
+         {0, 0, 0x9p-1074},
+         {0x1.bad367a8p-865, 0, 0},
+         {0, 0x1.57cf54a6p-59, 0},
+         0x1.55cfb3cbp-886,
+         CYLINT_ENDS_CAP1,
+         {0x1p-194, 0x1p-277, -0x1p-764}},
+        {{0, 0, 0},
+         {0, 0, 0x1p-1074},
+         {0x1p-1074, 0, 0},
+         {0, 0x1p1000, 0},
+         1,
+         CYLINT_ENDS_INFINITE,
+         {0, 0x1p10, 0x3p-1074}},
+        {{-3, 3, 1}, /* a rim is nearest to this point inside, but for 2e-323 */
+         {2, -1, -2},
+         {2, -3, 0},
+         {0, 0, 4},
+         1,
+         CYLINT_ENDS_CAPPED,
+         {-1, 0x4p-1074, 1}},
+    };
+    for (size_t i = 0; i < sizeof wild / sizeof wild[0]; i++) {
+        cylint_shape s;
+        cylint_closest got;
+        CHECK(cylint_elliptic_cone(&s, wild[i].c, wild[i].a, wild[i].b,
+                                   wild[i].h, wild[i].k,
+                                   (cylint_ends)wild[i].ends) == CYLINT_OK);
+        const double d = cylint_distance(&s, wild[i].p, WANT, &got);
+        const double safe = cylint_safety(&s, wild[i].p);
+        const double *n = got.normal;
+        const int side = cylint_contains(&s, wild[i].p);
+        if (!CHECK(isfinite(d) && got.part >= 0 &&
+                   fabs(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1) < 1e-9 &&
+                   safe >= 0 && safe <= fabs(d)))
+            REPORT("case %d: %g part %d normal %g %g %g safety %g", (int)i, d,
+                   got.part, n[0], n[1], n[2], safe);
+        if (wild[i].ends != CYLINT_ENDS_CAP1)
+            CHECK((d > 0) == (side < 0) && (d < 0) == (side > 0));
+    }
+}
+
 /* ------------------------------------- the nearest of many points ------- */
 
 static uint64_t stream = 16;
@@ -298,6 +363,7 @@ int main(void)
     RUN(the_features_of_a_cone);
     RUN(far_away_the_distance_is_that_of_the_base);
     RUN(only_points_of_the_surface_have_the_distance_0);
+    RUN(wild_exponents_give_numbers);
     RUN(no_point_of_the_surface_is_nearer);
     return check_end();
 }

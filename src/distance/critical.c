@@ -18,7 +18,7 @@
  */
 #include "critical.h"
 
-enum { DEGREE = 4, MOST_ZEROS = 10, MOST_STEPS = 200, MOST_CORRECTIONS = 16 };
+enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 200, MOST_CORRECTIONS = 16 };
 
 static const double reach = 1.25;
 
@@ -69,8 +69,6 @@ static int next_zeros(const double *p, int degree, const double *turn,
     double low = -reach, slope, at_low = value_of(p, degree, low, &slope);
     for (int i = 0; i <= turns; i++) {
         const double high = i < turns ? turn[i] : reach;
-        if (high <= low)
-            continue;
         const double at_high = value_of(p, degree, high, &slope);
         if (at_low == 0)
             zero[n++] = low;
@@ -80,8 +78,6 @@ static int next_zeros(const double *p, int degree, const double *turn,
         low = high;
         at_low = at_high;
     }
-    if (at_low == 0)
-        zero[n++] = low;
     return n;
 }
 
@@ -179,7 +175,7 @@ static void polynomial(const stationary *f, int sign, double p[DEGREE + 1])
         x[i] = i < 2 ? sign * f->linear[i].a : f->square[i - 2].a;
         size = cylint_larger(size, fabs(x[i]));
     }
-    const int e = size > 0 ? cylint_any_exponent(size) : 0;
+    const int e = cylint_any_exponent(size);
     for (int i = 0; i < 5; i++)
         x[i] = cylint_scaled(x[i], -e);
     p[0] = x[2] + x[0];
@@ -208,7 +204,7 @@ int cylint_critical_directions(const stationary *form,
         double p[DEGREE + 1], zero[MOST_ZEROS];
         polynomial(form, sign, p);
         const int count = zeros(p, zero);
-        for (int i = 0; i < count && n < CYLINT_MOST_CRITICAL; i++) {
+        for (int i = 0; i < count; i++) {
             to[n] = direction_of(zero[i], sign);
             correct(form, &to[n++]);
         }

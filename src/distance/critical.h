@@ -21,7 +21,7 @@ typedef struct {
     triple cos, sin;
 } direction;
 
-enum { CYLINT_MOST_CRITICAL = 16 };
+enum { CYLINT_MOST_CRITICAL = 8 };
 
 /* Writes the directions in which the form is 0: all that are simple, some of
  * them twice; 0 and half a turn if all coefficients are 0.  Returns their number. */
