@@ -187,8 +187,10 @@ static void polynomial(const stationary *f, int sign, double p[DEGREE + 1])
 
 static int is_zero(const stationary *f)
 {
-    return f->linear[0].a == 0 && f->linear[1].a == 0 && f->square[0].a == 0 &&
-           f->square[1].a == 0 && f->square[2].a == 0;
+    double sum = 0;
+    for (int i = 0; i < 5; i++)
+        sum += fabs(i < 2 ? f->linear[i].a : f->square[i - 2].a);
+    return sum == 0;
 }
 
 int cylint_critical_directions(const stationary *form,
