@@ -85,8 +85,8 @@ typedef struct cylint_closest {
  * and normal are within 4 units in their last places, or 0 if they are below
  * 2^-100 of their terms.  Part and feature are those of a distance that exceeds
  * the least one by at most 2^-113 L.  Of points with equal distances on one
- * ellipse the answer is the one with the least phi.  A question takes 10
- * to 20 microseconds.
+ * ellipse the answer is the one with the least phi.  For other shapes only the
+ * sign is right.  A question takes 10 to 20 microseconds.
  */
 CYLINT_API double cylint_distance(const cylint_shape *shape,
                                   const double point[3], unsigned want,
