@@ -1,8 +1,8 @@
 /*
  * float_filter.h - hits of float rays, computed in doubles with error bounds
  *
- * For circular and round shapes with two ends, most questions by far.  A result is what
- * cylint_intersect() returns, as far as floats show it, or UNCERTAIN.
+ * For circular and round shapes with two ends, most questions by far.  A result
+ * is what cylint_intersect() returns, as far as floats show it, or UNCERTAIN.
  */
 #ifndef CYLINT_EMBREE_FLOAT_FILTER_H
 #define CYLINT_EMBREE_FLOAT_FILTER_H

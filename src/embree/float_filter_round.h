@@ -49,9 +49,9 @@
 #define SMALL(x) (x)
 #include "round_forms_template.h"
 
-/* cone, ball: the coefficients of the cone and of the ball in ball_at().  slanted: the sign of a, or 0.  crosses:
- * whether the line crosses the cone, uncertain if `slanted` is 0.  is_ball: it
- * is a sphere, which has no cone. */
+/* cone, ball: the coefficients of the cone and of the ball in ball_at().
+ * slanted: the sign of a, or 0.  crosses: whether the line crosses the cone,
+ * uncertain if `slanted` is 0.  is_ball: it is a sphere, which has no cone. */
 typedef struct {
     dots cone, ball;
     double uu, Du, DD, R;
