@@ -143,9 +143,11 @@ static void correct(const stationary *f, direction *at)
             return;
         direction next = {triple_sub(at->cos, triple_scale(at->sin, by)),
                           triple_add(at->sin, triple_scale(at->cos, by))};
-        for (double error = by * by; error > CYLINT_TRIPLE_ROUNDING;
-             error *= error)
+        double error = by * by;
+        while (error > CYLINT_TRIPLE_ROUNDING) {
             normalize(&next);
+            error *= error;
+        }
         normalize(&next);
         const int is_last = by * by < CYLINT_TRIPLE_ROUNDING;
         const triple smaller = is_last ? triple_of(0) : form_at(f, &next);

@@ -1,0 +1,208 @@
+/*
+ * distance_oracle_zeros.h - the numbers of the elliptic oracle of distances:
+ * vectors, and the real zeros of a polynomial of degree 4
+ *
+ * Only distance_oracle_elliptic.c includes it.
+ */
+#ifndef CYLINT_DISTANCE_ORACLE_ZEROS_H
+#define CYLINT_DISTANCE_ORACLE_ZEROS_H
+
+#include <math.h>
+#include <mpfr.h>
+
+#define RND MPFR_RNDN
+
+enum {
+    BITS = 1000,
+    MOVED = 150,
+    DEGREE = 4,
+    MOST_ROOTS = 12,
+    MOST_STEPS = 4000
+};
+
+typedef mpfr_t vector[3];
+
+static struct {
+    int ready, cone;
+    long exponent; /* lengths are divided by 2^exponent */
+    vector Q, a, b, h, w, gx, gy, gz, base, Y, R, N, foot, normal, E;
+    vector y[3], Sy[3]; /* y = y[0] + y[1] m + y[2] m^2 */
+    mpfr_t k1, det[4], trace, minor, scale, best, size, rho, z;
+    mpfr_t p[DEGREE + 1], q[DEGREE][DEGREE + 1];
+    mpfr_t root[MOST_ROOTS], turn[MOST_ROOTS];
+    mpfr_t in[2][2], flat[2], S2[3]; /* of a rim: its plane */
+    vector plane[3], normals[6];
+    mpfr_t t[12];
+} e;
+
+/* ----------------------------------------------------------- vectors ---- */
+
+static void start(void)
+{
+    mpfr_t *const first = e.Q;
+    const size_t numbers =
+        (sizeof e - (size_t)((char *)first - (char *)&e)) / sizeof(mpfr_t);
+    if (e.ready)
+        return;
+    e.ready = 1;
+    for (size_t i = 0; i < numbers; i++)
+        mpfr_init2(first[i], BITS);
+}
+
+static void set(vector to, const double from[3])
+{
+    for (int i = 0; i < 3; i++) {
+        mpfr_set_d(to[i], from[i], RND);
+        mpfr_mul_2si(to[i], to[i], -e.exponent, RND);
+    }
+}
+
+/* x in the caller's unit of length, rounded. */
+static double length(mpfr_t x)
+{
+    mpfr_mul_2si(e.t[10], x, e.exponent, RND);
+    return mpfr_get_d(e.t[10], RND);
+}
+
+static void dot(mpfr_t to, vector u, vector v)
+{
+    mpfr_mul(e.t[11], u[0], v[0], RND);
+    mpfr_fma(e.t[11], u[1], v[1], e.t[11], RND);
+    mpfr_fma(to, u[2], v[2], e.t[11], RND);
+}
+
+/* `to` is neither u nor v. */
+static void cross(vector to, vector u, vector v)
+{
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        mpfr_mul(to[i], u[j], v[k], RND);
+        mpfr_mul(e.t[11], u[k], v[j], RND);
+        mpfr_sub(to[i], to[i], e.t[11], RND);
+    }
+}
+
+/* to += u s; s is not t[10] */
+static void add(vector to, vector u, mpfr_t s)
+{
+    for (int i = 0; i < 3; i++)
+        mpfr_fma(to[i], u[i], s, to[i], RND);
+}
+
+static void copy(vector to, vector from)
+{
+    for (int i = 0; i < 3; i++)
+        mpfr_set(to[i], from[i], RND);
+}
+
+static void norm(mpfr_t to, vector v)
+{
+    dot(to, v, v);
+    mpfr_sqrt(to, to, RND);
+}
+
+static void divide(vector v, mpfr_t by)
+{
+    for (int i = 0; i < 3; i++)
+        mpfr_div(v[i], v[i], by, RND);
+}
+
+/* ---------------------------------------------------------- real zeros -- */
+
+static void value_of(mpfr_t value, mpfr_t slope, mpfr_t *p, int degree,
+                     mpfr_t at)
+{
+    mpfr_set(value, p[degree], RND);
+    mpfr_set_ui(slope, 0, RND);
+    for (int i = degree - 1; i >= 0; i--) {
+        mpfr_fma(slope, slope, at, value, RND);
+        mpfr_fma(value, value, at, p[i], RND);
+    }
+}
+
+/* x = the zero between low and high, by Newton's iteration with bisection. */
+static void zero_between(mpfr_t x, mpfr_t *p, int degree, mpfr_t low,
+                         mpfr_t high)
+{
+    mpfr_ptr f = e.t[0], slope = e.t[1], step = e.t[2], last = e.t[3];
+    mpfr_ptr below = e.t[4], above = e.t[5], next = e.t[6];
+    mpfr_set(below, low, RND);
+    mpfr_set(above, high, RND);
+    value_of(f, slope, p, degree, high);
+    const int sign = mpfr_sgn(f);
+    mpfr_sub(last, high, low, RND);
+    mpfr_add(x, low, high, RND);
+    mpfr_div_2ui(x, x, 1, RND);
+    for (int i = 0; i < MOST_STEPS; i++) {
+        value_of(f, slope, p, degree, x);
+        if (mpfr_zero_p(f))
+            return;
+        mpfr_set(mpfr_sgn(f) == sign ? above : below, x, RND);
+        mpfr_div(step, f, slope, RND);
+        mpfr_sub(next, x, step, RND);
+        mpfr_mul_2ui(f, step, 1, RND);
+        if (!mpfr_number_p(next) || mpfr_cmpabs(f, last) > 0 ||
+            mpfr_cmp(next, below) <= 0 || mpfr_cmp(next, above) >= 0) {
+            mpfr_add(next, below, above, RND);
+            mpfr_div_2ui(next, next, 1, RND);
+        }
+        mpfr_sub(last, next, x, RND);
+        mpfr_set(x, next, RND);
+        if (mpfr_zero_p(last) || mpfr_zero_p(x) ||
+            mpfr_get_exp(last) < mpfr_get_exp(x) - (BITS - 20))
+            return;
+    }
+}
+
+/* e.root: the zeros of e.q[k], given those of its derivative in e.turn, within
+ * the bound in t[9]. */
+static int zeros_between_turns(mpfr_t *p, int degree, int turns)
+{
+    mpfr_ptr low = e.t[7], at_low = e.t[8], high = e.t[10];
+    int n = 0;
+    mpfr_neg(low, e.t[9], RND);
+    value_of(at_low, e.t[0], p, degree, low);
+    for (int i = 0; i <= turns; i++) {
+        mpfr_set(high, i < turns ? e.turn[i] : e.t[9], RND);
+        if (mpfr_cmp(high, low) <= 0)
+            continue;
+        value_of(e.t[1], e.t[0], p, degree, high);
+        const int sign = mpfr_sgn(e.t[1]);
+        if (mpfr_zero_p(at_low))
+            mpfr_set(e.root[n++], low, RND);
+        else if (sign * mpfr_sgn(at_low) < 0)
+            zero_between(e.root[n++], p, degree, low, high);
+        mpfr_set(low, high, RND);
+        value_of(at_low, e.t[0], p, degree, low);
+    }
+    if (mpfr_zero_p(at_low))
+        mpfr_set(e.root[n++], low, RND);
+    return n;
+}
+
+/* All real zeros of e.p. */
+static int real_zeros(void)
+{
+    int degree = DEGREE, n = 0;
+    while (degree > 0 && mpfr_zero_p(e.p[degree]))
+        degree--;
+    mpfr_set_ui(e.t[9], 1, RND);
+    for (int i = 0; i < degree; i++) {
+        mpfr_div(e.t[0], e.p[i], e.p[degree], RND);
+        mpfr_abs(e.t[0], e.t[0], RND);
+        mpfr_add(e.t[9], e.t[9], e.t[0], RND);
+    }
+    for (int i = 0; i <= degree; i++)
+        mpfr_set(e.q[0][i], e.p[i], RND);
+    for (int k = 1; k < degree; k++)
+        for (int i = 0; i <= degree - k; i++)
+            mpfr_mul_si(e.q[k][i], e.q[k - 1][i + 1], i + 1, RND);
+    for (int k = degree - 1; k >= 0; k--) {
+        for (int i = 0; i < n; i++)
+            mpfr_set(e.turn[i], e.root[i], RND);
+        n = zeros_between_turns(e.q[k], degree - k, n);
+    }
+    return n;
+}
+
+#endif
