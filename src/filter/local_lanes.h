@@ -325,18 +325,20 @@ INLINE bounded_value lateral_residual(const lines_in_pairs *in, vd t, vd size,
         off * v_sum_of(v_set(CYLINT_LOCAL_UNTRIMMED), most, across + off)};
 }
 
-/* As estimate_ends() and round_ends() for one end.  sign: of the root. */
+/* As estimate_ends() and round_ends() for one end: of cap 1 in lanes of `top`,
+ * else of cap 0.  sign: of the root. */
 INLINE lines_root root_of_line(const local_lines *l, const lines_verdict *v,
-                               const lines_in_pairs *in, int end, vd s, vd sign,
+                               const lines_in_pairs *in, vm top, vd s, vd sign,
                                const cylint_shape *shape, int tapered,
                                int bounded)
 {
     const vd root = sign * s;
     vd num = root - v->B.v, den = v->A.v, slope = root + root;
     vd curvature = v_abs(v->A.v) + v->A.e;
-    const vm cap = bounded ? v->cap[end] : m_from(0);
+    vm cap = m_from(0);
     if (bounded) {
-        num = v_select(cap, -(end ? l->in.z.b : l->in.z.a), num);
+        cap = m_or(m_and(top, v->cap[1]), m_and(m_not(top), v->cap[0]));
+        num = v_select(cap, -v_select(top, l->in.z.b, l->in.z.a), num);
         den = v_select(cap, l->in.w.a, den);
         slope = v_select(cap, l->in.w.a, slope);
         curvature = v_select(cap, v_set(0), curvature);
@@ -347,13 +349,14 @@ INLINE lines_root root_of_line(const local_lines *l, const lines_verdict *v,
     const bounded_value lateral = lateral_residual(in, t, size, shape, tapered);
     vd residual = lateral.v, error = lateral.e;
     if (bounded) {
-        const vd low = v_sum_of(t, in->w.lo, in->z[end].lo);
+        const vd high = v_select(top, in->z[1].hi, in->z[0].hi);
+        const vd low =
+            v_sum_of(t, in->w.lo, v_select(top, in->z[1].lo, in->z[0].lo));
         const vpair step = v_two_prod(t, in->w.hi);
         slope_error =
             v_select(cap, v_set(CYLINT_LOCAL_POSITION * CYLINT_ROUNDING) * l->D,
                      slope_error);
-        residual = v_select(cap, (in->z[end].hi + step.hi) + (step.lo + low),
-                            residual);
+        residual = v_select(cap, (high + step.hi) + (step.lo + low), residual);
         error = v_select(
             cap, v_set(CYLINT_LOCAL_RESIDUAL * shape->local.error) * size,
             error);
@@ -413,58 +416,59 @@ INLINE void answer_local_lines(const local_lines *l, const cylint_shape *shape,
     const vm equal = v_eq(l->tmin, l->tmax); /* may be zeros that differ */
     vm hit[2] = {m_from(0), m_from(0)};
     if (m_any(crosses)) {
-        vm present[2];
+        /* k counts the ends in the order of t */
+        const vm none = m_from(0);
         const unsigned caps = cylint_caps_present(shape->ends);
-        EACH(i, 2)
-            present[i] = bounded && !(caps >> i & 1) ? m_not(v.cap[i])
-                                                     : m_not(m_from(0));
-        lines_hit at[2];
+        const vm has[2] = {m_from(caps & 1 ? (1u << LANES) - 1 : 0),
+                           m_from(caps & 2 ? (1u << LANES) - 1 : 0)};
+        const vm top[2] = {bounded ? down : none, bounded ? m_not(down) : none};
+        const vd turn = bounded ? one : v_select(down, v_set(-1), one);
+        lines_hit at[2] = {{none, none}, {none, none}};
+        vm cap[2], present[2];
+        EACH(k, 2) {
+            cap[k] =
+                m_or(m_and(top[k], v.cap[1]), m_and(m_not(top[k]), v.cap[0]));
+            present[k] =
+                m_or(m_not(cap[k]),
+                     m_or(m_and(top[k], has[1]), m_and(m_not(top[k]), has[0])));
+        }
         if (want & CYLINT_WANT_T) {
             lines_in_pairs in;
             lines_to_pairs(&in, l, shape);
             const vd s = v_sqrt(v_select(v_lt(zero, v.G.v), v.G.v, one));
-            const vd up = bounded ? v_select(down, -one, one) : one;
-            EACH(i, 2) {
-                const lines_root r = root_of_line(
-                    l, &v, &in, i, s, i ? up : -up, shape, tapered, bounded);
-                at[i] = hit_of_root(&r, l, present[i]);
-                v_store(g->t[i], r.value);
+            for (int k = 0; k < 2; k++) {
+                const lines_root r =
+                    root_of_line(l, &v, &in, k ? top[1] : top[0], s,
+                                 k ? turn : -turn, shape, tapered, bounded);
+                at[k] = hit_of_root(&r, l, present[k]);
+                v_store(g->t[k], r.value);
+                if (want & CYLINT_WANT_NEAREST &&
+                    !m_any(m_and(crosses, m_not(at[k].hit))))
+                    break;
             }
         } else {
             const lines_state from =
                 state_at(l, &v, shape, l->tmin, tapered, bounded);
             const lines_state to =
                 state_at(l, &v, shape, l->tmax, tapered, bounded);
-            const vm known =
-                m_and(m_or(from.before, m_or(from.inside, from.after)),
-                      m_or(to.before, m_or(to.inside, to.after)));
+            const vm unknown =
+                m_not(m_and(m_or(from.before, m_or(from.inside, from.after)),
+                            m_or(to.before, m_or(to.inside, to.after))));
             const vm begins = m_and(from.before, m_not(to.before));
             const vm ends = m_and(m_not(from.after), to.after);
-            const vm first[2] = {begins, ends};
-            EACH(i, 2) {
-                const vm there =
-                    m_or(m_and(down, first[!i]), m_and(m_not(down), first[i]));
-                at[i] = (lines_hit){m_and(present[i], m_and(known, there)),
-                                    m_not(known)};
-            }
+            at[0] = (lines_hit){m_and(present[0], begins), unknown};
+            at[1] = (lines_hit){m_and(present[1], ends), unknown};
         }
-        /* the ends in the order of t */
-        const vd lateral = v_set(CYLINT_PART_LATERAL);
-        const vd part0 = v_select(v.cap[0], v_set(CYLINT_PART_CAP0), lateral);
-        const vd part1 = v_select(v.cap[1], v_set(CYLINT_PART_CAP1), lateral);
-        const lines_hit low = at[0], high = at[1];
-        hit[0] = m_or(m_and(down, high.hit), m_and(m_not(down), low.hit));
-        hit[1] = m_or(m_and(down, low.hit), m_and(m_not(down), high.hit));
-        if (want & CYLINT_WANT_T) {
-            const vd t0 = v_load(g->t[0]), t1 = v_load(g->t[1]);
-            v_store(g->t[0], v_select(down, t1, t0));
-            v_store(g->t[1], v_select(down, t0, t1));
+        EACH(k, 2) {
+            const vd part = v_select(top[k], v_set(CYLINT_PART_CAP1),
+                                     v_set(CYLINT_PART_CAP0));
+            hit[k] = at[k].hit;
+            v_store(g->part[k],
+                    v_select(cap[k], part, v_set(CYLINT_PART_LATERAL)));
         }
-        v_store(g->part[0], v_select(down, part1, part0));
-        v_store(g->part[1], v_select(down, part0, part1));
-        undecided =
-            m_or(undecided,
-                 m_and(crosses, m_or(equal, m_or(low.unknown, high.unknown))));
+        undecided = m_or(
+            undecided,
+            m_and(crosses, m_or(equal, m_or(at[0].unknown, at[1].unknown))));
         crosses = m_and(crosses, m_not(undecided));
     }
     g->undecided = m_bits(undecided);
