@@ -404,7 +404,8 @@ static void ends(const cylint_shape *shape, struct oracle_closest *expected)
 
 /* ---------------------------------------------------------- the answer -- */
 
-/* The feature of a point of the surface: that with the fewest points. */
+/* The feature of a point of the surface: that with the fewest points of those
+ * that the moved point is beside. */
 static void choose_on_surface(struct oracle_closest *expected)
 {
     static const int order[] = {CYLINT_FEATURE_APEX, CYLINT_FEATURE_RIM0,
@@ -416,7 +417,7 @@ static void choose_on_surface(struct oracle_closest *expected)
         mpfr_mul_2si(e.t[0], e.t[0], -e.exponent, RND);
         if (!mpfr_number_p(e.t[0]) ||
             (!mpfr_zero_p(e.t[0]) &&
-             mpfr_get_exp(e.t[0]) > mpfr_get_exp(e.scale) - MOVED / 2))
+             mpfr_get_exp(e.t[0]) > mpfr_get_exp(e.scale) - (MOVED - 10)))
             continue;
         expected->feature = order[i];
         expected->part = part[order[i]];
