@@ -72,6 +72,8 @@ $(BUILD)/src/bvh/% $(BUILD)/src/scene/% $(BUILD)/src/embree/%: extra += $(floats
 $(BUILD)/src/embree/%: extra += $(embree)
 $(call of,src/filter/many% src/bvh/traverse% src/embree/packet_% src/embree/float_filter%): extra += $(vectors)
 $(call of,src/signs/forms% src/roots/root% $(patsubst %,src/distance/%.o,meridian nearest_point rounded_distance surd_sum)): extra += $(small)
+# The builds for x86 processors without AVX2.
+$(if $(X86),$(call of,$(patsubst %,src/filter/%question.o,one_ hard_ round_ hard_round_) src/distance/certified_distance.o)): extra += $(small)
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the
