@@ -50,6 +50,7 @@ CORE = ["signs/forms_template.h", "signs/overlap_template.h",
 FEW = {"CYLINT_CASES": "50"}
 SHORT = [("test_special_cases", {}), ("test_shape", {}), ("test_hard", {}),
          ("test_form_depth", {}), ("test_local_bounds", {}),
+         ("test_local_residuals", {}),
          ("test_local", FEW), ("test_intersect", FEW), ("test_ties", {}),
          ("test_budget", FEW), ("test_environment", FEW),
          ("test_properties", FEW), ("test_batch", {"CYLINT_CASES": "3"})]

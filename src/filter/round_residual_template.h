@@ -2,7 +2,7 @@
  * round_residual_template.h - the residual at a point of the line: of a ball,
  * and of the cone that touches both balls
  *
- * Stated once for lanes and for bounds on errors (tests/test_local_bounds.c).
+ * Stated once for lanes and for bounds on errors (tests/test_local_residuals.c).
  * The including file names by macros, which end with this file:
  *
  *   V, PAIR                two numbers; a struct of hi and lo

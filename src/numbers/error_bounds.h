@@ -357,10 +357,10 @@
 #define CYLINT_LOCAL_DISTANCE 1.25
 #define CYLINT_LOCAL_NEAR 0x1p-5
 
-/* The error of one operation on triples; of a residual in triples or levels, in multiples
- * of the square of cylint_local.error and of the size of its terms
- * (tests/test_local_bounds.c computes both, bounds with slack); and, relative to
- * the residual, of its rounding and its division by cylint_local.scale or
+/* The error of one operation on triples; of a residual in triples or levels, in
+ * multiples of the square of cylint_local.error and of the size of its terms
+ * (tests/test_local_residuals.c computes both, bounds with slack); and, relative
+ * to the residual, of its rounding and its division by cylint_local.scale or
  * square_scale: nine roundings to nearest. */
 #define CYLINT_TRIPLE_ROUNDING 0x1p-150
 #define CYLINT_LOCAL_TRIPLE 0x1p54

@@ -1,0 +1,400 @@
+/*
+ * test_local_residuals.c - floor filter: error_bounds.h covers the errors of
+ * residuals of round kinds, and of those in triples and in levels
+ *
+ * As test_local_bounds.c does for the forms: the residuals are computed with
+ * bounds in place of numbers, in units of the line's size.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "local_bounds.h"
+#include "numbers/error_bounds.h"
+#include "signs/sign.h"
+
+#define INLINE static inline
+
+static constant RESIDUAL = {"RESIDUAL", CYLINT_LOCAL_RESIDUAL, 0},
+                TRIPLE = {"TRIPLE", CYLINT_LOCAL_TRIPLE, 0},
+                ROUNDING = {"TRIPLE_ROUNDING", CYLINT_TRIPLE_ROUNDING, 0};
+
+/* The residuals of round kinds.  Here each double has a bound on its size and
+ * on its error, in rounding to nearest. */
+typedef struct {
+    double size, off;
+} real;
+
+typedef struct {
+    real hi, lo;
+} real_pair;
+
+static real real_of(double size, double off)
+{
+    return (real){size, off + 0x1p-53 * (size + off)};
+}
+
+static real real_sum(real x, real y)
+{
+    return real_of(x.size + y.size, x.off + y.off);
+}
+
+static real real_product(real x, real y)
+{
+    return real_of(x.size * y.size,
+                   x.off * y.size + x.size * y.off + x.off * y.off);
+}
+
+/* A sum or product without error: only its high part inherits those. */
+static real_pair exactly(real x)
+{
+    const double size = x.size * (1 + 0x1p-53);
+    return (real_pair){{size, x.off - 0x1p-53 * x.size}, {0x1p-53 * size, 0}};
+}
+
+static real real_result(real x, real y, real rest)
+{
+    return (real){x.size + y.size,
+                  x.off + y.off + rest.off + 0x1p-53 * rest.size};
+}
+
+#define V real
+#define PAIR real_pair
+#define FORM(name) name##_reals
+#define ADD(x, y) real_sum(x, y)
+#define SUB(x, y) real_sum(x, y)
+#define SUM_OF(x, y, z) real_sum(real_product(x, y), z)
+#define NEGATED(x) (x)
+#define RESULT(x, y, rest) real_result(x, y, rest)
+#define TWO_SUM(x, y) exactly(real_sum(x, y))
+#define TWO_PROD(x, y) exactly(real_product(x, y))
+#include "filter/round_residual_template.h"
+
+/* A number up to 1 whose pair has that error. */
+static real_pair known_pair(double size, double off)
+{
+    return (real_pair){{size, 0}, {0x1p-53 * size, off}};
+}
+
+/* In units of |t| D + Q.  u: the error of the axis (error_bounds.h).  share: of |t| D.  The bound is linear in the sizes of
+ * the axis's components, so it is greatest where one has all. */
+static void round_residual(double share, double sine, double cosine, int all,
+                           double u)
+{
+    const real t = {1, 0}, d = {share, 0}, d_lo = {0x1p-53 * share, 0};
+    const real r = {1, 0};
+    real_pair q[3], axis[3];
+    for (int j = 0; j < 3; j++) {
+        q[j] = moved_reals(known_pair(1 - share, 0), t, d, d_lo);
+        q[j].hi.size = fmin(q[j].hi.size, 1);
+        axis[j] = j == all ? known_pair(1, u) : known_pair(0, 0);
+    }
+    need(ball_residual_reals(q, r).off, u);
+    const real_pair surplus = surplus_reals(q, r);
+    need(surplus.hi.off + surplus.lo.off + 0x1p-53 * surplus.lo.size, u);
+    real_pair height =
+        height_reals(q, axis, shift_reals(known_pair(sine, u * sine), r));
+    height.hi.size = fmin(height.hi.size, 1);
+    need(cylinder_residual_reals(surplus, height).off, u);
+    const real_pair square =
+        known_pair(cosine * cosine, 2.1 * u * cosine * cosine);
+    need(cone_residual_reals(surplus, square, height).off, u);
+}
+
+static void a_residual_of_a_round_kind_has_its_bound(void)
+{
+    static const double shares[] = {0, 0x1p-30, 0.5, 1},
+                        units[] = {CYLINT_LOCAL_ERROR, CYLINT_LOCAL_WORST};
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < 4; i++)
+            for (int all = 0; all < 3; all++) {
+                round_residual(shares[i], 0, 1, all, units[k]);
+                round_residual(shares[i], 1, 0x1p-13, all, units[k]);
+                round_residual(shares[i], 1, 1, all, units[k]);
+            }
+        judge_in(&RESIDUAL, "round", "pairs");
+    }
+}
+
+/*
+ * Triples (triple.h).  After a triple_sum |b| is at most 2^-53 |a| + c and the
+ * third number at most c, where c counts what cancelled before.  A
+ * fast_two_sum is exact if its first number is the larger one or a multiple of
+ * the last digit of the other.  That is so but for what c adds to b, and then
+ * it errs by at most 2^-52 of that.
+ */
+typedef struct {
+    double size, c, off;
+} triple_number;
+
+static triple_number triple_sum_of(double size, double last, double unordered,
+                                   double off)
+{
+    /* at most six roundings of last, and that of the final fast_two_sum */
+    return (triple_number){size, last * (1 + 0x1p-50),
+                           off + 8 * 0x1p-53 * last + 0x1p-52 * unordered};
+}
+
+static triple_number triple_plus(triple_number x, triple_number y)
+{
+    const double size = x.size + y.size, c = x.c + y.c;
+    const double b = 0x1.001p-53 * size + c, u_hi = b + 0x1p-53 * (size + c);
+    return triple_sum_of(size, c + 0x1p-53 * (b + u_hi), c, x.off + y.off);
+}
+
+static triple_number triple_times(triple_number x, triple_number y)
+{
+    const double size = x.size * y.size;
+    const double xb = 0x1.001p-53 * x.size + x.c,
+                 yb = 0x1.001p-53 * y.size + y.c;
+    const double c = x.size * y.c + x.c * y.size;
+    const double middle = x.size * yb + xb * y.size + 0x1p-53 * size;
+    const double left_out = xb * y.c + x.c * yb + x.c * y.c;
+    const double off = x.off * y.size + x.size * y.off + x.off * y.off;
+    return triple_sum_of(size, c + xb * yb + 3 * 0x1p-53 * middle, c,
+                         off + left_out);
+}
+
+#define NUM triple_number
+#define FORM(name) name##_in_triples
+#define ADD(x, y) triple_plus(x, y)
+#define SUB(x, y) triple_plus(x, y)
+#define MUL(x, y) triple_times(x, y)
+#define MEMORY
+#define BEGIN (void)L;
+#define RETURN(x) return x;
+#include "signs/forms_template.h"
+
+/*
+ * residual_in_triples(), in units of |t| D + Q.  A circular shape: |w| = 1, so
+ * that norm = 1 and local.scale = 1.  An elliptic shape: |a| = |b| = |w| = 1 and
+ * det = 1 / c, where c is cylint_local.error / CYLINT_LOCAL_ERROR; a row
+ * of the matrix has at least the size 1 / |a|, so |P| is at most 1; and C / det^2
+ * has the error c^2 times that of C.
+ */
+static void residual_in_triples(int kind, double s, double more_s)
+{
+    const triple_number one = {1, 0, 0};
+    const triple_number D = triple_plus(one, triple_plus(one, one));
+    terms_in_triples L;
+    memset(&L, 0, sizeof L);
+    L.kind = kind;
+    for (int i = 0; i < 3; i++) {
+        L.w[i] = L.a[i] = L.b[i] = one;
+        L.D[0][i] = L.D[1][i] = (triple_number){1, D.c, D.off};
+    }
+    L.r[0] = L.r[1] = L.one = one;
+    L.dr = (triple_number){more_s, 0, 0};
+    prepare_shape_in_triples(&L);
+    const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;
+    need(form_C_in_triples(&L).off, unit * square(1 + s));
+    need(form_alpha_in_triples(&L, 0).off, unit);
+    need(form_alpha_in_triples(&L, 1).off, unit);
+}
+
+static void a_residual_in_triples_has_its_bound(void)
+{
+    for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE; kind++) {
+        residual_in_triples(kind, 0, FIRST_SLOPE);
+        for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= SLOPE_STEP)
+            residual_in_triples(kind, s, s * SLOPE_STEP);
+    }
+    judge_in(&TRIPLE, "", "triples");
+    /* |dr| is at most |w|; a ball is a sphere */
+    residual_in_triples(CYLINT_KIND_SPHERE, 0, 0);
+    residual_in_triples(CYLINT_KIND_CAPSULE, 0, 0);
+    residual_in_triples(CYLINT_KIND_RCONE, 0, 1);
+    judge_in(&TRIPLE, "round", "triples");
+}
+
+/*
+ * residual_in_levels.h, step by step.  a, b, c: the sizes of the levels, of which
+ * a and b have no error.
+ */
+typedef struct {
+    double a, b, c, off;
+} level_number;
+
+static void add_to_c(level_number *x, double size)
+{
+    x->c += size;
+    x->off += 0x1p-53 * x->c;
+}
+
+static void add_to_b(level_number *x, double size)
+{
+    x->b += size;
+    add_to_c(x, 0x1p-53 * x->b);
+}
+
+static void add_to_a(level_number *x, double size)
+{
+    x->a += size;
+    add_to_b(x, 0x1p-53 * x->a);
+}
+
+static void add_product_to_a(level_number *x, double size)
+{
+    add_to_a(x, size);
+    add_to_b(x, 0x1p-53 * size);
+}
+
+static void add_product_to_b(level_number *x, double size)
+{
+    add_to_b(x, size);
+    add_to_c(x, 0x1p-53 * size);
+}
+
+/* Three lanes. */
+static void add_three(level_number *sum, level_number x)
+{
+    for (int i = 0; i < 3; i++) {
+        add_to_a(sum, x.a);
+        add_to_b(sum, x.b);
+        add_to_c(sum, x.c);
+        sum->off += x.off;
+    }
+}
+
+/* x (y + y_lo), y_lo <= 2^-53 y.  Left out: b y_lo and c y are rounded, c y_lo
+ * is not computed. */
+static level_number times(level_number x, double y)
+{
+    level_number xy = {x.a * y, 0, 0, x.off * y * (1 + 0x1p-53)};
+    xy.b = 0x1p-53 * xy.a;
+    add_to_c(&xy, x.c * y + x.b * 0x1p-53 * y);
+    add_product_to_b(&xy, x.b * y);
+    add_product_to_b(&xy, x.a * 0x1p-53 * y);
+    xy.off += 3 * 0x1p-53 * xy.c;
+    return xy;
+}
+
+static level_number squared(level_number x)
+{
+    level_number xx = {x.a * x.a, 0, 0, 0};
+    xx.b = 0x1p-53 * xx.a;
+    add_to_c(&xx, 2 * x.a * x.c + x.b * x.b);
+    add_product_to_b(&xx, 2 * x.a * x.b);
+    xx.off += 3 * 0x1p-53 * xx.c + 2 * x.b * x.c + x.c * x.c +
+              2 * (x.a + x.b + x.c) * x.off + x.off * x.off;
+    return xx;
+}
+
+/* A sum that is known to be at most `size`, in level a. */
+static level_number within(level_number x, double size)
+{
+    x.a = fmin(x.a, size + x.b + x.c);
+    return x;
+}
+
+/* The error of a coordinate in doubles that round to nearest. */
+static const double near = CYLINT_LOCAL_POSITION * 0x1p-53;
+
+/* F: of the vectors that are subtracted, `vectors` have no low part. */
+static level_number distance_from_point(int vectors)
+{
+    level_number F = {1, 0x1p-53, 0, 0};
+    add_product_to_a(&F, 1);
+    add_product_to_b(&F, 0x1p-53);
+    for (int i = 0; i < vectors; i++)
+        add_product_to_a(&F, 1);
+    if (vectors == 1)
+        add_product_to_b(&F, 0x1p-53);
+    return F;
+}
+
+/* r0 + dr (s + e), where e is known with the error e_off. */
+static level_number radius_of(double dr, double e, double e_off)
+{
+    level_number rho = {1, 0, 0, dr * e_off};
+    add_product_to_a(&rho, dr);
+    add_product_to_b(&rho, 0x1p-53 * dr);
+    add_product_to_b(&rho, dr * e);
+    add_to_c(&rho, 0x1p-52 * dr * e);
+    rho.off += 3 * 0x1p-53 * rho.c;
+    return within(rho, 1 + dr);
+}
+
+static void add_square(level_number *Q, level_number x)
+{
+    const level_number xx = squared(x);
+    add_to_a(Q, xx.a);
+    add_to_b(Q, 0x1p-53 * xx.a);
+    add_product_to_b(Q, 2 * x.a * x.b);
+    add_to_c(Q, xx.c);
+    Q->off += xx.off;
+}
+
+/* In units of |t| D + Q, |w| = 1. */
+static void circular_levels(double s, double more_s)
+{
+    const level_number F = within(distance_from_point(1), 1);
+    level_number g = {0, 0, 0, 0}, Q = {0, 0, 0, 0};
+    add_three(&g, times(F, 1));
+    /* e is as large as the error of s; the length in pairs has twice the error
+     * of the matrix */
+    const double e = near, e_off = g.off + 0x1p-50 * g.c + e * 0x1p-93;
+    add_three(&Q, squared(F));
+    add_square(&Q, radius_of(more_s, e, e_off));
+    add_to_c(&Q, e * e);
+    const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;
+    need(Q.off + 2 * 0x1p-53 * Q.c + 2 * e * e_off, unit * square(1 + s));
+    need(g.off + 0x1p-53 * g.c, unit);
+}
+
+/* |a| = |b| = |w| = 1, det = 1 / c: rows of the matrix have sums of at most
+ * sqrt(3) c, and |P| is at most 1. */
+static void elliptic_levels(double s, double more_s)
+{
+    const level_number F = distance_from_point(3);
+    const double size = 3 * near, norm = sqrt(3), c = 1;
+    const double f = norm * size;
+    const double f_off = norm * (F.off + 0x1p-53 * F.c) +
+                         CYLINT_LOCAL_ERROR * c * f + 8 * 0x1p-105 * f;
+    level_number Q = {0, 0, 0, 0};
+    for (int i = 0; i < 2; i++) {
+        add_product_to_a(&Q, 1);
+        add_product_to_b(&Q, 2 * f);
+        add_to_c(&Q, 0x1p-50 * f + f * f);
+        Q.off += 2 * f_off + 4 * 0x1p-53 * Q.c + 0x1p-48 * f * f;
+    }
+    add_square(&Q, radius_of(more_s, f, f_off));
+    const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;
+    need(Q.off + 0x1p-53 * Q.c, unit * square(1 + s));
+    need(f_off, unit);
+}
+
+static void a_residual_in_levels_has_its_bound(void)
+{
+    circular_levels(0, FIRST_SLOPE);
+    elliptic_levels(0, FIRST_SLOPE);
+    for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= SLOPE_STEP) {
+        circular_levels(s, s * SLOPE_STEP);
+        elliptic_levels(s, s * SLOPE_STEP);
+    }
+    judge_in(&TRIPLE, "levels", "levels");
+}
+
+/* One operation on triples of the size 1, |c| <= 2^-104. */
+static void an_operation_on_triples_has_its_bound(void)
+{
+    const triple_number x = {1, 0x1p-104, 0};
+    need(triple_plus(x, x).off, 2);
+    need(triple_times(x, x).off, 1);
+    judge_in(&ROUNDING, "", "triples");
+}
+
+static void no_constant_is_four_times_too_large(void)
+{
+    check_slack(&TRIPLE);
+    check_slack(&ROUNDING);
+}
+
+int main(void)
+{
+    RUN(a_residual_of_a_round_kind_has_its_bound);
+    RUN(an_operation_on_triples_has_its_bound);
+    RUN(a_residual_in_triples_has_its_bound);
+    RUN(a_residual_in_levels_has_its_bound);
+    RUN(no_constant_is_four_times_too_large);
+    return check_end();
+}
