@@ -17,15 +17,6 @@
 
 /* -------------------------------------------------------------- pairs -- */
 
-INLINE vd v_sum_of(vd x, vd y, vd z)
-{
-#if V_HAS_FMA
-    return v_fma(x, y, z);
-#else
-    return x * y + z;
-#endif
-}
-
 INLINE vpair both(double hi, double lo)
 {
     return (vpair){v_set(hi), v_set(lo)};

@@ -15,25 +15,6 @@
 
 #if LANES == 2
 
-/* x y + z, rounded once or twice. */
-INLINE double sum_of(double x, double y, double z)
-{
-#ifdef __FMA__
-    return __builtin_fma(x, y, z);
-#else
-    return x * y + z;
-#endif
-}
-
-INLINE vd v_sum_of(vd x, vd y, vd z)
-{
-#if V_HAS_FMA
-    return v_fma(x, y, z);
-#else
-    return x * y + z;
-#endif
-}
-
 INLINE pair lazy_sub(pair a, pair b)
 {
     const pair d = two_diff(a.hi, b.hi);

@@ -16,25 +16,6 @@
 #include "../shapes/shape_facts.h"
 #include "filter.h"
 
-/* x y + z, rounded once or twice. */
-INLINE double sum_of(double x, double y, double z)
-{
-#ifdef __FMA__
-    return __builtin_fma(x, y, z);
-#else
-    return x * y + z;
-#endif
-}
-
-INLINE vd v_sum_of(vd x, vd y, vd z)
-{
-#if V_HAS_FMA
-    return v_fma(x, y, z);
-#else
-    return x * y + z;
-#endif
-}
-
 #define V vd
 #define FORM(name) name##_doubles
 #define ADD(x, y) ((x) + (y))

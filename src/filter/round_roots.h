@@ -10,18 +10,7 @@
 
 #include "local_roots.h"
 #include "round_lines.h"
-
-#define V vd
-#define PAIR vpair
-#define FORM(name) name##_lanes
-#define ADD(x, y) ((x) + (y))
-#define SUB(x, y) ((x) - (y))
-#define SUM_OF(x, y, z) v_sum_of(x, y, z)
-#define NEGATED(x) (-(x))
-#define RESULT(x, y, rest) (((x) + (y)) + (rest))
-#define TWO_SUM(x, y) v_two_sum(x, y)
-#define TWO_PROD(x, y) v_two_prod(x, y)
-#include "round_residual_template.h"
+#include "round_residual_lanes.h"
 
 /* cap: lanes on a ball.  top: of these, those on the ball about the top. */
 INLINE end_parts ends_of(const round_verdict *v)

@@ -9,16 +9,6 @@
 
 #include "lanes.h"
 
-/* x y + z, rounded once or twice. */
-INLINE vd v_sum_of(vd x, vd y, vd z)
-{
-#if V_HAS_FMA
-    return v_fma(x, y, z);
-#else
-    return x * y + z;
-#endif
-}
-
 /* The two numbers of local_forms_template.h, of every lane. */
 typedef struct {
     vd a, b;
@@ -75,17 +65,7 @@ INLINE vtwo two_of(vd x)
 
 #include "local_forms_template.h"
 
-#define V vd
-#define PAIR vpair
-#define FORM(name) name##_lanes
-#define ADD(x, y) ((x) + (y))
-#define SUB(x, y) ((x) - (y))
-#define SUM_OF(x, y, z) v_sum_of(x, y, z)
-#define NEGATED(x) (-(x))
-#define RESULT(x, y, rest) (((x) + (y)) + (rest))
-#define TWO_SUM(x, y) v_two_sum(x, y)
-#define TWO_PROD(x, y) v_two_prod(x, y)
-#include "round_residual_template.h"
+#include "round_residual_lanes.h"
 
 /* A ball of radius r in every lane, and the line from its centre.  No
  * coordinate of the direction exceeds D, none of the origin Q. */

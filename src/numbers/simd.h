@@ -481,6 +481,25 @@ INLINE vpair vpair_mul(vpair a, vpair b)
     return (vpair){p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi)};
 }
 
+/* x y + z, rounded once or twice. */
+INLINE double sum_of(double x, double y, double z)
+{
+#ifdef __FMA__
+    return __builtin_fma(x, y, z);
+#else
+    return x * y + z;
+#endif
+}
+
+INLINE vd v_sum_of(vd x, vd y, vd z)
+{
+#if V_HAS_FMA
+    return v_fma(x, y, z);
+#else
+    return x * y + z;
+#endif
+}
+
 /* ------------------------------------------------------- four lanes ----- */
 
 #if LANES == 2 && defined(CYLINT_NARROW)
