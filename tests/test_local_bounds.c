@@ -450,8 +450,8 @@ static void the_forms_of_balls_have_their_bounds(void)
 
 /* ------------------------------------------------- a point of the line -- */
 
-/* states_in_doubles(): the point at t in units of |t| D + Q, whose least and greatest
- * share of |t| D have the greatest errors. */
+/* states_in_doubles(): the point at t in units of |t| D + Q, whose least and
+ * greatest share of |t| D have the greatest errors. */
 static number at_t(number p, number v)
 {
     const double shares[] = {0, 0x1p-30, 0.5, 1 - 0x1p-30};

@@ -75,8 +75,9 @@ static real_pair known_pair(double size, double off)
     return (real_pair){{size, 0}, {0x1p-53 * size, off}};
 }
 
-/* In units of |t| D + Q.  u: the error of the axis (error_bounds.h).  share: of |t| D.  The bound is linear in the sizes of
- * the axis's components, so it is greatest where one has all. */
+/* In units of |t| D + Q.  u: the error of the axis (error_bounds.h).  share: of
+ * |t| D.  The bound is linear in the sizes of the axis's components, so it is
+ * greatest where one has all. */
 static void round_residual(double share, double sine, double cosine, int all,
                            double u)
 {

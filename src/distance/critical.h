@@ -24,7 +24,8 @@ typedef struct {
 enum { CYLINT_MOST_CRITICAL = 8 };
 
 /* Writes the directions in which the form is 0: all that are simple, some of
- * them twice; 0 and half a turn if all coefficients are 0.  Returns their number. */
+ * them twice; 0 and half a turn if all coefficients are 0.  Returns their
+ * number. */
 int cylint_critical_directions(const stationary *form,
                                direction to[CYLINT_MOST_CRITICAL]);
 

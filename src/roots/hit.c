@@ -82,9 +82,10 @@ static pair pair_of(floating x, int e)
                   cylint_scaled(x.v.lo, x.e + e)};
 }
 
-/* Each component is within 3 units in its last place: |x|^2 is summed in pairs, so that there remain the roundings of it, of its root, of the
- * component and of the quotient.  No component exceeds 1.  Squares neither
- * overflow nor, of the largest component, underflow. */
+/* Each component is within 3 units in its last place: |x|^2 is summed in pairs,
+ * so that there remain the roundings of it, of its root, of the component and of
+ * the quotient.  No component exceeds 1.  Squares neither overflow nor, of the
+ * largest component, underflow. */
 void cylint_normalise(const floating x[3], int sign, double to[3])
 {
     pair y[3], sum = {0, 0};

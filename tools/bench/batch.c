@@ -5,8 +5,9 @@
  *
  * Writes CSV.  Each row has the ns of a test (one line against one shape) and
  * the ns of the plain quadratic, or for round kinds of the prepared formula of
- * lean.h, which answers the same tests one by one in the same race.  SECONDS is the longest time of a large race, MOST the
- * largest number of shapes, PART one of these parts (default: all):
+ * lean.h, which answers the same tests one by one in the same race.  SECONDS is
+ * the longest time of a large race, MOST the largest number of shapes, PART one
+ * of these parts (default: all):
  *
  *   core      the processor: ns a result of independent divisions and roots
  *   cache     512 shapes or lines, by kind, arrangement and share of hits
