@@ -73,8 +73,8 @@ remove_checked() {
     # that is not 0 has a first lane; allocated memory is not NULL; of the facts
     # of a hit only the computed ones are read; both analyzers take three rounds
     # of EACH for one, and gcc's misses the assignments f.num = f.den and
-    # sum = size_of(); a hit of the float filter has its place; the name line is a question; manuals that are not
-    # installed are referenced.
+    # sum = size_of(); a hit of the float filter has its place; the name line is
+    # a question; manuals that are not installed are referenced.
 }
 
 # ------------------------------------------------------------- analysis --
