@@ -13,7 +13,6 @@
 #include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
 #include "elliptic.h"
-#include "elliptic.h"
 
 static double root(double x)
 {
