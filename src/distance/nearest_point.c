@@ -250,7 +250,7 @@ static pair scaled(floating x, int e)
 static void normalise(const floating x[3], int sign, double to[3])
 {
     pair y[3], sum = {0, 0};
-    int e = INT_MIN;
+    int e = INT_MIN / 2; /* below all exponents, and can be negated */
     for (int i = 0; i < 3; i++)
         if (x[i].v.hi != 0 && x[i].e > e)
             e = x[i].e;
