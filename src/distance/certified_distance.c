@@ -27,7 +27,6 @@
     const cylint_shape *s, const double point[3], unsigned want, \
         cylint_closest *answer
 
-/* The features cap0 and cap1 have the numbers of the parts. */
 enum { UNDECIDED = -1 };
 
 /* The lateral line. */
@@ -220,19 +219,14 @@ static int unbounded_feature(const position *at, profile *p,
 
 /* ------------------------------------------------------------ answers -- */
 
-/* An end of the lateral line with the radius 0 is an apex. */
 INLINE void write_part(const cylint_shape *s, int feature, unsigned want,
                        cylint_closest *answer)
 {
     if (!(want & CYLINT_WANT_PART))
         return;
-    const int rim = feature >= CYLINT_FEATURE_RIM0;
-    const int end =
-        (feature == CYLINT_FEATURE_CAP1) | (feature == CYLINT_FEATURE_RIM1);
-    const int apex =
-        feature != CYLINT_FEATURE_LATERAL && !(cylint_end_factor(s, end) > 0);
-    answer->feature = apex ? CYLINT_FEATURE_APEX : feature;
-    answer->part = rim | apex ? CYLINT_PART_LATERAL : feature;
+    answer->feature =
+        cylint_feature_is_apex(s, feature) ? CYLINT_FEATURE_APEX : feature;
+    answer->part = cylint_feature_part(answer->feature);
 }
 
 /* Writes the answer; whether all of it is certain. */
@@ -247,17 +241,24 @@ INLINE int finish(const half_plane *m, pair d, int feature, int is_signed,
             describe(s, point, m, feature, d, want, answer));
 }
 
-/* The same for a ball. */
-INLINE int finish_ball(const double center[3], double r, int is_signed,
-                       ARGUMENTS)
+/* The same for a ball; d is normal. */
+INLINE int finish_on_ball(pair d, double error, const double center[3],
+                          double r, int is_signed, ARGUMENTS)
 {
-    double error;
-    const pair d = normalized(from_ball(point, center, r, &error));
     (void)s;
     answer->distance = is_signed ? d.hi : fabs(d.hi);
     return is_certain(d, error) &&
            (!(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) ||
             describe_ball(point, center, r, want, answer));
+}
+
+INLINE int finish_ball(const double center[3], double r, int is_signed,
+                       ARGUMENTS)
+{
+    double error;
+    const pair d = normalized(from_ball(point, center, r, &error));
+    return finish_on_ball(d, error, center, r, is_signed, s, point, want,
+                          answer);
 }
 
 /* The feature of a cap or a rim. */
@@ -373,9 +374,11 @@ ASIDE void load_aside(half_plane *m, const cylint_shape *s,
                       const double point[3], const pair *length, double reach)
 {
     pair w[3];
-    EACH(i, 3)
-        w[i] = length ? plain(s->axis[i])
-                      : (pair){s->local.xyz[i][2], s->local.xyz_lo[i][2]};
+    if (length)
+        EACH(i, 3)
+            w[i] = plain(s->axis[i]);
+    else
+        load_row(w, s);
     load_along(m, s, point, w, length, reach);
 }
 
@@ -462,10 +465,8 @@ INLINE int capsule_distance(ARGUMENTS)
     if (feature == CYLINT_FEATURE_LATERAL)
         return finish(&m, d, feature, 1, s, point, want, answer);
     write_part(s, feature, want, answer);
-    answer->distance = d.hi;
-    return is_certain(d, m.error) &&
-           (!(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) ||
-            describe_ball(point, high ? s->top : s->base, s->r0, want, answer));
+    return finish_on_ball(d, m.error, high ? s->top : s->base, s->r0, 1, s,
+                          point, want, answer);
 }
 
 static int sphere_distance(ARGUMENTS)

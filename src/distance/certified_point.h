@@ -16,6 +16,7 @@
 
 #include "../shapes/measure.h"
 #include "half_plane.h"
+#include "nearest.h"
 
 #if LANES == 2
 
@@ -162,8 +163,7 @@ static certified point_on(const frame *f, const cylint_shape *s,
                           const double point[3], int feature, certified d,
                           certified normal_i, int i)
 {
-    const int end =
-        (feature == CYLINT_FEATURE_CAP1) | (feature == CYLINT_FEATURE_RIM1);
+    const int end = cylint_feature_end(feature);
     const double *center = end ? s->top : s->base;
     if (feature == CYLINT_FEATURE_LATERAL)
         return c_sub(datum(point[i]), c_mul(d, normal_i));
@@ -182,12 +182,10 @@ ASIDE int describe(const cylint_shape *s, const double point[3],
                    const half_plane *m, int feature, pair d, unsigned want,
                    cylint_closest *answer)
 {
-    const int end =
-        (feature == CYLINT_FEATURE_CAP1) | (feature == CYLINT_FEATURE_RIM1);
+    const int end = cylint_feature_end(feature);
     const int cap =
         (feature == CYLINT_FEATURE_CAP0) | (feature == CYLINT_FEATURE_CAP1);
-    const int apex =
-        feature != CYLINT_FEATURE_LATERAL && !(cylint_end_factor(s, end) > 0);
+    const int apex = cylint_feature_is_apex(s, feature);
     int certain = 1;
     frame f;
     load_frame(&f, s, point, m);

@@ -8,7 +8,7 @@
 #include "../numbers/bits.h"
 #include "../shapes/local.h"
 #include "certified_many.h"
-#include "cylint_distance.h"
+#include "nearest.h"
 
 /* The members that the columns need. */
 static unsigned wanted(const cylint_closest_columns *to)
@@ -73,25 +73,19 @@ static cylint_certify_many *kernel(void)
     return cylint_certify_many_plain;
 }
 
-/* The part and feature that the kernels' feature stands for: an end of radius 0
- * is an apex, and a ball has one part. */
+/* The part and feature that the kernels' feature stands for: a ball has one
+ * part. */
 static void write_feature(const cylint_shape *s, int feature,
                           const cylint_closest_columns *to, size_t row)
 {
-    const int end =
-        feature == CYLINT_FEATURE_CAP1 || feature == CYLINT_FEATURE_RIM1;
-    const int apex =
-        feature != CYLINT_FEATURE_LATERAL && !(cylint_end_factor(s, end) > 0);
-    if (apex)
+    if (cylint_feature_is_apex(s, feature))
         feature = CYLINT_FEATURE_APEX;
     if (s->kind == CYLINT_KIND_SPHERE)
         feature = s->surface;
     if (to->feature)
         to->feature[row] = (signed char)feature;
     if (to->part)
-        to->part[row] =
-            (signed char)(feature >= CYLINT_FEATURE_RIM0 ? CYLINT_PART_LATERAL
-                                                         : feature);
+        to->part[row] = (signed char)cylint_feature_part(feature);
 }
 
 /* Points first to first + n - 1: one shape if `each` is 0, else a shape for each

@@ -4,6 +4,7 @@
 #ifndef CYLINT_NEAREST_H
 #define CYLINT_NEAREST_H
 
+#include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
 
 typedef struct {
@@ -11,5 +12,24 @@ typedef struct {
     int end;  /* of a cap, rim or apex */
     int sign; /* of the distance */
 } nearest;
+
+/* The end that a cap or a rim belongs to; 0 for the lateral surface. */
+CYLINT_INLINE int cylint_feature_end(int feature)
+{
+    return (feature == CYLINT_FEATURE_CAP1) | (feature == CYLINT_FEATURE_RIM1);
+}
+
+/* A cap or a rim of radius 0 is an apex. */
+CYLINT_INLINE int cylint_feature_is_apex(const cylint_shape *s, int feature)
+{
+    return feature != CYLINT_FEATURE_LATERAL &&
+           !(cylint_end_factor(s, cylint_feature_end(feature)) > 0);
+}
+
+/* Rims and apex are lateral.  Caps have the numbers of their parts. */
+CYLINT_INLINE int cylint_feature_part(int feature)
+{
+    return feature >= CYLINT_FEATURE_RIM0 ? CYLINT_PART_LATERAL : feature;
+}
 
 #endif

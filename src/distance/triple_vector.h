@@ -70,14 +70,6 @@ static inline void triple_combine(triple to[3], const triple u[3], triple s,
         to[i] = triple_mul2(u[i], s, v[i], t);
 }
 
-/* to = u - v s */
-static inline void triple_less(triple to[3], const triple u[3],
-                               const triple v[3], triple s)
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = triple_sub(u[i], triple_mul(v[i], s));
-}
-
 /* 2^-e for the e of the largest component; 1 for the vector 0. */
 static inline double triple_normalizer(const triple v[3])
 {
