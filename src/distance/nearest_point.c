@@ -239,13 +239,6 @@ static floating lateral_normal(meridian *m, const radial *d, int i)
     return value;
 }
 
-/* x 2^e. */
-static pair scaled(floating x, int e)
-{
-    return (pair){cylint_scaled(x.v.hi, x.e + e),
-                  cylint_scaled(x.v.lo, x.e + e)};
-}
-
 /* x / |x|, rounded from a quotient of pairs. */
 static void normalise(const floating x[3], int sign, double to[3])
 {
@@ -255,7 +248,7 @@ static void normalise(const floating x[3], int sign, double to[3])
         if (x[i].v.hi != 0 && x[i].e > e)
             e = x[i].e;
     for (int i = 0; i < 3; i++) {
-        y[i] = scaled(x[i], -e);
+        y[i] = floating_scaled(x[i], -e);
         sum = pair_add(sum, pair_mul(y[i], y[i]));
     }
     const pair size = pair_sqrt(sum);

@@ -107,16 +107,13 @@ INLINE int answer_by_signs(const local_line *l, const local_quadratic *q,
                            unsigned want, cylint_answer *answer, int tapered,
                            int extent)
 {
-    const int closed =
-        shape->ends == CYLINT_ENDS_CAPPED || extent != CYLINT_BOUNDED;
     if ((v->pierced | v->spared) != 3 && extent == CYLINT_BOUNDED &&
-        (!closed || want & CYLINT_WANT_PART))
+        (shape->ends != CYLINT_ENDS_CAPPED || want & CYLINT_WANT_PART))
         return CYLINT_UNDECIDED;
     const local_states at =
         states_in_pairs(l, v, q, in, shape, line, tapered, extent);
     return write_signs(&at, v, first_lane(l, q->A, tapered, extent),
-                       closed ? v->lanes : ends_present(parts_of(v), shape),
-                       want, answer, extent);
+                       lanes_present(v, shape, extent), want, answer, extent);
 }
 
 INLINE int answer_by_roots(const local_line *l, const local_quadratic *q,
@@ -152,10 +149,8 @@ int CYLINT_HARD(ARGUMENTS, unsigned known, double Q, double D)
         q = quadratic_in_pairs(&l, &in, shape, tapered);
     else
         v = classify_in_pairs(&l, &q, &in, shape, tapered, extent);
-    if (v.misses) {
-        answer->relation = CYLINT_RELATION_MISS;
-        return answer->n = 0;
-    }
+    if (v.misses)
+        return write_miss(answer);
     if (!v.crosses)
         return CYLINT_UNDECIDED;
     return want & CYLINT_WANT_T

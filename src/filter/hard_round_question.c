@@ -47,8 +47,7 @@ INLINE round_verdict classify_round_in_pairs(round_line *x,
         v.cone.G = v_first(rounded(G_pairs(&in.in, tapered, &Y)));
         v.cone.G_error = tapered ? cone_error(l, shape, rounded(Y))
                                  : disc_error(l, shape->r0);
-        *cone =
-            with_errors(l, shape, rounded(AB_pairs(&in.in, tapered)), tapered);
+        *cone = quadratic_in_pairs(l, &in.in, shape, tapered);
         v.cone.misses = v.cone.G < -v.cone.G_error;
         if (!v.cone.misses) {
             const unsigned balls =
@@ -57,14 +56,11 @@ INLINE round_verdict classify_round_in_pairs(round_line *x,
             if (balls)
                 classify_balls(&v, balls);
         }
-        /* what the values lost when they were rounded, and A t as well when t
-         * is estimated: three roundings */
-        v.cone.G_error += CYLINT_ROUNDING * fabs(v.cone.G);
-        cone->A_error += 2 * CYLINT_ROUNDING * fabs(cone->A);
-        cone->B_error += CYLINT_ROUNDING * fabs(cone->B);
+        v.cone.G_error += CYLINT_ROUNDING * fabs(v.cone.G); /* it was rounded */
     }
     *ball = quadratic_of_balls(x, &v, rounded(ball_A_pairs(&in.in)),
                                rounded(ball_B_pairs(&in.in, &in.balls)));
+    /* as quadratic_in_pairs() */
     ball->radicand_error =
         v_sum_of(rounding, v_abs(ball->radicand), ball->radicand_error);
     ball->A_error = v_sum_of(rounding + rounding, ball->A, ball->A_error);

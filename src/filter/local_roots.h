@@ -56,6 +56,19 @@ INLINE void write_parts(cylint_answer *answer, end_parts p, unsigned hits,
     }
 }
 
+INLINE int write_miss(cylint_answer *answer)
+{
+    answer->relation = CYLINT_RELATION_MISS;
+    return answer->n = 0;
+}
+
+/* hits: bits of lanes. */
+INLINE int write_cross(cylint_answer *answer, unsigned hits)
+{
+    answer->relation = CYLINT_RELATION_CROSS;
+    return answer->n = (int)(hits & 1) + (int)(hits >> 1);
+}
+
 /* Of two hits the nearest if only that is wanted. */
 INLINE unsigned wanted_hits(unsigned hits, unsigned want, int first)
 {
@@ -239,8 +252,7 @@ INLINE int write_hits(const local_roots *r, int first, end_parts parts,
         write_roots(answer, rest, r, hits, first);
     if (want & CYLINT_WANT_PART)
         write_parts(answer, parts, hits, first, bounded);
-    answer->relation = CYLINT_RELATION_CROSS;
-    return answer->n = (int)(hits & 1) + (int)(hits >> 1);
+    return write_cross(answer, hits);
 }
 
 /* Writes the hits among the roots.  CYLINT_UNDECIDED: a root is too near to an
@@ -269,8 +281,7 @@ INLINE int write_signs(const local_states *at, const local_verdict *v,
         wanted_hits(present & (begins << first | ends << !first), want, first);
     if (want & CYLINT_WANT_PART)
         write_parts(answer, parts_of(v), hits, first, extent == CYLINT_BOUNDED);
-    answer->relation = CYLINT_RELATION_CROSS;
-    return answer->n = (int)(hits & 1) + (int)(hits >> 1);
+    return write_cross(answer, hits);
 }
 
 /* ---------------------------------- for the functions that continue ----- */

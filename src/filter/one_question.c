@@ -44,12 +44,6 @@ INLINE local_line started(vd p, vd v, double Q, double D)
     return l;
 }
 
-INLINE int write_miss(cylint_answer *answer)
-{
-    answer->relation = CYLINT_RELATION_MISS;
-    return answer->n = 0;
-}
-
 /* Where G does not show a miss. */
 INLINE int ends_by_roots(local_line *l, local_verdict v, ARGUMENTS, int tapered,
                          int extent)
@@ -104,8 +98,7 @@ INLINE int ends_by_signs(local_line *l, local_verdict v, ARGUMENTS, int tapered,
     const double A = quadratic_of(l, shape, tapered).A;
     const int n =
         write_signs(&at, &v, first_lane(l, A, tapered, extent),
-                    closed ? v.lanes : ends_present(parts_of(&v), shape), want,
-                    answer, extent);
+                    lanes_present(&v, shape, extent), want, answer, extent);
     if (n != CYLINT_UNDECIDED)
         return n;
     return CYLINT_HARD(shape, line, want, answer, rest,

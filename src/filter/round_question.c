@@ -76,11 +76,11 @@ INLINE int round_by_signs(round_line *x, round_verdict v, ARGUMENTS, int kind)
         return CYLINT_UNDECIDED;
     const end_parts e = ends_of(&v);
     const end_parts parts = round_parts(e, shape, kind);
-    const unsigned hits = wanted_hits(
-        (unsigned)in & (closed ? 3 : ends_present(parts, shape)), want, first);
+    const unsigned hits =
+        wanted_hits((unsigned)in & ends_present(parts, shape), want, first);
     if (want & CYLINT_WANT_PART)
         write_parts(answer, parts, hits, first, 1);
-    return answer->n = (int)(hits & 1) + (int)(hits >> 1);
+    return write_cross(answer, hits);
 }
 
 /* A kernel that begins with the part that decides most misses. */

@@ -31,6 +31,13 @@ static inline floating floating_div(floating x, floating y)
     return (floating){pair_div(x.v, y.v), x.e - y.e};
 }
 
+/* x 2^e as a pair. */
+static inline pair floating_scaled(floating x, int e)
+{
+    return (pair){cylint_scaled(x.v.hi, x.e + e),
+                  cylint_scaled(x.v.lo, x.e + e)};
+}
+
 /* |x|. */
 static inline floating floating_size(floating x)
 {

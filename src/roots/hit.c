@@ -75,18 +75,11 @@ static int exponent_of(floating x)
     return x.v.hi == 0 ? INT_MIN / 2 : x.e + cylint_exponent(x.v.hi);
 }
 
-/* x 2^e. */
-static pair pair_of(floating x, int e)
-{
-    return (pair){cylint_scaled(x.v.hi, x.e + e),
-                  cylint_scaled(x.v.lo, x.e + e)};
-}
-
 /* Each component is within 3 units in its last place: |x|^2 is summed in pairs,
  * so that there remain the roundings of it, of its root, of the component and of
  * the quotient.  No component exceeds 1.  Squares neither overflow nor, of the
  * largest component, underflow. */
-void cylint_normalise(const floating x[3], int sign, double to[3])
+static void normalise(const floating x[3], int sign, double to[3])
 {
     pair y[3], sum = {0, 0};
     int e = exponent_of(x[0]), scaled = 0;
@@ -96,7 +89,7 @@ void cylint_normalise(const floating x[3], int sign, double to[3])
         scaled |= x[i].e != 0;
     scaled |= e > CYLINT_SQUARE_EXPONENT || e < -CYLINT_SQUARE_EXPONENT;
     for (int i = 0; i < 3; i++) {
-        y[i] = scaled ? pair_of(x[i], -e) : x[i].v;
+        y[i] = scaled ? floating_scaled(x[i], -e) : x[i].v;
         sum = pair_add(sum, pair_mul(y[i], y[i]));
     }
     const double size = sign * sqrt(sum.hi);
@@ -113,7 +106,7 @@ static double turns(floating y, floating x)
     if (y.v.hi == 0 && x.v.hi == 0)
         return 0;
     const int ex = exponent_of(x), ey = exponent_of(y), e = ex > ey ? ex : ey;
-    const pair X = pair_of(x, -e), Y = pair_of(y, -e);
+    const pair X = floating_scaled(x, -e), Y = floating_scaled(y, -e);
     const double rest =
         (X.hi * Y.lo - Y.hi * X.lo) / (X.hi * X.hi + Y.hi * Y.hi);
     return cylint_turns(atan2(Y.hi, X.hi) + rest);
@@ -396,12 +389,12 @@ static void write_facts(cylint_query *q, const floating *facts,
 {
     if (want & CYLINT_WANT_NORMAL) {
         if (!is_curved(q, part))
-            cylint_normalise(facts + AXIAL, part == CYLINT_PART_CAP1 ? 1 : -1,
-                             hit->normal);
+            normalise(facts + AXIAL, part == CYLINT_PART_CAP1 ? 1 : -1,
+                      hit->normal);
         else if (apex)
-            cylint_normalise(facts + AXIS, apex_sign(q), hit->normal);
+            normalise(facts + AXIS, apex_sign(q), hit->normal);
         else
-            cylint_normalise(facts + GRADIENT, 1, hit->normal);
+            normalise(facts + GRADIENT, 1, hit->normal);
     }
     if (want & CYLINT_WANT_Z)
         hit->z = is_on_cap(q, root)             ? root == ROOT_CAP1

@@ -63,9 +63,6 @@ surd cylint_surd(cylint_query *q, cylint_root root);
 int cylint_sign_at(cylint_query *q, const surd *t, exact f0, exact f1);
 floating cylint_value_at(cylint_query *q, surd *t, exact f0, exact f1);
 
-/* x / |x| times the sign: each component within 3 units in its last place. */
-void cylint_normalise(const floating x[3], int sign, double to[3]);
-
 /* The wanted members of a hit but t, part and side.  t is the double nearest
  * to the root, t + more the root, but for `error` at most: neither changes a
  * bit of the answer.  apex: whether the hit is the apex of a cone. */
