@@ -10,6 +10,7 @@
 #define CYLINT_LOCAL_LANES_H
 
 #include "filter.h"
+#include "local_steps.h"
 #include "sphere_lanes.h"
 
 /* The lines.  from: the origin less the base; tmin, tmax: the domain. */
@@ -46,17 +47,6 @@ INLINE void load_local_lines(local_lines *l, const cylint_shape *shape,
     l->D = size * v_set(f->norm);
     l->in_range = m_and(v_le(v_set(1 / CYLINT_WINDOW), size),
                         v_le(size, v_set(CYLINT_WINDOW)));
-}
-
-/* 1 + |slope|. */
-INLINE double taper_of_lanes(const cylint_shape *shape, int tapered)
-{
-    return tapered ? 1 + fabs(shape->local.slope) : 1;
-}
-
-INLINE double widest_of_lanes(const cylint_shape *shape)
-{
-    return cylint_larger(shape->r0, shape->r1);
 }
 
 /* Masks of certain signs. */
@@ -118,9 +108,8 @@ INLINE vm miss_by_G(lines_verdict *v, const local_lines *l,
         Y = Y_many(&l->in);
     v->G.v = G_many(&l->in, tapered, &Y).a;
     if (tapered) {
-        const vd off =
-            v_set(0.5 * CYLINT_LOCAL_FORM * u * taper_of_lanes(shape, 1)) *
-            l->Q * l->D;
+        const vd off = v_set(0.5 * CYLINT_LOCAL_FORM * u * taper_of(shape, 1)) *
+                       l->Q * l->D;
         v->G.e = (off + off) * (v_abs(Y.a) + v_abs(Y.b) + off);
     } else {
         v->G.e =
@@ -134,7 +123,7 @@ INLINE vm miss_by_G(lines_verdict *v, const local_lines *l,
 INLINE void classify_lines(lines_verdict *v, const local_lines *l,
                            const cylint_shape *shape, int tapered, int bounded)
 {
-    const double u = CYLINT_ROUNDING, k = taper_of_lanes(shape, tapered);
+    const double u = CYLINT_ROUNDING, k = taper_of(shape, tapered);
     const vtwo AB = AB_many(&l->in, tapered);
     const vd D = v_set(k) * l->D, Q = v_set(k) * l->Q;
     v->A = (bounded_value){AB.a, v_set(CYLINT_LOCAL_A * u) * D * D};
@@ -150,7 +139,7 @@ INLINE void classify_lines(lines_verdict *v, const local_lines *l,
     }
     const vd scale = v_set(CYLINT_LOCAL_FORM * u) * l->Q * l->D * l->D;
     const vd eE = scale * v_sum_of(v_set(CYLINT_LOCAL_SECOND * u), l->Q,
-                                   v_set(widest_of_lanes(shape)));
+                                   v_set(widest_of(shape, tapered)));
     const vd eN = v_set(k) * scale;
     const vtwo E = E_many(&l->in), N = N_many(&l->in, tapered);
     const cap_masks c = {{masks_of(E.a, eE), masks_of(E.b, eE)},
@@ -173,7 +162,7 @@ INLINE lines_state state_at(const local_lines *l, const lines_verdict *v,
                             const cylint_shape *shape, vd limit, int tapered,
                             int bounded)
 {
-    const double u = CYLINT_ROUNDING, k = taper_of_lanes(shape, tapered);
+    const double u = CYLINT_ROUNDING, k = taper_of(shape, tapered);
     const line_many *in = &l->in;
     const vd most = v_set(DBL_MAX);
     const vm above = v_lt(most, limit), below = v_lt(limit, -most);
@@ -189,7 +178,7 @@ INLINE lines_state state_at(const local_lines *l, const lines_verdict *v,
     if (tapered)
         rho = v_sum_of(in->slope.a, z0, rho);
     if (bounded)
-        widest = v_set(widest_of_lanes(shape));
+        widest = v_set(widest_of(shape, tapered));
     sign_masks C = masks_of(v_sum_of(-rho, rho, v_sum_of(x, x, y * y)),
                             v_set(4) * eP * (widest + eP));
     sign_masks behind =
@@ -225,7 +214,7 @@ typedef struct {
     vpair p[2], v[2], z[2], w;
 } lines_in_pairs;
 
-/* A row of the matrix times x, as transformed() in local_lines.h. */
+/* A row of the matrix times x, as transformed() in local_pairs.h. */
 INLINE vpair row_in_pairs(const cylint_local *f, int row, const vpair x[3],
                           int exact)
 {
@@ -244,11 +233,6 @@ INLINE vpair row_in_pairs(const cylint_local *f, int row, const vpair x[3],
                                (first.lo + all.lo)};
 }
 
-INLINE vpair pair_of(double hi, double lo)
-{
-    return (vpair){v_set(hi), v_set(lo)};
-}
-
 INLINE void lines_to_pairs(lines_in_pairs *to, const local_lines *l,
                            const cylint_shape *shape)
 {
@@ -263,22 +247,8 @@ INLINE void lines_to_pairs(lines_in_pairs *to, const local_lines *l,
         to->v[i] = row_in_pairs(f, i, d, 1);
     }
     to->z[0] = row_in_pairs(f, 2, from, 0);
-    to->z[1] = vpair_sub(to->z[0], pair_of(f->height, f->height_lo));
+    to->z[1] = vpair_sub(to->z[0], twice(f->height, f->height_lo));
     to->w = row_in_pairs(f, 2, d, 1);
-}
-
-/* x + t v. */
-INLINE vpair moved_by(vpair x, vpair v, vd t)
-{
-    vpair step = v_two_prod(t, v.hi);
-    step.lo = v_sum_of(t, v.lo, step.lo);
-    return vpair_add(x, step);
-}
-
-INLINE vpair square_in_pairs(vpair x)
-{
-    const vpair square = v_two_prod(x.hi, x.hi);
-    return (vpair){square.hi, v_sum_of(x.hi + x.hi + x.lo, x.lo, square.lo)};
 }
 
 /* The root of one end.  known: certainly rounded; low, high: bounds. */
@@ -287,42 +257,29 @@ typedef struct {
     vm known;
 } lines_root;
 
-#define FORM(name) name##_of_lines
-#define NEWTON_INLINE INLINE
-#define NUM vd
-#define ABS(x) v_abs(x)
-#define CONSTANT(x) v_set(x)
-#define QUOTIENT(x, y, inverse) ((x) * (inverse))
-#define SLACK CYLINT_LOCAL_SLACK
-#include "../roots/newton_template.h"
-
 /* The residual at t of the lateral surface, with its error. */
 INLINE bounded_value lateral_residual(const lines_in_pairs *in, vd t, vd size,
                                       const cylint_shape *shape, int tapered)
 {
-    const double k = taper_of_lanes(shape, tapered), u = shape->local.error;
     const cylint_local *f = &shape->local;
-    const vpair x = moved_by(in->p[0], in->v[0], t);
-    const vpair y = moved_by(in->p[1], in->v[1], t);
-    const vpair xx = square_in_pairs(x), yy = square_in_pairs(y);
+    const vpair x = moved(in->p[0], in->v[0], t);
+    const vpair y = moved(in->p[1], in->v[1], t);
+    const vpair xx = vpair_square(x), yy = vpair_square(y);
     const vpair pp = v_two_sum(xx.hi, yy.hi);
     vd across = v_abs(x.hi) + v_abs(y.hi);
     vpair rho2;
     if (tapered) {
-        const vpair z = moved_by(in->z[0], in->w, t);
-        const vpair rho =
-            vpair_add(pair_of(shape->r0, 0),
-                      vpair_mul(pair_of(f->slope, f->slope_lo), z));
-        rho2 = square_in_pairs(rho);
+        const vpair z = moved(in->z[0], in->w, t);
+        const vpair rho = vpair_add(twice(shape->r0, 0),
+                                    vpair_mul(twice(f->slope, f->slope_lo), z));
+        rho2 = vpair_square(rho);
         across = across + v_abs(rho.hi);
     } else {
         rho2 = v_two_prod(v_set(shape->r0), v_set(shape->r0));
     }
-    const vd most = v_set(k) * size;
-    const vd off = v_set(CYLINT_LOCAL_RESIDUAL * u) * most;
-    return (bounded_value){
-        (pp.hi - rho2.hi) + ((pp.lo + (xx.lo + yy.lo)) - rho2.lo),
-        off * v_sum_of(v_set(CYLINT_LOCAL_UNTRIMMED), most, across + off)};
+    return (bounded_value){(pp.hi - rho2.hi) +
+                               ((pp.lo + (xx.lo + yy.lo)) - rho2.lo),
+                           lateral_error(size, across, shape, tapered)};
 }
 
 /* As estimate_ends() and round_ends() for one end: of cap 1 in lanes of `top`,
@@ -349,33 +306,20 @@ INLINE lines_root root_of_line(const local_lines *l, const lines_verdict *v,
     const bounded_value lateral = lateral_residual(in, t, size, shape, tapered);
     vd residual = lateral.v, error = lateral.e;
     if (bounded) {
-        const vd high = v_select(top, in->z[1].hi, in->z[0].hi);
-        const vd low =
-            v_sum_of(t, in->w.lo, v_select(top, in->z[1].lo, in->z[0].lo));
-        const vpair step = v_two_prod(t, in->w.hi);
+        const vpair z = {v_select(top, in->z[1].hi, in->z[0].hi),
+                         v_select(top, in->z[1].lo, in->z[0].lo)};
         slope_error =
             v_select(cap, v_set(CYLINT_LOCAL_POSITION * CYLINT_ROUNDING) * l->D,
                      slope_error);
-        residual = v_select(cap, (high + step.hi) + (step.lo + low), residual);
-        error = v_select(
-            cap, v_set(CYLINT_LOCAL_RESIDUAL * shape->local.error) * size,
-            error);
+        residual = v_select(cap, height_at(z, in->w, t), residual);
+        error = v_select(cap, height_error(size, shape), error);
     }
-    const vd distance = v_set(CYLINT_LOCAL_DISTANCE) *
-                        (v_abs(residual) + error) * v_abs(inverse);
-    const newton_of_lines step = newton_step_of_lines(
-        residual, error, slope, slope_error, curvature, distance);
-    const vpair r = v_two_sum(t, -step.delta);
-    const vd low = r.hi + (r.lo - step.error);
-    const vd high = r.hi + (r.lo + step.error);
+    const rounded_step r =
+        step_from(t, residual, error, slope, inverse, slope_error, curvature);
     const vd off = v_sum_of(v_abs(t), v->A.e, v->B.e);
     const vm usable = m_or(cap, m_and(v_le(off, v_set(0.25) * s),
                                       v_lt(v_set(4) * v->G.e, v->G.v)));
-    const vm in_range = m_and(v_lt(v_abs(r.hi), v_set(1 / CYLINT_ROOT_LEAST)),
-                              v_lt(v_set(CYLINT_ROOT_LEAST), v_abs(r.hi)));
-    return (lines_root){r.hi, low, high,
-                        m_and(m_and(usable, in_range),
-                              m_and(v_eq(low, r.hi), v_eq(high, r.hi)))};
+    return (lines_root){r.root.hi, r.low, r.high, m_and(usable, r.nearest)};
 }
 
 /* ---------------------------------------------------------- answers ----- */

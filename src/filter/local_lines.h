@@ -15,6 +15,7 @@
 #include "../numbers/simd.h"
 #include "../shapes/shape_facts.h"
 #include "filter.h"
+#include "local_steps.h"
 
 #define V vd
 #define FORM(name) name##_doubles
@@ -114,12 +115,6 @@ INLINE void load_local(local_line *l, const cylint_shape *shape,
     load_rest(l, shape, line, tapered, CYLINT_BOUNDED);
 }
 
-/* 1 + |slope|: bounds what a slope adds to the errors. */
-INLINE double taper_of(const cylint_shape *shape, int tapered)
-{
-    return tapered ? 1 + fabs(shape->local.slope) : 1;
-}
-
 /* The error of E, and of G of a straight shape. */
 INLINE double disc_error(const local_line *l, double r)
 {
@@ -185,11 +180,6 @@ INLINE sign_bits at_cap(sign_bits x, int cap)
 #define NEGATIVE(x) (x).negative
 #define NOT_POSITIVE(x) (x).negative
 #include "../signs/overlap_template.h"
-
-INLINE double widest_of(const cylint_shape *shape, int tapered)
-{
-    return tapered ? cylint_larger(shape->r0, shape->r1) : shape->r0;
-}
 
 /* E and N: of both caps. */
 INLINE cap_signs signs_at_caps(local_verdict *v, const local_line *l,

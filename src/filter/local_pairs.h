@@ -35,11 +35,6 @@ INLINE vpair vpair_firsts(vpair x, vpair y)
 #define PAIRED(x, y) vpair_firsts(x, y)
 #include "local_forms_template.h"
 
-INLINE vpair twice(double hi, double lo)
-{
-    return (vpair){v_set(hi), v_set(lo)};
-}
-
 /* The matrix times a vector, whose components are hi[j] + lo[j] in all lanes.
  * lo may be NULL: 0. */
 INLINE vqpair transformed(const cylint_local *f, const vq hi[3], const vq lo[3])
@@ -180,14 +175,6 @@ INLINE local_verdict classify_in_pairs(const local_line *l, local_quadratic *q,
 
 /* ------------------------------------------- at points of the line ----- */
 
-/* z + t w in pairs. */
-INLINE vpair moved(vpair z, vpair w, vd t)
-{
-    vpair step = v_two_prod(t, w.hi);
-    step.lo = v_sum_of(t, w.lo, step.lo);
-    return vpair_add(z, step);
-}
-
 /* (p, p) + (t[0] v, t[1] v): x and y at both t. */
 INLINE vqpair points_at(const line_pairs *in, vd t)
 {
@@ -198,13 +185,6 @@ INLINE vqpair points_at(const line_pairs *in, vd t)
     const vqpair sum = q_two_sum(q_join(in->p.hi, in->p.hi), step);
     return (vqpair){sum.hi,
                     q_add(sum.lo, q_add(q_join(in->p.lo, in->p.lo), rest))};
-}
-
-/* x^2.  x.lo may be larger than a rounding of x.hi. */
-INLINE vpair vpair_square(vpair x)
-{
-    const vpair square = v_two_prod(x.hi, x.hi);
-    return (vpair){square.hi, v_sum_of(x.hi + x.hi + x.lo, x.lo, square.lo)};
 }
 
 /* Q at t of both lanes.  `across`: |x| + |y|, and + |rho| of a tapered shape. */
@@ -237,38 +217,6 @@ INLINE lateral_value lateral_at(const line_pairs *in, const cylint_shape *shape,
     }
     return (lateral_value){
         (pp.hi - rho2.hi) + ((pp.lo + halves_of(rest)) - rho2.lo), across};
-}
-
-/* z + t w, rounded: the error is relative to it, but for that of z and w. */
-INLINE vd height_at(vpair z, vpair w, vd t)
-{
-    const vd low = v_sum_of(t, w.lo, z.lo);
-#if V_HAS_FMA
-    return v_fma(t, w.hi, z.hi) + low;
-#else
-    const vpair step = v_two_prod(t, w.hi);
-    return (z.hi + step.hi) + (step.lo + low);
-#endif
-}
-
-/* Not less than any coordinate at t. */
-INLINE vd size_at(vd t, double Q, double D)
-{
-    return v_sum_of(v_abs(t), v_set(D), v_set(Q));
-}
-
-/* The errors of height_at() and of lateral_at(). */
-INLINE vd height_error(vd size, const cylint_shape *shape)
-{
-    return v_set(CYLINT_LOCAL_RESIDUAL * shape->local.error) * size;
-}
-
-INLINE vd lateral_error(vd size, vd across, const cylint_shape *shape,
-                        int tapered)
-{
-    const vd most = v_set(taper_of(shape, tapered)) * size;
-    const vd off = height_error(most, shape);
-    return off * v_sum_of(v_set(CYLINT_LOCAL_UNTRIMMED), most, across + off);
 }
 
 /* As states_in_doubles(), in pairs.  q: the quadratic. */

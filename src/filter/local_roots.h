@@ -137,35 +137,15 @@ typedef struct {
     unsigned nearest;
 } local_roots;
 
-/* Newton's step from t.  residual and error: of each lane; distance: of t from
- * the root, at most. */
-#define FORM(name) name##_lanes
-#define NEWTON_INLINE INLINE
-#define NUM vd
-#define ABS(x) v_abs(x)
-#define CONSTANT(x) v_set(x)
-#define QUOTIENT(x, y, inverse) ((x) * (inverse))
-#define SLACK CYLINT_LOCAL_SLACK
-#include "../roots/newton_template.h"
-
 /* How the roots round that Newton's step leads to from t. */
 INLINE local_roots stepped(vd t, vd residual, vd residual_error,
                            const local_ends *at)
 {
-    const vd distance = v_set(CYLINT_LOCAL_DISTANCE) *
-                        (v_abs(residual) + residual_error) * v_abs(at->inverse);
-    const newton_lanes step =
-        newton_step_lanes(residual, residual_error, at->slope, at->slope_error,
-                          at->curvature, distance);
-    const vpair r = v_two_sum(t, -step.delta);
-    const vd low = r.hi + (r.lo - step.error);
-    const vd high = r.hi + (r.lo + step.error);
-    const vd size = v_abs(r.hi);
-    const vm in_range = m_and(v_lt(size, v_set(1 / CYLINT_ROOT_LEAST)),
-                              v_lt(v_set(CYLINT_ROOT_LEAST), size));
-    const vm nearest =
-        m_and(m_and(v_eq(low, r.hi), v_eq(high, r.hi)), in_range);
-    return (local_roots){r.hi, r.lo, step.error, low, high, m_bits(nearest)};
+    const rounded_step r =
+        step_from(t, residual, residual_error, at->slope, at->inverse,
+                  at->slope_error, at->curvature);
+    return (local_roots){r.root.hi, r.root.lo, r.error,
+                         r.low,     r.high,    m_bits(r.nearest)};
 }
 
 /* By residuals in pairs. */
