@@ -35,12 +35,6 @@ const char *cylint_strerror(int status)
     }
 }
 
-static int finite3(const double x[3])
-{
-    return fabs(x[0]) <= DBL_MAX && fabs(x[1]) <= DBL_MAX &&
-           fabs(x[2]) <= DBL_MAX;
-}
-
 static int zero3(const double x[3])
 {
     return cylint_sign(x[0]) == 0 && cylint_sign(x[1]) == 0 &&
@@ -129,8 +123,8 @@ static void write_two_points(cylint_shape *shape, const double p0[3], double r0,
 static cylint_status check_two_points(const double p0[3], double r0,
                                       const double p1[3], double r1)
 {
-    if (!finite3(p0) || !finite3(p1) || !(fabs(r0) <= DBL_MAX) ||
-        !(fabs(r1) <= DBL_MAX))
+    if (!cylint_is_finite(p0) || !cylint_is_finite(p1) ||
+        !(fabs(r0) <= DBL_MAX) || !(fabs(r1) <= DBL_MAX))
         return CYLINT_ENONFINITE;
     if (cylint_sign(r0) < 0 || cylint_sign(r1) < 0 ||
         (cylint_sign(r0) == 0 && cylint_sign(r1) == 0))
@@ -230,8 +224,8 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
                                    const double h[3], double k,
                                    cylint_ends ends)
 {
-    if (!finite3(c) || !finite3(a) || !finite3(b) || !finite3(h) ||
-        !(fabs(k) <= DBL_MAX))
+    if (!cylint_is_finite(c) || !cylint_is_finite(a) || !cylint_is_finite(b) ||
+        !cylint_is_finite(h) || !(fabs(k) <= DBL_MAX))
         return refuse_shape(shape, CYLINT_ENONFINITE);
     if (cylint_sign(k) < 0)
         return refuse_shape(shape, CYLINT_ERADIUS);
@@ -271,7 +265,8 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
                                   const double u[3], double tangent,
                                   cylint_ends ends)
 {
-    if (!finite3(v) || !finite3(u) || !(fabs(tangent) <= DBL_MAX))
+    if (!cylint_is_finite(v) || !cylint_is_finite(u) ||
+        !(fabs(tangent) <= DBL_MAX))
         return refuse_shape(shape, CYLINT_ENONFINITE);
     if (cylint_sign(tangent) <= 0)
         return refuse_shape(shape, CYLINT_EANGLE);
@@ -298,7 +293,8 @@ cylint_status cylint_angle_cone(cylint_shape *shape, const double v[3],
                                 const double u[3], double degrees,
                                 cylint_ends ends)
 {
-    if (!finite3(v) || !finite3(u) || !(fabs(degrees) <= DBL_MAX))
+    if (!cylint_is_finite(v) || !cylint_is_finite(u) ||
+        !(fabs(degrees) <= DBL_MAX))
         return refuse_shape(shape, CYLINT_ENONFINITE);
     if (cylint_sign(degrees) <= 0 || !(degrees < 90))
         return refuse_shape(shape, CYLINT_EANGLE);
@@ -316,7 +312,7 @@ static cylint_status refuse_line(cylint_line *line, cylint_status why)
 cylint_status cylint_span(cylint_line *line, const double o[3],
                           const double d[3], double tmin, double tmax)
 {
-    if (!finite3(o) || !finite3(d))
+    if (!cylint_is_finite(o) || !cylint_is_finite(d))
         return refuse_line(line, CYLINT_ENONFINITE);
     if (zero3(d))
         return refuse_line(line, CYLINT_EDIRECTION);
@@ -349,7 +345,7 @@ cylint_status cylint_ray(cylint_line *line, const double o[3],
 cylint_status cylint_segment(cylint_line *line, const double a[3],
                              const double b[3])
 {
-    if (!finite3(a) || !finite3(b))
+    if (!cylint_is_finite(a) || !cylint_is_finite(b))
         return refuse_line(line, CYLINT_ENONFINITE);
     if (equal3(a, b))
         return refuse_line(line, CYLINT_EDIRECTION);

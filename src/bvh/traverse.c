@@ -3,19 +3,11 @@
  */
 #include "traverse.h"
 
-#include "ray.h"
+#include "keyed_entry.h"
 
 #ifndef CYLINT_TRAVERSAL
 #define CYLINT_TRAVERSAL cylint_traversal_plain
 #endif
-
-typedef struct {
-    uint64_t key;
-} entry;
-
-typedef struct {
-    uint32_t enter[CYLINT_CHILDREN];
-} child_hits;
 
 typedef struct {
     const cylint_bvh *bvh;
@@ -27,13 +19,6 @@ typedef struct {
 static inline int is_needed(const traversal *t, const entry *e)
 {
     return e->key >> 32 <= order_key(t->ray->last);
-}
-
-static inline int is_done_alone(const traversal *t, const entry *e)
-{
-    (void)t;
-    (void)e;
-    return 0;
 }
 
 CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
@@ -50,12 +35,7 @@ CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
     return hit & node->children;
 }
 
-CYLINT_INLINE entry entry_of(const child_hits *hits, const cylint_node *node,
-                             int i)
-{
-    return (entry){keyed_child(hits->enter[i], node->child[i])};
-}
-
+#define IS_DONE_ALONE(t, e) 0
 #include "traverse_template.h"
 
 static inline void push_start(traversal *t, const cylint_bvh *bvh,

@@ -7,21 +7,12 @@
  */
 #include <string.h>
 
-#include "ray.h"
+#include "keyed_entry.h"
 #include "traverse_point.h"
 
 #ifndef CYLINT_TRAVERSE_POINT
 #define CYLINT_TRAVERSE_POINT cylint_traverse_point_plain
 #endif
-
-/* A node or leaf that is not visited yet, with the key of its lower bound. */
-typedef struct {
-    uint64_t key;
-} entry;
-
-typedef struct {
-    uint32_t enter[CYLINT_CHILDREN];
-} child_hits;
 
 /*
  * Lower bounds of nodes are floats: of a near point the squares of distances, of
@@ -42,13 +33,6 @@ typedef struct {
 static inline int is_needed(const traversal *t, const entry *e)
 {
     return e->key >> 32 <= order_key(t->last);
-}
-
-static inline int is_done_alone(const traversal *t, const entry *e)
-{
-    (void)t;
-    (void)e;
-    return 0;
 }
 
 /* ---------------------------------------------------------------- boxes -- */
@@ -129,12 +113,7 @@ CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
     return hit & node->children;
 }
 
-CYLINT_INLINE entry entry_of(const child_hits *hits, const cylint_node *node,
-                             int i)
-{
-    return (entry){keyed_child(hits->enter[i], node->child[i])};
-}
-
+#define IS_DONE_ALONE(t, e) 0
 #include "traverse_template.h"
 
 /* --------------------------------------------------------------- leaves -- */

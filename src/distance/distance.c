@@ -9,13 +9,6 @@
 #include "elliptic.h"
 #include "exact_distance.h"
 
-/* A finite point; an infinite or NaN coordinate fails the comparison. */
-static int is_finite(const double x[3])
-{
-    return fabs(x[0]) <= DBL_MAX && fabs(x[1]) <= DBL_MAX &&
-           fabs(x[2]) <= DBL_MAX;
-}
-
 /* There is no surface. */
 static double nowhere(cylint_closest *answer)
 {
@@ -67,7 +60,7 @@ static int is_certified_prepared(const cylint_shape *shape,
 ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
                          unsigned want, cylint_closest *answer)
 {
-    if (shape->kind == CYLINT_KIND_NONE || !is_finite(point)) {
+    if (shape->kind == CYLINT_KIND_NONE || !cylint_is_finite(point)) {
         answer->flags = CYLINT_FLAG_INVALID;
         return nowhere(answer);
     }

@@ -145,6 +145,7 @@ CYLINT_INLINE entry entry_of(const child_hits *hits, const cylint_node *node,
     return (entry){keyed_child(hits->enter[i], node->child[i]), hits->rays[i]};
 }
 
+#define IS_DONE_ALONE(p, e) is_done_alone(p, e)
 #include "../bvh/traverse_template.h"
 
 /* ---------------------------------------------------------------- leaves -- */

@@ -102,6 +102,13 @@ static inline double cylint_largest(const double x[3])
     return cylint_larger(cylint_larger(fabs(x[0]), fabs(x[1])), fabs(x[2]));
 }
 
+/* An infinite or NaN coordinate fails the comparison. */
+static inline int cylint_is_finite(const double x[3])
+{
+    return fabs(x[0]) <= DBL_MAX && fabs(x[1]) <= DBL_MAX &&
+           fabs(x[2]) <= DBL_MAX;
+}
+
 /* x - y as a pair, exactly, in every floating-point environment.  If x - y
  * overflows, lo is 0. */
 pair cylint_wild_difference(double x, double y);

@@ -268,12 +268,6 @@ static void test_all(search *q, int nearest)
     test_bounded(q, nearest);
 }
 
-static int is_finite(const double x[3])
-{
-    return fabs(x[0]) <= DBL_MAX && fabs(x[1]) <= DBL_MAX &&
-           fabs(x[2]) <= DBL_MAX;
-}
-
 static void test_all_within(search *q)
 {
     q->once = BY_SET;
@@ -290,7 +284,7 @@ static void test_all_within(search *q)
 static int start(search *q, const cylint_scene *scene, const double point[3],
                  double radius)
 {
-    if (!(radius >= 0) || !is_finite(point))
+    if (!(radius >= 0) || !cylint_is_finite(point))
         return 0;
     memset(q->recent, 0xff, sizeof q->recent); /* CYLINT_NO_SHAPE */
     q->heap = (cylint_number_heap){.numbers = NULL};
