@@ -107,6 +107,28 @@ static int sign_of_oracle(const struct oracle_closest *want)
                                      : 1;
 }
 
+/* Of an answer from the oracle's: whether sign and feature are wrong, and the
+ * largest errors in ulp. */
+struct differences {
+    int sign, feature;
+    double distance, point, normal;
+};
+
+static void check_differences(const struct family_case *c, const double p[3],
+                              struct tally *sum, const cylint_closest *got,
+                              const struct oracle_closest *want,
+                              struct differences off)
+{
+    sum->signs += off.sign;
+    sum->features += off.feature;
+    sum->distance = fmax(sum->distance, off.distance);
+    sum->point = fmax(sum->point, off.point);
+    sum->normal = fmax(sum->normal, off.normal);
+    if (!CHECK(!off.sign && !off.feature && off.distance <= 1 &&
+               off.point <= 4 && off.normal <= 4))
+        report_point(c, p, got, want);
+}
+
 static void check_elliptic(const struct family_case *c, const double p[3],
                            struct tally *sum)
 {
@@ -130,14 +152,9 @@ static void check_elliptic(const struct family_case *c, const double p[3],
     else if ((off_point > 4 || off_normal > 4) &&
              is_as_near(&c->shape, p, &got))
         sum->ties++, off_point = off_normal = 0;
-    sum->signs += wrong_sign;
-    sum->features += wrong_feature;
-    sum->distance = fmax(sum->distance, off);
-    sum->point = fmax(sum->point, off_point);
-    sum->normal = fmax(sum->normal, off_normal);
-    if (!CHECK(!wrong_sign && !wrong_feature && off <= 1 && off_point <= 4 &&
-               off_normal <= 4))
-        report_point(c, p, &got, &want);
+    check_differences(c, p, sum, &got, &want,
+                      (struct differences){wrong_sign, wrong_feature, off,
+                                           off_point, off_normal});
 }
 
 static void check_point(const struct family_case *c, const double p[3],
@@ -159,14 +176,9 @@ static void check_point(const struct family_case *c, const double p[3],
         want.part < 0 ? 0 : error_of(got.point, want.point, 0);
     const double off_normal =
         want.part < 0 ? 0 : error_of(got.normal, want.normal, 0);
-    sum->signs += wrong_sign;
-    sum->features += wrong_feature;
-    sum->distance = fmax(sum->distance, off);
-    sum->point = fmax(sum->point, off_point);
-    sum->normal = fmax(sum->normal, off_normal);
-    if (!CHECK(!wrong_sign && !wrong_feature && off <= 1 && off_point <= 4 &&
-               off_normal <= 4))
-        report_point(c, p, &got, &want);
+    check_differences(c, p, sum, &got, &want,
+                      (struct differences){wrong_sign, wrong_feature, off,
+                                           off_point, off_normal});
     if (want.part >= 0)
         check_safety(c, p, sum, &want);
 }

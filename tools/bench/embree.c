@@ -58,14 +58,15 @@ static void show(const char *scene, size_t n, const char *rays,
     fflush(stdout);
 }
 
-static void run(const struct cylinder_kind *kind, size_t n, int all,
-                double seconds)
+static void run(const struct scene_size *scene, double seconds)
 {
+    const struct cylinder_kind *kind = scene->kind;
+    const size_t n = scene->n;
     struct contestant c[MOST_RIVALS];
     struct cylinders cylinders = draw_cylinders(kind, n);
     struct rays incoherent = draw_incoherent_rays(RAYS);
     struct rays camera = draw_camera_rays(RAYS);
-    const int rivals = make_rivals(c, kind, &cylinders, all);
+    const int rivals = make_rivals(c, kind, &cylinders, scene->all);
     compete(c, rivals, query_nearest, &incoherent, seconds);
     show(kind->name, n, "incoherent", c, rivals, incoherent.n);
     compete(c, rivals, query_nearest, &camera, seconds);
@@ -81,25 +82,15 @@ static void run(const struct cylinder_kind *kind, size_t n, int all,
 
 int main(int argc, char **argv)
 {
-    const double seconds = argc > 1 ? atof(argv[1]) : 1;
-    const size_t most = argc > 2 ? (size_t)atof(argv[2]) : 1000000;
-    const char *only = argc > 3 ? argv[3] : "";
-    static const struct {
-        const struct cylinder_kind *kind;
-        size_t n;
-        int all;
-    } scenes[] = {
+    static const struct scene_size scenes[] = {
         {&thin, 1000, 1},    {&fat, 1000, 1},    {&thin, 10000, 0},
         {&thin, 100000, 1},  {&fat, 100000, 1},  {&fibre, 100000, 1},
         {&thin, 1000000, 1}, {&fat, 1000000, 1}, {&thin, 10000000, 0}};
     timing_begin();
-    flush_subnormals();
     puts("# higher is better: Mray/s, ratio (to Embree's cone curves); "
          "lower is better: build s, bytes/shape");
     printf("scene\tn\trays\trival\tMray/s\tratio\thits/ray\tbuild s\t"
            "bytes/shape\n");
-    for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++)
-        if (scenes[i].n <= most && strstr(scenes[i].kind->name, only))
-            run(scenes[i].kind, scenes[i].n, scenes[i].all, seconds);
+    run_scenes(argc, argv, scenes, sizeof scenes / sizeof scenes[0], run);
     return 0;
 }

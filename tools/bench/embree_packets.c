@@ -226,8 +226,10 @@ static void race(const char *scene, size_t n, const char *name,
     free_rays(&rays);
 }
 
-static void run(const struct cylinder_kind *kind, size_t n, double seconds)
+static void run(const struct scene_size *scene, double seconds)
 {
+    const struct cylinder_kind *kind = scene->kind;
+    const size_t n = scene->n;
     const char *one = "threads=1";
     struct cylinders cylinders = draw_cylinders(kind, n);
     struct contestant c[] = {
@@ -249,23 +251,15 @@ static void run(const struct cylinder_kind *kind, size_t n, double seconds)
 
 int main(int argc, char **argv)
 {
-    const double seconds = argc > 1 ? atof(argv[1]) : 1;
-    const size_t most = argc > 2 ? (size_t)atof(argv[2]) : 1000000;
-    const char *only = argc > 3 ? argv[3] : "";
-    static const struct {
-        const struct cylinder_kind *kind;
-        size_t n;
-    } scenes[] = {{&thin, 1000},  {&fat, 1000},     {&thin, 100000},
-                  {&fat, 100000}, {&fibre, 100000}, {&thin, 1000000},
-                  {&fat, 1000000}};
+    static const struct scene_size scenes[] = {
+        {&thin, 1000, 1},  {&fat, 1000, 1},     {&thin, 100000, 1},
+        {&fat, 100000, 1}, {&fibre, 100000, 1}, {&thin, 1000000, 1},
+        {&fat, 1000000, 1}};
     timing_begin();
-    flush_subnormals();
     puts("# higher is better: Mray/s, ratio and best (to Embree's cone "
          "curves)");
     printf("scene\tn\trays\tlanes\tflag\trival\tMray/s\tratio\tbest\t"
            "hits/ray\n");
-    for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++)
-        if (scenes[i].n <= most && strstr(scenes[i].kind->name, only))
-            run(scenes[i].kind, scenes[i].n, seconds);
+    run_scenes(argc, argv, scenes, sizeof scenes / sizeof scenes[0], run);
     return 0;
 }

@@ -160,8 +160,10 @@ static void run_nearest(struct scene *s, const struct cylinder_kind *kind,
     show(kind->name, s->shapes[0].n, name, s, rays, errors);
 }
 
-static void run(const struct cylinder_kind *kind, size_t n, double seconds)
+static void run(const struct scene_size *scene, double seconds)
 {
+    const struct cylinder_kind *kind = scene->kind;
+    const size_t n = scene->n;
     struct scene s;
     struct rays incoherent = draw_incoherent_rays(RAYS);
     struct rays camera = draw_camera_rays(RAYS);
@@ -177,22 +179,14 @@ static void run(const struct cylinder_kind *kind, size_t n, double seconds)
 
 int main(int argc, char **argv)
 {
-    const double seconds = argc > 1 ? atof(argv[1]) : 1;
-    const size_t most = argc > 2 ? (size_t)atof(argv[2]) : 1000000;
-    const char *only = argc > 3 ? argv[3] : "";
-    static const struct {
-        const struct cylinder_kind *kind;
-        size_t n;
-    } scenes[] = {{&thin, 1000},    {&fat, 1000},     {&fibre, 1000},
-                  {&fibre, 100000}, {&thin, 1000000}, {&fat, 1000000}};
+    static const struct scene_size scenes[] = {
+        {&thin, 1000, 1},    {&fat, 1000, 1},     {&fibre, 1000, 1},
+        {&fibre, 100000, 1}, {&thin, 1000000, 1}, {&fat, 1000000, 1}};
     timing_begin();
-    flush_subnormals();
     puts("# higher is better: Mray/s, ratio (to Embree's curves of that form); "
          "lower is better: build s, bytes/shape, wrong, off");
     printf("scene\tn\trays\trival\tMray/s\tratio\thits/ray\tbuild s\t"
            "bytes/shape\tchecked\twrong\toff\n");
-    for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++)
-        if (scenes[i].n <= most && strstr(scenes[i].kind->name, only))
-            run(scenes[i].kind, scenes[i].n, seconds);
+    run_scenes(argc, argv, scenes, sizeof scenes / sizeof scenes[0], run);
     return 0;
 }

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
@@ -161,4 +162,16 @@ void flush_subnormals(void)
 #if defined(__SSE2__)
     _mm_setcsr(_mm_getcsr() | 0x8040);
 #endif
+}
+
+void run_scenes(int argc, char **argv, const struct scene_size *scenes,
+                size_t count, void (*run)(const struct scene_size *, double))
+{
+    const double seconds = argc > 1 ? atof(argv[1]) : 1;
+    const size_t most = argc > 2 ? (size_t)atof(argv[2]) : 1000000;
+    const char *only = argc > 3 ? argv[3] : "";
+    flush_subnormals();
+    for (size_t i = 0; i < count; i++)
+        if (scenes[i].n <= most && strstr(scenes[i].kind->name, only))
+            run(&scenes[i], seconds);
 }

@@ -53,6 +53,19 @@ struct rays draw_incoherent_rays(int n);
 struct rays draw_camera_rays(int n);
 void free_rays(struct rays *r);
 
+/* A scene of a benchmark; `all`: with every rival. */
+struct scene_size {
+    const struct cylinder_kind *kind;
+    size_t n;
+    int all;
+};
+
+/* Runs the scenes with at most MOST shapes whose kind's name contains ONLY.
+ * The arguments are SECONDS MOST ONLY (1 1e6 and all), of which `run` is given
+ * SECONDS.  Flushes subnormals. */
+void run_scenes(int argc, char **argv, const struct scene_size *scenes,
+                size_t count, void (*run)(const struct scene_size *, double));
+
 /* Sets flush-to-zero and denormals-are-zero, as Embree advises renderers. */
 void flush_subnormals(void);
 
