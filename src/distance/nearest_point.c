@@ -17,13 +17,7 @@
 #include <limits.h>
 
 #include "../roots/roots.h"
-#include "exact_distance.h"
-
-#define ADD(x, y) cylint_exact_add(m->arena, x, y)
-#define SUB(x, y) cylint_exact_add(m->arena, x, cylint_exact_neg(y))
-#define MUL(x, y) cylint_exact_mul(m->arena, x, y)
-#define BEGIN const int used_before = m->arena->used;
-#define RETURN(x) return cylint_exact_keep(m->arena, used_before, x);
+#include "exact_operators.h"
 
 /* The direction from the axis to the point: V / sqrt(K). */
 typedef struct {
@@ -34,11 +28,6 @@ typedef struct {
 static exact zero_of(meridian *m)
 {
     return (exact){m->arena->limb, 0, 0, 0};
-}
-
-static exact square_of(meridian *m, const exact x[3])
-{
-    return ADD(ADD(MUL(x[0], x[0]), MUL(x[1], x[1])), MUL(x[2], x[2]));
 }
 
 /* e x w, e the coordinate direction of the axis's least component. */
@@ -70,7 +59,7 @@ static radial radial_direction(meridian *m)
     const exact gW = MUL(m->g, m->L->vv);
     for (int i = 0; i < 3; i++)
         d.V[i] = MUL(gW, U[i]);
-    d.K = MUL(gW, square_of(m, U));
+    d.K = MUL(gW, dot(m, U, U));
     return d;
 }
 
@@ -78,7 +67,7 @@ static radial radial_direction(meridian *m)
 static radial ball_direction(meridian *m, int end)
 {
     const exact *D = m->L->D[end];
-    radial d = {{D[0], D[1], D[2]}, square_of(m, D), 1};
+    radial d = {{D[0], D[1], D[2]}, dot(m, D, D), 1};
     if (d.K.sign == 0)
         d.K = d.V[0] = m->L->one;
     return d;
