@@ -7,16 +7,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "check.h"
-#include "cylint_distance.h"
 #include "distance/certified_distance.h"
 #include "distance_points.h"
 #include "environment.h"
+#include "known_distances.h"
 #include "numbers/bits.h"
 
 enum { CASES = 60, POINTS = 4 };
-
-#define WANT (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
 
 static const double origin[3] = {0, 0, 0};
 
@@ -48,49 +45,9 @@ static cylint_shape round_cone(cylint_ends ends)
     return s;
 }
 
-struct known {
-    double p[3], distance;
-    int part, feature;
-    double point[3], normal[3];
-};
-
-enum {
-    LATERAL = CYLINT_FEATURE_LATERAL,
-    CAP0 = CYLINT_FEATURE_CAP0,
-    CAP1 = CYLINT_FEATURE_CAP1,
-    RIM0 = CYLINT_FEATURE_RIM0,
-    RIM1 = CYLINT_FEATURE_RIM1,
-    APEX = CYLINT_FEATURE_APEX
-};
-
-/* 0 is not equal to -0. */
-static int equal3(const double x[3], const double y[3])
-{
-    for (int i = 0; i < 3; i++)
-        if (x[i] != y[i] || (x[i] == 0 && signbit(x[i])))
-            return 0;
-    return 1;
-}
-
-static void check_known(const char *name, cylint_shape s, const struct known *k,
-                        int n)
-{
-    for (int i = 0; i < n; i++) {
-        cylint_closest a;
-        const double d = cylint_distance(&s, k[i].p, WANT, &a);
-        if (!CHECK(d == k[i].distance && a.distance == d && a.flags == 0 &&
-                   a.part == k[i].part && a.feature == k[i].feature &&
-                   equal3(a.point, k[i].point) &&
-                   equal3(a.normal, k[i].normal)))
-            REPORT("%s, row %d: %.17g part %d feature %d, point %.17g %.17g "
-                   "%.17g, normal %.17g %.17g %.17g",
-                   name, i, d, a.part, a.feature, a.point[0], a.point[1],
-                   a.point[2], a.normal[0], a.normal[1], a.normal[2]);
-    }
-}
-
-#define CHECK_KNOWN(shape, table) \
-    check_known(#table, shape, table, (int)(sizeof(table) / sizeof(table)[0]))
+#define CHECK_KNOWN(shape, table)                                              \
+    check_known(#table, shape, table, (int)(sizeof(table) / sizeof(table)[0]), \
+                0, 0)
 
 static void answers_about_a_capped_cylinder_are_known(void)
 {
@@ -287,15 +244,6 @@ static void over_families(property *check)
 static int same(const cylint_closest *x, const cylint_closest *y)
 {
     return memcmp(x, y, sizeof *x) == 0;
-}
-
-static cylint_closest answer_to(const cylint_shape *s, const double p[3],
-                                unsigned want)
-{
-    cylint_closest a;
-    memset(&a, 0, sizeof a);
-    cylint_distance(s, p, want, &a);
-    return a;
 }
 
 static void check_sign(const struct family_case *c, const double p[3])

@@ -5,11 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "check.h"
-#include "cylint_distance.h"
 #include "distance_points.h"
-
-#define WANT (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
+#include "known_distances.h"
 
 static const double origin[3] = {0, 0, 0};
 
@@ -17,15 +14,6 @@ static void report(const struct family_case *c, const double p[3])
 {
     REPORT_CASE(c);
     REPORT("point %a %a %a", p[0], p[1], p[2]);
-}
-
-static cylint_closest answer_to(const cylint_shape *s, const double p[3],
-                                unsigned want)
-{
-    cylint_closest a;
-    memset(&a, 0, sizeof a);
-    cylint_distance(s, p, want, &a);
-    return a;
 }
 
 enum { MANY = 100 };

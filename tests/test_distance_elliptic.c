@@ -9,23 +9,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "check.h"
-#include "cylint_distance.h"
+#include "known_distances.h"
 #include "random.h"
-#include "ulps.h"
 
 enum { CASES = 6000, POINTS = 4, ANGLES = 180 };
-
-#define WANT (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
-
-enum {
-    LATERAL = CYLINT_FEATURE_LATERAL,
-    CAP0 = CYLINT_FEATURE_CAP0,
-    CAP1 = CYLINT_FEATURE_CAP1,
-    RIM0 = CYLINT_FEATURE_RIM0,
-    RIM1 = CYLINT_FEATURE_RIM1,
-    APEX = CYLINT_FEATURE_APEX
-};
 
 static const double origin[3] = {0, 0, 0};
 
@@ -47,43 +34,9 @@ static cylint_shape cone(cylint_ends ends)
     return s;
 }
 
-struct known {
-    double p[3], distance;
-    int part, feature;
-    double point[3], normal[3];
-};
-
-static int is_near(const double x[3], const double y[3])
-{
-    for (int i = 0; i < 3; i++)
-        if (!(fabs(x[i] - y[i]) <= 4 * ulp(y[i])) ||
-            (x[i] == 0 && signbit(x[i])))
-            return 0;
-    return 1;
-}
-
-static void check_known(cylint_shape s, const struct known *known, int n)
-{
-    for (int i = 0; i < n; i++) {
-        const struct known *k = &known[i];
-        cylint_closest got;
-        memset(&got, 0, sizeof got);
-        cylint_distance(&s, k->p, WANT, &got);
-        if (!CHECK(fabs(got.distance - k->distance) <= ulp(k->distance) &&
-                   (got.distance == 0) == (k->distance == 0) &&
-                   got.part == k->part && got.feature == k->feature &&
-                   is_near(got.point, k->point) &&
-                   is_near(got.normal, k->normal)))
-            REPORT("case %d: %.17g part %d feature %d, point %.17g %.17g "
-                   "%.17g, normal %.17g %.17g %.17g",
-                   i, got.distance, got.part, got.feature, got.point[0],
-                   got.point[1], got.point[2], got.normal[0], got.normal[1],
-                   got.normal[2]);
-    }
-}
-
-#define CHECK_KNOWN(shape, known) \
-    check_known(shape, known, (int)(sizeof known / sizeof known[0]))
+#define CHECK_KNOWN(shape, known)                                            \
+    check_known(#known, shape, known, (int)(sizeof known / sizeof known[0]), \
+                1, 4)
 
 /* The middle has two nearest points, y = 1 and y = -1: phi is 1/4 and 3/4. */
 static void of_equal_points_the_first_is_taken(void)
