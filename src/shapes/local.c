@@ -138,10 +138,9 @@ static void store(cylint_local *to, const rows *m)
  * of 1 - sine^2, which is larger relative to it. */
 static pair measure_angle(cylint_local *to, const cylint_shape *s, pair slope)
 {
-    const pair square = pair_mul(slope, slope);
     pair cosine = plain(1), sine = plain(0);
     if (s->kind == CYLINT_KIND_RCONE) {
-        const pair rest = pair_sub(plain(1), square);
+        const pair rest = pair_sub(plain(1), pair_mul(slope, slope));
         sine = slope;
         if (rest.hi > 0) {
             cosine = pair_sqrt(rest);
@@ -149,7 +148,7 @@ static pair measure_angle(cylint_local *to, const cylint_shape *s, pair slope)
         }
         to->error /= rest.hi > 0 ? rest.hi : 0;
     } else if (cylint_is_tapered(s->kind)) {
-        cosine = inverse_root(pair_add(plain(1), square));
+        cosine = inverse_root(pair_add(plain(1), pair_mul(slope, slope)));
         sine = pair_mul(slope, cosine);
     }
     to->cosine = cosine.hi;
