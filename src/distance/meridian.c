@@ -6,41 +6,42 @@
 static exact minor(meridian *m, const exact x[3], const exact y[3], int i,
                    int j)
 {
-    BEGIN
-    exact xy = SUB(MUL(x[i], y[j]), MUL(x[j], y[i]));
-    RETURN(xy)
+    EXACT_BEGIN
+    exact xy = EXACT_SUB(EXACT_MUL(x[i], y[j]), EXACT_MUL(x[j], y[i]));
+    EXACT_RETURN(xy)
 }
 
 static exact scale_of_T(meridian *m)
 {
     const cylint_terms_exact *L = m->L;
-    BEGIN
+    EXACT_BEGIN
     if (cylint_has_tangent(L->kind))
         return L->one;
     if (!cylint_is_round(L->kind))
         return L->vv;
-    exact g = SUB(L->vv, MUL(L->dr, L->dr));
-    RETURN(g)
+    exact g = EXACT_SUB(L->vv, EXACT_MUL(L->dr, L->dr));
+    EXACT_RETURN(g)
 }
 
 static exact section(meridian *m)
 {
     const cylint_terms_exact *L = m->L;
-    BEGIN
-    exact c = ADD(MUL(L->r[0], L->vv), MUL(L->dr, m->height[0]));
-    RETURN(c)
+    EXACT_BEGIN
+    exact c =
+        EXACT_ADD(EXACT_MUL(L->r[0], L->vv), EXACT_MUL(L->dr, m->height[0]));
+    EXACT_RETURN(c)
 }
 
 static void load_axis(meridian *m)
 {
     const cylint_terms_exact *L = m->L;
     for (int i = 0; i < 2; i++)
-        m->height[i] = dot(m, L->D[i], L->w);
+        m->height[i] = exact_dot(m, L->D[i], L->w);
     for (int i = 0; i < 3; i++)
         m->X[i] = minor(m, L->D[0], L->w, (i + 1) % 3, (i + 2) % 3);
-    m->q = dot(m, m->X, m->X);
+    m->q = exact_dot(m, m->X, m->X);
     m->g = scale_of_T(m);
-    m->T2 = MUL(m->g, m->q);
+    m->T2 = EXACT_MUL(m->g, m->q);
     m->c = section(m);
     m->dr = L->dr;
     m->flip = m->shape->ends == CYLINT_ENDS_INFINITE && m->c.sign < 0 ? -1 : 1;
@@ -85,9 +86,9 @@ static int sign_lateral(meridian *m)
 static int sign_foot(meridian *m, int i)
 {
     const int used = m->arena->used;
-    exact a = MUL(m->g, m->height[i]);
+    exact a = EXACT_MUL(m->g, m->height[i]);
     if (!cylint_is_round(m->L->kind))
-        a = SUB(a, MUL(MUL(m->L->r[i], m->dr), m->L->vv));
+        a = EXACT_SUB(a, EXACT_MUL(EXACT_MUL(m->L->r[i], m->dr), m->L->vv));
     const int sign = sign_of(m, a, m->dr, m->T2);
     m->arena->used = used;
     return sign;
@@ -97,7 +98,8 @@ static int sign_foot(meridian *m, int i)
 static int sign_nappe_foot(meridian *m)
 {
     const int used = m->arena->used;
-    const int sign = sign_of(m, MUL(m->c, m->g), MUL(m->dr, m->dr), m->T2);
+    const int sign =
+        sign_of(m, EXACT_MUL(m->c, m->g), EXACT_MUL(m->dr, m->dr), m->T2);
     m->arena->used = used;
     return sign;
 }
@@ -106,8 +108,8 @@ static int sign_nappe_foot(meridian *m)
 static int sign_disc(meridian *m, int i)
 {
     const int used = m->arena->used;
-    const exact r = MUL(m->L->r[i], m->L->vv);
-    const int sign = SUB(m->T2, MUL(r, r)).sign;
+    const exact r = EXACT_MUL(m->L->r[i], m->L->vv);
+    const int sign = EXACT_SUB(m->T2, EXACT_MUL(r, r)).sign;
     m->arena->used = used;
     return sign;
 }
@@ -118,8 +120,9 @@ static int sign_beyond_cap(meridian *m, const nearest *n, int i)
     const int used = m->arena->used;
     exact den;
     surd_sum x = cylint_square_of_distance(m, n, &den);
-    x.a = SUB(MUL(x.a, m->L->vv), MUL(MUL(m->height[i], m->height[i]), den));
-    x.b = MUL(x.b, m->L->vv);
+    x.a = EXACT_SUB(EXACT_MUL(x.a, m->L->vv),
+                    EXACT_MUL(EXACT_MUL(m->height[i], m->height[i]), den));
+    x.b = EXACT_MUL(x.b, m->L->vv);
     const int sign = cylint_surd_sum_sign(m->arena, &x);
     m->arena->used = used;
     return sign;
@@ -204,8 +207,9 @@ static int sign_of_ball(meridian *m, int end)
 {
     const cylint_terms_exact *L = m->L;
     const int used = m->arena->used;
-    const int sign =
-        SUB(dot(m, L->D[end], L->D[end]), MUL(L->r[end], L->r[end])).sign;
+    const int sign = EXACT_SUB(exact_dot(m, L->D[end], L->D[end]),
+                               EXACT_MUL(L->r[end], L->r[end]))
+                         .sign;
     m->arena->used = used;
     return sign;
 }
@@ -255,7 +259,7 @@ nearest cylint_nearest_feature(meridian *m)
 /* 2 x. */
 static exact twice(meridian *m, exact x)
 {
-    return ADD(x, x);
+    return EXACT_ADD(x, x);
 }
 
 static surd_sum without_root(meridian *m, exact a)
@@ -268,16 +272,18 @@ static surd_sum without_root(meridian *m, exact a)
 static surd_sum from_ball(meridian *m, int end, exact *denominator)
 {
     const cylint_terms_exact *L = m->L;
-    const exact dd = dot(m, L->D[end], L->D[end]), r = L->r[end];
+    const exact dd = exact_dot(m, L->D[end], L->D[end]), r = L->r[end];
     *denominator = L->one;
-    return (surd_sum){ADD(dd, MUL(r, r)), cylint_exact_neg(twice(m, r)), dd};
+    return (surd_sum){EXACT_ADD(dd, EXACT_MUL(r, r)),
+                      cylint_exact_neg(twice(m, r)), dd};
 }
 
 /* (T - c)^2 / (W (g + dr^2)). */
 static surd_sum from_lateral(meridian *m, exact *denominator)
 {
-    *denominator = MUL(m->L->vv, ADD(m->g, MUL(m->dr, m->dr)));
-    return (surd_sum){ADD(m->T2, MUL(m->c, m->c)),
+    *denominator =
+        EXACT_MUL(m->L->vv, EXACT_ADD(m->g, EXACT_MUL(m->dr, m->dr)));
+    return (surd_sum){EXACT_ADD(m->T2, EXACT_MUL(m->c, m->c)),
                       cylint_exact_neg(twice(m, m->c)), m->T2};
 }
 
@@ -285,7 +291,7 @@ static surd_sum from_lateral(meridian *m, exact *denominator)
 static surd_sum from_plane(meridian *m, int end, exact *denominator)
 {
     *denominator = m->L->vv;
-    return without_root(m, MUL(m->height[end], m->height[end]));
+    return without_root(m, EXACT_MUL(m->height[end], m->height[end]));
 }
 
 /* The circle of radius r about the end: (g (q + h^2) + r^2 W^2 - 2 r W T) /
@@ -293,28 +299,33 @@ static surd_sum from_plane(meridian *m, int end, exact *denominator)
 static surd_sum from_rim(meridian *m, int end, exact *denominator)
 {
     const exact h = m->height[end], W = m->L->vv;
-    const exact r = MUL(m->L->r[end], W);
-    *denominator = MUL(m->g, W);
-    return (surd_sum){ADD(MUL(m->g, ADD(m->q, MUL(h, h))), MUL(r, r)),
-                      cylint_exact_neg(twice(m, r)), m->T2};
+    const exact r = EXACT_MUL(m->L->r[end], W);
+    *denominator = EXACT_MUL(m->g, W);
+    return (surd_sum){
+        EXACT_ADD(EXACT_MUL(m->g, EXACT_ADD(m->q, EXACT_MUL(h, h))),
+                  EXACT_MUL(r, r)),
+        cylint_exact_neg(twice(m, r)), m->T2};
 }
 
 /* The circle of tangency of a ball: (q + h^2 + r^2 W + 2 r dr h - 2 r T) / W. */
 static surd_sum from_tangency(meridian *m, int end, exact *denominator)
 {
     const exact h = m->height[end], W = m->L->vv, r = m->L->r[end];
-    const exact across = ADD(m->q, MUL(MUL(r, r), W));
-    const exact along = MUL(h, ADD(h, twice(m, MUL(r, m->dr))));
+    const exact across = EXACT_ADD(m->q, EXACT_MUL(EXACT_MUL(r, r), W));
+    const exact along =
+        EXACT_MUL(h, EXACT_ADD(h, twice(m, EXACT_MUL(r, m->dr))));
     *denominator = W;
-    return (surd_sum){ADD(across, along), cylint_exact_neg(twice(m, r)), m->T2};
+    return (surd_sum){EXACT_ADD(across, along), cylint_exact_neg(twice(m, r)),
+                      m->T2};
 }
 
 /* The apex of a nappe: (c^2 + dr^2 q) / (W dr^2). */
 static surd_sum from_apex(meridian *m, exact *denominator)
 {
-    const exact dr2 = MUL(m->dr, m->dr);
-    *denominator = MUL(m->L->vv, dr2);
-    return without_root(m, ADD(MUL(m->c, m->c), MUL(dr2, m->q)));
+    const exact dr2 = EXACT_MUL(m->dr, m->dr);
+    *denominator = EXACT_MUL(m->L->vv, dr2);
+    return without_root(m,
+                        EXACT_ADD(EXACT_MUL(m->c, m->c), EXACT_MUL(dr2, m->q)));
 }
 
 surd_sum cylint_square_of_distance(meridian *m, const nearest *n,

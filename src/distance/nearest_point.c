@@ -49,17 +49,18 @@ static radial radial_direction(meridian *m)
     if (d.off_axis) {
         for (int i = 0; i < 3; i++) {
             const int j = (i + 1) % 3, k = (i + 2) % 3;
-            d.V[i] = MUL(m->g, SUB(MUL(w[j], m->X[k]), MUL(w[k], m->X[j])));
+            d.V[i] = EXACT_MUL(m->g, EXACT_SUB(EXACT_MUL(w[j], m->X[k]),
+                                               EXACT_MUL(w[k], m->X[j])));
         }
         d.K = m->T2;
         return d;
     }
     exact U[3];
     phi_direction(m, U);
-    const exact gW = MUL(m->g, m->L->vv);
+    const exact gW = EXACT_MUL(m->g, m->L->vv);
     for (int i = 0; i < 3; i++)
-        d.V[i] = MUL(gW, U[i]);
-    d.K = MUL(gW, dot(m, U, U));
+        d.V[i] = EXACT_MUL(gW, U[i]);
+    d.K = EXACT_MUL(gW, exact_dot(m, U, U));
     return d;
 }
 
@@ -67,7 +68,7 @@ static radial radial_direction(meridian *m)
 static radial ball_direction(meridian *m, int end)
 {
     const exact *D = m->L->D[end];
-    radial d = {{D[0], D[1], D[2]}, dot(m, D, D), 1};
+    radial d = {{D[0], D[1], D[2]}, exact_dot(m, D, D), 1};
     if (d.K.sign == 0)
         d.K = d.V[0] = m->L->one;
     return d;
@@ -84,58 +85,58 @@ static exact centre(meridian *m, int end, int i)
         return base;
     return cylint_has_end_points(s->kind)
                ? cylint_exact_from(m->arena, s->top[i])
-               : ADD(base, m->L->w[i]);
+               : EXACT_ADD(base, m->L->w[i]);
 }
 
 /* dr w. */
 static exact slope(meridian *m, int i)
 {
-    return MUL(m->dr, m->L->w[i]);
+    return EXACT_MUL(m->dr, m->L->w[i]);
 }
 
 /* W (g + dr^2). */
 static exact unit(meridian *m)
 {
-    BEGIN
-    exact x = MUL(m->L->vv, ADD(m->g, MUL(m->dr, m->dr)));
-    RETURN(x)
+    EXACT_BEGIN
+    exact x = EXACT_MUL(m->L->vv, EXACT_ADD(m->g, EXACT_MUL(m->dr, m->dr)));
+    EXACT_RETURN(x)
 }
 
 /* K (W (g + dr^2) x - t V - c dr w). */
 static exact foot_a(meridian *m, const radial *d, int i)
 {
-    BEGIN
-    exact a = MUL(unit(m), cylint_exact_from(m->arena, m->point[i]));
-    a = SUB(a, MUL(m->c, slope(m, i)));
+    EXACT_BEGIN
+    exact a = EXACT_MUL(unit(m), cylint_exact_from(m->arena, m->point[i]));
+    a = EXACT_SUB(a, EXACT_MUL(m->c, slope(m, i)));
     if (d->off_axis)
-        a = SUB(a, d->V[i]);
-    a = MUL(d->K, a);
-    RETURN(a)
+        a = EXACT_SUB(a, d->V[i]);
+    a = EXACT_MUL(d->K, a);
+    EXACT_RETURN(a)
 }
 
 /* t dr w K + c V. */
 static exact foot_b(meridian *m, const radial *d, int i)
 {
-    BEGIN
-    exact b = MUL(m->c, d->V[i]);
+    EXACT_BEGIN
+    exact b = EXACT_MUL(m->c, d->V[i]);
     if (d->off_axis)
-        b = ADD(b, MUL(slope(m, i), d->K));
-    RETURN(b)
+        b = EXACT_ADD(b, EXACT_MUL(slope(m, i), d->K));
+    EXACT_RETURN(b)
 }
 
 static surd_sum foot(meridian *m, const radial *d, int i, exact *denominator)
 {
     const exact a = foot_a(m, d, i), b = foot_b(m, d, i);
-    *denominator = MUL(d->K, unit(m));
+    *denominator = EXACT_MUL(d->K, unit(m));
     return (surd_sum){a, b, d->K};
 }
 
 static surd_sum on_rim(meridian *m, const radial *d, int end, int i,
                        exact *denominator)
 {
-    *denominator = MUL(m->g, d->K);
-    return (surd_sum){MUL(*denominator, centre(m, end, i)),
-                      MUL(m->L->r[end], d->V[i]), d->K};
+    *denominator = EXACT_MUL(m->g, d->K);
+    return (surd_sum){EXACT_MUL(*denominator, centre(m, end, i)),
+                      EXACT_MUL(m->L->r[end], d->V[i]), d->K};
 }
 
 static surd_sum on_tangency(meridian *m, const radial *d, int end, int i,
@@ -143,34 +144,35 @@ static surd_sum on_tangency(meridian *m, const radial *d, int end, int i,
 {
     const cylint_terms_exact *L = m->L;
     const exact r = L->r[end];
-    const exact along =
-        SUB(MUL(L->vv, centre(m, end, i)), MUL(MUL(r, m->dr), L->w[i]));
-    *denominator = MUL(L->vv, d->K);
-    return (surd_sum){MUL(d->K, along), MUL(r, d->V[i]), d->K};
+    const exact along = EXACT_SUB(EXACT_MUL(L->vv, centre(m, end, i)),
+                                  EXACT_MUL(EXACT_MUL(r, m->dr), L->w[i]));
+    *denominator = EXACT_MUL(L->vv, d->K);
+    return (surd_sum){EXACT_MUL(d->K, along), EXACT_MUL(r, d->V[i]), d->K};
 }
 
 static surd_sum on_ball(meridian *m, const radial *d, int end, int i,
                         exact *denominator)
 {
     *denominator = d->K;
-    return (surd_sum){MUL(d->K, centre(m, end, i)), MUL(m->L->r[end], d->V[i]),
-                      d->K};
+    return (surd_sum){EXACT_MUL(d->K, centre(m, end, i)),
+                      EXACT_MUL(m->L->r[end], d->V[i]), d->K};
 }
 
 static surd_sum on_plane(meridian *m, int end, int i, exact *denominator)
 {
     const exact W = m->L->vv, x = cylint_exact_from(m->arena, m->point[i]);
     *denominator = W;
-    return (surd_sum){SUB(MUL(W, x), MUL(m->height[end], m->L->w[i])),
-                      zero_of(m), zero_of(m)};
+    return (surd_sum){
+        EXACT_SUB(EXACT_MUL(W, x), EXACT_MUL(m->height[end], m->L->w[i])),
+        zero_of(m), zero_of(m)};
 }
 
 static surd_sum at_apex(meridian *m, int i, exact *denominator)
 {
-    const exact base = MUL(m->L->dr, centre(m, 0, i));
+    const exact base = EXACT_MUL(m->L->dr, centre(m, 0, i));
     *denominator = m->L->dr;
-    return (surd_sum){SUB(base, MUL(m->L->r[0], m->L->w[i])), zero_of(m),
-                      zero_of(m)};
+    return (surd_sum){EXACT_SUB(base, EXACT_MUL(m->L->r[0], m->L->w[i])),
+                      zero_of(m), zero_of(m)};
 }
 
 /* The point is on a ball. */
@@ -221,7 +223,7 @@ static void write_point(meridian *m, const nearest *n, const radial *d,
 static floating lateral_normal(meridian *m, const radial *d, int i)
 {
     const int used = m->arena->used;
-    const surd_sum x = {d->V[i], cylint_exact_neg(MUL(m->dr, m->L->w[i])),
+    const surd_sum x = {d->V[i], cylint_exact_neg(EXACT_MUL(m->dr, m->L->w[i])),
                         d->K};
     const floating value = cylint_surd_sum_value(m->arena, &x);
     m->arena->used = used;
