@@ -533,8 +533,8 @@ static double in_scale(const cylint_query *q, double t)
     return q->t_exponent == 0 ? t : cylint_scaled(t, -q->t_exponent);
 }
 
-/* A root known to an error against the domain: 1 within, -1 outside, 0 too
- * near a limit to tell. */
+/* Where a root with a bounded error lies: 1 within the domain, -1 outside, 0 if
+ * it is too near a limit. */
 static int placed(const cylint_query *q, double t, double error)
 {
     const double from = in_scale(q, q->line->tmin);
@@ -550,7 +550,7 @@ static int placed(const cylint_query *q, double t, double error)
     return t - error > from + off_from && t + error < to - off_to;
 }
 
-/* The same by pairs, which know a root that lies near the line's origin. */
+/* The same by pairs, which give a root near the line's origin its digits. */
 static int placed_by_pairs(const cylint_query *q, const cylint_quotient_pair *f)
 {
     if (!(f->error < CYLINT_FIRST_ORDER))
