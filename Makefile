@@ -83,8 +83,8 @@ avx512 := -mavx512f -mavx512vl -mavx512dq $(avx2)
 isa.src/filter/one_question-fma      := $(avx2) -DCYLINT_ONE=cylint_one_fma -DCYLINT_HARD=cylint_hard_fma -DCYLINT_EXACT_ROOTS=cylint_exact_roots_fma -DCYLINT_ROUND=fma
 isa.src/filter/one_question-avx512   := $(avx512) -DCYLINT_ONE=cylint_one_avx512 -DCYLINT_HARD=cylint_hard_fma -DCYLINT_EXACT_ROOTS=cylint_exact_roots_fma -DCYLINT_ROUND=fma
 isa.src/filter/hard_question-fma     := $(avx2) -DCYLINT_HARD=cylint_hard_fma -DCYLINT_EXACT_ROOTS=cylint_exact_roots_fma
-isa.src/filter/hard_round_question-fma := $(avx2) -DCYLINT_HARD_ROUND=cylint_hard_round_fma
-isa.src/filter/round_question-fma    := $(avx2) -DCYLINT_ROUND=fma -DCYLINT_HARD_ROUND=cylint_hard_round_fma
+isa.src/filter/hard_round_question-fma := $(avx2) -DCYLINT_HARD_ROUND=cylint_hard_round_fma -DCYLINT_EXACT_ROUND=cylint_exact_round_fma
+isa.src/filter/round_question-fma    := $(avx2) -DCYLINT_ROUND=fma -DCYLINT_HARD_ROUND=cylint_hard_round_fma -DCYLINT_EXACT_ROUND=cylint_exact_round_fma
 isa.src/distance/certified_distance-fma := $(avx2) -DCYLINT_CERTIFIED=cylint_certified_fma
 isa.src/distance/certified_many-avx2   := $(avx2) -DCYLINT_CERTIFY_MANY=cylint_certify_many_avx2
 isa.src/distance/certified_many-avx512 := $(avx512) -DCYLINT_CERTIFY_MANY=cylint_certify_many_avx512

@@ -95,6 +95,7 @@ static void round_residual(double share, double sine, double cosine, int all,
     real_pair height =
         height_reals(q, axis, shift_reals(known_pair(sine, u * sine), r));
     height.hi.size = fmin(height.hi.size, 1);
+    need(height.hi.off + height.lo.off + 0x1p-53 * height.lo.size, u);
     need(cylinder_residual_reals(surplus, height).off, u);
     const real_pair square =
         known_pair(cosine * cosine, 2.1 * u * cosine * cosine);
@@ -342,6 +343,39 @@ static void circular_levels(double s, double more_s)
     need(g.off + 0x1p-53 * g.c, unit);
 }
 
+static level_number product_of(level_number x, level_number y)
+{
+    level_number xy = {0, 0, 0, 0};
+    add_to_c(&xy, x.a * y.c + x.c * y.a + x.b * y.b);
+    add_product_to_a(&xy, x.a * y.a);
+    add_product_to_b(&xy, x.a * y.b);
+    add_product_to_b(&xy, x.b * y.a);
+    xy.off += 3 * 0x1p-53 * xy.c + x.b * y.c + x.c * y.b + x.c * y.c +
+              (x.a + x.b + x.c) * y.off + x.off * (y.a + y.b + y.c) +
+              x.off * y.off;
+    return xy;
+}
+
+/* A ball, and the cone of a rounded cone, |w| = 1 and |dr| <= 1. */
+static void round_levels(void)
+{
+    const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;
+    const level_number F = within(distance_from_point(0), 1);
+    const level_number W = {1, 0x1p-53, 0, 0};
+    level_number surplus = {1, 0x1p-53, 0, 0}, rest = {0, 0, 0, 0};
+    level_number height = {0, 0, 0, 0};
+    add_three(&surplus, squared(F));
+    need(surplus.off + 0x1p-53 * surplus.c, unit);
+    add_three(&rest, squared(W));
+    add_square(&rest, W);
+    add_product_to_a(&height, 1);
+    add_product_to_b(&height, 0x1p-53);
+    add_three(&height, times(F, 1));
+    level_number Q = product_of(within(surplus, 3), within(rest, 1));
+    add_square(&Q, within(height, 3));
+    need(Q.off + 0x1p-53 * Q.c, unit);
+}
+
 /* |a| = |b| = |w| = 1, det = 1 / c: rows of the matrix have sums of at most
  * sqrt(3) c, and |P| is at most 1. */
 static void elliptic_levels(double s, double more_s)
@@ -373,6 +407,8 @@ static void a_residual_in_levels_has_its_bound(void)
         elliptic_levels(s, s * SLOPE_STEP);
     }
     judge_in(&TRIPLE, "levels", "levels");
+    round_levels();
+    judge_in(&TRIPLE, "round levels", "levels");
 }
 
 /* One operation on triples of the size 1, |c| <= 2^-104. */

@@ -59,7 +59,8 @@ cylint_kernel_one cylint_sphere_roots_plain, cylint_sphere_roots_fma,
  * domain are uncertain.
  *
  * exact_roots: some roots are not certainly rounded.  The members of the
- * estimates are those of local_roots.h.
+ * estimates are those of local_roots.h.  Of round kinds `pierced` has the bits of
+ * ends on a ball, and `lanes` those of ends on the ball about the top.
  */
 enum { CYLINT_KNOWN_LINE = 16 };
 
@@ -76,7 +77,8 @@ typedef int cylint_kernel_hard(CYLINT_ONE_ARGUMENTS, unsigned known, double Q,
 typedef int cylint_kernel_roots(CYLINT_ONE_ARGUMENTS,
                                 const cylint_estimates *from);
 cylint_kernel_hard cylint_hard_plain, cylint_hard_fma;
-cylint_kernel_roots cylint_exact_roots_plain, cylint_exact_roots_fma;
+cylint_kernel_roots cylint_exact_roots_plain, cylint_exact_roots_fma,
+    cylint_exact_round_plain, cylint_exact_round_fma;
 
 static inline int cylint_filter_one(const cylint_one_kernels *kernels,
                                     const cylint_shape *shape,

@@ -2,7 +2,7 @@
  * hard_round_question.c - one line and one round kind, where doubles do not
  * decide
  *
- * As hard_question.c: forms in pairs, and residuals in triples for roots that
+ * As hard_question.c: forms in pairs, and residuals in levels for roots that
  * residuals in pairs do not round.
  */
 #define CYLINT_NARROW
@@ -12,12 +12,13 @@
 
 #ifndef CYLINT_HARD_ROUND
 #define CYLINT_HARD_ROUND cylint_hard_round_plain
+#define CYLINT_EXACT_ROUND cylint_exact_round_plain
 #endif
 
 #if LANES == 2
 
 #include "round_roots.h"
-#include "residual_in_triples.h"
+#include "residual_in_levels.h"
 #include "second_step.h"
 
 /* As misses_at_once() and classify_round(), in pairs.  Writes the line rounded
@@ -86,30 +87,57 @@ INLINE round_verdict classify_round_in_doubles(round_line *x,
     return v;
 }
 
-/* The residual in triples of the ball of radius r about the centre. */
-static double ball_residual_in_triples(const double center[3], double r,
-                                       const cylint_line *line, double t)
+/* The residual of one lane at a root that pairs do not round. */
+INLINE double exact_round_residual(const cylint_shape *shape,
+                                   const cylint_line *line, double t,
+                                   end_parts e, int lane)
 {
-    const moved_line moved = {line, t};
-    terms_triple L;
-    L.kind = CYLINT_KIND_SPHERE;
-    L.r[0] = triple_of(r);
-    EACH(i, 3)
-        L.D[0][i] = moved_from(&moved, i, center[i]);
-    const triple C = form_C_triple(&L);
-    return C.a + C.b;
+    if (e.cap >> lane & 1)
+        return ball_residual_in_levels(shape, line, t,
+                                       (int)(e.top >> lane & 1));
+    if (shape->kind == CYLINT_KIND_CAPSULE)
+        return circular_residual(shape, line, t, -1, 0);
+    return round_cone_residual_in_levels(shape, line, t);
 }
 
-/* The same of one lane. */
-INLINE double round_residual_in_triples(const cylint_shape *shape,
-                                        const cylint_line *line, double t,
-                                        end_parts e, int lane, int kind)
+/* Writes the hits, if need be after a second step. */
+INLINE int write_corrected_round(local_roots r, const local_ends *at,
+                                 end_parts e, double Q, double D, ARGUMENTS)
 {
-    const int top = kind != ROUND_BALL && e.top >> lane & 1;
-    if (e.cap >> lane & 1)
-        return ball_residual_in_triples(top ? shape->top : shape->base,
-                                        cylint_end_factor(shape, top), line, t);
-    return residual_in_triples(shape, line, t, -1, shape->kind);
+    const int ball = shape->kind == CYLINT_KIND_SPHERE;
+    const end_parts parts =
+        round_parts(e, shape, ball ? ROUND_BALL : ROUND_TAPERED);
+    const unsigned present = ends_present(parts, shape);
+    const unsigned missing = roots_missing(&r, present, line, want);
+    if (missing) {
+        const vd start = second_start(&r, at);
+        double t[2], residual[2] = {0, 0};
+        v_store(t, start);
+        /* nearly always one of them: no branch depends on which */
+        for (unsigned left = missing; left; left &= left - 1) {
+            const int i = (int)(left >> 1 & ~left);
+            residual[i] = exact_round_residual(shape, line, t[i], e, i);
+        }
+        const vd size = size_at(start, Q, D);
+        const local_roots better =
+            second_step(start, v_load(residual), size * size, shape, at);
+        r = merged(&better, &r, missing);
+        if (roots_missing(&r, present, line, want))
+            return CYLINT_UNDECIDED;
+    }
+    return write_hits(&r, at->first, parts, present, shape, line, want, answer,
+                      rest, 1);
+}
+
+int CYLINT_EXACT_ROUND(ARGUMENTS, const cylint_estimates *from)
+{
+    local_verdict v;
+    local_ends at;
+    local_roots r;
+    load_estimates(from, &v, &at, &r);
+    return write_corrected_round(
+        r, &at, (end_parts){from->pierced, from->lanes}, from->Q, from->D,
+        shape, line, want, answer, rest);
 }
 
 INLINE int round_answer_from(const round_line *x, const round_verdict *v,
@@ -121,23 +149,9 @@ INLINE int round_answer_from(const round_line *x, const round_verdict *v,
     const local_ends at = estimate_round(q, v->chord || x->l.w > 0);
     if (at.usable != 3)
         return CYLINT_UNDECIDED;
-    local_roots r = rounded_ends(x, shape, line, &at, e, kind);
-    const unsigned which = 3 & ~r.nearest & ~roots_outside(&r, line);
-    if (want & CYLINT_WANT_T && which) {
-        const vd start = second_start(&r, &at);
-        double t[2], residual[2] = {0, 0};
-        v_store(t, start);
-        EACH(lane, 2)
-            if (which >> lane & 1)
-                residual[lane] = round_residual_in_triples(shape, line, t[lane],
-                                                           e, lane, kind);
-        const vd size = size_at(start, x->l.Q, x->l.D);
-        const local_roots better =
-            second_step(start, v_load(residual), size * size, shape, &at);
-        r = merged(&better, &r, which);
-    }
-    return accept_roots(&r, at.first, round_parts(e, shape, kind), shape, line,
-                        want, answer, rest, 1);
+    return write_corrected_round(rounded_ends(x, shape, line, &at, e, kind),
+                                 &at, e, x->l.Q, x->l.D, shape, line, want,
+                                 answer, rest);
 }
 
 /* First in doubles, then in pairs. */
@@ -182,6 +196,12 @@ int CYLINT_HARD_ROUND(ARGUMENTS)
 /* Without vectors of two lanes. */
 int CYLINT_HARD_ROUND(CYLINT_ONE_ARGUMENTS)
 {
+    return cylint_undecided(shape, line, want, answer, rest);
+}
+
+int CYLINT_EXACT_ROUND(CYLINT_ONE_ARGUMENTS, const cylint_estimates *from)
+{
+    (void)from;
     return cylint_undecided(shape, line, want, answer, rest);
 }
 

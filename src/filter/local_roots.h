@@ -235,18 +235,6 @@ INLINE int write_hits(const local_roots *r, int first, end_parts parts,
     return write_cross(answer, hits);
 }
 
-/* Writes the hits among the roots.  CYLINT_UNDECIDED: a root is too near to an
- * end of the domain, or is not certainly rounded. */
-INLINE int accept_roots(const local_roots *r, int first, end_parts parts,
-                        ARGUMENTS, int bounded)
-{
-    const unsigned present = bounded ? ends_present(parts, shape) : 3;
-    if (roots_missing(r, present, line, want))
-        return CYLINT_UNDECIDED;
-    return write_hits(r, first, parts, present, shape, line, want, answer, rest,
-                      bounded);
-}
-
 /* Writes the hits of a line that crosses, by signs alone; or returns
  * CYLINT_UNDECIDED. */
 INLINE int write_signs(const local_states *at, const local_verdict *v,

@@ -18,6 +18,12 @@
  * height of s + f_z.  Of a cap s is the end's, 0 or 1, and the residual is g or
  * f_z.
  *
+ * Round kinds, with F = P - center of a ball of radius r: Q = |F|^2 - r^2.  The
+ * cylinder of a capsule is a circular kind.  The cone of a rounded cone, with
+ * F = P - base, is
+ *
+ *   Q = (|F|^2 - r0^2) (w.w - dr^2) / w.w - (F.w + dr r0)^2 / w.w
+ *
  * Sums are kept in levels: a + b + c, where a sums numbers of the size of the
  * data without error, b the errors of a, without error, and c the errors of b.
  */
@@ -177,17 +183,26 @@ INLINE near_point point_near(const cylint_shape *shape, const cylint_line *line,
     return (near_point){p[0], p[1], cap < 0 ? s : cap};
 }
 
+/* P - center in lanes 0, 1 and 2.  A double follows the center. */
+INLINE vq_levels distance_from_center(const double center[3],
+                                      const cylint_line *line, double t)
+{
+    const vqpair from = q_two_diff(q_load(line->o), q_load(center));
+    const vq T = q_set(t);
+    vq_levels F = {from.hi, from.lo, q_set(0)};
+    q_add_product_to_a(&F, T, q_load(line->d));
+    if (line->segment)
+        q_add_product_to_b(&F, T, q_load(line->d_lo));
+    return F;
+}
+
 /* F in lanes 0, 1 and 2. */
 INLINE vq_levels distance_from(const near_point *near,
                                const cylint_shape *shape,
                                const cylint_line *line, double t, int elliptic)
 {
-    const vqpair from = q_two_diff(q_load(line->o), q_load(shape->base));
-    const vq T = q_set(t), s = q_set(-near->s);
-    vq_levels F = {from.hi, from.lo, q_set(0)};
-    q_add_product_to_a(&F, T, q_load(line->d));
-    if (line->segment)
-        q_add_product_to_b(&F, T, q_load(line->d_lo));
+    const vq s = q_set(-near->s);
+    vq_levels F = distance_from_center(shape->base, line, t);
     if (elliptic) {
         q_add_product_to_a(&F, q_set(-near->x), q_load(shape->a));
         q_add_product_to_a(&F, q_set(-near->y), q_load(shape->b));
@@ -266,6 +281,56 @@ INLINE double elliptic_residual(const cylint_shape *shape,
     }
     subtract_square(&Q, &rho);
     return total(&Q);
+}
+
+/* |F|^2 - r^2. */
+INLINE levels surplus_in_levels(const vq_levels *F, double r)
+{
+    const vq_levels FF = q_square(F);
+    const pair r2 = two_prod(-r, r);
+    levels Q = {r2.hi, r2.lo, 0};
+    add_lanes(&Q, &FF);
+    return Q;
+}
+
+INLINE levels levels_product(const levels *x, const levels *y)
+{
+    levels xy = {0, 0, sum_of(x->c, y->a, sum_of(x->a, y->c, x->b * y->b))};
+    add_product_to_a(&xy, x->a, y->a);
+    add_product_to_b(&xy, x->a, y->b);
+    add_product_to_b(&xy, x->b, y->a);
+    return xy;
+}
+
+/* Of the ball about an end. */
+INLINE double ball_residual_in_levels(const cylint_shape *shape,
+                                      const cylint_line *line, double t,
+                                      int top)
+{
+    const vq_levels F =
+        distance_from_center(top ? shape->top : shape->base, line, t);
+    const levels Q = surplus_in_levels(&F, cylint_end_factor(shape, top));
+    return total(&Q);
+}
+
+INLINE double round_cone_residual_in_levels(const cylint_shape *shape,
+                                            const cylint_line *line, double t)
+{
+    const vq w = q_load(shape->axis), w_lo = q_load(shape->axis_lo);
+    const vq_levels W = {w, w_lo, q_set(0)}, WW = q_square(&W);
+    const vq_levels F = distance_from_center(shape->base, line, t);
+    const vq_levels Fw = q_product(&F, w, w_lo);
+    const levels surplus = surplus_in_levels(&F, shape->r0);
+    const levels dr = {shape->dr, shape->dr_lo, 0};
+    levels rest = {0, 0, 0}, height = {0, 0, 0};
+    add_lanes(&rest, &WW);
+    subtract_square(&rest, &dr);
+    add_product_to_a(&height, shape->dr, shape->r0);
+    add_product_to_b(&height, shape->dr_lo, shape->r0);
+    add_lanes(&height, &Fw);
+    levels Q = levels_product(&surplus, &rest);
+    subtract_square(&Q, &height);
+    return total(&Q) / shape->local.square_scale;
 }
 
 #endif

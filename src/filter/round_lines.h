@@ -177,8 +177,9 @@ INLINE void classify_round(round_verdict *v, round_line *x,
 }
 
 /* Where a point of a line that crosses the shape lies: before the overlap of
- * line and shape, inside it, or after it. */
-enum { LOCAL_BEFORE, LOCAL_INSIDE, LOCAL_AFTER, LOCAL_UNCERTAIN };
+ * line and shape, inside it, or after it.  LOCAL_NEAR: it is near the surface;
+ * added to where it lies if it is outside. */
+enum { LOCAL_BEFORE, LOCAL_INSIDE, LOCAL_AFTER, LOCAL_UNCERTAIN, LOCAL_NEAR };
 
 /* The lanes of ends in the domain, as bits, from where its limits lie; or
  * CYLINT_UNDECIDED. */
@@ -242,9 +243,10 @@ INLINE int round_state(const round_line *x, const round_verdict *v,
     }
     if (inside)
         return LOCAL_INSIDE;
-    if (!outside || !(fabs(toward) > eT))
-        return LOCAL_UNCERTAIN;
-    return toward > 0 ? LOCAL_BEFORE : LOCAL_AFTER;
+    const int aside = !(fabs(toward) > eT) ? LOCAL_UNCERTAIN
+                      : toward > 0         ? LOCAL_BEFORE
+                                           : LOCAL_AFTER;
+    return outside ? aside : LOCAL_NEAR + aside;
 }
 
 /* Of a line that crosses: whether part of the chord certainly lies ahead of

@@ -13,6 +13,7 @@
 #ifndef CYLINT_ROUND
 #define CYLINT_ROUND plain
 #define CYLINT_HARD_ROUND cylint_hard_round_plain
+#define CYLINT_EXACT_ROUND cylint_exact_round_plain
 #endif
 
 /* The kernels of this build. */
@@ -48,8 +49,47 @@ INLINE int round_by_roots(round_line *x, round_verdict v, ARGUMENTS, int kind)
     if (at.usable != 3)
         return CYLINT_UNDECIDED;
     const local_roots r = rounded_ends(x, shape, line, &at, e, kind);
-    return accept_roots(&r, at.first, round_parts(e, shape, kind), shape, line,
-                        want, answer, rest, 1);
+    const end_parts parts = round_parts(e, shape, kind);
+    const unsigned present = ends_present(parts, shape);
+    if (roots_missing(&r, present, line, want)) {
+        const local_verdict ends = {0, 0, m_from(0), e.cap, 0, e.top, 0, 1};
+        cylint_estimates known;
+        store_estimates(&known, x->l.Q, x->l.D, &ends, &at, &r);
+        return CYLINT_EXACT_ROUND(shape, line, want, answer, rest, &known);
+    }
+    return write_hits(&r, at.first, parts, present, shape, line, want, answer,
+                      rest, 1);
+}
+
+/* Where a point near the surface lies. */
+typedef int side_function(const cylint_shape *shape, const cylint_line *line,
+                          double t, double Q, double D, int aside);
+
+#define SIDE(name, kind)                                                  \
+    ASIDE int side_of_##name(const cylint_shape *shape,                   \
+                             const cylint_line *line, double t, double Q, \
+                             double D, int aside)                         \
+    {                                                                     \
+        return cylint_rounds_to_nearest()                                 \
+                   ? side_in_pairs(shape, line, t, Q, D, aside, kind)     \
+                   : LOCAL_UNCERTAIN;                                     \
+    }
+SIDE(sphere, ROUND_BALL)
+SIDE(capsule, ROUND_STRAIGHT)
+SIDE(rcone, ROUND_TAPERED)
+
+/* Where the point at t lies, in doubles or else in pairs. */
+INLINE int certain_state(const round_line *x, const round_verdict *v,
+                         const cylint_shape *shape, const cylint_line *line,
+                         double t, int kind)
+{
+    side_function *const side = kind == ROUND_BALL       ? side_of_sphere
+                                : kind == ROUND_STRAIGHT ? side_of_capsule
+                                                         : side_of_rcone;
+    const int state = round_state(x, v, shape, t, kind);
+    return state < LOCAL_NEAR
+               ? state
+               : side(shape, line, t, x->l.Q, x->l.D, state - LOCAL_NEAR);
 }
 
 INLINE int round_by_signs(round_line *x, round_verdict v, ARGUMENTS, int kind)
@@ -69,9 +109,9 @@ INLINE int round_by_signs(round_line *x, round_verdict v, ARGUMENTS, int kind)
     if (!plain && (v.cone.pierced | v.cone.spared) != 3)
         return CYLINT_UNDECIDED;
     const int first = !v.chord && !(x->l.w > 0);
-    const int in =
-        ends_between(round_state(x, &v, shape, line->tmin, kind),
-                     round_state(x, &v, shape, line->tmax, kind), first);
+    const int in = ends_between(
+        certain_state(x, &v, shape, line, line->tmin, kind),
+        certain_state(x, &v, shape, line, line->tmax, kind), first);
     if (in == CYLINT_UNDECIDED)
         return CYLINT_UNDECIDED;
     const end_parts e = ends_of(&v);

@@ -128,9 +128,9 @@ INLINE vd radii_of(const cylint_shape *shape, unsigned top)
                  top & 2 ? shape->r1 : shape->r0);
 }
 
-/* The residual of the cone in all lanes. */
-INLINE vd cone_residual_at(const vpair q[3], vpair surplus, vd r,
-                           const cylint_shape *shape, int tapered)
+/* From the plane of the circle of each lane's ball. */
+INLINE vpair height_over_circles(const vpair q[3], vd r,
+                                 const cylint_shape *shape, int tapered)
 {
     const cylint_local *f = &shape->local;
     vpair axis[3], shift = twice(0, 0);
@@ -138,32 +138,97 @@ INLINE vd cone_residual_at(const vpair q[3], vpair surplus, vd r,
         axis[j] = twice(f->xyz[j][2], f->xyz_lo[j][2]);
     if (tapered)
         shift = shift_lanes(twice(f->sine, f->sine_lo), r);
-    const vpair height = height_lanes(q, axis, shift);
+    return height_lanes(q, axis, shift);
+}
+
+/* The residual of the cone in all lanes. */
+INLINE vd cone_residual_at(vpair height, vpair surplus,
+                           const cylint_shape *shape, int tapered)
+{
+    const cylint_local *f = &shape->local;
     if (!tapered)
         return cylinder_residual_lanes(surplus, height);
     const pair c = {f->cosine, f->cosine_lo}, c2 = pair_mul(c, c);
     return cone_residual_lanes(surplus, twice(c2.hi, c2.lo), height);
 }
 
+/* The point at t of each lane, from the centre of its ball.  at_origin: t = 0. */
+INLINE void round_points(vpair q[3], const cylint_shape *shape,
+                         const cylint_line *line, vd t, unsigned top, int kind,
+                         int at_origin)
+{
+    if (kind == ROUND_BALL)
+        from_center(q, shape, line);
+    else
+        from_centers(q, shape, line, top);
+    if (at_origin)
+        return;
+    EACH(j, 3)
+        q[j] = moved_lanes(q[j], t, v_set(line->d[j]), v_set(line->d_lo[j]));
+}
+
+INLINE vd round_radii(const cylint_shape *shape, unsigned top, int kind)
+{
+    return kind == ROUND_TAPERED ? radii_of(shape, top) : v_set(shape->r0);
+}
+
 /* The residual of each lane, in pairs. */
 INLINE vd round_residual_at(const cylint_shape *shape, const cylint_line *line,
                             vd t, end_parts e, int kind)
 {
-    const vd r =
-        kind == ROUND_TAPERED ? radii_of(shape, e.top) : v_set(shape->r0);
+    const int tapered = kind == ROUND_TAPERED;
+    const vd r = round_radii(shape, e.top, kind);
     vpair q[3];
-    if (kind == ROUND_BALL)
-        from_center(q, shape, line);
-    else
-        from_centers(q, shape, line, e.top);
-    EACH(j, 3)
-        q[j] = moved_lanes(q[j], t, v_set(line->d[j]), v_set(line->d_lo[j]));
+    round_points(q, shape, line, t, e.top, kind, 0);
     if (kind == ROUND_BALL || e.cap == 3)
         return ball_residual_lanes(q, r);
     const vpair surplus = surplus_lanes(q, r);
-    return v_select(
-        m_from(e.cap), surplus.hi + surplus.lo,
-        cone_residual_at(q, surplus, r, shape, kind == ROUND_TAPERED));
+    const vpair height = height_over_circles(q, r, shape, tapered);
+    return v_select(m_from(e.cap), surplus.hi + surplus.lo,
+                    cone_residual_at(height, surplus, shape, tapered));
+}
+
+INLINE vd round_error(vd size, const cylint_shape *shape)
+{
+    return v_set(CYLINT_LOCAL_RESIDUAL * shape->local.error) * size;
+}
+
+/* `aside` if the point is outside.  No branch depends on the side. */
+INLINE int state_of_side(unsigned inside, unsigned outside, int aside)
+{
+    if (!((inside | outside) & 1))
+        return LOCAL_UNCERTAIN;
+    return aside + (LOCAL_INSIDE - aside) * (int)(inside & 1);
+}
+
+/* Where a point near the surface lies, in pairs. */
+INLINE int side_in_pairs(const cylint_shape *shape, const cylint_line *line,
+                         double t, double Q, double D, int aside, int kind)
+{
+    const int tapered = kind == ROUND_TAPERED;
+    const vd r = round_radii(shape, 2, kind);
+    const vd size = size_at(v_set(t), Q, D);
+    const vd error = round_error(size * size, shape);
+    vpair q[3];
+    round_points(q, shape, line, v_set(t), 2, kind, t == 0);
+    if (kind == ROUND_BALL) {
+        const sign_bits C = signs_beyond(ball_residual_lanes(q, r), error);
+        return state_of_side(C.negative, C.positive, aside);
+    }
+    const vpair surplus = surplus_lanes(q, r);
+    const vpair height = height_over_circles(q, r, shape, tapered);
+    const sign_bits C = signs_beyond(surplus.hi + surplus.lo, error);
+    const sign_bits z =
+        signs_beyond(height.hi + height.lo, round_error(size, shape));
+    const sign_bits side =
+        signs_beyond(cone_residual_at(height, surplus, shape, tapered), error);
+    const unsigned below = z.negative, above = z.positive >> 1;
+    const unsigned between = z.positive & z.negative >> 1;
+    return state_of_side(C.negative | C.negative >> 1 |
+                             (between & side.negative),
+                         (below & C.positive) | (above & C.positive >> 1) |
+                             (~(below | above) & side.positive),
+                         aside);
 }
 
 INLINE local_roots rounded_ends(const round_line *x, const cylint_shape *shape,
@@ -171,10 +236,8 @@ INLINE local_roots rounded_ends(const round_line *x, const cylint_shape *shape,
                                 end_parts e, int kind)
 {
     const vd size = size_at(at->t, x->l.Q, x->l.D);
-    const vd error =
-        v_set(CYLINT_LOCAL_RESIDUAL * shape->local.error) * size * size;
-    return stepped(at->t, round_residual_at(shape, line, at->t, e, kind), error,
-                   at);
+    return stepped(at->t, round_residual_at(shape, line, at->t, e, kind),
+                   round_error(size * size, shape), at);
 }
 
 #endif
