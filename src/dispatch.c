@@ -42,17 +42,36 @@ static int best(void)
 /* NULL until the first use.  All threads choose the same build. */
 const cylint_kernels *cylint_kernels_chosen;
 
+static int choose_and_answer(CYLINT_ONE_ARGUMENTS)
+{
+    return cylint_filter_one(cylint_choose_kernels()->one, shape, line, want,
+                             answer, rest);
+}
+
+#define CHOOSE                               \
+    {                                        \
+        choose_and_answer, choose_and_answer \
+    }
+static const cylint_one_kernels choosing = {
+    {CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE}};
+const cylint_one_kernels *cylint_one_chosen = &choosing;
+
 #ifdef __GNUC__
 #define STORE(x, v) __atomic_store_n(&(x), v, __ATOMIC_RELAXED)
 #else
 #define STORE(x, v) ((x) = (v))
 #endif
 
+static const cylint_kernels *choose(int build)
+{
+    STORE(cylint_kernels_chosen, &builds[build]);
+    STORE(cylint_one_chosen, builds[build].one);
+    return &builds[build];
+}
+
 const cylint_kernels *cylint_choose_kernels(void)
 {
-    const cylint_kernels *kernels = &builds[best()];
-    STORE(cylint_kernels_chosen, kernels);
-    return kernels;
+    return choose(best());
 }
 
 const char *cylint_kernels_in_use(void)
@@ -74,7 +93,7 @@ int cylint_use_kernels(const char *name)
         if (name ? strcmp(name, builds[build].name) == 0 : runs(build)) {
             if (!runs(build))
                 return 0;
-            STORE(cylint_kernels_chosen, &builds[build]);
+            choose(build);
             return 1;
         }
     return 0;

@@ -13,7 +13,7 @@ typedef struct {
 } cylint_kernels;
 
 /* dispatch.c chooses when first called. */
-extern const cylint_kernels *cylint_kernels_chosen;
+extern const cylint_kernels *cylint_kernels_chosen CYLINT_HIDDEN;
 const cylint_kernels *cylint_choose_kernels(void);
 static inline const cylint_kernels *cylint_kernels_used(void)
 {
@@ -24,6 +24,18 @@ static inline const cylint_kernels *cylint_kernels_used(void)
     const cylint_kernels *kernels = cylint_kernels_chosen;
 #endif
     return kernels ? kernels : cylint_choose_kernels();
+}
+
+/* The kernels for one line and one shape.  Before the first use these are
+ * functions that choose the build. */
+extern const cylint_one_kernels *cylint_one_chosen CYLINT_HIDDEN;
+static inline const cylint_one_kernels *cylint_one_used(void)
+{
+#ifdef __GNUC__
+    return __atomic_load_n(&cylint_one_chosen, __ATOMIC_RELAXED);
+#else
+    return cylint_one_chosen;
+#endif
 }
 
 #endif

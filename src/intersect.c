@@ -119,7 +119,7 @@ ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
 {
     cylint_answer known;
     cylint_root_rest rest;
-    const int n = cylint_filter_one(cylint_kernels_used()->one, shape, line,
+    const int n = cylint_filter_one(cylint_one_used(), shape, line,
                                     want | CYLINT_WANT_T | CYLINT_WANT_PART,
                                     &known, &rest);
     if (n == CYLINT_UNDECIDED)
@@ -157,8 +157,8 @@ CYLINT_INLINE int answer_t(const cylint_shape *shape, const cylint_line *line,
     const cylint_line *volatile const its_line = line;
     cylint_answer *volatile const its_answer = answer;
     const volatile unsigned its_want = want;
-    const int n = cylint_filter_one(cylint_kernels_used()->one, shape, line,
-                                    want, answer, NULL);
+    const int n =
+        cylint_filter_one(cylint_one_used(), shape, line, want, answer, NULL);
     if (n == CYLINT_UNDECIDED)
         return cylint_intersect_by_signs(its_shape, its_line, its_want,
                                          its_answer);
@@ -185,13 +185,23 @@ int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
     return n;
 }
 
+ASIDE int occluded_by_signs(const cylint_shape *shape, const cylint_line *line)
+{
+    cylint_answer answer;
+    return cylint_intersect_by_signs(shape, line, CYLINT_WANT_NEAREST, &answer);
+}
+
 int cylint_occluded(const cylint_shape *shape, const cylint_line *line)
 {
     cylint_answer answer;
 #if CYLINT_IS_PARANOID
     return cylint_intersect(shape, line, CYLINT_WANT_NEAREST, &answer);
 #else
-    return answer_t(shape, line, CYLINT_WANT_NEAREST, &answer);
+    const cylint_shape *volatile const its_shape = shape; /* as above */
+    const cylint_line *volatile const its_line = line;
+    const int n = cylint_filter_one(cylint_one_used(), shape, line,
+                                    CYLINT_WANT_NEAREST, &answer, NULL);
+    return n == CYLINT_UNDECIDED ? occluded_by_signs(its_shape, its_line) : n;
 #endif
 }
 

@@ -577,7 +577,8 @@ static number square_of(number x)
  * lateral_at(), in units of |t| D + Q: all of across = |x| + |y| + |rho| in one
  * of them, where the bound is greatest, since it is a sum of convex functions of
  * each.  The difference of the high parts is exact, or the error is one rounding
- * of it: Newton's step counts it, but for what the low parts add to it.  Of a
+ * of it, and so is that of each sum with it: Newton's step counts these, but for
+ * what the low parts add to them.  Of a
  * straight shape across has no rho; where |rho| is more than twice across, the
  * value is as large as rho^2, and the error of rho^2 is a rounding of the
  * value.

@@ -34,7 +34,7 @@ static inline int cylint_undecided(CYLINT_ONE_ARGUMENTS)
     return CYLINT_UNDECIDED;
 }
 
-/* The functions for one line and one shape: by solid and by whether no root is
+/* The functions for one line and one shape: by solid and by whether roots are
  * wanted. */
 typedef struct {
     cylint_kernel_one *by_solid[CYLINT_SOLIDS][2];
@@ -86,9 +86,10 @@ static inline int cylint_filter_one(const cylint_one_kernels *kernels,
                                     cylint_answer *answer,
                                     cylint_root_rest *rest)
 {
-    const int signs = !(want & CYLINT_WANT_T);
-    const int solid = shape->prepared & -line->in_range;
-    return kernels->by_solid[solid][signs](shape, line, want, answer, rest);
+    const unsigned roots = want / CYLINT_WANT_T % 2;
+    const unsigned solid =
+        (unsigned)shape->prepared & -(unsigned)line->in_range;
+    return kernels->by_solid[solid][roots](shape, line, want, answer, rest);
 }
 
 /* A question of a batch is a line and a shape, and it has a number.  All

@@ -512,6 +512,7 @@ INLINE vd terms_at(terms_pairs *P, terms_sizes *N, const lanes_slopes *q,
 #define NUM vd
 #define ABS(x) v_abs(x)
 #define CONSTANT(x) v_set(x)
+#define SUM_OF(x, y, z) v_sum_of(x, y, z)
 #define QUOTIENT(x, y, inverse) ((x) * (inverse))
 #define SLACK CYLINT_LANES_SLACK
 #include "../roots/newton_template.h"

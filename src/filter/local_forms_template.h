@@ -53,6 +53,13 @@ INLINE void FORM(set_products)(FORM(line) *l)
     l->products = SUMS(MUL(l->v, l->v), MUL(l->p, l->v));
 }
 
+/* |x|^2. */
+INLINE V FORM(square)(V x)
+{
+    const V squares = MUL(x, x);
+    return ADD(squares, TURNED(squares));
+}
+
 /* X of a cap, z its z twice. */
 INLINE V FORM(X)(const FORM(line) *l, V z)
 {
@@ -81,12 +88,10 @@ INLINE V FORM(G)(const FORM(line) *l, int tapered, const V *Y)
 {
     const V moment = FORM(moment)(l);
     V square;
-    if (tapered) {
-        const V Y2 = MUL(*Y, *Y);
-        square = SUMS(Y2, Y2);
-    } else {
-        square = MUL(MUL(l->r, l->r), l->products);
-    }
+    if (tapered)
+        square = FORM(square)(*Y);
+    else
+        square = MUL(MUL(l->r, l->r), FORM(square)(l->v));
     return SUM_OF(NEGATED(moment), moment, square);
 }
 

@@ -41,12 +41,12 @@ typedef struct {
     double Q, D, unit;
 } local_line;
 
-/* The columns of the matrix times x, y, z. */
-INLINE vd sideways(const cylint_local *f, double x, double y, double z)
+/* The columns of the matrix times x, y, z, each in both lanes. */
+INLINE vd sideways(const cylint_local *f, vd x, vd y, vd z)
 {
     const vd M0 = v_load(f->xyz[0]), M1 = v_load(f->xyz[1]),
              M2 = v_load(f->xyz[2]);
-    return v_sum_of(v_set(z), M2, v_sum_of(v_set(y), M1, v_set(x) * M0));
+    return v_sum_of(z, M2, v_sum_of(y, M1, x * M0));
 }
 
 INLINE double along(const cylint_local *f, double x, double y, double z)
@@ -71,17 +71,18 @@ INLINE void load_start(local_line *l, const cylint_shape *shape,
                        const cylint_line *line, int tapered)
 {
     const cylint_local *f = &shape->local;
-    const double x = line->o[0] - shape->base[0];
-    const double y = line->o[1] - shape->base[1];
-    const double z = line->o[2] - shape->base[2];
+    const vd from = v_load(line->o) - v_load(shape->base);
+    const vd x = v_firsts(from, from), y = v_seconds(from, from);
+    const vd z = v_set(line->o[2] - shape->base[2]);
     l->in.p = sideways(f, x, y, z);
-    l->in.v = sideways(f, line->d[0], line->d[1], line->d[2]);
+    l->in.v =
+        sideways(f, v_set(line->d[0]), v_set(line->d[1]), v_set(line->d[2]));
     if (tapered) {
-        l->z[0] = along(f, x, y, z);
+        l->z[0] = along(f, v_first(x), v_first(y), v_first(z));
         l->w = along(f, line->d[0], line->d[1], line->d[2]);
     }
-    l->Q = sum_of(cylint_larger(cylint_larger(fabs(x), fabs(y)), fabs(z)),
-                  f->norm, f->reach);
+    l->Q = sum_of(v_first(v_larger_size(v_larger_size(x, y), z)), f->norm,
+                  f->reach);
     l->D = line->size * f->norm;
     l->unit = CYLINT_ROUNDING;
     set_terms(l, shape, tapered);
@@ -188,7 +189,8 @@ INLINE cap_signs signs_at_caps(local_verdict *v, const local_line *l,
 {
     const double N_error = CYLINT_LOCAL_FORM * l->unit * l->Q * l->D * l->D *
                            taper_of(shape, tapered);
-    const vd E_error = v_set(disc_error(l, widest_of(shape, tapered)));
+    const vd E_error =
+        v_set(tapered ? disc_error(l, widest_of(shape, 1)) : v->G_error);
     v->cap = v_lt(E_error, E);
     return (cap_signs){{m_bits(v->cap), m_bits(v_lt(E, -E_error))},
                        signs_beyond(N * v_two(-1, 1), v_set(N_error)),
@@ -367,12 +369,6 @@ INLINE vd finite_ends(const cylint_line *line)
 {
     const vd t = v_load(&line->tmin);
     return v_select(v_le(v_abs(t), v_set(DBL_MAX)), t, v_set(0));
-}
-
-/* (x[0] + x[1], x[2] + x[3]) */
-INLINE vd halves_of(vq x)
-{
-    return v_firsts(q_low(x), q_high(x)) + v_seconds(q_low(x), q_high(x));
 }
 
 INLINE local_states states_in_doubles(const local_line *l,

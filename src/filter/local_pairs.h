@@ -175,16 +175,15 @@ INLINE local_verdict classify_in_pairs(const local_line *l, local_quadratic *q,
 
 /* ------------------------------------------- at points of the line ----- */
 
-/* (p, p) + (t[0] v, t[1] v): x and y at both t. */
+/* p + t v: x at both t, then y. */
 INLINE vqpair points_at(const line_pairs *in, vd t)
 {
-    const vq T = q_spread(t), v = q_join(in->v.hi, in->v.hi);
+    const vq T = q_join(t, t), v = q_spread(in->v.hi);
     const vq step = q_mul(T, v);
     const vq rest =
-        q_sum_of(T, q_join(in->v.lo, in->v.lo), q_product_error(T, v, step));
-    const vqpair sum = q_two_sum(q_join(in->p.hi, in->p.hi), step);
-    return (vqpair){sum.hi,
-                    q_add(sum.lo, q_add(q_join(in->p.lo, in->p.lo), rest))};
+        q_sum_of(T, q_spread(in->v.lo), q_product_error(T, v, step));
+    const vqpair sum = q_two_sum(q_spread(in->p.hi), step);
+    return (vqpair){sum.hi, q_add(sum.lo, q_add(q_spread(in->p.lo), rest))};
 }
 
 /* Q at t of both lanes.  `across`: |x| + |y|, and + |rho| of a tapered shape. */
@@ -199,12 +198,9 @@ INLINE lateral_value lateral_at(const line_pairs *in, const cylint_shape *shape,
     const vq squares = q_mul(p.hi, p.hi);
     const vq rest = q_sum_of(q_add(q_add(p.hi, p.hi), p.lo), p.lo,
                              q_product_error(p.hi, p.hi, squares));
-    const vd x = v_firsts(q_low(p.hi), q_high(p.hi)),
-             y = v_seconds(q_low(p.hi), q_high(p.hi));
-    const vpair pp = v_two_sum(v_firsts(q_low(squares), q_high(squares)),
-                               v_seconds(q_low(squares), q_high(squares)));
+    const vpair pp = v_two_sum(q_low(squares), q_high(squares));
     vpair rho2;
-    vd across = v_abs(x) + v_abs(y);
+    vd across = v_abs(q_low(p.hi)) + v_abs(q_high(p.hi));
     if (tapered) {
         const vpair z0 = vpair_firsts(in->z, in->z);
         const vpair rho = vpair_add(twice(shape->r0, 0),
@@ -215,8 +211,8 @@ INLINE lateral_value lateral_at(const line_pairs *in, const cylint_shape *shape,
         const pair square = two_prod(shape->r0, shape->r0);
         rho2 = twice(square.hi, square.lo);
     }
-    return (lateral_value){
-        (pp.hi - rho2.hi) + ((pp.lo + halves_of(rest)) - rho2.lo), across};
+    const vd squared = (pp.hi - rho2.hi) + (pp.lo - rho2.lo);
+    return (lateral_value){squared + (q_low(rest) + q_high(rest)), across};
 }
 
 /* As states_in_doubles(), in pairs.  q: the quadratic. */

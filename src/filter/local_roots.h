@@ -101,8 +101,8 @@ INLINE local_ends estimate_ends(const local_line *l, const local_verdict *v,
 {
     local_ends at;
     const int bounded = extent == CYLINT_BOUNDED;
-    const double s = v_first(v_sqrt(v_set(v->G))); /* without errno */
-    const vd root = v_set(bounded ? copysign(s, l->w) : s) * v_two(-1, 1);
+    const vd s = v_sqrt(v_set(v->G)); /* without errno */
+    const vd root = v_like(s, v_set(bounded ? l->w : 1) * v_two(-1, 1));
     vd num = root - v_set(q->B), den = v_set(q->A);
     at.cap = v->cap;
     at.slope = root + root;
@@ -124,7 +124,7 @@ INLINE local_ends estimate_ends(const local_line *l, const local_verdict *v,
     at.t = num * (v_set(1) / den);
     const vd off = v_sum_of(v_abs(at.t), v_set(q->A_error), v_set(q->B_error));
     const unsigned near =
-        4 * v->G_error < v->G ? m_bits(v_le(off, v_set(0.25 * s))) : 0;
+        4 * v->G_error < v->G ? m_bits(v_le(off, v_set(0.25) * s)) : 0;
     at.usable = near | v->pierced;
     at.first = first_lane(l, q->A, tapered, extent);
     return at;
@@ -164,13 +164,16 @@ INLINE local_roots round_ends(const local_line *l, const line_pairs *in,
     return stepped(at->t, residual, error, at);
 }
 
-INLINE void write_root(cylint_answer *answer, cylint_root_rest *rest, int n,
-                       double root[3][2], int lane)
+/* lane: of the first hit. */
+INLINE void write_rests(cylint_root_rest *rest, const local_roots *r,
+                        unsigned hits, int lane)
 {
-    answer->hit[n].t = root[0][lane];
-    if (rest) {
-        rest->more[n] = root[1][lane];
-        rest->error[n] = root[2][lane];
+    double more[2], error[2];
+    v_store(more, r->more);
+    v_store(error, r->error);
+    for (int n = 0; n < (hits == 3 ? 2 : 1); n++) {
+        rest->more[n] = more[lane ^ n];
+        rest->error[n] = error[lane ^ n];
     }
 }
 
@@ -178,16 +181,14 @@ INLINE void write_root(cylint_answer *answer, cylint_root_rest *rest, int n,
 INLINE void write_roots(cylint_answer *answer, cylint_root_rest *rest,
                         const local_roots *r, unsigned hits, int first)
 {
-    double root[3][2];
-    v_store(root[0], r->value);
-    v_store(root[1], r->more);
-    v_store(root[2], r->error);
-    if (hits == 3) {
-        write_root(answer, rest, 0, root, first);
-        write_root(answer, rest, 1, root, !first);
-    } else if (hits) {
-        write_root(answer, rest, 0, root, hits == 2);
-    }
+    const int lane = hits == 3 ? first : hits == 2;
+    double t[2];
+    v_store(t, r->value);
+    answer->hit[0].t = t[lane];
+    if (hits == 3)
+        answer->hit[1].t = t[!lane];
+    if (rest)
+        write_rests(rest, r, hits, lane);
 }
 
 /* The roots that are certainly outside the domain of the line, as bits. */
@@ -228,7 +229,7 @@ INLINE int write_hits(const local_roots *r, int first, end_parts parts,
     const unsigned hits =
         wanted_hits(present & roots_within(r, line), want, first);
     (void)shape;
-    if (want & CYLINT_WANT_T)
+    if (want & CYLINT_WANT_T && hits)
         write_roots(answer, rest, r, hits, first);
     if (want & CYLINT_WANT_PART)
         write_parts(answer, parts, hits, first, bounded);

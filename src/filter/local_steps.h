@@ -88,6 +88,7 @@ typedef struct {
 #define NUM vd
 #define ABS(x) v_abs(x)
 #define CONSTANT(x) v_set(x)
+#define SUM_OF(x, y, z) v_sum_of(x, y, z)
 #define QUOTIENT(x, y, inverse) ((x) * (inverse))
 #define SLACK CYLINT_LOCAL_SLACK
 #include "../roots/newton_template.h"
@@ -97,10 +98,13 @@ typedef struct {
 INLINE rounded_step step_from(vd t, vd residual, vd residual_error, vd slope,
                               vd inverse, vd slope_error, vd curvature)
 {
-    const vd distance = v_set(CYLINT_LOCAL_DISTANCE) *
-                        (v_abs(residual) + residual_error) * v_abs(inverse);
+    /* in multiples of CYLINT_LOCAL_DISTANCE, the curvature in its square */
+    const vd distance =
+        v_sum_of(residual_error, v_abs(inverse), v_abs(residual * inverse));
     const newton_local step = newton_step_local(
-        residual, residual_error, slope, slope_error, curvature, distance);
+        residual, residual_error, slope, slope_error,
+        v_set(CYLINT_LOCAL_DISTANCE * CYLINT_LOCAL_DISTANCE) * curvature,
+        distance);
     const vpair r = v_two_sum(t, -step.delta);
     const vd low = r.hi + (r.lo - step.error);
     const vd high = r.hi + (r.lo + step.error);

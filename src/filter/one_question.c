@@ -149,11 +149,11 @@ TAPERED_KERNELS(nappe, CYLINT_NAPPE)
 
 #define BOTH(name)                 \
     {                              \
-        roots_##name, signs_##name \
+        signs_##name, roots_##name \
     }
 #define ROUND_OF(name, build)                                        \
     {                                                                \
-        cylint_##name##_roots_##build, cylint_##name##_signs_##build \
+        cylint_##name##_signs_##build, cylint_##name##_roots_##build \
     }
 #define ROUND_BOTH(name, build) ROUND_OF(name, build)
 #define ROUND(name) ROUND_BOTH(name, CYLINT_ROUND)

@@ -178,7 +178,7 @@ INLINE near_point point_near(const cylint_shape *shape, const cylint_line *line,
     EACH(i, 3)
         q[i] = sum_of(t, line->d[i], o[i]);
     double p[2];
-    v_store(p, sideways(f, q[0], q[1], q[2]));
+    v_store(p, sideways(f, v_set(q[0]), v_set(q[1]), v_set(q[2])));
     const double s = along(f, q[0], q[1], q[2]) / f->height;
     return (near_point){p[0], p[1], cap < 0 ? s : cap};
 }

@@ -23,6 +23,14 @@
 #define ASIDE static
 #endif
 
+/* A variable of the library that no other library reads.  The compiler then
+ * reads it without a table of addresses. */
+#if defined(__GNUC__) && defined(__ELF__)
+#define CYLINT_HIDDEN __attribute__((visibility("hidden")))
+#else
+#define CYLINT_HIDDEN
+#endif
+
 /* The larger of two, neither of them NaN.  fmax() would be a function call. */
 static inline double cylint_larger(double x, double y)
 {

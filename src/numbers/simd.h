@@ -444,6 +444,16 @@ static inline void v_columns_of_floats(const char *const row[LANES], size_t at,
     v_transpose(r, to);
 }
 
+/* The larger of |x| and |y|. */
+static inline vd v_larger_size(vd x, vd y)
+{
+#if LANES == 2 && defined(__AVX512DQ__) && defined(__AVX512VL__)
+    return _mm_range_pd(x, y, 0xB);
+#else
+    return v_max(v_abs(x), v_abs(y));
+#endif
+}
+
 typedef struct {
     vd hi, lo;
 } vpair;

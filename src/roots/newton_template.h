@@ -6,6 +6,7 @@
  *
  *   FORM(name), NEWTON_INLINE    the functions, and how they are declared
  *   NUM, ABS(x), CONSTANT(x)     a number, its size, a double as a number
+ *   SUM_OF(x, y, z)              x y + z
  *   QUOTIENT(x, y, inverse)      x / y; x times the inverse of y where that is
  *                                faster
  *   SLACK                        covers the terms of second order
@@ -32,11 +33,12 @@ NEWTON_INLINE FORM(newton)
                       NUM slope_error, NUM curvature, NUM distance)
 {
     const NUM inverse = CONSTANT(1) / slope;
+    const NUM scaled = CONSTANT(SLACK) * ABS(inverse);
+    const NUM relative =
+        SUM_OF(scaled, slope_error, CONSTANT(SLACK * CYLINT_QUOTIENT_ROUNDING));
     const NUM delta = QUOTIENT(residual, slope, inverse);
-    const NUM rounding = ABS(slope) * CONSTANT(CYLINT_QUOTIENT_ROUNDING);
-    const NUM error = CONSTANT(SLACK) * ABS(inverse) *
-                      (residual_error + ABS(delta) * (slope_error + rounding) +
-                       curvature * distance * distance);
+    const NUM first = SUM_OF(ABS(delta), relative, scaled * residual_error);
+    const NUM error = SUM_OF(scaled * curvature * distance, distance, first);
     return (FORM(newton)){delta, error};
 }
 
@@ -45,5 +47,6 @@ NEWTON_INLINE FORM(newton)
 #undef NUM
 #undef ABS
 #undef CONSTANT
+#undef SUM_OF
 #undef QUOTIENT
 #undef SLACK

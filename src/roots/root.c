@@ -96,6 +96,7 @@ static estimate estimate_of(cylint_query *q, cylint_root root)
 #define NUM double
 #define ABS(x) fabs(x)
 #define CONSTANT(x) (x)
+#define SUM_OF(x, y, z) ((x) * (y) + (z))
 #define QUOTIENT(x, y, inverse) ((x) / (y))
 #define SLACK CYLINT_ROOT_SLACK
 #include "newton_template.h"
