@@ -219,10 +219,44 @@ CYLINT_INLINE void lane_answer(const cylint_filter_group *g, int lane,
     }
 }
 
+/* Of lanes that the filter decided and that cross: as fill_columns(). */
+static void fill_lanes(const batch_job *job, const cylint_filter_group *g,
+                       unsigned lanes)
+{
+    const cylint_columns *to = job->columns;
+    const int most = job->want & CYLINT_WANT_NEAREST ? 1 : 2;
+    for (unsigned left = lanes; left; left &= left - 1) {
+        const int lane = cylint_lowest(left);
+        const size_t i = g->number[lane];
+        const int hit[2] = {(int)(g->hit[0] >> lane & 1),
+                            (int)(g->hit[1] >> lane & 1)};
+        const int first = !hit[0], both = (hit[0] & hit[1]) & (most == 2);
+        if (to->relation)
+            to->relation[i] = CYLINT_RELATION_CROSS;
+        if (!(hit[0] | hit[1]))
+            continue;
+        if (to->n)
+            to->n[i] = (signed char)(1 + both);
+        if (to->t0)
+            to->t0[i] = g->t[first][lane];
+        if (to->part0)
+            to->part0[i] = (signed char)g->part[first][lane];
+        if (to->t1 && both)
+            to->t1[i] = g->t[1][lane];
+        if (to->part1 && both)
+            to->part1[i] = (signed char)g->part[1][lane];
+    }
+}
+
 static int use_group(batch_job *job, const cylint_filter_batch *from,
                      const cylint_filter_group *g)
 {
-    for (unsigned found = g->found; found; found &= found - 1) {
+    unsigned all = g->found;
+    if (job->purpose == FILL_COLUMNS) {
+        fill_lanes(job, g, all & ~g->undecided);
+        all &= g->undecided;
+    }
+    for (unsigned found = all; found; found &= found - 1) {
         const int lane = cylint_lowest(found);
         const size_t number = g->number[lane];
         batch_answer answer;
@@ -347,6 +381,15 @@ size_t cylint_count(const cylint_pack *pack, const cylint_line *line,
 
 /* ------------------------------------------------------------ columns -- */
 
+static void fill_with_nan(double *to, size_t n)
+{
+    static const double nans[8] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    size_t i = 0;
+    for (; i + 8 <= n; i += 8)
+        memcpy(to + i, nans, sizeof nans);
+    memcpy(to + i, nans, (n - i) * sizeof *nans);
+}
+
 /* Everything misses until something is found. */
 static batch_job columns_job(const cylint_columns *to, size_t n)
 {
@@ -364,10 +407,10 @@ static batch_job columns_job(const cylint_columns *to, size_t n)
         memset(to->part0, -1, n);
     if (to->part1)
         memset(to->part1, -1, n);
-    for (size_t i = 0; to->t0 && i < n; i++)
-        to->t0[i] = NAN;
-    for (size_t i = 0; to->t1 && i < n; i++)
-        to->t1[i] = NAN;
+    if (to->t0)
+        fill_with_nan(to->t0, n);
+    if (to->t1)
+        fill_with_nan(to->t1, n);
     return job;
 }
 
