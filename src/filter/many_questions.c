@@ -63,9 +63,12 @@ static void shapes_at(const cylint_filter_batch *from, const size_t *number,
         const cylint_shape *one = &from->shapes[number[i]];
         const unsigned caps = cylint_caps_present(one->ends);
         shape[i] = (const char *)one;
+        if (kind == CYLINT_KIND_SPHERE)
+            continue;
         cap[0] |= (caps & 1) << i;
         cap[1] |= (caps >> 1) << i;
-        left_handed |= (unsigned)one->left_handed << i;
+        if (cylint_is_elliptic(kind))
+            left_handed |= (unsigned)one->left_handed << i;
     }
 /* four members in a row, from `name` on: base, r0, r1, dr, dr_lo are adjacent */
 #define MEMBERS(name) v_columns(shape, offsetof(cylint_shape, name), four)
@@ -76,6 +79,44 @@ static void shapes_at(const cylint_filter_batch *from, const size_t *number,
     s->r[0] = four[3];
     if (kind == CYLINT_KIND_SPHERE)
         return;
+    s->cap[0] = m_from(cap[0]);
+    s->cap[1] = m_from(cap[1]);
+    if (cylint_is_hull(kind)) {
+        lanes_frame *f = &s->frame;
+        MEMBERS(r1); /* r1, dr, dr_lo, xyz[0][0] */
+        s->r[1] = four[0];
+        f->xyz[0][0] = four[3];
+        MEMBERS(local.xyz[0][1]);
+        f->xyz[0][1] = four[0];
+        f->xyz[0][2] = four[1];
+        f->xyz[1][0] = four[2];
+        f->xyz[1][1] = four[3];
+        MEMBERS(local.xyz[1][2]);
+        f->xyz[1][2] = four[0];
+        EACH(i, 3)
+            f->xyz[2][i] = four[i + 1];
+        MEMBERS(local.height); /* height, slope, norm, reach */
+        f->height = four[0];
+        f->slope = four[1];
+        f->norm = four[2];
+        f->reach = four[3];
+        MEMBERS(local.cosine); /* cosine, sine */
+        f->cosine = four[0];
+        f->sine = four[1];
+        MEMBERS(local.xyz_lo[0][2]);
+        f->axis_lo[0] = four[0];
+        f->axis_lo[1] = four[3];
+        MEMBERS(local.xyz_lo[2][2]); /* and height_lo, slope_lo, error */
+        f->axis_lo[2] = four[0];
+        f->error = four[3];
+        MEMBERS(local.cosine_lo); /* and sine_lo */
+        f->cosine_lo = four[0];
+        f->sine_lo = four[1];
+        MEMBERS(top);
+        EACH(i, 3)
+            s->top[i] = four[i];
+        return;
+    }
     MEMBERS(axis);
     EACH(i, 3)
         s->axis[i] = four[i];
@@ -103,8 +144,6 @@ static void shapes_at(const cylint_filter_batch *from, const size_t *number,
             s->top[i] = four[i];
     }
 #undef MEMBERS
-    s->cap[0] = m_from(cap[0]);
-    s->cap[1] = m_from(cap[1]);
 }
 
 /* The ball about a shape and a line in every lane. */
@@ -364,9 +403,10 @@ INLINE void classify(const cylint_filter_batch *from, const question *x,
     const int hull = cylint_is_hull(kind), sphere = kind == CYLINT_KIND_SPHERE;
     lanes_verdict v =
         sphere ? sphere_classify(&at->slopes, &x->shape, &x->line, x->in_use)
-        : hull ? round_classify(&q, &x->shape, &x->line, kind, x->in_use, stop)
-               : lanes_classify(&q, &x->shape, &x->line, kind, from->bounded,
-                                x->in_use);
+        : hull
+            ? round_classify(&at->slopes, &x->shape, &x->line, x->in_use, stop)
+            : lanes_classify(&q, &x->shape, &x->line, kind, from->bounded,
+                             x->in_use);
     if (!from->line)
         leave_undecided(&v, m_and(x->in_use, v_eq(x->line.tmin, x->line.tmax)));
     if (from->line && from->want & CYLINT_WANT_NEAREST) {
@@ -387,12 +427,12 @@ INLINE void classify(const cylint_filter_batch *from, const question *x,
     if (!(from->want & CYLINT_WANT_T))
         return;
     if (hull) {
-        q.R = stop[0].R;
-        q.A = (bounded_value){stop[0].A, v_set(0)};
+        at->slopes.R = stop[0].R;
+        at->slopes.A = stop[0].A;
         at->last = stop[1];
-    }
-    if (!sphere)
+    } else if (!sphere) {
         at->slopes = slopes_of(&q);
+    }
     at->t[0] = v.stop[0];
     at->t[1] = v.stop[1];
 }
@@ -414,12 +454,32 @@ INLINE unsigned round_roots(const lanes_slopes *q, const question *x, int kind,
     const lanes_root r =
         kind == CYLINT_KIND_SPHERE
             ? round_sphere_root(q, &x->shape, &x->line, sign, of->t)
-        : cylint_is_hull(kind) ? round_part_root(q, &x->shape, &x->line, kind,
-                                                 sign, of->t, of->part)
-                               : round_root(q, &x->shape, center, &x->line,
-                                            kind, 1, sign, of->t, of->part);
+        : cylint_is_hull(kind)
+            ? round_part_root(q, &x->shape, &x->line, sign, of->t, of->part)
+            : round_root(q, &x->shape, center, &x->line, kind, 1, sign, of->t,
+                         of->part);
     v_store(t, r.value);
     return m_bits(m_and(of->wanted, m_not(r.certain)));
+}
+
+/* Both hits' roots of round kinds. */
+INLINE void round_both(const question *x, int kind, const stops *at,
+                       cylint_filter_group *g)
+{
+    lanes_root root[2];
+    if (kind == CYLINT_KIND_SPHERE) {
+        round_sphere_roots(root, &at->slopes, &x->shape, &x->line, at->t);
+    } else {
+        const vd part[2] = {v_load(g->part[0]), v_load(g->part[1])};
+        const round_stop stop[2] = {{at->t[0], at->slopes.R, at->slopes.A},
+                                    at->last};
+        round_part_roots(root, stop, &at->slopes, &x->shape, &x->line, at->t,
+                         part);
+    }
+    EACH(k, 2) {
+        v_store(g->t[k], root[k].value);
+        g->undecided |= g->hit[k] & ~m_bits(root[k].certain);
+    }
 }
 
 /* The hits' roots, one or two a lane. */
@@ -428,6 +488,10 @@ INLINE void round_hits(const cylint_filter_batch *from, const question *x,
 {
     const int nearest = (from->want & CYLINT_WANT_NEAREST) != 0;
     const unsigned other = g->hit[1] & ~g->hit[0];
+    if (!nearest && cylint_is_round(kind)) {
+        round_both(x, kind, at, g);
+        return;
+    }
     for (int i = 0; i < 2 - nearest; i++) {
         const unsigned second = nearest ? other : i ? ALL : 0;
         const unsigned wanted = nearest ? g->hit[0] | g->hit[1] : g->hit[i];

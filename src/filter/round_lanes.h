@@ -1,75 +1,77 @@
 /*
  * round_lanes.h - capsules and rounded cones in lanes
  *
- * The signs of signs/round_forms_template.h say on which of the two balls and
- * the lateral surface the overlap begins and ends.  Each of the two stops is
- * then a root of the quadratic of its own surface.  With both E negative the
- * line can meet
- *
- *   ball 0 only         if N_0 > 0: it comes nearest to p_0 before plane 0,
- *   ball 1 only         if N_1 < 0,
- *   the lateral surface if N_0 < 0 < N_1,
- *
- * whichever of the planes it comes to first.
+ * In the local coordinates of each lane's shape, as for one line
+ * (round_lines.h): the planes of the two circles cut the shape into a part of
+ * ball 0, a cone between planes, and a part of ball 1.  Each of the two stops is
+ * a root of the quadratic of its own surface.  A capsule is a rounded cone whose
+ * slope is 0.
  */
 #ifndef CYLINT_ROUND_LANES_H
 #define CYLINT_ROUND_LANES_H
 
-#include "sphere_lanes.h"
+#include "local_lanes.h"
 
-INLINE vm positive(bounded_value x)
+/* The lines.  in: z and r of the planes and circles.  No coordinate of the
+ * origin exceeds Q, none of the direction D. */
+typedef struct {
+    line_many in;
+    balls_many balls;
+    vd Q, D, taper;
+    vm in_range;
+} lanes_round;
+
+INLINE vd row_of_frame(const lanes_frame *f, int row, const vd x[3])
 {
-    return v_lt(x.e, x.v);
+    return v_sum_of(x[2], f->xyz[2][row],
+                    v_sum_of(x[1], f->xyz[1][row], x[0] * f->xyz[0][row]));
 }
 
-INLINE vm negative(bounded_value x)
+INLINE void load_round_lanes(lanes_round *x, const lanes_shape *s,
+                             const lanes_line *l)
 {
-    return v_lt(x.v, -x.e);
+    const lanes_frame *f = &s->frame;
+    const vd most = v_set(CYLINT_WINDOW), least = v_set(1 / CYLINT_WINDOW);
+    line_many *in = &x->in;
+    vd from[3];
+    EACH(i, 3)
+        from[i] = l->o[i] - s->base[i];
+    const vd size = v_largest(l->u), z = row_of_frame(f, 2, from);
+    x->balls.z = EACH_OF_TWO(z, z - f->height);
+    x->balls.r = EACH_OF_TWO(s->r[0], s->r[1]);
+    in->p = EACH_OF_TWO(row_of_frame(f, 0, from), row_of_frame(f, 1, from));
+    in->v = EACH_OF_TWO(row_of_frame(f, 0, l->u), row_of_frame(f, 1, l->u));
+    in->w = two_of(row_of_frame(f, 2, l->u));
+    in->z = two_sum_of(two_of(f->sine), x->balls.r, x->balls.z);
+    in->r = two_times(two_of(f->cosine), x->balls.r);
+    in->slope = two_of(f->slope);
+    set_products_many(in);
+    x->Q = v_sum_of(v_largest(from), f->norm, f->reach);
+    x->D = size * f->norm;
+    x->taper = v_set(1) + v_abs(f->slope);
+    x->in_range = m_and(m_and(v_le(least, size), v_le(size, most)),
+                        m_and(v_le(x->Q, most), v_lt(v_set(0), f->height)));
 }
 
-/* A t^2 + 2 B t + C of one surface: A, B, and the radicand B^2 - A C. */
+/* Twice the error of a rounding, of coordinates from the circles' planes. */
+#define ROUND_UNIT (CYLINT_LOCAL_ROUND * CYLINT_ROUNDING)
+
+/* A t^2 + 2 B t + C of one surface: A, B, and the radicand B^2 - A C.  scale: of
+ * the residual, beside these. */
 typedef struct {
     bounded_value A, B, radicand;
-    vm known; /* well enough for a root */
+    vd scale;
 } round_quadratic;
-
-/* Of the ball about an end. */
-INLINE round_quadratic quadratic_of_ball(const lanes_query *q, bounded_value g,
-                                         int end)
-{
-    const terms_lanes *L = &q->L;
-    const terms_sizes *N = &q->N;
-    const bounded_value A =
-        with_bound(dot_lanes(L, L->u, L->u), dot_sizes(N, N->u, N->u));
-    const bounded_value B = with_bound(dot_lanes(L, L->D[end], L->u),
-                                       dot_sizes(N, N->D[end], N->u));
-    return (round_quadratic){A, B, g,
-                             v_lt(v_set(1 / CYLINT_RADICAND) * g.e, g.v)};
-}
-
-INLINE round_quadratic quadratic_of_side(const lanes_query *q, bounded_value G)
-{
-    const terms_lanes *L = &q->L;
-    const terms_sizes *N = &q->N;
-    const bounded_value S =
-        with_bound(form_root_of_S_lanes(L), form_root_of_S_sizes(N));
-    const bounded_value A = with_bound(form_A_lanes(L), form_A_sizes(N));
-    const bounded_value B = with_bound(form_B_lanes(L), form_B_sizes(N));
-    const vm known = m_and(m_and(certain(A), certain(S)),
-                           v_lt(v_set(1 / CYLINT_RADICAND) * G.e, G.v));
-    return (round_quadratic){A, B, {S.v * G.v, S.v * G.e + S.e * G.v}, known};
-}
 
 INLINE round_quadratic choose_quadratic(vm m, const round_quadratic *x,
                                         const round_quadratic *y)
 {
-    return (round_quadratic){
-        choose(m, x->A, y->A), choose(m, x->B, y->B),
-        choose(m, x->radicand, y->radicand),
-        m_or(m_and(m, x->known), m_and(m_not(m), y->known))};
+    return (round_quadratic){choose(m, x->A, y->A), choose(m, x->B, y->B),
+                             choose(m, x->radicand, y->radicand),
+                             v_select(m, x->scale, y->scale)};
 }
 
-/* Where the overlap begins or ends. */
+/* Where the overlap begins or ends.  R and A: of the residual. */
 typedef struct {
     bounded_value t, R;
     vd A; /* |A| */
@@ -79,63 +81,98 @@ typedef struct {
 INLINE round_stop root_of(const round_quadratic *f, vd exits, vm *uncertain)
 {
     const vd R = v_sqrt(f->radicand.v);
-    const bounded_value radical = {R, R * (f->radicand.e / f->radicand.v +
-                                           v_set(CYLINT_RADICAL_ROUNDING))};
+    const vd R_error =
+        R * (f->radicand.e / f->radicand.v + v_set(CYLINT_RADICAL_ROUNDING));
     const bounded_value numerator = {
-        -f->B.v + exits * R, (f->B.e + radical.e) * v_set(CYLINT_LANES_SLACK)};
-    *uncertain = m_not(m_and(f->known, v_lt(v_set(CYLINT_RADICAL_LEAST), R)));
-    return (round_stop){quotient(numerator, f->A), radical, v_abs(f->A.v)};
+        -f->B.v + exits * R, (f->B.e + R_error) * v_set(CYLINT_LANES_SLACK)};
+    const vm known =
+        m_and(certain(f->A),
+              v_lt(v_set(1 / CYLINT_RADICAND) * f->radicand.e, f->radicand.v));
+    *uncertain = m_not(m_and(known, v_lt(v_set(CYLINT_RADICAL_LEAST), R)));
+    return (round_stop){quotient(numerator, f->A),
+                        {R * f->scale, R_error * f->scale},
+                        v_abs(f->A.v) * f->scale};
 }
 
-/* What the signs say.  ball[i][k]: stop k is on ball i. */
+/* Of the cone.  Y: r v - slope X_0. */
+INLINE bounded_value cone_G(const lanes_round *x, vtwo Y)
+{
+    const vd off =
+        v_set(0.5 * CYLINT_LOCAL_FORM * ROUND_UNIT) * x->Q * x->D * x->taper;
+    return (bounded_value){G_many(&x->in, 1, &Y).a,
+                           (off + off) * (v_abs(Y.a) + v_abs(Y.b) + off)};
+}
+
+INLINE round_quadratic quadratic_of_cone(const lanes_round *x, bounded_value G,
+                                         const lanes_frame *f)
+{
+    const vtwo AB = AB_many(&x->in, 1);
+    const vd D = x->taper * x->D, Q = x->taper * x->Q;
+    /* the roundings of c^2 and of the slope by it */
+    const bounded_value radicand = {
+        G.v, v_sum_of(v_set(4 * CYLINT_ROUNDING), v_abs(G.v), G.e)};
+    return (round_quadratic){
+        {AB.a, v_set(CYLINT_LOCAL_A * ROUND_UNIT) * D * D},
+        {AB.b, v_set(CYLINT_LOCAL_FORM * ROUND_UNIT) * Q * D},
+        radicand,
+        f->cosine * f->cosine};
+}
+
+INLINE void quadratics_of_balls(round_quadratic ball[2], const lanes_round *x,
+                                const bounded_value g[2])
+{
+    const vtwo B = ball_B_many(&x->in, &x->balls);
+    const bounded_value A = {ball_A_many(&x->in).a,
+                             v_set(CYLINT_LOCAL_A * ROUND_UNIT) * x->D * x->D};
+    const vd error = v_set(CYLINT_LOCAL_FORM * ROUND_UNIT) * x->Q * x->D;
+    ball[0] = (round_quadratic){A, {B.a, error}, g[0], v_set(1)};
+    ball[1] = (round_quadratic){A, {B.b, error}, g[1], v_set(1)};
+}
+
+/* What the signs say.  chord: lanes whose chord is in ball i.  cap: lanes that
+ * pierce the disc of circle i. */
 typedef struct {
-    vm misses, crosses;
-    vm ball[2][2];
+    vm misses, crosses, chord[2], cap[2];
 } round_verdict;
 
-INLINE round_verdict round_signs(lanes_query *q, bounded_value G,
-                                 const bounded_value g[2])
+INLINE round_verdict round_signs(const lanes_round *x, bounded_value G,
+                                 bounded_value g[2])
 {
-    const terms_lanes *L = &q->L;
-    const terms_sizes *N = &q->N;
-    bounded_value E[2], inward[2];
-    vm in[2], out[2], between[2], beyond[2];
-    EACH(i, 2) {
-        E[i] = with_bound(form_E_lanes(L, i), form_E_sizes(N, i));
-        inward[i] = with_bound(form_N_lanes(L, i) * v_set(i ? 1 : -1),
-                               form_N_sizes(N, i));
-        in[i] = positive(E[i]);
-        out[i] = negative(E[i]);
-        between[i] = positive(inward[i]);
-        beyond[i] = negative(inward[i]);
-    }
-    const vm up = v_lt(v_set(0), q->beta.v), down = m_not(up);
-    const vm outside = m_and(out[0], out[1]);
-    const vm pierces = m_and(m_and(m_or(in[0], in[1]), certain(q->beta)),
-                             m_and(m_or(in[0], out[0]), m_or(in[1], out[1])));
-    const vm side = m_and(m_and(between[0], between[1]), positive(G));
-    const vm no_side = m_or(negative(G), m_or(beyond[0], beyond[1]));
-    vm chord[2], no_chord[2];
-    EACH(i, 2) {
-        chord[i] = m_and(outside, m_and(beyond[i], positive(g[i])));
-        no_chord[i] = m_or(negative(g[i]), between[i]);
-    }
+    const vd u = v_set(ROUND_UNIT), QDD = u * x->Q * x->D * x->D;
+    const vd second = v_set(CYLINT_LOCAL_SECOND) * u * x->Q;
+    const vd r0 = x->balls.r.a, r1 = x->balls.r.b;
+    const vd eE = v_set(CYLINT_LOCAL_FORM) * QDD * (v_max(r0, r1) + second);
+    const vd eN = v_set(CYLINT_LOCAL_FORM) * QDD * x->taper;
+    const vtwo E = E_many(&x->in), N = N_many(&x->in, 1);
+    const vtwo ball = ball_g_many(&x->in, &x->balls);
+    const cap_masks c = {{masks_of(E.a, eE), masks_of(E.b, eE)},
+                         {masks_of(-N.a, eN), masks_of(N.b, eN)},
+                         {v_lt(G.e, G.v), v_lt(G.v, -G.e)}};
+    const vm past = misses_of_masks(&c); /* the cone */
     round_verdict v;
-    v.misses = m_and(m_and(outside, no_side), m_and(no_chord[0], no_chord[1]));
-    v.crosses =
-        m_or(m_or(pierces, m_and(outside, side)), m_or(chord[0], chord[1]));
+    g[0] =
+        (bounded_value){ball.a, v_set(CYLINT_LOCAL_BALL) * QDD * (r0 + second)};
+    g[1] =
+        (bounded_value){ball.b, v_set(CYLINT_LOCAL_BALL) * QDD * (r1 + second)};
+    v.misses = past;
+    v.crosses = m_from(0);
     EACH(i, 2) {
-        const vm first = m_and(m_and(pierces, in[i]), i ? down : up);
-        const vm last = m_and(m_and(pierces, in[i]), i ? up : down);
-        v.ball[i][0] = m_or(chord[i], first);
-        v.ball[i][1] = m_or(chord[i], last);
+        const sign_masks in_ball = masks_of(g[i].v, g[i].e);
+        const vm there = m_and(past, c.inward[i].negative);
+        v.chord[i] = m_and(there, in_ball.positive);
+        v.misses = m_and(v.misses, m_or(m_not(there), in_ball.negative));
+        v.crosses = m_or(v.crosses, v.chord[i]);
+        v.cap[i] = c.E[i].positive;
     }
+    const vm sided = m_and(m_or(c.E[0].positive, c.E[0].negative),
+                           m_or(c.E[1].positive, c.E[1].negative));
+    v.crosses = m_and(m_or(v.crosses, crosses_of_masks(&c)), sided);
     return v;
 }
 
 /* As lanes_classify(). */
-INLINE lanes_verdict round_classify(lanes_query *q, const lanes_shape *s,
-                                    const lanes_line *l, int kind, vm lanes,
+INLINE lanes_verdict round_classify(lanes_slopes *q, const lanes_shape *s,
+                                    const lanes_line *l, vm lanes,
                                     round_stop stop[2])
 {
     const vm none = m_from(0);
@@ -145,36 +182,40 @@ INLINE lanes_verdict round_classify(lanes_query *q, const lanes_shape *s,
         none, none, {none, none}, none, {nowhere, nowhere}, {lateral, lateral}};
     EACH(k, 2)
         stop[k] = (round_stop){nowhere, nowhere, v_set(0)};
-    load_terms(q, s, l, kind, 1);
-    prepare_top_lanes(&q->L);
-    prepare_top_sizes(&q->N);
-    q->beta = with_bound(q->L.beta, form_beta_sizes(&q->N));
-    const bounded_value G =
-        with_bound(form_G_lanes(&q->L), form_G_sizes(&q->N));
+    lanes_round x;
+    load_round_lanes(&x, s, l);
+    const bounded_value G = cone_G(&x, Y_many(&x.in));
     bounded_value g[2];
-    EACH(i, 2)
-        g[i] = with_bound(form_end_ball_lanes(&q->L, i),
-                          form_end_ball_sizes(&q->N, i));
-    const vm window = lanes_in_window(q, kind);
-    const round_verdict is = round_signs(q, G, g);
-    const vm alive = m_and(lanes, m_not(m_and(window, is.misses)));
+    const round_verdict is = round_signs(&x, G, g);
+    const vm alive = m_and(
+        lanes, m_not(m_and(x.in_range, m_or(is.misses, v_lt(G.v, -G.e)))));
+    *q = (lanes_slopes){nowhere, nowhere,  v_set(0), x.Q,
+                        x.D,     v_set(0), v_set(0)};
     if (!m_any(alive))
         return v;
 
-    const round_quadratic side = quadratic_of_side(q, G);
-    const round_quadratic ball0 = quadratic_of_ball(q, g[0], 0);
-    const round_quadratic ball1 = quadratic_of_ball(q, g[1], 1);
-    vm uncertain = m_not(m_and(window, is.crosses));
+    round_quadratic ball[2];
+    const round_quadratic side = quadratic_of_cone(&x, G, &s->frame);
+    quadratics_of_balls(ball, &x, g);
+    const vm down = v_lt(x.in.w.a, v_set(0));
+    const vm one_ball = m_or(is.chord[0], is.chord[1]);
+    vm uncertain = m_not(m_and(x.in_range, is.crosses));
     EACH(k, 2) {
-        const vm on0 = is.ball[0][k], on1 = is.ball[1][k];
-        const round_quadratic other = choose_quadratic(on1, &ball1, &side);
-        const round_quadratic f = choose_quadratic(on0, &ball0, &other);
+        const vm last = k ? m_not(down) : down; /* at the top's end */
+        const vm top = m_or(is.chord[1], m_and(last, m_not(one_ball)));
+        const vm cap =
+            m_or(m_and(top, is.cap[1]), m_and(m_not(top), is.cap[0]));
+        const vm on_ball = m_or(one_ball, cap);
+        const round_quadratic of = choose_quadratic(top, &ball[1], &ball[0]);
+        const round_quadratic f = choose_quadratic(on_ball, &of, &side);
         vm unknown;
         stop[k] = root_of(&f, v_set(k ? 1 : -1), &unknown);
         uncertain = m_or(uncertain, unknown);
         v.stop[k] = stop[k].t;
-        v.part[k] = v_select(on0, v_set(CYLINT_PART_CAP0),
-                             v_select(on1, v_set(CYLINT_PART_CAP1), lateral));
+        v.part[k] = v_select(
+            on_ball,
+            v_select(top, v_set(CYLINT_PART_CAP1), v_set(CYLINT_PART_CAP0)),
+            lateral);
     }
     v.cross = m_and(alive, m_not(uncertain));
     v.undecided = m_and(alive, uncertain);
@@ -191,49 +232,86 @@ INLINE lanes_verdict round_classify(lanes_query *q, const lanes_shape *s,
     return v;
 }
 
-/* |w|^2 - dr^2. */
-INLINE vpair hull_square(const vpair axis[3], vpair dr)
-{
-    const vpair across =
-        vpair_add(vpair_mul(axis[0], axis[0]), vpair_mul(axis[1], axis[1]));
-    const vpair length = vpair_add(across, vpair_mul(axis[2], axis[2]));
-    return vpair_sub(length, vpair_mul(dr, dr));
-}
-
-/* One step of Newton's in lanes, by parts.  The residual is that of the ball or,
- * in units of |w|^2, of the cone (round_residual_template.h). */
+/* One step of Newton's in lanes, by parts.  The residual is that of the ball or
+ * of the cone (round_residual_template.h). */
 INLINE lanes_root round_part_root(const lanes_slopes *q, const lanes_shape *s,
-                                  const lanes_line *l, int kind, vd exits,
+                                  const lanes_line *l, vd exits,
                                   bounded_value t, vd part)
 {
+    const lanes_frame *f = &s->frame;
     const vm top = v_eq(part, v_set(CYLINT_PART_CAP1));
     const vm ball = m_not(v_eq(part, v_set(CYLINT_PART_LATERAL)));
     const vd r = v_select(top, s->r[1], s->r[0]);
     vpair x[3], axis[3];
-    vd center[3];
-    root_centers(center, s, kind, part);
     EACH(i, 3) {
-        x[i] = moved_lanes(v_two_sum(l->o[i], -center[i]), t.v, l->u[i],
-                           l->u_lo[i]);
-        axis[i] = (vpair){s->axis[i], s->axis_lo[i]};
+        const vd center = v_select(top, s->top[i], s->base[i]);
+        x[i] =
+            moved_lanes(v_two_sum(l->o[i], -center), t.v, l->u[i], l->u_lo[i]);
+        axis[i] = (vpair){f->xyz[i][2], f->axis_lo[i]};
     }
     const vpair surplus = surplus_lanes(x, r);
-    const vd at = v_sum_of(v_abs(t.v), q->u, q->D), size = at + at + r;
+    const vd size = v_sum_of(v_abs(t.v), q->u, q->D);
+    const vd error =
+        v_set(CYLINT_LOCAL_RESIDUAL * CYLINT_SLACK) * f->error * (size * size);
     vd residual = surplus.hi + surplus.lo;
-    vd error =
-        v_set(CYLINT_LOCAL_RESIDUAL * CYLINT_LOCAL_ERROR * CYLINT_SLACK) *
-        (size * size);
     if (m_any(m_not(ball))) {
-        const vpair dr = {s->dr, s->dr_lo};
-        const vpair height = height_lanes(x, axis, shift_lanes(dr, r));
+        const vpair cosine = {f->cosine, f->cosine_lo};
+        const vpair sine = {f->sine, f->sine_lo};
+        const vpair height = height_lanes(x, axis, shift_lanes(sine, r));
         const vd cone =
-            cone_residual_lanes(surplus, hull_square(axis, dr), height);
-        const vd ww = v_set(3 * CYLINT_SLACK) * q->w * q->w;
+            cone_residual_lanes(surplus, vpair_mul(cosine, cosine), height);
         residual = v_select(ball, residual, cone);
-        error = v_select(ball, error, error * ww);
     }
     return newton_root(residual, error, v_set(2) * exits * q->R.v,
                        v_set(2) * q->R.e, q->A, t);
+}
+
+INLINE vtwo select_both(vm a, vm b, vd x, vd y)
+{
+    return EACH_OF_TWO(v_select(a, x, y), v_select(b, x, y));
+}
+
+/* The same for both stops.  q: of each. */
+INLINE void round_part_roots(lanes_root root[2], const round_stop stop[2],
+                             const lanes_slopes *q, const lanes_shape *s,
+                             const lanes_line *l, const bounded_value at[2],
+                             const vd part[2])
+{
+    const lanes_frame *f = &s->frame;
+    const vd cap1 = v_set(CYLINT_PART_CAP1), side = v_set(CYLINT_PART_LATERAL);
+    const vm top[2] = {v_eq(part[0], cap1), v_eq(part[1], cap1)};
+    const vm lateral[2] = {v_eq(part[0], side), v_eq(part[1], side)};
+    const vtwo r = select_both(top[0], top[1], s->r[1], s->r[0]);
+    const vtwo t = EACH_OF_TWO(at[0].v, at[1].v);
+    vtwo_pair x[3], axis[3];
+    EACH(i, 3) {
+        const vtwo center =
+            select_both(top[0], top[1], -s->top[i], -s->base[i]);
+        const vtwo_pair from = pair_of_two(v_two_sum(l->o[i], center.a),
+                                           v_two_sum(l->o[i], center.b));
+        x[i] = moved_both(from, t, two_of(l->u[i]), two_of(l->u_lo[i]));
+        axis[i] = both_pairs(f->xyz[i][2], f->axis_lo[i]);
+    }
+    const vtwo_pair surplus = surplus_both(x, r);
+    vtwo residual = two_plus(surplus.hi, surplus.lo);
+    if (m_any(m_or(lateral[0], lateral[1]))) {
+        const vpair cosine = {f->cosine, f->cosine_lo};
+        const vpair square = vpair_mul(cosine, cosine);
+        const vtwo_pair height = height_both(
+            x, axis, shift_both(both_pairs(f->sine, f->sine_lo), r));
+        const vtwo cone = cone_residual_both(
+            surplus, both_pairs(square.hi, square.lo), height);
+        residual = EACH_OF_TWO(v_select(lateral[0], cone.a, residual.a),
+                               v_select(lateral[1], cone.b, residual.b));
+    }
+    EACH(k, 2) {
+        const vd size = v_sum_of(v_abs(at[k].v), q->u, q->D);
+        root[k] = newton_root(k ? residual.b : residual.a,
+                              v_set(CYLINT_LOCAL_RESIDUAL * CYLINT_SLACK) *
+                                  f->error * (size * size),
+                              v_set(k ? 2 : -2) * stop[k].R.v,
+                              v_set(2) * stop[k].R.e, stop[k].A, at[k]);
+    }
 }
 
 #endif

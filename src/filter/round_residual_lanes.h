@@ -6,6 +6,7 @@
 
 #include "../numbers/simd.h"
 
+/* Of one root in each lane. */
 #define V vd
 #define PAIR vpair
 #define FORM(name) name##_lanes

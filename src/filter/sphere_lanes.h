@@ -67,6 +67,46 @@ INLINE vtwo two_of(vd x)
 
 #include "round_residual_lanes.h"
 
+/* Of both roots in each lane.  The operations on one alternate with those on
+ * the other, so that neither waits for its own results. */
+typedef struct {
+    vtwo hi, lo;
+} vtwo_pair;
+
+INLINE vtwo_pair pair_of_two(vpair a, vpair b)
+{
+    return (vtwo_pair){EACH_OF_TWO(a.hi, b.hi), EACH_OF_TWO(a.lo, b.lo)};
+}
+
+INLINE vtwo_pair both_pairs(vd hi, vd lo)
+{
+    return (vtwo_pair){two_of(hi), two_of(lo)};
+}
+
+INLINE vtwo two_plus(vtwo x, vtwo y)
+{
+    return EACH_OF_TWO(x.a + y.a, x.b + y.b);
+}
+
+INLINE vtwo two_minus(vtwo x, vtwo y)
+{
+    return EACH_OF_TWO(x.a - y.a, x.b - y.b);
+}
+
+#define V vtwo
+#define PAIR vtwo_pair
+#define FORM(name) name##_both
+#define ADD(x, y) two_plus(x, y)
+#define SUB(x, y) two_minus(x, y)
+#define SUM_OF(x, y, z) two_sum_of(x, y, z)
+#define NEGATED(x) two_negated(x)
+#define RESULT(x, y, rest) two_plus(two_plus(x, y), rest)
+#define TWO_SUM(x, y) \
+    pair_of_two(v_two_sum((x).a, (y).a), v_two_sum((x).b, (y).b))
+#define TWO_PROD(x, y) \
+    pair_of_two(v_two_prod((x).a, (y).a), v_two_prod((x).b, (y).b))
+#include "round_residual_template.h"
+
 /* A ball of radius r in every lane, and the line from its centre.  No
  * coordinate of the direction exceeds D, none of the origin Q. */
 typedef struct {
@@ -179,6 +219,30 @@ INLINE lanes_verdict sphere_classify(lanes_slopes *q, const lanes_shape *s,
     v.hit[1] = m_and(v.hit[1], v.cross);
     *q = (lanes_slopes){R, nowhere, A.v, b.X, b.D, v_set(0), v_set(0)};
     return v;
+}
+
+/* Both roots, exits of the second only. */
+INLINE void round_sphere_roots(lanes_root root[2], const lanes_slopes *q,
+                               const lanes_shape *s, const lanes_line *l,
+                               const bounded_value at[2])
+{
+    const vd r = s->r[0];
+    const vtwo t = EACH_OF_TWO(at[0].v, at[1].v);
+    vtwo_pair x[3];
+    EACH(i, 3) {
+        const vpair from = v_two_sum(l->o[i], -s->base[i]);
+        x[i] = moved_both(both_pairs(from.hi, from.lo), t, two_of(l->u[i]),
+                          two_of(l->u_lo[i]));
+    }
+    const vtwo residual = ball_residual_both(x, two_of(r));
+    EACH(k, 2) {
+        const vd size = v_sum_of(v_abs(at[k].v), q->u, q->D + r);
+        root[k] = newton_root(
+            k ? residual.b : residual.a,
+            v_set(CYLINT_LOCAL_RESIDUAL * CYLINT_LOCAL_ERROR * CYLINT_SLACK) *
+                size * size,
+            v_set(k ? 2 : -2) * q->R.v, v_set(2) * q->R.e, q->A, at[k]);
+    }
 }
 
 INLINE lanes_root round_sphere_root(const lanes_slopes *q, const lanes_shape *s,
