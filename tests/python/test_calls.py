@@ -35,6 +35,17 @@ def test_threads_make_no_difference():
         )
         assert np.array_equal(every.line, again.line) and same(every.t, again.t)
         assert np.array_equal(every.index, again.index)
+        points = o[:2000]
+        many = scene.closest(points, threads=threads)
+        assert same(scene.closest(points, threads=1).point, many.point)
+        near, again = (
+            scene.within(points, 0.05, threads=1),
+            scene.within(points, 0.05, threads=threads),
+        )
+        assert np.array_equal(near.point, again.point) and len(near.point) > 0
+        assert same(near.distance, again.distance)
+        size = shapes[:9, None].distance(o, threads=1)
+        assert same(size, shapes[:9, None].distance(o, threads=threads))
     with pytest.raises(
         ValueError, match="threads: expected at least 1, found 0"
     ):
@@ -116,6 +127,13 @@ def test_an_exception_of_progress_ends_the_call():
     o, d = drawn(50_000, 43)
     with pytest.raises(LookupError):
         scene.count(o, d, progress=fail)
+    for call in (ROD.distance, ROD.closest, ROD.safety, ROD.on_surface):
+        with pytest.raises(LookupError):
+            call(o, progress=fail)
+    with pytest.raises(LookupError):
+        scene.closest(o, progress=fail)
+    with pytest.raises(LookupError):
+        scene.within(o, 0.01, progress=fail)
 
 
 def references(*objects):
@@ -134,11 +152,14 @@ def test_no_reference_is_kept_or_lost():
         hit = cylint.intersect(shapes, o, d)
         assert hit.point is not None and near.normal is not None
         shapes.bounds(), shapes.contains(o), scene.all(o, d), scene.any(o, d)
+        shapes.safety(o), shapes.on_surface(o), scene.within(o, 0.1)
+        found = (shapes.closest(o), scene.closest(o))
+        assert all(f.point is not None and f.part is not None for f in found)
         with pytest.raises(ValueError):
             scene.nearest(o * np.nan, d)
         with pytest.raises(ValueError):
             cylint.cylinder(o, o, 1)
-    del scene, near, hit
+    del scene, near, hit, found
     after = references(*watched)
     assert after == before
 
@@ -155,7 +176,7 @@ def test_a_scene_keeps_its_shapes_alive():
 
 def test_arrays_are_not_copied():
     """What a call allocates is its answer; a copy of the lines has 96 MB."""
-    o = np.ones((BIG, 3))
+    o = np.full((BIG, 3), 0.75)
     d = np.ones((BIG, 3))
     scene = cylint.Scene(ROD)
     tracemalloc.start()
@@ -166,6 +187,11 @@ def test_arrays_are_not_copied():
             (lambda: scene.nearest(o, d), 17),
             (lambda: scene.any(o, d), 1),
             (lambda: ROD.contains(o), 1),
+            (lambda: ROD.distance(o), 8),
+            (lambda: ROD.safety(o[::-1, ::-1]), 8),
+            (lambda: ROD.on_surface(o, 2), 1),
+            (lambda: scene.closest(o, within=2), 16),
+            (lambda: scene.within_count(o, 1), 8),
         ):
             tracemalloc.reset_peak()
             before = tracemalloc.get_traced_memory()[0]
@@ -188,8 +214,10 @@ def test_memory_does_not_grow():
 
     def run():
         scene = cylint.Scene(shapes)
-        scene.all(o, d)
+        scene.all(o, d), scene.within(o, 0.5)
         assert scene.nearest(o, d).point.shape == (500, 3)
+        assert scene.closest(o).normal.shape == (500, 3)
+        assert shapes.closest(o).point.shape == (500, 3)
         assert cylint.intersect(shapes, o, d).normal.shape == (500, 2, 3)
 
     for _ in range(20):

@@ -1,4 +1,4 @@
-"""Exact intersections of lines with cylinders and cones.
+"""Exact intersections and distances of lines, points, cylinders and cones.
 
 Arrays in, arrays out.  Each float64 stands for one real number, and the answers
 are exact for these numbers: no tolerance, the same bits on every processor.
@@ -15,12 +15,14 @@ All lengths have the same unit, which may be any.  A line is o + t d; t counts
 multiples of d, which need not have length 1.
 """
 
+from ._closest import ClosestPoints, ClosestShapes, ShapesWithin
 from ._core import version as __version__
 from ._intersect import Hits, intersect
 from ._read import read_scene
 from ._scene import AllHits, NearestHits, Scene
 from ._shapes import (
     Ends,
+    Feature,
     Kind,
     Part,
     Relation,
@@ -40,7 +42,10 @@ from ._shapes import (
 
 __all__ = [
     "AllHits",
+    "ClosestPoints",
+    "ClosestShapes",
     "Ends",
+    "Feature",
     "Hits",
     "Kind",
     "NearestHits",
@@ -48,6 +53,7 @@ __all__ = [
     "Relation",
     "Scene",
     "Shapes",
+    "ShapesWithin",
     "Side",
     "__version__",
     "angle_cone",

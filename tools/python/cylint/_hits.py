@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import Lines, workers
+from ._arguments import Lines
+from ._arrays import workers
 
 _MEMBERS = ("point", "normal", "z", "phi", "side", "outside", "inside")
 _POINTS = ("point", "normal", "outside", "inside")

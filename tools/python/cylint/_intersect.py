@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import Lines, Progress, broadcast, workers
+from ._arguments import Lines, takes
+from ._arrays import broadcast, workers
 from ._hits import DescribedHits
 from ._shapes import Shapes
+
 
 class Hits(DescribedHits):
     """What `intersect` returns: at most two hits for each line and shape.
@@ -33,29 +35,19 @@ class Hits(DescribedHits):
         records: NDArray[np.void],
         lines: Lines,
         shape: tuple[int, ...],
-        threads: int | None,
     ) -> None:
         self.relation = np.empty(shape, np.int8)
         self.n = np.empty(shape, np.int8)
         self.t = np.empty((*shape, 2))
         self.part = np.empty((*shape, 2), np.int8)
-        super().__init__(records, None, lines, shape, threads)
+        super().__init__(records, None, lines, shape, lines.threads)
 
     def __repr__(self) -> str:
         return f"<cylint.Hits {self.n.shape}: {int(self.n.sum())} hits>"
 
 
-def intersect(
-    shapes: Shapes,
-    origins: ArrayLike,
-    directions: ArrayLike | None = None,
-    tmin: ArrayLike = 0.0,
-    tmax: ArrayLike = np.inf,
-    *,
-    to: ArrayLike | None = None,
-    threads: int | None = None,
-    progress: Progress | None = None,
-) -> Hits:
+@takes(Lines)
+def intersect(shapes: Shapes, lines: Lines) -> Hits:
     """Intersects lines o + t d, tmin <= t <= tmax, with shapes.
 
     origins, directions: (..., 3); tmin, tmax: (...).  They and the shapes
@@ -88,13 +80,16 @@ def intersect(
     >>> cylint.intersect(rod, [0, 0, -5], to=[0, 0, 5]).t
     array([0.5, 0.6])
     """
-    lines = Lines(origins, directions, tmin, tmax, to)
     shape = broadcast(("shapes", shapes.shape), ("lines", lines.shape))
     records = np.broadcast_to(shapes._records, shape)
-    hits = Hits(records, lines, shape, threads)
+    hits = Hits(records, lines, shape)
     columns = (hits.relation, hits.n, hits.t, hits.part)
     if not _core.intersect(
-        records, lines.broadcast_to(shape), columns, workers(threads), progress
+        records,
+        lines.broadcast_to(shape),
+        columns,
+        workers(lines.threads),
+        lines.progress,
     ):
         raise lines.refuse()
     return hits

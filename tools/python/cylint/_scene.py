@@ -1,4 +1,4 @@
-"""Many lines at many shapes, by a hierarchy of boxes."""
+"""Many lines or points, and many shapes, by a hierarchy of boxes."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import Lines, Progress, workers
+from ._arguments import Balls, Lines, Points, balls, takes
+from ._arrays import Progress, workers
+from ._closest import ClosestShapes, ShapesWithin
 from ._hits import DescribedHits
 from ._shapes import Shapes
 
@@ -57,13 +59,14 @@ class AllHits(NamedTuple):
 
 
 class Scene:
-    """Shapes in a hierarchy of boxes, for many lines.
+    """Shapes in a hierarchy of boxes, for many lines and points.
 
     shapes: one axis.  Their numbers are 0 to len(shapes) - 1.
     threads: of building the scene, and of all queries that do not say;
     None: one per processor.
 
-    The answers are those of `intersect` with every shape, bit for bit.
+    The answers are those of `intersect` and `Shapes.distance` with every shape,
+    bit for bit.
 
     >>> x = np.arange(1000.0)
     >>> posts = cylint.cylinder(np.c_[x, 0 * x, 0 * x], np.c_[x, 0 * x, 2 + 0 * x], 0.25)
@@ -75,6 +78,8 @@ class Scene:
     array([ 7.  , -0.25,  1.  ])
     >>> scene.count([-1, 0, 1], [1, 0, 0], tmax=[10, 100])
     array([ 10, 100])
+    >>> scene.closest([[7, -9, 1], [7.125, 0, 1]]).distance
+    array([ 8.75 , -0.125])
     """
 
     def __init__(self, shapes: Shapes, *, threads: int | None = None) -> None:
@@ -108,91 +113,48 @@ class Scene:
     def _choose(self, threads: int | None) -> int | None:
         return self._threads if threads is None else threads
 
-    def nearest(
-        self,
-        origins: ArrayLike,
-        directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0,
-        tmax: ArrayLike = np.inf,
-        *,
-        to: ArrayLike | None = None,
-        threads: int | None = None,
-        progress: Progress | None = None,
-    ) -> NearestHits:
+    @takes(Lines)
+    def nearest(self, lines: Lines) -> NearestHits:
         """The first shape that each line hits, that of least t.
 
         Arguments as of `intersect`.  At equal t the lower number is first.
         """
-        chosen = self._choose(threads)
-        lines = Lines(origins, directions, tmin, tmax, to)
+        chosen = self._choose(lines.threads)
         hits = NearestHits(self._records, lines, chosen)
         columns = (hits.index, hits.t, hits.part)
         if not self._scene.nearest(
-            lines.broadcast_to(lines.shape), columns, workers(chosen), progress
+            lines.broadcast_to(lines.shape),
+            columns,
+            workers(chosen),
+            lines.progress,
         ):
             raise lines.refuse()
         return hits
 
-    def _count(
-        self,
-        kind: Any,
-        enough: int,
-        lines: Lines,
-        threads: int | None,
-        progress: Progress | None,
-    ) -> NDArray[Any]:
+    def _count(self, kind: Any, enough: int, lines: Lines) -> NDArray[Any]:
         counts = np.empty(lines.shape, kind)
         if not self._scene.count(
             lines.broadcast_to(lines.shape),
             counts,
             enough,
-            workers(self._choose(threads)),
-            progress,
+            workers(self._choose(lines.threads)),
+            lines.progress,
         ):
             raise lines.refuse()
         return counts
 
-    def any(
-        self,
-        origins: ArrayLike,
-        directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0,
-        tmax: ArrayLike = np.inf,
-        *,
-        to: ArrayLike | None = None,
-        threads: int | None = None,
-        progress: Progress | None = None,
-    ) -> NDArray[np.bool_]:
+    @takes(Lines)
+    def any(self, lines: Lines) -> NDArray[np.bool_]:
         """Whether each line hits a shape: (...) bool."""
-        lines = Lines(origins, directions, tmin, tmax, to)
-        return self._count(np.bool_, 1, lines, threads, progress)
+        return self._count(np.bool_, 1, lines)
 
-    def count(
-        self,
-        origins: ArrayLike,
-        directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0,
-        tmax: ArrayLike = np.inf,
-        *,
-        to: ArrayLike | None = None,
-        threads: int | None = None,
-        progress: Progress | None = None,
-    ) -> NDArray[np.int64]:
+    @takes(Lines)
+    def count(self, lines: Lines) -> NDArray[np.int64]:
         """How many shapes each line hits: (...) int64."""
-        lines = Lines(origins, directions, tmin, tmax, to)
-        return self._count(np.int64, 0, lines, threads, progress)
+        return self._count(np.int64, 0, lines)
 
-    def all(
-        self,
-        origins: ArrayLike,
-        directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0,
-        tmax: ArrayLike = np.inf,
-        *,
-        to: ArrayLike | None = None,
-        threads: int | None = None,
-        progress: Progress | None = None,
-    ) -> AllHits:
+    @takes(Lines)
+    def all(self, lines: Lines) -> AllHits:
         """All shapes that each line hits, as flat arrays.
 
         >>> scene = cylint.Scene(cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 1))
@@ -201,9 +163,8 @@ class Scene:
                [ 8., 10.],
                [ 4.,  6.]]))
         """
-        lines = Lines(origins, directions, tmin, tmax, to)
         found = self._scene.all(
-            lines.flat(), workers(self._choose(threads)), progress
+            lines.flat(), workers(self._choose(lines.threads)), lines.progress
         )
         if found is None:
             raise lines.refuse()
@@ -215,6 +176,84 @@ class Scene:
         )
         found.write(tuple(hits))
         return hits
+
+    def closest(
+        self,
+        points: ArrayLike,
+        within: ArrayLike = np.inf,
+        *,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> ClosestShapes:
+        """The shape whose surface is closest to each point.
+
+        points: (..., 3); within: (...), the greatest distance.  They broadcast.
+        The absolute values of `Shapes.distance` are compared, so a point inside
+        a shape is as far from it as from its surface.  Of equal distances the
+        lower number is first.  There is no shape within a radius that is
+        negative or nan, and none for a point with a coordinate that is infinite
+        or nan.
+
+        >>> posts = cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 1)
+        >>> near = cylint.Scene(posts).closest([[2.5, 0, 0.5], [3.5, 0, 0.5], [9, 0, 0.5]], within=3)
+        >>> near.index, near.distance
+        (array([ 1,  1, -1]), array([ 0.5, -0.5,  nan]))
+        >>> near.point[0], near.normal[0]
+        (array([3. , 0. , 0.5]), array([-1.,  0.,  0.]))
+        """
+        chosen = self._choose(threads)
+        asked = Points(points, threads=threads, progress=progress)
+        around = Balls(asked, "within", within)
+        answer = ClosestShapes(self._records, around.points, chosen)
+        self._scene.closest(
+            around.points,
+            around.radii,
+            (answer.index, answer.distance),
+            workers(chosen),
+            progress,
+        )
+        return answer
+
+    @takes(balls)
+    def within(self, around: Balls) -> ShapesWithin:
+        """All shapes near each point, as flat arrays.
+
+        Near are those whose surface is at most r from the point.
+        points: (..., 3); r: (...), the radius, inf for all shapes.  They
+        broadcast.  Distances are compared as by `closest`.
+
+        >>> posts = cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 1)
+        >>> cylint.Scene(posts).within([[2.5, 0, 0.5], [3.5, 0, 0.5]], 1.5)
+        ShapesWithin(point=array([0, 0, 1]), index=array([0, 1, 1]), distance=array([ 1.5,  0.5, -0.5]))
+        """
+        found = self._scene.within(
+            around.points.reshape(-1, 3),
+            around.radii.reshape(-1),
+            workers(self._choose(around.threads)),
+            around.progress,
+        )
+        size = found.size()
+        near = ShapesWithin(
+            np.empty(size, np.int64), np.empty(size, np.int64), np.empty(size)
+        )
+        found.write(tuple(near))
+        return near
+
+    @takes(balls)
+    def within_count(self, around: Balls) -> NDArray[np.int64]:
+        """How many surfaces are within a radius of each point: (...) int64.
+
+        Arguments as of `within`.
+        """
+        counts = np.empty(around.shape, np.int64)
+        self._scene.within_count(
+            around.points,
+            around.radii,
+            counts,
+            workers(self._choose(around.threads)),
+            around.progress,
+        )
+        return counts
 
 
 def _restore(shapes: Shapes, threads: int | None) -> Scene:

@@ -10,7 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._arguments import Points, takes
 from ._arrays import Progress, broadcast, doubles, place, workers
+from ._closest import ClosestPoints, closest_points
 
 
 class Kind(IntEnum):
@@ -53,6 +55,22 @@ class Part(IntEnum):
     LATERAL = 0
     CAP0 = 1
     CAP1 = 2
+
+
+class Feature(IntEnum):
+    """Where the closest point of a surface lies.
+
+    Rims and apex belong to the part LATERAL.  The rims of a capsule and a round
+    cone are the circles where it touches its balls.
+    """
+
+    NONE = -1
+    LATERAL = 0
+    CAP0 = 1
+    CAP1 = 2
+    RIM0 = 3
+    RIM1 = 4
+    APEX = 5
 
 
 class Side(IntEnum):
@@ -151,13 +169,21 @@ class Shapes:
         _core.bounds(self._records.reshape(-1), boxes)
         return boxes.reshape(*self.shape, 2, 3)
 
-    def contains(
-        self,
-        points: ArrayLike,
-        *,
-        threads: int | None = None,
-        progress: Progress | None = None,
-    ) -> NDArray[np.int8]:
+    def _ask(self, points: Points, query: Any, answer: Any) -> NDArray[Any]:
+        """Calls a function of _core for shapes and points, broadcast."""
+        shape = broadcast(("shapes", self.shape), ("points", points.shape))
+        answers = np.empty(shape, answer)
+        query(
+            np.broadcast_to(self._records, shape),
+            points.broadcast_to(shape),
+            answers,
+            workers(points.threads),
+            points.progress,
+        )
+        return answers
+
+    @takes(Points)
+    def contains(self, points: Points) -> NDArray[np.int8]:
         """Where points lie: 1 inside, 0 on the boundary, -1 outside.  Exact.
 
         points: (..., 3), broadcast against the shapes.
@@ -166,12 +192,91 @@ class Shapes:
         ...     [[0, 0, 1], [1, 0, 1], [0, 0, 3]])
         array([ 1,  0, -1], dtype=int8)
         """
-        p = doubles("points", points, 3)
-        shape = broadcast(("shapes", self.shape), ("points", p.shape[:-1]))
-        answers = np.empty(shape, np.int8)
-        _core.contains(
+        return self._ask(points, _core.contains, np.int8)
+
+    @takes(Points)
+    def distance(self, points: Points) -> NDArray[np.float64]:
+        """How far points are from the surfaces: (...), in the unit of lengths.
+
+        points: (..., 3), broadcast against the shapes: n points and n shapes
+        give n distances, and shapes[:, None] gives a row for each shape.
+
+        The surface has the parts that `ends` leaves.  Of capped, infinite and
+        nappe it is the whole boundary, and the distance is negative inside: its
+        sign is that of -contains(points).  Of open, cap0 and cap1 it is never
+        negative.  It is 0 exactly on the surface, and else the float64 nearest
+        to the real distance; of elliptic kinds within 1 unit in the last place,
+        if the shape is not extreme: cylint_distance(3) states the limits.
+
+        inf if a coordinate of the point is infinite or nan, or if there is no
+        surface: that of a round cone that is the ball about one end, if `ends`
+        leaves out this end.
+
+        >>> tube = cylint.cylinder([0, 0, 0], [0, 0, 2], 1)
+        >>> tube.distance([[4, 0, -4], [0.5, 0, 1], [1, 0, 1], [np.nan, 0, 0]])
+        array([ 5. , -0.5,  0. ,  inf])
+        """
+        return closest_points(self._records, points).distance
+
+    @takes(Points)
+    def closest(self, points: Points) -> ClosestPoints:
+        """The points of the surfaces that are closest to given points.
+
+        Arguments and `distance` are those of `distance`.
+
+        >>> near = cylint.cylinder([0, 0, 0], [0, 0, 2], 1).closest([4, 0, -4])
+        >>> near.distance, near.point, near.normal
+        (array(5.), array([1., 0., 0.]), array([1., 0., 0.]))
+        >>> cylint.Feature(near.feature), cylint.Part(near.part)
+        (<Feature.RIM0: 3>, <Part.LATERAL: 0>)
+        """
+        return closest_points(self._records, points)
+
+    @takes(Points)
+    def safety(self, points: Points) -> NDArray[np.float64]:
+        """How far points may move without crossing the surfaces: (...).
+
+        A number from 0 to abs(distance(points)), never above it, that takes
+        less time to compute.  inf where `distance` is.
+
+        >>> ball = cylint.sphere([0, 0, 0], 1)
+        >>> step = ball.safety([0, 3, 4])
+        >>> bool(3.999 < step <= 4)
+        True
+        """
+        return self._ask(points, _core.safety, np.float64)
+
+    def on_surface(
+        self,
+        points: ArrayLike,
+        ulps: ArrayLike = 0.0,
+        *,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> NDArray[np.bool_]:
+        """Whether points are on the surfaces: (...) bool.
+
+        points: (..., 3); ulps: (...).  They and the shapes broadcast.  True if
+        abs(distance(points)) is at most `ulps` units in the last place of the
+        largest coordinate of the point.  ulps = 0: exactly on the surface.
+
+        >>> ball = cylint.sphere([0, 0, 0], 1)
+        >>> points = [[1, 0, 0], [0.6, 0.8, 0]]
+        >>> ball.on_surface(points), ball.on_surface(points, 1)
+        (array([ True, False]), array([ True,  True]))
+        """
+        asked = Points(points, threads=threads, progress=progress)
+        most = doubles("ulps", ulps)
+        shape = broadcast(
+            ("shapes", self.shape),
+            ("points", asked.shape),
+            ("ulps", most.shape),
+        )
+        answers = np.empty(shape, np.bool_)
+        _core.on_surface(
             np.broadcast_to(self._records, shape),
-            np.broadcast_to(p, (*shape, 3)),
+            asked.broadcast_to(shape),
+            np.broadcast_to(most, shape),
             answers,
             workers(threads),
             progress,

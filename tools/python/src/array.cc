@@ -74,15 +74,18 @@ void Grid::prepare()
         std::swap(along[longest], along.back());
 }
 
-void Grid::locate(size_t r, std::vector<char *> &first) const
+void Grid::locate(size_t r, size_t i, std::vector<char *> &at) const
 {
-    first = bases;
-    for (size_t axis = lengths.size() - 1; axis-- > 0;) {
-        const auto at = static_cast<ptrdiff_t>(r % lengths[axis]);
-        r /= lengths[axis];
-        for (size_t i = 0; i < first.size(); i++) {
-            if (first[i])
-                first[i] += at * strides[i][axis];
+    at = bases;
+    const auto move = [&](size_t axis, size_t to) {
+        for (size_t a = 0; a < at.size(); a++) {
+            if (at[a])
+                at[a] += static_cast<ptrdiff_t>(to) * strides[a][axis];
         }
+    };
+    move(lengths.size() - 1, i);
+    for (size_t axis = lengths.size() - 1; axis-- > 0;) {
+        move(axis, r % lengths[axis]);
+        r /= lengths[axis];
     }
 }

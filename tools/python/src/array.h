@@ -17,6 +17,20 @@
 
 namespace nb = nanobind;
 
+inline double number(const char *p)
+{
+    double value;
+    std::memcpy(&value, p, sizeof value);
+    return value;
+}
+
+/* Reads the coordinates of a point that are `step` bytes apart. */
+inline void read_point(const char *p, ptrdiff_t step, double (&point)[3])
+{
+    for (int axis = 0; axis < 3; axis++)
+        point[axis] = number(p + axis * step);
+}
+
 /* An exported buffer.  It keeps the array alive and in its place. */
 class Array
 {
@@ -46,6 +60,10 @@ class Array
     ptrdiff_t stride(int axis) const
     {
         return view.strides[axis];
+    }
+    ptrdiff_t last_stride() const
+    {
+        return view.strides[view.ndim - 1];
     }
 
   private:
@@ -84,8 +102,16 @@ class Grid
     {
         return strides[static_cast<size_t>(array)].back();
     }
-    /* Writes the address of the first element of row r for each array. */
-    void locate(size_t r, std::vector<char *> &first) const;
+    /* Writes the address of element i of row r for each array. */
+    void locate(size_t r, size_t i, std::vector<char *> &at) const;
+    /* Moves the addresses to the next element of the row. */
+    void advance(std::vector<char *> &at) const
+    {
+        for (size_t a = 0; a < at.size(); a++) {
+            if (at[a])
+                at[a] += strides[a].back();
+        }
+    }
     size_t arrays() const
     {
         return bases.size();

@@ -9,8 +9,26 @@
 
 #include <nanobind/nanobind.h>
 
+#include <limits>
+
 #include "array.h"
 #include "cylint.h"
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+inline const cylint_shape *as_shape(const char *p)
+{
+    return reinterpret_cast<const cylint_shape *>(p);
+}
+
+/* The shape whose number is at p, or nullptr for a number below 0. */
+inline const cylint_shape *numbered(const Array &shapes, const char *p)
+{
+    int64_t index;
+    std::memcpy(&index, p, sizeof index);
+    return index < 0 ? nullptr
+                     : as_shape(shapes.data() + index * shapes.stride(0));
+}
 
 /* Arrays of lines: origins and directions (..., 3), tmin and tmax (...).
  * are_segments: the directions are end points, b, and the lines are exact. */
@@ -32,11 +50,11 @@ class Lines
     /* The strides of coordinates. */
     ptrdiff_t o_step() const
     {
-        return origins.stride(origins.axes() - 1);
+        return origins.last_stride();
     }
     ptrdiff_t d_step() const
     {
-        return directions.stride(directions.axes() - 1);
+        return directions.last_stride();
     }
 
     /* Makes a line of the elements of the four arrays.  Returns the status of
@@ -50,8 +68,6 @@ int make_shapes(const char *name, nb::handle numbers, nb::handle ends,
 void read_shapes(nb::handle shapes, nb::handle kinds, nb::handle numbers);
 nb::tuple constructors();
 nb::dict shape_members();
-void contains(nb::handle shapes, nb::handle points, nb::handle answers,
-              int threads, nb::handle progress);
 void bounds(nb::handle shapes, nb::handle boxes);
 
 /* intersect.cc */
@@ -61,6 +77,16 @@ void describe(nb::handle shapes, nb::handle index, const Lines &lines,
               bool nearest, nb::tuple columns, int threads,
               nb::handle progress);
 nb::tuple first_bad_line(const Lines &lines);
+
+/* points.cc */
+void contains(nb::handle shapes, nb::handle points, nb::handle answers,
+              int threads, nb::handle progress);
+void safety(nb::handle shapes, nb::handle points, nb::handle answers,
+            int threads, nb::handle progress);
+void on_surface(nb::handle shapes, nb::handle points, nb::handle ulps,
+                nb::handle answers, int threads, nb::handle progress);
+void closest(nb::handle shapes, nb::handle index, nb::handle points,
+             nb::tuple columns, int threads, nb::handle progress);
 
 /* scene.cc, reader.cc */
 void register_scene(nb::module_ &module);

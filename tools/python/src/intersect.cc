@@ -6,30 +6,19 @@
  * shapes to cylint_intersect_shapes(); else both to cylint_intersect_pairs().
  * Batches have no exact segments: these go to cylint_intersect() one by one.
  */
-#include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include "calls.h"
-#include "work.h"
+#include "elements.h"
 
 namespace
 {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /* Lines of a block: its columns fit the first cache. */
 constexpr size_t BLOCK = 512;
-
-double number(const char *p)
-{
-    double value;
-    std::memcpy(&value, p, sizeof value);
-    return value;
-}
 
 /* The places of the arrays in the grid. */
 struct Places {
@@ -40,28 +29,22 @@ struct Places {
 class Block
 {
   public:
-    Block(const Grid &g, const Places &p, const Lines &l)
-        : grid(g), place(p), source(l)
+    Block(const Grid &grid, const Places &p, const Lines &l)
+        : row(grid), place(p), source(l)
     {
     }
 
     /* Returns false if a line is refused. */
-    bool run(size_t row, size_t begin, size_t count)
+    bool run(size_t number, size_t begin, size_t count)
     {
-        grid.locate(row, first);
-        for (size_t i = 0; i < first.size(); i++) {
-            if (first[i])
-                first[i] += static_cast<ptrdiff_t>(begin) *
-                            grid.stride(static_cast<int>(i));
-        }
-        length = count;
+        row.locate(number, begin, count);
         if (source.segments)
             return run_segments();
-        const bool one_shape = grid.stride(place.shapes) == 0;
-        const bool one_line = grid.stride(place.lines) == 0 &&
-                              grid.stride(place.lines + 1) == 0 &&
-                              grid.stride(place.lines + 2) == 0 &&
-                              grid.stride(place.lines + 3) == 0;
+        const bool one_shape = row.stride(place.shapes) == 0;
+        const bool one_line = row.stride(place.lines) == 0 &&
+                              row.stride(place.lines + 1) == 0 &&
+                              row.stride(place.lines + 2) == 0 &&
+                              row.stride(place.lines + 3) == 0;
         if (one_line && !one_shape)
             return run_shapes();
         if (!gather_lines())
@@ -72,7 +55,7 @@ class Block
             pack_shapes();
             cylint_intersect_pairs(&pack, &lines, &columns());
         }
-        scatter();
+        write();
         return true;
     }
 
@@ -80,23 +63,20 @@ class Block
     bool run_shapes()
     {
         cylint_line line;
-        if (source.make(&first[static_cast<size_t>(place.lines)], &line) !=
-            CYLINT_OK)
+        if (source.make(row.addresses(place.lines), &line) != CYLINT_OK)
             return false;
         pack_shapes();
         cylint_intersect_shapes(&pack, &line, &columns());
-        scatter();
+        write();
         return true;
     }
 
     bool run_segments()
     {
-        for (size_t i = 0; i < length; i++) {
+        for (size_t i = 0; i < row.size(); i++) {
             const char *at[4];
             for (int k = 0; k < 4; k++)
-                at[k] =
-                    first[static_cast<size_t>(place.lines + k)] +
-                    static_cast<ptrdiff_t>(i) * grid.stride(place.lines + k);
+                at[k] = row.at(place.lines + k, i);
             cylint_line line;
             if (source.make(at, &line) != CYLINT_OK)
                 return false;
@@ -105,7 +85,7 @@ class Block
                              CYLINT_WANT_T | CYLINT_WANT_PART, &answer);
             write_answer(i, answer);
         }
-        scatter();
+        write();
         return true;
     }
 
@@ -115,7 +95,7 @@ class Block
         n[i] = static_cast<signed char>(answer.n);
         for (int k = 0; k < 2; k++) {
             const bool there = k < answer.n;
-            t[k][i] = there ? answer.hit[k].t : nan;
+            t[k][i] = there ? answer.hit[k].t : not_a_number;
             part[k][i] =
                 static_cast<signed char>(there ? answer.hit[k].part : -1);
         }
@@ -123,67 +103,56 @@ class Block
 
     const cylint_shape *shape_at(size_t i) const
     {
-        return reinterpret_cast<const cylint_shape *>(
-            first[static_cast<size_t>(place.shapes)] +
-            static_cast<ptrdiff_t>(i) * grid.stride(place.shapes));
+        return as_shape(row.at(place.shapes, i));
     }
 
     /* Consecutive blocks often have the same shapes. */
     void pack_shapes()
     {
         const cylint_shape *shapes = shape_at(0);
-        if (shapes == packed && pack.n == length)
+        if (shapes == packed && pack.n == row.size())
             return;
         packed = shapes;
-        if (grid.stride(place.shapes) !=
+        if (row.stride(place.shapes) !=
             static_cast<ptrdiff_t>(sizeof(cylint_shape))) {
-            gathered.resize(length);
-            for (size_t i = 0; i < length; i++)
+            gathered.resize(row.size());
+            for (size_t i = 0; i < row.size(); i++)
                 gathered[i] = *shape_at(i);
             shapes = gathered.data();
         }
-        memory.resize(cylint_pack_bytes(length));
-        cylint_pack_shapes(&pack, memory.data(), shapes, length);
-    }
-
-    void gather(double *to, int array, ptrdiff_t offset)
-    {
-        const char *p = first[static_cast<size_t>(array)] + offset;
-        const ptrdiff_t stride = grid.stride(array);
-        for (size_t i = 0; i < length; i++, p += stride)
-            to[i] = number(p);
+        memory.resize(cylint_pack_bytes(row.size()));
+        cylint_pack_shapes(&pack, memory.data(), shapes, row.size());
     }
 
     /* Whether an array is one number, and which. */
     bool is_constant(int array, double value) const
     {
-        return grid.stride(array) == 0 &&
-               number(first[static_cast<size_t>(array)]) == value;
+        return row.stride(array) == 0 && number(row.at(array)) == value;
     }
 
     /* Reads the lines into columns and tests whether they are valid. */
     bool gather_lines()
     {
-        const std::vector<char *> from(first.begin() + place.lines,
-                                       first.begin() + place.lines + 4);
-        if (from == lines_from && length == lines.n)
+        const char *const *const at = row.addresses(place.lines);
+        const std::vector<const char *> from(at, at + 4);
+        if (from == lines_from && row.size() == lines.n)
             return true;
         for (int axis = 0; axis < 3; axis++) {
-            gather(column[axis], place.lines, axis * source.o_step());
-            gather(column[3 + axis], place.lines + 1, axis * source.d_step());
+            row.read(column[axis], place.lines, axis * source.o_step());
+            row.read(column[3 + axis], place.lines + 1, axis * source.d_step());
             lines.o[axis] = column[axis];
             lines.d[axis] = column[3 + axis];
         }
         lines.tmin = lines.tmax = nullptr;
         if (!is_constant(place.lines + 2, 0)) {
-            gather(column[6], place.lines + 2, 0);
+            row.read(column[6], place.lines + 2, 0);
             lines.tmin = column[6];
         }
         if (!is_constant(place.lines + 3, infinity)) {
-            gather(column[7], place.lines + 3, 0);
+            row.read(column[7], place.lines + 3, 0);
             lines.tmax = column[7];
         }
-        lines.n = length;
+        lines.n = row.size();
         lines_from = from;
         return are_valid();
     }
@@ -191,14 +160,14 @@ class Block
     bool are_valid() const
     {
         int bad = 0;
-        for (size_t i = 0; i < length; i++) {
+        for (size_t i = 0; i < row.size(); i++) {
             double sum = 0; /* NaN if a coordinate is not finite */
             for (int k = 0; k < 6; k++)
                 sum += column[k][i] * 0;
-            bad |= !(sum == 0) | ((column[3][i] == 0) & (column[4][i] == 0) &
-                                  (column[5][i] == 0));
+            bad |= (!(sum == 0)) | ((column[3][i] == 0) & (column[4][i] == 0) &
+                                    (column[5][i] == 0));
         }
-        for (size_t i = 0; i < length && (lines.tmin || lines.tmax); i++)
+        for (size_t i = 0; i < row.size() && (lines.tmin || lines.tmax); i++)
             bad |= !((lines.tmin ? lines.tmin[i] : 0) <=
                      (lines.tmax ? lines.tmax[i] : infinity));
         return !bad;
@@ -210,30 +179,20 @@ class Block
         return answers;
     }
 
-    template <class Value>
-    void scatter(const Value *from, int array, size_t offset)
+    void write() const
     {
-        char *p = first[static_cast<size_t>(array)] + offset * sizeof(Value);
-        const ptrdiff_t stride = grid.stride(array);
-        for (size_t i = 0; i < length; i++, p += stride)
-            *reinterpret_cast<Value *>(p) = from[i];
-    }
-
-    void scatter()
-    {
-        scatter(relation, place.relation, 0);
-        scatter(n, place.n, 0);
+        row.write(relation, place.relation, 0);
+        row.write(n, place.n, 0);
         for (size_t k = 0; k < 2; k++) {
-            scatter(t[k], place.t, k);
-            scatter(part[k], place.part, k);
+            row.write(t[k], place.t, k);
+            row.write(part[k], place.part, k);
         }
     }
 
-    const Grid &grid;
+    RowPart row;
     const Places place;
     const Lines &source;
-    size_t length = 0;
-    std::vector<char *> first, lines_from;
+    std::vector<const char *> lines_from;
     cylint_lines lines{};
     cylint_pack pack{};
     const cylint_shape *packed = nullptr;
@@ -256,10 +215,8 @@ int Lines::add_to(Grid &grid) const
 int Lines::make(const char *const *at, cylint_line *line) const
 {
     double o[3], d[3];
-    for (int axis = 0; axis < 3; axis++) {
-        o[axis] = number(at[0] + axis * o_step());
-        d[axis] = number(at[1] + axis * d_step());
-    }
+    read_point(at[0], o_step(), o);
+    read_point(at[1], d_step(), d);
     return segments ? cylint_segment(line, o, d)
                     : cylint_span(line, o, d, number(at[2]), number(at[3]));
 }
@@ -280,22 +237,7 @@ bool intersect(nb::handle shapes, const Lines &lines, nb::tuple columns,
     place.t = grid.add(t);
     place.part = grid.add(part);
     grid.prepare();
-    std::vector<std::unique_ptr<Block>> blocks(
-        static_cast<size_t>(std::max(threads, 1)));
-    std::atomic<bool> good{true};
-    const size_t rows = grid.rows(); /* the blocks of a column stay together */
-    work(rows * ((grid.row() + BLOCK - 1) / BLOCK), grid.elements(), threads,
-         progress, [&](int worker, size_t i) {
-             auto &block = blocks[static_cast<size_t>(worker)];
-             if (!block)
-                 block = std::make_unique<Block>(grid, place, lines);
-             const size_t begin = i / rows * BLOCK;
-             if (!block->run(i % rows, begin,
-                             std::min(BLOCK, grid.row() - begin)))
-                 good = false;
-             return good.load();
-         });
-    return good;
+    return each_block<Block>(grid, BLOCK, threads, progress, place, lines);
 }
 
 namespace
@@ -316,7 +258,7 @@ double *doubles(char *p)
 void put(char *array, size_t k, const double *from)
 {
     for (size_t axis = 0; array && axis < 3; axis++)
-        doubles(array)[3 * k + axis] = from ? from[axis] : nan;
+        doubles(array)[3 * k + axis] = from ? from[axis] : not_a_number;
 }
 
 /* The numbers of the columns in the grid.  They are in the order of _MEMBERS in
@@ -326,25 +268,22 @@ struct Members {
 };
 
 /* Writes the members of hit k that are wanted.  hit: NULL if there is none. */
-void write_hit(const Members &m, const std::vector<char *> &first, size_t k,
+void write_hit(const Members &m, char *const *to, size_t k,
                const cylint_shape *shape, const cylint_hit *hit)
 {
-    const auto at = [&first](int array) {
-        return first[static_cast<size_t>(array)];
-    };
-    put(at(m.point), k, hit ? hit->point : nullptr);
-    put(at(m.normal), k, hit ? hit->normal : nullptr);
-    if (at(m.z))
-        doubles(at(m.z))[k] = hit ? hit->z : nan;
-    if (at(m.phi))
-        doubles(at(m.phi))[k] = hit ? hit->phi : nan;
-    if (at(m.side))
-        at(m.side)[k] = static_cast<char>(hit ? hit->side : -1);
+    put(to[m.point], k, hit ? hit->point : nullptr);
+    put(to[m.normal], k, hit ? hit->normal : nullptr);
+    if (to[m.z])
+        doubles(to[m.z])[k] = hit ? hit->z : not_a_number;
+    if (to[m.phi])
+        doubles(to[m.phi])[k] = hit ? hit->phi : not_a_number;
+    if (to[m.side])
+        to[m.side][k] = static_cast<char>(hit ? hit->side : -1);
     for (const int side : {-1, 1}) {
-        char *const to = at(side < 0 ? m.outside : m.inside);
+        char *const moved = to[side < 0 ? m.outside : m.inside];
         double point[3];
-        if (to)
-            put(to, k,
+        if (moved)
+            put(moved, k,
                 hit && cylint_outside(shape, hit, side, point) ? point
                                                                : nullptr);
     }
@@ -383,43 +322,21 @@ void describe(nb::handle shapes, nb::handle index, const Lines &lines,
         bit(bool(phi), CYLINT_WANT_PHI) | bit(side || moved, CYLINT_WANT_PART) |
         bit(nearest, CYLINT_WANT_NEAREST);
     grid.prepare();
-    const size_t pieces = (grid.row() + BLOCK - 1) / BLOCK;
     const size_t hits = nearest ? 1 : 2;
-    work(grid.rows() * pieces, grid.elements(), threads, progress,
-         [&](int, size_t i) {
-             std::vector<char *> first, p;
-             grid.locate(i / pieces, first);
-             const size_t begin = i % pieces * BLOCK;
-             const size_t end = std::min(begin + BLOCK, grid.row());
-             for (size_t k = begin; k < end; k++) {
-                 p = first;
-                 for (size_t a = 0; a < p.size(); a++) {
-                     if (p[a])
-                         p[a] += static_cast<ptrdiff_t>(k) *
-                                 grid.stride(static_cast<int>(a));
-                 }
-                 const char *found = p[static_cast<size_t>(of)];
-                 if (nearest) {
-                     int64_t which;
-                     std::memcpy(&which, found, sizeof which);
-                     found =
-                         which < 0 ? nullptr : s.data() + which * s.stride(0);
-                 }
-                 const auto shape =
-                     reinterpret_cast<const cylint_shape *>(found);
-                 cylint_answer answer;
-                 answer.n = 0;
-                 cylint_line l;
-                 if (shape &&
-                     lines.make(&p[static_cast<size_t>(line)], &l) == CYLINT_OK)
-                     cylint_intersect(shape, &l, want, &answer);
-                 for (size_t h = 0; h < hits; h++)
-                     write_hit(m, p, h, shape,
-                               static_cast<int>(h) < answer.n ? &answer.hit[h]
-                                                              : nullptr);
-             }
-             return true;
-         });
+    each_element(grid, BLOCK, threads, progress, [&](char *const *at, size_t) {
+        const cylint_shape *const shape =
+            nearest ? numbered(s, at[of]) : as_shape(at[of]);
+        cylint_answer answer;
+        answer.n = 0;
+        cylint_line l;
+        if (shape && lines.make(at + line, &l) == CYLINT_OK)
+            cylint_intersect(shape, &l, want, &answer);
+        for (size_t h = 0; h < hits; h++)
+            write_hit(m, at, h, shape,
+                      static_cast<int>(h) < answer.n ? &answer.hit[h]
+                                                     : nullptr);
+        return true;
+    });
 }
 
 /* Returns (number of the first refused line in C order, status), or (-1, 0). */

@@ -25,6 +25,14 @@ NB_MODULE(_core, m)
           nb::arg("numbers"));
     m.def("contains", &contains, nb::arg("shapes"), nb::arg("points"),
           nb::arg("answers"), nb::arg("threads"), nb::arg("progress").none());
+    m.def("safety", &safety, nb::arg("shapes"), nb::arg("points"),
+          nb::arg("answers"), nb::arg("threads"), nb::arg("progress").none());
+    m.def("on_surface", &on_surface, nb::arg("shapes"), nb::arg("points"),
+          nb::arg("ulps"), nb::arg("answers"), nb::arg("threads"),
+          nb::arg("progress").none());
+    m.def("closest", &closest, nb::arg("shapes"), nb::arg("index").none(),
+          nb::arg("points"), nb::arg("columns"), nb::arg("threads"),
+          nb::arg("progress").none());
     m.def("bounds", &bounds, nb::arg("shapes"), nb::arg("boxes"));
 
     m.def("intersect", &intersect, nb::arg("shapes"), nb::arg("lines"),

@@ -1,9 +1,7 @@
 /*
- * scene.cc - libcylint-scene: many lines at many shapes
+ * scene.cc - libcylint-scene: many lines or points, and many shapes
  */
-#include <algorithm>
-#include <atomic>
-#include <limits>
+#include <initializer_list>
 #include <memory>
 #include <new>
 #include <utility>
@@ -13,26 +11,29 @@
 
 #include "calls.h"
 #include "cylint_scene.h"
-#include "work.h"
+#include "elements.h"
 
 namespace
 {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr size_t BLOCK = 256; /* lines */
+constexpr size_t BLOCK = 256; /* lines or points */
+enum { CAPACITY = 128 };      /* shapes of one call of the library */
 
-/* A shape that a line hits, and its t: NaN for none. */
-struct Hit {
-    int64_t line, index;
-    double t[2];
+/* A shape that belongs to a line or point: both t, NaN for none; or the
+ * distance. */
+struct Row {
+    int64_t asked, index;
+    double value[2];
 };
 
-/* The hits of each block of lines. */
-struct Hits {
-    explicit Hits(size_t count) : blocks(count)
+/* The shapes of each block of lines or points. */
+struct Found {
+    Found(size_t count, size_t values)
+        : blocks((count + BLOCK - 1) / BLOCK), width(values)
     {
     }
-    std::vector<std::vector<Hit>> blocks;
+    std::vector<std::vector<Row>> blocks;
+    const size_t width; /* values of a row */
 
     size_t size() const
     {
@@ -42,24 +43,35 @@ struct Hits {
         return sum;
     }
 
-    /* columns: line, index, t (..., 2), contiguous */
+    /* columns: number of the line or point, index, values (..., width),
+     * contiguous */
     void write(nb::tuple columns) const
     {
-        const Array line(columns[0], true), index(columns[1], true),
-            t(columns[2], true);
-        auto *to_line = reinterpret_cast<int64_t *>(line.data());
+        const Array asked(columns[0], true), index(columns[1], true),
+            value(columns[2], true);
+        auto *to_asked = reinterpret_cast<int64_t *>(asked.data());
         auto *to_index = reinterpret_cast<int64_t *>(index.data());
-        auto *to_t = reinterpret_cast<double *>(t.data());
+        auto *to_value = reinterpret_cast<double *>(value.data());
         for (const auto &block : blocks) {
-            for (const Hit &hit : block) {
-                *to_line++ = hit.line;
-                *to_index++ = hit.index;
-                *to_t++ = hit.t[0];
-                *to_t++ = hit.t[1];
+            for (const Row &row : block) {
+                *to_asked++ = row.asked;
+                *to_index++ = row.index;
+                for (size_t k = 0; k < width; k++)
+                    *to_value++ = row.value[k];
             }
         }
     }
 };
+
+void put(char *to, int64_t value)
+{
+    *reinterpret_cast<int64_t *>(to) = value;
+}
+
+void put(char *to, double value)
+{
+    *reinterpret_cast<double *>(to) = value;
+}
 
 class Scene
 {
@@ -71,9 +83,8 @@ class Scene
         cylint_scene_status status;
         {
             nb::gil_scoped_release released;
-            scene.reset(cylint_scene_new(
-                reinterpret_cast<const cylint_shape *>(shapes.data()), n,
-                threads, &status));
+            scene.reset(
+                cylint_scene_new(as_shape(shapes.data()), n, threads, &status));
         }
         if (!scene && status == CYLINT_SCENE_EMEMORY)
             throw std::bad_alloc();
@@ -93,19 +104,16 @@ class Scene
     {
         const Array index(columns[0], true), t(columns[1], true),
             part(columns[2], true);
-        const Array *const outputs[] = {&index, &t, &part};
-        return each(lines, outputs, threads, progress,
-                    [this](const cylint_line &line, char *const *to, size_t) {
-                        cylint_hit hit;
-                        const size_t found = cylint_scene_nearest(
-                            scene.get(), &line,
-                            CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
-                        const bool any = found < n;
-                        *reinterpret_cast<int64_t *>(to[0]) =
-                            any ? static_cast<int64_t>(found) : -1;
-                        *reinterpret_cast<double *>(to[1]) = any ? hit.t : nan;
-                        *to[2] = static_cast<char>(any ? hit.part : -1);
-                    });
+        return each_line(
+            lines, {&index, &t, &part}, threads, progress,
+            [this](const cylint_line &line, char *const *to, size_t) {
+                cylint_hit hit;
+                const size_t found = cylint_scene_nearest(
+                    scene.get(), &line, CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
+                put(to[0], number_of(found));
+                put(to[1], found < n ? hit.t : not_a_number);
+                *to[2] = static_cast<char>(found < n ? hit.part : -1);
+            });
     }
 
     /* columns: an array of int64, or of bool if enough = 1 */
@@ -113,37 +121,75 @@ class Scene
                int threads, nb::handle progress) const
     {
         const Array to(counts, true);
-        const Array *const outputs[] = {&to};
-        if (enough == 1)
-            return each(
-                lines, outputs, threads, progress,
-                [this](const cylint_line &line, char *const *at, size_t) {
+        return each_line(
+            lines, {&to}, threads, progress,
+            [this, enough](const cylint_line &line, char *const *at, size_t) {
+                if (enough == 1)
                     *at[0] = static_cast<char>(
                         cylint_scene_occluded(scene.get(), &line, n));
-                });
-        return each(
-            lines, outputs, threads, progress,
-            [this, enough](const cylint_line &line, char *const *at, size_t) {
-                *reinterpret_cast<int64_t *>(at[0]) = static_cast<int64_t>(
-                    cylint_scene_count(scene.get(), &line, enough));
+                else
+                    put(at[0], static_cast<int64_t>(cylint_scene_count(
+                                   scene.get(), &line, enough)));
             });
     }
 
     /* The hits of all lines, which have one axis, in order; nullptr if a line
      * is refused. */
-    std::unique_ptr<Hits> all(const Lines &lines, int threads,
-                              nb::handle progress) const
+    std::unique_ptr<Found> all(const Lines &lines, int threads,
+                               nb::handle progress) const
     {
-        const Array *const none[] = {&lines.starts};
-        const size_t count = static_cast<size_t>(lines.starts.size(0));
-        auto hits = std::make_unique<Hits>((count + BLOCK - 1) / BLOCK);
-        const bool good =
-            each(lines, none, threads, progress,
-                 [&](const cylint_line &line, char *const *, size_t number) {
-                     add_hits(line, static_cast<int64_t>(number),
-                              hits->blocks[number / BLOCK]);
-                 });
-        return good ? std::move(hits) : nullptr;
+        auto found = std::make_unique<Found>(
+            static_cast<size_t>(lines.starts.size(0)), 2);
+        const bool good = each_line(
+            lines, {}, threads, progress,
+            [&](const cylint_line &line, char *const *, size_t number) {
+                add_hits(line, number, found->blocks[number / BLOCK]);
+            });
+        return good ? std::move(found) : nullptr;
+    }
+
+    /* columns: index (int64), distance */
+    void closest(nb::handle points, nb::handle radii, nb::tuple columns,
+                 int threads, nb::handle progress) const
+    {
+        const Array index(columns[0], true), distance(columns[1], true);
+        each_ball(points, radii, {&index, &distance}, threads, progress,
+                  [this](const double(&point)[3], double radius,
+                         char *const *to, size_t) {
+                      cylint_closest answer;
+                      const size_t found = cylint_scene_closest(
+                          scene.get(), point, radius, 0, &answer);
+                      put(to[0], number_of(found));
+                      put(to[1], found < n ? answer.distance : not_a_number);
+                  });
+    }
+
+    /* counts: int64 */
+    void within_count(nb::handle points, nb::handle radii, nb::handle counts,
+                      int threads, nb::handle progress) const
+    {
+        const Array to(counts, true);
+        each_ball(points, radii, {&to}, threads, progress,
+                  [this](const double(&point)[3], double radius,
+                         char *const *at, size_t) {
+                      put(at[0], static_cast<int64_t>(cylint_scene_within_count(
+                                     scene.get(), point, radius, 0)));
+                  });
+    }
+
+    /* The shapes within the radius of each point, in order.  Points and radii
+     * have one axis. */
+    std::unique_ptr<Found> within(nb::handle points, nb::handle radii,
+                                  int threads, nb::handle progress) const
+    {
+        auto found = std::make_unique<Found>(nb::len(radii), 1);
+        each_ball(points, radii, {}, threads, progress,
+                  [&](const double(&point)[3], double radius, char *const *,
+                      size_t number) {
+                      add_shapes(point, radius, number,
+                                 found->blocks[number / BLOCK]);
+                  });
+        return found;
     }
 
   private:
@@ -153,65 +199,111 @@ class Scene
             cylint_scene_free(p);
         }
     };
+    using Arrays = std::initializer_list<const Array *>;
 
-    void add_hits(const cylint_line &line, int64_t number,
-                  std::vector<Hit> &hits) const
+    /* -1 if none is found */
+    int64_t number_of(size_t found) const
     {
-        enum { CAPACITY = 128 };
+        return found < n ? static_cast<int64_t>(found) : -1;
+    }
+
+    /* Calls query(from, numbers), which finds at most CAPACITY shapes, until all
+     * are found, and write(number) for each one. */
+    template <class Query, class Write>
+    static void each_found(const Query &query, const Write &write)
+    {
         size_t numbers[CAPACITY], found, from = 0;
-        const auto *const first =
-            reinterpret_cast<const cylint_shape *>(shapes.data());
         do {
-            found =
-                cylint_scene_all(scene.get(), &line, from, numbers, CAPACITY);
-            for (size_t i = 0; i < found; i++) {
-                cylint_answer answer;
-                cylint_intersect(first + numbers[i], &line, CYLINT_WANT_T,
-                                 &answer);
-                hits.push_back({number,
-                                static_cast<int64_t>(numbers[i]),
-                                {answer.n > 0 ? answer.hit[0].t : nan,
-                                 answer.n > 1 ? answer.hit[1].t : nan}});
-            }
+            found = query(from, numbers);
+            for (size_t i = 0; i < found; i++)
+                write(numbers[i]);
             from = found > 0 ? numbers[found - 1] + 1 : 0;
         } while (found == CAPACITY);
     }
 
+    void add_hits(const cylint_line &line, size_t asked,
+                  std::vector<Row> &rows) const
+    {
+        each_found(
+            [&](size_t from, size_t *numbers) {
+                return cylint_scene_all(scene.get(), &line, from, numbers,
+                                        CAPACITY);
+            },
+            [&](size_t index) {
+                cylint_answer answer;
+                cylint_intersect(first() + index, &line, CYLINT_WANT_T,
+                                 &answer);
+                rows.push_back(
+                    {static_cast<int64_t>(asked),
+                     static_cast<int64_t>(index),
+                     {answer.n > 0 ? answer.hit[0].t : not_a_number,
+                      answer.n > 1 ? answer.hit[1].t : not_a_number}});
+            });
+    }
+
+    void add_shapes(const double (&point)[3], double radius, size_t asked,
+                    std::vector<Row> &rows) const
+    {
+        each_found(
+            [&](size_t from, size_t *numbers) {
+                return cylint_scene_within(scene.get(), point, radius, from,
+                                           numbers, nullptr, CAPACITY);
+            },
+            [&](size_t index) {
+                cylint_closest answer;
+                rows.push_back(
+                    {static_cast<int64_t>(asked),
+                     static_cast<int64_t>(index),
+                     {cylint_distance(first() + index, point, 0, &answer)}});
+            });
+    }
+
+    const cylint_shape *first() const
+    {
+        return as_shape(shapes.data());
+    }
+
     /* Calls function(line, addresses, number) for each line and the elements of
      * the arrays that belong to it.  Returns false if a line is refused. */
-    template <size_t N, class Function>
-    static bool each(const Lines &lines, const Array *const (&arrays)[N],
-                     int threads, nb::handle progress, const Function &function)
+    template <class Function>
+    static bool each_line(const Lines &lines, Arrays arrays, int threads,
+                          nb::handle progress, const Function &function)
     {
         Grid grid(lines.starts, 0);
         lines.add_to(grid);
         for (const Array *array : arrays)
             grid.add(*array);
         grid.prepare();
-        const size_t pieces = (grid.row() + BLOCK - 1) / BLOCK;
-        std::atomic<bool> good{true};
-        work(grid.rows() * pieces, grid.elements(), threads, progress,
-             [&](int, size_t block) {
-                 std::vector<char *> p;
-                 grid.locate(block / pieces, p);
-                 const size_t begin = block % pieces * BLOCK;
-                 const size_t end = std::min(begin + BLOCK, grid.row());
-                 for (size_t a = 0; a < p.size(); a++)
-                     p[a] += static_cast<ptrdiff_t>(begin) *
-                             grid.stride(static_cast<int>(a));
-                 for (size_t i = begin; i < end && good; i++) {
-                     cylint_line line;
-                     if (lines.make(p.data(), &line) != CYLINT_OK) {
-                         good = false;
-                         break;
-                     }
-                     function(line, &p[4], block / pieces * grid.row() + i);
-                     for (size_t a = 0; a < p.size(); a++)
-                         p[a] += grid.stride(static_cast<int>(a));
-                 }
-                 return good.load();
-             });
-        return good;
+        return each_element(grid, BLOCK, threads, progress,
+                            [&](char *const *at, size_t number) {
+                                cylint_line line;
+                                if (lines.make(at, &line) != CYLINT_OK)
+                                    return false;
+                                function(line, at + 4, number);
+                                return true;
+                            });
+    }
+
+    /* The same for points (..., 3) and radii (...):
+     * function(point, radius, addresses, number). */
+    template <class Function>
+    static void each_ball(nb::handle points, nb::handle radii, Arrays arrays,
+                          int threads, nb::handle progress,
+                          const Function &function)
+    {
+        const Array p(points), r(radii);
+        Grid grid(r, 0);
+        grid.add(p), grid.add(r);
+        for (const Array *array : arrays)
+            grid.add(*array);
+        grid.prepare();
+        each_element(grid, BLOCK, threads, progress,
+                     [&](char *const *at, size_t i) {
+                         double point[3];
+                         read_point(at[0], p.last_stride(), point);
+                         function(point, number(at[1]), at + 2, i);
+                         return true;
+                     });
     }
 
     const Array shapes;
@@ -231,8 +323,15 @@ void register_scene(nb::module_ &module)
         .def("count", &Scene::count, nb::arg("lines"), nb::arg("counts"),
              nb::arg("enough"), nb::arg("threads"), nb::arg("progress").none())
         .def("all", &Scene::all, nb::arg("lines"), nb::arg("threads"),
-             nb::arg("progress").none());
-    nb::class_<Hits>(module, "Hits")
-        .def("size", &Hits::size)
-        .def("write", &Hits::write, nb::arg("columns"));
+             nb::arg("progress").none())
+        .def("closest", &Scene::closest, nb::arg("points"), nb::arg("radii"),
+             nb::arg("columns"), nb::arg("threads"), nb::arg("progress").none())
+        .def("within_count", &Scene::within_count, nb::arg("points"),
+             nb::arg("radii"), nb::arg("counts"), nb::arg("threads"),
+             nb::arg("progress").none())
+        .def("within", &Scene::within, nb::arg("points"), nb::arg("radii"),
+             nb::arg("threads"), nb::arg("progress").none());
+    nb::class_<Found>(module, "Found")
+        .def("size", &Found::size)
+        .def("write", &Found::write, nb::arg("columns"));
 }

@@ -1,12 +1,10 @@
 /*
- * shapes.cc - constructors, their inverse, points inside, boxes
+ * shapes.cc - constructors, their inverse, boxes
  */
-#include <algorithm>
 #include <cstddef>
 #include <cstring>
 
 #include "calls.h"
-#include "work.h"
 
 namespace
 {
@@ -91,13 +89,6 @@ const Constructor &find(const char *name)
     throw nb::value_error("no such constructor");
 }
 
-double at(const char *p, ptrdiff_t offset)
-{
-    double value;
-    std::memcpy(&value, p + offset, sizeof value);
-    return value;
-}
-
 } // namespace
 
 nb::tuple constructors()
@@ -148,8 +139,7 @@ void read_shapes(nb::handle shapes, nb::handle kinds, nb::handle numbers)
     const Array s(shapes), k(kinds, true), x(numbers, true);
     nb::gil_scoped_release released;
     for (ptrdiff_t i = 0; i < s.size(0); i++) {
-        const auto &shape =
-            *reinterpret_cast<const cylint_shape *>(s.data() + i * s.stride(0));
+        const cylint_shape &shape = *as_shape(s.data() + i * s.stride(0));
         const int kind = made_as(shape);
         for (size_t row = 0; row < sizeof table / sizeof *table; row++) {
             if (table[row].kind == kind) {
@@ -162,36 +152,6 @@ void read_shapes(nb::handle shapes, nb::handle kinds, nb::handle numbers)
     }
 }
 
-void contains(nb::handle shapes, nb::handle points, nb::handle answers,
-              int threads, nb::handle progress)
-{
-    enum { BLOCK = 1024 };
-    const Array s(shapes), p(points), a(answers, true);
-    Grid grid(a, 0);
-    grid.add(s), grid.add(p), grid.add(a);
-    grid.prepare();
-    const ptrdiff_t step = p.stride(p.axes() - 1);
-    const size_t pieces = (grid.row() + BLOCK - 1) / BLOCK;
-    work(grid.rows() * pieces, grid.elements(), threads, progress,
-         [&](int, size_t block) {
-             std::vector<char *> first;
-             grid.locate(block / pieces, first);
-             const size_t begin = block % pieces * BLOCK;
-             const size_t end = std::min(begin + BLOCK, grid.row());
-             for (size_t i = begin; i < end; i++) {
-                 const auto k = static_cast<ptrdiff_t>(i);
-                 const char *q = first[1] + k * grid.stride(1);
-                 const double point[3] = {at(q, 0), at(q, step),
-                                          at(q, 2 * step)};
-                 first[2][k * grid.stride(2)] = static_cast<char>(
-                     cylint_contains(reinterpret_cast<const cylint_shape *>(
-                                         first[0] + k * grid.stride(0)),
-                                     point));
-             }
-             return true;
-         });
-}
-
 /* shapes (n), boxes (n, 2, 3) contiguous */
 void bounds(nb::handle shapes, nb::handle boxes)
 {
@@ -199,8 +159,6 @@ void bounds(nb::handle shapes, nb::handle boxes)
     nb::gil_scoped_release released;
     for (ptrdiff_t i = 0; i < s.size(0); i++) {
         const auto box = reinterpret_cast<double *>(b.data()) + 6 * i;
-        cylint_bounds(
-            reinterpret_cast<const cylint_shape *>(s.data() + i * s.stride(0)),
-            box, box + 3);
+        cylint_bounds(as_shape(s.data() + i * s.stride(0)), box, box + 3);
     }
 }

@@ -1,0 +1,160 @@
+"""Arguments that several functions share: lines, points, balls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from inspect import Parameter, signature
+from typing import Concatenate, ParamSpec, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._arrays import Progress, broadcast, doubles, place
+
+_P = ParamSpec("_P")
+_Self = TypeVar("_Self")
+_Made = TypeVar("_Made")
+_Answer = TypeVar("_Answer")
+
+
+def takes(
+    make: Callable[_P, _Made],
+) -> Callable[
+    [Callable[[_Self, _Made], _Answer]],
+    Callable[Concatenate[_Self, _P], _Answer],
+]:
+    """Gives function(self, made) the arguments from which `make` makes `made`."""
+
+    def decorate(
+        function: Callable[[_Self, _Made], _Answer],
+    ) -> Callable[Concatenate[_Self, _P], _Answer]:
+        @wraps(function)
+        def call(self: _Self, /, *args: _P.args, **named: _P.kwargs) -> _Answer:
+            return function(self, make(*args, **named))
+
+        own = signature(function)
+        first = next(iter(own.parameters.values()))
+        shown = [
+            first.replace(kind=Parameter.POSITIONAL_ONLY),
+            *signature(make).parameters.values(),
+        ]
+        call.__signature__ = own.replace(parameters=shown)  # type: ignore[attr-defined]
+        return call
+
+    return decorate
+
+
+class Lines:
+    """Lines of any shape, broadcast.
+
+    to: the other ends of segments, in place of directions.
+    """
+
+    def __init__(
+        self,
+        origins: ArrayLike,
+        directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0,
+        tmax: ArrayLike = np.inf,
+        *,
+        to: ArrayLike | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> None:
+        self.threads = threads
+        self.progress = progress
+        ends = to if directions is None else directions
+        if ends is None or not (directions is None or to is None):
+            raise TypeError("expected either directions or to")
+        self.segments = to is not None
+        if self.segments and not (
+            np.array_equal(tmin, 0) and np.array_equal(tmax, np.inf)
+        ):
+            raise TypeError("tmin and tmax need directions; t of to is 0 to 1")
+        second = "to" if self.segments else "directions"
+        self.arrays = (
+            doubles("origins", origins, 3),
+            doubles(second, ends, 3),
+            doubles("tmin", tmin),
+            doubles("tmax", tmax),
+        )
+        o, d, start, end = self.arrays
+        self.shape = broadcast(
+            ("origins", o.shape[:-1]),
+            (second, d.shape[:-1]),
+            ("tmin", start.shape),
+            ("tmax", end.shape),
+        )
+
+    def broadcast_to(self, shape: tuple[int, ...]) -> _core.Lines:
+        """The arrays of these lines, as views of this shape."""
+        o, d, start, end = self.arrays
+        return _core.Lines(
+            np.broadcast_to(o, (*shape, 3)),
+            np.broadcast_to(d, (*shape, 3)),
+            np.broadcast_to(start, shape),
+            np.broadcast_to(end, shape),
+            self.segments,
+        )
+
+    def flat(self) -> _core.Lines:
+        """The arrays of these lines with one axis."""
+        o, d, start, end = self.arrays
+        return _core.Lines(
+            np.broadcast_to(o, (*self.shape, 3)).reshape(-1, 3),
+            np.broadcast_to(d, (*self.shape, 3)).reshape(-1, 3),
+            np.broadcast_to(start, self.shape).reshape(-1),
+            np.broadcast_to(end, self.shape).reshape(-1),
+            self.segments,
+        )
+
+    def refuse(self) -> ValueError:
+        """The error that names the first refused line and the reason."""
+        index, status = _core.first_bad_line(self.broadcast_to(self.shape))
+        return ValueError(
+            f"line{place(index, self.shape)}: {_core.strerror(status)}"
+        )
+
+
+class Points:
+    """Points of any shape."""
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        *,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> None:
+        self.array = doubles("points", points, 3)
+        self.shape = self.array.shape[:-1]
+        self.threads = threads
+        self.progress = progress
+
+    def broadcast_to(self, shape: tuple[int, ...]) -> NDArray[np.float64]:
+        """The points, as a view of this shape."""
+        return np.broadcast_to(self.array, (*shape, 3))
+
+
+class Balls:
+    """Points with radii, broadcast.  name: of the radii, for messages."""
+
+    def __init__(self, points: Points, name: str, radii: ArrayLike) -> None:
+        numbers = doubles(name, radii)
+        self.shape = broadcast(("points", points.shape), (name, numbers.shape))
+        self.points = points.broadcast_to(self.shape)
+        self.radii = np.broadcast_to(numbers, self.shape)
+        self.threads = points.threads
+        self.progress = points.progress
+
+
+def balls(
+    points: ArrayLike,
+    r: ArrayLike,
+    *,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> Balls:
+    return Balls(Points(points, threads=threads, progress=progress), "r", r)
