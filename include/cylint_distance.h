@@ -92,9 +92,22 @@ CYLINT_API double cylint_distance(const cylint_shape *shape,
                                   const double point[3], unsigned want,
                                   cylint_closest *answer);
 
-/* Returns a number from 0 to the absolute distance of the point from the
+/*
+ * cylint_safety - a lower bound of the distance, cheaper than the distance
+ *
+ * Returns a number from 0 to the absolute distance of the point from the
  * surface, never above it.  HUGE_VAL where there is no surface and where
- * cylint_distance() sets a flag. */
+ * cylint_distance() sets a flag.
+ *
+ * Let d be the absolute distance and R the length of the axis plus the larger
+ * radius; of a sphere the radius.  In rounding to nearest the result for circular
+ * and round kinds is at most 17 * 2^-52 (d + R) below d: some units in the last
+ * place of the point's coordinates relative to the shape, not of d.  For
+ * infinite ends |P - base| * 1.42 takes the place of d in d + R.  Where d is not
+ * larger than this bound, and for cap0, cap1, nappe, angle cones and round kinds
+ * that are not capped, the result is the double below d.  In other rounding
+ * modes it is at most twice as far below.
+ */
 CYLINT_API double cylint_safety(const cylint_shape *shape,
                                 const double point[3]);
 

@@ -334,6 +334,44 @@ static void safety_is_never_above_the_distance(void)
     over_families(check_safe);
 }
 
+/* The size that the manual relates the error of the safety to. */
+static double safety_size(const cylint_shape *s, const double p[3],
+                          double distance)
+{
+    const double length = sqrt(dot3(s->axis, s->axis));
+    const double reach =
+        s->kind == CYLINT_KIND_SPHERE
+            ? s->r0
+            : length + fmax(s->r0, s->r1) * cylint_radius_unit(s, length);
+    double D[3];
+    for (int i = 0; i < 3; i++)
+        D[i] = p[i] - s->base[i];
+    return reach +
+           (s->ends == CYLINT_ENDS_INFINITE ? sqrt(2 * dot3(D, D)) : distance);
+}
+
+static double largest_gap; /* in 2^-52 sizes */
+
+static void check_gap(const struct family_case *c, const double p[3])
+{
+    const double distance = fabs(answer_to(&c->shape, p, 0).distance);
+    const double safe = cylint_safety(&c->shape, p);
+    const double size = safety_size(&c->shape, p, distance);
+    const double gap = distance - safe;
+    if (safe >= nextafter(distance, 0))
+        return;
+    largest_gap = fmax(largest_gap, gap / size * 0x1p52);
+    if (!CHECK(gap <= 17 * 0x1p-52 * size))
+        report(c, p);
+}
+
+static void safety_is_little_below_the_distance(void)
+{
+    over_families(check_gap);
+    printf("note: the safety is up to %.3g x 2^-52 sizes below the distance\n",
+           largest_gap);
+}
+
 /* Scaling by a power of two scales the distance. */
 static void check_scaled(const struct family_case *c, const double p[3])
 {
@@ -375,6 +413,7 @@ int main(void)
     RUN(all_paths_return_the_same_bits);
     RUN(the_floating_point_environment_changes_nothing);
     RUN(safety_is_never_above_the_distance);
+    RUN(safety_is_little_below_the_distance);
     RUN(a_power_of_two_scales_the_distance);
     return check_end();
 }

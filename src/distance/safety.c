@@ -1,25 +1,25 @@
 /*
  * safety.c - a lower bound of a distance, in doubles
  *
- * The distance is computed in local coordinates (shapes/local.h) with a bound on
- * its error, which is subtracted.  It is right in every rounding mode.  Where
- * local coordinates are not accurate enough, and for shapes without a cap, it is
- * the double below the distance.
+ * The distance is computed in the half plane through the axis and the point,
+ * with a bound on its error (error_bounds.h), which is subtracted.  Rounding to
+ * nearest halves the bound.  Where the distance is below the bound or overflows,
+ * where local coordinates (shapes/local.h) are not accurate enough, and for other
+ * ends, the result is the double below the distance.
+ *
+ * Which feature is nearest is hard to predict, so maxima and masks take the
+ * place of branches.
  *
  * The local coordinates of an elliptic shape are stretched: the world's distance
  * is at least the local one divided by the norm of the matrix.
  */
 #include "../numbers/bits.h"
+#include "../numbers/simd.h"
 #include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
 #include "elliptic.h"
 
-static double root(double x)
-{
-    return sqrt(x);
-}
-
-static double below_distance(const cylint_shape *shape, const double point[3])
+ASIDE double below_distance(const cylint_shape *shape, const double point[3])
 {
     cylint_closest answer;
     answer.part = 0;
@@ -32,153 +32,240 @@ static double below_distance(const cylint_shape *shape, const double point[3])
                : below;
 }
 
-/* A point and a shape in the half plane through the axis and the point. */
+#if LANES == 2
+
+/* A function of simd.h: sqrt() would also set errno. */
+INLINE double root(double x)
+{
+    return v_first(v_sqrt(v_set(x)));
+}
+
+INLINE double sum_of_lanes(vd x)
+{
+    return v_first(x) + v_first(v_turned(x));
+}
+
+INLINE double max_of_lanes(vd x)
+{
+    return v_first(v_max(x, v_turned(x)));
+}
+
+/* The point in the half plane: z, and the square of the distance from the axis,
+ * rho. */
 typedef struct {
-    double z, above, rho; /* above: z - height */
-    double r[2], cosine, sine;
-    double size; /* of all terms */
+    double z, square;
 } position;
 
-static double length(double x, double y)
-{
-    return root(x * x + y * y);
-}
-
-/* The distance from a ball, positive outside. */
-static double from_ball(double z, double rho, double r)
-{
-    return length(z, rho) - r;
-}
-
-static double capsule_distance(const position *at)
-{
-    const double S = at->sine, C = at->cosine;
-    if (C * at->z + S * at->rho < 0)
-        return from_ball(at->z, at->rho, at->r[0]);
-    if (C * at->above + S * at->rho > 0)
-        return from_ball(at->above, at->rho, at->r[1]);
-    return C * at->rho - S * at->z - at->r[0];
-}
-
-/* The solid between the planes. */
-static double capped_distance(const position *at)
-{
-    const double S = at->sine, C = at->cosine;
-    const double x0 = at->rho - at->r[0], x1 = at->rho - at->r[1];
-    const double lateral = C * x0 - S * at->z;
-    const double beyond = cylint_larger(-at->z, at->above);
-    if (lateral <= 0 && beyond <= 0)
-        return cylint_larger(lateral, beyond);
-    if (at->z < 0 && x0 < 0)
-        return -at->z;
-    if (at->above > 0 && x1 < 0)
-        return at->above;
-    return C * at->z + S * x0 < 0       ? length(x0, at->z)
-           : C * at->above + S * x1 > 0 ? length(x1, at->above)
-                                        : lateral;
-}
-
-/* An unbounded straight shape, or a double cone. */
-static double infinite_distance(const position *at)
-{
-    const double c = at->sine * at->z + at->cosine * at->r[0];
-    return at->cosine * at->rho - fabs(c);
-}
-
-static double distance_at(const position *at, const cylint_shape *s)
-{
-    return cylint_is_round(s->kind)          ? capsule_distance(at)
-           : s->ends == CYLINT_ENDS_INFINITE ? infinite_distance(at)
-                                             : capped_distance(at);
-}
-
-/* Circular kinds: the rejection of the point from the axis has no larger error
- * than z. */
-static void locate(position *at, const cylint_shape *s, const double point[3])
+/* Circular kinds.  rho is the length of the point's rejection from the axis. */
+INLINE position locate(const cylint_shape *s, const double point[3])
 {
     const cylint_local *f = &s->local;
+    const vd XY = v_load(point) - v_load(s->base);
+    const double Z = point[2] - s->base[2];
+    const vd ab = v_two(f->xyz[0][2], f->xyz[1][2]);
+    const double c = f->xyz[2][2];
+    const double z = sum_of_lanes(XY * ab) + Z * c;
+    const vd xy = XY - v_set(z) * ab;
+    const double w = Z - z * c;
+    return (position){z, sum_of_lanes(xy * xy) + w * w};
+}
+
+/* From the planes of base and top, positive outside. */
+INLINE vd from_planes(const cylint_shape *s, double z)
+{
+    return v_two(-z, z - s->local.height);
+}
+
+/* --------------------------------------------- absolute distances ------- */
+
+INLINE double from_cylinder(const cylint_shape *s, position at)
+{
+    const vd B = v_max(v_set(-at.z), v_set(at.z - s->local.height));
+    const vd x = v_firsts(v_set(root(at.square) - s->r0), B), zero = v_set(0);
+    const vd out = v_max(x, zero), depth = zero - v_max(x, v_turned(x));
+    return root(sum_of_lanes(out * out)) + v_first(v_max(depth, zero));
+}
+
+/*
+ * The lanes are the two ends.  x and z: the point from the rim.  foot: the
+ * point's foot on the lateral line, positive beyond the rim.  A rim is nearest
+ * where its foot is positive and, if there are caps, x is positive too.  The
+ * distances from the lateral line and from the planes are never larger than the
+ * distance from the solid.
+ */
+INLINE double from_cone(const cylint_shape *s, position at, double C, double S,
+                        int has_caps)
+{
+    const vd zero = v_set(0);
+    const vd z = from_planes(s, at.z),
+             x = v_set(root(at.square)) - v_two(s->r0, s->r1);
+    const vd foot = v_set(C) * z + v_two(-S, S) * x;
+    const vm beyond = v_lt(zero, foot);
+    const vm rim = has_caps ? m_and(beyond, v_lt(zero, x)) : beyond;
+    const vd square = v_select(rim, x * x + z * z, zero);
+    const double line = C * v_first(x) - S * at.z;
+    const vd flat =
+        has_caps ? v_max(v_set(line), v_max(z, v_turned(z))) : v_set(line);
+    return v_first(v_max(v_set(root(max_of_lanes(square))), v_abs(flat)));
+}
+
+INLINE double from_capsule(const cylint_shape *s, position at)
+{
+    const vd z = v_max(from_planes(s, at.z), v_set(0));
+    return fabs(root(at.square + sum_of_lanes(z * z)) - s->r0);
+}
+
+/* x^2 with the sign of x. */
+INLINE double signed_square(double x)
+{
+    return x * fabs(x);
+}
+
+/* The ball about the base is nearest where the foot C z + S rho is negative.
+ * The squares are compared, which needs no root. */
+INLINE double from_round_cone(const cylint_shape *s, position at)
+{
+    const double C = s->local.cosine, S = s->local.sine;
+    const double above = at.z - s->local.height;
+    const double across = signed_square(S) * at.square;
+    const vd zero = v_set(0);
+    const vm before = v_lt(v_set(signed_square(C * at.z) + across), zero);
+    const vm beyond = v_lt(zero, v_set(signed_square(C * above) + across));
+    const vm ball = m_or(before, beyond);
+    const vd r = v_select(beyond, v_set(s->r1), v_set(s->r0));
+    const vd z = v_select(beyond, v_set(above), v_set(at.z));
+    const vd from_center = v_select(ball, z, zero);
+    const double up = v_first(from_center);
+    const double rho = root(at.square + up * up);
+    const vd line = v_set(C * rho - S * at.z);
+    return fabs(v_first(v_select(ball, v_set(rho), line)) - v_first(r));
+}
+
+INLINE double from_sphere(const cylint_shape *s, const double point[3])
+{
     const double X = point[0] - s->base[0], Y = point[1] - s->base[1],
                  Z = point[2] - s->base[2];
-    const double a = f->xyz[0][2], b = f->xyz[1][2], c = f->xyz[2][2];
-    const double z = X * a + Y * b + Z * c;
-    const double x = X - z * a, y = Y - z * b, w = Z - z * c;
-    at->z = z;
-    at->rho = root(x * x + y * y + w * w);
-    at->size = fabs(X) + fabs(Y) + fabs(Z);
-    at->cosine = f->cosine;
-    at->sine = f->sine;
+    return fabs(root(X * X + Y * Y + Z * Z) - s->r0);
 }
 
-static void locate_elliptic(position *at, const cylint_shape *s,
-                            const double point[3])
+/* A straight shape, or a double cone. */
+INLINE double from_infinite(const cylint_shape *s, position at, double C,
+                            double S)
 {
-    const cylint_local *f = &s->local;
-    double x = 0, y = 0, z = 0, size = 0;
+    return fabs(C * root(at.square) - fabs(S * at.z + C * s->r0));
+}
+
+/* ------------------------------------------------------- lower bounds --- */
+
+/* error: in rounding to nearest.  size: of the coordinates and the shape. */
+INLINE double less_error(double distance, double error, double size)
+{
+    return distance - (cylint_rounds_to_nearest() ? error : 2 * error) * size;
+}
+
+ASIDE double open_safety(const cylint_shape *s, const double point[3])
+{
+    const double d =
+        from_cone(s, locate(s, point), s->local.cosine, s->local.sine, 0);
+    return less_error(d, CYLINT_SAFETY_ERROR, d + s->local.reach);
+}
+
+ASIDE double infinite_safety(const cylint_shape *s, const double point[3])
+{
+    const position at = locate(s, point);
+    const double d = from_infinite(s, at, s->local.cosine, s->local.sine);
+    return less_error(d, CYLINT_SAFETY_ERROR,
+                      root(at.square) + fabs(at.z) + s->local.reach);
+}
+
+static position locate_elliptic(const cylint_shape *s, const double point[3],
+                                double *size)
+{
+    double at[3] = {0, 0, 0}, sum = 0;
     for (int i = 0; i < 3; i++) {
         const double D = point[i] - s->base[i];
-        x += D * f->xyz[i][0];
-        y += D * f->xyz[i][1];
-        z += D * f->xyz[i][2];
-        size += fabs(D);
+        for (int j = 0; j < 3; j++)
+            at[j] += D * s->local.xyz[i][j];
+        sum += fabs(D);
     }
-    at->z = z;
-    at->rho = length(x, y);
-    at->size = size * f->norm;
-    at->cosine = 1 / root(1 + f->slope * f->slope);
-    at->sine = f->slope * at->cosine;
+    *size = sum * s->local.norm + s->local.reach + s->r0;
+    return (position){at[2], at[0] * at[0] + at[1] * at[1]};
 }
 
-/* The largest factor by which local coordinates stretch a length: the
+/* The largest factor by which local coordinates stretch a length is at most the
  * Frobenius norm of the matrix, of which no row is longer than `norm`. */
-static double stretch(const cylint_shape *s)
+ASIDE double elliptic_safety(const cylint_shape *s, const double point[3])
 {
-    return cylint_is_elliptic(s->kind) ? 2 * s->local.norm : 1;
+    double size;
+    const position at = locate_elliptic(s, point, &size);
+    const double C = 1 / root(1 + s->local.slope * s->local.slope);
+    const double S = s->local.slope * C;
+    const double d = s->ends == CYLINT_ENDS_INFINITE
+                         ? from_infinite(s, at, C, S)
+                         : from_cone(s, at, C, S, s->ends != CYLINT_ENDS_OPEN);
+    const double safe = less_error(d, CYLINT_ELLIPTIC_SAFETY_ERROR, size);
+    return d <= DBL_MAX ? safe / (2 * s->local.norm) *
+                              (1 - 2 * CYLINT_ELLIPTIC_SAFETY_ERROR)
+                        : 0;
 }
 
-static int is_served(const cylint_shape *s)
+/* 0 or less: the distance is below its error.  NaN: it overflows. */
+INLINE double if_positive(double bound, const cylint_shape *s,
+                          const double point[3])
 {
-    const int closed =
-        s->ends == CYLINT_ENDS_CAPPED || s->ends == CYLINT_ENDS_INFINITE;
-    return closed && s->prepared && !cylint_has_tangent(s->kind);
+    return bound > 0 ? bound : below_distance(s, point);
 }
 
-static double sphere_distance(const cylint_shape *s, const double point[3],
-                              double *error)
+/* All but the capped shapes of circular and round kinds. */
+ASIDE double other_safety(const cylint_shape *s, const double point[3])
 {
-    const double X = point[0] - s->base[0], Y = point[1] - s->base[1],
-                 Z = point[2] - s->base[2];
-    const double size = root(X * X + Y * Y + Z * Z);
-    *error = CYLINT_SPHERE_SAFETY_ERROR * (size + s->r0);
-    return size - s->r0;
+    const int infinite = s->ends == CYLINT_ENDS_INFINITE;
+    const int served =
+        infinite || s->ends == CYLINT_ENDS_CAPPED ||
+        (s->ends == CYLINT_ENDS_OPEN && !cylint_is_round(s->kind));
+    if (!s->prepared || !served || cylint_has_tangent(s->kind))
+        return below_distance(s, point);
+    return if_positive(cylint_is_elliptic(s->kind) ? elliptic_safety(s, point)
+                       : infinite                  ? infinite_safety(s, point)
+                                                   : open_safety(s, point),
+                       s, point);
 }
 
-static double local_distance(const cylint_shape *s, const double point[3],
-                             double *error)
+double cylint_safety(const cylint_shape *s, const double point[3])
 {
-    position at;
-    if (cylint_is_elliptic(s->kind))
-        locate_elliptic(&at, s, point);
-    else
-        locate(&at, s, point);
-    at.above = at.z - s->local.height;
-    at.r[0] = s->r0;
-    at.r[1] = s->r1;
-    *error = CYLINT_SAFETY_ERROR * (at.size + s->local.reach + s->r0);
-    return distance_at(&at, s);
+    double d;
+    if (s->ends != CYLINT_ENDS_CAPPED || !s->prepared)
+        return other_safety(s, point);
+    switch (s->kind) {
+    case CYLINT_KIND_CYLINDER:
+        d = from_cylinder(s, locate(s, point));
+        break;
+    case CYLINT_KIND_CONE:
+        d = from_cone(s, locate(s, point), s->local.cosine, s->local.sine, 1);
+        break;
+    case CYLINT_KIND_SPHERE:
+        d = from_sphere(s, point);
+        return if_positive(less_error(d, CYLINT_SPHERE_SAFETY_ERROR, d + s->r0),
+                           s, point);
+    case CYLINT_KIND_CAPSULE:
+        d = from_capsule(s, locate(s, point));
+        break;
+    case CYLINT_KIND_RCONE:
+        d = from_round_cone(s, locate(s, point));
+        break;
+    default:
+        return other_safety(s, point);
+    }
+    return if_positive(less_error(d, CYLINT_SAFETY_ERROR, d + s->local.reach),
+                       s, point);
 }
 
+#else
+
+/* Without vectors of two lanes. */
 double cylint_safety(const cylint_shape *shape, const double point[3])
 {
-    if (!is_served(shape))
-        return below_distance(shape, point);
-    double error;
-    const double distance = shape->kind == CYLINT_KIND_SPHERE
-                                ? sphere_distance(shape, point, &error)
-                                : local_distance(shape, point, &error);
-    const double bound = fabs(distance) - error;
-    if (!(bound > 0 && bound <= DBL_MAX)) /* near the surface, or overflow */
-        return below_distance(shape, point);
-    return cylint_is_elliptic(shape->kind)
-               ? bound / stretch(shape) * (1 - CYLINT_SAFETY_ERROR)
-               : bound;
+    return below_distance(shape, point);
 }
+
+#endif

@@ -40,7 +40,7 @@ static inline int cylint_rounds_to_nearest(void)
 {
     static volatile const double tiny = 0x1p-60; /* not for the compiler */
     const double x = tiny;
-    return 1 + x == 1 - x;
+    return !(1 + x > 1 - x);
 }
 
 #endif

@@ -30,6 +30,9 @@
 /* One operation on doubles, in any rounding mode. */
 #define CYLINT_ROUNDING 0x1p-52
 
+/* The same in rounding to nearest. */
+#define CYLINT_NEAREST_ROUNDING 0x1p-53
+
 /* Covers the higher powers of eps; the roundings of `size` and of the bound's
  * own product and sum; and that the size of a pair is computed from its high
  * part alone.  Proved. */
@@ -113,20 +116,32 @@
 #define CYLINT_POINT_UNDERFLOW 0x1p-800
 
 /*
- * The error of a distance in doubles (distance/safety.c), in any rounding mode,
- * in units of CYLINT_ROUNDING times the sum S of the sizes of the local
- * coordinates' terms, height and radii.  z: 5.  rho: 11.  The lateral line: 20.
- * A foot: 18, and a point whose foot is on the wrong side of an end by that much
- * is as much farther from the end than from the line.  A root of two squares
- * adds 3, the last difference 2.  That is 43; 64 also covers the products of
- * these errors.
+ * The error of a distance in doubles (distance/safety.c) in rounding to nearest,
+ * relative to a size: of a bounded shape the distance plus cylint_local.reach,
+ * which together are at least |D|; of an infinite one |z| + rho + reach.  Proved;
+ * the terms are, in roundings,
+ *
+ *   z      5 |D|
+ *   rho    8.3 |D| of the point's rejection from the axis, and 2.5 rho
+ *   a cone's lateral line at that position: 3 times the distance from the base's
+ *          rim, and 1 of the difference; the last difference
+ *
+ * The errors of z and rho are at right angles, and a distance from a solid
+ * changes by at most that of the position.  In the other rounding modes no
+ * rounding is more than twice as large, so twice the error is subtracted.
+ *
+ * Which feature is nearest follows from the sign of a foot, whose roundings are
+ * at most 3 of its distance from the rim.  Where that sign is wrong the true foot
+ * is as near to the rim.  The distance is then wrong by half the square of that
+ * over the distance.
+ *
+ * The same of a sphere, relative to the distance plus the radius.  Proved.  The
+ * same of an elliptic shape, in its local coordinates, relative to the sum of
+ * |D_i| times cylint_local.norm, plus reach and r0.  Proved.
  */
-#define CYLINT_SAFETY_ERROR (64 * CYLINT_ROUNDING)
-
-/* The same of a sphere, times the distance from the centre and the radius: each
- * coordinate has one rounding, its square three, their sum two, the root one of
- * its own and half of those, the difference one.  That is below 6. */
-#define CYLINT_SPHERE_SAFETY_ERROR (8 * CYLINT_ROUNDING)
+#define CYLINT_SAFETY_ERROR (16.9 * CYLINT_NEAREST_ROUNDING)
+#define CYLINT_SPHERE_SAFETY_ERROR (5.501 * CYLINT_NEAREST_ROUNDING)
+#define CYLINT_ELLIPTIC_SAFETY_ERROR (28.5 * CYLINT_NEAREST_ROUNDING)
 
 /*
  * Point, normal, z and phi are computed from t and from the rest of the root,
