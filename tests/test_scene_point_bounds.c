@@ -1,0 +1,211 @@
+/*
+ * test_scene_point_bounds.c - floor bvh: lower bounds of the distances from a
+ * point to boxes and to the cylinders of leaves
+ *
+ * Compares the bounds of traverse_point.c with distances in long double: they are
+ * never above these, and below by no more than the errors that are stated there.
+ */
+#define CYLINT_TRAVERSE_POINT cylint_traverse_point_tested
+#include "bvh/traverse_point.h"
+cylint_traverse_point CYLINT_TRAVERSE_POINT;
+#include "bvh/traverse_point.c"
+
+#include "check.h"
+#include "random.h"
+
+enum { ROUNDS = 4000 };
+
+static int n_far; /* points that are far */
+
+static double between(uint64_t *stream, double low, double high)
+{
+    return low + (high - low) * random_unit(stream);
+}
+
+/* ---------------------------------------------------------------- boxes -- */
+
+/* A hierarchy of one node: its boxes lie in the box of all, which has sides of
+ * up to 2 and a centre of floats. */
+static void draw_node(uint64_t *stream, cylint_bvh *bvh, cylint_node *node)
+{
+    memset(bvh, 0, sizeof *bvh);
+    memset(node, 0, sizeof *node);
+    bvh->nodes = node;
+    node->children = 0xff;
+    for (int j = 0; j < 3; j++) {
+        const float half = (float)pow(2, between(stream, -8, -0.01));
+        bvh->center[j] = (float)between(stream, -0.9, 0.9) * (1 - half);
+        bvh->box.lower[j] = bvh->center[j] - half;
+        bvh->box.upper[j] = bvh->center[j] + half;
+        node->corner[j] = -half;
+        node->step[j] = half / 128;
+        for (int i = 0; i < CYLINT_CHILDREN; i++) {
+            const int x = random_int(stream, 256), y = random_int(stream, 256);
+            node->face[0][j][i] = (uint8_t)(x < y ? x : y);
+            node->face[1][j][i] = (uint8_t)(x < y ? y : x);
+        }
+    }
+}
+
+static long double distance_to_box(const cylint_bvh *bvh, int child,
+                                   const double point[3])
+{
+    const cylint_node *node = bvh->nodes;
+    long double sum = 0;
+    for (int j = 0; j < 3; j++) {
+        const long double from =
+            (long double)point[j] - bvh->center[j] - node->corner[j];
+        const long double below =
+            (long double)node->step[j] * node->face[0][j][child] - from;
+        const long double above =
+            from - (long double)node->step[j] * node->face[1][j][child];
+        const long double out = below > above ? below : above;
+        sum += out > 0 ? out * out : 0;
+    }
+    return sqrtl(sum);
+}
+
+/* Whether the child is visited if shapes within the distance are sought. */
+static int is_visited(traversal *t, int child, double distance)
+{
+    const entry root = {keyed_child(0, 0)};
+    child_hits hits;
+    t->distance = &distance;
+    update_last(t);
+    return hit_children(t, &root, t->bvh->nodes, &hits) >> child & 1;
+}
+
+/* What the bounds may lack: the stated errors along three coordinates and of the
+ * point, and of floats. */
+static double most_lacking(const traversal *t, double distance, double side)
+{
+    return t->is_far ? 8 * t->error + 0x1p-20 * side
+                     : 4 * (double)t->near_error + 0x1p-17 * distance;
+}
+
+static void check_boxes(uint64_t *stream, double far)
+{
+    cylint_bvh bvh;
+    cylint_node node;
+    traversal t;
+    double point[3], distance = 0, side = 0;
+    draw_node(stream, &bvh, &node);
+    for (int j = 0; j < 3; j++) {
+        const double half = (double)(bvh.box.upper[j] - bvh.box.lower[j]);
+        point[j] = (double)bvh.center[j] + between(stream, -far, far) * half;
+        side += half;
+    }
+    start_point(&t, &bvh, point, &distance);
+    n_far += t.is_far;
+    for (int child = 0; child < CYLINT_CHILDREN; child++) {
+        const double apart = (double)distance_to_box(&bvh, child, point);
+        const double less = apart - most_lacking(&t, apart, side);
+        if (!CHECK(is_visited(&t, child, apart * (1 + 0x1p-52))))
+            REPORT("far %g: at %a it is not visited", far, apart);
+        if (!CHECK(!(less >= 0) || !is_visited(&t, child, less)))
+            REPORT("far %g: at %a, %a nearer, it is visited", far, apart,
+                   apart - less);
+    }
+}
+
+static void boxes_are_visited_within_their_distance_only(void)
+{
+    uint64_t stream = check_setting("CYLINT_SEED", 1);
+    for (int round = 0; round < ROUNDS; round++) {
+        check_boxes(&stream, between(&stream, 0, 1));
+        check_boxes(&stream, between(&stream, 1, 100));
+        check_boxes(&stream, pow(2, between(&stream, 8, 59)));
+    }
+    CHECK(n_far > ROUNDS && n_far < 2 * ROUNDS);
+}
+
+/* --------------------------------------------------------------- leaves -- */
+
+static void draw_leaf(uint64_t *stream, cylint_leaf *b)
+{
+    memset(b, 0, sizeof *b);
+    b->used = CYLINT_LEAF_SIZE;
+    b->steps = cylint_half_below(pow(2, between(stream, 6, 20)));
+    for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++) {
+        const int spread = 1 << random_int(stream, 11);
+        for (int j = 0; j < 3; j++) {
+            const int at = random_int(stream, 1024);
+            int top = at + random_int(stream, 2 * spread + 1) - spread;
+            top = top < 0 ? 0 : top > 1023 ? 1023 : top;
+            b->p[0][lane] |= (uint32_t)at << j * CYLINT_LEAF_P_BITS;
+            b->p[1][lane] |= (uint32_t)top << j * CYLINT_LEAF_P_BITS;
+        }
+        b->r[lane] = (uint16_t)random_int(stream, 1024);
+    }
+    for (int j = 0; j < 3; j++)
+        b->center[j] = (float)between(stream, -1, 1);
+}
+
+/* In steps, from the points within r of a lane's axis; q from the centre. */
+static long double distance_to_lane(const cylint_leaf *b, int lane,
+                                    const long double q[3])
+{
+    long double D[3], w[3], ww = 0, Dw = 0, square = 0;
+    for (int j = 0; j < 3; j++) {
+        const int shift = j * CYLINT_LEAF_P_BITS;
+        const int p = (int)(b->p[0][lane] >> shift & CYLINT_LEAF_P_MASK);
+        const int top = (int)(b->p[1][lane] >> shift & CYLINT_LEAF_P_MASK);
+        D[j] = q[j] - (p - CYLINT_LEAF_MIDDLE);
+        w[j] = top - p;
+        ww += w[j] * w[j];
+        Dw += D[j] * w[j];
+    }
+    long double z = ww > 0 ? Dw / ww : 0;
+    z = z < 0 ? 0 : z > 1 ? 1 : z;
+    for (int j = 0; j < 3; j++)
+        square += (D[j] - z * w[j]) * (D[j] - z * w[j]);
+    return sqrtl(square) - (b->r[lane] & CYLINT_LEAF_R_MASK);
+}
+
+/* far: the distance from the centre in steps, about. */
+static void check_lanes(uint64_t *stream, double far)
+{
+    cylint_leaf b;
+    traversal t = {.error = 0};
+    double least[CYLINT_LEAF_SIZE];
+    long double q[3], K = (long double)CYLINDER_REACH;
+    draw_leaf(stream, &b);
+    const double steps = (double)cylint_leaf_steps(&b);
+    t.error = random_int(stream, 2) ? 0x1p-30 : 0;
+    for (int j = 0; j < 3; j++) {
+        t.x[j] = (double)b.center[j] + between(stream, -far, far) / steps;
+        q[j] = ((long double)t.x[j] - b.center[j]) * steps;
+        K += fabsl(q[j]);
+    }
+    b.always = random_int(stream, 4) ? 0 : 1;
+    test_lanes_of(&t, &b, least);
+    const double coarse = K < (long double)FAR_LIMIT ? 0x1p-18 : 0x1p-47;
+    for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++) {
+        const double apart = (double)(distance_to_lane(&b, lane, q) / steps);
+        const double lacks = (double)(coarse * K / steps) + 2 * t.error;
+        const int is_certain = !(b.always >> lane & 1);
+        if (!CHECK(least[lane] >= 0 &&
+                   (least[lane] == 0 || least[lane] <= apart)))
+            REPORT("far %g: bound %a above %a", far, least[lane], apart);
+        if (!CHECK(is_certain ? least[lane] >= apart - lacks
+                              : least[lane] == 0))
+            REPORT("far %g: bound %a far below %a", far, least[lane], apart);
+    }
+}
+
+static void bounds_of_lanes_are_below_their_distances(void)
+{
+    uint64_t stream = check_setting("CYLINT_SEED", 1) + 1;
+    for (int round = 0; round < ROUNDS; round++) {
+        check_lanes(&stream, between(&stream, 0, 2000));
+        check_lanes(&stream, pow(2, between(&stream, 10, 16)));
+        check_lanes(&stream, pow(2, between(&stream, 16, 70)));
+    }
+}
+
+int main(void)
+{
+    RUN(boxes_are_visited_within_their_distance_only);
+    RUN(bounds_of_lanes_are_below_their_distances);
+    return check_end();
+}
