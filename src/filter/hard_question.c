@@ -26,8 +26,8 @@
 
 /* In local coordinates, of the part that holds the root: of the plane of `cap`
  * or, if cap is -1, of the lateral surface. */
-INLINE double exact_residual(const cylint_shape *shape, const cylint_line *line,
-                             double t, int cap)
+ASIDE double exact_residual(const cylint_shape *shape, const cylint_line *line,
+                            double t, int cap)
 {
     switch (shape->kind) {
     case CYLINT_KIND_CYLINDER:
@@ -46,26 +46,27 @@ INLINE double exact_residual(const cylint_shape *shape, const cylint_line *line,
 
 /* Corrects the roots in lanes of `which` by a second step, with exact
  * residuals. */
-ASIDE local_roots corrected(const local_roots *first, const local_verdict *v,
-                            const local_ends *at, double Q, double D,
-                            const cylint_shape *shape, const cylint_line *line,
-                            unsigned which)
+INLINE local_roots corrected(local_roots r, const local_verdict *v,
+                             const local_ends *at, double Q, double D,
+                             const cylint_shape *shape, const cylint_line *line,
+                             unsigned which)
 {
-    const vd start = second_start(first, at);
-    double t[2], residual[2] = {0, 0};
+    const vd start = second_start(&r, at);
+    const vd height = size_at(start, Q, D);
+    const vd size = v_set(taper_of(shape, 1)) * height;
+    const vd sizes = v_select(at->cap, height, size * size);
+    double t[2];
     v_store(t, start);
     /* nearly always one of them: no branch depends on which */
     for (unsigned left = which; left; left &= left - 1) {
         const int i = (int)(left >> 1 & ~left);
-        residual[i] =
+        const double residual =
             exact_residual(shape, line, t[i], v->pierced >> i & 1 ? i : -1);
+        const local_roots better =
+            second_step(start, v_set(residual), sizes, shape, at);
+        r = merged(&better, &r, left & (0 - left));
     }
-    const vd height = size_at(start, Q, D);
-    const vd size = v_set(taper_of(shape, 1)) * height;
-    const local_roots better =
-        second_step(start, v_load(residual),
-                    v_select(at->cap, height, size * size), shape, at);
-    return merged(&better, first, which);
+    return r;
 }
 
 /* What bounds the shape. */
@@ -84,7 +85,7 @@ INLINE int write_corrected(local_roots r, const local_verdict *v,
     const unsigned present = lanes_present(v, shape, extent);
     const unsigned missing = roots_missing(&r, present, line, want);
     if (missing)
-        r = corrected(&r, v, at, Q, D, shape, line, missing);
+        r = corrected(r, v, at, Q, D, shape, line, missing);
     if (missing && roots_missing(&r, present, line, want))
         return CYLINT_UNDECIDED;
     return write_hits(&r, at->first, parts_of(v), present, shape, line, want,

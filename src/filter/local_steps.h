@@ -94,7 +94,8 @@ typedef struct {
 #include "../roots/newton_template.h"
 
 /* From t.  slope: of the residual at t; inverse: 1 / slope; curvature: half of
- * the residual's. */
+ * the residual's.  The difference of t and the step has no error or, where the
+ * step is larger than t, one rounding of it. */
 INLINE rounded_step step_from(vd t, vd residual, vd residual_error, vd slope,
                               vd inverse, vd slope_error, vd curvature)
 {
@@ -105,7 +106,8 @@ INLINE rounded_step step_from(vd t, vd residual, vd residual_error, vd slope,
         residual, residual_error, slope, slope_error,
         v_set(CYLINT_LOCAL_DISTANCE * CYLINT_LOCAL_DISTANCE) * curvature,
         distance);
-    const vpair r = v_two_sum(t, -step.delta);
+    const vd hi = t - step.delta;
+    const vpair r = {hi, (t - hi) - step.delta};
     const vd low = r.hi + (r.lo - step.error);
     const vd high = r.hi + (r.lo + step.error);
     const vd size = v_abs(r.hi);

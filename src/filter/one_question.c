@@ -48,6 +48,7 @@ INLINE local_line started(vd p, vd v, double Q, double D)
 INLINE int ends_by_roots(local_line *l, local_verdict v, ARGUMENTS, int tapered,
                          int extent)
 {
+    want |= CYLINT_WANT_T; /* as it is, but the compiler need not test it */
     load_rest(l, shape, line, tapered, extent);
     classify_rest(&v, l, shape, tapered, extent);
     if (v.misses)

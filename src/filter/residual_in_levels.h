@@ -114,18 +114,41 @@ INLINE pair total_pair(const levels *x)
     return fast_two_sum(s.hi, s.lo + x->c);
 }
 
+/* Lanes 0, 1 and 2. */
+INLINE void split_lanes(double x[3], vq lanes)
+{
+    x[0] = v_first(q_low(lanes));
+    x[1] = v_first(v_turned(q_low(lanes)));
+    x[2] = v_first(q_high(lanes));
+}
+
 /* Adds lanes 0, 1 and 2. */
 INLINE void add_lanes(levels *sum, const vq_levels *x)
 {
-    double a[4], b[4], c[4];
-    q_store(a, x->a);
-    q_store(b, x->b);
-    q_store(c, x->c);
+    double a[3], b[3], c[3];
+    split_lanes(a, x->a);
+    split_lanes(b, x->b);
+    split_lanes(c, x->c);
     EACH(i, 3)
         add_a(sum, a[i]);
     EACH(i, 3)
         add_b(sum, b[i]);
     sum->c += (c[0] + c[1]) + c[2];
+}
+
+/* Their sum. */
+INLINE levels sum_of_lanes(const vq_levels *x)
+{
+    double a[3], b[3], c[3];
+    split_lanes(a, x->a);
+    split_lanes(b, x->b);
+    split_lanes(c, x->c);
+    levels sum = {a[0], b[0], (c[0] + c[1]) + c[2]};
+    add_a(&sum, a[1]);
+    add_a(&sum, a[2]);
+    add_b(&sum, b[1]);
+    add_b(&sum, b[2]);
+    return sum;
 }
 
 /* Lane by lane x y. */
@@ -179,7 +202,7 @@ INLINE near_point point_near(const cylint_shape *shape, const cylint_line *line,
         q[i] = sum_of(t, line->d[i], o[i]);
     double p[2];
     v_store(p, sideways(f, v_set(q[0]), v_set(q[1]), v_set(q[2])));
-    const double s = along(f, q[0], q[1], q[2]) / f->height;
+    const double s = along(f, q[0], q[1], q[2]) * (1 / f->height);
     return (near_point){p[0], p[1], cap < 0 ? s : cap};
 }
 
@@ -226,6 +249,29 @@ INLINE levels radius_at(const cylint_shape *shape, double s, pair e)
     return rho;
 }
 
+/* |F|^2 - r^2. */
+INLINE levels surplus_in_levels(const vq_levels *F, double r)
+{
+    const vq_levels FF = q_square(F);
+    const pair r2 = two_prod(-r, r);
+    levels Q = {r2.hi, r2.lo, 0};
+    add_lanes(&Q, &FF);
+    return Q;
+}
+
+/* F.w of a small F.w, accurate enough for its square. */
+INLINE double small_product(const vq_levels *F, vq w, vq w_lo)
+{
+    const vq high = q_mul(F->a, w);
+    const vq low =
+        q_sum_of(F->b, w, q_sum_of(F->a, w_lo, q_product_error(F->a, w, high)));
+    double h[3], l[3];
+    split_lanes(h, high);
+    split_lanes(l, low);
+    const pair two = two_sum(h[0], h[1]), all = two_sum(two.hi, h[2]);
+    return all.hi + ((all.lo + two.lo) + ((l[0] + l[1]) + l[2]));
+}
+
 INLINE double circular_residual(const cylint_shape *shape,
                                 const cylint_line *line, double t, int cap,
                                 int tapered)
@@ -233,19 +279,22 @@ INLINE double circular_residual(const cylint_shape *shape,
     const cylint_local *f = &shape->local;
     const near_point near = point_near(shape, line, t, cap);
     const vq_levels F = distance_from(&near, shape, line, t, 0);
-    const vq_levels Fw =
-        q_product(&F, q_load(shape->axis), q_load(shape->axis_lo));
-    levels g = {0, 0, 0}, Q = {0, 0, 0};
-    add_lanes(&g, &Fw);
+    const vq w = q_load(shape->axis), w_lo = q_load(shape->axis_lo);
+    if (cap < 0 && !tapered) {
+        levels Q = surplus_in_levels(&F, shape->r0);
+        const double e = small_product(&F, w, w_lo) * (1 / f->height);
+        Q.c -= e * e;
+        return total(&Q);
+    }
+    const vq_levels Fw = q_product(&F, w, w_lo);
+    const levels g = sum_of_lanes(&Fw);
     if (cap >= 0)
         return total(&g) / shape->local.scale;
     const pair length = {f->height, f->height_lo};
     const pair e = pair_div(total_pair(&g), pair_mul(length, length));
     const vq_levels FF = q_square(&F);
-    levels rho = {shape->r0, 0, 0};
-    if (tapered)
-        rho = radius_at(shape, near.s, e);
-    add_lanes(&Q, &FF);
+    levels Q = sum_of_lanes(&FF);
+    const levels rho = radius_at(shape, near.s, e);
     subtract_square(&Q, &rho);
     Q.c -= total(&g) * e.hi;
     return total(&Q);
@@ -281,16 +330,6 @@ INLINE double elliptic_residual(const cylint_shape *shape,
     }
     subtract_square(&Q, &rho);
     return total(&Q);
-}
-
-/* |F|^2 - r^2. */
-INLINE levels surplus_in_levels(const vq_levels *F, double r)
-{
-    const vq_levels FF = q_square(F);
-    const pair r2 = two_prod(-r, r);
-    levels Q = {r2.hi, r2.lo, 0};
-    add_lanes(&Q, &FF);
-    return Q;
 }
 
 INLINE levels levels_product(const levels *x, const levels *y)

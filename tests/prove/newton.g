@@ -4,7 +4,7 @@
 #   Q / (2 s) - delta - A (t0 - t)^2 / (2 s),  delta = Q.hi / (2 s0) (1 + d),
 #
 # whose three terms are, with the error e of Q and |d| <= 2^-50 for the low
-# part of Q and the rounding of delta, at most 1 / (1 + x) times
+# part of Q and the roundings of delta and of t0 - delta, at most 1 / (1 + x) times
 #
 #   e / (2 s0),   |delta| (|x| + 2^-50),   |A| (t0 - t)^2 / (2 s0).
 #
