@@ -80,21 +80,26 @@
 
 /*
  * Distances in pairs (distance/half_plane.h).  S is at least |D|, D the point
- * from the base, and at most 2 |D|.  The errors are
+ * from the base, and at most 2 |D|.  thin = S / (2 rho) is at least 1/4.  Proved:
  *
- *   z     CYLINT_LOCAL_ERROR and fewer than 16 roundings of lo: 2^-95 S
- *   rho   that of D.D - z^2 is below 2^-93 S^2, so 2^-92 S thin with
- *         thin = S / (2 rho) >= 1/4
+ *   CYLINT_HALF_PLANE_SUM      of D.w relative to S, and of D.D to S^2
+ *   CYLINT_HALF_PLANE_SQUARE   of z^2 relative to S^2
+ *   CYLINT_HALF_PLANE_REST     of D.D - z^2 minus the square of the first root,
+ *                              relative to S^2
+ *   CYLINT_HALF_PLANE_ROOT     of the root's two steps, relative to that rest
+ *                              divided by the root, if it is at most 2^-21 of the
+ *                              square: for thin <= CYLINT_THINNEST it is
+ *   CYLINT_HALF_PLANE_MUL      of a product with cosine or sine, relative to S
  *
- * and a distance is a sum of both with factors of at most 1, of terms of the
- * shape with a relative error below 2^-94, and of roundings of lo below 2^-98
- * of the terms.  CYLINT_HALF_PLANE_ERROR (S thin + reach) is more than all of
- * that.  The root of the high parts alone errs by up to 2^-51 thin^2 of rho.
- * Two terms of its series leave the third power of that, which is below
- * 2^-66 of the bound for thin <= CYLINT_THINNEST.
+ * With CYLINT_LOCAL_ERROR of the matrix, z errs by less than 2^-95 S, D.D - z^2
+ * by less than 2^-93 S^2, and rho by less than 2^-91 S thin.  A distance is a sum
+ * of both with factors of at most 1, of terms of the shape with a relative error
+ * below 2^-94, and of roundings of lo.  CYLINT_HALF_PLANE_ERROR (S thin + reach)
+ * is more than all of that (tests/prove/ratios.txt).
  *
- * The same holds for the distance from a rim, if the first step is at most
- * CYLINT_ROOT_STEP of the root: then the third power is below 2^-91.
+ * The distance from a rim is another root.  Its first step is of the size of the
+ * low parts.  If it is at most CYLINT_ROOT_STEP of the root, the same two steps
+ * do.
  *
  * A combination of the high parts in doubles has fewer than 8 roundings of terms
  * of at most S or a length of the shape; CYLINT_FEATURE_MARGIN is 2^3 times
@@ -102,6 +107,11 @@
  * it no underflow is larger than the bound.
  */
 #define CYLINT_HALF_PLANE_ERROR 0x1p-90
+#define CYLINT_HALF_PLANE_SUM 0x1.28p-101
+#define CYLINT_HALF_PLANE_SQUARE 0x1.acp-99
+#define CYLINT_HALF_PLANE_REST 0x1p-99
+#define CYLINT_HALF_PLANE_ROOT 0x1.04p-46
+#define CYLINT_HALF_PLANE_MUL 0x1.418p-98
 #define CYLINT_THINNEST 0x1p12
 #define CYLINT_ROOT_STEP 0x1p-31
 #define CYLINT_FEATURE_MARGIN 0x1p-46

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Floors numbers and embree: Gappa proves the error bounds of the headers.  Each
+# Floors numbers, distance and embree: Gappa proves the error bounds of the headers.  Each
 # claim is proved as stated in every rounding mode that it names; 1 % smaller,
 # it must be unprovable in one of them.  The C compiler reads the numbers from
 # the headers.
