@@ -104,10 +104,18 @@ static void store_numbers(cylint_leaf *leaf, int lane, cylint_piece piece,
  * across sin(a) < x.  x = across 2 e / (l - 2 e) also does, if it is less.
  * The 4 gives every lane an axis.  An axis so short that its direction is lost
  * to underflow has none: such a lane is always tested.
+ *
+ * A piece of a round shape lies in the convex hull of two balls, which are about
+ * points of the axis.  If all pieces of the leaf are round, the piece is bounded
+ * by a capsule: the smaller ball lies in a ball of the larger radius, nearer to
+ * the other by the difference of the radii.  Each point of the axis is as near
+ * to the rounded one as its ends are, so nothing is added but 2 steps at each end
+ * of an axis shorter than 4: so every lane has one.
  */
 static int bound_piece(cylint_leaf *leaf, int lane, const cylint_packed_disc *s,
                        cylint_piece piece, double line_error)
 {
+    const int capsule = leaf->used & CYLINT_LEAF_ROUND;
     const double steps = cylint_leaf_steps(leaf);
     const double *base = s->base, *axis = s->axis;
     const double k0 = s->across[0], k1 = s->across[1];
@@ -134,6 +142,14 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_packed_disc *s,
         const int is_disc = round && !part.is_ball[end];
         more[end] = (least + (is_disc ? 0 : across * slope)) / length;
     }
+    if (capsule) {
+        const double k[2] = {part.k[0] * steps, part.k[1] * steps};
+        const double shorter = cylint_smaller(fabs(k[0] - k[1]), l);
+        for (int end = 0; end < 2; end++)
+            more[end] =
+                ((l - shorter < 4 ? 2 : 0) - (k[end] < across ? shorter : 0)) /
+                length;
+    }
     step_cylinder h = {.r = across + input_error + 0x1p-20};
     for (int j = 0; j < 3; j++) {
         const double from = base[j] - (double)leaf->center[j];
@@ -150,14 +166,17 @@ void cylint_leaf_fill(cylint_leaf *leaf, const cylint_packed_disc *discs,
 {
     memset(leaf, 0, sizeof *leaf);
     set_center(leaf, boxes, used);
-    leaf->used = (uint8_t)(used | CYLINT_LEAF_SOLID);
+    int solid = CYLINT_LEAF_SOLID, round = CYLINT_LEAF_ROUND;
+    for (int lane = 0; lane < used; lane++) {
+        solid = discs[lane].form == CYLINT_DISC_SOLID ? solid : 0;
+        round = discs[lane].form == CYLINT_DISC_ROUND ? round : 0;
+    }
+    leaf->used = (uint8_t)(used | solid | round);
     for (int lane = 0; lane < used; lane++) {
         const cylint_packed_disc *disc = discs + lane;
         const cylint_piece piece = {boxes[lane].index, boxes[lane].count};
         leaf->number[lane] = disc->number;
         store_numbers(leaf, lane, piece, disc->ends);
-        if (disc->form != CYLINT_DISC_SOLID)
-            leaf->used = (uint8_t)used;
         if (!bound_piece(leaf, lane, disc, piece, line_error))
             leaf->always |= (uint8_t)(1u << lane);
     }

@@ -14,14 +14,16 @@
 
 /*
  * Each piece is bounded by a circular cylinder with the axis p[0] p[1] and the
- * radius r, conical and elliptic pieces too.  Coordinates are relative to the
- * centre, and all lengths are whole numbers of steps: so 8 pieces fit into two
- * cache lines.
+ * radius r, conical and elliptic pieces too.  If all pieces are round, each is
+ * bounded by a capsule instead, which has no corners.  Coordinates are relative
+ * to the centre, and all lengths are whole numbers of steps: so 8 pieces fit into
+ * two cache lines.
  */
 typedef struct cylint_leaf {
     float center[3]; /* of the pieces' box */
     uint16_t steps;  /* steps per unit of length: a half float */
-    uint8_t used;    /* the number of lanes in use, | CYLINT_LEAF_SOLID */
+    uint8_t used;    /* the number of lanes in use, | CYLINT_LEAF_SOLID or
+                        CYLINT_LEAF_ROUND */
     uint8_t always;  /* bits: lanes without a cylinder, which always pass */
     /* from the lowest bits: x, y, z as CYLINT_LEAF_MIDDLE + steps, then two
      * bits of the piece's count - 1 */
@@ -39,8 +41,8 @@ enum {
     CYLINT_LEAF_R_MASK = 1023
 };
 
-/* All pieces belong to cylinders with both caps. */
-enum { CYLINT_LEAF_SOLID = 0x80 };
+/* All pieces belong to cylinders with both caps; all to round shapes. */
+enum { CYLINT_LEAF_SOLID = 0x80, CYLINT_LEAF_ROUND = 0x40 };
 
 /* Fills a leaf with `used` pieces, 1 to 8; discs[i] is the packed disc of the
  * shape of boxes[i].  line_error as in cylint_view. */
@@ -57,7 +59,7 @@ static inline cylint_piece cylint_leaf_piece(const cylint_leaf *b, int lane)
 
 static inline int cylint_leaf_used(const cylint_leaf *b)
 {
-    return b->used & ~CYLINT_LEAF_SOLID;
+    return b->used & ~(CYLINT_LEAF_SOLID | CYLINT_LEAF_ROUND);
 }
 
 /* The shape's ends, a cylint_ends. */

@@ -62,6 +62,18 @@
  *    quotient, the difference and the reciprocal of nn round by 4 u K E W^2,
  *    which with the 34 above is still less than 3 k E W^2.
  *
+ * A capsule with the same axis and radius: where the line passes the axis nearest
+ * beyond an end, at A / (|w| nn) from it along the axis, its distance from the
+ * end is not more than r only if
+ *
+ *   A <= |e| |w| C,  that is  A^2 <= ee ww C^2,
+ *
+ * in place of A <= |e.w| C, and the ends are not longer.  The error of A is that
+ * above.  C^2 = (g2 - f^2) ww, ee and ww are rounded by less than 2^-18 together.
+ * A number that overflows is infinite, and then the greater side is infinite.
+ * The line enters where it is within r of the axis, and not before the plane
+ * that is r beyond the end on its side.
+ *
  * These errors are not small beside W^2 nn and W^3 nn for lines nearly parallel
  * to the axis.  A number flushed to zero is less than k E W, since W >= 1 in
  * every lane and E and K are limited below.
@@ -70,6 +82,9 @@ typedef struct {
     vf q[3], e[3], E, k, first, last;
     vf t_per_s;
 } leaf_line;
+
+/* The bound of a piece. */
+typedef enum { LEAF_CYLINDER, LEAF_CAPSULE } leaf_bound;
 
 static inline vf dot(const vf x[3], const vf y[3])
 {
@@ -119,7 +134,8 @@ CYLINT_INLINE cylinders cylinders_of(const cylint_leaf *b, int from)
  * errors are those above, subtracted instead of added.
  */
 CYLINT_INLINE unsigned test_lanes(const cylinders *s, const leaf_line *l,
-                                  float *least, unsigned *certain)
+                                  float *least, unsigned *certain,
+                                  leaf_bound bound)
 {
     const vf *const e = l->e;
     vf D[3], n[3];
@@ -136,11 +152,19 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const leaf_line *l,
     unsigned hit = f_not_greater(ff, gg);
     const vf Dw = dot(D, s->w), ew = dot(e, s->w);
     const vf T = f_mad(Dw, ew, -(dot(D, e) * ww));
-    const vf C = f_sqrt((gg - ff) * ww);
+    const vf CC = (gg - ff) * ww, C = f_sqrt(CC);
     const vf middle = ww * nn * f_set(0.5f), kEWW = kEW * s->W;
     const vf offset_error = kEWW * EW * f_set(4), T_error = kEWW * f_set(3);
     const vf offset = f_mad(Dw, nn, ew * T) - middle, distance = f_abs(offset);
-    hit &= f_not_greater(distance, middle + f_mad(f_abs(ew), C, offset_error));
+    vf beyond = middle + offset_error; /* the end on the line's side */
+    if (bound == LEAF_CAPSULE) {
+        const vf A = f_higher(distance - beyond, f_set(0));
+        const vf ee = dot(e, e) * f_set(1 + 0x1p-16f);
+        hit &= f_not_greater(A * A, ee * ww * CC);
+        beyond = f_mad(r * s->W, nn, beyond);
+    } else {
+        hit &= f_not_greater(distance, f_mad(f_abs(ew), C, beyond));
+    }
     if (certain) {
         const vf ri = r - f_set(5);
         const vf gi = f_mad(ri * ri, nn, -((ri + ri + l->k) * (kEW * EW)));
@@ -157,8 +181,7 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const leaf_line *l,
         return 0;
     /* entry_shift is infinite or NaN where e.w is 0: f_higher() ignores it */
     const vf per_nn = f_set(1) / nn, per_ew = f_set(1) / f_abs(ew);
-    const vf entry_shift =
-        (f_turned(offset, ew) + middle + offset_error) * per_ew;
+    const vf entry_shift = (f_turned(offset, ew) + beyond) * per_ew;
     const vf first_s = f_higher(T - T_error - entry_shift, T - reach);
     f_store(least, first_s * (per_nn * l->t_per_s));
     return hit & f_not_greater(first_s, l->last * nn);
@@ -180,16 +203,16 @@ static inline int count_lanes(unsigned lanes)
 #endif
 
 /* all: the unpacked cylinders of all lanes, or NULL to unpack them here. */
-CYLINT_INLINE unsigned test_cylinders(const cylint_leaf *b,
-                                      const cylinders *all, const leaf_line *l,
-                                      float *least, unsigned *certain)
+CYLINT_INLINE unsigned test_bounds(const cylint_leaf *b, const cylinders *all,
+                                   const leaf_line *l, float *least,
+                                   unsigned *certain, leaf_bound bound)
 {
     unsigned hit = 0, all_certain = 0;
     int lane = 0;
     do {
         unsigned some = 0;
         const cylinders here = all ? all[lane / WIDTH] : cylinders_of(b, lane);
-        hit |= test_lanes(&here, l, least + lane, certain ? &some : NULL)
+        hit |= test_lanes(&here, l, least + lane, certain ? &some : NULL, bound)
                << lane;
         all_certain |= some << lane;
         lane += WIDTH;
@@ -199,6 +222,15 @@ CYLINT_INLINE unsigned test_cylinders(const cylint_leaf *b,
         *certain = all_certain & hit & ~(unsigned)b->always;
     cylint_visited(lanes, (unsigned)count_lanes(hit));
     return hit;
+}
+
+CYLINT_INLINE unsigned test_cylinders(const cylint_leaf *b,
+                                      const cylinders *all, const leaf_line *l,
+                                      float *least, unsigned *certain)
+{
+    return b->used & CYLINT_LEAF_ROUND
+               ? test_bounds(b, all, l, least, certain, LEAF_CAPSULE)
+               : test_bounds(b, all, l, least, certain, LEAF_CYLINDER);
 }
 
 /* Floats are accurate enough for origins up to FAR_LIMIT steps away and E and
