@@ -31,7 +31,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 FLOORS = ["src"] + ["src/" + floor for floor in (
-    "numbers", "shapes", "signs", "roots", "filter", "methods")]
+    "numbers", "shapes", "signs", "roots", "filter", "methods", "distance")]
+SCENE_FLOORS = ["src/bvh", "src/scene"]
 CORE = ["signs/forms_template.h", "signs/overlap_template.h",
         "roots/root_quotient_template.h", "roots/newton_template.h",
         "numbers/double_double.h", "numbers/error_free_template.h",
@@ -44,7 +45,10 @@ CORE = ["signs/forms_template.h", "signs/overlap_template.h",
         "filter/residual_in_triples.h",
         "filter/one_question.c", "filter/hard_question.c",
         "filter/lanes.h", "filter/many_questions.c", "intersect.c", "batch.c",
-        "box.c"]
+        "box.c", "distance/distance.c", "distance/meridian.c",
+        "distance/nearest_point.c", "distance/rounded_distance.c",
+        "distance/surd_sum.c", "distance/critical.c", "distance/safety.c",
+        "distance/many_distances.c", "bvh/traverse_point.c"]
 # (program, environment).  Programs that take seconds run with few cases first,
 # and with all cases only for --full, on mutants that pass the others.
 FEW = {"CYLINT_CASES": "50"}
@@ -57,6 +61,14 @@ SHORT = [("test_special_cases", {}), ("test_shape", {}), ("test_hard", {}),
 FULL = [("test_intersect", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
         ("test_environment", {}), ("test_exact", {}), ("test_double_double", {}),
         ("test_budget", {}), ("test_properties", {}), ("test_batch", {})]
+DISTANCE = [("test_distance", {"CYLINT_CASES": "3"}),
+            ("test_distance_bounds", {"CYLINT_CASES": "10"}),
+            ("test_distance_batch", {"CYLINT_CASES": "3"}),
+            ("test_distance_oracle", {"CYLINT_CASES": "2"}),
+            ("test_distance_elliptic", {})]
+POINTS = [("test_scene_point_bounds", {}), ("test_scene_closest", {})]
+# The tests of files in a folder; of other files they are SHORT and FULL.
+OF_FOLDER = {"distance": DISTANCE, "bvh": POINTS}
 
 # (pattern, replacements)
 SWAPS = [
@@ -126,14 +138,16 @@ class Bench:
                       "-Isrc", "-Itests", "-D_POSIX_C_SOURCE=200809L",
                       "-DHAVE_MPFR", "-DHAVE_GSL", "-DCHECK_STOPS"]
         self.library = sum((self.c_files(f) for f in FLOORS), [])
-        self.common = ["tests/%s.c" % t
-                       for t in ("families", "family_records", "constructed", "oracle")]
-        self.tool = sum((self.c_files(f) for f in
-                         ("tools/cylint", "src/scene", "src/bvh")), [])
+        self.common = ["tests/%s.c" % t for t in (
+            "families", "family_records", "constructed", "oracle",
+            "distance_oracle", "distance_oracle_elliptic", "scenes")]
+        self.scene = sum((self.c_files(f) for f in SCENE_FLOORS), [])
+        self.tool = self.c_files("tools/cylint") + self.scene
         self.programs = sorted({t for t, _ in tests} - {"test_hard"})
-        self.sources = (self.library +
+        self.sources = (self.library + self.scene +
                         ["tests/%s.c" % t for t in self.programs])
-        if not self.compile(self.sources + self.common + self.tool):
+        if not self.compile(self.sources + self.common +
+                            self.c_files("tools/cylint")):
             sys.exit("mutants: the sources do not compile as they are")
         if not self.link(self.sources):
             sys.exit("mutants: the programs do not link as they are")
@@ -161,19 +175,20 @@ class Bench:
         shared = ["-L.", "-lcylint", "-Wl,-rpath," + self.work, "-lmpfr",
                   "-lgmp", "-lgsl", "-lgslcblas", "-pthread", "-lm"]
         jobs = [["-shared", "-o", "libcylint.so"] + objects(self.library)]
+        scene_changed = any(s in self.scene for s in changed)
         for t in self.programs:
-            if "tests/%s.c" % t in changed:
+            on_scene = t.startswith("test_scene")
+            if "tests/%s.c" % t in changed or (on_scene and scene_changed):
                 jobs.append(["-o", "tests/" + t, "tests/%s.o" % t] +
-                            objects(self.common) + shared)
+                            objects(self.common) +
+                            objects(self.scene if on_scene else []) + shared)
         if len(changed) == len(self.sources):
             jobs.append(["-o", "cylint"] + objects(self.tool) + shared)
         return all(run([self.cc] + job, cwd=self.work).returncode == 0
                    for job in jobs)
 
     def users(self, name):
-        """The sources that include this file."""
-        if name.endswith(".c"):
-            return ["src/" + name]
+        """The sources that are or include this file."""
         name, seen = "/" + os.path.basename(name), []
         for s in self.sources:
             rule = subprocess.run([self.cc] + self.flags + ["-MM", s],
@@ -266,13 +281,18 @@ def try_file(name, args, benches, texts, understood):
     for bench in benches:
         idle.put(bench)
     users = benches[0].users(name)
-    kills = [0] * len(benches[0].tests)
+    tests = benches[0].tests
+    wanted = OF_FOLDER.get(name.split("/")[0])
+    used = [i for i, test in enumerate(tests)
+            if (test in wanted if wanted else
+                not any(test in of for of in OF_FOLDER.values()))]
+    kills = [0] * len(tests)
     count = dict.fromkeys(("killed", "uncompiled", "understood", "survived"), 0)
 
     def try_one(mutant):
         bench = idle.get()
         worth = [-k / s for k, s in zip(kills, bench.seconds)]
-        order = sorted(range(len(worth)), key=lambda i: worth[i])
+        order = sorted(used, key=lambda i: worth[i])
         killer = bench.detect(texts, mutant, users, order)
         idle.put(bench)
         if killer is None:
@@ -315,9 +335,12 @@ def main():
     understood = keys_of(os.path.join(tests, "mutants.txt"))
     texts = {n: open(os.path.join(top, "src", n)).read()
              for n in args.files.split(",")}
+    folders = {n.split("/")[0] for n in texts}
+    tests = sum((OF_FOLDER[f] for f in sorted(folders & set(OF_FOLDER))), [])
+    if folders - set(OF_FOLDER):
+        tests += SHORT + FULL if args.full else SHORT
     with tempfile.TemporaryDirectory() as work:
-        benches = [Bench(top, os.path.join(work, str(i)), args.cc,
-                         SHORT + FULL if args.full else SHORT)
+        benches = [Bench(top, os.path.join(work, str(i)), args.cc, tests)
                    for i in range(args.jobs)]
         survived = sum(try_file(n, args, benches, texts, understood)
                        for n in texts)

@@ -209,6 +209,21 @@ static void every_exponent_is_answered(void)
     CHECK(fabs(a.distance) > most / 4);
 }
 
+/* The middle of the largest double and 2^1024. */
+static void a_distance_is_rounded_to_infinity_from_its_middle_on(void)
+{
+    static const double most = 0x1.fffffffffffffp1023, half_ulp = 0x1p970;
+    const double point[3] = {most, 0, 0};
+    double center[3] = {-half_ulp, 0, 0};
+    cylint_shape s;
+    cylint_closest a;
+    cylint_sphere(&s, center, 0x1p-1074, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_distance(&s, point, 0, &a) == most);
+    center[0] = -half_ulp * (1 + 0x1p-52);
+    cylint_sphere(&s, center, 0x1p-1074, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_distance(&s, point, 0, &a) == HUGE_VAL && a.flags == 0);
+}
+
 /* --------------------------------------------------------- properties -- */
 
 typedef void property(const struct family_case *c, const double p[3]);
@@ -409,6 +424,7 @@ int main(void)
     RUN(where_there_is_no_surface_the_distance_is_infinite);
     RUN(a_point_is_on_a_surface_exactly_or_within_ulps);
     RUN(every_exponent_is_answered);
+    RUN(a_distance_is_rounded_to_infinity_from_its_middle_on);
     RUN(the_sign_is_that_of_contains);
     RUN(all_paths_return_the_same_bits);
     RUN(the_floating_point_environment_changes_nothing);
