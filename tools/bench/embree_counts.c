@@ -72,15 +72,10 @@ static void count(const struct cylinder_kind *kind, size_t n, enum form form)
     for (int camera = 0; camera < 2; camera++) {
         struct rays rays =
             camera ? draw_camera_rays(RAYS) : draw_incoherent_rays(RAYS);
-        cylint_rtc_context context;
-        cylint_rtc_init(&context);
+        double t;
         memset(&counted, 0, sizeof counted);
         memset(&cylint_visits, 0, sizeof cylint_visits);
-        for (int i = 0; i < rays.n; i++) {
-            struct RTCRayHit at = {.ray = rays.ray[i]};
-            at.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-            cylint_rtc_nearest(rival.scene, &context, &at);
-        }
+        trace_nearest(&rival, &rays, &t);
         const double n_rays = rays.n;
         printf("%s %s\t%zu\t%s\t%.2f\t%.2f\t%.2f\t%.2f\t%.4f\t%.4f\n",
                kind->name, names[form], n, camera ? "coherent" : "incoherent",

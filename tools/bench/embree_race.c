@@ -7,20 +7,7 @@
 
 void query_nearest(struct contestant *c, const struct rays *rays)
 {
-    cylint_rtc_context context;
-    cylint_rtc_init(&context);
-    c->hits = 0;
-    c->t = 0;
-    for (int i = 0; i < rays->n; i++) {
-        struct RTCRayHit at;
-        at.ray = rays->ray[i];
-        at.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        cylint_rtc_nearest(c->rival.scene, &context, &at);
-        if (at.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
-            c->hits++;
-            c->t += (double)at.ray.tfar;
-        }
-    }
+    c->hits = trace_nearest(&c->rival, rays, &c->t);
 }
 
 void query_any(struct contestant *c, const struct rays *rays)

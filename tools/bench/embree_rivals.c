@@ -113,6 +113,25 @@ void free_rival(struct rival *r)
     rtcReleaseDevice(r->device);
 }
 
+long trace_nearest(const struct rival *r, const struct rays *rays, double *t)
+{
+    cylint_rtc_context context;
+    long hits = 0;
+    cylint_rtc_init(&context);
+    *t = 0;
+    for (int i = 0; i < rays->n; i++) {
+        struct RTCRayHit at;
+        at.ray = rays->ray[i];
+        at.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        cylint_rtc_nearest(r->scene, &context, &at);
+        if (at.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
+            hits++;
+            *t += (double)at.ray.tfar;
+        }
+    }
+    return hits;
+}
+
 int segments_for(const struct cylinders *c, const struct cylinder_kind *kind)
 {
     double ratios = 0;

@@ -27,6 +27,10 @@ struct rival build_shapes(const struct cylinders *c, unsigned how,
 
 void free_rival(struct rival *r);
 
+/* Traces all rays to their nearest hits, one by one.  Returns the number of hits;
+ * *t becomes the sum of their t. */
+long trace_nearest(const struct rival *r, const struct rays *rays, double *t);
+
 /* The number of segments per cylinder that suits a kind: the square root of
  * the ratio of box area to cylinder area, averaged over the cylinders.  The
  * adapter computes its pieces by the same rule. */

@@ -25,15 +25,8 @@ struct worker {
 static void *trace(void *self)
 {
     struct worker *w = self;
-    cylint_rtc_context context;
-    cylint_rtc_init(&context);
-    w->hits = 0;
-    for (int i = 0; i < w->rays->n; i++) {
-        struct RTCRayHit at = {.ray = w->rays->ray[i]};
-        at.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        cylint_rtc_nearest(w->rival->scene, &context, &at);
-        w->hits += at.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-    }
+    double t;
+    w->hits = trace_nearest(w->rival, w->rays, &t);
     return NULL;
 }
 
