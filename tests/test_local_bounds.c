@@ -594,7 +594,10 @@ static void residual_cell(double r, double more_r, double s, double more_s)
 {
     const number p = row_times(given(1, 0)), x = at_t(p, p);
     const number top = at_t(sum(p, relative(1)), p);
-    const number rho = sum(known(more_r), product(relative(more_s), x));
+    const number growth = product(relative(more_s), p);
+    /* of many lines from z at t, of one line as x and y */
+    const number rho = worse(sum(known(more_r), product(relative(more_s), x)),
+                             at_t(sum(known(more_r), growth), growth));
     const number none = {0, x.lo, x.off}, no_rho = {0, rho.lo, rho.off};
     double least = 0, most = u;
     (void)r;

@@ -186,6 +186,14 @@ INLINE vqpair points_at(const line_pairs *in, vd t)
     return (vqpair){sum.hi, q_add(sum.lo, q_add(q_spread(in->p.lo), rest))};
 }
 
+/* rho at t.  Its value at 0 and its growth do not wait for t. */
+INLINE vpair radius_at_t(const line_pairs *in, const cylint_shape *shape, vd t)
+{
+    const vpair z0 = vpair_firsts(in->z, in->z);
+    const vpair rho = vpair_add(twice(shape->r0, 0), vpair_mul(in->slope, z0));
+    return moved(rho, vpair_mul(in->slope, in->w), t);
+}
+
 /* Q at t of both lanes.  `across`: |x| + |y|, and + |rho| of a tapered shape. */
 typedef struct {
     vd value, across;
@@ -202,9 +210,7 @@ INLINE lateral_value lateral_at(const line_pairs *in, const cylint_shape *shape,
     vpair rho2;
     vd across = v_abs(q_low(p.hi)) + v_abs(q_high(p.hi));
     if (tapered) {
-        const vpair z0 = vpair_firsts(in->z, in->z);
-        const vpair rho = vpair_add(twice(shape->r0, 0),
-                                    vpair_mul(in->slope, moved(z0, in->w, t)));
+        const vpair rho = radius_at_t(in, shape, t);
         rho2 = vpair_square(rho);
         across = across + v_abs(rho.hi);
     } else {
@@ -234,8 +240,7 @@ INLINE local_states states_in_pairs(const local_line *l, const local_verdict *v,
     at.above[0] = signs_beyond(height_at(z0, in->w, t), eZ);
     at.above[1] = signs_beyond(height_at(z1, in->w, t), eZ);
     if (extent == CYLINT_NAPPE) {
-        const vpair rho = vpair_add(twice(shape->r0, 0),
-                                    vpair_mul(in->slope, moved(z0, in->w, t)));
+        const vpair rho = radius_at_t(in, shape, t);
         at.above[0] =
             signs_beyond(rho.hi + rho.lo, v_set(taper_of(shape, 1)) * eZ);
     }
