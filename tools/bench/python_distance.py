@@ -1,11 +1,12 @@
-"""Time and error of distances of points from many cylinders: C and rivals.
+"""Time and error of distances of points from cylinders: C, Python and rivals.
 
 usage: python_distance.py PROGRAM FOLDER [POINTS]
 
-PROGRAM is python_scene; FOLDER is for its input.  The rivals get the same
-cylinders as meshes of 64 facets around.  Rivals that are not installed are left
-out.  Writes a table of tools/bench/README.md.  Times are processor time of one
-thread, the least of three.
+PROGRAM is python_scene, which asks the C library the same questions; FOLDER is
+for its input.  The rivals get the same cylinders as meshes of 64 facets around.
+Rivals that are not installed are left out.  Writes the tables of
+tools/bench/README.md.  Times are processor time of one thread, the least of
+several.  Returns 1 if the package's answers are not those of C, bit for bit.
 """
 
 import subprocess
@@ -14,6 +15,8 @@ import time
 from pathlib import Path
 
 import numpy as np
+
+import cylint
 
 FACETS = 64
 
@@ -116,16 +119,73 @@ def nanoseconds(call, n):
     return 1e9 * best / n, answer
 
 
-def compare(name, points, shapes, program, folder):
+def ask_program(shapes, points, program, folder):
+    """Nanoseconds a point, indices and distances of the C library."""
+    p0, p1, r = shapes
+    np.concatenate([p0, p1, r[:, None]], 1).tofile(folder / "shapes")
     points.tofile(folder / "points")
     command = [program, "-p"] + [
         folder / file for file in ("shapes", "points", "answers")
     ]
     done = subprocess.run(command, check=True, capture_output=True, text=True)
     answers = np.fromfile(folder / "answers").reshape(-1, 2)
-    index, exact = answers[:, 0].astype(int), abs(answers[:, 1])
-    print(f"| {name}: C, cylint_scene_closest() | {float(done.stdout):,.0f}"
-          " | 0 | 0 | 0 |")
+    return float(done.stdout), answers[:, 0].astype(int), answers[:, 1]
+
+
+def package(name, ask, shapes, points, program, folder):
+    """A row: times of C and of the package in turn, since others may load the
+    machine.  Returns whether the answers are the same."""
+    c, python, n = np.inf, np.inf, len(points)
+    for _ in range(3):
+        spent, index, distance = ask_program(shapes, points, program, folder)
+        c = min(c, spent)
+        spent, answer = nanoseconds(ask, n)
+        python = min(python, spent)
+    same = np.array_equal(answer.distance, distance)
+    if hasattr(answer, "index"):
+        same = same and np.array_equal(answer.index, index)
+    print(
+        f"| {name} | {c:,.0f} | {python:,.0f} | {python / c:.2f} |"
+        f"{'' if same else ' NOT THE ANSWERS OF C'}",
+        flush=True,
+    )
+    return same
+
+
+def packages(n, random, program, folder):
+    print(f"| {n} points | C, ns a point | Python | Python / C |")
+    print("|---|---|---|---|")
+    one = np.zeros((1, 3)), np.array([[0.0, 0, 1]]), np.array([0.5])
+    rod = cylint.cylinder(*one)[0]
+    points = random.normal(size=(n, 3))
+    same = package(
+        "one cylinder: `closest()`",
+        lambda: rod.closest(points, threads=1),
+        one,
+        points,
+        program,
+        folder,
+    )
+    for count in (5_000, 100_000):
+        shapes = forest(count, random)
+        scene = cylint.Scene(cylint.cylinder(*shapes))
+        anywhere = random.random((n, 3))
+        same &= package(
+            f"{count:,} cylinders: `Scene.closest()`",
+            lambda s=scene, p=anywhere: s.closest(p, threads=1),
+            shapes,
+            anywhere,
+            program,
+            folder,
+        )
+    print()
+    return same
+
+
+def compare(name, points, shapes, program, folder):
+    spent, index, distance = ask_program(shapes, points, program, folder)
+    exact = abs(distance)
+    print(f"| {name}: C, cylint_scene_closest() | {spent:,.0f} | 0 | 0 | 0 |")
     for rival in rivals(shapes):
         some = points[: rival.most]
         n = len(some)
@@ -142,9 +202,8 @@ def main(program, folder, n=100_000):
     folder, n = Path(folder), int(n)
     folder.mkdir(parents=True, exist_ok=True)
     random = np.random.default_rng(1)
+    same = packages(10 * n, random, program, folder)
     shapes = forest(5000, random)
-    p0, p1, r = shapes
-    np.concatenate([p0, p1, r[:, None]], 1).tofile(folder / "shapes")
     print("| 5000 cylinders | ns a point | median error, radii | largest |"
           " wrong cylinder |")
     print("|---|---|---|---|---|")
@@ -153,7 +212,7 @@ def main(program, folder, n=100_000):
         ("anywhere", random.random((n, 3))),
     ):
         compare(name, points, shapes, program, folder)
-    return 0
+    return 0 if same else 1
 
 
 if __name__ == "__main__":

@@ -70,18 +70,18 @@ void Grid::prepare()
     const size_t longest = static_cast<size_t>(
         std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
     std::swap(lengths[longest], lengths.back());
-    for (auto &along : strides)
+    for (auto &along : strides) {
         std::swap(along[longest], along.back());
+        steps.push_back(along.back());
+    }
 }
 
 void Grid::locate(size_t r, size_t i, std::vector<char *> &at) const
 {
     at = bases;
     const auto move = [&](size_t axis, size_t to) {
-        for (size_t a = 0; a < at.size(); a++) {
-            if (at[a])
-                at[a] += static_cast<ptrdiff_t>(to) * strides[a][axis];
-        }
+        for (size_t a = 0; a < at.size(); a++)
+            at[a] += static_cast<ptrdiff_t>(to) * strides[a][axis];
     };
     move(lengths.size() - 1, i);
     for (size_t axis = lengths.size() - 1; axis-- > 0;) {

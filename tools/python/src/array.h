@@ -100,17 +100,15 @@ class Grid
     }
     ptrdiff_t stride(int array) const /* along the row */
     {
-        return strides[static_cast<size_t>(array)].back();
+        return steps[static_cast<size_t>(array)];
     }
     /* Writes the address of element i of row r for each array. */
     void locate(size_t r, size_t i, std::vector<char *> &at) const;
     /* Moves the addresses to the next element of the row. */
     void advance(std::vector<char *> &at) const
     {
-        for (size_t a = 0; a < at.size(); a++) {
-            if (at[a])
-                at[a] += strides[a].back();
-        }
+        for (size_t a = 0; a < at.size(); a++)
+            at[a] += steps[a];
     }
     size_t arrays() const
     {
@@ -119,7 +117,8 @@ class Grid
 
   private:
     std::vector<size_t> lengths;
-    std::vector<std::vector<ptrdiff_t>> strides;
+    std::vector<std::vector<ptrdiff_t>> strides; /* 0 without data */
+    std::vector<ptrdiff_t> steps;                /* along the row */
     std::vector<char *> bases;
     size_t count;
 };
