@@ -343,6 +343,23 @@ static void rim_polynomial(void)
     subtract_det_squared(2);
 }
 
+/* At the nearest point of the rim 1 + m S2 is positive semidefinite: m is at least
+ * -1 / s, s the larger eigenvalue of S2, 2 s = T + sqrt(T^2 - 4 det).  There
+ * p / det^2 falls from +infinity to -1. */
+static int nearest_of_rim(void)
+{
+    mpfr_ptr low = e.t[6];
+    mpfr_sqr(e.t[0], e.det[1], RND);
+    mpfr_mul_2ui(e.t[1], e.det[2], 2, RND);
+    mpfr_sub(e.t[0], e.t[0], e.t[1], RND);
+    mpfr_set_ui(e.t[1], 0, RND);
+    mpfr_max(e.t[0], e.t[0], e.t[1], RND);
+    mpfr_sqrt(e.t[0], e.t[0], RND);
+    mpfr_add(e.t[0], e.t[0], e.det[1], RND);
+    mpfr_si_div(low, -2, e.t[0], RND);
+    return zero_above(low) ? 1 : real_zeros();
+}
+
 static void try_rim(struct oracle_closest *expected, mpfr_t m, int end)
 {
     mpfr_fma(e.t[0], e.det[2], m, e.det[1], RND);
@@ -394,8 +411,7 @@ static void ends(const cylint_shape *shape, struct oracle_closest *expected)
         load_plane(end);
         load_S2(e.z);
         rim_polynomial();
-        const int n = real_zeros();
-        for (int i = 0; i < n; i++)
+        for (int i = 0, n = nearest_of_rim(); i < n; i++)
             try_rim(expected, e.root[i], end);
         if (is_cap)
             cap(expected, end);

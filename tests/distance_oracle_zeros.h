@@ -9,11 +9,13 @@
 
 #include <math.h>
 #include <mpfr.h>
+#include <stdlib.h>
 
 #define RND MPFR_RNDN
 
 enum {
     BITS = 1000,
+    FEW_BITS = 128,
     MOVED = 150,
     DEGREE = 4,
     MOST_ROOTS = 12,
@@ -21,6 +23,11 @@ enum {
 };
 
 typedef mpfr_t vector[3];
+
+/* Of Newton's iteration. */
+struct work {
+    mpfr_t x, f, slope, step, last, below, above, next, p[DEGREE + 1];
+};
 
 static struct {
     int ready, cone;
@@ -33,6 +40,7 @@ static struct {
     mpfr_t in[2][2], flat[2], S2[3]; /* of a rim: its plane */
     vector plane[3], normals[6];
     mpfr_t t[12];
+    struct work all, few;
 } e;
 
 /* ----------------------------------------------------------- vectors ---- */
@@ -47,6 +55,9 @@ static void start(void)
     e.ready = 1;
     for (size_t i = 0; i < numbers; i++)
         mpfr_init2(first[i], BITS);
+    mpfr_t *const few = &e.few.x;
+    for (size_t i = 0; i < sizeof e.few / sizeof(mpfr_t); i++)
+        mpfr_set_prec(few[i], FEW_BITS);
 }
 
 static void set(vector to, const double from[3])
@@ -120,38 +131,79 @@ static void value_of(mpfr_t value, mpfr_t slope, mpfr_t *p, int degree,
     }
 }
 
-/* x = the zero between low and high, by Newton's iteration with bisection. */
+/* x = a number between low and high: 0 if the signs differ; the one in the middle
+ * of the exponents if those differ; or the arithmetic mean. */
+static void middle(mpfr_t x, mpfr_t low, mpfr_t high)
+{
+    const long least = -20000;
+    const int sign = mpfr_sgn(low) + mpfr_sgn(high) < 0 ? -1 : 1;
+    const long l = mpfr_zero_p(low) ? least : mpfr_get_exp(low);
+    const long h = mpfr_zero_p(high) ? least : mpfr_get_exp(high);
+    if (mpfr_sgn(low) * mpfr_sgn(high) < 0) {
+        mpfr_set_ui(x, 0, RND);
+    } else if (labs(l - h) > 1) {
+        const long inner = l < h ? l : h;
+        mpfr_set_si_2exp(x, sign, inner + labs(l - h) / 2 - 1, RND);
+    } else {
+        mpfr_add(x, low, high, RND);
+        mpfr_div_2ui(x, x, 1, RND);
+    }
+}
+
+/* |x| < 2^-digits |y| */
+static int is_tiny(mpfr_t x, mpfr_t y, int digits)
+{
+    return mpfr_regular_p(x) && mpfr_regular_p(y) &&
+           mpfr_get_exp(x) < mpfr_get_exp(y) - digits;
+}
+
+/* Improves w->x, a zero between low and high, at which the signs differ, by
+ * Newton's iteration with bisection, until a step is 2^-digits of x. */
+static void iterate(struct work *w, mpfr_t *p, int degree, mpfr_t low,
+                    mpfr_t high, int digits)
+{
+    mpfr_set(w->below, low, RND);
+    mpfr_set(w->above, high, RND);
+    value_of(w->f, w->slope, p, degree, high);
+    const int sign = mpfr_sgn(w->f);
+    mpfr_sub(w->last, high, low, RND);
+    if (mpfr_cmp(w->x, low) <= 0 || mpfr_cmp(w->x, high) >= 0)
+        middle(w->x, low, high);
+    for (int i = 0; i < MOST_STEPS; i++) {
+        value_of(w->f, w->slope, p, degree, w->x);
+        if (mpfr_zero_p(w->f))
+            return;
+        mpfr_set(mpfr_sgn(w->f) == sign ? w->above : w->below, w->x, RND);
+        mpfr_div(w->step, w->f, w->slope, RND);
+        mpfr_sub(w->next, w->x, w->step, RND);
+        mpfr_mul_d(w->f, w->step, 1.25, RND);
+        if (is_tiny(w->step, w->x, digits)) {
+            mpfr_set(w->x, w->next, RND);
+            return;
+        }
+        if (!mpfr_number_p(w->next) || mpfr_cmpabs(w->f, w->last) > 0 ||
+            mpfr_cmp(w->next, w->below) <= 0 ||
+            mpfr_cmp(w->next, w->above) >= 0)
+            middle(w->next, w->below, w->above);
+        mpfr_sub(w->last, w->next, w->x, RND);
+        mpfr_set(w->x, w->next, RND);
+        if (mpfr_zero_p(w->last) || is_tiny(w->last, w->x, BITS))
+            return;
+    }
+}
+
+/* x = the zero between low and high: first with few bits.  Newton's iteration
+ * doubles the number of digits. */
 static void zero_between(mpfr_t x, mpfr_t *p, int degree, mpfr_t low,
                          mpfr_t high)
 {
-    mpfr_ptr f = e.t[0], slope = e.t[1], step = e.t[2], last = e.t[3];
-    mpfr_ptr below = e.t[4], above = e.t[5], next = e.t[6];
-    mpfr_set(below, low, RND);
-    mpfr_set(above, high, RND);
-    value_of(f, slope, p, degree, high);
-    const int sign = mpfr_sgn(f);
-    mpfr_sub(last, high, low, RND);
-    mpfr_add(x, low, high, RND);
-    mpfr_div_2ui(x, x, 1, RND);
-    for (int i = 0; i < MOST_STEPS; i++) {
-        value_of(f, slope, p, degree, x);
-        if (mpfr_zero_p(f))
-            return;
-        mpfr_set(mpfr_sgn(f) == sign ? above : below, x, RND);
-        mpfr_div(step, f, slope, RND);
-        mpfr_sub(next, x, step, RND);
-        mpfr_mul_2ui(f, step, 1, RND);
-        if (!mpfr_number_p(next) || mpfr_cmpabs(f, last) > 0 ||
-            mpfr_cmp(next, below) <= 0 || mpfr_cmp(next, above) >= 0) {
-            mpfr_add(next, below, above, RND);
-            mpfr_div_2ui(next, next, 1, RND);
-        }
-        mpfr_sub(last, next, x, RND);
-        mpfr_set(x, next, RND);
-        if (mpfr_zero_p(last) || mpfr_zero_p(x) ||
-            mpfr_get_exp(last) < mpfr_get_exp(x) - (BITS - 20))
-            return;
-    }
+    for (int i = 0; i <= degree; i++)
+        mpfr_set(e.few.p[i], p[i], RND);
+    mpfr_set(e.few.x, low, RND);
+    iterate(&e.few, e.few.p, degree, low, high, FEW_BITS / 2);
+    mpfr_set(e.all.x, e.few.x, RND);
+    iterate(&e.all, p, degree, low, high, BITS / 2);
+    mpfr_set(x, e.all.x, RND);
 }
 
 /* e.root: the zeros of e.q[k], given those of its derivative in e.turn, within
@@ -180,10 +232,11 @@ static int zeros_between_turns(mpfr_t *p, int degree, int turns)
     return n;
 }
 
-/* All real zeros of e.p. */
-static int real_zeros(void)
+/* t[9] = a number above the absolute values of the zeros of e.p.  Returns its
+ * degree. */
+static int bound_zeros(void)
 {
-    int degree = DEGREE, n = 0;
+    int degree = DEGREE;
     while (degree > 0 && mpfr_zero_p(e.p[degree]))
         degree--;
     mpfr_set_ui(e.t[9], 1, RND);
@@ -192,6 +245,14 @@ static int real_zeros(void)
         mpfr_abs(e.t[0], e.t[0], RND);
         mpfr_add(e.t[9], e.t[9], e.t[0], RND);
     }
+    return degree;
+}
+
+/* All real zeros of e.p. */
+static int real_zeros(void)
+{
+    const int degree = bound_zeros();
+    int n = 0;
     for (int i = 0; i <= degree; i++)
         mpfr_set(e.q[0][i], e.p[i], RND);
     for (int k = 1; k < degree; k++)
@@ -203,6 +264,18 @@ static int real_zeros(void)
         n = zeros_between_turns(e.q[k], degree - k, n);
     }
     return n;
+}
+
+/* The only zero of e.p above `low`, if the sign of e.p changes there. */
+static int zero_above(mpfr_t low)
+{
+    const int degree = bound_zeros();
+    value_of(e.t[7], e.t[0], e.p, degree, low);
+    value_of(e.t[8], e.t[0], e.p, degree, e.t[9]);
+    if (mpfr_sgn(e.t[7]) * mpfr_sgn(e.t[8]) >= 0)
+        return 0;
+    zero_between(e.root[0], e.p, degree, low, e.t[9]);
+    return 1;
 }
 
 #endif
