@@ -382,19 +382,20 @@ static void try_rim(struct oracle_closest *expected, mpfr_t m, int end)
 
 static void cap(struct oracle_closest *expected, int end)
 {
+    const int feature = end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
+    dot(e.t[0], e.plane[2], e.h);
+    copy(e.N, e.plane[2]);
+    for (int i = 0; i < 3; i++)
+        mpfr_mul_si(e.N[i], e.N[i], (mpfr_sgn(e.t[0]) > 0) == end ? 1 : -1,
+                    RND);
+    copy(e.normals[feature], e.N);
     form2(e.t[0], e.flat[0], e.flat[1], e.flat[0], e.flat[1]);
     if (mpfr_cmp_ui(e.t[0], 1) >= 0)
         return;
     dot(e.t[0], e.plane[2], e.E);
     for (int i = 0; i < 3; i++)
         mpfr_mul(e.R[i], e.plane[2][i], e.t[0], RND);
-    dot(e.t[0], e.plane[2], e.h);
-    copy(e.N, e.plane[2]);
-    for (int i = 0; i < 3; i++)
-        mpfr_mul_si(e.N[i], e.N[i], (mpfr_sgn(e.t[0]) > 0) == end ? 1 : -1,
-                    RND);
-    offer(expected, end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0,
-          end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0);
+    offer(expected, end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0, feature);
 }
 
 static void ends(const cylint_shape *shape, struct oracle_closest *expected)
@@ -420,28 +421,40 @@ static void ends(const cylint_shape *shape, struct oracle_closest *expected)
 
 /* ---------------------------------------------------------- the answer -- */
 
-/* The feature of a point of the surface: that with the fewest points of those
- * that the moved point is beside. */
-static void choose_on_surface(struct oracle_closest *expected)
+/* The feature of a point that contains() says is on the boundary of the solid,
+ * by exact signs; -1: `ends` leaves out that part. */
+static int feature_on_surface(const cylint_shape *shape)
 {
-    static const int order[] = {CYLINT_FEATURE_APEX, CYLINT_FEATURE_RIM0,
-                                CYLINT_FEATURE_RIM1, CYLINT_FEATURE_LATERAL,
-                                CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1};
-    static const int part[] = {0, CYLINT_PART_CAP0, CYLINT_PART_CAP1, 0, 0, 0};
-    for (int i = 0; i < 6; i++) {
-        mpfr_set_d(e.t[0], expected->by_feature[order[i]], RND);
-        mpfr_mul_2si(e.t[0], e.t[0], -e.exponent, RND);
-        if (!mpfr_number_p(e.t[0]) ||
-            (!mpfr_zero_p(e.t[0]) &&
-             mpfr_get_exp(e.t[0]) > mpfr_get_exp(e.scale) - (MOVED - 10)))
-            continue;
-        expected->feature = order[i];
-        expected->part = part[order[i]];
-        copy(e.normal, e.normals[order[i]]);
-        norm(e.t[0], e.normal);
-        divide(e.normal, e.t[0]);
-        return;
-    }
+    const struct oracle_place on = oracle_place();
+    const int bounded = shape->ends < CYLINT_ENDS_INFINITE, ends = shape->ends;
+    const int base = bounded && on.base, top = bounded && on.top;
+    const int cap0 = ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP0;
+    const int cap1 = ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_CAP1;
+    if (on.lateral)
+        return e.cone && on.apex ? CYLINT_FEATURE_APEX
+               : base            ? CYLINT_FEATURE_RIM0
+               : top             ? CYLINT_FEATURE_RIM1
+                                 : CYLINT_FEATURE_LATERAL;
+    return base && cap0  ? CYLINT_FEATURE_CAP0
+           : top && cap1 ? CYLINT_FEATURE_CAP1
+                         : -1;
+}
+
+/* The normal of the moved point's foot.  If that is beyond a rim, it is the
+ * rim's. */
+static void choose_on_surface(struct oracle_closest *expected, int feature)
+{
+    const double *by = expected->by_feature;
+    expected->feature = feature;
+    expected->part = feature == CYLINT_FEATURE_CAP0   ? CYLINT_PART_CAP0
+                     : feature == CYLINT_FEATURE_CAP1 ? CYLINT_PART_CAP1
+                                                      : CYLINT_PART_LATERAL;
+    if (feature == CYLINT_FEATURE_LATERAL)
+        for (int rim = CYLINT_FEATURE_RIM0; rim <= CYLINT_FEATURE_RIM1; rim++)
+            feature = by[rim] < by[feature] ? rim : feature;
+    copy(e.normal, e.normals[feature]);
+    norm(e.t[0], e.normal);
+    divide(e.normal, e.t[0]);
 }
 
 static void write(struct oracle_closest *expected, const double point[3],
@@ -472,10 +485,10 @@ void oracle_elliptic_distance(const cylint_shape *shape, const double point[3],
         ends(shape, expected);
     else if (e.cone)
         apex(shape, expected);
-    const int is_on =
-        side == 0 && mpfr_get_exp(e.best) < mpfr_get_exp(e.scale) - MOVED / 2;
+    const int on = side == 0 ? feature_on_surface(shape) : -1;
+    const int is_on = on >= 0;
     if (is_on)
-        choose_on_surface(expected);
+        choose_on_surface(expected, on);
     write(expected, point, is_on);
     mpfr_set_prec(size, BITS);
     mpfr_set(size, e.best, RND);
@@ -488,5 +501,6 @@ void oracle_elliptic_distance(const cylint_shape *shape, const double point[3],
         !is_on && (mpfr_zero_p(size) ||
                    mpfr_get_exp(size) < mpfr_get_exp(e.scale) - (MOVED - 64));
     mpfr_mul_2si(size, size, e.exponent, RND);
+    expected->length = length(e.scale);
     expected->distance = mpfr_get_d(size, RND);
 }

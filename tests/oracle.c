@@ -648,6 +648,14 @@ int oracle_contains(const cylint_shape *shape, const double point[3])
     return inside_gap(0);
 }
 
+struct oracle_place oracle_place(void)
+{
+    const struct oracle_place place = {
+        mpz_sgn(o_.C) == 0, mpz_sgn(o_.rho.g0) == 0, mpz_sgn(o_.Z.g0) == 0,
+        mpz_cmp(o_.Z.g0, o_.whole) == 0};
+    return place;
+}
+
 void oracle_intersect(const cylint_shape *shape, const cylint_line *line,
                       unsigned want, cylint_answer *expected)
 {

@@ -22,6 +22,15 @@ void oracle_intersect(const cylint_shape *shape, const cylint_line *line,
 /* The answer that cylint_contains() must give. */
 int oracle_contains(const cylint_shape *shape, const double point[3]);
 
+/* Of an elliptic kind: whether the last point that oracle_contains() was given
+ * is on the lateral surface, beyond its ends or not; in the apex's plane; in the
+ * planes of base and top. */
+struct oracle_place {
+    int lateral, apex, base, top;
+};
+
+struct oracle_place oracle_place(void);
+
 /* The sign of x[0] + ... + x[n-1], exactly. */
 int oracle_sum_sign(const double *x, int n);
 

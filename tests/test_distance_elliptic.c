@@ -215,6 +215,39 @@ static void wild_exponents_give_numbers(void)
     }
 }
 
+/* The point is inside; the rim x = 1, y = 0, z = 1 is 2^-1073 away.  In triples
+ * the foot on cap 1 is on its rim, and that on the lateral surface at its end. */
+static void next_to_a_rim_the_distance_is_small_inside(void)
+{
+    const double c[3] = {-2, -3, 0}, a[3] = {1, -2, 3}, b[3] = {2, 2, 1};
+    const double h[3] = {-3, 1, -3}, p[3] = {-4, -4, -0x2p-1074};
+    cylint_shape s;
+    cylint_closest got;
+    cylint_elliptic_cylinder(&s, c, a, b, h, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_contains(&s, p) == 1);
+    const double d = cylint_distance(&s, p, WANT, &got);
+    CHECK(d < 0 && d > -0x1p-100);
+    CHECK(cylint_safety(&s, p) <= 0x1p-1073);
+}
+
+/* The same next to an apex at (0, 0, 4) and, of a double cone, at the origin. */
+static void next_to_an_apex_the_distance_is_small_inside(void)
+{
+    const double a[3] = {3, 0, 0}, b[3] = {0, 2, 0}, h[3] = {1, 0, 4};
+    const double at[3] = {0, 0, -4}, p[3] = {1, 0, -0x1p-1074};
+    const double apart[3] = {-1, 0, -4}, q[3] = {0, 0, 0x1p-1074};
+    cylint_shape s;
+    cylint_closest got;
+    cylint_elliptic_cone(&s, at, a, b, h, 0, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_contains(&s, p) == 1);
+    const double d = cylint_distance(&s, p, WANT, &got);
+    CHECK(d < 0 && d > -0x1p-100);
+    cylint_elliptic_cone(&s, apart, a, b, h, 0, CYLINT_ENDS_INFINITE);
+    CHECK(cylint_contains(&s, q) == 1);
+    const double e = cylint_distance(&s, q, WANT, &got);
+    CHECK(e < 0 && e > -0x1p-100);
+}
+
 /* ------------------------------------- the nearest of many points ------- */
 
 static uint64_t stream = 16;
@@ -317,6 +350,8 @@ int main(void)
     RUN(far_away_the_distance_is_that_of_the_base);
     RUN(only_points_of_the_surface_have_the_distance_0);
     RUN(wild_exponents_give_numbers);
+    RUN(next_to_a_rim_the_distance_is_small_inside);
+    RUN(next_to_an_apex_the_distance_is_small_inside);
     RUN(no_point_of_the_surface_is_nearer);
     return check_end();
 }

@@ -130,6 +130,15 @@ static void check_differences(const struct family_case *c, const double p[3],
         report_point(c, p, got, want);
 }
 
+/* The error of an elliptic distance: in ulp, or, if that is less, in 2^-113 of
+ * the lengths. */
+static double elliptic_error(double got, const struct oracle_closest *want)
+{
+    const double off = fabs(oracle_distance_error(got));
+    const double unit = ulp(want->distance) / (want->length * 0x1p-113);
+    return off < HUGE_VAL ? fmin(off, off * unit) : off;
+}
+
 static void check_elliptic(const struct family_case *c, const double p[3],
                            struct tally *sum)
 {
@@ -141,8 +150,7 @@ static void check_elliptic(const struct family_case *c, const double p[3],
     sum->n++;
     check_safety(c, p, sum, &want);
     const int wrong_sign = sign(got.distance) != sign_of_oracle(&want);
-    const double off =
-        want.too_near ? 0 : fabs(oracle_distance_error(got.distance));
+    const double off = elliptic_error(got.distance, &want);
     int wrong_feature = got.part != want.part || got.feature != want.feature;
     double off_point = error_of(got.point, want.point, 0);
     double off_normal = error_of(got.normal, want.normal, 0x1p-80);

@@ -134,15 +134,18 @@ static void normalize(direction *d)
  * the square of a correction is below the last place of a triple.  The length
  * grows by half the square of a correction.  normalize() squares that
  * error. */
-static void correct(const stationary *f, direction *at)
+direction cylint_correct_direction(const stationary *f, rough_direction rough)
 {
-    triple form = form_at(f, at);
+    direction at = {triple_of(rough.cos), triple_of(rough.sin)};
+    normalize(&at);
+    normalize(&at);
+    triple form = form_at(f, &at);
     for (int step = 0; step < MOST_CORRECTIONS && form.a != 0; step++) {
-        const double by = -form.a / slope_at(f, at);
+        const double by = -form.a / slope_at(f, &at);
         if (!(fabs(by) < 0.5))
-            return;
-        direction next = {triple_sub(at->cos, triple_scale(at->sin, by)),
-                          triple_add(at->sin, triple_scale(at->cos, by))};
+            break;
+        direction next = {triple_sub(at.cos, triple_scale(at.sin, by)),
+                          triple_add(at.sin, triple_scale(at.cos, by))};
         double error = by * by;
         while (error > CYLINT_TRIPLE_ROUNDING) {
             normalize(&next);
@@ -152,20 +155,17 @@ static void correct(const stationary *f, direction *at)
         const int is_last = by * by < CYLINT_TRIPLE_ROUNDING;
         const triple smaller = is_last ? triple_of(0) : form_at(f, &next);
         if (!(fabs(smaller.a) < fabs(form.a)))
-            return;
-        *at = next;
+            break;
+        at = next;
         form = smaller;
     }
+    return at;
 }
 
-static direction direction_of(double t, int sign)
+static rough_direction direction_of(double t, int sign)
 {
     const double length = sign * (1 + t * t);
-    direction d = {triple_of((1 - t) * (1 + t) / length),
-                   triple_of(2 * t / length)};
-    normalize(&d);
-    normalize(&d);
-    return d;
+    return (rough_direction){(1 - t) * (1 + t) / length, 2 * t / length};
 }
 
 /* The form as a polynomial in t, times a power of two.  The linear terms are
@@ -196,22 +196,20 @@ static int is_zero(const stationary *f)
 }
 
 int cylint_critical_directions(const stationary *form,
-                               direction to[CYLINT_MOST_CRITICAL])
+                               rough_direction to[CYLINT_MOST_CRITICAL])
 {
     int n = 0;
     if (is_zero(form)) {
-        to[0] = (direction){triple_of(1), triple_of(0)};
-        to[1] = (direction){triple_of(-1), triple_of(0)};
+        to[0] = (rough_direction){1, 0};
+        to[1] = (rough_direction){-1, 0};
         return 2;
     }
     for (int sign = 1; sign >= -1; sign -= 2) {
         double p[DEGREE + 1], zero[MOST_ZEROS];
         polynomial(form, sign, p);
         const int count = zeros(p, zero);
-        for (int i = 0; i < count; i++) {
-            to[n] = direction_of(zero[i], sign);
-            correct(form, &to[n++]);
-        }
+        for (int i = 0; i < count; i++)
+            to[n++] = direction_of(zero[i], sign);
     }
     return n;
 }

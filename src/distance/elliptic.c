@@ -40,6 +40,10 @@ enum { ANY_FEATURE = -1 };
  * smaller one is 0. */
 #define VECTOR_ERROR 0x1p-100
 
+/* The error of a square of a distance in doubles (rough_square()), relative to its
+ * terms: about 2^5 operations of 2^-53 each, and as much again of the zeros. */
+#define ROUGH_ERROR 0x1p-40
+
 /* A point of the surface. */
 typedef struct {
     int part, feature; /* part -1: none */
@@ -51,7 +55,12 @@ typedef struct {
 
 typedef struct {
     elliptic_terms p;
-    int only; /* the feature to be found, or ANY_FEATURE */
+    int only;        /* the feature to be found, or ANY_FEATURE */
+    int inside;      /* the point is inside a solid with both caps */
+    int has_lateral; /* there is a candidate on the lateral surface, perhaps too
+                        far away */
+    double size;     /* about that of the longest length */
+    double least;    /* the least square of a distance is not larger */
     candidate best;
     triple N[3];   /* its normal, but for the length */
     pair distance; /* of it */
@@ -100,6 +109,31 @@ static int compare(const candidate *best, const candidate *x)
     return fabs(change) <= ORDER_ERROR * error ? 0 : change < 0 ? -1 : 1;
 }
 
+static double square_of(double x, double y, double z)
+{
+    return x * x + y * y + z * z;
+}
+
+/* `share` times the error of a square is that of its distance from the
+ * surface. */
+static double rough_error(const search *s, double share)
+{
+    return ROUGH_ERROR * s->size * s->size * (1 + share);
+}
+
+static void bound_least(search *s, double square, double share)
+{
+    const double most = square + rough_error(s, share);
+    if (most < s->least)
+        s->least = most;
+}
+
+/* Whether a rough candidate cannot be the nearest. */
+static int is_too_far(const search *s, double square, double share)
+{
+    return square - rough_error(s, share) > s->least;
+}
+
 /* Accepts a candidate if it is nearer than all before, or as near and of an
  * earlier part or of smaller phi. */
 static void offer(search *s, const candidate *x)
@@ -107,6 +141,7 @@ static void offer(search *s, const candidate *x)
     const candidate *best = &s->best;
     if (s->only != ANY_FEATURE && x->feature != s->only)
         return;
+    bound_least(s, square_of(x->R[0].a, x->R[1].a, x->R[2].a), 0);
     const int order = best->part < 0 ? -1 : compare(best, x);
     if (order < 0 ||
         (order == 0 && (x->part < best->part ||
@@ -132,11 +167,47 @@ static const triple nowhere[3]; /* the base */
 /* Whether the lateral surface has the point z of a ruling; rho is 1 + k1 z. */
 static int is_within(const search *s, triple z, double rho)
 {
-    if (s->only != ANY_FEATURE)
+    if (s->only != ANY_FEATURE || s->inside)
         return 1;
     if (cylint_is_bounded(s->p.shape))
         return z.a > 0 && triple_sub(z, triple_of(1)).a < 0;
     return s->p.shape->ends == CYLINT_ENDS_INFINITE ? rho != 0 : rho > 0;
+}
+
+/* The point of a ruling that is nearest, in doubles.  share: rough_error(). */
+typedef struct {
+    double square, share, z, rho;
+} rough_point;
+
+static rough_point on_ruling(const search *s, rough_direction at)
+{
+    const elliptic_terms *p = &s->p;
+    double E[3], v[3], vv = 0, Ev = 0;
+    for (int i = 0; i < 3; i++) {
+        const double u = p->a[i].a * at.cos + p->b[i].a * at.sin;
+        v[i] = p->g[i].a + p->k1.a * u;
+        E[i] = p->Q[i].a - u;
+        vv += v[i] * v[i];
+        Ev += E[i] * v[i];
+    }
+    const double z = Ev / vv;
+    return (rough_point){
+        square_of(E[0] - z * v[0], E[1] - z * v[1], E[2] - z * v[2]), 1 / vv, z,
+        1 + p->k1.a * z};
+}
+
+/* 1: the point is on the nappe and between the ends, -1: it is not, 0: the
+ * roundings do not tell. */
+static int rough_place(const search *s, const rough_point *x, int nappe)
+{
+    const double error = ROUGH_ERROR * s->size * (1 + x->share);
+    const double z = x->z * s->p.stretch, off = error * s->p.stretch;
+    const double rho = nappe * x->rho;
+    const int bounded =
+        cylint_is_bounded(s->p.shape) && !s->inside && s->only == ANY_FEATURE;
+    if (rho < -error || (bounded && (z < -off || z > 1 + off)))
+        return -1;
+    return rho > error && (!bounded || (z > off && z < 1 - off));
 }
 
 /* nappe: the sign of rho that is wanted. */
@@ -212,7 +283,7 @@ static void try_cap(search *s, int end)
     const triple in_a = triple_scale(x, of_a), in_b = triple_scale(y, of_b);
     const triple room = triple_sub(triple_mul(factor, factor),
                                    triple_mul2(in_a, in_a, in_b, in_b));
-    if (s->only == ANY_FEATURE && !(room.a > 0))
+    if (s->only == ANY_FEATURE && !s->inside && !(room.a > 0))
         return;
     place(s, &c, end ? s->p.h : nowhere, a, x, b, y);
     offer(s, &c);
@@ -325,31 +396,82 @@ static int has_outward(search *s)
 
 static void search_lateral(search *s)
 {
-    direction at[CYLINT_MOST_CRITICAL];
+    rough_direction at[CYLINT_MOST_CRITICAL];
+    rough_point x[CYLINT_MOST_CRITICAL];
     stationary form;
+    const int last = s->p.shape->ends == CYLINT_ENDS_INFINITE ? -1 : 1;
+    if (s->only != ANY_FEATURE && s->only != CYLINT_FEATURE_LATERAL)
+        return;
     cylint_lateral_form(&s->p, &form);
     const int n = cylint_critical_directions(&form, at);
-    for (int i = 0; i < n; i++)
-        try_lateral(s, &at[i], 1);
-    for (int i = 0; i < n && s->p.shape->ends == CYLINT_ENDS_INFINITE; i++)
-        try_lateral(s, &at[i], -1);
+    for (int i = 0; i < n; i++) {
+        x[i] = on_ruling(s, at[i]);
+        for (int nappe = 1; nappe >= last; nappe -= 2)
+            if (rough_place(s, &x[i], nappe) > 0) {
+                bound_least(s, x[i].square, x[i].share);
+                s->has_lateral = 1;
+            }
+    }
+    for (int nappe = 1; nappe >= last; nappe -= 2)
+        for (int i = 0; i < n; i++) {
+            if (is_too_far(s, x[i].square, x[i].share) ||
+                rough_place(s, &x[i], nappe) < 0)
+                continue;
+            const direction exactly = cylint_correct_direction(&form, at[i]);
+            try_lateral(s, &exactly, nappe);
+        }
 }
 
-static void search_end(search *s, int end)
-{
-    direction at[CYLINT_MOST_CRITICAL];
+/* The stationary points of a rim. */
+typedef struct {
     stationary form;
+    rough_direction at[CYLINT_MOST_CRITICAL];
+    double square[CYLINT_MOST_CRITICAL];
+    int n;
+} rim_points;
+
+static void load_rim(search *s, int end, rim_points *rim)
+{
     triple from[3];
-    const double factor = cylint_end_factor(s->p.shape, end);
-    if (cylint_sign(factor) == 0) {
-        try_apex(s, s->p.h, triple_of(end));
-        return;
+    const elliptic_terms *p = &s->p;
+    const double factor = cylint_end_factor(p->shape, end);
+    cylint_from_end(p, end, from);
+    cylint_rim_form(p, from, triple_of(factor), &rim->form);
+    rim->n = cylint_critical_directions(&rim->form, rim->at);
+    for (int i = 0; i < rim->n; i++) {
+        double R[3];
+        for (int k = 0; k < 3; k++)
+            R[k] = from[k].a - factor * (p->a[k].a * rim->at[i].cos +
+                                         p->b[k].a * rim->at[i].sin);
+        rim->square[i] = square_of(R[0], R[1], R[2]);
+        bound_least(s, rim->square[i], 0);
     }
-    cylint_from_end(&s->p, end, from);
-    cylint_rim_form(&s->p, from, triple_of(factor), &form);
-    const int n = cylint_critical_directions(&form, at);
-    for (int i = 0; i < n; i++)
-        try_rim(s, end, &at[i]);
+}
+
+static void search_rim(search *s, int end, const rim_points *rim)
+{
+    for (int i = 0; i < rim->n; i++)
+        if (!is_too_far(s, rim->square[i], 0)) {
+            const direction at =
+                cylint_correct_direction(&rim->form, rim->at[i]);
+            try_rim(s, end, &at);
+        }
+}
+
+/* Rims, and the apex that an end of radius 0 is. */
+static void search_ends(search *s)
+{
+    rim_points rim[2];
+    for (int end = 0; end < 2; end++) {
+        const int feature = end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0;
+        rim[end].n = 0;
+        if (cylint_sign(cylint_end_factor(s->p.shape, end)) == 0)
+            try_apex(s, s->p.h, triple_of(end));
+        else if (s->only == ANY_FEATURE || s->only == feature)
+            load_rim(s, end, &rim[end]);
+    }
+    for (int end = 0; end < 2; end++)
+        search_rim(s, end, &rim[end]);
 }
 
 /* The apex of an unbounded cone is at -h / k1. */
@@ -364,7 +486,10 @@ static void search_apex(search *s)
  * solid: where the solid lies on the inner side of the plane through it that is
  * perpendicular to the residual.  A point inside is never nearest to a rim or
  * an apex of a solid with both caps, because the balls about it that are in the
- * solid do not touch those.
+ * solid do not touch those.  No plane of a cap and no tangent plane of the
+ * lateral surface is nearer to it than the surface, so it does not matter whether
+ * the foot on such a plane is within the ends.  Next to an apex roundings may
+ * put all feet on the other nappe.
  */
 static void search_bounded(search *s, int side)
 {
@@ -375,10 +500,9 @@ static void search_bounded(search *s, int side)
     if (side < 0 && has_outward(s))
         return;
     search_lateral(s);
-    if (side < 0 ? has_outward(s) : side > 0 && caps == 3 && s->best.part >= 0)
+    if (side < 0 ? has_outward(s) : s->inside && s->has_lateral)
         return;
-    for (int end = 0; end < 2; end++)
-        search_end(s, end);
+    search_ends(s);
 }
 
 static void search_all(search *s, int side)
@@ -454,6 +578,10 @@ double cylint_elliptic_distance(const cylint_shape *shape,
     cylint_load_elliptic(&s.p, shape, point);
     s.only = ANY_FEATURE;
     s.best.part = -1;
+    s.inside = side > 0 && shape->ends == CYLINT_ENDS_CAPPED;
+    s.has_lateral = 0;
+    s.size = 4 + fabs(s.p.Q[0].a) + fabs(s.p.Q[1].a) + fabs(s.p.Q[2].a);
+    s.least = HUGE_VAL;
     if (side == 0)
         s.only = feature_on_boundary(shape, point);
     const int is_on = s.only != ANY_FEATURE;
