@@ -178,7 +178,7 @@ static void lateral_polynomial(void)
 /* ---------------------------------------------------------- candidates -- */
 
 /* e.R is the residual, e.N the normal but for its length. */
-static void offer(struct oracle_closest *expected, int part, int feature)
+static void offer_by_feature(struct oracle_closest *expected, int feature)
 {
     norm(e.size, e.R);
     const double size = length(e.size);
@@ -186,6 +186,11 @@ static void offer(struct oracle_closest *expected, int part, int feature)
         expected->by_feature[feature] = size;
         copy(e.normals[feature], e.N);
     }
+}
+
+static void offer(struct oracle_closest *expected, int part, int feature)
+{
+    offer_by_feature(expected, feature);
     if (expected->part >= 0) {
         mpfr_sub(e.t[0], e.best, e.size, RND);
         if (mpfr_sgn(e.t[0]) <= 0 ||
@@ -214,6 +219,15 @@ static void place(void)
     }
 }
 
+/* Whether z is beyond an end by less than 2^-100: on a rim, but for roundings. */
+static int is_next_to_end(void)
+{
+    mpfr_set(e.t[0], e.z, RND);
+    if (mpfr_sgn(e.z) > 0)
+        mpfr_sub_ui(e.t[0], e.z, 1, RND);
+    return mpfr_zero_p(e.t[0]) || mpfr_get_exp(e.t[0]) < -100;
+}
+
 static void try_lateral(const cylint_shape *shape,
                         struct oracle_closest *expected, mpfr_t m, int nappe)
 {
@@ -230,12 +244,15 @@ static void try_lateral(const cylint_shape *shape,
     place();
     if (mpfr_sgn(e.rho) != nappe)
         return;
-    if (shape->ends < CYLINT_ENDS_INFINITE &&
-        !(mpfr_sgn(e.z) > 0 && mpfr_cmp_ui(e.z, 1) < 0))
-        return;
     for (int i = 0; i < 3; i++)
         mpfr_sub(e.R[i], e.Q[i], e.Y[i], RND);
     apply_S(e.N, e.Y);
+    if (shape->ends < CYLINT_ENDS_INFINITE &&
+        !(mpfr_sgn(e.z) > 0 && mpfr_cmp_ui(e.z, 1) < 0)) {
+        if (is_next_to_end())
+            offer_by_feature(expected, CYLINT_FEATURE_LATERAL);
+        return;
+    }
     offer(expected, CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL);
 }
 
@@ -345,7 +362,8 @@ static void rim_polynomial(void)
 
 /* At the nearest point of the rim 1 + m S2 is positive semidefinite: m is at least
  * -1 / s, s the larger eigenvalue of S2, 2 s = T + sqrt(T^2 - 4 det).  There
- * p / det^2 falls from +infinity to -1. */
+ * p / det^2 falls from +infinity to -1.  m is larger by at least 2^-MOVED / s,
+ * because the point is moved. */
 static int nearest_of_rim(void)
 {
     mpfr_ptr low = e.t[6];
@@ -357,6 +375,8 @@ static int nearest_of_rim(void)
     mpfr_sqrt(e.t[0], e.t[0], RND);
     mpfr_add(e.t[0], e.t[0], e.det[1], RND);
     mpfr_si_div(low, -2, e.t[0], RND);
+    mpfr_div_2ui(e.t[0], low, 200, RND);
+    mpfr_sub(low, low, e.t[0], RND);
     return zero_above(low) ? 1 : real_zeros();
 }
 

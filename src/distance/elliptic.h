@@ -11,6 +11,10 @@ double cylint_elliptic_distance(const cylint_shape *shape,
                                 const double point[3], unsigned want,
                                 cylint_closest *answer);
 
+/* A lower bound of the absolute distance from a prepared shape that is capped, open
+ * or infinite, in doubles, in any rounding mode; 0 where there is no better one. */
+double cylint_elliptic_safety(const cylint_shape *shape, const double point[3]);
+
 /* The double below the absolute value of cylint_elliptic_distance(), less the
  * error of that; 0 for a shape too flat to bound it. */
 double cylint_below_elliptic(const cylint_shape *shape, const double point[3],

@@ -10,8 +10,7 @@
  * Which feature is nearest is hard to predict, so maxima and masks take the
  * place of branches.
  *
- * The local coordinates of an elliptic shape are stretched: the world's distance
- * is at least the local one divided by the norm of the matrix.
+ * Elliptic kinds: elliptic_safety.c.
  */
 #include "../numbers/bits.h"
 #include "../numbers/simd.h"
@@ -178,37 +177,6 @@ ASIDE double infinite_safety(const cylint_shape *s, const double point[3])
                       root(at.square) + fabs(at.z) + s->local.reach);
 }
 
-static position locate_elliptic(const cylint_shape *s, const double point[3],
-                                double *size)
-{
-    double at[3] = {0, 0, 0}, sum = 0;
-    for (int i = 0; i < 3; i++) {
-        const double D = point[i] - s->base[i];
-        for (int j = 0; j < 3; j++)
-            at[j] += D * s->local.xyz[i][j];
-        sum += fabs(D);
-    }
-    *size = sum * s->local.norm + s->local.reach + s->r0;
-    return (position){at[2], at[0] * at[0] + at[1] * at[1]};
-}
-
-/* The largest factor by which local coordinates stretch a length is at most the
- * Frobenius norm of the matrix, of which no row is longer than `norm`. */
-ASIDE double elliptic_safety(const cylint_shape *s, const double point[3])
-{
-    double size;
-    const position at = locate_elliptic(s, point, &size);
-    const double C = 1 / root(1 + s->local.slope * s->local.slope);
-    const double S = s->local.slope * C;
-    const double d = s->ends == CYLINT_ENDS_INFINITE
-                         ? from_infinite(s, at, C, S)
-                         : from_cone(s, at, C, S, s->ends != CYLINT_ENDS_OPEN);
-    const double safe = less_error(d, CYLINT_ELLIPTIC_SAFETY_ERROR, size);
-    return d <= DBL_MAX ? safe / (2 * s->local.norm) *
-                              (1 - 2 * CYLINT_ELLIPTIC_SAFETY_ERROR)
-                        : 0;
-}
-
 /* 0 or less: the distance is below its error.  NaN: it overflows. */
 INLINE double if_positive(double bound, const cylint_shape *s,
                           const double point[3])
@@ -225,9 +193,10 @@ ASIDE double other_safety(const cylint_shape *s, const double point[3])
         (s->ends == CYLINT_ENDS_OPEN && !cylint_is_round(s->kind));
     if (!s->prepared || !served || cylint_has_tangent(s->kind))
         return below_distance(s, point);
-    return if_positive(cylint_is_elliptic(s->kind) ? elliptic_safety(s, point)
-                       : infinite                  ? infinite_safety(s, point)
-                                                   : open_safety(s, point),
+    return if_positive(cylint_is_elliptic(s->kind)
+                           ? cylint_elliptic_safety(s, point)
+                       : infinite ? infinite_safety(s, point)
+                                  : open_safety(s, point),
                        s, point);
 }
 

@@ -145,13 +145,26 @@
  * is as near to the rim.  The distance is then wrong by half the square of that
  * over the distance.
  *
- * The same of a sphere, relative to the distance plus the radius.  Proved.  The
- * same of an elliptic shape, in its local coordinates, relative to the sum of
- * |D_i| times cylint_local.norm, plus reach and r0.  Proved.
+ * The same of a sphere, relative to the distance plus the radius.  Proved.
  */
 #define CYLINT_SAFETY_ERROR (16.9 * CYLINT_NEAREST_ROUNDING)
 #define CYLINT_SPHERE_SAFETY_ERROR (5.501 * CYLINT_NEAREST_ROUNDING)
-#define CYLINT_ELLIPTIC_SAFETY_ERROR (28.5 * CYLINT_NEAREST_ROUNDING)
+
+/*
+ * The errors of distance/elliptic_safety.c in any rounding mode, in units of
+ * CYLINT_ROUNDING; all are below 64.
+ *
+ *   a local coordinate, relative to the norm of the matrix and the sum of |D_i|:
+ *       a difference, the entry, a product, two sums: 5; w.e - rho has
+ *       three of them, one times the slope, and 4 more roundings
+ *   an entry of the matrix A, relative to (norm (1 + |slope|))^2: an entry of B 9,
+ *       of b 9 |slope|, of c 9 slope^2; e.Ae 26; the sums for A 10
+ *   N, relative to norm (1 + |slope|): 8
+ *   W, relative to |w|^2 / det: det 16, the numerator 56; counted twice
+ *   a plane n that touches the solid, relative to the sums of |n_i| and of the
+ *       sizes of the point and the shape: 16
+ */
+#define CYLINT_ELLIPTIC_SAFETY_ERROR (64 * CYLINT_ROUNDING)
 
 /*
  * Point, normal, z and phi are computed from t and from the rest of the root,
