@@ -248,6 +248,22 @@ static void next_to_an_apex_the_distance_is_small_inside(void)
     CHECK(e < 0 && e > -0x1p-100);
 }
 
+/* Three stationary points are within 2e-6 of a sharp edge: in doubles their
+ * form is below its rounding between them. */
+static void zeros_that_doubles_hide_are_found(void)
+{
+    const double c[3] = {-3, 2, 0}, a[3] = {0, 0x1.757d59c683d18p-8, 0};
+    const double b[3] = {0, 0, 0x1.664eca316e98dp+18};
+    const double h[3] = {0x1.cef5f446e44ecp+10, 0, 0};
+    const double p[3] = {0x1.ce354ee427eecp+10, 2, 2};
+    cylint_shape s;
+    cylint_closest got;
+    cylint_elliptic_cone(&s, c, a, b, h, 0, CYLINT_ENDS_CAPPED);
+    const double d = cylint_distance(&s, p, WANT, &got);
+    if (!CHECK(fabs(d + 1.1125814148285373e-13) < 1e-28))
+        REPORT("%.17g", d);
+}
+
 /* ------------------------------------- the nearest of many points ------- */
 
 static uint64_t stream = 16;
@@ -352,6 +368,7 @@ int main(void)
     RUN(wild_exponents_give_numbers);
     RUN(next_to_a_rim_the_distance_is_small_inside);
     RUN(next_to_an_apex_the_distance_is_small_inside);
+    RUN(zeros_that_doubles_hide_are_found);
     RUN(no_point_of_the_surface_is_nearer);
     return check_end();
 }

@@ -7,98 +7,49 @@
  * each side, so that no zero is lost at its ends.  Between two adjacent zeros of
  * its derivative a polynomial has at most one zero.  So the zeros of all
  * derivatives follow one after the other from the linear one.  Newton's
- * iteration with bisection computes each of them to neighbouring doubles of
- * t + 3.  Newton's iteration on the form in triples yields the rest of the
- * digits.
+ * iteration with bisection computes each of them in doubles.  Where the sign of
+ * the polynomial or of a derivative at such a zero is below the rounding, zeros
+ * may be hidden: then all are computed in triples.  Newton's iteration on the
+ * form in triples yields the rest of the digits.
  *
- * A pair of zeros that roundings of the polynomial hide is not found.  One of
- * the two is then a minimum of the distance, but the form is smaller than its
- * rounding between them: the distance continues to decrease beyond the
- * pair, but for the product of that rounding and their gap.
+ * A pair of zeros that roundings of triples hide is not found.  One of the two
+ * is then a minimum of the distance, but the form is smaller than its rounding
+ * between them: the distance continues to decrease beyond the pair, but for the
+ * product of that rounding and their gap.
  */
 #include "critical.h"
 
-enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 200, MOST_CORRECTIONS = 16 };
+enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 16 };
 
-static const double reach = 1.25;
+#define CRITICAL_REACH 1.25
 
-/* ------------------------------------------- polynomials in doubles ----- */
+/* A value by Horner's rule has 9 roundings and those of its coefficients, of
+ * terms up to 2.5 times these. */
+#define NUMBER double
+#define ZEROS(name) critical_##name##_double
+#define PLUS(x, y) ((x) + (y))
+#define MINUS(x, y) ((x) - (y))
+#define TIMES(x, y) ((x) * (y))
+#define OVER(x, y) ((x) / (y))
+#define TIMES_DOUBLE(x, y) ((x) * (y))
+#define FROM_DOUBLE(x) ((double)(x))
+#define ROUNDED(x) (x)
+#define SMALL_STEP 0x1p-50
+#define NOISE 0x1p-45
+#include "critical_zeros_template.h"
 
-/* p[0] + p[1] t + ..., and its derivative. */
-static double value_of(const double *p, int degree, double t, double *slope)
-{
-    double value = p[degree], derivative = 0;
-    for (int i = degree - 1; i >= 0; i--) {
-        derivative = derivative * t + value;
-        value = value * t + p[i];
-    }
-    *slope = derivative;
-    return value;
-}
-
-/* The zero between `low` and `high`, at which the signs differ.  `high_sign`:
- * the sign at `high`. */
-static double zero_between(const double *p, int degree, double low, double high,
-                           int high_sign)
-{
-    double below = low + 3, above = high + 3, x = 0.5 * (below + above);
-    for (int step = 0; step < MOST_STEPS; step++) {
-        double slope;
-        const double value = value_of(p, degree, x - 3, &slope);
-        if (value == 0)
-            break;
-        if ((value > 0) == (high_sign > 0))
-            above = x;
-        else
-            below = x;
-        double next = x - value / slope;
-        if (!(next > below && next < above))
-            next = 0.5 * (below + above);
-        if (next == x || next <= below || next >= above)
-            break;
-        x = next;
-    }
-    return x - 3;
-}
-
-/* The zeros in [-reach, reach], given those of the derivative, ascending. */
-static int next_zeros(const double *p, int degree, const double *turn,
-                      int turns, double *zero)
-{
-    int n = 0;
-    double low = -reach, slope, at_low = value_of(p, degree, low, &slope);
-    for (int i = 0; i <= turns; i++) {
-        const double high = i < turns ? turn[i] : reach;
-        const double at_high = value_of(p, degree, high, &slope);
-        if (at_low == 0)
-            zero[n++] = low;
-        else if ((at_low < 0 && at_high > 0) || (at_low > 0 && at_high < 0))
-            zero[n++] =
-                zero_between(p, degree, low, high, at_high > 0 ? 1 : -1);
-        low = high;
-        at_low = at_high;
-    }
-    return n;
-}
-
-/* The zeros in [-reach, reach]. */
-static int zeros(const double p[DEGREE + 1], double zero[MOST_ZEROS])
-{
-    double q[DEGREE][DEGREE + 1], turn[MOST_ZEROS];
-    int n = 0;
-    for (int i = 0; i <= DEGREE; i++)
-        q[0][i] = p[i];
-    for (int k = 1; k < DEGREE; k++)
-        for (int i = 0; i <= DEGREE - k; i++)
-            q[k][i] = q[k - 1][i + 1] * (i + 1);
-    for (int k = DEGREE - 1; k >= 0; k--) {
-        const int turns = n;
-        for (int i = 0; i < turns; i++)
-            turn[i] = zero[i];
-        n = next_zeros(q[k], DEGREE - k, turn, turns, zero);
-    }
-    return n;
-}
+#define NUMBER triple
+#define ZEROS(name) critical_##name##_triple
+#define PLUS triple_add
+#define MINUS triple_sub
+#define TIMES triple_mul
+#define OVER triple_div
+#define TIMES_DOUBLE triple_scale
+#define FROM_DOUBLE(x) triple_of(x)
+#define ROUNDED(x) ((x).a)
+#define SMALL_STEP 0x1p-80
+#define NOISE 0x1p-148
+#include "critical_zeros_template.h"
 
 /* ---------------------------------------------- the form in triples ----- */
 
@@ -134,9 +85,8 @@ static void normalize(direction *d)
  * the square of a correction is below the last place of a triple.  The length
  * grows by half the square of a correction.  normalize() squares that
  * error. */
-direction cylint_correct_direction(const stationary *f, rough_direction rough)
+direction cylint_correct_direction(const stationary *f, direction at)
 {
-    direction at = {triple_of(rough.cos), triple_of(rough.sin)};
     normalize(&at);
     normalize(&at);
     triple form = form_at(f, &at);
@@ -162,29 +112,49 @@ direction cylint_correct_direction(const stationary *f, rough_direction rough)
     return at;
 }
 
-static rough_direction direction_of(double t, int sign)
+static direction direction_of_double(double t, int sign)
 {
     const double length = sign * (1 + t * t);
-    return (rough_direction){(1 - t) * (1 + t) / length, 2 * t / length};
+    return (direction){triple_of((1 - t) * (1 + t) / length),
+                       triple_of(2 * t / length)};
+}
+
+/* 0 for a number below the error of a zero. */
+static triple without_error(triple x)
+{
+    return fabs(x.a) < 0x1p-140 ? triple_of(0) : x;
+}
+
+static direction direction_of_triple(triple t, int sign)
+{
+    const triple one = triple_of(1), square = triple_mul(t, t);
+    const triple length = triple_scale(triple_add(one, square), sign);
+    return (direction){
+        without_error(triple_div(triple_sub(one, square), length)),
+        without_error(triple_div(triple_scale(t, 2), length))};
 }
 
 /* The form as a polynomial in t, times a power of two.  The linear terms are
  * multiplied by `sign`. */
-static void polynomial(const stationary *f, int sign, double p[DEGREE + 1])
+static void polynomial(const stationary *f, int sign, triple p[DEGREE + 1])
 {
-    double size = 0, x[5];
+    triple x[5];
+    double size = 0;
     for (int i = 0; i < 5; i++) {
-        x[i] = i < 2 ? sign * f->linear[i].a : f->square[i - 2].a;
-        size = cylint_larger(size, fabs(x[i]));
+        x[i] = i < 2 ? triple_scale(f->linear[i], sign) : f->square[i - 2];
+        size = cylint_larger(size, fabs(x[i].a));
     }
     const int e = cylint_any_exponent(size);
+    const double power = cylint_power_of_two(e > 1000    ? -1000
+                                             : e < -1000 ? 1000
+                                                         : -e);
     for (int i = 0; i < 5; i++)
-        x[i] = cylint_scaled(x[i], -e);
-    p[0] = x[2] + x[0];
-    p[1] = 2 * (x[1] + x[3]);
-    p[2] = 2 * (2 * x[4] - x[2]);
-    p[3] = 2 * (x[1] - x[3]);
-    p[4] = x[2] - x[0];
+        x[i] = triple_scale(x[i], power);
+    p[0] = triple_add(x[2], x[0]);
+    p[1] = triple_scale(triple_add(x[1], x[3]), 2);
+    p[2] = triple_scale(triple_sub(triple_scale(x[4], 2), x[2]), 2);
+    p[3] = triple_scale(triple_sub(x[1], x[3]), 2);
+    p[4] = triple_sub(x[2], x[0]);
 }
 
 static int is_zero(const stationary *f)
@@ -195,21 +165,34 @@ static int is_zero(const stationary *f)
     return sum == 0;
 }
 
-int cylint_critical_directions(const stationary *form,
-                               rough_direction to[CYLINT_MOST_CRITICAL])
+/* In one half turn. */
+static int half_turn(const stationary *form, int sign, direction to[MOST_ZEROS])
 {
-    int n = 0;
+    triple p[DEGREE + 1], exact_zero[MOST_ZEROS];
+    double rounded[DEGREE + 1], zero[MOST_ZEROS];
+    int uncertain;
+    polynomial(form, sign, p);
+    for (int i = 0; i <= DEGREE; i++)
+        rounded[i] = p[i].a;
+    const int n = critical_all_zeros_double(rounded, zero, &uncertain);
+    for (int i = 0; i < n; i++)
+        to[i] = direction_of_double(zero[i], sign);
+    if (!uncertain)
+        return n;
+    const int all = critical_all_zeros_triple(p, exact_zero, &uncertain);
+    for (int i = 0; i < all; i++)
+        to[i] = direction_of_triple(exact_zero[i], sign);
+    return all;
+}
+
+int cylint_critical_directions(const stationary *form,
+                               direction to[CYLINT_MOST_CRITICAL])
+{
     if (is_zero(form)) {
-        to[0] = (rough_direction){1, 0};
-        to[1] = (rough_direction){-1, 0};
+        to[0] = (direction){triple_of(1), triple_of(0)};
+        to[1] = (direction){triple_of(-1), triple_of(0)};
         return 2;
     }
-    for (int sign = 1; sign >= -1; sign -= 2) {
-        double p[DEGREE + 1], zero[MOST_ZEROS];
-        polynomial(form, sign, p);
-        const int count = zeros(p, zero);
-        for (int i = 0; i < count; i++)
-            to[n++] = direction_of(zero[i], sign);
-    }
-    return n;
+    const int n = half_turn(form, 1, to);
+    return n + half_turn(form, -1, to + n);
 }

@@ -21,20 +21,15 @@ typedef struct {
     triple cos, sin;
 } direction;
 
-/* The same in doubles, but for rounding. */
-typedef struct {
-    double cos, sin;
-} rough_direction;
-
 enum { CYLINT_MOST_CRITICAL = 8 };
 
 /* Writes the directions in which the form is 0: all that are simple, some of
- * them twice; 0 and half a turn if all coefficients are 0.  Returns their
- * number. */
+ * them twice; 0 and half a turn if all coefficients are 0.  They have the digits
+ * of doubles at least.  Returns their number. */
 int cylint_critical_directions(const stationary *form,
-                               rough_direction to[CYLINT_MOST_CRITICAL]);
+                               direction to[CYLINT_MOST_CRITICAL]);
 
-/* The direction next to a rough one in which the form is 0. */
-direction cylint_correct_direction(const stationary *form, rough_direction at);
+/* The direction next to one of those with the digits of triples. */
+direction cylint_correct_direction(const stationary *form, direction at);
 
 #endif

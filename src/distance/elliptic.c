@@ -179,12 +179,12 @@ typedef struct {
     double square, share, z, rho;
 } rough_point;
 
-static rough_point on_ruling(const search *s, rough_direction at)
+static rough_point on_ruling(const search *s, direction at)
 {
     const elliptic_terms *p = &s->p;
     double E[3], v[3], vv = 0, Ev = 0;
     for (int i = 0; i < 3; i++) {
-        const double u = p->a[i].a * at.cos + p->b[i].a * at.sin;
+        const double u = p->a[i].a * at.cos.a + p->b[i].a * at.sin.a;
         v[i] = p->g[i].a + p->k1.a * u;
         E[i] = p->Q[i].a - u;
         vv += v[i] * v[i];
@@ -396,7 +396,7 @@ static int has_outward(search *s)
 
 static void search_lateral(search *s)
 {
-    rough_direction at[CYLINT_MOST_CRITICAL];
+    direction at[CYLINT_MOST_CRITICAL];
     rough_point x[CYLINT_MOST_CRITICAL];
     stationary form;
     const int last = s->p.shape->ends == CYLINT_ENDS_INFINITE ? -1 : 1;
@@ -425,7 +425,7 @@ static void search_lateral(search *s)
 /* The stationary points of a rim. */
 typedef struct {
     stationary form;
-    rough_direction at[CYLINT_MOST_CRITICAL];
+    direction at[CYLINT_MOST_CRITICAL];
     double square[CYLINT_MOST_CRITICAL];
     int n;
 } rim_points;
@@ -441,8 +441,8 @@ static void load_rim(search *s, int end, rim_points *rim)
     for (int i = 0; i < rim->n; i++) {
         double R[3];
         for (int k = 0; k < 3; k++)
-            R[k] = from[k].a - factor * (p->a[k].a * rim->at[i].cos +
-                                         p->b[k].a * rim->at[i].sin);
+            R[k] = from[k].a - factor * (p->a[k].a * rim->at[i].cos.a +
+                                         p->b[k].a * rim->at[i].sin.a);
         rim->square[i] = square_of(R[0], R[1], R[2]);
         bound_least(s, rim->square[i], 0);
     }
