@@ -44,7 +44,7 @@ enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 16 };
 #define MINUS triple_sub
 #define TIMES triple_mul
 #define OVER triple_div
-#define TIMES_DOUBLE triple_scale
+#define TIMES_DOUBLE triple_times
 #define FROM_DOUBLE(x) triple_of(x)
 #define ROUNDED(x) ((x).a)
 #define SMALL_STEP 0x1p-80
@@ -94,8 +94,8 @@ direction cylint_correct_direction(const stationary *f, direction at)
         const double by = -form.a / slope_at(f, &at);
         if (!(fabs(by) < 0.5))
             break;
-        direction next = {triple_sub(at.cos, triple_scale(at.sin, by)),
-                          triple_add(at.sin, triple_scale(at.cos, by))};
+        direction next = {triple_sub(at.cos, triple_times(at.sin, by)),
+                          triple_add(at.sin, triple_times(at.cos, by))};
         double error = by * by;
         while (error > CYLINT_TRIPLE_ROUNDING) {
             normalize(&next);

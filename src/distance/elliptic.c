@@ -552,7 +552,7 @@ static void write_point(const search *s, int is_on, double to[3])
         const double p = triple_value(triple_add(c, s->best.F[i]));
         const double error = VECTOR_ERROR * (fabs(c.a) + s->best.terms[i]);
         to[i] = is_on ? s->p.point[i] + 0.0
-                      : cylint_scaled(fabs(p) < error ? 0 : p, e);
+                      : cylint_scaled(fabs(p) < error ? 0 : p, e) + 0.0;
     }
 }
 

@@ -74,15 +74,15 @@ void cylint_load_elliptic(elliptic_terms *p, const cylint_shape *shape,
         p->Q[i] = (triple){d.hi, d.lo, 0};
     }
     load_stretched(p);
-    p->aa = triple_dot(p->a, p->a);
-    p->ab = triple_dot(p->a, p->b);
-    p->bb = triple_dot(p->b, p->b);
-    p->ag = triple_dot(p->a, p->g);
-    p->bg = triple_dot(p->b, p->g);
-    p->gg = triple_dot(p->g, p->g);
-    p->Qa = triple_dot(p->Q, p->a);
-    p->Qb = triple_dot(p->Q, p->b);
-    p->Qg = triple_dot(p->Q, p->g);
+    p->aa = triple_dot_doubles(p->a, p->a);
+    p->ab = triple_dot_doubles(p->a, p->b);
+    p->bb = triple_dot_doubles(p->b, p->b);
+    p->ag = triple_dot_doubles(p->a, p->g);
+    p->bg = triple_dot_doubles(p->b, p->g);
+    p->gg = triple_dot_doubles(p->g, p->g);
+    p->Qa = triple_dot_doubles(p->Q, p->a);
+    p->Qb = triple_dot_doubles(p->Q, p->b);
+    p->Qg = triple_dot_doubles(p->Q, p->g);
 }
 
 /* Q minus the centre of an end. */

@@ -12,10 +12,18 @@ static inline triple triple_neg(triple x)
     return (triple){-x.a, -x.b, -x.c};
 }
 
-/* x f */
+/* x f, f 0, 1, -1 or a power of two */
 static inline triple triple_scale(triple x, double f)
 {
-    return triple_mul(x, triple_of(f));
+    return (triple){x.a * f, x.b * f, x.c * f};
+}
+
+/* x f for any f: triple_mul() without what is 0. */
+static inline triple triple_times(triple x, double f)
+{
+    const pair p = two_prod(x.a, f), r = two_prod(x.b, f);
+    const pair t = two_sum(r.hi, p.lo);
+    return triple_sum(p.hi, t.hi, x.c * f + (r.lo + t.lo));
 }
 
 /* x y + z t */
@@ -34,9 +42,9 @@ static inline triple triple_det(triple x, triple y, triple z, triple t)
 static inline triple triple_div(triple x, triple y)
 {
     const double a = x.a / y.a;
-    const triple rest = triple_sub(x, triple_scale(y, a));
+    const triple rest = triple_sub(x, triple_times(y, a));
     const double b = rest.a / y.a;
-    const triple last = triple_sub(rest, triple_scale(y, b));
+    const triple last = triple_sub(rest, triple_times(y, b));
     return triple_sum(a, b, last.a / y.a);
 }
 
@@ -50,6 +58,14 @@ static inline triple triple_dot(const triple u[3], const triple v[3])
 {
     return triple_add(triple_mul2(u[0], v[0], u[1], v[1]),
                       triple_mul(u[2], v[2]));
+}
+
+/* u.v for a vector v of doubles */
+static inline triple triple_dot_doubles(const triple u[3], const triple v[3])
+{
+    return triple_add(
+        triple_add(triple_times(u[0], v[0].a), triple_times(u[1], v[1].a)),
+        triple_times(u[2], v[2].a));
 }
 
 /* to = u x v; `to` is neither of them. */
