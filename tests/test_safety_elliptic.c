@@ -139,7 +139,7 @@ static void over_families(cylint_ends ends)
                    : ends == CYLINT_ENDS_OPEN ? "open"
                                               : "infinite",
                    form_names[form], place_names[where], mean, g.least);
-            if (!CHECK(mean > 0.9))
+            if (!CHECK(mean > 0.85))
                 REPORT("%s %s: %g", form_names[form], place_names[where], mean);
         }
 }

@@ -347,6 +347,22 @@ INLINE int cone_distance(ARGUMENTS)
     return finish(&m, d, feature, 1, s, point, want, answer);
 }
 
+/* Whether describe() has the numbers of a feature: radius and centre of the top of
+ * an acone are not doubles. */
+static int has_description(const cylint_shape *s, int feature)
+{
+    return !cylint_has_tangent(s->kind) || feature == CYLINT_FEATURE_LATERAL ||
+           feature == CYLINT_FEATURE_RIM0;
+}
+
+/* A nappe whose radius falls as z grows, for describe(). */
+ASIDE void turn(cylint_shape *to, const cylint_shape *s)
+{
+    *to = *s;
+    to->local.sine = -s->local.sine;
+    to->local.sine_lo = -s->local.sine_lo;
+}
+
 ASIDE int profile_distance(const half_plane *m, profile *p, ARGUMENTS)
 {
     int flipped = 0;
@@ -362,9 +378,14 @@ ASIDE int profile_distance(const half_plane *m, profile *p, ARGUMENTS)
         : closed ? cone_feature(&at, p, whole(from_line(m, p)),
                                 whole(from_plane(m, p, at.z + at.above > 0)))
                  : open_feature(&at, p, cap);
-    if (feature == UNDECIDED ||
-        (flipped && want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)))
+    const int described = want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL);
+    cylint_shape other;
+    if (feature == UNDECIDED || (described && !has_description(s, feature)))
         return 0;
+    if (described && flipped) {
+        turn(&other, s);
+        s = &other;
+    }
     return finish(m, from_feature(m, p, feature), feature, closed, s, point,
                   want, answer);
 }
@@ -391,6 +412,17 @@ ASIDE int other_distance(ARGUMENTS)
     return profile_distance(&m, &p, s, point, want, answer);
 }
 
+/* The direction of the axis, for describe(). */
+ASIDE void load_unit_axis(cylint_shape *to, const cylint_shape *s, pair length)
+{
+    *to = *s;
+    EACH(i, 3) {
+        const pair w = pair_div(plain(s->axis[i]), length);
+        to->local.xyz[i][2] = w.hi;
+        to->local.xyz_lo[i][2] = w.lo;
+    }
+}
+
 /* An acone in world lengths: its local coordinates count axis lengths. */
 ASIDE int tangent_distance(ARGUMENTS)
 {
@@ -398,8 +430,7 @@ ASIDE int tangent_distance(ARGUMENTS)
     profile p;
     pair w[3];
     double half;
-    if (want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL))
-        return 0;
+    cylint_shape upright;
     EACH(i, 3)
         w[i] = plain(s->axis[i]);
     load_profile(&p, s);
@@ -408,6 +439,10 @@ ASIDE int tangent_distance(ARGUMENTS)
     p.rho[1] = normalized(lazy_mul(p.height, plain(s->r1)));
     p.r[1] = p.rho[1].hi;
     load_aside(&m, s, point, &p.height, p.height.hi + p.r[1]);
+    if (want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) {
+        load_unit_axis(&upright, s, p.height);
+        s = &upright;
+    }
     return profile_distance(&m, &p, s, point, want, answer);
 }
 
