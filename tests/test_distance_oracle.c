@@ -19,7 +19,7 @@
 #include "distance_oracle.h"
 #include "oracle.h"
 
-enum { CASES = 250, ELLIPTIC = 100, POINTS = 4, STRAIN = 6 };
+enum { CASES = 250, ELLIPTIC = 100, POINTS = 4, STRAIN = 12, LEAN = 18 };
 
 #define WANT (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
 
@@ -201,22 +201,32 @@ static void print_tally(const char *name, const struct tally *t)
            t->safety, t->above, t->ties);
 }
 
-/* Makes an elliptic shape longer, thinner, more oblique or nearly a cylinder. */
+/* h += lean a, or h += lean (a - 2 b). */
+static void lean_axis(double *x, double lean, int both)
+{
+    for (int i = 0; i < 3; i++)
+        x[9 + i] += lean * x[3 + i] - (both ? 2 * lean * x[6 + i] : 0);
+}
+
+/* Makes an elliptic shape longer, thinner, more oblique or nearly a cylinder.
+ * Lengths of its vectors then differ by up to 10^(2 STRAIN), and angles between
+ * them are as small as 10^-LEAN. */
 static void strain(struct family_case *c, uint64_t *stream)
 {
     double *x = c->shape_data;
-    const double lean = draw(stream, -3, 3);
-    const int mode = random_int(stream, 4);
-    for (int i = 0; i < 3 && mode == 0; i++)
-        x[9 + i] += lean * x[3 + i] - 2 * lean * x[6 + i];
-    for (int v = 3; v < 12 && mode == 1; v += 3) {
+    const int mode = random_int(stream, 6), both = random_int(stream, 2);
+    if (mode == 0)
+        lean_axis(x, draw(stream, -3, 3), both);
+    if (mode == 1 || mode == 2)
+        lean_axis(x, pow(10, draw(stream, 0, LEAN)), both);
+    for (int v = 3; v < 12 && (mode == 2 || mode == 3); v += 3) {
         const double by = pow(10, draw(stream, -STRAIN, STRAIN));
         for (int i = 0; i < 3; i++)
             x[v + i] *= by;
     }
-    if (mode == 2 && c->shape_word == FAMILY_ECONE)
+    if (mode == 4 && c->shape_word == FAMILY_ECONE)
         x[12] = 1 + draw_small(stream);
-    if (mode == 3 && c->shape_word == FAMILY_ECONE)
+    if (mode == 5 && c->shape_word == FAMILY_ECONE)
         x[12] = pow(10, draw(stream, -STRAIN, STRAIN));
     family_make(c);
 }

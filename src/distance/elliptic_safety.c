@@ -44,8 +44,8 @@ typedef struct {
     section_matrix A;
 } elliptic_position;
 
-/* The iteration for m ends after so many steps, or when the length of (1/M) w
- * differs from rho by such a part of it. */
+/* The iteration for m ends after so many steps, or after the first one when the
+ * length of (1/M) w differs from rho by such a part of it. */
 enum { MULTIPLIER_STEPS = 6 };
 #define CLOSE_ENOUGH 0x1p-4
 
@@ -152,7 +152,7 @@ static double find_multiplier(const section_matrix *A, double x, double y,
         double t[2];
         const double square = v[0] * v[0] + v[1] * v[1];
         const double short_by = rho - sqrt(square);
-        if (fabs(short_by) <= CLOSE_ENOUGH * rho)
+        if (i > 0 && fabs(short_by) <= CLOSE_ENOUGH * rho)
             break;
         solve_section(&M, A->xx * v[0] + A->xy * v[1],
                       A->xy * v[0] + A->yy * v[1], t);

@@ -4,7 +4,7 @@ $(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests $(em
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 
-bench_programs  := $(patsubst %,$(BUILD)/tools/bench/%,cost methods batch single distance)
+bench_programs  := $(patsubst %,$(BUILD)/tools/bench/%,cost methods batch single distance distance_elliptic)
 embree_programs := $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_packets embree_threads embree_counts)
 bench_common    := $(call bench_objects,contestants race timing plain shader $(if $(GSL),gsl_quadratic))
 

@@ -1,0 +1,93 @@
+/*
+ * elliptic_solids.h - elliptic shapes and points near them, by families
+ *
+ * Tests and benchmarks of distances from elliptic kinds draw from them.
+ */
+#ifndef CYLINT_ELLIPTIC_SOLIDS_H
+#define CYLINT_ELLIPTIC_SOLIDS_H
+
+#include <math.h>
+
+#include "cylint.h"
+#include "random.h"
+#include "vectors.h"
+
+enum form { OBLIQUE, UPRIGHT, THIN, NEEDLE, FORMS };
+enum where { NEAR, INSIDE, FAR, BESIDE, PLACES };
+
+static const char *const form_names[] = {"oblique", "upright", "thin",
+                                         "needle"};
+static const char *const place_names[] = {"near", "inside", "up to 1e6 away",
+                                          "1e-9 from the surface"};
+
+static uint64_t solid_stream = 1622;
+
+static double between(double low, double high)
+{
+    return low + (high - low) * random_unit(&solid_stream);
+}
+
+struct solid {
+    double c[3], a[3], b[3], h[3], k;
+};
+
+static int make_solid(cylint_shape *s, const struct solid *e, cylint_ends ends)
+{
+    return cylint_elliptic_cone(s, e->c, e->a, e->b, e->h, e->k, ends) ==
+           CYLINT_OK;
+}
+
+static void normalise(double v[3])
+{
+    const double size = sqrt(dot3(v, v));
+    for (int i = 0; i < 3; i++)
+        v[i] /= size;
+}
+
+/* Any vectors; or perpendicular ones, of which b is up to 3 times, 1000 times
+ * (thin) or 1e6 times (needle) shorter than a. */
+static void draw_solid(struct solid *e, enum form form, int is_cone)
+{
+    for (int i = 0; i < 3; i++) {
+        e->c[i] = between(-1, 1);
+        e->a[i] = between(-1, 1);
+        e->b[i] = between(-1, 1);
+        e->h[i] = between(-1, 1);
+    }
+    e->k = is_cone ? between(0, 1.5) : 1;
+    if (form == OBLIQUE)
+        return;
+    const double least = form == UPRIGHT ? -0.5 : form == THIN ? -3 : -6;
+    const double thin = pow(10, between(least, 0)),
+                 tall = pow(10, between(-1, 1));
+    normalise(e->a);
+    cross3(e->h, e->a, e->b);
+    normalise(e->h);
+    cross3(e->b, e->h, e->a);
+    for (int i = 0; i < 3; i++) {
+        e->b[i] *= thin;
+        e->h[i] *= tall;
+    }
+}
+
+static void draw_place(const struct solid *e, enum where where, double p[3])
+{
+    double z = between(0, 1), x, y;
+    if (where == NEAR || where == FAR) {
+        const double by = where == FAR ? pow(10, between(0, 6)) : 1;
+        x = by * between(-3, 3);
+        y = by * between(-3, 3);
+        z = by * between(-1, 2);
+    } else {
+        const double turn = between(0, 6.283185307179586);
+        const double rho = 1 + (e->k - 1) * z;
+        const double share = where == INSIDE ? 0.9 * sqrt(between(0, 1))
+                                             : 1 + 1e-9 * between(-1, 1);
+        x = rho * share * cos(turn);
+        y = rho * share * sin(turn);
+    }
+    for (int i = 0; i < 3; i++)
+        p[i] = e->c[i] + x * e->a[i] + y * e->b[i] + z * e->h[i];
+}
+
+#endif
