@@ -104,7 +104,7 @@ CYLINT_API double cylint_distance(const cylint_shape *shape,
  *
  * Let d be the absolute distance and R the length of the axis plus the larger
  * radius; of a sphere the radius.  In rounding to nearest the result for circular
- * and round kinds is at most 17 * 2^-52 (d + R) below d: some units in the last
+ * and round kinds is at most 16 * 2^-52 (d + R) below d: some units in the last
  * place of the point's coordinates relative to the shape, not of d.  For
  * infinite ends |P - base| * 1.42 takes the place of d in d + R.  Where d is not
  * larger than this bound, and for cap0, cap1, nappe, angle cones and round kinds

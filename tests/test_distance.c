@@ -356,7 +356,7 @@ static void check_environments(const struct family_case *c, const double p[3])
             const double far = fabs(want.distance);
             if (!CHECK(same(&got, &want) && safe >= 0 && safe <= far &&
                        (far < 2 * DBL_MIN || /* may be flushed to 0 */
-                        gap_of(&c->shape, p, far, safe) <= 34)))
+                        gap_of(&c->shape, p, far, safe) <= 32)))
                 report(c, p);
         }
 }
@@ -385,7 +385,7 @@ static void check_gap(const struct family_case *c, const double p[3])
     const double gap =
         gap_of(&c->shape, p, distance, cylint_safety(&c->shape, p));
     largest_gap = fmax(largest_gap, gap);
-    if (!CHECK(gap <= 17))
+    if (!CHECK(gap <= 16))
         report(c, p);
 }
 

@@ -55,18 +55,16 @@ typedef struct {
     double z, square;
 } position;
 
-/* Circular kinds.  rho is the length of the point's rejection from the axis. */
+/* Circular kinds: the local coordinates. */
 INLINE position locate(const cylint_shape *s, const double point[3])
 {
     const cylint_local *f = &s->local;
-    const vd XY = v_load(point) - v_load(s->base);
-    const double Z = point[2] - s->base[2];
-    const vd ab = v_two(f->xyz[0][2], f->xyz[1][2]);
-    const double c = f->xyz[2][2];
-    const double z = sum_of_lanes(XY * ab) + Z * c;
-    const vd xy = XY - v_set(z) * ab;
-    const double w = Z - z * c;
-    return (position){z, sum_of_lanes(xy * xy) + w * w};
+    const double X = point[0] - s->base[0], Y = point[1] - s->base[1],
+                 Z = point[2] - s->base[2];
+    const vd xy = v_set(X) * v_load(f->xyz[0]) + v_set(Y) * v_load(f->xyz[1]) +
+                  v_set(Z) * v_load(f->xyz[2]);
+    return (position){X * f->xyz[0][2] + Y * f->xyz[1][2] + Z * f->xyz[2][2],
+                      sum_of_lanes(xy * xy)};
 }
 
 /* From the planes of base and top, positive outside. */
@@ -114,30 +112,31 @@ INLINE double from_capsule(const cylint_shape *s, position at)
     return fabs(root(at.square + sum_of_lanes(z * z)) - s->r0);
 }
 
-/* x^2 with the sign of x. */
-INLINE double signed_square(double x)
+/* x^2 with the signs of x. */
+INLINE vd signed_squares(vd x)
 {
-    return x * fabs(x);
+    return x * v_abs(x);
 }
 
-/* The ball about the base is nearest where the foot C z + S rho is negative.
- * The squares are compared, which needs no root. */
+/*
+ * The lanes are the two balls.  One is nearest where the foot -C z - S rho or
+ * C (z - height) + S rho is positive.  The squares are compared, which needs no
+ * root.  If roundings make both positive, the result is not above the distance
+ * from the ball whose z is larger.
+ */
 INLINE double from_round_cone(const cylint_shape *s, position at)
 {
     const double C = s->local.cosine, S = s->local.sine;
-    const double above = at.z - s->local.height;
-    const double across = signed_square(S) * at.square;
-    const vd zero = v_set(0);
-    const vm before = v_lt(v_set(signed_square(C * at.z) + across), zero);
-    const vm beyond = v_lt(zero, v_set(signed_square(C * above) + across));
-    const vm ball = m_or(before, beyond);
-    const vd r = v_select(beyond, v_set(s->r1), v_set(s->r0));
-    const vd z = v_select(beyond, v_set(above), v_set(at.z));
-    const vd from_center = v_select(ball, z, zero);
-    const double up = v_first(from_center);
-    const double rho = root(at.square + up * up);
-    const vd line = v_set(C * rho - S * at.z);
-    return fabs(v_first(v_select(ball, v_set(rho), line)) - v_first(r));
+    const vd zero = v_set(0), z = from_planes(s, at.z);
+    const vd across = signed_squares(v_two(-S, S)) * v_set(at.square);
+    const vd foot = signed_squares(v_set(C) * z) + across;
+    const vm ball = v_lt(zero, foot);
+    const vm any = v_lt(zero, v_max(foot, v_turned(foot)));
+    const double up = max_of_lanes(v_select(ball, z * z, zero));
+    const double r = max_of_lanes(v_select(ball, v_two(s->r0, s->r1), zero));
+    const double rho = root(at.square + up);
+    const double line = C * rho - S * at.z - s->r0;
+    return fabs(v_first(v_select(any, v_set(rho - r), v_set(line))));
 }
 
 INLINE double from_sphere(const cylint_shape *s, const double point[3])

@@ -132,7 +132,7 @@
  * the terms are, in roundings,
  *
  *   z      5 |D|
- *   rho    8.3 |D| of the point's rejection from the axis, and 2.5 rho
+ *   rho    5 sqrt(2) |D| of x and y, and 2 rho
  *   a cone's lateral line at that position: 3 times the distance from the base's
  *          rim, and 1 of the difference; the last difference
  *
@@ -147,7 +147,7 @@
  *
  * The same of a sphere, relative to the distance plus the radius.  Proved.
  */
-#define CYLINT_SAFETY_ERROR (16.9 * CYLINT_NEAREST_ROUNDING)
+#define CYLINT_SAFETY_ERROR (15.4 * CYLINT_NEAREST_ROUNDING)
 #define CYLINT_SPHERE_SAFETY_ERROR (5.501 * CYLINT_NEAREST_ROUNDING)
 
 /*
