@@ -78,10 +78,11 @@ typedef struct cylint_closest {
  * point is on the surface.  The lateral surface and each rim have at most four
  * stationary points.  All of them are computed, so the nearest of several
  * local minima is found.  Let L be the length of the longest of a, b, h and the
- * vector from c to the point.  In rounding to nearest, if a, b, h, k a and k b
- * differ in length by factors up to 1e24 and |a.(b x h)| is at least 2^-60
- * |a| |b| |h|, a distance of 2^-60 L or more is within 1 unit in its last place,
- * and a smaller one has an error of at most 2^-113 L.  The components of point
+ * vector from c to the point.  In rounding to nearest, if a, b and h differ in
+ * length by factors up to 1e12, |a.(b x h)| is at least 2^-60 of the cube of the
+ * longest, and k is 0 or from 1e-6 to 1e6, a distance of 2^-60 L or more is
+ * within 1 unit in its last place, and a smaller one has an error of at most
+ * 2^-113 L.  The components of point
  * and normal are within 4 units in their last places, or 0 if they are below
  * 2^-100 of their terms.  Part and feature are those of a distance that exceeds
  * the least one by at most 2^-113 L.  Of points with equal distances on one
