@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "distance/certified_many.h"
 #include "distance_points.h"
 #include "known_distances.h"
 
@@ -92,6 +93,103 @@ static void batches_return_the_answers_of_single_questions(void)
           MANY);
     CHECK(cylint_closest_shape(shapes, MANY, p0, NAN, 0, &a) == MANY);
     CHECK(cylint_closest_shape(shapes, 0, p0, HUGE_VAL, 0, &a) == 0);
+}
+
+/* Points about a cylinder. */
+static void draw_points(uint64_t *stream, double *const x[3], size_t n)
+{
+    for (int k = 0; k < 3; k++)
+        for (size_t i = 0; i < n; i++)
+            x[k][i] = draw(stream, -3, 3);
+}
+
+static cylint_shape a_cylinder(cylint_ends ends)
+{
+    static const double top[3] = {1, 1, 2};
+    cylint_shape s;
+    cylint_cylinder(&s, origin, top, 1, ends);
+    return s;
+}
+
+static void check_single_columns(cylint_ends ends)
+{
+    static double x[3][MANY];
+    double *const at[3] = {x[0], x[1], x[2]};
+    const cylint_points points = {MANY, {x[0], x[1], x[2]}};
+    const cylint_shape s = a_cylinder(ends);
+    uint64_t stream = 4;
+    struct columns all, one;
+    draw_points(&stream, at, MANY);
+    const cylint_closest_columns full = columns_of(&all);
+    cylint_distance_points(&s, &points, &full);
+    for (int column = 0; column < 9; column++) {
+        const cylint_closest_columns to = columns_of(&one);
+        cylint_closest_columns only = {NULL, NULL, NULL, {NULL}, {NULL}};
+        memset(&one, 77, sizeof one);
+        struct columns want = one;
+        if (column == 0) {
+            only.distance = to.distance;
+            memcpy(want.distance, all.distance, sizeof all.distance);
+        } else if (column == 1) {
+            only.part = to.part;
+            memcpy(want.part, all.part, sizeof all.part);
+        } else if (column == 2) {
+            only.feature = to.feature;
+            memcpy(want.feature, all.feature, sizeof all.feature);
+        } else if (column < 6) {
+            only.point[column - 3] = to.point[column - 3];
+            memcpy(want.point[column - 3], all.point[column - 3],
+                   sizeof all.point[0]);
+        } else {
+            only.normal[column - 6] = to.normal[column - 6];
+            memcpy(want.normal[column - 6], all.normal[column - 6],
+                   sizeof all.normal[0]);
+        }
+        cylint_distance_points(&s, &points, &only);
+        if (!CHECK(memcmp(&one, &want, sizeof one) == 0))
+            REPORT("column %d", column);
+    }
+}
+
+/* Without the others; in lanes, and an infinite shape one by one. */
+static void every_column_can_be_wanted_alone(void)
+{
+    check_single_columns(CYLINT_ENDS_CAPPED);
+    check_single_columns(CYLINT_ENDS_INFINITE);
+}
+
+/* Points and pairs beyond the first block. */
+static void batches_of_several_blocks_return_the_same_bits(void)
+{
+    enum { N = 2 * CYLINT_POINT_BLOCK + 9 };
+    static double x[3][N], distance[N + 1];
+    static signed char part[N + 1];
+    static cylint_shape shapes[N];
+    double *const at[3] = {x[0], x[1], x[2]};
+    const cylint_points points = {N, {x[0], x[1], x[2]}};
+    const cylint_closest_columns to = {
+        distance, part, NULL, {NULL, NULL, NULL}, {NULL, NULL, NULL}};
+    const cylint_shape s = a_cylinder(CYLINT_ENDS_CAPPED);
+    uint64_t stream = 5;
+    draw_points(&stream, at, N);
+    for (int i = 0; i < N; i++) {
+        const double top[3] = {draw(&stream, 1, 2), 1, draw(&stream, 1, 2)};
+        cylint_cylinder(&shapes[i], origin, top, 1, CYLINT_ENDS_CAPPED);
+    }
+    for (int pairs = 0; pairs < 2; pairs++) {
+        distance[N] = part[N] = 77;
+        if (pairs)
+            cylint_distance_pairs(shapes, &points, &to);
+        else
+            cylint_distance_points(&s, &points, &to);
+        for (int i = 0; i < N; i++) {
+            const double p[3] = {x[0][i], x[1][i], x[2][i]};
+            const cylint_closest a =
+                answer_to(pairs ? &shapes[i] : &s, p, CYLINT_WANT_PART);
+            CHECK(distance[i] == a.distance && part[i] == a.part);
+        }
+        CHECK(distance[N] == 77 && part[N] == 77);
+    }
 }
 
 /* Points about the shape of a case, answered in lanes and one by one. */
@@ -192,6 +290,8 @@ int main(void)
     if (family_count() == 0)
         return check_skip("no GSL: no families to draw from (make deps)");
     RUN(batches_return_the_answers_of_single_questions);
+    RUN(every_column_can_be_wanted_alone);
+    RUN(batches_of_several_blocks_return_the_same_bits);
     RUN(lanes_of_all_builds_return_the_same_bits);
     RUN(of_equal_shapes_the_first_is_closest);
     return check_end();
