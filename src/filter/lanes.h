@@ -104,25 +104,30 @@ INLINE void broadcast_frame(lanes_frame *to, const cylint_local *f)
     to->sine_lo = v_set(f->sine_lo);
 }
 
-INLINE void broadcast_shape(lanes_shape *to, const cylint_shape *s)
+/* kind: of the shape. */
+INLINE void broadcast_shape(lanes_shape *to, const cylint_shape *s, int kind)
 {
-    if (cylint_is_hull(s->kind))
-        broadcast_frame(&to->frame, &s->local);
     EACH(i, 3) {
         to->base[i] = v_set(s->base[i]);
         to->top[i] = v_set(s->top[i]);
+    }
+    to->r[0] = v_set(s->r0);
+    to->r[1] = v_set(s->r1);
+    const unsigned all = (1u << LANES) - 1, caps = cylint_caps_present(s->ends);
+    to->cap[0] = m_from(caps & 1 ? all : 0);
+    to->cap[1] = m_from(caps & 2 ? all : 0);
+    if (cylint_is_hull(kind))
+        broadcast_frame(&to->frame, &s->local);
+    if (cylint_is_round(kind))
+        return;
+    EACH(i, 3) {
         to->axis[i] = v_set(s->axis[i]);
         to->axis_lo[i] = v_set(s->axis_lo[i]);
         to->a[i] = v_set(s->a[i]);
         to->b[i] = v_set(s->left_handed ? -s->b[i] : s->b[i]);
     }
-    to->r[0] = v_set(s->r0);
-    to->r[1] = v_set(s->r1);
     to->dr = v_set(s->dr);
     to->dr_lo = v_set(s->dr_lo);
-    const unsigned all = (1u << LANES) - 1, caps = cylint_caps_present(s->ends);
-    to->cap[0] = m_from(caps & 1 ? all : 0);
-    to->cap[1] = m_from(caps & 2 ? all : 0);
 }
 
 /* A value with a bound on its error. */

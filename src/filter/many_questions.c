@@ -364,7 +364,7 @@ static void load(const cylint_filter_batch *from, const size_t *list, int lanes,
     if (from->run)
         shapes_at(from, list, from->kind, &to->shape);
     else
-        broadcast_shape(&to->shape, from->shapes);
+        broadcast_shape(&to->shape, from->shapes, from->kind);
     /* a line with an empty domain is none (other invalid lines are left
      * undecided, because their numbers compare to nothing) */
     to->in_use =
