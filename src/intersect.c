@@ -185,25 +185,30 @@ int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
     return n;
 }
 
+#if CYLINT_IS_PARANOID
+int cylint_occluded(const cylint_shape *shape, const cylint_line *line)
+{
+    cylint_answer answer;
+    return cylint_intersect(shape, line, CYLINT_WANT_NEAREST, &answer);
+}
+#else
 ASIDE int occluded_by_signs(const cylint_shape *shape, const cylint_line *line)
 {
     cylint_answer answer;
     return cylint_intersect_by_signs(shape, line, CYLINT_WANT_NEAREST, &answer);
 }
 
+/* The arguments are volatile as in answer_t(). */
 int cylint_occluded(const cylint_shape *shape, const cylint_line *line)
 {
-    cylint_answer answer;
-#if CYLINT_IS_PARANOID
-    return cylint_intersect(shape, line, CYLINT_WANT_NEAREST, &answer);
-#else
-    const cylint_shape *volatile const its_shape = shape; /* as above */
+    const cylint_shape *volatile const its_shape = shape;
     const cylint_line *volatile const its_line = line;
+    cylint_answer answer;
     const int n = cylint_filter_one(cylint_one_used(), shape, line,
                                     CYLINT_WANT_NEAREST, &answer, NULL);
     return n == CYLINT_UNDECIDED ? occluded_by_signs(its_shape, its_line) : n;
-#endif
 }
+#endif
 
 int cylint_contains(const cylint_shape *shape, const double point[3])
 {
