@@ -201,7 +201,8 @@ static void every_exponent_is_answered(void)
     CHECK(cylint_distance(&s, huge, 0, &a) == most);
     cylint_cone(&s, origin, 1, along, 0.75, CYLINT_ENDS_INFINITE);
     CHECK(cylint_distance(&s, beside, 0, &a) == least);
-    CHECK(cylint_safety(&s, beside) == 0);
+    CHECK(cylint_safety(&s, beside) == 0 &&
+          !signbit(cylint_safety(&s, beside)));
     CHECK(cylint_distance(&s, far, 0, &a) == HUGE_VAL && a.flags == 0);
     CHECK(cylint_safety(&s, far) == most);
     cylint_cylinder(&s, far, huge, most, CYLINT_ENDS_CAPPED);

@@ -95,7 +95,7 @@ expand() { # CLAIM MODE COLUMN; column of constants: 2 as stated, 3 smaller
 
 is_proved() { # CLAIM MODE COLUMN
     expand "$1" "$2" "$3" > "$build/claim.g"
-    timeout 60 gappa -Eprecision=300 "$build/claim.g" \
+    timeout 300 gappa -Eprecision=300 "$build/claim.g" \
         > "$build/claim.log" 2>&1
     status=$?
     # 1 means "not proved"; any other status is a failure of gappa
