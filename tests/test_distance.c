@@ -210,6 +210,24 @@ static void every_exponent_is_answered(void)
     CHECK(fabs(a.distance) > most / 4);
 }
 
+static void circles_of_tangency_are_lateral(void)
+{
+    static const double top[3] = {0, 0, 2}, at_base[3] = {3, 0, 0},
+                        at_top[3] = {0, 3, 2}, beyond[3] = {3, 0, 2 + 0x1p-51},
+                        before[3] = {0, 3, -0x1p-60};
+    cylint_shape s;
+    cylint_closest a;
+    cylint_capsule(&s, origin, top, 1, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_distance(&s, at_base, WANT, &a) == 2);
+    CHECK(a.part == CYLINT_PART_LATERAL && a.feature == CYLINT_FEATURE_RIM0);
+    CHECK(cylint_distance(&s, at_top, WANT, &a) == 2);
+    CHECK(a.part == CYLINT_PART_LATERAL && a.feature == CYLINT_FEATURE_RIM1);
+    cylint_distance(&s, beyond, WANT, &a);
+    CHECK(a.part == CYLINT_PART_CAP1 && a.feature == CYLINT_FEATURE_CAP1);
+    cylint_distance(&s, before, WANT, &a);
+    CHECK(a.part == CYLINT_PART_CAP0 && a.feature == CYLINT_FEATURE_CAP0);
+}
+
 /* The middle of the largest double and 2^1024. */
 static void a_distance_is_rounded_to_infinity_from_its_middle_on(void)
 {
@@ -434,6 +452,7 @@ int main(void)
     RUN(where_there_is_no_surface_the_distance_is_infinite);
     RUN(a_point_is_on_a_surface_exactly_or_within_ulps);
     RUN(every_exponent_is_answered);
+    RUN(circles_of_tangency_are_lateral);
     RUN(a_distance_is_rounded_to_infinity_from_its_middle_on);
     RUN(the_sign_is_that_of_contains);
     RUN(all_paths_return_the_same_bits);
