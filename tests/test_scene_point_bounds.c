@@ -12,6 +12,7 @@ cylint_traverse_point CYLINT_TRAVERSE_POINT;
 
 #include "check.h"
 #include "random.h"
+#include "vectors.h"
 
 enum { ROUNDS = 4000 };
 
@@ -162,6 +163,27 @@ static long double distance_to_lane(const cylint_leaf *b, int lane,
     return sqrtl(square) - (b->r[lane] & CYLINT_LEAF_R_MASK);
 }
 
+/* A point at which the nearest point of lane 0 is inside its axis, in steps. */
+static void draw_beside(uint64_t *stream, const cylint_leaf *b, double far,
+                        double q[3])
+{
+    double p[3], w[3], side[3], size = 0;
+    const double any[3] = {between(stream, -1, 1), between(stream, -1, 1),
+                           between(stream, -1, 1)};
+    const double z = random_unit(stream);
+    for (int j = 0; j < 3; j++) {
+        const int shift = j * CYLINT_LEAF_P_BITS;
+        p[j] = (double)(b->p[0][0] >> shift & CYLINT_LEAF_P_MASK);
+        w[j] = (double)(b->p[1][0] >> shift & CYLINT_LEAF_P_MASK) - p[j];
+    }
+    cross3(side, w, any);
+    for (int j = 0; j < 3; j++)
+        size = fmax(size, fabs(side[j]));
+    for (int j = 0; j < 3; j++)
+        q[j] = p[j] - CYLINT_LEAF_MIDDLE + z * w[j] +
+               (size > 0 ? far * side[j] / size : far);
+}
+
 /* far: the distance from the centre in steps, about. */
 static void check_lanes(uint64_t *stream, double far)
 {
@@ -172,8 +194,12 @@ static void check_lanes(uint64_t *stream, double far)
     draw_leaf(stream, &b);
     const double steps = (double)cylint_leaf_steps(&b);
     t.error = random_int(stream, 2) ? 0x1p-30 : 0;
+    double from[3] = {between(stream, -far, far), between(stream, -far, far),
+                      between(stream, -far, far)};
+    if (random_int(stream, 2))
+        draw_beside(stream, &b, far, from);
     for (int j = 0; j < 3; j++) {
-        t.x[j] = (double)b.center[j] + between(stream, -far, far) / steps;
+        t.x[j] = (double)b.center[j] + from[j] / steps;
         q[j] = ((long double)t.x[j] - b.center[j]) * steps;
         K += fabsl(q[j]);
     }
