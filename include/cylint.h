@@ -159,6 +159,10 @@ typedef struct cylint_local {
                                    surface (signs/forms_template.h): their
                                    values here times these */
     double cosine_lo, sine_lo;
+    double unit[3], unit_lo[3]; /* the direction of the axis: multiples of
+                                   2^-26 and the rest; circular and round */
+    double turn[2], turn_lo[2]; /* cosine and sine: the same */
+    double snap; /* x + snap - snap: x as a multiple of a small power of two */
 } cylint_local;
 
 /*

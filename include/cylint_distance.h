@@ -40,6 +40,10 @@ typedef struct cylint_closest {
                          coordinate of the point is infinite or NaN */
 } cylint_closest;
 
+/* The size of cylint_closest in bytes in the library that runs, as
+ * cylint_sizeof_hit(). */
+CYLINT_API size_t cylint_sizeof_closest(void);
+
 /*
  * cylint_distance - distance of a point from the surface of a shape
  *

@@ -15,14 +15,18 @@ typedef struct {
 /* dispatch.c chooses when first called. */
 extern const cylint_kernels *cylint_kernels_chosen CYLINT_HIDDEN;
 const cylint_kernels *cylint_choose_kernels(void);
-static inline const cylint_kernels *cylint_kernels_used(void)
+static inline const cylint_kernels *cylint_kernels_if_chosen(void)
 {
 #ifdef __GNUC__
-    const cylint_kernels *kernels =
-        __atomic_load_n(&cylint_kernels_chosen, __ATOMIC_RELAXED);
+    return __atomic_load_n(&cylint_kernels_chosen, __ATOMIC_RELAXED);
 #else
-    const cylint_kernels *kernels = cylint_kernels_chosen;
+    return cylint_kernels_chosen;
 #endif
+}
+
+static inline const cylint_kernels *cylint_kernels_used(void)
+{
+    const cylint_kernels *kernels = cylint_kernels_if_chosen();
     return kernels ? kernels : cylint_choose_kernels();
 }
 

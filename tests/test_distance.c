@@ -49,6 +49,11 @@ static cylint_shape round_cone(cylint_ends ends)
     check_known(#table, shape, table, (int)(sizeof(table) / sizeof(table)[0]), \
                 0, 0)
 
+static void the_size_of_an_answer_is_that_of_the_header(void)
+{
+    CHECK(cylint_sizeof_closest() == sizeof(cylint_closest));
+}
+
 static void answers_about_a_capped_cylinder_are_known(void)
 {
     static const struct known capped[] = {
@@ -445,6 +450,7 @@ static void a_power_of_two_scales_the_distance(void)
 
 int main(void)
 {
+    RUN(the_size_of_an_answer_is_that_of_the_header);
     RUN(answers_about_a_capped_cylinder_are_known);
     RUN(answers_of_other_ends_are_known);
     RUN(answers_about_cones_are_known);

@@ -1,7 +1,7 @@
 /*
  * certified_many.c - distances of many points from capped shapes, in lanes
  *
- * The formulas and bounds are those of certified_distance.c.  Every lane
+ * The formulas and bounds are those of limbs.h and limb_distance.c.  Every lane
  * computes all features, and masks choose.
  */
 #include "certified_many.h"
@@ -15,76 +15,66 @@
 #define CYLINT_CERTIFY_MANY cylint_certify_many_plain
 #endif
 
-/* -------------------------------------------------------------- pairs -- */
+/* -------------------------------------------------------------- limbs -- */
 
-INLINE vpair both(double hi, double lo)
+typedef vpair vlimbs;
+
+INLINE vd sum_of_limbs(vlimbs a)
 {
-    return (vpair){v_set(hi), v_set(lo)};
+    return a.hi + a.lo;
 }
 
-INLINE vpair times(vpair a, vpair b)
+INLINE vlimbs split(vd x, vd snap)
 {
-    const vpair p = v_two_prod(a.hi, b.hi);
-    return (vpair){p.hi, v_sum_of(a.hi, b.lo, v_sum_of(a.lo, b.hi, p.lo))};
+    const vd hi = (x + snap) - snap;
+    return (vlimbs){hi, x - hi};
 }
 
-/* lo^2 included. */
-INLINE vpair square(vpair a)
+INLINE vlimbs limbs_sub(vlimbs a, vlimbs b)
 {
-    const vpair p = v_two_prod(a.hi, a.hi);
-    return (vpair){p.hi, v_sum_of(a.hi + a.hi + a.lo, a.lo, p.lo)};
+    return (vlimbs){a.hi - b.hi, a.lo - b.lo};
 }
 
-INLINE vpair pick(vm m, vpair a, vpair b)
+INLINE vlimbs pick(vm m, vlimbs a, vlimbs b)
 {
-    return (vpair){v_select(m, a.hi, b.hi), v_select(m, a.lo, b.lo)};
+    return (vlimbs){v_select(m, a.hi, b.hi), v_select(m, a.lo, b.lo)};
 }
 
-INLINE vpair sum_of_squares(vpair x, vpair y, vpair z)
+/* a + x^2; x2: x rounded to doubles. */
+INLINE vlimbs plus_square(vlimbs a, vlimbs x, vd x2)
 {
-    const vpair a = square(x), b = square(y), c = square(z);
-    const vpair s = v_two_sum(a.hi, b.hi), t = v_two_sum(s.hi, c.hi);
-    return (vpair){t.hi, (s.lo + t.lo) + (a.lo + (b.lo + c.lo))};
+    return (vlimbs){v_sum_of(x.hi, x.hi, a.hi),
+                    v_sum_of(x.lo, x2 + x.hi, a.lo)};
 }
 
-/* A root and the size of its first correction relative to it. */
-typedef struct {
-    vpair v;
-    vd half, step;
-} vroot;
-
-INLINE vroot root_of(vpair a)
+INLINE vlimbs minus_square(vlimbs a, vlimbs x, vd x2)
 {
-    vroot r;
-    const vd s = v_sqrt(a.hi);
-    const vpair p = v_two_prod(s, s);
-    r.half = v_set(0.5) / s;
-    const vd step = ((a.hi - p.hi) + (a.lo - p.lo)) * r.half;
-    r.v = (vpair){s, step - step * step * r.half};
-    r.step = v_abs(step) * (r.half + r.half);
-    return r;
+    return (vlimbs){v_sum_of(-x.hi, x.hi, a.hi),
+                    v_sum_of(-x.lo, x2 + x.hi, a.lo)};
 }
 
 /* --------------------------------------------------------- half plane -- */
 
 /* The constants of the shape in all lanes. */
 typedef struct {
-    vpair base[3], top[3], w[3], height, cosine, sine, offset;
-    vpair z[2], rho[2]; /* the ends of the lateral line */
-    vd r[2], reach;
-    int is_hull;
+    vd base[3], unit[3], unit_lo[3], turn[2], turn_lo[2];
+    vd height, height_lo, cosine, sine, r[2], reach;
 } vshape;
 
 typedef struct {
-    vpair D[3], z, dd, rho;
-    vd size, error, margin;
+    vlimbs z, square, above; /* above: z - height */
+    vd size, snap;
 } vplane;
 
-/* The nearest feature so far. */
+/* The distance, rounded with the error subtracted and added. */
 typedef struct {
-    vpair d;
-    vd feature, error;
-    vm certain;
+    vd low, high;
+} vrounded;
+
+typedef struct {
+    vrounded d;
+    vd feature; /* if wanted */
+    vm known;
 } vnearest;
 
 /* A member of the shapes of all lanes. */
@@ -98,60 +88,94 @@ typedef struct {
 
 INLINE void load_shapes(vshape *v, const cylint_shape *const at[LANES])
 {
-    const vd zero = v_set(0);
-    vd reach;
-    v->is_hull = cylint_is_hull(at[0]->kind);
     EACH(i, 3) {
-        OF_LANES(v->base[i].hi, base[i]);
-        OF_LANES(v->top[i].hi, top[i]);
-        OF_LANES(v->w[i].hi, local.xyz[i][2]);
-        OF_LANES(v->w[i].lo, local.xyz_lo[i][2]);
-        v->base[i].lo = v->top[i].lo = zero;
+        OF_LANES(v->base[i], base[i]);
+        OF_LANES(v->unit[i], local.unit[i]);
+        OF_LANES(v->unit_lo[i], local.unit_lo[i]);
     }
-    OF_LANES(v->height.hi, local.height);
-    OF_LANES(v->height.lo, local.height_lo);
-    OF_LANES(v->cosine.hi, local.cosine);
-    OF_LANES(v->cosine.lo, local.cosine_lo);
-    OF_LANES(v->sine.hi, local.sine);
-    OF_LANES(v->sine.lo, local.sine_lo);
+    EACH(i, 2) {
+        OF_LANES(v->turn[i], local.turn[i]);
+        OF_LANES(v->turn_lo[i], local.turn_lo[i]);
+    }
+    OF_LANES(v->height, local.height);
+    OF_LANES(v->height_lo, local.height_lo);
+    OF_LANES(v->cosine, local.cosine);
+    OF_LANES(v->sine, local.sine);
     OF_LANES(v->r[0], r0);
     OF_LANES(v->r[1], r1);
-    OF_LANES(reach, local.reach);
-    v->reach = reach + v->r[0];
-    v->z[0] = both(0, 0);
-    v->z[1] = v->height;
-    v->rho[0] = (vpair){v->r[0], zero};
-    v->rho[1] = (vpair){v->r[1], zero};
-    v->offset = v->is_hull ? v->rho[0] : times(v->cosine, v->rho[0]);
+    OF_LANES(v->reach, local.reach);
 }
 
-INLINE void load_plane(vplane *m, const vshape *s, const vd x[3])
+INLINE void load_plane(vplane *m, const vshape *s, const vd x[3], int axial)
 {
-    vpair sum = {v_set(0), v_set(0)};
+    const vd zero = v_set(0);
+    vpair D[3];
+    m->size = s->reach;
     EACH(i, 3) {
-        m->D[i] = v_two_sum(x[i], -s->base[i].hi);
-        const vpair p = times(m->D[i], s->w[i]);
-        sum = i ? vpair_add(sum, p) : p;
+        D[i] = v_two_sum(x[i], -s->base[i]);
+        m->size = m->size + v_abs(D[i].hi);
     }
-    m->z = sum;
-    m->dd = sum_of_squares(m->D[0], m->D[1], m->D[2]);
-    const vpair zz = times(m->z, m->z);
-    const vpair rr = v_fast_two_sum(m->dd.hi, -zz.hi);
-    const vroot root = root_of((vpair){rr.hi, rr.lo + (m->dd.lo - zz.lo)});
-    m->rho = root.v;
-    m->size = v_abs(m->D[0].hi) + v_abs(m->D[1].hi) + v_abs(m->D[2].hi);
-    const vd thin = m->size * root.half;
-    m->error =
-        v_select(v_le(thin, v_set(CYLINT_THINNEST)),
-                 v_set(CYLINT_HALF_PLANE_ERROR) * (m->size * thin + s->reach),
-                 v_set(HUGE_VAL));
-    m->margin = v_set(CYLINT_FEATURE_MARGIN) * (m->size + s->reach) + m->error;
+    m->snap = v_set(CYLINT_LIMB_SNAP) * m->size;
+    m->z = m->square = (vlimbs){zero, zero};
+    EACH(i, 3) {
+        const vd hi = (D[i].hi + m->snap) - m->snap;
+        const vd lo = (D[i].hi - hi) + D[i].lo;
+        m->square.hi = v_sum_of(hi, hi, m->square.hi);
+        m->square.lo = v_sum_of(lo, D[i].hi + hi, m->square.lo);
+        m->z.hi = v_sum_of(hi, s->unit[i], m->z.hi);
+        m->z.lo =
+            v_sum_of(lo, s->unit[i], v_sum_of(D[i].hi, s->unit_lo[i], m->z.lo));
+    }
+    if (!axial)
+        return;
+    const vlimbs z = split(sum_of_limbs(m->z), m->snap);
+    m->z = (vlimbs){z.hi, (m->z.hi - z.hi) + m->z.lo};
+    vlimbs h = split(s->height, m->snap);
+    h.lo = h.lo + s->height_lo;
+    m->above = limbs_sub(m->z, h);
 }
 
-INLINE vpair from_line(const vplane *m, const vshape *s)
+/* sqrt(a); adds its error to *error. */
+INLINE vlimbs root_of(vlimbs a, const vplane *m, vd *error)
 {
-    const vpair across = times(s->cosine, m->rho);
-    return vpair_sub(vpair_sub(across, times(s->sine, m->z)), s->offset);
+    const vd s = v_sqrt(sum_of_limbs(a)), half = v_set(0.5) / s;
+    const vlimbs root = split(s, m->snap);
+    const vd rest = sum_of_limbs(minus_square(a, root, s));
+    const vd unit = v_set(CYLINT_LIMB_ERROR) * m->size;
+    const vd thin = m->size * half;
+    *error = *error + v_select(v_le(thin, v_set(CYLINT_LIMB_THINNEST)),
+                               v_sum_of(unit, thin, unit), v_set(HUGE_VAL));
+    return (vlimbs){root.hi, v_sum_of(rest, half, root.lo)};
+}
+
+INLINE vlimbs square_across(const vplane *m)
+{
+    return minus_square(m->square, m->z, sum_of_limbs(m->z));
+}
+
+/* cosine x - sine z. */
+INLINE vlimbs turned(const vshape *s, const vplane *m, vlimbs x)
+{
+    const vd C = s->turn[0], S = s->turn[1];
+    const vd across = v_sum_of(C, x.lo, s->turn_lo[0] * sum_of_limbs(x));
+    const vd along = v_sum_of(S, m->z.lo, s->turn_lo[1] * sum_of_limbs(m->z));
+    return (vlimbs){v_sum_of(C, x.hi, -(S * m->z.hi)), across - along};
+}
+
+INLINE vrounded round_limbs(vlimbs a, vd error)
+{
+    return (vrounded){a.hi + (a.lo - error), a.hi + (a.lo + error)};
+}
+
+/* NaN where b is. */
+INLINE vrounded larger_of(vrounded a, vrounded b)
+{
+    return (vrounded){v_max(a.low, b.low), v_max(a.high, b.high)};
+}
+
+INLINE vrounded pick_rounded(vm m, vrounded a, vrounded b)
+{
+    return (vrounded){v_select(m, a.low, b.low), v_select(m, a.high, b.high)};
 }
 
 /* Feet on the lateral line: before it and after it; or neither is certain. */
@@ -159,145 +183,192 @@ typedef struct {
     vm before, on, after;
 } vfoot;
 
-INLINE vfoot foot_of(const vplane *m, const vshape *s)
+INLINE vfoot foot_of(vd before, vd after, vd M)
 {
-    const vd C = s->cosine.hi, S = s->sine.hi, M = m->margin;
-    const vd rho = m->rho.hi + m->rho.lo;
-    const vd r0 = s->is_hull ? v_set(0) : s->r[0];
-    const vd r1 = s->is_hull ? v_set(0) : s->r[1];
-    const vd before = C * m->z.hi + S * (rho - r0);
-    const vd after = C * (m->z.hi - s->height.hi) + S * (rho - r1);
     const vm is_before = v_lt(before, -M);
     return (vfoot){is_before, m_and(v_lt(M, before), v_lt(after, -M)),
                    m_and(v_lt(M, after), m_not(is_before))};
 }
 
-/* ------------------------------------------------- a capped cylinder or cone */
-
-/* Chooses the rim in lanes of `rims`. */
-INLINE void choose_rim(vnearest *n, const vplane *m, const vshape *s, vm rims,
-                       vm top)
+INLINE vd feature_at(vm top, int at_base, int at_top)
 {
-    const vpair r = pick(top, s->rho[1], s->rho[0]);
-    const vpair z = pick(top, s->z[1], s->z[0]);
-    const vpair x = vpair_sub(m->rho, r), y = vpair_sub(m->z, z);
-    const vpair a = square(x), b = square(y), t = v_two_sum(a.hi, b.hi);
-    const vroot root = root_of((vpair){t.hi, t.lo + (a.lo + b.lo)});
-    const vm good = v_le(root.step, v_set(CYLINT_ROOT_STEP));
-    n->d = pick(rims, root.v, n->d);
-    n->feature = v_select(
-        rims,
-        v_select(top, v_set(CYLINT_FEATURE_RIM1), v_set(CYLINT_FEATURE_RIM0)),
-        n->feature);
-    n->certain = m_and(n->certain, m_or(m_not(rims), good));
+    return v_select(top, v_set(at_top), v_set(at_base));
 }
 
-INLINE vnearest between_planes(const vplane *m, const vshape *s)
+/* ------------------------------------------------- a capped cylinder or cone */
+
+/* A point and a shape between planes, in doubles. */
+typedef struct {
+    vd z, above, a, x0, x1, before, after, error;
+} vsection;
+
+/* Writes the feature, and where it is known. */
+INLINE void find_feature(vnearest *n, const vplane *m, const vshape *s,
+                         const vsection *p)
 {
-    const vd M = m->margin, h = s->height.hi, zero = v_set(0);
-    const vd t = m->z.hi + (m->z.hi - h), rho = m->rho.hi + m->rho.lo;
-    const vm top = v_lt(zero, t);
-    const vpair level = pick(top, s->height, both(0, 0));
-    const vd sign = v_select(top, v_set(1), v_set(-1));
-    const vpair T = vpair_sub(m->z, level), A = from_line(m, s);
-    const vpair B = {sign * T.hi, sign * T.lo};
-    /* near the axis the low part of a root counts */
-    const vd a = A.hi + A.lo, b = B.hi + B.lo;
+    const vd M = v_set(CYLINT_FEATURE_MARGIN) * m->size + p->error;
+    const vd t = p->z + p->above, a = p->a;
+    const vm top = v_lt(v_set(0), t);
+    const vd b = v_select(top, p->above, -p->z);
+    const vd x = v_select(top, p->x1, p->x0);
     const vm less = v_lt(a, b);
     const vm inside = m_and(v_lt(a, -M), v_lt(b, -M));
     const vm tie = m_or(v_le(v_abs(a - b), M), m_and(less, v_le(v_abs(t), M)));
     const vm outside = m_or(v_lt(M + M, a), v_lt(M, b));
-    const vd r = v_select(top, s->r[1], s->r[0]);
-    const vm beyond = m_and(v_lt(M, b), v_lt(rho, r - M));
-    const vm not_beyond = m_or(v_lt(b, -M), v_lt(r + M, rho));
-    const vfoot foot = foot_of(m, s);
-    const vm known =
-        m_or(beyond,
-             m_and(not_beyond, m_or(foot.on, m_or(foot.before, foot.after))));
+    const vm beyond = m_and(v_lt(M, b), v_lt(x, -M));
+    const vm not_beyond = m_or(v_lt(b, -M), v_lt(M, x));
+    const vfoot foot = foot_of(p->before, p->after, M);
+    const vm sides = m_or(foot.on, m_or(foot.before, foot.after));
     const vm cap = m_or(m_and(inside, less), m_and(m_not(inside), beyond));
+    const vm lateral = m_or(inside, m_or(beyond, foot.on));
+    n->feature = v_select(
+        lateral, v_set(CYLINT_FEATURE_LATERAL),
+        feature_at(foot.after, CYLINT_FEATURE_RIM0, CYLINT_FEATURE_RIM1));
+    n->feature =
+        v_select(cap, feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
+                 n->feature);
+    n->known = m_or(m_and(inside, m_not(tie)),
+                    m_and(outside, m_or(beyond, m_and(not_beyond, sides))));
+    n->known = m_and(n->known, v_lt(M + M, s->height));
+}
+
+/* Where both are positive. */
+INLINE vm is_over(vd x, vd y)
+{
+    return m_and(v_lt(v_set(0), x), v_lt(v_set(0), y));
+}
+
+/* limb_distance.c: the largest of the distances from the lines, or a rim. */
+INLINE void between_planes(vnearest *n, const vplane *m, const vshape *s,
+                           int tapered, int parted)
+{
+    const vd zero = v_set(0);
+    vsection p;
+    p.error = zero;
+    const vlimbs rho = root_of(square_across(m), m, &p.error);
+    const vlimbs x0 = limbs_sub(rho, split(s->r[0], m->snap));
+    const vlimbs x1 = tapered ? limbs_sub(rho, split(s->r[1], m->snap)) : x0;
+    const vlimbs lateral = tapered ? turned(s, m, x0) : x0;
+    const vlimbs below = {-m->z.hi, -m->z.lo};
+    const vrounded beyond =
+        larger_of(round_limbs(below, p.error), round_limbs(m->above, p.error));
+    n->d = larger_of(beyond, round_limbs(lateral, p.error));
+    p.z = sum_of_limbs(m->z);
+    p.above = sum_of_limbs(m->above);
+    p.a = sum_of_limbs(lateral);
+    p.x0 = sum_of_limbs(x0);
+    p.x1 = sum_of_limbs(x1);
+    p.before = tapered ? v_sum_of(s->cosine, p.z, s->sine * p.x0) : p.z;
+    p.after = tapered ? v_sum_of(s->cosine, p.above, s->sine * p.x1) : p.above;
+    const vm top = v_lt(zero, p.after);
+    const vm outside = m_or(v_lt(p.before, zero), top);
+    const vm caps = m_or(is_over(-p.z, -p.x0), is_over(p.above, -p.x1));
     const vm rims =
-        m_and(m_not(m_or(inside, beyond)), m_or(foot.before, foot.after));
-    vnearest n;
-    n.d = pick(cap, B, A);
-    n.feature = v_select(
-        cap,
-        v_select(top, v_set(CYLINT_FEATURE_CAP1), v_set(CYLINT_FEATURE_CAP0)),
-        v_set(CYLINT_FEATURE_LATERAL));
-    n.error = m->error;
-    n.certain = m_or(m_and(inside, m_not(tie)), m_and(outside, known));
-    n.certain = m_and(n.certain, v_lt(M + M, h));
-    if (m_any(rims))
-        choose_rim(&n, m, s, rims, foot.after);
-    return n;
+        tapered ? m_and(m_and(outside, m_not(caps)), v_lt(zero, n->d.low))
+                : is_over(beyond.low, p.a);
+    if (parted)
+        find_feature(n, m, s, &p);
+    if (m_any(rims)) {
+        const vlimbs none = {zero, zero};
+        const vlimbs x = pick(top, x1, x0), y = pick(top, m->above, m->z);
+        vd error = p.error;
+        const vlimbs square = plus_square(plus_square(none, x, sum_of_limbs(x)),
+                                          y, sum_of_limbs(y));
+        const vlimbs root = root_of(square, m, &error);
+        n->d = pick_rounded(rims, round_limbs(root, error), n->d);
+    }
 }
 
 /* ---------------------------------------------------- a hull or a sphere -- */
 
-/* Chooses the ball in lanes of `balls`. */
-INLINE void choose_ball(vnearest *n, vpair dd, vd r, vm balls, int feature)
+/* The distance from the segment between the centres, minus the radius. */
+INLINE void of_capsule(vnearest *n, const vplane *m, const vshape *s,
+                       int parted)
 {
-    const vroot root = root_of(v_fast_two_sum(dd.hi, dd.lo));
-    const vpair d = vpair_sub(root.v, (vpair){r, v_set(0)});
-    n->d = pick(balls, d, n->d);
-    n->feature = v_select(balls, v_set(feature), n->feature);
-    n->error = v_select(balls, v_set(CYLINT_HALF_PLANE_ERROR) * (root.v.hi + r),
-                        n->error);
+    const vd zero = v_set(0);
+    vd error = zero;
+    const vd z = sum_of_limbs(m->z), above = sum_of_limbs(m->above);
+    const vm low = v_lt(z, zero), top = v_lt(zero, above);
+    const vlimbs none = {zero, zero};
+    const vlimbs y = pick(top, m->above, pick(low, m->z, none));
+    const vlimbs root =
+        root_of(plus_square(square_across(m), y, sum_of_limbs(y)), m, &error);
+    n->d = round_limbs(limbs_sub(root, split(s->r[0], m->snap)), error);
+    if (!parted)
+        return;
+    const vd M = v_set(CYLINT_FEATURE_MARGIN) * m->size;
+    n->known = m_and(v_lt(M, v_abs(z)), v_lt(M, v_abs(above)));
+    n->feature =
+        v_select(m_or(low, top),
+                 feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
+                 v_set(CYLINT_FEATURE_LATERAL));
 }
 
-INLINE vnearest of_hull(const vplane *m, const vshape *s, const vd x[3])
+/* A ball or the cone that touches both. */
+INLINE void of_round_cone(vnearest *n, const vplane *m, const vshape *s,
+                          int parted)
 {
-    const vfoot foot = foot_of(m, s);
-    vnearest n;
-    n.d = from_line(m, s);
-    n.feature = v_set(CYLINT_FEATURE_LATERAL);
-    n.error = m->error;
-    n.certain = m_or(foot.on, m_or(foot.before, foot.after));
-    if (m_any(foot.before))
-        choose_ball(&n, m->dd, s->r[0], foot.before, CYLINT_FEATURE_CAP0);
-    if (m_any(foot.after)) {
-        vpair D[3];
-        EACH(i, 3)
-            D[i] = v_two_sum(x[i], -s->top[i].hi);
-        choose_ball(&n, sum_of_squares(D[0], D[1], D[2]), s->r[1], foot.after,
-                    CYLINT_FEATURE_CAP1);
+    const vd zero = v_set(0);
+    vd error = zero;
+    const vd z = sum_of_limbs(m->z), above = sum_of_limbs(m->above);
+    const vlimbs across = square_across(m);
+    const vlimbs rho = root_of(across, m, &error);
+    const vd lean = s->sine * sum_of_limbs(rho);
+    const vd before = v_sum_of(s->cosine, z, lean);
+    const vd after = v_sum_of(s->cosine, above, lean);
+    const vm low = v_lt(before, zero), top = v_lt(zero, after);
+    const vm balls = m_or(low, top);
+    const vlimbs d = limbs_sub(turned(s, m, rho), split(s->r[0], m->snap));
+    n->d = round_limbs(d, error);
+    if (m_any(balls)) {
+        const vlimbs y = pick(top, m->above, m->z);
+        const vd r = v_select(top, s->r[1], s->r[0]);
+        vd ball_error = zero;
+        const vlimbs root =
+            root_of(plus_square(across, y, sum_of_limbs(y)), m, &ball_error);
+        const vlimbs ball = limbs_sub(root, split(r, m->snap));
+        n->d = pick_rounded(balls, round_limbs(ball, ball_error), n->d);
     }
-    return n;
+    if (!parted)
+        return;
+    const vd M = v_set(CYLINT_FEATURE_MARGIN) * m->size + error;
+    const vfoot foot = foot_of(before, after, M);
+    n->known = m_or(foot.on, m_or(foot.before, foot.after));
+    n->feature = v_select(
+        balls, feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
+        v_set(CYLINT_FEATURE_LATERAL));
 }
 
-INLINE vnearest of_sphere(const vshape *s, const vd x[3])
+INLINE void of_sphere(vnearest *n, const vplane *m, const vshape *s)
 {
-    const vm all = v_le(v_set(0), v_set(0));
-    vnearest n = {both(0, 0), v_set(0), v_set(0), all};
-    vpair D[3];
-    EACH(i, 3)
-        D[i] = v_two_sum(x[i], -s->base[i].hi);
-    choose_ball(&n, sum_of_squares(D[0], D[1], D[2]), s->r[0], all,
-                CYLINT_FEATURE_LATERAL);
-    return n;
+    vd error = v_set(0);
+    const vlimbs root = root_of(m->square, m, &error);
+    n->d = round_limbs(limbs_sub(root, split(s->r[0], m->snap)), error);
 }
 
 /* ------------------------------------------------------------- blocks -- */
 
-/* Whether every number within the error rounds to d.hi; d becomes normal. */
-INLINE vm is_certain(vnearest *n)
+/* Where all numbers within the error round to the same double. */
+INLINE vm is_certain(const vnearest *n)
 {
-    n->d = v_fast_two_sum(n->d.hi, n->d.lo);
-    const vd size = v_abs(n->d.hi);
-    const vd most = n->error + v_set(CYLINT_NEAREST_MARGIN) * size;
-    const vm up = v_eq(n->d.hi + (n->d.lo + most), n->d.hi);
-    const vm down = v_eq(n->d.hi + (n->d.lo - most), n->d.hi);
-    return m_and(m_and(n->certain, v_le(v_set(CYLINT_DISTANCE_LEAST), size)),
-                 m_and(up, down));
+    return m_and(v_le(n->d.high, n->d.low), n->known);
 }
 
-INLINE vnearest nearest_of(const cylint_shape *shape, const vshape *s,
-                           const vd x[3])
+INLINE void find_nearest(vnearest *n, const cylint_shape *shape,
+                         const vshape *s, const vd x[3], int parted)
 {
     vplane m;
+    n->known = v_le(v_set(0), v_set(0));
+    n->feature = v_set(CYLINT_FEATURE_LATERAL);
+    load_plane(&m, s, x, shape->kind != CYLINT_KIND_SPHERE);
     if (shape->kind == CYLINT_KIND_SPHERE)
-        return of_sphere(s, x);
-    load_plane(&m, s, x);
-    return s->is_hull ? of_hull(&m, s, x) : between_planes(&m, s);
+        of_sphere(n, &m, s);
+    else if (shape->kind == CYLINT_KIND_CAPSULE)
+        of_capsule(n, &m, s, parted);
+    else if (shape->kind == CYLINT_KIND_RCONE)
+        of_round_cone(n, &m, s, parted);
+    else
+        between_planes(n, &m, s, shape->kind == CYLINT_KIND_CONE, parted);
 }
 
 /* The points from i on, the last one again where there are no more. */
@@ -329,16 +400,17 @@ INLINE int find_shapes(const cylint_shape *at[LANES],
     return same;
 }
 
-INLINE unsigned write_lanes(vnearest *at, int i, int n, double *distance,
+INLINE unsigned write_lanes(const vnearest *at, int i, int n, double *distance,
                             signed char *feature)
 {
     double d[LANES], f[LANES];
     const unsigned certain = m_bits(is_certain(at));
-    v_store(d, at->d.hi);
+    v_store(d, at->d.low);
     v_store(f, at->feature);
     for (int lane = 0; lane < LANES && i + lane < n; lane++) {
         distance[i + lane] = d[lane];
-        feature[i + lane] = (signed char)f[lane];
+        if (feature)
+            feature[i + lane] = (signed char)f[lane];
     }
     return certain;
 }
@@ -361,7 +433,8 @@ int CYLINT_CERTIFY_MANY(const cylint_shape *shapes, int each,
             if (each || i == 0)
                 load_shapes(&s, at);
             load_points(x, xyz, i, n);
-            vnearest nearest = nearest_of(at[0], &s, x);
+            vnearest nearest;
+            find_nearest(&nearest, at[0], &s, x, feature != NULL);
             certain = write_lanes(&nearest, i, n, distance, feature);
         }
         for (int lane = 0; lane < LANES && i + lane < n; lane++) {

@@ -11,22 +11,22 @@
 enum { CYLINT_POINT_BLOCK = 256 };
 
 /* What the kernels serve: prepared shapes, capped, circular or round but not
- * given by an angle.  0: nothing.  Shapes of one class can share lanes. */
+ * given by an angle.  0: nothing.  Shapes of one class, their kind, can share
+ * lanes. */
 static inline int cylint_lane_class(const cylint_shape *s)
 {
     return !s->prepared || s->ends != CYLINT_ENDS_CAPPED ||
                    cylint_is_elliptic(s->kind) || cylint_has_tangent(s->kind)
-               ? 0
-           : cylint_is_hull(s->kind)       ? 2
-           : s->kind == CYLINT_KIND_SPHERE ? 3
-                                           : 1;
+               ? CYLINT_KIND_NONE
+               : s->kind;
 }
 
 /*
- * Writes the distances and features of n <= CYLINT_POINT_BLOCK points that are
- * certain, writes the numbers of the others to `rest`, and returns how many these
- * are.  each = 0: from one shape that the kernels serve; 1: point i from shape i,
- * where LANES consecutive shapes of a class share lanes.
+ * Writes the distances and, unless NULL, the features of
+ * n <= CYLINT_POINT_BLOCK points that are certain, writes the numbers of the
+ * others to `rest`, and returns how many these are.  each = 0: from one shape
+ * that the kernels serve; 1: point i from shape i, where LANES consecutive shapes
+ * of a class share lanes.
  */
 typedef int cylint_certify_many(const cylint_shape *shapes, int each,
                                 const double *const xyz[3], int n,

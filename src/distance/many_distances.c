@@ -97,21 +97,23 @@ static void block(const cylint_shape *shapes, size_t each,
     double unwanted[CYLINT_POINT_BLOCK];
     signed char feature[CYLINT_POINT_BLOCK];
     int rest[CYLINT_POINT_BLOCK];
+    const unsigned parted = wanted(answers) & CYLINT_WANT_PART;
     double *distance = answers->distance ? answers->distance + first : unwanted;
     const double *const xyz[3] = {
         points->xyz[0] + first, points->xyz[1] + first, points->xyz[2] + first};
     const cylint_shape *from = shapes + each * first;
-    const int left = certify(from, each != 0, xyz, n, distance, feature, rest);
+    const int left = certify(from, each != 0, xyz, n, distance,
+                             parted ? feature : NULL, rest);
     int next = 0;
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < n && (left > 0 || parted); i++) {
         const cylint_shape *shape = from + each * (size_t)i;
         if (next < left && rest[next] == i) {
             const double point[3] = {xyz[0][i], xyz[1][i], xyz[2][i]};
             cylint_closest answer;
-            cylint_distance(shape, point, CYLINT_WANT_PART, &answer);
+            cylint_distance(shape, point, parted, &answer);
             write_row(answers, first + (size_t)i, &answer);
             next++;
-        } else if (answers->part || answers->feature) {
+        } else if (parted) {
             write_feature(shape, feature[i], answers, first + (size_t)i);
         }
     }

@@ -118,6 +118,49 @@
 #define CYLINT_DISTANCE_LEAST 0x1p-300
 
 /*
+ * Distances in triples (distance/near_surface.h): fewer than 2^5 operations with
+ * an error of CYLINT_TRIPLE_ROUNDING of terms whose sizes are counted there.
+ * Points within CYLINT_CLOSE of their size of the surface are served.  Up to
+ * CYLINT_CLOSE_MOST no product of lengths in range overflows.  CYLINT_CLOSE_LOSS:
+ * the relative error of a few operations on pairs; CYLINT_CLOSE_MARGIN: more than
+ * that of a comparison of doubles.
+ */
+#define CYLINT_CLOSE_ERROR 0x1p-144
+#define CYLINT_CLOSE_LOSS 0x1p-90
+#define CYLINT_CLOSE_MARGIN 0x1p-40
+#define CYLINT_CLOSE 0x1p-20
+#define CYLINT_CLOSE_MOST 0x1p64
+
+/*
+ * Distances in limbs (distance/limbs.h).  S is a sum of sizes: at least the size
+ * |D0| + |D1| + |D2| + height + radii of the question, so no coordinate and no
+ * distance is larger.  x + K S - K S, K = CYLINT_LIMB_SNAP, is a multiple of a
+ * power of two g > 2^-26 S, and the rest is at most v = 2^-26 S.  So sums of
+ * products of two hi are multiples of g^2 below 2^53 g^2, and doubles compute
+ * them without error.  The same holds for a hi and a component of a unit vector
+ * that is a multiple of 2^-26 (CYLINT_UNIT_SNAP).
+ *
+ * Errors, in units of u v, u = 2^-53:
+ *
+ *   lo of D        1 in each coordinate
+ *   lo of z        12: 9 of terms that sum up to 2.3 v, 3 of the last sum
+ *   lo of D.D      10 size: 2 of D, 4 of products, 4 of sums
+ *   D.D - z^2      its lo: the errors of both and 15 size of roundings: 50 size
+ *   rest of rho    12 size more; with y^2 of a ball's distance 40 size more
+ *   rho            half of that / rho: below 51 thin, thin = size / (2 rho)
+ *
+ * 64 u v (1 + thin) = 2^-73 S (1 + thin) is more than that and the errors of the
+ * sums and products that follow; CYLINT_LIMB_ERROR is 2^2 times that.  The root
+ * in doubles begins with an error of 12 u size^2 of its square: the second term
+ * of the series is below 2^-98 size thin^3, so thin <= CYLINT_LIMB_THINNEST.
+ */
+#define CYLINT_LIMB_SNAP 0x1p27
+#define CYLINT_UNIT_SNAP 0x1.8p26
+#define CYLINT_LIMB_ERROR 0x1p-71
+#define CYLINT_LIMB_THINNEST 0x1p12
+#define CYLINT_LIMB_NEAR 8
+
+/*
  * The error of one operation on pairs whose lo can be some ulps of hi, relative
  * to the sizes of its terms, and that of the unit vector of an axis, of cosine
  * and of sine, relative to themselves (distance/certified_point.h).

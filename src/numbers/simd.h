@@ -528,6 +528,8 @@ static inline vq q_product_error(vq x, vq y, vq p)
 {
     return _mm256_fmsub_pd(x, y, p);
 }
+/* q_load3(): x[0], x[1], x[2] and 0.  q_sums3(): the sums of the first three
+ * numbers of x and of y.  q_sum3() adds all four. */
 /* Lanes 0 and 1; lanes 2 and 3. */
 static inline vd q_low(vq x) { return _mm256_castpd256_pd128(x); }
 static inline vd q_high(vq x) { return _mm256_extractf128_pd(x, 1); }
@@ -540,6 +542,19 @@ static inline vq q_spread(vd x)
 static inline vq q_firsts(vq x) { return _mm256_permute4x64_pd(x, 0x00); }
 static inline vq q_seconds(vq x) { return _mm256_permute4x64_pd(x, 0x55); }
 static inline vq q_thirds(vq x) { return _mm256_permute4x64_pd(x, 0xAA); }
+static inline vq q_load3(const double *x)
+{
+    return _mm256_maskload_pd(x, _mm256_set_epi64x(0, -1, -1, -1));
+}
+static inline vq q_abs(vq x)
+{
+    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), x);
+}
+static inline vd q_sums3(vq x, vq y)
+{
+    const vq even = _mm256_unpacklo_pd(x, y), odd = _mm256_unpackhi_pd(x, y);
+    return (q_low(even) + q_low(odd)) + q_high(even);
+}
 #else
 typedef struct {
     vd low, high;
@@ -598,7 +613,24 @@ static inline vq q_spread(vd x)
 static inline vq q_firsts(vq x) { return q_spread(v_firsts(x.low, x.low)); }
 static inline vq q_seconds(vq x) { return q_spread(v_seconds(x.low, x.low)); }
 static inline vq q_thirds(vq x) { return q_spread(v_firsts(x.high, x.high)); }
+static inline vq q_load3(const double *x)
+{
+    return q_join(v_load(x), v_two(x[2], 0));
+}
+static inline vq q_abs(vq x) { return q_join(v_abs(x.low), v_abs(x.high)); }
+static inline vd q_sums3(vq x, vq y)
+{
+    return (v_firsts(x.low, y.low) + v_seconds(x.low, y.low)) +
+           v_firsts(x.high, y.high);
+}
 #endif
+
+/* The fourth is 0. */
+static inline double q_sum3(vq x)
+{
+    const vd sum = q_low(x) + q_high(x);
+    return v_first(sum + v_turned(sum));
+}
 
 typedef struct {
     vq hi, lo;

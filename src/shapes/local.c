@@ -133,6 +133,21 @@ static void store(cylint_local *to, const rows *m)
     }
 }
 
+/* Writes x as a multiple of 2^-26 and the rest; |x| <= 1. */
+static void split(pair x, double *hi, double *lo)
+{
+    *hi = (x.hi + CYLINT_UNIT_SNAP) - CYLINT_UNIT_SNAP;
+    *lo = (x.hi - *hi) + x.lo;
+}
+
+static void store_split(cylint_local *to, const rows *m)
+{
+    for (int i = 0; i < 3; i++)
+        split(m->z[i], &to->unit[i], &to->unit_lo[i]);
+    split((pair){to->cosine, to->cosine_lo}, &to->turn[0], &to->turn_lo[0]);
+    split((pair){to->sine, to->sine_lo}, &to->turn[1], &to->turn_lo[1]);
+}
+
 /* Writes cosine and sine, of a tapered shape with this growth of the radius
  * along the axis.  Returns the slope.  The cosine of a rounded cone has the error
  * of 1 - sine^2, which is larger relative to it. */
@@ -216,13 +231,16 @@ void cylint_measure_local(cylint_shape *s)
                     : plain(0);
     }
     store(to, &m);
-    if (!cylint_is_elliptic(s->kind))
+    if (!cylint_is_elliptic(s->kind)) {
         slope = measure_angle(to, s, slope);
+        store_split(to, &m);
+    }
     to->height = height.hi;
     to->height_lo = height.lo;
     to->slope = slope.hi;
     to->slope_lo = slope.lo;
     to->reach = (height.hi + cylint_larger(s->r0, s->r1)) * CYLINT_SLACK;
+    to->snap = to->reach * CYLINT_LIMB_NEAR * CYLINT_LIMB_SNAP;
     to->norm =
         cylint_larger(cylint_larger(size_of(m.x), size_of(m.y)), size_of(m.z)) *
         CYLINT_SLACK;
