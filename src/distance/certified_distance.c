@@ -16,6 +16,7 @@
 
 #include "certified_point.h"
 #include "half_plane.h"
+#include "near_surface.h"
 
 #ifndef CYLINT_CERTIFIED
 #define CYLINT_CERTIFIED cylint_certified_plain
@@ -229,27 +230,73 @@ INLINE void write_part(const cylint_shape *s, int feature, unsigned want,
     answer->part = cylint_feature_part(answer->feature);
 }
 
+/* Computes the distance in triples, if it is small; whether it is certain then.
+ * center: of the ball that the feature is a part of, or NULL. */
+ASIDE int is_certain_in_triples(const half_plane *m, int feature,
+                                const double *center, double r, pair *d,
+                                const cylint_shape *s, const double point[3])
+{
+    const double size = m->size + s->local.reach;
+    if (!(fabs(d->hi) <= CYLINT_CLOSE * size) || !(size <= CYLINT_CLOSE_MOST) ||
+        feature >= CYLINT_FEATURE_RIM0 || cylint_has_tangent(s->kind))
+        return 0;
+    const close_distance to =
+        center ? close_to_ball(point, center, r)
+        : feature == CYLINT_FEATURE_LATERAL
+            ? close_to_line(s, point, normalized(m->rho), m->error, size)
+            : close_to_plane(s, point, feature == CYLINT_FEATURE_CAP1, size);
+    *d = normalized(to.d);
+    return is_certain(*d, to.error);
+}
+
 /* Writes the answer; whether all of it is certain. */
 INLINE int finish(const half_plane *m, pair d, int feature, int is_signed,
                   ARGUMENTS)
 {
     d = normalized(d);
     write_part(s, feature, want, answer);
+    if (!is_certain(d, m->error) &&
+        !is_certain_in_triples(m, feature, NULL, 0, &d, s, point))
+        return 0;
     answer->distance = is_signed ? d.hi : fabs(d.hi);
-    return is_certain(d, m->error) &&
-           (!(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) ||
-            describe(s, point, m, feature, d, want, answer));
+    return !(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) ||
+           describe(s, point, m, feature, d, want, answer);
 }
 
-/* The same for a ball; d is normal. */
+/* Writes the answer for a point near a rim of a capped cylinder or cone, whose
+ * distances from the lateral line and from the plane of the end are A and B,
+ * nearly; whether all of it is certain. */
+ASIDE int finish_at_corner(const half_plane *m, double A, double B, int top,
+                           ARGUMENTS)
+{
+    corner k;
+    close_distance to = {{0, 0}, HUGE_VAL};
+    const double size = m->size + s->local.reach;
+    if (!(fabs(A) + fabs(B) <= CYLINT_CLOSE * size) ||
+        !(size <= CYLINT_CLOSE_MOST) || !load_corner(&k, s, point, m, top))
+        return 0;
+    const int feature = corner_feature(&k, top, &to);
+    const pair d = normalized(to.d);
+    if (feature == UNDECIDED || !is_certain(d, to.error))
+        return 0;
+    write_part(s, feature, want, answer);
+    answer->distance = d.hi;
+    return !(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) ||
+           describe(s, point, m, feature, d, want, answer);
+}
+
+/* finish() for a ball; d is normal. */
 INLINE int finish_on_ball(pair d, double error, const double center[3],
                           double r, int is_signed, ARGUMENTS)
 {
-    (void)s;
+    const half_plane m = {.size = fabs(d.hi) + 2 * r, .error = error};
+    if (!is_certain(d, error) &&
+        !is_certain_in_triples(&m, CYLINT_FEATURE_CAP0, center, r, &d, s,
+                               point))
+        return 0;
     answer->distance = is_signed ? d.hi : fabs(d.hi);
-    return is_certain(d, error) &&
-           (!(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) ||
-            describe_ball(point, center, r, want, answer));
+    return !(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) ||
+           describe_ball(point, center, r, want, answer);
 }
 
 INLINE int finish_ball(const double center[3], double r, int is_signed,
@@ -287,8 +334,15 @@ INLINE int cylinder_distance(ARGUMENTS)
     const int cap = a < b, rim = (a > 0) & (b > 0);
     const int inside = (a < 0) & (b < 0);
     const int tie = (fabs(a - b) <= M) | (cap & (fabs(t) <= M));
+    const int on_lateral = (fabs(a) <= M) & (b < -2 * M);
+    const int on_cap = (fabs(b) <= M) & (a < -2 * M) & (fabs(t) > M);
+    if (on_lateral | on_cap)
+        return finish(&m, on_cap ? B : A,
+                      on_cap ? at_end(CYLINT_FEATURE_CAP0, top)
+                             : CYLINT_FEATURE_LATERAL,
+                      1, s, point, want, answer);
     if (!((fabs(a) > M) & (fabs(b) > M)) || (inside & tie))
-        return 0;
+        return finish_at_corner(&m, a, b, top, s, point, want, answer);
     return finish(&m,
                   rim   ? length_of(A, B)
                   : cap ? B
@@ -296,7 +350,8 @@ INLINE int cylinder_distance(ARGUMENTS)
                   rim   ? at_end(CYLINT_FEATURE_RIM0, top)
                   : cap ? at_end(CYLINT_FEATURE_CAP0, top)
                         : CYLINT_FEATURE_LATERAL,
-                  1, s, point, want, answer);
+                  1, s, point, want, answer) ||
+           finish_at_corner(&m, a, b, top, s, point, want, answer);
 }
 
 /* Whether the point lies beyond the cap; or undecided. */
@@ -315,6 +370,10 @@ INLINE int cone_feature(const position *at, const profile *p, double A,
 {
     const double M = at->margin, t = at->z + at->above;
     const int top = t > 0, cap = A < B;
+    if ((fabs(A) <= 2 * M) & (B < -4 * M))
+        return CYLINT_FEATURE_LATERAL;
+    if ((fabs(B) <= M) & (A < -4 * M) & (fabs(t) > M))
+        return at_end(CYLINT_FEATURE_CAP0, top);
     if ((A < -M) & (B < -M)) {
         if ((fabs(A - B) <= M) | (cap & (fabs(t) <= M)))
             return UNDECIDED;
@@ -338,13 +397,15 @@ INLINE int cone_distance(ARGUMENTS)
     const pair A = from_line(&m, &p);
     const pair B = from_plane(&m, &p, at.z + at.above > 0);
     const int feature = cone_feature(&at, &p, whole(A), whole(B));
-    if (feature == UNDECIDED)
-        return 0;
+    const int top = at.z + at.above > 0;
     const pair d = feature == CYLINT_FEATURE_LATERAL ? A
                    : feature < CYLINT_FEATURE_RIM0
                        ? B
                        : from_end(&m, &p, feature == CYLINT_FEATURE_RIM1);
-    return finish(&m, d, feature, 1, s, point, want, answer);
+    return (feature != UNDECIDED &&
+            finish(&m, d, feature, 1, s, point, want, answer)) ||
+           finish_at_corner(&m, whole(A), whole(B), top, s, point, want,
+                            answer);
 }
 
 /* Whether describe() has the numbers of a feature: radius and centre of the top of

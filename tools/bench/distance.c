@@ -23,11 +23,12 @@
 #include "vectors.h"
 
 enum { PAIRS = 4096 };
-enum family { NEAR, INSIDE, FAR, SURFACE, FAMILIES };
+enum family { NEAR, INSIDE, FAR, SURFACE, ROUNDED, FAMILIES };
 enum mode { RIVAL, DISTANCE, POINT, SAFETY, MODES };
 
 static const char *const family_names[FAMILIES] = {
-    "near", "inside", "far 1e5..1e7", "1e-14..1e-10 from the surface"};
+    "near", "inside", "far 1e5..1e7", "1e-14..1e-10 from the surface",
+    "on the surface but for rounding"};
 static const char *const mode_names[MODES] = {NULL, "distance",
                                               "distance and point", "safety"};
 static const struct kind {
@@ -110,9 +111,9 @@ static void make_point(int i, enum family family)
     around(i, 1, points[i]);
     while (family == INSIDE && cylint_contains(&shapes[i], points[i]) < 0)
         around(i, 0.5, points[i]);
-    if (family == SURFACE) {
-        const double off =
-            pow(10, between(-14, -10)) * (gsl_rng_uniform(rng) < 0.5 ? -1 : 1);
+    if (family == SURFACE || family == ROUNDED) {
+        const double size = family == SURFACE ? pow(10, between(-14, -10)) : 0;
+        const double off = gsl_rng_uniform(rng) < 0.5 ? -size : size;
         cylint_distance(&shapes[i], points[i],
                         CYLINT_WANT_POINT | CYLINT_WANT_NORMAL, &a);
         for (int c = 0; c < 3; c++)

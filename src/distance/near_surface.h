@@ -1,0 +1,187 @@
+/*
+ * near_surface.h - distances near the surface, in triples
+ *
+ * Near a surface the distance is a small difference.  It is a form that is 0 on
+ * the surface, divided by a number that is not small.  The terms of the form are
+ * products of the doubles given, so triples have all digits that count.  With
+ * D the point from the base, w the axis, W = w.w and T = r0 W + dr D.w:
+ *
+ *   plane           D.w / |w|
+ *   ball            (D.D - r^2) / (|D| + r)
+ *   cylinder        ((D.D - r^2) W - (D.w)^2) / (W (rho + r))
+ *   cone            cosine ((D.D W - (D.w)^2) W - T^2) / (W^2 (rho + T / W))
+ *   rounded cone    ((D.D W - (D.w)^2) (W - dr^2) - T^2)
+ *                                              / (W^2 (cosine rho + T / W))
+ */
+#ifndef CYLINT_NEAR_SURFACE_H
+#define CYLINT_NEAR_SURFACE_H
+
+#include "half_plane.h"
+#include "nearest.h"
+#include "triple_vector.h"
+
+#if LANES == 2
+
+static triple triple_of_pair(pair x)
+{
+    return (triple){x.hi, x.lo, 0};
+}
+
+static pair pair_of_triple(triple x)
+{
+    return fast_two_sum(x.a, x.b + x.c);
+}
+
+static void load_difference(triple D[3], const double point[3],
+                            const double from[3])
+{
+    EACH(i, 3)
+        D[i] = triple_of_pair(two_diff(point[i], from[i]));
+}
+
+static void load_axis(triple w[3], const cylint_shape *s)
+{
+    EACH(i, 3)
+        w[i] = (triple){s->axis[i], s->axis_lo[i], 0};
+}
+
+/* A distance and the bound on its error. */
+typedef struct {
+    pair d;
+    double error;
+} close_distance;
+
+/* form / divisor, where the terms of the form divided by the divisor are at most
+ * `size` and the divisor has the relative error `loss`. */
+static close_distance quotient(triple form, pair divisor, double size,
+                               double loss)
+{
+    const pair d = pair_div(pair_of_triple(form), divisor);
+    return (close_distance){d, CYLINT_CLOSE_ERROR * size +
+                                   (loss + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
+}
+
+static close_distance close_to_plane(const cylint_shape *s,
+                                     const double point[3], int top,
+                                     double size)
+{
+    triple D[3], w[3];
+    const pair length = {s->local.height, s->local.height_lo};
+    load_difference(D, point, top ? s->top : s->base);
+    load_axis(w, s);
+    close_distance to = quotient(triple_dot(D, w), length, size, 0);
+    if (!top)
+        to.d = pair_neg(to.d);
+    return to;
+}
+
+static close_distance close_to_ball(const double point[3],
+                                    const double center[3], double r)
+{
+    triple D[3];
+    load_difference(D, point, center);
+    const triple square = triple_dot(D, D);
+    const triple form = triple_sub(square, triple_of_pair(two_prod(r, r)));
+    const pair length = pair_sqrt(pair_of_triple(square));
+    const pair divisor = pair_add(length, (pair){r, 0});
+    return quotient(form, divisor, 2 * divisor.hi, 0);
+}
+
+/* error: of rho. */
+static close_distance close_to_line(const cylint_shape *s,
+                                    const double point[3], pair rho,
+                                    double error, double size)
+{
+    triple D[3], w[3];
+    load_difference(D, point, s->base);
+    load_axis(w, s);
+    const triple DD = triple_dot(D, D), Dw = triple_dot(D, w);
+    const triple W = triple_dot(w, w);
+    const pair W2 = pair_of_triple(W), r = {s->r0, 0};
+    if (!cylint_is_tapered(s->kind)) {
+        const triple rr = triple_of_pair(two_prod(s->r0, s->r0));
+        const triple form = triple_det(triple_sub(DD, rr), W, Dw, Dw);
+        const pair sum = pair_add(rho, r);
+        return quotient(form, pair_mul(W2, sum), 4 * size / sum.hi * size,
+                        error / sum.hi);
+    }
+    const triple dr = {s->dr, s->dr_lo, 0};
+    const triple T = triple_add(triple_times(W, s->r0), triple_mul(dr, Dw));
+    const triple across = triple_det(DD, W, Dw, Dw);
+    const pair C = {s->local.cosine, s->local.cosine_lo};
+    const int round = cylint_is_round(s->kind);
+    const triple factor = round ? triple_sub(W, triple_mul(dr, dr)) : W;
+    const triple form = triple_det(across, factor, T, T);
+    const pair radius = pair_div(pair_of_triple(T), W2);
+    const pair sum = pair_add(round ? pair_mul(C, rho) : rho, radius);
+    close_distance to = quotient(form, pair_mul(pair_mul(W2, W2), sum),
+                                 16 * size / sum.hi * size, error / sum.hi);
+    if (!round) {
+        to.d = pair_mul(to.d, C);
+        to.error *= s->local.cosine * CYLINT_SLACK;
+    }
+    if (!(radius.hi > 0)) /* beyond the apex: the other nappe can be nearer */
+        to.error = HUGE_VAL;
+    return to;
+}
+
+/*
+ * Near a corner, A from the lateral line and B from the plane of the end, both
+ * positive outside.  With the slope S of the line, whose sign is that at the
+ * top, x = (A + S B) / cosine is the distance from the rim across the axis, and
+ * B + S A is positive if the foot on the line is beyond the rim.
+ */
+typedef struct {
+    close_distance lateral, plane;
+    pair x, foot;
+    double error;  /* of all four */
+    double margin; /* the same, and that of a comparison of doubles */
+} corner;
+
+static int load_corner(corner *k, const cylint_shape *s, const double point[3],
+                       const half_plane *m, int top)
+{
+    const cylint_local *f = &s->local;
+    const double size = m->size + f->reach, r = top ? s->r1 : s->r0;
+    const pair C = {f->cosine, f->cosine_lo};
+    pair S = {f->sine, f->sine_lo};
+    if (!top)
+        S = pair_neg(S);
+    k->lateral = close_to_line(s, point, normalized(m->rho), m->error, size);
+    k->plane = close_to_plane(s, point, top, size);
+    const pair A = k->lateral.d, B = k->plane.d;
+    k->x = pair_div(pair_add(A, pair_mul(S, B)), C);
+    k->foot = pair_add(B, pair_mul(S, A));
+    const double far = fabs(k->x.hi) + fabs(B.hi);
+    k->error = 2 * (k->lateral.error + k->plane.error) / f->cosine;
+    k->margin = k->error + CYLINT_CLOSE_MARGIN * far;
+    /* no other end, and no other side */
+    return 4 * far <= cylint_smaller(r, f->height);
+}
+
+/* The feature of a corner and the distance, or -1. */
+static int corner_feature(const corner *k, int top, close_distance *to)
+{
+    const double M = k->margin, a = k->lateral.d.hi, b = k->plane.d.hi;
+    const int inside = (a < 0) & (b < 0);
+    if (!((fabs(a) > M) & (fabs(b) > M) & (fabs(k->x.hi) > M) &
+          (fabs(k->foot.hi) > M)) ||
+        (inside && !(fabs(a - b) > M)))
+        return -1;
+    if (inside ? a > b : (a > 0) & (k->foot.hi < 0)) {
+        *to = k->lateral;
+        return CYLINT_FEATURE_LATERAL;
+    }
+    if (inside || k->x.hi < 0) {
+        *to = k->plane;
+        return CYLINT_FEATURE_CAP0 + top;
+    }
+    const pair square =
+        pair_add(pair_mul(k->x, k->x), pair_mul(k->plane.d, k->plane.d));
+    to->d = pair_sqrt(square);
+    to->error = 2 * k->error + CYLINT_CLOSE_LOSS * to->d.hi;
+    return CYLINT_FEATURE_RIM0 + top;
+}
+
+#endif
+#endif
