@@ -136,7 +136,8 @@ static void draw_leaf(uint64_t *stream, cylint_leaf *b)
             b->p[0][lane] |= (uint32_t)at << j * CYLINT_LEAF_P_BITS;
             b->p[1][lane] |= (uint32_t)top << j * CYLINT_LEAF_P_BITS;
         }
-        b->r[lane] = (uint16_t)random_int(stream, 1024);
+        b->r[lane] =
+            (uint16_t)(random_int(stream, 4) ? random_int(stream, 1024) : 0);
     }
     for (int j = 0; j < 3; j++)
         b->center[j] = (float)between(stream, -1, 1);
@@ -223,8 +224,10 @@ static void bounds_of_lanes_are_below_their_distances(void)
 {
     uint64_t stream = check_setting("CYLINT_SEED", 1) + 1;
     for (int round = 0; round < ROUNDS; round++) {
+        check_lanes(&stream, between(&stream, 0, 3));
         check_lanes(&stream, between(&stream, 0, 2000));
         check_lanes(&stream, pow(2, between(&stream, 10, 16)));
+        check_lanes(&stream, pow(2, between(&stream, 17, 21)));
         check_lanes(&stream, pow(2, between(&stream, 16, 70)));
     }
 }
