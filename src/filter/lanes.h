@@ -20,6 +20,7 @@
 #include "../numbers/simd.h"
 #include "../shapes/shape_facts.h"
 #include "../signs/radical.h"
+#include "lanes_frame.h"
 
 #define BEGIN (void)L;
 #define RETURN(x) return x;
@@ -60,13 +61,6 @@ typedef struct {
     int segment; /* 0: u_lo is 0 */
 } lanes_line;
 
-/* What the lanes hold of the local coordinates of capsules and rounded cones: see
- * cylint_local in cylint.h.  axis_lo: of the row of z. */
-typedef struct {
-    vd xyz[3][3], axis_lo[3], height, slope, norm, reach, error;
-    vd cosine, sine, cosine_lo, sine_lo;
-} lanes_frame;
-
 typedef struct {
     vd base[3], top[3], axis[3], axis_lo[3], a[3], b[3], r[2], dr, dr_lo;
     vm cap[2]; /* present */
@@ -84,24 +78,6 @@ INLINE void broadcast_line(lanes_line *to, const cylint_line *l)
     to->tmin = v_set(l->tmin);
     to->tmax = v_set(l->tmax);
     to->segment = l->segment;
-}
-
-INLINE void broadcast_frame(lanes_frame *to, const cylint_local *f)
-{
-    EACH(i, 3) {
-        EACH(j, 3)
-            to->xyz[i][j] = v_set(f->xyz[i][j]);
-        to->axis_lo[i] = v_set(f->xyz_lo[i][2]);
-    }
-    to->height = v_set(f->height);
-    to->slope = v_set(f->slope);
-    to->norm = v_set(f->norm);
-    to->reach = v_set(f->reach);
-    to->error = v_set(f->error);
-    to->cosine = v_set(f->cosine);
-    to->sine = v_set(f->sine);
-    to->cosine_lo = v_set(f->cosine_lo);
-    to->sine_lo = v_set(f->sine_lo);
 }
 
 /* kind: of the shape. */

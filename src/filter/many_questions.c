@@ -82,36 +82,7 @@ static void shapes_at(const cylint_filter_batch *from, const size_t *number,
     s->cap[0] = m_from(cap[0]);
     s->cap[1] = m_from(cap[1]);
     if (cylint_is_hull(kind)) {
-        lanes_frame *f = &s->frame;
-        MEMBERS(r1); /* r1, dr, dr_lo, xyz[0][0] */
-        s->r[1] = four[0];
-        f->xyz[0][0] = four[3];
-        MEMBERS(local.xyz[0][1]);
-        f->xyz[0][1] = four[0];
-        f->xyz[0][2] = four[1];
-        f->xyz[1][0] = four[2];
-        f->xyz[1][1] = four[3];
-        MEMBERS(local.xyz[1][2]);
-        f->xyz[1][2] = four[0];
-        EACH(i, 3)
-            f->xyz[2][i] = four[i + 1];
-        MEMBERS(local.height); /* height, slope, norm, reach */
-        f->height = four[0];
-        f->slope = four[1];
-        f->norm = four[2];
-        f->reach = four[3];
-        MEMBERS(local.cosine); /* cosine, sine */
-        f->cosine = four[0];
-        f->sine = four[1];
-        MEMBERS(local.xyz_lo[0][2]);
-        f->axis_lo[0] = four[0];
-        f->axis_lo[1] = four[3];
-        MEMBERS(local.xyz_lo[2][2]); /* and height_lo, slope_lo, error */
-        f->axis_lo[2] = four[0];
-        f->error = four[3];
-        MEMBERS(local.cosine_lo); /* and sine_lo */
-        f->cosine_lo = four[0];
-        f->sine_lo = four[1];
+        s->r[1] = frame_at(&s->frame, shape);
         MEMBERS(top);
         EACH(i, 3)
             s->top[i] = four[i];
