@@ -149,6 +149,11 @@
  *   rest of rho    12 size more; with y^2 of a ball's distance 40 size more
  *   rho            half of that / rho: below 51 thin, thin = size / (2 rho)
  *
+ * CYLINT_LIMB_Z, CYLINT_LIMB_SQUARE and CYLINT_LIMB_ACROSS are proved for the lo of
+ * z, of D.D, and of D.D - z^2 and the rest of rho alone.  The proofs take each
+ * coordinate to be as large as the size, so they are up to three times the above;
+ * their sum is still below CYLINT_LIMB_ERROR (tests/prove/ratios.txt).
+ *
  * 64 u v (1 + thin) = 2^-73 S (1 + thin) is more than that and the errors of the
  * sums and products that follow; CYLINT_LIMB_ERROR is 2^2 times that.  The root
  * in doubles begins with an error of 12 u size^2 of its square: the second term
@@ -157,6 +162,9 @@
 #define CYLINT_LIMB_SNAP 0x1p27
 #define CYLINT_UNIT_SNAP 0x1.8p26
 #define CYLINT_LIMB_ERROR 0x1p-71
+#define CYLINT_LIMB_Z (32.6 * 0x1p-79)
+#define CYLINT_LIMB_SQUARE (26.1 * 0x1p-79)
+#define CYLINT_LIMB_ACROSS (59.0 * 0x1p-79)
 #define CYLINT_LIMB_THINNEST 0x1p12
 #define CYLINT_LIMB_NEAR 8
 
