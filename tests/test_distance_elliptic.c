@@ -264,6 +264,22 @@ static void zeros_that_doubles_hide_are_found(void)
         REPORT("%.17g", d);
 }
 
+/* The zero in doubles is 1e-6 away, where the foot would be below the base by
+ * 2e-11; it is above it by 1.5e-21. */
+static void a_foot_next_to_an_end_is_placed_exactly(void)
+{
+    const double c[3] = {3, -2, -3}, a[3] = {2, -3, -1}, b[3] = {-3, -1, 3};
+    const double h[3] = {0x1.ccbb84861f2d2p+16, -0x1.598ca3649761ep+17,
+                         -0x1.ccb784861f2d2p+15};
+    const double p[3] = {0, -3, 0x1.cbd7c9aa82f25p-69};
+    cylint_shape s;
+    cylint_closest got;
+    cylint_elliptic_cylinder(&s, c, a, b, h, CYLINT_ENDS_CAPPED);
+    const double d = cylint_distance(&s, p, WANT, &got);
+    if (!CHECK(d > 0 && d < 1e-30 && got.feature == LATERAL))
+        REPORT("%.17g", d);
+}
+
 /* ------------------------------------- the nearest of many points ------- */
 
 static uint64_t stream = 16;
@@ -368,6 +384,7 @@ int main(void)
     RUN(wild_exponents_give_numbers);
     RUN(next_to_a_rim_the_distance_is_small_inside);
     RUN(next_to_an_apex_the_distance_is_small_inside);
+    RUN(a_foot_next_to_an_end_is_placed_exactly);
     RUN(zeros_that_doubles_hide_are_found);
     RUN(no_point_of_the_surface_is_nearer);
     return check_end();

@@ -44,6 +44,12 @@ enum { ANY_FEATURE = -1 };
  * terms: about 2^5 operations of 2^-53 each, and as much again of the zeros. */
 #define ROUGH_ERROR 0x1p-40
 
+/* The error of z and rho at a rough zero, relative to their terms.  The angle has
+ * an error of 1/16 of the distance g to the next turn of the form; turns with g
+ * below 2^-22 next to a pair of zeros, or 2^-11 next to four, are uncertain
+ * (critical.c). */
+#define ROUGH_ANGLE 0x1p-10
+
 /* A point of the surface. */
 typedef struct {
     int part, feature; /* part -1: none */
@@ -200,7 +206,7 @@ static rough_point on_ruling(const search *s, direction at)
  * roundings do not tell. */
 static int rough_place(const search *s, const rough_point *x, int nappe)
 {
-    const double error = ROUGH_ERROR * s->size * (1 + x->share);
+    const double error = ROUGH_ANGLE * s->size * (1 + x->share);
     const double z = x->z * s->p.stretch, off = error * s->p.stretch;
     const double rho = nappe * x->rho;
     const int bounded =
