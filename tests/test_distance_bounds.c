@@ -51,27 +51,21 @@ static double limbs_off(limbs x, pair y)
     return difference(two_sum(x.hi, x.lo), y);
 }
 
-/* With the snap of the shape, where it holds, and with that of the size. */
 static void check_limbs(const struct family_case *c, const double p[3], pair z,
                         pair rho)
 {
-    for (int is_near = 0; is_near < 2; is_near++) {
-        upright m;
-        double error;
-        load_upright(&m, &c->shape, p, is_near, 1);
-        if (is_too_far(&m))
-            continue;
-        const limbs root =
-            root_of_limbs(square_across(&m),
-                          double_root(rough_square_across(&m)), &m, &error);
-        const double bound = CYLINT_LIMB_ERROR / CYLINT_LIMB_SNAP * m.snap;
-        if (!(error <= 0x1p-53 * m.size)) /* no distance is accepted */
-            continue;
-        if (!CHECK(compare(limbs_off(m.z, z), bound / 4, &most_limb_z) <= 1 &&
-                   compare(limbs_off(root, rho), error, &most_limb_rho) <= 1)) {
-            REPORT_CASE(c);
-            REPORT("point %a %a %a: limbs", p[0], p[1], p[2]);
-        }
+    upright m;
+    double error;
+    load_upright(&m, &c->shape, p, 1);
+    const limbs root = root_of_limbs(
+        square_across(&m), double_root(rough_square_across(&m)), &m, &error);
+    const double bound = CYLINT_LIMB_ERROR / CYLINT_LIMB_SNAP * m.snap;
+    if (!(error <= 0x1p-53 * m.size)) /* no distance is accepted */
+        return;
+    if (!CHECK(compare(limbs_off(m.z, z), bound / 4, &most_limb_z) <= 1 &&
+               compare(limbs_off(root, rho), error, &most_limb_rho) <= 1)) {
+        REPORT_CASE(c);
+        REPORT("point %a %a %a: limbs", p[0], p[1], p[2]);
     }
 }
 

@@ -35,12 +35,6 @@
 
 enum { UNDECIDED = -1 };
 
-/* Points that are too far for the snap of the shape. */
-static cylint_one_distance far_cylinder, far_cone, far_sphere, far_capsule,
-    far_round_cone;
-#define FAR(kind) \
-    (parted ? cylint_undecided_distance(FORWARD) : far_##kind(FORWARD))
-
 /* Writes the distance if it is certain, else computes all of it again.
  * feature: if `parted`. */
 INLINE double finish(vd d, int parted, int feature, ARGUMENTS)
@@ -91,9 +85,9 @@ INLINE limbs turned(const cylint_shape *s, limbs x, limbs y)
 }
 
 INLINE void load_section(section *p, const cylint_shape *s,
-                         const double point[3], int tapered, int is_near)
+                         const double point[3], int tapered)
 {
-    load_upright(&p->m, s, point, is_near, 1);
+    load_upright(&p->m, s, point, 1);
     const limbs rho = root_of_limbs(square_across(&p->m),
                                     double_root(rough_square_across(&p->m)),
                                     &p->m, &p->error);
@@ -181,12 +175,10 @@ INLINE vd round_length(const section *p, limbs x, limbs y)
 
 /* Of a convex section the largest of the distances from its lines counts, unless
  * a corner is nearest.  The larger of two numbers is NaN if the second is. */
-INLINE double section_distance(int tapered, int is_near, int parted, ARGUMENTS)
+INLINE double section_distance(int tapered, int parted, ARGUMENTS)
 {
     section p;
-    load_section(&p, s, point, tapered, is_near);
-    if (is_near && is_too_far(&p.m))
-        return tapered ? FAR(cone) : FAR(cylinder);
+    load_section(&p, s, point, tapered);
     const vd both = both_ways(p.error);
     const vd beyond = round_beyond(&p, both);
     const vd lateral = round_limbs(p.lateral, both);
@@ -214,14 +206,12 @@ INLINE double section_distance(int tapered, int is_near, int parted, ARGUMENTS)
 /* -------------------------------------------------------- round kinds --- */
 
 /* The distance from the segment between the centres, minus the radius. */
-INLINE double capsule_distance(int is_near, int parted, ARGUMENTS)
+INLINE double capsule_distance(int parted, ARGUMENTS)
 {
     upright m;
     double error;
     const double h = s->local.height;
-    load_upright(&m, s, point, is_near, 1);
-    if (is_near && is_too_far(&m))
-        return FAR(capsule);
+    load_upright(&m, s, point, 1);
     const limbs zero = {0, 0}, above = limbs_sub(m.z, height_of(s, m.snap));
     const double z = m.rough_z, up = z - h;
     const double rough = cylint_larger(up, 0) + cylint_smaller(z, 0);
@@ -242,13 +232,11 @@ INLINE double capsule_distance(int is_near, int parted, ARGUMENTS)
 }
 
 /* A ball or the cone that touches both. */
-INLINE double round_cone_distance(int is_near, int parted, ARGUMENTS)
+INLINE double round_cone_distance(int parted, ARGUMENTS)
 {
     upright m;
     double error;
-    load_upright(&m, s, point, is_near, 1);
-    if (is_near && is_too_far(&m))
-        return FAR(round_cone);
+    load_upright(&m, s, point, 1);
     const double rough = rough_square_across(&m), rho = double_root(rough);
     const limbs above = limbs_sub(m.z, height_of(s, m.snap));
     const double C = s->local.cosine, lean = s->local.sine * rho;
@@ -280,13 +268,11 @@ INLINE double round_cone_distance(int is_near, int parted, ARGUMENTS)
     return finish(round_limbs(d, both_ways(error)), parted, feature, FORWARD);
 }
 
-INLINE double sphere_distance(int is_near, int parted, ARGUMENTS)
+INLINE double sphere_distance(int parted, ARGUMENTS)
 {
     upright m;
     double error;
-    load_upright(&m, s, point, is_near, 0);
-    if (is_near && is_too_far(&m))
-        return FAR(sphere);
+    load_upright(&m, s, point, 0);
     const limbs root =
         root_of_limbs(m.square, double_root(m.rough_square), &m, &error);
     const limbs d = limbs_sub(root, split(s->r0, m.snap));
@@ -296,88 +282,63 @@ INLINE double sphere_distance(int is_near, int parted, ARGUMENTS)
 
 /* ------------------------------------------------------------- kernels -- */
 
-static double far_cylinder(ARGUMENTS)
-{
-    return section_distance(0, 0, 0, FORWARD);
-}
-
 static double cylinder_alone(ARGUMENTS)
 {
-    return cylint_rounds_to_nearest() ? section_distance(0, 1, 0, FORWARD)
+    return cylint_rounds_to_nearest() ? section_distance(0, 0, FORWARD)
                                       : cylint_undecided_distance(FORWARD);
 }
 
 static double cylinder_parted(ARGUMENTS)
 {
-    return cylint_rounds_to_nearest() ? section_distance(0, 1, 1, FORWARD)
+    return cylint_rounds_to_nearest() ? section_distance(0, 1, FORWARD)
                                       : cylint_undecided_distance(FORWARD);
-}
-
-static double far_cone(ARGUMENTS)
-{
-    return section_distance(1, 0, 0, FORWARD);
 }
 
 static double cone_alone(ARGUMENTS)
 {
-    return cylint_rounds_to_nearest() ? section_distance(1, 1, 0, FORWARD)
+    return cylint_rounds_to_nearest() ? section_distance(1, 0, FORWARD)
                                       : cylint_undecided_distance(FORWARD);
 }
 
 static double cone_parted(ARGUMENTS)
 {
-    return cylint_rounds_to_nearest() ? section_distance(1, 1, 1, FORWARD)
+    return cylint_rounds_to_nearest() ? section_distance(1, 1, FORWARD)
                                       : cylint_undecided_distance(FORWARD);
-}
-
-static double far_sphere(ARGUMENTS)
-{
-    return sphere_distance(0, 0, FORWARD);
 }
 
 static double sphere_alone(ARGUMENTS)
 {
-    return cylint_rounds_to_nearest() ? sphere_distance(1, 0, FORWARD)
+    return cylint_rounds_to_nearest() ? sphere_distance(0, FORWARD)
                                       : cylint_undecided_distance(FORWARD);
 }
 
 static double sphere_parted(ARGUMENTS)
 {
-    return cylint_rounds_to_nearest() ? sphere_distance(1, 1, FORWARD)
+    return cylint_rounds_to_nearest() ? sphere_distance(1, FORWARD)
                                       : cylint_undecided_distance(FORWARD);
-}
-
-static double far_capsule(ARGUMENTS)
-{
-    return capsule_distance(0, 0, FORWARD);
 }
 
 static double capsule_alone(ARGUMENTS)
 {
-    return cylint_rounds_to_nearest() ? capsule_distance(1, 0, FORWARD)
+    return cylint_rounds_to_nearest() ? capsule_distance(0, FORWARD)
                                       : cylint_undecided_distance(FORWARD);
 }
 
 static double capsule_parted(ARGUMENTS)
 {
-    return cylint_rounds_to_nearest() ? capsule_distance(1, 1, FORWARD)
+    return cylint_rounds_to_nearest() ? capsule_distance(1, FORWARD)
                                       : cylint_undecided_distance(FORWARD);
-}
-
-static double far_round_cone(ARGUMENTS)
-{
-    return round_cone_distance(0, 0, FORWARD);
 }
 
 static double round_cone_alone(ARGUMENTS)
 {
-    return cylint_rounds_to_nearest() ? round_cone_distance(1, 0, FORWARD)
+    return cylint_rounds_to_nearest() ? round_cone_distance(0, FORWARD)
                                       : cylint_undecided_distance(FORWARD);
 }
 
 static double round_cone_parted(ARGUMENTS)
 {
-    return cylint_rounds_to_nearest() ? round_cone_distance(1, 1, FORWARD)
+    return cylint_rounds_to_nearest() ? round_cone_distance(1, FORWARD)
                                       : cylint_undecided_distance(FORWARD);
 }
 

@@ -59,17 +59,22 @@ typedef struct {
     double size, snap; /* size: at least |D|, the height and the radii */
 } upright;
 
-/*
- * Reads a point.  `is_near`: with the snap of the shape, which must hold for the
- * size (is_too_far()), so that nothing waits for the size.  `axial`: with z.
- */
+/* Keeps an if with this from becoming a selection, which would wait for both. */
+#define BY_BRANCH __asm__ volatile("")
+
+/* Reads a point.  Near the shape its snap serves, so that nothing waits for the
+ * size.  `axial`: with z. */
 INLINE void load_upright(upright *m, const cylint_shape *s,
-                         const double point[3], int is_near, int axial)
+                         const double point[3], int axial)
 {
     const vq zero = q_set(0);
     const vqpair D = q_two_diff(q_load3(point), q_load3(s->base));
     m->size = q_sum3(q_abs(D.hi)) + s->local.reach;
-    m->snap = is_near ? s->local.snap : CYLINT_LIMB_SNAP * m->size;
+    m->snap = s->local.snap;
+    if (!(CYLINT_LIMB_SNAP * m->size <= m->snap)) {
+        BY_BRANCH;
+        m->snap = CYLINT_LIMB_SNAP * m->size;
+    }
     const vq unit = axial ? q_load3(s->local.unit) : zero;
     const vq rest = axial ? q_mul(D.hi, q_load3(s->local.unit_lo)) : zero;
     const vd rough = q_sums3(q_sum_of(D.hi, unit, rest), q_mul(D.hi, D.hi));
@@ -84,11 +89,6 @@ INLINE void load_upright(upright *m, const cylint_shape *s,
         limbs_from(q_sums3(q_mul(hi, unit), q_sum_of(lo, unit, rest)));
     m->z.hi = (m->rough_z + m->snap) - m->snap;
     m->z.lo = (z.hi - m->z.hi) + z.lo;
-}
-
-INLINE int is_too_far(const upright *m)
-{
-    return !(m->size * CYLINT_LIMB_SNAP <= m->snap);
 }
 
 /* sqrt(a), s its root in doubles, and the bound on its error. */
