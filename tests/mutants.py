@@ -47,6 +47,7 @@ CORE = ["signs/forms_template.h", "signs/overlap_template.h",
         "filter/lanes.h", "filter/many_questions.c", "intersect.c", "batch.c",
         "box.c", "distance/distance.c", "distance/meridian.c",
         "distance/nearest_point.c", "distance/rounded_distance.c",
+        "distance/undecided_distance.c", "distance/limb_distance.c",
         "distance/surd_sum.c", "distance/critical.c", "distance/safety.c",
         "distance/many_distances.c", "bvh/traverse_point.c"]
 # (program, environment).  Programs that take seconds run with few cases first,

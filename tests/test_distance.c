@@ -191,6 +191,32 @@ static void a_point_is_on_a_surface_exactly_or_within_ulps(void)
     CHECK(!cylint_on_surface(&s, exactly, NAN));
 }
 
+static void units_in_the_last_place_can_be_subnormal(void)
+{
+    const double small[3] = {0x1p-1000, 0, 0}, tiny[3] = {3 * 0x1p-1074, 0, 0};
+    cylint_shape s;
+    cylint_sphere(&s, origin, 0x1p-1000 - 0x1p-1052, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_on_surface(&s, small, 1));
+    CHECK(!cylint_on_surface(&s, small, 0.9));
+    cylint_sphere(&s, origin, 2 * 0x1p-1074, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_on_surface(&s, tiny, 1));
+    CHECK(!cylint_on_surface(&s, tiny, 0.4));
+}
+
+static void the_distance_on_the_surface_has_no_sign(void)
+{
+    static const double top[3] = {0, 0, 2}, on[3] = {1, 0, 1};
+    static const cylint_ends ends[] = {CYLINT_ENDS_CAPPED, CYLINT_ENDS_OPEN,
+                                       CYLINT_ENDS_INFINITE};
+    for (int i = 0; i < 3; i++) {
+        cylint_shape s;
+        cylint_closest a;
+        cylint_cylinder(&s, origin, top, 1, ends[i]);
+        const double distance = cylint_distance(&s, on, 0, &a);
+        CHECK(distance == 0 && !signbit(distance) && !signbit(a.distance));
+    }
+}
+
 static void every_exponent_is_answered(void)
 {
     static const double least = 0x1p-1074, most = 0x1.fffffffffffffp1023;
@@ -457,6 +483,8 @@ int main(void)
     RUN(answers_about_round_shapes_are_known);
     RUN(where_there_is_no_surface_the_distance_is_infinite);
     RUN(a_point_is_on_a_surface_exactly_or_within_ulps);
+    RUN(units_in_the_last_place_can_be_subnormal);
+    RUN(the_distance_on_the_surface_has_no_sign);
     RUN(every_exponent_is_answered);
     RUN(circles_of_tangency_are_lateral);
     RUN(a_distance_is_rounded_to_infinity_from_its_middle_on);
