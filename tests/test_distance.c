@@ -353,6 +353,13 @@ static void check_paths(const struct family_case *c, const double p[3])
     CHECK(same(&all, &unpacked));
     const cylint_closest alone = answer_to(&c->shape, p, 0);
     CHECK(all.distance == alone.distance);
+    const cylint_closest parted = answer_to(&c->shape, p, CYLINT_WANT_PART);
+    cylint_use_kernels("plain");
+    const cylint_closest plain_alone = answer_to(&c->shape, p, 0);
+    const cylint_closest plain = answer_to(&c->shape, p, CYLINT_WANT_PART);
+    cylint_use_kernels(NULL);
+    if (!CHECK(same(&alone, &plain_alone) && same(&parted, &plain)))
+        report(c, p);
 }
 
 static void all_paths_return_the_same_bits(void)
