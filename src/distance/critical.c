@@ -24,7 +24,8 @@ enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 16 };
 #define CRITICAL_REACH 1.25
 
 /* A value by Horner's rule has 9 roundings and those of its coefficients, of
- * terms up to 2.5 times these. */
+ * terms up to 2.5 times these: 2^-45.  NOISE is larger, so that a zero in doubles
+ * is near enough for Newton's iteration to end at it. */
 #define NUMBER double
 #define ZEROS(name) critical_##name##_double
 #define PLUS(x, y) ((x) + (y))
@@ -35,7 +36,7 @@ enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 16 };
 #define FROM_DOUBLE(x) ((double)(x))
 #define ROUNDED(x) (x)
 #define SMALL_STEP 0x1p-50
-#define NOISE 0x1p-45
+#define NOISE 0x1p-30
 #include "critical_zeros_template.h"
 
 #define NUMBER triple
