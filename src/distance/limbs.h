@@ -59,9 +59,6 @@ typedef struct {
     double size, snap; /* size: at least |D|, the height and the radii */
 } upright;
 
-/* Keeps an if with this from becoming a selection, which would wait for both. */
-#define BY_BRANCH __asm__ volatile("")
-
 /* Reads a point.  Near the shape its snap serves, so that nothing waits for the
  * size.  `axial`: with z. */
 INLINE void load_upright(upright *m, const cylint_shape *s,
@@ -72,7 +69,7 @@ INLINE void load_upright(upright *m, const cylint_shape *s,
     m->size = q_sum3(q_abs(D.hi)) + s->local.reach;
     m->snap = s->local.snap;
     if (!(CYLINT_LIMB_SNAP * m->size <= m->snap)) {
-        BY_BRANCH;
+        CYLINT_BY_BRANCH;
         m->snap = CYLINT_LIMB_SNAP * m->size;
     }
     const vq unit = axial ? q_load3(s->local.unit) : zero;
