@@ -12,16 +12,19 @@ typedef struct {
     cylint_filter_next *many;
 } cylint_kernels;
 
+/* Reads a variable that another thread may write. */
+#ifdef __GNUC__
+#define CYLINT_LOAD(x) __atomic_load_n(&(x), __ATOMIC_RELAXED)
+#else
+#define CYLINT_LOAD(x) (x)
+#endif
+
 /* dispatch.c chooses when first called. */
 extern const cylint_kernels *cylint_kernels_chosen CYLINT_HIDDEN;
 const cylint_kernels *cylint_choose_kernels(void);
 static inline const cylint_kernels *cylint_kernels_if_chosen(void)
 {
-#ifdef __GNUC__
-    return __atomic_load_n(&cylint_kernels_chosen, __ATOMIC_RELAXED);
-#else
-    return cylint_kernels_chosen;
-#endif
+    return CYLINT_LOAD(cylint_kernels_chosen);
 }
 
 static inline const cylint_kernels *cylint_kernels_used(void)
@@ -35,11 +38,7 @@ static inline const cylint_kernels *cylint_kernels_used(void)
 extern const cylint_one_kernels *cylint_one_chosen CYLINT_HIDDEN;
 static inline const cylint_one_kernels *cylint_one_used(void)
 {
-#ifdef __GNUC__
-    return __atomic_load_n(&cylint_one_chosen, __ATOMIC_RELAXED);
-#else
-    return cylint_one_chosen;
-#endif
+    return CYLINT_LOAD(cylint_one_chosen);
 }
 
 #endif

@@ -395,9 +395,9 @@ INLINE int cone_distance(ARGUMENTS)
     load_profile(&p, s);
     load_position(&at, &m, &p, 0);
     const pair A = from_line(&m, &p);
-    const pair B = from_plane(&m, &p, at.z + at.above > 0);
-    const int feature = cone_feature(&at, &p, whole(A), whole(B));
     const int top = at.z + at.above > 0;
+    const pair B = from_plane(&m, &p, top);
+    const int feature = cone_feature(&at, &p, whole(A), whole(B));
     const pair d = feature == CYLINT_FEATURE_LATERAL ? A
                    : feature < CYLINT_FEATURE_RIM0
                        ? B

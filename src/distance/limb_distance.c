@@ -26,6 +26,12 @@
 #define CYLINT_LIMB cylint_limb_plain
 #endif
 
+/* Without and with the part. */
+#define NEITHER                                              \
+    {                                                        \
+        cylint_undecided_distance, cylint_undecided_distance \
+    }
+
 #if LANES == 2
 
 #define ARGUMENTS                                                \
@@ -282,75 +288,30 @@ INLINE double sphere_distance(int parted, ARGUMENTS)
 
 /* ------------------------------------------------------------- kernels -- */
 
-static double cylinder_alone(ARGUMENTS)
-{
-    return cylint_rounds_to_nearest() ? section_distance(0, 0, FORWARD)
-                                      : cylint_undecided_distance(FORWARD);
-}
+/* name_alone and name_parted, without and with the part, which is `parted` in the
+ * call. */
+#define KERNEL(name, is_parted, call)                    \
+    static double name(ARGUMENTS)                        \
+    {                                                    \
+        enum { parted = is_parted };                     \
+        return cylint_rounds_to_nearest()                \
+                   ? call                                \
+                   : cylint_undecided_distance(FORWARD); \
+    }
+#define KERNELS(name, call)       \
+    KERNEL(name##_alone, 0, call) \
+    KERNEL(name##_parted, 1, call)
 
-static double cylinder_parted(ARGUMENTS)
-{
-    return cylint_rounds_to_nearest() ? section_distance(0, 1, FORWARD)
-                                      : cylint_undecided_distance(FORWARD);
-}
-
-static double cone_alone(ARGUMENTS)
-{
-    return cylint_rounds_to_nearest() ? section_distance(1, 0, FORWARD)
-                                      : cylint_undecided_distance(FORWARD);
-}
-
-static double cone_parted(ARGUMENTS)
-{
-    return cylint_rounds_to_nearest() ? section_distance(1, 1, FORWARD)
-                                      : cylint_undecided_distance(FORWARD);
-}
-
-static double sphere_alone(ARGUMENTS)
-{
-    return cylint_rounds_to_nearest() ? sphere_distance(0, FORWARD)
-                                      : cylint_undecided_distance(FORWARD);
-}
-
-static double sphere_parted(ARGUMENTS)
-{
-    return cylint_rounds_to_nearest() ? sphere_distance(1, FORWARD)
-                                      : cylint_undecided_distance(FORWARD);
-}
-
-static double capsule_alone(ARGUMENTS)
-{
-    return cylint_rounds_to_nearest() ? capsule_distance(0, FORWARD)
-                                      : cylint_undecided_distance(FORWARD);
-}
-
-static double capsule_parted(ARGUMENTS)
-{
-    return cylint_rounds_to_nearest() ? capsule_distance(1, FORWARD)
-                                      : cylint_undecided_distance(FORWARD);
-}
-
-static double round_cone_alone(ARGUMENTS)
-{
-    return cylint_rounds_to_nearest() ? round_cone_distance(0, FORWARD)
-                                      : cylint_undecided_distance(FORWARD);
-}
-
-static double round_cone_parted(ARGUMENTS)
-{
-    return cylint_rounds_to_nearest() ? round_cone_distance(1, FORWARD)
-                                      : cylint_undecided_distance(FORWARD);
-}
+KERNELS(cylinder, section_distance(0, parted, FORWARD))
+KERNELS(cone, section_distance(1, parted, FORWARD))
+KERNELS(sphere, sphere_distance(parted, FORWARD))
+KERNELS(capsule, capsule_distance(parted, FORWARD))
+KERNELS(round_cone, round_cone_distance(parted, FORWARD))
 
 #define BOTH(name)                  \
     {                               \
         name##_alone, name##_parted \
     }
-#define NEITHER                                              \
-    {                                                        \
-        cylint_undecided_distance, cylint_undecided_distance \
-    }
-
 cylint_one_distance *const CYLINT_LIMB[CYLINT_KINDS][2] = {
     [CYLINT_KIND_NONE] = NEITHER,
     [CYLINT_KIND_CYLINDER] = BOTH(cylinder),
@@ -365,11 +326,6 @@ cylint_one_distance *const CYLINT_LIMB[CYLINT_KINDS][2] = {
 #else
 
 /* Without vectors of two lanes. */
-#define NEITHER                                              \
-    {                                                        \
-        cylint_undecided_distance, cylint_undecided_distance \
-    }
-
 cylint_one_distance *const CYLINT_LIMB[CYLINT_KINDS][2] = {
     NEITHER, NEITHER, NEITHER, NEITHER, NEITHER,
     NEITHER, NEITHER, NEITHER, NEITHER};
