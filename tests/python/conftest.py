@@ -85,6 +85,19 @@ def drawn(n, seed):
     return o, d
 
 
+def written_rods(n, random, path):
+    """n thin cylinders in the unit cube, written to a scene as well."""
+    p0 = random.random((n, 3))
+    p1 = p0 + random.normal(size=(n, 3)) * 0.05
+    r = random.uniform(0.002, 0.02, n)
+    path.write_text(
+        text_of(
+            ["cylinder"] * n, hexadecimal(p0), hexadecimal(p1), hexadecimal(r)
+        )
+    )
+    return cylint.cylinder(p0, p1, r)
+
+
 def forest(n, seed):
     """n shapes of every kind in the unit cube."""
     random = np.random.default_rng(seed)

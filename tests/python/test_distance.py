@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from conftest import forest, hexadecimal, numbers, same, text_of
+from conftest import forest, hexadecimal, numbers, same, text_of, written_rods
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
@@ -322,18 +322,11 @@ def test_a_scene_equals_brute_force(seed, n, count, radius):
 def test_20000_points_equal_the_command(command, tmp_path):
     n, count, radius = 500, 20_000, 0.03
     random = np.random.default_rng(57)
-    p0 = random.random((n, 3))
-    p1 = p0 + random.normal(size=(n, 3)) * 0.05
-    r = random.uniform(0.002, 0.02, n)
     path = tmp_path / "scene"
-    path.write_text(
-        text_of(
-            ["cylinder"] * n, hexadecimal(p0), hexadecimal(p1), hexadecimal(r)
-        )
-    )
+    rods = written_rods(n, random, path)
     points = random.random((count, 3))
     text = text_of(["point"] * count, hexadecimal(points))
-    scene = cylint.Scene(cylint.cylinder(p0, p1, r))
+    scene = cylint.Scene(rods)
     near = scene.closest(points)
     fields = command(
         text, "-s", str(path), "-f", "shape,part,feature,distance,x,y,z"

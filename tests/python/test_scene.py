@@ -4,7 +4,7 @@ import pickle
 
 import numpy as np
 import pytest
-from conftest import forest, hexadecimal, numbers, same, text_of
+from conftest import forest, hexadecimal, numbers, same, text_of, written_rods
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -73,20 +73,12 @@ def test_lazy_members_are_those_of_the_nearest_shape():
 
 def test_1e5_rays_equal_the_command(command, tmp_path):
     n, lines = 2000, 100_000
-    random = np.random.default_rng(23)
-    p0 = random.random((n, 3))
-    p1 = p0 + random.normal(size=(n, 3)) * 0.05
-    r = random.uniform(0.002, 0.02, n)
-    scene = tmp_path / "scene"
-    scene.write_text(
-        text_of(
-            ["cylinder"] * n, hexadecimal(p0), hexadecimal(p1), hexadecimal(r)
-        )
-    )
+    path = tmp_path / "scene"
+    rods = written_rods(n, np.random.default_rng(23), path)
     o, d = rays(lines, 24)
     text = text_of(["ray"] * lines, hexadecimal(o), hexadecimal(d))
-    fields = command(text, "-s", str(scene), "-f", "shape,t")
-    near = cylint.Scene(cylint.cylinder(p0, p1, r)).nearest(o, d)
+    fields = command(text, "-s", str(path), "-f", "shape,t")
+    near = cylint.Scene(rods).nearest(o, d)
     value = numbers([[f[1]] for f in fields])[:, 0]
     assert np.array_equal([int(f[0]) - 1 for f in fields], near.index)
     assert same(value, near.t)
