@@ -52,9 +52,14 @@
  * before the entry hit if they lie in different boxes.
  *
  * Packets.  The answers are those to the rays alone, bit for bit.  Embree
- * makes two exceptions: in a packet it skips a box unless a ray enters the box
- * below tfar.
+ * makes three exceptions.  In a packet it skips a box unless a ray enters the
+ * box below tfar, and Embree 3 traces packets that are wider than the
+ * processor's vectors as streams of rays.
  *   - A ray with tnear = tfar may report a miss.
+ *   - In a stream (packets of 16 without AVX-512, where the device's property
+ *     RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED is 0) Embree 3 ignores the
+ *     array `valid`: a ray is inactive only if tnear > tfar.  It also copies
+ *     whole hits, so that with CYLINT_EMBREE_BARE u, v and Ng are undefined.
  *   - Where every shape is a primitive of its own (CYLINT_EMBREE_SINGLE and
  *     moving shapes) and several shapes are hit at t = tnear, primID may be
  *     any of them instead of the lowest.  t is right.

@@ -1,6 +1,7 @@
 /* embree_rays.c - see embree_rays.h */
 #include "embree_rays.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { UNTOUCHED = 0x5a };
@@ -49,8 +50,39 @@ struct call {
     void *user;
 };
 
-static void remember(struct rays *r)
+#if RTC_VERSION_MAJOR >= 4
+
+int rays_are_native(RTCScene scene, int n)
 {
+    (void)scene;
+    (void)n;
+    return 1;
+}
+
+#else
+
+int rays_are_native(RTCScene scene, int n)
+{
+    RTCDevice device = rtcGetSceneDevice(scene);
+    const enum RTCDeviceProperty property =
+        n == 16  ? RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED
+        : n == 8 ? RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED
+                 : RTC_DEVICE_PROPERTY_NATIVE_RAY4_SUPPORTED;
+    const int native = n == 1 || rtcGetDeviceProperty(device, property) != 0;
+    rtcReleaseDevice(device);
+    return native;
+}
+
+#endif
+
+static void remember(struct rays *r, RTCScene scene)
+{
+    const int native = rays_are_native(scene, r->n);
+    for (int i = 0; i < r->n && !native; i++)
+        if (!r->valid[i]) {
+            rays_at(r, RAY_TNEAR, i)->f = HUGE_VALF;
+            rays_at(r, RAY_TFAR, i)->f = -HUGE_VALF;
+        }
     memcpy(r->before, r->word, sizeof r->before);
 }
 
@@ -102,7 +134,7 @@ static void remember(struct rays *r)
 
 #define TRACE_ALL(CALL, TYPE)      \
     do {                           \
-        remember(r);               \
+        remember(r, scene);        \
         switch (r->n) {            \
         case 1:                    \
             TRACE_ONE(CALL, TYPE); \

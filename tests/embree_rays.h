@@ -68,6 +68,14 @@ struct rays_query {
 void rays_intersect(struct rays *, RTCScene, const struct rays_query *);
 void rays_occluded(struct rays *, RTCScene, const struct rays_query *);
 
+/*
+ * Whether Embree traces packets of n rays as such on this processor.  Otherwise
+ * Embree 3 traces them as a stream: it ignores `valid`, so that only an empty
+ * domain makes a ray inactive (the queries above write one), and it copies every
+ * member of a hit, so that u, v and Ng of a bare hit are undefined.
+ */
+int rays_are_native(RTCScene, int n);
+
 /* In a filter: the query's `user`. */
 void *rays_user(const struct RTCFilterFunctionNArguments *);
 

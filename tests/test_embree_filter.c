@@ -64,11 +64,14 @@ static int offered_hit(const struct record *q, unsigned prim, float t, float u,
     return number;
 }
 
-/* Whether u, v and Ng are right; a bare hit keeps the values before. */
+/* Whether u, v and Ng are right; a bare hit keeps the values before, unless
+ * Embree traces a stream. */
 static int described(const struct record *q, const union ray_word *hit, int ray,
                      const cylint_hit *at)
 {
     int good = 1;
+    if (q->bare && !q->occlusion && !rays_are_native(q->w->scene, q->r->n))
+        return 1;
     if (q->bare) {
         for (int m = HIT_NG; m <= HIT_V; m++)
             good &= hit[m - HIT_NG].u ==
