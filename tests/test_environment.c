@@ -6,7 +6,7 @@
  * another one: rounding upward, downward or toward zero, subnormal results
  * flushed to zero, subnormal operands treated as zero.  Relation, number,
  * parts, sides, every bit of t, and the statuses of the constructors must
- * agree. CYLINT_CASES is the number of cases of each family, CYLINT_SEED
+ * agree, whatever members are wanted.  CYLINT_CASES is the number of cases of each family, CYLINT_SEED
  * changes all cases, CYLINT_FAMILY=n tests one family.
  */
 #include <math.h>
@@ -31,6 +31,7 @@ struct answers {
     double made[DIFFERENCES];
     cylint_answer all;
     int occluded, contains;
+    int agree; /* the answers with other members wanted, and `all` */
 };
 
 static int same_bits(double x, double y)
@@ -70,7 +71,36 @@ static const char *difference(const struct answers *x, const struct answers *y)
     }
     return x->occluded != y->occluded   ? "any hit"
            : x->contains != y->contains ? "contains"
+           : !x->agree || !y->agree     ? "an answer without t or part"
                                         : NULL;
+}
+
+/* Whether the answers with fewer members wanted are parts of `all`. */
+static int others_agree(const struct family_case *c, const cylint_answer *all)
+{
+    static const unsigned wants[] = {CYLINT_WANT_COUNT,
+                                     CYLINT_WANT_T,
+                                     CYLINT_WANT_PART,
+                                     CYLINT_WANT_NEAREST,
+                                     CYLINT_WANT_NEAREST | CYLINT_WANT_T,
+                                     CYLINT_WANT_NEAREST | CYLINT_WANT_PART,
+                                     CYLINT_WANT_NEAREST | CYLINT_WANT_T |
+                                         CYLINT_WANT_PART};
+    int agree = 1;
+    for (size_t k = 0; k < sizeof wants / sizeof *wants; k++) {
+        const unsigned want = wants[k];
+        cylint_answer a;
+        cylint_intersect(&c->shape, &c->line, want, &a);
+        agree &= a.relation == all->relation && a.flags == all->flags &&
+                 a.n == (want & CYLINT_WANT_NEAREST ? all->n > 0 : all->n);
+        for (int i = 0; i < a.n && agree; i++) {
+            const cylint_hit *h = &a.hit[i], *of_all = &all->hit[i];
+            agree &= !(want & CYLINT_WANT_T) || same_bits(h->t, of_all->t);
+            agree &= !(want & CYLINT_WANT_PART) ||
+                     (h->part == of_all->part && h->side == of_all->side);
+        }
+    }
+    return agree;
 }
 
 static void compute_answers(const struct family_case *c, struct answers *to)
@@ -92,6 +122,7 @@ static void compute_answers(const struct family_case *c, struct answers *to)
                      &to->all);
     to->occluded = cylint_occluded(&c->shape, &c->line);
     to->contains = cylint_contains(&c->shape, c->line_data);
+    to->agree = others_agree(c, &to->all) && to->occluded == (to->all.n > 0);
 }
 
 static void report(const struct family_case *c, const char *what,
@@ -230,6 +261,22 @@ static void subnormal_domains(struct environment there)
     compare(&c, there);
 }
 
+/* Squares of the distance overflow, to infinity or to the largest double. */
+static void squares_that_overflow(struct environment there)
+{
+    const double rod[] = {2, 2, -1, 1, 0, 1, 3};
+    const double cone[] = {-3, 0, 2, 2, 1, -3, 2, 1};
+    for (int e = 60; e < 1020; e++) {
+        const double back[] = {3, ldexp(0x1.f39b9148p0, e), -1, 0, 1, 0};
+        const double past[] = {ldexp(1, e), 3, 0, -2, -1, 2};
+        struct family_case c = record(FAMILY_LINE, back, FAMILY_CYLINDER, rod);
+        compare(&c, there);
+        c = record(FAMILY_LINE, past, FAMILY_CONE, cone);
+        c.ends = CYLINT_ENDS_INFINITE;
+        compare(&c, there);
+    }
+}
+
 /* The tangent of an angle is rounded to nearest, also if it is subnormal. */
 static void angles(struct environment there)
 {
@@ -348,6 +395,7 @@ static void compare_all(int rounding, int tiny)
     subnormal_differences(there);
     subnormal_offsets(there);
     subnormal_domains(there);
+    squares_that_overflow(there);
     angles(there);
     signs_by_more_than_doubles(there);
     batches(there);

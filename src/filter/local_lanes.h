@@ -164,10 +164,10 @@ INLINE lines_state state_at(const local_lines *l, const lines_verdict *v,
 {
     const double u = CYLINT_ROUNDING, k = taper_of(shape, tapered);
     const line_many *in = &l->in;
-    const vd most = v_set(DBL_MAX);
+    const vd most = v_set(bounded ? CYLINT_LATE : DBL_MAX);
     const vm above = v_lt(most, limit), below = v_lt(limit, -most);
-    const vm finite = m_not(m_or(above, below));
-    const vd t = v_select(finite, limit, v_set(0));
+    const vm near = v_le(v_abs(limit), v_set(CYLINT_LATE));
+    const vd t = v_select(near, limit, v_set(0));
     const vd x = v_sum_of(t, in->v.a, in->p.a);
     const vd y = v_sum_of(t, in->v.b, in->p.b);
     const vd z0 = v_sum_of(t, in->w.a, in->z.a);
@@ -202,9 +202,9 @@ INLINE lines_state state_at(const local_lines *l, const lines_verdict *v,
         outside = sides.positive;
     }
     return (lines_state){
-        m_or(m_and(m_and(outside, behind.negative), finite), below),
-        m_and(inside, finite),
-        m_or(m_and(m_and(outside, behind.positive), finite), above)};
+        m_or(m_and(m_and(outside, behind.negative), near), below),
+        m_and(inside, near),
+        m_or(m_and(m_and(outside, behind.positive), near), above)};
 }
 
 /* ------------------------------------------------------------ roots ----- */

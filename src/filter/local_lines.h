@@ -298,6 +298,12 @@ typedef struct {
     unsigned before, inside, after;
 } local_states;
 
+/* A larger |t| counts as infinite. */
+INLINE double latest(int extent)
+{
+    return extent == CYLINT_BOUNDED ? CYLINT_LATE : DBL_MAX;
+}
+
 /* Signs at both ends of the domain, a bit for each: of Q; of z from the plane of
  * each cap, of a nappe of rho; of A t + B. */
 typedef struct {
@@ -338,9 +344,10 @@ INLINE local_states states_of(const domain_signs *at, const local_line *l,
                               const local_verdict *v, double A,
                               const cylint_line *line, int tapered, int extent)
 {
-    const vd t = v_load(&line->tmin), most = v_set(DBL_MAX);
+    const vd t = v_load(&line->tmin), most = v_set(latest(extent));
     const unsigned above = m_bits(v_lt(most, t)),
-                   below = m_bits(v_lt(t, -most)), finite = ~(above | below);
+                   below = m_bits(v_lt(t, -most)),
+                   near = m_bits(v_le(v_abs(t), v_set(CYLINT_LATE)));
     sign_bits C = at->C, behind = at->vertex;
     if (extent == CYLINT_BOUNDED)
         behind = behind_cap(at, v->pierced, signbit(l->w) != 0);
@@ -359,16 +366,16 @@ INLINE local_states states_of(const domain_signs *at, const local_line *l,
         inside &= at->above[1].negative;
         outside |= at->above[1].positive;
     }
-    return (local_states){(outside & behind.negative & finite) | below,
-                          inside & finite,
-                          (outside & behind.positive & finite) | above};
+    return (local_states){(outside & behind.negative & near) | below,
+                          inside & near,
+                          (outside & behind.positive & near) | above};
 }
 
-/* The ends of the domain, 0 where they are infinite. */
-INLINE vd finite_ends(const cylint_line *line)
+/* The ends of the domain, 0 where they are too large for the forms. */
+INLINE vd near_ends(const cylint_line *line)
 {
     const vd t = v_load(&line->tmin);
-    return v_select(v_le(v_abs(t), v_set(DBL_MAX)), t, v_set(0));
+    return v_select(v_le(v_abs(t), v_set(CYLINT_LATE)), t, v_set(0));
 }
 
 INLINE local_states states_in_doubles(const local_line *l,
@@ -378,7 +385,7 @@ INLINE local_states states_in_doubles(const local_line *l,
                                       int extent)
 {
     const local_quadratic q = quadratic_of(l, shape, tapered);
-    const vd t = finite_ends(line);
+    const vd t = near_ends(line);
     const vd x =
         v_sum_of(t, v_firsts(l->in.v, l->in.v), v_firsts(l->in.p, l->in.p));
     const vd y =

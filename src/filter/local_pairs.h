@@ -229,7 +229,7 @@ INLINE local_states states_in_pairs(const local_line *l, const local_verdict *v,
                                     const cylint_line *line, int tapered,
                                     int extent)
 {
-    const vd t = finite_ends(line), size = size_at(t, l->Q, l->D);
+    const vd t = near_ends(line), size = size_at(t, l->Q, l->D);
     const lateral_value C = lateral_at(in, shape, t, tapered);
     const vpair z0 = vpair_firsts(in->z, in->z);
     const vpair z1 = {v_seconds(in->z.hi, in->z.hi),

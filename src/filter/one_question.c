@@ -89,7 +89,7 @@ INLINE int ends_by_signs(local_line *l, local_verdict v, ARGUMENTS, int tapered,
     if (!v.crosses || (!plain && bounded && (v.pierced | v.spared) != 3))
         return CYLINT_HARD(shape, line, want, answer, rest, 0, l->Q, l->D);
     if (plain && want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&
-        line->tmax > DBL_MAX && extent != CYLINT_NAPPE &&
+        line->tmax > latest(extent) && extent != CYLINT_NAPPE &&
         is_ahead(l, &v, shape, tapered, extent)) {
         answer->relation = CYLINT_RELATION_CROSS;
         return answer->n = 1;

@@ -196,9 +196,9 @@ INLINE int ends_between(int from, int to, int first)
 INLINE int round_state(const round_line *x, const round_verdict *v,
                        const cylint_shape *shape, double t, int kind)
 {
-    if (t > DBL_MAX)
+    if (t > CYLINT_LATE)
         return LOCAL_AFTER;
-    if (t < -DBL_MAX)
+    if (t < -CYLINT_LATE)
         return LOCAL_BEFORE;
     const local_line *l = &x->l;
     const int tapered = kind == ROUND_TAPERED;

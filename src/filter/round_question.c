@@ -104,7 +104,7 @@ INLINE int round_by_signs(round_line *x, round_verdict v, ARGUMENTS, int kind)
     const int closed = shape->ends == CYLINT_ENDS_CAPPED;
     const int plain = closed && !(want & CYLINT_WANT_PART);
     if (plain && want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&
-        line->tmax > DBL_MAX && is_round_ahead(x, &v, shape, kind))
+        line->tmax > CYLINT_LATE && is_round_ahead(x, &v, shape, kind))
         return answer->n = 1;
     if (!plain && (v.cone.pierced | v.cone.spared) != 3)
         return CYLINT_UNDECIDED;

@@ -379,6 +379,26 @@
 #define CYLINT_LOCAL_WORST 0x1p-70
 #define CYLINT_LOCAL_LEAST 0x1p-120
 
+/*
+ * No form in local coordinates overflows, in any rounding mode.  An overflow is
+ * not always infinite: in the directed modes it can be the largest double.
+ *
+ *   |o|, |base|        CYLINT_FAR at most
+ *   |d|                CYLINT_WINDOW at most
+ *   M = k max(norm, 1)^2, k = 1 + |slope|
+ *                      CYLINT_LOCAL_MOST at most
+ *   a finite t where a sign is computed
+ *                      CYLINT_LATE at most
+ *
+ * Lengths of the shape are at most CYLINT_WINDOW, so k Q D <= 2^(102 + 60) M and
+ * k (t D + Q) <= 2^(170 + 60 + 1) M, with the names below; the largest forms are
+ * 2^5 of the square of one of these: below 2^1000.  A bounded shape is met
+ * at |t| <= 2^(103 + 60) only, which is less than CYLINT_LATE.
+ */
+#define CYLINT_FAR 0x1p100
+#define CYLINT_LATE 0x1p170
+#define CYLINT_LOCAL_MOST 0x1p260
+
 /* The local coordinates of a round cone are not used if the sine of its lateral
  * surface is larger: its cosine would have too few digits. */
 #define CYLINT_LOCAL_STEEPEST 0.998

@@ -182,6 +182,14 @@ static void identity_rows(rows *m)
     }
 }
 
+/* No form overflows (error_bounds.h). */
+static int is_tame(const cylint_shape *s)
+{
+    const double norm = cylint_larger(s->local.norm, 1);
+    return cylint_largest(s->base) <= CYLINT_FAR &&
+           norm * norm * (1 + fabs(s->local.slope)) <= CYLINT_LOCAL_MOST;
+}
+
 /* A round shape whose local coordinates are not accurate has the height 0. */
 static void check_round(cylint_shape *s)
 {
@@ -244,7 +252,7 @@ void cylint_measure_local(cylint_shape *s)
     to->norm =
         cylint_larger(cylint_larger(size_of(m.x), size_of(m.y)), size_of(m.z)) *
         CYLINT_SLACK;
-    const int accurate = s->in_range && is_long_enough(s) &&
+    const int accurate = s->in_range && is_long_enough(s) && is_tame(s) &&
                          cylint_rounds_to_nearest() &&
                          (to->height > 0 || s->kind == CYLINT_KIND_SPHERE) &&
                          to->error <= CYLINT_LOCAL_WORST;

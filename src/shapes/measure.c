@@ -35,7 +35,8 @@ static int within_window(double x)
 void cylint_measure_line(cylint_line *line)
 {
     line->size = cylint_largest(line->d);
-    line->in_range = within_window(line->size);
+    line->in_range =
+        within_window(line->size) && cylint_largest(line->o) <= CYLINT_FAR;
 }
 
 static double dot3(const double x[3], const double y[3])
