@@ -154,11 +154,22 @@ INLINE int round_answer_from(const round_line *x, const round_verdict *v,
                                  answer, rest);
 }
 
-/* First in doubles, then in pairs. */
-INLINE int round_hard(ARGUMENTS, int kind)
+static int kernel_of(const cylint_shape *shape)
 {
+    return shape->kind == CYLINT_KIND_SPHERE    ? ROUND_BALL
+           : shape->kind == CYLINT_KIND_CAPSULE ? ROUND_STRAIGHT
+                                                : ROUND_TAPERED;
+}
+
+/* First in doubles, then in pairs.  Code for each kind would be twice as much
+ * and no faster. */
+int CYLINT_HARD_ROUND(ARGUMENTS)
+{
+    const int kind = kernel_of(shape);
     int n = CYLINT_UNDECIDED;
     round_line x;
+    if (!cylint_rounds_to_nearest())
+        return CYLINT_UNDECIDED;
     load_round(&x, shape, line, kind);
     for (int in_pairs = 0; in_pairs < 2 && n == CYLINT_UNDECIDED; in_pairs++) {
         round_quadratic q;
@@ -178,17 +189,6 @@ INLINE int round_hard(ARGUMENTS, int kind)
                               kind);
     }
     return n;
-}
-
-int CYLINT_HARD_ROUND(ARGUMENTS)
-{
-    if (!cylint_rounds_to_nearest())
-        return CYLINT_UNDECIDED;
-    if (shape->kind == CYLINT_KIND_SPHERE)
-        return round_hard(shape, line, want, answer, rest, ROUND_BALL);
-    if (shape->kind == CYLINT_KIND_CAPSULE)
-        return round_hard(shape, line, want, answer, rest, ROUND_STRAIGHT);
-    return round_hard(shape, line, want, answer, rest, ROUND_TAPERED);
 }
 
 #else

@@ -535,18 +535,21 @@ static const kernels of_kind[] = {
     {classify_CYLINT_KIND_RCONE, round_CYLINT_KIND_RCONE},
 };
 
-/* Lines and one shape that has local coordinates. */
+/* Lines and one shape that has local coordinates.  lanes: bits of those in use.
+ * Without a vector among its arguments the compiler clears the upper halves of
+ * the registers where the function ends (vzeroupper). */
 typedef void answer_lines(const local_lines *l, const cylint_shape *shape,
-                          unsigned want, int relations, vm lanes,
+                          unsigned want, int relations, unsigned lanes,
                           cylint_filter_group *g);
 
-#define LOCAL(name, tapered, bounded)                                          \
-    ASIDE void name##_lines(const local_lines *l, const cylint_shape *shape,   \
-                            unsigned want, int relations, vm lanes,            \
-                            cylint_filter_group *g)                            \
-    {                                                                          \
-        answer_local_lines(l, shape, want, relations, lanes, tapered, bounded, \
-                           g);                                                 \
+#define LOCAL(name, tapered, bounded)                                        \
+    ASIDE void name##_lines(const local_lines *l, const cylint_shape *shape, \
+                            unsigned want, int relations, unsigned lanes,    \
+                            cylint_filter_group *g)                          \
+    {                                                                        \
+        const vm in_use = m_and(m_from(lanes), v_le(l->tmin, l->tmax));      \
+        answer_local_lines(l, shape, want, relations, in_use, tapered,       \
+                           bounded, g);                                      \
     }
 LOCAL(cylinder, 0, 1)
 LOCAL(cone, 1, 1)
@@ -588,8 +591,7 @@ static void answer_in_local(const cylint_filter_batch *from, const size_t *list,
     l.tmin = line.tmin;
     l.tmax = line.tmax;
     load_local_lines(&l, shape, cylint_is_tapered(shape->kind));
-    answer(&l, shape, from->want, from->relations,
-           m_and(m_from((1u << lanes) - 1), v_le(l.tmin, l.tmax)), g);
+    answer(&l, shape, from->want, from->relations, (1u << lanes) - 1, g);
 }
 
 static void answer_group(const cylint_filter_batch *from, const size_t *list,
