@@ -195,7 +195,12 @@ static void query_scenes(unsigned how, RTCFilterFunctionN filter)
 
 static void packets_return_the_answers_to_rays_alone(void)
 {
-    query_scenes(0, NULL);
+    const char *name;
+    for (int i = 0; (name = cylint_kernels_name(i)); i++) {
+        CHECK(cylint_use_kernels(name));
+        query_scenes(0, NULL);
+    }
+    cylint_use_kernels(NULL);
 }
 
 static void packets_without_filters_return_the_answers_to_rays_alone(void)

@@ -75,7 +75,7 @@ extern struct cylint_visits {
 #define cylint_visited(what, n) ((void)0)
 #endif
 
-/* The build for this processor. */
+/* The build in use. */
 const cylint_traversal *cylint_traversal_used(void);
 
 /* All builds. */

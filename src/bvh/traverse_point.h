@@ -25,7 +25,7 @@ typedef void cylint_traverse_point(const cylint_bvh *bvh, const double point[3],
 
 #define CYLINT_POINT_MOST 0x1p60
 
-/* The build for this processor. */
+/* The build in use. */
 cylint_traverse_point *cylint_traverse_point_used(void);
 
 /* All builds. */

@@ -298,7 +298,8 @@ static cylint_embree_data *new_data(RTCDevice device,
                              .n = n,
                              .threads = 1,
                              .filter = cylint_float_filter_used(),
-                             .packet_filter = cylint_packet_filter_build(0)};
+                             .packet_filter = cylint_packet_filter_used(),
+                             .traverse_packet = cylint_traverse_packet_used()};
     if (options) {
         data->moved = options->moved;
         data->flags = options->flags;

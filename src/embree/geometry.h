@@ -8,7 +8,7 @@
 
 #include "../bvh/bvh.h"
 #include "packet_filter.h"
-#include "../bvh/traverse.h"
+#include "packet_traverse.h"
 #include "api.h"
 #include "cylint_embree.h"
 #include "device_memory.h"
@@ -28,6 +28,7 @@ typedef struct cylint_embree_data {
     const cylint_traversal *traversal; /* NULL: each shape is a primitive */
     const cylint_float_filter *filter;
     cylint_packet_filter *packet_filter;
+    cylint_traverse_packet *traverse_packet;
     cylint_bvh bvh;
     /* Leaves name shapes by rank, in the order in which leaves first name
      * them; the filter's shapes have the same order. */

@@ -190,9 +190,9 @@ static void trace_together(const ray_test *r, unsigned rays, int *valid,
         set_valid(valid, i, 0);
     }
     if (p.n > 0)
-        certain = cylint_traverse_packet_used()(&r->data->bvh, p.float_ray, p.n,
-                                                r->any && !has_filters(r),
-                                                test_lanes_in_order, &p);
+        certain = r->data->traverse_packet(&r->data->bvh, p.float_ray, p.n,
+                                           r->any && !has_filters(r),
+                                           test_lanes_in_order, &p);
     for (int k = 0; k < p.n; k++) {
         if (certain >> k & 1)
             p.ray[k].tfar = -HUGE_VALF;

@@ -27,9 +27,8 @@ typedef void cylint_packet_filter(const cylint_float_filter_target target[],
                                   int n, int describe,
                                   cylint_packet_filter_results *to);
 
-/* The i-th of the builds that this processor can run, the best first; NULL if
- * there are fewer. */
-cylint_packet_filter *cylint_packet_filter_build(int i);
+/* The build in use. */
+cylint_packet_filter *cylint_packet_filter_used(void);
 
 /* All builds. */
 extern cylint_packet_filter cylint_packet_filter_plain,

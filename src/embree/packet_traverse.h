@@ -34,7 +34,7 @@ typedef unsigned cylint_traverse_packet(const cylint_bvh *bvh,
                                         cylint_packet_leaf_callback *callback,
                                         void *self);
 
-/* The build for this processor. */
+/* The build in use. */
 cylint_traverse_packet *cylint_traverse_packet_used(void);
 
 /* All builds. */
