@@ -30,20 +30,21 @@ $(embree_programs): libs := $(EMBREE_LIBS) $(threads_link)
 $(BUILD)/tools/bench/embree_counts: wrapped := $(call wrap,cylint_float_filter_used cylint_intersect)
 
 $(BUILD)/tools/bench/measure: $(BUILD)/tools/bench/measure.o
+$(BUILD)/tools/bench/kernels: $(BUILD)/tools/bench/kernels.o $(BUILD)/libcylint.a
 
-$(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene distance_scene python_scene measure):
+$(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene distance_scene python_scene measure kernels):
 	$(link)
 
 # Where the processor has fused multiply-add, a second build with it.
 FMA ?= $(shell grep -qw fma /proc/cpuinfo 2>/dev/null && echo yes)
-bench_programs: $(bench_programs)
+bench_programs: $(bench_programs) $(BUILD)/tools/bench/kernels
 bench: bench_programs ## time against error, tables and charts; QUICK=1: in two minutes
 	@$(if $(GSL),,echo 'bench: no GSL, so no questions (make deps)'; exit 1)
 	@$(if $(MPFR),,echo 'note: no MPFR, errors are not measured')
 	@$(if $(FMA),$(MAKE) BUILD=$(BUILD)/fma CFLAGS='$(CFLAGS) -mfma' bench_programs)
 	@BUILD='$(BUILD)' CC='$(CC)' CFLAGS='$(CFLAGS)' FMA='$(FMA)' QUICK='$(QUICK)' sh tools/bench/bench.sh
 
-bench-scene: $(BUILD)/tools/bench/scene $(BUILD)/tools/bench/distance_scene ## time of scenes and of batches of all shapes
+bench-scene: $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene kernels) ## time of scenes and of batches of all shapes
 	@BUILD='$(BUILD)' sh tools/bench/scene.sh
 
 bench-text: $(commands) $(BUILD)/tools/bench/measure ## time of the command and of programs that read numbers; QUICK=1

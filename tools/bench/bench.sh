@@ -53,12 +53,19 @@ echo 'time of a question beside the quadratics ...' >&2
 measure cost "$out/cost.csv" $rounds $rounds
 awk -f "$here/cost.awk" "$out/cost.csv" >"$out/cost.txt"
 
+# Runs a program with all kernels that this processor runs.
+with_all_kernels() { # PROGRAM ARGUMENT CSV
+    for kernels in $("$BUILD/tools/bench/kernels"); do
+        KERNELS=$kernels "$BUILD/tools/bench/$1" "$2" "$kernels" || exit 1
+    done | awk 'NR == 1 { header = $0 } NR == 1 || $0 != header' >"$3"
+}
+
 echo 'single questions beside the leanest formula ...' >&2
-"$BUILD/tools/bench/single" $turns "$flags" >"$out/single.csv" || exit 1
+with_all_kernels single $turns "$out/single.csv"
 awk -f "$here/single.awk" "$out/single.csv" >"$out/single.txt"
 
 echo 'distances beside the leanest formulas ...' >&2
-"$BUILD/tools/bench/distance" $turns "$flags" >"$out/distance.csv" || exit 1
+with_all_kernels distance $turns "$out/distance.csv"
 awk -f "$here/distance.awk" "$out/distance.csv" >"$out/distance.txt"
 
 echo "time against error, $cases cases a family ..." >&2
@@ -69,6 +76,8 @@ most=$(fitting $most)
 echo "batches, up to $most shapes ..." >&2
 "$BUILD/tools/bench/batch" $batch_seconds "$most" >"$out/batch.csv" || exit 1
 awk -f "$here/batch.awk" "$out/batch.csv" >"$out/batch.txt"
+awk -f "$here/builds.awk" "$out/single.csv" "$out/distance.csv" \
+    "$out/batch.csv" >"$out/builds.txt"
 awk -v readme=1 -f "$here/batch.awk" "$out/batch.csv" >"$out/readme.md"
 
 if command -v gnuplot >/dev/null 2>&1; then
@@ -99,5 +108,7 @@ echo
 cat "$out/distance.txt"
 echo
 cat "$out/batch.txt"
+echo
+cat "$out/builds.txt"
 echo
 echo "tables and charts: $out/"

@@ -3,7 +3,8 @@ BEGIN {
     FS = ","
     print "One point, one shape: ns of the lean formula / of cylint, and cylint : lean; lower is better."
 }
-$1 == "build" { next }
+NR == 1 { next }
+$1 != build { build = $1; shape = ""; printf "\n\nkernels: %s", build }
 $2 != shape { shape = $2; row = ""; printf "\n%s\n", shape }
 {
     name = sprintf("%-30s %-9s  lean signs wrong %4.1f %%", $3, $4, $9)

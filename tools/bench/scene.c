@@ -3,7 +3,8 @@
  *
  *     scene [-j THREADS] KIND N | NAME COMMAND
  *
- * KIND is a number of tests/scenes.h; COMMAND prints a scene.  The rays are
+ * KIND is a number of tests/scenes.h; COMMAND prints a scene.  The environment
+ * variable KERNELS chooses the kernels.  The rays are
  * those of a camera, pixel by pixel, and random ones.  Times are processor
  * time of this thread or, with -j, elapsed time of THREADS threads that share
  * the rays.
@@ -165,7 +166,9 @@ int main(int argc, char **argv)
         threads = atoi(argv[2]);
         argv += 2;
     }
-    if (argc < 3 || threads < 1 || threads > THREADS)
+    const char *kernels = getenv("KERNELS");
+    if (argc < 3 || threads < 1 || threads > THREADS ||
+        (kernels && !cylint_use_kernels(kernels)))
         return 2;
     char *end;
     const long kind = strtol(argv[1], &end, 10);

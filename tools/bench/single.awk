@@ -4,7 +4,8 @@ BEGIN {
     print "One question: ns of the rival / of cylint, and cylint : rival; lower is better."
     print "Rivals: lean, a prepared quadratic in doubles; shader; own, our ordinary ray with 93 % of hits."
 }
-$1 == "build" { next }
+NR == 1 { next }
+$1 != build { build = $1; shape = ""; printf "\n\nkernels: %s", build }
 $2 != shape { shape = $2; row = ""; printf "\n%s\n", shape }
 {
     name = sprintf("%-20s %-8s %3d %% %-9s %-7s", $3, $4, $5, $6, $8)

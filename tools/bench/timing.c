@@ -6,8 +6,12 @@
 #include "timing.h"
 
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
+
+#include "cylint.h"
 
 #ifdef __linux__
 #include <linux/perf_event.h>
@@ -87,6 +91,12 @@ static double ticks(void)
 
 void timing_begin(void)
 {
+    const char *kernels = getenv("KERNELS");
+    if (kernels && !cylint_use_kernels(kernels)) {
+        fprintf(stderr, "KERNELS=%s: this processor runs no such kernels\n",
+                kernels);
+        exit(2);
+    }
     stay_on_one_core();
     open_counter();
 }

@@ -8,8 +8,9 @@
 #ifndef BENCH_TIMING_H
 #define BENCH_TIMING_H
 
-/* Pins this thread to the last core that it may use, and opens the cycle
- * counter if there is one. */
+/* Chooses the kernels that the environment variable KERNELS names, pins this
+ * thread to the last core that it may use, and opens the cycle counter if there
+ * is one. */
 void timing_begin(void);
 
 /* "cycles" if the cycle counter is readable, "ticks" if only a clock of
