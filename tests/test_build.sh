@@ -89,6 +89,22 @@ $make -n -C "$top" BUILD="$scratch/none" MACHINE=x86_64-w64-mingw32 CC="$real" \
     grep -q -e '--out-implib,[^ ]*libcylint\.dll\.a' "$scratch/output"
 verdict windows_links_shared_libraries_with_its_options $?
 
+# Code without wide vectors is slow after a function that leaves the upper halves
+# of registers in use.  gcc does not clear them (vzeroupper) in a function with a
+# vector among its arguments.
+if command -v objdump > /dev/null && [ -n "$(ls "$build"/src/*/*-avx2.o 2> /dev/null)" ] &&
+    grep -q -e ' -O[23] ' "$build/src/filter/flags"; then
+    for object in "$build"/src/*/*-avx*.o "$build"/src/*/*-fma.o; do
+        objdump -d --no-show-raw-insn "$object" | awk -v object="${object##*/}" '
+            /^[0-9a-f]+ <.*>:$/ { f = $2; order[++n] = f }
+            /%[yz]mm/ { wide[f]++ }
+            /vzeroupper/ { clears[f]++ }
+            END { for (i = 1; i <= n; i++) if (wide[order[i]] && !clears[order[i]]) print object, order[i] }'
+    done > "$scratch/output"
+    [ ! -s "$scratch/output" ] || { cat "$scratch/output"; false; }
+    verdict functions_with_wide_vectors_clear_the_upper_halves $?
+fi
+
 # a test without its package is named, and fails with CI=true
 printf '#!/bin/sh\necho "no MPFR: no oracle (make deps)"\nexit 77\n' \
     > "$scratch/lacks.sh"
