@@ -4,7 +4,7 @@ $(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests $(em
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 
-bench_programs  := $(patsubst %,$(BUILD)/tools/bench/%,cost methods batch single distance distance_elliptic)
+bench_programs  := $(patsubst %,$(BUILD)/tools/bench/%,cost methods batch single distance distance_elliptic gate)
 embree_programs := $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_packets embree_threads embree_counts)
 bench_common    := $(call bench_objects,contestants race timing plain shader $(if $(GSL),gsl_quadratic))
 
@@ -44,6 +44,9 @@ bench: bench_programs ## time against error, tables and charts; QUICK=1: in two 
 	@$(if $(FMA),$(MAKE) BUILD=$(BUILD)/fma CFLAGS='$(CFLAGS) -mfma' bench_programs)
 	@BUILD='$(BUILD)' CC='$(CC)' CFLAGS='$(CFLAGS)' FMA='$(FMA)' QUICK='$(QUICK)' sh tools/bench/bench.sh
 
+gate: bench_programs ## answers and times beside those of COMMIT=...; ONLY=hash: no times
+	@BUILD='$(BUILD)' CC='$(CC)' sh tools/bench/gate.sh
+
 bench-scene: $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene kernels) ## time of scenes and of batches of all shapes
 	@BUILD='$(BUILD)' sh tools/bench/scene.sh
 
@@ -77,4 +80,4 @@ count_stages: $(BUILD)/tools/bench/stages
 stages: ## share of queries that reach each stage (pairs, exact digits), by family
 	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
 
-.PHONY: bench bench_programs bench-scene bench-text bench-embree bench-python count_visits stages count_stages
+.PHONY: bench bench_programs gate bench-scene bench-text bench-embree bench-python count_visits stages count_stages
