@@ -15,6 +15,7 @@
  *   read=N        N bytes are read, then reading fails with EIO
  *   write=N       N bytes are written, then writing fails with ENOSPC
  *   close=N       the N-th close fails with EIO
+ *   fsync=N       the N-th fsync fails with ENOSPC; rename=N: the N-th rename
  *   alloc=N       the N-th allocation fails; allocs=N: and all later ones
  *   thread=N      the N-th thread and all later ones fail
  *   pipe=1        every pipe fails
@@ -44,8 +45,9 @@
 #define ADD(counter, n) __atomic_add_fetch(&(counter), (n), __ATOMIC_SEQ_CST)
 
 static long long partly, eintr, again, waits, storm, nonblock,
-    read_most = -1, write_most = -1, close_nth, alloc_nth, alloc_from,
-    thread_from, pipes, calls_most, rss_most, leaks, count_allocations;
+    read_most = -1, write_most = -1, close_nth, fsync_nth, rename_nth,
+    alloc_nth, alloc_from, thread_from, pipes, calls_most, rss_most, leaks,
+    count_allocations;
 
 static const struct {
     const char *name;
@@ -60,6 +62,8 @@ static const struct {
     {"read", &read_most},
     {"write", &write_most},
     {"close", &close_nth},
+    {"fsync", &fsync_nth},
+    {"rename", &rename_nth},
     {"alloc", &alloc_nth},
     {"allocs", &alloc_from},
     {"thread", &thread_from},
@@ -70,8 +74,8 @@ static const struct {
     {"count", &count_allocations},
 };
 
-static long long draws, calls, allocations, alive, closes, threads, bytes_read,
-    bytes_written;
+static long long draws, calls, allocations, alive, closes, fsyncs, renames,
+    threads, bytes_read, bytes_written;
 
 /* ---------------------------------------------------------- beginning -- */
 
@@ -244,16 +248,37 @@ int __wrap_open(const char *name, int flags, ...)
     return fails(eintr, EINTR) ? -1 : __real_open(name, flags, mode);
 }
 
+/* Whether this is the n-th call; n 0: never. */
+static int is_nth(long long n, long long *count, int error)
+{
+    if (!n || ADD(*count, 1) != n) {
+        return 0;
+    }
+    errno = error;
+    return 1;
+}
+
 /* An interrupted close has closed, as on Linux. */
 int __real_close(int fd);
 int __wrap_close(int fd)
 {
     const int status = __real_close(fd);
-    if (close_nth && ADD(closes, 1) == close_nth) {
-        errno = EIO;
-        return -1;
-    }
-    return fails(eintr, EINTR) ? -1 : status;
+    return is_nth(close_nth, &closes, EIO) || fails(eintr, EINTR) ? -1 : status;
+}
+
+/* A file system may find only here that the disk is full. */
+int __real_fsync(int fd);
+int __wrap_fsync(int fd)
+{
+    return is_nth(fsync_nth, &fsyncs, ENOSPC) || fails(eintr, EINTR)
+               ? -1
+               : __real_fsync(fd);
+}
+
+int __real_rename(const char *old, const char *new);
+int __wrap_rename(const char *old, const char *new)
+{
+    return is_nth(rename_nth, &renames, ENOSPC) ? -1 : __real_rename(old, new);
 }
 
 int __real_pipe(int ends[2]);

@@ -198,31 +198,97 @@ for j in $WORKERS; do
         CYLINT_FAULTS="write=$bytes" answer "$faulty" pairs -j $j <pairs 2>err | cat >out
         head -c $bytes pairs.out | cmp -s - out || wrong="$wrong $bytes -j $j: other bytes;"
     done
-    CYLINT_FAULTS='close=1' answer "$faulty" pairs -j $j -o out <few 2>err
     CYLINT_FAULTS='close=1' answer "$faulty" pairs -j $j <few >out 2>err
     stopped $? 3 'standard output: Input/output error' "close -j $j"
 done
 check_wrong 'a write or a close that fails'
 
+# -o FILE is the old file or the whole new one, and no other file is left.
+unchanged() { # WHAT
+    [ "$(cat kept/old)" = old ] || wrong="$wrong $1: the old file changed;"
+    [ "$(ls kept)" = old ] || wrong="$wrong $1: $(echo $(ls kept));"
+}
+
+mkdir kept
+echo old >kept/old
+for j in $WORKERS; do
+    for name in old new; do
+        for fault in write=0 write=100000 fsync=1 rename=1; do
+            CYLINT_FAULTS="$fault leaks=1" answer "$faulty" pairs -j $j \
+                -o kept/$name <pairs 2>err
+            stopped $? 3 "kept/$name: No space left on device" "$fault $name -j $j"
+            unchanged "$fault $name -j $j"
+        done
+        CYLINT_FAULTS='read=100000' answer "$faulty" pairs -j $j -o kept/$name <pairs 2>err
+        stopped $? 3 'stdin: Input/output error' "read $name -j $j"
+        unchanged "read $name -j $j"
+        CYLINT_FAULTS='alloc=1' answer "$faulty" pairs -j $j -o kept/$name <pairs 2>err
+        stopped $? 4 'out of memory' "alloc $name -j $j"
+        unchanged "alloc $name -j $j"
+    done
+    # The first close is that of the old file.
+    CYLINT_FAULTS='close=2' answer "$faulty" pairs -j $j -o kept/old <few 2>err
+    stopped $? 3 'kept/old: Input/output error' "close -j $j"
+    unchanged "close -j $j"
+    CYLINT_FAULTS='write=4000' answer "$faulty" binary -j $j --npy -o kept/old \
+        <doubles 2>err
+    stopped $? 3 'kept/old: No space left on device' "npy -j $j"
+    unchanged "npy -j $j"
+    CYLINT_FAULTS='short=4 eintr=4 again=4' answer "$faulty" pairs -j $j -o kept/new \
+        <pairs 2>err
+    code=$?
+    mv kept/new out
+    same pairs $code "interrupted -j $j"
+    unchanged "interrupted -j $j"
+done
+check_wrong 'a file that cannot be written to its end stays as it was'
+
 # A file may have ten thousand bytes, the disk 64 KiB.
 for j in $WORKERS; do
-    (ulimit -f 20; trap '' XFSZ; answer "$cylint" pairs -j $j -o limited <pairs 2>err)
-    stopped $? 3 'limited: File too large' "-j $j"
-    mv limited out
+    (ulimit -f 20; trap '' XFSZ; answer "$cylint" pairs -j $j <pairs >out 2>err)
+    stopped $? 3 'standard output: File too large' "-j $j"
     [ -s out ] || wrong="$wrong -j $j: nothing;"
     first_lines pairs "$(wc -l <out)" "-j $j"
+    (ulimit -f 20; trap '' XFSZ; answer "$cylint" pairs -j $j -o kept/old <pairs 2>err)
+    stopped $? 3 'kept/old: File too large' "-j $j"
+    unchanged "limited -j $j"
+    (ulimit -f 20; "$cylint" -j $j -o kept/old pairs 2>err; exit $?) 2>/dev/null
+    [ $? -gt 128 ] || wrong="$wrong -j $j: SIGXFSZ;"
+    unchanged "SIGXFSZ -j $j"
     if mkdir -p disk && mount -t tmpfs -o size=64k none disk 2>/dev/null; then
-        answer "$cylint" pairs -j $j -o disk/full <pairs 2>err
-        stopped $? 3 'disk/full: No space left on device' "-j $j"
+        answer "$cylint" pairs -j $j <pairs >disk/full 2>err
+        stopped $? 3 'standard output: No space left on device' "-j $j"
         mv disk/full out
         [ "$(wc -c <out)" -ge 60000 ] || wrong="$wrong disk -j $j: not full;"
         first_lines pairs "$(wc -l <out)" "disk -j $j"
+        answer "$cylint" pairs -j $j -o disk/full <pairs 2>err
+        stopped $? 3 'disk/full: No space left on device' "-o -j $j"
+        [ -z "$(ls disk)" ] || wrong="$wrong disk -j $j: $(ls disk);"
         umount disk
     else
         echo 'note: no disk can be made and filled here'
     fi
 done
 check_wrong 'a file that may not grow, a disk that is full'
+
+# A signal that ends the work removes what was written.
+mkfifo waits
+for j in $WORKERS; do
+    for signal in HUP TERM XCPU; do
+        "$cylint" -j $j -o kept/old <waits 2>err &
+        pid=$!
+        { cat pairs
+          for i in $(seq 100); do
+              [ "$(ls kept | wc -l)" -eq 2 ] && break
+              sleep 0.1
+          done
+          kill -$signal $pid
+          wait $pid; } >waits 2>/dev/null
+        [ $? -gt 128 ] || wrong="$wrong $signal -j $j;"
+        unchanged "$signal -j $j"
+    done
+done
+check_wrong 'a signal leaves the old file and no other'
 
 # For every n the n-th allocation fails, alone or with all later ones.
 for job in $jobs neuron; do
@@ -290,11 +356,11 @@ for count in 10000 $many; do
 done
 check_wrong "$many bad records have eleven messages"
 
-# All functions that the command calls to read, write or allocate are wrapped, so
-# that a new one is not forgotten.
+# All functions that the command calls to read, write, rename or allocate are
+# wrapped, so that a new one is not forgotten.
 nm -u "$build"/tools/cylint/*.o | awk '{ print $NF }' | sort -u | grep -Ex \
-    '(f|fd|fre|p|open_mem)open.*|creat|f?read|f?write|[pf]?(read|write)v|pread|pwrite|send|recv|getc.*|fgets|getdelim|getline|mmap|.*alloc|strn?dup|v?asprintf|p?select|ppoll|dup[23]?|pipe|fork|aligned_alloc' |
-    grep -Evx 'read|write|fwrite|[mc]alloc|realloc|pipe' >unwrapped
+    '(f|fd|fre|p|open_mem)open.*|creat|f?read|f?write|[pf]?(read|write)v|pread|pwrite|send|recv|getc.*|fgets|getdelim|getline|mmap|.*alloc|strn?dup|v?asprintf|p?select|ppoll|dup[23]?|pipe|fork|aligned_alloc|fd?a?t?a?sync|rename(at)?|link(at)?|mks?temps?' |
+    grep -Evx 'read|write|fwrite|[mc]alloc|realloc|pipe|fsync|rename' >unwrapped
 [ ! -s unwrapped ] || wrong=" $(cat unwrapped)"
 check_wrong 'there are no other calls that can fail'
 

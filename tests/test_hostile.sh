@@ -271,6 +271,27 @@ status=$(cat code)
 printf 'cross\t2\t1\t2\n' >want
 expect 'a byte order mark in single bytes is skipped' 0
 
+# `script` runs the command on a terminal of its own, where its input is empty.
+if script -qec true /dev/null >/dev/null 2>&1 </dev/null; then
+    say='cylint: waiting for records from the terminal'
+    for options in '' '-s scene'; do
+        script -qec "cylint $options" /dev/null </dev/null >out
+        status=$?
+        [ "$(grep -c "^$say, LINE.*Ctrl-D" out)" -eq 1 ] || status="$status, $(cat out)"
+        expect "on a terminal cylint $options says what it waits for" 0
+        script -qec "cylint $options in" /dev/null </dev/null >out
+        status=$?
+        ! grep "$say" out || status="$status, said"
+        expect "on a terminal cylint $options FILE does not wait" 0
+    done
+else
+    echo 'note: no terminal can be made here'
+fi
+: >want.err
+cylint </dev/null >out 2>err
+status=$?
+expect 'elsewhere it does not say so' 0
+
 # The partner writes a record and reads its answer before it writes the next.
 # If the command held answers back both would wait forever, so a timer ends
 # them.

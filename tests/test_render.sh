@@ -253,6 +253,8 @@ test_faults()
 {
     refuses 2 "expected one scene, found 0" -o x.png
     refuses 2 "no output file: use -o FILE, or -o - for standard output" some.scene
+    refuses 2 "-o: expected a PNG file, NAME.png, found 'x.jpg'" some.scene -o x.jpg
+    refuses 2 "-o: expected a PNG file, NAME.png, found 'a.b/X.TIFF'" -o a.b/X.TIFF
     refuses 2 "--size: expected WIDTHxHEIGHT, found '3x'" --size 3x
     refuses 2 "--size: expected WIDTHxHEIGHT, found '0x7'" --size 0x7
     refuses 2 "--fov: expected degrees above 0 and below 180, found '180'" \

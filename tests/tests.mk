@@ -36,8 +36,8 @@ $(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/scene_curves $(BUILD
 
 # The command, with system calls that fail as tests/faults.c says.
 $(BUILD)/tests/faulty: $(BUILD)/tests/faults.o $(tool_objects) $(scene_library)
-$(BUILD)/tests/faulty: wrapped := $(call wrap,read write poll open close malloc calloc \
-	realloc posix_memalign free pipe pthread_create)
+$(BUILD)/tests/faulty: wrapped := $(call wrap,read write poll open close fsync rename \
+	malloc calloc realloc posix_memalign free pipe pthread_create)
 
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
 # replays files; in the fuzzed command the test reads and writes.

@@ -25,7 +25,6 @@ void job_prepare(struct job *job, const struct options *options,
                  options->method->name);
     }
     write_order_prepare(&job->order);
-    progress_start(&job->progress, options->progress, "records", 1);
 }
 
 int job_block(const struct job *job, struct block *block)

@@ -15,7 +15,7 @@
 
 #include "input.h"
 #include "main.h"
-#include "output.h"
+#include "target.h"
 
 static int is_stdin(const char *file)
 {
@@ -79,7 +79,7 @@ static int open_next(struct input *in, struct block *b)
 {
     const char *file = in->files[in->next++];
     in->name = b->name = is_stdin(file) ? "stdin" : file;
-    in->fd = is_stdin(file) ? 0 : open_file(file, O_RDONLY);
+    in->fd = is_stdin(file) ? 0 : open_file(file, O_RDONLY, 0);
     if (in->fd < 0) {
         return fail(b, NULL, errno);
     }
@@ -225,7 +225,6 @@ static void count_lines(struct input *in, struct block *b)
 
 static void count_records(struct input *in, struct block *b)
 {
-    b->name = in->name;
     b->line = in->record_size > 0 ? 0 : in->line;
     b->record = in->record;
     b->records = 0;
@@ -296,21 +295,41 @@ static int finish_file(struct input *in, struct block *b)
                 0);
 }
 
-static int begin_block(struct input *in, struct block *b)
-{
-    memcpy(b->text, in->carry, in->carried);
-    b->length = in->carried;
-    in->carried = 0;
-    skip_line(in, b);
-    return !in->fresh || in->record_size == 0 || skip_npy_header(in, b);
-}
-
 /* Closes the present file, if one is open, and opens the next.  Returns 0 if
  * there is none, or after a failure. */
 static int change_file(struct input *in, struct block *b)
 {
     return (in->fd < 0 || finish_file(in, b)) && in->next < in->count &&
            open_next(in, b);
+}
+
+/* The first block begins with the bytes that were read here.  It reports the
+ * failure of a file that cannot be opened or read. */
+int input_is_empty(struct input *in)
+{
+    struct block b;
+    b.text = in->carry;
+    b.length = 0;
+    while (b.length == 0 && !in->error) {
+        b.failure.status = 0;
+        if (!change_file(in, &b)) {
+            in->next -= b.failure.status != 0;
+            return b.failure.status == 0;
+        }
+        read_more(in, &b);
+    }
+    in->carried = b.length;
+    return 0;
+}
+
+static int begin_block(struct input *in, struct block *b)
+{
+    b->name = in->name;
+    memcpy(b->text, in->carry, in->carried);
+    b->length = in->carried;
+    in->carried = 0;
+    skip_line(in, b);
+    return !in->fresh || in->record_size == 0 || skip_npy_header(in, b);
 }
 
 /* Carries the bytes beyond the last whole record to the next block.  At the end
@@ -329,6 +348,13 @@ static void cut_block(struct input *in, struct block *b, size_t whole)
     b->text[b->length] = '\0';
 }
 
+/* Whether a file of text begins as gzip's do.  No line can begin so. */
+static int is_compressed(const struct input *in, const struct block *b)
+{
+    return in->fresh && in->record_size == 0 && b->length >= 2 &&
+           memcmp(b->text, "\x1f\x8b", 2) == 0;
+}
+
 static void fill_block(struct input *in, struct block *b)
 {
     while (b->length == 0) {
@@ -338,7 +364,12 @@ static void fill_block(struct input *in, struct block *b)
         if (!begin_block(in, b)) {
             return;
         }
-        cut_block(in, b, gather(in, b));
+        const size_t whole = gather(in, b);
+        if (is_compressed(in, b)) {
+            fail(b, "is compressed by gzip; pipe it through zcat", 0);
+            return;
+        }
+        cut_block(in, b, whole);
         count_records(in, b);
     }
 }

@@ -3,7 +3,10 @@
  *
  * The locale is never set, so the decimal separator is always a point.
  */
+#include <unistd.h>
+
 #include "main.h"
+#include "message.h"
 #include "processors.h"
 #include "scene_read.h"
 #include "workers.h"
@@ -36,39 +39,23 @@ static int open_input(struct job *job)
     return input_open(&job->in, o->files, o->file_count, size);
 }
 
-static int run(struct job *job)
-{
-    const struct options *o = job->options;
-    int status = output_open(&job->out, o);
-    if (status != 0) {
-        return status;
-    }
-    status = open_input(job);
-    if (status == 0) {
-        status = put_first_line(job);
-    }
-    if (status == 0) {
-        status = workers_run(job, o->workers > 0 ? o->workers : processors());
-    }
-    input_close(&job->in);
-    progress_end(&job->progress);
-    report_end(&job->report);
-    const int closed = output_close(&job->out);
-    if (status != 0 || closed != 0) {
-        return status != 0 ? status : closed;
-    }
-    return job->report.bad > 0 ? EXIT_BAD : EXIT_ANSWERED;
-}
-
 static int needs_labels(const struct options *o)
 {
     return (!o->grammar.no_lines && o->fields.labels > 0) ||
            (!o->grammar.no_points && o->point_fields.labels > 0);
 }
 
-static int read_scene(const struct options *o, struct scene *scene,
-                      struct labels *labels, struct groups *groups)
+/* What all records are answered from.  It has no shapes without -s. */
+struct shapes {
+    struct scene scene;
+    struct labels labels;
+    struct groups groups;
+};
+
+static int read_scene(const struct options *o, struct shapes *shapes)
 {
+    struct scene *scene = &shapes->scene;
+    struct labels *labels = &shapes->labels;
     if (needs_labels(o) || o->not_label) {
         labels_collect(labels, scene);
     }
@@ -77,21 +64,78 @@ static int read_scene(const struct options *o, struct scene *scene,
     if (status == 0 && !o->method) {
         status = scene_prepare(scene, o->accel, o->workers);
     }
-    return status == 0
-               ? groups_make(groups, scene->count, o->not_label ? labels : NULL)
-               : status;
+    return status == 0 ? groups_make(&shapes->groups, scene->count,
+                                     o->not_label ? labels : NULL)
+                       : status;
+}
+
+static int is_terminal(const struct options *o)
+{
+    return strcmp(o->files[0], "-") == 0 && isatty(0);
+}
+
+/* The scene of an input without a byte is not read.  It must exist. */
+static int read_scene_if_needed(struct job *job, struct shapes *shapes)
+{
+    const struct options *o = job->options;
+    if (!o->scene) {
+        return 0;
+    }
+    if (is_terminal(o) || !input_is_empty(&job->in)) {
+        return read_scene(o, shapes);
+    }
+    if (strcmp(o->scene, "-") != 0 && access(o->scene, R_OK) != 0) {
+        complain_errno(o->scene);
+        return EXIT_IO;
+    }
+    return 0;
+}
+
+static int answer_input(struct job *job, struct shapes *shapes)
+{
+    const struct options *o = job->options;
+    int status = open_input(job);
+    if (status == 0) {
+        status = read_scene_if_needed(job, shapes);
+    }
+    if (status == 0) {
+        status = put_first_line(job);
+    }
+    if (status == 0 && is_terminal(o)) {
+        message("waiting for records from the terminal, %s, one a line (see "
+                "--help); Ctrl-D ends them",
+                o->scene ? "LINE" : "LINE SHAPE");
+    }
+    if (status == 0) {
+        progress_start(&job->progress, o->progress, "records", 1);
+        status = workers_run(job, o->workers > 0 ? o->workers : processors());
+    }
+    input_close(&job->in);
+    progress_end(&job->progress);
+    report_end(&job->report);
+    return status;
+}
+
+static int run(struct job *job, struct shapes *shapes)
+{
+    int status = output_open(&job->out, job->options);
+    if (status != 0) {
+        return status;
+    }
+    status = answer_input(job, shapes);
+    const int closed = output_close(&job->out, status == 0);
+    if (status != 0 || closed != 0) {
+        return status != 0 ? status : closed;
+    }
+    return job->report.bad > 0 ? EXIT_BAD : EXIT_ANSWERED;
 }
 
 int main(int argc, char **argv)
 {
     struct options options;
-    struct scene scene;
-    struct labels labels;
-    struct groups groups;
+    struct shapes shapes;
     struct job job;
-    memset(&scene, 0, sizeof scene);
-    memset(&labels, 0, sizeof labels);
-    memset(&groups, 0, sizeof groups);
+    memset(&shapes, 0, sizeof shapes);
     guard_standard_streams();
     int status = read_options(&options, argc, argv);
     if (status != 0) {
@@ -100,16 +144,11 @@ int main(int argc, char **argv)
     if (options.print) {
         return print_about(options.print);
     }
-    if (options.scene) {
-        status = read_scene(&options, &scene, &labels, &groups);
-    }
-    if (status == 0) {
-        job_prepare(&job, &options, &scene, &labels, &groups);
-        status = run(&job);
-        write_order_destroy(&job.order);
-    }
-    scene_free(&scene);
-    labels_free(&labels);
-    groups_free(&groups);
+    job_prepare(&job, &options, &shapes.scene, &shapes.labels, &shapes.groups);
+    status = run(&job, &shapes);
+    write_order_destroy(&job.order);
+    scene_free(&shapes.scene);
+    labels_free(&shapes.labels);
+    groups_free(&shapes.groups);
     return status;
 }

@@ -25,15 +25,6 @@ void guard_standard_streams(void)
     }
 }
 
-int open_file(const char *name, int flags)
-{
-    int fd;
-    do {
-        fd = open(name, flags | O_NOCTTY, 0666);
-    } while (fd < 0 && errno == EINTR);
-    return fd;
-}
-
 static int is_output(const struct stat *out, const char *file)
 {
     struct stat in;
@@ -48,67 +39,59 @@ static int put_array_header(struct output *out, unsigned long long rows)
     return output_write(out, header, sizeof header);
 }
 
-/* Empties a regular file.  It must not be an input file. */
-static int empty_file(const struct output *out, const struct options *o)
+/* Whether the file of -o is a regular file that is read, too. */
+static int is_read_too(const struct options *o)
 {
     struct stat s;
-    if (fstat(out->fd, &s) != 0 || !S_ISREG(s.st_mode)) {
+    if (!o->output || stat(o->output, &s) != 0 || !S_ISREG(s.st_mode)) {
         return 0;
     }
     int read_too = o->scene != NULL && is_output(&s, o->scene);
     for (int i = 0; i < o->file_count; i++) {
         read_too |= is_output(&s, o->files[i]);
     }
-    if (read_too) {
-        complain(out->name, "is both input and output");
-        return EXIT_IO;
-    }
-    if (ftruncate(out->fd, 0) != 0) {
-        complain_errno(out->name);
-        return EXIT_IO;
-    }
-    return 0;
+    return read_too;
 }
 
 /* The number of rows is written at the end, so the file must be seekable. */
 static int begin_array(struct output *out)
 {
     struct stat s;
-    const int way_back = fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode) &&
-                         !(fcntl(out->fd, F_GETFL) & O_APPEND);
+    const int way_back = fstat(out->target.fd, &s) == 0 && S_ISREG(s.st_mode) &&
+                         !(fcntl(out->target.fd, F_GETFL) & O_APPEND);
     if (!way_back) {
-        complain(out->name, "a .npy array must go to a file");
+        complain(out->target.name, "a .npy array must go to a file");
         return EXIT_IO;
     }
-    out->array = (long long)lseek(out->fd, 0, SEEK_CUR);
+    out->array = (long long)lseek(out->target.fd, 0, SEEK_CUR);
     return put_array_header(out, 0);
-}
-
-static int prepare_output(struct output *out, const struct options *o)
-{
-    const int status = o->output ? empty_file(out, o) : 0;
-    return status == 0 && o->array ? begin_array(out) : status;
 }
 
 int output_open(struct output *out, const struct options *o)
 {
-    const char *name = o->output;
-    out->name = name ? name : "standard output";
     out->array = -1;
     out->row =
         o->style.binary ? sizeof(double) * (size_t)options_fields(o)->count : 0;
-    out->fd = name ? open_file(name, O_WRONLY | O_CREAT) : 1;
-    if (out->fd < 0) {
-        complain_errno(out->name);
+    if (is_read_too(o)) {
+        complain(o->output, "is both input and output");
         return EXIT_IO;
+    }
+    int status = target_open(&out->target, o->output);
+    if (status != 0) {
+        return status;
     }
     /* Reports a closed standard output even if there is no output. */
-    if ((fcntl(out->fd, F_GETFL) & O_ACCMODE) == O_RDONLY) {
+    if ((fcntl(out->target.fd, F_GETFL) & O_ACCMODE) == O_RDONLY) {
         errno = EBADF;
-        complain_errno(out->name);
-        return EXIT_IO;
+        complain_errno(out->target.name);
+        status = EXIT_IO;
+    } else if (o->array) {
+        status = begin_array(out);
     }
-    return prepare_output(out, o);
+    if (status != 0) {
+        target_close(&out->target, 0);
+    }
+    return status;
 }
 
 /* The number of bytes at the end that are not a whole row. */
@@ -130,10 +113,10 @@ static size_t half_row(const struct output *out, const char *data,
 static void take_back(const struct output *out, size_t length)
 {
     struct stat s;
-    const off_t at = lseek(out->fd, 0, SEEK_CUR);
-    if (fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode) && at == s.st_size &&
-        ftruncate(out->fd, at - (off_t)length) != 0) {
-        complain_errno(out->name);
+    const off_t at = lseek(out->target.fd, 0, SEEK_CUR);
+    if (fstat(out->target.fd, &s) == 0 && S_ISREG(s.st_mode) &&
+        at == s.st_size && ftruncate(out->target.fd, at - (off_t)length) != 0) {
+        complain_errno(out->target.name);
     }
 }
 
@@ -141,14 +124,14 @@ int output_write(struct output *out, const char *data, size_t length)
 {
     size_t done = 0;
     while (done < length) {
-        const ssize_t n = write(out->fd, data + done, length - done);
+        const ssize_t n = write(out->target.fd, data + done, length - done);
         if (n >= 0) {
             done += (size_t)n;
         } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-            struct pollfd p = {out->fd, POLLOUT, 0};
+            struct pollfd p = {out->target.fd, POLLOUT, 0};
             poll(&p, 1, -1);
         } else if (errno != EINTR) {
-            complain_errno(out->name);
+            complain_errno(out->target.name);
             take_back(out, half_row(out, data, done));
             return EXIT_IO;
         }
@@ -160,10 +143,10 @@ int output_write(struct output *out, const char *data, size_t length)
 static int finish_array(struct output *out)
 {
     struct stat s;
-    const off_t at = lseek(out->fd, 0, SEEK_CUR);
-    if (at == -1 || fstat(out->fd, &s) != 0 ||
-        lseek(out->fd, (off_t)out->array, SEEK_SET) == -1) {
-        complain_errno(out->name);
+    const off_t at = lseek(out->target.fd, 0, SEEK_CUR);
+    if (at == -1 || fstat(out->target.fd, &s) != 0 ||
+        lseek(out->target.fd, (off_t)out->array, SEEK_SET) == -1) {
+        complain_errno(out->target.name);
         return EXIT_IO;
     }
     const long long end = (long long)(at < s.st_size ? at : s.st_size);
@@ -171,12 +154,10 @@ static int finish_array(struct output *out)
     return put_array_header(out, (unsigned long long)rows / out->row);
 }
 
-int output_close(struct output *out)
+int output_close(struct output *out, int is_whole)
 {
-    const int status = out->array >= 0 ? finish_array(out) : 0;
-    if (close(out->fd) != 0 && errno != EINTR) {
-        complain_errno(out->name);
-        return EXIT_IO;
-    }
-    return status;
+    const int stays = is_whole || !out->target.part[0];
+    const int status = out->array >= 0 && stays ? finish_array(out) : 0;
+    const int closed = target_close(&out->target, is_whole && status == 0);
+    return status != 0 ? status : closed;
 }

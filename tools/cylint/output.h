@@ -6,11 +6,12 @@
 
 #include <stddef.h>
 
+#include "target.h"
+
 struct options;
 
 struct output {
-    int fd;
-    const char *name;
+    struct target target;
     size_t row;      /* bytes of a binary row; 0: rows are lines */
     long long array; /* position of the .npy header in the file; -1: none */
 };
@@ -19,14 +20,12 @@ struct output {
  * file opened would become standard output.  Call it first. */
 void guard_standard_streams(void);
 
-/* open(), repeated if a signal interrupts it. */
-int open_file(const char *name, int flags);
-
 /* All three return 0, or an exit status after a message.  The file of -o must
- * not be an input file.  A file that cannot take all bytes ends with a whole
- * row.  A .npy header is completed at the end. */
+ * not be an input file; it takes its place if it is whole.  Output that cannot
+ * take all bytes ends with a whole row.  A .npy header is completed at the
+ * end. */
 int output_open(struct output *out, const struct options *options);
 int output_write(struct output *out, const char *data, size_t length);
-int output_close(struct output *out);
+int output_close(struct output *out, int is_whole);
 
 #endif

@@ -9,7 +9,6 @@
 
 #include "main.h"
 #include "options.h"
-#include "output.h"
 #include "processors.h"
 #include "report.h"
 #include "scene_read.h"
@@ -87,7 +86,8 @@ static struct vector sun_of(const struct options *o, const struct view *view)
 }
 
 static int draw_picture(const struct options *o, struct stage *stage,
-                        const struct view *view, struct stages *stages)
+                        const struct view *view, struct stages *stages,
+                        struct output *out)
 {
     const unsigned long long pixels =
         (unsigned long long)o->width * (unsigned long long)o->height;
@@ -114,7 +114,7 @@ static int draw_picture(const struct options *o, struct stage *stage,
     stages_end(stages, "traced", pixels, "pixels");
     cylint_scene_free(scene);
     if (status == 0) {
-        status = picture_write(&picture, o->output);
+        status = picture_write(&picture, out);
     }
     stages_end(stages, "wrote", pixels, "pixels");
     picture_free(&picture);
@@ -170,6 +170,7 @@ int main(int argc, char **argv)
     struct stage stage;
     struct view view;
     struct stages stages;
+    struct output out;
     guard_standard_streams();
     memset(&scene, 0, sizeof scene);
     scene.also = colours_take_tail;
@@ -179,15 +180,17 @@ int main(int argc, char **argv)
         return status != 0 ? status : print_about(options.print);
     }
     stages_start(&stages, options.progress);
-    status = picture_try(options.output);
-    if (status == 0) {
-        status = prepare(&options, &scene, &colours, &stage, &view);
+    status = picture_open(&out, options.output);
+    if (status != 0) {
+        return status;
     }
+    status = prepare(&options, &scene, &colours, &stage, &view);
     if (status == 0) {
         stages_end(&stages, "read", stage.count, "shapes");
-        status = draw_picture(&options, &stage, &view, &stages);
+        status = draw_picture(&options, &stage, &view, &stages, &out);
     }
+    const int closed = output_close(&out, status == 0);
     scene_free(&scene);
     colours_free(&colours);
-    return status;
+    return status != 0 ? status : closed;
 }

@@ -3,6 +3,7 @@
  */
 #include <limits.h>
 #include <string.h>
+#include <strings.h>
 
 #include "arguments.h"
 #include "main.h"
@@ -218,6 +219,21 @@ static const char *read_look_options(struct options *options, int id,
     }
 }
 
+/* A viewer refuses a PNG file with the name of another format. */
+static int is_named_otherwise(const char *file)
+{
+    static const char *const endings[] = {
+        ".jpg",  ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp",
+        ".avif", ".jxl",  ".ppm", ".tga", ".svg", ".pdf",  ".eps"};
+    const char *dot = strrchr(file, '.');
+    for (size_t i = 0; dot && i < sizeof endings / sizeof *endings; i++) {
+        if (strcasecmp(dot, endings[i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 static int take_value(struct options *options, const struct option *o,
                       const char *value)
 {
@@ -225,7 +241,9 @@ static int take_value(struct options *options, const struct option *o,
     switch (o->id) {
     case 'o':
         options->output = value;
-        return 0;
+        return is_named_otherwise(value)
+                   ? usage_value(o, value, "a PNG file, NAME.png")
+                   : 0;
     case OPT_ENDS:
         return read_word(o, value, ends_words,
                          "capped, open, cap0, cap1, infinite or nappe",

@@ -1,8 +1,10 @@
 /*
- * picture.h - writes rows of pixels to a PNG file, whole or not at all
+ * picture.h - writes rows of pixels to a PNG file
  */
 #ifndef CYLINT_PICTURE_H
 #define CYLINT_PICTURE_H
+
+#include "output.h"
 
 struct picture {
     int width, height;
@@ -11,14 +13,12 @@ struct picture {
                               colour not multiplied by opacity */
 };
 
-/* All return 0, or report the fault and return an exit status.  `file` is "-" for
- * standard output. */
+/* All return 0, or report the fault and return an exit status. */
 int picture_make(struct picture *picture, int width, int height, int channels);
-/* Whether the file can be written; called before the work. */
-int picture_try(const char *file);
-/* Writes a new file beside `file` and renames it, so that `file` is the old one or
- * the complete new one.  A file that is not regular is written in place. */
-int picture_write(const struct picture *picture, const char *file);
+/* Opens the file, "-" for standard output; called before the work.
+ * output_close() puts it in its place. */
+int picture_open(struct output *out, const char *file);
+int picture_write(const struct picture *picture, struct output *out);
 
 void picture_free(struct picture *picture);
 
