@@ -2,8 +2,8 @@
 #
 # This file has the rules to build and install, tests/tests.mk those of tests,
 # tools/bench/bench.mk those of benchmarks.  Everything is built below $(BUILD), one folder per configuration:
-# `make BUILD=build/clang CC=clang`.  These variables are the user's; the
-# project's own flags stand around them.
+# `make BUILD=build/clang CC=clang`; `make -f FOLDER/Makefile` builds below the folder in which it runs.
+# These variables are the user's; the project's own flags stand around them.
 CC         ?= cc
 CXX        ?= c++
 CFLAGS     ?= -O2 -g
@@ -14,6 +14,10 @@ BINDIR     ?= $(PREFIX)/bin
 LIBDIR     ?= $(PREFIX)/lib
 INCLUDEDIR ?= $(PREFIX)/include
 MANDIR     ?= $(PREFIX)/share/man
+DOCDIR     ?= $(PREFIX)/share/doc/cylint
+BASHDIR    ?= $(PREFIX)/share/bash-completion/completions
+ZSHDIR     ?= $(PREFIX)/share/zsh/site-functions
+STRIP      ?= $(or $(shell $(CC) -print-prog-name=strip 2>/dev/null),strip)
 
 all: ## build the libraries and the commands
 
@@ -26,6 +30,17 @@ endif
 ifneq ($(filter clean uninstall,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
+
+# In another folder a make in this one does the work.
+here  := $(realpath $(dir $(lastword $(MAKEFILE_LIST))))
+there := $(filter-out $(here),$(realpath .))
+ifneq ($(there),)
+$(or $(MAKECMDGOALS),all): there ;
+there:
+	@$(MAKE) --no-print-directory -C $(here) $(patsubst $(BUILD)/%,$(abspath $(BUILD))/%,$(MAKECMDGOALS)) \
+	  $(foreach v,BUILD DESTDIR PREFIX,$(if $($v),$v='$(abspath $($v))'))
+.PHONY: there $(or $(MAKECMDGOALS),all)
+else
 
 # A step prints one short line; with V=1 it prints its command.
 options := $(firstword -$(MAKEFLAGS))
@@ -193,36 +208,52 @@ headers  = $(patsubst %,include/%.h,cylint cylint_distance cylint_methods cylint
 
 # $(call install_library,NAME)
 ifneq ($(windows),)
-install_shared = install -m 755 $(call dynamic,$(1)) $(DESTDIR)$(BINDIR); \
+install_shared = install -m 755 $(call dynamic,$(1)) $(DESTDIR)$(BINDIR) && \
+	$(STRIP) -S -x $(DESTDIR)$(BINDIR)/$(call shared,$(1)) && \
 	install -m 644 $(call dynamic,$(1)).a $(DESTDIR)$(LIBDIR)
 else
-install_shared = install -m 755 $(call dynamic,$(1)) $(DESTDIR)$(LIBDIR)/$(call shared,$(1),$(version)); cd $(DESTDIR)$(LIBDIR) && \
+install_shared = install -m 755 $(call dynamic,$(1)) $(DESTDIR)$(LIBDIR)/$(call shared,$(1),$(version)) && \
+	cd $(DESTDIR)$(LIBDIR) && $(STRIP) -S -x $(call shared,$(1),$(version)) && \
 	ln -sf $(call shared,$(1),$(version)) $(call shared,$(1),$(major)) && ln -sf $(call shared,$(1),$(major)) $(call shared,$(1))
 endif
 define install_library
 install -m 644 $(BUILD)/$(1).a $(DESTDIR)$(LIBDIR)
+	$(STRIP) -S $(DESTDIR)$(LIBDIR)/$(1).a
 	$(install_shared)
 	$(fill_in) $(wildcard src/$(1:lib%=%).pc.in src/*/$(1:lib%=%).pc.in) > $(DESTDIR)$(LIBDIR)/pkgconfig/$(1:lib%=%).pc
 
 endef
 
-install: all ## install into $(DESTDIR)$(PREFIX)
-	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(INCLUDEDIR) \
-	  $(DESTDIR)$(PREFIX)/share/cylint $(patsubst %,$(DESTDIR)$(MANDIR)/man%,1 3 7)
-	$(foreach c,$(commands),install -m 755 $c $(DESTDIR)$(BINDIR);)
+# Folders of this project alone, then those that others use as well.
+own_folders = $(PREFIX)/share/cylint $(DOCDIR) $(LIBDIR)/cmake/cylint
+folders_of  = sh tools/install_folders.sh $(1) '$(DESTDIR)' $(PREFIX)/share/cylint/folders $(own_folders)
+programs    = cylint cylint-convert cylint-render
+completions = $(programs:%=$(DESTDIR)$(BASHDIR)/%) $(DESTDIR)$(ZSHDIR)/_cylint
+
+install-folders:
+	$(call folders_of,make) $(BINDIR) $(LIBDIR)/pkgconfig $(INCLUDEDIR) $(BASHDIR) $(ZSHDIR) $(patsubst %,$(MANDIR)/man%,1 3 7)
+
+# STRIP=: leaves the symbols for debuggers in the installed files.
+install: all install-folders ## install into $(DESTDIR)$(PREFIX)
+	$(if $(commands),install -m 755 $(commands) $(DESTDIR)$(BINDIR))
+	$(if $(commands),$(STRIP) $(patsubst $(BUILD)/%,$(DESTDIR)$(BINDIR)/%,$(commands)))
 	$(fill_in) tools/convert/cylint-convert > $(DESTDIR)$(BINDIR)/cylint-convert
 	chmod 755 $(DESTDIR)$(BINDIR)/cylint-convert
 	install -m 644 tools/convert/*.awk tools/render/autumn.awk $(DESTDIR)$(PREFIX)/share/cylint
 	$(foreach l,$(libraries),$(call install_library,$l))
 	install -m 644 $(headers) $(DESTDIR)$(INCLUDEDIR)
-	$(foreach s,1 3 7,install -m 644 $(wildcard man/*.$s) $(DESTDIR)$(MANDIR)/man$s;)
+	install -m 644 README.md LICENSE man/CHANGES.md $(DESTDIR)$(DOCDIR)
+	for program in $(programs); do install -m 644 tools/cylint/completion $(DESTDIR)$(BASHDIR)/$$program || exit; done
+	install -m 644 tools/cylint/completion $(DESTDIR)$(ZSHDIR)/_cylint
+	$(foreach s,1 3 7,install -m 644 $(wildcard man/*.$s) $(DESTDIR)$(MANDIR)/man$s &&) true
 	@$(if $(DESTDIR),,sh tools/install_hints.sh '$(BINDIR)' '$(LIBDIR)' '$(MANDIR)')
 
 uninstall: ## remove what install wrote
-	rm -f $(patsubst %,$(DESTDIR)$(BINDIR)/%,cylint cylint-convert cylint-render) \
+	rm -f $(programs:%=$(DESTDIR)$(BINDIR)/%) $(completions) \
 	  $(patsubst include/%,$(DESTDIR)$(INCLUDEDIR)/%,$(wildcard include/*.h)) $(DESTDIR)$(MANDIR)/man[137]/cylint* \
-	  $(foreach l,cylint cylint-scene cylint-embree,$(DESTDIR)$(LIBDIR)/lib$l.* $(DESTDIR)$(LIBDIR)/pkgconfig/$l.pc)
-	rm -rf $(DESTDIR)$(PREFIX)/share/cylint
+	  $(foreach l,cylint cylint-scene cylint-embree,$(DESTDIR)$(LIBDIR)/lib$l.* $(DESTDIR)$(LIBDIR)/pkgconfig/$l.pc) \
+	  $(DESTDIR)$(PREFIX)/share/cylint/*.awk $(addprefix $(DESTDIR)$(DOCDIR)/,README.md LICENSE CHANGES.md)
+	$(call folders_of,remove)
 
 clean: ## remove $(BUILD)
 	rm -rf $(BUILD)
@@ -230,8 +261,9 @@ clean: ## remove $(BUILD)
 help: ## print this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1	\2/p' Makefile tests/tests.mk tools/bench/bench.mk tools/package/package.mk
 
-.PHONY: all demo install uninstall clean help FORCE
+.PHONY: all demo install install-folders uninstall clean help FORCE
 .SECONDARY:
 .SUFFIXES:
 $(BUILD)/%.d: ;
 -include $(wildcard $(folders:%=$(BUILD)/%/*.d))
+endif

@@ -78,6 +78,25 @@ verdict V_1_prints_commands $?
 ! grep -i 'warning' "$scratch/output"
 verdict make_prints_no_warning $?
 
+# elsewhere ARGUMENT...: make in a folder outside of the sources
+mkdir "$scratch/outside"
+ln -s "$top" "$scratch/sources"
+elsewhere()
+{
+    (cd "$scratch/outside" && $make -f ../sources/Makefile CC="$real" CFLAGS=-O0 "$@") \
+        > "$scratch/output" 2>&1 || { cat "$scratch/output"; return 1; }
+}
+
+elsewhere build/$object && [ -s "$scratch/outside/build/$object" ]
+verdict make_in_another_folder_builds_there $?
+elsewhere BUILD=other other/$object && [ -s "$scratch/outside/other/$object" ]
+verdict with_BUILD_it_builds_there $?
+elsewhere -n DESTDIR=stage PREFIX=/usr install-folders &&
+    grep -q "$scratch/outside/stage" "$scratch/output"
+verdict with_DESTDIR_it_installs_there $?
+elsewhere clean help && [ ! -e "$scratch/outside/build" ] && grep -q '^demo' "$scratch/output"
+verdict it_makes_several_goals $?
+
 # other systems
 $make -n -C "$top" BUILD="$scratch/none" MACHINE=arm64-apple-darwin23 CC="$real" \
     PREFIX=/opt all > "$scratch/output" 2>&1 &&

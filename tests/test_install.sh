@@ -23,7 +23,10 @@ test_install()
         share/man/man1/cylint.1 share/man/man3/cylint.3 \
         share/man/man3/cylint_methods.3 share/man/man3/cylint_scene.3 \
         bin/cylint-convert share/cylint/common.awk share/cylint/autumn.awk \
-        share/man/man1/cylint-convert.1 share/man/man7/cylint.7; do
+        share/man/man1/cylint-convert.1 share/man/man7/cylint.7 \
+        share/doc/cylint/README.md share/doc/cylint/LICENSE share/doc/cylint/CHANGES.md \
+        share/bash-completion/completions/cylint share/zsh/site-functions/_cylint \
+        share/bash-completion/completions/cylint-convert; do
         [ -s "$root/usr/$f" ]
         verdict "install_puts_$f" $?
     done
@@ -31,6 +34,19 @@ test_install()
     verdict the_pc_files_are_filled_in $?
     "$root/usr/bin/cylint" --version | grep -q -F "$version"
     verdict the_installed_command_prints_the_version $?
+}
+
+# What a debugger needs fills nine tenths of the built files.
+test_strip()
+{
+    [ -z "$(nm "$root/usr/bin/cylint" 2> /dev/null)" ] &&
+        ! grep -l '\.debug_info' "$root/usr/bin/cylint" "$lib"/*.a "$lib"/*.so
+    verdict installed_files_are_stripped $?
+    make_here DESTDIR="$scratch/whole" PREFIX=/usr STRIP=: install &&
+        cmp "$build/cylint" "$scratch/whole/usr/bin/cylint" &&
+        cmp "$build/libcylint.a" "$scratch/whole/usr/lib/libcylint.a" &&
+        cmp "$build/libcylint.so" "$scratch/whole/usr/lib/libcylint.so"
+    verdict STRIP_chooses_the_program_that_strips $?
 }
 
 # converts NAME TEXT ARGUMENT...: the installed cylint-convert, found in the
@@ -421,17 +437,25 @@ test_readme_commands()
     verdict the_readme_shows_commands $?
 }
 
+# In $prefix some folders are there before make install, which is run twice.
 test_uninstall()
 {
     make_in_root uninstall &&
-        left=$(find "$root" ! -type d) && [ -z "$left" ] || {
-        echo "left behind: $left"
-        false
-    }
-    verdict uninstall_leaves_no_file_behind $?
+        [ "$(find "$root")" = "$root" ] || { find "$root"; false; }
+    verdict uninstall_leaves_nothing_behind $?
+    prefix=$scratch/prefix
+    mkdir -p "$prefix/share/man/man3" "$prefix/bin" "$prefix/lib/other"
+    find "$prefix" | sort > "$scratch/before"
+    make_here PREFIX="$prefix" install && make_here PREFIX="$prefix" install &&
+        touch "$prefix/include/other.h" && make_here PREFIX="$prefix" uninstall
+    { cat "$scratch/before"; echo "$prefix/include"
+      echo "$prefix/include/other.h"; } | sort > "$scratch/after"
+    find "$prefix" | sort | diff "$scratch/after" -
+    verdict uninstall_removes_the_empty_folders_that_install_made $?
 }
 
 test_install
+test_strip
 test_converters
 test_example
 test_readme_install

@@ -4,7 +4,7 @@
 # `cluster` those for `make check-cluster` (Spark goes to $BUILD/spark).  It
 # installs only missing packages, so a second run needs neither network nor root.
 wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev libgsl-dev mandoc libembree-dev
-    libpng-dev python3-pip python3-venv python3-dev'
+    libpng-dev zsh python3-pip python3-venv python3-dev'
 # gcc-multilib would be simpler for -m32, but excludes cross compilers
 [ "$1" = cross ] && wanted="$wanted clang clang-19 clang-tidy clang-format-14
     cppcheck qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross

@@ -31,14 +31,13 @@ dist: ## write the committed sources to $(BUILD)/cylint-VERSION.tar.gz
 deb: dist ## build Debian packages of the committed sources and run lintian
 	sh tools/package/deb.sh $(tarball) $(version) $(BUILD)/deb
 
-cmake_files = $(DESTDIR)$(LIBDIR)/cmake/cylint
+cmake_files = $(addprefix $(DESTDIR)$(LIBDIR)/cmake/cylint/,cylint-config.cmake cylint-config-version.cmake)
 install: install-cmake
-install-cmake:
-	install -d $(cmake_files)
-	$(foreach f,cylint-config cylint-config-version,$(fill_in) tools/package/cmake/$f.cmake.in > $(cmake_files)/$f.cmake;)
+install-cmake: install-folders
+	$(foreach f,$(cmake_files),$(fill_in) tools/package/cmake/$(notdir $f).in > $f &&) true
 
 uninstall: uninstall-cmake
 uninstall-cmake:
-	rm -rf $(cmake_files)
+	rm -f $(cmake_files)
 
 .PHONY: amalgamation check-amalgamation dist deb install-cmake uninstall-cmake
