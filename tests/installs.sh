@@ -13,11 +13,12 @@ make_here()
         ${CXX17+CXX17="$CXX17"} "$@"
 }
 
-# display PAGE NUMBER: the text of a literal display in a page's EXAMPLES.
+# display PAGE NUMBER [SECTION]: the text of a literal display in a page's
+# EXAMPLES, or in another section.
 display()
 {
-    awk -v wanted="$2" '
-        /^\.Sh/ { examples = $2 == "EXAMPLES" }
+    awk -v wanted="$2" -v section="${3:-EXAMPLES}" '
+        /^\.Sh/ { examples = $2 == section }
         /^\.Ed/ { inside = 0 }
         inside { gsub(/\\e/, "\\"); print }
         examples && /^\.Bd -literal/ && ++n == wanted { inside = 1 }

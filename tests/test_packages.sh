@@ -1,6 +1,7 @@
 #!/bin/sh
 # Floor tools: what is packed for those who link.  `make dist` writes the same
-# bytes again, and its files build; CMake finds what make install installs.
+# bytes again, and its files build; CMake finds what make install installs, and
+# builds the sources within another project.
 . "$(dirname "$0")/verdict.sh"
 . "$(dirname "$0")/installs.sh"
 
@@ -22,13 +23,29 @@ test_dist()
     verdict its_files_build_the_command $?
 }
 
+# The project of cylint(3), with the program of cylint_scene(3) and the file of
+# make dist.
+test_fetch_content()
+{
+    mkdir "$scratch/scan"
+    display cylint.3 1 BUILDING > "$scratch/scan/CMakeLists.txt"
+    display cylint_scene.3 1 > "$scratch/scan/scan.c"
+    display cylint_scene.3 2 > "$scratch/scan.said"
+    if [ -f "$build/cylint-$version.tar.gz" ]; then
+        cp "$build/cylint-$version.tar.gz" "$scratch/scan"
+        from=
+    else
+        from=-DFETCHCONTENT_SOURCE_DIR_CYLINT=$top
+    fi
+    quiet cmake -S "$scratch/scan" -B "$scratch/scan/build" -G 'Unix Makefiles' \
+        -DCMAKE_C_COMPILER="${cc%% *}" -DCMAKE_C_FLAGS=-O0 '-DCYLINT_MAKE_FLAGS=vectors=;small=' $from &&
+        quiet cmake --build "$scratch/scan/build" &&
+        "$scratch/scan/build/scan" | diff "$scratch/scan.said" -
+    verdict cmake_builds_the_sources_within_a_project $?
+}
+
 test_cmake()
 {
-    PATH=$PATH:$build/python/bin
-    command -v cmake > /dev/null || {
-        echo 'note: no CMake (make deps)'
-        return
-    }
     make_here DESTDIR="$scratch/root" PREFIX=/usr install
     verdict make_install_installs_cmake_files $? || return
     components=scene
@@ -68,5 +85,11 @@ if git rev-parse HEAD > /dev/null 2>&1; then
 else
     echo 'note: no repository, make dist is not tested'
 fi
-test_cmake
+PATH=$PATH:$build/python/bin
+if command -v cmake > /dev/null; then
+    test_cmake
+    test_fetch_content
+else
+    echo 'note: no CMake (make deps)'
+fi
 check_end
