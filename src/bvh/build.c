@@ -176,7 +176,7 @@ static float key(const cylint_boxed_piece *b, int axis)
 }
 
 /* Sorts partially: none of the first k keys is larger than any other key. */
-static void select(cylint_boxed_piece *boxes, size_t n, size_t k, int axis)
+static void select_nth(cylint_boxed_piece *boxes, size_t n, size_t k, int axis)
 {
     size_t from = 0, to = n; /* the k-th lies in [from, to) */
     while (to - from > 1) {
@@ -251,10 +251,10 @@ ASIDE size_t divide(const range *r)
     const size_t k = whole_leaves(left, n);
     if (k < left) {
         const size_t from = left > NEARBY ? left - NEARBY : 0;
-        select(r->boxes + from, left - from, k - from, best.axis);
+        select_nth(r->boxes + from, left - from, k - from, best.axis);
     } else if (k > left) {
         const size_t m = n - left < NEARBY ? n - left : NEARBY;
-        select(r->boxes + left, m, k - left, best.axis);
+        select_nth(r->boxes + left, m, k - left, best.axis);
     }
     return k;
 }
@@ -264,7 +264,7 @@ static size_t halve(const range *r)
 {
     const scale s = scale_of(r);
     const size_t k = whole_leaves(r->n / 2, r->n);
-    select(r->boxes, r->n, k, widest_axis(&s));
+    select_nth(r->boxes, r->n, k, widest_axis(&s));
     return k;
 }
 

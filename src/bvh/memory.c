@@ -2,7 +2,7 @@
  * memory.c - memory in whole cache lines, on large pages where there are any
  */
 #ifdef __linux__
-#define _DEFAULT_SOURCE /* madvise() */
+#define _DEFAULT_SOURCE 1 /* madvise() */
 #include <sys/mman.h>
 #endif
 

@@ -11,18 +11,6 @@
 
 #include "leaf_test.h"
 
-/*
- * The line x + t d, where x is relative to the centre of the hierarchy, and
- * r = 1 / d.  near and far are x r, plus and minus the error bound of entries
- * into boxes and exits from them.
- */
-typedef struct cylint_ray_state {
-    float r[4], near[4], far[4]; /* three of each */
-    int entry[3];                /* the face where it enters boxes: 0 or 1 */
-    float first, last;           /* the domain; its t is the line's t ... */
-    double t0, t0_error;         /* ... minus t0, with this error */
-} cylint_ray_state;
-
 typedef cylint_ray_state ray_state;
 
 /* ---------------------------------------------------------------- boxes -- */
@@ -133,7 +121,7 @@ static inline void start_floats(ray_state *s, const cylint_bvh *bvh, v4 x, v4 d,
     v4_store(s->near, v4_add(at, e));
     v4_store(s->far, v4_sub(at, e));
     EACH(j, 3)
-        s->entry[j] = (int)(v4_signs(negative) >> j & 1);
+        s->near_faces[j] = (int)(v4_signs(negative) >> j & 1);
 }
 
 static inline void start(ray_state *s, const cylint_bvh *bvh, const double x[3],

@@ -28,7 +28,7 @@ CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
     (void)e;
     for (int i = 0; i < CYLINT_CHILDREN; i += WIDTH) {
         vf enter[3], leave[3], from;
-        child_faces(node, i, t->ray->entry, enter, leave);
+        child_faces(node, i, t->ray->near_faces, enter, leave);
         hit |= m_bits(hit_boxes(enter, leave, t->ray, &from)) << i;
         f_store_keys(hits->enter + i, from);
     }

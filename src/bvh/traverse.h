@@ -49,11 +49,22 @@ typedef int cylint_traverse_occluded(const cylint_bvh *bvh,
                                      cylint_ray_leaf_callback *callback,
                                      void *self);
 
+/*
+ * The line x + t d, where x is relative to the centre of the hierarchy, and
+ * r = 1 / d.  near and far are x r, plus and minus the error bound of entries
+ * into boxes and exits from them.
+ */
+typedef struct cylint_ray_state {
+    float r[4], near[4], far[4]; /* three of each */
+    int near_faces[3];           /* where it enters boxes: 0 or 1 */
+    float first, last;           /* the domain; its t is the line's t ... */
+    double t0, t0_error;         /* ... minus t0, with this error */
+} cylint_ray_state;
+
 /* Starts at `child` with the ray's state initialised.  certain: return 1 at a
  * certain hit, as cylint_traverse_occluded() does; else return 0. */
-struct cylint_ray_state;
 typedef int cylint_traverse_subtree(const cylint_bvh *bvh, uint32_t child,
-                                    struct cylint_ray_state *state,
+                                    cylint_ray_state *state,
                                     const cylint_float_ray *ray,
                                     cylint_ray_leaf_callback *callback,
                                     void *self, int certain);

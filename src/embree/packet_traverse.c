@@ -119,7 +119,7 @@ CYLINT_INLINE int is_done_alone(traversal *p, const entry *e)
 CYLINT_INLINE unsigned hit_children(const traversal *p, const entry *e,
                                     const cylint_node *node, child_hits *hits)
 {
-    const int *face = p->state[0].entry;
+    const int *face = p->state[0].near_faces;
     unsigned hit = 0;
     for (int i = 0; i < CYLINT_CHILDREN; i += WIDTH) {
         vf enter[3], leave[3], first = f_set(HUGE_VALF);

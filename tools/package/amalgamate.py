@@ -27,7 +27,7 @@ DEFINED = re.compile(
     r"^(?:static|INLINE|CYLINT_INLINE|ASIDE) [^=;(]*?\b(\w+)\("
     r"|^typedef [^(]*?\b(\w+);|^} (\w+);"
 )
-PUBLIC = {"cylint.h", "cylint_distance.h", "cylint_methods.h"}
+PUBLIC = {"cylint.h", "cylint_distance.h", "cylint_methods.h", "cylint_scene.h"}
 X86 = "defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))"
 
 
@@ -322,15 +322,24 @@ PREAMBLE = """/*
  * cylint.c - libcylint {version} in one file; made by `make amalgamation`
  *
  * Compile it with `cc -O2 -c cylint.c`; programs include cylint.h and link with
- * -lm.  gcc and clang need no flags: the file turns the contraction of a * b + c
+ * -lm.  Scenes, of cylint_scene.h, use threads with -DCYLINT_THREADS -pthread.
+ * gcc and clang need no other flags: the file turns the contraction of a * b + c
  * off, and compiles the kernels for AVX2 and AVX-512 by attributes.  Other
  * compilers must not contract; cylint_selftest() reports if they do.
  *
 {licence}
  */
+#ifdef __cplusplus
+#error "cylint.c is C: compile it with a C compiler and link it to C++ programs."
+#else
+
+#ifdef __linux__
+#define _DEFAULT_SOURCE 1 /* threads and madvise() with -std=c99 */
+#endif
 #include "cylint.h"
 #include "cylint_distance.h"
 #include "cylint_methods.h"
+#include "cylint_scene.h"
 
 #if {x86}
 #define CYLINT_BUILDS_X86
@@ -339,7 +348,9 @@ PREAMBLE = """/*
 #ifdef __clang__
 #pragma clang diagnostic ignored "-Wunused-function"
 #elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
+/* The vectorizer of gcc 12 compiles (double)(float)x to x where two of them are
+ * adjacent. */
+#pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
 #if __GNUC__ >= 11 /* false alarms where functions of two sections inline */
 #pragma GCC diagnostic ignored "-Wstringop-overread"
 #endif
@@ -368,7 +379,7 @@ def main(cc, output, version, *arguments):
     out = [PREAMBLE.format(version=version, licence=licence, x86=X86), *headers]
     for number, section in enumerate(sections):
         section.write(out, number, clashing)
-    Path(output).write_text("\n".join(out) + "\n")
+    Path(output).write_text("\n".join([*out, "#endif"]) + "\n")
 
 
 if __name__ == "__main__":

@@ -1,26 +1,28 @@
 # tools/package/package.mk: how the project is packed for those who link to it.
 
 # ---------------------------------------------------------- amalgamation --
-amalgamated := $(patsubst $(BUILD)/%.o,%.c,$(filter-out $(isa_builds:%=$(BUILD)/%.o),$(library_objects)))
+amalgamated := $(patsubst $(BUILD)/%.o,%.c,$(filter-out $(isa_builds:%=$(BUILD)/%.o),$(library_objects) $(scene_objects)))
 one_file    := $(BUILD)/amalgamation/cylint.c
+one_headers := include/cylint.h $(patsubst %,include/cylint_%.h,distance methods scene)
 isa_options  = $(filter-out -Wa$(comma)%,$(isa.$(1)))
 comma       := ,
-$(one_file): tools/package/amalgamate.py $(wildcard src/*.[ch] src/*/*.[ch]) include/cylint.h LICENSE
+$(one_file): tools/package/amalgamate.py $(wildcard src/*.[ch] src/*/*.[ch]) $(one_headers) LICENSE
 	@mkdir -p $(@D)
-	$(call say,AMALGAMATE $@)cp include/cylint.h include/cylint_distance.h include/cylint_methods.h $(@D) && \
-	  python3 $< '$(CC)' $@ $(version) $(amalgamated) $(foreach b,$(filter src/filter/% src/distance/%,$(isa_builds)),'$b=$(call isa_options,$b)')
+	$(call say,AMALGAMATE $@)cp $(one_headers) $(@D) && \
+	  python3 $< '$(CC)' $@ $(version) $(amalgamated) $(foreach b,$(filter-out src/embree/%,$(isa_builds)),'$b=$(call isa_options,$b)')
 
-amalgamation: $(one_file) ## write the library as one C file to $(BUILD)/amalgamation
+amalgamation: $(one_file) ## write libcylint and libcylint-scene as one C file to $(BUILD)/amalgamation
 
 # The libraries and the tests, with this object for those of src/.  test_arena
 # puts its own functions in the place of exact.c's, which one object cannot;
-# test_amalgamation.sh writes the file itself.
+# test_amalgamation.sh writes the file itself; test_install.sh tests which
+# library exports what.
 check-amalgamation: $(one_file) ## run every test with that file for the library
-	$(MAKE) BUILD=$(BUILD)/amalgamated library_objects='$(abspath $(one_file:.c=.o))' \
-	  left_out='$(BUILD)/amalgamated/tests/test_arena tests/test_amalgamation.sh' check
+	$(MAKE) BUILD=$(BUILD)/amalgamated $(foreach o,library_objects scene_objects,$o='$(abspath $(one_file:.c=.o))') \
+	  left_out='$(BUILD)/amalgamated/tests/test_arena tests/test_amalgamation.sh tests/test_install.sh' check
 
 %/amalgamation/cylint.o: %/amalgamation/cylint.c
-	$(call say,CC $<)$(CC) $(CPPFLAGS) $(CFLAGS) -fPIC -fvisibility=hidden -c -o $@ $<
+	$(call say,CC $<)$(CC) $(CPPFLAGS) $(CFLAGS) $(threads) -fPIC -fvisibility=hidden -c -o $@ $<
 
 # ---------------------------------------------- tarball, Debian, CMake --
 tarball = $(BUILD)/cylint-$(version).tar.gz
