@@ -18,10 +18,10 @@ missing()
 
 case $action in
 make)
-    install -d "$root/" || exit
+    [ -d "$root/" ] || install -d "$root" || exit
     made=$(for folder; do missing "$folder"; done | sort -u)
     for folder; do
-        install -d "$root$folder" || exit
+        [ -d "$root$folder" ] || install -d "$root$folder" || exit
     done
     [ -z "$made" ] || printf '%s\n' "$made" >> "$root$record"
     ;;
