@@ -134,7 +134,7 @@ said_by_both()
         sed "s|^cylint-convert: |cylint: $native: |" "$scratch/expected" |
             diff - "$scratch/messages"
     else
-        sed 's/^cylint: \(.*\):\([0-9]*\):[0-9]*: /cylint-convert: \1:\2: /' \
+        sed 's/^cylint:/cylint-convert:/; s/:\([0-9]*\):[0-9]*: /:\1: /' \
             "$scratch/messages" | diff "$scratch/expected" -
     fi
 }
@@ -170,6 +170,11 @@ test_refused()
         '3 1 0 0 1 2 5' "$root" '7 1 0 0 9 2 5' '5 1 0 0 9 2 7'
     refuses "3:3: expected a number, found the end of the line" \
         '5 0 0 0 0 1 7' "$root" '2 '
+    refuses ' no node was found' '# a comment' ''
+    : > "$native"
+    said_by_both && [ "$(cat "$scratch/messages")" = \
+        "cylint: $native: no node was found" ]
+    verdict swc_refuses_an_empty_file $?
     awk 'BEGIN { while (n++ <= 1024 * 1024) printf "1" }' > "$native"
     answers "$native"
     [ $? -eq 1 ] && [ "$(cat "$scratch/messages")" = \

@@ -104,6 +104,8 @@ function add_node(number, parent_number)
 
 function end_file(   n)
 {
+    if (nodes == 0)
+        refuse(file, "no node was found")
     find_parents()
     for (n = 1; n <= nodes; n++)
         if (parent[n] > 0)

@@ -455,6 +455,10 @@ int swc_add_shapes(struct swc *swc, struct scene *scene, int ends,
 {
     struct conversion c = {
         .scene = scene, .form = form, .ends = ends, .name = name};
+    if (swc->count == 0) {
+        complain(name, "no node was found");
+        return EXIT_BAD;
+    }
     const size_t missing = find_parents(swc);
     int status = refuse_cycles(swc, name);
     for (size_t i = 0; i < swc->count && status == 0; i++) {
