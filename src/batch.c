@@ -17,6 +17,7 @@ typedef struct {
 
 static int run_of(const cylint_shape *s)
 {
+    /* mutant '!' -> '': the lanes test the window, too, but slower */
     if (s->kind == CYLINT_KIND_NONE || !s->in_range || cylint_is_nappe(s) ||
         s->surface != CYLINT_PART_LATERAL)
         return RUNS - 1;
@@ -28,6 +29,7 @@ static int run_of(const cylint_shape *s)
 static size_t padded(size_t n)
 {
     const size_t lanes = (n + PADDING - 1) / PADDING * PADDING;
+    /* mutant '0' -> '1': slower, columns fall into the same sets of a cache */
     return lanes % 256 == 0 && lanes > 0 ? lanes + PADDING : lanes;
 }
 
@@ -42,6 +44,7 @@ size_t cylint_pack_bytes(size_t n)
 
 static char *aligned(char *p)
 {
+    /* mutant '-' -> '+': unaligned loads are right, but slower */
     return p + (64 - (uintptr_t)p % 64) % 64;
 }
 

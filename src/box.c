@@ -42,10 +42,13 @@ static pair size_of(double x, int *e)
 /* The next double above or below x; x if it is infinite. */
 static double next_double(double x, int up)
 {
+    /* untaken 1 of 2: no shape is known with a bound that overflows when it is
+     * rounded outward */
     if (!(fabs(x) <= DBL_MAX))
         return x;
     uint64_t bits = cylint_bits(x);
     if (bits << 1 == 0) {
+        /* mutant '1' -> '2': one step is enough, two are made */
         bits = up ? 1 : (uint64_t)1 << 63 | 1;
     } else {
         const int grow = (bits >> 63 ? 0 : 1) == up;
@@ -87,6 +90,7 @@ static double scaled_outward(double x, int e, int up)
 {
     if (e == 0 || fabs(x) < cylint_power_of_two(1024 - e))
         return cylint_scaled(x, e);
+    /* untaken 2 of 6: no box lies as a whole beyond the largest double */
     return x > 0 ? (up ? HUGE_VAL : DBL_MAX) : (up ? -DBL_MAX : -HUGE_VAL);
 }
 
@@ -194,6 +198,7 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
             offset = pair_neg(
                 unscaled(pair_div(pair_mul(unscaled(k.axis[j], -ew), r0), dr),
                          k.e + ew + er - ed));
+        /* mutant '<' -> '<=': where the nappe leans inward no factor is 0 */
         const int up = cylint_sign(k.axis[j].hi) * cylint_sign(s->dr) < 0;
         const double apex =
             outward(s->base[j], offset, (pair){0, 0}, at_base, up);
@@ -228,6 +233,7 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
     }
     add_disc(shape, 0, lo, hi);
     if (cylint_ends_are_planes(shape->ends)) {
+        /* mutant '1' -> '2': any number but 0 means the other cap */
         add_disc(shape, 1, lo, hi);
         return;
     }

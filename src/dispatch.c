@@ -18,6 +18,7 @@ enum { BUILDS = sizeof builds / sizeof builds[0] };
 
 /* __builtin_cpu_supports() tests the processor, and that the operating system
  * saves the registers. */
+/* untaken: it depends on the processor */
 static int runs(int build)
 {
 #ifdef CYLINT_BUILDS_X86
@@ -31,6 +32,7 @@ static int runs(int build)
     return build == BUILDS - 1;
 }
 
+/* untaken: it depends on the processor */
 static int best(void)
 {
     int build = 0;
@@ -79,6 +81,7 @@ const char *cylint_kernels_in_use(void)
     return cylint_kernels_used()->name;
 }
 
+/* untaken: it depends on the processor */
 const char *cylint_kernels_name(int number)
 {
     for (int build = 0; build < BUILDS; build++)
@@ -87,6 +90,7 @@ const char *cylint_kernels_name(int number)
     return NULL;
 }
 
+/* untaken: it depends on the processor */
 int cylint_use_kernels(const char *name)
 {
     for (int build = 0; build < BUILDS; build++)

@@ -141,6 +141,7 @@ static int contradicts(const cylint_shape *shape, const cylint_line *line,
     for (int i = 0; i < a.n && !wrong; i++)
         wrong = ((want & CYLINT_WANT_PART) &&
                  (a.hit[i].part != known->hit[i].part ||
+                  /* mutant '!=' -> '==': an effect with PARANOID=1 only */
                   a.hit[i].side != known->hit[i].side)) ||
                 ((want & CYLINT_WANT_T) && a.hit[i].t != known->hit[i].t);
     return wrong;

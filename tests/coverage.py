@@ -6,15 +6,16 @@ The counts of gcov are added up for src/ without src/bvh/, src/scene/ and
 src/embree/.  A line can be in several objects (a header's line, or a kernel's
 line for each instruction set); a branch is taken if one object takes it.
 Prints functions that are never called and, of lines that ran, the number of
-branches that were not taken; every other line ran.  tests/coverage.txt lists
-known ones with the reason; these are not printed.  An entry of that file that
-a test takes is printed.  Any printed line is a failure.
+branches that were not taken; every other line ran.  Where the reason stands
+beside the line (tests/reasons.py) nothing is printed, except a reason with a
+number of branches that is not the number found.  Any printed line is a failure.
 """
 import json
 import os
-import re
 import subprocess
 import sys
+
+from reasons import beside_lines
 
 
 def counted(folder):
@@ -60,30 +61,26 @@ def not_taken(calls, runs, taken):
     return sorted(found)
 
 
-def known(path):
-    with open(path) as f:
-        lines = [re.split(r"  # ", line)[0].strip() for line in f]
-    return {line for line in lines if line and not line.startswith("#")}
-
-
 def main():
-    tests = os.path.dirname(os.path.abspath(__file__))
-    reasons = known(os.path.join(tests, "coverage.txt"))
+    top = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     calls, runs, taken = add_up(sys.argv[1])
-    texts, seen, printed = {}, set(), 0
-    for name, line, what in not_taken(calls, runs, taken):
-        if name not in texts:
-            with open(os.path.join(tests, "..", name)) as f:
-                texts[name] = f.read().split("\n")
-        key = "%s: %s: %s" % (name, what, texts[name][line - 1].strip())
-        seen.add(key)
-        if key not in reasons:
+    found = set(not_taken(calls, runs, taken))
+    texts, expected, printed = {}, set(), 0
+    for name in {name for name, _ in calls}:
+        with open(os.path.join(top, name)) as f:
+            texts[name] = f.read()
+        expected |= {(name, line, what)
+                     for what, lines in beside_lines(texts[name], "untaken")
+                     for line in lines}
+    for name, line, what in sorted(found):
+        if not expected & {(name, line, what), (name, line, "")}:
             printed += 1
-            print("%s:%d: %s: %s" % (name, line, what,
-                                     texts[name][line - 1].strip()))
-    for key in sorted(reasons - seen):
-        printed += 1
-        print("in coverage.txt, but taken: " + key)
+            print("%s:%d: %s: %s" % (name, line, what, texts[name].split(
+                "\n")[line - 1].strip()))
+    for name, line, what in sorted(expected - found):
+        if what:
+            printed += 1
+            print("%s:%d: `untaken %s` is not so" % (name, line, what))
     branches = [n for counts in taken.values() for n in counts]
     print("%d of %d functions called, %d of %d lines run, "
           "%d of %d branches taken; %d without a reason"

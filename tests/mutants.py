@@ -5,18 +5,20 @@ Changes one operator, sign, constant or index of the numeric core at a time (a
 mutant), builds the library and runs its tests; those that detected most
 mutants of the file so far run first.  Prints each mutant that passes all tests
 (a survivor) with its line.  A survivor means that a test is missing, that a
-bound is wider than necessary, or that the change has no effect.
-tests/mutants.txt lists the understood survivors with the reason; these are
-counted but not printed.
+bound is wider than necessary, or that the change has no effect.  The reason of
+an understood survivor stands beside its line (tests/reasons.py); such mutants
+are counted but not printed.
 
     tests/mutants.py [--count N] [--seed N] [--skip N] [--files a.c,b.h]
-                     [--jobs N] [--full] [--again FILE]
+                     [--jobs N] [--full] [--again FILE | --understood]
+    tests/mutants.py --check
 
 Needs what `make check` needs, including MPFR and GSL.  --count is the number of
 random mutants of each file.  --skip leaves out the first N of the seed's
 sequence, so that a run can be continued.  --again tries only the mutants that
-an earlier run printed to FILE, or those in tests/mutants.txt.  --full runs all
-tests with all cases.
+an earlier run printed to FILE.  --understood tries those that have a reason, and
+prints those that a test detects.  --full runs all tests with all cases.  --check
+only prints reasons that stand beside a line without such a mutant or branch.
 """
 import argparse
 import os
@@ -29,6 +31,8 @@ import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
+
+from reasons import beside_lines, sources, without_comments
 
 FLOORS = ["src"] + ["src/" + floor for floor in (
     "numbers", "shapes", "signs", "roots", "filter", "methods", "distance")]
@@ -90,14 +94,6 @@ SWAPS = [
     (r"(?<![\w.])[0-9]+(?![\w.])", ["+1"]),   # a constant or an index
     (r"(?<=p)[-+]?[0-9]+\b", ["+1"]),         # a power of two
 ]
-
-
-def without_comments(text):
-    """Comments, strings and directives become blanks of the same length."""
-    blank = lambda m: re.sub(r"[^\n]", " ", m.group())
-    text = re.sub(r"/\*.*?\*/", blank, text, flags=re.S)
-    text = re.sub(r'"[^"\n]*"', blank, text)
-    return re.sub(r"^#(?:[^\n]*\\\n)*[^\n]*", blank, text, flags=re.M)
 
 
 def is_length(code, at):
@@ -245,39 +241,71 @@ def line_of(texts, mutant):
     return texts[mutant[0]].count("\n", 0, mutant[1]) + 1
 
 
-def describe(texts, mutant):
-    """The change with the text of its line; line numbers would not last."""
+def change(texts, mutant):
     name, start, end, other = mutant
-    line = texts[name].splitlines()[line_of(texts, mutant) - 1].strip()
-    return "%r -> %r: %s" % (texts[name][start:end], other, line)
+    return "%r -> %r" % (texts[name][start:end], other)
 
 
-def key(texts, mutant):
-    return "src/%s: %s" % (mutant[0], describe(texts, mutant))
+def describe(texts, mutant):
+    line = line_of(texts, mutant)
+    return "src/%s:%d: %s: %s" % (mutant[0], line, change(texts, mutant),
+                                  texts[mutant[0]].splitlines()[line - 1].strip())
 
 
-def keys_of(path):
-    """The keys in a run's output or in mutants.txt, where `#` begins a reason."""
+def printed(path):
+    """The mutants in a run's output; line numbers do not last."""
     with open(path) as f:
-        lines = [line.split("  #")[0].strip() for line in f]
-    return {re.sub(r"^(src/[^:]*):\d+:", r"\1:", line) for line in lines}
+        return {re.sub(r"^(src/[^:]*):\d+:", r"\1:", line.strip()) for line in f}
 
 
-def drawn(args, texts, name):
+def reasons_of(text):
+    """(change, line) of each mutant that has a reason."""
+    return {(one, line) for what, lines in beside_lines(text, "mutant")
+            for one in re.findall(r"'[^']*' -> '[^']*'", what)
+            for line in lines}
+
+
+def drawn(args, texts, name, understood):
     """All mutants of a file, and those to try."""
     every = list(mutants_of(name, texts[name]))
+    if args.understood:
+        return every, [m for m in every if is_understood(texts, m, understood)]
     if args.again:
-        again = keys_of(args.again)
-        return every, [m for m in every if key(texts, m) in again]
+        again = printed(args.again)
+        return every, [m for m in every if re.sub(
+            r":\d+:", ":", describe(texts, m), count=1) in again]
     chosen = random.Random(args.seed).sample(every, len(every))
     return every, chosen[args.skip:args.skip + args.count]
 
 
-def try_file(name, args, benches, texts, understood):
-    every, chosen = drawn(args, texts, name)
-    for k in understood - {key(texts, m) for m in every}:
-        if k.startswith("src/%s:" % name):
-            print("no longer possible: " + k)
+def is_understood(texts, mutant, understood):
+    return (change(texts, mutant), line_of(texts, mutant)) in understood
+
+
+def check(top):
+    """Prints the reasons that concern nothing, and returns their number."""
+    stale = []
+    for path in sources(top):
+        with open(os.path.join(top, path)) as f:
+            name, text = path[len("src/"):], f.read()
+        possible = {(change({name: text}, m), line_of({name: text}, m))
+                    for m in mutants_of(name, text)}
+        stale += ["%s:%d: no mutant %s" % (path, line, what)
+                  for what, line in sorted(reasons_of(text) - possible)]
+        code = without_comments(text).split("\n")
+        stale += ["%s:%d: no branch" % (path, lines[0])
+                  for _, lines in beside_lines(text, "untaken")
+                  if not any(re.search(r"\b(if|for|while|case)\b|\?|&&|\|\|", l)
+                             for l in code[lines[0] - 1:lines[-1]])]
+    print("".join(line + "\n" for line in stale), end="")
+    return len(stale)
+
+
+def try_file(name, args, benches, texts):
+    understood = reasons_of(texts[name])
+    every, chosen = drawn(args, texts, name, understood)
+    if not chosen:
+        return 0
     idle = queue.Queue()
     for bench in benches:
         idle.put(bench)
@@ -298,7 +326,7 @@ def try_file(name, args, benches, texts, understood):
         idle.put(bench)
         if killer is None:
             fate = "survived"
-            if key(texts, mutant) in understood:
+            if is_understood(texts, mutant, understood):
                 fate = "understood"
         elif killer == "compiler":
             fate = "uncompiled"
@@ -307,8 +335,9 @@ def try_file(name, args, benches, texts, understood):
             kills[killer] += 1
         count[fate] += 1
         if fate == "survived":
-            print("src/%s:%d: %s" % (name, line_of(texts, mutant),
-                                     describe(texts, mutant)), flush=True)
+            print(describe(texts, mutant), flush=True)
+        elif args.understood and fate != "understood":
+            print("detected: " + describe(texts, mutant), flush=True)
 
     with ThreadPoolExecutor(len(benches)) as pool:
         list(pool.map(try_one, chosen))
@@ -317,7 +346,8 @@ def try_file(name, args, benches, texts, understood):
           % (name, len(every), len(chosen), count["killed"],
              count["uncompiled"], count["understood"], count["survived"]),
           flush=True)
-    return count["survived"]
+    return (len(chosen) - count["understood"] if args.understood else
+            count["survived"])
 
 
 def main():
@@ -329,11 +359,14 @@ def main():
     p.add_argument("--cc", default="cc")
     p.add_argument("--files", default=",".join(CORE))
     p.add_argument("--again")
+    p.add_argument("--understood", action="store_true")
+    p.add_argument("--check", action="store_true")
     p.add_argument("--full", action="store_true")
     args = p.parse_args()
     tests = os.path.dirname(os.path.abspath(__file__))
     top = os.path.dirname(tests)
-    understood = keys_of(os.path.join(tests, "mutants.txt"))
+    if args.check:
+        return check(top) > 0
     texts = {n: open(os.path.join(top, "src", n)).read()
              for n in args.files.split(",")}
     folders = {n.split("/")[0] for n in texts}
@@ -343,8 +376,7 @@ def main():
     with tempfile.TemporaryDirectory() as work:
         benches = [Bench(top, os.path.join(work, str(i)), args.cc, tests)
                    for i in range(args.jobs)]
-        survived = sum(try_file(n, args, benches, texts, understood)
-                       for n in texts)
+        survived = sum(try_file(n, args, benches, texts) for n in texts)
     return survived > 0
 
 

@@ -132,7 +132,7 @@ covered: all $(test_programs)
 
 # Counters that threads share are wrong, even negative, unless they are atomic.
 counting := -g -O0 --coverage -fprofile-update=atomic -fno-math-errno
-coverage: ## branches of src/ that no test takes and coverage.txt does not list
+coverage: ## branches of src/ that no test takes, without a reason beside them
 	rm -rf $(BUILD)/coverage
 	$(MAKE) BUILD=$(BUILD)/coverage vectors= small= CFLAGS='$(counting)' CXXFLAGS='$(counting)' covered
 	python3 tests/coverage.py $(BUILD)/coverage

@@ -206,6 +206,7 @@ static inline void start_point(traversal *t, const cylint_bvh *bvh,
         const double lower = bvh->box.lower[j], upper = bvh->box.upper[j];
         const double x = point[j], center = bvh->center[j];
         const double below = lower - x, above = x - upper;
+        /* mutant '0' -> '1': both sides subtract the distance of this box */
         const double out = cylint_larger(cylint_larger(below, above), 0);
         t->x[j] = x;
         t->from_center[j] = x - center;
@@ -221,6 +222,7 @@ static inline void start_point(traversal *t, const cylint_bvh *bvh,
     t->near_error = (float)((far + size) * 0x1p-20);
     t->distance = distance;
     update_last(t);
+    /* mutant '0' -> '1': the first 0: the root is visited with any bound */
     t->stack[0] = (entry){keyed_child(0, 0)};
     t->n = 1;
 }

@@ -91,8 +91,13 @@ direction cylint_correct_direction(const stationary *f, direction at)
     normalize(&at);
     normalize(&at);
     triple form = form_at(f, &at);
+    /* mutant '&&' -> '||': a step that reduces nothing ends the loop */
+    /* untaken 1 of 4: a correction below the last place ends the iteration
+     * before */
     for (int step = 0; step < MOST_CORRECTIONS && form.a != 0; step++) {
         const double by = -form.a / slope_at(f, &at);
+        /* untaken 1 of 2: no zero is known at which the slope vanishes and the
+         * form does not */
         if (!(fabs(by) < 0.5))
             break;
         direction next = {triple_sub(at.cos, triple_times(at.sin, by)),
@@ -105,6 +110,7 @@ direction cylint_correct_direction(const stationary *f, direction at)
         normalize(&next);
         const int is_last = by * by < CYLINT_TRIPLE_ROUNDING;
         const triple smaller = is_last ? triple_of(0) : form_at(f, &next);
+        /* untaken 1 of 2: every known correction reduces the form */
         if (!(fabs(smaller.a) < fabs(form.a)))
             break;
         at = next;

@@ -49,6 +49,7 @@ static double unit_in_last_place(double x)
 {
     const int e = cylint_exponent(x) - 52;
     return e >= -1022 ? cylint_power_of_two(e)
+                      /* mutant '>' -> '>=': -1074 gives -1074, too */
                       : cylint_scaled(1, e > -1074 ? e : -1074);
 }
 
@@ -56,6 +57,7 @@ int cylint_on_surface(const cylint_shape *shape, const double point[3],
                       double ulps)
 {
     cylint_closest answer;
+    /* mutant '0' -> '1': CYLINT_WANT_T has no effect here */
     const double size = fabs(cylint_distance(shape, point, 0, &answer));
     if (answer.flags != 0)
         return 0;

@@ -354,6 +354,7 @@ static int is_direction(const triple v[3])
     double sum = 0;
     for (int i = 0; i < 3; i++)
         sum += fabs(v[i].a);
+    /* untaken 1 of 4: no known direction overflows */
     return sum > 0 && sum <= DBL_MAX;
 }
 
@@ -376,8 +377,10 @@ static void describe_best(search *s)
  * vanished is replaced by a. */
 static void describe(search *s)
 {
+    /* untaken 1 of 2: a stationary point is found on every known ellipse */
     if (s->best.part >= 0)
         describe_best(s);
+    /* untaken 1 of 4: the same */
     if (s->best.part < 0 || !(s->distance.hi <= DBL_MAX)) {
         s->best = candidate_of(CYLINT_PART_LATERAL, CYLINT_FEATURE_LATERAL);
         place(s, &s->best, nowhere, s->p.a, triple_of(1), s->p.b, triple_of(0));

@@ -65,6 +65,7 @@ static cylint_certify_many *kernel(void)
 {
 #ifdef CYLINT_BUILDS_X86
     const cylint_kernels *used = cylint_kernels_used();
+    /* mutant '==' -> '!=': another build has the same bits */
     if (used->one == &cylint_one_avx512)
         return cylint_certify_many_avx512;
     if (used->one == &cylint_one_fma)
@@ -136,6 +137,8 @@ void cylint_distance_points(const cylint_shape *shape,
                             const cylint_closest_columns *answers)
 {
     cylint_shape prepared = *shape;
+    /* mutant '!' -> '', '!=' -> '==': slower, the points are computed one by
+     * one */
     if (!shape->prepared && shape->in_range && shape->kind != CYLINT_KIND_NONE)
         cylint_measure_local(&prepared);
     if (cylint_lane_class(&prepared) && has_lanes(answers))

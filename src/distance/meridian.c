@@ -44,7 +44,9 @@ static void load_axis(meridian *m)
     m->T2 = EXACT_MUL(m->g, m->q);
     m->c = section(m);
     m->dr = L->dr;
+    /* mutant '1' -> '2': only its sign is used */
     m->flip = m->shape->ends == CYLINT_ENDS_INFINITE && m->c.sign < 0 ? -1 : 1;
+    /* mutant '<' -> '<=': flip is -1 or 1 */
     if (m->flip < 0) {
         m->c = cylint_exact_neg(m->c);
         m->dr = cylint_exact_neg(m->dr);
@@ -62,6 +64,7 @@ void cylint_load_meridian(meridian *m, const cylint_shape *shape,
     cylint_query_open(&m->query, shape, &line);
     m->L = cylint_load_exact(&m->query);
     m->arena = &m->query.arena;
+    /* mutant '1' -> '2': only its sign is used */
     m->flip = 1;
     m->dr = m->L->dr;
     if (shape->kind != CYLINT_KIND_SPHERE)
@@ -195,6 +198,8 @@ static nearest between_planes(meridian *m)
 {
     nearest n = on_lateral(m);
     for (int i = 0; i < 2; i++)
+        /* mutant '0' -> '1', '<' -> '<=': on the rim it is as
+         * near as the plane, so sign_beyond_cap() is not 1 */
         if (cap_is_present(m, i) && sign_disc(m, i) < 0 &&
             sign_beyond_cap(m, &n, i) > 0)
             n = cap(i);

@@ -68,6 +68,7 @@ static radial radial_direction(meridian *m)
 static radial ball_direction(meridian *m, int end)
 {
     const exact *D = m->L->D[end];
+    /* mutant '1' -> '2': only whether it is 0 is used, and not for balls */
     radial d = {{D[0], D[1], D[2]}, exact_dot(m, D, D), 1};
     if (d.K.sign == 0)
         d.K = d.V[0] = m->L->one;

@@ -74,6 +74,7 @@ double cylint_rounded_distance(meridian *m, const nearest *n)
         int64_t low = nearest_rank(arena, d, -error);
         int64_t high = nearest_rank(arena, d, error);
         while (low < high) {
+            /* mutant '2' -> '3': slower, any rank between both is right */
             const int64_t middle = low + (high - low) / 2;
             const int sign = sign_at_middle(arena, &x, denominator, middle);
             if (sign == 0) /* a tie, to even */
@@ -83,6 +84,7 @@ double cylint_rounded_distance(meridian *m, const nearest *n)
             else
                 high = middle;
         }
+        /* mutant '0' -> '1': the first 0: a rank of 1 gives 1 in both cases */
         distance = of_rank(low > 0 ? low : 1); /* 0 is on the surface */
     }
     arena->used = used;

@@ -40,6 +40,7 @@ floating cylint_surd_sum_value(cylint_arena *arena, const surd_sum *x)
         return radical;
     const floating size = floating_sum_of_sizes(
         floating_size(cylint_floating(x->a)), floating_size(radical));
+    /* mutant '<' -> '<=': a is -1 or 1 here */
     const floating sum = {a < 0 ? pair_neg(size.v) : size.v, size.e};
     if (a == b)
         return sum;

@@ -267,10 +267,13 @@ INLINE vm lateral_quadratic(lanes_query *q, bounded_value G, int kind)
     q->A = with_bound(form_A_lanes(L), form_A_sizes(N));
     q->B = with_bound(form_B_lanes(L), form_B_sizes(N));
     const vd S = form_root_of_S_lanes(L);
+    /* mutant '*' -> '+': slower, a larger bound */
     const vd eS = v_set(CYLINT_FILTER_BOUND) * form_root_of_S_sizes(N);
     /* dR / R <= dG / G + dS / S while these are small */
     const vd SG = S * G.v, R = CYLINT_RADICAL(kind, S, G.v, v_times, v_sqrt);
     q->R = (bounded_value){
+        /* mutant '*' -> '+': a larger bound, or a smaller one that
+         * CYLINT_RADICAL_ROUNDING covers */
         R, R * ((S * G.e + eS * G.v) / SG + v_set(CYLINT_RADICAL_ROUNDING))};
     vm known = m_and(certain(q->A),
                      certain((bounded_value){S, eS + v_set(CYLINT_UNDERFLOW)}));
@@ -400,6 +403,7 @@ INLINE lanes_verdict lanes_classify(lanes_query *q, const lanes_shape *s,
         v.leaving_first = outside;
         stop[0] = choose(outside, stop[1], first);
         stop[1] = choose(outside, first, stop[1]);
+        /* mutant '0' -> '1': slower, the next stage decides */
         v.cross = above(stop[1], stop[0]);
         uncertain = m_or(uncertain, m_not(v.cross));
     }
@@ -573,6 +577,7 @@ INLINE lanes_root round_root(const lanes_slopes *q, const lanes_shape *s,
         residual = Q.hi + Q.lo;
         sizes = form_C_sizes(&N);
         slope = v_set(2) * exits * q->R.v;
+        /* mutant '2' -> '3': slower, a larger bound */
         slope_e = v_set(2) * q->R.e;
         curvature = q->A;
     }

@@ -93,6 +93,8 @@ static void shapes_at(const cylint_filter_batch *from, const size_t *number,
         s->axis[i] = four[i];
     MEMBERS(r0);
     s->r[0] = four[0];
+    /* mutant '1' -> '2': only whether r[1] is in the window is used, and dr
+     * is as large if it is not */
     s->r[1] = four[1];
     s->dr = four[2];
     s->dr_lo = four[3];

@@ -31,6 +31,8 @@ INLINE PAIR EFT(two_prod)(REAL a, REAL b)
 {
     const REAL p = a * b;
 #ifdef FUSED
+    /* mutant '-' -> '': mutants are built without fused multiply-add, which
+     * `make check` uses where the processor has it */
     return (PAIR){p, FUSED(a, b, -p)};
 #else
     const REAL split = BROADCAST(0x1p27 + 1);

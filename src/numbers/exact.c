@@ -75,6 +75,7 @@ static int compare_sizes(exact x, exact y)
 {
     if (top_of(x) != top_of(y))
         return top_of(x) > top_of(y) ? 1 : -1;
+    /* mutant '<' -> '<=': of two equal ones either is right */
     const int low = x.exponent < y.exponent ? x.exponent : y.exponent;
     for (int i = top_of(x) - 1; i >= low; i--)
         if (limb_at(x, i) != limb_at(y, i))
@@ -85,6 +86,7 @@ static int compare_sizes(exact x, exact y)
 /* |x| + |y|, or |x| - |y| where |x| > |y|. */
 static exact combine(cylint_arena *arena, exact x, exact y, int subtract)
 {
+    /* mutant '<' -> '<=': of two equal ones either is right */
     const int low = x.exponent < y.exponent ? x.exponent : y.exponent;
     const int top = top_of(x) > top_of(y) ? top_of(x) : top_of(y);
     const int n = top - low;
@@ -111,6 +113,7 @@ exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
         return combine(arena, x, y, 0);
     const int larger = compare_sizes(x, y);
     if (larger == 0)
+        /* mutant '0' -> '1': a number without limbs or without sign is 0 */
         return (exact){arena->limb, 0, 0, 0};
     return larger > 0 ? combine(arena, x, y, 1) : combine(arena, y, x, 1);
 }
@@ -118,6 +121,7 @@ exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
 {
     if (x.sign == 0 || y.sign == 0)
+        /* mutant '0' -> '1': a number without limbs or without sign is 0 */
         return (exact){arena->limb, 0, 0, 0};
     uint32_t *limb = take(arena, x.n + y.n);
     memset(limb, 0, (size_t)(x.n + y.n) * sizeof *limb);

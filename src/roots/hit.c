@@ -85,6 +85,7 @@ static void normalise(const floating x[3], int sign, double to[3])
     int e = exponent_of(x[0]), scaled = 0;
     for (int i = 1; i < 3; i++)
         e = exponent_of(x[i]) > e ? exponent_of(x[i]) : e;
+    /* mutant '<' -> '<=': `make sanitize` detects the element too many */
     for (int i = 0; i < 3; i++)
         scaled |= x[i].e != 0;
     scaled |= e > CYLINT_SQUARE_EXPONENT || e < -CYLINT_SQUARE_EXPONENT;
@@ -167,6 +168,7 @@ static int any_need(const needs *n)
 static unsigned vector_in_pairs(const cylint_query *q, const bounded_pair x[3],
                                 unsigned need, floating *facts)
 {
+    /* mutant '<' -> '<=': `make sanitize` detects the element too many */
     for (int i = 0; i < 3; i++)
         if (need >> i & 1) {
             facts[i] = floating_of_pair(x[i]);
@@ -180,6 +182,7 @@ static unsigned gradient_in_pairs(const cylint_query *q,
                                   floating *facts)
 {
     bounded_pair x[3];
+    /* mutant '<' -> '<=': `make sanitize` detects the element too many */
     for (int i = 0; i < 3; i++)
         if (need >> i & 1)
             x[i] = cylint_gradient_pair(L, i);
@@ -285,6 +288,7 @@ static void facts_in_full(cylint_query *q, surd *t, const needs *need,
     cylint_arena *arena = &q->arena;
     const int used = arena->used;
     cylint_terms_exact at_o = *cylint_load_exact_moments(q), beyond = at_o;
+    /* mutant '<' -> '<=': `make sanitize` detects the element too many */
     for (int i = 0; i < 3; i++)
         beyond.D[0][i] = cylint_exact_add(arena, at_o.D[0][i], at_o.u[i]);
     for (int i = 0; i < FACTS; i++) {

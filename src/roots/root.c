@@ -242,6 +242,7 @@ static double settle(cylint_query *q, const surd *t, int sign, uint64_t size)
 /* t in every digit there is need of. */
 static floating exact_root(cylint_query *q, surd *t)
 {
+    /* mutant '0' -> '1': a number without limbs or without sign is 0 */
     const exact zero = {q->arena.limb, 0, 0, 0};
     return cylint_value_at(q, t, zero, cylint_load_exact(q)->one);
 }
@@ -284,6 +285,7 @@ static int settles(const cylint_query *q, pair t, double error)
 {
     const double size = fabs(t.hi);
     const int e = cylint_exponent(t.hi) + q->t_exponent;
+    /* untaken 1 of 4: no root of that size is known that pairs decide */
     return rounds_to_hi(t, error) && size > CYLINT_ROOT_LEAST &&
            size < 1 / CYLINT_ROOT_LEAST && e > -CYLINT_SUM_EXPONENT &&
            e < CYLINT_LARGE_EXPONENT;
@@ -317,6 +319,7 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
     if (!near || !(f.error < CYLINT_NEAR_ORIGIN))
         return none;
     if (cylint_sign_C(q) == 0) {
+        /* mutant '0' -> '1': slower, the next stage computes 0, too */
         *error = 0;
         return none;
     }
@@ -324,6 +327,7 @@ static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
     const int used = q->arena.used;
     pair num = cylint_exact_round(cylint_form_C_exact(L), &e);
     q->arena.used = used;
+    /* untaken 1 of 4: C is far below 2^400 where filters apply */
     if (e < -CYLINT_SQUARE_EXPONENT || e > CYLINT_SQUARE_EXPONENT)
         return none;
     num.hi *= cylint_power_of_two(e);
@@ -394,6 +398,9 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
         root_in_pairs(q, root, k, known, &t, &error)) {
         const double value = cylint_scaled(t.hi, q->t_exponent);
         cylint_contradiction(exact_value(q, root, more) != value);
+        /* mutant '0' -> '1': slower, second 0: an exact t is computed twice */
+        /* mutant '>' -> '>=': slower, a t of 0 has the error NaN, which decides
+         * nothing */
         q->t_error = error > 0 ? error / fabs(t.hi) : 0;
         *more = cylint_scaled(t.lo, q->t_exponent);
         return value;

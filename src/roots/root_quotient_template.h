@@ -24,6 +24,9 @@ static VALUE FORM(radical)(const FORM(terms) *L, double *error)
     const NUM G = FORM(form_G)(L), S = FORM(form_root_of_S)(L);
     const double eG = FORM(relative)(G);
     *error = 2;
+    /* mutant '&&' -> '||': roots are computed where G > 0, and pairs that
+     * compute G <= 0 decide nothing */
+    /* mutant '>' -> '<': slower, the next stage decides */
     if (!(HIGH(OF(G)) > 0 && eG < CYLINT_FIRST_ORDER))
         return OF(G);
     /* without a square, S G may have underflowed */
@@ -42,6 +45,7 @@ static FORM(quotient)
     FORM(quotient) f;
     const NUM B = FORM(form_B)(L);
     const VALUE R = FORM(radical)(L, &f.radical_error);
+    /* mutant '<' -> '<=': for B = 0 either sign is right */
     const int falls = HIGH(OF(B)) < 0;
     f.num = f.den = V_ADD(R, falls ? V_NEG(OF(B)) : OF(B));
     f.radical = HIGH(R);
@@ -49,6 +53,7 @@ static FORM(quotient)
     f.error =
         f.radical_error > 1
             ? 2
+            /* mutant '*' -> '+': slower, a larger bound */
             : (ERROR(B) + f.radical_error * f.radical) / HIGH(f.den) + ROUNDING;
     *near = falls != exits;
     return f;

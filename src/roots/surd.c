@@ -15,6 +15,7 @@
 
 floating cylint_floating(exact x)
 {
+    /* mutant '0' -> '1': the value of a 0 is not read, only its sign */
     floating f = {{0, 0}, 0};
     if (x.sign != 0)
         f.v = cylint_exact_round(x, &f.e);
@@ -53,6 +54,7 @@ int cylint_exact_mark(cylint_query *q, cylint_root root)
 surd cylint_surd(cylint_query *q, cylint_root root)
 {
     const cylint_terms_exact *L = cylint_load_exact_moments(q);
+    /* mutant '0' -> '1': a number without limbs or without sign is 0 */
     const exact zero = {q->arena.limb, 0, 0, 0};
     surd t = {L->beta, zero, zero, 0, {{0, 0}, 0}};
     if (root < ROOT_APEX) {
@@ -60,6 +62,7 @@ surd cylint_surd(cylint_query *q, cylint_root root)
         t.A = c[0];
         t.B = c[1];
         t.C = c[2];
+        /* mutant '1' -> '2': only its sign is used */
         t.s = root == ROOT_DOUBLE ? 0 : root == ROOT_EXIT ? 1 : -1;
     } else if (root == ROOT_APEX) {
         t.A = cylint_form_rho1_exact(L);
@@ -148,6 +151,7 @@ floating cylint_value_at(cylint_query *q, surd *t, exact f0, exact f1)
             floating_mul(floating_size(cylint_floating(f1)), radical(q, t));
         sum = F.X.sign != 0 ? floating_sum_of_sizes(sum, rest) : rest;
     }
+    /* mutant '0' -> '1', '<' -> '<=': F.sum is -1 or 1 here */
     if (F.sum < 0)
         sum.v = pair_neg(sum.v);
     return F.opposed ? floating_div(beside, sum) : floating_div(sum, beside);

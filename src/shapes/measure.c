@@ -80,6 +80,7 @@ static double ball_radius(cylint_shape *s)
 static void measure_ball(cylint_shape *s)
 {
     s->bound_radius = HUGE_VAL;
+    /* mutant '0' -> '1': for unbounded shapes, whose ball holds everything */
     s->center[0] = s->center[1] = s->center[2] = 0;
     if (!cylint_ends_are_planes(s->ends))
         return;
@@ -102,6 +103,8 @@ void cylint_measure_shape(cylint_shape *s)
 {
     s->size = cylint_largest(s->axis);
     s->in_range = within_window(largest_length(s)) &&
+                  /* mutant '<=' -> '<': slower, exact arithmetic decides at
+                   * the window's end */
                   (!cylint_has_factors(s->kind) || s->r1 <= CYLINT_WINDOW);
     measure_ball(s);
 }

@@ -23,6 +23,7 @@ static pair series(pair x, int first)
 {
     const pair x2 = pair_neg(pair_mul(x, x));
     pair term = first ? x : (pair){1, 0}, sum = term;
+    /* mutant '<' -> '<=': one more term, below the digits that are kept */
     for (int n = first + 1; n < 34; n += 2) {
         term = over(pair_mul(term, x2), (double)n * (n + 1));
         sum = pair_add(sum, term);
@@ -44,8 +45,10 @@ double cylint_tangent(double degrees)
 {
     static const pair radian = {0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
     /* 90 - degrees is exact from 45 on [Sterbenz] */
+    /* mutant '>' -> '>=': 45 = 90 - 45 */
     const int steep = degrees > 45;
     double angle = steep ? 90 - degrees : degrees;
+    /* mutant '45' -> '46': the series gives 1, too */
     if (angle == 45)
         return 1;
     int e = 0;

@@ -429,6 +429,7 @@ INLINE NUM FORM(gradient)(const FORM(terms) *L, int i)
     BEGIN
     NUM X[3], N;
     if (FORM(radial)(L, X) == 2) {
+        /* mutant '1' -> '2': X[2] has no value, and the compiler takes X[1] */
         N = ADD(MUL(X[0], L->p[i]), MUL(X[1], L->q[i]));
     } else {
         N = FORM(minor)(L, L->w, X, (i + 1) % 3, (i + 2) % 3);

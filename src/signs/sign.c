@@ -30,6 +30,8 @@ static int filters_apply(const cylint_shape *s, const cylint_line *l)
 {
     double far = 0;
     for (int i = 0; i < 3; i++) {
+        /* mutant '-' -> '+': a distance too large for the filters overflows,
+         * and an infinite or NaN bound decides nothing */
         const double d = fabs(l->o[i] - s->base[i]);
         far = d > far ? d : far;
     }
@@ -42,6 +44,8 @@ static void scale_query(cylint_query *q)
 {
     const cylint_shape *s = q->shape;
     const cylint_line *l = q->line;
+    /* mutant '-' -> '': slower, the filters do not apply and exact
+     * arithmetic decides */
     const int e = -cylint_length_exponent(s);
     cylint_shape *to = &q->scaled_shape;
     *to = *s;
@@ -60,6 +64,7 @@ static void scale_query(cylint_query *q)
         scale_vector(to->b, s->b, e);
     }
     const double most = cylint_largest(l->d);
+    /* mutant '1024' -> '1025': any power that brings the size into range */
     const int f = most > DBL_MAX ? -1024 : -cylint_any_exponent(most);
     q->scaled_line = *l;
     scale_vector(q->scaled_line.o, l->o, e);
@@ -283,6 +288,9 @@ static const terms_quantum *quanta(cylint_query *q)
         q->quanta &= !cylint_too_small(l->o[i]) && !cylint_too_small(l->d[i]);
         q->quanta &=
             !cylint_too_small(s->base[i]) && !cylint_too_small(s->axis[i]);
+        /* mutant '&&' -> '||': a is 0 in circular kinds, top in elliptic ones.
+         * A small top makes a small axis or axis_lo; a small a has a quantum
+         * below all that are trusted */
         q->quanta &= !cylint_too_small(s->top[i]) &&
                      !cylint_too_small(s->a[i]) && !cylint_too_small(s->b[i]);
         const pair d = two_diff(l->o[i], s->base[i]);
