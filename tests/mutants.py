@@ -146,7 +146,7 @@ class Bench:
         if not self.compile(self.sources + self.common +
                             self.c_files("tools/cylint")):
             sys.exit("mutants: the sources do not compile as they are")
-        if not self.link(self.sources):
+        if not all([self.link(t) for t, _ in tests]):
             sys.exit("mutants: the programs do not link as they are")
         self.seconds = [self.time_of(*t) for t in tests]
 
@@ -166,23 +166,28 @@ class Bench:
         with ThreadPoolExecutor(1 if len(sources) < 20 else 2) as pool:
             return all(pool.map(job, sources))
 
-    def link(self, changed):
-        """The library, and the tests that have a changed object."""
+    def link(self, test):
+        """Links the program of a test, unless it exists.  The library is static,
+        because tests use functions that are hidden in the shared one."""
+        name = "cylint" if test == "test_hard" else "tests/" + test
+        if os.path.exists(os.path.join(self.work, name)):
+            return True
         objects = lambda files: [f[:-2] + ".o" for f in files]
-        shared = ["-L.", "-lcylint", "-Wl,-rpath," + self.work, "-lmpfr",
-                  "-lgmp", "-lgsl", "-lgslcblas", "-pthread", "-lm"]
-        jobs = [["-shared", "-o", "libcylint.so"] + objects(self.library)]
-        scene_changed = any(s in self.scene for s in changed)
-        for t in self.programs:
-            on_scene = t.startswith("test_scene")
-            if "tests/%s.c" % t in changed or (on_scene and scene_changed):
-                jobs.append(["-o", "tests/" + t, "tests/%s.o" % t] +
-                            objects(self.common) +
-                            objects(self.scene if on_scene else []) + shared)
-        if len(changed) == len(self.sources):
-            jobs.append(["-o", "cylint"] + objects(self.tool) + shared)
-        return all(run([self.cc] + job, cwd=self.work).returncode == 0
-                   for job in jobs)
+        if not os.path.exists(os.path.join(self.work, "libcylint.a")):
+            run(["ar", "rcs", "libcylint.a"] + objects(self.library),
+                cwd=self.work)
+        parts = (self.tool if test == "test_hard" else
+                 ["tests/%s.c" % test] + self.common +
+                 (self.scene if test.startswith("test_scene") else []))
+        return run([self.cc, "-o", name] + objects(parts) +
+                   ["libcylint.a", "-lmpfr", "-lgmp", "-lgsl", "-lgslcblas", "-pthread", "-lm"],
+                   cwd=self.work).returncode == 0
+
+    def unlink(self):
+        for name in ["libcylint.a", "cylint"] + ["tests/" + t for t in self.programs]:
+            path = os.path.join(self.work, name)
+            if os.path.exists(path):
+                os.remove(path)
 
     def users(self, name):
         """The sources that are or include this file."""
@@ -214,7 +219,9 @@ class Bench:
         """The number of the first test to fail, or None.  A test that takes
         far longer than usual counts as a failure."""
         for i in order:
-            if not self.passes(*self.tests[i], 3 * self.seconds[i] + 2):
+            test, environment = self.tests[i]
+            if not self.link(test) or not self.passes(
+                    test, environment, 3 * self.seconds[i] + 2):
                 return i
         return None
 
@@ -227,8 +234,9 @@ class Bench:
         objects = [os.path.join(self.work, u[:-2] + ".o") for u in users]
         for o in objects:
             os.rename(o, o + ".kept")
+        self.unlink()
         killer = "compiler"
-        if self.compile(users) and self.link(users):
+        if self.compile(users):
             killer = self.killer(order)
         with open(path, "w") as f:
             f.write(text)
