@@ -24,8 +24,10 @@
  *              which is correctly rounded; never a subnormal one, except the
  *              ray's own tfar.
  *   primID     the shape's number in the array.
- *   u, v       z in [0, 1] and phi in [0, 1) of the hit, see cylint_hit,
- *              rounded to float (phi just below 1: to the largest float below).
+ *   u, v       z and phi of the hit, see cylint_hit, rounded to float.  u is in
+ *              [0, 1], but below 0 or above 1 on the round ends of a capsule or a
+ *              round cone.  v is in [0, 1): phi just below 1 is rounded to the
+ *              largest float below 1.
  *   Ng         the outward unit normal, rounded to float.
  *   geomID, instID, instPrimID   as Embree defines them.
  *
@@ -98,9 +100,11 @@ typedef enum cylint_embree_status {
                               at or beyond 1.844e18, where Embree silently drops
                               primitives; or a number of more than 32 bits */
     CYLINT_EMBREE_EMOTION, /* the two states of a moving shape differ in
-                              ends, or only one of them is circular */
+                              ends or in kind: cylinders and cones are one
+                              kind, elliptic cylinders and cones, capsules and
+                              round cones, angle cones, spheres */
     CYLINT_EMBREE_EMEMORY, /* an allocation was refused */
-    CYLINT_EMBREE_EDEVICE, /* Embree refused something else */
+    CYLINT_EMBREE_EDEVICE, /* the device made no geometry */
     CYLINT_EMBREE_EVERSION /* the device belongs to another major version of
                               Embree than this library was built for */
 } cylint_embree_status;

@@ -14,6 +14,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "program.h"
 
@@ -49,6 +50,18 @@ static int check_passed, check_failed, check_bad;
             check_passed++;                                        \
         }                                                          \
     } while (0)
+
+/* The texts of the statuses 0 to n - 1 are these, all others are unknown. */
+static inline void check_texts(const char *(*text_of)(int status),
+                               const char *const *texts, int n)
+{
+    for (int status = -2; status < n + 2; status++) {
+        const char *text =
+            status < 0 || status >= n ? "unknown status" : texts[status];
+        if (!CHECK(strcmp(text_of(status), text) == 0))
+            REPORT("status %d: %s", status, text_of(status));
+    }
+}
 
 static int check_end(void)
 {

@@ -276,10 +276,10 @@ test_faults()
     refuses 1 "bad.scene:1:21: expected a number, found 'zero'" \
         bad.scene -o x.png
     : > empty.scene
-    refuses 1 "empty.scene: no view of it:\
- say --eye and --look-at, not along --up" empty.scene -o x.png
-    refuses 1 "some.scene: no view of it:\
- say --eye and --look-at, not along --up" some.scene -o x.png --from 0,0,1
+    refuses 1 "empty.scene: no shape is bounded, or the view is along\
+ --up; use --eye and --look-at" empty.scene -o x.png
+    refuses 1 "some.scene: no shape is bounded, or the view is along\
+ --up; use --eye and --look-at" some.scene -o x.png --from 0,0,1
     [ ! -e x.png ] && [ -z "$(ls | grep part)" ]
     verdict a_failure_leaves_no_file $?
 

@@ -373,6 +373,15 @@ static void threads_share_a_scene_with_the_same_answers(void)
     close_both(&a);
 }
 
+static void every_status_has_its_text(void)
+{
+    static const char *const texts[] = {
+        [CYLINT_SCENE_OK] = "no error",
+        [CYLINT_SCENE_EMEMORY] = "out of memory",
+        [CYLINT_SCENE_ESIZE] = "too many shapes for one scene"};
+    check_texts(cylint_scene_strerror, texts, sizeof texts / sizeof *texts);
+}
+
 int main(int argc, char **argv)
 {
     if (argc > 1)
@@ -385,6 +394,7 @@ int main(int argc, char **argv)
     RUN(a_ray_that_begins_behind_a_hit_does_not_find_it);
     RUN(a_shape_that_is_found_in_many_boxes_counts_once);
     RUN(threads_share_a_scene_with_the_same_answers);
+    RUN(every_status_has_its_text);
     printf("note: %zu lines, %zu of them hit\n", lines_asked, lines_hit);
     return check_end();
 }

@@ -7,8 +7,8 @@
 
 /*
  * The sides of the box are at most REACH steps from its centre.  Then ten bits
- * bound_piece the radii, at most sqrt(3/2) REACH for a disc in such a box, and the
- * ends of the axes after bound_piece() has lengthened them.
+ * hold every radius, which is at most sqrt(3/2) REACH for a disc in such a box,
+ * and every end of an axis, which bound_piece() has lengthened.
  */
 #define REACH 440.0
 #define LARGEST_P 511.0

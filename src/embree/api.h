@@ -60,7 +60,7 @@ typedef struct RTCIntersectContext cylint_rtc_context;
 #endif
 
 #if RTC_VERSION_MAJOR != CYLINT_EMBREE
-#error "rtcore.h is not of the Embree that the Makefile asked for"
+#error "rtcore.h is of another major version of Embree than CYLINT_EMBREE"
 #endif
 
 #endif

@@ -20,13 +20,14 @@ const char *cylint_embree_strerror(int status)
     case CYLINT_EMBREE_OK:
         return "no error";
     case CYLINT_EMBREE_ESHAPE:
-        return "a shape is refuse, unbounded or beyond 1.844e18";
+        return "a shape is invalid, unbounded, or has a coordinate of 1.844e18 "
+               "or more";
     case CYLINT_EMBREE_EMOTION:
-        return "a shape cannot move into one of another kind or ends";
+        return "the two states of a shape differ in kind or ends";
     case CYLINT_EMBREE_EMEMORY:
         return "out of memory";
     case CYLINT_EMBREE_EDEVICE:
-        return "the Embree device refuse";
+        return "the Embree device made no geometry";
     case CYLINT_EMBREE_EVERSION:
         return "the device is of another version of Embree";
     default:

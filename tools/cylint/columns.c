@@ -102,7 +102,7 @@ static const struct column columns[] = {
     {"count", VALUE_COUNT, 0, COUNT | POINT_COUNT,
      "number of shapes that are hit or within the radius"},
     {"id", VALUE_RECORD, 0, EVERY, "number of the record, from 1"},
-    {"record", VALUE_RECORD, 0, ALL | POINT_ALL, "the same"},
+    {"record", VALUE_RECORD, 0, ALL | POINT_ALL, "the same as id"},
 };
 
 enum { COLUMNS = sizeof columns / sizeof *columns };

@@ -130,8 +130,8 @@ static int set_stage(const struct options *o, struct scene *scene,
     const struct vector up = unit(o->viewing.up);
     int status = colours_complete(colours, scene, o->colouring, o->colour, up);
     if (status == 0 && !view_of_scene(view, &o->viewing, boxes)) {
-        complain(o->scene, "no view of it: "
-                           "say --eye and --look-at, not along --up");
+        complain(o->scene, "no shape is bounded, or the view is along --up; "
+                           "use --eye and --look-at");
         status = EXIT_BAD;
     }
     if (status == 0 && has_ground) {
