@@ -81,7 +81,8 @@ threads := $(if $(PTHREAD),-pthread $(posix) -DCYLINT_THREADS)
 x86     := $(if $(X86),-DCYLINT_BUILDS_X86)
 # $(call of,PATTERN...): objects, and the files `flags` (below) of their folders
 of       = $(addprefix $(BUILD)/,$(1) $(addsuffix flag%,$(sort $(dir $(1)))))
-embree  := $(if $(EMBREE),-DCYLINT_EMBREE=$(EMBREE)) $(EMBREE_CFLAGS)
+# Warnings in the headers of Embree are not ours.
+embree  := $(if $(EMBREE),-DCYLINT_EMBREE=$(EMBREE)) $(EMBREE_CFLAGS:-I%=-isystem%)
 $(BUILD)/src/%: extra := -fPIC -fvisibility=hidden -DCYLINT_BUILDING $(x86) $(if $(PARANOID),-DCYLINT_PARANOID)
 $(BUILD)/src/bvh/% $(BUILD)/src/scene/% $(BUILD)/src/embree/%: extra += $(floats) $(threads)
 $(BUILD)/src/embree/%: extra += $(embree)

@@ -136,7 +136,7 @@ INLINE int range_of_y(const round_dots *x, const question *q,
     const double y = x->y0 + at->s * x->cone.dz;
     const double e = at->s_error * fabs(x->cone.dz) +
                      3 * 0x1p-50 * (X * (q->W * q->per_ww) + 1);
-    return y < -e ? 0 : (y > e) & (y < x->S - e) ? 1 : y > x->S + e ? 2 : -1;
+    return y < -e ? 0 : ((y > e) & (y < x->S - e)) ? 1 : y > x->S + e ? 2 : -1;
 }
 
 /* Where the line enters or leaves (sign = 1) the ball about an end. */

@@ -40,6 +40,7 @@ typedef struct RTCDeviceTy *RTCDevice;
 typedef struct RTCSceneTy *RTCScene;
 typedef struct RTCGeometryTy *RTCGeometry;
 typedef struct RTCBufferTy *RTCBuffer;
+typedef struct RTCSceneTy *RTCScene; /* again, as in Embree's own headers */
 
 enum RTCDeviceProperty {
     RTC_DEVICE_PROPERTY_VERSION = 0,
