@@ -225,7 +225,9 @@ typedef struct cylint_shape {
  *                   about p1.  If r0 = r1, the shape is a capsule.  If one
  *                   ball holds the other, |p1 - p0| <= |r1 - r0|, the shape is
  *                   that ball, its kind is CYLINT_KIND_SPHERE, and its surface
- *                   is the part CAP0 or CAP1.  Equal balls: CAP0.
+ *                   is the part CAP0 or CAP1.  Equal balls: CAP0.  z and phi
+ *                   of a hit remain those of the axis from p0 to p1; they are
+ *                   0 if p0 = p1.
  *                   ERADIUS: a radius < 0, or both are 0.  EENDS: infinite,
  *                   nappe.
  *                   The lateral surface of a capsule and a round cone ends at
@@ -448,7 +450,8 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * near hit->point for which cylint_contains() returns `side`: -1 outside, 1
  * inside.  An outside point of a bounded shape that is not round is also
  * beyond the part that the hit lies on: beside a rim it is not only beyond the
- * cap.  Point, normal and part of the hit must be written.
+ * cap.  Point, normal and part of the hit must be written.  `point` may be a
+ * member of *hit, such as hit->point.
  *
  * Returns 1.  The point is hit->point itself if that is on the side; else the
  * nearest of the points that differ from it by k or 0 steps of the doubles in

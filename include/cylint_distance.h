@@ -33,7 +33,10 @@ typedef enum cylint_feature {
 typedef struct cylint_closest {
     double distance;
     double point[3];  /* the nearest point */
-    double normal[3]; /* outward unit normal there, as in cylint_hit */
+    double normal[3]; /* outward unit normal there, as in cylint_hit.  At the
+                         apex of a double cone: along the axis, towards the
+                         base, or, if the base is the apex, opposite to the
+                         axis */
     int part;         /* cylint_part; -1: there is no surface */
     int feature;      /* cylint_feature */
     int flags;        /* CYLINT_FLAG_INVALID: the shape was refused, or a
@@ -53,6 +56,7 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * open, cap0 and cap1 the distance is never negative.
  *
  * Writes answer->distance and answer->flags, and returns answer->distance.
+ * `point` must not be a member of *answer.
  * `want` is a sum of CYLINT_WANT_PART (part and feature), CYLINT_WANT_POINT and
  * CYLINT_WANT_NORMAL; other values have no effect.  Members that are not wanted
  * are not written.  If the shape was refused, if the point is not finite, or if
@@ -154,7 +158,9 @@ CYLINT_API void cylint_distance_pairs(const cylint_shape *shapes,
 /* Returns the number of the shape with the least absolute distance, if that is
  * at most `within`; of equal ones the lowest number.  Writes the wanted members
  * of its answer as cylint_distance() does.  Returns n, and writes nothing, if
- * there is none.  Compares the doubles that cylint_distance() returns. */
+ * there is none.  Compares the doubles that cylint_distance() returns.  `point`
+ * must not be a member of *answer.  Where shapes overlap, the nearest surface may
+ * lie inside another shape: cylint_scene(3), section Overlapping shapes. */
 CYLINT_API size_t cylint_closest_shape(const cylint_shape *shapes, size_t n,
                                        const double point[3], double within,
                                        unsigned want, cylint_closest *answer);

@@ -88,11 +88,16 @@ CYLINT_API size_t cylint_scene_all(const cylint_scene *scene,
  * returns, bit for bit.  A refused shape has no distance.  If the point is
  * invalid, or the radius is negative or NaN, no shape is within it.  The radius
  * may be HUGE_VAL.
+ *
+ * Each shape counts alone.  Where shapes overlap, the nearest surface may lie
+ * inside another shape, and the surface of their union is farther away:
+ * cylint_scene(3), section Overlapping shapes.
  */
 
 /* Returns the number of the shape whose surface is nearest to the point, if it
  * is within the radius; of equal distances the lowest number.  Writes *answer
- * as cylint_distance() does.  If there is none, returns n and writes nothing. */
+ * as cylint_distance() does.  If there is none, returns n and writes nothing.
+ * `point` must not be a member of *answer. */
 CYLINT_API size_t cylint_scene_closest(const cylint_scene *scene,
                                        const double point[3], double radius,
                                        unsigned want, cylint_closest *answer);

@@ -15,6 +15,8 @@
  * lateral surface could then pass through the cap.  So the point must be on the
  * outer side of the part that the hit lies on.
  */
+#include <string.h>
+
 #include "signs/sign.h"
 
 enum { NEAR = 4, MASKS = 8, MOST_DOUBLINGS = 64 };
@@ -152,9 +154,10 @@ int cylint_outside(const cylint_shape *shape, const cylint_hit *hit, int side,
 {
     search s = {.shape = shape, .side = side, .part = hit->part};
     for (int i = 0; i < 3; i++) {
-        s.from[i] = point[i] = hit->point[i];
+        s.from[i] = hit->point[i];
         s.towards[i] = side > 0 ? -hit->normal[i] : hit->normal[i];
     }
+    memcpy(point, s.from, sizeof s.from); /* point may be in *hit */
     if (is_there(&s, point))
         return 1;
     for (int steps = 1; steps <= NEAR; steps++)
@@ -170,7 +173,6 @@ int cylint_outside(const cylint_shape *shape, const cylint_hit *hit, int side,
     }
     if (try_diagonals(&s, largest_step(&s), point))
         return 1;
-    for (int i = 0; i < 3; i++)
-        point[i] = hit->point[i];
+    memcpy(point, s.from, sizeof s.from);
     return 0;
 }

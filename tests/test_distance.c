@@ -127,6 +127,37 @@ static void answers_about_cones_are_known(void)
     CHECK(a.feature == APEX && a.normal[2] == 1);
 }
 
+/* Axes along z, apex at the origin.  Where a line or a point does not prefer a
+ * nappe, the normal points towards the base, or, if the base is the apex, against
+ * the axis. */
+static void the_normal_at_the_apex_of_a_double_cone_is_stated(void)
+{
+    static const double below[3] = {0, 0, -2}, above[3] = {0, 0, 1},
+                        top[3] = {0, 0, 3}, across[3] = {1, 0, 0};
+    static const double expected[4] = {-1, 1, -1, -1};
+    cylint_shape s[4];
+    CHECK(!cylint_cone(&s[0], below, 2, origin, 0, CYLINT_ENDS_INFINITE) &&
+          !cylint_cone(&s[1], above, 1, top, 3, CYLINT_ENDS_INFINITE) &&
+          !cylint_cone(&s[2], origin, 0, top, 3, CYLINT_ENDS_INFINITE) &&
+          !cylint_angle_cone(&s[3], origin, above, 45, CYLINT_ENDS_INFINITE));
+    for (int i = 0; i < 4; i++) {
+        const cylint_closest a = answer_to(&s[i], origin, WANT);
+        cylint_answer hits;
+        cylint_line line;
+        CHECK(a.distance == 0 && a.feature == APEX);
+        CHECK(a.normal[0] == 0 && a.normal[1] == 0 &&
+              a.normal[2] == expected[i]);
+        cylint_whole_line(&line, origin, across);
+        CHECK(cylint_intersect(&s[i], &line, CYLINT_WANT_ALL, &hits) == 1);
+        CHECK(hits.hit[0].normal[2] == expected[i]);
+        for (int k = 0; k < 2; k++) {
+            cylint_whole_line(&line, origin, k ? above : below);
+            CHECK(cylint_intersect(&s[i], &line, CYLINT_WANT_ALL, &hits) == 1);
+            CHECK(hits.hit[0].normal[2] == (k ? -1 : 1));
+        }
+    }
+}
+
 static void answers_about_round_shapes_are_known(void)
 {
     static const struct known closed[] = {
@@ -487,6 +518,7 @@ int main(void)
     RUN(answers_about_a_capped_cylinder_are_known);
     RUN(answers_of_other_ends_are_known);
     RUN(answers_about_cones_are_known);
+    RUN(the_normal_at_the_apex_of_a_double_cone_is_stated);
     RUN(answers_about_round_shapes_are_known);
     RUN(where_there_is_no_surface_the_distance_is_infinite);
     RUN(a_point_is_on_a_surface_exactly_or_within_ulps);

@@ -140,11 +140,25 @@ static int is_finite_point(const double p[3])
     return isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]);
 }
 
+/* Whether a point that is a member of the hit becomes the same point. */
+static int same_in_hit(const cylint_shape *s, const cylint_hit *hit, int side)
+{
+    cylint_hit in_point = *hit, in_normal = *hit;
+    double p[3];
+    const int found = cylint_outside(s, hit, side, p);
+    return cylint_outside(s, &in_point, side, in_point.point) == found &&
+           cylint_outside(s, &in_normal, side, in_normal.normal) == found &&
+           memcmp(p, in_point.point, sizeof p) == 0 &&
+           memcmp(p, in_normal.normal, sizeof p) == 0;
+}
+
 static void from_hit(const struct family_case *c, const cylint_hit *hit,
                      int rays)
 {
     cylint_shape whole = c->shape;
     double p[3];
+    if (!CHECK(same_in_hit(&whole, hit, -1) && same_in_hit(&whole, hit, 1)))
+        REPORT_CASE(c);
     if (cylint_ends_are_planes(whole.ends))
         whole.ends = CYLINT_ENDS_CAPPED;
     tally[0].points++;

@@ -89,10 +89,11 @@ static void the_ball_that_holds_the_other_is_the_shape(void)
     CHECK(is_ball(&s, up, 2, CYLINT_PART_LATERAL));
 }
 
-/* z of a hit counts from p0 to p1, also where only the ball about p1 is left. */
-static void z_of_a_ball_counts_along_the_axis(void)
+/* z and phi of a hit are those of the axis from p0 to p1, also where only the
+ * ball about p1 is left.  Without axis they are 0. */
+static void z_and_phi_of_a_ball_are_those_of_the_axis(void)
 {
-    const double o[3] = {0, 0, -9}, d[3] = {0, 0, 1};
+    const double o[3] = {0, 0, -9}, y[3] = {0, 1, -9}, d[3] = {0, 0, 1};
     cylint_shape s;
     cylint_line line;
     cylint_answer a;
@@ -105,6 +106,17 @@ static void z_of_a_ball_counts_along_the_axis(void)
     cylint_capsule(&s, up, up, 1, CYLINT_ENDS_CAPPED);
     CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
     CHECK(a.hit[0].t == 10 && a.hit[0].z == 0 && a.hit[1].phi == 0);
+    cylint_whole_line(&line, y, d);
+    for (int turned = 0; turned < 2; turned++) {
+        cylint_round_cone(&s, turned ? up : zero, 1, turned ? zero : up, 3,
+                          CYLINT_ENDS_CAPPED);
+        CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
+        CHECK(a.hit[0].phi == (turned ? 0 : 0.5));
+        CHECK(fabs(a.hit[1].z - (turned ? 1 - sqrt(2) : 1 + sqrt(2))) < 1e-15);
+    }
+    cylint_round_cone(&s, up, 1.5, up, 1, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_intersect(&s, &line, CYLINT_WANT_ALL, &a) == 2);
+    CHECK(a.hit[0].z == 0 && a.hit[0].phi == 0 && a.hit[1].phi == 0);
 }
 
 #ifdef HAVE_MPFR
@@ -158,7 +170,7 @@ int main(void)
     RUN(good_arguments_are_accepted);
     RUN(wrong_numbers_are_refused);
     RUN(the_ball_that_holds_the_other_is_the_shape);
-    RUN(z_of_a_ball_counts_along_the_axis);
+    RUN(z_and_phi_of_a_ball_are_those_of_the_axis);
 #ifdef HAVE_MPFR
     RUN(the_kind_is_decided_exactly);
 #endif

@@ -446,6 +446,24 @@ static void threads_share_a_scene_with_the_same_answers(void)
     scene_release(&of);
 }
 
+/* The case of cylint_scene(3), section Overlapping shapes. */
+static void the_nearest_surface_may_lie_inside_another_shape(void)
+{
+    const double center[3] = {0, 0, 0}, end[3] = {30, 0, 0}, p[3] = {0, 3, 0};
+    cylint_shape shapes[2];
+    cylint_closest near;
+    CHECK(!cylint_sphere(&shapes[0], center, 10, CYLINT_ENDS_CAPPED) &&
+          !cylint_capsule(&shapes[1], center, end, 1, CYLINT_ENDS_CAPPED));
+    cylint_scene *scene = cylint_scene_new(shapes, 2, 1, NULL);
+    if (!CHECK(scene))
+        return;
+    CHECK(cylint_scene_closest(scene, p, HUGE_VAL, 0, &near) == 1 &&
+          near.distance == 2);
+    CHECK(cylint_contains(&shapes[0], p) == 1 &&
+          cylint_distance(&shapes[0], p, 0, &near) == -7);
+    cylint_scene_free(scene);
+}
+
 int main(int argc, char **argv)
 {
     if (argc > 1)
@@ -457,6 +475,7 @@ int main(int argc, char **argv)
     RUN(a_shape_of_many_pieces_counts_once);
     RUN(every_environment_has_the_same_answers);
     RUN(threads_share_a_scene_with_the_same_answers);
+    RUN(the_nearest_surface_may_lie_inside_another_shape);
     printf("note: %zu points, %zu questions with a nearest shape\n", n_points,
            n_near);
     return check_end();
