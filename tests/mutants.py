@@ -17,8 +17,8 @@ Needs what `make check` needs, including MPFR and GSL.  --count is the number of
 random mutants of each file.  --skip leaves out the first N of the seed's
 sequence, so that a run can be continued.  --again tries only the mutants that
 an earlier run printed to FILE.  --understood tries those that have a reason, and
-prints those that a test detects.  --full runs all tests with all cases.  --check
-only prints reasons that stand beside a line without such a mutant or branch.
+prints reasons whose mutants a test detects.  --full runs all tests with all
+cases.  --check only prints reasons beside lines without such a mutant or branch.
 """
 import argparse
 import os
@@ -324,6 +324,7 @@ def try_file(name, args, benches, texts):
             if (test in wanted if wanted else
                 not any(test in of for of in OF_FOLDER.values()))]
     kills = [0] * len(tests)
+    fates = {}  # of the mutants with one description, as a line may have several
     count = dict.fromkeys(("killed", "uncompiled", "understood", "survived"), 0)
 
     def try_one(mutant):
@@ -344,8 +345,7 @@ def try_file(name, args, benches, texts):
         count[fate] += 1
         if fate == "survived":
             print(describe(texts, mutant), flush=True)
-        elif args.understood and fate != "understood":
-            print("detected: " + describe(texts, mutant), flush=True)
+        fates.setdefault(describe(texts, mutant), set()).add(fate)
 
     with ThreadPoolExecutor(len(benches)) as pool:
         list(pool.map(try_one, chosen))
@@ -354,8 +354,10 @@ def try_file(name, args, benches, texts):
           % (name, len(every), len(chosen), count["killed"],
              count["uncompiled"], count["understood"], count["survived"]),
           flush=True)
-    return (len(chosen) - count["understood"] if args.understood else
-            count["survived"])
+    stale = [d for d, of in fates.items() if "understood" not in of]
+    for line in stale if args.understood else []:
+        print("detected: " + line, flush=True)
+    return len(stale) if args.understood else count["survived"]
 
 
 def main():
