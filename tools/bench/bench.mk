@@ -5,7 +5,7 @@ $(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests $(em
 bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 
 bench_programs  := $(patsubst %,$(BUILD)/tools/bench/%,cost methods batch single distance distance_elliptic gate)
-embree_programs := $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_packets embree_threads embree_counts)
+embree_programs := $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_many embree_packets embree_threads embree_counts)
 bench_common    := $(call bench_objects,contestants race timing plain shader $(if $(GSL),gsl_quadratic))
 
 $(BUILD)/tools/bench/cost: $(call bench_objects,cost_inputs)
@@ -22,8 +22,8 @@ $(BUILD)/tools/bench/distance_scene: $(call bench_objects,timing)
 $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene): %: %.o $(scene_library)
 $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene): libs := $(threads_link)
 
-$(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_packets): $(call bench_objects,timing)
-$(patsubst %,$(BUILD)/tools/bench/%,embree embree_round): $(call bench_objects,embree_race)
+$(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_many embree_packets): $(call bench_objects,timing)
+$(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_many): $(call bench_objects,embree_race)
 $(embree_programs): %: %.o $(call bench_objects,embree_scenes embree_rivals) \
 	$(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 $(embree_programs): libs := $(EMBREE_LIBS) $(threads_link)
@@ -56,6 +56,7 @@ bench-text: $(commands) $(BUILD)/tools/bench/measure ## time of the command and 
 bench-embree: $(filter-out %_counts,$(embree_programs)) ## time of scenes and of Embree's own curves; QUICK=1: in a minute
 	$(BUILD)/tools/bench/embree $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree.tsv
 	$(BUILD)/tools/bench/embree_round $(if $(QUICK),0.5 1e5,5 1e6) | tee $(BUILD)/embree-round.tsv
+	$(BUILD)/tools/bench/embree_many $(if $(QUICK),0.5,5) | tee $(BUILD)/embree-many.tsv
 	$(BUILD)/tools/bench/embree_packets $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree-packets.tsv
 	$(BUILD)/tools/bench/embree_threads 2 $(if $(QUICK),1e5,1e6) | tee $(BUILD)/embree-threads.tsv
 	@$(if $(WRAP),$(MAKE) -s BUILD=$(BUILD)/visits CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_VISITS' count_visits | tee $(BUILD)/embree-counts.tsv)

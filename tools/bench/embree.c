@@ -83,9 +83,13 @@ static void run(const struct scene_size *scene, double seconds)
 int main(int argc, char **argv)
 {
     static const struct scene_size scenes[] = {
-        {&thin, 1000, 1},    {&fat, 1000, 1},    {&thin, 10000, 0},
-        {&thin, 100000, 1},  {&fat, 100000, 1},  {&fibre, 100000, 1},
-        {&thin, 1000000, 1}, {&fat, 1000000, 1}, {&thin, 10000000, 0}};
+        {&thin, 1000, 1},        {&fat, 1000, 1},
+        {&thin, 10000, 0},       {&thin, 100000, 1},
+        {&fat, 100000, 1},       {&fibre, 100000, 1},
+        {&thin, 1000000, 1},     {&fat, 1000000, 1},
+        {&thin, 10000000, 0},    {&thin_stick, 100000, 0},
+        {&fat_stick, 100000, 0}, {&thin_stick, 1000000, 0},
+        {&fat_stick, 1000000, 0}};
     timing_begin();
     puts("# higher is better: Mray/s, ratio (to Embree's cone curves); "
          "lower is better: build s, bytes/shape");

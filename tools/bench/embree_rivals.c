@@ -40,10 +40,8 @@ static struct rival *begin(const char *config)
     return r;
 }
 
-static struct rival finish(struct rival *r, RTCGeometry geometry,
-                           double started)
+static struct rival finish(struct rival *r, double started)
 {
-    rtcAttachGeometry(r->scene, geometry);
     rtcCommitScene(r->scene);
     r->build_seconds = process_seconds() - started;
     rtcSetDeviceMemoryMonitorFunction(r->device, NULL, NULL);
@@ -52,15 +50,13 @@ static struct rival finish(struct rival *r, RTCGeometry geometry,
     return made;
 }
 
-struct rival build_curves(const struct cylinders *c, int segments,
-                          const char *config)
+/* Not committed. */
+static RTCGeometry curves_of(RTCDevice device, const struct cylinders *c,
+                             size_t m)
 {
-    struct rival *r = begin(config);
-    const size_t m = (size_t)segments;
-    RTCGeometry g =
-        rtcNewGeometry(r->device, c->form == ROUND_CONES
-                                      ? RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE
-                                      : RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+    RTCGeometry g = rtcNewGeometry(
+        device, c->form == ROUND_CONES ? RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE
+                                       : RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
     float *vertex = rtcSetNewGeometryBuffer(
         g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, c->n * (m + 1));
     unsigned *index = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0,
@@ -84,11 +80,28 @@ struct rival build_curves(const struct cylinders *c, int segments,
                                            : 0));
         }
     }
-    const double started = process_seconds();
     rtcSetGeometryMask(g, 0xFFFFFFFFu);
-    rtcCommitGeometry(g);
-    const struct rival made = finish(r, g, started);
-    rtcReleaseGeometry(g);
+    return g;
+}
+
+struct rival build_curves(const struct cylinders *c, int segments,
+                          const char *config)
+{
+    struct rival *r = begin(config);
+    RTCGeometry *g = need(c->parts * sizeof *g);
+    for (size_t k = 0; k < c->parts; k++) {
+        const struct cylinders part = part_of(c, k);
+        g[k] = curves_of(r->device, &part, (size_t)segments);
+    }
+    const double started = process_seconds();
+    for (size_t k = 0; k < c->parts; k++) {
+        rtcCommitGeometry(g[k]);
+        rtcAttachGeometry(r->scene, g[k]);
+    }
+    const struct rival made = finish(r, started);
+    for (size_t k = 0; k < c->parts; k++)
+        rtcReleaseGeometry(g[k]);
+    free(g);
     return made;
 }
 
@@ -97,18 +110,23 @@ struct rival build_shapes(const struct cylinders *c, unsigned how,
 {
     struct rival *r = begin(config);
     const cylint_embree_options options = {.flags = how};
+    r->ours = need(c->parts * sizeof *r->ours);
+    r->parts = c->parts;
     const double started = process_seconds();
-    RTCGeometry g =
-        cylint_embree_geometry(r->device, c->shapes, c->n, &options, NULL);
-    struct rival made = finish(r, g, started);
-    made.geometry = g;
-    return made;
+    for (size_t k = 0; k < c->parts; k++) {
+        const struct cylinders part = part_of(c, k);
+        r->ours[k] = cylint_embree_geometry(r->device, part.shapes, part.n,
+                                            &options, NULL);
+        rtcAttachGeometry(r->scene, r->ours[k]);
+    }
+    return finish(r, started);
 }
 
 void free_rival(struct rival *r)
 {
-    if (r->geometry)
-        cylint_embree_release(r->geometry);
+    for (size_t k = 0; k < r->parts; k++)
+        cylint_embree_release(r->ours[k]);
+    free(r->ours);
     rtcReleaseScene(r->scene);
     rtcReleaseDevice(r->device);
 }

@@ -9,7 +9,8 @@
 struct rival {
     RTCDevice device;
     RTCScene scene;
-    RTCGeometry geometry; /* ours, or NULL */
+    RTCGeometry *ours; /* the adapter's geometries, NULL of curves */
+    size_t parts;
     double build_seconds; /* processor time of all threads */
     double bytes;         /* memory of Embree and the adapter, without the
                               caller's arrays, which all rivals share */
@@ -17,11 +18,11 @@ struct rival {
 
 /* Cone curves (RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE), of rounded cones round
  * curves (RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE): each shape is a chain of
- * segments. */
+ * segments.  A geometry for each part. */
 struct rival build_curves(const struct cylinders *c, int segments,
                           const char *device);
 
-/* A geometry of cylint_embree_geometry() with the option `how`. */
+/* Geometries of cylint_embree_geometry() with the option `how`. */
 struct rival build_shapes(const struct cylinders *c, unsigned how,
                           const char *device);
 

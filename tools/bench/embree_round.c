@@ -180,8 +180,11 @@ static void run(const struct scene_size *scene, double seconds)
 int main(int argc, char **argv)
 {
     static const struct scene_size scenes[] = {
-        {&thin, 1000, 1},    {&fat, 1000, 1},     {&fibre, 1000, 1},
-        {&fibre, 100000, 1}, {&thin, 1000000, 1}, {&fat, 1000000, 1}};
+        {&thin, 1000, 1},          {&fat, 1000, 1},
+        {&fibre, 1000, 1},         {&fibre, 100000, 1},
+        {&thin, 1000000, 1},       {&fat, 1000000, 1},
+        {&thin_stick, 100000, 1},  {&fat_stick, 100000, 1},
+        {&thin_stick, 1000000, 1}, {&fat_stick, 1000000, 1}};
     timing_begin();
     puts("# higher is better: Mray/s, ratio (to Embree's curves of that form); "
          "lower is better: build s, bytes/shape, wrong, off");

@@ -15,6 +15,8 @@
 const struct cylinder_kind thin = {"thin", 3, 1.0 / 20, 8};
 const struct cylinder_kind fat = {"fat", 1.2, 1.0 / 3, 8};
 const struct cylinder_kind fibre = {"fibre", 10, 1.0 / 500, 32};
+const struct cylinder_kind thin_stick = {"thin stick", 1, 1.0 / 20, 8};
+const struct cylinder_kind fat_stick = {"fat stick", 1, 1.0 / 3, 8};
 
 void *need(size_t bytes)
 {
@@ -61,31 +63,71 @@ static void make_shape(const struct cylinders *c, size_t i)
         cylint_cone(&c->shapes[i], p[0], r0, p[1], r1, CYLINT_ENDS_CAPPED);
 }
 
-struct cylinders draw_cones(const struct cylinder_kind *kind, size_t n,
-                            enum form form)
+static struct cylinders allocate(size_t n, enum form form, size_t parts)
 {
-    uint64_t state = 20261121;
-    const double length = kind->length / cbrt((double)n);
-    struct cylinders c = {n, form, need(n * sizeof *c.ends),
-                          need(n * sizeof *c.radius),
-                          need(n * sizeof *c.shapes)};
-    for (size_t i = 0; i < n; i++) {
+    return (struct cylinders){n,
+                              form,
+                              need(n * sizeof(float[2][3])),
+                              need(n * sizeof(float[2])),
+                              need(n * sizeof(cylint_shape)),
+                              parts};
+}
+
+/* In a cube of this side with this corner. */
+static void draw_shapes(const struct cylinders *c,
+                        const struct cylinder_kind *kind, uint64_t *state,
+                        const double corner[3], double side)
+{
+    const double length = side * kind->length / cbrt((double)c->n);
+    for (size_t i = 0; i < c->n; i++) {
         double u[3];
-        draw_unit(&state, u);
+        draw_unit(state, u);
         for (int j = 0; j < 3; j++) {
-            const double middle = draw(&state);
+            const double middle = corner[j] + side * draw(state);
             for (int end = 0; end < 2; end++)
-                c.ends[i][end][j] =
+                c->ends[i][end][j] =
                     (float)(middle + (end - 0.5) * length * u[j]);
         }
         for (int end = 0; end < 2; end++) {
             const double part =
-                form == CYLINDERS ? 1 : 0.5 + 0.5 * draw(&state);
-            c.radius[i][end] = (float)(length * kind->radius * part);
+                c->form == CYLINDERS ? 1 : 0.5 + 0.5 * draw(state);
+            c->radius[i][end] = (float)(length * kind->radius * part);
         }
-        make_shape(&c, i);
+        make_shape(c, i);
+    }
+}
+
+struct cylinders draw_cones(const struct cylinder_kind *kind, size_t n,
+                            enum form form)
+{
+    static const double corner[3] = {0, 0, 0};
+    uint64_t state = 20261121;
+    const struct cylinders c = allocate(n, form, 1);
+    draw_shapes(&c, kind, &state, corner, 1);
+    return c;
+}
+
+struct cylinders draw_cells(const struct cylinder_kind *kind, size_t n,
+                            size_t side)
+{
+    uint64_t state = 20261122;
+    const size_t cells = side * side * side;
+    const struct cylinders c = allocate(n / cells * cells, CYLINDERS, cells);
+    for (size_t k = 0; k < cells; k++) {
+        const struct cylinders part = part_of(&c, k);
+        const double corner[3] = {(double)(k % side) / (double)side,
+                                  (double)(k / side % side) / (double)side,
+                                  (double)(k / side / side) / (double)side};
+        draw_shapes(&part, kind, &state, corner, 1 / (double)side);
     }
     return c;
+}
+
+struct cylinders part_of(const struct cylinders *c, size_t part)
+{
+    const size_t n = c->n / c->parts, from = part * n;
+    return (struct cylinders){
+        n, c->form, c->ends + from, c->radius + from, c->shapes + from, 1};
 }
 
 struct cylinders draw_cylinders(const struct cylinder_kind *kind, size_t n)

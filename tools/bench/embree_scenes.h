@@ -21,6 +21,9 @@ struct cylinder_kind {
 
 extern const struct cylinder_kind thin, fat, fibre;
 
+/* As long as the mean spacing, so that few overlap. */
+extern const struct cylinder_kind thin_stick, fat_stick;
+
 /* Which shape is made of two points and a radius at each. */
 enum form { CYLINDERS, CONES, ROUND_CONES };
 
@@ -30,6 +33,7 @@ struct cylinders {
     float (*ends)[2][3];
     float (*radius)[2]; /* of cylinders all equal, but read one by one */
     cylint_shape *shapes;
+    size_t parts; /* the geometries of a scene, of n / parts shapes each */
 };
 
 /* n capped cylinders in the unit cube; exits if there is no memory. */
@@ -39,6 +43,14 @@ struct cylinders draw_cylinders(const struct cylinder_kind *kind, size_t n);
  * and all of it. */
 struct cylinders draw_cones(const struct cylinder_kind *kind, size_t n,
                             enum form form);
+
+/* About n of them, the same number in each of side^3 cells of the unit cube.  Each
+ * cell is a part. */
+struct cylinders draw_cells(const struct cylinder_kind *kind, size_t n,
+                            size_t side);
+
+/* The shapes of a part. */
+struct cylinders part_of(const struct cylinders *c, size_t part);
 void free_cylinders(struct cylinders *c);
 
 struct rays {

@@ -75,7 +75,7 @@ class Trimesh:
 
 
 class Open3D:
-    name, most = "Open3D", 1_000_000
+    name, most, facets = "Open3D", 1_000_000, 32
 
     def __init__(self, p0, p1, r):
         import open3d
@@ -83,7 +83,9 @@ class Open3D:
 
         self.o3 = open3d.core
         parts = [
-            trimesh.creation.cylinder(radius=c, segment=[a, b])
+            trimesh.creation.cylinder(
+                radius=c, segment=[a, b], sections=self.facets
+            )
             for a, b, c in zip(p0, p1, r, strict=True)
         ]
         self.faces = len(parts[0].faces)
@@ -104,6 +106,10 @@ class Open3D:
     def nearest(self, o, d):
         triangle = self.cast(o, d)["primitive_ids"].numpy().astype(np.int64)
         return np.where(triangle == 0xFFFFFFFF, -1, triangle // self.faces)
+
+
+class Open3DCoarse(Open3D):
+    name, facets = "Open3D, 16 facets", 16
 
 
 class Vtk:
@@ -149,7 +155,7 @@ class Vtk:
 
 
 def rivals(shapes):
-    for make in (Trimesh, Open3D, Vtk, ScikitSpatial):
+    for make in (Trimesh, Open3D, Open3DCoarse, Vtk, ScikitSpatial):
         try:
             yield make(*shapes)
         except ImportError as missing:
@@ -187,6 +193,22 @@ def forest(n, random):
 def rays_in(n, random):
     o = random.uniform(-0.5, 1.5, (n, 3))
     return o, random.random((n, 3)) - o
+
+
+def beams(n):
+    """Of a scanner in the middle, line by line."""
+    across = int(n**0.5)
+    turn = np.linspace(0, 2 * np.pi, across, endpoint=False)
+    rise = np.radians(np.linspace(75, -75, across))[:, None]
+    d = np.stack(
+        np.broadcast_arrays(
+            np.cos(rise) * np.cos(turn),
+            np.cos(rise) * np.sin(turn),
+            np.sin(rise),
+        ),
+        axis=-1,
+    ).reshape(-1, 3)
+    return np.full_like(d, 0.5), d
 
 
 # -------------------------------------------------------------------- time --
@@ -240,9 +262,8 @@ def one_cylinder(n, random):
     print(f"\n{n} rays, {100 * share:.0f} % hit.\n")
 
 
-def one_scene(n, shapes, random, program, folder):
-    made = forest(shapes, random)
-    o, d = rays_in(n, random)
+def one_scene(made, o, d, program, folder):
+    n, shapes = len(o), len(made[0])
     np.concatenate([made[0], made[1], made[2][:, None]], 1).tofile(
         folder / "shapes"
     )
@@ -303,7 +324,11 @@ def main(program, folder, n=1_000_000):
     folder.mkdir(parents=True, exist_ok=True)
     random = np.random.default_rng(1)
     one_cylinder(int(n), random)
-    return 0 if one_scene(int(n), 5000, random, program, folder) else 1
+    made = forest(5000, random)
+    same = True
+    for rays in (rays_in(int(n), random), beams(int(n))):
+        same &= one_scene(made, *rays, program, folder)
+    return 0 if same else 1
 
 
 if __name__ == "__main__":
