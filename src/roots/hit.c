@@ -288,7 +288,6 @@ static void facts_in_full(cylint_query *q, surd *t, const needs *need,
     cylint_arena *arena = &q->arena;
     const int used = arena->used;
     cylint_terms_exact at_o = *cylint_load_exact_moments(q), beyond = at_o;
-    /* mutant '<' -> '<=': `make sanitize` detects the element too many */
     for (int i = 0; i < 3; i++)
         beyond.D[0][i] = cylint_exact_add(arena, at_o.D[0][i], at_o.u[i]);
     for (int i = 0; i < FACTS; i++) {
