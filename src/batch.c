@@ -17,7 +17,6 @@ typedef struct {
 
 static int run_of(const cylint_shape *s)
 {
-    /* mutant '!' -> '': the lanes test the window, too, but slower */
     if (s->kind == CYLINT_KIND_NONE || !s->in_range || cylint_is_nappe(s) ||
         s->surface != CYLINT_PART_LATERAL)
         return RUNS - 1;

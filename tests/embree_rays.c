@@ -65,7 +65,7 @@ int rays_are_native(RTCScene scene, int n)
 {
     RTCDevice device = rtcGetSceneDevice(scene);
     const enum RTCDeviceProperty property =
-        n == 16  ? RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED
+        n == 16 ? RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED
         : n == 8 ? RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED
                  : RTC_DEVICE_PROPERTY_NATIVE_RAY4_SUPPORTED;
     const int native = n == 1 || rtcGetDeviceProperty(device, property) != 0;
