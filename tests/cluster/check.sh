@@ -163,7 +163,7 @@ have_tools_for()
 python=$build/spark/bin/python
 "$python" -m pip install -q --no-deps --no-index --force-reinstall \
     "$build"/python/wheel/*.whl 2> /dev/null &&
-    "$python" -c 'import cylint, pyarrow' 2> /dev/null || python=
+    "$python" -c 'import libcylint, pyarrow' 2> /dev/null || python=
 
 all='parallel-pipe parallel-pipepart slurm spark-files spark-pipe spark-arrow'
 recipes=

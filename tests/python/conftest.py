@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, settings
 
-import cylint
+import libcylint as cylint
 
 for name, examples in (("check", 400), ("full", 10000)):
     settings.register_profile(

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from conftest import drawn, forest, same
 
-import cylint
+import libcylint as cylint
 
 ROD = cylint.cylinder([0, 0, 0], [0, 0, 1], 0.5)
 BIG = 2_000_000

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-import cylint
+import libcylint as cylint
 
 ROD = cylint.cylinder([0, 0, 0], [0, 0, 1], 0.5)
 PARTS = {"-": -1, "lateral": 0, "cap0": 1, "cap1": 2}

@@ -3,6 +3,7 @@
 import doctest
 import functools
 import importlib
+import importlib.metadata
 import inspect
 import pkgutil
 import re
@@ -11,10 +12,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import cylint
+import libcylint as cylint
 
-MODULES = ["cylint"] + [
-    f"cylint.{m.name}" for m in pkgutil.iter_modules(cylint.__path__)
+MODULES = ["libcylint"] + [
+    f"libcylint.{m.name}" for m in pkgutil.iter_modules(cylint.__path__)
 ]
 TOP = Path(__file__).parents[2]
 
@@ -45,6 +46,16 @@ def test_docstrings(name):
         text = Path(module.__file__).read_text()
         examples = re.findall(r"^ *>>> ", text, re.MULTILINE)
         assert sum(result.attempted for result in results) == len(examples)
+
+
+def test_the_distribution_and_its_module_are_libcylint():
+    """`cylint` on PyPI is another project's, with a module of that name."""
+    files = importlib.metadata.files("libcylint")
+    assert {file.parts[0] for file in files} == {
+        "libcylint",
+        f"libcylint-{cylint.__version__}.dist-info",
+    }
+    assert repr(cylint.Shapes) == "<class 'libcylint._shapes.Shapes'>"
 
 
 def test_every_public_name_has_an_example_or_a_docstring():

@@ -8,7 +8,7 @@ from conftest import forest, hexadecimal, numbers, same, text_of, written_rods
 from hypothesis import given
 from hypothesis import strategies as st
 
-import cylint
+import libcylint as cylint
 
 
 def rays(n, seed):

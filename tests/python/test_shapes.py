@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-import cylint
+import libcylint as cylint
 
 UNIT = ([0, 0, 0], [0, 0, 1])
 
@@ -149,7 +149,7 @@ def test_empty_arrays():
     assert none.shape == (0,) and none.bounds().shape == (0, 2, 3)
     assert none.contains([0, 0, 0]).shape == (0,)
     assert pickle.loads(pickle.dumps(none)).shape == (0,)
-    assert repr(none) == "<cylint.Shapes (0,): none>"
+    assert repr(none) == "<libcylint.Shapes (0,): none>"
 
 
 def test_contains_says_inside_boundary_outside():

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-import cylint
+import libcylint as cylint
 
 FACETS = 64
 

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-import cylint
+import libcylint as cylint
 
 RADIUS = 0.5
 AXIS = np.array([[0.0, 0, 0], [0, 0, 1]])

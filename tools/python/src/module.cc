@@ -1,5 +1,5 @@
 /*
- * module.cc - cylint._core, which the package's Python code calls
+ * module.cc - libcylint._core, which the package's Python code calls
  *
  * The functions expect arrays that are checked, converted and broadcast; only
  * the Python code calls them.

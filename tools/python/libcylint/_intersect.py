@@ -43,7 +43,7 @@ class Hits(DescribedHits):
         super().__init__(records, None, lines, shape, lines.threads)
 
     def __repr__(self) -> str:
-        return f"<cylint.Hits {self.n.shape}: {int(self.n.sum())} hits>"
+        return f"<libcylint.Hits {self.n.shape}: {int(self.n.sum())} hits>"
 
 
 @takes(Lines)

@@ -94,7 +94,7 @@ class ClosestPoints:
     def __repr__(self) -> str:
         found = np.count_nonzero(np.isfinite(self.distance))
         name = type(self).__name__
-        return f"<cylint.{name} {self.distance.shape}: {found} distances>"
+        return f"<libcylint.{name} {self.distance.shape}: {found} distances>"
 
 
 def closest_points(records: NDArray[np.void], points: Points) -> ClosestPoints:

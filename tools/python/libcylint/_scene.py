@@ -41,7 +41,7 @@ class NearestHits(DescribedHits):
 
     def __repr__(self) -> str:
         found = np.count_nonzero(self.index >= 0)
-        return f"<cylint.NearestHits {self.index.shape}: {found} hits>"
+        return f"<libcylint.NearestHits {self.index.shape}: {found} hits>"
 
 
 class AllHits(NamedTuple):
@@ -105,7 +105,7 @@ class Scene:
         return len(self._records)
 
     def __repr__(self) -> str:
-        return f"<cylint.Scene: {len(self)} shapes>"
+        return f"<libcylint.Scene: {len(self)} shapes>"
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restore, (self.shapes, self._threads)

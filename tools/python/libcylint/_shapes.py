@@ -107,7 +107,7 @@ class Shapes:
 
     >>> rods = cylint.cylinder([0, 0, 0], [[0, 0, 1], [0, 0, 2], [0, 0, 3]], 0.5)
     >>> rods
-    <cylint.Shapes (3,): 3 cylinders>
+    <libcylint.Shapes (3,): 3 cylinders>
     >>> len(rods[1:]), rods[:, None].shape
     (2, (3, 1))
     """
@@ -301,7 +301,7 @@ class Shapes:
             for kind in Kind
             if (count := np.count_nonzero(self.kind == kind)) > 0
         )
-        return f"<cylint.Shapes {self.shape}: {counts or 'none'}>"
+        return f"<libcylint.Shapes {self.shape}: {counts or 'none'}>"
 
 
 def _restore(
@@ -387,7 +387,7 @@ def cylinder(
     "cap0" (at p0 only), "cap1", "infinite", "nappe".
 
     >>> cylint.cylinder([0, 0, 0], [0, 0, 1], [0.5, 1, 2], ends="open")
-    <cylint.Shapes (3,): 3 cylinders>
+    <libcylint.Shapes (3,): 3 cylinders>
     """
     return _make("cylinder", ends, p0=p0, p1=p1, r=r)
 
@@ -446,7 +446,7 @@ def elliptic_cone(
     c, a, b, h: (..., 3); k: (...) scales the top, 0 gives an apex at c + h.
 
     >>> cylint.elliptic_cone([0, 0, 0], [2, 0, 0], [0, 1, 0], [0, 0, 1], 0.5)
-    <cylint.Shapes (): 1 econe>
+    <libcylint.Shapes (): 1 econe>
     """
     return _make("elliptic_cone", ends, c=c, a=a, b=b, h=h, k=k)
 
@@ -536,7 +536,7 @@ def concatenate(shapes: Sequence[Shapes]) -> Shapes:
     >>> a = cylint.cylinder([0, 0, 0], [0, 0, 1], [1, 2])
     >>> b = cylint.cone([0, 0, 0], 1, [0, 0, 1], 0)
     >>> cylint.concatenate([a, b])
-    <cylint.Shapes (3,): 2 cylinders, 1 cone>
+    <libcylint.Shapes (3,): 2 cylinders, 1 cone>
     """
     parts = [np.atleast_1d(s._records) for s in shapes]
     return Shapes(np.concatenate(parts) if parts else np.empty(0, _record))

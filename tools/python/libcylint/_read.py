@@ -35,9 +35,9 @@ def read_scene(
     >>> with open(name, "w") as file:
     ...     print("1 1 0 0 0 2 -1", "2 3 0 0 10 1 1", sep="\\n", file=file)
     >>> cylint.read_scene(name)
-    <cylint.Shapes (1,): 1 cone>
+    <libcylint.Shapes (1,): 1 cone>
     >>> cylint.read_scene(name, swc="round")
-    <cylint.Shapes (2,): 1 sphere, 1 rcone>
+    <libcylint.Shapes (2,): 1 sphere, 1 rcone>
     """
     code = _NOT_GIVEN if ends is None else int(_codes(ends))
     name = os.fspath(path)

@@ -4,7 +4,7 @@ Arrays in, arrays out.  Each float64 stands for one real number, and the answers
 are exact for these numbers: no tolerance, the same bits on every processor.
 
 >>> import numpy as np
->>> import cylint
+>>> import libcylint as cylint
 >>> rods = cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 9], [4, 0, 9]], 1)
 >>> hit = cylint.intersect(rods, [-5, 0, 3], [1, 0, 0])
 >>> hit.t
