@@ -63,6 +63,14 @@ CYLINT_API size_t cylint_scene_nearest(const cylint_scene *scene,
                                        const cylint_line *line, unsigned want,
                                        cylint_hit *hit);
 
+/* Returns what cylint_scene_nearest() returns without shape number `except`;
+ * with except = n nothing is left out.  For a ray that leaves this shape, as of
+ * cylint_scene_occluded(). */
+CYLINT_API size_t cylint_scene_nearest_other(const cylint_scene *scene,
+                                             const cylint_line *line,
+                                             size_t except, unsigned want,
+                                             cylint_hit *hit);
+
 /* Returns the number of shapes that the line hits, at most `enough` unless that
  * is 0.  With enough = 1: whether it hits any. */
 CYLINT_API size_t cylint_scene_count(const cylint_scene *scene,

@@ -119,6 +119,32 @@ static void check_threes(const struct scene_and_pack *a,
         show_line(a, line, "all, by threes, too few", a->of.n, first);
 }
 
+/* The nearest of the shapes that the line hits, the first `count` of a->numbers,
+ * without one of them, or of all if it is none of them. */
+static void check_nearest_other(const struct scene_and_pack *a,
+                                const cylint_line *line, size_t count,
+                                size_t except)
+{
+    size_t want = a->of.n;
+    double t = 0;
+    cylint_hit hit;
+    for (size_t k = 0; k < count; k++) {
+        cylint_answer answer;
+        if (a->numbers[k] == except)
+            continue;
+        cylint_intersect(&a->of.shapes[a->numbers[k]], line,
+                         CYLINT_WANT_T | CYLINT_WANT_NEAREST, &answer);
+        if (want == a->of.n || answer.hit[0].t < t) {
+            want = a->numbers[k];
+            t = answer.hit[0].t;
+        }
+    }
+    const size_t got =
+        cylint_scene_nearest_other(a->scene, line, except, CYLINT_WANT_T, &hit);
+    if (!CHECK(got == want && (got == a->of.n || hit.t == t)))
+        show_line(a, line, "nearest other", got, want);
+}
+
 static void check_numbers(const struct scene_and_pack *a,
                           const cylint_line *line)
 {
@@ -135,6 +161,10 @@ static void check_numbers(const struct scene_and_pack *a,
     if (!CHECK(same))
         show_line(a, line, "all", all, count);
     const size_t first = count ? a->numbers[0] : a->of.n;
+    cylint_hit hit;
+    const size_t nearest = cylint_scene_nearest(a->scene, line, 0, &hit);
+    check_nearest_other(a, line, all, nearest);
+    check_nearest_other(a, line, all, first);
     check_threes(a, line);
     const size_t counted = cylint_scene_count(a->scene, line, 0);
     if (!CHECK(counted == count))

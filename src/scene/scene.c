@@ -241,7 +241,8 @@ typedef struct {
 static int test_nearest(search *q, size_t number)
 {
     cylint_answer answer;
-    if (!cylint_intersect(
+    if (number == q->except ||
+        !cylint_intersect(
             &q->scene->shapes[number], &q->line,
             CYLINT_WANT_T | CYLINT_WANT_PART | CYLINT_WANT_NEAREST, &answer))
         return 0;
@@ -422,14 +423,28 @@ static void start_search(search *q, const cylint_scene *scene,
     memset(q->recent, 0xff, sizeof q->recent); /* CYLINT_NO_SHAPE */
 }
 
-size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,
-                            unsigned want, cylint_hit *hit)
+/* Tests the nearest of the shapes beside the hierarchy, or all of them if that
+ * is left out. */
+static void test_others_nearest(search *q)
+{
+    const cylint_scene *s = q->scene;
+    const size_t first = cylint_nearest(&s->pack, &q->line, 0, &q->hit);
+    if (first == s->n_others)
+        return;
+    const int is_except = s->others[first] == q->except;
+    const size_t end = is_except ? s->n_others : first + 1;
+    for (size_t i = is_except ? 0 : first; i < end; i++)
+        test_nearest(q, s->others[i]);
+}
+
+size_t cylint_scene_nearest_other(const cylint_scene *scene,
+                                  const cylint_line *line, size_t except,
+                                  unsigned want, cylint_hit *hit)
 {
     search q;
     start_search(&q, scene, line);
-    const size_t others = cylint_nearest(&scene->pack, line, 0, &q.hit);
-    if (others < scene->n_others)
-        test_nearest(&q, scene->others[others]);
+    q.except = except;
+    test_others_nearest(&q);
     traverse(&q, 1);
     if (q.best < scene->n && want) {
         cylint_answer answer;
@@ -439,6 +454,12 @@ size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,
         *hit = answer.hit[0];
     }
     return q.best;
+}
+
+size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,
+                            unsigned want, cylint_hit *hit)
+{
+    return cylint_scene_nearest_other(scene, line, scene->n, want, hit);
 }
 
 size_t cylint_scene_count(const cylint_scene *scene, const cylint_line *line,
