@@ -27,7 +27,8 @@ typedef struct cylint_scene cylint_scene;
 typedef enum cylint_scene_status {
     CYLINT_SCENE_OK = 0,
     CYLINT_SCENE_EMEMORY, /* out of memory */
-    CYLINT_SCENE_ESIZE    /* more than 2^28 shapes */
+    CYLINT_SCENE_ESIZE,   /* more than 2^28 shapes */
+    CYLINT_SCENE_ESTOPPED /* the progress function returned 0 */
 } cylint_scene_status;
 
 /* A short English text for a status, static, lower case, no full stop. */
@@ -48,6 +49,20 @@ CYLINT_API const char *cylint_scene_strerror(int status);
 CYLINT_API cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
                                           int threads,
                                           cylint_scene_status *status);
+
+/* `part` of a scene is made, from 0 to 1, never less than before.  Returns 1 if
+ * the work is to go on, 0 if it is to stop.  The time is only roughly
+ * proportional to `part`. */
+typedef int cylint_scene_progress(void *context, double part);
+
+/* Makes a scene as cylint_scene_new() does, and calls progress(context, part) in
+ * the calling thread, thousands of times for a million shapes.  If it returns 0,
+ * the work stops: the function returns NULL and writes CYLINT_SCENE_ESTOPPED.
+ * Unbounded and extreme shapes are packed without a call. */
+CYLINT_API cylint_scene *cylint_scene_new_with_progress(
+    const cylint_shape *shapes, size_t n, int threads,
+    cylint_scene_progress *progress, void *context,
+    cylint_scene_status *status);
 
 /* scene may be NULL. */
 CYLINT_API void cylint_scene_free(cylint_scene *scene);

@@ -2,6 +2,7 @@
  * test_scene_bvh.c - floor bvh: the nodes, and builds by several threads
  */
 #include <math.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,6 +11,7 @@
 #include "bvh/bvh.h"
 #include "bvh/leaf_test.h"
 #include "random.h"
+#include "scene/scene.h"
 #include "scenes.h"
 
 static int make(cylint_bvh *bvh, const struct scene_shapes *of, int threads)
@@ -173,6 +175,82 @@ static void scenes_of_several_threads_answer_as_those_of_one(void)
     scene_release(&of);
 }
 
+/* ------------------------------------------------------------- progress -- */
+
+/* What a progress function saw. */
+struct progress {
+    pthread_t caller;
+    long calls, stop; /* the call that stops the build, from 1; 0: none */
+    double part;
+};
+
+static int report(void *context, double part)
+{
+    struct progress *seen = context;
+    CHECK(pthread_equal(seen->caller, pthread_self()));
+    CHECK(part >= seen->part && part <= 1);
+    seen->part = part;
+    return ++seen->calls != seen->stop;
+}
+
+static cylint_scene *make_reported(const struct scene_shapes *of, int threads,
+                                   struct progress *seen, long stop,
+                                   cylint_scene_status *status)
+{
+    *seen = (struct progress){.caller = pthread_self(), .stop = stop};
+    return cylint_scene_new_with_progress(of->shapes, of->n, threads, report,
+                                          seen, status);
+}
+
+/* Some are long and in pieces, some are unbounded. */
+static const int reported[] = {SCENE_FIBRES, SCENE_UNBOUNDED, SCENE_THIN};
+enum { REPORTED = sizeof reported / sizeof *reported };
+
+static void progress_grows_and_does_not_change_the_scene(void)
+{
+    for (int i = 0; i < 2 * REPORTED; i++) {
+        struct scene_shapes of;
+        struct progress seen;
+        cylint_scene_status status;
+        scene_generate(reported[i / 2], 40000, 7, &of);
+        const int threads = i % 2 ? 4 : 1;
+        cylint_scene *plain = cylint_scene_new(of.shapes, of.n, 1, NULL);
+        cylint_scene *made = make_reported(&of, threads, &seen, 0, &status);
+        if (CHECK(plain && made && status == CYLINT_SCENE_OK)) {
+            CHECK(plain->bvh.memory.bytes == made->bvh.memory.bytes &&
+                  memcmp(plain->bvh.memory.data, made->bvh.memory.data,
+                         made->bvh.memory.bytes) == 0);
+            CHECK(cylint_scene_bytes(plain) == cylint_scene_bytes(made));
+            CHECK(seen.part > 0.9 && seen.calls > 20);
+        }
+        cylint_scene_free(plain);
+        cylint_scene_free(made);
+        scene_release(&of);
+    }
+}
+
+static void a_build_stops_when_its_caller_stops_it(void)
+{
+    for (int i = 0; i < 2 * REPORTED; i++) {
+        struct scene_shapes of;
+        struct progress seen;
+        cylint_scene_status status;
+        const int threads = i % 2 ? 4 : 1;
+        scene_generate(reported[i / 2], 20000, 8, &of);
+        for (long stop = 1; stop < 1000; stop += 1 + stop / 8) {
+            cylint_scene *made =
+                make_reported(&of, threads, &seen, stop, &status);
+            CHECK(made ? status == CYLINT_SCENE_OK && seen.calls < stop
+                       : status == CYLINT_SCENE_ESTOPPED && seen.calls == stop);
+            cylint_scene_free(made);
+            if (made)
+                break;
+        }
+        CHECK(seen.calls > 10);
+        scene_release(&of);
+    }
+}
+
 /* --------------------------------------------------------------- pieces -- */
 
 /* A cone or rounded cone of any taper, 1 to 30 times as long as thick. */
@@ -261,5 +339,7 @@ int main(void)
     RUN(any_number_of_threads_builds_the_same_bytes);
     RUN(the_first_refused_shape_is_reported);
     RUN(scenes_of_several_threads_answer_as_those_of_one);
+    RUN(progress_grows_and_does_not_change_the_scene);
+    RUN(a_build_stops_when_its_caller_stops_it);
     return check_end();
 }

@@ -95,9 +95,41 @@ static void a_scene_frees_all_memory(void)
     }
 }
 
+static int stop_at_last(void *context, double part)
+{
+    int *calls = context;
+    (void)part;
+    return --*calls > 0;
+}
+
+static void a_scene_that_is_stopped_frees_all_memory(void)
+{
+    struct scene_shapes of;
+    scene_generate(SCENE_UNBOUNDED, 20 * SHAPES, 5, &of);
+    heap.refuse = 0;
+    for (int call = 1; call < ENOUGH; call++) {
+        int calls = call;
+        cylint_scene_status status;
+        heap.held = 0;
+        heap.watched = 1;
+        cylint_scene *scene = cylint_scene_new_with_progress(
+            of.shapes, of.n, 1, stop_at_last, &calls, &status);
+        CHECK(scene || status == CYLINT_SCENE_ESTOPPED);
+        cylint_scene_free(scene);
+        heap.watched = 0;
+        CHECK(heap.held == 0);
+        if (scene) {
+            CHECK(call > 5);
+            break;
+        }
+    }
+    scene_release(&of);
+}
+
 int main(void)
 {
     RUN(a_scene_frees_all_memory);
+    RUN(a_scene_that_is_stopped_frees_all_memory);
     return check_end();
 }
 

@@ -289,6 +289,7 @@ typedef struct {
     cylint_node *nodes;
     float least_step;
     const float *center;
+    cylint_watch *watch;
     size_t task_size;
     cylint_mutex lock; /* protects the members below */
     task tasks[MOST_TASKS];
@@ -309,12 +310,15 @@ static int largest(const range *parts, int n, int evenly)
     return best;
 }
 
-/* Splits until there are 8 parts or no part can be split. */
-static int split_up(range parts[CYLINT_CHILDREN], int evenly)
+/* Splits until there are 8 parts or no part can be split.  Returns their number,
+ * or 0 if the build is to stop. */
+static int split_up(const builder *b, range parts[CYLINT_CHILDREN], int evenly)
 {
     int n = 1, i;
     while (n < CYLINT_CHILDREN && (i = largest(parts, n, evenly)) >= 0) {
         const range all = parts[i];
+        if (all.n >= CYLINT_WATCHED && !cylint_watch_add(b->watch, 0))
+            return 0;
         const size_t k = evenly ? halve(&all) : divide(&all);
         parts[i] = measured(all.boxes, k);
         parts[n++] = measured(all.boxes + k, all.n - k);
@@ -391,14 +395,16 @@ static void post(builder *b, const task *t)
 }
 
 /* Builds the node and the nodes below it, except those it posts as tasks.
- * Returns the number of nodes built. */
+ * Returns the number of nodes built; 0 if the build is to stop. */
 static size_t make_nodes(builder *b, const task *t)
 {
     range parts[CYLINT_CHILDREN] = {t->all};
     cylint_node *node = &b->nodes[t->number];
     size_t made = 1, number = t->number + 1;
     memset(node, 0, sizeof *node);
-    const int n = split_up(parts, t->depth >= EVEN_DEPTH);
+    const int n = split_up(b, parts, t->depth >= EVEN_DEPTH);
+    if (n == 0)
+        return 0;
     node->children = (uint8_t)((1u << n) - 1);
     place_children(node, parts, n, t->all.box, b);
     for (int i = 0; i < n; i++) {
@@ -416,6 +422,8 @@ static size_t make_nodes(builder *b, const task *t)
             post(b, &child);
         else
             made += make_nodes(b, &child);
+        if (part->n < CYLINT_WATCHED && t->all.n >= CYLINT_WATCHED)
+            cylint_watch_add(b->watch, part->n);
     }
     return made;
 }
@@ -428,8 +436,12 @@ static void do_tasks(void *self, size_t from, size_t to)
     (void)to;
     cylint_mutex_lock(&b->lock);
     for (;;) {
-        while (b->n_tasks == 0 && b->busy > 0)
+        while (b->n_tasks == 0 && b->busy > 0) {
             cylint_mutex_wait(&b->lock);
+            cylint_mutex_unlock(&b->lock);
+            cylint_watch_add(b->watch, 0);
+            cylint_mutex_lock(&b->lock);
+        }
         if (b->n_tasks == 0)
             break;
         const task t = b->tasks[--b->n_tasks];
@@ -445,7 +457,8 @@ static void do_tasks(void *self, size_t from, size_t to)
 }
 
 size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
-                          size_t n, const float center[3], int threads)
+                          size_t n, const float center[3], int threads,
+                          cylint_watch *watch)
 {
     const range all = measured(boxes, n);
     float side[4], longest = 0;
@@ -457,6 +470,7 @@ size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
                  .nodes = nodes,
                  .least_step = least > tiny ? least : tiny,
                  .center = center,
+                 .watch = watch,
                  .task_size = n / MOST_TASKS,
                  .lock = CYLINT_MUTEX_INITIALIZER,
                  .tasks = {{all, 0, 0}},

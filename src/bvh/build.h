@@ -7,6 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "watch.h"
+
 /* Pieces in a leaf, children of a node. */
 enum { CYLINT_LEAF_SIZE = 8, CYLINT_CHILDREN = 8 };
 
@@ -46,10 +48,12 @@ size_t cylint_build_most_nodes(size_t leaves);
  * top down where the sum of area times number of leaves is least.  Bins, and
  * for many boxes a sample, approximate that place, which is then moved to the
  * next multiple of 8.  Returns the number of nodes, between which there are
- * gaps.  The result does not depend on the number of threads.
+ * gaps.  The result does not depend on the number of threads.  If the watch
+ * stops it, the nodes are not complete.
  */
 size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
-                          size_t n, const float center[3], int threads);
+                          size_t n, const float center[3], int threads,
+                          cylint_watch *watch);
 
 /* Copies the nodes without the gaps, each before its children. */
 void cylint_build_compact(cylint_node *to, const cylint_node *from);

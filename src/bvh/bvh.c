@@ -17,6 +17,7 @@ typedef struct {
     const cylint_split *split;
     cylint_leaf *leaves;
     double line_error;
+    cylint_watch *watch;
 } leaf_job;
 
 /* Fills the leaves of groups [from, to) of TOGETHER pieces. */
@@ -26,6 +27,8 @@ static void fill_leaves(void *self, size_t from, size_t to)
     const cylint_split *split = job->split;
     cylint_packed_disc disc[TOGETHER];
     for (size_t first = from * TOGETHER; from < to; from++, first += TOGETHER) {
+        if (!cylint_watch_item(job->watch, first))
+            return;
         const size_t left = split->n - first;
         const int n = left < TOGETHER ? (int)left : TOGETHER;
         const cylint_boxed_piece *box = split->box + first;
@@ -73,10 +76,17 @@ static void free_draft(draft *d)
     cylint_memory_free(&d->memory);
 }
 
+/* The status of a step that does not fail otherwise. */
+static cylint_bvh_status result(cylint_watch *watch)
+{
+    return cylint_watch_add(watch, 0) ? CYLINT_BVH_OK : CYLINT_BVH_ESTOPPED;
+}
+
 static cylint_bvh_status make_draft(draft *d, cylint_bvh *bvh,
                                     const cylint_bvh_input *input,
                                     size_t *refused)
 {
+    cylint_watch_step(input->watch, CYLINT_STEP_SPLIT, input->n);
     const cylint_bvh_status status =
         cylint_split_shapes(&d->split, input, refused);
     if (status != CYLINT_BVH_OK)
@@ -87,11 +97,12 @@ static cylint_bvh_status make_draft(draft *d, cylint_bvh *bvh,
                                 cylint_build_most_nodes(leaves) *
                                     sizeof *d->nodes))
         return CYLINT_BVH_EMEMORY;
+    cylint_watch_step(input->watch, CYLINT_STEP_NODES, d->split.n);
     d->nodes = d->memory.data;
     set_box(bvh, &d->split.all, input->view->line_error);
     d->n_nodes = cylint_build_nodes(d->nodes, d->split.box, d->split.n,
-                                    bvh->center, input->threads);
-    return CYLINT_BVH_OK;
+                                    bvh->center, input->threads, input->watch);
+    return result(input->watch);
 }
 
 /* Writes nodes and leaves into memory of exactly their size. */
@@ -105,13 +116,14 @@ static cylint_bvh_status finish(cylint_bvh *bvh, const draft *d,
         return CYLINT_BVH_EMEMORY;
     cylint_node *nodes = bvh->memory.data;
     cylint_leaf *leaves = (cylint_leaf *)(void *)(nodes + d->n_nodes);
-    leaf_job job = {&d->split, leaves, input->view->line_error};
+    leaf_job job = {&d->split, leaves, input->view->line_error, input->watch};
+    cylint_watch_step(input->watch, CYLINT_STEP_LEAVES, d->split.n);
     cylint_build_compact(nodes, d->nodes);
     cylint_threads_run(input->threads, (d->split.n + TOGETHER - 1) / TOGETHER,
                        fill_leaves, &job);
     bvh->nodes = nodes;
     bvh->leaves = leaves;
-    return CYLINT_BVH_OK;
+    return result(input->watch);
 }
 
 cylint_bvh_status cylint_bvh_build(cylint_bvh *bvh,
@@ -129,6 +141,8 @@ cylint_bvh_status cylint_bvh_build(cylint_bvh *bvh,
     if (status == CYLINT_BVH_OK)
         status = finish(bvh, &d, &in);
     free_draft(&d);
+    if (status != CYLINT_BVH_OK)
+        cylint_memory_free(&bvh->memory);
     return status;
 }
 

@@ -135,6 +135,8 @@ static cylint_bvh_status split_portion(portion *s,
 {
     piece_list *p = &s->pieces;
     for (size_t i = s->from; i < s->to; i++) {
+        if (!cylint_watch_item(input->watch, i))
+            return CYLINT_BVH_ESTOPPED;
         if (p->capacity - p->n < MANY &&
             !grow(p, input->source,
                   wanted_capacity(p, i - s->from, s->to - s->from)))

@@ -9,15 +9,18 @@
 #include "memory.h"
 #include "build.h"
 #include "swept_disc.h"
+#include "watch.h"
 
 /* The n shapes with the given numbers (NULL: numbers 0 to n - 1), the number of
- * threads that build the hierarchy, and the source of its memory. */
+ * threads that build the hierarchy, the source of its memory, and its watch,
+ * NULL for none. */
 typedef struct cylint_bvh_input {
     const cylint_view *view;
     const uint32_t *numbers;
     size_t n;
     int threads;
     const cylint_memory_source *source;
+    cylint_watch *watch;
 } cylint_bvh_input;
 
 /* The packed disc of every shape and the box of every piece, in the order of
@@ -34,7 +37,8 @@ typedef enum cylint_bvh_status {
     CYLINT_BVH_OK,
     CYLINT_BVH_ESHAPE, /* a shape is unbounded, its box is invalid, or its
                           number is 2^32 - 1 */
-    CYLINT_BVH_EMEMORY /* out of memory */
+    CYLINT_BVH_EMEMORY, /* out of memory */
+    CYLINT_BVH_ESTOPPED /* by the watch */
 } cylint_bvh_status;
 
 /* Uses exactly input->threads threads, at most CYLINT_THREADS_MOST.  For ESHAPE

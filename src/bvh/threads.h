@@ -23,11 +23,26 @@ typedef void cylint_thread_work(void *self, size_t from, size_t to);
 void cylint_threads_run(int threads, size_t n, cylint_thread_work *work,
                         void *self);
 
-/* A mutex and a condition: waiting unlocks the mutex until another thread
+/* cylint_thread_self() is the calling thread; cylint_thread_is() returns whether
+ * it is the given one.
+ *
+ * A mutex and a condition: waiting unlocks the mutex until another thread
  * wakes all that wait. */
 #ifdef CYLINT_THREADS
 
 #include <pthread.h>
+
+typedef pthread_t cylint_thread;
+
+static inline cylint_thread cylint_thread_self(void)
+{
+    return pthread_self();
+}
+
+static inline int cylint_thread_is(const cylint_thread *thread)
+{
+    return pthread_equal(*thread, pthread_self()) != 0;
+}
 
 typedef struct cylint_mutex {
     pthread_mutex_t mutex;
@@ -67,6 +82,18 @@ static inline void cylint_mutex_destroy(cylint_mutex *m)
 }
 
 #else
+
+typedef char cylint_thread;
+
+static inline cylint_thread cylint_thread_self(void)
+{
+    return 0;
+}
+static inline int cylint_thread_is(const cylint_thread *thread)
+{
+    (void)thread;
+    return 1;
+}
 
 typedef char cylint_mutex;
 #define CYLINT_MUTEX_INITIALIZER 0

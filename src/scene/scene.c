@@ -28,6 +28,8 @@ const char *cylint_scene_strerror(int status)
         return "out of memory";
     case CYLINT_SCENE_ESIZE:
         return "too many shapes for one scene";
+    case CYLINT_SCENE_ESTOPPED:
+        return "stopped by the progress function";
     default:
         return "unknown status";
     }
@@ -66,6 +68,7 @@ static void *allocate(cylint_scene *s, size_t count, size_t size)
 /* Totals over all shapes. */
 typedef struct {
     const cylint_shape *shapes;
+    cylint_watch *watch;
     cylint_mutex mutex;    /* protects the members below */
     double lo[3], hi[3];   /* the box of all bounded shapes */
     size_t bounded, valid; /* the numbers of bounded and of valid shapes */
@@ -87,7 +90,7 @@ static void count_shapes(void *self, size_t from, size_t to)
     double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
     double hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     size_t bounded = 0, valid = 0;
-    for (size_t i = from; i < to; i++) {
+    for (size_t i = from; i < to && cylint_watch_item(sum->watch, i); i++) {
         double least[3], most[3];
         valid += sum->shapes[i].kind != CYLINT_KIND_NONE;
         if (!has_box(&sum->shapes[i], least, most))
@@ -104,12 +107,14 @@ static void count_shapes(void *self, size_t from, size_t to)
 
 /* Makes the frame of all bounded shapes.  If it cannot be made, no shape is in
  * the hierarchy. */
-static void choose_frame(cylint_scene *s, int threads)
+static void choose_frame(cylint_scene *s, int threads, cylint_watch *watch)
 {
     totals sum = {.shapes = s->shapes,
+                  .watch = watch,
                   .mutex = CYLINT_MUTEX_INITIALIZER,
                   .lo = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
                   .hi = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    cylint_watch_step(watch, CYLINT_STEP_BOXES, s->n);
     cylint_threads_run(cylint_threads_for(s->n, threads), s->n, count_shapes,
                        &sum);
     cylint_mutex_destroy(&sum.mutex);
@@ -118,11 +123,11 @@ static void choose_frame(cylint_scene *s, int threads)
     s->n_others = sum.valid - s->n_bounded;
 }
 
-static void sort_into_lists(cylint_scene *s)
+static void sort_into_lists(cylint_scene *s, cylint_watch *watch)
 {
     double lo[3], hi[3];
     size_t bounded = 0, others = 0;
-    for (size_t i = 0; i < s->n; i++) {
+    for (size_t i = 0; i < s->n && cylint_watch_item(watch, i); i++) {
         if (s->n_bounded > 0 && has_box(&s->shapes[i], lo, hi)) {
             s->bounded[bounded++] = (uint32_t)i;
         } else if (s->shapes[i].kind != CYLINT_KIND_NONE) {
@@ -134,7 +139,7 @@ static void sort_into_lists(cylint_scene *s)
 
 /* Lists the numbers of bounded shapes, unless all are bounded, and packs the
  * others.  A refused shape is in neither list: no line hits it. */
-static int sort_shapes(cylint_scene *s)
+static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
 {
     const int mixed = s->n_bounded < s->n;
     s->others = allocate(s, s->n_others, sizeof *s->others);
@@ -143,14 +148,17 @@ static int sort_shapes(cylint_scene *s)
     if (mixed)
         s->bounded = allocate(s, s->n_bounded, sizeof *s->bounded);
     if (!s->others || !s->copies || !s->pack_memory || (mixed && !s->bounded))
-        return 0;
+        return CYLINT_SCENE_EMEMORY;
     if (mixed)
-        sort_into_lists(s);
+        sort_into_lists(s, watch);
+    if (!cylint_watch_add(watch, 0))
+        return CYLINT_SCENE_ESTOPPED;
     cylint_pack_shapes(&s->pack, s->pack_memory, s->copies, s->n_others);
-    return 1;
+    return CYLINT_SCENE_OK;
 }
 
-static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
+static cylint_scene_status build_hierarchy(cylint_scene *s, int threads,
+                                           cylint_watch *watch)
 {
     size_t refused; /* not used: all shapes are bounded */
     s->traverse = cylint_traversal_used()->line;
@@ -163,24 +171,33 @@ static cylint_scene_status build_hierarchy(cylint_scene *s, int threads)
     const cylint_bvh_input members = {.view = &s->view,
                                       .numbers = s->bounded,
                                       .n = s->n_bounded,
-                                      .threads = threads};
-    return cylint_bvh_build(&s->bvh, &members, &refused) == CYLINT_BVH_OK
-               ? CYLINT_SCENE_OK
-               : CYLINT_SCENE_EMEMORY;
+                                      .threads = threads,
+                                      .watch = watch};
+    switch (cylint_bvh_build(&s->bvh, &members, &refused)) {
+    case CYLINT_BVH_OK:
+        return CYLINT_SCENE_OK;
+    case CYLINT_BVH_ESTOPPED:
+        return CYLINT_SCENE_ESTOPPED;
+    default:
+        return CYLINT_SCENE_EMEMORY;
+    }
 }
 
-static cylint_scene_status build(cylint_scene *s, int threads)
+static cylint_scene_status build(cylint_scene *s, int threads,
+                                 cylint_watch *watch)
 {
     if (s->n > MOST_SHAPES)
         return CYLINT_SCENE_ESIZE;
-    choose_frame(s, threads);
-    if (!sort_shapes(s))
-        return CYLINT_SCENE_EMEMORY;
-    return s->n_bounded > 0 ? build_hierarchy(s, threads) : CYLINT_SCENE_OK;
+    choose_frame(s, threads, watch);
+    const cylint_scene_status status = sort_shapes(s, watch);
+    return status == CYLINT_SCENE_OK && s->n_bounded > 0
+               ? build_hierarchy(s, threads, watch)
+               : status;
 }
 
-cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
-                               int threads, cylint_scene_status *status)
+static cylint_scene *make_scene(const cylint_shape *shapes, size_t n,
+                                int threads, cylint_watch *watch,
+                                cylint_scene_status *status)
 {
     cylint_scene *s = calloc(1, sizeof *s);
     cylint_scene_status result = CYLINT_SCENE_EMEMORY;
@@ -188,7 +205,7 @@ cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
         s->shapes = shapes;
         s->n = n;
         s->own_bytes = sizeof *s;
-        result = build(s, threads);
+        result = build(s, threads, watch);
     }
     if (status)
         *status = result;
@@ -196,6 +213,27 @@ cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
         return s;
     cylint_scene_free(s);
     return NULL;
+}
+
+cylint_scene *cylint_scene_new(const cylint_shape *shapes, size_t n,
+                               int threads, cylint_scene_status *status)
+{
+    return make_scene(shapes, n, threads, NULL, status);
+}
+
+cylint_scene *cylint_scene_new_with_progress(const cylint_shape *shapes,
+                                             size_t n, int threads,
+                                             cylint_scene_progress *progress,
+                                             void *context,
+                                             cylint_scene_status *status)
+{
+    cylint_watch watch = {.progress = progress,
+                          .context = context,
+                          .caller = cylint_thread_self(),
+                          .mutex = CYLINT_MUTEX_INITIALIZER};
+    cylint_scene *s = make_scene(shapes, n, threads, &watch, status);
+    cylint_mutex_destroy(&watch.mutex);
+    return s;
 }
 
 void cylint_scene_free(cylint_scene *scene)
