@@ -127,6 +127,33 @@ def test_scenes_of_nothing_and_of_one():
         cylint.Scene(forest(4, 1)[:, None])
 
 
+def test_a_scene_joins_lists_of_shapes():
+    parts = [forest(20, 81), cylint.sphere([0.5, 0.5, 0.5], 0.1), forest(9, 82)]
+    joined = cylint.concatenate(parts)
+    for given in (parts, tuple(parts), iter(parts)):
+        scene = cylint.Scene(given)
+        assert len(scene) == 30 and (scene.shapes == joined).all()
+    assert len(cylint.Scene([])) == 0
+    with pytest.raises(TypeError, match="expected Shapes, found str"):
+        cylint.Scene([parts[0], "x"])
+    with pytest.raises(ValueError, match="expected one axis"):
+        cylint.Scene([parts[0][:, None], parts[0][:, None]])
+
+
+def test_one_is_not_plural():
+    ball = cylint.sphere([0, 0, 0], 1)
+    scene, line = cylint.Scene(ball), ([0, 0, 0], [0, 0, 1])
+    shown = [scene, cylint.intersect(ball, *line), scene.nearest(*line)]
+    shown += [ball.closest([0, 0, 3]), cylint.Scene([ball, ball])]
+    assert [repr(x) for x in shown] == [
+        "<libcylint.Scene: 1 shape>",
+        "<libcylint.Hits (): 1 hit>",
+        "<libcylint.NearestHits (): 1 hit>",
+        "<libcylint.ClosestPoints (): 1 distance>",
+        "<libcylint.Scene: 2 shapes>",
+    ]
+
+
 def test_a_scene_is_pickled_with_its_shapes():
     scene = cylint.Scene(forest(100, 27), threads=1)
     again = pickle.loads(pickle.dumps(scene))
@@ -142,6 +169,7 @@ def test_a_neuron_is_read_as_the_command_reads_it(command, tmp_path):
     )
     shapes = cylint.read_scene(neuron)
     assert shapes.kind.tolist() == [cylint.Kind.CONE, cylint.Kind.CYLINDER]
+    assert shapes.labels.tolist() == ["2", "3"] and shapes.r1.tolist() == [2, 1]
     near = cylint.Scene(shapes).nearest([5, 0, 5], [-1, 0, 0])
     (answer,) = command(
         "ray 5 0 5 -1 0 0\n", "-s", str(neuron), "-f", "shape,t"

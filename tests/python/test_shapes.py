@@ -1,11 +1,11 @@
-"""Shapes: constructors, indexing, boxes, points inside, pickles."""
+"""Shapes: constructors, members, indexing, boxes, points inside, files."""
 
 import pickle
 
 import numpy as np
 import pytest
 from conftest import forest, hexadecimal, same, text_of
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
@@ -112,6 +112,149 @@ def test_arguments_must_be_real_numbers():
         cylint.cylinder([0, 0, 1j], [0, 0, 1], 1)
 
 
+@pytest.mark.skipif(
+    np.longdouble(0).itemsize == 8, reason="longdouble is float64"
+)
+def test_a_longdouble_is_named():
+    with pytest.raises(
+        TypeError, match=r"r: float\d+ \(longdouble\) has digits"
+    ):
+        cylint.cylinder(*UNIT, np.longdouble("0.1"))
+    with pytest.raises(TypeError, match="origins: .*longdouble.*astype"):
+        cylint.intersect(
+            cylint.sphere(*UNIT[:1], 1), np.zeros(3, np.longdouble), UNIT[1]
+        )
+
+
+MEMBERS = "p0 p1 r0 r1 r c a b h k v u tangent".split()
+
+
+def arguments(random):
+    """For each constructor its arguments, for three shapes."""
+    x, y, z, w = (random.normal(size=(3, 3)) for _ in range(4))
+    r, q = random.uniform(0.1, 1, 3), random.uniform(0.1, 1, 3)
+    return {
+        "cylinder": {"p0": x, "p1": y, "r": r},
+        "cone": {"p0": x, "r0": r, "p1": y, "r1": q},
+        "elliptic_cylinder": {"c": x, "a": y, "b": z, "h": w},
+        "elliptic_cone": {"c": x, "a": y, "b": z, "h": w, "k": r},
+        "sphere": {"c": x, "r": r},
+        "capsule": {"p0": x, "p1": y, "r": r},
+        "round_cone": {"p0": x, "r0": 9 * r, "p1": y, "r1": [1, 50, 2]},
+        "tangent_cone": {"v": x, "u": y, "tangent": r},
+    }
+
+
+def test_the_arguments_are_members():
+    given = arguments(np.random.default_rng(71))
+    made = [getattr(cylint, name)(**each) for name, each in given.items()]
+    table = cylint.concatenate(made).reshape(len(made), 3)
+    assert 6 in made[6].kind  # round cones that are balls
+    for (name, each), row in zip(given.items(), table, strict=True):
+        if "p0" in each and "r" in each:
+            each = each | {"r0": each["r"], "r1": each["r"]}
+        for member in MEMBERS:
+            value = getattr(row, member)
+            wide = member in ("p0", "p1", "c", "a", "b", "h", "v", "u")
+            assert value.shape == ((3, 3) if wide else (3,)), (name, member)
+            want = each.get(member, np.full(value.shape, np.nan))
+            assert np.array_equal(value, want, equal_nan=True), (name, member)
+    assert table.p0.shape == (8, 3, 3) and table.r.shape == (8, 3)
+    assert table[0, 1].r == given["cylinder"]["r"][1]
+    assert table[:0].p0.shape == (0, 3, 3)
+    with pytest.raises(AttributeError, match="cannot be changed"):
+        table.p0 = 1
+    angle = cylint.angle_cone(*UNIT, 45)
+    assert abs(float(angle.tangent) - 1) < 1e-15
+
+
+def test_a_dictionary_makes_the_shapes_again():
+    given = arguments(np.random.default_rng(72))
+    made = [
+        getattr(cylint, name)(**each, ends="capped")
+        for name, each in given.items()
+    ]
+    shapes = cylint.concatenate(made)
+    table = shapes.to_dict()
+    assert set(table) == {"kind", "ends", *MEMBERS}
+    for i, name in enumerate(table["kind"]):
+        numbers = {key: table[key][i] for key in given[str(name)]}
+        again = getattr(cylint, name)(**numbers, ends=table["ends"][i])
+        assert again == shapes[i] and again._records.tobytes() == (
+            shapes[i]._records.tobytes()
+        )
+    assert set(made[0].to_dict()) == {
+        "kind", "ends", "p0", "p1", "r", "r0", "r1"
+    }  # fmt: skip
+    assert made[0][1].to_dict()["r"].shape == ()
+    assert list(shapes[:0].to_dict()) == ["kind", "ends"]
+
+
+def test_equality_is_that_of_values():
+    rods = cylint.cylinder(*UNIT, [1, 2, 3])
+    assert (rods == cylint.cylinder(*UNIT, [1, 5, 3])).tolist() == [1, 0, 1]
+    assert (rods != cylint.cylinder(*UNIT, [1, 5, 3])).tolist() == [0, 1, 0]
+    assert (rods[:, None] == rods).tolist() == np.eye(3).tolist()
+    assert bool(rods[1] == rods[1:2][0]) and not bool(rods[0] != rods[0])
+    assert (rods == cylint.cylinder([-0.0, 0, 0], UNIT[1], [1, 2, 3])).all()
+    assert not (rods == cylint.cylinder(*UNIT, [1, 2, 3], ends="open")).any()
+    assert not (rods == cylint.capsule(*UNIT, [1, 2, 3])).any()
+    assert (rods == rods.with_labels("x")).all()
+    ball = cylint.round_cone([0, 0, 0], 3, [0, 0, 1], 1)
+    assert ball.kind == cylint.Kind.SPHERE
+    assert not (ball == cylint.sphere([0, 0, 0], 3)).any()
+    assert ball == cylint.round_cone([0, 0, 0], 3, [0, 0, 1], 1)
+    assert rods[0] in rods and rods[0] not in rods[1:]
+    assert (rods == 1) is False and (rods != None) is True  # noqa: E711
+    assert (np.ones(3) == rods) is False
+    with pytest.raises(
+        ValueError, match=r"broadcast: shapes \(3,\), other \(2"
+    ):
+        rods == rods[:2]
+    with pytest.raises(TypeError, match="unhashable"):
+        {rods}
+
+
+def test_numpy_does_not_join_shapes():
+    rods = cylint.cylinder(*UNIT, [1, 2])
+    for wrong in (
+        lambda: np.concatenate([rods, rods]),
+        lambda: np.array([rods, rods]),
+        lambda: np.asarray(rods),
+        lambda: rods + np.ones(2),
+    ):
+        with pytest.raises(TypeError):
+            wrong()
+    with pytest.raises(TypeError, match=r"libcylint\.concatenate\(\) joins"):
+        np.concatenate([rods, rods])
+    with pytest.raises(TypeError, match="expected Shapes, found list"):
+        cylint.concatenate([rods, [1]])
+    assert np.shape(rods) == (2,)
+
+
+def test_labels_follow_their_shapes():
+    rods = cylint.cylinder(*UNIT, [1, 2, 3, 4])
+    assert rods.labels.tolist() == [""] * 4 and rods.labels.dtype.kind == "U"
+    named = rods.with_labels(["a", "b", "Zweig \u00e4", "d e"])
+    assert named[1:3].labels.tolist() == ["b", "Zweig \u00e4"]
+    assert named[2].labels == "Zweig \u00e4" and named[2].labels.shape == ()
+    assert named[named.r > 3].labels.tolist() == ["d e"]
+    square = named.reshape(2, 2)
+    assert square.labels[1].tolist() == ["Zweig \u00e4", "d e"]
+    assert square[:, None].labels.shape == (2, 1, 2)
+    joined = cylint.concatenate([rods[:1], named[3], named[:1]])
+    assert joined.labels.tolist() == ["", "d e", "a"]
+    assert cylint.Scene(named).shapes.labels.tolist() == named.labels.tolist()
+    again = pickle.loads(pickle.dumps(square))
+    assert np.array_equal(again.labels, square.labels)
+    assert "labels" in named.to_dict() and "labels" not in rods.to_dict()
+    assert rods.with_labels("x").labels.tolist() == ["x"] * 4
+    with pytest.raises(TypeError, match="labels: expected str, found 3"):
+        rods.with_labels(["a", "b", "c", 3])
+    with pytest.raises(ValueError, match="broadcast"):
+        rods.with_labels(["a", "b"])
+
+
 def test_indexing_follows_numpy():
     shapes = forest(40, 1)
     order = np.random.default_rng(2).permutation(len(shapes))
@@ -175,11 +318,11 @@ finite = st.floats(allow_nan=False, allow_infinity=False)
 triples = arrays(np.float64, (4, 3), elements=finite)
 
 
-@given(
-    triples, triples, triples, triples, arrays(np.float64, 4, elements=finite)
-)
-def test_pickles_keep_every_number(a, b, c, d, k):
-    """Extreme numbers, too; what a constructor refuses is left out."""
+@st.composite
+def extreme_shapes(draw):
+    """Shapes of all kinds; what a constructor refuses is left out."""
+    a, b, c, d = (draw(triples) for _ in range(4))
+    k = draw(arrays(np.float64, 4, elements=finite))
     made = []
     for make in (
         lambda i: cylint.cylinder(a[i], b[i], abs(k[i]), ends="open"),
@@ -199,9 +342,118 @@ def test_pickles_keep_every_number(a, b, c, d, k):
                 made.append(make(i))
             except ValueError:
                 pass
-    shapes = cylint.concatenate(made)
+    return cylint.concatenate(made)
+
+
+@given(extreme_shapes())
+def test_pickles_keep_every_number(shapes):
     again = pickle.loads(pickle.dumps(shapes))
     assert again._records.tobytes() == shapes._records.tobytes()
+
+
+def can_be_written(shape, path):
+    if shape.kind == cylint.Kind.ACONE:
+        try:
+            cylint.write_scene(path, shape)
+        except ValueError as error:
+            return "no angle" not in str(error)
+    return True
+
+
+words = st.text(st.characters(codec="utf-8"), max_size=8)
+
+
+@settings(max_examples=settings().max_examples // 4)
+@given(extreme_shapes(), st.data())
+def test_files_keep_every_number_and_label(tmp_path_factory, shapes, data):
+    """Without the cones whose tangent no angle has."""
+    path = tmp_path_factory.getbasetemp() / "scene"
+    chosen = [can_be_written(shape, path) for shape in shapes]
+    shapes = shapes[np.array(chosen, bool)]
+    labels = [
+        data.draw(words).replace("\n", "").replace("\0", "").strip(" \t\r")
+        for _ in shapes
+    ]
+    named = shapes.with_labels(labels) if labels else shapes
+    cylint.write_scene(path, named)
+    if not labels:
+        assert path.read_bytes() == b""
+        return
+    read = cylint.read_scene(path)
+    again = pickle.loads(pickle.dumps(read))
+    assert again._records.tobytes() == shapes._records.tobytes()
+    assert again.labels.tolist() == read.labels.tolist() == labels
+
+
+def test_labels_that_look_like_text_of_the_grammar(tmp_path):
+    labels = [
+        "ends=open",
+        ",",
+        ",ends=open",
+        "1 2",
+        "# 3",
+        "not=a",
+        "\udcff\udc80",
+    ]
+    rods = cylint.cylinder(*UNIT, np.ones(len(labels))).with_labels(labels)
+    path = tmp_path / "scene"
+    cylint.write_scene(path, rods)
+    again = cylint.read_scene(path)
+    assert (again == rods).all() and again.labels.tolist() == labels
+    assert b"\xff\x80" in path.read_bytes()
+
+
+def test_angles_in_text_keep_the_tangent(tmp_path):
+    degrees = np.r_[
+        1e-320, 1e-9, np.linspace(0.1, 89.9, 5000), 89.9999999999999
+    ]
+    cones = cylint.angle_cone(*UNIT, degrees)
+    cylint.write_scene(tmp_path / "scene", cones)
+    assert (cylint.read_scene(tmp_path / "scene") == cones).all()
+    cone = cylint.tangent_cone(*UNIT, [0.5, 1e300])
+    with pytest.raises(
+        ValueError, match="shape 1: text has angles, and no ang"
+    ):
+        cylint.write_scene(tmp_path / "scene", cone)
+
+
+def test_what_text_cannot_hold_is_refused(tmp_path):
+    path = tmp_path / "scene"
+    path.write_text("as it was")
+    rods = cylint.cylinder(*UNIT, [1, 2])
+    for label, why in (
+        ("two\nlines", "label 1: text has no line feed"),
+        ("nul\0", "label 1: text has no line feed and no NUL"),
+        (" blank", "label 1: text has no blanks around"),
+        ("blank\t", "label 1: text has no blanks around"),
+        ("return\r", "label 1: text has no blanks around"),
+        ("x" * 2**20, "label 1: the line would be longer than 1 MiB"),
+    ):
+        with pytest.raises(ValueError, match=why):
+            cylint.write_scene(path, rods.with_labels(["fine", label]))
+    with pytest.raises(ValueError, match="expected one axis"):
+        cylint.write_scene(path, rods[:, None])
+    with pytest.raises(ValueError, match=r"\*\.swc is read as a neuron"):
+        cylint.write_scene(tmp_path / "a.swc", rods)
+    assert path.read_text() == "as it was"
+    with pytest.raises(OSError):
+        cylint.write_scene(tmp_path, rods)
+    cylint.write_scene(path, rods[0])
+    assert path.read_text() == "cylinder 0 0 0 0 0 1 1\n"
+
+
+def test_the_command_reads_what_is_written(command, tmp_path):
+    shapes = forest(3000, 73)
+    cylint.write_scene(tmp_path / "scene", shapes)
+    random = np.random.default_rng(74)
+    o = random.uniform(-1, 2, (2000, 3))
+    d = random.random((2000, 3)) - o
+    text = text_of(["ray"] * 2000, hexadecimal(o), hexadecimal(d))
+    fields = command(text, "-s", str(tmp_path / "scene"), "-f", "shape,t")
+    near = cylint.Scene(shapes).nearest(o, d)
+    assert np.array_equal([int(f[0]) - 1 for f in fields], near.index)
+    assert same(np.array([float.fromhex(f[1]) for f in fields]), near.t)
+    assert 500 < np.count_nonzero(near.index >= 0) < 2000
 
 
 def test_a_ray_from_inside_leaves_a_closed_solid_once():

@@ -18,7 +18,7 @@ multiples of d, which need not have length 1.
 from ._closest import ClosestPoints, ClosestShapes, ShapesWithin
 from ._core import version as __version__
 from ._intersect import Hits, intersect
-from ._read import read_scene
+from ._read import read_scene, write_scene
 from ._scene import AllHits, NearestHits, Scene
 from ._shapes import (
     Ends,
@@ -68,4 +68,5 @@ __all__ = [
     "round_cone",
     "sphere",
     "tangent_cone",
+    "write_scene",
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,10 +17,15 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> NDArray[np.float64]:
 
     An aligned array of float64 is returned as it is, whatever its strides.
     """
-    array = np.asarray(value)
-    if array.dtype.kind not in "fiubO" or array.dtype.itemsize > 8:
-        raise TypeError(f"{name}: expected real numbers, found {array.dtype}")
-    array = np.require(array, np.float64, "A")
+    given = np.asarray(value)
+    if given.dtype.kind not in "fiubO":
+        raise TypeError(f"{name}: expected real numbers, found {given.dtype}")
+    if given.dtype.itemsize > 8:
+        raise TypeError(
+            f"{name}: {given.dtype} (longdouble) has digits that float64 has "
+            "not; round it by astype(float)"
+        )
+    array = np.require(given, np.float64, "A")
     if width > 1 and (array.ndim == 0 or array.shape[-1] != width):
         raise ValueError(
             f"{name}: expected the shape (..., {width}), found {array.shape}"
@@ -45,6 +51,11 @@ def workers(threads: int | None) -> int:
     if threads < 1:
         raise ValueError(f"threads: expected at least 1, found {threads}")
     return int(threads)
+
+
+def counted(count: int | np.integer[Any], noun: str) -> str:
+    """How a repr shows a number of things."""
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
 
 
 def place(index: int, shape: tuple[int, ...]) -> str:

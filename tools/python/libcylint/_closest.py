@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arguments import Points
-from ._arrays import Progress, broadcast, workers
+from ._arrays import Progress, broadcast, counted, workers
 
 
 class ClosestPoints:
@@ -94,7 +94,8 @@ class ClosestPoints:
     def __repr__(self) -> str:
         found = np.count_nonzero(np.isfinite(self.distance))
         name = type(self).__name__
-        return f"<libcylint.{name} {self.distance.shape}: {found} distances>"
+        shape = self.distance.shape
+        return f"<libcylint.{name} {shape}: {counted(found, 'distance')}>"
 
 
 def closest_points(records: NDArray[np.void], points: Points) -> ClosestPoints:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arguments import Lines, takes
-from ._arrays import broadcast, workers
+from ._arrays import broadcast, counted, workers
 from ._hits import DescribedHits
 from ._shapes import Shapes
 
@@ -43,7 +43,8 @@ class Hits(DescribedHits):
         super().__init__(records, None, lines, shape, lines.threads)
 
     def __repr__(self) -> str:
-        return f"<libcylint.Hits {self.n.shape}: {int(self.n.sum())} hits>"
+        hits = counted(int(self.n.sum()), "hit")
+        return f"<libcylint.Hits {self.n.shape}: {hits}>"
 
 
 @takes(Lines)

@@ -1,4 +1,4 @@
-"""Reads scenes and neurons."""
+"""Reads scenes and neurons, and writes scenes."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from ._shapes import Shapes, _codes, _record
 
 _NOT_GIVEN = -1
 _BAD, _MEMORY = 1, 4
+_AT_ONCE = 1 << 16  # shapes; Ctrl-C ends the writing between them
 
 
 def read_scene(
@@ -26,6 +27,8 @@ def read_scene(
     The file is read as `cylint -s` reads it; cylint(1) states the format.  Of a
     neuron each node that has a parent gives a frustum, capped; with swc="round"
     it gives a rounded cone, and each root a sphere.  swc="cones" is the default.
+    What follows a shape on its line is its label, see `Shapes.labels`; that of a
+    neuron's shape is the number of its node.
     ends: for shapes whose line does not say.  Raises ValueError for the first
     bad line, OSError if the file cannot be read.
 
@@ -50,11 +53,54 @@ def read_scene(
     if not os.access(name, os.R_OK):
         with open(name, "rb"):
             pass
-    status, data, messages = _core.read_scene(name, code, swc == "round")
+    status, data, labels, messages = _core.read_scene(
+        name, code, swc == "round"
+    )
     if status != 0:
         text = "; ".join(messages)
         error = {_BAD: ValueError, _MEMORY: MemoryError}.get(status, OSError)
         raise error(text)
     for text in messages:
         warnings.warn(text, stacklevel=2)
-    return Shapes(np.frombuffer(data, _record))
+    shapes = Shapes(np.frombuffer(data, _record))
+    return shapes if labels is None else shapes.with_labels(labels)
+
+
+def write_scene(path: str | os.PathLike[str], shapes: Shapes) -> None:
+    """Writes shapes with one axis to a file, one a line, with their labels.
+
+    `read_scene` reads the same shapes and labels, and so do `cylint -s` and the
+    other commands.  Each number is the shortest text that is read as the same
+    float64.  Raises ValueError, and writes nothing, for a label with a line feed
+    or with blanks around it, and for a cone whose tangent no angle in degrees
+    has, as some of `tangent_cone`: the text has angles.
+
+    >>> import os, tempfile
+    >>> folder = tempfile.TemporaryDirectory()
+    >>> name = os.path.join(folder.name, "scene")
+    >>> rods = cylint.cylinder([0, 0, 0], [[0, 0, 1], [0, 0, 0.1]], 0.5, ends="open")
+    >>> cylint.write_scene(name, rods.with_labels(["long", "short"]))
+    >>> print(open(name).read(), end="")
+    cylinder 0 0 0 0 0 1 0.5 ends=open long
+    cylinder 0 0 0 0 0 0.1 0.5 ends=open short
+    >>> read = cylint.read_scene(name)
+    >>> read == rods, read.labels
+    (array([ True,  True]), array(['long', 'short'], dtype='<U5'))
+    """
+    name = os.fspath(path)
+    if name.endswith((".swc", ".SWC")):
+        raise ValueError(f"a file *.swc is read as a neuron: {name}")
+    row = shapes._in_a_row()
+    labels = None
+    if row._labels is not None:
+        labels = [x.encode("utf-8", "surrogateescape") for x in row._labels]
+    texts = [
+        _core.write_scene(
+            row._records[i : i + _AT_ONCE],
+            i,
+            labels and labels[i : i + _AT_ONCE],
+        )
+        for i in range(0, len(row), _AT_ONCE)
+    ]
+    with open(name, "wb") as file:
+        file.writelines(texts)

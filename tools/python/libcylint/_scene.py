@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,10 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import Balls, Lines, Points, balls, takes
-from ._arrays import Progress, workers
+from ._arrays import Progress, counted, workers
 from ._closest import ClosestShapes, ShapesWithin
 from ._hits import DescribedHits
-from ._shapes import Shapes
+from ._shapes import Shapes, concatenate
 
 
 class NearestHits(DescribedHits):
@@ -40,8 +41,8 @@ class NearestHits(DescribedHits):
         super().__init__(records, self.index, lines, lines.shape, threads)
 
     def __repr__(self) -> str:
-        found = np.count_nonzero(self.index >= 0)
-        return f"<libcylint.NearestHits {self.index.shape}: {found} hits>"
+        hits = counted(np.count_nonzero(self.index >= 0), "hit")
+        return f"<libcylint.NearestHits {self.index.shape}: {hits}>"
 
 
 class AllHits(NamedTuple):
@@ -61,7 +62,8 @@ class AllHits(NamedTuple):
 class Scene:
     """Shapes in a hierarchy of boxes, for many lines and points.
 
-    shapes: one axis.  Their numbers are 0 to len(shapes) - 1.
+    shapes: one axis, or several arrays of shapes, which are joined as by
+    `concatenate`.  Their numbers are 0 to len(scene) - 1.
     threads: of building the scene, and of all queries that do not say;
     None: one per processor.
 
@@ -82,19 +84,22 @@ class Scene:
     array([ 8.75 , -0.125])
     """
 
-    def __init__(self, shapes: Shapes, *, threads: int | None = None) -> None:
-        if shapes.ndim > 1:
-            raise ValueError(
-                f"shapes: expected one axis, found the shape {shapes.shape}"
-            )
+    def __init__(
+        self,
+        shapes: Shapes | Iterable[Shapes],
+        *,
+        threads: int | None = None,
+    ) -> None:
+        joined = shapes if isinstance(shapes, Shapes) else concatenate(shapes)
+        self._shapes = joined._in_a_row()
         self._threads = threads
-        self._records = np.ascontiguousarray(np.atleast_1d(shapes._records))
+        self._records = self._shapes._records
         self._scene = _core.Scene(self._records, workers(threads))
 
     @property
     def shapes(self) -> Shapes:
         """The shapes, in their order."""
-        return Shapes(self._records)
+        return self._shapes
 
     @property
     def nbytes(self) -> int:
@@ -105,7 +110,7 @@ class Scene:
         return len(self._records)
 
     def __repr__(self) -> str:
-        return f"<libcylint.Scene: {len(self)} shapes>"
+        return f"<libcylint.Scene: {counted(len(self), 'shape')}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restore, (self.shapes, self._threads)

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from enum import IntEnum
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import Points, takes
-from ._arrays import Progress, broadcast, doubles, place, workers
+from ._arrays import Progress, broadcast, counted, doubles, place, workers
 from ._closest import ClosestPoints, closest_points
 
 
@@ -92,11 +92,51 @@ _readable = np.dtype(
         "itemsize": _members["size"],
     }
 )
-_constructors = {
-    name: [int(width) for width in widths]
-    for name, widths in _core.constructors()
-}
-_MOST_NUMBERS = max(sum(widths) for widths in _constructors.values())
+
+
+def _widths(arguments: str) -> dict[str, int]:
+    """The arguments of a constructor and their widths, from "p0:3 p1:3 r:1"."""
+    pairs = (item.split(":") for item in arguments.split())
+    return {name: int(width) for name, width in pairs}
+
+
+def _places(widths: dict[str, int]) -> dict[str, tuple[int, int]]:
+    """Where the members of shapes are in a row of numbers: from, to."""
+    ends = np.cumsum(list(widths.values())).tolist()
+    places = {
+        name: (end - width, end)
+        for (name, width), end in zip(widths.items(), ends, strict=True)
+    }
+    if "p0" in places and "r" in places:
+        places |= {"r0": places["r"], "r1": places["r"]}
+    return places
+
+
+_constructors = {name: _widths(text) for name, text in _core.constructors()}
+_places_of = {name: _places(each) for name, each in _constructors.items()}
+_MOST_NUMBERS = max(sum(each.values()) for each in _constructors.values())
+
+
+class _Argument:
+    """A member of shapes that is an argument of their constructors."""
+
+    def __init__(self, text: str) -> None:
+        self.__doc__ = text
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    @overload
+    def __get__(self, shapes: None, owner: type) -> _Argument: ...
+    @overload
+    def __get__(self, shapes: Shapes, owner: type) -> NDArray[np.float64]: ...
+    def __get__(self, shapes: Shapes | None, owner: type) -> Any:
+        if shapes is None:
+            return self
+        return shapes._member(self._name, *shapes._read())
+
+    def __set__(self, shapes: Shapes, value: object) -> None:
+        raise AttributeError("shapes cannot be changed")
 
 
 class Shapes:
@@ -105,21 +145,43 @@ class Shapes:
     It has a shape, a number of axes and a length, and is indexed, like an array
     of NumPy.  Its elements cannot be changed.  It can be pickled.
 
+    The arguments of the constructors are members: p0, p1, r, r0, r1, c, a, b, h,
+    k, v, u, tangent.  They have the shapes of the arguments, (..., 3) or (...),
+    and are nan where a shape has no such argument.  A round cone that is a ball
+    has p0, r0, p1 and r1, too.
+
+    `==` compares shapes one by one, as arrays of NumPy: two are equal if they
+    were made by the same constructor with equal numbers and ends.  Labels do not
+    count.
+
     >>> rods = cylint.cylinder([0, 0, 0], [[0, 0, 1], [0, 0, 2], [0, 0, 3]], 0.5)
     >>> rods
     <libcylint.Shapes (3,): 3 cylinders>
     >>> len(rods[1:]), rods[:, None].shape
     (2, (3, 1))
+    >>> rods.p1[:, 2], rods.c[0]
+    (array([1., 2., 3.]), array([nan, nan, nan]))
+    >>> rods == cylint.cylinder(rods.p0, rods.p1, rods.r)
+    array([ True,  True,  True])
     """
 
-    __slots__ = ("__weakref__", "_records")
+    __slots__ = ("__weakref__", "_labels", "_records")
     _records: NDArray[np.void]
+    _labels: NDArray[np.object_] | None  # of str, with the axes of records
 
-    def __init__(self, records: NDArray[np.void]) -> None:
+    __array_ufunc__ = None  # NumPy leaves operators such as == to this class
+    __hash__ = None  # type: ignore[assignment]
+
+    def __init__(
+        self,
+        records: NDArray[np.void],
+        labels: NDArray[np.object_] | None = None,
+    ) -> None:
         if records.dtype != _record:
             raise TypeError("shapes are made by their constructors")
         self._records = records.view()
         self._records.flags.writeable = False
+        self._labels = labels
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -137,14 +199,147 @@ class Shapes:
         return len(self._records)
 
     def __getitem__(self, index: Any) -> Shapes:
-        return Shapes(np.asarray(self._records[index], _record))
+        return Shapes(
+            np.asarray(self._records[index], _record),
+            None
+            if self._labels is None
+            else np.asarray(self._labels[index], np.object_),
+        )
 
     def __iter__(self) -> Iterator[Shapes]:
         return (self[i] for i in range(len(self)))
 
     def reshape(self, *shape: Any) -> Shapes:
         """The same shapes in another array shape."""
-        return Shapes(self._records.reshape(*shape))
+        records = self._records.reshape(*shape)
+        labels = self._labels
+        return Shapes(
+            records, None if labels is None else labels.reshape(records.shape)
+        )
+
+    def _in_a_row(self) -> Shapes:
+        """Shapes with one axis, contiguous; a single shape counts as one."""
+        if self.ndim > 1:
+            raise ValueError(
+                f"shapes: expected one axis, found the shape {self.shape}"
+            )
+        row = self.reshape(self.size)
+        return Shapes(np.ascontiguousarray(row._records), row._labels)
+
+    def __array__(self, *args: object, **named: object) -> NDArray[Any]:
+        raise TypeError(
+            "shapes are no array of numbers: libcylint.concatenate() joins "
+            "shapes, and p0, r0, ... or to_dict() have their numbers"
+        )
+
+    def __eq__(self, other: object) -> Any:
+        if not isinstance(other, Shapes):
+            return NotImplemented
+        broadcast(("shapes", self.shape), ("other", other.shape))
+        (kinds, numbers), (others, their_numbers) = self._read(), other._read()
+        return (
+            (kinds == others)
+            & (self.ends == other.ends)
+            & (numbers == their_numbers).all(axis=-1)
+        )
+
+    def __ne__(self, other: object) -> Any:
+        equal = self.__eq__(other)
+        return equal if equal is NotImplemented else ~equal
+
+    def _read(self) -> tuple[NDArray[np.int8], NDArray[np.float64]]:
+        """For each shape the number of its constructor, and its arguments."""
+        kinds = np.empty(self.size, np.int8)
+        numbers = np.zeros((self.size, _MOST_NUMBERS))
+        _core.read_shapes(self._records.reshape(-1), kinds, numbers)
+        return kinds.reshape(self.shape), numbers.reshape(
+            *self.shape, _MOST_NUMBERS
+        )
+
+    def _member(
+        self, name: str, kinds: NDArray[np.int8], numbers: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """A member, from the answer of `_read`."""
+        width = next(a[name] for a in _constructors.values() if name in a)
+        values = np.full((*self.shape, width), np.nan)
+        for row, places in enumerate(_places_of.values()):
+            if name in places:
+                begin, end = places[name]
+                found = kinds == row
+                values[found] = numbers[found, begin:end]
+        return values if width > 1 else values[..., 0]
+
+    p0 = _Argument(
+        """(..., 3): where the axis begins, of cylinders, cones, capsules and
+        round cones."""
+    )
+    p1 = _Argument("(..., 3): where the axis ends, of the same.")
+    r0 = _Argument("(...): the radius at p0; r of a cylinder or capsule.")
+    r1 = _Argument("(...): the radius at p1; r of a cylinder or capsule.")
+    r = _Argument("(...): the radius, of cylinders, capsules and spheres.")
+    c = _Argument(
+        "(..., 3): the centre, of spheres; that of the base, of elliptic kinds."
+    )
+    a = _Argument("(..., 3): a semi-axis of the base, of elliptic kinds.")
+    b = _Argument("(..., 3): the other semi-axis, of elliptic kinds.")
+    h = _Argument("(..., 3): from the base to the top, of elliptic kinds.")
+    k = _Argument("(...): what the top is scaled by, of elliptic cones.")
+    v = _Argument("(..., 3): the apex, of cones with an angle.")
+    u = _Argument("(..., 3): the axis, of cones with an angle.")
+    tangent = _Argument(
+        "(...): the tangent of the half angle, of cones with an angle."
+    )
+
+    def to_dict(self) -> dict[str, NDArray[Any]]:
+        """Arrays with the members that some of the shapes have, by name.
+
+        kind: (...) str, the constructor; that of a cone with an angle is
+        tangent_cone.  ends: (...) str.  Then p0 and the others, as the members
+        of these names.  labels: (...) str, if some shape has a label.
+
+        >>> pair = [cylint.sphere([0, 0, 0], 2), cylint.capsule([0, 0, 1], [0, 0, 3], 1)]
+        >>> table = cylint.concatenate(pair).to_dict()
+        >>> list(table)
+        ['kind', 'ends', 'c', 'r', 'p0', 'p1', 'r0', 'r1']
+        >>> table["kind"], table["r"], table["r1"]
+        (array(['sphere', 'capsule'], dtype='<U17'), array([2., 1.]), array([nan,  1.]))
+        """
+        kinds, numbers = self._read()
+        names = list(_constructors)
+        words = [e.name.lower() for e in Ends]
+        table: dict[str, NDArray[Any]] = {
+            "kind": np.asarray(np.array(names)[kinds]),
+            "ends": np.asarray(np.array(words)[self.ends]),
+        }
+        for kind in np.unique(kinds):
+            for name in _places_of[names[kind]]:
+                if name not in table:
+                    table[name] = self._member(name, kinds, numbers)
+        if self._labels is not None:
+            table["labels"] = self.labels
+        return table
+
+    @property
+    def labels(self) -> NDArray[np.str_]:
+        """(...) str, the names that `read_scene` found; "" for none."""
+        if self._labels is None:
+            return np.full(self.shape, "")
+        return self._labels.astype(np.str_)
+
+    def with_labels(self, labels: ArrayLike) -> Shapes:
+        """The same shapes with other labels.
+
+        labels: (...) str, broadcast to the shapes.
+
+        >>> rods = cylint.cylinder([0, 0, 0], [0, 0, 1], [1, 2])
+        >>> rods.with_labels(["thin", "thick"])[1:].labels
+        array(['thick'], dtype='<U5')
+        """
+        names = np.asarray(labels, np.object_)
+        for name in names.flat:
+            if not isinstance(name, str):
+                raise TypeError(f"labels: expected str, found {name!r}")
+        return Shapes(self._records, np.broadcast_to(names, self.shape))
 
     @property
     def kind(self) -> NDArray[np.int32]:
@@ -284,20 +479,19 @@ class Shapes:
         return answers
 
     def __reduce__(self) -> tuple[Any, ...]:
-        kinds = np.empty(self.size, np.int8)
-        numbers = np.zeros((self.size, _MOST_NUMBERS))
-        _core.read_shapes(self._records.reshape(-1), kinds, numbers)
+        kinds, numbers = self.reshape(self.size)._read()
         names = list(_constructors)
         used = {names[k]: kinds == k for k in np.unique(kinds)}
         parts = {
-            name: numbers[rows, : sum(_constructors[name])]
+            name: numbers[rows, : sum(_constructors[name].values())]
             for name, rows in used.items()
         }
-        return _restore, (self.shape, used, parts, self.ends.astype(np.int8))
+        ends = self.ends.astype(np.int8)
+        return _restore, (self.shape, used, parts, ends, self._labels)
 
     def __repr__(self) -> str:
         counts = ", ".join(
-            f"{count} {kind.name.lower()}{'s' if count != 1 else ''}"
+            counted(count, kind.name.lower())
             for kind in Kind
             if (count := np.count_nonzero(self.kind == kind)) > 0
         )
@@ -309,12 +503,13 @@ def _restore(
     used: dict[str, NDArray[np.bool_]],
     parts: dict[str, NDArray[np.float64]],
     ends: NDArray[np.int8],
+    labels: NDArray[np.object_] | None,
 ) -> Shapes:
     """The shapes of a pickle."""
     records = np.zeros(ends.size, _record)
     for name, rows in used.items():
         records[rows] = _build(name, parts[name], ends.reshape(-1)[rows])
-    return Shapes(records.reshape(shape))
+    return Shapes(records.reshape(shape), labels)
 
 
 def _codes(ends: str | int | ArrayLike) -> NDArray[np.int8]:
@@ -350,7 +545,7 @@ class _Refused(Exception):
 
 def _make(name: str, ends: Any, **arguments: ArrayLike) -> Shapes:
     """Broadcasts the arguments of a constructor and calls it."""
-    widths = _constructors[name]
+    widths = list(_constructors[name].values())
     codes = _codes(ends)
     arrays = [
         doubles(key, value, width)
@@ -530,7 +725,7 @@ def tangent_cone(
     return _make("tangent_cone", ends, v=v, u=u, tangent=tangent)
 
 
-def concatenate(shapes: Sequence[Shapes]) -> Shapes:
+def concatenate(shapes: Iterable[Shapes]) -> Shapes:
     """Joins arrays of shapes along their first axis; single shapes count as one.
 
     >>> a = cylint.cylinder([0, 0, 0], [0, 0, 1], [1, 2])
@@ -538,5 +733,16 @@ def concatenate(shapes: Sequence[Shapes]) -> Shapes:
     >>> cylint.concatenate([a, b])
     <libcylint.Shapes (3,): 2 cylinders, 1 cone>
     """
-    parts = [np.atleast_1d(s._records) for s in shapes]
-    return Shapes(np.concatenate(parts) if parts else np.empty(0, _record))
+    parts = [*shapes]
+    for part in parts:
+        if not isinstance(part, Shapes):
+            raise TypeError(f"expected Shapes, found {type(part).__name__}")
+    if not parts:
+        return Shapes(np.empty(0, _record))
+    records = np.concatenate([np.atleast_1d(s._records) for s in parts])
+    if all(s._labels is None for s in parts):
+        return Shapes(records)
+    labels = np.concatenate(
+        [np.atleast_1d(s.labels.astype(np.object_)) for s in parts]
+    )
+    return Shapes(records, labels)

@@ -66,6 +66,14 @@ class Lines
 int make_shapes(const char *name, nb::handle numbers, nb::handle ends,
                 nb::handle shapes, nb::handle statuses);
 void read_shapes(nb::handle shapes, nb::handle kinds, nb::handle numbers);
+/* What a shape was made of: its word in text, and its numbers.  The last number
+ * of a cone with an angle is the tangent. */
+struct Arguments {
+    const char *word;
+    int count;
+    double number[13];
+};
+Arguments arguments_of(const cylint_shape &shape);
 nb::tuple constructors();
 nb::dict shape_members();
 void bounds(nb::handle shapes, nb::handle boxes);
@@ -88,8 +96,9 @@ void on_surface(nb::handle shapes, nb::handle points, nb::handle ulps,
 void closest(nb::handle shapes, nb::handle index, nb::handle points,
              nb::tuple columns, int threads, nb::handle progress);
 
-/* scene.cc, reader.cc */
+/* scene.cc, reader.cc, writer.cc */
 void register_scene(nb::module_ &module);
 nb::tuple read_scene(const char *file, int ends, bool round);
+nb::bytes write_scene(nb::handle shapes, size_t first, nb::handle labels);
 
 #endif

@@ -42,5 +42,7 @@ NB_MODULE(_core, m)
           nb::arg("threads"), nb::arg("progress").none());
     m.def("read_scene", &read_scene, nb::arg("file"), nb::arg("ends"),
           nb::arg("round"));
+    m.def("write_scene", &write_scene, nb::arg("shapes"), nb::arg("first"),
+          nb::arg("labels").none());
     register_scene(m);
 }

@@ -17,9 +17,8 @@
 
 extern "C" {
 #include "message.h"
+#include "reader_scene.h"
 
-int cylint_python_read(const char *file, int ends, int round,
-                       cylint_shape **shapes, size_t *count);
 extern const char *const program;
 const char *const program = "cylint";
 }
@@ -40,24 +39,44 @@ extern "C" void message(const char *format, ...)
         messages->emplace_back(text);
 }
 
-/* Returns (status, shapes as bytes, messages). */
+/* The labels as texts, or None if there are none. */
+static nb::object labels_of(const cylint_python_scene &scene)
+{
+    if (!scene.label_bytes)
+        return nb::none();
+    nb::list labels;
+    size_t begin = 0;
+    for (size_t i = 0; i < scene.count; i++) {
+        const size_t end = scene.label_end[i];
+        labels.append(nb::steal(PyUnicode_DecodeUTF8(
+            scene.label_bytes + begin, static_cast<Py_ssize_t>(end - begin),
+            "surrogateescape")));
+        begin = end;
+    }
+    return labels;
+}
+
+/* Returns (status, shapes as bytes, labels, messages). */
 nb::tuple read_scene(const char *file, int ends, bool round)
 {
     std::vector<std::string> said;
-    cylint_shape *shapes = nullptr;
-    size_t count = 0;
+    cylint_python_scene scene;
     int status;
     {
         nb::gil_scoped_release released;
         messages = &said;
-        status = cylint_python_read(file, ends, round, &shapes, &count);
+        status = cylint_python_read(file, ends, round, &scene);
         messages = nullptr;
     }
-    const nb::bytes data(shapes ? static_cast<const void *>(shapes) : "",
-                         count * sizeof *shapes);
-    std::free(shapes);
+    const nb::bytes data(scene.shapes ? static_cast<const void *>(scene.shapes)
+                                      : "",
+                         scene.count * sizeof *scene.shapes);
+    const nb::object labels = labels_of(scene);
+    std::free(scene.shapes);
+    std::free(scene.label_bytes);
+    std::free(scene.label_end);
     nb::list texts;
     for (const std::string &text : said)
         texts.append(nb::str(text.data(), text.size()));
-    return nb::make_tuple(status, data, texts);
+    return nb::make_tuple(status, data, labels, texts);
 }

@@ -1,19 +1,22 @@
 /*
- * reader_scene.c - reads a file of shapes into an array
+ * reader_scene.c - reads a file of shapes and their labels into arrays
  */
+#include "reader_scene.h"
+
+#include "labels.h"
 #include "scene_read.h"
 
 int cylint_python_read(const char *file, int ends, int round,
-                       cylint_shape **shapes, size_t *count);
-
-/* The caller frees *shapes.  Returns 0 or an exit status. */
-int cylint_python_read(const char *file, int ends, int round,
-                       cylint_shape **shapes, size_t *count)
+                       cylint_python_scene *read)
 {
     struct scene scene = {0};
+    struct labels labels = {0};
+    labels_collect(&labels, &scene);
     const int status =
         scene_read(&scene, file, ends, round ? SWC_ROUND : SWC_CONES);
-    *shapes = scene.shapes;
-    *count = status == 0 ? scene.count : 0;
+    *read = (cylint_python_scene){.shapes = scene.shapes,
+                                  .count = status == 0 ? scene.count : 0,
+                                  .label_bytes = labels.bytes,
+                                  .label_end = labels.end};
     return status;
 }

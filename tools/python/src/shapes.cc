@@ -37,12 +37,12 @@ int made_as(const Shape &s)
 }
 
 /*
- * A row for each constructor: its name; the widths of its arguments; the kind of
- * its shapes; shape from numbers; numbers from shape.  A shape of a kind is read
- * by the first row of that kind.
+ * A row for each constructor: its name; its arguments, each with its width; the
+ * word and the kind of its shapes; shape from numbers; numbers from shape.  A
+ * shape of a kind is read by the first row of that kind.
  */
 struct Constructor {
-    const char *name, *widths;
+    const char *name, *arguments, *word;
     int kind;
     int (*make)(Shape *s, Numbers x, Ends e);
     void (*read)(const Shape &s, double *x);
@@ -52,29 +52,29 @@ struct Constructor {
 #define READ(...) [](const Shape &s, double *x) { __VA_ARGS__; }
 
 const Constructor table[] = {
-    {"cylinder", "331", CYLINT_KIND_CYLINDER,
+    {"cylinder", "p0:3 p1:3 r:1", "cylinder", CYLINT_KIND_CYLINDER,
      MAKE(cylint_cylinder(s, x, x + 3, x[6], e)),
      READ(*put(put(x, s.base), s.top) = s.r0)},
-    {"cone", "3131", CYLINT_KIND_CONE,
+    {"cone", "p0:3 r0:1 p1:3 r1:1", "cone", CYLINT_KIND_CONE,
      MAKE(cylint_cone(s, x, x[3], x + 4, x[7], e)),
      READ(*put(x, s.base) = s.r0, *put(x + 4, s.top) = s.r1)},
-    {"elliptic_cylinder", "3333", CYLINT_KIND_ECYLINDER,
+    {"elliptic_cylinder", "c:3 a:3 b:3 h:3", "ecylinder", CYLINT_KIND_ECYLINDER,
      MAKE(cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9, e)),
      READ(put(put(put(put(x, s.base), s.a), s.b), s.axis))},
-    {"elliptic_cone", "33331", CYLINT_KIND_ECONE,
+    {"elliptic_cone", "c:3 a:3 b:3 h:3 k:1", "econe", CYLINT_KIND_ECONE,
      MAKE(cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9, x[12], e)),
      READ(*put(put(put(put(x, s.base), s.a), s.b), s.axis) = s.r1)},
-    {"sphere", "31", CYLINT_KIND_SPHERE, MAKE(cylint_sphere(s, x, x[3], e)),
-     READ(*put(x, s.base) = s.r0)},
-    {"capsule", "331", CYLINT_KIND_CAPSULE,
+    {"sphere", "c:3 r:1", "sphere", CYLINT_KIND_SPHERE,
+     MAKE(cylint_sphere(s, x, x[3], e)), READ(*put(x, s.base) = s.r0)},
+    {"capsule", "p0:3 p1:3 r:1", "capsule", CYLINT_KIND_CAPSULE,
      MAKE(cylint_capsule(s, x, x + 3, x[6], e)),
      READ(*put(put(x, s.base), s.top) = s.r0)},
-    {"round_cone", "3131", CYLINT_KIND_RCONE,
+    {"round_cone", "p0:3 r0:1 p1:3 r1:1", "rcone", CYLINT_KIND_RCONE,
      MAKE(cylint_round_cone(s, x, x[3], x + 4, x[7], e)), read_round_cone},
-    {"tangent_cone", "331", CYLINT_KIND_ACONE,
+    {"tangent_cone", "v:3 u:3 tangent:1", "acone", CYLINT_KIND_ACONE,
      MAKE(cylint_tangent_cone(s, x, x + 3, x[6], e)),
      READ(*put(put(x, s.base), s.axis) = s.r1)},
-    {"angle_cone", "331", CYLINT_KIND_ACONE,
+    {"angle_cone", "v:3 u:3 degrees:1", "acone", CYLINT_KIND_ACONE,
      MAKE(cylint_angle_cone(s, x, x + 3, x[6], e)), nullptr},
 };
 #undef MAKE
@@ -89,13 +89,38 @@ const Constructor &find(const char *name)
     throw nb::value_error("no such constructor");
 }
 
+/* The row of the constructor that made the shape. */
+const Constructor &constructor_of(const Shape &shape)
+{
+    const Constructor *c = table;
+    while (c->kind != made_as(shape))
+        c++;
+    return *c;
+}
+
+int numbers_of(const Constructor &c)
+{
+    int count = 0;
+    for (const char *p = c.arguments; (p = std::strchr(p, ':')); p++)
+        count += p[1] - '0';
+    return count;
+}
+
 } // namespace
+
+Arguments arguments_of(const cylint_shape &shape)
+{
+    const Constructor &c = constructor_of(shape);
+    Arguments arguments{c.word, numbers_of(c), {}};
+    c.read(shape, arguments.number);
+    return arguments;
+}
 
 nb::tuple constructors()
 {
     nb::list list;
     for (const Constructor &c : table)
-        list.append(nb::make_tuple(c.name, c.widths));
+        list.append(nb::make_tuple(c.name, c.arguments));
     return nb::tuple(list);
 }
 
@@ -140,15 +165,9 @@ void read_shapes(nb::handle shapes, nb::handle kinds, nb::handle numbers)
     nb::gil_scoped_release released;
     for (ptrdiff_t i = 0; i < s.size(0); i++) {
         const cylint_shape &shape = *as_shape(s.data() + i * s.stride(0));
-        const int kind = made_as(shape);
-        for (size_t row = 0; row < sizeof table / sizeof *table; row++) {
-            if (table[row].kind == kind) {
-                k.data()[i * k.stride(0)] = static_cast<char>(row);
-                table[row].read(shape, reinterpret_cast<double *>(
-                                           x.data() + i * x.stride(0)));
-                break;
-            }
-        }
+        const Constructor &c = constructor_of(shape);
+        k.data()[i * k.stride(0)] = static_cast<char>(&c - table);
+        c.read(shape, reinterpret_cast<double *>(x.data() + i * x.stride(0)));
     }
 }
 

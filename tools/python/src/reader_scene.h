@@ -1,0 +1,23 @@
+/*
+ * reader_scene.h - reads a file of shapes and their labels into arrays
+ */
+#ifndef CYLINT_PYTHON_READER_SCENE_H
+#define CYLINT_PYTHON_READER_SCENE_H
+
+#include "cylint.h"
+
+/* Labels are one behind the other; label i ends at label_end[i].  label_bytes is
+ * NULL if no shape has one.  The caller frees the arrays. */
+typedef struct cylint_python_scene {
+    cylint_shape *shapes;
+    size_t count;
+    char *label_bytes;
+    size_t *label_end;
+} cylint_python_scene;
+
+/* Returns 0 or an exit status.  ends: of shapes whose line does not say, or
+ * -1. */
+int cylint_python_read(const char *file, int ends, int round,
+                       cylint_python_scene *scene);
+
+#endif
