@@ -1,4 +1,4 @@
-"""Calls: threads, interrupts, progress, references, memory."""
+"""Calls: threads, interrupts, progress, ownership, references, memory."""
 
 import gc
 import os
@@ -174,23 +174,124 @@ def test_a_scene_keeps_its_shapes_alive():
     assert len(junk) == 50
 
 
+MEMBERS = ("point", "normal", "z", "phi", "side", "outside", "inside")
+
+
+def hits_of(lines, **named):
+    shapes, scene = forest(300, 50), cylint.Scene(forest(300, 50))
+    return (
+        (cylint.intersect(shapes, *lines, **named), MEMBERS),
+        (cylint.intersect(shapes[:5, None], *lines, **named), MEMBERS),
+        (scene.nearest(*lines, **named), MEMBERS),
+    )
+
+
+def distances_of(points):
+    shapes, scene = forest(300, 50), cylint.Scene(forest(300, 50))
+    members = ("part", "feature", "point", "normal")
+    return (
+        (shapes.closest(points), members),
+        (shapes[:5, None].closest(points), members),
+        (scene.closest(points), members),
+    )
+
+
+def values(results):
+    return [getattr(result, name) for result, all in results for name in all]
+
+
+def spoiled(arrays):
+    for array in arrays:
+        array += 100
+
+
+def rays_and_domains():
+    o, d = drawn(300, 51)
+    return o * 0.1 + 0.5, d, np.full(300, -50.0), np.full(300, 50.0)
+
+
+@pytest.mark.parametrize("kind", ["rays", "segments", "points"])
+def test_results_own_what_they_need(kind):
+    """Members are computed after the caller has changed its arrays."""
+
+    def ask():
+        o, d, start, end = given = rays_and_domains()
+        if kind == "rays":
+            return given, hits_of(given)
+        if kind == "points":
+            return [o], distances_of(o)
+        ends = np.roll(o, 1, axis=0)
+        return [o, ends], hits_of([o], to=ends)
+
+    want = values(ask()[1])
+    given, results = ask()
+    spoiled(given)
+    for result, _ in results:
+        if hasattr(result, "index"):
+            result.index[:] = 2**40
+    got = values(results)
+    assert [a.tobytes() for a in want] == [a.tobytes() for a in got]
+    finite = [a for a in want if a.dtype == np.float64]
+    assert all(np.isfinite(a).any() for a in finite)
+
+
+def read_only(array):
+    array.flags.writeable = False
+    return array
+
+
+def test_results_own_what_views_show():
+    """A view can be read-only, and what it shows not; its axes can be long."""
+    shape = (100_000, 300, 3)
+    o, d, start, end = rays_and_domains()
+    want = cylint.intersect(ROD, o, d, start, end)
+    for view in (
+        lambda a: read_only(a[:]),
+        lambda a: a[::-1][::-1],
+        memoryview,
+    ):
+        given = [np.array(a, order="F") for a in (o, d, start, end)]
+        hit = cylint.intersect(ROD, *(view(a) for a in given))
+        spoiled(given)
+        assert same(hit.point, want.point)
+    base = np.array(o)
+    wide = np.broadcast_to(base, shape)[:, :1]
+    tracemalloc.start()
+    try:
+        hit = cylint.Scene(ROD).nearest(wide, [0, 0, 1])
+        held = tracemalloc.get_traced_memory()[0]
+    finally:
+        tracemalloc.stop()
+    assert held < 30 * wide[..., 0].size
+    point = cylint.Scene(ROD).nearest(base[0], [0, 0, 1]).point
+    spoiled([base])
+    assert same(hit.point[99_999, 0], point)
+
+
 def test_arrays_are_not_copied():
-    """What a call allocates is its answer; a copy of the lines has 96 MB."""
+    """What a call allocates is its answer, and the lines or points that members
+    which are computed later need, unless these are read-only."""
     o = np.full((BIG, 3), 0.75)
     d = np.ones((BIG, 3))
+    fixed = read_only(o.copy()), read_only(d.copy())
     scene = cylint.Scene(ROD)
     tracemalloc.start()
     try:
         for ask, answer in (
-            (lambda: cylint.intersect(ROD, o, d), 20),
-            (lambda: cylint.intersect(ROD, o[::-1, ::-1], d[:1]), 20),
-            (lambda: scene.nearest(o, d), 17),
+            (lambda: cylint.intersect(ROD, o, d), 20 + 48),
+            (lambda: cylint.intersect(ROD, o[::-1, ::-1], d[:1]), 20 + 24),
+            (lambda: scene.nearest(o, d), 17 + 8 + 48),
+            (lambda: scene.closest(o, within=2), 16 + 8 + 24),
+            (lambda: ROD.closest(o), 8 + 24),
+            (lambda: cylint.intersect(ROD, *fixed), 20),
+            (lambda: scene.nearest(*fixed), 17 + 8),
+            (lambda: ROD.closest(fixed[0]), 8),
+            (lambda: cylint.intersect(ROD, o.astype("f4"), d[:1]), 20 + 36),
             (lambda: scene.any(o, d), 1),
             (lambda: ROD.contains(o), 1),
             (lambda: ROD.distance(o), 8),
             (lambda: ROD.safety(o[::-1, ::-1]), 8),
             (lambda: ROD.on_surface(o, 2), 1),
-            (lambda: scene.closest(o, within=2), 16),
             (lambda: scene.within_count(o, 1), 8),
         ):
             tracemalloc.reset_peak()

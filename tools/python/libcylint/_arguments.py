@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import wraps
 from inspect import Parameter, signature
 from typing import Concatenate, ParamSpec, TypeVar
@@ -11,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import Progress, broadcast, doubles, place
+from ._arrays import Progress, broadcast, doubles, new_copy, owned, place
 
 _P = ParamSpec("_P")
 _Self = TypeVar("_Self")
@@ -74,7 +75,7 @@ class Lines:
         ):
             raise TypeError("tmin and tmax need directions; t of to is 0 to 1")
         second = "to" if self.segments else "directions"
-        self.arrays = (
+        self.arrays: tuple[NDArray[np.float64], ...] = (
             doubles("origins", origins, 3),
             doubles(second, ends, 3),
             doubles("tmin", tmin),
@@ -86,6 +87,28 @@ class Lines:
             (second, d.shape[:-1]),
             ("tmin", start.shape),
             ("tmax", end.shape),
+        )
+
+    def keep(self) -> None:
+        """Lets these lines own their arrays, for members computed later."""
+        self.arrays = tuple(owned(array) for array in self.arrays)
+
+    @contextmanager
+    def kept(
+        self, shape: tuple[int, ...]
+    ) -> Iterator[list[NDArray[np.float64] | None]]:
+        """The same, at the end of the block, which copies the larger arrays.
+
+        Yields arrays for the origins and for the directions, None for those
+        that the block does not copy.
+        """
+        copies = [new_copy(array, shape) for array in self.arrays[:2]]
+        yield copies
+        self.arrays = tuple(
+            owned(array) if copy is None else copy
+            for array, copy in zip(
+                self.arrays, [*copies, None, None], strict=True
+            )
         )
 
     def broadcast_to(self, shape: tuple[int, ...]) -> _core.Lines:
@@ -132,6 +155,10 @@ class Points:
         self.shape = self.array.shape[:-1]
         self.threads = threads
         self.progress = progress
+
+    def keep(self) -> None:
+        """Lets these points own their array, for members computed later."""
+        self.array = owned(self.array)
 
     def broadcast_to(self, shape: tuple[int, ...]) -> NDArray[np.float64]:
         """The points, as a view of this shape."""

@@ -15,7 +15,8 @@ Progress = Callable[[int, int], object]
 def doubles(name: str, value: ArrayLike, width: int = 1) -> NDArray[np.float64]:
     """An array of float64 (..., width), or (...) if width is 1.
 
-    An aligned array of float64 is returned as it is, whatever its strides.
+    An aligned array of float64 is returned as it is, whatever its strides.  A
+    new array is read-only, so that `owned` does not copy it.
     """
     given = np.asarray(value)
     if given.dtype.kind not in "fiubO":
@@ -26,11 +27,40 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> NDArray[np.float64]:
             "not; round it by astype(float)"
         )
     array = np.require(given, np.float64, "A")
+    if array is not given or isinstance(value, (list, tuple)):
+        array.flags.writeable = False
     if width > 1 and (array.ndim == 0 or array.shape[-1] != width):
         raise ValueError(
             f"{name}: expected the shape (..., {width}), found {array.shape}"
         )
     return array
+
+
+def _is_fixed(array: NDArray[Any]) -> bool:
+    """Whether an array, and the arrays that it is a view of, are read-only."""
+    base: Any = array
+    while isinstance(base, np.ndarray) and not base.flags.writeable:
+        base = base.base
+    return base is None
+
+
+def owned(array: NDArray[np.float64]) -> NDArray[np.float64]:
+    """These numbers, in memory that nobody else writes to: the array itself if it
+    is read-only, else a copy.  Axes along which it does not change are not copied.
+    """
+    if _is_fixed(array):
+        return array
+    once = array[tuple(slice(None if step else 1) for step in array.strides)]
+    return np.broadcast_to(once.copy(), array.shape)
+
+
+def new_copy(
+    array: NDArray[np.float64], shape: tuple[int, ...]
+) -> NDArray[np.float64] | None:
+    """Memory for a copy of vectors (..., 3) that _core makes beside its answers of
+    this shape; None if `owned` does with less."""
+    whole = array.shape[:-1] == shape and 0 not in array.strides
+    return np.empty(array.shape) if whole and not _is_fixed(array) else None
 
 
 def broadcast(*parts: tuple[str, tuple[int, ...]]) -> tuple[int, ...]:

@@ -18,9 +18,9 @@ class ClosestPoints:
 
     distance: (...), from the point to the surface, as `Shapes.distance`.
 
-    The others are computed when they are first used, from the array of points
-    that was given.  Do not change it before.  part and feature are (...); point
-    and normal are (..., 3).
+    The others are computed when they are first used, from a copy of the points,
+    24 bytes each; points that are read-only are not copied.  part and feature
+    are (...); point and normal are (..., 3).
 
     If several points of the surface are closest, the answer is the first of
     these: on the lateral surface, on cap 0, on cap 1; on the nappe of a double
@@ -35,12 +35,14 @@ class ClosestPoints:
         records: NDArray[np.void],
         index: NDArray[np.int64] | None,
         points: NDArray[np.float64],
+        distance: NDArray[np.float64],
         threads: int | None,
     ) -> None:
         """index: the shapes' numbers, -1 for none; None: a record for each
-        point.  points: (..., 3), broadcast."""
+        point.  points: (..., 3), broadcast.  They and records must not
+        change."""
         self._source = (records, index, points, threads)
-        self.distance = np.empty(points.shape[:-1])
+        self.distance = distance
 
     def _write(
         self,
@@ -105,6 +107,7 @@ def closest_points(records: NDArray[np.void], points: Points) -> ClosestPoints:
         np.broadcast_to(records, shape),
         None,
         points.broadcast_to(shape),
+        np.empty(shape),
         points.threads,
     )
     answer._write(distance=answer.distance, progress=points.progress)
@@ -126,11 +129,13 @@ class ClosestShapes(ClosestPoints):
     def __init__(
         self,
         records: NDArray[np.void],
+        index: NDArray[np.int64],
         points: NDArray[np.float64],
+        distance: NDArray[np.float64],
         threads: int | None,
     ) -> None:
-        self.index = np.empty(points.shape[:-1], np.int64)
-        super().__init__(records, self.index, points, threads)
+        super().__init__(records, index.copy(), points, distance, threads)
+        self.index = index
 
 
 class ShapesWithin(NamedTuple):

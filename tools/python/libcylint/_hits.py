@@ -31,7 +31,8 @@ class DescribedHits:
         threads: int | None,
     ) -> None:
         """index: the shapes' numbers, of the nearest hits; None: two hits of
-        each of the records, which have the axes `shape`, as the lines."""
+        each of the records, which have the axes `shape`, as the lines.  The
+        arrays must not change."""
         self._source = (records, index, lines, shape, threads)
 
     def _describe(self, member: str) -> NDArray[Any]:

@@ -20,9 +20,9 @@ class Hits(DescribedHits):
     t: (..., 2), ascending; nan for none.
     part: (..., 2) int8, a value of `Part`; -1 for none.
 
-    The others are computed when they are first used, from the arrays that were
-    given to `intersect`.  Do not change these arrays before.  z, phi and side
-    are (..., 2); point, normal, outside and inside are (..., 2, 3).
+    The others are computed when they are first used, from a copy of the lines.
+    z, phi and side are (..., 2); point, normal, outside and inside are
+    (..., 2, 3).
     """
 
     relation: NDArray[np.int8]
@@ -65,6 +65,9 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     Raises ValueError for the first line that is refused: a number that is not
     finite, a direction of length 0, tmin > tmax.
 
+    The answer keeps a copy of the lines, 48 bytes each, for the members that are
+    computed later.  Arrays that are read-only are not copied.
+
     >>> rod = cylint.cylinder([0, 0, 0], [0, 0, 1], 0.5)
     >>> hit = cylint.intersect(rod, [[0, 0, -5], [9, 0, 0]], [0, 0, 1])
     >>> hit.relation, hit.n
@@ -84,13 +87,13 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     shape = broadcast(("shapes", shapes.shape), ("lines", lines.shape))
     records = np.broadcast_to(shapes._records, shape)
     hits = Hits(records, lines, shape)
-    columns = (hits.relation, hits.n, hits.t, hits.part)
-    if not _core.intersect(
-        records,
-        lines.broadcast_to(shape),
-        columns,
-        workers(lines.threads),
-        lines.progress,
-    ):
-        raise lines.refuse()
+    with lines.kept(shape) as copies:
+        if not _core.intersect(
+            records,
+            lines.broadcast_to(shape),
+            (hits.relation, hits.n, hits.t, hits.part, *copies),
+            workers(lines.threads),
+            lines.progress,
+        ):
+            raise lines.refuse()
     return hits

@@ -23,9 +23,9 @@ class NearestHits(DescribedHits):
     t: (...); nan for none.
     part: (...) int8, a value of `Part`; -1 for none.
 
-    The others are computed when they are first used, from the arrays that were
-    given to `Scene.nearest`.  Do not change these arrays before.  z, phi and side
-    are (...); point, normal, outside and inside are (..., 3).
+    The others are computed when they are first used, from a copy of the lines and
+    of index.  z, phi and side are (...); point, normal, outside and inside are
+    (..., 3).
     """
 
     index: NDArray[np.int64]
@@ -33,12 +33,16 @@ class NearestHits(DescribedHits):
     part: NDArray[np.int8]
 
     def __init__(
-        self, records: NDArray[np.void], lines: Lines, threads: int | None
+        self,
+        records: NDArray[np.void],
+        lines: Lines,
+        index: NDArray[np.int64],
+        t: NDArray[np.float64],
+        part: NDArray[np.int8],
+        threads: int | None,
     ) -> None:
-        self.index = np.empty(lines.shape, np.int64)
-        self.t = np.empty(lines.shape)
-        self.part = np.empty(lines.shape, np.int8)
-        super().__init__(records, self.index, lines, lines.shape, threads)
+        self.index, self.t, self.part = index, t, part
+        super().__init__(records, index.copy(), lines, lines.shape, threads)
 
     def __repr__(self) -> str:
         hits = counted(np.count_nonzero(self.index >= 0), "hit")
@@ -125,16 +129,18 @@ class Scene:
         Arguments as of `intersect`.  At equal t the lower number is first.
         """
         chosen = self._choose(lines.threads)
-        hits = NearestHits(self._records, lines, chosen)
-        columns = (hits.index, hits.t, hits.part)
+        lines.keep()
+        shape = lines.shape
+        index, part = np.empty(shape, np.int64), np.empty(shape, np.int8)
+        t = np.empty(shape)
         if not self._scene.nearest(
-            lines.broadcast_to(lines.shape),
-            columns,
+            lines.broadcast_to(shape),
+            (index, t, part),
             workers(chosen),
             lines.progress,
         ):
             raise lines.refuse()
-        return hits
+        return NearestHits(self._records, lines, index, t, part, chosen)
 
     def _count(self, kind: Any, enough: int, lines: Lines) -> NDArray[Any]:
         counts = np.empty(lines.shape, kind)
@@ -208,16 +214,20 @@ class Scene:
         """
         chosen = self._choose(threads)
         asked = Points(points, threads=threads, progress=progress)
+        asked.keep()
         around = Balls(asked, "within", within)
-        answer = ClosestShapes(self._records, around.points, chosen)
+        index = np.empty(around.shape, np.int64)
+        distance = np.empty(around.shape)
         self._scene.closest(
             around.points,
             around.radii,
-            (answer.index, answer.distance),
+            (index, distance),
             workers(chosen),
             progress,
         )
-        return answer
+        return ClosestShapes(
+            self._records, index, around.points, distance, chosen
+        )
 
     @takes(balls)
     def within(self, around: Balls) -> ShapesWithin:

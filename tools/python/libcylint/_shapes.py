@@ -425,6 +425,7 @@ class Shapes:
         >>> cylint.Feature(near.feature), cylint.Part(near.part)
         (<Feature.RIM0: 3>, <Part.LATERAL: 0>)
         """
+        points.keep()
         return closest_points(self._records, points)
 
     @takes(Points)

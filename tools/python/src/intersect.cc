@@ -22,7 +22,7 @@ constexpr size_t BLOCK = 512;
 
 /* The places of the arrays in the grid. */
 struct Places {
-    int shapes, lines, relation, n, t, part;
+    int shapes, lines, relation, n, t, part, origins, directions;
 };
 
 /* What a worker keeps from block to block. */
@@ -38,8 +38,10 @@ class Block
     bool run(size_t number, size_t begin, size_t count)
     {
         row.locate(number, begin, count);
-        if (source.segments)
+        if (source.segments) {
+            gather_lines();
             return run_segments();
+        }
         const bool one_shape = row.stride(place.shapes) == 0;
         const bool one_line = row.stride(place.lines) == 0 &&
                               row.stride(place.lines + 1) == 0 &&
@@ -187,6 +189,10 @@ class Block
             row.write(t[k], place.t, k);
             row.write(part[k], place.part, k);
         }
+        for (size_t axis = 0; axis < 3; axis++) {
+            row.write(column[axis], place.origins, axis);
+            row.write(column[3 + axis], place.directions, axis);
+        }
     }
 
     RowPart row;
@@ -221,13 +227,15 @@ int Lines::make(const char *const *at, cylint_line *line) const
                     : cylint_span(line, o, d, number(at[2]), number(at[3]));
 }
 
-/* columns: relation, n, t (..., 2), part (..., 2).  Returns false if a line is
+/* columns: relation, n, t (..., 2), part (..., 2), and copies of the origins and
+ * the directions (..., 3), None where they are not wanted.  Returns false if a line is
  * refused; the answers are then not complete. */
 bool intersect(nb::handle shapes, const Lines &lines, nb::tuple columns,
                int threads, nb::handle progress)
 {
     const Array s(shapes), relation(columns[0], true), n(columns[1], true),
-        t(columns[2], true), part(columns[3], true);
+        t(columns[2], true), part(columns[3], true), o(columns[4], true),
+        d(columns[5], true);
     Grid grid(relation, 0);
     Places place{};
     place.shapes = grid.add(s);
@@ -236,6 +244,8 @@ bool intersect(nb::handle shapes, const Lines &lines, nb::tuple columns,
     place.n = grid.add(n);
     place.t = grid.add(t);
     place.part = grid.add(part);
+    place.origins = grid.add(o);
+    place.directions = grid.add(d);
     grid.prepare();
     return each_block<Block>(grid, BLOCK, threads, progress, place, lines);
 }
