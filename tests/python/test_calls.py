@@ -1,5 +1,6 @@
 """Calls: threads, interrupts, progress, ownership, references, memory."""
 
+import contextlib
 import gc
 import os
 import signal
@@ -46,10 +47,18 @@ def test_threads_make_no_difference():
         assert same(near.distance, again.distance)
         size = shapes[:9, None].distance(o, threads=1)
         assert same(size, shapes[:9, None].distance(o, threads=threads))
+
+
+def test_threads_are_a_whole_number():
+    ask = cylint.Scene(ROD).any
     with pytest.raises(
         ValueError, match="threads: expected at least 1, found 0"
     ):
-        scene.any(o, d, threads=0)
+        ask([0, 0, 0], [0, 0, 1], threads=0)
+    for wrong in (1.5, "2", [1]):
+        with pytest.raises(TypeError, match="threads: expected an integer"):
+            ask([0, 0, 0], [0, 0, 1], threads=wrong)
+    assert ask([0, 0, 0], [0, 0, 1], threads=np.int16(2))
 
 
 def test_threads_of_python_share_a_scene():
@@ -91,18 +100,66 @@ def test_other_threads_run_during_a_call():
     assert during > 5
 
 
+@contextlib.contextmanager
+def interrupted(after):
+    """Runs a block that Ctrl-C ends; returns the seconds until then in a list."""
+    before = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    signal.setitimer(signal.ITIMER_REAL, after)
+    start, spent = time.perf_counter(), []
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            yield spent
+        spent.append(time.perf_counter() - start)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
 def test_a_signal_ends_a_call():
     scene = cylint.Scene(forest(2000, 37))
     o, d = drawn(1000, 38)
     o, d = np.tile(o * 0.1 + 0.5, (3000, 1)), np.tile(d, (3000, 1))
-    before = signal.signal(signal.SIGALRM, signal.default_int_handler)
-    signal.setitimer(signal.ITIMER_REAL, 0.2)
-    start = time.perf_counter()
-    with pytest.raises(KeyboardInterrupt):
-        while time.perf_counter() < start + 60:
+    end = time.perf_counter() + 60
+    with interrupted(0.2) as spent:
+        while time.perf_counter() < end:
             scene.count(o, d)
-    assert time.perf_counter() - start < 5
-    signal.signal(signal.SIGALRM, before)
+    assert spent[0] < 5
+
+
+def sticks(n, seed):
+    random = np.random.default_rng(seed)
+    base = random.random((n, 3))
+    return cylint.cylinder(
+        base, base + random.normal(size=(n, 3)) * 0.02, 0.002
+    )
+
+
+def test_a_signal_ends_the_building_of_a_scene():
+    """It ends long before the scene is built."""
+    shapes = sticks(300_000, 62)
+    start = time.perf_counter()
+    cylint.Scene(shapes, threads=1)
+    whole = time.perf_counter() - start
+    with interrupted(whole / 20) as spent:
+        cylint.Scene(shapes, threads=1)
+    assert spent[0] < whole / 2
+
+
+def test_progress_of_a_scene_grows_to_the_number_of_shapes():
+    calls = []
+    shapes = sticks(300_000, 63)
+    scene = cylint.Scene(shapes, threads=1, progress=lambda *a: calls.append(a))
+    assert calls[-1] == (len(scene), len(scene)) and len(calls) > 2
+    assert calls == sorted(calls)
+    assert all(total == 300_000 for _, total in calls)
+
+    def fail(done, total):
+        raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        cylint.Scene(shapes, progress=fail)
+    cylint.Scene(ROD, progress=lambda *a: calls.append(a))
+    assert calls[-1] == (1, 1)
 
 
 def test_progress_grows_to_the_total():

@@ -144,6 +144,38 @@ def test_a_solid_thinner_than_the_steps_of_doubles_has_no_inside():
     assert (disc.contains(hit.outside) == -1).all()
 
 
+@pytest.mark.parametrize("layout", ["lines", "pairs", "shapes", "table"])
+@pytest.mark.parametrize("segments", [False, True])
+def test_refused_lines_have_no_relation_on_request(layout, segments):
+    """In every layout of a batch; the lines beside them are as without."""
+    shapes, (o, d) = forest(1200, 16), drawn(1200, 17)
+    d[~np.isfinite(o + d).all(-1) | (o + d == o).all(-1)] = 1
+    ends = o + d if segments else d
+    bad = np.zeros(1200, bool)
+    bad[[0, 5, 511, 512, 700, 1199]] = True
+    spoiled = np.where(bad[:, None], [np.nan, 0, 1], ends)
+    if layout == "lines":
+        shapes = ROD
+    elif layout == "shapes":
+        o, ends, spoiled, bad = o[0], ends[0], spoiled[0], np.ones(1200, bool)
+    elif layout == "table":
+        shapes = shapes[:7, None]
+    key = "to" if segments else "directions"
+    with pytest.raises(ValueError, match=r"line( 0)?: a number is not finite"):
+        cylint.intersect(shapes, o, **{key: spoiled})
+    want = cylint.intersect(shapes, o, **{key: ends})
+    hit = cylint.intersect(shapes, o, **{key: spoiled}, errors="mask")
+    bad = np.broadcast_to(bad, hit.n.shape)
+    assert np.array_equal(hit.relation, np.where(bad, -1, want.relation))
+    assert np.array_equal(hit.n, np.where(bad, 0, want.n))
+    pair = bad[..., None]
+    assert same(hit.t, np.where(pair, np.nan, want.t))
+    assert np.array_equal(hit.part, np.where(pair, -1, want.part))
+    vector = pair[..., None]
+    assert same(hit.point, np.where(vector, np.nan, want.point))
+    assert cylint.Relation(int(hit.relation.flat[0])) == cylint.Relation.NONE
+
+
 def equal(a, b):
     return (
         np.array_equal(a.relation, b.relation)

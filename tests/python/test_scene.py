@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pytest
 from conftest import forest, hexadecimal, numbers, same, text_of, written_rods
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import libcylint as cylint
@@ -138,6 +138,93 @@ def test_a_scene_joins_lists_of_shapes():
         cylint.Scene([parts[0], "x"])
     with pytest.raises(ValueError, match="expected one axis"):
         cylint.Scene([parts[0][:, None], parts[0][:, None]])
+
+
+@settings(max_examples=settings().max_examples // 4)
+@given(st.integers(0, 2**32))
+def test_lines_leave_out_their_shapes(seed):
+    shapes, (o, d) = forest(200, seed), rays(60, seed)
+    unbounded = cylint.tangent_cone(
+        [0.5, 0.5, 0.5], [[0, 0, 1], [0, 1, 0]], 0.3
+    )
+    shapes = cylint.concatenate([shapes[:70], unbounded, shapes[70:]])
+    scene = cylint.Scene(shapes)
+    hit, index = brute_force(shapes, o, d)
+    random = np.random.default_rng(seed)
+    # the nearest shape, another that is hit, any, none
+    for exclude in (
+        index,
+        np.where(hit.n.any(axis=0), 201 - (hit.n > 0)[::-1].argmax(axis=0), -1),
+        random.integers(-1, 202, 60),
+        np.int8(-1),
+    ):
+        left = (hit.n > 0) & (np.arange(202)[:, None] != exclude)
+        t = np.where(left, hit.t[..., 0], np.inf)
+        want = np.where(left.any(axis=0), t.argmin(axis=0), -1)
+        near = scene.nearest(o, d, exclude=exclude)
+        assert np.array_equal(near.index, want)
+        assert same(near.t, np.where(want < 0, np.nan, t[want, np.arange(60)]))
+        point = hit.point[want, np.arange(60), 0]
+        assert same(near.point, np.where(want[:, None] < 0, np.nan, point))
+        assert np.array_equal(scene.any(o, d, exclude=exclude), want >= 0)
+        counts = scene.count(o, d, exclude=exclude)
+        assert np.array_equal(counts, left.sum(axis=0))
+        every = scene.all(o, d, exclude=exclude)
+        line, shape = np.nonzero(left.T)
+        assert np.array_equal(every.line, line)
+        assert np.array_equal(every.index, shape)
+
+
+def test_numbers_that_are_left_out_broadcast_and_are_checked():
+    balls = cylint.sphere([[0, 0, 2], [0, 0, 6]], 1)
+    scene = cylint.Scene(balls)
+    near = scene.nearest([0, 0, 0], [0, 0, 1], exclude=[[-1], [0], [1]])
+    assert near.index.tolist() == [[0], [1], [0]]
+    assert near.point[..., 2].tolist() == [[1], [5], [1]]
+    every = scene.all([0, 0, 0], [0, 0, 1], exclude=[[-1], [0], [1]])
+    assert every.line.tolist() == [0, 0, 1, 2]
+    near = scene.nearest([0, 0, 0], to=[0, 0, 9], exclude=near.index)
+    assert near.index.tolist() == [[1], [0], [1]]
+    with pytest.raises(IndexError, match="exclude: found 2, the scene has 2"):
+        scene.any([0, 0, 0], [0, 0, 1], exclude=2)
+    with pytest.raises(TypeError, match="exclude: expected integers"):
+        scene.any([0, 0, 0], [0, 0, 1], exclude=1.0)
+    with pytest.raises(
+        ValueError, match=r"broadcast: lines \(2,\), exclude \(3,\)"
+    ):
+        scene.any([[0, 0, 0]] * 2, [0, 0, 1], exclude=[0, 1, 0])
+
+
+def test_refused_lines_hit_nothing_on_request():
+    scene = cylint.Scene(forest(300, 83))
+    o, d = rays(400, 84)
+    spoiled, start = d.copy(), np.zeros(400)
+    spoiled[::7] = np.nan
+    spoiled[3::50] = 0
+    start[5::60] = np.inf
+    bad = np.isnan(spoiled).any(-1) | (spoiled == 0).all(-1) | (start > 1)
+    with pytest.raises(ValueError, match="line 0: a number is not finite"):
+        scene.nearest(o, spoiled, start)
+    want = scene.nearest(o, d)
+    near = scene.nearest(o, spoiled, start, errors="mask")
+    assert np.array_equal(near.index, np.where(bad, -1, want.index))
+    assert same(near.t, np.where(bad, np.nan, want.t))
+    assert same(near.point, np.where(bad[:, None], np.nan, want.point))
+    assert same(near.outside, np.where(bad[:, None], np.nan, want.outside))
+    counts = scene.count(o, spoiled, start, errors="mask")
+    assert np.array_equal(counts, np.where(bad, 0, scene.count(o, d)))
+    assert np.array_equal(
+        scene.any(o, spoiled, start, errors="mask"), scene.any(o, d) & ~bad
+    )
+    every = scene.all(o, spoiled, start, errors="mask")
+    assert not bad[every.line].any() and len(every.line) == counts.sum()
+    ends = np.where(bad[:, None], np.nan, o + d)
+    near = scene.nearest(o, to=ends, errors="mask")
+    assert np.array_equal(
+        near.index, np.where(bad, -1, scene.nearest(o, to=o + d).index)
+    )
+    with pytest.raises(ValueError, match="expected raise or mask, found 'all'"):
+        scene.any(o, d, errors="all")
 
 
 def test_one_is_not_plural():

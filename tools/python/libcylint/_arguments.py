@@ -12,7 +12,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import Progress, broadcast, doubles, new_copy, owned, place
+from ._arrays import (
+    Progress,
+    broadcast,
+    doubles,
+    integers,
+    new_copy,
+    owned,
+    place,
+)
 
 _P = ParamSpec("_P")
 _Self = TypeVar("_Self")
@@ -51,6 +59,7 @@ class Lines:
     """Lines of any shape, broadcast.
 
     to: the other ends of segments, in place of directions.
+    errors: "mask" if lines that are refused hit nothing; else they are raised.
     """
 
     def __init__(
@@ -61,9 +70,15 @@ class Lines:
         tmax: ArrayLike = np.inf,
         *,
         to: ArrayLike | None = None,
+        errors: str = "raise",
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> None:
+        if errors not in ("raise", "mask"):
+            raise ValueError(
+                f"errors: expected raise or mask, found {errors!r}"
+            )
+        self.masked = errors == "mask"
         self.threads = threads
         self.progress = progress
         ends = to if directions is None else directions
@@ -120,6 +135,7 @@ class Lines:
             np.broadcast_to(start, shape),
             np.broadcast_to(end, shape),
             self.segments,
+            self.masked,
         )
 
     def flat(self) -> _core.Lines:
@@ -131,6 +147,7 @@ class Lines:
             np.broadcast_to(start, self.shape).reshape(-1),
             np.broadcast_to(end, self.shape).reshape(-1),
             self.segments,
+            self.masked,
         )
 
     def refuse(self) -> ValueError:
@@ -139,6 +156,50 @@ class Lines:
         return ValueError(
             f"line{place(index, self.shape)}: {_core.strerror(status)}"
         )
+
+
+class SceneLines(Lines):
+    """Lines of any shape, each of which can leave out a shape of a scene.
+
+    exclude: the number of the shape, -1 for none.
+    """
+
+    def __init__(
+        self,
+        origins: ArrayLike,
+        directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0,
+        tmax: ArrayLike = np.inf,
+        *,
+        to: ArrayLike | None = None,
+        exclude: ArrayLike = -1,
+        errors: str = "raise",
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> None:
+        super().__init__(
+            origins,
+            directions,
+            tmin,
+            tmax,
+            to=to,
+            errors=errors,
+            threads=threads,
+            progress=progress,
+        )
+        self.numbers = integers("exclude", exclude)
+        self.shape = broadcast(
+            ("lines", self.shape), ("exclude", self.numbers.shape)
+        )
+
+    def excluded(self, shapes: int) -> NDArray[np.int64]:
+        """The numbers that are left out, of so many shapes, as a view."""
+        most = int(self.numbers.max(initial=-1))
+        if most >= shapes:
+            raise IndexError(
+                f"exclude: found {most}, the scene has {shapes} shapes"
+            )
+        return np.broadcast_to(self.numbers, self.shape)
 
 
 class Points:

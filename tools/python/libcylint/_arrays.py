@@ -1,7 +1,8 @@
-"""Converts arguments to arrays of float64, and broadcasts them."""
+"""Converts arguments to arrays, and broadcasts them."""
 
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Callable
 from typing import Any
@@ -34,6 +35,14 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> NDArray[np.float64]:
             f"{name}: expected the shape (..., {width}), found {array.shape}"
         )
     return array
+
+
+def integers(name: str, value: ArrayLike) -> NDArray[np.int64]:
+    """An array of int64 (...)."""
+    array = np.asarray(value)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name}: expected integers, found {array.dtype}")
+    return np.require(array, np.int64, "A")
 
 
 def _is_fixed(array: NDArray[Any]) -> bool:
@@ -78,9 +87,15 @@ def workers(threads: int | None) -> int:
         if hasattr(os, "sched_getaffinity"):
             return len(os.sched_getaffinity(0))
         return os.cpu_count() or 1
-    if threads < 1:
-        raise ValueError(f"threads: expected at least 1, found {threads}")
-    return int(threads)
+    try:
+        count = operator.index(threads)
+    except TypeError:
+        raise TypeError(
+            f"threads: expected an integer, found {threads!r}"
+        ) from None
+    if count < 1:
+        raise ValueError(f"threads: expected at least 1, found {count}")
+    return count
 
 
 def counted(count: int | np.integer[Any], noun: str) -> str:

@@ -15,7 +15,8 @@ from ._shapes import Shapes
 class Hits(DescribedHits):
     """What `intersect` returns: at most two hits for each line and shape.
 
-    relation: (...) int8, a value of `Relation`, of the whole line.
+    relation: (...) int8, a value of `Relation`, of the whole line; -1 for a line
+    that was refused.
     n: (...) int8, the number of hits: 0, 1 or 2.
     t: (..., 2), ascending; nan for none.
     part: (..., 2) int8, a value of `Part`; -1 for none.
@@ -63,7 +64,8 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     and at the end.  A signal such as Ctrl-C ends the call.
 
     Raises ValueError for the first line that is refused: a number that is not
-    finite, a direction of length 0, tmin > tmax.
+    finite, a direction of length 0, tmin > tmax.  With errors="mask" such a line
+    hits nothing: its relation is -1, and t is nan.
 
     The answer keeps a copy of the lines, 48 bytes each, for the members that are
     computed later.  Arrays that are read-only are not copied.
@@ -83,6 +85,9 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
            [ 0.,  0.,  1.]])
     >>> cylint.intersect(rod, [0, 0, -5], to=[0, 0, 5]).t
     array([0.5, 0.6])
+    >>> rays = [[0, 0, -5], [np.nan, 0, 0]]
+    >>> cylint.intersect(rod, rays, [0, 0, 1], errors="mask").relation
+    array([ 3, -1], dtype=int8)
     """
     shape = broadcast(("shapes", shapes.shape), ("lines", lines.shape))
     records = np.broadcast_to(shapes._records, shape)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import Balls, Lines, Points, balls, takes
+from ._arguments import Balls, Points, SceneLines, balls, takes
 from ._arrays import Progress, counted, workers
 from ._closest import ClosestShapes, ShapesWithin
 from ._hits import DescribedHits
@@ -35,7 +35,7 @@ class NearestHits(DescribedHits):
     def __init__(
         self,
         records: NDArray[np.void],
-        lines: Lines,
+        lines: SceneLines,
         index: NDArray[np.int64],
         t: NDArray[np.float64],
         part: NDArray[np.int8],
@@ -70,6 +70,9 @@ class Scene:
     `concatenate`.  Their numbers are 0 to len(scene) - 1.
     threads: of building the scene, and of all queries that do not say;
     None: one per processor.
+    progress: called with (done, total) while the scene is built, several times a
+    second and at the end; total is the number of shapes.  A signal such as
+    Ctrl-C ends the building.
 
     The answers are those of `intersect` and `Shapes.distance` with every shape,
     bit for bit.
@@ -93,12 +96,13 @@ class Scene:
         shapes: Shapes | Iterable[Shapes],
         *,
         threads: int | None = None,
+        progress: Progress | None = None,
     ) -> None:
         joined = shapes if isinstance(shapes, Shapes) else concatenate(shapes)
         self._shapes = joined._in_a_row()
         self._threads = threads
         self._records = self._shapes._records
-        self._scene = _core.Scene(self._records, workers(threads))
+        self._scene = _core.Scene(self._records, workers(threads), progress)
 
     @property
     def shapes(self) -> Shapes:
@@ -122,51 +126,65 @@ class Scene:
     def _choose(self, threads: int | None) -> int | None:
         return self._threads if threads is None else threads
 
-    @takes(Lines)
-    def nearest(self, lines: Lines) -> NearestHits:
+    def _ask(self, query: Any, lines: SceneLines, answer: Any) -> None:
+        """Calls a function of _core for lines, which writes the answer."""
+        if not query(
+            lines.broadcast_to(lines.shape),
+            lines.excluded(len(self)),
+            answer,
+            workers(self._choose(lines.threads)),
+            lines.progress,
+        ):
+            raise lines.refuse()
+
+    @takes(SceneLines)
+    def nearest(self, lines: SceneLines) -> NearestHits:
         """The first shape that each line hits, that of least t.
 
         Arguments as of `intersect`.  At equal t the lower number is first.
+        exclude: (...) integers, for each line the number of a shape that it does
+        not hit, -1 for none; for rays that leave this shape.
+
+        >>> posts = cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 1)
+        >>> scene = cylint.Scene(posts)
+        >>> first = scene.nearest([-5, 0, 0.5], [1, 0, 0])
+        >>> second = scene.nearest([-5, 0, 0.5], [1, 0, 0], exclude=first.index)
+        >>> int(first.index), int(second.index), float(second.t)
+        (0, 1, 8.0)
         """
         chosen = self._choose(lines.threads)
         lines.keep()
         shape = lines.shape
         index, part = np.empty(shape, np.int64), np.empty(shape, np.int8)
         t = np.empty(shape)
-        if not self._scene.nearest(
-            lines.broadcast_to(shape),
-            (index, t, part),
-            workers(chosen),
-            lines.progress,
-        ):
-            raise lines.refuse()
+        self._ask(self._scene.nearest, lines, (index, t, part))
         return NearestHits(self._records, lines, index, t, part, chosen)
 
-    def _count(self, kind: Any, enough: int, lines: Lines) -> NDArray[Any]:
-        counts = np.empty(lines.shape, kind)
-        if not self._scene.count(
-            lines.broadcast_to(lines.shape),
-            counts,
-            enough,
-            workers(self._choose(lines.threads)),
-            lines.progress,
-        ):
-            raise lines.refuse()
+    @takes(SceneLines)
+    def any(self, lines: SceneLines) -> NDArray[np.bool_]:
+        """Whether each line hits a shape: (...) bool.
+
+        Arguments as of `nearest`.
+        """
+        answers = np.empty(lines.shape, np.bool_)
+        self._ask(self._scene.any, lines, answers)
+        return answers
+
+    @takes(SceneLines)
+    def count(self, lines: SceneLines) -> NDArray[np.int64]:
+        """How many shapes each line hits: (...) int64.
+
+        Arguments as of `nearest`.
+        """
+        counts = np.empty(lines.shape, np.int64)
+        self._ask(self._scene.count, lines, counts)
         return counts
 
-    @takes(Lines)
-    def any(self, lines: Lines) -> NDArray[np.bool_]:
-        """Whether each line hits a shape: (...) bool."""
-        return self._count(np.bool_, 1, lines)
-
-    @takes(Lines)
-    def count(self, lines: Lines) -> NDArray[np.int64]:
-        """How many shapes each line hits: (...) int64."""
-        return self._count(np.int64, 0, lines)
-
-    @takes(Lines)
-    def all(self, lines: Lines) -> AllHits:
+    @takes(SceneLines)
+    def all(self, lines: SceneLines) -> AllHits:
         """All shapes that each line hits, as flat arrays.
+
+        Arguments as of `nearest`.
 
         >>> scene = cylint.Scene(cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 1))
         >>> scene.all([[-5, 0, 0.5], [0, -5, 0.5]], [[1, 0, 0], [0, 1, 0]])
@@ -175,7 +193,10 @@ class Scene:
                [ 4.,  6.]]))
         """
         found = self._scene.all(
-            lines.flat(), workers(self._choose(lines.threads)), lines.progress
+            lines.flat(),
+            lines.excluded(len(self)).reshape(-1),
+            workers(self._choose(lines.threads)),
+            lines.progress,
         )
         if found is None:
             raise lines.refuse()
@@ -200,8 +221,9 @@ class Scene:
 
         points: (..., 3); within: (...), the greatest distance.  They broadcast.
         The absolute values of `Shapes.distance` are compared, so a point inside
-        a shape is as far from it as from its surface.  Of equal distances the
-        lower number is first.  There is no shape within a radius that is
+        a shape is as far from it as from its surface.  Where shapes overlap, the
+        closest surface can lie inside their union.  Of equal distances the lower
+        number is first.  There is no shape within a radius that is
         negative or nan, and none for a point with a coordinate that is infinite
         or nan.
 

@@ -40,8 +40,12 @@ class Ends(IntEnum):
 
 
 class Relation(IntEnum):
-    """How the whole line, for all t, lies to the closed solid."""
+    """How the whole line, for all t, lies to the closed solid.
 
+    NONE: the line was refused.
+    """
+
+    NONE = -1
     MISS = 0
     TOUCH = 1
     ALONG = 2

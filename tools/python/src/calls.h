@@ -31,18 +31,19 @@ inline const cylint_shape *numbered(const Array &shapes, const char *p)
 }
 
 /* Arrays of lines: origins and directions (..., 3), tmin and tmax (...).
- * are_segments: the directions are end points, b, and the lines are exact. */
+ * are_segments: the directions are end points, b, and the lines are exact.
+ * mask: refused lines are accepted; they hit nothing. */
 class Lines
 {
   public:
     Lines(nb::handle o, nb::handle d, nb::handle tmin, nb::handle tmax,
-          bool are_segments)
+          bool are_segments, bool mask)
         : origins(o), directions(d), starts(tmin), ends(tmax),
-          segments(are_segments)
+          segments(are_segments), masked(mask)
     {
     }
     const Array origins, directions, starts, ends;
-    const bool segments;
+    const bool segments, masked;
 
     /* Adds the four arrays; returns the number of the first. */
     int add_to(Grid &grid) const;

@@ -34,10 +34,23 @@ class Block
     {
     }
 
-    /* Returns false if a line is refused. */
+    /* Returns false if a line is refused and not masked. */
     bool run(size_t number, size_t begin, size_t count)
     {
         row.locate(number, begin, count);
+        if (!answer()) {
+            if (!source.masked)
+                return false;
+            mark_refused();
+        }
+        write();
+        return true;
+    }
+
+  private:
+    /* Returns false if a line is refused; the other answers are right. */
+    bool answer()
+    {
         if (source.segments) {
             gather_lines();
             return run_segments();
@@ -49,46 +62,55 @@ class Block
                               row.stride(place.lines + 3) == 0;
         if (one_line && !one_shape)
             return run_shapes();
-        if (!gather_lines())
-            return false;
+        gather_lines();
         if (one_shape) {
             cylint_intersect_lines(shape_at(0), &lines, &columns());
         } else {
             pack_shapes();
             cylint_intersect_pairs(&pack, &lines, &columns());
         }
-        write();
-        return true;
+        return lines_valid;
     }
 
-  private:
     bool run_shapes()
     {
         cylint_line line;
-        if (source.make(row.addresses(place.lines), &line) != CYLINT_OK)
-            return false;
+        const bool valid = make(0, &line);
         pack_shapes();
         cylint_intersect_shapes(&pack, &line, &columns());
-        write();
-        return true;
+        return valid;
     }
 
     bool run_segments()
     {
+        bool valid = true;
         for (size_t i = 0; i < row.size(); i++) {
-            const char *at[4];
-            for (int k = 0; k < 4; k++)
-                at[k] = row.at(place.lines + k, i);
             cylint_line line;
-            if (source.make(at, &line) != CYLINT_OK)
-                return false;
+            valid &= make(i, &line);
             cylint_answer answer;
             cylint_intersect(shape_at(i), &line,
                              CYLINT_WANT_T | CYLINT_WANT_PART, &answer);
             write_answer(i, answer);
         }
-        write();
-        return true;
+        return valid;
+    }
+
+    /* Makes line i.  Returns false if it is refused. */
+    bool make(size_t i, cylint_line *line) const
+    {
+        const char *at[4];
+        for (int k = 0; k < 4; k++)
+            at[k] = row.at(place.lines + k, i);
+        return source.make(at, line) == CYLINT_OK;
+    }
+
+    /* A refused line has no relation. */
+    void mark_refused()
+    {
+        cylint_line line;
+        for (size_t i = 0; i < row.size(); i++)
+            if (!make(i, &line))
+                relation[i] = -1;
     }
 
     void write_answer(size_t i, const cylint_answer &answer)
@@ -133,12 +155,12 @@ class Block
     }
 
     /* Reads the lines into columns and tests whether they are valid. */
-    bool gather_lines()
+    void gather_lines()
     {
         const char *const *const at = row.addresses(place.lines);
         const std::vector<const char *> from(at, at + 4);
         if (from == lines_from && row.size() == lines.n)
-            return true;
+            return;
         for (int axis = 0; axis < 3; axis++) {
             row.read(column[axis], place.lines, axis * source.o_step());
             row.read(column[3 + axis], place.lines + 1, axis * source.d_step());
@@ -156,7 +178,7 @@ class Block
         }
         lines.n = row.size();
         lines_from = from;
-        return are_valid();
+        lines_valid = are_valid();
     }
 
     bool are_valid() const
@@ -200,6 +222,7 @@ class Block
     const Lines &source;
     std::vector<const char *> lines_from;
     cylint_lines lines{};
+    bool lines_valid = true;
     cylint_pack pack{};
     const cylint_shape *packed = nullptr;
     std::vector<cylint_shape> gathered;
@@ -229,7 +252,7 @@ int Lines::make(const char *const *at, cylint_line *line) const
 
 /* columns: relation, n, t (..., 2), part (..., 2), and copies of the origins and
  * the directions (..., 3), None where they are not wanted.  Returns false if a line is
- * refused; the answers are then not complete. */
+ * refused and not masked; the answers are then not complete. */
 bool intersect(nb::handle shapes, const Lines &lines, nb::tuple columns,
                int threads, nb::handle progress)
 {
@@ -339,7 +362,8 @@ void describe(nb::handle shapes, nb::handle index, const Lines &lines,
         cylint_answer answer;
         answer.n = 0;
         cylint_line l;
-        if (shape && lines.make(at + line, &l) == CYLINT_OK)
+        lines.make(at + line, &l); /* a refused line hits nothing */
+        if (shape)
             cylint_intersect(shape, &l, want, &answer);
         for (size_t h = 0; h < hits; h++)
             write_hit(m, at, h, shape,

@@ -14,9 +14,10 @@ NB_MODULE(_core, m)
     m.def("shape_members", &shape_members);
 
     nb::class_<Lines>(m, "Lines")
-        .def(nb::init<nb::handle, nb::handle, nb::handle, nb::handle, bool>(),
+        .def(nb::init<nb::handle, nb::handle, nb::handle, nb::handle, bool,
+                      bool>(),
              nb::arg("origins"), nb::arg("directions"), nb::arg("tmin"),
-             nb::arg("tmax"), nb::arg("segments"));
+             nb::arg("tmax"), nb::arg("segments"), nb::arg("masked"));
     m.def("first_bad_line", &first_bad_line, nb::arg("lines"));
 
     m.def("make_shapes", &make_shapes, nb::arg("name"), nb::arg("numbers"),

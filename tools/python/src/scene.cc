@@ -1,6 +1,7 @@
 /*
  * scene.cc - libcylint-scene: many lines or points, and many shapes
  */
+#include <exception>
 #include <initializer_list>
 #include <memory>
 #include <new>
@@ -73,23 +74,44 @@ void put(char *to, double value)
     *reinterpret_cast<double *>(to) = value;
 }
 
+/* The build of a scene, which the library reports to listen(). */
+struct Build {
+    Listener listener;
+    std::exception_ptr failure;
+
+    static int listen(void *self, double part)
+    {
+        auto *const build = static_cast<Build *>(self);
+        try {
+            build->listener.listen(part);
+        } catch (...) {
+            build->failure = std::current_exception();
+        }
+        return !build->failure;
+    }
+};
+
 class Scene
 {
   public:
     /* records: a contiguous array of shapes (n), which must not change */
-    Scene(nb::handle records, int threads)
+    Scene(nb::handle records, int threads, nb::handle progress)
         : shapes(records), n(static_cast<size_t>(shapes.size(0)))
     {
         cylint_scene_status status;
+        Build build{Listener(progress, n), nullptr};
         {
             nb::gil_scoped_release released;
-            scene.reset(
-                cylint_scene_new(as_shape(shapes.data()), n, threads, &status));
+            scene.reset(cylint_scene_new_with_progress(
+                first(), n, threads, Build::listen, &build, &status));
         }
+        if (build.failure)
+            std::rethrow_exception(build.failure);
         if (!scene && status == CYLINT_SCENE_EMEMORY)
             throw std::bad_alloc();
         if (!scene)
             throw nb::value_error(cylint_scene_strerror(status));
+        build.listener.end();
     }
 
     size_t bytes() const
@@ -97,54 +119,70 @@ class Scene
         return cylint_scene_bytes(scene.get());
     }
 
-    /* columns: index (int64), t, part.  All return false if a line is
-     * refused. */
-    bool nearest(const Lines &lines, nb::tuple columns, int threads,
-                 nb::handle progress) const
+    /* exclude: for each line the number (int64) of a shape that is left out,
+     * below 0 for none.  columns: index (int64), t, part.  All return false if a
+     * line is refused and not masked. */
+    bool nearest(const Lines &lines, nb::handle exclude, nb::tuple columns,
+                 int threads, nb::handle progress) const
     {
         const Array index(columns[0], true), t(columns[1], true),
             part(columns[2], true);
-        return each_line(
-            lines, {&index, &t, &part}, threads, progress,
-            [this](const cylint_line &line, char *const *to, size_t) {
-                cylint_hit hit;
-                const size_t found = cylint_scene_nearest(
-                    scene.get(), &line, CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
-                put(to[0], number_of(found));
-                put(to[1], found < n ? hit.t : not_a_number);
-                *to[2] = static_cast<char>(found < n ? hit.part : -1);
-            });
+        return each_line(lines, exclude, {&index, &t, &part}, threads, progress,
+                         [this](const cylint_line &line, size_t except,
+                                char *const *to, size_t) {
+                             cylint_hit hit;
+                             const size_t found = cylint_scene_nearest_other(
+                                 scene.get(), &line, except,
+                                 CYLINT_WANT_T | CYLINT_WANT_PART, &hit);
+                             put(to[0], number_of(found));
+                             put(to[1], found < n ? hit.t : not_a_number);
+                             *to[2] =
+                                 static_cast<char>(found < n ? hit.part : -1);
+                         });
     }
 
-    /* columns: an array of int64, or of bool if enough = 1 */
-    bool count(const Lines &lines, nb::handle counts, size_t enough,
+    /* answers: bool */
+    bool any(const Lines &lines, nb::handle exclude, nb::handle answers,
+             int threads, nb::handle progress) const
+    {
+        const Array to(answers, true);
+        return each_line(lines, exclude, {&to}, threads, progress,
+                         [this](const cylint_line &line, size_t except,
+                                char *const *at, size_t) {
+                             *at[0] = static_cast<char>(cylint_scene_occluded(
+                                 scene.get(), &line, except));
+                         });
+    }
+
+    /* counts: int64 */
+    bool count(const Lines &lines, nb::handle exclude, nb::handle counts,
                int threads, nb::handle progress) const
     {
         const Array to(counts, true);
         return each_line(
-            lines, {&to}, threads, progress,
-            [this, enough](const cylint_line &line, char *const *at, size_t) {
-                if (enough == 1)
-                    *at[0] = static_cast<char>(
-                        cylint_scene_occluded(scene.get(), &line, n));
-                else
-                    put(at[0], static_cast<int64_t>(cylint_scene_count(
-                                   scene.get(), &line, enough)));
+            lines, exclude, {&to}, threads, progress,
+            [this](const cylint_line &line, size_t except, char *const *at,
+                   size_t) {
+                const size_t count = cylint_scene_count(scene.get(), &line, 0);
+                const int left_out =
+                    except < n && cylint_occluded(first() + except, &line);
+                put(at[0], static_cast<int64_t>(count) - left_out);
             });
     }
 
     /* The hits of all lines, which have one axis, in order; nullptr if a line
-     * is refused. */
-    std::unique_ptr<Found> all(const Lines &lines, int threads,
-                               nb::handle progress) const
+     * is refused and not masked. */
+    std::unique_ptr<Found> all(const Lines &lines, nb::handle exclude,
+                               int threads, nb::handle progress) const
     {
         auto found = std::make_unique<Found>(
             static_cast<size_t>(lines.starts.size(0)), 2);
-        const bool good = each_line(
-            lines, {}, threads, progress,
-            [&](const cylint_line &line, char *const *, size_t number) {
-                add_hits(line, number, found->blocks[number / BLOCK]);
-            });
+        const bool good = each_line(lines, exclude, {}, threads, progress,
+                                    [&](const cylint_line &line, size_t except,
+                                        char *const *, size_t number) {
+                                        add_hits(line, except, number,
+                                                 found->blocks[number / BLOCK]);
+                                    });
         return good ? std::move(found) : nullptr;
     }
 
@@ -221,7 +259,7 @@ class Scene
         } while (found == CAPACITY);
     }
 
-    void add_hits(const cylint_line &line, size_t asked,
+    void add_hits(const cylint_line &line, size_t except, size_t asked,
                   std::vector<Row> &rows) const
     {
         each_found(
@@ -230,6 +268,8 @@ class Scene
                                         CAPACITY);
             },
             [&](size_t index) {
+                if (index == except)
+                    return;
                 cylint_answer answer;
                 cylint_intersect(first() + index, &line, CYLINT_WANT_T,
                                  &answer);
@@ -263,23 +303,32 @@ class Scene
         return as_shape(shapes.data());
     }
 
-    /* Calls function(line, addresses, number) for each line and the elements of
-     * the arrays that belong to it.  Returns false if a line is refused. */
+    /* Calls function(line, except, addresses, number) for each line, the number
+     * of the shape that it leaves out, or n, and the elements of the arrays that
+     * belong to it.  Returns false if a line is refused and not masked. */
     template <class Function>
-    static bool each_line(const Lines &lines, Arrays arrays, int threads,
-                          nb::handle progress, const Function &function)
+    bool each_line(const Lines &lines, nb::handle exclude, Arrays arrays,
+                   int threads, nb::handle progress,
+                   const Function &function) const
     {
+        const Array excluded(exclude);
         Grid grid(lines.starts, 0);
         lines.add_to(grid);
+        grid.add(excluded);
         for (const Array *array : arrays)
             grid.add(*array);
         grid.prepare();
         return each_element(grid, BLOCK, threads, progress,
                             [&](char *const *at, size_t number) {
                                 cylint_line line;
-                                if (lines.make(at, &line) != CYLINT_OK)
+                                if (lines.make(at, &line) != CYLINT_OK &&
+                                    !lines.masked)
                                     return false;
-                                function(line, at + 4, number);
+                                int64_t index;
+                                std::memcpy(&index, at[4], sizeof index);
+                                const size_t except =
+                                    index < 0 ? n : static_cast<size_t>(index);
+                                function(line, except, at + 5, number);
                                 return true;
                             });
     }
@@ -316,14 +365,17 @@ class Scene
 void register_scene(nb::module_ &module)
 {
     nb::class_<Scene>(module, "Scene")
-        .def(nb::init<nb::handle, int>())
-        .def("bytes", &Scene::bytes)
-        .def("nearest", &Scene::nearest, nb::arg("lines"), nb::arg("columns"),
+        .def(nb::init<nb::handle, int, nb::handle>(), nb::arg("records"),
              nb::arg("threads"), nb::arg("progress").none())
-        .def("count", &Scene::count, nb::arg("lines"), nb::arg("counts"),
-             nb::arg("enough"), nb::arg("threads"), nb::arg("progress").none())
-        .def("all", &Scene::all, nb::arg("lines"), nb::arg("threads"),
-             nb::arg("progress").none())
+        .def("bytes", &Scene::bytes)
+        .def("nearest", &Scene::nearest, nb::arg("lines"), nb::arg("exclude"),
+             nb::arg("columns"), nb::arg("threads"), nb::arg("progress").none())
+        .def("any", &Scene::any, nb::arg("lines"), nb::arg("exclude"),
+             nb::arg("answers"), nb::arg("threads"), nb::arg("progress").none())
+        .def("count", &Scene::count, nb::arg("lines"), nb::arg("exclude"),
+             nb::arg("counts"), nb::arg("threads"), nb::arg("progress").none())
+        .def("all", &Scene::all, nb::arg("lines"), nb::arg("exclude"),
+             nb::arg("threads"), nb::arg("progress").none())
         .def("closest", &Scene::closest, nb::arg("points"), nb::arg("radii"),
              nb::arg("columns"), nb::arg("threads"), nb::arg("progress").none())
         .def("within_count", &Scene::within_count, nb::arg("points"),

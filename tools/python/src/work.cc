@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <exception>
 #include <mutex>
 #include <system_error>
@@ -17,10 +16,8 @@ namespace nb = nanobind;
 namespace
 {
 
-using Clock = std::chrono::steady_clock;
-
 /* How often the calling thread takes the lock. */
-constexpr auto pause = std::chrono::milliseconds(50);
+constexpr auto interval = std::chrono::milliseconds(50);
 
 /* Starting a thread takes about the time of this many small blocks. */
 constexpr size_t blocks_a_thread = 4;
@@ -28,9 +25,9 @@ constexpr size_t blocks_a_thread = 4;
 class Work
 {
   public:
-    Work(size_t n, size_t elements, nb::handle callback,
+    Work(size_t n, size_t elements, nb::handle progress,
          const std::function<bool(int, size_t)> &function)
-        : blocks(n), total(elements), progress(callback), task(function)
+        : blocks(n), listener(progress, elements), task(function)
     {
     }
 
@@ -51,22 +48,20 @@ class Work
         }
         if (failure)
             std::rethrow_exception(failure);
-        if (!stopped && !progress.is_none())
-            progress(total, total);
+        if (!stopped)
+            listener.end();
     }
 
   private:
     void loop(int worker)
     {
-        auto due = Clock::now() + pause;
         try {
             for (size_t i; !stopped && (i = next++) < blocks; done++) {
                 if (!task(worker, i))
                     stopped = true;
-                if (worker == 0 && Clock::now() >= due) {
-                    listen();
-                    due = Clock::now() + pause;
-                }
+                if (worker == 0)
+                    listener.listen(static_cast<double>(done) /
+                                    static_cast<double>(blocks));
             }
         } catch (...) {
             const std::lock_guard<std::mutex> hold(lock);
@@ -76,21 +71,8 @@ class Work
         }
     }
 
-    void listen()
-    {
-        nb::gil_scoped_acquire acquired;
-        if (PyErr_CheckSignals() != 0)
-            throw nb::python_error();
-        if (!progress.is_none()) {
-            const double part =
-                static_cast<double>(done) / static_cast<double>(blocks);
-            progress(static_cast<size_t>(part * static_cast<double>(total)),
-                     total);
-        }
-    }
-
-    const size_t blocks, total;
-    const nb::handle progress;
+    const size_t blocks;
+    Listener listener;
     const std::function<bool(int, size_t)> &task;
     std::atomic<size_t> next{0}, done{0};
     std::atomic<bool> stopped{false};
@@ -99,6 +81,32 @@ class Work
 };
 
 } // namespace
+
+Listener::Listener(nb::handle callback, size_t elements)
+    : progress(callback), total(elements), due(Clock::now() + interval)
+{
+}
+
+void Listener::listen(double part)
+{
+    if (Clock::now() < due)
+        return;
+    {
+        nb::gil_scoped_acquire acquired;
+        if (PyErr_CheckSignals() != 0)
+            throw nb::python_error();
+        if (!progress.is_none())
+            progress(static_cast<size_t>(part * static_cast<double>(total)),
+                     total);
+    }
+    due = Clock::now() + interval;
+}
+
+void Listener::end() const
+{
+    if (!progress.is_none())
+        progress(total, total);
+}
 
 void work(size_t blocks, size_t total, int threads, nb::handle progress,
           const std::function<bool(int, size_t)> &task)
