@@ -35,7 +35,7 @@ typedef struct cylint_split {
 
 typedef enum cylint_bvh_status {
     CYLINT_BVH_OK,
-    CYLINT_BVH_ESHAPE, /* a shape is unbounded, its box is invalid, or its
+    CYLINT_BVH_ESHAPE,  /* a shape is unbounded, its box is invalid, or its
                           number is 2^32 - 1 */
     CYLINT_BVH_EMEMORY, /* out of memory */
     CYLINT_BVH_ESTOPPED /* by the watch */

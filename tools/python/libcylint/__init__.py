@@ -17,17 +17,12 @@ multiples of d, which need not have length 1.
 
 from ._closest import ClosestPoints, ClosestShapes, ShapesWithin
 from ._core import version as __version__
+from ._enums import Ends, Feature, Kind, Part, Relation, Side
 from ._intersect import Hits, intersect
 from ._read import read_scene, write_scene
 from ._scene import AllHits, NearestHits, Scene
 from ._shapes import (
-    Ends,
-    Feature,
-    Kind,
-    Part,
-    Relation,
     Shapes,
-    Side,
     angle_cone,
     capsule,
     concatenate,
