@@ -387,7 +387,7 @@ test_symbols()
     threads='sysconf pthread_create pthread_join pthread_mutex_lock'
     threads="$threads pthread_mutex_unlock pthread_mutex_destroy"
     threads="$threads pthread_cond_wait pthread_cond_broadcast"
-    threads="$threads pthread_cond_destroy"
+    threads="$threads pthread_cond_destroy pthread_self"
     none "$(foreign_to libcylint-scene \
         "$math $memory $others $heap $threads sqrtf")" \
         scenes_use_memory_and_threads_and_nothing_else
