@@ -505,7 +505,8 @@ CYLINT_API int cylint_selftest(void);
 /*
  * A pack: n shapes, arranged for SIMD.  cylint_pack_shapes() computes what
  * does not depend on a line and writes it to `memory`, which has
- * cylint_pack_bytes(n) bytes at any address.  Queries read `memory` and also
+ * cylint_pack_bytes(n) bytes at any address; SIZE_MAX, which malloc() refuses,
+ * if a size_t cannot hold that number.  Queries read `memory` and also
  * `shapes`.  The caller must not move or change either of them while the pack
  * is in use.  The shapes have the numbers 0 to n - 1.  No line hits a refused
  * shape.  Queries do not write to a pack: any number of threads may share it.

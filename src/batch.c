@@ -36,9 +36,10 @@ static size_t padded(size_t n)
  * two PADDINGs a run; and for moving all to an aligned address. */
 size_t cylint_pack_bytes(size_t n)
 {
-    const size_t lanes = n + (size_t)RUNS * 2 * PADDING;
-    return sizeof(pack_head) + lanes * sizeof(size_t) +
-           lanes * COLUMNS * sizeof(double) + 3 * 64;
+    const size_t lane = sizeof(size_t) + COLUMNS * sizeof(double);
+    const size_t rest =
+        sizeof(pack_head) + (size_t)RUNS * 2 * PADDING * lane + 3 * 64;
+    return n <= (SIZE_MAX - rest) / lane ? rest + n * lane : SIZE_MAX;
 }
 
 static char *aligned(char *p)

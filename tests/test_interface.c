@@ -2,6 +2,7 @@
  * test_interface.c - floor shape: order of errors, version, sizes, packs
  */
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -151,6 +152,17 @@ static void a_pack_keeps_the_callers_pointer(void)
     }
 }
 
+static void a_pack_of_too_many_shapes_has_no_size(void)
+{
+    static const size_t shares[] = {1, 2, 8, 100, 184, 200, 208, 256};
+    CHECK(cylint_pack_bytes(SIZE_MAX) == SIZE_MAX);
+    for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) {
+        const size_t n = SIZE_MAX / shares[i];
+        for (size_t less = 0; less < 100; less++)
+            CHECK(cylint_pack_bytes(n - less) >= n - less);
+    }
+}
+
 int main(void)
 {
     RUN(half_angles_whose_tangent_rounds_to_0_are_refused);
@@ -158,5 +170,6 @@ int main(void)
     RUN(a_line_with_several_faults_returns_the_first);
     RUN(version_and_sizes_of_structs_are_those_of_the_header);
     RUN(a_pack_keeps_the_callers_pointer);
+    RUN(a_pack_of_too_many_shapes_has_no_size);
     return check_end();
 }
