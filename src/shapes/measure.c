@@ -5,6 +5,7 @@
 
 #include "../numbers/bits.h"
 #include "../numbers/error_bounds.h"
+#include "../numbers/exact.h"
 
 static double largest_length(const cylint_shape *s)
 {
@@ -144,11 +145,27 @@ int cylint_apex_normal_sign(const cylint_shape *s, int along)
     return cylint_sign(s->r0) == 0 ? -1 : grows;
 }
 
+/* From exact differences: pairs that do not overflow would lose digits of
+ * subnormal ones, and so could be equal. */
+ASIDE int least_overflowing_component(const cylint_shape *s)
+{
+    cylint_arena arena;
+    exact size[3];
+    int least = 0;
+    cylint_arena_open(&arena);
+    for (int i = 0; i < 3; i++) {
+        size[i] = cylint_exact_difference(&arena, s->top[i], s->base[i]);
+        size[i].sign *= size[i].sign;
+        const exact less =
+            cylint_exact_add(&arena, size[i], cylint_exact_neg(size[least]));
+        least = less.sign < 0 ? i : least;
+    }
+    return least;
+}
+
 int cylint_least_axis_component(const cylint_shape *s)
 {
-    double hi[3], lo[3];
-    if (cylint_largest(s->axis) <= DBL_MAX)
-        return cylint_least_component(s->axis, s->axis_lo);
-    cylint_scaled_difference(hi, lo, s->top, s->base, -2);
-    return cylint_least_component(hi, lo);
+    return cylint_largest(s->axis) <= DBL_MAX
+               ? cylint_least_component(s->axis, s->axis_lo)
+               : least_overflowing_component(s);
 }
