@@ -126,7 +126,8 @@ CYLINT_API double cylint_safety(const cylint_shape *shape,
 /* Returns 1 if the absolute distance is at most `ulps` units in the last place
  * of the coordinate of the point that is the largest in absolute value, else 0.
  * ulps = 0: the point is exactly on the surface.  The compared distance is the
- * one that cylint_distance() returns. */
+ * one that cylint_distance() returns; an infinite one gives 0.  The comparison
+ * is exact in every floating-point environment. */
 CYLINT_API int cylint_on_surface(const cylint_shape *shape,
                                  const double point[3], double ulps);
 

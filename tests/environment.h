@@ -6,6 +6,8 @@
 
 #include <fenv.h>
 #include <stdint.h>
+
+#include "check.h"
 #ifdef __SSE2__
 #include <xmmintrin.h>
 #endif
@@ -73,6 +75,29 @@ static inline void environment_reset(void)
 {
     fesetround(FE_TONEAREST);
     treat_subnormals(0);
+}
+
+enum { ENVIRONMENTS = 16 };
+
+static inline struct environment environment_of(int i)
+{
+    static const int rounding[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
+                                   FE_TOWARDZERO};
+    return (struct environment){rounding[i / 4], i % 4};
+}
+
+/* Calls the test with every environment that this processor has. */
+static inline void everywhere(void test(struct environment there))
+{
+    for (int i = 0; i < ENVIRONMENTS; i++) {
+        const struct environment there = environment_of(i);
+        const int bad = check_bad;
+        if (can_treat_subnormals(there.tiny))
+            test(there);
+        if (check_bad > bad)
+            REPORT("rounding %d, flushes %d, takes for zero %d", i / 4,
+                   (there.tiny & FLUSH) != 0, (there.tiny & ZERO) != 0);
+    }
 }
 
 #endif

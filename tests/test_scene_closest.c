@@ -369,8 +369,6 @@ static void answer_point(const cylint_scene *scene, const double point[3],
 static void every_environment_has_the_same_answers(void)
 {
     static const int kinds[] = {SCENE_THIN, SCENE_LATTICE, SCENE_ROUND};
-    static const int rounding[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
-                                   FE_TOWARDZERO};
     uint64_t random = seed() + 200;
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         struct scene_shapes of;
@@ -381,10 +379,10 @@ static void every_environment_has_the_same_answers(void)
             double point[3];
             point_of(&of, (enum family)(i % FAMILIES), &random, point);
             answer_point(scene, point, 2, &want);
-            for (int e = 1; e < 16; e++) {
+            for (int e = 1; e < ENVIRONMENTS; e++) {
                 if (!can_treat_subnormals(e % 4))
                     continue;
-                environment_set((struct environment){rounding[e / 4], e % 4});
+                environment_set(environment_of(e));
                 answer_point(scene, point, 2, &got);
                 environment_reset();
                 if (!CHECK(memcmp(&want, &got, sizeof want) == 0))

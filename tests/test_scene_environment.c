@@ -17,23 +17,6 @@
 
 static const double tiny = 0x1p-1074;
 
-typedef void test_there(struct environment there);
-
-static void everywhere(test_there *test)
-{
-    static const int rounding[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
-                                   FE_TOWARDZERO};
-    for (int i = 0; i < 16; i++) {
-        const struct environment there = {rounding[i / 4], i % 4};
-        const int bad = check_bad;
-        if (can_treat_subnormals(there.tiny))
-            test(there);
-        if (check_bad > bad)
-            REPORT("rounding %d, flushes %d, takes for zero %d", i / 4,
-                   (there.tiny & FLUSH) != 0, (there.tiny & ZERO) != 0);
-    }
-}
-
 /* -------------------------------------------------- the nearest of many -- */
 
 enum { DISCS = 11 };

@@ -27,7 +27,7 @@
 #include "families.h"
 #include "random.h"
 
-enum { CASES = 8000, GROUP = 6, MASKS = 4, ENVIRONMENTS = 16 };
+enum { CASES = 8000, GROUP = 6, MASKS = 4 };
 
 /* ------------------------------------------------------ random numbers -- */
 
@@ -449,13 +449,6 @@ static void compare_calls(const struct family_case group[GROUP],
 }
 
 /* ------------------------------------------------------------ the test -- */
-
-static struct environment environment_of(int i)
-{
-    static const int rounding[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
-                                   FE_TOWARDZERO};
-    return (struct environment){rounding[i / 4], i % 4};
-}
 
 static const char *name_of(int i)
 {

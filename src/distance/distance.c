@@ -44,13 +44,22 @@ double cylint_distance(const cylint_shape *shape, const double point[3],
     return distance;
 }
 
-/* The distance of |x| from the next larger double. */
-static double unit_in_last_place(double x)
+/* The exponent of the distance of |x| from the next larger double. */
+static int exponent_of_last_place(double x)
 {
     const int e = cylint_exponent(x) - 52;
-    return e >= -1022 ? cylint_power_of_two(e)
-                      /* mutant '>' -> '>=': -1074 gives -1074, too */
-                      : cylint_scaled(1, e > -1074 ? e : -1074);
+    /* mutant '>' -> '>=': -1074 gives -1074, too */
+    return e > -1074 ? e : -1074;
+}
+
+/* Whether x <= y 2^e, for positive finite x and y.  A subnormal product would
+ * be rounded. */
+static int is_at_most(double x, double y, int e)
+{
+    const int of_x = cylint_any_exponent(x), of_y = cylint_any_exponent(y);
+    return of_x != of_y + e
+               ? of_x < of_y + e
+               : cylint_scaled(x, -of_x) <= cylint_scaled(y, -of_y);
 }
 
 int cylint_on_surface(const cylint_shape *shape, const double point[3],
@@ -59,10 +68,11 @@ int cylint_on_surface(const cylint_shape *shape, const double point[3],
     cylint_closest answer;
     /* mutant '0' -> '1': CYLINT_WANT_T has no effect here */
     const double size = fabs(cylint_distance(shape, point, 0, &answer));
-    if (answer.flags != 0)
+    if (!(size <= DBL_MAX) || ulps != ulps || cylint_sign(ulps) < 0)
         return 0;
-    if (cylint_sign(size) == 0)
-        return ulps >= 0;
-    const double unit = unit_in_last_place(cylint_largest(point));
-    return ulps > 0 && !cylint_less(ulps * unit, size);
+    if (cylint_sign(size) == 0 || ulps > DBL_MAX)
+        return 1;
+    return cylint_sign(ulps) != 0 &&
+           is_at_most(size, ulps,
+                      exponent_of_last_place(cylint_largest(point)));
 }

@@ -47,11 +47,14 @@ static inline int cylint_exponent(double x)
     return (int)(cylint_bits(x) >> 52 & 0x7ff) - 1023;
 }
 
+/* x 2^e, rounded at most once. */
+double cylint_scaled(double x, int e);
+
 /* The same for any finite x other than 0. */
 static inline int cylint_any_exponent(double x)
 {
-    return fabs(x) < DBL_MIN ? cylint_exponent(x * 0x1p60) - 60
-                             : cylint_exponent(x);
+    const int e = cylint_exponent(x);
+    return e >= -1022 ? e : cylint_exponent(cylint_scaled(x, 60)) - 60;
 }
 
 /* -1, 0 or 1.  Right for subnormals even if the processor reads them as zero. */
@@ -59,6 +62,12 @@ static inline int cylint_sign(double x)
 {
     const uint64_t bits = cylint_bits(x);
     return bits << 1 == 0 ? 0 : bits >> 63 ? -1 : 1;
+}
+
+/* x, and 0 for -0.  x + 0 would be -0 in rounding downward. */
+static inline double cylint_positive_zero(double x)
+{
+    return cylint_sign(x) == 0 ? 0 : x;
 }
 
 /* Whether 0 < |x| < 2^-CYLINT_SUM_EXPONENT: a two_sum with x can have a
@@ -119,9 +128,6 @@ static inline pair cylint_difference(double x, double y)
                      fabs(d.hi) <= DBL_MAX && cylint_rounds_to_nearest();
     return tame ? d : cylint_wild_difference(x, y);
 }
-
-/* x 2^e, rounded at most once. */
-double cylint_scaled(double x, int e);
 
 /* (to - from) 2^e as pairs.  With this e nothing overflows. */
 void cylint_scaled_difference(double hi[3], double lo[3], const double to[3],
