@@ -136,6 +136,46 @@ static void far_away_the_distance_is_that_of_the_base(void)
           got.normal[1] == 0.8);
 }
 
+/* The axis is x, the radius 1000: point and normal are multiples of (y, z). */
+static void far_from_a_cylinder_point_and_normal_are_right(void)
+{
+    static const double a[3] = {0, -1000, 0}, b[3] = {0, 0, 1000},
+                        h[3] = {-2, 0, 0};
+    for (int e = 0; e < 1020; e++) {
+        const double p[3] = {ldexp(-1.01, e), ldexp(-4.8, e), ldexp(0.325, e)},
+                     size = hypot(-4.8, 0.325);
+        const double n[3] = {0, -4.8 / size, 0.325 / size},
+                     on[3] = {p[0], 1000 * n[1], 1000 * n[2]};
+        cylint_shape s;
+        cylint_closest got;
+        cylint_elliptic_cone(&s, origin, a, b, h, 1, CYLINT_ENDS_INFINITE);
+        const int inside = cylint_distance(&s, p, WANT, &got) < 0;
+        if (!CHECK(inside == (size * ldexp(1, e) < 1000) &&
+                   are_within(got.point, on, 8) &&
+                   are_within(got.normal, n, 8)))
+            REPORT("2^%d: point %a %a %a", e, got.point[0], got.point[1],
+                   got.point[2]);
+    }
+}
+
+/* The point minus the base is longer than the largest double, along the axis. */
+static void differences_that_overflow_are_answered(void)
+{
+    static const double base[3] = {-0x1.8p1023, 0, 0}, a[3] = {0, 2, 0},
+                        b[3] = {0, 0, 1}, h[3] = {4, 0, 0};
+    static const struct known infinite[] = {
+        {{0x1.8p1023, 3, 0}, 1, 0, LATERAL, {0x1.8p1023, 2, 0}, {0, 1, 0}},
+        {{0x1.8p1023, 0, 4}, 3, 0, LATERAL, {0x1.8p1023, 0, 1}, {0, 0, 1}},
+    };
+    cylint_shape s;
+    cylint_closest got;
+    cylint_elliptic_cylinder(&s, base, a, b, h, CYLINT_ENDS_INFINITE);
+    CHECK_KNOWN(s, infinite);
+    cylint_elliptic_cylinder(&s, base, a, b, h, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_distance(&s, infinite[0].p, WANT, &got) == HUGE_VAL);
+    CHECK(got.feature == RIM1 && got.point[1] == 2);
+}
+
 /* The sign is exact: a distance that is not 0 is not rounded to it. */
 static void only_points_of_the_surface_have_the_distance_0(void)
 {
@@ -380,6 +420,8 @@ int main(void)
     RUN(points_of_the_surface_have_the_distance_0);
     RUN(the_features_of_a_cone);
     RUN(far_away_the_distance_is_that_of_the_base);
+    RUN(far_from_a_cylinder_point_and_normal_are_right);
+    RUN(differences_that_overflow_are_answered);
     RUN(only_points_of_the_surface_have_the_distance_0);
     RUN(wild_exponents_give_numbers);
     RUN(next_to_a_rim_the_distance_is_small_inside);

@@ -19,7 +19,14 @@
  */
 #include "critical.h"
 
-enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 16 };
+enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 40 };
+
+/* A smaller cos or sin may be 0, and is 0: it would underflow. */
+#define UPRIGHT 0x1p-100
+#define TINY 0x1p-950
+
+/* Relative to cos and sin; the error is 2^-50 of it. */
+#define LAST_CORRECTION 0x1p-100
 
 #define CRITICAL_REACH 1.25
 
@@ -47,7 +54,7 @@ enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 16 };
 #define OVER triple_div
 #define TIMES_DOUBLE triple_times
 #define FROM_DOUBLE(x) triple_of(x)
-#define ROUNDED(x) ((x).a)
+#define ROUNDED(x) triple_value(x)
 #define SMALL_STEP 0x1p-80
 #define NOISE 0x1p-148
 #include "critical_zeros_template.h"
@@ -62,6 +69,14 @@ static triple form_at(const stationary *f, const direction *at)
     const triple by_sin =
         triple_add(f->linear[1], triple_mul(f->square[2], at->sin));
     return triple_mul2(by_cos, at->cos, by_sin, at->sin);
+}
+
+triple cylint_integral_at(const stationary *f, const direction *at)
+{
+    const triple by_sin = triple_mul2(f->square[0], at->cos,
+                                      triple_scale(f->square[1], 0.5), at->sin);
+    return triple_det(triple_add(f->linear[0], by_sin), at->sin, f->linear[1],
+                      at->cos);
 }
 
 /* Its derivative by the angle. */
@@ -82,20 +97,36 @@ static void normalize(direction *d)
     d->sin = triple_sub(d->sin, triple_mul(d->sin, half));
 }
 
+/* cos or sin, where it is nearly 0, is 0 if that is a zero of the form, but for
+ * what underflows. */
+static int is_upright(const stationary *f, direction *at)
+{
+    const int level = fabs(at->sin.a) < fabs(at->cos.a);
+    triple *small = level ? &at->sin : &at->cos,
+           *large = level ? &at->cos : &at->sin;
+    const direction exactly = {triple_of(level ? copysign(1, large->a) : 0),
+                               triple_of(level ? 0 : copysign(1, large->a))};
+    if (!(fabs(small->a) < UPRIGHT) ||
+        (!(fabs(small->a) < TINY) && triple_value(form_at(f, &exactly)) != 0))
+        return 0;
+    *at = exactly;
+    return 1;
+}
+
 /* Corrects a zero by Newton's iteration until the form gets no smaller, or until
- * the square of a correction is below the last place of a triple.  The length
- * grows by half the square of a correction.  normalize() squares that
- * error. */
+ * the error of a correction, which is a double, is below the last place of cos
+ * and of sin.  The length grows by half the square of a correction.
+ * normalize() squares that error. */
 direction cylint_correct_direction(const stationary *f, direction at)
 {
     normalize(&at);
     normalize(&at);
-    triple form = form_at(f, &at);
+    double form = triple_value(form_at(f, &at));
     /* mutant '&&' -> '||': a step that reduces nothing ends the loop */
     /* untaken 1 of 4: a correction below the last place ends the iteration
      * before */
-    for (int step = 0; step < MOST_CORRECTIONS && form.a != 0; step++) {
-        const double by = -form.a / slope_at(f, &at);
+    for (int step = 0; step < MOST_CORRECTIONS && form != 0; step++) {
+        const double by = -form / slope_at(f, &at);
         /* untaken 1 of 2: no zero is known at which the slope vanishes and the
          * form does not */
         if (!(fabs(by) < 0.5))
@@ -108,15 +139,29 @@ direction cylint_correct_direction(const stationary *f, direction at)
             error *= error;
         }
         normalize(&next);
-        const int is_last = by * by < CYLINT_TRIPLE_ROUNDING;
-        const triple smaller = is_last ? triple_of(0) : form_at(f, &next);
-        /* untaken 1 of 2: every known correction reduces the form */
-        if (!(fabs(smaller.a) < fabs(form.a)))
+        if (is_upright(f, &next))
+            return next;
+        const double least = cylint_smaller(fabs(next.cos.a), fabs(next.sin.a));
+        const int is_last = fabs(by) <= LAST_CORRECTION * least;
+        const double smaller = is_last ? 0 : triple_value(form_at(f, &next));
+        if (!(fabs(smaller) < fabs(form)))
             break;
         at = next;
         form = smaller;
     }
     return at;
+}
+
+double cylint_direction_error(const stationary *f, const direction *at)
+{
+    const double c = fabs(at->cos.a), s = fabs(at->sin.a);
+    const double terms = c * (fabs(f->linear[0].a) + fabs(f->square[0].a) * c +
+                              fabs(f->square[1].a) * s) +
+                         s * (fabs(f->linear[1].a) + fabs(f->square[2].a) * s);
+    const double rest =
+        fabs(triple_value(form_at(f, at))) / CYLINT_TRIPLE_ROUNDING;
+    const double error = (terms + rest) / fabs(slope_at(f, at));
+    return error < 1 ? error : 1;
 }
 
 static direction direction_of_double(double t, int sign)
@@ -152,6 +197,7 @@ static void polynomial(const stationary *f, int sign, triple p[DEGREE + 1])
         size = cylint_larger(size, fabs(x[i].a));
     }
     const int e = cylint_any_exponent(size);
+    /* untaken 1 of 2: no known form is so large */
     const double power = cylint_power_of_two(e > 1000    ? -1000
                                              : e < -1000 ? 1000
                                                          : -e);

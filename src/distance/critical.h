@@ -14,6 +14,8 @@
  */
 typedef struct {
     triple linear[2], square[3];
+    double terms; /* the sizes of all terms of these, where square[0] is
+                     -square[2] */
 } stationary;
 
 /* cos and sin of an angle; the sum of their squares is 1 to the last place. */
@@ -23,6 +25,9 @@ typedef struct {
 
 enum { CYLINT_MOST_CRITICAL = 8 };
 
+/* The integral of the form over the angle, where square[0] is -square[2]. */
+triple cylint_integral_at(const stationary *form, const direction *at);
+
 /* Writes the directions in which the form is 0: all that are simple, some of
  * them twice; 0 and half a turn if all coefficients are 0.  They have the digits
  * of doubles at least.  Returns their number. */
@@ -31,5 +36,9 @@ int cylint_critical_directions(const stationary *form,
 
 /* The direction next to one of those with the digits of triples. */
 direction cylint_correct_direction(const stationary *form, direction at);
+
+/* The error of its angle, in units of the rounding of triples, at most 1.  It
+ * is far below 1 only where cos or sin, and most terms, are nearly 0. */
+double cylint_direction_error(const stationary *form, const direction *at);
 
 #endif

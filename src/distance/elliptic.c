@@ -15,10 +15,13 @@
  *     the apex
  *     the foot of the perpendicular on the plane of a cap, within the cap.
  * The residual R of each is computed in triples, and F, the nearest point minus
- * the base.  The difference of two squares of distances is (F' - F).(R + R').
- * The first of those that are not farther by more than the rounding errors of
- * that product is the answer.  At the lateral surface the distance is computed
- * as R.N / |N|, N = u' x v: its relative error is small beside the surface, too.
+ * the base, as G + z v, whose exponents can differ much (elliptic_terms.h).
+ * The difference of two squares of distances is (F' - F).(R + R').  On one rim,
+ * and on the lateral surface of a cylinder, it is proportional to that of the
+ * integrals of the form, which has no terms of the size of R.  The first of
+ * those that are not farther by more than the rounding errors of that
+ * difference is the answer.  At the lateral surface the distance is computed as
+ * R.N / |N|, N = u' x v: its relative error is small beside the surface, too.
  */
 #include "elliptic.h"
 
@@ -55,12 +58,16 @@ typedef struct {
     int part, feature; /* part -1: none */
     int nappe;         /* the sign of the section's factor there */
     direction at;      /* of lateral surface and rims; else the angle 0 */
-    triple R[3], F[3];
-    double terms[3]; /* the sizes of the terms of F */
+    double factor;     /* of u in G; else 0 */
+    triple G[3];       /* in the unit of the shape */
+    double terms[3];   /* the sizes of the terms of G */
+    triple z, zv[3];   /* of the lateral surface, in the unit of Q; else 0 */
+    triple R[3];       /* Q - F */
 } candidate;
 
 typedef struct {
     elliptic_terms p;
+    stationary form[CYLINT_FEATURE_APEX]; /* of lateral surface and rims */
     int only;        /* the feature to be found, or ANY_FEATURE */
     int inside;      /* the point is inside a solid with both caps */
     int has_lateral; /* there is a candidate on the lateral surface, perhaps too
@@ -76,14 +83,16 @@ typedef struct {
 
 static candidate candidate_of(int part, int feature)
 {
-    candidate x = {part,        feature,     1,  {{1, 0, 0}, {0, 0, 0}},
-                   {{0, 0, 0}}, {{0, 0, 0}}, {0}};
-    return x;
+    return (candidate){.part = part,
+                       .feature = feature,
+                       .nappe = 1,
+                       .at = {{1, 0, 0}, {0, 0, 0}}};
 }
 
-static candidate on_ellipse(int feature, const direction *at)
+static candidate on_ellipse(int feature, double factor, const direction *at)
 {
     candidate x = candidate_of(CYLINT_PART_LATERAL, feature);
+    x.factor = factor;
     x.at = *at;
     return x;
 }
@@ -99,20 +108,41 @@ static int is_before(const candidate *x, const candidate *y)
     return sin_x < 0 ? cos_x < cos_y : cos_x > cos_y;
 }
 
+static int sign_beyond(double x, double error)
+{
+    return fabs(x) <= error ? 0 : x < 0 ? -1 : 1;
+}
+
+/* Of a rim and of a cylinder: half the square of the distance, but for a
+ * constant. */
+static triple minus_integral(const search *s, const candidate *x)
+{
+    return triple_neg(cylint_integral_at(&s->form[x->feature], &x->at));
+}
+
 /* -1: x is nearer than the best so far, 1: it is farther, 0: the difference of
  * their distances is not certain. */
-static int compare(const candidate *best, const candidate *x)
+static int compare(const search *s, const candidate *x)
 {
+    const candidate *best = &s->best;
     triple between[3], sum[3];
     double error = 0;
+    if (x->feature == best->feature && (x->feature != CYLINT_FEATURE_LATERAL ||
+                                        !cylint_is_tapered(s->p.shape->kind)))
+        return sign_beyond(triple_value(triple_sub(minus_integral(s, x),
+                                                   minus_integral(s, best))),
+                           ORDER_ERROR * s->form[x->feature].terms);
     for (int i = 0; i < 3; i++) {
-        between[i] = triple_sub(best->F[i], x->F[i]);
+        between[i] =
+            triple_add(triple_scale(triple_sub(best->G[i], x->G[i]), s->p.near),
+                       triple_sub(best->zv[i], x->zv[i]));
         sum[i] = triple_add(best->R[i], x->R[i]);
-        error += (best->terms[i] + x->terms[i]) *
+        error += (s->p.near * (best->terms[i] + x->terms[i]) +
+                  fabs(best->zv[i].a) + fabs(x->zv[i].a)) *
                  (fabs(best->R[i].a) + fabs(x->R[i].a));
     }
-    const double change = triple_dot(between, sum).a;
-    return fabs(change) <= ORDER_ERROR * error ? 0 : change < 0 ? -1 : 1;
+    return sign_beyond(triple_value(triple_dot(between, sum)),
+                       ORDER_ERROR * error);
 }
 
 static double square_of(double x, double y, double z)
@@ -148,7 +178,7 @@ static void offer(search *s, const candidate *x)
     if (s->only != ANY_FEATURE && x->feature != s->only)
         return;
     bound_least(s, square_of(x->R[0].a, x->R[1].a, x->R[2].a), 0);
-    const int order = best->part < 0 ? -1 : compare(best, x);
+    const int order = best->part < 0 ? -1 : compare(s, x);
     if (order < 0 ||
         (order == 0 && (x->part < best->part ||
                         (x->feature == best->feature &&
@@ -156,27 +186,29 @@ static void offer(search *s, const candidate *x)
         s->best = *x;
 }
 
-/* F = origin + u s + v t, R = Q - F. */
+/* G = origin + u p + v q, R = Q - G - z v. */
 static void place(const search *s, candidate *x, const triple origin[3],
                   const triple u[3], triple p, const triple v[3], triple q)
 {
     for (int i = 0; i < 3; i++) {
         const triple up = triple_mul(u[i], p), vq = triple_mul(v[i], q);
-        x->F[i] = triple_add(origin[i], triple_add(up, vq));
-        x->R[i] = triple_sub(s->p.Q[i], x->F[i]);
+        x->G[i] = triple_add(origin[i], triple_add(up, vq));
+        x->R[i] = triple_sub(
+            triple_sub(s->p.Q[i], triple_scale(x->G[i], s->p.near)), x->zv[i]);
         x->terms[i] = fabs(origin[i].a) + fabs(up.a) + fabs(vq.a);
     }
 }
 
 static const triple nowhere[3]; /* the base */
 
-/* Whether the lateral surface has the point z of a ruling; rho is 1 + k1 z. */
+/* Whether the lateral surface has the point z of a ruling.  z and rho, which
+ * is 1 + k1 z, are in the unit of Q. */
 static int is_within(const search *s, triple z, double rho)
 {
     if (s->only != ANY_FEATURE || s->inside)
         return 1;
     if (cylint_is_bounded(s->p.shape))
-        return z.a > 0 && triple_sub(z, triple_of(1)).a < 0;
+        return z.a > 0 && triple_value(triple_sub(z, triple_of(s->p.near))) < 0;
     return s->p.shape->ends == CYLINT_ENDS_INFINITE ? rho != 0 : rho > 0;
 }
 
@@ -192,14 +224,14 @@ static rough_point on_ruling(const search *s, direction at)
     for (int i = 0; i < 3; i++) {
         const double u = p->a[i].a * at.cos.a + p->b[i].a * at.sin.a;
         v[i] = p->g[i].a + p->k1.a * u;
-        E[i] = p->Q[i].a - u;
+        E[i] = p->Q[i].a - p->near * u;
         vv += v[i] * v[i];
         Ev += E[i] * v[i];
     }
     const double z = Ev / vv;
     return (rough_point){
         square_of(E[0] - z * v[0], E[1] - z * v[1], E[2] - z * v[2]), 1 / vv, z,
-        1 + p->k1.a * z};
+        p->near + p->k1.a * z};
 }
 
 /* 1: the point is on the nappe and between the ends, -1: it is not, 0: the
@@ -211,35 +243,37 @@ static int rough_place(const search *s, const rough_point *x, int nappe)
     const double rho = nappe * x->rho;
     const int bounded =
         cylint_is_bounded(s->p.shape) && !s->inside && s->only == ANY_FEATURE;
-    if (rho < -error || (bounded && (z < -off || z > 1 + off)))
+    if (rho < -error || (bounded && (z < -off || z > s->p.near + off)))
         return -1;
-    return rho > error && (!bounded || (z > off && z < 1 - off));
+    return rho > error && (!bounded || (z > off && z < s->p.near - off));
 }
 
 /* nappe: the sign of rho that is wanted. */
 static void try_lateral(search *s, const direction *at, int nappe)
 {
     triple u[3], v[3];
-    candidate x = on_ellipse(CYLINT_FEATURE_LATERAL, at);
+    candidate x = on_ellipse(CYLINT_FEATURE_LATERAL, 1, at);
     cylint_load_ruling(&s->p, at, u, v);
-    const triple z =
-        triple_div(cylint_along_ruling(&s->p, at), triple_dot(v, v));
-    const double rho = triple_add(triple_of(1), triple_mul(s->p.k1, z)).a;
-    if ((rho < 0) != (nappe < 0) ||
-        !is_within(s, triple_scale(z, s->p.stretch), rho))
-        return;
     x.nappe = nappe;
-    place(s, &x, nowhere, u, triple_of(1), v, z);
+    x.z = triple_div(cylint_along_ruling(&s->p, at), triple_dot(v, v));
+    const double rho = triple_value(
+        triple_add(triple_of(s->p.near), triple_mul(s->p.k1, x.z)));
+    if ((rho < 0) != (nappe < 0) ||
+        !is_within(s, triple_scale(x.z, s->p.stretch), rho))
+        return;
+    for (int i = 0; i < 3; i++)
+        x.zv[i] = triple_mul(x.z, v[i]);
+    place(s, &x, nowhere, s->p.a, at->cos, s->p.b, at->sin);
     offer(s, &x);
 }
 
 static void try_rim(search *s, int end, const direction *at)
 {
-    const triple factor = triple_of(cylint_end_factor(s->p.shape, end));
+    const double factor = cylint_end_factor(s->p.shape, end);
     candidate x =
-        on_ellipse(end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0, at);
-    place(s, &x, end ? s->p.h : nowhere, s->p.a, triple_mul(factor, at->cos),
-          s->p.b, triple_mul(factor, at->sin));
+        on_ellipse(end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0, factor, at);
+    place(s, &x, end ? s->p.h : nowhere, s->p.a, triple_times(at->cos, factor),
+          s->p.b, triple_times(at->sin, factor));
     offer(s, &x);
 }
 
@@ -271,7 +305,8 @@ static void cross_units(triple to[3], const triple u[3], const triple v[3])
 }
 
 /* The perpendicular on the plane of an end has the foot x a + y b from its
- * centre, x = (from x b).M / M.M and y = (a x from).M / M.M, M = a x b. */
+ * centre, x = (from x b).M / M.M and y = (a x from).M / M.M, M = a x b.  `from`
+ * is in the unit of Q. */
 static void try_cap(search *s, int end)
 {
     triple from[3], a[3], b[3], M[3], right[3], up[3];
@@ -284,12 +319,14 @@ static void try_cap(search *s, int end)
     triple_cross(right, from, b);
     triple_cross(up, a, from);
     const triple whole = triple_dot(M, M);
-    const triple x = triple_div(triple_dot(right, M), whole);
-    const triple y = triple_div(triple_dot(up, M), whole);
+    const double unit = 1 / s->p.near;
+    const triple x =
+        triple_scale(triple_div(triple_dot(right, M), whole), unit);
+    const triple y = triple_scale(triple_div(triple_dot(up, M), whole), unit);
     const triple in_a = triple_scale(x, of_a), in_b = triple_scale(y, of_b);
     const triple room = triple_sub(triple_mul(factor, factor),
                                    triple_mul2(in_a, in_a, in_b, in_b));
-    if (s->only == ANY_FEATURE && !s->inside && !(room.a > 0))
+    if (s->only == ANY_FEATURE && !s->inside && !(triple_value(room) > 0))
         return;
     place(s, &c, end ? s->p.h : nowhere, a, x, b, y);
     offer(s, &c);
@@ -398,7 +435,7 @@ static int has_outward(search *s)
     if (s->best.part < 0)
         return 0;
     load_normal(s);
-    return triple_dot(s->best.R, s->N).a > 0;
+    return triple_value(triple_dot(s->best.R, s->N)) > 0;
 }
 
 /* ---------------------------------------------------------- features ---- */
@@ -407,12 +444,12 @@ static void search_lateral(search *s)
 {
     direction at[CYLINT_MOST_CRITICAL];
     rough_point x[CYLINT_MOST_CRITICAL];
-    stationary form;
+    stationary *form = &s->form[CYLINT_FEATURE_LATERAL];
     const int last = s->p.shape->ends == CYLINT_ENDS_INFINITE ? -1 : 1;
     if (s->only != ANY_FEATURE && s->only != CYLINT_FEATURE_LATERAL)
         return;
-    cylint_lateral_form(&s->p, &form);
-    const int n = cylint_critical_directions(&form, at);
+    cylint_lateral_form(&s->p, form);
+    const int n = cylint_critical_directions(form, at);
     for (int i = 0; i < n; i++) {
         x[i] = on_ruling(s, at[i]);
         for (int nappe = 1; nappe >= last; nappe -= 2)
@@ -426,14 +463,14 @@ static void search_lateral(search *s)
             if (is_too_far(s, x[i].square, x[i].share) ||
                 rough_place(s, &x[i], nappe) < 0)
                 continue;
-            const direction exactly = cylint_correct_direction(&form, at[i]);
+            const direction exactly = cylint_correct_direction(form, at[i]);
             try_lateral(s, &exactly, nappe);
         }
 }
 
 /* The stationary points of a rim. */
 typedef struct {
-    stationary form;
+    stationary *form;
     direction at[CYLINT_MOST_CRITICAL];
     double square[CYLINT_MOST_CRITICAL];
     int n;
@@ -444,14 +481,16 @@ static void load_rim(search *s, int end, rim_points *rim)
     triple from[3];
     const elliptic_terms *p = &s->p;
     const double factor = cylint_end_factor(p->shape, end);
+    rim->form = &s->form[end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0];
     cylint_from_end(p, end, from);
-    cylint_rim_form(p, from, triple_of(factor), &rim->form);
-    rim->n = cylint_critical_directions(&rim->form, rim->at);
+    cylint_rim_form(p, from, factor, rim->form);
+    rim->n = cylint_critical_directions(rim->form, rim->at);
     for (int i = 0; i < rim->n; i++) {
         double R[3];
         for (int k = 0; k < 3; k++)
-            R[k] = from[k].a - factor * (p->a[k].a * rim->at[i].cos.a +
-                                         p->b[k].a * rim->at[i].sin.a);
+            R[k] = from[k].a - p->near * factor *
+                                   (p->a[k].a * rim->at[i].cos.a +
+                                    p->b[k].a * rim->at[i].sin.a);
         rim->square[i] = square_of(R[0], R[1], R[2]);
         bound_least(s, rim->square[i], 0);
     }
@@ -462,7 +501,7 @@ static void search_rim(search *s, int end, const rim_points *rim)
     for (int i = 0; i < rim->n; i++)
         if (!is_too_far(s, rim->square[i], 0)) {
             const direction at =
-                cylint_correct_direction(&rim->form, rim->at[i]);
+                cylint_correct_direction(rim->form, rim->at[i]);
             try_rim(s, end, &at);
         }
 }
@@ -551,17 +590,50 @@ static int feature_on_boundary(const cylint_shape *shape, const double point[3])
                                : ANY_FEATURE;
 }
 
+/* The coordinate base + G + z v.  The exponents of the terms can differ by more
+ * than the range of doubles.  G_terms and zv_terms: their sizes. */
+static double point_of(const search *s, int i, triple zv, double G_terms,
+                       double zv_terms)
+{
+    const int e = s->p.e, far = e + s->p.whole;
+    const double base = s->p.shape->base[i];
+    const int of_base = exponent_or_none(base),
+              of_G = exponent_or_none(G_terms) + e,
+              of_zv = exponent_or_none(zv_terms) + far;
+    const int most = of_G > of_zv ? of_G : of_zv,
+              unit = of_base > most ? of_base : most;
+    const triple c = triple_of(cylint_scaled(base, -unit)),
+                 G = triple_scaled(s->best.G[i], e - unit),
+                 along = triple_scaled(zv, far - unit);
+    const double p = triple_value(triple_add(c, triple_add(G, along)));
+    const double terms = fabs(c.a) + cylint_scaled(G_terms, e - unit) +
+                         cylint_scaled(zv_terms, far - unit);
+    return cylint_scaled(fabs(p) < VECTOR_ERROR * terms ? 0 : p, unit);
+}
+
 static void write_point(const search *s, int is_on, double to[3])
 {
-    const int is_ratio = !cylint_is_bounded(s->p.shape) &&
-                         s->best.feature == CYLINT_FEATURE_LATERAL;
-    const int e = is_ratio ? s->p.e + s->p.far : s->p.e;
+    const elliptic_terms *p = &s->p;
+    const candidate *best = &s->best;
+    const double turn =
+        best->factor > 0
+            ? cylint_direction_error(&s->form[best->feature], &best->at)
+            : 0;
+    triple u[3], v[3];
+    const triple z =
+        triple_add(triple_scaled(best->z, p->far - p->whole), p->moved);
+    cylint_load_ruling(p, &best->at, u, v);
     for (int i = 0; i < 3; i++) {
-        const triple c = triple_of(cylint_scaled(s->p.shape->base[i], -e));
-        const double p = triple_value(triple_add(c, s->best.F[i]));
-        const double error = VECTOR_ERROR * (fabs(c.a) + s->best.terms[i]);
-        to[i] = is_on ? s->p.point[i] + 0.0
-                      : cylint_scaled(fabs(p) < error ? 0 : p, e) + 0.0;
+        const double turned = turn * fabs(p->b[i].a * best->at.cos.a -
+                                          p->a[i].a * best->at.sin.a);
+        const double v_terms =
+            fabs(p->g[i].a) + fabs(p->k1.a) * (fabs(u[i].a) + turned);
+        const double x = is_on
+                             ? p->point[i]
+                             : point_of(s, i, triple_mul(z, v[i]),
+                                        best->terms[i] + best->factor * turned,
+                                        fabs(z.a) * v_terms);
+        to[i] = cylint_positive_zero(x);
     }
 }
 
@@ -618,11 +690,10 @@ double cylint_below_elliptic(const cylint_shape *shape, const double point[3],
     triple M[3];
     cylint_load_elliptic(&p, shape, point);
     triple_cross(M, p.a, p.b);
-    if (!(fabs(triple_dot(M, p.h).a) >= FLAT))
+    if (!cylint_rounds_to_nearest() || !(fabs(triple_dot(M, p.h).a) >= FLAT))
         return 0;
-    const double x[3] = {p.Q[0].a, p.Q[1].a, p.Q[2].a};
     const double error =
-        DISTANCE_ERROR * (1 + cylint_largest(x)); /* a, b and h are below 2 */
-    const double rest = below - cylint_scaled(error, p.e + p.far);
-    return rest > 0 ? -cylint_next_above(-rest) + 0 : 0; /* no -0 */
+        DISTANCE_ERROR * (1 + p.length); /* a, b and h are below 2 */
+    const double rest = below - cylint_scaled(error, p.e + p.whole);
+    return rest > 0 ? fabs(cylint_next_above(-rest)) : 0; /* no -0 */
 }

@@ -18,6 +18,13 @@ static inline triple triple_scale(triple x, double f)
     return (triple){x.a * f, x.b * f, x.c * f};
 }
 
+/* x 2^e, whatever the exponents. */
+static inline triple triple_scaled(triple x, int e)
+{
+    return (triple){cylint_scaled(x.a, e), cylint_scaled(x.b, e),
+                    cylint_scaled(x.c, e)};
+}
+
 /* x f for any f: triple_mul() without what is 0. */
 static inline triple triple_times(triple x, double f)
 {
@@ -48,7 +55,8 @@ static inline triple triple_div(triple x, triple y)
     return triple_sum(a, b, last.a / y.a);
 }
 
-/* The double nearest to x, or its neighbour. */
+/* The double nearest to x, or its neighbour.  Where terms have cancelled, x.a
+ * can be 0 though x is not. */
 static inline double triple_value(triple x)
 {
     return x.a + (x.b + x.c);
