@@ -35,8 +35,37 @@ static void subnormal_units_are_compared_exactly(void)
     everywhere(check_two_units);
 }
 
+/* Squares of the coordinates overflow, and rounding downward and toward zero an
+ * overflow is the largest double. */
+static void check_safety_beyond_all_squares(struct environment e)
+{
+    static const double p0[3] = {3, 0, -3}, p1[3] = {4, 0, -3};
+    for (int far = 490; far <= 1019; far++) {
+        const double p[3] = {ldexp(-12.07, far), ldexp(4.21, far),
+                             ldexp(13.45, far)};
+        for (int ends = 0; ends < 6; ends++) {
+            cylint_shape s;
+            cylint_closest a;
+            cylint_cone(&s, p0, 2, p1, 1, (cylint_ends)ends);
+            const double d = fabs(cylint_distance(&s, p, 0, &a));
+            environment_set(e);
+            const double safe = cylint_safety(&s, p);
+            environment_reset();
+            if (!CHECK(safe > 0.999 * d && safe <= d))
+                REPORT("2^%d, ends %d, rounding %d: safety %a, distance %a",
+                       far, ends, e.rounding, safe, d);
+        }
+    }
+}
+
+static void a_safety_beyond_all_squares_is_below_the_distance(void)
+{
+    everywhere(check_safety_beyond_all_squares);
+}
+
 int main(void)
 {
     RUN(subnormal_units_are_compared_exactly);
+    RUN(a_safety_beyond_all_squares_is_below_the_distance);
     return check_end();
 }

@@ -11,12 +11,14 @@ double cylint_elliptic_distance(const cylint_shape *shape,
                                 const double point[3], unsigned want,
                                 cylint_closest *answer);
 
-/* A lower bound of the absolute distance from a prepared shape that is capped, open
- * or infinite, in doubles, in any rounding mode; 0 where there is no better one. */
+/* A lower bound of the absolute distance from a prepared shape, in doubles, in
+ * any rounding mode; 0 where there is no better one.  Shapes with one cap are
+ * taken as capped, and nappes as infinite, which have more surface. */
 double cylint_elliptic_safety(const cylint_shape *shape, const double point[3]);
 
 /* The double below the absolute value of cylint_elliptic_distance(), less the
- * error of that; 0 for a shape too flat to bound it. */
+ * error of that; 0 for a shape too flat to bound it, and where rounding is
+ * directed: triples then have no bound on their errors. */
 double cylint_below_elliptic(const cylint_shape *shape, const double point[3],
                              double below);
 

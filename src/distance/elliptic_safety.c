@@ -49,6 +49,10 @@ typedef struct {
 enum { MULTIPLIER_STEPS = 6 };
 #define CLOSE_ENOUGH 0x1p-4
 
+/* Numbers up to this, times the sizes of points and shapes, have squares that
+ * do not overflow. */
+#define TAME 0x1p400
+
 /* How near m comes to where M is singular, relative to m. */
 #define SINGULAR_MARGIN 0x1p-16
 
@@ -266,8 +270,8 @@ static double from_elliptic_rim(const elliptic_position *p, int end)
     const double Da = dot_doubles(D, s->a), Db = dot_doubles(D, s->b);
     const double x = (bb * Da - ab * Db) * inverse;
     const double y = (aa * Db - ab * Da) * inverse;
-    if (x * x + y * y <= factor * factor)
-        return 0; /* the cap is nearer */
+    if (x * x + y * y <= factor * factor || !(x * x + y * y <= TAME))
+        return 0; /* the cap is nearer, or a square could overflow */
     const section_matrix A = {bb * inverse, -ab * inverse, aa * inverse};
     if (factor > 0) {
         find_multiplier(&A, x, y, factor, 0, v);
@@ -341,12 +345,22 @@ static double from_bounded_elliptic(const elliptic_position *p)
                                               : outside_bounded(p, inner);
 }
 
+/* Whether no product overflows, such as the square of A w: in directed rounding
+ * it would be the largest double. */
+static int is_tame(const elliptic_position *p)
+{
+    const cylint_local *f = &p->shape->local;
+    const double k = f->norm * (1 + fabs(f->slope));
+    return p->error * (1 + k * k) <= TAME;
+}
+
 double cylint_elliptic_safety(const cylint_shape *shape, const double point[3])
 {
     elliptic_position p;
     locate_elliptic(&p, shape, point);
-    const double bound = shape->ends == CYLINT_ENDS_INFINITE
-                             ? from_infinite_elliptic(&p)
-                             : from_bounded_elliptic(&p);
-    return bound > 0 && bound <= DBL_MAX ? bound : 0;
+    if (!is_tame(&p))
+        return 0;
+    const double bound = cylint_is_bounded(shape) ? from_bounded_elliptic(&p)
+                                                  : from_infinite_elliptic(&p);
+    return bound > 0 ? bound : 0;
 }

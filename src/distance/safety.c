@@ -25,7 +25,7 @@ ASIDE double below_distance(const cylint_shape *shape, const double point[3])
     const double size = fabs(cylint_distance(shape, point, 0, &answer));
     if (answer.part < 0 || cylint_sign(size) == 0)
         return size;
-    const double below = -cylint_next_above(-size) + 0; /* no -0 */
+    const double below = fabs(cylint_next_above(-size)); /* no -0 */
     return cylint_is_elliptic(shape->kind)
                ? cylint_below_elliptic(shape, point, below)
                : below;
@@ -155,17 +155,30 @@ INLINE double from_infinite(const cylint_shape *s, position at, double C,
 
 /* ------------------------------------------------------- lower bounds --- */
 
-/* error: in rounding to nearest.  size: of the coordinates and the shape. */
-INLINE double less_error(double distance, double error, double size)
+/* In the other rounding modes.  An overflow can be the largest double there, so
+ * points whose squares can overflow get 0. */
+ASIDE double less_directed_error(double distance, double error, double size,
+                                 const cylint_shape *s, const double point[3])
 {
-    return distance - (cylint_rounds_to_nearest() ? error : 2 * error) * size;
+    const double most =
+        cylint_larger(cylint_largest(point), cylint_largest(s->base));
+    return most <= CYLINT_SAFETY_MOST ? distance - 2 * error * size : 0;
+}
+
+/* error: in rounding to nearest.  size: of the coordinates and the shape. */
+INLINE double less_error(double distance, double error, double size,
+                         const cylint_shape *s, const double point[3])
+{
+    return cylint_rounds_to_nearest()
+               ? distance - error * size
+               : less_directed_error(distance, error, size, s, point);
 }
 
 ASIDE double open_safety(const cylint_shape *s, const double point[3])
 {
     const double d =
         from_cone(s, locate(s, point), s->local.cosine, s->local.sine, 0);
-    return less_error(d, CYLINT_SAFETY_ERROR, d + s->local.reach);
+    return less_error(d, CYLINT_SAFETY_ERROR, d + s->local.reach, s, point);
 }
 
 ASIDE double infinite_safety(const cylint_shape *s, const double point[3])
@@ -173,30 +186,37 @@ ASIDE double infinite_safety(const cylint_shape *s, const double point[3])
     const position at = locate(s, point);
     const double d = from_infinite(s, at, s->local.cosine, s->local.sine);
     return less_error(d, CYLINT_SAFETY_ERROR,
-                      root(at.square) + fabs(at.z) + s->local.reach);
+                      root(at.square) + fabs(at.z) + s->local.reach, s, point);
 }
 
-/* 0 or less: the distance is below its error.  NaN: it overflows. */
+/* 0 or less: the distance is below its error, or can overflow.  NaN: it
+ * overflows. */
 INLINE double if_positive(double bound, const cylint_shape *s,
                           const double point[3])
 {
     return bound > 0 ? bound : below_distance(s, point);
 }
 
+/* Elliptic kinds with one cap, and nappes, get the bound of their distance or,
+ * where rounding is directed, that of a shape with more surface. */
+static int is_served(const cylint_shape *s)
+{
+    if (cylint_is_elliptic(s->kind) && !cylint_rounds_to_nearest())
+        return 1;
+    return s->ends == CYLINT_ENDS_INFINITE || s->ends == CYLINT_ENDS_CAPPED ||
+           (s->ends == CYLINT_ENDS_OPEN && !cylint_is_round(s->kind));
+}
+
 /* All but the capped shapes of circular and round kinds. */
 ASIDE double other_safety(const cylint_shape *s, const double point[3])
 {
-    const int infinite = s->ends == CYLINT_ENDS_INFINITE;
-    const int served =
-        infinite || s->ends == CYLINT_ENDS_CAPPED ||
-        (s->ends == CYLINT_ENDS_OPEN && !cylint_is_round(s->kind));
-    if (!s->prepared || !served || cylint_has_tangent(s->kind))
+    if (!s->prepared || !is_served(s) || cylint_has_tangent(s->kind))
         return below_distance(s, point);
-    return if_positive(cylint_is_elliptic(s->kind)
-                           ? cylint_elliptic_safety(s, point)
-                       : infinite ? infinite_safety(s, point)
-                                  : open_safety(s, point),
-                       s, point);
+    return if_positive(
+        cylint_is_elliptic(s->kind)       ? cylint_elliptic_safety(s, point)
+        : s->ends == CYLINT_ENDS_INFINITE ? infinite_safety(s, point)
+                                          : open_safety(s, point),
+        s, point);
 }
 
 double cylint_safety(const cylint_shape *s, const double point[3])
@@ -213,8 +233,9 @@ double cylint_safety(const cylint_shape *s, const double point[3])
         break;
     case CYLINT_KIND_SPHERE:
         d = from_sphere(s, point);
-        return if_positive(less_error(d, CYLINT_SPHERE_SAFETY_ERROR, d + s->r0),
-                           s, point);
+        return if_positive(
+            less_error(d, CYLINT_SPHERE_SAFETY_ERROR, d + s->r0, s, point), s,
+            point);
     case CYLINT_KIND_CAPSULE:
         d = from_capsule(s, locate(s, point));
         break;
@@ -224,8 +245,9 @@ double cylint_safety(const cylint_shape *s, const double point[3])
     default:
         return other_safety(s, point);
     }
-    return if_positive(less_error(d, CYLINT_SAFETY_ERROR, d + s->local.reach),
-                       s, point);
+    return if_positive(
+        less_error(d, CYLINT_SAFETY_ERROR, d + s->local.reach, s, point), s,
+        point);
 }
 
 #else

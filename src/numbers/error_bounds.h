@@ -197,7 +197,11 @@
  * over the distance.
  *
  * The same of a sphere, relative to the distance plus the radius.  Proved.
+ *
+ * The squares of the differences of coordinates up to CYLINT_SAFETY_MOST do not
+ * overflow.
  */
+#define CYLINT_SAFETY_MOST 0x1p500
 #define CYLINT_SAFETY_ERROR (15.4 * CYLINT_NEAREST_ROUNDING)
 #define CYLINT_SPHERE_SAFETY_ERROR (5.501 * CYLINT_NEAREST_ROUNDING)
 
