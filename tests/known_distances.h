@@ -37,12 +37,25 @@ static inline cylint_closest answer_to(const cylint_shape *s, const double p[3],
     return a;
 }
 
+static inline int is_negative_zero(double x)
+{
+    return x == 0 && signbit(x);
+}
+
+static inline int has_negative_zero(const cylint_closest *a)
+{
+    int found = is_negative_zero(a->distance);
+    for (int i = 0; i < 3; i++)
+        found |=
+            is_negative_zero(a->point[i]) || is_negative_zero(a->normal[i]);
+    return found;
+}
+
 /* 0 is not equal to -0. */
 static inline int are_within(const double x[3], const double y[3], double ulps)
 {
     for (int i = 0; i < 3; i++)
-        if (!(fabs(x[i] - y[i]) <= ulps * ulp(y[i])) ||
-            (x[i] == 0 && signbit(x[i])))
+        if (!(fabs(x[i] - y[i]) <= ulps * ulp(y[i])) || is_negative_zero(x[i]))
             return 0;
     return 1;
 }

@@ -524,7 +524,7 @@ static int hull_distance(ARGUMENTS)
     const int end = feature == CYLINT_FEATURE_RIM1;
     const int ball = at_end(CYLINT_FEATURE_CAP0, end);
     if (feature == CYLINT_FEATURE_LATERAL ||
-        !cylint_part_is_present(s->ends, ball) || !(p.r[end] > 0))
+        !cylint_part_is_present(s->ends, ball) || cylint_sign(p.r[end]) == 0)
         return finish(&m, from_feature(&m, &p, feature), feature, closed, s,
                       point, want, answer);
     write_part(s, ball, want, answer);

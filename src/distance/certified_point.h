@@ -97,7 +97,7 @@ static certified c_div(certified x, certified y)
 /* Writes the component; whether it is certain. */
 INLINE int c_write(certified x, double *to)
 {
-    *to = x.v.hi + 0; /* no -0 */
+    *to = cylint_positive_zero(x.v.hi);
     return (x.error == 0 && cylint_sign(x.v.lo) == 0) ||
            is_certain(x.v, x.error);
 }

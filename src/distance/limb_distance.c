@@ -260,9 +260,9 @@ INLINE double round_cone_distance(int parted, ARGUMENTS)
         d = limbs_sub(root_of_limbs(square, double_root(sum_of(y2, y2, rough)),
                                     &m, &error),
                       split(r, m.snap));
-        feature = !(r > 0)    ? CYLINT_FEATURE_APEX
-                  : after > 0 ? CYLINT_FEATURE_CAP1
-                              : CYLINT_FEATURE_CAP0;
+        feature = cylint_sign(r) == 0 ? CYLINT_FEATURE_APEX
+                  : after > 0         ? CYLINT_FEATURE_CAP1
+                                      : CYLINT_FEATURE_CAP0;
     } else {
         const limbs x = root_of_limbs(square_across(&m), rho, &m, &error);
         d = limbs_sub(turned(s, x, m.z), split(s->r0, m.snap));

@@ -4,6 +4,7 @@
 #ifndef CYLINT_NEAREST_H
 #define CYLINT_NEAREST_H
 
+#include "../numbers/bits.h"
 #include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
 
@@ -23,7 +24,7 @@ CYLINT_INLINE int cylint_feature_end(int feature)
 CYLINT_INLINE int cylint_feature_is_apex(const cylint_shape *s, int feature)
 {
     return feature != CYLINT_FEATURE_LATERAL &&
-           !(cylint_end_factor(s, cylint_feature_end(feature)) > 0);
+           cylint_sign(cylint_end_factor(s, cylint_feature_end(feature))) == 0;
 }
 
 /* Rims and apex are lateral.  Caps have the numbers of their parts. */

@@ -213,7 +213,7 @@ static void write_point(meridian *m, const nearest *n, const radial *d,
         floating value = cylint_surd_sum_value(m->arena, &x);
         if (value.v.hi != 0)
             value = floating_div(value, cylint_floating(denominator));
-        point[i] = cylint_scaled(value.v.hi, value.e) + 0; /* no -0 */
+        point[i] = cylint_positive_zero(cylint_scaled(value.v.hi, value.e));
         m->arena->used = used;
     }
 }
@@ -234,18 +234,20 @@ static floating lateral_normal(meridian *m, const radial *d, int i)
 /* x / |x|, rounded from a quotient of pairs. */
 static void normalise(const floating x[3], int sign, double to[3])
 {
-    pair y[3], sum = {0, 0};
+    pair sum = {0, 0};
     int e = INT_MIN / 2; /* below all exponents, and can be negated */
     for (int i = 0; i < 3; i++)
         if (x[i].v.hi != 0 && x[i].e > e)
             e = x[i].e;
     for (int i = 0; i < 3; i++) {
-        y[i] = floating_scaled(x[i], -e);
-        sum = pair_add(sum, pair_mul(y[i], y[i]));
+        const pair y = floating_scaled(x[i], -e);
+        sum = pair_add(sum, pair_mul(y, y));
     }
-    const pair size = pair_sqrt(sum);
-    for (int i = 0; i < 3; i++)
-        to[i] = sign * pair_div(y[i], size).hi + 0; /* no -0 */
+    const floating size = {pair_sqrt(sum), e};
+    for (int i = 0; i < 3; i++) {
+        const floating n = floating_div(x[i], size);
+        to[i] = cylint_positive_zero(sign * cylint_scaled(n.v.hi, n.e));
+    }
 }
 
 static void write_normal(meridian *m, const nearest *n, const radial *d,

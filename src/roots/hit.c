@@ -95,7 +95,7 @@ static void normalise(const floating x[3], int sign, double to[3])
     }
     const double size = sign * sqrt(sum.hi);
     for (int i = 0; i < 3; i++) {
-        const double component = y[i].hi / size + 0; /* no -0 */
+        const double component = cylint_positive_zero(y[i].hi / size);
         to[i] = component > 1 ? 1 : component < -1 ? -1 : component;
     }
 }
@@ -331,7 +331,7 @@ static unsigned fixed_coordinates(const cylint_query *q, cylint_root root,
         else if (!is_on_cap(q, root) ||
                  !cap_coordinate(q->shape, root == ROOT_CAP1, i, &point[i]))
             left |= 1u << i;
-        point[i] += 0; /* no -0 */
+        point[i] = cylint_positive_zero(point[i]);
     }
     return left;
 }
@@ -350,7 +350,7 @@ static unsigned point_in_pairs(const cylint_query *q, bounded_pair t,
         const double sizes = fabs(l->o[i]) + 2 * fabs(step.hi);
         const double error = CYLINT_PAIR_UNIT * sizes +
                              t_error * fabs(l->d[i]) + CYLINT_UNDERFLOW;
-        point[i] = x.hi + 0; /* no -0 */
+        point[i] = cylint_positive_zero(x.hi);
         left &= ~((unsigned)(fabs(x.hi) > CYLINT_DIGITS * error) << i);
     }
     return left;
@@ -365,7 +365,8 @@ static void point_in_full(cylint_query *q, surd *t, unsigned left,
         if (!(left >> i & 1))
             continue;
         const exact o = cylint_exact_from(&q->arena, q->line->o[i]);
-        point[i] = rounded(cylint_value_at(q, t, o, L->u[i])) + 0;
+        point[i] =
+            cylint_positive_zero(rounded(cylint_value_at(q, t, o, L->u[i])));
         q->arena.used = used;
     }
 }
@@ -383,7 +384,8 @@ static int apex_sign(cylint_query *q)
 static double z_of(const floating *facts)
 {
     const floating height = facts[HEIGHT], unit = facts[HEIGHT_UNIT];
-    return cylint_scaled(pair_div(height.v, unit.v).hi, height.e - unit.e) + 0;
+    return cylint_positive_zero(
+        cylint_scaled(pair_div(height.v, unit.v).hi, height.e - unit.e));
 }
 
 static void write_facts(cylint_query *q, const floating *facts,

@@ -49,7 +49,7 @@ pair cylint_unit_reach(const cylint_shape *s, const pair axis[3], int j, int *e,
 static inline int cylint_is_smaller(pair x, pair y)
 {
     const double xh = fabs(x.hi), yh = fabs(y.hi);
-    if (xh != yh)
+    if (cylint_rank(xh) != cylint_rank(yh))
         return cylint_less(xh, yh);
     return cylint_less(cylint_sign(x.hi) < 0 ? -x.lo : x.lo,
                        cylint_sign(y.hi) < 0 ? -y.lo : y.lo);

@@ -229,7 +229,7 @@ CYLINT_INLINE double cylint_turns(double angle)
 {
     const double pi = 3.14159265358979323846, turns = angle / (2 * pi);
     const double positive = turns < 0 ? turns + 1 : turns;
-    return positive < 1 ? positive + 0 : 0;
+    return positive < 1 ? fabs(positive) : 0; /* no -0 */
 }
 
 #endif
