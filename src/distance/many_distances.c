@@ -157,6 +157,23 @@ void cylint_distance_pairs(const cylint_shape *shapes,
         rows(shapes, 1, points, answers);
 }
 
+/*
+ * Whether the surface of a shape is certainly farther away than `least`,
+ * because the ball about the shape is.  The slack covers the roundings of both
+ * squares, eight at most each.  If the smaller one overflows, to infinity or to
+ * the largest double, they are equal.  2^-400 covers what underflows.
+ */
+static int is_farther(const cylint_shape *s, const double point[3],
+                      double least)
+{
+    if (!cylint_is_bounded(s) || !s->in_range)
+        return 0;
+    const double X = point[0] - s->center[0], Y = point[1] - s->center[1],
+                 Z = point[2] - s->center[2];
+    const double most = (least + s->bound_radius) * CYLINT_SLACK + 0x1p-400;
+    return X * X + Y * Y + Z * Z > most * most;
+}
+
 size_t cylint_closest_shape(const cylint_shape *shapes, size_t n,
                             const double point[3], double within, unsigned want,
                             cylint_closest *answer)
@@ -165,14 +182,17 @@ size_t cylint_closest_shape(const cylint_shape *shapes, size_t n,
         return n;
     size_t best = n;
     double least = within;
+    int64_t limit = cylint_rank(within) + 1; /* of the rank of a better one */
     for (size_t i = 0; i < n; i++) {
         cylint_closest one;
         one.part = 0;
+        if (is_farther(shapes + i, point, least))
+            continue;
         const double size = fabs(cylint_distance(shapes + i, point, 0, &one));
-        if (one.part >= 0 && (best == n ? !cylint_less(least, size)
-                                        : cylint_less(size, least))) {
+        if (cylint_rank(size) < limit && one.part >= 0) {
             best = i;
             least = size;
+            limit = cylint_rank(size);
         }
     }
     if (best < n)
