@@ -20,7 +20,11 @@ struct oracle_closest {
     double length; /* elliptic kinds: of the longest of a, b, h and the vector
                       from the base to the point */
     int too_near;  /* elliptic kinds: the distance is not 0, but smaller than
-                      2^-86 of that; it has an error of 2^-150 of that */
+                     2^-86 of that; it has an error of 2^-150 of that.  Both are
+                     less if the exponents of the data differ much. */
+    int is_tie;    /* elliptic kinds: another point has the same distance, but
+                     for 2^-113 of that; on the same rim or cylinder, but for
+                     2^-113 of the longest of a, b and h */
 };
 
 void oracle_distance(const cylint_shape *shape, const double point[3],

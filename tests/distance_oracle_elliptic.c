@@ -8,11 +8,13 @@
  * zeros are isolated by those of the derivatives, with MPFR.  A rim is the same
  * in its plane.
  *
- * Where Q is on a plane of symmetry, m can be such that 1 + m S is singular.  So
- * the point is moved by 2^-MOVED of the largest length.  The distance then
- * changes by that much.  Lengths are divided by the power of two of the largest.
+ * Where Q is on a plane of symmetry, m can be such that 1 + m S is singular.
+ * So the point is moved by 2^-MOVED or less of the largest length.  The
+ * distance then changes by that much.  Lengths are divided by the power of two
+ * of the largest.
  */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cylint_distance.h"
@@ -45,13 +47,18 @@ static void load(const cylint_shape *shape, const double point[3])
     static const double aside[3] = {1, -0.7, 0.3};
     const double *data[] = {point, shape->base, shape->a, shape->b,
                             shape->axis};
-    e.exponent = -4000;
+    int least = 4000, most = -4000, factor = 0;
     for (int i = 0; i < 15; i++) {
         int exponent;
         frexp(data[i / 3][i % 3], &exponent);
-        if (data[i / 3][i % 3] != 0 && exponent > e.exponent)
-            e.exponent = exponent;
+        if (data[i / 3][i % 3] == 0)
+            continue;
+        most = exponent > most ? exponent : most;
+        least = exponent < least ? exponent : least;
     }
+    frexp(shape->r1, &factor);
+    start(most - least + abs(factor));
+    e.exponent = most;
     set(e.Q, point);
     set(e.base, shape->base);
     set(e.a, shape->a);
@@ -59,15 +66,17 @@ static void load(const cylint_shape *shape, const double point[3])
     set(e.h, shape->axis);
     for (int i = 0; i < 3; i++)
         mpfr_sub(e.Q[i], e.Q[i], e.base[i], RND);
-    norm(e.scale, e.Q);
     vector *const lengths[] = {&e.a, &e.b, &e.h};
-    for (int i = 0; i < 3; i++) {
+    norm(e.longest, e.a);
+    for (int i = 1; i < 3; i++) {
         norm(e.t[0], *lengths[i]);
-        mpfr_max(e.scale, e.scale, e.t[0], RND);
+        mpfr_max(e.longest, e.longest, e.t[0], RND);
     }
+    norm(e.scale, e.Q);
+    mpfr_max(e.scale, e.scale, e.longest, RND);
     for (int i = 0; i < 3; i++) {
         mpfr_mul_d(e.t[0], e.scale, aside[i], RND);
-        mpfr_div_2ui(e.t[0], e.t[0], MOVED, RND);
+        mpfr_div_2si(e.t[0], e.t[0], e.moved, RND);
         mpfr_add(e.Q[i], e.Q[i], e.t[0], RND);
     }
     mpfr_set_d(e.k1, shape->r1, RND);
@@ -100,7 +109,7 @@ static void load_determinant(void)
     mpfr_set_ui(e.minor, 0, RND);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
-            mpfr_init2(g[i][j], BITS);
+            mpfr_init2(g[i][j], e.bits);
             dot(g[i][j], *dual[i], *dual[j]);
         }
     for (int i = 0; i < n; i++) {
@@ -116,7 +125,7 @@ static void load_determinant(void)
     }
     vector c;
     for (int i = 0; i < 3; i++)
-        mpfr_init2(c[i], BITS);
+        mpfr_init2(c[i], e.bits);
     cross(c, e.gy, e.gz);
     dot(e.det[3], c, e.gx);
     mpfr_sqr(e.det[3], e.det[3], RND);
@@ -192,11 +201,20 @@ static void offer(struct oracle_closest *expected, int part, int feature)
 {
     offer_by_feature(expected, feature);
     if (expected->part >= 0) {
+        const int same = feature == expected->feature && !e.cone;
+        const long equal = mpfr_get_exp(e.scale) - e.moved + 20;
+        const long tie = mpfr_get_exp(same ? e.longest : e.scale) - 113;
         mpfr_sub(e.t[0], e.best, e.size, RND);
-        if (mpfr_sgn(e.t[0]) <= 0 ||
-            mpfr_get_exp(e.t[0]) < mpfr_get_exp(e.scale) - MOVED + 20)
+        const int sign = mpfr_sgn(e.t[0]);
+        const long off = sign == 0 ? equal : mpfr_get_exp(e.t[0]);
+        if (off < tie)
+            expected->is_tie = 1;
+        if (sign <= 0 || off < equal)
             return;
+        if (off >= tie)
+            expected->is_tie = 0;
     }
+    expected->is_tie |= e.has_twin;
     expected->part = part;
     expected->feature = feature;
     mpfr_set(e.best, e.size, RND);
@@ -362,7 +380,7 @@ static void rim_polynomial(void)
 
 /* At the nearest point of the rim 1 + m S2 is positive semidefinite: m is at least
  * -1 / s, s the larger eigenvalue of S2, 2 s = T + sqrt(T^2 - 4 det).  There
- * p / det^2 falls from +infinity to -1.  m is larger by at least 2^-MOVED / s,
+ * p / det^2 falls from +infinity to -1.  m is larger by at least 2^-moved / s,
  * because the point is moved. */
 static int nearest_of_rim(void)
 {
@@ -375,9 +393,13 @@ static int nearest_of_rim(void)
     mpfr_sqrt(e.t[0], e.t[0], RND);
     mpfr_add(e.t[0], e.t[0], e.det[1], RND);
     mpfr_si_div(low, -2, e.t[0], RND);
-    mpfr_div_2ui(e.t[0], low, 200, RND);
+    mpfr_div_2si(e.t[0], low, e.moved + 50, RND);
     mpfr_sub(low, low, e.t[0], RND);
-    return zero_above(low) ? 1 : real_zeros();
+    if (!zero_above(low))
+        return real_zeros();
+    mpfr_sub(e.t[0], e.root[0], low, RND);
+    e.has_twin = is_tiny(e.t[0], low, 110);
+    return 1;
 }
 
 static void try_rim(struct oracle_closest *expected, mpfr_t m, int end)
@@ -434,6 +456,7 @@ static void ends(const cylint_shape *shape, struct oracle_closest *expected)
         rim_polynomial();
         for (int i = 0, n = nearest_of_rim(); i < n; i++)
             try_rim(expected, e.root[i], end);
+        e.has_twin = 0;
         if (is_cap)
             cap(expected, end);
     }
@@ -484,8 +507,10 @@ static void write(struct oracle_closest *expected, const double point[3],
         mpfr_add(e.t[0], e.foot[i], e.base[i], RND);
         const int is_zero =
             mpfr_zero_p(e.t[0]) ||
-            mpfr_get_exp(e.t[0]) < mpfr_get_exp(e.scale) - MOVED / 2;
-        expected->point[i] = is_on ? point[i] : is_zero ? 0 : length(e.t[0]);
+            mpfr_get_exp(e.t[0]) < mpfr_get_exp(e.scale) - e.moved / 2;
+        expected->point[i] = is_on     ? point[i]
+                             : is_zero ? 0
+                                       : length(e.t[0]) + 0.0;
         const double n = mpfr_get_d(e.normal[i], RND);
         expected->normal[i] = fabs(n) < 0x1p-120 ? 0 : n;
     }
@@ -495,7 +520,6 @@ void oracle_elliptic_distance(const cylint_shape *shape, const double point[3],
                               struct oracle_closest *expected, mpfr_t size)
 {
     const int side = oracle_contains(shape, point);
-    start();
     load(shape, point);
     expected->part = -1;
     for (int i = 0; i <= CYLINT_FEATURE_APEX; i++)
@@ -510,7 +534,7 @@ void oracle_elliptic_distance(const cylint_shape *shape, const double point[3],
     if (is_on)
         choose_on_surface(expected, on);
     write(expected, point, is_on);
-    mpfr_set_prec(size, BITS);
+    mpfr_set_prec(size, e.bits);
     mpfr_set(size, e.best, RND);
     if (is_on)
         mpfr_set_ui(size, 0, RND);
@@ -519,7 +543,7 @@ void oracle_elliptic_distance(const cylint_shape *shape, const double point[3],
         mpfr_neg(size, size, RND);
     expected->too_near =
         !is_on && (mpfr_zero_p(size) ||
-                   mpfr_get_exp(size) < mpfr_get_exp(e.scale) - (MOVED - 64));
+                   mpfr_get_exp(size) < mpfr_get_exp(e.scale) - (e.moved - 64));
     mpfr_mul_2si(size, size, e.exponent, RND);
     expected->length = length(e.scale);
     expected->distance = mpfr_get_d(size, RND);

@@ -31,10 +31,12 @@ struct work {
 
 static struct {
     int ready, cone;
+    int has_twin; /* of the candidate: another point of the rim is as far */
+    long bits, moved;
     long exponent; /* lengths are divided by 2^exponent */
     vector Q, a, b, h, w, gx, gy, gz, base, Y, R, N, foot, normal, E;
     vector y[3], Sy[3]; /* y = y[0] + y[1] m + y[2] m^2 */
-    mpfr_t k1, det[4], trace, minor, scale, best, size, rho, z;
+    mpfr_t k1, det[4], trace, minor, scale, longest, best, size, rho, z;
     mpfr_t p[DEGREE + 1], q[DEGREE][DEGREE + 1];
     mpfr_t root[MOST_ROOTS], turn[MOST_ROOTS];
     mpfr_t in[2][2], flat[2], S2[3]; /* of a rim: its plane */
@@ -45,16 +47,23 @@ static struct {
 
 /* ----------------------------------------------------------- vectors ---- */
 
-static void start(void)
+/* Gives all numbers the bits for data whose exponents differ by `range`. */
+static void start(long range)
 {
     mpfr_t *const first = e.Q;
     const size_t numbers =
         (sizeof e - (size_t)((char *)first - (char *)&e)) / sizeof(mpfr_t);
-    if (e.ready)
+    const long bits = BITS + 16 * range;
+    e.moved = MOVED + 4 * range;
+    if (e.bits == bits)
         return;
-    e.ready = 1;
+    e.bits = bits;
     for (size_t i = 0; i < numbers; i++)
-        mpfr_init2(first[i], BITS);
+        if (e.ready)
+            mpfr_set_prec(first[i], bits);
+        else
+            mpfr_init2(first[i], bits);
+    e.ready = 1;
     mpfr_t *const few = &e.few.x;
     for (size_t i = 0; i < sizeof e.few / sizeof(mpfr_t); i++)
         mpfr_set_prec(few[i], FEW_BITS);
@@ -151,7 +160,7 @@ static void middle(mpfr_t x, mpfr_t low, mpfr_t high)
 }
 
 /* |x| < 2^-digits |y| */
-static int is_tiny(mpfr_t x, mpfr_t y, int digits)
+static int is_tiny(mpfr_t x, mpfr_t y, long digits)
 {
     return mpfr_regular_p(x) && mpfr_regular_p(y) &&
            mpfr_get_exp(x) < mpfr_get_exp(y) - digits;
@@ -160,7 +169,7 @@ static int is_tiny(mpfr_t x, mpfr_t y, int digits)
 /* Improves w->x, a zero between low and high, at which the signs differ, by
  * Newton's iteration with bisection, until a step is 2^-digits of x. */
 static void iterate(struct work *w, mpfr_t *p, int degree, mpfr_t low,
-                    mpfr_t high, int digits)
+                    mpfr_t high, long digits)
 {
     mpfr_set(w->below, low, RND);
     mpfr_set(w->above, high, RND);
@@ -169,7 +178,7 @@ static void iterate(struct work *w, mpfr_t *p, int degree, mpfr_t low,
     mpfr_sub(w->last, high, low, RND);
     if (mpfr_cmp(w->x, low) <= 0 || mpfr_cmp(w->x, high) >= 0)
         middle(w->x, low, high);
-    for (int i = 0; i < MOST_STEPS; i++) {
+    for (int i = 0; i < MOST_STEPS + e.bits; i++) {
         value_of(w->f, w->slope, p, degree, w->x);
         if (mpfr_zero_p(w->f))
             return;
@@ -187,7 +196,7 @@ static void iterate(struct work *w, mpfr_t *p, int degree, mpfr_t low,
             middle(w->next, w->below, w->above);
         mpfr_sub(w->last, w->next, w->x, RND);
         mpfr_set(w->x, w->next, RND);
-        if (mpfr_zero_p(w->last) || is_tiny(w->last, w->x, BITS))
+        if (mpfr_zero_p(w->last) || is_tiny(w->last, w->x, e.bits))
             return;
     }
 }
@@ -202,7 +211,7 @@ static void zero_between(mpfr_t x, mpfr_t *p, int degree, mpfr_t low,
     mpfr_set(e.few.x, low, RND);
     iterate(&e.few, e.few.p, degree, low, high, FEW_BITS / 2);
     mpfr_set(e.all.x, e.few.x, RND);
-    iterate(&e.all, p, degree, low, high, BITS / 2);
+    iterate(&e.all, p, degree, low, high, e.bits / 2);
     mpfr_set(x, e.all.x, RND);
 }
 

@@ -3,7 +3,8 @@
  *
  * A point is drawn for a case of the families: next to its shape's surface,
  * axis, rims, apex and bisectors, exactly on them where the numbers allow, or
- * far away.  It depends only on the case and on the stream.
+ * far away.  Then shape and point can be moved to any exponents of doubles.
+ * The point depends only on the case and on the stream.
  */
 #ifndef CYLINT_DISTANCE_POINTS_H
 #define CYLINT_DISTANCE_POINTS_H
@@ -220,6 +221,99 @@ static enum place draw_point(const struct family_case *c, uint64_t *stream,
         break;
     }
     return place;
+}
+
+/* ------------------------------------------------------ any exponents --- */
+
+enum reach {
+    REACH_SCALED,    /* shape and point times a power of two */
+    REACH_FAR,       /* the point in a box of any size about the origin */
+    REACH_ALONG,     /* some coordinates of the point far away */
+    REACH_MIXED,     /* each coordinate has an exponent of its own, or is 0 */
+    REACH_SUBNORMAL, /* some lengths of the shape are subnormal */
+    REACH_WILD,      /* each length of the shape has an exponent of its own */
+    REACHES
+};
+
+static inline int draw_exponent(uint64_t *stream)
+{
+    return random_int(stream, 1024 + 1074) - 1074;
+}
+
+/* Any double but 0. */
+static inline double draw_any(uint64_t *stream)
+{
+    const double x = ldexp(random_mantissa(stream), draw_exponent(stream));
+    return random_int(stream, 2) ? x : -x;
+}
+
+static inline int length_count(const struct family_case *c)
+{
+    return family_shape_size(c->shape_word) -
+           (c->shape_word == FAMILY_ACONE || c->shape_word == FAMILY_ECONE);
+}
+
+static inline void scale_case(struct family_case *c, double p[3], int e)
+{
+    for (int i = 0; i < length_count(c); i++)
+        c->shape_data[i] = ldexp(c->shape_data[i], e);
+    for (int i = 0; i < 3; i++)
+        p[i] = ldexp(p[i], e);
+}
+
+/* Replaces lengths other than 0 and keeps their signs. */
+static inline void draw_lengths(struct family_case *c, uint64_t *stream,
+                                int subnormal)
+{
+    for (int i = 0; i < length_count(c); i++) {
+        const double x = subnormal ? 0x1p-1074 * (1 + random_int(stream, 4000))
+                                   : draw_any(stream);
+        if (c->shape_data[i] != 0 && random_int(stream, 2))
+            c->shape_data[i] = copysign(x, c->shape_data[i]);
+    }
+}
+
+static inline void draw_coordinates(enum reach reach, uint64_t *stream,
+                                    double p[3])
+{
+    const int e = draw_exponent(stream);
+    for (int i = 0; i < 3; i++) {
+        const int chosen = random_int(stream, 4);
+        if (reach == REACH_FAR)
+            p[i] = ldexp(draw(stream, -1, 1), e + 1);
+        else if (reach == REACH_ALONG && chosen < 2)
+            p[i] = ldexp(draw(stream, 1, 2), e);
+        else if (reach == REACH_MIXED || reach == REACH_WILD)
+            p[i] = chosen ? draw_any(stream) : 0;
+    }
+}
+
+/* Moves shape and point to any exponents.  Returns 0 where the numbers are no
+ * shape, or no point. */
+static inline int draw_reach(struct family_case *c, uint64_t *stream,
+                             double p[3])
+{
+    const enum reach reach = (enum reach)random_int(stream, REACHES);
+    if (reach == REACH_SUBNORMAL || reach == REACH_WILD)
+        draw_lengths(c, stream, reach == REACH_SUBNORMAL);
+    else if (reach == REACH_SCALED || random_int(stream, 2))
+        scale_case(c, p, draw_exponent(stream));
+    draw_coordinates(reach, stream, p);
+    family_make(c);
+    return c->shape.kind != CYLINT_KIND_NONE && isfinite(p[0]) &&
+           isfinite(p[1]) && isfinite(p[2]);
+}
+
+/* A case of any family and of any ends, with a point, of any exponents. */
+static inline int draw_far_case(struct family_case *c, uint64_t *stream,
+                                double p[3])
+{
+    family_case(random_bits(stream), random_int(stream, family_count()),
+                random_below(stream, 1000), c);
+    if (!cylint_is_round(c->shape.kind))
+        c->ends = (cylint_ends)random_int(stream, 6);
+    draw_point(c, stream, p);
+    return draw_reach(c, stream, p);
 }
 
 #endif

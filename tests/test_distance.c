@@ -2,7 +2,8 @@
  * test_distance.c - floor distance: answers known by hand, and properties
  *
  * The oracle's tests are in test_distance_oracle.c.  CYLINT_CASES is the number
- * of shapes of each family, with POINTS points each.
+ * of shapes of each family, with POINTS points each.  CYLINT_FAR is the number
+ * of cases whose numbers have any exponents of doubles.
  */
 #include <math.h>
 #include <string.h>
@@ -13,7 +14,7 @@
 #include "known_distances.h"
 #include "numbers/bits.h"
 
-enum { CASES = 60, POINTS = 4 };
+enum { CASES = 60, POINTS = 4, FAR_CASES = 1000 };
 
 static const double origin[3] = {0, 0, 0};
 
@@ -348,6 +349,20 @@ static void over_families(property *check)
         }
 }
 
+/* The same for cases of any exponents. */
+static void over_exponents(property *check, int elliptic)
+{
+    const uint64_t cases = check_setting("CYLINT_FAR", FAR_CASES);
+    uint64_t stream = check_setting("CYLINT_SEED", 5);
+    for (uint64_t i = 0; family_count() > 0 && i < cases; i++) {
+        struct family_case c;
+        double p[3];
+        if (draw_far_case(&c, &stream, p) &&
+            cylint_is_elliptic(c.shape.kind) == elliptic)
+            check(&c, p);
+    }
+}
+
 /* All bits.  Members that were not written are equal because both answers were
  * cleared before. */
 static int same(const cylint_closest *x, const cylint_closest *y)
@@ -372,6 +387,8 @@ static void check_sign(const struct family_case *c, const double p[3])
 static void the_sign_is_that_of_contains(void)
 {
     over_families(check_sign);
+    over_exponents(check_sign, 0);
+    over_exponents(check_sign, 1);
 }
 
 /* The certified answers, of both builds, and the exact ones. */
@@ -409,13 +426,19 @@ static void check_paths(const struct family_case *c, const double p[3])
 static void all_paths_return_the_same_bits(void)
 {
     over_families(check_paths);
+    over_exponents(check_paths, 0);
+}
+
+static double length_of(const double v[3])
+{
+    return hypot(hypot(v[0], v[1]), v[2]);
 }
 
 /* The size that the manual relates the error of the safety to. */
 static double safety_size(const cylint_shape *s, const double p[3],
                           double distance)
 {
-    const double length = sqrt(dot3(s->axis, s->axis));
+    const double length = length_of(s->axis);
     const double reach =
         s->kind == CYLINT_KIND_SPHERE
             ? s->r0
@@ -424,7 +447,7 @@ static double safety_size(const cylint_shape *s, const double p[3],
     for (int i = 0; i < 3; i++)
         D[i] = p[i] - s->base[i];
     return reach +
-           (s->ends == CYLINT_ENDS_INFINITE ? sqrt(2 * dot3(D, D)) : distance);
+           (s->ends == CYLINT_ENDS_INFINITE ? 1.42 * length_of(D) : distance);
 }
 
 static double largest_gap;
@@ -439,32 +462,69 @@ static double gap_of(const cylint_shape *s, const double p[3], double distance,
                : (distance - safe) / safety_size(s, p, distance) * 0x1p52;
 }
 
+/* What must be the same in every environment. */
+struct answers {
+    cylint_closest one;
+    double distance; /* of a batch */
+    signed char part;
+    int contains, on_surface;
+    size_t closest;
+};
+
+static double ulps_of_questions;
+
+/* A question is computed in each environment whose turn is a multiple of this. */
+static int every_environment, turn_of_environment;
+
+static void answer_all(const cylint_shape *s, const double p[3],
+                       struct answers *to)
+{
+    const cylint_points points = {1, {&p[0], &p[1], &p[2]}};
+    const cylint_closest_columns columns = {
+        &to->distance, &to->part, NULL, {NULL}, {NULL}};
+    cylint_closest unused;
+    memset(to, 0, sizeof *to);
+    to->one = answer_to(s, p, CYLINT_WANT_PART);
+    cylint_distance_points(s, &points, &columns);
+    to->contains = cylint_contains(s, p);
+    to->on_surface = cylint_on_surface(s, p, ulps_of_questions);
+    to->closest = cylint_closest_shape(s, 1, p, to->distance, 0, &unused);
+}
+
 static void check_environments(const struct family_case *c, const double p[3])
 {
-    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
-                                FE_TOWARDZERO};
-    const cylint_closest want = answer_to(&c->shape, p, CYLINT_WANT_PART);
-    for (int m = 0; m < 4; m++)
-        for (int tiny = 0; tiny <= (FLUSH | ZERO); tiny++) {
-            if (!can_treat_subnormals(tiny))
-                continue;
-            const struct environment e = {modes[m], tiny};
-            environment_set(e);
-            const cylint_closest got =
-                answer_to(&c->shape, p, CYLINT_WANT_PART);
-            const double safe = cylint_safety(&c->shape, p);
-            environment_reset();
-            const double far = fabs(want.distance);
-            if (!CHECK(same(&got, &want) && safe >= 0 && safe <= far &&
-                       (far < 2 * DBL_MIN || /* may be flushed to 0 */
-                        gap_of(&c->shape, p, far, safe) <= 32)))
-                report(c, p);
+    struct answers want, got;
+    answer_all(&c->shape, p, &want);
+    const double far = fabs(want.one.distance);
+    for (int i = 0; i < ENVIRONMENTS; i++) {
+        const struct environment there = environment_of(i);
+        if (!can_treat_subnormals(there.tiny) ||
+            turn_of_environment++ % every_environment != 0)
+            continue;
+        environment_set(there);
+        answer_all(&c->shape, p, &got);
+        const double safe = cylint_safety(&c->shape, p);
+        const cylint_closest all = answer_to(&c->shape, p, WANT);
+        environment_reset();
+        if (!CHECK(memcmp(&got, &want, sizeof got) == 0 && safe >= 0 &&
+                   !signbit(safe) && safe <= far && !has_negative_zero(&all) &&
+                   (far < 2 * DBL_MIN || /* may be flushed to 0 */
+                    gap_of(&c->shape, p, far, safe) <= 32))) {
+            report(c, p);
+            REPORT("environment %d: distance %a and %a, safety %a", i, far,
+                   got.one.distance, safe);
         }
+    }
 }
 
 static void the_floating_point_environment_changes_nothing(void)
 {
+    ulps_of_questions = 3;
+    every_environment = 1;
     over_families(check_environments);
+    ulps_of_questions = 0x1p40;
+    every_environment = 5;
+    over_exponents(check_environments, 0);
 }
 
 static void check_safe(const struct family_case *c, const double p[3])
@@ -478,6 +538,7 @@ static void check_safe(const struct family_case *c, const double p[3])
 static void safety_is_never_above_the_distance(void)
 {
     over_families(check_safe);
+    over_exponents(check_safe, 0);
 }
 
 static void check_gap(const struct family_case *c, const double p[3])
@@ -493,6 +554,7 @@ static void check_gap(const struct family_case *c, const double p[3])
 static void safety_is_little_below_the_distance(void)
 {
     over_families(check_gap);
+    over_exponents(check_gap, 0);
     printf("note: the safety is up to %.3g x 2^-52 sizes below the distance\n",
            largest_gap);
 }

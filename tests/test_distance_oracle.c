@@ -3,23 +3,34 @@
  *
  * CYLINT_CASES is the number of shapes of each family, with POINTS points each;
  * a twentieth of that for families of wild exponents.  CYLINT_ELLIPTIC is the
- * number of shapes of each family of elliptic kinds, whose oracle takes a quarter
- * of a millisecond a point.
- * CYLINT_SEED chooses others.
+ * number of shapes of each family of elliptic kinds, whose oracle takes a
+ * quarter of a millisecond a point.  CYLINT_FAR is the number of cases whose
+ * numbers have any exponents of doubles, and CYLINT_ELLIPTIC_FAR that of
+ * elliptic kinds.  CYLINT_SEED chooses others.
  */
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
 #include "check.h"
 #include "cylint_distance.h"
 #include "distance_points.h"
+#include "environment.h"
 #include "ulps.h"
 
 #ifdef HAVE_MPFR
 #include "distance_oracle.h"
 #include "oracle.h"
 
-enum { CASES = 250, ELLIPTIC = 100, POINTS = 4, STRAIN = 6, LEAN = 6 };
+enum {
+    CASES = 250,
+    ELLIPTIC = 100,
+    FAR_CASES = 300,
+    FAR_ELLIPTIC = 200,
+    POINTS = 4,
+    STRAIN = 6,
+    LEAN = 6
+};
 
 #define WANT (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)
 
@@ -66,48 +77,28 @@ static double error_of(const double got[3], const double want[3], double least)
     return worst;
 }
 
+/* In all rounding modes. */
 static void check_safety(const struct family_case *c, const double p[3],
                          struct tally *sum, const struct oracle_closest *want)
 {
-    const double safe = cylint_safety(&c->shape, p);
     const double far = fabs(want->distance);
-    const int above = !(safe >= 0) || signbit(safe) ||
-                      (safe > 0 && oracle_distance_error(safe) > 0);
-    sum->above += above;
-    if (far > 0)
-        sum->safety = fmin(sum->safety, safe / far);
-    if (!CHECK(!above)) {
-        REPORT_CASE(c);
-        REPORT("point %a %a %a: safety %a, distance %a", p[0], p[1], p[2], safe,
-               want->distance);
+    for (int m = 0; m < ENVIRONMENTS; m += 4) {
+        environment_set(environment_of(m));
+        const double safe = cylint_safety(&c->shape, p);
+        environment_reset();
+        const int above =
+            !(safe >= 0) || signbit(safe) ||
+            (isinf(safe) ? !isinf(want->distance)
+                         : safe > 0 && oracle_distance_error(safe) > 0);
+        sum->above += above;
+        if (far > 0 && m == 0)
+            sum->safety = fmin(sum->safety, safe / far);
+        if (!CHECK(!above)) {
+            REPORT_CASE(c);
+            REPORT("point %a %a %a: safety %a, distance %a, rounding %d", p[0],
+                   p[1], p[2], safe, want->distance, m / 4);
+        }
     }
-}
-
-/* Whether the point is on the surface and as far from p as the nearest one, but
- * for roundings: of an ellipse several points can be nearest. */
-static int is_as_near(const cylint_shape *shape, const double p[3],
-                      const cylint_closest *got)
-{
-    struct oracle_closest at;
-    double size = 0, unit = 0;
-    for (int i = 0; i < 3; i++) {
-        size = hypot(size, got->point[i] - p[i]);
-        unit = fmax(unit, fmax(ulp(got->point[i]), ulp(p[i])));
-    }
-    oracle_distance(shape, got->point, &at);
-    return fabs(size - fabs(got->distance)) <= 8 * unit &&
-           fabs(at.distance) <= 8 * unit;
-}
-
-/* Several points are nearest, and the oracle has another one: on an ellipse about
- * the point they can have different features. */
-static int is_another(const cylint_closest *got,
-                      const struct oracle_closest *want)
-{
-    double apart = 0;
-    for (int i = 0; i < 3; i++)
-        apart = hypot(apart, got->point[i] - want->point[i]);
-    return apart > 0x1p-20 * want->length;
 }
 
 /* Of the last distance, which may have been rounded to 0. */
@@ -150,6 +141,38 @@ static double elliptic_error(double got, const struct oracle_closest *want)
     return off < HUGE_VAL ? fmin(off, off * unit) : off;
 }
 
+/* Components of the point that are below 2^-100 of their terms can be 0.  The
+ * largest term is at least as large as the largest coordinate, and as the base.
+ */
+static double point_error(const cylint_shape *s, const double got[3],
+                          const double want[3])
+{
+    double checked[3], size = 0;
+    for (int i = 0; i < 3; i++)
+        size = fmax(size, fmax(fabs(want[i]), fabs(s->base[i])));
+    for (int i = 0; i < 3; i++)
+        checked[i] =
+            got[i] == 0 && fabs(want[i]) < 0x1p-98 * size ? want[i] : got[i];
+    return error_of(checked, want, 0);
+}
+
+/* Whether the point is on the surface, but for roundings, and as far from p as
+ * the distance tells. */
+static int is_as_near(const cylint_shape *s, const double p[3],
+                      const cylint_closest *got)
+{
+    struct oracle_closest at;
+    double size = 0, of_point = 0, of_p = 0;
+    for (int i = 0; i < 3; i++) {
+        size = hypot(size, got->point[i] - p[i]);
+        of_point = fmax(of_point, fmax(ulp(got->point[i]), ulp(s->base[i])));
+        of_p = fmax(of_p, ulp(p[i]));
+    }
+    oracle_distance(s, got->point, &at);
+    return fabs(at.distance) <= 8 * of_point &&
+           !(fabs(size - fabs(got->distance)) > 8 * fmax(of_p, of_point));
+}
+
 static void check_elliptic(const struct family_case *c, const double p[3],
                            struct tally *sum)
 {
@@ -162,17 +185,16 @@ static void check_elliptic(const struct family_case *c, const double p[3],
     check_safety(c, p, sum, &want);
     const int wrong_sign = sign(got.distance) != sign_of_oracle(&want);
     const double off = elliptic_error(got.distance, &want);
-    int wrong_feature = got.part != want.part || got.feature != want.feature;
-    double off_point = error_of(got.point, want.point, 0);
-    double off_normal = error_of(got.normal, want.normal, 0x1p-80);
     const double near = fabs(want.distance);
-    if (want.too_near || (wrong_feature && fabs(want.by_feature[got.feature] -
-                                                near) <= ulp(near)))
-        sum->ties++, wrong_feature = 0, off_point = off_normal = 0;
-    else if ((wrong_feature ? off <= 1 && is_another(&got, &want)
-                            : off_point > 4 || off_normal > 4) &&
-             is_as_near(&c->shape, p, &got))
-        sum->ties++, wrong_feature = 0, off_point = off_normal = 0;
+    const double tolerance = fmax(ulp(near), want.length * 0x1p-113);
+    int wrong_feature = got.part != want.part || got.feature != want.feature;
+    double off_point = point_error(&c->shape, got.point, want.point);
+    double off_normal = error_of(got.normal, want.normal, 0x1p-80);
+    if (want.too_near || want.is_tie ||
+        (wrong_feature &&
+         fabs(want.by_feature[got.feature] - near) <= tolerance))
+        sum->ties++, wrong_feature = !is_as_near(&c->shape, p, &got),
+                     off_point = off_normal = 0;
     check_differences(c, p, sum, &got, &want,
                       (struct differences){wrong_sign, wrong_feature, off,
                                            off_point, off_normal});
@@ -263,18 +285,44 @@ static void strain(struct family_case *c, uint64_t *stream)
     family_make(c);
 }
 
-/* The distance from this elliptic shape is promised to 1 ulp. */
-static int is_promised(const cylint_shape *s)
+/* The largest exponent of n numbers; *least: at most the exponents of those
+ * that are not 0. */
+static int exponents_of(const double *x, int n, int *least)
 {
-    const double *v[] = {s->a, s->b, s->axis};
-    double least = HUGE_VAL, most = 0, normal[3];
+    int most = INT_MIN / 2, exponent;
+    for (int i = 0; i < n; i++) {
+        frexp(x[i], &exponent);
+        if (x[i] != 0 && exponent > most)
+            most = exponent;
+        if (x[i] != 0 && exponent < *least)
+            *least = exponent;
+    }
+    return most;
+}
+
+/* The distance of this point from an elliptic shape is promised to 1 ulp.  The
+ * vectors are scaled, so that no product overflows or underflows. */
+static int is_promised(const cylint_shape *s, const double p[3])
+{
+    const double *data[] = {s->a, s->b, s->axis};
+    double least = HUGE_VAL, most = 0, normal[3], half[3], v[3][3];
+    int low = INT_MAX, high = INT_MIN / 2;
     for (int i = 0; i < 3; i++) {
+        const int e = exponents_of(data[i], 3, &low);
+        high = e > high ? e : high;
+        half[i] = 0.5 * p[i] - 0.5 * s->base[i];
+    }
+    const int far = exponents_of(half, 3, &low);
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++)
+            v[i][k] = ldexp(data[i][k], -high);
         least = fmin(least, sqrt(dot3(v[i], v[i])));
         most = fmax(most, sqrt(dot3(v[i], v[i])));
     }
-    cross3(normal, s->a, s->b);
-    return most <= 1e12 * least &&
-           fabs(dot3(normal, s->axis)) >= 0x1p-60 * most * most * most;
+    cross3(normal, v[0], v[1]);
+    return most <= 1e12 * least && (s->r1 == 0 || fabs(log10(s->r1)) <= 6) &&
+           fabs(dot3(normal, v[2])) >= 0x1p-60 * most * most * most &&
+           low >= high - 899 && far < high + 1299;
 }
 
 static void over_families(int wild, int elliptic)
@@ -297,13 +345,13 @@ static void over_families(int wild, int elliptic)
             uint64_t stream = seed + i * 64 + (uint64_t)f;
             if (elliptic)
                 strain(&c, &stream);
-            if (c.shape.kind == CYLINT_KIND_NONE ||
-                (elliptic && !is_promised(&c.shape)))
+            if (c.shape.kind == CYLINT_KIND_NONE)
                 continue;
             for (int k = 0; k < POINTS; k++) {
                 double p[3];
                 const enum place place = draw_point(&c, &stream, p);
-                if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]))
+                if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]) ||
+                    (elliptic && !is_promised(&c.shape, p)))
                     continue;
                 if (elliptic)
                     check_elliptic(&c, p, &places[place]);
@@ -346,6 +394,36 @@ static void elliptic_distances_are_those_of_the_oracle(void)
     over_families(0, 1);
 }
 
+static void check_any_exponents(int elliptic, uint64_t cases)
+{
+    uint64_t stream = check_setting("CYLINT_SEED", 16);
+    struct tally sum = {.safety = 1};
+    for (uint64_t i = 0; family_count() > 0 && i < cases;) {
+        struct family_case c;
+        double p[3];
+        if (!draw_far_case(&c, &stream, p) ||
+            cylint_is_elliptic(c.shape.kind) != elliptic ||
+            (elliptic && !is_promised(&c.shape, p)))
+            continue;
+        if (elliptic)
+            check_elliptic(&c, p, &sum);
+        else
+            check_point(&c, p, &sum);
+        i++;
+    }
+    print_tally("any exponents", &sum);
+}
+
+static void distances_of_any_exponents_are_those_of_the_oracle(void)
+{
+    check_any_exponents(0, check_setting("CYLINT_FAR", FAR_CASES));
+}
+
+static void elliptic_distances_of_any_exponents_are_too(void)
+{
+    check_any_exponents(1, check_setting("CYLINT_ELLIPTIC_FAR", FAR_ELLIPTIC));
+}
+
 #endif
 
 int main(void)
@@ -355,6 +433,8 @@ int main(void)
     RUN(a_subnormal_coordinate_is_not_lost);
     RUN(also_of_mixed_exponents);
     RUN(elliptic_distances_are_those_of_the_oracle);
+    RUN(distances_of_any_exponents_are_those_of_the_oracle);
+    RUN(elliptic_distances_of_any_exponents_are_too);
 #endif
     return check_end();
 }
