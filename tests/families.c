@@ -324,6 +324,71 @@ static void mixed_exponents(struct family_case *out)
     }
 }
 
+/* A number with any of these exponents. */
+static double any_power(int least, int most)
+{
+    return ldexp(between(1, 2), whole_between(least, most));
+}
+
+/* A limit of a domain of any size and sign, or near t. */
+static double any_limit(double t)
+{
+    if (chance(0.3)) {
+        return t * (1 + small(-16, 0));
+    }
+    return (chance(0.5) ? 1 : -1) *
+           (chance(0.2) ? HUGE_VAL : any_power(-1074, 1023));
+}
+
+/* Makes a case's line begin further back by any number of steps d.  The domain
+ * of a span ends anywhere. */
+static void begin_anywhere(struct family_case *out)
+{
+    double *x = out->line_data;
+    const double back = any_power(0, 1010);
+    for (int i = 0; i < 3; i++) {
+        if (out->line_word == FAMILY_SEGMENT) {
+            x[i + 3] -= x[i];
+        }
+        x[i] -= back * x[i + 3];
+    }
+    out->line_word =
+        (family_line[]){FAMILY_LINE, FAMILY_RAY, FAMILY_SPAN}[one_of(3)];
+    const double from = any_limit(back), to = any_limit(back);
+    x[6] = from < to ? from : to;
+    x[7] = from < to ? to : from;
+}
+
+static void from_any_distance(struct family_case *out)
+{
+    (chance(0.5) ? integer_grid : ordinary)(out);
+    begin_anywhere(out);
+}
+
+/* Multiplies the lengths of a case's shape by any power of two, its origin and
+ * its direction, or both ends of a segment, by others. */
+static void scale_anyhow(struct family_case *out)
+{
+    double *x = out->line_data;
+    enlarge(out, ldexp(1, whole_between(-1074, 1010)));
+    for (int i = 0; i < 6; i += 3) {
+        if (chance(0.7)) {
+            multiply(x + i, 3, any_power(-1074, 1000));
+        }
+    }
+    if (out->line_word == FAMILY_SPAN) {
+        const double from = any_limit(x[6]), to = any_limit(x[7]);
+        x[6] = from < to ? from : to;
+        x[7] = from < to ? to : from;
+    }
+}
+
+static void any_exponents(struct family_case *out)
+{
+    (chance(0.5) ? integer_grid : ordinary)(out);
+    scale_anyhow(out);
+}
+
 /* ----- cones ------------------------------------------------------------ */
 
 /* z of the apex; 0.5 if there is none. */
@@ -553,6 +618,10 @@ static const struct {
     {"round, scaled", round_scaled, 0, 1},
     {"round, subnormal or huge", round_extreme, 0, 1},
     {"round, mixed exponents", round_mixed, 1, 1},
+    {"from any distance", from_any_distance, 1, 0},
+    {"any exponents", any_exponents, 1, 0},
+    {"round, from any distance", round_from_any_distance, 1, 1},
+    {"round, any exponents", round_any_exponents, 1, 1},
 };
 
 int family_count(void)

@@ -392,15 +392,6 @@ static void round_apex(struct family_case *out)
         write_line_from(out, p, d, between(-3, 3));
 }
 
-/* Multiplies the lengths. */
-static void enlarge_hull(struct family_case *c, double by)
-{
-    for (int i = 0; i < family_shape_size(c->shape_word); i++)
-        c->shape_data[i] *= by;
-    for (int i = 0; i < (c->line_word == FAMILY_SEGMENT ? 6 : 3); i++)
-        c->line_data[i] *= by;
-}
-
 static void turn_line(struct family_case *c, double by)
 {
     for (int i = 3; i < (c->line_word == FAMILY_SEGMENT ? 3 : 6); i++)
@@ -410,7 +401,7 @@ static void turn_line(struct family_case *c, double by)
 static void round_scaled(struct family_case *out)
 {
     round_ordinary(out);
-    enlarge_hull(out, power(-100, 100));
+    enlarge(out, power(-100, 100));
     turn_line(out, power(-100, 100));
 }
 
@@ -418,8 +409,8 @@ static void round_extreme(struct family_case *out)
 {
     const int tiny = chance(0.5);
     round_ordinary(out);
-    enlarge_hull(out, ldexp(1, tiny ? whole_between(-1074, -1000)
-                                    : whole_between(980, 1019)));
+    enlarge(out, ldexp(1, tiny ? whole_between(-1074, -1000)
+                               : whole_between(980, 1019)));
     turn_line(out, ldexp(1, whole_between(tiny ? -1074 : 0, tiny ? 0 : 1020)));
 }
 
@@ -432,6 +423,18 @@ static void round_mixed(struct family_case *out)
         out->line_data[i] *= ldexp(between(1, 2), whole_between(-deep, 60));
     for (int i = 0; i < family_shape_size(out->shape_word); i++)
         out->shape_data[i] *= ldexp(between(1, 2), whole_between(-deep, 60));
+}
+
+static void round_from_any_distance(struct family_case *out)
+{
+    (chance(0.5) ? round_whole : round_ordinary)(out);
+    begin_anywhere(out);
+}
+
+static void round_any_exponents(struct family_case *out)
+{
+    (chance(0.5) ? round_whole : round_ordinary)(out);
+    scale_anyhow(out);
 }
 
 #endif
