@@ -89,24 +89,20 @@ $(BUILD)/src/embree/%: extra += $(embree)
 $(call of,src/filter/many% src/bvh/traverse% src/embree/packet_% src/embree/float_filter%): extra += $(vectors)
 $(call of,src/signs/forms% src/roots/root% $(patsubst %,src/distance/%.o,meridian nearest_point rounded_distance surd_sum)): extra += $(small)
 # The builds for x86 processors without AVX2.
-$(if $(X86),$(call of,$(patsubst %,src/filter/%question.o,one_ hard_ round_ hard_round_) $(patsubst %,src/distance/%_distance.o,certified limb))): extra += $(small)
+$(if $(X86),$(call of,src/filter/one.o $(patsubst %,src/distance/%_distance.o,certified limb))): extra += $(small)
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the
 # flags of FILE.c's build NAME.
 avx2   := -mavx2 -mfma $(unaligned)
 avx512 := -mavx512f -mavx512vl -mavx512dq $(avx2)
-isa.src/filter/one_question-fma      := $(avx2) -DCYLINT_ONE=cylint_one_fma -DCYLINT_HARD=cylint_hard_fma -DCYLINT_EXACT_ROOTS=cylint_exact_roots_fma -DCYLINT_ROUND=fma
-isa.src/filter/one_question-avx512   := $(avx512) -DCYLINT_ONE=cylint_one_avx512 -DCYLINT_HARD=cylint_hard_fma -DCYLINT_EXACT_ROOTS=cylint_exact_roots_fma -DCYLINT_ROUND=fma
-isa.src/filter/hard_question-fma     := $(avx2) -DCYLINT_HARD=cylint_hard_fma -DCYLINT_EXACT_ROOTS=cylint_exact_roots_fma
-isa.src/filter/hard_round_question-fma := $(avx2) -DCYLINT_HARD_ROUND=cylint_hard_round_fma -DCYLINT_EXACT_ROUND=cylint_exact_round_fma
-isa.src/filter/round_question-fma    := $(avx2) -DCYLINT_ROUND=fma -DCYLINT_HARD_ROUND=cylint_hard_round_fma -DCYLINT_EXACT_ROUND=cylint_exact_round_fma
+isa.src/filter/one-fma     := $(avx2) -DCYLINT_ONE=cylint_one_fma
 isa.src/distance/certified_distance-fma := $(avx2) -DCYLINT_CERTIFIED=cylint_certified_fma
 isa.src/distance/limb_distance-fma := $(avx2) -DCYLINT_LIMB=cylint_limb_fma
 isa.src/distance/certified_many-avx2   := $(avx2) -DCYLINT_CERTIFY_MANY=cylint_certify_many_avx2
 isa.src/distance/certified_many-avx512 := $(avx512) -DCYLINT_CERTIFY_MANY=cylint_certify_many_avx512
-isa.src/filter/many_questions-avx2   := $(avx2) -DCYLINT_MANY=cylint_many_avx2
-isa.src/filter/many_questions-avx512 := $(avx512) -DCYLINT_MANY=cylint_many_avx512
+isa.src/filter/many-avx2   := $(avx2) -DCYLINT_MANY=cylint_many_avx2
+isa.src/filter/many-avx512 := $(avx512) -DCYLINT_MANY=cylint_many_avx512
 isa.src/bvh/traverse-avx2            := $(avx2) -DCYLINT_TRAVERSAL=cylint_traversal_avx2
 isa.src/bvh/traverse-avx512          := $(avx512) -DCYLINT_TRAVERSAL=cylint_traversal_avx512
 isa.src/bvh/traverse_point-avx2      := $(avx2) -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx2

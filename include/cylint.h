@@ -155,10 +155,10 @@ typedef struct cylint_local {
     double xyz_lo[3][3], height_lo, slope_lo; /* the rest: value + value_lo
                                                  is accurate to: */
     double error;                             /* relative to norm */
+    double cosine_lo, sine_lo;
     double scale, square_scale; /* of the forms of z and of the lateral
                                    surface (signs/forms_template.h): their
                                    values here times these */
-    double cosine_lo, sine_lo;
     double unit[3], unit_lo[3]; /* the direction of the axis: multiples of
                                    2^-26 and the rest; circular and round */
     double turn[2], turn_lo[2]; /* cosine and sine: the same */

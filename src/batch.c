@@ -8,8 +8,9 @@
 #include "dispatch.h"
 #include "intersect.h"
 
-/* A run for each kind, bounded or not, and one for shapes without a kernel. */
-enum { RUNS = 2 * CYLINT_KINDS + 1, PADDING = 8 };
+/* A run for each solid.  That of none is for shapes that the filter does not
+ * serve. */
+enum { RUNS = CYLINT_SOLIDS, PADDING = 8 };
 
 typedef struct {
     cylint_run run[RUNS];
@@ -17,10 +18,7 @@ typedef struct {
 
 static int run_of(const cylint_shape *s)
 {
-    if (s->kind == CYLINT_KIND_NONE || !s->in_range || cylint_is_nappe(s) ||
-        s->surface != CYLINT_PART_LATERAL)
-        return RUNS - 1;
-    return 2 * s->kind + cylint_is_bounded(s);
+    return s->surface == CYLINT_PART_LATERAL ? s->prepared : CYLINT_SOLID_NONE;
 }
 
 /* Whole vectors; and never a power of two of a page, where all columns would
@@ -76,9 +74,7 @@ void cylint_pack_shapes(cylint_pack *pack, void *memory,
         head->run[run_of(&shapes[i])].n++;
     for (int r = 0; r < RUNS; r++) {
         cylint_run *run = &head->run[r];
-        run->kind = r / 2;
-        run->bounded = r % 2;
-        run->scalar = r == RUNS - 1;
+        run->solid = r;
         run->stride = padded(run->n);
         run->number = fill[r] = number;
         run->column = column;
@@ -111,9 +107,10 @@ typedef struct {
     const cylint_line *line;   /* one line for all shapes, or NULL */
     const cylint_lines *lines; /* else one for each number */
     unsigned want;
-    int relations; /* wanted even where there is no hit */
-    double nearest;
+    int relations;  /* wanted even where there is no hit */
+    double nearest; /* t of the nearest hit so far, else infinite */
     size_t best, count, enough;
+    int stopped; /* no more answers are wanted */
     batch_answer best_answer;
     const cylint_columns *columns;
 } batch_job;
@@ -251,9 +248,10 @@ static void fill_lanes(const batch_job *job, const cylint_filter_group *g,
     }
 }
 
-static int use_group(batch_job *job, const cylint_filter_batch *from,
+static int use_group(void *self, cylint_filter_batch *from,
                      const cylint_filter_group *g)
 {
+    batch_job *job = self;
     unsigned all = g->found;
     if (job->purpose == FILL_COLUMNS) {
         fill_lanes(job, g, all & ~g->undecided);
@@ -272,25 +270,23 @@ static int use_group(batch_job *job, const cylint_filter_batch *from,
             enough = use_answer(job, number, &answer);
         }
         if (enough)
-            return 1;
+            return job->stopped = 1;
     }
+    from->nearest = job->nearest;
     return 0;
 }
 
-/* Pulls answers from the filter, questions of one kind of shape. */
+/* Questions of one solid.  Returns 1 when no more are wanted. */
 static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
                             const cylint_run *run, size_t n)
 {
     const cylint_line *l = job->line;
-    cylint_filter_next *next = cylint_kernels_used()->many;
     cylint_filter_batch from;
-    cylint_filter_group group;
     from.shapes = shapes;
     from.run = run;
     from.line = l;
     from.lines = job->lines;
-    from.kind = run ? run->kind : shapes->kind;
-    from.bounded = run ? run->bounded : cylint_ends_are_planes(shapes->ends);
+    from.solid = run ? run->solid : shapes->prepared;
     from.n = n;
     from.want = job->want;
     from.relations = job->relations;
@@ -302,18 +298,13 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
                 CYLINT_SLACK
           : 0;
     from.lane = from.first = from.end = 0;
-    while (next(&from, &group)) {
-        if (use_group(job, &from, &group))
-            return 1;
-        from.nearest = job->nearest;
-    }
-    return 0;
+    cylint_kernels_used()->many(&from, use_group, job);
+    return job->stopped;
 }
 
 static void answer_pack(const cylint_pack *pack, batch_job *job)
 {
     const pack_head *head = head_of(pack->memory);
-    job->nearest = HUGE_VAL;
     if (job->line && !job->line->valid)
         return;
     /* roots are rounded in lanes only where rounding is to nearest */
@@ -323,7 +314,7 @@ static void answer_pack(const cylint_pack *pack, batch_job *job)
         const cylint_run *run = &head->run[r];
         if (run->n == 0)
             continue;
-        if (!scalar && !run->scalar) {
+        if (!scalar && run->solid != CYLINT_SOLID_NONE) {
             if (answer_by_filter(job, pack->shapes, run, run->n))
                 return;
             continue;
@@ -340,6 +331,7 @@ size_t cylint_nearest(const cylint_pack *pack, const cylint_line *line,
                       unsigned want, cylint_hit *hit)
 {
     batch_job job = {.purpose = FIND_NEAREST,
+                     .nearest = HUGE_VAL,
                      .line = line,
                      .best = pack->n,
                      .want = CYLINT_WANT_T | CYLINT_WANT_NEAREST};
@@ -375,6 +367,7 @@ size_t cylint_count(const cylint_pack *pack, const cylint_line *line,
                     size_t enough)
 {
     batch_job job = {.purpose = COUNT_HITS,
+                     .nearest = HUGE_VAL,
                      .line = line,
                      .enough = enough,
                      .want = CYLINT_WANT_NEAREST};
@@ -396,7 +389,8 @@ static void fill_with_nan(double *to, size_t n)
 /* Everything misses until something is found. */
 static batch_job columns_job(const cylint_columns *to, size_t n)
 {
-    batch_job job = {.purpose = FILL_COLUMNS, .columns = to};
+    batch_job job = {
+        .purpose = FILL_COLUMNS, .nearest = HUGE_VAL, .columns = to};
     job.relations = to->relation != NULL;
     if (to->t0 || to->t1)
         job.want |= CYLINT_WANT_T;
@@ -439,7 +433,7 @@ void cylint_intersect_lines(const cylint_shape *shape,
 {
     batch_job job = columns_job(answers, lines->n);
     job.lines = lines;
-    if (run_of(shape) != RUNS - 1 && cylint_rounds_to_nearest()) {
+    if (run_of(shape) != CYLINT_SOLID_NONE && cylint_rounds_to_nearest()) {
         answer_by_filter(&job, shape, NULL, lines->n);
         return;
     }

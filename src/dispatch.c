@@ -8,7 +8,7 @@
 /* Best first.  The last one runs on every processor. */
 static const cylint_kernels builds[] = {
 #ifdef CYLINT_BUILDS_X86
-    {"avx512", &cylint_one_avx512, cylint_many_avx512},
+    {"avx512", &cylint_one_fma, cylint_many_avx512},
     {"avx2", &cylint_one_fma, cylint_many_avx2},
 #endif
     {"plain", &cylint_one_plain, cylint_many_plain},
@@ -44,10 +44,18 @@ static int best(void)
 /* NULL until the first use.  All threads choose the same build. */
 const cylint_kernels *cylint_kernels_chosen;
 
-static int choose_and_answer(CYLINT_ONE_ARGUMENTS)
+static int choose_and_answer(const cylint_shape *shape,
+                             const cylint_line *line, unsigned want,
+                             cylint_answer *answer, cylint_question *question)
 {
     return cylint_filter_one(cylint_choose_kernels()->one, shape, line, want,
-                             answer, rest);
+                             answer, question);
+}
+
+static int is_refined(cylint_question *question)
+{
+    (void)question;
+    return CYLINT_UNDECIDED;
 }
 
 #define CHOOSE                               \
@@ -55,7 +63,8 @@ static int choose_and_answer(CYLINT_ONE_ARGUMENTS)
         choose_and_answer, choose_and_answer \
     }
 static const cylint_one_kernels choosing = {
-    {CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE}};
+    {CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE},
+    is_refined};
 const cylint_one_kernels *cylint_one_chosen = &choosing;
 
 #ifdef __GNUC__

@@ -9,7 +9,7 @@
 typedef struct {
     const char *name;
     const cylint_one_kernels *one;
-    cylint_filter_next *many;
+    cylint_filter_many *many;
 } cylint_kernels;
 
 /* Reads a variable that another thread may write. */

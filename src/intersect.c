@@ -18,13 +18,10 @@ static cylint_overlap overlap_of(cylint_query *q)
 
 /* ------------------------------------------------------- the domain ---- */
 
-static const unsigned beside_t =
-    CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
-
 static void describe(cylint_query *q, const cylint_stop *at, double t,
                      double more, double error, unsigned want, cylint_hit *hit)
 {
-    if (want & beside_t)
+    if (want & CYLINT_WANT_BESIDE_T)
         cylint_describe_hit(q, at->root, t, more, error, at->part, at->apex,
                             want, hit);
 }
@@ -66,7 +63,8 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
         if (!cylint_part_is_present(q.ends, v.at[i].part))
             continue;
         open_part(&q, shape, line, v.at[i].part, &ball);
-        const int rounded = (want & (CYLINT_WANT_T | beside_t)) != 0;
+        const int rounded =
+            (want & (CYLINT_WANT_T | CYLINT_WANT_BESIDE_T)) != 0;
         if (!cylint_root_within(&q, v.at[i].root, rounded, &t, &more))
             continue;
         cylint_hit *hit = &answer->hit[answer->n++];
@@ -85,23 +83,22 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
 }
 
 /* The members beside t and part of hits that the filter decided. */
-static void describe_hits(const cylint_shape *shape, const cylint_line *line,
-                          unsigned want, const cylint_answer *known,
-                          const cylint_root_rest *rest, cylint_answer *answer)
+static void describe_hits(const cylint_question *from, unsigned want,
+                          const cylint_answer *known, cylint_answer *answer)
 {
     cylint_query q;
     cylint_shape ball;
-    cylint_query_open(&q, shape, line);
+    cylint_query_open(&q, from->shape, from->line);
     for (int i = 0; i < known->n; i++) {
         const cylint_hit *k = &known->hit[i];
-        const int on_plane =
-            k->part != CYLINT_PART_LATERAL && !cylint_is_round(shape->kind);
+        const int on_plane = k->part != CYLINT_PART_LATERAL &&
+                             !cylint_is_round(from->shape->kind);
         const cylint_root root =
             on_plane ? (k->part == CYLINT_PART_CAP0 ? ROOT_CAP0 : ROOT_CAP1)
             : k->side == CYLINT_SIDE_ENTERING ? ROOT_ENTRY
                                               : ROOT_EXIT;
         const cylint_stop at = {root, k->part, k->side, 0};
-        open_part(&q, shape, line, k->part, &ball);
+        open_part(&q, from->shape, from->line, k->part, &ball);
         cylint_hit *hit = &answer->hit[i];
         if (want & CYLINT_WANT_T)
             hit->t = k->t;
@@ -109,7 +106,8 @@ static void describe_hits(const cylint_shape *shape, const cylint_line *line,
             hit->part = k->part;
             hit->side = k->side;
         }
-        describe(&q, &at, k->t, rest->more[i], rest->error[i], want, hit);
+        describe(&q, &at, k->t, from->hit_tail[i], from->hit_error[i], want,
+                 hit);
     }
 }
 
@@ -118,16 +116,16 @@ ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer)
 {
     cylint_answer known;
-    cylint_root_rest rest;
+    cylint_question question;
     const int n = cylint_filter_one(cylint_one_used(), shape, line,
                                     want | CYLINT_WANT_T | CYLINT_WANT_PART,
-                                    &known, &rest);
+                                    &known, &question);
     if (n == CYLINT_UNDECIDED)
         return cylint_intersect_by_signs(shape, line, want, answer);
     answer->relation = known.relation;
     answer->n = n;
     if (n > 0)
-        describe_hits(shape, line, want, &known, &rest, answer);
+        describe_hits(&question, want, &known, answer);
     return n;
 }
 
@@ -148,21 +146,15 @@ static int contradicts(const cylint_shape *shape, const cylint_line *line,
 }
 #endif
 
-/* Relation, n, t and part: by the filter, or else by signs.  The arguments are
- * volatile because the compiler then stores them before the call, instead of
- * saving and restoring registers for them. */
+/* Relation, n, t and part: by the filter, or else by signs. */
 CYLINT_INLINE int answer_t(const cylint_shape *shape, const cylint_line *line,
                            unsigned want, cylint_answer *answer)
 {
-    const cylint_shape *volatile const its_shape = shape;
-    const cylint_line *volatile const its_line = line;
-    cylint_answer *volatile const its_answer = answer;
-    const volatile unsigned its_want = want;
+    cylint_question q;
     const int n =
-        cylint_filter_one(cylint_one_used(), shape, line, want, answer, NULL);
+        cylint_filter_one(cylint_one_used(), shape, line, want, answer, &q);
     if (n == CYLINT_UNDECIDED)
-        return cylint_intersect_by_signs(its_shape, its_line, its_want,
-                                         its_answer);
+        return cylint_intersect_by_signs(q.shape, q.line, q.want, q.answer);
     return n;
 }
 
@@ -171,7 +163,7 @@ CYLINT_INLINE int answer_question(const cylint_shape *shape,
                                   cylint_answer *answer)
 {
     answer->flags = 0;
-    if (want & beside_t)
+    if (want & CYLINT_WANT_BESIDE_T)
         return answer_all(shape, line, want, answer);
     return answer_t(shape, line, want, answer);
 }
@@ -193,21 +185,10 @@ int cylint_occluded(const cylint_shape *shape, const cylint_line *line)
     return cylint_intersect(shape, line, CYLINT_WANT_NEAREST, &answer);
 }
 #else
-ASIDE int occluded_by_signs(const cylint_shape *shape, const cylint_line *line)
-{
-    cylint_answer answer;
-    return cylint_intersect_by_signs(shape, line, CYLINT_WANT_NEAREST, &answer);
-}
-
-/* The arguments are volatile as in answer_t(). */
 int cylint_occluded(const cylint_shape *shape, const cylint_line *line)
 {
-    const cylint_shape *volatile const its_shape = shape;
-    const cylint_line *volatile const its_line = line;
     cylint_answer answer;
-    const int n = cylint_filter_one(cylint_one_used(), shape, line,
-                                    CYLINT_WANT_NEAREST, &answer, NULL);
-    return n == CYLINT_UNDECIDED ? occluded_by_signs(its_shape, its_line) : n;
+    return answer_t(shape, line, CYLINT_WANT_NEAREST, &answer);
 }
 #endif
 

@@ -106,9 +106,9 @@ if installed clang-tidy clang-tidy; then
 fi
 
 if installed gcc 'gcc -fanalyzer'; then
-    # many_questions.c would take it half of an hour; most of it is in one_question.c, too
+    # many.c would take it half of an hour; most of it is in one.c, too
     for file in $library $command; do
-        [ "$file" = src/filter/many_questions.c ] || printf '%s\n' "$file"
+        [ "$file" = src/filter/many.c ] || printf '%s\n' "$file"
     done | xargs -n 1 -P 2 gcc $options -O1 -fanalyzer -c -o /dev/null 2>&1 |
         grep -E '(warning|error):' | sort -u | remove_checked >"$work/found"
     result 'gcc -fanalyzer'

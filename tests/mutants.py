@@ -43,12 +43,10 @@ CORE = ["signs/forms_template.h", "signs/overlap_template.h",
         "numbers/exact.c", "numbers/scale.c", "shapes/measure.c",
         "shapes/tangent.c", "signs/sign.c", "roots/root.c", "roots/surd.c",
         "roots/hit.c", "shapes/local.c", "numbers/triple.h",
-        "filter/local_forms_template.h", "filter/local_lines.h",
-        "filter/local_pairs.h", "filter/local_roots.h",
-        "filter/local_lanes.h", "filter/residual_in_levels.h",
-        "filter/residual_in_triples.h",
-        "filter/one_question.c", "filter/hard_question.c",
-        "filter/lanes.h", "filter/many_questions.c", "intersect.c", "batch.c",
+        "filter/local_forms_template.h", "filter/frame.h", "filter/kernel.h",
+        "filter/surfaces.h", "filter/levels.h", "filter/levels_template.h",
+        "filter/one_answer.h", "filter/refine.h", "filter/one.c",
+        "filter/many.c", "intersect.c", "batch.c",
         "box.c", "distance/distance.c", "distance/meridian.c",
         "distance/nearest_point.c", "distance/rounded_distance.c",
         "distance/undecided_distance.c", "distance/limb_distance.c",
@@ -159,7 +157,7 @@ class Bench:
         def job(source):
             # tests are compiled once, so they may be optimised
             fast = ("-O2" if source.startswith("tests") else
-                    "-O0" if source == "src/filter/many_questions.c" else "-O1")
+                    "-O0" if source == "src/filter/many.c" else "-O1")
             return run([self.cc] + self.flags +
                        [fast, "-c", source, "-o", source[:-2] + ".o"],
                        cwd=self.work).returncode == 0

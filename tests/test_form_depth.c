@@ -228,58 +228,6 @@ typedef struct {
     double size, off;
 } sized;
 
-/*
- * The unnormalised pairs of simd.h: lo is at most k 2^-53 and the error at
- * most e 2^-106 of the sizes summed up.  A sum rounds lo + lo and once more;
- * a product leaves out lo lo, and rounds two products and two sums.
- */
-typedef struct {
-    double k, e;
-} lazy;
-
-static lazy lazy_add(lazy x, lazy y)
-{
-    const double k = fmax(x.k, y.k);
-    return (lazy){k + 1, fmax(x.e, y.e) + 2 * k + 1};
-}
-
-static lazy lazy_mul(lazy x, lazy y)
-{
-    const double k = x.k + y.k;
-    return (lazy){k + 1, x.e + y.e + x.k * y.k + 3 * k + 1};
-}
-
-#define NUM lazy
-#define FORM(name) name##_lazy
-#define ADD(x, y) lazy_add(x, y)
-#define SUB(x, y) lazy_add(x, y)
-#define MUL(x, y) lazy_mul(x, y)
-#include "signs/forms_template.h"
-
-/* The forms that round_root() in lanes.h evaluates. */
-static void unnormalised_pairs_keep_the_bound_in_error_bounds_h(void)
-{
-    const lazy datum = {1, 0}, exact_datum = {0, 0};
-    double most = 0;
-    for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
-        terms_lazy L;
-        memset(&L, 0, sizeof L);
-        L.kind = kind;
-        for (int i = 0; i < 3; i++) {
-            L.w[i] = L.D[0][i] = datum;
-            L.a[i] = L.b[i] = exact_datum;
-        }
-        L.r[0] = L.r[1] = L.one = exact_datum;
-        L.dr = datum;
-        prepare_shape_lazy(&L);
-        most = fmax(most, form_C_lazy(&L).e);
-        most = fmax(most, form_alpha_lazy(&L, 0).e);
-    }
-    printf("note: unnormalised pairs: %.0f 2^-106\n", most);
-    CHECK(most * 0x1p-106 * 1.001 <= CYLINT_LAZY_BOUND);
-    CHECK(most * 0x1p-106 * 4 > CYLINT_LAZY_BOUND);
-}
-
 /* Where the processor flushes to zero, an operation on doubles loses at most
  * one number below 2^-1022.  An operation on pairs loses one in each of at most
  * twenty steps: six of two_sum, three of fast_two_sum, eleven of Dekker's
@@ -508,7 +456,6 @@ int main(void)
     RUN(pairs_are_no_deeper);
     RUN(values_at_a_point_of_the_line_are_no_deeper);
     RUN(underflow_stays_below_its_bound);
-    RUN(unnormalised_pairs_keep_the_bound_in_error_bounds_h);
     RUN(distances_have_the_degree_in_exact_distance_h);
     return check_end();
 }

@@ -351,8 +351,9 @@ static int compare_build(const cylint_one_kernels *kernels,
         const unsigned want =
             wants[i / 2] | (nearest ? CYLINT_WANT_NEAREST : 0);
         cylint_answer got;
+        cylint_question question;
         memset(&got, 0, sizeof got);
-        const int n = cylint_filter_one(kernels, s, l, want, &got, NULL);
+        const int n = cylint_filter_one(kernels, s, l, want, &got, &question);
         if (n == CYLINT_UNDECIDED)
             continue;
         decided++;

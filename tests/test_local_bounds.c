@@ -26,10 +26,6 @@ typedef struct {
     double size, lo, off;
 } number;
 
-typedef struct {
-    number lane[2];
-} two;
-
 /* One operation: doubles, u = 2^-52 in any rounding mode; or unnormalised
  * pairs (simd.h), whose high parts are exact and whose low parts are rounded to
  * nearest, 2^-53. */
@@ -75,33 +71,15 @@ static number trimmed(number x)
     return (number){size, in_pairs ? 0x1p-53 * (size + off) : 0, off};
 }
 
-#define LANES_OF(one, other) ((two){{one, other}})
-
-static two add(two x, two y)
-{
-    return LANES_OF(sum(x.lane[0], y.lane[0]), sum(x.lane[1], y.lane[1]));
-}
-
-static two mul(two x, two y)
-{
-    return LANES_OF(product(x.lane[0], y.lane[0]),
-                    product(x.lane[1], y.lane[1]));
-}
-
 #define INLINE static inline
-#define V two
+#define NUM number
 #define FORM(name) name##_bounds
-#define ADD(x, y) add(x, y)
-#define SUB(x, y) add(x, y)
-#define MUL(x, y) mul(x, y)
-#define SUM_OF(x, y, z) add(mul(x, y), z)
+#define ADD(x, y) sum(x, y)
+#define SUB(x, y) sum(x, y)
+#define MUL(x, y) product(x, y)
+#define SUM_OF(x, y, z) sum(product(x, y), z)
 #define NEGATED(x) (x)
-#define TRIMMED(x) LANES_OF(trimmed((x).lane[0]), trimmed((x).lane[1]))
-#define SUMS(x, y) \
-    LANES_OF(sum((x).lane[0], (x).lane[1]), sum((y).lane[0], (y).lane[1]))
-#define TURNED(x) LANES_OF((x).lane[1], (x).lane[0])
-#define FIRSTS(x) LANES_OF((x).lane[0], (x).lane[0])
-#define PAIRED(x, y) LANES_OF((x).lane[0], (y).lane[0])
+#define TRIMMED(x) trimmed(x)
 #include "filter/local_forms_template.h"
 
 /* ------------------------------------------------------------- line ----- */
@@ -131,7 +109,7 @@ static number worse(number x, number y)
 /* A row of the matrix times a vector of components up to 1.  The bound is linear
  * in the sizes of the entries, of which the sum is 1 and so is that of their
  * errors in units of u, so it is greatest where one entry has all.
- * transformed() adds the low parts in another order: in the sum of each two
+ * transformed() and row_in_pairs() add the low parts in another order: in the sum of each two
  * numbers here as many roundings are counted, and of numbers as large. */
 static number row_times(number component)
 {
@@ -156,7 +134,7 @@ static number relative(double size)
 }
 
 /* Of a rounded cone: sine, cosine and slope have the relative error u in pairs,
- * and the planes and circles follow from these (round_lines.h). */
+ * and the planes and circles follow from these (frame.h). */
 static int is_round;
 
 static number of_angle(double size)
@@ -164,32 +142,29 @@ static number of_angle(double size)
     return given(size, in_pairs ? u * size : 0);
 }
 
+/* z and r of the top's plane and circle, or of the top's ball. */
+static number top_z, top_r;
+
 static void load(line_bounds *l, double r, double slope)
 {
     const number of_origin = row_times(given(1, 0)),
                  of_direction = row_times(given(1, 0));
-    const number top = at_most(sum(of_origin, relative(1)), 1);
-    l->p = LANES_OF(of_origin, of_origin);
-    l->v = l->w = LANES_OF(of_direction, of_direction);
-    l->z = LANES_OF(of_origin, top);
-    l->r = LANES_OF(known(r), known(r));
-    l->slope = LANES_OF(relative(slope), relative(slope));
+    for (int i = 0; i < 2; i++) {
+        l->p[i] = of_origin;
+        l->v[i] = of_direction;
+    }
+    l->w = of_direction;
+    l->z = of_origin;
+    top_z = at_most(sum(of_origin, relative(1)), 1);
+    l->r = top_r = known(r);
+    l->slope = relative(slope);
     if (is_round) {
         const number circle = at_most(product(of_angle(1), known(r)), r);
-        const number plane = at_most(sum(top, circle), 1);
-        l->z = LANES_OF(plane, plane);
-        l->r = LANES_OF(circle, circle);
-        l->slope = LANES_OF(of_angle(slope), of_angle(slope));
+        l->z = top_z = at_most(sum(top_z, circle), 1);
+        l->r = top_r = circle;
+        l->slope = of_angle(slope);
     }
     set_products_bounds(l);
-}
-
-static void load_balls(balls_bounds *b, double r)
-{
-    const number of_origin = row_times(given(1, 0));
-    const number top = at_most(sum(of_origin, relative(1)), 1);
-    b->z = LANES_OF(of_origin, top);
-    b->r = LANES_OF(known(r), known(r));
 }
 
 /* ------------------------------------------------------------- grid ----- */
@@ -248,11 +223,11 @@ static void position_cell(double r, double more_r, double s, double more_s)
     (void)r;
     (void)s;
     load(&l, more_r, more_s);
-    need(l.p.lane[0].off, u);
-    need(l.z.lane[1].off, u);
-    need(l.w.lane[0].off, u); /* the slope of a cap's residual, with D for Q */
+    need(l.p[0].off, u);
+    need(top_z.off, u);
+    need(l.w.off, u); /* the slope of a cap's residual, with D for Q */
     /* is_ahead(): z w against 2 POSITION u Q D */
-    need(product(l.z.lane[1], l.w.lane[0]).off, 2 * u);
+    need(product(top_z, l.w).off, 2 * u);
 }
 
 static void a_cell(double r, double more_r, double s, double more_s)
@@ -260,10 +235,9 @@ static void a_cell(double r, double more_r, double s, double more_s)
     line_bounds l;
     load(&l, more_r, more_s);
     (void)r;
-    two AB = AB_bounds(&l, 1);
+    const number A = A_bounds(&l, 1);
     /* The estimate of a root rounds A t three times, and A itself. */
-    need(AB.lane[0].off + (in_pairs ? 0 : 4 * 0x1p-53 * AB.lane[0].size),
-         u * square(1 + s));
+    need(A.off + (in_pairs ? 0 : 4 * 0x1p-53 * A.size), u * square(1 + s));
 }
 
 static void b_cell(double r, double more_r, double s, double more_s)
@@ -271,8 +245,8 @@ static void b_cell(double r, double more_r, double s, double more_s)
     line_bounds l;
     load(&l, more_r, more_s);
     (void)r;
-    l.r.lane[0] = at_most(l.r.lane[0], 1);
-    need(AB_bounds(&l, 1).lane[1].off, u * square(1 + s));
+    l.r = at_most(l.r, 1);
+    need(B_bounds(&l, 1).off, u * square(1 + s));
 }
 
 static void n_cell(double r, double more_r, double s, double more_s)
@@ -280,7 +254,7 @@ static void n_cell(double r, double more_r, double s, double more_s)
     line_bounds l;
     load(&l, more_r, more_s);
     (void)r;
-    need(N_bounds(&l, 1).lane[1].off, u * (1 + s));
+    need(N_bounds(&l, top_z, top_r, 1).off, u * (1 + s));
 }
 
 /* T, of which |v| |Y| may be as large as k. */
@@ -289,8 +263,9 @@ static void t_cell(double r, double more_r, double s, double more_s)
     line_bounds l;
     load(&l, more_r, more_s);
     (void)r;
-    const two Y = Y_bounds(&l);
-    need(T_bounds(&l, &Y).lane[0].off, u * (1 + s));
+    number Y[2];
+    set_Y_bounds(&l, Y);
+    need(T_bounds(&l, Y).off, u * (1 + s));
 }
 
 /*
@@ -308,7 +283,7 @@ static void e_cell(double r, double more_r, double s, double more_s)
     (void)more_s;
     load(&l, more_r, 0);
     cap = more_r / sqrt(2);
-    need(E_bounds(&l).lane[1].off, u * (r + CYLINT_LOCAL_SECOND * u));
+    need(E_bounds(&l, top_z, top_r).off, u * (r + CYLINT_LOCAL_SECOND * u));
     cap = HUGE_VAL;
 }
 
@@ -319,7 +294,7 @@ static void straight_g_cell(double r, double more_r, double s, double more_s)
     (void)more_s;
     load(&l, more_r, 0);
     cap = more_r * sqrt(2);
-    need(G_bounds(&l, 0, &l.p).lane[0].off, u * (r + CYLINT_LOCAL_SECOND * u));
+    need(G_bounds(&l, 0, NULL).off, u * (r + CYLINT_LOCAL_SECOND * u));
     cap = HUGE_VAL;
 }
 
@@ -341,21 +316,22 @@ static void tapered_g_cell(double r, double more_r, double s, double more_s)
     line_bounds l;
     load(&l, more_r, more_s);
     (void)r;
-    const two Y = Y_bounds(&l);
+    number Y[2];
+    set_Y_bounds(&l, Y);
     const double k = 1 + s, off = CYLINT_LOCAL_FORM / 2 * u * k;
     const double most = 2 * sqrt(2) * (1 + more_s);
-    const double lost = sqrt(2) * fmax(Y.lane[0].off, Y.lane[1].off);
+    const double lost = sqrt(2) * fmax(Y[0].off, Y[1].off);
     const double cells[] = {0, u * k / 64};
     double y = cells[0], more_y = cells[1];
     while (y < most) {
-        two there = Y;
+        number there[2] = {Y[0], Y[1]};
         cap = more_y;
         for (int i = 0; i < 2; i++)
-            there.lane[i].size = fmin(there.lane[i].size, more_y / sqrt(2));
+            there[i].size = fmin(there[i].size, more_y / sqrt(2));
         if (in_pairs)
             for (int i = 0; i < 2; i++)
-                there.lane[i].lo = 0x1p-53 * (more_y + there.lane[i].off);
-        need(G_bounds(&l, 1, &there).lane[0].off,
+                there[i].lo = 0x1p-53 * (more_y + there[i].off);
+        need(G_bounds(&l, 1, there).off,
              2 * off * (fmax(y - lost, 0) + off) / CYLINT_LOCAL_FORM);
         y = more_y;
         more_y *= SLOPE_STEP;
@@ -413,17 +389,13 @@ static void the_bound_of_a_cone_covers_the_error_of_its_G(void)
 static void ball_g_cell(double r, double more_r, double s, double more_s)
 {
     line_bounds l;
-    balls_bounds b;
     (void)s;
     (void)more_s;
     load(&l, more_r, 0);
-    load_balls(&b, more_r);
     cap = more_r;
-    least_off =
-        fmax(moment_bounds(&l).lane[0].off,
-             X_bounds(&l, LANES_OF(b.z.lane[1], b.z.lane[1])).lane[0].off);
-    const two g = ball_g_bounds(&l, &b);
-    need(fmax(g.lane[0].off, g.lane[1].off), u * (r + CYLINT_LOCAL_SECOND * u));
+    least_off = fmax(moment_bounds(&l).off, X_bounds(&l, top_z, 0).off);
+    need(ball_g_bounds(&l, top_z, top_r).off,
+         u * (r + CYLINT_LOCAL_SECOND * u));
     cap = HUGE_VAL;
     least_off = 0;
 }
@@ -431,15 +403,13 @@ static void ball_g_cell(double r, double more_r, double s, double more_s)
 static void balls(void)
 {
     line_bounds l;
-    balls_bounds b;
     over_radii(ball_g_cell);
     judge(&BALL, "of g");
     load(&l, 1, 0);
-    load_balls(&b, 1);
-    const number ball_A = ball_A_bounds(&l).lane[0];
+    const number ball_A = ball_A_bounds(&l);
     need(ball_A.off + (in_pairs ? 0 : 4 * 0x1p-53 * ball_A.size), u);
     judge(&A, "of a ball");
-    need(ball_B_bounds(&l, &b).lane[1].off, u);
+    need(ball_B_bounds(&l, top_z).off, u);
     judge(&FORM_ERROR, "of B, ball");
 }
 
@@ -450,7 +420,7 @@ static void the_forms_of_balls_have_their_bounds(void)
 
 /* ------------------------------------------------- a point of the line -- */
 
-/* states_in_doubles(): the point at t in units of |t| D + Q, whose least and
+/* set_point_signs(): the point at t in units of |t| D + Q, whose least and
  * greatest share of |t| D have the greatest errors. */
 static number at_t(number p, number v)
 {
@@ -470,10 +440,10 @@ static void point_cell(double r, double more_r, double s, double more_s)
     line_bounds l;
     (void)r;
     load(&l, more_r, more_s);
-    need(at_t(l.p.lane[0], l.v.lane[0]).off, u);
-    need(at_t(l.z.lane[1], l.w.lane[0]).off, u);
-    const number z = at_t(l.z.lane[0], l.w.lane[0]);
-    need(sum(product(l.slope.lane[0], z), l.r.lane[0]).off, u * (1 + s));
+    need(at_t(l.p[0], l.v[0]).off, u);
+    need(at_t(top_z, l.w).off, u);
+    const number z = at_t(l.z, l.w);
+    need(sum(product(l.slope, z), l.r).off, u * (1 + s));
 }
 
 /* The side of the vertex: A t + B against 2 FORM. */
@@ -482,8 +452,7 @@ static void vertex_cell(double r, double more_r, double s, double more_s)
     line_bounds l;
     (void)r;
     load(&l, more_r, more_s);
-    const two AB = AB_bounds(&l, 1);
-    need(sum(product(known(1), AB.lane[0]), AB.lane[1]).off,
+    need(sum(product(known(1), A_bounds(&l, 1)), B_bounds(&l, 1)).off,
          2 * u * square(1 + s));
 }
 
@@ -494,9 +463,9 @@ static void point_C_cell(double r, double more_r, double s, double more_s)
     line_bounds l;
     (void)r;
     load(&l, more_r, more_s);
-    const number p = at_t(l.p.lane[0], l.v.lane[0]);
-    const number z = at_t(l.z.lane[0], l.w.lane[0]);
-    const number rho = sum(product(l.slope.lane[0], z), l.r.lane[0]);
+    const number p = at_t(l.p[0], l.v[0]);
+    const number z = at_t(l.z, l.w);
+    const number rho = sum(product(l.slope, z), l.r);
     const double eP = u * (1 + s);
     double least = 0, most = u / 16;
     while (least < 1 + more_s) {
@@ -508,17 +477,15 @@ static void point_C_cell(double r, double more_r, double s, double more_s)
     }
 }
 
-/* round_state(): C = |P|^2 - r^2 of a ball against 8 eZ (r + eZ), eZ = POSITION
+/* set_point_signs(): C = |P|^2 - r^2 of a ball against 8 eZ (r + eZ), eZ = POSITION
  * u Q, for |P| = r; and A t + B of a ball. */
 static void ball_at_t(void)
 {
     line_bounds l;
-    balls_bounds b;
     double least = 0, most = u / 16;
     load(&l, 1, 0);
-    load_balls(&b, 1);
-    const number p = at_t(l.p.lane[0], l.v.lane[0]);
-    const number z = at_t(b.z.lane[1], l.w.lane[0]);
+    const number p = at_t(l.p[0], l.v[0]);
+    const number z = at_t(top_z, l.w);
     while (least < 1) {
         const number x = at_most(p, most), high = at_most(z, most);
         const number pp = sum(product(x, x), product(x, x));
@@ -529,10 +496,9 @@ static void ball_at_t(void)
         most *= 1.1;
     }
     judge(&POSITION, "of C, ball");
-    need(sum(product(known(1), ball_A_bounds(&l).lane[0]),
-             ball_B_bounds(&l, &b).lane[1])
-             .off,
-         2 * u);
+    need(
+        sum(product(known(1), ball_A_bounds(&l)), ball_B_bounds(&l, top_z)).off,
+        2 * u);
     judge(&FORM_ERROR, "of A t + B");
 }
 
@@ -574,30 +540,32 @@ static number square_of(number x)
 }
 
 /*
- * lateral_at(), in units of |t| D + Q: all of across = |x| + |y| + |rho| in one
- * of them, where the bound is greatest, since it is a sum of convex functions of
- * each.  The difference of the high parts is exact, or the error is one rounding
+ * square_residual(), in units of |t| D + Q: all of across = |x| + |y| + |z| + |rho|
+ * in one of them, where the bound is greatest, since it is a sum of convex functions
+ * of each.  The difference of the high parts is exact, or the error is one rounding
  * of it, and so is that of each sum with it: Newton's step counts these, but for
- * what the low parts add to them.  Of a
- * straight shape across has no rho; where |rho| is more than twice across, the
- * value is as large as rho^2, and the error of rho^2 is a rounding of the
- * value.
+ * what the low parts add to them: at most eight roundings.  Of a straight shape
+ * across has no rho; where |rho| is more than twice across, the value is as large
+ * as rho^2, and the error of rho^2 is a rounding of the value.
  */
-static double lateral_off(number x, number rho)
+static double square_off(number x, number rho)
 {
     const number xx = square_of(x), square = square_of(rho);
     const double low = 0x1p-53 * xx.size + xx.lo + square.lo;
-    return xx.off + square.off + 0x1p-53 * 5 * low;
+    return xx.off + square.off + 0x1p-53 * 8 * low;
 }
 
 static void residual_cell(double r, double more_r, double s, double more_s)
 {
     const number p = row_times(given(1, 0)), x = at_t(p, p);
-    const number top = at_t(sum(p, relative(1)), p);
-    const number growth = product(relative(more_s), p);
-    /* of many lines from z at t, of one line as x and y */
-    const number rho = worse(sum(known(more_r), product(relative(more_s), x)),
-                             at_t(sum(known(more_r), growth), growth));
+    const number top = sum(p, relative(1)), z = at_t(top, p);
+    const number slope = is_round ? of_angle(more_s) : relative(more_s);
+    const number circle =
+        is_round ? at_most(product(of_angle(1), known(more_r)), more_r)
+                 : known(more_r);
+    const number plane = is_round ? at_most(sum(p, circle), 1) : p;
+    const number rho =
+        at_t(sum(circle, product(slope, plane)), product(slope, p));
     const number none = {0, x.lo, x.off}, no_rho = {0, rho.lo, rho.off};
     double least = 0, most = u;
     (void)r;
@@ -605,14 +573,20 @@ static void residual_cell(double r, double more_r, double s, double more_s)
         const double off = CYLINT_LOCAL_RESIDUAL * u * (1 + s);
         const double unit =
             u * (1 + s) * (CYLINT_LOCAL_UNTRIMMED * (1 + s) + least + off);
-        need(lateral_off(at_most(x, most), no_rho), unit);
-        need(lateral_off(none, at_most(rho, most)), unit);
-        need(lateral_off(at_most(x, most), known(2 * most)), unit);
+        need(square_off(at_most(x, most), no_rho), unit);
+        need(square_off(none, at_most(rho, most)), unit);
+        need(square_off(at_most(x, most), known(2 * most)), unit);
+        if (s == 0) /* a ball */
+            need(square_off(at_most(z, most), known(2 * most)), unit);
         least = most;
         most *= 1.1;
     }
     need(x.off + 0x1p-53 * x.lo, u);
-    need(top.off + 0x1p-53 * top.lo, u);
+    need(z.off + 0x1p-53 * z.lo, u);
+    if (is_round) { /* the plane of a circle */
+        const number height = at_t(at_most(sum(top, circle), 1), p);
+        need(height.off + 0x1p-53 * height.lo, u);
+    }
     need(rho.off + 0x1p-53 * rho.lo, u * (1 + s));
 }
 
@@ -627,6 +601,9 @@ static void residuals(void)
 static void a_residual_in_pairs_has_its_bound(void)
 {
     in_each_arithmetic(residuals);
+    is_round = 1;
+    in_each_arithmetic(residuals);
+    is_round = 0;
 }
 
 int main(void)

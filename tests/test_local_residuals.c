@@ -1,6 +1,6 @@
 /*
  * test_local_residuals.c - floor filter: error_bounds.h covers the errors of
- * residuals of round kinds, and of those in triples and in levels
+ * residuals in levels, and of an operation on triples
  *
  * As test_local_bounds.c does for the forms: the residuals are computed with
  * bounds in place of numbers, in units of the line's size.
@@ -10,112 +10,10 @@
 
 #include "local_bounds.h"
 #include "numbers/error_bounds.h"
-#include "signs/sign.h"
-
 #define INLINE static inline
 
-static constant RESIDUAL = {"RESIDUAL", CYLINT_LOCAL_RESIDUAL, 0},
-                TRIPLE = {"TRIPLE", CYLINT_LOCAL_TRIPLE, 0},
+static constant TRIPLE = {"TRIPLE", CYLINT_LOCAL_LEVELS, 0},
                 ROUNDING = {"TRIPLE_ROUNDING", CYLINT_TRIPLE_ROUNDING, 0};
-
-/* The residuals of round kinds.  Here each double has a bound on its size and
- * on its error, in rounding to nearest. */
-typedef struct {
-    double size, off;
-} real;
-
-typedef struct {
-    real hi, lo;
-} real_pair;
-
-static real real_of(double size, double off)
-{
-    return (real){size, off + 0x1p-53 * (size + off)};
-}
-
-static real real_sum(real x, real y)
-{
-    return real_of(x.size + y.size, x.off + y.off);
-}
-
-static real real_product(real x, real y)
-{
-    return real_of(x.size * y.size,
-                   x.off * y.size + x.size * y.off + x.off * y.off);
-}
-
-/* A sum or product without error: only its high part inherits those. */
-static real_pair exactly(real x)
-{
-    const double size = x.size * (1 + 0x1p-53);
-    return (real_pair){{size, x.off - 0x1p-53 * x.size}, {0x1p-53 * size, 0}};
-}
-
-static real real_result(real x, real y, real rest)
-{
-    return (real){x.size + y.size,
-                  x.off + y.off + rest.off + 0x1p-53 * rest.size};
-}
-
-#define V real
-#define PAIR real_pair
-#define FORM(name) name##_reals
-#define ADD(x, y) real_sum(x, y)
-#define SUB(x, y) real_sum(x, y)
-#define SUM_OF(x, y, z) real_sum(real_product(x, y), z)
-#define NEGATED(x) (x)
-#define RESULT(x, y, rest) real_result(x, y, rest)
-#define TWO_SUM(x, y) exactly(real_sum(x, y))
-#define TWO_PROD(x, y) exactly(real_product(x, y))
-#include "filter/round_residual_template.h"
-
-/* A number up to 1 whose pair has that error. */
-static real_pair known_pair(double size, double off)
-{
-    return (real_pair){{size, 0}, {0x1p-53 * size, off}};
-}
-
-/* In units of |t| D + Q.  u: the error of the axis (error_bounds.h).  share: of
- * |t| D.  The bound is linear in the sizes of the axis's components, so it is
- * greatest where one has all. */
-static void round_residual(double share, double sine, double cosine, int all,
-                           double u)
-{
-    const real t = {1, 0}, d = {share, 0}, d_lo = {0x1p-53 * share, 0};
-    const real r = {1, 0};
-    real_pair q[3], axis[3];
-    for (int j = 0; j < 3; j++) {
-        q[j] = moved_reals(known_pair(1 - share, 0), t, d, d_lo);
-        q[j].hi.size = fmin(q[j].hi.size, 1);
-        axis[j] = j == all ? known_pair(1, u) : known_pair(0, 0);
-    }
-    need(ball_residual_reals(q, r).off, u);
-    const real_pair surplus = surplus_reals(q, r);
-    need(surplus.hi.off + surplus.lo.off + 0x1p-53 * surplus.lo.size, u);
-    real_pair height =
-        height_reals(q, axis, shift_reals(known_pair(sine, u * sine), r));
-    height.hi.size = fmin(height.hi.size, 1);
-    need(height.hi.off + height.lo.off + 0x1p-53 * height.lo.size, u);
-    need(cylinder_residual_reals(surplus, height).off, u);
-    const real_pair square =
-        known_pair(cosine * cosine, 2.1 * u * cosine * cosine);
-    need(cone_residual_reals(surplus, square, height).off, u);
-}
-
-static void a_residual_of_a_round_kind_has_its_bound(void)
-{
-    static const double shares[] = {0, 0x1p-30, 0.5, 1},
-                        units[] = {CYLINT_LOCAL_ERROR, CYLINT_LOCAL_WORST};
-    for (int k = 0; k < 2; k++) {
-        for (int i = 0; i < 4; i++)
-            for (int all = 0; all < 3; all++) {
-                round_residual(shares[i], 0, 1, all, units[k]);
-                round_residual(shares[i], 1, 0x1p-13, all, units[k]);
-                round_residual(shares[i], 1, 1, all, units[k]);
-            }
-        judge_in(&RESIDUAL, "round", "pairs");
-    }
-}
 
 /*
  * Triples (triple.h).  After a triple_sum |b| is at most 2^-53 |a| + c and the
@@ -156,60 +54,8 @@ static triple_number triple_times(triple_number x, triple_number y)
                          off + left_out);
 }
 
-#define NUM triple_number
-#define FORM(name) name##_in_triples
-#define ADD(x, y) triple_plus(x, y)
-#define SUB(x, y) triple_plus(x, y)
-#define MUL(x, y) triple_times(x, y)
-#define MEMORY
-#define BEGIN (void)L;
-#define RETURN(x) return x;
-#include "signs/forms_template.h"
-
 /*
- * residual_in_triples(), in units of |t| D + Q.  A circular shape: |w| = 1, so
- * that norm = 1 and local.scale = 1.  An elliptic shape: |a| = |b| = |w| = 1 and
- * det = 1 / c, where c is cylint_local.error / CYLINT_LOCAL_ERROR; a row
- * of the matrix has at least the size 1 / |a|, so |P| is at most 1; and C / det^2
- * has the error c^2 times that of C.
- */
-static void residual_in_triples(int kind, double s, double more_s)
-{
-    const triple_number one = {1, 0, 0};
-    const triple_number D = triple_plus(one, triple_plus(one, one));
-    terms_in_triples L;
-    memset(&L, 0, sizeof L);
-    L.kind = kind;
-    for (int i = 0; i < 3; i++) {
-        L.w[i] = L.a[i] = L.b[i] = one;
-        L.D[0][i] = L.D[1][i] = (triple_number){1, D.c, D.off};
-    }
-    L.r[0] = L.r[1] = L.one = one;
-    L.dr = (triple_number){more_s, 0, 0};
-    prepare_shape_in_triples(&L);
-    const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;
-    need(form_C_in_triples(&L).off, unit * square(1 + s));
-    need(form_alpha_in_triples(&L, 0).off, unit);
-    need(form_alpha_in_triples(&L, 1).off, unit);
-}
-
-static void a_residual_in_triples_has_its_bound(void)
-{
-    for (int kind = CYLINT_KIND_CYLINDER; kind <= CYLINT_KIND_ECONE; kind++) {
-        residual_in_triples(kind, 0, FIRST_SLOPE);
-        for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= SLOPE_STEP)
-            residual_in_triples(kind, s, s * SLOPE_STEP);
-    }
-    judge_in(&TRIPLE, "", "triples");
-    /* |dr| is at most |w|; a ball is a sphere */
-    residual_in_triples(CYLINT_KIND_SPHERE, 0, 0);
-    residual_in_triples(CYLINT_KIND_CAPSULE, 0, 0);
-    residual_in_triples(CYLINT_KIND_RCONE, 0, 1);
-    judge_in(&TRIPLE, "round", "triples");
-}
-
-/*
- * residual_in_levels.h, step by step.  a, b, c: the sizes of the levels, of which
+ * levels.h, step by step.  a, b, c: the sizes of the levels, of which
  * a and b have no error.
  */
 typedef struct {
@@ -375,6 +221,27 @@ static level_number product_of(level_number x, level_number y)
     return xy;
 }
 
+/* An acone: the radius in multiples of |w| = 1. */
+static void tangent_levels(double s, double more_s)
+{
+    const level_number F = within(distance_from_point(1), 1);
+    const level_number W = {1, 0x1p-53, 0, 0};
+    level_number g = {0, 0, 0, 0}, Q = {0, 0, 0, 0}, WW = {0, 0, 0, 0};
+    add_three(&g, times(F, 1));
+    add_three(&WW, squared(W));
+    const double e = near, e_off = g.off + 0x1p-50 * g.c + e * 0x1p-93;
+    add_three(&Q, squared(F));
+    const level_number rho2 = squared(radius_of(more_s, e, e_off));
+    const level_number outside = product_of(rho2, within(WW, 1));
+    add_to_a(&Q, outside.a);
+    add_to_b(&Q, outside.b);
+    add_to_c(&Q, outside.c);
+    Q.off += outside.off;
+    add_to_c(&Q, e * e);
+    const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;
+    need(Q.off + 2 * 0x1p-53 * Q.c + 2 * e * e_off, unit * square(1 + s));
+}
+
 /* A ball, and the cone of a rounded cone, |w| = 1 and |dr| <= 1. */
 static void round_levels(void)
 {
@@ -421,9 +288,11 @@ static void a_residual_in_levels_has_its_bound(void)
 {
     straight_levels();
     circular_levels(0, FIRST_SLOPE);
+    tangent_levels(0, FIRST_SLOPE);
     elliptic_levels(0, FIRST_SLOPE);
     for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= SLOPE_STEP) {
         circular_levels(s, s * SLOPE_STEP);
+        tangent_levels(s, s * SLOPE_STEP);
         elliptic_levels(s, s * SLOPE_STEP);
     }
     judge_in(&TRIPLE, "levels", "levels");
@@ -448,9 +317,7 @@ static void no_constant_is_four_times_too_large(void)
 
 int main(void)
 {
-    RUN(a_residual_of_a_round_kind_has_its_bound);
     RUN(an_operation_on_triples_has_its_bound);
-    RUN(a_residual_in_triples_has_its_bound);
     RUN(a_residual_in_levels_has_its_bound);
     RUN(no_constant_is_four_times_too_large);
     return check_end();

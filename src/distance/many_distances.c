@@ -66,9 +66,9 @@ static cylint_certify_many *kernel(void)
 #ifdef CYLINT_BUILDS_X86
     const cylint_kernels *used = cylint_kernels_used();
     /* mutant '==' -> '!=': another build has the same bits */
-    if (used->one == &cylint_one_avx512)
+    if (used->many == cylint_many_avx512)
         return cylint_certify_many_avx512;
-    if (used->one == &cylint_one_fma)
+    if (used->many == cylint_many_avx2)
         return cylint_certify_many_avx2;
 #endif
     return cylint_certify_many_plain;

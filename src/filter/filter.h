@@ -1,107 +1,100 @@
 /*
- * filter.h - certified answers in doubles, or "undecided"
+ * filter.h - certified answers in doubles and pairs, or "undecided"
  */
 #ifndef CYLINT_FILTER_H
 #define CYLINT_FILTER_H
 
-#include <float.h>
-
 #include "../shapes/shape_facts.h"
 #include "cylint.h"
 
-/* The roots of n hits beyond t: |root - (t + more)| <= error. */
-typedef struct {
-    double more[2], error[2];
-} cylint_root_rest;
+/* ---------------------------------------------------- one question ------ */
 
-/* One line and shape: fills in *answer and returns its n, or returns
- * CYLINT_UNDECIDED.  Point, normal, z and phi are not computed; `rest`, where
- * it is not NULL, receives what finding them needs. */
-#define CYLINT_ONE_ARGUMENTS                                           \
-    const cylint_shape *shape, const cylint_line *line, unsigned want, \
-        cylint_answer *answer, cylint_root_rest *rest
-typedef int cylint_kernel_one(CYLINT_ONE_ARGUMENTS);
-enum { CYLINT_UNDECIDED = -1 };
+enum {
+    CYLINT_UNDECIDED = -1,
+    /* the members of a hit that are computed from the root */
+    CYLINT_WANT_BESIDE_T =
+        CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI
+};
 
-/* For shapes without a kernel, and for compilers without vectors of two lanes. */
-static inline int cylint_undecided(CYLINT_ONE_ARGUMENTS)
-{
-    (void)shape;
-    (void)line;
-    (void)want;
-    (void)answer;
-    (void)rest;
-    return CYLINT_UNDECIDED;
-}
-
-/* The functions for one line and one shape: by solid and by whether roots are
- * wanted. */
-typedef struct {
-    cylint_kernel_one *by_solid[CYLINT_SOLIDS][2];
-} cylint_one_kernels;
-
-cylint_kernel_one cylint_hard_round_plain, cylint_hard_round_fma;
-cylint_kernel_one cylint_sphere_roots_plain, cylint_sphere_roots_fma,
-    cylint_sphere_signs_plain, cylint_sphere_signs_fma,
-    cylint_capsule_roots_plain, cylint_capsule_roots_fma,
-    cylint_capsule_signs_plain, cylint_capsule_signs_fma,
-    cylint_rcone_roots_plain, cylint_rcone_roots_fma, cylint_rcone_signs_plain,
-    cylint_rcone_signs_fma;
+/* What a stage knows of a question that it does not decide. */
+typedef enum {
+    CYLINT_KNOWN_NOTHING, /* no signs; the next stage computes all in pairs */
+    CYLINT_KNOWN_LINE,    /* `pierced` and `exists`: only signs at an end of the
+                             domain are uncertain */
+    CYLINT_KNOWN_ROOTS,   /* all but some roots' nearest doubles */
+    CYLINT_KNOWN_USELESS  /* the filter does not serve the question */
+} cylint_known;
 
 /*
- * The functions that continue where a kernel of straight or tapered shapes does
- * not decide (hard_question.c).  Q and D: no coordinate of the line's origin
- * exceeds Q, none of its direction exceeds D, in local coordinates.
- *
- * hard: signs are uncertain, or the line is nearly tangent.  `known` is 0, or
- * CYLINT_KNOWN_LINE and the bits of the caps that the line pierces and, times 4,
- * of the ends of the overlap that exist: then only the signs at an end of the
- * domain are uncertain.
- *
- * exact_roots: some roots are not certainly rounded.  The members of the
- * estimates are those of local_roots.h.  Of round kinds `pierced` has the bits of
- * ends on a ball, and `lanes` those of ends on the ball about the top.
+ * One line and one shape, and what the stages compute.  Lane i of the roots
+ * belongs to end i (kernel.h).  pierced, exists: bits as in `verdict`; on_end, top,
+ * back, present: bits of lanes.  The others are the members of `estimate` and
+ * `root` (surfaces.h).
  */
-enum { CYLINT_KNOWN_LINE = 16 };
-
 typedef struct {
-    double Q, D;
-    unsigned pierced, lanes, nearest;
-    int first;
+    const cylint_shape *shape;
+    const cylint_line *line;
+    cylint_answer *answer;
+    unsigned want;
+    cylint_known known;
+    unsigned on_end, top, present, exists, past[2], nearest;
+    int back;
+    double A;    /* of the lateral quadratic; only its sign counts */
+    double Q, D; /* no coordinate of the line's origin exceeds Q, none of its
+                    direction D */
     double t[2], slope[2], inverse[2], slope_error[2], curvature[2];
-    double value[2], more[2], error[2], low[2], high[2];
-} cylint_estimates;
+    double value[2], tail[2], error[2], low[2], high[2];
+    double hit_tail[2],
+        hit_error[2]; /* of the n hits: |root - (t + tail)| is at
+                                         most the error */
+} cylint_question;
 
-typedef int cylint_kernel_hard(CYLINT_ONE_ARGUMENTS, unsigned known, double Q,
-                               double D);
-typedef int cylint_kernel_roots(CYLINT_ONE_ARGUMENTS,
-                                const cylint_estimates *from);
-cylint_kernel_hard cylint_hard_plain, cylint_hard_fma;
-cylint_kernel_roots cylint_exact_roots_plain, cylint_exact_roots_fma,
-    cylint_exact_round_plain, cylint_exact_round_fma;
+/* Relation, n, and the wanted t, part and side.  Writes *question->answer and
+ * returns its n, or sets question->known and returns CYLINT_UNDECIDED.  The
+ * first four arguments are members of the question. */
+typedef int cylint_kernel_one(const cylint_shape *shape,
+                              const cylint_line *line, unsigned want,
+                              cylint_answer *answer, cylint_question *question);
 
+/* The functions for one line and one shape: by solid and by whether roots are
+ * wanted; and what goes on with questions that they do not decide. */
+typedef struct {
+    cylint_kernel_one *by_solid[CYLINT_SOLIDS][2];
+    int (*refine)(cylint_question *question);
+} cylint_one_kernels;
+
+extern const cylint_one_kernels cylint_one_plain, cylint_one_fma;
+
+/* The stages of the filter, one after the other. */
 static inline int cylint_filter_one(const cylint_one_kernels *kernels,
                                     const cylint_shape *shape,
                                     const cylint_line *line, unsigned want,
                                     cylint_answer *answer,
-                                    cylint_root_rest *rest)
+                                    cylint_question *question)
 {
     const unsigned roots = want / CYLINT_WANT_T % 2;
     const unsigned solid =
         (unsigned)shape->prepared & -(unsigned)line->in_range;
-    return kernels->by_solid[solid][roots](shape, line, want, answer, rest);
+    question->shape = shape;
+    question->line = line;
+    question->answer = answer;
+    question->want = want;
+    const int n =
+        kernels->by_solid[solid][roots](shape, line, want, answer, question);
+    return n == CYLINT_UNDECIDED ? kernels->refine(question) : n;
 }
 
+/* --------------------------------------------------- many questions ----- */
+
 /* A question of a batch is a line and a shape, and it has a number.  All
- * questions of one cylint_filter_batch have the same kind of shape, and either
- * the shape or the line may be the same in all. */
+ * questions of one cylint_filter_batch have the same solid, and either the shape or
+ * the line may be the same in all. */
 enum { COLUMN_CENTER = 0, COLUMN_BALL = 3, COLUMNS };
 
-/* Shapes of one kind: number[i] is the shape of lane i.  The columns hold the
+/* Shapes of one solid: number[i] is the shape of lane i.  The columns hold the
  * balls about them, padded to a multiple of 8 lanes by copies of the last. */
 typedef struct {
-    int kind, bounded;
-    int scalar;       /* the filter does not serve them */
+    int solid;        /* none: the filter does not serve them */
     size_t n, stride; /* of columns, in doubles */
     const size_t *number;
     const double *column;
@@ -113,12 +106,13 @@ typedef struct {
     const cylint_run *run;      /* NULL: one shape for all lines */
     const cylint_line *line;    /* one line for all shapes, or NULL */
     const cylint_lines *lines;  /* else a line for each number */
-    int kind, bounded;
+    int solid;
     size_t n;
     unsigned want;
     int relations;  /* wanted even where there is no hit */
     int eager;      /* no answer makes later ones unwanted */
-    double nearest; /* one line: hits beyond it are not wanted */
+    double nearest; /* one line: hits beyond it are not wanted; the use of a
+                       group may reduce it */
     double speed;   /* one line: |d|, not less */
     /* the numbers that the first pass left are list[first] .. list[end - 1];
      * it goes on at `lane` */
@@ -135,14 +129,16 @@ typedef struct {
     double t[2][8], part[2][8];
 } cylint_filter_group;
 
-/* Writes the next group of answers; returns 0 when there are no more. */
-typedef int cylint_filter_next(cylint_filter_batch *batch,
-                               cylint_filter_group *group);
+/* Uses a group of answers; returns 1 where no more are wanted. */
+typedef int cylint_filter_use(void *self, cylint_filter_batch *batch,
+                              const cylint_filter_group *group);
 
-/* The builds: narrow for single questions, wide for batches. */
-extern const cylint_one_kernels cylint_one_plain, cylint_one_fma,
-    cylint_one_avx512;
-extern cylint_filter_next cylint_many_plain, cylint_many_avx2,
+/* Answers all questions. */
+typedef void cylint_filter_many(cylint_filter_batch *batch,
+                                cylint_filter_use *use, void *self);
+
+/* The builds. */
+extern cylint_filter_many cylint_many_plain, cylint_many_avx2,
     cylint_many_avx512;
 
 #endif

@@ -1,19 +1,16 @@
 /*
  * local_forms_template.h - the forms of a line in local coordinates
  *
- * Stated once for doubles and for pairs in two lanes.  The including file
- * names by macros, which end with this file:
+ * Stated once for doubles, for pairs and, in tests, for bounds on errors.  The
+ * including file names by macros, which end with this file:
  *
- *   V                      two numbers
+ *   NUM                    a number
  *   FORM(name)             the functions
- *   ADD SUB MUL (x, y)     lane by lane
+ *   ADD SUB MUL (x, y)
  *   SUM_OF(x, y, z)        x y + z
  *   NEGATED(x)
  *   TRIMMED(x)             x without the cancelled digits in front, so that the
  *                          error of its square is relative to the square
- *   SUMS(x, y)             (x[0] + x[1], y[0] + y[1])
- *   TURNED(x), FIRSTS(x)   (x[1], x[0]); (x[0], x[0])
- *   PAIRED(x, y)           (x[0], y[0])
  *
  * In local coordinates (shapes/local.h) the line is (p, z) + t (v, w), p and v
  * in the plane, and the lateral surface |p|^2 = rho^2, rho = r + slope z.
@@ -22,7 +19,7 @@
  *   Q(t) = |p + t v|^2 - (rho + t slope w)^2 = A t^2 + 2 B t + C,
  *
  * Q < 0 within.  With z_i from the plane of cap i and X_i = w p - z_i v, the
- * forms of forms_template.h become
+ * forms of signs/forms_template.h become
  *
  *   G   = |r v - slope X_0|^2 - (p x v)^2 = B^2 - A C
  *   E_i = r_i^2 w^2 - |X_i|^2             > 0: the line pierces cap i
@@ -35,132 +32,121 @@
  *   A = v.v + w^2,  B = p.v + z w,  g = r^2 A - (p x v)^2 - |X|^2 = B^2 - A C.
  */
 
+/* z and r: of cap 0. */
 typedef struct {
-    V p, v;     /* (x, y) */
-    V z, r;     /* z from the plane of each cap, and its radius */
-    V w, slope; /* the same number twice */
-    V products; /* (v.v, p.v) */
+    NUM p[2], v[2], z, w, r, slope;
+    NUM vv, pv; /* |v|^2, p.v: set_products() */
 } FORM(line);
 
-/* The balls of a round kind: z from each centre, and the radius. */
-typedef struct {
-    V z, r;
-} FORM(balls);
+INLINE NUM FORM(dot)(const NUM x[2], const NUM y[2])
+{
+    return SUM_OF(x[1], y[1], MUL(x[0], y[0]));
+}
 
-/* After the other members. */
 INLINE void FORM(set_products)(FORM(line) *l)
 {
-    l->products = SUMS(MUL(l->v, l->v), MUL(l->p, l->v));
+    l->vv = FORM(dot)(l->v, l->v);
+    l->pv = FORM(dot)(l->p, l->v);
 }
 
-/* |x|^2. */
-INLINE V FORM(square)(V x)
+INLINE NUM FORM(square)(NUM x)
 {
-    const V squares = MUL(x, x);
-    return ADD(squares, TURNED(squares));
+    return MUL(x, x);
 }
 
-/* X of a cap, z its z twice. */
-INLINE V FORM(X)(const FORM(line) *l, V z)
+/* Component i of X of the plane at z. */
+INLINE NUM FORM(X)(const FORM(line) *l, NUM z, int i)
 {
-    const V X = SUM_OF(NEGATED(z), l->v, MUL(l->w, l->p));
+    const NUM X = SUM_OF(NEGATED(z), l->v[i], MUL(l->w, l->p[i]));
     return TRIMMED(X);
 }
 
-/* r v - slope X_0: of a straight shape r v. */
-INLINE V FORM(Y)(const FORM(line) *l)
+/* Y; of a straight shape r v. */
+INLINE void FORM(set_Y)(const FORM(line) *l, NUM Y[2])
 {
-    const V Y = SUM_OF(NEGATED(l->slope), FORM(X)(l, FIRSTS(l->z)),
-                       MUL(FIRSTS(l->r), l->v));
-    return TRIMMED(Y);
+    EACH(i, 2) {
+        const NUM y =
+            SUM_OF(NEGATED(l->slope), FORM(X)(l, l->z, i), MUL(l->r, l->v[i]));
+        Y[i] = TRIMMED(y);
+    }
 }
 
-/* p x v, in lane 1 its negative. */
-INLINE V FORM(moment)(const FORM(line) *l)
+/* p x v. */
+INLINE NUM FORM(moment)(const FORM(line) *l)
 {
-    const V turned = MUL(l->p, TURNED(l->v));
-    const V difference = SUB(turned, TURNED(turned));
-    return TRIMMED(difference);
+    const NUM m = SUB(MUL(l->p[0], l->v[1]), MUL(l->p[1], l->v[0]));
+    return TRIMMED(m);
 }
 
-/* In lane 0. */
-INLINE V FORM(G)(const FORM(line) *l, int tapered, const V *Y)
+/* Y: of a tapered shape. */
+INLINE NUM FORM(G)(const FORM(line) *l, int tapered, const NUM Y[2])
 {
-    const V moment = FORM(moment)(l);
-    V square;
+    const NUM m = FORM(moment)(l);
+    NUM square;
     if (tapered)
-        square = FORM(square)(*Y);
+        square = FORM(dot)(Y, Y);
     else
-        square = MUL(MUL(l->r, l->r), FORM(square)(l->v));
-    return SUM_OF(NEGATED(moment), moment, square);
+        square = MUL(FORM(square)(l->r), l->vv);
+    return SUM_OF(NEGATED(m), m, square);
 }
 
-/* In lane 0. */
-INLINE V FORM(T)(const FORM(line) *l, const V *Y)
+INLINE NUM FORM(T)(const FORM(line) *l, const NUM Y[2])
 {
-    const V products = MUL(l->v, *Y);
-    return SUMS(products, products);
+    return FORM(dot)(l->v, Y);
 }
 
-/* Of both caps. */
-INLINE V FORM(E)(const FORM(line) *l)
+/* E and N of the cap of radius r whose plane is at z. */
+INLINE NUM FORM(E)(const FORM(line) *l, NUM z, NUM r)
 {
-    const V X0 = FORM(X)(l, FIRSTS(l->z));
-    const V X1 = FORM(X)(l, FIRSTS(TURNED(l->z)));
-    const V rw = MUL(l->r, l->w);
-    return SUM_OF(rw, rw, NEGATED(SUMS(MUL(X0, X0), MUL(X1, X1))));
+    const NUM X[2] = {FORM(X)(l, z, 0), FORM(X)(l, z, 1)};
+    const NUM rw = MUL(r, l->w);
+    return SUM_OF(rw, rw, NEGATED(FORM(dot)(X, X)));
 }
 
-INLINE V FORM(N)(const FORM(line) *l, int tapered)
+INLINE NUM FORM(N)(const FORM(line) *l, NUM z, NUM r, int tapered)
 {
-    const V vv = FIRSTS(l->products), pv = FIRSTS(TURNED(l->products));
-    const V N = SUM_OF(l->z, NEGATED(vv), MUL(l->w, pv));
+    const NUM N = SUM_OF(z, NEGATED(l->vv), MUL(l->w, l->pv));
     if (!tapered)
         return N;
-    const V rw = MUL(l->r, l->w);
-    return SUM_OF(rw, NEGATED(MUL(l->slope, l->w)), N);
+    return SUM_OF(MUL(r, l->w), NEGATED(MUL(l->slope, l->w)), N);
 }
 
-/* (A, B). */
-INLINE V FORM(AB)(const FORM(line) *l, int tapered)
+INLINE NUM FORM(A)(const FORM(line) *l, int tapered)
 {
     if (!tapered)
-        return l->products;
-    const V rho1 = MUL(l->slope, l->w);
-    const V rho0 = SUM_OF(l->slope, FIRSTS(l->z), FIRSTS(l->r));
-    return SUM_OF(NEGATED(rho1), PAIRED(rho1, rho0), l->products);
+        return l->vv;
+    const NUM growth = MUL(l->slope, l->w);
+    return SUM_OF(NEGATED(growth), growth, l->vv);
 }
 
-/* A of a ball, twice. */
-INLINE V FORM(ball_A)(const FORM(line) *l)
+INLINE NUM FORM(B)(const FORM(line) *l, int tapered)
 {
-    const V squares = MUL(l->v, l->v);
-    return SUM_OF(l->w, l->w, SUMS(squares, squares));
+    if (!tapered)
+        return l->pv;
+    const NUM growth = MUL(l->slope, l->w);
+    return SUM_OF(NEGATED(growth), SUM_OF(l->slope, l->z, l->r), l->pv);
 }
 
-/* B of both balls. */
-INLINE V FORM(ball_B)(const FORM(line) *l, const FORM(balls) *b)
+/* Of the ball of radius r about the point at z of the axis. */
+INLINE NUM FORM(ball_A)(const FORM(line) *l)
 {
-    const V products = MUL(l->p, l->v);
-    return SUM_OF(b->z, l->w, SUMS(products, products));
+    return SUM_OF(l->w, l->w, l->vv);
 }
 
-/* g of a ball, twice, z and r twice; of both balls. */
-INLINE V FORM(one_ball_g)(const FORM(line) *l, V z, V r)
+INLINE NUM FORM(ball_B)(const FORM(line) *l, NUM z)
 {
-    const V X = FORM(X)(l, z), m = FORM(moment)(l), squares = MUL(X, X);
-    const V square = SUM_OF(m, m, SUMS(squares, squares));
-    return SUM_OF(MUL(r, r), FORM(ball_A)(l), NEGATED(square));
+    return SUM_OF(z, l->w, l->pv);
 }
 
-INLINE V FORM(ball_g)(const FORM(line) *l, const FORM(balls) *b)
+INLINE NUM FORM(ball_g)(const FORM(line) *l, NUM z, NUM r)
 {
-    return PAIRED(
-        FORM(one_ball_g)(l, FIRSTS(b->z), FIRSTS(b->r)),
-        FORM(one_ball_g)(l, FIRSTS(TURNED(b->z)), FIRSTS(TURNED(b->r))));
+    const NUM X[2] = {FORM(X)(l, z, 0), FORM(X)(l, z, 1)};
+    const NUM m = FORM(moment)(l);
+    const NUM square = SUM_OF(m, m, FORM(dot)(X, X));
+    return SUM_OF(FORM(square)(r), FORM(ball_A)(l), NEGATED(square));
 }
 
-#undef V
+#undef NUM
 #undef FORM
 #undef ADD
 #undef SUB
@@ -168,7 +154,3 @@ INLINE V FORM(ball_g)(const FORM(line) *l, const FORM(balls) *b)
 #undef SUM_OF
 #undef NEGATED
 #undef TRIMMED
-#undef SUMS
-#undef TURNED
-#undef FIRSTS
-#undef PAIRED

@@ -287,14 +287,6 @@
 #define CYLINT_CYLINDER_G_SIZE 48
 
 /*
- * The error of C and alpha in the unnormalised pairs of simd.h.  Roots are
- * rounded with these in lanes, in rounding to nearest only.
- * tests/test_form_depth.c runs forms_template.h over bounds on lo and on the
- * error, in units of 2^-53 and 2^-106 of the sizes.
- */
-#define CYLINT_LAZY_BOUND (512 * 0x1p-106)
-
-/*
  * First-order errors of quotients and roots are added up where each divisor,
  * slope and radicand is known to CYLINT_FIRST_ORDER, relative; in lanes G is
  * known to CYLINT_RADICAND only, but sqrt(G) then errs by 0.52 of that and the
@@ -318,10 +310,6 @@
 
 /* sqrt(S G) above this: S G has not underflowed. */
 #define CYLINT_RADICAL_LEAST 0x1p-450
-
-/* The error of the origin moved by t, in unnormalised pairs, is 2^-101 of its
- * terms.  The relative change of a form is at most four times that. */
-#define CYLINT_MOVED_BOUND 0x1p-99
 
 /* Roots that pairs decide, in lanes too, have at least this size and at most its
  * inverse.  Then no product of three underflows, and no low part of a sum is
@@ -470,13 +458,14 @@
 #define CYLINT_LOCAL_DISTANCE 1.25
 #define CYLINT_LOCAL_NEAR 0x1p-5
 
-/* The error of one operation on triples; of a residual in triples or levels, in
- * multiples of the square of cylint_local.error and of the size of its terms
+/* The error of one operation on triples; of a residual in levels, in multiples of
+ * the square of cylint_local.error and of the size of its terms
  * (tests/test_local_residuals.c computes both, bounds with slack); and, relative
- * to the residual, of its rounding and its division by cylint_local.scale or
- * square_scale: nine roundings to nearest. */
+ * to the residual, of its rounding and its division by cylint_local.scale or by
+ * square_scale and the square of a cosine: fewer than sixteen roundings to
+ * nearest. */
 #define CYLINT_TRIPLE_ROUNDING 0x1p-150
-#define CYLINT_LOCAL_TRIPLE 0x1p54
+#define CYLINT_LOCAL_LEVELS 0x1p54
 #define CYLINT_LOCAL_SCALING 0x1p-49
 
 #endif

@@ -72,6 +72,8 @@ static inline vd v_select(vm m, vd x, vd y)
 static inline vm m_not(vm m) { return (vm)~m; }
 static inline vm m_and(vm a, vm b) { return (vm)(a & b); }
 static inline vm m_or(vm a, vm b) { return (vm)(a | b); }
+static inline vm m_and_not(vm a, vm b) { return (vm)(a & ~b); }
+static inline vm m_if(vm m, vm a, vm b) { return (vm)((m & a) | (~m & b)); }
 static inline unsigned m_bits(vm m) { return m; }
 static inline vm m_from(unsigned bits) { return (vm)bits; }
 #define V_HAS_FMA 1
@@ -111,6 +113,8 @@ static inline vm m_not(vm m)
 }
 static inline vm m_and(vm a, vm b) { return _mm256_and_pd(a, b); }
 static inline vm m_or(vm a, vm b) { return _mm256_or_pd(a, b); }
+static inline vm m_and_not(vm a, vm b) { return _mm256_andnot_pd(b, a); }
+static inline vm m_if(vm m, vm a, vm b) { return v_select(m, a, b); }
 static inline unsigned m_bits(vm m) { return (unsigned)_mm256_movemask_pd(m); }
 static inline vm m_from(unsigned bits)
 {
@@ -153,10 +157,6 @@ static inline vd v_two(double x, double y) { return _mm_set_pd(y, x); }
 static inline vd v_firsts(vd x, vd y) { return _mm_unpacklo_pd(x, y); }
 static inline vd v_seconds(vd x, vd y) { return _mm_unpackhi_pd(x, y); }
 static inline vd v_turned(vd x) { return _mm_shuffle_pd(x, x, 1); }
-static inline vd v_sums(vd x, vd y)
-{
-    return _mm_add_pd(_mm_unpacklo_pd(x, y), _mm_unpackhi_pd(x, y));
-}
 static inline double v_first(vd x) { return _mm_cvtsd_f64(x); }
 static inline vm m_not(vm m)
 {
@@ -164,7 +164,12 @@ static inline vm m_not(vm m)
 }
 static inline vm m_and(vm a, vm b) { return _mm_and_pd(a, b); }
 static inline vm m_or(vm a, vm b) { return _mm_or_pd(a, b); }
+static inline vm m_and_not(vm a, vm b) { return _mm_andnot_pd(b, a); }
+static inline vm m_if(vm m, vm a, vm b) { return v_select(m, a, b); }
 static inline unsigned m_bits(vm m) { return (unsigned)_mm_movemask_pd(m); }
+static inline vm m_turned(vm m) { return v_turned(m); }
+static inline vm m_firsts(vm m) { return v_firsts(m, m); }
+static inline vm m_seconds(vm m) { return v_seconds(m, m); }
 static inline vm m_from(unsigned bits)
 {
     return _mm_castsi128_pd(_mm_set_epi32(-(int)(bits >> 1 & 1),
@@ -206,7 +211,6 @@ static inline vd v_two(double x, double y)
 static inline vd v_firsts(vd x, vd y) { return vzip1q_f64(x, y); }
 static inline vd v_seconds(vd x, vd y) { return vzip2q_f64(x, y); }
 static inline vd v_turned(vd x) { return vextq_f64(x, x, 1); }
-static inline vd v_sums(vd x, vd y) { return vpaddq_f64(x, y); }
 static inline double v_first(vd x) { return vgetq_lane_f64(x, 0); }
 static inline vm m_not(vm m)
 {
@@ -214,6 +218,11 @@ static inline vm m_not(vm m)
 }
 static inline vm m_and(vm a, vm b) { return vandq_u64(a, b); }
 static inline vm m_or(vm a, vm b) { return vorrq_u64(a, b); }
+static inline vm m_and_not(vm a, vm b) { return vbicq_u64(a, b); }
+static inline vm m_if(vm m, vm a, vm b) { return vbslq_u64(m, a, b); }
+static inline vm m_turned(vm m) { return vextq_u64(m, m, 1); }
+static inline vm m_firsts(vm m) { return vzip1q_u64(m, m); }
+static inline vm m_seconds(vm m) { return vzip2q_u64(m, m); }
 static inline unsigned m_bits(vm m)
 {
     return (unsigned)(vgetq_lane_u64(m, 0) & 1) |
@@ -261,11 +270,15 @@ static inline vd v_two(double x, double y) { return (vd){x, y}; }
 static inline vd v_firsts(vd x, vd y) { return (vd){x[0], y[0]}; }
 static inline vd v_seconds(vd x, vd y) { return (vd){x[1], y[1]}; }
 static inline vd v_turned(vd x) { return (vd){x[1], x[0]}; }
-static inline vd v_sums(vd x, vd y) { return (vd){x[0] + x[1], y[0] + y[1]}; }
 static inline double v_first(vd x) { return x[0]; }
 static inline vm m_not(vm m) { return ~m; }
 static inline vm m_and(vm a, vm b) { return a & b; }
 static inline vm m_or(vm a, vm b) { return a | b; }
+static inline vm m_and_not(vm a, vm b) { return a & ~b; }
+static inline vm m_if(vm m, vm a, vm b) { return (m & a) | (~m & b); }
+static inline vm m_turned(vm m) { return (vm){m[1], m[0]}; }
+static inline vm m_firsts(vm m) { return (vm){m[0], m[0]}; }
+static inline vm m_seconds(vm m) { return (vm){m[1], m[1]}; }
 static inline unsigned m_bits(vm m)
 {
     return (unsigned)(m[0] & 1) | (unsigned)(m[1] & 2);
@@ -301,6 +314,8 @@ static inline vd v_select(vm m, vd x, vd y) { return m ? x : y; }
 static inline vm m_not(vm m) { return !m; }
 static inline vm m_and(vm a, vm b) { return a & b; }
 static inline vm m_or(vm a, vm b) { return a | b; }
+static inline vm m_and_not(vm a, vm b) { return a & !b; }
+static inline vm m_if(vm m, vm a, vm b) { return m ? a : b; }
 static inline unsigned m_bits(vm m) { return (unsigned)m; }
 static inline vm m_from(unsigned bits) { return (int)bits; }
 #ifdef __FMA__
@@ -444,16 +459,6 @@ static inline void v_columns_of_floats(const char *const row[LANES], size_t at,
     v_transpose(r, to);
 }
 
-/* The larger of |x| and |y|. */
-static inline vd v_larger_size(vd x, vd y)
-{
-#if LANES == 2 && defined(__AVX512DQ__) && defined(__AVX512VL__)
-    return _mm_range_pd(x, y, 0xB);
-#else
-    return v_max(v_abs(x), v_abs(y));
-#endif
-}
-
 typedef struct {
     vd hi, lo;
 } vpair;
@@ -510,46 +515,45 @@ INLINE vd v_sum_of(vd x, vd y, vd z)
 #endif
 }
 
-/* ------------------------------------------------------- four lanes ----- */
+/* --------------------------------------------- two numbers a lane ------- */
 
-#if LANES == 2 && defined(CYLINT_NARROW)
-
-#if defined(__AVX2__) && defined(__FMA__)
+/*
+ * vq: a vector for the first and one for the second numbers.  Narrow, with
+ * AVX2, one register of four lanes, which can also be (x, y, z, any).
+ * q_sum_of(): x y + z, rounded once or twice.  q_product_error(): of p = x y.
+ * q_sum3() adds the first three numbers, q_sums3() those of x and those of y.
+ */
+#if defined(CYLINT_NARROW) && defined(__AVX2__) && defined(__FMA__)
 typedef __m256d vq;
-static inline vq q_set(double x) { return _mm256_set1_pd(x); }
-static inline vq q_load(const double *x) { return _mm256_loadu_pd(x); }
-static inline void q_store(double *x, vq v) { _mm256_storeu_pd(x, v); }
+static inline vq q_join(vd low, vd high) { return _mm256_set_m128d(high, low); }
+static inline vd q_low(vq x) { return _mm256_castpd256_pd128(x); }
+static inline vd q_high(vq x) { return _mm256_extractf128_pd(x, 1); }
 static inline vq q_add(vq x, vq y) { return _mm256_add_pd(x, y); }
 static inline vq q_sub(vq x, vq y) { return _mm256_sub_pd(x, y); }
 static inline vq q_mul(vq x, vq y) { return _mm256_mul_pd(x, y); }
-/* x y + z, rounded once or twice; the error of the product p = x y. */
 static inline vq q_sum_of(vq x, vq y, vq z) { return _mm256_fmadd_pd(x, y, z); }
 static inline vq q_product_error(vq x, vq y, vq p)
 {
     return _mm256_fmsub_pd(x, y, p);
 }
-/* q_load3(): x[0], x[1], x[2] and 0.  q_sums3(): the sums of the first three
- * numbers of x and of y.  q_sum3() adds all four. */
-/* Lanes 0 and 1; lanes 2 and 3. */
-static inline vd q_low(vq x) { return _mm256_castpd256_pd128(x); }
-static inline vd q_high(vq x) { return _mm256_extractf128_pd(x, 1); }
-static inline vq q_join(vd low, vd high) { return _mm256_set_m128d(high, low); }
-/* (x[0], x[0], x[1], x[1]) */
-static inline vq q_spread(vd x)
+static inline vq q_abs(vq x)
+{
+    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), x);
+}
+static inline vq q_set(double x) { return _mm256_set1_pd(x); }
+static inline vq q_load(const double *x) { return _mm256_loadu_pd(x); }
+static inline vq q_load3(const double *x) /* and 0 */
+{
+    return _mm256_maskload_pd(x, _mm256_set_epi64x(0, -1, -1, -1));
+}
+static inline void q_store(double *x, vq v) { _mm256_storeu_pd(x, v); }
+static inline vq q_spread(vd x) /* (x[0], x[0], x[1], x[1]) */
 {
     return _mm256_permute4x64_pd(_mm256_castpd128_pd256(x), 0x50);
 }
 static inline vq q_firsts(vq x) { return _mm256_permute4x64_pd(x, 0x00); }
 static inline vq q_seconds(vq x) { return _mm256_permute4x64_pd(x, 0x55); }
 static inline vq q_thirds(vq x) { return _mm256_permute4x64_pd(x, 0xAA); }
-static inline vq q_load3(const double *x)
-{
-    return _mm256_maskload_pd(x, _mm256_set_epi64x(0, -1, -1, -1));
-}
-static inline vq q_abs(vq x)
-{
-    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), x);
-}
 static inline vd q_sums3(vq x, vq y)
 {
     const vq even = _mm256_unpacklo_pd(x, y), odd = _mm256_unpackhi_pd(x, y);
@@ -562,16 +566,6 @@ typedef struct {
 static inline vq q_join(vd low, vd high) { return (vq){low, high}; }
 static inline vd q_low(vq x) { return x.low; }
 static inline vd q_high(vq x) { return x.high; }
-static inline vq q_set(double x) { return q_join(v_set(x), v_set(x)); }
-static inline vq q_load(const double *x)
-{
-    return q_join(v_load(x), v_load(x + 2));
-}
-static inline void q_store(double *x, vq v)
-{
-    v_store(x, v.low);
-    v_store(x + 2, v.high);
-}
 static inline vq q_add(vq x, vq y)
 {
     return q_join(x.low + y.low, x.high + y.high);
@@ -600,11 +594,24 @@ static inline vq q_product_error(vq x, vq y, vq p)
 }
 static inline vq q_sum_of(vq x, vq y, vq z)
 {
-#if V_HAS_FMA
-    return q_join(v_fma(x.low, y.low, z.low), v_fma(x.high, y.high, z.high));
-#else
-    return q_add(q_mul(x, y), z);
-#endif
+    return q_join(v_sum_of(x.low, y.low, z.low),
+                  v_sum_of(x.high, y.high, z.high));
+}
+static inline vq q_abs(vq x) { return q_join(v_abs(x.low), v_abs(x.high)); }
+#ifdef CYLINT_NARROW
+static inline vq q_set(double x) { return q_join(v_set(x), v_set(x)); }
+static inline vq q_load(const double *x)
+{
+    return q_join(v_load(x), v_load(x + 2));
+}
+static inline vq q_load3(const double *x)
+{
+    return q_join(v_load(x), v_two(x[2], 0));
+}
+static inline void q_store(double *x, vq v)
+{
+    v_store(x, v.low);
+    v_store(x + 2, v.high);
 }
 static inline vq q_spread(vd x)
 {
@@ -613,24 +620,21 @@ static inline vq q_spread(vd x)
 static inline vq q_firsts(vq x) { return q_spread(v_firsts(x.low, x.low)); }
 static inline vq q_seconds(vq x) { return q_spread(v_seconds(x.low, x.low)); }
 static inline vq q_thirds(vq x) { return q_spread(v_firsts(x.high, x.high)); }
-static inline vq q_load3(const double *x)
-{
-    return q_join(v_load(x), v_two(x[2], 0));
-}
-static inline vq q_abs(vq x) { return q_join(v_abs(x.low), v_abs(x.high)); }
 static inline vd q_sums3(vq x, vq y)
 {
     return (v_firsts(x.low, y.low) + v_seconds(x.low, y.low)) +
            v_firsts(x.high, y.high);
 }
 #endif
+#endif
 
-/* The fourth is 0. */
-static inline double q_sum3(vq x)
+#ifdef CYLINT_NARROW
+static inline double q_sum3(vq x) /* the fourth is 0 */
 {
     const vd sum = q_low(x) + q_high(x);
     return v_first(sum + v_turned(sum));
 }
+#endif
 
 typedef struct {
     vq hi, lo;
@@ -647,8 +651,6 @@ static inline vqpair q_two_diff(vq a, vq b)
     const vq s = q_sub(a, b), bb = q_sub(s, a);
     return (vqpair){s, q_sub(q_sub(a, q_sub(s, bb)), q_add(b, bb))};
 }
-
-#endif
 
 /* clang-format on */
 #endif

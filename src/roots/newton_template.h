@@ -1,7 +1,7 @@
 /*
  * newton_template.h - one step of Newton's, and a bound on its error
  *
- * Stated once for doubles (root.c) and for lanes (filter/lanes.h).  The
+ * Stated once for doubles (root.c) and for lanes (filter/surfaces.h).  The
  * including file names by macros, which end with this file:
  *
  *   FORM(name), NEWTON_INLINE    the functions, and how they are declared

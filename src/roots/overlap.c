@@ -70,11 +70,6 @@ static int sign_G(cap_signs *c)
 #define TRUTH int
 #define AND(a, b) ((a) && (b))
 #define OR(a, b) ((a) || (b))
-#define PART int
-#define CHOOSE(a, x, y) ((a) ? (x) : (y))
-#define CAP0 CYLINT_PART_CAP0
-#define CAP1 CYLINT_PART_CAP1
-#define LATERAL CYLINT_PART_LATERAL
 #define CAPS cap_signs
 #define E(c, i) ((c)->E[i])
 #define INWARD(c, i) inward_sign(c, i)
@@ -82,7 +77,18 @@ static int sign_G(cap_signs *c)
 #define POSITIVE(x) ((x) > 0)
 #define NEGATIVE(x) ((x) < 0)
 #define NOT_POSITIVE(x) ((x) <= 0)
+#define EITHER_END(SIGN, FORM, c) (SIGN(FORM(c, 0)) || SIGN(FORM(c, 1)))
+#define BOTH_ENDS(SIGN, FORM, c) (SIGN(FORM(c, 0)) && SIGN(FORM(c, 1)))
 #include "../signs/overlap_template.h"
+
+/* The part at an end of the overlap.  up: z grows along the line.  by_plane: a
+ * plane bounds the overlap. */
+static int part_of_end(int up, int by_plane, int end)
+{
+    if (!by_plane)
+        return CYLINT_PART_LATERAL;
+    return up == end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
+}
 
 /* Where the overlap begins (end = 0) or ends.  On a rim (E = 0) the plane and
  * the lateral root have the same t; the part is lateral. */
@@ -92,7 +98,7 @@ static cylint_stop stop_at(const cap_signs *c, int up, int end)
     if (c->E[cap] < 0)
         return cylint_lateral_stop(end ? ROOT_EXIT : ROOT_ENTRY);
     return (cylint_stop){cap ? ROOT_CAP1 : ROOT_CAP0,
-                         part_at_exactly(up, c->E[cap] > 0, end), 0,
+                         part_of_end(up, c->E[cap] > 0, end), 0,
                          c->E[cap] == 0 && cylint_radius_is_zero(c->q, cap)};
 }
 

@@ -159,6 +159,34 @@ CYLINT_INLINE int cylint_solid(const cylint_shape *s)
                                        : CYLINT_SOLID_DOUBLE_CONE;
 }
 
+/* Of a solid: the radius of its section changes along the axis; two planes bound
+ * it; the plane through the apex does; its ends are balls; it is one ball. */
+CYLINT_INLINE int cylint_solid_is_tapered(int solid)
+{
+    return solid == CYLINT_SOLID_CONE || solid == CYLINT_SOLID_DOUBLE_CONE ||
+           solid == CYLINT_SOLID_NAPPE || solid == CYLINT_SOLID_ROUND_CONE;
+}
+
+CYLINT_INLINE int cylint_solid_is_bounded(int solid)
+{
+    return solid <= CYLINT_SOLID_CONE || solid >= CYLINT_SOLID_SPHERE;
+}
+
+CYLINT_INLINE int cylint_solid_is_nappe(int solid)
+{
+    return solid == CYLINT_SOLID_NAPPE;
+}
+
+CYLINT_INLINE int cylint_solid_is_round(int solid)
+{
+    return solid >= CYLINT_SOLID_SPHERE;
+}
+
+CYLINT_INLINE int cylint_solid_is_ball(int solid)
+{
+    return solid == CYLINT_SOLID_SPHERE;
+}
+
 /* The base is the end at z = 1. */
 CYLINT_INLINE int cylint_is_reversed(const cylint_shape *s)
 {

@@ -1,8 +1,8 @@
-# local_roots.h, hard_question.c: the distance of t from a root of
+# filter/surfaces.h: the distance of t from a root of
 # Q = A t^2 + 2 B t + C, in multiples of |Q(t)| / (2 s).  s is the computed root
 # of G.  The true G is g s^2, and A t + B is s a, both up to one sign, that of
 # the intended root.  With r the root, Q(t) = (t - r) s (sqrt(g) + a).
-# estimate_ends(): G is known to one quarter, and so is A t + B.  A second step:
+# estimate_end(): G is known to one quarter, and so is A t + B.  A second step:
 # |A| |t - r| is at most 1/16 s, so that a exceeds sqrt(g) - 1/16.
 # modes: ne
 # bound: CYLINT_LOCAL_DISTANCE

@@ -61,9 +61,9 @@ static void paired_turn(void *context, const int *order, int n)
 static int decided(const cylint_shape *shape, const cylint_line *line)
 {
     cylint_answer answer;
-    cylint_root_rest rest;
+    cylint_question question;
     return cylint_filter_one(&cylint_one_plain, shape, line, CYLINT_WANT_T,
-                             &answer, &rest) != CYLINT_UNDECIDED;
+                             &answer, &question) != CYLINT_UNDECIDED;
 }
 
 static void finish(struct cases *c)

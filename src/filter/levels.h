@@ -1,5 +1,5 @@
 /*
- * residual_in_levels.h - the residual at a root that pairs do not round
+ * levels.h - the residual at a root that pairs do not round
  *
  * A line that begins on the surface has a root near 0.  It is so small beside
  * the shape that the residual in pairs has too few digits.  Here the point
@@ -13,6 +13,7 @@
  *
  *   Q = |F|^2 - g e - (r0 + dr (s + e))^2
  *
+ * Of an acone the radius counts multiples of |w|, and Q is divided by w.w.
  * Elliptic kinds: F is small, so that its local coordinates f = M F are
  * accurate in pairs, and Q = (x + f_x)^2 + (y + f_y)^2 - rho^2, with rho at the
  * height of s + f_z.  Of a cap s is the end's, 0 or 1, and the residual is g or
@@ -20,86 +21,50 @@
  *
  * Round kinds, with F = P - center of a ball of radius r: Q = |F|^2 - r^2.  The
  * cylinder of a capsule is a circular kind.  The cone of a rounded cone, with
- * F = P - base, is
+ * F = P - base and c^2 = (w.w - dr^2) / w.w, is
  *
- *   Q = (|F|^2 - r0^2) (w.w - dr^2) / w.w - (F.w + dr r0)^2 / w.w
+ *   c^2 Q = (|F|^2 - r0^2) (w.w - dr^2) / w.w - (F.w + dr r0)^2 / w.w
  *
- * Sums are kept in levels: a + b + c, where a sums numbers of the size of the
- * data without error, b the errors of a, without error, and c the errors of b.
+ * Sums are kept in levels (levels_template.h).
  */
-#ifndef CYLINT_RESIDUAL_IN_LEVELS_H
-#define CYLINT_RESIDUAL_IN_LEVELS_H
+#ifndef CYLINT_LEVELS_H
+#define CYLINT_LEVELS_H
 
-#include "local_pairs.h"
+#include "surfaces.h"
 
 /* ----------------------------------------------------------- levels ----- */
 
-/* In four lanes. */
-typedef struct {
-    vq a, b, c;
-} vq_levels;
-
-INLINE void q_add_b(vq_levels *sum, vq x)
+INLINE double product_error(double x, double y)
 {
-    const vqpair s = q_two_sum(sum->b, x);
-    sum->b = s.hi;
-    sum->c = q_add(sum->c, s.lo);
+    return two_prod(x, y).lo;
 }
 
-INLINE void q_add_a(vq_levels *sum, vq x)
-{
-    const vqpair s = q_two_sum(sum->a, x);
-    sum->a = s.hi;
-    q_add_b(sum, s.lo);
-}
+/* In four lanes, of which the fourth is not used; in one. */
+#define REAL vq
+#define LEVELS vq_levels
+#define FORM(name) q_##name
+#define ADD(x, y) q_add(x, y)
+#define MUL(x, y) q_mul(x, y)
+#define SUM_OF(x, y, z) q_sum_of(x, y, z)
+#define TWO_SUM(x, y, s, e)               \
+    const vqpair s##_e = q_two_sum(x, y); \
+    const vq s = s##_e.hi, e = s##_e.lo
+#define PRODUCT_ERROR(x, y, p) q_product_error(x, y, p)
+#define ZERO q_set(0)
+#include "levels_template.h"
 
-/* Adds x y to a, or a product of the size of b to b. */
-INLINE void q_add_product_to_a(vq_levels *sum, vq x, vq y)
-{
-    const vq product = q_mul(x, y);
-    q_add_a(sum, product);
-    q_add_b(sum, q_product_error(x, y, product));
-}
-
-INLINE void q_add_product_to_b(vq_levels *sum, vq x, vq y)
-{
-    const vq product = q_mul(x, y);
-    q_add_b(sum, product);
-    sum->c = q_add(sum->c, q_product_error(x, y, product));
-}
-
-/* In one. */
-typedef struct {
-    double a, b, c;
-} levels;
-
-INLINE void add_b(levels *sum, double x)
-{
-    const pair s = two_sum(sum->b, x);
-    sum->b = s.hi;
-    sum->c += s.lo;
-}
-
-INLINE void add_a(levels *sum, double x)
-{
-    const pair s = two_sum(sum->a, x);
-    sum->a = s.hi;
-    add_b(sum, s.lo);
-}
-
-INLINE void add_product_to_a(levels *sum, double x, double y)
-{
-    const pair product = two_prod(x, y);
-    add_a(sum, product.hi);
-    add_b(sum, product.lo);
-}
-
-INLINE void add_product_to_b(levels *sum, double x, double y)
-{
-    const pair product = two_prod(x, y);
-    add_b(sum, product.hi);
-    sum->c += product.lo;
-}
+#define REAL double
+#define LEVELS levels
+#define FORM(name) name
+#define ADD(x, y) ((x) + (y))
+#define MUL(x, y) ((x) * (y))
+#define SUM_OF(x, y, z) sum_of(x, y, z)
+#define TWO_SUM(x, y, s, e)           \
+    const pair s##_e = two_sum(x, y); \
+    const double s = s##_e.hi, e = s##_e.lo
+#define PRODUCT_ERROR(x, y, p) product_error(x, y)
+#define ZERO 0
+#include "levels_template.h"
 
 INLINE double total(const levels *x)
 {
@@ -151,28 +116,6 @@ INLINE levels sum_of_lanes(const vq_levels *x)
     return sum;
 }
 
-/* Lane by lane x y. */
-INLINE vq_levels q_product(const vq_levels *x, vq y, vq y_lo)
-{
-    const vq zero = q_set(0);
-    vq_levels xy = {zero, zero, q_sum_of(x->c, y, q_mul(x->b, y_lo))};
-    xy.a = q_mul(x->a, y);
-    xy.b = q_product_error(x->a, y, xy.a);
-    q_add_product_to_b(&xy, x->b, y);
-    q_add_product_to_b(&xy, x->a, y_lo);
-    return xy;
-}
-
-INLINE vq_levels q_square(const vq_levels *x)
-{
-    const vq twice_a = q_add(x->a, x->a);
-    vq_levels xx = {q_mul(x->a, x->a), q_set(0),
-                    q_sum_of(twice_a, x->c, q_mul(x->b, x->b))};
-    xx.b = q_product_error(x->a, x->a, xx.a);
-    q_add_product_to_b(&xx, twice_a, x->b);
-    return xx;
-}
-
 INLINE void subtract_square(levels *sum, const levels *x)
 {
     const pair square = two_prod(x->a, x->a);
@@ -180,6 +123,15 @@ INLINE void subtract_square(levels *sum, const levels *x)
     add_b(sum, -square.lo);
     add_product_to_b(sum, -2 * x->a, x->b);
     sum->c -= sum_of(2 * x->a, x->c, x->b * x->b);
+}
+
+INLINE levels levels_product(const levels *x, const levels *y)
+{
+    levels xy = {0, 0, sum_of(x->c, y->a, sum_of(x->a, y->c, x->b * y->b))};
+    add_product_to_a(&xy, x->a, y->a);
+    add_product_to_b(&xy, x->a, y->b);
+    add_product_to_b(&xy, x->b, y->a);
+    return xy;
 }
 
 /* -------------------------------------------------------- the point ----- */
@@ -201,8 +153,8 @@ INLINE near_point point_near(const cylint_shape *shape, const cylint_line *line,
     EACH(i, 3)
         q[i] = sum_of(t, line->d[i], o[i]);
     double p[2];
-    v_store(p, sideways(f, v_set(q[0]), v_set(q[1]), v_set(q[2])));
-    const double s = along(f, q[0], q[1], q[2]) * (1 / f->height);
+    v_store(p, across(f, v_set(q[0]), v_set(q[1]), v_set(q[2])));
+    const double s = v_first(along(f, q[0], q[1], q[2])) * (1 / f->height);
     return (near_point){p[0], p[1], cap < 0 ? s : cap};
 }
 
@@ -290,14 +242,22 @@ INLINE double circular_residual(const cylint_shape *shape,
     const levels g = sum_of_lanes(&Fw);
     if (cap >= 0)
         return total(&g) / shape->local.scale;
-    const pair length = {f->height, f->height_lo};
-    const pair e = pair_div(total_pair(&g), pair_mul(length, length));
+    const vq_levels W = {w, w_lo, q_set(0)}, squares = q_square(&W);
+    const levels WW = sum_of_lanes(&squares);
+    const pair e = pair_div(total_pair(&g), total_pair(&WW));
     const vq_levels FF = q_square(&F);
     levels Q = sum_of_lanes(&FF);
     const levels rho = radius_at(shape, near.s, e);
-    subtract_square(&Q, &rho);
     Q.c -= total(&g) * e.hi;
-    return total(&Q);
+    if (!cylint_has_tangent(shape->kind)) {
+        subtract_square(&Q, &rho);
+        return total(&Q);
+    }
+    const levels rho2 = square(&rho), outside = levels_product(&rho2, &WW);
+    add_a(&Q, -outside.a);
+    add_b(&Q, -outside.b);
+    Q.c -= outside.c;
+    return total(&Q) / shape->local.scale;
 }
 
 INLINE double elliptic_residual(const cylint_shape *shape,
@@ -332,15 +292,6 @@ INLINE double elliptic_residual(const cylint_shape *shape,
     return total(&Q);
 }
 
-INLINE levels levels_product(const levels *x, const levels *y)
-{
-    levels xy = {0, 0, sum_of(x->c, y->a, sum_of(x->a, y->c, x->b * y->b))};
-    add_product_to_a(&xy, x->a, y->a);
-    add_product_to_b(&xy, x->a, y->b);
-    add_product_to_b(&xy, x->b, y->a);
-    return xy;
-}
-
 /* Of the ball about an end. */
 INLINE double ball_residual_in_levels(const cylint_shape *shape,
                                       const cylint_line *line, double t,
@@ -369,7 +320,34 @@ INLINE double round_cone_residual_in_levels(const cylint_shape *shape,
     add_lanes(&height, &Fw);
     levels Q = levels_product(&surplus, &rest);
     subtract_square(&Q, &height);
-    return total(&Q) / shape->local.square_scale;
+    const double cosine = shape->local.cosine;
+    return total(&Q) / (shape->local.square_scale * (cosine * cosine));
+}
+
+/* At t, of end `end` of the shape: of its ball or its plane if on_end, else of the
+ * lateral surface. */
+ASIDE double residual_in_levels(const cylint_shape *shape,
+                                const cylint_line *line, double t, int end,
+                                int on_end)
+{
+    const int cap = on_end ? end : -1;
+    if (shape->kind == CYLINT_KIND_SPHERE)
+        return ball_residual_in_levels(shape, line, t, 0);
+    if (cylint_is_round(shape->kind) && on_end)
+        return ball_residual_in_levels(shape, line, t, end);
+    switch (shape->kind) {
+    case CYLINT_KIND_RCONE:
+        return round_cone_residual_in_levels(shape, line, t);
+    case CYLINT_KIND_ECYLINDER:
+        return elliptic_residual(shape, line, t, cap, 0);
+    case CYLINT_KIND_ECONE:
+        return elliptic_residual(shape, line, t, cap, 1);
+    case CYLINT_KIND_CYLINDER:
+    case CYLINT_KIND_CAPSULE:
+        return circular_residual(shape, line, t, cap, 0);
+    default:
+        return circular_residual(shape, line, t, cap, 1);
+    }
 }
 
 #endif

@@ -1,0 +1,493 @@
+/*
+ * kernel.h - how a line lies to a solid of revolution, by signs, in lanes
+ *
+ * The forms are those of local_forms_template.h, in doubles or, where those are
+ * too near to 0, in pairs.  The bounds on their errors are in error_bounds.h.
+ *
+ * `solid` is a constant where a function is inlined for one solid.  The planes of
+ * a bounded solid are those of its caps or, of a round one, of the circles in which
+ * its lateral surface touches the balls.  The planes of the circles cut a capsule or
+ * rounded cone into a part of ball 0, a cone between planes, and a part of ball
+ * 1.  A line that passes outside both circles and does not cross the cone can
+ * cross ball i only on the far side of plane i.  A sphere is one ball.
+ */
+#ifndef CYLINT_KERNEL_H
+#define CYLINT_KERNEL_H
+
+#include "frame.h"
+
+/* A value with a bound on its error. */
+typedef struct {
+    vd v, e;
+} bounded_value;
+
+/* Which signs are certain. */
+typedef struct {
+    vm positive, negative;
+} signs;
+
+typedef struct {
+    vm positive[ENDS], negative[ENDS];
+} end_signs;
+
+INLINE signs signs_of(vd x, vd error)
+{
+    return (signs){v_lt(error, x), v_lt(x, -error)};
+}
+
+INLINE signs signs_if(vm m, signs x, signs y)
+{
+    return (signs){m_if(m, x.positive, y.positive),
+                   m_if(m, x.negative, y.negative)};
+}
+
+INLINE signs reversed(signs x)
+{
+    return (signs){x.negative, x.positive};
+}
+
+INLINE signs signs_of_end(const end_signs *x, int i)
+{
+    return (signs){m_of_end(x->positive, i), m_of_end(x->negative, i)};
+}
+
+/* ------------------------------------------------------------- forms ---- */
+
+/* The values of the forms of a line; of a sphere G, A and B are those of the ball. */
+typedef struct {
+    vd G, Y[2], T, A, B, E[ENDS], N[ENDS];
+} forms;
+
+/* G, or g of a sphere. */
+INLINE void first_form(forms *f, const local_line *l, int solid)
+{
+    const int tapered = cylint_solid_is_tapered(solid);
+    if (cylint_solid_is_ball(solid)) {
+        f->G = ball_g_doubles(&l->in, l->in.z, l->in.r);
+        return;
+    }
+    if (tapered)
+        set_Y_doubles(&l->in, f->Y);
+    f->G = G_doubles(&l->in, tapered, f->Y);
+}
+
+/* The others, after load_rest(). */
+INLINE void other_forms(forms *f, const local_line *l, int solid)
+{
+    const line_doubles *in = &l->in;
+    const int tapered = cylint_solid_is_tapered(solid);
+    if (cylint_solid_is_nappe(solid))
+        f->T = T_doubles(in, f->Y);
+    f->A = A_doubles(in, tapered);
+    f->B = B_doubles(in, tapered);
+    if (cylint_solid_is_ball(solid)) {
+        f->A = ball_A_doubles(in);
+        f->B = ball_B_doubles(in, in->z);
+        return;
+    }
+    if (!cylint_solid_is_bounded(solid))
+        return;
+    EACH(k, ENDS) {
+        f->E[k] = E_doubles(in, l->z[k], l->r[k]);
+        f->N[k] = N_doubles(in, l->z[k], l->r[k], tapered);
+    }
+}
+
+/* ------------------------------------------------ bounds on their errors -- */
+
+/* Of the difference of two squares, of which the larger is near (r D)^2. */
+INLINE vd disc_error(const local_line *l, double constant, vd r)
+{
+    const vd u = l->unit;
+    return v_set(constant) * u * l->Q * l->D * l->D *
+           v_sum_of(v_set(CYLINT_LOCAL_SECOND) * u, l->Q, r);
+}
+
+INLINE bounded_value bounded_G(const forms *f, const local_line *l, int solid)
+{
+    if (cylint_solid_is_ball(solid))
+        return (bounded_value){f->G, disc_error(l, CYLINT_LOCAL_BALL, l->in.r)};
+    if (!cylint_solid_is_tapered(solid))
+        return (bounded_value){f->G, disc_error(l, CYLINT_LOCAL_FORM, l->in.r)};
+    const vd off =
+        v_set(0.5 * CYLINT_LOCAL_FORM) * l->unit * l->Q * l->D * l->taper;
+    return (bounded_value){f->G, (off + off) *
+                                     (v_abs(f->Y[0]) + v_abs(f->Y[1]) + off)};
+}
+
+INLINE bounded_value bounded_A(vd A, const local_line *l, vd taper)
+{
+    const vd D = taper * l->D;
+    return (bounded_value){A, v_set(CYLINT_LOCAL_A) * l->unit * D * D};
+}
+
+INLINE bounded_value bounded_B(vd B, const local_line *l, vd taper)
+{
+    return (bounded_value){B, v_set(CYLINT_LOCAL_FORM) * l->unit *
+                                  (taper * l->Q) * (taper * l->D)};
+}
+
+/* Of T and N. */
+INLINE vd cubic_error(const local_line *l)
+{
+    return v_set(CYLINT_LOCAL_FORM) * l->unit * l->Q * l->D * l->D * l->taper;
+}
+
+/* ----------------------------------------------------------- verdicts --- */
+
+/* The quadratics A t^2 + 2 B t + C of a round solid's balls, g = B^2 - A C. */
+typedef struct {
+    bounded_value A, B[ENDS], g[ENDS];
+    int computed;
+} balls;
+
+/* What is certain of a whole line.  pierced: it pierces the disc of a plane.
+ * chord: all of its chord is in that ball.  exists: there is an end of the
+ * overlap at that root.  sided: `pierced` is certain. */
+typedef struct {
+    bounded_value G, A, B;
+    balls ball;
+    vm pierced[ENDS], chord[ENDS], exists[ENDS];
+    vm misses, crosses, sided;
+} verdict;
+
+INLINE void set_balls(balls *b, const local_line *l, vd A, const vd B[ENDS],
+                      const vd g[ENDS])
+{
+    const vd one = v_set(1);
+    b->A = bounded_A(A, l, one);
+    EACH(k, ENDS) {
+        b->B[k] = bounded_B(B[k], l, one);
+        b->g[k] = (bounded_value){
+            g[k], disc_error(l, CYLINT_LOCAL_BALL, l->ball_r[k])};
+    }
+    b->computed = 1;
+}
+
+INLINE void compute_balls(balls *b, const local_line *l)
+{
+    const line_doubles *in = &l->in;
+    vd B[ENDS], g[ENDS];
+    if (b->computed)
+        return;
+    EACH(k, ENDS) {
+        B[k] = ball_B_doubles(in, l->ball_z[k]);
+        g[k] = ball_g_doubles(in, l->ball_z[k], l->ball_r[k]);
+    }
+    set_balls(b, l, ball_A_doubles(in), B, g);
+}
+
+/* Signs of E and of N inward, of both caps, and of G. */
+typedef struct {
+    end_signs E, inward;
+    signs G;
+} cap_signs;
+
+#define FORM(name) line_##name
+#define OVERLAP_INLINE INLINE
+#define TRUTH vm
+#define AND(a, b) m_and(a, b)
+#define OR(a, b) m_or(a, b)
+#define CAPS const cap_signs
+#define G(c) (c)->G
+#define POSITIVE(x) (x).positive
+#define NEGATIVE(x) (x).negative
+#define NOT_POSITIVE(x) (x).negative
+#define E(c) (c)->E
+#define INWARD(c) (c)->inward
+#define EITHER_END(SIGN, FORM, c) either_end(SIGN(FORM(c)))
+#define BOTH_ENDS(SIGN, FORM, c) both_ends(SIGN(FORM(c)))
+#include "../signs/overlap_template.h"
+
+INLINE void set_end_signs(end_signs *to, const vd x[ENDS], const vd error[ENDS])
+{
+    EACH(k, ENDS) {
+        const signs s = signs_of(x[k], error[k]);
+        to->positive[k] = s.positive;
+        to->negative[k] = s.negative;
+    }
+}
+
+/* A line that misses the cone of a round solid can cross a ball beyond it. */
+INLINE void judge_balls(verdict *v, const local_line *l, const cap_signs *c)
+{
+    vm there[ENDS], outside[ENDS];
+    EACH(k, ENDS) {
+        there[k] = m_and(v->misses, c->inward.negative[k]);
+        v->chord[k] = m_from(0);
+    }
+    if (!m_any(either_end(there))) {
+        /* not used; compilers find no value missing */
+        v->ball.A = (bounded_value){v_set(0), v_set(0)};
+        EACH(k, ENDS)
+            v->ball.B[k] = v->ball.A;
+        return;
+    }
+    compute_balls(&v->ball, l);
+    EACH(k, ENDS) {
+        const signs in_ball = signs_of(v->ball.g[k].v, v->ball.g[k].e);
+        v->chord[k] = m_and(there[k], in_ball.positive);
+        outside[k] = m_or(m_not(there[k]), in_ball.negative);
+    }
+    v->misses = m_and(v->misses, both_ends(outside));
+    v->crosses = m_or(v->crosses, either_end(v->chord));
+}
+
+INLINE void judge_bounded(verdict *v, const forms *f, const local_line *l,
+                          int solid)
+{
+    const vd eN = cubic_error(l);
+    cap_signs c;
+    vd inward[ENDS], eE[ENDS], eI[ENDS];
+    vm sided[ENDS];
+    EACH(k, ENDS) {
+        /* of round solids the larger radius is that of a circle, or more */
+        eE[k] = disc_error(l, CYLINT_LOCAL_FORM, l->widest);
+        eI[k] = eN;
+        inward[k] = f->N[k] * ends_of(v_set(-1), v_set(1), k);
+    }
+    set_end_signs(&c.E, f->E, eE);
+    set_end_signs(&c.inward, inward, eI);
+    c.G = signs_of(v->G.v, v->G.e);
+    EACH(k, ENDS) {
+        v->pierced[k] = c.E.positive[k];
+        sided[k] = m_or(c.E.positive[k], c.E.negative[k]);
+    }
+    v->sided = both_ends(sided);
+    v->misses = line_misses(&c);
+    v->crosses = line_crosses(&c);
+    if (cylint_solid_is_round(solid))
+        judge_balls(v, l, &c);
+}
+
+/*
+ * An unbounded solid is crossed if Q has two roots and missed if it has none:
+ * a line cannot stay inside a double cone.  G > 0 implies A > 0, but not for a
+ * double cone, where A = 0 leaves one root.
+ *
+ * Of a nappe: if A > 0 both roots are on the nappe that holds the chord's middle,
+ * where rho has the sign of T.  If A < 0 there is one on each, and the line enters
+ * this nappe if rho grows along it.
+ */
+INLINE void judge_unbounded(verdict *v, const forms *f, const local_line *l,
+                            int solid)
+{
+    const vm all = m_not(m_from(0));
+    const signs A = signs_of(v->A.v, v->A.e);
+    v->crosses = v_lt(v->G.e, v->G.v);
+    v->misses = m_from(0);
+    v->sided = all;
+    EACH(k, ENDS) {
+        v->pierced[k] = m_from(0);
+        v->exists[k] = all;
+    }
+    if (cylint_solid_is_tapered(solid))
+        v->crosses = m_and(v->crosses, m_or(A.positive, A.negative));
+    if (!cylint_solid_is_nappe(solid))
+        return;
+    const signs T = signs_of(f->T, cubic_error(l));
+    const vm leaves = v_lt(l->in.slope * l->in.w, v_set(0));
+    const vm both = v_lt(v_set(0), v->A.v);
+    v->misses = m_and(A.positive, T.negative);
+    v->crosses = m_and(v->crosses, m_or(A.negative, T.positive));
+    EACH(k, ENDS) {
+        const vm exits = v_lt(v_set(0), ends_of(v_set(-1), v_set(1), k));
+        v->exists[k] = m_or(both, m_if(exits, leaves, m_not(leaves)));
+    }
+}
+
+/* Of lines that G does not reject; v->G is set. */
+INLINE void judge(verdict *v, const forms *f, const local_line *l, int solid)
+{
+    v->A = bounded_A(f->A, l, l->taper);
+    v->B = bounded_B(f->B, l, l->taper);
+    if (cylint_solid_is_ball(solid)) {
+        const signs g = signs_of(v->G.v, v->G.e);
+        EACH(k, ENDS)
+            v->pierced[k] = m_from(0);
+        v->misses = g.negative;
+        v->crosses = g.positive;
+        v->sided = m_not(m_from(0));
+    } else if (cylint_solid_is_bounded(solid)) {
+        judge_bounded(v, f, l, solid);
+    } else {
+        judge_unbounded(v, f, l, solid);
+    }
+}
+
+/* -------------------------------------- signs at an end of the domain ---- */
+
+/* Where a point of a line that crosses lies: before the overlap of line and
+ * solid, inside it, or after it.  None: uncertain. */
+typedef struct {
+    vm before, inside, after;
+} place;
+
+/* Signs at a point of the line: of Q; of z from each plane; of a nappe's rho;
+ * of each ball; and of which side of a point of the chord it lies on. */
+typedef struct {
+    signs side, above[2], rho, ball[2], past;
+} point_signs;
+
+/* A larger |t| counts as infinite: no bounded solid is met there. */
+INLINE vd latest(int solid)
+{
+    return v_set(cylint_solid_is_bounded(solid) ? CYLINT_LATE : DBL_MAX);
+}
+
+/* The limit, 0 where it is too large for the forms. */
+INLINE vd near_limit(vd limit)
+{
+    return v_select(v_le(v_abs(limit), v_set(CYLINT_LATE)), limit, v_set(0));
+}
+
+/*
+ * A point outside lies before the overlap if a point of the chord lies ahead.  Of
+ * a double cone with A < 0 the overlap is taken for the part of the line between
+ * the roots, which is outside the solid.  Of a nappe it is a half-line then.
+ */
+INLINE place place_of(const point_signs *at, const verdict *v, vd limit,
+                      int solid)
+{
+    const vd most = latest(solid);
+    const vm above = v_lt(most, limit), below = v_lt(limit, -most);
+    const vm near = v_le(v_abs(limit), v_set(CYLINT_LATE));
+    signs side = at->side, past = at->past;
+    if (solid == CYLINT_SOLID_DOUBLE_CONE) {
+        const vm between = v_lt(v_set(0), v->A.v);
+        side = signs_if(between, side, reversed(side));
+        past = signs_if(between, past, reversed(past));
+    }
+    vm inside = side.negative, outside = side.positive;
+    if (cylint_solid_is_nappe(solid)) {
+        const vm enters = m_of_end(v->exists, 0);
+        const vm leaves = m_of_end(v->exists, 1);
+        inside = m_and(inside, at->rho.positive);
+        outside = m_or(outside, at->rho.negative);
+        past.positive = m_and(leaves, m_or(past.positive, m_not(enters)));
+        past.negative = m_and(enters, m_or(past.negative, m_not(leaves)));
+    } else if (cylint_solid_is_ball(solid)) {
+        inside = at->ball[0].negative;
+        outside = at->ball[0].positive;
+    } else if (cylint_solid_is_bounded(solid)) {
+        const vm below0 = at->above[0].negative, above1 = at->above[1].positive;
+        inside =
+            m_and(inside, m_and(at->above[0].positive, at->above[1].negative));
+        if (cylint_solid_is_round(solid)) {
+            const vm between = m_not(m_or(below0, above1));
+            outside = m_or(m_or(m_and(below0, at->ball[0].positive),
+                                m_and(above1, at->ball[1].positive)),
+                           m_and(between, outside));
+            inside =
+                m_or(inside, m_or(at->ball[0].negative, at->ball[1].negative));
+        } else {
+            outside = m_or(outside, m_or(below0, above1));
+        }
+    }
+    return (place){m_or(m_and(m_and(outside, past.negative), near), below),
+                   m_and(inside, near),
+                   m_or(m_and(m_and(outside, past.positive), near), above)};
+}
+
+/* On which side of a point of the chord a point lies: of the disc that the line
+ * pierces, of the middle of the chord in a ball, or else of the vertex of Q.
+ * down: the line goes down. */
+INLINE signs past_chord(const point_signs *at, const verdict *v,
+                        const signs ball[2], signs vertex, vm down, int solid)
+{
+    signs past = vertex;
+    if (!cylint_solid_is_bounded(solid) || cylint_solid_is_ball(solid))
+        return past;
+    EACH(i, 2) {
+        const signs plane =
+            signs_if(down, reversed(at->above[i]), at->above[i]);
+        if (cylint_solid_is_round(solid))
+            past = signs_if(m_of_end(v->chord, i), ball[i], past);
+        past = signs_if(m_of_end(v->pierced, i), plane, past);
+    }
+    return past;
+}
+
+/* A t + B against the error of its terms, of which D is at most k D. */
+INLINE signs slope_signs(const local_line *l, vd A, vd B, vd t, vd k)
+{
+    const vd size = v_sum_of(v_abs(t), l->D, l->Q);
+    return signs_of(v_sum_of(t, A, B), v_set(2 * CYLINT_LOCAL_FORM) * l->unit *
+                                           l->D * size * (k * k));
+}
+
+/* In doubles, at t. */
+INLINE void set_point_signs(point_signs *at, const local_line *l, verdict *v,
+                            vd t, int solid)
+{
+    const line_doubles *in = &l->in;
+    const int ball = cylint_solid_is_ball(solid);
+    const int bounded = cylint_solid_is_bounded(solid);
+    const int round = cylint_solid_is_round(solid);
+    const vd k = l->taper, size = v_sum_of(v_abs(t), l->D, l->Q);
+    const vd eZ = v_set(CYLINT_LOCAL_POSITION) * l->unit * size, eP = k * eZ;
+    const vd x = v_sum_of(t, in->v[0], in->p[0]);
+    const vd y = v_sum_of(t, in->v[1], in->p[1]);
+    const vd pp = v_sum_of(x, x, y * y), step = t * in->w;
+    const signs none = {m_from(0), m_from(0)};
+    signs of_ball[2] = {none, none};
+    EACH(i, 2) {
+        at->above[i] = at->ball[i] = none;
+        if (!bounded || (ball && i == 1))
+            continue;
+        if (!ball)
+            at->above[i] = signs_of(of_end(l->z, i) + step, eZ);
+        if (round) {
+            const vd r = of_end(l->ball_r, i);
+            const vd z = of_end(l->ball_z, i) + step;
+            at->ball[i] =
+                signs_of(v_sum_of(z, z, pp) - r * r, v_set(8) * eZ * (r + eZ));
+        }
+    }
+    if (!ball) {
+        const vd growing = v_sum_of(in->slope, in->z + step, in->r);
+        const vd rho = v_if(cylint_solid_is_tapered(solid), growing, in->r);
+        const vd most = v_if(bounded, l->widest, k * size);
+        at->rho = signs_of(rho, eP);
+        at->side = signs_of(v_sum_of(-rho, rho, pp),
+                            v_set(4) * eP * (most + v_set(4) * eP));
+    }
+    if (round && !ball && m_any(either_end(v->chord))) {
+        vd B[ENDS];
+        compute_balls(&v->ball, l);
+        EACH(n, ENDS)
+            B[n] = v->ball.B[n].v;
+        EACH(i, 2)
+            of_ball[i] = slope_signs(l, v->ball.A.v, of_end(B, i), t, v_set(1));
+    }
+    at->past = past_chord(at, v, of_ball, slope_signs(l, v->A.v, v->B.v, t, k),
+                          v_lt(in->w, v_set(0)), solid);
+}
+
+/* Whether part of the overlap of a line that crosses certainly lies ahead of its
+ * origin. */
+INLINE vm is_ahead(const local_line *l, verdict *v, int solid)
+{
+    const vd eZ = v_set(2 * CYLINT_LOCAL_POSITION) * l->unit * l->Q * l->D;
+    vm ahead = v_lt(v->B.v, -v->B.e), cap[ENDS], plane[ENDS];
+    if (solid == CYLINT_SOLID_DOUBLE_CONE)
+        ahead = m_and(ahead, v_lt(v_set(0), v->A.v));
+    if (!cylint_solid_is_bounded(solid) || cylint_solid_is_ball(solid))
+        return ahead;
+    EACH(k, ENDS) {
+        plane[k] = v->pierced[k];
+        cap[k] = m_and(v->pierced[k], v_lt(l->z[k] * l->in.w, -eZ));
+        if (cylint_solid_is_round(solid))
+            plane[k] = m_or(plane[k], v->chord[k]);
+    }
+    if (cylint_solid_is_round(solid) && m_any(either_end(v->chord))) {
+        compute_balls(&v->ball, l);
+        EACH(k, ENDS) {
+            const bounded_value B = v->ball.B[k];
+            cap[k] = m_or(cap[k], m_and(v->chord[k], v_lt(B.v, -B.e)));
+        }
+    }
+    return m_or(either_end(cap), m_and_not(ahead, either_end(plane)));
+}
+
+#endif

@@ -1,0 +1,78 @@
+/*
+ * levels_template.h - sums in levels
+ *
+ * a + b + c, where a sums numbers of the size of the data without error, b the
+ * errors of a, without error, and c the errors of b.  Stated once for doubles
+ * and for vectors.  The including file names by macros, which end with this
+ * file:
+ *
+ *   REAL, LEVELS              a number; the struct
+ *   FORM(name)                the functions
+ *   ADD MUL (x, y)
+ *   SUM_OF(x, y, z)           x y + z
+ *   TWO_SUM(x, y, s, e)       declares s = x + y and its error e
+ *   PRODUCT_ERROR(x, y, p)    of p = x y
+ *   ZERO
+ */
+
+typedef struct {
+    REAL a, b, c;
+} LEVELS;
+
+INLINE void FORM(add_b)(LEVELS *sum, REAL x)
+{
+    TWO_SUM(sum->b, x, s, e);
+    sum->b = s;
+    sum->c = ADD(sum->c, e);
+}
+
+INLINE void FORM(add_a)(LEVELS *sum, REAL x)
+{
+    TWO_SUM(sum->a, x, s, e);
+    sum->a = s;
+    FORM(add_b)(sum, e);
+}
+
+/* Adds x y to a, or a product of the size of b to b. */
+INLINE void FORM(add_product_to_a)(LEVELS *sum, REAL x, REAL y)
+{
+    const REAL p = MUL(x, y);
+    FORM(add_a)(sum, p);
+    FORM(add_b)(sum, PRODUCT_ERROR(x, y, p));
+}
+
+INLINE void FORM(add_product_to_b)(LEVELS *sum, REAL x, REAL y)
+{
+    const REAL p = MUL(x, y);
+    FORM(add_b)(sum, p);
+    sum->c = ADD(sum->c, PRODUCT_ERROR(x, y, p));
+}
+
+/* x (y + y_lo), of which c y_lo is left out. */
+INLINE LEVELS FORM(product)(const LEVELS *x, REAL y, REAL y_lo)
+{
+    LEVELS xy = {MUL(x->a, y), ZERO, SUM_OF(x->c, y, MUL(x->b, y_lo))};
+    xy.b = PRODUCT_ERROR(x->a, y, xy.a);
+    FORM(add_product_to_b)(&xy, x->b, y);
+    FORM(add_product_to_b)(&xy, x->a, y_lo);
+    return xy;
+}
+
+INLINE LEVELS FORM(square)(const LEVELS *x)
+{
+    const REAL twice_a = ADD(x->a, x->a);
+    LEVELS xx = {MUL(x->a, x->a), ZERO, SUM_OF(twice_a, x->c, MUL(x->b, x->b))};
+    xx.b = PRODUCT_ERROR(x->a, x->a, xx.a);
+    FORM(add_product_to_b)(&xx, twice_a, x->b);
+    return xx;
+}
+
+#undef REAL
+#undef LEVELS
+#undef FORM
+#undef ADD
+#undef MUL
+#undef SUM_OF
+#undef TWO_SUM
+#undef PRODUCT_ERROR
+#undef ZERO

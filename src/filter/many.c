@@ -1,0 +1,537 @@
+/*
+ * many.c - many lines or many shapes, in lanes
+ *
+ * Compiled once for each instruction set.  The first pass tests in every lane
+ * whether the line certainly misses the ball about the shape.  This test reads
+ * the fewest data and needs neither a division nor a square root.  The lanes
+ * that remain are collected.  As soon as they fill a vector they are classified,
+ * and the roots of those that hit are rounded.  Undecided lanes are returned as
+ * such; they do not affect their neighbours.
+ */
+#include "surfaces.h"
+
+#ifndef CYLINT_MANY
+#define CYLINT_MANY cylint_many_plain
+#endif
+
+/* The bits of all lanes. */
+#define ALL ((1u << LANES) - 1)
+
+/* What differs from lane to lane.  Only the first pass is compiled for each. */
+typedef enum { ONE_LINE, ONE_SHAPE, PAIRS } mode;
+
+static mode mode_of(const cylint_filter_batch *from)
+{
+    return !from->run ? ONE_SHAPE : from->line ? ONE_LINE : PAIRS;
+}
+
+/* ---------------------------------------- the first pass: balls about -- */
+
+/* Elements of an array; in_a_row: their numbers follow each other. */
+INLINE vd elements(const double *x, const size_t *number, int in_a_row)
+{
+    return in_a_row ? v_load(x + number[0]) : v_pick(x, number);
+}
+
+/* The ball about a shape and a line in every lane. */
+typedef struct {
+    vd center[3], radius, o[3], d[3];
+} ball_pass;
+
+/* The line from the centre of a ball of radius r.  No coordinate of the
+ * direction exceeds D, none of the origin Q. */
+typedef struct {
+    line_doubles line;
+    vd r, D, Q;
+} ball_line;
+
+INLINE ball_line ball_and_line(const ball_pass *pass)
+{
+    ball_line b;
+    vd x[3];
+    EACH(i, 3)
+        x[i] = pass->o[i] - pass->center[i];
+    EACH(i, 2) {
+        b.line.p[i] = x[i];
+        b.line.v[i] = pass->d[i];
+    }
+    b.line.z = x[2];
+    b.line.w = pass->d[2];
+    set_products_doubles(&b.line);
+    b.r = pass->radius;
+    b.D = v_largest(pass->d);
+    b.Q = v_largest(x) + b.r;
+    return b;
+}
+
+/* Twice the error of a rounding, and what rounds the bounds themselves. */
+#define BALL_UNIT v_set(CYLINT_ROUNDING *CYLINT_SLACK)
+
+/* The lanes that pass by for certain. */
+INLINE vm passes_ball(const ball_line *b)
+{
+    const vd g = ball_g_doubles(&b->line, b->line.z, b->r);
+    const vd error =
+        v_set(CYLINT_LOCAL_BALL) * BALL_UNIT * (b->D * b->D) *
+        (b->Q * v_sum_of(v_set(CYLINT_LOCAL_SECOND) * BALL_UNIT, b->Q, b->r));
+    const vd most = v_set(CYLINT_WINDOW), least = v_set(1 / CYLINT_WINDOW);
+    const vm in_window =
+        m_and(v_le(v_max(b->D, b->Q), most), v_le(least, b->D));
+    return m_and(in_window, v_lt(g, -error));
+}
+
+/* A t + B. */
+INLINE bounded_value slope_at(const ball_line *b, double t)
+{
+    const vd size = v_sum_of(v_set(fabs(t)), b->D, b->Q);
+    return (bounded_value){v_sum_of(v_set(t), ball_A_doubles(&b->line),
+                                    ball_B_doubles(&b->line, b->line.z)),
+                           v_set(2 * CYLINT_LOCAL_FORM) * BALL_UNIT * size *
+                               b->D};
+}
+
+/* The lanes whose ball is not for certain beyond the line's domain or the
+ * nearest hit. */
+INLINE unsigned within_reach(const ball_line *b,
+                             const cylint_filter_batch *from)
+{
+    const cylint_line *line = from->line;
+    const vd reach = b->r * v_set(from->speed);
+    const double end = from->nearest < line->tmax ? from->nearest : line->tmax;
+    const bounded_value first = slope_at(b, line->tmin),
+                        last = slope_at(b, end);
+    const vm before = v_lt(reach, first.v - first.e);
+    const vm beyond = v_lt(last.v + last.e, -reach);
+    return m_bits(m_not(m_or(before, beyond)));
+}
+
+/* Copies of what the first pass reads: the list that it writes cannot change
+ * them. */
+typedef struct {
+    cylint_run run;
+    cylint_lines lines;
+    size_t n;
+} pass_columns;
+
+INLINE pass_columns columns_of(const cylint_filter_batch *from, mode m)
+{
+    pass_columns c;
+    if (m != ONE_SHAPE)
+        c.run = *from->run;
+    if (m != ONE_LINE)
+        c.lines = *from->lines;
+    c.n = from->n;
+    return c;
+}
+
+/* Those of lanes from `lane` on, as far as they differ from lane to lane. */
+INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
+{
+    const cylint_lines *lines = &from->lines;
+    const size_t *at = from->run.number + (m == ONE_SHAPE ? 0 : lane);
+    if (m != ONE_SHAPE) {
+        const double *column = from->run.column + lane;
+        const size_t stride = from->run.stride;
+        EACH(i, 3)
+            b->center[i] = v_load(column + (size_t)i * stride);
+        b->radius = v_load(column + COLUMN_BALL * stride);
+    }
+    if (m == ONE_SHAPE) {
+        EACH(i, 3) {
+            b->o[i] = v_load(lines->o[i] + lane);
+            b->d[i] = v_load(lines->d[i] + lane);
+        }
+    } else if (m == PAIRS) {
+        const int in_a_row = lane + LANES <= from->n && /* not padded */
+                             at[LANES - 1] - at[0] == LANES - 1;
+        EACH(i, 3) {
+            b->o[i] = elements(lines->o[i], at, in_a_row);
+            b->d[i] = elements(lines->d[i], at, in_a_row);
+        }
+    }
+}
+
+INLINE void load_pass(const cylint_filter_batch *from, mode m, ball_pass *b)
+{
+    EACH(i, 3) {
+        if (m == ONE_SHAPE)
+            b->center[i] = v_set(from->shapes->center[i]);
+        if (m == ONE_LINE) {
+            b->o[i] = v_set(from->line->o[i]);
+            b->d[i] = v_set(from->line->d[i]);
+        }
+    }
+    if (m == ONE_SHAPE)
+        b->radius = v_set(from->shapes->bound_radius);
+}
+
+/* So many numbers the first pass finds at once where no answer can change it. */
+enum { AHEAD = 64 };
+
+/* The first pass takes so many lanes at a time, and it branches on all of their
+ * outcomes together: those of one vector are hard to predict. */
+enum { BLOCK = 16, VECTORS = BLOCK / LANES };
+
+INLINE ball_line ball_at(const pass_columns *columns, size_t lane, mode m,
+                         ball_pass *pass)
+{
+    pass_at(columns, lane, m, pass);
+    return ball_and_line(pass);
+}
+
+/* The lanes of a vector whose ball the line does not certainly pass by. */
+INLINE unsigned lanes_left(const pass_columns *columns, size_t lane, mode m,
+                           ball_pass *pass)
+{
+    const size_t rest = columns->n - lane;
+    const unsigned there = rest < LANES ? (1u << rest) - 1 : ALL;
+    if (m == ONE_SHAPE && rest < LANES) /* the caller's end there */
+        return there;
+    const ball_line ball = ball_at(columns, lane, m, pass);
+    return there & m_bits(m_not(passes_ball(&ball)));
+}
+
+/* Puts those numbers of a vector into the list; returns how many. */
+INLINE size_t keep_numbers(size_t *list, const pass_columns *columns,
+                           size_t lane, mode m, unsigned left)
+{
+    size_t counted[LANES];
+    if (m == ONE_SHAPE)
+        for (unsigned i = 0; i < LANES; i++)
+            counted[i] = lane + i;
+    return v_keep(list, m == ONE_SHAPE ? counted : columns->run.number + lane,
+                  left);
+}
+
+/* Puts the numbers of lanes that do not pass by into the list, until they
+ * suffice for a group. */
+INLINE void first_pass(cylint_filter_batch *from, mode m)
+{
+    size_t *list = from->list, end = from->end, lane = from->lane;
+    const size_t enough = from->first + (from->eager ? AHEAD : LANES);
+    const pass_columns columns = columns_of(from, m);
+    ball_pass pass;
+    load_pass(from, m, &pass);
+    while (lane < columns.n && end < enough) {
+        const size_t rest = columns.n - lane;
+        const int vectors =
+            rest < BLOCK ? (int)((rest + LANES - 1) / LANES) : VECTORS;
+        unsigned left[VECTORS], any = 0;
+        for (int i = 0; i < vectors; i++)
+            any |= left[i] =
+                lanes_left(&columns, lane + (size_t)i * LANES, m, &pass);
+        for (int i = 0; any && i < vectors; i++) {
+            const size_t at = lane + (size_t)i * LANES;
+            if (m == ONE_LINE && !from->relations) {
+                if (!left[i])
+                    continue;
+                const ball_line ball = ball_at(&columns, at, m, &pass);
+                left[i] &= within_reach(&ball, from);
+            }
+            end += keep_numbers(list + end, &columns, at, m, left[i]);
+        }
+        lane += (size_t)vectors * LANES;
+    }
+    from->lane = lane;
+    from->end = end;
+}
+
+ASIDE void first_pass_one_line(cylint_filter_batch *from)
+{
+    first_pass(from, ONE_LINE);
+}
+
+ASIDE void first_pass_one_shape(cylint_filter_batch *from)
+{
+    first_pass(from, ONE_SHAPE);
+}
+
+ASIDE void first_pass_pairs(cylint_filter_batch *from)
+{
+    first_pass(from, PAIRS);
+}
+
+/* Fills the list; returns how many of its numbers the next group has. */
+static int next_numbers(cylint_filter_batch *from)
+{
+    static void (*const pass[])(cylint_filter_batch *) = {
+        first_pass_one_line, first_pass_one_shape, first_pass_pairs};
+    enum {
+        CAPACITY =
+            sizeof from->list / sizeof *from->list - AHEAD - BLOCK - 2 * LANES
+    };
+    size_t left = from->end - from->first;
+    if (from->first > CAPACITY) {
+        memmove(from->list, from->list + from->first,
+                left * sizeof *from->list);
+        from->first = 0;
+        from->end = left;
+    }
+    if (left < LANES && from->lane < from->n) {
+        pass[mode_of(from)](from);
+        left = from->end - from->first;
+    }
+    return left < LANES ? (int)left : LANES;
+}
+
+/* ------------------------------------------------------- the answers ---- */
+
+/* The questions of a group.  shape: NULL if all have the same. */
+typedef struct {
+    frames frame;
+    line_lanes line;
+    const cylint_shape *const *shape;
+    unsigned in_use;
+    double nearest; /* hits beyond it are not wanted */
+} group_questions;
+
+INLINE place place_at(const local_line *l, verdict *v, vd limit, int solid)
+{
+    static const point_signs none;
+    point_signs at = none;
+    if (m_any(v_le(v_abs(limit), v_set(CYLINT_LATE))))
+        set_point_signs(&at, l, v, near_limit(limit), solid);
+    return place_of(&at, v, limit, solid);
+}
+
+INLINE hits hits_of_places(const place *from, const place *to, vm present,
+                           int k)
+{
+    const vm known = m_and(m_or(from->before, m_or(from->inside, from->after)),
+                           m_or(to->before, m_or(to->inside, to->after)));
+    const vm begins = m_and_not(from->before, to->before);
+    const vm ends = m_and_not(to->after, from->after);
+    return (hits){m_and(present, k ? ends : begins), m_not(known)};
+}
+
+/* The lanes whose first root is not certainly beyond the nearest hit.  Where a
+ * nappe has no first end, its second root may be before the first. */
+INLINE vm may_be_nearest(const estimate *first, const verdict *v,
+                         double nearest, int solid)
+{
+    const vd beyond = (first->t - v_set(nearest)) * first->scale;
+    vm sure = m_and(first->usable, v_lt(v_set(0), first->scale));
+    if (cylint_solid_is_nappe(solid))
+        sure = m_and(sure, v->exists[0]);
+    return m_not(m_and(sure, v_lt(first->off, beyond)));
+}
+
+/* The hits of lanes that cross. */
+typedef struct {
+    line_end at[2];
+    vm hit[2], unknown;
+} lane_hits;
+
+/* By roots.  Removes lanes whose hits are not wanted from *crosses. */
+INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
+                       verdict *v, vm *crosses, unsigned want, int solid,
+                       cylint_filter_group *g)
+{
+    const source from = {&x->frame, &x->line};
+    const int nearest = (want & CYLINT_WANT_NEAREST) != 0;
+    pair_line in;
+    if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid))
+        compute_balls(&v->ball, l);
+    estimate at = estimate_end(l, v, &to->at[0], solid);
+    if (nearest)
+        *crosses = m_and(*crosses, may_be_nearest(&at, v, x->nearest, solid));
+    if (!m_any(*crosses))
+        return;
+    if (x->shape)
+        gather_pairs(&x->frame, x->shape, solid);
+    load_pairs(&in, &from, solid);
+    for (int k = 0;; k++) {
+        const line_end end_k = k ? to->at[1] : to->at[0];
+        root r = step_from(at.t, residual_at(&in, l, at.t, &end_k, solid), &at);
+        r.nearest = m_and(r.nearest, at.usable);
+        const hits h = hits_of_roots(&r, l, is_present(l, v, &end_k, k, solid));
+        to->hit[k] = h.hit;
+        to->unknown = m_or(to->unknown, h.unknown);
+        v_store(g->t[k], r.value);
+        if (k == 1 || (nearest && !m_any(m_and_not(*crosses, h.hit))))
+            return;
+        at = estimate_end(l, v, &to->at[1], solid);
+    }
+}
+
+/* By signs at the ends of the domain. */
+INLINE void find_places(lane_hits *to, const local_line *l, verdict *v,
+                        int solid)
+{
+    const place first = place_at(l, v, l->limit[0], solid);
+    const place last = place_at(l, v, l->limit[1], solid);
+    EACH(k, 2) {
+        const vm present = is_present(l, v, &to->at[k], k, solid);
+        const hits h = hits_of_places(&first, &last, present, k);
+        to->hit[k] = h.hit;
+        to->unknown = m_or(to->unknown, h.unknown);
+    }
+}
+
+INLINE void store_hits(cylint_filter_group *g, const lane_hits *from)
+{
+    EACH(k, 2) {
+        const vd cap = v_select(from->at[k].top, v_set(CYLINT_PART_CAP1),
+                                v_set(CYLINT_PART_CAP0));
+        v_store(g->part[k],
+                v_select(from->at[k].on_end, cap, v_set(CYLINT_PART_LATERAL)));
+        g->hit[k] = m_bits(from->hit[k]);
+    }
+}
+
+/* Returns the lanes with an unknown hit. */
+INLINE vm answer_ends(group_questions *x, const local_line *l, verdict *v,
+                      vm *crosses, unsigned want, int solid,
+                      cylint_filter_group *g)
+{
+    lane_hits h = {.hit = {m_from(0), m_from(0)}, .unknown = m_from(0)};
+    EACH(k, 2)
+        h.at[k] = end_number(l, v, k, solid);
+    if (want & CYLINT_WANT_T)
+        find_roots(&h, x, l, v, crosses, want, solid, g);
+    else
+        find_places(&h, l, v, solid);
+    store_hits(g, &h);
+    return h.unknown;
+}
+
+INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
+                         int solid, cylint_filter_group *g)
+{
+    const source from = {&x->frame, &x->line};
+    const vm in_use =
+        m_and(m_from(x->in_use), v_le(x->line.limit[0], x->line.limit[1]));
+    local_line l;
+    forms f;
+    verdict v;
+    g->found = g->undecided = g->hit[0] = g->hit[1] = g->leaving_first = 0;
+    load_first(&l, &from, solid);
+    first_form(&f, &l, solid);
+    v.G = bounded_G(&f, &l, solid);
+    const vm alive = m_and_not(in_use, m_and(l.in_range, v_lt(v.G.v, -v.G.e)));
+    if (!m_any(alive))
+        return;
+    load_rest(&l, &from, solid);
+    other_forms(&f, &l, solid);
+    v.ball.computed = 0;
+    judge(&v, &f, &l, solid);
+    vm crosses = m_and(m_and(alive, l.in_range), m_and(v.crosses, v.sided));
+    vm undecided = m_and_not(alive, m_or(m_and(v.misses, l.in_range), crosses));
+    if (m_any(crosses)) {
+        const vm equal = /* may be zeros that differ */
+            v_eq(x->line.limit[0], x->line.limit[1]);
+        const vm unknown = answer_ends(x, &l, &v, &crosses, want, solid, g);
+        undecided = m_or(undecided, m_and(crosses, m_or(equal, unknown)));
+        crosses = m_and_not(crosses, undecided);
+    }
+    const unsigned sure = m_bits(crosses);
+    g->hit[0] &= sure;
+    g->hit[1] &= sure;
+    g->undecided = m_bits(undecided);
+    g->leaving_first = solid == CYLINT_SOLID_DOUBLE_CONE
+                           ? m_bits(is_backward(&l, &v, solid))
+                           : 0;
+    g->found = g->undecided | (relations ? sure : g->hit[0] | g->hit[1]);
+}
+
+typedef void lanes_kernel(group_questions *x, unsigned want, int relations,
+                          cylint_filter_group *g);
+
+#define KERNEL(name, solid)                                           \
+    ASIDE void name(group_questions *x, unsigned want, int relations, \
+                    cylint_filter_group *g)                           \
+    {                                                                 \
+        if (x->shape)                                                 \
+            gather_shapes(&x->frame, x->shape, solid);                \
+        answer_lanes(x, want, relations, solid, g);                   \
+    }
+KERNEL(cylinders, CYLINT_SOLID_CYLINDER)
+KERNEL(cones, CYLINT_SOLID_CONE)
+KERNEL(whole_cylinders, CYLINT_SOLID_WHOLE_CYLINDER)
+KERNEL(double_cones, CYLINT_SOLID_DOUBLE_CONE)
+KERNEL(nappes, CYLINT_SOLID_NAPPE)
+KERNEL(spheres, CYLINT_SOLID_SPHERE)
+KERNEL(capsules, CYLINT_SOLID_CAPSULE)
+KERNEL(round_cones, CYLINT_SOLID_ROUND_CONE)
+#undef KERNEL
+
+static lanes_kernel *const of_solid[CYLINT_SOLIDS] = {
+    [CYLINT_SOLID_CYLINDER] = cylinders,
+    [CYLINT_SOLID_CONE] = cones,
+    [CYLINT_SOLID_WHOLE_CYLINDER] = whole_cylinders,
+    [CYLINT_SOLID_DOUBLE_CONE] = double_cones,
+    [CYLINT_SOLID_NAPPE] = nappes,
+    [CYLINT_SOLID_SPHERE] = spheres,
+    [CYLINT_SOLID_CAPSULE] = capsules,
+    [CYLINT_SOLID_ROUND_CONE] = round_cones};
+
+/* ------------------------------------------------------- the groups ----- */
+
+/* The same line in all lanes. */
+static void broadcast_line(line_lanes *to, const cylint_line *l)
+{
+    EACH(i, 3) {
+        to->o[i] = v_set(l->o[i]);
+        to->d[i] = v_set(l->d[i]);
+        to->d_lo[i] = v_set(l->d_lo[i]);
+    }
+    to->limit[0] = v_set(l->tmin);
+    to->limit[1] = v_set(l->tmax);
+    to->segment = l->segment;
+}
+
+/* The lines of so many numbers. */
+static void gather_lines(line_lanes *to, const cylint_lines *from,
+                         const size_t *number)
+{
+    const int in_a_row = number[LANES - 1] - number[0] == LANES - 1;
+    to->limit[0] = v_set(0);
+    to->limit[1] = v_set(HUGE_VAL);
+    EACH(i, 3) {
+        to->o[i] = elements(from->o[i], number, in_a_row);
+        to->d[i] = elements(from->d[i], number, in_a_row);
+        to->d_lo[i] = v_set(0);
+    }
+    if (from->tmin)
+        to->limit[0] = elements(from->tmin, number, in_a_row);
+    if (from->tmax)
+        to->limit[1] = elements(from->tmax, number, in_a_row);
+    to->segment = 0;
+}
+
+static void answer_group(const cylint_filter_batch *from, const size_t *list,
+                         int lanes, group_questions *x, cylint_filter_group *g)
+{
+    const cylint_shape *shape[LANES];
+    if (!from->line)
+        gather_lines(&x->line, from->lines, list);
+    if (from->run) {
+        for (int i = 0; i < LANES; i++)
+            shape[i] = &from->shapes[list[i]];
+        x->shape = shape;
+    }
+    x->in_use = (1u << lanes) - 1;
+    x->nearest = from->nearest;
+    of_solid[from->solid](x, from->want, from->relations, g);
+}
+
+void CYLINT_MANY(cylint_filter_batch *from, cylint_filter_use *use, void *self)
+{
+    group_questions x;
+    cylint_filter_group g;
+    x.shape = NULL;
+    if (from->line)
+        broadcast_line(&x.line, from->line);
+    if (!from->run)
+        broadcast_shape(&x.frame, from->shapes);
+    for (int lanes; (lanes = next_numbers(from)) > 0;) {
+        size_t *list = from->list + from->first;
+        for (int i = lanes; i < LANES; i++)
+            list[i] = list[0];
+        from->first += (size_t)lanes;
+        answer_group(from, list, lanes, &x, &g);
+        g.number = list;
+        if (g.found && use(self, from, &g))
+            return;
+    }
+}

@@ -1,0 +1,211 @@
+/*
+ * one.c - one line and one shape
+ *
+ * Compiled once as it is and again for processors with a fused multiply-add: the
+ * answers are the same bits.  A kernel for each solid decides nearly all questions:
+ * verdicts by signs in doubles, without any root; roots by Newton's step on
+ * residuals in pairs.  refine() goes on with what they do not decide.
+ */
+#define CYLINT_NARROW
+#include "../numbers/double_double.h" /* before simd.h */
+#include "../numbers/simd.h"
+#include "filter.h"
+
+#ifndef CYLINT_ONE
+#define CYLINT_ONE cylint_one_plain
+#endif
+
+/* For questions that the filter does not serve. */
+static int useless(const cylint_shape *shape, const cylint_line *line,
+                   unsigned want, cylint_answer *answer,
+                   cylint_question *question)
+{
+    (void)shape;
+    (void)line;
+    (void)want;
+    (void)answer;
+    question->known = CYLINT_KNOWN_USELESS;
+    return CYLINT_UNDECIDED;
+}
+
+#if LANES == 2
+
+#include "refine.h"
+
+#define ARGUMENTS                                                      \
+    const cylint_shape *shape, const cylint_line *line, unsigned want, \
+        cylint_answer *answer, cylint_question *question
+
+/* Below this share of G an error of it makes residuals in levels likely.  Only
+ * time depends on it. */
+#define CYLINT_LOCAL_GRAZING 0x1p-13
+
+/* The line is nearly tangent, and an end is on the lateral surface. */
+INLINE int is_grazing(const verdict *v, int solid)
+{
+    const vm lateral = m_not(v->pierced[0]);
+    if (cylint_solid_is_round(solid))
+        return 0;
+    return (m_bits(m_and(lateral, v_lt(v_set(CYLINT_LOCAL_GRAZING) * v->G.v,
+                                       v->G.e)))) != 0;
+}
+
+/* Of lines that G does not reject. */
+INLINE int answer_rest(const first_line *first, bounded_value G, const asked *a,
+                       int roots, int solid)
+{
+    const source from = {a->shape, a->line};
+    cylint_question *question = a->question;
+    local_line l;
+    forms f;
+    verdict v;
+    set_line(&l, first, a->shape, solid);
+    load_rest(&l, &from, solid);
+    if (cylint_solid_is_nappe(solid))
+        set_Y_doubles(&l.in, f.Y);
+    other_forms(&f, &l, solid);
+    v.G = G;
+    v.ball.computed = 0;
+    judge(&v, &f, &l, solid);
+    question->Q = v_first(l.Q);
+    question->D = v_first(l.D);
+    if (m_bits(v.misses) & 1)
+        return write_miss(a->answer);
+    if (!(m_bits(v.crosses) & 1))
+        return undecided(question, CYLINT_KNOWN_NOTHING);
+    if (!roots)
+        return answer_by_signs(&l, &v, a, solid);
+    if (!(m_bits(v.sided) & 1) || is_grazing(&v, solid) ||
+        !cylint_rounds_to_nearest())
+        return undecided(question, CYLINT_KNOWN_NOTHING);
+    pair_line in;
+    load_pairs(&in, &from, 1, solid);
+    return answer_by_roots(&l, &v, &in, a, solid);
+}
+
+/* The test of G, whose values go on in registers: so a miss saves none. */
+#define FIRST vd p, vd v, vd from_base, vd w, vd Q, vd D, vd G, vd G_error
+#define KERNEL(name, roots, solid)                                         \
+    ASIDE int name##_rest(ARGUMENTS, FIRST)                                \
+    {                                                                      \
+        const first_line first = {p, v, from_base, w, Q, D};               \
+        const asked a = {shape, line, want, answer, question};             \
+        return answer_rest(&first, (bounded_value){G, G_error}, &a, roots, \
+                           solid);                                         \
+    }                                                                      \
+    static int name(ARGUMENTS)                                             \
+    {                                                                      \
+        const source from = {shape, line};                                 \
+        const first_line a = load_first(&from, solid);                     \
+        const bounded_value G = test_of_G(&a, shape, solid);               \
+        if (m_bits(v_lt(G.v, -G.e)) & 1)                                   \
+            return write_miss(answer);                                     \
+        return name##_rest(shape, line, want, answer, question, a.p, a.v,  \
+                           a.from_base, a.w, a.Q, a.D, G.v, G.e);          \
+    }
+#define KERNELS(name, solid)       \
+    KERNEL(name##_signs, 0, solid) \
+    KERNEL(name##_roots, 1, solid)
+
+INLINE bounded_value test_of_G(const first_line *first,
+                               const cylint_shape *shape, int solid)
+{
+    local_line l;
+    forms f;
+    set_line(&l, first, shape, solid);
+    first_form(&f, &l, solid);
+    return bounded_G(&f, &l, solid);
+}
+
+KERNELS(cylinder, CYLINT_SOLID_CYLINDER)
+KERNELS(cone, CYLINT_SOLID_CONE)
+KERNELS(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER)
+KERNELS(double_cone, CYLINT_SOLID_DOUBLE_CONE)
+KERNELS(nappe, CYLINT_SOLID_NAPPE)
+KERNELS(sphere, CYLINT_SOLID_SPHERE)
+KERNELS(capsule, CYLINT_SOLID_CAPSULE)
+KERNELS(round_cone, CYLINT_SOLID_ROUND_CONE)
+#undef KERNEL
+#undef KERNELS
+#undef FIRST
+
+/* The signs at the ends of the domain, or all signs of the line. */
+#define REFINE(name, solid, line)                                           \
+    static int name##_refined(cylint_question *q)                           \
+    {                                                                       \
+        const int n = q->known == CYLINT_KNOWN_LINE ? refine_ends(q, solid) \
+                                                    : CYLINT_UNDECIDED;     \
+        return n == CYLINT_UNDECIDED ? line : n;                            \
+    }
+#if V_HAS_FMA
+#define REFINED_LINE(q, solid) refine_line(q, solid)
+#else
+#define REFINED_LINE(q, solid) refine_any_line(q)
+#endif
+REFINE(cylinder, CYLINT_SOLID_CYLINDER, REFINED_LINE(q, CYLINT_SOLID_CYLINDER))
+REFINE(cone, CYLINT_SOLID_CONE, REFINED_LINE(q, CYLINT_SOLID_CONE))
+REFINE(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER, refine_any_line(q))
+REFINE(double_cone, CYLINT_SOLID_DOUBLE_CONE, refine_any_line(q))
+REFINE(nappe, CYLINT_SOLID_NAPPE, refine_any_line(q))
+REFINE(sphere, CYLINT_SOLID_SPHERE, refine_any_line(q))
+REFINE(capsule, CYLINT_SOLID_CAPSULE, refine_any_line(q))
+REFINE(round_cone, CYLINT_SOLID_ROUND_CONE, refine_any_line(q))
+#undef REFINE
+#undef REFINED_LINE
+
+static int refine(cylint_question *q)
+{
+    static int (*const refined[CYLINT_SOLIDS])(cylint_question *) = {
+        [CYLINT_SOLID_CYLINDER] = cylinder_refined,
+        [CYLINT_SOLID_CONE] = cone_refined,
+        [CYLINT_SOLID_WHOLE_CYLINDER] = whole_cylinder_refined,
+        [CYLINT_SOLID_DOUBLE_CONE] = double_cone_refined,
+        [CYLINT_SOLID_NAPPE] = nappe_refined,
+        [CYLINT_SOLID_SPHERE] = sphere_refined,
+        [CYLINT_SOLID_CAPSULE] = capsule_refined,
+        [CYLINT_SOLID_ROUND_CONE] = round_cone_refined};
+    int n = CYLINT_UNDECIDED;
+    if (q->known == CYLINT_KNOWN_USELESS || !cylint_rounds_to_nearest())
+        return n;
+    if (q->known != CYLINT_KNOWN_ROOTS)
+        n = refined[q->shape->prepared](q);
+    if (n == CYLINT_UNDECIDED && q->known == CYLINT_KNOWN_ROOTS)
+        n = refine_roots(q);
+    return n;
+}
+
+#define BOTH(name)                 \
+    {                              \
+        name##_signs, name##_roots \
+    }
+const cylint_one_kernels CYLINT_ONE = {
+    {[CYLINT_SOLID_NONE] = {useless, useless},
+     [CYLINT_SOLID_CYLINDER] = BOTH(cylinder),
+     [CYLINT_SOLID_CONE] = BOTH(cone),
+     [CYLINT_SOLID_WHOLE_CYLINDER] = BOTH(whole_cylinder),
+     [CYLINT_SOLID_DOUBLE_CONE] = BOTH(double_cone),
+     [CYLINT_SOLID_NAPPE] = BOTH(nappe),
+     [CYLINT_SOLID_SPHERE] = BOTH(sphere),
+     [CYLINT_SOLID_CAPSULE] = BOTH(capsule),
+     [CYLINT_SOLID_ROUND_CONE] = BOTH(round_cone)},
+    refine};
+
+#else
+
+/* Without vectors of two lanes. */
+static int refine(cylint_question *question)
+{
+    (void)question;
+    return CYLINT_UNDECIDED;
+}
+
+#define NEITHER          \
+    {                    \
+        useless, useless \
+    }
+const cylint_one_kernels CYLINT_ONE = {{NEITHER, NEITHER, NEITHER, NEITHER,
+                                        NEITHER, NEITHER, NEITHER, NEITHER,
+                                        NEITHER},
+                                       refine};
+
+#endif

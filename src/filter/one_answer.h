@@ -1,0 +1,226 @@
+/*
+ * one_answer.h - the answer to one question, from signs or roots at both ends
+ *
+ * Narrow lanes (frame.h): lane i belongs to end i.  What a stage computed of a
+ * question that it does not decide is stored in the question.
+ */
+#ifndef CYLINT_ONE_ANSWER_H
+#define CYLINT_ONE_ANSWER_H
+
+#include "surfaces.h"
+
+/* The arguments of a kernel, in registers where functions are inlined. */
+typedef struct {
+    const cylint_shape *shape;
+    const cylint_line *line;
+    unsigned want;
+    cylint_answer *answer;
+    cylint_question *question;
+} asked;
+
+/* ----------------------------------------------------------- answers ---- */
+
+/* Ends as bits of lanes.  back: lane 1 is the first in t. */
+typedef struct {
+    unsigned on_end, top, present;
+    int back;
+} end_bits;
+
+/* The surface of a sphere is one part, which may be a ball of a rounded cone. */
+INLINE end_bits parts_of_sphere(const cylint_shape *shape)
+{
+    return (end_bits){
+        shape->surface == CYLINT_PART_LATERAL ? 0 : 3,
+        shape->surface == CYLINT_PART_CAP1 ? 3 : 0,
+        cylint_part_is_present(shape->ends, shape->surface) ? 3 : 0, 0};
+}
+
+INLINE end_bits bits_of_end(const line_end *e, const local_line *l,
+                            const verdict *v, const cylint_shape *shape,
+                            int solid)
+{
+    if (cylint_solid_is_ball(solid))
+        return parts_of_sphere(shape);
+    return (end_bits){m_bits(e->on_end), m_bits(e->top),
+                      m_bits(is_present(l, v, e, 0, solid)),
+                      (int)(m_bits(is_backward(l, v, solid)) & 1)};
+}
+
+INLINE int write_miss(cylint_answer *answer)
+{
+    answer->relation = CYLINT_RELATION_MISS;
+    return answer->n = 0;
+}
+
+/* The lane of hit n. */
+INLINE int lane_of_hit(unsigned hits, int n, int back)
+{
+    return hits == 3 ? n ^ back : hits == 2;
+}
+
+INLINE void write_parts(cylint_answer *answer, end_bits e, unsigned hits,
+                        int unbounded)
+{
+    const int n = hits == 3 ? 2 : hits != 0;
+    EACH(i, 2) {
+        if (i >= n)
+            break;
+        const int lane = lane_of_hit(hits, i, e.back);
+        answer->hit[i].part = !(e.on_end >> lane & 1) ? CYLINT_PART_LATERAL
+                              : e.top >> lane & 1     ? CYLINT_PART_CAP1
+                                                      : CYLINT_PART_CAP0;
+        answer->hit[i].side = unbounded ? lane : lane ^ e.back;
+    }
+}
+
+/* lane: of the first hit. */
+INLINE void store_tails(cylint_question *question, const root *r, int n,
+                        int lane)
+{
+    double tail[2], error[2];
+    v_store(tail, r->tail);
+    v_store(error, r->error);
+    for (int i = 0; i < n; i++) {
+        question->hit_tail[i] = tail[lane ^ i];
+        question->hit_error[i] = error[lane ^ i];
+    }
+}
+
+/* Writes a line that crosses with hits at those ends.  value, tail, error: of the
+ * roots, or NULL. */
+INLINE int write_hits(unsigned hits, end_bits e, const root *r, const asked *a,
+                      int solid)
+{
+    const int unbounded = !cylint_solid_is_bounded(solid);
+    cylint_answer *answer = a->answer;
+    if (a->want & CYLINT_WANT_NEAREST && hits == 3)
+        hits = 1u << e.back;
+    answer->relation = CYLINT_RELATION_CROSS;
+    if (r && hits) {
+        double t[2];
+        const int lane = lane_of_hit(hits, 0, e.back);
+        v_store(t, r->value);
+        answer->hit[0].t = t[lane];
+        if (hits == 3)
+            answer->hit[1].t = t[!lane];
+        if (a->want & CYLINT_WANT_BESIDE_T)
+            store_tails(a->question, r, hits == 3 ? 2 : 1, lane);
+    }
+    if (a->want & CYLINT_WANT_PART)
+        write_parts(answer, e, hits, unbounded);
+    return answer->n = (int)(hits & 1) + (int)(hits >> 1);
+}
+
+/* ------------------------------------------------------------ kernels --- */
+
+/* The hits of a line that crosses, by the signs at the ends of the domain. */
+INLINE int answer_by_places(const place *at, end_bits e, const asked *a,
+                            int solid)
+{
+    const unsigned before = m_bits(at->before), inside = m_bits(at->inside),
+                   after = m_bits(at->after);
+    if ((before | inside | after) != 3)
+        return CYLINT_UNDECIDED;
+    const unsigned begins = before & 1 & ~(before >> 1);
+    const unsigned ends = ~after & 1 & (after >> 1);
+    return write_hits(e.present & (begins << e.back | ends << !e.back), e, NULL,
+                      a, solid);
+}
+
+/* All ends are present, and their parts are not wanted. */
+INLINE int is_plain(const cylint_shape *shape, unsigned want, int solid)
+{
+    return (shape->ends == CYLINT_ENDS_CAPPED ||
+            !cylint_solid_is_bounded(solid)) &&
+           !(want & CYLINT_WANT_PART);
+}
+
+INLINE int undecided(cylint_question *question, cylint_known known)
+{
+    question->known = known;
+    return CYLINT_UNDECIDED;
+}
+
+INLINE void store_ends(cylint_question *question, end_bits e)
+{
+    question->on_end = e.on_end;
+    question->top = e.top;
+    question->present = e.present;
+    question->back = e.back;
+}
+
+INLINE end_bits stored_ends(const cylint_question *q)
+{
+    return (end_bits){q->on_end, q->top, q->present, q->back};
+}
+
+INLINE int answer_by_signs(const local_line *l, verdict *v, const asked *a,
+                           int solid)
+{
+    const cylint_line *line = a->line;
+    cylint_question *question = a->question;
+    const int plain = is_plain(a->shape, a->want, solid);
+    if (!plain && !(m_bits(v->sided) & 1))
+        return undecided(question, CYLINT_KNOWN_NOTHING);
+    if (plain && a->want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&
+        line->tmax > v_first(latest(solid)) && !cylint_solid_is_nappe(solid) &&
+        m_bits(is_ahead(l, v, solid)) & 1) {
+        a->answer->relation = CYLINT_RELATION_CROSS;
+        return a->answer->n = 1;
+    }
+    const line_end e = end_number(l, v, 0, solid);
+    const end_bits bits = bits_of_end(&e, l, v, a->shape, solid);
+    point_signs at;
+    set_point_signs(&at, l, v, near_limit(l->limit[0]), solid);
+    const place where = place_of(&at, v, l->limit[0], solid);
+    const int n = answer_by_places(&where, bits, a, solid);
+    if (n != CYLINT_UNDECIDED)
+        return n;
+    store_ends(question, bits);
+    question->exists =
+        cylint_solid_is_bounded(solid) ? 3 : m_bits(v->exists[0]);
+    question->past[0] = m_bits(at.past.positive);
+    question->past[1] = m_bits(at.past.negative);
+    question->A = v_first(v->A.v);
+    return undecided(question, CYLINT_KNOWN_LINE);
+}
+
+/* The ends without which there is no answer. */
+INLINE unsigned ends_needed(hits h, end_bits e, unsigned want)
+{
+    const unsigned unknown = m_bits(h.unknown), first = 1u << e.back;
+    return want & CYLINT_WANT_NEAREST && m_bits(h.hit) & first ? unknown & first
+                                                               : unknown;
+}
+
+INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
+                           const asked *a, int solid)
+{
+    cylint_question *question = a->question;
+    if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid))
+        compute_balls(&v->ball, l);
+    const line_end e = end_number(l, v, 0, solid);
+    const estimate at = estimate_end(l, v, &e, solid);
+    const end_bits bits = bits_of_end(&e, l, v, a->shape, solid);
+    if (bits.present & ~m_bits(at.usable))
+        return undecided(question, CYLINT_KNOWN_NOTHING);
+    const root r = step_from(at.t, residual_at(in, l, at.t, &e, solid), &at);
+    const hits h = hits_of_roots(&r, l, m_from(bits.present));
+    if (!ends_needed(h, bits, a->want))
+        return write_hits(m_bits(h.hit), bits, &r, a, solid);
+    store_ends(question, bits);
+    question->nearest = m_bits(r.nearest);
+    v_store(question->t, at.t);
+    v_store(question->slope, at.slope);
+    v_store(question->inverse, at.inverse);
+    v_store(question->slope_error, at.slope_error);
+    v_store(question->curvature, at.curvature);
+    v_store(question->value, r.value);
+    v_store(question->tail, r.tail);
+    v_store(question->error, r.error);
+    v_store(question->low, r.low);
+    v_store(question->high, r.high);
+    return undecided(question, CYLINT_KNOWN_ROOTS);
+}
+
+#endif

@@ -1,0 +1,316 @@
+/*
+ * refine.h - questions that the kernels of one.c do not decide
+ *
+ * The signs of the line, or those at the ends of its domain, in pairs; then roots
+ * by a second step of Newton's on residuals in levels.
+ */
+#ifndef CYLINT_REFINE_H
+#define CYLINT_REFINE_H
+
+#include "levels.h"
+#include "one_answer.h"
+
+INLINE vd rounded(vpair x)
+{
+    return x.hi + x.lo;
+}
+
+/* What the stages in pairs take of the line in doubles. */
+INLINE void set_sizes(local_line *l, const cylint_question *q, int solid)
+{
+    const cylint_shape *shape = q->shape;
+    const int tapered = cylint_solid_is_tapered(solid);
+    const vd r = v_set(shape->r0), both = v_load(&shape->r0);
+    l->Q = v_set(q->Q);
+    l->D = v_set(q->D);
+    l->taper = v_set(tapered ? 1 + fabs(shape->local.slope) : 1);
+    l->unit = v_set(shape->local.error);
+    l->in.r = r;
+    l->ball_r[0] = v_if(tapered, both, r);
+    l->widest = v_if(tapered, v_max(both, v_turned(both)), r);
+    l->limit[0] = v_load(&q->line->tmin);
+    l->cap[0] = m_from(cylint_caps_present(shape->ends));
+}
+
+/* The planes and circles of the ends. */
+INLINE void set_planes(vpair z[1], vpair r[1], const pair_line *in,
+                       const cylint_shape *shape, int solid)
+{
+    const cylint_local *f = &shape->local;
+    z[0] = in->z[0];
+    r[0] = (vpair){v_if(cylint_solid_is_tapered(solid), v_load(&shape->r0),
+                        v_set(shape->r0)),
+                   v_set(0)};
+    if (solid == CYLINT_SOLID_ROUND_CONE) {
+        z[0] = vpair_add(z[0], vpair_mul(r[0], twice(f->sine, f->sine_lo)));
+        r[0] = vpair_mul(r[0], twice(f->cosine, f->cosine_lo));
+    }
+}
+
+INLINE vpair pairs_of_end(vpair x, int i)
+{
+    return (vpair){of_end(&x.hi, i), of_end(&x.lo, i)};
+}
+
+/* The line of the forms. */
+INLINE void set_pairs(line_pairs *x, const pair_line *in, vpair z, vpair r,
+                      const cylint_shape *shape, int solid)
+{
+    const int tapered = cylint_solid_is_tapered(solid);
+    EACH(i, 2) {
+        x->p[i] = (vpair){i ? q_high(in->p.hi) : q_low(in->p.hi),
+                          i ? q_high(in->p.lo) : q_low(in->p.lo)};
+        x->v[i] = (vpair){i ? q_high(in->v.hi) : q_low(in->v.hi),
+                          i ? q_high(in->v.lo) : q_low(in->v.lo)};
+    }
+    x->z = pairs_of_end(z, 0);
+    x->r = pairs_of_end(r, 0);
+    x->w = in->w;
+    x->slope = twice(tapered ? shape->local.slope : 0,
+                     tapered ? shape->local.slope_lo : 0);
+    set_products_pairs(x);
+}
+
+/* The forms in pairs, rounded; and the line rounded. */
+INLINE void forms_in_pairs(forms *f, balls *b, local_line *l,
+                           const pair_line *in, const cylint_shape *shape,
+                           int solid)
+{
+    const int tapered = cylint_solid_is_tapered(solid);
+    const int ball = cylint_solid_is_ball(solid);
+    const vpair ball_r = {l->ball_r[0], v_set(0)};
+    vpair z[1], r[1], Y[2] = {twice(0, 0), twice(0, 0)};
+    line_pairs x;
+    set_planes(z, r, in, shape, solid);
+    set_pairs(&x, in, z[0], r[0], shape, solid);
+    l->z[0] = rounded(z[0]);
+    l->in.w = rounded(x.w);
+    l->in.slope = x.slope.hi;
+    if (tapered)
+        set_Y_pairs(&x, Y);
+    EACH(i, 2)
+        f->Y[i] = v_if(tapered, rounded(Y[i]), v_set(0));
+    f->G = rounded(ball ? ball_g_pairs(&x, x.z, x.r) : G_pairs(&x, tapered, Y));
+    f->A = rounded(ball ? ball_A_pairs(&x) : A_pairs(&x, tapered));
+    f->B = rounded(ball ? ball_B_pairs(&x, x.z) : B_pairs(&x, tapered));
+    if (cylint_solid_is_nappe(solid))
+        f->T = rounded(T_pairs(&x, Y));
+    if (!cylint_solid_is_bounded(solid) || ball)
+        return;
+    f->E[0] = rounded(E_pairs(&x, z[0], r[0]));
+    f->N[0] = rounded(N_pairs(&x, z[0], r[0], tapered));
+    if (!cylint_solid_is_round(solid))
+        return;
+    const vd g = rounded(ball_g_pairs(&x, in->z[0], ball_r));
+    const vd B = rounded(ball_B_pairs(&x, in->z[0]));
+    set_balls(b, l, rounded(ball_A_pairs(&x)), &B, &g);
+}
+
+/* What the values lost when they were rounded, and A t as well where t is
+ * estimated. */
+INLINE void count_roundings(bounded_value *x, int roundings)
+{
+    x->e = v_sum_of(v_set(roundings * CYLINT_ROUNDING), v_abs(x->v), x->e);
+}
+
+INLINE void count_all_roundings(verdict *v, int solid)
+{
+    count_roundings(&v->G, 1);
+    count_roundings(&v->A, 2);
+    count_roundings(&v->B, 1);
+    if (!cylint_solid_is_round(solid) || cylint_solid_is_ball(solid))
+        return;
+    count_roundings(&v->ball.g[0], 1);
+    count_roundings(&v->ball.A, 2);
+    count_roundings(&v->ball.B[0], 1);
+}
+
+/* Of A t + B, which are rounded. */
+INLINE signs rounded_slope(bounded_value A, bounded_value B, vd t)
+{
+    const vd At = A.v * t;
+    return signs_of(At + B.v,
+                    v_sum_of(v_abs(t), A.e, B.e) +
+                        v_set(2 * CYLINT_ROUNDING) * (v_abs(At) + v_abs(B.v)));
+}
+
+/* The signs at the ends of the domain, in pairs, but for at->past.  What no lane
+ * needs is not computed. */
+INLINE void point_in_pairs(point_signs *at, const local_line *l,
+                           const pair_line *in, vd t, const cylint_shape *shape,
+                           int solid)
+{
+    const vd eZ = height_error(in, size_at(t, l));
+    const vm all = m_from(3), none = m_from(0);
+    vpair plane[1], r[1];
+    vm between = all;
+    at->side = at->rho = (signs){none, none};
+    EACH(i, 2)
+        at->above[i] = at->ball[i] = at->side;
+    if (cylint_solid_is_nappe(solid)) {
+        const vpair rho = moved(in->rho, in->growth, t);
+        at->rho = signs_of(rho.hi + rho.lo, l->taper * eZ);
+    }
+    if (cylint_solid_is_bounded(solid)) {
+        set_planes(plane, r, in, shape, solid);
+        EACH(i, 2)
+            at->above[i] =
+                signs_of(height_at(pairs_of_end(plane[0], i), in->w, t), eZ);
+        between = m_not(m_or(at->above[0].negative, at->above[1].positive));
+    }
+    if (cylint_solid_is_round(solid))
+        EACH(i, 2) {
+            const vm within = i ? at->above[1].negative : at->above[0].positive;
+            if (!cylint_solid_is_ball(solid) && !m_any(m_not(within)))
+                continue;
+            const bounded_value C =
+                square_residual(in, l, t, all, pairs_of_end(in->z[0], i),
+                                of_end(l->ball_r, i), solid);
+            at->ball[i] = signs_of(C.v, C.e);
+        }
+    if (cylint_solid_is_ball(solid) || !m_any(between))
+        return;
+    const bounded_value side =
+        square_residual(in, l, t, none, in->z[0], l->in.r, solid);
+    at->side = signs_of(side.v, side.e);
+}
+
+INLINE void set_past(point_signs *at, const local_line *l, const verdict *v,
+                     vd t, int solid)
+{
+    signs of_ball[2] = {{m_from(0), m_from(0)}, {m_from(0), m_from(0)}};
+    if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid))
+        EACH(i, 2) {
+            const bounded_value B = {of_end(&v->ball.B[0].v, i),
+                                     of_end(&v->ball.B[0].e, i)};
+            of_ball[i] = rounded_slope(v->ball.A, B, t);
+        }
+    at->past = past_chord(at, v, of_ball, rounded_slope(v->A, v->B, t),
+                          v_lt(l->in.w, v_set(0)), solid);
+}
+
+INLINE asked asked_by(cylint_question *q)
+{
+    return (asked){q->shape, q->line, q->want, q->answer, q};
+}
+
+/* The signs of a line in pairs, then its hits. */
+INLINE int refine_line(cylint_question *q, int solid)
+{
+    const cylint_shape *shape = q->shape;
+    const asked a = asked_by(q);
+    const source from = {shape, q->line};
+    local_line l;
+    pair_line in;
+    const bounded_value zero = {v_set(0), v_set(0)};
+    forms f;
+    verdict v = {.ball = {zero, {zero}, {zero}, 1},
+                 .chord = {m_from(0)},
+                 .exists = {m_from(3)}};
+    set_sizes(&l, q, solid);
+    load_pairs(&in, &from, 1, solid);
+    forms_in_pairs(&f, &v.ball, &l, &in, shape, solid);
+    v.G = bounded_G(&f, &l, solid);
+    judge(&v, &f, &l, solid);
+    if (m_bits(m_or(v.misses, v_lt(v.G.v, -v.G.e))) & 1)
+        return write_miss(q->answer);
+    const int sided = (m_bits(v.sided) & 1) != 0;
+    if (!(m_bits(v.crosses) & 1) ||
+        (!sided &&
+         (q->want & CYLINT_WANT_T || !is_plain(shape, q->want, solid))))
+        return undecided(q, CYLINT_KNOWN_USELESS);
+    count_all_roundings(&v, solid);
+    if (q->want & CYLINT_WANT_T)
+        return answer_by_roots(&l, &v, &in, &a, solid);
+    const line_end e = end_number(&l, &v, 0, solid);
+    const vd t = near_limit(l.limit[0]);
+    point_signs at;
+    point_in_pairs(&at, &l, &in, t, shape, solid);
+    set_past(&at, &l, &v, t, solid);
+    const place where = place_of(&at, &v, l.limit[0], solid);
+    return answer_by_places(&where, bits_of_end(&e, &l, &v, shape, solid), &a,
+                            solid);
+}
+
+/* The signs at the ends of the domain in pairs, of a line that crosses; on which
+ * side of the chord the ends lie is known. */
+INLINE int refine_ends(cylint_question *q, int solid)
+{
+    const asked a = asked_by(q);
+    const source from = {q->shape, q->line};
+    local_line l;
+    pair_line in;
+    verdict v;
+    point_signs at;
+    set_sizes(&l, q, solid);
+    const vd t = near_limit(l.limit[0]);
+    load_pairs(&in, &from, m_bits(v_eq(t, v_set(0))) != 3, solid);
+    v.exists[0] = m_from(q->exists);
+    v.A.v = v_set(q->A);
+    at.past = (signs){m_from(q->past[0]), m_from(q->past[1])};
+    point_in_pairs(&at, &l, &in, t, q->shape, solid);
+    const place where = place_of(&at, &v, l.limit[0], solid);
+    return answer_by_places(&where, stored_ends(q), &a, solid);
+}
+
+/* One function for all solids: a tenth of the code, and a third slower. */
+static int refine_any_line(cylint_question *q)
+{
+    return refine_line(q, q->shape->prepared);
+}
+
+/* A second step, with residuals in levels for the ends that are needed.  It begins
+ * at the root of the first or, if the first may have led so far that the slope
+ * differs there, at the estimate. */
+static int refine_roots(cylint_question *q)
+{
+    const cylint_shape *shape = q->shape;
+    const asked a = asked_by(q);
+    const int solid = shape->prepared;
+    const end_bits bits = stored_ends(q);
+    const estimate at = {.t = v_load(q->t),
+                         .slope = v_load(q->slope),
+                         .inverse = v_load(q->inverse),
+                         .slope_error = v_load(q->slope_error),
+                         .curvature = v_load(q->curvature)};
+    root r = {v_load(q->value), v_load(q->tail), v_load(q->error),
+              v_load(q->low),   v_load(q->high), m_from(q->nearest)};
+    local_line l;
+    set_sizes(&l, q, solid);
+    const vm present = m_from(q->present);
+    const unsigned needed =
+        ends_needed(hits_of_roots(&r, &l, present), bits, q->want);
+    const vd off = (r.error + v_abs(r.tail)) * at.curvature;
+    const vd start = v_select(
+        v_le(off, v_set(CYLINT_LOCAL_NEAR) * v_abs(at.slope)), r.value, at.t);
+    double t[2], residual[2] = {0, 0};
+    v_store(t, start);
+    /* nearly always one of them: no branch depends on which */
+    for (unsigned left = needed; left; left &= left - 1) {
+        const int i = (int)(left >> 1 & ~left);
+        residual[i] =
+            residual_in_levels(shape, q->line, t[i], (int)(q->top >> i & 1),
+                               (int)(q->on_end >> i & 1));
+    }
+    const double error = shape->local.error;
+    const vd value = v_load(residual), size = size_at(start, &l);
+    const vd wide = l.taper * size;
+    const vm plane =
+        m_and(m_from(q->on_end), m_from(cylint_solid_is_round(solid) ? 0 : 3));
+    const vd sizes = v_select(plane, size, wide * wide);
+    const bounded_value exact = {
+        value, v_set(CYLINT_LOCAL_LEVELS * error * error) * sizes +
+                   v_set(CYLINT_LOCAL_SCALING) * v_abs(value)};
+    const root better = step_from(start, exact, &at);
+    const vm m = m_from(needed);
+    r = (root){
+        v_select(m, better.value, r.value), v_select(m, better.tail, r.tail),
+        v_select(m, better.error, r.error), v_select(m, better.low, r.low),
+        v_select(m, better.high, r.high),   m_if(m, better.nearest, r.nearest)};
+    const hits h = hits_of_roots(&r, &l, present);
+    if (ends_needed(h, bits, q->want))
+        return CYLINT_UNDECIDED;
+    return write_hits(m_bits(h.hit), bits, &r, &a, solid);
+}
+
+#endif

@@ -1,0 +1,354 @@
+/*
+ * surfaces.h - the ends of the overlap of a line and a solid, as roots, in lanes
+ *
+ * An end lies on the lateral surface, on a plane or on a ball.  Its root is
+ * estimated in doubles and corrected by Newton's step on a residual in pairs.
+ * The bounds are those of error_bounds.h.
+ */
+#ifndef CYLINT_SURFACES_H
+#define CYLINT_SURFACES_H
+
+#include "kernel.h"
+
+/* ---------------------------------------------------------- the ends ---- */
+
+/* One end.  top: it is at z = 1; on_end: on the plane or the ball there, else on the
+ * lateral surface.  exits: 1 where the line leaves the quadric of its surface,
+ * -1 where it enters. */
+typedef struct {
+    vm top, on_end;
+    vd exits;
+} line_end;
+
+/* Lanes whose second end is the first in t: bounded, that the line goes down; of
+ * a double cone with A < 0 the root at which it leaves. */
+INLINE vm is_backward(const local_line *l, const verdict *v, int solid)
+{
+    if (solid == CYLINT_SOLID_DOUBLE_CONE)
+        return v_lt(v->A.v, v_set(0));
+    if (!cylint_solid_is_bounded(solid) || cylint_solid_is_ball(solid))
+        return m_from(0);
+    const vm down = v_lt(l->in.w, v_set(0));
+    return cylint_solid_is_round(solid) ? m_and_not(down, either_end(v->chord))
+                                        : down;
+}
+
+/* End k: wide the k-th in t, narrow in each lane one of both. */
+INLINE line_end end_number(const local_line *l, const verdict *v, int k,
+                           int solid)
+{
+    const int narrow = ENDS == 1;
+    const int bounded =
+        cylint_solid_is_bounded(solid) && !cylint_solid_is_ball(solid);
+    const vm back = is_backward(l, v, solid), last = last_end(k);
+    const vd order = ends_of(v_set(-1), v_set(1), k);
+    line_end e;
+    e.exits = v_if(narrow == bounded, v_select(back, -order, order), order);
+    e.top = narrow ? last : m_if(back, m_not(last), last);
+    e.on_end = m_from(0);
+    if (!bounded)
+        return e;
+    e.on_end = m_at_end(e.top, v->pierced);
+    if (cylint_solid_is_round(solid)) {
+        const vm in_ball = either_end(v->chord);
+        e.on_end = m_or(in_ball, e.on_end);
+        e.top = m_if(in_ball, m_of_end(v->chord, 1), e.top);
+    }
+    return e;
+}
+
+/* Of the ball of an end: narrow the lane need not be that of the ball. */
+INLINE vd of_ball(const line_end *e, const vd x[ENDS])
+{
+    return v_select(e->top, of_end(x, 1), of_end(x, 0));
+}
+
+/* --------------------------------------------------------- estimates ---- */
+
+/* A t^2 + 2 B t + C of a surface, and the radicand B^2 - A C. */
+typedef struct {
+    bounded_value A, B, radicand;
+} quadratic;
+
+INLINE bounded_value choose(vm m, bounded_value x, bounded_value y)
+{
+    return (bounded_value){v_select(m, x.v, y.v), v_select(m, x.e, y.e)};
+}
+
+/* Of a bounded value of each end: that of the end's ball. */
+INLINE bounded_value bounded_of_ball(const line_end *e,
+                                     const bounded_value x[ENDS])
+{
+    vd v[ENDS], error[ENDS];
+    EACH(k, ENDS) {
+        v[k] = x[k].v;
+        error[k] = x[k].e;
+    }
+    return (bounded_value){of_ball(e, v), of_ball(e, error)};
+}
+
+/* After compute_balls(). */
+INLINE quadratic quadratic_of_end(const verdict *v, const line_end *e,
+                                  int solid)
+{
+    const balls *b = &v->ball;
+    quadratic q = {v->A, v->B, v->G};
+    if (!cylint_solid_is_round(solid) || cylint_solid_is_ball(solid))
+        return q;
+    return (quadratic){choose(e->on_end, b->A, q.A),
+                       choose(e->on_end, bounded_of_ball(e, b->B), q.B),
+                       choose(e->on_end, bounded_of_ball(e, b->g), q.radicand)};
+}
+
+/* An estimate t of a root, and what Newton's step needs: the slope of the residual
+ * there, the inverse of the slope, a bound on its error, and half the
+ * curvature of the residual.  usable: t is nearer to its root than to the other
+ * one, or the surface is a plane.  The root is at most off / scale from t, if
+ * scale > 0. */
+typedef struct {
+    vd t, slope, inverse, slope_error, curvature, scale, off;
+    vm usable;
+} estimate;
+
+INLINE estimate estimate_end(const local_line *l, const verdict *v,
+                             const line_end *e, int solid)
+{
+    const int planes =
+        cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid);
+    const quadratic q = quadratic_of_end(v, e, solid);
+    const vd s = v_sqrt(q.radicand.v), root = e->exits * s;
+    vd num = root - q.B.v, den = q.A.v;
+    estimate at;
+    at.slope = root + root;
+    at.curvature = v_abs(q.A.v) + q.A.e;
+    if (planes) {
+        num = v_select(e->on_end, -at_end(e->top, l->z), num);
+        den = v_select(e->on_end, l->in.w, den);
+        at.slope = v_select(e->on_end, l->in.w, at.slope);
+        at.curvature = v_select(e->on_end, v_set(0), at.curvature);
+    }
+    at.inverse = v_set(1) / at.slope;
+    at.t = num * (v_set(1) / den);
+    /* 2 s has the error 2 e / s */
+    at.slope_error = v_set(4) * q.radicand.e * v_abs(at.inverse);
+    const vd off = v_sum_of(v_abs(at.t), q.A.e, q.B.e);
+    at.usable = m_and(v_le(off, v_set(0.25) * s),
+                      v_lt(v_set(4) * q.radicand.e, q.radicand.v));
+    /* A t + B = +-s: the error of s is at most e / s, half of slope_error.  The
+     * roundings are 4, of s, the difference and the quotient. */
+    at.scale = v_abs(q.A.v) - q.A.e;
+    at.off =
+        (off + at.slope_error) +
+        v_set(8 * CYLINT_ROUNDING) * v_sum_of(v_abs(at.t), v_abs(q.A.v), s);
+    if (planes) {
+        at.slope_error =
+            v_select(e->on_end, v_set(CYLINT_LOCAL_POSITION) * l->unit * l->D,
+                     at.slope_error);
+        const vd size = v_sum_of(v_abs(at.t), l->D, l->Q);
+        at.scale = v_select(e->on_end, v_abs(l->in.w), at.scale);
+        at.off =
+            v_select(e->on_end,
+                     v_set(2 * CYLINT_LOCAL_POSITION) * l->unit * size, at.off);
+        at.usable = m_or(at.usable, e->on_end);
+    }
+    return at;
+}
+
+/* --------------------------------------------------------- residuals ---- */
+
+/* x^2.  x.lo may be larger than a rounding of x.hi. */
+INLINE vpair vpair_square(vpair x)
+{
+    const vpair square = v_two_prod(x.hi, x.hi);
+    return (vpair){square.hi, v_sum_of(x.hi + x.hi + x.lo, x.lo, square.lo)};
+}
+
+/* z + t w, rounded: the error is relative to it, but for that of z and w. */
+INLINE vd height_at(vpair z, vpair w, vd t)
+{
+    const vd low = v_sum_of(t, w.lo, z.lo);
+#if V_HAS_FMA
+    return v_fma(t, w.hi, z.hi) + low;
+#else
+    const vpair step = v_two_prod(t, w.hi);
+    return (z.hi + step.hi) + (step.lo + low);
+#endif
+}
+
+/* Not less than any coordinate at t. */
+INLINE vd size_at(vd t, const local_line *l)
+{
+    return v_sum_of(v_abs(t), l->D, l->Q);
+}
+
+INLINE vd height_error(const pair_line *in, vd size)
+{
+    return v_set(CYLINT_LOCAL_RESIDUAL) * in->error * size;
+}
+
+/* |p|^2 in pairs, and |x| + |y|. */
+typedef struct {
+    vpair pp;
+    vd rest, across;
+} square_at;
+
+INLINE square_at square_across(const pair_line *in, vd t)
+{
+    const vq T = q_join(t, t), step = q_mul(T, in->v.hi);
+    const vq low = q_sum_of(T, in->v.lo, q_product_error(T, in->v.hi, step));
+    const vqpair sum = q_two_sum(in->p.hi, step);
+    const vqpair p = {sum.hi, q_add(sum.lo, q_add(in->p.lo, low))};
+    const vq squares = q_mul(p.hi, p.hi), size = q_abs(p.hi);
+    const vq rest = q_sum_of(q_add(q_add(p.hi, p.hi), p.lo), p.lo,
+                             q_product_error(p.hi, p.hi, squares));
+    return (square_at){v_two_sum(q_low(squares), q_high(squares)),
+                       q_low(rest) + q_high(rest), q_low(size) + q_high(size)};
+}
+
+/* x where m, else 0. */
+INLINE vpair pair_where(vm m, vpair x)
+{
+    return (vpair){v_select(m, x.hi, v_set(0)), v_select(m, x.lo, v_set(0))};
+}
+
+/*
+ * The residual of the lateral surface at t, |p|^2 - rho^2, or of the ball of
+ * radius r, |p|^2 + z^2 - r^2, in lanes of on_ball.  Near a root the high parts
+ * cancel.
+ */
+INLINE bounded_value square_residual(const pair_line *in, const local_line *l,
+                                     vd t, vm on_ball, vpair ball_z, vd ball_r,
+                                     int solid)
+{
+    const int round = cylint_solid_is_round(solid);
+    const int tapered = cylint_solid_is_tapered(solid);
+    square_at at = square_across(in, t);
+    vpair rho2, r = {ball_r, v_set(0)};
+    vd taken = at.pp.hi, rest = at.pp.lo + at.rest;
+    if (round && (V_HAS_FMA || m_any(on_ball))) {
+        const vpair z = pair_where(on_ball, moved(ball_z, in->w, t));
+        const vpair zz = vpair_square(z), all = v_two_sum(taken, zz.hi);
+        taken = all.hi;
+        rest = rest + (all.lo + zz.lo);
+        at.across = at.across + v_abs(z.hi);
+    }
+    if (tapered) {
+        const vpair rho = moved(in->rho, in->growth, t);
+        if (round)
+            r = (vpair){v_select(on_ball, r.hi, rho.hi),
+                        v_select(on_ball, r.lo, rho.lo)};
+        else
+            r = rho;
+        rho2 = vpair_square(r);
+        at.across = at.across + v_abs(r.hi);
+    } else {
+        rho2 = v_two_prod(in->rho.hi, in->rho.hi);
+    }
+    const vd most = l->taper * size_at(t, l), off = height_error(in, most);
+    return (bounded_value){
+        (taken - rho2.hi) + (rest - rho2.lo),
+        off * v_sum_of(v_set(CYLINT_LOCAL_UNTRIMMED), most, at.across + off)};
+}
+
+INLINE bounded_value residual_at(const pair_line *in, const local_line *l, vd t,
+                                 const line_end *e, int solid)
+{
+    vd hi[ENDS], lo[ENDS];
+    EACH(k, ENDS) {
+        hi[k] = in->z[k].hi;
+        lo[k] = in->z[k].lo;
+    }
+    if (cylint_solid_is_round(solid)) {
+        const int ball = cylint_solid_is_ball(solid);
+        const vpair z = {v_if(ball, of_end(hi, 0), of_ball(e, hi)),
+                         v_if(ball, of_end(lo, 0), of_ball(e, lo))};
+        const vd r = v_if(ball, l->in.r, of_ball(e, l->ball_r));
+        return square_residual(in, l, t, ball ? m_not(m_from(0)) : e->on_end, z,
+                               r, solid);
+    }
+    const bounded_value side =
+        square_residual(in, l, t, e->on_end, in->z[0], l->in.r, solid);
+    if (!cylint_solid_is_bounded(solid))
+        return side;
+    const vpair z = {at_end(e->top, hi), at_end(e->top, lo)};
+    const bounded_value plane = {height_at(z, in->w, t),
+                                 height_error(in, size_at(t, l))};
+    return choose(e->on_end, plane, side);
+}
+
+/* ------------------------------------------------------ Newton's step --- */
+
+#define FORM(name) name##_lanes
+#define NEWTON_INLINE INLINE
+#define NUM vd
+#define ABS(x) v_abs(x)
+#define CONSTANT(x) v_set(x)
+#define SUM_OF(x, y, z) v_sum_of(x, y, z)
+#define QUOTIENT(x, y, inverse) ((x) * (inverse))
+#define SLACK CYLINT_LOCAL_SLACK
+#include "../roots/newton_template.h"
+
+/* A root: value + tail with the error; low and high are bounds that are rounded.
+ * nearest: value is certainly the nearest double. */
+typedef struct {
+    vd value, tail, error, low, high;
+    vm nearest;
+} root;
+
+/* From the estimate, or from t near it.  The difference of t and the step has no
+ * error or, where the step is larger than t, one rounding of it. */
+INLINE root step_from(vd t, bounded_value residual, const estimate *at)
+{
+    /* in multiples of CYLINT_LOCAL_DISTANCE, the curvature in its square */
+    const vd distance = v_sum_of(residual.e, v_abs(at->inverse),
+                                 v_abs(residual.v * at->inverse));
+    const newton_lanes step = newton_step_lanes(
+        residual.v, residual.e, at->slope, at->slope_error,
+        v_set(CYLINT_LOCAL_DISTANCE * CYLINT_LOCAL_DISTANCE) * at->curvature,
+        distance);
+    root r;
+    r.value = t - step.delta;
+    r.tail = (t - r.value) - step.delta;
+    r.error = step.error;
+    r.low = r.value + (r.tail - step.error);
+    r.high = r.value + (r.tail + step.error);
+    const vd size = v_abs(r.value);
+    const vm in_range = m_and(v_lt(size, v_set(1 / CYLINT_ROOT_LEAST)),
+                              v_lt(v_set(CYLINT_ROOT_LEAST), size));
+    r.nearest =
+        m_and(m_and(v_eq(r.low, r.value), v_eq(r.high, r.value)), in_range);
+    return r;
+}
+
+/* -------------------------------------------------------------- hits ---- */
+
+/* An end as a hit: certainly in the domain, or not certainly outside it. */
+typedef struct {
+    vm hit, unknown;
+} hits;
+
+/* present: on a part that is present. */
+INLINE hits hits_of_roots(const root *r, const local_line *l, vm present)
+{
+    const vd tmin = of_end(l->limit, 0), tmax = of_end(l->limit, 1);
+    const vm in =
+        m_and(m_and(v_lt(tmin, r->low), v_lt(r->high, tmax)), r->nearest);
+    const vm out = m_or(v_lt(r->high, tmin), v_lt(tmax, r->low));
+    return (hits){m_and(present, in), m_and_not(present, m_or(in, out))};
+}
+
+/* The ends on parts that are present. */
+INLINE vm is_present(const local_line *l, const verdict *v, const line_end *e,
+                     int k, int solid)
+{
+    if (cylint_solid_is_ball(solid))
+        return m_not(m_from(0));
+    if (!cylint_solid_is_bounded(solid))
+        return v->exists[k];
+    const vm cap = cylint_solid_is_round(solid)
+                       ? m_if(e->top, m_of_end(l->cap, 1), m_of_end(l->cap, 0))
+                       : m_at_end(e->top, l->cap);
+    return m_or(m_not(e->on_end), cap);
+}
+
+#endif
