@@ -205,14 +205,14 @@ int cylint_contains(const cylint_shape *shape, const double point[3])
         return cylint_round_contains(&q);
     int within = 1; /* the least of the signs */
     if (cylint_ends_are_planes(q.ends)) {
-        const int above = cylint_sign_alpha(&q, 0);
-        const int below = -cylint_sign_alpha(&q, 1);
+        const int above = cylint_form_sign(&q, FORM_ALPHA, 0);
+        const int below = -cylint_form_sign(&q, FORM_ALPHA, 1);
         within = above < below ? above : below;
     } else if (q.ends == CYLINT_ENDS_NAPPE) {
-        within = cylint_sign_rho0(&q);
+        within = cylint_form_sign(&q, FORM_RHO0, 0);
     }
     if (within < 0)
         return -1;
-    const int lateral_sign = -cylint_sign_C(&q);
+    const int lateral_sign = -cylint_form_sign(&q, FORM_C, 0);
     return lateral_sign < within ? lateral_sign : within;
 }

@@ -53,12 +53,13 @@ static int is_beyond_part(const search *s, const double p[3])
     cylint_query_open(&q, shape, &line);
     switch (s->part) {
     case CYLINT_PART_CAP0:
-        return cylint_sign_alpha(&q, 0) < 0;
+        return cylint_form_sign(&q, FORM_ALPHA, 0) < 0;
     case CYLINT_PART_CAP1:
-        return cylint_sign_alpha(&q, 1) > 0;
+        return cylint_form_sign(&q, FORM_ALPHA, 1) > 0;
     default:
-        return cylint_sign_C(&q) > 0 ||
-               (cylint_is_tapered(shape->kind) && cylint_sign_rho0(&q) < 0);
+        return cylint_form_sign(&q, FORM_C, 0) > 0 ||
+               (cylint_is_tapered(shape->kind) &&
+                cylint_form_sign(&q, FORM_RHO0, 0) < 0);
     }
 }
 

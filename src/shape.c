@@ -169,7 +169,7 @@ static int sign_of_overhang(const cylint_shape *shape)
     cylint_line line;
     cylint_query q;
     open_any_line(&q, shape, &line);
-    return cylint_sign_S(&q);
+    return cylint_form_sign(&q, FORM_ROOT_OF_S, 0);
 }
 
 cylint_status cylint_sphere(cylint_shape *shape, const double c[3], double r,
@@ -216,7 +216,7 @@ static int orientation(const cylint_shape *shape)
     cylint_line line;
     cylint_query q;
     open_any_line(&q, shape, &line);
-    return cylint_sign_det(&q);
+    return cylint_form_sign(&q, FORM_ROOT_OF_S, 0);
 }
 
 cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],

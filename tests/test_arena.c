@@ -134,26 +134,11 @@ static void make(int kind, int segment, cylint_shape *s, cylint_line *l)
 
 static void compute_signs(cylint_query *q)
 {
-    for (int cap = 0; cap < 2; cap++) {
-        cylint_sign_alpha(q, cap);
-        cylint_sign_E(q, cap);
-        cylint_sign_N(q, cap);
-    }
-    cylint_sign_beta(q);
-    cylint_sign_det(q);
-    cylint_sign_along(q);
-    cylint_sign_G(q);
-    cylint_sign_A(q);
-    cylint_sign_B(q);
-    cylint_sign_C(q);
-    if (cylint_is_round(q->kind)) {
-        cylint_sign_S(q);
-        cylint_sign_end_ball(q, 0);
-        cylint_sign_end_ball(q, 1);
-        return;
-    }
-    cylint_sign_T(q);
-    cylint_sign_rho0(q);
+    const int round = cylint_is_round(q->kind);
+    for (cylint_form f = 0; f < CYLINT_FORMS; f++)
+        for (int end = 0; end < 2; end++)
+            if (round ? f != FORM_T && f != FORM_RHO0 : f != FORM_END_BALL)
+                cylint_form_sign(q, f, end);
 }
 
 /* Computes t, compares it with a number, and writes all members of a hit.  The

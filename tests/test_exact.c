@@ -312,18 +312,19 @@ static int made(const wild *c, int kind, cylint_shape *s, cylint_line *l)
 static int exists(cylint_query *q, cylint_root root)
 {
     const int linear = !cylint_is_tapered(q->kind) || cylint_is_round(q->kind);
-    const int G = cylint_sign_G(q), A = cylint_sign_A(q);
+    const int G = cylint_form_sign(q, FORM_G, 0),
+              A = cylint_form_sign(q, FORM_A, 0);
     switch (root) {
     case ROOT_ENTRY:
-        return G > 0 && (A != 0 || cylint_sign_B(q) < 0);
+        return G > 0 && (A != 0 || cylint_form_sign(q, FORM_B, 0) < 0);
     case ROOT_EXIT:
-        return G > 0 && (A != 0 || cylint_sign_B(q) > 0);
+        return G > 0 && (A != 0 || cylint_form_sign(q, FORM_B, 0) > 0);
     case ROOT_DOUBLE:
         return G == 0 && A != 0;
     case ROOT_APEX:
-        return !linear && cylint_sign_beta(q) != 0;
+        return !linear && cylint_form_sign(q, FORM_BETA, 0) != 0;
     default:
-        return cylint_sign_beta(q) != 0;
+        return cylint_form_sign(q, FORM_BETA, 0) != 0;
     }
 }
 
@@ -341,19 +342,19 @@ static int limbs_used(const wild *c, int kind)
     cylint_load_exact(q);
     q->filters = 0; /* nothing is decided before the exact stage */
     for (int cap = 0; cap < 2; cap++) {
-        cylint_sign_alpha(q, cap);
-        cylint_sign_E(q, cap);
-        cylint_sign_N(q, cap);
+        cylint_form_sign(q, FORM_ALPHA, cap);
+        cylint_form_sign(q, FORM_E, cap);
+        cylint_form_sign(q, FORM_N, cap);
     }
-    cylint_sign_C(q);
+    cylint_form_sign(q, FORM_C, 0);
     if (cylint_is_round(q->kind)) {
-        cylint_sign_end_ball(q, 0);
-        cylint_sign_end_ball(q, 1);
+        cylint_form_sign(q, FORM_END_BALL, 0);
+        cylint_form_sign(q, FORM_END_BALL, 1);
     } else {
-        cylint_sign_T(q);
-        cylint_sign_rho0(q);
+        cylint_form_sign(q, FORM_T, 0);
+        cylint_form_sign(q, FORM_RHO0, 0);
     }
-    cylint_sign_along(q);
+    cylint_form_sign(q, FORM_ALONG, 0);
     for (cylint_root root = ROOT_ENTRY; root <= ROOT_CAP1; root++) {
         double t = 0, more = 0;
         if (!exists(q, root))

@@ -76,77 +76,19 @@ static void load(terms_depth *L, int kind, arithmetic in)
     prepare_top_depth(L);
 }
 
-/* All polynomials whose value or sign the library computes. */
-typedef enum {
-    ALPHA_0,
-    ALPHA_1,
-    BETA,
-    ALONG,
-    ROOT_OF_S,
-    RHO_0,
-    RHO_1,
-    E_0,
-    E_1,
-    N_0,
-    N_1,
-    G,
-    A,
-    B,
-    C,
-    T,
-    BALL,
-    HEIGHT,
-    HEIGHT_UNIT,
-    FORMS
-} form;
+/* All polynomials whose value or sign the library computes: those of
+ * cylint_form, at both ends, and these two. */
+enum { HEIGHT = CYLINT_FORMS, HEIGHT_UNIT, FORMS };
 
 static const char *const form_name[FORMS] = {
-    "alpha0", "alpha1", "beta", "along",  "det or vv", "rho0", "rho1",
-    "E0",     "E1",     "N0",   "N1",     "G",         "A",    "B",
-    "C",      "T",      "ball", "height", "unit"};
+    "alpha", "det or vv", "C", "rho0", "beta", "rho1", "along",  "E",
+    "N",     "G",         "A", "B",    "T",    "ball", "height", "unit"};
 
-static int depth_of(const terms_depth *L, form f)
+static int depth_of(const terms_depth *L, int f, int end)
 {
-    switch (f) {
-    case ALPHA_0:
-        return form_alpha_depth(L, 0);
-    case ALPHA_1:
-        return form_alpha_depth(L, 1);
-    case BETA:
-        return form_beta_depth(L);
-    case ALONG:
-        return form_along_depth(L);
-    case ROOT_OF_S:
-        return form_root_of_S_depth(L);
-    case RHO_0:
-        return form_rho0_depth(L);
-    case RHO_1:
-        return form_rho1_depth(L);
-    case E_0:
-        return form_E_depth(L, 0);
-    case E_1:
-        return form_E_depth(L, 1);
-    case N_0:
-        return form_N_depth(L, 0);
-    case N_1:
-        return form_N_depth(L, 1);
-    case G:
-        return form_G_depth(L);
-    case A:
-        return form_A_depth(L);
-    case B:
-        return form_B_depth(L);
-    case C:
-        return form_C_depth(L);
-    case T:
-        return form_T_depth(L);
-    case BALL:
-        return form_end_ball_depth(L, 1);
-    case HEIGHT:
-        return form_height_depth(L, 1);
-    default:
-        return form_height_unit_depth(L);
-    }
+    return f == HEIGHT        ? form_height_depth(L, 1)
+           : f == HEIGHT_UNIT ? form_height_unit_depth(L)
+                              : form_depth(L, (cylint_form)f, end);
 }
 
 /* The table of one arithmetic; returns its largest entry. */
@@ -159,12 +101,12 @@ static int deepest(arithmetic in, const char *title)
     printf("note: %-12s", title);
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++)
         printf(" %9s", kind_name[kind]);
-    for (form f = ALPHA_0; f < FORMS; f++) {
+    for (int f = 0; f < FORMS; f++) {
         printf("\nnote: %-12s", form_name[f]);
         for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
             terms_depth L;
             load(&L, kind, in);
-            const int depth = depth_of(&L, f);
+            const int depth = longer(depth_of(&L, f, 0), depth_of(&L, f, 1));
             most = longer(most, depth);
             printf(" %9d", depth);
         }
@@ -208,7 +150,7 @@ static void values_at_a_point_of_the_line_are_no_deeper(void)
         about_axis_depth(&L, 0, &facts[3], &facts[4]);
         for (int i = 0; i < 5; i++)
             most = longer(most, facts[i]);
-        most = longer(most, form_C_depth(&L));
+        most = longer(most, form_depth(&L, FORM_C, 0));
     }
     printf("note: Q, its gradient and the angle at D + t u: %d\n", most);
     CHECK(most <= CYLINT_DEPTH);
@@ -281,20 +223,11 @@ static void load_window(terms_sized *L, int kind)
 
 static double lost(const terms_sized *L)
 {
-    const sized of_form[FORMS] = {
-        form_alpha_sized(L, 0),    form_alpha_sized(L, 1),
-        form_beta_sized(L),        form_along_sized(L),
-        form_root_of_S_sized(L),   form_rho0_sized(L),
-        form_rho1_sized(L),        form_E_sized(L, 0),
-        form_E_sized(L, 1),        form_N_sized(L, 0),
-        form_N_sized(L, 1),        form_G_sized(L),
-        form_A_sized(L),           form_B_sized(L),
-        form_C_sized(L),           form_T_sized(L),
-        form_end_ball_sized(L, 1), form_height_sized(L, 1),
-        form_height_unit_sized(L)};
-    double most = 0;
-    for (form f = ALPHA_0; f < FORMS; f++)
-        most = fmax(most, of_form[f].off);
+    double most =
+        fmax(form_height_sized(L, 1).off, form_height_unit_sized(L).off);
+    for (cylint_form f = 0; f < CYLINT_FORMS; f++)
+        for (int end = 0; end < 2; end++)
+            most = fmax(most, form_sized(L, f, end).off);
     return most;
 }
 

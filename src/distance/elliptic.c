@@ -576,10 +576,11 @@ static int feature_on_boundary(const cylint_shape *shape, const double point[3])
     cylint_whole_line(&line, point, along);
     cylint_query_open(&q, shape, &line);
     const int bounded = cylint_is_bounded(shape);
-    const int at0 = bounded && cylint_sign_alpha(&q, 0) == 0;
-    const int at1 = bounded && !at0 && cylint_sign_alpha(&q, 1) == 0;
-    if (cylint_sign_C(&q) == 0) {
-        if (cylint_is_tapered(shape->kind) && cylint_sign_rho0(&q) == 0)
+    const int at0 = bounded && cylint_form_sign(&q, FORM_ALPHA, 0) == 0;
+    const int at1 = bounded && !at0 && cylint_form_sign(&q, FORM_ALPHA, 1) == 0;
+    if (cylint_form_sign(&q, FORM_C, 0) == 0) {
+        if (cylint_is_tapered(shape->kind) &&
+            cylint_form_sign(&q, FORM_RHO0, 0) == 0)
             return CYLINT_FEATURE_APEX;
         return at0   ? CYLINT_FEATURE_RIM0
                : at1 ? CYLINT_FEATURE_RIM1

@@ -376,8 +376,9 @@ static void point_in_full(cylint_query *q, surd *t, unsigned left,
 /* The axis's direction or its opposite. */
 static int apex_sign(cylint_query *q)
 {
-    const int along =
-        q->ends == CYLINT_ENDS_INFINITE ? cylint_sign_along(q) : 0;
+    const int along = q->ends == CYLINT_ENDS_INFINITE
+                          ? cylint_form_sign(q, FORM_ALONG, 0)
+                          : 0;
     return cylint_apex_normal_sign(q->shape, along);
 }
 

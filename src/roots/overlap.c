@@ -17,7 +17,7 @@ int cylint_radius_is_zero(const cylint_query *q, int cap)
 /* Q <= 0 on one interval between its roots: a chord, a point or nothing. */
 cylint_overlap cylint_chord_overlap(cylint_query *q, int relation, int apex)
 {
-    const int G = cylint_sign_G(q);
+    const int G = cylint_form_sign(q, FORM_G, 0);
     if (G < 0)
         return cylint_no_overlap();
     if (G == 0)
@@ -30,10 +30,10 @@ cylint_overlap cylint_chord_overlap(cylint_query *q, int relation, int apex)
 /* The line runs parallel to the caps. */
 static cylint_overlap level(cylint_query *q)
 {
-    const int above0 = cylint_sign_alpha(q, 0);
+    const int above0 = cylint_form_sign(q, FORM_ALPHA, 0);
     if (above0 < 0)
         return cylint_no_overlap();
-    const int above1 = cylint_sign_alpha(q, 1);
+    const int above1 = cylint_form_sign(q, FORM_ALPHA, 1);
     if (above1 > 0)
         return cylint_no_overlap();
     if (above0 != 0 && above1 != 0)
@@ -54,14 +54,14 @@ enum { UNKNOWN = 2 };
 static int inward_sign(cap_signs *c, int cap)
 {
     if (c->inward[cap] == UNKNOWN)
-        c->inward[cap] = (cap ? 1 : -1) * cylint_sign_N(c->q, cap);
+        c->inward[cap] = (cap ? 1 : -1) * cylint_form_sign(c->q, FORM_N, cap);
     return c->inward[cap];
 }
 
 static int sign_G(cap_signs *c)
 {
     if (c->G == UNKNOWN)
-        c->G = cylint_sign_G(c->q);
+        c->G = cylint_form_sign(c->q, FORM_G, 0);
     return c->G;
 }
 
@@ -113,10 +113,11 @@ static cylint_overlap touch_rim(const cap_signs *c, int cap)
  * it. */
 static cylint_overlap slab(cylint_query *q, int up)
 {
-    cap_signs c = {q,
-                   {cylint_sign_E(q, 0), cylint_sign_E(q, 1)},
-                   {UNKNOWN, UNKNOWN},
-                   UNKNOWN};
+    cap_signs c = {
+        q,
+        {cylint_form_sign(q, FORM_E, 0), cylint_form_sign(q, FORM_E, 1)},
+        {UNKNOWN, UNKNOWN},
+        UNKNOWN};
     const cylint_stop begin = stop_at(&c, up, 0), end = stop_at(&c, up, 1);
     if (crosses_exactly(&c))
         return cylint_two_stops(CYLINT_RELATION_CROSS, begin, end);
@@ -132,14 +133,14 @@ static cylint_overlap slab(cylint_query *q, int up)
 
 static cylint_overlap bounded(cylint_query *q)
 {
-    const int up = cylint_sign_beta(q);
+    const int up = cylint_form_sign(q, FORM_BETA, 0);
     return up == 0 ? level(q) : slab(q, up > 0);
 }
 
 /* A line parallel to the axis of a whole cylinder, or to a ruling. */
 static cylint_overlap parallel(cylint_query *q)
 {
-    const int C = cylint_sign_C(q);
+    const int C = cylint_form_sign(q, FORM_C, 0);
     cylint_overlap v = cylint_no_overlap();
     v.relation = C < 0    ? CYLINT_RELATION_CROSS
                  : C == 0 ? CYLINT_RELATION_ALONG
@@ -149,26 +150,26 @@ static cylint_overlap parallel(cylint_query *q)
 
 static cylint_overlap whole_cylinder(cylint_query *q)
 {
-    return cylint_sign_A(q) == 0
+    return cylint_form_sign(q, FORM_A, 0) == 0
                ? parallel(q)
                : cylint_chord_overlap(q, CYLINT_RELATION_CROSS, 0);
 }
 
 static cylint_overlap double_cone(cylint_query *q)
 {
-    const int A = cylint_sign_A(q);
+    const int A = cylint_form_sign(q, FORM_A, 0);
     if (A > 0) {
         cylint_overlap v = cylint_chord_overlap(q, CYLINT_RELATION_CROSS, 0);
         if (v.n == 1)
-            v.at[0].apex = cylint_sign_T(q) == 0;
+            v.at[0].apex = cylint_form_sign(q, FORM_T, 0) == 0;
         return v;
     }
-    if (cylint_sign_G(q) == 0)
+    if (cylint_form_sign(q, FORM_G, 0) == 0)
         return A < 0 ? cylint_one_stop(CYLINT_RELATION_CROSS, ROOT_DOUBLE,
                                        CYLINT_SIDE_BOTH, 1)
                      : parallel(q);
     if (A == 0)
-        return cylint_sign_B(q) > 0
+        return cylint_form_sign(q, FORM_B, 0) > 0
                    ? cylint_one_stop(CYLINT_RELATION_CROSS, ROOT_EXIT,
                                      CYLINT_SIDE_LEAVING, 0)
                    : cylint_one_stop(CYLINT_RELATION_CROSS, ROOT_ENTRY,
@@ -184,27 +185,28 @@ static cylint_overlap double_cone(cylint_query *q)
 /* The nappe where rho >= 0. */
 static cylint_overlap nappe(cylint_query *q)
 {
-    const int A = cylint_sign_A(q);
+    const int A = cylint_form_sign(q, FORM_A, 0);
     if (A > 0) {
-        const int G = cylint_sign_G(q);
+        const int G = cylint_form_sign(q, FORM_G, 0);
         if (G < 0)
             return cylint_no_overlap();
-        const int T = cylint_sign_T(q);
+        const int T = cylint_form_sign(q, FORM_T, 0);
         return T < 0 ? cylint_no_overlap()
                      : cylint_chord_overlap(q, CYLINT_RELATION_CROSS, T == 0);
     }
     /* A <= 0: rho changes along the line, and grows with t or shrinks */
-    const int grows = cylint_sign_beta(q) * cylint_sign(q->shape->dr);
+    const int grows =
+        cylint_form_sign(q, FORM_BETA, 0) * cylint_sign(q->shape->dr);
     const int side = grows > 0 ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
     const cylint_root root = grows > 0 ? ROOT_ENTRY : ROOT_EXIT;
-    if (cylint_sign_G(q) == 0) {
+    if (cylint_form_sign(q, FORM_G, 0) == 0) {
         if (A < 0)
             return cylint_one_stop(CYLINT_RELATION_CROSS, ROOT_APEX, side, 1);
-        return cylint_sign_C(q) == 0
+        return cylint_form_sign(q, FORM_C, 0) == 0
                    ? cylint_one_stop(CYLINT_RELATION_ALONG, ROOT_APEX, side, 1)
                    : cylint_no_overlap();
     }
-    if (A == 0 && cylint_sign_B(q) * grows > 0)
+    if (A == 0 && cylint_form_sign(q, FORM_B, 0) * grows > 0)
         return cylint_no_overlap(); /* the half-line lies in the other nappe */
     return cylint_one_stop(CYLINT_RELATION_CROSS, root, side, 0);
 }

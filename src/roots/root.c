@@ -17,8 +17,6 @@
  */
 #include "roots.h"
 
-#include "../signs/radical.h"
-
 /* Certain if |t - (hi + lo)| <= error makes hi the nearest double.  In other
  * rounding modes neither these additions nor the error bounds are valid. */
 static int rounds_to_hi(pair t, double error)
@@ -27,69 +25,123 @@ static int rounds_to_hi(pair t, double error)
            cylint_rounds_to_nearest();
 }
 
-/* ---------------------------------------------- doubles and pairs ------ */
+/* ------------------------------------------------------ quotients ------ */
 
-static double double_sqrt(double x)
+/* A form, or a number computed from forms in pairs.  A root has first forms in
+ * doubles, which are fast, then in pairs. */
+typedef struct {
+    pair v;
+    double error;
+} number;
+
+typedef enum { IN_DOUBLES, IN_PAIRS } form_arithmetic;
+
+static number number_of(cylint_query *q, form_arithmetic in, cylint_form f,
+                        int end)
 {
-    return sqrt(x);
+    if (in == IN_PAIRS) {
+        const bounded_pair x =
+            cylint_form_pair(cylint_load_pair_moments(q), f, end);
+        return (number){x.v, bounded_pair_error(x)};
+    }
+    const bounded_double x =
+        form_bounded(end ? cylint_load_top(q) : &q->bounded_terms, f, end);
+    return (number){{x.v, 0}, bounded_error(x)};
 }
 
-#define NUM bounded_double
-#define VALUE double
-#define HIGH(v) (v)
-#define OF(x) (x).v
-#define FORM(name) name##_bounded
-#define V_ADD(x, y) ((x) + (y))
-#define V_MUL(x, y) ((x) * (y))
-#define V_NEG(x) (-(x))
-#define V_SQRT(x) double_sqrt(x)
-#define ERROR(x) bounded_error(x)
-#define ROUNDING CYLINT_RADICAL_ROUNDING
-#include "root_quotient_template.h"
-#define NUM bounded_pair
-#define VALUE pair
-#define HIGH(x) ((x).hi)
-#define OF(x) (x).v
-#define FORM(name) cylint_##name##_pair
-#define V_ADD(x, y) pair_add(x, y)
-#define V_MUL(x, y) pair_mul(x, y)
-#define V_NEG(x) pair_neg(x)
-#define V_SQRT(x) pair_sqrt(x)
-#define ERROR(x) bounded_pair_error(x)
-#define ROUNDING CYLINT_PAIR_RADICAL_ROUNDING
-#include "root_quotient_template.h"
+static double relative_error(number x)
+{
+    return x.error / fabs(x.v.hi);
+}
 
-/* A root in doubles, its slope, and bounds on their errors. */
-typedef struct {
-    double t, error;    /* absolute */
-    double slope;       /* A t + B at the root */
-    double slope_error; /* relative */
-    double curvature;   /* at least |A| */
-} estimate;
+/* x / y.  Relative errors are added to first order: CYLINT_ROOT_SLACK covers
+ * their products, each of which is below 2^-10.  A larger error is unknown. */
+static number quotient(number x, number y)
+{
+    const pair t = pair_div(x.v, y.v);
+    const double error = relative_error(x) + relative_error(y);
+    return (number){t, error < CYLINT_FIRST_ORDER
+                           ? CYLINT_ROOT_SLACK * fabs(t.hi) *
+                                 (error + CYLINT_PAIR_RADICAL_ROUNDING)
+                           : HUGE_VAL};
+}
 
-/* Whether doubles or pairs can compute the root, as a quotient. */
+static number negative(number x)
+{
+    return (number){pair_neg(x.v), x.error};
+}
+
+/* R = sqrt(S G), with an unknown error unless G is certainly positive. */
+static number radical_of(cylint_query *q, form_arithmetic in)
+{
+    const number G = number_of(q, in, FORM_G, 0);
+    const number S = number_of(q, in, FORM_ROOT_OF_S, 0);
+    /* mutant '&&' -> '||': roots are computed where G > 0, and pairs that
+     * compute G <= 0 decide nothing */
+    /* mutant '>' -> '<': slower, the next stage decides */
+    if (!(G.v.hi > 0 && relative_error(G) < CYLINT_FIRST_ORDER))
+        return (number){G.v, HUGE_VAL};
+    /* without a square, S G may have underflowed */
+    const pair R = CYLINT_RADICAL(q->kind, S.v, G.v, pair_mul, pair_sqrt);
+    if (!cylint_S_is_square(q->kind) && !(R.hi > CYLINT_RADICAL_LEAST))
+        return (number){R, HUGE_VAL};
+    return (number){R, R.hi * (relative_error(G) + relative_error(S) +
+                               CYLINT_PAIR_RADICAL_ROUNDING)};
+}
+
+/* |B| + R, which one of the two forms of a root divides by.  *near: the other
+ * number of that form is C, for of the two roots this one is nearer to the
+ * line's origin. */
+static number divisor(cylint_query *q, form_arithmetic in, int exits, number *R,
+                      int *near)
+{
+    const number B = number_of(q, in, FORM_B, 0);
+    *R = radical_of(q, in);
+    /* mutant '<' -> '<=': for B = 0 either sign is right */
+    const int falls = B.v.hi < 0;
+    const pair sum = pair_add(R->v, falls ? pair_neg(B.v) : B.v);
+    *near = falls != exits;
+    return (number){sum, B.error + R->error +
+                             CYLINT_PAIR_RADICAL_ROUNDING * fabs(sum.hi)};
+}
+
+/* Whether the root is a quotient of pairs. */
 static int is_quotient(const cylint_query *q, cylint_root root)
 {
-    return q->filters && root != ROOT_APEX;
+    return q->pairs && root != ROOT_APEX;
 }
 
-static estimate estimate_of(cylint_query *q, cylint_root root)
+/* Such a root, and half the slope of Q at it, if the root is of Q. */
+typedef struct {
+    number t, slope;
+} estimate;
+
+static const number unknown = {{0, 0}, HUGE_VAL};
+
+static estimate root_by_quotient(cylint_query *q, form_arithmetic in,
+                                 cylint_root root)
 {
-    estimate k = {0, HUGE_VAL, 0, 2, 0};
-    if (!is_quotient(q, root))
-        return k;
-    const terms_bounded *L =
-        root == ROOT_CAP1 ? cylint_load_top(q) : &q->bounded_terms;
-    const quotient_bounded f = quotient_of_bounded(L, root);
-    if (!(f.error < CYLINT_FIRST_ORDER))
-        return k;
-    k.t = f.num / f.den;
-    k.error = (f.error + CYLINT_RADICAL_ROUNDING) * fabs(k.t);
-    k.slope = root == ROOT_EXIT ? f.radical : -f.radical;
-    k.slope_error = f.radical_error;
-    k.curvature = f.A;
-    return k;
+    const int exits = root == ROOT_EXIT;
+    int near;
+    if (root == ROOT_DOUBLE)
+        return (estimate){quotient(negative(number_of(q, in, FORM_B, 0)),
+                                   number_of(q, in, FORM_A, 0)),
+                          unknown};
+    if (root != ROOT_ENTRY && !exits)
+        return (estimate){
+            quotient(negative(number_of(q, in, FORM_ALPHA, root == ROOT_CAP1)),
+                     number_of(q, in, FORM_BETA, 0)),
+            unknown};
+    number R;
+    const number sum = divisor(q, in, exits, &R, &near);
+    if (!(sum.error < HUGE_VAL))
+        return (estimate){unknown, unknown};
+    const number x = number_of(q, in, near ? FORM_C : FORM_A, 0);
+    const number t = near ? quotient(x, sum) : quotient(sum, x);
+    return (estimate){near == exits ? negative(t) : t, exits ? R : negative(R)};
 }
+
+/* -------------------------------------------------- Newton's steps ----- */
 
 #define FORM(name) name##_double
 #define NEWTON_INLINE static
@@ -120,34 +172,73 @@ void cylint_restore_origin(cylint_terms_pair *L, int cap,
         L->D[cap][i] = kept[i];
 }
 
-/* Subtracts the step from t; returns the bound on the error of the sum. */
-static double subtract_step(pair *t, newton_double step)
+/* One step of Newton's from t, at which half the slope of f is known and the
+ * curvature is half the second derivative or more.  A point outside the window
+ * of error_bounds.h leaves the error unknown. */
+static number step_from(number t, int in_window, bounded_pair f, number slope,
+                        double curvature)
 {
-    *t = fast_two_sum(t->hi, t->lo - step.delta);
-    return step.error;
+    const double s = 2 * slope.v.hi, s_error = 2 * slope.error;
+    if (!in_window || !(s_error < CYLINT_FIRST_ORDER * fabs(s)))
+        return unknown;
+    const newton_double step = newton_step_double(
+        f.v.hi, bounded_pair_error(f), s, s_error, curvature, t.error);
+    return (number){fast_two_sum(t.v.hi, t.v.lo - step.delta), step.error};
 }
 
-/*
- * One step of Newton's from t0 = k.t + low, with the slope at the root.  Q(t0)
- * is C of the line with its origin moved to D + t0 u.  That may lie outside the
- * window of error_bounds.h, within 2^361 where settles() accepts t.  Then the
- * underflows on the way to x, which is squared last, add up to less than
- * 2^-560.  Twice that times x is below the rounding of x^2, or, if x is below
- * 2^-450, below CYLINT_UNDERFLOW.
- */
-static pair refined(cylint_query *q, estimate k, double low, double *error)
+/* Towards a root of the lateral quadric.  With the line's origin moved to t, C is
+ * Q there and B half its slope, near the shape, so that a far origin costs no
+ * digits. */
+static number step_to_lateral(cylint_query *q, number t, number slope,
+                              double curvature)
+{
+    const int is_known = slope.error < HUGE_VAL;
+    cylint_terms_pair *L =
+        is_known ? cylint_load_pairs(q) : cylint_load_pair_moments(q);
+    bounded_pair kept[3];
+    const int in_window =
+        cylint_move_origin(L, 0, (bounded_pair){t.v, 0}, kept);
+    const bounded_pair C = cylint_form_pair(L, FORM_C, 0);
+    if (!is_known)
+        slope = number_of(q, IN_PAIRS, FORM_B, 0);
+    cylint_restore_origin(L, 0, kept);
+    return step_from(t, in_window, C, slope, curvature);
+}
+
+/* Towards the plane of a cap. */
+static number step_to_plane(cylint_query *q, number t, int cap)
 {
     cylint_terms_pair *L = cylint_load_pairs(q);
     bounded_pair kept[3];
-    pair t = {k.t, low};
-    cylint_move_origin(L, 0, (bounded_pair){t, 0}, kept);
-    const bounded_pair Q = cylint_form_C_pair(L);
-    cylint_restore_origin(L, 0, kept);
-    const double slope = 2 * k.slope;
-    *error = subtract_step(
-        &t, newton_step_double(Q.v.hi, bounded_pair_error(Q), slope,
-                               k.slope_error * fabs(slope), k.curvature,
-                               CYLINT_ROOT_SLACK * k.error));
+    const int in_window =
+        cylint_move_origin(L, cap, (bounded_pair){t.v, 0}, kept);
+    const bounded_pair alpha = cylint_form_pair(L, FORM_ALPHA, cap);
+    cylint_restore_origin(L, cap, kept);
+    const number half = {{L->beta.v.hi / 2, 0},
+                         bounded_pair_error(L->beta) / 2};
+    return step_from(t, in_window, alpha, half, 0);
+}
+
+static int has_most_digits(number t)
+{
+    return t.error < CYLINT_POLISHED * fabs(t.v.hi);
+}
+
+/* Newton's steps from t until it has all but a few digits of a pair, or they gain
+ * little.  slope: half of that at the root of Q, if it is known. */
+static number newton_from(cylint_query *q, cylint_root root, number t,
+                          number slope)
+{
+    double before;
+    if (root == ROOT_CAP0 || root == ROOT_CAP1)
+        return step_to_plane(q, t, root == ROOT_CAP1);
+    if (root != ROOT_ENTRY && root != ROOT_EXIT)
+        return unknown;
+    const number A = number_of(q, IN_DOUBLES, FORM_A, 0);
+    do {
+        before = t.error;
+        t = step_to_lateral(q, t, slope, fabs(A.v.hi) + A.error);
+    } while (!has_most_digits(t) && t.error < CYLINT_NEWTON_GAIN * before);
     return t;
 }
 
@@ -281,12 +372,12 @@ static int root_against(cylint_query *q, cylint_root root, double m)
 
 /* Whether a certain rounding is also one in the true scale of t, and no
  * product of t on the way can have underflowed. */
-static int settles(const cylint_query *q, pair t, double error)
+static int settles(const cylint_query *q, number t)
 {
-    const double size = fabs(t.hi);
-    const int e = cylint_exponent(t.hi) + q->t_exponent;
+    const double size = fabs(t.v.hi);
+    const int e = cylint_exponent(t.v.hi) + q->t_exponent;
     /* untaken 1 of 4: no root of that size is known that pairs decide */
-    return rounds_to_hi(t, error) && size > CYLINT_ROOT_LEAST &&
+    return rounds_to_hi(t.v, t.error) && size > CYLINT_ROOT_LEAST &&
            size < 1 / CYLINT_ROOT_LEAST && e > -CYLINT_SUM_EXPONENT &&
            e < CYLINT_LARGE_EXPONENT;
 }
@@ -294,114 +385,79 @@ static int settles(const cylint_query *q, pair t, double error)
 /* Whether a root that is no root of a quadratic, or its double root, is 0. */
 static int lies_at_origin(cylint_query *q, cylint_root root)
 {
-    return root == ROOT_DOUBLE ? cylint_sign_B(q) == 0
-                               : cylint_sign_alpha(q, root == ROOT_CAP1) == 0;
+    return root == ROOT_DOUBLE
+               ? cylint_form_sign(q, FORM_B, 0) == 0
+               : cylint_form_sign(q, FORM_ALPHA, root == ROOT_CAP1) == 0;
 }
 
 /*
  * A root so near to the line's origin that nothing is left of C in pairs:
  * C in every digit, over the other half of the quotient in pairs.
  */
-static pair root_near_origin(cylint_query *q, cylint_root root, double *error)
+static number root_near_origin(cylint_query *q, cylint_root root)
 {
-    const pair none = {0, 0};
+    const number at_origin = {{0, 0}, 0};
     const int exits = root == ROOT_EXIT;
     int near, e = 0;
-    *error = HUGE_VAL;
-    if (root != ROOT_ENTRY && !exits) {
-        *error = lies_at_origin(q, root) ? 0 : HUGE_VAL;
-        return none;
-    }
+    if (root != ROOT_ENTRY && !exits)
+        return lies_at_origin(q, root) ? at_origin : unknown;
     if (q->near_shape != q->shape)
-        return none;
-    const cylint_quotient_pair f =
-        cylint_half_quotient_pair(cylint_load_pair_moments(q), exits, &near);
-    if (!near || !(f.error < CYLINT_NEAR_ORIGIN))
-        return none;
-    if (cylint_sign_C(q) == 0) {
-        /* mutant '0' -> '1': slower, the next stage computes 0, too */
-        *error = 0;
-        return none;
-    }
+        return unknown;
+    number R;
+    const number sum = divisor(q, IN_PAIRS, exits, &R, &near);
+    if (!near || !(relative_error(sum) < CYLINT_NEAR_ORIGIN))
+        return unknown;
+    /* mutant '0' -> '1': slower, the next stage computes 0, too */
+    if (cylint_form_sign(q, FORM_C, 0) == 0)
+        return at_origin;
     const cylint_terms_exact *L = cylint_load_exact(q);
     const int used = q->arena.used;
-    pair num = cylint_exact_round(cylint_form_C_exact(L), &e);
+    const pair C = cylint_exact_round(cylint_form_exact(L, FORM_C, 0), &e);
     q->arena.used = used;
     /* untaken 1 of 4: C is far below 2^400 where filters apply */
     if (e < -CYLINT_SQUARE_EXPONENT || e > CYLINT_SQUARE_EXPONENT)
-        return none;
-    num.hi *= cylint_power_of_two(e);
-    num.lo *= cylint_power_of_two(e);
-    const pair t = pair_div(exits ? pair_neg(num) : num, f.den);
-    *error = (f.error + CYLINT_PAIR_RADICAL_ROUNDING) * fabs(t.hi);
-    return t;
+        return unknown;
+    const double scale = cylint_power_of_two(e);
+    const number t = quotient((number){{C.hi * scale, C.lo * scale}, 0}, sum);
+    return exits ? negative(t) : t;
 }
 
-/* From the quotient in pairs, for roots that doubles leave uncertain. */
-static estimate estimate_by_pairs(cylint_root root,
-                                  const cylint_quotient_pair *f, pair t,
-                                  double error)
+/* Whether the rounding of a root is certain, maybe after Newton's steps. */
+static int is_rounded(cylint_query *q, cylint_root root, estimate *k)
 {
-    return (estimate){t.hi, error, root == ROOT_EXIT ? f->radical : -f->radical,
-                      f->radical_error, f->A};
+    if (!settles(q, k->t) && k->t.error < HUGE_VAL)
+        k->t = newton_from(q, root, k->t, k->slope);
+    return settles(q, k->t);
 }
 
-/* Newton's steps from k.t + low until the rounding is certain or they gain
- * little; each squares the error that is left of k's. */
-static int newton(cylint_query *q, estimate k, double low, pair *t,
-                  double *error)
+/* As far as pairs go, from an estimate by forms in some arithmetic: Newton's
+ * steps, the same from a quotient of pairs, a quotient with an exact numerator.
+ * Returns whether the rounding is certain. */
+static int root_in_pairs(cylint_query *q, form_arithmetic in, cylint_root root,
+                         estimate *k)
 {
-    *error = HUGE_VAL;
-    while (k.slope_error < CYLINT_FIRST_ORDER) {
-        *t = refined(q, k, low, error);
-        if (settles(q, *t, *error))
-            return 1;
-        if (!(*error < CYLINT_NEWTON_GAIN * k.error))
-            return 0;
-        k.t = t->hi;
-        k.error = *error;
-        low = t->lo;
-    }
-    return 0;
-}
-
-/* As far as pairs go: a refinement of the root in doubles, the quotient in
- * pairs (NULL: not found yet), its refinement, the quotient with an exact
- * numerator.  Returns whether the rounding is certain. */
-static int root_in_pairs(cylint_query *q, cylint_root root, estimate k,
-                         const cylint_quotient_pair *known, pair *t,
-                         double *error)
-{
-    if (newton(q, k, 0, t, error))
+    if (is_rounded(q, root, k))
         return 1;
-    const cylint_quotient_pair f =
-        known ? *known
-              : cylint_quotient_of_pair(cylint_load_pair_moments(q), root);
-    if (f.error < CYLINT_FIRST_ORDER) {
-        *t = pair_div(f.num, f.den);
-        *error = (f.error + CYLINT_PAIR_RADICAL_ROUNDING) * fabs(t->hi);
-        if (settles(q, *t, *error))
-            return 1;
-        if (newton(q, estimate_by_pairs(root, &f, *t, *error), t->lo, t, error))
+    if (in == IN_DOUBLES) {
+        *k = root_by_quotient(q, IN_PAIRS, root);
+        if (is_rounded(q, root, k))
             return 1;
     }
-    *t = root_near_origin(q, root, error);
-    return *error == 0 || settles(q, *t, *error);
+    k->t = root_near_origin(q, root);
+    return k->t.error == 0 || settles(q, k->t);
 }
 
-static double root_value(cylint_query *q, cylint_root root, estimate k,
-                         const cylint_quotient_pair *known, double *more)
+static double root_value(cylint_query *q, form_arithmetic in, cylint_root root,
+                         estimate k, double *more)
 {
-    pair t = {0, 0};
-    double error;
-    if (q->pairs && is_quotient(q, root) &&
-        root_in_pairs(q, root, k, known, &t, &error)) {
+    if (is_quotient(q, root) && root_in_pairs(q, in, root, &k)) {
+        const pair t = k.t.v;
         const double value = cylint_scaled(t.hi, q->t_exponent);
         cylint_contradiction(exact_value(q, root, more) != value);
         /* mutant '0' -> '1': slower, second 0: an exact t is computed twice */
         /* mutant '>' -> '>=': slower, a t of 0 has the error NaN, which decides
          * nothing */
-        q->t_error = error > 0 ? error / fabs(t.hi) : 0;
+        q->t_error = k.t.error > 0 ? k.t.error / fabs(t.hi) : 0;
         *more = cylint_scaled(t.lo, q->t_exponent);
         return value;
     }
@@ -410,66 +466,6 @@ static double root_value(cylint_query *q, cylint_root root, estimate k,
 }
 
 /* ----------------------------------------------- canonical pairs ------ */
-
-/* One step of Newton's from *t, which is at most *error from the root, with the
- * slope at *t.  curvature: at least half the second derivative. */
-static void step_from(bounded_pair residual, bounded_pair slope,
-                      double curvature, pair *t, double *error)
-{
-    const double slope_error = bounded_pair_error(slope);
-    if (slope_error < CYLINT_FIRST_ORDER * fabs(slope.v.hi))
-        *error = subtract_step(
-            t, newton_step_double(residual.v.hi, bounded_pair_error(residual),
-                                  slope.v.hi, slope_error, curvature, *error));
-    else
-        *error = HUGE_VAL;
-}
-
-/* Towards a root of the lateral quadric.  With the line's origin moved to *t,
- * C is Q there and B half its slope, near the shape, so that a far origin costs
- * no digits. */
-static void step_to_lateral(cylint_terms_pair *L, double curvature, pair *t,
-                            double *error)
-{
-    bounded_pair kept[3];
-    cylint_move_origin(L, 0, (bounded_pair){*t, 0}, kept);
-    const bounded_pair C = cylint_form_C_pair(L), B = cylint_form_B_pair(L);
-    cylint_restore_origin(L, 0, kept);
-    const bounded_pair slope = {{2 * B.v.hi, 2 * B.v.lo}, 2 * B.error};
-    step_from(C, slope, curvature, t, error);
-}
-
-/* Towards the plane of a cap. */
-static void step_to_plane(cylint_terms_pair *L, int cap, pair *t, double *error)
-{
-    bounded_pair kept[3];
-    cylint_move_origin(L, cap, (bounded_pair){*t, 0}, kept);
-    const bounded_pair alpha = cylint_form_alpha_pair(L, cap);
-    cylint_restore_origin(L, cap, kept);
-    step_from(alpha, L->beta, 0, t, error);
-}
-
-/* Newton's steps from *t, at most *error away.  Returns whether they give all
- * but a few digits of a pair. */
-static int newton_from(cylint_query *q, cylint_root root, pair *t,
-                       double *error)
-{
-    const double enough = CYLINT_POLISHED * fabs(t->hi);
-    double before;
-    if (root == ROOT_CAP0 || root == ROOT_CAP1) {
-        step_to_plane(cylint_load_pairs(q), root == ROOT_CAP1, t, error);
-        return *error < enough;
-    }
-    if (root != ROOT_ENTRY && root != ROOT_EXIT)
-        return 0;
-    cylint_terms_pair *L = cylint_load_pair_moments(q);
-    const bounded_pair A = cylint_form_A_pair(L);
-    do {
-        before = *error;
-        step_to_lateral(L, fabs(A.v.hi) + bounded_pair_error(A), t, error);
-    } while (*error >= enough && *error < CYLINT_NEWTON_GAIN * before);
-    return *error < enough;
-}
 
 /* The multiple of the quantum, a power of two, nearest to the rest, if that is
  * certain. */
@@ -484,10 +480,10 @@ static int rest_rounds(double rest, double error, double quantum, double *to)
 static int rest_by_newton(cylint_query *q, cylint_root root, double t,
                           double quantum, double *rest)
 {
-    pair x = {t, 0};
-    double error = CYLINT_ROUNDING / 2 * fabs(t);
-    return newton_from(q, root, &x, &error) &&
-           rest_rounds((x.hi - t) + x.lo, error, quantum, rest);
+    const number from = {{t, 0}, CYLINT_ROUNDING / 2 * fabs(t)};
+    const number x = newton_from(q, root, from, unknown);
+    return has_most_digits(x) &&
+           rest_rounds((x.v.hi - t) + x.v.lo, x.error, quantum, rest);
 }
 
 static void rest_in_full(cylint_query *q, cylint_root root, double t,
@@ -518,18 +514,19 @@ bounded_pair cylint_canonical_root(cylint_query *q, cylint_root root, double t,
 
 int cylint_polish_root(cylint_query *q, cylint_root root, bounded_pair *t)
 {
-    double error = CYLINT_PAIR_UNIT * t->error;
     if (t->v.hi == 0)
         return 0;
-    if (!newton_from(q, root, &t->v, &error)) {
+    const number from = {t->v, CYLINT_PAIR_UNIT * t->error};
+    number x = newton_from(q, root, from, unknown);
+    if (!has_most_digits(x)) {
         const int used = cylint_exact_mark(q, root);
         surd in_full = cylint_surd(q, root);
-        const floating f = exact_root(q, &in_full);
+        x.v = floating_scaled(exact_root(q, &in_full), 0);
         q->arena.used = used;
-        t->v = (pair){cylint_scaled(f.v.hi, f.e), cylint_scaled(f.v.lo, f.e)};
-        error = CYLINT_SURD_ERROR * fabs(t->v.hi);
+        x.error = CYLINT_SURD_ERROR * fabs(x.v.hi);
     }
-    t->error = CYLINT_ROOT_SLACK * error / CYLINT_PAIR_ROUNDING;
+    *t =
+        (bounded_pair){x.v, CYLINT_ROOT_SLACK * x.error / CYLINT_PAIR_ROUNDING};
     return 1;
 }
 
@@ -543,7 +540,7 @@ static double in_scale(const cylint_query *q, double t)
 
 /* Where a root with a bounded error lies: 1 within the domain, -1 outside, 0 if
  * it is too near a limit. */
-static int placed(const cylint_query *q, double t, double error)
+static int placed(const cylint_query *q, number x)
 {
     const double from = in_scale(q, q->line->tmin);
     const double to = in_scale(q, q->line->tmax);
@@ -552,19 +549,12 @@ static int placed(const cylint_query *q, double t, double error)
         CYLINT_QUOTIENT_ROUNDING * cylint_smaller(fabs(from), DBL_MAX);
     const double off_to =
         CYLINT_QUOTIENT_ROUNDING * cylint_smaller(fabs(to), DBL_MAX);
-    error = CYLINT_ROOT_SLACK * error + CYLINT_UNDERFLOW;
+    const double t = x.v.hi, error = CYLINT_ROOT_SLACK * x.error +
+                                     CYLINT_QUOTIENT_ROUNDING * fabs(t) +
+                                     CYLINT_UNDERFLOW;
     if (t + error < from - off_from || t - error > to + off_to)
         return -1;
     return t - error > from + off_from && t + error < to - off_to;
-}
-
-/* The same by pairs, which give a root near the line's origin its digits. */
-static int placed_by_pairs(const cylint_query *q, const cylint_quotient_pair *f)
-{
-    if (!(f->error < CYLINT_FIRST_ORDER))
-        return 0;
-    const double t = pair_div(f->num, f->den).hi;
-    return placed(q, t, (f->error + CYLINT_QUOTIENT_ROUNDING) * fabs(t));
 }
 
 int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
@@ -576,22 +566,21 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
         return 0; /* beyond all numbers, though t may be rounded to that */
     if (!wanted && !limited)
         return 1;
-    const estimate k = estimate_of(q, root);
-    cylint_quotient_pair f;
-    const cylint_quotient_pair *known = NULL;
+    form_arithmetic in = IN_DOUBLES;
+    estimate k = {unknown, unknown};
+    if (is_quotient(q, root)) {
+        k = root_by_quotient(q, in, root);
+        if (limited && placed(q, k.t) == 0)
+            k = root_by_quotient(q, in = IN_PAIRS, root);
+    }
     if (limited) {
-        int place = k.error < HUGE_VAL ? placed(q, k.t, k.error) : 0;
-        if (place == 0 && q->pairs && is_quotient(q, root)) {
-            f = cylint_quotient_of_pair(cylint_load_pair_moments(q), root);
-            known = &f;
-            place = placed_by_pairs(q, known);
-        }
+        const int place = placed(q, k.t);
         if (place < 0)
             return 0;
         if (place > 0 && !wanted)
             return 1;
     }
-    *t = root_value(q, root, k, known, more);
+    *t = root_value(q, in, root, k, more);
     if (*t < tmin || *t > tmax)
         return 0;
     if (*t == tmin && fabs(tmin) <= DBL_MAX && root_against(q, root, tmin) < 0)

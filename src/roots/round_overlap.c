@@ -47,12 +47,12 @@ static cylint_overlap touch_circle(const cylint_query *q, int end)
 /* The line is parallel to the planes. */
 static cylint_overlap round_level(cylint_query *q)
 {
-    const int above0 = cylint_sign_alpha(q, 0);
+    const int above0 = cylint_form_sign(q, FORM_ALPHA, 0);
     if (above0 < 0)
-        return ball_chord(cylint_sign_end_ball(q, 0), 0);
-    const int above1 = cylint_sign_alpha(q, 1);
+        return ball_chord(cylint_form_sign(q, FORM_END_BALL, 0), 0);
+    const int above1 = cylint_form_sign(q, FORM_ALPHA, 1);
     if (above1 > 0)
-        return ball_chord(cylint_sign_end_ball(q, 1), 1);
+        return ball_chord(cylint_form_sign(q, FORM_END_BALL, 1), 1);
     const int at_apex = (above0 == 0 && cylint_radius_is_zero(q, 0)) ||
                         (above1 == 0 && cylint_radius_is_zero(q, 1));
     return cylint_chord_overlap(q, CYLINT_RELATION_CROSS, at_apex);
@@ -64,12 +64,12 @@ static cylint_overlap round_between(cylint_query *q, int up, int first,
                                     int last, int N_first, int N_last)
 {
     if (up * N_first > 0) {
-        const int discriminant = cylint_sign_end_ball(q, first);
+        const int discriminant = cylint_form_sign(q, FORM_END_BALL, first);
         if (discriminant >= 0)
             return ball_chord(discriminant, first);
     }
     if (up * N_last < 0)
-        return ball_chord(cylint_sign_end_ball(q, last), last);
+        return ball_chord(cylint_form_sign(q, FORM_END_BALL, last), last);
     return up * N_first < 0 ? cylint_chord_overlap(q, CYLINT_RELATION_CROSS, 0)
                             : cylint_no_overlap();
 }
@@ -97,7 +97,8 @@ static cylint_overlap round_through_circle(const cylint_query *q, int end,
 static cylint_overlap round_slab(cylint_query *q, int up)
 {
     const int first = up > 0 ? 0 : 1, last = 1 - first;
-    const int Ef = cylint_sign_E(q, first), El = cylint_sign_E(q, last);
+    const int Ef = cylint_form_sign(q, FORM_E, first),
+              El = cylint_form_sign(q, FORM_E, last);
     const cylint_stop begin = Ef > 0    ? on_ball(ROOT_ENTRY, first)
                               : Ef == 0 ? on_circle(q, first)
                                         : cylint_lateral_stop(ROOT_ENTRY);
@@ -106,14 +107,14 @@ static cylint_overlap round_slab(cylint_query *q, int up)
                                       : cylint_lateral_stop(ROOT_EXIT);
     if (Ef > 0 || El > 0)
         return cylint_two_stops(CYLINT_RELATION_CROSS, begin, end);
-    const int Nf = cylint_sign_N(q, first);
+    const int Nf = cylint_form_sign(q, FORM_N, first);
     if (Ef == 0 && El == 0)
         return cylint_two_stops(Nf == 0 ? CYLINT_RELATION_ALONG
                                         : CYLINT_RELATION_CROSS,
                                 begin, end);
     if (Ef == 0)
         return round_through_circle(q, first, up * Nf, 1);
-    const int Nl = cylint_sign_N(q, last);
+    const int Nl = cylint_form_sign(q, FORM_N, last);
     if (El == 0)
         return round_through_circle(q, last, up * Nl, 0);
     return round_between(q, up, first, last, Nf, Nl);
@@ -127,7 +128,7 @@ cylint_overlap cylint_round_overlap(cylint_query *q)
             v.at[i].part = q->shape->surface;
         return v;
     }
-    const int up = cylint_sign_beta(q);
+    const int up = cylint_form_sign(q, FORM_BETA, 0);
     return up == 0 ? round_level(q) : round_slab(q, up);
 }
 
@@ -135,13 +136,13 @@ int cylint_round_contains(cylint_query *q)
 {
     cylint_shape ball;
     if (q->kind != CYLINT_KIND_SPHERE) {
-        const int end = cylint_sign_alpha(q, 0) < 0   ? 0
-                        : cylint_sign_alpha(q, 1) > 0 ? 1
-                                                      : -1;
+        const int end = cylint_form_sign(q, FORM_ALPHA, 0) < 0   ? 0
+                        : cylint_form_sign(q, FORM_ALPHA, 1) > 0 ? 1
+                                                                 : -1;
         if (end >= 0) {
             cylint_ball_of(&ball, q->shape, end);
             cylint_query_open(q, &ball, q->line);
         }
     }
-    return -cylint_sign_C(q);
+    return -cylint_form_sign(q, FORM_C, 0);
 }

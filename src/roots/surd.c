@@ -9,8 +9,6 @@
  */
 #include "roots.h"
 
-#include "../signs/radical.h"
-
 /* ---------------------------------------- pairs with an exponent ------- */
 
 floating cylint_floating(exact x)
@@ -36,9 +34,9 @@ static const exact *coefficients(cylint_query *q)
     const cylint_terms_exact *L = cylint_load_exact_moments(q);
     if (!(q->ready & CYLINT_READY_QUADRATIC)) {
         q->ready |= CYLINT_READY_QUADRATIC;
-        q->exact_coefficient[0] = cylint_form_A_exact(L);
-        q->exact_coefficient[1] = cylint_form_B_exact(L);
-        q->exact_coefficient[2] = cylint_form_C_exact(L);
+        q->exact_coefficient[0] = cylint_form_exact(L, FORM_A, 0);
+        q->exact_coefficient[1] = cylint_form_exact(L, FORM_B, 0);
+        q->exact_coefficient[2] = cylint_form_exact(L, FORM_C, 0);
     }
     return q->exact_coefficient;
 }
@@ -65,10 +63,10 @@ surd cylint_surd(cylint_query *q, cylint_root root)
         /* mutant '1' -> '2': only its sign is used */
         t.s = root == ROOT_DOUBLE ? 0 : root == ROOT_EXIT ? 1 : -1;
     } else if (root == ROOT_APEX) {
-        t.A = cylint_form_rho1_exact(L);
-        t.B = cylint_form_rho0_exact(L);
+        t.A = cylint_form_exact(L, FORM_RHO1, 0);
+        t.B = cylint_form_exact(L, FORM_RHO0, 0);
     } else {
-        t.B = cylint_form_alpha_exact(L, root == ROOT_CAP1);
+        t.B = cylint_form_exact(L, FORM_ALPHA, root == ROOT_CAP1);
     }
     return t;
 }
@@ -80,8 +78,8 @@ static floating radical(cylint_query *q, surd *t)
         return t->R;
     const cylint_terms_exact *L = cylint_load_exact_moments(q);
     const int used = q->arena.used;
-    const floating S = cylint_floating(cylint_form_root_of_S_exact(L));
-    const floating G = cylint_floating(cylint_form_G_exact(L));
+    const floating S = cylint_floating(cylint_form_exact(L, FORM_ROOT_OF_S, 0));
+    const floating G = cylint_floating(cylint_form_exact(L, FORM_G, 0));
     q->arena.used = used;
     t->R = CYLINT_RADICAL(L->kind, S, G, floating_mul, cylint_floating_sqrt);
     return t->R;

@@ -11,6 +11,11 @@
 #include "../shapes/shape_facts.h"
 #include "cylint.h"
 
+/* R = sqrt(S G), half the square root of the discriminant, over an arithmetic.
+ * Of kinds whose S is a square, S is form_root_of_S(). */
+#define CYLINT_RADICAL(kind, S, G, MUL, SQRT) \
+    (cylint_S_is_square(kind) ? MUL(S, SQRT(G)) : SQRT(MUL(S, G)))
+
 /* A double, and the same computed from absolute values by sums only: its size
  * (error_bounds.h). */
 typedef struct {

@@ -59,6 +59,29 @@
  * E_1, N_0, N_1 and G say in which order they come.
  */
 
+#ifndef CYLINT_FORMS_NAMED
+#define CYLINT_FORMS_NAMED
+/* The forms whose signs decide, and the coefficients of roots.  ALPHA, E, N and
+ * END_BALL are of one end. */
+typedef enum {
+    FORM_ALPHA, /* these follow from the line's origin, without its moments */
+    FORM_ROOT_OF_S,
+    FORM_C,
+    FORM_RHO0,
+    FORM_BETA,
+    FORM_RHO1,
+    FORM_ALONG, /* u.w: on which side of the line's direction the axis points */
+    FORM_E,
+    FORM_N,
+    FORM_G,
+    FORM_A,
+    FORM_B,
+    FORM_T,        /* not of round kinds */
+    FORM_END_BALL, /* round kinds only */
+    CYLINT_FORMS
+} cylint_form;
+#endif
+
 #ifndef FORMS_DEFINED
 typedef struct {
     MEMORY
@@ -77,24 +100,9 @@ INLINE void FORM(prepare_shape)(FORM(terms) *L);
 INLINE void FORM(prepare_line)(FORM(terms) *L);
 INLINE void FORM(prepare_top)(FORM(terms) *L);
 INLINE void FORM(prepare_beta)(FORM(terms) *L);
-INLINE NUM FORM(form_alpha)(const FORM(terms) *L, int i);
-INLINE NUM FORM(form_end_ball)(const FORM(terms) *L, int i);
 INLINE NUM FORM(form_height_unit)(const FORM(terms) *L);
 INLINE NUM FORM(form_height)(const FORM(terms) *L, int reversed);
-INLINE NUM FORM(form_det)(const FORM(terms) *L);
-INLINE NUM FORM(form_beta)(const FORM(terms) *L);
-INLINE NUM FORM(form_along)(const FORM(terms) *L);
-INLINE NUM FORM(form_rho0)(const FORM(terms) *L);
-INLINE NUM FORM(form_rho1)(const FORM(terms) *L);
-INLINE NUM FORM(form_E)(const FORM(terms) *L, int i);
-INLINE NUM FORM(form_N)(const FORM(terms) *L, int i);
-INLINE NUM FORM(form_G)(const FORM(terms) *L);
-INLINE NUM FORM(form_root_of_S)(const FORM(terms) *L);
-INLINE NUM FORM(form_A)(const FORM(terms) *L);
-INLINE int FORM(radial)(const FORM(terms) *L, NUM X[3]);
-INLINE NUM FORM(form_B)(const FORM(terms) *L);
-INLINE NUM FORM(form_C)(const FORM(terms) *L);
-INLINE NUM FORM(form_T)(const FORM(terms) *L);
+INLINE NUM FORM(form)(const FORM(terms) *L, cylint_form f, int end);
 INLINE NUM FORM(gradient)(const FORM(terms) *L, int i);
 INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y);
 #else
@@ -176,6 +184,18 @@ INLINE void FORM(prepare_top)(FORM(terms) *L)
     FORM(cross)(L, L->D[1], L->u, L->M[1]);
 }
 
+/* |r0 n - dr M|^2. */
+INLINE NUM FORM(square_of_Y)(const FORM(terms) *L)
+{
+    BEGIN
+    NUM Y[3];
+    Y[0] = FORM(combined)(L, L->r[0], L->n[0], L->dr, L->M[0][0]);
+    Y[1] = FORM(combined)(L, L->r[0], L->n[1], L->dr, L->M[0][1]);
+    Y[2] = FORM(combined)(L, L->r[0], L->n[2], L->dr, L->M[0][2]);
+    NUM Y2 = FORM(dot)(L, Y, Y);
+    RETURN(Y2)
+}
+
 #include "round_forms_template.h"
 
 /* z of the origin from the plane at end i, times a positive factor.  The plane
@@ -203,22 +223,6 @@ INLINE NUM FORM(form_height)(const FORM(terms) *L, int reversed)
     RETURN(height)
 }
 
-INLINE NUM FORM(form_det)(const FORM(terms) *L)
-{
-    return L->det;
-}
-
-INLINE NUM FORM(form_beta)(const FORM(terms) *L)
-{
-    return L->beta;
-}
-
-/* On which side of the line's direction the axis points. */
-INLINE NUM FORM(form_along)(const FORM(terms) *L)
-{
-    return FORM(dot)(L, L->u, L->w);
-}
-
 /* rho = rho0 + t rho1 along the line. */
 INLINE NUM FORM(form_rho0)(const FORM(terms) *L)
 {
@@ -238,11 +242,6 @@ INLINE NUM FORM(form_rho0)(const FORM(terms) *L)
         rho = ADD(L->det, MUL(L->dr, FORM(form_alpha)(L, 0)));
     }
     RETURN(rho)
-}
-
-INLINE NUM FORM(form_rho1)(const FORM(terms) *L)
-{
-    return MUL(L->dr, L->beta);
 }
 
 INLINE NUM FORM(form_E)(const FORM(terms) *L, int i)
@@ -295,15 +294,10 @@ INLINE NUM FORM(form_G)(const FORM(terms) *L)
     case CYLINT_KIND_CYLINDER:
         G = SUB(MUL(MUL(L->r[0], L->r[0]), FORM(dot)(L, L->n, L->n)), h2);
         break;
-    case CYLINT_KIND_CONE: {
-        NUM Y[3];
-        Y[0] = FORM(combined)(L, L->r[0], L->n[0], L->dr, L->M[0][0]);
-        Y[1] = FORM(combined)(L, L->r[0], L->n[1], L->dr, L->M[0][1]);
-        Y[2] = FORM(combined)(L, L->r[0], L->n[2], L->dr, L->M[0][2]);
-        G = SUB(MUL(L->vv, FORM(dot)(L, Y, Y)),
+    case CYLINT_KIND_CONE:
+        G = SUB(MUL(L->vv, FORM(square_of_Y)(L)),
                 MUL(ADD(L->vv, MUL(L->dr, L->dr)), h2));
         break;
-    }
     case CYLINT_KIND_ACONE: {
         NUM k2 = MUL(L->dr, L->dr);
         G = SUB(MUL(MUL(k2, L->vv), FORM(dot)(L, L->M[0], L->M[0])),
@@ -346,7 +340,7 @@ INLINE NUM FORM(form_A)(const FORM(terms) *L)
             A = MUL(L->vv, A);
     }
     if (cylint_is_tapered(L->kind)) {
-        NUM rho1 = FORM(form_rho1)(L);
+        NUM rho1 = MUL(L->dr, L->beta);
         A = SUB(A, MUL(rho1, rho1));
     }
     RETURN(A)
@@ -379,7 +373,7 @@ INLINE NUM FORM(form_B)(const FORM(terms) *L)
             B = MUL(L->vv, B);
     }
     if (cylint_is_tapered(L->kind))
-        B = SUB(B, MUL(FORM(form_rho0)(L), FORM(form_rho1)(L)));
+        B = SUB(B, MUL(FORM(form_rho0)(L), MUL(L->dr, L->beta)));
     RETURN(B)
 }
 
@@ -417,6 +411,41 @@ INLINE NUM FORM(form_T)(const FORM(terms) *L)
                 MUL(L->dr, FORM(dot)(L, L->M[0], L->n)));
     }
     RETURN(T)
+}
+
+/* A form by its name; end: of those that are of one end. */
+INLINE NUM FORM(form)(const FORM(terms) *L, cylint_form f, int end)
+{
+    switch (f) {
+    case FORM_ALPHA:
+        return FORM(form_alpha)(L, end);
+    case FORM_ROOT_OF_S:
+        return FORM(form_root_of_S)(L);
+    case FORM_C:
+        return FORM(form_C)(L);
+    case FORM_RHO0:
+        return FORM(form_rho0)(L);
+    case FORM_BETA:
+        return L->beta;
+    case FORM_RHO1:
+        return MUL(L->dr, L->beta);
+    case FORM_ALONG:
+        return FORM(dot)(L, L->u, L->w);
+    case FORM_E:
+        return FORM(form_E)(L, end);
+    case FORM_N:
+        return FORM(form_N)(L, end);
+    case FORM_G:
+        return FORM(form_G)(L);
+    case FORM_A:
+        return FORM(form_A)(L);
+    case FORM_B:
+        return FORM(form_B)(L);
+    case FORM_T:
+        return FORM(form_T)(L);
+    default:
+        return FORM(form_end_ball)(L, end);
+    }
 }
 
 /* A component of half the gradient of Q at the origin, the outward normal of

@@ -112,16 +112,10 @@ INLINE NUM FORM(round_G)(const FORM(terms) *L)
     BEGIN
     if (L->kind == CYLINT_KIND_SPHERE)
         RETURN(FORM(form_end_ball)(L, 0))
-    NUM h = FORM(dot)(L, L->w, L->M[0]), Y2;
-    if (L->kind == CYLINT_KIND_CAPSULE) {
-        Y2 = MUL(MUL(L->r[0], L->r[0]), FORM(dot)(L, L->n, L->n));
-    } else {
-        NUM Y[3];
-        Y[0] = FORM(combined)(L, L->r[0], L->n[0], L->dr, L->M[0][0]);
-        Y[1] = FORM(combined)(L, L->r[0], L->n[1], L->dr, L->M[0][1]);
-        Y[2] = FORM(combined)(L, L->r[0], L->n[2], L->dr, L->M[0][2]);
-        Y2 = FORM(dot)(L, Y, Y);
-    }
+    NUM h = FORM(dot)(L, L->w, L->M[0]);
+    NUM Y2 = L->kind == CYLINT_KIND_CAPSULE
+                 ? MUL(MUL(L->r[0], L->r[0]), FORM(dot)(L, L->n, L->n))
+                 : FORM(square_of_Y)(L);
     NUM G = SUB(Y2, MUL(h, h));
     RETURN(G)
 }

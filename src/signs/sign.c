@@ -106,14 +106,6 @@ static bounded_double bounded_of(double x)
 #define ONE bounded_of(1)
 #include "load_template.h"
 
-static void load_bounded(cylint_query *q)
-{
-    terms_bounded *L = &q->bounded_terms;
-    load_shape_bounded(L, q->near_shape, q->near_shape->kind);
-    load_line_bounded(L, q->near_shape, q->near_line);
-    prepare_shape_bounded(L);
-}
-
 const terms_bounded *cylint_load_top(cylint_query *q)
 {
     if (!(q->ready & CYLINT_READY_TOP)) {
@@ -247,8 +239,8 @@ static int quantum(double x)
 
 static int least_quantum(const double x[3])
 {
-    const int a = quantum(x[0]), b = quantum(x[1]), c = quantum(x[2]);
-    return a < b ? (a < c ? a : c) : (b < c ? b : c);
+    return quantum_add(quantum(x[0]),
+                       quantum_add(quantum(x[1]), quantum(x[2])));
 }
 
 /* Of vectors, one for all components. */
@@ -284,15 +276,12 @@ static const terms_quantum *quanta(cylint_query *q)
     double D[3];
     q->quanta =
         q->near_shape == q->shape && cylint_sign(s->dr_lo) == 0 && q->pairs;
+    /* a is 0 in circular kinds, top in elliptic ones */
+    const double *const data_of[] = {l->o,   l->d, s->base, s->axis,
+                                     s->top, s->a, s->b};
     for (int i = 0; i < 3; i++) {
-        q->quanta &= !cylint_too_small(l->o[i]) && !cylint_too_small(l->d[i]);
-        q->quanta &=
-            !cylint_too_small(s->base[i]) && !cylint_too_small(s->axis[i]);
-        /* mutant '&&' -> '||': a is 0 in circular kinds, top in elliptic ones.
-         * A small top makes a small axis or axis_lo; a small a has a quantum
-         * below all that are trusted */
-        q->quanta &= !cylint_too_small(s->top[i]) &&
-                     !cylint_too_small(s->a[i]) && !cylint_too_small(s->b[i]);
+        EACH(k, 7)
+            q->quanta &= !cylint_too_small(data_of[k][i]);
         const pair d = two_diff(l->o[i], s->base[i]);
         q->quanta &= d.lo == 0 && cylint_sign(l->d_lo[i]) == 0 &&
                      cylint_sign(s->axis_lo[i]) == 0;
@@ -331,22 +320,15 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
         scale_query(q);
     q->pairs = q->filters && cylint_rounds_to_nearest();
     if (q->filters) {
-        load_bounded(q);
-        prepare_line_bounded(&q->bounded_terms);
+        terms_bounded *L = &q->bounded_terms;
+        load_shape_bounded(L, q->near_shape, q->kind);
+        load_line_bounded(L, q->near_shape, q->near_line);
+        prepare_shape_bounded(L);
+        prepare_line_bounded(L);
     }
 }
 
 /* ---------------------------------------------------------- signs ------ */
-
-static int certain_bounded(bounded_double x)
-{
-    return fabs(x.v) > bounded_error(x);
-}
-
-static int certain_pair(bounded_pair x)
-{
-    return fabs(x.v.hi) > bounded_pair_error(x);
-}
 
 /*
  * Every number on the way to a form is a multiple of its quantum and no
@@ -360,116 +342,39 @@ static int no_rounding(double size, int e)
            size < cylint_power_of_two(e + 53);
 }
 
-/* The cascade, for a form with the given further arguments.  PAIRS and FULL are
- * the functions that load its terms. */
-#define DECIDE_FROM(PAIRS, FULL, q, balls, form, ...)                          \
-    do {                                                                       \
-        int sign_ = 2; /* unknown */                                           \
-        if ((q)->filters) {                                                    \
-            const bounded_double b_ = form##_bounded(balls __VA_ARGS__);       \
-            const terms_quantum *e_;                                           \
-            if (certain_bounded(b_)) {                                         \
-                sign_ = cylint_sign(b_.v);                                     \
-            } else if ((e_ = quanta(q)) != NULL &&                             \
-                       no_rounding(b_.size, form##_quantum(e_ __VA_ARGS__))) { \
-                cylint_reached(QUANTA);                                        \
-                sign_ = cylint_sign(b_.v);                                     \
-            } else if ((q)->pairs) {                                           \
-                const bounded_pair w_ =                                        \
-                    cylint_##form##_pair(PAIRS(q) __VA_ARGS__);                \
-                if (certain_pair(w_))                                          \
-                    sign_ = cylint_sign(w_.v.hi);                              \
-            }                                                                  \
-        }                                                                      \
-        if (sign_ != 2 && !CYLINT_IS_PARANOID)                                 \
-            return sign_;                                                      \
-        const cylint_terms_exact *x_ = FULL(q);                                \
-        const int used_ = (q)->arena.used;                                     \
-        const int exact_ = cylint_##form##_exact(x_ __VA_ARGS__).sign;         \
-        (q)->arena.used = used_;                                               \
-        cylint_contradiction(sign_ != 2 && sign_ != exact_);                   \
-        return exact_;                                                         \
-    } while (0)
+enum { UNCERTAIN = 2 };
 
-/* A form of the moments, and one of the line's origin alone. */
-#define DECIDE(...)                                                  \
-    DECIDE_FROM(cylint_load_pair_moments, cylint_load_exact_moments, \
-                __VA_ARGS__)
-#define DECIDE_AT_ORIGIN(...) \
-    DECIDE_FROM(cylint_load_pairs, cylint_load_exact, __VA_ARGS__)
-
-#define COMMA ,
-
-int cylint_sign_alpha(cylint_query *q, int cap)
+/* In doubles, then in pairs. */
+static int sign_by_filters(cylint_query *q, cylint_form f, int end)
 {
-    DECIDE_AT_ORIGIN(q, (cap ? cylint_load_top(q) : &q->bounded_terms),
-                     form_alpha, COMMA cap);
+    const terms_bounded *L = end ? cylint_load_top(q) : &q->bounded_terms;
+    const bounded_double b = form_bounded(L, f, end);
+    if (fabs(b.v) > bounded_error(b))
+        return cylint_sign(b.v);
+    const terms_quantum *e = quanta(q);
+    if (e && no_rounding(b.size, form_quantum(e, f, end))) {
+        cylint_reached(QUANTA);
+        return cylint_sign(b.v);
+    }
+    if (!q->pairs)
+        return UNCERTAIN;
+    const bounded_pair x = cylint_form_pair(
+        f < FORM_BETA ? cylint_load_pairs(q) : cylint_load_pair_moments(q), f,
+        end);
+    return fabs(x.v.hi) > bounded_pair_error(x) ? cylint_sign(x.v.hi)
+                                                : UNCERTAIN;
 }
 
-int cylint_sign_det(cylint_query *q)
+int cylint_form_sign(cylint_query *q, cylint_form f, int end)
 {
-    DECIDE_AT_ORIGIN(q, &q->bounded_terms, form_det, );
-}
-
-int cylint_sign_beta(cylint_query *q)
-{
-    DECIDE(q, &q->bounded_terms, form_beta, );
-}
-
-int cylint_sign_along(cylint_query *q)
-{
-    DECIDE(q, &q->bounded_terms, form_along, );
-}
-
-int cylint_sign_E(cylint_query *q, int cap)
-{
-    DECIDE(q, (cap ? cylint_load_top(q) : &q->bounded_terms), form_E,
-           COMMA cap);
-}
-
-int cylint_sign_N(cylint_query *q, int cap)
-{
-    DECIDE(q, (cap ? cylint_load_top(q) : &q->bounded_terms), form_N,
-           COMMA cap);
-}
-
-int cylint_sign_G(cylint_query *q)
-{
-    DECIDE(q, &q->bounded_terms, form_G, );
-}
-
-int cylint_sign_S(cylint_query *q)
-{
-    DECIDE_AT_ORIGIN(q, &q->bounded_terms, form_root_of_S, );
-}
-
-int cylint_sign_end_ball(cylint_query *q, int end)
-{
-    DECIDE(q, (end ? cylint_load_top(q) : &q->bounded_terms), form_end_ball,
-           COMMA end);
-}
-
-int cylint_sign_A(cylint_query *q)
-{
-    DECIDE(q, &q->bounded_terms, form_A, );
-}
-
-int cylint_sign_B(cylint_query *q)
-{
-    DECIDE(q, &q->bounded_terms, form_B, );
-}
-
-int cylint_sign_C(cylint_query *q)
-{
-    DECIDE_AT_ORIGIN(q, &q->bounded_terms, form_C, );
-}
-
-int cylint_sign_T(cylint_query *q)
-{
-    DECIDE(q, &q->bounded_terms, form_T, );
-}
-
-int cylint_sign_rho0(cylint_query *q)
-{
-    DECIDE_AT_ORIGIN(q, &q->bounded_terms, form_rho0, );
+    const int sign = q->filters ? sign_by_filters(q, f, end) : UNCERTAIN;
+    if (sign != UNCERTAIN && !CYLINT_IS_PARANOID)
+        return sign;
+    const cylint_terms_exact *L =
+        f < FORM_BETA ? cylint_load_exact(q) : cylint_load_exact_moments(q);
+    const int used = q->arena.used;
+    const int exactly = cylint_form_exact(L, f, end).sign;
+    q->arena.used = used;
+    cylint_contradiction(sign != UNCERTAIN && sign != exactly);
+    return exactly;
 }

@@ -54,20 +54,7 @@ const terms_bounded *cylint_load_top(cylint_query *q);
 const cylint_terms_exact *cylint_load_exact(cylint_query *q); /* likewise */
 const cylint_terms_exact *cylint_load_exact_moments(cylint_query *q);
 
-/* Exact signs of the forms, by the cheapest arithmetic that is certain. */
-int cylint_sign_alpha(cylint_query *q, int cap);
-int cylint_sign_beta(cylint_query *q);
-int cylint_sign_det(cylint_query *q); /* before shape->left_handed is set */
-int cylint_sign_along(cylint_query *q);
-int cylint_sign_E(cylint_query *q, int cap);
-int cylint_sign_N(cylint_query *q, int cap);
-int cylint_sign_G(cylint_query *q);
-int cylint_sign_S(cylint_query *q);
-int cylint_sign_end_ball(cylint_query *q, int end);
-int cylint_sign_A(cylint_query *q);
-int cylint_sign_B(cylint_query *q);
-int cylint_sign_C(cylint_query *q);
-int cylint_sign_T(cylint_query *q);
-int cylint_sign_rho0(cylint_query *q);
+/* The sign of a form, exactly, by the cheapest arithmetic that is certain. */
+int cylint_form_sign(cylint_query *q, cylint_form f, int end);
 
 #endif
