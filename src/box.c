@@ -27,37 +27,6 @@ static long_axis axis_of(const cylint_shape *s)
     return k;
 }
 
-static pair unscaled(pair x, int e)
-{
-    return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
-}
-
-/* |x| / 2^*e, whatever the exponent of x. */
-static pair size_of(double x, int *e)
-{
-    *e = cylint_any_exponent(x);
-    return (pair){cylint_scaled(fabs(x), -*e), 0};
-}
-
-/* The next double above or below x; x if it is infinite. */
-static double next_double(double x, int up)
-{
-    /* untaken 1 of 2: no shape is known with a bound that overflows when it is
-     * rounded outward */
-    if (!(fabs(x) <= DBL_MAX))
-        return x;
-    uint64_t bits = cylint_bits(x);
-    if (bits << 1 == 0) {
-        /* mutant '1' -> '2': one step is enough, two are made */
-        bits = up ? 1 : (uint64_t)1 << 63 | 1;
-    } else {
-        const int grow = (bits >> 63 ? 0 : 1) == up;
-        bits = grow ? bits + 1 : bits - 1;
-    }
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
 /* center + offset + reach (up) or - reach, rounded outward.  If nothing was
  * rounded before, the sign of the sum's low part decides the rounding.
  * Otherwise the error of the pairs is at most CYLINT_BOX_ERROR; it is added
@@ -76,13 +45,13 @@ static double outward(double center, pair offset, pair reach, int is_exact,
     if (is_exact) {
         if (up ? sum.lo <= 0 : sum.lo >= 0)
             return sum.hi;
-        return next_double(sum.hi, up);
+        return cylint_next(sum.hi, up);
     }
     const double error = CYLINT_BOX_ERROR * fabs(center) +
                          CYLINT_BOX_ERROR * fabs(offset.hi) +
                          CYLINT_BOX_ERROR * fabs(reach.hi);
     const double moved = sum.hi + (up ? sum.lo + error : sum.lo - error);
-    return next_double(next_double(moved, up), up);
+    return cylint_next(cylint_next(moved, up), up);
 }
 
 /* x 2^e; if that overflows, rounded outward. */
@@ -102,7 +71,7 @@ static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
     const long_axis k = axis_of(s);
     const double r = cylint_end_factor(s, cap);
     int er;
-    const pair radius = size_of(r, &er);
+    const pair radius = cylint_mantissa(r, &er);
     for (int j = 0; j < 3; j++) {
         int is_exact, e;
         const pair unit = cylint_unit_reach(s, k.axis, j, &e, &is_exact);
@@ -120,7 +89,7 @@ static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
                                  e + er > CYLINT_LARGE_EXPONENT
                              ? SMALLER
                              : 0;
-        const pair reach = unscaled(product, e + er - down);
+        const pair reach = cylint_scaled_pair(product, e + er - down);
         const pair along = {cylint_scaled(offset, -down), 0};
         center = cylint_scaled(center, -down);
         const double low =
@@ -184,7 +153,7 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
     const long_axis k = axis_of(s);
     const int er = cylint_exponent(s->r0), ed = cylint_exponent(s->dr);
     const pair r0 = {cylint_scaled(s->r0, -er), 0};
-    const pair dr = unscaled((pair){s->dr, s->dr_lo}, -ed);
+    const pair dr = cylint_scaled_pair((pair){s->dr, s->dr_lo}, -ed);
     for (int j = 0; j < 3; j++) {
         lo[j] = -HUGE_VAL;
         hi[j] = HUGE_VAL;
@@ -195,9 +164,9 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
         const int ew = cylint_exponent(k.axis[j].hi);
         const int at_base = cylint_sign(s->r0) == 0;
         if (!at_base)
-            offset = pair_neg(
-                unscaled(pair_div(pair_mul(unscaled(k.axis[j], -ew), r0), dr),
-                         k.e + ew + er - ed));
+            offset = pair_neg(cylint_scaled_pair(
+                pair_div(pair_mul(cylint_scaled_pair(k.axis[j], -ew), r0), dr),
+                k.e + ew + er - ed));
         /* mutant '<' -> '<=': where the nappe leans inward no factor is 0 */
         const int up = cylint_sign(k.axis[j].hi) * cylint_sign(s->dr) < 0;
         const double apex =

@@ -21,16 +21,10 @@
 
 enum { NEAR = 4, MASKS = 8, MOST_DOUBLINGS = 64 };
 
-/* The next double above or below x. */
-static double next(double x, int up)
-{
-    return up ? cylint_next_above(x) : -cylint_next_above(-x);
-}
-
 static double moved(double x, int up, int steps)
 {
     for (; steps > 0; steps--)
-        x = next(x, up);
+        x = cylint_next(x, up);
     return x;
 }
 
@@ -145,8 +139,8 @@ static double largest_step(const search *s)
 {
     double most = 0;
     for (int i = 0; i < 3; i++)
-        most =
-            cylint_larger(most, next(fabs(s->from[i]), 1) - fabs(s->from[i]));
+        most = cylint_larger(most, cylint_next(fabs(s->from[i]), 1) -
+                                       fabs(s->from[i]));
     return most;
 }
 

@@ -38,11 +38,11 @@ FLOORS = ["src"] + ["src/" + floor for floor in (
     "numbers", "shapes", "signs", "roots", "filter", "methods", "distance")]
 SCENE_FLOORS = ["src/bvh", "src/scene"]
 CORE = ["signs/forms_template.h", "signs/overlap_template.h",
-        "roots/root_quotient_template.h", "roots/newton_template.h",
+        "roots/newton_template.h",
         "numbers/double_double.h", "numbers/error_free_template.h",
         "numbers/exact.c", "numbers/scale.c", "shapes/measure.c",
         "shapes/tangent.c", "signs/sign.c", "roots/root.c", "roots/surd.c",
-        "roots/hit.c", "shapes/local.c", "numbers/triple.h",
+        "roots/hit.c", "shapes/local.c", "distance/triple.h",
         "filter/local_forms_template.h", "filter/frame.h", "filter/kernel.h",
         "filter/surfaces.h", "filter/levels.h", "filter/levels_template.h",
         "filter/one_answer.h", "filter/refine.h", "filter/one.c",

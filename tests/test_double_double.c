@@ -20,7 +20,7 @@
 #include "numbers/error_bounds.h"
 #include "numbers/double_double.h"
 
-#undef CYLINT_EFT_H
+#undef CYLINT_DOUBLE_DOUBLE_H
 #define __FMA__ 1
 #define pair fused_pair
 #define two_sum fused_two_sum

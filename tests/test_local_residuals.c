@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "local_bounds.h"
-#include "numbers/error_bounds.h"
+#include "distance/error_bounds.h"
 #define INLINE static inline
 
 static constant TRIPLE = {"TRIPLE", CYLINT_LOCAL_LEVELS, 0},

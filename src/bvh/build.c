@@ -12,8 +12,8 @@
 #include <string.h>
 
 #include "float_bounds.h"
+#include "float_simd.h"
 #include "threads.h"
-#include "../numbers/float_simd.h"
 
 /* Of more than SAMPLES boxes only every second, third, ... box is put into the
  * bins.  The split is as good as with all boxes. */

@@ -13,8 +13,8 @@
 #define CYLINT_BVH_LEAF_TEST_H
 
 #include "../numbers/compiler.h"
+#include "float_simd.h"
 #include "leaf.h"
-#include "../numbers/float_simd.h"
 #include "traverse.h"
 
 /*

@@ -7,9 +7,9 @@
 #include "certified_many.h"
 
 #include "../numbers/double_double.h" /* before simd.h */
-#include "../numbers/error_bounds.h"
 #include "../numbers/simd.h"
 #include "../shapes/shape_facts.h"
+#include "error_bounds.h"
 
 #ifndef CYLINT_CERTIFY_MANY
 #define CYLINT_CERTIFY_MANY cylint_certify_many_plain

@@ -26,8 +26,8 @@
 #include "elliptic.h"
 
 #include "../numbers/bits.h"
-#include "../numbers/error_bounds.h"
 #include "../shapes/shape_facts.h"
+#include "error_bounds.h"
 
 /* A symmetric matrix. */
 typedef struct {

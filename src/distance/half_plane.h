@@ -8,10 +8,10 @@
 #define CYLINT_HALF_PLANE_H
 
 #include "../numbers/double_double.h" /* before simd.h */
-#include "../numbers/error_bounds.h"
 #include "../numbers/simd.h"
 #include "../shapes/shape_facts.h"
 #include "cylint.h"
+#include "error_bounds.h"
 
 #if LANES == 2
 

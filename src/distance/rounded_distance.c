@@ -4,6 +4,7 @@
  * The square of the distance is (a + b sqrt(c)) / denominator, so whether the
  * distance is above the middle of two doubles is the sign of another surd_sum.
  */
+#include "error_bounds.h"
 #include "exact_distance.h"
 
 /* The ranks (bits.h) of 0 or more. */

@@ -17,6 +17,7 @@
 #include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
 #include "elliptic.h"
+#include "error_bounds.h"
 
 ASIDE double below_distance(const cylint_shape *shape, const double point[3])
 {

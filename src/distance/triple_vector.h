@@ -5,7 +5,7 @@
 #define CYLINT_TRIPLE_VECTOR_H
 
 #include "../numbers/bits.h"
-#include "../numbers/triple.h"
+#include "triple.h"
 
 static inline triple triple_neg(triple x)
 {

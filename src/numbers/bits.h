@@ -106,6 +106,12 @@ static inline double cylint_next_above(double x)
     return next;
 }
 
+/* The next double above or below x. */
+static inline double cylint_next(double x, int up)
+{
+    return up ? cylint_next_above(x) : -cylint_next_above(-x);
+}
+
 static inline double cylint_largest(const double x[3])
 {
     return cylint_larger(cylint_larger(fabs(x[0]), fabs(x[1])), fabs(x[2]));
@@ -127,6 +133,18 @@ static inline pair cylint_difference(double x, double y)
     const int tame = !cylint_too_small(x) && !cylint_too_small(y) &&
                      fabs(d.hi) <= DBL_MAX && cylint_rounds_to_nearest();
     return tame ? d : cylint_wild_difference(x, y);
+}
+
+static inline pair cylint_scaled_pair(pair x, int e)
+{
+    return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
+}
+
+/* |x| / 2^*e, near 1, whatever the exponent of x. */
+static inline pair cylint_mantissa(double x, int *e)
+{
+    *e = cylint_any_exponent(x);
+    return (pair){cylint_scaled(fabs(x), -*e), 0};
 }
 
 /* (to - from) 2^e as pairs.  With this e nothing overflows. */

@@ -2,8 +2,8 @@
  * compiler.h - unrolled loops, inlining, the larger of two doubles, the lowest
  * bit of a mask
  */
-#ifndef CYLINT_EACH_H
-#define CYLINT_EACH_H
+#ifndef CYLINT_COMPILER_H
+#define CYLINT_COMPILER_H
 
 #include <stdint.h>
 

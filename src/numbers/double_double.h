@@ -5,8 +5,8 @@
  *
  * [Joldes, Muller, Popescu 2017].
  */
-#ifndef CYLINT_EFT_H
-#define CYLINT_EFT_H
+#ifndef CYLINT_DOUBLE_DOUBLE_H
+#define CYLINT_DOUBLE_DOUBLE_H
 
 #include <math.h>
 

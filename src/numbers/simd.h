@@ -10,10 +10,9 @@
  * available.  CYLINT_NARROW chooses two lanes with branch-free masks, for one
  * line and one shape; compilers with GNU's vectors have two lanes on every
  * processor.  With two lanes there are also functions that join two numbers,
- * join the first or the second lanes of two vectors, swap the lanes, add the
- * lanes of each of two vectors, and return the first lane; and, where
- * CYLINT_NARROW is defined, vectors vq of four lanes.  Every operation rounds
- * once, so every width gives the same bits.
+ * join the first or the second lanes of two vectors, swap the lanes, and return
+ * the first lane; and, where CYLINT_NARROW is defined, vectors vq of four lanes.
+ * Every operation rounds once, so every width gives the same bits.
  */
 #ifndef CYLINT_SIMD_H
 #define CYLINT_SIMD_H

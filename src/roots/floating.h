@@ -34,8 +34,7 @@ static inline floating floating_div(floating x, floating y)
 /* x 2^e as a pair. */
 static inline pair floating_scaled(floating x, int e)
 {
-    return (pair){cylint_scaled(x.v.hi, x.e + e),
-                  cylint_scaled(x.v.lo, x.e + e)};
+    return cylint_scaled_pair(x.v, x.e + e);
 }
 
 /* |x|. */

@@ -8,24 +8,13 @@ static pair squares(pair x, pair y)
     return pair_add(pair_mul(x, x), pair_mul(y, y));
 }
 
-static pair unscaled(pair x, int e)
-{
-    return (pair){cylint_scaled(x.hi, e), cylint_scaled(x.lo, e)};
-}
-
-/* |x| / 2^*e, whatever the exponent of x. */
-static pair size_of(double x, int *e)
-{
-    *e = cylint_any_exponent(x);
-    return (pair){cylint_scaled(fabs(x), -*e), 0};
-}
-
 /* sqrt(x^2 + y^2) 2^*e, whatever the exponents of x and y; not both are 0. */
 static pair hypotenuse(pair x, pair y, int *e)
 {
     const int k = cylint_any_exponent(cylint_larger(fabs(x.hi), fabs(y.hi)));
     *e += k;
-    return pair_sqrt(squares(unscaled(x, -k), unscaled(y, -k)));
+    return pair_sqrt(
+        squares(cylint_scaled_pair(x, -k), cylint_scaled_pair(y, -k)));
 }
 
 pair cylint_unit_reach(const cylint_shape *s, const pair axis[3], int j, int *e,
@@ -35,9 +24,9 @@ pair cylint_unit_reach(const cylint_shape *s, const pair axis[3], int j, int *e,
     *e = 0;
     if (cylint_is_elliptic(s->kind)) {
         if (cylint_sign(s->a[j]) == 0)
-            return size_of(s->b[j], e);
+            return cylint_mantissa(s->b[j], e);
         if (cylint_sign(s->b[j]) == 0)
-            return size_of(s->a[j], e);
+            return cylint_mantissa(s->a[j], e);
         *is_exact = 0;
         return hypotenuse((pair){s->a[j], 0}, (pair){s->b[j], 0}, e);
     }
@@ -53,8 +42,8 @@ pair cylint_unit_reach(const cylint_shape *s, const pair axis[3], int j, int *e,
         return across;
     const int ex = cylint_exponent(x.hi), most = ex > *e ? ex : *e;
     int length_e = 0;
-    const pair length =
-        hypotenuse(unscaled(across, *e - most), unscaled(x, -most), &length_e);
+    const pair length = hypotenuse(cylint_scaled_pair(across, *e - most),
+                                   cylint_scaled_pair(x, -most), &length_e);
     *e -= most + length_e;
     return pair_div(across, length);
 }

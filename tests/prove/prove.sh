@@ -11,7 +11,7 @@
 . "$(dirname "$0")/../verdict.sh"
 here=$top/tests/prove
 build=$build/prove
-headers='numbers/error_bounds.h embree/angle.h'
+headers='numbers/error_bounds.h distance/error_bounds.h embree/angle.h'
 command -v gappa >/dev/null ||
     skip_all 'no gappa, so no proof of the bounds (Debian: apt-get install gappa)'
 mkdir -p "$build"
@@ -39,7 +39,7 @@ constants() { # prints all constants: name, hexadecimal, 1 % smaller
 
 ratios() { # prints the lines of ratios.txt with yes or no
     {
-        printf '#include <math.h>\n#include <stdio.h>\n#include "numbers/error_bounds.h"\nint main(void)\n{\n'
+        printf '#include <math.h>\n#include <stdio.h>\n#include "distance/error_bounds.h"\nint main(void)\n{\n'
         sed -n 's/^\([C(0].*\) | \(.*\)$/printf("%s;\1 >= \2\\n", (\1) >= (\2) ? "yes" : "no");/p' \
             "$here/ratios.txt"
         printf 'return 0;\n}\n'

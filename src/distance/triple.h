@@ -12,7 +12,8 @@
 #ifndef CYLINT_TRIPLE_H
 #define CYLINT_TRIPLE_H
 
-#include "double_double.h"
+#include "../numbers/double_double.h"
+#include "error_bounds.h"
 
 typedef struct {
     double a, b, c;

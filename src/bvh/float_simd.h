@@ -13,8 +13,8 @@
  *   f_store_keys(p, x)   stores integers in the order of the floats
  *   i_or_where(x, m, y)  x | y where m, else x
  */
-#ifndef CYLINT_NUMBERS_FLOAT_SIMD_H
-#define CYLINT_NUMBERS_FLOAT_SIMD_H
+#ifndef CYLINT_FLOAT_SIMD_H
+#define CYLINT_FLOAT_SIMD_H
 
 #include <stdint.h>
 #include <string.h>
