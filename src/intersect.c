@@ -18,8 +18,9 @@ static cylint_overlap overlap_of(cylint_query *q)
 
 /* ------------------------------------------------------- the domain ---- */
 
-static void describe(cylint_query *q, const cylint_stop *at, double t,
-                     double more, double error, unsigned want, cylint_hit *hit)
+static void describe_stop(cylint_query *q, const cylint_stop *at, double t,
+                          double more, double error, unsigned want,
+                          cylint_hit *hit)
 {
     if (want & CYLINT_WANT_BESIDE_T)
         cylint_describe_hit(q, at->root, t, more, error, at->part, at->apex,
@@ -74,8 +75,8 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
             hit->part = v.at[i].part;
             hit->side = v.at[i].side;
         }
-        describe(&q, &v.at[i], t, more, CYLINT_ROOT_SLACK * q.t_error * fabs(t),
-                 want, hit);
+        describe_stop(&q, &v.at[i], t, more,
+                      CYLINT_ROOT_SLACK * q.t_error * fabs(t), want, hit);
         if (want & CYLINT_WANT_NEAREST)
             break;
     }
@@ -83,8 +84,9 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
 }
 
 /* The members beside t and part of hits that the filter decided. */
-static void describe_hits(const cylint_question *from, unsigned want,
-                          const cylint_answer *known, cylint_answer *answer)
+static void describe_known_hits(const cylint_question *from, unsigned want,
+                                const cylint_answer *known,
+                                cylint_answer *answer)
 {
     cylint_query q;
     cylint_shape ball;
@@ -106,8 +108,8 @@ static void describe_hits(const cylint_question *from, unsigned want,
             hit->part = k->part;
             hit->side = k->side;
         }
-        describe(&q, &at, k->t, from->hit_tail[i], from->hit_error[i], want,
-                 hit);
+        describe_stop(&q, &at, k->t, from->hit_tail[i], from->hit_error[i],
+                      want, hit);
     }
 }
 
@@ -125,13 +127,13 @@ ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
     answer->relation = known.relation;
     answer->n = n;
     if (n > 0)
-        describe_hits(&question, want, &known, answer);
+        describe_known_hits(&question, want, &known, answer);
     return n;
 }
 
 #if CYLINT_IS_PARANOID
-static int contradicts(const cylint_shape *shape, const cylint_line *line,
-                       unsigned want, const cylint_answer *known)
+static int signs_contradict(const cylint_shape *shape, const cylint_line *line,
+                            unsigned want, const cylint_answer *known)
 {
     cylint_answer a;
     cylint_intersect_by_signs(shape, line, want, &a);
@@ -173,7 +175,7 @@ int cylint_intersect(const cylint_shape *shape, const cylint_line *line,
 {
     const int n = answer_question(shape, line, want, answer);
 #if CYLINT_IS_PARANOID
-    cylint_contradiction(contradicts(shape, line, want, answer));
+    cylint_contradiction(signs_contradict(shape, line, want, answer));
 #endif
     return n;
 }

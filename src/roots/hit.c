@@ -24,7 +24,7 @@
  * 0 or at least 2^-150, a difference of two such is 0 or at least 2^-202, and
  * no fact is of a degree above 5.
  */
-static int is_tame(double x)
+static int is_zero_or_tame(double x)
 {
     return cylint_sign(x) == 0 || fabs(x) >= CYLINT_TAME_LEAST;
 }
@@ -33,12 +33,13 @@ static int data_are_tame(const cylint_query *q)
 {
     const cylint_shape *s = q->shape;
     const cylint_line *l = q->line;
-    int tame = is_tame(s->r0) && is_tame(s->r1) && is_tame(s->dr);
+    int tame = is_zero_or_tame(s->r0) && is_zero_or_tame(s->r1) &&
+               is_zero_or_tame(s->dr);
     for (int i = 0; i < 3; i++) {
-        tame &= is_tame(l->o[i]) && is_tame(l->d[i]);
-        tame &= is_tame(s->base[i]) && is_tame(s->axis[i]);
+        tame &= is_zero_or_tame(l->o[i]) && is_zero_or_tame(l->d[i]);
+        tame &= is_zero_or_tame(s->base[i]) && is_zero_or_tame(s->axis[i]);
         if (cylint_is_elliptic(q->kind))
-            tame &= is_tame(s->a[i]) && is_tame(s->b[i]);
+            tame &= is_zero_or_tame(s->a[i]) && is_zero_or_tame(s->b[i]);
     }
     return tame;
 }
@@ -59,18 +60,13 @@ static int has_digits(const cylint_query *q, bounded_pair x)
 
 /* ------------------------------------------------- the last roundings -- */
 
-static floating floating_of_pair(bounded_pair x)
-{
-    return (floating){x.v, 0};
-}
-
 static double rounded(floating x)
 {
     return cylint_scaled(x.v.hi, x.e);
 }
 
 /* Below those of all other numbers for 0. */
-static int exponent_of(floating x)
+static int floating_exponent(floating x)
 {
     return x.v.hi == 0 ? INT_MIN / 2 : x.e + cylint_exponent(x.v.hi);
 }
@@ -79,12 +75,12 @@ static int exponent_of(floating x)
  * so that there remain the roundings of it, of its root, of the component and of
  * the quotient.  No component exceeds 1.  Squares neither overflow nor, of the
  * largest component, underflow. */
-static void normalise(const floating x[3], int sign, double to[3])
+static void write_unit_vector(const floating x[3], int sign, double to[3])
 {
     pair y[3], sum = {0, 0};
-    int e = exponent_of(x[0]), scaled = 0;
+    int e = floating_exponent(x[0]), scaled = 0;
     for (int i = 1; i < 3; i++)
-        e = exponent_of(x[i]) > e ? exponent_of(x[i]) : e;
+        e = floating_exponent(x[i]) > e ? floating_exponent(x[i]) : e;
     /* mutant '<' -> '<=': `make sanitize` detects the element too many */
     for (int i = 0; i < 3; i++)
         scaled |= x[i].e != 0;
@@ -106,7 +102,8 @@ static double turns(floating y, floating x)
 {
     if (y.v.hi == 0 && x.v.hi == 0)
         return 0;
-    const int ex = exponent_of(x), ey = exponent_of(y), e = ex > ey ? ex : ey;
+    const int ex = floating_exponent(x), ey = floating_exponent(y),
+              e = ex > ey ? ex : ey;
     const pair X = floating_scaled(x, -e), Y = floating_scaled(y, -e);
     const double rest =
         (X.hi * Y.lo - Y.hi * X.lo) / (X.hi * X.hi + Y.hi * Y.hi);
@@ -141,122 +138,89 @@ static int is_curved(const cylint_query *q, int part)
     return part == CYLINT_PART_LATERAL || cylint_is_round(q->kind);
 }
 
-/* Facts that are still needed.  Each is computed as if it were alone, so that
- * no answer depends on what else is wanted. */
-typedef struct {
-    unsigned gradient, axial, axis; /* bits of components */
-    int z, phi;
-} needs;
+/* The facts that are needed, as bits.  Each is computed as if it were alone, so
+ * that no answer depends on what else is wanted. */
+enum {
+    NEED_Z = 1u << HEIGHT | 1u << HEIGHT_UNIT,
+    NEED_PHI = 1u << X | 1u << Y | 1u << VV
+};
 
-static needs needs_of(const cylint_query *q, unsigned want, cylint_root root,
-                      int part, int apex)
+static unsigned needs_of(const cylint_query *q, unsigned want, cylint_root root,
+                         int part, int apex)
 {
-    const unsigned normal = want & CYLINT_WANT_NORMAL ? 7 : 0;
-    const int curved = is_curved(q, part), axis = !cylint_has_no_axis(q->shape);
-    return (needs){curved && !apex ? normal : 0, curved ? 0 : normal,
-                   curved && apex ? normal : 0,
-                   (want & CYLINT_WANT_Z) != 0 && !is_on_cap(q, root) && axis,
-                   (want & CYLINT_WANT_PHI) != 0 && !apex && axis};
-}
-
-static int any_need(const needs *n)
-{
-    return n->gradient || n->axial || n->axis || n->z || n->phi;
-}
-
-/* Returns which of the needed components have too few digits. */
-static unsigned vector_in_pairs(const cylint_query *q, const bounded_pair x[3],
-                                unsigned need, floating *facts)
-{
-    /* mutant '<' -> '<=': `make sanitize` detects the element too many */
-    for (int i = 0; i < 3; i++)
-        if (need >> i & 1) {
-            facts[i] = floating_of_pair(x[i]);
-            need &= ~((unsigned)has_digits(q, x[i]) << i);
-        }
+    const int axis = !cylint_has_no_axis(q->shape);
+    unsigned need = 0;
+    if (want & CYLINT_WANT_NORMAL)
+        need |= 7u << (!is_curved(q, part) ? AXIAL : apex ? AXIS : GRADIENT);
+    if ((want & CYLINT_WANT_Z) && !is_on_cap(q, root) && axis)
+        need |= NEED_Z;
+    if ((want & CYLINT_WANT_PHI) && !apex && axis)
+        need |= NEED_PHI;
     return need;
 }
 
-static unsigned gradient_in_pairs(const cylint_query *q,
-                                  const cylint_terms_pair *L, unsigned need,
-                                  floating *facts)
+/* The needed facts of the point that D[0] leads to. */
+static void facts_of(const cylint_query *q, const cylint_terms_pair *L,
+                     unsigned need, bounded_pair x[FACTS])
 {
-    bounded_pair x[3];
     /* mutant '<' -> '<=': `make sanitize` detects the element too many */
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < HEIGHT; i++)
         if (need >> i & 1)
-            x[i] = cylint_gradient_pair(L, i);
-    return vector_in_pairs(q, x, need, facts);
-}
-
-static int z_in_pairs(const cylint_query *q, const cylint_terms_pair *L,
-                      floating *facts)
-{
-    const bounded_pair height =
-        cylint_form_height_pair(L, cylint_is_reversed(q->shape));
-    const bounded_pair unit = cylint_form_height_unit_pair(L);
-    facts[HEIGHT] = floating_of_pair(height);
-    facts[HEIGHT_UNIT] = floating_of_pair(unit);
-    return has_digits(q, height) && has_digits(q, unit);
+            x[i] = i < AXIAL  ? cylint_gradient_pair(L, i)
+                   : i < AXIS ? cylint_axial_pair(L)[i - AXIAL]
+                              : L->w[i - AXIS];
+    if (need & NEED_Z) {
+        x[HEIGHT] = cylint_form_height_pair(L, cylint_is_reversed(q->shape));
+        x[HEIGHT_UNIT] = cylint_form_height_unit_pair(L);
+    }
+    if (need & NEED_PHI) {
+        x[VV] = cylint_form_height_unit_pair(L);
+        cylint_about_axis_pair(L, cylint_least_axis_component(q->shape), &x[X],
+                               &x[Y]);
+        if (cylint_is_reversed(q->shape))
+            x[X].v = pair_neg(x[X].v);
+    }
 }
 
 /* The angle is small where y is, if x > 0: then it needs the digits of y.
  * Elsewhere x and y need those of the larger of them. */
-static int angle_in_pairs(const cylint_query *q, const cylint_terms_pair *L,
-                          floating *facts)
+static int angle_has_digits(const cylint_query *q, const bounded_pair *x)
 {
-    bounded_pair x, y;
-    const bounded_pair vv = cylint_form_height_unit_pair(L);
-    cylint_about_axis_pair(L, cylint_least_axis_component(q->shape), &x, &y);
-    if (cylint_is_reversed(q->shape))
-        x.v = pair_neg(x.v);
-    facts[X] = floating_of_pair(x);
-    facts[Y] = floating_of_pair(y);
-    facts[VV] = floating_of_pair(vv);
-    const double scale = !cylint_is_elliptic(q->kind) ? sqrt(vv.v.hi) : 1;
-    const double wx = fabs(x.v.hi), wy = fabs(y.v.hi);
-    if (!is_known(x, cylint_larger(wx, wy / scale)))
+    const double scale = !cylint_is_elliptic(q->kind) ? sqrt(x[VV].v.hi) : 1;
+    const double wx = fabs(x[X].v.hi), wy = fabs(x[Y].v.hi);
+    if (!is_known(x[X], cylint_larger(wx, wy / scale)))
         return 0;
-    return x.v.hi > 0 ? has_digits(q, y)
-                      : is_known(y, cylint_larger(wy, wx * scale));
-}
-
-static void facts_of(const cylint_query *q, const cylint_terms_pair *L,
-                     needs *need, floating *facts)
-{
-    if (need->axial)
-        need->axial = vector_in_pairs(q, cylint_axial_pair(L), need->axial,
-                                      facts + AXIAL);
-    if (need->axis)
-        need->axis = vector_in_pairs(q, L->w, need->axis, facts + AXIS);
-    if (need->gradient)
-        need->gradient =
-            gradient_in_pairs(q, L, need->gradient, facts + GRADIENT);
-    if (need->z)
-        need->z = !z_in_pairs(q, L, facts);
-    if (need->phi)
-        need->phi = !angle_in_pairs(q, L, facts);
+    return x[X].v.hi > 0 ? has_digits(q, x[Y])
+                         : is_known(x[Y], cylint_larger(wy, wx * scale));
 }
 
 /* In pairs, with the line's origin moved to the hit, if that lies in the
- * window in which bounded_pair_error() holds. */
-static void facts_in_pairs(cylint_query *q, bounded_pair t, needs *need,
-                           floating *facts)
+ * window in which bounded_pair_error() holds.  Returns the needed facts that have
+ * too few digits. */
+static unsigned facts_in_pairs(cylint_query *q, bounded_pair t, unsigned need,
+                               floating *facts)
 {
     cylint_terms_pair *L = cylint_load_pairs(q);
-    bounded_pair kept[3];
-    if (cylint_move_origin(L, 0, t, kept))
-        facts_of(q, L, need, facts);
+    bounded_pair kept[3], x[FACTS];
+    const int in_window = cylint_move_origin(L, 0, t, kept);
+    if (in_window)
+        facts_of(q, L, need, x);
     cylint_restore_origin(L, 0, kept);
-}
-
-static int is_needed(const needs *need, int fact)
-{
-    return fact < AXIAL    ? (int)(need->gradient >> fact & 1)
-           : fact < AXIS   ? (int)(need->axial >> (fact - AXIAL) & 1)
-           : fact < HEIGHT ? (int)(need->axis >> (fact - AXIS) & 1)
-           : fact < X      ? need->z
-                           : need->phi;
+    if (!in_window)
+        return need;
+    unsigned done = 0;
+    for (int i = 0; i < FACTS; i++)
+        if (need >> i & 1) {
+            facts[i] = (floating){x[i].v, 0};
+            if (i < HEIGHT)
+                done |= (unsigned)has_digits(q, x[i]) << i;
+        }
+    if ((need & NEED_Z) && has_digits(q, x[HEIGHT]) &&
+        has_digits(q, x[HEIGHT_UNIT]))
+        done |= NEED_Z;
+    if ((need & NEED_PHI) && angle_has_digits(q, x))
+        done |= NEED_PHI;
+    return need & ~done;
 }
 
 /* A fact of the point that D[0] leads to. */
@@ -282,7 +246,7 @@ static exact fact_exact(const cylint_query *q, const cylint_terms_exact *L,
 
 /* Every fact is affine in the point: its values at o and at o + d give it
  * along the line. */
-static void facts_in_full(cylint_query *q, surd *t, const needs *need,
+static void facts_in_full(cylint_query *q, surd *t, unsigned need,
                           floating *facts)
 {
     cylint_arena *arena = &q->arena;
@@ -292,7 +256,7 @@ static void facts_in_full(cylint_query *q, surd *t, const needs *need,
         beyond.D[0][i] = cylint_exact_add(arena, at_o.D[0][i], at_o.u[i]);
     for (int i = 0; i < FACTS; i++) {
         const int kept = arena->used;
-        if (!is_needed(need, i))
+        if (!(need >> i & 1))
             continue;
         const exact f0 = fact_exact(q, &at_o, i);
         const exact f1 = cylint_exact_add(arena, fact_exact(q, &beyond, i),
@@ -337,8 +301,8 @@ static unsigned fixed_coordinates(const cylint_query *q, cylint_root root,
 }
 
 /* o + t d in pairs; returns the bits of coordinates with too few digits. */
-static unsigned point_in_pairs(const cylint_query *q, bounded_pair t,
-                               unsigned left, double point[3])
+static unsigned coordinates_in_pairs(const cylint_query *q, bounded_pair t,
+                                     unsigned left, double point[3])
 {
     const cylint_line *l = q->line;
     const double t_error = CYLINT_PAIR_UNIT * t.error;
@@ -356,8 +320,8 @@ static unsigned point_in_pairs(const cylint_query *q, bounded_pair t,
     return left;
 }
 
-static void point_in_full(cylint_query *q, surd *t, unsigned left,
-                          double point[3])
+static void coordinates_in_full(cylint_query *q, surd *t, unsigned left,
+                                double point[3])
 {
     const cylint_terms_exact *L = cylint_load_exact(q);
     for (int i = 0; i < 3; i++) {
@@ -395,12 +359,12 @@ static void write_facts(cylint_query *q, const floating *facts,
 {
     if (want & CYLINT_WANT_NORMAL) {
         if (!is_curved(q, part))
-            normalise(facts + AXIAL, part == CYLINT_PART_CAP1 ? 1 : -1,
-                      hit->normal);
+            write_unit_vector(facts + AXIAL, part == CYLINT_PART_CAP1 ? 1 : -1,
+                              hit->normal);
         else if (apex)
-            normalise(facts + AXIS, apex_sign(q), hit->normal);
+            write_unit_vector(facts + AXIS, apex_sign(q), hit->normal);
         else
-            normalise(facts + GRADIENT, 1, hit->normal);
+            write_unit_vector(facts + GRADIENT, 1, hit->normal);
     }
     if (want & CYLINT_WANT_Z)
         hit->z = is_on_cap(q, root)             ? root == ROOT_CAP1
@@ -423,25 +387,25 @@ static void write_facts(cylint_query *q, const floating *facts,
     }
 }
 
-/* The members of a hit that are still needed, and the facts so far. */
+/* What is still needed of a hit, as bits of coordinates of the point and of
+ * facts; and the facts so far. */
 typedef struct {
-    unsigned left; /* coordinates of the point, as bits */
-    needs need;
+    unsigned left, need;
     floating facts[FACTS];
 } description;
 
 static int is_complete(const description *x)
 {
-    return !x->left && !any_need(&x->need);
+    return !x->left && !x->need;
 }
 
 static void describe_in_pairs(cylint_query *q, bounded_pair t, description *x,
                               double point[3])
 {
     if (x->left)
-        x->left = point_in_pairs(q, t, x->left, point);
-    if (any_need(&x->need))
-        facts_in_pairs(q, t, &x->need, x->facts);
+        x->left = coordinates_in_pairs(q, t, x->left, point);
+    if (x->need)
+        x->need = facts_in_pairs(q, t, x->need, x->facts);
 }
 
 static void describe_in_full(cylint_query *q, cylint_root root, description *x,
@@ -449,8 +413,8 @@ static void describe_in_full(cylint_query *q, cylint_root root, description *x,
 {
     const int used = cylint_exact_mark(q, root);
     surd t = cylint_surd(q, root);
-    point_in_full(q, &t, x->left, point);
-    facts_in_full(q, &t, &x->need, x->facts);
+    coordinates_in_full(q, &t, x->left, point);
+    facts_in_full(q, &t, x->need, x->facts);
     q->arena.used = used;
 }
 

@@ -36,8 +36,8 @@ typedef struct {
 
 typedef enum { IN_DOUBLES, IN_PAIRS } form_arithmetic;
 
-static number number_of(cylint_query *q, form_arithmetic in, cylint_form f,
-                        int end)
+static number form_in(cylint_query *q, form_arithmetic in, cylint_form f,
+                      int end)
 {
     if (in == IN_PAIRS) {
         const bounded_pair x =
@@ -74,8 +74,8 @@ static number negative(number x)
 /* R = sqrt(S G), with an unknown error unless G is certainly positive. */
 static number radical_of(cylint_query *q, form_arithmetic in)
 {
-    const number G = number_of(q, in, FORM_G, 0);
-    const number S = number_of(q, in, FORM_ROOT_OF_S, 0);
+    const number G = form_in(q, in, FORM_G, 0);
+    const number S = form_in(q, in, FORM_ROOT_OF_S, 0);
     /* mutant '&&' -> '||': roots are computed where G > 0, and pairs that
      * compute G <= 0 decide nothing */
     /* mutant '>' -> '<': slower, the next stage decides */
@@ -95,7 +95,7 @@ static number radical_of(cylint_query *q, form_arithmetic in)
 static number divisor(cylint_query *q, form_arithmetic in, int exits, number *R,
                       int *near)
 {
-    const number B = number_of(q, in, FORM_B, 0);
+    const number B = form_in(q, in, FORM_B, 0);
     *R = radical_of(q, in);
     /* mutant '<' -> '<=': for B = 0 either sign is right */
     const int falls = B.v.hi < 0;
@@ -124,19 +124,19 @@ static estimate root_by_quotient(cylint_query *q, form_arithmetic in,
     const int exits = root == ROOT_EXIT;
     int near;
     if (root == ROOT_DOUBLE)
-        return (estimate){quotient(negative(number_of(q, in, FORM_B, 0)),
-                                   number_of(q, in, FORM_A, 0)),
+        return (estimate){quotient(negative(form_in(q, in, FORM_B, 0)),
+                                   form_in(q, in, FORM_A, 0)),
                           unknown};
     if (root != ROOT_ENTRY && !exits)
         return (estimate){
-            quotient(negative(number_of(q, in, FORM_ALPHA, root == ROOT_CAP1)),
-                     number_of(q, in, FORM_BETA, 0)),
+            quotient(negative(form_in(q, in, FORM_ALPHA, root == ROOT_CAP1)),
+                     form_in(q, in, FORM_BETA, 0)),
             unknown};
     number R;
     const number sum = divisor(q, in, exits, &R, &near);
     if (!(sum.error < HUGE_VAL))
         return (estimate){unknown, unknown};
-    const number x = number_of(q, in, near ? FORM_C : FORM_A, 0);
+    const number x = form_in(q, in, near ? FORM_C : FORM_A, 0);
     const number t = near ? quotient(x, sum) : quotient(sum, x);
     return (estimate){near == exits ? negative(t) : t, exits ? R : negative(R)};
 }
@@ -200,7 +200,7 @@ static number step_to_lateral(cylint_query *q, number t, number slope,
         cylint_move_origin(L, 0, (bounded_pair){t.v, 0}, kept);
     const bounded_pair C = cylint_form_pair(L, FORM_C, 0);
     if (!is_known)
-        slope = number_of(q, IN_PAIRS, FORM_B, 0);
+        slope = form_in(q, IN_PAIRS, FORM_B, 0);
     cylint_restore_origin(L, 0, kept);
     return step_from(t, in_window, C, slope, curvature);
 }
@@ -234,7 +234,7 @@ static number newton_from(cylint_query *q, cylint_root root, number t,
         return step_to_plane(q, t, root == ROOT_CAP1);
     if (root != ROOT_ENTRY && root != ROOT_EXIT)
         return unknown;
-    const number A = number_of(q, IN_DOUBLES, FORM_A, 0);
+    const number A = form_in(q, IN_DOUBLES, FORM_A, 0);
     do {
         before = t.error;
         t = step_to_lateral(q, t, slope, fabs(A.v.hi) + A.error);

@@ -10,13 +10,13 @@
 #include "overlap.h"
 
 /* A stop on the ball about an end. */
-static cylint_stop on_ball(cylint_root root, int end)
+static cylint_stop stop_on_ball(cylint_root root, int end)
 {
     return (cylint_stop){root, end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0, 0, 0};
 }
 
 /* A stop on the circle about an end; at an end of radius 0, the apex. */
-static cylint_stop on_circle(const cylint_query *q, int end)
+static cylint_stop stop_on_circle(const cylint_query *q, int end)
 {
     return (cylint_stop){end ? ROOT_CAP1 : ROOT_CAP0, CYLINT_PART_LATERAL, 0,
                          cylint_radius_is_zero(q, end)};
@@ -29,8 +29,9 @@ static cylint_overlap ball_chord(int discriminant, int end)
     if (discriminant < 0)
         return v;
     if (discriminant > 0)
-        return cylint_two_stops(CYLINT_RELATION_CROSS, on_ball(ROOT_ENTRY, end),
-                                on_ball(ROOT_EXIT, end));
+        return cylint_two_stops(CYLINT_RELATION_CROSS,
+                                stop_on_ball(ROOT_ENTRY, end),
+                                stop_on_ball(ROOT_EXIT, end));
     v = cylint_one_stop(CYLINT_RELATION_TOUCH, ROOT_DOUBLE, CYLINT_SIDE_BOTH,
                         0);
     v.at[0].part = end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
@@ -39,7 +40,7 @@ static cylint_overlap ball_chord(int discriminant, int end)
 
 static cylint_overlap touch_circle(const cylint_query *q, int end)
 {
-    const cylint_stop at = on_circle(q, end);
+    const cylint_stop at = stop_on_circle(q, end);
     return cylint_one_stop(CYLINT_RELATION_TOUCH, at.root, CYLINT_SIDE_BOTH,
                            at.apex);
 }
@@ -80,15 +81,15 @@ static cylint_overlap round_between(cylint_query *q, int up, int first,
 static cylint_overlap round_through_circle(const cylint_query *q, int end,
                                            int grows, int is_first)
 {
-    const cylint_stop at = on_circle(q, end);
+    const cylint_stop at = stop_on_circle(q, end);
     if (grows == 0)
         return touch_circle(q, end);
     if (grows < 0)
         return cylint_two_stops(CYLINT_RELATION_CROSS, at,
                                 is_first ? cylint_lateral_stop(ROOT_EXIT)
-                                         : on_ball(ROOT_EXIT, end));
+                                         : stop_on_ball(ROOT_EXIT, end));
     return cylint_two_stops(CYLINT_RELATION_CROSS,
-                            is_first ? on_ball(ROOT_ENTRY, end)
+                            is_first ? stop_on_ball(ROOT_ENTRY, end)
                                      : cylint_lateral_stop(ROOT_ENTRY),
                             at);
 }
@@ -99,11 +100,11 @@ static cylint_overlap round_slab(cylint_query *q, int up)
     const int first = up > 0 ? 0 : 1, last = 1 - first;
     const int Ef = cylint_form_sign(q, FORM_E, first),
               El = cylint_form_sign(q, FORM_E, last);
-    const cylint_stop begin = Ef > 0    ? on_ball(ROOT_ENTRY, first)
-                              : Ef == 0 ? on_circle(q, first)
+    const cylint_stop begin = Ef > 0    ? stop_on_ball(ROOT_ENTRY, first)
+                              : Ef == 0 ? stop_on_circle(q, first)
                                         : cylint_lateral_stop(ROOT_ENTRY);
-    const cylint_stop end = El > 0    ? on_ball(ROOT_EXIT, last)
-                            : El == 0 ? on_circle(q, last)
+    const cylint_stop end = El > 0    ? stop_on_ball(ROOT_EXIT, last)
+                            : El == 0 ? stop_on_circle(q, last)
                                       : cylint_lateral_stop(ROOT_EXIT);
     if (Ef > 0 || El > 0)
         return cylint_two_stops(CYLINT_RELATION_CROSS, begin, end);

@@ -110,7 +110,7 @@ void cylint_measure_shape(cylint_shape *s)
     measure_ball(s);
 }
 
-static void swap(double *x, double *y)
+static void swap_doubles(double *x, double *y)
 {
     const double kept = *x;
     *x = *y;
@@ -123,11 +123,11 @@ void cylint_ball_of(cylint_shape *ball, const cylint_shape *s, int end)
     ball->kind = CYLINT_KIND_SPHERE;
     ball->surface = end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
     if (end) {
-        swap(&ball->r0, &ball->r1);
+        swap_doubles(&ball->r0, &ball->r1);
         ball->dr = -s->dr;
         ball->dr_lo = -s->dr_lo;
         for (int i = 0; i < 3; i++) {
-            swap(&ball->base[i], &ball->top[i]);
+            swap_doubles(&ball->base[i], &ball->top[i]);
             ball->axis[i] = -s->axis[i];
             ball->axis_lo[i] = -s->axis_lo[i];
         }

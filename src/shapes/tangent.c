@@ -32,7 +32,7 @@ static pair series(pair x, int first)
 }
 
 /* The double nearest to x 2^e, in whatever rounding mode. */
-static double nearest(pair x, int e)
+static double nearest_double(pair x, int e)
 {
     cylint_arena arena;
     cylint_arena_open(&arena);
@@ -58,7 +58,8 @@ double cylint_tangent(double degrees)
     }
     const pair x = pair_mul(radian, (pair){angle, 0});
     if (e != 0)
-        return nearest(x, e);
+        return nearest_double(x, e);
     const pair sine = series(x, 1), cosine = series(x, 0);
-    return nearest(steep ? pair_div(cosine, sine) : pair_div(sine, cosine), 0);
+    return nearest_double(
+        steep ? pair_div(cosine, sine) : pair_div(sine, cosine), 0);
 }
