@@ -234,7 +234,9 @@ static number newton_from(cylint_query *q, cylint_root root, number t,
         return step_to_plane(q, t, root == ROOT_CAP1);
     if (root != ROOT_ENTRY && root != ROOT_EXIT)
         return unknown;
-    const number A = form_in(q, IN_DOUBLES, FORM_A, 0);
+    number A = form_in(q, IN_DOUBLES, FORM_A, 0);
+    if (!(relative_error(A) < CYLINT_FIRST_ORDER))
+        A = form_in(q, IN_PAIRS, FORM_A, 0);
     do {
         before = t.error;
         t = step_to_lateral(q, t, slope, fabs(A.v.hi) + A.error);
