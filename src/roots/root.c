@@ -105,10 +105,10 @@ static number divisor(cylint_query *q, form_arithmetic in, int exits, number *R,
                              CYLINT_PAIR_RADICAL_ROUNDING * fabs(sum.hi)};
 }
 
-/* Whether the root is a quotient of pairs. */
+/* Whether the root is a quotient of forms. */
 static int is_quotient(const cylint_query *q, cylint_root root)
 {
-    return q->pairs && root != ROOT_APEX;
+    return q->filters && root != ROOT_APEX;
 }
 
 /* Such a root, and half the slope of Q at it, if the root is of Q. */
@@ -452,7 +452,7 @@ static int root_in_pairs(cylint_query *q, form_arithmetic in, cylint_root root,
 static double root_value(cylint_query *q, form_arithmetic in, cylint_root root,
                          estimate k, double *more)
 {
-    if (is_quotient(q, root) && root_in_pairs(q, in, root, &k)) {
+    if (q->pairs && is_quotient(q, root) && root_in_pairs(q, in, root, &k)) {
         const pair t = k.t.v;
         const double value = cylint_scaled(t.hi, q->t_exponent);
         cylint_contradiction(exact_value(q, root, more) != value);
@@ -541,7 +541,8 @@ static double in_scale(const cylint_query *q, double t)
 }
 
 /* Where a root with a bounded error lies: 1 within the domain, -1 outside, 0 if
- * it is too near a limit. */
+ * it is too near a limit.  In other rounding modes an operation on pairs is less
+ * accurate, but far more than one on doubles. */
 static int placed(const cylint_query *q, number x)
 {
     const double from = in_scale(q, q->line->tmin);
@@ -572,7 +573,7 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
     estimate k = {unknown, unknown};
     if (is_quotient(q, root)) {
         k = root_by_quotient(q, in, root);
-        if (limited && placed(q, k.t) == 0)
+        if (limited && q->pairs && placed(q, k.t) == 0)
             k = root_by_quotient(q, in = IN_PAIRS, root);
     }
     if (limited) {
