@@ -11,6 +11,26 @@
 #include "../shapes/shape_facts.h"
 #include "cylint.h"
 
+/* The forms whose signs decide, and the coefficients of roots.  ALPHA, E, N and
+ * END_BALL are of one end. */
+typedef enum {
+    FORM_ALPHA, /* these follow from the line's origin, without its moments */
+    FORM_ROOT_OF_S,
+    FORM_C,
+    FORM_RHO0,
+    FORM_BETA,
+    FORM_RHO1,
+    FORM_ALONG, /* u.w: on which side of the line's direction the axis points */
+    FORM_E,
+    FORM_N,
+    FORM_G,
+    FORM_A,
+    FORM_B,
+    FORM_T,        /* not of round kinds */
+    FORM_END_BALL, /* round kinds only */
+    CYLINT_FORMS
+} cylint_form;
+
 /* R = sqrt(S G), half the square root of the discriminant, over an arithmetic.
  * Of kinds whose S is a square, S is form_root_of_S(). */
 #define CYLINT_RADICAL(kind, S, G, MUL, SQRT) \

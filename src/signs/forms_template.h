@@ -59,29 +59,6 @@
  * E_1, N_0, N_1 and G say in which order they come.
  */
 
-#ifndef CYLINT_FORMS_NAMED
-#define CYLINT_FORMS_NAMED
-/* The forms whose signs decide, and the coefficients of roots.  ALPHA, E, N and
- * END_BALL are of one end. */
-typedef enum {
-    FORM_ALPHA, /* these follow from the line's origin, without its moments */
-    FORM_ROOT_OF_S,
-    FORM_C,
-    FORM_RHO0,
-    FORM_BETA,
-    FORM_RHO1,
-    FORM_ALONG, /* u.w: on which side of the line's direction the axis points */
-    FORM_E,
-    FORM_N,
-    FORM_G,
-    FORM_A,
-    FORM_B,
-    FORM_T,        /* not of round kinds */
-    FORM_END_BALL, /* round kinds only */
-    CYLINT_FORMS
-} cylint_form;
-#endif
-
 #ifndef FORMS_DEFINED
 typedef struct {
     MEMORY
