@@ -276,6 +276,12 @@ static int use_group(void *self, cylint_filter_batch *from,
     return 0;
 }
 
+static cylint_filter_many *filter_many(void)
+{
+    return CYLINT_OF_BUILD(cylint_build_used(), cylint_many_plain,
+                           cylint_many_avx2, cylint_many_avx512);
+}
+
 /* Questions of one solid.  Returns 1 when no more are wanted. */
 static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
                             const cylint_run *run, size_t n)
@@ -298,7 +304,7 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
                 CYLINT_SLACK
           : 0;
     from.lane = from.first = from.end = 0;
-    cylint_kernels_used()->many(&from, use_group, job);
+    filter_many()(&from, use_group, job);
     return job->stopped;
 }
 

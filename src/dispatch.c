@@ -5,16 +5,7 @@
 
 #include "dispatch.h"
 
-/* Best first.  The last one runs on every processor. */
-static const cylint_kernels builds[] = {
-#ifdef CYLINT_BUILDS_X86
-    {"avx512", &cylint_one_fma, cylint_many_avx512},
-    {"avx2", &cylint_one_fma, cylint_many_avx2},
-#endif
-    {"plain", &cylint_one_plain, cylint_many_plain},
-};
-
-enum { BUILDS = sizeof builds / sizeof builds[0] };
+static const char *const names[CYLINT_BUILDS] = {"plain", "avx2", "avx512"};
 
 /* __builtin_cpu_supports() tests the processor, and that the operating system
  * saves the registers. */
@@ -22,34 +13,35 @@ enum { BUILDS = sizeof builds / sizeof builds[0] };
 static int runs(int build)
 {
 #ifdef CYLINT_BUILDS_X86
-    if (build == 0)
+    if (build == CYLINT_BUILD_AVX512)
         return __builtin_cpu_supports("avx512f") &&
                __builtin_cpu_supports("avx512vl") &&
                __builtin_cpu_supports("avx512dq");
-    if (build == 1)
+    if (build == CYLINT_BUILD_AVX2)
         return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #endif
-    return build == BUILDS - 1;
+    return build == CYLINT_BUILD_PLAIN;
 }
 
 /* untaken: it depends on the processor */
 static int best(void)
 {
-    int build = 0;
+    int build = CYLINT_BUILDS - 1;
     while (!runs(build))
-        build++;
+        build--;
     return build;
 }
 
-/* NULL until the first use.  All threads choose the same build. */
-const cylint_kernels *cylint_kernels_chosen;
+/* All threads choose the same build. */
+cylint_build cylint_build_chosen = CYLINT_BUILDS;
 
-static int choose_and_answer(const cylint_shape *shape,
-                             const cylint_line *line, unsigned want,
-                             cylint_answer *answer, cylint_question *question)
+static int choose_and_answer(const cylint_shape *shape, const cylint_line *line,
+                             unsigned want, cylint_answer *answer,
+                             cylint_question *question)
 {
-    return cylint_filter_one(cylint_choose_kernels()->one, shape, line, want,
-                             answer, question);
+    cylint_choose_build();
+    return cylint_filter_one(cylint_one_used(), shape, line, want, answer,
+                             question);
 }
 
 static int is_refined(cylint_question *question)
@@ -73,37 +65,39 @@ const cylint_one_kernels *cylint_one_chosen = &choosing;
 #define STORE(x, v) ((x) = (v))
 #endif
 
-static const cylint_kernels *choose(int build)
+static cylint_build choose(int build)
 {
-    STORE(cylint_kernels_chosen, &builds[build]);
-    STORE(cylint_one_chosen, builds[build].one);
-    return &builds[build];
+    const cylint_one_kernels *one = CYLINT_OF_BUILD(
+        build, &cylint_one_plain, &cylint_one_fma, &cylint_one_fma);
+    STORE(cylint_one_chosen, one);
+    STORE(cylint_build_chosen, (cylint_build)build);
+    return (cylint_build)build;
 }
 
-const cylint_kernels *cylint_choose_kernels(void)
+cylint_build cylint_choose_build(void)
 {
     return choose(best());
 }
 
 const char *cylint_kernels_in_use(void)
 {
-    return cylint_kernels_used()->name;
+    return names[cylint_build_used()];
 }
 
 /* untaken: it depends on the processor */
 const char *cylint_kernels_name(int number)
 {
-    for (int build = 0; build < BUILDS; build++)
+    for (int build = CYLINT_BUILDS - 1; build >= 0; build--)
         if (runs(build) && number-- == 0)
-            return builds[build].name;
+            return names[build];
     return NULL;
 }
 
 /* untaken: it depends on the processor */
 int cylint_use_kernels(const char *name)
 {
-    for (int build = 0; build < BUILDS; build++)
-        if (name ? strcmp(name, builds[build].name) == 0 : runs(build)) {
+    for (int build = CYLINT_BUILDS - 1; build >= 0; build--)
+        if (name ? strcmp(name, names[build]) == 0 : runs(build)) {
             if (!runs(build))
                 return 0;
             choose(build);

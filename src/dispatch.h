@@ -1,16 +1,29 @@
 /*
- * dispatch.h - the builds of the filter that are in use
+ * dispatch.h - the build in use, of every file that has several
  */
 #ifndef CYLINT_DISPATCH_H
 #define CYLINT_DISPATCH_H
 
 #include "filter/filter.h"
 
-typedef struct {
-    const char *name;
-    const cylint_one_kernels *one;
-    cylint_filter_many *many;
-} cylint_kernels;
+/* Each needs a processor that runs all before it. */
+typedef enum {
+    CYLINT_BUILD_PLAIN,
+    CYLINT_BUILD_AVX2, /* and fused multiply-add */
+    CYLINT_BUILD_AVX512,
+    CYLINT_BUILDS
+} cylint_build;
+
+/* One of three builds of an object.  A program links the builds of what it calls
+ * only. */
+#ifdef CYLINT_BUILDS_X86
+#define CYLINT_OF_BUILD(build, plain, avx2, avx512) \
+    ((build) == CYLINT_BUILD_AVX512 ? (avx512)      \
+     : (build) == CYLINT_BUILD_AVX2 ? (avx2)        \
+                                    : (plain))
+#else
+#define CYLINT_OF_BUILD(build, plain, avx2, avx512) ((void)(build), (plain))
+#endif
 
 /* Reads a variable that another thread may write. */
 #ifdef __GNUC__
@@ -19,18 +32,13 @@ typedef struct {
 #define CYLINT_LOAD(x) (x)
 #endif
 
-/* dispatch.c chooses when first called. */
-extern const cylint_kernels *cylint_kernels_chosen CYLINT_HIDDEN;
-const cylint_kernels *cylint_choose_kernels(void);
-static inline const cylint_kernels *cylint_kernels_if_chosen(void)
+/* CYLINT_BUILDS: not chosen.  dispatch.c chooses when first called. */
+extern cylint_build cylint_build_chosen CYLINT_HIDDEN;
+cylint_build cylint_choose_build(void);
+static inline cylint_build cylint_build_used(void)
 {
-    return CYLINT_LOAD(cylint_kernels_chosen);
-}
-
-static inline const cylint_kernels *cylint_kernels_used(void)
-{
-    const cylint_kernels *kernels = cylint_kernels_if_chosen();
-    return kernels ? kernels : cylint_choose_kernels();
+    const cylint_build build = CYLINT_LOAD(cylint_build_chosen);
+    return build == CYLINT_BUILDS ? cylint_choose_build() : build;
 }
 
 /* The kernels for one line and one shape.  Before the first use these are

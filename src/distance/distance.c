@@ -16,14 +16,11 @@ size_t cylint_sizeof_closest(void)
  * cylint_undecided_distance() chooses it. */
 static inline cylint_one_distance *const *kernels_of(int kind)
 {
-#ifdef CYLINT_BUILDS_X86
-    const cylint_kernels *used = cylint_kernels_if_chosen();
-    if (!used)
+    const cylint_build build = CYLINT_LOAD(cylint_build_chosen);
+    if (build == CYLINT_BUILDS)
         return NULL;
-    if (used->one != &cylint_one_plain)
-        return cylint_limb_fma[kind];
-#endif
-    return cylint_limb_plain[kind];
+    return CYLINT_OF_BUILD(build, cylint_limb_plain, cylint_limb_fma,
+                           cylint_limb_fma)[kind];
 }
 
 double cylint_distance(const cylint_shape *shape, const double point[3],

@@ -63,15 +63,9 @@ static int has_lanes(const cylint_closest_columns *to)
 
 static cylint_certify_many *kernel(void)
 {
-#ifdef CYLINT_BUILDS_X86
-    const cylint_kernels *used = cylint_kernels_used();
-    /* mutant '==' -> '!=': another build has the same bits */
-    if (used->many == cylint_many_avx512)
-        return cylint_certify_many_avx512;
-    if (used->many == cylint_many_avx2)
-        return cylint_certify_many_avx2;
-#endif
-    return cylint_certify_many_plain;
+    return CYLINT_OF_BUILD(cylint_build_used(), cylint_certify_many_plain,
+                           cylint_certify_many_avx2,
+                           cylint_certify_many_avx512);
 }
 
 /* The part and feature that the kernels' feature stands for: a ball has one

@@ -41,11 +41,9 @@ static double by_exact_numbers(const cylint_shape *shape, const double point[3],
 static inline int is_certified(const cylint_shape *shape, const double point[3],
                                unsigned want, cylint_closest *answer)
 {
-#ifdef CYLINT_BUILDS_X86
-    if (cylint_kernels_used()->one != &cylint_one_plain)
-        return cylint_certified_fma(shape, point, want, answer);
-#endif
-    return cylint_certified_plain(shape, point, want, answer);
+    return CYLINT_OF_BUILD(cylint_build_used(), cylint_certified_plain,
+                           cylint_certified_fma,
+                           cylint_certified_fma)(shape, point, want, answer);
 }
 
 /* A shape that its constructor did not prepare (CYLINT_FOR_PACKS). */
