@@ -315,6 +315,10 @@ INLINE void judge(verdict *v, const forms *f, const local_line *l, int solid)
     }
 }
 
+static const local_line no_line;
+static const forms no_forms;
+static const verdict no_verdict;
+
 /* -------------------------------------- signs at an end of the domain ---- */
 
 /* Where a point of a line that crosses lies: before the overlap of line and
@@ -328,6 +332,8 @@ typedef struct {
 typedef struct {
     signs side, above[2], rho, ball[2], past;
 } point_signs;
+
+static const point_signs no_point_signs;
 
 /* A larger |t| counts as infinite: no bounded solid is met there. */
 INLINE vd latest(int solid)

@@ -39,6 +39,13 @@ INLINE double product_error(double x, double y)
     return two_prod(x, y).lo;
 }
 
+/* Without a fused multiply-add a product's error is long. */
+#if V_HAS_FMA
+#define LEVELS_INLINE INLINE
+#else
+#define LEVELS_INLINE ASIDE
+#endif
+
 /* In four lanes, of which the fourth is not used; in one. */
 #define REAL vq
 #define LEVELS vq_levels
@@ -52,6 +59,17 @@ INLINE double product_error(double x, double y)
 #define PRODUCT_ERROR(x, y, p) q_product_error(x, y, p)
 #define ZERO q_set(0)
 #include "levels_template.h"
+
+/* x (y + y_lo), of which c y_lo is left out. */
+LEVELS_INLINE vq_levels q_product(const vq_levels *x, vq y, vq y_lo)
+{
+    vq_levels xy = {q_mul(x->a, y), q_set(0),
+                    q_sum_of(x->c, y, q_mul(x->b, y_lo))};
+    xy.b = q_product_error(x->a, y, xy.a);
+    q_add_product_to_b(&xy, x->b, y);
+    q_add_product_to_b(&xy, x->a, y_lo);
+    return xy;
+}
 
 #define REAL double
 #define LEVELS levels

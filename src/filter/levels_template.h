@@ -34,31 +34,21 @@ INLINE void FORM(add_a)(LEVELS *sum, REAL x)
 }
 
 /* Adds x y to a, or a product of the size of b to b. */
-INLINE void FORM(add_product_to_a)(LEVELS *sum, REAL x, REAL y)
+LEVELS_INLINE void FORM(add_product_to_a)(LEVELS *sum, REAL x, REAL y)
 {
     const REAL p = MUL(x, y);
     FORM(add_a)(sum, p);
     FORM(add_b)(sum, PRODUCT_ERROR(x, y, p));
 }
 
-INLINE void FORM(add_product_to_b)(LEVELS *sum, REAL x, REAL y)
+LEVELS_INLINE void FORM(add_product_to_b)(LEVELS *sum, REAL x, REAL y)
 {
     const REAL p = MUL(x, y);
     FORM(add_b)(sum, p);
     sum->c = ADD(sum->c, PRODUCT_ERROR(x, y, p));
 }
 
-/* x (y + y_lo), of which c y_lo is left out. */
-INLINE LEVELS FORM(product)(const LEVELS *x, REAL y, REAL y_lo)
-{
-    LEVELS xy = {MUL(x->a, y), ZERO, SUM_OF(x->c, y, MUL(x->b, y_lo))};
-    xy.b = PRODUCT_ERROR(x->a, y, xy.a);
-    FORM(add_product_to_b)(&xy, x->b, y);
-    FORM(add_product_to_b)(&xy, x->a, y_lo);
-    return xy;
-}
-
-INLINE LEVELS FORM(square)(const LEVELS *x)
+LEVELS_INLINE LEVELS FORM(square)(const LEVELS *x)
 {
     const REAL twice_a = ADD(x->a, x->a);
     LEVELS xx = {MUL(x->a, x->a), ZERO, SUM_OF(twice_a, x->c, MUL(x->b, x->b))};

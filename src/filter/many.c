@@ -287,8 +287,7 @@ typedef struct {
 
 INLINE place place_at(const local_line *l, verdict *v, vd limit, int solid)
 {
-    static const point_signs none;
-    point_signs at = none;
+    point_signs at = no_point_signs;
     if (m_any(v_le(v_abs(limit), v_set(CYLINT_LATE))))
         set_point_signs(&at, l, v, near_limit(limit), solid);
     return place_of(&at, v, limit, solid);

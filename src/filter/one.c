@@ -56,9 +56,9 @@ INLINE int answer_rest(const first_line *first, bounded_value G, const asked *a,
 {
     const source from = {a->shape, a->line};
     cylint_question *question = a->question;
-    local_line l;
-    forms f;
-    verdict v;
+    local_line l = no_line;
+    forms f = no_forms;
+    verdict v = no_verdict;
     set_line(&l, first, a->shape, solid);
     load_rest(&l, &from, solid);
     if (cylint_solid_is_nappe(solid))
@@ -83,30 +83,6 @@ INLINE int answer_rest(const first_line *first, bounded_value G, const asked *a,
     return answer_by_roots(&l, &v, &in, a, solid);
 }
 
-/* The test of G, whose values go on in registers: so a miss saves none. */
-#define FIRST vd p, vd v, vd from_base, vd w, vd Q, vd D, vd G, vd G_error
-#define KERNEL(name, roots, solid)                                         \
-    ASIDE int name##_rest(ARGUMENTS, FIRST)                                \
-    {                                                                      \
-        const first_line first = {p, v, from_base, w, Q, D};               \
-        const asked a = {shape, line, want, answer, question};             \
-        return answer_rest(&first, (bounded_value){G, G_error}, &a, roots, \
-                           solid);                                         \
-    }                                                                      \
-    static int name(ARGUMENTS)                                             \
-    {                                                                      \
-        const source from = {shape, line};                                 \
-        const first_line a = load_first(&from, solid);                     \
-        const bounded_value G = test_of_G(&a, shape, solid);               \
-        if (m_bits(v_lt(G.v, -G.e)) & 1)                                   \
-            return write_miss(answer);                                     \
-        return name##_rest(shape, line, want, answer, question, a.p, a.v,  \
-                           a.from_base, a.w, a.Q, a.D, G.v, G.e);          \
-    }
-#define KERNELS(name, solid)       \
-    KERNEL(name##_signs, 0, solid) \
-    KERNEL(name##_roots, 1, solid)
-
 INLINE bounded_value test_of_G(const first_line *first,
                                const cylint_shape *shape, int solid)
 {
@@ -117,41 +93,70 @@ INLINE bounded_value test_of_G(const first_line *first,
     return bounded_G(&f, &l, solid);
 }
 
-KERNELS(cylinder, CYLINT_SOLID_CYLINDER)
-KERNELS(cone, CYLINT_SOLID_CONE)
-KERNELS(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER)
-KERNELS(double_cone, CYLINT_SOLID_DOUBLE_CONE)
-KERNELS(nappe, CYLINT_SOLID_NAPPE)
-KERNELS(sphere, CYLINT_SOLID_SPHERE)
-KERNELS(capsule, CYLINT_SOLID_CAPSULE)
-KERNELS(round_cone, CYLINT_SOLID_ROUND_CONE)
-#undef KERNEL
-#undef KERNELS
-#undef FIRST
-
+/* The test of G, whose values go on in registers: so a miss saves none. */
+#define FIRST vd p, vd v, vd from_base, vd w, vd Q, vd D, vd G, vd G_error
+#define KERNEL(name, rest, solid)                                  \
+    static int name(ARGUMENTS)                                     \
+    {                                                              \
+        const source from = {shape, line};                         \
+        const first_line a = load_first(&from, solid);             \
+        const bounded_value G = test_of_G(&a, shape, solid);       \
+        if (m_bits(v_lt(G.v, -G.e)) & 1)                           \
+            return write_miss(answer);                             \
+        return rest(shape, line, want, answer, question, a.p, a.v, \
+                    a.from_base, a.w, a.Q, a.D, G.v, G.e);         \
+    }
+#define REST(name, roots, solid)                                           \
+    ASIDE int name(ARGUMENTS, FIRST)                                       \
+    {                                                                      \
+        const first_line first = {p, v, from_base, w, Q, D};               \
+        const asked a = {shape, line, want, answer, question};             \
+        return answer_rest(&first, (bounded_value){G, G_error}, &a, roots, \
+                           solid);                                         \
+    }
 /* The signs at the ends of the domain, or all signs of the line. */
-#define REFINE(name, solid, line)                                           \
-    static int name##_refined(cylint_question *q)                           \
+#define REFINE(name, line, solid)                                           \
+    static int name(cylint_question *q)                                     \
     {                                                                       \
         const int n = q->known == CYLINT_KNOWN_LINE ? refine_ends(q, solid) \
                                                     : CYLINT_UNDECIDED;     \
         return n == CYLINT_UNDECIDED ? line : n;                            \
     }
+#define OWN(name, line, solid)                     \
+    REST(name##_signs_rest, 0, solid)              \
+    REST(name##_roots_rest, 1, solid)              \
+    KERNEL(name##_signs, name##_signs_rest, solid) \
+    KERNEL(name##_roots, name##_roots_rest, solid) \
+    REFINE(name##_refined, line, solid)
+
 #if V_HAS_FMA
-#define REFINED_LINE(q, solid) refine_line(q, solid)
+OWN(cylinder, refine_line(q, CYLINT_SOLID_CYLINDER), CYLINT_SOLID_CYLINDER)
+OWN(cone, refine_line(q, CYLINT_SOLID_CONE), CYLINT_SOLID_CONE)
+#define OTHERS(name, solid) OWN(name, refine_any_line(q), solid)
 #else
-#define REFINED_LINE(q, solid) refine_any_line(q)
+/* Without a fused multiply-add a product in pairs is long: the other solids
+ * share what follows the test of G. */
+REST(any_signs_rest, 0, shape->prepared)
+REST(any_roots_rest, 1, shape->prepared)
+REFINE(any_refined, refine_any_line(q), q->shape->prepared)
+OWN(cylinder, refine_any_line(q), CYLINT_SOLID_CYLINDER)
+OWN(cone, refine_any_line(q), CYLINT_SOLID_CONE)
+#define OTHERS(name, solid)                     \
+    KERNEL(name##_signs, any_signs_rest, solid) \
+    KERNEL(name##_roots, any_roots_rest, solid)
+#define whole_cylinder_refined any_refined
+#define double_cone_refined any_refined
+#define nappe_refined any_refined
+#define sphere_refined any_refined
+#define capsule_refined any_refined
+#define round_cone_refined any_refined
 #endif
-REFINE(cylinder, CYLINT_SOLID_CYLINDER, REFINED_LINE(q, CYLINT_SOLID_CYLINDER))
-REFINE(cone, CYLINT_SOLID_CONE, REFINED_LINE(q, CYLINT_SOLID_CONE))
-REFINE(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER, refine_any_line(q))
-REFINE(double_cone, CYLINT_SOLID_DOUBLE_CONE, refine_any_line(q))
-REFINE(nappe, CYLINT_SOLID_NAPPE, refine_any_line(q))
-REFINE(sphere, CYLINT_SOLID_SPHERE, refine_any_line(q))
-REFINE(capsule, CYLINT_SOLID_CAPSULE, refine_any_line(q))
-REFINE(round_cone, CYLINT_SOLID_ROUND_CONE, refine_any_line(q))
-#undef REFINE
-#undef REFINED_LINE
+OTHERS(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER)
+OTHERS(double_cone, CYLINT_SOLID_DOUBLE_CONE)
+OTHERS(nappe, CYLINT_SOLID_NAPPE)
+OTHERS(sphere, CYLINT_SOLID_SPHERE)
+OTHERS(capsule, CYLINT_SOLID_CAPSULE)
+OTHERS(round_cone, CYLINT_SOLID_ROUND_CONE)
 
 static int refine(cylint_question *q)
 {

@@ -170,7 +170,7 @@ INLINE int answer_by_signs(const local_line *l, verdict *v, const asked *a,
     }
     const line_end e = end_number(l, v, 0, solid);
     const end_bits bits = bits_of_end(&e, l, v, a->shape, solid);
-    point_signs at;
+    point_signs at = no_point_signs;
     set_point_signs(&at, l, v, near_limit(l->limit[0]), solid);
     const place where = place_of(&at, v, l->limit[0], solid);
     const int n = answer_by_places(&where, bits, a, solid);

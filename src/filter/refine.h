@@ -200,13 +200,12 @@ INLINE int refine_line(cylint_question *q, int solid)
     const cylint_shape *shape = q->shape;
     const asked a = asked_by(q);
     const source from = {shape, q->line};
-    local_line l;
+    local_line l = no_line;
     pair_line in;
-    const bounded_value zero = {v_set(0), v_set(0)};
-    forms f;
-    verdict v = {.ball = {zero, {zero}, {zero}, 1},
-                 .chord = {m_from(0)},
-                 .exists = {m_from(3)}};
+    forms f = no_forms;
+    verdict v = no_verdict;
+    v.ball.computed = 1;
+    v.exists[0] = m_from(3);
     set_sizes(&l, q, solid);
     load_pairs(&in, &from, 1, solid);
     forms_in_pairs(&f, &v.ball, &l, &in, shape, solid);
@@ -224,7 +223,7 @@ INLINE int refine_line(cylint_question *q, int solid)
         return answer_by_roots(&l, &v, &in, &a, solid);
     const line_end e = end_number(&l, &v, 0, solid);
     const vd t = near_limit(l.limit[0]);
-    point_signs at;
+    point_signs at = no_point_signs;
     point_in_pairs(&at, &l, &in, t, shape, solid);
     set_past(&at, &l, &v, t, solid);
     const place where = place_of(&at, &v, l.limit[0], solid);
@@ -238,10 +237,10 @@ INLINE int refine_ends(cylint_question *q, int solid)
 {
     const asked a = asked_by(q);
     const source from = {q->shape, q->line};
-    local_line l;
+    local_line l = no_line;
     pair_line in;
-    verdict v;
-    point_signs at;
+    verdict v = no_verdict;
+    point_signs at = no_point_signs;
     set_sizes(&l, q, solid);
     const vd t = near_limit(l.limit[0]);
     load_pairs(&in, &from, m_bits(v_eq(t, v_set(0))) != 3, solid);
