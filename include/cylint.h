@@ -124,11 +124,6 @@ typedef enum cylint_ends {
                           The nappe of a cylinder is the whole cylinder */
 } cylint_ends;
 
-/* May be added to the ends that a constructor is given: the shape is used in
- * packs only.  The constructor then takes a fifth of the time.  A single query
- * returns the same answer, but takes up to ten times as long. */
-enum { CYLINT_FOR_PACKS = 1 << 8 };
-
 typedef enum cylint_kind {
     CYLINT_KIND_NONE = 0,  /* refused by its constructor */
     CYLINT_KIND_CYLINDER,  /* circular, constant radius */
@@ -357,8 +352,6 @@ enum {
     CYLINT_WANT_PHI = 1 << 5,
     CYLINT_WANT_NEAREST = 1
                           << 6, /* only the hit with the least t: n is 0 or 1 */
-    CYLINT_WANT_FAST = 1 << 7,  /* has no effect: a rounded root costs no more
-                                   than an approximate one */
     CYLINT_WANT_COUNT = 0,      /* relation and n only */
     CYLINT_WANT_ALL = (1 << 6) - 1
 };

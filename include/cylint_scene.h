@@ -72,8 +72,7 @@ CYLINT_API size_t cylint_scene_bytes(const cylint_scene *scene);
 
 /* Returns the number of the shape that the line hits first, and writes the
  * wanted members of *hit; returns n if the line hits none.  At equal t the lower
- * number is first.  CYLINT_WANT_FAST has no effect: t is the double nearest to
- * the root. */
+ * number is first.  t is the double nearest to the root. */
 CYLINT_API size_t cylint_scene_nearest(const cylint_scene *scene,
                                        const cylint_line *line, unsigned want,
                                        cylint_hit *hit);

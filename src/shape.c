@@ -67,7 +67,6 @@ static void difference3(double hi[3], double lo[3], const double to[3],
 /* Whether a shape of this kind may have these ends. */
 static int ends_exist(int kind, int ends)
 {
-    ends &= ~CYLINT_FOR_PACKS;
     return ends >= CYLINT_ENDS_CAPPED && ends <= CYLINT_ENDS_NAPPE &&
            cylint_ends_fit(kind, ends);
 }
@@ -75,11 +74,9 @@ static int ends_exist(int kind, int ends)
 /* Writes the members that follow from the others. */
 static void measure(cylint_shape *shape, int ends)
 {
-    shape->ends = ends & ~CYLINT_FOR_PACKS;
+    shape->ends = ends;
     cylint_measure_shape(shape);
-    shape->prepared = 0;
-    if (!(ends & CYLINT_FOR_PACKS))
-        cylint_measure_local(shape);
+    cylint_measure_local(shape);
 }
 
 /* Writes a shape that no line hits. */

@@ -192,20 +192,6 @@ static void check_nearest(const cylint_pack *pack, const cylint_line *line,
     }
 }
 
-/* CYLINT_WANT_FAST has no effect. */
-static void check_fast(const cylint_pack *pack, const cylint_line *line)
-{
-    cylint_hit hit;
-    cylint_answer answer;
-    const size_t nearest =
-        cylint_nearest(pack, line, CYLINT_WANT_T | CYLINT_WANT_FAST, &hit);
-    if (nearest == pack->n)
-        return;
-    cylint_intersect(&pack->shapes[nearest], line,
-                     CYLINT_WANT_T | CYLINT_WANT_NEAREST, &answer);
-    CHECK(answer.n == 1 && same(answer.hit[0].t, hit.t));
-}
-
 /* Nearest and count, compared with a loop over all shapes. */
 static void check_scene(const struct family_case *line,
                         const struct family_case *cases, size_t n,
@@ -230,7 +216,6 @@ static void check_scene(const struct family_case *line,
                          CYLINT_WANT_ALL | CYLINT_WANT_NEAREST, &first);
     CHECK(lay_pack(&pack, cases, n, at));
     check_nearest(&pack, &line->line, nearest, &first.hit[0]);
-    check_fast(&pack, &line->line);
     CHECK(cylint_count(&pack, &line->line, 0) == count);
     for (size_t enough = 1; enough < 4; enough++)
         CHECK(cylint_count(&pack, &line->line, enough) ==

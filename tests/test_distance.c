@@ -407,11 +407,7 @@ static void check_paths(const struct family_case *c, const double p[3])
         if (!CHECK(same(&exact, &usual) && (!certain || same(&exact, &plain))))
             report(c, p);
     }
-    cylint_shape for_packs = c->shape;
-    for_packs.prepared = 0;
-    const cylint_closest unpacked = answer_to(&for_packs, p, WANT);
     const cylint_closest all = answer_to(&c->shape, p, WANT);
-    CHECK(same(&all, &unpacked));
     const cylint_closest alone = answer_to(&c->shape, p, 0);
     CHECK(all.distance == alone.distance);
     const cylint_closest parted = answer_to(&c->shape, p, CYLINT_WANT_PART);

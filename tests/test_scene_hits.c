@@ -100,9 +100,7 @@ static void single_questions(const struct family_case *c,
                                      CYLINT_WANT_PHI | CYLINT_WANT_POINT,
                                      CYLINT_WANT_ALL,
                                      CYLINT_WANT_ALL | CYLINT_WANT_NEAREST,
-                                     CYLINT_WANT_ALL | CYLINT_WANT_FAST,
-                                     CYLINT_WANT_NORMAL | CYLINT_WANT_FAST |
-                                         CYLINT_WANT_NEAREST};
+                                     CYLINT_WANT_NORMAL | CYLINT_WANT_NEAREST};
     for (size_t i = 0; i < sizeof wants / sizeof *wants; i++)
         expect_all(c, "single", wants[i], all);
 }
@@ -143,12 +141,9 @@ static void every_kernel(const struct family_case *c, const cylint_answer *all)
             continue;
         expect_all(c, name, CYLINT_WANT_ALL, all);
         cylint_pack_shapes(&pack, memory, &c->shape, 1);
-        for (unsigned fast = 0; fast < 2; fast++)
-            if (cylint_nearest(&pack, &c->line,
-                               CYLINT_WANT_ALL | (fast * CYLINT_WANT_FAST),
-                               &hit) == 0 &&
-                CHECK(all->n > 0))
-                expect(c, name, &hit, &all->hit[0], beside_t);
+        if (cylint_nearest(&pack, &c->line, CYLINT_WANT_ALL, &hit) == 0 &&
+            CHECK(all->n > 0))
+            expect(c, name, &hit, &all->hit[0], beside_t);
     }
     cylint_use_kernels(NULL);
 }

@@ -241,7 +241,7 @@ static void query_one(const cylint_shape *shape, const cylint_line *line,
             to->part[i] = a.hit[i].part;
             to->side[i] = a.hit[i].side;
         }
-        if (want & CYLINT_WANT_T && !(want & CYLINT_WANT_FAST))
+        if (want & CYLINT_WANT_T)
             to->t[i] = bits_of(a.hit[i].t);
     }
 }
@@ -509,7 +509,7 @@ static void test_group(uint64_t index, int differences[ENVIRONMENTS])
     unsigned mask[MASKS];
     draw_group(check_setting("CYLINT_SEED", 1), index, group);
     for (int k = 0; k < MASKS; k++)
-        mask[k] = (unsigned)whole(0, 2 * CYLINT_WANT_FAST - 1);
+        mask[k] = (unsigned)whole(0, 2 * CYLINT_WANT_NEAREST - 1);
     columns_of(group, &columns);
     for (int i = 0; i < GROUP; i++)
         shapes[i] = group[i].shape;

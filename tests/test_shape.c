@@ -534,31 +534,6 @@ static void differences_have_their_low_parts(void)
 
 #endif
 
-/* The same answers, with hits' members, and the same box. */
-static void shapes_for_packs_answer_as_others(void)
-{
-    for (int family = 0; family < family_count(); family++)
-        for (uint64_t i = 0; i < 60; i++) {
-            struct family_case c;
-            cylint_answer got, want;
-            memset(&got, 0, sizeof got);
-            memset(&want, 0, sizeof want);
-            family_case(41, family, i, &c);
-            if (c.shape_status != CYLINT_OK || c.line_status != CYLINT_OK)
-                continue;
-            struct family_case p = c;
-            p.ends = (cylint_ends)((int)p.ends | CYLINT_FOR_PACKS);
-            family_make(&p);
-            if (!CHECK(p.shape_status == CYLINT_OK && !p.shape.prepared &&
-                       p.shape.ends == c.shape.ends))
-                continue;
-            cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &want);
-            cylint_intersect(&p.shape, &c.line, CYLINT_WANT_ALL, &got);
-            if (!CHECK(memcmp(&got, &want, sizeof got) == 0))
-                family_report(&c);
-        }
-}
-
 int main(void)
 {
     RUN(good_shapes_are_accepted_with_all_ends);
@@ -578,7 +553,6 @@ int main(void)
     RUN(boxes_of_simple_shapes_are_tight);
     RUN(boxes_are_exact_where_nothing_is_rounded);
     RUN(boxes_fit_the_rims);
-    RUN(shapes_for_packs_answer_as_others);
 #ifdef HAVE_MPFR
     RUN(a_box_contains_its_solid);
     RUN(differences_have_their_low_parts);

@@ -6,7 +6,6 @@
  */
 #include "../dispatch.h"
 #include "../numbers/bits.h"
-#include "../shapes/local.h"
 #include "certified_many.h"
 #include "nearest.h"
 
@@ -130,15 +129,10 @@ void cylint_distance_points(const cylint_shape *shape,
                             const cylint_points *points,
                             const cylint_closest_columns *answers)
 {
-    cylint_shape prepared = *shape;
-    /* mutant '!' -> '', '!=' -> '==': slower, the points are computed one by
-     * one */
-    if (!shape->prepared && shape->in_range && shape->kind != CYLINT_KIND_NONE)
-        cylint_measure_local(&prepared);
-    if (cylint_lane_class(&prepared) && has_lanes(answers))
-        blocks(&prepared, 0, points, answers);
+    if (cylint_lane_class(shape) && has_lanes(answers))
+        blocks(shape, 0, points, answers);
     else
-        rows(&prepared, 0, points, answers);
+        rows(shape, 0, points, answers);
 }
 
 void cylint_distance_pairs(const cylint_shape *shapes,

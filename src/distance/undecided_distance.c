@@ -3,7 +3,6 @@
  * exact numbers
  */
 #include "../numbers/bits.h"
-#include "../shapes/local.h"
 #include "../dispatch.h"
 #include "certified_distance.h"
 #include "cylint_distance.h"
@@ -46,16 +45,6 @@ static inline int is_certified(const cylint_shape *shape, const double point[3],
                            cylint_certified_fma)(shape, point, want, answer);
 }
 
-/* A shape that its constructor did not prepare (CYLINT_FOR_PACKS). */
-static int is_certified_prepared(const cylint_shape *shape,
-                                 const double point[3], unsigned want,
-                                 cylint_closest *answer)
-{
-    cylint_shape prepared = *shape;
-    cylint_measure_local(&prepared);
-    return prepared.prepared && is_certified(&prepared, point, want, answer);
-}
-
 /* All answers that the certified ones leave. */
 ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
                          unsigned want, cylint_closest *answer)
@@ -66,9 +55,6 @@ ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
     }
     if (cylint_is_elliptic(shape->kind))
         return cylint_elliptic_distance(shape, point, want, answer);
-    if (!shape->prepared && shape->in_range &&
-        is_certified_prepared(shape, point, want, answer))
-        return answer->distance;
     return by_exact_numbers(shape, point, want, answer);
 }
 

@@ -27,6 +27,15 @@ void job_prepare(struct job *job, const struct options *options,
     write_order_prepare(&job->order);
 }
 
+/* Whether pairs of records go to the batch functions. */
+static int answers_by_batches(const struct options *o)
+{
+    return o->query == QUERY_PAIRS && !o->method &&
+           o->grammar.line != LINE_POINT &&
+           pairs_can_answer(o->grammar.line, o->fields.want,
+                            fields_need_sides(&o->fields));
+}
+
 int job_block(const struct job *job, struct block *block)
 {
     const struct options *o = job->options;
@@ -38,7 +47,7 @@ int job_block(const struct job *job, struct block *block)
                         finds_hits ? job->scene->count : 0)) {
         return 0;
     }
-    if (o->grammar.for_packs && !o->method) {
+    if (answers_by_batches(o)) {
         block->pairs = pairs_make();
         return block->pairs != NULL;
     }

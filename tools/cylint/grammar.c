@@ -129,14 +129,12 @@ static cylint_status make_line(const struct grammar *g, int kind,
                             : cylint_whole_line(line, v, v + 3);
 }
 
-static cylint_status make_shape(const struct grammar *g, int kind, int ends,
-                                const double *v, cylint_shape *shape)
+static cylint_status make_shape(int kind, int ends, const double *v,
+                                cylint_shape *shape)
 {
-    const int words = ends != NOT_GIVEN     ? ends
-                      : kind == SHAPE_ACONE ? CYLINT_ENDS_INFINITE
-                                            : CYLINT_ENDS_CAPPED;
-    const cylint_ends e =
-        (cylint_ends)(words | (g->for_packs ? CYLINT_FOR_PACKS : 0));
+    const cylint_ends e = ends != NOT_GIVEN     ? (cylint_ends)ends
+                          : kind == SHAPE_ACONE ? CYLINT_ENDS_INFINITE
+                                                : CYLINT_ENDS_CAPPED;
     switch (kind) {
     case SHAPE_CYLINDER:
         return cylint_cylinder(shape, v, v + 3, v[6], e);
@@ -397,7 +395,7 @@ static int read_shape(struct reader *r, const struct grammar *g,
         !read_ends(r, &ends)) {
         return 0;
     }
-    const cylint_status status = make_shape(g, kind, ends, v, shape);
+    const cylint_status status = make_shape(kind, ends, v, shape);
     return status == CYLINT_OK ||
            refuse_status(r, at, g->shape == NOT_GIVEN, (int)status,
                          status == CYLINT_ERADIUS  ? wrong_radius(kind, v)
@@ -526,7 +524,7 @@ int take_parts(const struct grammar *g, const double *numbers,
         numbers += line_kinds[g->line].numbers;
     }
     if (g->has_shape && status == CYLINT_OK) {
-        status = make_shape(g, g->shape, g->ends, numbers, parts->shape);
+        status = make_shape(g->shape, g->ends, numbers, parts->shape);
     }
     if (!g->has_shape) {
         *parts->left_out_length = 0;

@@ -60,7 +60,6 @@ struct grammar {
     int ends; /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
     int has_domain; /* -t: for lines and rays */
     double tmin, tmax;
-    int for_packs;       /* shapes are used in packs or by methods only */
     int no_tail;         /* a tail makes a record bad */
     char bare[48];       /* "a ray and a cylinder have 13", with -k */
     const char *convert; /* how to convert a file that is no scene, or NULL */

@@ -8,7 +8,6 @@
 #include "arguments.h"
 #include "numbers.h"
 #include "options.h"
-#include "pairs.h"
 #include "similar.h"
 
 enum option_id {
@@ -508,10 +507,6 @@ static int settle(struct options *options, const struct pending *pending)
     if (status == 0) {
         status = settle_digits(options, pending->hex);
     }
-    g->for_packs = options->query == QUERY_PAIRS && g->line != LINE_POINT &&
-                   (options->method ||
-                    pairs_can_answer(g->line, options->fields.want,
-                                     fields_need_sides(&options->fields)));
     return status == 0 ? settle_binary(options) : status;
 }
 
