@@ -96,6 +96,7 @@ $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 # flags of FILE.c's build NAME.
 avx2   := -mavx2 -mfma $(unaligned)
 avx512 := -mavx512f -mavx512vl -mavx512dq $(avx2)
+isa.src/shapes/local-fma   := $(avx2) -DCYLINT_MEASURE_LOCAL=cylint_measure_local_fma
 isa.src/filter/one-fma     := $(avx2) -DCYLINT_ONE=cylint_one_fma
 isa.src/distance/certified_distance-fma := $(avx2) -DCYLINT_CERTIFIED=cylint_certified_fma
 isa.src/distance/limb_distance-fma := $(avx2) -DCYLINT_LIMB=cylint_limb_fma

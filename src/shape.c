@@ -4,6 +4,7 @@
  * No other function of the library can fail.  A refused shape or line is all
  * zero; every query then returns "miss".
  */
+#include "dispatch.h"
 #include "shapes/local.h"
 #include "signs/sign.h"
 
@@ -76,6 +77,12 @@ static void measure(cylint_shape *shape, int ends)
 {
     shape->ends = ends;
     cylint_measure_shape(shape);
+#ifdef CYLINT_BUILDS_X86
+    if (cylint_kernels_used()->one != &cylint_one_plain) {
+        cylint_measure_local_fma(shape);
+        return;
+    }
+#endif
     cylint_measure_local(shape);
 }
 
@@ -193,7 +200,9 @@ cylint_status cylint_round_cone(cylint_shape *shape, const double p0[3],
         return refuse_shape(shape, CYLINT_EENDS);
     write_two_points(shape, p0, r0, p1, r1, CYLINT_KIND_CAPSULE,
                      CYLINT_KIND_RCONE, ends);
-    if (equal3(p0, p1) || sign_of_overhang(shape) <= 0) {
+    /* local coordinates that are accurate show that neither ball holds the
+     * other */
+    if (!shape->prepared && (equal3(p0, p1) || sign_of_overhang(shape) <= 0)) {
         const cylint_shape hull = *shape;
         cylint_ball_of(shape, &hull, cylint_less(r0, r1));
         measure(shape, (int)ends);
@@ -207,13 +216,19 @@ cylint_status cylint_capsule(cylint_shape *shape, const double p0[3],
     return cylint_round_cone(shape, p0, r, p1, r, ends);
 }
 
-/* The sign of a.(b x h), exactly. */
-static int orientation(const cylint_shape *shape)
+/* Writes the sign of a.(b x h), exactly.  Returns whether it is 0.  Local
+ * coordinates that are accurate have it already. */
+static int is_flat(cylint_shape *shape)
 {
     cylint_line line;
     cylint_query q;
+    if (shape->prepared)
+        return 0;
+    shape->left_handed = 0;
     open_any_line(&q, shape, &line);
-    return cylint_form_sign(&q, FORM_ROOT_OF_S, 0);
+    const int det = cylint_form_sign(&q, FORM_ROOT_OF_S, 0);
+    shape->left_handed = det < 0;
+    return det == 0;
 }
 
 cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
@@ -246,9 +261,7 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
     shape->kind =
         cylint_sign(dr.hi) == 0 ? CYLINT_KIND_ECYLINDER : CYLINT_KIND_ECONE;
     measure(shape, (int)ends);
-    const int det = orientation(shape);
-    shape->left_handed = det < 0;
-    return det != 0 ? CYLINT_OK : refuse_shape(shape, CYLINT_EDEGENERATE);
+    return is_flat(shape) ? refuse_shape(shape, CYLINT_EDEGENERATE) : CYLINT_OK;
 }
 
 cylint_status cylint_elliptic_cylinder(cylint_shape *shape, const double c[3],

@@ -1,18 +1,33 @@
 /*
  * local.c - the local coordinates of a shape, in pairs
+ *
+ * Compiled once as it is and again for processors with a fused multiply-add.
+ * Only exact products and their errors are fused: both write the same bits.
  */
+#define CYLINT_NARROW
 #include "local.h"
 
 #include <math.h>
 
 #include "../numbers/bits.h"
-#include "../numbers/double_double.h"
+#include "../numbers/double_double.h" /* before simd.h */
 #include "../numbers/error_bounds.h"
+#include "../numbers/simd.h"
 #include "measure.h"
 #include "shape_facts.h"
 
+#ifndef CYLINT_MEASURE_LOCAL
+#define CYLINT_MEASURE_LOCAL cylint_measure_local
+#endif
+
+/* Four pairs: a vector and another number. */
+enum { PARTS = 4 / LANES };
 typedef struct {
-    pair x[3], y[3], z[3];
+    vpair part[PARTS];
+} four;
+
+typedef struct {
+    four x, y, z;
 } rows;
 
 static pair plain(double x)
@@ -20,93 +35,259 @@ static pair plain(double x)
     return (pair){x, 0};
 }
 
-static void scale_row(pair row[3], pair factor)
+INLINE four load_four(const double hi[4], const double lo[4])
 {
-    for (int i = 0; i < 3; i++)
-        row[i] = pair_mul(row[i], factor);
+    four x;
+    EACH(k, PARTS)
+        x.part[k] = (vpair){v_load(hi + k * LANES), v_load(lo + k * LANES)};
+    return x;
 }
 
-/* 1 / sqrt(a): the double y nearest or next to it, and the next terms of
- * y (1 - e)^(-1/2), e = 1 - a y^2. */
+INLINE void store_four(double hi[4], double lo[4], const four *x)
+{
+    EACH(k, PARTS) {
+        v_store(hi + k * LANES, x->part[k].hi);
+        v_store(lo + k * LANES, x->part[k].lo);
+    }
+}
+
+#if LANES == 2
+
+INLINE vpair both_firsts(vpair x, vpair y)
+{
+    return (vpair){v_firsts(x.hi, y.hi), v_firsts(x.lo, y.lo)};
+}
+
+INLINE vpair swapped(vpair x)
+{
+    return (vpair){v_turned(x.hi), v_turned(x.lo)};
+}
+
+/* (x1, x2, x0, x3). */
+INLINE four turned(const four *x)
+{
+    return (four){{both_firsts(swapped(x->part[0]), x->part[1]),
+                   both_firsts(x->part[0], swapped(x->part[1]))}};
+}
+
+INLINE pair last_of(const four *x)
+{
+    const vpair last = swapped(x->part[1]);
+    return (pair){v_first(last.hi), v_first(last.lo)};
+}
+
+INLINE void set_last(four *x, pair last)
+{
+    x->part[1] =
+        both_firsts(x->part[1], (vpair){v_set(last.hi), v_set(last.lo)});
+}
+
+#else
+
+INLINE four turned(const four *x)
+{
+    return (four){{x->part[1], x->part[2], x->part[0], x->part[3]}};
+}
+
+INLINE pair last_of(const four *x)
+{
+    return (pair){x->part[3].hi, x->part[3].lo};
+}
+
+INLINE void set_last(four *x, pair last)
+{
+    x->part[3] = (vpair){last.hi, last.lo};
+}
+
+#endif
+
+INLINE four all_four(pair x)
+{
+    four all;
+    EACH(k, PARTS)
+        all.part[k] = (vpair){v_set(x.hi), v_set(x.lo)};
+    return all;
+}
+
+INLINE pair product(pair a, pair b)
+{
+    const pair p = two_prod(a.hi, b.hi);
+    return fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+}
+
+INLINE four products(const four *x, const four *y)
+{
+    four xy;
+    EACH(k, PARTS) {
+        const vpair p = vpair_mul(x->part[k], y->part[k]);
+        xy.part[k] = v_fast_two_sum(p.hi, p.lo);
+    }
+    return xy;
+}
+
+/* x cross y. */
+INLINE four cross(const four *x, const four *y)
+{
+    const four x1 = turned(x), x2 = turned(&x1);
+    const four y1 = turned(y), y2 = turned(&y1);
+    four xy;
+    EACH(k, PARTS) {
+        const vpair d = vpair_sub(vpair_mul(x1.part[k], y2.part[k]),
+                                  vpair_mul(x2.part[k], y1.part[k]));
+        xy.part[k] = v_fast_two_sum(d.hi, d.lo);
+    }
+    return xy;
+}
+
+/* x0 + x1 + x2 of numbers that are not negative, not normalised. */
+INLINE pair sum_of_three(const four *x)
+{
+    double hi[4], lo[4];
+    store_four(hi, lo, x);
+    const pair two = two_sum(hi[0], hi[1]), all = two_sum(two.hi, hi[2]);
+    return (pair){all.hi, all.lo + (two.lo + (lo[0] + (lo[1] + lo[2])))};
+}
+
+/* 1 / sqrt(a) of each: a double y, and the next terms of y (1 - e)^(-1/2),
+ * e = 1 - a y^2. */
+INLINE vpair inverse_roots(vpair a)
+{
+    const vd y = v_set(1) / v_sqrt(a.hi);
+    const vpair yy = v_two_prod(y, y), ayy = v_two_prod(a.hi, yy.hi);
+    const vd e = ((v_set(1) - ayy.hi) - ayy.lo) - (a.hi * yy.lo + a.lo * yy.hi);
+    return (vpair){y, y * (e * (v_set(0.5) + v_set(0.375) * e))};
+}
+
+INLINE void inverse_root_of_two(pair root[2], pair a, pair b)
+{
+    const double hi[2] = {a.hi, b.hi}, lo[2] = {a.lo, b.lo};
+    double root_hi[2], root_lo[2];
+    for (int k = 0; k < 2; k += LANES) {
+        const vpair r = inverse_roots((vpair){v_load(hi + k), v_load(lo + k)});
+        v_store(root_hi + k, r.hi);
+        v_store(root_lo + k, r.lo);
+    }
+    for (int k = 0; k < 2; k++)
+        root[k] = (pair){root_hi[k], root_lo[k]};
+}
+
 static pair inverse_root(pair a)
 {
-    const double y = 1 / sqrt(a.hi);
-    const pair ay2 = pair_mul(a, two_prod(y, y));
-    const double e = (1 - ay2.hi) - ay2.lo;
-    return fast_two_sum(y, y * e * (0.5 + 0.375 * e));
+    pair root[2];
+    inverse_root_of_two(root, a, a);
+    return root[0];
 }
 
-static pair dot(const pair u[3], const pair v[3])
+/* The axis, and the growth of the radius along it. */
+INLINE four axis_of(const cylint_shape *s)
 {
-    return pair_add(pair_add(pair_mul(u[0], v[0]), pair_mul(u[1], v[1])),
-                    pair_mul(u[2], v[2]));
+    const double hi[4] = {s->axis[0], s->axis[1], s->axis[2], s->dr};
+    const double lo[4] = {s->axis_lo[0], s->axis_lo[1], s->axis_lo[2],
+                          s->dr_lo};
+    return load_four(hi, lo);
 }
 
-/* Unit vectors along the axis and across it: x is perpendicular to the
- * coordinate direction along which the axis is least.  Returns |axis|. */
-static pair upright_rows(rows *m, const cylint_shape *s)
+/* The coordinate direction along which the axis is least, without a branch. */
+INLINE four least_direction(const double axis[3])
 {
-    pair w[3], square[3];
-    for (int i = 0; i < 3; i++) {
-        w[i] = (pair){s->axis[i], s->axis_lo[i]};
-        square[i] = pair_mul(w[i], w[i]);
+    const double x = fabs(axis[0]), y = fabs(axis[1]), z = fabs(axis[2]);
+    const int first = (x <= y) & (x <= z), second = !first & (y <= z);
+    const double hi[4] = {first, second, !(first | second), 0};
+    const double lo[4] = {0, 0, 0, 0};
+    return load_four(hi, lo);
+}
+
+/*
+ * Unit vectors along the axis and across it: x is perpendicular to the
+ * coordinate direction e along which the axis w is least.
+ *
+ *   h = 1 / |w|, l = 1 / |w x e|;  z = h w, x = l (w x e), y = z x x
+ *
+ * Beside z stands the slope, beside x the height |w|.  Returns h.
+ *
+ * Errors, in units of u^2, u = 2^-53, each relative to its number: squares 6;
+ * |w x e|^2 13, |w|^2 22; e of l 41, of h 54; l 37, h 45; x 57, z, slope and
+ * height 80; y 150, of which CYLINT_LOCAL_ERROR allows 1024.
+ */
+INLINE pair upright_rows(rows *m, const cylint_shape *s)
+{
+    const four w = axis_of(s), e = least_direction(s->axis);
+    const four w1 = turned(&w), w2 = turned(&w1);
+    const four e1 = turned(&e), e2 = turned(&e1);
+    four square, aside, x;
+    EACH(k, PARTS) {
+        const vd other = v_set(1) - e.part[k].hi;
+        const vd to1 = e1.part[k].hi, to2 = e2.part[k].hi;
+        const vpair p = vpair_mul(w.part[k], w.part[k]);
+        square.part[k] = p;
+        aside.part[k] = (vpair){p.hi * other, p.lo * other};
+        x.part[k] = (vpair){w1.part[k].hi * to2 - w2.part[k].hi * to1,
+                            w1.part[k].lo * to2 - w2.part[k].lo * to1};
     }
-    const int i = cylint_least_component(s->axis, s->axis_lo);
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const pair across2 = pair_add(square[j], square[k]);
-    const pair length2 = pair_add(across2, square[i]);
-    const pair to_unit = inverse_root(length2), level = inverse_root(across2);
-    const pair across = pair_mul(across2, level);
-    for (int c = 0; c < 3; c++)
-        m->z[c] = pair_mul(w[c], to_unit);
-    m->x[i] = plain(0);
-    m->x[j] = pair_mul(w[k], level);
-    m->x[k] = pair_neg(pair_mul(w[j], level));
-    m->y[i] = pair_neg(pair_mul(across, to_unit));
-    m->y[j] = pair_neg(pair_mul(m->z[i], m->x[k]));
-    m->y[k] = pair_mul(m->z[i], m->x[j]);
-    return pair_mul(length2, to_unit);
+    const pair length2 = sum_of_three(&square);
+    pair root[2];
+    inverse_root_of_two(root, length2, sum_of_three(&aside));
+    const four to_unit = all_four(root[0]);
+    four level = all_four(root[1]);
+    set_last(&x, length2);
+    set_last(&level, root[0]);
+    m->z = products(&w, &to_unit);
+    m->x = products(&x, &level);
+    m->y = cross(&m->z, &m->x);
+    return root[0];
 }
 
-static void cross(pair xy[3], const double x[3], const double y[3])
+INLINE four vector(const double x[3])
 {
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        xy[i] = pair_sub(two_prod(x[j], y[k]), two_prod(x[k], y[j]));
-    }
+    static const double none[4] = {0, 0, 0, 0};
+    const double hi[4] = {x[0], x[1], x[2], 0};
+    return load_four(hi, none);
 }
 
-/* The inverse of (a b h).  Returns the size of their determinant. */
+static void scale(rows *m, pair factor)
+{
+    const four all = all_four(factor);
+    m->x = products(&m->x, &all);
+    m->y = products(&m->y, &all);
+    m->z = products(&m->z, &all);
+}
+
+/* The inverse of (a b h).  Returns their determinant. */
 static double inverse_rows(rows *m, const cylint_shape *s)
 {
-    cross(m->x, s->b, s->axis);
-    cross(m->y, s->axis, s->a);
-    cross(m->z, s->a, s->b);
-    const pair a[3] = {plain(s->a[0]), plain(s->a[1]), plain(s->a[2])};
-    const pair det = dot(a, m->x), inverse = pair_div(plain(1), det);
-    scale_row(m->x, inverse);
-    scale_row(m->y, inverse);
-    scale_row(m->z, inverse);
-    return fabs(det.hi);
+    const four a = vector(s->a), b = vector(s->b), h = vector(s->axis);
+    double hi[4], lo[4];
+    m->x = cross(&b, &h);
+    m->y = cross(&h, &a);
+    m->z = cross(&a, &b);
+    const four ax = products(&a, &m->x);
+    store_four(hi, lo, &ax);
+    const pair two = pair_add((pair){hi[0], lo[0]}, (pair){hi[1], lo[1]});
+    const pair det = pair_add(two, (pair){hi[2], lo[2]});
+    scale(m, pair_div(plain(1), det));
+    return det.hi;
 }
 
 /* The sum of the absolute values of a row. */
-static double size_of(const pair row[3])
+INLINE double size_of(const four *row)
 {
-    return fabs(row[0].hi) + fabs(row[1].hi) + fabs(row[2].hi);
+    double hi[4], lo[4];
+    store_four(hi, lo, row);
+    return fabs(hi[0]) + fabs(hi[1]) + fabs(hi[2]);
 }
 
 /* Multiplies the row of z by a power of two so that it is as large as the
  * others, within a factor of 2.  Returns the power. */
 static double balance(rows *m)
 {
-    const double across = cylint_larger(size_of(m->x), size_of(m->y));
-    const int e = cylint_exponent(across) - cylint_exponent(size_of(m->z));
+    const double across = cylint_larger(size_of(&m->x), size_of(&m->y));
+    const int e = cylint_exponent(across) - cylint_exponent(size_of(&m->z));
     if (!(e > -200 && e < 200))
         return NAN;
     const double power = cylint_power_of_two(e);
-    for (int i = 0; i < 3; i++)
-        m->z[i] = (pair){m->z[i].hi * power, m->z[i].lo * power};
+    EACH(k, PARTS)
+        m->z.part[k] = (vpair){m->z.part[k].hi * v_set(power),
+                               m->z.part[k].lo * v_set(power)};
     return power;
 }
 
@@ -121,15 +302,13 @@ static int is_long_enough(const cylint_shape *s)
              cylint_largest(s->b) >= CYLINT_LOCAL_LEAST));
 }
 
-static void store(cylint_local *to, const rows *m)
+INLINE void store_row(cylint_local *to, int k, const four *row)
 {
+    double hi[4], lo[4];
+    store_four(hi, lo, row);
     for (int i = 0; i < 3; i++) {
-        to->xyz[i][0] = m->x[i].hi;
-        to->xyz[i][1] = m->y[i].hi;
-        to->xyz[i][2] = m->z[i].hi;
-        to->xyz_lo[i][0] = m->x[i].lo;
-        to->xyz_lo[i][1] = m->y[i].lo;
-        to->xyz_lo[i][2] = m->z[i].lo;
+        to->xyz[i][k] = hi[i];
+        to->xyz_lo[i][k] = lo[i];
     }
 }
 
@@ -140,10 +319,11 @@ static void split(pair x, double *hi, double *lo)
     *lo = (x.hi - *hi) + x.lo;
 }
 
-static void store_split(cylint_local *to, const rows *m)
+static void store_split(cylint_local *to)
 {
     for (int i = 0; i < 3; i++)
-        split(m->z[i], &to->unit[i], &to->unit_lo[i]);
+        split((pair){to->xyz[i][2], to->xyz_lo[i][2]}, &to->unit[i],
+              &to->unit_lo[i]);
     split((pair){to->cosine, to->cosine_lo}, &to->turn[0], &to->turn_lo[0]);
     split((pair){to->sine, to->sine_lo}, &to->turn[1], &to->turn_lo[1]);
 }
@@ -158,13 +338,16 @@ static pair measure_angle(cylint_local *to, const cylint_shape *s, pair slope)
         const pair rest = pair_sub(plain(1), pair_mul(slope, slope));
         sine = slope;
         if (rest.hi > 0) {
-            cosine = pair_sqrt(rest);
-            slope = pair_div(sine, cosine);
+            const pair inverse = inverse_root(rest);
+            cosine = product(rest, inverse);
+            slope = product(sine, inverse);
         }
         to->error /= rest.hi > 0 ? rest.hi : 0;
     } else if (cylint_is_tapered(s->kind)) {
-        cosine = inverse_root(pair_add(plain(1), pair_mul(slope, slope)));
-        sine = pair_mul(slope, cosine);
+        const pair root =
+            inverse_root(pair_add(plain(1), pair_mul(slope, slope)));
+        cosine = fast_two_sum(root.hi, root.lo);
+        sine = product(slope, root);
     }
     to->cosine = cosine.hi;
     to->cosine_lo = cosine.lo;
@@ -175,11 +358,10 @@ static pair measure_angle(cylint_local *to, const cylint_shape *s, pair slope)
 
 static void identity_rows(rows *m)
 {
-    for (int i = 0; i < 3; i++) {
-        m->x[i] = plain(i == 0);
-        m->y[i] = plain(i == 1);
-        m->z[i] = plain(i == 2);
-    }
+    static const double one[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    m->x = vector(one[0]);
+    m->y = vector(one[1]);
+    m->z = vector(one[2]);
 }
 
 /* No form overflows (error_bounds.h). */
@@ -199,7 +381,7 @@ static void check_round(cylint_shape *s)
     s->local.height = 0;
 }
 
-void cylint_measure_local(cylint_shape *s)
+void CYLINT_MEASURE_LOCAL(cylint_shape *s)
 {
     cylint_local *to = &s->local;
     rows m;
@@ -210,38 +392,38 @@ void cylint_measure_local(cylint_shape *s)
         to->scale = to->square_scale = 1;
         height = slope = plain(0);
     } else if (cylint_is_elliptic(s->kind)) {
-        const double det = inverse_rows(&m, s), power = balance(&m);
+        const double signed_det = inverse_rows(&m, s), det = fabs(signed_det),
+                     power = balance(&m);
         const double cancelled = cylint_largest(s->a) * cylint_largest(s->b) *
                                  cylint_largest(s->axis) / det;
         to->error *= cylint_larger(1, cancelled);
         to->scale = det / power;
         to->square_scale = det * det;
+        s->left_handed = signed_det < 0;
         height = plain(power);
         slope = (pair){s->dr / power, s->dr_lo / power};
     } else {
-        const pair length = upright_rows(&m, s);
-        const double square = length.hi * length.hi;
-        to->scale = cylint_has_tangent(s->kind) ? square : length.hi;
+        const pair inverse = upright_rows(&m, s);
+        height = last_of(&m.x);
+        slope = last_of(&m.z);
+        const double square = height.hi * height.hi;
+        to->scale = cylint_has_tangent(s->kind) ? square : height.hi;
         to->square_scale =
             cylint_is_tapered(s->kind) && !cylint_is_round(s->kind)
                 ? square * square
                 : square;
-        height = length;
         if (cylint_has_tangent(s->kind)) {
-            const pair inverse = pair_div(plain(1), length);
-            scale_row(m.x, inverse);
-            scale_row(m.y, inverse);
-            scale_row(m.z, inverse);
+            scale(&m, inverse);
             height = plain(1);
+            slope = plain(s->dr);
         }
-        slope = cylint_is_tapered(s->kind)
-                    ? pair_div((pair){s->dr, s->dr_lo}, height)
-                    : plain(0);
     }
-    store(to, &m);
+    store_row(to, 0, &m.x);
+    store_row(to, 1, &m.y);
+    store_row(to, 2, &m.z);
     if (!cylint_is_elliptic(s->kind)) {
         slope = measure_angle(to, s, slope);
-        store_split(to, &m);
+        store_split(to);
     }
     to->height = height.hi;
     to->height_lo = height.lo;
@@ -249,9 +431,9 @@ void cylint_measure_local(cylint_shape *s)
     to->slope_lo = slope.lo;
     to->reach = (height.hi + cylint_larger(s->r0, s->r1)) * CYLINT_SLACK;
     to->snap = to->reach * CYLINT_LIMB_NEAR * CYLINT_LIMB_SNAP;
-    to->norm =
-        cylint_larger(cylint_larger(size_of(m.x), size_of(m.y)), size_of(m.z)) *
-        CYLINT_SLACK;
+    to->norm = cylint_larger(cylint_larger(size_of(&m.x), size_of(&m.y)),
+                             size_of(&m.z)) *
+               CYLINT_SLACK;
     const int accurate = s->in_range && is_long_enough(s) && is_tame(s) &&
                          cylint_rounds_to_nearest() &&
                          (to->height > 0 || s->kind == CYLINT_KIND_SPHERE) &&

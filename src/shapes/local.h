@@ -32,7 +32,9 @@
 #include "cylint.h"
 
 /* Computes `local` and `prepared` from the other members.  `prepared` is 0 where
- * the matrix is not accurate enough; `local` may then not be written. */
+ * the matrix is not accurate enough; `local` may then not be written.  _fma: for
+ * processors with AVX2 and a fused multiply-add. */
 void cylint_measure_local(cylint_shape *shape);
+void cylint_measure_local_fma(cylint_shape *shape);
 
 #endif
