@@ -136,54 +136,15 @@ typedef enum cylint_kind {
     CYLINT_KIND_RCONE      /* the convex hull of two balls */
 } cylint_kind;
 
-/* How a shape's own coordinates (x, y, z) follow from a point P.  The axis is
- * the z axis, and the lateral surface is x^2 + y^2 = (r0 + slope z)^2.  For
- * round kinds see src/shapes/local.h. */
-typedef struct cylint_local {
-    double xyz[3][3];    /* x, y, z gain (P - base)[i] xyz[i][0], [1], [2] */
-    double height;       /* z of the top */
-    double slope;        /* of the lateral surface */
-    double norm;         /* of the matrix */
-    double reach;        /* height + the larger radius */
-    double cosine, sine; /* of the angle between axis and lateral surface;
-                            circular and round kinds */
-    double xyz_lo[3][3], height_lo, slope_lo; /* the rest: value + value_lo
-                                                 is accurate to: */
-    double error;                             /* relative to norm */
-    double cosine_lo, sine_lo;
-    double scale, square_scale; /* of the forms of z and of the lateral
-                                   surface (signs/forms_template.h): their
-                                   values here times these */
-    double unit[3], unit_lo[3]; /* the direction of the axis: multiples of
-                                   2^-26 and the rest; circular and round */
-    double turn[2], turn_lo[2]; /* cosine and sine: the same */
-    double snap; /* x + snap - snap: x as a multiple of a small power of two */
-} cylint_local;
-
-/*
- * A shape, written by one of the constructors below.  Programs may read kind
- * and ends.  The other members are for the library.
- */
+/* A shape, written by one of the constructors below: 392 bytes.  Programs may
+ * read kind and ends. */
 typedef struct cylint_shape {
-    int kind;         /* cylint_kind */
-    int ends;         /* cylint_ends */
-    int in_range;     /* 1: doubles neither over- nor underflow */
-    int prepared;     /* not 0: `local` is accurate */
-    int surface;      /* sphere: the cylint_part that it is */
-    int left_handed;  /* elliptic: 1 where a.(b x h) < 0 */
-    double base[3];   /* p0, c, or the apex v */
-    double r0, r1;    /* radii at z = 0, 1; elliptic: 1, k; acone:
-                        0 and the tangent of the half angle */
-    double dr, dr_lo; /* dr + dr_lo = r1 - r0 exactly; acone: the tangent */
-    cylint_local local;
-    double axis[3];    /* p1 - p0, h, or u: the nearest doubles */
-    double axis_lo[3]; /* the rest: axis + axis_lo = p1 - p0 exactly,
-                          unless p1 - p0 overflows */
-    double top[3];     /* p1; kinds made of two points only */
-    double a[3], b[3]; /* elliptic kinds: conjugate semi-axes */
-    double center[3], bound_radius; /* of a ball that holds the solid;
-                                       infinite: there is none */
-    double size;                    /* max of axis[i] in absolute value */
+    int kind; /* cylint_kind */
+    int ends; /* cylint_ends */
+    struct {
+        int flag[4];
+        double number[46];
+    } library; /* for the library only (src/shapes/layout.h) */
 } cylint_shape;
 
 /*

@@ -18,7 +18,8 @@ typedef struct {
 
 static int run_of(const cylint_shape *s)
 {
-    return s->surface == CYLINT_PART_LATERAL ? s->prepared : CYLINT_SOLID_NONE;
+    return cylint_surface(s) == CYLINT_PART_LATERAL ? cylint_prepared(s)
+                                                    : CYLINT_SOLID_NONE;
 }
 
 /* Whole vectors; and never a power of two of a page, where all columns would
@@ -53,9 +54,10 @@ static pack_head *head_of(void *memory)
 
 static void fill_lane(double *column, size_t stride, const cylint_shape *s)
 {
+    double center[3];
+    column[COLUMN_BALL * stride] = cylint_ball_about(s, center);
     for (int i = 0; i < 3; i++)
-        column[(size_t)(COLUMN_CENTER + i) * stride] = s->center[i];
-    column[COLUMN_BALL * stride] = s->bound_radius;
+        column[(size_t)(COLUMN_CENTER + i) * stride] = center[i];
 }
 
 void cylint_pack_shapes(cylint_pack *pack, void *memory,
@@ -292,7 +294,7 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
     from.run = run;
     from.line = l;
     from.lines = job->lines;
-    from.solid = run ? run->solid : shapes->prepared;
+    from.solid = run ? run->solid : cylint_prepared(shapes);
     from.n = n;
     from.want = job->want;
     from.relations = job->relations;

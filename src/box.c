@@ -15,15 +15,14 @@ typedef struct {
 static long_axis axis_of(const cylint_shape *s)
 {
     long_axis k = {.e = 0};
-    const int fits = cylint_largest(s->axis) <= DBL_MAX;
+    const int fits = cylint_largest(cylint_axis(s)) <= DBL_MAX;
     double hi[3], lo[3];
     if (!fits) {
         k.e = 2;
-        cylint_scaled_difference(hi, lo, s->top, s->base, -k.e);
+        cylint_scaled_difference(hi, lo, cylint_top(s), cylint_base(s), -k.e);
     }
     for (int i = 0; i < 3; i++)
-        k.axis[i] =
-            fits ? (pair){s->axis[i], s->axis_lo[i]} : (pair){hi[i], lo[i]};
+        k.axis[i] = fits ? cylint_axis_pair(s, i) : (pair){hi[i], lo[i]};
     return k;
 }
 
@@ -79,11 +78,11 @@ static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
         is_exact =
             cylint_sign(r) == 0 ||
             (is_exact && (r == 1 || unit.hi == 1 || cylint_sign(unit.hi) == 0));
-        double center = s->base[j], offset = 0;
+        double center = cylint_base(s)[j], offset = 0;
         if (cap && cylint_has_end_points(s->kind))
-            center = s->top[j];
+            center = cylint_top(s)[j];
         else if (cap)
-            offset = s->axis[j];
+            offset = cylint_axis(s)[j];
         const double most = cylint_larger(fabs(center), fabs(offset));
         const int down = most > cylint_power_of_two(CYLINT_LARGE_EXPONENT) ||
                                  e + er > CYLINT_LARGE_EXPONENT
@@ -148,12 +147,14 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
     static const double along[3] = {1, 0, 0};
     cylint_line line;
     cylint_query q;
-    cylint_whole_line(&line, s->base, along);
+    cylint_whole_line(&line, cylint_base(s), along);
     cylint_query_open(&q, s, &line);
     const long_axis k = axis_of(s);
-    const int er = cylint_exponent(s->r0), ed = cylint_exponent(s->dr);
-    const pair r0 = {cylint_scaled(s->r0, -er), 0};
-    const pair dr = cylint_scaled_pair((pair){s->dr, s->dr_lo}, -ed);
+    const pair growth = cylint_radius_growth(s);
+    const int er = cylint_exponent(cylint_r0(s)),
+              ed = cylint_exponent(growth.hi);
+    const pair r0 = {cylint_scaled(cylint_r0(s), -er), 0};
+    const pair dr = cylint_scaled_pair(growth, -ed);
     for (int j = 0; j < 3; j++) {
         lo[j] = -HUGE_VAL;
         hi[j] = HUGE_VAL;
@@ -162,15 +163,17 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
         /* the apex: p0 - w r0 / dr */
         pair offset = {0, 0};
         const int ew = cylint_exponent(k.axis[j].hi);
-        const int at_base = cylint_sign(s->r0) == 0;
+        const int at_base = cylint_sign(cylint_r0(s)) == 0;
         if (!at_base)
             offset = pair_neg(cylint_scaled_pair(
                 pair_div(pair_mul(cylint_scaled_pair(k.axis[j], -ew), r0), dr),
                 k.e + ew + er - ed));
         /* mutant '<' -> '<=': where the nappe leans inward no factor is 0 */
-        const int up = cylint_sign(k.axis[j].hi) * cylint_sign(s->dr) < 0;
+        const int up = cylint_sign(k.axis[j].hi) *
+                           cylint_sign(cylint_radius_growth(s).hi) <
+                       0;
         const double apex =
-            outward(s->base[j], offset, (pair){0, 0}, at_base, up);
+            outward(cylint_base(s)[j], offset, (pair){0, 0}, at_base, up);
         *(up ? &hi[j] : &lo[j]) = apex;
     }
 }
@@ -207,7 +210,7 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
         return;
     }
     for (int j = 0; j < 3; j++)
-        if (cylint_sign(shape->axis[j]) != 0) {
+        if (cylint_sign(cylint_axis(shape)[j]) != 0) {
             lo[j] = -HUGE_VAL;
             hi[j] = HUGE_VAL;
         }

@@ -161,8 +161,10 @@ int cylint_outside(const cylint_shape *shape, const cylint_hit *hit, int side,
     if (try_line(&s, largest_step(&s), 1, point))
         return 1;
     if (side > 0 && cylint_is_bounded(shape)) {
+        double center[3];
+        cylint_ball_about(shape, center);
         for (int i = 0; i < 3; i++)
-            s.towards[i] = shape->center[i] - s.from[i];
+            s.towards[i] = center[i] - s.from[i];
         if (try_line(&s, 0x1p-52, 0, point))
             return 1;
     }

@@ -72,20 +72,6 @@ static int ends_exist(int kind, int ends)
            cylint_ends_fit(kind, ends);
 }
 
-/* Writes the members that follow from the others. */
-static void measure(cylint_shape *shape, int ends)
-{
-    shape->ends = ends;
-    cylint_measure_shape(shape);
-#ifdef CYLINT_BUILDS_X86
-    if (cylint_kernels_used()->one != &cylint_one_plain) {
-        cylint_measure_local_fma(shape);
-        return;
-    }
-#endif
-    cylint_measure_local(shape);
-}
-
 /* Writes a shape that no line hits. */
 static cylint_status refuse_shape(cylint_shape *shape, cylint_status why)
 {
@@ -93,13 +79,39 @@ static cylint_status refuse_shape(cylint_shape *shape, cylint_status why)
     return why;
 }
 
-static void zero_vector(double x[3])
+/* The local coordinates by the build for this processor. */
+static void measure_local(cylint_shape *shape)
 {
-    x[0] = x[1] = x[2] = 0;
+    CYLINT_OF_BUILD(cylint_build_used(), cylint_measure_local,
+                    cylint_measure_local_fma, cylint_measure_local_fma)
+    (shape);
 }
 
-/* The constructors write each member of a valid shape once.  Clearing the
- * struct first would double their run time. */
+static const double none[3] = {0, 0, 0};
+
+/* Writes each member of a valid shape once: to clear the struct first would cost
+ * time. */
+static void write_shape(cylint_shape *shape, int kind, cylint_ends ends,
+                        const double base[3], const double axis[3],
+                        const double top[3], const double a[3],
+                        const double b[3], double r0, double r1)
+{
+    int *flag = shape->library.flag;
+    double *x = shape->library.number;
+    shape->kind = kind;
+    shape->ends = (int)ends;
+    copy3(x + CYLINT_AT_BASE, base);
+    copy3(x + CYLINT_AT_AXIS, axis);
+    copy3(x + CYLINT_AT_TOP, top);
+    copy3(x + CYLINT_AT_A, a);
+    copy3(x + CYLINT_AT_B, b);
+    x[CYLINT_AT_R0] = r0;
+    x[CYLINT_AT_R1] = r1;
+    flag[CYLINT_AT_LEFT_HANDED] = 0;
+    flag[CYLINT_AT_SURFACE] = CYLINT_PART_LATERAL;
+    flag[CYLINT_AT_IN_RANGE] = cylint_is_in_window(shape);
+    measure_local(shape);
+}
 
 /* Writes what a shape is that is given by two points and a radius at each.
  * same: its kind for equal radii. */
@@ -107,20 +119,11 @@ static void write_two_points(cylint_shape *shape, const double p0[3], double r0,
                              const double p1[3], double r1, int same, int kind,
                              cylint_ends ends)
 {
-    copy3(shape->base, p0);
-    copy3(shape->top, p1);
-    difference3(shape->axis, shape->axis_lo, p1, p0);
-    zero_vector(shape->a);
-    zero_vector(shape->b);
-    shape->left_handed = 0;
-    shape->surface = CYLINT_PART_LATERAL;
-    shape->r0 = r0;
-    shape->r1 = r1;
-    const pair dr = cylint_difference(r1, r0);
-    shape->dr = dr.hi;
-    shape->dr_lo = dr.lo;
-    shape->kind = cylint_sign(dr.hi) == 0 ? same : kind;
-    measure(shape, (int)ends);
+    double axis[3];
+    for (int i = 0; i < 3; i++)
+        axis[i] = cylint_difference(p1[i], p0[i]).hi;
+    write_shape(shape, cylint_rank(r0) == cylint_rank(r1) ? same : kind, ends,
+                p0, axis, p1, none, none, r0, r1);
 }
 
 /* CYLINT_OK, ENONFINITE or ERADIUS. */
@@ -163,7 +166,7 @@ static void open_any_line(cylint_query *q, const cylint_shape *shape,
                           cylint_line *line)
 {
     static const double along[3] = {1, 0, 0};
-    cylint_whole_line(line, shape->base, along);
+    cylint_whole_line(line, cylint_base(shape), along);
     cylint_query_open(q, shape, line);
 }
 
@@ -202,10 +205,11 @@ cylint_status cylint_round_cone(cylint_shape *shape, const double p0[3],
                      CYLINT_KIND_RCONE, ends);
     /* local coordinates that are accurate show that neither ball holds the
      * other */
-    if (!shape->prepared && (equal3(p0, p1) || sign_of_overhang(shape) <= 0)) {
+    if (!cylint_prepared(shape) &&
+        (equal3(p0, p1) || sign_of_overhang(shape) <= 0)) {
         const cylint_shape hull = *shape;
         cylint_ball_of(shape, &hull, cylint_less(r0, r1));
-        measure(shape, (int)ends);
+        measure_local(shape);
     }
     return CYLINT_OK;
 }
@@ -222,12 +226,12 @@ static int is_flat(cylint_shape *shape)
 {
     cylint_line line;
     cylint_query q;
-    if (shape->prepared)
+    if (cylint_prepared(shape))
         return 0;
-    shape->left_handed = 0;
+    shape->library.flag[CYLINT_AT_LEFT_HANDED] = 0;
     open_any_line(&q, shape, &line);
     const int det = cylint_form_sign(&q, FORM_ROOT_OF_S, 0);
-    shape->left_handed = det < 0;
+    shape->library.flag[CYLINT_AT_LEFT_HANDED] = det < 0;
     return det == 0;
 }
 
@@ -245,22 +249,10 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
         return refuse_shape(shape, CYLINT_EAXIS);
     if (!ends_exist(CYLINT_KIND_ECONE, (int)ends))
         return refuse_shape(shape, CYLINT_EENDS);
-    copy3(shape->base, c);
-    copy3(shape->axis, h);
-    zero_vector(shape->axis_lo);
-    zero_vector(shape->top);
-    shape->left_handed = 0;
-    shape->surface = CYLINT_PART_LATERAL;
-    copy3(shape->a, a);
-    copy3(shape->b, b);
-    shape->r0 = 1;
-    shape->r1 = k;
-    const pair dr = cylint_difference(k, 1);
-    shape->dr = dr.hi;
-    shape->dr_lo = dr.lo;
-    shape->kind =
-        cylint_sign(dr.hi) == 0 ? CYLINT_KIND_ECYLINDER : CYLINT_KIND_ECONE;
-    measure(shape, (int)ends);
+    write_shape(shape,
+                cylint_rank(k) == cylint_rank(1) ? CYLINT_KIND_ECYLINDER
+                                                 : CYLINT_KIND_ECONE,
+                ends, c, h, none, a, b, 1, k);
     return is_flat(shape) ? refuse_shape(shape, CYLINT_EDEGENERATE) : CYLINT_OK;
 }
 
@@ -284,18 +276,8 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
         return refuse_shape(shape, CYLINT_EAXIS);
     if (!ends_exist(CYLINT_KIND_ACONE, (int)ends))
         return refuse_shape(shape, CYLINT_EENDS);
-    copy3(shape->base, v);
-    copy3(shape->axis, u);
-    zero_vector(shape->axis_lo);
-    zero_vector(shape->top);
-    zero_vector(shape->a);
-    zero_vector(shape->b);
-    shape->left_handed = 0;
-    shape->surface = CYLINT_PART_LATERAL;
-    shape->r0 = shape->dr_lo = 0;
-    shape->r1 = shape->dr = tangent;
-    shape->kind = CYLINT_KIND_ACONE;
-    measure(shape, (int)ends);
+    write_shape(shape, CYLINT_KIND_ACONE, ends, v, u, none, none, none, 0,
+                tangent);
     return CYLINT_OK;
 }
 
@@ -330,8 +312,8 @@ cylint_status cylint_span(cylint_line *line, const double o[3],
         return refuse_line(line, CYLINT_EDOMAIN);
     copy3(line->o, o);
     copy3(line->d, d);
-    zero_vector(line->d_lo);
-    zero_vector(line->end);
+    copy3(line->d_lo, none);
+    copy3(line->end, none);
     line->tmin = tmin;
     line->tmax = tmax;
     line->segment = 0;

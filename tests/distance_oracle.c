@@ -23,6 +23,7 @@
 
 #include "cylint_distance.h"
 #include "oracle.h"
+#include "shapes/layout.h"
 
 #define RND MPFR_RNDN
 
@@ -106,14 +107,14 @@ static void widen(const double *x, int n, int *low, int *high)
 static void set_bits(const cylint_shape *shape, const double point[3])
 {
     int low = 4096, high = -4096;
-    const double radii[2] = {shape->r0, shape->r1};
+    const double radii[2] = {cylint_r0(shape), cylint_r1(shape)};
     widen(point, 3, &low, &high);
-    widen(shape->base, 3, &low, &high);
+    widen(cylint_base(shape), 3, &low, &high);
     widen(radii, 2, &low, &high);
     if (shape->kind == CYLINT_KIND_ACONE)
-        widen(shape->axis, 3, &low, &high);
+        widen(cylint_axis(shape), 3, &low, &high);
     else if (shape->kind != CYLINT_KIND_SPHERE)
-        widen(shape->top, 3, &low, &high);
+        widen(cylint_top(shape), 3, &low, &high);
     const long bits = BITS + 12 * (high > low ? high - low : 1);
     if (bits == g.bits)
         return;
@@ -206,12 +207,12 @@ static void load(const cylint_shape *shape, const double point[3])
     const int sphere = shape->kind == CYLINT_KIND_SPHERE;
     for (int i = 0; i < 3; i++) {
         mpfr_set_d(g.q[i], point[i], RND);
-        mpfr_sub_d(g.q[i], g.q[i], shape->base[i], RND);
+        mpfr_sub_d(g.q[i], g.q[i], cylint_base(shape)[i], RND);
         if (shape->kind == CYLINT_KIND_ACONE) {
-            mpfr_set_d(g.w[i], shape->axis[i], RND);
+            mpfr_set_d(g.w[i], cylint_axis(shape)[i], RND);
         } else {
-            mpfr_set_d(g.w[i], shape->top[i], RND);
-            mpfr_sub_d(g.w[i], g.w[i], shape->base[i], RND);
+            mpfr_set_d(g.w[i], cylint_top(shape)[i], RND);
+            mpfr_sub_d(g.w[i], g.w[i], cylint_base(shape)[i], RND);
         }
         if (sphere) /* any axis will do */
             mpfr_set_si(g.w[i], i == 2, RND);
@@ -221,8 +222,8 @@ static void load(const cylint_shape *shape, const double point[3])
     dot(g.Z, g.q, g.w);
     mpfr_div(g.s, g.Z, g.length, RND);
     load_across();
-    mpfr_set_d(g.r0, shape->r0, RND);
-    mpfr_set_d(g.r1, sphere ? shape->r0 : shape->r1, RND);
+    mpfr_set_d(g.r0, cylint_r0(shape), RND);
+    mpfr_set_d(g.r1, sphere ? cylint_r0(shape) : cylint_r1(shape), RND);
     if (shape->kind == CYLINT_KIND_ACONE)
         mpfr_mul(g.r1, g.r1, g.length, RND);
     mpfr_sub(g.dr, g.r1, g.r0, RND);
@@ -343,9 +344,9 @@ static void round_pieces(const cylint_shape *shape)
     if (shape->kind == CYLINT_KIND_SPHERE) {
         static const int feature[] = {CYLINT_FEATURE_LATERAL,
                                       CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1};
-        if (shape->surface == CYLINT_PART_LATERAL ||
-            has_cap(shape, shape->surface == CYLINT_PART_CAP1))
-            add_arc(0, shape->surface, feature[shape->surface]);
+        if (cylint_surface(shape) == CYLINT_PART_LATERAL ||
+            has_cap(shape, cylint_surface(shape) == CYLINT_PART_CAP1))
+            add_arc(0, cylint_surface(shape), feature[cylint_surface(shape)]);
         return;
     }
     mpfr_div(g.sine, g.dr, g.length, RND);
@@ -531,7 +532,7 @@ void oracle_distance(const cylint_shape *shape, const double point[3],
         return;
     apply_sign(shape, point);
     expected->distance = mpfr_get_d(g.best, RND);
-    in_space(expected->point, g.foot[0], g.foot[1], shape->base);
+    in_space(expected->point, g.foot[0], g.foot[1], cylint_base(shape));
     in_space(expected->normal, g.normal[0], g.normal[1], NULL);
 }
 

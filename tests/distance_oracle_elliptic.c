@@ -22,6 +22,7 @@
 #include "oracle.h"
 
 #include "distance_oracle_zeros.h"
+#include "shapes/layout.h"
 
 /* -------------------------------------------------------- the surface --- */
 
@@ -45,8 +46,8 @@ static void apply_S(vector to, vector v)
 static void load(const cylint_shape *shape, const double point[3])
 {
     static const double aside[3] = {1, -0.7, 0.3};
-    const double *data[] = {point, shape->base, shape->a, shape->b,
-                            shape->axis};
+    const double *data[] = {point, cylint_base(shape), cylint_a(shape),
+                            cylint_b(shape), cylint_axis(shape)};
     int least = 4000, most = -4000, factor = 0;
     for (int i = 0; i < 15; i++) {
         int exponent;
@@ -56,14 +57,14 @@ static void load(const cylint_shape *shape, const double point[3])
         most = exponent > most ? exponent : most;
         least = exponent < least ? exponent : least;
     }
-    frexp(shape->r1, &factor);
+    frexp(cylint_r1(shape), &factor);
     start(most - least + abs(factor));
     e.exponent = most;
     set(e.Q, point);
-    set(e.base, shape->base);
-    set(e.a, shape->a);
-    set(e.b, shape->b);
-    set(e.h, shape->axis);
+    set(e.base, cylint_base(shape));
+    set(e.a, cylint_a(shape));
+    set(e.b, cylint_b(shape));
+    set(e.h, cylint_axis(shape));
     for (int i = 0; i < 3; i++)
         mpfr_sub(e.Q[i], e.Q[i], e.base[i], RND);
     vector *const lengths[] = {&e.a, &e.b, &e.h};
@@ -79,7 +80,7 @@ static void load(const cylint_shape *shape, const double point[3])
         mpfr_div_2si(e.t[0], e.t[0], e.moved, RND);
         mpfr_add(e.Q[i], e.Q[i], e.t[0], RND);
     }
-    mpfr_set_d(e.k1, shape->r1, RND);
+    mpfr_set_d(e.k1, cylint_r1(shape), RND);
     mpfr_sub_ui(e.k1, e.k1, 1, RND);
     e.cone = !mpfr_zero_p(e.k1);
     copy(e.w, e.h);
@@ -446,7 +447,7 @@ static void ends(const cylint_shape *shape, struct oracle_closest *expected)
         const int is_cap =
             shape->ends == CYLINT_ENDS_CAPPED ||
             shape->ends == (end ? CYLINT_ENDS_CAP1 : CYLINT_ENDS_CAP0);
-        mpfr_set_d(e.z, end ? shape->r1 : 1, RND);
+        mpfr_set_d(e.z, end ? cylint_r1(shape) : 1, RND);
         if (mpfr_zero_p(e.z)) {
             apex(shape, expected);
             continue;

@@ -67,13 +67,13 @@ static void make_point_frame(struct point_frame *f, const cylint_shape *s,
     double across = 0, size = 0, unit[3];
     f->shape = s;
     for (int i = 0; i < 3; i++) {
-        f->a[i] = s->a[i];
-        f->b[i] = s->b[i];
-        f->h[i] = s->axis[i];
-        size = fmax(size, fabs(s->axis[i]));
+        f->a[i] = cylint_a(s)[i];
+        f->b[i] = cylint_b(s)[i];
+        f->h[i] = cylint_axis(s)[i];
+        size = fmax(size, fabs(cylint_axis(s)[i]));
     }
     for (int i = 0; i < 3; i++)
-        unit[i] = size > 0 ? s->axis[i] / size : i == 2;
+        unit[i] = size > 0 ? cylint_axis(s)[i] / size : i == 2;
     const double norm = sqrt(dot3(unit, unit));
     f->length = norm * size;
     f->unit = cylint_radius_unit(s, f->length);
@@ -96,7 +96,7 @@ static void make_point_frame(struct point_frame *f, const cylint_shape *s,
 static double rho_at(const struct point_frame *f, double z)
 {
     const cylint_shape *s = f->shape;
-    return fabs(s->r0 + (s->r1 - s->r0) * z) * f->unit;
+    return fabs(cylint_r0(s) + (cylint_r1(s) - cylint_r0(s)) * z) * f->unit;
 }
 
 static void put(const struct point_frame *f, uint64_t *stream, double rho,
@@ -104,7 +104,7 @@ static void put(const struct point_frame *f, uint64_t *stream, double rho,
 {
     const double turn = draw(stream, 0, 6.283185307179586);
     for (int i = 0; i < 3; i++)
-        p[i] = f->shape->base[i] + z * f->h[i] +
+        p[i] = cylint_base(f->shape)[i] + z * f->h[i] +
                rho * (cos(turn) * f->a[i] + sin(turn) * f->b[i]);
 }
 
@@ -115,7 +115,9 @@ static void put_on_bisector(const struct point_frame *f, uint64_t *stream,
 {
     const cylint_shape *s = f->shape;
     const int end = random_int(stream, 2);
-    const double grows = (end ? s->r0 - s->r1 : s->r1 - s->r0) * f->unit;
+    const double grows =
+        (end ? cylint_r0(s) - cylint_r1(s) : cylint_r1(s) - cylint_r0(s)) *
+        f->unit;
     const double tan = grows / f->length;
     const double slant = f->length * sqrt(1 + tan * tan);
     const double on_axis = rho_at(f, end) / (slant - grows);
@@ -140,7 +142,7 @@ static void put_whole(const struct family_case *c, uint64_t *stream,
 {
     const int at_end = random_int(stream, 8) == 0;
     for (int i = 0; i < 3; i++)
-        p[i] = c->shape.base[i] +
+        p[i] = cylint_base(&c->shape)[i] +
                (at_end ? 0 : 0.5 * (random_int(stream, 25) - 12));
     if (random_int(stream, 3) == 0)
         for (int i = 0; i < 3; i++)
@@ -164,7 +166,9 @@ static void put_near_apex(const struct point_frame *f, uint64_t *stream,
                           double p[3])
 {
     const cylint_shape *s = f->shape;
-    const double apex = s->r0 == s->r1 ? 0.5 : s->r0 / (s->r0 - s->r1);
+    const double apex = cylint_r0(s) == cylint_r1(s)
+                            ? 0.5
+                            : cylint_r0(s) / (cylint_r0(s) - cylint_r1(s));
     const double big = fmax(rho_at(f, 0), rho_at(f, 1));
     const int plane = random_int(stream, 3) == 0;
     put(f, stream, plane ? big * draw(stream, 0, 2) : big * draw_small(stream),

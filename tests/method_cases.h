@@ -9,6 +9,7 @@
 
 #include "check.h"
 #include "cylint_methods.h"
+#include "shapes/layout.h"
 
 /* Whether the method is published for the kind and ends. */
 static int answers_for(const char *name, int kind, int ends)
@@ -57,19 +58,19 @@ static void put_shape(char *text, const cylint_shape *s)
                                        "cap1",   "infinite", "nappe"};
     const int elliptic = s->kind >= CYLINT_KIND_ECYLINDER;
     const int has_top = s->kind <= CYLINT_KIND_CONE;
-    int used = put(text, kinds[s->kind], s->base, 3);
+    int used = put(text, kinds[s->kind], cylint_base(s), 3);
 
     if (s->kind == CYLINT_KIND_CONE)
-        used += put(text + used, "", &s->r0, 1);
+        used += put(text + used, "", cylint_radii(s), 1);
     if (elliptic) {
-        used += put(text + used, "", s->a, 3);
-        used += put(text + used, "", s->b, 3);
+        used += put(text + used, "", cylint_a(s), 3);
+        used += put(text + used, "", cylint_b(s), 3);
     }
-    used += put(text + used, "", has_top ? s->top : s->axis, 3);
+    used += put(text + used, "", has_top ? cylint_top(s) : cylint_axis(s), 3);
     if (s->kind == CYLINT_KIND_ACONE)
-        used += sprintf(text + used, " %.17g", atan(s->r1) * degrees);
+        used += sprintf(text + used, " %.17g", atan(cylint_r1(s)) * degrees);
     else if (s->kind != CYLINT_KIND_ECYLINDER)
-        used += put(text + used, "", &s->r1, 1);
+        used += put(text + used, "", cylint_radii(s) + 1, 1);
     sprintf(text + used, " ends=%s", ends[s->ends]);
 }
 

@@ -13,6 +13,7 @@
  * and comparing them needs only the sign of x + y sqrt(D).
  */
 #include "oracle.h"
+#include "shapes/layout.h"
 #include "oracle_field.h"
 
 /* ------------------------------------------------------ shape and line -- */
@@ -25,22 +26,22 @@ static int elliptic(const cylint_shape *shape)
 
 static void load_lengths(const cylint_shape *shape, const double o[3])
 {
-    const double radii[2] = {shape->r0, shape->r1};
+    const double radii[2] = {cylint_r0(shape), cylint_r1(shape)};
     o_.unit = LONG_MAX;
     lower_unit(&o_.unit, o, 3);
-    lower_unit(&o_.unit, shape->base, 3);
+    lower_unit(&o_.unit, cylint_base(shape), 3);
     o_.circular = !elliptic(shape);
     if (!o_.circular || shape->kind == CYLINT_KIND_ACONE) {
-        lower_unit(&o_.unit, shape->axis, 3);
-        lower_unit(&o_.unit, shape->a, o_.circular ? 0 : 3);
-        lower_unit(&o_.unit, shape->b, o_.circular ? 0 : 3);
-        whole3(o_.w, shape->axis, o_.unit);
+        lower_unit(&o_.unit, cylint_axis(shape), 3);
+        lower_unit(&o_.unit, cylint_a(shape), o_.circular ? 0 : 3);
+        lower_unit(&o_.unit, cylint_b(shape), o_.circular ? 0 : 3);
+        whole3(o_.w, cylint_axis(shape), o_.unit);
     } else {
-        lower_unit(&o_.unit, shape->top, 3);
+        lower_unit(&o_.unit, cylint_top(shape), 3);
         lower_unit(&o_.unit, radii, 2);
-        difference(o_.w, shape->top, shape->base, o_.unit);
+        difference(o_.w, cylint_top(shape), cylint_base(shape), o_.unit);
     }
-    whole3(o_.base, shape->base, o_.unit);
+    whole3(o_.base, cylint_base(shape), o_.unit);
     whole3(o_.o, o, o_.unit);
     for (int i = 0; i < 3; i++) {
         mpz_sub(o_.q[i], o_.o[i], o_.base[i]);
@@ -62,15 +63,15 @@ static void load_circular(const cylint_shape *shape)
     dot(o_.whole, o_.w, o_.w);
     if (shape->kind == CYLINT_KIND_ACONE) {
         long unit = 0;
-        lower_unit(&unit, &shape->r1, 1);
-        whole(o_.delta, shape->r1, unit);
+        lower_unit(&unit, cylint_radii(shape) + 1, 1);
+        whole(o_.delta, cylint_r1(shape), unit);
         mpz_set_ui(o_.gamma, 0);
         mpz_set_ui(o_.beta, 1);
         mpz_mul_2exp(o_.beta, o_.beta, (mp_bitcnt_t)(-2 * unit));
         mpz_mul(o_.alpha, o_.beta, o_.whole);
     } else {
-        whole(o_.r0, shape->r0, o_.unit);
-        whole(o_.dr, shape->r1, o_.unit);
+        whole(o_.r0, cylint_r0(shape), o_.unit);
+        whole(o_.dr, cylint_r1(shape), o_.unit);
         mpz_sub(o_.delta, o_.dr, o_.r0);
         mpz_mul(o_.gamma, o_.r0, o_.whole);
         mpz_set(o_.beta, o_.whole);
@@ -86,8 +87,8 @@ static void load_circular(const cylint_shape *shape)
  */
 static void load_elliptic(const cylint_shape *shape)
 {
-    whole3(o_.a, shape->a, o_.unit);
-    whole3(o_.b, shape->b, o_.unit);
+    whole3(o_.a, cylint_a(shape), o_.unit);
+    whole3(o_.b, cylint_b(shape), o_.unit);
     cross(o_.gx, o_.b, o_.w);
     cross(o_.gy, o_.w, o_.a);
     cross(o_.gz, o_.a, o_.b);
@@ -101,7 +102,7 @@ static void load_elliptic(const cylint_shape *shape)
         }
     }
     long unit = 0;
-    const double k = shape->kind == CYLINT_KIND_ECONE ? shape->r1 : 1;
+    const double k = shape->kind == CYLINT_KIND_ECONE ? cylint_r1(shape) : 1;
     lower_unit(&unit, &k, 1);
     whole(o_.delta, k, unit);
     mpz_set_ui(o_.beta, 1);

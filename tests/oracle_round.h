@@ -91,8 +91,8 @@ static void load_between(void)
 static void load_round(const cylint_shape *shape, const double o[3])
 {
     load_lengths(shape, o);
-    whole(o_.r0, shape->r0, o_.unit);
-    whole(o_.dr, shape->r1, o_.unit);
+    whole(o_.r0, cylint_r0(shape), o_.unit);
+    whole(o_.dr, cylint_r1(shape), o_.unit);
     for (int i = 0; i < 3; i++) {
         mpz_set(round_.center[0][i], o_.q[i]);
         mpz_sub(round_.center[1][i], o_.q[i], o_.w[i]);
@@ -104,7 +104,8 @@ static void load_round(const cylint_shape *shape, const double o[3])
     round_.balls = 2;
     if (shape->kind == CYLINT_KIND_SPHERE) {
         round_.balls = 1;
-        if (shape->surface == CYLINT_PART_CAP1) { /* the base is at z = 1 */
+        if (cylint_surface(shape) ==
+            CYLINT_PART_CAP1) { /* the base is at z = 1 */
             mpz_sub(o_.Z.g0, o_.whole, o_.Z.g0);
             mpz_neg(o_.Z.g1, o_.Z.g1);
             for (int i = 0; i < 3; i++) {
@@ -174,7 +175,7 @@ static int compare_roots(const root *x, const root *y)
 static int part_of_root(const cylint_shape *shape, const root *x)
 {
     if (shape->kind == CYLINT_KIND_SPHERE) {
-        return shape->surface;
+        return cylint_surface(shape);
     }
     return linear_sign(&round_.above0, &x->at) < 0   ? CYLINT_PART_CAP0
            : linear_sign(&round_.above1, &x->at) > 0 ? CYLINT_PART_CAP1

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 
 #include "cylint_scene.h"
+#include "shapes/layout.h"
 #include "embree/api.h"
 #include "scenes.h"
 
@@ -21,10 +22,11 @@ static int as_floats(cylint_shape *s, float *vertex)
 {
     if (s->kind != CYLINT_KIND_CYLINDER && s->kind != CYLINT_KIND_CONE)
         return 0;
-    const double p[2][3] = {
-        {(float)s->base[0], (float)s->base[1], (float)s->base[2]},
-        {(float)s->top[0], (float)s->top[1], (float)s->top[2]}};
-    const double r[2] = {(float)s->r0, (float)s->r1};
+    const double p[2][3] = {{(float)cylint_base(s)[0], (float)cylint_base(s)[1],
+                             (float)cylint_base(s)[2]},
+                            {(float)cylint_top(s)[0], (float)cylint_top(s)[1],
+                             (float)cylint_top(s)[2]}};
+    const double r[2] = {(float)cylint_r0(s), (float)cylint_r1(s)};
     for (int end = 0; end < 2; end++) {
         for (int j = 0; j < 3; j++)
             vertex[4 * end + j] = (float)p[end][j];

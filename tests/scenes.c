@@ -10,6 +10,7 @@
 #include "random.h"
 #include "scenes.h"
 #include "vectors.h"
+#include "shapes/layout.h"
 
 /* ------------------------------------------------------ random numbers -- */
 
@@ -349,9 +350,9 @@ static const cylint_shape *some_shape(dice *r, const struct scene_shapes *s)
 /* A point of the shape or near it. */
 static void point_near(dice *r, const cylint_shape *shape, double to[3])
 {
-    along(to, shape->base, between(r, 0, 1), shape->axis);
+    along(to, cylint_base(shape), between(r, 0, 1), cylint_axis(shape));
     for (int j = 0; j < 3; j++)
-        to[j] += between(r, -1, 1) * shape->r0 *
+        to[j] += between(r, -1, 1) * cylint_r0(shape) *
                  (shape->kind >= CYLINT_KIND_ACONE ? 0 : 0.6);
 }
 
@@ -427,11 +428,11 @@ static cylint_status axis_line(dice *r, const struct scene_shapes *s,
     double d[3], o[3], off[3];
     direction(r, off);
     for (int j = 0; j < 3; j++)
-        d[j] = shape->axis[j];
+        d[j] = cylint_axis(shape)[j];
     if (bits(r) % 2 == 0)
         along(d, d, power(r, -14, -3) * sqrt(dot3(d, d)), off);
     direction(r, off);
-    along(o, shape->base, 0.5 * shape->r0, off);
+    along(o, cylint_base(shape), 0.5 * cylint_r0(shape), off);
     along(o, o, -between(r, 0, 5), d);
     for (int j = 0; j < 3; j++)
         d[j] *= bits(r) % 4096 ? 1 : -1;

@@ -11,6 +11,7 @@
 #include "distance/exact_distance.h"
 #include "random.h"
 #include "roots/roots.h"
+#include "shapes/layout.h"
 
 /* The limbs of doubles (exact.c): 2^-1074 is in limb -34, 2^1023 in limb 31,
  * and cylint_exact_from() uses one more. */
@@ -124,7 +125,7 @@ static void make(int kind, int segment, cylint_shape *s, cylint_line *l)
     default:
         cylint_round_cone(s, p, 1, h, 1.5, CYLINT_ENDS_CAPPED);
         s->kind = CYLINT_KIND_RCONE; /* whatever the arithmetic here says */
-        s->surface = CYLINT_PART_LATERAL;
+        s->library.flag[CYLINT_AT_SURFACE] = CYLINT_PART_LATERAL;
     }
     if (segment)
         cylint_segment(l, o, d);

@@ -197,8 +197,8 @@ static void add_square(double a, double b)
 static void axis_ends(const cylint_shape *s, int i, double *a, double *b)
 {
     const int points = cylint_has_end_points(s->kind);
-    *a = points ? s->top[i] : s->axis[i];
-    *b = points ? s->base[i] : 0;
+    *a = points ? cylint_top(s)[i] : cylint_axis(s)[i];
+    *b = points ? cylint_base(s)[i] : 0;
 }
 
 /* m_[0] = half the width of the disc of cap i, or of the ball about end i,
@@ -210,8 +210,8 @@ static void true_reach(const cylint_shape *s, int i, int j)
     if (cylint_is_round(s->kind)) {
         mpfr_set_ui(m_[0], 1, MPFR_RNDN);
     } else if (cylint_is_elliptic(s->kind)) {
-        add_square(s->a[j], 0);
-        add_square(s->b[j], 0);
+        add_square(cylint_a(s)[j], 0);
+        add_square(cylint_b(s)[j], 0);
     } else {
         for (int k = 1; k < 3; k++) {
             axis_ends(s, (j + k) % 3, &a, &b);
@@ -226,18 +226,18 @@ static void true_reach(const cylint_shape *s, int i, int j)
     }
     if (!cylint_is_round(s->kind))
         mpfr_sqrt(m_[0], m_[0], MPFR_RNDN);
-    mpfr_mul_d(m_[0], m_[0], i ? s->r1 : s->r0, MPFR_RNDN);
+    mpfr_mul_d(m_[0], m_[0], i ? cylint_r1(s) : cylint_r0(s), MPFR_RNDN);
 }
 
 /* m_[1] = the bound of cap i's disc */
 static void true_bound(const cylint_shape *s, int i, int j, int up)
 {
     true_reach(s, i, j);
-    mpfr_set_d(m_[1], s->base[j], MPFR_RNDN);
+    mpfr_set_d(m_[1], cylint_base(s)[j], MPFR_RNDN);
     if (i && cylint_has_end_points(s->kind))
-        mpfr_set_d(m_[1], s->top[j], MPFR_RNDN);
+        mpfr_set_d(m_[1], cylint_top(s)[j], MPFR_RNDN);
     else if (i)
-        mpfr_add_d(m_[1], m_[1], s->axis[j], MPFR_RNDN);
+        mpfr_add_d(m_[1], m_[1], cylint_axis(s)[j], MPFR_RNDN);
     if (up)
         mpfr_add(m_[1], m_[1], m_[0], MPFR_RNDN);
     else
@@ -249,12 +249,12 @@ static void true_bound(const cylint_shape *s, int i, int j, int up)
 static double cancelled(const cylint_shape *s, int j)
 {
     const int factors = cylint_has_factors(s->kind);
-    double size = factors ? 0 : fmax(s->r0, s->r1);
+    double size = factors ? 0 : fmax(cylint_r0(s), cylint_r1(s));
     for (int i = 0; i < 3; i++)
-        size = fmax(fmax(size, fabs(s->axis[i])),
-                    fmax(fabs(s->a[i]), fabs(s->b[i])));
-    const double reach = ldexp(size, -94) * fmax(1, factors ? s->r1 : 1);
-    const double most = ldexp(fabs(s->base[j]), -96) + reach;
+        size = fmax(fmax(size, fabs(cylint_axis(s)[i])),
+                    fmax(fabs(cylint_a(s)[i]), fabs(cylint_b(s)[i])));
+    const double reach = ldexp(size, -94) * fmax(1, factors ? cylint_r1(s) : 1);
+    const double most = ldexp(fabs(cylint_base(s)[j]), -96) + reach;
     return isinf(size) ? ldexp(1, 930) : most;
 }
 
@@ -317,8 +317,8 @@ static void measure_tangent(const struct family_case *c)
     mpfr_div_ui(x, x, 180, MPFR_RNDN);
     mpfr_tan(x, x, MPFR_RNDN);
     const double want = mpfr_get_d(x, MPFR_RNDN);
-    check_budget("tangent", "all", 0.5 + ulps_apart(c->shape.r1, want, want),
-                 c);
+    check_budget("tangent", "all",
+                 0.5 + ulps_apart(cylint_r1(&c->shape), want, want), c);
     mpfr_clears(x, pi, (mpfr_ptr)NULL);
 }
 

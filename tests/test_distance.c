@@ -13,6 +13,7 @@
 #include "environment.h"
 #include "known_distances.h"
 #include "numbers/bits.h"
+#include "shapes/layout.h"
 
 enum { CASES = 60, POINTS = 4, FAR_CASES = 1000 };
 
@@ -395,14 +396,15 @@ static void the_sign_is_that_of_contains(void)
 static void check_paths(const struct family_case *c, const double p[3])
 {
     cylint_shape unprepared = c->shape;
-    unprepared.prepared = unprepared.in_range = 0;
+    unprepared.library.flag[CYLINT_AT_PREPARED] = 0;
+    unprepared.library.flag[CYLINT_AT_IN_RANGE] = 0;
     for (unsigned w = 0; w < 2; w++) {
         const unsigned want = w ? WANT : CYLINT_WANT_PART;
         const cylint_closest exact = answer_to(&unprepared, p, want);
         const cylint_closest usual = answer_to(&c->shape, p, want);
         cylint_closest plain;
         memset(&plain, 0, sizeof plain);
-        const int certain = c->shape.prepared &&
+        const int certain = cylint_prepared(&c->shape) &&
                             cylint_certified_plain(&c->shape, p, want, &plain);
         if (!CHECK(same(&exact, &usual) && (!certain || same(&exact, &plain))))
             report(c, p);
@@ -434,14 +436,14 @@ static double length_of(const double v[3])
 static double safety_size(const cylint_shape *s, const double p[3],
                           double distance)
 {
-    const double length = length_of(s->axis);
-    const double reach =
-        s->kind == CYLINT_KIND_SPHERE
-            ? s->r0
-            : length + fmax(s->r0, s->r1) * cylint_radius_unit(s, length);
+    const double length = length_of(cylint_axis(s));
+    const double reach = s->kind == CYLINT_KIND_SPHERE
+                             ? cylint_r0(s)
+                             : length + fmax(cylint_r0(s), cylint_r1(s)) *
+                                            cylint_radius_unit(s, length);
     double D[3];
     for (int i = 0; i < 3; i++)
-        D[i] = p[i] - s->base[i];
+        D[i] = p[i] - cylint_base(s)[i];
     return reach +
            (s->ends == CYLINT_ENDS_INFINITE ? 1.42 * length_of(D) : distance);
 }
@@ -562,7 +564,7 @@ static void check_scaled(const struct family_case *c, const double p[3])
     const int n = family_shape_size(c->shape_word);
     const double e = 0x1p40;
     double q[3];
-    if (!c->shape.in_range || c->shape_word == FAMILY_ACONE)
+    if (!cylint_in_range(&c->shape) || c->shape_word == FAMILY_ACONE)
         return;
     for (int i = 0; i < n; i++)
         far.shape_data[i] *= e;
@@ -571,7 +573,7 @@ static void check_scaled(const struct family_case *c, const double p[3])
         q[i] = p[i] * e;
     const cylint_closest a = answer_to(&c->shape, p, CYLINT_WANT_PART);
     const cylint_closest b = answer_to(&far.shape, q, CYLINT_WANT_PART);
-    if (!far.shape.in_range || fabs(a.distance) < 0x1p-900)
+    if (!cylint_in_range(&far.shape) || fabs(a.distance) < 0x1p-900)
         return;
     if (!CHECK(a.distance * e == b.distance && a.part == b.part &&
                a.feature == b.feature))

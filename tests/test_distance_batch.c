@@ -8,6 +8,7 @@
 #include "distance/certified_many.h"
 #include "distance_points.h"
 #include "known_distances.h"
+#include "shapes/layout.h"
 
 static const double origin[3] = {0, 0, 0};
 
@@ -59,7 +60,7 @@ static void batches_return_the_answers_of_single_questions(void)
         do
             family_case(7, random_int(&stream, family_count()), (uint64_t)i,
                         &f);
-        while (cylint_is_elliptic(f.shape.kind) || !f.shape.in_range);
+        while (cylint_is_elliptic(f.shape.kind) || !cylint_in_range(&f.shape));
         shapes[i] = f.shape;
         draw_point(&f, &stream, p);
         for (int k = 0; k < 3; k++)

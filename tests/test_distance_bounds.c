@@ -13,6 +13,7 @@
 #include "distance/half_plane.h"
 #include "distance/limbs.h"
 #include "distance_points.h"
+#include "shapes/layout.h"
 
 #if LANES == 2
 
@@ -104,7 +105,7 @@ static void check_point(const struct family_case *c, const double p[3])
         return;
     const pair true_rim = as_pair(
         cylint_floating_sqrt(floating_div(v, cylint_floating(denominator))));
-    const pair got = length_of(lazy_sub(m.rho, (pair){s->r0, 0}), m.z);
+    const pair got = length_of(lazy_sub(m.rho, (pair){cylint_r0(s), 0}), m.z);
     if (!(got.hi >= CYLINT_DISTANCE_LEAST)) /* is left to exact numbers */
         return;
     if (!CHECK(compare(difference(got, true_rim), m.error, &most_rim) <= 1)) {
@@ -121,7 +122,8 @@ static void errors_are_below_their_bounds(void)
             struct family_case c;
             family_case(9, f, i, &c);
             uint64_t stream = i * 64 + (uint64_t)f;
-            if (!c.shape.prepared || cylint_is_elliptic(c.shape.kind) ||
+            if (!cylint_prepared(&c.shape) ||
+                cylint_is_elliptic(c.shape.kind) ||
                 cylint_has_tangent(c.shape.kind) ||
                 c.shape.kind == CYLINT_KIND_SPHERE)
                 continue;

@@ -21,6 +21,7 @@
 #ifdef HAVE_MPFR
 #include "distance_oracle.h"
 #include "oracle.h"
+#include "shapes/layout.h"
 
 enum {
     CASES = 250,
@@ -149,7 +150,7 @@ static double point_error(const cylint_shape *s, const double got[3],
 {
     double checked[3], size = 0;
     for (int i = 0; i < 3; i++)
-        size = fmax(size, fmax(fabs(want[i]), fabs(s->base[i])));
+        size = fmax(size, fmax(fabs(want[i]), fabs(cylint_base(s)[i])));
     for (int i = 0; i < 3; i++)
         checked[i] =
             got[i] == 0 && fabs(want[i]) < 0x1p-98 * size ? want[i] : got[i];
@@ -165,7 +166,8 @@ static int is_as_near(const cylint_shape *s, const double p[3],
     double size = 0, of_point = 0, of_p = 0;
     for (int i = 0; i < 3; i++) {
         size = hypot(size, got->point[i] - p[i]);
-        of_point = fmax(of_point, fmax(ulp(got->point[i]), ulp(s->base[i])));
+        of_point =
+            fmax(of_point, fmax(ulp(got->point[i]), ulp(cylint_base(s)[i])));
         of_p = fmax(of_p, ulp(p[i]));
     }
     oracle_distance(s, got->point, &at);
@@ -304,13 +306,13 @@ static int exponents_of(const double *x, int n, int *least)
  * vectors are scaled, so that no product overflows or underflows. */
 static int is_promised(const cylint_shape *s, const double p[3])
 {
-    const double *data[] = {s->a, s->b, s->axis};
+    const double *data[] = {cylint_a(s), cylint_b(s), cylint_axis(s)};
     double least = HUGE_VAL, most = 0, normal[3], half[3], v[3][3];
     int low = INT_MAX, high = INT_MIN / 2;
     for (int i = 0; i < 3; i++) {
         const int e = exponents_of(data[i], 3, &low);
         high = e > high ? e : high;
-        half[i] = 0.5 * p[i] - 0.5 * s->base[i];
+        half[i] = 0.5 * p[i] - 0.5 * cylint_base(s)[i];
     }
     const int far = exponents_of(half, 3, &low);
     for (int i = 0; i < 3; i++) {
@@ -320,7 +322,8 @@ static int is_promised(const cylint_shape *s, const double p[3])
         most = fmax(most, sqrt(dot3(v[i], v[i])));
     }
     cross3(normal, v[0], v[1]);
-    return most <= 1e12 * least && (s->r1 == 0 || fabs(log10(s->r1)) <= 6) &&
+    return most <= 1e12 * least &&
+           (cylint_r1(s) == 0 || fabs(log10(cylint_r1(s))) <= 6) &&
            fabs(dot3(normal, v[2])) >= 0x1p-60 * most * most * most &&
            low >= high - 899 && far < high + 1299;
 }

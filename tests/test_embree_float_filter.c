@@ -17,6 +17,7 @@
 #include "bvh/swept_disc.h"
 #include "embree/angle.h"
 #include "families.h"
+#include "shapes/layout.h"
 
 #ifndef HAVE_GSL
 
@@ -97,7 +98,7 @@ static int same_floats(const cylint_hit_floats *f, const cylint_hit *hit)
 
 static int part_of(const cylint_float_filter_hit *at, const cylint_shape *shape)
 {
-    return at->round == 2 ? shape->surface
+    return at->round == 2 ? cylint_surface(shape)
            : !at->capped  ? CYLINT_PART_LATERAL
            : at->top      ? CYLINT_PART_CAP1
                           : CYLINT_PART_CAP0;
@@ -428,12 +429,13 @@ static int in_floats(const struct family_case *c, cylint_shape *shape)
     if (c->shape.kind > CYLINT_KIND_CONE && !round)
         return 0;
     for (int j = 0; j < 3; j++) {
-        base[j] = (float)c->shape.base[j];
-        top[j] = (float)c->shape.top[j];
+        base[j] = (float)cylint_base(&c->shape)[j];
+        top[j] = (float)cylint_top(&c->shape)[j];
     }
-    return (round ? cylint_round_cone : cylint_cone)(
-               shape, base, (float)c->shape.r0, top, (float)c->shape.r1,
-               (cylint_ends)c->shape.ends) == CYLINT_OK;
+    return (round ? cylint_round_cone
+                  : cylint_cone)(shape, base, (float)cylint_r0(&c->shape), top,
+                                 (float)cylint_r1(&c->shape),
+                                 (cylint_ends)c->shape.ends) == CYLINT_OK;
 }
 
 /* Checks that both records give the same bits.  Returns how many do. */

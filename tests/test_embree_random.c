@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "shapes/layout.h"
 #include "embree_world.h"
 #include "vectors.h"
 
@@ -219,15 +220,16 @@ static void add_grazing_ray(struct rays *r, int i, const cylint_shape *s,
     float o[3], d[3];
     for (int k = 0; k < 3; k++)
         v[k] = between(state, -1, 1);
-    cross3(out, s->axis, v);
+    cross3(out, cylint_axis(s), v);
     for (int k = 0; k < 3; k++)
         size += out[k] * out[k];
-    cross3(along, out, s->axis);
+    cross3(along, out, cylint_axis(s));
     for (int k = 0; k < 3; k++) {
-        const double radial = s->r0 * away * out[k] / sqrt(size);
+        const double radial = cylint_r0(s) * away * out[k] / sqrt(size);
         d[k] = (float)(along[k] / sqrt(size) +
-                       between(state, -0.3, 0.3) * s->axis[k]);
-        o[k] = (float)(s->base[k] + z * s->axis[k] + radial - L * (double)d[k]);
+                       between(state, -0.3, 0.3) * cylint_axis(s)[k]);
+        o[k] = (float)(cylint_base(s)[k] + z * cylint_axis(s)[k] + radial -
+                       L * (double)d[k]);
     }
     rays_add(r, i, o, d, 0,
              between(state, 0, 1) < 0.3
@@ -248,8 +250,8 @@ static void rays_that_barely_miss_are_not_occluded(void)
         world_shapes(&state, scene, shapes, SOLIDS);
         for (int i = 0; i < SOLIDS; i++) {
             const cylint_shape was = shapes[i];
-            cylint_cylinder(&shapes[i], was.base, was.top, was.r0,
-                            CYLINT_ENDS_CAPPED);
+            cylint_cylinder(&shapes[i], cylint_base(&was), cylint_top(&was),
+                            cylint_r0(&was), CYLINT_ENDS_CAPPED);
         }
         if (!CHECK(world_make(&w, shapes, SOLIDS, &options)))
             return;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "embree_compare.h"
+#include "shapes/layout.h"
 
 /* --------------------------------------------------------------- motion -- */
 
@@ -118,7 +119,7 @@ static void between_moves_the_constructors_numbers(void)
     cylint_sphere(&a, p[0], 1, CYLINT_ENDS_CAPPED);
     cylint_capsule(&b, p[0], p[0], 1, CYLINT_ENDS_CAPPED);
     CHECK(cylint_embree_between(&a, &a, 0.5, &half) == CYLINT_OK &&
-          half.surface == CYLINT_PART_LATERAL);
+          cylint_surface(&half) == CYLINT_PART_LATERAL);
 #undef HALF
     /* an axis that vanishes at time 1/2 */
     cylint_cylinder(&a, p[0], q[0], 1, CYLINT_ENDS_CAPPED);
@@ -168,7 +169,7 @@ static void an_update_reads_the_changed_shapes(void)
         CHECK(world_memory.bytes < 2 * bytes);
         /* a shape that is refused, and then one that is not */
         kept = shapes[17];
-        cylint_cylinder(&shapes[17], kept.base, kept.base, 1,
+        cylint_cylinder(&shapes[17], cylint_base(&kept), cylint_base(&kept), 1,
                         CYLINT_ENDS_CAPPED);
         world_errors();
         CHECK(cylint_embree_update(w.geometry, &w.problem) ==

@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "shapes/layout.h"
 #include "distance/exact_distance.h"
 #include "random.h"
 #include "roots/roots.h"
@@ -324,7 +325,7 @@ static void make_shape(cylint_shape *s, int kind, cylint_ends ends)
     else
         cylint_cone(s, p, 1, h, 2, ends);
     s->kind = kind; /* whatever the arithmetic here says */
-    s->surface = CYLINT_PART_LATERAL;
+    s->library.flag[CYLINT_AT_SURFACE] = CYLINT_PART_LATERAL;
 }
 
 /* What the library computes from exact numbers. */

@@ -104,11 +104,14 @@ static void divide(mpfr_t x[3], mpfr_t by)
 static void upright_rows(exact_rows *m, const cylint_shape *s)
 {
     static const double none[3] = {0, 0, 0};
-    const int i = cylint_least_component(s->axis, none);
+    const int i = cylint_least_component(cylint_axis(s), none);
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     mpfr_t across;
     mpfr_init(across);
-    set_vector(m->row[2], s->axis, s->axis_lo);
+    double lo[3];
+    for (int k = 0; k < 3; k++)
+        lo[k] = cylint_axis_pair(s, k).lo;
+    set_vector(m->row[2], cylint_axis(s), lo);
     dot_exactly(m->height, m->row[2], m->row[2]);
     mpfr_sqrt(m->height, m->height, MPFR_RNDN);
     mpfr_set_zero(m->row[0][i], 1);
@@ -127,23 +130,23 @@ static void upright_rows(exact_rows *m, const cylint_shape *s)
     mpfr_clear(across);
 }
 
-/* The inverse of (a b h), the row of z times local.height. */
+/* The inverse of (a b h), the row of z times the height. */
 static void inverse_rows(exact_rows *m, const cylint_shape *s)
 {
     mpfr_t a[3], b[3], h[3], det;
     for (int i = 0; i < 3; i++)
         mpfr_inits(a[i], b[i], h[i], (mpfr_ptr)0);
     mpfr_init(det);
-    set_vector(a, s->a, NULL);
-    set_vector(b, s->b, NULL);
-    set_vector(h, s->axis, NULL);
+    set_vector(a, cylint_a(s), NULL);
+    set_vector(b, cylint_b(s), NULL);
+    set_vector(h, cylint_axis(s), NULL);
     cross_exactly(m->row[0], b, h);
     cross_exactly(m->row[1], h, a);
     cross_exactly(m->row[2], a, b);
     dot_exactly(det, a, m->row[0]);
     for (int r = 0; r < 3; r++)
         divide(m->row[r], det);
-    mpfr_set_d(m->height, s->local.height, MPFR_RNDN);
+    mpfr_set_d(m->height, cylint_height(s), MPFR_RNDN);
     for (int i = 0; i < 3; i++) {
         mpfr_mul(m->row[2][i], m->row[2][i], m->height, MPFR_RNDN);
         mpfr_clears(a[i], b[i], h[i], (mpfr_ptr)0);
@@ -168,30 +171,30 @@ static double worst_row;
 
 static int rows_are_accurate(const cylint_shape *s, exact_rows *m)
 {
-    const cylint_local *l = &s->local;
-    const double bound = l->error * l->norm;
+    const double bound = cylint_frame_error(s) * cylint_norm(s);
     int good = 1;
     for (int r = 0; r < 3; r++) {
         double size = 0, off = 0;
         for (int i = 0; i < 3; i++) {
             size += fabs(mpfr_get_d(m->row[r][i], MPFR_RNDZ));
-            off += off_by(m->row[r][i], l->xyz[i][r], l->xyz_lo[i][r]);
+            off += off_by(m->row[r][i], cylint_column(s, i)[r],
+                          cylint_column_lo(s, i)[r]);
         }
         worst_row = fmax(worst_row, off / bound);
-        good &= off <= bound && size <= l->norm;
+        good &= off <= bound && size <= cylint_norm(s);
     }
     return good;
 }
 
 /* To the relative error; low parts may underflow where x is tiny beside 1. */
-static int is_near(mpfr_t x, double hi, double lo, double error)
+static int is_near(mpfr_t x, pair y, double error)
 {
-    return off_by(x, hi, lo) <= error * fmax(fabs(hi), 0x1p-900);
+    return off_by(x, y.hi, y.lo) <= error * fmax(fabs(y.hi), 0x1p-900);
 }
 
 /* sine = dr / height, cosine = sqrt(1 - sine^2), slope = sine / cosine; the
  * argument is the sine and becomes the slope. */
-static int angle_is_accurate(const cylint_local *l, mpfr_t slope)
+static int angle_is_accurate(const cylint_shape *l, mpfr_t slope)
 {
     mpfr_t sine, cosine;
     mpfr_inits(sine, cosine, (mpfr_ptr)0);
@@ -200,26 +203,28 @@ static int angle_is_accurate(const cylint_local *l, mpfr_t slope)
     mpfr_ui_sub(cosine, 1, cosine, MPFR_RNDN);
     mpfr_sqrt(cosine, cosine, MPFR_RNDN);
     mpfr_div(slope, slope, cosine, MPFR_RNDN);
-    const int good = is_near(sine, l->sine, l->sine_lo, l->error) &&
-                     is_near(cosine, l->cosine, l->cosine_lo, l->error);
+    const int good = is_near(sine, cylint_number_pair(l, CYLINT_AT_SINE),
+                             cylint_frame_error(l)) &&
+                     is_near(cosine, cylint_number_pair(l, CYLINT_AT_COSINE),
+                             cylint_frame_error(l));
     mpfr_clears(sine, cosine, (mpfr_ptr)0);
     return good;
 }
 
 static int sizes_are_accurate(const cylint_shape *s, exact_rows *m)
 {
-    const cylint_local *l = &s->local;
     const int round = cylint_is_hull(s->kind);
     mpfr_t slope;
-    mpfr_init_set_d(slope, s->dr, MPFR_RNDN);
-    mpfr_add_d(slope, slope, s->dr_lo, MPFR_RNDN);
+    mpfr_init_set_d(slope, cylint_radius_growth(s).hi, MPFR_RNDN);
+    mpfr_add_d(slope, slope, cylint_radius_growth(s).lo, MPFR_RNDN);
     mpfr_div(slope, slope, m->height, MPFR_RNDN);
     const int good =
-        is_near(m->height, l->height, l->height_lo, CYLINT_LOCAL_ERROR) &&
-        (!round || angle_is_accurate(l, slope)) &&
-        is_near(slope, l->slope, l->slope_lo,
-                round ? l->error : CYLINT_LOCAL_ERROR) &&
-        l->height + fmax(s->r0, s->r1) <= l->reach;
+        is_near(m->height, cylint_number_pair(s, CYLINT_AT_HEIGHT),
+                CYLINT_LOCAL_ERROR) &&
+        (!round || angle_is_accurate(s, slope)) &&
+        is_near(slope, cylint_number_pair(s, CYLINT_AT_SLOPE),
+                round ? cylint_frame_error(s) : CYLINT_LOCAL_ERROR) &&
+        cylint_height(s) + fmax(cylint_r0(s), cylint_r1(s)) <= cylint_reach(s);
     mpfr_clear(slope);
     return good;
 }
@@ -228,7 +233,7 @@ static int sizes_are_accurate(const cylint_shape *s, exact_rows *m)
 static int matrix_is_accurate(const cylint_shape *s)
 {
     exact_rows m;
-    if (s->kind == CYLINT_KIND_NONE || !s->prepared ||
+    if (s->kind == CYLINT_KIND_NONE || !cylint_prepared(s) ||
         s->kind == CYLINT_KIND_SPHERE)
         return 0;
     cylint_shape plain = *s;
@@ -239,11 +244,12 @@ static int matrix_is_accurate(const cylint_shape *s)
         inverse_rows(&m, s);
     else
         upright_rows(&m, s);
-    CHECK(s->local.error >= CYLINT_LOCAL_ERROR &&
-          s->local.error <= CYLINT_LOCAL_WORST);
+    CHECK(cylint_frame_error(s) >= CYLINT_LOCAL_ERROR &&
+          cylint_frame_error(s) <= CYLINT_LOCAL_WORST);
     if (!CHECK(rows_are_accurate(s, &m) && sizes_are_accurate(s, &m)))
-        REPORT("kind %d, axis %a %a %a, radii %a %a", s->kind, s->axis[0],
-               s->axis[1], s->axis[2], s->r0, s->r1);
+        REPORT("kind %d, axis %a %a %a, radii %a %a", s->kind,
+               cylint_axis(s)[0], cylint_axis(s)[1], cylint_axis(s)[2],
+               cylint_r0(s), cylint_r1(s));
     end_rows(&m);
     return 1;
 }

@@ -15,6 +15,7 @@
 
 #include "method_cases.h"
 #include "random.h"
+#include "shapes/layout.h"
 
 typedef long double real;
 
@@ -91,8 +92,8 @@ static void random_line(const cylint_shape *shape, cylint_line *line)
     random_vector(between(0, 2), off);
     random_vector(between(5, 10), o);
     for (int i = 0; i < 3; i++) {
-        target[i] = shape->base[i] + z * shape->axis[i] + off[i];
-        o[i] += shape->base[i];
+        target[i] = cylint_base(shape)[i] + z * cylint_axis(shape)[i] + off[i];
+        o[i] += cylint_base(shape)[i];
         d[i] = speed * (target[i] - o[i]) / 10;
     }
     switch ((int)between(0, 4)) {
@@ -135,10 +136,10 @@ static int is_elliptic(const cylint_shape *shape)
 static place place_of_vector(const cylint_shape *shape, const real D[3])
 {
     place at = {{0, 0, 0}, 0, 0};
-    const double *h = shape->axis;
+    const double *h = cylint_axis(shape);
 
     if (is_elliptic(shape)) { /* Cramer: D = x a + y b + z h */
-        const double *column[3] = {shape->a, shape->b, h};
+        const double *column[3] = {cylint_a(shape), cylint_b(shape), h};
         real m[3][3], x[3];
         for (int i = 0; i < 9; i++)
             m[i / 3][i % 3] = column[i / 3][i % 3];
@@ -152,7 +153,7 @@ static place place_of_vector(const cylint_shape *shape, const real D[3])
         at.off[0] = x[0];
         at.off[1] = x[1];
         at.z = x[2];
-        at.rho = (shape->r1 - 1.0L) * at.z;
+        at.rho = (cylint_r1(shape) - 1.0L) * at.z;
         return at;
     }
     real hh = 0, hD = 0;
@@ -164,8 +165,8 @@ static place place_of_vector(const cylint_shape *shape, const real D[3])
     for (int i = 0; i < 3; i++)
         at.off[i] = D[i] - at.z * h[i];
     at.rho = shape->kind == CYLINT_KIND_ACONE
-                 ? shape->r1 * sqrtl(hh) * at.z
-                 : ((real)shape->r1 - shape->r0) * at.z;
+                 ? cylint_r1(shape) * sqrtl(hh) * at.z
+                 : ((real)cylint_r1(shape) - cylint_r0(shape)) * at.z;
     return at;
 }
 
@@ -173,9 +174,9 @@ static place place_of_point(const cylint_shape *shape, const real p[3])
 {
     real D[3];
     for (int i = 0; i < 3; i++)
-        D[i] = p[i] - shape->base[i];
+        D[i] = p[i] - cylint_base(shape)[i];
     place at = place_of_vector(shape, D);
-    at.rho += is_elliptic(shape) ? 1 : shape->r0;
+    at.rho += is_elliptic(shape) ? 1 : cylint_r0(shape);
     return at;
 }
 

@@ -123,12 +123,13 @@ static void stay(const struct family_case *c, const cylint_shape *whole,
 static int is_smooth(const cylint_shape *s, const cylint_hit *hit)
 {
     const double unit = cylint_is_elliptic(s->kind)
-                            ? fmin(length(s->a), length(s->b))
-                            : cylint_radius_unit(s, length(s->axis));
+                            ? fmin(length(cylint_a(s)), length(cylint_b(s)))
+                            : cylint_radius_unit(s, length(cylint_axis(s)));
     const double z =
         cylint_is_round(s->kind) ? fmin(fmax(hit->z, 0), 1) : hit->z;
-    const double r =
-        s->kind == CYLINT_KIND_SPHERE ? s->r0 : s->r0 + (s->r1 - s->r0) * z;
+    const double r = s->kind == CYLINT_KIND_SPHERE
+                         ? cylint_r0(s)
+                         : cylint_r0(s) + (cylint_r1(s) - cylint_r0(s)) * z;
     double size = 0;
     for (int i = 0; i < 3; i++)
         size = fmax(size, fabs(hit->point[i]));

@@ -12,6 +12,7 @@
 #include "check.h"
 #include "cylint.h"
 #include "families.h"
+#include "shapes/layout.h"
 
 enum { CASES = 500 };
 
@@ -337,7 +338,8 @@ static void swapped(const struct family_case *given)
     const family_shape word = c.shape_word;
     const int n = word == FAMILY_CONE || word == FAMILY_RCONE ? 4 : 3;
     const int equal = /* equal balls: always cap 0 */
-        memcmp(c.shape.base, c.shape.top, sizeof c.shape.base) == 0;
+        memcmp(cylint_base(&c.shape), cylint_top(&c.shape),
+               3 * sizeof(double)) == 0;
     if (word == FAMILY_ACONE || is_elliptic(word) || word == FAMILY_SPHERE ||
         equal) {
         return;

@@ -10,6 +10,7 @@
 #include "random.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
+#include "shapes/layout.h"
 #endif
 
 static const double zero[3] = {0, 0, 0}, up[3] = {0, 0, 2};
@@ -66,8 +67,9 @@ static void wrong_numbers_are_refused(void)
 
 static int is_ball(const cylint_shape *s, const double c[3], double r, int part)
 {
-    return s->kind == CYLINT_KIND_SPHERE && s->r0 == r && s->surface == part &&
-           memcmp(s->base, c, sizeof s->base) == 0;
+    return s->kind == CYLINT_KIND_SPHERE && cylint_r0(s) == r &&
+           cylint_surface(s) == part &&
+           memcmp(cylint_base(s), c, 3 * sizeof(double)) == 0;
 }
 
 static void the_ball_that_holds_the_other_is_the_shape(void)

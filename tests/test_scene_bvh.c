@@ -13,6 +13,7 @@
 #include "random.h"
 #include "scene/scene.h"
 #include "scenes.h"
+#include "shapes/layout.h"
 
 static int make(cylint_bvh *bvh, const struct scene_shapes *of, int threads)
 {
@@ -305,7 +306,7 @@ static long check_pieces(const cylint_shape *shape, const cylint_line *line,
                   hit->point[j] <= (double)box.upper[j]);
         if (!CHECK(test_line(&leaf, line->o, line->d, hit->t, hit->t, least)))
             REPORT("piece %d of %d, kind %d, radii %g and %g", piece.index,
-                   count, shape->kind, shape->r0, shape->r1);
+                   count, shape->kind, cylint_r0(shape), cylint_r1(shape));
     }
     return n;
 }
@@ -321,7 +322,8 @@ static void pieces_contain_the_hits_that_they_own(void)
         draw_tapered(&state, i % 4 > 0, &shape);
         const double z = random_unit(&state);
         for (int j = 0; j < 3; j++) {
-            const double along = shape.base[j] + z * shape.axis[j];
+            const double along =
+                cylint_base(&shape)[j] + z * cylint_axis(&shape)[j];
             o[j] = along + 30 * (random_unit(&state) - 0.5);
             d[j] = along + 1.6 * (random_unit(&state) - 0.5) - o[j];
         }

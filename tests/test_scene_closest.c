@@ -17,6 +17,7 @@
 #include "environment.h"
 #include "random.h"
 #include "scenes.h"
+#include "shapes/shape_facts.h"
 
 enum { SHAPES = 400, THREADS = 4 };
 
@@ -171,12 +172,12 @@ static void point_on(const struct scene_shapes *of, uint64_t *random,
         on_axis ? 0.5 * (double)random_below(random, 3) : random_unit(random);
     cylint_closest a;
     for (int j = 0; j < 3; j++)
-        point[j] = s->base[j] + z * s->axis[j];
+        point[j] = cylint_base(s)[j] + z * cylint_axis(s)[j];
     if (on_axis)
         return;
     a.part = 0;
     for (int j = 0; j < 3; j++)
-        point[j] += s->size * (random_unit(random) - 0.5);
+        point[j] += cylint_axis_size(s) * (random_unit(random) - 0.5);
     cylint_distance(s, point, CYLINT_WANT_POINT, &a);
     if (a.part >= 0)
         memcpy(point, a.point, sizeof a.point);

@@ -11,6 +11,7 @@
 #include "vectors.h"
 #ifdef HAVE_MPFR
 #include "oracle.h"
+#include "shapes/shape_facts.h"
 #endif
 
 static const double bad_numbers[] = {NAN, HUGE_VAL, -HUGE_VAL};
@@ -152,7 +153,7 @@ static void the_tangent_of_45_degrees_is_1(void)
     cylint_shape s;
     CHECK(cylint_angle_cone(&s, origin, axis_z, 45, CYLINT_ENDS_INFINITE) ==
           CYLINT_OK);
-    CHECK(s.r1 == 1);
+    CHECK(cylint_r1(&s) == 1);
 }
 
 static void dependent_axes_are_refused_exactly(void)
@@ -386,27 +387,28 @@ static void rim_point(const struct family_case *c, int top, double turn,
                       double p[3])
 {
     const cylint_shape *s = &c->shape;
-    const double x = cos(turn), y = sin(turn), r = top ? s->r1 : s->r0;
+    const double x = cos(turn), y = sin(turn),
+                 r = top ? cylint_r1(s) : cylint_r0(s);
     if (c->shape_word >= FAMILY_SPHERE) { /* of the ball about that end */
         const int last = s->kind == CYLINT_KIND_SPHERE ? 0 : top;
         const double up = sin(5 * turn), across = cos(5 * turn);
         const double n[3] = {x * across, y * across, up};
         for (int i = 0; i < 3; i++) {
-            p[i] =
-                (last ? s->top[i] : s->base[i]) + (last ? s->r1 : s->r0) * n[i];
+            p[i] = (last ? cylint_top(s)[i] : cylint_base(s)[i]) +
+                   (last ? cylint_r1(s) : cylint_r0(s)) * n[i];
         }
         return;
     }
     if (c->shape_word >= FAMILY_ECYLINDER) {
         for (int i = 0; i < 3; i++) {
-            p[i] = s->base[i] + (top ? s->axis[i] : 0) +
-                   r * (x * s->a[i] + y * s->b[i]);
+            p[i] = cylint_base(s)[i] + (top ? cylint_axis(s)[i] : 0) +
+                   r * (x * cylint_a(s)[i] + y * cylint_b(s)[i]);
         }
         return;
     }
-    const double size = sqrt(dot3(s->axis, s->axis));
+    const double size = sqrt(dot3(cylint_axis(s), cylint_axis(s)));
     double e[3] = {0, 0, 0}, f[3];
-    const double *w = s->axis;
+    const double *w = cylint_axis(s);
     e[fabs(w[0]) < fabs(w[1]) ? 0 : 1] = 1;
     const double along = dot3(e, w) / (size * size);
     for (int i = 0; i < 3; i++) {
@@ -422,7 +424,8 @@ static void rim_point(const struct family_case *c, int top, double turn,
     }
     const double radius = c->shape_word == FAMILY_ACONE ? r * size : r;
     for (int i = 0; i < 3; i++) {
-        p[i] = s->base[i] + (top ? w[i] : 0) + radius * (x * e[i] + y * f[i]);
+        p[i] = cylint_base(s)[i] + (top ? w[i] : 0) +
+               radius * (x * e[i] + y * f[i]);
     }
 }
 
@@ -509,7 +512,7 @@ static void a_box_contains_its_solid(void)
     }
 }
 
-/* d + d_lo is b - a, and axis + axis_lo is p1 - p0, as real numbers. */
+/* d + d_lo is b - a, and cylint_axis_pair() is p1 - p0, as real numbers. */
 static void differences_have_their_low_parts(void)
 {
     for (int family = 0; family < family_count(); family++) {
@@ -524,9 +527,11 @@ static void differences_have_their_low_parts(void)
                 CHECK(!isfinite(l->d[i]) || oracle_sum_sign(d, 4) == 0);
             }
             for (int i = 0; i < 3 && c.shape_word <= FAMILY_CONE; i++) {
-                const double w[4] = {s->axis[i], s->axis_lo[i], s->base[i],
-                                     -s->top[i]};
-                CHECK(!isfinite(s->axis[i]) || oracle_sum_sign(w, 4) == 0);
+                const double w[4] = {cylint_axis(s)[i],
+                                     cylint_axis_pair(s, i).lo,
+                                     cylint_base(s)[i], -cylint_top(s)[i]};
+                CHECK(!isfinite(cylint_axis(s)[i]) ||
+                      oracle_sum_sign(w, 4) == 0);
             }
         }
     }

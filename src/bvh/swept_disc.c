@@ -46,8 +46,8 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
     const cylint_shape *s = view->shapes + number;
     const double scale = view->scale;
     for (int j = 0; j < 3; j++) {
-        t->base[j] = (s->base[j] - view->center[j]) * scale;
-        t->axis[j] = s->axis[j] * scale;
+        t->base[j] = (cylint_base(s)[j] - view->center[j]) * scale;
+        t->axis[j] = cylint_axis(s)[j] * scale;
     }
     const double ww = dot(t->axis, t->axis);
     t->length = sqrt(ww);
@@ -55,8 +55,8 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
     const double unit = t->elliptic                   ? 1
                         : cylint_has_factors(s->kind) ? t->length
                                                       : scale;
-    t->k[0] = s->r0 * unit;
-    t->k[1] = s->r1 * unit;
+    t->k[0] = cylint_r0(s) * unit;
+    t->k[1] = cylint_r1(s) * unit;
     t->across = 1;
     t->round = cylint_is_round(s->kind);
     t->along = t->round ? 1 : 0;
@@ -66,8 +66,8 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
     if (!t->elliptic)
         return;
     for (int j = 0; j < 3; j++) {
-        t->a[j] = s->a[j] * scale;
-        t->b[j] = s->b[j] * scale;
+        t->a[j] = cylint_a(s)[j] * scale;
+        t->b[j] = cylint_b(s)[j] * scale;
     }
     set_elliptic_reach(t, ww);
 }

@@ -46,29 +46,27 @@ static pair plain(double x)
 /* The profile of a cylinder or a cone. */
 INLINE void load_profile(profile *p, const cylint_shape *s)
 {
-    const cylint_local *f = &s->local;
-    p->height = (pair){f->height, f->height_lo};
+    p->height = cylint_number_pair(s, CYLINT_AT_HEIGHT);
     p->z[0] = plain(0);
     p->z[1] = p->height;
-    p->r[0] = s->r0;
-    p->r[1] = s->r1;
-    p->rho[0] = plain(s->r0);
-    p->rho[1] = plain(s->r1);
-    p->cosine = (pair){f->cosine, f->cosine_lo};
-    p->sine = (pair){f->sine, f->sine_lo};
+    p->r[0] = cylint_r0(s);
+    p->r[1] = cylint_r1(s);
+    p->rho[0] = plain(cylint_r0(s));
+    p->rho[1] = plain(cylint_r1(s));
+    p->cosine = cylint_number_pair(s, CYLINT_AT_COSINE);
+    p->sine = cylint_number_pair(s, CYLINT_AT_SINE);
     p->offset = lazy_mul(p->cosine, p->rho[0]);
 }
 
 /* That of the convex hull of two balls: the lateral line touches them. */
 static void load_hull_profile(profile *p, const cylint_shape *s)
 {
-    const cylint_local *f = &s->local;
-    p->height = (pair){f->height, f->height_lo};
-    p->cosine = (pair){f->cosine, f->cosine_lo};
-    p->sine = (pair){f->sine, f->sine_lo};
-    p->r[0] = s->r0;
-    p->r[1] = s->r1;
-    p->offset = plain(s->r0);
+    p->height = cylint_number_pair(s, CYLINT_AT_HEIGHT);
+    p->cosine = cylint_number_pair(s, CYLINT_AT_COSINE);
+    p->sine = cylint_number_pair(s, CYLINT_AT_SINE);
+    p->r[0] = cylint_r0(s);
+    p->r[1] = cylint_r1(s);
+    p->offset = plain(cylint_r0(s));
     EACH(i, 2) {
         const pair z = i ? p->height : plain(0);
         p->z[i] = lazy_sub(z, lazy_mul(p->sine, plain(p->r[i])));
@@ -236,7 +234,7 @@ ASIDE int is_certain_in_triples(const half_plane *m, int feature,
                                 const double *center, double r, pair *d,
                                 const cylint_shape *s, const double point[3])
 {
-    const double size = m->size + s->local.reach;
+    const double size = m->size + cylint_reach(s);
     if (!(fabs(d->hi) <= CYLINT_CLOSE * size) || !(size <= CYLINT_CLOSE_MOST) ||
         feature >= CYLINT_FEATURE_RIM0 || cylint_has_tangent(s->kind))
         return 0;
@@ -271,7 +269,7 @@ ASIDE int finish_at_corner(const half_plane *m, double A, double B, int top,
 {
     corner k;
     close_distance to = {{0, 0}, HUGE_VAL};
-    const double size = m->size + s->local.reach;
+    const double size = m->size + cylint_reach(s);
     if (!(fabs(A) + fabs(B) <= CYLINT_CLOSE * size) ||
         !(size <= CYLINT_CLOSE_MOST) || !load_corner(&k, s, point, m, top))
         return 0;
@@ -324,12 +322,11 @@ INLINE int cylinder_distance(ARGUMENTS)
     half_plane m;
     load_half_plane(&m, s, point);
     const double M =
-        CYLINT_FEATURE_MARGIN * (m.size + s->local.reach) + m.error;
-    const double t = m.z.hi + (m.z.hi - s->local.height);
+        CYLINT_FEATURE_MARGIN * (m.size + cylint_reach(s)) + m.error;
+    const double t = m.z.hi + (m.z.hi - cylint_height(s));
     const int top = t > 0;
-    const pair A = lazy_sub(m.rho, plain(s->r0)),
-               B = from_level(&m, (pair){s->local.height, s->local.height_lo},
-                              top);
+    const pair A = lazy_sub(m.rho, plain(cylint_r0(s))),
+               B = from_level(&m, cylint_number_pair(s, CYLINT_AT_HEIGHT), top);
     const double a = whole(A), b = whole(B);
     const int cap = a < b, rim = (a > 0) & (b > 0);
     const int inside = (a < 0) & (b < 0);
@@ -419,9 +416,10 @@ static int has_description(const cylint_shape *s, int feature)
 /* A nappe whose radius falls as z grows, for describe(). */
 ASIDE void turn(cylint_shape *to, const cylint_shape *s)
 {
+    const pair sine = cylint_number_pair(s, CYLINT_AT_SINE);
     *to = *s;
-    to->local.sine = -s->local.sine;
-    to->local.sine_lo = -s->local.sine_lo;
+    to->library.number[CYLINT_AT_SINE] = -sine.hi;
+    to->library.number[CYLINT_AT_SINE + CYLINT_LOW] = -sine.lo;
 }
 
 ASIDE int profile_distance(const half_plane *m, profile *p, ARGUMENTS)
@@ -458,7 +456,7 @@ ASIDE void load_aside(half_plane *m, const cylint_shape *s,
     pair w[3];
     if (length)
         EACH(i, 3)
-            w[i] = plain(s->axis[i]);
+            w[i] = plain(cylint_axis(s)[i]);
     else
         load_row(w, s);
     load_along(m, s, point, w, length, reach);
@@ -468,7 +466,7 @@ ASIDE int other_distance(ARGUMENTS)
 {
     half_plane m;
     profile p;
-    load_aside(&m, s, point, NULL, s->local.reach);
+    load_aside(&m, s, point, NULL, cylint_reach(s));
     load_profile(&p, s);
     return profile_distance(&m, &p, s, point, want, answer);
 }
@@ -478,9 +476,10 @@ ASIDE void load_unit_axis(cylint_shape *to, const cylint_shape *s, pair length)
 {
     *to = *s;
     EACH(i, 3) {
-        const pair w = pair_div(plain(s->axis[i]), length);
-        to->local.xyz[i][2] = w.hi;
-        to->local.xyz_lo[i][2] = w.lo;
+        const pair w = pair_div(plain(cylint_axis(s)[i]), length);
+        double *z = to->library.number + CYLINT_AT_COLUMNS + 3 * i + 2;
+        z[0] = w.hi;
+        z[CYLINT_LOW] = w.lo;
     }
 }
 
@@ -493,11 +492,11 @@ ASIDE int tangent_distance(ARGUMENTS)
     double half;
     cylint_shape upright;
     EACH(i, 3)
-        w[i] = plain(s->axis[i]);
+        w[i] = plain(cylint_axis(s)[i]);
     load_profile(&p, s);
     p.height = normalized(root_of(square_of(w), &half));
     p.z[1] = p.height;
-    p.rho[1] = normalized(lazy_mul(p.height, plain(s->r1)));
+    p.rho[1] = normalized(lazy_mul(p.height, plain(cylint_r1(s))));
     p.r[1] = p.rho[1].hi;
     load_aside(&m, s, point, &p.height, p.height.hi + p.r[1]);
     if (want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) {
@@ -512,7 +511,7 @@ static int hull_distance(ARGUMENTS)
     half_plane m;
     profile p;
     position at;
-    if (!(s->local.height > 0))
+    if (!(cylint_height(s) > 0))
         return 0;
     load_half_plane(&m, s, point);
     load_hull_profile(&p, s);
@@ -528,22 +527,22 @@ static int hull_distance(ARGUMENTS)
         return finish(&m, from_feature(&m, &p, feature), feature, closed, s,
                       point, want, answer);
     write_part(s, ball, want, answer);
-    return finish_ball(end ? s->top : s->base, p.r[end], closed, s, point, want,
-                       answer);
+    return finish_ball(end ? cylint_top(s) : cylint_base(s), p.r[end], closed,
+                       s, point, want, answer);
 }
 
 /* A capped capsule: z decides which of the segment's points is nearest, and its
  * distance is the root of a difference. */
 INLINE int capsule_distance(ARGUMENTS)
 {
-    const pair h = {s->local.height, s->local.height_lo};
+    const pair h = cylint_number_pair(s, CYLINT_AT_HEIGHT);
     pair D[3], w[3], z, dd;
     double half;
     load_row(w, s);
-    point_from(point, s->base, D);
+    point_from(point, cylint_base(s), D);
     load_sums(&z, &dd, D, w);
     const double size = size_along(D), above = z.hi - h.hi;
-    const double M = CYLINT_FEATURE_MARGIN * (size + s->local.reach);
+    const double M = CYLINT_FEATURE_MARGIN * (size + cylint_reach(s));
     if (!((fabs(z.hi) > M) & (fabs(above) > M)))
         return 0;
     const int low = z.hi<0, high = above> 0;
@@ -553,26 +552,26 @@ INLINE int capsule_distance(ARGUMENTS)
                           : lazy_square(z);
     const pair root = root_of_difference(dd, normalized(t), &half);
     const half_plane m = {z, root, size,
-                          error_of_root(size, half, s->local.reach)};
-    const pair d = normalized(lazy_sub(root, plain(s->r0)));
+                          error_of_root(size, half, cylint_reach(s))};
+    const pair d = normalized(lazy_sub(root, plain(cylint_r0(s))));
     const int feature = low    ? CYLINT_FEATURE_CAP0
                         : high ? CYLINT_FEATURE_CAP1
                                : CYLINT_FEATURE_LATERAL;
     if (feature == CYLINT_FEATURE_LATERAL)
         return finish(&m, d, feature, 1, s, point, want, answer);
     write_part(s, feature, want, answer);
-    return finish_on_ball(d, m.error, high ? s->top : s->base, s->r0, 1, s,
-                          point, want, answer);
+    return finish_on_ball(d, m.error, high ? cylint_top(s) : cylint_base(s),
+                          cylint_r0(s), 1, s, point, want, answer);
 }
 
 static int sphere_distance(ARGUMENTS)
 {
-    if (!cylint_part_is_present(s->ends, s->surface))
+    if (!cylint_part_is_present(s->ends, cylint_surface(s)))
         return 0;
     if (want & CYLINT_WANT_PART)
-        answer->part = answer->feature = s->surface;
-    return finish_ball(s->base, s->r0, s->ends == CYLINT_ENDS_CAPPED, s, point,
-                       want, answer);
+        answer->part = answer->feature = cylint_surface(s);
+    return finish_ball(cylint_base(s), cylint_r0(s),
+                       s->ends == CYLINT_ENDS_CAPPED, s, point, want, answer);
 }
 
 int CYLINT_CERTIFIED(const cylint_shape *s, const double point[3],
@@ -585,7 +584,7 @@ int CYLINT_CERTIFIED(const cylint_shape *s, const double point[3],
     if (s->kind == CYLINT_KIND_CONE && s->ends == CYLINT_ENDS_CAPPED)
         return cone_distance(s, point, want, answer);
     if (s->kind == CYLINT_KIND_CAPSULE && s->ends == CYLINT_ENDS_CAPPED)
-        return s->local.height > 0 && capsule_distance(s, point, want, answer);
+        return cylint_height(s) > 0 && capsule_distance(s, point, want, answer);
     switch (s->kind) {
     case CYLINT_KIND_CYLINDER:
     case CYLINT_KIND_CONE:

@@ -57,8 +57,8 @@ INLINE vlimbs minus_square(vlimbs a, vlimbs x, vd x2)
 
 /* The constants of the shape in all lanes. */
 typedef struct {
-    vd base[3], unit[3], unit_lo[3], turn[2], turn_lo[2];
-    vd height, height_lo, cosine, sine, r[2], reach;
+    vlimbs unit[3], turn[2]; /* the direction of the axis; cosine, sine */
+    vd base[3], height, height_lo, cosine, sine, r[2], reach;
 } vshape;
 
 typedef struct {
@@ -77,33 +77,37 @@ typedef struct {
     vm known;
 } vnearest;
 
-/* A member of the shapes of all lanes. */
-#define OF_LANES(to, member)                     \
-    do {                                         \
-        double of_lane[LANES];                   \
-        for (int lane = 0; lane < LANES; lane++) \
-            of_lane[lane] = at[lane]->member;    \
-        (to) = v_load(of_lane);                  \
-    } while (0)
+/* A number of the shapes of all lanes. */
+INLINE vd of_lanes(const cylint_shape *const at[LANES], int number)
+{
+    double of_lane[LANES];
+    for (int lane = 0; lane < LANES; lane++)
+        of_lane[lane] = at[lane]->library.number[number];
+    return v_load(of_lane);
+}
+
+/* Of size 1 at most: as a multiple of 2^-26, and the rest. */
+INLINE vlimbs unit_of_lanes(const cylint_shape *const at[LANES], int number)
+{
+    const vlimbs x = split(of_lanes(at, number), v_set(CYLINT_UNIT_SNAP));
+    return (vlimbs){x.hi, x.lo + of_lanes(at, number + CYLINT_LOW)};
+}
 
 INLINE void load_shapes(vshape *v, const cylint_shape *const at[LANES])
 {
     EACH(i, 3) {
-        OF_LANES(v->base[i], base[i]);
-        OF_LANES(v->unit[i], local.unit[i]);
-        OF_LANES(v->unit_lo[i], local.unit_lo[i]);
+        v->base[i] = of_lanes(at, CYLINT_AT_BASE + i);
+        v->unit[i] = unit_of_lanes(at, CYLINT_AT_COLUMNS + 3 * i + 2);
     }
-    EACH(i, 2) {
-        OF_LANES(v->turn[i], local.turn[i]);
-        OF_LANES(v->turn_lo[i], local.turn_lo[i]);
-    }
-    OF_LANES(v->height, local.height);
-    OF_LANES(v->height_lo, local.height_lo);
-    OF_LANES(v->cosine, local.cosine);
-    OF_LANES(v->sine, local.sine);
-    OF_LANES(v->r[0], r0);
-    OF_LANES(v->r[1], r1);
-    OF_LANES(v->reach, local.reach);
+    v->turn[0] = unit_of_lanes(at, CYLINT_AT_COSINE);
+    v->turn[1] = unit_of_lanes(at, CYLINT_AT_SINE);
+    v->height = of_lanes(at, CYLINT_AT_HEIGHT);
+    v->height_lo = of_lanes(at, CYLINT_AT_HEIGHT + CYLINT_LOW);
+    v->cosine = of_lanes(at, CYLINT_AT_COSINE);
+    v->sine = of_lanes(at, CYLINT_AT_SINE);
+    v->r[0] = of_lanes(at, CYLINT_AT_R0);
+    v->r[1] = of_lanes(at, CYLINT_AT_R1);
+    v->reach = of_lanes(at, CYLINT_AT_REACH);
 }
 
 INLINE void load_plane(vplane *m, const vshape *s, const vd x[3], int axial)
@@ -122,9 +126,9 @@ INLINE void load_plane(vplane *m, const vshape *s, const vd x[3], int axial)
         const vd lo = (D[i].hi - hi) + D[i].lo;
         m->square.hi = v_sum_of(hi, hi, m->square.hi);
         m->square.lo = v_sum_of(lo, D[i].hi + hi, m->square.lo);
-        m->z.hi = v_sum_of(hi, s->unit[i], m->z.hi);
-        m->z.lo =
-            v_sum_of(lo, s->unit[i], v_sum_of(D[i].hi, s->unit_lo[i], m->z.lo));
+        m->z.hi = v_sum_of(hi, s->unit[i].hi, m->z.hi);
+        m->z.lo = v_sum_of(lo, s->unit[i].hi,
+                           v_sum_of(D[i].hi, s->unit[i].lo, m->z.lo));
     }
     if (!axial)
         return;
@@ -156,9 +160,9 @@ INLINE vlimbs square_across(const vplane *m)
 /* cosine x - sine z. */
 INLINE vlimbs turned(const vshape *s, const vplane *m, vlimbs x)
 {
-    const vd C = s->turn[0], S = s->turn[1];
-    const vd across = v_sum_of(C, x.lo, s->turn_lo[0] * sum_of_limbs(x));
-    const vd along = v_sum_of(S, m->z.lo, s->turn_lo[1] * sum_of_limbs(m->z));
+    const vd C = s->turn[0].hi, S = s->turn[1].hi;
+    const vd across = v_sum_of(C, x.lo, s->turn[0].lo * sum_of_limbs(x));
+    const vd along = v_sum_of(S, m->z.lo, s->turn[1].lo * sum_of_limbs(m->z));
     return (vlimbs){v_sum_of(C, x.hi, -(S * m->z.hi)), across - along};
 }
 

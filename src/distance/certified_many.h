@@ -15,7 +15,7 @@ enum { CYLINT_POINT_BLOCK = 256 };
  * lanes. */
 static inline int cylint_lane_class(const cylint_shape *s)
 {
-    return !s->prepared || s->ends != CYLINT_ENDS_CAPPED ||
+    return !cylint_prepared(s) || s->ends != CYLINT_ENDS_CAPPED ||
                    cylint_is_elliptic(s->kind) || cylint_has_tangent(s->kind)
                ? CYLINT_KIND_NONE
                : s->kind;

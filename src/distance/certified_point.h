@@ -112,7 +112,7 @@ static int aligned_coordinate(const cylint_shape *s)
 {
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        if (!cylint_sign(s->axis[j]) && !cylint_sign(s->axis[k]))
+        if (!cylint_sign(cylint_axis(s)[j]) && !cylint_sign(cylint_axis(s)[k]))
             return i;
     }
     return -1;
@@ -125,10 +125,10 @@ static void load_frame(frame *f, const cylint_shape *s, const double point[3],
     const certified inverse = c_div(datum(1), rho);
     f->aligned = aligned_coordinate(s);
     for (int i = 0; i < 3; i++) {
-        const pair a = {s->local.xyz[i][2], s->local.xyz_lo[i][2]};
-        f->a[i] =
-            cylint_sign(s->axis[i]) ? with_error(a, 0, fabs(a.hi)) : datum(0);
-        f->D[i] = difference(point[i], s->base[i]);
+        const pair a = {cylint_column(s, i)[2], cylint_column_lo(s, i)[2]};
+        f->a[i] = cylint_sign(cylint_axis(s)[i]) ? with_error(a, 0, fabs(a.hi))
+                                                 : datum(0);
+        f->D[i] = difference(point[i], cylint_base(s)[i]);
         if (i == f->aligned) {
             f->u[i] = datum(0);
             continue;
@@ -141,11 +141,10 @@ static void load_frame(frame *f, const cylint_shape *s, const double point[3],
 
 static certified lateral_normal(const frame *f, const cylint_shape *s, int i)
 {
-    const cylint_local *l = &s->local;
-    const certified C =
-        with_error((pair){l->cosine, l->cosine_lo}, 0, l->cosine);
-    const certified S =
-        with_error((pair){l->sine, l->sine_lo}, 0, fabs(l->sine));
+    const certified C = with_error(cylint_number_pair(s, CYLINT_AT_COSINE), 0,
+                                   cylint_cosine(s));
+    const certified S = with_error(cylint_number_pair(s, CYLINT_AT_SINE), 0,
+                                   fabs(cylint_sine(s)));
     return cylint_is_tapered(s->kind)
                ? c_sub(c_mul(C, f->u[i]), c_mul(S, f->a[i]))
                : f->u[i];
@@ -164,7 +163,7 @@ static certified point_on(const frame *f, const cylint_shape *s,
                           certified normal_i, int i)
 {
     const int end = cylint_feature_end(feature);
-    const double *center = end ? s->top : s->base;
+    const double *center = end ? cylint_top(s) : cylint_base(s);
     if (feature == CYLINT_FEATURE_LATERAL)
         return c_sub(datum(point[i]), c_mul(d, normal_i));
     if (feature < CYLINT_FEATURE_RIM0) {

@@ -28,7 +28,8 @@ double cylint_distance(const cylint_shape *shape, const double point[3],
 {
     const unsigned geometry = want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL);
     cylint_one_distance *const *kernels = kernels_of(shape->kind);
-    if (!kernels || !shape->prepared || ((unsigned)shape->ends | geometry) != 0)
+    if (!kernels || !cylint_prepared(shape) ||
+        ((unsigned)shape->ends | geometry) != 0)
         return cylint_undecided_distance(shape, point, want, answer);
     const double distance =
         kernels[want / CYLINT_WANT_PART & 1](shape, point, want, answer);

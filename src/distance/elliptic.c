@@ -357,7 +357,7 @@ static pair height_over(const triple R[3], const triple N[3])
 /* N is u' x v, the axis or a x b: outward times this sign. */
 static int outward_sign(const search *s)
 {
-    const int right = s->p.shape->left_handed ? -1 : 1;
+    const int right = cylint_left_handed(s->p.shape) ? -1 : 1;
     switch (s->best.feature) {
     case CYLINT_FEATURE_APEX:
         return cylint_apex_normal_sign(s->p.shape, 0);
@@ -597,7 +597,7 @@ static double point_of(const search *s, int i, triple zv, double G_terms,
                        double zv_terms)
 {
     const int e = s->p.e, far = e + s->p.whole;
-    const double base = s->p.shape->base[i];
+    const double base = cylint_base(s->p.shape)[i];
     const int of_base = exponent_or_none(base),
               of_G = exponent_or_none(G_terms) + e,
               of_zv = exponent_or_none(zv_terms) + far;

@@ -69,7 +69,7 @@ static double sum_of_sizes(const double v[3])
 static void load_local_row(double row[3], const cylint_shape *s, int k)
 {
     for (int i = 0; i < 3; i++)
-        row[i] = s->local.xyz[i][k];
+        row[i] = cylint_column(s, i)[k];
 }
 
 /* Entries of B have the error 9 u norm^2, those of b 9 u |slope| norm^2, c 9 u
@@ -77,9 +77,8 @@ static void load_local_row(double row[3], const cylint_shape *s, int k)
 static void load_section_matrix(elliptic_position *p, const double x[3],
                                 const double y[3], const double g[3])
 {
-    const cylint_local *f = &p->shape->local;
-    const double slope = f->slope, gg = dot_doubles(g, g);
-    const double k = f->norm * (1 + fabs(slope));
+    const double slope = cylint_slope(p->shape), gg = dot_doubles(g, g);
+    const double k = cylint_norm(p->shape) * (1 + fabs(slope));
     double more = CYLINT_ELLIPTIC_SAFETY_ERROR * k * k;
     p->A = (section_matrix){dot_doubles(x, x), dot_doubles(x, y),
                             dot_doubles(y, y)};
@@ -104,11 +103,10 @@ static void load_section_matrix(elliptic_position *p, const double x[3],
 static void locate_elliptic(elliptic_position *p, const cylint_shape *s,
                             const double point[3])
 {
-    const cylint_local *f = &s->local;
     double x[3], y[3], g[3];
     p->shape = s;
     for (int i = 0; i < 3; i++)
-        p->D[i] = point[i] - s->base[i];
+        p->D[i] = point[i] - cylint_base(s)[i];
     load_local_row(x, s, 0);
     load_local_row(y, s, 1);
     load_local_row(g, s, 2);
@@ -116,9 +114,10 @@ static void locate_elliptic(elliptic_position *p, const cylint_shape *s,
     p->x = dot_doubles(p->D, x);
     p->y = dot_doubles(p->D, y);
     p->z = dot_doubles(p->D, g);
-    p->rho = s->r0 + f->slope * p->z;
-    p->error = CYLINT_ELLIPTIC_SAFETY_ERROR * (1 + fabs(f->slope)) *
-               (sum_of_sizes(p->D) * f->norm + f->reach + s->r0);
+    p->rho = cylint_r0(s) + cylint_slope(s) * p->z;
+    p->error =
+        CYLINT_ELLIPTIC_SAFETY_ERROR * (1 + fabs(cylint_slope(s))) *
+        (sum_of_sizes(p->D) * cylint_norm(s) + cylint_reach(s) + cylint_r0(s));
 }
 
 /* ------------------------------------------------------ the multiplier -- */
@@ -203,12 +202,13 @@ static double inside_lateral(const elliptic_position *p)
 static double load_tangent_normal(const elliptic_position *p, const double e[2],
                                   double N[3])
 {
-    const cylint_local *f = &p->shape->local;
     for (int i = 0; i < 3; i++)
-        N[i] =
-            f->xyz[i][0] * e[0] + f->xyz[i][1] * e[1] - f->slope * f->xyz[i][2];
+        N[i] = cylint_column(p->shape, i)[0] * e[0] +
+               cylint_column(p->shape, i)[1] * e[1] -
+               cylint_slope(p->shape) * cylint_column(p->shape, i)[2];
     return sqrt(dot_doubles(N, N)) * (1 + CYLINT_ELLIPTIC_SAFETY_ERROR) +
-           CYLINT_ELLIPTIC_SAFETY_ERROR * f->norm * (1 + fabs(f->slope));
+           CYLINT_ELLIPTIC_SAFETY_ERROR * cylint_norm(p->shape) *
+               (1 + fabs(cylint_slope(p->shape)));
 }
 
 /* The direction e of a tangent plane that is far from a point outside. */
@@ -242,15 +242,17 @@ static double outside_lateral(const elliptic_position *p, const double e[2],
 static double above_support_plane(const cylint_shape *s, int end,
                                   const double D[3], const double n[3])
 {
-    const double na = dot_doubles(n, s->a), nb = dot_doubles(n, s->b),
-                 nh = dot_doubles(n, s->axis);
+    const double na = dot_doubles(n, cylint_a(s)),
+                 nb = dot_doubles(n, cylint_b(s)),
+                 nh = dot_doubles(n, cylint_axis(s));
     const double reach = sqrt(na * na + nb * nb);
     const double here = reach * cylint_end_factor(s, end);
     const double there = reach * cylint_end_factor(s, !end) + (end ? -nh : nh);
     const double error =
         CYLINT_ELLIPTIC_SAFETY_ERROR * sum_of_sizes(n) *
-        (sum_of_sizes(D) + sum_of_sizes(s->axis) +
-         (sum_of_sizes(s->a) + sum_of_sizes(s->b)) * cylint_larger(1, s->r1));
+        (sum_of_sizes(D) + sum_of_sizes(cylint_axis(s)) +
+         (sum_of_sizes(cylint_a(s)) + sum_of_sizes(cylint_b(s))) *
+             cylint_larger(1, cylint_r1(s)));
     return (dot_doubles(n, D) - cylint_larger(here, there) - error) /
            (sqrt(dot_doubles(n, n)) * (1 + CYLINT_ELLIPTIC_SAFETY_ERROR));
 }
@@ -261,13 +263,15 @@ static double from_elliptic_rim(const elliptic_position *p, int end)
 {
     const cylint_shape *s = p->shape;
     const double factor = cylint_end_factor(s, end);
-    const double aa = dot_doubles(s->a, s->a), ab = dot_doubles(s->a, s->b),
-                 bb = dot_doubles(s->b, s->b),
+    const double aa = dot_doubles(cylint_a(s), cylint_a(s)),
+                 ab = dot_doubles(cylint_a(s), cylint_b(s)),
+                 bb = dot_doubles(cylint_b(s), cylint_b(s)),
                  inverse = 1 / (aa * bb - ab * ab);
     double D[3], n[3], v[2] = {0, 0};
     for (int i = 0; i < 3; i++)
-        D[i] = end ? p->D[i] - s->axis[i] : p->D[i];
-    const double Da = dot_doubles(D, s->a), Db = dot_doubles(D, s->b);
+        D[i] = end ? p->D[i] - cylint_axis(s)[i] : p->D[i];
+    const double Da = dot_doubles(D, cylint_a(s)),
+                 Db = dot_doubles(D, cylint_b(s));
     const double x = (bb * Da - ab * Db) * inverse;
     const double y = (aa * Db - ab * Da) * inverse;
     if (x * x + y * y <= factor * factor || !(x * x + y * y <= TAME))
@@ -280,7 +284,7 @@ static double from_elliptic_rim(const elliptic_position *p, int end)
         v[1] *= scale;
     }
     for (int i = 0; i < 3; i++)
-        n[i] = D[i] - (v[0] * s->a[i] + v[1] * s->b[i]);
+        n[i] = D[i] - (v[0] * cylint_a(s)[i] + v[1] * cylint_b(s)[i]);
     return above_support_plane(s, end, D, n);
 }
 
@@ -288,7 +292,7 @@ static double from_elliptic_rim(const elliptic_position *p, int end)
  * end. */
 static double outside_bounded(const elliptic_position *p, int inner)
 {
-    const double above = p->z - p->shape->local.height;
+    const double above = p->z - cylint_height(p->shape);
     double best = cylint_larger(-p->z, above) - p->error, foot = p->z;
     best = best > 0 ? best / p->g : 0;
     if (!inner) {
@@ -300,7 +304,7 @@ static double outside_bounded(const elliptic_position *p, int inner)
         const double lateral = inside_lateral(p);
         return lateral > best ? lateral : best;
     }
-    if (foot >= 0 && foot <= p->shape->local.height)
+    if (foot >= 0 && foot <= cylint_height(p->shape))
         return best;
     const double rim = from_elliptic_rim(p, foot > 0);
     return rim > best ? rim : best;
@@ -309,7 +313,7 @@ static double outside_bounded(const elliptic_position *p, int inner)
 /* For a point between the planes of the ends and within the lateral surface. */
 static double inside_bounded(const elliptic_position *p)
 {
-    const double height = p->shape->local.height;
+    const double height = cylint_height(p->shape);
     const double cap = (cylint_smaller(p->z, height - p->z) - p->error) / p->g;
     const double lateral = inside_lateral(p);
     return cap < lateral && p->shape->ends != CYLINT_ENDS_OPEN ? cap : lateral;
@@ -329,7 +333,7 @@ static double from_infinite_elliptic(elliptic_position *p)
         return inside_lateral(p);
     choose_tangent_plane(p, e);
     const double here = outside_lateral(p, e, &foot);
-    if (cylint_sign(p->shape->local.slope) == 0)
+    if (cylint_sign(cylint_slope(p->shape)) == 0)
         return here;
     const double opposite[2] = {-e[0], -e[1]};
     const double there = (p->x * e[0] + p->y * e[1] + p->rho - p->error) /
@@ -339,7 +343,7 @@ static double from_infinite_elliptic(elliptic_position *p)
 
 static double from_bounded_elliptic(const elliptic_position *p)
 {
-    const double height = p->shape->local.height;
+    const double height = cylint_height(p->shape);
     const int inner = p->rho > 0 && p->x * p->x + p->y * p->y < p->rho * p->rho;
     return inner && p->z > 0 && p->z < height ? inside_bounded(p)
                                               : outside_bounded(p, inner);
@@ -349,8 +353,8 @@ static double from_bounded_elliptic(const elliptic_position *p)
  * it would be the largest double. */
 static int is_tame(const elliptic_position *p)
 {
-    const cylint_local *f = &p->shape->local;
-    const double k = f->norm * (1 + fabs(f->slope));
+    const cylint_shape *s = p->shape;
+    const double k = cylint_norm(s) * (1 + fabs(cylint_slope(s)));
     return p->error * (1 + k * k) <= TAME;
 }
 

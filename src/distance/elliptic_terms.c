@@ -25,20 +25,23 @@ static void load_scaled(triple to[3], const double v[3], int e)
 /* The exponent of the longest of a, b, h, k a and k b. */
 static int exponent_of_shape(const cylint_shape *shape)
 {
-    const int section = larger(exponent_of(shape->a), exponent_of(shape->b));
-    const int k =
-        shape->r1 > 1 ? section + cylint_any_exponent(shape->r1) : section;
-    return larger(k, exponent_of(shape->axis));
+    const int section =
+        larger(exponent_of(cylint_a(shape)), exponent_of(cylint_b(shape)));
+    const int k = cylint_r1(shape) > 1
+                      ? section + cylint_any_exponent(cylint_r1(shape))
+                      : section;
+    return larger(k, exponent_of(cylint_axis(shape)));
 }
 
 /* g and k1.  The largest component of v is then about 1. */
 static void load_stretched(elliptic_terms *p)
 {
-    const triple k1 = triple_add(triple_of(p->shape->r1), triple_of(-1));
-    const int section =
-        larger(exponent_of(p->shape->a), exponent_of(p->shape->b)) - p->e;
+    const triple k1 = triple_add(triple_of(cylint_r1(p->shape)), triple_of(-1));
+    const int section = larger(exponent_of(cylint_a(p->shape)),
+                               exponent_of(cylint_b(p->shape))) -
+                        p->e;
     const int grown = exponent_or_none(k1.a) + section;
-    const int e = larger(exponent_of(p->shape->axis) - p->e, grown);
+    const int e = larger(exponent_of(cylint_axis(p->shape)) - p->e, grown);
     p->stretch = cylint_power_of_two(larger(-MOST_STRETCH, -e) < MOST_STRETCH
                                          ? larger(-MOST_STRETCH, -e)
                                          : MOST_STRETCH);
@@ -110,7 +113,7 @@ static void load_point(elliptic_terms *p)
     difference d[3];
     int most = NO_EXPONENT;
     for (int i = 0; i < 3; i++) {
-        d[i] = difference_of(p->point[i], s->base[i]);
+        d[i] = difference_of(p->point[i], cylint_base(s)[i]);
         most = larger(most, exponent_or_none(d[i].x.hi) + d[i].e);
     }
     choose_unit(p, most);
@@ -129,9 +132,9 @@ void cylint_load_elliptic(elliptic_terms *p, const cylint_shape *shape,
     p->shape = shape;
     p->point = point;
     p->e = exponent_of_shape(shape);
-    load_scaled(p->a, shape->a, p->e);
-    load_scaled(p->b, shape->b, p->e);
-    load_scaled(p->h, shape->axis, p->e);
+    load_scaled(p->a, cylint_a(shape), p->e);
+    load_scaled(p->b, cylint_b(shape), p->e);
+    load_scaled(p->h, cylint_axis(shape), p->e);
     load_stretched(p);
     load_point(p);
     p->aa = triple_dot_doubles(p->a, p->a);

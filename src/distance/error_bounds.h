@@ -113,7 +113,7 @@
 
 /*
  * The error of a distance in doubles (distance/safety.c) in rounding to nearest,
- * relative to a size: of a bounded shape the distance plus cylint_local.reach,
+ * relative to a size: of a bounded shape the distance plus cylint_reach(),
  * which together are at least |D|; of an infinite one |z| + rho + reach.  Proved;
  * the terms are, in roundings,
  *

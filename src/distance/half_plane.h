@@ -174,7 +174,7 @@ INLINE void load_along(half_plane *m, const cylint_shape *s,
 {
     pair D[3], dd;
     double half;
-    point_from(point, s->base, D);
+    point_from(point, cylint_base(s), D);
     load_sums(&m->z, &dd, D, w);
     if (length)
         m->z = pair_div(normalized(m->z), *length);
@@ -186,16 +186,15 @@ INLINE void load_along(half_plane *m, const cylint_shape *s,
 INLINE void load_row(pair w[3], const cylint_shape *s)
 {
     EACH(i, 3)
-        w[i] = (pair){s->local.xyz[i][2], s->local.xyz_lo[i][2]};
+        w[i] = (pair){cylint_column(s, i)[2], cylint_column_lo(s, i)[2]};
 }
 
 INLINE void load_half_plane(half_plane *m, const cylint_shape *s,
                             const double point[3])
 {
-    const cylint_local *f = &s->local;
     pair w[3];
     load_row(w, s);
-    load_along(m, s, point, w, NULL, f->reach);
+    load_along(m, s, point, w, NULL, cylint_reach(s));
 }
 
 /* Whether every number within `error` of d rounds to d.hi; d is normal. */

@@ -74,20 +74,21 @@ typedef struct {
 
 INLINE limbs height_of(const cylint_shape *s, double snap)
 {
-    limbs h = split(s->local.height, snap);
-    h.lo += s->local.height_lo;
+    limbs h = split(cylint_height(s), snap);
+    h.lo += cylint_number_pair(s, CYLINT_AT_HEIGHT).lo;
     return h;
 }
 
 /* cosine x - sine y. */
 INLINE limbs turned(const cylint_shape *s, limbs x, limbs y)
 {
-    const cylint_local *f = &s->local;
-    const double C = f->turn[0], S = f->turn[1];
+    const limbs cosine = split_unit(cylint_number_pair(s, CYLINT_AT_COSINE));
+    const limbs sine = split_unit(cylint_number_pair(s, CYLINT_AT_SINE));
+    const double C = cosine.hi, S = sine.hi;
     const double x2 = sum_of_limbs(x), y2 = sum_of_limbs(y);
     const double hi = sum_of(C, x.hi, -(S * y.hi));
-    const double across = sum_of(C, x.lo, f->turn_lo[0] * x2);
-    return (limbs){hi, sum_of(-S, y.lo, sum_of(-f->turn_lo[1], y2, across))};
+    const double across = sum_of(C, x.lo, cosine.lo * x2);
+    return (limbs){hi, sum_of(-S, y.lo, sum_of(-sine.lo, y2, across))};
 }
 
 INLINE void load_section(section *p, const cylint_shape *s,
@@ -98,8 +99,8 @@ INLINE void load_section(section *p, const cylint_shape *s,
                                     double_root(rough_square_across(&p->m)),
                                     &p->m, &p->error);
     p->above = limbs_sub(p->m.z, height_of(s, p->m.snap));
-    p->x0 = limbs_sub(rho, split(s->r0, p->m.snap));
-    p->x1 = tapered ? limbs_sub(rho, split(s->r1, p->m.snap)) : p->x0;
+    p->x0 = limbs_sub(rho, split(cylint_r0(s), p->m.snap));
+    p->x1 = tapered ? limbs_sub(rho, split(cylint_r1(s), p->m.snap)) : p->x0;
     p->lateral = tapered ? turned(s, p->x0, p->m.z) : p->x0;
 }
 
@@ -117,7 +118,7 @@ typedef struct {
 
 INLINE foot foot_of(const section *p, const cylint_shape *s)
 {
-    const double C = s->local.cosine, S = s->local.sine;
+    const double C = cylint_cosine(s), S = cylint_sine(s);
     return (foot){sum_of(C, sum_of_limbs(p->m.z), S * sum_of_limbs(p->x0)),
                   sum_of(C, sum_of_limbs(p->above), S * sum_of_limbs(p->x1))};
 }
@@ -131,7 +132,7 @@ INLINE int is_over(double beyond, double x)
 INLINE int section_feature(const section *p, const cylint_shape *s)
 {
     const double M =
-        CYLINT_FEATURE_MARGIN * (p->m.size + s->local.reach) + p->error;
+        CYLINT_FEATURE_MARGIN * (p->m.size + cylint_reach(s)) + p->error;
     const double z = sum_of_limbs(p->m.z), above = sum_of_limbs(p->above);
     const double a = sum_of_limbs(p->lateral), t = z + above;
     const int top = t > 0,
@@ -139,7 +140,7 @@ INLINE int section_feature(const section *p, const cylint_shape *s)
     const double b = top ? above : -z;
     const double x = sum_of_limbs(top ? p->x1 : p->x0);
     const foot at = foot_of(p, s);
-    if (is_near_zero(s->local.height, 2 * M))
+    if (is_near_zero(cylint_height(s), 2 * M))
         return UNDECIDED;
     if ((a < -M) & (b < -M)) {
         if (is_near_zero(a - b, M) | ((a < b) & is_near_zero(t, M)))
@@ -216,7 +217,7 @@ INLINE double capsule_distance(int parted, ARGUMENTS)
 {
     upright m;
     double error;
-    const double h = s->local.height;
+    const double h = cylint_height(s);
     load_upright(&m, s, point, 1);
     const limbs zero = {0, 0}, above = limbs_sub(m.z, height_of(s, m.snap));
     const double z = m.rough_z, up = z - h;
@@ -228,7 +229,7 @@ INLINE double capsule_distance(int parted, ARGUMENTS)
     const double root =
         double_root(sum_of(rough, rough, rough_square_across(&m)));
     const limbs d = limbs_sub(root_of_limbs(square, root, &m, &error),
-                              split(s->r0, m.snap));
+                              split(cylint_r0(s), m.snap));
     const double M = CYLINT_FEATURE_MARGIN * m.size;
     const int feature = is_near_zero(z, M) | is_near_zero(up, M) ? UNDECIDED
                         : up > 0 ? CYLINT_FEATURE_CAP1
@@ -245,8 +246,8 @@ INLINE double round_cone_distance(int parted, ARGUMENTS)
     load_upright(&m, s, point, 1);
     const double rough = rough_square_across(&m), rho = double_root(rough);
     const limbs above = limbs_sub(m.z, height_of(s, m.snap));
-    const double C = s->local.cosine, lean = s->local.sine * rho;
-    const double up = m.rough_z - s->local.height;
+    const double C = cylint_cosine(s), lean = cylint_sine(s) * rho;
+    const double up = m.rough_z - cylint_height(s);
     const double before = sum_of(C, m.rough_z, lean);
     const double after = sum_of(C, up, lean);
     int feature = CYLINT_FEATURE_LATERAL;
@@ -255,7 +256,8 @@ INLINE double round_cone_distance(int parted, ARGUMENTS)
         const vm top = v_lt(v_set(0), v_set(after));
         const limbs y = limbs_select(top, above, m.z);
         const double y2 = sum_of_limbs(y);
-        const double r = v_first(v_select(top, v_set(s->r1), v_set(s->r0)));
+        const double r =
+            v_first(v_select(top, v_set(cylint_r1(s)), v_set(cylint_r0(s))));
         const limbs square = plus_square(square_across(&m), y, y2);
         d = limbs_sub(root_of_limbs(square, double_root(sum_of(y2, y2, rough)),
                                     &m, &error),
@@ -265,7 +267,7 @@ INLINE double round_cone_distance(int parted, ARGUMENTS)
                                       : CYLINT_FEATURE_CAP0;
     } else {
         const limbs x = root_of_limbs(square_across(&m), rho, &m, &error);
-        d = limbs_sub(turned(s, x, m.z), split(s->r0, m.snap));
+        d = limbs_sub(turned(s, x, m.z), split(cylint_r0(s), m.snap));
     }
     const double M =
         CYLINT_FEATURE_MARGIN * m.size * (1 + m.size / (rho + rho));
@@ -281,8 +283,8 @@ INLINE double sphere_distance(int parted, ARGUMENTS)
     load_upright(&m, s, point, 0);
     const limbs root =
         root_of_limbs(m.square, double_root(m.rough_square), &m, &error);
-    const limbs d = limbs_sub(root, split(s->r0, m.snap));
-    return finish(round_limbs(d, both_ways(error)), parted, s->surface,
+    const limbs d = limbs_sub(root, split(cylint_r0(s), m.snap));
+    return finish(round_limbs(d, both_ways(error)), parted, cylint_surface(s),
                   FORWARD);
 }
 

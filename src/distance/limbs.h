@@ -59,21 +59,41 @@ typedef struct {
     double size, snap; /* size: at least |D|, the height and the radii */
 } upright;
 
-/* Reads a point.  Near the shape its snap serves, so that nothing waits for the
- * size.  `axial`: with z. */
+/* The direction of the axis as multiples of 2^-26, and the rest. */
+INLINE vqpair split_axis(const cylint_shape *s)
+{
+    const double *x = cylint_column(s, 0), *y = cylint_column(s, 1),
+                 *z = cylint_column(s, 2);
+    const vq hi = q_join(v_two(x[2], y[2]), v_two(z[2], 0));
+    const vq lo = q_join(v_two(x[2 + CYLINT_LOW], y[2 + CYLINT_LOW]),
+                         v_two(z[2 + CYLINT_LOW], 0));
+    const vq snap = q_set(CYLINT_UNIT_SNAP);
+    const vq unit = q_sub(q_add(hi, snap), snap);
+    return (vqpair){unit, q_add(q_sub(hi, unit), lo)};
+}
+
+/* The same of cosine and sine. */
+INLINE limbs split_unit(pair x)
+{
+    const limbs y = split(x.hi, CYLINT_UNIT_SNAP);
+    return (limbs){y.hi, y.lo + x.lo};
+}
+
+/* Reads a point.  Near the shape a snap of the shape alone serves, so that nothing
+ * waits for the size.  `axial`: with z. */
 INLINE void load_upright(upright *m, const cylint_shape *s,
                          const double point[3], int axial)
 {
     const vq zero = q_set(0);
-    const vqpair D = q_two_diff(q_load3(point), q_load3(s->base));
-    m->size = q_sum3(q_abs(D.hi)) + s->local.reach;
-    m->snap = s->local.snap;
+    const vqpair D = q_two_diff(q_load3(point), q_load3(cylint_base(s)));
+    m->size = q_sum3(q_abs(D.hi)) + cylint_reach(s);
+    m->snap = cylint_reach(s) * (CYLINT_LIMB_NEAR * CYLINT_LIMB_SNAP);
     if (!(CYLINT_LIMB_SNAP * m->size <= m->snap)) {
         CYLINT_BY_BRANCH;
         m->snap = CYLINT_LIMB_SNAP * m->size;
     }
-    const vq unit = axial ? q_load3(s->local.unit) : zero;
-    const vq rest = axial ? q_mul(D.hi, q_load3(s->local.unit_lo)) : zero;
+    const vqpair axis = axial ? split_axis(s) : (vqpair){zero, zero};
+    const vq unit = axis.hi, rest = q_mul(D.hi, axis.lo);
     const vd rough = q_sums3(q_sum_of(D.hi, unit, rest), q_mul(D.hi, D.hi));
     m->rough_z = v_first(rough);
     m->rough_square = v_first(v_turned(rough));

@@ -6,6 +6,7 @@
  */
 #include "../dispatch.h"
 #include "../numbers/bits.h"
+#include "../shapes/measure.h"
 #include "certified_many.h"
 #include "nearest.h"
 
@@ -75,7 +76,7 @@ static void write_feature(const cylint_shape *s, int feature,
     if (cylint_feature_is_apex(s, feature))
         feature = CYLINT_FEATURE_APEX;
     if (s->kind == CYLINT_KIND_SPHERE)
-        feature = s->surface;
+        feature = cylint_surface(s);
     if (to->feature)
         to->feature[row] = (signed char)feature;
     if (to->part)
@@ -154,11 +155,13 @@ void cylint_distance_pairs(const cylint_shape *shapes,
 static int is_farther(const cylint_shape *s, const double point[3],
                       double least)
 {
-    if (!cylint_is_bounded(s) || !s->in_range)
+    if (!cylint_is_bounded(s) || !cylint_in_range(s))
         return 0;
-    const double X = point[0] - s->center[0], Y = point[1] - s->center[1],
-                 Z = point[2] - s->center[2];
-    const double most = (least + s->bound_radius) * CYLINT_SLACK + 0x1p-400;
+    double center[3];
+    const double radius = cylint_ball_about(s, center);
+    const double X = point[0] - center[0], Y = point[1] - center[1],
+                 Z = point[2] - center[2];
+    const double most = (least + radius) * CYLINT_SLACK + 0x1p-400;
     return X * X + Y * Y + Z * Z > most * most;
 }
 

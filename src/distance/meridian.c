@@ -238,7 +238,7 @@ static nearest on_hull(meridian *m)
 static nearest on_sphere(meridian *m)
 {
     nearest n = lateral();
-    n.part = m->shape->surface;
+    n.part = cylint_surface(m->shape);
     if (n.part != CYLINT_PART_LATERAL) {
         const int top = n.part == CYLINT_PART_CAP1;
         n.feature = top ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;

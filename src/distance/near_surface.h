@@ -42,7 +42,7 @@ static void load_difference(triple D[3], const double point[3],
 static void load_axis(triple w[3], const cylint_shape *s)
 {
     EACH(i, 3)
-        w[i] = (triple){s->axis[i], s->axis_lo[i], 0};
+        w[i] = triple_of_pair(cylint_axis_pair(s, i));
 }
 
 /* A distance and the bound on its error. */
@@ -66,8 +66,8 @@ static close_distance close_to_plane(const cylint_shape *s,
                                      double size)
 {
     triple D[3], w[3];
-    const pair length = {s->local.height, s->local.height_lo};
-    load_difference(D, point, top ? s->top : s->base);
+    const pair length = cylint_number_pair(s, CYLINT_AT_HEIGHT);
+    load_difference(D, point, top ? cylint_top(s) : cylint_base(s));
     load_axis(w, s);
     close_distance to = quotient(triple_dot(D, w), length, size, 0);
     if (!top)
@@ -93,22 +93,23 @@ static close_distance close_to_line(const cylint_shape *s,
                                     double error, double size)
 {
     triple D[3], w[3];
-    load_difference(D, point, s->base);
+    load_difference(D, point, cylint_base(s));
     load_axis(w, s);
     const triple DD = triple_dot(D, D), Dw = triple_dot(D, w);
     const triple W = triple_dot(w, w);
-    const pair W2 = pair_of_triple(W), r = {s->r0, 0};
+    const pair W2 = pair_of_triple(W), r = {cylint_r0(s), 0};
     if (!cylint_is_tapered(s->kind)) {
-        const triple rr = triple_of_pair(two_prod(s->r0, s->r0));
+        const triple rr = triple_of_pair(two_prod(cylint_r0(s), cylint_r0(s)));
         const triple form = triple_det(triple_sub(DD, rr), W, Dw, Dw);
         const pair sum = pair_add(rho, r);
         return quotient(form, pair_mul(W2, sum), 4 * size / sum.hi * size,
                         error / sum.hi);
     }
-    const triple dr = {s->dr, s->dr_lo, 0};
-    const triple T = triple_add(triple_times(W, s->r0), triple_mul(dr, Dw));
+    const triple dr = triple_of_pair(cylint_radius_growth(s));
+    const triple T =
+        triple_add(triple_times(W, cylint_r0(s)), triple_mul(dr, Dw));
     const triple across = triple_det(DD, W, Dw, Dw);
-    const pair C = {s->local.cosine, s->local.cosine_lo};
+    const pair C = cylint_number_pair(s, CYLINT_AT_COSINE);
     const int round = cylint_is_round(s->kind);
     const triple factor = round ? triple_sub(W, triple_mul(dr, dr)) : W;
     const triple form = triple_det(across, factor, T, T);
@@ -118,7 +119,7 @@ static close_distance close_to_line(const cylint_shape *s,
                                  16 * size / sum.hi * size, error / sum.hi);
     if (!round) {
         to.d = pair_mul(to.d, C);
-        to.error *= s->local.cosine * CYLINT_SLACK;
+        to.error *= cylint_cosine(s) * CYLINT_SLACK;
     }
     if (!(radius.hi > 0)) /* beyond the apex: the other nappe can be nearer */
         to.error = HUGE_VAL;
@@ -141,10 +142,10 @@ typedef struct {
 static int load_corner(corner *k, const cylint_shape *s, const double point[3],
                        const half_plane *m, int top)
 {
-    const cylint_local *f = &s->local;
-    const double size = m->size + f->reach, r = top ? s->r1 : s->r0;
-    const pair C = {f->cosine, f->cosine_lo};
-    pair S = {f->sine, f->sine_lo};
+    const double size = m->size + cylint_reach(s),
+                 r = top ? cylint_r1(s) : cylint_r0(s);
+    const pair C = cylint_number_pair(s, CYLINT_AT_COSINE);
+    pair S = cylint_number_pair(s, CYLINT_AT_SINE);
     if (!top)
         S = pair_neg(S);
     k->lateral = close_to_line(s, point, normalized(m->rho), m->error, size);
@@ -153,10 +154,10 @@ static int load_corner(corner *k, const cylint_shape *s, const double point[3],
     k->x = pair_div(pair_add(A, pair_mul(S, B)), C);
     k->foot = pair_add(B, pair_mul(S, A));
     const double far = fabs(k->x.hi) + fabs(B.hi);
-    k->error = 2 * (k->lateral.error + k->plane.error) / f->cosine;
+    k->error = 2 * (k->lateral.error + k->plane.error) / cylint_cosine(s);
     k->margin = k->error + CYLINT_CLOSE_MARGIN * far;
     /* no other end, and no other side */
-    return 4 * far <= cylint_smaller(r, f->height);
+    return 4 * far <= cylint_smaller(r, cylint_height(s));
 }
 
 /* The feature of a corner and the distance, or -1. */

@@ -81,11 +81,11 @@ static radial ball_direction(meridian *m, int end)
 static exact centre(meridian *m, int end, int i)
 {
     const cylint_shape *s = m->shape;
-    const exact base = cylint_exact_from(m->arena, s->base[i]);
+    const exact base = cylint_exact_from(m->arena, cylint_base(s)[i]);
     if (!end)
         return base;
     return cylint_has_end_points(s->kind)
-               ? cylint_exact_from(m->arena, s->top[i])
+               ? cylint_exact_from(m->arena, cylint_top(s)[i])
                : EXACT_ADD(base, m->L->w[i]);
 }
 

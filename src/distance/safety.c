@@ -59,27 +59,30 @@ typedef struct {
 /* Circular kinds: the local coordinates. */
 INLINE position locate(const cylint_shape *s, const double point[3])
 {
-    const cylint_local *f = &s->local;
-    const double X = point[0] - s->base[0], Y = point[1] - s->base[1],
-                 Z = point[2] - s->base[2];
-    const vd xy = v_set(X) * v_load(f->xyz[0]) + v_set(Y) * v_load(f->xyz[1]) +
-                  v_set(Z) * v_load(f->xyz[2]);
-    return (position){X * f->xyz[0][2] + Y * f->xyz[1][2] + Z * f->xyz[2][2],
+    const double X = point[0] - cylint_base(s)[0],
+                 Y = point[1] - cylint_base(s)[1],
+                 Z = point[2] - cylint_base(s)[2];
+    const vd xy = v_set(X) * v_load(cylint_column(s, 0)) +
+                  v_set(Y) * v_load(cylint_column(s, 1)) +
+                  v_set(Z) * v_load(cylint_column(s, 2));
+    return (position){X * cylint_column(s, 0)[2] + Y * cylint_column(s, 1)[2] +
+                          Z * cylint_column(s, 2)[2],
                       sum_of_lanes(xy * xy)};
 }
 
 /* From the planes of base and top, positive outside. */
 INLINE vd from_planes(const cylint_shape *s, double z)
 {
-    return v_two(-z, z - s->local.height);
+    return v_two(-z, z - cylint_height(s));
 }
 
 /* --------------------------------------------- absolute distances ------- */
 
 INLINE double from_cylinder(const cylint_shape *s, position at)
 {
-    const vd B = v_max(v_set(-at.z), v_set(at.z - s->local.height));
-    const vd x = v_firsts(v_set(root(at.square) - s->r0), B), zero = v_set(0);
+    const vd B = v_max(v_set(-at.z), v_set(at.z - cylint_height(s)));
+    const vd x = v_firsts(v_set(root(at.square) - cylint_r0(s)), B),
+             zero = v_set(0);
     const vd out = v_max(x, zero), depth = zero - v_max(x, v_turned(x));
     return root(sum_of_lanes(out * out)) + v_first(v_max(depth, zero));
 }
@@ -96,7 +99,7 @@ INLINE double from_cone(const cylint_shape *s, position at, double C, double S,
 {
     const vd zero = v_set(0);
     const vd z = from_planes(s, at.z),
-             x = v_set(root(at.square)) - v_two(s->r0, s->r1);
+             x = v_set(root(at.square)) - v_two(cylint_r0(s), cylint_r1(s));
     const vd foot = v_set(C) * z + v_two(-S, S) * x;
     const vm beyond = v_lt(zero, foot);
     const vm rim = has_caps ? m_and(beyond, v_lt(zero, x)) : beyond;
@@ -110,7 +113,7 @@ INLINE double from_cone(const cylint_shape *s, position at, double C, double S,
 INLINE double from_capsule(const cylint_shape *s, position at)
 {
     const vd z = v_max(from_planes(s, at.z), v_set(0));
-    return fabs(root(at.square + sum_of_lanes(z * z)) - s->r0);
+    return fabs(root(at.square + sum_of_lanes(z * z)) - cylint_r0(s));
 }
 
 /* x^2 with the signs of x. */
@@ -127,31 +130,33 @@ INLINE vd signed_squares(vd x)
  */
 INLINE double from_round_cone(const cylint_shape *s, position at)
 {
-    const double C = s->local.cosine, S = s->local.sine;
+    const double C = cylint_cosine(s), S = cylint_sine(s);
     const vd zero = v_set(0), z = from_planes(s, at.z);
     const vd across = signed_squares(v_two(-S, S)) * v_set(at.square);
     const vd foot = signed_squares(v_set(C) * z) + across;
     const vm ball = v_lt(zero, foot);
     const vm any = v_lt(zero, v_max(foot, v_turned(foot)));
     const double up = max_of_lanes(v_select(ball, z * z, zero));
-    const double r = max_of_lanes(v_select(ball, v_two(s->r0, s->r1), zero));
+    const double r =
+        max_of_lanes(v_select(ball, v_two(cylint_r0(s), cylint_r1(s)), zero));
     const double rho = root(at.square + up);
-    const double line = C * rho - S * at.z - s->r0;
+    const double line = C * rho - S * at.z - cylint_r0(s);
     return fabs(v_first(v_select(any, v_set(rho - r), v_set(line))));
 }
 
 INLINE double from_sphere(const cylint_shape *s, const double point[3])
 {
-    const double X = point[0] - s->base[0], Y = point[1] - s->base[1],
-                 Z = point[2] - s->base[2];
-    return fabs(root(X * X + Y * Y + Z * Z) - s->r0);
+    const double X = point[0] - cylint_base(s)[0],
+                 Y = point[1] - cylint_base(s)[1],
+                 Z = point[2] - cylint_base(s)[2];
+    return fabs(root(X * X + Y * Y + Z * Z) - cylint_r0(s));
 }
 
 /* A straight shape, or a double cone. */
 INLINE double from_infinite(const cylint_shape *s, position at, double C,
                             double S)
 {
-    return fabs(C * root(at.square) - fabs(S * at.z + C * s->r0));
+    return fabs(C * root(at.square) - fabs(S * at.z + C * cylint_r0(s)));
 }
 
 /* ------------------------------------------------------- lower bounds --- */
@@ -162,7 +167,7 @@ ASIDE double less_directed_error(double distance, double error, double size,
                                  const cylint_shape *s, const double point[3])
 {
     const double most =
-        cylint_larger(cylint_largest(point), cylint_largest(s->base));
+        cylint_larger(cylint_largest(point), cylint_largest(cylint_base(s)));
     return most <= CYLINT_SAFETY_MOST ? distance - 2 * error * size : 0;
 }
 
@@ -178,16 +183,16 @@ INLINE double less_error(double distance, double error, double size,
 ASIDE double open_safety(const cylint_shape *s, const double point[3])
 {
     const double d =
-        from_cone(s, locate(s, point), s->local.cosine, s->local.sine, 0);
-    return less_error(d, CYLINT_SAFETY_ERROR, d + s->local.reach, s, point);
+        from_cone(s, locate(s, point), cylint_cosine(s), cylint_sine(s), 0);
+    return less_error(d, CYLINT_SAFETY_ERROR, d + cylint_reach(s), s, point);
 }
 
 ASIDE double infinite_safety(const cylint_shape *s, const double point[3])
 {
     const position at = locate(s, point);
-    const double d = from_infinite(s, at, s->local.cosine, s->local.sine);
+    const double d = from_infinite(s, at, cylint_cosine(s), cylint_sine(s));
     return less_error(d, CYLINT_SAFETY_ERROR,
-                      root(at.square) + fabs(at.z) + s->local.reach, s, point);
+                      root(at.square) + fabs(at.z) + cylint_reach(s), s, point);
 }
 
 /* 0 or less: the distance is below its error, or can overflow.  NaN: it
@@ -211,7 +216,7 @@ static int is_served(const cylint_shape *s)
 /* All but the capped shapes of circular and round kinds. */
 ASIDE double other_safety(const cylint_shape *s, const double point[3])
 {
-    if (!s->prepared || !is_served(s) || cylint_has_tangent(s->kind))
+    if (!cylint_prepared(s) || !is_served(s) || cylint_has_tangent(s->kind))
         return below_distance(s, point);
     return if_positive(
         cylint_is_elliptic(s->kind)       ? cylint_elliptic_safety(s, point)
@@ -223,20 +228,20 @@ ASIDE double other_safety(const cylint_shape *s, const double point[3])
 double cylint_safety(const cylint_shape *s, const double point[3])
 {
     double d;
-    if (s->ends != CYLINT_ENDS_CAPPED || !s->prepared)
+    if (s->ends != CYLINT_ENDS_CAPPED || !cylint_prepared(s))
         return other_safety(s, point);
     switch (s->kind) {
     case CYLINT_KIND_CYLINDER:
         d = from_cylinder(s, locate(s, point));
         break;
     case CYLINT_KIND_CONE:
-        d = from_cone(s, locate(s, point), s->local.cosine, s->local.sine, 1);
+        d = from_cone(s, locate(s, point), cylint_cosine(s), cylint_sine(s), 1);
         break;
     case CYLINT_KIND_SPHERE:
         d = from_sphere(s, point);
-        return if_positive(
-            less_error(d, CYLINT_SPHERE_SAFETY_ERROR, d + s->r0, s, point), s,
-            point);
+        return if_positive(less_error(d, CYLINT_SPHERE_SAFETY_ERROR,
+                                      d + cylint_r0(s), s, point),
+                           s, point);
     case CYLINT_KIND_CAPSULE:
         d = from_capsule(s, locate(s, point));
         break;
@@ -247,7 +252,7 @@ double cylint_safety(const cylint_shape *s, const double point[3])
         return other_safety(s, point);
     }
     return if_positive(
-        less_error(d, CYLINT_SAFETY_ERROR, d + s->local.reach, s, point), s,
+        less_error(d, CYLINT_SAFETY_ERROR, d + cylint_reach(s), s, point), s,
         point);
 }
 

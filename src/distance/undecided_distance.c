@@ -81,7 +81,7 @@ double cylint_undecided_distance(const cylint_shape *shape,
                                  cylint_closest *answer)
 {
     answer->flags = 0;
-    if (shape->prepared && is_certified(shape, point, want, answer)) {
+    if (cylint_prepared(shape) && is_certified(shape, point, want, answer)) {
 #if CYLINT_IS_PARANOID
         cylint_contradiction(contradicts(shape, point, want, answer));
 #endif

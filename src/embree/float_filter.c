@@ -21,7 +21,7 @@ CYLINT_INLINE void find_least(const question *q, const cylint_shape *whole,
                               int least[3])
 {
     if (!least_components(q, least)) {
-        const int first = cylint_least_component(whole->axis, whole->axis_lo);
+        const int first = cylint_least_axis_component(whole);
         for (int j = 0; j < 3; j++)
             least[j] = j == first;
     }
@@ -268,13 +268,16 @@ void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
                                   const cylint_shape *s)
 {
     const int sign = radii_sign(s);
-    const double length = sqrt(dot(s->axis, s->axis));
+    const double length = sqrt(dot(cylint_axis(s), cylint_axis(s)));
     EACH(j, 3) {
-        to->base[j] = s->base[j];
-        to->axis[j] = s->axis[j] + 0; /* no -0 */
+        to->base[j] = cylint_base(s)[j];
+        to->axis[j] = cylint_axis(s)[j] + 0; /* no -0 */
     }
-    to->r0 = sign ? sign * s->r0 : 1;
-    to->dr = sign ? sign * s->dr * cylint_radius_unit(s, length) + 0 : -2;
+    to->r0 = sign ? sign * cylint_r0(s) : 1;
+    to->dr = sign ? sign * cylint_radius_growth(s).hi *
+                            cylint_radius_unit(s, length) +
+                        0
+                  : -2;
 }
 
 /* Whether x is a float and not subnormal. */
@@ -291,11 +294,12 @@ int cylint_float_filter_small_of(cylint_float_filter_small *to,
     const int sign = radii_sign(s);
     int is = sign != 0 && cylint_has_end_points(s->kind);
     EACH(j, 3)
-        is &= is_float(s->base[j], &to->base[j]) &
-              is_float(s->top[j], &to->top[j]) &
-              ((double)to->top[j] - (double)to->base[j] == s->axis[j]);
-    is = is & is_float(s->r0, &to->r0) & is_float(s->r1, &to->r1) &
-         ((double)to->r1 - (double)to->r0 == s->dr);
+        is &= is_float(cylint_base(s)[j], &to->base[j]) &
+              is_float(cylint_top(s)[j], &to->top[j]) &
+              ((double)to->top[j] - (double)to->base[j] == cylint_axis(s)[j]);
+    is = is & is_float(cylint_r0(s), &to->r0) &
+         is_float(cylint_r1(s), &to->r1) &
+         ((double)to->r1 - (double)to->r0 == cylint_radius_growth(s).hi);
     to->r0 *= (float)sign;
     to->r1 *= (float)sign;
     return is;

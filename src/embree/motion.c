@@ -62,12 +62,12 @@ cylint_status cylint_embree_between(const cylint_shape *at_0,
             return cylint_round_cone(shape, base, r0, top, r1, ends);
         }
     }
-    interpolate3(base, at_0->base, at_1->base, time);
-    interpolate3(top, at_0->axis, at_1->axis, time);
+    interpolate3(base, cylint_base(at_0), cylint_base(at_1), time);
+    interpolate3(top, cylint_axis(at_0), cylint_axis(at_1), time);
     if (!cylint_is_elliptic(at_0->kind))
         return cylint_tangent_cone(shape, base, top, r1, ends);
-    interpolate3(a, at_0->a, at_1->a, time);
-    interpolate3(b, at_0->b, at_1->b, time);
+    interpolate3(a, cylint_a(at_0), cylint_a(at_1), time);
+    interpolate3(b, cylint_b(at_0), cylint_b(at_1), time);
     return cylint_elliptic_cone(shape, base, a, b, top, r1, ends);
 }
 
@@ -95,13 +95,14 @@ static disc disc_of(const cylint_shape *s, int end)
 {
     disc d;
     const int cap = cylint_end_at(s, end);
-    const double u = sqrt(s->axis[0] * s->axis[0] + s->axis[1] * s->axis[1] +
-                          s->axis[2] * s->axis[2]);
+    const double u = sqrt(cylint_axis(s)[0] * cylint_axis(s)[0] +
+                          cylint_axis(s)[1] * cylint_axis(s)[1] +
+                          cylint_axis(s)[2] * cylint_axis(s)[2]);
     d.k = cylint_end_factor(s, cap);
     for (int j = 0; j < 3; j++) {
         d.center[j] = cylint_end_center(s, cap, j);
         d.g[j] = cylint_is_elliptic(s->kind)
-                     ? cylint_elliptic_reach(s->a, s->b, j)
+                     ? cylint_elliptic_reach(cylint_a(s), cylint_b(s), j)
                      : cylint_radius_unit(s, u);
     }
     return d;

@@ -74,7 +74,7 @@ static inline int cylint_filter_one(const cylint_one_kernels *kernels,
 {
     const unsigned roots = want / CYLINT_WANT_T % 2;
     const unsigned solid =
-        (unsigned)shape->prepared & -(unsigned)line->in_range;
+        (unsigned)cylint_prepared(shape) & -(unsigned)line->in_range;
     question->shape = shape;
     question->line = line;
     question->answer = answer;

@@ -189,6 +189,11 @@ INLINE vpair twice(double hi, double lo)
     return (vpair){v_set(hi), v_set(lo)};
 }
 
+INLINE vpair both_lanes(pair x)
+{
+    return twice(x.hi, x.lo);
+}
+
 /* z + t w. */
 INLINE vpair moved(vpair z, vpair w, vd t)
 {
@@ -228,18 +233,19 @@ typedef struct {
 } source;
 
 /* Rows x and y of the matrix times a vector. */
-INLINE vd across(const cylint_local *f, vd x, vd y, vd z)
+INLINE vd across(const cylint_shape *s, vd x, vd y, vd z)
 {
-    const vd M0 = v_load(f->xyz[0]), M1 = v_load(f->xyz[1]),
-             M2 = v_load(f->xyz[2]);
+    const vd M0 = v_load(cylint_column(s, 0)), M1 = v_load(cylint_column(s, 1)),
+             M2 = v_load(cylint_column(s, 2));
     return v_sum_of(z, M2, v_sum_of(y, M1, x * M0));
 }
 
 /* Row z. */
-INLINE vd along(const cylint_local *f, double x, double y, double z)
+INLINE vd along(const cylint_shape *s, double x, double y, double z)
 {
-    return v_set(
-        sum_of(z, f->xyz[2][2], sum_of(y, f->xyz[1][2], x * f->xyz[0][2])));
+    const double rest =
+        sum_of(y, cylint_column(s, 1)[2], x * cylint_column(s, 0)[2]);
+    return v_set(sum_of(z, cylint_column(s, 2)[2], rest));
 }
 
 /* The line as first computed: p and v as (x, y); z from the base and w, of
@@ -250,24 +256,22 @@ typedef struct {
 
 INLINE void load_along(first_line *to, const source *from, int solid)
 {
-    const cylint_local *f = &from->shape->local;
     const double *o = from->line->o, *d = from->line->d;
-    const double *b = from->shape->base;
+    const double *b = cylint_base(from->shape);
     if (cylint_solid_is_ball(solid)) {
         to->from_base = v_set(o[2] - b[2]);
         to->w = v_set(d[2]);
         return;
     }
-    to->from_base = along(f, o[0] - b[0], o[1] - b[1], o[2] - b[2]);
-    to->w = along(f, d[0], d[1], d[2]);
+    to->from_base = along(from->shape, o[0] - b[0], o[1] - b[1], o[2] - b[2]);
+    to->w = along(from->shape, d[0], d[1], d[2]);
 }
 
 /* What G takes. */
 INLINE first_line load_first(const source *from, int solid)
 {
-    const cylint_local *f = &from->shape->local;
     const double *o = from->line->o, *d = from->line->d;
-    const double *base = from->shape->base;
+    const double *base = cylint_base(from->shape);
     const vd xy = v_load(o) - v_load(base), z = v_set(o[2] - base[2]);
     const vd x = v_firsts(xy, xy), y = v_seconds(xy, xy);
     const vd size = v_max(v_max(v_abs(x), v_abs(y)), v_abs(z));
@@ -275,11 +279,12 @@ INLINE first_line load_first(const source *from, int solid)
     to.p = xy;
     to.v = v_load(d);
     if (!cylint_solid_is_ball(solid)) {
-        to.p = across(f, x, y, z);
-        to.v = across(f, v_set(d[0]), v_set(d[1]), v_set(d[2]));
+        to.p = across(from->shape, x, y, z);
+        to.v = across(from->shape, v_set(d[0]), v_set(d[1]), v_set(d[2]));
     }
-    to.Q = v_sum_of(size, v_set(f->norm), v_set(f->reach));
-    to.D = v_set(from->line->size * f->norm);
+    to.Q = v_sum_of(size, v_set(cylint_norm(from->shape)),
+                    v_set(cylint_reach(from->shape)));
+    to.D = v_set(from->line->size * cylint_norm(from->shape));
     to.from_base = to.w = v_set(0);
     if (cylint_solid_is_tapered(solid) || cylint_solid_is_ball(solid))
         load_along(&to, from, solid);
@@ -289,9 +294,8 @@ INLINE first_line load_first(const source *from, int solid)
 INLINE void set_line(local_line *l, const first_line *first,
                      const cylint_shape *shape, int solid)
 {
-    const cylint_local *f = &shape->local;
     const int tapered = cylint_solid_is_tapered(solid);
-    const vd r = v_set(shape->r0);
+    const vd r = v_set(cylint_r0(shape));
     l->in.p[0] = v_firsts(first->p, first->p);
     l->in.p[1] = v_seconds(first->p, first->p);
     l->in.v[0] = v_firsts(first->v, first->v);
@@ -300,16 +304,16 @@ INLINE void set_line(local_line *l, const first_line *first,
     l->from_base = l->in.z = first->from_base;
     l->in.w = first->w;
     l->in.r = r;
-    l->in.slope = v_set(tapered ? f->slope : 0);
-    l->taper = v_set(tapered ? 1 + fabs(f->slope) : 1);
+    l->in.slope = v_set(tapered ? cylint_slope(shape) : 0);
+    l->taper = v_set(tapered ? 1 + fabs(cylint_slope(shape)) : 1);
     l->Q = first->Q;
     l->D = first->D;
     l->unit = v_set(CYLINT_ROUNDING);
     l->in_range = m_from(3);
     if (solid == CYLINT_SOLID_ROUND_CONE) {
         l->unit = v_set(CYLINT_LOCAL_ROUND * CYLINT_ROUNDING);
-        l->in.z = v_sum_of(v_set(f->sine), r, first->from_base);
-        l->in.r = v_set(f->cosine) * r;
+        l->in.z = v_sum_of(v_set(cylint_sine(shape)), r, first->from_base);
+        l->in.r = v_set(cylint_cosine(shape)) * r;
     }
 }
 
@@ -317,7 +321,6 @@ INLINE void set_line(local_line *l, const first_line *first,
 INLINE void load_rest(local_line *l, const source *from, int solid)
 {
     const cylint_shape *shape = from->shape;
-    const cylint_local *f = &shape->local;
     const int tapered = cylint_solid_is_tapered(solid);
     const unsigned caps = cylint_caps_present(shape->ends);
     if (!tapered && cylint_solid_is_bounded(solid) &&
@@ -327,31 +330,36 @@ INLINE void load_rest(local_line *l, const source *from, int solid)
         l->from_base = l->in.z = first.from_base;
         l->in.w = first.w;
     }
-    l->widest = tapered ? v_set(cylint_larger(shape->r0, shape->r1)) : l->in.r;
+    l->widest = tapered
+                    ? v_set(cylint_larger(cylint_r0(shape), cylint_r1(shape)))
+                    : l->in.r;
     l->limit[0] = v_load(&from->line->tmin);
     l->cap[0] = m_from(caps);
     if (!cylint_solid_is_bounded(solid))
         return;
-    l->ball_z[0] = v_firsts(l->from_base, l->from_base - v_set(f->height));
-    l->ball_r[0] = v_set(shape->r0);
+    l->ball_z[0] =
+        v_firsts(l->from_base, l->from_base - v_set(cylint_height(shape)));
+    l->ball_r[0] = v_set(cylint_r0(shape));
     if (tapered)
-        l->ball_r[0] = v_load(&shape->r0);
+        l->ball_r[0] = v_load(cylint_radii(shape));
     l->z[0] = l->ball_z[0];
     l->r[0] = l->ball_r[0];
     if (solid == CYLINT_SOLID_ROUND_CONE) {
-        l->z[0] = v_sum_of(v_set(f->sine), l->ball_r[0], l->ball_z[0]);
-        l->r[0] = v_set(f->cosine) * l->ball_r[0];
+        l->z[0] =
+            v_sum_of(v_set(cylint_sine(shape)), l->ball_r[0], l->ball_z[0]);
+        l->r[0] = v_set(cylint_cosine(shape)) * l->ball_r[0];
     }
 }
 
 /* The matrix times a vector, whose components are hi[j] + lo[j] in all lanes.
  * lo may be NULL: 0. */
-INLINE vqpair transformed(const cylint_local *f, const vq hi[3], const vq lo[3])
+INLINE vqpair transformed(const cylint_shape *s, const vq hi[3], const vq lo[3])
 {
     vq product[3], error[3];
     EACH(j, 3) {
-        /* four numbers at each: height follows the last column */
-        const vq M = q_load(f->xyz[j]), M_lo = q_load(f->xyz_lo[j]);
+        /* four numbers at each: another follows the last column */
+        const vq M = q_load(cylint_column(s, j)),
+                 M_lo = q_load(cylint_column_lo(s, j));
         product[j] = q_mul(hi[j], M);
         error[j] = q_product_error(hi[j], M, product[j]);
         error[j] = q_sum_of(hi[j], M_lo, error[j]);
@@ -367,12 +375,10 @@ INLINE vqpair transformed(const cylint_local *f, const vq hi[3], const vq lo[3])
 INLINE vqpair origin_in_pairs(const source *from, int solid)
 {
     const vqpair x =
-        q_two_diff(q_load(from->line->o), q_load(from->shape->base));
+        q_two_diff(q_load(from->line->o), q_load(cylint_base(from->shape)));
     const vq hi[3] = {q_firsts(x.hi), q_seconds(x.hi), q_thirds(x.hi)};
     const vq lo[3] = {q_firsts(x.lo), q_seconds(x.lo), q_thirds(x.lo)};
-    return cylint_solid_is_ball(solid)
-               ? x
-               : transformed(&from->shape->local, hi, lo);
+    return cylint_solid_is_ball(solid) ? x : transformed(from->shape, hi, lo);
 }
 
 INLINE vqpair direction_in_pairs(const source *from, int solid)
@@ -382,8 +388,7 @@ INLINE vqpair direction_in_pairs(const source *from, int solid)
     const vq lo[3] = {q_set(d_lo[0]), q_set(d_lo[1]), q_set(d_lo[2])};
     if (cylint_solid_is_ball(solid))
         return (vqpair){q_load(d), q_load(d_lo)};
-    return transformed(&from->shape->local, hi,
-                       from->line->segment ? lo : NULL);
+    return transformed(from->shape, hi, from->line->segment ? lo : NULL);
 }
 
 /* x and y: (x, x, y, y).  z in both lanes. */
@@ -401,19 +406,21 @@ INLINE vpair along_of(vqpair x)
 /* moves: with v and w, which are 0 else. */
 INLINE void load_pairs(pair_line *to, const source *from, int moves, int solid)
 {
-    const cylint_local *f = &from->shape->local;
     const vqpair p = origin_in_pairs(from, solid);
+    const cylint_shape *shape = from->shape;
     const shape_pairs s = {
-        twice(f->height, f->height_lo), twice(f->slope, f->slope_lo),
-        twice(f->sine, f->sine_lo), twice(f->cosine, f->cosine_lo),
-        v_set(from->shape->r0)};
+        both_lanes(cylint_number_pair(shape, CYLINT_AT_HEIGHT)),
+        both_lanes(cylint_number_pair(shape, CYLINT_AT_SLOPE)),
+        both_lanes(cylint_number_pair(shape, CYLINT_AT_SINE)),
+        both_lanes(cylint_number_pair(shape, CYLINT_AT_COSINE)),
+        v_set(cylint_r0(from->shape))};
     vqpair v = {q_set(0), q_set(0)};
     if (moves)
         v = direction_in_pairs(from, solid);
     to->p = across_of(p);
     to->v = across_of(v);
     to->w = along_of(v);
-    to->error = v_set(f->error);
+    to->error = v_set(cylint_frame_error(from->shape));
     set_heights(to, along_of(p), &s, solid);
 }
 
@@ -427,25 +434,8 @@ typedef struct {
     int segment;
 } line_lanes;
 
-/* The members of shapes from `base` to `local.sine_lo`, in their order. */
-enum {
-    BASE = 0,
-    R = 3,
-    XYZ = 7, /* after dr and dr_lo */
-    HEIGHT = 16,
-    SLOPE,
-    NORM,
-    REACH,
-    COSINE,
-    SINE,
-    XYZ_LO,
-    HEIGHT_LO = XYZ_LO + 9,
-    SLOPE_LO,
-    ERROR,
-    COSINE_LO,
-    SINE_LO,
-    MEMBERS
-};
+/* The numbers of shapes up to CYLINT_AT_ERROR, in their order, in fours. */
+enum { MEMBERS = (CYLINT_AT_ERROR + 4) / 4 * 4 };
 
 typedef struct {
     vd of[MEMBERS];
@@ -462,11 +452,8 @@ INLINE void broadcast_shape(frames *to, const cylint_shape *shape)
 {
     const unsigned all = (1u << LANES) - 1;
     const unsigned caps = cylint_caps_present(shape->ends);
-    double member[MEMBERS];
-    memcpy(member, (const char *)shape + offsetof(cylint_shape, base),
-           sizeof member);
     for (int i = 0; i < MEMBERS; i++)
-        to->of[i] = v_set(member[i]);
+        to->of[i] = v_set(shape->library.number[i]);
     to->cap[0] = m_from(caps & 1 ? all : 0);
     to->cap[1] = m_from(caps & 2 ? all : 0);
 }
@@ -478,12 +465,13 @@ INLINE void gather_members(frames *to, const cylint_shape *const shape[LANES],
 {
     const char *row[LANES];
     for (int i = 0; i < LANES; i++)
-        row[i] = (const char *)shape[i]->base;
+        row[i] = (const char *)shape[i]->library.number;
     for (int i = first; i < end; i += 4)
         v_columns(row, (size_t)i * sizeof(double), &to->of[i]);
 }
 
-/* What all of a solid's questions read, and then what its roots read. */
+/* What all of a solid's questions read, and then what its roots read: the low
+ * parts. */
 INLINE void gather_shapes(frames *to, const cylint_shape *const shape[LANES],
                           int solid)
 {
@@ -496,16 +484,16 @@ INLINE void gather_shapes(frames *to, const cylint_shape *const shape[LANES],
     to->cap[0] = m_from(caps[0]);
     to->cap[1] = m_from(caps[1]);
     gather_members(to, shape, 0,
-                   cylint_solid_is_ball(solid)        ? R + 1
-                   : solid == CYLINT_SOLID_ROUND_CONE ? SINE + 1
-                                                      : COSINE);
+                   cylint_solid_is_ball(solid)
+                       ? CYLINT_AT_R1
+                       : CYLINT_AT_COLUMNS + CYLINT_LOW);
 }
 
 INLINE void gather_pairs(frames *to, const cylint_shape *const shape[LANES],
                          int solid)
 {
     if (!cylint_solid_is_ball(solid))
-        gather_members(to, shape, COSINE, MEMBERS);
+        gather_members(to, shape, CYLINT_AT_COLUMNS + CYLINT_LOW, MEMBERS);
 }
 
 INLINE vd v_largest(const vd x[3])
@@ -515,9 +503,9 @@ INLINE vd v_largest(const vd x[3])
 
 INLINE vd row_of(const frames *f, int row, const vd x[3])
 {
-    return v_sum_of(
-        x[2], f->of[XYZ + 6 + row],
-        v_sum_of(x[1], f->of[XYZ + 3 + row], x[0] * f->of[XYZ + row]));
+    return v_sum_of(x[2], f->of[CYLINT_AT_COLUMNS + 6 + row],
+                    v_sum_of(x[1], f->of[CYLINT_AT_COLUMNS + 3 + row],
+                             x[0] * f->of[CYLINT_AT_COLUMNS + row]));
 }
 
 INLINE void load_first(local_line *l, const source *from, int solid)
@@ -527,7 +515,7 @@ INLINE void load_first(local_line *l, const source *from, int solid)
     const int ball = cylint_solid_is_ball(solid);
     vd x[3];
     EACH(i, 3)
-        x[i] = from->line->o[i] - f->of[BASE + i];
+        x[i] = from->line->o[i] - f->of[CYLINT_AT_BASE + i];
     const vd *d = from->line->d;
     const vd size = v_largest(d), most = v_set(CYLINT_WINDOW);
     EACH(i, 2) {
@@ -537,20 +525,23 @@ INLINE void load_first(local_line *l, const source *from, int solid)
     l->from_base = v_if(ball, x[2], row_of(f, 2, x));
     l->in.w = v_if(ball, d[2], row_of(f, 2, d));
     l->in.z = l->from_base;
-    l->in.r = f->of[R];
-    l->in.slope = v_if(tapered, f->of[SLOPE], v_set(0));
+    l->in.r = f->of[CYLINT_AT_R0];
+    l->in.slope = v_if(tapered, f->of[CYLINT_AT_SLOPE], v_set(0));
     if (solid == CYLINT_SOLID_ROUND_CONE) {
-        l->in.z = v_sum_of(f->of[SINE], f->of[R], l->from_base);
-        l->in.r = f->of[COSINE] * f->of[R];
+        l->in.z =
+            v_sum_of(f->of[CYLINT_AT_SINE], f->of[CYLINT_AT_R0], l->from_base);
+        l->in.r = f->of[CYLINT_AT_COSINE] * f->of[CYLINT_AT_R0];
     }
     set_products_doubles(&l->in);
-    l->Q = v_if(ball, v_largest(x) + f->of[R],
-                v_sum_of(v_largest(x), f->of[NORM], f->of[REACH]));
-    l->D = v_if(ball, size, size * f->of[NORM]);
+    l->Q = v_if(
+        ball, v_largest(x) + f->of[CYLINT_AT_R0],
+        v_sum_of(v_largest(x), f->of[CYLINT_AT_NORM], f->of[CYLINT_AT_REACH]));
+    l->D = v_if(ball, size, size * f->of[CYLINT_AT_NORM]);
     l->unit = v_set(solid == CYLINT_SOLID_ROUND_CONE
                         ? CYLINT_LOCAL_ROUND * CYLINT_ROUNDING
                         : CYLINT_ROUNDING);
-    l->taper = v_if(tapered, v_set(1) + v_abs(f->of[SLOPE]), v_set(1));
+    l->taper =
+        v_if(tapered, v_set(1) + v_abs(f->of[CYLINT_AT_SLOPE]), v_set(1));
     l->in_range =
         m_and(m_and(v_le(v_set(1 / CYLINT_WINDOW), size), v_le(size, most)),
               v_le(v_largest(from->line->o), v_set(CYLINT_FAR)));
@@ -561,20 +552,27 @@ INLINE void load_rest(local_line *l, const source *from, int solid)
     const frames *f = from->frame;
     const int tapered = cylint_solid_is_tapered(solid);
     const int ball = cylint_solid_is_ball(solid);
-    l->widest = v_if(tapered, v_max(f->of[R], f->of[R + 1]), f->of[R]);
+    l->widest = v_if(tapered, v_max(f->of[CYLINT_AT_R0], f->of[CYLINT_AT_R1]),
+                     f->of[CYLINT_AT_R0]);
     EACH(k, 2) {
         l->limit[k] = from->line->limit[k];
         l->cap[k] = f->cap[k];
-        l->ball_z[k] =
-            v_if(k && !ball, l->from_base - f->of[HEIGHT], l->from_base);
-        l->ball_r[k] = f->of[tapered ? R + k : R];
+        l->ball_z[k] = v_if(k && !ball, l->from_base - f->of[CYLINT_AT_HEIGHT],
+                            l->from_base);
+        l->ball_r[k] = f->of[CYLINT_AT_R0 + (tapered ? k : 0)];
         l->z[k] = l->ball_z[k];
         l->r[k] = l->ball_r[k];
         if (solid == CYLINT_SOLID_ROUND_CONE) {
-            l->z[k] = v_sum_of(f->of[SINE], f->of[R + k], l->ball_z[k]);
-            l->r[k] = f->of[COSINE] * f->of[R + k];
+            l->z[k] = v_sum_of(f->of[CYLINT_AT_SINE], f->of[CYLINT_AT_R0 + k],
+                               l->ball_z[k]);
+            l->r[k] = f->of[CYLINT_AT_COSINE] * f->of[CYLINT_AT_R0 + k];
         }
     }
+}
+
+INLINE vpair number_pairs(const frames *f, int i)
+{
+    return (vpair){f->of[i], f->of[i + CYLINT_LOW]};
 }
 
 /* A row of the matrix times x.  exact: x has no low parts. */
@@ -582,12 +580,14 @@ INLINE vpair row_in_pairs(const frames *f, int row, const vpair x[3], int exact)
 {
     vpair product[3];
     EACH(j, 3) {
-        product[j] = v_two_prod(x[j].hi, f->of[XYZ + 3 * j + row]);
-        product[j].lo =
-            v_sum_of(x[j].hi, f->of[XYZ_LO + 3 * j + row], product[j].lo);
+        product[j] =
+            v_two_prod(x[j].hi, f->of[CYLINT_AT_COLUMNS + 3 * j + row]);
+        product[j].lo = v_sum_of(
+            x[j].hi, f->of[CYLINT_AT_COLUMNS + CYLINT_LOW + 3 * j + row],
+            product[j].lo);
         if (!exact)
-            product[j].lo =
-                v_sum_of(x[j].lo, f->of[XYZ + 3 * j + row], product[j].lo);
+            product[j].lo = v_sum_of(
+                x[j].lo, f->of[CYLINT_AT_COLUMNS + 3 * j + row], product[j].lo);
     }
     const vpair first = v_two_sum(product[0].hi, product[1].hi);
     const vpair all = v_two_sum(first.hi, product[2].hi);
@@ -602,22 +602,21 @@ INLINE void load_pairs(pair_line *to, const source *from, int solid)
     const int exact = !from->line->segment;
     vpair x[3], d[3], p[3], v[3];
     EACH(i, 3) {
-        x[i] = v_two_sum(from->line->o[i], -f->of[BASE + i]);
+        x[i] = v_two_sum(from->line->o[i], -f->of[CYLINT_AT_BASE + i]);
         d[i] = (vpair){from->line->d[i], from->line->d_lo[i]};
     }
     EACH(i, 3) {
         p[i] = ball ? x[i] : row_in_pairs(f, i, x, 0);
         v[i] = ball ? d[i] : row_in_pairs(f, i, d, exact);
     }
-    const shape_pairs s = {{f->of[HEIGHT], f->of[HEIGHT_LO]},
-                           {f->of[SLOPE], f->of[SLOPE_LO]},
-                           {f->of[SINE], f->of[SINE_LO]},
-                           {f->of[COSINE], f->of[COSINE_LO]},
-                           f->of[R]};
+    const shape_pairs s = {
+        number_pairs(f, CYLINT_AT_HEIGHT), number_pairs(f, CYLINT_AT_SLOPE),
+        number_pairs(f, CYLINT_AT_SINE), number_pairs(f, CYLINT_AT_COSINE),
+        f->of[CYLINT_AT_R0]};
     to->p = (vqpair){q_join(p[0].hi, p[1].hi), q_join(p[0].lo, p[1].lo)};
     to->v = (vqpair){q_join(v[0].hi, v[1].hi), q_join(v[0].lo, v[1].lo)};
     to->w = v[2];
-    to->error = v_if(ball, v_set(CYLINT_LOCAL_ERROR), f->of[ERROR]);
+    to->error = v_if(ball, v_set(CYLINT_LOCAL_ERROR), f->of[CYLINT_AT_ERROR]);
     set_heights(to, p[2], &s, solid);
 }
 

@@ -163,16 +163,16 @@ typedef struct {
 INLINE near_point point_near(const cylint_shape *shape, const cylint_line *line,
                              double t, int cap)
 {
-    const cylint_local *f = &shape->local;
-    const double o[3] = {line->o[0] - shape->base[0],
-                         line->o[1] - shape->base[1],
-                         line->o[2] - shape->base[2]};
+    const double o[3] = {line->o[0] - cylint_base(shape)[0],
+                         line->o[1] - cylint_base(shape)[1],
+                         line->o[2] - cylint_base(shape)[2]};
     double q[3];
     EACH(i, 3)
         q[i] = sum_of(t, line->d[i], o[i]);
     double p[2];
-    v_store(p, across(f, v_set(q[0]), v_set(q[1]), v_set(q[2])));
-    const double s = v_first(along(f, q[0], q[1], q[2])) * (1 / f->height);
+    v_store(p, across(shape, v_set(q[0]), v_set(q[1]), v_set(q[2])));
+    const double s =
+        v_first(along(shape, q[0], q[1], q[2])) * (1 / cylint_height(shape));
     return (near_point){p[0], p[1], cap < 0 ? s : cap};
 }
 
@@ -189,20 +189,32 @@ INLINE vq_levels distance_from_center(const double center[3],
     return F;
 }
 
+/* The axis of a circular kind in lanes 0, 1 and 2. */
+INLINE vqpair axis_of(const cylint_shape *shape)
+{
+    if (cylint_has_tangent(shape->kind))
+        return (vqpair){q_load(cylint_axis(shape)), q_set(0)};
+    return q_two_diff(q_load(cylint_top(shape)), q_load(cylint_base(shape)));
+}
+
 /* F in lanes 0, 1 and 2. */
 INLINE vq_levels distance_from(const near_point *near,
                                const cylint_shape *shape,
                                const cylint_line *line, double t, int elliptic)
 {
     const vq s = q_set(-near->s);
-    vq_levels F = distance_from_center(shape->base, line, t);
+    vq_levels F = distance_from_center(cylint_base(shape), line, t);
     if (elliptic) {
-        q_add_product_to_a(&F, q_set(-near->x), q_load(shape->a));
-        q_add_product_to_a(&F, q_set(-near->y), q_load(shape->b));
+        q_add_product_to_a(&F, q_set(-near->x), q_load(cylint_a(shape)));
+        q_add_product_to_a(&F, q_set(-near->y), q_load3(cylint_b(shape)));
     }
-    q_add_product_to_a(&F, s, q_load(shape->axis));
-    if (!elliptic)
-        q_add_product_to_b(&F, s, q_load(shape->axis_lo));
+    if (elliptic) {
+        q_add_product_to_a(&F, s, q_load(cylint_axis(shape)));
+        return F;
+    }
+    const vqpair w = axis_of(shape);
+    q_add_product_to_a(&F, s, w.hi);
+    q_add_product_to_b(&F, s, w.lo);
     return F;
 }
 
@@ -211,11 +223,12 @@ INLINE vq_levels distance_from(const near_point *near,
 /* r0 + dr z, z = s + e. */
 INLINE levels radius_at(const cylint_shape *shape, double s, pair e)
 {
-    levels rho = {shape->r0, 0, 0};
-    add_product_to_a(&rho, shape->dr, s);
-    add_product_to_b(&rho, shape->dr_lo, s);
-    add_product_to_b(&rho, shape->dr, e.hi);
-    rho.c += sum_of(shape->dr, e.lo, shape->dr_lo * e.hi);
+    levels rho = {cylint_r0(shape), 0, 0};
+    const pair dr = cylint_radius_growth(shape);
+    add_product_to_a(&rho, dr.hi, s);
+    add_product_to_b(&rho, dr.lo, s);
+    add_product_to_b(&rho, dr.hi, e.hi);
+    rho.c += sum_of(dr.hi, e.lo, dr.lo * e.hi);
     return rho;
 }
 
@@ -242,24 +255,34 @@ INLINE double small_product(const vq_levels *F, vq w, vq w_lo)
     return all.hi + ((all.lo + two.lo) + ((l[0] + l[1]) + l[2]));
 }
 
+/* |w|^2 of an acone, |w| of other circular kinds. */
+INLINE double scale_of(const cylint_shape *shape)
+{
+    const double *w = cylint_axis(shape);
+    return cylint_has_tangent(shape->kind)
+               ? w[0] * w[0] + w[1] * w[1] + w[2] * w[2]
+               : cylint_height(shape);
+}
+
 INLINE double circular_residual(const cylint_shape *shape,
                                 const cylint_line *line, double t, int cap,
                                 int tapered)
 {
-    const cylint_local *f = &shape->local;
     const near_point near = point_near(shape, line, t, cap);
     const vq_levels F = distance_from(&near, shape, line, t, 0);
-    const vq w = q_load(shape->axis), w_lo = q_load(shape->axis_lo);
+    const vqpair axis = axis_of(shape);
+    const vq w = axis.hi, w_lo = axis.lo;
     if (cap < 0 && !tapered) {
-        levels Q = surplus_in_levels(&F, shape->r0);
-        const double e = small_product(&F, w, w_lo) * (1 / f->height);
+        levels Q = surplus_in_levels(&F, cylint_r0(shape));
+        const double e =
+            small_product(&F, w, w_lo) * (1 / cylint_height(shape));
         Q.c -= e * e;
         return total(&Q);
     }
     const vq_levels Fw = q_product(&F, w, w_lo);
     const levels g = sum_of_lanes(&Fw);
     if (cap >= 0)
-        return total(&g) / shape->local.scale;
+        return total(&g) / scale_of(shape);
     const vq_levels W = {w, w_lo, q_set(0)}, squares = q_square(&W);
     const levels WW = sum_of_lanes(&squares);
     const pair e = pair_div(total_pair(&g), total_pair(&WW));
@@ -275,7 +298,7 @@ INLINE double circular_residual(const cylint_shape *shape,
     add_a(&Q, -outside.a);
     add_b(&Q, -outside.b);
     Q.c -= outside.c;
-    return total(&Q) / shape->local.scale;
+    return total(&Q) / scale_of(shape);
 }
 
 INLINE double elliptic_residual(const cylint_shape *shape,
@@ -288,7 +311,7 @@ INLINE double elliptic_residual(const cylint_shape *shape,
     const vq low = q_add(sum.lo, F.c);
     const vq hi[3] = {q_firsts(sum.hi), q_seconds(sum.hi), q_thirds(sum.hi)};
     const vq lo[3] = {q_firsts(low), q_seconds(low), q_thirds(low)};
-    const vqpair f = transformed(&shape->local, hi, lo);
+    const vqpair f = transformed(shape, hi, lo);
     double f_hi[4], f_lo[4];
     q_store(f_hi, f.hi);
     q_store(f_lo, f.lo);
@@ -303,7 +326,7 @@ INLINE double elliptic_residual(const cylint_shape *shape,
     }
     if (tapered) {
         /* the row of z counts in units of 1 / height, a power of two */
-        const double unit = 1 / shape->local.height;
+        const double unit = 1 / cylint_height(shape);
         rho = radius_at(shape, near.s, (pair){f_hi[2] * unit, f_lo[2] * unit});
     }
     subtract_square(&Q, &rho);
@@ -315,8 +338,8 @@ INLINE double ball_residual_in_levels(const cylint_shape *shape,
                                       const cylint_line *line, double t,
                                       int top)
 {
-    const vq_levels F =
-        distance_from_center(top ? shape->top : shape->base, line, t);
+    const vq_levels F = distance_from_center(
+        top ? cylint_top(shape) : cylint_base(shape), line, t);
     const levels Q = surplus_in_levels(&F, cylint_end_factor(shape, top));
     return total(&Q);
 }
@@ -324,22 +347,24 @@ INLINE double ball_residual_in_levels(const cylint_shape *shape,
 INLINE double round_cone_residual_in_levels(const cylint_shape *shape,
                                             const cylint_line *line, double t)
 {
-    const vq w = q_load(shape->axis), w_lo = q_load(shape->axis_lo);
+    const vqpair axis = axis_of(shape);
+    const vq w = axis.hi, w_lo = axis.lo;
     const vq_levels W = {w, w_lo, q_set(0)}, WW = q_square(&W);
-    const vq_levels F = distance_from_center(shape->base, line, t);
+    const vq_levels F = distance_from_center(cylint_base(shape), line, t);
     const vq_levels Fw = q_product(&F, w, w_lo);
-    const levels surplus = surplus_in_levels(&F, shape->r0);
-    const levels dr = {shape->dr, shape->dr_lo, 0};
+    const levels surplus = surplus_in_levels(&F, cylint_r0(shape));
+    const pair growth = cylint_radius_growth(shape);
+    const levels dr = {growth.hi, growth.lo, 0};
     levels rest = {0, 0, 0}, height = {0, 0, 0};
     add_lanes(&rest, &WW);
     subtract_square(&rest, &dr);
-    add_product_to_a(&height, shape->dr, shape->r0);
-    add_product_to_b(&height, shape->dr_lo, shape->r0);
+    add_product_to_a(&height, growth.hi, cylint_r0(shape));
+    add_product_to_b(&height, growth.lo, cylint_r0(shape));
     add_lanes(&height, &Fw);
     levels Q = levels_product(&surplus, &rest);
     subtract_square(&Q, &height);
-    const double cosine = shape->local.cosine;
-    return total(&Q) / (shape->local.square_scale * (cosine * cosine));
+    const double side = cylint_height(shape) * cylint_cosine(shape);
+    return total(&Q) / (side * side);
 }
 
 /* At t, of end `end` of the shape: of its ball or its plane if on_end, else of the

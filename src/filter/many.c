@@ -8,6 +8,7 @@
  * and the roots of those that hit are rounded.  Undecided lanes are returned as
  * such; they do not affect their neighbours.
  */
+#include "../shapes/measure.h"
 #include "surfaces.h"
 
 #ifndef CYLINT_MANY
@@ -153,16 +154,17 @@ INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
 
 INLINE void load_pass(const cylint_filter_batch *from, mode m, ball_pass *b)
 {
+    double center[3];
+    if (m == ONE_SHAPE)
+        b->radius = v_set(cylint_ball_about(from->shapes, center));
     EACH(i, 3) {
         if (m == ONE_SHAPE)
-            b->center[i] = v_set(from->shapes->center[i]);
+            b->center[i] = v_set(center[i]);
         if (m == ONE_LINE) {
             b->o[i] = v_set(from->line->o[i]);
             b->d[i] = v_set(from->line->d[i]);
         }
     }
-    if (m == ONE_SHAPE)
-        b->radius = v_set(from->shapes->bound_radius);
 }
 
 /* So many numbers the first pass finds at once where no answer can change it. */

@@ -136,9 +136,9 @@ OWN(cone, refine_line(q, CYLINT_SOLID_CONE), CYLINT_SOLID_CONE)
 #else
 /* Without a fused multiply-add a product in pairs is long: the other solids
  * share what follows the test of G. */
-REST(any_signs_rest, 0, shape->prepared)
-REST(any_roots_rest, 1, shape->prepared)
-REFINE(any_refined, refine_any_line(q), q->shape->prepared)
+REST(any_signs_rest, 0, cylint_prepared(shape))
+REST(any_roots_rest, 1, cylint_prepared(shape))
+REFINE(any_refined, refine_any_line(q), cylint_prepared(q->shape))
 OWN(cylinder, refine_any_line(q), CYLINT_SOLID_CYLINDER)
 OWN(cone, refine_any_line(q), CYLINT_SOLID_CONE)
 #define OTHERS(name, solid)                     \
@@ -173,7 +173,7 @@ static int refine(cylint_question *q)
     if (q->known == CYLINT_KNOWN_USELESS || !cylint_rounds_to_nearest())
         return n;
     if (q->known != CYLINT_KNOWN_ROOTS)
-        n = refined[q->shape->prepared](q);
+        n = refined[cylint_prepared(q->shape)](q);
     if (n == CYLINT_UNDECIDED && q->known == CYLINT_KNOWN_ROOTS)
         n = refine_roots(q);
     return n;

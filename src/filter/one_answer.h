@@ -30,9 +30,9 @@ typedef struct {
 INLINE end_bits parts_of_sphere(const cylint_shape *shape)
 {
     return (end_bits){
-        shape->surface == CYLINT_PART_LATERAL ? 0 : 3,
-        shape->surface == CYLINT_PART_CAP1 ? 3 : 0,
-        cylint_part_is_present(shape->ends, shape->surface) ? 3 : 0, 0};
+        cylint_surface(shape) == CYLINT_PART_LATERAL ? 0 : 3,
+        cylint_surface(shape) == CYLINT_PART_CAP1 ? 3 : 0,
+        cylint_part_is_present(shape->ends, cylint_surface(shape)) ? 3 : 0, 0};
 }
 
 INLINE end_bits bits_of_end(const line_end *e, const local_line *l,

@@ -20,11 +20,11 @@ INLINE void set_sizes(local_line *l, const cylint_question *q, int solid)
 {
     const cylint_shape *shape = q->shape;
     const int tapered = cylint_solid_is_tapered(solid);
-    const vd r = v_set(shape->r0), both = v_load(&shape->r0);
+    const vd r = v_set(cylint_r0(shape)), both = v_load(cylint_radii(shape));
     l->Q = v_set(q->Q);
     l->D = v_set(q->D);
-    l->taper = v_set(tapered ? 1 + fabs(shape->local.slope) : 1);
-    l->unit = v_set(shape->local.error);
+    l->taper = v_set(tapered ? 1 + fabs(cylint_slope(shape)) : 1);
+    l->unit = v_set(cylint_frame_error(shape));
     l->in.r = r;
     l->ball_r[0] = v_if(tapered, both, r);
     l->widest = v_if(tapered, v_max(both, v_turned(both)), r);
@@ -36,14 +36,15 @@ INLINE void set_sizes(local_line *l, const cylint_question *q, int solid)
 INLINE void set_planes(vpair z[1], vpair r[1], const pair_line *in,
                        const cylint_shape *shape, int solid)
 {
-    const cylint_local *f = &shape->local;
     z[0] = in->z[0];
-    r[0] = (vpair){v_if(cylint_solid_is_tapered(solid), v_load(&shape->r0),
-                        v_set(shape->r0)),
+    r[0] = (vpair){v_if(cylint_solid_is_tapered(solid),
+                        v_load(cylint_radii(shape)), v_set(cylint_r0(shape))),
                    v_set(0)};
     if (solid == CYLINT_SOLID_ROUND_CONE) {
-        z[0] = vpair_add(z[0], vpair_mul(r[0], twice(f->sine, f->sine_lo)));
-        r[0] = vpair_mul(r[0], twice(f->cosine, f->cosine_lo));
+        z[0] = vpair_add(z[0], vpair_mul(r[0], both_lanes(cylint_number_pair(
+                                                   shape, CYLINT_AT_SINE))));
+        r[0] = vpair_mul(
+            r[0], both_lanes(cylint_number_pair(shape, CYLINT_AT_COSINE)));
     }
 }
 
@@ -66,8 +67,9 @@ INLINE void set_pairs(line_pairs *x, const pair_line *in, vpair z, vpair r,
     x->z = pairs_of_end(z, 0);
     x->r = pairs_of_end(r, 0);
     x->w = in->w;
-    x->slope = twice(tapered ? shape->local.slope : 0,
-                     tapered ? shape->local.slope_lo : 0);
+    x->slope =
+        twice(tapered ? cylint_slope(shape) : 0,
+              tapered ? cylint_number_pair(shape, CYLINT_AT_SLOPE).lo : 0);
     set_products_pairs(x);
 }
 
@@ -255,7 +257,7 @@ INLINE int refine_ends(cylint_question *q, int solid)
 /* One function for all solids: a tenth of the code, and a third slower. */
 static int refine_any_line(cylint_question *q)
 {
-    return refine_line(q, q->shape->prepared);
+    return refine_line(q, cylint_prepared(q->shape));
 }
 
 /* A second step, with residuals in levels for the ends that are needed.  It begins
@@ -265,7 +267,7 @@ static int refine_roots(cylint_question *q)
 {
     const cylint_shape *shape = q->shape;
     const asked a = asked_by(q);
-    const int solid = shape->prepared;
+    const int solid = cylint_prepared(shape);
     const end_bits bits = stored_ends(q);
     const estimate at = {.t = v_load(q->t),
                          .slope = v_load(q->slope),
@@ -291,7 +293,7 @@ static int refine_roots(cylint_question *q)
             residual_in_levels(shape, q->line, t[i], (int)(q->top >> i & 1),
                                (int)(q->on_end >> i & 1));
     }
-    const double error = shape->local.error;
+    const double error = cylint_frame_error(shape);
     const vd value = v_load(residual), size = size_at(start, &l);
     const vd wide = l.taper * size;
     const vm plane =

@@ -16,12 +16,12 @@ static cylint_affine affine(double at, double slope)
 
 cylint_affine cylint_axial(const cylint_shape *shape, const cylint_line *line)
 {
-    const double scale = dot(shape->axis, shape->axis);
+    const double scale = dot(cylint_axis(shape), cylint_axis(shape));
     double D[3];
 
-    minus(line->o, shape->base, D);
-    return affine(dot(D, shape->axis) / scale,
-                  dot(line->d, shape->axis) / scale);
+    minus(line->o, cylint_base(shape), D);
+    return affine(dot(D, cylint_axis(shape)) / scale,
+                  dot(line->d, cylint_axis(shape)) / scale);
 }
 
 /*
@@ -63,9 +63,9 @@ void cylint_chord_ends(cylint_chord *chord, const cylint_shape *shape,
 {
     if (!cylint_is_bounded(shape))
         return;
-    if (shape->r0 != 0)
+    if (cylint_r0(shape) != 0)
         cylint_chord_clip(chord, z, CYLINT_PART_CAP0);
-    if (shape->r1 != 0)
+    if (cylint_r1(shape) != 0)
         cylint_chord_clip(chord, affine(1 - z.at, -z.slope), CYLINT_PART_CAP1);
 }
 

@@ -39,21 +39,21 @@ static cylint_chord when_parallel(const double D[3], const double d[3],
 
 static cylint_chord chord_of(const cylint_shape *shape, const cylint_line *line)
 {
-    const double *d = line->d, *e = shape->axis;
-    const double r2 = shape->r0 * shape->r0;
+    const double *d = line->d, *e = cylint_axis(shape);
+    const double r2 = cylint_r0(shape) * cylint_r0(shape);
     double D[3], n[3], De[3], Dd[3], on_line[3], on_axis[3], between[3];
 
-    minus(shape->base, line->o, D);
+    minus(cylint_base(shape), line->o, D);
     cross(d, e, n);
     const double nn = dot(n, n);
     if (nn == 0)
-        return when_parallel(D, d, shape->r0);
+        return when_parallel(D, d, cylint_r0(shape));
 
     cross(D, e, De);
     cross(D, d, Dd);
     const double t_c = dot(De, n) / nn;
     along(line->o, t_c, d, on_line);
-    along(shape->base, dot(Dd, n) / nn, e, on_axis);
+    along(cylint_base(shape), dot(Dd, n) / nn, e, on_axis);
     minus(on_line, on_axis, between);
     const double f2 = dot(between, between);
     if (!(f2 <= r2))

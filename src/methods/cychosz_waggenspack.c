@@ -63,8 +63,8 @@ static void clipobj(cylint_chord *chord, const cylint_line *line,
                     const double raycos[3], const double axis[3],
                     const cylint_shape *shape)
 {
-    const double low = -dot(axis, shape->base);
-    const double high = -dot(axis, shape->top);
+    const double low = -dot(axis, cylint_base(shape));
+    const double high = -dot(axis, cylint_top(shape));
     const double climb = dot(axis, raycos), height = dot(axis, line->o);
     const cylint_affine above_low = {height + low, climb};
     const cylint_affine below_high = {-(height + high), -climb};
@@ -82,9 +82,9 @@ cylint_status cylint_cychosz_waggenspack(const cylint_shape *shape,
     if (shape->kind != CYLINT_KIND_CYLINDER)
         return cylint_method_not_applicable(answer);
     const double speed = unit(line->d, raycos);
-    unit(shape->axis, axis);
-    minus(line->o, shape->base, RC);
-    cylint_chord chord = intcyl(RC, raycos, axis, shape->r0);
+    unit(cylint_axis(shape), axis);
+    minus(line->o, cylint_base(shape), RC);
+    cylint_chord chord = intcyl(RC, raycos, axis, cylint_r0(shape));
     if (cylint_is_bounded(shape))
         clipobj(&chord, line, raycos, axis, shape);
     chord.t[0] /= speed; /* from distance along the ray to multiples of d */

@@ -47,18 +47,18 @@ static void semi_axes(const cylint_shape *shape, double a[3], double b[3])
 
     if (shape->kind == CYLINT_KIND_ECYLINDER) {
         for (int i = 0; i < 3; i++) {
-            a[i] = shape->a[i];
-            b[i] = shape->b[i];
+            a[i] = cylint_a(shape)[i];
+            b[i] = cylint_b(shape)[i];
         }
         return;
     }
-    cylint_phi_origin(shape->axis, a);
+    cylint_phi_origin(cylint_axis(shape), a);
     unit(a, a);
-    unit(shape->axis, height);
+    unit(cylint_axis(shape), height);
     cross(height, a, b);
     for (int i = 0; i < 3; i++) {
-        a[i] *= shape->r0;
-        b[i] *= shape->r0;
+        a[i] *= cylint_r0(shape);
+        b[i] *= cylint_r0(shape);
     }
 }
 
@@ -66,7 +66,7 @@ static inverse inverse_of(const cylint_shape *shape)
 {
     inverse m;
     double a[3], b[3];
-    const double *c = shape->axis;
+    const double *c = cylint_axis(shape);
 
     semi_axes(shape, a, b);
     cross(b, c, m.row[0]);
@@ -76,7 +76,7 @@ static inverse inverse_of(const cylint_shape *shape)
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++)
             m.row[i][j] /= det;
-        m.offset[i] = -dot(m.row[i], shape->base);
+        m.offset[i] = -dot(m.row[i], cylint_base(shape));
     }
     return m;
 }

@@ -37,17 +37,17 @@ static void scaled_cross(const double a[3], const double b[3], double by,
 static frame frame_of(const cylint_shape *shape)
 {
     frame f;
-    const double *h = shape->axis;
+    const double *h = cylint_axis(shape);
 
     if (cylint_is_elliptic(shape->kind)) {
         double normal[3];
-        cross(shape->a, shape->b, normal);
+        cross(cylint_a(shape), cylint_b(shape), normal);
         const double det = dot(normal, h);
-        scaled_cross(shape->b, h, det, f.x_of);
-        scaled_cross(h, shape->a, det, f.y_of);
-        scaled_cross(shape->a, shape->b, det, f.z_of);
+        scaled_cross(cylint_b(shape), h, det, f.x_of);
+        scaled_cross(h, cylint_a(shape), det, f.y_of);
+        scaled_cross(cylint_a(shape), cylint_b(shape), det, f.z_of);
         f.rho = 1;
-        f.drho = shape->r1 - 1;
+        f.drho = cylint_r1(shape) - 1;
         return f;
     }
     double origin[3];
@@ -57,19 +57,20 @@ static frame frame_of(const cylint_shape *shape)
     scaled_cross(h, f.x_of, size, f.y_of);
     for (int i = 0; i < 3; i++)
         f.z_of[i] = h[i] / size / size;
-    f.rho = shape->r0;
-    f.drho = (shape->r1 - shape->r0) * cylint_radius_unit(shape, size);
+    f.rho = cylint_r0(shape);
+    f.drho =
+        (cylint_r1(shape) - cylint_r0(shape)) * cylint_radius_unit(shape, size);
     return f;
 }
 
 static void normal_at_apex(const cylint_shape *shape, const double d[3],
                            double normal[3])
 {
-    const double climb = dot(d, shape->axis);
+    const double climb = dot(d, cylint_axis(shape));
     const int sign = cylint_apex_normal_sign(shape, (climb > 0) - (climb < 0));
 
     for (int i = 0; i < 3; i++)
-        normal[i] = sign * shape->axis[i];
+        normal[i] = sign * cylint_axis(shape)[i];
     unit(normal, normal);
 }
 
@@ -119,7 +120,7 @@ void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
         return;
 
     const frame f = frame_of(shape);
-    minus(point, shape->base, D);
+    minus(point, cylint_base(shape), D);
     const double x = dot(D, f.x_of), y = dot(D, f.y_of), z = dot(D, f.z_of);
     if (want & CYLINT_WANT_Z)
         hit->z = z;

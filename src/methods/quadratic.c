@@ -28,21 +28,21 @@ typedef struct quadric {
 static quadric circular(const cylint_shape *shape, const cylint_line *line)
 {
     quadric q;
-    const double *d = line->d, *w = shape->axis;
+    const double *d = line->d, *w = cylint_axis(shape);
     double D[3];
 
-    minus(line->o, shape->base, D);
+    minus(line->o, cylint_base(shape), D);
     const double ww = dot(w, w), wd = dot(w, d), wD = dot(w, D);
-    const double dr = shape->r1 - shape->r0;
+    const double dr = cylint_r1(shape) - cylint_r0(shape);
     q.A = ww * dot(d, d) - wd * wd;
     q.B = 2 * (ww * dot(d, D) - wd * wD);
     q.C = ww * dot(D, D) - wD * wD;
-    q.rho.at = shape->r0 * ww + dr * wD;
+    q.rho.at = cylint_r0(shape) * ww + dr * wD;
     q.rho.slope = dr * wd;
     q.z.at = wD / ww;
     q.z.slope = wd / ww;
     if (dr == 0) {
-        q.C -= shape->r0 * shape->r0 * ww;
+        q.C -= cylint_r0(shape) * cylint_r0(shape) * ww;
         return q;
     }
     q.A = ww * q.A - q.rho.slope * q.rho.slope;
@@ -55,12 +55,12 @@ static quadric circular(const cylint_shape *shape, const cylint_line *line)
 static quadric by_angle(const cylint_shape *shape, const cylint_line *line)
 {
     quadric q;
-    const double *d = line->d, *w = shape->axis;
+    const double *d = line->d, *w = cylint_axis(shape);
     double D[3];
 
-    minus(line->o, shape->base, D);
+    minus(line->o, cylint_base(shape), D);
     const double ww = dot(w, w), wd = dot(w, d), wD = dot(w, D);
-    const double factor = 1 + shape->r1 * shape->r1;
+    const double factor = 1 + cylint_r1(shape) * cylint_r1(shape);
     q.A = ww * dot(d, d) - factor * wd * wd;
     q.B = 2 * (ww * dot(d, D) - factor * wd * wD);
     q.C = ww * dot(D, D) - factor * wD * wD;
@@ -78,17 +78,17 @@ static quadric elliptic(const cylint_shape *shape, const cylint_line *line)
     quadric q;
     double D[3], bh[3], ha[3], ab[3];
 
-    minus(line->o, shape->base, D);
-    cross(shape->b, shape->axis, bh);
-    cross(shape->axis, shape->a, ha);
-    cross(shape->a, shape->b, ab);
-    const double det = dot(ab, shape->axis);
+    minus(line->o, cylint_base(shape), D);
+    cross(cylint_b(shape), cylint_axis(shape), bh);
+    cross(cylint_axis(shape), cylint_a(shape), ha);
+    cross(cylint_a(shape), cylint_b(shape), ab);
+    const double det = dot(ab, cylint_axis(shape));
     const double x = dot(D, bh) / det, dx = dot(line->d, bh) / det;
     const double y = dot(D, ha) / det, dy = dot(line->d, ha) / det;
     q.z.at = dot(D, ab) / det;
     q.z.slope = dot(line->d, ab) / det;
-    q.rho.at = 1 + (shape->r1 - 1) * q.z.at;
-    q.rho.slope = (shape->r1 - 1) * q.z.slope;
+    q.rho.at = 1 + (cylint_r1(shape) - 1) * q.z.at;
+    q.rho.slope = (cylint_r1(shape) - 1) * q.z.slope;
     q.A = dx * dx + dy * dy - q.rho.slope * q.rho.slope;
     q.B = 2 * (x * dx + y * dy - q.rho.at * q.rho.slope);
     q.C = x * x + y * y - q.rho.at * q.rho.at;
@@ -148,7 +148,7 @@ cylint_status cylint_quadratic(const cylint_shape *shape,
     default:
         return cylint_method_not_applicable(answer);
     }
-    const int is_cone = shape->r0 != shape->r1;
+    const int is_cone = cylint_r0(shape) != cylint_r1(shape);
     cylint_chord chord = chord_of(&q, is_cone);
     if (is_cone && shape->ends != CYLINT_ENDS_INFINITE)
         cylint_chord_nappe(&chord, q.rho);

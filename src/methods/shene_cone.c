@@ -43,16 +43,16 @@ typedef struct cone {
 static cone cone_of(const cylint_shape *shape)
 {
     cone c;
-    const double size = unit(shape->axis, c.v);
-    double tangent = shape->r1;
+    const double size = unit(cylint_axis(shape), c.v);
+    double tangent = cylint_r1(shape);
     double to_apex = 0;
 
     if (shape->kind == CYLINT_KIND_CONE) {
-        const double dr = shape->r1 - shape->r0;
-        to_apex = -shape->r0 / dr;
+        const double dr = cylint_r1(shape) - cylint_r0(shape);
+        to_apex = -cylint_r0(shape) / dr;
         tangent = dr / size;
     }
-    along(shape->base, to_apex, shape->axis, c.V);
+    along(cylint_base(shape), to_apex, cylint_axis(shape), c.V);
     c.cosine = 1 / sqrt(1 + tangent * tangent);
     return c;
 }

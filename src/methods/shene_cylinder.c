@@ -69,9 +69,9 @@ cylint_status cylint_shene_cylinder(const cylint_shape *shape,
     if (shape->kind != CYLINT_KIND_CYLINDER || cylint_is_bounded(shape))
         return cylint_method_not_applicable(answer);
     const double speed = unit(line->d, u);
-    unit(shape->axis, v);
-    minus(shape->base, line->o, D);
-    cylint_chord chord = chord_of(D, u, v, shape->r0);
+    unit(cylint_axis(shape), v);
+    minus(cylint_base(shape), line->o, D);
+    cylint_chord chord = chord_of(D, u, v, cylint_r0(shape));
     chord.t[0] /= speed; /* from distance along u to multiples of d */
     chord.t[1] /= speed;
     return cylint_method_report(shape, line, want, &chord, answer);

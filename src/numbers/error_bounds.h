@@ -252,7 +252,7 @@
 /*
  * The errors of the forms of filter/local_forms_template.h.  u is
  * CYLINT_ROUNDING for doubles in any rounding mode, of a rounded cone
- * CYLINT_LOCAL_ROUND times that, and cylint_local.error for pairs in rounding to
+ * CYLINT_LOCAL_ROUND times that, and cylint_frame_error() for pairs in rounding to
  * nearest.  No coordinate of the line's origin exceeds Q,
  * none of its direction exceeds D, no radius exceeds r <= Q; k = 1 + |slope|.
  *
@@ -285,7 +285,7 @@
 #define CYLINT_LOCAL_SECOND 16
 
 /*
- * The error of a residual in pairs, u = cylint_local.error, at t, where no
+ * The error of a residual in pairs, u = cylint_frame_error(), at t, where no
  * coordinate exceeds Q = |t| D + Q:
  *
  *   of a cap       f = CYLINT_LOCAL_RESIDUAL u Q
@@ -313,11 +313,11 @@
 #define CYLINT_LOCAL_NEAR 0x1p-5
 
 /* The error of a residual in levels, in multiples of
- * the square of cylint_local.error and of the size of its terms
+ * the square of cylint_frame_error() and of the size of its terms
  * (tests/test_local_residuals.c computes it, a bound with slack); and, relative
- * to the residual, of its rounding and its division by cylint_local.scale or by
- * square_scale and the square of a cosine: fewer than sixteen roundings to
- * nearest. */
+ * to the residual, of its rounding and its division by the height, by the square
+ * of the axis or by the square of height and cosine: fewer than sixteen roundings
+ * to nearest. */
 #define CYLINT_LOCAL_LEVELS 0x1p54
 #define CYLINT_LOCAL_SCALING 0x1p-49
 

@@ -33,13 +33,15 @@ static int data_are_tame(const cylint_query *q)
 {
     const cylint_shape *s = q->shape;
     const cylint_line *l = q->line;
-    int tame = is_zero_or_tame(s->r0) && is_zero_or_tame(s->r1) &&
-               is_zero_or_tame(s->dr);
+    int tame = is_zero_or_tame(cylint_r0(s)) && is_zero_or_tame(cylint_r1(s)) &&
+               is_zero_or_tame(cylint_radius_growth(s).hi);
     for (int i = 0; i < 3; i++) {
         tame &= is_zero_or_tame(l->o[i]) && is_zero_or_tame(l->d[i]);
-        tame &= is_zero_or_tame(s->base[i]) && is_zero_or_tame(s->axis[i]);
+        tame &= is_zero_or_tame(cylint_base(s)[i]) &&
+                is_zero_or_tame(cylint_axis(s)[i]);
         if (cylint_is_elliptic(q->kind))
-            tame &= is_zero_or_tame(s->a[i]) && is_zero_or_tame(s->b[i]);
+            tame &= is_zero_or_tame(cylint_a(s)[i]) &&
+                    is_zero_or_tame(cylint_b(s)[i]);
     }
     return tame;
 }
@@ -276,8 +278,9 @@ static int cap_coordinate(const cylint_shape *s, int cap, int i, double *x)
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     const int level =
         cylint_is_elliptic(s->kind)
-            ? !cylint_sign(s->a[i]) && !cylint_sign(s->b[i])
-            : !cylint_sign(s->axis[j]) && !cylint_sign(s->axis[k]);
+            ? !cylint_sign(cylint_a(s)[i]) && !cylint_sign(cylint_b(s)[i])
+            : !cylint_sign(cylint_axis(s)[j]) &&
+                  !cylint_sign(cylint_axis(s)[k]);
     if (level)
         *x = cylint_end_center(s, cap, i);
     return level;
@@ -380,7 +383,7 @@ static void write_facts(cylint_query *q, const floating *facts,
             const floating size = cylint_floating_sqrt(vv);
             x.v = pair_mul(x.v, size.v);
             x.e += size.e;
-        } else if (q->shape->left_handed) {
+        } else if (cylint_left_handed(q->shape)) {
             y.v = pair_neg(y.v);
         }
         hit->phi = turns(y, x);
@@ -431,9 +434,9 @@ static int has_pairs(const cylint_query *q, double t)
 static int is_far(const cylint_query *q, double t)
 {
     const cylint_shape *s = q->shape;
-    double size = s->size;
+    double size = cylint_axis_size(s);
     if (!cylint_has_factors(s->kind))
-        size = cylint_larger(size, cylint_larger(s->r0, s->r1));
+        size = cylint_larger(size, cylint_larger(cylint_r0(s), cylint_r1(s)));
     return fabs(t) * q->line->size > CYLINT_REST_FAR * size;
 }
 

@@ -195,8 +195,8 @@ static cylint_overlap nappe(cylint_query *q)
                      : cylint_chord_overlap(q, CYLINT_RELATION_CROSS, T == 0);
     }
     /* A <= 0: rho changes along the line, and grows with t or shrinks */
-    const int grows =
-        cylint_form_sign(q, FORM_BETA, 0) * cylint_sign(q->shape->dr);
+    const int grows = cylint_form_sign(q, FORM_BETA, 0) *
+                      cylint_sign(cylint_radius_growth(q->shape).hi);
     const int side = grows > 0 ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
     const cylint_root root = grows > 0 ? ROOT_ENTRY : ROOT_EXIT;
     if (cylint_form_sign(q, FORM_G, 0) == 0) {

@@ -126,7 +126,7 @@ cylint_overlap cylint_round_overlap(cylint_query *q)
     if (q->kind == CYLINT_KIND_SPHERE) {
         cylint_overlap v = cylint_chord_overlap(q, CYLINT_RELATION_CROSS, 0);
         for (int i = 0; i < v.n; i++)
-            v.at[i].part = q->shape->surface;
+            v.at[i].part = cylint_surface(q->shape);
         return v;
     }
     const int up = cylint_form_sign(q, FORM_BETA, 0);

@@ -43,14 +43,16 @@ const char *cylint_scene_strerror(int status)
 static int has_box(const cylint_shape *s, double lo[3], double hi[3])
 {
     const int has_factors = cylint_has_factors(s->kind);
-    if (!cylint_is_bounded(s) || (has_factors && s->r1 > CYLINT_FRAME_MOST))
+    if (!cylint_is_bounded(s) ||
+        (has_factors && cylint_r1(s) > CYLINT_FRAME_MOST))
         return 0;
     for (int j = 0; j < 3; j++) {
         const double bottom = cylint_rough_reach(s, 0, j),
                      top = cylint_rough_reach(s, 1, j);
-        const double base = s->base[j], end = base + s->axis[j];
+        const double base = cylint_base(s)[j], end = base + cylint_axis(s)[j];
         const double more =
-            DBL_MIN + 0x1p-50 * (fabs(base) + fabs(s->axis[j]) + bottom + top);
+            DBL_MIN +
+            0x1p-50 * (fabs(base) + fabs(cylint_axis(s)[j]) + bottom + top);
         lo[j] = fmin(base - bottom, end - top) - more;
         hi[j] = fmax(base + bottom, end + top) + more;
         if (!(lo[j] >= -CYLINT_FRAME_MOST && hi[j] <= CYLINT_FRAME_MOST))
@@ -370,7 +372,9 @@ CYLINT_INLINE void prefetch_shapes(const search *q, const cylint_leaf *leaf,
     for (; lanes; lanes &= lanes - 1) {
         const char *shape =
             (const char *)&q->scene->shapes[leaf->number[cylint_lowest(lanes)]];
-        for (size_t i = 0; i < offsetof(cylint_shape, local.error); i += 64)
+        for (size_t i = 0;
+             i < offsetof(cylint_shape, library.number[CYLINT_AT_ERROR]);
+             i += 64)
             __builtin_prefetch(shape + i);
     }
 #else

@@ -181,9 +181,12 @@ static pair inverse_root(pair a)
 /* The axis, and the growth of the radius along it. */
 INLINE four axis_of(const cylint_shape *s)
 {
-    const double hi[4] = {s->axis[0], s->axis[1], s->axis[2], s->dr};
-    const double lo[4] = {s->axis_lo[0], s->axis_lo[1], s->axis_lo[2],
-                          s->dr_lo};
+    double hi[4], lo[4];
+    for (int i = 0; i < 4; i++) {
+        const pair x = i < 3 ? cylint_axis_pair(s, i) : cylint_radius_growth(s);
+        hi[i] = x.hi;
+        lo[i] = x.lo;
+    }
     return load_four(hi, lo);
 }
 
@@ -211,7 +214,7 @@ INLINE four least_direction(const double axis[3])
  */
 INLINE pair upright_rows(rows *m, const cylint_shape *s)
 {
-    const four w = axis_of(s), e = least_direction(s->axis);
+    const four w = axis_of(s), e = least_direction(cylint_axis(s));
     const four w1 = turned(&w), w2 = turned(&w1);
     const four e1 = turned(&e), e2 = turned(&e1);
     four square, aside, x;
@@ -255,7 +258,8 @@ static void scale(rows *m, pair factor)
 /* The inverse of (a b h).  Returns their determinant. */
 static double inverse_rows(rows *m, const cylint_shape *s)
 {
-    const four a = vector(s->a), b = vector(s->b), h = vector(s->axis);
+    const four a = vector(cylint_a(s)), b = vector(cylint_b(s)),
+               h = vector(cylint_axis(s));
     double hi[4], lo[4];
     m->x = cross(&b, &h);
     m->y = cross(&h, &a);
@@ -296,42 +300,33 @@ static int is_long_enough(const cylint_shape *s)
 {
     if (s->kind == CYLINT_KIND_SPHERE)
         return 1;
-    return cylint_largest(s->axis) >= CYLINT_LOCAL_LEAST &&
+    return cylint_largest(cylint_axis(s)) >= CYLINT_LOCAL_LEAST &&
            (!cylint_is_elliptic(s->kind) ||
-            (cylint_largest(s->a) >= CYLINT_LOCAL_LEAST &&
-             cylint_largest(s->b) >= CYLINT_LOCAL_LEAST));
+            (cylint_largest(cylint_a(s)) >= CYLINT_LOCAL_LEAST &&
+             cylint_largest(cylint_b(s)) >= CYLINT_LOCAL_LEAST));
 }
 
-INLINE void store_row(cylint_local *to, int k, const four *row)
+INLINE void store_row(cylint_shape *s, int k, const four *row)
 {
+    double *to = s->library.number + CYLINT_AT_COLUMNS + k;
     double hi[4], lo[4];
     store_four(hi, lo, row);
     for (int i = 0; i < 3; i++) {
-        to->xyz[i][k] = hi[i];
-        to->xyz_lo[i][k] = lo[i];
+        to[3 * i] = hi[i];
+        to[3 * i + CYLINT_LOW] = lo[i];
     }
 }
 
-/* Writes x as a multiple of 2^-26 and the rest; |x| <= 1. */
-static void split(pair x, double *hi, double *lo)
+INLINE void store_pair(cylint_shape *s, int at, pair x)
 {
-    *hi = (x.hi + CYLINT_UNIT_SNAP) - CYLINT_UNIT_SNAP;
-    *lo = (x.hi - *hi) + x.lo;
+    s->library.number[at] = x.hi;
+    s->library.number[at + CYLINT_LOW] = x.lo;
 }
 
-static void store_split(cylint_local *to)
-{
-    for (int i = 0; i < 3; i++)
-        split((pair){to->xyz[i][2], to->xyz_lo[i][2]}, &to->unit[i],
-              &to->unit_lo[i]);
-    split((pair){to->cosine, to->cosine_lo}, &to->turn[0], &to->turn_lo[0]);
-    split((pair){to->sine, to->sine_lo}, &to->turn[1], &to->turn_lo[1]);
-}
-
-/* Writes cosine and sine, of a tapered shape with this growth of the radius
- * along the axis.  Returns the slope.  The cosine of a rounded cone has the error
- * of 1 - sine^2, which is larger relative to it. */
-static pair measure_angle(cylint_local *to, const cylint_shape *s, pair slope)
+/* Writes cosine and sine, of a shape with this growth of the radius along the
+ * axis.  Returns the slope.  The cosine of a rounded cone has the error of
+ * 1 - sine^2, which is larger relative to it: *error grows. */
+static pair measure_angle(cylint_shape *s, pair slope, double *error)
 {
     pair cosine = plain(1), sine = plain(0);
     if (s->kind == CYLINT_KIND_RCONE) {
@@ -342,17 +337,15 @@ static pair measure_angle(cylint_local *to, const cylint_shape *s, pair slope)
             cosine = product(rest, inverse);
             slope = product(sine, inverse);
         }
-        to->error /= rest.hi > 0 ? rest.hi : 0;
-    } else if (cylint_is_tapered(s->kind)) {
+        *error /= rest.hi > 0 ? rest.hi : 0;
+    } else if (cylint_is_tapered(s->kind) && !cylint_is_elliptic(s->kind)) {
         const pair root =
             inverse_root(pair_add(plain(1), pair_mul(slope, slope)));
         cosine = fast_two_sum(root.hi, root.lo);
         sine = product(slope, root);
     }
-    to->cosine = cosine.hi;
-    to->cosine_lo = cosine.lo;
-    to->sine = sine.hi;
-    to->sine_lo = sine.lo;
+    store_pair(s, CYLINT_AT_COSINE, cosine);
+    store_pair(s, CYLINT_AT_SINE, sine);
     return slope;
 }
 
@@ -367,78 +360,66 @@ static void identity_rows(rows *m)
 /* No form overflows (error_bounds.h). */
 static int is_tame(const cylint_shape *s)
 {
-    const double norm = cylint_larger(s->local.norm, 1);
-    return cylint_largest(s->base) <= CYLINT_FAR &&
-           norm * norm * (1 + fabs(s->local.slope)) <= CYLINT_LOCAL_MOST;
+    const double norm = cylint_larger(cylint_norm(s), 1);
+    return cylint_largest(cylint_base(s)) <= CYLINT_FAR &&
+           norm * norm * (1 + fabs(cylint_slope(s))) <= CYLINT_LOCAL_MOST;
 }
 
 /* A round shape whose local coordinates are not accurate has the height 0. */
 static void check_round(cylint_shape *s)
 {
-    if (s->prepared && fabs(s->local.sine) <= CYLINT_LOCAL_STEEPEST)
+    if (cylint_prepared(s) && fabs(cylint_sine(s)) <= CYLINT_LOCAL_STEEPEST)
         return;
-    s->prepared = 0;
-    s->local.height = 0;
+    s->library.flag[CYLINT_AT_PREPARED] = CYLINT_SOLID_NONE;
+    s->library.number[CYLINT_AT_HEIGHT] = 0;
 }
 
 void CYLINT_MEASURE_LOCAL(cylint_shape *s)
 {
-    cylint_local *to = &s->local;
     rows m;
     pair height, slope;
-    to->error = CYLINT_LOCAL_ERROR;
+    double error = CYLINT_LOCAL_ERROR, *x = s->library.number;
     if (s->kind == CYLINT_KIND_SPHERE) {
         identity_rows(&m);
-        to->scale = to->square_scale = 1;
         height = slope = plain(0);
     } else if (cylint_is_elliptic(s->kind)) {
-        const double signed_det = inverse_rows(&m, s), det = fabs(signed_det),
-                     power = balance(&m);
-        const double cancelled = cylint_largest(s->a) * cylint_largest(s->b) *
-                                 cylint_largest(s->axis) / det;
-        to->error *= cylint_larger(1, cancelled);
-        to->scale = det / power;
-        to->square_scale = det * det;
-        s->left_handed = signed_det < 0;
+        const double det = inverse_rows(&m, s), power = balance(&m);
+        const double cancelled = cylint_largest(cylint_a(s)) *
+                                 cylint_largest(cylint_b(s)) *
+                                 cylint_axis_size(s) / fabs(det);
+        const pair growth = cylint_radius_growth(s);
+        error *= cylint_larger(1, cancelled);
+        s->library.flag[CYLINT_AT_LEFT_HANDED] = det < 0;
         height = plain(power);
-        slope = (pair){s->dr / power, s->dr_lo / power};
+        slope = (pair){growth.hi / power, growth.lo / power};
     } else {
         const pair inverse = upright_rows(&m, s);
         height = last_of(&m.x);
         slope = last_of(&m.z);
-        const double square = height.hi * height.hi;
-        to->scale = cylint_has_tangent(s->kind) ? square : height.hi;
-        to->square_scale =
-            cylint_is_tapered(s->kind) && !cylint_is_round(s->kind)
-                ? square * square
-                : square;
         if (cylint_has_tangent(s->kind)) {
             scale(&m, inverse);
             height = plain(1);
-            slope = plain(s->dr);
+            slope = plain(cylint_r1(s));
         }
     }
-    store_row(to, 0, &m.x);
-    store_row(to, 1, &m.y);
-    store_row(to, 2, &m.z);
-    if (!cylint_is_elliptic(s->kind)) {
-        slope = measure_angle(to, s, slope);
-        store_split(to);
-    }
-    to->height = height.hi;
-    to->height_lo = height.lo;
-    to->slope = slope.hi;
-    to->slope_lo = slope.lo;
-    to->reach = (height.hi + cylint_larger(s->r0, s->r1)) * CYLINT_SLACK;
-    to->snap = to->reach * CYLINT_LIMB_NEAR * CYLINT_LIMB_SNAP;
-    to->norm = cylint_larger(cylint_larger(size_of(&m.x), size_of(&m.y)),
-                             size_of(&m.z)) *
-               CYLINT_SLACK;
-    const int accurate = s->in_range && is_long_enough(s) && is_tame(s) &&
-                         cylint_rounds_to_nearest() &&
-                         (to->height > 0 || s->kind == CYLINT_KIND_SPHERE) &&
-                         to->error <= CYLINT_LOCAL_WORST;
-    s->prepared = accurate ? cylint_solid(s) : CYLINT_SOLID_NONE;
+    store_row(s, 0, &m.x);
+    store_row(s, 1, &m.y);
+    store_row(s, 2, &m.z);
+    store_pair(s, CYLINT_AT_HEIGHT, height);
+    store_pair(s, CYLINT_AT_SLOPE, measure_angle(s, slope, &error));
+    x[CYLINT_AT_NORM] =
+        cylint_larger(cylint_larger(size_of(&m.x), size_of(&m.y)),
+                      size_of(&m.z)) *
+        CYLINT_SLACK;
+    x[CYLINT_AT_REACH] =
+        (height.hi + cylint_larger(cylint_r0(s), cylint_r1(s))) * CYLINT_SLACK;
+    x[CYLINT_AT_ERROR] = error;
+    const int accurate = cylint_in_range(s) && is_long_enough(s) &&
+                         is_tame(s) && cylint_rounds_to_nearest() &&
+                         (height.hi > 0 || s->kind == CYLINT_KIND_SPHERE) &&
+                         error <= CYLINT_LOCAL_WORST;
+    s->library.flag[CYLINT_AT_PREPARED] =
+        accurate ? cylint_solid(s) : CYLINT_SOLID_NONE;
     if (cylint_is_round(s->kind))
         check_round(s);
 }

@@ -15,7 +15,7 @@
  *                    semi-axes.  The row of z is multiplied by a power of two,
  *                    the height, that makes it about as large as the others.
  *
- * and r is shape->r0 for all kinds but the round ones.
+ * and r is cylint_r0() for all kinds but the round ones.
  *
  * A capsule or rounded cone has the matrix of a cone.  The cone that touches
  * both balls makes an angle with the axis whose sine is (r1 - r0) / height.  It
@@ -31,8 +31,8 @@
 
 #include "cylint.h"
 
-/* Computes `local` and `prepared` from the other members.  `prepared` is 0 where
- * the matrix is not accurate enough; `local` may then not be written.  _fma: for
+/* Writes the local coordinates (layout.h) and whether they are accurate.  Where
+ * they are not, they mean nothing, but the height of a round shape is 0.  _fma: for
  * processors with AVX2 and a fused multiply-add. */
 void cylint_measure_local(cylint_shape *shape);
 void cylint_measure_local_fma(cylint_shape *shape);

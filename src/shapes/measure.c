@@ -9,15 +9,16 @@
 
 static double largest_length(const cylint_shape *s)
 {
-    double most = cylint_largest(s->axis);
+    double most = cylint_largest(cylint_axis(s));
     if (cylint_is_elliptic(s->kind)) {
-        const double a = cylint_largest(s->a), b = cylint_largest(s->b);
+        const double a = cylint_largest(cylint_a(s)),
+                     b = cylint_largest(cylint_b(s));
         most = a > most ? a : most;
         most = b > most ? b : most;
     }
     if (!cylint_has_factors(s->kind)) {
-        most = s->r0 > most ? s->r0 : most;
-        most = s->r1 > most ? s->r1 : most;
+        most = cylint_r0(s) > most ? cylint_r0(s) : most;
+        most = cylint_r1(s) > most ? cylint_r1(s) : most;
     }
     return most;
 }
@@ -51,25 +52,34 @@ static double dot3(const double x[3], const double y[3])
 static double disc_reach(const cylint_shape *s, double *skew)
 {
     *skew = 0;
-    const double r = cylint_larger(s->r0, s->r1);
+    const double r = cylint_larger(cylint_r0(s), cylint_r1(s));
     if (!cylint_is_elliptic(s->kind))
-        return r * r * cylint_radius_unit(s, dot3(s->axis, s->axis));
-    *skew = r * (fabs(dot3(s->a, s->axis)) + fabs(dot3(s->b, s->axis)));
+        return r * r *
+               cylint_radius_unit(s, dot3(cylint_axis(s), cylint_axis(s)));
+    *skew = r * (fabs(dot3(cylint_a(s), cylint_axis(s))) +
+                 fabs(dot3(cylint_b(s), cylint_axis(s))));
     return r * r *
-           (cylint_larger(dot3(s->a, s->a), dot3(s->b, s->b)) +
-            fabs(dot3(s->a, s->b)));
+           (cylint_larger(dot3(cylint_a(s), cylint_a(s)),
+                          dot3(cylint_b(s), cylint_b(s))) +
+            fabs(dot3(cylint_a(s), cylint_b(s))));
 }
 
 /* Of a ball about the centre that holds the balls of a round kind. */
-static double ball_radius(cylint_shape *s)
+static double hull_radius(const cylint_shape *s)
 {
-    double r = s->r0;
-    if (s->kind == CYLINT_KIND_SPHERE)
-        for (int i = 0; i < 3; i++)
-            s->center[i] = s->base[i];
-    else
-        r = 0.5 * sqrt(dot3(s->axis, s->axis)) + cylint_larger(s->r0, s->r1);
-    return r * CYLINT_SLACK + 2 * CYLINT_ROUNDING * cylint_largest(s->center);
+    const double *w = cylint_axis(s);
+    return s->kind == CYLINT_KIND_SPHERE
+               ? cylint_r0(s)
+               : 0.5 * sqrt(dot3(w, w)) +
+                     cylint_larger(cylint_r0(s), cylint_r1(s));
+}
+
+/* The same of other bounded kinds. */
+static double section_radius(const cylint_shape *s)
+{
+    double skew;
+    const double reach = disc_reach(s, &skew);
+    return sqrt(0.25 * dot3(cylint_axis(s), cylint_axis(s)) + reach + skew);
 }
 
 /*
@@ -78,36 +88,28 @@ static double ball_radius(cylint_shape *s)
  * max(aa, bb) + |ab|.  The slack covers a dozen roundings of positive terms;
  * the centre is off by a rounding of each coordinate.
  */
-static void measure_ball(cylint_shape *s)
+double cylint_ball_about(const cylint_shape *s, double center[3])
 {
-    s->bound_radius = HUGE_VAL;
     /* mutant '0' -> '1': for unbounded shapes, whose ball holds everything */
-    s->center[0] = s->center[1] = s->center[2] = 0;
+    center[0] = center[1] = center[2] = 0;
     if (!cylint_ends_are_planes(s->ends))
-        return;
+        return HUGE_VAL;
     for (int i = 0; i < 3; i++)
-        s->center[i] = cylint_has_end_points(s->kind)
-                           ? 0.5 * s->base[i] + 0.5 * s->top[i]
-                           : s->base[i] + 0.5 * s->axis[i];
-    if (cylint_is_round(s->kind)) {
-        s->bound_radius = ball_radius(s);
-        return;
-    }
-    double skew;
-    const double reach = disc_reach(s, &skew);
-    s->bound_radius =
-        sqrt(0.25 * dot3(s->axis, s->axis) + reach + skew) * CYLINT_SLACK +
-        2 * CYLINT_ROUNDING * cylint_largest(s->center);
+        center[i] = s->kind == CYLINT_KIND_SPHERE ? cylint_base(s)[i]
+                    : cylint_has_end_points(s->kind)
+                        ? 0.5 * cylint_base(s)[i] + 0.5 * cylint_top(s)[i]
+                        : cylint_base(s)[i] + 0.5 * cylint_axis(s)[i];
+    return (cylint_is_round(s->kind) ? hull_radius(s) : section_radius(s)) *
+               CYLINT_SLACK +
+           2 * CYLINT_ROUNDING * cylint_largest(center);
 }
 
-void cylint_measure_shape(cylint_shape *s)
+int cylint_is_in_window(const cylint_shape *s)
 {
-    s->size = cylint_largest(s->axis);
-    s->in_range = within_window(largest_length(s)) &&
-                  /* mutant '<=' -> '<': slower, exact arithmetic decides at
-                   * the window's end */
-                  (!cylint_has_factors(s->kind) || s->r1 <= CYLINT_WINDOW);
-    measure_ball(s);
+    return within_window(largest_length(s)) &&
+           /* mutant '<=' -> '<': slower, exact arithmetic decides at
+            * the window's end */
+           (!cylint_has_factors(s->kind) || cylint_r1(s) <= CYLINT_WINDOW);
 }
 
 static void swap_doubles(double *x, double *y)
@@ -119,30 +121,29 @@ static void swap_doubles(double *x, double *y)
 
 void cylint_ball_of(cylint_shape *ball, const cylint_shape *s, int end)
 {
+    double *x = ball->library.number;
     *ball = *s;
     ball->kind = CYLINT_KIND_SPHERE;
-    ball->surface = end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
+    ball->library.flag[CYLINT_AT_SURFACE] =
+        end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
     if (end) {
-        swap_doubles(&ball->r0, &ball->r1);
-        ball->dr = -s->dr;
-        ball->dr_lo = -s->dr_lo;
+        swap_doubles(&x[CYLINT_AT_R0], &x[CYLINT_AT_R1]);
         for (int i = 0; i < 3; i++) {
-            swap_doubles(&ball->base[i], &ball->top[i]);
-            ball->axis[i] = -s->axis[i];
-            ball->axis_lo[i] = -s->axis_lo[i];
+            swap_doubles(&x[CYLINT_AT_BASE + i], &x[CYLINT_AT_TOP + i]);
+            x[CYLINT_AT_AXIS + i] = -cylint_axis(s)[i];
         }
     }
-    cylint_measure_shape(ball);
+    ball->library.flag[CYLINT_AT_IN_RANGE] = cylint_is_in_window(ball);
 }
 
 int cylint_apex_normal_sign(const cylint_shape *s, int along)
 {
-    const int grows = cylint_sign(s->dr);
+    const int grows = cylint_sign(cylint_radius_growth(s).hi);
     if (s->ends != CYLINT_ENDS_INFINITE)
         return -grows;
     if (along != 0)
         return -along;
-    return cylint_sign(s->r0) == 0 ? -1 : grows;
+    return cylint_sign(cylint_r0(s)) == 0 ? -1 : grows;
 }
 
 /* From exact differences: pairs that do not overflow would lose digits of
@@ -154,7 +155,8 @@ ASIDE int least_overflowing_component(const cylint_shape *s)
     int least = 0;
     cylint_arena_open(&arena);
     for (int i = 0; i < 3; i++) {
-        size[i] = cylint_exact_difference(&arena, s->top[i], s->base[i]);
+        size[i] = cylint_exact_difference(&arena, cylint_top(s)[i],
+                                          cylint_base(s)[i]);
         size[i].sign *= size[i].sign;
         const exact less =
             cylint_exact_add(&arena, size[i], cylint_exact_neg(size[least]));
@@ -165,7 +167,13 @@ ASIDE int least_overflowing_component(const cylint_shape *s)
 
 int cylint_least_axis_component(const cylint_shape *s)
 {
-    return cylint_largest(s->axis) <= DBL_MAX
-               ? cylint_least_component(s->axis, s->axis_lo)
-               : least_overflowing_component(s);
+    double hi[3], lo[3];
+    if (!(cylint_largest(cylint_axis(s)) <= DBL_MAX))
+        return least_overflowing_component(s);
+    for (int i = 0; i < 3; i++) {
+        const pair w = cylint_axis_pair(s, i);
+        hi[i] = w.hi;
+        lo[i] = w.lo;
+    }
+    return cylint_least_component(hi, lo);
 }

@@ -1,5 +1,5 @@
 /*
- * measure.h - the derived members of shapes and lines
+ * measure.h - sizes of shapes and lines
  */
 #ifndef CYLINT_MEASURE_H
 #define CYLINT_MEASURE_H
@@ -8,16 +8,21 @@
 #include "cylint.h"
 #include "shape_facts.h"
 
-/* center, bound_radius, size and in_range of a shape; size and in_range of a
- * line. */
-void cylint_measure_shape(cylint_shape *shape);
+/* Whether doubles neither over- nor underflow in the forms of a shape. */
+int cylint_is_in_window(const cylint_shape *shape);
+
+/* Writes size and in_range. */
 void cylint_measure_line(cylint_line *line);
+
+/* Writes the centre of a ball that holds the solid, and returns its radius:
+ * infinite, if there is none. */
+double cylint_ball_about(const cylint_shape *shape, double center[3]);
 
 /* The axis has length 0: z and phi of all points are 0. */
 static inline int cylint_has_no_axis(const cylint_shape *s)
 {
-    return !cylint_sign(s->axis[0]) && !cylint_sign(s->axis[1]) &&
-           !cylint_sign(s->axis[2]);
+    return !cylint_sign(cylint_axis(s)[0]) && !cylint_sign(cylint_axis(s)[1]) &&
+           !cylint_sign(cylint_axis(s)[2]);
 }
 
 /* The ball about an end of a capsule or rcone, as a sphere. */

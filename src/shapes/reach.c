@@ -23,12 +23,13 @@ pair cylint_unit_reach(const cylint_shape *s, const pair axis[3], int j, int *e,
     *is_exact = 1;
     *e = 0;
     if (cylint_is_elliptic(s->kind)) {
-        if (cylint_sign(s->a[j]) == 0)
-            return cylint_mantissa(s->b[j], e);
-        if (cylint_sign(s->b[j]) == 0)
-            return cylint_mantissa(s->a[j], e);
+        if (cylint_sign(cylint_a(s)[j]) == 0)
+            return cylint_mantissa(cylint_b(s)[j], e);
+        if (cylint_sign(cylint_b(s)[j]) == 0)
+            return cylint_mantissa(cylint_a(s)[j], e);
         *is_exact = 0;
-        return hypotenuse((pair){s->a[j], 0}, (pair){s->b[j], 0}, e);
+        return hypotenuse((pair){cylint_a(s)[j], 0}, (pair){cylint_b(s)[j], 0},
+                          e);
     }
     const pair x = axis[j];
     const pair y = axis[(j + 1) % 3], z = axis[(j + 2) % 3];

@@ -27,8 +27,8 @@
 
 #include <math.h>
 
-#include "../numbers/compiler.h"
-#include "cylint.h"
+#include "../numbers/bits.h"
+#include "layout.h"
 
 enum { CYLINT_KINDS = CYLINT_KIND_RCONE + 1 };
 
@@ -190,7 +190,7 @@ CYLINT_INLINE int cylint_solid_is_ball(int solid)
 /* The base is the end at z = 1. */
 CYLINT_INLINE int cylint_is_reversed(const cylint_shape *s)
 {
-    return s->surface == CYLINT_PART_CAP1;
+    return cylint_surface(s) == CYLINT_PART_CAP1;
 }
 
 /* The end of the members of a shape that lies at z = `end`. */
@@ -203,26 +203,53 @@ CYLINT_INLINE int cylint_end_at(const cylint_shape *s, int end)
  * others of that kind. */
 CYLINT_INLINE int cylint_constructor_kind(const cylint_shape *s)
 {
-    const int is_sphere =
-        s->kind == CYLINT_KIND_SPHERE && s->surface == CYLINT_PART_LATERAL;
+    const int is_sphere = s->kind == CYLINT_KIND_SPHERE &&
+                          cylint_surface(s) == CYLINT_PART_LATERAL;
     return cylint_is_elliptic(s->kind)              ? CYLINT_KIND_ECONE
            : s->kind == CYLINT_KIND_CYLINDER        ? CYLINT_KIND_CONE
            : cylint_is_round(s->kind) && !is_sphere ? CYLINT_KIND_RCONE
                                                     : s->kind;
 }
 
+/* Coordinate i of the axis: exact, unless p1 - p0 overflows. */
+static inline pair cylint_axis_pair(const cylint_shape *s, int i)
+{
+    return cylint_has_end_points(s->kind)
+               ? cylint_difference(cylint_top(s)[i], cylint_base(s)[i])
+               : (pair){cylint_axis(s)[i], 0};
+}
+
+/* Number i, from CYLINT_AT_COLUMNS to CYLINT_AT_SINE, with its low part. */
+CYLINT_INLINE pair cylint_number_pair(const cylint_shape *s, int i)
+{
+    return (pair){s->library.number[i], s->library.number[i + CYLINT_LOW]};
+}
+
+/* r1 - r0 exactly; acone: the tangent. */
+static inline pair cylint_radius_growth(const cylint_shape *s)
+{
+    return cylint_difference(cylint_r1(s), cylint_r0(s));
+}
+
+/* The largest coordinate of the axis in absolute value. */
+static inline double cylint_axis_size(const cylint_shape *s)
+{
+    return cylint_largest(cylint_axis(s));
+}
+
 /* r0 or r1. */
 CYLINT_INLINE double cylint_end_factor(const cylint_shape *s, int end)
 {
-    return end ? s->r1 : s->r0;
+    return end ? cylint_r1(s) : cylint_r0(s);
 }
 
 /* Coordinate i of the centre of an end, rounded at most once. */
 CYLINT_INLINE double cylint_end_center(const cylint_shape *s, int end, int i)
 {
-    return !end                             ? s->base[i]
-           : cylint_has_end_points(s->kind) ? s->top[i]
-                                            : s->base[i] + s->axis[i];
+    return !end ? cylint_base(s)[i]
+           : cylint_has_end_points(s->kind)
+               ? cylint_top(s)[i]
+               : cylint_base(s)[i] + cylint_axis(s)[i];
 }
 
 /* What the radius of a circular kind is a multiple of: an acone's tangent is
@@ -245,9 +272,10 @@ CYLINT_INLINE double cylint_rough_reach(const cylint_shape *s, int end, int j)
 {
     const double r = cylint_end_factor(s, end);
     if (cylint_is_elliptic(s->kind))
-        return r * (fabs(s->a[j]) + fabs(s->b[j]));
-    return r * cylint_radius_unit(s, fabs(s->axis[0]) + fabs(s->axis[1]) +
-                                         fabs(s->axis[2]));
+        return r * (fabs(cylint_a(s)[j]) + fabs(cylint_b(s)[j]));
+    return r * cylint_radius_unit(s, fabs(cylint_axis(s)[0]) +
+                                         fabs(cylint_axis(s)[1]) +
+                                         fabs(cylint_axis(s)[2]));
 }
 
 /* --------------------------------------------------------- of a hit ---- */

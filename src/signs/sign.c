@@ -32,10 +32,10 @@ static int filters_apply(const cylint_shape *s, const cylint_line *l)
     for (int i = 0; i < 3; i++) {
         /* mutant '-' -> '+': a distance too large for the filters overflows,
          * and an infinite or NaN bound decides nothing */
-        const double d = fabs(l->o[i] - s->base[i]);
+        const double d = fabs(l->o[i] - cylint_base(s)[i]);
         far = d > far ? d : far;
     }
-    return s->in_range && l->in_range && far <= CYLINT_WINDOW;
+    return cylint_in_range(s) && l->in_range && far <= CYLINT_WINDOW;
 }
 
 /* Copies of shape and line with lengths near 1 and a direction near 1.
@@ -49,19 +49,18 @@ static void scale_query(cylint_query *q)
     const int e = -cylint_length_exponent(s);
     cylint_shape *to = &q->scaled_shape;
     *to = *s;
-    scale_vector(to->base, s->base, e);
+    double *x = to->library.number;
+    scale_vector(x + CYLINT_AT_BASE, cylint_base(s), e);
     if (cylint_has_end_points(s->kind)) {
-        scale_vector(to->top, s->top, e);
-        cylint_scaled_difference(to->axis, to->axis_lo, s->top, s->base, e);
-        to->r0 = cylint_scaled(s->r0, e);
-        to->r1 = cylint_scaled(s->r1, e);
-        const pair dr = two_diff(to->r1, to->r0);
-        to->dr = dr.hi;
-        to->dr_lo = dr.lo;
+        scale_vector(x + CYLINT_AT_TOP, cylint_top(s), e);
+        for (int i = 0; i < 3; i++)
+            x[CYLINT_AT_AXIS + i] = cylint_axis_pair(to, i).hi;
+        x[CYLINT_AT_R0] = cylint_scaled(cylint_r0(s), e);
+        x[CYLINT_AT_R1] = cylint_scaled(cylint_r1(s), e);
     } else {
-        scale_vector(to->axis, s->axis, e);
-        scale_vector(to->a, s->a, e);
-        scale_vector(to->b, s->b, e);
+        scale_vector(x + CYLINT_AT_AXIS, cylint_axis(s), e);
+        scale_vector(x + CYLINT_AT_A, cylint_a(s), e);
+        scale_vector(x + CYLINT_AT_B, cylint_b(s), e);
     }
     const double most = cylint_largest(l->d);
     /* mutant '1024' -> '1025': any power that brings the size into range */
@@ -74,12 +73,13 @@ static void scale_query(cylint_query *q)
     } else {
         scale_vector(q->scaled_line.d, l->d, f);
     }
-    cylint_measure_shape(to);
+    to->library.flag[CYLINT_AT_IN_RANGE] = cylint_is_in_window(to);
     cylint_measure_line(&q->scaled_line);
     q->near_shape = to;
     q->near_line = &q->scaled_line;
     q->t_exponent = f - e;
-    q->filters = is_in_range(q->scaled_line.o) && is_in_range(to->base) &&
+    q->filters = is_in_range(q->scaled_line.o) &&
+                 is_in_range(cylint_base(to)) &&
                  filters_apply(to, &q->scaled_line);
 }
 
@@ -95,14 +95,15 @@ static bounded_double bounded_of(double x)
 #define SHAPE cylint_shape
 #define LINE cylint_line
 #define DIRECTION(l, i) bounded_of(l->d[i])
-#define AXIS(s, i) bounded_of(s->axis[i])
-#define FROM_BASE(l, s, i) bounded_of(l->o[i] - s->base[i])
-#define FROM_TOP(l, s, i) bounded_of(l->o[i] - s->top[i])
+#define AXIS(s, i) bounded_of(cylint_axis(s)[i])
+#define FROM_BASE(l, s, i) bounded_of(l->o[i] - cylint_base(s)[i])
+#define FROM_TOP(l, s, i) bounded_of(l->o[i] - cylint_top(s)[i])
 #define BEFORE_TOP(D, w) bounded_sub(D, w)
-#define SEMI_AXIS_A(s, i) bounded_of(s->a[i])
-#define SEMI_AXIS_B(s, i) bounded_of(s->left_handed ? -s->b[i] : s->b[i])
+#define SEMI_AXIS_A(s, i) bounded_of(cylint_a(s)[i])
+#define SEMI_AXIS_B(s, i) \
+    bounded_of(cylint_left_handed(s) ? -cylint_b(s)[i] : cylint_b(s)[i])
 #define RADIUS(s, end) bounded_of(cylint_end_factor(s, end))
-#define RADIUS_GROWTH(s) bounded_of(s->dr)
+#define RADIUS_GROWTH(s) bounded_of(cylint_radius_growth(s).hi)
 #define ONE bounded_of(1)
 #include "load_template.h"
 
@@ -134,15 +135,17 @@ static bounded_pair bounded_pair_difference(double x, double y)
 #define SHAPE cylint_shape
 #define LINE cylint_line
 #define DIRECTION(l, i) bounded_pair_of(l->d[i], l->d_lo[i])
-#define AXIS(s, i) bounded_pair_of(s->axis[i], s->axis_lo[i])
-#define FROM_BASE(l, s, i) bounded_pair_difference(l->o[i], s->base[i])
-#define FROM_TOP(l, s, i) bounded_pair_difference(l->o[i], s->top[i])
+#define AXIS(s, i) \
+    bounded_pair_of(cylint_axis_pair(s, i).hi, cylint_axis_pair(s, i).lo)
+#define FROM_BASE(l, s, i) bounded_pair_difference(l->o[i], cylint_base(s)[i])
+#define FROM_TOP(l, s, i) bounded_pair_difference(l->o[i], cylint_top(s)[i])
 #define BEFORE_TOP(D, w) bounded_pair_sub(D, w)
-#define SEMI_AXIS_A(s, i) bounded_pair_of(s->a[i], 0)
+#define SEMI_AXIS_A(s, i) bounded_pair_of(cylint_a(s)[i], 0)
 #define SEMI_AXIS_B(s, i) \
-    bounded_pair_of(s->left_handed ? -s->b[i] : s->b[i], 0)
+    bounded_pair_of(cylint_left_handed(s) ? -cylint_b(s)[i] : cylint_b(s)[i], 0)
 #define RADIUS(s, end) bounded_pair_of(cylint_end_factor(s, end), 0)
-#define RADIUS_GROWTH(s) bounded_pair_of(s->dr, s->dr_lo)
+#define RADIUS_GROWTH(s) \
+    bounded_pair_of(cylint_radius_growth(s).hi, cylint_radius_growth(s).lo)
 #define ONE bounded_pair_of(1, 0)
 #include "load_template.h"
 
@@ -181,17 +184,20 @@ cylint_terms_pair *cylint_load_pair_moments(cylint_query *q)
 #define DIFFERENCE(x, y) cylint_exact_difference(L->arena, x, y)
 #define DIRECTION(l, i) \
     (l->segment ? DIFFERENCE(l->end[i], l->o[i]) : DATUM(l->d[i]))
-#define AXIS(s, i)                                                   \
-    (cylint_has_end_points(kind) ? DIFFERENCE(s->top[i], s->base[i]) \
-                                 : DATUM(s->axis[i]))
-#define FROM_BASE(l, s, i) DIFFERENCE(l->o[i], s->base[i])
-#define FROM_TOP(l, s, i) DIFFERENCE(l->o[i], s->top[i])
+#define AXIS(s, i)                                         \
+    (cylint_has_end_points(kind)                           \
+         ? DIFFERENCE(cylint_top(s)[i], cylint_base(s)[i]) \
+         : DATUM(cylint_axis(s)[i]))
+#define FROM_BASE(l, s, i) DIFFERENCE(l->o[i], cylint_base(s)[i])
+#define FROM_TOP(l, s, i) DIFFERENCE(l->o[i], cylint_top(s)[i])
 #define BEFORE_TOP(D, w) cylint_exact_add(L->arena, D, cylint_exact_neg(w))
-#define SEMI_AXIS_A(s, i) DATUM(s->a[i])
-#define SEMI_AXIS_B(s, i) DATUM(s->left_handed ? -s->b[i] : s->b[i])
+#define SEMI_AXIS_A(s, i) DATUM(cylint_a(s)[i])
+#define SEMI_AXIS_B(s, i) \
+    DATUM(cylint_left_handed(s) ? -cylint_b(s)[i] : cylint_b(s)[i])
 #define RADIUS(s, end) DATUM(cylint_end_factor(s, end))
-#define RADIUS_GROWTH(s) \
-    (cylint_has_tangent(kind) ? L->r[1] : DIFFERENCE(s->r1, s->r0))
+#define RADIUS_GROWTH(s)                \
+    (cylint_has_tangent(kind) ? L->r[1] \
+                              : DIFFERENCE(cylint_r1(s), cylint_r0(s)))
 #define ONE DATUM(1)
 #include "load_template.h"
 #undef DATUM
@@ -274,28 +280,31 @@ static const terms_quantum *quanta(cylint_query *q)
     const cylint_shape *s = q->near_shape;
     const cylint_line *l = q->near_line;
     double D[3];
-    q->quanta =
-        q->near_shape == q->shape && cylint_sign(s->dr_lo) == 0 && q->pairs;
+    q->quanta = q->near_shape == q->shape &&
+                cylint_sign(cylint_radius_growth(s).lo) == 0 && q->pairs;
     /* a is 0 in circular kinds, top in elliptic ones */
-    const double *const data_of[] = {l->o,   l->d, s->base, s->axis,
-                                     s->top, s->a, s->b};
+    const double *const data_of[] = {
+        l->o,          l->d,        cylint_base(s), cylint_axis(s),
+        cylint_top(s), cylint_a(s), cylint_b(s)};
     for (int i = 0; i < 3; i++) {
         EACH(k, 7)
             q->quanta &= !cylint_too_small(data_of[k][i]);
-        const pair d = two_diff(l->o[i], s->base[i]);
+        const pair d = two_diff(l->o[i], cylint_base(s)[i]);
         q->quanta &= d.lo == 0 && cylint_sign(l->d_lo[i]) == 0 &&
-                     cylint_sign(s->axis_lo[i]) == 0;
+                     cylint_sign(cylint_axis_pair(s, i).lo) == 0;
         if (cylint_has_end_points(s->kind))
-            q->quanta &= two_diff(l->o[i], s->top[i]).lo == 0;
+            q->quanta &= two_diff(l->o[i], cylint_top(s)[i]).lo == 0;
         D[i] = d.hi;
     }
     if (!q->quanta)
         return NULL;
-    const data_quanta data = {
-        least_quantum(l->d), least_quantum(s->axis),
-        least_quantum(D),    least_quantum(s->a),
-        least_quantum(s->b), {quantum(s->r0), quantum(s->r1)},
-        quantum(s->dr)};
+    const data_quanta data = {least_quantum(l->d),
+                              least_quantum(cylint_axis(s)),
+                              least_quantum(D),
+                              least_quantum(cylint_a(s)),
+                              least_quantum(cylint_b(s)),
+                              {quantum(cylint_r0(s)), quantum(cylint_r1(s))},
+                              quantum(cylint_radius_growth(s).hi)};
     load_shape_quantum(L, &data, s->kind);
     load_line_quantum(L, &data, &data);
     load_top_quantum(L, &data, &data);

@@ -2,6 +2,7 @@
  * batch_turns.c - the queries of a batch, and the turns that answer them
  */
 #include "batch_turns.h"
+#include "../../src/shapes/measure.h"
 
 #include <math.h>
 
@@ -208,16 +209,17 @@ void batch_turn(void *turn, const int *order, int n)
 /* The test of the first pass without its error margin. */
 static int meets_ball(const cylint_shape *s, const cylint_line *l)
 {
-    double D[3], M2 = 0, d2 = 0;
+    double D[3], center[3], M2 = 0, d2 = 0;
+    const double radius = cylint_ball_about(s, center);
     for (int i = 0; i < 3; i++)
-        D[i] = l->o[i] - s->center[i];
+        D[i] = l->o[i] - center[i];
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         const double m = D[j] * l->d[k] - D[k] * l->d[j];
         M2 += m * m;
         d2 += l->d[i] * l->d[i];
     }
-    return M2 <= s->bound_radius * s->bound_radius * d2;
+    return M2 <= radius * radius * d2;
 }
 
 void turn_shares(const struct turn *t, int questions, double *hits,

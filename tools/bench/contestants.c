@@ -2,6 +2,7 @@
  * contestants.c - the table of contestants and the loops that time them
  */
 #include "contestants.h"
+#include "../../src/shapes/layout.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +10,7 @@
 
 void prepare_subject(struct subject *s)
 {
-    const double *w = s->shape.axis, r0 = s->shape.r0;
+    const double *w = cylint_axis(&s->shape), r0 = cylint_r0(&s->shape);
     s->axis_axis = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
     s->radius = r0 * s->axis_axis;
     if (s->shape.kind == CYLINT_KIND_CYLINDER)

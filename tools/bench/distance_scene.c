@@ -18,6 +18,7 @@
 #include "random.h"
 #include "scenes.h"
 #include "timing.h"
+#include "../../src/shapes/measure.h"
 
 enum { POINTS = 4096, TURNS = 3, BRUTE_QUESTIONS = 1000000 };
 enum family { IN_BOX, ON_SHAPES, OUTSIDE, FAMILIES };
@@ -37,14 +38,15 @@ static void make_point(const struct scene_shapes *of, enum family family,
 {
     cylint_closest a = {.part = 0};
     const cylint_shape *shape = &of->shapes[random_below(random, of->n)];
+    double center[3];
+    const double radius = cylint_ball_about(shape, center);
     for (int j = 0; j < 3; j++) {
         const double lo = of->lo[j], hi = of->hi[j];
         point[j] = family == OUTSIDE ? between(random, lo - 16 * (hi - lo),
                                                hi + 16 * (hi - lo))
                                      : between(random, lo, hi);
         if (family == ON_SHAPES)
-            point[j] =
-                shape->center[j] + between(random, -1, 1) * shape->bound_radius;
+            point[j] = center[j] + between(random, -1, 1) * radius;
     }
     if (family == ON_SHAPES)
         cylint_distance(shape, point, CYLINT_WANT_POINT, &a);

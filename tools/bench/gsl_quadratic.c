@@ -10,11 +10,13 @@
 
 #include "contestants.h"
 #include "vectors.h"
+#include "../../src/shapes/shape_facts.h"
 
 static inline int solve(const struct subject *s, const cylint_line *line,
                         double *leading, double t[2])
 {
-    const double *d = line->d, *w = s->shape.axis, *base = s->shape.base;
+    const double *d = line->d, *w = cylint_axis(&s->shape),
+                 *base = cylint_base(&s->shape);
     const double D[3] = {line->o[0] - base[0], line->o[1] - base[1],
                          line->o[2] - base[2]};
     const double ww = s->axis_axis, wd = dot3(w, d), wD = dot3(w, D);
@@ -24,8 +26,8 @@ static inline int solve(const struct subject *s, const cylint_line *line,
     if (s->shape.kind == CYLINT_KIND_CYLINDER) {
         C -= s->radius;
     } else {
-        const double rho = s->radius + s->shape.dr * wD;
-        const double slope = s->shape.dr * wd;
+        const double rho = s->radius + cylint_radius_growth(&s->shape).hi * wD;
+        const double slope = cylint_radius_growth(&s->shape).hi * wd;
         A = ww * A - slope * slope;
         B = ww * B - 2 * rho * slope;
         C = ww * C - rho * rho;

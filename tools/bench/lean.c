@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "vectors.h"
+#include "../../src/shapes/layout.h"
 
 static inline void from_base(const struct lean_shape *s, const double o[3],
                              double q[3])
@@ -129,10 +130,10 @@ int lean_elliptic(const struct lean_shape *s, const double o[3],
 static void prepare_elliptic(struct lean_shape *to, const cylint_shape *s)
 {
     double bh[3], ha[3], ab[3];
-    cross3(bh, s->b, s->axis);
-    cross3(ha, s->axis, s->a);
-    cross3(ab, s->a, s->b);
-    const double det = dot3(s->a, bh);
+    cross3(bh, cylint_b(s), cylint_axis(s));
+    cross3(ha, cylint_axis(s), cylint_a(s));
+    cross3(ab, cylint_a(s), cylint_b(s));
+    const double det = dot3(cylint_a(s), bh);
     for (int i = 0; i < 3; i++) {
         to->row[0][i] = bh[i] / det;
         to->row[1][i] = ha[i] / det;
@@ -198,9 +199,9 @@ int lean_hull(const struct lean_shape *s, const double o[3], const double d[3],
 static void prepare_hull(struct lean_shape *to, const cylint_shape *s)
 {
     for (int i = 0; i < 3; i++)
-        to->axis[i] = s->axis[i];
-    to->height = dot3(s->axis, s->axis);
-    to->slope = s->r1 - s->r0;
+        to->axis[i] = cylint_axis(s)[i];
+    to->height = dot3(cylint_axis(s), cylint_axis(s));
+    to->slope = cylint_r1(s) - cylint_r0(s);
 }
 
 static int is_hull(const cylint_shape *s)
@@ -210,15 +211,15 @@ static int is_hull(const cylint_shape *s)
 
 void lean_prepare(struct lean_shape *to, const cylint_shape *s)
 {
-    const double length = sqrt(dot3(s->axis, s->axis));
+    const double length = sqrt(dot3(cylint_axis(s), cylint_axis(s)));
     for (int i = 0; i < 3; i++) {
-        to->base[i] = s->base[i];
-        to->axis[i] = s->axis[i] / length;
+        to->base[i] = cylint_base(s)[i];
+        to->axis[i] = cylint_axis(s)[i] / length;
     }
     to->height = length;
-    to->r0 = s->r0;
-    to->r0_squared = s->r0 * s->r0;
-    to->slope = (s->r1 - s->r0) / length;
+    to->r0 = cylint_r0(s);
+    to->r0_squared = cylint_r0(s) * cylint_r0(s);
+    to->slope = (cylint_r1(s) - cylint_r0(s)) / length;
     if (s->kind == CYLINT_KIND_ECYLINDER)
         prepare_elliptic(to, s);
     if (is_hull(s))

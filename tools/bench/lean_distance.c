@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "vectors.h"
+#include "../../src/shapes/layout.h"
 
 static inline double positive(double x)
 {
@@ -92,18 +93,19 @@ static double rcone_distance(const struct lean_solid *s, const double point[3])
 
 void lean_solid_of(struct lean_solid *to, const cylint_shape *s)
 {
-    const double length = sqrt(dot3(s->axis, s->axis));
+    const double length = sqrt(dot3(cylint_axis(s), cylint_axis(s)));
     const int is_capsule = s->kind == CYLINT_KIND_CAPSULE;
-    const double dr = s->r1 - s->r0;
+    const double dr = cylint_r1(s) - cylint_r0(s);
     for (int i = 0; i < 3; i++) {
-        to->axis[i] = is_capsule ? s->axis[i] : s->axis[i] / length;
-        to->base[i] = s->base[i];
+        to->axis[i] =
+            is_capsule ? cylint_axis(s)[i] : cylint_axis(s)[i] / length;
+        to->base[i] = cylint_base(s)[i];
         if (s->kind == CYLINT_KIND_CYLINDER)
-            to->base[i] += s->axis[i] / 2;
+            to->base[i] += cylint_axis(s)[i] / 2;
     }
     to->half = length / 2;
-    to->r0 = s->r0;
-    to->r1 = s->r1;
+    to->r0 = cylint_r0(s);
+    to->r1 = cylint_r1(s);
     to->slope = -dr / length;
     to->level = sqrt(positive(1 - to->slope * to->slope));
     to->inverse = 1 / (length * length + (is_capsule ? 0 : dr * dr));

@@ -9,6 +9,7 @@
 
 #include "contestants.h"
 #include "vectors.h"
+#include "../../src/shapes/shape_facts.h"
 
 int plain_answers_for(const cylint_shape *shape)
 {
@@ -55,7 +56,8 @@ struct quadric {
 static inline struct quadric expand(const struct subject *s,
                                     const cylint_line *line)
 {
-    const double *d = line->d, *w = s->shape.axis, *base = s->shape.base;
+    const double *d = line->d, *w = cylint_axis(&s->shape),
+                 *base = cylint_base(&s->shape);
     const double D[3] = {line->o[0] - base[0], line->o[1] - base[1],
                          line->o[2] - base[2]};
     const double ww = s->axis_axis, wd = dot3(w, d), wD = dot3(w, D);
@@ -68,8 +70,8 @@ static inline struct quadric expand(const struct subject *s,
     if (s->shape.kind == CYLINT_KIND_CYLINDER) {
         q.C -= s->radius;
     } else {
-        const double rho = s->radius + s->shape.dr * wD;
-        q.rho_slope = s->shape.dr * wd;
+        const double rho = s->radius + cylint_radius_growth(&s->shape).hi * wD;
+        q.rho_slope = cylint_radius_growth(&s->shape).hi * wd;
         q.A = ww * q.A - q.rho_slope * q.rho_slope;
         q.B = ww * q.B - rho * q.rho_slope;
         q.C = ww * q.C - rho * rho;

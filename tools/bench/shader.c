@@ -10,6 +10,7 @@
 
 #include "contestants.h"
 #include "vectors.h"
+#include "../../src/shapes/layout.h"
 
 int shader_answers_for(const cylint_shape *shape)
 {
@@ -22,7 +23,7 @@ int shader_answers_for(const cylint_shape *shape)
 static inline int first_hit(const struct subject *s, const cylint_line *line,
                             double *t)
 {
-    const double *base = s->shape.base, *ba = s->shape.axis;
+    const double *base = cylint_base(&s->shape), *ba = cylint_axis(&s->shape);
     const double oc[3] = {line->o[0] - base[0], line->o[1] - base[1],
                           line->o[2] - base[2]};
     const double baba = s->axis_axis;

@@ -21,6 +21,7 @@
 #include "lean.h"
 #include "timing.h"
 #include "vectors.h"
+#include "../../src/shapes/layout.h"
 
 enum { PAIRS = 4096, MODES = 3, CALLS = 2 * MODES };
 enum line_kind { RAY, SEGMENT, LINE };
@@ -182,7 +183,7 @@ static double ordinary_lines(enum line_kind kind, double wanted)
 /* A unit vector across the axis of shape i. */
 static void across(int i, double v[3])
 {
-    const double *w = shapes[i].axis, ww = dot3(w, w);
+    const double *w = cylint_axis(&shapes[i]), ww = dot3(w, w);
     do {
         gsl_ran_dir_3d(rng, &v[0], &v[1], &v[2]);
         const double along = dot3(v, w) / ww;
@@ -197,21 +198,23 @@ static double middle_radius(int i)
 {
     const cylint_shape *s = &shapes[i];
     if (s->kind != CYLINT_KIND_ECYLINDER)
-        return 0.5 * (s->r0 + s->r1);
-    const double aa = dot3(s->a, s->a), bb = dot3(s->b, s->b);
+        return 0.5 * (cylint_r0(s) + cylint_r1(s));
+    const double aa = dot3(cylint_a(s), cylint_a(s)),
+                 bb = dot3(cylint_b(s), cylint_b(s));
     return sqrt(aa < bb ? aa : bb);
 }
 
 /* A ray that passes the middle's ruling at r (1 + excess), nearly level. */
 static void grazing_line(int i)
 {
-    const double *w = shapes[i].axis;
+    const double *w = cylint_axis(&shapes[i]);
     double x[3], o[3], d[3];
     const double excess =
         (gsl_rng_uniform(rng) < 0.5 ? -1 : 1) * power_between(-13, -4);
     across(i, x);
     const double radius = middle_radius(i);
-    const double growth = (shapes[i].r1 - shapes[i].r0) / sqrt(dot3(w, w));
+    const double growth =
+        (cylint_r1(&shapes[i]) - cylint_r0(&shapes[i])) / sqrt(dot3(w, w));
     /* the normal of the surface: x less the growth along the axis */
     double n[3], tangent[3];
     for (int c = 0; c < 3; c++)
@@ -236,8 +239,8 @@ static void parallel_line(int i)
     across(i, x);
     across(i, y);
     for (int c = 0; c < 3; c++) {
-        d[c] = shapes[i].axis[c] + tilt * y[c];
-        o[c] = middle[i][c] + at * x[c] - 6 * shapes[i].axis[c];
+        d[c] = cylint_axis(&shapes[i])[c] + tilt * y[c];
+        o[c] = middle[i][c] + at * x[c] - 6 * cylint_axis(&shapes[i])[c];
     }
     make_line(i, RAY, o, d);
 }

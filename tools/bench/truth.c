@@ -2,6 +2,7 @@
  * truth.c - the correct answer, and the error of another answer
  */
 #include "truth.h"
+#include "../../src/shapes/layout.h"
 
 #include <math.h>
 
@@ -52,15 +53,18 @@ void error_of(const struct truth *truth, int i, double t, double *radii,
 
 static double largest_radius(const cylint_shape *s)
 {
-    const double k = s->r1 > 1 ? s->r1 : 1;
-    const double a = hypot(hypot(s->a[0], s->a[1]), s->a[2]);
-    const double b = hypot(hypot(s->b[0], s->b[1]), s->b[2]);
+    const double k = cylint_r1(s) > 1 ? cylint_r1(s) : 1;
+    const double a =
+        hypot(hypot(cylint_a(s)[0], cylint_a(s)[1]), cylint_a(s)[2]);
+    const double b =
+        hypot(hypot(cylint_b(s)[0], cylint_b(s)[1]), cylint_b(s)[2]);
     switch (s->kind) {
     case CYLINT_KIND_CYLINDER:
     case CYLINT_KIND_CONE:
-        return s->r0 > s->r1 ? s->r0 : s->r1;
+        return cylint_r0(s) > cylint_r1(s) ? cylint_r0(s) : cylint_r1(s);
     case CYLINT_KIND_ACONE:
-        return s->r1 * hypot(hypot(s->axis[0], s->axis[1]), s->axis[2]);
+        return cylint_r1(s) * hypot(hypot(cylint_axis(s)[0], cylint_axis(s)[1]),
+                                    cylint_axis(s)[2]);
     default:
         return (a > b ? a : b) * k;
     }
@@ -180,17 +184,17 @@ static void load(const cylint_shape *s, const cylint_line *l, double t)
     else
         set(&m.u, l->d);
     if (s->kind <= CYLINT_KIND_CONE)
-        set_difference(&m.w, s->top, s->base);
+        set_difference(&m.w, cylint_top(s), cylint_base(s));
     else
-        set(&m.w, s->axis);
-    set_difference(&m.P, l->o, s->base);
+        set(&m.w, cylint_axis(s));
+    set_difference(&m.P, l->o, cylint_base(s));
     for (int i = 0; i < 3; i++) {
         mpfr_mul_d(m.x, m.u.x[i], t, MPFR_RNDN);
         mpfr_add(m.P.x[i], m.P.x[i], m.x, MPFR_RNDN);
     }
     if (s->kind >= CYLINT_KIND_ECYLINDER) {
-        set(&m.a, s->a);
-        set(&m.b, s->b);
+        set(&m.a, cylint_a(s));
+        set(&m.b, cylint_b(s));
         cross(&m.e, &m.a, &m.b);
         cross(&m.p, &m.b, &m.w);
         cross(&m.q, &m.w, &m.a);
@@ -213,13 +217,15 @@ static void circular(const cylint_shape *s)
     cross(&m.X1, &m.u, &m.w);
     if (s->kind == CYLINT_KIND_ACONE) {
         mpfr_set_zero(m.rho0, 1);
-        mpfr_set_d(m.k, s->r1, MPFR_RNDN);
+        mpfr_set_d(m.k, cylint_r1(s), MPFR_RNDN);
     } else {
         dot(m.vv, &m.w, &m.w);
         mpfr_sqrt(m.vv, m.vv, MPFR_RNDN);
-        mpfr_mul_d(m.rho0, m.vv, s->r0, MPFR_RNDN);
-        mpfr_set_d(m.k, s->kind == CYLINT_KIND_CONE ? s->r1 : s->r0, MPFR_RNDN);
-        mpfr_sub_d(m.k, m.k, s->r0, MPFR_RNDN);
+        mpfr_mul_d(m.rho0, m.vv, cylint_r0(s), MPFR_RNDN);
+        mpfr_set_d(m.k,
+                   s->kind == CYLINT_KIND_CONE ? cylint_r1(s) : cylint_r0(s),
+                   MPFR_RNDN);
+        mpfr_sub_d(m.k, m.k, cylint_r0(s), MPFR_RNDN);
         mpfr_div(m.k, m.k, m.vv, MPFR_RNDN);
     }
     rho_of(&m.w);
@@ -234,7 +240,7 @@ static void elliptic(const cylint_shape *s)
     mpfr_set_zero(m.X0.x[2], 1);
     mpfr_set_zero(m.X1.x[2], 1);
     dot(m.rho0, &m.a, &m.p);
-    mpfr_set_d(m.k, s->r1, MPFR_RNDN);
+    mpfr_set_d(m.k, cylint_r1(s), MPFR_RNDN);
     mpfr_sub_ui(m.k, m.k, 1, MPFR_RNDN);
     rho_of(&m.e);
 }

@@ -11,6 +11,7 @@
 #include "main.h"
 #include "report.h"
 #include "sampling.h"
+#include "../../src/shapes/layout.h"
 
 const char *const colouring_words[] = {"number", "label",  "kind", "connected",
                                        "radius", "height", NULL};
@@ -187,19 +188,21 @@ int colours_take_tail(struct scene *scene, const struct record *record)
 static double radius_of(const cylint_shape *s)
 {
     if (s->kind == CYLINT_KIND_ECYLINDER || s->kind == CYLINT_KIND_ECONE) {
-        const struct vector a = vector(s->a[0], s->a[1], s->a[2]);
-        const struct vector b = vector(s->b[0], s->b[1], s->b[2]);
-        return sqrt(length(cross(a, b))) * fmax(s->r0, s->r1);
+        const struct vector a =
+            vector(cylint_a(s)[0], cylint_a(s)[1], cylint_a(s)[2]);
+        const struct vector b =
+            vector(cylint_b(s)[0], cylint_b(s)[1], cylint_b(s)[2]);
+        return sqrt(length(cross(a, b))) * fmax(cylint_r0(s), cylint_r1(s));
     }
-    return fmax(s->r0, s->r1);
+    return fmax(cylint_r0(s), cylint_r1(s));
 }
 
 /* The middle of the axis. */
 static double height_of(const cylint_shape *s, struct vector up)
 {
-    return up.v[0] * (s->base[0] + 0.5 * s->axis[0]) +
-           up.v[1] * (s->base[1] + 0.5 * s->axis[1]) +
-           up.v[2] * (s->base[2] + 0.5 * s->axis[2]);
+    return up.v[0] * (cylint_base(s)[0] + 0.5 * cylint_axis(s)[0]) +
+           up.v[1] * (cylint_base(s)[1] + 0.5 * cylint_axis(s)[1]) +
+           up.v[2] * (cylint_base(s)[2] + 0.5 * cylint_axis(s)[2]);
 }
 
 static double measure(enum colouring how, const cylint_shape *shape,

@@ -11,6 +11,7 @@
 #include "main.h"
 #include "report.h"
 #include "sampling.h"
+#include "../../src/shapes/layout.h"
 
 struct ends {
     const cylint_shape *shapes;
@@ -21,7 +22,7 @@ struct ends {
 static const double *end_point(const struct ends *ends, uint32_t end)
 {
     const cylint_shape *shape = &ends->shapes[end >> 1];
-    return end & 1 ? shape->top : shape->base;
+    return end & 1 ? cylint_top(shape) : cylint_base(shape);
 }
 
 static uint32_t hash_point(const double p[3])

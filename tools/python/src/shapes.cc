@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "calls.h"
+#include "shapes/layout.h"
 
 namespace
 {
@@ -13,9 +14,9 @@ using Shape = cylint_shape;
 using Ends = cylint_ends;
 using Numbers = const double *;
 
-double *put(double *to, const double (&from)[3])
+double *put(double *to, const double *from)
 {
-    std::memcpy(to, from, sizeof from);
+    std::memcpy(to, from, 3 * sizeof *to);
     return to + 3;
 }
 
@@ -23,15 +24,18 @@ double *put(double *to, const double (&from)[3])
 void read_round_cone(const Shape &s, double *x)
 {
     const bool turned =
-        s.kind == CYLINT_KIND_SPHERE && s.surface == CYLINT_PART_CAP1;
-    *put(x, turned ? s.top : s.base) = turned ? s.r1 : s.r0;
-    *put(x + 4, turned ? s.base : s.top) = turned ? s.r0 : s.r1;
+        s.kind == CYLINT_KIND_SPHERE && cylint_surface(&s) == CYLINT_PART_CAP1;
+    *put(x, turned ? cylint_top(&s) : cylint_base(&s)) =
+        turned ? cylint_r1(&s) : cylint_r0(&s);
+    *put(x + 4, turned ? cylint_base(&s) : cylint_top(&s)) =
+        turned ? cylint_r0(&s) : cylint_r1(&s);
 }
 
 /* The kind of shape that the constructor made: a round cone can be a ball. */
 int made_as(const Shape &s)
 {
-    return s.kind == CYLINT_KIND_SPHERE && s.surface != CYLINT_PART_LATERAL
+    return s.kind == CYLINT_KIND_SPHERE &&
+                   cylint_surface(&s) != CYLINT_PART_LATERAL
                ? CYLINT_KIND_RCONE
                : s.kind;
 }
@@ -54,26 +58,30 @@ struct Constructor {
 const Constructor table[] = {
     {"cylinder", "p0:3 p1:3 r:1", "cylinder", CYLINT_KIND_CYLINDER,
      MAKE(cylint_cylinder(s, x, x + 3, x[6], e)),
-     READ(*put(put(x, s.base), s.top) = s.r0)},
+     READ(*put(put(x, cylint_base(&s)), cylint_top(&s)) = cylint_r0(&s))},
     {"cone", "p0:3 r0:1 p1:3 r1:1", "cone", CYLINT_KIND_CONE,
      MAKE(cylint_cone(s, x, x[3], x + 4, x[7], e)),
-     READ(*put(x, s.base) = s.r0, *put(x + 4, s.top) = s.r1)},
+     READ(*put(x, cylint_base(&s)) = cylint_r0(&s),
+          *put(x + 4, cylint_top(&s)) = cylint_r1(&s))},
     {"elliptic_cylinder", "c:3 a:3 b:3 h:3", "ecylinder", CYLINT_KIND_ECYLINDER,
      MAKE(cylint_elliptic_cylinder(s, x, x + 3, x + 6, x + 9, e)),
-     READ(put(put(put(put(x, s.base), s.a), s.b), s.axis))},
+     READ(put(put(put(put(x, cylint_base(&s)), cylint_a(&s)), cylint_b(&s)),
+              cylint_axis(&s)))},
     {"elliptic_cone", "c:3 a:3 b:3 h:3 k:1", "econe", CYLINT_KIND_ECONE,
      MAKE(cylint_elliptic_cone(s, x, x + 3, x + 6, x + 9, x[12], e)),
-     READ(*put(put(put(put(x, s.base), s.a), s.b), s.axis) = s.r1)},
+     READ(*put(put(put(put(x, cylint_base(&s)), cylint_a(&s)), cylint_b(&s)),
+               cylint_axis(&s)) = cylint_r1(&s))},
     {"sphere", "c:3 r:1", "sphere", CYLINT_KIND_SPHERE,
-     MAKE(cylint_sphere(s, x, x[3], e)), READ(*put(x, s.base) = s.r0)},
+     MAKE(cylint_sphere(s, x, x[3], e)),
+     READ(*put(x, cylint_base(&s)) = cylint_r0(&s))},
     {"capsule", "p0:3 p1:3 r:1", "capsule", CYLINT_KIND_CAPSULE,
      MAKE(cylint_capsule(s, x, x + 3, x[6], e)),
-     READ(*put(put(x, s.base), s.top) = s.r0)},
+     READ(*put(put(x, cylint_base(&s)), cylint_top(&s)) = cylint_r0(&s))},
     {"round_cone", "p0:3 r0:1 p1:3 r1:1", "rcone", CYLINT_KIND_RCONE,
      MAKE(cylint_round_cone(s, x, x[3], x + 4, x[7], e)), read_round_cone},
     {"tangent_cone", "v:3 u:3 tangent:1", "acone", CYLINT_KIND_ACONE,
      MAKE(cylint_tangent_cone(s, x, x + 3, x[6], e)),
-     READ(*put(put(x, s.base), s.axis) = s.r1)},
+     READ(*put(put(x, cylint_base(&s)), cylint_axis(&s)) = cylint_r1(&s))},
     {"angle_cone", "v:3 u:3 degrees:1", "acone", CYLINT_KIND_ACONE,
      MAKE(cylint_angle_cone(s, x, x + 3, x[6], e)), nullptr},
 };

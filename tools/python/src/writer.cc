@@ -6,6 +6,7 @@
 #include <string>
 
 #include "calls.h"
+#include "shapes/layout.h"
 #include "numbers.h"
 
 extern "C" {
@@ -35,10 +36,11 @@ double angle_of(const cylint_shape &shape, double tangent)
         std::fmin(std::atan(tangent) * degree, std::nextafter(90.0, 0.0));
     for (int before = 0;;) {
         cylint_shape made;
-        if (cylint_angle_cone(&made, shape.base, shape.axis, angle,
-                              CYLINT_ENDS_INFINITE) != CYLINT_OK)
+        if (cylint_angle_cone(&made, cylint_base(&shape), cylint_axis(&shape),
+                              angle, CYLINT_ENDS_INFINITE) != CYLINT_OK)
             return 0;
-        const int side = (made.r1 < tangent) - (made.r1 > tangent);
+        const double reached = cylint_r1(&made);
+        const int side = (reached < tangent) - (reached > tangent);
         if (side == 0)
             return angle;
         if (side == -before)
