@@ -1,6 +1,23 @@
 /*
  * cylint - intersections of lines with cylinders, cones and round shapes
  *
+ *     #include <stdio.h>
+ *     #include <cylint.h>
+ *     int main(void)
+ *     {
+ *         const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 4};
+ *         const double o[3] = {-3, 0, 2}, d[3] = {1, 0, 0};
+ *         cylint_shape cylinder;
+ *         cylint_line ray;
+ *         cylint_answer a;
+ *         cylint_cylinder(&cylinder, p0, p1, 1, CYLINT_ENDS_CAPPED);
+ *         cylint_ray(&ray, o, d);
+ *         if (cylint_intersect(&cylinder, &ray, CYLINT_WANT_T, &a) == 2)
+ *             printf("%g %g\n", a.hit[0].t, a.hit[1].t);
+ *     }
+ *
+ * prints "2 4".  It is compiled with `cc example.c -lcylint -lm`.
+ *
  * Each double that the caller gives stands for exactly one real number.  The
  * answers are exact for these real numbers.  The library normalises no vector
  * and uses no tolerance.
@@ -32,17 +49,6 @@
 #ifndef CYLINT_H
 #define CYLINT_H
 
-#define CYLINT_VERSION_MAJOR 0
-#define CYLINT_VERSION_MINOR 1
-#define CYLINT_VERSION_PATCH 0
-#define CYLINT_VERSION "0.1.0"
-
-/* 10000 major + 100 minor + patch.  Later versions have larger numbers.
- * Example: #if CYLINT_VERSION_NUMBER >= 100 tests for 0.1.0 or later. */
-#define CYLINT_VERSION_NUMBER                                    \
-    (CYLINT_VERSION_MAJOR * 10000 + CYLINT_VERSION_MINOR * 100 + \
-     CYLINT_VERSION_PATCH)
-
 /*
  * The linkage of the functions.  Define CYLINT_STATIC in a program that
  * links the static library or compiles the sources as its own.  On Windows
@@ -67,23 +73,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* ------------------------------------------------------------ version -- */
-
-/*
- * cylint_version() and cylint_version_number() return CYLINT_VERSION and
- * CYLINT_VERSION_NUMBER of the library that runs.  They can differ from those
- * of this header.  The other functions return the size in bytes of each
- * struct of that library, for programs that load it at run time and do not
- * compile this header.
- */
-CYLINT_API const char *cylint_version(void);
-CYLINT_API int cylint_version_number(void);
-CYLINT_API size_t cylint_sizeof_shape(void);
-CYLINT_API size_t cylint_sizeof_line(void);
-CYLINT_API size_t cylint_sizeof_hit(void);
-CYLINT_API size_t cylint_sizeof_answer(void);
-CYLINT_API size_t cylint_sizeof_pack(void);
 
 /* ------------------------------------------------------------- status -- */
 
@@ -153,85 +142,81 @@ typedef struct cylint_shape {
  * which no line hits.  All finite doubles are allowed, including subnormal and
  * huge ones.  If several arguments are wrong, the status is the first of
  * these: ENONFINITE, ERADIUS or EANGLE, EAXIS, EENDS, EDEGENERATE.
- *
- * cylint_cylinder   All points at most r from the axis.  The axis runs from
- *                   p0 (z = 0) to p1 (z = 1).
- *                   EAXIS: p0 = p1.  ERADIUS: r <= 0.
- * cylint_cone       All points at most r0 + (r1 - r0) z from the axis p0 p1:
- *                   a frustum.  If one radius is 0, the cone has its apex
- *                   there.  If r0 = r1, the shape is a cylinder.
- *                   EAXIS: p0 = p1.  ERADIUS: a radius < 0, or both are 0.
- * cylint_elliptic_cylinder
- *                   All points c + x a + y b + z h with x^2 + y^2 <= 1.  The
- *                   vectors a, b, h must be linearly independent.  They need
- *                   not be perpendicular.
- *                   EAXIS: h = 0.  EDEGENERATE: a.(b x h) = 0, an exact test.
- * cylint_elliptic_cone
- *                   All points c + x a + y b + z h with
- *                   x^2 + y^2 <= (1 + (k-1) z)^2.  The factor k >= 0 scales
- *                   the top: k = 1 gives an elliptic cylinder, k = 0 a cone
- *                   with its apex at c + h.
- *                   ERADIUS: k < 0.  EAXIS, EDEGENERATE: as before.
- * cylint_sphere     All points at most r from c.  Its surface is the part
- *                   lateral; z and phi of a hit are 0.
- *                   ERADIUS: r <= 0.  EENDS: ends is not capped.
- * cylint_capsule    All points at most r from the segment from p0 (z = 0) to
- *                   p1 (z = 1).  ERADIUS: r <= 0.  EENDS: infinite, nappe.
- * cylint_round_cone The convex hull of the balls of radius r0 about p0 and r1
- *                   about p1.  If r0 = r1, the shape is a capsule.  If one
- *                   ball holds the other, |p1 - p0| <= |r1 - r0|, the shape is
- *                   that ball, its kind is CYLINT_KIND_SPHERE, and its surface
- *                   is the part CAP0 or CAP1.  Equal balls: CAP0.  z and phi
- *                   of a hit remain those of the axis from p0 to p1; they are
- *                   0 if p0 = p1.
- *                   ERADIUS: a radius < 0, or both are 0.  EENDS: infinite,
- *                   nappe.
- *                   The lateral surface of a capsule and a round cone ends at
- *                   the circles on which it touches the balls.  The circles
- *                   are part of it.  The parts CAP0 and CAP1 are the rest of
- *                   the balls about p0 and p1; z is below 0 and above 1 there,
- *                   except next to a circle.
- * cylint_angle_cone The double cone with apex v and the axis v + s u, all
- *                   real s.  The angle between its rulings and its axis is
- *                   `degrees`, 0 < degrees < 90.  The shape stores the double
- *                   nearest to the tangent of that angle.  z = 0 at v, z = 1
- *                   at v + u.  The nappe, and the bounded shapes, contain
- *                   v + u.
- *                   EANGLE: degrees is not in that interval, or is at most
- *                   1.4e-322, because the tangent then rounds to 0.
- *                   EAXIS: u = 0.
- * cylint_tangent_cone
- *                   The same shape, from the tangent of the half angle, which
- *                   is stored without rounding.  EANGLE: tangent <= 0.
  */
+
+/* All points at most r from the axis.  The axis runs from p0 (z = 0) to p1
+ * (z = 1).  EAXIS: p0 = p1.  ERADIUS: r <= 0. */
 CYLINT_API cylint_status cylint_cylinder(cylint_shape *shape,
                                          const double p0[3], const double p1[3],
                                          double r, cylint_ends ends);
+
+/* A frustum: all points at most r0 + (r1 - r0) z from the axis p0 p1.  If one
+ * radius is 0, the cone has its apex there.  If r0 = r1, the shape is a
+ * cylinder.  EAXIS: p0 = p1.  ERADIUS: a radius < 0, or both are 0. */
 CYLINT_API cylint_status cylint_cone(cylint_shape *shape, const double p0[3],
                                      double r0, const double p1[3], double r1,
                                      cylint_ends ends);
-CYLINT_API cylint_status cylint_elliptic_cylinder(
-    cylint_shape *shape, const double c[3], const double a[3],
-    const double b[3], const double h[3], cylint_ends ends);
-CYLINT_API cylint_status cylint_elliptic_cone(
-    cylint_shape *shape, const double c[3], const double a[3],
-    const double b[3], const double h[3], double k, cylint_ends ends);
-CYLINT_API cylint_status cylint_sphere(cylint_shape *shape, const double c[3],
-                                       double r, cylint_ends ends);
-CYLINT_API cylint_status cylint_capsule(cylint_shape *shape, const double p0[3],
-                                        const double p1[3], double r,
-                                        cylint_ends ends);
-CYLINT_API cylint_status cylint_round_cone(cylint_shape *shape,
-                                           const double p0[3], double r0,
-                                           const double p1[3], double r1,
-                                           cylint_ends ends);
+
+/* The double cone with apex v and the axis v + s u, all real s.  The angle
+ * between its rulings and its axis is `degrees`, 0 < degrees < 90.  The shape
+ * stores the double nearest to the tangent of that angle.  z = 0 at v, z = 1 at
+ * v + u.  The nappe, and the bounded shapes, contain v + u.
+ * EANGLE: degrees is not in that interval, or is at most 1.4e-322, because the
+ * tangent then rounds to 0.  EAXIS: u = 0. */
 CYLINT_API cylint_status cylint_angle_cone(cylint_shape *shape,
                                            const double v[3], const double u[3],
                                            double degrees, cylint_ends ends);
+
+/* The same shape, from the tangent of the half angle, which is stored without
+ * rounding.  EANGLE: tangent <= 0.  EAXIS: u = 0. */
 CYLINT_API cylint_status cylint_tangent_cone(cylint_shape *shape,
                                              const double v[3],
                                              const double u[3], double tangent,
                                              cylint_ends ends);
+
+/* All points c + x a + y b + z h with x^2 + y^2 <= 1.  The vectors a, b, h must
+ * be linearly independent.  They need not be perpendicular.
+ * EAXIS: h = 0.  EDEGENERATE: a.(b x h) = 0, an exact test. */
+CYLINT_API cylint_status cylint_elliptic_cylinder(
+    cylint_shape *shape, const double c[3], const double a[3],
+    const double b[3], const double h[3], cylint_ends ends);
+
+/* All points c + x a + y b + z h with x^2 + y^2 <= (1 + (k-1) z)^2.  The factor
+ * k >= 0 scales the top: k = 1 gives an elliptic cylinder, k = 0 a cone with
+ * its apex at c + h.  ERADIUS: k < 0.  EAXIS, EDEGENERATE: as before. */
+CYLINT_API cylint_status cylint_elliptic_cone(
+    cylint_shape *shape, const double c[3], const double a[3],
+    const double b[3], const double h[3], double k, cylint_ends ends);
+
+/* A ball: all points at most r from c.  Its surface is the part lateral; z and
+ * phi of a hit are 0.  ERADIUS: r <= 0.  EENDS: ends is not capped. */
+CYLINT_API cylint_status cylint_sphere(cylint_shape *shape, const double c[3],
+                                       double r, cylint_ends ends);
+
+/* All points at most r from the segment from p0 (z = 0) to p1 (z = 1): a
+ * rounded cone with equal radii, see there.
+ * ERADIUS: r <= 0.  EENDS: infinite, nappe. */
+CYLINT_API cylint_status cylint_capsule(cylint_shape *shape, const double p0[3],
+                                        const double p1[3], double r,
+                                        cylint_ends ends);
+
+/*
+ * The convex hull of the balls of radius r0 about p0 and r1 about p1.  If
+ * r0 = r1, the shape is a capsule.  If one ball holds the other,
+ * |p1 - p0| <= |r1 - r0|, the shape is that ball, its kind is
+ * CYLINT_KIND_SPHERE, and its surface is the part CAP0 or CAP1.  Equal balls:
+ * CAP0.  z and phi of a hit remain those of the axis from p0 to p1; they are 0
+ * if p0 = p1.  ERADIUS: a radius < 0, or both are 0.  EENDS: infinite, nappe.
+ *
+ * The lateral surface of a capsule and a rounded cone ends at the circles on
+ * which it touches the balls.  The circles are part of it.  The parts CAP0 and
+ * CAP1 are the rest of the balls about p0 and p1; z is below 0 and above 1
+ * there, except next to a circle.
+ */
+CYLINT_API cylint_status cylint_round_cone(cylint_shape *shape,
+                                           const double p0[3], double r0,
+                                           const double p1[3], double r1,
+                                           cylint_ends ends);
 
 /* --------------------------------------------------------------- lines -- */
 
@@ -253,30 +238,30 @@ typedef struct cylint_line {
 /*
  * Constructors.  Each one writes *line and returns CYLINT_OK.  If an argument
  * is wrong, it returns another status and writes a refused line, which hits
- * nothing.
- *
- * cylint_whole_line  All real t.
- * cylint_ray         t >= 0.
- * cylint_segment     From a to b: o = a, d = b - a exactly, 0 <= t <= 1.
- *                    EDIRECTION: a = b.
- * cylint_span        tmin <= t <= tmax.  Both may be infinite.
- *                    EDOMAIN: tmin > tmax, or one of them is NaN.
- *
- * For all: ENONFINITE if a coordinate is infinite or NaN; EDIRECTION if d = 0.
- * If several arguments are wrong, the status is the first of these:
+ * nothing.  For all: ENONFINITE if a coordinate is infinite or NaN; EDIRECTION
+ * if d = 0.  If several arguments are wrong, the status is the first of these:
  * ENONFINITE, EDIRECTION, EDOMAIN.
  */
+
+/* All real t. */
 CYLINT_API cylint_status cylint_whole_line(cylint_line *line, const double o[3],
                                            const double d[3]);
+
+/* t >= 0. */
 CYLINT_API cylint_status cylint_ray(cylint_line *line, const double o[3],
                                     const double d[3]);
+
+/* From a to b: o = a, d = b - a exactly, 0 <= t <= 1.  EDIRECTION: a = b. */
 CYLINT_API cylint_status cylint_segment(cylint_line *line, const double a[3],
                                         const double b[3]);
+
+/* tmin <= t <= tmax.  Both may be infinite.
+ * EDOMAIN: tmin > tmax, or one of them is NaN. */
 CYLINT_API cylint_status cylint_span(cylint_line *line, const double o[3],
                                      const double d[3], double tmin,
                                      double tmax);
 
-/* ------------------------------------------------------------- queries -- */
+/* ----------------------------------------------------------- intersect -- */
 
 /* How the whole line, t from -infinity to infinity, lies to the closed solid.
  * The domain of the line and the missing caps make no difference. */
@@ -431,29 +416,6 @@ CYLINT_API int cylint_outside(const cylint_shape *shape, const cylint_hit *hit,
 CYLINT_API void cylint_bounds(const cylint_shape *shape, double lo[3],
                               double hi[3]);
 
-/* The faults that cylint_selftest() reports.  If one of the bits of
- * CYLINT_SELFTEST_BROKEN is set, the library's answers can be wrong. */
-enum {
-    CYLINT_SELFTEST_FORMAT = 1 << 0, /* double is not binary64 of IEEE 754, or
-                                            its byte order is not that of
-                                            integers */
-    CYLINT_SELFTEST_CONTRACTED = 1 << 1, /* a * b + c is rounded only once:
-                                            compile with -ffp-contract=off */
-    CYLINT_SELFTEST_UNROUNDED = 1 << 2,  /* excess precision, reordered sums,
-                                            or a quotient or square root that
-                                            is not correctly rounded */
-    CYLINT_SELFTEST_FLUSHED = 1 << 3,    /* subnormal results become 0 */
-    CYLINT_SELFTEST_ZEROED = 1 << 4,     /* subnormal operands are read as 0 */
-    CYLINT_SELFTEST_DIRECTED = 1 << 5,   /* rounding is not to nearest even */
-    CYLINT_SELFTEST_BROKEN = (1 << 3) - 1
-};
-
-/* Tests this build of the library in the present floating-point environment
- * of the calling thread.  Returns 0 or a sum of the values above.  The caller
- * may choose FLUSHED, ZEROED and DIRECTED: relation, n, part, side and t stay
- * the same. */
-CYLINT_API int cylint_selftest(void);
-
 /* ------------------------------------------------------------- batches -- */
 
 /*
@@ -529,6 +491,8 @@ CYLINT_API size_t cylint_nearest(const cylint_pack *pack,
 CYLINT_API size_t cylint_count(const cylint_pack *pack, const cylint_line *line,
                                size_t enough);
 
+/* ------------------------------------------------------------- kernels -- */
+
 /*
  * The kernels are compiled for several instruction sets.  The library chooses
  * the best that the processor runs.  The answers are the same for all.
@@ -546,6 +510,59 @@ CYLINT_API size_t cylint_count(const cylint_pack *pack, const cylint_line *line,
 CYLINT_API const char *cylint_kernels_in_use(void);
 CYLINT_API const char *cylint_kernels_name(int number);
 CYLINT_API int cylint_use_kernels(const char *name);
+
+/* ------------------------------------------------------------ version -- */
+
+#define CYLINT_VERSION_MAJOR 0
+#define CYLINT_VERSION_MINOR 1
+#define CYLINT_VERSION_PATCH 0
+#define CYLINT_VERSION "0.1.0"
+
+/* 10000 major + 100 minor + patch.  Later versions have larger numbers.
+ * Example: #if CYLINT_VERSION_NUMBER >= 100 tests for 0.1.0 or later. */
+#define CYLINT_VERSION_NUMBER                                    \
+    (CYLINT_VERSION_MAJOR * 10000 + CYLINT_VERSION_MINOR * 100 + \
+     CYLINT_VERSION_PATCH)
+
+/*
+ * cylint_version() and cylint_version_number() return CYLINT_VERSION and
+ * CYLINT_VERSION_NUMBER of the library that runs.  They can differ from those
+ * of this header.  The other functions return the size in bytes of each
+ * struct of that library, for programs that load it at run time and do not
+ * compile this header.
+ */
+CYLINT_API const char *cylint_version(void);
+CYLINT_API int cylint_version_number(void);
+CYLINT_API size_t cylint_sizeof_shape(void);
+CYLINT_API size_t cylint_sizeof_line(void);
+CYLINT_API size_t cylint_sizeof_hit(void);
+CYLINT_API size_t cylint_sizeof_answer(void);
+CYLINT_API size_t cylint_sizeof_pack(void);
+
+/* ----------------------------------------------------------- self-test -- */
+
+/* The faults that cylint_selftest() reports.  If one of the bits of
+ * CYLINT_SELFTEST_BROKEN is set, the library's answers can be wrong. */
+enum {
+    CYLINT_SELFTEST_FORMAT = 1 << 0, /* double is not binary64 of IEEE 754, or
+                                            its byte order is not that of
+                                            integers */
+    CYLINT_SELFTEST_CONTRACTED = 1 << 1, /* a * b + c is rounded only once:
+                                            compile with -ffp-contract=off */
+    CYLINT_SELFTEST_UNROUNDED = 1 << 2,  /* excess precision, reordered sums,
+                                            or a quotient or square root that
+                                            is not correctly rounded */
+    CYLINT_SELFTEST_FLUSHED = 1 << 3,    /* subnormal results become 0 */
+    CYLINT_SELFTEST_ZEROED = 1 << 4,     /* subnormal operands are read as 0 */
+    CYLINT_SELFTEST_DIRECTED = 1 << 5,   /* rounding is not to nearest even */
+    CYLINT_SELFTEST_BROKEN = (1 << 3) - 1
+};
+
+/* Tests this build of the library in the present floating-point environment
+ * of the calling thread.  Returns 0 or a sum of the values above.  The caller
+ * may choose FLUSHED, ZEROED and DIRECTED: relation, n, part, side and t stay
+ * the same. */
+CYLINT_API int cylint_selftest(void);
 
 #ifdef __cplusplus
 }

@@ -226,6 +226,11 @@ test_manual_examples()
 {
     sanitizers=$(sanitizers_of)
     source=example.c
+    sed -n 's/^ \*     //p' include/cylint.h | sed '/^}/q' > "$scratch/example.c"
+    sed -n 's/^ \* prints "\(.*\)"\..*/\1/p' include/cylint.h > "$scratch/example.said"
+    [ -s "$scratch/example.c" ] && [ -s "$scratch/example.said" ]
+    verdict the_header_begins_with_an_example $?
+    example the_headers_example static $cc -std=c99
     for shown in cylint.3,1 cylint.3,3 cylint.3,5 cylint_methods.3,1 \
         cylint_distance.3,1 cylint_distance.3,3; do
         page=${shown%,*} number=${shown#*,}
