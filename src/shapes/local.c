@@ -178,16 +178,20 @@ static pair inverse_root(pair a)
     return root[0];
 }
 
-/* The axis, and the growth of the radius along it. */
+/* The axis, and the growth of the radius along it.  A low part that underflows is
+ * nothing beside an axis that is long enough. */
 INLINE four axis_of(const cylint_shape *s)
 {
-    double hi[4], lo[4];
-    for (int i = 0; i < 4; i++) {
-        const pair x = i < 3 ? cylint_axis_pair(s, i) : cylint_radius_growth(s);
-        hi[i] = x.hi;
-        lo[i] = x.lo;
-    }
-    return load_four(hi, lo);
+    static const double none[4] = {0, 0, 0, 0};
+    const int two_points = cylint_has_end_points(s->kind);
+    const double *top = two_points ? cylint_top(s) : cylint_axis(s);
+    const double *from = two_points ? cylint_base(s) : none; /* r0 follows */
+    const double to[4] = {top[0], top[1], top[2], cylint_r1(s)};
+    four w;
+    EACH(k, PARTS)
+        w.part[k] =
+            v_two_sum(v_load(to + k * LANES), -v_load(from + k * LANES));
+    return w;
 }
 
 /* The coordinate direction along which the axis is least, without a branch. */
