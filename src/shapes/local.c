@@ -4,7 +4,11 @@
  * Compiled once as it is and again for processors with a fused multiply-add.
  * Only exact products and their errors are fused: both write the same bits.
  */
-#define CYLINT_NARROW
+#ifdef __GNUC__
+#define CYLINT_NARROW /* two lanes */
+#else
+#define CYLINT_ONE_LANE
+#endif
 #include "local.h"
 
 #include <math.h>
