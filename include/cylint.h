@@ -296,9 +296,9 @@ enum {
     CYLINT_WANT_NORMAL = 1 << 3,
     CYLINT_WANT_Z = 1 << 4,
     CYLINT_WANT_PHI = 1 << 5,
-    CYLINT_WANT_NEAREST = 1
-                          << 6, /* only the hit with the least t: n is 0 or 1 */
-    CYLINT_WANT_COUNT = 0,      /* relation and n only */
+    /* only the hit with the least t: n is 0 or 1 */
+    CYLINT_WANT_NEAREST = 1 << 6,
+    CYLINT_WANT_COUNT = 0, /* relation and n only */
     CYLINT_WANT_ALL = (1 << 6) - 1
 };
 

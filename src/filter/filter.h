@@ -25,11 +25,18 @@ typedef enum {
     CYLINT_KNOWN_USELESS  /* the filter does not serve the question */
 } cylint_known;
 
+/* Ends of the overlap as bits, lane i for end i: on the plane or ball of an end;
+ * that end is the top; the part is present.  back: end 1 is the first in t. */
+typedef struct {
+    unsigned on_end, top, present;
+    int back;
+} cylint_end_bits;
+
 /*
  * One line and one shape, and what the stages compute.  Lane i of the roots
- * belongs to end i (kernel.h).  pierced, exists: bits as in `verdict`; on_end, top,
- * back, present: bits of lanes.  The others are the members of `estimate` and
- * `root` (surfaces.h).
+ * belongs to end i (kernel.h).  exists, past: bits of members of `verdict` and
+ * `point_signs`.  The others are the members of `estimate` and `root`
+ * (surfaces.h).
  */
 typedef struct {
     const cylint_shape *shape;
@@ -37,8 +44,8 @@ typedef struct {
     cylint_answer *answer;
     unsigned want;
     cylint_known known;
-    unsigned on_end, top, present, exists, past[2], nearest;
-    int back;
+    cylint_end_bits ends;
+    unsigned exists, past[2], nearest;
     double A;    /* of the lateral quadratic; only its sign counts */
     double Q, D; /* no coordinate of the line's origin exceeds Q, none of its
                     direction D */

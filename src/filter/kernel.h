@@ -414,12 +414,19 @@ INLINE signs past_chord(const point_signs *at, const verdict *v,
     return past;
 }
 
-/* A t + B against the error of its terms, of which D is at most k D. */
-INLINE signs slope_signs(const local_line *l, vd A, vd B, vd t, vd k)
+/* A t + B, from terms of which D is at most k D. */
+INLINE bounded_value slope_at(const local_line *l, vd A, vd B, vd t, vd k)
 {
     const vd size = v_sum_of(v_abs(t), l->D, l->Q);
-    return signs_of(v_sum_of(t, A, B), v_set(2 * CYLINT_LOCAL_FORM) * l->unit *
-                                           l->D * size * (k * k));
+    return (bounded_value){v_sum_of(t, A, B), v_set(2 * CYLINT_LOCAL_FORM) *
+                                                  l->unit * l->D * size *
+                                                  (k * k)};
+}
+
+INLINE signs slope_signs(const local_line *l, vd A, vd B, vd t, vd k)
+{
+    const bounded_value slope = slope_at(l, A, B, t, k);
+    return signs_of(slope.v, slope.e);
 }
 
 /* In doubles, at t. */

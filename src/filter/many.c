@@ -34,73 +34,40 @@ INLINE vd elements(const double *x, const size_t *number, int in_a_row)
     return in_a_row ? v_load(x + number[0]) : v_pick(x, number);
 }
 
-/* The ball about a shape and a line in every lane. */
+/* A line and the ball about a shape, which is a sphere. */
 typedef struct {
-    vd center[3], radius, o[3], d[3];
+    frames frame;
+    line_lanes line;
 } ball_pass;
 
-/* The line from the centre of a ball of radius r.  No coordinate of the
- * direction exceeds D, none of the origin Q. */
-typedef struct {
-    line_doubles line;
-    vd r, D, Q;
-} ball_line;
-
-INLINE ball_line ball_and_line(const ball_pass *pass)
+INLINE local_line line_and_ball(const ball_pass *pass)
 {
-    ball_line b;
-    vd x[3];
-    EACH(i, 3)
-        x[i] = pass->o[i] - pass->center[i];
-    EACH(i, 2) {
-        b.line.p[i] = x[i];
-        b.line.v[i] = pass->d[i];
-    }
-    b.line.z = x[2];
-    b.line.w = pass->d[2];
-    set_products_doubles(&b.line);
-    b.r = pass->radius;
-    b.D = v_largest(pass->d);
-    b.Q = v_largest(x) + b.r;
-    return b;
+    const source from = {&pass->frame, &pass->line};
+    local_line l;
+    load_first(&l, &from, CYLINT_SOLID_SPHERE);
+    return l;
 }
-
-/* Twice the error of a rounding, and what rounds the bounds themselves. */
-#define BALL_UNIT v_set(CYLINT_ROUNDING *CYLINT_SLACK)
 
 /* The lanes that pass by for certain. */
-INLINE vm passes_ball(const ball_line *b)
+INLINE vm passes_ball(const local_line *l)
 {
-    const vd g = ball_g_doubles(&b->line, b->line.z, b->r);
-    const vd error =
-        v_set(CYLINT_LOCAL_BALL) * BALL_UNIT * (b->D * b->D) *
-        (b->Q * v_sum_of(v_set(CYLINT_LOCAL_SECOND) * BALL_UNIT, b->Q, b->r));
-    const vd most = v_set(CYLINT_WINDOW), least = v_set(1 / CYLINT_WINDOW);
-    const vm in_window =
-        m_and(v_le(v_max(b->D, b->Q), most), v_le(least, b->D));
-    return m_and(in_window, v_lt(g, -error));
-}
-
-/* A t + B. */
-INLINE bounded_value slope_at(const ball_line *b, double t)
-{
-    const vd size = v_sum_of(v_set(fabs(t)), b->D, b->Q);
-    return (bounded_value){v_sum_of(v_set(t), ball_A_doubles(&b->line),
-                                    ball_B_doubles(&b->line, b->line.z)),
-                           v_set(2 * CYLINT_LOCAL_FORM) * BALL_UNIT * size *
-                               b->D};
+    forms f;
+    first_form(&f, l, CYLINT_SOLID_SPHERE);
+    const bounded_value g = bounded_G(&f, l, CYLINT_SOLID_SPHERE);
+    return m_and(l->in_range, v_lt(g.v, -g.e));
 }
 
 /* The lanes whose ball is not for certain beyond the line's domain or the
  * nearest hit. */
-INLINE unsigned within_reach(const ball_line *b,
+INLINE unsigned within_reach(const local_line *l,
                              const cylint_filter_batch *from)
 {
     const cylint_line *line = from->line;
-    const vd reach = b->r * v_set(from->speed);
+    const vd reach = l->in.r * v_set(from->speed), one = v_set(1);
+    const vd A = ball_A_doubles(&l->in), B = ball_B_doubles(&l->in, l->in.z);
     const double end = from->nearest < line->tmax ? from->nearest : line->tmax;
-    const bounded_value first = slope_at(b, line->tmin),
-                        last = slope_at(b, end);
+    const bounded_value first = slope_at(l, A, B, v_set(line->tmin), one),
+                        last = slope_at(l, A, B, v_set(end), one);
     const vm before = v_lt(reach, first.v - first.e);
     const vm beyond = v_lt(last.v + last.e, -reach);
     return m_bits(m_not(m_or(before, beyond)));
@@ -134,20 +101,21 @@ INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
         const double *column = from->run.column + lane;
         const size_t stride = from->run.stride;
         EACH(i, 3)
-            b->center[i] = v_load(column + (size_t)i * stride);
-        b->radius = v_load(column + COLUMN_BALL * stride);
+            b->frame.of[CYLINT_AT_BASE + i] =
+                v_load(column + (size_t)i * stride);
+        b->frame.of[CYLINT_AT_R0] = v_load(column + COLUMN_BALL * stride);
     }
     if (m == ONE_SHAPE) {
         EACH(i, 3) {
-            b->o[i] = v_load(lines->o[i] + lane);
-            b->d[i] = v_load(lines->d[i] + lane);
+            b->line.o[i] = v_load(lines->o[i] + lane);
+            b->line.d[i] = v_load(lines->d[i] + lane);
         }
     } else if (m == PAIRS) {
         const int in_a_row = lane + LANES <= from->n && /* not padded */
                              at[LANES - 1] - at[0] == LANES - 1;
         EACH(i, 3) {
-            b->o[i] = elements(lines->o[i], at, in_a_row);
-            b->d[i] = elements(lines->d[i], at, in_a_row);
+            b->line.o[i] = elements(lines->o[i], at, in_a_row);
+            b->line.d[i] = elements(lines->d[i], at, in_a_row);
         }
     }
 }
@@ -156,13 +124,14 @@ INLINE void load_pass(const cylint_filter_batch *from, mode m, ball_pass *b)
 {
     double center[3];
     if (m == ONE_SHAPE)
-        b->radius = v_set(cylint_ball_about(from->shapes, center));
+        b->frame.of[CYLINT_AT_R0] =
+            v_set(cylint_ball_about(from->shapes, center));
     EACH(i, 3) {
         if (m == ONE_SHAPE)
-            b->center[i] = v_set(center[i]);
+            b->frame.of[CYLINT_AT_BASE + i] = v_set(center[i]);
         if (m == ONE_LINE) {
-            b->o[i] = v_set(from->line->o[i]);
-            b->d[i] = v_set(from->line->d[i]);
+            b->line.o[i] = v_set(from->line->o[i]);
+            b->line.d[i] = v_set(from->line->d[i]);
         }
     }
 }
@@ -174,11 +143,11 @@ enum { AHEAD = 64 };
  * outcomes together: those of one vector are hard to predict. */
 enum { BLOCK = 16, VECTORS = BLOCK / LANES };
 
-INLINE ball_line ball_at(const pass_columns *columns, size_t lane, mode m,
-                         ball_pass *pass)
+INLINE local_line ball_at(const pass_columns *columns, size_t lane, mode m,
+                          ball_pass *pass)
 {
     pass_at(columns, lane, m, pass);
-    return ball_and_line(pass);
+    return line_and_ball(pass);
 }
 
 /* The lanes of a vector whose ball the line does not certainly pass by. */
@@ -189,7 +158,7 @@ INLINE unsigned lanes_left(const pass_columns *columns, size_t lane, mode m,
     const unsigned there = rest < LANES ? (1u << rest) - 1 : ALL;
     if (m == ONE_SHAPE && rest < LANES) /* the caller's end there */
         return there;
-    const ball_line ball = ball_at(columns, lane, m, pass);
+    const local_line ball = ball_at(columns, lane, m, pass);
     return there & m_bits(m_not(passes_ball(&ball)));
 }
 
@@ -227,7 +196,7 @@ INLINE void first_pass(cylint_filter_batch *from, mode m)
             if (m == ONE_LINE && !from->relations) {
                 if (!left[i])
                     continue;
-                const ball_line ball = ball_at(&columns, at, m, &pass);
+                const local_line ball = ball_at(&columns, at, m, &pass);
                 left[i] &= within_reach(&ball, from);
             }
             end += keep_numbers(list + end, &columns, at, m, left[i]);

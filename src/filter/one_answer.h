@@ -20,30 +20,24 @@ typedef struct {
 
 /* ----------------------------------------------------------- answers ---- */
 
-/* Ends as bits of lanes.  back: lane 1 is the first in t. */
-typedef struct {
-    unsigned on_end, top, present;
-    int back;
-} end_bits;
-
 /* The surface of a sphere is one part, which may be a ball of a rounded cone. */
-INLINE end_bits parts_of_sphere(const cylint_shape *shape)
+INLINE cylint_end_bits parts_of_sphere(const cylint_shape *shape)
 {
-    return (end_bits){
+    return (cylint_end_bits){
         cylint_surface(shape) == CYLINT_PART_LATERAL ? 0 : 3,
         cylint_surface(shape) == CYLINT_PART_CAP1 ? 3 : 0,
         cylint_part_is_present(shape->ends, cylint_surface(shape)) ? 3 : 0, 0};
 }
 
-INLINE end_bits bits_of_end(const line_end *e, const local_line *l,
-                            const verdict *v, const cylint_shape *shape,
-                            int solid)
+INLINE cylint_end_bits bits_of_end(const line_end *e, const local_line *l,
+                                   const verdict *v, const cylint_shape *shape,
+                                   int solid)
 {
     if (cylint_solid_is_ball(solid))
         return parts_of_sphere(shape);
-    return (end_bits){m_bits(e->on_end), m_bits(e->top),
-                      m_bits(is_present(l, v, e, 0, solid)),
-                      (int)(m_bits(is_backward(l, v, solid)) & 1)};
+    return (cylint_end_bits){m_bits(e->on_end), m_bits(e->top),
+                             m_bits(is_present(l, v, e, 0, solid)),
+                             (int)(m_bits(is_backward(l, v, solid)) & 1)};
 }
 
 INLINE int write_miss(cylint_answer *answer)
@@ -58,7 +52,7 @@ INLINE int lane_of_hit(unsigned hits, int n, int back)
     return hits == 3 ? n ^ back : hits == 2;
 }
 
-INLINE void write_parts(cylint_answer *answer, end_bits e, unsigned hits,
+INLINE void write_parts(cylint_answer *answer, cylint_end_bits e, unsigned hits,
                         int unbounded)
 {
     const int n = hits == 3 ? 2 : hits != 0;
@@ -88,8 +82,8 @@ INLINE void store_tails(cylint_question *question, const root *r, int n,
 
 /* Writes a line that crosses with hits at those ends.  value, tail, error: of the
  * roots, or NULL. */
-INLINE int write_hits(unsigned hits, end_bits e, const root *r, const asked *a,
-                      int solid)
+INLINE int write_hits(unsigned hits, cylint_end_bits e, const root *r,
+                      const asked *a, int solid)
 {
     const int unbounded = !cylint_solid_is_bounded(solid);
     cylint_answer *answer = a->answer;
@@ -114,7 +108,7 @@ INLINE int write_hits(unsigned hits, end_bits e, const root *r, const asked *a,
 /* ------------------------------------------------------------ kernels --- */
 
 /* The hits of a line that crosses, by the signs at the ends of the domain. */
-INLINE int answer_by_places(const place *at, end_bits e, const asked *a,
+INLINE int answer_by_places(const place *at, cylint_end_bits e, const asked *a,
                             int solid)
 {
     const unsigned before = m_bits(at->before), inside = m_bits(at->inside),
@@ -141,19 +135,6 @@ INLINE int undecided(cylint_question *question, cylint_known known)
     return CYLINT_UNDECIDED;
 }
 
-INLINE void store_ends(cylint_question *question, end_bits e)
-{
-    question->on_end = e.on_end;
-    question->top = e.top;
-    question->present = e.present;
-    question->back = e.back;
-}
-
-INLINE end_bits stored_ends(const cylint_question *q)
-{
-    return (end_bits){q->on_end, q->top, q->present, q->back};
-}
-
 INLINE int answer_by_signs(const local_line *l, verdict *v, const asked *a,
                            int solid)
 {
@@ -169,14 +150,14 @@ INLINE int answer_by_signs(const local_line *l, verdict *v, const asked *a,
         return a->answer->n = 1;
     }
     const line_end e = end_number(l, v, 0, solid);
-    const end_bits bits = bits_of_end(&e, l, v, a->shape, solid);
+    const cylint_end_bits bits = bits_of_end(&e, l, v, a->shape, solid);
     point_signs at = no_point_signs;
     set_point_signs(&at, l, v, near_limit(l->limit[0]), solid);
     const place where = place_of(&at, v, l->limit[0], solid);
     const int n = answer_by_places(&where, bits, a, solid);
     if (n != CYLINT_UNDECIDED)
         return n;
-    store_ends(question, bits);
+    question->ends = bits;
     question->exists =
         cylint_solid_is_bounded(solid) ? 3 : m_bits(v->exists[0]);
     question->past[0] = m_bits(at.past.positive);
@@ -186,7 +167,7 @@ INLINE int answer_by_signs(const local_line *l, verdict *v, const asked *a,
 }
 
 /* The ends without which there is no answer. */
-INLINE unsigned ends_needed(hits h, end_bits e, unsigned want)
+INLINE unsigned ends_needed(hits h, cylint_end_bits e, unsigned want)
 {
     const unsigned unknown = m_bits(h.unknown), first = 1u << e.back;
     return want & CYLINT_WANT_NEAREST && m_bits(h.hit) & first ? unknown & first
@@ -201,14 +182,14 @@ INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
         compute_balls(&v->ball, l);
     const line_end e = end_number(l, v, 0, solid);
     const estimate at = estimate_end(l, v, &e, solid);
-    const end_bits bits = bits_of_end(&e, l, v, a->shape, solid);
+    const cylint_end_bits bits = bits_of_end(&e, l, v, a->shape, solid);
     if (bits.present & ~m_bits(at.usable))
         return undecided(question, CYLINT_KNOWN_NOTHING);
     const root r = step_from(at.t, residual_at(in, l, at.t, &e, solid), &at);
     const hits h = hits_of_roots(&r, l, m_from(bits.present));
     if (!ends_needed(h, bits, a->want))
         return write_hits(m_bits(h.hit), bits, &r, a, solid);
-    store_ends(question, bits);
+    question->ends = bits;
     question->nearest = m_bits(r.nearest);
     v_store(question->t, at.t);
     v_store(question->slope, at.slope);

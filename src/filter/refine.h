@@ -251,7 +251,7 @@ INLINE int refine_ends(cylint_question *q, int solid)
     at.past = (signs){m_from(q->past[0]), m_from(q->past[1])};
     point_in_pairs(&at, &l, &in, t, q->shape, solid);
     const place where = place_of(&at, &v, l.limit[0], solid);
-    return answer_by_places(&where, stored_ends(q), &a, solid);
+    return answer_by_places(&where, q->ends, &a, solid);
 }
 
 /* One function for all solids: a tenth of the code, and a third slower. */
@@ -268,7 +268,7 @@ static int refine_roots(cylint_question *q)
     const cylint_shape *shape = q->shape;
     const asked a = asked_by(q);
     const int solid = cylint_prepared(shape);
-    const end_bits bits = stored_ends(q);
+    const cylint_end_bits bits = q->ends;
     const estimate at = {.t = v_load(q->t),
                          .slope = v_load(q->slope),
                          .inverse = v_load(q->inverse),
@@ -278,7 +278,7 @@ static int refine_roots(cylint_question *q)
               v_load(q->low),   v_load(q->high), m_from(q->nearest)};
     local_line l;
     set_sizes(&l, q, solid);
-    const vm present = m_from(q->present);
+    const vm present = m_from(q->ends.present);
     const unsigned needed =
         ends_needed(hits_of_roots(&r, &l, present), bits, q->want);
     const vd off = (r.error + v_abs(r.tail)) * at.curvature;
@@ -289,15 +289,15 @@ static int refine_roots(cylint_question *q)
     /* nearly always one of them: no branch depends on which */
     for (unsigned left = needed; left; left &= left - 1) {
         const int i = (int)(left >> 1 & ~left);
-        residual[i] =
-            residual_in_levels(shape, q->line, t[i], (int)(q->top >> i & 1),
-                               (int)(q->on_end >> i & 1));
+        residual[i] = residual_in_levels(shape, q->line, t[i],
+                                         (int)(q->ends.top >> i & 1),
+                                         (int)(q->ends.on_end >> i & 1));
     }
     const double error = cylint_frame_error(shape);
     const vd value = v_load(residual), size = size_at(start, &l);
     const vd wide = l.taper * size;
-    const vm plane =
-        m_and(m_from(q->on_end), m_from(cylint_solid_is_round(solid) ? 0 : 3));
+    const vm plane = m_and(m_from(q->ends.on_end),
+                           m_from(cylint_solid_is_round(solid) ? 0 : 3));
     const vd sizes = v_select(plane, size, wide * wide);
     const bounded_value exact = {
         value, v_set(CYLINT_LOCAL_LEVELS * error * error) * sizes +
