@@ -315,10 +315,6 @@ INLINE void judge(verdict *v, const forms *f, const local_line *l, int solid)
     }
 }
 
-static const local_line no_line;
-static const forms no_forms;
-static const verdict no_verdict;
-
 /* -------------------------------------- signs at an end of the domain ---- */
 
 /* Where a point of a line that crosses lies: before the overlap of line and

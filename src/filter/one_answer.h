@@ -9,6 +9,11 @@
 
 #include "surfaces.h"
 
+/* Zeros: where `solid` is not constant, compilers find no value missing. */
+static const local_line no_line;
+static const forms no_forms;
+static const verdict no_verdict;
+
 /* The arguments of a kernel, in registers where functions are inlined. */
 typedef struct {
     const cylint_shape *shape;

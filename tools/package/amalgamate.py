@@ -245,8 +245,9 @@ class Section:
         return sorted({m[1] for m in found if m})
 
     def isa(self):
-        """The instruction sets, as names of gcc."""
-        return [f[2:] for f in self.flags if f.startswith("-m")]
+        """The instruction sets, as names of gcc.  Options with a value only
+        change the speed."""
+        return [f[2:] for f in self.flags if f.startswith("-m") and "=" not in f]
 
     def write(self, out, number, clashing):
         title = "/".join(self.path.parts[-2:])
