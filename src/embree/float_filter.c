@@ -21,7 +21,16 @@ CYLINT_INLINE void find_least(const question *q, const cylint_shape *whole,
                               int least[3])
 {
     if (!least_components(q, least)) {
-        const int first = cylint_least_axis_component(whole);
+        const double *top = cylint_top(whole), *base = cylint_base(whole);
+        double hi[3], lo[3];
+        for (int j = 0; j < 3; j++) {
+            const pair w = cylint_has_end_points(whole->kind)
+                               ? two_diff(top[j], base[j])
+                               : (pair){cylint_axis(whole)[j], 0};
+            hi[j] = w.hi;
+            lo[j] = w.lo;
+        }
+        const int first = cylint_least_component(hi, lo);
         for (int j = 0; j < 3; j++)
             least[j] = j == first;
     }
@@ -274,7 +283,7 @@ void cylint_float_filter_shape_of(cylint_float_filter_shape *to,
         to->axis[j] = cylint_axis(s)[j] + 0; /* no -0 */
     }
     to->r0 = sign ? sign * cylint_r0(s) : 1;
-    to->dr = sign ? sign * cylint_radius_growth(s).hi *
+    to->dr = sign ? sign * (cylint_r1(s) - cylint_r0(s)) *
                             cylint_radius_unit(s, length) +
                         0
                   : -2;
@@ -299,7 +308,7 @@ int cylint_float_filter_small_of(cylint_float_filter_small *to,
               ((double)to->top[j] - (double)to->base[j] == cylint_axis(s)[j]);
     is = is & is_float(cylint_r0(s), &to->r0) &
          is_float(cylint_r1(s), &to->r1) &
-         ((double)to->r1 - (double)to->r0 == cylint_radius_growth(s).hi);
+         ((double)to->r1 - (double)to->r0 == cylint_r1(s) - cylint_r0(s));
     to->r0 *= (float)sign;
     to->r1 *= (float)sign;
     return is;
