@@ -168,10 +168,9 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
             offset = pair_neg(cylint_scaled_pair(
                 pair_div(pair_mul(cylint_scaled_pair(k.axis[j], -ew), r0), dr),
                 k.e + ew + er - ed));
+        const int widens = cylint_sign(k.axis[j].hi) * cylint_sign(growth.hi);
         /* mutant '<' -> '<=': where the nappe leans inward no factor is 0 */
-        const int up = cylint_sign(k.axis[j].hi) *
-                           cylint_sign(cylint_radius_growth(s).hi) <
-                       0;
+        const int up = widens < 0;
         const double apex =
             outward(cylint_base(s)[j], offset, (pair){0, 0}, at_base, up);
         *(up ? &hi[j] : &lo[j]) = apex;
