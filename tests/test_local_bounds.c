@@ -74,7 +74,6 @@ static number trimmed(number x)
 #define INLINE static inline
 #define NUM number
 #define FORM(name) name##_bounds
-#define ADD(x, y) sum(x, y)
 #define SUB(x, y) sum(x, y)
 #define MUL(x, y) product(x, y)
 #define SUM_OF(x, y, z) sum(product(x, y), z)

@@ -135,7 +135,6 @@ INLINE vpair pairs_of_ends(vpair of_base, vpair of_top, int k)
 
 #define NUM vd
 #define FORM(name) name##_doubles
-#define ADD(x, y) ((x) + (y))
 #define SUB(x, y) ((x) - (y))
 #define MUL(x, y) ((x) * (y))
 #define SUM_OF(x, y, z) v_sum_of(x, y, z)
@@ -162,7 +161,6 @@ typedef struct {
 
 #define NUM vpair
 #define FORM(name) name##_pairs
-#define ADD(x, y) vpair_add(x, y)
 #define SUB(x, y) vpair_sub(x, y)
 #define MUL(x, y) vpair_mul(x, y)
 #define SUM_OF(x, y, z) vpair_add(vpair_mul(x, y), z)

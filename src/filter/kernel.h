@@ -353,7 +353,7 @@ INLINE place place_of(const point_signs *at, const verdict *v, vd limit,
 {
     const vd most = latest(solid);
     const vm above = v_lt(most, limit), below = v_lt(limit, -most);
-    const vm near = v_le(v_abs(limit), v_set(CYLINT_LATE));
+    const vm is_near = v_le(v_abs(limit), v_set(CYLINT_LATE));
     signs side = at->side, past = at->past;
     if (solid == CYLINT_SOLID_DOUBLE_CONE) {
         const vm between = v_lt(v_set(0), v->A.v);
@@ -386,9 +386,9 @@ INLINE place place_of(const point_signs *at, const verdict *v, vd limit,
             outside = m_or(outside, m_or(below0, above1));
         }
     }
-    return (place){m_or(m_and(m_and(outside, past.negative), near), below),
-                   m_and(inside, near),
-                   m_or(m_and(m_and(outside, past.positive), near), above)};
+    return (place){m_or(m_and(m_and(outside, past.negative), is_near), below),
+                   m_and(inside, is_near),
+                   m_or(m_and(m_and(outside, past.positive), is_near), above)};
 }
 
 /* On which side of a point of the chord a point lies: of the disc that the line

@@ -6,7 +6,7 @@
  *
  *   NUM                    a number
  *   FORM(name)             the functions
- *   ADD SUB MUL (x, y)
+ *   SUB MUL (x, y)
  *   SUM_OF(x, y, z)        x y + z
  *   NEGATED(x)
  *   TRIMMED(x)             x without the cancelled digits in front, so that the
@@ -148,7 +148,6 @@ INLINE NUM FORM(ball_g)(const FORM(line) *l, NUM z, NUM r)
 
 #undef NUM
 #undef FORM
-#undef ADD
 #undef SUB
 #undef MUL
 #undef SUM_OF

@@ -280,7 +280,7 @@ INLINE vm may_be_nearest(const estimate *first, const verdict *v,
                          double nearest, int solid)
 {
     const vd beyond = (first->t - v_set(nearest)) * first->scale;
-    vm sure = m_and(first->usable, v_lt(v_set(0), first->scale));
+    vm sure = m_and(first->is_near, v_lt(v_set(0), first->scale));
     if (cylint_solid_is_nappe(solid))
         sure = m_and(sure, v->exists[0]);
     return m_not(m_and(sure, v_lt(first->off, beyond)));
@@ -313,7 +313,7 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
     for (int k = 0;; k++) {
         const line_end end_k = k ? to->at[1] : to->at[0];
         root r = step_from(at.t, residual_at(&in, l, at.t, &end_k, solid), &at);
-        r.nearest = m_and(r.nearest, at.usable);
+        r.nearest = m_and(r.nearest, at.is_near);
         const hits h = hits_of_roots(&r, l, is_present(l, v, &end_k, k, solid));
         to->hit[k] = h.hit;
         to->unknown = m_or(to->unknown, h.unknown);

@@ -188,7 +188,7 @@ INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
     const line_end e = end_number(l, v, 0, solid);
     const estimate at = estimate_end(l, v, &e, solid);
     const cylint_end_bits bits = bits_of_end(&e, l, v, a->shape, solid);
-    if (bits.present & ~m_bits(at.usable))
+    if (bits.present & ~m_bits(at.is_near))
         return undecided(question, CYLINT_KNOWN_NOTHING);
     const root r = step_from(at.t, residual_at(in, l, at.t, &e, solid), &at);
     const hits h = hits_of_roots(&r, l, m_from(bits.present));

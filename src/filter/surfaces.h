@@ -102,12 +102,12 @@ INLINE quadratic quadratic_of_end(const verdict *v, const line_end *e,
 
 /* An estimate t of a root, and what Newton's step needs: the slope of the residual
  * there, the inverse of the slope, a bound on its error, and half the
- * curvature of the residual.  usable: t is nearer to its root than to the other
+ * curvature of the residual.  is_near: t is nearer to its root than to the other
  * one, or the surface is a plane.  The root is at most off / scale from t, if
  * scale > 0. */
 typedef struct {
     vd t, slope, inverse, slope_error, curvature, scale, off;
-    vm usable;
+    vm is_near;
 } estimate;
 
 INLINE estimate estimate_end(const local_line *l, const verdict *v,
@@ -132,8 +132,8 @@ INLINE estimate estimate_end(const local_line *l, const verdict *v,
     /* 2 s has the error 2 e / s */
     at.slope_error = v_set(4) * q.radicand.e * v_abs(at.inverse);
     const vd off = v_sum_of(v_abs(at.t), q.A.e, q.B.e);
-    at.usable = m_and(v_le(off, v_set(0.25) * s),
-                      v_lt(v_set(4) * q.radicand.e, q.radicand.v));
+    at.is_near = m_and(v_le(off, v_set(0.25) * s),
+                       v_lt(v_set(4) * q.radicand.e, q.radicand.v));
     /* A t + B = +-s: the error of s is at most e / s, half of slope_error.  The
      * roundings are 4, of s, the difference and the quotient. */
     at.scale = v_abs(q.A.v) - q.A.e;
@@ -149,7 +149,7 @@ INLINE estimate estimate_end(const local_line *l, const verdict *v,
         at.off =
             v_select(e->on_end,
                      v_set(2 * CYLINT_LOCAL_POSITION) * l->unit * size, at.off);
-        at.usable = m_or(at.usable, e->on_end);
+        at.is_near = m_or(at.is_near, e->on_end);
     }
     return at;
 }
