@@ -72,8 +72,8 @@ static void load(terms_depth *L, int kind, arithmetic in)
                          : depth_of_sum(L->D[0][i], L->w[i]);
     }
     L->dr = kind == CYLINT_KIND_ACONE ? 0 : difference;
-    prepare_shape_depth(L);
-    prepare_line_depth(L);
+    prepare_depth(L);
+    prepare_moments_depth(L);
     prepare_top_depth(L);
 }
 
@@ -217,8 +217,8 @@ static void load_window(terms_sized *L, int kind)
     L->r[1] = datum;
     L->dr = kind == CYLINT_KIND_ACONE ? datum : difference;
     L->one = one;
-    prepare_shape_sized(L);
-    prepare_line_sized(L);
+    prepare_sized(L);
+    prepare_moments_sized(L);
     prepare_top_sized(L);
 }
 

@@ -16,13 +16,18 @@
 #include "double_double.h"
 #include "error_bounds.h"
 
-/* 2^e for -1022 <= e <= 1023. */
-static inline double cylint_power_of_two(int e)
+/* The double with these bits. */
+static inline double cylint_from_bits(uint64_t bits)
 {
-    const uint64_t bits = (uint64_t)(e + 1023) << 52;
     double x;
     memcpy(&x, &bits, sizeof x);
     return x;
+}
+
+/* 2^e for -1022 <= e <= 1023. */
+static inline double cylint_power_of_two(int e)
+{
+    return cylint_from_bits((uint64_t)(e + 1023) << 52);
 }
 
 /*
@@ -99,11 +104,8 @@ static inline double cylint_next_above(double x)
     if (x > DBL_MAX)
         return x;
     const int64_t rank = cylint_rank(x) + 1;
-    const uint64_t bits =
-        rank < 0 ? (uint64_t)-rank | (uint64_t)1 << 63 : (uint64_t)rank;
-    double next;
-    memcpy(&next, &bits, sizeof next);
-    return next;
+    return cylint_from_bits(rank < 0 ? (uint64_t)-rank | (uint64_t)1 << 63
+                                     : (uint64_t)rank);
 }
 
 /* The next double above or below x. */

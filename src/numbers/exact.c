@@ -189,11 +189,7 @@ double cylint_exact_nearest(exact x, int e)
         if (exponent >= -1022) /* the leading bit adds one more */
             bits += (uint64_t)(exponent + 1022) << 52;
     }
-    if (x.sign < 0)
-        bits |= (uint64_t)1 << 63;
-    double nearest;
-    memcpy(&nearest, &bits, sizeof nearest);
-    return nearest;
+    return cylint_from_bits(x.sign < 0 ? bits | (uint64_t)1 << 63 : bits);
 }
 
 pair cylint_exact_round(exact x, int *e)

@@ -27,26 +27,17 @@ static int rounds_to_hi(pair t, double error)
 
 /* ------------------------------------------------------ quotients ------ */
 
-/* A form, or a number computed from forms in pairs.  A root has first forms in
- * doubles, which are fast, then in pairs. */
+/* A form, or a number computed from forms, in pairs. */
 typedef struct {
     pair v;
     double error;
 } number;
 
-typedef enum { IN_DOUBLES, IN_PAIRS } form_arithmetic;
-
-static number form_in(cylint_query *q, form_arithmetic in, cylint_form f,
-                      int end)
+static number form_in_pairs(cylint_query *q, cylint_form f, int end)
 {
-    if (in == IN_PAIRS) {
-        const bounded_pair x =
-            cylint_form_pair(cylint_load_pair_moments(q), f, end);
-        return (number){x.v, bounded_pair_error(x)};
-    }
-    const bounded_double x =
-        form_bounded(end ? cylint_load_top(q) : &q->bounded_terms, f, end);
-    return (number){{x.v, 0}, bounded_error(x)};
+    const bounded_pair x =
+        cylint_form_pair(cylint_load_pair_moments(q), f, end);
+    return (number){x.v, bounded_pair_error(x)};
 }
 
 static double relative_error(number x)
@@ -72,10 +63,10 @@ static number negative(number x)
 }
 
 /* R = sqrt(S G), with an unknown error unless G is certainly positive. */
-static number radical_of(cylint_query *q, form_arithmetic in)
+static number radical_of(cylint_query *q)
 {
-    const number G = form_in(q, in, FORM_G, 0);
-    const number S = form_in(q, in, FORM_ROOT_OF_S, 0);
+    const number G = form_in_pairs(q, FORM_G, 0);
+    const number S = form_in_pairs(q, FORM_ROOT_OF_S, 0);
     /* mutant '&&' -> '||': roots are computed where G > 0, and pairs that
      * compute G <= 0 decide nothing */
     /* mutant '>' -> '<': slower, the next stage decides */
@@ -92,53 +83,39 @@ static number radical_of(cylint_query *q, form_arithmetic in)
 /* |B| + R, which one of the two forms of a root divides by.  *near: the other
  * number of that form is C, for of the two roots this one is nearer to the
  * line's origin. */
-static number divisor(cylint_query *q, form_arithmetic in, int exits, number *R,
-                      int *near)
+static number divisor(cylint_query *q, int exits, int *near)
 {
-    const number B = form_in(q, in, FORM_B, 0);
-    *R = radical_of(q, in);
+    const number B = form_in_pairs(q, FORM_B, 0), R = radical_of(q);
     /* mutant '<' -> '<=': for B = 0 either sign is right */
     const int falls = B.v.hi < 0;
-    const pair sum = pair_add(R->v, falls ? pair_neg(B.v) : B.v);
+    const pair sum = pair_add(R.v, falls ? pair_neg(B.v) : B.v);
     *near = falls != exits;
-    return (number){sum, B.error + R->error +
+    return (number){sum, B.error + R.error +
                              CYLINT_PAIR_RADICAL_ROUNDING * fabs(sum.hi)};
 }
 
-/* Whether the root is a quotient of forms. */
-static int is_quotient(const cylint_query *q, cylint_root root)
-{
-    return q->filters && root != ROOT_APEX;
-}
-
-/* Such a root, and half the slope of Q at it, if the root is of Q. */
-typedef struct {
-    number t, slope;
-} estimate;
-
 static const number unknown = {{0, 0}, HUGE_VAL};
 
-static estimate root_by_quotient(cylint_query *q, form_arithmetic in,
-                                 cylint_root root)
+/* Unknown if the root is no quotient of forms, or pairs are not certain. */
+static number root_by_quotient(cylint_query *q, cylint_root root)
 {
     const int exits = root == ROOT_EXIT;
     int near;
+    if (!q->pairs || root == ROOT_APEX)
+        return unknown;
     if (root == ROOT_DOUBLE)
-        return (estimate){quotient(negative(form_in(q, in, FORM_B, 0)),
-                                   form_in(q, in, FORM_A, 0)),
-                          unknown};
+        return quotient(negative(form_in_pairs(q, FORM_B, 0)),
+                        form_in_pairs(q, FORM_A, 0));
     if (root != ROOT_ENTRY && !exits)
-        return (estimate){
-            quotient(negative(form_in(q, in, FORM_ALPHA, root == ROOT_CAP1)),
-                     form_in(q, in, FORM_BETA, 0)),
-            unknown};
-    number R;
-    const number sum = divisor(q, in, exits, &R, &near);
+        return quotient(
+            negative(form_in_pairs(q, FORM_ALPHA, root == ROOT_CAP1)),
+            form_in_pairs(q, FORM_BETA, 0));
+    const number sum = divisor(q, exits, &near);
     if (!(sum.error < HUGE_VAL))
-        return (estimate){unknown, unknown};
-    const number x = form_in(q, in, near ? FORM_C : FORM_A, 0);
+        return unknown;
+    const number x = form_in_pairs(q, near ? FORM_C : FORM_A, 0);
     const number t = near ? quotient(x, sum) : quotient(sum, x);
-    return (estimate){near == exits ? negative(t) : t, exits ? R : negative(R)};
+    return near == exits ? negative(t) : t;
 }
 
 /* -------------------------------------------------- Newton's steps ----- */
@@ -189,18 +166,14 @@ static number step_from(number t, int in_window, bounded_pair f, number slope,
 /* Towards a root of the lateral quadric.  With the line's origin moved to t, C is
  * Q there and B half its slope, near the shape, so that a far origin costs no
  * digits. */
-static number step_to_lateral(cylint_query *q, number t, number slope,
-                              double curvature)
+static number step_to_lateral(cylint_query *q, number t, double curvature)
 {
-    const int is_known = slope.error < HUGE_VAL;
-    cylint_terms_pair *L =
-        is_known ? cylint_load_pairs(q) : cylint_load_pair_moments(q);
+    cylint_terms_pair *L = cylint_load_pair_moments(q);
     bounded_pair kept[3];
     const int in_window =
         cylint_move_origin(L, 0, (bounded_pair){t.v, 0}, kept);
     const bounded_pair C = cylint_form_pair(L, FORM_C, 0);
-    if (!is_known)
-        slope = form_in(q, IN_PAIRS, FORM_B, 0);
+    const number slope = form_in_pairs(q, FORM_B, 0);
     cylint_restore_origin(L, 0, kept);
     return step_from(t, in_window, C, slope, curvature);
 }
@@ -225,21 +198,18 @@ static int has_most_digits(number t)
 }
 
 /* Newton's steps from t until it has all but a few digits of a pair, or they gain
- * little.  slope: half of that at the root of Q, if it is known. */
-static number newton_from(cylint_query *q, cylint_root root, number t,
-                          number slope)
+ * little. */
+static number newton_from(cylint_query *q, cylint_root root, number t)
 {
     double before;
     if (root == ROOT_CAP0 || root == ROOT_CAP1)
         return step_to_plane(q, t, root == ROOT_CAP1);
     if (root != ROOT_ENTRY && root != ROOT_EXIT)
         return unknown;
-    number A = form_in(q, IN_DOUBLES, FORM_A, 0);
-    if (!(relative_error(A) < CYLINT_FIRST_ORDER))
-        A = form_in(q, IN_PAIRS, FORM_A, 0);
+    const number A = form_in_pairs(q, FORM_A, 0);
     do {
         before = t.error;
-        t = step_to_lateral(q, t, slope, fabs(A.v.hi) + A.error);
+        t = step_to_lateral(q, t, fabs(A.v.hi) + A.error);
     } while (!has_most_digits(t) && t.error < CYLINT_NEWTON_GAIN * before);
     return t;
 }
@@ -256,11 +226,7 @@ static int against_exact(cylint_query *q, const surd *t, exact m)
  * processor can be set to read subnormals as zero. */
 static double from_bits(uint64_t bits, int sign)
 {
-    double x;
-    if (sign < 0)
-        bits |= (uint64_t)1 << 63;
-    memcpy(&x, &bits, sizeof x);
-    return x;
+    return cylint_from_bits(sign < 0 ? bits | (uint64_t)1 << 63 : bits);
 }
 
 #define INFINITE_BITS ((uint64_t)0x7ff << 52)
@@ -314,37 +280,41 @@ static int against_middle(cylint_query *q, const surd *t, uint64_t size,
  */
 enum { MOST_STEPS = 2 };
 
-static double settle(cylint_query *q, const surd *t, int sign, uint64_t size)
+static double settle(cylint_query *q, cylint_root root, int sign, uint64_t size)
 {
+    const int used = cylint_exact_mark(q, root);
+    const surd t = cylint_surd(q, root);
     const uint64_t from = size;
     cylint_reached(MIDDLE);
     for (; size < INFINITE_BITS; size++) {
-        const int beyond = against_middle(q, t, size, sign);
+        const int beyond = against_middle(q, &t, size, sign);
         if (beyond < 0 || (beyond == 0 && !(size & 1)))
             break;
     }
     for (; size > 0 && size < INFINITE_BITS; size--) {
-        const int beyond = against_middle(q, t, size - 1, sign);
+        const int beyond = against_middle(q, &t, size - 1, sign);
         if (beyond > 0 || (beyond == 0 && !(size & 1)))
             break;
     }
     cylint_contradiction(size > from + MOST_STEPS || from > size + MOST_STEPS);
+    q->arena.used = used;
     return size > 0 ? from_bits(size, sign) : 0;
 }
 
-/* t in every digit there is need of. */
-static floating exact_root(cylint_query *q, surd *t)
+/* root - m, in every digit there is need of. */
+static floating root_beyond(cylint_query *q, cylint_root root, double m)
 {
-    /* mutant '0' -> '1': a number without limbs or without sign is 0 */
-    const exact zero = {q->arena.limb, 0, 0, 0};
-    return cylint_value_at(q, t, zero, cylint_load_exact(q)->one);
+    const int used = cylint_exact_mark(q, root);
+    surd t = cylint_surd(q, root);
+    const exact from = cylint_exact_neg(cylint_exact_from(&q->arena, m));
+    const floating f = cylint_value_at(q, &t, from, cylint_load_exact(q)->one);
+    q->arena.used = used;
+    return f;
 }
 
 static double exact_value(cylint_query *q, cylint_root root, double *more)
 {
-    const int used = cylint_exact_mark(q, root);
-    surd in_full = cylint_surd(q, root);
-    const floating f = exact_root(q, &in_full);
+    const floating f = root_beyond(q, root, 0);
     const pair t = f.v;
     const int tame = f.e > -CYLINT_SUM_EXPONENT && f.e < CYLINT_LARGE_EXPONENT;
     double value;
@@ -353,10 +323,9 @@ static double exact_value(cylint_query *q, cylint_root root, double *more)
     else if (tame && rounds_to_hi(t, CYLINT_SURD_ERROR * fabs(t.hi)))
         value = cylint_scaled(t.hi, f.e);
     else
-        value = settle(q, &in_full, cylint_sign(t.hi), near_bits(t.hi, f.e));
+        value = settle(q, root, cylint_sign(t.hi), near_bits(t.hi, f.e));
     *more = tame ? (cylint_scaled(t.hi, f.e) - value) + cylint_scaled(t.lo, f.e)
                  : 0;
-    q->arena.used = used;
     return value;
 }
 
@@ -405,8 +374,7 @@ static number root_near_origin(cylint_query *q, cylint_root root)
         return lies_at_origin(q, root) ? at_origin : unknown;
     if (q->near_shape != q->shape)
         return unknown;
-    number R;
-    const number sum = divisor(q, IN_PAIRS, exits, &R, &near);
+    const number sum = divisor(q, exits, &near);
     if (!near || !(relative_error(sum) < CYLINT_NEAR_ORIGIN))
         return unknown;
     /* mutant '0' -> '1': slower, the next stage computes 0, too */
@@ -424,43 +392,28 @@ static number root_near_origin(cylint_query *q, cylint_root root)
     return exits ? negative(t) : t;
 }
 
-/* Whether the rounding of a root is certain, maybe after Newton's steps. */
-static int is_rounded(cylint_query *q, cylint_root root, estimate *k)
+/* From a quotient of pairs as far as pairs go: Newton's steps, then a quotient
+ * with an exact numerator.  Returns whether the rounding is certain. */
+static int root_in_pairs(cylint_query *q, cylint_root root, number *t)
 {
-    if (!settles(q, k->t) && k->t.error < HUGE_VAL)
-        k->t = newton_from(q, root, k->t, k->slope);
-    return settles(q, k->t);
+    if (!settles(q, *t) && t->error < HUGE_VAL)
+        *t = newton_from(q, root, *t);
+    if (!settles(q, *t))
+        *t = root_near_origin(q, root);
+    return t->error == 0 || settles(q, *t);
 }
 
-/* As far as pairs go, from an estimate by forms in some arithmetic: Newton's
- * steps, the same from a quotient of pairs, a quotient with an exact numerator.
- * Returns whether the rounding is certain. */
-static int root_in_pairs(cylint_query *q, form_arithmetic in, cylint_root root,
-                         estimate *k)
+static double root_value(cylint_query *q, cylint_root root, number t,
+                         double *more)
 {
-    if (is_rounded(q, root, k))
-        return 1;
-    if (in == IN_DOUBLES) {
-        *k = root_by_quotient(q, IN_PAIRS, root);
-        if (is_rounded(q, root, k))
-            return 1;
-    }
-    k->t = root_near_origin(q, root);
-    return k->t.error == 0 || settles(q, k->t);
-}
-
-static double root_value(cylint_query *q, form_arithmetic in, cylint_root root,
-                         estimate k, double *more)
-{
-    if (q->pairs && is_quotient(q, root) && root_in_pairs(q, in, root, &k)) {
-        const pair t = k.t.v;
-        const double value = cylint_scaled(t.hi, q->t_exponent);
+    if (q->pairs && root != ROOT_APEX && root_in_pairs(q, root, &t)) {
+        const double value = cylint_scaled(t.v.hi, q->t_exponent);
         cylint_contradiction(exact_value(q, root, more) != value);
         /* mutant '0' -> '1': slower, second 0: an exact t is computed twice */
         /* mutant '>' -> '>=': slower, a t of 0 has the error NaN, which decides
          * nothing */
-        q->t_error = k.t.error > 0 ? k.t.error / fabs(t.hi) : 0;
-        *more = cylint_scaled(t.lo, q->t_exponent);
+        q->t_error = t.error > 0 ? t.error / fabs(t.v.hi) : 0;
+        *more = cylint_scaled(t.v.lo, q->t_exponent);
         return value;
     }
     q->t_error = CYLINT_SURD_ERROR;
@@ -483,21 +436,9 @@ static int rest_by_newton(cylint_query *q, cylint_root root, double t,
                           double quantum, double *rest)
 {
     const number from = {{t, 0}, CYLINT_ROUNDING / 2 * fabs(t)};
-    const number x = newton_from(q, root, from, unknown);
+    const number x = newton_from(q, root, from);
     return has_most_digits(x) &&
            rest_rounds((x.v.hi - t) + x.v.lo, x.error, quantum, rest);
-}
-
-static void rest_in_full(cylint_query *q, cylint_root root, double t,
-                         double quantum, double *rest)
-{
-    const int used = cylint_exact_mark(q, root);
-    surd in_full = cylint_surd(q, root);
-    const exact from = cylint_exact_neg(cylint_exact_from(&q->arena, t));
-    const floating f =
-        cylint_value_at(q, &in_full, from, cylint_load_exact(q)->one);
-    rest_rounds(cylint_scaled(f.v.hi, f.e), 0, quantum, rest);
-    q->arena.used = used;
 }
 
 bounded_pair cylint_canonical_root(cylint_query *q, cylint_root root, double t,
@@ -509,8 +450,10 @@ bounded_pair cylint_canonical_root(cylint_query *q, cylint_root root, double t,
         cylint_power_of_two(cylint_exponent(t) - 52 - CYLINT_REST_BITS);
     double rest;
     if (!rest_rounds(more, error, quantum, &rest) &&
-        !rest_by_newton(q, root, t, quantum, &rest))
-        rest_in_full(q, root, t, quantum, &rest);
+        !rest_by_newton(q, root, t, quantum, &rest)) {
+        const floating f = root_beyond(q, root, t);
+        rest_rounds(cylint_scaled(f.v.hi, f.e), 0, quantum, &rest);
+    }
     return (bounded_pair){{t, rest}, 0.51 * quantum / CYLINT_PAIR_ROUNDING};
 }
 
@@ -519,12 +462,9 @@ int cylint_polish_root(cylint_query *q, cylint_root root, bounded_pair *t)
     if (t->v.hi == 0)
         return 0;
     const number from = {t->v, CYLINT_PAIR_UNIT * t->error};
-    number x = newton_from(q, root, from, unknown);
+    number x = newton_from(q, root, from);
     if (!has_most_digits(x)) {
-        const int used = cylint_exact_mark(q, root);
-        surd in_full = cylint_surd(q, root);
-        x.v = floating_scaled(exact_root(q, &in_full), 0);
-        q->arena.used = used;
+        x.v = floating_scaled(root_beyond(q, root, 0), 0);
         x.error = CYLINT_SURD_ERROR * fabs(x.v.hi);
     }
     *t =
@@ -569,21 +509,15 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
         return 0; /* beyond all numbers, though t may be rounded to that */
     if (!wanted && !limited)
         return 1;
-    form_arithmetic in = IN_DOUBLES;
-    estimate k = {unknown, unknown};
-    if (is_quotient(q, root)) {
-        k = root_by_quotient(q, in, root);
-        if (limited && q->pairs && placed(q, k.t) == 0)
-            k = root_by_quotient(q, in = IN_PAIRS, root);
-    }
+    const number at = root_by_quotient(q, root);
     if (limited) {
-        const int place = placed(q, k.t);
+        const int place = placed(q, at);
         if (place < 0)
             return 0;
         if (place > 0 && !wanted)
             return 1;
     }
-    *t = root_value(q, in, root, k, more);
+    *t = root_value(q, root, at, more);
     if (*t < tmin || *t > tmax)
         return 0;
     if (*t == tmin && fabs(tmin) <= DBL_MAX && root_against(q, root, tmin) < 0)

@@ -53,8 +53,9 @@ typedef struct {
     floating R; /* 0: not found yet */
 } surd;
 
-/* Computes all numbers that must stay in the arena.  The caller can free later
- * ones by setting arena.used to the result. */
+/* Computes all numbers of the root that must stay in the arena.  The caller can
+ * free later ones by setting arena.used to the result.  Until then no sign that
+ * needs the moment about the top may be computed for the first time. */
 int cylint_exact_mark(cylint_query *q, cylint_root root);
 
 surd cylint_surd(cylint_query *q, cylint_root root);

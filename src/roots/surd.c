@@ -32,8 +32,7 @@ floating cylint_floating_sqrt(floating x)
 static const exact *coefficients(cylint_query *q)
 {
     const cylint_terms_exact *L = cylint_load_exact_moments(q);
-    if (!(q->ready & CYLINT_READY_QUADRATIC)) {
-        q->ready |= CYLINT_READY_QUADRATIC;
+    if (cylint_is_first(q, CYLINT_READY_QUADRATIC)) {
         q->exact_coefficient[0] = cylint_form_exact(L, FORM_A, 0);
         q->exact_coefficient[1] = cylint_form_exact(L, FORM_B, 0);
         q->exact_coefficient[2] = cylint_form_exact(L, FORM_C, 0);

@@ -14,14 +14,14 @@
 /* The forms whose signs decide, and the coefficients of roots.  ALPHA, E, N and
  * END_BALL are of one end. */
 typedef enum {
-    FORM_ALPHA, /* these follow from the line's origin, without its moments */
+    FORM_ALPHA,
     FORM_ROOT_OF_S,
     FORM_C,
     FORM_RHO0,
     FORM_BETA,
     FORM_RHO1,
     FORM_ALONG, /* u.w: on which side of the line's direction the axis points */
-    FORM_E,
+    FORM_E,     /* this and the next ones need the line's moments */
     FORM_N,
     FORM_G,
     FORM_A,

@@ -73,10 +73,9 @@ typedef struct {
 
 #ifdef FORMS_DECLARED
 INLINE const NUM *FORM(axial)(const FORM(terms) *L);
-INLINE void FORM(prepare_shape)(FORM(terms) *L);
-INLINE void FORM(prepare_line)(FORM(terms) *L);
+INLINE void FORM(prepare)(FORM(terms) *L);
+INLINE void FORM(prepare_moments)(FORM(terms) *L);
 INLINE void FORM(prepare_top)(FORM(terms) *L);
-INLINE void FORM(prepare_beta)(FORM(terms) *L);
 INLINE NUM FORM(form_height_unit)(const FORM(terms) *L);
 INLINE NUM FORM(form_height)(const FORM(terms) *L, int reversed);
 INLINE NUM FORM(form)(const FORM(terms) *L, cylint_form f, int end);
@@ -125,8 +124,8 @@ INLINE const NUM *FORM(axial)(const FORM(terms) *L)
     return FORM(elliptic)(L) ? L->e : L->w;
 }
 
-/* What depends on the shape alone. */
-INLINE void FORM(prepare_shape)(FORM(terms) *L)
+/* After the data. */
+INLINE void FORM(prepare)(FORM(terms) *L)
 {
     if (FORM(elliptic)(L)) {
         FORM(cross)(L, L->a, L->b, L->e);
@@ -136,15 +135,11 @@ INLINE void FORM(prepare_shape)(FORM(terms) *L)
     } else {
         L->vv = FORM(dot)(L, L->w, L->w);
     }
-}
-
-INLINE void FORM(prepare_beta)(FORM(terms) *L)
-{
     L->beta = FORM(dot)(L, L->u, FORM(axial)(L));
 }
 
-/* What every query of a line needs. */
-INLINE void FORM(prepare_line)(FORM(terms) *L)
+/* All moments but the one about the top. */
+INLINE void FORM(prepare_moments)(FORM(terms) *L)
 {
     if (FORM(elliptic)(L)) {
         L->U = FORM(dot)(L, L->u, L->p);
@@ -152,10 +147,10 @@ INLINE void FORM(prepare_line)(FORM(terms) *L)
     } else {
         FORM(cross)(L, L->u, L->w, L->n);
     }
-    FORM(prepare_beta)(L);
     FORM(cross)(L, L->D[0], L->u, L->M[0]);
 }
 
+/* E, N and the ball of end 1 need this one as well. */
 INLINE void FORM(prepare_top)(FORM(terms) *L)
 {
     FORM(cross)(L, L->D[1], L->u, L->M[1]);

@@ -28,14 +28,13 @@ static int is_in_range(const double x[3])
 
 static int filters_apply(const cylint_shape *s, const cylint_line *l)
 {
-    double far = 0;
-    for (int i = 0; i < 3; i++) {
+    double from[3];
+    for (int i = 0; i < 3; i++)
         /* mutant '-' -> '+': a distance too large for the filters overflows,
          * and an infinite or NaN bound decides nothing */
-        const double d = fabs(l->o[i] - cylint_base(s)[i]);
-        far = d > far ? d : far;
-    }
-    return cylint_in_range(s) && l->in_range && far <= CYLINT_WINDOW;
+        from[i] = l->o[i] - cylint_base(s)[i];
+    return cylint_in_range(s) && l->in_range &&
+           cylint_largest(from) <= CYLINT_WINDOW;
 }
 
 /* Copies of shape and line with lengths near 1 and a direction near 1.
@@ -92,31 +91,13 @@ static bounded_double bounded_of(double x)
 
 #define FORM(name) name##_bounded
 #define LOAD_INLINE static
-#define SHAPE cylint_shape
-#define LINE cylint_line
+#define DATUM(x) bounded_of(x)
+#define DIFFERENCE(x, y) bounded_of((x) - (y))
 #define DIRECTION(l, i) bounded_of(l->d[i])
 #define AXIS(s, i) bounded_of(cylint_axis(s)[i])
-#define FROM_BASE(l, s, i) bounded_of(l->o[i] - cylint_base(s)[i])
-#define FROM_TOP(l, s, i) bounded_of(l->o[i] - cylint_top(s)[i])
 #define BEFORE_TOP(D, w) bounded_sub(D, w)
-#define SEMI_AXIS_A(s, i) bounded_of(cylint_a(s)[i])
-#define SEMI_AXIS_B(s, i) \
-    bounded_of(cylint_left_handed(s) ? -cylint_b(s)[i] : cylint_b(s)[i])
-#define RADIUS(s, end) bounded_of(cylint_end_factor(s, end))
 #define RADIUS_GROWTH(s) bounded_of(cylint_radius_growth(s).hi)
-#define ONE bounded_of(1)
 #include "load_template.h"
-
-const terms_bounded *cylint_load_top(cylint_query *q)
-{
-    if (!(q->ready & CYLINT_READY_TOP)) {
-        terms_bounded *L = &q->bounded_terms;
-        load_top_bounded(L, q->near_shape, q->near_line);
-        prepare_top_bounded(L);
-        q->ready |= CYLINT_READY_TOP;
-    }
-    return &q->bounded_terms;
-}
 
 static bounded_pair bounded_pair_of(double hi, double lo)
 {
@@ -132,54 +113,36 @@ static bounded_pair bounded_pair_difference(double x, double y)
 
 #define FORM(name) cylint_##name##_pair
 #define LOAD_INLINE static
-#define SHAPE cylint_shape
-#define LINE cylint_line
+#define DATUM(x) bounded_pair_of(x, 0)
+#define DIFFERENCE(x, y) bounded_pair_difference(x, y)
 #define DIRECTION(l, i) bounded_pair_of(l->d[i], l->d_lo[i])
-#define AXIS(s, i) \
-    bounded_pair_of(cylint_axis_pair(s, i).hi, cylint_axis_pair(s, i).lo)
-#define FROM_BASE(l, s, i) bounded_pair_difference(l->o[i], cylint_base(s)[i])
-#define FROM_TOP(l, s, i) bounded_pair_difference(l->o[i], cylint_top(s)[i])
+#define AXIS(s, i) ((bounded_pair){cylint_axis_pair(s, i), 0})
 #define BEFORE_TOP(D, w) bounded_pair_sub(D, w)
-#define SEMI_AXIS_A(s, i) bounded_pair_of(cylint_a(s)[i], 0)
-#define SEMI_AXIS_B(s, i) \
-    bounded_pair_of(cylint_left_handed(s) ? -cylint_b(s)[i] : cylint_b(s)[i], 0)
-#define RADIUS(s, end) bounded_pair_of(cylint_end_factor(s, end), 0)
-#define RADIUS_GROWTH(s) \
-    bounded_pair_of(cylint_radius_growth(s).hi, cylint_radius_growth(s).lo)
-#define ONE bounded_pair_of(1, 0)
+#define RADIUS_GROWTH(s) ((bounded_pair){cylint_radius_growth(s), 0})
 #include "load_template.h"
 
 cylint_terms_pair *cylint_load_pairs(cylint_query *q)
 {
-    if (q->ready & CYLINT_READY_PAIR)
-        return &q->pair_terms;
-    q->ready |= CYLINT_READY_PAIR;
-    cylint_reached(PAIRS);
     cylint_terms_pair *L = &q->pair_terms;
-    cylint_load_shape_pair(L, q->near_shape, q->near_shape->kind);
-    cylint_load_line_pair(L, q->near_shape, q->near_line);
-    cylint_load_top_pair(L, q->near_shape, q->near_line);
-    cylint_prepare_shape_pair(L);
-    cylint_prepare_beta_pair(L);
+    if (cylint_is_first(q, CYLINT_READY_PAIR)) {
+        cylint_reached(PAIRS);
+        cylint_fill_pair(L, q->near_shape, q->near_line, q->kind);
+        cylint_prepare_pair(L);
+    }
     return L;
 }
 
 cylint_terms_pair *cylint_load_pair_moments(cylint_query *q)
 {
     cylint_terms_pair *L = cylint_load_pairs(q);
-    if (!(q->ready & CYLINT_READY_PAIR_LINE)) {
-        q->ready |= CYLINT_READY_PAIR_LINE;
-        cylint_prepare_line_pair(L);
-        cylint_prepare_top_pair(L);
-    }
+    if (cylint_is_first(q, CYLINT_READY_PAIR_MOMENTS))
+        cylint_prepare_moments_pair(L);
     return L;
 }
 
 /* Differences of data, not the nearest doubles to them. */
 #define FORM(name) cylint_##name##_exact
 #define LOAD_INLINE static
-#define SHAPE cylint_shape
-#define LINE cylint_line
 #define DATUM(x) cylint_exact_from(L->arena, x)
 #define DIFFERENCE(x, y) cylint_exact_difference(L->arena, x, y)
 #define DIRECTION(l, i) \
@@ -188,45 +151,30 @@ cylint_terms_pair *cylint_load_pair_moments(cylint_query *q)
     (cylint_has_end_points(kind)                           \
          ? DIFFERENCE(cylint_top(s)[i], cylint_base(s)[i]) \
          : DATUM(cylint_axis(s)[i]))
-#define FROM_BASE(l, s, i) DIFFERENCE(l->o[i], cylint_base(s)[i])
-#define FROM_TOP(l, s, i) DIFFERENCE(l->o[i], cylint_top(s)[i])
 #define BEFORE_TOP(D, w) cylint_exact_add(L->arena, D, cylint_exact_neg(w))
-#define SEMI_AXIS_A(s, i) DATUM(cylint_a(s)[i])
-#define SEMI_AXIS_B(s, i) \
-    DATUM(cylint_left_handed(s) ? -cylint_b(s)[i] : cylint_b(s)[i])
-#define RADIUS(s, end) DATUM(cylint_end_factor(s, end))
 #define RADIUS_GROWTH(s)                \
     (cylint_has_tangent(kind) ? L->r[1] \
                               : DIFFERENCE(cylint_r1(s), cylint_r0(s)))
-#define ONE DATUM(1)
 #include "load_template.h"
-#undef DATUM
-#undef DIFFERENCE
 
 const cylint_terms_exact *cylint_load_exact(cylint_query *q)
 {
-    if (q->ready & CYLINT_READY_EXACT)
-        return &q->exact;
-    q->ready |= CYLINT_READY_EXACT;
-    cylint_reached(EXACT);
     cylint_terms_exact *L = &q->exact;
-    L->arena = &q->arena;
-    cylint_arena_open(L->arena);
-    cylint_load_shape_exact(L, q->shape, q->shape->kind);
-    cylint_load_line_exact(L, q->shape, q->line);
-    cylint_load_top_exact(L, q->shape, q->line);
-    cylint_prepare_shape_exact(L);
+    if (cylint_is_first(q, CYLINT_READY_EXACT)) {
+        cylint_reached(EXACT);
+        L->arena = &q->arena;
+        cylint_arena_open(L->arena);
+        cylint_fill_exact(L, q->shape, q->line, q->kind);
+        cylint_prepare_exact(L);
+    }
     return L;
 }
 
 const cylint_terms_exact *cylint_load_exact_moments(cylint_query *q)
 {
     const cylint_terms_exact *L = cylint_load_exact(q);
-    if (!(q->ready & CYLINT_READY_EXACT_LINE)) {
-        q->ready |= CYLINT_READY_EXACT_LINE;
-        cylint_prepare_line_exact(&q->exact);
-        cylint_prepare_top_exact(&q->exact);
-    }
+    if (cylint_is_first(q, CYLINT_READY_EXACT_MOMENTS))
+        cylint_prepare_moments_exact(&q->exact);
     return L;
 }
 
@@ -274,9 +222,8 @@ typedef struct {
 static const terms_quantum *quanta(cylint_query *q)
 {
     terms_quantum *L = &q->quantum;
-    if (q->ready & CYLINT_READY_QUANTUM)
+    if (!cylint_is_first(q, CYLINT_READY_QUANTUM))
         return q->quanta ? L : NULL;
-    q->ready |= CYLINT_READY_QUANTUM;
     const cylint_shape *s = q->near_shape;
     const cylint_line *l = q->near_line;
     double D[3];
@@ -305,11 +252,9 @@ static const terms_quantum *quanta(cylint_query *q)
                               least_quantum(cylint_b(s)),
                               {quantum(cylint_r0(s)), quantum(cylint_r1(s))},
                               quantum(cylint_radius_growth(s).hi)};
-    load_shape_quantum(L, &data, s->kind);
-    load_line_quantum(L, &data, &data);
-    load_top_quantum(L, &data, &data);
-    prepare_shape_quantum(L);
-    prepare_line_quantum(L);
+    fill_quantum(L, &data, &data, q->kind);
+    prepare_quantum(L);
+    prepare_moments_quantum(L);
     prepare_top_quantum(L);
     return L;
 }
@@ -330,10 +275,9 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
     q->pairs = q->filters && cylint_rounds_to_nearest();
     if (q->filters) {
         terms_bounded *L = &q->bounded_terms;
-        load_shape_bounded(L, q->near_shape, q->kind);
-        load_line_bounded(L, q->near_shape, q->near_line);
-        prepare_shape_bounded(L);
-        prepare_line_bounded(L);
+        fill_bounded(L, q->near_shape, q->near_line, q->kind);
+        prepare_bounded(L);
+        prepare_moments_bounded(L);
     }
 }
 
@@ -353,11 +297,18 @@ static int no_rounding(double size, int e)
 
 enum { UNCERTAIN = 2 };
 
+/* Whether a form needs a moment about the top, which is not there yet. */
+static int needs_top(cylint_query *q, cylint_form f, int end, unsigned ready)
+{
+    return end && f >= FORM_E && cylint_is_first(q, ready);
+}
+
 /* In doubles, then in pairs. */
 static int sign_by_filters(cylint_query *q, cylint_form f, int end)
 {
-    const terms_bounded *L = end ? cylint_load_top(q) : &q->bounded_terms;
-    const bounded_double b = form_bounded(L, f, end);
+    if (needs_top(q, f, end, CYLINT_READY_TOP))
+        prepare_top_bounded(&q->bounded_terms);
+    const bounded_double b = form_bounded(&q->bounded_terms, f, end);
     if (fabs(b.v) > bounded_error(b))
         return cylint_sign(b.v);
     const terms_quantum *e = quanta(q);
@@ -367,9 +318,11 @@ static int sign_by_filters(cylint_query *q, cylint_form f, int end)
     }
     if (!q->pairs)
         return UNCERTAIN;
-    const bounded_pair x = cylint_form_pair(
-        f < FORM_BETA ? cylint_load_pairs(q) : cylint_load_pair_moments(q), f,
-        end);
+    cylint_terms_pair *L =
+        f < FORM_E ? cylint_load_pairs(q) : cylint_load_pair_moments(q);
+    if (needs_top(q, f, end, CYLINT_READY_PAIR_TOP))
+        cylint_prepare_top_pair(L);
+    const bounded_pair x = cylint_form_pair(L, f, end);
     return fabs(x.v.hi) > bounded_pair_error(x) ? cylint_sign(x.v.hi)
                                                 : UNCERTAIN;
 }
@@ -380,7 +333,9 @@ int cylint_form_sign(cylint_query *q, cylint_form f, int end)
     if (sign != UNCERTAIN && !CYLINT_IS_PARANOID)
         return sign;
     const cylint_terms_exact *L =
-        f < FORM_BETA ? cylint_load_exact(q) : cylint_load_exact_moments(q);
+        f < FORM_E ? cylint_load_exact(q) : cylint_load_exact_moments(q);
+    if (needs_top(q, f, end, CYLINT_READY_EXACT_TOP))
+        cylint_prepare_top_exact(&q->exact);
     const int used = q->arena.used;
     const int exactly = cylint_form_exact(L, f, end).sign;
     q->arena.used = used;

@@ -13,11 +13,13 @@
 enum { /* the parts of cylint_query that are computed */
        CYLINT_READY_TOP = 1,
        CYLINT_READY_PAIR = 2,
-       CYLINT_READY_PAIR_LINE = 4,
-       CYLINT_READY_EXACT = 8,
-       CYLINT_READY_EXACT_LINE = 16,
-       CYLINT_READY_QUADRATIC = 32,
-       CYLINT_READY_QUANTUM = 64
+       CYLINT_READY_PAIR_MOMENTS = 4,
+       CYLINT_READY_PAIR_TOP = 8,
+       CYLINT_READY_EXACT = 16,
+       CYLINT_READY_EXACT_MOMENTS = 32,
+       CYLINT_READY_EXACT_TOP = 64,
+       CYLINT_READY_QUADRATIC = 128,
+       CYLINT_READY_QUANTUM = 256
 };
 
 typedef struct {
@@ -46,12 +48,19 @@ typedef struct {
 void cylint_query_open(cylint_query *q, const cylint_shape *shape,
                        const cylint_line *line);
 
-/* The terms of the slower arithmetics.  The first call computes them. */
-cylint_terms_pair *cylint_load_pairs(cylint_query *q); /* data and shape only */
-cylint_terms_pair *cylint_load_pair_moments(
-    cylint_query *q); /* moments as well */
-const terms_bounded *cylint_load_top(cylint_query *q);
-const cylint_terms_exact *cylint_load_exact(cylint_query *q); /* likewise */
+/* Whether a part is computed now for the first time. */
+static inline int cylint_is_first(cylint_query *q, unsigned part)
+{
+    const unsigned before = q->ready;
+    q->ready |= part;
+    return !(before & part);
+}
+
+/* The terms of the slower arithmetics, without moments and with all but that
+ * about the top.  The first call computes them. */
+cylint_terms_pair *cylint_load_pairs(cylint_query *q);
+cylint_terms_pair *cylint_load_pair_moments(cylint_query *q);
+const cylint_terms_exact *cylint_load_exact(cylint_query *q);
 const cylint_terms_exact *cylint_load_exact_moments(cylint_query *q);
 
 /* The sign of a form, exactly, by the cheapest arithmetic that is certain. */
