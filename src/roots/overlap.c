@@ -102,13 +102,6 @@ static cylint_stop stop_at(const cap_signs *c, int up, int end)
                          c->E[cap] == 0 && cylint_radius_is_zero(c->q, cap)};
 }
 
-static cylint_overlap touch_rim(const cap_signs *c, int cap)
-{
-    const cylint_stop s = stop_at(c, 1, cap);
-    return cylint_one_stop(CYLINT_RELATION_TOUCH, s.root, CYLINT_SIDE_BOTH,
-                           s.apex);
-}
-
 /* Bounded shapes; the line is not parallel to the caps.  up: z grows along
  * it. */
 static cylint_overlap slab(cylint_query *q, int up)
@@ -124,7 +117,7 @@ static cylint_overlap slab(cylint_query *q, int up)
     if (c.E[0] == 0 && c.E[1] == 0) /* a ruling: Q = 0 on all of the line */
         return cylint_two_stops(CYLINT_RELATION_ALONG, begin, end);
     if (c.E[0] == 0 || c.E[1] == 0)
-        return touch_rim(&c, c.E[1] == 0);
+        return cylint_touch_at(stop_at(&c, 1, c.E[1] == 0));
     if (misses_exactly(&c))
         return cylint_no_overlap();
     return cylint_one_stop(CYLINT_RELATION_TOUCH, ROOT_DOUBLE, CYLINT_SIDE_BOTH,

@@ -63,6 +63,12 @@ static inline cylint_overlap cylint_two_stops(int relation, cylint_stop first,
     return v;
 }
 
+static inline cylint_overlap cylint_touch_at(cylint_stop s)
+{
+    return cylint_one_stop(CYLINT_RELATION_TOUCH, s.root, CYLINT_SIDE_BOTH,
+                           s.apex);
+}
+
 static inline cylint_stop cylint_lateral_stop(cylint_root root)
 {
     return (cylint_stop){root, CYLINT_PART_LATERAL, 0, 0};

@@ -38,13 +38,6 @@ static cylint_overlap ball_chord(int discriminant, int end)
     return v;
 }
 
-static cylint_overlap touch_circle(const cylint_query *q, int end)
-{
-    const cylint_stop at = stop_on_circle(q, end);
-    return cylint_one_stop(CYLINT_RELATION_TOUCH, at.root, CYLINT_SIDE_BOTH,
-                           at.apex);
-}
-
 /* The line is parallel to the planes. */
 static cylint_overlap round_level(cylint_query *q)
 {
@@ -83,7 +76,7 @@ static cylint_overlap round_through_circle(const cylint_query *q, int end,
 {
     const cylint_stop at = stop_on_circle(q, end);
     if (grows == 0)
-        return touch_circle(q, end);
+        return cylint_touch_at(at);
     if (grows < 0)
         return cylint_two_stops(CYLINT_RELATION_CROSS, at,
                                 is_first ? cylint_lateral_stop(ROOT_EXIT)
