@@ -126,6 +126,11 @@ static inline int cylint_is_finite(const double x[3])
            fabs(x[2]) <= DBL_MAX;
 }
 
+static inline int cylint_is_zero(const double x[3])
+{
+    return !cylint_sign(x[0]) && !cylint_sign(x[1]) && !cylint_sign(x[2]);
+}
+
 /* x - y as a pair, exactly, in every floating-point environment.  If x - y
  * overflows, lo is 0. */
 pair cylint_wild_difference(double x, double y);

@@ -31,7 +31,6 @@
 #if defined(CYLINT_ONE_LANE)
 
 #define LANES 1
-#define PLAIN_LANE
 
 #elif !defined(CYLINT_NARROW) && defined(__AVX512F__)
 
@@ -249,14 +248,6 @@ static inline void v_store(double *x, vd v)
 }
 static inline vd v_abs(vd x) { return (vd){fabs(x[0]), fabs(x[1])}; }
 static inline vd v_sqrt(vd x) { return (vd){sqrt(x[0]), sqrt(x[1])}; }
-static inline vd v_float(vd x)
-{
-    return (vd){(double)(float)x[0], (double)(float)x[1]};
-}
-static inline vd v_like(vd x, vd y)
-{
-    return (vd){copysign(x[0], y[0]), copysign(x[1], y[1])};
-}
 static inline vm v_lt(vd x, vd y) { return x < y; }
 static inline vm v_le(vd x, vd y) { return x <= y; }
 static inline vm v_eq(vd x, vd y) { return x == y; }
@@ -291,11 +282,10 @@ static inline vm m_from(unsigned bits)
 #else
 
 #define LANES 1
-#define PLAIN_LANE
 
 #endif
 
-#ifdef PLAIN_LANE
+#if LANES == 1
 typedef double vd;
 typedef int vm;
 static inline vd v_set(double x) { return x; }
@@ -477,7 +467,8 @@ typedef struct {
 #undef FUSED
 
 /* Sums and products of pairs without the final normalisation.  lo can grow to
- * about 30 ulp of the terms.  The error: CYLINT_LAZY_BOUND in error_bounds.h. */
+ * about 30 ulp of the terms: the constants CYLINT_LOCAL_ (error_bounds.h) count
+ * that. */
 INLINE vpair vpair_add(vpair a, vpair b)
 {
     const vpair s = v_two_sum(a.hi, b.hi);

@@ -45,66 +45,44 @@ enum {
     CYLINT_NUMBERS = 46
 };
 
-CYLINT_INLINE int cylint_in_range(const cylint_shape *s)
-{
-    return s->library.flag[CYLINT_AT_IN_RANGE];
-}
-
-CYLINT_INLINE int cylint_prepared(const cylint_shape *s)
-{
-    return s->library.flag[CYLINT_AT_PREPARED];
-}
-
-CYLINT_INLINE int cylint_surface(const cylint_shape *s)
-{
-    return s->library.flag[CYLINT_AT_SURFACE];
-}
-
-CYLINT_INLINE int cylint_left_handed(const cylint_shape *s)
-{
-    return s->library.flag[CYLINT_AT_LEFT_HANDED];
-}
-
-CYLINT_INLINE const double *cylint_base(const cylint_shape *s)
-{
-    return s->library.number + CYLINT_AT_BASE;
-}
-
-CYLINT_INLINE const double *cylint_top(const cylint_shape *s)
-{
-    return s->library.number + CYLINT_AT_TOP;
-}
-
-CYLINT_INLINE const double *cylint_axis(const cylint_shape *s)
-{
-    return s->library.number + CYLINT_AT_AXIS;
-}
-
-CYLINT_INLINE const double *cylint_a(const cylint_shape *s)
-{
-    return s->library.number + CYLINT_AT_A;
-}
-
-CYLINT_INLINE const double *cylint_b(const cylint_shape *s)
-{
-    return s->library.number + CYLINT_AT_B;
-}
-
-/* r0 and r1. */
-CYLINT_INLINE const double *cylint_radii(const cylint_shape *s)
-{
-    return s->library.number + CYLINT_AT_R0;
-}
-
-CYLINT_INLINE double cylint_r0(const cylint_shape *s)
-{
-    return s->library.number[CYLINT_AT_R0];
-}
-
-CYLINT_INLINE double cylint_r1(const cylint_shape *s)
-{
-    return s->library.number[CYLINT_AT_R1];
-}
+/* The members by name: cylint_in_range(s), cylint_base(s), cylint_height(s). */
+#define CYLINT_FLAG(name, at)                              \
+    CYLINT_INLINE int cylint_##name(const cylint_shape *s) \
+    {                                                      \
+        return s->library.flag[at];                        \
+    }
+#define CYLINT_VECTOR(name, at)                                      \
+    CYLINT_INLINE const double *cylint_##name(const cylint_shape *s) \
+    {                                                                \
+        return s->library.number + (at);                             \
+    }
+#define CYLINT_NUMBER(name, at)                               \
+    CYLINT_INLINE double cylint_##name(const cylint_shape *s) \
+    {                                                         \
+        return s->library.number[at];                         \
+    }
+CYLINT_FLAG(in_range, CYLINT_AT_IN_RANGE)
+CYLINT_FLAG(prepared, CYLINT_AT_PREPARED)
+CYLINT_FLAG(surface, CYLINT_AT_SURFACE)
+CYLINT_FLAG(left_handed, CYLINT_AT_LEFT_HANDED)
+CYLINT_VECTOR(base, CYLINT_AT_BASE)
+CYLINT_VECTOR(top, CYLINT_AT_TOP)
+CYLINT_VECTOR(axis, CYLINT_AT_AXIS)
+CYLINT_VECTOR(a, CYLINT_AT_A)
+CYLINT_VECTOR(b, CYLINT_AT_B)
+CYLINT_VECTOR(radii, CYLINT_AT_R0) /* r0 and r1 */
+CYLINT_NUMBER(r0, CYLINT_AT_R0)
+CYLINT_NUMBER(r1, CYLINT_AT_R1)
+CYLINT_NUMBER(height, CYLINT_AT_HEIGHT)
+CYLINT_NUMBER(slope, CYLINT_AT_SLOPE)
+CYLINT_NUMBER(cosine, CYLINT_AT_COSINE)
+CYLINT_NUMBER(sine, CYLINT_AT_SINE)
+CYLINT_NUMBER(norm, CYLINT_AT_NORM)
+CYLINT_NUMBER(reach, CYLINT_AT_REACH)
+CYLINT_NUMBER(frame_error, CYLINT_AT_ERROR)
+#undef CYLINT_FLAG
+#undef CYLINT_VECTOR
+#undef CYLINT_NUMBER
 
 /* Column i of the matrix.  Another number of the shape follows. */
 CYLINT_INLINE const double *cylint_column(const cylint_shape *s, int i)
@@ -115,41 +93,6 @@ CYLINT_INLINE const double *cylint_column(const cylint_shape *s, int i)
 CYLINT_INLINE const double *cylint_column_lo(const cylint_shape *s, int i)
 {
     return cylint_column(s, i) + CYLINT_LOW;
-}
-
-CYLINT_INLINE double cylint_height(const cylint_shape *s)
-{
-    return s->library.number[CYLINT_AT_HEIGHT];
-}
-
-CYLINT_INLINE double cylint_slope(const cylint_shape *s)
-{
-    return s->library.number[CYLINT_AT_SLOPE];
-}
-
-CYLINT_INLINE double cylint_cosine(const cylint_shape *s)
-{
-    return s->library.number[CYLINT_AT_COSINE];
-}
-
-CYLINT_INLINE double cylint_sine(const cylint_shape *s)
-{
-    return s->library.number[CYLINT_AT_SINE];
-}
-
-CYLINT_INLINE double cylint_norm(const cylint_shape *s)
-{
-    return s->library.number[CYLINT_AT_NORM];
-}
-
-CYLINT_INLINE double cylint_reach(const cylint_shape *s)
-{
-    return s->library.number[CYLINT_AT_REACH];
-}
-
-CYLINT_INLINE double cylint_frame_error(const cylint_shape *s)
-{
-    return s->library.number[CYLINT_AT_ERROR];
 }
 
 #endif

@@ -34,11 +34,6 @@ typedef struct {
     four x, y, z;
 } rows;
 
-static pair plain(double x)
-{
-    return (pair){x, 0};
-}
-
 INLINE four load_four(const double hi[4], const double lo[4])
 {
     four x;
@@ -113,12 +108,6 @@ INLINE four all_four(pair x)
     return all;
 }
 
-INLINE pair product(pair a, pair b)
-{
-    const pair p = two_prod(a.hi, b.hi);
-    return fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
-}
-
 INLINE four products(const four *x, const four *y)
 {
     four xy;
@@ -184,7 +173,7 @@ static pair inverse_root(pair a)
 
 /* The axis, and the growth of the radius along it.  A low part that underflows is
  * nothing beside an axis that is long enough. */
-INLINE four axis_of(const cylint_shape *s)
+INLINE four axis_and_growth(const cylint_shape *s)
 {
     static const double none[4] = {0, 0, 0, 0};
     const int two_points = cylint_has_end_points(s->kind);
@@ -222,7 +211,7 @@ INLINE four least_direction(const double axis[3])
  */
 INLINE pair upright_rows(rows *m, const cylint_shape *s)
 {
-    const four w = axis_of(s), e = least_direction(cylint_axis(s));
+    const four w = axis_and_growth(s), e = least_direction(cylint_axis(s));
     const four w1 = turned(&w), w2 = turned(&w1);
     const four e1 = turned(&e), e2 = turned(&e1);
     four square, aside, x;
@@ -276,7 +265,7 @@ static double inverse_rows(rows *m, const cylint_shape *s)
     store_four(hi, lo, &ax);
     const pair two = pair_add((pair){hi[0], lo[0]}, (pair){hi[1], lo[1]});
     const pair det = pair_add(two, (pair){hi[2], lo[2]});
-    scale(m, pair_div(plain(1), det));
+    scale(m, pair_div((pair){1, 0}, det));
     return det.hi;
 }
 
@@ -336,60 +325,43 @@ INLINE void store_pair(cylint_shape *s, int at, pair x)
  * 1 - sine^2, which is larger relative to it: *error grows. */
 static pair measure_angle(cylint_shape *s, pair slope, double *error)
 {
-    pair cosine = plain(1), sine = plain(0);
+    const pair one = {1, 0};
+    pair cosine = one, sine = {0, 0};
     if (s->kind == CYLINT_KIND_RCONE) {
-        const pair rest = pair_sub(plain(1), pair_mul(slope, slope));
+        const pair rest = pair_sub(one, pair_mul(slope, slope));
         sine = slope;
         if (rest.hi > 0) {
             const pair inverse = inverse_root(rest);
-            cosine = product(rest, inverse);
-            slope = product(sine, inverse);
+            cosine = pair_mul(rest, inverse);
+            slope = pair_mul(sine, inverse);
         }
         *error /= rest.hi > 0 ? rest.hi : 0;
     } else if (cylint_is_tapered(s->kind) && !cylint_is_elliptic(s->kind)) {
-        const pair root =
-            inverse_root(pair_add(plain(1), pair_mul(slope, slope)));
+        const pair root = inverse_root(pair_add(one, pair_mul(slope, slope)));
         cosine = fast_two_sum(root.hi, root.lo);
-        sine = product(slope, root);
+        sine = pair_mul(slope, root);
     }
     store_pair(s, CYLINT_AT_COSINE, cosine);
     store_pair(s, CYLINT_AT_SINE, sine);
     return slope;
 }
 
-static void identity_rows(rows *m)
-{
-    static const double one[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    m->x = vector(one[0]);
-    m->y = vector(one[1]);
-    m->z = vector(one[2]);
-}
-
 /* No form overflows (error_bounds.h). */
-static int is_tame(const cylint_shape *s)
+static int is_in_bounds(const cylint_shape *s)
 {
     const double norm = cylint_larger(cylint_norm(s), 1);
     return cylint_largest(cylint_base(s)) <= CYLINT_FAR &&
            norm * norm * (1 + fabs(cylint_slope(s))) <= CYLINT_LOCAL_MOST;
 }
 
-/* A round shape whose local coordinates are not accurate has the height 0. */
-static void check_round(cylint_shape *s)
-{
-    if (cylint_prepared(s) && fabs(cylint_sine(s)) <= CYLINT_LOCAL_STEEPEST)
-        return;
-    s->library.flag[CYLINT_AT_PREPARED] = CYLINT_SOLID_NONE;
-    s->library.number[CYLINT_AT_HEIGHT] = 0;
-}
-
 void CYLINT_MEASURE_LOCAL(cylint_shape *s)
 {
     rows m;
-    pair height, slope;
+    pair height = {0, 0}, slope = {0, 0};
     double error = CYLINT_LOCAL_ERROR, *x = s->library.number;
     if (s->kind == CYLINT_KIND_SPHERE) {
-        identity_rows(&m);
-        height = slope = plain(0);
+        static const double one[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        m = (rows){vector(one[0]), vector(one[1]), vector(one[2])};
     } else if (cylint_is_elliptic(s->kind)) {
         const double det = inverse_rows(&m, s), power = balance(&m);
         const double cancelled = cylint_largest(cylint_a(s)) *
@@ -398,7 +370,7 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
         const pair growth = cylint_radius_growth(s);
         error *= cylint_larger(1, cancelled);
         s->library.flag[CYLINT_AT_LEFT_HANDED] = det < 0;
-        height = plain(power);
+        height = (pair){power, 0};
         slope = (pair){growth.hi / power, growth.lo / power};
     } else {
         const pair inverse = upright_rows(&m, s);
@@ -406,8 +378,8 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
         slope = last_of(&m.z);
         if (cylint_has_tangent(s->kind)) {
             scale(&m, inverse);
-            height = plain(1);
-            slope = plain(cylint_r1(s));
+            height = (pair){1, 0};
+            slope = (pair){cylint_r1(s), 0};
         }
     }
     store_row(s, 0, &m.x);
@@ -422,12 +394,15 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
     x[CYLINT_AT_REACH] =
         (height.hi + cylint_larger(cylint_r0(s), cylint_r1(s))) * CYLINT_SLACK;
     x[CYLINT_AT_ERROR] = error;
-    const int accurate = cylint_in_range(s) && is_long_enough(s) &&
-                         is_tame(s) && cylint_rounds_to_nearest() &&
-                         (height.hi > 0 || s->kind == CYLINT_KIND_SPHERE) &&
-                         error <= CYLINT_LOCAL_WORST;
+    const int round = cylint_is_round(s->kind);
+    const int accurate =
+        cylint_in_range(s) && is_long_enough(s) && is_in_bounds(s) &&
+        cylint_rounds_to_nearest() &&
+        (height.hi > 0 || s->kind == CYLINT_KIND_SPHERE) &&
+        error <= CYLINT_LOCAL_WORST &&
+        (!round || fabs(cylint_sine(s)) <= CYLINT_LOCAL_STEEPEST);
     s->library.flag[CYLINT_AT_PREPARED] =
         accurate ? cylint_solid(s) : CYLINT_SOLID_NONE;
-    if (cylint_is_round(s->kind))
-        check_round(s);
+    if (round && !accurate)
+        x[CYLINT_AT_HEIGHT] = 0;
 }

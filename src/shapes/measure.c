@@ -9,17 +9,12 @@
 
 static double largest_length(const cylint_shape *s)
 {
-    double most = cylint_largest(cylint_axis(s));
-    if (cylint_is_elliptic(s->kind)) {
-        const double a = cylint_largest(cylint_a(s)),
-                     b = cylint_largest(cylint_b(s));
-        most = a > most ? a : most;
-        most = b > most ? b : most;
-    }
-    if (!cylint_has_factors(s->kind)) {
-        most = cylint_r0(s) > most ? cylint_r0(s) : most;
-        most = cylint_r1(s) > most ? cylint_r1(s) : most;
-    }
+    double most = cylint_axis_size(s);
+    if (cylint_is_elliptic(s->kind))
+        most = cylint_larger(most, cylint_larger(cylint_largest(cylint_a(s)),
+                                                 cylint_largest(cylint_b(s))));
+    if (!cylint_has_factors(s->kind))
+        most = cylint_larger(most, cylint_larger(cylint_r0(s), cylint_r1(s)));
     return most;
 }
 
@@ -46,40 +41,28 @@ static double dot3(const double x[3], const double y[3])
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
 
-/* The square of the largest distance of a disc's points from its centre.
- * *skew: how much the direction of a point can add to the square of its distance
- * from the middle of an oblique shape. */
-static double disc_reach(const cylint_shape *s, double *skew)
+/* The square of the largest distance of a disc's points from its centre; and how
+ * much the direction of a point can add to the square of its distance from the
+ * middle of an oblique shape. */
+static double disc_reach(const cylint_shape *s)
 {
-    *skew = 0;
+    const double *a = cylint_a(s), *b = cylint_b(s), *w = cylint_axis(s);
     const double r = cylint_larger(cylint_r0(s), cylint_r1(s));
     if (!cylint_is_elliptic(s->kind))
-        return r * r *
-               cylint_radius_unit(s, dot3(cylint_axis(s), cylint_axis(s)));
-    *skew = r * (fabs(dot3(cylint_a(s), cylint_axis(s))) +
-                 fabs(dot3(cylint_b(s), cylint_axis(s))));
-    return r * r *
-           (cylint_larger(dot3(cylint_a(s), cylint_a(s)),
-                          dot3(cylint_b(s), cylint_b(s))) +
-            fabs(dot3(cylint_a(s), cylint_b(s))));
+        return r * r * cylint_radius_unit(s, dot3(w, w));
+    return r * r * (cylint_larger(dot3(a, a), dot3(b, b)) + fabs(dot3(a, b))) +
+           r * (fabs(dot3(a, w)) + fabs(dot3(b, w)));
 }
 
-/* Of a ball about the centre that holds the balls of a round kind. */
-static double hull_radius(const cylint_shape *s)
+/* Of a ball about the middle that holds a bounded shape. */
+static double radius_about(const cylint_shape *s)
 {
-    const double *w = cylint_axis(s);
-    return s->kind == CYLINT_KIND_SPHERE
-               ? cylint_r0(s)
-               : 0.5 * sqrt(dot3(w, w)) +
-                     cylint_larger(cylint_r0(s), cylint_r1(s));
-}
-
-/* The same of other bounded kinds. */
-static double section_radius(const cylint_shape *s)
-{
-    double skew;
-    const double reach = disc_reach(s, &skew);
-    return sqrt(0.25 * dot3(cylint_axis(s), cylint_axis(s)) + reach + skew);
+    const double ww = dot3(cylint_axis(s), cylint_axis(s));
+    if (s->kind == CYLINT_KIND_SPHERE)
+        return cylint_r0(s);
+    if (cylint_is_round(s->kind))
+        return 0.5 * sqrt(ww) + cylint_larger(cylint_r0(s), cylint_r1(s));
+    return sqrt(0.25 * ww + disc_reach(s));
 }
 
 /*
@@ -99,8 +82,7 @@ double cylint_ball_about(const cylint_shape *s, double center[3])
                     : cylint_has_end_points(s->kind)
                         ? 0.5 * cylint_base(s)[i] + 0.5 * cylint_top(s)[i]
                         : cylint_base(s)[i] + 0.5 * cylint_axis(s)[i];
-    return (cylint_is_round(s->kind) ? hull_radius(s) : section_radius(s)) *
-               CYLINT_SLACK +
+    return radius_about(s) * CYLINT_SLACK +
            2 * CYLINT_ROUNDING * cylint_largest(center);
 }
 
@@ -112,13 +94,6 @@ int cylint_is_in_window(const cylint_shape *s)
            (!cylint_has_factors(s->kind) || cylint_r1(s) <= CYLINT_WINDOW);
 }
 
-static void swap_doubles(double *x, double *y)
-{
-    const double kept = *x;
-    *x = *y;
-    *y = kept;
-}
-
 void cylint_ball_of(cylint_shape *ball, const cylint_shape *s, int end)
 {
     double *x = ball->library.number;
@@ -127,9 +102,11 @@ void cylint_ball_of(cylint_shape *ball, const cylint_shape *s, int end)
     ball->library.flag[CYLINT_AT_SURFACE] =
         end ? CYLINT_PART_CAP1 : CYLINT_PART_CAP0;
     if (end) {
-        swap_doubles(&x[CYLINT_AT_R0], &x[CYLINT_AT_R1]);
+        x[CYLINT_AT_R0] = cylint_r1(s);
+        x[CYLINT_AT_R1] = cylint_r0(s);
         for (int i = 0; i < 3; i++) {
-            swap_doubles(&x[CYLINT_AT_BASE + i], &x[CYLINT_AT_TOP + i]);
+            x[CYLINT_AT_BASE + i] = cylint_top(s)[i];
+            x[CYLINT_AT_TOP + i] = cylint_base(s)[i];
             x[CYLINT_AT_AXIS + i] = -cylint_axis(s)[i];
         }
     }

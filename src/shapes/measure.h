@@ -21,8 +21,7 @@ double cylint_ball_about(const cylint_shape *shape, double center[3]);
 /* The axis has length 0: z and phi of all points are 0. */
 static inline int cylint_has_no_axis(const cylint_shape *s)
 {
-    return !cylint_sign(cylint_axis(s)[0]) && !cylint_sign(cylint_axis(s)[1]) &&
-           !cylint_sign(cylint_axis(s)[2]);
+    return cylint_is_zero(cylint_axis(s));
 }
 
 /* The ball about an end of a capsule or rcone, as a sphere. */

@@ -109,12 +109,13 @@ CYLINT_INLINE int cylint_part_is_present(int ends, int part)
            (cylint_caps_present(ends) >> (part == CYLINT_PART_CAP1) & 1);
 }
 
-/* A shape of this kind can have these ends. */
+/* A shape of this kind can have these ends, a number from anywhere. */
 CYLINT_INLINE int cylint_ends_fit(int kind, int ends)
 {
-    return kind == CYLINT_KIND_SPHERE ? ends == CYLINT_ENDS_CAPPED
-           : cylint_is_round(kind)    ? cylint_ends_are_planes(ends)
-                                      : 1;
+    return ends >= CYLINT_ENDS_CAPPED && ends <= CYLINT_ENDS_NAPPE &&
+           (kind == CYLINT_KIND_SPHERE ? ends == CYLINT_ENDS_CAPPED
+            : cylint_is_round(kind)    ? cylint_ends_are_planes(ends)
+                                       : 1);
 }
 
 /* ------------------------------------------------------- of a shape ---- */
