@@ -97,12 +97,6 @@ void cylint_pack_shapes(cylint_pack *pack, void *memory,
 
 /* ------------------------------------------------------ the questions -- */
 
-/* Relation miss or cross, or what cylint_intersect() writes. */
-typedef struct {
-    int relation, n, part[2], side[2];
-    double t[2];
-} batch_answer;
-
 /* A batch query, the use of its answers, and the result so far. */
 typedef struct {
     enum { FIND_NEAREST, COUNT_HITS, FILL_COLUMNS } purpose;
@@ -112,45 +106,46 @@ typedef struct {
     int relations;  /* wanted even where there is no hit */
     double nearest; /* t of the nearest hit so far, else infinite */
     size_t best, count, enough;
-    int stopped; /* no more answers are wanted */
-    batch_answer best_answer;
+    int part, side; /* of the nearest hit */
+    int stopped;    /* no more answers are wanted */
     const cylint_columns *columns;
 } batch_job;
 
-static void keep_nearest(batch_job *job, size_t number, const batch_answer *a)
+static void keep_nearest(batch_job *job, size_t number, const cylint_answer *a)
 {
     if (a->n == 0)
         return;
     /* by the bits: subnormal t may count as zero */
-    const int64_t t = cylint_rank(a->t[0]);
+    const int64_t t = cylint_rank(a->hit[0].t);
     const int64_t nearest = cylint_rank(job->nearest);
     if (t < nearest || (t == nearest && number < job->best)) {
-        job->nearest = a->t[0];
+        job->nearest = a->hit[0].t;
         job->best = number;
-        job->best_answer = *a;
+        job->part = a->hit[0].part;
+        job->side = a->hit[0].side;
     }
 }
 
 static void fill_columns(const cylint_columns *to, size_t i,
-                         const batch_answer *a)
+                         const cylint_answer *a)
 {
     if (to->relation)
         to->relation[i] = (signed char)a->relation;
     if (to->n)
         to->n[i] = (signed char)a->n;
     if (to->t0)
-        to->t0[i] = a->n > 0 ? a->t[0] : NAN;
+        to->t0[i] = a->n > 0 ? a->hit[0].t : NAN;
     if (to->t1)
-        to->t1[i] = a->n > 1 ? a->t[1] : NAN;
+        to->t1[i] = a->n > 1 ? a->hit[1].t : NAN;
     if (to->part0)
-        to->part0[i] = (signed char)(a->n > 0 ? a->part[0] : -1);
+        to->part0[i] = (signed char)(a->n > 0 ? a->hit[0].part : -1);
     if (to->part1)
-        to->part1[i] = (signed char)(a->n > 1 ? a->part[1] : -1);
+        to->part1[i] = (signed char)(a->n > 1 ? a->hit[1].part : -1);
 }
 
 /* Uses an answer that is no miss.  Returns 1 when no more are wanted. */
 CYLINT_INLINE int use_answer(batch_job *job, size_t number,
-                             const batch_answer *a)
+                             const cylint_answer *a)
 {
     switch (job->purpose) {
     case FIND_NEAREST:
@@ -185,26 +180,15 @@ static int answer_alone(batch_job *job, const cylint_shape *shape,
 {
     cylint_line line;
     cylint_answer a;
-    batch_answer answer;
     if (!line_of(job, number, &line))
         return 0;
     cylint_intersect(shape, &line, job->want | CYLINT_WANT_PART, &a);
-    if (a.relation == CYLINT_RELATION_MISS)
-        return 0;
-    answer.relation = a.relation;
-    answer.n = a.n;
-    for (int i = 0; i < a.n; i++) {
-        if (job->want & CYLINT_WANT_T)
-            answer.t[i] = a.hit[i].t;
-        answer.part[i] = a.hit[i].part;
-        answer.side[i] = a.hit[i].side;
-    }
-    return use_answer(job, number, &answer);
+    return a.relation == CYLINT_RELATION_MISS ? 0 : use_answer(job, number, &a);
 }
 
 /* Of a lane that the filter decided. */
 CYLINT_INLINE void lane_answer(const cylint_filter_group *g, int lane,
-                               unsigned want, batch_answer *a)
+                               unsigned want, cylint_answer *a)
 {
     a->relation = CYLINT_RELATION_CROSS;
     a->n = 0;
@@ -212,10 +196,10 @@ CYLINT_INLINE void lane_answer(const cylint_filter_group *g, int lane,
         if (!(g->hit[i] >> lane & 1))
             continue;
         const int swapped = (int)(g->leaving_first >> lane & 1);
-        a->t[a->n] = g->t[i][lane];
-        a->part[a->n] = (int)g->part[i][lane];
-        a->side[a->n] = swapped ? !i : i;
-        a->n++;
+        cylint_hit *hit = &a->hit[a->n++];
+        hit->t = g->t[i][lane];
+        hit->part = (int)g->part[i][lane];
+        hit->side = swapped ? !i : i;
         if (want & CYLINT_WANT_NEAREST)
             return;
     }
@@ -262,7 +246,7 @@ static int use_group(void *self, cylint_filter_batch *from,
     for (unsigned found = all; found; found &= found - 1) {
         const int lane = cylint_lowest(found);
         const size_t number = g->number[lane];
-        batch_answer answer;
+        cylint_answer answer;
         int enough;
         if (g->undecided >> lane & 1) {
             enough = answer_alone(job, &from->shapes[from->run ? number : 0],
@@ -346,27 +330,19 @@ size_t cylint_nearest(const cylint_pack *pack, const cylint_line *line,
     answer_pack(pack, &job);
     if (job.best == pack->n)
         return pack->n;
-    if (want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
-                CYLINT_WANT_PHI)) {
+    if (want & CYLINT_WANT_BESIDE_T) {
         cylint_answer answer;
+        answer.hit[0] = *hit; /* members that are not wanted stay as they are */
         cylint_intersect(&pack->shapes[job.best], line,
                          want | CYLINT_WANT_NEAREST, &answer);
-        for (int i = 0; i < 3; i++) {
-            if (want & CYLINT_WANT_POINT)
-                hit->point[i] = answer.hit[0].point[i];
-            if (want & CYLINT_WANT_NORMAL)
-                hit->normal[i] = answer.hit[0].normal[i];
-        }
-        if (want & CYLINT_WANT_Z)
-            hit->z = answer.hit[0].z;
-        if (want & CYLINT_WANT_PHI)
-            hit->phi = answer.hit[0].phi;
+        *hit = answer.hit[0];
+        return job.best;
     }
     if (want & CYLINT_WANT_T)
-        hit->t = job.best_answer.t[0];
+        hit->t = job.nearest;
     if (want & CYLINT_WANT_PART) {
-        hit->part = job.best_answer.part[0];
-        hit->side = job.best_answer.side[0];
+        hit->part = job.part;
+        hit->side = job.side;
     }
     return job.best;
 }

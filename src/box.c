@@ -3,7 +3,7 @@
  *
  * A bounded shape is the convex hull of its two discs.
  */
-#include "signs/sign.h"
+#include "intersect.h"
 
 /* The axis is 2^e times these pairs.  e is 0 unless a component of the axis
  * overflows. */
@@ -24,6 +24,20 @@ static long_axis axis_of(const cylint_shape *s)
     for (int i = 0; i < 3; i++)
         k.axis[i] = fits ? cylint_axis_pair(s, i) : (pair){hi[i], lo[i]};
     return k;
+}
+
+static void write_side(double lo[3], double hi[3], int j, double low,
+                       double high)
+{
+    lo[j] = low;
+    hi[j] = high;
+}
+
+static void extend_side(double lo[3], double hi[3], int j, double low,
+                        double high)
+{
+    write_side(lo, hi, j, cylint_less(low, lo[j]) ? low : lo[j],
+               cylint_less(hi[j], high) ? high : hi[j]);
 }
 
 /* center + offset + reach (up) or - reach, rounded outward.  If nothing was
@@ -95,22 +109,18 @@ static void add_disc(const cylint_shape *s, int cap, double lo[3], double hi[3])
             scaled_outward(outward(center, along, reach, is_exact, 0), down, 0);
         const double high =
             scaled_outward(outward(center, along, reach, is_exact, 1), down, 1);
-        lo[j] = cylint_less(low, lo[j]) ? low : lo[j];
-        hi[j] = cylint_less(hi[j], high) ? high : hi[j];
+        extend_side(lo, hi, j, low, high);
     }
 }
 
 /* Extends the box by the ball about an end. */
-static void take_ball(const cylint_shape *s, int end, double lo[3],
-                      double hi[3])
+static void add_ball(const cylint_shape *s, int end, double lo[3], double hi[3])
 {
     const pair none = {0, 0}, r = {cylint_end_factor(s, end), 0};
     for (int j = 0; j < 3; j++) {
         const double c = cylint_end_center(s, end, j);
-        const double low = outward(c, none, r, 1, 0);
-        const double high = outward(c, none, r, 1, 1);
-        lo[j] = cylint_less(low, lo[j]) ? low : lo[j];
-        hi[j] = cylint_less(hi[j], high) ? high : hi[j];
+        extend_side(lo, hi, j, outward(c, none, r, 1, 0),
+                    outward(c, none, r, 1, 1));
     }
 }
 
@@ -144,11 +154,9 @@ static int leans_inward(cylint_query *q, int j)
  * coordinate along which no ruling runs backwards: there the apex bounds it. */
 static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
 {
-    static const double along[3] = {1, 0, 0};
     cylint_line line;
     cylint_query q;
-    cylint_whole_line(&line, cylint_base(s), along);
-    cylint_query_open(&q, s, &line);
+    cylint_open_at(&q, s, &line, cylint_base(s));
     const long_axis k = axis_of(s);
     const pair growth = cylint_radius_growth(s);
     const int er = cylint_exponent(cylint_r0(s)),
@@ -156,8 +164,7 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
     const pair r0 = {cylint_scaled(cylint_r0(s), -er), 0};
     const pair dr = cylint_scaled_pair(growth, -ed);
     for (int j = 0; j < 3; j++) {
-        lo[j] = -HUGE_VAL;
-        hi[j] = HUGE_VAL;
+        write_side(lo, hi, j, -HUGE_VAL, HUGE_VAL);
         if (!leans_inward(&q, j))
             continue;
         /* the apex: p0 - w r0 / dr */
@@ -179,38 +186,27 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
 
 void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
 {
-    for (int j = 0; j < 3; j++) {
-        lo[j] = HUGE_VAL;
-        hi[j] = -HUGE_VAL;
-    }
-    if (shape->kind == CYLINT_KIND_NONE)
+    const int kind = shape->kind, bounded = cylint_is_bounded(shape);
+    for (int j = 0; j < 3; j++)
+        write_side(lo, hi, j, HUGE_VAL, -HUGE_VAL);
+    if (kind == CYLINT_KIND_NONE)
         return;
-    if (cylint_is_round(shape->kind)) {
-        take_ball(shape, 0, lo, hi);
-        if (shape->kind != CYLINT_KIND_SPHERE)
-            take_ball(shape, 1, lo, hi);
+    if (cylint_is_nappe(shape)) {
+        write_nappe_box(shape, lo, hi);
         return;
     }
-    if (!cylint_is_bounded(shape) && cylint_is_tapered(shape->kind)) {
-        if (cylint_is_nappe(shape)) {
-            write_nappe_box(shape, lo, hi);
-            return;
-        }
-        for (int j = 0; j < 3; j++) {
-            lo[j] = -HUGE_VAL;
-            hi[j] = HUGE_VAL;
-        }
-        return;
-    }
-    add_disc(shape, 0, lo, hi);
-    if (cylint_ends_are_planes(shape->ends)) {
-        /* mutant '1' -> '2': any number but 0 means the other cap */
-        add_disc(shape, 1, lo, hi);
-        return;
+    if (cylint_is_round(kind)) {
+        add_ball(shape, 0, lo, hi);
+        if (kind != CYLINT_KIND_SPHERE)
+            add_ball(shape, 1, lo, hi);
+    } else if (bounded || !cylint_is_tapered(kind)) {
+        add_disc(shape, 0, lo, hi);
+        if (bounded)
+            /* mutant '1' -> '2': any number but 0 means the other cap */
+            add_disc(shape, 1, lo, hi);
     }
     for (int j = 0; j < 3; j++)
-        if (cylint_sign(cylint_axis(shape)[j]) != 0) {
-            lo[j] = -HUGE_VAL;
-            hi[j] = HUGE_VAL;
-        }
+        if (!bounded && (cylint_is_tapered(kind) ||
+                         cylint_sign(cylint_axis(shape)[j]) != 0))
+            write_side(lo, hi, j, -HUGE_VAL, HUGE_VAL);
 }

@@ -17,7 +17,7 @@
  */
 #include <string.h>
 
-#include "signs/sign.h"
+#include "intersect.h"
 
 enum { NEAR = 4, MASKS = 8, MOST_DOUBLINGS = 64 };
 
@@ -37,14 +37,12 @@ typedef struct {
 /* Whether p is on the outer side of the hit's part. */
 static int is_beyond_part(const search *s, const double p[3])
 {
-    static const double along[3] = {1, 0, 0};
     const cylint_shape *shape = s->shape;
     cylint_line line;
     cylint_query q;
     if (cylint_is_round(shape->kind) || !cylint_is_bounded(shape) ||
-        cylint_whole_line(&line, p, along) != CYLINT_OK)
+        cylint_open_at(&q, shape, &line, p) != CYLINT_OK)
         return 1;
-    cylint_query_open(&q, shape, &line);
     switch (s->part) {
     case CYLINT_PART_CAP0:
         return cylint_form_sign(&q, FORM_ALPHA, 0) < 0;

@@ -17,21 +17,14 @@ static double unfolded(double x)
     return v;
 }
 
-static uint64_t bits_of(double x)
-{
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
 /* Tests for IEEE 754 binary64 in the byte order of uint64_t. */
 /* untaken: in broken builds only, which tests/test_guards.sh makes */
 static int format_differs(void)
 {
     return sizeof(double) != sizeof(uint64_t) ||
-           bits_of(unfolded(-0x1.23456789abcdep-1)) !=
+           cylint_bits(unfolded(-0x1.23456789abcdep-1)) !=
                UINT64_C(0xbfe23456789abcde) ||
-           bits_of(unfolded(0x1p-1074)) != 1;
+           cylint_bits(unfolded(0x1p-1074)) != 1;
 }
 
 /* (1 + e)^2 = 1 + 2 e + e^2.  One unit in its last place is 4 e^2, so the
@@ -78,13 +71,14 @@ static int quotients_are_off(void)
 
 static int flushes_results(void)
 {
-    return bits_of(unfolded(0x1p-1022) * unfolded(0.5)) != UINT64_C(1) << 51;
+    return cylint_bits(unfolded(0x1p-1022) * unfolded(0.5)) != UINT64_C(1)
+                                                                   << 51;
 }
 
 static int takes_operands_for_zero(void)
 {
-    return bits_of(unfolded(0x1p-1030) * unfolded(0x1p100)) !=
-           bits_of(unfolded(0x1p-930));
+    return cylint_bits(unfolded(0x1p-1030) * unfolded(0x1p100)) !=
+           cylint_bits(unfolded(0x1p-930));
 }
 
 /* untaken: in broken builds only, which tests/test_guards.sh makes */

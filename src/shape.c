@@ -5,8 +5,8 @@
  * zero; every query then returns "miss".
  */
 #include "dispatch.h"
+#include "intersect.h"
 #include "shapes/local.h"
-#include "signs/sign.h"
 
 const char *cylint_strerror(int status)
 {
@@ -36,12 +36,6 @@ const char *cylint_strerror(int status)
     }
 }
 
-static int zero3(const double x[3])
-{
-    return cylint_sign(x[0]) == 0 && cylint_sign(x[1]) == 0 &&
-           cylint_sign(x[2]) == 0;
-}
-
 static int equal3(const double x[3], const double y[3])
 {
     return cylint_rank(x[0]) == cylint_rank(y[0]) &&
@@ -53,23 +47,6 @@ static void copy3(double to[3], const double from[3])
 {
     for (int i = 0; i < 3; i++)
         to[i] = from[i];
-}
-
-static void difference3(double hi[3], double lo[3], const double to[3],
-                        const double from[3])
-{
-    for (int i = 0; i < 3; i++) {
-        const pair d = cylint_difference(to[i], from[i]);
-        hi[i] = d.hi;
-        lo[i] = d.lo;
-    }
-}
-
-/* Whether a shape of this kind may have these ends. */
-static int ends_exist(int kind, int ends)
-{
-    return ends >= CYLINT_ENDS_CAPPED && ends <= CYLINT_ENDS_NAPPE &&
-           cylint_ends_fit(kind, ends);
 }
 
 /* Writes a shape that no line hits. */
@@ -113,45 +90,35 @@ static void write_shape(cylint_shape *shape, int kind, cylint_ends ends,
     measure_local(shape);
 }
 
-/* Writes what a shape is that is given by two points and a radius at each.
+/* Checks and writes a shape that is given by two points and a radius at each.
  * same: its kind for equal radii. */
-static void write_two_points(cylint_shape *shape, const double p0[3], double r0,
-                             const double p1[3], double r1, int same, int kind,
-                             cylint_ends ends)
+static cylint_status make_of_points(cylint_shape *shape, const double p0[3],
+                                    double r0, const double p1[3], double r1,
+                                    int same, int kind, cylint_ends ends)
 {
     double axis[3];
+    if (!cylint_is_finite(p0) || !cylint_is_finite(p1) ||
+        !(fabs(r0) <= DBL_MAX) || !(fabs(r1) <= DBL_MAX))
+        return refuse_shape(shape, CYLINT_ENONFINITE);
+    if (cylint_sign(r0) < 0 || cylint_sign(r1) < 0 ||
+        (cylint_sign(r0) == 0 && cylint_sign(r1) == 0))
+        return refuse_shape(shape, CYLINT_ERADIUS);
+    if (!cylint_is_round(kind) && equal3(p0, p1))
+        return refuse_shape(shape, CYLINT_EAXIS);
+    if (!cylint_ends_fit(kind, (int)ends))
+        return refuse_shape(shape, CYLINT_EENDS);
     for (int i = 0; i < 3; i++)
         axis[i] = cylint_difference(p1[i], p0[i]).hi;
     write_shape(shape, cylint_rank(r0) == cylint_rank(r1) ? same : kind, ends,
                 p0, axis, p1, none, none, r0, r1);
-}
-
-/* CYLINT_OK, ENONFINITE or ERADIUS. */
-static cylint_status check_two_points(const double p0[3], double r0,
-                                      const double p1[3], double r1)
-{
-    if (!cylint_is_finite(p0) || !cylint_is_finite(p1) ||
-        !(fabs(r0) <= DBL_MAX) || !(fabs(r1) <= DBL_MAX))
-        return CYLINT_ENONFINITE;
-    if (cylint_sign(r0) < 0 || cylint_sign(r1) < 0 ||
-        (cylint_sign(r0) == 0 && cylint_sign(r1) == 0))
-        return CYLINT_ERADIUS;
     return CYLINT_OK;
 }
 
 cylint_status cylint_cone(cylint_shape *shape, const double p0[3], double r0,
                           const double p1[3], double r1, cylint_ends ends)
 {
-    const cylint_status status = check_two_points(p0, r0, p1, r1);
-    if (status != CYLINT_OK)
-        return refuse_shape(shape, status);
-    if (equal3(p0, p1))
-        return refuse_shape(shape, CYLINT_EAXIS);
-    if (!ends_exist(CYLINT_KIND_CONE, (int)ends))
-        return refuse_shape(shape, CYLINT_EENDS);
-    write_two_points(shape, p0, r0, p1, r1, CYLINT_KIND_CYLINDER,
-                     CYLINT_KIND_CONE, ends);
-    return CYLINT_OK;
+    return make_of_points(shape, p0, r0, p1, r1, CYLINT_KIND_CYLINDER,
+                          CYLINT_KIND_CONE, ends);
 }
 
 cylint_status cylint_cylinder(cylint_shape *shape, const double p0[3],
@@ -160,58 +127,38 @@ cylint_status cylint_cylinder(cylint_shape *shape, const double p0[3],
     return cylint_cone(shape, p0, r, p1, r, ends);
 }
 
-/* Opens the query of any line about a shape, for signs that do not depend on
- * the line. */
-static void open_any_line(cylint_query *q, const cylint_shape *shape,
-                          cylint_line *line)
-{
-    static const double along[3] = {1, 0, 0};
-    cylint_whole_line(line, cylint_base(shape), along);
-    cylint_query_open(q, shape, line);
-}
-
-/* The sign of |p1 - p0|^2 - (r1 - r0)^2, exactly. */
-static int sign_of_overhang(const cylint_shape *shape)
-{
-    cylint_line line;
-    cylint_query q;
-    open_any_line(&q, shape, &line);
-    return cylint_form_sign(&q, FORM_ROOT_OF_S, 0);
-}
-
 cylint_status cylint_sphere(cylint_shape *shape, const double c[3], double r,
                             cylint_ends ends)
 {
-    const cylint_status status = check_two_points(c, r, c, r);
-    if (status != CYLINT_OK)
-        return refuse_shape(shape, status);
-    if (!ends_exist(CYLINT_KIND_SPHERE, (int)ends))
-        return refuse_shape(shape, CYLINT_EENDS);
-    write_two_points(shape, c, r, c, r, CYLINT_KIND_SPHERE, CYLINT_KIND_SPHERE,
-                     ends);
-    return CYLINT_OK;
+    return make_of_points(shape, c, r, c, r, CYLINT_KIND_SPHERE,
+                          CYLINT_KIND_SPHERE, ends);
+}
+
+/* The sign of the S of forms_template.h, exactly: of |p1 - p0|^2 - (r1 - r0)^2,
+ * or of a.(b x h). */
+static int sign_of_S(const cylint_shape *shape)
+{
+    cylint_line line;
+    cylint_query q;
+    cylint_open_at(&q, shape, &line, cylint_base(shape));
+    return cylint_form_sign(&q, FORM_ROOT_OF_S, 0);
 }
 
 cylint_status cylint_round_cone(cylint_shape *shape, const double p0[3],
                                 double r0, const double p1[3], double r1,
                                 cylint_ends ends)
 {
-    const cylint_status status = check_two_points(p0, r0, p1, r1);
-    if (status != CYLINT_OK)
-        return refuse_shape(shape, status);
-    if (!ends_exist(CYLINT_KIND_RCONE, (int)ends))
-        return refuse_shape(shape, CYLINT_EENDS);
-    write_two_points(shape, p0, r0, p1, r1, CYLINT_KIND_CAPSULE,
-                     CYLINT_KIND_RCONE, ends);
+    const cylint_status status = make_of_points(
+        shape, p0, r0, p1, r1, CYLINT_KIND_CAPSULE, CYLINT_KIND_RCONE, ends);
     /* local coordinates that are accurate show that neither ball holds the
      * other */
-    if (!cylint_prepared(shape) &&
-        (equal3(p0, p1) || sign_of_overhang(shape) <= 0)) {
+    if (status == CYLINT_OK && !cylint_prepared(shape) &&
+        (equal3(p0, p1) || sign_of_S(shape) <= 0)) {
         const cylint_shape hull = *shape;
         cylint_ball_of(shape, &hull, cylint_less(r0, r1));
         measure_local(shape);
     }
-    return CYLINT_OK;
+    return status;
 }
 
 cylint_status cylint_capsule(cylint_shape *shape, const double p0[3],
@@ -220,17 +167,14 @@ cylint_status cylint_capsule(cylint_shape *shape, const double p0[3],
     return cylint_round_cone(shape, p0, r, p1, r, ends);
 }
 
-/* Writes the sign of a.(b x h), exactly.  Returns whether it is 0.  Local
- * coordinates that are accurate have it already. */
+/* Writes the sign of a.(b x h).  Returns whether it is 0.  Local coordinates that
+ * are accurate have it already. */
 static int is_flat(cylint_shape *shape)
 {
-    cylint_line line;
-    cylint_query q;
     if (cylint_prepared(shape))
         return 0;
     shape->library.flag[CYLINT_AT_LEFT_HANDED] = 0;
-    open_any_line(&q, shape, &line);
-    const int det = cylint_form_sign(&q, FORM_ROOT_OF_S, 0);
+    const int det = sign_of_S(shape);
     shape->library.flag[CYLINT_AT_LEFT_HANDED] = det < 0;
     return det == 0;
 }
@@ -245,9 +189,9 @@ cylint_status cylint_elliptic_cone(cylint_shape *shape, const double c[3],
         return refuse_shape(shape, CYLINT_ENONFINITE);
     if (cylint_sign(k) < 0)
         return refuse_shape(shape, CYLINT_ERADIUS);
-    if (zero3(h))
+    if (cylint_is_zero(h))
         return refuse_shape(shape, CYLINT_EAXIS);
-    if (!ends_exist(CYLINT_KIND_ECONE, (int)ends))
+    if (!cylint_ends_fit(CYLINT_KIND_ECONE, (int)ends))
         return refuse_shape(shape, CYLINT_EENDS);
     write_shape(shape,
                 cylint_rank(k) == cylint_rank(1) ? CYLINT_KIND_ECYLINDER
@@ -272,9 +216,9 @@ cylint_status cylint_tangent_cone(cylint_shape *shape, const double v[3],
         return refuse_shape(shape, CYLINT_ENONFINITE);
     if (cylint_sign(tangent) <= 0)
         return refuse_shape(shape, CYLINT_EANGLE);
-    if (zero3(u))
+    if (cylint_is_zero(u))
         return refuse_shape(shape, CYLINT_EAXIS);
-    if (!ends_exist(CYLINT_KIND_ACONE, (int)ends))
+    if (!cylint_ends_fit(CYLINT_KIND_ACONE, (int)ends))
         return refuse_shape(shape, CYLINT_EENDS);
     write_shape(shape, CYLINT_KIND_ACONE, ends, v, u, none, none, none, 0,
                 tangent);
@@ -306,7 +250,7 @@ cylint_status cylint_span(cylint_line *line, const double o[3],
 {
     if (!cylint_is_finite(o) || !cylint_is_finite(d))
         return refuse_line(line, CYLINT_ENONFINITE);
-    if (zero3(d))
+    if (cylint_is_zero(d))
         return refuse_line(line, CYLINT_EDIRECTION);
     if (tmin != tmin || tmax != tmax || cylint_less(tmax, tmin))
         return refuse_line(line, CYLINT_EDOMAIN);
@@ -328,6 +272,16 @@ cylint_status cylint_whole_line(cylint_line *line, const double o[3],
     return cylint_span(line, o, d, -HUGE_VAL, HUGE_VAL);
 }
 
+cylint_status cylint_open_at(cylint_query *q, const cylint_shape *shape,
+                             cylint_line *line, const double point[3])
+{
+    static const double along[3] = {1, 0, 0};
+    const cylint_status status = cylint_whole_line(line, point, along);
+    if (status == CYLINT_OK)
+        cylint_query_open(q, shape, line);
+    return status;
+}
+
 cylint_status cylint_ray(cylint_line *line, const double o[3],
                          const double d[3])
 {
@@ -343,7 +297,11 @@ cylint_status cylint_segment(cylint_line *line, const double a[3],
         return refuse_line(line, CYLINT_EDIRECTION);
     copy3(line->o, a);
     copy3(line->end, b);
-    difference3(line->d, line->d_lo, b, a);
+    for (int i = 0; i < 3; i++) {
+        const pair d = cylint_difference(b[i], a[i]);
+        line->d[i] = d.hi;
+        line->d_lo[i] = d.lo;
+    }
     line->tmin = 0;
     line->tmax = 1;
     line->segment = 1;
