@@ -330,20 +330,9 @@ size_t cylint_nearest(const cylint_pack *pack, const cylint_line *line,
     answer_pack(pack, &job);
     if (job.best == pack->n)
         return pack->n;
-    if (want & CYLINT_WANT_BESIDE_T) {
-        cylint_answer answer;
-        answer.hit[0] = *hit; /* members that are not wanted stay as they are */
-        cylint_intersect(&pack->shapes[job.best], line,
-                         want | CYLINT_WANT_NEAREST, &answer);
-        *hit = answer.hit[0];
-        return job.best;
-    }
-    if (want & CYLINT_WANT_T)
-        hit->t = job.nearest;
-    if (want & CYLINT_WANT_PART) {
-        hit->part = job.part;
-        hit->side = job.side;
-    }
+    const cylint_hit known = {
+        .t = job.nearest, .part = job.part, .side = job.side};
+    cylint_describe_nearest(&pack->shapes[job.best], line, &known, want, hit);
     return job.best;
 }
 

@@ -13,6 +13,7 @@
 
 #include "../numbers/bits.h"
 #include "../bvh/threads.h"
+#include "../intersect.h"
 #include "number_heap.h"
 #include "number_set.h"
 #include "scene.h"
@@ -261,6 +262,9 @@ size_t cylint_scene_bytes(const cylint_scene *scene)
  * recently tested shapes, and a set of counted shapes, save repeated tests. */
 enum { RECENT = 16 };
 
+/* Of the nearest hit so far. */
+enum { KEPT_MEMBERS = CYLINT_WANT_T | CYLINT_WANT_PART };
+
 /* The state of one query. */
 typedef struct {
     const cylint_scene *scene;
@@ -275,26 +279,31 @@ typedef struct {
     size_t except; /* the number of a shape that is not tested */
 } search;
 
-/* Tests a shape and stores its hit if it is the nearest so far.  A root that
- * rounds to t is less than the double above t, so that bounds the domain for
- * nearer hits and for hits at the same t with a lower number. */
+/* Stores the nearest hit so far.  A root that rounds to t is less than the double
+ * above t, so that bounds the domain for nearer hits and for hits at the same t
+ * with a lower number. */
+static void keep_nearest(search *q, size_t number, const cylint_hit *hit)
+{
+    q->best = number;
+    q->hit = *hit;
+    if (cylint_less(hit->t, q->line.tmax))
+        q->line.tmax = cylint_next_above(hit->t);
+}
+
+/* Tests a shape and stores its hit if it is the nearest so far. */
 static int test_nearest(search *q, size_t number)
 {
     cylint_answer answer;
     if (number == q->except ||
-        !cylint_intersect(
-            &q->scene->shapes[number], &q->line,
-            CYLINT_WANT_T | CYLINT_WANT_PART | CYLINT_WANT_NEAREST, &answer))
+        !cylint_intersect(&q->scene->shapes[number], &q->line,
+                          KEPT_MEMBERS | CYLINT_WANT_NEAREST, &answer))
         return 0;
     const cylint_hit *hit = &answer.hit[0];
     if (q->best < q->scene->n &&
         (cylint_less(q->hit.t, hit->t) ||
          (!cylint_less(hit->t, q->hit.t) && number > q->best)))
         return 0;
-    q->best = number;
-    q->hit = *hit;
-    if (cylint_less(hit->t, q->line.tmax))
-        q->line.tmax = cylint_next_above(hit->t);
+    keep_nearest(q, number, hit);
     return 1;
 }
 
@@ -470,12 +479,15 @@ static void start_search(search *q, const cylint_scene *scene,
 static void test_others_nearest(search *q)
 {
     const cylint_scene *s = q->scene;
-    const size_t first = cylint_nearest(&s->pack, &q->line, 0, &q->hit);
+    cylint_hit hit;
+    const size_t first = cylint_nearest(&s->pack, &q->line, KEPT_MEMBERS, &hit);
     if (first == s->n_others)
         return;
-    const int is_except = s->others[first] == q->except;
-    const size_t end = is_except ? s->n_others : first + 1;
-    for (size_t i = is_except ? 0 : first; i < end; i++)
+    if (s->others[first] != q->except) {
+        keep_nearest(q, s->others[first], &hit);
+        return;
+    }
+    for (size_t i = 0; i < s->n_others; i++)
         test_nearest(q, s->others[i]);
 }
 
@@ -488,13 +500,9 @@ size_t cylint_scene_nearest_other(const cylint_scene *scene,
     q.except = except;
     test_others_nearest(&q);
     traverse(&q, 1);
-    if (q.best < scene->n && want) {
-        cylint_answer answer;
-        answer.hit[0] = *hit; /* unwanted members stay as they are */
-        cylint_intersect(&scene->shapes[q.best], line,
-                         want | CYLINT_WANT_NEAREST, &answer);
-        *hit = answer.hit[0];
-    }
+    if (q.best < scene->n)
+        cylint_describe_nearest(&scene->shapes[q.best], line, &q.hit, want,
+                                hit);
     return q.best;
 }
 

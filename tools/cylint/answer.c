@@ -149,8 +149,8 @@ static int answer_nearest(struct task *task)
     const struct options *o = task->job->options;
     cylint_answer answer;
     const struct scene_query q = query_of(task->job, task->block);
-    const size_t refused = scene_nearest(task->job->scene, &q, o->fields.want,
-                                         &answer, &task->row);
+    const size_t refused =
+        scene_nearest(task->job->scene, &q, &o->fields, &answer, &task->row);
     if (refused > 0) {
         return refuse_method(task, refused);
     }

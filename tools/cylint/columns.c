@@ -201,7 +201,7 @@ int fields_need_sides(const struct fields *fields)
 const char *find_fields(struct fields *fields, const char *names,
                         enum query query, size_t *length)
 {
-    fields->count = fields->labels = 0;
+    fields->count = fields->labels = fields->relation = 0;
     fields->want = 0;
     for (;;) {
         *length = strcspn(names, ",");
@@ -212,6 +212,7 @@ const char *find_fields(struct fields *fields, const char *names,
         fields->column[fields->count++] = c;
         fields->want |= want_of(c->value);
         fields->labels += c->value == VALUE_LABEL;
+        fields->relation |= c->value == VALUE_RELATION;
         if (names[*length] == '\0') {
             break;
         }

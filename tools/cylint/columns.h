@@ -45,7 +45,8 @@ enum { MOST_FIELDS = 256 };
 struct fields {
     const struct column *column[MOST_FIELDS];
     int count;
-    int labels; /* number of columns that are labels */
+    int labels;   /* number of columns that are labels */
+    int relation; /* whether a column is the relation */
     unsigned want;
 };
 

@@ -120,20 +120,20 @@ static size_t nearest_by_search(const struct scene *scene,
                                 const struct scene_query *q)
 {
     cylint_line rest = *q->line;
-    double t = 0;
-    size_t shape = search_nearest(&scene->search, &rest, &t);
+    cylint_hit hit;
+    size_t shape = search_nearest(&scene->search, &rest, CYLINT_WANT_T, &hit);
     if (shape == scene->count || !left_out_has(q->left_out, shape)) {
         return shape;
     }
     while (shape < scene->count && left_out_has(q->left_out, shape) &&
-           next_up(t) <= rest.tmax) {
-        rest.tmin = next_up(t);
+           next_up(hit.t) <= rest.tmax) {
+        rest.tmin = next_up(hit.t);
         if (rest.tmin == HUGE_VAL) {
             break;
         }
-        shape = search_nearest(&scene->search, &rest, &t);
+        shape = search_nearest(&scene->search, &rest, CYLINT_WANT_T, &hit);
     }
-    return nearest_until(scene, q, next_up(t));
+    return nearest_until(scene, q, next_up(hit.t));
 }
 
 static unsigned long long count_by_search(const struct scene *scene,
@@ -197,10 +197,18 @@ static size_t count_by_method(const struct scene *scene,
 
 /* The columns of the nearest hit are computed for its shape only. */
 size_t scene_nearest(const struct scene *scene, const struct scene_query *q,
-                     unsigned want, cylint_answer *answer, struct row *row)
+                     const struct fields *fields, cylint_answer *answer,
+                     struct row *row)
 {
+    const int by_search =
+        !q->method && q->left_out->count == 0 && !fields->relation;
     row->answer = NULL;
-    if (q->method) {
+    if (by_search) {
+        const size_t i = search_nearest(&scene->search, q->line, fields->want,
+                                        &answer->hit[0]);
+        row->shape = i < scene->count ? i + 1 : 0;
+        answer->n = 1;
+    } else if (q->method) {
         const size_t refused = nearest_by_method(scene, q, row);
         if (refused > 0) {
             return refused;
@@ -211,8 +219,10 @@ size_t scene_nearest(const struct scene *scene, const struct scene_query *q,
     }
     if (row->shape > 0) {
         row->answer = answer;
-        solve(q->method, &scene->shapes[row->shape - 1], q->line,
-              want | CYLINT_WANT_NEAREST, answer);
+        if (!by_search) {
+            solve(q->method, &scene->shapes[row->shape - 1], q->line,
+                  fields->want | CYLINT_WANT_NEAREST, answer);
+        }
     }
     return 0;
 }

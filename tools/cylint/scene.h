@@ -49,7 +49,8 @@ struct scene_query {
 /* Both write *row and return 0, or the number, from 1, of a shape that the
  * method does not support.  row->answer points to *answer. */
 size_t scene_nearest(const struct scene *scene, const struct scene_query *q,
-                     unsigned want, cylint_answer *answer, struct row *row);
+                     const struct fields *fields, cylint_answer *answer,
+                     struct row *row);
 /* Counts the shapes that are hit, up to `most`. */
 size_t scene_count(const struct scene *scene, const struct scene_query *q,
                    unsigned long long most, struct row *row);

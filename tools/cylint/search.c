@@ -115,17 +115,11 @@ static const cylint_scene *scene_for(const struct search *s, size_t lines)
 }
 
 size_t search_nearest(const struct search *s, const cylint_line *line,
-                      double *t)
+                      unsigned want, cylint_hit *hit)
 {
     const cylint_scene *scene = scene_for(s, 1);
-    const unsigned want = t ? CYLINT_WANT_T : 0;
-    cylint_hit hit;
-    const size_t shape = scene ? cylint_scene_nearest(scene, line, want, &hit)
-                               : cylint_nearest(&s->pack, line, want, &hit);
-    if (t && shape < s->count) {
-        *t = hit.t;
-    }
-    return shape;
+    return scene ? cylint_scene_nearest(scene, line, want, hit)
+                 : cylint_nearest(&s->pack, line, want, hit);
 }
 
 size_t search_count(const struct search *s, const cylint_line *line,

@@ -32,10 +32,10 @@ int search_make(struct search *s, const cylint_shape *shapes, size_t count,
                 enum accel accel, int threads);
 void search_free(struct search *s);
 
-/* Returns the number of the shape that is hit first, or `count`.  Writes t of
- * its hit to *t, unless t is NULL. */
+/* Returns the number of the shape that is hit first, or `count`.  Writes the
+ * wanted members of its hit. */
 size_t search_nearest(const struct search *s, const cylint_line *line,
-                      double *t);
+                      unsigned want, cylint_hit *hit);
 
 /* Returns the number of shapes that are hit, at most `enough` unless that is
  * 0. */
