@@ -50,13 +50,22 @@ static int is_refined(cylint_question *question)
     return CYLINT_UNDECIDED;
 }
 
+static int choose_and_contain(const cylint_shape *shape, const double point[3])
+{
+    cylint_choose_build();
+    return cylint_one_used()->contains[cylint_prepared(shape)](shape, point);
+}
+
 #define CHOOSE                               \
     {                                        \
         choose_and_answer, choose_and_answer \
     }
 static const cylint_one_kernels choosing = {
     {CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE},
-    is_refined};
+    is_refined,
+    {choose_and_contain, choose_and_contain, choose_and_contain,
+     choose_and_contain, choose_and_contain, choose_and_contain,
+     choose_and_contain, choose_and_contain, choose_and_contain}};
 const cylint_one_kernels *cylint_one_chosen = &choosing;
 
 #ifdef __GNUC__

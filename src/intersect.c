@@ -194,7 +194,8 @@ int cylint_occluded(const cylint_shape *shape, const cylint_line *line)
 }
 #endif
 
-int cylint_contains(const cylint_shape *shape, const double point[3])
+/* Without the filter. */
+ASIDE int contains_by_signs(const cylint_shape *shape, const double point[3])
 {
     static const double along[3] = {1, 0, 0};
     cylint_line line;
@@ -217,4 +218,17 @@ int cylint_contains(const cylint_shape *shape, const double point[3])
         return -1;
     const int lateral_sign = -cylint_form_sign(&q, FORM_C, 0);
     return lateral_sign < within ? lateral_sign : within;
+}
+
+int cylint_contains(const cylint_shape *shape, const double point[3])
+{
+    const int side =
+        cylint_largest(point) <= CYLINT_FAR
+            ? cylint_one_used()->contains[cylint_prepared(shape)](shape, point)
+            : 0;
+    if (side != 0 && !CYLINT_IS_PARANOID)
+        return side;
+    const int exactly = contains_by_signs(shape, point);
+    cylint_contradiction(side != 0 && side != exactly);
+    return exactly;
 }

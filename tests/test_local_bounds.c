@@ -419,7 +419,7 @@ static void the_forms_of_balls_have_their_bounds(void)
 
 /* ------------------------------------------------- a point of the line -- */
 
-/* set_point_signs(): the point at t in units of |t| D + Q, whose least and
+/* set_place_signs(): the point at t in units of |t| D + Q, whose least and
  * greatest share of |t| D have the greatest errors. */
 static number at_t(number p, number v)
 {
@@ -476,7 +476,7 @@ static void point_C_cell(double r, double more_r, double s, double more_s)
     }
 }
 
-/* set_point_signs(): C = |P|^2 - r^2 of a ball against 8 eZ (r + eZ), eZ = POSITION
+/* set_place_signs(): C = |P|^2 - r^2 of a ball against 8 eZ (r + eZ), eZ = POSITION
  * u Q, for |P| = r; and A t + B of a ball. */
 static void ball_at_t(void)
 {

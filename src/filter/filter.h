@@ -63,11 +63,18 @@ typedef int cylint_kernel_one(const cylint_shape *shape,
                               const cylint_line *line, unsigned want,
                               cylint_answer *answer, cylint_question *question);
 
+/* On which side of a shape's surface the point lies: 1 inside, -1 outside, 0
+ * undecided.  No coordinate exceeds CYLINT_FAR. */
+typedef int cylint_kernel_point(const cylint_shape *shape,
+                                const double point[3]);
+
 /* The functions for one line and one shape: by solid and by whether roots are
- * wanted; and what goes on with questions that they do not decide. */
+ * wanted; what goes on with questions that they do not decide; and those for one
+ * point and one shape, by solid. */
 typedef struct {
     cylint_kernel_one *by_solid[CYLINT_SOLIDS][2];
     int (*refine)(cylint_question *question);
+    cylint_kernel_point *contains[CYLINT_SOLIDS];
 } cylint_one_kernels;
 
 extern const cylint_one_kernels cylint_one_plain, cylint_one_fma;

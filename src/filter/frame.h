@@ -252,36 +252,45 @@ typedef struct {
     vd p, v, from_base, w, Q, D;
 } first_line;
 
+/* z of a point from the base. */
+INLINE vd height_of(const double o[3], const cylint_shape *shape, int solid)
+{
+    const double *b = cylint_base(shape);
+    return cylint_solid_is_ball(solid)
+               ? v_set(o[2] - b[2])
+               : along(shape, o[0] - b[0], o[1] - b[1], o[2] - b[2]);
+}
+
 INLINE void load_along(first_line *to, const source *from, int solid)
 {
-    const double *o = from->line->o, *d = from->line->d;
-    const double *b = cylint_base(from->shape);
-    if (cylint_solid_is_ball(solid)) {
-        to->from_base = v_set(o[2] - b[2]);
-        to->w = v_set(d[2]);
-        return;
-    }
-    to->from_base = along(from->shape, o[0] - b[0], o[1] - b[1], o[2] - b[2]);
-    to->w = along(from->shape, d[0], d[1], d[2]);
+    const double *d = from->line->d;
+    to->from_base = height_of(from->line->o, from->shape, solid);
+    to->w = cylint_solid_is_ball(solid) ? v_set(d[2])
+                                        : along(from->shape, d[0], d[1], d[2]);
+}
+
+/* p and Q of a point. */
+INLINE void load_point(first_line *to, const double o[3],
+                       const cylint_shape *shape, int solid)
+{
+    const double *base = cylint_base(shape);
+    const vd xy = v_load(o) - v_load(base), z = v_set(o[2] - base[2]);
+    const vd x = v_firsts(xy, xy), y = v_seconds(xy, xy);
+    const vd size = v_max(v_max(v_abs(x), v_abs(y)), v_abs(z));
+    to->p = cylint_solid_is_ball(solid) ? xy : across(shape, x, y, z);
+    to->Q =
+        v_sum_of(size, v_set(cylint_norm(shape)), v_set(cylint_reach(shape)));
 }
 
 /* What G takes. */
 INLINE first_line load_first(const source *from, int solid)
 {
-    const double *o = from->line->o, *d = from->line->d;
-    const double *base = cylint_base(from->shape);
-    const vd xy = v_load(o) - v_load(base), z = v_set(o[2] - base[2]);
-    const vd x = v_firsts(xy, xy), y = v_seconds(xy, xy);
-    const vd size = v_max(v_max(v_abs(x), v_abs(y)), v_abs(z));
+    const double *d = from->line->d;
     first_line to;
-    to.p = xy;
+    load_point(&to, from->line->o, from->shape, solid);
     to.v = v_load(d);
-    if (!cylint_solid_is_ball(solid)) {
-        to.p = across(from->shape, x, y, z);
+    if (!cylint_solid_is_ball(solid))
         to.v = across(from->shape, v_set(d[0]), v_set(d[1]), v_set(d[2]));
-    }
-    to.Q = v_sum_of(size, v_set(cylint_norm(from->shape)),
-                    v_set(cylint_reach(from->shape)));
     to.D = v_set(from->line->size * cylint_norm(from->shape));
     to.from_base = to.w = v_set(0);
     if (cylint_solid_is_tapered(solid) || cylint_solid_is_ball(solid))
@@ -315,24 +324,13 @@ INLINE void set_line(local_line *l, const first_line *first,
     }
 }
 
-/* The rest, for lines that G does not reject. */
-INLINE void load_rest(local_line *l, const source *from, int solid)
+/* The planes, circles and balls of the ends, after from_base. */
+INLINE void load_ends(local_line *l, const cylint_shape *shape, int solid)
 {
-    const cylint_shape *shape = from->shape;
     const int tapered = cylint_solid_is_tapered(solid);
-    const unsigned caps = cylint_caps_present(shape->ends);
-    if (!tapered && cylint_solid_is_bounded(solid) &&
-        !cylint_solid_is_ball(solid)) {
-        first_line first;
-        load_along(&first, from, solid);
-        l->from_base = l->in.z = first.from_base;
-        l->in.w = first.w;
-    }
     l->widest = tapered
                     ? v_set(cylint_larger(cylint_r0(shape), cylint_r1(shape)))
                     : l->in.r;
-    l->limit[0] = v_load(&from->line->tmin);
-    l->cap[0] = m_from(caps);
     if (!cylint_solid_is_bounded(solid))
         return;
     l->ball_z[0] =
@@ -347,6 +345,21 @@ INLINE void load_rest(local_line *l, const source *from, int solid)
             v_sum_of(v_set(cylint_sine(shape)), l->ball_r[0], l->ball_z[0]);
         l->r[0] = v_set(cylint_cosine(shape)) * l->ball_r[0];
     }
+}
+
+/* The rest, for lines that G does not reject. */
+INLINE void load_rest(local_line *l, const source *from, int solid)
+{
+    if (!cylint_solid_is_tapered(solid) && cylint_solid_is_bounded(solid) &&
+        !cylint_solid_is_ball(solid)) {
+        first_line first;
+        load_along(&first, from, solid);
+        l->from_base = l->in.z = first.from_base;
+        l->in.w = first.w;
+    }
+    l->limit[0] = v_load(&from->line->tmin);
+    l->cap[0] = m_from(cylint_caps_present(from->shape->ends));
+    load_ends(l, from->shape, solid);
 }
 
 /* The matrix times a vector, whose components are hi[j] + lo[j] in all lanes.

@@ -425,9 +425,9 @@ INLINE signs slope_signs(const local_line *l, vd A, vd B, vd t, vd k)
     return signs_of(slope.v, slope.e);
 }
 
-/* In doubles, at t. */
-INLINE void set_point_signs(point_signs *at, const local_line *l, verdict *v,
-                            vd t, int solid)
+/* In doubles, at t, but for at->past. */
+INLINE void set_place_signs(point_signs *at, const local_line *l, vd t,
+                            int solid)
 {
     const line_doubles *in = &l->in;
     const int ball = cylint_solid_is_ball(solid);
@@ -438,10 +438,8 @@ INLINE void set_point_signs(point_signs *at, const local_line *l, verdict *v,
     const vd x = v_sum_of(t, in->v[0], in->p[0]);
     const vd y = v_sum_of(t, in->v[1], in->p[1]);
     const vd pp = v_sum_of(x, x, y * y), step = t * in->w;
-    const signs none = {m_from(0), m_from(0)};
-    signs of_ball[2] = {none, none};
     EACH(i, 2) {
-        at->above[i] = at->ball[i] = none;
+        at->above[i] = at->ball[i] = (signs){m_from(0), m_from(0)};
         if (!bounded || (ball && i == 1))
             continue;
         if (!ball)
@@ -461,7 +459,16 @@ INLINE void set_point_signs(point_signs *at, const local_line *l, verdict *v,
         at->side = signs_of(v_sum_of(-rho, rho, pp),
                             v_set(4) * eP * (most + v_set(4) * eP));
     }
-    if (round && !ball && m_any(either_end(v->chord))) {
+}
+
+INLINE void set_point_signs(point_signs *at, const local_line *l, verdict *v,
+                            vd t, int solid)
+{
+    const signs none = {m_from(0), m_from(0)};
+    signs of_ball[2] = {none, none};
+    set_place_signs(at, l, t, solid);
+    if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid) &&
+        m_any(either_end(v->chord))) {
         vd B[ENDS];
         compute_balls(&v->ball, l);
         EACH(n, ENDS)
@@ -469,8 +476,9 @@ INLINE void set_point_signs(point_signs *at, const local_line *l, verdict *v,
         EACH(i, 2)
             of_ball[i] = slope_signs(l, v->ball.A.v, of_end(B, i), t, v_set(1));
     }
-    at->past = past_chord(at, v, of_ball, slope_signs(l, v->A.v, v->B.v, t, k),
-                          v_lt(in->w, v_set(0)), solid);
+    at->past =
+        past_chord(at, v, of_ball, slope_signs(l, v->A.v, v->B.v, t, l->taper),
+                   v_lt(l->in.w, v_set(0)), solid);
 }
 
 /* Whether part of the overlap of a line that crosses certainly lies ahead of its

@@ -28,9 +28,16 @@ static int useless(const cylint_shape *shape, const cylint_line *line,
     return CYLINT_UNDECIDED;
 }
 
+static int no_side(const cylint_shape *shape, const double point[3])
+{
+    (void)shape;
+    (void)point;
+    return 0;
+}
+
 #if LANES == 2
 
-#include "refine.h"
+#include "inside.h"
 
 #define ARGUMENTS                                                      \
     const cylint_shape *shape, const cylint_line *line, unsigned want, \
@@ -158,6 +165,30 @@ OTHERS(sphere, CYLINT_SOLID_SPHERE)
 OTHERS(capsule, CYLINT_SOLID_CAPSULE)
 OTHERS(round_cone, CYLINT_SOLID_ROUND_CONE)
 
+/* A point near the surface of any solid. */
+static int contains_nearly(const cylint_shape *shape, const double point[3])
+{
+    return cylint_rounds_to_nearest()
+               ? contains_in_pairs(shape, point, cylint_prepared(shape))
+               : 0;
+}
+
+#define CONTAINS(name, solid)                                      \
+    static int name##_contains(const cylint_shape *shape,          \
+                               const double point[3])              \
+    {                                                              \
+        const int side = contains_in_doubles(shape, point, solid); \
+        return side != 0 ? side : contains_nearly(shape, point);   \
+    }
+CONTAINS(cylinder, CYLINT_SOLID_CYLINDER)
+CONTAINS(cone, CYLINT_SOLID_CONE)
+CONTAINS(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER)
+CONTAINS(double_cone, CYLINT_SOLID_DOUBLE_CONE)
+CONTAINS(nappe, CYLINT_SOLID_NAPPE)
+CONTAINS(sphere, CYLINT_SOLID_SPHERE)
+CONTAINS(capsule, CYLINT_SOLID_CAPSULE)
+CONTAINS(round_cone, CYLINT_SOLID_ROUND_CONE)
+
 static int refine(cylint_question *q)
 {
     static int (*const refined[CYLINT_SOLIDS])(cylint_question *) = {
@@ -193,7 +224,16 @@ const cylint_one_kernels CYLINT_ONE = {
      [CYLINT_SOLID_SPHERE] = BOTH(sphere),
      [CYLINT_SOLID_CAPSULE] = BOTH(capsule),
      [CYLINT_SOLID_ROUND_CONE] = BOTH(round_cone)},
-    refine};
+    refine,
+    {[CYLINT_SOLID_NONE] = no_side,
+     [CYLINT_SOLID_CYLINDER] = cylinder_contains,
+     [CYLINT_SOLID_CONE] = cone_contains,
+     [CYLINT_SOLID_WHOLE_CYLINDER] = whole_cylinder_contains,
+     [CYLINT_SOLID_DOUBLE_CONE] = double_cone_contains,
+     [CYLINT_SOLID_NAPPE] = nappe_contains,
+     [CYLINT_SOLID_SPHERE] = sphere_contains,
+     [CYLINT_SOLID_CAPSULE] = capsule_contains,
+     [CYLINT_SOLID_ROUND_CONE] = round_cone_contains}};
 
 #else
 
@@ -208,9 +248,11 @@ static int refine(cylint_question *question)
     {                    \
         useless, useless \
     }
-const cylint_one_kernels CYLINT_ONE = {{NEITHER, NEITHER, NEITHER, NEITHER,
-                                        NEITHER, NEITHER, NEITHER, NEITHER,
-                                        NEITHER},
-                                       refine};
+const cylint_one_kernels CYLINT_ONE = {
+    {NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER,
+     NEITHER},
+    refine,
+    {no_side, no_side, no_side, no_side, no_side, no_side, no_side, no_side,
+     no_side}};
 
 #endif

@@ -1,0 +1,55 @@
+/*
+ * inside.h - on which side of a solid's surface a point lies
+ *
+ * A point is a line's origin: its signs are those of the line at t = 0.
+ */
+#ifndef CYLINT_INSIDE_H
+#define CYLINT_INSIDE_H
+
+#include "refine.h"
+
+/* 1 inside, -1 outside, 0 uncertain. */
+INLINE int side_of_point(point_signs *at, int solid)
+{
+    verdict v = no_verdict;
+    v.A.v = v_set(1); /* of a double cone: outside where Q > 0 */
+    v.exists[0] = m_from(3);
+    /* a point outside is both before the overlap and after it */
+    at->past = (signs){m_from(3), m_from(3)};
+    const place where = place_of(at, &v, v_set(0), solid);
+    return (int)(m_bits(where.inside) & 1) - (int)(m_bits(where.before) & 1);
+}
+
+INLINE int contains_in_doubles(const cylint_shape *shape, const double point[3],
+                               int solid)
+{
+    local_line l = no_line;
+    point_signs at = no_point_signs;
+    first_line first = {.v = v_set(0), .w = v_set(0), .D = v_set(0)};
+    load_point(&first, point, shape, solid);
+    first.from_base = height_of(point, shape, solid);
+    set_line(&l, &first, shape, solid);
+    load_ends(&l, shape, solid);
+    set_place_signs(&at, &l, v_set(0), solid);
+    return side_of_point(&at, solid);
+}
+
+INLINE int contains_in_pairs(const cylint_shape *shape, const double point[3],
+                             int solid)
+{
+    const cylint_line line = {.o = {point[0], point[1], point[2]}};
+    const source from = {shape, &line};
+    cylint_question q = {.shape = shape, .line = &line};
+    local_line l = no_line;
+    point_signs at = no_point_signs;
+    pair_line in;
+    first_line first;
+    load_point(&first, point, shape, solid);
+    q.Q = v_first(first.Q);
+    set_sizes(&l, &q, solid);
+    load_pairs(&in, &from, 0, solid);
+    point_in_pairs(&at, &l, &in, v_set(0), shape, solid);
+    return side_of_point(&at, solid);
+}
+
+#endif
