@@ -392,10 +392,24 @@ static number root_near_origin(cylint_query *q, cylint_root root)
     return exits ? negative(t) : t;
 }
 
+/* Whether a root is 0.  It is tested where its estimate in pairs does not exclude
+ * 0: Newton's steps do not prove a zero. */
+static int is_exactly_zero(cylint_query *q, cylint_root root, number *t)
+{
+    if (!(fabs(t->v.hi) <= t->error))
+        return 0;
+    const number x = root_near_origin(q, root);
+    if (x.error == 0)
+        *t = x;
+    return x.error == 0;
+}
+
 /* From a quotient of pairs as far as pairs go: Newton's steps, then a quotient
  * with an exact numerator.  Returns whether the rounding is certain. */
 static int root_in_pairs(cylint_query *q, cylint_root root, number *t)
 {
+    if (is_exactly_zero(q, root, t))
+        return 1;
     if (!settles(q, *t) && t->error < HUGE_VAL)
         *t = newton_from(q, root, *t);
     if (!settles(q, *t))
@@ -520,6 +534,8 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
     *t = root_value(q, root, at, more);
     if (*t < tmin || *t > tmax)
         return 0;
+    if (q->t_error == 0 && cylint_sign(*t) == 0) /* the root is 0 */
+        return cylint_sign(tmin) <= 0 && cylint_sign(tmax) >= 0;
     if (*t == tmin && fabs(tmin) <= DBL_MAX && root_against(q, root, tmin) < 0)
         return 0;
     return !(*t == tmax && fabs(tmax) <= DBL_MAX &&
