@@ -168,6 +168,8 @@ INLINE int answer_by_signs(const local_line *l, verdict *v, const asked *a,
     question->past[0] = m_bits(at.past.positive);
     question->past[1] = m_bits(at.past.negative);
     question->A = v_first(v->A.v);
+    question->rises = (int)(m_bits(v_lt(v->B.e, v->B.v)) & 1) -
+                      (int)(m_bits(v_lt(v->B.v, -v->B.e)) & 1);
     return undecided(question, CYLINT_KNOWN_LINE);
 }
 

@@ -7,6 +7,7 @@
 #ifndef CYLINT_REFINE_H
 #define CYLINT_REFINE_H
 
+#include "../signs/origin.h"
 #include "levels.h"
 #include "one_answer.h"
 
@@ -233,6 +234,106 @@ INLINE int refine_line(cylint_question *q, int solid)
                             solid);
 }
 
+/* ------------------------------------------- a line that begins on the solid -- */
+
+/* Exact signs at the line's origin serve these solids. */
+INLINE int has_signs_at_origin(int solid)
+{
+    return !cylint_solid_is_round(solid) || cylint_solid_is_ball(solid);
+}
+
+/* Sets the uncertain sign in the lane of an end of the domain that is the line's
+ * origin.  The domain is closed: a point of the surface counts as the one just
+ * before tmin or after tmax.  rises: the sign of the slope there. */
+INLINE void settle(signs *x, unsigned lane, int rises, const cylint_question *q,
+                   int surface)
+{
+    if (m_bits(m_or(x->positive, x->negative)) & lane)
+        return;
+    int sign = cylint_sign_at_origin(q->shape, q->line, surface);
+    if (sign == 0)
+        sign = lane == 1 ? -rises : rises;
+    if (sign > 0)
+        x->positive = m_or(x->positive, m_from(lane));
+    if (sign < 0)
+        x->negative = m_or(x->negative, m_from(lane));
+}
+
+/*
+ * The signs at an end of the domain that is the line's origin.  w has a certain
+ * sign where the line pierces a plane.  A line that pierces none and begins on a
+ * plane begins outside the lateral surface: then the sign of z decides nothing.
+ */
+INLINE void settle_at_origin(point_signs *at, unsigned lane,
+                             const cylint_question *q, int solid)
+{
+    const int ball = cylint_solid_is_ball(solid);
+    settle(ball ? &at->ball[0] : &at->side, lane, q->rises, q,
+           CYLINT_LATERAL_SURFACE);
+    if (!cylint_solid_is_bounded(solid) || ball)
+        return;
+    EACH(i, 2) {
+        settle(&at->above[i], lane, q->ends.back ? -1 : 1, q, i);
+        const signs plane =
+            q->ends.back ? reversed(at->above[i]) : at->above[i];
+        const vm uncertain = m_not(m_or(at->past.positive, at->past.negative));
+        const vm set =
+            m_and(m_from(q->ends.on_end >> i & 1 ? lane : 0), uncertain);
+        at->past = signs_if(set, plane, at->past);
+    }
+}
+
+/* The lanes of ends of the domain that are 0. */
+INLINE unsigned limits_at_origin(const cylint_line *line)
+{
+    return (cylint_sign(line->tmin) == 0 ? 1u : 0) |
+           (cylint_sign(line->tmax) == 0 ? 2u : 0);
+}
+
+/* The lanes of `left` whose root is 0, exactly: 0 lies within its bounds and is a root
+ * of its surface, and the other root of that surface, which is farther away than
+ * the slope over the curvature, does not lie within them. */
+INLINE unsigned zero_roots(const root *r, const estimate *at, unsigned left,
+                           const cylint_question *q, int solid)
+{
+    const vd reach =
+        v_sum_of(v_set(4) * at->curvature, r->high - r->low, at->slope_error);
+    const vm near = m_and(v_le(r->low, v_set(0)), v_le(v_set(0), r->high));
+    left &= m_bits(m_and(near, v_lt(reach, v_abs(at->slope))));
+    if (!has_signs_at_origin(solid))
+        return 0;
+    EACH(i, 2) {
+        const int plane =
+            q->ends.on_end >> i & 1 && !cylint_solid_is_ball(solid);
+        const int surface =
+            plane ? (int)(q->ends.top >> i & 1) : CYLINT_LATERAL_SURFACE;
+        if (left >> i & 1 &&
+            cylint_sign_at_origin(q->shape, q->line, surface) != 0)
+            left &= ~(1u << i);
+    }
+    return left;
+}
+
+/* r with roots 0 in the lanes. */
+INLINE root with_zeros(const root *r, vm lanes)
+{
+    const vd zero = v_set(0);
+    return (root){
+        v_select(lanes, zero, r->value), v_select(lanes, zero, r->tail),
+        v_select(lanes, zero, r->error), v_select(lanes, zero, r->low),
+        v_select(lanes, zero, r->high),  m_or(lanes, r->nearest)};
+}
+
+/* The hits, of which those in the lanes have the root 0. */
+INLINE hits with_zero_hits(hits h, vm lanes, const cylint_line *line)
+{
+    const int in = cylint_sign(line->tmin) <= 0 && cylint_sign(line->tmax) >= 0;
+    return (hits){in ? m_or(h.hit, lanes) : m_and_not(h.hit, lanes),
+                  m_and_not(h.unknown, lanes)};
+}
+
+/* ------------------------------------------------------------ stages --- */
+
 /* The signs at the ends of the domain in pairs, of a line that crosses; on which
  * side of the chord the ends lie is known. */
 INLINE int refine_ends(cylint_question *q, int solid)
@@ -250,7 +351,16 @@ INLINE int refine_ends(cylint_question *q, int solid)
     v.A.v = v_set(q->A);
     at.past = (signs){m_from(q->past[0]), m_from(q->past[1])};
     point_in_pairs(&at, &l, &in, t, q->shape, solid);
-    const place where = place_of(&at, &v, l.limit[0], solid);
+    place where = place_of(&at, &v, l.limit[0], solid);
+    const unsigned origin =
+        limits_at_origin(q->line) &
+        ~m_bits(m_or(m_or(where.before, where.inside), where.after));
+    if (origin && has_signs_at_origin(solid)) {
+        EACH(i, 2)
+            if (origin >> i & 1)
+                settle_at_origin(&at, 1u << i, q, solid);
+        where = place_of(&at, &v, l.limit[0], solid);
+    }
     return answer_by_places(&where, q->ends, &a, solid);
 }
 
@@ -308,7 +418,13 @@ static int refine_roots(cylint_question *q)
         v_select(m, better.value, r.value), v_select(m, better.tail, r.tail),
         v_select(m, better.error, r.error), v_select(m, better.low, r.low),
         v_select(m, better.high, r.high),   m_if(m, better.nearest, r.nearest)};
-    const hits h = hits_of_roots(&r, &l, present);
+    hits h = hits_of_roots(&r, &l, present);
+    const unsigned left = ends_needed(h, bits, q->want);
+    if (left) {
+        const vm zeros = m_from(zero_roots(&r, &at, left, q, solid));
+        r = with_zeros(&r, zeros);
+        h = with_zero_hits(h, zeros, q->line);
+    }
     if (ends_needed(h, bits, q->want))
         return CYLINT_UNDECIDED;
     return write_hits(m_bits(h.hit), bits, &r, &a, solid);

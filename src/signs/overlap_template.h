@@ -44,9 +44,9 @@ OVERLAP_INLINE TRUTH FORM(crosses)(CAPS *c)
 
 OVERLAP_INLINE TRUTH FORM(misses)(CAPS *c)
 {
-    return OR(AND(BOTH_ENDS(NEGATIVE, E, c),
-                  EITHER_END(NOT_POSITIVE, INWARD, c)),
-              NEGATIVE(G(c)));
+    return OR(
+        AND(BOTH_ENDS(NEGATIVE, E, c), EITHER_END(NOT_POSITIVE, INWARD, c)),
+        NEGATIVE(G(c)));
 }
 
 #undef FORM

@@ -6,6 +6,7 @@
  * arithmetic.
  */
 #include "sign.h"
+#include "origin.h"
 
 #ifdef CYLINT_COUNT_STAGES
 unsigned long long cylint_stages[CYLINT_STAGES];
@@ -341,4 +342,14 @@ int cylint_form_sign(cylint_query *q, cylint_form f, int end)
     q->arena.used = used;
     cylint_contradiction(sign != UNCERTAIN && sign != exactly);
     return exactly;
+}
+
+int cylint_sign_at_origin(const cylint_shape *shape, const cylint_line *line,
+                          int surface)
+{
+    cylint_query q;
+    cylint_query_open(&q, shape, line);
+    return surface == CYLINT_LATERAL_SURFACE
+               ? cylint_form_sign(&q, FORM_C, 0)
+               : cylint_form_sign(&q, FORM_ALPHA, surface);
 }
