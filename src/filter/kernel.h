@@ -6,8 +6,8 @@
  *
  * `solid` is a constant where a function is inlined for one solid.  The planes of
  * a bounded solid are those of its caps or, of a round one, of the circles in which
- * its lateral surface touches the balls.  The planes of the circles cut a capsule or
- * rounded cone into a part of ball 0, a cone between planes, and a part of ball
+ * its lateral surface touches the balls.  The planes of the circles cut a capsule
+ * or rounded cone into a part of ball 0, a cone between planes, and a part of ball
  * 1.  A line that passes outside both circles and does not cross the cone can
  * cross ball i only on the far side of plane i.  A sphere is one ball.
  */
@@ -53,7 +53,7 @@ INLINE signs signs_of_end(const end_signs *x, int i)
 
 /* ------------------------------------------------------------- forms ---- */
 
-/* The values of the forms of a line; of a sphere G, A and B are those of the ball. */
+/* The values of the forms of a line; of a sphere G, A, B are those of the ball. */
 typedef struct {
     vd G, Y[2], T, A, B, E[ENDS], N[ENDS];
 } forms;

@@ -12,8 +12,8 @@
 
 /* ---------------------------------------------------------- the ends ---- */
 
-/* One end.  top: it is at z = 1; on_end: on the plane or the ball there, else on the
- * lateral surface.  exits: 1 where the line leaves the quadric of its surface,
+/* One end.  top: it is at z = 1; on_end: on the plane or the ball there, else on
+ * the lateral surface.  exits: 1 where the line leaves the quadric of its surface,
  * -1 where it enters. */
 typedef struct {
     vm top, on_end;

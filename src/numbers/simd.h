@@ -588,7 +588,7 @@ static inline vq q_sum_of(vq x, vq y, vq z)
                   v_sum_of(x.high, y.high, z.high));
 }
 static inline vq q_abs(vq x) { return q_join(v_abs(x.low), v_abs(x.high)); }
-#ifdef CYLINT_NARROW
+#if defined(CYLINT_NARROW) && LANES == 2
 static inline vq q_set(double x) { return q_join(v_set(x), v_set(x)); }
 static inline vq q_load(const double *x)
 {
@@ -618,7 +618,7 @@ static inline vd q_sums3(vq x, vq y)
 #endif
 #endif
 
-#ifdef CYLINT_NARROW
+#if defined(CYLINT_NARROW) && LANES == 2
 static inline double q_sum3(vq x) /* the fourth is 0 */
 {
     const vd sum = q_low(x) + q_high(x);
