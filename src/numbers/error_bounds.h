@@ -199,11 +199,9 @@
  * CYLINT_PAIR_ROUNDING this is more. */
 #define CYLINT_ZERO_ROOT_ERROR 0x1p-900
 
-/* Newton's steps go on while each makes the error so many times smaller, and a
- * quotient with an exact C begins with a denominator of at most that error.
- * These values affect only the speed. */
+/* Newton's steps go on while each makes the error so many times smaller.  This
+ * affects only the speed. */
 #define CYLINT_NEWTON_GAIN 0x1p-4
-#define CYLINT_NEAR_ORIGIN 0x1p-60
 
 /* Boxes (box.c): the error of a coordinate, relative to the sizes of its terms:
  * three sums, four products, two roots and two quotients of pairs. */

@@ -94,7 +94,7 @@ static number divisor(cylint_query *q, int exits, int *near)
                              CYLINT_PAIR_RADICAL_ROUNDING * fabs(sum.hi)};
 }
 
-static const number unknown = {{0, 0}, HUGE_VAL};
+static const number unknown = {{HUGE_VAL, 0}, HUGE_VAL};
 
 /* Unknown if the root is no quotient of forms, or pairs are not certain. */
 static number root_by_quotient(cylint_query *q, cylint_root root)
@@ -353,68 +353,29 @@ static int settles(const cylint_query *q, number t)
            e < CYLINT_LARGE_EXPONENT;
 }
 
-/* Whether a root that is no root of a quadratic, or its double root, is 0. */
-static int lies_at_origin(cylint_query *q, cylint_root root)
+/* Whether a root is 0: for Q, B has the sign of the slope, and C is 0. */
+static int is_at_origin(cylint_query *q, cylint_root root)
 {
-    return root == ROOT_DOUBLE
-               ? cylint_form_sign(q, FORM_B, 0) == 0
-               : cylint_form_sign(q, FORM_ALPHA, root == ROOT_CAP1) == 0;
+    if (root == ROOT_CAP0 || root == ROOT_CAP1)
+        return cylint_form_sign(q, FORM_ALPHA, root == ROOT_CAP1) == 0;
+    const int slope = root == ROOT_EXIT ? 1 : root == ROOT_ENTRY ? -1 : 0;
+    return cylint_form_sign(q, FORM_B, 0) == slope &&
+           cylint_form_sign(q, FORM_C, 0) == 0;
 }
 
-/*
- * A root so near to the line's origin that nothing is left of C in pairs:
- * C in every digit, over the other half of the quotient in pairs.
- */
-static number root_near_origin(cylint_query *q, cylint_root root)
-{
-    const number at_origin = {{0, 0}, 0};
-    const int exits = root == ROOT_EXIT;
-    int near, e = 0;
-    if (root != ROOT_ENTRY && !exits)
-        return lies_at_origin(q, root) ? at_origin : unknown;
-    if (q->near_shape != q->shape)
-        return unknown;
-    const number sum = divisor(q, exits, &near);
-    if (!near || !(relative_error(sum) < CYLINT_NEAR_ORIGIN))
-        return unknown;
-    /* mutant '0' -> '1': slower, the next stage computes 0, too */
-    if (cylint_form_sign(q, FORM_C, 0) == 0)
-        return at_origin;
-    const cylint_terms_exact *L = cylint_load_exact(q);
-    const int used = q->arena.used;
-    const pair C = cylint_exact_round(cylint_form_exact(L, FORM_C, 0), &e);
-    q->arena.used = used;
-    /* untaken 1 of 4: C is far below 2^400 where filters apply */
-    if (e < -CYLINT_SQUARE_EXPONENT || e > CYLINT_SQUARE_EXPONENT)
-        return unknown;
-    const double scale = cylint_power_of_two(e);
-    const number t = quotient((number){{C.hi * scale, C.lo * scale}, 0}, sum);
-    return exits ? negative(t) : t;
-}
-
-/* Whether a root is 0.  It is tested where its estimate in pairs does not exclude
- * 0: Newton's steps do not prove a zero. */
-static int is_exactly_zero(cylint_query *q, cylint_root root, number *t)
-{
-    if (!(fabs(t->v.hi) <= t->error))
-        return 0;
-    const number x = root_near_origin(q, root);
-    if (x.error == 0)
-        *t = x;
-    return x.error == 0;
-}
-
-/* From a quotient of pairs as far as pairs go: Newton's steps, then a quotient
- * with an exact numerator.  Returns whether the rounding is certain. */
+/* From a quotient of pairs as far as pairs go: a zero, which Newton's steps do not
+ * prove, or these steps.  Returns whether the rounding is certain. */
 static int root_in_pairs(cylint_query *q, cylint_root root, number *t)
 {
-    if (is_exactly_zero(q, root, t))
+    const int can_be_zero =
+        fabs(t->v.hi) < HUGE_VAL && fabs(t->v.hi) <= t->error;
+    if (can_be_zero && is_at_origin(q, root)) {
+        *t = (number){{0, 0}, 0};
         return 1;
+    }
     if (!settles(q, *t) && t->error < HUGE_VAL)
         *t = newton_from(q, root, *t);
-    if (!settles(q, *t))
-        *t = root_near_origin(q, root);
-    return t->error == 0 || settles(q, *t);
+    return settles(q, *t);
 }
 
 static double root_value(cylint_query *q, cylint_root root, number t,
