@@ -129,28 +129,32 @@ INLINE bounded_value test_of_G(const first_line *first,
                                                     : CYLINT_UNDECIDED;     \
         return n == CYLINT_UNDECIDED ? line : n;                            \
     }
-#define OWN(name, line, solid)                     \
+#define OWN(name, solid)                           \
     REST(name##_signs_rest, 0, solid)              \
     REST(name##_roots_rest, 1, solid)              \
     KERNEL(name##_signs, name##_signs_rest, solid) \
-    KERNEL(name##_roots, name##_roots_rest, solid) \
-    REFINE(name##_refined, line, solid)
+    KERNEL(name##_roots, name##_roots_rest, solid)
 
+OWN(cylinder, CYLINT_SOLID_CYLINDER)
+OWN(cone, CYLINT_SOLID_CONE)
 #if V_HAS_FMA
-OWN(cylinder, refine_line(q, CYLINT_SOLID_CYLINDER), CYLINT_SOLID_CYLINDER)
-OWN(cone, refine_line(q, CYLINT_SOLID_CONE), CYLINT_SOLID_CONE)
-#define OTHERS(name, solid) OWN(name, refine_any_line(q), solid)
+REFINE(cylinder_refined, refine_line(q, CYLINT_SOLID_CYLINDER),
+       CYLINT_SOLID_CYLINDER)
+REFINE(cone_refined, refine_line(q, CYLINT_SOLID_CONE), CYLINT_SOLID_CONE)
+#define OTHERS(name, solid) \
+    OWN(name, solid)        \
+    REFINE(name##_refined, refine_any_line(q), solid)
 #else
 /* Without a fused multiply-add a product in pairs is long: the other solids
- * share what follows the test of G. */
+ * share what follows the test of G, and all share what these do not decide. */
 REST(any_signs_rest, 0, cylint_prepared(shape))
 REST(any_roots_rest, 1, cylint_prepared(shape))
 REFINE(any_refined, refine_any_line(q), cylint_prepared(q->shape))
-OWN(cylinder, refine_any_line(q), CYLINT_SOLID_CYLINDER)
-OWN(cone, refine_any_line(q), CYLINT_SOLID_CONE)
 #define OTHERS(name, solid)                     \
     KERNEL(name##_signs, any_signs_rest, solid) \
     KERNEL(name##_roots, any_roots_rest, solid)
+#define cylinder_refined any_refined
+#define cone_refined any_refined
 #define whole_cylinder_refined any_refined
 #define double_cone_refined any_refined
 #define nappe_refined any_refined
