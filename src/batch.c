@@ -290,6 +290,8 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
                 CYLINT_SLACK
           : 0;
     from.lane = from.first = from.end = 0;
+    if (!run)
+        from.radius = cylint_ball_about(shapes, from.center);
     filter_many()(&from, use_group, job);
     return job->stopped;
 }

@@ -129,6 +129,7 @@ typedef struct {
     double nearest; /* one line: hits beyond it are not wanted; the use of a
                        group may reduce it */
     double speed;   /* one line: |d|, not less */
+    double center[3], radius; /* one shape: of the ball about it */
     /* the numbers that the first pass left are list[first] .. list[end - 1];
      * it goes on at `lane` */
     size_t lane, first, end;

@@ -8,7 +8,6 @@
  * and the roots of those that hit are rounded.  Undecided lanes are returned as
  * such; they do not affect their neighbours.
  */
-#include "../shapes/measure.h"
 #include "surfaces.h"
 
 #ifndef CYLINT_MANY
@@ -122,13 +121,11 @@ INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
 
 INLINE void load_pass(const cylint_filter_batch *from, mode m, ball_pass *b)
 {
-    double center[3];
     if (m == ONE_SHAPE)
-        b->frame.of[CYLINT_AT_R0] =
-            v_set(cylint_ball_about(from->shapes, center));
+        b->frame.of[CYLINT_AT_R0] = v_set(from->radius);
     EACH(i, 3) {
         if (m == ONE_SHAPE)
-            b->frame.of[CYLINT_AT_BASE + i] = v_set(center[i]);
+            b->frame.of[CYLINT_AT_BASE + i] = v_set(from->center[i]);
         if (m == ONE_LINE) {
             b->line.o[i] = v_set(from->line->o[i]);
             b->line.d[i] = v_set(from->line->d[i]);
