@@ -44,6 +44,7 @@ static int choose_and_answer(const cylint_shape *shape, const cylint_line *line,
                              question);
 }
 
+/* The chosen build has refined it. */
 static int is_refined(cylint_question *question)
 {
     (void)question;
@@ -56,16 +57,12 @@ static int choose_and_contain(const cylint_shape *shape, const double point[3])
     return cylint_one_used()->contains[cylint_prepared(shape)](shape, point);
 }
 
-#define CHOOSE                               \
-    {                                        \
-        choose_and_answer, choose_and_answer \
-    }
+#define ONE(name, solid) [solid] = {choose_and_answer, choose_and_answer},
+#define SIDE(name, solid) [solid] = choose_and_contain,
 static const cylint_one_kernels choosing = {
-    {CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE, CHOOSE},
+    {ONE(none, CYLINT_SOLID_NONE) CYLINT_EACH_SOLID(ONE)},
     is_refined,
-    {choose_and_contain, choose_and_contain, choose_and_contain,
-     choose_and_contain, choose_and_contain, choose_and_contain,
-     choose_and_contain, choose_and_contain, choose_and_contain}};
+    {SIDE(none, CYLINT_SOLID_NONE) CYLINT_EACH_SOLID(SIDE)}};
 const cylint_one_kernels *cylint_one_chosen = &choosing;
 
 #ifdef __GNUC__

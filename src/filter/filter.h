@@ -19,7 +19,7 @@ enum {
 /* What a stage knows of a question that it does not decide. */
 typedef enum {
     CYLINT_KNOWN_NOTHING, /* no signs; the next stage computes all in pairs */
-    CYLINT_KNOWN_LINE,    /* `pierced` and `exists`: only signs at an end of the
+    CYLINT_KNOWN_LINE,    /* `ends` and `exists`: only signs at an end of the
                              domain are uncertain */
     CYLINT_KNOWN_ROOTS,   /* all but some roots' nearest doubles */
     CYLINT_KNOWN_USELESS  /* the filter does not serve the question */
@@ -52,9 +52,8 @@ typedef struct {
                     direction D */
     double t[2], slope[2], inverse[2], slope_error[2], curvature[2];
     double value[2], tail[2], error[2], low[2], high[2];
-    double hit_tail[2],
-        hit_error[2]; /* of the n hits: |root - (t + tail)| is at
-                                         most the error */
+    /* of the n hits: |root - (t + tail)| is at most the error */
+    double hit_tail[2], hit_error[2];
 } cylint_question;
 
 /* Relation, n, and the wanted t, part and side.  Writes *question->answer and

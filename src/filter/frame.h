@@ -347,7 +347,7 @@ INLINE void load_ends(local_line *l, const cylint_shape *shape, int solid)
     }
 }
 
-/* The rest, for lines that G does not reject. */
+/* z, w and the ends, loaded after the test of G. */
 INLINE void load_rest(local_line *l, const source *from, int solid)
 {
     if (!cylint_solid_is_tapered(solid) && cylint_solid_is_bounded(solid) &&

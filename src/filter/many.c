@@ -404,33 +404,21 @@ INLINE void answer_lanes(group_questions *x, unsigned want, int relations,
 typedef void lanes_kernel(group_questions *x, unsigned want, int relations,
                           cylint_filter_group *g);
 
-#define KERNEL(name, solid)                                           \
-    ASIDE void name(group_questions *x, unsigned want, int relations, \
-                    cylint_filter_group *g)                           \
-    {                                                                 \
-        if (x->shape)                                                 \
-            gather_shapes(&x->frame, x->shape, solid);                \
-        answer_lanes(x, want, relations, solid, g);                   \
+#define KERNEL(name, solid)                                                   \
+    ASIDE void name##_lanes(group_questions *x, unsigned want, int relations, \
+                            cylint_filter_group *g)                           \
+    {                                                                         \
+        if (x->shape)                                                         \
+            gather_shapes(&x->frame, x->shape, solid);                        \
+        answer_lanes(x, want, relations, solid, g);                           \
     }
-KERNEL(cylinders, CYLINT_SOLID_CYLINDER)
-KERNEL(cones, CYLINT_SOLID_CONE)
-KERNEL(whole_cylinders, CYLINT_SOLID_WHOLE_CYLINDER)
-KERNEL(double_cones, CYLINT_SOLID_DOUBLE_CONE)
-KERNEL(nappes, CYLINT_SOLID_NAPPE)
-KERNEL(spheres, CYLINT_SOLID_SPHERE)
-KERNEL(capsules, CYLINT_SOLID_CAPSULE)
-KERNEL(round_cones, CYLINT_SOLID_ROUND_CONE)
+CYLINT_EACH_SOLID(KERNEL)
 #undef KERNEL
 
+#define MEMBER(name, solid) [solid] = name##_lanes,
 static lanes_kernel *const of_solid[CYLINT_SOLIDS] = {
-    [CYLINT_SOLID_CYLINDER] = cylinders,
-    [CYLINT_SOLID_CONE] = cones,
-    [CYLINT_SOLID_WHOLE_CYLINDER] = whole_cylinders,
-    [CYLINT_SOLID_DOUBLE_CONE] = double_cones,
-    [CYLINT_SOLID_NAPPE] = nappes,
-    [CYLINT_SOLID_SPHERE] = spheres,
-    [CYLINT_SOLID_CAPSULE] = capsules,
-    [CYLINT_SOLID_ROUND_CONE] = round_cones};
+    CYLINT_EACH_SOLID(MEMBER)};
+#undef MEMBER
 
 /* ------------------------------------------------------- the groups ----- */
 

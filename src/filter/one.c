@@ -153,14 +153,6 @@ REFINE(any_refined, refine_any_line(q), cylint_prepared(q->shape))
 #define OTHERS(name, solid)                     \
     KERNEL(name##_signs, any_signs_rest, solid) \
     KERNEL(name##_roots, any_roots_rest, solid)
-#define cylinder_refined any_refined
-#define cone_refined any_refined
-#define whole_cylinder_refined any_refined
-#define double_cone_refined any_refined
-#define nappe_refined any_refined
-#define sphere_refined any_refined
-#define capsule_refined any_refined
-#define round_cone_refined any_refined
 #endif
 OTHERS(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER)
 OTHERS(double_cone, CYLINT_SOLID_DOUBLE_CONE)
@@ -184,26 +176,17 @@ static int contains_nearly(const cylint_shape *shape, const double point[3])
         const int side = contains_in_doubles(shape, point, solid); \
         return side != 0 ? side : contains_nearly(shape, point);   \
     }
-CONTAINS(cylinder, CYLINT_SOLID_CYLINDER)
-CONTAINS(cone, CYLINT_SOLID_CONE)
-CONTAINS(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER)
-CONTAINS(double_cone, CYLINT_SOLID_DOUBLE_CONE)
-CONTAINS(nappe, CYLINT_SOLID_NAPPE)
-CONTAINS(sphere, CYLINT_SOLID_SPHERE)
-CONTAINS(capsule, CYLINT_SOLID_CAPSULE)
-CONTAINS(round_cone, CYLINT_SOLID_ROUND_CONE)
+CYLINT_EACH_SOLID(CONTAINS)
 
+#if V_HAS_FMA
+#define REFINED(name, solid) [solid] = name##_refined,
+#else
+#define REFINED(name, solid) [solid] = any_refined,
+#endif
 static int refine(cylint_question *q)
 {
     static int (*const refined[CYLINT_SOLIDS])(cylint_question *) = {
-        [CYLINT_SOLID_CYLINDER] = cylinder_refined,
-        [CYLINT_SOLID_CONE] = cone_refined,
-        [CYLINT_SOLID_WHOLE_CYLINDER] = whole_cylinder_refined,
-        [CYLINT_SOLID_DOUBLE_CONE] = double_cone_refined,
-        [CYLINT_SOLID_NAPPE] = nappe_refined,
-        [CYLINT_SOLID_SPHERE] = sphere_refined,
-        [CYLINT_SOLID_CAPSULE] = capsule_refined,
-        [CYLINT_SOLID_ROUND_CONE] = round_cone_refined};
+        CYLINT_EACH_SOLID(REFINED)};
     int n = CYLINT_UNDECIDED;
     if (q->known == CYLINT_KNOWN_USELESS || !cylint_rounds_to_nearest())
         return n;
@@ -214,30 +197,8 @@ static int refine(cylint_question *q)
     return n;
 }
 
-#define BOTH(name)                 \
-    {                              \
-        name##_signs, name##_roots \
-    }
-const cylint_one_kernels CYLINT_ONE = {
-    {[CYLINT_SOLID_NONE] = {useless, useless},
-     [CYLINT_SOLID_CYLINDER] = BOTH(cylinder),
-     [CYLINT_SOLID_CONE] = BOTH(cone),
-     [CYLINT_SOLID_WHOLE_CYLINDER] = BOTH(whole_cylinder),
-     [CYLINT_SOLID_DOUBLE_CONE] = BOTH(double_cone),
-     [CYLINT_SOLID_NAPPE] = BOTH(nappe),
-     [CYLINT_SOLID_SPHERE] = BOTH(sphere),
-     [CYLINT_SOLID_CAPSULE] = BOTH(capsule),
-     [CYLINT_SOLID_ROUND_CONE] = BOTH(round_cone)},
-    refine,
-    {[CYLINT_SOLID_NONE] = no_side,
-     [CYLINT_SOLID_CYLINDER] = cylinder_contains,
-     [CYLINT_SOLID_CONE] = cone_contains,
-     [CYLINT_SOLID_WHOLE_CYLINDER] = whole_cylinder_contains,
-     [CYLINT_SOLID_DOUBLE_CONE] = double_cone_contains,
-     [CYLINT_SOLID_NAPPE] = nappe_contains,
-     [CYLINT_SOLID_SPHERE] = sphere_contains,
-     [CYLINT_SOLID_CAPSULE] = capsule_contains,
-     [CYLINT_SOLID_ROUND_CONE] = round_cone_contains}};
+#define ONE(name, solid) [solid] = {name##_signs, name##_roots},
+#define SIDE(name, solid) [solid] = name##_contains,
 
 #else
 
@@ -248,15 +209,12 @@ static int refine(cylint_question *question)
     return CYLINT_UNDECIDED;
 }
 
-#define NEITHER          \
-    {                    \
-        useless, useless \
-    }
-const cylint_one_kernels CYLINT_ONE = {
-    {NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER, NEITHER,
-     NEITHER},
-    refine,
-    {no_side, no_side, no_side, no_side, no_side, no_side, no_side, no_side,
-     no_side}};
+#define ONE(name, solid) [solid] = {useless, useless},
+#define SIDE(name, solid) [solid] = no_side,
 
 #endif
+
+const cylint_one_kernels CYLINT_ONE = {
+    {[CYLINT_SOLID_NONE] = {useless, useless}, CYLINT_EACH_SOLID(ONE)},
+    refine,
+    {[CYLINT_SOLID_NONE] = no_side, CYLINT_EACH_SOLID(SIDE)}};

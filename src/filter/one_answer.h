@@ -85,8 +85,8 @@ INLINE void store_tails(cylint_question *question, const root *r, int n,
     }
 }
 
-/* Writes a line that crosses with hits at those ends.  value, tail, error: of the
- * roots, or NULL. */
+/* Writes a line that crosses with hits at those ends.  r: their roots, or NULL if
+ * t is not wanted. */
 INLINE int write_hits(unsigned hits, cylint_end_bits e, const root *r,
                       const asked *a, int solid)
 {

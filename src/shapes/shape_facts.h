@@ -146,6 +146,18 @@ enum {
     CYLINT_SOLIDS
 };
 
+/* X(name, number) for each solid but CYLINT_SOLID_NONE: functions and tables that
+ * have one member for each. */
+#define CYLINT_EACH_SOLID(X)                       \
+    X(cylinder, CYLINT_SOLID_CYLINDER)             \
+    X(cone, CYLINT_SOLID_CONE)                     \
+    X(whole_cylinder, CYLINT_SOLID_WHOLE_CYLINDER) \
+    X(double_cone, CYLINT_SOLID_DOUBLE_CONE)       \
+    X(nappe, CYLINT_SOLID_NAPPE)                   \
+    X(sphere, CYLINT_SOLID_SPHERE)                 \
+    X(capsule, CYLINT_SOLID_CAPSULE)               \
+    X(round_cone, CYLINT_SOLID_ROUND_CONE)
+
 CYLINT_INLINE int cylint_solid(const cylint_shape *s)
 {
     if (s->kind == CYLINT_KIND_NONE)
