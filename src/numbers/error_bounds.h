@@ -319,4 +319,23 @@
 #define CYLINT_LOCAL_LEVELS 0x1p54
 #define CYLINT_LOCAL_SCALING 0x1p-49
 
+/*
+ * Angles in turns (turns.h, turns_lanes.h): of a point that is inexact, and of
+ * the rest a beyond the node, whose tangent is q; see turns_of().  The inputs'
+ * first order is |x| ey + |y| ex over 2 pi |(x, y)|^2; the excess covers the second,
+ * if ex + ey is below CYLINT_TURN_NEAR |(x, y)|.  CUBIC: the roundings of q^3 / 3
+ * and of the sums it is in.  RELATIVE: those of the quotient and of 1 / (2 pi).  NODE:
+ * the difference v cos - u sin, whose terms cancel, and the last sum.  Proved.
+ */
+#define CYLINT_TURN_INPUT 0.16
+#define CYLINT_TURN_NEAR 0x1p-9
+#define CYLINT_TURN_CUBIC 0x1.1p-52
+#define CYLINT_TURN_RELATIVE 0x1p-96
+#define CYLINT_TURN_NODE 0x1p-98
+
+/* Relative errors of cylint_turn_pair(), in rounding to nearest and in the
+ * directed modes. */
+#define CYLINT_TURN_PAIR_ERROR 0x1p-96
+#define CYLINT_TURN_DIRECTED_ERROR 0x1p-90
+
 #endif

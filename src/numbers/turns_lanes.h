@@ -1,0 +1,136 @@
+/*
+ * turns_lanes.h - the angle of a point in turns, in lanes (turns.h)
+ *
+ * If simd.h is included before this, turns.h is included before it.
+ */
+#ifndef CYLINT_NUMBERS_TURNS_LANES_H
+#define CYLINT_NUMBERS_TURNS_LANES_H
+
+#include "error_bounds.h"
+#include "turns.h" /* before simd.h */
+#include "simd.h"
+
+/* (atan(q) / q - 1) / (2 pi q^2), a polynomial in q^2 that is right at Chebyshev's
+ * four points of [0, CYLINT_TURN_TANGENT^2]; tests/test_turns.c computes it again. */
+#define CYLINT_TURN_SERIES                                                  \
+    {                                                                       \
+        -0x1.b2995e7b7b603p-5, 0x1.04c26be3ae7c6p-5, -0x1.7483745cd7891p-6, \
+            0x1.219d7dd2f8fe4p-6                                            \
+    }
+
+/* a b, lo not trimmed. */
+INLINE vpair turn_product(vpair a, vpair b)
+{
+    const vpair p = v_two_prod(a.hi, b.hi);
+    return (vpair){p.hi, v_sum_of(a.hi, b.lo, v_sum_of(a.lo, b.hi, p.lo))};
+}
+
+/* The node next to the angle whose tangent is r, in turns, and its cosine and
+ * sine.  Of NaN it is any. */
+INLINE vd turn_node(vd r, vpair *cosine, vpair *sine)
+{
+    const vd most = v_set(0.125), step = v_set(0x1.8p44); /* of 2^-8 */
+    const vd bend =
+        v_sum_of(r, v_set(-CYLINT_TURN_CURVE), v_set(CYLINT_TURN_SLOPE));
+    const vd near = v_sum_of(r, bend, step) - step;
+    const vd node = v_select(v_lt(near, most), near, most);
+    double k[LANES];
+    const char *row[LANES];
+    vd column[4];
+    v_store(k, node * v_set(256));
+    EACH(i, LANES)
+        row[i] = (const char *)cylint_turn_node[(int)k[i]];
+    v_columns(row, 0, column);
+    *cosine = (vpair){column[0], column[1]};
+    *sine = (vpair){column[2], column[3]};
+    return node;
+}
+
+/* a / b, lo not trimmed; *inverse is 1 / b. */
+INLINE vpair turn_quotient(vpair a, vpair b, vd *inverse)
+{
+    *inverse = v_set(1) / b.hi;
+    const vd q = a.hi * *inverse;
+    const vpair back = v_two_prod(q, b.hi);
+    const vd rest = (a.hi - back.hi) - back.lo;
+    return (vpair){q, (rest + v_sum_of(-q, b.lo, a.lo)) * *inverse};
+}
+
+/* atan(q) in turns, lo not trimmed; z = q^2. */
+INLINE vpair turn_of_tangent(vpair q, vd z)
+{
+    static const double c[] = CYLINT_TURN_SERIES;
+    const vd per_radian = v_set(CYLINT_TURN_PER_RADIAN);
+    vd series = v_set(c[3]);
+    for (int i = 2; i >= 0; i--)
+        series = v_sum_of(series, z, v_set(c[i]));
+    const vpair p = v_two_prod(q.hi, per_radian);
+    const vd low = v_sum_of(q.hi, v_set(CYLINT_TURN_PER_RADIAN_LO), p.lo);
+    const vd first = v_sum_of(-z, q.lo, q.lo); /* atan' = 1 - z + ... */
+    return (vpair){
+        p.hi, v_sum_of(q.hi * z, series, v_sum_of(first, per_radian, low))};
+}
+
+/*
+ * The angle of (x, y), counted from the x axis towards the y axis, in [0, 1].
+ * x and y: 0, or |hi| between 2^-400 and 2^400, |lo| <= 2^-50 |hi|; not both 0.
+ * ex and ey are their absolute errors: 0 or at least 2^-600.  |lo| of the result
+ * is at most ulp(hi) / 2; below the positive x axis it is 1 and a negative lo.
+ *
+ * *error bounds the difference from the angle, in [0, 1), of every point within ex
+ * and ey of (x, y).  With turn, the multiple of 1/256 that is exact, and the rest a,
+ * whose tangent is q, *error is
+ *
+ *     CYLINT_TURN_INPUT (|x| ey + |y| ex) / |(x, y)|^2 + CYLINT_TURN_NODE turn
+ *       + |a| (CYLINT_TURN_CUBIC q^2 + CYLINT_TURN_RELATIVE),
+ *
+ * below 2^-72.5 where ex = ey = 0, and relative to small angles.  It is 1 if
+ * nothing is known: if ex + ey is CYLINT_TURN_NEAR |(x, y)| or more, or if such a
+ * point can be on the other side of the positive x axis.
+ */
+INLINE vpair turns_of(vpair x, vpair y, vd ex, vd ey, vd *error)
+{
+    const vd zero = v_set(0), one = v_set(1);
+    const vm left = v_lt(x.hi, zero), below = v_lt(y.hi, zero);
+    const vpair across = {v_abs(x.hi), v_select(left, -x.lo, x.lo)};
+    const vpair up = {v_abs(y.hi), v_select(below, -y.lo, y.lo)};
+    const vm steep = v_lt(across.hi, up.hi);
+    const vpair u = {v_select(steep, up.hi, across.hi),
+                     v_select(steep, up.lo, across.lo)};
+    const vpair v = {v_select(steep, across.hi, up.hi),
+                     v_select(steep, across.lo, up.lo)};
+    vpair cosine, sine;
+    const vd node = turn_node(v.hi / u.hi, &cosine, &sine);
+    const vpair uc = turn_product(u, cosine), vs = turn_product(v, sine);
+    const vpair sum = v_fast_two_sum(uc.hi, vs.hi); /* v sin <= u cos */
+    const vpair den = {sum.hi, sum.lo + (uc.lo + vs.lo)};
+    const vpair num = vpair_sub(turn_product(v, cosine), turn_product(u, sine));
+    vd inverse;
+    const vpair q = turn_quotient(num, den, &inverse);
+    const vd z = q.hi * q.hi;
+    const vpair a = turn_of_tangent(q, z);
+
+    /* the octant: an axis, and the way from it */
+    const vd way = v_like(one, x.hi * y.hi);
+    const vd to = v_select(steep, -way, way);
+    const vd x_axis = v_select(left, v_set(0.5), v_select(below, one, zero));
+    const vd axis =
+        v_select(steep, v_select(below, v_set(0.75), v_set(0.25)), x_axis);
+    const vd turn = v_sum_of(to, node, axis);
+    const vpair exact = v_fast_two_sum(turn, to * a.hi); /* |a| < 1/256 */
+    const vpair result = v_fast_two_sum(exact.hi, v_sum_of(to, a.lo, exact.lo));
+
+    const vd moved = v_sum_of(ey, across.hi, ex * up.hi) * (inverse * inverse);
+    const vd of_rest =
+        v_sum_of(z, v_set(CYLINT_TURN_CUBIC), v_set(CYLINT_TURN_RELATIVE));
+    const vd e = v_sum_of(
+        moved, v_set(CYLINT_TURN_INPUT),
+        v_sum_of(turn, v_set(CYLINT_TURN_NODE), v_abs(a.hi) * of_rest));
+    const vm near = v_lt(ex + ey, v_set(CYLINT_TURN_NEAR) * den.hi);
+    const vm known =
+        m_and(v_le(e, result.hi), v_le(e, (one - result.hi) - result.lo));
+    *error = v_select(m_and(near, known), e, one);
+    return result;
+}
+
+#endif
