@@ -27,6 +27,10 @@ $(core_tests) $(scene_tests): libs := $(test_libs) $(threads_link)
 $(embree_tests) $(BUILD)/tests/scene_curves: libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
 $(BUILD)/tests/pixels: libs := -lpng
 
+# turns_of() in every width.
+$(BUILD)/tests/test_turns: $(patsubst %,$(BUILD)/%.o,tests/turn_points $(filter tests/turn_points-%,$(isa_builds)))
+$(BUILD)/tests/test_turns.o: extra += $(x86)
+
 # --wrap: calls of these functions go to __wrap_ functions of a test.
 wrap = $(foreach c,$(1),-Wl,--wrap=$c)
 $(BUILD)/tests/test_scene_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc free))

@@ -325,10 +325,11 @@
  * first order is |x| ey + |y| ex over 2 pi |(x, y)|^2; the excess covers the second,
  * if ex + ey is below CYLINT_TURN_NEAR |(x, y)|.  CUBIC: the roundings of q^3 / 3
  * and of the sums it is in.  RELATIVE: those of the quotient and of 1 / (2 pi).  NODE:
- * the difference v cos - u sin, whose terms cancel, and the last sum.  Proved.
+ * the difference v cos - u sin, whose terms cancel.  Proved.
  */
 #define CYLINT_TURN_INPUT 0.16
 #define CYLINT_TURN_NEAR 0x1p-9
+#define CYLINT_TURN_SERIES 0x1.1p-58 /* tests/test_turns.c computes it */
 #define CYLINT_TURN_CUBIC 0x1.1p-52
 #define CYLINT_TURN_RELATIVE 0x1p-96
 #define CYLINT_TURN_NODE 0x1p-98

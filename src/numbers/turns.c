@@ -1,6 +1,7 @@
 /*
  * turns.c - the nodes, and the angle of a point in pairs
  */
+#include "bits.h"
 #include "turns.h"
 
 /* tests/test_turns.c computes these numbers again. */
@@ -72,14 +73,38 @@ const double cylint_turn_node[33][4] = {
      -0x1.bdd3413b26456p-55},
 };
 
+/* x without the lower half of its digits. */
+static double head(double x)
+{
+    return cylint_from_bits(cylint_bits(x) & ~(uint64_t)0x7ffffff);
+}
+
+/* pair_mul() for every rounding mode: halves of numbers by their bits, where
+ * Dekker's splitting needs rounding to nearest. */
+static pair product(pair a, pair b)
+{
+    const double p = a.hi * b.hi;
+    const double ah = head(a.hi), al = a.hi - ah;
+    const double bh = head(b.hi), bl = b.hi - bh;
+    const double low = ((ah * bh - p) + ah * bl + al * bh) + al * bl;
+    return fast_two_sum(p, low + (a.hi * b.lo + a.lo * b.hi));
+}
+
+static pair quotient(pair a, pair b)
+{
+    const double q = a.hi / b.hi;
+    const pair rest = pair_sub(a, product((pair){q, 0}, b));
+    return fast_two_sum(q, rest.hi / b.hi);
+}
+
 /* atan(q) / q = 1 - q^2 / 3 + q^4 / 5 - ...; the first term that is left out is
  * below 2^-111. */
 static pair atan_over(pair q)
 {
-    const pair z = pair_mul(q, q), one = {1, 0};
+    const pair square = product(q, q), one = {1, 0};
     pair sum = {0, 0};
     for (int n = 17; n > 0; n -= 2)
-        sum = pair_sub(pair_div(one, (pair){n, 0}), pair_mul(z, sum));
+        sum = pair_sub(quotient(one, (pair){n, 0}), product(square, sum));
     return sum;
 }
 
@@ -94,10 +119,10 @@ pair cylint_turn_pair(pair x, pair y)
         (int)(256 * r * (CYLINT_TURN_SLOPE - CYLINT_TURN_CURVE * r) + 0.5);
     const double *node = cylint_turn_node[k];
     const pair cosine = {node[0], node[1]}, sine = {node[2], node[3]};
-    const pair q = pair_div(pair_sub(pair_mul(v, cosine), pair_mul(u, sine)),
-                            pair_add(pair_mul(u, cosine), pair_mul(v, sine)));
+    const pair q = quotient(pair_sub(product(v, cosine), product(u, sine)),
+                            pair_add(product(u, cosine), product(v, sine)));
     const pair per_radian = {CYLINT_TURN_PER_RADIAN, CYLINT_TURN_PER_RADIAN_LO};
-    const pair rest = pair_mul(pair_mul(q, atan_over(q)), per_radian);
+    const pair rest = product(product(q, atan_over(q)), per_radian);
     const int back = steep ^ left ^ below; /* the octant is run backwards */
     const double axis = steep ? (below ? 0.75 : 0.25) : left ? 0.5 : below;
     const double turn = axis + (back ? -k : k) * 0x1p-8;

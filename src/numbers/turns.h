@@ -20,8 +20,8 @@ extern const double cylint_turn_node[33][4] CYLINT_HIDDEN;
 
 /* The node is the nearest to r (SLOPE - CURVE r), r = v / u, which differs from
  * the angle by less than 0.137 nodes.  Then |q| <= tan(0.637 / 256 turns). */
-#define CYLINT_TURN_SLOPE 0.16786
-#define CYLINT_TURN_CURVE 0.04232
+#define CYLINT_TURN_SLOPE 0.167858
+#define CYLINT_TURN_CURVE 0.042325
 #define CYLINT_TURN_TANGENT 0x1.02p-6
 
 /* 1 / (2 pi) as a pair. */

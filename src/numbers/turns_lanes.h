@@ -10,13 +10,12 @@
 #include "turns.h" /* before simd.h */
 #include "simd.h"
 
-/* (atan(q) / q - 1) / (2 pi q^2), a polynomial in q^2 that is right at Chebyshev's
- * four points of [0, CYLINT_TURN_TANGENT^2]; tests/test_turns.c computes it again. */
-#define CYLINT_TURN_SERIES                                                  \
-    {                                                                       \
-        -0x1.b2995e7b7b603p-5, 0x1.04c26be3ae7c6p-5, -0x1.7483745cd7891p-6, \
-            0x1.219d7dd2f8fe4p-6                                            \
-    }
+/* (atan(q) / q - 1) / (2 pi q^2) as a polynomial in z = q^2, the highest power
+ * first: that through Chebyshev's four points of [0, CYLINT_TURN_TANGENT^2], its
+ * coefficients rounded.  Its error is below CYLINT_TURN_SERIES. */
+static const double turn_series[4] = {
+    0x1.219d7dd2f8fe4p-6, -0x1.7483745cd7891p-6, 0x1.04c26be3ae7c6p-5,
+    -0x1.b2995e7b7b603p-5};
 
 /* a b, lo not trimmed. */
 INLINE vpair turn_product(vpair a, vpair b)
@@ -59,11 +58,10 @@ INLINE vpair turn_quotient(vpair a, vpair b, vd *inverse)
 /* atan(q) in turns, lo not trimmed; z = q^2. */
 INLINE vpair turn_of_tangent(vpair q, vd z)
 {
-    static const double c[] = CYLINT_TURN_SERIES;
     const vd per_radian = v_set(CYLINT_TURN_PER_RADIAN);
-    vd series = v_set(c[3]);
-    for (int i = 2; i >= 0; i--)
-        series = v_sum_of(series, z, v_set(c[i]));
+    vd series = v_set(turn_series[0]);
+    EACH(i, 3)
+        series = v_sum_of(series, z, v_set(turn_series[i + 1]));
     const vpair p = v_two_prod(q.hi, per_radian);
     const vd low = v_sum_of(q.hi, v_set(CYLINT_TURN_PER_RADIAN_LO), p.lo);
     const vd first = v_sum_of(-z, q.lo, q.lo); /* atan' = 1 - z + ... */
@@ -78,15 +76,16 @@ INLINE vpair turn_of_tangent(vpair q, vd z)
  * is at most ulp(hi) / 2; below the positive x axis it is 1 and a negative lo.
  *
  * *error bounds the difference from the angle, in [0, 1), of every point within ex
- * and ey of (x, y).  With turn, the multiple of 1/256 that is exact, and the rest a,
- * whose tangent is q, *error is
+ * and ey of (x, y).  With the node, in turns, the rest a beyond it, whose tangent is
+ * q, and `low`, the result's last sum, it is
  *
- *     CYLINT_TURN_INPUT (|x| ey + |y| ex) / |(x, y)|^2 + CYLINT_TURN_NODE turn
- *       + |a| (CYLINT_TURN_CUBIC q^2 + CYLINT_TURN_RELATIVE),
+ *     CYLINT_TURN_INPUT (|x| ey + |y| ex) / |(x, y)|^2 + CYLINT_TURN_NODE node
+ *       + |a| (CYLINT_TURN_CUBIC q^2 + CYLINT_TURN_RELATIVE) + 2^-53 |low|,
  *
- * below 2^-72.5 where ex = ey = 0, and relative to small angles.  It is 1 if
- * nothing is known: if ex + ey is CYLINT_TURN_NEAR |(x, y)| or more, or if such a
- * point can be on the other side of the positive x axis.
+ * below 2^-72.5 where ex = ey = 0, relative to the angle's distance from an axis if
+ * that is small, and 0 on an axis.  It is 1 if nothing is known: if ex + ey is
+ * CYLINT_TURN_NEAR |(x, y)| or more, or if such a point can be on the other side of
+ * the positive x axis.
  */
 INLINE vpair turns_of(vpair x, vpair y, vd ex, vd ey, vd *error)
 {
@@ -118,14 +117,16 @@ INLINE vpair turns_of(vpair x, vpair y, vd ex, vd ey, vd *error)
         v_select(steep, v_select(below, v_set(0.75), v_set(0.25)), x_axis);
     const vd turn = v_sum_of(to, node, axis);
     const vpair exact = v_fast_two_sum(turn, to * a.hi); /* |a| < 1/256 */
-    const vpair result = v_fast_two_sum(exact.hi, v_sum_of(to, a.lo, exact.lo));
+    const vd low = v_sum_of(to, a.lo, exact.lo);
+    const vpair result = v_fast_two_sum(exact.hi, low);
 
     const vd moved = v_sum_of(ey, across.hi, ex * up.hi) * (inverse * inverse);
-    const vd of_rest =
-        v_sum_of(z, v_set(CYLINT_TURN_CUBIC), v_set(CYLINT_TURN_RELATIVE));
-    const vd e = v_sum_of(
-        moved, v_set(CYLINT_TURN_INPUT),
-        v_sum_of(turn, v_set(CYLINT_TURN_NODE), v_abs(a.hi) * of_rest));
+    const vd of_rest = v_abs(a.hi) * v_sum_of(z, v_set(CYLINT_TURN_CUBIC),
+                                              v_set(CYLINT_TURN_RELATIVE));
+    const vd rounded =
+        v_sum_of(v_abs(low), v_set(CYLINT_NEAREST_ROUNDING), of_rest);
+    const vd e = v_sum_of(moved, v_set(CYLINT_TURN_INPUT),
+                          v_sum_of(node, v_set(CYLINT_TURN_NODE), rounded));
     const vm near = v_lt(ex + ey, v_set(CYLINT_TURN_NEAR) * den.hi);
     const vm known =
         m_and(v_le(e, result.hi), v_le(e, (one - result.hi) - result.lo));

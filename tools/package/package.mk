@@ -9,7 +9,7 @@ comma       := ,
 $(one_file): tools/package/amalgamate.py $(wildcard src/*.[ch] src/*/*.[ch]) $(one_headers) LICENSE
 	@mkdir -p $(@D)
 	$(call say,AMALGAMATE $@)cp $(one_headers) $(@D) && \
-	  python3 $< '$(CC)' $@ $(version) $(amalgamated) $(foreach b,$(filter-out src/embree/%,$(isa_builds)),'$b=$(call isa_options,$b)')
+	  python3 $< '$(CC)' $@ $(version) $(amalgamated) $(foreach b,$(filter-out src/embree/% tests/%,$(isa_builds)),'$b=$(call isa_options,$b)')
 
 amalgamation: $(one_file) ## write libcylint and libcylint-scene as one C file to $(BUILD)/amalgamation
 

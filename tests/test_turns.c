@@ -1,0 +1,363 @@
+/*
+ * test_turns.c - floor numbers: turns.h and turns_lanes.h against MPFR
+ *
+ * Computes the nodes and constants again.  Measures the errors of angles over
+ * their bounds: in lanes of every width, with and without fused multiply-add, of
+ * exact and of inexact points, and in pairs in each rounding mode.
+ */
+#ifdef HAVE_MPFR
+#include <fenv.h>
+#include <math.h>
+#include <mpfr.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "check.h"
+#include "dispatch.h"
+#include "numbers/error_bounds.h"
+#include "numbers/turns_lanes.h"
+#include "random.h"
+#include "turn_points.h"
+
+enum { BITS = 220, BLOCK = 8192 };
+
+static uint64_t stream = 24;
+static mpfr_t X, Y, angle, turn_in_radians;
+
+static double unit(void) /* in [-1, 1) */
+{
+    return 2 * random_unit(&stream) - 1;
+}
+
+static int below(int n)
+{
+    return random_int(&stream, n);
+}
+
+static void set(mpfr_t to, pair a)
+{
+    mpfr_set_d(to, a.hi, MPFR_RNDN);
+    mpfr_add_d(to, to, a.lo, MPFR_RNDN);
+}
+
+/* ----------------------------------------------------------- constants -- */
+
+/* Takes the nearest double from x and returns it. */
+static double taken(mpfr_t x)
+{
+    const double d = mpfr_get_d(x, MPFR_RNDN);
+    mpfr_sub_d(x, x, d, MPFR_RNDN);
+    return d;
+}
+
+static void check_pair(mpfr_t x, double hi, double lo, const char *name, int k)
+{
+    const double wanted = taken(x), wanted_lo = taken(x);
+    if (!CHECK(hi == wanted && lo == wanted_lo))
+        REPORT("%s %d must be %a, %a", name, k, wanted, wanted_lo);
+}
+
+static void nodes_are_cosines_and_sines_in_pairs(void)
+{
+    mpfr_ui_div(X, 1, turn_in_radians, MPFR_RNDN);
+    check_pair(X, CYLINT_TURN_PER_RADIAN, CYLINT_TURN_PER_RADIAN_LO,
+               "turns per radian", 0);
+    for (int k = 0; k <= 32; k++) {
+        const double *node = cylint_turn_node[k];
+        mpfr_mul_d(angle, turn_in_radians, k * 0x1p-8, MPFR_RNDN);
+        mpfr_sin_cos(Y, X, angle, MPFR_RNDN);
+        check_pair(X, node[0], node[1], "cosine", k);
+        check_pair(Y, node[2], node[3], "sine", k);
+    }
+}
+
+/* So |q| is at most the tangent of 0.637 nodes. */
+static void the_node_is_nearer_than_0_637_nodes(void)
+{
+    const double tau = mpfr_get_d(turn_in_radians, MPFR_RNDN);
+    double most = 0;
+    for (int i = 0; i <= 100000; i++) {
+        const double r = i * 1e-5;
+        const double guess =
+            256 * r * (CYLINT_TURN_SLOPE - CYLINT_TURN_CURVE * r);
+        most = fmax(most, fabs(guess - 256 * atan(r) / tau));
+    }
+    printf("note: a guess is within %.4f nodes\n", most);
+    CHECK(most < 0.137);
+    CHECK(tan(0.637 / 256 * tau) < CYLINT_TURN_TANGENT);
+}
+
+static void the_series_has_its_error(void)
+{
+    double most = 0;
+    for (int i = 1; i <= 20000; i++) {
+        const double q = CYLINT_TURN_TANGENT * i / 20000;
+        mpfr_set_d(X, q, MPFR_RNDN);
+        mpfr_atan(angle, X, MPFR_RNDN);
+        mpfr_sub(angle, angle, X, MPFR_RNDN);
+        mpfr_div(angle, angle, turn_in_radians, MPFR_RNDN);
+        mpfr_sqr(X, X, MPFR_RNDN);
+        mpfr_set_d(Y, turn_series[0], MPFR_RNDN);
+        for (int k = 1; k < 4; k++) {
+            mpfr_mul(Y, Y, X, MPFR_RNDN);
+            mpfr_add_d(Y, Y, turn_series[k], MPFR_RNDN);
+        }
+        mpfr_div(angle, angle, X, MPFR_RNDN);
+        mpfr_div_d(angle, angle, q, MPFR_RNDN);
+        mpfr_sub(angle, angle, Y, MPFR_RNDN);
+        most = fmax(most, fabs(mpfr_get_d(angle, MPFR_RNDN)));
+    }
+    printf("note: error of the series over its bound: %.3f\n",
+           most / CYLINT_TURN_SERIES);
+    CHECK(most <= CYLINT_TURN_SERIES);
+}
+
+/* -------------------------------------------------------------- points -- */
+
+/* lo is up to eight units in the last place of hi. */
+static pair untrimmed(double hi)
+{
+    return (pair){hi, below(4) ? unit() * hi * 0x1p-50 : 0};
+}
+
+/* Near a multiple of 1/512 of a turn: a node, between two, an axis, a diagonal. */
+static void near_a_node(double *x, double *y)
+{
+    const double a = below(512) * mpfr_get_d(turn_in_radians, MPFR_RNDN) / 512;
+    const double off = below(8) ? unit() * ldexp(1, -below(60)) : 0;
+    *x = cos(a) - off * sin(a);
+    *y = sin(a) + off * cos(a);
+}
+
+static void near_an_axis(double *x, double *y)
+{
+    *x = below(2) ? unit() : -1;
+    *y = below(8) ? unit() * ldexp(1, -below(400)) : 0;
+}
+
+static turn_point any_point(void)
+{
+    double x, y;
+    switch (below(8)) {
+    case 0:
+    case 1:
+        x = unit(), y = unit();
+        break;
+    case 2: /* a diagonal */
+        x = unit(), y = below(2) ? x : -x;
+        y *= 1 + below(3) * 0x1p-52;
+        break;
+    case 3:
+        x = below(41) - 20, y = below(41) - 20;
+        break;
+    case 4:
+        near_an_axis(&x, &y);
+        break;
+    default:
+        near_a_node(&x, &y);
+    }
+    if (x == 0 && y == 0)
+        x = 1;
+    const int swap = below(2), far = below(4) ? 0 : below(2) ? 390 : -390;
+    x = fabs(x) < 0x1p-400 ? 0 : ldexp(x, far > 0 || fabs(x) > 0.1 ? far : 0);
+    y = fabs(y) < 0x1p-400 ? 0 : ldexp(y, far > 0 || fabs(y) > 0.1 ? far : 0);
+    return (turn_point){untrimmed(swap ? y : x), untrimmed(swap ? x : y), 0, 0};
+}
+
+/* The angle of a point, with three doubles. */
+typedef struct {
+    double head, middle, tail;
+} true_turn;
+
+static true_turn turn_of(const turn_point *p)
+{
+    const int gap = abs(ilogb(p->x.hi == 0 ? p->y.hi : p->x.hi) -
+                        ilogb(p->y.hi == 0 ? p->x.hi : p->y.hi));
+    mpfr_set_prec(angle, BITS + gap); /* from an axis */
+    set(X, p->x);
+    set(Y, p->y);
+    mpfr_atan2(angle, Y, X, MPFR_RNDN);
+    mpfr_div(angle, angle, turn_in_radians, MPFR_RNDN);
+    if (mpfr_sgn(angle) < 0)
+        mpfr_add_ui(angle, angle, 1, MPFR_RNDN);
+    true_turn t;
+    t.head = taken(angle);
+    t.middle = taken(angle);
+    t.tail = taken(angle);
+    return t;
+}
+
+static double error_of(pair turn, const true_turn *t)
+{
+    return fabs((turn.hi - t->head) + ((turn.lo - t->middle) - t->tail));
+}
+
+/* Moves x by at most `size`, and *e to how far it is moved. */
+static pair moved(pair x, double size, double *e)
+{
+    const double by = below(3) ? size : size * unit();
+    const pair to = two_sum(x.hi, x.lo + (below(2) ? by : -by));
+    *e = fabs((to.hi - x.hi) + (to.lo - x.lo)) * (1 + 0x1p-50);
+    return *e < 0x1p-500 ? (*e = 0, x) : to;
+}
+
+/* Inexact in one coordinate or both, relative to it or to the other. */
+static turn_point inexact(turn_point p)
+{
+    const double far = hypot(p.x.hi, p.y.hi), most = ldexp(far, -below(110));
+    turn_point q = p;
+    if (below(4))
+        q.x = moved(p.x, below(2) ? most : most * fabs(p.x.hi) / far, &q.ex);
+    if (below(4))
+        q.y = moved(p.y, below(2) ? most : most * fabs(p.y.hi) / far, &q.ey);
+    return q.x.hi == 0 && q.y.hi == 0 ? p : q;
+}
+
+/* --------------------------------------------------------------- lanes -- */
+
+typedef struct {
+    const char *name;
+    turns_of_points *run;
+    double exact, inexact, largest; /* errors over bounds; a bound */
+} lanes_build;
+
+static lanes_build builds[] = {
+    {"plain", turns_plain, 0, 0, 0},
+#ifdef CYLINT_BUILDS_X86
+    {"one lane", turns_one, 0, 0, 0}, {"narrow, fused", turns_narrow, 0, 0, 0},
+    {"avx2", turns_avx2, 0, 0, 0},    {"avx512", turns_avx512, 0, 0, 0},
+#endif
+};
+
+/* How many of them this processor runs. */
+static size_t build_count(void)
+{
+#ifdef CYLINT_BUILDS_X86
+    return CYLINT_OF_BUILD(cylint_build_used(), 2, 4, 5);
+#else
+    return 1;
+#endif
+}
+
+static turn_point exact_points[BLOCK], inexact_points[BLOCK];
+static true_turn truth[BLOCK];
+static turn_answer answers[BLOCK];
+
+/* Returns the largest error over its bound. */
+static double worst_of(lanes_build *b, const turn_point *p)
+{
+    double worst = 0;
+    b->run(BLOCK, p, answers);
+    for (int i = 0; i < BLOCK; i++) {
+        const turn_answer *a = answers + i;
+        const double error = error_of(a->turn, truth + i);
+        if (!CHECK(error <= a->error && a->turn.hi + a->turn.lo == a->turn.hi))
+            REPORT("%s: atan2(%a + %a, %a + %a), errors %a and %a: %a + %a, "
+                   "error %g of %g",
+                   b->name, p[i].y.hi, p[i].y.lo, p[i].x.hi, p[i].x.lo, p[i].ey,
+                   p[i].ex, a->turn.hi, a->turn.lo, error, a->error);
+        if (error > 0 && a->error < 1)
+            worst = fmax(worst, error / a->error);
+        if (p == exact_points)
+            b->largest = fmax(b->largest, a->error);
+    }
+    return worst;
+}
+
+/* ---------------------------------------------------------------- pairs -- */
+
+static const struct {
+    const char *name;
+    int mode;
+    double bound;
+} modes[] = {{"to nearest", FE_TONEAREST, CYLINT_TURN_PAIR_ERROR},
+             {"upward", FE_UPWARD, CYLINT_TURN_DIRECTED_ERROR},
+             {"downward", FE_DOWNWARD, CYLINT_TURN_DIRECTED_ERROR},
+             {"toward zero", FE_TOWARDZERO, CYLINT_TURN_DIRECTED_ERROR}};
+static double worst_pair[4];
+
+static pair scaled(pair x, int e)
+{
+    return two_sum(ldexp(x.hi, e), ldexp(x.lo, e));
+}
+
+static void judge_pairs(void)
+{
+    for (int i = 0; i < BLOCK; i++) {
+        const turn_point *p = exact_points + i;
+        int e;
+        frexp(fmax(fabs(p->x.hi), fabs(p->y.hi)), &e);
+        const int scale = 1 - e + below(2) - below(2);
+        const pair x = scaled(p->x, scale), y = scaled(p->y, scale);
+        if ((x.hi != 0 && fabs(x.hi) < 0x1p-200) ||
+            (y.hi != 0 && fabs(y.hi) < 0x1p-200))
+            continue;
+        for (int m = 0; m < 4; m++) {
+            fesetround(modes[m].mode);
+            const pair turn = cylint_turn_pair(x, y);
+            fesetround(FE_TONEAREST);
+            const double error = error_of(turn, truth + i);
+            if (!CHECK(error <= modes[m].bound * truth[i].head))
+                REPORT("%s: atan2(%a + %a, %a + %a): %a + %a", modes[m].name,
+                       y.hi, y.lo, x.hi, x.lo, turn.hi, turn.lo);
+            if (error > 0)
+                worst_pair[m] =
+                    fmax(worst_pair[m], error / truth[i].head / modes[m].bound);
+        }
+    }
+}
+
+static void angles_have_their_bounds(void)
+{
+    const uint64_t cases = check_setting("CYLINT_CASES", 1 << 19);
+    for (uint64_t n = 0; n < cases; n += BLOCK) {
+        for (int i = 0; i < BLOCK; i++) {
+            exact_points[i] = any_point();
+            truth[i] = turn_of(exact_points + i);
+            inexact_points[i] = inexact(exact_points[i]);
+        }
+        for (size_t k = 0; k < build_count(); k++) {
+            lanes_build *b = builds + k;
+            b->exact = fmax(b->exact, worst_of(b, exact_points));
+            b->inexact = fmax(b->inexact, worst_of(b, inexact_points));
+        }
+        judge_pairs();
+    }
+    for (size_t k = 0; k < build_count(); k++) {
+        const lanes_build *b = builds + k;
+        printf("note: %-13s error over its bound: exact points %.3f, inexact "
+               "%.3f; largest bound 2^%.2f\n",
+               b->name, b->exact, b->inexact, log2(b->largest));
+        CHECK(b->exact <= 1 && b->inexact <= 1);
+        CHECK(b->largest < 0x1p-72);
+    }
+    for (int m = 0; m < 4; m++)
+        printf("note: pairs, %-11s error over its bound: %.3f\n", modes[m].name,
+               worst_pair[m]);
+}
+
+int main(void)
+{
+    mpfr_inits2(BITS, X, Y, angle, (mpfr_ptr)0);
+    mpfr_init2(turn_in_radians, BITS + 1000);
+    mpfr_const_pi(turn_in_radians, MPFR_RNDN);
+    mpfr_mul_2ui(turn_in_radians, turn_in_radians, 1, MPFR_RNDN);
+    RUN(nodes_are_cosines_and_sines_in_pairs);
+    RUN(the_node_is_nearer_than_0_637_nodes);
+    RUN(the_series_has_its_error);
+    RUN(angles_have_their_bounds);
+    mpfr_clears(X, Y, angle, turn_in_radians, (mpfr_ptr)0);
+    mpfr_free_cache();
+    return check_end();
+}
+
+#else
+
+#include "program.h"
+
+int main(void)
+{
+    return check_skip("no MPFR: nothing to compare with (make deps)");
+}
+
+#endif
