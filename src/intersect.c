@@ -18,13 +18,11 @@ static cylint_overlap overlap_of(cylint_query *q)
 
 /* ------------------------------------------------------- the domain ---- */
 
-static void describe_stop(cylint_query *q, const cylint_stop *at, double t,
-                          double more, double error, unsigned want,
+static void describe_stop(cylint_query *q, const cylint_stop *at, unsigned want,
                           cylint_hit *hit)
 {
     if (want & CYLINT_WANT_BESIDE_T)
-        cylint_describe_hit(q, at->root, t, more, error, at->part, at->apex,
-                            want, hit);
+        cylint_describe_hit(q, at->root, at->part, at->apex, want, hit);
 }
 
 /* Opens the query of the surface that a hit lies on: of a ball of a capsule or
@@ -60,13 +58,13 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
     answer->relation = v.relation;
     answer->n = 0;
     for (int i = 0; i < v.n; i++) {
-        double t = 0, more = 0;
+        double t = 0;
         if (!cylint_part_is_present(q.ends, v.at[i].part))
             continue;
         open_part(&q, shape, line, v.at[i].part, &ball);
         const int rounded =
             (want & (CYLINT_WANT_T | CYLINT_WANT_BESIDE_T)) != 0;
-        if (!cylint_root_within(&q, v.at[i].root, rounded, &t, &more))
+        if (!cylint_root_within(&q, v.at[i].root, rounded, &t))
             continue;
         cylint_hit *hit = &answer->hit[answer->n++];
         if (want & CYLINT_WANT_T)
@@ -75,8 +73,7 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
             hit->part = v.at[i].part;
             hit->side = v.at[i].side;
         }
-        describe_stop(&q, &v.at[i], t, more,
-                      CYLINT_ROOT_SLACK * q.t_error * fabs(t), want, hit);
+        describe_stop(&q, &v.at[i], want, hit);
         if (want & CYLINT_WANT_NEAREST)
             break;
     }
@@ -108,8 +105,7 @@ static void describe_known_hits(const cylint_question *from, unsigned want,
             hit->part = k->part;
             hit->side = k->side;
         }
-        describe_stop(&q, &at, k->t, from->hit_tail[i], from->hit_error[i],
-                      want, hit);
+        describe_stop(&q, &at, want, hit);
     }
 }
 

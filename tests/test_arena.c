@@ -89,8 +89,7 @@ double cylint_exact_nearest(exact x, int e)
 
 pair cylint_exact_round(exact x, int *e)
 {
-    (void)x;
-    *e = 0;
+    *e = 32 * (x.exponent + x.n - 1);
     return (pair){1, 0};
 }
 
@@ -142,24 +141,15 @@ static void compute_signs(cylint_query *q)
                 cylint_form_sign(q, f, end);
 }
 
-/* Computes t, compares it with a number, and writes all members of a hit.  The
- * midpoint of two doubles is the sum of five numbers. */
+/* Computes t and writes all members of a hit. */
 static void compute_root(cylint_query *q, cylint_root root)
 {
     cylint_hit hit;
-    double t = 0, more = 0;
-    cylint_root_within(q, root, 1, &t, &more);
-    const int used = cylint_exact_mark(q, root);
-    const surd in_full = cylint_surd(q, root);
-    exact m = cylint_exact_from(&q->arena, 1);
-    for (int i = 0; i < 4; i++)
-        m = cylint_exact_add(&q->arena, m, cylint_exact_from(&q->arena, 1));
-    cylint_sign_at(q, &in_full, m, cylint_load_exact(q)->one);
-    q->arena.used = used;
+    double t = 0;
+    cylint_root_within(q, root, 1, &t);
     for (int part = CYLINT_PART_LATERAL; part <= CYLINT_PART_CAP1; part++)
         for (int apex = 0; apex < 2; apex++)
-            cylint_describe_hit(q, root, t, more, 0, part, apex,
-                                CYLINT_WANT_ALL, &hit);
+            cylint_describe_hit(q, root, part, apex, CYLINT_WANT_ALL, &hit);
 }
 
 /* The largest number of limbs in use in one random question. */

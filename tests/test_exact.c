@@ -356,12 +356,12 @@ static int limbs_used(const wild *c, int kind)
     }
     cylint_form_sign(q, FORM_ALONG, 0);
     for (cylint_root root = ROOT_ENTRY; root <= ROOT_CAP1; root++) {
-        double t = 0, more = 0;
+        double t = 0;
         if (!exists(q, root))
             continue;
-        cylint_root_within(q, root, 1, &t, &more);
-        cylint_describe_hit(q, root, t, more, 0, CYLINT_PART_LATERAL, 0,
-                            CYLINT_WANT_ALL, &hit);
+        cylint_root_within(q, root, 1, &t);
+        cylint_describe_hit(q, root, CYLINT_PART_LATERAL, 0, CYLINT_WANT_ALL,
+                            &hit);
     }
     return q->arena.most;
 }

@@ -7,10 +7,12 @@
 
 #include "../numbers/error_bounds.h"
 
-/* The error of the square of a distance (distance/), and of its root, in a
- * directed rounding mode.  The low parts of pairs can be lost then, so this is
- * far more than the roundings of their high parts.  It affects only the
- * speed: candidates within it are compared exactly. */
+/* The error of the square of a distance, and of its root: exact numbers are
+ * rounded to pairs, then follow a root, a product, a sum and two quotients.  In
+ * directed rounding modes the low parts of pairs can be lost, so the error is far
+ * more than the roundings of their high parts.  It affects only the speed:
+ * candidates within it are compared exactly. */
+#define CYLINT_SURD_ERROR 0x1p-97
 #define CYLINT_DIRECTED_SURD_ERROR 0x1p-44
 
 /*

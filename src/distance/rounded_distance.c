@@ -7,24 +7,6 @@
 #include "error_bounds.h"
 #include "exact_distance.h"
 
-/* The ranks (bits.h) of 0 or more. */
-static double of_rank(int64_t rank)
-{
-    double x;
-    memcpy(&x, &rank, sizeof x);
-    return x;
-}
-
-/* The double of a rank, or 2^1024 for infinity. */
-static exact exact_of_rank(cylint_arena *arena, int64_t rank)
-{
-    const double x = of_rank(rank);
-    if (x <= DBL_MAX)
-        return cylint_exact_from(arena, x);
-    const exact most = cylint_exact_from(arena, 0x1p1023);
-    return cylint_exact_add(arena, most, most);
-}
-
 /* The sign of the distance minus the middle of the double of this rank and the
  * next. */
 static int sign_at_middle(cylint_arena *arena, const surd_sum *x,
@@ -32,8 +14,8 @@ static int sign_at_middle(cylint_arena *arena, const surd_sum *x,
 {
     const int used = arena->used;
     const exact four = cylint_exact_from(arena, 4);
-    const exact sum = cylint_exact_add(arena, exact_of_rank(arena, rank),
-                                       exact_of_rank(arena, rank + 1));
+    const exact sum = cylint_exact_add(arena, cylint_exact_of_rank(arena, rank),
+                                       cylint_exact_of_rank(arena, rank + 1));
     const exact square =
         cylint_exact_mul(arena, cylint_exact_mul(arena, sum, sum), denominator);
     const surd_sum at = {cylint_exact_add(arena,
@@ -86,7 +68,8 @@ double cylint_rounded_distance(meridian *m, const nearest *n)
                 high = middle;
         }
         /* mutant '0' -> '1': the first 0: a rank of 1 gives 1 in both cases */
-        distance = of_rank(low > 0 ? low : 1); /* 0 is on the surface */
+        distance = cylint_from_bits(
+            (uint64_t)(low > 0 ? low : 1)); /* 0 is on the surface */
     }
     arena->used = used;
     return distance;

@@ -6,6 +6,22 @@
  */
 #include "surd_sum.h"
 
+floating cylint_floating(exact x)
+{
+    /* mutant '0' -> '1': the value of a 0 is not read, only its sign */
+    floating f = {{0, 0}, 0};
+    if (x.sign != 0)
+        f.v = cylint_exact_round(x, &f.e);
+    return f;
+}
+
+floating cylint_floating_sqrt(floating x)
+{
+    const int odd = x.e & 1, twice = odd ? 2 : 1;
+    const pair even = {x.v.hi * twice, x.v.lo * twice};
+    return (floating){pair_sqrt(even), (x.e - odd) / 2};
+}
+
 /* a^2 - b^2 c. */
 static exact norm(cylint_arena *arena, const surd_sum *x)
 {

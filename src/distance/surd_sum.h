@@ -4,7 +4,7 @@
 #ifndef CYLINT_SURD_SUM_H
 #define CYLINT_SURD_SUM_H
 
-#include "../roots/floating.h"
+#include "floating.h"
 
 /* a + b sqrt(c), c >= 0. */
 typedef struct {

@@ -64,14 +64,18 @@
 
 /*
  * CYLINT_EXACT_ROUNDING: the error of an exact number rounded to a pair
- * (exact.h).  CYLINT_SURD_ERROR: the error of a surd's quotient.  X, f1, S, G
- * and the term beside the sum are rounded; then follow a root, a product by S,
- * a product by f1, the sum and the quotient.  The root of S G halves the error
- * of S and that of the product.  That is the sum of ten relative errors; the
- * rest covers their products.
+ * (exact.h).
+ *
+ * CYLINT_INVERSE_ERROR: of 1 / sqrt(x) (surd.c).  Newton's step leaves 3/2 of the
+ * square of a double's error, which comes from hi of x by half, a root and a
+ * quotient.  1 / x and sqrt(x) have the same error.  CYLINT_VALUE_ERROR: of
+ * f0 + f1 t, from that of R, of the quotient and, for z, of a second quotient; of
+ * a unit vector's component, to which the length adds that of a value and its own.
+ * Numbers cut to their leading digits add less than 2^-120 in all.
  */
 #define CYLINT_EXACT_ROUNDING 0x1p-104
-#define CYLINT_SURD_ERROR 0x1p-97
+#define CYLINT_INVERSE_ERROR 0x1p-100
+#define CYLINT_VALUE_ERROR 0x1p-97
 
 /* Halves of numbers for distance/limbs.h: x + K S - K S, K = CYLINT_LIMB_SNAP,
  * and the same of components of unit vectors, with multiples of 2^-26
@@ -81,28 +85,7 @@
 #define CYLINT_UNIT_SNAP 0x1.8p26
 #define CYLINT_LIMB_NEAR 8
 
-/*
- * Point, normal, z and phi are computed from t and from the rest of the root,
- * rounded to a multiple of 2^-12 units in the last place of t (root.c).  The
- * errors of most roots, 2^-20 units or less, are so small that the multiple is
- * certain.  The bits suffice for a point that is 2^9 times nearer to the
- * coordinates' origin than |t d|.  If |t d| is 2^7 sizes of the shape or more,
- * a more accurate root is computed at once.  These values affect only the
- * speed and the last digits, not the bound on their errors.
- *
- * If the rest is nearer than the margin to the midpoint of two multiples, it
- * is computed exactly.  Its error is then below 2^-52 of a rest of at most 2^11
- * multiples, which is less than the margin.  CYLINT_REST_LEAST and
- * CYLINT_REST_MOST bound t so that the rest and its products are normal.
- */
-#define CYLINT_REST_BITS 12
-#define CYLINT_REST_FAR 0x1p7
-#define CYLINT_REST_MARGIN 0x1p-20
-#define CYLINT_REST_LEAST 0x1p-300
-#define CYLINT_REST_MOST 0x1p300
-
-/* The largest relative error of a root after Newton's step.  A root with a
- * larger error is computed exactly. */
+/* Newton's steps end when the relative error of the root is below this. */
 #define CYLINT_POLISHED 0x1p-90
 
 /*
@@ -186,18 +169,10 @@
  * does not change the sum within CYLINT_PAIR_ADD. */
 #define CYLINT_NEGLIGIBLE_EXPONENT 250
 
-/*
- * Hits (roots/hit.c).  A number is accepted if it is 2^54 times its error: then
- * the error is at most half a unit in the last place, to which the last rounding
- * adds a half.  CYLINT_TAME_LEAST: if every datum is 0 or at least this, a
- * difference of two is 0 or at least 2^-202, and no product of five underflows.
- */
-#define CYLINT_DIGITS 0x1p54
-#define CYLINT_TAME_LEAST 0x1p-150
-
-/* A root whose nearest double is 0 is below 2^-1074.  In units of
- * CYLINT_PAIR_ROUNDING this is more. */
-#define CYLINT_ZERO_ROOT_ERROR 0x1p-900
+/* Hits (roots/hit.c): from which quotient of two coordinates on, as an exponent,
+ * an angle rounds to a multiple of a quarter turn.  Half the gap below 1/4 is
+ * 2^-56. */
+#define CYLINT_STEEP_EXPONENT 60
 
 /* Newton's steps go on while each makes the error so many times smaller.  This
  * affects only the speed. */

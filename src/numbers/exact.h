@@ -10,7 +10,7 @@
 
 #include <stdint.h>
 
-#include "double_double.h"
+#include "bits.h"
 
 typedef struct {
     const uint32_t *limb; /* least first; neither first nor last is 0 */
@@ -23,7 +23,7 @@ typedef struct {
  * The capacity of the arena.  The bits of a double have weights from 2^-1074 to
  * 2^1023: an input takes at most 67 limbs, a product of d inputs 67 d.  A form
  * keeps only its result (BEGIN, RETURN).  Proved: tests/test_arena.c runs the
- * library with numbers of full length and measures at most 12820 limbs.  The
+ * library with numbers of full length and measures at most 13762 limbs.  The
  * capacity is the next power of two.
  */
 enum { CYLINT_ARENA_LIMBS = 16384 };
@@ -53,6 +53,16 @@ exact cylint_exact_difference(cylint_arena *arena, double x, double y);
 
 /* Frees all limbs from `used` on, except those of x, and returns x. */
 exact cylint_exact_keep(cylint_arena *arena, int used, exact x);
+
+/* The double of a rank of 0 or more (bits.h), and 2^1024 for infinity. */
+static inline exact cylint_exact_of_rank(cylint_arena *arena, int64_t rank)
+{
+    const double x = cylint_from_bits((uint64_t)rank);
+    if (x <= DBL_MAX)
+        return cylint_exact_from(arena, x);
+    const exact most = cylint_exact_from(arena, 0x1p1023);
+    return cylint_exact_add(arena, most, most);
+}
 
 /* The double nearest to x 2^e: ties to even, infinite on overflow.  The same in
  * every floating-point environment. */

@@ -130,7 +130,7 @@ static number root_by_quotient(cylint_query *q, cylint_root root)
 #define SLACK CYLINT_ROOT_SLACK
 #include "newton_template.h"
 
-int cylint_move_origin(cylint_terms_pair *L, int cap, bounded_pair t,
+static int move_origin(cylint_terms_pair *L, int cap, bounded_pair t,
                        bounded_pair kept[3])
 {
     int in_window = 1;
@@ -142,7 +142,7 @@ int cylint_move_origin(cylint_terms_pair *L, int cap, bounded_pair t,
     return in_window;
 }
 
-void cylint_restore_origin(cylint_terms_pair *L, int cap,
+static void restore_origin(cylint_terms_pair *L, int cap,
                            const bounded_pair kept[3])
 {
     for (int i = 0; i < 3; i++)
@@ -170,11 +170,10 @@ static number step_to_lateral(cylint_query *q, number t, double curvature)
 {
     cylint_terms_pair *L = cylint_load_pair_moments(q);
     bounded_pair kept[3];
-    const int in_window =
-        cylint_move_origin(L, 0, (bounded_pair){t.v, 0}, kept);
+    const int in_window = move_origin(L, 0, (bounded_pair){t.v, 0}, kept);
     const bounded_pair C = cylint_form_pair(L, FORM_C, 0);
     const number slope = form_in_pairs(q, FORM_B, 0);
-    cylint_restore_origin(L, 0, kept);
+    restore_origin(L, 0, kept);
     return step_from(t, in_window, C, slope, curvature);
 }
 
@@ -183,18 +182,12 @@ static number step_to_plane(cylint_query *q, number t, int cap)
 {
     cylint_terms_pair *L = cylint_load_pairs(q);
     bounded_pair kept[3];
-    const int in_window =
-        cylint_move_origin(L, cap, (bounded_pair){t.v, 0}, kept);
+    const int in_window = move_origin(L, cap, (bounded_pair){t.v, 0}, kept);
     const bounded_pair alpha = cylint_form_pair(L, FORM_ALPHA, cap);
-    cylint_restore_origin(L, cap, kept);
+    restore_origin(L, cap, kept);
     const number half = {{L->beta.v.hi / 2, 0},
                          bounded_pair_error(L->beta) / 2};
     return step_from(t, in_window, alpha, half, 0);
-}
-
-static int has_most_digits(number t)
-{
-    return t.error < CYLINT_POLISHED * fabs(t.v.hi);
 }
 
 /* Newton's steps from t until it has all but a few digits of a pair, or they gain
@@ -210,122 +203,22 @@ static number newton_from(cylint_query *q, cylint_root root, number t)
     do {
         before = t.error;
         t = step_to_lateral(q, t, fabs(A.v.hi) + A.error);
-    } while (!has_most_digits(t) && t.error < CYLINT_NEWTON_GAIN * before);
+    } while (t.error >= CYLINT_POLISHED * fabs(t.v.hi) &&
+             t.error < CYLINT_NEWTON_GAIN * before);
     return t;
 }
 
 /* ---------------------------------------------------------- exact ------ */
 
-/* The sign of t - m. */
-static int against_exact(cylint_query *q, const surd *t, exact m)
-{
-    return cylint_sign_at(q, t, cylint_exact_neg(m), cylint_load_exact(q)->one);
-}
-
-/* Sizes of doubles are handled by their bits from here on, because a
- * processor can be set to read subnormals as zero. */
-static double from_bits(uint64_t bits, int sign)
-{
-    return cylint_from_bits(sign < 0 ? bits | (uint64_t)1 << 63 : bits);
-}
-
-#define INFINITE_BITS ((uint64_t)0x7ff << 52)
-
-/* The bits of a double not far from |t| 2^e, 1/4 <= |t| <= 4. */
-static uint64_t near_bits(double t, int e)
-{
-    e += cylint_exponent(t);
-    t = fabs(t) * cylint_power_of_two(-cylint_exponent(t));
-    if (e < -1076)
-        return 0;
-    if (e > 1023)
-        return INFINITE_BITS - 1;
-    if (e < -1022)
-        return (uint64_t)(t * cylint_power_of_two(e + 1074));
-    uint64_t bits;
-    memcpy(&bits, &t, sizeof bits);
-    return bits + ((uint64_t)(e + 1023) << 52) - ((uint64_t)1023 << 52);
-}
-
-/* The sign of |root| - the middle between the size and the next above. */
-static int against_middle(cylint_query *q, const surd *t, uint64_t size,
-                          int sign)
-{
-    cylint_arena *arena = &q->arena;
-    const int used = arena->used;
-    const exact low = cylint_exact_from(arena, from_bits(size, sign));
-    exact m;
-    if (size + 1 == INFINITE_BITS) {
-        m = cylint_exact_add(arena, low,
-                             cylint_exact_from(arena, sign * 0x1p970));
-    } else {
-        const double next = from_bits(size + 1, sign);
-        const exact sum =
-            cylint_exact_add(arena, low, cylint_exact_from(arena, next));
-        m = cylint_exact_mul(arena, sum, cylint_exact_from(arena, 0.5));
-    }
-    const int beyond = sign * against_exact(q, t, m);
-    arena->used = used;
-    return beyond;
-}
-
-/*
- * The double nearest to a root other than 0, ties to even, infinite beyond the
- * largest; from near_bits of the root in pairs, by exact signs at the middles
- * around it.  It is that size or the next to it: in rounding to nearest the
- * root is within |lo| + CYLINT_SURD_ERROR |hi| of hi, that is within 0.51 of
- * the gap between doubles on its side of hi, and where subnormals lie wider
- * than hi's digits, within 0.26 of theirs, of which near_bits drops less than
- * one.  In other modes |lo| may be twice that: it is two steps at most.
- */
-enum { MOST_STEPS = 2 };
-
-static double settle(cylint_query *q, cylint_root root, int sign, uint64_t size)
+static double exact_value(cylint_query *q, cylint_root root)
 {
     const int used = cylint_exact_mark(q, root);
     const surd t = cylint_surd(q, root);
-    const uint64_t from = size;
-    cylint_reached(MIDDLE);
-    for (; size < INFINITE_BITS; size++) {
-        const int beyond = against_middle(q, &t, size, sign);
-        if (beyond < 0 || (beyond == 0 && !(size & 1)))
-            break;
-    }
-    for (; size > 0 && size < INFINITE_BITS; size--) {
-        const int beyond = against_middle(q, &t, size - 1, sign);
-        if (beyond > 0 || (beyond == 0 && !(size & 1)))
-            break;
-    }
-    cylint_contradiction(size > from + MOST_STEPS || from > size + MOST_STEPS);
+    /* mutant '0' -> '1': a number without limbs or without sign is 0 */
+    const exact zero = {q->arena.limb, 0, 0, 0};
+    const exact one = cylint_load_exact(q)->one;
+    const double value = cylint_nearest_at(q, &t, zero, one, one);
     q->arena.used = used;
-    return size > 0 ? from_bits(size, sign) : 0;
-}
-
-/* root - m, in every digit there is need of. */
-static floating root_beyond(cylint_query *q, cylint_root root, double m)
-{
-    const int used = cylint_exact_mark(q, root);
-    surd t = cylint_surd(q, root);
-    const exact from = cylint_exact_neg(cylint_exact_from(&q->arena, m));
-    const floating f = cylint_value_at(q, &t, from, cylint_load_exact(q)->one);
-    q->arena.used = used;
-    return f;
-}
-
-static double exact_value(cylint_query *q, cylint_root root, double *more)
-{
-    const floating f = root_beyond(q, root, 0);
-    const pair t = f.v;
-    const int tame = f.e > -CYLINT_SUM_EXPONENT && f.e < CYLINT_LARGE_EXPONENT;
-    double value;
-    if (t.hi == 0)
-        value = 0;
-    else if (tame && rounds_to_hi(t, CYLINT_SURD_ERROR * fabs(t.hi)))
-        value = cylint_scaled(t.hi, f.e);
-    else
-        value = settle(q, root, cylint_sign(t.hi), near_bits(t.hi, f.e));
-    *more = tame ? (cylint_scaled(t.hi, f.e) - value) + cylint_scaled(t.lo, f.e)
-                 : 0;
     return value;
 }
 
@@ -334,7 +227,8 @@ static int root_against(cylint_query *q, cylint_root root, double m)
 {
     const int used = cylint_exact_mark(q, root);
     const surd t = cylint_surd(q, root);
-    const int sign = against_exact(q, &t, cylint_exact_from(&q->arena, m));
+    const exact from = cylint_exact_neg(cylint_exact_from(&q->arena, m));
+    const int sign = cylint_sign_at(q, &t, from, cylint_load_exact(q)->one);
     q->arena.used = used;
     return sign;
 }
@@ -378,73 +272,17 @@ static int root_in_pairs(cylint_query *q, cylint_root root, number *t)
     return settles(q, *t);
 }
 
+/* *is_zero: whether the root is known to be 0. */
 static double root_value(cylint_query *q, cylint_root root, number t,
-                         double *more)
+                         int *is_zero)
 {
-    if (q->pairs && root != ROOT_APEX && root_in_pairs(q, root, &t)) {
-        const double value = cylint_scaled(t.v.hi, q->t_exponent);
-        cylint_contradiction(exact_value(q, root, more) != value);
-        /* mutant '0' -> '1': slower, second 0: an exact t is computed twice */
-        /* mutant '>' -> '>=': slower, a t of 0 has the error NaN, which decides
-         * nothing */
-        q->t_error = t.error > 0 ? t.error / fabs(t.v.hi) : 0;
-        *more = cylint_scaled(t.v.lo, q->t_exponent);
-        return value;
-    }
-    q->t_error = CYLINT_SURD_ERROR;
-    return exact_value(q, root, more);
-}
-
-/* ----------------------------------------------- canonical pairs ------ */
-
-/* The multiple of the quantum, a power of two, nearest to the rest, if that is
- * certain. */
-static int rest_rounds(double rest, double error, double quantum, double *to)
-{
-    const double nearest = (rest + 0x3p51 * quantum) - 0x3p51 * quantum;
-    *to = nearest;
-    return fabs(rest - nearest) + error < (0.5 - CYLINT_REST_MARGIN) * quantum;
-}
-
-/* From t, which is within half a unit of the root. */
-static int rest_by_newton(cylint_query *q, cylint_root root, double t,
-                          double quantum, double *rest)
-{
-    const number from = {{t, 0}, CYLINT_ROUNDING / 2 * fabs(t)};
-    const number x = newton_from(q, root, from);
-    return has_most_digits(x) &&
-           rest_rounds((x.v.hi - t) + x.v.lo, x.error, quantum, rest);
-}
-
-bounded_pair cylint_canonical_root(cylint_query *q, cylint_root root, double t,
-                                   double more, double error)
-{
-    if (t == 0) /* the root is below the least double */
-        return (bounded_pair){{0, 0}, CYLINT_ZERO_ROOT_ERROR};
-    const double quantum =
-        cylint_power_of_two(cylint_exponent(t) - 52 - CYLINT_REST_BITS);
-    double rest;
-    if (!rest_rounds(more, error, quantum, &rest) &&
-        !rest_by_newton(q, root, t, quantum, &rest)) {
-        const floating f = root_beyond(q, root, t);
-        rest_rounds(cylint_scaled(f.v.hi, f.e), 0, quantum, &rest);
-    }
-    return (bounded_pair){{t, rest}, 0.51 * quantum / CYLINT_PAIR_ROUNDING};
-}
-
-int cylint_polish_root(cylint_query *q, cylint_root root, bounded_pair *t)
-{
-    if (t->v.hi == 0)
-        return 0;
-    const number from = {t->v, CYLINT_PAIR_UNIT * t->error};
-    number x = newton_from(q, root, from);
-    if (!has_most_digits(x)) {
-        x.v = floating_scaled(root_beyond(q, root, 0), 0);
-        x.error = CYLINT_SURD_ERROR * fabs(x.v.hi);
-    }
-    *t =
-        (bounded_pair){x.v, CYLINT_ROOT_SLACK * x.error / CYLINT_PAIR_ROUNDING};
-    return 1;
+    *is_zero = 0;
+    if (!q->pairs || root == ROOT_APEX || !root_in_pairs(q, root, &t))
+        return exact_value(q, root);
+    const double value = cylint_scaled(t.v.hi, q->t_exponent);
+    cylint_contradiction(exact_value(q, root) != value);
+    *is_zero = t.error == 0;
+    return value;
 }
 
 /* ------------------------------------------------------- the domain ---- */
@@ -475,8 +313,7 @@ static int placed(const cylint_query *q, number x)
     return t - error > from + off_from && t + error < to - off_to;
 }
 
-int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
-                       double *more)
+int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t)
 {
     const double tmin = q->line->tmin, tmax = q->line->tmax;
     const int limited = tmin >= -DBL_MAX || tmax <= DBL_MAX;
@@ -492,10 +329,11 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
         if (place > 0 && !wanted)
             return 1;
     }
-    *t = root_value(q, root, at, more);
+    int is_zero;
+    *t = root_value(q, root, at, &is_zero);
     if (*t < tmin || *t > tmax)
         return 0;
-    if (q->t_error == 0 && cylint_sign(*t) == 0) /* the root is 0 */
+    if (is_zero)
         return cylint_sign(tmin) <= 0 && cylint_sign(tmax) >= 0;
     if (*t == tmin && fabs(tmin) <= DBL_MAX && root_against(q, root, tmin) < 0)
         return 0;

@@ -6,7 +6,6 @@
 #define CYLINT_ROOTS_H
 
 #include "../signs/sign.h"
-#include "floating.h"
 
 /* Places on the line where something begins or ends. */
 typedef enum {
@@ -18,39 +17,33 @@ typedef enum {
     ROOT_CAP1
 } cylint_root;
 
-/* Moves the line's origin along the line by t, in the terms of one cap, and
- * keeps the old origin.  Returns whether the new one lies in the window of
- * error_bounds.h. */
-int cylint_move_origin(cylint_terms_pair *L, int cap, bounded_pair t,
-                       bounded_pair kept[3]);
-void cylint_restore_origin(cylint_terms_pair *L, int cap,
-                           const bounded_pair kept[3]);
-
 /* Whether tmin <= root <= tmax, exactly.  If t is wanted, *t becomes the
- * double nearest to such a root, and *more approximates root - *t. */
-int cylint_root_within(cylint_query *q, cylint_root root, int wanted, double *t,
-                       double *more);
+ * double nearest to such a root. */
+int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
+                       double *t);
 
-/*
- * The canonical pair of a root: t, the double nearest to it, and its rest, the
- * nearest multiple of 2^-CYLINT_REST_BITS units in the last place of t.  Both
- * are functions of the root alone.  The caller has |root - (t + more)| <= error.
- * CYLINT_REST_LEAST < |t| < CYLINT_REST_MOST, or
- * t = 0; the data are not scaled, and rounding is to nearest.
- */
-bounded_pair cylint_canonical_root(cylint_query *q, cylint_root root, double t,
-                                   double more, double error);
+/* ------------------------------------------------- leading digits ------ */
 
-/* Refines a canonical pair to nearly all digits of a pair; this too is a function
- * of the root alone.  Returns 0 for t = 0. */
-int cylint_polish_root(cylint_query *q, cylint_root root, bounded_pair *t);
+/* x without all but its first limbs: x (1 - e), 0 <= e < 2^-128.  The last limb
+ * that stays can be 0. */
+exact cylint_leading(exact x);
+
+/* x + y of leading digits, both of one sign or 0: (x + y) (1 - e). */
+exact cylint_sum_of_sizes(cylint_arena *arena, exact x, exact y);
+
+/* Leading digits, in every floating-point environment with relative errors below
+ * CYLINT_INVERSE_ERROR: 1 / sqrt(x) and sqrt(x) for x > 0, 1 / x for x other
+ * than 0. */
+exact cylint_inverse_root(cylint_arena *arena, exact x);
+exact cylint_square_root(cylint_arena *arena, exact x);
+exact cylint_inverse(cylint_arena *arena, exact x);
 
 /* A root with exact coefficients: t = (-B + s R) / A with R^2 = B^2 - A C, or
  * the limit of that for A = 0. */
 typedef struct {
     exact A, B, C;
-    int s;      /* 1 at the exit, -1 at the entry, else 0 */
-    floating R; /* 0: not found yet */
+    int s;          /* 1 at the exit, -1 at the entry, else 0 */
+    exact R, per_A; /* leading digits of R and of 1 / A, 0 where not needed */
 } surd;
 
 /* Computes all numbers of the root that must stay in the arena.  The caller can
@@ -60,15 +53,20 @@ int cylint_exact_mark(cylint_query *q, cylint_root root);
 
 surd cylint_surd(cylint_query *q, cylint_root root);
 
-/* f0 + f1 t: its sign, exactly; its value to CYLINT_SURD_ERROR, relative. */
+/* f0 + f1 t: its sign, exactly; leading digits of its value, with an error below
+ * CYLINT_VALUE_ERROR, relative; and the double nearest to (f0 + f1 t) / unit,
+ * unit > 0: ties to even, infinite on overflow, never -0. */
 int cylint_sign_at(cylint_query *q, const surd *t, exact f0, exact f1);
-floating cylint_value_at(cylint_query *q, surd *t, exact f0, exact f1);
+exact cylint_value_at(cylint_query *q, const surd *t, exact f0, exact f1);
+double cylint_nearest_at(cylint_query *q, const surd *t, exact f0, exact f1,
+                         exact unit);
 
-/* The wanted members of a hit but t, part and side.  t is the double nearest
- * to the root, t + more the root, but for `error` at most: neither changes a
- * bit of the answer.  apex: whether the hit is the apex of a cone. */
-void cylint_describe_hit(cylint_query *q, cylint_root root, double t,
-                         double more, double error, int part, int apex,
+/* Writes the wanted members of a hit but t, part and side, from the line, the
+ * shape and the root only: each component is the nearest double, in every
+ * floating-point environment.  Of normal and phi the real number can be nearer
+ * than CYLINT_VALUE_ERROR to the middle of two doubles: then it is one of these.
+ * apex: whether the hit is the apex of a cone. */
+void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
                          unsigned want, cylint_hit *hit);
 
 #endif

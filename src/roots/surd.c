@@ -2,29 +2,86 @@
  * surd.c - roots in closed form, and affine functions of t at such a root
  *
  * t itself, the point, the gradient, z and the two coordinates of the angle are
- * all f0 + f1 t.  Such a value is computed from exact numbers by one square
- * root, one sum in which nothing cancels and one quotient.  So all but the last
- * few digits of a pair are right, however near the value is to 0.  Its sign is
- * exact.
+ * all f0 + f1 t, z divided by a constant.  Such a value is computed from exact
+ * numbers by one square root, one sum in which nothing cancels and one quotient,
+ * each cut to its leading limbs.  So its error is relative, however near the
+ * value is to 0, and its digits are the same in every floating-point
+ * environment.  Its sign is exact.
  */
 #include "roots.h"
 
-/* ---------------------------------------- pairs with an exponent ------- */
+/* -------------------------------------------------- leading digits ----- */
 
-floating cylint_floating(exact x)
+enum {
+    LEADING_LIMBS = 5, /* at least 129 bits */
+    /* v 2^-96 exceeds the error of a value v */
+    ERROR_LIMBS = 3
+};
+
+exact cylint_leading(exact x)
 {
-    /* mutant '0' -> '1': the value of a 0 is not read, only its sign */
-    floating f = {{0, 0}, 0};
-    if (x.sign != 0)
-        f.v = cylint_exact_round(x, &f.e);
-    return f;
+    const int less = x.n - LEADING_LIMBS;
+    /* mutant '>' -> '>=': 0 limbs less */
+    if (less > 0) {
+        x.limb += less;
+        x.n -= less;
+        x.exponent += less;
+    }
+    return x;
 }
 
-floating cylint_floating_sqrt(floating x)
+/* The position above the first limb. */
+static int top_of(exact x)
 {
-    const int odd = x.e & 1, twice = odd ? 2 : 1;
-    const pair even = {x.v.hi * twice, x.v.lo * twice};
-    return (floating){pair_sqrt(even), (x.e - odd) / 2};
+    return x.exponent + x.n;
+}
+
+exact cylint_sum_of_sizes(cylint_arena *arena, exact x, exact y)
+{
+    const int higher = top_of(x) - top_of(y);
+    if (x.sign == 0 || (y.sign != 0 && higher < -LEADING_LIMBS))
+        return y;
+    if (y.sign == 0 || higher > LEADING_LIMBS)
+        return x;
+    return cylint_leading(cylint_exact_add(arena, x, y));
+}
+
+/* One step of Newton's, s + s (1 - x s^2) / 2, from a double s. */
+exact cylint_inverse_root(cylint_arena *arena, exact x)
+{
+    const int used = arena->used;
+    int e;
+    const double hi = cylint_exact_round(x, &e).hi;
+    const int odd = e & 1, half = -(e - odd) / 2, bits = half & 31;
+    exact s = cylint_exact_from(arena, cylint_power_of_two(bits) /
+                                           sqrt(odd ? 2 * hi : hi));
+    s.exponent += (half - bits) / 32;
+    const exact xss = cylint_exact_mul(arena, x, cylint_exact_mul(arena, s, s));
+    const exact rest = cylint_leading(cylint_exact_add(
+        arena, cylint_exact_from(arena, 1), cylint_exact_neg(xss)));
+    const exact step = cylint_exact_mul(
+        arena, rest, cylint_exact_mul(arena, s, cylint_exact_from(arena, 0.5)));
+    return cylint_exact_keep(arena, used,
+                             cylint_leading(cylint_exact_add(arena, s, step)));
+}
+
+exact cylint_inverse(cylint_arena *arena, exact x)
+{
+    const int used = arena->used;
+    x = cylint_leading(x);
+    exact y = cylint_inverse_root(
+        arena, cylint_leading(cylint_exact_mul(arena, x, x)));
+    y.sign = x.sign;
+    return cylint_exact_keep(arena, used, y);
+}
+
+exact cylint_square_root(cylint_arena *arena, exact x)
+{
+    const int used = arena->used;
+    x = cylint_leading(x);
+    return cylint_exact_keep(arena, used,
+                             cylint_leading(cylint_exact_mul(
+                                 arena, x, cylint_inverse_root(arena, x))));
 }
 
 /* ------------------------------------------------------- the root ------ */
@@ -48,12 +105,27 @@ int cylint_exact_mark(cylint_query *q, cylint_root root)
     return q->arena.used;
 }
 
+/* R = sqrt(S G). */
+static exact radical(cylint_query *q, const cylint_terms_exact *L)
+{
+    cylint_arena *arena = &q->arena;
+    const int used = arena->used;
+    const exact S = cylint_leading(cylint_form_exact(L, FORM_ROOT_OF_S, 0));
+    const exact G = cylint_leading(cylint_form_exact(L, FORM_G, 0));
+#define MUL(x, y) cylint_exact_mul(arena, x, y)
+#define SQRT(x) cylint_square_root(arena, x)
+    const exact R = CYLINT_RADICAL(L->kind, S, G, MUL, SQRT);
+#undef MUL
+#undef SQRT
+    return cylint_exact_keep(arena, used, cylint_leading(R));
+}
+
 surd cylint_surd(cylint_query *q, cylint_root root)
 {
     const cylint_terms_exact *L = cylint_load_exact_moments(q);
     /* mutant '0' -> '1': a number without limbs or without sign is 0 */
     const exact zero = {q->arena.limb, 0, 0, 0};
-    surd t = {L->beta, zero, zero, 0, {{0, 0}, 0}};
+    surd t = {L->beta, zero, zero, 0, zero, zero};
     if (root < ROOT_APEX) {
         const exact *c = coefficients(q);
         t.A = c[0];
@@ -67,21 +139,11 @@ surd cylint_surd(cylint_query *q, cylint_root root)
     } else {
         t.B = cylint_form_exact(L, FORM_ALPHA, root == ROOT_CAP1);
     }
+    if (t.s != 0)
+        t.R = radical(q, L);
+    if (t.A.sign != 0)
+        t.per_A = cylint_inverse(&q->arena, t.A);
     return t;
-}
-
-/* R = sqrt(S G).  The first call computes it. */
-static floating radical(cylint_query *q, surd *t)
-{
-    if (t->R.v.hi != 0)
-        return t->R;
-    const cylint_terms_exact *L = cylint_load_exact_moments(q);
-    const int used = q->arena.used;
-    const floating S = cylint_floating(cylint_form_exact(L, FORM_ROOT_OF_S, 0));
-    const floating G = cylint_floating(cylint_form_exact(L, FORM_G, 0));
-    q->arena.used = used;
-    t->R = CYLINT_RADICAL(L->kind, S, G, floating_mul, cylint_floating_sqrt);
-    return t->R;
 }
 
 /* ------------------------------------------------ affine functions ----- */
@@ -134,22 +196,56 @@ int cylint_sign_at(cylint_query *q, const surd *t, exact f0, exact f1)
     return F.sum * F.beside.sign;
 }
 
-floating cylint_value_at(cylint_query *q, surd *t, exact f0, exact f1)
+exact cylint_value_at(cylint_query *q, const surd *t, exact f0, exact f1)
 {
-    const int used = q->arena.used;
+    cylint_arena *arena = &q->arena;
+    const int used = arena->used;
     const affine F = affine_at(q, t, f0, f1);
-    floating sum = floating_size(cylint_floating(F.X));
-    const floating beside = cylint_floating(F.beside);
-    q->arena.used = used;
-    if (F.sum * F.beside.sign == 0)
-        return (floating){{0, 0}, 0};
-    if (t->s * f1.sign != 0) {
-        const floating rest =
-            floating_mul(floating_size(cylint_floating(f1)), radical(q, t));
-        sum = F.X.sign != 0 ? floating_sum_of_sizes(sum, rest) : rest;
+    exact sum = cylint_leading(F.X), value = sum;
+    if (f1.sign != 0) {
+        exact rest = cylint_exact_mul(arena, cylint_leading(f1), t->R);
+        rest.sign = rest.sign != 0 ? F.sum : 0;
+        sum = cylint_sum_of_sizes(arena, sum, rest);
+        value = F.opposed ? cylint_exact_mul(arena, cylint_leading(F.beside),
+                                             cylint_inverse(arena, sum))
+                          : cylint_exact_mul(arena, sum, t->per_A);
     }
-    /* mutant '0' -> '1', '<' -> '<=': F.sum is -1 or 1 here */
-    if (F.sum < 0)
-        sum.v = pair_neg(sum.v);
-    return F.opposed ? floating_div(beside, sum) : floating_div(sum, beside);
+    return cylint_exact_keep(arena, used, cylint_leading(value));
+}
+
+/* Two doubles next to each other are the only candidates: those of the value
+ * less or plus its error. */
+double cylint_nearest_at(cylint_query *q, const surd *t, exact f0, exact f1,
+                         exact unit)
+{
+    cylint_arena *arena = &q->arena;
+    const int used = arena->used;
+    exact size = cylint_exact_mul(arena, cylint_value_at(q, t, f0, f1),
+                                  cylint_inverse(arena, unit));
+    const int sign = size.sign;
+    size.sign = sign != 0;
+    exact error = size;
+    error.exponent -= ERROR_LIMBS;
+    int64_t low = cylint_rank(cylint_exact_nearest(
+        cylint_exact_add(arena, size, cylint_exact_neg(error)), 0));
+    const int64_t high = cylint_rank(
+        cylint_exact_nearest(cylint_exact_add(arena, size, error), 0));
+    cylint_contradiction(high > low + 1);
+    if (low < high) {
+        cylint_reached(MIDDLE);
+        exact middle = cylint_exact_mul(
+            arena, cylint_exact_from(arena, 0.5),
+            cylint_exact_add(arena, cylint_exact_of_rank(arena, low),
+                             cylint_exact_of_rank(arena, high)));
+        middle.sign = -sign;
+        const exact beyond =
+            cylint_exact_add(arena, f0, cylint_exact_mul(arena, middle, unit));
+        const int side = sign * cylint_sign_at(q, t, beyond, f1);
+        if (side > 0 || (side == 0 && !(high & 1))) /* a tie, to even */
+            low = high;
+    }
+    arena->used = used;
+    return sign < 0 && low > 0
+               ? cylint_from_bits((uint64_t)low | (uint64_t)1 << 63)
+               : cylint_from_bits((uint64_t)low);
 }

@@ -30,7 +30,6 @@ typedef struct {
     int pairs;      /* 0: filters is 0, or rounding is directed and
                        two_prod() not exact */
     int t_exponent; /* t = 2^t_exponent * t of the filters */
-    double t_error; /* of the last root as a pair, relative */
     const cylint_shape *near_shape; /* for the filters: as given, or */
     const cylint_line *near_line;   /* scaled by powers of two */
     cylint_shape scaled_shape;
