@@ -371,6 +371,16 @@ CYLINT_API int cylint_intersect(const cylint_shape *shape,
                                 const cylint_line *line, unsigned want,
                                 cylint_answer *answer);
 
+/* Writes the wanted members beside t, part and side of a hit, of which these three
+ * are known from a query about the same shape and line: cylint_intersect(),
+ * cylint_nearest() or a query of a scene.  Other members keep their values.  The
+ * bits are those of cylint_intersect().  So a program describes only the hit that it
+ * uses.  If no hit of the line has this t, part and side, nothing is promised of
+ * the values. */
+CYLINT_API void cylint_describe(const cylint_shape *shape,
+                                const cylint_line *line, unsigned want,
+                                cylint_hit *hit);
+
 /* Returns 1 if cylint_intersect() finds a hit, else 0.  Exact. */
 CYLINT_API int cylint_occluded(const cylint_shape *shape,
                                const cylint_line *line);
@@ -450,13 +460,17 @@ typedef struct cylint_lines {
 /*
  * The arrays for the answers, one element for each answer.  They must not
  * overlap the input.  A member that is NULL is neither computed nor written.
- * If there is no first or second hit, its t is NaN and its part is -1.
+ * If there is no first or second hit, its part is -1 and its other members are
+ * NaN.  Set members that are not wanted to NULL: `cylint_columns columns = {0}`.
  */
 typedef struct cylint_columns {
     signed char *relation; /* cylint_relation */
     signed char *n;
     double *t0, *t1;
     signed char *part0, *part1; /* cylint_part */
+    /* of the first and of the second hit, each coordinate in an array of its own */
+    double *point0[3], *normal0[3], *z0, *phi0;
+    double *point1[3], *normal1[3], *z1, *phi1;
 } cylint_columns;
 
 /* All batch functions return the same bits as cylint_intersect(), on every

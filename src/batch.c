@@ -109,6 +109,7 @@ typedef struct {
     int part, side; /* of the nearest hit */
     int stopped;    /* no more answers are wanted */
     const cylint_columns *columns;
+    double *member[2][CYLINT_HIT_NUMBERS]; /* columns of both hits, or NULL */
 } batch_job;
 
 static void keep_nearest(batch_job *job, size_t number, const cylint_answer *a)
@@ -126,9 +127,22 @@ static void keep_nearest(batch_job *job, size_t number, const cylint_answer *a)
     }
 }
 
-static void fill_columns(const cylint_columns *to, size_t i,
-                         const cylint_answer *a)
+static void fill_members(double *const to[CYLINT_HIT_NUMBERS], size_t i,
+                         const cylint_hit *hit)
 {
+    const double number[CYLINT_HIT_NUMBERS] = {
+        hit->point[0],  hit->point[1],  hit->point[2], hit->normal[0],
+        hit->normal[1], hit->normal[2], hit->z,        hit->phi};
+    for (int k = 0; k < CYLINT_HIT_NUMBERS; k++)
+        if (to[k])
+            to[k][i] = number[k];
+}
+
+static void fill_columns(const batch_job *job, size_t i, const cylint_answer *a)
+{
+    const cylint_columns *to = job->columns;
+    for (int k = 0; k < a->n && job->want & CYLINT_WANT_BESIDE_T; k++)
+        fill_members(job->member[k], i, &a->hit[k]);
     if (to->relation)
         to->relation[i] = (signed char)a->relation;
     if (to->n)
@@ -155,7 +169,7 @@ CYLINT_INLINE int use_answer(batch_job *job, size_t number,
         job->count += a->n > 0;
         return job->enough != 0 && job->count == job->enough;
     default:
-        fill_columns(job->columns, number, a);
+        fill_columns(job, number, a);
         return 0;
     }
 }
@@ -231,6 +245,13 @@ static void fill_lanes(const batch_job *job, const cylint_filter_group *g,
             to->t1[i] = g->t[1][lane];
         if (to->part1 && both)
             to->part1[i] = (signed char)g->part[1][lane];
+        if (!(job->want & CYLINT_WANT_BESIDE_T))
+            continue;
+        for (int k = 0; k <= both; k++)
+            EACH(j, CYLINT_HIT_NUMBERS)
+                if (job->member[k][j])
+                    job->member[k][j][i] =
+                        g->member[k ? 1 : first].number[j][lane];
     }
 }
 
@@ -296,14 +317,20 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
     return job->stopped;
 }
 
+/* Lanes round only where rounding is to nearest.  Members of a line with subnormal
+ * coordinates are certain only where the processor reads these. */
+static int lanes_serve(const batch_job *job)
+{
+    return cylint_rounds_to_nearest() &&
+           !(job->want & CYLINT_WANT_BESIDE_T && cylint_flushes_subnormals());
+}
+
 static void answer_pack(const cylint_pack *pack, batch_job *job)
 {
     const pack_head *head = head_of(pack->memory);
     if (job->line && !job->line->valid)
         return;
-    /* roots are rounded in lanes only where rounding is to nearest */
-    const int scalar =
-        (job->line && !job->line->in_range) || !cylint_rounds_to_nearest();
+    const int scalar = (job->line && !job->line->in_range) || !lanes_serve(job);
     for (int r = 0; r < RUNS; r++) {
         const cylint_run *run = &head->run[r];
         if (run->n == 0)
@@ -334,7 +361,7 @@ size_t cylint_nearest(const cylint_pack *pack, const cylint_line *line,
         return pack->n;
     const cylint_hit known = {
         .t = job.nearest, .part = job.part, .side = job.side};
-    cylint_describe_nearest(&pack->shapes[job.best], line, &known, want, hit);
+    cylint_write_hit(&pack->shapes[job.best], line, &known, want, hit);
     return job.best;
 }
 
@@ -361,6 +388,31 @@ static void fill_with_nan(double *to, size_t n)
     memcpy(to + i, nans, (n - i) * sizeof *nans);
 }
 
+/* The columns of members, and what is wanted of them. */
+static void set_members(batch_job *job, size_t n)
+{
+    const cylint_columns *c = job->columns;
+    double *const all[2][CYLINT_HIT_NUMBERS] = {
+        {c->point0[0], c->point0[1], c->point0[2], c->normal0[0], c->normal0[1],
+         c->normal0[2], c->z0, c->phi0},
+        {c->point1[0], c->point1[1], c->point1[2], c->normal1[0], c->normal1[1],
+         c->normal1[2], c->z1, c->phi1}};
+    static const unsigned want[CYLINT_HIT_NUMBERS] = {
+        CYLINT_WANT_POINT,  CYLINT_WANT_POINT,  CYLINT_WANT_POINT,
+        CYLINT_WANT_NORMAL, CYLINT_WANT_NORMAL, CYLINT_WANT_NORMAL,
+        CYLINT_WANT_Z,      CYLINT_WANT_PHI};
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < CYLINT_HIT_NUMBERS; k++) {
+            job->member[i][k] = all[i][k];
+            if (!all[i][k])
+                continue;
+            job->want |= want[k] | CYLINT_WANT_T;
+            if (i == 1)
+                job->want &= ~(unsigned)CYLINT_WANT_NEAREST;
+            fill_with_nan(all[i][k], n);
+        }
+}
+
 /* Everything misses until something is found. */
 static batch_job columns_job(const cylint_columns *to, size_t n)
 {
@@ -371,6 +423,7 @@ static batch_job columns_job(const cylint_columns *to, size_t n)
         job.want |= CYLINT_WANT_T;
     if (!to->t1 && !to->part1 && !to->n)
         job.want |= CYLINT_WANT_NEAREST;
+    set_members(&job, n);
     if (to->relation)
         memset(to->relation, CYLINT_RELATION_MISS, n);
     if (to->n)
@@ -408,7 +461,7 @@ void cylint_intersect_lines(const cylint_shape *shape,
 {
     batch_job job = columns_job(answers, lines->n);
     job.lines = lines;
-    if (run_of(shape) != CYLINT_SOLID_NONE && cylint_rounds_to_nearest()) {
+    if (run_of(shape) != CYLINT_SOLID_NONE && lanes_serve(&job)) {
         answer_by_filter(&job, shape, NULL, lines->n);
         return;
     }

@@ -57,12 +57,21 @@ static int choose_and_contain(const cylint_shape *shape, const double point[3])
     return cylint_one_used()->contains[cylint_prepared(shape)](shape, point);
 }
 
+static unsigned choose_and_describe(const cylint_shape *shape,
+                                    const cylint_line *line, unsigned want,
+                                    const cylint_hit *known, cylint_hit *hit)
+{
+    cylint_choose_build();
+    return cylint_one_used()->describe(shape, line, want, known, hit);
+}
+
 #define ONE(name, solid) [solid] = {choose_and_answer, choose_and_answer},
 #define SIDE(name, solid) [solid] = choose_and_contain,
 static const cylint_one_kernels choosing = {
     {ONE(none, CYLINT_SOLID_NONE) CYLINT_EACH_SOLID(ONE)},
     is_refined,
-    {SIDE(none, CYLINT_SOLID_NONE) CYLINT_EACH_SOLID(SIDE)}};
+    {SIDE(none, CYLINT_SOLID_NONE) CYLINT_EACH_SOLID(SIDE)},
+    choose_and_describe};
 const cylint_one_kernels *cylint_one_chosen = &choosing;
 
 #ifdef __GNUC__

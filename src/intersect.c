@@ -18,11 +18,18 @@ static cylint_overlap overlap_of(cylint_query *q)
 
 /* ------------------------------------------------------- the domain ---- */
 
-static void describe_stop(cylint_query *q, const cylint_stop *at, unsigned want,
-                          cylint_hit *hit)
+/* The members beside t of a hit with this t: in pairs, where its root is simple,
+ * and exactly. */
+static void describe_stop(cylint_query *q, const cylint_shape *shape,
+                          const cylint_line *line, const cylint_stop *at,
+                          double t, unsigned want, cylint_hit *hit)
 {
-    if (want & CYLINT_WANT_BESIDE_T)
-        cylint_describe_hit(q, at->root, at->part, at->apex, want, hit);
+    const cylint_hit known = {.t = t, .part = at->part};
+    unsigned left = want & CYLINT_WANT_BESIDE_T;
+    if (left && at->side != CYLINT_SIDE_BOTH)
+        left = cylint_one_used()->describe(shape, line, left, &known, hit);
+    if (left)
+        cylint_describe_hit(q, at->root, at->part, at->apex, left, hit);
 }
 
 /* Opens the query of the surface that a hit lies on: of a ball of a capsule or
@@ -73,31 +80,38 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
             hit->part = v.at[i].part;
             hit->side = v.at[i].side;
         }
-        describe_stop(&q, &v.at[i], want, hit);
+        describe_stop(&q, shape, line, &v.at[i], t, want, hit);
         if (want & CYLINT_WANT_NEAREST)
             break;
     }
     return answer->n;
 }
 
-/* The members beside t and part of hits that the filter decided. */
-static void describe_known_hits(const cylint_question *from, unsigned want,
-                                const cylint_answer *known,
-                                cylint_answer *answer)
+/* The members that are left of a hit that the filter decided. */
+ASIDE void describe_left(const cylint_shape *shape, const cylint_line *line,
+                         const cylint_hit *known, unsigned left,
+                         cylint_hit *hit)
 {
+    const int on_plane =
+        known->part != CYLINT_PART_LATERAL && !cylint_is_round(shape->kind);
+    const cylint_root root =
+        on_plane ? (known->part == CYLINT_PART_CAP0 ? ROOT_CAP0 : ROOT_CAP1)
+        : known->side == CYLINT_SIDE_ENTERING ? ROOT_ENTRY
+                                              : ROOT_EXIT;
+    const cylint_stop at = {root, known->part, known->side, 0};
     cylint_query q;
     cylint_shape ball;
-    cylint_query_open(&q, from->shape, from->line);
+    cylint_query_open(&q, shape, line);
+    open_part(&q, shape, line, known->part, &ball);
+    describe_stop(&q, shape, line, &at, known->t, left, hit);
+}
+
+/* The wanted members of hits that the filter decided. */
+static void write_hits(const cylint_question *from, unsigned want,
+                       const cylint_answer *known, cylint_answer *answer)
+{
     for (int i = 0; i < known->n; i++) {
         const cylint_hit *k = &known->hit[i];
-        const int on_plane = k->part != CYLINT_PART_LATERAL &&
-                             !cylint_is_round(from->shape->kind);
-        const cylint_root root =
-            on_plane ? (k->part == CYLINT_PART_CAP0 ? ROOT_CAP0 : ROOT_CAP1)
-            : k->side == CYLINT_SIDE_ENTERING ? ROOT_ENTRY
-                                              : ROOT_EXIT;
-        const cylint_stop at = {root, k->part, k->side, 0};
-        open_part(&q, from->shape, from->line, k->part, &ball);
         cylint_hit *hit = &answer->hit[i];
         if (want & CYLINT_WANT_T)
             hit->t = k->t;
@@ -105,7 +119,8 @@ static void describe_known_hits(const cylint_question *from, unsigned want,
             hit->part = k->part;
             hit->side = k->side;
         }
-        describe_stop(&q, &at, want, hit);
+        if (from->left[i])
+            describe_left(from->shape, from->line, k, from->left[i], hit);
     }
 }
 
@@ -115,6 +130,7 @@ ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
 {
     cylint_answer known;
     cylint_question question;
+    question.described = answer;
     const int n = cylint_filter_one(cylint_one_used(), shape, line,
                                     want | CYLINT_WANT_T | CYLINT_WANT_PART,
                                     &known, &question);
@@ -122,8 +138,7 @@ ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
         return cylint_intersect_by_signs(shape, line, want, answer);
     answer->relation = known.relation;
     answer->n = n;
-    if (n > 0)
-        describe_known_hits(&question, want, &known, answer);
+    write_hits(&question, want, &known, answer);
     return n;
 }
 
@@ -164,6 +179,36 @@ CYLINT_INLINE int answer_question(const cylint_shape *shape,
     if (want & CYLINT_WANT_BESIDE_T)
         return answer_all(shape, line, want, answer);
     return answer_t(shape, line, want, answer);
+}
+
+/* Copies the wanted members beside t. */
+static void copy_members(cylint_hit *to, const cylint_hit *from, unsigned want)
+{
+    if (want & CYLINT_WANT_POINT)
+        memcpy(to->point, from->point, sizeof to->point);
+    if (want & CYLINT_WANT_NORMAL)
+        memcpy(to->normal, from->normal, sizeof to->normal);
+    if (want & CYLINT_WANT_Z)
+        to->z = from->z;
+    if (want & CYLINT_WANT_PHI)
+        to->phi = from->phi;
+}
+
+void cylint_describe(const cylint_shape *shape, const cylint_line *line,
+                     unsigned want, cylint_hit *hit)
+{
+    cylint_answer all;
+    unsigned left = want & CYLINT_WANT_BESIDE_T;
+    if (left && hit->side != CYLINT_SIDE_BOTH)
+        left = cylint_one_used()->describe(shape, line, left, hit, hit);
+    if (!left)
+        return;
+    cylint_intersect(shape, line, left | CYLINT_WANT_T | CYLINT_WANT_PART,
+                     &all);
+    for (int i = 0; i < all.n; i++)
+        if (all.hit[i].t == hit->t && all.hit[i].part == hit->part &&
+            all.hit[i].side == hit->side)
+            copy_members(hit, &all.hit[i], left);
 }
 
 int cylint_intersect(const cylint_shape *shape, const cylint_line *line,

@@ -1,6 +1,6 @@
 /*
- * intersect.h - cylint_intersect() by exact signs, signs at a point, the nearest
- * hit of several shapes
+ * intersect.h - cylint_intersect() by exact signs, signs at a point, and the
+ * wanted members of a hit
  */
 #ifndef CYLINT_INTERSECT_H
 #define CYLINT_INTERSECT_H
@@ -18,26 +18,26 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
 cylint_status cylint_open_at(cylint_query *q, const cylint_shape *shape,
                              cylint_line *line, const double point[3]);
 
-/* Writes the wanted members of the line's nearest hit on a shape, of which t, part
- * and side are known.  Other members keep their values. */
-static inline void cylint_describe_nearest(const cylint_shape *shape,
-                                           const cylint_line *line,
-                                           const cylint_hit *known,
-                                           unsigned want, cylint_hit *hit)
+/* Writes the wanted members of a hit, of which t, part and side are known.  Other
+ * members keep their values. */
+static inline void cylint_write_hit(const cylint_shape *shape,
+                                    const cylint_line *line,
+                                    const cylint_hit *known, unsigned want,
+                                    cylint_hit *hit)
 {
-    const unsigned missing = want & CYLINT_WANT_BESIDE_T;
-    if (missing) {
-        cylint_answer answer;
-        answer.hit[0] = *hit;
-        cylint_intersect(shape, line, missing | CYLINT_WANT_NEAREST, &answer);
-        *hit = answer.hit[0];
+    cylint_hit all = *hit;
+    all.t = known->t;
+    all.part = known->part;
+    all.side = known->side;
+    if (want & CYLINT_WANT_BESIDE_T)
+        cylint_describe(shape, line, want, &all);
+    if (!(want & CYLINT_WANT_T))
+        all.t = hit->t;
+    if (!(want & CYLINT_WANT_PART)) {
+        all.part = hit->part;
+        all.side = hit->side;
     }
-    if (want & CYLINT_WANT_T)
-        hit->t = known->t;
-    if (want & CYLINT_WANT_PART) {
-        hit->part = known->part;
-        hit->side = known->side;
-    }
+    *hit = all;
 }
 
 #endif

@@ -12,8 +12,11 @@
 #include "guarded.h"
 
 enum {
-    MOST = 600, /* lines or shapes in a batch */
-    ALL_COLUMNS = 63
+    MOST = 600,                    /* lines or shapes in a batch */
+    HIT_COLUMNS = 8,               /* of point, normal, z and phi */
+    COLUMNS = 6 + 2 * HIT_COLUMNS, /* in the order of cylint_columns */
+    WITHOUT_MEMBERS = 63,
+    ALL_COLUMNS = (1 << COLUMNS) - 1
 };
 
 /* The places of the arrays, and which of them are present. */
@@ -25,17 +28,22 @@ struct layout {
 };
 
 static const struct layout usual = {0, 1, ALL_COLUMNS, 3};
+static const struct layout without_members = {0, 1, WITHOUT_MEMBERS, 3};
 
-static struct guarded line_pages[8], answer_pages[6], shape_pages, pack_pages;
-static const size_t answer_size[6] = {1, 1, sizeof(double), sizeof(double),
-                                      1, 1};
+static struct guarded line_pages[8], answer_pages[COLUMNS], shape_pages,
+    pack_pages;
+
+static size_t answer_size(int i)
+{
+    return i == 2 || i == 3 || i >= 6 ? sizeof(double) : 1;
+}
 
 static void allocate_pages(void)
 {
     for (int i = 0; i < 8; i++)
         line_pages[i] = guarded_allocate(MOST * sizeof(double));
-    for (int i = 0; i < 6; i++)
-        answer_pages[i] = guarded_allocate(MOST * answer_size[i]);
+    for (int i = 0; i < COLUMNS; i++)
+        answer_pages[i] = guarded_allocate(MOST * answer_size(i));
     shape_pages = guarded_allocate(MOST * sizeof(cylint_shape));
     pack_pages = guarded_allocate(cylint_pack_bytes(MOST));
 }
@@ -89,24 +97,58 @@ static void lay_lines(cylint_lines *lines, const struct family_case *from,
 
 static void lay_answers(cylint_columns *to, size_t n, const struct layout *at)
 {
-    void *p[6];
-    for (int i = 0; i < 6; i++) {
-        p[i] = guarded_place(&answer_pages[i], n * answer_size[i],
-                             gap_of(at, i, answer_size[i]), at->at_end);
+    void *p[COLUMNS];
+    for (int i = 0; i < COLUMNS; i++) {
+        p[i] = guarded_place(&answer_pages[i], n * answer_size(i),
+                             gap_of(at, i, answer_size(i)), at->at_end);
         if (!(at->columns >> i & 1))
             p[i] = NULL;
     }
-    *to = (cylint_columns){p[0], p[1], p[2], p[3], p[4], p[5]};
+    *to = (cylint_columns){p[0],
+                           p[1],
+                           p[2],
+                           p[3],
+                           p[4],
+                           p[5],
+                           .point0 = {p[6], p[7], p[8]},
+                           .normal0 = {p[9], p[10], p[11]},
+                           .z0 = p[12],
+                           .phi0 = p[13],
+                           .point1 = {p[14], p[15], p[16]},
+                           .normal1 = {p[17], p[18], p[19]},
+                           .z1 = p[20],
+                           .phi1 = p[21]};
+}
+
+/* The columns of the members of hit k. */
+static void hit_columns(const cylint_columns *from, int k,
+                        double *to[HIT_COLUMNS])
+{
+    double *const *point = k ? from->point1 : from->point0;
+    double *const *normal = k ? from->normal1 : from->normal0;
+    for (int i = 0; i < 3; i++) {
+        to[i] = point[i];
+        to[3 + i] = normal[i];
+    }
+    to[6] = k ? from->z1 : from->z0;
+    to[7] = k ? from->phi1 : from->phi0;
 }
 
 /* Whether only the answers were written. */
 static int only_answers_written(const cylint_columns *a, size_t n)
 {
-    const void *p[6] = {a->relation, a->n, a->t0, a->t1, a->part0, a->part1};
+    double *members[2][HIT_COLUMNS];
+    const void *p[COLUMNS] = {a->relation, a->n,     a->t0,
+                              a->t1,       a->part0, a->part1};
+    for (int k = 0; k < 2; k++) {
+        hit_columns(a, k, members[k]);
+        for (int i = 0; i < HIT_COLUMNS; i++)
+            p[6 + k * HIT_COLUMNS + i] = members[k][i];
+    }
     int kept = 1;
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < COLUMNS; i++)
         kept &=
-            guarded_kept(&answer_pages[i], p[i], p[i] ? n * answer_size[i] : 0);
+            guarded_kept(&answer_pages[i], p[i], p[i] ? n * answer_size(i) : 0);
     return kept;
 }
 

@@ -50,6 +50,25 @@ static int missing(const double *t, const signed char *part, size_t i)
     return (!t || t[i] != t[i]) && (!part || part[i] == -1);
 }
 
+/* The members beside t of hit k; hit: NULL if there is none. */
+static int are_members(const cylint_columns *got, size_t i, int k,
+                       const cylint_hit *hit)
+{
+    double *column[HIT_COLUMNS], want[HIT_COLUMNS];
+    hit_columns(got, k, column);
+    for (int c = 0; c < 3 && hit; c++) {
+        want[c] = hit->point[c];
+        want[3 + c] = hit->normal[c];
+    }
+    want[6] = hit ? hit->z : 0;
+    want[7] = hit ? hit->phi : 0;
+    for (int c = 0; c < HIT_COLUMNS; c++)
+        if (column[c] &&
+            !(hit ? same(column[c][i], want[c]) : column[c][i] != column[c][i]))
+            return 0;
+    return 1;
+}
+
 static int is_answer(const cylint_columns *got, size_t i,
                      const cylint_answer *want)
 {
@@ -59,6 +78,8 @@ static int is_answer(const cylint_columns *got, size_t i,
         (got->n && got->n[i] != want->n))
         return 0;
     for (int k = 0; k < 2; k++) {
+        if (!are_members(got, i, k, k < want->n ? &want->hit[k] : NULL))
+            return 0;
         if (k >= want->n) {
             if (!missing(t[k], part[k], i))
                 return 0;
@@ -88,8 +109,7 @@ static void check_answer(const cylint_columns *got, size_t i,
                          const struct family_case *shape_case)
 {
     cylint_answer want;
-    cylint_intersect(&shape_case->shape, line, CYLINT_WANT_T | CYLINT_WANT_PART,
-                     &want);
+    cylint_intersect(&shape_case->shape, line, CYLINT_WANT_ALL, &want);
     if (CHECK(is_answer(got, i, &want)) || check_bad > CHECK_SHOWN)
         return;
     show(line_case, shape_case);
@@ -289,6 +309,7 @@ static void pairs_answer_as_single_questions(void)
     for (int family = 0; family < family_count(); family++) {
         draw(family, 0, MOST);
         check_pairs(drawn, MOST, &usual);
+        check_pairs(drawn, MOST, &without_members);
     }
     draw_mixed(MOST);
     check_pairs(drawn, MOST, &usual);
@@ -300,7 +321,8 @@ static void lines_answer_as_single_questions(void)
         draw(family, 1000, MOST);
         for (size_t i = 0; i < lines_per_family(); i++) {
             slide(&drawn[i], 100);
-            check_lines(&drawn[i], lined, 100, &usual);
+            check_lines(&drawn[i], lined, 100,
+                        i % 2 ? &usual : &without_members);
         }
         check_lines(&drawn[lines_per_family()], drawn, MOST, &usual);
     }
@@ -311,7 +333,8 @@ static void shapes_answer_as_single_questions(void)
     for (int family = 0; family < family_count(); family++) {
         draw(family, 2000, 100);
         for (size_t i = 0; i < lines_per_family(); i++)
-            check_shapes(&drawn[i], drawn, 100, &usual);
+            check_shapes(&drawn[i], drawn, 100,
+                         i % 2 ? &usual : &without_members);
     }
     draw_mixed(MOST);
     for (size_t i = 0; i < 2 * lines_per_family(); i++)
@@ -401,7 +424,9 @@ static void every_address_has_its_answers(void)
 static void only_wanted_columns_are_written(void)
 {
     draw_around(0);
-    for (int columns = 0; columns <= ALL_COLUMNS; columns++) {
+    for (int i = 0; i <= WITHOUT_MEMBERS + COLUMNS; i++) {
+        const int columns =
+            i <= WITHOUT_MEMBERS ? i : 1 << (i - WITHOUT_MEMBERS - 1);
         const struct layout at = {0, columns % 2, columns, 3};
         check_pairs(drawn, 40, &at);
         check_lines(&drawn[0], lined, 40, &at);

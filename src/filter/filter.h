@@ -52,8 +52,10 @@ typedef struct {
                     direction D */
     double t[2], slope[2], inverse[2], slope_error[2], curvature[2];
     double value[2], tail[2], error[2], low[2], high[2];
-    /* of the n hits: |root - (t + tail)| is at most the error */
-    double hit_tail[2], hit_error[2];
+    /* If members beside t are wanted: their hits, and of each hit the members
+     * that are not certain. */
+    cylint_answer *described;
+    unsigned left[2];
 } cylint_question;
 
 /* Relation, n, and the wanted t, part and side.  Writes *question->answer and
@@ -68,13 +70,20 @@ typedef int cylint_kernel_one(const cylint_shape *shape,
 typedef int cylint_kernel_point(const cylint_shape *shape,
                                 const double point[3]);
 
+/* Writes the wanted members beside t of a hit, of which t and part are known, and
+ * returns those of them that are not certain. */
+typedef unsigned cylint_kernel_hit(const cylint_shape *shape,
+                                   const cylint_line *line, unsigned want,
+                                   const cylint_hit *known, cylint_hit *hit);
+
 /* The functions for one line and one shape: by solid and by whether roots are
- * wanted; what goes on with questions that they do not decide; and those for one
- * point and one shape, by solid. */
+ * wanted; what goes on with questions that they do not decide; those for one
+ * point and one shape, by solid; and that for one hit. */
 typedef struct {
     cylint_kernel_one *by_solid[CYLINT_SOLIDS][2];
     int (*refine)(cylint_question *question);
     cylint_kernel_point *contains[CYLINT_SOLIDS];
+    cylint_kernel_hit *describe;
 } cylint_one_kernels;
 
 extern const cylint_one_kernels cylint_one_plain, cylint_one_fma;
@@ -135,6 +144,27 @@ typedef struct {
     size_t list[256 + 8];
 } cylint_filter_batch;
 
+/* The numbers of hits, in the order of the members of cylint_hit, in lanes.
+ * certain: bits of lanes in which all numbers of a member are certain. */
+enum {
+    CYLINT_AT_POINT = 0,
+    CYLINT_AT_NORMAL = 3,
+    CYLINT_AT_Z = 6,
+    CYLINT_AT_PHI,
+    CYLINT_HIT_NUMBERS
+};
+enum {
+    CYLINT_MEMBER_POINT,
+    CYLINT_MEMBER_NORMAL,
+    CYLINT_MEMBER_Z,
+    CYLINT_MEMBER_PHI,
+    CYLINT_MEMBERS
+};
+typedef struct {
+    double number[CYLINT_HIT_NUMBERS][8];
+    unsigned certain[CYLINT_MEMBERS];
+} cylint_hit_lanes;
+
 /* Answers to up to 8 questions: those of lanes in `found` cross, or are
  * undecided; all others miss, or their hits are not wanted.  Masks have a bit
  * for each lane.  Hit 0 leaves and hit 1 enters in lanes of leaving_first. */
@@ -142,6 +172,7 @@ typedef struct {
     unsigned found, undecided, hit[2], leaving_first;
     const size_t *number;
     double t[2][8], part[2][8];
+    cylint_hit_lanes member[2]; /* as far as wanted */
 } cylint_filter_group;
 
 /* Uses a group of answers; returns 1 where no more are wanted. */

@@ -16,6 +16,7 @@
 #include "../numbers/double_double.h" /* before simd.h */
 #include "../numbers/error_bounds.h"
 #include "../numbers/simd.h"
+#include "../shapes/measure.h"
 #include "../shapes/shape_facts.h"
 #include "filter.h"
 
@@ -448,9 +449,11 @@ typedef struct {
 /* The numbers of shapes up to CYLINT_AT_ERROR, in their order, in fours. */
 enum { MEMBERS = (CYLINT_AT_ERROR + 4) / 4 * 4 };
 
+/* The masks after cap: what members of hits take (shape_facts.h, measure.h). */
 typedef struct {
     vd of[MEMBERS];
     vm cap[2]; /* present */
+    vm skew, elliptic, no_axis;
 } frames;
 
 typedef struct {
@@ -458,15 +461,22 @@ typedef struct {
     const line_lanes *line;
 } source;
 
+INLINE vm m_if_all(int condition)
+{
+    return m_from(condition ? (1u << LANES) - 1 : 0);
+}
+
 /* The same shape in all lanes. */
 INLINE void broadcast_shape(frames *to, const cylint_shape *shape)
 {
-    const unsigned all = (1u << LANES) - 1;
     const unsigned caps = cylint_caps_present(shape->ends);
     for (int i = 0; i < MEMBERS; i++)
         to->of[i] = v_set(shape->library.number[i]);
-    to->cap[0] = m_from(caps & 1 ? all : 0);
-    to->cap[1] = m_from(caps & 2 ? all : 0);
+    to->cap[0] = m_if_all(caps & 1);
+    to->cap[1] = m_if_all(caps & 2);
+    to->skew = m_if_all(cylint_has_skew_rows(shape->kind));
+    to->elliptic = m_if_all(cylint_is_elliptic(shape->kind));
+    to->no_axis = m_if_all(cylint_has_no_axis(shape));
 }
 
 /* Reads members of the shapes, each at shape[lane], from `first` to before `end`
@@ -505,6 +515,20 @@ INLINE void gather_pairs(frames *to, const cylint_shape *const shape[LANES],
 {
     if (!cylint_solid_is_ball(solid))
         gather_members(to, shape, CYLINT_AT_COLUMNS + CYLINT_LOW, MEMBERS);
+}
+
+/* What members of hits take of the kinds. */
+INLINE void gather_kinds(frames *to, const cylint_shape *const shape[LANES])
+{
+    unsigned skew = 0, elliptic = 0, no_axis = 0;
+    for (int i = 0; i < LANES; i++) {
+        skew |= (unsigned)cylint_has_skew_rows(shape[i]->kind) << i;
+        elliptic |= (unsigned)cylint_is_elliptic(shape[i]->kind) << i;
+        no_axis |= (unsigned)cylint_has_no_axis(shape[i]) << i;
+    }
+    to->skew = m_from(skew);
+    to->elliptic = m_from(elliptic);
+    to->no_axis = m_from(no_axis);
 }
 
 INLINE vd v_largest(const vd x[3])

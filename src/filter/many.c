@@ -8,7 +8,7 @@
  * and the roots of those that hit are rounded.  Undecided lanes are returned as
  * such; they do not affect their neighbours.
  */
-#include "surfaces.h"
+#include "members.h"
 
 #ifndef CYLINT_MANY
 #define CYLINT_MANY cylint_many_plain
@@ -289,6 +289,20 @@ typedef struct {
     vm hit[2], unknown;
 } lane_hits;
 
+/* The lanes in which all wanted members of the hits with these roots are
+ * certain. */
+ASIDE unsigned describe_lanes(const source *from, const pair_line *in,
+                              const hit_root *r, unsigned want, int solid,
+                              cylint_hit_lanes *to)
+{
+    unsigned left = 0;
+    members_at(to, from, in, r, want, from->frame->no_axis, solid);
+    for (unsigned i = 0; i < CYLINT_MEMBERS; i++)
+        if (want & (unsigned)CYLINT_WANT_POINT << i)
+            left |= ~to->certain[i];
+    return ~left & ALL;
+}
+
 /* By roots.  Removes lanes whose hits are not wanted from *crosses. */
 INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
                        verdict *v, vm *crosses, unsigned want, int solid,
@@ -306,6 +320,8 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
         return;
     if (x->shape)
         gather_pairs(&x->frame, x->shape, solid);
+    if (x->shape && want & CYLINT_WANT_BESIDE_T)
+        gather_kinds(&x->frame, x->shape);
     load_pairs(&in, &from, solid);
     for (int k = 0;; k++) {
         const line_end end_k = k ? to->at[1] : to->at[0];
@@ -315,6 +331,14 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
         to->hit[k] = h.hit;
         to->unknown = m_or(to->unknown, h.unknown);
         v_store(g->t[k], r.value);
+        if (want & CYLINT_WANT_BESIDE_T && m_any(h.hit)) {
+            const hit_root hit = {r.value, r.tail, r.error, end_k.on_end,
+                                  end_k.top};
+            const pair_line copy = in;
+            const unsigned certain =
+                describe_lanes(&from, &copy, &hit, want, solid, &g->member[k]);
+            to->unknown = m_or(to->unknown, m_and_not(h.hit, m_from(certain)));
+        }
         if (k == 1 || (nearest && !m_any(m_and_not(*crosses, h.hit))))
             return;
         at = estimate_end(l, v, &to->at[1], solid);

@@ -7,7 +7,7 @@
 #ifndef CYLINT_ONE_ANSWER_H
 #define CYLINT_ONE_ANSWER_H
 
-#include "surfaces.h"
+#include "describe.h"
 
 /* Zeros: where `solid` is not constant, compilers find no value missing. */
 static const local_line no_line;
@@ -72,23 +72,10 @@ INLINE void write_parts(cylint_answer *answer, cylint_end_bits e, unsigned hits,
     }
 }
 
-/* lane: of the first hit. */
-INLINE void store_tails(cylint_question *question, const root *r, int n,
-                        int lane)
-{
-    double tail[2], error[2];
-    v_store(tail, r->tail);
-    v_store(error, r->error);
-    for (int i = 0; i < n; i++) {
-        question->hit_tail[i] = tail[lane ^ i];
-        question->hit_error[i] = error[lane ^ i];
-    }
-}
-
 /* Writes a line that crosses with hits at those ends.  r: their roots, or NULL if
- * t is not wanted. */
+ * t is not wanted.  in: the line in pairs, if other members are wanted. */
 INLINE int write_hits(unsigned hits, cylint_end_bits e, const root *r,
-                      const asked *a, int solid)
+                      const pair_line *in, const asked *a, int solid)
 {
     const int unbounded = !cylint_solid_is_bounded(solid);
     cylint_answer *answer = a->answer;
@@ -103,7 +90,7 @@ INLINE int write_hits(unsigned hits, cylint_end_bits e, const root *r,
         if (hits == 3)
             answer->hit[1].t = t[!lane];
         if (a->want & CYLINT_WANT_BESIDE_T)
-            store_tails(a->question, r, hits == 3 ? 2 : 1, lane);
+            describe_hits(a->question, in, r, e, hits == 3 ? 2 : 1, lane);
     }
     if (a->want & CYLINT_WANT_PART)
         write_parts(answer, e, hits, unbounded);
@@ -123,7 +110,7 @@ INLINE int answer_by_places(const place *at, cylint_end_bits e, const asked *a,
     const unsigned begins = before & 1 & ~(before >> 1);
     const unsigned ends = ~after & 1 & (after >> 1);
     return write_hits(e.present & (begins << e.back | ends << !e.back), e, NULL,
-                      a, solid);
+                      NULL, a, solid);
 }
 
 /* All ends are present, and their parts are not wanted. */
@@ -195,7 +182,7 @@ INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
     const root r = step_from(at.t, residual_at(in, l, at.t, &e, solid), &at);
     const hits h = hits_of_roots(&r, l, m_from(bits.present));
     if (!ends_needed(h, bits, a->want))
-        return write_hits(m_bits(h.hit), bits, &r, a, solid);
+        return write_hits(m_bits(h.hit), bits, &r, in, a, solid);
     question->ends = bits;
     question->nearest = m_bits(r.nearest);
     v_store(question->t, at.t);

@@ -403,15 +403,8 @@ static int refine_roots(cylint_question *q)
                                          (int)(q->ends.top >> i & 1),
                                          (int)(q->ends.on_end >> i & 1));
     }
-    const double error = cylint_frame_error(shape);
-    const vd value = v_load(residual), size = size_at(start, &l);
-    const vd wide = l.taper * size;
-    const vm plane = m_and(m_from(q->ends.on_end),
-                           m_from(cylint_solid_is_round(solid) ? 0 : 3));
-    const vd sizes = v_select(plane, size, wide * wide);
-    const bounded_value exact = {
-        value, v_set(CYLINT_LOCAL_LEVELS * error * error) * sizes +
-                   v_set(CYLINT_LOCAL_SCALING) * v_abs(value)};
+    const bounded_value exact = bounded_levels(
+        v_load(residual), size_at(start, &l), m_from(q->ends.on_end), shape);
     const root better = step_from(start, exact, &at);
     const vm m = m_from(needed);
     r = (root){
@@ -427,7 +420,12 @@ static int refine_roots(cylint_question *q)
     }
     if (ends_needed(h, bits, q->want))
         return CYLINT_UNDECIDED;
-    return write_hits(m_bits(h.hit), bits, &r, &a, solid);
+    pair_line in;
+    if (q->want & CYLINT_WANT_BESIDE_T) {
+        const source from = {shape, q->line};
+        load_pairs(&in, &from, 1, solid);
+    }
+    return write_hits(m_bits(h.hit), bits, &r, &in, &a, solid);
 }
 
 #endif

@@ -43,4 +43,11 @@ static inline int cylint_rounds_to_nearest(void)
     return !(1 + x > 1 - x);
 }
 
+/* Whether this thread reads subnormal numbers as 0, or writes 0 for them. */
+static inline int cylint_flushes_subnormals(void)
+{
+    static volatile const double least = DBL_MIN;
+    return least * 0.5 * 2 == 0;
+}
+
 #endif

@@ -314,4 +314,22 @@
 #define CYLINT_TURN_PAIR_ERROR 0x1p-96
 #define CYLINT_TURN_DIRECTED_ERROR 0x1p-90
 
+/*
+ * Members of a hit (filter/members.h).  CYLINT_MEMBER_COORDINATE: the error of a
+ * local coordinate of the hit, in multiples of cylint_frame_error() and of the sum
+ * of the sizes of its terms; also that of a product or quotient of pairs, relative
+ * to it.  CYLINT_MEMBER_PLACE: of a coordinate of the point, relative to |o| + |t d|.
+ * CYLINT_MEMBER_UNIT: bounds are counted in it.  CYLINT_MEMBER_LEAST: no smaller
+ * number but 0 is certain.  CYLINT_MEMBER_TIE: components of the normal and phi that
+ * are nearer to the middle of two doubles, relative to them, are not certain.
+ * CYLINT_MEMBER_SLOPE: of the slope at the hit, of which fewer than sixteen
+ * operations are rounded, relative to the sum of its terms.
+ */
+#define CYLINT_MEMBER_COORDINATE 16
+#define CYLINT_MEMBER_PLACE 0x1p-101
+#define CYLINT_MEMBER_UNIT 0x1p-392
+#define CYLINT_MEMBER_LEAST 0x1p-300
+#define CYLINT_MEMBER_TIE 0x1p-90
+#define CYLINT_MEMBER_SLOPE 0x1p-48
+
 #endif

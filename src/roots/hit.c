@@ -7,17 +7,8 @@
  * an exact sign where the middle of two doubles is near.  The normal and phi are
  * rounded once from numbers with an error below CYLINT_VALUE_ERROR.
  */
+#include "../numbers/turns.h"
 #include "roots.h"
-
-/* STAND-IN for numbers/turns.h: the angle of (x, y) in turns, in [0, 1], for |x|
- * and |y| at most 4, the larger of them at least 1/4. */
-#define CYLINT_TURN_PER_RADIAN 0x1.45f306dc9c883p-3
-#define CYLINT_TURN_PER_RADIAN_LO -0x1.6b01ec5417056p-57
-static pair cylint_turn_pair(pair x, pair y)
-{
-    const double angle = atan2(y.hi, x.hi) * CYLINT_TURN_PER_RADIAN;
-    return (pair){angle < 0 ? angle + 1 : angle, 0};
-}
 
 /* ------------------------------------------------------ unit vectors --- */
 

@@ -78,6 +78,12 @@ CYLINT_INLINE int cylint_has_factors(int kind)
     return kind >= CYLINT_KIND_ACONE && !cylint_is_round(kind);
 }
 
+/* The rows of the matrix have other lengths than 1 (local.h). */
+CYLINT_INLINE int cylint_has_skew_rows(int kind)
+{
+    return cylint_is_elliptic(kind) || cylint_has_tangent(kind);
+}
+
 /* The S of forms_template.h is the square of form_root_of_S(); else it is that
  * itself. */
 CYLINT_INLINE int cylint_S_is_square(int kind)

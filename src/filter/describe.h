@@ -1,0 +1,139 @@
+/*
+ * describe.h - the members of the hits of one line and one shape
+ *
+ * Narrow lanes (frame.h): lane i belongs to end i.
+ */
+#ifndef CYLINT_DESCRIBE_H
+#define CYLINT_DESCRIBE_H
+
+#include "levels.h"
+#include "members.h"
+
+static int has_tiny_numbers(const cylint_line *line)
+{
+    int tiny = 0;
+    EACH(i, 3)
+        tiny |= cylint_too_small(line->o[i]) | cylint_too_small(line->d[i]);
+    return tiny;
+}
+
+/* The members of both lanes.  Where the processor flushes subnormal numbers, those
+ * of a line with such numbers are not certain. */
+static void members_of(cylint_hit_lanes *to, const source *from,
+                       const pair_line *in, const hit_root *r, unsigned want)
+{
+    const vm no_axis = m_from(cylint_has_no_axis(from->shape) ? 3 : 0);
+    members_at(to, from, in, r, want, no_axis, cylint_prepared(from->shape));
+    if (cylint_flushes_subnormals() && has_tiny_numbers(from->line))
+        EACH(i, CYLINT_MEMBERS)
+            to->certain[i] = 0;
+}
+
+/* Writes the wanted members of the hits, in lanes from `lane` on, and what is left
+ * of them. */
+ASIDE void describe_roots(cylint_question *q, const pair_line *in,
+                          const hit_root *at, int n, int lane)
+{
+    const source from = {q->shape, q->line};
+    cylint_hit_lanes m;
+    members_of(&m, &from, in, at, q->want);
+    for (int i = 0; i < n; i++) {
+        q->left[i] = members_left(&m, q->want, lane ^ i);
+        write_lane(&q->described->hit[i], &m, q->want, lane ^ i);
+    }
+}
+
+/* The same by copies, so that its caller keeps the line and the roots in
+ * registers. */
+INLINE void describe_hits(cylint_question *q, const pair_line *in,
+                          const root *r, cylint_end_bits e, int n, int lane)
+{
+    const pair_line copy = *in;
+    const hit_root at = {r->value, r->tail, r->error, m_from(e.on_end),
+                         m_from(e.top)};
+    describe_roots(q, &copy, &at, n, lane);
+}
+
+/* ---------------------------------------------- from the nearest double -- */
+
+/* The slope of the residual at a hit, a bound on its error, and one on half the
+ * curvature. */
+typedef struct {
+    vd slope, error, curvature;
+} slope_at_hit;
+
+INLINE slope_at_hit slope_of(const local_hit *h, const pair_line *in,
+                             const hit_root *r, const source *from, int solid)
+{
+    const int round = cylint_solid_is_round(solid);
+    const vm on_ball = !round                        ? m_from(0)
+                       : cylint_solid_is_ball(solid) ? m_from(3)
+                                                     : r->on_end;
+    const vd z =
+        v_select(on_ball, from_center(h, r, from, solid).v.hi, h->rho.v.hi);
+    const vd w = v_select(on_ball, in->w.hi, -in->growth.hi);
+    const vd vx = q_low(in->v.hi), vy = q_high(in->v.hi);
+    const vd xv = h->x.v.hi * vx, yv = h->y.v.hi * vy, zw = z * w;
+    const vd sizes = v_abs(xv) + v_abs(yv) + v_abs(zw);
+    slope_at_hit s;
+    s.slope = v_set(2) * (xv + yv + zw);
+    s.error = v_sum_of(
+        v_set(2 * CYLINT_MEMBER_UNIT),
+        v_sum_of(v_abs(vx), h->x.e,
+                 v_sum_of(v_abs(vy), h->y.e, v_abs(w) * (h->z.e + h->rho.e))),
+        v_set(CYLINT_MEMBER_SLOPE) * sizes);
+    s.curvature = v_set(1.01) * v_sum_of(w, w, v_sum_of(vx, vx, vy * vy));
+    if (cylint_solid_is_bounded(solid) && !round) {
+        s.slope = v_select(r->on_end, in->w.hi, s.slope);
+        s.error = v_select(
+            r->on_end, v_set(CYLINT_MEMBER_SLOPE) * v_abs(in->w.hi), s.error);
+        s.curvature = v_select(r->on_end, v_set(0), s.curvature);
+    }
+    return s;
+}
+
+/* The root of which t is the nearest double: a step of Newton's on the residual in
+ * levels.  Its error is infinite or NaN where t is no such double. */
+INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
+                            int part, int solid)
+{
+    const int end = part == CYLINT_PART_CAP1;
+    const int on_end = part != CYLINT_PART_LATERAL;
+    const first_line first = load_first(from, solid);
+    hit_root r = {v_set(t), v_set(0), v_set(0), m_from(on_end ? 3 : 0),
+                  m_from(end ? 3 : 0)};
+    const local_hit h = hit_at(from, in, &r, 1, solid);
+    const slope_at_hit s = slope_of(&h, in, &r, from, solid);
+    const bounded_value residual = bounded_levels(
+        v_set(residual_in_levels(from->shape, from->line, t, end, on_end)),
+        v_sum_of(v_abs(r.t), first.D, first.Q), r.on_end, from->shape);
+    const vd distance = v_set(CYLINT_ROUNDING * fabs(t));
+    const newton_lanes step = newton_step_lanes(residual.v, residual.e, s.slope,
+                                                s.error, s.curvature, distance);
+    r.tail = -step.delta;
+    r.error = v_select(v_le(v_abs(step.delta), distance), step.error,
+                       v_set(HUGE_VAL));
+    return r;
+}
+
+/* Writes the wanted members of a hit, of which t and part are known, as far as they
+ * are certain; returns the others. */
+static unsigned describe_again(const cylint_shape *shape,
+                               const cylint_line *line, unsigned want,
+                               const cylint_hit *known, cylint_hit *hit)
+{
+    const source from = {shape, line};
+    const int solid = cylint_prepared(shape);
+    cylint_hit_lanes m;
+    pair_line in;
+    if (solid == CYLINT_SOLID_NONE || !line->in_range ||
+        !cylint_rounds_to_nearest())
+        return want;
+    load_pairs(&in, &from, 1, solid);
+    const hit_root r = root_beside(&from, &in, known->t, known->part, solid);
+    members_of(&m, &from, &in, &r, want);
+    write_lane(hit, &m, want, 0);
+    return members_left(&m, want, 0);
+}
+
+#endif

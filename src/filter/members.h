@@ -1,0 +1,523 @@
+/*
+ * members.h - point, normal, z and phi of a hit from its root, in lanes
+ *
+ * They are sums, products and quotients of the coordinates of the hit, which are
+ * computed in pairs at the root.  Each has a bound on its error.  A component
+ * whose rounding is certain is the double nearest to the real number; the
+ * others are left to a later stage.
+ *
+ * In local coordinates (local.h) the outward normal of a hit (x, y, z) is
+ *
+ *   of the lateral surface  x X + y Y - slope rho Z
+ *   of a ball               x X + y Y + (z - z of its centre) Z
+ *   of a plane              Z or -Z
+ *
+ * with the rows X, Y and Z of the matrix.  The first has the length rho / cosine
+ * where the rows have length 1, the second that of the radius.
+ *
+ * A bound is a sum of sizes of terms, so it is 0 where all terms are: the zeros of
+ * upright shapes and of lines in a plane of coordinates are certain.  Bounds are
+ * counted in units of CYLINT_MEMBER_UNIT: a bound that underflows to 0 in this unit
+ * is that of a number that rounds to 0.
+ */
+#ifndef CYLINT_MEMBERS_H
+#define CYLINT_MEMBERS_H
+
+#include "../numbers/turns.h" /* before simd.h */
+#include "../numbers/turns_lanes.h"
+#include "surfaces.h"
+
+/* A hit: |root - (t + tail)| is at most the error; the rest as in line_end. */
+typedef struct {
+    vd t, tail, error;
+    vm on_end, top;
+} hit_root;
+
+/* A number and a bound on its error, in units of CYLINT_MEMBER_UNIT. */
+typedef struct {
+    vpair v;
+    vd e;
+} bounded_pairs;
+
+/* ------------------------------------------------- the shape and line -- */
+
+#ifdef CYLINT_NARROW
+
+INLINE vd number_at(const source *from, int i)
+{
+    return v_set(from->shape->library.number[i]);
+}
+
+INLINE vd origin_at(const source *from, int i)
+{
+    return v_set(from->line->o[i]);
+}
+
+INLINE vpair direction_at(const source *from, int i)
+{
+    return twice(from->line->d[i], from->line->d_lo[i]);
+}
+
+INLINE vm is_skew(const source *from)
+{
+    return m_from(cylint_has_skew_rows(from->shape->kind) ? 3 : 0);
+}
+
+INLINE vm is_elliptic(const source *from)
+{
+    return m_from(cylint_is_elliptic(from->shape->kind) ? 3 : 0);
+}
+
+#else
+
+INLINE vd number_at(const source *from, int i)
+{
+    return from->frame->of[i];
+}
+
+INLINE vd origin_at(const source *from, int i)
+{
+    return from->line->o[i];
+}
+
+INLINE vpair direction_at(const source *from, int i)
+{
+    return (vpair){from->line->d[i], from->line->d_lo[i]};
+}
+
+INLINE vm is_skew(const source *from)
+{
+    return from->frame->skew;
+}
+
+INLINE vm is_elliptic(const source *from)
+{
+    return from->frame->elliptic;
+}
+
+#endif
+
+INLINE vpair pair_at(const source *from, int i)
+{
+    return (vpair){number_at(from, i), number_at(from, i + CYLINT_LOW)};
+}
+
+/* Column j of a row of the matrix. */
+INLINE vpair entry_at(const source *from, int row, int j)
+{
+    return pair_at(from, CYLINT_AT_COLUMNS + 3 * j + row);
+}
+
+/* What the error of an entry is relative to: the entry itself or, where it may
+ * have cancelled, the norm; an entry 0 is exact. */
+INLINE vd entry_size(const source *from, vd entry)
+{
+    const vd size = v_abs(entry);
+    if (!m_any(is_elliptic(from)))
+        return size;
+    const vm other = m_and(is_elliptic(from), v_lt(v_set(0), size));
+    return v_select(other, number_at(from, CYLINT_AT_NORM), size);
+}
+
+INLINE bounded_pairs zero_pairs(void)
+{
+    return (bounded_pairs){{v_set(0), v_set(0)}, v_set(0)};
+}
+
+/* ----------------------------------------------------------- the hit --- */
+
+/* from + (t + tail) by.  Where terms cancel, lo can exceed hi. */
+INLINE vpair at_root(vpair from, vpair by, const hit_root *r)
+{
+    vpair step = v_two_prod(r->t, by.hi);
+    step.lo = v_sum_of(r->tail, by.hi, v_sum_of(r->t, by.lo, step.lo));
+    return vpair_add(from, step);
+}
+
+/* x / y, where `inverse` is about 1 / y, and y.lo is below a unit of y.hi. */
+INLINE vpair quotient(vpair x, vpair y, vd inverse)
+{
+    const vd q = x.hi * inverse;
+    const vpair back = v_two_prod(q, y.hi);
+    const vd rest = ((x.hi - back.hi) - back.lo) + (x.lo - q * y.lo);
+    return v_fast_two_sum(q, rest * inverse);
+}
+
+/* The hit in local coordinates, z from the base; rho is the radius of the lateral
+ * surface there.  error: of the root, unit: of a number of size 1, both in units
+ * of the bounds. */
+typedef struct {
+    bounded_pairs x, y, z, rho;
+    vd error, unit;
+} local_hit;
+
+/* The bound on a coordinate: the error of the matrix and of pairs, and what that of
+ * the root adds. */
+INLINE vd coordinate_error(const source *from, const local_hit *h,
+                           const vd size[3], int row, vd v, int solid)
+{
+    vd sum = size[row];
+    if (!cylint_solid_is_ball(solid)) {
+        sum = v_set(0);
+        EACH(j, 3)
+            sum = v_sum_of(entry_size(from, entry_at(from, row, j).hi), size[j],
+                           sum);
+    }
+    return v_sum_of(h->unit, sum, v_abs(v) * h->error);
+}
+
+/* axial: with z. */
+INLINE local_hit hit_at(const source *from, const pair_line *in,
+                        const hit_root *r, int axial, int solid)
+{
+    const vpair p[2] = {{q_low(in->p.hi), q_low(in->p.lo)},
+                        {q_high(in->p.hi), q_high(in->p.lo)}};
+    const vpair v[2] = {{q_low(in->v.hi), q_low(in->v.lo)},
+                        {q_high(in->v.hi), q_high(in->v.lo)}};
+    vd z_hi[ENDS], z_lo[ENDS], size[3];
+    local_hit h;
+    h.unit = v_set(CYLINT_MEMBER_COORDINATE / CYLINT_MEMBER_UNIT) * in->error;
+    h.error = v_set(1 / CYLINT_MEMBER_UNIT) * r->error;
+    EACH(k, ENDS) {
+        z_hi[k] = in->z[k].hi;
+        z_lo[k] = in->z[k].lo;
+    }
+    EACH(j, 3)
+        size[j] = v_sum_of(
+            v_abs(r->t), v_abs(direction_at(from, j).hi),
+            v_abs(origin_at(from, j) - number_at(from, CYLINT_AT_BASE + j)));
+    h.x = (bounded_pairs){at_root(p[0], v[0], r),
+                          coordinate_error(from, &h, size, 0, v[0].hi, solid)};
+    h.y = (bounded_pairs){at_root(p[1], v[1], r),
+                          coordinate_error(from, &h, size, 1, v[1].hi, solid)};
+    h.z = zero_pairs();
+    if (axial || cylint_solid_is_tapered(solid) ||
+        cylint_solid_is_round(solid)) {
+        const vpair z = {of_end(z_hi, 0), of_end(z_lo, 0)};
+        h.z = (bounded_pairs){
+            at_root(z, in->w, r),
+            coordinate_error(from, &h, size, 2, in->w.hi, solid)};
+    }
+    h.rho = (bounded_pairs){in->rho, v_set(0)};
+    if (cylint_solid_is_tapered(solid)) {
+        const vd slope = v_abs(number_at(from, CYLINT_AT_SLOPE));
+        const vd r0 = number_at(from, CYLINT_AT_R0);
+        const vpair rho = at_root(in->rho, in->growth, r);
+        h.rho.v = v_two_sum(rho.hi, rho.lo);
+        h.rho.e =
+            v_set(2) * v_sum_of(h.unit * r0, v_set(1) + slope, slope * h.z.e);
+    }
+    return h;
+}
+
+/* ---------------------------------------------------------- roundings -- */
+
+/* Lanes in which x is certainly rounded to *to, if each real number within its
+ * bound, and `beside` relative to it, rounds so. */
+INLINE vm rounds(bounded_pairs x, double beside, vd *to)
+{
+    const vpair s = v_two_sum(x.v.hi, x.v.lo);
+    const vd e =
+        v_sum_of(v_set(beside), v_abs(s.hi), v_set(CYLINT_MEMBER_UNIT) * x.e);
+    const vd up = s.hi + (s.lo + e), down = s.hi + (s.lo - e);
+    const vm large = v_le(v_set(CYLINT_MEMBER_LEAST), v_abs(s.hi));
+    *to = up + v_set(0); /* no -0 */
+    return m_and(v_eq(up, down), m_or(large, v_eq(x.e, v_set(0))));
+}
+
+/* The same of three components, which are stored; bits of lanes. */
+INLINE unsigned round_vector(double to[3][8], const bounded_pairs x[3],
+                             double beside)
+{
+    vm certain = m_not(m_from(0));
+    EACH(i, 3) {
+        vd nearest;
+        certain = m_and(certain, rounds(x[i], beside, &nearest));
+        v_store(to[i], nearest);
+    }
+    return m_bits(certain);
+}
+
+/* ------------------------------------------------------------ members -- */
+
+/* o + t d: no local coordinates. */
+INLINE void point_of(bounded_pairs to[3], const source *from, const hit_root *r)
+{
+    const vd error = v_set(1 / CYLINT_MEMBER_UNIT) * r->error;
+    EACH(i, 3) {
+        const vpair d = direction_at(from, i),
+                    o = {origin_at(from, i), v_set(0)};
+        const vd sizes = v_sum_of(v_abs(r->t), v_abs(d.hi), v_abs(o.hi));
+        to[i] = (bounded_pairs){
+            at_root(o, d, r),
+            v_sum_of(v_abs(d.hi), error,
+                     v_set(CYLINT_MEMBER_PLACE / CYLINT_MEMBER_UNIT) * sizes)};
+    }
+}
+
+/* Of a normal: x X + y Y + z Z. */
+typedef struct {
+    bounded_pairs x, y, z;
+} combination;
+
+INLINE bounded_pairs negated_where(vm m, bounded_pairs x)
+{
+    return (bounded_pairs){
+        {v_select(m, -x.v.hi, x.v.hi), v_select(m, -x.v.lo, x.v.lo)}, x.e};
+}
+
+INLINE bounded_pairs choose_pairs(vm m, bounded_pairs x, bounded_pairs y)
+{
+    return (bounded_pairs){
+        {v_select(m, x.v.hi, y.v.hi), v_select(m, x.v.lo, y.v.lo)},
+        v_select(m, x.e, y.e)};
+}
+
+/* x by, where the error of `by` is `lost` relative to it. */
+INLINE bounded_pairs product(bounded_pairs x, vpair by, vd lost)
+{
+    const vpair p = vpair_mul(x.v, by);
+    return (bounded_pairs){p, v_sum_of(v_abs(p.hi), lost, v_abs(by.hi) * x.e)};
+}
+
+/* z from the centre of the ball of an end. */
+INLINE bounded_pairs from_center(const local_hit *h, const hit_root *r,
+                                 const source *from, int solid)
+{
+    bounded_pairs z = h->z;
+    if (!cylint_solid_is_ball(solid)) {
+        const vpair height = pair_at(from, CYLINT_AT_HEIGHT);
+        const vpair above = vpair_sub(z.v, height);
+        z = choose_pairs(
+            r->top, (bounded_pairs){above, v_sum_of(h->unit, height.hi, z.e)},
+            z);
+    }
+    return z;
+}
+
+/* On the lateral surface or on a ball, of a shape whose rows have length 1. */
+INLINE combination unit_normal(const local_hit *h, const hit_root *r,
+                               const source *from, int solid)
+{
+    const int tapered = cylint_solid_is_tapered(solid);
+    const vm inside_out = v_lt(h->rho.v.hi, v_set(0));
+    const bounded_pairs rho = negated_where(inside_out, h->rho);
+    bounded_pairs divisor = rho, z = zero_pairs();
+    vpair one = {v_set(1), v_set(0)}, cosine = one;
+    if (tapered) {
+        const vpair sine = pair_at(from, CYLINT_AT_SINE);
+        cosine = pair_at(from, CYLINT_AT_COSINE);
+        z = (bounded_pairs){{-sine.hi, -sine.lo}, h->unit * v_abs(sine.hi)};
+        z = negated_where(inside_out, z);
+    }
+    if (cylint_solid_is_round(solid)) {
+        const vm on_ball =
+            cylint_solid_is_ball(solid) ? m_not(m_from(0)) : r->on_end;
+        const vd r0 = number_at(from, CYLINT_AT_R0);
+        const vd r1 = v_if(tapered, number_at(from, CYLINT_AT_R1), r0);
+        const bounded_pairs ball = {{v_select(r->top, r1, r0), v_set(0)},
+                                    v_set(0)};
+        divisor = choose_pairs(on_ball, ball, divisor);
+        cosine = (vpair){v_select(on_ball, one.hi, cosine.hi),
+                         v_select(on_ball, one.lo, cosine.lo)};
+    }
+    const vd inverse = v_set(1) / divisor.v.hi;
+    const vpair by = quotient(cosine, divisor.v, inverse);
+    const vd lost = v_sum_of(divisor.e, inverse, h->unit);
+    if (cylint_solid_is_round(solid))
+        z = choose_pairs(cylint_solid_is_ball(solid) ? m_not(m_from(0))
+                                                     : r->on_end,
+                         product(from_center(h, r, from, solid), by, lost), z);
+    return (combination){product(h->x, by, lost), product(h->y, by, lost), z};
+}
+
+/* On the lateral surface, not of length 1. */
+INLINE combination gradient(const local_hit *h, const source *from, int solid)
+{
+    const vpair one = {v_set(1), v_set(0)};
+    bounded_pairs z = zero_pairs();
+    if (cylint_solid_is_tapered(solid)) {
+        const vpair slope = pair_at(from, CYLINT_AT_SLOPE);
+        z = product(h->rho, (vpair){-slope.hi, -slope.lo}, h->unit);
+    }
+    return (combination){product(h->x, one, h->unit),
+                         product(h->y, one, h->unit), z};
+}
+
+INLINE combination choose_combination(vm m, combination x, combination y)
+{
+    return (combination){choose_pairs(m, x.x, y.x), choose_pairs(m, x.y, y.y),
+                         choose_pairs(m, x.z, y.z)};
+}
+
+/* Component i of x X + y Y, and of z Z if the solid has slopes along the axis. */
+INLINE bounded_pairs component_of(const combination *c, const source *from,
+                                  int i, int solid)
+{
+    const bounded_pairs *const of[3] = {&c->x, &c->y, &c->z};
+    const int terms =
+        cylint_solid_is_tapered(solid) || cylint_solid_is_round(solid) ? 3 : 2;
+    bounded_pairs sum = zero_pairs();
+    EACH(k, 3) {
+        if (k == terms)
+            break;
+        const vpair entry = entry_at(from, k, i);
+        const vpair p = vpair_mul(entry, of[k]->v);
+        sum.v = k == 0 ? p : vpair_add(sum.v, p);
+        sum.e = v_sum_of(entry_size(from, entry.hi), of[k]->e, sum.e);
+    }
+    return sum;
+}
+
+/* Component i of Z or -Z. */
+INLINE bounded_pairs plane_component(const source *from, const hit_root *r,
+                                     int i, vd unit)
+{
+    const vpair z = entry_at(from, 2, i);
+    const bounded_pairs up = {z, entry_size(from, z.hi) * unit};
+    return negated_where(m_not(r->top), up);
+}
+
+/* The vector n of length 1, in the lanes. */
+INLINE void normalise(bounded_pairs n[3], vd unit, vm lanes)
+{
+    vpair square = {v_set(0), v_set(0)};
+    vd error = v_set(0);
+    EACH(i, 3) {
+        n[i].v = v_two_sum(n[i].v.hi, n[i].v.lo);
+        square = vpair_add(square, vpair_mul(n[i].v, n[i].v));
+        error = error + n[i].e;
+    }
+    const vd y = v_set(1) / v_sqrt(square.hi);
+    const vpair ay2 = vpair_mul(square, v_two_prod(y, y));
+    const vd e = (v_set(1) - ay2.hi) - ay2.lo;
+    const vpair by = {y, y * e * v_sum_of(v_set(0.375), e, v_set(0.5))};
+    const vd lost = v_sum_of(error, y, unit);
+    EACH(i, 3)
+        n[i] = choose_pairs(lanes, product(n[i], by, lost), n[i]);
+}
+
+INLINE void normal_of(bounded_pairs n[3], const local_hit *h,
+                      const source *from, const hit_root *r, int solid)
+{
+    const vm skew = is_skew(from);
+    const int ball = cylint_solid_is_ball(solid);
+    combination c = unit_normal(h, r, from, solid);
+    if (m_any(skew))
+        c = choose_combination(skew, gradient(h, from, solid), c);
+    n[0] = ball ? c.x : component_of(&c, from, 0, solid);
+    n[1] = ball ? c.y : component_of(&c, from, 1, solid);
+    n[2] = ball ? c.z : component_of(&c, from, 2, solid);
+    if (cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid))
+        EACH(i, 3)
+            n[i] = choose_pairs(r->on_end, plane_component(from, r, i, h->unit),
+                                n[i]);
+    if (m_any(skew))
+        normalise(n, h->unit, skew);
+}
+
+INLINE vm z_of(vd *to, const local_hit *h, const source *from,
+               const hit_root *r, int solid)
+{
+    const vpair height = pair_at(from, CYLINT_AT_HEIGHT);
+    const vd inverse = v_set(1) / height.hi;
+    const vpair q = quotient(h->z.v, height, inverse);
+    const bounded_pairs z = {
+        q, v_sum_of(h->unit, v_abs(q.hi), v_set(1.01) * h->z.e * inverse)};
+    const vm certain = rounds(z, 0, to);
+    if (!cylint_solid_is_bounded(solid) || cylint_solid_is_round(solid))
+        return certain;
+    *to = v_select(r->on_end, v_select(r->top, v_set(1), v_set(0)), *to);
+    return m_or(r->on_end, certain);
+}
+
+/* A bound in units as a number: 0 or at least 2^-600. */
+INLINE vd in_turns(vd bound)
+{
+    const vd least = v_select(v_lt(v_set(0), bound), v_set(0x1p-600), v_set(0));
+    return v_sum_of(bound, v_set(CYLINT_MEMBER_UNIT), least);
+}
+
+/* The angle is counted from the semi-axis a, that is x; of circular kinds from e x
+ * axis, that is -x (local.c). */
+INLINE vm phi_of(vd *to, const local_hit *h, const source *from)
+{
+    const vm circular = m_not(is_elliptic(from));
+    const bounded_pairs x = negated_where(circular, h->x),
+                        y = negated_where(circular, h->y);
+    vd error;
+    const vpair turns =
+        turns_of(v_two_sum(x.v.hi, x.v.lo), v_two_sum(y.v.hi, y.v.lo),
+                 in_turns(x.e), in_turns(y.e), &error);
+    const bounded_pairs phi = {turns, error * v_set(1 / CYLINT_MEMBER_UNIT)};
+    const vm certain = rounds(phi, CYLINT_MEMBER_TIE, to);
+    *to = v_select(v_lt(*to, v_set(1)), *to, v_set(1 - CYLINT_ROUNDING));
+    return certain;
+}
+
+/* Lanes of balls have z = phi = 0 if `no_axis`; else these are left. */
+INLINE void members_at(cylint_hit_lanes *to, const source *from,
+                       const pair_line *in, const hit_root *r, unsigned want,
+                       vm no_axis, int solid)
+{
+    const int ball = cylint_solid_is_ball(solid);
+    const unsigned axial = ball ? 0 : want & (CYLINT_WANT_Z | CYLINT_WANT_PHI);
+    bounded_pairs x[3];
+    vd nearest;
+    if (want & CYLINT_WANT_POINT) {
+        point_of(x, from, r);
+        to->certain[CYLINT_MEMBER_POINT] =
+            round_vector(to->number + CYLINT_AT_POINT, x, 0);
+    }
+    if (ball) {
+        v_store(to->number[CYLINT_AT_Z], v_set(0));
+        v_store(to->number[CYLINT_AT_PHI], v_set(0));
+        to->certain[CYLINT_MEMBER_Z] = to->certain[CYLINT_MEMBER_PHI] =
+            m_bits(no_axis);
+    }
+    if (!((want & CYLINT_WANT_NORMAL) | axial))
+        return;
+    const local_hit h =
+        hit_at(from, in, r, (axial & CYLINT_WANT_Z) != 0, solid);
+    if (want & CYLINT_WANT_NORMAL) {
+        normal_of(x, &h, from, r, solid);
+        to->certain[CYLINT_MEMBER_NORMAL] =
+            round_vector(to->number + CYLINT_AT_NORMAL, x, CYLINT_MEMBER_TIE);
+    }
+    if (axial & CYLINT_WANT_Z) {
+        to->certain[CYLINT_MEMBER_Z] =
+            m_bits(z_of(&nearest, &h, from, r, solid));
+        v_store(to->number[CYLINT_AT_Z], nearest);
+    }
+    if (axial & CYLINT_WANT_PHI) {
+        to->certain[CYLINT_MEMBER_PHI] = m_bits(phi_of(&nearest, &h, from));
+        v_store(to->number[CYLINT_AT_PHI], nearest);
+    }
+}
+
+/* The wanted members that are not certain in a lane. */
+INLINE unsigned members_left(const cylint_hit_lanes *m, unsigned want, int lane)
+{
+    unsigned left = 0;
+    for (unsigned i = 0; i < CYLINT_MEMBERS; i++)
+        left |= (~m->certain[i] >> lane & 1) << i;
+    return left * CYLINT_WANT_POINT & want;
+}
+
+/* Writes the wanted members of a lane. */
+INLINE void write_lane(cylint_hit *hit, const cylint_hit_lanes *m,
+                       unsigned want, int lane)
+{
+    if (want & CYLINT_WANT_POINT)
+        EACH(i, 3)
+            hit->point[i] = m->number[CYLINT_AT_POINT + i][lane];
+    if (want & CYLINT_WANT_NORMAL)
+        EACH(i, 3)
+            hit->normal[i] = m->number[CYLINT_AT_NORMAL + i][lane];
+    if (want & CYLINT_WANT_Z)
+        hit->z = m->number[CYLINT_AT_Z][lane];
+    if (want & CYLINT_WANT_PHI)
+        hit->phi = m->number[CYLINT_AT_PHI][lane];
+}
+
+#endif
