@@ -384,39 +384,50 @@ static int inside_gap(int gap)
 
 /* -------------------------------------- points, normals, z and the angle -- */
 
-/* The nearest double, but 0 only for an exact 0. */
-static double double_of(mpfr_t x)
+/* The hits of the answer, and oracle_other() of them. */
+static cylint_hit *hits_, others_[2];
+
+static cylint_hit *other_of(const cylint_hit *hit)
 {
-    const double nearest = mpfr_get_d(x, MPFR_RNDN);
-    return nearest == 0 && !mpfr_zero_p(x) ? mpfr_sgn(x) * 0x1p-1074 : nearest;
+    return &others_[hit - hits_];
+}
+
+/* The double nearest to x.  *other is it too, or, if x is nearer than 2^-90 of
+ * itself to the middle of two doubles, the other one of the two. */
+static double nearest_real(mpfr_t x, double *other)
+{
+    const double nearest = mpfr_get_d(x, MPFR_RNDN) + 0;
+    mpfr_t moved;
+    mpfr_init2(moved, BITS);
+    *other = nearest;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        mpfr_set_si_2exp(moved, sign, -90, MPFR_RNDN);
+        mpfr_add_ui(moved, moved, 1, MPFR_RNDN);
+        mpfr_mul(moved, moved, x, MPFR_RNDN);
+        const double beside = mpfr_get_d(moved, MPFR_RNDN) + 0;
+        *other = beside != nearest ? beside : *other;
+    }
+    mpfr_clear(moved);
+    return nearest;
 }
 
 static void point_at(const critical *at, double point[3])
 {
-    mpfr_t x;
-    mpfr_init2(x, BITS);
+    mpz_set_ui(o_.s[4], 1);
     for (int i = 0; i < 3; i++) {
-        linear_value(x, o_.o[i], o_.d[i], at);
-        mpfr_mul_2si(x, x, o_.unit, MPFR_RNDN);
-        point[i] = double_of(x);
+        point[i] = nearest_linear(o_.o[i], o_.d[i], o_.s[4], o_.unit, at);
     }
-    mpfr_clear(x);
 }
 
 static double z_at(const critical *at)
 {
-    mpfr_t z;
-    mpfr_init2(z, BITS);
-    linear_value(z, o_.Z.g0, o_.Z.g1, at);
-    mpfr_div_z(z, z, o_.whole, MPFR_RNDN);
-    const double value = double_of(z);
-    mpfr_clear(z);
-    return value;
+    return nearest_linear(o_.Z.g0, o_.Z.g1, o_.whole, 0, at);
 }
 
-/* v / |v| as doubles; clears v */
-static void normalise(mpfr_t v[3], double out[3])
+/* The hit's normal: v / |v|; clears v */
+static void normalise(mpfr_t v[3], cylint_hit *hit)
 {
+    cylint_hit *other = other_of(hit);
     mpfr_t sum, square;
     mpfr_inits2(BITS, sum, square, (mpfr_ptr)NULL);
     mpfr_set_zero(sum, 1);
@@ -427,13 +438,13 @@ static void normalise(mpfr_t v[3], double out[3])
     mpfr_sqrt(sum, sum, MPFR_RNDN);
     for (int i = 0; i < 3; i++) {
         mpfr_div(v[i], v[i], sum, MPFR_RNDN);
-        out[i] = double_of(v[i]);
+        hit->normal[i] = nearest_real(v[i], &other->normal[i]);
         mpfr_clear(v[i]);
     }
     mpfr_clears(sum, square, (mpfr_ptr)NULL);
 }
 
-static void unit_vector(mpz_t v[3], int sign, double out[3])
+static void unit_vector(mpz_t v[3], int sign, cylint_hit *hit)
 {
     mpfr_t real[3];
     for (int i = 0; i < 3; i++) {
@@ -441,7 +452,7 @@ static void unit_vector(mpz_t v[3], int sign, double out[3])
         mpfr_set_z(real[i], v[i], MPFR_RNDN);
         mpfr_mul_si(real[i], real[i], sign, MPFR_RNDN);
     }
-    normalise(real, out);
+    normalise(real, hit);
 }
 
 /* The normal at the apex: away from the solid; of a double cone against d, or
@@ -472,7 +483,7 @@ static void add_scaled(mpz_t n0, mpz_t n1, mpz_t s, linear *g, mpz_t v,
  *   circular   alpha q - (beta Z + delta rho) w
  *   elliptic   alpha (X gx + Y gy) - delta rho gz
  */
-static void lateral_normal(const critical *at, double out[3])
+static void lateral_normal(const critical *at, cylint_hit *hit)
 {
     mpfr_t n[3];
     mpz_set_ui(o_.s[3], 1);
@@ -492,18 +503,18 @@ static void lateral_normal(const critical *at, double out[3])
         }
         linear_value(n[i], o_.s[4], o_.s[5], at);
     }
-    normalise(n, out);
+    normalise(n, hit);
 }
 
-static void normal_at(const critical *at, int part, double out[3])
+static void normal_at(const critical *at, cylint_hit *hit)
 {
-    if (part != CYLINT_PART_LATERAL) {
+    if (hit->part != CYLINT_PART_LATERAL) {
         unit_vector(o_.circular ? o_.w : o_.gz,
-                    part == CYLINT_PART_CAP1 ? 1 : -1, out);
+                    hit->part == CYLINT_PART_CAP1 ? 1 : -1, hit);
     } else if (linear_sign(&o_.rho, at) == 0) {
-        unit_vector(o_.w, apex_normal_sign(), out);
+        unit_vector(o_.w, apex_normal_sign(), hit);
     } else {
-        lateral_normal(at, out);
+        lateral_normal(at, hit);
     }
 }
 
@@ -525,7 +536,14 @@ static void circular_plane(void)
     along_line(&o_.Y, o_.gy);
 }
 
-static double phi_at(const critical *at)
+/* An angle in [0, 1): a double below 1. */
+static double below_one(double phi)
+{
+    return phi < 1 ? phi : 0x1.fffffffffffffp-1;
+}
+
+/* The angle has 126 bits, enough for nearest_real(). */
+static double phi_at(const critical *at, double *other)
 {
     mpfr_t x, y, turn;
     mpfr_inits2(BITS, x, y, turn, (mpfr_ptr)NULL);
@@ -552,7 +570,8 @@ static double phi_at(const critical *at)
     if (mpfr_sgn(x) < 0) {
         mpfr_add_ui(x, x, 1, MPFR_RNDN);
     }
-    const double phi = double_of(x);
+    const double phi = below_one(nearest_real(x, other));
+    *other = below_one(*other);
     mpfr_clears(x, y, turn, (mpfr_ptr)NULL);
     return phi;
 }
@@ -613,18 +632,18 @@ static int part_is_present(int part, int ends)
 
 static void describe(const critical *at, unsigned want, cylint_hit *hit)
 {
-    hit->t = nearest(at);
+    hit->t = nearest_t(at);
     if (want & CYLINT_WANT_POINT) {
         point_at(at, hit->point);
     }
     if (want & CYLINT_WANT_NORMAL) {
-        normal_at(at, hit->part, hit->normal);
+        normal_at(at, hit);
     }
     if (want & CYLINT_WANT_Z) {
         hit->z = z_at(at);
     }
     if (want & CYLINT_WANT_PHI) {
-        hit->phi = phi_at(at);
+        hit->phi = phi_at(at, &other_of(hit)->phi);
     }
 }
 
@@ -657,10 +676,17 @@ struct oracle_place oracle_place(void)
     return place;
 }
 
+const cylint_hit *oracle_other(int i)
+{
+    return &others_[i];
+}
+
 void oracle_intersect(const cylint_shape *shape, const cylint_line *line,
                       unsigned want, cylint_answer *expected)
 {
     memset(expected, 0, sizeof *expected);
+    memset(others_, 0, sizeof others_);
+    hits_ = expected->hit;
     if (shape->kind == CYLINT_KIND_NONE || !line->valid) {
         expected->flags = CYLINT_FLAG_INVALID;
         return;

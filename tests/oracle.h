@@ -4,8 +4,8 @@
  * It shares no formula with the library.  Every input is an integer times a
  * power of two.  The line's quadratic, the planes of the ends and all
  * comparisons are computed with integers (GMP) and in the field of the
- * discriminant's square root.  MPFR at 400 bits only rounds points, normals, z
- * and phi.
+ * discriminant's square root.  MPFR at 400 bits rounds normals and phi; that each
+ * t, coordinate and z is the nearest double is decided by an exact comparison.
  */
 #ifndef CYLINT_ORACLE_H
 #define CYLINT_ORACLE_H
@@ -14,10 +14,16 @@
 
 /* Writes the answer that cylint_intersect() must give.  relation, n, and t,
  * part and side of each hit are always written, other members if `want` names
- * them; NEAREST keeps the first hit only.  Zeros have no sign.  A component of
- * point, normal, z or phi that is not exactly 0 is at least 2^-1074 in size. */
+ * them; NEAREST keeps the first hit only.  t, each component of point and normal,
+ * z and phi are the nearest doubles: ties to even, 0 is never -0, a phi that would
+ * round to 1 is the double below 1. */
 void oracle_intersect(const cylint_shape *shape, const cylint_line *line,
                       unsigned want, cylint_answer *expected);
+
+/* normal and phi of hit i of the last answer that had all members.  Where the real
+ * number is nearer than 2^-90 of itself to the middle of two doubles, they hold the
+ * double that the answer does not hold: both are right. */
+const cylint_hit *oracle_other(int i);
 
 /* The answer that cylint_contains() must give. */
 int oracle_contains(const cylint_shape *shape, const double point[3]);

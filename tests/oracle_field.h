@@ -203,7 +203,7 @@ static int linear_sign(linear *g, const critical *at)
 
 /* out = x + y sqrt(D), without cancellation: where the signs differ,
  * (x^2 - y^2 D) / (x - y sqrt(D)). */
-static void surd_value(mpfr_t out, mpz_t x, mpz_t y)
+static void surd_value(mpfr_t out, mpz_srcptr x, mpz_srcptr y)
 {
     const int differ = mpz_sgn(x) * mpz_sgn(y) < 0;
     mpfr_mul_z(out, o_.root_D, y, MPFR_RNDN);
@@ -235,13 +235,13 @@ static void linear_value(mpfr_t out, mpz_t g0, mpz_t g1, const critical *at)
     mpfr_div_z(out, out, at->r, MPFR_RNDN);
 }
 
-/* The sign of t - m 2^e for the parameter's t = tau 2^shift. */
-static int compare_to(const critical *at, mpz_t m, long e)
+/* The sign of (x + y sqrt(D)) / r 2^shift - m 2^e, r > 0.  Changes o_.x, o_.y. */
+static int compare_to(mpz_srcptr x, mpz_srcptr y, mpz_srcptr r, long shift,
+                      mpz_srcptr m, long e)
 {
-    const long shift = o_.unit - o_.d_unit;
-    mpz_set(o_.x, at->p);
-    mpz_set_si(o_.y, at->q);
-    mpz_mul(o_.s[1], m, at->r);
+    mpz_set(o_.x, x);
+    mpz_set(o_.y, y);
+    mpz_mul(o_.s[1], m, r);
     if (shift >= e) {
         mpz_mul_2exp(o_.x, o_.x, (mp_bitcnt_t)(shift - e));
         mpz_mul_2exp(o_.y, o_.y, (mp_bitcnt_t)(shift - e));
@@ -259,12 +259,13 @@ static int compare_to_double(const critical *at, double t)
     }
     long e;
     mpz_set_si(o_.s[2], split(t, &e));
-    return compare_to(at, o_.s[2], e);
+    mpz_set_si(o_.y, at->q);
+    return compare_to(at->p, o_.y, at->r, o_.unit - o_.d_unit, o_.s[2], e);
 }
 
-/* The sign of t - (s + next away from zero of s) / 2; the next of the
+/* o_.s[2] 2^e = (s + next away from zero of s) / 2; returns e.  The next of the
  * largest double counts as 2^1024. */
-static int compare_to_midpoint(const critical *at, double s, int sign)
+static long load_midpoint(double s, int sign)
 {
     int exponent;
     double m = ldexp(frexp(fabs(s), &exponent), 53);
@@ -279,7 +280,7 @@ static int compare_to_midpoint(const critical *at, double s, int sign)
     if (sign < 0) {
         mpz_neg(o_.s[2], o_.s[2]);
     }
-    return compare_to(at, o_.s[2], e - 1);
+    return e - 1;
 }
 
 static int is_odd(double x)
@@ -289,26 +290,42 @@ static int is_odd(double x)
     return (int)(bits & 1);
 }
 
-/* The double nearest to t, ties to even: MPFR rounds t towards zero, then the
- * exact comparison with the midpoint above it decides. */
-static double nearest(const critical *at)
+/* The double nearest to (x + y sqrt(D)) / r 2^shift, r > 0; ties to even, 0 is
+ * never -0.  MPFR rounds the number towards zero, then the exact comparison with
+ * the midpoint beyond it decides.  Changes o_.x and o_.y. */
+static double nearest(mpz_srcptr x, mpz_srcptr y, mpz_srcptr r, long shift)
 {
     mpfr_t value;
     mpfr_init2(value, BITS);
-    mpz_set_si(o_.y, at->q);
-    mpz_set(o_.x, at->p);
-    surd_value(value, o_.x, o_.y);
-    mpfr_div_z(value, value, at->r, MPFR_RNDN);
-    mpfr_mul_2si(value, value, o_.unit - o_.d_unit, MPFR_RNDN);
+    surd_value(value, x, y);
+    mpfr_div_z(value, value, r, MPFR_RNDN);
+    mpfr_mul_2si(value, value, shift, MPFR_RNDN);
     const int sign = mpfr_sgn(value);
     const double low = mpfr_get_d(value, MPFR_RNDZ);
     mpfr_clear(value);
     if (sign == 0) {
         return 0;
     }
-    const int beyond = sign * compare_to_midpoint(at, low, sign);
+    const long e = load_midpoint(low, sign);
+    const int beyond = sign * compare_to(x, y, r, shift, o_.s[2], e);
     const double high = nextafter(low, sign * (double)INFINITY);
-    return beyond > 0 || (beyond == 0 && is_odd(low)) ? high : low;
+    return beyond > 0 || (beyond == 0 && is_odd(low)) ? high : low + 0;
+}
+
+/* The double nearest to t. */
+static double nearest_t(const critical *at)
+{
+    mpz_set_si(o_.y, at->q);
+    return nearest(at->p, o_.y, at->r, o_.unit - o_.d_unit);
+}
+
+/* The double nearest to (g0 + g1 tau) 2^shift / unit, unit > 0. */
+static double nearest_linear(mpz_t g0, mpz_t g1, mpz_t unit, long shift,
+                             const critical *at)
+{
+    put_in(o_.x, o_.y, g0, g1, at);
+    mpz_mul(o_.s[3], at->r, unit);
+    return nearest(o_.x, o_.y, o_.s[3], shift);
 }
 
 #endif

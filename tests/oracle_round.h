@@ -209,40 +209,40 @@ static int is_ruling(void)
            mpz_sgn(round_.B[BETWEEN]) == 0 && mpz_sgn(round_.C[BETWEEN]) == 0;
 }
 
-static void round_normal(const root *x, int end, double out[3])
+static void round_normal(const root *x, int end, cylint_hit *hit)
 {
     mpfr_t n[3];
     for (int i = 0; i < 3; i++) {
         mpfr_init2(n[i], BITS);
         linear_value(n[i], round_.center[end][i], o_.d[i], &x->at);
     }
-    normalise(n, out);
+    normalise(n, hit);
 }
 
 static void describe_round(const cylint_shape *shape, const root *x,
                            unsigned want, cylint_hit *hit)
 {
     const int has_axis = mpz_sgn(o_.whole) != 0;
-    hit->t = nearest(&x->at);
+    hit->t = nearest_t(&x->at);
     if (want & CYLINT_WANT_POINT) {
         point_at(&x->at, hit->point);
     }
     if (want & CYLINT_WANT_NORMAL) {
         if (shape->kind == CYLINT_KIND_SPHERE) {
-            round_normal(x, 0, hit->normal);
+            round_normal(x, 0, hit);
         } else if (hit->part != CYLINT_PART_LATERAL) {
-            round_normal(x, hit->part == CYLINT_PART_CAP1, hit->normal);
+            round_normal(x, hit->part == CYLINT_PART_CAP1, hit);
         } else if (linear_sign(&o_.rho, &x->at) == 0) {
-            unit_vector(o_.w, -mpz_sgn(o_.delta), hit->normal);
+            unit_vector(o_.w, -mpz_sgn(o_.delta), hit);
         } else {
-            lateral_normal(&x->at, hit->normal);
+            lateral_normal(&x->at, hit);
         }
     }
     if (want & CYLINT_WANT_Z) {
         hit->z = has_axis ? z_at(&x->at) : 0;
     }
     if (want & CYLINT_WANT_PHI) {
-        hit->phi = has_axis ? phi_at(&x->at) : 0;
+        hit->phi = has_axis ? phi_at(&x->at, &other_of(hit)->phi) : 0;
     }
 }
 

@@ -84,7 +84,7 @@ static double error_of(const struct family_case *c, enum goal goal)
         double off[MEASURES];
         if (isinf(want.hit[i].t))
             continue;
-        ulps_of_hit(&got.hit[i], &want.hit[i], off);
+        ulps_of_hit(&got.hit[i], &want.hit[i], oracle_other(i), off);
         worst = fmax(worst, off[measure[goal]]);
     }
     return worst;

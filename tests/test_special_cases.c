@@ -3,7 +3,7 @@
  *
  * Each row reaches a branch of src/ that the families never take, or an
  * operator whose change they do not detect (make coverage, make mutants), and
- * names it.  All members of a hit must agree with the oracle.
+ * names it.  All members of a hit must have the bits of the oracle.
  */
 #ifdef HAVE_MPFR
 
@@ -16,7 +16,7 @@
 #include "oracle.h"
 #include "ulps.h"
 
-enum { ULPS = 4 };
+enum { BOX_ULPS = 4 };
 
 struct special_case {
     const char *what;
@@ -195,12 +195,13 @@ static int agrees(const struct family_case *c)
     int same = CHECK(got.relation == want.relation) && CHECK(got.n == want.n);
     for (int i = 0; same && i < want.n; i++) {
         double off[MEASURES];
-        ulps_of_hit(&got.hit[i], &want.hit[i], off);
+        ulps_of_hit(&got.hit[i], &want.hit[i], oracle_other(i), off);
         same = CHECK(got.hit[i].t == want.hit[i].t) &&
                CHECK(got.hit[i].part == want.hit[i].part) &&
                CHECK(got.hit[i].side == want.hit[i].side);
         for (int k = 0; same && k < MEASURES; k++)
-            same = CHECK(off[k] <= ULPS);
+            if (!(same = CHECK(off[k] == 0)))
+                REPORT("%s of hit %d, %g ulp", measure_names[k], i, off[k]);
     }
     return same;
 }
@@ -308,7 +309,7 @@ static void boxes_of_nappes_are_open_on_the_bases_side(void)
         cylint_bounds(&s, lo, hi);
         const int up = apex > 0;
         const double side = up ? hi[2] - apex : apex - lo[2];
-        CHECK(side >= 0 && side <= ULPS * ulp(apex));
+        CHECK(side >= 0 && side <= BOX_ULPS * ulp(apex));
         CHECK(isinf(up ? lo[2] : hi[2]));
         CHECK(isinf(lo[0]) && isinf(hi[0]) && isinf(lo[1]) && isinf(hi[1]));
     }
@@ -333,11 +334,11 @@ static void boxes_of_the_longest_axes_are_tight(void)
     cylint_bounds(&s, lo, hi);
     for (int i = 0; i < 2; i++) {
         const double reach = half + 0x1p1000 * sqrt(0.5);
-        CHECK(hi[i] >= reach && hi[i] - reach <= ULPS * ulp(reach));
+        CHECK(hi[i] >= reach && hi[i] - reach <= BOX_ULPS * ulp(reach));
         CHECK(lo[i] == -hi[i]);
     }
     CHECK(lo[2] <= 1 - 0x1p1000 && hi[2] >= 1 + 0x1p1000);
-    CHECK(hi[2] - 0x1p1000 <= ULPS * ulp(0x1p1000));
+    CHECK(hi[2] - 0x1p1000 <= BOX_ULPS * ulp(0x1p1000));
 }
 
 /* Sizes at both ends of the range: one box was too small, one infinite, one
@@ -354,7 +355,7 @@ static void boxes_of_the_least_and_largest_sections_are_tight(void)
     CHECK(cylint_elliptic_cone(&s, c, y, least, z, 0x1.8p133,
                                CYLINT_ENDS_CAPPED) == CYLINT_OK);
     cylint_bounds(&s, lo, hi);
-    CHECK(hi[0] >= 0x4.8p-941 && hi[0] - 0x4.8p-941 <= ULPS * ulp(hi[0]));
+    CHECK(hi[0] >= 0x4.8p-941 && hi[0] - 0x4.8p-941 <= BOX_ULPS * ulp(hi[0]));
     CHECK(lo[0] == -hi[0]);
     CHECK(cylint_elliptic_cylinder(&s, c, x, large, y, CYLINT_ENDS_CAPPED) ==
           CYLINT_OK);
@@ -364,7 +365,8 @@ static void boxes_of_the_least_and_largest_sections_are_tight(void)
           CYLINT_OK);
     cylint_bounds(&s, lo, hi);
     const double right = p1[0] + 0x1.8p1023 * sqrt(0.5);
-    CHECK(isinf(lo[0]) && hi[0] >= right && hi[0] - right <= ULPS * ulp(right));
+    CHECK(isinf(lo[0]) && hi[0] >= right &&
+          hi[0] - right <= BOX_ULPS * ulp(right));
 }
 
 /* A whole cylinder is unbounded along its axis only. */

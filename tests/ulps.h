@@ -13,6 +13,12 @@
 
 enum measure { ULPS_T, ULPS_POINT, ULPS_NORMAL, ULPS_Z, ULPS_PHI, MEASURES };
 
+enum { COMPONENTS = 9 }; /* of a hit: t, point, normal, z, phi */
+
+static const enum measure measure_of[COMPONENTS] = {
+    ULPS_T,      ULPS_POINT,  ULPS_POINT, ULPS_POINT, ULPS_NORMAL,
+    ULPS_NORMAL, ULPS_NORMAL, ULPS_Z,     ULPS_PHI};
+
 static const char *const measure_names[MEASURES] = {"t", "point", "normal", "z",
                                                     "phi"};
 
@@ -42,31 +48,39 @@ static inline double ulps_member(double got, double want)
     return want == 0 && got != 0 ? HUGE_VAL : ulps_apart(got, want, want);
 }
 
-static inline double ulps_vectors(const double got[3], const double want[3])
+/* The difference from the nearer of two right answers. */
+static inline double ulps_either(double got, double want, double other)
 {
-    double worst = 0;
-    for (int i = 0; i < 3; i++)
-        worst = fmax(worst, ulps_member(got[i], want[i]));
-    return worst;
+    return fmin(ulps_member(got, want), ulps_member(got, other));
 }
 
-/* Angles in turns; an angle that rounds to one turn is given as 0. */
-static inline double ulps_turns(double got, double want)
+/* The differences of the components of a hit from those of the oracle.  `other`
+ * is oracle_other(). */
+static inline void ulps_of_components(const cylint_hit *got,
+                                      const cylint_hit *want,
+                                      const cylint_hit *other,
+                                      double off[COMPONENTS])
 {
-    if (got == 0 && !signbit(got) && want > 0.75)
-        return ulps_apart(1, want, 0.75);
-    return ulps_member(got, want);
+    off[0] = ulps_member(got->t, want->t);
+    for (int i = 0; i < 3; i++) {
+        off[1 + i] = ulps_member(got->point[i], want->point[i]);
+        off[4 + i] =
+            ulps_either(got->normal[i], want->normal[i], other->normal[i]);
+    }
+    off[7] = ulps_member(got->z, want->z);
+    off[8] = ulps_either(got->phi, want->phi, other->phi);
 }
 
-/* The differences of all members of a hit. */
+/* The same of its members, that of the worst component. */
 static inline void ulps_of_hit(const cylint_hit *got, const cylint_hit *want,
-                               double off[MEASURES])
+                               const cylint_hit *other, double off[MEASURES])
 {
-    off[ULPS_T] = ulps_apart(got->t, want->t, want->t);
-    off[ULPS_POINT] = ulps_vectors(got->point, want->point);
-    off[ULPS_NORMAL] = ulps_vectors(got->normal, want->normal);
-    off[ULPS_Z] = ulps_member(got->z, want->z);
-    off[ULPS_PHI] = ulps_turns(got->phi, want->phi);
+    double of[COMPONENTS];
+    ulps_of_components(got, want, other, of);
+    for (int i = 0; i < MEASURES; i++)
+        off[i] = 0;
+    for (int i = 0; i < COMPONENTS; i++)
+        off[measure_of[i]] = fmax(off[measure_of[i]], of[i]);
 }
 
 #endif
