@@ -167,6 +167,12 @@ static const struct special_case special_cases[] = {
      FAMILY_CYLINDER,
      {-0x1.4p1023, 0, 0, 0x1.4p1023, 0x1p-1073, 0x1p-1074, 0x1p1022},
      CYLINT_ENDS_CAPPED},
+    {"components of a normal in the middle of two doubles, and near it",
+     FAMILY_LINE,
+     {0.75, 0.625, -2, 0, 0, 1},
+     FAMILY_SPHERE,
+     {0x1p-54, 0x1.0000000001p-54, 0, 1},
+     CYLINT_ENDS_CAPPED},
     {"a root below 2^-900 by the line's scale",
      FAMILY_LINE,
      {-3, 0, 0.5, 0x1p1000, 0x1p999, 0},
@@ -215,6 +221,30 @@ static void every_special_case_agrees_with_the_oracle(void)
             continue;
         REPORT("%s", special_cases[i].what);
         family_report(&c);
+    }
+}
+
+/* The normal is the point minus c: 2^-54 before 3/4 and 5/8.  If c[1] exceeds
+ * 2^-54 by 2^-94, the second component is nearer to the middle of two doubles than
+ * 2^-90 of itself; if by 2^-90, it is not. */
+static void the_oracle_has_both_doubles_beside_a_middle(void)
+{
+    static const double o[3] = {0.75, 0.625, -2}, d[3] = {0, 0, 1};
+    static const double beyond[] = {0x1p-94, 0x1p-90};
+    for (int i = 0; i < 2; i++) {
+        const double c[3] = {0x1p-54, 0x1p-54 + beyond[i], 0};
+        cylint_shape s;
+        cylint_line line;
+        cylint_answer want;
+        CHECK(cylint_sphere(&s, c, 1, CYLINT_ENDS_CAPPED) == CYLINT_OK &&
+              cylint_whole_line(&line, o, d) == CYLINT_OK);
+        oracle_intersect(&s, &line, CYLINT_WANT_ALL, &want);
+        const double *n = want.hit[0].normal;
+        const double *other = oracle_other(0)->normal;
+        CHECK(n[0] == 0.75 && other[0] == 0x1.7ffffffffffffp-1);
+        CHECK(n[1] == 0x1.3ffffffffffffp-1);
+        CHECK(other[1] == (i == 0 ? 0.625 : n[1]));
+        CHECK(other[2] == n[2]);
     }
 }
 
@@ -397,6 +427,7 @@ int main(void)
     RUN(boxes_of_the_least_and_largest_sections_are_tight);
     RUN(a_grazing_line_from_afar_finds_its_point);
     RUN(an_angle_stays_below_a_turn);
+    RUN(the_oracle_has_both_doubles_beside_a_middle);
     RUN(boxes_of_nappes_are_open_on_the_bases_side);
     RUN(every_special_case_agrees_with_the_oracle);
     return check_end();
