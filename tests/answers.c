@@ -3,8 +3,8 @@
  *
  *   answers FILE     FILE was written by `records SEED COUNT FILE`
  *
- * One line a question: relation, number of hits and, of each hit, t, part and
- * side; then the distance of the line's origin, part and feature.  Numbers are
+ * One line a question: relation, number of hits and, of each hit, t, part, side,
+ * point, normal, z and phi; then the distance of the line's origin, part and feature.  Numbers are
  * the bits of the double.  It needs the C library only, so that tests/cross.sh can
  * compare systems on which the command is not built.
  */
@@ -32,12 +32,16 @@ int main(int argc, char **argv)
     }
     while (family_read(file, &c)) {
         cylint_answer a;
-        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T | CYLINT_WANT_PART,
-                         &a);
+        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &a);
         printf("%d %d", (int)a.relation, a.n);
-        for (int i = 0; i < a.n; i++)
-            printf(" %016" PRIx64 " %d %d", bits(a.hit[i].t),
-                   (int)a.hit[i].part, (int)a.hit[i].side);
+        for (int i = 0; i < a.n; i++) {
+            const cylint_hit *h = &a.hit[i];
+            printf(" %016" PRIx64 " %d %d", bits(h->t), h->part, h->side);
+            for (int k = 0; k < 3; k++)
+                printf(" %016" PRIx64 " %016" PRIx64, bits(h->point[k]),
+                       bits(h->normal[k]));
+            printf(" %016" PRIx64 " %016" PRIx64, bits(h->z), bits(h->phi));
+        }
         cylint_closest closest = {.part = -1};
         cylint_distance(&c.shape, c.line.o, CYLINT_WANT_PART, &closest);
         printf(" %016" PRIx64 " %d %d\n", bits(closest.distance), closest.part,

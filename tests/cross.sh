@@ -1,11 +1,10 @@
 #!/bin/sh
 # Compares the command's answers from every compiler, optimisation and processor
-# of this machine (make check-cross; takes some minutes).  relation, n, t, part
-# and side must be the same bytes everywhere, and so must distances of points; of
-# the columns derived from t those that differ are listed.  Where the command
-# cannot be built, the library's answers are compared, which tests/answers.c
-# prints.  Then the C tests about systems and compilers run: under Windows (wine),
-# and with subnormals flushed.
+# of this machine (make check-cross; takes some minutes).  Relation, n and all
+# members of hits must be the same bytes everywhere, and so must distances of points.
+# Where the command cannot be built, the library's answers are compared, which
+# tests/answers.c prints.  Then the C tests about systems and compilers run: under
+# Windows (wine), and with subnormals flushed.
 # The input is hard.txt and CYLINT_CASES (100000) records of all families with
 # CYLINT_SEED (1).  Parts without their compiler or emulator are skipped; `make
 # deps-cross` installs them.
@@ -24,8 +23,8 @@ WINEPREFIX=$build/wine WINEDEBUG=-all
 export WINEPREFIX WINEDEBUG
 
 exact=relation,n,t0,t1,part0,part1,side0,side1
+members=x0,y0,z0,nx0,ny0,nz0,h0,phi0,x1,y1,z1,nx1,ny1,nz1,h1,phi1,chord
 closest=distance,part,feature,x,y,z,nx,ny,nz
-derived=x0,y0,z0,nx0,ny0,nz0,h0,phi0,x1,y1,z1,nx1,ny1,nz1,h1,phi1,chord
 
 # gcc -m32 without gcc-multilib, which Debian cannot install beside cross
 # compilers, does not find the kernel's headers.
@@ -111,7 +110,7 @@ answers() {
 # points: makes a record with a point of each record with a line: its first hit,
 # or the line's origin where the hit is nan or inf
 points() {
-    paste "$build/derived" "$build/input" | awk -F '\t' '{
+    paste "$build/members" "$build/input" | awk -F '\t' '{
         n = split($NF, field, " ")
         for (at = 2; field[at] !~ /^[a-z]/; at++)
             ;
@@ -120,25 +119,6 @@ points() {
         for (; at <= n; at++)
             printf " %s", field[at]
         print ""
-    }'
-}
-
-# columns_that_differ FOLDER: against the first build's derived columns
-columns_that_differ() {
-    paste "$build/derived" "$1/answers" | awk -F '\t' -v names="$derived" '
-    BEGIN { n = split(names, name, ",") }
-    {
-        for (i = 1; i <= n; i++) if ($i != $(n + i)) {
-            if (!off[i]++) first[i] = NR
-        }
-    }
-    END {
-        for (i = 1; i <= n; i++) if (off[i]) {
-            printf "     %s differs in %d of %d, first in record %d\n",
-                   name[i], off[i], NR, first[i]
-            any = 1
-        }
-        if (!any) print "     derived columns are the same bytes too"
     }'
 }
 
@@ -185,13 +165,8 @@ while IFS='|' read -r name compiler flags link runner; do
     built "$name" cylint || continue
     [ -n "$reference" ] || reference=$name
     compare "$name" exact "$exact" "$build/input"
-    trouble=$(answers "$folder" "$derived" "$runner" "$build/input" </dev/null)
-    if [ "$reference" = "$name" ]; then
-        cp "$folder/answers" "$build/derived"
-        points >"$build/points"
-    else
-        columns_that_differ "$folder"
-    fi
+    compare "$name, members" members "$members" "$build/input"
+    [ "$reference" != "$name" ] || points >"$build/points"
     compare "$name, distances" closest "$closest" "$build/points"
 done <"$build/table"
 

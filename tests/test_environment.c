@@ -4,9 +4,9 @@
  *
  * Shapes are made and questions answered in the default environment and in
  * another one: rounding upward, downward or toward zero, subnormal results
- * flushed to zero, subnormal operands treated as zero.  Relation, number,
- * parts, sides, every bit of t, and the statuses of the constructors must
- * agree, whatever members are wanted.  CYLINT_CASES is the number of cases of each family, CYLINT_SEED
+ * flushed to zero, subnormal operands treated as zero.  Relation, number, every
+ * bit of all members of hits, and the statuses of the constructors must agree,
+ * whatever members are wanted.  CYLINT_CASES is the number of cases of each family, CYLINT_SEED
  * changes all cases, CYLINT_FAMILY=n tests one family.
  */
 #include <math.h>
@@ -41,6 +41,19 @@ static int same_bits(double x, double y)
 }
 
 /* Hits are compared by members, because a struct has padding. */
+static int same_members(const cylint_hit *x, const cylint_hit *y, unsigned want)
+{
+    return (!(want & CYLINT_WANT_T) || same_bits(x->t, y->t)) &&
+           (!(want & CYLINT_WANT_PART) ||
+            (x->part == y->part && x->side == y->side)) &&
+           (!(want & CYLINT_WANT_POINT) ||
+            memcmp(x->point, y->point, sizeof x->point) == 0) &&
+           (!(want & CYLINT_WANT_NORMAL) ||
+            memcmp(x->normal, y->normal, sizeof x->normal) == 0) &&
+           (!(want & CYLINT_WANT_Z) || same_bits(x->z, y->z)) &&
+           (!(want & CYLINT_WANT_PHI) || same_bits(x->phi, y->phi));
+}
+
 static const char *difference(const struct answers *x, const struct answers *y)
 {
     if (x->line_status != y->line_status ||
@@ -69,10 +82,13 @@ static const char *difference(const struct answers *x, const struct answers *y)
         if (!same_bits(a->t, b->t)) {
             return "t";
         }
+        if (!same_members(a, b, CYLINT_WANT_ALL)) {
+            return "point, normal, z or phi";
+        }
     }
     return x->occluded != y->occluded   ? "any hit"
            : x->contains != y->contains ? "contains"
-           : !x->agree || !y->agree     ? "an answer without t or part"
+           : !x->agree || !y->agree     ? "an answer with other members wanted"
                                         : NULL;
 }
 
@@ -82,11 +98,14 @@ static int others_agree(const struct family_case *c, const cylint_answer *all)
     static const unsigned wants[] = {CYLINT_WANT_COUNT,
                                      CYLINT_WANT_T,
                                      CYLINT_WANT_PART,
+                                     CYLINT_WANT_POINT,
+                                     CYLINT_WANT_NORMAL,
+                                     CYLINT_WANT_Z,
+                                     CYLINT_WANT_PHI,
                                      CYLINT_WANT_NEAREST,
                                      CYLINT_WANT_NEAREST | CYLINT_WANT_T,
                                      CYLINT_WANT_NEAREST | CYLINT_WANT_PART,
-                                     CYLINT_WANT_NEAREST | CYLINT_WANT_T |
-                                         CYLINT_WANT_PART};
+                                     CYLINT_WANT_NEAREST | CYLINT_WANT_ALL};
     int agree = 1;
     for (size_t k = 0; k < sizeof wants / sizeof *wants; k++) {
         const unsigned want = wants[k];
@@ -95,10 +114,7 @@ static int others_agree(const struct family_case *c, const cylint_answer *all)
         agree &= a.relation == all->relation && a.flags == all->flags &&
                  a.n == (want & CYLINT_WANT_NEAREST ? all->n > 0 : all->n);
         for (int i = 0; i < a.n && agree; i++) {
-            const cylint_hit *h = &a.hit[i], *of_all = &all->hit[i];
-            agree &= !(want & CYLINT_WANT_T) || same_bits(h->t, of_all->t);
-            agree &= !(want & CYLINT_WANT_PART) ||
-                     (h->part == of_all->part && h->side == of_all->side);
+            agree &= same_members(&a.hit[i], &all->hit[i], want);
         }
     }
     return agree;
@@ -119,8 +135,7 @@ static void compute_answers(const struct family_case *c, struct answers *to)
     }
     to->made[12] = cylint_radius_growth(&c->shape).hi;
     to->made[13] = cylint_radius_growth(&c->shape).lo;
-    cylint_intersect(&c->shape, &c->line, CYLINT_WANT_T | CYLINT_WANT_PART,
-                     &to->all);
+    cylint_intersect(&c->shape, &c->line, CYLINT_WANT_ALL, &to->all);
     to->occluded = cylint_occluded(&c->shape, &c->line);
     to->contains = cylint_contains(&c->shape, c->line_data);
     to->agree = others_agree(c, &to->all) && to->occluded == (to->all.n > 0);
@@ -331,7 +346,7 @@ struct batch_answers {
     double t[2][ROW];
     signed char relation[ROW], n[ROW], part[2][ROW];
     size_t nearest, count;
-    double first;
+    double first, point[3], normal[3], z, phi; /* of the nearest */
 };
 
 static void query_batches(const cylint_pack *pack, const cylint_lines *lines,
@@ -348,8 +363,12 @@ static void query_batches(const cylint_pack *pack, const cylint_lines *lines,
             cylint_intersect_lines(&pack->shapes[0], lines, &columns);
     }
     cylint_hit hit = {0};
-    to->nearest = cylint_nearest(pack, line, CYLINT_WANT_T, &hit);
-    to->first = to->nearest < pack->n ? hit.t : 0;
+    to->nearest = cylint_nearest(pack, line, CYLINT_WANT_ALL, &hit);
+    to->first = hit.t;
+    memcpy(to->point, hit.point, sizeof hit.point);
+    memcpy(to->normal, hit.normal, sizeof hit.normal);
+    to->z = hit.z;
+    to->phi = hit.phi;
     to->count = cylint_count(pack, line, 0);
 }
 

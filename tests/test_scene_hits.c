@@ -1,11 +1,12 @@
 /*
- * test_scene_hits.c - floors roots, batch and scene: point, normal, z and phi
- * have the same bits from every path
+ * test_scene_hits.c - floors roots, batch and scene: the members of a hit have the
+ * same bits from every path
  *
- * The paths are: a single question with each set of wanted members, with each
- * build of the kernels, with a domain that ends at the hit, so that the filter
- * is undecided; the nearest shape of a pack and of a scene.  CYLINT_CASES and
- * CYLINT_SEED change the cases.
+ * The paths are: a single question with sets of wanted members (16 a case, all 128
+ * of eight cases), with each build of the kernels, with a domain that ends at the hit, so that the
+ * filter is undecided; the nearest shape of a pack and of a scene, and its first
+ * shape not excluded.  All are asked again in the environments of environment.h, in
+ * turn: one a case.  CYLINT_CASES and CYLINT_SEED change the cases.
  */
 #include <math.h>
 #include <string.h>
@@ -13,6 +14,7 @@
 #include "check.h"
 #include "constructed.h"
 #include "cylint_scene.h"
+#include "environment.h"
 #include "families.h"
 
 enum { CASES = 4000, SHAPES = 64 };
@@ -20,7 +22,53 @@ enum { CASES = 4000, SHAPES = 64 };
 static const unsigned beside_t =
     CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
 
+/* The members wanted of the nearest of several shapes: all if turn is 0, else one
+ * of the six alone, in turn by case. */
+static unsigned wanted(uint64_t i, int turn)
+{
+    return turn == 0 ? CYLINT_WANT_ALL : 1u << i % 6;
+}
+
 static long hits_seen;
+
+/* That of the questions: the default one or another. */
+static struct environment here;
+
+static void next_environment(uint64_t i)
+{
+    here = environment_of((int)(i % ENVIRONMENTS));
+    if (!can_treat_subnormals(here.tiny))
+        here.tiny = 0;
+}
+
+static int intersect(const struct family_case *c, unsigned want,
+                     cylint_answer *answer)
+{
+    memset(answer, 0, sizeof *answer);
+    environment_set(here);
+    cylint_intersect(&c->shape, &c->line, want, answer);
+    environment_reset();
+    return answer->n;
+}
+
+static size_t nearest_in_pack(const cylint_pack *pack, const cylint_line *line,
+                              unsigned want, cylint_hit *hit)
+{
+    environment_set(here);
+    const size_t nearest = cylint_nearest(pack, line, want, hit);
+    environment_reset();
+    return nearest;
+}
+
+static size_t nearest_in_scene(const cylint_scene *scene,
+                               const cylint_line *line, unsigned want,
+                               cylint_hit *hit)
+{
+    environment_set(here);
+    const size_t nearest = cylint_scene_nearest(scene, line, want, hit);
+    environment_reset();
+    return nearest;
+}
 
 static uint64_t seed(void)
 {
@@ -56,7 +104,10 @@ static int same(const void *x, const void *y, size_t bytes)
 
 static int same_hit(const cylint_hit *x, const cylint_hit *y, unsigned want)
 {
-    return (!(want & CYLINT_WANT_POINT) ||
+    return (!(want & CYLINT_WANT_T) || same(&x->t, &y->t, sizeof x->t)) &&
+           (!(want & CYLINT_WANT_PART) ||
+            (x->part == y->part && x->side == y->side)) &&
+           (!(want & CYLINT_WANT_POINT) ||
             same(x->point, y->point, sizeof x->point)) &&
            (!(want & CYLINT_WANT_NORMAL) ||
             same(x->normal, y->normal, sizeof x->normal)) &&
@@ -70,7 +121,9 @@ static void expect(const struct family_case *c, const char *path,
 {
     if (CHECK(same_hit(got, want, members)))
         return;
-    REPORT("%s: %a %a %a  %a %a %a  %a %a", path, got->point[0], got->point[1],
+    REPORT("%s, members %#x, rounding %d, subnormals %d", path, members,
+           here.rounding, here.tiny);
+    REPORT("got  %a %a %a  %a %a %a  %a %a", got->point[0], got->point[1],
            got->point[2], got->normal[0], got->normal[1], got->normal[2],
            got->z, got->phi);
     REPORT("want %a %a %a  %a %a %a  %a %a", want->point[0], want->point[1],
@@ -83,26 +136,19 @@ static void expect_all(const struct family_case *c, const char *path,
                        unsigned want, const cylint_answer *all)
 {
     cylint_answer got;
-    cylint_intersect(&c->shape, &c->line, want, &got);
     const int most = want & CYLINT_WANT_NEAREST ? 1 : 2;
-    if (!CHECK(got.n == (all->n < most ? all->n : most)))
+    if (!CHECK(intersect(c, want, &got) == (all->n < most ? all->n : most)))
         return;
     for (int i = 0; i < got.n; i++)
         expect(c, path, &got.hit[i], &all->hit[i], want);
 }
 
-static void single_questions(const struct family_case *c,
+static void single_questions(uint64_t i, const struct family_case *c,
                              const cylint_answer *all)
 {
-    static const unsigned wants[] = {CYLINT_WANT_POINT,
-                                     CYLINT_WANT_NORMAL,
-                                     CYLINT_WANT_Z,
-                                     CYLINT_WANT_PHI | CYLINT_WANT_POINT,
-                                     CYLINT_WANT_ALL,
-                                     CYLINT_WANT_ALL | CYLINT_WANT_NEAREST,
-                                     CYLINT_WANT_NORMAL | CYLINT_WANT_NEAREST};
-    for (size_t i = 0; i < sizeof wants / sizeof *wants; i++)
-        expect_all(c, "single", wants[i], all);
+    for (unsigned want = (unsigned)(i % 8);
+         want <= (CYLINT_WANT_ALL | CYLINT_WANT_NEAREST); want += 8)
+        expect_all(c, "single", want, all);
 }
 
 /* A domain that ends at the hit.  Only exact signs decide whether the hit is in
@@ -119,7 +165,7 @@ static void ended_domains(const struct family_case *given,
                 continue;
             c.line.tmin = end ? c.line.tmin : t;
             c.line.tmax = end ? t : c.line.tmax;
-            cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &got);
+            intersect(&c, CYLINT_WANT_ALL, &got);
             for (int k = 0; k < got.n; k++)
                 for (int j = 0; j < all->n; j++)
                     if (got.hit[k].t == all->hit[j].t &&
@@ -129,7 +175,8 @@ static void ended_domains(const struct family_case *given,
         }
 }
 
-static void every_kernel(const struct family_case *c, const cylint_answer *all)
+static void every_kernel(uint64_t i, const struct family_case *c,
+                         const cylint_answer *all)
 {
     const char *name;
     for (int k = 0; (name = cylint_kernels_name(k)) != NULL; k++) {
@@ -141,33 +188,45 @@ static void every_kernel(const struct family_case *c, const cylint_answer *all)
             continue;
         expect_all(c, name, CYLINT_WANT_ALL, all);
         cylint_pack_shapes(&pack, memory, &c->shape, 1);
-        if (cylint_nearest(&pack, &c->line, CYLINT_WANT_ALL, &hit) == 0 &&
-            CHECK(all->n > 0))
-            expect(c, name, &hit, &all->hit[0], beside_t);
+        for (int turn = 0; turn < 2; turn++) {
+            const unsigned want = wanted(i, turn);
+            if (CHECK(nearest_in_pack(&pack, &c->line, want, &hit) == 0))
+                expect(c, name, &hit, &all->hit[0], want);
+        }
     }
     cylint_use_kernels(NULL);
 }
 
-static void every_path_gives_the_same_bits_for_a_shape(void)
+static void paths_of_a_shape(int other_environments)
 {
     for (uint64_t i = 0; i < cases(); i++) {
         struct family_case c;
         cylint_answer all;
-        if (!draw_case(i, &c))
+        next_environment(0);
+        if (!draw_case(i, &c) || intersect(&c, CYLINT_WANT_ALL, &all) == 0)
             continue;
-        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &all);
         hits_seen += all.n;
-        if (all.n == 0)
-            continue;
-        single_questions(&c, &all);
+        if (other_environments)
+            next_environment(i);
+        single_questions(i, &c, &all);
         ended_domains(&c, &all);
-        every_kernel(&c, &all);
+        every_kernel(i, &c, &all);
     }
+}
+
+static void every_path_gives_the_same_bits_for_a_shape(void)
+{
+    paths_of_a_shape(0);
+}
+
+static void every_environment_gives_the_same_bits_for_a_shape(void)
+{
+    paths_of_a_shape(1);
 }
 
 /* Lines against packs and scenes of all kinds of shapes: the hit of the nearest
  * shape has the bits of the single question. */
-static void scenes_and_packs_give_the_bits_of_single_shapes(void)
+static void paths_of_many_shapes(int other_environments)
 {
     static cylint_shape shapes[SHAPES];
     static char memory[1 << 18];
@@ -185,28 +244,57 @@ static void scenes_and_packs_give_the_bits_of_single_shapes(void)
         for (uint64_t k = from; k < from + 2 * SHAPES; k++) {
             cylint_hit hit;
             cylint_answer want;
+            next_environment(0);
             if (!draw_case(k, &c))
                 continue;
             const size_t near =
-                cylint_scene_nearest(scene, &c.line, CYLINT_WANT_ALL, &hit);
+                nearest_in_scene(scene, &c.line, CYLINT_WANT_ALL, &hit);
             if (near == SHAPES)
                 continue;
             hits_seen++;
             c.shape = shapes[near];
-            cylint_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &want);
-            expect(&c, "scene", &hit, &want.hit[0], beside_t);
-            if (CHECK(cylint_nearest(&pack, &c.line, CYLINT_WANT_ALL, &hit) ==
-                      near))
-                expect(&c, "pack", &hit, &want.hit[0], beside_t);
+            intersect(&c, CYLINT_WANT_ALL, &want);
+            if (other_environments)
+                next_environment(k);
+            for (int turn = 0; turn < 2; turn++) {
+                const unsigned some = wanted(k, turn);
+                if (CHECK(nearest_in_scene(scene, &c.line, some, &hit) == near))
+                    expect(&c, "scene", &hit, &want.hit[0], some);
+                if (CHECK(nearest_in_pack(&pack, &c.line, some, &hit) == near))
+                    expect(&c, "pack", &hit, &want.hit[0], some);
+            }
+            environment_set(here);
+            const size_t other = cylint_scene_nearest_other(
+                scene, &c.line, near, CYLINT_WANT_ALL, &hit);
+            environment_reset();
+            if (other == SHAPES)
+                continue;
+            c.shape = shapes[other];
+            next_environment(0);
+            intersect(&c, CYLINT_WANT_ALL, &want);
+            expect(&c, "other of the scene", &hit, &want.hit[0],
+                   CYLINT_WANT_ALL);
         }
         cylint_scene_free(scene);
     }
 }
 
+static void scenes_and_packs_give_the_bits_of_single_shapes(void)
+{
+    paths_of_many_shapes(0);
+}
+
+static void scenes_and_packs_give_them_in_every_environment(void)
+{
+    paths_of_many_shapes(1);
+}
+
 int main(void)
 {
     RUN(every_path_gives_the_same_bits_for_a_shape);
+    RUN(every_environment_gives_the_same_bits_for_a_shape);
     RUN(scenes_and_packs_give_the_bits_of_single_shapes);
+    RUN(scenes_and_packs_give_them_in_every_environment);
     printf("note: %ld hits, seed %llu\n", hits_seen,
            (unsigned long long)seed());
     return check_end();
