@@ -317,8 +317,8 @@ typedef struct cylint_hit {
                          axis */
     double z;         /* axial coordinate: 0 at the base, 1 at the top */
     double phi;       /* angle about the axis divided by 2 pi, in [0, 1).
-                         A value that rounds to 1 is returned as 0; on the
-                         axis phi is 0.
+                         A value that would round to 1 is the double below
+                         1; on the axis phi is 0.
                          Elliptic kinds: 0 along a, 1/4 along b.
                          Circular kinds: 0 along e x axis, right-handed
                          about the axis.  e is the coordinate direction
@@ -358,14 +358,14 @@ typedef struct cylint_answer {
  *
  * `want` is a sum of CYLINT_WANT_ values.
  *
- * Accuracy.  Relation, n, part and side are exact.  t is the double nearest to
- * the root: ties to even; infinite if the root is beyond the largest double;
- * 0 is never -0.  Point, normal, z and phi are computed from the root, not from
- * the rounded t.  Each component is within 4 units
- * in its own last place.  A component that is 0 is returned as 0, never as -0.
- * In rounding to nearest their bits do not depend on the other members wanted
- * or on the function that returns them; the bits of phi depend on atan2() of
- * the C library.
+ * Accuracy.  Relation, n, part and side are exact.  t, each component of point
+ * and normal, z and phi are the doubles nearest to the real numbers at the real
+ * root, not at the rounded t.  Beyond the largest double they are infinite; 0 is
+ * never -0.  Ties of t, point and z are rounded to even.  If the real number is
+ * nearer than 2^-90 of itself to the middle of two doubles, a component of
+ * normal, or phi, may be the other one of the two.  The bits do not depend on
+ * the other members wanted, on the function that returns them, on the processor,
+ * the C library or the rounding mode.
  */
 CYLINT_API int cylint_intersect(const cylint_shape *shape,
                                 const cylint_line *line, unsigned want,
@@ -574,8 +574,8 @@ enum {
 
 /* Tests this build of the library in the present floating-point environment
  * of the calling thread.  Returns 0 or a sum of the values above.  The caller
- * may choose FLUSHED, ZEROED and DIRECTED: relation, n, part, side and t stay
- * the same. */
+ * may choose FLUSHED, ZEROED and DIRECTED: relation, n and all members of hits
+ * stay the same. */
 CYLINT_API int cylint_selftest(void);
 
 #ifdef __cplusplus
