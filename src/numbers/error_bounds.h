@@ -295,24 +295,32 @@
 #define CYLINT_LOCAL_SCALING 0x1p-49
 
 /*
- * Angles in turns (turns.h, turns_lanes.h): of a point that is inexact, and of
- * the rest a beyond the node, whose tangent is q; see turns_of().  The inputs'
- * first order is |x| ey + |y| ex over 2 pi |(x, y)|^2; the excess covers the second,
- * if ex + ey is below CYLINT_TURN_NEAR |(x, y)|.  CUBIC: the roundings of q^3 / 3
- * and of the sums it is in.  RELATIVE: those of the quotient and of 1 / (2 pi).  NODE:
- * the difference v cos - u sin, whose terms cancel.  Proved.
+ * Angles in turns, in lanes (turns_lanes.h).  a is the rest beyond the node, q its
+ * tangent.  Of turns_of(), each proved:
+ *
+ *   INPUT      a point that is inexact: 1 / (2 pi) and the second order, where ex + ey
+ *              is at most CYLINT_TURN_NEAR |(x, y)|
+ *   CUBIC      the roundings of q^3 / 3, and the error of the series,
+ *              CYLINT_TURN_SERIES (tests/test_turns.c computes it)
+ *   RELATIVE   the roundings of the quotient, QUOTIENT, and those by 1 / (2 pi),
+ *              TANGENT_ROUNDING
+ *   NODE       the difference v cos - u sin, whose terms cancel, of products that err
+ *              by PRODUCT
  */
 #define CYLINT_TURN_INPUT 0.16
 #define CYLINT_TURN_NEAR 0x1p-9
-#define CYLINT_TURN_SERIES 0x1.1p-58 /* tests/test_turns.c computes it */
-#define CYLINT_TURN_CUBIC 0x1.1p-52
+#define CYLINT_TURN_SERIES 0x1.1p-58
+#define CYLINT_TURN_CUBIC 0x1.08p-52
+#define CYLINT_TURN_PRODUCT 0x4.a1p-103
+#define CYLINT_TURN_QUOTIENT 0x1.8cp-98
+#define CYLINT_TURN_TANGENT_ROUNDING 0x1.9cp-100
 #define CYLINT_TURN_RELATIVE 0x1p-96
-#define CYLINT_TURN_NODE 0x1p-98
+#define CYLINT_TURN_NODE 0x1.52p-97
 
-/* Relative errors of cylint_turn_pair(), in rounding to nearest and in the
- * directed modes. */
-#define CYLINT_TURN_PAIR_ERROR 0x1p-96
-#define CYLINT_TURN_DIRECTED_ERROR 0x1p-90
+/* The relative errors of cylint_turn_pair() in rounding to nearest and in the
+ * directed modes, each a sum of those of its operations (tests/prove/ratios.txt). */
+#define CYLINT_TURN_PAIR_ERROR 0x1p-97
+#define CYLINT_TURN_DIRECTED_ERROR 0x1p-94
 
 /*
  * Members of a hit (filter/members.h).  CYLINT_MEMBER_COORDINATE: the error of a

@@ -73,14 +73,15 @@ const double cylint_turn_node[33][4] = {
      -0x1.bdd3413b26456p-55},
 };
 
-/* x without the lower half of its digits. */
+/* x, rounded to 26 digits; the rest has 26. */
 static double head(double x)
 {
-    return cylint_from_bits(cylint_bits(x) & ~(uint64_t)0x7ffffff);
+    return cylint_from_bits((cylint_bits(x) + 0x4000000) &
+                            ~(uint64_t)0x7ffffff);
 }
 
-/* pair_mul() for every rounding mode: halves of numbers by their bits, where
- * Dekker's splitting needs rounding to nearest. */
+/* pair_mul() with the same bits in every build: Dekker's halves from the bits of
+ * numbers, so that his sum is exact in each rounding mode. */
 static pair product(pair a, pair b)
 {
     const double p = a.hi * b.hi;
@@ -90,6 +91,7 @@ static pair product(pair a, pair b)
     return fast_two_sum(p, low + (a.hi * b.lo + a.lo * b.hi));
 }
 
+/* Its error is less than that of two products and two sums. */
 static pair quotient(pair a, pair b)
 {
     const double q = a.hi / b.hi;

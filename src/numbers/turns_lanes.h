@@ -82,7 +82,7 @@ INLINE vpair turn_of_tangent(vpair q, vd z)
  *     CYLINT_TURN_INPUT (|x| ey + |y| ex) / |(x, y)|^2 + CYLINT_TURN_NODE node
  *       + |a| (CYLINT_TURN_CUBIC q^2 + CYLINT_TURN_RELATIVE) + 2^-53 |low|,
  *
- * below 2^-72.5 where ex = ey = 0, relative to the angle's distance from an axis if
+ * below 2^-72.3 where ex = ey = 0, relative to the angle's distance from an axis if
  * that is small, and 0 on an axis.  It is 1 if nothing is known: if ex + ey is
  * CYLINT_TURN_NEAR |(x, y)| or more, or if such a point can be on the other side of
  * the positive x axis.
