@@ -2,8 +2,8 @@
  * test_turns.c - floor numbers: turns.h and turns_lanes.h against MPFR
  *
  * Computes the nodes and constants again.  Measures the errors of angles over
- * their bounds: in lanes of every width, with and without fused multiply-add, of
- * exact and of inexact points, and in pairs in each rounding mode.
+ * their bounds: in lanes of every width, with and without fused multiply-add,
+ * of exact and of inexact points, and in pairs in each rounding mode.
  */
 #ifdef HAVE_MPFR
 #include <fenv.h>
@@ -120,7 +120,7 @@ static pair untrimmed(double hi)
     return (pair){hi, below(4) ? unit() * hi * 0x1p-50 : 0};
 }
 
-/* Near a multiple of 1/512 of a turn: a node, between two, an axis, a diagonal. */
+/* Near a multiple of 1/512 turns: a node, between two, an axis, a diagonal. */
 static void near_a_node(double *x, double *y)
 {
     const double a = below(512) * mpfr_get_d(turn_in_radians, MPFR_RNDN) / 512;

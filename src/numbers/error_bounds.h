@@ -295,17 +295,17 @@
 #define CYLINT_LOCAL_SCALING 0x1p-49
 
 /*
- * Angles in turns, in lanes (turns_lanes.h).  a is the rest beyond the node, q its
- * tangent.  Of turns_of(), each proved:
+ * Angles in turns, in lanes (turns_lanes.h).  a is the rest beyond the node, q
+ * its tangent.  Of turns_of(), each proved:
  *
- *   INPUT      a point that is inexact: 1 / (2 pi) and the second order, where ex + ey
- *              is at most CYLINT_TURN_NEAR |(x, y)|
- *   CUBIC      the roundings of q^3 / 3, and the error of the series,
- *              CYLINT_TURN_SERIES (tests/test_turns.c computes it)
- *   RELATIVE   the roundings of the quotient, QUOTIENT, and those by 1 / (2 pi),
- *              TANGENT_ROUNDING
- *   NODE       the difference v cos - u sin, whose terms cancel, of products that err
- *              by PRODUCT
+ *   INPUT     a point that is inexact: 1 / (2 pi) and the second order, where
+ *             ex + ey is at most CYLINT_TURN_NEAR |(x, y)|
+ *   CUBIC     the roundings of q^3 / 3, and the error of the series,
+ *             CYLINT_TURN_SERIES (tests/test_turns.c computes it)
+ *   RELATIVE  the roundings of the quotient, QUOTIENT, and those by 1 / (2 pi),
+ *             TANGENT_ROUNDING
+ *   NODE      the difference v cos - u sin, whose terms cancel, of products
+ *             that err by PRODUCT
  */
 #define CYLINT_TURN_INPUT 0.16
 #define CYLINT_TURN_NEAR 0x1p-9
@@ -318,7 +318,7 @@
 #define CYLINT_TURN_NODE 0x1.52p-97
 
 /* The relative errors of cylint_turn_pair() in rounding to nearest and in the
- * directed modes, each a sum of those of its operations (tests/prove/ratios.txt). */
+ * directed modes: sums of those of its operations (tests/prove/ratios.txt). */
 #define CYLINT_TURN_PAIR_ERROR 0x1p-97
 #define CYLINT_TURN_DIRECTED_ERROR 0x1p-94
 

@@ -80,8 +80,8 @@ static double head(double x)
                             ~(uint64_t)0x7ffffff);
 }
 
-/* pair_mul() with the same bits in every build: Dekker's halves from the bits of
- * numbers, so that his sum is exact in each rounding mode. */
+/* pair_mul() with the same bits in every build: Dekker's halves from the bits
+ * of numbers, so that his sum is exact in each rounding mode. */
 static pair product(pair a, pair b)
 {
     const double p = a.hi * b.hi;

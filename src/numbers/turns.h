@@ -1,13 +1,14 @@
 /*
  * turns.h - angles in turns: 1 is a whole turn
  *
- * A node is an angle of k/256 turns, 0 <= k <= 32.  The angle of (u, v), 0 <= v <= u,
- * is that of a node near to it and atan(q), where
+ * A node is an angle of k/256 turns, 0 <= k <= 32.  The angle of (u, v), where
+ * 0 <= v <= u, is that of a node near to it and atan(q), where
  *
  *     q = (v cos - u sin) / (u cos + v sin),   |q| < CYLINT_TURN_TANGENT
  *
- * is the tangent of the rest.  The nodes, and the multiples of a quarter by which
- * the octants differ, are doubles.  So an angle has no error but that of its rest.
+ * is the tangent of the rest.  The nodes, and the multiples of a quarter by
+ * which the octants differ, are doubles.  So an angle has no error but that of
+ * its rest.
  */
 #ifndef CYLINT_NUMBERS_TURNS_H
 #define CYLINT_NUMBERS_TURNS_H
@@ -15,7 +16,7 @@
 #include "compiler.h"
 #include "double_double.h" /* before simd.h */
 
-/* The cosine and the sine of each node, in pairs: cos.hi, cos.lo, sin.hi, sin.lo. */
+/* Of each node the cosine, hi and lo, and the sine, hi and lo. */
 extern const double cylint_turn_node[33][4] CYLINT_HIDDEN;
 
 /* The node is the nearest to r (SLOPE - CURVE r), r = v / u, which differs from
@@ -29,10 +30,11 @@ extern const double cylint_turn_node[33][4] CYLINT_HIDDEN;
 #define CYLINT_TURN_PER_RADIAN_LO -0x1.6b01ec5417056p-57
 
 /*
- * The angle of (x, y), counted from the x axis towards the y axis, in [0, 1]; 1 is
- * a pair a little below 1.  The larger of |x| and |y| is in [1/4, 4], the other is
- * 0 or at least 2^-200.  The error is at most CYLINT_TURN_PAIR_ERROR of the result,
- * in directed rounding modes CYLINT_TURN_DIRECTED_ERROR of it (error_bounds.h).
+ * The angle of (x, y), counted from the x axis towards the y axis, in [0, 1];
+ * 1 is a pair a little below 1.  The larger of |x| and |y| is in [1/4, 4], the
+ * other is 0 or at least 2^-200.  The error is at most CYLINT_TURN_PAIR_ERROR
+ * of the result, in directed rounding modes CYLINT_TURN_DIRECTED_ERROR of it
+ * (error_bounds.h).
  */
 pair cylint_turn_pair(pair x, pair y);
 

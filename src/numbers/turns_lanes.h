@@ -11,8 +11,8 @@
 #include "simd.h"
 
 /* (atan(q) / q - 1) / (2 pi q^2) as a polynomial in z = q^2, the highest power
- * first: that through Chebyshev's four points of [0, CYLINT_TURN_TANGENT^2], its
- * coefficients rounded.  Its error is below CYLINT_TURN_SERIES. */
+ * first: that through Chebyshev's four points of [0, CYLINT_TURN_TANGENT^2],
+ * its coefficients rounded.  Its error is below CYLINT_TURN_SERIES. */
 static const double turn_series[4] = {
     0x1.219d7dd2f8fe4p-6, -0x1.7483745cd7891p-6, 0x1.04c26be3ae7c6p-5,
     -0x1.b2995e7b7b603p-5};
@@ -71,21 +71,22 @@ INLINE vpair turn_of_tangent(vpair q, vd z)
 
 /*
  * The angle of (x, y), counted from the x axis towards the y axis, in [0, 1].
- * x and y: 0, or |hi| between 2^-400 and 2^400, |lo| <= 2^-50 |hi|; not both 0.
- * ex and ey are their absolute errors: 0 or at least 2^-600.  |lo| of the result
- * is at most ulp(hi) / 2; below the positive x axis it is 1 and a negative lo.
+ * Each of x and y is 0, or |hi| is between 2^-400 and 2^400, |lo| <= 2^-50 |hi|;
+ * not both are 0.  ex and ey are their absolute errors, 0 or at least 2^-600.  Of
+ * the result |lo| <= ulp(hi) / 2; a little below the positive x axis hi is 1 and
+ * lo is negative.
  *
- * *error bounds the difference from the angle, in [0, 1), of every point within ex
- * and ey of (x, y).  With the node, in turns, the rest a beyond it, whose tangent is
- * q, and `low`, the result's last sum, it is
+ * *error bounds the difference from the angle, in [0, 1), of every point
+ * within ex and ey of (x, y).  With the node, in turns, the rest a beyond it,
+ * whose tangent is q, and `low`, the result's last sum, it is
  *
  *     CYLINT_TURN_INPUT (|x| ey + |y| ex) / |(x, y)|^2 + CYLINT_TURN_NODE node
  *       + |a| (CYLINT_TURN_CUBIC q^2 + CYLINT_TURN_RELATIVE) + 2^-53 |low|,
  *
- * below 2^-72.3 where ex = ey = 0, relative to the angle's distance from an axis if
- * that is small, and 0 on an axis.  It is 1 if nothing is known: if ex + ey is
- * CYLINT_TURN_NEAR |(x, y)| or more, or if such a point can be on the other side of
- * the positive x axis.
+ * below 2^-72.3 where ex = ey = 0, relative to the angle's distance from an
+ * axis if that is small, and 0 on an axis.  It is 1 if nothing is known: if
+ * ex + ey is CYLINT_TURN_NEAR |(x, y)| or more, or if such a point can be on the
+ * other side of the positive x axis.
  */
 INLINE vpair turns_of(vpair x, vpair y, vd ex, vd ey, vd *error)
 {
