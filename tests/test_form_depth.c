@@ -77,20 +77,9 @@ static void load(terms_depth *L, int kind, arithmetic in)
     prepare_top_depth(L);
 }
 
-/* All polynomials whose value or sign the library computes: those of
- * cylint_form, at both ends, and these two. */
-enum { HEIGHT = CYLINT_FORMS, HEIGHT_UNIT, FORMS };
-
-static const char *const form_name[FORMS] = {
-    "alpha", "det or vv", "C", "rho0", "beta", "rho1", "along",  "E",
-    "N",     "G",         "A", "B",    "T",    "ball", "height", "unit"};
-
-static int depth_of(const terms_depth *L, int f, int end)
-{
-    return f == HEIGHT        ? form_height_depth(L, 1)
-           : f == HEIGHT_UNIT ? form_height_unit_depth(L)
-                              : form_depth(L, (cylint_form)f, end);
-}
+static const char *const form_name[CYLINT_FORMS] = {
+    "alpha", "det or vv", "C", "rho0", "beta", "rho1", "along",
+    "E",     "N",         "G", "A",    "B",    "T",    "ball"};
 
 /* The table of one arithmetic; returns its largest entry. */
 static int deepest(arithmetic in, const char *title)
@@ -102,12 +91,13 @@ static int deepest(arithmetic in, const char *title)
     printf("note: %-12s", title);
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++)
         printf(" %9s", kind_name[kind]);
-    for (int f = 0; f < FORMS; f++) {
+    for (cylint_form f = 0; f < CYLINT_FORMS; f++) {
         printf("\nnote: %-12s", form_name[f]);
         for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
             terms_depth L;
             load(&L, kind, in);
-            const int depth = longer(depth_of(&L, f, 0), depth_of(&L, f, 1));
+            const int depth =
+                longer(form_depth(&L, f, 0), form_depth(&L, f, 1));
             most = longer(most, depth);
             printf(" %9d", depth);
         }
@@ -136,24 +126,17 @@ static void move_to_t(terms_depth *L)
         L->D[0][i] = depth_of_sum(L->D[0][i], depth_of_product(t, L->u[i]));
 }
 
-/* Q, its gradient and the angle at D + t u (root.c, hit.c) are no deeper than
- * the forms themselves. */
+/* Q at D + t u (root.c) is no deeper than the forms themselves. */
 static void values_at_a_point_of_the_line_are_no_deeper(void)
 {
     int most = 0;
     for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
         terms_depth L;
-        int facts[5];
         load(&L, kind, ROUNDED_DIFFERENCE);
         move_to_t(&L);
-        for (int i = 0; i < 3; i++)
-            facts[i] = gradient_depth(&L, i);
-        about_axis_depth(&L, 0, &facts[3], &facts[4]);
-        for (int i = 0; i < 5; i++)
-            most = longer(most, facts[i]);
         most = longer(most, form_depth(&L, FORM_C, 0));
     }
-    printf("note: Q, its gradient and the angle at D + t u: %d\n", most);
+    printf("note: Q at D + t u: %d\n", most);
     CHECK(most <= CYLINT_DEPTH);
 }
 
@@ -224,8 +207,7 @@ static void load_window(terms_sized *L, int kind)
 
 static double lost(const terms_sized *L)
 {
-    double most =
-        fmax(form_height_sized(L, 1).off, form_height_unit_sized(L).off);
+    double most = 0;
     for (cylint_form f = 0; f < CYLINT_FORMS; f++)
         for (int end = 0; end < 2; end++)
             most = fmax(most, form_sized(L, f, end).off);

@@ -59,11 +59,6 @@ exact cylint_exact_from(cylint_arena *arena, double x)
     return trimmed(arena, limb, 3, position / 32 - 34, bits >> 63 ? -1 : 1);
 }
 
-static int top_of(exact x)
-{
-    return x.exponent + x.n;
-}
-
 static uint32_t limb_at(exact x, int position)
 {
     const int i = position - x.exponent;
@@ -73,11 +68,11 @@ static uint32_t limb_at(exact x, int position)
 /* The sign of |x| - |y|. */
 static int compare_sizes(exact x, exact y)
 {
-    if (top_of(x) != top_of(y))
-        return top_of(x) > top_of(y) ? 1 : -1;
+    if (cylint_top_of(x) != cylint_top_of(y))
+        return cylint_top_of(x) > cylint_top_of(y) ? 1 : -1;
     /* mutant '<' -> '<=': of two equal ones either is right */
     const int low = x.exponent < y.exponent ? x.exponent : y.exponent;
-    for (int i = top_of(x) - 1; i >= low; i--)
+    for (int i = cylint_top_of(x) - 1; i >= low; i--)
         if (limb_at(x, i) != limb_at(y, i))
             return limb_at(x, i) > limb_at(y, i) ? 1 : -1;
     return 0;
@@ -88,7 +83,8 @@ static exact combine(cylint_arena *arena, exact x, exact y, int subtract)
 {
     /* mutant '<' -> '<=': of two equal ones either is right */
     const int low = x.exponent < y.exponent ? x.exponent : y.exponent;
-    const int top = top_of(x) > top_of(y) ? top_of(x) : top_of(y);
+    const int top = cylint_top_of(x) > cylint_top_of(y) ? cylint_top_of(x)
+                                                        : cylint_top_of(y);
     const int n = top - low;
     uint32_t *limb = take(arena, n + 1);
     uint64_t carry = (uint64_t)subtract;
@@ -159,7 +155,7 @@ static unsigned bit_at(exact x, int i)
 
 static int first_bit(exact x)
 {
-    int i = 32 * top_of(x) - 1;
+    int i = 32 * cylint_top_of(x) - 1;
     while (!bit_at(x, i))
         i--;
     return i;
@@ -182,12 +178,8 @@ double cylint_exact_nearest(exact x, int e)
     if (exponent <= 1023) {
         const int last = exponent < -1022 ? -1074 - e : first - 52;
         bits = 0;
-        for (int i = first; i >= last;) { /* the bits of one limb */
-            const int shift = i & 31, from = last > i - shift ? last & 31 : 0;
-            const uint32_t limb = limb_at(x, (i - shift) / 32) << (31 - shift);
-            bits = bits << (shift - from + 1) | limb >> (31 - shift + from);
-            i -= shift + 1;
-        }
+        for (int i = first; i >= last; i--)
+            bits = bits << 1 | bit_at(x, i);
         if (bit_at(x, last - 1) && (bits & 1 || any_below(x, last - 1)))
             bits++;
         if (exponent >= -1022) /* the leading bit adds one more */
@@ -199,7 +191,7 @@ double cylint_exact_nearest(exact x, int e)
 pair cylint_exact_round(exact x, int *e)
 {
     /* The first 128 bits below the leading one, as four 32-bit digits. */
-    const int top = top_of(x);
+    const int top = cylint_top_of(x);
     uint32_t digit[5];
     for (int i = 0; i < 5; i++)
         digit[i] = limb_at(x, top - 1 - i);

@@ -38,6 +38,12 @@ static inline void cylint_arena_open(cylint_arena *arena)
     arena->used = arena->most = 0;
 }
 
+/* The position above the first limb. */
+static inline int cylint_top_of(exact x)
+{
+    return x.exponent + x.n;
+}
+
 exact cylint_exact_from(cylint_arena *arena, double x);
 exact cylint_exact_add(cylint_arena *arena, exact x, exact y);
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y);

@@ -20,12 +20,16 @@ static void write_unit_vector(cylint_arena *arena, const exact x[3], int sign,
     /* mutant '0' -> '1': a number without limbs or without sign is 0 */
     exact sum = {arena->limb, 0, 0, 0};
     /* mutant '<' -> '<=': `make sanitize` detects the element too many */
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
+        const exact digits = cylint_leading(x[i]);
         sum = cylint_sum_of_sizes(
-            arena, sum, cylint_leading(cylint_exact_mul(arena, x[i], x[i])));
+            arena, sum,
+            cylint_leading(cylint_exact_mul(arena, digits, digits)));
+    }
     const exact per_size = cylint_inverse_root(arena, sum);
     for (int i = 0; i < 3; i++) {
-        exact component = cylint_exact_mul(arena, x[i], per_size);
+        exact component =
+            cylint_exact_mul(arena, cylint_leading(x[i]), per_size);
         component.sign *= sign;
         to[i] = cylint_positive_zero(cylint_exact_nearest(component, 0));
     }
@@ -41,7 +45,7 @@ static double below_one(double turns)
 }
 
 /* The double nearest to hi + lo, in every rounding mode. */
-static double nearest(cylint_arena *arena, pair x)
+static double rounded_pair(cylint_arena *arena, pair x)
 {
     return cylint_exact_nearest(
         cylint_exact_add(arena, cylint_exact_from(arena, x.hi),
@@ -52,7 +56,7 @@ static double nearest(cylint_arena *arena, pair x)
 /* The angle of (x, y) in turns.  Where one of x and y is 2^CYLINT_STEEP_EXPONENT
  * times the other or more, the angle is a quarter turn's multiple, rounded, but
  * next to 0, where it is y / (2 pi x). */
-static double turns(cylint_arena *arena, exact x, exact y)
+static double angle_of(cylint_arena *arena, exact x, exact y)
 {
     int ex, ey;
     if (y.sign == 0)
@@ -76,14 +80,11 @@ static double turns(cylint_arena *arena, exact x, exact y)
     }
     const int e = ex > ey ? ex : ey;
     return below_one(
-        nearest(arena, cylint_turn_pair(cylint_scaled_pair(X, ex - e),
-                                        cylint_scaled_pair(Y, ey - e))));
+        rounded_pair(arena, cylint_turn_pair(cylint_scaled_pair(X, ex - e),
+                                             cylint_scaled_pair(Y, ey - e))));
 }
 
 /* ------------------------------------------------------------- facts --- */
-
-/* Forms of the terms whose quotients the hit's numbers are. */
-enum { GRADIENT = 0, AXIAL = 3, AXIS = 6, HEIGHT = 9, X, Y, FACTS };
 
 /* Whether z of the hit is that of a cap. */
 static int is_on_cap(const cylint_query *q, cylint_root root)
@@ -98,62 +99,22 @@ static int is_curved(const cylint_query *q, int part)
     return part == CYLINT_PART_LATERAL || cylint_is_round(q->kind);
 }
 
-/* A fact of the point that D[0] leads to. */
-static exact fact_of(const cylint_query *q, const cylint_terms_exact *L, int i)
-{
-    exact x, y;
-    if (i < AXIAL)
-        return cylint_gradient_exact(L, i);
-    if (i < AXIS)
-        return cylint_axial_exact(L)[i - AXIAL];
-    if (i < HEIGHT)
-        return L->w[i - AXIS];
-    if (i == HEIGHT)
-        return cylint_form_height_exact(L, cylint_is_reversed(q->shape));
-    cylint_about_axis_exact(L, cylint_least_axis_component(q->shape), &x, &y);
-    if (i == X)
-        return cylint_is_reversed(q->shape) ? cylint_exact_neg(x) : x;
-    return cylint_left_handed(q->shape) ? cylint_exact_neg(y) : y;
-}
-
-/* A hit, and the terms at the line's origin o and at o + d. */
+/* A hit, with the terms at the line's origin, and those whose D[0] is the line's
+ * direction.  The latter lack what is the same at all points, so that the facts
+ * of the line are f0 + f1 t, f0 from the first and f1 from the second. */
 typedef struct {
     cylint_query *q;
     surd t;
-    cylint_terms_exact at_o, beyond;
-} place;
+    cylint_terms_exact at_o, along;
+} described;
 
-static place place_of(cylint_query *q, cylint_root root)
+static described described_at(cylint_query *q, cylint_root root)
 {
-    place at = {q, cylint_surd(q, root), *cylint_load_exact_moments(q),
-                *cylint_load_exact_moments(q)};
-    for (int i = 0; i < 3; i++)
-        at.beyond.D[0][i] =
-            cylint_exact_add(&q->arena, at.at_o.D[0][i], at.at_o.u[i]);
+    const cylint_terms_exact *L = cylint_load_exact_moments(q);
+    described at = {q, cylint_surd(q, root), *L, *L};
+    memcpy(at.along.D[0], L->u, sizeof L->u);
+    at.along.r[0].sign = at.along.det.sign = 0;
     return at;
-}
-
-/* A fact is affine in the point: its values at o and at o + d give it along the
- * line, f[0] + f[1] t. */
-static void fact_along(const place *at, int i, exact f[2])
-{
-    cylint_arena *arena = &at->q->arena;
-    const int used = arena->used;
-    f[0] = cylint_exact_keep(arena, used, fact_of(at->q, &at->at_o, i));
-    const int kept = arena->used;
-    f[1] = cylint_exact_keep(arena, kept,
-                             cylint_exact_add(arena,
-                                              fact_of(at->q, &at->beyond, i),
-                                              cylint_exact_neg(f[0])));
-}
-
-static exact fact_at(const place *at, int i)
-{
-    const int used = at->q->arena.used;
-    exact f[2];
-    fact_along(at, i, f);
-    return cylint_exact_keep(&at->q->arena, used,
-                             cylint_value_at(at->q, &at->t, f[0], f[1]));
 }
 
 /* ------------------------------------------------------------- point --- */
@@ -192,7 +153,7 @@ static unsigned fixed_coordinates(const cylint_query *q, cylint_root root,
     return left;
 }
 
-static void write_point(const place *at, unsigned left, double point[3])
+static void write_point(const described *at, unsigned left, double point[3])
 {
     for (int i = 0; i < 3; i++) {
         const int used = at->q->arena.used;
@@ -216,35 +177,64 @@ static int apex_sign(cylint_query *q)
     return cylint_apex_normal_sign(q->shape, along);
 }
 
-static void write_normal(const place *at, int part, int apex, double normal[3])
+/* Without the limbs of intermediate results. */
+static void gradient_of(const cylint_terms_exact *L, exact N[3])
 {
-    const int first = !is_curved(at->q, part) ? AXIAL : apex ? AXIS : GRADIENT;
-    const int sign = first == GRADIENT          ? 1
-                     : first == AXIS            ? apex_sign(at->q)
-                     : part == CYLINT_PART_CAP1 ? 1
-                                                : -1;
+    const int used = L->arena->used;
+    cylint_gradient_exact(L, N);
+    for (int i = 0, kept = used; i < 3; i++, kept = L->arena->used)
+        N[i] = cylint_exact_keep(L->arena, kept, N[i]);
+}
+
+static void write_normal(const described *at, int part, int apex,
+                         double normal[3])
+{
     exact x[3];
-    for (int i = 0; i < 3; i++)
-        x[i] = fact_at(at, first + i);
+    int sign = 1;
+    if (!is_curved(at->q, part)) {
+        memcpy(x, cylint_axial_exact(&at->at_o), sizeof x);
+        sign = part == CYLINT_PART_CAP1 ? 1 : -1;
+    } else if (apex) {
+        memcpy(x, at->at_o.w, sizeof x);
+        sign = apex_sign(at->q);
+    } else {
+        exact f0[3], f1[3];
+        gradient_of(&at->at_o, f0);
+        gradient_of(&at->along, f1);
+        for (int i = 0; i < 3; i++)
+            x[i] = cylint_value_at(at->q, &at->t, f0[i], f1[i]);
+    }
     write_unit_vector(&at->q->arena, x, sign, normal);
 }
 
-static double z_of(const place *at)
-{
-    exact f[2];
-    fact_along(at, HEIGHT, f);
-    return cylint_nearest_at(at->q, &at->t, f[0], f[1],
-                             cylint_form_height_unit_exact(&at->at_o));
-}
-
-static double phi_of(const place *at)
+static double z_of(const described *at)
 {
     cylint_arena *arena = &at->q->arena;
-    exact x = fact_at(at, X);
-    const exact y = fact_at(at, Y);
-    if (!cylint_is_elliptic(at->q->kind)) /* x needs a factor |w| */
+    const exact unit = cylint_form_height_unit_exact(&at->at_o);
+    exact f0 = cylint_form_height_exact(&at->at_o),
+          f1 = cylint_form_height_exact(&at->along);
+    if (cylint_is_reversed(at->q->shape)) {
+        f0 = cylint_exact_add(arena, unit, cylint_exact_neg(f0));
+        f1 = cylint_exact_neg(f1);
+    }
+    return cylint_nearest_at(at->q, &at->t, f0, f1, unit);
+}
+
+static double phi_of(const described *at)
+{
+    cylint_arena *arena = &at->q->arena;
+    const cylint_shape *s = at->q->shape;
+    const int e = cylint_least_axis_component(s);
+    exact x0, x1, y0, y1;
+    cylint_about_axis_exact(&at->at_o, e, &x0, &y0);
+    cylint_about_axis_exact(&at->along, e, &x1, &y1);
+    exact x = cylint_value_at(at->q, &at->t, x0, x1);
+    exact y = cylint_value_at(at->q, &at->t, y0, y1);
+    if (!cylint_is_elliptic(s->kind)) /* the cosine needs a factor |w| */
         x = cylint_exact_mul(arena, x, cylint_square_root(arena, at->at_o.vv));
-    return turns(arena, x, y);
+    x.sign *= cylint_is_reversed(s) ? -1 : 1;
+    y.sign *= cylint_left_handed(s) ? -1 : 1;
+    return angle_of(arena, x, y);
 }
 
 void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
@@ -265,7 +255,7 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
     if (!left && !from_root)
         return;
     const int used = cylint_exact_mark(q, root);
-    const place at = place_of(q, root);
+    const described at = described_at(q, root);
     const int kept = q->arena.used;
     write_point(&at, left, hit->point);
     if (want & CYLINT_WANT_NORMAL)

@@ -30,15 +30,9 @@ exact cylint_leading(exact x)
     return x;
 }
 
-/* The position above the first limb. */
-static int top_of(exact x)
-{
-    return x.exponent + x.n;
-}
-
 exact cylint_sum_of_sizes(cylint_arena *arena, exact x, exact y)
 {
-    const int higher = top_of(x) - top_of(y);
+    const int higher = cylint_top_of(x) - cylint_top_of(y);
     if (x.sign == 0 || (y.sign != 0 && higher < -LEADING_LIMBS))
         return y;
     if (y.sign == 0 || higher > LEADING_LIMBS)
@@ -220,8 +214,9 @@ double cylint_nearest_at(cylint_query *q, const surd *t, exact f0, exact f1,
 {
     cylint_arena *arena = &q->arena;
     const int used = arena->used;
-    exact size = cylint_exact_mul(arena, cylint_value_at(q, t, f0, f1),
-                                  cylint_inverse(arena, unit));
+    exact size = cylint_value_at(q, t, f0, f1);
+    if (unit.limb != cylint_load_exact(q)->one.limb)
+        size = cylint_exact_mul(arena, size, cylint_inverse(arena, unit));
     const int sign = size.sign;
     size.sign = sign != 0;
     exact error = size;

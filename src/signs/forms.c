@@ -21,6 +21,7 @@
 #undef RETURN
 
 #define FORMS_DEFINED
+#define FORMS_OF_HITS
 #define NUM exact
 #define FORM(name) cylint_##name##_exact
 #define ADD(x, y) cylint_exact_add(L->arena, x, y)

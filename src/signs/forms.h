@@ -121,6 +121,7 @@ static inline bounded_pair bounded_pair_mul(bounded_pair x, bounded_pair y)
 #undef MEMORY
 
 #define FORMS_DECLARED
+#define FORMS_OF_HITS
 #define NUM exact
 #define FORM(name) cylint_##name##_exact
 #define MEMORY cylint_arena *arena;

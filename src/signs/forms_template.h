@@ -15,6 +15,7 @@
  *                           whose intermediate results need to be let go
  *   FORMS_DECLARED          the file defines the terms and declares the functions
  *   FORMS_DEFINED           it defines the functions only; neither: both
+ *   FORMS_OF_HITS           with those of z, normal and phi of a hit
  *
  * The terms.  Line A + t u; D_i = A - p_i, the origin relative to the centre
  * of cap i; M_i = D_i x u, its moment about that centre.
@@ -72,15 +73,17 @@ typedef struct {
 #endif
 
 #ifdef FORMS_DECLARED
-INLINE const NUM *FORM(axial)(const FORM(terms) *L);
 INLINE void FORM(prepare)(FORM(terms) *L);
 INLINE void FORM(prepare_moments)(FORM(terms) *L);
 INLINE void FORM(prepare_top)(FORM(terms) *L);
-INLINE NUM FORM(form_height_unit)(const FORM(terms) *L);
-INLINE NUM FORM(form_height)(const FORM(terms) *L, int reversed);
 INLINE NUM FORM(form)(const FORM(terms) *L, cylint_form f, int end);
-INLINE NUM FORM(gradient)(const FORM(terms) *L, int i);
+#ifdef FORMS_OF_HITS
+INLINE const NUM *FORM(axial)(const FORM(terms) *L);
+INLINE NUM FORM(form_height_unit)(const FORM(terms) *L);
+INLINE NUM FORM(form_height)(const FORM(terms) *L);
+INLINE void FORM(gradient)(const FORM(terms) *L, NUM N[3]);
 INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y);
+#endif
 #else
 INLINE NUM FORM(dot)(const FORM(terms) *L, const NUM x[3], const NUM y[3])
 {
@@ -177,22 +180,6 @@ INLINE NUM FORM(form_alpha)(const FORM(terms) *L, int i)
     if (cylint_is_round(L->kind))
         return FORM(round_alpha)(L, i);
     return FORM(dot)(L, L->D[i], FORM(axial)(L));
-}
-
-/* What the numerator of z is divided by. */
-INLINE NUM FORM(form_height_unit)(const FORM(terms) *L)
-{
-    return FORM(elliptic)(L) ? L->det : L->vv;
-}
-
-/* The numerator of z at the origin; reversed: z counts from the top. */
-INLINE NUM FORM(form_height)(const FORM(terms) *L, int reversed)
-{
-    BEGIN
-    NUM height = FORM(dot)(L, L->D[0], FORM(axial)(L));
-    if (reversed)
-        height = SUB(FORM(form_height_unit)(L), height);
-    RETURN(height)
 }
 
 /* rho = rho0 + t rho1 along the line. */
@@ -420,17 +407,28 @@ INLINE NUM FORM(form)(const FORM(terms) *L, cylint_form f, int end)
     }
 }
 
-/* A component of half the gradient of Q at the origin, the outward normal of
- * the lateral surface through it: s w x (P x w) - rho dr w, or, for elliptic
- * kinds, X_p p + X_q q - rho kappa e. */
-INLINE NUM FORM(gradient)(const FORM(terms) *L, int i)
+#ifdef FORMS_OF_HITS
+/* What the numerator of z is divided by. */
+INLINE NUM FORM(form_height_unit)(const FORM(terms) *L)
 {
-    if (cylint_is_round(L->kind))
-        return FORM(round_gradient)(L, i);
+    return FORM(elliptic)(L) ? L->det : L->vv;
+}
+
+/* The numerator of z at the origin. */
+INLINE NUM FORM(form_height)(const FORM(terms) *L)
+{
+    return FORM(dot)(L, L->D[0], FORM(axial)(L));
+}
+
+/* A component of the gradient of Q at the origin, halved: X = radial(),
+ * slope = rho dr of tapered kinds that are not round. */
+INLINE NUM FORM(gradient_component)(const FORM(terms) *L, const NUM X[3],
+                                    NUM slope, int i)
+{
     BEGIN
-    NUM X[3], N;
-    if (FORM(radial)(L, X) == 2) {
-        /* mutant '1' -> '2': X[2] has no value, and the compiler takes X[1] */
+    NUM N;
+    if (FORM(elliptic)(L)) {
+        /* mutant '1' -> '2': X[2] is X[1] */
         N = ADD(MUL(X[0], L->p[i]), MUL(X[1], L->q[i]));
     } else {
         N = FORM(minor)(L, L->w, X, (i + 1) % 3, (i + 2) % 3);
@@ -438,8 +436,24 @@ INLINE NUM FORM(gradient)(const FORM(terms) *L, int i)
             N = MUL(L->vv, N);
     }
     if (cylint_is_tapered(L->kind))
-        N = SUB(N, MUL(MUL(FORM(form_rho0)(L), L->dr), FORM(axial)(L)[i]));
+        N = SUB(N, cylint_is_round(L->kind) ? MUL(L->dr, FORM(round_V)(L, i))
+                                            : MUL(slope, FORM(axial)(L)[i]));
     RETURN(N)
+}
+
+/* Half the gradient of Q at the origin, the outward normal of the surface through
+ * it: of a ball D_0; s w x (P x w) - rho dr w; for elliptic kinds X_p p + X_q q -
+ * rho kappa e; of other round kinds w x (D_0 x w) - dr V. */
+INLINE void FORM(gradient)(const FORM(terms) *L, NUM N[3])
+{
+    NUM X[3], slope = L->one;
+    FORM(radial)(L, X);
+    if (cylint_is_tapered(L->kind) && !cylint_is_round(L->kind))
+        slope = MUL(FORM(form_rho0)(L), L->dr);
+    EACH(i, 3)
+        N[i] = L->kind == CYLINT_KIND_SPHERE
+                   ? L->D[0][i]
+                   : FORM(gradient_component)(L, X, slope, i);
 }
 
 /* Where the origin lies about the axis: cosine and sine of phi times one
@@ -463,6 +477,7 @@ INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y)
     *y = FORM(dot)(L, L->D[0], to);
 }
 #endif
+#endif
 
 #undef NUM
 #undef FORM
@@ -471,3 +486,4 @@ INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y)
 #undef MUL
 #undef FORMS_DECLARED
 #undef FORMS_DEFINED
+#undef FORMS_OF_HITS

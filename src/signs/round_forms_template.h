@@ -166,18 +166,3 @@ INLINE NUM FORM(round_C)(const FORM(terms) *L)
     }
     RETURN(C)
 }
-
-/* A component of half the gradient of Q at the origin: D_0 of a sphere, else
- * w x (D_0 x w) - dr V. */
-INLINE NUM FORM(round_gradient)(const FORM(terms) *L, int j)
-{
-    BEGIN
-    if (L->kind == CYLINT_KIND_SPHERE)
-        RETURN(L->D[0][j])
-    NUM X[3];
-    FORM(cross)(L, L->D[0], L->w, X);
-    NUM N = FORM(minor)(L, L->w, X, (j + 1) % 3, (j + 2) % 3);
-    if (L->kind == CYLINT_KIND_RCONE)
-        N = SUB(N, MUL(L->dr, FORM(round_V)(L, j)));
-    RETURN(N)
-}
