@@ -8,9 +8,11 @@
 #ifdef HAVE_MPFR
 #include <gmp.h>
 #include <math.h>
+#include <mpfr.h>
 #include <stddef.h>
 
 #include "check.h"
+#include "environment.h"
 #include "random.h"
 #include "roots/roots.h"
 
@@ -208,6 +210,104 @@ static void roundings_are_within_their_bound(void)
     printf("note: largest error of rounding to a pair: %.3f 2^-104\n",
            worst * 0x1p104);
     mpz_clears(x, y, NULL);
+}
+
+/* --------------------------------------------------- leading digits ---- */
+
+enum { DIGITS = 400 };
+
+static void real_of(mpfr_t r, exact x)
+{
+    mpz_t z;
+    mpz_init(z);
+    integer_of(z, x);
+    mpfr_set_z_2exp(r, z, -BASE, MPFR_RNDN);
+    mpz_clear(z);
+}
+
+/* |x / y - 1|. */
+static double apart(exact x, const mpfr_t y)
+{
+    mpfr_t r;
+    mpfr_init2(r, DIGITS);
+    real_of(r, x);
+    mpfr_div(r, r, y, MPFR_RNDN);
+    mpfr_sub_ui(r, r, 1, MPFR_RNDN);
+    const double off = fabs(mpfr_get_d(r, MPFR_RNDA));
+    mpfr_clear(r);
+    return off;
+}
+
+static void inverses_and_roots_in(struct environment there)
+{
+    mpfr_t x, y;
+    mpz_t ignored;
+    mpfr_inits2(DIGITS, x, y, (mpfr_ptr)NULL);
+    mpz_init(ignored);
+    for (int i = 0; i < CASES / 20; i++) {
+        cylint_arena_open(&arena);
+        const exact a = cancelling_sum(ignored);
+        if (a.sign == 0)
+            continue;
+        exact size = a;
+        size.sign = 1;
+        environment_set(there);
+        const exact inverse = cylint_inverse(&arena, a),
+                    root = cylint_square_root(&arena, size),
+                    both = cylint_inverse_root(&arena, cylint_leading(size));
+        environment_reset();
+        real_of(x, a);
+        mpfr_ui_div(y, 1, x, MPFR_RNDN);
+        CHECK(apart(inverse, y) < CYLINT_INVERSE_ERROR);
+        mpfr_abs(x, x, MPFR_RNDN);
+        mpfr_sqrt(y, x, MPFR_RNDN);
+        CHECK(apart(root, y) < CYLINT_INVERSE_ERROR);
+        mpfr_rec_sqrt(y, x, MPFR_RNDN);
+        CHECK(apart(both, y) < CYLINT_INVERSE_ERROR);
+    }
+    mpfr_clears(x, y, (mpfr_ptr)NULL);
+    mpz_clear(ignored);
+}
+
+static void inverses_and_roots_are_within_their_bound(void)
+{
+    everywhere(inverses_and_roots_in);
+}
+
+/* hi + lo times 2^e: also below the normal numbers and beyond the largest. */
+static void sums_are_rounded_once_in(struct environment there)
+{
+    mpfr_t r;
+    mpfr_init2(r, 4400);
+    for (int i = 0; i < CASES / 4; i++) {
+        const int kind = (int)below(4), bits = (int)below(60);
+        const double hi = ldexp((double)(below((uint64_t)1 << 53) | 1),
+                                (int)below(9) - 4),
+                     lo = ldexp(below(2) ? 1 : -1, -bits) * (double)below(3);
+        const int e = kind == 0   ? -1074 - (int)below(64)
+                      : kind == 1 ? 960 + (int)below(16)
+                      : kind == 2 ? -1074 - 53
+                                  : (int)below(200);
+        cylint_arena_open(&arena);
+        mpfr_set_d(r, hi, MPFR_RNDN);
+        mpfr_add_d(r, r, lo, MPFR_RNDN);
+        mpfr_mul_2si(r, r, e, MPFR_RNDN);
+        const double want = mpfr_get_d(r, MPFR_RNDN);
+        environment_set(there);
+        const double got = cylint_exact_nearest(
+            cylint_exact_add(&arena, cylint_exact_from(&arena, hi),
+                             cylint_exact_from(&arena, lo)),
+            e);
+        environment_reset();
+        if (!CHECK(memcmp(&got, &want, sizeof got) == 0))
+            REPORT("(%a + %a) 2^%d: %a, not %a", hi, lo, e, got, want);
+    }
+    mpfr_clear(r);
+}
+
+static void sums_are_rounded_once(void)
+{
+    everywhere(sums_are_rounded_once_in);
 }
 
 /* ----------------------------------------------- memory of the arena --- */
@@ -424,6 +524,8 @@ int main(void)
     RUN(products_of_sums_are_exact);
     RUN(keeping_a_number_frees_the_rest);
     RUN(roundings_are_within_their_bound);
+    RUN(inverses_and_roots_are_within_their_bound);
+    RUN(sums_are_rounded_once);
     RUN(wild_exponents_fit_the_arena);
     return check_end();
 }

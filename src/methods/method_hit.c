@@ -96,6 +96,14 @@ static void normal_at(const cylint_shape *shape, const frame *f,
     unit(normal, normal);
 }
 
+/* An angle of at most pi in size, in radians, as turns: in [0, 1). */
+static double turns_of_angle(double angle)
+{
+    const double pi = 3.14159265358979323846, turns = angle / (2 * pi);
+    const double positive = turns < 0 ? turns + 1 : turns;
+    return positive < 1 ? fabs(positive) : 0; /* no -0 */
+}
+
 void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
                        unsigned want, double t, int part, int side,
                        cylint_hit *hit)
@@ -125,7 +133,7 @@ void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
     if (want & CYLINT_WANT_Z)
         hit->z = z;
     if (want & CYLINT_WANT_PHI)
-        hit->phi = x == 0 && y == 0 ? 0 : cylint_turns(atan2(y, x));
+        hit->phi = x == 0 && y == 0 ? 0 : turns_of_angle(atan2(y, x));
     if (want & CYLINT_WANT_NORMAL)
         normal_at(shape, &f, line->d, x, y, z, part, hit->normal);
 }

@@ -157,13 +157,10 @@
  * Exponents.  A sum of two doubles of 2^-CYLINT_SUM_EXPONENT or more, or 0, has
  * a low part that is a multiple of 2^-952, so it is not subnormal; and the low
  * part of such a pair is at least 2^-1006.  A double below
- * 2^CYLINT_LARGE_EXPONENT can be added and doubled without overflow.  Squares of
- * pairs between 2^-CYLINT_SQUARE_EXPONENT and its inverse, and quotients of such
- * pairs, neither overflow nor have subnormal low parts.
+ * 2^CYLINT_LARGE_EXPONENT can be added and doubled without overflow.
  */
 #define CYLINT_SUM_EXPONENT 900
 #define CYLINT_LARGE_EXPONENT 1000
-#define CYLINT_SQUARE_EXPONENT 400
 
 /* Of two positive numbers one is so many times 2 smaller than the other that it
  * does not change the sum within CYLINT_PAIR_ADD. */

@@ -297,14 +297,4 @@ CYLINT_INLINE double cylint_rough_reach(const cylint_shape *s, int end, int j)
                                          fabs(cylint_axis(s)[2]));
 }
 
-/* --------------------------------------------------------- of a hit ---- */
-
-/* An angle of at most pi in size, in radians, as turns: in [0, 1). */
-CYLINT_INLINE double cylint_turns(double angle)
-{
-    const double pi = 3.14159265358979323846, turns = angle / (2 * pi);
-    const double positive = turns < 0 ? turns + 1 : turns;
-    return positive < 1 ? fabs(positive) : 0; /* no -0 */
-}
-
 #endif
