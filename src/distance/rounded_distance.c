@@ -67,9 +67,9 @@ double cylint_rounded_distance(meridian *m, const nearest *n)
             else
                 high = middle;
         }
-        /* mutant '0' -> '1': the first 0: a rank of 1 gives 1 in both cases */
-        distance = cylint_from_bits(
-            (uint64_t)(low > 0 ? low : 1)); /* 0 is on the surface */
+        /* 0 is on the surface */
+        /* mutant '0' -> '1': a rank of 1 gives 1 in both cases */
+        distance = cylint_from_bits(low > 0 ? (uint64_t)low : 1);
     }
     arena->used = used;
     return distance;
