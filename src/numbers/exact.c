@@ -178,8 +178,14 @@ double cylint_exact_nearest(exact x, int e)
     if (exponent <= 1023) {
         const int last = exponent < -1022 ? -1074 - e : first - 52;
         bits = 0;
-        for (int i = first; i >= last; i--)
-            bits = bits << 1 | bit_at(x, i);
+        for (int i = first; i >= last;) { /* the bits of one limb */
+            const int shift = i & 31;
+            /* mutant '>' -> '>=': last & 31 is 0 then */
+            const int from = last > i - shift ? last & 31 : 0;
+            const uint32_t limb = limb_at(x, (i - shift) / 32) << (31 - shift);
+            bits = bits << (shift - from + 1) | limb >> (31 - shift + from);
+            i -= shift + 1;
+        }
         if (bit_at(x, last - 1) && (bits & 1 || any_below(x, last - 1)))
             bits++;
         if (exponent >= -1022) /* the leading bit adds one more */
