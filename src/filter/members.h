@@ -304,12 +304,8 @@ INLINE combination unit_normal(const local_hit *h, const hit_root *r,
     const bounded_pairs rho = negated_where(inside_out, h->rho);
     bounded_pairs divisor = rho, z = zero_pairs();
     vpair one = {v_set(1), v_set(0)}, cosine = one;
-    if (tapered) {
-        const vpair sine = pair_at(from, CYLINT_AT_SINE);
+    if (tapered)
         cosine = pair_at(from, CYLINT_AT_COSINE);
-        z = (bounded_pairs){{-sine.hi, -sine.lo}, h->unit * v_abs(sine.hi)};
-        z = negated_where(inside_out, z);
-    }
     if (cylint_solid_is_round(solid)) {
         const vm on_ball =
             cylint_solid_is_ball(solid) ? m_not(m_from(0)) : r->on_end;
@@ -324,6 +320,12 @@ INLINE combination unit_normal(const local_hit *h, const hit_root *r,
     const vd inverse = v_set(1) / divisor.v.hi;
     const vpair by = quotient(cosine, divisor.v, inverse);
     const vd lost = v_sum_of(divisor.e, inverse, h->unit);
+    if (tapered) { /* the sign of rho is certain if it is not lost */
+        const vpair sine = pair_at(from, CYLINT_AT_SINE);
+        z = (bounded_pairs){{-sine.hi, -sine.lo},
+                            v_set(2) * lost * v_abs(sine.hi)};
+        z = negated_where(inside_out, z);
+    }
     if (cylint_solid_is_round(solid))
         z = choose_pairs(cylint_solid_is_ball(solid) ? m_not(m_from(0))
                                                      : r->on_end,
