@@ -453,7 +453,7 @@ INLINE vm phi_of(vd *to, const local_hit *h, const source *from)
                  in_turns(x.e), in_turns(y.e), &error);
     const bounded_pairs phi = {turns, error * v_set(1 / CYLINT_MEMBER_UNIT)};
     const vm certain = rounds(phi, CYLINT_MEMBER_TIE, to);
-    *to = v_select(v_lt(*to, v_set(1)), *to, v_set(1 - CYLINT_ROUNDING));
+    *to = v_select(v_lt(*to, v_set(1)), *to, v_set(1 - CYLINT_NEAREST_ROUNDING));
     return certain;
 }
 
