@@ -56,6 +56,11 @@ INLINE void describe_hits(cylint_question *q, const pair_line *in,
 
 /* ---------------------------------------------- from the nearest double -- */
 
+INLINE vd rounded(vpair x)
+{
+    return x.hi + x.lo;
+}
+
 /* The slope of the residual at a hit, a bound on its error, and one on half the
  * curvature. */
 typedef struct {
@@ -69,11 +74,11 @@ INLINE slope_at_hit slope_of(const local_hit *h, const pair_line *in,
     const vm on_ball = !round                        ? m_from(0)
                        : cylint_solid_is_ball(solid) ? m_from(3)
                                                      : r->on_end;
-    const vd z =
-        v_select(on_ball, from_center(h, r, from, solid).v.hi, h->rho.v.hi);
+    const vd z = v_select(on_ball, rounded(from_center(h, r, from, solid).v),
+                          rounded(h->rho.v));
     const vd w = v_select(on_ball, in->w.hi, -in->growth.hi);
     const vd vx = q_low(in->v.hi), vy = q_high(in->v.hi);
-    const vd xv = h->x.v.hi * vx, yv = h->y.v.hi * vy, zw = z * w;
+    const vd xv = rounded(h->x.v) * vx, yv = rounded(h->y.v) * vy, zw = z * w;
     const vd sizes = v_abs(xv) + v_abs(yv) + v_abs(zw);
     slope_at_hit s;
     s.slope = v_set(2) * (xv + yv + zw);

@@ -11,11 +11,6 @@
 #include "levels.h"
 #include "one_answer.h"
 
-INLINE vd rounded(vpair x)
-{
-    return x.hi + x.lo;
-}
-
 /* What the stages in pairs take of the line in doubles. */
 INLINE void set_sizes(local_line *l, const cylint_question *q, int solid)
 {
