@@ -415,9 +415,9 @@ static void print_found(void)
             printf("%-8s %-24s %.4g of %g\n", b->function, b->family, b->found,
                    b->ulps);
         else if (strcmp(b->function, before) != 0)
-            printf("note: %s within %g, wild %g\n", b->function,
-                   largest_budget(b->function, 0),
-                   largest_budget(b->function, 1));
+            printf("note: %s within %g\n", b->function,
+                   fmax(largest_budget(b->function, 0),
+                        largest_budget(b->function, 1)));
         before = b->function;
     }
 }
