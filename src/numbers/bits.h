@@ -75,13 +75,19 @@ static inline double cylint_positive_zero(double x)
     return cylint_sign(x) == 0 ? 0 : x;
 }
 
-/* Whether 0 < |x| < 2^-CYLINT_SUM_EXPONENT: a two_sum with x can have a
- * subnormal low part, which the processor may flush. */
-static inline int cylint_too_small(double x)
+/* Whether 0 < |x| < 2^-exponent. */
+static inline int cylint_is_below(double x, int exponent)
 {
-    const uint64_t least = (uint64_t)(1023 - CYLINT_SUM_EXPONENT)
+    const uint64_t least = (uint64_t)(1023 - exponent)
                            << 53;                 /* without the sign */
     return (cylint_bits(x) << 1) - 1 < least - 1; /* a zero wraps round */
+}
+
+/* A two_sum with x can have a subnormal low part, which the processor may
+ * flush. */
+static inline int cylint_too_small(double x)
+{
+    return cylint_is_below(x, CYLINT_SUM_EXPONENT);
 }
 
 /* An integer that grows with x.  Both zeros give 0. */

@@ -189,11 +189,13 @@
  * matrix, where nothing cancels.  CYLINT_LOCAL_WORST: with larger errors the
  * coordinates are not used.  CYLINT_LOCAL_LEAST: nor with a shorter axis or
  * semi-axis; above it no low part of the matrix, or of a form in triples,
- * underflows.
+ * underflows.  Nor where a component of these is below 2^-CYLINT_LOCAL_TINY and not
+ * 0: then an entry of the matrix that is computed as 0 is 0.
  */
 #define CYLINT_LOCAL_ERROR 0x1p-96
 #define CYLINT_LOCAL_WORST 0x1p-70
 #define CYLINT_LOCAL_LEAST 0x1p-120
+#define CYLINT_LOCAL_TINY 400
 
 /*
  * No form in local coordinates overflows, in any rounding mode.  An overflow is

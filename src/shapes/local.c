@@ -292,15 +292,23 @@ static double balance(rows *m)
     return power;
 }
 
-/* The axis and the semi-axes are so long that no low part underflows. */
-static int is_long_enough(const cylint_shape *s)
+/* A vector is so long that no low part underflows, and no product of its
+ * components with those of others does: a zero of the matrix is a zero. */
+static int is_long_enough(const double x[3])
+{
+    return cylint_largest(x) >= CYLINT_LOCAL_LEAST &&
+           !cylint_is_below(x[0], CYLINT_LOCAL_TINY) &&
+           !cylint_is_below(x[1], CYLINT_LOCAL_TINY) &&
+           !cylint_is_below(x[2], CYLINT_LOCAL_TINY);
+}
+
+static int vectors_are_long_enough(const cylint_shape *s)
 {
     if (s->kind == CYLINT_KIND_SPHERE)
         return 1;
-    return cylint_largest(cylint_axis(s)) >= CYLINT_LOCAL_LEAST &&
+    return is_long_enough(cylint_axis(s)) &&
            (!cylint_is_elliptic(s->kind) ||
-            (cylint_largest(cylint_a(s)) >= CYLINT_LOCAL_LEAST &&
-             cylint_largest(cylint_b(s)) >= CYLINT_LOCAL_LEAST));
+            (is_long_enough(cylint_a(s)) && is_long_enough(cylint_b(s))));
 }
 
 INLINE void store_row(cylint_shape *s, int k, const four *row)
@@ -396,7 +404,7 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
     x[CYLINT_AT_ERROR] = error;
     const int round = cylint_is_round(s->kind);
     const int accurate =
-        cylint_in_range(s) && is_long_enough(s) && is_in_bounds(s) &&
+        cylint_in_range(s) && vectors_are_long_enough(s) && is_in_bounds(s) &&
         cylint_rounds_to_nearest() &&
         (height.hi > 0 || s->kind == CYLINT_KIND_SPHERE) &&
         error <= CYLINT_LOCAL_WORST &&
