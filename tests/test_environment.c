@@ -346,6 +346,7 @@ struct batch_answers {
     double t[2][ROW];
     signed char relation[ROW], n[ROW], part[2][ROW];
     size_t nearest, count;
+    double member[8][ROW];                     /* of the first hits */
     double first, point[3], normal[3], z, phi; /* of the nearest */
 };
 
@@ -354,9 +355,17 @@ static void query_batches(const cylint_pack *pack, const cylint_lines *lines,
 {
     memset(to, 0, 2 * sizeof *to);
     for (int i = 0; i < 2; i++) {
-        const cylint_columns columns = {to[i].relation, to[i].n,
-                                        to[i].t[0],     to[i].t[1],
-                                        to[i].part[0],  to[i].part[1]};
+        double(*m)[ROW] = to[i].member;
+        const cylint_columns columns = {.relation = to[i].relation,
+                                        .n = to[i].n,
+                                        .t0 = to[i].t[0],
+                                        .t1 = to[i].t[1],
+                                        .part0 = to[i].part[0],
+                                        .part1 = to[i].part[1],
+                                        .point0 = {m[0], m[1], m[2]},
+                                        .normal0 = {m[3], m[4], m[5]},
+                                        .z0 = m[6],
+                                        .phi0 = m[7]};
         if (i == 0)
             cylint_intersect_shapes(pack, line, &columns);
         else
