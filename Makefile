@@ -87,9 +87,9 @@ $(BUILD)/src/%: extra := -fPIC -fvisibility=hidden -DCYLINT_BUILDING $(x86) $(if
 $(BUILD)/src/bvh/% $(BUILD)/src/scene/% $(BUILD)/src/embree/%: extra += $(floats) $(threads)
 $(BUILD)/src/embree/%: extra += $(embree)
 $(call of,src/filter/many% src/bvh/traverse% src/embree/packet_% src/embree/float_filter%): extra += $(vectors)
-$(call of,src/signs/forms% src/roots/root% $(patsubst %,src/distance/%.o,meridian nearest_point rounded_distance surd_sum)): extra += $(small)
+$(call of,src/roots/root% $(patsubst %,src/distance/%.o,meridian nearest_point rounded_distance surd_sum)): extra += $(small)
 # The builds for x86 processors without AVX2.
-$(if $(X86),$(call of,src/filter/one.o $(patsubst %,src/distance/%_distance.o,certified limb))): extra += $(small)
+$(if $(X86),$(call of,src/filter/one.o src/signs/origin.o $(patsubst %,src/distance/%_distance.o,certified limb))): extra += $(small)
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the
@@ -98,7 +98,8 @@ avx2   := -mavx2 -mfma $(unaligned)
 avx512 := -mavx512f -mavx512vl -mavx512dq $(avx2)
 # Registers of 32 bytes cost the constructors of cones 90 ns: gcc 12 leaves their upper halves in use.
 isa.src/shapes/local-fma   := $(avx2) -mprefer-vector-width=128 -DCYLINT_MEASURE_LOCAL=cylint_measure_local_fma
-isa.src/filter/one-fma     := $(avx2) -DCYLINT_ONE=cylint_one_fma
+isa.src/signs/origin-fma   := $(avx2) -DCYLINT_SIGN_AT_ORIGIN=cylint_sign_at_origin_fma
+isa.src/filter/one-fma     := $(avx2) -DCYLINT_ONE=cylint_one_fma -DCYLINT_SIGN_AT_ORIGIN=cylint_sign_at_origin_fma
 isa.src/distance/certified_distance-fma := $(avx2) -DCYLINT_CERTIFIED=cylint_certified_fma
 isa.src/distance/limb_distance-fma := $(avx2) -DCYLINT_LIMB=cylint_limb_fma
 isa.src/distance/certified_many-avx2   := $(avx2) -DCYLINT_CERTIFY_MANY=cylint_certify_many_avx2

@@ -266,10 +266,10 @@ int cylint_contains(const cylint_shape *shape, const double point[3])
     const int side =
         cylint_largest(point) <= CYLINT_FAR
             ? cylint_one_used()->contains[cylint_prepared(shape)](shape, point)
-            : 0;
-    if (side != 0 && !CYLINT_IS_PARANOID)
+            : CYLINT_SIDE_UNDECIDED;
+    if (side != CYLINT_SIDE_UNDECIDED && !CYLINT_IS_PARANOID)
         return side;
     const int exactly = contains_by_signs(shape, point);
-    cylint_contradiction(side != 0 && side != exactly);
+    cylint_contradiction(side != CYLINT_SIDE_UNDECIDED && side != exactly);
     return exactly;
 }

@@ -156,8 +156,8 @@ typedef struct {
 
 /* Where the processor flushes to zero, an operation on doubles loses at most
  * one number below 2^-1022.  An operation on pairs loses one in each of at most
- * twenty steps: six of two_sum, three of fast_two_sum, eleven of Dekker's
- * product. */
+ * 64 steps: three times six of two_sum, three times eleven of Dekker's product, and
+ * ten of the error. */
 static double lost_per_operation;
 
 static sized sized_add(sized x, sized y)
@@ -229,11 +229,47 @@ static double lost_by_any_form(double per_operation)
 static void underflow_stays_below_its_bound(void)
 {
     const double in_doubles = lost_by_any_form(0x1p-1022),
-                 in_pairs = lost_by_any_form(20 * 0x1p-1022);
+                 in_pairs = lost_by_any_form(64 * 0x1p-1022);
     printf("note: lost by underflow: 2^%.1f in doubles, 2^%.1f in pairs\n",
            log2(in_doubles), log2(in_pairs));
     CHECK(in_doubles <= CYLINT_UNDERFLOW && in_pairs <= CYLINT_UNDERFLOW);
     CHECK(in_pairs > CYLINT_UNDERFLOW / 2);
+}
+
+/* -------------------------------------------------------- degrees ------ */
+
+static int degree_of_product(int x, int y)
+{
+    return x + y;
+}
+
+#define NUM int
+#define FORM(name) name##_degree
+#define ADD(x, y) longer(x, y)
+#define SUB(x, y) longer(x, y)
+#define MUL(x, y) degree_of_product(x, y)
+#include "signs/forms_template.h"
+
+/* The degree that keeps pairs from underflow: of forms whose signs decide. */
+static void the_highest_degree_is_in_error_bounds_h(void)
+{
+    int most = 0;
+    for (int kind = FIRST_KIND; kind <= LAST_KIND; kind++) {
+        terms_degree L;
+        memset(&L, 0, sizeof L);
+        L.kind = kind;
+        for (int i = 0; i < 3; i++)
+            L.u[i] = L.w[i] = L.D[0][i] = L.D[1][i] = L.a[i] = L.b[i] = 1;
+        L.r[0] = L.r[1] = L.dr = L.one = 1;
+        prepare_degree(&L);
+        prepare_moments_degree(&L);
+        prepare_top_degree(&L);
+        for (cylint_form f = 0; f < CYLINT_FORMS; f++)
+            for (int end = 0; end < 2; end++)
+                most = longer(most, form_degree(&L, f, end));
+    }
+    if (!CHECK(most == CYLINT_DEGREE))
+        REPORT("degree %d", most);
 }
 
 /* ---------------------------------------------- degrees of distances --- */
@@ -372,6 +408,7 @@ int main(void)
     RUN(pairs_are_no_deeper);
     RUN(values_at_a_point_of_the_line_are_no_deeper);
     RUN(underflow_stays_below_its_bound);
+    RUN(the_highest_degree_is_in_error_bounds_h);
     RUN(distances_have_the_degree_in_exact_distance_h);
     return check_end();
 }

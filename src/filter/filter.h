@@ -65,8 +65,9 @@ typedef int cylint_kernel_one(const cylint_shape *shape,
                               const cylint_line *line, unsigned want,
                               cylint_answer *answer, cylint_question *question);
 
-/* On which side of a shape's surface the point lies: 1 inside, -1 outside, 0
- * undecided.  No coordinate exceeds CYLINT_FAR. */
+/* On which side of a shape's surface the point lies: 1 inside, 0 on it, -1
+ * outside; or CYLINT_SIDE_UNDECIDED.  No coordinate exceeds CYLINT_FAR. */
+enum { CYLINT_SIDE_UNDECIDED = 2 };
 typedef int cylint_kernel_point(const cylint_shape *shape,
                                 const double point[3]);
 

@@ -8,7 +8,7 @@
 
 #include "refine.h"
 
-/* 1 inside, -1 outside, 0 uncertain. */
+/* 1 inside, -1 outside, 0 neither for certain. */
 INLINE int side_of_point(point_signs *at, int solid)
 {
     verdict v = no_verdict;
@@ -34,10 +34,25 @@ INLINE int contains_in_doubles(const cylint_shape *shape, const double point[3],
     return side_of_point(&at, solid);
 }
 
+/* Point on the surface: after the signs that pairs leave uncertain, exact ones. */
+INLINE int contains_exactly(point_signs *at, const cylint_question *q,
+                            int solid)
+{
+    const int ball = cylint_solid_is_ball(solid);
+    if (!has_signs_at_origin(solid) || cylint_solid_is_nappe(solid))
+        return CYLINT_SIDE_UNDECIDED;
+    settle(ball ? &at->ball[0] : &at->side, 1, 0, q, CYLINT_LATERAL_SURFACE);
+    if (cylint_solid_is_bounded(solid) && !ball)
+        EACH(i, 2)
+            settle(&at->above[i], 1, 0, q, i);
+    return side_of_point(at, solid);
+}
+
 INLINE int contains_in_pairs(const cylint_shape *shape, const double point[3],
                              int solid)
 {
-    const cylint_line line = {.o = {point[0], point[1], point[2]}};
+    const cylint_line line = {
+        .o = {point[0], point[1], point[2]}, .d = {1}, .in_range = 1};
     const source from = {shape, &line};
     cylint_question q = {.shape = shape, .line = &line};
     local_line l = no_line;
@@ -49,7 +64,8 @@ INLINE int contains_in_pairs(const cylint_shape *shape, const double point[3],
     set_sizes(&l, &q, solid);
     load_pairs(&in, &from, 0, solid);
     point_in_pairs(&at, &l, &in, v_set(0), shape, solid);
-    return side_of_point(&at, solid);
+    const int side = side_of_point(&at, solid);
+    return side != 0 ? side : contains_exactly(&at, &q, solid);
 }
 
 #endif

@@ -32,7 +32,7 @@ static int no_side(const cylint_shape *shape, const double point[3])
 {
     (void)shape;
     (void)point;
-    return 0;
+    return CYLINT_SIDE_UNDECIDED;
 }
 
 #if LANES == 2
@@ -166,7 +166,7 @@ static int contains_nearly(const cylint_shape *shape, const double point[3])
 {
     return cylint_rounds_to_nearest()
                ? contains_in_pairs(shape, point, cylint_prepared(shape))
-               : 0;
+               : CYLINT_SIDE_UNDECIDED;
 }
 
 #define CONTAINS(name, solid)                                      \

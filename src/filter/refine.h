@@ -245,7 +245,7 @@ INLINE void settle(signs *x, unsigned lane, int rises, const cylint_question *q,
 {
     if (m_bits(m_or(x->positive, x->negative)) & lane)
         return;
-    int sign = cylint_sign_at_origin(q->shape, q->line, surface);
+    int sign = CYLINT_SIGN_AT_ORIGIN(q->shape, q->line, surface);
     if (sign == 0)
         sign = lane == 1 ? -rises : rises;
     if (sign > 0)
@@ -285,16 +285,16 @@ INLINE unsigned limits_at_origin(const cylint_line *line)
            (cylint_sign(line->tmax) == 0 ? 2u : 0);
 }
 
-/* The lanes of `left` whose root is 0, exactly: 0 lies within its bounds and is a
+/* The lanes of `needed` whose root is 0, exactly: 0 lies within its bounds and is a
  * root of its surface, and the other root of that surface, which is farther away than
  * the slope over the curvature, does not lie within them. */
-INLINE unsigned zero_roots(const root *r, const estimate *at, unsigned left,
+INLINE unsigned zero_roots(const root *r, const estimate *at, unsigned needed,
                            const cylint_question *q, int solid)
 {
     const vd reach =
         v_sum_of(v_set(4) * at->curvature, r->high - r->low, at->slope_error);
     const vm near = m_and(v_le(r->low, v_set(0)), v_le(v_set(0), r->high));
-    left &= m_bits(m_and(near, v_lt(reach, v_abs(at->slope))));
+    unsigned left = needed & m_bits(m_and(near, v_lt(reach, v_abs(at->slope))));
     if (!has_signs_at_origin(solid))
         return 0;
     EACH(i, 2) {
@@ -303,7 +303,7 @@ INLINE unsigned zero_roots(const root *r, const estimate *at, unsigned left,
         const int surface =
             plane ? (int)(q->ends.top >> i & 1) : CYLINT_LATERAL_SURFACE;
         if (left >> i & 1 &&
-            cylint_sign_at_origin(q->shape, q->line, surface) != 0)
+            CYLINT_SIGN_AT_ORIGIN(q->shape, q->line, surface) != 0)
             left &= ~(1u << i);
     }
     return left;
@@ -365,8 +365,8 @@ static int refine_any_line(cylint_question *q)
     return refine_line(q, cylint_prepared(q->shape));
 }
 
-/* A second step, with residuals in levels for the ends that are needed.  It begins
- * at the root of the first or, if the first may have led so far that the slope
+/* A root of 0, or a second step, with residuals in levels for the ends that are
+ * needed.  It begins at the root of the first or, if the first may have led so far that the slope
  * differs there, at the estimate. */
 static int refine_roots(cylint_question *q)
 {
@@ -384,8 +384,14 @@ static int refine_roots(cylint_question *q)
     local_line l;
     set_sizes(&l, q, solid);
     const vm present = m_from(q->ends.present);
-    const unsigned needed =
-        ends_needed(hits_of_roots(&r, &l, present), bits, q->want);
+    hits h = hits_of_roots(&r, &l, present);
+    unsigned needed = ends_needed(h, bits, q->want);
+    const vm zeros = m_from(zero_roots(&r, &at, needed, q, solid));
+    r = with_zeros(&r, zeros);
+    h = with_zero_hits(h, zeros, q->line);
+    needed = ends_needed(h, bits, q->want);
+    if (!needed)
+        return write_hits(m_bits(h.hit), bits, &r, &a, solid);
     const vd off = (r.error + v_abs(r.tail)) * at.curvature;
     const vd start = v_select(
         v_le(off, v_set(CYLINT_LOCAL_NEAR) * v_abs(at.slope)), r.value, at.t);
@@ -406,13 +412,7 @@ static int refine_roots(cylint_question *q)
         v_select(m, better.value, r.value), v_select(m, better.tail, r.tail),
         v_select(m, better.error, r.error), v_select(m, better.low, r.low),
         v_select(m, better.high, r.high),   m_if(m, better.nearest, r.nearest)};
-    hits h = hits_of_roots(&r, &l, present);
-    const unsigned left = ends_needed(h, bits, q->want);
-    if (left) {
-        const vm zeros = m_from(zero_roots(&r, &at, left, q, solid));
-        r = with_zeros(&r, zeros);
-        h = with_zero_hits(h, zeros, q->line);
-    }
+    h = with_zero_hits(hits_of_roots(&r, &l, present), zeros, q->line);
     if (ends_needed(h, bits, q->want))
         return CYLINT_UNDECIDED;
     pair_line in;

@@ -75,19 +75,18 @@ static inline double cylint_positive_zero(double x)
     return cylint_sign(x) == 0 ? 0 : x;
 }
 
-/* Whether 0 < |x| < 2^-exponent. */
-static inline int cylint_is_below(double x, int exponent)
+/* Whether 0 < |x| < 2^-e. */
+static inline int cylint_is_small(double x, int e)
 {
-    const uint64_t least = (uint64_t)(1023 - exponent)
-                           << 53;                 /* without the sign */
-    return (cylint_bits(x) << 1) - 1 < least - 1; /* a zero wraps round */
+    const uint64_t least = (uint64_t)(1023 - e) << 53; /* without the sign */
+    return (cylint_bits(x) << 1) - 1 < least - 1;      /* a zero wraps round */
 }
 
-/* A two_sum with x can have a subnormal low part, which the processor may
+/* Whether a two_sum with x can have a subnormal low part, which the processor may
  * flush. */
 static inline int cylint_too_small(double x)
 {
-    return cylint_is_below(x, CYLINT_SUM_EXPONENT);
+    return cylint_is_small(x, CYLINT_SUM_EXPONENT);
 }
 
 /* An integer that grows with x.  Both zeros give 0. */

@@ -20,7 +20,6 @@
  * must run in one thread. */
 enum {
     CYLINT_STAGE_FILTER, /* the kernels did not decide */
-    CYLINT_STAGE_QUANTA, /* a sign near 0, but no operation rounded */
     CYLINT_STAGE_PAIRS,
     CYLINT_STAGE_EXACT,
     CYLINT_STAGE_MIDDLE, /* a root close to the midpoint of two doubles */

@@ -89,11 +89,18 @@
 #define CYLINT_POLISHED 0x1p-90
 
 /*
- * The errors of pairs are summed for each operation (sign.h), in doubles and in
- * units of CYLINT_PAIR_ROUNDING.  A path of K operations has at most 5 K
- * roundings of that sum and of high parts.  Proved.
+ * What operations on pairs lose is summed (signs/forms.h) in doubles.  A path of K
+ * operations has at most 5 K + 8 roundings of that sum, of its factors and of high
+ * parts.  CYLINT_SLACK covers them.  Proved.
+ *
+ * If every datum is 0 or at least 2^-CYLINT_WHOLE_EXPONENT, it is a multiple of
+ * that times 2^-52.  A number of degree k, its low part and what is lost with it are
+ * multiples of the k-th power of this.  k is CYLINT_DEGREE at most
+ * (tests/test_form_depth.c), and that power is a normal number, so nothing
+ * underflows.
  */
-#define CYLINT_PAIR_UNIT (CYLINT_PAIR_ROUNDING * CYLINT_SLACK)
+#define CYLINT_DEGREE 8
+#define CYLINT_WHOLE_EXPONENT 74
 
 /*
  * The filters run only if every input is at most CYLINT_WINDOW in size.  The
@@ -102,7 +109,7 @@
  * tests/test_form_depth.c computes the total for the worst form.
  */
 #define CYLINT_WINDOW 0x1p60
-#define CYLINT_UNDERFLOW 0x1p-586
+#define CYLINT_UNDERFLOW 0x1p-584
 
 /*
  * root.c multiplies first-order errors by CYLINT_ROOT_SLACK.  This covers the
@@ -115,9 +122,7 @@
 
 /*
  * The test whether hi + (lo + error) rounds to hi runs in doubles.  It is right
- * if the error exceeds the true one by this fraction of |hi|.  Proved.  An error
- * in units of CYLINT_PAIR_ROUNDING exceeds the true one by half, in rounding to
- * nearest.
+ * if the error exceeds the true one by this fraction of |hi|.  Proved.
  */
 #define CYLINT_NEAREST_MARGIN 0x1p-106
 

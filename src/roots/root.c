@@ -160,7 +160,9 @@ static number step_from(number t, int in_window, bounded_pair f, number slope,
         return unknown;
     const newton_double step = newton_step_double(
         f.v.hi, bounded_pair_error(f), s, s_error, curvature, t.error);
-    return (number){fast_two_sum(t.v.hi, t.v.lo - step.delta), step.error};
+    /* with the rounding of t.lo - delta and CYLINT_NEAREST_MARGIN */
+    return (number){fast_two_sum(t.v.hi, t.v.lo - step.delta),
+                    step.error + CYLINT_PAIR_ROUNDING * fabs(t.v.hi)};
 }
 
 /* Towards a root of the lateral quadric.  With the line's origin moved to t, C is

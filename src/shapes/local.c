@@ -297,9 +297,9 @@ static double balance(rows *m)
 static int is_long_enough(const double x[3])
 {
     return cylint_largest(x) >= CYLINT_LOCAL_LEAST &&
-           !cylint_is_below(x[0], CYLINT_LOCAL_TINY) &&
-           !cylint_is_below(x[1], CYLINT_LOCAL_TINY) &&
-           !cylint_is_below(x[2], CYLINT_LOCAL_TINY);
+           !cylint_is_small(x[0], CYLINT_LOCAL_TINY) &&
+           !cylint_is_small(x[1], CYLINT_LOCAL_TINY) &&
+           !cylint_is_small(x[2], CYLINT_LOCAL_TINY);
 }
 
 static int vectors_are_long_enough(const cylint_shape *s)

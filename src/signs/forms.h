@@ -1,6 +1,6 @@
 /*
  * forms.h - the forms over each arithmetic of single questions: bounded
- * doubles, quanta, bounded pairs and exact numbers
+ * doubles, bounded pairs and exact numbers
  */
 #ifndef CYLINT_FORMS_H
 #define CYLINT_FORMS_H
@@ -66,26 +66,15 @@ static inline bounded_double bounded_mul(bounded_double x, bounded_double y)
 #define RETURN(x) return x;
 #include "forms_template.h"
 
-/* An e such that the number is a multiple of 2^e. */
-static inline int quantum_add(int x, int y)
-{
-    return x < y ? x : y;
-}
-static inline int quantum_mul(int x, int y)
-{
-    return x + y;
-}
-
-#define NUM int
-#define FORM(name) name##_quantum
-#define ADD(x, y) quantum_add(x, y)
-#define SUB(x, y) quantum_add(x, y)
-#define MUL(x, y) quantum_mul(x, y)
-#include "forms_template.h"
-
-/* A pair of doubles and a bound on its error in units of CYLINT_PAIR_ROUNDING.
- * Unlike a size, the bound stays small when a sum that cancels is squared.
- * With x' for x and y' for y the error of x y is x' (y' - y) + y (x' - x). */
+/*
+ * A pair of doubles and a bound on its error: the sum of all that the operations
+ * on the way lost, times the factors that followed.  Every operation is a sum of
+ * doubles, whose low parts are exact in rounding to nearest; it returns the two
+ * largest and counts the rest.  So an error of 0 proves that nothing was lost,
+ * unless something underflowed, and unlike a size the error stays small when a sum
+ * that cancels is squared.  With x' for x and y' for y the error of x y is
+ * x' (y' - y) + y (x' - x).
+ */
 typedef struct {
     pair v;
     double error;
@@ -93,8 +82,12 @@ typedef struct {
 
 static inline bounded_pair bounded_pair_add(bounded_pair x, bounded_pair y)
 {
-    return (bounded_pair){pair_add(x.v, y.v),
-                          x.error + y.error + (fabs(x.v.hi) + fabs(y.v.hi))};
+    const pair high = two_sum(x.v.hi, y.v.hi);
+    if (x.v.lo == 0 && y.v.lo == 0)
+        return (bounded_pair){high, x.error + y.error};
+    const pair low = two_sum(x.v.lo, y.v.lo), middle = two_sum(high.lo, low.hi);
+    return (bounded_pair){two_sum(high.hi, middle.hi),
+                          x.error + y.error + (fabs(low.lo) + fabs(middle.lo))};
 }
 static inline bounded_pair bounded_pair_sub(bounded_pair x, bounded_pair y)
 {
@@ -103,9 +96,37 @@ static inline bounded_pair bounded_pair_sub(bounded_pair x, bounded_pair y)
 static inline bounded_pair bounded_pair_mul(bounded_pair x, bounded_pair y)
 {
     const double a = fabs(x.v.hi), b = fabs(y.v.hi);
-    return (bounded_pair){
-        pair_mul(x.v, y.v),
-        a * y.error + (b + CYLINT_PAIR_ROUNDING * y.error) * x.error + a * b};
+    const double error = a * y.error + (b + y.error) * x.error;
+    const pair high = two_prod(x.v.hi, y.v.hi);
+    if (x.v.lo == 0 && y.v.lo == 0)
+        return (bounded_pair){high, error};
+    const pair xy = two_prod(x.v.hi, y.v.lo), yx = two_prod(x.v.lo, y.v.hi);
+    const pair low = two_sum(xy.hi, yx.hi), middle = two_sum(high.lo, low.hi);
+    const double lost = fabs(xy.lo) + fabs(yx.lo) + fabs(low.lo) +
+                        fabs(middle.lo) + fabs(x.v.lo * y.v.lo);
+    return (bounded_pair){two_sum(high.hi, middle.hi), error + lost};
+}
+
+static inline bounded_pair bounded_pair_of(double hi, double lo)
+{
+    return (bounded_pair){{hi, lo}, 0};
+}
+static inline bounded_pair bounded_pair_difference(double x, double y)
+{
+    return (bounded_pair){two_diff(x, y), 0};
+}
+
+/* Signs and roots of a cylinder or capsule do not depend on the length of the axis
+ * w.  Along a coordinate's direction it becomes a unit vector, by which products are
+ * exact.  Returns whether it does. */
+static inline int bounded_pair_shorten(bounded_pair w[3], int kind)
+{
+    const int x = w[0].v.hi != 0, y = w[1].v.hi != 0, z = w[2].v.hi != 0;
+    const int shortened = x + y + z == 1 && (kind == CYLINT_KIND_CYLINDER ||
+                                             kind == CYLINT_KIND_CAPSULE);
+    if (shortened)
+        w[y + 2 * z] = bounded_pair_of(w[y + 2 * z].v.hi > 0 ? 1 : -1, 0);
+    return shortened;
 }
 
 #undef INLINE
@@ -136,7 +157,12 @@ static inline double bounded_error(bounded_double x)
 
 static inline double bounded_pair_error(bounded_pair x)
 {
-    return CYLINT_PAIR_UNIT * x.error + CYLINT_UNDERFLOW;
+    return CYLINT_SLACK * x.error + CYLINT_UNDERFLOW;
+}
+
+static inline int bounded_pair_is_certain(bounded_pair x)
+{
+    return fabs(x.v.hi) > bounded_pair_error(x);
 }
 
 #endif

@@ -127,8 +127,8 @@ INLINE const NUM *FORM(axial)(const FORM(terms) *L)
     return FORM(elliptic)(L) ? L->e : L->w;
 }
 
-/* After the data. */
-INLINE void FORM(prepare)(FORM(terms) *L)
+/* After the data: what the line's direction is not needed for. */
+INLINE void FORM(prepare_shape)(FORM(terms) *L)
 {
     if (FORM(elliptic)(L)) {
         FORM(cross)(L, L->a, L->b, L->e);
@@ -138,6 +138,11 @@ INLINE void FORM(prepare)(FORM(terms) *L)
     } else {
         L->vv = FORM(dot)(L, L->w, L->w);
     }
+}
+
+INLINE void FORM(prepare)(FORM(terms) *L)
+{
+    FORM(prepare_shape)(L);
     L->beta = FORM(dot)(L, L->u, FORM(axial)(L));
 }
 

@@ -6,7 +6,6 @@
  * arithmetic.
  */
 #include "sign.h"
-#include "origin.h"
 
 #ifdef CYLINT_COUNT_STAGES
 unsigned long long cylint_stages[CYLINT_STAGES];
@@ -91,7 +90,6 @@ static bounded_double bounded_of(double x)
 }
 
 #define FORM(name) name##_bounded
-#define LOAD_INLINE static
 #define DATUM(x) bounded_of(x)
 #define DIFFERENCE(x, y) bounded_of((x) - (y))
 #define DIRECTION(l, i) bounded_of(l->d[i])
@@ -100,26 +98,29 @@ static bounded_double bounded_of(double x)
 #define RADIUS_GROWTH(s) bounded_of(cylint_radius_growth(s).hi)
 #include "load_template.h"
 
-static bounded_pair bounded_pair_of(double hi, double lo)
+static terms_bounded *load_bounded(cylint_query *q)
 {
-    return (bounded_pair){{hi, lo}, 0};
+    terms_bounded *L = &q->bounded_terms;
+    if (cylint_is_first(q, CYLINT_READY_BOUNDED)) {
+        fill_bounded(L, q->near_shape, q->near_line, q->kind);
+        prepare_bounded(L);
+    }
+    return L;
 }
 
-/* Exact in rounding to nearest; counted as rounded, for the other modes. */
-static bounded_pair bounded_pair_difference(double x, double y)
+static terms_bounded *load_bounded_moments(cylint_query *q)
 {
-    const pair d = two_diff(x, y);
-    return (bounded_pair){d, fabs(d.hi)};
+    terms_bounded *L = load_bounded(q);
+    if (cylint_is_first(q, CYLINT_READY_MOMENTS))
+        prepare_moments_bounded(L);
+    return L;
 }
 
 #define FORM(name) cylint_##name##_pair
-#define LOAD_INLINE static
 #define DATUM(x) bounded_pair_of(x, 0)
 #define DIFFERENCE(x, y) bounded_pair_difference(x, y)
 #define DIRECTION(l, i) bounded_pair_of(l->d[i], l->d_lo[i])
-#define AXIS(s, i) ((bounded_pair){cylint_axis_pair(s, i), 0})
 #define BEFORE_TOP(D, w) bounded_pair_sub(D, w)
-#define RADIUS_GROWTH(s) ((bounded_pair){cylint_radius_growth(s), 0})
 #include "load_template.h"
 
 cylint_terms_pair *cylint_load_pairs(cylint_query *q)
@@ -128,6 +129,7 @@ cylint_terms_pair *cylint_load_pairs(cylint_query *q)
     if (cylint_is_first(q, CYLINT_READY_PAIR)) {
         cylint_reached(PAIRS);
         cylint_fill_pair(L, q->near_shape, q->near_line, q->kind);
+        q->shortened = bounded_pair_shorten(L->w, q->kind);
         cylint_prepare_pair(L);
     }
     return L;
@@ -143,19 +145,11 @@ cylint_terms_pair *cylint_load_pair_moments(cylint_query *q)
 
 /* Differences of data, not the nearest doubles to them. */
 #define FORM(name) cylint_##name##_exact
-#define LOAD_INLINE static
 #define DATUM(x) cylint_exact_from(L->arena, x)
 #define DIFFERENCE(x, y) cylint_exact_difference(L->arena, x, y)
 #define DIRECTION(l, i) \
     (l->segment ? DIFFERENCE(l->end[i], l->o[i]) : DATUM(l->d[i]))
-#define AXIS(s, i)                                         \
-    (cylint_has_end_points(kind)                           \
-         ? DIFFERENCE(cylint_top(s)[i], cylint_base(s)[i]) \
-         : DATUM(cylint_axis(s)[i]))
 #define BEFORE_TOP(D, w) cylint_exact_add(L->arena, D, cylint_exact_neg(w))
-#define RADIUS_GROWTH(s)                \
-    (cylint_has_tangent(kind) ? L->r[1] \
-                              : DIFFERENCE(cylint_r1(s), cylint_r0(s)))
 #include "load_template.h"
 
 const cylint_terms_exact *cylint_load_exact(cylint_query *q)
@@ -179,87 +173,6 @@ const cylint_terms_exact *cylint_load_exact_moments(cylint_query *q)
     return L;
 }
 
-/* ---------------------------------------------------------- quanta ----- */
-
-/* x is a multiple of 2^quantum and of no higher power. */
-static int quantum(double x)
-{
-    const uint64_t bits = cylint_bits(x);
-    if (bits << 1 == 0)
-        return 1 << 20;
-    /* the data are not subnormal here, or it comes out too small: harmless */
-    return (int)(bits >> 52 & 0x7ff) - 1075 +
-           cylint_lowest(bits | (uint64_t)1 << 52);
-}
-
-static int least_quantum(const double x[3])
-{
-    return quantum_add(quantum(x[0]),
-                       quantum_add(quantum(x[1]), quantum(x[2])));
-}
-
-/* Of vectors, one for all components. */
-typedef struct {
-    int u, w, D, a, b, r[2], dr;
-} data_quanta;
-
-#define FORM(name) name##_quantum
-#define LOAD_INLINE static
-#define SHAPE data_quanta
-#define LINE data_quanta
-#define DIRECTION(l, i) l->u
-#define AXIS(s, i) s->w
-#define FROM_BASE(l, s, i) l->D
-#define FROM_TOP(l, s, i) quantum_add(l->D, s->w)
-#define BEFORE_TOP(D, w) quantum_add(D, w)
-#define SEMI_AXIS_A(s, i) s->a
-#define SEMI_AXIS_B(s, i) s->b
-#define RADIUS(s, end) s->r[end]
-#define RADIUS_GROWTH(s) s->dr
-#define ONE 0
-#include "load_template.h"
-
-/* Quanta of the data; NULL unless doubles hold all data exactly. */
-static const terms_quantum *quanta(cylint_query *q)
-{
-    terms_quantum *L = &q->quantum;
-    if (!cylint_is_first(q, CYLINT_READY_QUANTUM))
-        return q->quanta ? L : NULL;
-    const cylint_shape *s = q->near_shape;
-    const cylint_line *l = q->near_line;
-    double D[3];
-    q->quanta = q->near_shape == q->shape &&
-                cylint_sign(cylint_radius_growth(s).lo) == 0 && q->pairs;
-    /* a is 0 in circular kinds, top in elliptic ones */
-    const double *const data_of[] = {
-        l->o,          l->d,        cylint_base(s), cylint_axis(s),
-        cylint_top(s), cylint_a(s), cylint_b(s)};
-    for (int i = 0; i < 3; i++) {
-        EACH(k, 7)
-            q->quanta &= !cylint_too_small(data_of[k][i]);
-        const pair d = two_diff(l->o[i], cylint_base(s)[i]);
-        q->quanta &= d.lo == 0 && cylint_sign(l->d_lo[i]) == 0 &&
-                     cylint_sign(cylint_axis_pair(s, i).lo) == 0;
-        if (cylint_has_end_points(s->kind))
-            q->quanta &= two_diff(l->o[i], cylint_top(s)[i]).lo == 0;
-        D[i] = d.hi;
-    }
-    if (!q->quanta)
-        return NULL;
-    const data_quanta data = {least_quantum(l->d),
-                              least_quantum(cylint_axis(s)),
-                              least_quantum(D),
-                              least_quantum(cylint_a(s)),
-                              least_quantum(cylint_b(s)),
-                              {quantum(cylint_r0(s)), quantum(cylint_r1(s))},
-                              quantum(cylint_radius_growth(s).hi)};
-    fill_quantum(L, &data, &data, q->kind);
-    prepare_quantum(L);
-    prepare_moments_quantum(L);
-    prepare_top_quantum(L);
-    return L;
-}
-
 void cylint_query_open(cylint_query *q, const cylint_shape *shape,
                        const cylint_line *line)
 {
@@ -274,29 +187,9 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
     if (!q->filters)
         scale_query(q);
     q->pairs = q->filters && cylint_rounds_to_nearest();
-    if (q->filters) {
-        terms_bounded *L = &q->bounded_terms;
-        fill_bounded(L, q->near_shape, q->near_line, q->kind);
-        prepare_bounded(L);
-        prepare_moments_bounded(L);
-    }
 }
 
 /* ---------------------------------------------------------- signs ------ */
-
-/*
- * Every number on the way to a form is a multiple of its quantum and no
- * larger than its size.  If the size of the whole is below 2^53 quanta, so
- * is that of every part that is not multiplied by zero: then nothing was
- * rounded, and a zero is a zero.  Data on integer grids are such a case.
- */
-static int no_rounding(double size, int e)
-{
-    return e > -CYLINT_SUM_EXPONENT && e < CYLINT_SUM_EXPONENT &&
-           size < cylint_power_of_two(e + 53);
-}
-
-enum { UNCERTAIN = 2 };
 
 /* Whether a form needs a moment about the top, which is not there yet. */
 static int needs_top(cylint_query *q, cylint_form f, int end, unsigned ready)
@@ -304,34 +197,56 @@ static int needs_top(cylint_query *q, cylint_form f, int end, unsigned ready)
     return end && f >= FORM_E && cylint_is_first(q, ready);
 }
 
-/* In doubles, then in pairs. */
-static int sign_by_filters(cylint_query *q, cylint_form f, int end)
+static int are_whole(const double *x, int n)
 {
+    int small = 0;
+    for (int i = 0; i < n; i++)
+        small |= cylint_is_small(x[i], CYLINT_WHOLE_EXPONENT);
+    return !small;
+}
+
+int cylint_is_whole(const cylint_shape *s, const cylint_line *l)
+{
+    return are_whole(s->library.number, CYLINT_AT_COLUMNS) &&
+           are_whole(cylint_axis(s), CYLINT_NUMBERS - CYLINT_AT_AXIS) &&
+           are_whole(l->o, 3) && are_whole(l->d, 3) && are_whole(l->end, 3);
+}
+
+/* Whether no operation on the pairs underflows. */
+static int pairs_are_whole(cylint_query *q)
+{
+    if (cylint_is_first(q, CYLINT_READY_WHOLE))
+        q->whole =
+            q->near_shape == q->shape && cylint_is_whole(q->shape, q->line);
+    return q->whole;
+}
+
+static int sign_in_doubles(cylint_query *q, cylint_form f, int end)
+{
+    terms_bounded *L = f < FORM_E ? load_bounded(q) : load_bounded_moments(q);
     if (needs_top(q, f, end, CYLINT_READY_TOP))
-        prepare_top_bounded(&q->bounded_terms);
-    const bounded_double b = form_bounded(&q->bounded_terms, f, end);
-    if (fabs(b.v) > bounded_error(b))
-        return cylint_sign(b.v);
-    const terms_quantum *e = quanta(q);
-    if (e && no_rounding(b.size, form_quantum(e, f, end))) {
-        cylint_reached(QUANTA);
-        return cylint_sign(b.v);
-    }
-    if (!q->pairs)
-        return UNCERTAIN;
+        prepare_top_bounded(L);
+    const bounded_double x = form_bounded(L, f, end);
+    return fabs(x.v) > bounded_error(x) ? cylint_sign(x.v)
+                                        : CYLINT_SIGN_UNCERTAIN;
+}
+
+/* Certain also of a form that is 0, if nothing was lost. */
+static int sign_in_pairs(cylint_query *q, cylint_form f, int end)
+{
     cylint_terms_pair *L =
         f < FORM_E ? cylint_load_pairs(q) : cylint_load_pair_moments(q);
     if (needs_top(q, f, end, CYLINT_READY_PAIR_TOP))
         cylint_prepare_top_pair(L);
     const bounded_pair x = cylint_form_pair(L, f, end);
-    return fabs(x.v.hi) > bounded_pair_error(x) ? cylint_sign(x.v.hi)
-                                                : UNCERTAIN;
+    return bounded_pair_is_certain(x) || (x.error == 0 && pairs_are_whole(q))
+               ? cylint_sign(x.v.hi)
+               : CYLINT_SIGN_UNCERTAIN;
 }
 
-int cylint_form_sign(cylint_query *q, cylint_form f, int end)
+int cylint_exact_sign(cylint_query *q, cylint_form f, int end, int sign)
 {
-    const int sign = q->filters ? sign_by_filters(q, f, end) : UNCERTAIN;
-    if (sign != UNCERTAIN && !CYLINT_IS_PARANOID)
+    if (sign != CYLINT_SIGN_UNCERTAIN && !CYLINT_IS_PARANOID)
         return sign;
     const cylint_terms_exact *L =
         f < FORM_E ? cylint_load_exact(q) : cylint_load_exact_moments(q);
@@ -340,16 +255,14 @@ int cylint_form_sign(cylint_query *q, cylint_form f, int end)
     const int used = q->arena.used;
     const int exactly = cylint_form_exact(L, f, end).sign;
     q->arena.used = used;
-    cylint_contradiction(sign != UNCERTAIN && sign != exactly);
+    cylint_contradiction(sign != CYLINT_SIGN_UNCERTAIN && sign != exactly);
     return exactly;
 }
 
-int cylint_sign_at_origin(const cylint_shape *shape, const cylint_line *line,
-                          int surface)
+int cylint_form_sign(cylint_query *q, cylint_form f, int end)
 {
-    cylint_query q;
-    cylint_query_open(&q, shape, line);
-    return surface == CYLINT_LATERAL_SURFACE
-               ? cylint_form_sign(&q, FORM_C, 0)
-               : cylint_form_sign(&q, FORM_ALPHA, surface);
+    int sign = q->filters ? sign_in_doubles(q, f, end) : CYLINT_SIGN_UNCERTAIN;
+    if (sign == CYLINT_SIGN_UNCERTAIN && q->pairs)
+        sign = sign_in_pairs(q, f, end);
+    return cylint_exact_sign(q, f, end, sign);
 }

@@ -11,15 +11,17 @@
 /* --------------------------------------------------- one question ------ */
 
 enum { /* the parts of cylint_query that are computed */
-       CYLINT_READY_TOP = 1,
-       CYLINT_READY_PAIR = 2,
-       CYLINT_READY_PAIR_MOMENTS = 4,
-       CYLINT_READY_PAIR_TOP = 8,
-       CYLINT_READY_EXACT = 16,
-       CYLINT_READY_EXACT_MOMENTS = 32,
-       CYLINT_READY_EXACT_TOP = 64,
-       CYLINT_READY_QUADRATIC = 128,
-       CYLINT_READY_QUANTUM = 256
+       CYLINT_READY_BOUNDED = 1,
+       CYLINT_READY_MOMENTS = 2,
+       CYLINT_READY_TOP = 4,
+       CYLINT_READY_PAIR = 8,
+       CYLINT_READY_PAIR_MOMENTS = 16,
+       CYLINT_READY_PAIR_TOP = 32,
+       CYLINT_READY_EXACT = 64,
+       CYLINT_READY_EXACT_MOMENTS = 128,
+       CYLINT_READY_EXACT_TOP = 256,
+       CYLINT_READY_QUADRATIC = 512,
+       CYLINT_READY_WHOLE = 1024
 };
 
 typedef struct {
@@ -37,8 +39,8 @@ typedef struct {
     unsigned ready; /* which terms are there */
     terms_bounded bounded_terms;
     cylint_terms_pair pair_terms;
-    terms_quantum quantum;
-    int quanta; /* 1: every datum of the filters is exact */
+    int shortened; /* 1: the axis of the pairs is a unit vector */
+    int whole;     /* 1: no operation on the pairs underflows */
     cylint_terms_exact exact;
     exact exact_coefficient[3]; /* A, B, C */
     cylint_arena arena;
@@ -62,7 +64,14 @@ cylint_terms_pair *cylint_load_pair_moments(cylint_query *q);
 const cylint_terms_exact *cylint_load_exact(cylint_query *q);
 const cylint_terms_exact *cylint_load_exact_moments(cylint_query *q);
 
+/* Whether no operation on pairs of these data underflows (error_bounds.h). */
+int cylint_is_whole(const cylint_shape *s, const cylint_line *l);
+
 /* The sign of a form, exactly, by the cheapest arithmetic that is certain. */
 int cylint_form_sign(cylint_query *q, cylint_form f, int end);
+
+/* `sign`, or if that is uncertain the sign of the form in exact numbers. */
+enum { CYLINT_SIGN_UNCERTAIN = 2 };
+int cylint_exact_sign(cylint_query *q, cylint_form f, int end, int sign);
 
 #endif

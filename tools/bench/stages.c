@@ -9,8 +9,7 @@
  *
  *   kernels  the filter: doubles and pairs in lanes
  *   doubles  one sign at a time in doubles, with its own error bound
- *   grid     a form that may be 0, computed without any rounding
- *   pairs    pairs of doubles
+ *   pairs    pairs of doubles; of a form that is 0, if nothing was lost
  *   exact    exact arithmetic
  *   middle   exact arithmetic on the midpoint of two neighbouring doubles
  */
@@ -27,8 +26,8 @@ struct tally {
     unsigned long long at[FURTHEST];
 };
 
-static const char *const names[FURTHEST] = {"kernels", "doubles", "grid",
-                                            "pairs",   "exact",   "middle"};
+static const char *const names[FURTHEST] = {"kernels", "doubles", "pairs",
+                                            "exact", "middle"};
 
 static int furthest(const struct family_case *c, unsigned want)
 {
@@ -74,7 +73,7 @@ static void print_tally(const struct tally *tally, unsigned long long counted)
 
 static void print_heads(void)
 {
-    printf("%-28s %47s %47s\n", "% of questions by last stage", "verdict",
+    printf("%-28s %39s %39s\n", "% of questions by last stage", "verdict",
            "roots");
     printf("%-28s", "");
     for (int i = 0; i < 2 * FURTHEST; i++) {
