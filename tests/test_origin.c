@@ -5,12 +5,14 @@
  * last coordinate is free.  Whatever the domain, the hits are those hits of the whole
  * line whose t lies in it, and for a line that crosses one of them is exactly 0.
  * This holds with all kernels, and whatever is wanted.
+ * Of data of few digits, signs that are 0 need no exact numbers.
  */
 #include <math.h>
 
 #include "check.h"
 #include "cylint.h"
 #include "random.h"
+#include "signs/sign.h"
 
 enum { CASES = 4000, KERNELS = 8 };
 
@@ -229,8 +231,102 @@ static void a_line_that_begins_beside_a_surface_has_no_hit_at_0(void)
     }
 }
 
+/* So near that the square of the distance underflows, which loses nothing that the
+ * low parts of pairs would show. */
+static void a_point_beside_a_mantle_is_outside(void)
+{
+    for (int i = 0; i < CASES; i++) {
+        const double base[3] = {0, 0, 0}, top[3] = {0, 0, 8};
+        const double off = ldexp(1, -500 - random_int(&stream, 520));
+        const double point[3] = {5, either_sign() * off, 1 + within(4)};
+        cylint_shape shape;
+        cylint_cylinder(&shape, base, top, 5, CYLINT_ENDS_CAPPED);
+        CHECK(cylint_contains(&shape, point) == -1);
+    }
+}
+
+/* ------------------------------------------------ without exact numbers -- */
+
+static double tenths(int n)
+{
+    return 0.1 * whole(n);
+}
+
+/* The sign of a form is 0, and neither it nor those before it in q were computed in
+ * exact numbers. */
+static void check_zero(cylint_query *q, cylint_form f, int end)
+{
+    const int sign = cylint_form_sign(q, f, end);
+    if (!CHECK(sign == 0 &&
+               (CYLINT_IS_PARANOID || !(q->ready & CYLINT_READY_EXACT))))
+        REPORT("kind %d, form %d, end %d: sign %d", q->kind, (int)f, end, sign);
+}
+
+/* From a point of the mantle, or of a rim, whose last coordinate is any number. */
+static void check_mantle(int kind)
+{
+    const int k = whole(3), cone = kind == CYLINT_KIND_CONE;
+    const double base[3] = {0, 0, 0}, top[3] = {0, 0, 4};
+    const double on_rim[3] = {3 * k, -4 * k, 0};
+    const double point[3] = {3 * k, 4 * k, cone ? 2 : 1 + within(2)};
+    const double towards[3] = {whole(9), whole(9), whole(9)};
+    cylint_shape shape;
+    cylint_line line;
+    cylint_query q;
+    if (kind == CYLINT_KIND_CAPSULE)
+        cylint_capsule(&shape, base, top, 5 * k, CYLINT_ENDS_CAPPED);
+    else
+        cylint_cone(&shape, base, cone ? 5 * k + 2 : 5 * k, top,
+                    cone ? 5 * k - 2 : 5 * k, CYLINT_ENDS_CAPPED);
+    cylint_ray(&line, point, towards);
+    cylint_query_open(&q, &shape, &line);
+    check_zero(&q, FORM_C, 0);
+    if (cone)
+        return;
+    cylint_ray(&line, on_rim, towards);
+    cylint_query_open(&q, &shape, &line);
+    check_zero(&q, FORM_ALPHA, 0);
+    check_zero(&q, FORM_C, 0);
+    check_zero(&q, FORM_E, 0);
+}
+
+/* Tangents of an upright cylinder along axes and diagonals, and points of its mantle
+ * and base, in tenths. */
+static void check_tenths(void)
+{
+    const double r = tenths(90), z = tenths(30);
+    const double base[3] = {0, 0, z}, top[3] = {0, 0, z + tenths(50)};
+    const double on_mantle[3] = {0, -r, tenths(90)};
+    const double on_base[3] = {within(1), within(1), z};
+    const double tangent[3] = {1, 0, random_int(&stream, 2)};
+    cylint_shape shape;
+    cylint_line line;
+    cylint_query q;
+    cylint_cylinder(&shape, base, top, r, CYLINT_ENDS_CAPPED);
+    cylint_whole_line(&line, on_mantle, tangent);
+    cylint_query_open(&q, &shape, &line);
+    check_zero(&q, FORM_C, 0);
+    check_zero(&q, FORM_G, 0);
+    check_zero(&q, FORM_B, 0);
+    cylint_whole_line(&line, on_base, tangent);
+    cylint_query_open(&q, &shape, &line);
+    check_zero(&q, FORM_ALPHA, 0);
+}
+
+static void zeros_of_few_digits_need_no_exact_numbers(void)
+{
+    for (int i = 0; i < CASES; i++) {
+        check_mantle(CYLINT_KIND_CYLINDER);
+        check_mantle(CYLINT_KIND_CAPSULE);
+        check_mantle(CYLINT_KIND_CONE);
+        check_tenths();
+    }
+}
+
 int main(void)
 {
+    RUN(a_point_beside_a_mantle_is_outside);
+    RUN(zeros_of_few_digits_need_no_exact_numbers);
     RUN(hits_of_a_domain_are_those_of_the_whole_line);
     RUN(a_line_that_begins_beside_a_surface_has_no_hit_at_0);
     return check_end();
