@@ -236,7 +236,8 @@ ASIDE int is_certain_in_triples(const half_plane *m, int feature,
 {
     const double size = m->size + cylint_reach(s);
     if (!(fabs(d->hi) <= CYLINT_CLOSE * size) || !(size <= CYLINT_CLOSE_MOST) ||
-        feature >= CYLINT_FEATURE_RIM0 || cylint_has_tangent(s->kind))
+        feature >= CYLINT_FEATURE_RIM0 || cylint_has_tangent(s->kind) ||
+        (!center && !is_off_axis(m)))
         return 0;
     const close_distance to =
         center ? close_to_ball(point, center, r)
@@ -271,7 +272,8 @@ ASIDE int finish_at_corner(const half_plane *m, double A, double B, int top,
     close_distance to = {{0, 0}, HUGE_VAL};
     const double size = m->size + cylint_reach(s);
     if (!(fabs(A) + fabs(B) <= CYLINT_CLOSE * size) ||
-        !(size <= CYLINT_CLOSE_MOST) || !load_corner(&k, s, point, m, top))
+        !(size <= CYLINT_CLOSE_MOST) || !is_off_axis(m) ||
+        !load_corner(&k, s, point, m, top))
         return 0;
     const int feature = corner_feature(&k, top, &to);
     const pair d = normalized(to.d);

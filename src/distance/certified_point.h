@@ -185,7 +185,7 @@ ASIDE int describe(const cylint_shape *s, const double point[3],
     const int cap =
         (feature == CYLINT_FEATURE_CAP0) | (feature == CYLINT_FEATURE_CAP1);
     const int apex = cylint_feature_is_apex(s, feature);
-    int certain = 1;
+    int certain = is_off_axis(m);
     frame f;
     load_frame(&f, s, point, m);
     for (int i = 0; i < 3; i++) {

@@ -34,6 +34,10 @@
  * below 2^-94, and of roundings of lo.  CYLINT_HALF_PLANE_ERROR (S thin + reach)
  * is more than all of that (tests/prove/ratios.txt).
  *
+ * Nearer to the axis thin is larger.  There rho is the length of (x, y), each a sum
+ * of three products in pairs, whose errors are below 2^-95 S with that of the
+ * matrix: rho errs by less than 2^-94 S.
+ *
  * The distance from a rim is another root.  Its first step is of the size of the
  * low parts.  If it is at most CYLINT_ROOT_STEP of the root, the same two steps
  * do.

@@ -166,6 +166,30 @@ INLINE void load_sums(pair *z, pair *dd, const pair D[3], const pair w[3])
     *dd = (pair){hi[1], lo[1]};
 }
 
+/* rho of a point near the axis, where D.D - z^2 has lost its digits, from x and y.
+ * Where their squares would underflow, rho is 0 within the error. */
+ASIDE void load_across(half_plane *m, const cylint_shape *s, const pair D[3],
+                       double reach)
+{
+    pair x[2] = {{0, 0}, {0, 0}};
+    EACH(i, 3)
+        for (int k = 0; k < 2; k++)
+            x[k] = pair_add(x[k],
+                            pair_mul(D[i], (pair){cylint_column(s, i)[k],
+                                                  cylint_column_lo(s, i)[k]}));
+    m->rho = size_of(x[0]) + size_of(x[1]) > CYLINT_DISTANCE_LEAST
+                 ? length_of(x[0], x[1])
+                 : (pair){0, 0};
+    m->error = CYLINT_HALF_PLANE_ERROR * (m->size + reach);
+}
+
+/* Whether the point is so far from the axis that its direction from it has
+ * digits. */
+INLINE int is_off_axis(const half_plane *m)
+{
+    return m->size <= 2 * CYLINT_THINNEST * m->rho.hi;
+}
+
 /* w: the direction of the axis, a unit vector, or a vector of the given length.
  * reach: of the shape. */
 INLINE void load_along(half_plane *m, const cylint_shape *s,
@@ -181,6 +205,8 @@ INLINE void load_along(half_plane *m, const cylint_shape *s,
     m->rho = root_of_difference(dd, lazy_square(m->z), &half);
     m->size = size_along(D);
     m->error = error_of_root(m->size, half, reach);
+    if (!(m->error < HUGE_VAL) && !length)
+        load_across(m, s, D, reach);
 }
 
 INLINE void load_row(pair w[3], const cylint_shape *s)

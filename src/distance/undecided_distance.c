@@ -45,6 +45,19 @@ static inline int is_certified(const cylint_shape *shape, const double point[3],
                            cylint_certified_fma)(shape, point, want, answer);
 }
 
+/* The distance alone of a point that lies on the surface, no part of which is
+ * missing. */
+static int is_zero(const cylint_shape *shape, const double point[3],
+                   unsigned want)
+{
+    const int whole = cylint_caps_present(shape->ends) == 3 ||
+                      !cylint_ends_are_planes(shape->ends);
+    return whole &&
+           !(want &
+             (CYLINT_WANT_PART | CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) &&
+           cylint_contains(shape, point) == 0;
+}
+
 /* All answers that the certified ones leave. */
 ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
                          unsigned want, cylint_closest *answer)
@@ -53,6 +66,8 @@ ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
         answer->flags = CYLINT_FLAG_INVALID;
         return nowhere(answer);
     }
+    if (is_zero(shape, point, want))
+        return answer->distance = 0;
     if (cylint_is_elliptic(shape->kind))
         return cylint_elliptic_distance(shape, point, want, answer);
     return by_exact_numbers(shape, point, want, answer);
