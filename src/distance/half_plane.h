@@ -187,7 +187,7 @@ ASIDE void load_across(half_plane *m, const cylint_shape *s, const pair D[3],
  * digits. */
 INLINE int is_off_axis(const half_plane *m)
 {
-    return m->size <= 2 * CYLINT_THINNEST * m->rho.hi;
+    return m->size < 2 * CYLINT_THINNEST * m->rho.hi;
 }
 
 /* w: the direction of the axis, a unit vector, or a vector of the given length.
