@@ -392,6 +392,26 @@ static void the_sign_is_that_of_contains(void)
     over_exponents(check_sign, 1);
 }
 
+/* The distance does not need the direction from the axis to the point. */
+static void pairs_decide_the_distance_from_points_on_the_axis(void)
+{
+    static const double tilted_base[3] = {1, 2, 3}, tilted_top[3] = {4, 6, 4},
+                        middle[3] = {2.5, 4, 3.5};
+    const cylint_shape upright[] = {cylinder(CYLINT_ENDS_CAPPED),
+                                    cone(CYLINT_ENDS_CAPPED),
+                                    round_cone(CYLINT_ENDS_CAPPED)};
+    cylint_closest answer;
+    cylint_shape tilted;
+    for (int i = 0; i < 3; i++) {
+        const double inside[3] = {0, 0, 0.7}, beyond[3] = {0, 0, -0.3};
+        CHECK(cylint_certified_plain(&upright[i], inside, 0, &answer));
+        CHECK(cylint_certified_plain(&upright[i], beyond, 0, &answer));
+    }
+    cylint_cylinder(&tilted, tilted_base, tilted_top, 0.1, CYLINT_ENDS_CAPPED);
+    CHECK(cylint_certified_plain(&tilted, middle, 0, &answer));
+    CHECK(answer.distance == -0.1);
+}
+
 /* The certified answers, of both builds, and the exact ones. */
 static void check_paths(const struct family_case *c, const double p[3])
 {
@@ -602,6 +622,7 @@ int main(void)
     RUN(circles_of_tangency_are_lateral);
     RUN(a_distance_is_rounded_to_infinity_from_its_middle_on);
     RUN(the_sign_is_that_of_contains);
+    RUN(pairs_decide_the_distance_from_points_on_the_axis);
     RUN(all_paths_return_the_same_bits);
     RUN(the_floating_point_environment_changes_nothing);
     RUN(safety_is_never_above_the_distance);
