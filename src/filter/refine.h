@@ -382,6 +382,11 @@ static int refine_roots(cylint_question *q)
     root r = {v_load(q->value), v_load(q->tail), v_load(q->error),
               v_load(q->low),   v_load(q->high), m_from(q->nearest)};
     local_line l;
+    pair_line in;
+    if (q->want & CYLINT_WANT_BESIDE_T) {
+        const source from = {shape, q->line};
+        load_pairs(&in, &from, 1, solid);
+    }
     set_sizes(&l, q, solid);
     const vm present = m_from(q->ends.present);
     hits h = hits_of_roots(&r, &l, present);
@@ -391,7 +396,7 @@ static int refine_roots(cylint_question *q)
     h = with_zero_hits(h, zeros, q->line);
     needed = ends_needed(h, bits, q->want);
     if (!needed)
-        return write_hits(m_bits(h.hit), bits, &r, &a, solid);
+        return write_hits(m_bits(h.hit), bits, &r, &in, &a, solid);
     const vd off = (r.error + v_abs(r.tail)) * at.curvature;
     const vd start = v_select(
         v_le(off, v_set(CYLINT_LOCAL_NEAR) * v_abs(at.slope)), r.value, at.t);
@@ -415,11 +420,6 @@ static int refine_roots(cylint_question *q)
     h = with_zero_hits(hits_of_roots(&r, &l, present), zeros, q->line);
     if (ends_needed(h, bits, q->want))
         return CYLINT_UNDECIDED;
-    pair_line in;
-    if (q->want & CYLINT_WANT_BESIDE_T) {
-        const source from = {shape, q->line};
-        load_pairs(&in, &from, 1, solid);
-    }
     return write_hits(m_bits(h.hit), bits, &r, &in, &a, solid);
 }
 
