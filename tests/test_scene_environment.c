@@ -209,8 +209,12 @@ static void query_columns(const cylint_shape *shape, double column[8][LINES],
 {
     static double memory[40000];
     static cylint_shape copies[LINES];
-    const cylint_columns columns = {to->relation, to->n,     to->t0,
-                                    to->t1,       to->part0, to->part1};
+    const cylint_columns columns = {.relation = to->relation,
+                                    .n = to->n,
+                                    .t0 = to->t0,
+                                    .t1 = to->t1,
+                                    .part0 = to->part0,
+                                    .part1 = to->part1};
     const cylint_lines lines = {LINES,
                                 {column[0], column[1], column[2]},
                                 {column[3], column[4], column[5]},

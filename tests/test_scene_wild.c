@@ -257,9 +257,12 @@ static void keep_hit(struct first *to, int found, const cylint_hit *hit)
 
 static const cylint_columns *at(struct columns *to, cylint_columns *columns)
 {
-    *columns =
-        (cylint_columns){to->relation,       to->n,       (double *)to->t[0],
-                         (double *)to->t[1], to->part[0], to->part[1]};
+    *columns = (cylint_columns){.relation = to->relation,
+                                .n = to->n,
+                                .t0 = (double *)to->t[0],
+                                .t1 = (double *)to->t[1],
+                                .part0 = to->part[0],
+                                .part1 = to->part[1]};
     return columns;
 }
 

@@ -420,7 +420,12 @@ static void check_pack(const cylint_pack *pack, const cylint_line *line)
     signed char relation[SHAPES_MOST], n[SHAPES_MOST], part0[SHAPES_MOST],
         part1[SHAPES_MOST];
     double t0[SHAPES_MOST], t1[SHAPES_MOST];
-    const cylint_columns columns = {relation, n, t0, t1, part0, part1};
+    const cylint_columns columns = {.relation = relation,
+                                    .n = n,
+                                    .t0 = t0,
+                                    .t1 = t1,
+                                    .part0 = part0,
+                                    .part1 = part1};
     size_t nearest = pack->n, hit_count = 0;
     double t = 0;
     cylint_intersect_shapes(pack, line, &columns);
@@ -449,7 +454,12 @@ static void check_lines(const cylint_shape *s, const cylint_line *line)
     signed char relation[N], n[N], part0[N], part1[N];
     const cylint_lines lines = {
         N, {v[0], v[1], v[2]}, {v[3], v[4], v[5]}, tmin, tmax};
-    const cylint_columns columns = {relation, n, t0, t1, part0, part1};
+    const cylint_columns columns = {.relation = relation,
+                                    .n = n,
+                                    .t0 = t0,
+                                    .t1 = t1,
+                                    .part0 = part0,
+                                    .part1 = part1};
     for (int i = 0; i < N; i++) {
         for (int j = 0; j < 3; j++) {
             v[j][i] = line->o[j];

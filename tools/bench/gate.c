@@ -128,10 +128,12 @@ static void hash_contains(const struct cases *c, uint64_t *hash)
 /* which: bits of columns. */
 static cylint_columns some_columns(const struct cases *c, unsigned which)
 {
-    return (cylint_columns){
-        which & 1 ? c->byte[0] : NULL,  which & 2 ? c->byte[1] : NULL,
-        which & 4 ? c->t[0] : NULL,     which & 8 ? c->t[1] : NULL,
-        which & 16 ? c->byte[2] : NULL, which & 32 ? c->byte[3] : NULL};
+    return (cylint_columns){.relation = which & 1 ? c->byte[0] : NULL,
+                            .n = which & 2 ? c->byte[1] : NULL,
+                            .t0 = which & 4 ? c->t[0] : NULL,
+                            .t1 = which & 8 ? c->t[1] : NULL,
+                            .part0 = which & 16 ? c->byte[2] : NULL,
+                            .part1 = which & 32 ? c->byte[3] : NULL};
 }
 
 static const unsigned columns_wanted[] = {63, 1, 2, 4, 12, 16, 5};

@@ -65,12 +65,12 @@ void pairs_intersect(struct pairs *p, unsigned want)
                                 {p->d[0], p->d[1], p->d[2]},
                                 p->tmin,
                                 p->tmax};
-    const cylint_columns columns = {p->relation,
-                                    both ? p->n : NULL,
-                                    roots ? p->t0 : NULL,
-                                    roots && both ? p->t1 : NULL,
-                                    parts || !both ? p->part0 : NULL,
-                                    parts && both ? p->part1 : NULL};
+    const cylint_columns columns = {.relation = p->relation,
+                                    .n = both ? p->n : NULL,
+                                    .t0 = roots ? p->t0 : NULL,
+                                    .t1 = roots && both ? p->t1 : NULL,
+                                    .part0 = parts || !both ? p->part0 : NULL,
+                                    .part1 = parts && both ? p->part1 : NULL};
     cylint_pack pack;
     cylint_pack_shapes(&pack, p->memory, p->shapes, lines.n);
     cylint_intersect_pairs(&pack, &lines, &columns);
