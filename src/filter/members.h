@@ -108,15 +108,22 @@ INLINE vpair entry_at(const source *from, int row, int j)
     return pair_at(from, CYLINT_AT_COLUMNS + 3 * j + row);
 }
 
-/* What the error of an entry is relative to: the entry itself or, where it may
+/* What the errors of the entries are relative to: the entry itself or, where it may
  * have cancelled, the norm; an entry 0 is exact. */
-INLINE vd entry_size(const source *from, vd entry)
+INLINE void set_entry_sizes(vd size[3][3], const source *from)
 {
-    const vd size = v_abs(entry);
-    if (!m_any(is_elliptic(from)))
-        return size;
-    const vm other = m_and(is_elliptic(from), v_lt(v_set(0), size));
-    return v_select(other, number_at(from, CYLINT_AT_NORM), size);
+    const vm elliptic = is_elliptic(from);
+    EACH(row, 3)
+        EACH(j, 3)
+            size[row][j] = v_abs(entry_at(from, row, j).hi);
+    if (!m_any(elliptic))
+        return;
+    EACH(row, 3)
+        EACH(j, 3) {
+            const vm other = m_and(elliptic, v_lt(v_set(0), size[row][j]));
+            size[row][j] =
+                v_select(other, number_at(from, CYLINT_AT_NORM), size[row][j]);
+        }
 }
 
 INLINE bounded_pairs zero_pairs(void)
@@ -148,20 +155,19 @@ INLINE vpair quotient(vpair x, vpair y, vd inverse)
  * of the bounds. */
 typedef struct {
     bounded_pairs x, y, z, rho;
-    vd error, unit;
+    vd error, unit, entry_size[3][3];
 } local_hit;
 
 /* The bound on a coordinate: the error of the matrix and of pairs, and what that of
  * the root adds. */
-INLINE vd coordinate_error(const source *from, const local_hit *h,
-                           const vd size[3], int row, vd v, int solid)
+INLINE vd coordinate_error(const local_hit *h, const vd size[3], int row, vd v,
+                           int solid)
 {
     vd sum = size[row];
     if (!cylint_solid_is_ball(solid)) {
         sum = v_set(0);
         EACH(j, 3)
-            sum = v_sum_of(entry_size(from, entry_at(from, row, j).hi), size[j],
-                           sum);
+            sum = v_sum_of(h->entry_size[row][j], size[j], sum);
     }
     return v_sum_of(h->unit, sum, v_abs(v) * h->error);
 }
@@ -186,17 +192,17 @@ INLINE local_hit hit_at(const source *from, const pair_line *in,
         size[j] = v_sum_of(
             v_abs(r->t), v_abs(direction_at(from, j).hi),
             v_abs(origin_at(from, j) - number_at(from, CYLINT_AT_BASE + j)));
+    set_entry_sizes(h.entry_size, from);
     h.x = (bounded_pairs){at_root(p[0], v[0], r),
-                          coordinate_error(from, &h, size, 0, v[0].hi, solid)};
+                          coordinate_error(&h, size, 0, v[0].hi, solid)};
     h.y = (bounded_pairs){at_root(p[1], v[1], r),
-                          coordinate_error(from, &h, size, 1, v[1].hi, solid)};
+                          coordinate_error(&h, size, 1, v[1].hi, solid)};
     h.z = zero_pairs();
     if (axial || cylint_solid_is_tapered(solid) ||
         cylint_solid_is_round(solid)) {
         const vpair z = {of_end(z_hi, 0), of_end(z_lo, 0)};
-        h.z = (bounded_pairs){
-            at_root(z, in->w, r),
-            coordinate_error(from, &h, size, 2, in->w.hi, solid)};
+        h.z = (bounded_pairs){at_root(z, in->w, r),
+                              coordinate_error(&h, size, 2, in->w.hi, solid)};
     }
     h.rho = (bounded_pairs){in->rho, v_set(0)};
     if (cylint_solid_is_tapered(solid)) {
@@ -301,11 +307,12 @@ INLINE combination unit_normal(const local_hit *h, const hit_root *r,
 {
     const int tapered = cylint_solid_is_tapered(solid);
     const vm inside_out = v_lt(h->rho.v.hi, v_set(0));
-    const bounded_pairs rho = negated_where(inside_out, h->rho);
-    bounded_pairs divisor = rho, z = zero_pairs();
+    bounded_pairs divisor = h->rho, z = zero_pairs();
     vpair one = {v_set(1), v_set(0)}, cosine = one;
-    if (tapered)
+    if (tapered) {
+        divisor = negated_where(inside_out, divisor);
         cosine = pair_at(from, CYLINT_AT_COSINE);
+    }
     if (cylint_solid_is_round(solid)) {
         const vm on_ball =
             cylint_solid_is_ball(solid) ? m_not(m_from(0)) : r->on_end;
@@ -353,8 +360,8 @@ INLINE combination choose_combination(vm m, combination x, combination y)
 }
 
 /* Component i of x X + y Y, and of z Z if the solid has slopes along the axis. */
-INLINE bounded_pairs component_of(const combination *c, const source *from,
-                                  int i, int solid)
+INLINE bounded_pairs component_of(const combination *c, const local_hit *h,
+                                  const source *from, int i, int solid)
 {
     const bounded_pairs *const of[3] = {&c->x, &c->y, &c->z};
     const int terms =
@@ -366,17 +373,17 @@ INLINE bounded_pairs component_of(const combination *c, const source *from,
         const vpair entry = entry_at(from, k, i);
         const vpair p = vpair_mul(entry, of[k]->v);
         sum.v = k == 0 ? p : vpair_add(sum.v, p);
-        sum.e = v_sum_of(entry_size(from, entry.hi), of[k]->e, sum.e);
+        sum.e = v_sum_of(h->entry_size[k][i], of[k]->e, sum.e);
     }
     return sum;
 }
 
 /* Component i of Z or -Z. */
-INLINE bounded_pairs plane_component(const source *from, const hit_root *r,
-                                     int i, vd unit)
+INLINE bounded_pairs plane_component(const local_hit *h, const source *from,
+                                     const hit_root *r, int i)
 {
     const vpair z = entry_at(from, 2, i);
-    const bounded_pairs up = {z, entry_size(from, z.hi) * unit};
+    const bounded_pairs up = {z, h->entry_size[2][i] * h->unit};
     return negated_where(m_not(r->top), up);
 }
 
@@ -407,13 +414,13 @@ INLINE void normal_of(bounded_pairs n[3], const local_hit *h,
     combination c = unit_normal(h, r, from, solid);
     if (m_any(skew))
         c = choose_combination(skew, gradient(h, from, solid), c);
-    n[0] = ball ? c.x : component_of(&c, from, 0, solid);
-    n[1] = ball ? c.y : component_of(&c, from, 1, solid);
-    n[2] = ball ? c.z : component_of(&c, from, 2, solid);
+    n[0] = ball ? c.x : component_of(&c, h, from, 0, solid);
+    n[1] = ball ? c.y : component_of(&c, h, from, 1, solid);
+    n[2] = ball ? c.z : component_of(&c, h, from, 2, solid);
     if (cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid))
         EACH(i, 3)
-            n[i] = choose_pairs(r->on_end, plane_component(from, r, i, h->unit),
-                                n[i]);
+            n[i] =
+                choose_pairs(r->on_end, plane_component(h, from, r, i), n[i]);
     if (m_any(skew))
         normalise(n, h->unit, skew);
 }
@@ -453,7 +460,8 @@ INLINE vm phi_of(vd *to, const local_hit *h, const source *from)
                  in_turns(x.e), in_turns(y.e), &error);
     const bounded_pairs phi = {turns, error * v_set(1 / CYLINT_MEMBER_UNIT)};
     const vm certain = rounds(phi, CYLINT_MEMBER_TIE, to);
-    *to = v_select(v_lt(*to, v_set(1)), *to, v_set(1 - CYLINT_NEAREST_ROUNDING));
+    *to =
+        v_select(v_lt(*to, v_set(1)), *to, v_set(1 - CYLINT_NEAREST_ROUNDING));
     return certain;
 }
 
