@@ -18,6 +18,20 @@ static cylint_overlap overlap_of(cylint_query *q)
 
 /* ------------------------------------------------------- the domain ---- */
 
+#if CYLINT_IS_PARANOID
+/* Whether wanted members beside t differ in a bit. */
+static int members_differ(const cylint_hit *x, const cylint_hit *y,
+                          unsigned want)
+{
+    return (want & CYLINT_WANT_POINT &&
+            memcmp(x->point, y->point, sizeof x->point)) ||
+           (want & CYLINT_WANT_NORMAL &&
+            memcmp(x->normal, y->normal, sizeof x->normal)) ||
+           (want & CYLINT_WANT_Z && memcmp(&x->z, &y->z, sizeof x->z)) ||
+           (want & CYLINT_WANT_PHI && memcmp(&x->phi, &y->phi, sizeof x->phi));
+}
+#endif
+
 /* The members beside t of a hit with this t: in pairs, where its root is simple,
  * and exactly. */
 static void describe_stop(cylint_query *q, const cylint_shape *shape,
@@ -30,6 +44,12 @@ static void describe_stop(cylint_query *q, const cylint_shape *shape,
         left = cylint_one_used()->describe(shape, line, left, &known, hit);
     if (left)
         cylint_describe_hit(q, at->root, at->part, at->apex, left, hit);
+#if CYLINT_IS_PARANOID
+    cylint_hit exact;
+    cylint_describe_hit(q, at->root, at->part, at->apex,
+                        want & CYLINT_WANT_BESIDE_T, &exact);
+    cylint_contradiction(members_differ(hit, &exact, want));
+#endif
 }
 
 /* Opens the query of the surface that a hit lies on: of a ball of a capsule or
@@ -121,6 +141,11 @@ static void write_hits(const cylint_question *from, unsigned want,
         }
         if (from->left[i])
             describe_left(from->shape, from->line, k, from->left[i], hit);
+#if CYLINT_IS_PARANOID
+        cylint_hit again;
+        describe_left(from->shape, from->line, k, want, &again);
+        cylint_contradiction(members_differ(hit, &again, want));
+#endif
     }
 }
 
