@@ -14,6 +14,9 @@
 #ifndef CYLINT_ONE
 #define CYLINT_ONE cylint_one_plain
 #endif
+#ifndef CYLINT_SIGN_AT_ORIGIN
+#define CYLINT_SIGN_AT_ORIGIN cylint_sign_at_origin
+#endif
 
 /* For questions that the filter does not serve. */
 static int useless(const cylint_shape *shape, const cylint_line *line,

@@ -8,6 +8,10 @@
 #include "origin.h"
 #include "sign.h"
 
+#ifndef CYLINT_SIGN_AT_ORIGIN
+#define CYLINT_SIGN_AT_ORIGIN cylint_sign_at_origin
+#endif
+
 #define INLINE static inline
 #define MEMORY
 #define NUM bounded_pair
