@@ -366,8 +366,8 @@ static int refine_any_line(cylint_question *q)
 }
 
 /* A root of 0, or a second step, with residuals in levels for the ends that are
- * needed.  It begins at the root of the first or, if the first may have led so far that the slope
- * differs there, at the estimate. */
+ * needed.  It begins at the root of the first or, if the first may have led so far
+ * that the slope differs there, at the estimate. */
 static int refine_roots(cylint_question *q)
 {
     const cylint_shape *shape = q->shape;

@@ -2,8 +2,8 @@
  * sign.c - the sign of each form: in doubles, then in pairs, then exactly
  *
  * A filter's answer is final when the value exceeds the bound on its error
- * (error_bounds.h), or when pairs have lost nothing.  Comparisons are written so that a NaN falls to the next
- * arithmetic.
+ * (error_bounds.h), or when pairs have lost nothing.  Comparisons are written so
+ * that a NaN falls to the next arithmetic.
  */
 #include "sign.h"
 
