@@ -3,10 +3,11 @@
  *
  *   answers FILE     FILE was written by `records SEED COUNT FILE`
  *
- * One line a question: relation, number of hits and, of each hit, t, part, side,
- * point, normal, z and phi; then the distance of the line's origin, part and feature.  Numbers are
- * the bits of the double.  It needs the C library only, so that tests/cross.sh can
- * compare systems on which the command is not built.
+ * One line a question: relation, number of hits and, of each hit, t, part,
+ * side, point, normal, z and phi; then the distance of the line's origin, part
+ * and feature.  Numbers are the bits of the double.  It needs the C library
+ * only, so that tests/cross.sh can compare systems on which the command is not
+ * built.
  */
 #include <inttypes.h>
 #include <stdio.h>

@@ -2,10 +2,11 @@
  * stress.c - compares the library with the oracle on 1e8 cases (make stress)
  *
  * All families, and the constructed coincidences with all their neighbours:
- * relation, number, parts, sides, and every bit of t, of each component of point
- * and normal, of z and of phi.  The table counts the components that are not the
- * nearest doubles; a hit has 9.  Several processes share the work in rounds.  A case
- * depends only on the seed and its number, not on the number of processes.
+ * relation, number, parts, sides, and every bit of t, of each component of
+ * point and normal, of z and of phi.  The table counts the components that are
+ * not the nearest doubles; a hit has 9.  Several processes share the work in
+ * rounds.  A case depends only on the seed and its number, not on the number of
+ * processes.
  *
  *   CYLINT_CASES    in all, default 1e8      CYLINT_SEED  default 20240
  *   CYLINT_SECONDS  stops after that time    CYLINT_JOBS  default 2

@@ -6,8 +6,8 @@
  * another one: rounding upward, downward or toward zero, subnormal results
  * flushed to zero, subnormal operands treated as zero.  Relation, number, every
  * bit of all members of hits, and the statuses of the constructors must agree,
- * whatever members are wanted.  CYLINT_CASES is the number of cases of each family, CYLINT_SEED
- * changes all cases, CYLINT_FAMILY=n tests one family.
+ * whatever members are wanted.  CYLINT_CASES is the number of cases of each
+ * family, CYLINT_SEED changes all cases, CYLINT_FAMILY=n tests one family.
  */
 #include <math.h>
 #include <string.h>

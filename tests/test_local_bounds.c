@@ -105,11 +105,12 @@ static number worse(number x, number y)
     return (number){fmax(x.size, y.size), fmax(x.lo, y.lo), fmax(x.off, y.off)};
 }
 
-/* A row of the matrix times a vector of components up to 1.  The bound is linear
- * in the sizes of the entries, of which the sum is 1 and so is that of their
- * errors in units of u, so it is greatest where one entry has all.
- * transformed() and row_in_pairs() add the low parts in another order: in the sum of each two
- * numbers here as many roundings are counted, and of numbers as large. */
+/* A row of the matrix times a vector of components up to 1.  The bound is
+ * linear in the sizes of the entries, of which the sum is 1 and so is that of
+ * their errors in units of u, so it is greatest where one entry has all.
+ * transformed() and row_in_pairs() add the low parts in another order: in the
+ * sum of each two numbers here as many roundings are counted, and of numbers as
+ * large. */
 static number row_times(number component)
 {
     const number entry = given(1, in_pairs ? u : 0), none = {0, 0, 0};
@@ -539,13 +540,14 @@ static number square_of(number x)
 }
 
 /*
- * square_residual(), in units of |t| D + Q: all of across = |x| + |y| + |z| + |rho|
- * in one of them, where the bound is greatest, since it is a sum of convex functions
- * of each.  The difference of the high parts is exact, or the error is one rounding
- * of it, and so is that of each sum with it: Newton's step counts these, but for
- * what the low parts add to them: at most eight roundings.  Of a straight shape
- * across has no rho; where |rho| is more than twice across, the value is as large
- * as rho^2, and the error of rho^2 is a rounding of the value.
+ * square_residual(), in units of |t| D + Q: all of across = |x| + |y| + |z| +
+ * |rho| in one of them, where the bound is greatest, since it is a sum of
+ * convex functions of each.  The difference of the high parts is exact, or the
+ * error is one rounding of it, and so is that of each sum with it: Newton's
+ * step counts these, but for what the low parts add to them: at most eight
+ * roundings.  Of a straight shape across has no rho; where |rho| is more than
+ * twice across, the value is as large as rho^2, and the error of rho^2 is a
+ * rounding of the value.
  */
 static double square_off(number x, number rho)
 {

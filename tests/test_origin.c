@@ -2,10 +2,10 @@
  * test_origin.c - floor filter: lines that begin exactly on a surface
  *
  * The points lie on the surfaces because their data are whole numbers or their
- * last coordinate is free.  Whatever the domain, the hits are those hits of the whole
- * line whose t lies in it, and for a line that crosses one of them is exactly 0.
- * This holds with all kernels, and whatever is wanted.
- * Of data of few digits, signs that are 0 need no exact numbers.
+ * last coordinate is free.  Whatever the domain, the hits are those hits of the
+ * whole line whose t lies in it, and for a line that crosses one of them is
+ * exactly 0. This holds with all kernels, and whatever is wanted. Of data of
+ * few digits, signs that are 0 need no exact numbers.
  */
 #include <math.h>
 
@@ -289,8 +289,8 @@ static void check_mantle(int kind)
     check_zero(&q, FORM_E, 0);
 }
 
-/* Tangents of an upright cylinder along axes and diagonals, and points of its mantle
- * and base, in tenths. */
+/* Tangents of an upright cylinder along axes and diagonals, and points of its
+ * mantle and base, in tenths. */
 static void check_tenths(void)
 {
     const double r = tenths(90), z = tenths(30);

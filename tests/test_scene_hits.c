@@ -2,11 +2,12 @@
  * test_scene_hits.c - floors roots, batch and scene: the members of a hit have the
  * same bits from every path
  *
- * The paths are: a single question with sets of wanted members (16 a case, all 128
- * of eight cases), with each build of the kernels, with a domain that ends at the hit, so that the
- * filter is undecided; the nearest shape of a pack and of a scene, and its first
- * shape not excluded.  All are asked again in the environments of environment.h, in
- * turn: one a case.  CYLINT_CASES and CYLINT_SEED change the cases.
+ * The paths are: a single question with sets of wanted members (16 a case, all
+ * 128 of eight cases), with each build of the kernels, with a domain that ends
+ * at the hit, so that the filter is undecided; the nearest shape of a pack and
+ * of a scene, and its first shape not excluded.  All are asked again in the
+ * environments of environment.h, in turn: one a case.  CYLINT_CASES and
+ * CYLINT_SEED change the cases.
  */
 #include <math.h>
 #include <string.h>

@@ -285,9 +285,9 @@ INLINE unsigned limits_at_origin(const cylint_line *line)
            (cylint_sign(line->tmax) == 0 ? 2u : 0);
 }
 
-/* The lanes of `needed` whose root is 0, exactly: 0 lies within its bounds and is a
- * root of its surface, and the other root of that surface, which is farther away than
- * the slope over the curvature, does not lie within them. */
+/* The lanes of `needed` whose root is 0, exactly: 0 lies within its bounds and
+ * is a root of its surface, and the other root of that surface, which is
+ * farther away than the slope over the curvature, does not lie within them. */
 INLINE unsigned zero_roots(const root *r, const estimate *at, unsigned needed,
                            const cylint_question *q, int solid)
 {

@@ -94,8 +94,8 @@
  * parts.  CYLINT_SLACK covers them.  Proved.
  *
  * If every datum is 0 or at least 2^-CYLINT_WHOLE_EXPONENT, it is a multiple of
- * that times 2^-52.  A number of degree k, its low part and what is lost with it are
- * multiples of the k-th power of this.  k is CYLINT_DEGREE at most
+ * that times 2^-52.  A number of degree k, its low part and what is lost with
+ * it are multiples of the k-th power of this.  k is CYLINT_DEGREE at most
  * (tests/test_form_depth.c), and that power is a normal number, so nothing
  * underflows.
  */
@@ -327,15 +327,16 @@
 #define CYLINT_TURN_DIRECTED_ERROR 0x1p-94
 
 /*
- * Members of a hit (filter/members.h).  CYLINT_MEMBER_COORDINATE: the error of a
- * local coordinate of the hit, in multiples of cylint_frame_error() and of the sum
- * of the sizes of its terms; also that of a product or quotient of pairs, relative
- * to it.  CYLINT_MEMBER_PLACE: of a coordinate of the point, relative to |o| + |t d|.
- * CYLINT_MEMBER_UNIT: bounds are counted in it.  CYLINT_MEMBER_LEAST: no smaller
- * number but 0 is certain.  CYLINT_MEMBER_TIE: components of the normal and phi that
- * are nearer to the middle of two doubles, relative to them, are not certain.
- * CYLINT_MEMBER_SLOPE: of the slope at the hit, of which fewer than sixteen
- * operations are rounded, relative to the sum of its terms.
+ * Members of a hit (filter/members.h).  CYLINT_MEMBER_COORDINATE: the error of
+ * a local coordinate of the hit, in multiples of cylint_frame_error() and of
+ * the sum of the sizes of its terms; also that of a product or quotient of
+ * pairs, relative to it.  CYLINT_MEMBER_PLACE: of a coordinate of the point,
+ * relative to |o| + |t d|. CYLINT_MEMBER_UNIT: bounds are counted in it.
+ * CYLINT_MEMBER_LEAST: no smaller number but 0 is certain.  CYLINT_MEMBER_TIE:
+ * components of the normal and phi that are nearer to the middle of two
+ * doubles, relative to them, are not certain. CYLINT_MEMBER_SLOPE: of the slope
+ * at the hit, of which fewer than sixteen operations are rounded, relative to
+ * the sum of its terms.
  */
 #define CYLINT_MEMBER_COORDINATE 16
 #define CYLINT_MEMBER_PLACE 0x1p-101

@@ -250,9 +250,9 @@ int Lines::make(const char *const *at, cylint_line *line) const
                     : cylint_span(line, o, d, number(at[2]), number(at[3]));
 }
 
-/* columns: relation, n, t (..., 2), part (..., 2), and copies of the origins and
- * the directions (..., 3), None where they are not wanted.  Returns false if a line is
- * refused and not masked; the answers are then not complete. */
+/* columns: relation, n, t (..., 2), part (..., 2), and copies of the origins
+ * and the directions (..., 3), None where they are not wanted.  Returns false
+ * if a line is refused and not masked; the answers are then not complete. */
 bool intersect(nb::handle shapes, const Lines &lines, nb::tuple columns,
                int threads, nb::handle progress)
 {
