@@ -301,7 +301,9 @@ INLINE bounded_pairs from_center(const local_hit *h, const hit_root *r,
     return z;
 }
 
-/* On the lateral surface or on a ball, of a shape whose rows have length 1. */
+/* On the lateral surface or on a ball, of a shape whose rows have length 1.  The bounds
+ * are of first order in the relative error of rho, `lost`: each is at least `lost` of
+ * its term, so no sum of terms is certain where `lost` is not small. */
 INLINE combination unit_normal(const local_hit *h, const hit_root *r,
                                const source *from, int solid)
 {
@@ -425,15 +427,20 @@ INLINE void normal_of(bounded_pairs n[3], const local_hit *h,
         normalise(n, h->unit, skew);
 }
 
-INLINE vm z_of(vd *to, const local_hit *h, const source *from,
-               const hit_root *r, int solid)
+/* z from the base over the height. */
+INLINE bounded_pairs height_share(const local_hit *h, const source *from)
 {
     const vpair height = pair_at(from, CYLINT_AT_HEIGHT);
     const vd inverse = v_set(1) / height.hi;
     const vpair q = quotient(h->z.v, height, inverse);
-    const bounded_pairs z = {
+    return (bounded_pairs){
         q, v_sum_of(h->unit, v_abs(q.hi), v_set(1.01) * h->z.e * inverse)};
-    const vm certain = rounds(z, 0, to);
+}
+
+INLINE vm z_of(vd *to, const local_hit *h, const source *from,
+               const hit_root *r, int solid)
+{
+    const vm certain = rounds(height_share(h, from), 0, to);
     if (!cylint_solid_is_bounded(solid) || cylint_solid_is_round(solid))
         return certain;
     *to = v_select(r->on_end, v_select(r->top, v_set(1), v_set(0)), *to);
@@ -449,7 +456,7 @@ INLINE vd in_turns(vd bound)
 
 /* The angle is counted from the semi-axis a, that is x; of circular kinds from e x
  * axis, that is -x (local.c). */
-INLINE vm phi_of(vd *to, const local_hit *h, const source *from)
+INLINE bounded_pairs angle_of(const local_hit *h, const source *from)
 {
     const vm circular = m_not(is_elliptic(from));
     const bounded_pairs x = negated_where(circular, h->x),
@@ -458,8 +465,12 @@ INLINE vm phi_of(vd *to, const local_hit *h, const source *from)
     const vpair turns =
         turns_of(v_two_sum(x.v.hi, x.v.lo), v_two_sum(y.v.hi, y.v.lo),
                  in_turns(x.e), in_turns(y.e), &error);
-    const bounded_pairs phi = {turns, error * v_set(1 / CYLINT_MEMBER_UNIT)};
-    const vm certain = rounds(phi, CYLINT_MEMBER_TIE, to);
+    return (bounded_pairs){turns, error * v_set(1 / CYLINT_MEMBER_UNIT)};
+}
+
+INLINE vm phi_of(vd *to, const local_hit *h, const source *from)
+{
+    const vm certain = rounds(angle_of(h, from), CYLINT_MEMBER_TIE, to);
     *to =
         v_select(v_lt(*to, v_set(1)), *to, v_set(1 - CYLINT_NEAREST_ROUNDING));
     return certain;
