@@ -67,38 +67,53 @@ typedef struct {
     vd slope, error, curvature;
 } slope_at_hit;
 
+/* D: no coordinate of the direction exceeds it.  Where one cancels, its low part can
+ * be as large as its high part, and its error is relative to D. */
 INLINE slope_at_hit slope_of(const local_hit *h, const pair_line *in,
-                             const hit_root *r, const source *from, int solid)
+                             const hit_root *r, const source *from, vd D,
+                             int solid)
 {
     const int round = cylint_solid_is_round(solid);
+    const double slope =
+        cylint_solid_is_tapered(solid) ? fabs(cylint_slope(from->shape)) : 0;
     const vm on_ball = !round                        ? m_from(0)
                        : cylint_solid_is_ball(solid) ? m_from(3)
                                                      : r->on_end;
     const vd z = v_select(on_ball, rounded(from_center(h, r, from, solid).v),
                           rounded(h->rho.v));
-    const vd w = v_select(on_ball, in->w.hi, -in->growth.hi);
-    const vd vx = q_low(in->v.hi), vy = q_high(in->v.hi);
-    const vd xv = rounded(h->x.v) * vx, yv = rounded(h->y.v) * vy, zw = z * w;
+    const vd axial = rounded(in->w), error = h->unit * D;
+    const vd w = v_select(on_ball, axial, -rounded(in->growth));
+    const vd vx = q_low(in->v.hi) + q_low(in->v.lo),
+             vy = q_high(in->v.hi) + q_high(in->v.lo);
+    const vd x = rounded(h->x.v), y = rounded(h->y.v);
+    const vd xv = x * vx, yv = y * vy, zw = z * w;
     const vd sizes = v_abs(xv) + v_abs(yv) + v_abs(zw);
+    const vd across = v_abs(x) + v_abs(y);
     slope_at_hit s;
     s.slope = v_set(2) * (xv + yv + zw);
     s.error = v_sum_of(
         v_set(2 * CYLINT_MEMBER_UNIT),
         v_sum_of(v_abs(vx), h->x.e,
-                 v_sum_of(v_abs(vy), h->y.e, v_abs(w) * (h->z.e + h->rho.e))),
+                 v_sum_of(v_abs(vy), h->y.e,
+                          v_sum_of(error,
+                                   v_sum_of(v_set(1 + slope), v_abs(z), across),
+                                   v_abs(w) * (h->z.e + h->rho.e)))),
         v_set(CYLINT_MEMBER_SLOPE) * sizes);
     s.curvature = v_set(1.01) * v_sum_of(w, w, v_sum_of(vx, vx, vy * vy));
     if (cylint_solid_is_bounded(solid) && !round) {
-        s.slope = v_select(r->on_end, in->w.hi, s.slope);
-        s.error = v_select(
-            r->on_end, v_set(CYLINT_MEMBER_SLOPE) * v_abs(in->w.hi), s.error);
+        s.slope = v_select(r->on_end, axial, s.slope);
+        s.error = v_select(r->on_end,
+                           v_sum_of(v_set(CYLINT_MEMBER_SLOPE), v_abs(axial),
+                                    v_set(CYLINT_MEMBER_UNIT) * error),
+                           s.error);
         s.curvature = v_select(r->on_end, v_set(0), s.curvature);
     }
     return s;
 }
 
 /* The root of which t is the nearest double: a step of Newton's on the residual in
- * levels.  Its error is infinite or NaN where t is no such double. */
+ * levels.  Its error is infinite or NaN where t is no such double, or where the slope is
+ * not known to one quarter, which the bound of the step requires. */
 INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
                             int part, int solid)
 {
@@ -108,7 +123,7 @@ INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
     hit_root r = {v_set(t), v_set(0), v_set(0), m_from(on_end ? 3 : 0),
                   m_from(end ? 3 : 0)};
     const local_hit h = hit_at(from, in, &r, 1, solid);
-    const slope_at_hit s = slope_of(&h, in, &r, from, solid);
+    const slope_at_hit s = slope_of(&h, in, &r, from, first.D, solid);
     const bounded_value residual = bounded_levels(
         v_set(residual_in_levels(from->shape, from->line, t, end, on_end)),
         v_sum_of(v_abs(r.t), first.D, first.Q), r.on_end, from->shape);
@@ -116,8 +131,9 @@ INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
     const newton_lanes step = newton_step_lanes(residual.v, residual.e, s.slope,
                                                 s.error, s.curvature, distance);
     r.tail = -step.delta;
-    r.error = v_select(v_le(v_abs(step.delta), distance), step.error,
-                       v_set(HUGE_VAL));
+    const vm known = v_le(v_set(4) * s.error, v_abs(s.slope));
+    r.error = v_select(m_and(known, v_le(v_abs(step.delta), distance)),
+                       step.error, v_set(HUGE_VAL));
     return r;
 }
 
