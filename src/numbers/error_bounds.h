@@ -331,15 +331,21 @@
  * a local coordinate of the hit, in multiples of cylint_frame_error() and of
  * the sum of the sizes of its terms; also that of a product or quotient of
  * pairs, relative to it.  CYLINT_MEMBER_PLACE: of a coordinate of the point,
- * relative to |o| + |t d|. CYLINT_MEMBER_UNIT: bounds are counted in it.
- * CYLINT_MEMBER_LEAST: no smaller number but 0 is certain.  CYLINT_MEMBER_TIE:
- * components of the normal and phi that are nearer to the middle of two
- * doubles, relative to them, are not certain. CYLINT_MEMBER_SLOPE: of the slope
- * at the hit, of which fewer than sixteen operations are rounded, relative to
- * the sum of its terms.
+ * relative to |o| + |t d|. ROW, STEP, PRODUCT, QUOTIENT and PLACE_ROUNDING are
+ * what roundings add to them; each is proved.  CYLINT_MEMBER_UNIT: bounds are
+ * counted in it.  CYLINT_MEMBER_LEAST: no smaller number but 0 is certain.
+ * CYLINT_MEMBER_TIE: components of the normal and phi that are nearer to the
+ * middle of two doubles, relative to them, are not certain.
+ * CYLINT_MEMBER_SLOPE: of the slope at the hit, of which fewer than sixteen
+ * operations are rounded, relative to the sum of its terms.
  */
 #define CYLINT_MEMBER_COORDINATE 16
+#define CYLINT_MEMBER_ROW 0xd.03p-104
+#define CYLINT_MEMBER_STEP 0x1c.2bp-104
+#define CYLINT_MEMBER_PRODUCT 0x2c.47p-104
+#define CYLINT_MEMBER_QUOTIENT 0x9.83p-104
 #define CYLINT_MEMBER_PLACE 0x1p-101
+#define CYLINT_MEMBER_PLACE_ROUNDING 0x4.01p-104
 #define CYLINT_MEMBER_UNIT 0x1p-392
 #define CYLINT_MEMBER_LEAST 0x1p-300
 #define CYLINT_MEMBER_TIE 0x1p-90
