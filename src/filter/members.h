@@ -279,11 +279,13 @@ INLINE bounded_pairs choose_pairs(vm m, bounded_pairs x, bounded_pairs y)
         v_select(m, x.e, y.e)};
 }
 
-/* x by, where the error of `by` is `lost` relative to it. */
+/* x by, where the error of `by` is `lost` relative to it.  Where the terms of x cancel,
+ * the low part of the product can be the larger one. */
 INLINE bounded_pairs product(bounded_pairs x, vpair by, vd lost)
 {
     const vpair p = vpair_mul(x.v, by);
-    return (bounded_pairs){p, v_sum_of(v_abs(p.hi), lost, v_abs(by.hi) * x.e)};
+    return (bounded_pairs){
+        p, v_sum_of(v_abs(p.hi + p.lo), lost, v_abs(by.hi) * x.e)};
 }
 
 /* z from the centre of the ball of an end. */
