@@ -75,7 +75,12 @@ static void any_semi_axes(double a[3], double b[3], double h[3], double size)
     any_vector(h, 1);
     cross3(a, h, other);
     cross3(b, a, h);
-    if (below(2)) {
+    if (below(4) == 0) { /* a component of b x h that cancels */
+        const int i = below(3);
+        const double by = unit();
+        h[i] = by * b[i];
+        h[(i + 1) % 3] = by * b[(i + 1) % 3] * (1 + ldexp(1, -below(50)));
+    } else if (below(2)) {
         add_to(b, 3 * unit(), a);
         add_to(h, ldexp(unit(), below(8)), a);
         add_to(h, unit(), b);
@@ -147,7 +152,7 @@ static double any_place(const cylint_shape *s, double p[3], double out[3])
     const int solid = cylint_prepared(s);
     const double turn = 6.283185307179586 * random_unit(&stream);
     const double z = random_unit(&stream), x = cos(turn), y = sin(turn);
-    const double in = below(3) ? 1 : random_unit(&stream);
+    const double in = below(3) ? 1 : below(4) ? random_unit(&stream) : 0;
     const double end = below(4) ? z : below(2);
     double from[3] = {0, 0, 0}, to[3] = {0, 0, 0}, r = cylint_r0(s);
     if (cylint_solid_is_ball(solid)) {
