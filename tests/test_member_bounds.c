@@ -554,14 +554,14 @@ static void print_case(const number *x, int component, double ratio)
            line_now->d_lo[2], mpfr_get_d(the.t, MPFR_RNDN));
 }
 
-/* hi + lo against the true number, with the bound in units.  At an apex angles and
- * normals are NaN, or their bounds are: then nothing is certain.  Bounds of normals
+/* hi + lo against the true number, with the bound in units.  At an apex there is no
+ * normal, and angles and normals are NaN, or their bounds are: then nothing is certain.  Bounds of normals
  * are of first order: a larger one makes nothing certain either. */
 static void judge_number(number *x, int component, double hi, double lo,
                          double bound, mpfr_t truth)
 {
     const double size = fabs(hi + lo);
-    if (!(bound < HUGE_VAL) || !(size < HUGE_VAL) ||
+    if (!(bound < HUGE_VAL) || !(size < HUGE_VAL) || mpfr_nan_p(truth) ||
         (x->is_normal &&
          bound * CYLINT_MEMBER_UNIT > CYLINT_FIRST_ORDER * size))
         return;
