@@ -187,14 +187,27 @@ INLINE four axis_and_growth(const cylint_shape *s)
     return w;
 }
 
-/* The coordinate direction along which the axis is least, without a branch. */
-INLINE four least_direction(const double axis[3])
+/* |x| <= |y|, without a branch. */
+INLINE int is_at_most(pair x, pair y)
 {
-    const double x = fabs(axis[0]), y = fabs(axis[1]), z = fabs(axis[2]);
-    const int first = (x <= y) & (x <= z), second = !first & (y <= z);
-    const double hi[4] = {first, second, !(first | second), 0};
-    const double lo[4] = {0, 0, 0, 0};
-    return load_four(hi, lo);
+    const double X = fabs(x.hi), Y = fabs(y.hi);
+    const double x_lo = copysign(1, x.hi) * x.lo,
+                 y_lo = copysign(1, y.hi) * y.lo;
+    return (X < Y) | ((X == Y) & (x_lo <= y_lo));
+}
+
+/* The coordinate direction along which the axis is least: that of
+ * cylint_least_axis_component(), from which phi is counted. */
+INLINE four least_direction(const four *axis)
+{
+    static const double none[4] = {0, 0, 0, 0};
+    double hi[4], lo[4];
+    store_four(hi, lo, axis);
+    const pair x = {hi[0], lo[0]}, y = {hi[1], lo[1]}, z = {hi[2], lo[2]};
+    const int first = is_at_most(x, y) & is_at_most(x, z);
+    const int second = (1 - first) & is_at_most(y, z);
+    const double e[4] = {first, second, !(first | second), 0};
+    return load_four(e, none);
 }
 
 /*
@@ -211,7 +224,7 @@ INLINE four least_direction(const double axis[3])
  */
 INLINE pair upright_rows(rows *m, const cylint_shape *s)
 {
-    const four w = axis_and_growth(s), e = least_direction(cylint_axis(s));
+    const four w = axis_and_growth(s), e = least_direction(&w);
     const four w1 = turned(&w), w2 = turned(&w1);
     const four e1 = turned(&e), e2 = turned(&e1);
     four square, aside, x;
