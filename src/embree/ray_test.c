@@ -225,14 +225,16 @@ static unsigned wanted(const ray_test *r)
                                        CYLINT_WANT_Z | CYLINT_WANT_PHI;
 }
 
-/* Describes hit i of those that intersect() found. */
+/* Describes a hit that intersect() found. */
 static cylint_hit_floats describe(const ray_test *r, const cylint_shape *shape,
-                                  int i)
+                                  const cylint_hit *at)
 {
-    cylint_answer answer;
-    const unsigned nearest = i == 0 ? CYLINT_WANT_NEAREST : 0;
-    intersect(shape, &r->line, wanted(r) | nearest, &answer);
-    return floats_of(&answer.hit[i]);
+    const cylint_float_filter_ray *l = &r->line;
+    cylint_hit hit = *at;
+    cylint_line line;
+    cylint_span(&line, l->o, l->d, l->tmin, l->tmax);
+    cylint_describe(shape, &line, wanted(r), &hit);
+    return floats_of(&hit);
 }
 
 /* Tests the hits from number `first` on with cylint_intersect().  Hits of a
@@ -246,8 +248,9 @@ static int test_exactly(ray_test *r, const cylint_shape *shape, unsigned number,
         !r->leaf || cylint_leaf_piece(r->leaf, r->lane).count == 1;
     if (r->nearest && has_own_hit(r))
         r->line.tmax = tmax_including(r->ray->tfar);
-    const int n =
-        intersect(shape, &r->line, whole ? CYLINT_WANT_T : wanted(r), &answer);
+    const int n = intersect(
+        shape, &r->line, whole ? CYLINT_WANT_T | CYLINT_WANT_PART : wanted(r),
+        &answer);
     for (int i = first; i < n; i++) {
         const cylint_hit *at = &answer.hit[i];
         cylint_hit_floats floats = {0};
@@ -256,7 +259,7 @@ static int test_exactly(ray_test *r, const cylint_shape *shape, unsigned number,
         if (r->nearest && !is_nearer(r, number, &answer, i))
             return 0;
         if (needs_description(r))
-            floats = whole ? describe(r, shape, i) : floats_of(at);
+            floats = whole ? describe(r, shape, at) : floats_of(at);
         if (record(r, number, rounded_up(at->t, r->ray->tfar), &floats))
             return 1;
     }
