@@ -263,10 +263,7 @@ static void set_sum(mpfr_t to, double x, double y)
 /* The axis is the least coordinate's: local.h. */
 static void set_upright_rows(const cylint_shape *s, vector axis)
 {
-    int least = 0;
-    for (int j = 1; j < 3; j++)
-        if (fabs(cylint_axis(s)[j]) < fabs(cylint_axis(s)[least]))
-            least = j;
+    const int least = cylint_least_axis_component(s);
     EACH_OF(j)
     mpfr_set_d(the.normal[j], j == least, MPFR_RNDN);
     length_of(the.height, axis);

@@ -159,7 +159,8 @@ typedef struct {
 } local_hit;
 
 /* The bound on a coordinate: the error of the matrix and of pairs, and what that of
- * the root adds. */
+ * the root adds.  size: in units of 1 / CYLINT_MEMBER_SCALE, so that no product of
+ * a subnormal number with an entry is 0. */
 INLINE vd coordinate_error(const local_hit *h, const vd size[3], int row, vd v,
                            int solid)
 {
@@ -169,7 +170,8 @@ INLINE vd coordinate_error(const local_hit *h, const vd size[3], int row, vd v,
         EACH(j, 3)
             sum = v_sum_of(h->entry_size[row][j], size[j], sum);
     }
-    return v_sum_of(h->unit, sum, v_abs(v) * h->error);
+    return v_sum_of(h->unit * v_set(1 / CYLINT_MEMBER_SCALE), sum,
+                    v_abs(v) * h->error);
 }
 
 /* axial: with z. */
@@ -190,8 +192,10 @@ INLINE local_hit hit_at(const source *from, const pair_line *in,
     }
     EACH(j, 3)
         size[j] = v_sum_of(
-            v_abs(r->t), v_abs(direction_at(from, j).hi),
-            v_abs(origin_at(from, j) - number_at(from, CYLINT_AT_BASE + j)));
+            v_abs(r->t * v_set(CYLINT_MEMBER_SCALE)),
+            v_abs(direction_at(from, j).hi),
+            v_abs(origin_at(from, j) - number_at(from, CYLINT_AT_BASE + j)) *
+                v_set(CYLINT_MEMBER_SCALE));
     set_entry_sizes(h.entry_size, from);
     h.x = (bounded_pairs){at_root(p[0], v[0], r),
                           coordinate_error(&h, size, 0, v[0].hi, solid)};
