@@ -142,7 +142,7 @@ INLINE vpair at_root(vpair from, vpair by, const hit_root *r)
 }
 
 /* x / y, where `inverse` is about 1 / y, and y.lo is below a unit of y.hi. */
-INLINE vpair quotient(vpair x, vpair y, vd inverse)
+INLINE vpair pair_quotient(vpair x, vpair y, vd inverse)
 {
     const vd q = x.hi * inverse;
     const vpair back = v_two_prod(q, y.hi);
@@ -333,7 +333,7 @@ INLINE combination unit_normal(const local_hit *h, const hit_root *r,
                          v_select(on_ball, one.lo, cosine.lo)};
     }
     const vd inverse = v_set(1) / divisor.v.hi;
-    const vpair by = quotient(cosine, divisor.v, inverse);
+    const vpair by = pair_quotient(cosine, divisor.v, inverse);
     const vd lost = v_sum_of(divisor.e, inverse, h->unit);
     if (tapered) { /* the sign of rho is certain if it is not lost */
         const vpair sine = pair_at(from, CYLINT_AT_SINE);
@@ -438,7 +438,7 @@ INLINE bounded_pairs height_share(const local_hit *h, const source *from)
 {
     const vpair height = pair_at(from, CYLINT_AT_HEIGHT);
     const vd inverse = v_set(1) / height.hi;
-    const vpair q = quotient(h->z.v, height, inverse);
+    const vpair q = pair_quotient(h->z.v, height, inverse);
     return (bounded_pairs){
         q, v_sum_of(h->unit, v_abs(q.hi), v_set(1.01) * h->z.e * inverse)};
 }

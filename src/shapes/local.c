@@ -188,7 +188,7 @@ INLINE four axis_and_growth(const cylint_shape *s)
 }
 
 /* |x| <= |y|, without a branch. */
-INLINE int is_at_most(pair x, pair y)
+INLINE int is_no_larger(pair x, pair y)
 {
     const double X = fabs(x.hi), Y = fabs(y.hi);
     const double x_lo = copysign(1, x.hi) * x.lo,
@@ -204,8 +204,8 @@ INLINE four least_direction(const four *axis)
     double hi[4], lo[4];
     store_four(hi, lo, axis);
     const pair x = {hi[0], lo[0]}, y = {hi[1], lo[1]}, z = {hi[2], lo[2]};
-    const int first = is_at_most(x, y) & is_at_most(x, z);
-    const int second = (1 - first) & is_at_most(y, z);
+    const int first = is_no_larger(x, y) & is_no_larger(x, z);
+    const int second = (1 - first) & is_no_larger(y, z);
     const double e[4] = {first, second, !(first | second), 0};
     return load_four(e, none);
 }
