@@ -145,8 +145,8 @@ static int any_shape(cylint_shape *s)
 
 /* --------------------------------------------------------------- lines -- */
 
-/* A point near the surface, the direction from the axis to it, and its distance from
- * the axis. */
+/* A point near the surface, the direction from the axis to it, and its distance
+ * from the axis. */
 static double any_place(const cylint_shape *s, double p[3], double out[3])
 {
     const int solid = cylint_prepared(s);
@@ -551,9 +551,10 @@ static void print_case(const number *x, int component, double ratio)
            line_now->d_lo[2], mpfr_get_d(the.t, MPFR_RNDN));
 }
 
-/* hi + lo against the true number, with the bound in units.  At an apex there is no
- * normal, and angles and normals are NaN, or their bounds are: then nothing is certain.  Bounds of normals
- * are of first order: a larger one makes nothing certain either. */
+/* hi + lo against the true number, with the bound in units.  At an apex there
+ * is no normal, and angles and normals are NaN, or their bounds are: then
+ * nothing is certain.  Bounds of normals are of first order: a larger one makes
+ * nothing certain either. */
 static void judge_number(number *x, int component, double hi, double lo,
                          double bound, mpfr_t truth)
 {

@@ -67,8 +67,8 @@ typedef struct {
     vd slope, error, curvature;
 } slope_at_hit;
 
-/* D: no coordinate of the direction exceeds it.  Where one cancels, its low part can
- * be as large as its high part, and its error is relative to D. */
+/* D: no coordinate of the direction exceeds it.  Where one cancels, its low
+ * part can be as large as its high part, and its error is relative to D. */
 INLINE slope_at_hit slope_of(const local_hit *h, const pair_line *in,
                              const hit_root *r, const source *from, vd D,
                              int solid)
@@ -111,9 +111,10 @@ INLINE slope_at_hit slope_of(const local_hit *h, const pair_line *in,
     return s;
 }
 
-/* The root of which t is the nearest double: a step of Newton's on the residual in
- * levels.  Its error is infinite or NaN where t is no such double, or where the slope is
- * not known to one quarter, which the bound of the step requires. */
+/* The root of which t is the nearest double: a step of Newton's on the residual
+ * in levels.  Its error is infinite or NaN where t is no such double, or where
+ * the slope is not known to one quarter, which the bound of the step requires.
+ * */
 INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
                             int part, int solid)
 {

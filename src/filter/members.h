@@ -283,8 +283,8 @@ INLINE bounded_pairs choose_pairs(vm m, bounded_pairs x, bounded_pairs y)
         v_select(m, x.e, y.e)};
 }
 
-/* x by, where the error of `by` is `lost` relative to it.  Where the terms of x cancel,
- * the low part of the product can be the larger one. */
+/* x by, where the error of `by` is `lost` relative to it.  Where the terms of x
+ * cancel, the low part of the product can be the larger one. */
 INLINE bounded_pairs product(bounded_pairs x, vpair by, vd lost)
 {
     const vpair p = vpair_mul(x.v, by);
@@ -307,9 +307,10 @@ INLINE bounded_pairs from_center(const local_hit *h, const hit_root *r,
     return z;
 }
 
-/* On the lateral surface or on a ball, of a shape whose rows have length 1.  The bounds
- * are of first order in the relative error of rho, `lost`: each is at least `lost` of
- * its term, so no sum of terms is certain where `lost` is not small. */
+/* On the lateral surface or on a ball, of a shape whose rows have length 1.
+ * The bounds are of first order in the relative error of rho, `lost`: each is
+ * at least `lost` of its term, so no sum of terms is certain where `lost` is
+ * not small. */
 INLINE combination unit_normal(const local_hit *h, const hit_root *r,
                                const source *from, int solid)
 {
