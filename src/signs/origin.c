@@ -35,7 +35,8 @@ static bounded_pair form_at_origin(const cylint_query *q, cylint_form f,
 {
     origin_terms L;
     origin_fill(&L, q->near_shape, q->near_line, q->kind);
-    bounded_pair_shorten(L.w, q->kind);
+    if (q->near_shape == q->shape)
+        bounded_pair_shorten(L.w, q->kind);
     if (f == FORM_C || cylint_is_elliptic(q->kind))
         origin_prepare_shape(&L);
     return f == FORM_C ? origin_form_C(&L) : origin_form_alpha(&L, end);

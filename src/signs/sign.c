@@ -129,7 +129,9 @@ cylint_terms_pair *cylint_load_pairs(cylint_query *q)
     if (cylint_is_first(q, CYLINT_READY_PAIR)) {
         cylint_reached(PAIRS);
         cylint_fill_pair(L, q->near_shape, q->near_line, q->kind);
-        q->shortened = bounded_pair_shorten(L->w, q->kind);
+        /* scaled components can have become 0 */
+        q->shortened =
+            q->near_shape == q->shape && bounded_pair_shorten(L->w, q->kind);
         cylint_prepare_pair(L);
     }
     return L;
