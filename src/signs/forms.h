@@ -116,19 +116,6 @@ static inline bounded_pair bounded_pair_difference(double x, double y)
     return (bounded_pair){two_diff(x, y), 0};
 }
 
-/* Signs and roots of a cylinder or capsule do not depend on the length of the
- * axis w.  Along a coordinate's direction it becomes a unit vector, by which
- * products are exact.  Returns whether it does. */
-static inline int bounded_pair_shorten(bounded_pair w[3], int kind)
-{
-    const int x = w[0].v.hi != 0, y = w[1].v.hi != 0, z = w[2].v.hi != 0;
-    const int shortened = x + y + z == 1 && (kind == CYLINT_KIND_CYLINDER ||
-                                             kind == CYLINT_KIND_CAPSULE);
-    if (shortened)
-        w[y + 2 * z] = bounded_pair_of(w[y + 2 * z].v.hi > 0 ? 1 : -1, 0);
-    return shortened;
-}
-
 #undef INLINE
 #undef BEGIN
 #undef RETURN

@@ -35,8 +35,7 @@ static bounded_pair form_at_origin(const cylint_query *q, cylint_form f,
 {
     origin_terms L;
     origin_fill(&L, q->near_shape, q->near_line, q->kind);
-    if (q->near_shape == q->shape)
-        bounded_pair_shorten(L.w, q->kind);
+    cylint_shorten_axis(q, L.w);
     if (f == FORM_C || cylint_is_elliptic(q->kind))
         origin_prepare_shape(&L);
     return f == FORM_C ? origin_form_C(&L) : origin_form_alpha(&L, end);
@@ -52,12 +51,8 @@ int CYLINT_SIGN_AT_ORIGIN(const cylint_shape *shape, const cylint_line *line,
     cylint_query q;
     cylint_query_open(&q, shape, line);
     if (q.pairs) {
-        const bounded_pair x = form_at_origin(&q, f, end);
         cylint_reached(PAIRS);
-        if (bounded_pair_is_certain(x) ||
-            (x.error == 0 && q.near_shape == shape &&
-             cylint_is_whole(shape, line)))
-            sign = cylint_sign(x.v.hi);
+        sign = cylint_sign_of_pair(&q, form_at_origin(&q, f, end));
     }
     return cylint_exact_sign(&q, f, end, sign);
 }

@@ -129,9 +129,7 @@ cylint_terms_pair *cylint_load_pairs(cylint_query *q)
     if (cylint_is_first(q, CYLINT_READY_PAIR)) {
         cylint_reached(PAIRS);
         cylint_fill_pair(L, q->near_shape, q->near_line, q->kind);
-        /* scaled components can have become 0 */
-        q->shortened =
-            q->near_shape == q->shape && bounded_pair_shorten(L->w, q->kind);
+        cylint_shorten_axis(q, L->w);
         cylint_prepare_pair(L);
     }
     return L;
@@ -207,20 +205,25 @@ static int are_whole(const double *x, int n)
     return !small;
 }
 
-int cylint_is_whole(const cylint_shape *s, const cylint_line *l)
-{
-    return are_whole(s->library.number, CYLINT_AT_COLUMNS) &&
-           are_whole(cylint_axis(s), CYLINT_NUMBERS - CYLINT_AT_AXIS) &&
-           are_whole(l->o, 3) && are_whole(l->d, 3) && are_whole(l->end, 3);
-}
-
-/* Whether no operation on the pairs underflows. */
+/* Whether no operation on the pairs underflows (error_bounds.h). */
 static int pairs_are_whole(cylint_query *q)
 {
+    const cylint_shape *s = q->shape;
+    const cylint_line *l = q->line;
     if (cylint_is_first(q, CYLINT_READY_WHOLE))
-        q->whole =
-            q->near_shape == q->shape && cylint_is_whole(q->shape, q->line);
+        q->whole = q->near_shape == s &&
+                   are_whole(s->library.number, CYLINT_AT_COLUMNS) &&
+                   are_whole(cylint_axis(s), CYLINT_NUMBERS - CYLINT_AT_AXIS) &&
+                   are_whole(l->o, 3) && are_whole(l->d, 3) &&
+                   are_whole(l->end, 3);
     return q->whole;
+}
+
+int cylint_sign_of_pair(cylint_query *q, bounded_pair x)
+{
+    return bounded_pair_is_certain(x) || (x.error == 0 && pairs_are_whole(q))
+               ? cylint_sign(x.v.hi)
+               : CYLINT_SIGN_UNCERTAIN;
 }
 
 static int sign_in_doubles(cylint_query *q, cylint_form f, int end)
@@ -233,17 +236,13 @@ static int sign_in_doubles(cylint_query *q, cylint_form f, int end)
                                         : CYLINT_SIGN_UNCERTAIN;
 }
 
-/* Certain also of a form that is 0, if nothing was lost. */
 static int sign_in_pairs(cylint_query *q, cylint_form f, int end)
 {
     cylint_terms_pair *L =
         f < FORM_E ? cylint_load_pairs(q) : cylint_load_pair_moments(q);
     if (needs_top(q, f, end, CYLINT_READY_PAIR_TOP))
         cylint_prepare_top_pair(L);
-    const bounded_pair x = cylint_form_pair(L, f, end);
-    return bounded_pair_is_certain(x) || (x.error == 0 && pairs_are_whole(q))
-               ? cylint_sign(x.v.hi)
-               : CYLINT_SIGN_UNCERTAIN;
+    return cylint_sign_of_pair(q, cylint_form_pair(L, f, end));
 }
 
 int cylint_exact_sign(cylint_query *q, cylint_form f, int end, int sign)

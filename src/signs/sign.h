@@ -39,8 +39,7 @@ typedef struct {
     unsigned ready; /* which terms are there */
     terms_bounded bounded_terms;
     cylint_terms_pair pair_terms;
-    int shortened; /* 1: the axis of the pairs is a unit vector */
-    int whole;     /* 1: no operation on the pairs underflows */
+    int whole; /* 1: no operation on the pairs underflows */
     cylint_terms_exact exact;
     exact exact_coefficient[3]; /* A, B, C */
     cylint_arena arena;
@@ -64,14 +63,26 @@ cylint_terms_pair *cylint_load_pair_moments(cylint_query *q);
 const cylint_terms_exact *cylint_load_exact(cylint_query *q);
 const cylint_terms_exact *cylint_load_exact_moments(cylint_query *q);
 
-/* Whether no operation on pairs of these data underflows (error_bounds.h). */
-int cylint_is_whole(const cylint_shape *s, const cylint_line *l);
+/* Signs and roots of a cylinder or capsule do not depend on the length of the
+ * axis w.  Along a coordinate's direction it becomes a unit vector, by which
+ * products are exact.  Scaled components can have become 0: these stay. */
+static inline void cylint_shorten_axis(const cylint_query *q, bounded_pair w[3])
+{
+    const int x = w[0].v.hi != 0, y = w[1].v.hi != 0, z = w[2].v.hi != 0;
+    if (x + y + z == 1 && q->near_shape == q->shape &&
+        (q->kind == CYLINT_KIND_CYLINDER || q->kind == CYLINT_KIND_CAPSULE))
+        w[y + 2 * z] = bounded_pair_of(w[y + 2 * z].v.hi > 0 ? 1 : -1, 0);
+}
 
 /* The sign of a form, exactly, by the cheapest arithmetic that is certain. */
 int cylint_form_sign(cylint_query *q, cylint_form f, int end);
 
-/* `sign`, or if that is uncertain the sign of the form in exact numbers. */
+/* The sign of a form in pairs.  It is certain also of a form that is 0, if nothing
+ * was lost. */
 enum { CYLINT_SIGN_UNCERTAIN = 2 };
+int cylint_sign_of_pair(cylint_query *q, bounded_pair x);
+
+/* `sign`, or if that is uncertain the sign of the form in exact numbers. */
 int cylint_exact_sign(cylint_query *q, cylint_form f, int end, int sign);
 
 #endif
