@@ -32,16 +32,23 @@ static int members_differ(const cylint_hit *x, const cylint_hit *y,
 }
 #endif
 
-/* The members beside t of a hit with this t: in pairs, where its root is simple,
- * and exactly. */
-static void describe_stop(cylint_query *q, const cylint_shape *shape,
-                          const cylint_line *line, const cylint_stop *at,
-                          double t, unsigned want, cylint_hit *hit)
+/* Writes the wanted members beside t of a hit with known t, part and side as far
+ * as pairs are certain; returns the others. */
+static unsigned describe_in_pairs(const cylint_shape *shape,
+                                  const cylint_line *line, unsigned want,
+                                  const cylint_hit *known, cylint_hit *hit)
 {
-    const cylint_hit known = {.t = t, .part = at->part};
-    unsigned left = want & CYLINT_WANT_BESIDE_T;
-    if (left && at->side != CYLINT_SIDE_BOTH)
-        left = cylint_one_used()->describe(shape, line, left, &known, hit);
+    const unsigned left = want & CYLINT_WANT_BESIDE_T;
+    /* the root of a touch is double, or the apex */
+    return left && known->side != CYLINT_SIDE_BOTH
+               ? cylint_one_used()->describe(shape, line, left, known, hit)
+               : left;
+}
+
+/* Writes the members that are left of those wanted. */
+static void describe_exactly(cylint_query *q, const cylint_stop *at,
+                             unsigned want, unsigned left, cylint_hit *hit)
+{
     if (left)
         cylint_describe_hit(q, at->root, at->part, at->apex, left, hit);
 #if CYLINT_IS_PARANOID
@@ -49,6 +56,8 @@ static void describe_stop(cylint_query *q, const cylint_shape *shape,
     cylint_describe_hit(q, at->root, at->part, at->apex,
                         want & CYLINT_WANT_BESIDE_T, &exact);
     cylint_contradiction(members_differ(hit, &exact, want));
+#else
+    (void)want;
 #endif
 }
 
@@ -93,14 +102,13 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
             (want & (CYLINT_WANT_T | CYLINT_WANT_BESIDE_T)) != 0;
         if (!cylint_root_within(&q, v.at[i].root, rounded, &t))
             continue;
+        const cylint_hit known = {
+            .t = t, .part = v.at[i].part, .side = v.at[i].side};
         cylint_hit *hit = &answer->hit[answer->n++];
-        if (want & CYLINT_WANT_T)
-            hit->t = t;
-        if (want & CYLINT_WANT_PART) {
-            hit->part = v.at[i].part;
-            hit->side = v.at[i].side;
-        }
-        describe_stop(&q, shape, line, &v.at[i], t, want, hit);
+        cylint_copy_hit(hit, &known, want & (CYLINT_WANT_T | CYLINT_WANT_PART));
+        describe_exactly(&q, &v.at[i], want,
+                         describe_in_pairs(shape, line, want, &known, hit),
+                         hit);
         if (want & CYLINT_WANT_NEAREST)
             break;
     }
@@ -109,9 +117,12 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
 
 /* The members that are left of a hit that the filter decided. */
 ASIDE void describe_left(const cylint_shape *shape, const cylint_line *line,
-                         const cylint_hit *known, unsigned left,
+                         const cylint_hit *known, unsigned want,
                          cylint_hit *hit)
 {
+    const unsigned left = describe_in_pairs(shape, line, want, known, hit);
+    if (!left && !CYLINT_IS_PARANOID)
+        return;
     const int on_plane =
         known->part != CYLINT_PART_LATERAL && !cylint_is_round(shape->kind);
     const cylint_root root =
@@ -123,7 +134,7 @@ ASIDE void describe_left(const cylint_shape *shape, const cylint_line *line,
     cylint_shape ball;
     cylint_query_open(&q, shape, line);
     open_part(&q, shape, line, known->part, &ball);
-    describe_stop(&q, shape, line, &at, known->t, left, hit);
+    describe_exactly(&q, &at, want, left, hit);
 }
 
 /* The wanted members of hits that the filter decided. */
@@ -133,12 +144,7 @@ static void write_hits(const cylint_question *from, unsigned want,
     for (int i = 0; i < known->n; i++) {
         const cylint_hit *k = &known->hit[i];
         cylint_hit *hit = &answer->hit[i];
-        if (want & CYLINT_WANT_T)
-            hit->t = k->t;
-        if (want & CYLINT_WANT_PART) {
-            hit->part = k->part;
-            hit->side = k->side;
-        }
+        cylint_copy_hit(hit, k, want & (CYLINT_WANT_T | CYLINT_WANT_PART));
         if (from->left[i])
             describe_left(from->shape, from->line, k, from->left[i], hit);
 #if CYLINT_IS_PARANOID
@@ -206,26 +212,11 @@ CYLINT_INLINE int answer_question(const cylint_shape *shape,
     return answer_t(shape, line, want, answer);
 }
 
-/* Copies the wanted members beside t. */
-static void copy_members(cylint_hit *to, const cylint_hit *from, unsigned want)
-{
-    if (want & CYLINT_WANT_POINT)
-        memcpy(to->point, from->point, sizeof to->point);
-    if (want & CYLINT_WANT_NORMAL)
-        memcpy(to->normal, from->normal, sizeof to->normal);
-    if (want & CYLINT_WANT_Z)
-        to->z = from->z;
-    if (want & CYLINT_WANT_PHI)
-        to->phi = from->phi;
-}
-
 void cylint_describe(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_hit *hit)
 {
     cylint_answer all;
-    unsigned left = want & CYLINT_WANT_BESIDE_T;
-    if (left && hit->side != CYLINT_SIDE_BOTH)
-        left = cylint_one_used()->describe(shape, line, left, hit, hit);
+    const unsigned left = describe_in_pairs(shape, line, want, hit, hit);
     if (!left)
         return;
     cylint_intersect(shape, line, left | CYLINT_WANT_T | CYLINT_WANT_PART,
@@ -233,7 +224,7 @@ void cylint_describe(const cylint_shape *shape, const cylint_line *line,
     for (int i = 0; i < all.n; i++)
         if (all.hit[i].t == hit->t && all.hit[i].part == hit->part &&
             all.hit[i].side == hit->side)
-            copy_members(hit, &all.hit[i], left);
+            cylint_copy_hit(hit, &all.hit[i], left);
 }
 
 int cylint_intersect(const cylint_shape *shape, const cylint_line *line,

@@ -5,6 +5,8 @@
 #ifndef CYLINT_INTERSECT_H
 #define CYLINT_INTERSECT_H
 
+#include <string.h>
+
 #include "filter/filter.h"
 #include "signs/sign.h"
 
@@ -18,6 +20,26 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
 cylint_status cylint_open_at(cylint_query *q, const cylint_shape *shape,
                              cylint_line *line, const double point[3]);
 
+/* Copies the wanted members. */
+static inline void cylint_copy_hit(cylint_hit *to, const cylint_hit *from,
+                                   unsigned want)
+{
+    if (want & CYLINT_WANT_T)
+        to->t = from->t;
+    if (want & CYLINT_WANT_PART) {
+        to->part = from->part;
+        to->side = from->side;
+    }
+    if (want & CYLINT_WANT_POINT)
+        memcpy(to->point, from->point, sizeof to->point);
+    if (want & CYLINT_WANT_NORMAL)
+        memcpy(to->normal, from->normal, sizeof to->normal);
+    if (want & CYLINT_WANT_Z)
+        to->z = from->z;
+    if (want & CYLINT_WANT_PHI)
+        to->phi = from->phi;
+}
+
 /* Writes the wanted members of a hit, of which t, part and side are known.  Other
  * members keep their values. */
 static inline void cylint_write_hit(const cylint_shape *shape,
@@ -25,19 +47,9 @@ static inline void cylint_write_hit(const cylint_shape *shape,
                                     const cylint_hit *known, unsigned want,
                                     cylint_hit *hit)
 {
-    cylint_hit all = *hit;
-    all.t = known->t;
-    all.part = known->part;
-    all.side = known->side;
-    if (want & CYLINT_WANT_BESIDE_T)
-        cylint_describe(shape, line, want, &all);
-    if (!(want & CYLINT_WANT_T))
-        all.t = hit->t;
-    if (!(want & CYLINT_WANT_PART)) {
-        all.part = hit->part;
-        all.side = hit->side;
-    }
-    *hit = all;
+    cylint_hit all = *known;
+    cylint_describe(shape, line, want, &all);
+    cylint_copy_hit(hit, &all, want);
 }
 
 #endif
