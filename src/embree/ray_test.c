@@ -8,15 +8,14 @@
 #include "../bvh/float_bounds.h"
 #include "angle.h"
 
-/* The library's answer; 0 hits for a line that it refuses. */
+/* The library's answer and its line; 0 hits for a line that it refuses. */
 static int intersect(const cylint_shape *shape,
                      const cylint_float_filter_ray *l, unsigned want,
-                     cylint_answer *answer)
+                     cylint_line *line, cylint_answer *answer)
 {
-    cylint_line line;
-    if (cylint_span(&line, l->o, l->d, l->tmin, l->tmax) != CYLINT_OK)
+    if (cylint_span(line, l->o, l->d, l->tmin, l->tmax) != CYLINT_OK)
         return 0;
-    return cylint_intersect(shape, &line, want, answer);
+    return cylint_intersect(shape, line, want, answer);
 }
 
 /* The domain's end that still includes every root whose t, rounded to a double,
@@ -68,11 +67,12 @@ static double present_t(const ray_test *r)
 {
     double t = HUGE_VAL;
     cylint_shape between;
+    cylint_line line;
     cylint_answer answer;
     const cylint_shape *shape =
         shape_at(r->data, r->hit->primID, r->ray->time, &between);
-    const int n =
-        intersect(shape, &r->line, CYLINT_WANT_T | CYLINT_WANT_Z, &answer);
+    const int n = intersect(shape, &r->line, CYLINT_WANT_T | CYLINT_WANT_Z,
+                            &line, &answer);
     for (int i = n - 1; i >= 0; i--)
         if (rounded_up(answer.hit[i].t, r->ray->tfar) == r->ray->tfar &&
             (t >= HUGE_VAL || is_bare(r) ||
@@ -226,14 +226,12 @@ static unsigned wanted(const ray_test *r)
 }
 
 /* Describes a hit that intersect() found. */
-static cylint_hit_floats describe(const ray_test *r, const cylint_shape *shape,
+static cylint_hit_floats describe(const cylint_shape *shape,
+                                  const cylint_line *line, unsigned want,
                                   const cylint_hit *at)
 {
-    const cylint_float_filter_ray *l = &r->line;
     cylint_hit hit = *at;
-    cylint_line line;
-    cylint_span(&line, l->o, l->d, l->tmin, l->tmax);
-    cylint_describe(shape, &line, wanted(r), &hit);
+    cylint_describe(shape, line, want, &hit);
     return floats_of(&hit);
 }
 
@@ -243,6 +241,7 @@ static cylint_hit_floats describe(const ray_test *r, const cylint_shape *shape,
 static int test_exactly(ray_test *r, const cylint_shape *shape, unsigned number,
                         int first)
 {
+    cylint_line line;
     cylint_answer answer;
     const int whole =
         !r->leaf || cylint_leaf_piece(r->leaf, r->lane).count == 1;
@@ -250,7 +249,7 @@ static int test_exactly(ray_test *r, const cylint_shape *shape, unsigned number,
         r->line.tmax = tmax_including(r->ray->tfar);
     const int n = intersect(
         shape, &r->line, whole ? CYLINT_WANT_T | CYLINT_WANT_PART : wanted(r),
-        &answer);
+        &line, &answer);
     for (int i = first; i < n; i++) {
         const cylint_hit *at = &answer.hit[i];
         cylint_hit_floats floats = {0};
@@ -259,7 +258,8 @@ static int test_exactly(ray_test *r, const cylint_shape *shape, unsigned number,
         if (r->nearest && !is_nearer(r, number, &answer, i))
             return 0;
         if (needs_description(r))
-            floats = whole ? describe(r, shape, at) : floats_of(at);
+            floats =
+                whole ? describe(shape, &line, wanted(r), at) : floats_of(at);
         if (record(r, number, rounded_up(at->t, r->ray->tfar), &floats))
             return 1;
     }
@@ -456,18 +456,21 @@ void cylint_embree_complete(struct RTCGeometryTy *geometry,
 {
     const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
     const struct RTCRay *ray = &rayhit->ray;
-    cylint_float_filter_ray line = line_of(ray);
+    cylint_float_filter_ray l = line_of(ray);
     cylint_shape between;
+    cylint_line line;
     cylint_answer answer;
     if (!(rayhit->hit.primID < data->n))
         return;
-    line.tmax = tmax_including(ray->tfar);
+    l.tmax = tmax_including(ray->tfar);
+    const cylint_shape *shape =
+        shape_at(data, rayhit->hit.primID, ray->time, &between);
     const int n =
-        intersect(shape_at(data, rayhit->hit.primID, ray->time, &between),
-                  &line, CYLINT_WANT_ALL, &answer);
+        intersect(shape, &l, CYLINT_WANT_T | CYLINT_WANT_PART, &line, &answer);
     for (int i = 0; i < n; i++)
         if (rounded_up(answer.hit[i].t, ray->tfar) == ray->tfar) {
-            const cylint_hit_floats floats = floats_of(&answer.hit[i]);
+            const cylint_hit_floats floats =
+                describe(shape, &line, CYLINT_WANT_ALL, &answer.hit[i]);
             write_floats(&floats, &rayhit->hit);
             return;
         }
