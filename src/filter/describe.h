@@ -22,8 +22,7 @@ static int has_tiny_numbers(const cylint_line *line)
 static void members_of(cylint_hit_lanes *to, const source *from,
                        const pair_line *in, const hit_root *r, unsigned want)
 {
-    const vm no_axis = m_from(cylint_has_no_axis(from->shape) ? 3 : 0);
-    members_at(to, from, in, r, want, no_axis, cylint_prepared(from->shape));
+    members_at(to, from, in, r, want, cylint_prepared(from->shape));
     if (cylint_flushes_subnormals() && has_tiny_numbers(from->line))
         EACH(i, CYLINT_MEMBERS)
             to->certain[i] = 0;
@@ -76,15 +75,13 @@ INLINE slope_at_hit slope_of(const local_hit *h, const pair_line *in,
     const int round = cylint_solid_is_round(solid);
     const double slope =
         cylint_solid_is_tapered(solid) ? fabs(cylint_slope(from->shape)) : 0;
-    const vm on_ball = !round                        ? m_from(0)
-                       : cylint_solid_is_ball(solid) ? m_from(3)
-                                                     : r->on_end;
-    const vd z = v_select(on_ball, rounded(from_center(h, r, from, solid).v),
+    const vm ball = on_ball(r, solid);
+    const vd z = v_select(ball, rounded(from_center(h, r, from, solid).v),
                           rounded(h->rho.v));
     const vd axial = rounded(in->w), error = h->unit * D;
-    const vd w = v_select(on_ball, axial, -rounded(in->growth));
-    const vd vx = q_low(in->v.hi) + q_low(in->v.lo),
-             vy = q_high(in->v.hi) + q_high(in->v.lo);
+    const vd w = v_select(ball, axial, -rounded(in->growth));
+    const vd vx = rounded(pairs_of_two(in->v, 0)),
+             vy = rounded(pairs_of_two(in->v, 1));
     const vd x = rounded(h->x.v), y = rounded(h->y.v);
     const vd xv = x * vx, yv = y * vy, zw = z * w;
     const vd sizes = v_abs(xv) + v_abs(yv) + v_abs(zw);

@@ -132,6 +132,24 @@ INLINE vpair pairs_of_ends(vpair of_base, vpair of_top, int k)
                    ends_of(of_base.lo, of_top.lo, k)};
 }
 
+/* Of end i, in all lanes. */
+INLINE vpair pairs_of_end(const vpair x[ENDS], int i)
+{
+    vd hi[ENDS], lo[ENDS];
+    EACH(k, ENDS) {
+        hi[k] = x[k].hi;
+        lo[k] = x[k].lo;
+    }
+    return (vpair){of_end(hi, i), of_end(lo, i)};
+}
+
+/* The first numbers, or the second. */
+INLINE vpair pairs_of_two(vqpair x, int second)
+{
+    return second ? (vpair){q_high(x.hi), q_high(x.lo)}
+                  : (vpair){q_low(x.hi), q_low(x.lo)};
+}
+
 /* ------------------------------------------------- the line in doubles -- */
 
 #define NUM vd
@@ -177,12 +195,6 @@ typedef struct {
     vd error;
 } pair_line;
 
-/* Of a shape.  sine, cosine: of a rounded cone. */
-typedef struct {
-    vpair height, slope, sine, cosine;
-    vd r0;
-} shape_pairs;
-
 INLINE vpair twice(double hi, double lo)
 {
     return (vpair){v_set(hi), v_set(lo)};
@@ -201,12 +213,113 @@ INLINE vpair moved(vpair z, vpair w, vd t)
     return vpair_add(z, step);
 }
 
+/* ------------------------------------------------- the shape and line -- */
+
+#ifdef CYLINT_NARROW
+
+typedef struct {
+    const cylint_shape *shape;
+    const cylint_line *line;
+} source;
+
+INLINE vd number_at(const source *from, int i)
+{
+    return v_set(from->shape->library.number[i]);
+}
+
+INLINE vd origin_at(const source *from, int i)
+{
+    return v_set(from->line->o[i]);
+}
+
+INLINE vpair direction_at(const source *from, int i)
+{
+    return twice(from->line->d[i], from->line->d_lo[i]);
+}
+
+INLINE vm is_skew(const source *from)
+{
+    return m_from(cylint_has_skew_rows(from->shape->kind) ? 3 : 0);
+}
+
+INLINE vm is_elliptic(const source *from)
+{
+    return m_from(cylint_is_elliptic(from->shape->kind) ? 3 : 0);
+}
+
+INLINE vm has_no_axis(const source *from)
+{
+    return m_from(cylint_has_no_axis(from->shape) ? 3 : 0);
+}
+
+#else
+
+/* Lines as given.  segment: u_lo may differ from 0. */
+typedef struct {
+    vd o[3], d[3], d_lo[3], limit[2];
+    int segment;
+} line_lanes;
+
+/* The numbers of shapes up to CYLINT_AT_ERROR, in their order, in fours. */
+enum { MEMBERS = (CYLINT_AT_ERROR + 4) / 4 * 4 };
+
+/* The masks after cap: what members of hits take (shape_facts.h, measure.h). */
+typedef struct {
+    vd of[MEMBERS];
+    vm cap[2]; /* present */
+    vm skew, elliptic, no_axis;
+} frames;
+
+typedef struct {
+    const frames *frame;
+    const line_lanes *line;
+} source;
+
+INLINE vd number_at(const source *from, int i)
+{
+    return from->frame->of[i];
+}
+
+INLINE vd origin_at(const source *from, int i)
+{
+    return from->line->o[i];
+}
+
+INLINE vpair direction_at(const source *from, int i)
+{
+    return (vpair){from->line->d[i], from->line->d_lo[i]};
+}
+
+INLINE vm is_skew(const source *from)
+{
+    return from->frame->skew;
+}
+
+INLINE vm is_elliptic(const source *from)
+{
+    return from->frame->elliptic;
+}
+
+INLINE vm has_no_axis(const source *from)
+{
+    return from->frame->no_axis;
+}
+
+#endif
+
+INLINE vpair pair_at(const source *from, int i)
+{
+    return (vpair){number_at(from, i), number_at(from, i + CYLINT_LOW)};
+}
+
 /* Sets z and the radius, after w. */
-INLINE void set_heights(pair_line *to, vpair from_base, const shape_pairs *s,
+INLINE void set_heights(pair_line *to, vpair from_base, const source *from,
                         int solid)
 {
-    const vpair from_top = vpair_sub(from_base, s->height);
-    const vpair r = {s->r0, v_set(0)};
+    const vpair from_top =
+        vpair_sub(from_base, pair_at(from, CYLINT_AT_HEIGHT));
+    const vpair slope = pair_at(from, CYLINT_AT_SLOPE);
+    const vpair r = {number_at(from, CYLINT_AT_R0), v_set(0)};
     vpair circle = r, from_circle = from_base;
     EACH(k, ENDS)
         to->z[k] = pairs_of_ends(from_base, from_top, k);
@@ -215,21 +328,17 @@ INLINE void set_heights(pair_line *to, vpair from_base, const shape_pairs *s,
     if (!cylint_solid_is_tapered(solid))
         return;
     if (cylint_solid_is_round(solid)) {
-        circle = vpair_mul(r, s->cosine);
-        from_circle = vpair_add(from_base, vpair_mul(r, s->sine));
+        circle = vpair_mul(r, pair_at(from, CYLINT_AT_COSINE));
+        from_circle =
+            vpair_add(from_base, vpair_mul(r, pair_at(from, CYLINT_AT_SINE)));
     }
-    to->rho = vpair_add(circle, vpair_mul(s->slope, from_circle));
-    to->growth = vpair_mul(s->slope, to->w);
+    to->rho = vpair_add(circle, vpair_mul(slope, from_circle));
+    to->growth = vpair_mul(slope, to->w);
 }
 
 #ifdef CYLINT_NARROW
 
 /* ------------------------------------------------- one line, one shape -- */
-
-typedef struct {
-    const cylint_shape *shape;
-    const cylint_line *line;
-} source;
 
 /* Rows x and y of the matrix times a vector. */
 INLINE vd across(const cylint_shape *s, vd x, vd y, vd z)
@@ -419,13 +528,6 @@ INLINE vpair along_of(vqpair x)
 INLINE void load_pairs(pair_line *to, const source *from, int moves, int solid)
 {
     const vqpair p = origin_in_pairs(from, solid);
-    const cylint_shape *shape = from->shape;
-    const shape_pairs s = {
-        both_lanes(cylint_number_pair(shape, CYLINT_AT_HEIGHT)),
-        both_lanes(cylint_number_pair(shape, CYLINT_AT_SLOPE)),
-        both_lanes(cylint_number_pair(shape, CYLINT_AT_SINE)),
-        both_lanes(cylint_number_pair(shape, CYLINT_AT_COSINE)),
-        v_set(cylint_r0(from->shape))};
     vqpair v = {q_set(0), q_set(0)};
     if (moves)
         v = direction_in_pairs(from, solid);
@@ -433,33 +535,12 @@ INLINE void load_pairs(pair_line *to, const source *from, int moves, int solid)
     to->v = across_of(v);
     to->w = along_of(v);
     to->error = v_set(cylint_frame_error(from->shape));
-    set_heights(to, along_of(p), &s, solid);
+    set_heights(to, along_of(p), from, solid);
 }
 
 #else
 
 /* ----------------------------------------------- a question in each lane -- */
-
-/* Lines as given.  segment: u_lo may differ from 0. */
-typedef struct {
-    vd o[3], d[3], d_lo[3], limit[2];
-    int segment;
-} line_lanes;
-
-/* The numbers of shapes up to CYLINT_AT_ERROR, in their order, in fours. */
-enum { MEMBERS = (CYLINT_AT_ERROR + 4) / 4 * 4 };
-
-/* The masks after cap: what members of hits take (shape_facts.h, measure.h). */
-typedef struct {
-    vd of[MEMBERS];
-    vm cap[2]; /* present */
-    vm skew, elliptic, no_axis;
-} frames;
-
-typedef struct {
-    const frames *frame;
-    const line_lanes *line;
-} source;
 
 INLINE vm m_if_all(int condition)
 {
@@ -605,11 +686,6 @@ INLINE void load_rest(local_line *l, const source *from, int solid)
     }
 }
 
-INLINE vpair number_pairs(const frames *f, int i)
-{
-    return (vpair){f->of[i], f->of[i + CYLINT_LOW]};
-}
-
 /* A row of the matrix times x.  exact: x has no low parts. */
 INLINE vpair row_in_pairs(const frames *f, int row, const vpair x[3], int exact)
 {
@@ -638,21 +714,17 @@ INLINE void load_pairs(pair_line *to, const source *from, int solid)
     vpair x[3], d[3], p[3], v[3];
     EACH(i, 3) {
         x[i] = v_two_sum(from->line->o[i], -f->of[CYLINT_AT_BASE + i]);
-        d[i] = (vpair){from->line->d[i], from->line->d_lo[i]};
+        d[i] = direction_at(from, i);
     }
     EACH(i, 3) {
         p[i] = ball ? x[i] : row_in_pairs(f, i, x, 0);
         v[i] = ball ? d[i] : row_in_pairs(f, i, d, exact);
     }
-    const shape_pairs s = {
-        number_pairs(f, CYLINT_AT_HEIGHT), number_pairs(f, CYLINT_AT_SLOPE),
-        number_pairs(f, CYLINT_AT_SINE), number_pairs(f, CYLINT_AT_COSINE),
-        f->of[CYLINT_AT_R0]};
     to->p = (vqpair){q_join(p[0].hi, p[1].hi), q_join(p[0].lo, p[1].lo)};
     to->v = (vqpair){q_join(v[0].hi, v[1].hi), q_join(v[0].lo, v[1].lo)};
     to->w = v[2];
     to->error = v_if(ball, v_set(CYLINT_LOCAL_ERROR), f->of[CYLINT_AT_ERROR]);
-    set_heights(to, p[2], &s, solid);
+    set_heights(to, p[2], from, solid);
 }
 
 #endif

@@ -296,7 +296,7 @@ ASIDE unsigned describe_lanes(const source *from, const pair_line *in,
                               cylint_hit_lanes *to)
 {
     unsigned left = 0;
-    members_at(to, from, in, r, want, from->frame->no_axis, solid);
+    members_at(to, from, in, r, want, solid);
     for (unsigned i = 0; i < CYLINT_MEMBERS; i++)
         if (want & (unsigned)CYLINT_WANT_POINT << i)
             left |= ~to->certain[i];

@@ -41,67 +41,6 @@ typedef struct {
 
 /* ------------------------------------------------- the shape and line -- */
 
-#ifdef CYLINT_NARROW
-
-INLINE vd number_at(const source *from, int i)
-{
-    return v_set(from->shape->library.number[i]);
-}
-
-INLINE vd origin_at(const source *from, int i)
-{
-    return v_set(from->line->o[i]);
-}
-
-INLINE vpair direction_at(const source *from, int i)
-{
-    return twice(from->line->d[i], from->line->d_lo[i]);
-}
-
-INLINE vm is_skew(const source *from)
-{
-    return m_from(cylint_has_skew_rows(from->shape->kind) ? 3 : 0);
-}
-
-INLINE vm is_elliptic(const source *from)
-{
-    return m_from(cylint_is_elliptic(from->shape->kind) ? 3 : 0);
-}
-
-#else
-
-INLINE vd number_at(const source *from, int i)
-{
-    return from->frame->of[i];
-}
-
-INLINE vd origin_at(const source *from, int i)
-{
-    return from->line->o[i];
-}
-
-INLINE vpair direction_at(const source *from, int i)
-{
-    return (vpair){from->line->d[i], from->line->d_lo[i]};
-}
-
-INLINE vm is_skew(const source *from)
-{
-    return from->frame->skew;
-}
-
-INLINE vm is_elliptic(const source *from)
-{
-    return from->frame->elliptic;
-}
-
-#endif
-
-INLINE vpair pair_at(const source *from, int i)
-{
-    return (vpair){number_at(from, i), number_at(from, i + CYLINT_LOW)};
-}
-
 /* Column j of a row of the matrix. */
 INLINE vpair entry_at(const source *from, int row, int j)
 {
@@ -178,18 +117,11 @@ INLINE vd coordinate_error(const local_hit *h, const vd size[3], int row, vd v,
 INLINE local_hit hit_at(const source *from, const pair_line *in,
                         const hit_root *r, int axial, int solid)
 {
-    const vpair p[2] = {{q_low(in->p.hi), q_low(in->p.lo)},
-                        {q_high(in->p.hi), q_high(in->p.lo)}};
-    const vpair v[2] = {{q_low(in->v.hi), q_low(in->v.lo)},
-                        {q_high(in->v.hi), q_high(in->v.lo)}};
-    vd z_hi[ENDS], z_lo[ENDS], size[3];
+    const vpair vx = pairs_of_two(in->v, 0), vy = pairs_of_two(in->v, 1);
+    vd size[3];
     local_hit h;
     h.unit = v_set(CYLINT_MEMBER_COORDINATE / CYLINT_MEMBER_UNIT) * in->error;
     h.error = v_set(1 / CYLINT_MEMBER_UNIT) * r->error;
-    EACH(k, ENDS) {
-        z_hi[k] = in->z[k].hi;
-        z_lo[k] = in->z[k].lo;
-    }
     EACH(j, 3)
         size[j] = v_sum_of(
             v_abs(r->t * v_set(CYLINT_MEMBER_SCALE)),
@@ -197,15 +129,14 @@ INLINE local_hit hit_at(const source *from, const pair_line *in,
             v_abs(origin_at(from, j) - number_at(from, CYLINT_AT_BASE + j)) *
                 v_set(CYLINT_MEMBER_SCALE));
     set_entry_sizes(h.entry_size, from);
-    h.x = (bounded_pairs){at_root(p[0], v[0], r),
-                          coordinate_error(&h, size, 0, v[0].hi, solid)};
-    h.y = (bounded_pairs){at_root(p[1], v[1], r),
-                          coordinate_error(&h, size, 1, v[1].hi, solid)};
+    h.x = (bounded_pairs){at_root(pairs_of_two(in->p, 0), vx, r),
+                          coordinate_error(&h, size, 0, vx.hi, solid)};
+    h.y = (bounded_pairs){at_root(pairs_of_two(in->p, 1), vy, r),
+                          coordinate_error(&h, size, 1, vy.hi, solid)};
     h.z = zero_pairs();
     if (axial || cylint_solid_is_tapered(solid) ||
         cylint_solid_is_round(solid)) {
-        const vpair z = {of_end(z_hi, 0), of_end(z_lo, 0)};
-        h.z = (bounded_pairs){at_root(z, in->w, r),
+        h.z = (bounded_pairs){at_root(pairs_of_end(in->z, 0), in->w, r),
                               coordinate_error(&h, size, 2, in->w.hi, solid)};
     }
     h.rho = (bounded_pairs){in->rho, v_set(0)};
@@ -307,6 +238,14 @@ INLINE bounded_pairs from_center(const local_hit *h, const hit_root *r,
     return z;
 }
 
+/* The lanes of hits on a ball. */
+INLINE vm on_ball(const hit_root *r, int solid)
+{
+    return cylint_solid_is_ball(solid)    ? m_not(m_from(0))
+           : cylint_solid_is_round(solid) ? r->on_end
+                                          : m_from(0);
+}
+
 /* On the lateral surface or on a ball, of a shape whose rows have length 1.
  * The bounds are of first order in the relative error of rho, `lost`: each is
  * at least `lost` of its term, so no sum of terms is certain where `lost` is
@@ -323,15 +262,14 @@ INLINE combination unit_normal(const local_hit *h, const hit_root *r,
         cosine = pair_at(from, CYLINT_AT_COSINE);
     }
     if (cylint_solid_is_round(solid)) {
-        const vm on_ball =
-            cylint_solid_is_ball(solid) ? m_not(m_from(0)) : r->on_end;
+        const vm ball_lanes = on_ball(r, solid);
         const vd r0 = number_at(from, CYLINT_AT_R0);
         const vd r1 = v_if(tapered, number_at(from, CYLINT_AT_R1), r0);
         const bounded_pairs ball = {{v_select(r->top, r1, r0), v_set(0)},
                                     v_set(0)};
-        divisor = choose_pairs(on_ball, ball, divisor);
-        cosine = (vpair){v_select(on_ball, one.hi, cosine.hi),
-                         v_select(on_ball, one.lo, cosine.lo)};
+        divisor = choose_pairs(ball_lanes, ball, divisor);
+        cosine = (vpair){v_select(ball_lanes, one.hi, cosine.hi),
+                         v_select(ball_lanes, one.lo, cosine.lo)};
     }
     const vd inverse = v_set(1) / divisor.v.hi;
     const vpair by = pair_quotient(cosine, divisor.v, inverse);
@@ -343,8 +281,7 @@ INLINE combination unit_normal(const local_hit *h, const hit_root *r,
         z = negated_where(inside_out, z);
     }
     if (cylint_solid_is_round(solid))
-        z = choose_pairs(cylint_solid_is_ball(solid) ? m_not(m_from(0))
-                                                     : r->on_end,
+        z = choose_pairs(on_ball(r, solid),
                          product(from_center(h, r, from, solid), by, lost), z);
     return (combination){product(h->x, by, lost), product(h->y, by, lost), z};
 }
@@ -483,10 +420,11 @@ INLINE vm phi_of(vd *to, const local_hit *h, const source *from)
     return certain;
 }
 
-/* Lanes of balls have z = phi = 0 if `no_axis`; else these are left. */
+/* Spheres have z = phi = 0; of a ball that is all of a rounded cone these are
+ * left. */
 INLINE void members_at(cylint_hit_lanes *to, const source *from,
                        const pair_line *in, const hit_root *r, unsigned want,
-                       vm no_axis, int solid)
+                       int solid)
 {
     const int ball = cylint_solid_is_ball(solid);
     const unsigned axial = ball ? 0 : want & (CYLINT_WANT_Z | CYLINT_WANT_PHI);
@@ -501,7 +439,7 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
         v_store(to->number[CYLINT_AT_Z], v_set(0));
         v_store(to->number[CYLINT_AT_PHI], v_set(0));
         to->certain[CYLINT_MEMBER_Z] = to->certain[CYLINT_MEMBER_PHI] =
-            m_bits(no_axis);
+            m_bits(has_no_axis(from));
     }
     if (!((want & CYLINT_WANT_NORMAL) | axial))
         return;

@@ -44,24 +44,17 @@ INLINE void set_planes(vpair z[1], vpair r[1], const pair_line *in,
     }
 }
 
-INLINE vpair pairs_of_end(vpair x, int i)
-{
-    return (vpair){of_end(&x.hi, i), of_end(&x.lo, i)};
-}
-
 /* The line of the forms. */
 INLINE void set_pairs(line_pairs *x, const pair_line *in, vpair z, vpair r,
                       const cylint_shape *shape, int solid)
 {
     const int tapered = cylint_solid_is_tapered(solid);
     EACH(i, 2) {
-        x->p[i] = (vpair){i ? q_high(in->p.hi) : q_low(in->p.hi),
-                          i ? q_high(in->p.lo) : q_low(in->p.lo)};
-        x->v[i] = (vpair){i ? q_high(in->v.hi) : q_low(in->v.hi),
-                          i ? q_high(in->v.lo) : q_low(in->v.lo)};
+        x->p[i] = pairs_of_two(in->p, i);
+        x->v[i] = pairs_of_two(in->v, i);
     }
-    x->z = pairs_of_end(z, 0);
-    x->r = pairs_of_end(r, 0);
+    x->z = pairs_of_end(&z, 0);
+    x->r = pairs_of_end(&r, 0);
     x->w = in->w;
     x->slope =
         twice(tapered ? cylint_slope(shape) : 0,
@@ -153,7 +146,7 @@ INLINE void point_in_pairs(point_signs *at, const local_line *l,
         set_planes(plane, r, in, shape, solid);
         EACH(i, 2)
             at->above[i] =
-                signs_of(height_at(pairs_of_end(plane[0], i), in->w, t), eZ);
+                signs_of(height_at(pairs_of_end(plane, i), in->w, t), eZ);
         between = m_not(m_or(at->above[0].negative, at->above[1].positive));
     }
     if (cylint_solid_is_round(solid))
@@ -162,7 +155,7 @@ INLINE void point_in_pairs(point_signs *at, const local_line *l,
             if (!cylint_solid_is_ball(solid) && !m_any(m_not(within)))
                 continue;
             const bounded_value C =
-                square_residual(in, l, t, all, pairs_of_end(in->z[0], i),
+                square_residual(in, l, t, all, pairs_of_end(in->z, i),
                                 of_end(l->ball_r, i), solid);
             at->ball[i] = signs_of(C.v, C.e);
         }
