@@ -187,26 +187,14 @@ INLINE four axis_and_growth(const cylint_shape *s)
     return w;
 }
 
-/* |x| <= |y|, without a branch. */
-INLINE int is_no_larger(pair x, pair y)
-{
-    const double X = fabs(x.hi), Y = fabs(y.hi);
-    const double x_lo = copysign(1, x.hi) * x.lo,
-                 y_lo = copysign(1, y.hi) * y.lo;
-    return (X < Y) | ((X == Y) & (x_lo <= y_lo));
-}
-
-/* The coordinate direction along which the axis is least: that of
- * cylint_least_axis_component(), from which phi is counted. */
+/* The coordinate direction along which the axis is least, from which phi is
+ * counted. */
 INLINE four least_direction(const four *axis)
 {
     static const double none[4] = {0, 0, 0, 0};
-    double hi[4], lo[4];
+    double hi[4], lo[4], e[4] = {0, 0, 0, 0};
     store_four(hi, lo, axis);
-    const pair x = {hi[0], lo[0]}, y = {hi[1], lo[1]}, z = {hi[2], lo[2]};
-    const int first = is_no_larger(x, y) & is_no_larger(x, z);
-    const int second = (1 - first) & is_no_larger(y, z);
-    const double e[4] = {first, second, !(first | second), 0};
+    e[cylint_least_component(hi, lo)] = 1;
     return load_four(e, none);
 }
 
