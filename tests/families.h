@@ -61,6 +61,11 @@ void family_case(uint64_t seed, int family, uint64_t index,
 /* Makes line and shape from the numbers.  Returns 1 if both are valid. */
 int family_make(struct family_case *c);
 
+/* A case of the numbers of a record of a line and a capped shape, which are not
+ * made yet. */
+struct family_case family_of(family_line line, const double *line_data,
+                             family_shape shape, const double *shape_data);
+
 /* The number of numbers in a record of the shape or line. */
 int family_shape_size(family_shape word);
 int family_line_size(family_line word);

@@ -43,6 +43,20 @@ static void make_line(struct family_case *c)
     }
 }
 
+struct family_case family_of(family_line line, const double *line_data,
+                             family_shape shape, const double *shape_data)
+{
+    struct family_case c;
+    memset(&c, 0, sizeof c);
+    c.line_word = line;
+    c.shape_word = shape;
+    memcpy(c.line_data, line_data,
+           (size_t)family_line_size(line) * sizeof(double));
+    memcpy(c.shape_data, shape_data,
+           (size_t)family_shape_size(shape) * sizeof(double));
+    return c;
+}
+
 int family_make(struct family_case *c)
 {
     const double *x = c->shape_data;

@@ -207,20 +207,6 @@ static void every_family(struct environment there)
 
 /* -------------------------------------------- cases of no other family --- */
 
-static struct family_case record(family_line line, const double *line_data,
-                                 family_shape shape, const double *shape_data)
-{
-    struct family_case c;
-    memset(&c, 0, sizeof c);
-    c.line_word = line;
-    c.shape_word = shape;
-    memcpy(c.line_data, line_data,
-           (size_t)family_line_size(line) * sizeof(double));
-    memcpy(c.shape_data, shape_data,
-           (size_t)family_shape_size(shape) * sizeof(double));
-    return c;
-}
-
 /* Frusta whose radii differ by a subnormal number and whose axes are subnormal;
  * radii and axes of one subnormal unit. */
 static void subnormal_differences(struct environment there)
@@ -233,10 +219,11 @@ static void subnormal_differences(struct environment there)
             const double line[] = {0, x, -3 * x, x, -x, 4 * x};
             const double cone[] = {0, 0, x, x, 0, s, 4 * x, x + 2 * s};
             const double rod[] = {x, x, x, x, x, x + s, x};
-            struct family_case c = record(FAMILY_LINE, line, FAMILY_CONE, cone);
+            struct family_case c =
+                family_of(FAMILY_LINE, line, FAMILY_CONE, cone);
             c.ends = (cylint_ends)ends;
             compare(&c, there);
-            c = record(FAMILY_SEGMENT, line, FAMILY_CYLINDER, rod);
+            c = family_of(FAMILY_SEGMENT, line, FAMILY_CYLINDER, rod);
             c.ends = (cylint_ends)ends;
             compare(&c, there);
         }
@@ -251,7 +238,8 @@ static void subnormal_offsets(struct environment there)
         const double x = ldexp(1, -1005), y = ldexp(1, -1074 + e);
         const double line[] = {x + y, y, -3 * x, y, 0x1p-1074, x};
         const double rod[] = {y, 0x1p-1074, 0, 0, 0x1p-1074, x, x + y};
-        struct family_case c = record(FAMILY_LINE, line, FAMILY_CYLINDER, rod);
+        struct family_case c =
+            family_of(FAMILY_LINE, line, FAMILY_CYLINDER, rod);
         compare(&c, there);
         c.ends = CYLINT_ENDS_INFINITE;
         compare(&c, there);
@@ -267,13 +255,14 @@ static void subnormal_domains(struct environment there)
         for (int to = -4; to <= 4; to++) {
             const double line[] = {0, 0, 0, 0, 0, 1, from * s, to * s};
             struct family_case c =
-                record(FAMILY_SPAN, line, FAMILY_CYLINDER, rod);
+                family_of(FAMILY_SPAN, line, FAMILY_CYLINDER, rod);
             compare(&c, there);
         }
     }
     const double huge_step[] = {1, 0, -3, 0, 0, 0x1p1023};
     const double unit[] = {0, 0, 0, 0, 0, 1, 1};
-    struct family_case c = record(FAMILY_RAY, huge_step, FAMILY_CYLINDER, unit);
+    struct family_case c =
+        family_of(FAMILY_RAY, huge_step, FAMILY_CYLINDER, unit);
     compare(&c, there);
 }
 
@@ -285,9 +274,10 @@ static void squares_that_overflow(struct environment there)
     for (int e = 60; e < 1020; e++) {
         const double back[] = {3, ldexp(0x1.f39b9148p0, e), -1, 0, 1, 0};
         const double past[] = {ldexp(1, e), 3, 0, -2, -1, 2};
-        struct family_case c = record(FAMILY_LINE, back, FAMILY_CYLINDER, rod);
+        struct family_case c =
+            family_of(FAMILY_LINE, back, FAMILY_CYLINDER, rod);
         compare(&c, there);
-        c = record(FAMILY_LINE, past, FAMILY_CONE, cone);
+        c = family_of(FAMILY_LINE, past, FAMILY_CONE, cone);
         c.ends = CYLINT_ENDS_INFINITE;
         compare(&c, there);
     }
@@ -326,10 +316,11 @@ static void signs_by_more_than_doubles(struct environment there)
     const double across[] = {0, 0, 0, 1, -0x1.fffffffffffffp-1, 0};
     const double upright[] = {0, 0, 0, 0, 0, 1, 45};
     const double leaning[] = {0, 0, 0, 1, 1, 0, 45};
-    struct family_case c = record(FAMILY_LINE, beside, FAMILY_ACONE, upright);
+    struct family_case c =
+        family_of(FAMILY_LINE, beside, FAMILY_ACONE, upright);
     c.ends = CYLINT_ENDS_INFINITE;
     compare(&c, there);
-    c = record(FAMILY_LINE, across, FAMILY_ACONE, leaning);
+    c = family_of(FAMILY_LINE, across, FAMILY_ACONE, leaning);
     c.ends = CYLINT_ENDS_INFINITE;
     compare(&c, there);
     cylint_answer a;

@@ -430,11 +430,7 @@ static const struct known_case known_cases[] = {
 
 static int case_of(const struct known_case *from, struct family_case *c)
 {
-    memset(c, 0, sizeof *c);
-    c->line_word = from->line;
-    memcpy(c->line_data, from->line_data, sizeof from->line_data);
-    c->shape_word = from->shape;
-    memcpy(c->shape_data, from->shape_data, sizeof from->shape_data);
+    *c = family_of(from->line, from->line_data, from->shape, from->shape_data);
     c->ends = from->ends;
     return family_make(c);
 }

@@ -206,11 +206,7 @@ static const struct special_case special_cases[] = {
 
 static int case_of(const struct special_case *from, struct family_case *c)
 {
-    memset(c, 0, sizeof *c);
-    c->line_word = from->line;
-    memcpy(c->line_data, from->o_d, sizeof from->o_d);
-    c->shape_word = from->shape;
-    memcpy(c->shape_data, from->data, sizeof from->data);
+    *c = family_of(from->line, from->o_d, from->shape, from->data);
     c->ends = from->ends;
     return family_make(c);
 }

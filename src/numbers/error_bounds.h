@@ -331,7 +331,7 @@
  * a local coordinate of the hit, in multiples of cylint_frame_error() and of
  * the sum of the sizes of its terms; also that of a product or quotient of
  * pairs, relative to it.  CYLINT_MEMBER_PLACE: of a coordinate of the point,
- * relative to |o| + |t d|. ROW, STEP, PRODUCT, QUOTIENT and PLACE_ROUNDING are
+ * relative to |o| + |t d|.  ROW, STEP, PRODUCT, QUOTIENT and PLACE_ROUNDING are
  * what roundings add to them; each is proved.  CYLINT_MEMBER_UNIT: bounds are
  * counted in it.  CYLINT_MEMBER_LEAST: no smaller number but 0 is certain.
  * CYLINT_MEMBER_TIE: components of the normal and phi that are nearer to the

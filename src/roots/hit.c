@@ -41,7 +41,7 @@ static void write_unit_vector(cylint_arena *arena, const exact x[3], int sign,
 /* phi is in [0, 1). */
 static double below_one(double turns)
 {
-    return turns < 1 ? turns : 1 - 0x1p-53;
+    return turns < 1 ? turns : 1 - CYLINT_NEAREST_ROUNDING;
 }
 
 /* The double nearest to hi + lo, in every rounding mode. */

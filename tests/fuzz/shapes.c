@@ -415,17 +415,26 @@ static void must_be_column(const cylint_columns *c, size_t i,
                         c->part1[i] == a->hit[1].part);
 }
 
-static void check_pack(const cylint_pack *pack, const cylint_line *line)
-{
+struct column_arrays {
     signed char relation[SHAPES_MOST], n[SHAPES_MOST], part0[SHAPES_MOST],
         part1[SHAPES_MOST];
     double t0[SHAPES_MOST], t1[SHAPES_MOST];
-    const cylint_columns columns = {.relation = relation,
-                                    .n = n,
-                                    .t0 = t0,
-                                    .t1 = t1,
-                                    .part0 = part0,
-                                    .part1 = part1};
+};
+
+static cylint_columns columns_of(struct column_arrays *a)
+{
+    return (cylint_columns){.relation = a->relation,
+                            .n = a->n,
+                            .t0 = a->t0,
+                            .t1 = a->t1,
+                            .part0 = a->part0,
+                            .part1 = a->part1};
+}
+
+static void check_pack(const cylint_pack *pack, const cylint_line *line)
+{
+    struct column_arrays arrays;
+    const cylint_columns columns = columns_of(&arrays);
     size_t nearest = pack->n, hit_count = 0;
     double t = 0;
     cylint_intersect_shapes(pack, line, &columns);
@@ -450,16 +459,11 @@ static void check_pack(const cylint_pack *pack, const cylint_line *line)
 static void check_lines(const cylint_shape *s, const cylint_line *line)
 {
     enum { N = 5 };
-    double v[6][N], tmin[N], tmax[N], t0[N], t1[N];
-    signed char relation[N], n[N], part0[N], part1[N];
+    double v[6][N], tmin[N], tmax[N];
+    struct column_arrays arrays;
     const cylint_lines lines = {
         N, {v[0], v[1], v[2]}, {v[3], v[4], v[5]}, tmin, tmax};
-    const cylint_columns columns = {.relation = relation,
-                                    .n = n,
-                                    .t0 = t0,
-                                    .t1 = t1,
-                                    .part0 = part0,
-                                    .part1 = part1};
+    const cylint_columns columns = columns_of(&arrays);
     for (int i = 0; i < N; i++) {
         for (int j = 0; j < 3; j++) {
             v[j][i] = line->o[j];
