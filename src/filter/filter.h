@@ -163,7 +163,7 @@ enum {
 };
 typedef struct {
     double number[CYLINT_HIT_NUMBERS][8];
-    unsigned certain[CYLINT_MEMBERS];
+    unsigned certain; /* bit 8 m + i: member m of lane i */
 } cylint_hit_lanes;
 
 /* Answers to up to 8 questions: those of lanes in `found` cross, or are

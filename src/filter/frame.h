@@ -457,6 +457,23 @@ INLINE void load_ends(local_line *l, const cylint_shape *shape, int solid)
     }
 }
 
+/* What the stages in pairs take of the line in doubles. */
+INLINE void set_sizes(local_line *l, const cylint_shape *shape,
+                      const cylint_line *line, double Q, double D, int solid)
+{
+    const int tapered = cylint_solid_is_tapered(solid);
+    const vd r = v_set(cylint_r0(shape)), both = v_load(cylint_radii(shape));
+    l->Q = v_set(Q);
+    l->D = v_set(D);
+    l->taper = v_set(tapered ? 1 + fabs(cylint_slope(shape)) : 1);
+    l->unit = v_set(cylint_frame_error(shape));
+    l->in.r = r;
+    l->ball_r[0] = v_if(tapered, both, r);
+    l->widest = v_if(tapered, v_max(both, v_turned(both)), r);
+    l->limit[0] = v_load(&line->tmin);
+    l->cap[0] = m_from(cylint_caps_present(shape->ends));
+}
+
 /* z, w and the ends, loaded after the test of G. */
 INLINE void load_rest(local_line *l, const source *from, int solid)
 {

@@ -61,7 +61,7 @@ INLINE int contains_in_pairs(const cylint_shape *shape, const double point[3],
     first_line first;
     load_point(&first, point, shape, solid);
     q.Q = v_first(first.Q);
-    set_sizes(&l, &q, solid);
+    set_sizes(&l, q.shape, q.line, q.Q, q.D, solid);
     load_pairs(&in, &from, 0, solid);
     point_in_pairs(&at, &l, &in, v_set(0), shape, solid);
     const int side = side_of_point(&at, solid);

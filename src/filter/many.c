@@ -299,7 +299,7 @@ ASIDE unsigned describe_lanes(const source *from, const pair_line *in,
     members_at(to, from, in, r, want, solid);
     for (unsigned i = 0; i < CYLINT_MEMBERS; i++)
         if (want & (unsigned)CYLINT_WANT_POINT << i)
-            left |= ~to->certain[i];
+            left |= ~to->certain >> 8 * i;
     return ~left & ALL;
 }
 

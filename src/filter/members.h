@@ -166,9 +166,8 @@ INLINE vm rounds(bounded_pairs x, double beside, vd *to)
     return m_and(v_eq(up, down), m_or(large, v_eq(x.e, v_set(0))));
 }
 
-/* The same of three components, which are stored; bits of lanes. */
-INLINE unsigned round_vector(double to[3][8], const bounded_pairs x[3],
-                             double beside)
+/* The same of three components, which are stored. */
+INLINE vm round_vector(double to[3][8], const bounded_pairs x[3], double beside)
 {
     vm certain = m_not(m_from(0));
     EACH(i, 3) {
@@ -176,7 +175,7 @@ INLINE unsigned round_vector(double to[3][8], const bounded_pairs x[3],
         certain = m_and(certain, rounds(x[i], beside, &nearest));
         v_store(to[i], nearest);
     }
-    return m_bits(certain);
+    return certain;
 }
 
 /* ------------------------------------------------------------ members -- */
@@ -420,6 +419,11 @@ INLINE vm phi_of(vd *to, const local_hit *h, const source *from)
     return certain;
 }
 
+INLINE unsigned of_member(unsigned i, vm certain)
+{
+    return m_bits(certain) << 8 * i;
+}
+
 /* Spheres have z = phi = 0; of a ball that is all of a rounded cone these are
  * left. */
 INLINE void members_at(cylint_hit_lanes *to, const source *from,
@@ -428,37 +432,41 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
 {
     const int ball = cylint_solid_is_ball(solid);
     const unsigned axial = ball ? 0 : want & (CYLINT_WANT_Z | CYLINT_WANT_PHI);
+    unsigned certain = 0;
     bounded_pairs x[3];
     vd nearest;
     if (want & CYLINT_WANT_POINT) {
         point_of(x, from, r);
-        to->certain[CYLINT_MEMBER_POINT] =
-            round_vector(to->number + CYLINT_AT_POINT, x, 0);
+        certain |= of_member(CYLINT_MEMBER_POINT,
+                             round_vector(to->number + CYLINT_AT_POINT, x, 0));
     }
     if (ball) {
         v_store(to->number[CYLINT_AT_Z], v_set(0));
         v_store(to->number[CYLINT_AT_PHI], v_set(0));
-        to->certain[CYLINT_MEMBER_Z] = to->certain[CYLINT_MEMBER_PHI] =
-            m_bits(has_no_axis(from));
+        certain |= of_member(CYLINT_MEMBER_Z, has_no_axis(from)) |
+                   of_member(CYLINT_MEMBER_PHI, has_no_axis(from));
     }
+    to->certain = certain;
     if (!((want & CYLINT_WANT_NORMAL) | axial))
         return;
     const local_hit h =
         hit_at(from, in, r, (axial & CYLINT_WANT_Z) != 0, solid);
     if (want & CYLINT_WANT_NORMAL) {
         normal_of(x, &h, from, r, solid);
-        to->certain[CYLINT_MEMBER_NORMAL] =
-            round_vector(to->number + CYLINT_AT_NORMAL, x, CYLINT_MEMBER_TIE);
+        certain |= of_member(
+            CYLINT_MEMBER_NORMAL,
+            round_vector(to->number + CYLINT_AT_NORMAL, x, CYLINT_MEMBER_TIE));
     }
     if (axial & CYLINT_WANT_Z) {
-        to->certain[CYLINT_MEMBER_Z] =
-            m_bits(z_of(&nearest, &h, from, r, solid));
+        certain |=
+            of_member(CYLINT_MEMBER_Z, z_of(&nearest, &h, from, r, solid));
         v_store(to->number[CYLINT_AT_Z], nearest);
     }
     if (axial & CYLINT_WANT_PHI) {
-        to->certain[CYLINT_MEMBER_PHI] = m_bits(phi_of(&nearest, &h, from));
+        certain |= of_member(CYLINT_MEMBER_PHI, phi_of(&nearest, &h, from));
         v_store(to->number[CYLINT_AT_PHI], nearest);
     }
+    to->certain = certain;
 }
 
 /* The wanted members that are not certain in a lane. */
@@ -466,7 +474,7 @@ INLINE unsigned members_left(const cylint_hit_lanes *m, unsigned want, int lane)
 {
     unsigned left = 0;
     for (unsigned i = 0; i < CYLINT_MEMBERS; i++)
-        left |= (~m->certain[i] >> lane & 1) << i;
+        left |= (~m->certain >> (8 * i + (unsigned)lane) & 1) << i;
     return left * CYLINT_WANT_POINT & want;
 }
 

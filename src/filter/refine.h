@@ -11,23 +11,6 @@
 #include "levels.h"
 #include "one_answer.h"
 
-/* What the stages in pairs take of the line in doubles. */
-INLINE void set_sizes(local_line *l, const cylint_question *q, int solid)
-{
-    const cylint_shape *shape = q->shape;
-    const int tapered = cylint_solid_is_tapered(solid);
-    const vd r = v_set(cylint_r0(shape)), both = v_load(cylint_radii(shape));
-    l->Q = v_set(q->Q);
-    l->D = v_set(q->D);
-    l->taper = v_set(tapered ? 1 + fabs(cylint_slope(shape)) : 1);
-    l->unit = v_set(cylint_frame_error(shape));
-    l->in.r = r;
-    l->ball_r[0] = v_if(tapered, both, r);
-    l->widest = v_if(tapered, v_max(both, v_turned(both)), r);
-    l->limit[0] = v_load(&q->line->tmin);
-    l->cap[0] = m_from(cylint_caps_present(shape->ends));
-}
-
 /* The planes and circles of the ends. */
 INLINE void set_planes(vpair z[1], vpair r[1], const pair_line *in,
                        const cylint_shape *shape, int solid)
@@ -197,7 +180,7 @@ INLINE int refine_line(cylint_question *q, int solid)
     verdict v = no_verdict;
     v.ball.computed = 1;
     v.exists[0] = m_from(3);
-    set_sizes(&l, q, solid);
+    set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
     load_pairs(&in, &from, 1, solid);
     forms_in_pairs(&f, &v.ball, &l, &in, shape, solid);
     v.G = bounded_G(&f, &l, solid);
@@ -332,7 +315,7 @@ INLINE int refine_ends(cylint_question *q, int solid)
     pair_line in;
     verdict v = no_verdict;
     point_signs at = no_point_signs;
-    set_sizes(&l, q, solid);
+    set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
     const vd t = near_limit(l.limit[0]);
     load_pairs(&in, &from, m_bits(v_eq(t, v_set(0))) != 3, solid);
     v.exists[0] = m_from(q->exists);
@@ -380,7 +363,7 @@ static int refine_roots(cylint_question *q)
         const source from = {shape, q->line};
         load_pairs(&in, &from, 1, solid);
     }
-    set_sizes(&l, q, solid);
+    set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
     const vm present = m_from(q->ends.present);
     hits h = hits_of_roots(&r, &l, present);
     unsigned needed = ends_needed(h, bits, q->want);
