@@ -89,7 +89,7 @@ $(BUILD)/src/embree/%: extra += $(embree)
 $(call of,src/filter/many% src/bvh/traverse% src/embree/packet_% src/embree/float_filter%): extra += $(vectors)
 $(call of,src/roots/root% $(patsubst %,src/distance/%.o,meridian nearest_point rounded_distance surd_sum)): extra += $(small)
 # The builds for x86 processors without AVX2.
-$(if $(X86),$(call of,src/filter/one.o src/signs/origin.o $(patsubst %,src/distance/%_distance.o,certified limb))): extra += $(small)
+$(if $(X86),$(call of,src/filter/one.o src/signs/origin.o $(patsubst %,src/distance/%_distance.o,one))): extra += $(small)
 $(BUILD)/tools/%: extra := $(floats) $(posix) $(static) -Itools/cylint
 
 # Files that are built again for an instruction set: `isa.FILE-NAME` has the
@@ -100,10 +100,9 @@ avx512 := -mavx512f -mavx512vl -mavx512dq $(avx2)
 isa.src/shapes/local-fma   := $(avx2) -mprefer-vector-width=128 -DCYLINT_MEASURE_LOCAL=cylint_measure_local_fma
 isa.src/signs/origin-fma   := $(avx2) -DCYLINT_SIGN_AT_ORIGIN=cylint_sign_at_origin_fma
 isa.src/filter/one-fma     := $(avx2) -DCYLINT_ONE=cylint_one_fma -DCYLINT_SIGN_AT_ORIGIN=cylint_sign_at_origin_fma
-isa.src/distance/certified_distance-fma := $(avx2) -DCYLINT_CERTIFIED=cylint_certified_fma
-isa.src/distance/limb_distance-fma := $(avx2) -DCYLINT_LIMB=cylint_limb_fma
-isa.src/distance/certified_many-avx2   := $(avx2) -DCYLINT_CERTIFY_MANY=cylint_certify_many_avx2
-isa.src/distance/certified_many-avx512 := $(avx512) -DCYLINT_CERTIFY_MANY=cylint_certify_many_avx512
+isa.src/distance/one_distance-fma := $(avx2) -mprefer-vector-width=128 -DCYLINT_ONE_DISTANCES=cylint_one_distances_fma
+isa.src/distance/lanes-avx2   := $(avx2) -DCYLINT_DISTANCE_LANES=cylint_distance_lanes_avx2
+isa.src/distance/lanes-avx512 := $(avx512) -DCYLINT_DISTANCE_LANES=cylint_distance_lanes_avx512
 isa.src/filter/many-avx2   := $(avx2) -DCYLINT_MANY=cylint_many_avx2
 isa.src/filter/many-avx512 := $(avx512) -DCYLINT_MANY=cylint_many_avx512
 isa.src/bvh/traverse-avx2            := $(avx2) -DCYLINT_TRAVERSAL=cylint_traversal_avx2

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "distance/certified_distance.h"
+#include "distance/one_distance.h"
 #include "distance_points.h"
 #include "environment.h"
 #include "known_distances.h"
@@ -392,6 +392,15 @@ static void the_sign_is_that_of_contains(void)
     over_exponents(check_sign, 1);
 }
 
+/* The members of `want` that pairs leave, and the distance; all are certain where
+ * this is 0. */
+static unsigned left_by_pairs(const cylint_shape *s, const double p[3],
+                              unsigned want, cylint_closest *answer)
+{
+    return cylint_one_distances_plain.pairs(s, p, want | CYLINT_WANT_DISTANCE,
+                                            answer);
+}
+
 /* The distance does not need the direction from the axis to the point. */
 static void pairs_decide_the_distance_from_points_on_the_axis(void)
 {
@@ -404,15 +413,15 @@ static void pairs_decide_the_distance_from_points_on_the_axis(void)
     cylint_shape tilted;
     for (int i = 0; i < 3; i++) {
         const double inside[3] = {0, 0, 0.7}, beyond[3] = {0, 0, -0.3};
-        CHECK(cylint_certified_plain(&upright[i], inside, 0, &answer));
-        CHECK(cylint_certified_plain(&upright[i], beyond, 0, &answer));
+        CHECK(!left_by_pairs(&upright[i], inside, 0, &answer));
+        CHECK(!left_by_pairs(&upright[i], beyond, 0, &answer));
     }
     cylint_cylinder(&tilted, tilted_base, tilted_top, 0.1, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_certified_plain(&tilted, middle, 0, &answer));
+    CHECK(!left_by_pairs(&tilted, middle, 0, &answer));
     CHECK(answer.distance == -0.1);
 }
 
-/* The certified answers, of both builds, and the exact ones. */
+/* The answers of pairs, of both builds, and the exact ones. */
 static void check_paths(const struct family_case *c, const double p[3])
 {
     cylint_shape unprepared = c->shape;
@@ -425,7 +434,7 @@ static void check_paths(const struct family_case *c, const double p[3])
         cylint_closest plain;
         memset(&plain, 0, sizeof plain);
         const int certain = cylint_prepared(&c->shape) &&
-                            cylint_certified_plain(&c->shape, p, want, &plain);
+                            !left_by_pairs(&c->shape, p, want, &plain);
         if (!CHECK(same(&exact, &usual) && (!certain || same(&exact, &plain))))
             report(c, p);
     }

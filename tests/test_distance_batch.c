@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "distance/certified_many.h"
+#include "distance/lanes.h"
 #include "distance_points.h"
 #include "known_distances.h"
 #include "shapes/layout.h"
@@ -193,11 +193,35 @@ static void batches_of_several_blocks_return_the_same_bits(void)
     }
 }
 
+/* Columns of all members, or without point and normal, which other lanes serve. */
+static cylint_closest_columns columns_with(struct columns *c, int described)
+{
+    cylint_closest_columns to = columns_of(c);
+    for (int k = 0; !described && k < 3; k++)
+        to.point[k] = to.normal[k] = NULL;
+    return to;
+}
+
+static void check_answer(const struct family_case *f, const struct columns *c,
+                         int i, const double p[3], int described)
+{
+    const cylint_closest a =
+        answer_to(&f->shape, p, described ? WANT : CYLINT_WANT_PART);
+    int same = c->distance[i] == a.distance && c->part[i] == a.part &&
+               (a.part == -1 || c->feature[i] == a.feature);
+    for (int k = 0; described && a.part != -1 && k < 3; k++)
+        same &= c->point[k][i] == a.point[k] &&
+                c->normal[k][i] == a.normal[k] &&
+                !signbit(c->point[k][i]) == !signbit(a.point[k]) &&
+                !signbit(c->normal[k][i]) == !signbit(a.normal[k]);
+    if (!CHECK(same))
+        report(f, p);
+}
+
 /* Points about the shape of a case, answered in lanes and one by one. */
 static void check_lanes(const struct family_case *f, int n, uint64_t *stream)
 {
     static double x[3][MANY];
-    struct columns c;
     for (int i = 0; i < n; i++) {
         double p[3];
         draw_point(f, stream, p);
@@ -205,19 +229,23 @@ static void check_lanes(const struct family_case *f, int n, uint64_t *stream)
             x[k][i] = random_int(stream, 50) ? p[k] : NAN;
     }
     const cylint_points points = {(size_t)n, {x[0], x[1], x[2]}};
-    cylint_closest_columns to = columns_of(&c);
-    for (int k = 0; k < 3; k++)
-        to.point[k] = to.normal[k] = NULL;
-    memset(&c, 77, sizeof c);
-    cylint_distance_points(&f->shape, &points, &to);
-    for (int i = 0; i < n; i++) {
-        const double p[3] = {x[0][i], x[1][i], x[2][i]};
-        const cylint_closest a = answer_to(&f->shape, p, CYLINT_WANT_PART);
-        if (!CHECK(c.distance[i] == a.distance && c.part[i] == a.part &&
-                   (a.part == -1 || c.feature[i] == a.feature)))
-            report(f, p);
+    for (int described = 0; described < 2; described++) {
+        struct columns c;
+        const cylint_closest_columns to = columns_with(&c, described);
+        memset(&c, 77, sizeof c);
+        cylint_distance_points(&f->shape, &points, &to);
+        for (int i = 0; i < n; i++) {
+            const double p[3] = {x[0][i], x[1][i], x[2][i]};
+            check_answer(f, &c, i, p, described);
+        }
+        CHECK(n == MANY || c.part[n] == 77);
     }
-    CHECK(n == MANY || c.part[n] == 77);
+}
+
+static void make_capped(struct family_case *c)
+{
+    c->ends = CYLINT_ENDS_CAPPED;
+    family_make(c);
 }
 
 /* Shapes of a family, each with its point. */
@@ -225,14 +253,13 @@ static void check_lanes_of_pairs(int family)
 {
     static cylint_shape shapes[MANY];
     static double x[3][MANY];
-    struct family_case f[MANY];
-    struct columns c;
+    static struct family_case f[MANY];
     uint64_t stream = (uint64_t)family;
     for (int i = 0; i < MANY; i++) {
         double p[3];
         family_case(31, family, (uint64_t)i, &f[i]);
-        if (i % 16 && !cylint_is_round(f[i].shape.kind))
-            f[i].shape.ends = CYLINT_ENDS_CAPPED;
+        if (i % 16)
+            make_capped(&f[i]);
         if (cylint_is_elliptic(f[i].shape.kind))
             cylint_sphere(&f[i].shape, origin, 1 + i, CYLINT_ENDS_CAPPED);
         shapes[i] = f[i].shape;
@@ -241,15 +268,14 @@ static void check_lanes_of_pairs(int family)
             x[k][i] = p[k];
     }
     const cylint_points points = {MANY - 3, {x[0], x[1], x[2]}};
-    const cylint_closest_columns to = {
-        c.distance, c.part, c.feature, {NULL, NULL, NULL}, {NULL, NULL, NULL}};
-    cylint_distance_pairs(shapes, &points, &to);
-    for (int i = 0; i < MANY - 3; i++) {
-        const double p[3] = {x[0][i], x[1][i], x[2][i]};
-        const cylint_closest a = answer_to(&shapes[i], p, CYLINT_WANT_PART);
-        if (!CHECK(c.distance[i] == a.distance && c.part[i] == a.part &&
-                   (a.part == -1 || c.feature[i] == a.feature)))
-            report(&f[i], p);
+    for (int described = 0; described < 2; described++) {
+        struct columns c;
+        const cylint_closest_columns to = columns_with(&c, described);
+        cylint_distance_pairs(shapes, &points, &to);
+        for (int i = 0; i < MANY - 3; i++) {
+            const double p[3] = {x[0][i], x[1][i], x[2][i]};
+            check_answer(&f[i], &c, i, p, described);
+        }
     }
 }
 
@@ -262,7 +288,7 @@ static void lanes_of_all_builds_return_the_same_bits(void)
                 struct family_case c;
                 uint64_t stream = i * 99 + (uint64_t)f;
                 family_case(21, f, i, &c);
-                c.shape.ends = CYLINT_ENDS_CAPPED;
+                make_capped(&c);
                 if (!cylint_is_elliptic(c.shape.kind))
                     check_lanes(&c, 1 + random_int(&stream, MANY), &stream);
             }

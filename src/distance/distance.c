@@ -4,42 +4,141 @@
 #include "../dispatch.h"
 #include "../numbers/bits.h"
 #include "cylint_distance.h"
-#include "limb_distance.h"
-#include "undecided_distance.h"
+#include "elliptic.h"
+#include "exact_distance.h"
+#include "one_distance.h"
 
 size_t cylint_sizeof_closest(void)
 {
     return sizeof(cylint_closest);
 }
 
-/* The build that goes with that of the filter.  NULL: none is chosen yet;
- * cylint_undecided_distance() chooses it. */
-static inline cylint_one_distance *const *kernels_of(int kind)
+static const cylint_one_distances *kernels(void)
 {
-    const cylint_build build = CYLINT_LOAD(cylint_build_chosen);
-    if (build == CYLINT_BUILDS)
-        return NULL;
-    return CYLINT_OF_BUILD(build, cylint_limb_plain, cylint_limb_fma,
-                           cylint_limb_fma)[kind];
+    return CYLINT_OF_BUILD(cylint_build_used(), &cylint_one_distances_plain,
+                           &cylint_one_distances_fma,
+                           &cylint_one_distances_fma);
 }
+
+/* There is no surface. */
+static double nowhere(cylint_closest *answer)
+{
+    answer->part = -1;
+    answer->feature = CYLINT_FEATURE_LATERAL;
+    return answer->distance = HUGE_VAL;
+}
+
+ASIDE double by_exact_numbers(const cylint_shape *shape, const double point[3],
+                              unsigned want, cylint_closest *answer)
+{
+    meridian m;
+    cylint_load_meridian(&m, shape, point);
+    const nearest n = cylint_nearest_feature(&m);
+    if (n.part < 0)
+        return nowhere(answer);
+    if (want & CYLINT_WANT_PART) {
+        answer->part = n.part;
+        answer->feature = n.feature;
+    }
+    if (want & CYLINT_WANT_GEOMETRY)
+        cylint_nearest_point(&m, &n, want, answer);
+    const double size = n.sign != 0 ? cylint_rounded_distance(&m, &n) : 0;
+    return answer->distance = n.sign < 0 ? -size : size;
+}
+
+/* Whether a surface of which no part is missing encloses a solid. */
+static int is_closed(const cylint_shape *shape)
+{
+    return cylint_caps_present(shape->ends) == 3 ||
+           !cylint_ends_are_planes(shape->ends);
+}
+
+/* Whether the processor flushes subnormal numbers, and a coordinate of the point or
+ * of an end can be one. */
+static int flushes_a_coordinate(const cylint_shape *shape,
+                                const double point[3])
+{
+    int small = 0;
+    EACH(i, 3)
+        small |= cylint_too_small(point[i]) |
+                 cylint_too_small(cylint_base(shape)[i]) |
+                 cylint_too_small(cylint_top(shape)[i]);
+    return small && cylint_flushes_subnormals();
+}
+
+/* The members of `want` that heads and tails, pairs and triples leave. */
+static unsigned left_by_doubles(const cylint_shape *shape,
+                                const double point[3], unsigned want,
+                                cylint_closest *answer)
+{
+    const cylint_one_distances *k = kernels();
+    const unsigned parted = want / CYLINT_WANT_PART & 1;
+    if (!((unsigned)shape->ends | (want & CYLINT_WANT_GEOMETRY)) &&
+        k->head_tail[shape->kind][parted] &&
+        k->head_tail[shape->kind][parted](shape, point, answer))
+        return 0;
+    if (want & CYLINT_WANT_GEOMETRY && flushes_a_coordinate(shape, point))
+        return want;
+    const unsigned left = k->pairs(shape, point, want, answer);
+    if (!(left & CYLINT_ON_SURFACE) || cylint_contains(shape, point) != 0)
+        return left;
+    /* The point is on the boundary of the solid. */
+    if (left & CYLINT_WANT_PART)
+        return left;
+    answer->distance = 0;
+    if (want & CYLINT_WANT_POINT)
+        EACH(i, 3)
+            answer->point[i] = cylint_positive_zero(point[i]);
+    return left & CYLINT_WANT_NORMAL;
+}
+
+/* All answers that doubles leave. */
+ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
+                         unsigned want, cylint_closest *answer)
+{
+    if (shape->kind == CYLINT_KIND_NONE || !cylint_is_finite(point)) {
+        answer->flags = CYLINT_FLAG_INVALID;
+        return nowhere(answer);
+    }
+    answer->flags = 0;
+    if (!(want & (CYLINT_WANT_PART | CYLINT_WANT_GEOMETRY)) &&
+        is_closed(shape) && cylint_contains(shape, point) == 0)
+        return answer->distance = 0;
+    if (cylint_is_elliptic(shape->kind))
+        return cylint_elliptic_distance(shape, point, want, answer);
+    return by_exact_numbers(shape, point, want, answer);
+}
+
+#if CYLINT_IS_PARANOID
+/* The answer is not the exact one. */
+static int contradicts(const cylint_shape *shape, const double point[3],
+                       unsigned want, const cylint_closest *known)
+{
+    cylint_closest a;
+    by_exact_numbers(shape, point, want, &a);
+    int wrong = a.distance != known->distance;
+    if (want & CYLINT_WANT_PART)
+        wrong |= a.part != known->part || a.feature != known->feature;
+    for (int i = 0; i < 3; i++) {
+        wrong |= want & CYLINT_WANT_POINT && a.point[i] != known->point[i];
+        wrong |= want & CYLINT_WANT_NORMAL && a.normal[i] != known->normal[i];
+    }
+    return wrong;
+}
+#endif
 
 double cylint_distance(const cylint_shape *shape, const double point[3],
                        unsigned want, cylint_closest *answer)
 {
-    const unsigned geometry = want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL);
-    cylint_one_distance *const *kernels = kernels_of(shape->kind);
-    if (!kernels || !cylint_prepared(shape) ||
-        ((unsigned)shape->ends | geometry) != 0)
-        return cylint_undecided_distance(shape, point, want, answer);
-    const double distance =
-        kernels[want / CYLINT_WANT_PART & 1](shape, point, want, answer);
+    want &= CYLINT_WANT_PART | CYLINT_WANT_GEOMETRY;
+    if (!cylint_prepared(shape) ||
+        left_by_doubles(shape, point, want | CYLINT_WANT_DISTANCE, answer) != 0)
+        return answer_rest(shape, point, want, answer);
+    answer->flags = 0;
 #if CYLINT_IS_PARANOID
-    cylint_closest other;
-    cylint_contradiction(
-        cylint_undecided_distance(shape, point, want, &other) != distance ||
-        (want & CYLINT_WANT_PART && other.feature != answer->feature));
+    cylint_contradiction(contradicts(shape, point, want, answer));
 #endif
-    return distance;
+    return answer->distance;
 }
 
 /* The exponent of the distance of |x| from the next larger double. */

@@ -16,45 +16,38 @@
 #define CYLINT_DIRECTED_SURD_ERROR 0x1p-44
 
 /*
- * Distances in pairs (distance/half_plane.h).  S is at least |D|, D the point
- * from the base, and at most 2 |D|.  thin = S / (2 rho) is at least 1/4.  Proved:
+ * Distances in pairs (distance/pair_lanes.h).  S is |D0| + |D1| + |D2|, D the point from
+ * the base.
  *
- *   CYLINT_HALF_PLANE_SUM      of D.w relative to S, and of D.D to S^2
- *   CYLINT_HALF_PLANE_SQUARE   of z^2 relative to S^2
- *   CYLINT_HALF_PLANE_REST     of D.D - z^2 minus the square of the first root,
- *                              relative to S^2
- *   CYLINT_HALF_PLANE_ROOT     of the root's two steps, relative to that rest
- *                              divided by the root, if it is at most 2^-21 of the
- *                              square: for thin <= CYLINT_THINNEST it is
- *   CYLINT_HALF_PLANE_MUL      of a product with cosine or sine, relative to S
+ *   CYLINT_PAIR_SUM       of D.w relative to S.  Proved
+ *   CYLINT_PAIR_PRODUCT   of a product, relative to the sizes of its factors, whose
+ *                         low parts can be some ulps.  Proved
+ *   CYLINT_PAIR_ROOT      of a root, relative to it.  Proved
+ *   CYLINT_POINT_ROUNDING more than that of the unit vector of an axis, of cosine, sine
+ *                         and height, relative to themselves, and of z to S
+ *   CYLINT_PAIR_DISTANCE  what a distance has besides the errors of z and rho, relative
+ *                         to S and the reach of the shape
+ *   CYLINT_PAIR_QUOTIENT  of a component of a direction, relative to it
+ *   CYLINT_PAIR_PLACE     of a coordinate of the point, from that of its origin
  *
- * With CYLINT_LOCAL_ERROR of the matrix, z errs by less than 2^-95 S, D.D - z^2
- * by less than 2^-93 S^2, and rho by less than 2^-91 S thin.  A distance is a sum
- * of both with factors of at most 1, of terms of the shape with a relative error
- * below 2^-94, and of roundings of lo.  CYLINT_HALF_PLANE_ERROR (S thin + reach)
- * is more than all of that (tests/prove/ratios.txt).
+ * The sums are in tests/prove/ratios.txt; tests/test_distance_bounds.c compares
+ * z, rho and rims with exact numbers.
  *
- * Nearer to the axis thin is larger.  There rho is the length of (x, y), each a sum
- * of three products in pairs, whose errors are below 2^-95 S with that of the
- * matrix: rho errs by less than 2^-94 S.
- *
- * The distance from a rim is another root.  Its first step is of the size of the
- * low parts.  If it is at most CYLINT_ROOT_STEP of the root, the same two steps
- * do.
+ * Triples serve points with S < 2 CYLINT_THINNEST rho.
  *
  * A combination of the high parts in doubles has fewer than 8 roundings of terms
  * of at most S or a length of the shape; CYLINT_FEATURE_MARGIN is 2^3 times
  * more.  Distances below CYLINT_DISTANCE_LEAST are left to exact numbers: above
  * it no underflow is larger than the bound.
  */
-#define CYLINT_HALF_PLANE_ERROR 0x1p-90
-#define CYLINT_HALF_PLANE_SUM 0x1.28p-101
-#define CYLINT_HALF_PLANE_SQUARE 0x1.acp-99
-#define CYLINT_HALF_PLANE_REST 0x1p-99
-#define CYLINT_HALF_PLANE_ROOT 0x1.04p-46
-#define CYLINT_HALF_PLANE_MUL 0x1.418p-98
+#define CYLINT_PAIR_SUM 0x1.28p-101
+#define CYLINT_PAIR_PRODUCT 0x1.a22p-99
+#define CYLINT_PAIR_ROOT 0x1.4a1p-102
+#define CYLINT_POINT_ROUNDING 0x1p-94
+#define CYLINT_PAIR_DISTANCE 0x1p-92
+#define CYLINT_PAIR_QUOTIENT 0x1p-97
+#define CYLINT_PAIR_PLACE 0x1p-104
 #define CYLINT_THINNEST 0x1p12
-#define CYLINT_ROOT_STEP 0x1p-31
 #define CYLINT_FEATURE_MARGIN 0x1p-46
 #define CYLINT_DISTANCE_LEAST 0x1p-300
 
@@ -76,46 +69,40 @@
 #define CYLINT_CLOSE_MOST 0x1p64
 
 /*
- * Distances in limbs (distance/limbs.h).  S is a sum of sizes: at least the size
+ * Distances with heads and tails (distance/head_tail.h).  S is a sum of sizes: at least the size
  * |D0| + |D1| + |D2| + height + radii of the question, so no coordinate and no
- * distance is larger.  x + K S - K S, K = CYLINT_LIMB_SNAP, is a multiple of a
+ * distance is larger.  x + K S - K S, K = CYLINT_SNAP, is a multiple of a
  * power of two g > 2^-26 S, and the rest is at most v = 2^-26 S.  So sums of
- * products of two hi are multiples of g^2 below 2^53 g^2, and doubles compute
- * them without error.  The same holds for a hi and a component of a unit vector
+ * products of two heads are multiples of g^2 below 2^53 g^2, and doubles compute
+ * them without error.  The same holds for a head and a component of a unit vector
  * that is a multiple of 2^-26 (CYLINT_UNIT_SNAP).
  *
  * Errors, in units of u v, u = 2^-53:
  *
  *   lo of D        1 in each coordinate
- *   lo of z        12: 9 of terms that sum up to 2.3 v, 3 of the last sum
+ *   lo of z        14: 10 of terms that sum up to 2.3 v, one after the other, 4 of sums
  *   lo of D.D      10 size: 2 of D, 4 of products, 4 of sums
  *   D.D - z^2      its lo: the errors of both and 15 size of roundings: 50 size
  *   rest of rho    12 size more; with y^2 of a ball's distance 40 size more
  *   rho            half of that / rho: below 51 thin, thin = size / (2 rho)
  *
- * CYLINT_LIMB_Z, CYLINT_LIMB_SQUARE and CYLINT_LIMB_ACROSS are proved for the lo of
+ * CYLINT_HEAD_TAIL_Z, CYLINT_HEAD_TAIL_SQUARE and CYLINT_HEAD_TAIL_ACROSS are proved for the lo of
  * z, of D.D, and of D.D - z^2 and the rest of rho alone.  The proofs take each
  * coordinate to be as large as the size, so they are up to three times the above;
- * their sum is still below CYLINT_LIMB_ERROR (tests/prove/ratios.txt).
+ * their sum is still below CYLINT_HEAD_TAIL_ERROR (tests/prove/ratios.txt).
  *
  * 64 u v (1 + thin) = 2^-73 S (1 + thin) is more than that and the errors of the
- * sums and products that follow; CYLINT_LIMB_ERROR is 2^2 times that.  The root
- * in doubles begins with an error of 12 u size^2 of its square: the second term
- * of the series is below 2^-98 size thin^3, so thin <= CYLINT_LIMB_THINNEST.
+ * sums and products that follow; CYLINT_HEAD_TAIL_ERROR is 2^2 times that.  The root
+ * in doubles begins with an error of 17 u size^2 of its square: the second term
+ * of the series is below 2^-97 size thin^3, so thin <= CYLINT_HEAD_TAIL_THINNEST.
+ * Where thin is larger, rho is below CYLINT_AXIS_MARGIN S, and is taken as 0.
  */
-#define CYLINT_LIMB_ERROR 0x1p-71
-#define CYLINT_LIMB_Z (32.6 * 0x1p-79)
-#define CYLINT_LIMB_SQUARE (26.1 * 0x1p-79)
-#define CYLINT_LIMB_ACROSS (59.0 * 0x1p-79)
-#define CYLINT_LIMB_THINNEST 0x1p12
-
-/*
- * The error of one operation on pairs whose lo can be some ulps of hi, relative
- * to the sizes of its terms, and that of the unit vector of an axis, of cosine
- * and of sine, relative to themselves (distance/certified_point.h).
- */
-#define CYLINT_POINT_ROUNDING 0x1p-94
-#define CYLINT_POINT_UNDERFLOW 0x1p-800
+#define CYLINT_HEAD_TAIL_ERROR 0x1p-71
+#define CYLINT_HEAD_TAIL_Z (34.51 * 0x1p-79)
+#define CYLINT_HEAD_TAIL_SQUARE (26.1 * 0x1p-79)
+#define CYLINT_HEAD_TAIL_ACROSS (59.0 * 0x1p-79)
+#define CYLINT_HEAD_TAIL_THINNEST 0x1p12
+#define CYLINT_AXIS_MARGIN 0x1p-10
 
 /*
  * The error of a distance in doubles (distance/safety.c) in rounding to nearest,

@@ -1,8 +1,9 @@
 /*
  * half_plane.h - a point and a shape in the half plane through the axis and the
- * point, in pairs of doubles
+ * point, in lanes
  *
- * A pair here is not normalised: lo can be some ulps of hi.
+ * The half plane has the coordinates z along the axis, from the base, and rho across
+ * it.  There the lateral surface is a line with the direction (cosine, sine).
  */
 #ifndef CYLINT_HALF_PLANE_H
 #define CYLINT_HALF_PLANE_H
@@ -10,226 +11,158 @@
 #include "../numbers/double_double.h" /* before simd.h */
 #include "../numbers/simd.h"
 #include "../shapes/shape_facts.h"
-#include "cylint.h"
 #include "error_bounds.h"
+#include "nearest.h"
 
-#if LANES == 2
-
-INLINE pair lazy_sub(pair a, pair b)
-{
-    const pair d = two_diff(a.hi, b.hi);
-    return (pair){d.hi, d.lo + (a.lo - b.lo)};
-}
-
-INLINE pair lazy_add(pair a, pair b)
-{
-    const pair s = two_sum(a.hi, b.hi);
-    return (pair){s.hi, s.lo + (a.lo + b.lo)};
-}
-
-INLINE pair lazy_mul(pair a, pair b)
-{
-    const pair p = two_prod(a.hi, b.hi);
-    return (pair){p.hi, sum_of(a.hi, b.lo, sum_of(a.lo, b.hi, p.lo))};
-}
-
-INLINE pair lazy_square(pair a)
-{
-    const pair p = two_prod(a.hi, a.hi);
-    return (pair){p.hi, sum_of(2 * a.hi, a.lo, p.lo)};
-}
-
-INLINE double size_of(pair a)
-{
-    return fabs(a.hi);
-}
-
-INLINE pair normalized(pair a)
-{
-    return fast_two_sum(a.hi, a.lo);
-}
-
-/* A function of simd.h: sqrt() would also set errno. */
-INLINE double double_root(double x)
-{
-    return v_first(v_sqrt(v_set(x)));
-}
-
-/* sqrt(a) of a normal pair.  *half: 1 / (2 sqrt(a)), nearly. */
-INLINE pair root_of(pair a, double *half)
-{
-    const double s = double_root(a.hi);
-    const pair p = two_prod(s, s);
-    *half = 0.5 / s;
-    return (pair){s, (((a.hi - p.hi) - p.lo) + a.lo) * *half};
-}
-
-/* The square, lo^2 included. */
-INLINE pair whole_square(pair a)
-{
-    const pair p = two_prod(a.hi, a.hi);
-    return (pair){p.hi, sum_of(sum_of(2, a.hi, a.lo), a.lo, p.lo)};
-}
-
-/* sqrt(x^2 + y^2), where the high parts have cancelled. */
-ASIDE pair short_length(pair x, pair y)
-{
-    const pair a = lazy_square(normalized(x)), b = lazy_square(normalized(y));
-    const pair sum = two_sum(a.hi, b.hi);
-    double half;
-    return root_of(normalized((pair){sum.hi, sum.lo + (a.lo + b.lo)}), &half);
-}
-
-/* sqrt(x^2 + y^2).  The root begins before the low parts are there. */
-INLINE pair length_of(pair x, pair y)
-{
-    const pair a = whole_square(x), b = whole_square(y);
-    const pair sum = two_sum(a.hi, b.hi);
-    const double s = double_root(sum.hi), half = 0.5 / s;
-    const pair p = two_prod(s, s);
-    const double rest = (sum.hi - p.hi) + ((sum.lo - p.lo) + (a.lo + b.lo));
-    const double step = rest * half;
-    if (!(fabs(step) <= CYLINT_ROOT_STEP * s))
-        return short_length(x, y);
-    return (pair){s, step - step * step * half};
-}
-
+/* The numbers of the shapes of all lanes, in the form of a type of numbers.  own[i]:
+ * the axis runs along coordinate i; along: along any. */
 typedef struct {
-    pair z, rho;
-    double size;  /* |D| <= size <= 2 |D|, D the point from the base */
-    double error; /* of z, rho, and combinations of both with factors of at
-                     most 1 in size */
+    vpair axis[3], cosine, sine, height, r[2];
+    vd base[3], top[3], reach;
+    vm own[3], along;
+} shape_lanes;
+
+/* A point.  above: z minus the height.  square: of rho.  error: of rho, z and
+ * combinations of both with factors of at most 1.  The other members belong to
+ * head_tail.h or to pair_lanes.h. */
+typedef struct {
+    vpair z, above, square;
+    vd size, error; /* size: at least |D|, the height and the radii */
+    vd snap, rough_z, rough_square;
+    vpair rho, D[3], across[3], inverse; /* inverse: of rho */
+    vd across_error[3], z_error, rho_error;
 } half_plane;
 
-/* The point minus a point of the shape. */
-INLINE void point_from(const double point[3], const double from[3], pair D[3])
+/* A distance in the form of its type, and rounded with the error subtracted and
+ * added. */
+typedef struct {
+    vpair value;
+    vd low, high, error;
+} vdistance;
+
+typedef struct {
+    vdistance d;
+    vd feature;
+    vm known; /* the feature is certain */
+} vnearest;
+
+INLINE vd of_lanes(const cylint_shape *const at[LANES], int number)
 {
-    EACH(i, 3)
-        D[i] = two_diff(point[i], from[i]);
+    double of_lane[LANES];
+    for (int lane = 0; lane < LANES; lane++)
+        of_lane[lane] = at[lane]->library.number[number];
+    return v_load(of_lane);
 }
 
-/* (D.w, D.D) in two lanes.  All digits of the first terms are in hi, and lo
- * does not wait for it. */
-INLINE vpair dots(const pair D[3], const pair w[3])
+INLINE vpair pair_of_lanes(const cylint_shape *const at[LANES], int number)
 {
-    vd hi[3], lo[3];
-    EACH(i, 3) {
-        const vd x = v_set(D[i].hi), y = v_two(w[i].hi, D[i].hi);
-        const vpair p = v_two_prod(x, y);
-        hi[i] = p.hi;
-        lo[i] = v_sum_of(x, v_two(w[i].lo, D[i].lo),
-                         v_sum_of(v_set(D[i].lo), y, p.lo));
+    return (vpair){of_lanes(at, number), of_lanes(at, number + CYLINT_LOW)};
+}
+
+INLINE vpair pick(vm m, vpair a, vpair b)
+{
+    return (vpair){v_select(m, a.hi, b.hi), v_select(m, a.lo, b.lo)};
+}
+
+INLINE vpair opposite(vpair a)
+{
+    return (vpair){-a.hi, -a.lo};
+}
+
+INLINE vd whole(vpair a)
+{
+    return a.hi + a.lo;
+}
+
+/* NaN where b is. */
+INLINE vdistance larger_of(vdistance a, vdistance b)
+{
+    return (vdistance){a.value, v_max(a.low, b.low), v_max(a.high, b.high),
+                       a.error};
+}
+
+INLINE vdistance pick_distance(vm m, vdistance a, vdistance b)
+{
+    return (vdistance){pick(m, a.value, b.value), v_select(m, a.low, b.low),
+                       v_select(m, a.high, b.high),
+                       v_select(m, a.error, b.error)};
+}
+
+/* ------------------------------------------------- features, in doubles -- */
+
+/* Feet on the lateral line: before it and after it; or neither is certain. */
+typedef struct {
+    vm before, on, after;
+} vfoot;
+
+INLINE vfoot foot_of(vd before, vd after, vd M)
+{
+    const vm is_before = v_lt(before, -M);
+    return (vfoot){is_before, m_and(v_lt(M, before), v_lt(after, -M)),
+                   m_and(v_lt(M, after), m_not(is_before))};
+}
+
+INLINE vd feature_at(vm top, int at_base, int at_top)
+{
+    return v_select(top, v_set(at_top), v_set(at_base));
+}
+
+/* A point and a shape between two planes: a from the lateral line, x0 and x1 across
+ * the axis from the ends of it, before and after the foot from them. */
+typedef struct {
+    vd z, above, a, x0, x1, before, after;
+} vsection;
+
+/* No decision in doubles is wrong about a number that is larger. */
+INLINE vd margin_of(const half_plane *m)
+{
+    return v_sum_of(v_set(CYLINT_FEATURE_MARGIN), m->size, m->error);
+}
+
+/* The feature of a closed shape, and where it is certain.  on_surface: also of
+ * points on a part and far from others, whose side is not certain. */
+INLINE void find_feature(vnearest *n, const half_plane *m, const shape_lanes *s,
+                         const vsection *p, int on_surface)
+{
+    const vd M = margin_of(m);
+    const vd t = p->z + p->above, a = p->a;
+    const vm top = v_lt(v_set(0), t);
+    const vd b = v_select(top, p->above, -p->z);
+    const vd x = v_select(top, p->x1, p->x0);
+    const vm less = v_lt(a, b);
+    const vm inside = m_and(v_lt(a, -M), v_lt(b, -M));
+    const vm half = v_lt(M, v_abs(t));
+    const vm tie = m_or(v_le(v_abs(a - b), M), m_and_not(less, half));
+    const vm outside = m_or(v_lt(M + M, a), v_lt(M, b));
+    const vm beyond = m_and(v_lt(M, b), v_lt(x, -M));
+    const vm not_beyond = m_or(v_lt(b, -M), v_lt(M, x));
+    const vfoot foot = foot_of(p->before, p->after, M);
+    const vm sides = m_or(foot.on, m_or(foot.before, foot.after));
+    vm cap = m_or(m_and(inside, less), m_and(m_not(inside), beyond));
+    vm lateral = m_or(inside, m_or(beyond, foot.on));
+    n->known = m_or(m_and(inside, m_not(tie)),
+                    m_and(outside, m_or(beyond, m_and(not_beyond, sides))));
+    if (on_surface) {
+        const vd far = v_set(-4) * M;
+        const vm on_side = m_and(v_le(v_abs(a), M + M), v_lt(b, far));
+        const vm on_cap = m_and(m_and(v_le(v_abs(b), M), v_lt(a, far)), half);
+        cap = m_or(m_and_not(cap, on_side), on_cap);
+        lateral = m_or(lateral, on_side);
+        n->known = m_or(n->known, m_or(on_side, on_cap));
     }
-    const vpair s = v_two_sum(hi[0], hi[1]), t = v_two_sum(s.hi, hi[2]);
-    return (vpair){t.hi, (s.lo + t.lo) + (lo[0] + (lo[1] + lo[2]))};
+    n->feature = v_select(
+        lateral, v_set(CYLINT_FEATURE_LATERAL),
+        feature_at(foot.after, CYLINT_FEATURE_RIM0, CYLINT_FEATURE_RIM1));
+    n->feature =
+        v_select(cap, feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
+                 n->feature);
+    n->known = m_and(n->known, v_lt(M + M, s->height.hi));
 }
 
-/*
- * sqrt(dd - t), 0 <= t <= dd but for rounding.  The difference of the high parts
- * is exact but for its own low part.  The rest of dd and t is far below it
- * unless the root is far below sqrt(dd), so the root begins before the rest is
- * there, and two steps correct it.
- */
-INLINE pair root_of_difference(pair dd, pair t, double *half)
+/* Where both are positive. */
+INLINE vm are_positive(vd x, vd y)
 {
-    const pair d = fast_two_sum(dd.hi, -t.hi);
-    const double s = double_root(d.hi);
-    const pair p = two_prod(s, s);
-    *half = 0.5 / s;
-    const double rest = (d.hi - p.hi) - (p.lo - (d.lo + (dd.lo - t.lo)));
-    const double step = rest * *half;
-    return (pair){s, step - step * step * *half};
+    return m_and(v_lt(v_set(0), x), v_lt(v_set(0), y));
 }
 
-INLINE double size_along(const pair D[3])
-{
-    return fabs(D[0].hi) + fabs(D[1].hi) + fabs(D[2].hi);
-}
-
-/* The bound on the errors of a root of a difference. */
-INLINE double error_of_root(double size, double half, double reach)
-{
-    const double thin = size * half;
-    return thin <= CYLINT_THINNEST
-               ? CYLINT_HALF_PLANE_ERROR * (size * thin + reach)
-               : HUGE_VAL;
-}
-
-/* z and |D|^2 of the point D from the base. */
-INLINE void load_sums(pair *z, pair *dd, const pair D[3], const pair w[3])
-{
-    double hi[2], lo[2];
-    const vpair sums = dots(D, w);
-    v_store(hi, sums.hi);
-    v_store(lo, sums.lo);
-    *z = (pair){hi[0], lo[0]};
-    *dd = (pair){hi[1], lo[1]};
-}
-
-/* rho of a point near the axis, where D.D - z^2 has lost its digits, from x and y.
- * Where their squares would underflow, rho is 0 within the error. */
-ASIDE void load_across(half_plane *m, const cylint_shape *s, const pair D[3],
-                       double reach)
-{
-    pair x[2] = {{0, 0}, {0, 0}};
-    EACH(i, 3)
-        for (int k = 0; k < 2; k++)
-            x[k] = pair_add(x[k],
-                            pair_mul(D[i], (pair){cylint_column(s, i)[k],
-                                                  cylint_column_lo(s, i)[k]}));
-    m->rho = size_of(x[0]) + size_of(x[1]) > CYLINT_DISTANCE_LEAST
-                 ? length_of(x[0], x[1])
-                 : (pair){0, 0};
-    m->error = CYLINT_HALF_PLANE_ERROR * (m->size + reach);
-}
-
-/* Whether the point is so far from the axis that its direction from it has
- * digits. */
-INLINE int is_off_axis(const half_plane *m)
-{
-    return m->size < 2 * CYLINT_THINNEST * m->rho.hi;
-}
-
-/* w: the direction of the axis, a unit vector, or a vector of the given length.
- * reach: of the shape. */
-INLINE void load_along(half_plane *m, const cylint_shape *s,
-                       const double point[3], const pair w[3],
-                       const pair *length, double reach)
-{
-    pair D[3], dd;
-    double half;
-    point_from(point, cylint_base(s), D);
-    load_sums(&m->z, &dd, D, w);
-    if (length)
-        m->z = pair_div(normalized(m->z), *length);
-    m->rho = root_of_difference(dd, lazy_square(m->z), &half);
-    m->size = size_along(D);
-    m->error = error_of_root(m->size, half, reach);
-    if (!(m->error < HUGE_VAL) && !length)
-        load_across(m, s, D, reach);
-}
-
-INLINE void load_row(pair w[3], const cylint_shape *s)
-{
-    EACH(i, 3)
-        w[i] = (pair){cylint_column(s, i)[2], cylint_column_lo(s, i)[2]};
-}
-
-INLINE void load_half_plane(half_plane *m, const cylint_shape *s,
-                            const double point[3])
-{
-    pair w[3];
-    load_row(w, s);
-    load_along(m, s, point, w, NULL, cylint_reach(s));
-}
-
-/* Whether every number within `error` of d rounds to d.hi; d is normal. */
-INLINE int is_certain(pair d, double error)
-{
-    const double most = error + CYLINT_NEAREST_MARGIN * fabs(d.hi);
-    return (d.hi + (d.lo + most) == d.hi) & (d.hi + (d.lo - most) == d.hi) &
-           (fabs(d.hi) >= CYLINT_DISTANCE_LEAST);
-}
-
-#endif
 #endif

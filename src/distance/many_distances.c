@@ -1,13 +1,12 @@
 /*
  * many_distances.c - many points and shapes
  *
- * Capped shapes are answered in lanes, if only distances, parts and features are
- * wanted.  What the lanes leave is answered one by one.
+ * Capped shapes are answered in lanes.  What these leave is answered one by one.
  */
 #include "../dispatch.h"
 #include "../numbers/bits.h"
 #include "../shapes/measure.h"
-#include "certified_many.h"
+#include "lanes.h"
 #include "nearest.h"
 
 /* The members that the columns need. */
@@ -37,35 +36,42 @@ static void write_row(const cylint_closest_columns *to, size_t row,
     }
 }
 
+static void answer_row(const cylint_shape *shape, const cylint_points *points,
+                       size_t row, unsigned want,
+                       const cylint_closest_columns *answers)
+{
+    const double point[3] = {points->xyz[0][row], points->xyz[1][row],
+                             points->xyz[2][row]};
+    cylint_closest answer;
+    for (int k = 0; k < 3; k++)
+        answer.point[k] = answer.normal[k] = NAN;
+    cylint_distance(shape, point, want, &answer);
+    write_row(answers, row, &answer);
+}
+
 /* `stride`: 1 if each point has a shape of its own, 0 if there is one shape. */
 static void rows(const cylint_shape *shapes, size_t stride,
                  const cylint_points *points,
                  const cylint_closest_columns *answers)
 {
     const unsigned want = wanted(answers);
-    for (size_t i = 0; i < points->n; i++) {
-        const double point[3] = {points->xyz[0][i], points->xyz[1][i],
-                                 points->xyz[2][i]};
-        cylint_closest answer;
-        for (int k = 0; k < 3; k++)
-            answer.point[k] = answer.normal[k] = NAN;
-        cylint_distance(shapes + i * stride, point, want, &answer);
-        write_row(answers, i, &answer);
-    }
+    for (size_t i = 0; i < points->n; i++)
+        answer_row(shapes + i * stride, points, i, want, answers);
 }
 
-/* Lanes compute no points and normals, and round to nearest. */
+/* Lanes round to nearest, and flush no coordinate. */
 static int has_lanes(const cylint_closest_columns *to)
 {
-    return !(wanted(to) & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) &&
-           cylint_rounds_to_nearest();
+    const unsigned geometry = CYLINT_WANT_POINT | CYLINT_WANT_NORMAL;
+    return cylint_rounds_to_nearest() &&
+           !(wanted(to) & geometry && cylint_flushes_subnormals());
 }
 
-static cylint_certify_many *kernel(void)
+static cylint_distance_lanes *kernel(void)
 {
-    return CYLINT_OF_BUILD(cylint_build_used(), cylint_certify_many_plain,
-                           cylint_certify_many_avx2,
-                           cylint_certify_many_avx512);
+    return CYLINT_OF_BUILD(cylint_build_used(), cylint_distance_lanes_plain,
+                           cylint_distance_lanes_avx2,
+                           cylint_distance_lanes_avx512);
 }
 
 /* The part and feature that the kernels' feature stands for: a ball has one
@@ -83,30 +89,43 @@ static void write_feature(const cylint_shape *s, int feature,
         to->part[row] = (signed char)cylint_feature_part(feature);
 }
 
+/* Coordinates that lanes write, to arrays from `first` on; to `unwanted` where only
+ * others of the vector are wanted. */
+static void find_columns(double *to[3], double *const wanted_columns[3],
+                         size_t first, double unwanted[3][CYLINT_POINT_BLOCK])
+{
+    const int any = wanted_columns[0] || wanted_columns[1] || wanted_columns[2];
+    for (int k = 0; k < 3; k++)
+        to[k] = wanted_columns[k] ? wanted_columns[k] + first
+                : any             ? unwanted[k]
+                                  : NULL;
+}
+
 /* Points first to first + n - 1: one shape if `each` is 0, else a shape for each
  * point. */
 static void block(const cylint_shape *shapes, size_t each,
-                  cylint_certify_many *certify, const cylint_points *points,
-                  size_t first, int n, const cylint_closest_columns *answers)
+                  cylint_distance_lanes *answer_many,
+                  const cylint_points *points, size_t first, int n,
+                  const cylint_closest_columns *answers)
 {
-    double unwanted[CYLINT_POINT_BLOCK];
+    double unwanted[3][CYLINT_POINT_BLOCK];
     signed char feature[CYLINT_POINT_BLOCK];
     int rest[CYLINT_POINT_BLOCK];
-    const unsigned parted = wanted(answers) & CYLINT_WANT_PART;
-    double *distance = answers->distance ? answers->distance + first : unwanted;
+    const unsigned want = wanted(answers), parted = want & CYLINT_WANT_PART;
+    cylint_lane_columns to;
     const double *const xyz[3] = {
         points->xyz[0] + first, points->xyz[1] + first, points->xyz[2] + first};
     const cylint_shape *from = shapes + each * first;
-    const int left = certify(from, each != 0, xyz, n, distance,
-                             parted ? feature : NULL, rest);
+    to.distance = answers->distance ? answers->distance + first : unwanted[0];
+    to.feature = parted ? feature : NULL;
+    find_columns(to.point, answers->point, first, unwanted);
+    find_columns(to.normal, answers->normal, first, unwanted);
+    const int left = answer_many(from, each != 0, xyz, n, &to, rest);
     int next = 0;
     for (int i = 0; i < n && (left > 0 || parted); i++) {
         const cylint_shape *shape = from + each * (size_t)i;
         if (next < left && rest[next] == i) {
-            const double point[3] = {xyz[0][i], xyz[1][i], xyz[2][i]};
-            cylint_closest answer;
-            cylint_distance(shape, point, parted, &answer);
-            write_row(answers, first + (size_t)i, &answer);
+            answer_row(shape, points, first + (size_t)i, want, answers);
             next++;
         } else if (parted) {
             write_feature(shape, feature[i], answers, first + (size_t)i);

@@ -20,8 +20,6 @@
 #include "nearest.h"
 #include "triple_vector.h"
 
-#if LANES == 2
-
 static triple triple_of_pair(pair x)
 {
     return (triple){x.hi, x.lo, 0};
@@ -60,6 +58,14 @@ static close_distance quotient(triple form, pair divisor, double size,
     return (close_distance){d, CYLINT_CLOSE_ERROR * size +
                                    (loss + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
 }
+
+/* What pairs found: feature: -1 where it is not certain.  size: at least |D|, the
+ * height and the radii.  error: of rho, z and d. */
+typedef struct {
+    int feature;
+    pair z, rho, d;
+    double size, error;
+} found;
 
 static close_distance close_to_plane(const cylint_shape *s,
                                      const double point[3], int top,
@@ -140,15 +146,14 @@ typedef struct {
 } corner;
 
 static int load_corner(corner *k, const cylint_shape *s, const double point[3],
-                       const half_plane *m, int top)
+                       const found *at, int top)
 {
-    const double size = m->size + cylint_reach(s),
-                 r = top ? cylint_r1(s) : cylint_r0(s);
+    const double size = at->size, r = top ? cylint_r1(s) : cylint_r0(s);
     const pair C = cylint_number_pair(s, CYLINT_AT_COSINE);
     pair S = cylint_number_pair(s, CYLINT_AT_SINE);
     if (!top)
         S = pair_neg(S);
-    k->lateral = close_to_line(s, point, normalized(m->rho), m->error, size);
+    k->lateral = close_to_line(s, point, at->rho, at->error, size);
     k->plane = close_to_plane(s, point, top, size);
     const pair A = k->lateral.d, B = k->plane.d;
     k->x = pair_div(pair_add(A, pair_mul(S, B)), C);
@@ -184,5 +189,41 @@ static int corner_feature(const corner *k, int top, close_distance *to)
     return CYLINT_FEATURE_RIM0 + top;
 }
 
-#endif
+/* Computes the distance of a point near the surface; whether it is certain.  Finds
+ * the feature, if it was not, of a point near a rim of a capped cylinder or
+ * cone. */
+static int is_certain_in_triples(found *at, const cylint_shape *s,
+                                 const double point[3])
+{
+    const double size = at->size;
+    const int feature = at->feature, round = cylint_is_round(s->kind);
+    const int top = feature < 0 ? at->z.hi > cylint_height(s) - at->z.hi
+                                : cylint_feature_end(feature);
+    const int ball = s->kind == CYLINT_KIND_SPHERE ||
+                     (round && feature != CYLINT_FEATURE_LATERAL);
+    close_distance to = {{0, 0}, HUGE_VAL};
+    if (!(fabs(at->d.hi) <= CYLINT_CLOSE * size) ||
+        !(size <= CYLINT_CLOSE_MOST) || cylint_has_tangent(s->kind) ||
+        (!ball && !(size < 2 * CYLINT_THINNEST * at->rho.hi)))
+        return 0;
+    if (feature >= 0 && feature < CYLINT_FEATURE_RIM0) {
+        to = ball ? close_to_ball(point, top ? cylint_top(s) : cylint_base(s),
+                                  cylint_end_factor(s, top))
+             : feature == CYLINT_FEATURE_LATERAL
+                 ? close_to_line(s, point, at->rho, at->error, size)
+                 : close_to_plane(s, point, top, size);
+    } else if (!round && s->ends == CYLINT_ENDS_CAPPED) {
+        corner k;
+        if (!load_corner(&k, s, point, at, top))
+            return 0;
+        at->feature = corner_feature(&k, top, &to);
+    }
+    at->d = fast_two_sum(to.d.hi, to.d.lo);
+    at->error = to.error;
+    const double most = to.error + CYLINT_NEAREST_MARGIN * fabs(at->d.hi);
+    return at->feature >= 0 && (at->d.hi + (at->d.lo + most) == at->d.hi) &
+                                   (at->d.hi + (at->d.lo - most) == at->d.hi) &
+                                   (fabs(at->d.hi) >= CYLINT_DISTANCE_LEAST);
+}
+
 #endif

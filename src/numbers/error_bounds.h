@@ -77,13 +77,11 @@
 #define CYLINT_INVERSE_ERROR 0x1p-100
 #define CYLINT_VALUE_ERROR 0x1p-97
 
-/* Halves of numbers for distance/limbs.h: x + K S - K S, K = CYLINT_LIMB_SNAP,
- * and the same of components of unit vectors, with multiples of 2^-26
- * (distance/error_bounds.h); the largest distance from a shape, in sizes of it,
- * for which K S is computed with the shape. */
-#define CYLINT_LIMB_SNAP 0x1p27
+/* Heads for distance/head_tail.h: x + K S - K S, K = CYLINT_SNAP, and the same of
+ * components of unit vectors, with multiples of 2^-26
+ * (distance/error_bounds.h). */
+#define CYLINT_SNAP 0x1p27
 #define CYLINT_UNIT_SNAP 0x1.8p26
-#define CYLINT_LIMB_NEAR 8
 
 /* Newton's steps end when the relative error of the root is below this. */
 #define CYLINT_POLISHED 0x1p-90

@@ -1,18 +1,18 @@
-# limbs.h, load_upright(): the low part of z = D.unit, relative to S = 1.  D = h +
+# head_tail.h, head_tail_load(): the tail of z = D.unit, relative to S = 1.  D = h +
 # r + dl, h a multiple of the snap, r = D.hi - h exactly; the unit vector is un +
-# ul.  All sums of h un are exact, and e is what the high part of z leaves of them.
+# ul.  All sums of h un are exact, and e is what the head of z leaves of them.
 # modes: ne
-# bound: CYLINT_LIMB_Z
+# bound: CYLINT_HEAD_TAIL_Z
 @rn = float<ieee_64, MODE>;
 lx rn= rx + dx; ly rn= ry + dy; lz rn= rz + dz;
 tx rn= lx * ux + Dx * vx;
-ty rn= ly * uy + Dy * vy;
-tz rn= lz * uz + Dz * vz;
-low rn= e + ((tx + ty) + tz);
+ty rn= ly * uy + (Dy * vy + tx);
+tz rn= lz * uz + (Dz * vz + ty);
+low rn= e + tz;
 Tx = (rx + dx) * ux + Dx * vx;
-Ty = (ry + dy) * uy + Dy * vy;
-Tz = (rz + dz) * uz + Dz * vz;
-Low = e + ((Tx + Ty) + Tz);
+Ty = (ry + dy) * uy + (Dy * vy + Tx);
+Tz = (rz + dz) * uz + (Dz * vz + Ty);
+Low = e + Tz;
 Rest = dx * vx + dy * vy + dz * vz;
 { |rx| <= 1b-26 /\ |ry| <= 1b-26 /\ |rz| <= 1b-26 /\
   |dx| <= 1b-53 /\ |dy| <= 1b-53 /\ |dz| <= 1b-53 /\

@@ -1,9 +1,9 @@
-# half_plane.h, dots(): D.w and D.D, relative to S and S^2, S = |D_x| + |D_y| +
+# pair_lanes.h, pairs_sum3(): D.w, relative to S = |D_x| + |D_y| +
 # |D_z|.  Scaled to S = 1, so no component and no product is larger, the sums are
 # at most 2 and 3, and two_prod and two_sum are exact.  Fused, everything is
 # rounded less often.  The entries of the matrix are taken as they are.
 # modes: ne
-# bound: CYLINT_HALF_PLANE_SUM
+# bound: CYLINT_PAIR_SUM
 @rn = float<ieee_64, MODE>;
 ix rn= Dxl * wx + px;
 iy rn= Dyl * wy + py;

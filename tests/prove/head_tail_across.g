@@ -1,9 +1,9 @@
-# limbs.h, minus_square(): the low part of a - x^2, relative to S^2 = 1: x^2 - h^2 =
-# l (x + h), x = h + l.  First a = D.D and x = z, whose low parts are at most what
-# limb_square.g and limb_z.g add up; capital letters: then x is the root's double,
+# head_tail.h, head_tail_minus_square(): the tail of a - x^2, relative to S^2 = 1: x^2 - h^2 =
+# l (x + h), x = h + l.  First a = D.D and x = z, whose tails are at most what
+# head_tail_square.g and head_tail_z.g add up; capital letters: then x is the root's double,
 # which is split.
 # modes: ne
-# bound: CYLINT_LIMB_ACROSS
+# bound: CYLINT_HEAD_TAIL_ACROSS
 @rn = float<ieee_64, MODE>;
 x rn= h + l;
 low rn= a - l * (x + h);

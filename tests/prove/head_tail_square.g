@@ -1,17 +1,15 @@
-# limbs.h, load_upright(): the low part of D.D, relative to S^2 = 1, with the
-# letters of limb_z.g: D^2 - h^2 = (r + dl) (D + h).
+# head_tail.h, head_tail_load(): the tail of D.D, relative to S^2 = 1, with the
+# letters of head_tail_z.g: D^2 - h^2 = (r + dl) (D + h).
 # modes: ne
-# bound: CYLINT_LIMB_SQUARE
+# bound: CYLINT_HEAD_TAIL_SQUARE
 @rn = float<ieee_64, MODE>;
 lx rn= rx + dx; ly rn= ry + dy; lz rn= rz + dz;
 tx rn= lx * (Dx + hx);
-ty rn= ly * (Dy + hy);
-tz rn= lz * (Dz + hz);
-low rn= (tx + ty) + tz;
+ty rn= ly * (Dy + hy) + tx;
+low rn= lz * (Dz + hz) + ty;
 Tx = (rx + dx) * (Dx + hx);
-Ty = (ry + dy) * (Dy + hy);
-Tz = (rz + dz) * (Dz + hz);
-Low = (Tx + Ty) + Tz;
+Ty = (ry + dy) * (Dy + hy) + Tx;
+Low = (rz + dz) * (Dz + hz) + Ty;
 Rest = (rx + dx) * dx + (ry + dy) * dy + (rz + dz) * dz;
 { |rx| <= 1b-26 /\ |ry| <= 1b-26 /\ |rz| <= 1b-26 /\
   |dx| <= 1b-53 /\ |dy| <= 1b-53 /\ |dz| <= 1b-53 /\

@@ -1,0 +1,228 @@
+/*
+ * describe_nearest.h - the nearest point and the normal there in pairs, in lanes
+ *
+ * With the axis w, the direction u from the axis to the point x, the distance d and
+ * the normal n = cosine u - sine w of the lateral surface:
+ *
+ *   lateral    x - d n              rim        centre + r u
+ *   cap        x - (height) w       tangency   centre + r n
+ *   ball       centre + r D / |D|   apex       centre
+ *
+ * A component is certain if every number within the bound on its error rounds
+ * to the same double.  Bounds are sums of the sizes of terms, so the zeros of a
+ * shape along a coordinate are certain.  No term underflows: of points with a
+ * coordinate below CYLINT_DISTANCE_LEAST from the base, and not 0, nothing is
+ * certain.
+ */
+#ifndef CYLINT_DESCRIBE_NEAREST_H
+#define CYLINT_DESCRIBE_NEAREST_H
+
+#include "pair_lanes.h"
+
+/* A number and the bound on its error. */
+typedef struct {
+    vpair v;
+    vd e;
+} bounded;
+
+/* The point and the normal, and where all their components are certain. */
+typedef struct {
+    vd point[3], normal[3];
+    vm point_known, normal_known;
+} described;
+
+/* What a point is nearest to: is_top: at the top, which end. */
+typedef struct {
+    vm is_lateral, is_plane, is_ball, is_apex, is_top;
+} vfeature;
+
+INLINE vm is_feature(const vnearest *n, int feature)
+{
+    return v_eq(n->feature, v_set(feature));
+}
+
+INLINE vfeature feature_of(const vnearest *n, const shape_lanes *s, int kind)
+{
+    const vm none = m_from(0);
+    const int round = cylint_is_round(kind);
+    vfeature f;
+    f.is_top = m_or(is_feature(n, CYLINT_FEATURE_CAP1),
+                    is_feature(n, CYLINT_FEATURE_RIM1));
+    const vm is_cap = m_or(is_feature(n, CYLINT_FEATURE_CAP0),
+                           is_feature(n, CYLINT_FEATURE_CAP1));
+    const vd r = v_select(f.is_top, s->r[1].hi, s->r[0].hi);
+    f.is_lateral = is_feature(n, CYLINT_FEATURE_LATERAL);
+    f.is_apex = m_and_not(v_eq(r, v_set(0)), f.is_lateral);
+    f.is_ball = round ? m_and_not(is_cap, f.is_apex) : none;
+    f.is_plane = round ? none : m_and_not(is_cap, f.is_apex);
+    if (kind == CYLINT_KIND_SPHERE)
+        f = (vfeature){none, none, m_not(none), none, none};
+    return f;
+}
+
+/* Where x certainly rounds to *to.  A certain zero has no error. */
+INLINE vm rounds(bounded x, vd *to)
+{
+    const vpair s = pairs_trimmed(x.v);
+    const vd e = v_sum_of(v_set(CYLINT_NEAREST_MARGIN), v_abs(s.hi), x.e);
+    *to = s.hi + v_set(0); /* no -0 */
+    return v_eq(s.hi + (s.lo + e), s.hi + (s.lo - e));
+}
+
+INLINE bounded pick_bounded(vm m, bounded a, bounded b)
+{
+    return (bounded){pick(m, a.v, b.v), v_select(m, a.e, b.e)};
+}
+
+/* Component i of the direction from the axis. */
+INLINE bounded across_axis(const half_plane *m, int i)
+{
+    const vd lost =
+        v_sum_of(m->rho_error, m->inverse.hi, v_set(CYLINT_PAIR_QUOTIENT));
+    const vpair u = pairs_product(m->across[i], m->inverse);
+    return (bounded){
+        u, v_sum_of(m->across_error[i], m->inverse.hi, v_abs(u.hi) * lost)};
+}
+
+/* A multiple of u and one of the axis: a u + b w. */
+typedef struct {
+    vpair a, b;
+} multiples;
+
+/* Of the normal: cosine and -sine, or of a plane and an apex 0 and 1 or -1. */
+INLINE multiples normal_of(const vfeature *f, const shape_lanes *s, int kind)
+{
+    const vd zero = v_set(0), one = v_set(1);
+    const int tapered = cylint_is_tapered(kind);
+    const vm axial = m_or(f->is_plane, f->is_apex);
+    const vpair C = tapered ? s->cosine : (vpair){one, zero},
+                S = tapered ? opposite(s->sine) : (vpair){zero, zero};
+    const vpair side = {v_select(f->is_top, one, -one), zero};
+    return (multiples){pick(axial, (vpair){zero, zero}, C),
+                       pick(axial, side, S)};
+}
+
+INLINE bounded sum_of_multiples(const multiples *k, bounded u, vpair w)
+{
+    const vpair across = pairs_product(k->a, u.v),
+                along = pairs_product(k->b, w);
+    const vd sizes = v_abs(across.hi) + v_abs(along.hi);
+    return (bounded){
+        vpair_add(across, along),
+        v_sum_of(v_abs(k->a.hi), u.e, v_set(CYLINT_POINT_ROUNDING) * sizes)};
+}
+
+/* from + factor e. */
+INLINE bounded step_along(vd from, bounded factor, bounded e)
+{
+    const vpair step = pairs_product(factor.v, e.v);
+    vpair to = v_two_sum(from, step.hi);
+    to.lo = to.lo + step.lo;
+    const vd error =
+        v_sum_of(factor.e, v_abs(e.v.hi) + e.e, v_abs(factor.v.hi) * e.e);
+    return (bounded){
+        to, v_sum_of(v_set(CYLINT_PAIR_QUOTIENT), v_abs(step.hi),
+                     v_sum_of(v_set(CYLINT_PAIR_PLACE), v_abs(from), error))};
+}
+
+/* The direction of D from the centre of a ball. */
+typedef struct {
+    vpair D[3], inverse;
+} from_center;
+
+INLINE from_center load_center(const shape_lanes *s, const vd x[3], vm is_top)
+{
+    from_center c;
+    vpair squares[3];
+    EACH(i, 3) {
+        c.D[i] = v_two_sum(x[i], -v_select(is_top, s->top[i], s->base[i]));
+        squares[i] = pairs_square(c.D[i]);
+    }
+    pairs_root(pairs_sum3(squares), &c.inverse);
+    return c;
+}
+
+/* Where the doubles serve: no coordinate of a difference is tiny, and the
+ * direction from the axis, or from the centre of a ball, is certain. */
+INLINE vm is_regular(const half_plane *m, const vfeature *f,
+                     const from_center *c)
+{
+    const vd zero = v_set(0), least = v_set(CYLINT_DISTANCE_LEAST);
+    const vm off_axis = v_lt(v_set(4) * m->rho_error * m->inverse.hi, v_set(1));
+    vm regular = m_or(m_and(v_lt(zero, m->inverse.hi), off_axis),
+                      m_or(f->is_plane, f->is_ball));
+    EACH(i, 3) {
+        const vd x = v_abs(m->D[i].hi);
+        regular = m_and(regular, m_or(v_le(least, x), v_eq(x, zero)));
+        if (c) {
+            const vd y = v_abs(c->D[i].hi);
+            regular = m_and(regular, m_or(v_le(least, y), v_eq(y, zero)));
+        }
+    }
+    if (c)
+        regular =
+            m_and(regular, m_or(m_not(f->is_ball), v_lt(zero, c->inverse.hi)));
+    return regular;
+}
+
+/* Coordinate i of the point, where it is one of the centre or of the point x: of an
+ * apex, of a rim and a cap about a coordinate axis. */
+INLINE vm given_coordinate(vd *to, const shape_lanes *s, const vfeature *f,
+                           vd center, vd x, int i, int round)
+{
+    const vm own = round ? m_from(0) : m_and_not(s->own[i], f->is_lateral);
+    const vm beside = m_and(m_and_not(s->along, s->own[i]), f->is_plane);
+    const vm given = m_or(m_or(own, beside), f->is_apex);
+    *to = v_select(given, v_select(beside, x, center) + v_set(0),
+                   *to); /* no -0 */
+    return given;
+}
+
+INLINE void describe_nearest(described *to, const vnearest *n,
+                             const half_plane *m, const shape_lanes *s,
+                             const vd x[3], int kind)
+{
+    const vd zero = v_set(0);
+    const int round = cylint_is_round(kind), ball = kind == CYLINT_KIND_SPHERE;
+    const int tapered = cylint_is_tapered(kind);
+    const vfeature f = feature_of(n, s, kind);
+    const vpair r = pick(f.is_top, s->r[1], s->r[0]);
+    const vm from_x = m_or(f.is_lateral, f.is_plane);
+    const bounded factor = {pick(from_x, opposite(n->d.value), r),
+                            v_select(from_x, n->d.error, zero)};
+    const multiples k = normal_of(&f, s, kind);
+    const int any_given = m_any(m_or(s->along, f.is_apex));
+    from_center c;
+    if (round)
+        c = load_center(s, x, f.is_top);
+    const vm regular = is_regular(m, &f, round ? &c : NULL);
+    to->point_known = to->normal_known = m_and(n->known, regular);
+    EACH(i, 3) {
+        const vd center = v_select(f.is_top, s->top[i], s->base[i]);
+        bounded u = {{zero, zero}, zero}, normal = u;
+        if (!ball) {
+            u = across_axis(m, i);
+            normal = sum_of_multiples(&k, u, s->axis[i]);
+        }
+        if (round) {
+            const vpair q = pairs_product(c.D[i], c.inverse);
+            const bounded radial = {q,
+                                    v_set(CYLINT_PAIR_QUOTIENT) * v_abs(q.hi)};
+            normal = ball ? radial : pick_bounded(f.is_ball, radial, normal);
+        }
+        /* x - d n, or the centre and r times a direction */
+        const bounded direction =
+            tapered && !round ? pick_bounded(from_x, normal, u) : normal;
+        const vm known = rounds(
+            step_along(v_select(from_x, x[i], center), factor, direction),
+            &to->point[i]);
+        const vm given = any_given ? given_coordinate(&to->point[i], s, &f,
+                                                      center, x[i], i, round)
+                                   : m_from(0);
+        to->normal_known =
+            m_and(to->normal_known, rounds(normal, &to->normal[i]));
+        to->point_known = m_and(to->point_known, m_or(known, given));
+    }
+}
+
+#endif

@@ -1,0 +1,219 @@
+/*
+ * distance_template.h - the nearest feature of a circular or round shape and the
+ * distance from it, over a type of numbers and any number of lanes
+ *
+ * The including file defines NUMBER(name), the names of the functions below and
+ * of the operations that they use: load, rho, length, ball, turned, datum, unit,
+ * minus and trimmed of head_tail.h or pair_lanes.h.  ON_SURFACE: whether features of
+ * points on the surface are wanted.
+ *
+ * Every lane computes all features, and masks choose.  The distance is a continuous
+ * function of z and rho that changes by no more than they do, so for the distance
+ * it does not matter which of two nearly equal features is chosen.  The feature is
+ * certain only where no boundary between two features is near.
+ */
+
+/* What rounds to the same double as all numbers within the error; others have
+ * low < high. */
+INLINE vdistance NUMBER(rounded)(vpair x, vd error)
+{
+    const vpair y = NUMBER(trimmed)(x);
+    return (vdistance){x, y.hi + (y.lo - error), y.hi + (y.lo + error), error};
+}
+
+INLINE void NUMBER(load_shapes)(shape_lanes *v,
+                                const cylint_shape *const at[LANES])
+{
+    const vd zero = v_set(0);
+    vm is_zero[3];
+    EACH(i, 3) {
+        const vpair w = pair_of_lanes(at, CYLINT_AT_COLUMNS + 3 * i + 2);
+        is_zero[i] = v_eq(w.hi, zero);
+        v->base[i] = of_lanes(at, CYLINT_AT_BASE + i);
+        v->top[i] = of_lanes(at, CYLINT_AT_TOP + i);
+        v->axis[i] = NUMBER(unit)(w);
+    }
+    EACH(i, 3)
+        v->own[i] = m_and(is_zero[(i + 1) % 3], is_zero[(i + 2) % 3]);
+    v->along = m_or(v->own[0], m_or(v->own[1], v->own[2]));
+    v->cosine = NUMBER(unit)(pair_of_lanes(at, CYLINT_AT_COSINE));
+    v->sine = NUMBER(unit)(pair_of_lanes(at, CYLINT_AT_SINE));
+    v->height = pair_of_lanes(at, CYLINT_AT_HEIGHT);
+    v->r[0] = (vpair){of_lanes(at, CYLINT_AT_R0), zero};
+    v->r[1] = (vpair){of_lanes(at, CYLINT_AT_R1), zero};
+    v->reach = of_lanes(at, CYLINT_AT_REACH);
+}
+
+/* The distance from a rim: x across the axis from it, y along. */
+INLINE vdistance NUMBER(from_rim)(vpair x, vpair y, const half_plane *m)
+{
+    vd error = m->error;
+    const vpair root = NUMBER(length)(x, y, m, &error);
+    return NUMBER(rounded)(root, error);
+}
+
+/* Where the feature is certain, the distance from it.  Others have no bound. */
+INLINE void NUMBER(from_feature)(vnearest *n, const half_plane *m,
+                                 vpair lateral, vpair x0, vpair x1)
+{
+    const vd f = n->feature;
+    const vm is_top = m_or(v_eq(f, v_set(CYLINT_FEATURE_CAP1)),
+                           v_eq(f, v_set(CYLINT_FEATURE_RIM1)));
+    const vm is_lateral = v_eq(f, v_set(CYLINT_FEATURE_LATERAL));
+    const vm is_rim = v_lt(v_set(CYLINT_FEATURE_CAP1), f);
+    const vpair y = pick(is_top, m->above, opposite(m->z));
+    n->d = NUMBER(rounded)(pick(is_lateral, lateral, y),
+                           v_select(n->known, m->error, v_set(HUGE_VAL)));
+    if (m_any(is_rim))
+        n->d =
+            pick_distance(m_and(is_rim, n->known),
+                          NUMBER(from_rim)(pick(is_top, x1, x0), y, m), n->d);
+}
+
+/* Of a convex section the largest of the distances from its lines counts, unless
+ * a corner is nearest. */
+INLINE void NUMBER(from_section)(vnearest *n, const half_plane *m,
+                                 const vsection *p, vpair lateral, vpair x0,
+                                 vpair x1, int tapered)
+{
+    const vd zero = v_set(0);
+    const vdistance beyond =
+        larger_of(NUMBER(rounded)(opposite(m->z), m->error),
+                  NUMBER(rounded)(m->above, m->error));
+    const vm top = v_lt(zero, p->after);
+    n->d = larger_of(beyond, NUMBER(rounded)(lateral, m->error));
+    vm rims = are_positive(beyond.low, p->a);
+    if (tapered) {
+        const vm beyond_end = m_or(v_lt(p->before, zero), top);
+        const vm over_cap =
+            m_or(are_positive(-p->z, -p->x0), are_positive(p->above, -p->x1));
+        rims = m_and_not(m_and(beyond_end, v_lt(zero, n->d.low)), over_cap);
+    }
+    if (m_any(rims))
+        n->d = pick_distance(
+            rims,
+            NUMBER(from_rim)(pick(top, x1, x0), pick(top, m->above, m->z), m),
+            n->d);
+}
+
+INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
+                                   const shape_lanes *s, int tapered,
+                                   int parted)
+{
+    const vpair rho = NUMBER(rho)(m);
+    const vpair x0 = NUMBER(minus)(rho, NUMBER(datum)(s->r[0], m));
+    const vpair x1 =
+        tapered ? NUMBER(minus)(rho, NUMBER(datum)(s->r[1], m)) : x0;
+    const vpair lateral = tapered ? NUMBER(turned)(s, x0, m->z) : x0;
+    const vd C = s->cosine.hi, S = s->sine.hi;
+    const vd z = whole(m->z), above = whole(m->above);
+    const vsection p = {z,
+                        above,
+                        whole(lateral),
+                        whole(x0),
+                        whole(x1),
+                        tapered ? v_sum_of(C, z, S * whole(x0)) : z,
+                        tapered ? v_sum_of(C, above, S * whole(x1)) : above};
+    if (parted)
+        find_feature(n, m, s, &p, ON_SURFACE);
+    if (ON_SURFACE)
+        NUMBER(from_feature)(n, m, lateral, x0, x1);
+    else
+        NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
+}
+
+/* The distance from a ball about the point of the axis that is y below. */
+INLINE vdistance NUMBER(from_ball)(vpair y, vd rough_y, vpair r,
+                                   const half_plane *m, vd error)
+{
+    const vpair root = NUMBER(ball)(y, rough_y, m, &error);
+    return NUMBER(rounded)(NUMBER(minus)(root, NUMBER(datum)(r, m)), error);
+}
+
+/* The distance from the segment between the centres, minus the radius. */
+INLINE void NUMBER(capsule)(vnearest *n, half_plane *m, const shape_lanes *s,
+                            int parted)
+{
+    const vd zero = v_set(0), z = m->rough_z, above = z - s->height.hi;
+    const vm low = v_lt(z, zero), top = v_lt(zero, above);
+    const vpair none = {zero, zero};
+    const vpair y = pick(top, m->above, pick(low, m->z, none));
+    const vd rough_y = v_select(top, above, v_select(low, z, zero));
+    if (ON_SURFACE)
+        NUMBER(rho)(m);
+    n->d = NUMBER(from_ball)(y, rough_y, s->r[0], m, zero);
+    if (!parted)
+        return;
+    const vd M = margin_of(m);
+    n->known = m_and(v_lt(M, v_abs(z)), v_lt(M, v_abs(above)));
+    n->feature =
+        v_select(m_or(low, top),
+                 feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
+                 v_set(CYLINT_FEATURE_LATERAL));
+}
+
+/* A ball or the cone that touches both.  Where rho is small it is not known which
+ * of them is nearest near their common circle. */
+INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
+                               int parted)
+{
+    const vd zero = v_set(0), z = m->rough_z, above = z - s->height.hi;
+    const vd rho = v_sqrt(v_max(m->rough_square, zero));
+    const vd lean = s->sine.hi * rho;
+    const vd before = v_sum_of(s->cosine.hi, z, lean);
+    const vd after = v_sum_of(s->cosine.hi, above, lean);
+    const vm low = v_lt(before, zero), top = v_lt(zero, after);
+    const vm balls = m_or(low, top);
+    const vd thin = m->size * (v_set(0.5) / rho);
+    const vm thick = v_le(thin, v_set(CYLINT_HEAD_TAIL_THINNEST));
+    const vd near = v_set(CYLINT_AXIS_MARGIN) * m->size;
+    const vm sure =
+        m_or(thick, m_and(v_lt(near, v_abs(before)), v_lt(near, v_abs(after))));
+    const vd error = v_select(sure, zero, v_set(HUGE_VAL));
+    if (ON_SURFACE || m_any(m_not(balls))) {
+        const vpair exact_rho = NUMBER(rho)(m);
+        const vpair line = NUMBER(minus)(NUMBER(turned)(s, exact_rho, m->z),
+                                         NUMBER(datum)(s->r[0], m));
+        n->d = NUMBER(rounded)(line, m->error + error);
+    }
+    if (m_any(balls)) {
+        const vpair r = pick(top, s->r[1], s->r[0]);
+        const vdistance d = NUMBER(from_ball)(
+            pick(top, m->above, m->z), v_select(top, above, z), r, m, error);
+        n->d = m_any(m_not(balls)) ? pick_distance(balls, d, n->d) : d;
+    }
+    if (!parted)
+        return;
+    const vd M = v_set(CYLINT_FEATURE_MARGIN) * m->size;
+    const vfoot foot = foot_of(before, after, v_sum_of(M, thin, M));
+    n->known = m_or(foot.on, m_or(foot.before, foot.after));
+    n->feature = v_select(
+        balls, feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
+        v_set(CYLINT_FEATURE_LATERAL));
+}
+
+INLINE void NUMBER(sphere)(vnearest *n, half_plane *m, const shape_lanes *s)
+{
+    const vpair root = NUMBER(rho)(m);
+    n->d = NUMBER(rounded)(NUMBER(minus)(root, NUMBER(datum)(s->r[0], m)),
+                           m->error);
+}
+
+/* A capped shape of this kind. */
+INLINE void NUMBER(nearest)(vnearest *n, half_plane *m, const shape_lanes *s,
+                            const vd x[3], int kind, int parted)
+{
+    m->error = v_set(0);
+    n->known = m_not(m_from(0));
+    n->feature = v_set(CYLINT_FEATURE_LATERAL);
+    n->d = NUMBER(rounded)((vpair){m->error, m->error}, v_set(HUGE_VAL));
+    NUMBER(load)(m, s, x, kind != CYLINT_KIND_SPHERE);
+    if (kind == CYLINT_KIND_SPHERE)
+        NUMBER(sphere)(n, m, s);
+    else if (kind == CYLINT_KIND_CAPSULE)
+        NUMBER(capsule)(n, m, s, parted);
+    else if (kind == CYLINT_KIND_RCONE)
+        NUMBER(round_cone)(n, m, s, parted);
+    else
+        NUMBER(between_planes)(n, m, s, kind == CYLINT_KIND_CONE, parted);
+}

@@ -1,0 +1,192 @@
+/*
+ * one_distance.c - the kernels for one point and one shape: distance_template.h
+ * at one lane
+ *
+ * Compiled once as it is and again for processors with a fused multiply-add: an
+ * answer that is certain is the same in both.
+ */
+#define CYLINT_ONE_LANE
+#include "describe_nearest.h"
+#include "near_surface.h"
+#include "one_distance.h"
+#include "other_ends.h"
+
+#ifndef CYLINT_ONE_DISTANCES
+#define CYLINT_ONE_DISTANCES cylint_one_distances_plain
+#endif
+
+static void write_feature(const cylint_shape *s, int feature,
+                          cylint_closest *answer)
+{
+    if (s->kind == CYLINT_KIND_SPHERE)
+        feature = cylint_surface(s);
+    else if (cylint_feature_is_apex(s, feature))
+        feature = CYLINT_FEATURE_APEX;
+    answer->feature = feature;
+    answer->part = cylint_feature_part(feature);
+}
+
+/* -------------------------------------------------------- heads and tails -- */
+
+INLINE int head_tail_distance(const cylint_shape *shape, const double point[3],
+                              int kind, int parted, cylint_closest *answer)
+{
+    const cylint_shape *const at[1] = {shape};
+    shape_lanes s;
+    half_plane m;
+    vnearest n;
+    head_tail_load_shapes(&s, at);
+    head_tail_nearest(&n, &m, &s, point, kind, parted);
+    if (!(n.d.high <= n.d.low) || !n.known || !cylint_rounds_to_nearest())
+        return 0;
+    answer->flags = 0;
+    if (parted)
+        write_feature(shape, (int)n.feature, answer);
+    answer->distance = n.d.low;
+    return 1;
+}
+
+/* ------------------------------------------------------ pairs and triples -- */
+
+/* Whether the distance is certain, in pairs or in triples; these also find a
+ * feature. */
+INLINE int find_distance(vnearest *n, const half_plane *m,
+                         const cylint_shape *shape, const double point[3],
+                         int parted)
+{
+    const vpair d = pairs_trimmed(n->d.value);
+    const int certain =
+        n->d.high <= n->d.low && fabs(d.hi) >= CYLINT_DISTANCE_LEAST;
+    if (certain && (n->known || !parted))
+        return 1;
+    found at = {n->known ? (int)n->feature : -1,
+                {m->z.hi, m->z.lo},
+                {m->rho.hi, m->rho.lo},
+                {d.hi, d.lo},
+                m->size,
+                m->error};
+    if (!is_certain_in_triples(&at, shape, point))
+        return certain;
+    n->feature = at.feature;
+    n->known = 1;
+    n->d = (vdistance){{at.d.hi, at.d.lo}, at.d.hi, at.d.hi, at.error};
+    return 1;
+}
+
+/* Writes the members of `want` that are certain; returns the others. */
+INLINE unsigned write_certain(vnearest *n, const half_plane *m,
+                              const shape_lanes *s, const cylint_shape *shape,
+                              const double point[3], int kind, unsigned want,
+                              cylint_closest *answer)
+{
+    const int closed = shape->ends == CYLINT_ENDS_CAPPED ||
+                       !cylint_ends_are_planes(shape->ends);
+    if (!(fabs(whole(n->d.value)) > n->d.error)) {
+        if (closed || n->known)
+            want |= CYLINT_ON_SURFACE;
+    } else if (find_distance(n, m, shape, point,
+                             (want & ~(unsigned)CYLINT_WANT_DISTANCE) != 0)) {
+        answer->distance = closed ? n->d.low : fabs(n->d.low);
+        want &= ~(unsigned)CYLINT_WANT_DISTANCE;
+    }
+    if (!n->known)
+        return want;
+    if (want & CYLINT_WANT_PART)
+        write_feature(shape, (int)n->feature, answer);
+    want &= ~(unsigned)CYLINT_WANT_PART;
+    if (!(want & CYLINT_WANT_GEOMETRY))
+        return want;
+    described to;
+    describe_nearest(&to, n, m, s, point, kind);
+    if (want & CYLINT_WANT_POINT && to.point_known) {
+        EACH(i, 3)
+            answer->point[i] = to.point[i];
+        want &= ~(unsigned)CYLINT_WANT_POINT;
+    }
+    if (want & CYLINT_WANT_NORMAL && to.normal_known) {
+        EACH(i, 3)
+            answer->normal[i] = to.normal[i];
+        want &= ~(unsigned)CYLINT_WANT_NORMAL;
+    }
+    return want;
+}
+
+INLINE unsigned capped_in_pairs(const cylint_shape *shape,
+                                const double point[3], int kind, unsigned want,
+                                cylint_closest *answer)
+{
+    const cylint_shape *const at[1] = {shape};
+    shape_lanes s;
+    half_plane m;
+    vnearest n;
+    pairs_load_shapes(&s, at);
+    pairs_nearest(&n, &m, &s, point, kind, 1);
+    return write_certain(&n, &m, &s, shape, point, kind, want, answer);
+}
+
+static unsigned other_in_pairs(const cylint_shape *shape, const double point[3],
+                               unsigned want, cylint_closest *answer)
+{
+    const int tangent = cylint_has_tangent(shape->kind);
+    shape_lanes s;
+    half_plane m;
+    vnearest n;
+    nearest_to_other(&n, &m, &s, point, shape);
+    /* The top of an angle cone has no centre in doubles. */
+    const unsigned geometry = tangent && n.feature != CYLINT_FEATURE_LATERAL &&
+                                      n.feature != CYLINT_FEATURE_RIM0
+                                  ? want & CYLINT_WANT_GEOMETRY
+                                  : 0;
+    return geometry | write_certain(&n, &m, &s, shape, point,
+                                    tangent ? CYLINT_KIND_CONE : shape->kind,
+                                    want & ~geometry, answer);
+}
+
+static unsigned in_pairs(const cylint_shape *shape, const double point[3],
+                         unsigned want, cylint_closest *answer)
+{
+    if (!cylint_rounds_to_nearest() || cylint_is_elliptic(shape->kind))
+        return want;
+    if (shape->kind == CYLINT_KIND_SPHERE &&
+        !cylint_part_is_present(shape->ends, cylint_surface(shape)))
+        return want; /* no surface */
+    if (shape->ends == CYLINT_ENDS_CAPPED || shape->kind == CYLINT_KIND_SPHERE)
+        switch (shape->kind) {
+#define CAPPED(kind) \
+    case kind:       \
+        return capped_in_pairs(shape, point, kind, want, answer);
+            CAPPED(CYLINT_KIND_CYLINDER)
+            CAPPED(CYLINT_KIND_CONE)
+            CAPPED(CYLINT_KIND_SPHERE)
+            CAPPED(CYLINT_KIND_CAPSULE)
+            CAPPED(CYLINT_KIND_RCONE)
+        default:
+            break;
+        }
+    return other_in_pairs(shape, point, want, answer);
+}
+
+/* ------------------------------------------------------------- kernels -- */
+
+#define KERNEL(name, kind, parted)                                     \
+    static int name(const cylint_shape *shape, const double point[3],  \
+                    cylint_closest *answer)                            \
+    {                                                                  \
+        return head_tail_distance(shape, point, kind, parted, answer); \
+    }
+#define KERNELS(name, kind)       \
+    KERNEL(name##_alone, kind, 0) \
+    KERNEL(name##_parted, kind, 1)
+KERNELS(cylinder, CYLINT_KIND_CYLINDER)
+KERNELS(cone, CYLINT_KIND_CONE)
+KERNELS(sphere, CYLINT_KIND_SPHERE)
+KERNELS(capsule, CYLINT_KIND_CAPSULE)
+KERNELS(round_cone, CYLINT_KIND_RCONE)
+
+const cylint_one_distances CYLINT_ONE_DISTANCES = {
+    {[CYLINT_KIND_CYLINDER] = {cylinder_alone, cylinder_parted},
+     [CYLINT_KIND_CONE] = {cone_alone, cone_parted},
+     [CYLINT_KIND_SPHERE] = {sphere_alone, sphere_parted},
+     [CYLINT_KIND_CAPSULE] = {capsule_alone, capsule_parted},
+     [CYLINT_KIND_RCONE] = {round_cone_alone, round_cone_parted}},
+    in_pairs};
