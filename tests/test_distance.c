@@ -461,6 +461,31 @@ static double length_of(const double v[3])
     return hypot(hypot(v[0], v[1]), v[2]);
 }
 
+/* A triangle of 3, 4 and 5: the foot of a point on the lateral line is nearly an end
+ * of it, within 1e-9, where no other feature is near. */
+static void a_foot_at_an_end_is_decided_by_all_digits(void)
+{
+    const double low[3] = {3, -2, -2}, high[3] = {3, -2, 2};
+    cylint_shape shapes[2];
+    cylint_cone(&shapes[0], low, 0, high, 3, CYLINT_ENDS_CAPPED);
+    cylint_round_cone(&shapes[1], low, 1, high, 3, CYLINT_ENDS_CAPPED);
+    for (int k = 0; k < 2; k++) {
+        cylint_shape unprepared = shapes[k];
+        unprepared.library.flag[CYLINT_AT_PREPARED] = 0;
+        for (int i = -64; i <= 64; i++) {
+            const double p[3] = {6 + ldexp(i, -33), 2, 0.5 - ldexp(i, -35)};
+            for (unsigned w = 0; w < 3; w++) {
+                const unsigned want = w == 0   ? 0
+                                      : w == 1 ? CYLINT_WANT_PART
+                                               : WANT;
+                const cylint_closest exact = answer_to(&unprepared, p, want);
+                const cylint_closest usual = answer_to(&shapes[k], p, want);
+                CHECK(same(&exact, &usual));
+            }
+        }
+    }
+}
+
 /* The size that the manual relates the error of the safety to. */
 static double safety_size(const cylint_shape *s, const double p[3],
                           double distance)
@@ -633,6 +658,7 @@ int main(void)
     RUN(the_sign_is_that_of_contains);
     RUN(pairs_decide_the_distance_from_points_on_the_axis);
     RUN(all_paths_return_the_same_bits);
+    RUN(a_foot_at_an_end_is_decided_by_all_digits);
     RUN(the_floating_point_environment_changes_nothing);
     RUN(safety_is_never_above_the_distance);
     RUN(safety_is_little_below_the_distance);

@@ -105,7 +105,7 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
     const vpair x1 =
         tapered ? NUMBER(minus)(rho, NUMBER(datum)(s->r[1], m)) : x0;
     const vpair lateral = tapered ? NUMBER(turned)(s, x0, m->z) : x0;
-    const vd C = s->cosine.hi, S = s->sine.hi;
+    const vd C = whole(s->cosine), S = whole(s->sine);
     const vd z = whole(m->z), above = whole(m->above);
     const vsection p = {z,
                         above,
@@ -159,9 +159,9 @@ INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
 {
     const vd zero = v_set(0), z = m->rough_z, above = z - s->height.hi;
     const vd rho = v_sqrt(v_max(m->rough_square, zero));
-    const vd lean = s->sine.hi * rho;
-    const vd before = v_sum_of(s->cosine.hi, z, lean);
-    const vd after = v_sum_of(s->cosine.hi, above, lean);
+    const vd C = whole(s->cosine), lean = whole(s->sine) * rho;
+    const vd before = v_sum_of(C, z, lean);
+    const vd after = v_sum_of(C, above, lean);
     const vm low = v_lt(before, zero), top = v_lt(zero, after);
     const vm balls = m_or(low, top);
     const vd thin = m->size * (v_set(0.5) / rho);

@@ -108,22 +108,13 @@ INLINE vm describe_lanes(const shape_lanes *s, const vd x[3], int i, int n,
     return certain;
 }
 
-INLINE vm describe_kind(const cylint_shape *const at[LANES],
-                        const shape_lanes *s, const vd x[3], int i, int n,
-                        const cylint_lane_columns *to)
+/* One text serves all kinds but the sphere, which has no axis. */
+INLINE vm describe_any(int kind, const shape_lanes *s, const vd x[3], int i,
+                       int n, const cylint_lane_columns *to)
 {
-    switch (at[0]->kind) {
-#define OF_KIND(kind) \
-    case kind:        \
-        return describe_lanes(s, x, i, n, to, kind);
-        OF_KIND(CYLINT_KIND_CYLINDER)
-        OF_KIND(CYLINT_KIND_CONE)
-        OF_KIND(CYLINT_KIND_SPHERE)
-        OF_KIND(CYLINT_KIND_CAPSULE)
-        OF_KIND(CYLINT_KIND_RCONE)
-    default:
-        return m_from(0);
-    }
+    return kind == CYLINT_KIND_SPHERE
+               ? describe_lanes(s, x, i, n, to, CYLINT_KIND_SPHERE)
+               : describe_lanes(s, x, i, n, to, kind);
 }
 
 INLINE void load_shapes(shape_lanes *s, const cylint_shape *const at[LANES],
@@ -153,8 +144,9 @@ int CYLINT_DISTANCE_LANES(const cylint_shape *shapes, int each,
             if (each)
                 load_shapes(&s, at, described);
             load_points(x, xyz, i, n);
-            certain = m_bits(described ? describe_kind(at, &s, x, i, n, to)
-                                       : answer_lanes(at, &s, x, i, n, to));
+            certain =
+                m_bits(described ? describe_any(at[0]->kind, &s, x, i, n, to)
+                                 : answer_lanes(at, &s, x, i, n, to));
         }
         for (int lane = 0; lane < LANES && i + lane < n; lane++) {
             rest[left] = i + lane;

@@ -192,8 +192,8 @@ static int corner_feature(const corner *k, int top, close_distance *to)
 /* Computes the distance of a point near the surface; whether it is certain.  Finds
  * the feature, if it was not, of a point near a rim of a capped cylinder or
  * cone. */
-static int is_certain_in_triples(found *at, const cylint_shape *s,
-                                 const double point[3])
+ASIDE int is_certain_in_triples(found *at, const cylint_shape *s,
+                                const double point[3])
 {
     const double size = at->size;
     const int feature = at->feature, round = cylint_is_round(s->kind);

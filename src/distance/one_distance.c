@@ -50,9 +50,9 @@ INLINE int head_tail_distance(const cylint_shape *shape, const double point[3],
 
 /* Whether the distance is certain, in pairs or in triples; these also find a
  * feature. */
-INLINE int find_distance(vnearest *n, const half_plane *m,
-                         const cylint_shape *shape, const double point[3],
-                         int parted)
+ASIDE int find_distance(vnearest *n, const half_plane *m,
+                        const cylint_shape *shape, const double point[3],
+                        int parted)
 {
     const vpair d = pairs_trimmed(n->d.value);
     const int certain =
@@ -150,20 +150,11 @@ static unsigned in_pairs(const cylint_shape *shape, const double point[3],
     if (shape->kind == CYLINT_KIND_SPHERE &&
         !cylint_part_is_present(shape->ends, cylint_surface(shape)))
         return want; /* no surface */
-    if (shape->ends == CYLINT_ENDS_CAPPED || shape->kind == CYLINT_KIND_SPHERE)
-        switch (shape->kind) {
-#define CAPPED(kind) \
-    case kind:       \
-        return capped_in_pairs(shape, point, kind, want, answer);
-            CAPPED(CYLINT_KIND_CYLINDER)
-            CAPPED(CYLINT_KIND_CONE)
-            CAPPED(CYLINT_KIND_SPHERE)
-            CAPPED(CYLINT_KIND_CAPSULE)
-            CAPPED(CYLINT_KIND_RCONE)
-        default:
-            break;
-        }
-    return other_in_pairs(shape, point, want, answer);
+    if (shape->kind == CYLINT_KIND_SPHERE)
+        return capped_in_pairs(shape, point, CYLINT_KIND_SPHERE, want, answer);
+    return shape->ends == CYLINT_ENDS_CAPPED && !cylint_has_tangent(shape->kind)
+               ? capped_in_pairs(shape, point, shape->kind, want, answer)
+               : other_in_pairs(shape, point, want, answer);
 }
 
 /* ------------------------------------------------------------- kernels -- */
