@@ -277,6 +277,26 @@ static void points_that_are_not_finite_are_outside(void)
     }
 }
 
+/* A point next to the apex or the base, but for one coordinate. */
+static void a_coordinate_that_is_nan_is_outside_of_any_shape(void)
+{
+    for (int family = 0; family < family_count(); family++)
+        for (uint64_t i = 0; i < 50; i++) {
+            struct family_case c;
+            family_case(9, family, i, &c);
+            if (!cylint_is_round(c.shape.kind))
+                c.ends = i % 2 ? CYLINT_ENDS_INFINITE : CYLINT_ENDS_NAPPE;
+            family_make(&c);
+            for (int axis = 0; axis < 3; axis++) {
+                double p[3] = {c.shape_data[0], c.shape_data[1],
+                               c.shape_data[2]};
+                p[axis] = NAN;
+                if (!CHECK(cylint_contains(&c.shape, p) == -1))
+                    REPORT_CASE(&c);
+            }
+        }
+}
+
 static void extreme_shapes_are_accepted(void)
 {
     const double low[3] = {-1.7e308, -1.7e308, -1.7e308};
@@ -554,6 +574,7 @@ int main(void)
     RUN(an_invalid_shape_or_line_misses_with_the_flag);
     RUN(bounds_writes_three_numbers_to_each_array);
     RUN(points_that_are_not_finite_are_outside);
+    RUN(a_coordinate_that_is_nan_is_outside_of_any_shape);
     RUN(extreme_shapes_are_accepted);
     RUN(boxes_of_simple_shapes_are_tight);
     RUN(boxes_are_exact_where_nothing_is_rounded);

@@ -34,12 +34,14 @@ INLINE int contains_in_doubles(const cylint_shape *shape, const double point[3],
     return side_of_point(&at, solid);
 }
 
-/* Point on the surface: after the signs that pairs leave uncertain, exact ones. */
+/* Point on the surface: after the signs that pairs leave uncertain, exact ones.  A
+ * coordinate that is NaN leaves all uncertain. */
 INLINE int contains_exactly(point_signs *at, const cylint_question *q,
                             int solid)
 {
     const int ball = cylint_solid_is_ball(solid);
-    if (!has_signs_at_origin(solid) || cylint_solid_is_nappe(solid))
+    if (!has_signs_at_origin(solid) || cylint_solid_is_nappe(solid) ||
+        !cylint_is_finite(q->line->o))
         return CYLINT_SIDE_UNDECIDED;
     settle(ball ? &at->ball[0] : &at->side, 1, 0, q, CYLINT_LATERAL_SURFACE);
     if (cylint_solid_is_bounded(solid) && !ball)
