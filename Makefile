@@ -105,6 +105,8 @@ isa.src/distance/lanes-avx2   := $(avx2) -DCYLINT_DISTANCE_LANES=cylint_distance
 isa.src/distance/lanes-avx512 := $(avx512) -DCYLINT_DISTANCE_LANES=cylint_distance_lanes_avx512
 isa.src/filter/many-avx2   := $(avx2) -DCYLINT_MANY=cylint_many_avx2
 isa.src/filter/many-avx512 := $(avx512) -DCYLINT_MANY=cylint_many_avx512
+isa.src/filter/many_points-avx2   := $(avx2) -DCYLINT_SIDES=cylint_sides_avx2
+isa.src/filter/many_points-avx512 := $(avx512) -DCYLINT_SIDES=cylint_sides_avx512
 isa.src/bvh/traverse-avx2            := $(avx2) -DCYLINT_TRAVERSAL=cylint_traversal_avx2
 isa.src/bvh/traverse-avx512          := $(avx512) -DCYLINT_TRAVERSAL=cylint_traversal_avx512
 isa.src/bvh/traverse_point-avx2      := $(avx2) -DCYLINT_TRAVERSE_POINT=cylint_traverse_point_avx2

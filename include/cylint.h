@@ -505,6 +505,25 @@ CYLINT_API size_t cylint_nearest(const cylint_pack *pack,
 CYLINT_API size_t cylint_count(const cylint_pack *pack, const cylint_line *line,
                                size_t enough);
 
+/* n points: one array of n doubles for each coordinate, at any address. */
+typedef struct cylint_points {
+    size_t n;
+    const double *xyz[3];
+} cylint_points;
+
+/* Each point and one shape.  side[i] is what cylint_contains() returns for point
+ * i: 1 inside, 0 on the boundary, -1 outside; for a refused shape and a point with
+ * an infinite or NaN coordinate -1.  The array `side` has points->n elements and
+ * must not overlap the input.  cylint_distance.h has the distances of points. */
+CYLINT_API void cylint_contains_points(const cylint_shape *shape,
+                                       const cylint_points *points,
+                                       signed char *side);
+
+/* Point i and shape i, for 0 <= i < points->n. */
+CYLINT_API void cylint_contains_pairs(const cylint_shape *shapes,
+                                      const cylint_points *points,
+                                      signed char *side);
+
 /* ------------------------------------------------------------- kernels -- */
 
 /*

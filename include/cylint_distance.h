@@ -131,12 +131,6 @@ CYLINT_API double cylint_safety(const cylint_shape *shape,
 CYLINT_API int cylint_on_surface(const cylint_shape *shape,
                                  const double point[3], double ulps);
 
-/* n points: one array of n doubles for each coordinate, at any address. */
-typedef struct cylint_points {
-    size_t n;
-    const double *xyz[3];
-} cylint_points;
-
 /* The arrays for the answers, one element for each answer.  They must not
  * overlap the input.  An array that is NULL is neither computed nor written.
  * Where an answer has no point and no normal, NaN is written. */

@@ -468,3 +468,46 @@ void cylint_intersect_lines(const cylint_shape *shape,
     for (size_t i = 0; i < lines->n; i++)
         answer_alone(&job, shape, i);
 }
+
+/* ------------------------------------------------------------- points -- */
+
+/* On which side of its shape, number each * i, point i lies.  The coordinates are
+ * read before one is written: then compilers write x and y together, as the kernel
+ * reads them; else it waits 12 ns for them. */
+static int side_alone(const cylint_shape *shapes, size_t each,
+                      const cylint_points *points, size_t i)
+{
+    const double x = points->xyz[0][i], y = points->xyz[1][i],
+                 z = points->xyz[2][i];
+    const double point[3] = {x, y, z};
+    return cylint_contains(shapes + each * i, point);
+}
+
+static void write_sides(const cylint_shape *shapes, size_t each,
+                        const cylint_points *points, signed char *side)
+{
+    const size_t n = points->n;
+    CYLINT_OF_BUILD(cylint_build_used(), cylint_sides_plain, cylint_sides_avx2,
+                    cylint_sides_avx512)
+    (shapes, each, points, side);
+#if CYLINT_IS_PARANOID
+    for (size_t i = 0; i < n; i++)
+        cylint_contradiction(side[i] != CYLINT_SIDE_UNDECIDED &&
+                             side[i] != side_alone(shapes, each, points, i));
+#endif
+    for (size_t i = 0; i < n; i++)
+        if (side[i] == CYLINT_SIDE_UNDECIDED)
+            side[i] = (signed char)side_alone(shapes, each, points, i);
+}
+
+void cylint_contains_points(const cylint_shape *shape,
+                            const cylint_points *points, signed char *side)
+{
+    write_sides(shape, 0, points, side);
+}
+
+void cylint_contains_pairs(const cylint_shape *shapes,
+                           const cylint_points *points, signed char *side)
+{
+    write_sides(shapes, 1, points, side);
+}

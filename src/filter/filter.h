@@ -188,4 +188,12 @@ typedef void cylint_filter_many(cylint_filter_batch *batch,
 extern cylint_filter_many cylint_many_plain, cylint_many_avx2,
     cylint_many_avx512;
 
+/* Writes what cylint_kernel_point returns, of shape number each * i for point i.
+ * A point with a coordinate beyond CYLINT_FAR is undecided. */
+typedef void cylint_filter_points(const cylint_shape *shapes, size_t each,
+                                  const cylint_points *points,
+                                  signed char *side);
+extern cylint_filter_points cylint_sides_plain, cylint_sides_avx2,
+    cylint_sides_avx512;
+
 #endif

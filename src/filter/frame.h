@@ -457,6 +457,17 @@ INLINE void load_ends(local_line *l, const cylint_shape *shape, int solid)
     }
 }
 
+/* A point: the origin of a line with the direction 0. */
+INLINE void load_place(local_line *l, const double o[3],
+                       const cylint_shape *shape, int solid)
+{
+    first_line first = {.v = v_set(0), .w = v_set(0), .D = v_set(0)};
+    load_point(&first, o, shape, solid);
+    first.from_base = height_of(o, shape, solid);
+    set_line(l, &first, shape, solid);
+    load_ends(l, shape, solid);
+}
+
 /* What the stages in pairs take of the line in doubles. */
 INLINE void set_sizes(local_line *l, const cylint_shape *shape,
                       const cylint_line *line, double Q, double D, int solid)
@@ -589,8 +600,17 @@ INLINE void gather_members(frames *to, const cylint_shape *const shape[LANES],
         v_columns(row, (size_t)i * sizeof(double), &to->of[i]);
 }
 
-/* What all of a solid's questions read, and then what its roots read: the low
- * parts. */
+/* What all of a solid's questions read. */
+INLINE void gather_numbers(frames *to, const cylint_shape *const shape[LANES],
+                           int solid)
+{
+    gather_members(to, shape, 0,
+                   cylint_solid_is_ball(solid)
+                       ? CYLINT_AT_R1
+                       : CYLINT_AT_COLUMNS + CYLINT_LOW);
+}
+
+/* The same and the caps, and then what roots read: the low parts. */
 INLINE void gather_shapes(frames *to, const cylint_shape *const shape[LANES],
                           int solid)
 {
@@ -602,10 +622,7 @@ INLINE void gather_shapes(frames *to, const cylint_shape *const shape[LANES],
     }
     to->cap[0] = m_from(caps[0]);
     to->cap[1] = m_from(caps[1]);
-    gather_members(to, shape, 0,
-                   cylint_solid_is_ball(solid)
-                       ? CYLINT_AT_R1
-                       : CYLINT_AT_COLUMNS + CYLINT_LOW);
+    gather_numbers(to, shape, solid);
 }
 
 INLINE void gather_pairs(frames *to, const cylint_shape *const shape[LANES],
@@ -641,22 +658,17 @@ INLINE vd row_of(const frames *f, int row, const vd x[3])
                              x[0] * f->of[CYLINT_AT_COLUMNS + row]));
 }
 
-INLINE void load_first(local_line *l, const source *from, int solid)
+/* The line's origin, and what of the shape G takes. */
+INLINE void load_point(local_line *l, const vd o[3], const frames *f, int solid)
 {
-    const frames *f = from->frame;
     const int tapered = cylint_solid_is_tapered(solid);
     const int ball = cylint_solid_is_ball(solid);
     vd x[3];
     EACH(i, 3)
-        x[i] = from->line->o[i] - f->of[CYLINT_AT_BASE + i];
-    const vd *d = from->line->d;
-    const vd size = v_largest(d), most = v_set(CYLINT_WINDOW);
-    EACH(i, 2) {
+        x[i] = o[i] - f->of[CYLINT_AT_BASE + i];
+    EACH(i, 2)
         l->in.p[i] = v_if(ball, x[i], row_of(f, i, x));
-        l->in.v[i] = v_if(ball, d[i], row_of(f, i, d));
-    }
     l->from_base = v_if(ball, x[2], row_of(f, 2, x));
-    l->in.w = v_if(ball, d[2], row_of(f, 2, d));
     l->in.z = l->from_base;
     l->in.r = f->of[CYLINT_AT_R0];
     l->in.slope = v_if(tapered, f->of[CYLINT_AT_SLOPE], v_set(0));
@@ -665,31 +677,42 @@ INLINE void load_first(local_line *l, const source *from, int solid)
             v_sum_of(f->of[CYLINT_AT_SINE], f->of[CYLINT_AT_R0], l->from_base);
         l->in.r = f->of[CYLINT_AT_COSINE] * f->of[CYLINT_AT_R0];
     }
-    set_products_doubles(&l->in);
     l->Q = v_if(
         ball, v_largest(x) + f->of[CYLINT_AT_R0],
         v_sum_of(v_largest(x), f->of[CYLINT_AT_NORM], f->of[CYLINT_AT_REACH]));
-    l->D = v_if(ball, size, size * f->of[CYLINT_AT_NORM]);
     l->unit = v_set(solid == CYLINT_SOLID_ROUND_CONE
                         ? CYLINT_LOCAL_ROUND * CYLINT_ROUNDING
                         : CYLINT_ROUNDING);
     l->taper =
         v_if(tapered, v_set(1) + v_abs(f->of[CYLINT_AT_SLOPE]), v_set(1));
-    l->in_range =
-        m_and(m_and(v_le(v_set(1 / CYLINT_WINDOW), size), v_le(size, most)),
-              v_le(v_largest(from->line->o), v_set(CYLINT_FAR)));
+    l->in_range = v_le(v_largest(o), v_set(CYLINT_FAR));
 }
 
-INLINE void load_rest(local_line *l, const source *from, int solid)
+INLINE void load_first(local_line *l, const source *from, int solid)
 {
     const frames *f = from->frame;
+    const int ball = cylint_solid_is_ball(solid);
+    const vd *d = from->line->d;
+    const vd size = v_largest(d), most = v_set(CYLINT_WINDOW);
+    load_point(l, from->line->o, f, solid);
+    EACH(i, 2)
+        l->in.v[i] = v_if(ball, d[i], row_of(f, i, d));
+    l->in.w = v_if(ball, d[2], row_of(f, 2, d));
+    set_products_doubles(&l->in);
+    l->D = v_if(ball, size, size * f->of[CYLINT_AT_NORM]);
+    l->in_range =
+        m_and(m_and(v_le(v_set(1 / CYLINT_WINDOW), size), v_le(size, most)),
+              l->in_range);
+}
+
+/* The planes, circles and balls of the ends, after from_base. */
+INLINE void load_ends(local_line *l, const frames *f, int solid)
+{
     const int tapered = cylint_solid_is_tapered(solid);
     const int ball = cylint_solid_is_ball(solid);
     l->widest = v_if(tapered, v_max(f->of[CYLINT_AT_R0], f->of[CYLINT_AT_R1]),
                      f->of[CYLINT_AT_R0]);
     EACH(k, 2) {
-        l->limit[k] = from->line->limit[k];
-        l->cap[k] = f->cap[k];
         l->ball_z[k] = v_if(k && !ball, l->from_base - f->of[CYLINT_AT_HEIGHT],
                             l->from_base);
         l->ball_r[k] = f->of[CYLINT_AT_R0 + (tapered ? k : 0)];
@@ -701,6 +724,23 @@ INLINE void load_rest(local_line *l, const source *from, int solid)
             l->r[k] = f->of[CYLINT_AT_COSINE] * f->of[CYLINT_AT_R0 + k];
         }
     }
+}
+
+INLINE void load_rest(local_line *l, const source *from, int solid)
+{
+    EACH(k, 2) {
+        l->limit[k] = from->line->limit[k];
+        l->cap[k] = from->frame->cap[k];
+    }
+    load_ends(l, from->frame, solid);
+}
+
+/* A point: the origin of a line with the direction 0. */
+INLINE void load_place(local_line *l, const vd o[3], const frames *f, int solid)
+{
+    load_point(l, o, f, solid);
+    l->in.v[0] = l->in.v[1] = l->in.w = l->D = v_set(0);
+    load_ends(l, f, solid);
 }
 
 /* A row of the matrix times x.  exact: x has no low parts. */

@@ -6,17 +6,37 @@
 #ifndef CYLINT_INSIDE_H
 #define CYLINT_INSIDE_H
 
+#ifdef CYLINT_NARROW
 #include "refine.h"
+#else
+#include "kernel.h"
+#endif
+
+/* A point outside is both before the overlap and after it. */
+INLINE place place_of_point(point_signs *at, int solid)
+{
+    const vm all = m_not(m_from(0));
+    verdict v;
+    v.A.v = v_set(1); /* of a double cone: outside where Q > 0 */
+    EACH(k, ENDS)
+        v.exists[k] = all;
+    at->past = (signs){all, all};
+    return place_of(at, &v, v_set(0), solid);
+}
+
+/* After load_place(). */
+INLINE place place_in_doubles(const local_line *l, int solid)
+{
+    point_signs at = no_point_signs;
+    set_place_signs(&at, l, v_set(0), solid);
+    return place_of_point(&at, solid);
+}
+
+#ifdef CYLINT_NARROW
 
 /* 1 inside, -1 outside, 0 neither for certain. */
-INLINE int side_of_point(point_signs *at, int solid)
+INLINE int side_of_place(place where)
 {
-    verdict v = no_verdict;
-    v.A.v = v_set(1); /* of a double cone: outside where Q > 0 */
-    v.exists[0] = m_from(3);
-    /* a point outside is both before the overlap and after it */
-    at->past = (signs){m_from(3), m_from(3)};
-    const place where = place_of(at, &v, v_set(0), solid);
     return (int)(m_bits(where.inside) & 1) - (int)(m_bits(where.before) & 1);
 }
 
@@ -24,14 +44,8 @@ INLINE int contains_in_doubles(const cylint_shape *shape, const double point[3],
                                int solid)
 {
     local_line l = no_line;
-    point_signs at = no_point_signs;
-    first_line first = {.v = v_set(0), .w = v_set(0), .D = v_set(0)};
-    load_point(&first, point, shape, solid);
-    first.from_base = height_of(point, shape, solid);
-    set_line(&l, &first, shape, solid);
-    load_ends(&l, shape, solid);
-    set_place_signs(&at, &l, v_set(0), solid);
-    return side_of_point(&at, solid);
+    load_place(&l, point, shape, solid);
+    return side_of_place(place_in_doubles(&l, solid));
 }
 
 /* Point on the surface: after the signs that pairs leave uncertain, exact ones.  A
@@ -47,7 +61,7 @@ INLINE int contains_exactly(point_signs *at, const cylint_question *q,
     if (cylint_solid_is_bounded(solid) && !ball)
         EACH(i, 2)
             settle(&at->above[i], 1, 0, q, i);
-    return side_of_point(at, solid);
+    return side_of_place(place_of_point(at, solid));
 }
 
 INLINE int contains_in_pairs(const cylint_shape *shape, const double point[3],
@@ -66,8 +80,10 @@ INLINE int contains_in_pairs(const cylint_shape *shape, const double point[3],
     set_sizes(&l, q.shape, q.line, q.Q, q.D, solid);
     load_pairs(&in, &from, 0, solid);
     point_in_pairs(&at, &l, &in, v_set(0), shape, solid);
-    const int side = side_of_point(&at, solid);
+    const int side = side_of_place(place_of_point(&at, solid));
     return side != 0 ? side : contains_exactly(&at, &q, solid);
 }
+
+#endif
 
 #endif
