@@ -150,6 +150,26 @@ CYLINT_API void cylint_distance_pairs(const cylint_shape *shapes,
                                       const cylint_points *points,
                                       const cylint_closest_columns *answers);
 
+/*
+ * Each point and one shape; or, _pairs, point i and shape i, for
+ * 0 <= i < points->n.  Element i is what the function for one point returns for
+ * point i: the same bits in the same floating-point environment, also where the
+ * shape was refused or a coordinate is infinite or NaN.  The array for the answers
+ * has points->n elements and must not overlap the input.  on[i] is 1 or 0.
+ */
+CYLINT_API void cylint_safety_points(const cylint_shape *shape,
+                                     const cylint_points *points,
+                                     double *safety);
+CYLINT_API void cylint_safety_pairs(const cylint_shape *shapes,
+                                    const cylint_points *points,
+                                    double *safety);
+CYLINT_API void cylint_on_surface_points(const cylint_shape *shape,
+                                         const cylint_points *points,
+                                         double ulps, signed char *on);
+CYLINT_API void cylint_on_surface_pairs(const cylint_shape *shapes,
+                                        const cylint_points *points,
+                                        double ulps, signed char *on);
+
 /* Returns the number of the shape with the least absolute distance, if that is
  * at most `within`; of equal ones the lowest number.  Writes the wanted members
  * of its answer as cylint_distance() does.  Returns n, and writes nothing, if

@@ -2,7 +2,6 @@
  * distance.c - one point and one shape
  */
 #include "../dispatch.h"
-#include "../numbers/bits.h"
 #include "cylint_distance.h"
 #include "elliptic.h"
 #include "exact_distance.h"
@@ -139,37 +138,4 @@ double cylint_distance(const cylint_shape *shape, const double point[3],
     cylint_contradiction(contradicts(shape, point, want, answer));
 #endif
     return answer->distance;
-}
-
-/* The exponent of the distance of |x| from the next larger double. */
-static int exponent_of_last_place(double x)
-{
-    const int e = cylint_exponent(x) - 52;
-    /* mutant '>' -> '>=': -1074 gives -1074, too */
-    return e > -1074 ? e : -1074;
-}
-
-/* Whether x <= y 2^e, for positive finite x and y.  A subnormal product would
- * be rounded. */
-static int is_at_most(double x, double y, int e)
-{
-    const int of_x = cylint_any_exponent(x), of_y = cylint_any_exponent(y);
-    return of_x != of_y + e
-               ? of_x < of_y + e
-               : cylint_scaled(x, -of_x) <= cylint_scaled(y, -of_y);
-}
-
-int cylint_on_surface(const cylint_shape *shape, const double point[3],
-                      double ulps)
-{
-    cylint_closest answer;
-    /* mutant '0' -> '1': CYLINT_WANT_T has no effect here */
-    const double size = fabs(cylint_distance(shape, point, 0, &answer));
-    if (!(size <= DBL_MAX) || ulps != ulps || cylint_sign(ulps) < 0)
-        return 0;
-    if (cylint_sign(size) == 0 || ulps > DBL_MAX)
-        return 1;
-    return cylint_sign(ulps) != 0 &&
-           is_at_most(size, ulps,
-                      exponent_of_last_place(cylint_largest(point)));
 }
