@@ -471,15 +471,12 @@ void cylint_intersect_lines(const cylint_shape *shape,
 
 /* ------------------------------------------------------------- points -- */
 
-/* On which side of its shape, number each * i, point i lies.  The coordinates are
- * read before one is written: then compilers write x and y together, as the kernel
- * reads them; else it waits 12 ns for them. */
+/* On which side of its shape, number each * i, point i lies. */
 static int side_alone(const cylint_shape *shapes, size_t each,
                       const cylint_points *points, size_t i)
 {
-    const double x = points->xyz[0][i], y = points->xyz[1][i],
-                 z = points->xyz[2][i];
-    const double point[3] = {x, y, z};
+    double point[3];
+    cylint_read_point(points, i, point);
     return cylint_contains(shapes + each * i, point);
 }
 

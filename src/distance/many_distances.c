@@ -40,8 +40,8 @@ static void answer_row(const cylint_shape *shape, const cylint_points *points,
                        size_t row, unsigned want,
                        const cylint_closest_columns *answers)
 {
-    const double point[3] = {points->xyz[0][row], points->xyz[1][row],
-                             points->xyz[2][row]};
+    double point[3];
+    cylint_read_point(points, row, point);
     cylint_closest answer;
     for (int k = 0; k < 3; k++)
         answer.point[k] = answer.normal[k] = NAN;
@@ -59,11 +59,12 @@ static void rows(const cylint_shape *shapes, size_t stride,
         answer_row(shapes + i * stride, points, i, want, answers);
 }
 
-/* Lanes round to nearest, and flush no coordinate. */
-static int has_lanes(const cylint_closest_columns *to)
+/* Lanes round to nearest, and flush no coordinate.  One or two points take less time
+ * by themselves. */
+static int has_lanes(const cylint_closest_columns *to, size_t n)
 {
     const unsigned geometry = CYLINT_WANT_POINT | CYLINT_WANT_NORMAL;
-    return cylint_rounds_to_nearest() &&
+    return n > 2 && cylint_rounds_to_nearest() &&
            !(wanted(to) & geometry && cylint_flushes_subnormals());
 }
 
@@ -149,7 +150,7 @@ void cylint_distance_points(const cylint_shape *shape,
                             const cylint_points *points,
                             const cylint_closest_columns *answers)
 {
-    if (cylint_lane_class(shape) && has_lanes(answers))
+    if (cylint_lane_class(shape) && has_lanes(answers, points->n))
         blocks(shape, 0, points, answers);
     else
         rows(shape, 0, points, answers);
@@ -159,7 +160,7 @@ void cylint_distance_pairs(const cylint_shape *shapes,
                            const cylint_points *points,
                            const cylint_closest_columns *answers)
 {
-    if (has_lanes(answers))
+    if (has_lanes(answers, points->n))
         blocks(shapes, 1, points, answers);
     else
         rows(shapes, 1, points, answers);

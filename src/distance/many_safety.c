@@ -1,6 +1,7 @@
 /*
  * many_safety.c - lower bounds of the distances of many points, one by one
  */
+#include "../shapes/measure.h"
 #include "cylint_distance.h"
 
 /* Of point i and shape number each * i. */
@@ -8,8 +9,8 @@ static void write_safety(const cylint_shape *shapes, size_t each,
                          const cylint_points *points, double *safety)
 {
     for (size_t i = 0; i < points->n; i++) {
-        const double point[3] = {points->xyz[0][i], points->xyz[1][i],
-                                 points->xyz[2][i]};
+        double point[3];
+        cylint_read_point(points, i, point);
         safety[i] = cylint_safety(shapes + each * i, point);
     }
 }

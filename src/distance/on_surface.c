@@ -3,7 +3,7 @@
  * place from it
  */
 #include "../numbers/bits.h"
-#include "../shapes/shape_facts.h"
+#include "../shapes/measure.h"
 #include "cylint_distance.h"
 
 /* The exponent of the distance of |x| from the next larger double. */
@@ -67,8 +67,8 @@ static void write_on_surface(const cylint_shape *shapes, size_t each,
         else
             cylint_distance_points(shapes, &block, &to);
         for (size_t i = 0; i < block.n; i++) {
-            const double point[3] = {block.xyz[0][i], block.xyz[1][i],
-                                     block.xyz[2][i]};
+            double point[3];
+            cylint_read_point(&block, i, point);
             on[first + i] =
                 (signed char)is_within_ulps(distance[i], point, ulps);
         }
