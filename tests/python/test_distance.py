@@ -109,6 +109,45 @@ def test_safety_is_not_above_the_distance(name):
         assert (safety[ordinary] > 0.999 * distance[ordinary]).all()
 
 
+def test_batches_of_every_layout_equal_single_questions():
+    """contains, safety and on_surface; more elements than a block has."""
+    kinds = cylint.concatenate([SHAPES[name][0] for name in SHAPES])
+    n = 77 * kinds.size
+    which = np.arange(n) % kinds.size
+    shapes, points = kinds[which], scattered(n, 55)
+    points[::9] = shapes[::9].closest(points[::9]).point
+    points[5] = np.nan
+    ulps = np.where(which % 2, 1.0, 8.0)
+
+    def ask(shapes, points, ulps):
+        return (
+            shapes.contains(points),
+            shapes.safety(points),
+            shapes.on_surface(points, ulps),
+            shapes.on_surface(points, 8),
+        )
+
+    want = [
+        np.array(column)
+        for column in zip(
+            *(ask(s, p, u) for s, p, u in zip(shapes, points, ulps))
+        )
+    ]
+    assert set(want[0]) == {-1, 0, 1} and 0 < want[2].sum() < want[3].sum()
+
+    def check(found, rows):
+        for f, w in zip(found, want):
+            assert f.dtype == w.dtype and np.array_equal(f, w[rows])
+
+    check(ask(shapes, points, ulps), slice(None))
+    check(ask(shapes[::-3], points[::-3], ulps[::-3]), slice(None, None, -3))
+    check(ask(shapes, np.asfortranarray(points), ulps), slice(None))
+    for kind in range(kinds.size):
+        rows = which == kind
+        check(ask(kinds[kind], points[rows], ulps[kind]), rows)
+        check(ask(kinds[kind], points[rows], ulps[rows]), rows)
+
+
 def test_the_closest_point_is_on_the_surface_at_that_distance():
     points = scattered(2000, 54)
     near = SHAPES["cone"][0].closest(points)

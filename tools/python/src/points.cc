@@ -1,10 +1,12 @@
 /*
- * points.cc - points and shapes, element by element
+ * points.cc - points and shapes, element by element, in batches
  *
- * Distances are computed in batches: if the shape does not change in a block, by
- * cylint_distance_points(); if the shapes lie one behind the other, by
- * cylint_distance_pairs(); else pair by pair.
+ * If the shape does not change in a block, the batch is that of points and one
+ * shape; if the shapes lie one behind the other, that of pairs; else there is a
+ * batch for each pair.
  */
+#include <type_traits>
+
 #include "calls.h"
 #include "cylint_distance.h"
 #include "elements.h"
@@ -15,33 +17,6 @@ namespace
 /* Points of a block: the columns of distances fit the first cache. */
 constexpr size_t BLOCK = 512;
 
-/* Writes function(shape, point, address in numbers) for each element.  numbers:
- * None, or an array of doubles. */
-template <class Answer, class Function>
-void each_pair(nb::handle shapes, nb::handle points, nb::handle numbers,
-               nb::handle answers, int threads, nb::handle progress,
-               const Function &function)
-{
-    const Array s(shapes), p(points), x(numbers), a(answers, true);
-    Grid grid(a, 0);
-    grid.add(s), grid.add(p), grid.add(x), grid.add(a);
-    grid.prepare();
-    const ptrdiff_t step = p.last_stride();
-    each_element(grid, BLOCK, threads, progress, [&](char *const *at, size_t) {
-        double point[3];
-        read_point(at[1], step, point);
-        const auto answer =
-            static_cast<Answer>(function(as_shape(at[0]), point, at[2]));
-        std::memcpy(at[3], &answer, sizeof answer);
-        return true;
-    });
-}
-
-/* The places of the arrays in the grid; of the shapes or of their numbers. */
-struct Places {
-    int shapes, points, distance, part, feature, point, normal;
-};
-
 /* The shapes that are numbered, if they are, and the points. */
 struct Source {
     const Array *numbered_shapes;
@@ -51,38 +26,46 @@ struct Source {
 /* A shape that was refused: it has no distance. */
 const cylint_shape none = {};
 
-/* What a worker keeps from block to block. */
-class Block
+/* The points of a block of the grid, and their shapes.  `shapes` and `points`
+ * are the numbers of the arrays in the grid, `shapes` that of the shapes or of
+ * their numbers. */
+class PointBlock
 {
-  public:
-    Block(const Grid &grid, const Places &p, const Source &s)
-        : row(grid), place(p), source(s)
+  protected:
+    PointBlock(const Grid &grid, int shapes, int points, const Source &s)
+        : row(grid), shapes_at(shapes), points_at(points), source(s)
     {
     }
 
-    bool run(size_t number, size_t begin, size_t count)
+    void locate(size_t number, size_t begin, size_t count)
     {
         row.locate(number, begin, count);
         for (int axis = 0; axis < 3; axis++)
-            row.read(xyz[axis], place.points,
-                     axis * source.points.last_stride());
-        const cylint_points points = points_from(0, count);
-        const cylint_closest_columns columns = columns_from(0);
-        const ptrdiff_t stride = row.stride(place.shapes);
-        if (!source.numbered_shapes && stride == 0)
-            cylint_distance_points(shape(0), &points, &columns);
-        else if (!source.numbered_shapes && stride == sizeof(cylint_shape))
-            cylint_distance_pairs(shape(0), &points, &columns);
-        else
-            run_singly();
-        write();
-        return true;
+            row.read(xyz[axis], points_at, axis * source.points.last_stride());
     }
+
+    /* Calls points(shape, points, 0), or pairs(shapes, points, first) as often as
+     * it takes; once for each element if `singly`. */
+    template <class OneShape, class Pairs>
+    void ask(bool singly, const OneShape &points, const Pairs &pairs) const
+    {
+        const ptrdiff_t stride = row.stride(shapes_at);
+        singly = singly || source.numbered_shapes;
+        if (!singly && stride == 0)
+            points(shape(0), points_from(0, row.size()), 0);
+        else if (!singly && stride == sizeof(cylint_shape))
+            pairs(shape(0), points_from(0, row.size()), 0);
+        else
+            for (size_t i = 0; i < row.size(); i++)
+                pairs(shape(i), points_from(i, 1), i);
+    }
+
+    RowPart row;
 
   private:
     const cylint_shape *shape(size_t i) const
     {
-        const char *const p = row.at(place.shapes, i);
+        const char *const p = row.at(shapes_at, i);
         if (!source.numbered_shapes)
             return as_shape(p);
         const cylint_shape *found = numbered(*source.numbered_shapes, p);
@@ -94,6 +77,101 @@ class Block
         return {n, {xyz[0] + i, xyz[1] + i, xyz[2] + i}};
     }
 
+    const int shapes_at, points_at;
+    const Source source;
+    double xyz[3][BLOCK];
+};
+
+/* ------------------------------------ one number for each point and shape -- */
+
+/* The places of the arrays in the grid; numbers: doubles, or None. */
+struct NumberPlaces {
+    int shapes, points, numbers, answers;
+};
+
+/* points, pairs: batches of the library; they take one of the numbers if there
+ * are numbers. */
+template <class Answer, auto points, auto pairs> class NumberBlock : PointBlock
+{
+  public:
+    NumberBlock(const Grid &grid, const NumberPlaces &p, const Source &s)
+        : PointBlock(grid, p.shapes, p.points, s), place(p)
+    {
+    }
+
+    bool run(size_t row_number, size_t begin, size_t count)
+    {
+        locate(row_number, begin, count);
+        const auto to = [this](auto batch) {
+            return [this, batch](const cylint_shape *s, const cylint_points &p,
+                                 size_t i) {
+                if constexpr (std::is_invocable_v<decltype(batch), decltype(s),
+                                                  decltype(&p), Answer *>)
+                    batch(s, &p, answers + i);
+                else
+                    batch(s, &p, number(row.at(place.numbers, i)), answers + i);
+            };
+        };
+        ask(row.stride(place.numbers) != 0, to(points), to(pairs));
+        row.write(answers, place.answers, 0);
+        return true;
+    }
+
+  private:
+    const NumberPlaces place;
+    Answer answers[BLOCK];
+};
+
+/* Writes an answer for each element.  numbers: None, or an array of doubles. */
+template <class Answer, auto points, auto pairs>
+void each_pair(nb::handle shapes, nb::handle places, nb::handle numbers,
+               nb::handle answers, int threads, nb::handle progress)
+{
+    const Array s(shapes), p(places), x(numbers), a(answers, true);
+    Grid grid(a, 0);
+    NumberPlaces place{};
+    place.shapes = grid.add(s);
+    place.points = grid.add(p);
+    place.numbers = grid.add(x);
+    place.answers = grid.add(a);
+    grid.prepare();
+    const Source source = {nullptr, p};
+    each_block<NumberBlock<Answer, points, pairs>>(grid, BLOCK, threads,
+                                                   progress, place, source);
+}
+
+/* ----------------------------------------------------------- distances -- */
+
+/* The places of the arrays in the grid; of the shapes or of their numbers. */
+struct Places {
+    int shapes, points, distance, part, feature, point, normal;
+};
+
+/* What a worker keeps from block to block. */
+class DistanceBlock : PointBlock
+{
+  public:
+    DistanceBlock(const Grid &grid, const Places &p, const Source &s)
+        : PointBlock(grid, p.shapes, p.points, s), place(p)
+    {
+    }
+
+    bool run(size_t number, size_t begin, size_t count)
+    {
+        locate(number, begin, count);
+        const auto to = [this](auto batch) {
+            return [this, batch](const cylint_shape *s, const cylint_points &p,
+                                 size_t i) {
+                const cylint_closest_columns columns = columns_from(i);
+                batch(s, &p, &columns);
+            };
+        };
+        ask(false, to(cylint_distance_points), to(cylint_distance_pairs));
+        write();
+        return true;
+    }
+
+  private:
     /* The columns that are wanted, from element i. */
     cylint_closest_columns columns_from(size_t i)
     {
@@ -108,15 +186,6 @@ class Block
         return to;
     }
 
-    void run_singly()
-    {
-        for (size_t i = 0; i < row.size(); i++) {
-            const cylint_points points = points_from(i, 1);
-            const cylint_closest_columns columns = columns_from(i);
-            cylint_distance_pairs(shape(i), &points, &columns);
-        }
-    }
-
     void write() const
     {
         row.write(distance, place.distance, 0);
@@ -128,10 +197,8 @@ class Block
         }
     }
 
-    RowPart row;
     const Places place;
-    const Source source;
-    double xyz[3][BLOCK], distance[BLOCK], point[3][BLOCK], normal[3][BLOCK];
+    double distance[BLOCK], point[3][BLOCK], normal[3][BLOCK];
     signed char part[BLOCK], feature[BLOCK];
 };
 
@@ -140,28 +207,23 @@ class Block
 void contains(nb::handle shapes, nb::handle points, nb::handle answers,
               int threads, nb::handle progress)
 {
-    each_pair<signed char>(shapes, points, nb::none(), answers, threads,
-                           progress,
-                           [](const cylint_shape *s, const double(&p)[3],
-                              const char *) { return cylint_contains(s, p); });
+    each_pair<signed char, cylint_contains_points, cylint_contains_pairs>(
+        shapes, points, nb::none(), answers, threads, progress);
 }
 
 void safety(nb::handle shapes, nb::handle points, nb::handle answers,
             int threads, nb::handle progress)
 {
-    each_pair<double>(shapes, points, nb::none(), answers, threads, progress,
-                      [](const cylint_shape *s, const double(&p)[3],
-                         const char *) { return cylint_safety(s, p); });
+    each_pair<double, cylint_safety_points, cylint_safety_pairs>(
+        shapes, points, nb::none(), answers, threads, progress);
 }
 
+/* A bool of NumPy is a byte, 0 or 1. */
 void on_surface(nb::handle shapes, nb::handle points, nb::handle ulps,
                 nb::handle answers, int threads, nb::handle progress)
 {
-    each_pair<bool>(
-        shapes, points, ulps, answers, threads, progress,
-        [](const cylint_shape *s, const double(&p)[3], const char *x) {
-            return cylint_on_surface(s, p, number(x)) != 0;
-        });
+    each_pair<signed char, cylint_on_surface_points, cylint_on_surface_pairs>(
+        shapes, points, ulps, answers, threads, progress);
 }
 
 /*
@@ -187,5 +249,5 @@ void closest(nb::handle shapes, nb::handle index, nb::handle points,
     place.normal = grid.add(normal);
     grid.prepare();
     const Source source = {number_of ? &s : nullptr, p};
-    each_block<Block>(grid, BLOCK, threads, progress, place, source);
+    each_block<DistanceBlock>(grid, BLOCK, threads, progress, place, source);
 }
