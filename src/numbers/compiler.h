@@ -31,14 +31,6 @@
 #define CYLINT_HIDDEN
 #endif
 
-/* Keeps an if with this from becoming a selection, which would wait for both
- * results. */
-#ifdef __GNUC__
-#define CYLINT_BY_BRANCH __asm__ volatile("")
-#else
-#define CYLINT_BY_BRANCH (void)0
-#endif
-
 /* The larger of two, neither of them NaN.  fmax() would be a function call. */
 static inline double cylint_larger(double x, double y)
 {
