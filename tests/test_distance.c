@@ -461,8 +461,8 @@ static double length_of(const double v[3])
     return hypot(hypot(v[0], v[1]), v[2]);
 }
 
-/* A triangle of 3, 4 and 5: the foot of a point on the lateral line is nearly an end
- * of it, within 1e-9, where no other feature is near. */
+/* A triangle of 3, 4 and 5: the foot of a point on the lateral line is nearly
+ * an end of it, within 1e-9, where no other feature is near. */
 static void a_foot_at_an_end_is_decided_by_all_digits(void)
 {
     const double low[3] = {3, -2, -2}, high[3] = {3, -2, 2};

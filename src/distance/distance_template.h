@@ -1,16 +1,17 @@
 /*
- * distance_template.h - the nearest feature of a circular or round shape and the
- * distance from it, over a type of numbers and any number of lanes
+ * distance_template.h - the nearest feature of a circular or round shape and
+ * the distance from it, over a type of numbers and any number of lanes
  *
- * The including file defines NUMBER(name), the names of the functions below and
- * of the operations that they use: load, rho, length, ball, turned, datum, unit,
- * minus and trimmed of head_tail.h or pair_lanes.h.  ON_SURFACE: whether features of
- * points on the surface are wanted.
+ * The including file defines NUMBER(name), the names of the functions below
+ * and of the operations that they use: load, rho, length, ball, turned, datum,
+ * unit, minus and trimmed of head_tail.h or pair_lanes.h.  ON_SURFACE: whether
+ * features of points on the surface are wanted.
  *
- * Every lane computes all features, and masks choose.  The distance is a continuous
- * function of z and rho that changes by no more than they do, so for the distance
- * it does not matter which of two nearly equal features is chosen.  The feature is
- * certain only where no boundary between two features is near.
+ * Every lane computes all features, and masks choose.  The distance is a
+ * continuous function of z and rho that changes by no more than they do, so
+ * for the distance it does not matter which of two nearly equal features is
+ * chosen.  The feature is certain only where no boundary between two features
+ * is near.
  */
 
 /* What rounds to the same double as all numbers within the error; others have

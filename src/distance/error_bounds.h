@@ -16,29 +16,30 @@
 #define CYLINT_DIRECTED_SURD_ERROR 0x1p-44
 
 /*
- * Distances in pairs (distance/pair_lanes.h).  S is |D0| + |D1| + |D2|, D the point from
- * the base.
+ * Distances in pairs (distance/pair_lanes.h).  S is |D0| + |D1| + |D2|, D the
+ * point from the base.
  *
  *   CYLINT_PAIR_SUM       of D.w relative to S.  Proved
- *   CYLINT_PAIR_PRODUCT   of a product, relative to the sizes of its factors, whose
- *                         low parts can be some ulps.  Proved
+ *   CYLINT_PAIR_PRODUCT   of a product, relative to the sizes of its factors,
+ *                         whose low parts can be some ulps.  Proved
  *   CYLINT_PAIR_ROOT      of a root, relative to it.  Proved
- *   CYLINT_POINT_ROUNDING more than that of the unit vector of an axis, of cosine, sine
- *                         and height, relative to themselves, and of z to S
- *   CYLINT_PAIR_DISTANCE  what a distance has besides the errors of z and rho, relative
- *                         to S and the reach of the shape
+ *   CYLINT_POINT_ROUNDING more than that of the unit vector of an axis, of
+ *                         cosine, sine and height, relative to themselves,
+ *                         and of z to S
+ *   CYLINT_PAIR_DISTANCE  what a distance has besides the errors of z and rho,
+ *                         relative to S and the reach of the shape
  *   CYLINT_PAIR_QUOTIENT  of a component of a direction, relative to it
  *   CYLINT_PAIR_PLACE     of a coordinate of the point, from that of its origin
  *
- * The sums are in tests/prove/ratios.txt; tests/test_distance_bounds.c compares
- * z, rho and rims with exact numbers.
+ * The sums are in tests/prove/ratios.txt; tests/test_distance_bounds.c
+ * compares z, rho and rims with exact numbers.
  *
  * Triples serve points with S < 2 CYLINT_THINNEST rho.
  *
- * A combination of the high parts in doubles has fewer than 8 roundings of terms
- * of at most S or a length of the shape; CYLINT_FEATURE_MARGIN is 2^3 times
- * more.  Distances below CYLINT_DISTANCE_LEAST are left to exact numbers: above
- * it no underflow is larger than the bound.
+ * A combination of the high parts in doubles has fewer than 8 roundings of
+ * terms of at most S or a length of the shape; CYLINT_FEATURE_MARGIN is 2^3
+ * times more.  Distances below CYLINT_DISTANCE_LEAST are left to exact
+ * numbers: above it no underflow is larger than the bound.
  */
 #define CYLINT_PAIR_SUM 0x1.28p-101
 #define CYLINT_PAIR_PRODUCT 0x1.a22p-99
@@ -69,33 +70,35 @@
 #define CYLINT_CLOSE_MOST 0x1p64
 
 /*
- * Distances with heads and tails (distance/head_tail.h).  S is a sum of sizes: at least the size
- * |D0| + |D1| + |D2| + height + radii of the question, so no coordinate and no
- * distance is larger.  x + K S - K S, K = CYLINT_SNAP, is a multiple of a
- * power of two g > 2^-26 S, and the rest is at most v = 2^-26 S.  So sums of
- * products of two heads are multiples of g^2 below 2^53 g^2, and doubles compute
- * them without error.  The same holds for a head and a component of a unit vector
- * that is a multiple of 2^-26 (CYLINT_UNIT_SNAP).
+ * Distances with heads and tails (distance/head_tail.h).  S is a sum of sizes:
+ * at least the size |D0| + |D1| + |D2| + height + radii of the question, so no
+ * coordinate and no distance is larger.  x + K S - K S, K = CYLINT_SNAP, is a
+ * multiple of a power of two g > 2^-26 S, and the rest is at most v = 2^-26 S.
+ * So sums of products of two heads are multiples of g^2 below 2^53 g^2, and
+ * doubles compute them without error.  The same holds for a head and a
+ * component of a unit vector that is a multiple of 2^-26 (CYLINT_UNIT_SNAP).
  *
  * Errors, in units of u v, u = 2^-53:
  *
  *   lo of D        1 in each coordinate
- *   lo of z        14: 10 of terms that sum up to 2.3 v, one after the other, 4 of sums
+ *   lo of z        14: 10 of terms that sum up to 2.3 v, 4 of their sums
  *   lo of D.D      10 size: 2 of D, 4 of products, 4 of sums
  *   D.D - z^2      its lo: the errors of both and 15 size of roundings: 50 size
  *   rest of rho    12 size more; with y^2 of a ball's distance 40 size more
  *   rho            half of that / rho: below 51 thin, thin = size / (2 rho)
  *
- * CYLINT_HEAD_TAIL_Z, CYLINT_HEAD_TAIL_SQUARE and CYLINT_HEAD_TAIL_ACROSS are proved for the lo of
- * z, of D.D, and of D.D - z^2 and the rest of rho alone.  The proofs take each
- * coordinate to be as large as the size, so they are up to three times the above;
- * their sum is still below CYLINT_HEAD_TAIL_ERROR (tests/prove/ratios.txt).
+ * CYLINT_HEAD_TAIL_Z, CYLINT_HEAD_TAIL_SQUARE and CYLINT_HEAD_TAIL_ACROSS are
+ * proved for the lo of z, of D.D, and of D.D - z^2 and the rest of rho alone.
+ * The proofs take each coordinate to be as large as the size, so they are up
+ * to three times the above; their sum is still below CYLINT_HEAD_TAIL_ERROR
+ * (tests/prove/ratios.txt).
  *
- * 64 u v (1 + thin) = 2^-73 S (1 + thin) is more than that and the errors of the
- * sums and products that follow; CYLINT_HEAD_TAIL_ERROR is 2^2 times that.  The root
- * in doubles begins with an error of 17 u size^2 of its square: the second term
- * of the series is below 2^-97 size thin^3, so thin <= CYLINT_HEAD_TAIL_THINNEST.
- * Where thin is larger, rho is below CYLINT_AXIS_MARGIN S, and is taken as 0.
+ * 64 u v (1 + thin) = 2^-73 S (1 + thin) is more than that and the errors of
+ * the sums and products that follow; CYLINT_HEAD_TAIL_ERROR is 2^2 times that.
+ * The root in doubles begins with an error of 17 u size^2 of its square: the
+ * second term of the series is below 2^-97 size thin^3, so thin <=
+ * CYLINT_HEAD_TAIL_THINNEST. Where thin is larger, rho is below
+ * CYLINT_AXIS_MARGIN S, and is taken as 0.
  */
 #define CYLINT_HEAD_TAIL_ERROR 0x1p-71
 #define CYLINT_HEAD_TAIL_Z (34.51 * 0x1p-79)

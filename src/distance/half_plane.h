@@ -1,9 +1,10 @@
 /*
- * half_plane.h - a point and a shape in the half plane through the axis and the
- * point, in lanes
+ * half_plane.h - a point and a shape in the half plane through the axis and
+ * the point, in lanes
  *
- * The half plane has the coordinates z along the axis, from the base, and rho across
- * it.  There the lateral surface is a line with the direction (cosine, sine).
+ * The half plane has the coordinates z along the axis, from the base, and rho
+ * across it.  There the lateral surface is a line with the direction (cosine,
+ * sine).
  */
 #ifndef CYLINT_HALF_PLANE_H
 #define CYLINT_HALF_PLANE_H
@@ -14,8 +15,8 @@
 #include "error_bounds.h"
 #include "nearest.h"
 
-/* The numbers of the shapes of all lanes, in the form of a type of numbers.  own[i]:
- * the axis runs along coordinate i; along: along any. */
+/* The numbers of the shapes of all lanes, in the form of a type of numbers.
+ * own[i]: the axis runs along coordinate i; along: along any. */
 typedef struct {
     vpair axis[3], cosine, sine, height, r[2];
     vd base[3], top[3], reach;

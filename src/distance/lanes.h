@@ -21,8 +21,8 @@ static inline int cylint_lane_class(const cylint_shape *s)
                : s->kind;
 }
 
-/* The arrays of a block; NULL: not wanted.  Of point and normal all three coordinates
- * or none. */
+/* The arrays of a block; NULL: not wanted.  Of point and normal all three
+ * coordinates or none. */
 typedef struct {
     double *distance;
     signed char *feature;

@@ -59,8 +59,8 @@ static void rows(const cylint_shape *shapes, size_t stride,
         answer_row(shapes + i * stride, points, i, want, answers);
 }
 
-/* Lanes round to nearest, and flush no coordinate.  One or two points take less time
- * by themselves. */
+/* Lanes round to nearest, and flush no coordinate.  One or two points take
+ * less time by themselves. */
 static int has_lanes(const cylint_closest_columns *to, size_t n)
 {
     const unsigned geometry = CYLINT_WANT_POINT | CYLINT_WANT_NORMAL;

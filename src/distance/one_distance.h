@@ -21,11 +21,11 @@ typedef int cylint_head_tail_distance(const cylint_shape *shape,
                                       const double point[3],
                                       cylint_closest *answer);
 
-/* By kind, without and with the feature; NULL: none.  `pairs` serves all prepared
- * shapes, with triples of doubles near the surface: it writes the members of `want`
- * that are certain, and returns the others; CYLINT_ON_SURFACE if the distance is 0 or
- * too small for a sign, while the other members are those of a point on the
- * surface. */
+/* By kind, without and with the feature; NULL: none.  `pairs` serves all
+ * prepared shapes, with triples of doubles near the surface: it writes the
+ * members of `want` that are certain, and returns the others;
+ * CYLINT_ON_SURFACE if the distance is 0 or too small for a sign, while the
+ * other members are those of a point on the surface. */
 typedef struct {
     cylint_head_tail_distance *head_tail[CYLINT_KINDS][2];
     unsigned (*pairs)(const cylint_shape *shape, const double point[3],

@@ -1,15 +1,15 @@
 /*
  * pair_lanes.h - the operations of distance_template.h on pairs of doubles
  *
- * With |D| for |D0| + |D1| + |D2| and u = CYLINT_POINT_ROUNDING, which is more than
- * the relative error of an entry of the axis, the bounds on errors are
+ * With |D| for |D0| + |D1| + |D2| and u = CYLINT_POINT_ROUNDING, which is more
+ * than the relative error of an entry of the axis, the bounds on errors are
  *
  *   z        u |D|
  *   A_i      u (3 |D| |w_i| + 2^-6 |D_i|),  A = D - z w
  *   rho      the sum of these, and CYLINT_PAIR_QUOTIENT rho
  *
- * Where the axis runs along a coordinate, that of A is 0 and the others are those of
- * D, without an error: the zeros of such a shape are certain.
+ * Where the axis runs along a coordinate, that of A is 0 and the others are
+ * those of D, without an error: the zeros of such a shape are certain.
  *
  * A is trimmed before it is squared: near the axis its tail is as large as its
  * head.

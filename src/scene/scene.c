@@ -501,8 +501,7 @@ size_t cylint_scene_nearest_other(const cylint_scene *scene,
     test_others_nearest(&q);
     traverse(&q, 1);
     if (q.best < scene->n)
-        cylint_write_hit(&scene->shapes[q.best], line, &q.hit, want,
-                                hit);
+        cylint_write_hit(&scene->shapes[q.best], line, &q.hit, want, hit);
     return q.best;
 }
 
