@@ -486,6 +486,18 @@ static void a_foot_at_an_end_is_decided_by_all_digits(void)
     }
 }
 
+/* A disc of height 2^-52 and radii 2^33 and 2^43 without its base: the centre of
+ * the base is on the boundary of the solid, but not on the surface. */
+static void what_is_missing_is_not_the_surface(void)
+{
+    const double low[3] = {0, 0, 0}, high[3] = {0, 0, 0x1p-52};
+    cylint_shape s;
+    cylint_cone(&s, low, 0x1p33, high, 0x1p43, CYLINT_ENDS_CAP1);
+    CHECK(cylint_contains(&s, low) == 0);
+    CHECK(answer_to(&s, low, 0).distance == 0x1p-52);
+    CHECK(answer_to(&s, low, WANT).distance == 0x1p-52);
+}
+
 /* The size that the manual relates the error of the safety to. */
 static double safety_size(const cylint_shape *s, const double p[3],
                           double distance)
@@ -659,6 +671,7 @@ int main(void)
     RUN(pairs_decide_the_distance_from_points_on_the_axis);
     RUN(all_paths_return_the_same_bits);
     RUN(a_foot_at_an_end_is_decided_by_all_digits);
+    RUN(what_is_missing_is_not_the_surface);
     RUN(the_floating_point_environment_changes_nothing);
     RUN(safety_is_never_above_the_distance);
     RUN(safety_is_little_below_the_distance);

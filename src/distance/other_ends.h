@@ -62,7 +62,9 @@ static void nearest_to_open(vnearest *n, half_plane *m, const shape_lanes *s,
     }
     const vfoot at = foot_of(foot[0], foot[1], margin_of(m));
     const int end = foot[1] > 0, beyond = (foot[0] < 0) | end;
-    n->known = at.before | at.on | at.after;
+    /* Far from what is missing: a point of the solid's boundary is on a part. */
+    n->known =
+        (at.before | at.on | at.after) & (s->height.hi > 2 * margin_of(m));
     if (!beyond) {
         const vpair line = round
                                ? vpair_sub(pairs_turned(s, rho, m->z), s->r[0])

@@ -69,11 +69,27 @@ static int has_ending(struct team *team)
     return team->ending[0] >= 0;
 }
 
+/* Exact numbers take 140 kB of the stack; threads of musl have 128 kB unless asked
+ * for more. */
+enum { STACK_BYTES = 1 << 20 };
+
+static int start_thread(struct worker *w)
+{
+    pthread_attr_t attributes;
+    if (pthread_attr_init(&attributes) != 0) {
+        return 0;
+    }
+    pthread_attr_setstacksize(&attributes, STACK_BYTES);
+    const int started = pthread_create(&w->thread, &attributes, work, w) == 0;
+    pthread_attr_destroy(&attributes);
+    return started;
+}
+
 /* If memory, threads or descriptors are short, the present workers continue. */
 static void start_worker(struct team *team)
 {
     struct worker *w = has_ending(team) ? make_worker(team) : NULL;
-    if (w && pthread_create(&w->thread, NULL, work, w) == 0) {
+    if (w && start_thread(w)) {
         w->next = team->others;
         team->others = w;
         team->count++;
