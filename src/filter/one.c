@@ -40,7 +40,7 @@ static int no_side(const cylint_shape *shape, const double point[3])
 
 #if LANES == 2
 
-#include "inside.h"
+#include "contains.h"
 
 #define ARGUMENTS                                                      \
     const cylint_shape *shape, const cylint_line *line, unsigned want, \
