@@ -248,6 +248,10 @@ static inline void v_store(double *x, vd v)
 }
 static inline vd v_abs(vd x) { return (vd){fabs(x[0]), fabs(x[1])}; }
 static inline vd v_sqrt(vd x) { return (vd){sqrt(x[0]), sqrt(x[1])}; }
+static inline vd v_like(vd x, vd y)
+{
+    return (vd){copysign(x[0], y[0]), copysign(x[1], y[1])};
+}
 static inline vm v_lt(vd x, vd y) { return x < y; }
 static inline vm v_le(vd x, vd y) { return x <= y; }
 static inline vm v_eq(vd x, vd y) { return x == y; }
