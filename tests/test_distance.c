@@ -498,6 +498,24 @@ static void what_is_missing_is_not_the_surface(void)
     CHECK(answer_to(&s, low, WANT).distance == 0x1p-52);
 }
 
+/* A point 2^-9 beyond the end of a capsule of length 2^56, on its axis: doubles do
+ * not decide whether it is beyond. */
+static void an_end_is_found_beside_a_long_axis(void)
+{
+    const double low[3] = {-0x1.f65962a4afaf4p-193, 0x1.9318e631248ap-29,
+                           0x1.470ad53e8c98p+56};
+    const double high[3] = {-0x1.44484d579a2ap-190, -0x1.5112ac9ed24ap-197,
+                            -0x1.a072640f126f8p-202};
+    const double p[3] = {0x1.311a343af89c8p-144, 0x1.9318e631248ap-29,
+                         -0x1.7ba574cb8ba4p-9};
+    cylint_shape s;
+    cylint_capsule(&s, low, high, 0x1.872db365260aap+44, CYLINT_ENDS_CAPPED);
+    CHECK(answer_to(&s, p, 0).distance == -0x1.872db365260a9p+44);
+    cylint_use_kernels("plain");
+    CHECK(answer_to(&s, p, 0).distance == -0x1.872db365260a9p+44);
+    cylint_use_kernels(NULL);
+}
+
 /* The size that the manual relates the error of the safety to. */
 static double safety_size(const cylint_shape *s, const double p[3],
                           double distance)
@@ -672,6 +690,7 @@ int main(void)
     RUN(all_paths_return_the_same_bits);
     RUN(a_foot_at_an_end_is_decided_by_all_digits);
     RUN(what_is_missing_is_not_the_surface);
+    RUN(an_end_is_found_beside_a_long_axis);
     RUN(the_floating_point_environment_changes_nothing);
     RUN(safety_is_never_above_the_distance);
     RUN(safety_is_little_below_the_distance);

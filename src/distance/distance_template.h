@@ -53,7 +53,7 @@ INLINE vdistance NUMBER(from_rim)(vpair x, vpair y, const half_plane *m)
     return NUMBER(rounded)(root, error);
 }
 
-/* Where the feature is certain, the distance from it.  Others have no bound. */
+/* The distance from the feature. */
 INLINE void NUMBER(from_feature)(vnearest *n, const half_plane *m,
                                  vpair lateral, vpair x0, vpair x1)
 {
@@ -63,12 +63,10 @@ INLINE void NUMBER(from_feature)(vnearest *n, const half_plane *m,
     const vm is_lateral = v_eq(f, v_set(CYLINT_FEATURE_LATERAL));
     const vm is_rim = v_lt(v_set(CYLINT_FEATURE_CAP1), f);
     const vpair y = pick(is_top, m->above, opposite(m->z));
-    n->d = NUMBER(rounded)(pick(is_lateral, lateral, y),
-                           v_select(n->known, m->error, v_set(HUGE_VAL)));
+    n->d = NUMBER(rounded)(pick(is_lateral, lateral, y), m->error);
     if (m_any(is_rim))
-        n->d =
-            pick_distance(m_and(is_rim, n->known),
-                          NUMBER(from_rim)(pick(is_top, x1, x0), y, m), n->d);
+        n->d = pick_distance(
+            is_rim, NUMBER(from_rim)(pick(is_top, x1, x0), y, m), n->d);
 }
 
 /* Of a convex section the largest of the distances from its lines counts, unless
@@ -159,7 +157,8 @@ INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
                                int parted)
 {
     const vd zero = v_set(0), z = m->rough_z, above = z - s->height.hi;
-    const vd rho = v_sqrt(v_max(m->rough_square, zero));
+    const vd rho = ON_SURFACE ? whole(NUMBER(rho)(m))
+                              : v_sqrt(v_max(m->rough_square, zero));
     const vd C = whole(s->cosine), lean = whole(s->sine) * rho;
     const vd before = v_sum_of(C, z, lean);
     const vd after = v_sum_of(C, above, lean);
@@ -168,8 +167,9 @@ INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
     const vd thin = m->size * (v_set(0.5) / rho);
     const vm thick = v_le(thin, v_set(CYLINT_HEAD_TAIL_THINNEST));
     const vd near = v_set(CYLINT_AXIS_MARGIN) * m->size;
-    const vm sure =
-        m_or(thick, m_and(v_lt(near, v_abs(before)), v_lt(near, v_abs(after))));
+    const vm sure = ON_SURFACE ? m_not(m_from(0))
+                               : m_or(thick, m_and(v_lt(near, v_abs(before)),
+                                                   v_lt(near, v_abs(after))));
     const vd error = v_select(sure, zero, v_set(HUGE_VAL));
     if (ON_SURFACE || m_any(m_not(balls))) {
         const vpair exact_rho = NUMBER(rho)(m);
@@ -186,7 +186,8 @@ INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
     if (!parted)
         return;
     const vd M = v_set(CYLINT_FEATURE_MARGIN) * m->size;
-    const vfoot foot = foot_of(before, after, v_sum_of(M, thin, M));
+    const vfoot foot = foot_of(
+        before, after, ON_SURFACE ? margin_of(m) : v_sum_of(M, thin, M));
     n->known = m_or(foot.on, m_or(foot.before, foot.after));
     n->feature = v_select(
         balls, feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
@@ -217,4 +218,9 @@ INLINE void NUMBER(nearest)(vnearest *n, half_plane *m, const shape_lanes *s,
         NUMBER(round_cone)(n, m, s, parted);
     else
         NUMBER(between_planes)(n, m, s, kind == CYLINT_KIND_CONE, parted);
+    /* Where it is not certain, the error of doubles that chose the feature can
+     * exceed that of pairs. */
+    if (ON_SURFACE)
+        n->d = NUMBER(rounded)(n->d.value,
+                               v_select(n->known, n->d.error, v_set(HUGE_VAL)));
 }
