@@ -509,7 +509,7 @@ static void write(struct oracle_closest *expected, const double point[3],
         const int is_zero =
             mpfr_zero_p(e.t[0]) ||
             mpfr_get_exp(e.t[0]) < mpfr_get_exp(e.scale) - e.moved / 2;
-        expected->point[i] = is_on     ? point[i]
+        expected->point[i] = is_on     ? point[i] + 0.0
                              : is_zero ? 0
                                        : length(e.t[0]) + 0.0;
         const double n = mpfr_get_d(e.normal[i], RND);

@@ -16,7 +16,7 @@
 enum {
     BITS = 1000,
     FEW_BITS = 128,
-    MOVED = 150,
+    MOVED = 240,
     DEGREE = 4,
     MOST_ROOTS = 12,
     MOST_STEPS = 4000

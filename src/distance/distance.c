@@ -65,6 +65,18 @@ static int flushes_a_coordinate(const cylint_shape *shape,
     return small && cylint_flushes_subnormals();
 }
 
+static unsigned elliptic_in_pairs(const cylint_shape *shape,
+                                  const double point[3], unsigned want,
+                                  cylint_closest *answer)
+{
+    if (!cylint_rounds_to_nearest())
+        return want;
+    return CYLINT_OF_BUILD(cylint_build_used(), cylint_elliptic_in_pairs_plain,
+                           cylint_elliptic_in_pairs_fma,
+                           cylint_elliptic_in_pairs_fma)(shape, point, want,
+                                                         answer);
+}
+
 /* The members of `want` that heads and tails, pairs and triples leave. */
 static unsigned left_by_doubles(const cylint_shape *shape,
                                 const double point[3], unsigned want,
@@ -78,6 +90,8 @@ static unsigned left_by_doubles(const cylint_shape *shape,
         return 0;
     if (want & CYLINT_WANT_GEOMETRY && flushes_a_coordinate(shape, point))
         return want;
+    if (cylint_is_elliptic(shape->kind))
+        return elliptic_in_pairs(shape, point, want, answer);
     const unsigned left = k->pairs(shape, point, want, answer);
     if (!(left & CYLINT_ON_SURFACE) || cylint_contains(shape, point) != 0)
         return left;
@@ -109,12 +123,15 @@ ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
 }
 
 #if CYLINT_IS_PARANOID
-/* The answer is not the exact one. */
+/* The answer is not the exact one; of elliptic kinds, not that of triples. */
 static int contradicts(const cylint_shape *shape, const double point[3],
                        unsigned want, const cylint_closest *known)
 {
     cylint_closest a;
-    by_exact_numbers(shape, point, want, &a);
+    if (cylint_is_elliptic(shape->kind))
+        cylint_elliptic_distance(shape, point, want, &a);
+    else
+        by_exact_numbers(shape, point, want, &a);
     int wrong = a.distance != known->distance;
     if (want & CYLINT_WANT_PART)
         wrong |= a.part != known->part || a.feature != known->feature;

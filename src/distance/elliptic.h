@@ -11,10 +11,21 @@ double cylint_elliptic_distance(const cylint_shape *shape,
                                 const double point[3], unsigned want,
                                 cylint_closest *answer);
 
+/* The same in pairs, and in triples near the surface: writes the members of
+ * `want` (one_distance.h) that are certain, and returns the others. */
+unsigned cylint_elliptic_in_pairs_plain(const cylint_shape *shape,
+                                        const double point[3], unsigned want,
+                                        cylint_closest *answer);
+unsigned cylint_elliptic_in_pairs_fma(const cylint_shape *shape,
+                                      const double point[3], unsigned want,
+                                      cylint_closest *answer);
+
 /* A lower bound of the absolute distance from a prepared shape, in doubles, in
- * any rounding mode; 0 where there is no better one.  Shapes with one cap are
- * taken as capped, and nappes as infinite, which have more surface. */
-double cylint_elliptic_safety(const cylint_shape *shape, const double point[3]);
+ * any rounding mode; 0 or less, or NaN, where there is none. */
+double cylint_elliptic_safety_plain(const cylint_shape *shape,
+                                    const double point[3]);
+double cylint_elliptic_safety_fma(const cylint_shape *shape,
+                                  const double point[3]);
 
 /* The double below the absolute value of cylint_elliptic_distance(), less the
  * error of that; 0 for a shape too flat to bound it, and where rounding is

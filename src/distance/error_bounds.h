@@ -152,4 +152,23 @@
  */
 #define CYLINT_ELLIPTIC_SAFETY_ERROR (64 * CYLINT_ROUNDING)
 
+/*
+ * Elliptic distances in pairs (distance/elliptic_in_pairs.h).
+ *
+ *   CYLINT_SIZED_ERROR      of a sum of products of up to 7 factors, relative to the
+ *                           sizes of its terms: a term passes fewer than 10
+ *                           operations, with CYLINT_PAIR_PRODUCT each
+ *   CYLINT_CURVATURE_ERROR  of the coefficients of the curvature (elliptic_certainty.h)
+ *                           relative to the sizes of their terms: fewer than 2^6
+ *                           roundings; the local coordinates have
+ *                           CYLINT_ELLIPTIC_SAFETY_ERROR
+ *
+ * The components of shapes and points that are served are 0, or from
+ * CYLINT_ELLIPTIC_LEAST to CYLINT_ELLIPTIC_MOST: no term over- or underflows.
+ */
+#define CYLINT_SIZED_ERROR 0x1p-94
+#define CYLINT_CURVATURE_ERROR 0x1p-40
+#define CYLINT_ELLIPTIC_LEAST 0x1p-100
+#define CYLINT_ELLIPTIC_MOST 0x1p100
+
 #endif

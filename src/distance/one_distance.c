@@ -145,7 +145,7 @@ static unsigned other_in_pairs(const cylint_shape *shape, const double point[3],
 static unsigned in_pairs(const cylint_shape *shape, const double point[3],
                          unsigned want, cylint_closest *answer)
 {
-    if (!cylint_rounds_to_nearest() || cylint_is_elliptic(shape->kind))
+    if (!cylint_rounds_to_nearest())
         return want;
     if (shape->kind == CYLINT_KIND_SPHERE &&
         !cylint_part_is_present(shape->ends, cylint_surface(shape)))

@@ -10,8 +10,9 @@
  * Which feature is nearest is hard to predict, so maxima and masks take the
  * place of branches.
  *
- * Elliptic kinds: elliptic_safety.c.
+ * Elliptic kinds: elliptic_certain.c.
  */
+#include "../dispatch.h"
 #include "../numbers/bits.h"
 #include "../numbers/simd.h"
 #include "../shapes/shape_facts.h"
@@ -203,26 +204,26 @@ INLINE double if_positive(double bound, const cylint_shape *s,
     return bound > 0 ? bound : below_distance(s, point);
 }
 
-/* Elliptic kinds with one cap, and nappes, get the bound of their distance or,
- * where rounding is directed, that of a shape with more surface. */
-static int is_served(const cylint_shape *s)
+static double elliptic_safety(const cylint_shape *s, const double point[3])
 {
-    if (cylint_is_elliptic(s->kind) && !cylint_rounds_to_nearest())
-        return 1;
-    return s->ends == CYLINT_ENDS_INFINITE || s->ends == CYLINT_ENDS_CAPPED ||
-           (s->ends == CYLINT_ENDS_OPEN && !cylint_is_round(s->kind));
+    return CYLINT_OF_BUILD(cylint_build_used(), cylint_elliptic_safety_plain,
+                           cylint_elliptic_safety_fma,
+                           cylint_elliptic_safety_fma)(s, point);
 }
 
 /* All but the capped shapes of circular and round kinds. */
 ASIDE double other_safety(const cylint_shape *s, const double point[3])
 {
-    if (!cylint_prepared(s) || !is_served(s) || cylint_has_tangent(s->kind))
+    double bound = 0;
+    if (!cylint_prepared(s) || cylint_has_tangent(s->kind))
         return below_distance(s, point);
-    return if_positive(
-        cylint_is_elliptic(s->kind)       ? cylint_elliptic_safety(s, point)
-        : s->ends == CYLINT_ENDS_INFINITE ? infinite_safety(s, point)
-                                          : open_safety(s, point),
-        s, point);
+    if (cylint_is_elliptic(s->kind))
+        bound = elliptic_safety(s, point);
+    else if (s->ends == CYLINT_ENDS_INFINITE)
+        bound = infinite_safety(s, point);
+    else if (s->ends == CYLINT_ENDS_OPEN && !cylint_is_round(s->kind))
+        bound = open_safety(s, point);
+    return if_positive(bound, s, point);
 }
 
 double cylint_safety(const cylint_shape *s, const double point[3])

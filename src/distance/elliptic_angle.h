@@ -1,0 +1,285 @@
+/*
+ * elliptic_angle.h - the angle of the nearest point of an elliptic shape, in
+ * doubles
+ *
+ * An angle has the point u = a cos + b sin of the ellipse of the base, and the
+ * ruling c + u + z (h + (k - 1) u).  With the rows x, y, z of the inverse of
+ * (a b h), rho = 1 + (k - 1) z and the unit vector e = (cos, sin), the tangent
+ * plane of the lateral surface along a ruling is (x, y).e = rho.  Its normal is
+ *     N = cos x + sin y - (k - 1) z,
+ * and the point is n / |N| above it, n = (x, y).e - rho.  The signed distance from
+ * the lateral surface is the largest of these heights: outside by convexity, and
+ * inside because every tangent plane is farther than the surface.
+ *
+ * Both this and the distance from a rim are the distance in a plane of a point
+ * and an ellipse, but for oblique cones, where it is nearly that.  With the
+ * principal axes A > B of the ellipse and the point (X, Y) of its plane, the
+ * nearest point is (A cos, B sin) with
+ *     cos = A X / (s + A^2), sin = B Y / (s + B^2), cos^2 + sin^2 = 1.
+ * This has one root s > -B^2, that of the nearest point of all: it is computed as
+ * that of sqrt(cos^2 + sin^2) = 1, whose inverse is nearly a straight line, by
+ * Newton's iteration from the left.  [Eberly 2013, "Distance from a point to an
+ * ellipse".]  Newton's iteration on the height, or on the distance from the rim,
+ * gives the digits.
+ *
+ * Whether it is the nearest of all does not depend on that iteration: see
+ * elliptic_certainty.h.
+ */
+#ifndef CYLINT_ELLIPTIC_ANGLE_H
+#define CYLINT_ELLIPTIC_ANGLE_H
+
+#include "../shapes/shape_facts.h"
+#include "error_bounds.h"
+
+typedef struct {
+    double cos, sin;
+} angle;
+
+/* Newton's iterations end after a step so small that the error, about its square,
+ * is of no account, or after so many steps: the angle is then of no use. */
+#define CYLINT_ANGLE_STEP 0x1p-20
+#define CYLINT_SECULAR_STEP 0x1p-10
+
+/* Where a rough angle is enough. */
+#define CYLINT_ROUGH_STEP 0x1p-6
+#define CYLINT_ROUGH_ANGLE 0x1p-12
+
+enum { CYLINT_SECULAR_STEPS = 40, CYLINT_ANGLE_STEPS = 12 };
+
+/* A point in the coordinates x, y, z of a shape. */
+typedef struct {
+    double D[3], X[3], Y[3], Z[3]; /* from the base; the rows of the matrix */
+    double x, y, z, rho, slope;    /* slope: k - 1 */
+    double error, z_error;         /* of x, y and rho together; of z */
+    double relative; /* of the length of a row of the matrix */
+    int is_central;  /* x and y are 0, and z is across x and y: angles that are half
+                        a turn apart are equal */
+    double norm,
+        z_norm; /* what x, y and rho, and z gain along a unit vector, at
+                            most */
+} elliptic_place;
+
+INLINE double dot_of(const double u[3], const double v[3])
+{
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+INLINE double sum_of_sizes(const double v[3])
+{
+    return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
+}
+
+/* ------------------------------------------------ a point and an ellipse -- */
+
+/* A symmetric matrix, its eigenvalues, and the unit vector (c, s) that belongs to
+ * the larger one. */
+typedef struct {
+    double most, least, gap, c, s;
+} principal_axes;
+
+static principal_axes axes_of(double xx, double xy, double yy)
+{
+    const double half = 0.5 * (xx - yy), rad = sqrt(half * half + xy * xy);
+    const double most = 0.5 * (xx + yy) + rad;
+    const double x = fabs(half) + rad, y = fabs(xy);
+    const double scale = x > 0 ? 1 / sqrt(x * x + y * y) : 1;
+    const double large = x > 0 ? x * scale : 1, small = y * scale;
+    return (principal_axes){most, (xx * yy - xy * xy) / most, 2 * rad,
+                            half < 0 ? small : large,
+                            copysign(half < 0 ? large : small, xy)};
+}
+
+/* cos and sin for A X / B^2 and Y / B, and A^2 / B^2 - 1. */
+static angle secular_angle(double along, double across, double more, int rough)
+{
+    const double u = fabs(along), v = fabs(across);
+    const double last = rough ? CYLINT_ROUGH_STEP : CYLINT_SECULAR_STEP;
+    double s = v > u - more ? v : u - more, by;
+    angle to;
+    if (!(v > 0)) { /* on the long axis */
+        const double c = u < more ? u / more : 1;
+        return (angle){copysign(c, along), sqrt((1 - c) * (1 + c))};
+    }
+    for (int i = 0; i < CYLINT_SECULAR_STEPS; i++) {
+        const double to_u = 1 / (s + more), to_v = 1 / s;
+        const double a = u * to_u * (u * to_u), b = v * to_v * (v * to_v);
+        by = (sqrt(a + b) - 1) * (a + b) / (a * to_u + b * to_v);
+        s += by > 0 ? by : 0;
+        if (!(by > last * s))
+            break;
+    }
+    to.cos = copysign(u / (s + more), along);
+    to.sin = copysign(v / s, across);
+    return to;
+}
+
+/* An angle in the axes of p, given along those of p.most and p.least, turned
+ * back. */
+INLINE angle turned_back(const principal_axes *p, double of_most,
+                         double of_least)
+{
+    const double c = p->c * of_most - p->s * of_least,
+                 s = p->s * of_most + p->c * of_least;
+    const double scale = 1 / sqrt(c * c + s * s);
+    return (angle){c * scale, s * scale};
+}
+
+/* ------------------------------------------------- the lateral surface -- */
+
+/* What the height over a tangent plane and its derivatives by the angle are made
+ * of: n, N = U + G, where G is the part that does not depend on the angle. */
+typedef struct {
+    double n, slope_of_n;    /* n' */
+    double U[3], V[3], N[3]; /* U' = V */
+    double q, half_q;        /* N.N, N.V */
+} tangent_plane;
+
+INLINE void load_tangent_plane(tangent_plane *t, const elliptic_place *p,
+                               angle at)
+{
+    EACH(i, 3) {
+        t->U[i] = at.cos * p->X[i] + at.sin * p->Y[i];
+        t->V[i] = at.cos * p->Y[i] - at.sin * p->X[i];
+        t->N[i] = t->U[i] - p->slope * p->Z[i];
+    }
+    t->n = at.cos * p->x + at.sin * p->y - p->rho;
+    t->slope_of_n = at.cos * p->y - at.sin * p->x;
+    t->q = dot_of(t->N, t->N);
+    t->half_q = dot_of(t->N, t->V);
+}
+
+/* g = n' N.N - n N.V is 0 at the nearest point.  Its derivative. */
+INLINE double slope_of_height(const tangent_plane *t, const elliptic_place *p)
+{
+    const double turned = dot_of(t->V, t->V) - dot_of(t->N, t->U); /* of N.V */
+    return t->slope_of_n * t->half_q - t->n * turned - (t->n + p->rho) * t->q;
+}
+
+INLINE angle turned_by(angle at, double by)
+{
+    const double square = by * by;
+    const double scale =
+        fabs(by) <= CYLINT_ANGLE_STEP ? 1 - 0.5 * square : 1 / sqrt(1 + square);
+    return (angle){(at.cos - at.sin * by) * scale,
+                   (at.sin + at.cos * by) * scale};
+}
+
+/* The height over the tangent plane. */
+INLINE double height_at(const elliptic_place *p, angle at)
+{
+    tangent_plane t;
+    load_tangent_plane(&t, p, at);
+    return t.n / sqrt(t.q);
+}
+
+/* Of an angle in the axes and its mirror images the one with the largest height:
+ * the section of an oblique cone is not perpendicular to its axis. */
+static angle highest_of(const principal_axes *axes, angle e,
+                        const elliptic_place *p)
+{
+    angle best = turned_back(axes, e.sin, e.cos);
+    if (p->slope == 0 || (dot_of(p->X, p->Z) == 0 && dot_of(p->Y, p->Z) == 0))
+        return best;
+    double height = height_at(p, best);
+    for (int i = 1; i < 4; i++) {
+        const angle other =
+            turned_back(axes, i & 1 ? -e.sin : e.sin, i & 2 ? -e.cos : e.cos);
+        const double h = height_at(p, other);
+        if (h > height) {
+            height = h;
+            best = other;
+        }
+    }
+    return best;
+}
+
+/* Writes the angle, and its tangent plane.  rough: an angle with an error
+ * of about CYLINT_ROUGH_ANGLE is enough.  Returns 0 if the iteration did not come to an end. */
+static int find_lateral_angle(angle *at, tangent_plane *t,
+                              const elliptic_place *p, int rough)
+{
+    const double more = p->slope * p->slope * dot_of(p->Z, p->Z);
+    const principal_axes axes =
+        axes_of(dot_of(p->X, p->X) + more, dot_of(p->X, p->Y),
+                dot_of(p->Y, p->Y) + more);
+    const double short_way = axes.c * p->x + axes.s * p->y,
+                 long_way = axes.c * p->y - axes.s * p->x;
+    const double ratio = axes.most / axes.least;
+    const double r = p->rho > p->error ? p->rho : p->error;
+    const angle e = secular_angle(ratio * long_way / r, short_way / r,
+                                  axes.gap / axes.least, rough);
+    *at = highest_of(&axes, e, p);
+    if (p->is_central && (at->sin < 0 || (at->sin == 0 && at->cos < 0)))
+        *at = (angle){-at->cos, -at->sin};
+    for (int i = 0; i < CYLINT_ANGLE_STEPS; i++) {
+        load_tangent_plane(t, p, *at);
+        const double g = t->slope_of_n * t->q - t->n * t->half_q,
+                     slope = slope_of_height(t, p);
+        if (!(slope < 0))
+            return 0;
+        const double by = -g / slope;
+        if (!(fabs(by) < 0.5))
+            return 0;
+        if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
+            return 1;
+        *at = turned_by(*at, by);
+        if (fabs(by) <= CYLINT_ANGLE_STEP) {
+            load_tangent_plane(t, p, *at);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* --------------------------------------------------------------- rims -- */
+
+/* The point F from the centre, and R = F - f u for an angle. */
+typedef struct {
+    double F[3], f;
+    double u[3], v[3], R[3]; /* u' = v */
+} rim_place;
+
+INLINE void load_rim_place(rim_place *r, const cylint_shape *s, angle at)
+{
+    EACH(i, 3) {
+        r->u[i] = at.cos * cylint_a(s)[i] + at.sin * cylint_b(s)[i];
+        r->v[i] = at.cos * cylint_b(s)[i] - at.sin * cylint_a(s)[i];
+        r->R[i] = r->F[i] - r->f * r->u[i];
+    }
+}
+
+static int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
+                          const elliptic_place *p, int end, int rough)
+{
+    const double *a = cylint_a(s), *b = cylint_b(s);
+    r->f = cylint_end_factor(s, end);
+    EACH(i, 3)
+        r->F[i] = p->D[i] - (end ? cylint_axis(s)[i] : 0);
+    const principal_axes axes =
+        axes_of(dot_of(a, a), dot_of(a, b), dot_of(b, b));
+    const double Fa = dot_of(r->F, a), Fb = dot_of(r->F, b);
+    const double least = axes.least * r->f;
+    const angle e = secular_angle((axes.c * Fa + axes.s * Fb) / least,
+                                  (axes.c * Fb - axes.s * Fa) / least,
+                                  axes.gap / axes.least, rough);
+    *at = turned_back(&axes, e.cos, e.sin);
+    for (int i = 0; i < CYLINT_ANGLE_STEPS; i++) {
+        load_rim_place(r, s, *at);
+        const double slope = r->f * dot_of(r->v, r->v) + dot_of(r->R, r->u);
+        if (!(slope > 0))
+            return 0;
+        const double by = dot_of(r->R, r->v) / slope;
+        if (!(fabs(by) < 0.5))
+            return 0;
+        if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
+            return 1;
+        *at = turned_by(*at, by);
+        if (fabs(by) <= CYLINT_ANGLE_STEP) {
+            load_rim_place(r, s, *at);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+#endif

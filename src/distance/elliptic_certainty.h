@@ -1,0 +1,114 @@
+/*
+ * elliptic_certainty.h - how far the height or distance at an angle can be from
+ * that of the nearest point of an elliptic shape
+ *
+ * Nothing here depends on how the angle was found.  Let l = n' - n N.V / N.N
+ * (elliptic_angle.h), which is 0 at the nearest point.
+ *
+ * Outside the lateral surface the height h is a lower bound of the distance.  The
+ * foot on the tangent plane has (x, y).e = rho and l across e.  A little deeper,
+ * by l^2 / (2 rho |N|) and more, (x, y)^2 <= rho^2: this point is in the solid.
+ * So the distance is larger than h by no more than that, and the nearest point,
+ * above the tangent plane and in the ball of that radius, is within
+ * l sqrt(h / (rho |N|)) of the foot.
+ *
+ * Inside, h^2 < n^2 / N.N for all other angles is wanted, and from a rim
+ * R.R is to be the least.  With h or R of this angle, and t the tangent of half the
+ * turn from it,
+ *     (n^2 - h^2 N.N) (1 + t^2)^2  and  (|F - f u|^2 - R.R) (1 + t^2)^2
+ * are polynomials 4 g t (1 + t^2) + t^2 (K2 + K3 t + K4 t^2), where g is n l or
+ * -f R.v.  Where K2 + K3 t + K4 t^2 >= k (1 + t^2) with k > 0, the square of the
+ * distance is less than that at this angle by at most 4 g^2 / k, and the nearest
+ * angle has t <= 4 g / k.
+ */
+#ifndef CYLINT_ELLIPTIC_CERTAINTY_H
+#define CYLINT_ELLIPTIC_CERTAINTY_H
+
+#include "elliptic_angle.h"
+
+/* What the distance and the nearest point of an angle, and the angle itself, can
+ * be wrong by. */
+typedef struct {
+    double distance, away, turn;
+} uncertainty;
+
+/* k from the coefficients of 1 - cos, sin^2, sin (1 - cos) and (1 - cos)^2 of the
+ * turn, less their error. */
+static double least_curvature(double p1, double p2, double p3, double p4,
+                              double error)
+{
+    const double K2 = 2 * p1 + 4 * p2, half = 2 * p3, K4 = 2 * p1 + 4 * p4;
+    const double middle = 0.5 * (K2 - K4);
+    return 0.5 * (K2 + K4) - sqrt(middle * middle + half * half) - error;
+}
+
+/* Of tangent planes, for a point on the inner side of all. */
+static double inner_curvature(const tangent_plane *t, const elliptic_place *p)
+{
+    const double a = t->n + p->rho, b = t->slope_of_n;
+    const double hh = t->n * t->n / t->q;
+    const double size = fabs(p->x) + fabs(p->y) + fabs(p->rho);
+    if (p->is_central) /* n^2 - h^2 N.N is 0 at both angles: k of its sin^2 */
+        return 4 * hh * (dot_of(t->U, t->U) - dot_of(t->V, t->V)) -
+               CYLINT_CURVATURE_ERROR * hh * p->norm * p->norm;
+    return least_curvature(
+        2 * (hh * dot_of(t->N, t->U) - t->n * a),
+        b * b - hh * dot_of(t->V, t->V), 2 * (hh * dot_of(t->U, t->V) - a * b),
+        a * a - hh * dot_of(t->U, t->U),
+        CYLINT_CURVATURE_ERROR * (size * size + hh * p->norm * p->norm));
+}
+
+static double rim_curvature(const rim_place *r)
+{
+    const double f = r->f, uu = dot_of(r->u, r->u), vv = dot_of(r->v, r->v);
+    const double size =
+        sum_of_sizes(r->F) + f * (sum_of_sizes(r->u) + sum_of_sizes(r->v));
+    return least_curvature(2 * f * dot_of(r->R, r->u), f * f * vv,
+                           -2 * f * f * dot_of(r->u, r->v), f * f * uu,
+                           CYLINT_CURVATURE_ERROR * size * size);
+}
+
+/* |N x V|: what the length of N times the turn of its direction gains by the
+ * angle. */
+static double turn_of_normal(const tangent_plane *t)
+{
+    double x[3];
+    EACH(i, 3) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        x[i] = t->N[j] * t->V[k] - t->N[k] * t->V[j];
+    }
+    return sqrt(dot_of(x, x));
+}
+
+/* l: at most so large.  rho: at the foot.  The normals of the nearest point and of
+ * the angle differ by 2 away / h at most, and (x, y) by away times the norm. */
+static uncertainty outside_lateral(const tangent_plane *t,
+                                   const elliptic_place *p, double l,
+                                   double rho)
+{
+    const double size = sqrt(t->q), h = (fabs(t->n) + p->error) / size;
+    const double away = 2 * l * sqrt(h / (rho * size));
+    const double by_foot = p->norm / rho,
+                 by_normal = t->q / (h * turn_of_normal(t));
+    return (uncertainty){l * l / (rho * size), away,
+                         4 * away *
+                             (by_normal < by_foot ? by_normal : by_foot)};
+}
+
+static uncertainty inside_lateral_surface(const tangent_plane *t,
+                                          const elliptic_place *p, double l,
+                                          double k)
+{
+    const double n = fabs(t->n) + p->error, size = sqrt(t->q), h = n / size;
+    const double distance = 4 * h * l * l / k, turn = 16 * n * l / k;
+    return (uncertainty){distance, distance + h * p->norm / size * turn, turn};
+}
+
+/* g: at most so large. */
+static uncertainty of_rim(const rim_place *r, double g, double k)
+{
+    const double d = sqrt(dot_of(r->R, r->R));
+    return (uncertainty){4 * g * g / (k * d), 0, 16 * g / k};
+}
+
+#endif

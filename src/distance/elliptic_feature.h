@@ -1,0 +1,292 @@
+/*
+ * elliptic_feature.h - which feature of an elliptic shape is nearest, in doubles
+ *
+ * Where the errors of doubles leave a doubt, none is: NO_FEATURE.  Bounded shapes
+ * are convex.  Of a point outside, the nearest point of the solid is on the lateral
+ * surface, if the foot of the perpendicular on it is between the ends; else on the
+ * end beyond which it is: on the cap, if the foot on its plane is in the ellipse,
+ * else on the rim.  Of a point inside, no plane of a cap and no tangent plane is
+ * nearer than the surface, so it does not matter whether a foot is within the
+ * ends.
+ */
+#ifndef CYLINT_ELLIPTIC_FEATURE_H
+#define CYLINT_ELLIPTIC_FEATURE_H
+
+#include "cylint_distance.h"
+#include "elliptic_certainty.h"
+
+enum { NO_FEATURE = -1 };
+
+/* A question in doubles. */
+typedef struct {
+    const cylint_shape *shape;
+    elliptic_place at;
+    int feature, inside;
+    int rough; /* a rough angle is enough */
+    angle e;
+    tangent_plane plane;
+    rim_place rim;
+    uncertainty by; /* of the angle in doubles */
+    double curvature;
+} elliptic_question;
+
+/* The error of l, in pairs or in doubles. */
+static double loss_of_plane(const elliptic_question *q)
+{
+    const double size = sqrt(q->plane.q);
+    return 4 * (1 + q->at.norm / size) *
+           (q->at.error +
+            q->at.relative * fabs(q->plane.n) * q->at.norm / size);
+}
+
+static double rho_at_foot(const elliptic_question *q)
+{
+    const tangent_plane *t = &q->plane;
+    return q->at.rho - q->at.slope * (t->n / t->q) * dot_of(t->N, q->at.Z);
+}
+
+/* From the largest l. */
+static uncertainty uncertainty_of_plane(const elliptic_question *q, double l)
+{
+    return q->inside
+               ? inside_lateral_surface(&q->plane, &q->at, l, q->curvature)
+               : outside_lateral(&q->plane, &q->at, l, rho_at_foot(q));
+}
+
+/* z of the nearest point of the lateral surface: is_after: beyond the top;
+ * is_before: below the base. */
+typedef struct {
+    int is_before, is_within, is_after;
+} foot_place;
+
+static foot_place foot_on_plane(const elliptic_question *q)
+{
+    const tangent_plane *t = &q->plane;
+    const elliptic_place *p = &q->at;
+    const double size = sqrt(t->q);
+    const double down = t->n / t->q * dot_of(t->N, p->Z);
+    const double error =
+        4 * (p->z_error + p->z_norm * (p->error / size + q->by.away)) +
+        8 * p->relative * (fabs(down) + p->z_norm * fabs(t->n) / size);
+    const double z = p->z - down;
+    return (foot_place){z<-error, z> error && z<1 - error, z> 1 + error};
+}
+
+/* The nearest point of the lateral surface without its ends. */
+static int find_on_lateral(elliptic_question *q)
+{
+    if (!find_lateral_angle(&q->e, &q->plane, &q->at, q->rough))
+        return 0;
+    const tangent_plane *t = &q->plane;
+    const double l =
+        fabs(t->slope_of_n - t->n * t->half_q / t->q) + loss_of_plane(q);
+    q->curvature = q->inside ? inner_curvature(t, &q->at) : 0;
+    q->by = uncertainty_of_plane(q, l);
+    return q->inside ? q->curvature > 0 : rho_at_foot(q) > 16 * q->at.error;
+}
+
+static int find_on_rim(elliptic_question *q, int end)
+{
+    if (!find_rim_angle(&q->e, &q->rim, q->shape, &q->at, end, q->rough))
+        return NO_FEATURE;
+    const rim_place *r = &q->rim;
+    const double size = sum_of_sizes(q->at.D) + sum_of_sizes(r->F) +
+                        r->f * (sum_of_sizes(r->u) + sum_of_sizes(r->v));
+    const double g =
+        r->f * (fabs(dot_of(r->R, r->v)) +
+                CYLINT_ELLIPTIC_SAFETY_ERROR * size * sum_of_sizes(r->v));
+    q->curvature = rim_curvature(r);
+    if (!(q->curvature > 0))
+        return NO_FEATURE;
+    q->by = of_rim(r, g, q->curvature);
+    return end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0;
+}
+
+/* Whether the foot of the perpendicular on the plane of an end is in the ellipse:
+ * 1, 0, or -1 where it is not certain. */
+static int is_over_end(const elliptic_question *q, int end)
+{
+    const elliptic_place *p = &q->at;
+    const double up = (end ? p->z - 1 : p->z) / (p->z_norm * p->z_norm);
+    const double x = p->x - up * dot_of(p->Z, p->X),
+                 y = p->y - up * dot_of(p->Z, p->Y);
+    const double f = cylint_end_factor(q->shape, end);
+    const double error = 4 * (p->error + p->norm / p->z_norm * p->z_error) +
+                         8 * p->relative * p->norm * p->z_norm * fabs(up);
+    const double r = sqrt(x * x + y * y);
+    return r < f - error ? 1 : r > f + error ? 0 : -1;
+}
+
+/* The apex is at h times this from the base. */
+static double apex_share(const elliptic_place *p)
+{
+    return -1 / p->slope;
+}
+
+static void load_from_apex(double F[3], const elliptic_place *p,
+                           const cylint_shape *s)
+{
+    EACH(i, 3)
+        F[i] = p->D[i] - apex_share(p) * cylint_axis(s)[i];
+}
+
+/* Whether the apex of a cone is nearest of its nappe without ends: a point is
+ * behind the planes through the apex that are perpendicular to its rulings. */
+static int is_over_apex(const elliptic_question *q)
+{
+    const double *a = cylint_a(q->shape), *b = cylint_b(q->shape),
+                 *h = cylint_axis(q->shape);
+    const double k1 = q->at.slope, share = apex_share(&q->at);
+    double F[3];
+    load_from_apex(F, &q->at, q->shape);
+    const double Fa = dot_of(F, a), Fb = dot_of(F, b), Fh = dot_of(F, h);
+    const double error =
+        CYLINT_ELLIPTIC_SAFETY_ERROR *
+        (sum_of_sizes(q->at.D) + fabs(share) * sum_of_sizes(h)) *
+        (fabs(k1) * (sum_of_sizes(a) + sum_of_sizes(b)) + sum_of_sizes(h));
+    return (k1 < 0 ? Fh : -Fh) - fabs(k1) * sqrt(Fa * Fa + Fb * Fb) > error;
+}
+
+/* The nearest point of the end beyond which the lateral surface has its nearest
+ * point. */
+static int feature_of_end(elliptic_question *q, int end)
+{
+    const double above = end ? q->at.z - 1 : -q->at.z;
+    const unsigned caps = cylint_caps_present(q->shape->ends);
+    const int over = is_over_end(q, end);
+    q->inside = 0;
+    if (over && !(above < -q->at.z_error)) {
+        if (over < 0 || !(above > q->at.z_error) || !(caps >> end & 1))
+            return NO_FEATURE;
+        return end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
+    }
+    return cylint_sign(cylint_end_factor(q->shape, end)) == 0
+               ? NO_FEATURE
+               : find_on_rim(q, end);
+}
+
+/* Inside: the lateral surface or the nearer of the caps that are present.  A cap
+ * that is nearer than the lateral surface without ends has the foot of the
+ * perpendicular on its plane. */
+static int feature_inside(elliptic_question *q)
+{
+    const elliptic_place *p = &q->at;
+    const unsigned caps = cylint_caps_present(q->shape->ends);
+    const double size = sqrt(q->plane.q), lateral = -q->plane.n / size;
+    const double low = caps & 1 ? p->z / p->z_norm : HUGE_VAL,
+                 high = caps & 2 ? (1 - p->z) / p->z_norm : HUGE_VAL;
+    const int end = high < low;
+    const double cap = end ? high : low;
+    const double error = 4 * (p->z_error / p->z_norm + p->error / size) +
+                         q->by.distance +
+                         8 * p->relative * (1 / p->z_norm + lateral);
+    if (lateral < cap - error)
+        return caps == 3 || foot_on_plane(q).is_within ? CYLINT_FEATURE_LATERAL
+                                                       : NO_FEATURE;
+    if (!(cap < lateral - error) || !(fabs(high - low) > error))
+        return NO_FEATURE;
+    return end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
+}
+
+/* Inside, or within the lateral surface beyond an end. */
+static int feature_within(elliptic_question *q)
+{
+    const elliptic_place *p = &q->at;
+    const int bounded = cylint_is_bounded(q->shape);
+    q->inside = 1;
+    if (bounded && p->z < -p->z_error)
+        return feature_of_end(q, 0);
+    if (bounded && p->z > 1 + p->z_error)
+        return feature_of_end(q, 1);
+    if (bounded && !(p->z > p->z_error && p->z < 1 - p->z_error))
+        return NO_FEATURE;
+    if (!find_on_lateral(q))
+        return NO_FEATURE;
+    return bounded ? feature_inside(q) : CYLINT_FEATURE_LATERAL;
+}
+
+/* Turns a point beside the other nappe of a double cone about the apex. */
+static void turn_place(elliptic_place *p)
+{
+    p->x = -p->x;
+    p->y = -p->y;
+    p->rho = -p->rho;
+}
+
+/* Whether the other nappe of a double cone is farther: above one of its tangent
+ * planes. */
+static int is_nearer_nappe(const elliptic_question *q)
+{
+    const tangent_plane *t = &q->plane;
+    const double most = (1 + 0x1p-20) * (t->n + q->at.error) / sqrt(t->q) +
+                        q->by.distance;
+    elliptic_place turned = q->at;
+    tangent_plane other;
+    angle e = {-q->e.cos, -q->e.sin};
+    turn_place(&turned);
+    if (height_at(&turned, e) > most)
+        return 1;
+    return find_lateral_angle(&e, &other, &turned, 1) &&
+           (other.n - q->at.error) / sqrt(other.q) > most;
+}
+
+static int feature_outside(elliptic_question *q)
+{
+    const cylint_shape *s = q->shape;
+    const int bounded = cylint_is_bounded(s);
+    q->inside = 0;
+    if (s->ends != CYLINT_ENDS_INFINITE && q->at.slope != 0 &&
+        is_over_apex(q)) {
+        if (!bounded || cylint_sign(cylint_r1(s)) == 0)
+            return CYLINT_FEATURE_APEX;
+        return feature_of_end(q, q->at.slope < 0);
+    }
+    if (!find_on_lateral(q))
+        return NO_FEATURE;
+    if (!bounded)
+        return s->ends != CYLINT_ENDS_INFINITE || q->at.slope == 0 ||
+                       is_nearer_nappe(q)
+                   ? CYLINT_FEATURE_LATERAL
+                   : NO_FEATURE;
+    const foot_place foot = foot_on_plane(q);
+    return foot.is_within   ? CYLINT_FEATURE_LATERAL
+           : foot.is_before ? feature_of_end(q, 0)
+           : foot.is_after  ? feature_of_end(q, 1)
+                            : NO_FEATURE;
+}
+
+/* Whether no product of lengths overflows; of NaN, not. */
+static int is_ordinary_question(const cylint_shape *s, const double point[3])
+{
+    double size[3];
+    EACH(i, 3)
+        size[i] = (fabs(point[i] - cylint_base(s)[i]) + fabs(cylint_a(s)[i])) +
+                  (fabs(cylint_b(s)[i]) + fabs(cylint_axis(s)[i]));
+    return (size[0] + size[1]) + (size[2] + fabs(cylint_r1(s))) <=
+           CYLINT_ELLIPTIC_MOST;
+}
+
+static int turn_about_apex(elliptic_question *q)
+{
+    if (q->shape->ends != CYLINT_ENDS_INFINITE || !(q->at.rho < 0))
+        return 0;
+    turn_place(&q->at);
+    return 1;
+}
+
+/* -1 within the lateral surface without ends, 1 outside, 0 uncertain. */
+static int side_of_lateral(const elliptic_place *p)
+{
+    const double r = sqrt(p->x * p->x + p->y * p->y);
+    return r < p->rho - p->error ? -1 : r > p->rho + p->error;
+}
+
+/* side: side_of_lateral(). */
+static int find_feature_of(elliptic_question *q, int side)
+{
+    return side < 0   ? feature_within(q)
+           : side > 0 ? feature_outside(q)
+                      : NO_FEATURE;
+}
+
+#endif

@@ -1,0 +1,78 @@
+/*
+ * sized_pair.h - pairs with the sum of the sizes of their terms
+ *
+ * The error of a sum of products of numbers without an error is at most
+ * CYLINT_SIZED_ERROR times the sum of the sizes of its terms: where all terms are
+ * 0, so is the error.
+ */
+#ifndef CYLINT_SIZED_PAIR_H
+#define CYLINT_SIZED_PAIR_H
+
+#include "pair_lanes.h"
+
+typedef struct {
+    vpair v;
+    vd size;
+} sized;
+
+INLINE sized sized_product(sized x, sized y)
+{
+    return (sized){pairs_product(x.v, y.v), x.size * y.size};
+}
+
+INLINE sized sized_square(sized x)
+{
+    return (sized){pairs_square(x.v), x.size * x.size};
+}
+
+INLINE sized sized_sum(sized x, sized y)
+{
+    return (sized){vpair_add(x.v, y.v), x.size + y.size};
+}
+
+INLINE sized sized_difference(sized x, sized y)
+{
+    return (sized){vpair_sub(x.v, y.v), x.size + y.size};
+}
+
+INLINE sized sized_sum3(const sized x[3])
+{
+    const vpair v[3] = {x[0].v, x[1].v, x[2].v};
+    return (sized){pairs_sum3(v), x[0].size + x[1].size + x[2].size};
+}
+
+INLINE sized sized_of(vpair v)
+{
+    return (sized){v, v_abs(v.hi)};
+}
+
+INLINE sized sized_dot(const sized x[3], const sized y[3])
+{
+    sized p[3];
+    EACH(i, 3)
+        p[i] = sized_product(x[i], y[i]);
+    return sized_sum3(p);
+}
+
+/* x y - z t of doubles */
+INLINE sized sized_det(vd x, vd y, vd z, vd t)
+{
+    const vpair p = v_two_prod(x, y), q = v_two_prod(z, t);
+    return (sized){vpair_sub(p, q), v_abs(p.hi) + v_abs(q.hi)};
+}
+
+INLINE void sized_cross(sized to[3], const double u[3], const double v[3])
+{
+    EACH(i, 3) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        to[i] = sized_det(v_set(u[j]), v_set(v[k]), v_set(u[k]), v_set(v[j]));
+    }
+}
+
+/* x p + y q */
+INLINE sized sized_sum2(sized x, sized p, sized y, sized q)
+{
+    return sized_sum(sized_product(x, p), sized_product(y, q));
+}
+
+#endif
