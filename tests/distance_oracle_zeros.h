@@ -14,7 +14,7 @@
 #define RND MPFR_RNDN
 
 enum {
-    BITS = 1000,
+    BITS = 1600,
     FEW_BITS = 128,
     MOVED = 240,
     DEGREE = 4,
