@@ -46,17 +46,18 @@ typedef struct {
 
 enum { CYLINT_SECULAR_STEPS = 40, CYLINT_ANGLE_STEPS = 12 };
 
-/* A point in the coordinates x, y, z of a shape. */
+/* A point in the coordinates x, y, z of a shape.  Beside the other nappe of a
+ * double cone it is turned about the apex: x, y and rho have the other signs. */
 typedef struct {
     double D[3], X[3], Y[3], Z[3]; /* from the base; the rows of the matrix */
     double x, y, z, rho, slope;    /* slope: k - 1 */
     double error, z_error;         /* of x, y and rho together; of z */
-    double relative; /* of the length of a row of the matrix */
-    int is_central;  /* x and y are 0, and z is across x and y: angles that are half
-                        a turn apart are equal */
-    double norm,
-        z_norm; /* what x, y and rho, and z gain along a unit vector, at
-                            most */
+    double relative;               /* the error of the length of a row */
+    double norm, z_norm; /* x, y and rho, and z change by no more along a unit
+                            vector */
+    int is_turned;
+    int is_central; /* x and y are 0, and z is across x and y: angles half a turn
+                       apart are equal */
 } elliptic_place;
 
 INLINE double dot_of(const double u[3], const double v[3])
@@ -193,6 +194,12 @@ static angle highest_of(const principal_axes *axes, angle e,
     return best;
 }
 
+/* From half a turn on. */
+INLINE int is_second(angle at)
+{
+    return at.sin < 0 || (at.sin == 0 && at.cos < 0);
+}
+
 /* Writes the angle, and its tangent plane.  rough: an angle with an error
  * of about CYLINT_ROUGH_ANGLE is enough.  Returns 0 if the iteration did not come to an end. */
 static int find_lateral_angle(angle *at, tangent_plane *t,
@@ -209,7 +216,8 @@ static int find_lateral_angle(angle *at, tangent_plane *t,
     const angle e = secular_angle(ratio * long_way / r, short_way / r,
                                   axes.gap / axes.least, rough);
     *at = highest_of(&axes, e, p);
-    if (p->is_central && (at->sin < 0 || (at->sin == 0 && at->cos < 0)))
+    if (p->is_central &&
+        is_second(*at) == !p->is_turned) /* the other one has the least phi */
         *at = (angle){-at->cos, -at->sin};
     for (int i = 0; i < CYLINT_ANGLE_STEPS; i++) {
         load_tangent_plane(t, p, *at);

@@ -83,6 +83,7 @@ static void locate_by_pairs(elliptic_place *p, const elliptic_numbers *m,
         p->Y[i] = whole(m->V[i].v) * inverse;
         p->Z[i] = whole(m->W[i].v) * inverse;
     }
+    p->is_turned = 0;
     p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
     p->x = whole(m->x.v) * inverse;
     p->y = whole(m->y.v) * inverse;
@@ -92,9 +93,9 @@ static void locate_by_pairs(elliptic_place *p, const elliptic_numbers *m,
         error_of(m->x, unit) + error_of(m->y, unit) + error_of(m->rho, unit);
     p->z_error = error_of(m->z, unit);
     p->relative = 16 * CYLINT_ROUNDING;
-    const int across = !cylint_is_tapered(s->kind) ||
-                       (sized_dot(m->U, m->W).size == 0 &&
-                        sized_dot(m->V, m->W).size == 0);
+    const int across =
+        !cylint_is_tapered(s->kind) ||
+        (sized_dot(m->U, m->W).size == 0 && sized_dot(m->V, m->W).size == 0);
     p->is_central = m->x.size == 0 && m->y.size == 0 && across;
     p->z_norm = sqrt(dot_of(p->Z, p->Z));
     p->norm = sqrt(dot_of(p->X, p->X) + dot_of(p->Y, p->Y)) +
@@ -327,7 +328,8 @@ static bounded height_by_triples(const elliptic_question *q,
 {
     triple_numbers x;
     load_triples(&x, m, q->shape);
-    triple n = height_in_triples(&x, q->shape, e);
+    const triple height = height_in_triples(&x, q->shape, e);
+    const triple n = q->at.is_turned ? triple_neg(height) : height;
     const vpair d = pairs_product(v_two_sum(n.a, n.b + n.c), t->inverse);
     return (bounded){d, CYLINT_CLOSE_ERROR * t->n.size * t->inverse.hi +
                             fabs(d.hi) * lost + more};
@@ -598,6 +600,7 @@ static void locate_in_doubles(elliptic_place *p, const cylint_shape *s,
         p->Y[i] = cylint_column(s, i)[1];
         p->Z[i] = cylint_column(s, i)[2] * unit;
     }
+    p->is_turned = 0;
     p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
     p->x = dot_of(p->D, p->X);
     p->y = dot_of(p->D, p->Y);
@@ -642,8 +645,8 @@ static double distance_in_doubles(const elliptic_question *q)
         return height_less(above > 0 ? above : below, p->z_error, p->z_norm,
                            4 * p->relative * p->z_norm);
     case CYLINT_FEATURE_APEX:
-        size = sum_of_sizes(p->D) + fabs(apex_share(p)) *
-                                        sum_of_sizes(cylint_axis(q->shape));
+        size = sum_of_sizes(p->D) +
+               fabs(apex_share(p)) * sum_of_sizes(cylint_axis(q->shape));
         load_from_apex(F, p, q->shape);
         return sqrt(dot_of(F, F)) - u * size;
     default:

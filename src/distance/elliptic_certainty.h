@@ -6,11 +6,12 @@
  * (elliptic_angle.h), which is 0 at the nearest point.
  *
  * Outside the lateral surface the height h is a lower bound of the distance.  The
- * foot on the tangent plane has (x, y).e = rho and l across e.  A little deeper,
- * by l^2 / (2 rho |N|) and more, (x, y)^2 <= rho^2: this point is in the solid.
- * So the distance is larger than h by no more than that, and the nearest point,
- * above the tangent plane and in the ball of that radius, is within
- * l sqrt(h / (rho |N|)) of the foot.
+ * foot on the tangent plane has (x, y).e = rho and l across e.  At d = l^2 / (rho
+ * |N|) below it, (x, y).e has lost d |N|, which is twice what is needed for
+ * (x, y)^2 <= rho^2, if l is so small that the other changes are small: at most 1/8
+ * of rho and of l.  That point is in the solid.  So the distance is at most h + d,
+ * and the nearest point, below the tangent plane and in the ball of that radius, is
+ * within sqrt(2 h d) + 2 d of the foot.
  *
  * Inside, h^2 < n^2 / N.N for all other angles is wanted, and from a rim
  * R.R is to be the least.  With h or R of this angle, and t the tangent of half the
@@ -19,7 +20,8 @@
  * are polynomials 4 g t (1 + t^2) + t^2 (K2 + K3 t + K4 t^2), where g is n l or
  * -f R.v.  Where K2 + K3 t + K4 t^2 >= k (1 + t^2) with k > 0, the square of the
  * distance is less than that at this angle by at most 4 g^2 / k, and the nearest
- * angle has t <= 4 g / k.
+ * angle has t <= 4 g / k.  The lesser h changes K2 to K4 by less than k / 2 where
+ * 8 l h |norm| <= k.
  */
 #ifndef CYLINT_ELLIPTIC_CERTAINTY_H
 #define CYLINT_ELLIPTIC_CERTAINTY_H
@@ -32,6 +34,8 @@ typedef struct {
     double distance, away, turn;
 } uncertainty;
 
+static const uncertainty unknown = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+
 /* k from the coefficients of 1 - cos, sin^2, sin (1 - cos) and (1 - cos)^2 of the
  * turn, less their error. */
 static double least_curvature(double p1, double p2, double p3, double p4,
@@ -42,20 +46,27 @@ static double least_curvature(double p1, double p2, double p3, double p4,
     return 0.5 * (K2 + K4) - sqrt(middle * middle + half * half) - error;
 }
 
+/* The relative error of N, whose terms can cancel. */
+static double lost_of_normal(const tangent_plane *t, const elliptic_place *p)
+{
+    return 4 * p->relative * p->norm / sqrt(t->q);
+}
+
 /* Of tangent planes, for a point on the inner side of all. */
 static double inner_curvature(const tangent_plane *t, const elliptic_place *p)
 {
     const double a = t->n + p->rho, b = t->slope_of_n;
     const double hh = t->n * t->n / t->q;
     const double size = fabs(p->x) + fabs(p->y) + fabs(p->rho);
+    const double of_N = hh * p->norm * p->norm;
+    const double error = CYLINT_CURVATURE_ERROR * (size * size + of_N) +
+                         16 * lost_of_normal(t, p) * of_N;
     if (p->is_central) /* n^2 - h^2 N.N is 0 at both angles: k of its sin^2 */
-        return 4 * hh * (dot_of(t->U, t->U) - dot_of(t->V, t->V)) -
-               CYLINT_CURVATURE_ERROR * hh * p->norm * p->norm;
-    return least_curvature(
-        2 * (hh * dot_of(t->N, t->U) - t->n * a),
-        b * b - hh * dot_of(t->V, t->V), 2 * (hh * dot_of(t->U, t->V) - a * b),
-        a * a - hh * dot_of(t->U, t->U),
-        CYLINT_CURVATURE_ERROR * (size * size + hh * p->norm * p->norm));
+        return 4 * hh * (dot_of(t->U, t->U) - dot_of(t->V, t->V)) - error;
+    return least_curvature(2 * (hh * dot_of(t->N, t->U) - t->n * a),
+                           b * b - hh * dot_of(t->V, t->V),
+                           2 * (hh * dot_of(t->U, t->V) - a * b),
+                           a * a - hh * dot_of(t->U, t->U), error);
 }
 
 static double rim_curvature(const rim_place *r)
@@ -81,18 +92,25 @@ static double turn_of_normal(const tangent_plane *t)
 }
 
 /* l: at most so large.  rho: at the foot.  The normals of the nearest point and of
- * the angle differ by 2 away / h at most, and (x, y) by away times the norm. */
+ * the angle differ by 2 away / h at most, and (x, y) of the nearest point and of the
+ * foot, which is l beside the direction of the angle, by away times the norm. */
 static uncertainty outside_lateral(const tangent_plane *t,
                                    const elliptic_place *p, double l,
                                    double rho)
 {
     const double size = sqrt(t->q), h = (fabs(t->n) + p->error) / size;
-    const double away = 2 * l * sqrt(h / (rho * size));
-    const double by_foot = p->norm / rho,
-                 by_normal = t->q / (h * turn_of_normal(t));
-    return (uncertainty){l * l / (rho * size), away,
-                         4 * away *
-                             (by_normal < by_foot ? by_normal : by_foot)};
+    const double deeper = l * l / (rho * size);
+    const double away = 2 * (l * sqrt(h / (rho * size)) + deeper);
+    /* what V and the gradient of rho gain along N, at most */
+    const double beside =
+        (fabs(t->half_q) + fabs(p->slope * dot_of(p->Z, t->N))) / size +
+        4 * p->relative * p->norm;
+    if (!(8 * l * beside <= rho * size) || !(8 * l <= rho))
+        return unknown;
+    const double by_foot = (p->norm * away + l) / rho,
+                 by_normal = away * t->q / (h * turn_of_normal(t));
+    return (uncertainty){deeper, away,
+                         4 * (by_normal < by_foot ? by_normal : by_foot)};
 }
 
 static uncertainty inside_lateral_surface(const tangent_plane *t,
@@ -101,6 +119,8 @@ static uncertainty inside_lateral_surface(const tangent_plane *t,
 {
     const double n = fabs(t->n) + p->error, size = sqrt(t->q), h = n / size;
     const double distance = 4 * h * l * l / k, turn = 16 * n * l / k;
+    if (!(8 * l * h * p->norm <= k))
+        return unknown;
     return (uncertainty){distance, distance + h * p->norm / size * turn, turn};
 }
 

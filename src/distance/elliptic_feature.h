@@ -30,19 +30,37 @@ typedef struct {
     double curvature;
 } elliptic_question;
 
-/* The error of l, in pairs or in doubles. */
+/* The error of l. */
 static double loss_of_plane(const elliptic_question *q)
 {
-    const double size = sqrt(q->plane.q);
-    return 4 * (1 + q->at.norm / size) *
-           (q->at.error +
-            q->at.relative * fabs(q->plane.n) * q->at.norm / size);
+    const double ratio = q->at.norm / sqrt(q->plane.q);
+    return 4 * (1 + ratio) *
+           (q->at.error + lost_of_normal(&q->plane, &q->at) * fabs(q->plane.n));
 }
 
-static double rho_at_foot(const elliptic_question *q)
+/* z of the foot on the tangent plane is that of the point less `down`. */
+typedef struct {
+    double down, error;
+} foot_on_plane;
+
+static foot_on_plane drop_on_plane(const elliptic_question *q)
 {
     const tangent_plane *t = &q->plane;
-    return q->at.rho - q->at.slope * (t->n / t->q) * dot_of(t->N, q->at.Z);
+    const elliptic_place *p = &q->at;
+    const double size = sqrt(t->q), h = fabs(t->n) / size;
+    return (foot_on_plane){
+        t->n / t->q * dot_of(t->N, p->Z),
+        4 * p->z_norm *
+            (p->error / size +
+             h * (lost_of_normal(&q->plane, &q->at) + p->relative))};
+}
+
+/* rho at the foot, at least. */
+static double rho_at_foot(const elliptic_question *q)
+{
+    const foot_on_plane foot = drop_on_plane(q);
+    return q->at.rho - q->at.slope * foot.down - q->at.error -
+           fabs(q->at.slope) * foot.error;
 }
 
 /* From the largest l. */
@@ -53,22 +71,18 @@ static uncertainty uncertainty_of_plane(const elliptic_question *q, double l)
                : outside_lateral(&q->plane, &q->at, l, rho_at_foot(q));
 }
 
-/* z of the nearest point of the lateral surface: is_after: beyond the top;
- * is_before: below the base. */
+/* Where the nearest point of the lateral surface is: below the base, between the
+ * ends, beyond the top. */
 typedef struct {
     int is_before, is_within, is_after;
 } foot_place;
 
-static foot_place foot_on_plane(const elliptic_question *q)
+static foot_place place_of_foot(const elliptic_question *q)
 {
-    const tangent_plane *t = &q->plane;
     const elliptic_place *p = &q->at;
-    const double size = sqrt(t->q);
-    const double down = t->n / t->q * dot_of(t->N, p->Z);
-    const double error =
-        4 * (p->z_error + p->z_norm * (p->error / size + q->by.away)) +
-        8 * p->relative * (fabs(down) + p->z_norm * fabs(t->n) / size);
-    const double z = p->z - down;
+    const foot_on_plane foot = drop_on_plane(q);
+    const double z = p->z - foot.down;
+    const double error = foot.error + 4 * (p->z_error + p->z_norm * q->by.away);
     return (foot_place){z<-error, z> error && z<1 - error, z> 1 + error};
 }
 
@@ -82,7 +96,8 @@ static int find_on_lateral(elliptic_question *q)
         fabs(t->slope_of_n - t->n * t->half_q / t->q) + loss_of_plane(q);
     q->curvature = q->inside ? inner_curvature(t, &q->at) : 0;
     q->by = uncertainty_of_plane(q, l);
-    return q->inside ? q->curvature > 0 : rho_at_foot(q) > 16 * q->at.error;
+    return lost_of_normal(&q->plane, &q->at) < 0x1p-10 &&
+           (q->inside ? q->curvature > 0 : rho_at_foot(q) > 0);
 }
 
 static int find_on_rim(elliptic_question *q, int end)
@@ -181,7 +196,7 @@ static int feature_inside(elliptic_question *q)
                          q->by.distance +
                          8 * p->relative * (1 / p->z_norm + lateral);
     if (lateral < cap - error)
-        return caps == 3 || foot_on_plane(q).is_within ? CYLINT_FEATURE_LATERAL
+        return caps == 3 || place_of_foot(q).is_within ? CYLINT_FEATURE_LATERAL
                                                        : NO_FEATURE;
     if (!(cap < lateral - error) || !(fabs(high - low) > error))
         return NO_FEATURE;
@@ -211,6 +226,7 @@ static void turn_place(elliptic_place *p)
     p->x = -p->x;
     p->y = -p->y;
     p->rho = -p->rho;
+    p->is_turned = !p->is_turned;
 }
 
 /* Whether the other nappe of a double cone is farther: above one of its tangent
@@ -218,8 +234,8 @@ static void turn_place(elliptic_place *p)
 static int is_nearer_nappe(const elliptic_question *q)
 {
     const tangent_plane *t = &q->plane;
-    const double most = (1 + 0x1p-20) * (t->n + q->at.error) / sqrt(t->q) +
-                        q->by.distance;
+    const double most =
+        (1 + 0x1p-20) * (t->n + q->at.error) / sqrt(t->q) + q->by.distance;
     elliptic_place turned = q->at;
     tangent_plane other;
     angle e = {-q->e.cos, -q->e.sin};
@@ -248,7 +264,7 @@ static int feature_outside(elliptic_question *q)
                        is_nearer_nappe(q)
                    ? CYLINT_FEATURE_LATERAL
                    : NO_FEATURE;
-    const foot_place foot = foot_on_plane(q);
+    const foot_place foot = place_of_foot(q);
     return foot.is_within   ? CYLINT_FEATURE_LATERAL
            : foot.is_before ? feature_of_end(q, 0)
            : foot.is_after  ? feature_of_end(q, 1)
