@@ -43,16 +43,6 @@ enum { ANY_FEATURE = -1 };
  * smaller one is 0. */
 #define VECTOR_ERROR 0x1p-100
 
-/* The error of a square of a distance in doubles (rough_square()), relative to its
- * terms: about 2^5 operations of 2^-53 each, and as much again of the zeros. */
-#define ROUGH_ERROR 0x1p-40
-
-/* The error of z and rho at a rough zero, relative to their terms.  The angle has
- * an error of 1/16 of the distance g to the next turn of the form; turns with g
- * below 2^-22 next to a pair of zeros, or 2^-11 next to four, are uncertain
- * (critical.c). */
-#define ROUGH_ANGLE 0x1p-10
-
 /* A point of the surface. */
 typedef struct {
     int part, feature; /* part -1: none */
@@ -70,10 +60,7 @@ typedef struct {
     stationary form[CYLINT_FEATURE_APEX]; /* of lateral surface and rims */
     int only;        /* the feature to be found, or ANY_FEATURE */
     int inside;      /* the point is inside a solid with both caps */
-    int has_lateral; /* there is a candidate on the lateral surface, perhaps too
-                        far away */
-    double size;     /* about that of the longest length */
-    double least;    /* the least square of a distance is not larger */
+    int has_lateral; /* there is a candidate on the lateral surface */
     candidate best;
     triple N[3];   /* its normal, but for the length */
     pair distance; /* of it */
@@ -145,31 +132,6 @@ static int compare(const search *s, const candidate *x)
                        ORDER_ERROR * error);
 }
 
-static double square_of(double x, double y, double z)
-{
-    return x * x + y * y + z * z;
-}
-
-/* `share` times the error of a square is that of its distance from the
- * surface. */
-static double rough_error(const search *s, double share)
-{
-    return ROUGH_ERROR * s->size * s->size * (1 + share);
-}
-
-static void bound_least(search *s, double square, double share)
-{
-    const double most = square + rough_error(s, share);
-    if (most < s->least)
-        s->least = most;
-}
-
-/* Whether a rough candidate cannot be the nearest. */
-static int is_too_far(const search *s, double square, double share)
-{
-    return square - rough_error(s, share) > s->least;
-}
-
 /* Accepts a candidate if it is nearer than all before, or as near and of an
  * earlier part or of smaller phi. */
 static void offer(search *s, const candidate *x)
@@ -177,7 +139,6 @@ static void offer(search *s, const candidate *x)
     const candidate *best = &s->best;
     if (s->only != ANY_FEATURE && x->feature != s->only)
         return;
-    bound_least(s, square_of(x->R[0].a, x->R[1].a, x->R[2].a), 0);
     const int order = best->part < 0 ? -1 : compare(s, x);
     if (order < 0 ||
         (order == 0 && (x->part < best->part ||
@@ -212,42 +173,6 @@ static int is_within(const search *s, triple z, double rho)
     return s->p.shape->ends == CYLINT_ENDS_INFINITE ? rho != 0 : rho > 0;
 }
 
-/* The point of a ruling that is nearest, in doubles.  share: rough_error(). */
-typedef struct {
-    double square, share, z, rho;
-} rough_point;
-
-static rough_point on_ruling(const search *s, direction at)
-{
-    const elliptic_terms *p = &s->p;
-    double E[3], v[3], vv = 0, Ev = 0;
-    for (int i = 0; i < 3; i++) {
-        const double u = p->a[i].a * at.cos.a + p->b[i].a * at.sin.a;
-        v[i] = p->g[i].a + p->k1.a * u;
-        E[i] = p->Q[i].a - p->near * u;
-        vv += v[i] * v[i];
-        Ev += E[i] * v[i];
-    }
-    const double z = Ev / vv;
-    return (rough_point){
-        square_of(E[0] - z * v[0], E[1] - z * v[1], E[2] - z * v[2]), 1 / vv, z,
-        p->near + p->k1.a * z};
-}
-
-/* 1: the point is on the nappe and between the ends, -1: it is not, 0: the
- * roundings do not tell. */
-static int rough_place(const search *s, const rough_point *x, int nappe)
-{
-    const double error = ROUGH_ANGLE * s->size * (1 + x->share);
-    const double z = x->z * s->p.stretch, off = error * s->p.stretch;
-    const double rho = nappe * x->rho;
-    const int bounded =
-        cylint_is_bounded(s->p.shape) && !s->inside && s->only == ANY_FEATURE;
-    if (rho < -error || (bounded && (z < -off || z > s->p.near + off)))
-        return -1;
-    return rho > error && (!bounded || (z > off && z < s->p.near - off));
-}
-
 /* nappe: the sign of rho that is wanted. */
 static void try_lateral(search *s, const direction *at, int nappe)
 {
@@ -263,6 +188,7 @@ static void try_lateral(search *s, const direction *at, int nappe)
         return;
     for (int i = 0; i < 3; i++)
         x.zv[i] = triple_mul(x.z, v[i]);
+    s->has_lateral = 1;
     place(s, &x, nowhere, s->p.a, at->cos, s->p.b, at->sin);
     offer(s, &x);
 }
@@ -443,83 +369,44 @@ static int has_outward(search *s)
 static void search_lateral(search *s)
 {
     direction at[CYLINT_MOST_CRITICAL];
-    rough_point x[CYLINT_MOST_CRITICAL];
     stationary *form = &s->form[CYLINT_FEATURE_LATERAL];
     const int last = s->p.shape->ends == CYLINT_ENDS_INFINITE ? -1 : 1;
     if (s->only != ANY_FEATURE && s->only != CYLINT_FEATURE_LATERAL)
         return;
     cylint_lateral_form(&s->p, form);
     const int n = cylint_critical_directions(form, at);
-    for (int i = 0; i < n; i++) {
-        x[i] = on_ruling(s, at[i]);
-        for (int nappe = 1; nappe >= last; nappe -= 2)
-            if (rough_place(s, &x[i], nappe) > 0) {
-                bound_least(s, x[i].square, x[i].share);
-                s->has_lateral = 1;
-            }
-    }
+    for (int i = 0; i < n; i++)
+        at[i] = cylint_correct_direction(form, at[i]);
     for (int nappe = 1; nappe >= last; nappe -= 2)
-        for (int i = 0; i < n; i++) {
-            if (is_too_far(s, x[i].square, x[i].share) ||
-                rough_place(s, &x[i], nappe) < 0)
-                continue;
-            const direction exactly = cylint_correct_direction(form, at[i]);
-            try_lateral(s, &exactly, nappe);
-        }
+        for (int i = 0; i < n; i++)
+            try_lateral(s, &at[i], nappe);
 }
 
-/* The stationary points of a rim. */
-typedef struct {
-    stationary *form;
-    direction at[CYLINT_MOST_CRITICAL];
-    double square[CYLINT_MOST_CRITICAL];
-    int n;
-} rim_points;
-
-static void load_rim(search *s, int end, rim_points *rim)
+static void search_rim(search *s, int end)
 {
     triple from[3];
-    const elliptic_terms *p = &s->p;
-    const double factor = cylint_end_factor(p->shape, end);
-    rim->form = &s->form[end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0];
-    cylint_from_end(p, end, from);
-    cylint_rim_form(p, from, factor, rim->form);
-    rim->n = cylint_critical_directions(rim->form, rim->at);
-    for (int i = 0; i < rim->n; i++) {
-        double R[3];
-        for (int k = 0; k < 3; k++)
-            R[k] = from[k].a - p->near * factor *
-                                   (p->a[k].a * rim->at[i].cos.a +
-                                    p->b[k].a * rim->at[i].sin.a);
-        rim->square[i] = square_of(R[0], R[1], R[2]);
-        bound_least(s, rim->square[i], 0);
+    direction at[CYLINT_MOST_CRITICAL];
+    stationary *form =
+        &s->form[end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0];
+    cylint_from_end(&s->p, end, from);
+    cylint_rim_form(&s->p, from, cylint_end_factor(s->p.shape, end), form);
+    const int n = cylint_critical_directions(form, at);
+    for (int i = 0; i < n; i++) {
+        at[i] = cylint_correct_direction(form, at[i]);
+        try_rim(s, end, &at[i]);
     }
-}
-
-static void search_rim(search *s, int end, const rim_points *rim)
-{
-    for (int i = 0; i < rim->n; i++)
-        if (!is_too_far(s, rim->square[i], 0)) {
-            const direction at =
-                cylint_correct_direction(rim->form, rim->at[i]);
-            try_rim(s, end, &at);
-        }
 }
 
 /* Rims, and the apex that an end of radius 0 is. */
 static void search_ends(search *s)
 {
-    rim_points rim[2];
     for (int end = 0; end < 2; end++) {
         const int feature = end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0;
-        rim[end].n = 0;
         if (cylint_sign(cylint_end_factor(s->p.shape, end)) == 0)
             try_apex(s, s->p.h, triple_of(end));
         else if (s->only == ANY_FEATURE || s->only == feature)
-            load_rim(s, end, &rim[end]);
+            search_rim(s, end);
     }
-    for (int end = 0; end < 2; end++)
-        search_rim(s, end, &rim[end]);
 }
 
 /* The apex of an unbounded cone is at -h / k1. */
@@ -662,8 +549,6 @@ double cylint_elliptic_distance(const cylint_shape *shape,
     s.best.part = -1;
     s.inside = side > 0 && shape->ends == CYLINT_ENDS_CAPPED;
     s.has_lateral = 0;
-    s.size = 4 + fabs(s.p.Q[0].a) + fabs(s.p.Q[1].a) + fabs(s.p.Q[2].a);
-    s.least = HUGE_VAL;
     if (side == 0)
         s.only = feature_on_boundary(shape, point);
     const int is_on = s.only != ANY_FEATURE;
