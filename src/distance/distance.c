@@ -3,6 +3,7 @@
  */
 #include "../dispatch.h"
 #include "cylint_distance.h"
+#include "boundary.h"
 #include "elliptic.h"
 #include "exact_distance.h"
 #include "one_distance.h"
@@ -65,16 +66,53 @@ static int flushes_a_coordinate(const cylint_shape *shape,
     return small && cylint_flushes_subnormals();
 }
 
+#define OF_BUILD(name) \
+    CYLINT_OF_BUILD(cylint_build_used(), name##_plain, name##_fma, name##_fma)
+
+/* A point for which cylint_contains() is 0.  Returns the members that are left:
+ * all where its part is missing. */
+ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
+                                  const double point[3], unsigned want,
+                                  cylint_closest *answer)
+{
+    const int feature = cylint_boundary_feature(shape, point);
+    const int elliptic = cylint_is_elliptic(shape->kind);
+    if (feature == CYLINT_NO_FEATURE)
+        return want;
+    answer->distance = 0;
+    if (want & CYLINT_WANT_PART) {
+        answer->part = cylint_feature_part(feature);
+        answer->feature = feature;
+    }
+    if (want & CYLINT_WANT_POINT)
+        EACH(i, 3)
+            answer->point[i] = cylint_positive_zero(point[i]);
+    if (!(want & CYLINT_WANT_NORMAL))
+        return 0;
+    const int known =
+        (elliptic ? OF_BUILD(cylint_elliptic_normal)
+                  : kernels()->normal)(shape, point, feature, answer->normal);
+    return known ? 0 : CYLINT_WANT_NORMAL;
+}
+
 static unsigned elliptic_in_pairs(const cylint_shape *shape,
                                   const double point[3], unsigned want,
                                   cylint_closest *answer)
 {
     if (!cylint_rounds_to_nearest())
         return want;
-    return CYLINT_OF_BUILD(cylint_build_used(), cylint_elliptic_in_pairs_plain,
-                           cylint_elliptic_in_pairs_fma,
-                           cylint_elliptic_in_pairs_fma)(shape, point, want,
-                                                         answer);
+    const unsigned left =
+        OF_BUILD(cylint_elliptic_in_pairs)(shape, point, want, answer);
+    return left & CYLINT_WANT_DISTANCE && cylint_contains(shape, point) == 0
+               ? answer_on_boundary(shape, point, want, answer)
+               : left;
+}
+
+/* Whether cylint_boundary_feature() serves the shape, and not the template. */
+static int has_boundary(const cylint_shape *shape)
+{
+    return shape->kind == CYLINT_KIND_CYLINDER ||
+           shape->kind == CYLINT_KIND_CONE;
 }
 
 /* The members of `want` that heads and tails, pairs and triples leave. */
@@ -96,7 +134,9 @@ static unsigned left_by_doubles(const cylint_shape *shape,
     if (!(left & CYLINT_ON_SURFACE) || cylint_contains(shape, point) != 0)
         return left;
     /* The point is on the boundary of the solid. */
-    if (left & CYLINT_WANT_PART)
+    if (has_boundary(shape) && (!is_closed(shape) || left & CYLINT_WANT_PART))
+        return answer_on_boundary(shape, point, want, answer);
+    if (!is_closed(shape) || left & CYLINT_WANT_PART)
         return left;
     answer->distance = 0;
     if (want & CYLINT_WANT_POINT)

@@ -27,9 +27,10 @@
 
 #include "../shapes/shape_facts.h"
 #include "../signs/sign.h"
+#include "boundary.h"
 #include "elliptic_terms.h"
 
-enum { ANY_FEATURE = -1 };
+enum { ANY_FEATURE = CYLINT_NO_FEATURE };
 
 /* The error of a distance relative to the longest length, for shapes with a
  * volume a.(b x h) of at least FLAT of the cube of the longest of a, b and h. */
@@ -452,32 +453,6 @@ static void search_all(search *s, int side)
 
 /* ---------------------------------------------------------- the answer -- */
 
-/* The feature that a point of the boundary of the solid lies on; ANY_FEATURE:
- * `ends` leaves out that part. */
-static int feature_on_boundary(const cylint_shape *shape, const double point[3])
-{
-    static const double along[3] = {1, 0, 0};
-    const unsigned caps = cylint_caps_present(shape->ends);
-    cylint_line line;
-    cylint_query q;
-    cylint_whole_line(&line, point, along);
-    cylint_query_open(&q, shape, &line);
-    const int bounded = cylint_is_bounded(shape);
-    const int at0 = bounded && cylint_form_sign(&q, FORM_ALPHA, 0) == 0;
-    const int at1 = bounded && !at0 && cylint_form_sign(&q, FORM_ALPHA, 1) == 0;
-    if (cylint_form_sign(&q, FORM_C, 0) == 0) {
-        if (cylint_is_tapered(shape->kind) &&
-            cylint_form_sign(&q, FORM_RHO0, 0) == 0)
-            return CYLINT_FEATURE_APEX;
-        return at0   ? CYLINT_FEATURE_RIM0
-               : at1 ? CYLINT_FEATURE_RIM1
-                     : CYLINT_FEATURE_LATERAL;
-    }
-    return at0 && (caps & 1)   ? CYLINT_FEATURE_CAP0
-           : at1 && (caps & 2) ? CYLINT_FEATURE_CAP1
-                               : ANY_FEATURE;
-}
-
 /* The coordinate base + G + z v.  The exponents of the terms can differ by more
  * than the range of doubles.  G_terms and zv_terms: their sizes. */
 static double point_of(const search *s, int i, triple zv, double G_terms,
@@ -550,7 +525,7 @@ double cylint_elliptic_distance(const cylint_shape *shape,
     s.inside = side > 0 && shape->ends == CYLINT_ENDS_CAPPED;
     s.has_lateral = 0;
     if (side == 0)
-        s.only = feature_on_boundary(shape, point);
+        s.only = cylint_boundary_feature(shape, point);
     const int is_on = s.only != ANY_FEATURE;
     search_all(&s, side);
     describe(&s);

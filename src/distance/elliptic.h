@@ -20,6 +20,13 @@ unsigned cylint_elliptic_in_pairs_fma(const cylint_shape *shape,
                                       const double point[3], unsigned want,
                                       cylint_closest *answer);
 
+/* The normal at a point of a feature, where it is certain: returns 1. */
+int cylint_elliptic_normal_plain(const cylint_shape *shape,
+                                 const double point[3], int feature,
+                                 double normal[3]);
+int cylint_elliptic_normal_fma(const cylint_shape *shape, const double point[3],
+                               int feature, double normal[3]);
+
 /* A lower bound of the absolute distance from a prepared shape, in doubles, in
  * any rounding mode; 0 or less, or NaN, where there is none. */
 double cylint_elliptic_safety_plain(const cylint_shape *shape,

@@ -26,6 +26,7 @@
 
 #ifndef CYLINT_ELLIPTIC_IN_PAIRS
 #define CYLINT_ELLIPTIC_IN_PAIRS cylint_elliptic_in_pairs_plain
+#define CYLINT_ELLIPTIC_NORMAL cylint_elliptic_normal_plain
 #define CYLINT_ELLIPTIC_SAFETY cylint_elliptic_safety_plain
 #endif
 
@@ -127,14 +128,14 @@ static int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
                          const cylint_shape *s, const double point[3])
 {
     if (!is_ordinary_question(s, point))
-        return NO_FEATURE;
+        return CYLINT_NO_FEATURE;
     q->shape = s;
     q->rough = 0;
     load_numbers(m, s, point);
     if (!(CYLINT_SIZED_ERROR * m->volume.size <=
           CYLINT_ROUNDING * fabs(m->volume.v.hi)) ||
         !(fabs(m->volume.v.hi) >= CYLINT_DISTANCE_LEAST))
-        return NO_FEATURE;
+        return CYLINT_NO_FEATURE;
     locate_by_pairs(&q->at, m, s);
     if (turn_about_apex(q))
         turn_numbers_about_apex(m);
@@ -562,7 +563,7 @@ unsigned CYLINT_ELLIPTIC_IN_PAIRS(const cylint_shape *shape,
     if (want & CYLINT_WANT_GEOMETRY && has_tiny(shape, point))
         return want;
     q.feature = find_in_pairs(&q, &m, shape, point);
-    if (q.feature == NO_FEATURE)
+    if (q.feature == CYLINT_NO_FEATURE)
         return want;
     int exactly = (want & CYLINT_WANT_GEOMETRY) != 0, known = 0;
     for (; exactly <= 2 && !known; exactly++) {
@@ -585,6 +586,65 @@ unsigned CYLINT_ELLIPTIC_IN_PAIRS(const cylint_shape *shape,
     if (want & CYLINT_WANT_NORMAL && rounds_to(a.normal, answer->normal))
         want &= ~(unsigned)CYLINT_WANT_NORMAL;
     return want;
+}
+
+/* ---------------------------------------------- points of the surface -- */
+
+/* (x, y) over its length, and the error of the angle. */
+static direction_pair direction_of_point(const elliptic_numbers *m,
+                                         double *turn)
+{
+    vpair inverse;
+    const sized square = sized_sum(sized_square(m->x), sized_square(m->y));
+    pairs_root(square.v, &inverse);
+    const direction_pair e = direction_of(pairs_product(m->x.v, inverse),
+                                          pairs_product(m->y.v, inverse));
+    *turn = 4 * CYLINT_SIZED_ERROR * inverse.hi *
+            (e.cos.size * m->y.size + e.sin.size * m->x.size);
+    return e;
+}
+
+/* There the ruling is that of the point. */
+static void normal_on_lateral(bounded to[3], elliptic_numbers *m,
+                              const cylint_shape *s)
+{
+    plane_in_pairs t;
+    double turn, ratio = 0;
+    if (s->ends == CYLINT_ENDS_INFINITE &&
+        (m->rho.v.hi < 0) != (m->volume.v.hi < 0))
+        turn_numbers_about_apex(m);
+    if (m->volume.v.hi < 0) {
+        m->x.v = opposite(m->x.v);
+        m->y.v = opposite(m->y.v);
+    }
+    const direction_pair e = direction_of_point(m, &turn);
+    load_plane(&t, m, &e, cylint_is_tapered(s->kind));
+    load_slope(&t, m, &e);
+    EACH(i, 3)
+        ratio += t.slope_of_N[i].size * t.inverse.hi;
+    write_unit(to, t.N, t.inverse, lost_by_root(&t.q, ratio * turn),
+               t.slope_of_N, turn, m->outward);
+}
+
+int CYLINT_ELLIPTIC_NORMAL(const cylint_shape *shape, const double point[3],
+                           int feature, double normal[3])
+{
+    elliptic_numbers m;
+    elliptic_question q;
+    elliptic_answer a;
+    if (!cylint_rounds_to_nearest() || has_tiny(shape, point) ||
+        !is_ordinary_question(shape, point))
+        return 0;
+    load_numbers(&m, shape, point);
+    q.shape = shape;
+    q.feature = feature;
+    if (feature == CYLINT_FEATURE_APEX)
+        answer_on_apex(&a, &q, &m);
+    else if (cylint_feature_part(feature) == CYLINT_PART_LATERAL)
+        normal_on_lateral(a.normal, &m, shape);
+    else
+        answer_on_cap(&a, &q, &m, point, feature == CYLINT_FEATURE_CAP1);
+    return rounds_to(a.normal, normal);
 }
 
 /* --------------------------------------------------------------- safety -- */
@@ -666,5 +726,5 @@ double CYLINT_ELLIPTIC_SAFETY(const cylint_shape *shape, const double point[3])
     locate_in_doubles(&q.at, shape, point);
     turn_about_apex(&q);
     q.feature = find_feature_of(&q, side_of_lateral(&q.at));
-    return q.feature == NO_FEATURE ? 0 : distance_in_doubles(&q);
+    return q.feature == CYLINT_NO_FEATURE ? 0 : distance_in_doubles(&q);
 }

@@ -1,7 +1,7 @@
 /*
  * elliptic_feature.h - which feature of an elliptic shape is nearest, in doubles
  *
- * Where the errors of doubles leave a doubt, none is: NO_FEATURE.  Bounded shapes
+ * Where the errors of doubles leave a doubt, none is: CYLINT_NO_FEATURE.  Bounded shapes
  * are convex.  Of a point outside, the nearest point of the solid is on the lateral
  * surface, if the foot of the perpendicular on it is between the ends; else on the
  * end beyond which it is: on the cap, if the foot on its plane is in the ellipse,
@@ -12,10 +12,9 @@
 #ifndef CYLINT_ELLIPTIC_FEATURE_H
 #define CYLINT_ELLIPTIC_FEATURE_H
 
+#include "boundary.h"
 #include "cylint_distance.h"
 #include "elliptic_certainty.h"
-
-enum { NO_FEATURE = -1 };
 
 /* A question in doubles. */
 typedef struct {
@@ -103,7 +102,7 @@ static int find_on_lateral(elliptic_question *q)
 static int find_on_rim(elliptic_question *q, int end)
 {
     if (!find_rim_angle(&q->e, &q->rim, q->shape, &q->at, end, q->rough))
-        return NO_FEATURE;
+        return CYLINT_NO_FEATURE;
     const rim_place *r = &q->rim;
     const double size = sum_of_sizes(q->at.D) + sum_of_sizes(r->F) +
                         r->f * (sum_of_sizes(r->u) + sum_of_sizes(r->v));
@@ -112,7 +111,7 @@ static int find_on_rim(elliptic_question *q, int end)
                 CYLINT_ELLIPTIC_SAFETY_ERROR * size * sum_of_sizes(r->v));
     q->curvature = rim_curvature(r);
     if (!(q->curvature > 0))
-        return NO_FEATURE;
+        return CYLINT_NO_FEATURE;
     q->by = of_rim(r, g, q->curvature);
     return end ? CYLINT_FEATURE_RIM1 : CYLINT_FEATURE_RIM0;
 }
@@ -172,11 +171,11 @@ static int feature_of_end(elliptic_question *q, int end)
     q->inside = 0;
     if (over && !(above < -q->at.z_error)) {
         if (over < 0 || !(above > q->at.z_error) || !(caps >> end & 1))
-            return NO_FEATURE;
+            return CYLINT_NO_FEATURE;
         return end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
     }
     return cylint_sign(cylint_end_factor(q->shape, end)) == 0
-               ? NO_FEATURE
+               ? CYLINT_NO_FEATURE
                : find_on_rim(q, end);
 }
 
@@ -197,9 +196,9 @@ static int feature_inside(elliptic_question *q)
                          8 * p->relative * (1 / p->z_norm + lateral);
     if (lateral < cap - error)
         return caps == 3 || place_of_foot(q).is_within ? CYLINT_FEATURE_LATERAL
-                                                       : NO_FEATURE;
+                                                       : CYLINT_NO_FEATURE;
     if (!(cap < lateral - error) || !(fabs(high - low) > error))
-        return NO_FEATURE;
+        return CYLINT_NO_FEATURE;
     return end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
 }
 
@@ -214,9 +213,9 @@ static int feature_within(elliptic_question *q)
     if (bounded && p->z > 1 + p->z_error)
         return feature_of_end(q, 1);
     if (bounded && !(p->z > p->z_error && p->z < 1 - p->z_error))
-        return NO_FEATURE;
+        return CYLINT_NO_FEATURE;
     if (!find_on_lateral(q))
-        return NO_FEATURE;
+        return CYLINT_NO_FEATURE;
     return bounded ? feature_inside(q) : CYLINT_FEATURE_LATERAL;
 }
 
@@ -258,17 +257,17 @@ static int feature_outside(elliptic_question *q)
         return feature_of_end(q, q->at.slope < 0);
     }
     if (!find_on_lateral(q))
-        return NO_FEATURE;
+        return CYLINT_NO_FEATURE;
     if (!bounded)
         return s->ends != CYLINT_ENDS_INFINITE || q->at.slope == 0 ||
                        is_nearer_nappe(q)
                    ? CYLINT_FEATURE_LATERAL
-                   : NO_FEATURE;
+                   : CYLINT_NO_FEATURE;
     const foot_place foot = place_of_foot(q);
     return foot.is_within   ? CYLINT_FEATURE_LATERAL
            : foot.is_before ? feature_of_end(q, 0)
            : foot.is_after  ? feature_of_end(q, 1)
-                            : NO_FEATURE;
+                            : CYLINT_NO_FEATURE;
 }
 
 /* Whether no product of lengths overflows; of NaN, not. */
@@ -302,7 +301,7 @@ static int find_feature_of(elliptic_question *q, int side)
 {
     return side < 0   ? feature_within(q)
            : side > 0 ? feature_outside(q)
-                      : NO_FEATURE;
+                      : CYLINT_NO_FEATURE;
 }
 
 #endif

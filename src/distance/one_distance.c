@@ -82,8 +82,7 @@ INLINE unsigned write_certain(vnearest *n, const half_plane *m,
     const int closed = shape->ends == CYLINT_ENDS_CAPPED ||
                        !cylint_ends_are_planes(shape->ends);
     if (!(fabs(whole(n->d.value)) > n->d.error)) {
-        if (closed || n->known)
-            want |= CYLINT_ON_SURFACE;
+        want |= CYLINT_ON_SURFACE;
     } else if (find_distance(n, m, shape, point,
                              (want & ~(unsigned)CYLINT_WANT_DISTANCE) != 0)) {
         answer->distance = closed ? n->d.low : fabs(n->d.low);
@@ -157,6 +156,27 @@ static unsigned in_pairs(const cylint_shape *shape, const double point[3],
                : other_in_pairs(shape, point, want, answer);
 }
 
+static int normal_at(const cylint_shape *shape, const double point[3],
+                     int feature, double normal[3])
+{
+    const cylint_shape *const at[1] = {shape};
+    shape_lanes s;
+    half_plane m;
+    described to;
+    vnearest n = {{{0, 0}, 0, 0, 0}, feature, 1};
+    if (!cylint_rounds_to_nearest())
+        return 0;
+    pairs_load_shapes(&s, at);
+    pairs_load(&m, &s, point, 1);
+    pairs_rho(&m);
+    describe_nearest(&to, &n, &m, &s, point, CYLINT_KIND_CONE);
+    if (!to.normal_known)
+        return 0;
+    EACH(i, 3)
+        normal[i] = to.normal[i];
+    return 1;
+}
+
 /* ------------------------------------------------------------- kernels -- */
 
 #define KERNEL(name, kind, parted)                                     \
@@ -180,4 +200,5 @@ const cylint_one_distances CYLINT_ONE_DISTANCES = {
      [CYLINT_KIND_SPHERE] = {sphere_alone, sphere_parted},
      [CYLINT_KIND_CAPSULE] = {capsule_alone, capsule_parted},
      [CYLINT_KIND_RCONE] = {round_cone_alone, round_cone_parted}},
-    in_pairs};
+    in_pairs,
+    normal_at};

@@ -24,12 +24,16 @@ typedef int cylint_head_tail_distance(const cylint_shape *shape,
 /* By kind, without and with the feature; NULL: none.  `pairs` serves all
  * prepared shapes, with triples of doubles near the surface: it writes the
  * members of `want` that are certain, and returns the others;
- * CYLINT_ON_SURFACE if the distance is 0 or too small for a sign, while the
- * other members are those of a point on the surface. */
+ * CYLINT_ON_SURFACE if the distance is 0 or too small for a sign, and, of closed
+ * shapes, the other members are those of a point on the surface. */
 typedef struct {
     cylint_head_tail_distance *head_tail[CYLINT_KINDS][2];
     unsigned (*pairs)(const cylint_shape *shape, const double point[3],
                       unsigned want, cylint_closest *answer);
+    /* The normal at a point of a feature of a cylinder or cone, where it is
+     * certain: returns 1. */
+    int (*normal)(const cylint_shape *shape, const double point[3], int feature,
+                  double normal[3]);
 } cylint_one_distances;
 
 extern const cylint_one_distances cylint_one_distances_plain CYLINT_HIDDEN,

@@ -1,0 +1,46 @@
+/*
+ * boundary.c - the feature on which a point of the surface lies
+ */
+#include "boundary.h"
+
+#include "../dispatch.h"
+#include "../signs/origin.h"
+#include "../signs/sign.h"
+#include "cylint_distance.h"
+
+static int is_on(const cylint_shape *shape, const cylint_line *line,
+                 int surface)
+{
+    return CYLINT_OF_BUILD(cylint_build_used(), cylint_sign_at_origin,
+                           cylint_sign_at_origin_fma,
+                           cylint_sign_at_origin_fma)(shape, line, surface) ==
+           0;
+}
+
+static int is_apex(const cylint_shape *shape, const cylint_line *line)
+{
+    cylint_query q;
+    cylint_query_open(&q, shape, line);
+    return cylint_form_sign(&q, FORM_RHO0, 0) == 0;
+}
+
+int cylint_boundary_feature(const cylint_shape *shape, const double point[3])
+{
+    static const double along[3] = {1, 0, 0};
+    const unsigned caps = cylint_caps_present(shape->ends);
+    const int bounded = cylint_is_bounded(shape);
+    cylint_line line;
+    cylint_whole_line(&line, point, along);
+    const int at0 = bounded && is_on(shape, &line, 0);
+    const int at1 = bounded && !at0 && is_on(shape, &line, 1);
+    if (is_on(shape, &line, CYLINT_LATERAL_SURFACE)) {
+        if (cylint_is_tapered(shape->kind) && is_apex(shape, &line))
+            return CYLINT_FEATURE_APEX;
+        return at0   ? CYLINT_FEATURE_RIM0
+               : at1 ? CYLINT_FEATURE_RIM1
+                     : CYLINT_FEATURE_LATERAL;
+    }
+    return at0 && (caps & 1)   ? CYLINT_FEATURE_CAP0
+           : at1 && (caps & 2) ? CYLINT_FEATURE_CAP1
+                               : CYLINT_NO_FEATURE;
+}
