@@ -71,7 +71,8 @@ DISTANCE = [("test_distance", {"CYLINT_CASES": "3"}),
             ("test_distance_bounds", {"CYLINT_CASES": "10"}),
             ("test_distance_batch", {"CYLINT_CASES": "3"}),
             ("test_distance_oracle", {"CYLINT_CASES": "2"}),
-            ("test_distance_elliptic", {}), ("test_elliptic_certain", {})]
+            ("test_distance_elliptic", {}), ("test_elliptic_certain", {}),
+            ("test_elliptic_bounds", {})]
 POINTS = [("test_scene_point_bounds", {}), ("test_scene_closest", {})]
 # The tests of files in a folder; of other files they are SHORT and FULL.
 OF_FOLDER = {"distance": DISTANCE, "bvh": POINTS}

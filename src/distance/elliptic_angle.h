@@ -78,7 +78,7 @@ typedef struct {
     double most, least, gap, c, s;
 } principal_axes;
 
-static principal_axes axes_of(double xx, double xy, double yy)
+static inline principal_axes axes_of(double xx, double xy, double yy)
 {
     const double half = 0.5 * (xx - yy), rad = sqrt(half * half + xy * xy);
     const double most = 0.5 * (xx + yy) + rad;
@@ -91,7 +91,8 @@ static principal_axes axes_of(double xx, double xy, double yy)
 }
 
 /* cos and sin for A X / B^2 and Y / B, and A^2 / B^2 - 1. */
-static angle secular_angle(double along, double across, double more, int rough)
+static inline angle secular_angle(double along, double across, double more,
+                                  int rough)
 {
     const double u = fabs(along), v = fabs(across);
     const double last = rough ? CYLINT_ROUGH_STEP : CYLINT_SECULAR_STEP;
@@ -175,8 +176,8 @@ INLINE double height_at(const elliptic_place *p, angle at)
 
 /* Of an angle in the axes and its mirror images the one with the largest height:
  * the section of an oblique cone is not perpendicular to its axis. */
-static angle highest_of(const principal_axes *axes, angle e,
-                        const elliptic_place *p)
+static inline angle highest_of(const principal_axes *axes, angle e,
+                               const elliptic_place *p)
 {
     angle best = turned_back(axes, e.sin, e.cos);
     if (p->slope == 0 || (dot_of(p->X, p->Z) == 0 && dot_of(p->Y, p->Z) == 0))
@@ -202,8 +203,8 @@ INLINE int is_second(angle at)
 
 /* Writes the angle, and its tangent plane.  rough: an angle with an error
  * of about CYLINT_ROUGH_ANGLE is enough.  Returns 0 if the iteration did not come to an end. */
-static int find_lateral_angle(angle *at, tangent_plane *t,
-                              const elliptic_place *p, int rough)
+ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
+                             const elliptic_place *p, int rough)
 {
     const double more = p->slope * p->slope * dot_of(p->Z, p->Z);
     const principal_axes axes =
@@ -256,8 +257,8 @@ INLINE void load_rim_place(rim_place *r, const cylint_shape *s, angle at)
     }
 }
 
-static int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
-                          const elliptic_place *p, int end, int rough)
+ASIDE int find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
+                         const elliptic_place *p, int end, int rough)
 {
     const double *a = cylint_a(s), *b = cylint_b(s);
     r->f = cylint_end_factor(s, end);

@@ -38,8 +38,8 @@ static const uncertainty unknown = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
 /* k from the coefficients of 1 - cos, sin^2, sin (1 - cos) and (1 - cos)^2 of the
  * turn, less their error. */
-static double least_curvature(double p1, double p2, double p3, double p4,
-                              double error)
+static inline double least_curvature(double p1, double p2, double p3, double p4,
+                                     double error)
 {
     const double K2 = 2 * p1 + 4 * p2, half = 2 * p3, K4 = 2 * p1 + 4 * p4;
     const double middle = 0.5 * (K2 - K4);
@@ -47,13 +47,15 @@ static double least_curvature(double p1, double p2, double p3, double p4,
 }
 
 /* The relative error of N, whose terms can cancel. */
-static double lost_of_normal(const tangent_plane *t, const elliptic_place *p)
+static inline double lost_of_normal(const tangent_plane *t,
+                                    const elliptic_place *p)
 {
     return 4 * p->relative * p->norm / sqrt(t->q);
 }
 
 /* Of tangent planes, for a point on the inner side of all. */
-static double inner_curvature(const tangent_plane *t, const elliptic_place *p)
+static inline double inner_curvature(const tangent_plane *t,
+                                     const elliptic_place *p)
 {
     const double a = t->n + p->rho, b = t->slope_of_n;
     const double hh = t->n * t->n / t->q;
@@ -69,7 +71,7 @@ static double inner_curvature(const tangent_plane *t, const elliptic_place *p)
                            a * a - hh * dot_of(t->U, t->U), error);
 }
 
-static double rim_curvature(const rim_place *r)
+static inline double rim_curvature(const rim_place *r)
 {
     const double f = r->f, uu = dot_of(r->u, r->u), vv = dot_of(r->v, r->v);
     const double size =
@@ -81,7 +83,7 @@ static double rim_curvature(const rim_place *r)
 
 /* |N x V|: what the length of N times the turn of its direction gains by the
  * angle. */
-static double turn_of_normal(const tangent_plane *t)
+static inline double turn_of_normal(const tangent_plane *t)
 {
     double x[3];
     EACH(i, 3) {
@@ -94,9 +96,9 @@ static double turn_of_normal(const tangent_plane *t)
 /* l: at most so large.  rho: at the foot.  The normals of the nearest point and of
  * the angle differ by 2 away / h at most, and (x, y) of the nearest point and of the
  * foot, which is l beside the direction of the angle, by away times the norm. */
-static uncertainty outside_lateral(const tangent_plane *t,
-                                   const elliptic_place *p, double l,
-                                   double rho)
+static inline uncertainty outside_lateral(const tangent_plane *t,
+                                          const elliptic_place *p, double l,
+                                          double rho)
 {
     const double size = sqrt(t->q), h = (fabs(t->n) + p->error) / size;
     const double deeper = l * l / (rho * size);
@@ -113,9 +115,9 @@ static uncertainty outside_lateral(const tangent_plane *t,
                          4 * (by_normal < by_foot ? by_normal : by_foot)};
 }
 
-static uncertainty inside_lateral_surface(const tangent_plane *t,
-                                          const elliptic_place *p, double l,
-                                          double k)
+static inline uncertainty inside_lateral_surface(const tangent_plane *t,
+                                                 const elliptic_place *p,
+                                                 double l, double k)
 {
     const double n = fabs(t->n) + p->error, size = sqrt(t->q), h = n / size;
     const double distance = 4 * h * l * l / k, turn = 16 * n * l / k;
@@ -125,7 +127,7 @@ static uncertainty inside_lateral_surface(const tangent_plane *t,
 }
 
 /* g: at most so large. */
-static uncertainty of_rim(const rim_place *r, double g, double k)
+static inline uncertainty of_rim(const rim_place *r, double g, double k)
 {
     const double d = sqrt(dot_of(r->R, r->R));
     return (uncertainty){4 * g * g / (k * d), 0, 16 * g / k};

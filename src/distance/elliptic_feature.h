@@ -30,7 +30,7 @@ typedef struct {
 } elliptic_question;
 
 /* The error of l. */
-static double loss_of_plane(const elliptic_question *q)
+static inline double loss_of_plane(const elliptic_question *q)
 {
     const double ratio = q->at.norm / sqrt(q->plane.q);
     return 4 * (1 + ratio) *
@@ -42,7 +42,7 @@ typedef struct {
     double down, error;
 } foot_on_plane;
 
-static foot_on_plane drop_on_plane(const elliptic_question *q)
+static inline foot_on_plane drop_on_plane(const elliptic_question *q)
 {
     const tangent_plane *t = &q->plane;
     const elliptic_place *p = &q->at;
@@ -55,7 +55,7 @@ static foot_on_plane drop_on_plane(const elliptic_question *q)
 }
 
 /* rho at the foot, at least. */
-static double rho_at_foot(const elliptic_question *q)
+static inline double rho_at_foot(const elliptic_question *q)
 {
     const foot_on_plane foot = drop_on_plane(q);
     return q->at.rho - q->at.slope * foot.down - q->at.error -
@@ -63,7 +63,7 @@ static double rho_at_foot(const elliptic_question *q)
 }
 
 /* From the largest l. */
-static uncertainty uncertainty_of_plane(const elliptic_question *q, double l)
+ASIDE uncertainty uncertainty_of_plane(const elliptic_question *q, double l)
 {
     return q->inside
                ? inside_lateral_surface(&q->plane, &q->at, l, q->curvature)
@@ -76,7 +76,7 @@ typedef struct {
     int is_before, is_within, is_after;
 } foot_place;
 
-static foot_place place_of_foot(const elliptic_question *q)
+static inline foot_place place_of_foot(const elliptic_question *q)
 {
     const elliptic_place *p = &q->at;
     const foot_on_plane foot = drop_on_plane(q);
@@ -86,7 +86,7 @@ static foot_place place_of_foot(const elliptic_question *q)
 }
 
 /* The nearest point of the lateral surface without its ends. */
-static int find_on_lateral(elliptic_question *q)
+static inline int find_on_lateral(elliptic_question *q)
 {
     if (!find_lateral_angle(&q->e, &q->plane, &q->at, q->rough))
         return 0;
@@ -99,7 +99,7 @@ static int find_on_lateral(elliptic_question *q)
            (q->inside ? q->curvature > 0 : rho_at_foot(q) > 0);
 }
 
-static int find_on_rim(elliptic_question *q, int end)
+static inline int find_on_rim(elliptic_question *q, int end)
 {
     if (!find_rim_angle(&q->e, &q->rim, q->shape, &q->at, end, q->rough))
         return CYLINT_NO_FEATURE;
@@ -118,7 +118,7 @@ static int find_on_rim(elliptic_question *q, int end)
 
 /* Whether the foot of the perpendicular on the plane of an end is in the ellipse:
  * 1, 0, or -1 where it is not certain. */
-static int is_over_end(const elliptic_question *q, int end)
+static inline int is_over_end(const elliptic_question *q, int end)
 {
     const elliptic_place *p = &q->at;
     const double up = (end ? p->z - 1 : p->z) / (p->z_norm * p->z_norm);
@@ -132,13 +132,13 @@ static int is_over_end(const elliptic_question *q, int end)
 }
 
 /* The apex is at h times this from the base. */
-static double apex_share(const elliptic_place *p)
+static inline double apex_share(const elliptic_place *p)
 {
     return -1 / p->slope;
 }
 
-static void load_from_apex(double F[3], const elliptic_place *p,
-                           const cylint_shape *s)
+static inline void load_from_apex(double F[3], const elliptic_place *p,
+                                  const cylint_shape *s)
 {
     EACH(i, 3)
         F[i] = p->D[i] - apex_share(p) * cylint_axis(s)[i];
@@ -146,7 +146,7 @@ static void load_from_apex(double F[3], const elliptic_place *p,
 
 /* Whether the apex of a cone is nearest of its nappe without ends: a point is
  * behind the planes through the apex that are perpendicular to its rulings. */
-static int is_over_apex(const elliptic_question *q)
+static inline int is_over_apex(const elliptic_question *q)
 {
     const double *a = cylint_a(q->shape), *b = cylint_b(q->shape),
                  *h = cylint_axis(q->shape);
@@ -163,7 +163,7 @@ static int is_over_apex(const elliptic_question *q)
 
 /* The nearest point of the end beyond which the lateral surface has its nearest
  * point. */
-static int feature_of_end(elliptic_question *q, int end)
+static inline int feature_of_end(elliptic_question *q, int end)
 {
     const double above = end ? q->at.z - 1 : -q->at.z;
     const unsigned caps = cylint_caps_present(q->shape->ends);
@@ -182,7 +182,7 @@ static int feature_of_end(elliptic_question *q, int end)
 /* Inside: the lateral surface or the nearer of the caps that are present.  A cap
  * that is nearer than the lateral surface without ends has the foot of the
  * perpendicular on its plane. */
-static int feature_inside(elliptic_question *q)
+static inline int feature_inside(elliptic_question *q)
 {
     const elliptic_place *p = &q->at;
     const unsigned caps = cylint_caps_present(q->shape->ends);
@@ -203,7 +203,7 @@ static int feature_inside(elliptic_question *q)
 }
 
 /* Inside, or within the lateral surface beyond an end. */
-static int feature_within(elliptic_question *q)
+static inline int feature_within(elliptic_question *q)
 {
     const elliptic_place *p = &q->at;
     const int bounded = cylint_is_bounded(q->shape);
@@ -220,7 +220,7 @@ static int feature_within(elliptic_question *q)
 }
 
 /* Turns a point beside the other nappe of a double cone about the apex. */
-static void turn_place(elliptic_place *p)
+static inline void turn_place(elliptic_place *p)
 {
     p->x = -p->x;
     p->y = -p->y;
@@ -230,7 +230,7 @@ static void turn_place(elliptic_place *p)
 
 /* Whether the other nappe of a double cone is farther: above one of its tangent
  * planes. */
-static int is_nearer_nappe(const elliptic_question *q)
+static inline int is_nearer_nappe(const elliptic_question *q)
 {
     const tangent_plane *t = &q->plane;
     const double most =
@@ -245,7 +245,7 @@ static int is_nearer_nappe(const elliptic_question *q)
            (other.n - q->at.error) / sqrt(other.q) > most;
 }
 
-static int feature_outside(elliptic_question *q)
+static inline int feature_outside(elliptic_question *q)
 {
     const cylint_shape *s = q->shape;
     const int bounded = cylint_is_bounded(s);
@@ -271,7 +271,8 @@ static int feature_outside(elliptic_question *q)
 }
 
 /* Whether no product of lengths overflows; of NaN, not. */
-static int is_ordinary_question(const cylint_shape *s, const double point[3])
+static inline int is_ordinary_question(const cylint_shape *s,
+                                       const double point[3])
 {
     double size[3];
     EACH(i, 3)
@@ -281,7 +282,7 @@ static int is_ordinary_question(const cylint_shape *s, const double point[3])
            CYLINT_ELLIPTIC_MOST;
 }
 
-static int turn_about_apex(elliptic_question *q)
+static inline int turn_about_apex(elliptic_question *q)
 {
     if (q->shape->ends != CYLINT_ENDS_INFINITE || !(q->at.rho < 0))
         return 0;
@@ -290,14 +291,14 @@ static int turn_about_apex(elliptic_question *q)
 }
 
 /* -1 within the lateral surface without ends, 1 outside, 0 uncertain. */
-static int side_of_lateral(const elliptic_place *p)
+static inline int side_of_lateral(const elliptic_place *p)
 {
     const double r = sqrt(p->x * p->x + p->y * p->y);
     return r < p->rho - p->error ? -1 : r > p->rho + p->error;
 }
 
 /* side: side_of_lateral(). */
-static int find_feature_of(elliptic_question *q, int side)
+static inline int find_feature_of(elliptic_question *q, int side)
 {
     return side < 0   ? feature_within(q)
            : side > 0 ? feature_outside(q)

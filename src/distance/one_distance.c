@@ -132,10 +132,11 @@ static unsigned other_in_pairs(const cylint_shape *shape, const double point[3],
     vnearest n;
     nearest_to_other(&n, &m, &s, point, shape);
     /* The top of an angle cone has no centre in doubles. */
-    const unsigned geometry = tangent && n.feature != CYLINT_FEATURE_LATERAL &&
-                                      n.feature != CYLINT_FEATURE_RIM0
-                                  ? want & CYLINT_WANT_GEOMETRY
-                                  : 0;
+    const unsigned geometry =
+        tangent && (int)n.feature != CYLINT_FEATURE_LATERAL &&
+                (int)n.feature != CYLINT_FEATURE_RIM0
+            ? want & CYLINT_WANT_GEOMETRY
+            : 0;
     return geometry | write_certain(&n, &m, &s, shape, point,
                                     tangent ? CYLINT_KIND_CONE : shape->kind,
                                     want & ~geometry, answer);
@@ -156,8 +157,8 @@ static unsigned in_pairs(const cylint_shape *shape, const double point[3],
                : other_in_pairs(shape, point, want, answer);
 }
 
-static int normal_at(const cylint_shape *shape, const double point[3],
-                     int feature, double normal[3])
+static int normal_of_feature(const cylint_shape *shape, const double point[3],
+                             int feature, double normal[3])
 {
     const cylint_shape *const at[1] = {shape};
     shape_lanes s;
@@ -201,4 +202,4 @@ const cylint_one_distances CYLINT_ONE_DISTANCES = {
      [CYLINT_KIND_CAPSULE] = {capsule_alone, capsule_parted},
      [CYLINT_KIND_RCONE] = {round_cone_alone, round_cone_parted}},
     in_pairs,
-    normal_at};
+    normal_of_feature};

@@ -1,0 +1,525 @@
+/*
+ * elliptic_pairs.h - the distance, nearest point and normal of an elliptic shape in
+ * pairs, given the feature and the angle in doubles
+ *
+ * The distance is computed once: its error by that of the angle is of the second
+ * order.  The point and the normal, and a distance that is not certain by then, need
+ * the angle in pairs: one more step of Newton's iteration.  Near the surface n is
+ * computed in triples.  With U = b x h, V = h x a and W = a x b, which are the rows of
+ * the inverse matrix times a.(b x h),
+ *     n = cos D.U + sin D.V - (a.(b x h) + (k - 1) D.W)
+ *     N = cos U + sin V - (k - 1) W.
+ */
+#ifndef CYLINT_ELLIPTIC_PAIRS_H
+#define CYLINT_ELLIPTIC_PAIRS_H
+
+#include "../shapes/measure.h"
+#include "describe_nearest.h"
+#include "elliptic_feature.h"
+#include "sized_pair.h"
+#include "triple_vector.h"
+
+/* A question in pairs; a double cone whose other nappe is nearer is turned about
+ * its apex. */
+typedef struct {
+    sized D[3], U[3], V[3], W[3], bent[3]; /* bent: W times k - 1 */
+    sized x, y, z, rho, volume;
+    double unit;    /* 1 / |volume| */
+    double outward; /* the sign of N of the outer side */
+} elliptic_numbers;
+
+ASIDE void load_numbers(elliptic_numbers *m, const cylint_shape *s,
+                        const double point[3])
+{
+    const double *a = cylint_a(s), *b = cylint_b(s), *h = cylint_axis(s);
+    sized A[3];
+    sized_cross(m->U, b, h);
+    sized_cross(m->V, h, a);
+    sized_cross(m->W, a, b);
+    EACH(i, 3) {
+        m->D[i] = sized_of(v_two_sum(point[i], -cylint_base(s)[i]));
+        A[i] = sized_of((vpair){a[i], 0});
+    }
+    m->volume = sized_dot(A, m->U);
+    m->volume.v = pairs_trimmed(m->volume.v);
+    m->unit = 1 / fabs(m->volume.v.hi);
+    m->outward = m->volume.v.hi < 0 ? -1 : 1;
+    m->x = sized_dot(m->D, m->U);
+    m->y = sized_dot(m->D, m->V);
+    m->z = sized_dot(m->D, m->W);
+    m->rho = m->volume;
+    if (cylint_is_tapered(s->kind)) {
+        const sized k1 = sized_of(v_two_sum(cylint_r1(s), -1));
+        EACH(i, 3)
+            m->bent[i] = sized_product(k1, m->W[i]);
+        m->rho = sized_sum(m->rho, sized_product(k1, m->z));
+    }
+}
+
+/* Of a number times `unit`, whose relative error is that of the volume. */
+static inline double error_of(sized x, double unit)
+{
+    return unit * (CYLINT_SIZED_ERROR * x.size +
+                   16 * CYLINT_ROUNDING * fabs(whole(x.v)));
+}
+
+static inline void locate_by_pairs(elliptic_place *p, const elliptic_numbers *m,
+                                   const cylint_shape *s)
+{
+    const double unit = m->unit, inverse = m->volume.v.hi < 0 ? -unit : unit;
+    EACH(i, 3) {
+        p->D[i] = whole(m->D[i].v);
+        p->X[i] = whole(m->U[i].v) * inverse;
+        p->Y[i] = whole(m->V[i].v) * inverse;
+        p->Z[i] = whole(m->W[i].v) * inverse;
+    }
+    p->is_turned = 0;
+    p->slope = cylint_is_tapered(s->kind) ? cylint_r1(s) - 1 : 0;
+    p->x = whole(m->x.v) * inverse;
+    p->y = whole(m->y.v) * inverse;
+    p->z = whole(m->z.v) * inverse;
+    p->rho = whole(m->rho.v) * inverse;
+    p->error =
+        error_of(m->x, unit) + error_of(m->y, unit) + error_of(m->rho, unit);
+    p->z_error = error_of(m->z, unit);
+    p->relative = 16 * CYLINT_ROUNDING;
+    const int across =
+        !cylint_is_tapered(s->kind) ||
+        (sized_dot(m->U, m->W).size == 0 && sized_dot(m->V, m->W).size == 0);
+    p->is_central = m->x.size == 0 && m->y.size == 0 && across;
+    p->z_norm = sqrt(dot_of(p->Z, p->Z));
+    p->norm = sqrt(dot_of(p->X, p->X) + dot_of(p->Y, p->Y)) +
+              fabs(p->slope) * p->z_norm;
+}
+
+static inline void turn_numbers_about_apex(elliptic_numbers *m)
+{
+    sized *const turned[3] = {&m->x, &m->y, &m->rho};
+    EACH(i, 3)
+        turned[i]->v = opposite(turned[i]->v);
+    m->outward = -m->outward;
+}
+
+/* Of (x, y)^2 - rho^2. */
+static inline int side_in_pairs(const elliptic_question *q,
+                                const elliptic_numbers *m)
+{
+    const int side = side_of_lateral(&q->at);
+    const sized f =
+        sized_difference(sized_sum(sized_square(m->x), sized_square(m->y)),
+                         sized_square(m->rho));
+    const double error = CYLINT_SIZED_ERROR * f.size;
+    return side != 0 || q->at.rho < q->at.error ? side
+           : whole(f.v) < -error                ? -1
+                                                : whole(f.v) > error;
+}
+
+static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
+                                const cylint_shape *s, const double point[3])
+{
+    if (!is_ordinary_question(s, point))
+        return CYLINT_NO_FEATURE;
+    q->shape = s;
+    q->rough = 0;
+    load_numbers(m, s, point);
+    if (!(CYLINT_SIZED_ERROR * m->volume.size <=
+          CYLINT_ROUNDING * fabs(m->volume.v.hi)) ||
+        !(fabs(m->volume.v.hi) >= CYLINT_DISTANCE_LEAST))
+        return CYLINT_NO_FEATURE;
+    locate_by_pairs(&q->at, m, s);
+    if (turn_about_apex(q))
+        turn_numbers_about_apex(m);
+    return find_feature_of(q, side_in_pairs(q, m));
+}
+
+/* ------------------------------------------------------------- in pairs -- */
+
+/* cos and sin, with cos^2 + sin^2 = 1 in pairs. */
+typedef struct {
+    sized cos, sin;
+} direction_pair;
+
+typedef struct {
+    sized n, slope_of_n, N[3], slope_of_N[3], q;
+    vpair size, inverse; /* of N */
+} plane_in_pairs;
+
+/* What is written, but for the sign of the distance. */
+typedef struct {
+    bounded distance, point[3], normal[3];
+} elliptic_answer;
+
+static inline direction_pair direction_of(vpair c, vpair s)
+{
+    const vpair square = vpair_add(pairs_square(c), pairs_square(s));
+    const double more = 0.5 * ((square.hi - 1) + square.lo);
+    const vpair f = v_two_sum(1, -more + 1.5 * more * more);
+    return (direction_pair){sized_of(pairs_trimmed(pairs_product(c, f))),
+                            sized_of(pairs_trimmed(pairs_product(s, f)))};
+}
+
+static inline direction_pair turned_direction(const direction_pair *e,
+                                              double by)
+{
+    const vpair step = {by, 0};
+    return direction_of(vpair_sub(e->cos.v, pairs_product(e->sin.v, step)),
+                        vpair_add(e->sin.v, pairs_product(e->cos.v, step)));
+}
+
+/* The tangent plane at an angle; tapered: W counts. */
+ASIDE void load_plane(plane_in_pairs *t, const elliptic_numbers *m,
+                      const direction_pair *e, int tapered)
+{
+    EACH(i, 3) {
+        const sized N = sized_sum2(e->cos, m->U[i], e->sin, m->V[i]);
+        t->N[i] = tapered ? sized_difference(N, m->bent[i]) : N;
+    }
+    t->n = sized_difference(sized_sum2(e->cos, m->x, e->sin, m->y), m->rho);
+    t->q = sized_dot(t->N, t->N);
+    t->size = pairs_root(t->q.v, &t->inverse);
+}
+
+/* n' - n N.V / N.N, at most. */
+ASIDE sized load_slope(plane_in_pairs *t, const elliptic_numbers *m,
+                       const direction_pair *e)
+{
+    const sized minus = {opposite(e->sin.v), e->sin.size};
+    EACH(i, 3)
+        t->slope_of_N[i] = sized_sum2(e->cos, m->V[i], minus, m->U[i]);
+    t->slope_of_n = sized_sum2(e->cos, m->y, minus, m->x);
+    const sized half_q = sized_dot(t->N, t->slope_of_N);
+    return sized_difference(sized_product(t->slope_of_n, t->q),
+                            sized_product(t->n, half_q));
+}
+
+static inline double at_most(sized x)
+{
+    return fabs(whole(x.v)) + CYLINT_SIZED_ERROR * x.size;
+}
+
+/* The angle in pairs, and what is uncertain then. */
+static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
+                                 uncertainty *by, const elliptic_numbers *m,
+                                 const elliptic_question *q, int tapered)
+{
+    const double slope = slope_of_height(&q->plane, &q->at);
+    const double cube = m->unit * m->unit * m->unit;
+    const sized before = load_slope(t, m, e);
+    const double sign = m->volume.v.hi < 0 ? -1 : 1;
+    *e = turned_direction(e, -sign * whole(before.v) * cube / slope);
+    load_plane(t, m, e, tapered);
+    const sized after = load_slope(t, m, e);
+    *by = uncertainty_of_plane(q, at_most(after) * cube / q->plane.q);
+}
+
+static inline bounded bounded_by(sized x, double more)
+{
+    return (bounded){x.v, CYLINT_SIZED_ERROR * x.size + more};
+}
+
+/* The unit normal, outward: N / |N| times `sign`.  turn: what the angle is wrong
+ * by.  The distance is n / |N|. */
+ASIDE void write_unit(bounded to[3], const sized N[3], vpair inverse,
+                      double lost, const sized *slope, double turn, double sign)
+{
+    EACH(i, 3) {
+        const vpair n = pairs_product(N[i].v, inverse);
+        const double e =
+            CYLINT_SIZED_ERROR * N[i].size + (slope ? slope[i].size * turn : 0);
+        to[i] = (bounded){{sign * n.hi, sign * n.lo},
+                          e * inverse.hi + fabs(n.hi) * lost};
+    }
+}
+
+/* The relative error of |N|. */
+static inline double lost_by_root(const sized *q, double turn_of_size)
+{
+    return CYLINT_SIZED_ERROR * (q->size / q->v.hi + 1) + turn_of_size;
+}
+
+static inline bounded quotient_by_size(sized n, vpair inverse, double lost,
+                                       double more)
+{
+    const vpair d = pairs_product(n.v, inverse);
+    return (bounded){d, CYLINT_SIZED_ERROR * n.size * inverse.hi +
+                            fabs(d.hi) * lost + more};
+}
+
+/* x - d n */
+static inline void write_foot(bounded to[3], const double point[3], bounded d,
+                              const bounded n[3])
+{
+    const bounded back = {opposite(d.v), d.e};
+    EACH(i, 3)
+        to[i] = step_along(point[i], back, n[i]);
+}
+
+/* x, y, z and a.(b x h) of a point in triples. */
+typedef struct {
+    triple x, y, z, volume;
+} triple_numbers;
+
+static inline triple triple_of_lane(vpair x)
+{
+    return triple_sum(x.hi, x.lo, 0);
+}
+
+/* D.(u x v) */
+ASIDE triple triple_product(const triple D[3], const double u[3],
+                            const double v[3])
+{
+    triple sum = triple_of(0);
+    EACH(i, 3) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const triple x = triple_sub(triple_of_lane(v_two_prod(u[j], v[k])),
+                                    triple_of_lane(v_two_prod(u[k], v[j])));
+        sum = triple_add(sum, triple_mul(D[i], x));
+    }
+    return sum;
+}
+
+static inline void load_triples(triple_numbers *t, const elliptic_numbers *m,
+                                const cylint_shape *s)
+{
+    const double *a = cylint_a(s), *b = cylint_b(s), *h = cylint_axis(s);
+    triple D[3], A[3];
+    EACH(i, 3) {
+        D[i] = triple_of_lane(m->D[i].v);
+        A[i] = triple_of(a[i]);
+    }
+    t->x = triple_product(D, b, h);
+    t->y = triple_product(D, h, a);
+    t->z = triple_product(D, a, b);
+    t->volume = triple_product(A, b, h);
+}
+
+/* n of an angle, whose length is brought to 1 in triples. */
+static inline triple height_in_triples(const triple_numbers *t,
+                                       const cylint_shape *s,
+                                       const direction_pair *e)
+{
+    const triple c = triple_of_lane(e->cos.v), d = triple_of_lane(e->sin.v);
+    const triple more = triple_sub(
+        triple_add(triple_mul(c, c), triple_mul(d, d)), triple_of(1));
+    const triple turned = triple_add(triple_mul(c, t->x), triple_mul(d, t->y));
+    const triple less =
+        triple_mul(turned, triple_of(-0.5 * triple_value(more)));
+    triple rho = t->volume;
+    if (cylint_is_tapered(s->kind))
+        rho = triple_add(
+            rho, triple_mul(triple_of_lane(v_two_sum(cylint_r1(s), -1)), t->z));
+    return triple_sub(triple_add(turned, less), rho);
+}
+
+/* n in the place of that in pairs; sizes are those of its terms. */
+static inline bounded height_by_triples(const elliptic_question *q,
+                                        const elliptic_numbers *m,
+                                        const direction_pair *e,
+                                        const plane_in_pairs *t, double lost,
+                                        double more)
+{
+    triple_numbers x;
+    load_triples(&x, m, q->shape);
+    const triple height = height_in_triples(&x, q->shape, e);
+    const triple n = q->at.is_turned ? triple_neg(height) : height;
+    const vpair d = pairs_product(v_two_sum(n.a, n.b + n.c), t->inverse);
+    return (bounded){d, CYLINT_CLOSE_ERROR * t->n.size * t->inverse.hi +
+                            fabs(d.hi) * lost + more};
+}
+
+static inline void answer_on_lateral(elliptic_answer *to,
+                                     const elliptic_question *q,
+                                     const elliptic_numbers *m,
+                                     const double point[3], int exactly,
+                                     int tapered)
+{
+    plane_in_pairs t;
+    uncertainty by = q->by;
+    direction_pair e = direction_of((vpair){q->e.cos, 0}, (vpair){q->e.sin, 0});
+    load_plane(&t, m, &e, tapered);
+    if (exactly)
+        correct_plane(&t, &e, &by, m, q, tapered);
+    const double ratio = q->at.norm / sqrt(q->plane.q);
+    const double sign = m->volume.v.hi < 0 ? -1 : 1;
+    const double lost = lost_by_root(&t.q, 0);
+    const bounded d = exactly > 1
+                          ? height_by_triples(q, m, &e, &t, lost, by.distance)
+                          : quotient_by_size(t.n, t.inverse, lost, by.distance);
+    to->distance = (bounded){{sign * d.v.hi, sign * d.v.lo}, d.e};
+    if (!exactly)
+        return;
+    write_unit(to->normal, t.N, t.inverse, lost_by_root(&t.q, ratio * by.turn),
+               t.slope_of_N, by.turn, m->outward);
+    write_foot(to->point, point, to->distance, to->normal);
+}
+
+/* The coordinate of a plane that runs along the others. */
+static inline void keep_level(elliptic_answer *to, const elliptic_question *q,
+                              const elliptic_numbers *m, const double point[3],
+                              int end)
+{
+    const cylint_shape *s = q->shape;
+    EACH(i, 3) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        if (m->W[j].size != 0 || m->W[k].size != 0)
+            continue;
+        to->point[i] = (bounded){
+            v_two_sum(cylint_base(s)[i], end ? cylint_axis(s)[i] : 0), 0};
+        to->point[j] = (bounded){{point[j], 0}, 0};
+        to->point[k] = (bounded){{point[k], 0}, 0};
+    }
+}
+
+static inline void answer_on_cap(elliptic_answer *to,
+                                 const elliptic_question *q,
+                                 const elliptic_numbers *m,
+                                 const double point[3], int end)
+{
+    vpair inverse;
+    const sized square = sized_dot(m->W, m->W);
+    const sized above = end ? sized_difference(m->z, m->volume) : m->z;
+    pairs_root(square.v, &inverse);
+    const double lost = lost_by_root(&square, 0);
+    const double sign = (m->volume.v.hi < 0) != !end ? -1 : 1;
+    const bounded d = quotient_by_size(above, inverse, lost, 0);
+    to->distance = (bounded){{sign * d.v.hi, sign * d.v.lo}, d.e};
+    write_unit(to->normal, m->W, inverse, lost, NULL, 0, sign);
+    write_foot(to->point, point, to->distance, to->normal);
+    keep_level(to, q, m, point, end);
+}
+
+/* From the centre of an end. */
+static inline void load_from_end(sized F[3], const elliptic_numbers *m,
+                                 const cylint_shape *s, int end)
+{
+    EACH(i, 3)
+        F[i] = end ? sized_difference(m->D[i],
+                                      sized_of((vpair){cylint_axis(s)[i], 0}))
+                   : m->D[i];
+}
+
+static inline bounded length_of_pairs(const sized R[3], double more)
+{
+    vpair inverse;
+    const sized square = sized_dot(R, R);
+    const vpair d = pairs_root(square.v, &inverse);
+    return (bounded){d, CYLINT_SIZED_ERROR * (square.size * inverse.hi + d.hi) +
+                            more};
+}
+
+/* The apex is at base - h / (k - 1), the top if k is 0. */
+static inline void answer_on_apex(elliptic_answer *to,
+                                  const elliptic_question *q,
+                                  const elliptic_numbers *m)
+{
+    const cylint_shape *s = q->shape;
+    const vpair k1 = v_two_sum(cylint_r1(s), -1);
+    const pair share = pair_div((pair){-1, 0}, (pair){k1.hi, k1.lo});
+    const sized by = sized_of((vpair){share.hi, share.lo});
+    sized F[3], h[3];
+    vpair inverse;
+    EACH(i, 3) {
+        const double base = cylint_base(s)[i];
+        h[i] = sized_of((vpair){cylint_axis(s)[i], 0});
+        const sized step = sized_product(by, h[i]);
+        F[i] = sized_difference(m->D[i], step);
+        to->point[i] =
+            bounded_by((sized){vpair_add((vpair){base, 0}, step.v), step.size},
+                       CYLINT_PAIR_PLACE * fabs(base));
+    }
+    const sized square = sized_dot(h, h);
+    pairs_root(square.v, &inverse);
+    to->distance = length_of_pairs(F, 0);
+    write_unit(to->normal, h, inverse, lost_by_root(&square, 0), NULL, 0,
+               cylint_apex_normal_sign(s, 0));
+}
+
+/* A rim at an angle. */
+typedef struct {
+    sized u[3], v[3], R[3];
+} rim_in_pairs;
+
+ASIDE void load_rim_in_pairs(rim_in_pairs *r, const cylint_shape *s,
+                             const sized F[3], double f,
+                             const direction_pair *e)
+{
+    const sized minus = {opposite(e->sin.v), e->sin.size};
+    const sized factor = sized_of((vpair){f, 0});
+    EACH(i, 3) {
+        const sized a = sized_of((vpair){cylint_a(s)[i], 0}),
+                    b = sized_of((vpair){cylint_b(s)[i], 0});
+        r->u[i] = sized_sum2(e->cos, a, e->sin, b);
+        r->v[i] = sized_sum2(e->cos, b, minus, a);
+        if (f != 1) {
+            r->u[i] = sized_product(factor, r->u[i]);
+            r->v[i] = sized_product(factor, r->v[i]);
+        }
+        r->R[i] = sized_difference(F[i], r->u[i]);
+    }
+}
+
+static inline void answer_on_rim(elliptic_answer *to,
+                                 const elliptic_question *q,
+                                 const elliptic_numbers *m, int end,
+                                 int exactly, int tapered)
+{
+    const cylint_shape *s = q->shape;
+    const rim_place *doubles = &q->rim;
+    rim_in_pairs r;
+    sized F[3];
+    uncertainty by = q->by;
+    direction_pair e = direction_of((vpair){q->e.cos, 0}, (vpair){q->e.sin, 0});
+    load_from_end(F, m, s, end);
+    load_rim_in_pairs(&r, s, F, doubles->f, &e);
+    if (exactly) {
+        const double slope =
+            doubles->f * (doubles->f * dot_of(doubles->v, doubles->v) +
+                          dot_of(doubles->R, doubles->u));
+        e = turned_direction(&e, whole(sized_dot(r.R, r.v).v) / slope);
+        load_rim_in_pairs(&r, s, F, doubles->f, &e);
+        by = of_rim(doubles, at_most(sized_dot(r.R, r.v)), q->curvature);
+    }
+    to->distance = length_of_pairs(r.R, by.distance);
+    if (!exactly)
+        return;
+    plane_in_pairs t;
+    load_plane(&t, m, &e, tapered);
+    load_slope(&t, m, &e);
+    double ratio = 0;
+    EACH(i, 3) {
+        const vpair center =
+            v_two_sum(cylint_base(s)[i], end ? cylint_axis(s)[i] : 0);
+        const double error =
+            CYLINT_PAIR_PLACE * fabs(center.hi) + r.v[i].size * by.turn;
+        to->point[i] = bounded_by(
+            (sized){vpair_add(center, r.u[i].v), r.u[i].size}, error);
+        ratio += t.slope_of_N[i].size * t.inverse.hi;
+    }
+    write_unit(to->normal, t.N, t.inverse, lost_by_root(&t.q, ratio * by.turn),
+               t.slope_of_N, by.turn, m->outward);
+}
+
+static inline void answer_in_pairs(elliptic_answer *to,
+                                   const elliptic_question *q,
+                                   const elliptic_numbers *m,
+                                   const double point[3], int exactly)
+{
+    const int tapered = cylint_is_tapered(q->shape->kind);
+    switch (q->feature) {
+    case CYLINT_FEATURE_LATERAL:
+        answer_on_lateral(to, q, m, point, exactly, tapered);
+        break;
+    case CYLINT_FEATURE_CAP0:
+    case CYLINT_FEATURE_CAP1:
+        answer_on_cap(to, q, m, point, q->feature == CYLINT_FEATURE_CAP1);
+        break;
+    case CYLINT_FEATURE_APEX:
+        answer_on_apex(to, q, m);
+        break;
+    default:
+        answer_on_rim(to, q, m, q->feature == CYLINT_FEATURE_RIM1, exactly,
+                      tapered);
+    }
+}
+
+#endif
