@@ -137,35 +137,25 @@
 #define CYLINT_SPHERE_SAFETY_ERROR (5.501 * CYLINT_NEAREST_ROUNDING)
 
 /*
- * The errors of distance/elliptic_safety.c in any rounding mode, in units of
- * CYLINT_ROUNDING; all are below 64.
+ * Elliptic kinds.
  *
- *   a local coordinate, relative to the norm of the matrix and the sum of |D_i|:
- *       a difference, the entry, a product, two sums: 5; w.e - rho has
- *       three of them, one times the slope, and 4 more roundings
- *   an entry of the matrix A, relative to (norm (1 + |slope|))^2: an entry of B 9,
- *       of b 9 |slope|, of c 9 slope^2; e.Ae 26; the sums for A 10
- *   N, relative to norm (1 + |slope|): 8
- *   W, relative to |w|^2 / det: det 16, the numerator 56; counted twice
- *   a plane n that touches the solid, relative to the sums of |n_i| and of the
- *       sizes of the point and the shape: 16
+ *   CYLINT_SIZED_ERROR      of a sum of products in pairs (distance/sized_pair.h),
+ *                           relative to the sizes of its terms: a term passes fewer
+ *                           than 16 operations, with CYLINT_PAIR_PRODUCT each
+ *   CYLINT_CURVATURE_ERROR  of the coefficients of the curvature
+ *                           (distance/elliptic_certainty.h), relative to the sizes of
+ *                           their terms: fewer than 2^6 roundings
+ *   CYLINT_ELLIPTIC_SAFETY_ERROR
+ *                           in any rounding mode: of a local coordinate from the
+ *                           matrix in doubles, relative to the norm of the matrix and
+ *                           the sum of |D_i|, with a difference, the entry, a product
+ *                           and two sums: 5 roundings; (x, y).e - rho has three of
+ *                           them, one times the slope, and 4 more; N and a root 8
+ *
+ * No length is above CYLINT_ELLIPTIC_MOST, and where points and normals are wanted
+ * components are 0 or at least CYLINT_ELLIPTIC_LEAST: no term over- or underflows.
  */
 #define CYLINT_ELLIPTIC_SAFETY_ERROR (64 * CYLINT_ROUNDING)
-
-/*
- * Elliptic distances in pairs (distance/elliptic_in_pairs.h).
- *
- *   CYLINT_SIZED_ERROR      of a sum of products of up to 7 factors, relative to the
- *                           sizes of its terms: a term passes fewer than 10
- *                           operations, with CYLINT_PAIR_PRODUCT each
- *   CYLINT_CURVATURE_ERROR  of the coefficients of the curvature (elliptic_certainty.h)
- *                           relative to the sizes of their terms: fewer than 2^6
- *                           roundings; the local coordinates have
- *                           CYLINT_ELLIPTIC_SAFETY_ERROR
- *
- * The components of shapes and points that are served are 0, or from
- * CYLINT_ELLIPTIC_LEAST to CYLINT_ELLIPTIC_MOST: no term over- or underflows.
- */
 #define CYLINT_SIZED_ERROR 0x1p-94
 #define CYLINT_CURVATURE_ERROR 0x1p-40
 #define CYLINT_ELLIPTIC_LEAST 0x1p-100
