@@ -92,7 +92,7 @@ static void errors_are_below_their_bounds(void)
     printf("note: the largest error is %.3f of its bound in pairs, %.3f in "
            "doubles\n",
            most_in_pairs, most_in_doubles);
-    CHECK(most_in_pairs > 0x1p-10 && most_in_doubles > 0x1p-10);
+    CHECK(most_in_pairs > 0x1p-13 && most_in_doubles > 0x1p-13);
 }
 
 int main(void)

@@ -60,12 +60,12 @@ typedef struct {
                        apart are equal */
 } elliptic_place;
 
-INLINE double dot_of(const double u[3], const double v[3])
+CYLINT_INLINE double dot_of(const double u[3], const double v[3])
 {
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-INLINE double sum_of_sizes(const double v[3])
+CYLINT_INLINE double sum_of_sizes(const double v[3])
 {
     return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
 }
@@ -117,8 +117,8 @@ static inline angle secular_angle(double along, double across, double more,
 
 /* An angle in the axes of p, given along those of p.most and p.least, turned
  * back. */
-INLINE angle turned_back(const principal_axes *p, double of_most,
-                         double of_least)
+CYLINT_INLINE angle turned_back(const principal_axes *p, double of_most,
+                                double of_least)
 {
     const double c = p->c * of_most - p->s * of_least,
                  s = p->s * of_most + p->c * of_least;
@@ -136,8 +136,8 @@ typedef struct {
     double q, half_q;        /* N.N, N.V */
 } tangent_plane;
 
-INLINE void load_tangent_plane(tangent_plane *t, const elliptic_place *p,
-                               angle at)
+CYLINT_INLINE void load_tangent_plane(tangent_plane *t, const elliptic_place *p,
+                                      angle at)
 {
     EACH(i, 3) {
         t->U[i] = at.cos * p->X[i] + at.sin * p->Y[i];
@@ -151,13 +151,14 @@ INLINE void load_tangent_plane(tangent_plane *t, const elliptic_place *p,
 }
 
 /* g = n' N.N - n N.V is 0 at the nearest point.  Its derivative. */
-INLINE double slope_of_height(const tangent_plane *t, const elliptic_place *p)
+CYLINT_INLINE double slope_of_height(const tangent_plane *t,
+                                     const elliptic_place *p)
 {
     const double turned = dot_of(t->V, t->V) - dot_of(t->N, t->U); /* of N.V */
     return t->slope_of_n * t->half_q - t->n * turned - (t->n + p->rho) * t->q;
 }
 
-INLINE angle turned_by(angle at, double by)
+CYLINT_INLINE angle turned_by(angle at, double by)
 {
     const double square = by * by;
     const double scale =
@@ -167,7 +168,7 @@ INLINE angle turned_by(angle at, double by)
 }
 
 /* The height over the tangent plane. */
-INLINE double height_at(const elliptic_place *p, angle at)
+CYLINT_INLINE double height_at(const elliptic_place *p, angle at)
 {
     tangent_plane t;
     load_tangent_plane(&t, p, at);
@@ -196,7 +197,7 @@ static inline angle highest_of(const principal_axes *axes, angle e,
 }
 
 /* From half a turn on. */
-INLINE int is_second(angle at)
+CYLINT_INLINE int is_second(angle at)
 {
     return at.sin < 0 || (at.sin == 0 && at.cos < 0);
 }
@@ -248,7 +249,7 @@ typedef struct {
     double u[3], v[3], R[3]; /* u' = v */
 } rim_place;
 
-INLINE void load_rim_place(rim_place *r, const cylint_shape *s, angle at)
+CYLINT_INLINE void load_rim_place(rim_place *r, const cylint_shape *s, angle at)
 {
     EACH(i, 3) {
         r->u[i] = at.cos * cylint_a(s)[i] + at.sin * cylint_b(s)[i];

@@ -34,7 +34,7 @@ typedef struct {
     double distance, away, turn;
 } uncertainty;
 
-static const uncertainty unknown = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+static const uncertainty uncertain_angle = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
 /* k from the coefficients of 1 - cos, sin^2, sin (1 - cos) and (1 - cos)^2 of the
  * turn, less their error. */
@@ -108,7 +108,7 @@ static inline uncertainty outside_lateral(const tangent_plane *t,
         (fabs(t->half_q) + fabs(p->slope * dot_of(p->Z, t->N))) / size +
         4 * p->relative * p->norm;
     if (!(8 * l * beside <= rho * size) || !(8 * l <= rho))
-        return unknown;
+        return uncertain_angle;
     const double by_foot = (p->norm * away + l) / rho,
                  by_normal = away * t->q / (h * turn_of_normal(t));
     return (uncertainty){deeper, away,
@@ -122,7 +122,7 @@ static inline uncertainty inside_lateral_surface(const tangent_plane *t,
     const double n = fabs(t->n) + p->error, size = sqrt(t->q), h = n / size;
     const double distance = 4 * h * l * l / k, turn = 16 * n * l / k;
     if (!(8 * l * h * p->norm <= k))
-        return unknown;
+        return uncertain_angle;
     return (uncertainty){distance, distance + h * p->norm / size * turn, turn};
 }
 
