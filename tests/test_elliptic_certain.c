@@ -244,6 +244,24 @@ static void a_flat_shape_has_the_nearer_cap(void)
     CHECK(a.distance == -0.00031562053061795297 && a.feature == CAP0);
 }
 
+/* On the surface, one rounding from the apex: nearly all digits of x and y have
+ * cancelled. */
+static void beside_an_apex_the_normal_is_that_of_the_ruling(void)
+{
+    const struct solid e = {{0.2, -0.4, 0.4},
+                            {0.4, 0, 0.2},
+                            {-0.30000000000000004, 0.4, 0.30000000000000004},
+                            {0.1, 0, -0.1},
+                            0};
+    const double p[3] = {0.30000000000000004, -0.4, 0.30000000000000004};
+    const cylint_shape s = shape_of(&e, CYLINT_ENDS_OPEN);
+    const cylint_closest a = answer_to(&s, p, WANT);
+    CHECK(a.distance == 0 && a.feature == LATERAL);
+    CHECK(a.normal[0] == 0.48507125007266594 &&
+          a.normal[1] == 0.72760687510899891 &&
+          a.normal[2] == -0.48507125007266594);
+}
+
 static void on_the_axis_the_answer_is_certain(void)
 {
     const struct solid tube = {{1, 2, 3}, {2, 0, 0}, {0, 1, 0}, {0, 0, 8}, 1};
@@ -264,6 +282,7 @@ int main(void)
     RUN(what_cancels_in_a_normal_is_uncertain);
     RUN(the_foot_is_beside_the_angle);
     RUN(a_flat_shape_has_the_nearer_cap);
+    RUN(beside_an_apex_the_normal_is_that_of_the_ruling);
     RUN(on_the_axis_the_answer_is_certain);
     return check_end();
 }

@@ -161,6 +161,48 @@ static inline int is_over_apex(const elliptic_question *q)
     return (k1 < 0 ? Fh : -Fh) - fabs(k1) * sqrt(Fa * Fa + Fb * Fb) > error;
 }
 
+/* Whether the foot of the perpendicular on each ruling is beyond an end.  With
+ * v = h + (k - 1) u and F from the centre of the end, whose factor is f, that is
+ * (F - f u).v > 0 at the top, < 0 at the base.  F.u and u.h are at most the lengths
+ * of (F.a, F.b) and (a.h, b.h); u.u is from 0 to a.a + b.b. */
+static inline int are_feet_beyond(const elliptic_question *q, int end)
+{
+    const double *a = cylint_a(q->shape), *b = cylint_b(q->shape),
+                 *h = cylint_axis(q->shape);
+    const double k1 = q->at.slope, f = cylint_end_factor(q->shape, end);
+    double F[3];
+    EACH(i, 3)
+        F[i] = q->at.D[i] - (end ? h[i] : 0);
+    const double of_a = k1 * dot_of(F, a) - f * dot_of(a, h),
+                 of_b = k1 * dot_of(F, b) - f * dot_of(b, h);
+    const double up = (end ? 1 : -1) * dot_of(F, h);
+    const double of_u = (end ? k1 : -k1) * f;
+    const double sizes = sum_of_sizes(a) + sum_of_sizes(b);
+    const double error = CYLINT_ELLIPTIC_SAFETY_ERROR *
+                         (sum_of_sizes(F) + f * sizes + sum_of_sizes(h)) *
+                         (sum_of_sizes(h) + fabs(k1) * sizes);
+    return up - sqrt(of_a * of_a + of_b * of_b) -
+               (of_u > 0 ? of_u * (dot_of(a, a) + dot_of(b, b)) : 0) >
+           error;
+}
+
+/* The rim of an end without a cap, from within the lateral surface beyond it, if
+ * it is nearest on every ruling and nearer than the plane of another cap. */
+static inline int feature_of_open_end(elliptic_question *q, int end)
+{
+    const elliptic_place *p = &q->at;
+    const int is_open = cylint_caps_present(q->shape->ends) == 0;
+    if (cylint_sign(cylint_end_factor(q->shape, end)) == 0 ||
+        !are_feet_beyond(q, end))
+        return CYLINT_NO_FEATURE;
+    const int rim = find_on_rim(q, end);
+    const double cap = (end ? p->z : 1 - p->z) / p->z_norm;
+    return rim == CYLINT_NO_FEATURE || is_open ||
+                   (1 - 0x1p-20) * cap > sqrt(dot_of(q->rim.R, q->rim.R))
+               ? rim
+               : CYLINT_NO_FEATURE;
+}
+
 /* The nearest point of the end beyond which the lateral surface has its nearest
  * point. */
 static inline int feature_of_end(elliptic_question *q, int end)
@@ -170,8 +212,10 @@ static inline int feature_of_end(elliptic_question *q, int end)
     const int over = is_over_end(q, end);
     q->inside = 0;
     if (over && !(above < -q->at.z_error)) {
-        if (over < 0 || !(above > q->at.z_error) || !(caps >> end & 1))
+        if (over < 0 || !(above > q->at.z_error))
             return CYLINT_NO_FEATURE;
+        if (!(caps >> end & 1))
+            return feature_of_open_end(q, end);
         return end ? CYLINT_FEATURE_CAP1 : CYLINT_FEATURE_CAP0;
     }
     return cylint_sign(cylint_end_factor(q->shape, end)) == 0

@@ -40,19 +40,18 @@ ASIDE void load_numbers(elliptic_numbers *m, const cylint_shape *s,
         m->D[i] = sized_of(v_two_sum(point[i], -cylint_base(s)[i]));
         A[i] = sized_of((vpair){a[i], 0});
     }
-    m->volume = sized_dot(A, m->U);
-    m->volume.v = pairs_trimmed(m->volume.v);
+    m->volume = sized_trimmed(sized_dot(A, m->U));
     m->unit = 1 / fabs(m->volume.v.hi);
     m->outward = m->volume.v.hi < 0 ? -1 : 1;
-    m->x = sized_dot(m->D, m->U);
-    m->y = sized_dot(m->D, m->V);
-    m->z = sized_dot(m->D, m->W);
+    m->x = sized_trimmed(sized_dot(m->D, m->U));
+    m->y = sized_trimmed(sized_dot(m->D, m->V));
+    m->z = sized_trimmed(sized_dot(m->D, m->W));
     m->rho = m->volume;
     if (cylint_is_tapered(s->kind)) {
         const sized k1 = sized_of(v_two_sum(cylint_r1(s), -1));
         EACH(i, 3)
             m->bent[i] = sized_product(k1, m->W[i]);
-        m->rho = sized_sum(m->rho, sized_product(k1, m->z));
+        m->rho = sized_trimmed(sized_sum(m->rho, sized_product(k1, m->z)));
     }
 }
 

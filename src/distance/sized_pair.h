@@ -41,6 +41,12 @@ INLINE sized sized_sum3(const sized x[3])
     return (sized){pairs_sum3(v), x[0].size + x[1].size + x[2].size};
 }
 
+/* Where terms have cancelled, the low part can be as large as the high one. */
+INLINE sized sized_trimmed(sized x)
+{
+    return (sized){pairs_trimmed(x.v), x.size};
+}
+
 INLINE sized sized_of(vpair v)
 {
     return (sized){v, v_abs(v.hi)};
