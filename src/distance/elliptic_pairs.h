@@ -157,12 +157,16 @@ static inline direction_pair direction_of(vpair c, vpair s)
                             sized_of(pairs_trimmed(pairs_product(s, f)))};
 }
 
-static inline direction_pair turned_direction(const direction_pair *e,
-                                              double by)
+/* Turns it by a step of Newton's iteration.  One that is larger than those that end
+ * the iteration in doubles has no meaning: returns 0. */
+static inline int turn_direction(direction_pair *e, double by)
 {
     const vpair step = {by, 0};
-    return direction_of(vpair_sub(e->cos.v, pairs_product(e->sin.v, step)),
-                        vpair_add(e->sin.v, pairs_product(e->cos.v, step)));
+    if (!(fabs(by) <= CYLINT_ANGLE_STEP))
+        return 0;
+    *e = direction_of(vpair_sub(e->cos.v, pairs_product(e->sin.v, step)),
+                      vpair_add(e->sin.v, pairs_product(e->cos.v, step)));
+    return 1;
 }
 
 /* The tangent plane at an angle; tapered: W counts. */
@@ -205,7 +209,9 @@ static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
     const double cube = m->unit * m->unit * m->unit;
     const sized before = load_slope(t, m, e);
     const double sign = m->volume.v.hi < 0 ? -1 : 1;
-    *e = turned_direction(e, -sign * whole(before.v) * cube / slope);
+    *by = uncertain_angle;
+    if (!turn_direction(e, -sign * whole(before.v) * cube / slope))
+        return;
     load_plane(t, m, e, tapered);
     const sized after = load_slope(t, m, e);
     *by = uncertainty_of_plane(q, at_most(after) * cube / q->plane.q);
@@ -474,9 +480,11 @@ static inline void answer_on_rim(elliptic_answer *to,
         const double slope =
             doubles->f * (doubles->f * dot_of(doubles->v, doubles->v) +
                           dot_of(doubles->R, doubles->u));
-        e = turned_direction(&e, whole(sized_dot(r.R, r.v).v) / slope);
-        load_rim_in_pairs(&r, s, F, doubles->f, &e);
-        by = of_rim(doubles, at_most(sized_dot(r.R, r.v)), q->curvature);
+        by = uncertain_angle;
+        if (turn_direction(&e, whole(sized_dot(r.R, r.v).v) / slope)) {
+            load_rim_in_pairs(&r, s, F, doubles->f, &e);
+            by = of_rim(doubles, at_most(sized_dot(r.R, r.v)), q->curvature);
+        }
     }
     to->distance = length_of_pairs(r.R, by.distance);
     if (!exactly)
