@@ -332,8 +332,8 @@ class Shapes:
         nappe it is the whole boundary, and the distance is negative inside: its
         sign is that of -contains(points).  Of open, cap0 and cap1 it is never
         negative.  It is 0 exactly on the surface, and else the float64 nearest
-        to the real distance; of elliptic kinds within 1 unit in the last place,
-        if the shape is not extreme: cylint_distance(3) states the limits.
+        to the real distance; of elliptic kinds nearly always, else within 1 unit
+        in the last place: cylint_distance(3) states the limits.
 
         inf if a coordinate of the point is infinite or nan, or if there is no
         surface: that of a round cone that is the ball about one end, if `ends`
