@@ -8,6 +8,7 @@
 #include "intersect.h"
 
 #include "roots/overlap.h"
+#include "shapes/local_doubles.h"
 #include "dispatch.h"
 
 static cylint_overlap overlap_of(cylint_query *q)
@@ -250,6 +251,20 @@ int cylint_occluded(const cylint_shape *shape, const cylint_line *line)
     return answer_t(shape, line, CYLINT_WANT_NEAREST, &answer);
 }
 #endif
+
+int cylint_occluded_in_doubles(int kind, int ends, const double p0[3],
+                               double r0, const double p1[3], double r1,
+                               const cylint_line *line)
+{
+    cylint_shape shape;
+    cylint_answer answer;
+    cylint_question question;
+    cylint_local_in_doubles(&shape, kind, ends, p0, r0, p1, r1);
+    const unsigned solid =
+        (unsigned)cylint_prepared(&shape) & -(unsigned)line->in_range;
+    return cylint_one_used()->by_solid[solid][0](
+        &shape, line, CYLINT_WANT_NEAREST, &answer, &question);
+}
 
 /* Without the filter. */
 ASIDE int contains_by_signs(const cylint_shape *shape, const double point[3])

@@ -15,6 +15,24 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
                               const cylint_line *line, unsigned want,
                               cylint_answer *answer);
 
+/*
+ * For libcylint-scene: cylint_occluded() of the shape that a constructor makes of
+ * two points and two radii, without low parts of its local coordinates.  Returns
+ * CYLINT_UNDECIDED where these leave the answer open.  The kind is cylinder, cone,
+ * capsule or rounded cone; the local coordinates of the constructor's shape are
+ * accurate.
+ */
+CYLINT_API int cylint_occluded_in_doubles(int kind, int ends,
+                                          const double p0[3], double r0,
+                                          const double p1[3], double r1,
+                                          const cylint_line *line);
+
+/* For libcylint-scene: makes the shape again that a constructor made of these two
+ * points and radii, of this kind. */
+CYLINT_API void cylint_make_again(cylint_shape *shape, int kind, int ends,
+                                  const double p0[3], double r0,
+                                  const double p1[3], double r1);
+
 /* Opens the query of a line through a point, for signs that depend only on that
  * point or on the shape.  Returns an error if the point is not finite. */
 cylint_status cylint_open_at(cylint_query *q, const cylint_shape *shape,

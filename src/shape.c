@@ -90,13 +90,23 @@ static void write_shape(cylint_shape *shape, int kind, cylint_ends ends,
     measure_local(shape);
 }
 
+void cylint_make_again(cylint_shape *shape, int kind, int ends,
+                       const double p0[3], double r0, const double p1[3],
+                       double r1)
+{
+    double axis[3];
+    for (int i = 0; i < 3; i++)
+        axis[i] = cylint_difference(p1[i], p0[i]).hi;
+    write_shape(shape, kind, (cylint_ends)ends, p0, axis, p1, none, none, r0,
+                r1);
+}
+
 /* Checks and writes a shape that is given by two points and a radius at each.
  * same: its kind for equal radii. */
 static cylint_status make_of_points(cylint_shape *shape, const double p0[3],
                                     double r0, const double p1[3], double r1,
                                     int same, int kind, cylint_ends ends)
 {
-    double axis[3];
     if (!cylint_is_finite(p0) || !cylint_is_finite(p1) ||
         !(fabs(r0) <= DBL_MAX) || !(fabs(r1) <= DBL_MAX))
         return refuse_shape(shape, CYLINT_ENONFINITE);
@@ -107,10 +117,9 @@ static cylint_status make_of_points(cylint_shape *shape, const double p0[3],
         return refuse_shape(shape, CYLINT_EAXIS);
     if (!cylint_ends_fit(kind, (int)ends))
         return refuse_shape(shape, CYLINT_EENDS);
-    for (int i = 0; i < 3; i++)
-        axis[i] = cylint_difference(p1[i], p0[i]).hi;
-    write_shape(shape, cylint_rank(r0) == cylint_rank(r1) ? same : kind, ends,
-                p0, axis, p1, none, none, r0, r1);
+    cylint_make_again(shape,
+                      cylint_rank(r0) == cylint_rank(r1) ? same : kind,
+                      (int)ends, p0, r0, p1, r1);
     return CYLINT_OK;
 }
 

@@ -99,6 +99,11 @@ static number known(double size)
     return (number){size, 0, 0};
 }
 
+/* What the shape's numbers err by beside a rounding, in doubles without low parts
+ * (shapes/local_doubles.c), in any rounding mode: the matrix, height and slope,
+ * and the angle of a rounded cone. */
+static double matrix_off, height_off, angle_off;
+
 /* The larger in each respect. */
 static number worse(number x, number y)
 {
@@ -113,7 +118,7 @@ static number worse(number x, number y)
  * large. */
 static number row_times(number component)
 {
-    const number entry = given(1, in_pairs ? u : 0), none = {0, 0, 0};
+    const number entry = given(1, in_pairs ? u : matrix_off), none = {0, 0, 0};
     number most = none;
     for (int all = 0; all < 3; all++) {
         number total = none;
@@ -130,7 +135,7 @@ static number row_times(number component)
  * pairs (tests/test_local.c). */
 static number relative(double size)
 {
-    return given(size, in_pairs ? CYLINT_LOCAL_ERROR * size : 0);
+    return given(size, (in_pairs ? CYLINT_LOCAL_ERROR : height_off) * size);
 }
 
 /* Of a rounded cone: sine, cosine and slope have the relative error u in pairs,
@@ -139,7 +144,7 @@ static int is_round;
 
 static number of_angle(double size)
 {
-    return given(size, in_pairs ? u * size : 0);
+    return given(size, (in_pairs ? u : angle_off) * size);
 }
 
 /* z and r of the top's plane and circle, or of the top's ball. */
@@ -202,17 +207,43 @@ static void over_cells(cell *at)
     }
 }
 
-/* In doubles; in pairs with the least and with the greatest u. */
-static void in_each_arithmetic(void (*test)(void))
+/* In doubles where the matrix has no low parts: the roundings of which
+ * local_doubles.c gives the counts.  A rounded cone's cosine has its square
+ * between 1 and 1 - CYLINT_LOCAL_STEEPEST^2. */
+static void in_local_doubles(void (*test)(void))
 {
-    const double units[] = {is_round ? CYLINT_LOCAL_ROUND * CYLINT_ROUNDING
-                                     : CYLINT_ROUNDING,
-                            CYLINT_LOCAL_ERROR, CYLINT_LOCAL_WORST};
-    for (int i = 0; i < 3; i++) {
-        u = units[i];
-        in_pairs = i > 0;
+    const double steepest = 1 - square(CYLINT_LOCAL_STEEPEST);
+    matrix_off = 14.5 * CYLINT_ROUNDING;
+    height_off = 10.5 * CYLINT_ROUNDING;
+    for (int steep = 0; steep <= is_round; steep++) {
+        const double cosine2 = steep ? steepest : 1;
+        u = CYLINT_LOCAL_DOUBLES * CYLINT_ROUNDING / cosine2;
+        angle_off = 13 * CYLINT_ROUNDING / cosine2;
         test();
     }
+    matrix_off = height_off = angle_off = 0;
+}
+
+static void in_doubles(void (*test)(void))
+{
+    in_pairs = 0;
+    u = (is_round ? CYLINT_LOCAL_ROUND : 1) * CYLINT_ROUNDING;
+    test();
+    in_local_doubles(test);
+}
+
+/* In doubles, with and without low parts of the matrix; in pairs with the least and
+ * with the greatest u. */
+static void in_each_arithmetic(void (*test)(void))
+{
+    static const double units[] = {CYLINT_LOCAL_ERROR, CYLINT_LOCAL_WORST};
+    in_doubles(test);
+    in_pairs = 1;
+    for (int i = 0; i < 2; i++) {
+        u = units[i];
+        test();
+    }
+    in_pairs = 0;
 }
 
 /* ------------------------------------------------------------ forms ----- */
@@ -502,29 +533,32 @@ static void ball_at_t(void)
     judge(&FORM_ERROR, "of A t + B");
 }
 
-static void the_signs_at_a_point_have_their_bounds(void)
+static void point_C_cells(void)
 {
-    u = CYLINT_ROUNDING;
-    in_pairs = 0;
-    ball_at_t();
-    is_round = 1;
-    u = CYLINT_LOCAL_ROUND * CYLINT_ROUNDING;
-    over_cells(point_cell);
-    judge(&POSITION, "at t, round");
     point_C_cell(0, 1, 0, FIRST_SLOPE);
     for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= SLOPE_STEP)
         point_C_cell(0, 1, s, s * SLOPE_STEP);
-    judge(&POSITION, "of C, round");
-    is_round = 0;
-    u = CYLINT_ROUNDING;
+}
+
+static void at_points(void)
+{
     over_cells(point_cell);
-    judge(&POSITION, "at t");
+    judge(&POSITION, is_round ? "at t, round" : "at t");
+    point_C_cells();
+    judge(&POSITION, is_round ? "of C, round" : "of C at t");
+    if (is_round)
+        return;
     over_cells(vertex_cell);
     judge(&FORM_ERROR, "of A t + B");
-    point_C_cell(0, 1, 0, FIRST_SLOPE);
-    for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= SLOPE_STEP)
-        point_C_cell(0, 1, s, s * SLOPE_STEP);
-    judge(&POSITION, "of C at t");
+}
+
+static void the_signs_at_a_point_have_their_bounds(void)
+{
+    in_doubles(ball_at_t);
+    in_doubles(at_points);
+    is_round = 1;
+    in_doubles(at_points);
+    is_round = 0;
 }
 
 /* ----------------------------------------------------------- residuals -- */

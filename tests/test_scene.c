@@ -409,7 +409,8 @@ static void every_status_has_its_text(void)
         [CYLINT_SCENE_OK] = "no error",
         [CYLINT_SCENE_EMEMORY] = "out of memory",
         [CYLINT_SCENE_ESIZE] = "too many shapes for one scene",
-        [CYLINT_SCENE_ESTOPPED] = "stopped by the progress function"};
+        [CYLINT_SCENE_ESTOPPED] = "stopped by the progress function",
+        [CYLINT_SCENE_EFINISHED] = "the scene is finished already"};
     check_texts(cylint_scene_strerror, texts, sizeof texts / sizeof *texts);
 }
 

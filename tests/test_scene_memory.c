@@ -1,8 +1,9 @@
 /*
  * test_scene_memory.c - floor scene: refused allocations leave no memory behind
  *
- * A scene allocates with malloc() and calloc(), which the linker replaces by
- * the functions below.  Each allocation is refused in turn.
+ * A scene allocates with malloc(), calloc() and realloc(), which the linker
+ * replaces by the functions below.  Each allocation is refused in turn.  Where
+ * memory that is not needed cannot be returned, the scene keeps it.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -26,14 +27,17 @@ enum { SHAPES = 300, ENOUGH = 1000 };
 static struct {
     int watched;
     int requested, refuse; /* allocations; the number of the one that fails */
+    int kept;              /* realloc() of existing memory was refused */
     int held;              /* allocations not freed yet */
 } heap;
 
 void *__real_malloc(size_t);
 void *__real_calloc(size_t, size_t);
+void *__real_realloc(void *, size_t);
 void __real_free(void *);
 void *__wrap_malloc(size_t);
 void *__wrap_calloc(size_t, size_t);
+void *__wrap_realloc(void *, size_t);
 void __wrap_free(void *);
 
 static int heap_refuses(void)
@@ -57,6 +61,16 @@ void *__wrap_calloc(size_t n, size_t size)
     return heap_refuses() ? NULL : heap_hold(__real_calloc(n, size));
 }
 
+void *__wrap_realloc(void *p, size_t size)
+{
+    if (heap_refuses()) {
+        heap.kept = p != NULL;
+        return NULL;
+    }
+    void *q = __real_realloc(p, size);
+    return p ? q : heap_hold(q);
+}
+
 void __wrap_free(void *p)
 {
     heap.held -= heap.watched && p != NULL;
@@ -67,13 +81,13 @@ void __wrap_free(void *p)
 static int is_made(const struct scene_shapes *of, int refuse)
 {
     cylint_scene_status status = CYLINT_SCENE_OK;
-    heap.requested = heap.held = 0;
+    heap.requested = heap.held = heap.kept = 0;
     heap.refuse = refuse;
     heap.watched = 1;
     cylint_scene *scene = cylint_scene_new(of->shapes, of->n, 1, &status);
     const int made = heap.requested < refuse;
-    CHECK(made ? scene && status == CYLINT_SCENE_OK
-               : !scene && status == CYLINT_SCENE_EMEMORY);
+    CHECK(made || heap.kept ? scene && status == CYLINT_SCENE_OK
+                            : !scene && status == CYLINT_SCENE_EMEMORY);
     cylint_scene_free(scene);
     heap.watched = 0;
     CHECK(heap.held == 0);

@@ -33,7 +33,7 @@ $(BUILD)/tests/test_turns.o: extra += $(x86)
 
 # --wrap: calls of these functions go to __wrap_ functions of a test.
 wrap = $(foreach c,$(1),-Wl,--wrap=$c)
-$(BUILD)/tests/test_scene_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc free))
+$(BUILD)/tests/test_scene_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc free))
 
 $(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/scene_curves $(BUILD)/tests/pixels:
 	$(link)

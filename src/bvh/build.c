@@ -480,20 +480,23 @@ size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
     return b.n_nodes;
 }
 
-static uint32_t copy_below(cylint_node *to, uint32_t *n,
-                           const cylint_node *from, uint32_t number)
+/* Moves the node and those below it to the first places that are free, and returns
+ * the place of the node.  Nodes are visited in the order of their places, so a
+ * place that is written was read before. */
+static uint32_t move_below(cylint_node *nodes, uint32_t *n, uint32_t number)
 {
-    const uint32_t copied = (*n)++;
-    cylint_node *node = &to[copied];
-    *node = from[number];
-    for (unsigned i = 0; node->children >> i; i++)
-        if (!(node->child[i] & CYLINT_LEAF_FLAG))
-            node->child[i] = copy_below(to, n, from, node->child[i]);
-    return copied;
+    const uint32_t place = (*n)++;
+    nodes[place] = nodes[number];
+    for (unsigned i = 0; nodes[place].children >> i; i++) {
+        const uint32_t child = nodes[place].child[i];
+        if (!(child & CYLINT_LEAF_FLAG))
+            nodes[place].child[i] = move_below(nodes, n, child);
+    }
+    return place;
 }
 
-void cylint_build_compact(cylint_node *to, const cylint_node *from)
+void cylint_build_compact(cylint_node *nodes)
 {
     uint32_t n = 0;
-    copy_below(to, &n, from, 0);
+    move_below(nodes, &n, 0);
 }

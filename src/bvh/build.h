@@ -15,7 +15,7 @@ enum { CYLINT_LEAF_SIZE = 8, CYLINT_CHILDREN = 8 };
 /* The box of a piece of a shape. */
 typedef struct cylint_boxed_piece {
     float lower[3];
-    uint32_t disc; /* index of the shape's packed disc: split.h */
+    uint32_t number; /* of the shape */
     float upper[3];
     uint16_t index, count; /* piece number `index` of `count` */
 } cylint_boxed_piece;
@@ -55,7 +55,7 @@ size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
                           size_t n, const float center[3], int threads,
                           cylint_watch *watch);
 
-/* Copies the nodes without the gaps, each before its children. */
-void cylint_build_compact(cylint_node *to, const cylint_node *from);
+/* Closes the gaps.  Each node stays before its children. */
+void cylint_build_compact(cylint_node *nodes);
 
 #endif

@@ -7,46 +7,79 @@
 
 #include "threads.h"
 
-/* The number of discs that are copied together before leaves are filled.  They
+/* The number of shapes that are read together before leaves are filled.  They
  * lie at random addresses, and the processor waits for several at once.
  * (Prefetching them had no effect where every address needs a translation.) */
 enum { TOGETHER = 4 * CYLINT_LEAF_SIZE };
 
-/* Pieces to be stored in leaves. */
+/* Groups of TOGETHER pieces that one thread stores before others begin. */
+enum { FIRST_GROUPS = 1024 };
+
+/* Pieces to be stored in leaves, in the same memory. */
 typedef struct {
-    const cylint_split *split;
+    const cylint_boxed_piece *box;
+    size_t n;
     cylint_leaf *leaves;
-    double line_error;
+    const cylint_view *view;
     cylint_watch *watch;
+    size_t first_group; /* of a round */
 } leaf_job;
 
-/* Fills the leaves of groups [from, to) of TOGETHER pieces. */
+static void fill_group(const leaf_job *job, size_t first)
+{
+    cylint_swept_disc disc[TOGETHER];
+    cylint_boxed_piece box[TOGETHER];
+    const size_t left = job->n - first;
+    const int n = left < TOGETHER ? (int)left : TOGETHER;
+    memcpy(box, job->box + first, (size_t)n * sizeof *box);
+    for (int i = 0; i < n; i++) {
+        cylint_shape spare;
+        cylint_swept_disc_of(
+            &disc[i], job->view,
+            cylint_view_shape(job->view, box[i].number, &spare));
+    }
+    for (int i = 0; i < n; i += CYLINT_LEAF_SIZE)
+        cylint_leaf_fill(
+            job->leaves + (first + (size_t)i) / CYLINT_LEAF_SIZE, disc + i,
+            box + i, n - i < CYLINT_LEAF_SIZE ? n - i : CYLINT_LEAF_SIZE,
+            job->view->line_error);
+}
+
+/* Fills the leaves of groups [from, to), counted from the first of the round. */
 static void fill_leaves(void *self, size_t from, size_t to)
 {
     const leaf_job *job = self;
-    const cylint_split *split = job->split;
-    cylint_packed_disc disc[TOGETHER];
-    for (size_t first = from * TOGETHER; from < to; from++, first += TOGETHER) {
+    for (; from < to; from++) {
+        const size_t first = (job->first_group + from) * TOGETHER;
         if (!cylint_watch_item(job->watch, first))
             return;
-        const size_t left = split->n - first;
-        const int n = left < TOGETHER ? (int)left : TOGETHER;
-        const cylint_boxed_piece *box = split->box + first;
-        for (int i = 0; i < n; i++)
-            disc[i] = split->disc[box[i].disc];
-        for (int i = 0; i < n; i += CYLINT_LEAF_SIZE)
-            cylint_leaf_fill(
-                job->leaves + (first + (size_t)i) / CYLINT_LEAF_SIZE, disc + i,
-                box + i, n - i < CYLINT_LEAF_SIZE ? n - i : CYLINT_LEAF_SIZE,
-                job->line_error);
+        fill_group(job, first);
     }
 }
 
-/* Pieces, and nodes above them with gaps. */
+/*
+ * Stores the leaves over the boxes.  A leaf has the size of 4 boxes and is made of
+ * 8, so those of groups [m, 2 m) are stored over the boxes of [m / 2, m), which
+ * are not needed any more after the round before.
+ */
+static void fill_all_leaves(leaf_job *job, int threads)
+{
+    const size_t groups = (job->n + TOGETHER - 1) / TOGETHER;
+    size_t from = 0, to = FIRST_GROUPS;
+    if (threads == 1 || groups < to)
+        to = groups;
+    for (int using = 1; from < groups; using = threads) {
+        job->first_group = from;
+        cylint_threads_run(using, to - from, fill_leaves, job);
+        from = to;
+        to = groups - from < from ? groups : 2 * from;
+    }
+}
+
+/* Nodes with gaps between them, and the pieces below them. */
 typedef struct {
     cylint_split split;
     cylint_memory memory; /* of the nodes */
-    cylint_node *nodes;
     size_t n_nodes;
 } draft;
 
@@ -70,12 +103,6 @@ static void set_box(cylint_bvh *bvh, const cylint_extent *box,
     bvh->near_distance = cylint_float_above(longest * 256);
 }
 
-static void free_draft(draft *d)
-{
-    cylint_split_free(&d->split);
-    cylint_memory_free(&d->memory);
-}
-
 /* The status of a step that does not fail otherwise. */
 static cylint_bvh_status result(cylint_watch *watch)
 {
@@ -86,7 +113,6 @@ static cylint_bvh_status make_draft(draft *d, cylint_bvh *bvh,
                                     const cylint_bvh_input *input,
                                     size_t *refused)
 {
-    cylint_watch_step(input->watch, CYLINT_STEP_SPLIT, input->n);
     const cylint_bvh_status status =
         cylint_split_shapes(&d->split, input, refused);
     if (status != CYLINT_BVH_OK)
@@ -95,34 +121,36 @@ static cylint_bvh_status make_draft(draft *d, cylint_bvh *bvh,
     if (leaves >= CYLINT_LEAF_FLAG ||
         !cylint_memory_allocate(&d->memory, input->source,
                                 cylint_build_most_nodes(leaves) *
-                                    sizeof *d->nodes))
+                                    sizeof(cylint_node)))
         return CYLINT_BVH_EMEMORY;
     cylint_watch_step(input->watch, CYLINT_STEP_NODES, d->split.n);
-    d->nodes = d->memory.data;
     set_box(bvh, &d->split.all, input->view->line_error);
-    d->n_nodes = cylint_build_nodes(d->nodes, d->split.box, d->split.n,
+    d->n_nodes = cylint_build_nodes(d->memory.data, d->split.box, d->split.n,
                                     bvh->center, input->threads, input->watch);
     return result(input->watch);
 }
 
-/* Writes nodes and leaves into memory of exactly their size. */
-static cylint_bvh_status finish(cylint_bvh *bvh, const draft *d,
+/* Closes the gaps between nodes, stores the leaves, and returns the memory that
+ * neither needs. */
+static cylint_bvh_status finish(cylint_bvh *bvh, draft *d,
                                 const cylint_bvh_input *input)
 {
+    leaf_job job = {.box = d->split.box,
+                    .n = d->split.n,
+                    .leaves = d->split.memory.data,
+                    .view = input->view,
+                    .watch = input->watch};
     bvh->n_leaves = leaves_for(d->split.n);
-    if (!cylint_memory_allocate(&bvh->memory, input->source,
-                                d->n_nodes * sizeof *d->nodes +
-                                    bvh->n_leaves * sizeof(cylint_leaf)))
-        return CYLINT_BVH_EMEMORY;
-    cylint_node *nodes = bvh->memory.data;
-    cylint_leaf *leaves = (cylint_leaf *)(void *)(nodes + d->n_nodes);
-    leaf_job job = {&d->split, leaves, input->view->line_error, input->watch};
+    bvh->n_nodes = d->n_nodes;
     cylint_watch_step(input->watch, CYLINT_STEP_LEAVES, d->split.n);
-    cylint_build_compact(nodes, d->nodes);
-    cylint_threads_run(input->threads, (d->split.n + TOGETHER - 1) / TOGETHER,
-                       fill_leaves, &job);
-    bvh->nodes = nodes;
-    bvh->leaves = leaves;
+    cylint_build_compact(d->memory.data);
+    cylint_memory_reduce(&d->memory, input->source,
+                         bvh->n_nodes * sizeof *bvh->nodes);
+    fill_all_leaves(&job, input->threads);
+    cylint_memory_reduce(&d->split.memory, input->source,
+                         bvh->n_leaves * sizeof *bvh->leaves);
+    bvh->nodes = d->memory.data;
+    bvh->leaves = d->split.memory.data;
     return result(input->watch);
 }
 
@@ -140,14 +168,16 @@ cylint_bvh_status cylint_bvh_build(cylint_bvh *bvh,
     cylint_bvh_status status = make_draft(&d, bvh, &in, refused);
     if (status == CYLINT_BVH_OK)
         status = finish(bvh, &d, &in);
-    free_draft(&d);
+    bvh->node_memory = d.memory;
+    bvh->leaf_memory = d.split.memory;
     if (status != CYLINT_BVH_OK)
-        cylint_memory_free(&bvh->memory);
+        cylint_bvh_free(bvh);
     return status;
 }
 
 void cylint_bvh_free(cylint_bvh *bvh)
 {
-    cylint_memory_free(&bvh->memory);
+    cylint_memory_free(&bvh->node_memory);
+    cylint_memory_free(&bvh->leaf_memory);
     memset(bvh, 0, sizeof *bvh);
 }

@@ -11,10 +11,10 @@
 #include "memory.h"
 
 typedef struct cylint_bvh {
-    cylint_memory memory;      /* of leaves and nodes */
+    cylint_memory node_memory, leaf_memory;
     const cylint_leaf *leaves; /* NULL if there are none */
     const cylint_node *nodes;  /* the root first */
-    size_t n_leaves;           /* 0: no nodes either */
+    size_t n_leaves, n_nodes;  /* 0 and 0, or neither */
     cylint_extent box;         /* of all shapes, empty if there are none */
     float center[3];           /* of the box: the origin of nodes' corners */
     float pad;                 /* the error of each side of a box, beside 2^-20

@@ -112,14 +112,14 @@ static void store_numbers(cylint_leaf *leaf, int lane, cylint_piece piece,
  * to the rounded one as its ends are, so nothing is added but 2 steps at each end
  * of an axis shorter than 4: so every lane has one.
  */
-static int bound_piece(cylint_leaf *leaf, int lane, const cylint_packed_disc *s,
+static int bound_piece(cylint_leaf *leaf, int lane, const cylint_swept_disc *s,
                        cylint_piece piece, double line_error)
 {
     const int capsule = leaf->used & CYLINT_LEAF_ROUND;
     const double steps = cylint_leaf_steps(leaf);
     const double *base = s->base, *axis = s->axis;
-    const double k0 = s->across[0], k1 = s->across[1];
-    const double slope = cylint_float_of_half(s->slope);
+    const double k0 = s->k[0] * s->across, k1 = s->k[1] * s->across;
+    const double slope = s->along / s->across;
     const double ww = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
     const double length = sqrt(ww);
     const double input_error =
@@ -128,9 +128,9 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_packed_disc *s,
             (fabs(base[0]) + fabs(base[1]) + fabs(base[2]) + length +
              cylint_larger(k0, k1) * (1 + slope));
     const double e = 0.875 + input_error;
-    const int round = s->form == CYLINT_DISC_ROUND;
-    const cylint_piece_hull part = cylint_piece_hull_of(
-        piece, k0, k1, round, round ? cylint_section_shift(k0, k1, ww) : 0);
+    const int round = s->round;
+    const cylint_piece_hull part =
+        cylint_piece_hull_of(piece, k0, k1, round, s->shift);
     const double across = cylint_larger(part.k[0], part.k[1]) * steps;
     const double l = length * steps * (part.z[1] - part.z[0]);
     const double out = sqrt(across * e);
@@ -160,7 +160,7 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_packed_disc *s,
            store_cylinder(leaf, lane, &h);
 }
 
-void cylint_leaf_fill(cylint_leaf *leaf, const cylint_packed_disc *discs,
+void cylint_leaf_fill(cylint_leaf *leaf, const cylint_swept_disc *discs,
                       const cylint_boxed_piece *boxes, int used,
                       double line_error)
 {
@@ -168,14 +168,14 @@ void cylint_leaf_fill(cylint_leaf *leaf, const cylint_packed_disc *discs,
     set_center(leaf, boxes, used);
     int solid = CYLINT_LEAF_SOLID, round = CYLINT_LEAF_ROUND;
     for (int lane = 0; lane < used; lane++) {
-        solid = discs[lane].form == CYLINT_DISC_SOLID ? solid : 0;
-        round = discs[lane].form == CYLINT_DISC_ROUND ? round : 0;
+        solid = discs[lane].solid ? solid : 0;
+        round = discs[lane].round ? round : 0;
     }
     leaf->used = (uint8_t)(used | solid | round);
     for (int lane = 0; lane < used; lane++) {
-        const cylint_packed_disc *disc = discs + lane;
+        const cylint_swept_disc *disc = discs + lane;
         const cylint_piece piece = {boxes[lane].index, boxes[lane].count};
-        leaf->number[lane] = disc->number;
+        leaf->number[lane] = boxes[lane].number;
         store_numbers(leaf, lane, piece, disc->ends);
         if (!bound_piece(leaf, lane, disc, piece, line_error))
             leaf->always |= (uint8_t)(1u << lane);

@@ -44,9 +44,9 @@ enum {
 /* All pieces belong to cylinders with both caps; all to round shapes. */
 enum { CYLINT_LEAF_SOLID = 0x80, CYLINT_LEAF_ROUND = 0x40 };
 
-/* Fills a leaf with `used` pieces, 1 to 8; discs[i] is the packed disc of the
- * shape of boxes[i].  line_error as in cylint_view. */
-void cylint_leaf_fill(cylint_leaf *leaf, const cylint_packed_disc *discs,
+/* Fills a leaf with `used` pieces, 1 to 8; discs[i] is the swept disc of the shape
+ * of boxes[i].  line_error as in cylint_view. */
+void cylint_leaf_fill(cylint_leaf *leaf, const cylint_swept_disc *discs,
                       const cylint_boxed_piece *boxes, int used,
                       double line_error);
 

@@ -10,6 +10,7 @@
 
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { CACHE_LINE = 64, HUGE_PAGE = 2 << 20 };
 
@@ -36,6 +37,12 @@ static void *allocate_from_heap(void *owner, size_t bytes, void **handle)
 
 static const cylint_memory_source heap = {NULL, allocate_from_heap, free};
 
+/* The begin of the next cache line. */
+static char *whole_line(void *handle)
+{
+    return (char *)handle + (CACHE_LINE - (uintptr_t)handle % CACHE_LINE);
+}
+
 int cylint_memory_allocate(cylint_memory *memory,
                            const cylint_memory_source *source, size_t bytes)
 {
@@ -47,11 +54,29 @@ int cylint_memory_allocate(cylint_memory *memory,
     char *data = from->allocate(from->owner, bytes + CACHE_LINE, &handle);
     if (!data)
         return 0;
-    *memory =
-        (cylint_memory){data + (CACHE_LINE - (uintptr_t)data % CACHE_LINE),
-                        bytes, handle, from->release};
+    *memory = (cylint_memory){whole_line(data), bytes, handle, from->release};
     request_huge_pages(memory->data, bytes);
     return 1;
+}
+
+void cylint_memory_reduce(cylint_memory *memory,
+                          const cylint_memory_source *source, size_t bytes)
+{
+    if (source) {
+        cylint_memory less;
+        if (!cylint_memory_allocate(&less, source, bytes))
+            return;
+        memcpy(less.data, memory->data, bytes);
+        cylint_memory_free(memory);
+        *memory = less;
+        return;
+    }
+    const ptrdiff_t at = (char *)memory->data - (char *)memory->handle;
+    char *handle = realloc(memory->handle, bytes + CACHE_LINE);
+    if (!handle)
+        return;
+    memmove(whole_line(handle), handle + at, bytes);
+    *memory = (cylint_memory){whole_line(handle), bytes, handle, free};
 }
 
 void cylint_memory_free(cylint_memory *memory)

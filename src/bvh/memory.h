@@ -26,6 +26,11 @@ typedef struct cylint_memory {
 int cylint_memory_allocate(cylint_memory *memory,
                            const cylint_memory_source *source, size_t bytes);
 
+/* Reduces the memory to its first `bytes` bytes, which may move.  If the source
+ * refuses, the memory stays as it is. */
+void cylint_memory_reduce(cylint_memory *memory,
+                          const cylint_memory_source *source, size_t bytes);
+
 /* Releases the memory, if there is any. */
 void cylint_memory_free(cylint_memory *memory);
 

@@ -32,9 +32,6 @@ static double surface_area(const cylint_swept_disc *t)
  */
 enum { FEW = 4, MANY = 8 };
 
-/* The first FIRST shapes predict the number of pieces of the others. */
-enum { FIRST = 4096 };
-
 static const cylint_piece whole = {0, 1};
 
 static int piece_count(const cylint_swept_disc *t, const cylint_extent *box)
@@ -49,199 +46,135 @@ static uint32_t number_of(const cylint_bvh_input *input, size_t i)
     return input->numbers ? input->numbers[i] : (uint32_t)i;
 }
 
-/* A growing array of boxes. */
+/* The pieces of a shape. */
 typedef struct {
-    cylint_memory memory;
-    cylint_boxed_piece *box;
-    size_t n, capacity;
-    cylint_extent all;
-} piece_list;
-
-static int grow(piece_list *p, const cylint_memory_source *source,
-                size_t capacity)
-{
-    piece_list more = *p;
-    more.capacity = capacity;
-    if (capacity > SIZE_MAX / sizeof *p->box ||
-        !cylint_memory_allocate(&more.memory, source,
-                                capacity * sizeof *p->box))
-        return 0;
-    more.box = more.memory.data;
-    if (p->n > 0)
-        memcpy(more.box, p->box, p->n * sizeof *p->box);
-    cylint_memory_free(&p->memory);
-    *p = more;
-    return 1;
-}
-
-/* The capacity for all pieces, if the remaining shapes have as many as the
- * first `done` ones, plus MANY for each of the next FIRST shapes. */
-static size_t wanted_capacity(const piece_list *p, size_t done, size_t shapes)
-{
-    const size_t first = shapes < FIRST ? shapes : FIRST;
-    const double each = done > 0 ? (double)p->n / (double)done : 0;
-    return p->n + first * MANY +
-           (size_t)(each * 1.0625 * (double)(shapes - done));
-}
-
-static void add_piece(piece_list *p, const cylint_extent *b, uint32_t disc,
-                      cylint_piece piece)
-{
-    p->box[p->n++] =
-        (cylint_boxed_piece){{b->lower[0], b->lower[1], b->lower[2]},
-                             disc,
-                             {b->upper[0], b->upper[1], b->upper[2]},
-                             (uint16_t)piece.index,
-                             (uint16_t)piece.count};
-    cylint_extent_include(&p->all, b);
-}
-
-/* Adds the pieces of a shape and stores its packed disc in discs[disc].
- * Returns 0 if its box is invalid. */
-static int split_shape(piece_list *p, const cylint_view *view, uint32_t number,
-                       cylint_packed_disc *discs, uint32_t disc)
-{
-    cylint_swept_disc swept;
+    cylint_swept_disc disc;
     double reach[3];
-    cylint_swept_disc_of(&swept, view, number);
-    cylint_swept_disc_reach(&swept, reach);
-    const cylint_extent box = cylint_piece_box(&swept, reach, whole);
-    if (!cylint_extent_is_valid(&box))
+    int count;
+} cut_shape;
+
+/* Returns 0 if the shape is unbounded or its box is invalid. */
+static int cut(cut_shape *to, const cylint_view *view, uint32_t number)
+{
+    cylint_shape spare;
+    const cylint_shape *shape = cylint_view_shape(view, number, &spare);
+    if (!cylint_is_bounded(shape))
         return 0;
-    discs[disc] = cylint_packed_disc_of(&swept, &view->shapes[number], number);
-    const int count = piece_count(&swept, &box);
-    if (count == 1)
-        add_piece(p, &box, disc, whole);
-    else
-        for (int index = 0; index < count; index++) {
-            const cylint_piece piece = {index, count};
-            const cylint_extent b = cylint_piece_box(&swept, reach, piece);
-            add_piece(p, &b, disc, piece);
-        }
-    return 1;
+    cylint_swept_disc_of(&to->disc, view, shape);
+    cylint_swept_disc_reach(&to->disc, to->reach);
+    const cylint_extent box = cylint_piece_box(&to->disc, to->reach, whole);
+    to->count = piece_count(&to->disc, &box);
+    return cylint_extent_is_valid(&box);
 }
 
-/* The shapes [from, to) of one thread, and their pieces. */
+static void write_pieces(cylint_boxed_piece *to, const cut_shape *from,
+                         uint32_t number, cylint_extent *all)
+{
+    for (int i = 0; i < from->count; i++) {
+        const cylint_piece piece = {i, from->count};
+        const cylint_extent b =
+            cylint_piece_box(&from->disc, from->reach, piece);
+        to[i] = (cylint_boxed_piece){{b.lower[0], b.lower[1], b.lower[2]},
+                                     number,
+                                     {b.upper[0], b.upper[1], b.upper[2]},
+                                     (uint16_t)piece.index,
+                                     (uint16_t)piece.count};
+        cylint_extent_include(all, &b);
+    }
+}
+
+/* The shapes [from, to) of one thread; their pieces, which begin at `first`; and
+ * the box of these. */
 typedef struct {
-    size_t from, to;
-    piece_list pieces;
+    size_t from, to, first, pieces;
+    cylint_extent all;
     cylint_bvh_status status;
     size_t refused;
 } portion;
 
-static cylint_bvh_status split_portion(portion *s,
-                                       const cylint_bvh_input *input,
-                                       cylint_packed_disc *discs)
+typedef struct {
+    const cylint_bvh_input *input;
+    cylint_boxed_piece *box; /* NULL: the pieces are only counted */
+    portion portion[CYLINT_THREADS_MOST];
+} split_job;
+
+static cylint_bvh_status split_portion(portion *s, const split_job *job)
 {
-    piece_list *p = &s->pieces;
+    const cylint_bvh_input *input = job->input;
+    cut_shape shape;
+    s->pieces = 0;
     for (size_t i = s->from; i < s->to; i++) {
         if (!cylint_watch_item(input->watch, i))
             return CYLINT_BVH_ESTOPPED;
-        if (p->capacity - p->n < MANY &&
-            !grow(p, input->source,
-                  wanted_capacity(p, i - s->from, s->to - s->from)))
-            return CYLINT_BVH_EMEMORY;
         s->refused = number_of(input, i);
         if (s->refused >= UINT32_MAX ||
-            !cylint_is_bounded(&input->view->shapes[s->refused]) ||
-            !split_shape(p, input->view, (uint32_t)s->refused, discs,
-                         (uint32_t)i))
+            !cut(&shape, input->view, (uint32_t)s->refused))
             return CYLINT_BVH_ESHAPE;
+        if (job->box)
+            write_pieces(job->box + s->first + s->pieces, &shape,
+                         (uint32_t)s->refused, &s->all);
+        s->pieces += (size_t)shape.count;
     }
     return CYLINT_BVH_OK;
 }
 
-/* All portions, and the split that gets their pieces. */
-typedef struct {
-    const cylint_bvh_input *input;
-    cylint_split *split;
-    portion portion[CYLINT_THREADS_MOST];
-} split_job;
-
 /* Splits portions [from, to). */
 static void split_portions(void *self, size_t from, size_t to)
 {
-    split_job *w = self;
-    for (; from < to; from++) {
-        portion *s = &w->portion[from];
-        s->status = split_portion(s, w->input, w->split->disc);
-    }
+    split_job *job = self;
+    for (; from < to; from++)
+        job->portion[from].status = split_portion(&job->portion[from], job);
 }
 
-/* Copies the pieces of portions [from, to). */
-static void copy_portions(void *self, size_t from, size_t to)
+/* Counts or writes the pieces of all portions. */
+static cylint_bvh_status split_all(split_job *job, size_t *refused)
 {
-    split_job *w = self;
-    size_t before = 0;
-    for (size_t i = 0; i < to; i++) {
-        const piece_list *p = &w->portion[i].pieces;
-        if (i >= from)
-            memcpy(w->split->box + before, p->box, p->n * sizeof *p->box);
-        before += p->n;
-    }
-}
-
-/* Joins the pieces of all portions; a single portion is not copied. */
-static int join_portions(split_job *w)
-{
-    cylint_split *split = w->split;
-    split->all = cylint_extent_empty();
-    for (int i = 0; i < w->input->threads; i++) {
-        split->n += w->portion[i].pieces.n;
-        cylint_extent_include(&split->all, &w->portion[i].pieces.all);
-    }
-    if (w->input->threads == 1) {
-        split->box_memory = w->portion[0].pieces.memory;
-        w->portion[0].pieces.memory = (cylint_memory){0};
-    } else if (!cylint_memory_allocate(&split->box_memory, w->input->source,
-                                       split->n * sizeof *split->box)) {
-        return 0;
-    }
-    split->box = split->box_memory.data;
-    if (w->input->threads > 1)
-        cylint_threads_run(w->input->threads, (size_t)w->input->threads,
-                           copy_portions, w);
-    return 1;
-}
-
-static cylint_bvh_status split_all(split_job *w, size_t *refused)
-{
-    const cylint_bvh_input *input = w->input;
+    const cylint_bvh_input *input = job->input;
     const size_t threads = (size_t)input->threads;
+    cylint_watch_step(input->watch,
+                      job->box ? CYLINT_STEP_SPLIT : CYLINT_STEP_COUNT,
+                      input->n);
+    cylint_threads_run(input->threads, threads, split_portions, job);
     for (size_t i = 0; i < threads; i++)
-        w->portion[i] = (portion){
-            .from = input->n / threads * i,
-            .to = i + 1 < threads ? input->n / threads * (i + 1) : input->n,
-            .pieces = {.all = cylint_extent_empty()}};
-    cylint_threads_run(input->threads, threads, split_portions, w);
-    for (size_t i = 0; i < threads; i++)
-        if (w->portion[i].status != CYLINT_BVH_OK) {
-            *refused = w->portion[i].refused;
-            return w->portion[i].status;
+        if (job->portion[i].status != CYLINT_BVH_OK) {
+            *refused = job->portion[i].refused;
+            return job->portion[i].status;
         }
-    return join_portions(w) ? CYLINT_BVH_OK : CYLINT_BVH_EMEMORY;
+    return CYLINT_BVH_OK;
+}
+
+static void make_portions(split_job *job)
+{
+    const size_t n = job->input->n, threads = (size_t)job->input->threads;
+    for (size_t i = 0; i < threads; i++)
+        job->portion[i] =
+            (portion){.from = n / threads * i,
+                      .to = i + 1 < threads ? n / threads * (i + 1) : n,
+                      .all = cylint_extent_empty()};
 }
 
 cylint_bvh_status cylint_split_shapes(cylint_split *split,
                                       const cylint_bvh_input *input,
                                       size_t *refused)
 {
-    split_job w = {.input = input, .split = split};
-    *split = (cylint_split){0};
-    if (input->n > SIZE_MAX / sizeof *split->disc ||
-        !cylint_memory_allocate(&split->disc_memory, input->source,
-                                input->n * sizeof *split->disc))
+    split_job job = {.input = input};
+    *split = (cylint_split){.all = cylint_extent_empty()};
+    make_portions(&job);
+    cylint_bvh_status status = split_all(&job, refused);
+    if (status != CYLINT_BVH_OK)
+        return status;
+    for (int i = 0; i < input->threads; i++) {
+        job.portion[i].first = split->n;
+        split->n += job.portion[i].pieces;
+    }
+    if (split->n > SIZE_MAX / sizeof *split->box - CYLINT_LEAF_SIZE ||
+        !cylint_memory_allocate(&split->memory, input->source,
+                                (split->n + CYLINT_LEAF_SIZE) *
+                                    sizeof *split->box))
         return CYLINT_BVH_EMEMORY;
-    split->disc = split->disc_memory.data;
-    const cylint_bvh_status status = split_all(&w, refused);
+    split->box = job.box = split->memory.data;
+    status = split_all(&job, refused);
     for (int i = 0; i < input->threads; i++)
-        cylint_memory_free(&w.portion[i].pieces.memory);
+        cylint_extent_include(&split->all, &job.portion[i].all);
     return status;
-}
-
-void cylint_split_free(cylint_split *split)
-{
-    cylint_memory_free(&split->disc_memory);
-    cylint_memory_free(&split->box_memory);
-    *split = (cylint_split){0};
 }

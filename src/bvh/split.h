@@ -23,11 +23,10 @@ typedef struct cylint_bvh_input {
     cylint_watch *watch;
 } cylint_bvh_input;
 
-/* The packed disc of every shape and the box of every piece, in the order of
- * shapes. */
+/* The box of every piece, in the order of shapes, in memory that has room for the
+ * leaves of these pieces too. */
 typedef struct cylint_split {
-    cylint_memory disc_memory, box_memory;
-    cylint_packed_disc *disc;
+    cylint_memory memory;
     cylint_boxed_piece *box;
     size_t n;          /* pieces */
     cylint_extent all; /* the box of all pieces */
@@ -42,12 +41,10 @@ typedef enum cylint_bvh_status {
 } cylint_bvh_status;
 
 /* Uses exactly input->threads threads, at most CYLINT_THREADS_MOST.  For ESHAPE
- * *refused is the first such shape.  The caller frees the split after a failure
+ * *refused is the first such shape.  The caller frees the memory after a failure
  * too. */
 cylint_bvh_status cylint_split_shapes(cylint_split *split,
                                       const cylint_bvh_input *input,
                                       size_t *refused);
-
-void cylint_split_free(cylint_split *split);
 
 #endif

@@ -41,9 +41,8 @@ static void set_one_ball(cylint_swept_disc *t)
 }
 
 void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
-                          uint32_t number)
+                          const cylint_shape *s)
 {
-    const cylint_shape *s = view->shapes + number;
     const double scale = view->scale;
     for (int j = 0; j < 3; j++) {
         t->base[j] = (cylint_base(s)[j] - view->center[j]) * scale;
@@ -60,6 +59,9 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
     t->across = 1;
     t->round = cylint_is_round(s->kind);
     t->along = t->round ? 1 : 0;
+    t->ends = s->ends;
+    t->solid =
+        s->kind == CYLINT_KIND_CYLINDER && s->ends == CYLINT_ENDS_CAPPED;
     t->shift = t->round ? cylint_section_shift(t->k[0], t->k[1], ww) : 0;
     if (s->kind == CYLINT_KIND_SPHERE)
         set_one_ball(t);
@@ -88,25 +90,6 @@ void cylint_swept_disc_reach(const cylint_swept_disc *t, double reach[3])
             : ww > CYLINT_LEAST_SQUARE
                 ? sqrt(square[(j + 1) % 3] + square[(j + 2) % 3]) * per_length
                 : 1;
-}
-
-cylint_packed_disc cylint_packed_disc_of(const cylint_swept_disc *t,
-                                         const cylint_shape *shape,
-                                         uint32_t number)
-{
-    const int solid = shape->kind == CYLINT_KIND_CYLINDER &&
-                      shape->ends == CYLINT_ENDS_CAPPED;
-    const uint8_t form = solid      ? CYLINT_DISC_SOLID
-                         : t->round ? CYLINT_DISC_ROUND
-                                    : 0;
-    return (cylint_packed_disc){{t->base[0], t->base[1], t->base[2]},
-                                {t->axis[0], t->axis[1], t->axis[2]},
-                                {cylint_float_above(t->k[0] * t->across),
-                                 cylint_float_above(t->k[1] * t->across)},
-                                cylint_half_above(t->along / t->across),
-                                (uint8_t)shape->ends,
-                                form,
-                                number};
 }
 
 static double radius_at(double k0, double k1, double z)
@@ -172,8 +155,10 @@ cylint_extent cylint_piece_box(const cylint_swept_disc *t,
 cylint_extent cylint_swept_disc_box(const cylint_view *view, uint32_t number)
 {
     cylint_swept_disc disc;
+    cylint_shape spare;
     double reach[3];
-    cylint_swept_disc_of(&disc, view, number);
+    cylint_swept_disc_of(&disc, view,
+                         cylint_view_shape(view, number, &spare));
     cylint_swept_disc_reach(&disc, reach);
     return cylint_piece_box(&disc, reach, (cylint_piece){0, 1});
 }

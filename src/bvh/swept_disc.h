@@ -23,6 +23,8 @@ typedef struct cylint_swept_disc {
     double length;     /* of the axis */
     double a[3], b[3]; /* of elliptic shapes */
     int elliptic, round;
+    int solid; /* a cylinder with both caps */
+    int ends;  /* a cylint_ends */
     double shift; /* of a round shape: cylint_section_shift() */
 } cylint_swept_disc;
 
@@ -37,6 +39,11 @@ typedef struct cylint_piece {
 typedef struct cylint_view {
     const cylint_shape *shapes;
     double center[3], scale, line_error;
+    /* where `shapes` is NULL: writes kind, ends and the data of a shape; its local
+     * coordinates need not be written */
+    void (*write_shape)(const void *owner, uint32_t number,
+                        cylint_shape *shape);
+    const void *owner;
 } cylint_view;
 
 /* The shapes in their own coordinates. */
@@ -45,29 +52,18 @@ static inline cylint_view cylint_plain_view(const cylint_shape *shapes)
     return (cylint_view){.shapes = shapes, .scale = 1};
 }
 
-/*
- * The members of a swept disc that a leaf needs, in one cache line.  Leaves read
- * them in random order; the shapes themselves are larger and lie on the
- * caller's small pages.  Rounded members are rounded up.
- */
-typedef struct cylint_packed_disc {
-    double base[3], axis[3];
-    float across[2]; /* reach across the axis at z = 0 and 1 */
-    uint16_t slope;  /* reach along the axis / reach across: a half float */
-    uint8_t ends;    /* a cylint_ends */
-    uint8_t form;    /* CYLINT_DISC_SOLID or CYLINT_DISC_ROUND or 0 */
-    uint32_t number; /* of the shape */
-} cylint_packed_disc;
-
-cylint_packed_disc cylint_packed_disc_of(const cylint_swept_disc *disc,
-                                         const cylint_shape *shape,
-                                         uint32_t number);
+/* A shape, written to *spare if it is not in memory. */
+static inline const cylint_shape *
+cylint_view_shape(const cylint_view *view, uint32_t number, cylint_shape *spare)
+{
+    if (view->shapes)
+        return view->shapes + number;
+    view->write_shape(view->owner, number, spare);
+    return spare;
+}
 
 void cylint_swept_disc_of(cylint_swept_disc *disc, const cylint_view *view,
-                          uint32_t number);
-
-/* A cylinder with both caps; a round shape. */
-enum { CYLINT_DISC_SOLID = 1, CYLINT_DISC_ROUND = 2 };
+                          const cylint_shape *shape);
 
 /* Writes reach[j]: the section at z reaches k(z) reach[j] from its centre along
  * coordinate j; of a round shape a disc across the axis does. */

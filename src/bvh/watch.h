@@ -14,8 +14,9 @@ enum { CYLINT_WATCHED = 4096 };
 /* The steps of a build, and their parts of its time in percent, measured with
  * 10^6 thin cylinders.  Threads share the items of a step. */
 typedef enum cylint_step {
-    CYLINT_STEP_BOXES = 10,
-    CYLINT_STEP_SPLIT = 30,
+    CYLINT_STEP_BOXES = 9,
+    CYLINT_STEP_COUNT = 7,
+    CYLINT_STEP_SPLIT = 24,
     CYLINT_STEP_NODES = 40,
     CYLINT_STEP_LEAVES = 20
 } cylint_step;

@@ -425,10 +425,9 @@ INLINE void set_line(local_line *l, const first_line *first,
     l->taper = v_set(tapered ? 1 + fabs(cylint_slope(shape)) : 1);
     l->Q = first->Q;
     l->D = first->D;
-    l->unit = v_set(CYLINT_ROUNDING);
+    l->unit = v_set(cylint_unit(shape));
     l->in_range = m_from(3);
     if (solid == CYLINT_SOLID_ROUND_CONE) {
-        l->unit = v_set(CYLINT_LOCAL_ROUND * CYLINT_ROUNDING);
         l->in.z = v_sum_of(v_set(cylint_sine(shape)), r, first->from_base);
         l->in.r = v_set(cylint_cosine(shape)) * r;
     }

@@ -225,10 +225,15 @@
 #define CYLINT_LOCAL_STEEPEST 0.998
 
 /*
+ * CYLINT_LOCAL_NORM: the sizes of a unit vector's components have at most this
+ * sum, the root of 3.
+ *
  * The errors of the forms of filter/local_forms_template.h.  u is
  * CYLINT_ROUNDING for doubles in any rounding mode, of a rounded cone
  * CYLINT_LOCAL_ROUND times that, and cylint_frame_error() for pairs in rounding to
- * nearest.  No coordinate of the line's origin exceeds Q,
+ * nearest.  Where the matrix has no low parts (shapes/local_doubles.c), u is
+ * CYLINT_LOCAL_DOUBLES times CYLINT_ROUNDING, of a rounded cone divided by the
+ * square of its cosine.  No coordinate of the line's origin exceeds Q,
  * none of its direction exceeds D, no radius exceeds r <= Q; k = 1 + |slope|.
  *
  *   a coordinate of a point     CYLINT_LOCAL_POSITION u Q
@@ -257,6 +262,8 @@
 #define CYLINT_LOCAL_FORM 128
 #define CYLINT_LOCAL_BALL 256
 #define CYLINT_LOCAL_ROUND 1.25
+#define CYLINT_LOCAL_DOUBLES 16
+#define CYLINT_LOCAL_NORM 0x1.bb67ae8584cabp0
 #define CYLINT_LOCAL_SECOND 16
 
 /*

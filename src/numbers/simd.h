@@ -120,6 +120,20 @@ static inline vm m_from(unsigned bits)
     return _mm256_castsi256_pd(_mm256_cmpeq_epi64(lane,
         _mm256_and_si256(lane, _mm256_set1_epi64x((long long)bits))));
 }
+static inline vd v_four(double x, double y, double z, double w)
+{
+    return _mm256_setr_pd(x, y, z, w);
+}
+static inline vd v_turned_three(vd x) { return _mm256_permute4x64_pd(x, 0xc9); }
+static inline double v_last(vd x)
+{
+    const __m128d high = _mm256_extractf128_pd(x, 1);
+    return _mm_cvtsd_f64(_mm_unpackhi_pd(high, high));
+}
+static inline vd v_with_last(vd x, double last)
+{
+    return _mm256_blend_pd(x, _mm256_set1_pd(last), 8);
+}
 #define V_HAS_FMA 1
 
 #elif defined(__SSE2__)

@@ -10,10 +10,12 @@
 #include "../bvh/traverse.h"
 #include "../bvh/traverse_point.h"
 #include "frame.h"
+#include "records.h"
 
 struct cylint_scene {
-    const cylint_shape *shapes;
+    cylint_records records;
     size_t n;
+    int is_finished;
     cylint_frame frame;
     cylint_view view; /* the shapes in the frame */
     cylint_bvh bvh;

@@ -55,12 +55,13 @@ static void set_most(search *q, double most)
  * flags.  cylint_safety() pays for elliptic shapes only. */
 static int is_near(const search *q, size_t number, cylint_closest *answer)
 {
-    const cylint_shape *shape = &q->scene->shapes[number];
-    if (cylint_is_elliptic(shape->kind) && q->to_nearest &&
-        cylint_safety(shape, q->point) > q->reject)
+    cylint_shape shape;
+    cylint_record_shape(&q->scene->records, number, &shape);
+    if (cylint_is_elliptic(shape.kind) && q->to_nearest &&
+        cylint_safety(&shape, q->point) > q->reject)
         return 0;
     answer->part = 0; /* written only if there is no surface */
-    cylint_distance(shape, q->point, 0, answer);
+    cylint_distance(&shape, q->point, 0, answer);
     return answer->part >= 0 && !cylint_less(q->most, fabs(answer->distance));
 }
 
@@ -158,7 +159,10 @@ static int is_first_piece(const search *q, uint32_t number, cylint_piece piece)
     cylint_swept_disc disc;
     double reach[3], least = HUGE_VAL;
     int first = 0;
-    cylint_swept_disc_of(&disc, &q->scene->view, number);
+    cylint_shape spare;
+    cylint_swept_disc_of(
+        &disc, &q->scene->view,
+        cylint_view_shape(&q->scene->view, number, &spare));
     cylint_swept_disc_reach(&disc, reach);
     for (int index = 0; index < piece.count; index++) {
         const cylint_extent box =
@@ -309,7 +313,9 @@ size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
         return scene->n;
     test_all(&q, 1);
     if (q.nearest < scene->n && want & WANTED) {
-        cylint_distance(&scene->shapes[q.nearest], point, want, answer);
+        cylint_shape shape;
+        cylint_record_shape(&scene->records, q.nearest, &shape);
+        cylint_distance(&shape, point, want, answer);
     } else if (q.nearest < scene->n) {
         answer->distance = q.answer.distance;
         answer->flags = q.answer.flags;

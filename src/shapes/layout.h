@@ -42,7 +42,9 @@ enum {
     CYLINT_AT_TOP = 37,   /* p1; kinds made of two points only */
     CYLINT_AT_A = 40,     /* elliptic kinds: conjugate semi-axes */
     CYLINT_AT_B = 43,
-    CYLINT_NUMBERS = 46
+    CYLINT_AT_UNIT = 46, /* the error of an operation on doubles, and of the local
+                            coordinates in doubles (error_bounds.h) */
+    CYLINT_NUMBERS = 47
 };
 
 /* The members by name: cylint_in_range(s), cylint_base(s), cylint_height(s). */
@@ -80,6 +82,7 @@ CYLINT_NUMBER(sine, CYLINT_AT_SINE)
 CYLINT_NUMBER(norm, CYLINT_AT_NORM)
 CYLINT_NUMBER(reach, CYLINT_AT_REACH)
 CYLINT_NUMBER(frame_error, CYLINT_AT_ERROR)
+CYLINT_NUMBER(unit, CYLINT_AT_UNIT)
 #undef CYLINT_FLAG
 #undef CYLINT_VECTOR
 #undef CYLINT_NUMBER

@@ -4,10 +4,10 @@
  * Compiled once as it is and again for processors with a fused multiply-add.
  * Only exact products and their errors are fused: both write the same bits.
  */
-#ifdef __GNUC__
-#define CYLINT_NARROW /* two lanes */
-#else
+#if !defined(__GNUC__)
 #define CYLINT_ONE_LANE
+#elif !defined(__AVX2__)
+#define CYLINT_NARROW /* two lanes; else four */
 #endif
 #include "local.h"
 
@@ -52,6 +52,13 @@ INLINE void store_four(double hi[4], double lo[4], const four *x)
 
 #if LANES == 2
 
+/* From registers: a load of two lanes waits for numbers just stored one by
+ * one. */
+INLINE four four_of(double x, double y, double z, double w)
+{
+    return (four){{{v_two(x, y), v_set(0)}, {v_two(z, w), v_set(0)}}};
+}
+
 INLINE vpair both_firsts(vpair x, vpair y)
 {
     return (vpair){v_firsts(x.hi, y.hi), v_firsts(x.lo, y.lo)};
@@ -81,7 +88,36 @@ INLINE void set_last(four *x, pair last)
         both_firsts(x->part[1], (vpair){v_set(last.hi), v_set(last.lo)});
 }
 
+#elif LANES == 4
+
+INLINE four four_of(double x, double y, double z, double w)
+{
+    return (four){{{v_four(x, y, z, w), v_set(0)}}};
+}
+
+/* (x1, x2, x0, x3). */
+INLINE four turned(const four *x)
+{
+    return (four){{{v_turned_three(x->part[0].hi), v_turned_three(x->part[0].lo)}}};
+}
+
+INLINE pair last_of(const four *x)
+{
+    return (pair){v_last(x->part[0].hi), v_last(x->part[0].lo)};
+}
+
+INLINE void set_last(four *x, pair last)
+{
+    x->part[0] = (vpair){v_with_last(x->part[0].hi, last.hi),
+                         v_with_last(x->part[0].lo, last.lo)};
+}
+
 #else
+
+INLINE four four_of(double x, double y, double z, double w)
+{
+    return (four){{{x, 0}, {y, 0}, {z, 0}, {w, 0}}};
+}
 
 INLINE four turned(const four *x)
 {
@@ -132,117 +168,151 @@ INLINE four cross(const four *x, const four *y)
     return xy;
 }
 
-/* x0 + x1 + x2 of numbers that are not negative, not normalised. */
-INLINE pair sum_of_three(const four *x)
+/* Not normalised. */
+INLINE pair unnormalised_sum(pair x, pair y)
 {
-    double hi[4], lo[4];
-    store_four(hi, lo, x);
-    const pair two = two_sum(hi[0], hi[1]), all = two_sum(two.hi, hi[2]);
-    return (pair){all.hi, all.lo + (two.lo + (lo[0] + (lo[1] + lo[2])))};
+    const pair sum = two_sum(x.hi, y.hi);
+    return (pair){sum.hi, sum.lo + (x.lo + y.lo)};
 }
 
-/* 1 / sqrt(a) of each: a double y, and the next terms of y (1 - e)^(-1/2),
- * e = 1 - a y^2. */
-INLINE vpair inverse_roots(vpair a)
+/* 1 / sqrt(a) of each: y is that of about a, and what follows are the next terms
+ * of y (1 - e)^(-1/2), e = 1 - a y^2. */
+INLINE vpair refined_inverse_roots(vpair a, vd y)
 {
-    const vd y = v_set(1) / v_sqrt(a.hi);
     const vpair yy = v_two_prod(y, y), ayy = v_two_prod(a.hi, yy.hi);
     const vd e = ((v_set(1) - ayy.hi) - ayy.lo) - (a.hi * yy.lo + a.lo * yy.hi);
     return (vpair){y, y * (e * (v_set(0.5) + v_set(0.375) * e))};
 }
 
-INLINE void inverse_root_of_two(pair root[2], pair a, pair b)
+/* 1 / sqrt(a) of three numbers, from other numbers that are about as large: so the
+ * roots begin early. */
+INLINE void inverse_roots(pair root[3], const pair a[3], const double near[3])
 {
-    const double hi[2] = {a.hi, b.hi}, lo[2] = {a.lo, b.lo};
-    double root_hi[2], root_lo[2];
-    for (int k = 0; k < 2; k += LANES) {
-        const vpair r = inverse_roots((vpair){v_load(hi + k), v_load(lo + k)});
-        v_store(root_hi + k, r.hi);
-        v_store(root_lo + k, r.lo);
-    }
-    for (int k = 0; k < 2; k++)
-        root[k] = (pair){root_hi[k], root_lo[k]};
-}
-
-static pair inverse_root(pair a)
-{
-    pair root[2];
-    inverse_root_of_two(root, a, a);
-    return root[0];
+    double hi[4], lo[4];
+    const four v = four_of(near[0], near[1], near[2], 1),
+               high = four_of(a[0].hi, a[1].hi, a[2].hi, 1),
+               low = four_of(a[0].lo, a[1].lo, a[2].lo, 0);
+    four r;
+    EACH(k, PARTS)
+        r.part[k] = refined_inverse_roots(
+            (vpair){high.part[k].hi, low.part[k].hi},
+            v_set(1) / v_sqrt(v.part[k].hi));
+    store_four(hi, lo, &r);
+    EACH(k, 3)
+        root[k] = (pair){hi[k], lo[k]};
 }
 
 /* The axis, and the growth of the radius along it.  A low part that underflows is
  * nothing beside an axis that is long enough. */
 INLINE four axis_and_growth(const cylint_shape *s)
 {
-    static const double none[4] = {0, 0, 0, 0};
     const int two_points = cylint_has_end_points(s->kind);
     const double *top = two_points ? cylint_top(s) : cylint_axis(s);
-    const double *from = two_points ? cylint_base(s) : none; /* r0 follows */
-    const double to[4] = {top[0], top[1], top[2], cylint_r1(s)};
+    const double *base = cylint_base(s);
+    const double one = two_points ? 1 : 0;
+    const four to = four_of(top[0], top[1], top[2], cylint_r1(s));
+    const four from = four_of(one * base[0], one * base[1], one * base[2],
+                              one * cylint_r0(s));
     four w;
     EACH(k, PARTS)
-        w.part[k] =
-            v_two_sum(v_load(to + k * LANES), -v_load(from + k * LANES));
+        w.part[k] = v_two_sum(to.part[k].hi, -from.part[k].hi);
     return w;
 }
 
-/* The coordinate direction along which the axis is least, from which phi is
- * counted. */
-INLINE four least_direction(const four *axis)
+/* The coordinate along which the axis is least, from which phi is counted.
+ * Which one is unpredictable, so there is no branch but for equal ones. */
+INLINE int least_of_axis(const double hi[4], const double lo[4])
 {
-    static const double none[4] = {0, 0, 0, 0};
-    double hi[4], lo[4], e[4] = {0, 0, 0, 0};
-    store_four(hi, lo, axis);
-    e[cylint_least_component(hi, lo)] = 1;
-    return load_four(e, none);
+    const double x = fabs(hi[0]), y = fabs(hi[1]), z = fabs(hi[2]);
+    const double xy = cylint_smaller(x, y);
+    const int least = y < x, last = z < xy;
+    return x == y || z == xy ? cylint_least_component(hi, lo)
+                             : least + last * (2 - least);
 }
+
+/* x in lanes of `e`, which is 1 there and else 0; y in the others. */
+INLINE vpair chosen(vd e, vpair x, vpair y)
+{
+    const vd other = v_set(1) - e;
+    return (vpair){e * x.hi + other * y.hi, e * x.lo + other * y.lo};
+}
+
+/* 1 / |w|; lateral2 and 1 / sqrt(lateral2), which is |w|^2 + dr^2 for a cone, |w|^2 -
+ * dr^2 for a rounded cone, 1 + dr^2 for an acone, whose dr is its tangent. */
+typedef struct {
+    pair axis, lateral, lateral2;
+} inverse_lengths;
 
 /*
  * Unit vectors along the axis and across it: x is perpendicular to the
  * coordinate direction e along which the axis w is least.
  *
- *   h = 1 / |w|, l = 1 / |w x e|;  z = h w, x = l (w x e), y = z x x
+ *   h = 1 / |w|, l = 1 / |w x e|;  z = h w, x = l (w x e),
+ *   y = z x x = h l (w (w.e) - e w.w)
  *
- * Beside z stands the slope, beside x the height |w|.  Returns h.
+ * The component of the last vector along e is -|w x e|^2.  Beside z stands the
+ * slope, beside x the height |w|.
  *
  * Errors, in units of u^2, u = 2^-53, each relative to its number: squares 6;
- * |w x e|^2 13, |w|^2 22; e of l 41, of h 54; l 37, h 45; x 57, z, slope and
- * height 80; y 150, of which CYLINT_LOCAL_ERROR allows 1024.
+ * |w x e|^2 13, |w|^2 22; e of l 51, of h 64; l 47, h 55; x 67, z, slope and
+ * height 90; y 140, of which CYLINT_LOCAL_ERROR allows 1024.
  */
-INLINE pair upright_rows(rows *m, const cylint_shape *s)
+INLINE inverse_lengths upright_rows(rows *m, const cylint_shape *s)
 {
-    const four w = axis_and_growth(s), e = least_direction(&w);
+    static const double direction[3][4] = {
+        {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+    const four w = axis_and_growth(s);
     const four w1 = turned(&w), w2 = turned(&w1);
-    const four e1 = turned(&e), e2 = turned(&e1);
-    four square, aside, x;
+    double hi[4], lo[4], near[3], square_hi[4], square_lo[4];
+    store_four(hi, lo, &w);
+    const int least = least_of_axis(hi, lo);
+    const double sign = s->kind == CYLINT_KIND_RCONE ? -1 : 1;
+    const int tangent = cylint_has_tangent(s->kind);
+    const double *e = direction[least];
+    near[0] = hi[0] * hi[0] + hi[1] * hi[1] + hi[2] * hi[2];
+    near[1] = near[0] - hi[least] * hi[least];
+    near[2] = (tangent ? 1 : near[0]) + sign * (hi[3] * hi[3]);
+    const vpair along = {v_set(hi[least]), v_set(lo[least])};
+    const four e4 = four_of(e[0], e[1], e[2], 0);
+    const four e1 = turned(&e4), e2 = turned(&e1);
+    four square, x, y;
     EACH(k, PARTS) {
-        const vd other = v_set(1) - e.part[k].hi;
         const vd to1 = e1.part[k].hi, to2 = e2.part[k].hi;
-        const vpair p = vpair_mul(w.part[k], w.part[k]);
-        square.part[k] = p;
-        aside.part[k] = (vpair){p.hi * other, p.lo * other};
+        square.part[k] = vpair_mul(w.part[k], w.part[k]);
         x.part[k] = (vpair){w1.part[k].hi * to2 - w2.part[k].hi * to1,
                             w1.part[k].lo * to2 - w2.part[k].lo * to1};
+        y.part[k] = vpair_mul(w.part[k], along);
     }
-    const pair length2 = sum_of_three(&square);
-    pair root[2];
-    inverse_root_of_two(root, length2, sum_of_three(&aside));
+    store_four(square_hi, square_lo, &square);
+    const int j = least == 0, k = 2 - (least == 2);
+    const pair aside = unnormalised_sum(
+        (pair){square_hi[j], square_lo[j]}, (pair){square_hi[k], square_lo[k]});
+    const pair length2 = unnormalised_sum(
+        aside, (pair){square_hi[least], square_lo[least]});
+    const pair lateral2 = unnormalised_sum(
+        tangent ? (pair){1, 0} : length2,
+        (pair){sign * square_hi[3], sign * square_lo[3]});
+    const pair of[3] = {length2, aside, lateral2};
+    pair root[3];
+    inverse_roots(root, of, near);
+    EACH(k, PARTS)
+        y.part[k] = chosen(e4.part[k].hi,
+                           (vpair){v_set(-aside.hi), v_set(-aside.lo)},
+                           y.part[k]);
     const four to_unit = all_four(root[0]);
+    const four to_y = all_four(pair_mul(root[0], root[1]));
     four level = all_four(root[1]);
     set_last(&x, length2);
     set_last(&level, root[0]);
     m->z = products(&w, &to_unit);
     m->x = products(&x, &level);
-    m->y = cross(&m->z, &m->x);
-    return root[0];
+    m->y = products(&y, &to_y);
+    return (inverse_lengths){root[0], root[2], lateral2};
 }
 
 INLINE four vector(const double x[3])
 {
-    static const double none[4] = {0, 0, 0, 0};
-    const double hi[4] = {x[0], x[1], x[2], 0};
-    return load_four(hi, none);
+    return four_of(x[0], x[1], x[2], 0);
 }
 
 static void scale(rows *m, pair factor)
@@ -312,15 +382,34 @@ static int vectors_are_long_enough(const cylint_shape *s)
             (is_long_enough(cylint_a(s)) && is_long_enough(cylint_b(s))));
 }
 
-INLINE void store_row(cylint_shape *s, int k, const four *row)
+/* Stores the columns of the matrix in whole vectors, which kernels load soon: the
+ * number after a column is stored later. */
+INLINE void store_rows(cylint_shape *s, const rows *m)
 {
-    double *to = s->library.number + CYLINT_AT_COLUMNS + k;
-    double hi[4], lo[4];
-    store_four(hi, lo, row);
-    for (int i = 0; i < 3; i++) {
-        to[3 * i] = hi[i];
-        to[3 * i + CYLINT_LOW] = lo[i];
+    double *to = s->library.number + CYLINT_AT_COLUMNS;
+#if LANES == 4
+    const v_row hi[4] = {m->x.part[0].hi, m->y.part[0].hi, m->z.part[0].hi,
+                         m->z.part[0].hi};
+    const v_row lo[4] = {m->x.part[0].lo, m->y.part[0].lo, m->z.part[0].lo,
+                         m->z.part[0].lo};
+    vd column[4];
+    v_transpose(hi, column);
+    EACH(i, 3)
+        v_store(to + 3 * i, column[i]);
+    v_transpose(lo, column);
+    EACH(i, 3)
+        v_store(to + 3 * i + CYLINT_LOW, column[i]);
+#else
+    const four *const row[3] = {&m->x, &m->y, &m->z};
+    EACH(k, 3) {
+        double hi[4], lo[4];
+        store_four(hi, lo, row[k]);
+        EACH(i, 3) {
+            to[3 * i + k] = hi[i];
+            to[3 * i + k + CYLINT_LOW] = lo[i];
+        }
     }
+#endif
 }
 
 INLINE void store_pair(cylint_shape *s, int at, pair x)
@@ -329,26 +418,30 @@ INLINE void store_pair(cylint_shape *s, int at, pair x)
     s->library.number[at + CYLINT_LOW] = x.lo;
 }
 
-/* Writes cosine and sine, of a shape with this growth of the radius along the
- * axis.  Returns the slope.  The cosine of a rounded cone has the error of
- * 1 - sine^2, which is larger relative to it: *error grows. */
-static pair measure_angle(cylint_shape *s, pair slope, double *error)
+/* Writes cosine and sine of the lateral surface, and returns its slope, which of
+ * a rounded cone is another one than dr / |w|, the one given.  A rounded cone's
+ * cosine has the error of 1 - sine^2, which is larger relative to it: *error
+ * grows. */
+static pair measure_angle(cylint_shape *s, const inverse_lengths *inverse,
+                          pair slope, pair height, double *error)
 {
-    const pair one = {1, 0};
+    const pair one = {1, 0}, dr = cylint_radius_growth(s);
     pair cosine = one, sine = {0, 0};
     if (s->kind == CYLINT_KIND_RCONE) {
-        const pair rest = pair_sub(one, pair_mul(slope, slope));
+        const double rest = inverse->lateral2.hi;
         sine = slope;
-        if (rest.hi > 0) {
-            const pair inverse = inverse_root(rest);
-            cosine = pair_mul(rest, inverse);
-            slope = pair_mul(sine, inverse);
+        if (rest > 0) {
+            cosine = pair_mul(pair_mul(inverse->lateral2, inverse->axis),
+                              inverse->lateral);
+            slope = pair_mul(dr, inverse->lateral);
         }
-        *error /= rest.hi > 0 ? rest.hi : 0;
-    } else if (cylint_is_tapered(s->kind) && !cylint_is_elliptic(s->kind)) {
-        const pair root = inverse_root(pair_add(one, pair_mul(slope, slope)));
-        cosine = fast_two_sum(root.hi, root.lo);
-        sine = pair_mul(slope, root);
+        *error /= rest > 0 ? cosine.hi * cosine.hi : 0;
+    } else if (s->kind == CYLINT_KIND_CONE) {
+        cosine = pair_mul(height, inverse->lateral);
+        sine = pair_mul(dr, inverse->lateral);
+    } else if (s->kind == CYLINT_KIND_ACONE) {
+        cosine = fast_two_sum(inverse->lateral.hi, inverse->lateral.lo);
+        sine = pair_mul(dr, cosine);
     }
     store_pair(s, CYLINT_AT_COSINE, cosine);
     store_pair(s, CYLINT_AT_SINE, sine);
@@ -367,10 +460,13 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
 {
     rows m;
     pair height = {0, 0}, slope = {0, 0};
+    inverse_lengths inverse = {{0, 0}, {0, 0}, {0, 0}};
     double error = CYLINT_LOCAL_ERROR, *x = s->library.number;
+    double norm = CYLINT_LOCAL_NORM;
     if (s->kind == CYLINT_KIND_SPHERE) {
         static const double one[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         m = (rows){vector(one[0]), vector(one[1]), vector(one[2])};
+        norm = 1;
     } else if (cylint_is_elliptic(s->kind)) {
         const double det = inverse_rows(&m, s), power = balance(&m);
         const double cancelled = cylint_largest(cylint_a(s)) *
@@ -378,31 +474,33 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
                                  cylint_axis_size(s) / fabs(det);
         const pair growth = cylint_radius_growth(s);
         error *= cylint_larger(1, cancelled);
+        norm = cylint_larger(cylint_larger(size_of(&m.x), size_of(&m.y)),
+                             size_of(&m.z));
         s->library.flag[CYLINT_AT_LEFT_HANDED] = det < 0;
         height = (pair){power, 0};
         slope = (pair){growth.hi / power, growth.lo / power};
     } else {
-        const pair inverse = upright_rows(&m, s);
+        inverse = upright_rows(&m, s);
         height = last_of(&m.x);
         slope = last_of(&m.z);
         if (cylint_has_tangent(s->kind)) {
-            scale(&m, inverse);
+            scale(&m, inverse.axis);
+            norm *= inverse.axis.hi;
             height = (pair){1, 0};
             slope = (pair){cylint_r1(s), 0};
         }
     }
-    store_row(s, 0, &m.x);
-    store_row(s, 1, &m.y);
-    store_row(s, 2, &m.z);
+    store_rows(s, &m);
     store_pair(s, CYLINT_AT_HEIGHT, height);
-    store_pair(s, CYLINT_AT_SLOPE, measure_angle(s, slope, &error));
-    x[CYLINT_AT_NORM] =
-        cylint_larger(cylint_larger(size_of(&m.x), size_of(&m.y)),
-                      size_of(&m.z)) *
-        CYLINT_SLACK;
+    store_pair(s, CYLINT_AT_SLOPE,
+               measure_angle(s, &inverse, slope, height, &error));
+    x[CYLINT_AT_NORM] = norm * CYLINT_SLACK;
     x[CYLINT_AT_REACH] =
         (height.hi + cylint_larger(cylint_r0(s), cylint_r1(s))) * CYLINT_SLACK;
     x[CYLINT_AT_ERROR] = error;
+    x[CYLINT_AT_UNIT] = s->kind == CYLINT_KIND_RCONE
+                            ? CYLINT_LOCAL_ROUND * CYLINT_ROUNDING
+                            : CYLINT_ROUNDING;
     const int round = cylint_is_round(s->kind);
     const int accurate =
         cylint_in_range(s) && vectors_are_long_enough(s) && is_in_bounds(s) &&
@@ -414,4 +512,7 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
         accurate ? cylint_solid(s) : CYLINT_SOLID_NONE;
     if (round && !accurate)
         x[CYLINT_AT_HEIGHT] = 0;
+#if LANES == 4
+    _mm256_zeroupper();
+#endif
 }

@@ -1,0 +1,210 @@
+/*
+ * records.c - the shapes of a scene: the arguments of their constructors
+ */
+#include "records.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "../intersect.h"
+#include "../shapes/shape_facts.h"
+
+/* ------------------------------------------------------------- memory -- */
+
+static int resize(void *array, size_t count, size_t size)
+{
+    void **data = array;
+    if (count > SIZE_MAX / size)
+        return 0;
+    void *more = realloc(*data, count > 0 ? count * size : 1);
+    if (!more)
+        return 0;
+    *data = more;
+    return 1;
+}
+
+static int resize_shapes(cylint_records *r, size_t capacity)
+{
+    void *record = r->record, *tag = r->tag;
+    const int has_records = resize(&record, capacity, sizeof *r->record);
+    r->record = record;
+    const int has_tags = has_records && resize(&tag, capacity, sizeof *r->tag);
+    r->tag = tag;
+    if (has_tags)
+        r->capacity = capacity;
+    return has_tags;
+}
+
+static int resize_elliptic(cylint_records *r, size_t capacity)
+{
+    void *semi_axes = r->semi_axes;
+    const int has = resize(&semi_axes, capacity, sizeof *r->semi_axes);
+    r->semi_axes = semi_axes;
+    if (has)
+        r->elliptic_capacity = capacity;
+    return has;
+}
+
+/* The capacity grows by a half at least, so that adding many blocks takes time
+ * in proportion to the number of shapes. */
+static size_t grown(size_t capacity, size_t wanted)
+{
+    const size_t more = capacity + capacity / 2;
+    return more > wanted ? more : wanted;
+}
+
+int cylint_records_reserve(cylint_records *r, size_t n)
+{
+    return n <= r->capacity || resize_shapes(r, n);
+}
+
+void cylint_records_trim(cylint_records *r)
+{
+    if (r->n < r->capacity)
+        resize_shapes(r, r->n);
+    if (r->n_elliptic < r->elliptic_capacity)
+        resize_elliptic(r, r->n_elliptic);
+}
+
+void cylint_records_free(cylint_records *r)
+{
+    free(r->record);
+    free(r->tag);
+    free(r->semi_axes);
+    *r = (cylint_records){.n = 0};
+}
+
+size_t cylint_records_bytes(const cylint_records *r)
+{
+    return r->capacity * (sizeof *r->record + sizeof *r->tag) +
+           r->elliptic_capacity * sizeof *r->semi_axes;
+}
+
+/* ------------------------------------------------------------- shapes -- */
+
+static void copy3(double to[3], const double from[3])
+{
+    memcpy(to, from, 3 * sizeof *to);
+}
+
+/* The kind whose constructor makes the shape.  A ball of a rounded cone, where the
+ * other ball lies in it, is such a cone. */
+static int kind_made(const cylint_shape *s)
+{
+    return s->kind == CYLINT_KIND_SPHERE &&
+                   cylint_surface(s) != CYLINT_PART_LATERAL
+               ? CYLINT_KIND_RCONE
+               : s->kind;
+}
+
+static uint8_t tag_of(const cylint_shape *s)
+{
+    const int plain = cylint_prepared(s) != CYLINT_SOLID_NONE &&
+                      cylint_is_bounded(s) &&
+                      cylint_has_end_points(s->kind) &&
+                      s->kind != CYLINT_KIND_SPHERE;
+    return (uint8_t)(kind_made(s) + s->ends * CYLINT_TAG_ENDS +
+                     (plain ? CYLINT_TAG_PLAIN : 0));
+}
+
+static void add_record(cylint_records *r, const cylint_shape *s)
+{
+    cylint_record *to = &r->record[r->n];
+    const int reversed = cylint_is_reversed(s);
+    const int two_points = cylint_has_end_points(s->kind);
+    const double *end = two_points ? cylint_top(s) : cylint_axis(s);
+    r->tag[r->n++] = tag_of(s);
+    copy3(to->p0, reversed ? end : cylint_base(s));
+    copy3(to->p1, reversed ? cylint_base(s) : end);
+    to->r0 = cylint_end_factor(s, reversed);
+    to->r1 = cylint_end_factor(s, !reversed);
+    if (!cylint_is_elliptic(s->kind))
+        return;
+    cylint_semi_axes *axes = &r->semi_axes[r->n_elliptic];
+    to->r0 = (double)r->n_elliptic++;
+    copy3(axes->a, cylint_a(s));
+    copy3(axes->b, cylint_b(s));
+}
+
+int cylint_records_add(cylint_records *r, const cylint_shape *shapes, size_t n)
+{
+    size_t elliptic = r->n_elliptic;
+    for (size_t i = 0; i < n; i++)
+        elliptic += (size_t)cylint_is_elliptic(shapes[i].kind);
+    if (n > SIZE_MAX - r->n ||
+        (r->n + n > r->capacity &&
+         !resize_shapes(r, grown(r->capacity, r->n + n))) ||
+        (elliptic > r->elliptic_capacity &&
+         !resize_elliptic(r, grown(r->elliptic_capacity, elliptic))))
+        return 0;
+    for (size_t i = 0; i < n; i++)
+        add_record(r, &shapes[i]);
+    return 1;
+}
+
+static const cylint_semi_axes *axes_of(const cylint_records *r,
+                                       const cylint_record *from)
+{
+    return &r->semi_axes[(size_t)from->r0];
+}
+
+static cylint_ends ends_of_tag(unsigned tag)
+{
+    return (cylint_ends)(tag / CYLINT_TAG_ENDS % 8);
+}
+
+void cylint_record_shape(const cylint_records *r, size_t number,
+                         cylint_shape *shape)
+{
+    const cylint_record *from = &r->record[number];
+    const cylint_semi_axes *axes;
+    const cylint_ends ends = ends_of_tag(r->tag[number]);
+    if (r->tag[number] & CYLINT_TAG_PLAIN) {
+        cylint_make_again(shape, cylint_record_kind(r, number), (int)ends,
+                          from->p0, from->r0, from->p1, from->r1);
+        return;
+    }
+    switch (cylint_record_kind(r, number)) {
+    case CYLINT_KIND_CYLINDER:
+    case CYLINT_KIND_CONE:
+        cylint_cone(shape, from->p0, from->r0, from->p1, from->r1, ends);
+        return;
+    case CYLINT_KIND_ACONE:
+        cylint_tangent_cone(shape, from->p0, from->p1, from->r1, ends);
+        return;
+    case CYLINT_KIND_ECYLINDER:
+    case CYLINT_KIND_ECONE:
+        axes = axes_of(r, from);
+        cylint_elliptic_cone(shape, from->p0, axes->a, axes->b, from->p1,
+                             from->r1, ends);
+        return;
+    case CYLINT_KIND_SPHERE:
+        cylint_sphere(shape, from->p0, from->r0, ends);
+        return;
+    case CYLINT_KIND_CAPSULE:
+    case CYLINT_KIND_RCONE:
+        cylint_round_cone(shape, from->p0, from->r0, from->p1, from->r1, ends);
+        return;
+    default:
+        memset(shape, 0, sizeof *shape);
+    }
+}
+
+void cylint_record_data(const cylint_records *r, size_t number,
+                        cylint_shape *shape)
+{
+    const cylint_record *from = &r->record[number];
+    double *x = shape->library.number;
+    if (!(r->tag[number] & CYLINT_TAG_PLAIN)) {
+        cylint_record_shape(r, number, shape);
+        return;
+    }
+    shape->kind = cylint_record_kind(r, number);
+    shape->ends = (int)ends_of_tag(r->tag[number]);
+    copy3(x + CYLINT_AT_BASE, from->p0);
+    copy3(x + CYLINT_AT_TOP, from->p1);
+    x[CYLINT_AT_R0] = from->r0;
+    x[CYLINT_AT_R1] = from->r1;
+    for (int i = 0; i < 3; i++)
+        x[CYLINT_AT_AXIS + i] = from->p1[i] - from->p0[i];
+}

@@ -1,0 +1,75 @@
+/*
+ * records.h - the shapes of a scene: the arguments of their constructors
+ *
+ * A record of 64 bytes and a byte hold a shape of two points and two radii; an
+ * elliptic shape takes 48 bytes more.  A record gives the constructor its own
+ * arguments, so the shape that it makes has the same answers, bit for bit.
+ */
+#ifndef CYLINT_SCENE_RECORDS_H
+#define CYLINT_SCENE_RECORDS_H
+
+#include <stdint.h>
+
+#include "../numbers/compiler.h"
+#include "cylint.h"
+
+/*
+ * What the members are, by the form of the tag:
+ *
+ *                 p0     r0       p1      r1
+ *   two points    p0     r0       p1      r1
+ *   sphere        c      r        c       r
+ *   acone         v      0        u       the tangent
+ *   elliptic      c      index    h       k
+ *
+ * The index is that of the elliptic shape's semi-axes.
+ */
+typedef struct cylint_record {
+    double p0[3], r0, p1[3], r1;
+} cylint_record;
+
+/* A tag: a cylint_kind, a cylint_ends times CYLINT_TAG_ENDS, and CYLINT_TAG_PLAIN
+ * if cylint_local_in_doubles() serves the shape. */
+enum { CYLINT_TAG_KIND = 15, CYLINT_TAG_ENDS = 16, CYLINT_TAG_PLAIN = 128 };
+
+typedef struct cylint_semi_axes {
+    double a[3], b[3];
+} cylint_semi_axes;
+
+typedef struct cylint_records {
+    cylint_record *record;
+    uint8_t *tag;
+    cylint_semi_axes *semi_axes;
+    size_t n, capacity, n_elliptic, elliptic_capacity;
+} cylint_records;
+
+/* Makes room for n shapes in all.  Returns 0 if there is no memory. */
+int cylint_records_reserve(cylint_records *records, size_t n);
+
+/* Adds n shapes.  Returns 0, and adds none, if there is no memory. */
+int cylint_records_add(cylint_records *records, const cylint_shape *shapes,
+                       size_t n);
+
+/* Returns the memory that is not used. */
+void cylint_records_trim(cylint_records *records);
+void cylint_records_free(cylint_records *records);
+
+/* The bytes of memory that they take. */
+size_t cylint_records_bytes(const cylint_records *records);
+
+CYLINT_INLINE int cylint_record_kind(const cylint_records *records,
+                                     size_t number)
+{
+    return records->tag[number] & CYLINT_TAG_KIND;
+}
+
+/* Makes the shape by its constructor. */
+void cylint_record_shape(const cylint_records *records, size_t number,
+                         cylint_shape *shape);
+
+/* Writes a shape's kind, ends and data; its local coordinates need not be
+ * written. */
+void cylint_record_data(const cylint_records *records, size_t number,
+                        cylint_shape *shape);
+
+#endif

@@ -1,0 +1,19 @@
+/*
+ * local_doubles.h - the local coordinates of a shape, in doubles
+ */
+#ifndef CYLINT_LOCAL_DOUBLES_H
+#define CYLINT_LOCAL_DOUBLES_H
+
+#include "cylint.h"
+
+/*
+ * Writes a shape for the kernels that decide by signs (filter.h), and for nothing
+ * else: without low parts and without the members that hits take.  The kind is
+ * cylinder, cone, capsule or rounded cone.  A constructor has made this shape of
+ * the same points and radii, and its local coordinates were accurate.
+ */
+void cylint_local_in_doubles(cylint_shape *shape, int kind, int ends,
+                             const double p0[3], double r0, const double p1[3],
+                             double r1);
+
+#endif
