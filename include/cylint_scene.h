@@ -134,6 +134,30 @@ CYLINT_API size_t cylint_scene_all(const cylint_scene *scene,
                                    size_t *numbers, size_t capacity);
 
 /*
+ * Visits: all other queries can be written with them.
+ */
+
+/* Gets shape `number`, which the line hits, and its first hit: the wanted members,
+ * or NULL if none is wanted.  Returns the largest t at which hits are wanted from
+ * now on: HUGE_VAL for all; or NaN to end the visit.  A value larger than one
+ * before has no effect. */
+typedef double cylint_scene_hit(void *context, size_t number,
+                                const cylint_hit *hit);
+
+/*
+ * Calls back once for each shape that the line hits, with the members `want` of
+ * the first of its hits.  The order is not that of t, but nearer shapes tend to
+ * come first; it is the same each time.  A shape whose first hit is beyond the t
+ * that the callback returned may still come.  The callback may query the scene.
+ *
+ * To leave shapes out, let the callback return the t that it returned before, or
+ * HUGE_VAL.
+ */
+CYLINT_API void cylint_scene_visit(const cylint_scene *scene,
+                                   const cylint_line *line, unsigned want,
+                                   cylint_scene_hit *callback, void *context);
+
+/*
  * Distances of points.  The functions below compare the absolute values of the
  * doubles that cylint_distance() of cylint_distance.h returns: of the distance
  * to the surface, also inside a solid.  They return what a loop over all shapes
@@ -145,6 +169,20 @@ CYLINT_API size_t cylint_scene_all(const cylint_scene *scene,
  * inside another shape, and the surface of their union is farther away:
  * cylint_scene(3), section Overlapping shapes.
  */
+
+/* Gets shape `number`, whose surface is within the radius, its distance (negative
+ * inside) and its flags, as of cylint_distance().  Returns the largest absolute
+ * distance that is wanted from now on, or NaN to end the visit.  A value larger
+ * than one before has no effect. */
+typedef double cylint_scene_near(void *context, size_t number, double distance,
+                                 int flags);
+
+/* Calls back once for each shape whose surface is within the radius, nearer ones
+ * rather first, in an order that is the same each time. */
+CYLINT_API void cylint_scene_visit_point(const cylint_scene *scene,
+                                         const double point[3], double radius,
+                                         cylint_scene_near *callback,
+                                         void *context);
 
 /* Returns the number of the shape whose surface is nearest to the point, if it
  * is within the radius; of equal distances the lowest number.  Writes *answer

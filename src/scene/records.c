@@ -148,17 +148,12 @@ static const cylint_semi_axes *axes_of(const cylint_records *r,
     return &r->semi_axes[(size_t)from->r0];
 }
 
-static cylint_ends ends_of_tag(unsigned tag)
-{
-    return (cylint_ends)(tag / CYLINT_TAG_ENDS % 8);
-}
-
 void cylint_record_shape(const cylint_records *r, size_t number,
                          cylint_shape *shape)
 {
     const cylint_record *from = &r->record[number];
     const cylint_semi_axes *axes;
-    const cylint_ends ends = ends_of_tag(r->tag[number]);
+    const cylint_ends ends = (cylint_ends)cylint_record_ends(r, number);
     if (r->tag[number] & CYLINT_TAG_PLAIN) {
         cylint_make_again(shape, cylint_record_kind(r, number), (int)ends,
                           from->p0, from->r0, from->p1, from->r1);
@@ -200,7 +195,7 @@ void cylint_record_data(const cylint_records *r, size_t number,
         return;
     }
     shape->kind = cylint_record_kind(r, number);
-    shape->ends = (int)ends_of_tag(r->tag[number]);
+    shape->ends = cylint_record_ends(r, number);
     copy3(x + CYLINT_AT_BASE, from->p0);
     copy3(x + CYLINT_AT_TOP, from->p1);
     x[CYLINT_AT_R0] = from->r0;

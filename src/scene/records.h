@@ -63,6 +63,12 @@ CYLINT_INLINE int cylint_record_kind(const cylint_records *records,
     return records->tag[number] & CYLINT_TAG_KIND;
 }
 
+CYLINT_INLINE int cylint_record_ends(const cylint_records *records,
+                                     size_t number)
+{
+    return records->tag[number] / CYLINT_TAG_ENDS % 8;
+}
+
 /* Makes the shape by its constructor. */
 void cylint_record_shape(const cylint_records *records, size_t number,
                          cylint_shape *shape);

@@ -1,0 +1,29 @@
+/*
+ * visit.h - the shapes of a scene that a line hits, or that are near a point
+ *
+ * All queries are callbacks of these visits.
+ */
+#ifndef CYLINT_SCENE_VISIT_H
+#define CYLINT_SCENE_VISIT_H
+
+#include "scene.h"
+
+typedef struct cylint_visit_options {
+    size_t except; /* the number of a shape that is left out, or the number of
+                      all shapes */
+    unsigned want;
+    int often;          /* a shape may come more than once: faster */
+    size_t first_other; /* the first of scene->others that is tested */
+} cylint_visit_options;
+
+/* As cylint_scene_visit().  Hits beyond t = `last` are not wanted. */
+void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
+                       const cylint_visit_options *options, double last,
+                       cylint_scene_hit *callback, void *context);
+
+/* As cylint_scene_visit_point(); often: as above. */
+void cylint_visit_point(const cylint_scene *scene, const double point[3],
+                        double radius, int often, cylint_scene_near *callback,
+                        void *context);
+
+#endif

@@ -1,0 +1,242 @@
+/*
+ * visit_line.c - the shapes of a scene that a line hits
+ *
+ * A hierarchy over pieces of shapes (bvh.h) rejects shapes that the line
+ * certainly does not hit, or hits beyond the last t that is wanted
+ * (traverse.h).  Of the others local coordinates in doubles reject nearly all
+ * that the line does not hit; cylint_intersect() tests the rest.
+ */
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#include "../numbers/bits.h"
+#include "../intersect.h"
+#include "number_set.h"
+#include "visit.h"
+
+/* The hierarchy finds a shape of several pieces several times.  A direct-mapped
+ * cache of shapes that were tested last saves repeated tests.  A set has those
+ * that were visited; if it is full, the piece that contains the first hit
+ * decides. */
+enum { RECENT = 16 };
+
+typedef struct {
+    const cylint_scene *scene;
+    cylint_line line;     /* its tmax decreases with `last` */
+    cylint_frame_ray ray; /* its length does too */
+    double last;          /* the last t that is wanted */
+    size_t except;
+    unsigned want;
+    int often, stopped;
+    cylint_scene_hit *callback;
+    void *context;
+    uint32_t recent[RECENT];
+    cylint_number_set visited; /* not used if `often` */
+} visit;
+
+/* ---------------------------------------------------------- one shape --- */
+
+/* Whether the line hits the shape: 0, 1, or CYLINT_UNDECIDED. */
+static int is_hit_in_doubles(const visit *v, size_t number)
+{
+    const cylint_records *r = &v->scene->records;
+    const cylint_record *at = &r->record[number];
+    return r->tag[number] & CYLINT_TAG_PLAIN
+               ? cylint_occluded_in_doubles(
+                     cylint_record_kind(r, number),
+                     cylint_record_ends(r, number), at->p0, at->r0, at->p1,
+                     at->r1, &v->line)
+               : CYLINT_UNDECIDED;
+}
+
+/* Whether the line hits the shape; writes the wanted members. */
+static int is_hit(const visit *v, size_t number, unsigned want,
+                  cylint_hit *hit)
+{
+    cylint_shape shape;
+    cylint_answer answer;
+    const int is = is_hit_in_doubles(v, number);
+    if (is == 0 || (is == 1 && want == 0))
+        return is;
+    cylint_record_shape(&v->scene->records, number, &shape);
+    if (want == 0)
+        return cylint_occluded(&shape, &v->line);
+    if (!cylint_intersect(&shape, &v->line, want | CYLINT_WANT_NEAREST,
+                          &answer))
+        return 0;
+    *hit = answer.hit[0];
+    return 1;
+}
+
+/* Sets the last t that is wanted.  A root that rounds to t is less than the double
+ * above t, so that this bounds the domain. */
+static void shorten(visit *v, double t)
+{
+    v->stopped = t != t;
+    if (v->stopped || !cylint_less(t, v->last))
+        return;
+    v->last = t;
+    v->line.tmax = cylint_next_above(t);
+}
+
+/* Returns whether the line hits the shape. */
+static int test(visit *v, size_t number)
+{
+    cylint_hit hit;
+    if (number == v->except || !is_hit(v, number, v->want, &hit))
+        return 0;
+    shorten(v, v->callback(v->context, number, v->want ? &hit : NULL));
+    return 1;
+}
+
+/* ------------------------------------------------------------- leaves --- */
+
+static int is_split(const cylint_leaf *leaf, int lane)
+{
+    return cylint_leaf_piece(leaf, lane).count > 1;
+}
+
+static int was_tested(visit *v, uint32_t number)
+{
+    uint32_t *recent = &v->recent[number % RECENT];
+    const int was = *recent == number;
+    *recent = number;
+    return was;
+}
+
+/* Whether the lane's piece contains the shape's first hit.  The traversal finds
+ * that piece, and no other piece contains the hit. */
+static int owns_first_hit(const visit *v, const cylint_leaf *leaf, int lane)
+{
+    cylint_hit hit;
+    return is_hit(v, leaf->number[lane], CYLINT_WANT_Z, &hit) &&
+           cylint_leaf_owns(leaf, lane, hit.z);
+}
+
+/* Tests a shape of several pieces at one of them. */
+static void test_piece(visit *v, const cylint_leaf *leaf, int lane)
+{
+    const uint32_t number = leaf->number[lane];
+    if (v->often) {
+        if (!was_tested(v, number))
+            test(v, number);
+        return;
+    }
+    uint32_t *slot = cylint_set_slot(&v->visited, number);
+    if (*slot == number)
+        return;
+    if (cylint_set_is_full(&v->visited)) {
+        if (owns_first_hit(v, leaf, lane))
+            test(v, number);
+    } else if (!was_tested(v, number) && test(v, number)) {
+        cylint_set_add(&v->visited, slot, number);
+    }
+}
+
+/* Begins to load the lanes' shapes.  Always inlined: GCC removes calls of a function
+ * which only prefetches. */
+CYLINT_INLINE void prefetch_shapes(const visit *v, const cylint_leaf *leaf,
+                                   unsigned lanes)
+{
+#ifdef __GNUC__
+    const cylint_records *r = &v->scene->records;
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t number = leaf->number[cylint_lowest(lanes)];
+        __builtin_prefetch(&r->record[number]);
+        __builtin_prefetch(&r->tag[number]);
+    }
+#else
+    (void)v;
+    (void)leaf;
+    (void)lanes;
+#endif
+}
+
+/* The lane with the least t. */
+static int nearest_lane(unsigned lanes, const double least[CYLINT_LEAF_SIZE])
+{
+    int first = cylint_lowest(lanes);
+    while (lanes &= lanes - 1)
+        if (least[cylint_lowest(lanes)] < least[first])
+            first = cylint_lowest(lanes);
+    return first;
+}
+
+static int test_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
+                     const double least[CYLINT_LEAF_SIZE])
+{
+    visit *v = self;
+    if (v->want == 0)
+        prefetch_shapes(v, leaf, lanes);
+    while (lanes && !v->stopped) {
+        const int lane =
+            v->want ? nearest_lane(lanes, least) : cylint_lowest(lanes);
+        const double last = v->last;
+        if (least[lane] > v->ray.length)
+            break;
+        lanes &= ~(1u << lane);
+        if (is_split(leaf, lane))
+            test_piece(v, leaf, lane);
+        else
+            test(v, leaf->number[lane]);
+        if (v->last < last)
+            v->ray.length =
+                fmin(v->ray.length, cylint_frame_reach(&v->ray, v->last));
+    }
+    return v->stopped;
+}
+
+/* ------------------------------------------------------------- visits --- */
+
+/* Traverses the hierarchy or, where the frame cannot hold the line, tests every
+ * shape in it. */
+static void traverse(visit *v)
+{
+    const cylint_scene *s = v->scene;
+    if (s->n_bounded == 0 || v->stopped)
+        return;
+    switch (cylint_frame_line(&s->frame, &v->line, &v->ray)) {
+    case CYLINT_FRAME_MISSED:
+        return;
+    case CYLINT_FRAME_ENTERED:
+        s->traverse(&s->bvh, v->ray.o, v->ray.d, 0, &v->ray.length, test_leaf,
+                    v);
+        return;
+    default:
+        for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
+            test(v, s->bounded ? s->bounded[i] : i);
+    }
+}
+
+void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
+                       const cylint_visit_options *options, double last,
+                       cylint_scene_hit *callback, void *context)
+{
+    visit v;
+    v.scene = scene;
+    v.line = *line;
+    v.last = line->tmax;
+    v.except = options->except;
+    v.want = options->want;
+    v.often = options->often;
+    v.stopped = 0;
+    v.callback = callback;
+    v.context = context;
+    memset(v.recent, 0xff, sizeof v.recent); /* CYLINT_NO_SHAPE */
+    if (!v.often)
+        cylint_set_clear(&v.visited);
+    shorten(&v, last);
+    for (size_t i = options->first_other; i < scene->n_others && !v.stopped;
+         i++)
+        test(&v, scene->others[i]);
+    traverse(&v);
+}
+
+void cylint_scene_visit(const cylint_scene *scene, const cylint_line *line,
+                        unsigned want, cylint_scene_hit *callback,
+                        void *context)
+{
+    const cylint_visit_options options = {.except = scene->n, .want = want};
+    cylint_visit_line(scene, line, &options, HUGE_VAL, callback, context);
+}
