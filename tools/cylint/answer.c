@@ -39,12 +39,11 @@ static int answers_by_batches(const struct options *o)
 int job_block(const struct job *job, struct block *block)
 {
     const struct options *o = job->options;
-    const int finds_hits = o->query == QUERY_ALL || o->query == QUERY_NEAREST;
     const size_t longest = job->labels->longest;
     const size_t row = row_capacity(&o->fields, &o->style, longest);
     const size_t other = row_capacity(&o->point_fields, &o->style, longest);
     if (!block_allocate(block, row > other ? row : other,
-                        finds_hits ? job->scene->count : 0)) {
+                        search_bytes(&job->scene->search))) {
         return 0;
     }
     if (answers_by_batches(o)) {
@@ -174,12 +173,14 @@ static int answer_count(struct task *task, unsigned long long most)
 static void answer_one_of_all(struct task *task, size_t shape)
 {
     const struct options *o = task->job->options;
+    cylint_shape made;
     cylint_answer answer;
     if (left_out_has(&task->block->left_out, shape)) {
         return;
     }
-    solve(solver_of(o), &task->job->scene->shapes[shape],
-          &task->block->parsed.line, o->fields.want, &answer);
+    scene_shape(task->job->scene, shape, &made);
+    solve(solver_of(o), &made, &task->block->parsed.line, o->fields.want,
+          &answer);
     if (answer.n > 0) {
         task->row.shape = shape + 1;
         task->row.answer = &answer;
@@ -254,13 +255,17 @@ static void answer_point_pair(struct task *task)
 static void answer_closest(struct task *task)
 {
     const struct nearby n = nearby_of(task);
-    cylint_closest closest = {.part = 0};
-    const size_t shape = nearby_closest(&n, fields_of(task)->want, &closest);
-    const int found = shape < task->job->scene->count;
-    task->row.closest = found ? &closest : NULL;
-    task->row.shape = found ? shape + 1 : 0;
+    cylint_shape shape;
+    cylint_closest closest;
+    task->row.shape = nearby_closest(&n);
+    task->row.closest = NULL;
+    if (task->row.shape > 0) {
+        scene_shape(task->job->scene, task->row.shape - 1, &shape);
+        measure(task, &shape, &closest);
+        task->row.closest = &closest;
+    }
     find_label(task);
-    put_answer(task, found);
+    put_answer(task, task->row.shape > 0);
 }
 
 static void answer_within_count(struct task *task, unsigned long long most)
@@ -273,12 +278,13 @@ static void answer_within_count(struct task *task, unsigned long long most)
 /* Writes a row for a shape within the radius. */
 static void answer_one_within(struct task *task, size_t shape)
 {
-    const struct job *job = task->job;
+    cylint_shape made;
     cylint_closest closest;
     if (left_out_has(&task->block->left_out, shape)) {
         return;
     }
-    measure(task, &job->scene->shapes[shape], &closest);
+    scene_shape(task->job->scene, shape, &made);
+    measure(task, &made, &closest);
     task->row.closest = &closest;
     task->row.shape = shape + 1;
     find_label(task);

@@ -206,20 +206,3 @@ int left_out_has(const struct left_out *l, size_t shape)
     return l->count > 0 &&
            has_group(l, l->groups->labels ? l->groups->first[shape] : shape);
 }
-
-size_t left_out_shapes(const struct left_out *l, int i, const size_t **shapes)
-{
-    const struct groups *g = l->groups;
-    const size_t begin = l->group[i];
-    size_t count = 1;
-    if (!g->labels) {
-        *shapes = &l->group[i];
-        return 1;
-    }
-    while (begin + count < g->shapes &&
-           g->first[g->order[begin + count]] == begin) {
-        count++;
-    }
-    *shapes = g->order + begin;
-    return count;
-}

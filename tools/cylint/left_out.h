@@ -40,8 +40,4 @@ int left_out_read(struct left_out *left_out, const struct groups *groups,
 
 int left_out_has(const struct left_out *left_out, size_t shape);
 
-/* Returns the number of shapes of group i, and the shapes. */
-size_t left_out_shapes(const struct left_out *left_out, int i,
-                       const size_t **shapes);
-
 #endif

@@ -17,11 +17,9 @@ struct nearby {
     const struct left_out *left_out;
 };
 
-/* Returns the number of the nearest of these shapes, of equal distances the
- * lowest, or the number of all shapes if there is none.  Writes *closest if
- * there is one. */
-size_t nearby_closest(const struct nearby *n, unsigned want,
-                      cylint_closest *closest);
+/* Returns the number, from 1, of the nearest of these shapes, of equal distances
+ * the lowest; 0 if there is none. */
+size_t nearby_closest(const struct nearby *n);
 
 /* Returns how many there are, at most `most`. */
 unsigned long long nearby_count(const struct nearby *n,

@@ -11,8 +11,8 @@
 #include "search.h"
 
 struct scene {
-    cylint_shape *shapes;
-    size_t count, capacity;
+    cylint_scene *shapes; /* NULL: none yet */
+    size_t count;
     struct search search; /* once scene_prepare() was called */
 
     /* Called with the record of shape number `count`, unless NULL.  Returns
@@ -23,6 +23,9 @@ struct scene {
 
 /* Adds the shape of a record and calls also().  Returns 0 or an exit status. */
 int scene_add(struct scene *scene, const struct record *record);
+
+/* Writes shape number i, from 0. */
+void scene_shape(const struct scene *scene, size_t i, cylint_shape *shape);
 
 /* Prepares the shapes for all queries without a method.  Returns 0 or an exit
  * status. */
@@ -43,7 +46,7 @@ struct scene_query {
     solver method;
     const cylint_line *line;
     const struct left_out *left_out; /* shapes to leave out */
-    signed char *hits;               /* a char per shape, for search_hits() */
+    signed char *hits;               /* for search_visit() */
 };
 
 /* Both write *row and return 0, or the number, from 1, of a shape that the

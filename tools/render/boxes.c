@@ -6,6 +6,7 @@
 
 #include "boxes.h"
 #include "report.h"
+#include "scene.h"
 
 static int is_bounded(const struct box *box)
 {
@@ -36,8 +37,9 @@ static void measure_all(struct boxes *boxes)
     boxes->size = length(minus(all.high, all.low));
 }
 
-int boxes_make(struct boxes *boxes, const cylint_shape *shapes, size_t n)
+int boxes_make(struct boxes *boxes, const struct scene *scene)
 {
+    const size_t n = scene->count;
     *boxes = (struct boxes){NULL, 0, {{0, 0, 0}}, 0};
     if (n < SIZE_MAX / sizeof *boxes->box) {
         boxes->box = malloc((n + 1) * sizeof *boxes->box);
@@ -47,7 +49,9 @@ int boxes_make(struct boxes *boxes, const cylint_shape *shapes, size_t n)
     }
     for (size_t i = 0; i < n; i++) {
         struct box *box = &boxes->box[boxes->count];
-        cylint_bounds(&shapes[i], box->low.v, box->high.v);
+        cylint_shape shape;
+        scene_shape(scene, i, &shape);
+        cylint_bounds(&shape, box->low.v, box->high.v);
         boxes->count += (size_t)is_bounded(box);
     }
     if (boxes->count > 0) {

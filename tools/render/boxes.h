@@ -6,8 +6,9 @@
 
 #include <stddef.h>
 
-#include "cylint.h"
 #include "vector.h"
+
+struct scene;
 
 struct box {
     struct vector low, high;
@@ -21,7 +22,7 @@ struct boxes {
 };
 
 /* Returns 0 or an exit status. */
-int boxes_make(struct boxes *boxes, const cylint_shape *shapes, size_t n);
+int boxes_make(struct boxes *boxes, const struct scene *scene);
 void boxes_free(struct boxes *boxes);
 
 struct vector box_middle(const struct box *box);

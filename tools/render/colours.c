@@ -211,20 +211,28 @@ static double measure(enum colouring how, const cylint_shape *shape,
     return how == COLOUR_RADIUS ? log(radius_of(shape)) : height_of(shape, up);
 }
 
+static double measure_number(const struct scene *scene, size_t i,
+                             enum colouring how, struct vector up)
+{
+    cylint_shape shape;
+    scene_shape(scene, i, &shape);
+    return measure(how, &shape, up);
+}
+
 /* Colours along a gradient, from the least to the greatest finite value. */
 static void by_measure(struct colours *c, const struct scene *scene,
                        enum colouring how, struct vector up)
 {
     double least = HUGE_VAL, most = -HUGE_VAL;
     for (size_t i = 0; i < scene->count; i++) {
-        const double x = measure(how, &scene->shapes[i], up);
+        const double x = measure_number(scene, i, how, up);
         if (x - x == 0) {
             least = fmin(least, x);
             most = fmax(most, x);
         }
     }
     for (size_t i = 0; i < scene->count; i++) {
-        const double x = measure(how, &scene->shapes[i], up);
+        const double x = measure_number(scene, i, how, up);
         const double share =
             x - x == 0 && most > least ? (x - least) / (most - least) : 0.5;
         if (c->of[i] == NO_COLOUR) {
@@ -238,13 +246,15 @@ static uint32_t colour_of_shape(const struct colours *c,
                                 const struct scene *scene, enum colouring how,
                                 uint32_t one, size_t i)
 {
+    cylint_shape shape;
     switch (how) {
     case COLOUR_NUMBER:
         return colour_of_number(i);
     case COLOUR_LABEL:
         return c->label[i] ? colour_of_number(c->label[i]) : one;
     case COLOUR_KIND:
-        return colour_of_number((size_t)scene->shapes[i].kind);
+        scene_shape(scene, i, &shape);
+        return colour_of_number((size_t)shape.kind);
     default:
         return one;
     }
@@ -258,7 +268,7 @@ int colours_complete(struct colours *c, const struct scene *scene,
         return status;
     }
     if (how == COLOUR_CONNECTED) {
-        status = connected_groups(scene->shapes, scene->count, c->label);
+        status = connected_groups(scene, c->label);
     }
     if (how == COLOUR_RADIUS || how == COLOUR_HEIGHT) {
         by_measure(c, scene, how, up);

@@ -11,18 +11,22 @@
 #include "main.h"
 #include "report.h"
 #include "sampling.h"
+#include "scene.h"
+#include "vector.h"
 #include "../../src/shapes/layout.h"
 
 struct ends {
-    const cylint_shape *shapes;
+    const struct scene *scene;
     uint32_t *slot; /* 2 i + e + 1 for end e of shape i; 0: free */
     size_t slots;   /* a power of two above the number of ends */
 };
 
-static const double *end_point(const struct ends *ends, uint32_t end)
+static struct vector end_point(const struct ends *ends, uint32_t end)
 {
-    const cylint_shape *shape = &ends->shapes[end >> 1];
-    return end & 1 ? cylint_top(shape) : cylint_base(shape);
+    cylint_shape shape;
+    scene_shape(ends->scene, end >> 1, &shape);
+    const double *p = end & 1 ? cylint_top(&shape) : cylint_base(&shape);
+    return vector(p[0], p[1], p[2]);
 }
 
 static uint32_t hash_point(const double p[3])
@@ -45,10 +49,11 @@ static int same_point(const double p[3], const double q[3])
 /* The first end at the same point; it may be this one. */
 static uint32_t first_end(const struct ends *ends, uint32_t end)
 {
-    const double *p = end_point(ends, end);
-    size_t at = hash_point(p) & (ends->slots - 1);
+    const struct vector p = end_point(ends, end);
+    size_t at = hash_point(p.v) & (ends->slots - 1);
     while (ends->slot[at] != 0) {
-        if (same_point(p, end_point(ends, ends->slot[at] - 1))) {
+        const struct vector other = end_point(ends, ends->slot[at] - 1);
+        if (same_point(p.v, other.v)) {
             return ends->slot[at] - 1;
         }
         at = (at + 1) & (ends->slots - 1);
@@ -85,7 +90,9 @@ static int has_ends(const cylint_shape *s)
 static void join_shapes(const struct ends *ends, size_t n, uint32_t *parent)
 {
     for (uint32_t i = 0; i < n; i++) {
-        if (has_ends(&ends->shapes[i])) {
+        cylint_shape shape;
+        scene_shape(ends->scene, i, &shape);
+        if (has_ends(&shape)) {
             join(parent, i, first_end(ends, 2 * i) >> 1);
             join(parent, i, first_end(ends, 2 * i + 1) >> 1);
         }
@@ -103,9 +110,10 @@ static void number_groups(uint32_t *group, size_t n)
     }
 }
 
-int connected_groups(const cylint_shape *shapes, size_t n, uint32_t *group)
+int connected_groups(const struct scene *scene, uint32_t *group)
 {
-    struct ends ends = {shapes, NULL, 2};
+    const size_t n = scene->count;
+    struct ends ends = {scene, NULL, 2};
     if (n > UINT32_MAX / 8) {
         return out_of_memory();
     }

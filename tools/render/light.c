@@ -121,6 +121,7 @@ struct sample trace_sample(const struct stage *stage, const cylint_line *ray,
                            uint32_t i, uint32_t seed)
 {
     cylint_hit hit;
+    cylint_shape hit_shape;
     const size_t shape = cylint_scene_nearest(
         stage->scene, ray,
         CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_PART, &hit);
@@ -131,10 +132,11 @@ struct sample trace_sample(const struct stage *stage, const cylint_line *ray,
         vector(hit.normal[0], hit.normal[1], hit.normal[2]);
     const struct vector d = vector(ray->d[0], ray->d[1], ray->d[2]);
     const int inside = dot(normal, d) > 0;
+    cylint_scene_shape(stage->scene, shape, &hit_shape);
     struct place at = {shape, vector(0, 0, 0),
                        inside ? times(-1, normal) : normal,
-                       !inside && is_convex(&stage->shapes[shape])};
-    cylint_outside(&stage->shapes[shape], &hit, inside ? 1 : -1, at.point.v);
+                       !inside && is_convex(&hit_shape)};
+    cylint_outside(&hit_shape, &hit, inside ? 1 : -1, at.point.v);
     const double covered = opacity(stage, &at);
     const struct vector light = shaded(
         stage, &at, ray, light_of_colour(stage->colours[shape]), i, seed);

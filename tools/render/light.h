@@ -20,7 +20,6 @@ enum shading {
 /* The scene and its light. */
 struct stage {
     const cylint_scene *scene;
-    const cylint_shape *shapes;
     size_t count;            /* the number of shapes; the ground is the last */
     const uint32_t *colours; /* of shapes, 0xrrggbb */
     int has_ground;

@@ -85,8 +85,8 @@ static struct vector sun_of(const struct options *o, const struct view *view)
                                   -0.45, view->forward));
 }
 
-static int draw_picture(const struct options *o, struct stage *stage,
-                        const struct view *view, struct stages *stages,
+static int draw_picture(const struct options *o, struct scene *scene,
+                        struct stage *stage, const struct view *view, struct stages *stages,
                         struct output *out)
 {
     const unsigned long long pixels =
@@ -96,23 +96,20 @@ static int draw_picture(const struct options *o, struct stage *stage,
     const int processors_here = processors();
     const int workers = o->workers > 0 ? o->workers : processors_here;
     const int builders = workers < processors_here ? workers : processors_here;
-    cylint_scene_status built;
-    cylint_scene *scene =
-        cylint_scene_new(stage->shapes, stage->count, builders, &built);
-    if (!scene) {
-        complain(o->scene, cylint_scene_strerror((int)built));
-        return built == CYLINT_SCENE_EMEMORY ? EXIT_MEMORY : EXIT_BAD;
+    int status = scene_prepare(scene, ACCEL_TREE, builders);
+    if (status != 0) {
+        return status;
     }
-    stages_end(stages, "built a scene of", cylint_scene_bytes(scene), "bytes");
-    stage->scene = scene;
-    int status = picture_make(&picture, o->width, o->height,
+    stage->scene = scene->shapes;
+    stages_end(stages, "built a scene of", cylint_scene_bytes(stage->scene),
+               "bytes");
+    status = picture_make(&picture, o->width, o->height,
                               o->backdrop.transparent ? 4 : 3);
     if (status == 0) {
         status = trace(&picture, stage, view, &o->backdrop, o->samples, workers,
                        o->progress);
     }
     stages_end(stages, "traced", pixels, "pixels");
-    cylint_scene_free(scene);
     if (status == 0) {
         status = picture_write(&picture, out);
     }
@@ -138,10 +135,9 @@ static int set_stage(const struct options *o, struct scene *scene,
         status = add_ground(scene, o->ground, up, boxes);
     }
     if (status == 0) {
-        *stage = (struct stage){NULL,        scene->shapes, scene->count,
-                                colours->of, has_ground,    boxes->middle,
-                                boxes->size, o->shading,    sun_of(o, view),
-                                up};
+        *stage = (struct stage){NULL,         scene->count,  colours->of,
+                                has_ground,   boxes->middle, boxes->size,
+                                o->shading,   sun_of(o, view), up};
     }
     return status;
 }
@@ -153,7 +149,7 @@ static int prepare(const struct options *o, struct scene *scene,
     struct boxes boxes;
     int status = scene_read(scene, o->scene, o->ends, (enum swc_form)o->swc);
     if (status == 0) {
-        status = boxes_make(&boxes, scene->shapes, scene->count);
+        status = boxes_make(&boxes, scene);
         if (status == 0) {
             status = set_stage(o, scene, colours, &boxes, stage, view);
         }
@@ -187,7 +183,7 @@ int main(int argc, char **argv)
     status = prepare(&options, &scene, &colours, &stage, &view);
     if (status == 0) {
         stages_end(&stages, "read", stage.count, "shapes");
-        status = draw_picture(&options, &stage, &view, &stages, &out);
+        status = draw_picture(&options, &scene, &stage, &view, &stages, &out);
     }
     const int closed = output_close(&out, status == 0);
     scene_free(&scene);

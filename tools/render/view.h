@@ -5,6 +5,7 @@
 #define CYLINT_VIEW_H
 
 #include "boxes.h"
+#include "cylint.h"
 #include "vector.h"
 
 /* The options of the camera; the scene determines those not given. */
