@@ -144,11 +144,13 @@ static cylint_bvh_status finish(cylint_bvh *bvh, draft *d,
     bvh->n_nodes = d->n_nodes;
     cylint_watch_step(input->watch, CYLINT_STEP_LEAVES, d->split.n);
     cylint_build_compact(d->memory.data);
-    cylint_memory_reduce(&d->memory, input->source,
-                         bvh->n_nodes * sizeof *bvh->nodes);
+    if (!cylint_memory_reduce(&d->memory, input->source,
+                              bvh->n_nodes * sizeof *bvh->nodes))
+        return CYLINT_BVH_EMEMORY;
     fill_all_leaves(&job, input->threads);
-    cylint_memory_reduce(&d->split.memory, input->source,
-                         bvh->n_leaves * sizeof *bvh->leaves);
+    if (!cylint_memory_reduce(&d->split.memory, input->source,
+                              bvh->n_leaves * sizeof *bvh->leaves))
+        return CYLINT_BVH_EMEMORY;
     bvh->nodes = d->memory.data;
     bvh->leaves = d->split.memory.data;
     return result(input->watch);

@@ -59,24 +59,30 @@ int cylint_memory_allocate(cylint_memory *memory,
     return 1;
 }
 
-void cylint_memory_reduce(cylint_memory *memory,
+static int copy_to_source(cylint_memory *memory,
                           const cylint_memory_source *source, size_t bytes)
 {
-    if (source) {
-        cylint_memory less;
-        if (!cylint_memory_allocate(&less, source, bytes))
-            return;
-        memcpy(less.data, memory->data, bytes);
-        cylint_memory_free(memory);
-        *memory = less;
-        return;
-    }
+    cylint_memory less;
+    if (!cylint_memory_allocate(&less, source, bytes))
+        return 0;
+    memcpy(less.data, memory->data, bytes);
+    cylint_memory_free(memory);
+    *memory = less;
+    return 1;
+}
+
+int cylint_memory_reduce(cylint_memory *memory,
+                         const cylint_memory_source *source, size_t bytes)
+{
+    if (source)
+        return copy_to_source(memory, source, bytes);
     const ptrdiff_t at = (char *)memory->data - (char *)memory->handle;
     char *handle = realloc(memory->handle, bytes + CACHE_LINE);
     if (!handle)
-        return;
+        return 1;
     memmove(whole_line(handle), handle + at, bytes);
     *memory = (cylint_memory){whole_line(handle), bytes, handle, free};
+    return 1;
 }
 
 void cylint_memory_free(cylint_memory *memory)

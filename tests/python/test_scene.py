@@ -313,3 +313,28 @@ def test_faults_of_files_are_raised(tmp_path):
     assert cylint.read_scene(tube, ends="open").ends.tolist() == [
         cylint.Ends.OPEN
     ]
+
+
+def test_a_scene_takes_shapes_from_a_generator_and_keeps_none_of_them():
+    def blocks():
+        for seed in range(40):
+            yield forest(50, seed)
+
+    scene = cylint.Scene(blocks())
+    joined = cylint.concatenate(blocks())
+    assert len(scene) == 2000 and (scene.shapes == joined).all()
+    assert 65 * 2000 < scene.nbytes < 200 * 2000
+    o, d = rays(200, 5)
+    near, whole = scene.nearest(o, d), cylint.Scene(joined).nearest(o, d)
+    assert same(near.point, whole.point) and same(near.index, whole.index)
+
+
+def test_a_scene_is_read_from_a_file_as_its_shapes_are(tmp_path):
+    name = tmp_path / "scene"
+    rods = forest(30, 9).with_labels([f"rod {i}" for i in range(30)])
+    cylint.write_scene(name, rods)
+    scene = cylint.Scene.read(name)
+    assert (scene.shapes == rods).all()
+    assert scene.shapes.labels.tolist() == rods.labels.tolist()
+    with pytest.raises(ValueError, match="swc: not a neuron"):
+        cylint.Scene.read(name, swc="round")

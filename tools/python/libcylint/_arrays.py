@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _core
+
 Progress = Callable[[int, int], object]
 
 
@@ -109,3 +111,19 @@ def place(index: int, shape: tuple[int, ...]) -> str:
         return ""
     where = tuple(int(i) for i in np.unravel_index(index, shape))
     return f" {where[0]}" if len(where) == 1 else f" {where}"
+
+
+def shapes_of(
+    scene: _core.Scene, index: NDArray[np.int64] | None
+) -> tuple[NDArray[np.void], NDArray[np.int64]]:
+    """Records of the shapes of a scene with these numbers, each once, and an index
+    into the records for each number; -1 stays.  None: all shapes, in order."""
+    record = np.dtype((np.void, _core.shape_members()["size"]))
+    if index is None:
+        records = np.empty(scene.size(), record)
+        scene.take(None, records)
+        return records, np.arange(len(records))
+    numbers, places = np.unique(index, return_inverse=True)
+    records = np.empty(len(numbers), record)
+    scene.take(numbers, records)
+    return records, np.where(index < 0, -1, places.reshape(index.shape))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arguments import Points
-from ._arrays import Progress, broadcast, counted, workers
+from ._arrays import Progress, broadcast, counted, shapes_of, workers
 
 
 class ClosestPoints:
@@ -32,7 +32,7 @@ class ClosestPoints:
 
     def __init__(
         self,
-        records: NDArray[np.void],
+        records: NDArray[np.void] | None,
         index: NDArray[np.int64] | None,
         points: NDArray[np.float64],
         distance: NDArray[np.float64],
@@ -43,6 +43,10 @@ class ClosestPoints:
         change."""
         self._source = (records, index, points, threads)
         self.distance = distance
+
+    @property
+    def _shapes(self) -> tuple[NDArray[np.void], NDArray[np.int64] | None]:
+        return self._source[:2]
 
     def _write(
         self,
@@ -55,7 +59,8 @@ class ClosestPoints:
         progress: Progress | None = None,
     ) -> None:
         """Computes the arrays that are given."""
-        records, index, points, threads = self._source
+        _, _, points, threads = self._source
+        records, index = self._shapes
         columns = (distance, part, feature, point, normal)
         _core.closest(
             records, index, points, columns, workers(threads), progress
@@ -128,14 +133,19 @@ class ClosestShapes(ClosestPoints):
 
     def __init__(
         self,
-        records: NDArray[np.void],
+        scene: _core.Scene,
         index: NDArray[np.int64],
         points: NDArray[np.float64],
         distance: NDArray[np.float64],
         threads: int | None,
     ) -> None:
-        super().__init__(records, index.copy(), points, distance, threads)
+        super().__init__(None, index.copy(), points, distance, threads)
         self.index = index
+        self._scene = scene
+
+    @cached_property
+    def _shapes(self) -> tuple[NDArray[np.void], NDArray[np.int64]]:  # type: ignore[override]
+        return shapes_of(self._scene, self._source[1])
 
 
 class ShapesWithin(NamedTuple):

@@ -24,7 +24,7 @@ class DescribedHits:
 
     def __init__(
         self,
-        records: NDArray[np.void],
+        records: NDArray[np.void] | None,
         index: NDArray[np.int64] | None,
         lines: Lines,
         shape: tuple[int, ...],
@@ -35,8 +35,13 @@ class DescribedHits:
         arrays must not change."""
         self._source = (records, index, lines, shape, threads)
 
+    @property
+    def _shapes(self) -> tuple[NDArray[np.void], NDArray[np.int64] | None]:
+        return self._source[:2]
+
     def _describe(self, member: str) -> NDArray[Any]:
-        records, index, lines, shape, threads = self._source
+        _, _, lines, shape, threads = self._source
+        records, index = self._shapes
         axes = (*self.t.shape, 3) if member in _POINTS else self.t.shape
         column = np.empty(axes, np.int8 if member == "side" else np.float64)
         _core.describe(

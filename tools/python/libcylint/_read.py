@@ -7,9 +7,11 @@ import warnings
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _core
-from ._shapes import Shapes, _codes, _record
+from ._arrays import shapes_of
+from ._shapes import Shapes, _codes
 
 _NOT_GIVEN = -1
 _BAD, _MEMORY = 1, 4
@@ -42,6 +44,14 @@ def read_scene(
     >>> cylint.read_scene(name, swc="round")
     <libcylint.Shapes (2,): 1 sphere, 1 rcone>
     """
+    begun, labels = read_begun(path, ends=ends, swc=swc)
+    return Shapes(shapes_of(begun, None)[0], labels)
+
+
+def read_begun(
+    path: str | os.PathLike[str], *, ends: Any, swc: str | None
+) -> tuple[_core.Scene, NDArray[np.object_] | None]:
+    """A scene that is begun and its labels, by the arguments of `read_scene`."""
     code = _NOT_GIVEN if ends is None else int(_codes(ends))
     name = os.fspath(path)
     if swc not in (None, "cones", "round"):
@@ -53,7 +63,7 @@ def read_scene(
     if not os.access(name, os.R_OK):
         with open(name, "rb"):
             pass
-    status, data, labels, messages = _core.read_scene(
+    status, begun, labels, messages = _core.read_scene(
         name, code, swc == "round"
     )
     if status != 0:
@@ -62,8 +72,10 @@ def read_scene(
         raise error(text)
     for text in messages:
         warnings.warn(text, stacklevel=2)
-    shapes = Shapes(np.frombuffer(data, _record))
-    return shapes if labels is None else shapes.with_labels(labels)
+    return (
+        begun or _core.Scene(0),
+        None if labels is None else np.array(labels, np.object_),
+    )
 
 
 def write_scene(path: str | os.PathLike[str], shapes: Shapes) -> None:

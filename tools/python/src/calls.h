@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "array.h"
-#include "cylint.h"
+#include "cylint_scene.h"
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -101,5 +101,8 @@ void closest(nb::handle shapes, nb::handle index, nb::handle points,
 void register_scene(nb::module_ &module);
 nb::tuple read_scene(const char *file, int ends, bool round);
 nb::bytes write_scene(nb::handle shapes, size_t first, nb::handle labels);
+
+/* Takes a scene that was begun; None for NULL. */
+nb::object scene_object(cylint_scene *begun);
 
 #endif

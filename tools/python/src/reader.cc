@@ -56,7 +56,8 @@ static nb::object labels_of(const cylint_python_scene &scene)
     return labels;
 }
 
-/* Returns (status, shapes as bytes, labels, messages). */
+/* Returns (status, a scene that is begun, labels, messages); None instead of a scene
+ * without shapes. */
 nb::tuple read_scene(const char *file, int ends, bool round)
 {
     std::vector<std::string> said;
@@ -68,15 +69,12 @@ nb::tuple read_scene(const char *file, int ends, bool round)
         status = cylint_python_read(file, ends, round, &scene);
         messages = nullptr;
     }
-    const nb::bytes data(scene.shapes ? static_cast<const void *>(scene.shapes)
-                                      : "",
-                         scene.count * sizeof *scene.shapes);
+    const nb::object begun = scene_object(scene.shapes);
     const nb::object labels = labels_of(scene);
-    std::free(scene.shapes);
     std::free(scene.label_bytes);
     std::free(scene.label_end);
     nb::list texts;
     for (const std::string &text : said)
         texts.append(nb::str(text.data(), text.size()));
-    return nb::make_tuple(status, data, labels, texts);
+    return nb::make_tuple(status, begun, labels, texts);
 }

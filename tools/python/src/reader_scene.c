@@ -1,5 +1,5 @@
 /*
- * reader_scene.c - reads a file of shapes and their labels into arrays
+ * reader_scene.c - reads a file of shapes and their labels
  */
 #include "reader_scene.h"
 
@@ -14,6 +14,9 @@ int cylint_python_read(const char *file, int ends, int round,
     labels_collect(&labels, &scene);
     const int status =
         scene_read(&scene, file, ends, round ? SWC_ROUND : SWC_CONES);
+    if (status != 0) {
+        scene_free(&scene);
+    }
     *read = (cylint_python_scene){.shapes = scene.shapes,
                                   .count = status == 0 ? scene.count : 0,
                                   .label_bytes = labels.bytes,

@@ -1,15 +1,15 @@
 /*
- * reader_scene.h - reads a file of shapes and their labels into arrays
+ * reader_scene.h - reads a file of shapes and their labels
  */
 #ifndef CYLINT_PYTHON_READER_SCENE_H
 #define CYLINT_PYTHON_READER_SCENE_H
 
-#include "cylint.h"
+#include "cylint_scene.h"
 
 /* Labels are one behind the other; label i ends at label_end[i].  label_bytes is
- * NULL if no shape has one.  The caller frees the arrays. */
+ * NULL if no shape has one.  The caller frees the scene and the arrays. */
 typedef struct cylint_python_scene {
-    cylint_shape *shapes;
+    cylint_scene *shapes; /* begun; NULL: there are none */
     size_t count;
     char *label_bytes;
     size_t *label_end;

@@ -94,24 +94,72 @@ struct Build {
 class Scene
 {
   public:
-    /* records: a contiguous array of shapes (n), which must not change */
-    Scene(nb::handle records, int threads, nb::handle progress)
-        : shapes(records), n(static_cast<size_t>(shapes.size(0)))
+    /* expected: the number of shapes, if it is known; else 0 */
+    explicit Scene(size_t expected) : Scene(cylint_scene_begin(expected))
+    {
+    }
+
+    /* Takes a scene that was begun. */
+    explicit Scene(cylint_scene *begun) : scene(begun), n(0)
+    {
+        if (!scene)
+            throw std::bad_alloc();
+        n = cylint_scene_size(begun);
+    }
+
+    /* records: a contiguous array of shapes */
+    void add(nb::handle records)
+    {
+        const Array shapes(records);
+        const auto more = static_cast<size_t>(shapes.size(0));
+        cylint_scene_status status;
+        {
+            nb::gil_scoped_release released;
+            status =
+                cylint_scene_add(scene.get(), as_shape(shapes.data()), more);
+        }
+        check(status);
+        n += more;
+    }
+
+    void finish(int threads, nb::handle progress)
     {
         cylint_scene_status status;
         Build build{Listener(progress, n), nullptr};
         {
             nb::gil_scoped_release released;
-            scene.reset(cylint_scene_new_with_progress(
-                first(), n, threads, Build::listen, &build, &status));
+            status = cylint_scene_finish(scene.get(), threads, Build::listen,
+                                         &build);
         }
         if (build.failure)
             std::rethrow_exception(build.failure);
-        if (!scene && status == CYLINT_SCENE_EMEMORY)
-            throw std::bad_alloc();
-        if (!scene)
-            throw nb::value_error(cylint_scene_strerror(status));
+        check(status);
         build.listener.end();
+    }
+
+    size_t size() const
+    {
+        return n;
+    }
+
+    /* Writes the shapes with these numbers (int64, contiguous), -1 for a shape
+     * that nothing hits, or all shapes if numbers is None. */
+    void take(nb::handle numbers, nb::handle records) const
+    {
+        const Array wanted(numbers), to(records, true);
+        auto *const shape = reinterpret_cast<cylint_shape *>(to.data());
+        const auto *const number =
+            reinterpret_cast<const int64_t *>(wanted.data());
+        const auto count = static_cast<size_t>(to.size(0));
+        nb::gil_scoped_release released;
+        for (size_t i = 0; i < count; i++) {
+            const int64_t at = wanted ? number[i] : static_cast<int64_t>(i);
+            if (at < 0)
+                shape[i] = cylint_shape{};
+            else
+                cylint_scene_shape(scene.get(), static_cast<size_t>(at),
+                                   &shape[i]);
+        }
     }
 
     size_t bytes() const
@@ -164,8 +212,7 @@ class Scene
             [this](const cylint_line &line, size_t except, char *const *at,
                    size_t) {
                 const size_t count = cylint_scene_count(scene.get(), &line, 0);
-                const int left_out =
-                    except < n && cylint_occluded(first() + except, &line);
+                const int left_out = except < n && is_hit(except, line);
                 put(at[0], static_cast<int64_t>(count) - left_out);
             });
     }
@@ -270,9 +317,10 @@ class Scene
             [&](size_t index) {
                 if (index == except)
                     return;
+                cylint_shape shape;
                 cylint_answer answer;
-                cylint_intersect(first() + index, &line, CYLINT_WANT_T,
-                                 &answer);
+                cylint_scene_shape(scene.get(), index, &shape);
+                cylint_intersect(&shape, &line, CYLINT_WANT_T, &answer);
                 rows.push_back(
                     {static_cast<int64_t>(asked),
                      static_cast<int64_t>(index),
@@ -290,17 +338,29 @@ class Scene
                                            numbers, nullptr, CAPACITY);
             },
             [&](size_t index) {
+                cylint_shape shape;
                 cylint_closest answer;
+                cylint_scene_shape(scene.get(), index, &shape);
                 rows.push_back(
                     {static_cast<int64_t>(asked),
                      static_cast<int64_t>(index),
-                     {cylint_distance(first() + index, point, 0, &answer)}});
+                     {cylint_distance(&shape, point, 0, &answer)}});
             });
     }
 
-    const cylint_shape *first() const
+    bool is_hit(size_t index, const cylint_line &line) const
     {
-        return as_shape(shapes.data());
+        cylint_shape shape;
+        cylint_scene_shape(scene.get(), index, &shape);
+        return cylint_occluded(&shape, &line) != 0;
+    }
+
+    static void check(cylint_scene_status status)
+    {
+        if (status == CYLINT_SCENE_EMEMORY)
+            throw std::bad_alloc();
+        if (status != CYLINT_SCENE_OK)
+            throw nb::value_error(cylint_scene_strerror(status));
     }
 
     /* Calls function(line, except, addresses, number) for each line, the number
@@ -355,18 +415,27 @@ class Scene
                      });
     }
 
-    const Array shapes;
-    const size_t n;
     std::unique_ptr<cylint_scene, Free> scene;
+    size_t n;
 };
 
 } // namespace
 
+nb::object scene_object(cylint_scene *begun)
+{
+    return begun ? nb::cast(std::make_unique<Scene>(begun)) : nb::none();
+}
+
 void register_scene(nb::module_ &module)
 {
     nb::class_<Scene>(module, "Scene")
-        .def(nb::init<nb::handle, int, nb::handle>(), nb::arg("records"),
-             nb::arg("threads"), nb::arg("progress").none())
+        .def(nb::init<size_t>(), nb::arg("expected"))
+        .def("add", &Scene::add, nb::arg("records"))
+        .def("finish", &Scene::finish, nb::arg("threads"),
+             nb::arg("progress").none())
+        .def("size", &Scene::size)
+        .def("take", &Scene::take, nb::arg("numbers").none(),
+             nb::arg("records"))
         .def("bytes", &Scene::bytes)
         .def("nearest", &Scene::nearest, nb::arg("lines"), nb::arg("exclude"),
              nb::arg("columns"), nb::arg("threads"), nb::arg("progress").none())
