@@ -26,8 +26,8 @@ typedef struct cylint_scene cylint_scene;
 
 typedef enum cylint_scene_status {
     CYLINT_SCENE_OK = 0,
-    CYLINT_SCENE_EMEMORY, /* out of memory */
-    CYLINT_SCENE_ESIZE,   /* more than 2^28 shapes */
+    CYLINT_SCENE_EMEMORY,  /* out of memory */
+    CYLINT_SCENE_ESIZE,    /* more than 2^28 shapes */
     CYLINT_SCENE_ESTOPPED, /* the progress function returned 0 */
     CYLINT_SCENE_EFINISHED /* cylint_scene_finish() was called before */
 } cylint_scene_status;

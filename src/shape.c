@@ -117,8 +117,7 @@ static cylint_status make_of_points(cylint_shape *shape, const double p0[3],
         return refuse_shape(shape, CYLINT_EAXIS);
     if (!cylint_ends_fit(kind, (int)ends))
         return refuse_shape(shape, CYLINT_EENDS);
-    cylint_make_again(shape,
-                      cylint_rank(r0) == cylint_rank(r1) ? same : kind,
+    cylint_make_again(shape, cylint_rank(r0) == cylint_rank(r1) ? same : kind,
                       (int)ends, p0, r0, p1, r1);
     return CYLINT_OK;
 }

@@ -388,7 +388,7 @@ test_symbols()
     [ -z "${PARANOID:-}" ] || others="$others abort" # what that is for
     none "$(foreign_to libcylint "$math $memory $others")" \
         the_library_uses_only_mathematics_and_memory
-    heap='malloc calloc free madvise'
+    heap='malloc calloc realloc free madvise'
     threads='sysconf pthread_create pthread_join pthread_mutex_lock'
     threads="$threads pthread_mutex_unlock pthread_mutex_destroy"
     threads="$threads pthread_cond_wait pthread_cond_broadcast"

@@ -120,9 +120,9 @@ static void check_decision(const cylint_records *records,
     const cylint_record *r = &records->record[0];
     const int hit = cylint_occluded(&c->shape, &c->line);
     fesetround(mode);
-    const int is = cylint_occluded_in_doubles(
-        cylint_record_kind(records, 0), (int)c->ends, r->p0, r->r0, r->p1,
-        r->r1, &c->line);
+    const int is =
+        cylint_occluded_in_doubles(cylint_record_kind(records, 0), (int)c->ends,
+                                   r->p0, r->r0, r->p1, r->r1, &c->line);
     fesetround(FE_TONEAREST);
     total.decided += is != CYLINT_UNDECIDED;
     total.undecided += is == CYLINT_UNDECIDED;

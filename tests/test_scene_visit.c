@@ -164,8 +164,7 @@ static void each_shape_that_is_near_a_point_comes_once(void)
             double p[3];
             for (int j = 0; j < 3; j++)
                 p[j] = 0.7 * along + 0.3 * (random_unit(&random) - 0.5);
-            const int near =
-                check_point(scene, p, 0.4 * random_unit(&random));
+            const int near = check_point(scene, p, 0.4 * random_unit(&random));
             most = near > most ? near : most;
         }
         cylint_scene_free(scene);

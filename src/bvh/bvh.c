@@ -39,10 +39,10 @@ static void fill_group(const leaf_job *job, size_t first)
             cylint_view_shape(job->view, box[i].number, &spare));
     }
     for (int i = 0; i < n; i += CYLINT_LEAF_SIZE)
-        cylint_leaf_fill(
-            job->leaves + (first + (size_t)i) / CYLINT_LEAF_SIZE, disc + i,
-            box + i, n - i < CYLINT_LEAF_SIZE ? n - i : CYLINT_LEAF_SIZE,
-            job->view->line_error);
+        cylint_leaf_fill(job->leaves + (first + (size_t)i) / CYLINT_LEAF_SIZE,
+                         disc + i, box + i,
+                         n - i < CYLINT_LEAF_SIZE ? n - i : CYLINT_LEAF_SIZE,
+                         job->view->line_error);
 }
 
 /* Fills the leaves of groups [from, to), counted from the first of the round. */

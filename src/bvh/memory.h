@@ -29,7 +29,7 @@ int cylint_memory_allocate(cylint_memory *memory,
 /* Reduces the memory to its first `bytes` bytes, which may move.  Returns 0, and the
  * memory stays as it is, if the source refuses memory to copy them to. */
 int cylint_memory_reduce(cylint_memory *memory,
-                          const cylint_memory_source *source, size_t bytes);
+                         const cylint_memory_source *source, size_t bytes);
 
 /* Releases the memory, if there is any. */
 void cylint_memory_free(cylint_memory *memory);

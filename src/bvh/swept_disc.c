@@ -60,8 +60,7 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
     t->round = cylint_is_round(s->kind);
     t->along = t->round ? 1 : 0;
     t->ends = s->ends;
-    t->solid =
-        s->kind == CYLINT_KIND_CYLINDER && s->ends == CYLINT_ENDS_CAPPED;
+    t->solid = s->kind == CYLINT_KIND_CYLINDER && s->ends == CYLINT_ENDS_CAPPED;
     t->shift = t->round ? cylint_section_shift(t->k[0], t->k[1], ww) : 0;
     if (s->kind == CYLINT_KIND_SPHERE)
         set_one_ball(t);
@@ -157,8 +156,7 @@ cylint_extent cylint_swept_disc_box(const cylint_view *view, uint32_t number)
     cylint_swept_disc disc;
     cylint_shape spare;
     double reach[3];
-    cylint_swept_disc_of(&disc, view,
-                         cylint_view_shape(view, number, &spare));
+    cylint_swept_disc_of(&disc, view, cylint_view_shape(view, number, &spare));
     cylint_swept_disc_reach(&disc, reach);
     return cylint_piece_box(&disc, reach, (cylint_piece){0, 1});
 }

@@ -23,8 +23,8 @@ typedef struct cylint_swept_disc {
     double length;     /* of the axis */
     double a[3], b[3]; /* of elliptic shapes */
     int elliptic, round;
-    int solid; /* a cylinder with both caps */
-    int ends;  /* a cylint_ends */
+    int solid;    /* a cylinder with both caps */
+    int ends;     /* a cylint_ends */
     double shift; /* of a round shape: cylint_section_shift() */
 } cylint_swept_disc;
 
@@ -53,8 +53,9 @@ static inline cylint_view cylint_plain_view(const cylint_shape *shapes)
 }
 
 /* A shape, written to *spare if it is not in memory. */
-static inline const cylint_shape *
-cylint_view_shape(const cylint_view *view, uint32_t number, cylint_shape *spare)
+static inline const cylint_shape *cylint_view_shape(const cylint_view *view,
+                                                    uint32_t number,
+                                                    cylint_shape *spare)
 {
     if (view->shapes)
         return view->shapes + number;

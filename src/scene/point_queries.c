@@ -7,18 +7,18 @@
 #include "number_heap.h"
 #include "visit.h"
 
-/* ---------------------------------------------------- the nearest one --- */
+/* ---------------------------------------------------- the closest_so_far one --- */
 
 typedef struct {
-    size_t number; /* of the nearest shape so far; n: none */
+    size_t number;         /* of the closest_so_far shape so far; n: none */
     cylint_closest answer; /* of it: distance and flags */
     size_t n;
-} nearest;
+} closest_so_far;
 
-static double keep_nearest(void *context, size_t number, double distance,
+static double keep_closest(void *context, size_t number, double distance,
                            int flags)
 {
-    nearest *q = context;
+    closest_so_far *q = context;
     const double size = fabs(distance);
     const double least = q->number < q->n ? fabs(q->answer.distance) : HUGE_VAL;
     if (q->number == q->n || cylint_less(size, least) ||
@@ -38,9 +38,9 @@ size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
                             double radius, unsigned want,
                             cylint_closest *answer)
 {
-    nearest q = {.number = scene->n, .n = scene->n};
+    closest_so_far q = {.number = scene->n, .n = scene->n};
     cylint_shape shape;
-    cylint_visit_point(scene, point, radius, 1, keep_nearest, &q);
+    cylint_visit_point(scene, point, radius, 1, keep_closest, &q);
     if (q.number == q.n)
         return q.n;
     if (want & WANTED) {
@@ -58,12 +58,12 @@ size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
 typedef struct {
     double radius;
     size_t count, enough;
-} counter;
+} near_counter;
 
 static double count_near(void *context, size_t number, double distance,
                          int flags)
 {
-    counter *q = context;
+    near_counter *q = context;
     (void)number;
     (void)distance;
     (void)flags;
@@ -74,7 +74,7 @@ size_t cylint_scene_within_count(const cylint_scene *scene,
                                  const double point[3], double radius,
                                  size_t enough)
 {
-    counter q = {radius, 0, enough};
+    near_counter q = {radius, 0, enough};
     cylint_visit_point(scene, point, radius, enough == 1, count_near, &q);
     return q.count;
 }

@@ -38,7 +38,8 @@ static int keep_nearest_other(nearest *q, const cylint_scene *scene,
                               const cylint_line *line, size_t except)
 {
     cylint_hit hit;
-    const size_t first = cylint_nearest(&scene->pack, line, EARLY_MEMBERS, &hit);
+    const size_t first =
+        cylint_nearest(&scene->pack, line, EARLY_MEMBERS, &hit);
     if (first == scene->n_others)
         return 1;
     if (scene->others[first] == except)
@@ -81,11 +82,11 @@ size_t cylint_scene_nearest(const cylint_scene *scene, const cylint_line *line,
 
 typedef struct {
     size_t count, enough;
-} counter;
+} hit_counter;
 
 static double count_hit(void *context, size_t number, const cylint_hit *hit)
 {
-    counter *q = context;
+    hit_counter *q = context;
     (void)number;
     (void)hit;
     return ++q->count == q->enough ? (double)NAN : HUGE_VAL;
@@ -97,7 +98,7 @@ size_t cylint_scene_count(const cylint_scene *scene, const cylint_line *line,
     const cylint_visit_options options = {.except = scene->n,
                                           .often = enough == 1,
                                           .first_other = scene->n_others};
-    counter q = {cylint_count(&scene->pack, line, enough), enough};
+    hit_counter q = {cylint_count(&scene->pack, line, enough), enough};
     if (enough == 0 || q.count < enough)
         cylint_visit_line(scene, line, &options, HUGE_VAL, count_hit, &q);
     return q.count;
@@ -107,7 +108,7 @@ int cylint_scene_occluded(const cylint_scene *scene, const cylint_line *line,
                           size_t except)
 {
     const cylint_visit_options options = {.except = except, .often = 1};
-    counter q = {0, 1};
+    hit_counter q = {0, 1};
     cylint_visit_line(scene, line, &options, HUGE_VAL, count_hit, &q);
     return q.count > 0;
 }

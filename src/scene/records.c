@@ -11,7 +11,7 @@
 
 /* ------------------------------------------------------------- memory -- */
 
-static int resize(void *array, size_t count, size_t size)
+static int resize_array(void *array, size_t count, size_t size)
 {
     void **data = array;
     if (count > SIZE_MAX / size)
@@ -26,9 +26,10 @@ static int resize(void *array, size_t count, size_t size)
 static int resize_shapes(cylint_records *r, size_t capacity)
 {
     void *record = r->record, *tag = r->tag;
-    const int has_records = resize(&record, capacity, sizeof *r->record);
+    const int has_records = resize_array(&record, capacity, sizeof *r->record);
     r->record = record;
-    const int has_tags = has_records && resize(&tag, capacity, sizeof *r->tag);
+    const int has_tags =
+        has_records && resize_array(&tag, capacity, sizeof *r->tag);
     r->tag = tag;
     if (has_tags)
         r->capacity = capacity;
@@ -38,7 +39,7 @@ static int resize_shapes(cylint_records *r, size_t capacity)
 static int resize_elliptic(cylint_records *r, size_t capacity)
 {
     void *semi_axes = r->semi_axes;
-    const int has = resize(&semi_axes, capacity, sizeof *r->semi_axes);
+    const int has = resize_array(&semi_axes, capacity, sizeof *r->semi_axes);
     r->semi_axes = semi_axes;
     if (has)
         r->elliptic_capacity = capacity;
@@ -82,7 +83,7 @@ size_t cylint_records_bytes(const cylint_records *r)
 
 /* ------------------------------------------------------------- shapes -- */
 
-static void copy3(double to[3], const double from[3])
+static void copy_three(double to[3], const double from[3])
 {
     memcpy(to, from, 3 * sizeof *to);
 }
@@ -100,8 +101,7 @@ static int kind_made(const cylint_shape *s)
 static uint8_t tag_of(const cylint_shape *s)
 {
     const int plain = cylint_prepared(s) != CYLINT_SOLID_NONE &&
-                      cylint_is_bounded(s) &&
-                      cylint_has_end_points(s->kind) &&
+                      cylint_is_bounded(s) && cylint_has_end_points(s->kind) &&
                       s->kind != CYLINT_KIND_SPHERE;
     return (uint8_t)(kind_made(s) + s->ends * CYLINT_TAG_ENDS +
                      (plain ? CYLINT_TAG_PLAIN : 0));
@@ -114,16 +114,16 @@ static void add_record(cylint_records *r, const cylint_shape *s)
     const int two_points = cylint_has_end_points(s->kind);
     const double *end = two_points ? cylint_top(s) : cylint_axis(s);
     r->tag[r->n++] = tag_of(s);
-    copy3(to->p0, reversed ? end : cylint_base(s));
-    copy3(to->p1, reversed ? cylint_base(s) : end);
+    copy_three(to->p0, reversed ? end : cylint_base(s));
+    copy_three(to->p1, reversed ? cylint_base(s) : end);
     to->r0 = cylint_end_factor(s, reversed);
     to->r1 = cylint_end_factor(s, !reversed);
     if (!cylint_is_elliptic(s->kind))
         return;
     cylint_semi_axes *axes = &r->semi_axes[r->n_elliptic];
     to->r0 = (double)r->n_elliptic++;
-    copy3(axes->a, cylint_a(s));
-    copy3(axes->b, cylint_b(s));
+    copy_three(axes->a, cylint_a(s));
+    copy_three(axes->b, cylint_b(s));
 }
 
 int cylint_records_add(cylint_records *r, const cylint_shape *shapes, size_t n)
@@ -196,8 +196,8 @@ void cylint_record_data(const cylint_records *r, size_t number,
     }
     shape->kind = cylint_record_kind(r, number);
     shape->ends = cylint_record_ends(r, number);
-    copy3(x + CYLINT_AT_BASE, from->p0);
-    copy3(x + CYLINT_AT_TOP, from->p1);
+    copy_three(x + CYLINT_AT_BASE, from->p0);
+    copy_three(x + CYLINT_AT_TOP, from->p1);
     x[CYLINT_AT_R0] = from->r0;
     x[CYLINT_AT_R1] = from->r1;
     for (int i = 0; i < 3; i++)

@@ -33,26 +33,26 @@ typedef struct {
     void *context;
     uint32_t recent[RECENT];
     cylint_number_set visited; /* not used if `often` */
-} visit;
+} line_visit;
 
 /* ---------------------------------------------------------- one shape --- */
 
 /* Whether the line hits the shape: 0, 1, or CYLINT_UNDECIDED. */
-static int is_hit_in_doubles(const visit *v, size_t number)
+static int is_hit_in_doubles(const line_visit *v, size_t number)
 {
     const cylint_records *r = &v->scene->records;
     const cylint_record *at = &r->record[number];
     return r->tag[number] & CYLINT_TAG_PLAIN
-               ? cylint_occluded_in_doubles(
-                     cylint_record_kind(r, number),
-                     cylint_record_ends(r, number), at->p0, at->r0, at->p1,
-                     at->r1, &v->line)
+               ? cylint_occluded_in_doubles(cylint_record_kind(r, number),
+                                            cylint_record_ends(r, number),
+                                            at->p0, at->r0, at->p1, at->r1,
+                                            &v->line)
                : CYLINT_UNDECIDED;
 }
 
 /* Whether the line hits the shape; writes the wanted members. */
-static int is_hit(const visit *v, size_t number, unsigned want,
-                  cylint_hit *hit)
+static int line_hits(const line_visit *v, size_t number, unsigned want,
+                     cylint_hit *hit)
 {
     cylint_shape shape;
     cylint_answer answer;
@@ -71,7 +71,7 @@ static int is_hit(const visit *v, size_t number, unsigned want,
 
 /* Sets the last t that is wanted.  A root that rounds to t is less than the double
  * above t, so that this bounds the domain. */
-static void shorten(visit *v, double t)
+static void shorten_line(line_visit *v, double t)
 {
     v->stopped = t != t;
     if (v->stopped || !cylint_less(t, v->last))
@@ -81,23 +81,23 @@ static void shorten(visit *v, double t)
 }
 
 /* Returns whether the line hits the shape. */
-static int test(visit *v, size_t number)
+static int test_line_at(line_visit *v, size_t number)
 {
     cylint_hit hit;
-    if (number == v->except || !is_hit(v, number, v->want, &hit))
+    if (number == v->except || !line_hits(v, number, v->want, &hit))
         return 0;
-    shorten(v, v->callback(v->context, number, v->want ? &hit : NULL));
+    shorten_line(v, v->callback(v->context, number, v->want ? &hit : NULL));
     return 1;
 }
 
 /* ------------------------------------------------------------- leaves --- */
 
-static int is_split(const cylint_leaf *leaf, int lane)
+static int is_split_lane(const cylint_leaf *leaf, int lane)
 {
     return cylint_leaf_piece(leaf, lane).count > 1;
 }
 
-static int was_tested(visit *v, uint32_t number)
+static int line_tested(line_visit *v, uint32_t number)
 {
     uint32_t *recent = &v->recent[number % RECENT];
     const int was = *recent == number;
@@ -107,20 +107,21 @@ static int was_tested(visit *v, uint32_t number)
 
 /* Whether the lane's piece contains the shape's first hit.  The traversal finds
  * that piece, and no other piece contains the hit. */
-static int owns_first_hit(const visit *v, const cylint_leaf *leaf, int lane)
+static int owns_first_hit(const line_visit *v, const cylint_leaf *leaf,
+                          int lane)
 {
     cylint_hit hit;
-    return is_hit(v, leaf->number[lane], CYLINT_WANT_Z, &hit) &&
+    return line_hits(v, leaf->number[lane], CYLINT_WANT_Z, &hit) &&
            cylint_leaf_owns(leaf, lane, hit.z);
 }
 
 /* Tests a shape of several pieces at one of them. */
-static void test_piece(visit *v, const cylint_leaf *leaf, int lane)
+static void test_line_piece(line_visit *v, const cylint_leaf *leaf, int lane)
 {
     const uint32_t number = leaf->number[lane];
     if (v->often) {
-        if (!was_tested(v, number))
-            test(v, number);
+        if (!line_tested(v, number))
+            test_line_at(v, number);
         return;
     }
     uint32_t *slot = cylint_set_slot(&v->visited, number);
@@ -128,15 +129,15 @@ static void test_piece(visit *v, const cylint_leaf *leaf, int lane)
         return;
     if (cylint_set_is_full(&v->visited)) {
         if (owns_first_hit(v, leaf, lane))
-            test(v, number);
-    } else if (!was_tested(v, number) && test(v, number)) {
+            test_line_at(v, number);
+    } else if (!line_tested(v, number) && test_line_at(v, number)) {
         cylint_set_add(&v->visited, slot, number);
     }
 }
 
 /* Begins to load the lanes' shapes.  Always inlined: GCC removes calls of a function
  * which only prefetches. */
-CYLINT_INLINE void prefetch_shapes(const visit *v, const cylint_leaf *leaf,
+CYLINT_INLINE void prefetch_shapes(const line_visit *v, const cylint_leaf *leaf,
                                    unsigned lanes)
 {
 #ifdef __GNUC__
@@ -154,7 +155,7 @@ CYLINT_INLINE void prefetch_shapes(const visit *v, const cylint_leaf *leaf,
 }
 
 /* The lane with the least t. */
-static int nearest_lane(unsigned lanes, const double least[CYLINT_LEAF_SIZE])
+static int first_lane(unsigned lanes, const double least[CYLINT_LEAF_SIZE])
 {
     int first = cylint_lowest(lanes);
     while (lanes &= lanes - 1)
@@ -163,23 +164,23 @@ static int nearest_lane(unsigned lanes, const double least[CYLINT_LEAF_SIZE])
     return first;
 }
 
-static int test_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
-                     const double least[CYLINT_LEAF_SIZE])
+static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
+                          const double least[CYLINT_LEAF_SIZE])
 {
-    visit *v = self;
+    line_visit *v = self;
     if (v->want == 0)
         prefetch_shapes(v, leaf, lanes);
     while (lanes && !v->stopped) {
         const int lane =
-            v->want ? nearest_lane(lanes, least) : cylint_lowest(lanes);
+            v->want ? first_lane(lanes, least) : cylint_lowest(lanes);
         const double last = v->last;
         if (least[lane] > v->ray.length)
             break;
         lanes &= ~(1u << lane);
-        if (is_split(leaf, lane))
-            test_piece(v, leaf, lane);
+        if (is_split_lane(leaf, lane))
+            test_line_piece(v, leaf, lane);
         else
-            test(v, leaf->number[lane]);
+            test_line_at(v, leaf->number[lane]);
         if (v->last < last)
             v->ray.length =
                 fmin(v->ray.length, cylint_frame_reach(&v->ray, v->last));
@@ -191,7 +192,7 @@ static int test_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
 
 /* Traverses the hierarchy or, where the frame cannot hold the line, tests every
  * shape in it. */
-static void traverse(visit *v)
+static void traverse_lines(line_visit *v)
 {
     const cylint_scene *s = v->scene;
     if (s->n_bounded == 0 || v->stopped)
@@ -200,12 +201,12 @@ static void traverse(visit *v)
     case CYLINT_FRAME_MISSED:
         return;
     case CYLINT_FRAME_ENTERED:
-        s->traverse(&s->bvh, v->ray.o, v->ray.d, 0, &v->ray.length, test_leaf,
-                    v);
+        s->traverse(&s->bvh, v->ray.o, v->ray.d, 0, &v->ray.length,
+                    test_line_leaf, v);
         return;
     default:
         for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
-            test(v, s->bounded ? s->bounded[i] : i);
+            test_line_at(v, s->bounded ? s->bounded[i] : i);
     }
 }
 
@@ -213,7 +214,7 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
                        const cylint_visit_options *options, double last,
                        cylint_scene_hit *callback, void *context)
 {
-    visit v;
+    line_visit v;
     v.scene = scene;
     v.line = *line;
     v.last = line->tmax;
@@ -226,11 +227,11 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
     memset(v.recent, 0xff, sizeof v.recent); /* CYLINT_NO_SHAPE */
     if (!v.often)
         cylint_set_clear(&v.visited);
-    shorten(&v, last);
+    shorten_line(&v, last);
     for (size_t i = options->first_other; i < scene->n_others && !v.stopped;
          i++)
-        test(&v, scene->others[i]);
-    traverse(&v);
+        test_line_at(&v, scene->others[i]);
+    traverse_lines(&v);
 }
 
 void cylint_scene_visit(const cylint_scene *scene, const cylint_line *line,

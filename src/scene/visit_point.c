@@ -33,12 +33,12 @@ typedef struct {
     void *context;
     uint32_t recent[RECENT];
     cylint_number_set visited; /* not used if `often` */
-} visit;
+} point_visit;
 
 /* More than the error of cylint_distance(). */
 #define SLACK (1 + 0x1p-40)
 
-static void set_radius(visit *v, double radius)
+static void set_point_radius(point_visit *v, double radius)
 {
     v->radius = radius;
     v->reject = radius * SLACK + DBL_MIN;
@@ -48,7 +48,8 @@ static void set_radius(visit *v, double radius)
 
 /* Whether the shape's surface is at most v->radius away.  Writes distance and
  * flags.  cylint_safety() pays for elliptic shapes only. */
-static int is_near(const visit *v, size_t number, cylint_closest *answer)
+static int point_is_near(const point_visit *v, size_t number,
+                         cylint_closest *answer)
 {
     cylint_shape shape;
     cylint_record_shape(&v->scene->records, number, &shape);
@@ -57,26 +58,25 @@ static int is_near(const visit *v, size_t number, cylint_closest *answer)
         return 0;
     answer->part = 0; /* written only if there is no surface */
     cylint_distance(&shape, v->point, 0, answer);
-    return answer->part >= 0 &&
-           !cylint_less(v->radius, fabs(answer->distance));
+    return answer->part >= 0 && !cylint_less(v->radius, fabs(answer->distance));
 }
 
 /* Returns whether the shape is near. */
-static int test(visit *v, size_t number)
+static int test_point_at(point_visit *v, size_t number)
 {
     cylint_closest answer;
-    if (!is_near(v, number, &answer))
+    if (!point_is_near(v, number, &answer))
         return 0;
     const double radius =
         v->callback(v->context, number, answer.distance, answer.flags);
     if (!(radius >= v->radius))
-        set_radius(v, radius);
+        set_point_radius(v, radius);
     return 1;
 }
 
 /* ------------------------------------------------------------- leaves --- */
 
-static int was_tested(visit *v, uint32_t number)
+static int point_tested(point_visit *v, uint32_t number)
 {
     uint32_t *recent = &v->recent[number % RECENT];
     const int was = *recent == number;
@@ -106,7 +106,8 @@ static double axial_of(const cylint_swept_disc *disc, const double x[3])
  * traverse_point.h allow for, so its lane is never rejected; and it is the same
  * piece whenever the shape is tested.
  */
-static int owns_nearest_point(const visit *v, const cylint_leaf *leaf, int lane)
+static int owns_nearest_point(const point_visit *v, const cylint_leaf *leaf,
+                              int lane)
 {
     const cylint_frame *frame = &v->scene->frame;
     cylint_shape shape;
@@ -122,12 +123,12 @@ static int owns_nearest_point(const visit *v, const cylint_leaf *leaf, int lane)
 }
 
 /* Tests a shape of several pieces at one of them. */
-static void test_piece(visit *v, const cylint_leaf *leaf, int lane)
+static void test_point_piece(point_visit *v, const cylint_leaf *leaf, int lane)
 {
     const uint32_t number = leaf->number[lane];
     if (v->often) {
-        if (!was_tested(v, number))
-            test(v, number);
+        if (!point_tested(v, number))
+            test_point_at(v, number);
         return;
     }
     uint32_t *slot = cylint_set_slot(&v->visited, number);
@@ -135,8 +136,8 @@ static void test_piece(visit *v, const cylint_leaf *leaf, int lane)
         return;
     if (cylint_set_is_full(&v->visited)) {
         if (owns_nearest_point(v, leaf, lane))
-            test(v, number);
-    } else if (test(v, number)) {
+            test_point_at(v, number);
+    } else if (test_point_at(v, number)) {
         cylint_set_add(&v->visited, slot, number);
     }
 }
@@ -151,10 +152,10 @@ static int nearest_lane(unsigned lanes, const double least[CYLINT_LEAF_SIZE])
     return first;
 }
 
-static int test_leaf(void *self, const cylint_leaf *leaf,
-                     const double least[CYLINT_LEAF_SIZE])
+static int test_point_leaf(void *self, const cylint_leaf *leaf,
+                           const double least[CYLINT_LEAF_SIZE])
 {
-    visit *v = self;
+    point_visit *v = self;
     unsigned lanes = (1u << cylint_leaf_used(leaf)) - 1;
     while (lanes && !v->stopped) {
         const int lane = nearest_lane(lanes, least);
@@ -162,9 +163,9 @@ static int test_leaf(void *self, const cylint_leaf *leaf,
             break;
         lanes &= ~(1u << lane);
         if (cylint_leaf_piece(leaf, lane).count > 1)
-            test_piece(v, leaf, lane);
+            test_point_piece(v, leaf, lane);
         else
-            test(v, leaf->number[lane]);
+            test_point_at(v, leaf->number[lane]);
     }
     return v->stopped;
 }
@@ -172,7 +173,7 @@ static int test_leaf(void *self, const cylint_leaf *leaf,
 /* ------------------------------------------------------------- visits --- */
 
 /* Writes the point in the frame.  Returns 0 if it is too far away. */
-static int to_frame(visit *v)
+static int point_to_frame(point_visit *v)
 {
     const cylint_frame *frame = &v->scene->frame;
     int fits = v->to_nearest;
@@ -185,24 +186,24 @@ static int to_frame(visit *v)
 
 /* Traverses the hierarchy or, where the frame cannot hold the point, tests every
  * shape in it. */
-static void traverse(visit *v)
+static void traverse_points(point_visit *v)
 {
     const cylint_scene *s = v->scene;
     if (s->n_bounded == 0 || v->stopped)
         return;
-    if (to_frame(v)) {
-        s->traverse_point(&s->bvh, v->x, &v->reach, test_leaf, v);
+    if (point_to_frame(v)) {
+        s->traverse_point(&s->bvh, v->x, &v->reach, test_point_leaf, v);
         return;
     }
     for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
-        test(v, s->bounded ? s->bounded[i] : i);
+        test_point_at(v, s->bounded ? s->bounded[i] : i);
 }
 
 void cylint_visit_point(const cylint_scene *scene, const double point[3],
                         double radius, int often, cylint_scene_near *callback,
                         void *context)
 {
-    visit v;
+    point_visit v;
     if (!(radius >= 0) || !cylint_is_finite(point))
         return;
     v.scene = scene;
@@ -214,10 +215,10 @@ void cylint_visit_point(const cylint_scene *scene, const double point[3],
     memset(v.recent, 0xff, sizeof v.recent); /* CYLINT_NO_SHAPE */
     if (!often)
         cylint_set_clear(&v.visited);
-    set_radius(&v, radius);
+    set_point_radius(&v, radius);
     for (size_t i = 0; i < scene->n_others && !v.stopped; i++)
-        test(&v, scene->others[i]);
-    traverse(&v);
+        test_point_at(&v, scene->others[i]);
+    traverse_points(&v);
 }
 
 void cylint_scene_visit_point(const cylint_scene *scene, const double point[3],

@@ -98,7 +98,8 @@ INLINE four four_of(double x, double y, double z, double w)
 /* (x1, x2, x0, x3). */
 INLINE four turned(const four *x)
 {
-    return (four){{{v_turned_three(x->part[0].hi), v_turned_three(x->part[0].lo)}}};
+    return (four){
+        {{v_turned_three(x->part[0].hi), v_turned_three(x->part[0].lo)}}};
 }
 
 INLINE pair last_of(const four *x)
@@ -194,9 +195,9 @@ INLINE void inverse_roots(pair root[3], const pair a[3], const double near[3])
                low = four_of(a[0].lo, a[1].lo, a[2].lo, 0);
     four r;
     EACH(k, PARTS)
-        r.part[k] = refined_inverse_roots(
-            (vpair){high.part[k].hi, low.part[k].hi},
-            v_set(1) / v_sqrt(v.part[k].hi));
+        r.part[k] =
+            refined_inverse_roots((vpair){high.part[k].hi, low.part[k].hi},
+                                  v_set(1) / v_sqrt(v.part[k].hi));
     store_four(hi, lo, &r);
     EACH(k, 3)
         root[k] = (pair){hi[k], lo[k]};
@@ -285,20 +286,20 @@ INLINE inverse_lengths upright_rows(rows *m, const cylint_shape *s)
     }
     store_four(square_hi, square_lo, &square);
     const int j = least == 0, k = 2 - (least == 2);
-    const pair aside = unnormalised_sum(
-        (pair){square_hi[j], square_lo[j]}, (pair){square_hi[k], square_lo[k]});
-    const pair length2 = unnormalised_sum(
-        aside, (pair){square_hi[least], square_lo[least]});
-    const pair lateral2 = unnormalised_sum(
-        tangent ? (pair){1, 0} : length2,
-        (pair){sign * square_hi[3], sign * square_lo[3]});
+    const pair aside = unnormalised_sum((pair){square_hi[j], square_lo[j]},
+                                        (pair){square_hi[k], square_lo[k]});
+    const pair length2 =
+        unnormalised_sum(aside, (pair){square_hi[least], square_lo[least]});
+    const pair lateral2 =
+        unnormalised_sum(tangent ? (pair){1, 0} : length2,
+                         (pair){sign * square_hi[3], sign * square_lo[3]});
     const pair of[3] = {length2, aside, lateral2};
     pair root[3];
     inverse_roots(root, of, near);
     EACH(k, PARTS)
-        y.part[k] = chosen(e4.part[k].hi,
-                           (vpair){v_set(-aside.hi), v_set(-aside.lo)},
-                           y.part[k]);
+        y.part[k] =
+            chosen(e4.part[k].hi, (vpair){v_set(-aside.hi), v_set(-aside.lo)},
+                   y.part[k]);
     const four to_unit = all_four(root[0]);
     const four to_y = all_four(pair_mul(root[0], root[1]));
     four level = all_four(root[1]);

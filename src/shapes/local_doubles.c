@@ -62,8 +62,8 @@ typedef struct {
     double length2, per_length, height, slope;
 } upright;
 
-INLINE upright store_rows(double *number, const double p0[3],
-                          const double p1[3], double dr)
+INLINE upright store_rows_in_doubles(double *number, const double p0[3],
+                                     const double p1[3], double dr)
 {
     /* without a branch, because i is unpredictable */
     const int far = fabs(p1[0] - p0[0]) > fabs(p1[2] - p0[2]);
@@ -110,7 +110,7 @@ void cylint_local_in_doubles(cylint_shape *s, int kind, int ends,
     store_two(x + CYLINT_AT_BASE, p0[0], p0[1]);
     x[CYLINT_AT_BASE + 2] = p0[2];
     store_two(x + CYLINT_AT_R0, r0, r1);
-    const upright is = store_rows(x, p0, p1, dr);
+    const upright is = store_rows_in_doubles(x, p0, p1, dr);
     x[CYLINT_AT_HEIGHT] = is.height;
     x[CYLINT_AT_SLOPE] = is.slope;
     x[CYLINT_AT_UNIT] = CYLINT_LOCAL_DOUBLES * CYLINT_ROUNDING;

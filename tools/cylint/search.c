@@ -42,11 +42,14 @@ int search_make(struct search *s, cylint_scene *scene, enum accel accel,
     }
     const cylint_scene_status status =
         cylint_scene_finish(scene, threads, NULL, NULL);
-    if (status == CYLINT_SCENE_OK) {
-        return 0;
+    if (status == CYLINT_SCENE_EMEMORY) {
+        return out_of_memory();
     }
-    complain("-s", cylint_scene_strerror((int)status));
-    return status == CYLINT_SCENE_EMEMORY ? EXIT_MEMORY : EXIT_USAGE;
+    if (status != CYLINT_SCENE_OK) {
+        complain("-s", cylint_scene_strerror((int)status));
+        return EXIT_USAGE;
+    }
+    return 0;
 }
 
 void search_free(struct search *s)

@@ -86,8 +86,8 @@ static struct vector sun_of(const struct options *o, const struct view *view)
 }
 
 static int draw_picture(const struct options *o, struct scene *scene,
-                        struct stage *stage, const struct view *view, struct stages *stages,
-                        struct output *out)
+                        struct stage *stage, const struct view *view,
+                        struct stages *stages, struct output *out)
 {
     const unsigned long long pixels =
         (unsigned long long)o->width * (unsigned long long)o->height;
@@ -104,7 +104,7 @@ static int draw_picture(const struct options *o, struct scene *scene,
     stages_end(stages, "built a scene of", cylint_scene_bytes(stage->scene),
                "bytes");
     status = picture_make(&picture, o->width, o->height,
-                              o->backdrop.transparent ? 4 : 3);
+                          o->backdrop.transparent ? 4 : 3);
     if (status == 0) {
         status = trace(&picture, stage, view, &o->backdrop, o->samples, workers,
                        o->progress);
@@ -135,9 +135,9 @@ static int set_stage(const struct options *o, struct scene *scene,
         status = add_ground(scene, o->ground, up, boxes);
     }
     if (status == 0) {
-        *stage = (struct stage){NULL,         scene->count,  colours->of,
-                                has_ground,   boxes->middle, boxes->size,
-                                o->shading,   sun_of(o, view), up};
+        *stage = (struct stage){NULL,       scene->count,    colours->of,
+                                has_ground, boxes->middle,   boxes->size,
+                                o->shading, sun_of(o, view), up};
     }
     return status;
 }
