@@ -15,6 +15,8 @@
 #ifndef CYLINT_SCENE_H
 #define CYLINT_SCENE_H
 
+#include <stdint.h>
+
 #include "cylint.h"
 #include "cylint_distance.h"
 
@@ -26,10 +28,16 @@ typedef struct cylint_scene cylint_scene;
 
 typedef enum cylint_scene_status {
     CYLINT_SCENE_OK = 0,
-    CYLINT_SCENE_EMEMORY,  /* out of memory */
-    CYLINT_SCENE_ESIZE,    /* more than 2^28 shapes */
-    CYLINT_SCENE_ESTOPPED, /* the progress function returned 0 */
-    CYLINT_SCENE_EFINISHED /* cylint_scene_finish() was called before */
+    CYLINT_SCENE_EMEMORY,     /* out of memory */
+    CYLINT_SCENE_ESIZE,       /* more than 2^28 shapes */
+    CYLINT_SCENE_ESTOPPED,    /* the progress function returned 0 */
+    CYLINT_SCENE_EFINISHED,   /* cylint_scene_finish() was called before */
+    CYLINT_SCENE_EUNFINISHED, /* cylint_scene_finish() was not called yet */
+    CYLINT_SCENE_EFILE,       /* a function of the system failed: errno */
+    CYLINT_SCENE_EFORMAT,     /* not a file of a scene */
+    CYLINT_SCENE_EVERSION, /* of another version, or of a machine with another
+                              order of bytes: make the scene again */
+    CYLINT_SCENE_EDAMAGED /* the file is shorter, or differs from what was saved */
 } cylint_scene_status;
 
 /* A short English text for a status, static, lower case, no full stop. */
@@ -90,7 +98,7 @@ CYLINT_API cylint_scene *cylint_scene_new_with_progress(
 /* scene may be NULL. */
 CYLINT_API void cylint_scene_free(cylint_scene *scene);
 
-/* The bytes of memory that the scene holds. */
+/* The bytes of memory that the scene holds, with those of a file that it maps. */
 CYLINT_API size_t cylint_scene_bytes(const cylint_scene *scene);
 
 /* The number of shapes. */
@@ -99,6 +107,70 @@ CYLINT_API size_t cylint_scene_size(const cylint_scene *scene);
 /* Writes shape `number`, as its constructor made it. */
 CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
                                    cylint_shape *shape);
+
+/*
+ * Labels: bytes that belong to a shape, its name for example.  They have no effect
+ * on queries and are saved with the scene.  The label of shape i is bytes
+ * end[i - 1] to end[i] - 1 of the text, that of shape 0 begins at byte 0.
+ */
+typedef struct cylint_scene_labels {
+    const uint64_t *end; /* ascending, one for each shape */
+    const char *text;    /* not terminated */
+} cylint_scene_labels;
+
+/* Gives a finished scene these labels, or none if `labels` is NULL.  Copies the
+ * two pointers; the arrays must stay as long as the scene. */
+CYLINT_API void cylint_scene_set_labels(cylint_scene *scene,
+                                        const cylint_scene_labels *labels);
+
+/* The labels, of the file for a scene that was opened, or NULL. */
+CYLINT_API const cylint_scene_labels *cylint_scene_get_labels(
+    const cylint_scene *scene);
+
+/*
+ * Files.  A file of a scene holds the scene as it is in memory, about 100 bytes a
+ * shape, and is opened without building anything: it is mapped into memory, and
+ * all processes that open it share its pages.  Queries of an opened scene return
+ * what those of the saved scene return, bit for bit.
+ *
+ * A file has a version, an order of bytes and a checksum.  Where these are not as
+ * expected, or a number in the file is out of range, opening fails: no file makes
+ * a query read outside it, run without end or crash.  Only a file that becomes
+ * shorter while it is mapped does; open files that others may change with
+ * CYLINT_SCENE_READ.
+ */
+enum {
+    CYLINT_SCENE_READ = 1, /* read the file into memory; systems without mmap()
+                              always do */
+    CYLINT_SCENE_TRUSTED = 2 /* check the header only: a file of many gigabytes
+                                is then opened without reading it.  For files that
+                                this library saved and nobody else changes. */
+};
+
+/* Writes a finished scene to a file.  An existing file is replaced at once, when
+ * all is written: before, PATH.NUMBER.new is written beside it.  EFILE: errno
+ * says why; nothing is left behind. */
+CYLINT_API cylint_scene_status cylint_scene_save(const cylint_scene *scene,
+                                                 const char *path);
+
+/* Gets the next bytes of the file.  Returns 1, or 0 to stop. */
+typedef int cylint_scene_writer(void *context, const void *data, size_t bytes);
+
+/* Gives the bytes of the file to a function instead.  ESTOPPED: it returned 0. */
+CYLINT_API cylint_scene_status cylint_scene_write(const cylint_scene *scene,
+                                                  cylint_scene_writer *writer,
+                                                  void *context);
+
+/* Opens a file of a scene; `flags` is a sum of the flags above.  Returns NULL on
+ * failure.  Writes the status, unless `status` is NULL. */
+CYLINT_API cylint_scene *cylint_scene_open(const char *path, unsigned flags,
+                                           cylint_scene_status *status);
+
+/* The same for the bytes of a file in memory, which must stay as they are as long
+ * as the scene.  Bytes at an address that is no multiple of 64 are copied. */
+CYLINT_API cylint_scene *cylint_scene_open_memory(const void *data,
+                                                  size_t bytes, unsigned flags,
+                                                  cylint_scene_status *status);
 
 /* Returns the number of the shape that the line hits first, and writes the
  * wanted members of *hit; returns n if the line hits none.  At equal t the lower

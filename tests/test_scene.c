@@ -410,7 +410,13 @@ static void every_status_has_its_text(void)
         [CYLINT_SCENE_EMEMORY] = "out of memory",
         [CYLINT_SCENE_ESIZE] = "too many shapes for one scene",
         [CYLINT_SCENE_ESTOPPED] = "stopped by the progress function",
-        [CYLINT_SCENE_EFINISHED] = "the scene is finished already"};
+        [CYLINT_SCENE_EFINISHED] = "the scene is finished already",
+        [CYLINT_SCENE_EUNFINISHED] = "the scene is not finished",
+        [CYLINT_SCENE_EFILE] = "the file cannot be read or written",
+        [CYLINT_SCENE_EFORMAT] = "not a file of a scene",
+        [CYLINT_SCENE_EVERSION] =
+            "the file is of another version or machine: make it again",
+        [CYLINT_SCENE_EDAMAGED] = "the file is damaged"};
     check_texts(cylint_scene_strerror, texts, sizeof texts / sizeof *texts);
 }
 

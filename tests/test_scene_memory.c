@@ -140,8 +140,53 @@ static void a_scene_that_is_stopped_frees_all_memory(void)
     scene_release(&of);
 }
 
+/* Bytes in memory that grows. */
+struct bytes {
+    char *data;
+    size_t n;
+};
+
+static int append_bytes(void *context, const void *data, size_t n)
+{
+    struct bytes *b = context;
+    b->data = realloc(b->data, b->n + n);
+    memcpy(b->data + b->n, data, n);
+    b->n += n;
+    return 1;
+}
+
+/* Unaligned bytes are copied. */
+static void an_opened_scene_frees_all_memory(void)
+{
+    struct scene_shapes of;
+    struct bytes file = {NULL, 0};
+    int refusals = 0, opened = 0;
+    scene_generate(SCENE_UNBOUNDED, SHAPES, 5, &of);
+    cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    CHECK(append_bytes(&file, "x", 1));
+    CHECK(cylint_scene_write(scene, append_bytes, &file) == CYLINT_SCENE_OK);
+    cylint_scene_free(scene);
+    while (!opened && refusals < ENOUGH) {
+        cylint_scene_status status;
+        heap.requested = heap.held = 0;
+        heap.refuse = refusals + 1;
+        heap.watched = 1;
+        scene = cylint_scene_open_memory(file.data + 1, file.n - 1, 0, &status);
+        opened = scene != NULL;
+        CHECK(opened || status == CYLINT_SCENE_EMEMORY);
+        cylint_scene_free(scene);
+        heap.watched = 0;
+        CHECK(heap.held == 0);
+        refusals += !opened;
+    }
+    CHECK(refusals >= 4 && refusals < ENOUGH);
+    free(file.data);
+    scene_release(&of);
+}
+
 int main(void)
 {
+    RUN(an_opened_scene_frees_all_memory);
     RUN(a_scene_frees_all_memory);
     RUN(a_scene_that_is_stopped_frees_all_memory);
     return check_end();

@@ -311,7 +311,7 @@ static int largest(const range *parts, int n, int evenly)
 }
 
 /* Splits until there are 8 parts or no part can be split.  Returns their number,
- * or 0 if the build is to stop. */
+ * or 0 if the build is to stop.  The parts are in the order of their boxes. */
 static int split_up(const builder *b, range parts[CYLINT_CHILDREN], int evenly)
 {
     int n = 1, i;
@@ -320,8 +320,9 @@ static int split_up(const builder *b, range parts[CYLINT_CHILDREN], int evenly)
         if (all.n >= CYLINT_WATCHED && !cylint_watch_add(b->watch, 0))
             return 0;
         const size_t k = evenly ? halve(&all) : divide(&all);
+        memmove(parts + i + 1, parts + i, (size_t)(n++ - i) * sizeof *parts);
         parts[i] = measured(all.boxes, k);
-        parts[n++] = measured(all.boxes + k, all.n - k);
+        parts[i + 1] = measured(all.boxes + k, all.n - k);
     }
     return n;
 }

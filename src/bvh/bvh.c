@@ -88,9 +88,9 @@ static size_t leaves_for(size_t boxes)
     return (boxes + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE;
 }
 
-/* Sets what ray.h uses: its S is the longest side of the box. */
-static void set_box(cylint_bvh *bvh, const cylint_extent *box,
-                    double line_error)
+/* ray.h uses them: its S is the longest side of the box. */
+void cylint_bvh_set_box(cylint_bvh *bvh, const cylint_extent *box,
+                        double line_error)
 {
     double longest = 0;
     for (int j = 0; j < 3; j++) {
@@ -124,7 +124,7 @@ static cylint_bvh_status make_draft(draft *d, cylint_bvh *bvh,
                                     sizeof(cylint_node)))
         return CYLINT_BVH_EMEMORY;
     cylint_watch_step(input->watch, CYLINT_STEP_NODES, d->split.n);
-    set_box(bvh, &d->split.all, input->view->line_error);
+    cylint_bvh_set_box(bvh, &d->split.all, input->view->line_error);
     d->n_nodes = cylint_build_nodes(d->memory.data, d->split.box, d->split.n,
                                     bvh->center, input->threads, input->watch);
     return result(input->watch);

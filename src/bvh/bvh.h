@@ -32,6 +32,10 @@ cylint_bvh_status cylint_bvh_build(cylint_bvh *bvh,
                                    const cylint_bvh_input *input,
                                    size_t *refused);
 
+/* Sets the members that follow from the box. */
+void cylint_bvh_set_box(cylint_bvh *bvh, const cylint_extent *box,
+                        double line_error);
+
 void cylint_bvh_free(cylint_bvh *bvh);
 
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../intersect.h"
+#include "../shapes/local.h"
 #include "../shapes/shape_facts.h"
 
 /* ------------------------------------------------------------- memory -- */
@@ -202,4 +203,62 @@ void cylint_record_data(const cylint_records *r, size_t number,
     x[CYLINT_AT_R1] = from->r1;
     for (int i = 0; i < 3; i++)
         x[CYLINT_AT_AXIS + i] = from->p1[i] - from->p0[i];
+}
+
+/* ------------------------------------------------------------- checks -- */
+
+static int is_radius(double x)
+{
+    return cylint_sign(x) >= 0 && x <= CYLINT_WINDOW;
+}
+
+/* What is true of each record whose tag has CYLINT_TAG_PLAIN.  A comparison with
+ * NaN is false.  Of lengths twice the axis is compared, so that the rounding mode
+ * does not matter. */
+static int is_plain(const cylint_records *r, size_t number)
+{
+    const cylint_record *at = &r->record[number];
+    const int kind = cylint_record_kind(r, number),
+              ends = cylint_record_ends(r, number);
+    const int is_straight =
+        kind == CYLINT_KIND_CYLINDER || kind == CYLINT_KIND_CAPSULE;
+    const int is_tapered =
+        kind == CYLINT_KIND_CONE || kind == CYLINT_KIND_RCONE;
+    const double w[3] = {2 * (at->p1[0] - at->p0[0]),
+                         2 * (at->p1[1] - at->p0[1]),
+                         2 * (at->p1[2] - at->p0[2])};
+    const double growth = fabs(at->r1 - at->r0), size = cylint_largest(w);
+    const double length2 = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+    return (cylint_rank(at->r0) == cylint_rank(at->r1) ? is_straight
+                                                       : is_tapered) &&
+           cylint_ends_fit(kind, ends) && cylint_ends_are_planes(ends) &&
+           is_radius(at->r0) && is_radius(at->r1) &&
+           cylint_sign(at->r0 + at->r1) > 0 &&
+           cylint_largest(at->p0) <= CYLINT_FAR && size <= 4 * CYLINT_WINDOW &&
+           cylint_is_long_enough(w) && growth <= CYLINT_LOCAL_MOST * size &&
+           (kind != CYLINT_KIND_RCONE || growth * growth <= length2 / 4);
+}
+
+/* Whether a record that is not plain makes a shape of its tag.  Whether a shape is
+ * plain depends on the rounding mode. */
+static int is_made_again(const cylint_records *r, size_t number)
+{
+    cylint_shape shape;
+    cylint_record_shape(r, number, &shape);
+    return (tag_of(&shape) & ~CYLINT_TAG_PLAIN) == r->tag[number];
+}
+
+int cylint_records_are_sound(const cylint_records *r)
+{
+    size_t elliptic = 0;
+    for (size_t i = 0; i < r->n; i++) {
+        const int has_axes = cylint_is_elliptic(cylint_record_kind(r, i));
+        if (has_axes && (elliptic >= r->n_elliptic ||
+                         r->record[i].r0 != (double)elliptic++))
+            return 0;
+        if (r->tag[i] & CYLINT_TAG_PLAIN ? !is_plain(r, i)
+                                         : !is_made_again(r, i))
+            return 0;
+    }
+    return elliptic == r->n_elliptic;
 }

@@ -78,4 +78,12 @@ void cylint_record_shape(const cylint_records *records, size_t number,
 void cylint_record_data(const cylint_records *records, size_t number,
                         cylint_shape *shape);
 
+/*
+ * Whether the records, of a file perhaps, can have been made of shapes: their
+ * constructors accept them, the tags are right, and the elliptic ones have
+ * semi-axes.  In time of a few nanoseconds a record, cylint_local_in_doubles()
+ * is only shown to compute finite numbers for plain ones.
+ */
+int cylint_records_are_sound(const cylint_records *records);
+
 #endif

@@ -12,8 +12,6 @@
 #include "../shapes/shape_facts.h"
 #include "scene.h"
 
-enum { MOST_SHAPES = 1 << 28 };
-
 const char *cylint_scene_strerror(int status)
 {
     switch (status) {
@@ -27,6 +25,16 @@ const char *cylint_scene_strerror(int status)
         return "stopped by the progress function";
     case CYLINT_SCENE_EFINISHED:
         return "the scene is finished already";
+    case CYLINT_SCENE_EUNFINISHED:
+        return "the scene is not finished";
+    case CYLINT_SCENE_EFILE:
+        return "the file cannot be read or written";
+    case CYLINT_SCENE_EFORMAT:
+        return "not a file of a scene";
+    case CYLINT_SCENE_EVERSION:
+        return "the file is of another version or machine: make it again";
+    case CYLINT_SCENE_EDAMAGED:
+        return "the file is damaged";
     default:
         return "unknown status";
     }
@@ -60,6 +68,8 @@ static int has_box(const cylint_shape *s, double lo[3], double hi[3])
 
 static void *allocate(cylint_scene *s, size_t count, size_t size)
 {
+    if (count > PTRDIFF_MAX / size)
+        return NULL;
     s->own_bytes += count * size;
     return malloc(count > 0 ? count * size : 1);
 }
@@ -130,46 +140,51 @@ static void write_data(const void *owner, uint32_t number, cylint_shape *shape)
     cylint_record_data(&s->records, number, shape);
 }
 
-static void sort_into_lists(cylint_scene *s, cylint_watch *watch)
+static void sort_into_lists(const cylint_scene *s, uint32_t *bounded,
+                            uint32_t *others, cylint_watch *watch)
 {
     double lo[3], hi[3];
-    size_t bounded = 0, others = 0;
     for (size_t i = 0; i < s->n && cylint_watch_item(watch, i); i++) {
         cylint_shape shape;
         cylint_record_data(&s->records, i, &shape);
-        if (s->n_bounded > 0 && has_box(&shape, lo, hi)) {
-            s->bounded[bounded++] = (uint32_t)i;
-        } else if (shape.kind != CYLINT_KIND_NONE) {
-            s->others[others] = (uint32_t)i;
-            cylint_record_shape(&s->records, i, &s->copies[others++]);
-        }
+        if (s->n_bounded > 0 && has_box(&shape, lo, hi))
+            *bounded++ = (uint32_t)i;
+        else if (shape.kind != CYLINT_KIND_NONE)
+            *others++ = (uint32_t)i;
     }
 }
 
-/* Lists the numbers of bounded shapes, unless all are bounded, and packs the
+/* Lists the numbers of bounded shapes, unless all are bounded, and those of the
  * others.  A refused shape is in neither list: no line hits it. */
 static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
 {
-    const int mixed = s->n_bounded < s->n;
-    s->others = allocate(s, s->n_others, sizeof *s->others);
-    s->copies = allocate(s, s->n_others, sizeof *s->copies);
-    s->pack_memory = allocate(s, cylint_pack_bytes(s->n_others), 1);
-    if (mixed)
-        s->bounded = allocate(s, s->n_bounded, sizeof *s->bounded);
-    if (!s->others || !s->copies || !s->pack_memory || (mixed && !s->bounded))
+    if (s->n_bounded == s->n)
+        return CYLINT_SCENE_OK;
+    uint32_t *bounded = allocate(s, s->n_bounded, sizeof *bounded),
+             *others = allocate(s, s->n_others, sizeof *others);
+    s->bounded = bounded;
+    s->others = others;
+    if (!bounded || !others)
         return CYLINT_SCENE_EMEMORY;
-    if (mixed)
-        sort_into_lists(s, watch);
-    if (!cylint_watch_add(watch, 0))
-        return CYLINT_SCENE_ESTOPPED;
-    cylint_pack_shapes(&s->pack, s->pack_memory, s->copies, s->n_others);
-    return CYLINT_SCENE_OK;
+    sort_into_lists(s, bounded, others, watch);
+    return cylint_watch_add(watch, 0) ? CYLINT_SCENE_OK : CYLINT_SCENE_ESTOPPED;
 }
 
-static cylint_scene_status build_hierarchy(cylint_scene *s, int threads,
-                                           cylint_watch *watch)
+/* Packs the shapes that are not in the hierarchy. */
+static int pack_others(cylint_scene *s)
 {
-    size_t refused; /* not used: all shapes are bounded */
+    s->copies = allocate(s, s->n_others, sizeof *s->copies);
+    s->pack_memory = allocate(s, cylint_pack_bytes(s->n_others), 1);
+    if (!s->copies || !s->pack_memory)
+        return 0;
+    for (size_t i = 0; i < s->n_others; i++)
+        cylint_record_shape(&s->records, s->others[i], &s->copies[i]);
+    cylint_pack_shapes(&s->pack, s->pack_memory, s->copies, s->n_others);
+    return 1;
+}
+
+int cylint_scene_complete(cylint_scene *s)
+{
     s->traverse = cylint_traversal_used()->line;
     s->traverse_point = cylint_traverse_point_used();
     s->view = (cylint_view){
@@ -178,6 +193,13 @@ static cylint_scene_status build_hierarchy(cylint_scene *s, int threads,
         .line_error = CYLINT_FRAME_ERROR,
         .write_shape = write_data,
         .owner = s};
+    return pack_others(s);
+}
+
+static cylint_scene_status build_hierarchy(cylint_scene *s, int threads,
+                                           cylint_watch *watch)
+{
+    size_t refused; /* not used: all shapes are bounded */
     const cylint_bvh_input members = {.view = &s->view,
                                       .numbers = s->bounded,
                                       .n = s->n_bounded,
@@ -201,15 +223,18 @@ static cylint_scene_status build(cylint_scene *s, int threads,
     cylint_records_trim(&s->records);
     choose_frame(s, threads, watch);
     const cylint_scene_status status = sort_shapes(s, watch);
-    return status == CYLINT_SCENE_OK && s->n_bounded > 0
-               ? build_hierarchy(s, threads, watch)
-               : status;
+    if (status != CYLINT_SCENE_OK)
+        return status;
+    if (!cylint_scene_complete(s))
+        return CYLINT_SCENE_EMEMORY;
+    return s->n_bounded > 0 ? build_hierarchy(s, threads, watch)
+                            : CYLINT_SCENE_OK;
 }
 
 cylint_scene *cylint_scene_begin(size_t expected)
 {
     cylint_scene *s = calloc(1, sizeof *s);
-    if (s && (expected > MOST_SHAPES ||
+    if (s && (expected > CYLINT_SCENE_MOST_SHAPES ||
               cylint_records_reserve(&s->records, expected)))
         return s;
     cylint_scene_free(s);
@@ -221,7 +246,7 @@ cylint_scene_status cylint_scene_add(cylint_scene *s,
 {
     if (s->is_finished)
         return CYLINT_SCENE_EFINISHED;
-    if (n > MOST_SHAPES - s->n)
+    if (n > CYLINT_SCENE_MOST_SHAPES - s->n)
         return CYLINT_SCENE_ESIZE;
     if (!cylint_records_add(&s->records, shapes, n))
         return CYLINT_SCENE_EMEMORY;
@@ -275,10 +300,14 @@ void cylint_scene_free(cylint_scene *scene)
 {
     if (!scene)
         return;
-    cylint_bvh_free(&scene->bvh);
-    cylint_records_free(&scene->records);
-    free(scene->bounded);
-    free(scene->others);
+    if (scene->file.data) {
+        cylint_mapping_close(&scene->file);
+    } else {
+        cylint_bvh_free(&scene->bvh);
+        cylint_records_free(&scene->records);
+        free((void *)(uintptr_t)scene->bounded);
+        free((void *)(uintptr_t)scene->others);
+    }
     free(scene->copies);
     free(scene->pack_memory);
     free(scene);
@@ -286,8 +315,20 @@ void cylint_scene_free(cylint_scene *scene)
 
 size_t cylint_scene_bytes(const cylint_scene *scene)
 {
-    return scene->own_bytes + cylint_records_bytes(&scene->records) +
+    return scene->own_bytes + scene->file.bytes +
+           cylint_records_bytes(&scene->records) +
            scene->bvh.node_memory.bytes + scene->bvh.leaf_memory.bytes;
+}
+
+void cylint_scene_set_labels(cylint_scene *scene,
+                             const cylint_scene_labels *labels)
+{
+    scene->labels = labels ? *labels : (cylint_scene_labels){NULL, NULL};
+}
+
+const cylint_scene_labels *cylint_scene_get_labels(const cylint_scene *scene)
+{
+    return scene->labels.end ? &scene->labels : NULL;
 }
 
 size_t cylint_scene_size(const cylint_scene *scene)

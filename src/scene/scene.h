@@ -10,7 +10,10 @@
 #include "../bvh/traverse.h"
 #include "../bvh/traverse_point.h"
 #include "frame.h"
+#include "mapping.h"
 #include "records.h"
+
+enum { CYLINT_SCENE_MOST_SHAPES = 1 << 28 };
 
 struct cylint_scene {
     cylint_records records;
@@ -21,13 +24,21 @@ struct cylint_scene {
     cylint_bvh bvh;
     cylint_traverse_line *traverse;
     cylint_traverse_point *traverse_point;
-    uint32_t *bounded; /* numbers of the shapes in the hierarchy; NULL: all */
-    uint32_t *others;  /* numbers of the other shapes, ascending */
+    const uint32_t
+        *bounded; /* numbers of the shapes in the hierarchy; NULL: all */
+    const uint32_t *others; /* numbers of the other shapes, ascending */
     size_t n_bounded, n_others;
     cylint_shape *copies; /* of the other shapes, in a pack */
     void *pack_memory;
     cylint_pack pack;
-    size_t own_bytes; /* without the hierarchy's */
+    size_t own_bytes;           /* without the hierarchy's */
+    cylint_scene_labels labels; /* end is NULL: none */
+    cylint_mapping file; /* of an opened scene; then the records, the hierarchy,
+                            the lists and the labels lie in it */
 };
+
+/* Makes the parts of a scene that are not in its file: its functions and its
+ * pack.  All other members are set.  Returns 0 if there is no memory. */
+int cylint_scene_complete(cylint_scene *scene);
 
 #endif

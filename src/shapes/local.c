@@ -364,23 +364,14 @@ static double balance(rows *m)
     return power;
 }
 
-/* A vector is so long that no low part underflows, and no product of its
- * components with those of others does: a zero of the matrix is a zero. */
-static int is_long_enough(const double x[3])
-{
-    return cylint_largest(x) >= CYLINT_LOCAL_LEAST &&
-           !cylint_is_small(x[0], CYLINT_LOCAL_TINY) &&
-           !cylint_is_small(x[1], CYLINT_LOCAL_TINY) &&
-           !cylint_is_small(x[2], CYLINT_LOCAL_TINY);
-}
-
 static int vectors_are_long_enough(const cylint_shape *s)
 {
     if (s->kind == CYLINT_KIND_SPHERE)
         return 1;
-    return is_long_enough(cylint_axis(s)) &&
+    return cylint_is_long_enough(cylint_axis(s)) &&
            (!cylint_is_elliptic(s->kind) ||
-            (is_long_enough(cylint_a(s)) && is_long_enough(cylint_b(s))));
+            (cylint_is_long_enough(cylint_a(s)) &&
+             cylint_is_long_enough(cylint_b(s))));
 }
 
 /* Stores the columns of the matrix in whole vectors, which kernels load soon: the

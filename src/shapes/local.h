@@ -29,7 +29,19 @@
 #ifndef CYLINT_LOCAL_H
 #define CYLINT_LOCAL_H
 
+#include "../numbers/bits.h"
+#include "../numbers/error_bounds.h"
 #include "cylint.h"
+
+/* A vector is so long that no low part underflows, and no product of its
+ * components with those of others does: a zero of the matrix is a zero. */
+static inline int cylint_is_long_enough(const double x[3])
+{
+    return cylint_largest(x) >= CYLINT_LOCAL_LEAST &&
+           !cylint_is_small(x[0], CYLINT_LOCAL_TINY) &&
+           !cylint_is_small(x[1], CYLINT_LOCAL_TINY) &&
+           !cylint_is_small(x[2], CYLINT_LOCAL_TINY);
+}
 
 /* Writes the local coordinates (layout.h) and whether they are accurate.  Where
  * they are not, they mean nothing, but the height of a round shape is 0.  _fma: for

@@ -1,0 +1,415 @@
+/*
+ * file.c - writes a scene to a file, and opens it
+ *
+ * A file is a header of 512 bytes and the arrays of the scene as they are in
+ * memory, each from a multiple of 64 bytes on, with zeros between them.  The order
+ * of the arrays is that of `section`; the header has the bytes of each.
+ *
+ * Sections SOLIDS and RANKS are empty in this version.
+ */
+#ifdef __linux__
+#define _DEFAULT_SOURCE 1 /* getpid() with -std=c99 */
+#endif
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#else
+#define getpid() 0
+#endif
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../bvh/sound.h"
+#include "file.h"
+#include "scene.h"
+
+typedef enum {
+    RECORDS,
+    TAGS,
+    SEMI_AXES,
+    NODES,
+    LEAVES,
+    BOUNDED,
+    OTHERS,
+    LABEL_ENDS,
+    LABEL_TEXT,
+    SOLIDS,
+    RANKS,
+    SECTIONS
+} section;
+
+enum { FILE_VERSION = 1, FILE_BLOCK = 64, HEADER_BYTES = 512 };
+
+/* The bytes of this number are all different. */
+#define FILE_ORDER 0x1.23456789abcdep+7
+
+static const char file_magic[8] = {'\x89', 'C', 'Y', 'L', 'I', 'N', 'T', '\n'};
+
+typedef struct {
+    char magic[8];
+    uint32_t version, sections;
+    double order;
+    uint64_t file_bytes;
+    uint64_t checksum; /* at CYLINT_FILE_CHECKSUM */
+    uint64_t n, n_bounded;
+    uint64_t bytes[SECTIONS];
+    double lo[3], hi[3]; /* the box of the frame */
+    cylint_extent box;   /* of the hierarchy */
+    char spare[512 - 8 * (13 + SECTIONS) - 24];
+} file_header;
+
+typedef char header_has_512_bytes[sizeof(file_header) == HEADER_BYTES ? 1 : -1];
+
+/* ------------------------------------------------------------ checksum -- */
+
+/* Two sums for each of the 8 numbers in a block.  A changed byte changes both. */
+typedef struct {
+    uint64_t sum[8], sum_of_sums[8];
+} file_checksum;
+
+static void add_block(file_checksum *c, const void *block)
+{
+    uint64_t x[8];
+    memcpy(x, block, sizeof x);
+    for (int i = 0; i < 8; i++) {
+        c->sum[i] += x[i];
+        c->sum_of_sums[i] += c->sum[i];
+    }
+}
+
+/* Adds whole blocks. */
+static int add_blocks(void *context, const void *data, size_t bytes)
+{
+    const char *from = data;
+    for (; bytes > 0; bytes -= FILE_BLOCK, from += FILE_BLOCK)
+        add_block(context, from);
+    return 1;
+}
+
+/* Different for different x. */
+static uint64_t mixed(uint64_t x)
+{
+    return (x ^ x >> 32) * UINT64_C(0x9e3779b97f4a7c15);
+}
+
+/* A change of one byte changes one of the sums by some m, not a multiple of 2^64,
+ * and its sum of sums by j m.  So it changes x by m (1 + 2 j): an odd multiple. */
+static uint64_t checksum_of(const file_checksum *c)
+{
+    uint64_t x = 0;
+    for (int i = 0; i < 8; i++)
+        x = mixed(x ^ (c->sum[i] + 2 * c->sum_of_sums[i]));
+    return x;
+}
+
+uint64_t cylint_file_checksum(const void *data, size_t bytes)
+{
+    const file_header *h = data;
+    file_checksum sums = {{0}, {0}};
+    file_header header = *h;
+    header.checksum = 0;
+    add_blocks(&sums, &header, sizeof header);
+    add_blocks(&sums, h + 1, bytes - sizeof *h);
+    return checksum_of(&sums);
+}
+
+/* ------------------------------------------------------------- writing -- */
+
+/* The array of a section. */
+static const void *section_data(const cylint_scene *s, section i)
+{
+    const void *const data[SECTIONS] = {[RECORDS] = s->records.record,
+                                        [TAGS] = s->records.tag,
+                                        [SEMI_AXES] = s->records.semi_axes,
+                                        [NODES] = s->bvh.nodes,
+                                        [LEAVES] = s->bvh.leaves,
+                                        [BOUNDED] = s->bounded,
+                                        [OTHERS] = s->others,
+                                        [LABEL_ENDS] = s->labels.end,
+                                        [LABEL_TEXT] = s->labels.text};
+    return data[i];
+}
+
+/* Writes the bytes of each section. */
+static void set_sizes(file_header *h, const cylint_scene *s)
+{
+    h->bytes[RECORDS] = (uint64_t)s->n * sizeof *s->records.record;
+    h->bytes[TAGS] = (uint64_t)s->n * sizeof *s->records.tag;
+    h->bytes[SEMI_AXES] =
+        (uint64_t)s->records.n_elliptic * sizeof *s->records.semi_axes;
+    h->bytes[NODES] = (uint64_t)s->bvh.n_nodes * sizeof *s->bvh.nodes;
+    h->bytes[LEAVES] = (uint64_t)s->bvh.n_leaves * sizeof *s->bvh.leaves;
+    h->bytes[BOUNDED] = s->bounded ? (uint64_t)s->n_bounded * 4 : 0;
+    h->bytes[OTHERS] = (uint64_t)s->n_others * 4;
+    if (s->labels.end && s->n > 0) {
+        h->bytes[LABEL_ENDS] = (uint64_t)s->n * sizeof *s->labels.end;
+        h->bytes[LABEL_TEXT] = s->labels.end[s->n - 1];
+    }
+}
+
+static uint64_t whole_blocks(uint64_t bytes)
+{
+    return (bytes + FILE_BLOCK - 1) / FILE_BLOCK * FILE_BLOCK;
+}
+
+static file_header header_of(const cylint_scene *s)
+{
+    file_header h;
+    memset(&h, 0, sizeof h);
+    memcpy(h.magic, file_magic, sizeof h.magic);
+    h.version = FILE_VERSION;
+    h.sections = SECTIONS;
+    h.order = FILE_ORDER;
+    h.n = s->n;
+    h.n_bounded = s->n_bounded;
+    h.box = s->bvh.box;
+    memcpy(h.lo, s->frame.lo, sizeof h.lo);
+    memcpy(h.hi, s->frame.hi, sizeof h.hi);
+    set_sizes(&h, s);
+    h.file_bytes = sizeof h;
+    for (int i = 0; i < SECTIONS; i++)
+        h.file_bytes += whole_blocks(h.bytes[i]);
+    return h;
+}
+
+/* Gives a section and zeros up to a whole block to the writer. */
+static int write_section(const char *data, size_t bytes,
+                         cylint_scene_writer *writer, void *context)
+{
+    char last[FILE_BLOCK] = {0};
+    const size_t more = bytes % FILE_BLOCK;
+    if (bytes > more && !writer(context, data, bytes - more))
+        return 0;
+    if (more == 0)
+        return 1;
+    memcpy(last, data + bytes - more, more);
+    return writer(context, last, sizeof last);
+}
+
+static int write_all(const cylint_scene *s, const file_header *h,
+                     cylint_scene_writer *writer, void *context)
+{
+    if (!writer(context, h, sizeof *h))
+        return 0;
+    for (section i = 0; i < SECTIONS; i++)
+        if (!write_section(section_data(s, i), (size_t)h->bytes[i], writer,
+                           context))
+            return 0;
+    return 1;
+}
+
+cylint_scene_status cylint_scene_write(const cylint_scene *scene,
+                                       cylint_scene_writer *writer,
+                                       void *context)
+{
+    file_checksum sums = {{0}, {0}};
+    if (!scene->is_finished)
+        return CYLINT_SCENE_EUNFINISHED;
+    file_header header = header_of(scene);
+    write_all(scene, &header, add_blocks, &sums);
+    header.checksum = checksum_of(&sums);
+    return write_all(scene, &header, writer, context) ? CYLINT_SCENE_OK
+                                                      : CYLINT_SCENE_ESTOPPED;
+}
+
+static int write_to_file(void *context, const void *data, size_t bytes)
+{
+    return fwrite(data, 1, bytes, context) == bytes;
+}
+
+/* Writes the file `beside` and renames it. */
+static cylint_scene_status save_beside(const cylint_scene *s, const char *path,
+                                       const char *beside)
+{
+    FILE *file = fopen(beside, "wb");
+    if (!file)
+        return CYLINT_SCENE_EFILE;
+    cylint_scene_status status = cylint_scene_write(s, write_to_file, file);
+    const int why = errno;
+    if (fclose(file) != 0 && status == CYLINT_SCENE_OK)
+        status = CYLINT_SCENE_EFILE;
+    else if (status == CYLINT_SCENE_ESTOPPED)
+        errno = why;
+#ifdef _WIN32
+    if (status == CYLINT_SCENE_OK)
+        remove(path); /* rename() does not replace a file */
+#endif
+    if (status == CYLINT_SCENE_OK && rename(beside, path) == 0)
+        return CYLINT_SCENE_OK;
+    const int failed = errno;
+    remove(beside);
+    errno = failed;
+    return status == CYLINT_SCENE_EUNFINISHED ? status : CYLINT_SCENE_EFILE;
+}
+
+cylint_scene_status cylint_scene_save(const cylint_scene *scene,
+                                      const char *path)
+{
+    const size_t bytes = strlen(path) + 32;
+    char *beside = malloc(bytes);
+    if (!beside)
+        return CYLINT_SCENE_EMEMORY;
+    snprintf(beside, bytes, "%s.%ld.new", path, (long)getpid());
+    const cylint_scene_status status = save_beside(scene, path, beside);
+    free(beside);
+    return status;
+}
+
+/* ------------------------------------------------------------- opening -- */
+
+/* Whether the sizes are those of the arrays that the header implies. */
+static int sizes_fit(const file_header *h, size_t bytes)
+{
+    uint64_t sum = sizeof *h;
+    for (int i = 0; i < SECTIONS; i++) {
+        if (h->bytes[i] > bytes)
+            return 0;
+        sum += whole_blocks(h->bytes[i]);
+    }
+    const int is_mixed = h->n_bounded < h->n;
+    return sum == h->file_bytes && sum == bytes &&
+           h->n <= CYLINT_SCENE_MOST_SHAPES && h->n_bounded <= h->n &&
+           h->bytes[RECORDS] == h->n * sizeof(cylint_record) &&
+           h->bytes[TAGS] == h->n &&
+           h->bytes[SEMI_AXES] % sizeof(cylint_semi_axes) == 0 &&
+           h->bytes[NODES] % sizeof(cylint_node) == 0 &&
+           h->bytes[LEAVES] % sizeof(cylint_leaf) == 0 &&
+           h->bytes[BOUNDED] == (is_mixed ? 4 * h->n_bounded : 0) &&
+           h->bytes[OTHERS] % 4 == 0 &&
+           h->bytes[OTHERS] / 4 <= h->n - h->n_bounded &&
+           (h->n_bounded > 0) == (h->bytes[NODES] > 0) &&
+           (h->n_bounded > 0) == (h->bytes[LEAVES] > 0) &&
+           (h->bytes[LABEL_ENDS] == h->n * sizeof(uint64_t) ||
+            h->bytes[LABEL_ENDS] + h->bytes[LABEL_TEXT] == 0);
+}
+
+static cylint_scene_status check_header(const file_header *h, size_t bytes)
+{
+    if (bytes < sizeof h->magic ||
+        memcmp(h->magic, file_magic, sizeof h->magic) != 0)
+        return CYLINT_SCENE_EFORMAT;
+    if (bytes < sizeof *h)
+        return CYLINT_SCENE_EDAMAGED;
+    if (h->version != FILE_VERSION || h->sections != SECTIONS ||
+        memcmp(&h->order, &(double){FILE_ORDER}, sizeof h->order) != 0 ||
+        h->bytes[SOLIDS] > 0 || h->bytes[RANKS] > 0)
+        return CYLINT_SCENE_EVERSION;
+    return sizes_fit(h, bytes) ? CYLINT_SCENE_OK : CYLINT_SCENE_EDAMAGED;
+}
+
+/* Sets the members that lie in the file.  It is never written. */
+static void set_members(cylint_scene *s, const file_header *h)
+{
+    char *data[SECTIONS], *at = (char *)(uintptr_t)h + sizeof *h;
+    for (int i = 0; i < SECTIONS; i++) {
+        data[i] = h->bytes[i] > 0 ? at : NULL;
+        at += whole_blocks(h->bytes[i]);
+    }
+    s->n = (size_t)h->n;
+    s->n_bounded = (size_t)h->n_bounded;
+    s->n_others = (size_t)h->bytes[OTHERS] / 4;
+    s->is_finished = 1;
+    s->records = (cylint_records){.record = (void *)data[RECORDS],
+                                  .tag = (void *)data[TAGS],
+                                  .semi_axes = (void *)data[SEMI_AXES],
+                                  .n = s->n,
+                                  .n_elliptic = (size_t)h->bytes[SEMI_AXES] /
+                                                sizeof(cylint_semi_axes)};
+    s->bvh.nodes = (void *)data[NODES];
+    s->bvh.leaves = (void *)data[LEAVES];
+    s->bvh.n_nodes = (size_t)h->bytes[NODES] / sizeof(cylint_node);
+    s->bvh.n_leaves = (size_t)h->bytes[LEAVES] / sizeof(cylint_leaf);
+    s->bounded = (void *)data[BOUNDED];
+    s->others = (void *)data[OTHERS];
+    s->labels.end = (void *)data[LABEL_ENDS];
+    s->labels.text = data[LABEL_TEXT];
+    s->own_bytes = sizeof *s;
+    cylint_bvh_set_box(&s->bvh, &h->box, CYLINT_FRAME_ERROR);
+}
+
+static int ascends(const uint32_t *number, size_t count, size_t n)
+{
+    for (size_t i = 0; i < count; i++)
+        if (number[i] >= n || (i > 0 && number[i] <= number[i - 1]))
+            return 0;
+    return 1;
+}
+
+static int labels_are_sound(const file_header *h, const cylint_scene *s)
+{
+    uint64_t last = 0;
+    for (size_t i = 0; s->labels.end && i < s->n; i++) {
+        if (s->labels.end[i] < last)
+            return 0;
+        last = s->labels.end[i];
+    }
+    return last == h->bytes[LABEL_TEXT];
+}
+
+/* Whether no number in the file makes a query fail. */
+static int is_sound(const cylint_scene *s, const file_header *h)
+{
+    return cylint_file_checksum(h, s->file.bytes) == h->checksum &&
+           cylint_records_are_sound(&s->records) &&
+           ascends(s->bounded, s->bounded ? s->n_bounded : 0, s->n) &&
+           ascends(s->others, s->n_others, s->n) && labels_are_sound(h, s) &&
+           cylint_bvh_is_sound(&s->bvh, s->n);
+}
+
+static cylint_scene_status open_file(cylint_scene *s, unsigned flags)
+{
+    const file_header *h = s->file.data;
+    const cylint_scene_status status = check_header(h, s->file.bytes);
+    if (status != CYLINT_SCENE_OK)
+        return status;
+    set_members(s, h);
+    if ((s->n_bounded > 0 && (!cylint_frame_make(&s->frame, h->lo, h->hi) ||
+                              !cylint_extent_is_valid(&h->box))) ||
+        (!(flags & CYLINT_SCENE_TRUSTED) && !is_sound(s, h)))
+        return CYLINT_SCENE_EDAMAGED;
+    return cylint_scene_complete(s) ? CYLINT_SCENE_OK : CYLINT_SCENE_EMEMORY;
+}
+
+static cylint_scene *open_mapping(const cylint_mapping *file,
+                                  cylint_mapping_status mapped, unsigned flags,
+                                  cylint_scene_status *status)
+{
+    cylint_scene_status result = mapped == CYLINT_MAPPING_EFILE
+                                     ? CYLINT_SCENE_EFILE
+                                     : CYLINT_SCENE_EMEMORY;
+    cylint_mapping mapping = *file;
+    cylint_scene *s = mapped == CYLINT_MAPPING_OK ? calloc(1, sizeof *s) : NULL;
+    if (s) {
+        s->file = mapping;
+        result = open_file(s, flags);
+    } else if (mapped == CYLINT_MAPPING_OK) {
+        cylint_mapping_close(&mapping);
+    }
+    if (status)
+        *status = result;
+    if (result == CYLINT_SCENE_OK)
+        return s;
+    cylint_scene_free(s);
+    return NULL;
+}
+
+cylint_scene *cylint_scene_open(const char *path, unsigned flags,
+                                cylint_scene_status *status)
+{
+    cylint_mapping file = {.data = NULL};
+    const cylint_mapping_status mapped = cylint_mapping_open(
+        &file, path, HEADER_BYTES, (flags & CYLINT_SCENE_READ) != 0);
+    return open_mapping(&file, mapped, flags, status);
+}
+
+cylint_scene *cylint_scene_open_memory(const void *data, size_t bytes,
+                                       unsigned flags,
+                                       cylint_scene_status *status)
+{
+    cylint_mapping file = {.data = NULL};
+    const cylint_mapping_status mapped =
+        cylint_mapping_of_memory(&file, data, bytes);
+    return open_mapping(&file, mapped, flags, status);
+}

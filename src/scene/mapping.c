@@ -1,0 +1,154 @@
+/*
+ * mapping.c - the bytes of a file in memory
+ */
+#ifdef __linux__
+#define _DEFAULT_SOURCE 1 /* open() and mmap() with -std=c99 */
+#endif
+#if defined(__unix__) || defined(__APPLE__)
+#define CYLINT_HAS_MMAP
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+#include "mapping.h"
+
+#include <limits.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { FIRST_BYTES = 1 << 16, MAPPING_ALIGNMENT = 64 };
+
+static cylint_mapping_status keep_copy(cylint_mapping *m, cylint_memory *memory,
+                                       size_t bytes)
+{
+    *m = (cylint_mapping){
+        .data = memory->data, .bytes = bytes, .memory = *memory};
+    return CYLINT_MAPPING_OK;
+}
+
+/* Moves the bytes to memory of twice the size. */
+static int double_memory(cylint_memory *memory)
+{
+    cylint_memory more;
+    if (memory->bytes > SIZE_MAX / 2 ||
+        !cylint_memory_allocate(&more, NULL, 2 * memory->bytes))
+        return 0;
+    memcpy(more.data, memory->data, memory->bytes);
+    cylint_memory_free(memory);
+    *memory = more;
+    return 1;
+}
+
+/* Bytes of memory for the file, with one to read beyond its end. */
+static size_t bytes_for(FILE *file)
+{
+    const long size = fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
+    rewind(file);
+    return size >= 0 && size < LONG_MAX ? (size_t)size + 1 : FIRST_BYTES;
+}
+
+/* Reads to the end, of a pipe too. */
+static cylint_mapping_status read_file(cylint_mapping *m, FILE *file)
+{
+    cylint_memory memory;
+    size_t bytes = 0;
+    if (!cylint_memory_allocate(&memory, NULL, bytes_for(file)))
+        return CYLINT_MAPPING_EMEMORY;
+    for (;;) {
+        bytes +=
+            fread((char *)memory.data + bytes, 1, memory.bytes - bytes, file);
+        if (bytes < memory.bytes)
+            break;
+        if (!double_memory(&memory)) {
+            cylint_memory_free(&memory);
+            return CYLINT_MAPPING_EMEMORY;
+        }
+    }
+    if (!ferror(file))
+        return keep_copy(m, &memory, bytes);
+    cylint_memory_free(&memory);
+    return CYLINT_MAPPING_EFILE;
+}
+
+#ifdef CYLINT_HAS_MMAP
+
+/* Returns 0 if the file cannot be mapped. */
+static int map_file(cylint_mapping *m, const char *path, size_t least)
+{
+    struct stat about;
+    void *data = MAP_FAILED;
+    const int file = open(path, O_RDONLY);
+    if (file < 0)
+        return 0;
+    if (fstat(file, &about) == 0 && S_ISREG(about.st_mode) &&
+        (uintmax_t)about.st_size >= least &&
+        (uintmax_t)about.st_size <= SIZE_MAX)
+        data =
+            mmap(NULL, (size_t)about.st_size, PROT_READ, MAP_SHARED, file, 0);
+    close(file);
+    if (data == MAP_FAILED)
+        return 0;
+    *m = (cylint_mapping){
+        .data = data, .bytes = (size_t)about.st_size, .is_mapped = 1};
+    return 1;
+}
+
+static void unmap_file(cylint_mapping *m)
+{
+    munmap((void *)(uintptr_t)m->data, m->bytes);
+}
+
+#else
+
+static int map_file(cylint_mapping *m, const char *path, size_t least)
+{
+    (void)m;
+    (void)path;
+    (void)least;
+    return 0;
+}
+
+static void unmap_file(cylint_mapping *m)
+{
+    (void)m;
+}
+
+#endif
+
+cylint_mapping_status cylint_mapping_open(cylint_mapping *m, const char *path,
+                                          size_t least, int is_read)
+{
+    if (!is_read && map_file(m, path, least))
+        return CYLINT_MAPPING_OK;
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return CYLINT_MAPPING_EFILE;
+    const cylint_mapping_status status = read_file(m, file);
+    fclose(file);
+    return status;
+}
+
+cylint_mapping_status cylint_mapping_of_memory(cylint_mapping *m,
+                                               const void *data, size_t bytes)
+{
+    cylint_memory memory;
+    if ((uintptr_t)data % MAPPING_ALIGNMENT == 0) {
+        *m = (cylint_mapping){.data = data, .bytes = bytes};
+        return CYLINT_MAPPING_OK;
+    }
+    if (!cylint_memory_allocate(&memory, NULL, bytes > 0 ? bytes : 1))
+        return CYLINT_MAPPING_EMEMORY;
+    memcpy(memory.data, data, bytes);
+    return keep_copy(m, &memory, bytes);
+}
+
+void cylint_mapping_close(cylint_mapping *m)
+{
+    if (m->is_mapped)
+        unmap_file(m);
+    cylint_memory_free(&m->memory);
+    *m = (cylint_mapping){.data = NULL};
+}

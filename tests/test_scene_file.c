@@ -1,0 +1,471 @@
+/*
+ * test_scene_file.c - floor scene: a scene that was saved and opened returns the
+ * same bits, and no damaged file makes a query fail
+ *
+ * CYLINT_CASES: how many damaged files are opened in each way.
+ */
+#if defined(__linux__)
+#define _DEFAULT_SOURCE 1 /* fork() with -std=c99 */
+#endif
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "cylint_scene.h"
+#include "random.h"
+#include "scene_file.h"
+#include "scenes.h"
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#define HAS_PROCESSES
+#endif
+
+enum { SHAPES = 400, LINES = 4, POINTS = 20, SMALL = 6 };
+
+static char path[64]; /* of a file that may be written */
+
+/* --------------------------------------------------------- same answers -- */
+
+static int same_doubles(const double *x, const double *y, size_t n)
+{
+    return memcmp(x, y, n * sizeof *x) == 0;
+}
+
+static int same_hit(const cylint_hit *x, const cylint_hit *y)
+{
+    return same_doubles(&x->t, &y->t, 1) &&
+           same_doubles(x->point, y->point, 3) &&
+           same_doubles(x->normal, y->normal, 3) && x->part == y->part &&
+           x->side == y->side && same_doubles(&x->z, &y->z, 1) &&
+           same_doubles(&x->phi, &y->phi, 1);
+}
+
+static int same_for_line(const cylint_scene *x, const cylint_scene *y,
+                         const cylint_line *line)
+{
+    cylint_hit first, second;
+    size_t numbers[2][16];
+    memset(&first, 0, sizeof first);
+    memset(&second, 0, sizeof second);
+    const size_t number =
+        cylint_scene_nearest(x, line, CYLINT_WANT_ALL, &first);
+    const size_t n = cylint_scene_all(x, line, 0, numbers[0], 16);
+    return cylint_scene_nearest(y, line, CYLINT_WANT_ALL, &second) == number &&
+           same_hit(&first, &second) &&
+           cylint_scene_count(x, line, 0) == cylint_scene_count(y, line, 0) &&
+           cylint_scene_occluded(x, line, number) ==
+               cylint_scene_occluded(y, line, number) &&
+           cylint_scene_all(y, line, 0, numbers[1], 16) == n &&
+           memcmp(numbers[0], numbers[1], n * sizeof *numbers[0]) == 0;
+}
+
+static int same_for_point(const cylint_scene *x, const cylint_scene *y,
+                          const double point[3], double radius)
+{
+    cylint_closest first, second;
+    memset(&first, 0, sizeof first);
+    memset(&second, 0, sizeof second);
+    const unsigned want = CYLINT_WANT_POINT | CYLINT_WANT_NORMAL;
+    const size_t number = cylint_scene_closest(x, point, radius, want, &first);
+    return cylint_scene_closest(y, point, radius, want, &second) == number &&
+           same_doubles(&first.distance, &second.distance, 1) &&
+           same_doubles(first.point, second.point, 3) &&
+           same_doubles(first.normal, second.normal, 3) &&
+           cylint_scene_within_count(x, point, radius, 0) ==
+               cylint_scene_within_count(y, point, radius, 0);
+}
+
+static int same_shapes(const cylint_scene *x, const cylint_scene *y)
+{
+    const size_t n = cylint_scene_size(x);
+    int same = cylint_scene_size(y) == n;
+    for (size_t i = 0; i < n && same; i++) {
+        cylint_shape first, second;
+        memset(&first, 0, sizeof first);
+        memset(&second, 0, sizeof second);
+        cylint_scene_shape(x, i, &first);
+        cylint_scene_shape(y, i, &second);
+        same = memcmp(&first, &second, sizeof first) == 0;
+    }
+    return same;
+}
+
+/* Returns the number of questions whose answers differ. */
+static int differences(const cylint_scene *x, const cylint_scene *y,
+                       const struct scene_shapes *of, uint64_t seed)
+{
+    uint64_t random = seed;
+    int wrong = !same_shapes(x, y);
+    for (int kind = 0; kind < LINES_KINDS; kind++)
+        for (uint64_t i = 0; i < LINES; i++) {
+            cylint_line line;
+            scene_line(of, (enum scene_lines)kind, seed, i, &line);
+            wrong += !same_for_line(x, y, &line);
+        }
+    for (int i = 0; i < POINTS; i++) {
+        double point[3], size = 0;
+        for (int j = 0; j < 3; j++) {
+            point[j] = of->lo[j] + (of->hi[j] - of->lo[j]) *
+                                       (1.5 * random_unit(&random) - 0.25);
+            size = fmax(size, of->hi[j] - of->lo[j]);
+        }
+        wrong += !same_for_point(x, y, point, 0.2 * size);
+    }
+    return wrong;
+}
+
+/* Bytes at the begin of a cache line. */
+struct bytes {
+    char *memory, *data;
+    size_t n, capacity;
+};
+
+static void bytes_reserve(struct bytes *b, size_t capacity)
+{
+    free(b->memory);
+    b->memory = malloc(capacity + 64);
+    b->data = b->memory + (64 - (uintptr_t)b->memory % 64);
+    b->capacity = capacity;
+    b->n = 0;
+}
+
+static int append_bytes(void *context, const void *data, size_t n)
+{
+    struct bytes *b = context;
+    if (n > b->capacity - b->n)
+        return 0;
+    memcpy(b->data + b->n, data, n);
+    b->n += n;
+    return 1;
+}
+
+/* ---------------------------------------------------------------- tests -- */
+
+static void an_opened_scene_answers_as_the_saved_one(void)
+{
+    static const unsigned flags[] = {0, CYLINT_SCENE_READ, CYLINT_SCENE_TRUSTED,
+                                     CYLINT_SCENE_READ | CYLINT_SCENE_TRUSTED};
+    for (int kind = 0; kind < SCENE_KINDS; kind++) {
+        struct scene_shapes of;
+        cylint_scene_status status = CYLINT_SCENE_EFILE;
+        scene_generate(kind, SHAPES, 7, &of);
+        cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+        CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
+        for (int i = 0; i < 4; i++) {
+            cylint_scene *opened = cylint_scene_open(path, flags[i], &status);
+            if (!CHECK(opened && status == CYLINT_SCENE_OK))
+                continue;
+            const int wrong = differences(built, opened, &of, 11);
+            if (!CHECK(wrong == 0))
+                REPORT("%s, flags %u: %d differ", of.name, flags[i], wrong);
+            CHECK(cylint_scene_bytes(opened) >= 65 * of.n);
+            CHECK(cylint_scene_add(opened, of.shapes, 1) ==
+                  CYLINT_SCENE_EFINISHED);
+            cylint_scene_free(opened);
+        }
+        cylint_scene_free(built);
+        scene_release(&of);
+    }
+    remove(path);
+}
+
+/* The bytes of a scene's file; bytes->data is freed by the caller. */
+static void write_bytes(const cylint_scene *scene, struct bytes *b)
+{
+    bytes_reserve(b, (size_t)1 << 20);
+    CHECK(cylint_scene_write(scene, append_bytes, b) == CYLINT_SCENE_OK);
+}
+
+static void bytes_in_memory_open_at_every_address(void)
+{
+    struct scene_shapes of;
+    struct bytes b = {NULL, NULL, 0, 0};
+    scene_generate(SCENE_MIXED, SHAPES, 3, &of);
+    cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    write_bytes(built, &b);
+    for (size_t shift = 0; shift < 80; shift += 8) {
+        char *copy = malloc(b.n + shift);
+        memcpy(copy + shift, b.data, b.n);
+        cylint_scene *opened =
+            cylint_scene_open_memory(copy + shift, b.n, 0, NULL);
+        CHECK(opened && differences(built, opened, &of, shift) == 0);
+        cylint_scene_free(opened);
+        free(copy);
+    }
+    free(b.memory);
+    cylint_scene_free(built);
+    scene_release(&of);
+}
+
+static void an_empty_scene_can_be_saved(void)
+{
+    struct bytes b = {NULL, NULL, 0, 0};
+    cylint_scene *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    write_bytes(empty, &b);
+    CHECK(b.n == 512);
+    cylint_scene *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
+    CHECK(opened && cylint_scene_size(opened) == 0 &&
+          !cylint_scene_get_labels(opened));
+    cylint_scene_free(opened);
+    cylint_scene_free(empty);
+    free(b.memory);
+}
+
+static void labels_are_saved(void)
+{
+    static const char text[] = "axon\0dend";
+    static const uint64_t ends[2][3] = {{4, 4, 9}, {0, 0, 0}};
+    const double p[3] = {0, 0, 0}, q[3] = {0, 0, 1};
+    cylint_shape shape[3];
+    struct bytes b = {NULL, NULL, 0, 0};
+    for (int i = 0; i < 3; i++)
+        cylint_cylinder(&shape[i], p, q, 1 + i, CYLINT_ENDS_CAPPED);
+    for (int k = 0; k < 2; k++) {
+        const cylint_scene_labels labels = {ends[k], text};
+        cylint_scene *scene = cylint_scene_new(shape, 3, 1, NULL);
+        CHECK(!cylint_scene_get_labels(scene));
+        cylint_scene_set_labels(scene, &labels);
+        write_bytes(scene, &b);
+        cylint_scene *opened = cylint_scene_open_memory(b.data, b.n, 0, NULL);
+        const cylint_scene_labels *got = cylint_scene_get_labels(opened);
+        CHECK(got && memcmp(got->end, ends[k], sizeof ends[k]) == 0 &&
+              (ends[k][2] == 0 || memcmp(got->text, text, 9) == 0));
+        cylint_scene_set_labels(opened, NULL);
+        CHECK(!cylint_scene_get_labels(opened));
+        cylint_scene_free(opened);
+        cylint_scene_free(scene);
+    }
+    free(b.memory);
+}
+
+static int write_few(void *context, const void *data, size_t n)
+{
+    int *calls = context;
+    (void)data;
+    (void)n;
+    return --*calls > 0;
+}
+
+static void a_failure_leaves_the_old_file(void)
+{
+    struct scene_shapes of;
+    char missing[96];
+    cylint_scene_status status = CYLINT_SCENE_OK;
+    scene_generate(SCENE_FAT, SMALL, 3, &of);
+    cylint_scene *scene = cylint_scene_begin(0);
+    CHECK(cylint_scene_add(scene, of.shapes, of.n) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_save(scene, path) == CYLINT_SCENE_EUNFINISHED);
+    CHECK(!cylint_scene_open(path, 0, &status) &&
+          status == CYLINT_SCENE_EFILE && errno == ENOENT);
+    CHECK(cylint_scene_finish(scene, 1, NULL, NULL) == CYLINT_SCENE_OK);
+    for (int calls = 1; calls < 6; calls++) {
+        int more = calls;
+        CHECK(cylint_scene_write(scene, write_few, &more) ==
+              CYLINT_SCENE_ESTOPPED);
+    }
+    snprintf(missing, sizeof missing, "%s.d/x", path);
+    errno = 0;
+    CHECK(cylint_scene_save(scene, missing) == CYLINT_SCENE_EFILE &&
+          errno == ENOENT);
+#ifdef HAS_PROCESSES
+    /* a folder cannot be replaced by a file */
+    snprintf(missing, sizeof missing, "%s.d", path);
+    CHECK(mkdir(missing, 0700) == 0);
+    CHECK(cylint_scene_save(scene, missing) == CYLINT_SCENE_EFILE);
+    CHECK(rmdir(missing) == 0);
+    snprintf(missing, sizeof missing, "%s.d.%ld.new", path, (long)getpid());
+    CHECK(access(missing, F_OK) != 0);
+    CHECK(!cylint_scene_open("/", 0, &status) && status == CYLINT_SCENE_EFILE);
+#endif
+    cylint_scene_free(scene);
+    scene_release(&of);
+}
+
+#ifdef HAS_PROCESSES
+
+/* The file is replaced while it is mapped: the mapping stays as it was. */
+static void two_processes_map_one_file(void)
+{
+    struct scene_shapes of;
+    int status = 1;
+    scene_generate(SCENE_THIN, SHAPES, 3, &of);
+    cylint_scene *built = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    CHECK(cylint_scene_save(built, path) == CYLINT_SCENE_OK);
+    cylint_scene *opened = cylint_scene_open(path, 0, NULL);
+    const pid_t child = fork();
+    if (child == 0) {
+        cylint_scene *again = cylint_scene_open(path, 0, NULL);
+        _exit(!again || differences(again, opened, &of, 5) != 0);
+    }
+    CHECK(differences(built, opened, &of, 5) == 0);
+    CHECK(waitpid(child, &status, 0) == child && status == 0);
+    cylint_scene *other = cylint_scene_new(of.shapes, 3, 1, NULL);
+    CHECK(cylint_scene_save(other, path) == CYLINT_SCENE_OK);
+    CHECK(differences(built, opened, &of, 6) == 0);
+    cylint_scene_free(other);
+    cylint_scene_free(opened);
+    cylint_scene_free(built);
+    scene_release(&of);
+    remove(path);
+}
+
+#endif
+
+/* ------------------------------------------------------- damaged files -- */
+
+/* A cylinder, a ball, an elliptic cone, a rounded cone, an infinite cylinder and
+ * a tangent cone, with labels. */
+static void write_small(struct bytes *b)
+{
+    static const uint64_t ends[SMALL] = {1, 2, 2, 4, 5, 6};
+    static const cylint_scene_labels labels = {ends, "abcdef"};
+    const double p[3] = {0, 0, 0}, q[3] = {3, 1, 2}, h[3] = {0, 0, 2},
+                 x[3] = {1, 0.5, 0}, y[3] = {0, 1, 0.25};
+    cylint_shape shape[SMALL];
+    cylint_cylinder(&shape[0], p, q, 0.125, CYLINT_ENDS_CAPPED);
+    cylint_sphere(&shape[1], q, 0.5, CYLINT_ENDS_CAPPED);
+    cylint_elliptic_cone(&shape[2], q, x, y, h, 0.5, CYLINT_ENDS_OPEN);
+    cylint_round_cone(&shape[3], p, 0.5, x, 0.25, CYLINT_ENDS_CAPPED);
+    cylint_cylinder(&shape[4], p, q, 0.25, CYLINT_ENDS_INFINITE);
+    cylint_tangent_cone(&shape[5], x, q, 0.5, CYLINT_ENDS_CAPPED);
+    cylint_scene *scene = cylint_scene_new(shape, SMALL, 1, NULL);
+    cylint_scene_set_labels(scene, &labels);
+    write_bytes(scene, b);
+    cylint_scene_free(scene);
+}
+
+/* Changes of a byte, by exclusive or: of one bit, of all; or, for many cases, all.
+ * Returns 0 after the last. */
+static int next_change(int change)
+{
+    if (check_setting("CYLINT_CASES", 0) >= 1e6)
+        return (change + 1) % 256;
+    return change == 0 ? 1 : change == 128 ? 255 : 2 * change % 510;
+}
+
+static void every_changed_byte_is_refused(void)
+{
+    struct bytes b = {NULL, NULL, 0, 0};
+    write_small(&b);
+    CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_OK);
+    for (size_t i = 0; i < b.n; i++)
+        for (int change = 1; change != 0; change = next_change(change)) {
+            b.data[i] = (char)(b.data[i] ^ change);
+            const cylint_scene_status status = scene_file_try(b.data, b.n);
+            if (!CHECK(status != CYLINT_SCENE_OK))
+                REPORT("byte %zu ^ %d", i, change);
+            CHECK(i >= 8 || status == CYLINT_SCENE_EFORMAT);
+            CHECK(i < 8 || i >= 24 || status == CYLINT_SCENE_EVERSION);
+            CHECK(i < 24 || status == CYLINT_SCENE_EDAMAGED ||
+                  status == CYLINT_SCENE_EVERSION);
+            b.data[i] = (char)(b.data[i] ^ change);
+        }
+    free(b.memory);
+}
+
+static void every_shorter_file_is_refused(void)
+{
+    struct bytes b = {NULL, NULL, 0, 0};
+    write_small(&b);
+    for (size_t n = 0; n < b.n; n++) {
+        char *copy = malloc(n + 1); /* so that a read beyond it is found */
+        memcpy(copy, b.data, n);
+        const cylint_scene_status status = scene_file_try(copy, n);
+        CHECK(status == (n < 8 ? CYLINT_SCENE_EFORMAT : CYLINT_SCENE_EDAMAGED));
+        free(copy);
+    }
+    b.n += 64;
+    CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_EDAMAGED);
+    free(b.memory);
+}
+
+/* With the checksum made right, each byte in turn changes. */
+static void no_changed_byte_makes_a_query_fail(void)
+{
+    struct bytes b = {NULL, NULL, 0, 0};
+    int opened = 0;
+    write_small(&b);
+    for (size_t i = 0; i < b.n; i++)
+        for (int change = 1; change != 0; change = next_change(change)) {
+            b.data[i] = (char)(b.data[i] ^ change);
+            scene_file_repair(b.data, b.n);
+            opened += scene_file_try(b.data, b.n) == CYLINT_SCENE_OK;
+            b.data[i] = (char)(b.data[i] ^ change);
+        }
+    CHECK(opened > 100);
+    free(b.memory);
+}
+
+/* Several numbers of larger files at once, of 1, 2, 4 or 8 bytes. */
+static void no_changed_numbers_make_a_query_fail(void)
+{
+    const int cases = (int)check_setting("CYLINT_CASES", 6000);
+    uint64_t random = 17;
+    struct bytes b = {NULL, NULL, 0, 0}, c = {NULL, NULL, 0, 0};
+    bytes_reserve(&c, (size_t)1 << 20);
+    int opened = 0;
+    for (int i = 0; i < cases; i++) {
+        if (i % 1000 == 0) {
+            struct scene_shapes of;
+            scene_generate(i / 1000 % SCENE_KINDS, 40, (uint64_t)i, &of);
+            cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+            write_bytes(scene, &b);
+            cylint_scene_free(scene);
+            scene_release(&of);
+        }
+        memcpy(c.data, b.data, b.n);
+        const int changes = 1 + (int)(random_bits(&random) % 3);
+        for (int k = 0; k < changes; k++) {
+            const size_t bytes = (size_t)1 << random_bits(&random) % 4;
+            const size_t at = random_bits(&random) % (b.n / bytes) * bytes;
+            const size_t from = random_bits(&random) % (b.n / bytes) * bytes;
+            const uint64_t any = random_bits(&random);
+            /* any bits, a number from elsewhere, or a number near this one */
+            switch (random_bits(&random) % 3) {
+            case 0:
+                memcpy(c.data + at, &any, bytes);
+                break;
+            case 1:
+                memcpy(c.data + at, b.data + from, bytes);
+                break;
+            default:
+                c.data[at] = (char)(c.data[at] + (int)(any % 5) - 2);
+            }
+        }
+        scene_file_repair(c.data, b.n);
+        opened += scene_file_try(c.data, b.n) == CYLINT_SCENE_OK;
+    }
+    CHECK(opened > cases / 10);
+    CHECK(opened < cases);
+    free(b.memory);
+    free(c.memory);
+}
+
+int main(void)
+{
+    snprintf(path, sizeof path, "%s/scene_file.%ld",
+             getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp",
+#ifdef HAS_PROCESSES
+             (long)getpid());
+#else
+             0L);
+#endif
+    RUN(an_opened_scene_answers_as_the_saved_one);
+    RUN(bytes_in_memory_open_at_every_address);
+    RUN(an_empty_scene_can_be_saved);
+    RUN(labels_are_saved);
+    RUN(a_failure_leaves_the_old_file);
+#ifdef HAS_PROCESSES
+    RUN(two_processes_map_one_file);
+#endif
+    RUN(every_changed_byte_is_refused);
+    RUN(every_shorter_file_is_refused);
+    RUN(no_changed_byte_makes_a_query_fail);
+    RUN(no_changed_numbers_make_a_query_fail);
+    return check_end();
+}
