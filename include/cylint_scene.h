@@ -1,5 +1,5 @@
 /*
- * cylint_scene - one line or point against very many shapes, by a hierarchy of
+ * cylint_scene - lines or points against very many shapes, by a hierarchy of
  * boxes
  *
  * A scene returns what cylint_nearest() and cylint_count() of cylint.h return
@@ -278,6 +278,75 @@ CYLINT_API size_t cylint_scene_within(const cylint_scene *scene,
                                       const double point[3], double radius,
                                       size_t first, size_t *numbers,
                                       double *distances, size_t capacity);
+
+/*
+ * Many lines or points in one call, by several threads.
+ *
+ * Element i of an array of answers is what the query of one line or point returns
+ * for line i or point i, bit for bit, whatever the number of threads.  Each array
+ * has one element for each line or point (lines->n or points->n), at any address,
+ * and must not overlap the input.  An array that is NULL is neither computed nor
+ * written.  With n = 0 nothing is written.
+ *
+ * At most `threads` threads work, the caller's thread included; 0 stands for one
+ * per processor.  There is at most one thread for every 1024 lines or points, at
+ * most 64, and one in a library built without POSIX threads.  The threads take
+ * blocks of lines in turn, so lines may differ in cost.  They end before the call
+ * returns.
+ *
+ * The calls cannot fail.  They allocate no memory themselves, but each thread that
+ * they start takes memory for its stack.  If the system refuses a thread, the
+ * others do its work.  Several threads may make such calls for one scene.
+ */
+
+/* The first hit of each line.  Where a line hits no shape, part and side are -1, and
+ * the other members are NaN.  Set members that are not wanted to NULL:
+ * `cylint_hit_columns hits = {0}`. */
+typedef struct cylint_hit_columns {
+    double *t;
+    signed char *part, *side; /* cylint_part, cylint_side */
+    double *point[3], *normal[3], *z, *phi;
+} cylint_hit_columns;
+
+/*
+ * cylint_scene_nearest() for each line.  numbers[i] is that of the shape which line
+ * i hits first, or the number of all shapes if it hits none; an invalid line hits
+ * none.  `hits` may be NULL.
+ *
+ * except: NULL, or for each line the number of a shape that is left out, as by
+ * cylint_scene_nearest_other(); the number of all shapes, or a larger number such
+ * as SIZE_MAX, leaves out none.
+ */
+CYLINT_API void cylint_scene_nearest_lines(const cylint_scene *scene,
+                                           const cylint_lines *lines,
+                                           const size_t *except, int threads,
+                                           size_t *numbers,
+                                           const cylint_hit_columns *hits);
+
+/* Whether each line hits a shape other than except[i], as cylint_scene_occluded():
+ * any[i] is 1 or 0; for an invalid line 0.  except: as above. */
+CYLINT_API void cylint_scene_any_lines(const cylint_scene *scene,
+                                       const cylint_lines *lines,
+                                       const size_t *except, int threads,
+                                       signed char *any);
+
+/* cylint_scene_count() for each line: the number of shapes that it hits, at most
+ * `enough` unless that is 0; for an invalid line 0. */
+CYLINT_API void cylint_scene_count_lines(const cylint_scene *scene,
+                                         const cylint_lines *lines,
+                                         size_t enough, int threads,
+                                         size_t *counts);
+
+/*
+ * cylint_scene_closest() for each point, within radii[i]; radii = NULL stands for
+ * HUGE_VAL for all.  numbers[i] is that of the shape whose surface is nearest.  If
+ * no surface is within the radius, if the radius is negative or NaN, or if the point
+ * is invalid, numbers[i] is the number of all shapes, part and feature are -1, and
+ * the other members are NaN.  `answers` may be NULL.
+ */
+CYLINT_API void cylint_scene_closest_points(
+    const cylint_scene *scene, const cylint_points *points, const double *radii,
+    int threads, size_t *numbers, const cylint_closest_columns *answers);
 
 #ifdef __cplusplus
 }

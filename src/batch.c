@@ -181,11 +181,7 @@ static int line_of(const batch_job *job, size_t number, cylint_line *line)
         *line = *job->line;
         return line->valid;
     }
-    const cylint_lines *l = job->lines;
-    const double o[3] = {l->o[0][number], l->o[1][number], l->o[2][number]};
-    const double d[3] = {l->d[0][number], l->d[1][number], l->d[2][number]};
-    return cylint_span(line, o, d, l->tmin ? l->tmin[number] : 0,
-                       l->tmax ? l->tmax[number] : HUGE_VAL) == CYLINT_OK;
+    return cylint_read_line(job->lines, number, line) == CYLINT_OK;
 }
 
 /* One question by itself.  Returns 1 when no more are wanted. */

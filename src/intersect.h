@@ -5,6 +5,7 @@
 #ifndef CYLINT_INTERSECT_H
 #define CYLINT_INTERSECT_H
 
+#include <math.h>
 #include <string.h>
 
 #include "filter/filter.h"
@@ -37,6 +38,16 @@ CYLINT_API void cylint_make_again(cylint_shape *shape, int kind, int ends,
  * point or on the shape.  Returns an error if the point is not finite. */
 cylint_status cylint_open_at(cylint_query *q, const cylint_shape *shape,
                              cylint_line *line, const double point[3]);
+
+/* Makes line i. */
+static inline cylint_status cylint_read_line(const cylint_lines *from, size_t i,
+                                             cylint_line *line)
+{
+    const double o[3] = {from->o[0][i], from->o[1][i], from->o[2][i]};
+    const double d[3] = {from->d[0][i], from->d[1][i], from->d[2][i]};
+    return cylint_span(line, o, d, from->tmin ? from->tmin[i] : 0,
+                       from->tmax ? from->tmax[i] : HUGE_VAL);
+}
 
 /* Copies the wanted members. */
 static inline void cylint_copy_hit(cylint_hit *to, const cylint_hit *from,

@@ -76,7 +76,8 @@ for part in families family_records constructed oracle scenes; do
 done
 for t in batch environment exact intersect interface methods \
     methods_contract methods_misprints outside properties round shape \
-    special_cases ties scene_bvh scene_environment scene_hits scene_point_bounds; do
+    special_cases ties scene_bvh scene_environment scene_hits scene_many \
+    scene_point_bounds; do
     [ -f "$build/tests/test_$t.o" ] || continue
     $cc ${CFLAGS:-} -o "$scratch/$t" "$build/tests/test_$t.o" $common \
         "$scratch/library.o" $libraries -pthread -lm && "$scratch/$t" > "$scratch/log" 2>&1

@@ -1,10 +1,13 @@
 /*
- * test_scene_memory.c - floor scene: refused allocations leave no memory behind
+ * test_scene_memory.c - floor scene: refused allocations leave no memory behind,
+ * and refused threads do not change answers
  *
  * A scene allocates with malloc(), calloc() and realloc(), which the linker
  * replaces by the functions below.  Each allocation is refused in turn.  Where
  * memory that is not needed cannot be returned, the scene keeps it.
  */
+#include <errno.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,7 +25,7 @@ int main(void)
 
 #else
 
-enum { SHAPES = 300, ENOUGH = 1000 };
+enum { SHAPES = 300, ENOUGH = 1000, LINES = 6000 };
 
 static struct {
     int watched;
@@ -75,6 +78,24 @@ void __wrap_free(void *p)
 {
     heap.held -= heap.watched && p != NULL;
     __real_free(p);
+}
+
+/* Threads are started until so many are; NO_LIMIT: all are. */
+enum { NO_LIMIT = 1000 };
+static int threads_started, most_threads = NO_LIMIT;
+
+int __real_pthread_create(pthread_t *, const pthread_attr_t *,
+                          void *(*)(void *), void *);
+int __wrap_pthread_create(pthread_t *, const pthread_attr_t *,
+                          void *(*)(void *), void *);
+
+int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes,
+                          void *(*function)(void *), void *argument)
+{
+    if (threads_started == most_threads)
+        return EAGAIN;
+    threads_started++;
+    return __real_pthread_create(thread, attributes, function, argument);
 }
 
 /* Whether the scene was made: it has fewer allocations than that number. */
@@ -184,9 +205,69 @@ static void an_opened_scene_frees_all_memory(void)
     scene_release(&of);
 }
 
+static int has_threads = 1; /* the library was built with them */
+
+/* Many lines with at most `most` threads beside the caller's.  The library calls
+ * none of the functions above; a thread's stack is not counted. */
+static void check_refused_threads(const cylint_scene *scene,
+                                  const cylint_lines *lines, int most,
+                                  const size_t *expected)
+{
+    static size_t numbers[LINES], counts[LINES];
+    static signed char any[LINES];
+    const cylint_points points = {lines->n,
+                                  {lines->o[0], lines->o[1], lines->o[2]}};
+    most_threads = most;
+    threads_started = heap.requested = heap.held = heap.refuse = 0;
+    heap.watched = 1;
+    cylint_scene_nearest_lines(scene, lines, NULL, 5, numbers, NULL);
+    CHECK(threads_started == most || !has_threads);
+    cylint_scene_any_lines(scene, lines, NULL, 5, any);
+    cylint_scene_count_lines(scene, lines, 0, 5, counts);
+    int wrong = 0;
+    for (size_t i = 0; i < lines->n; i++) {
+        const int hits = expected[i] < cylint_scene_size(scene);
+        wrong += numbers[i] != expected[i] || any[i] != hits ||
+                 (counts[i] > 0) != hits;
+    }
+    CHECK(wrong == 0);
+    cylint_scene_closest_points(scene, &points, NULL, 5, numbers, NULL);
+    heap.watched = 0;
+    CHECK(heap.requested == 0 && heap.held == 0);
+    most_threads = NO_LIMIT;
+}
+
+static void many_lines_need_no_memory_and_no_threads(void)
+{
+    static double x[6][LINES];
+    static size_t expected[LINES], counts[LINES];
+    const cylint_lines lines = {
+        .n = LINES, .o = {x[0], x[1], x[2]}, .d = {x[3], x[4], x[5]}};
+    struct scene_shapes of;
+    scene_generate(SCENE_UNBOUNDED, SHAPES, 5, &of);
+    cylint_scene *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    for (uint64_t i = 0; i < LINES; i++) {
+        cylint_line line;
+        cylint_hit hit;
+        scene_line(&of, LINES_RANDOM, 6, i, &line);
+        for (int j = 0; j < 3; j++) {
+            x[j][i] = line.o[j];
+            x[3 + j][i] = line.d[j];
+        }
+        expected[i] = cylint_scene_nearest(scene, &line, 0, &hit);
+    }
+    cylint_scene_count_lines(scene, &lines, 0, 5, counts);
+    has_threads = threads_started > 0;
+    for (int most = 0; most < 5; most++)
+        check_refused_threads(scene, &lines, most, expected);
+    cylint_scene_free(scene);
+    scene_release(&of);
+}
+
 int main(void)
 {
     RUN(an_opened_scene_frees_all_memory);
+    RUN(many_lines_need_no_memory_and_no_threads);
     RUN(a_scene_frees_all_memory);
     RUN(a_scene_that_is_stopped_frees_all_memory);
     return check_end();

@@ -33,7 +33,7 @@ $(BUILD)/tests/test_turns.o: extra += $(x86)
 
 # --wrap: calls of these functions go to __wrap_ functions of a test.
 wrap = $(foreach c,$(1),-Wl,--wrap=$c)
-$(BUILD)/tests/test_scene_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc free))
+$(BUILD)/tests/test_scene_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc free pthread_create))
 
 $(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/scene_curves $(BUILD)/tests/pixels:
 	$(link)
@@ -105,12 +105,13 @@ sanitize-python: $(BUILD)/cylint ## run the Python package's tests under the san
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/python/sanitize.sh
 
 threaded := -g -O1 -fsanitize=thread
-thread_tests := $(BUILD)/cylint $(BUILD)/tests/faulty $(BUILD)/tests/test_scene_bvh \
+thread_tests := $(BUILD)/cylint $(BUILD)/tests/faulty $(BUILD)/tests/test_scene_bvh $(BUILD)/tests/test_scene_many \
 	$(if $(EMBREE),$(BUILD)/tests/test_embree_threads) $(if $(PNG),$(BUILD)/cylint-render)
 thread_tests: $(thread_tests)
 check-threads: ## run scenes of several threads, 8 workers, under the thread sanitizer
 	$(MAKE) BUILD=$(BUILD)/threads CFLAGS='$(threaded)' CXXFLAGS='$(threaded)' thread_tests
 	TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_scene_bvh
+	TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_scene_many
 	$(if $(EMBREE),TSAN_OPTIONS=exitcode=66 $(BUILD)/threads/tests/test_embree_threads)
 	BUILD=$(BUILD)/threads WORKERS=8 sh tests/test_faults.sh
 	$(if $(PNG),BUILD=$(BUILD)/threads sh tests/render_threads.sh)

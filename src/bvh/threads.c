@@ -63,14 +63,11 @@ static long smaller(long x, long y)
     return x < y ? x : y;
 }
 
-/* The least number of shapes for a thread.  They take 3 ms, far more than
- * starting the thread. */
-enum { LEAST_SHAPES = 4096 };
-
-int cylint_threads_for(size_t n, int wanted)
+/* The number of threads, each with at least `least` of n items. */
+static int threads_for(size_t n, size_t least, int wanted)
 {
     const long most = wanted > 0 ? wanted : processors();
-    const size_t busy = n / LEAST_SHAPES;
+    const size_t busy = n / least;
     const long threads =
         smaller(smaller(most, CYLINT_THREADS_MOST),
                 busy < CYLINT_THREADS_MOST ? (long)busy : CYLINT_THREADS_MOST);
@@ -79,6 +76,14 @@ int cylint_threads_for(size_t n, int wanted)
 
 #else
 
+static int threads_for(size_t n, size_t least, int wanted)
+{
+    (void)n;
+    (void)least;
+    (void)wanted;
+    return 1;
+}
+
 void cylint_threads_run(int threads, size_t n, cylint_thread_work *work,
                         void *self)
 {
@@ -86,11 +91,55 @@ void cylint_threads_run(int threads, size_t n, cylint_thread_work *work,
     work(self, 0, n);
 }
 
+#endif
+
+/* The least number of shapes for a thread.  They take 3 ms, far more than
+ * starting the thread. */
+enum { LEAST_SHAPES = 4096 };
+
 int cylint_threads_for(size_t n, int wanted)
 {
-    (void)n;
-    (void)wanted;
-    return 1;
+    return threads_for(n, LEAST_SHAPES, wanted);
 }
 
-#endif
+/* -------------------------------------------------------------- blocks -- */
+
+/* Work of which each thread takes the next block. */
+typedef struct {
+    cylint_mutex mutex; /* protects `next` */
+    size_t next, n, block;
+    cylint_thread_work *work;
+    void *self;
+} shared_work;
+
+/* The first item of a block that no thread has taken; n: there is none. */
+static size_t take_block(shared_work *w)
+{
+    cylint_mutex_lock(&w->mutex);
+    const size_t from = w->next;
+    w->next += w->block < w->n - from ? w->block : w->n - from;
+    cylint_mutex_unlock(&w->mutex);
+    return from;
+}
+
+static void do_blocks(void *self, size_t first, size_t last)
+{
+    shared_work *w = self;
+    (void)first;
+    (void)last;
+    for (size_t from; (from = take_block(w)) < w->n;)
+        w->work(w->self, from, w->block < w->n - from ? from + w->block : w->n);
+}
+
+void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
+                          cylint_thread_work *work, void *self)
+{
+    shared_work w = {.mutex = CYLINT_MUTEX_INITIALIZER,
+                     .n = n,
+                     .block = block,
+                     .work = work,
+                     .self = self};
+    threads = threads_for(n, least, threads);
+    cylint_threads_run(threads, (size_t)threads, do_blocks, &w);
+    cylint_mutex_destroy(&w.mutex);
+}

@@ -23,6 +23,12 @@ typedef void cylint_thread_work(void *self, size_t from, size_t to);
 void cylint_threads_run(int threads, size_t n, cylint_thread_work *work,
                         void *self);
 
+/* The same in blocks of at most `block` items.  A thread takes the next block when
+ * it has done one, so items may differ in cost.  Each thread gets at least `least`
+ * items on average; threads: at most, as for cylint_threads_for(). */
+void cylint_threads_share(int threads, size_t n, size_t block, size_t least,
+                          cylint_thread_work *work, void *self);
+
 /* cylint_thread_self() is the calling thread; cylint_thread_is() returns whether
  * it is the given one.
  *

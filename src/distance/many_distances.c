@@ -6,35 +6,9 @@
 #include "../dispatch.h"
 #include "../numbers/bits.h"
 #include "../shapes/measure.h"
+#include "columns.h"
 #include "lanes.h"
 #include "nearest.h"
-
-/* The members that the columns need. */
-static unsigned wanted(const cylint_closest_columns *to)
-{
-    return (to->part || to->feature ? CYLINT_WANT_PART : 0u) |
-           (to->point[0] || to->point[1] || to->point[2] ? CYLINT_WANT_POINT
-                                                         : 0u) |
-           (to->normal[0] || to->normal[1] || to->normal[2] ? CYLINT_WANT_NORMAL
-                                                            : 0u);
-}
-
-static void write_row(const cylint_closest_columns *to, size_t row,
-                      const cylint_closest *answer)
-{
-    if (to->distance)
-        to->distance[row] = answer->distance;
-    if (to->part)
-        to->part[row] = (signed char)answer->part;
-    if (to->feature)
-        to->feature[row] = (signed char)answer->feature;
-    for (int i = 0; i < 3; i++) {
-        if (to->point[i])
-            to->point[i][row] = answer->point[i];
-        if (to->normal[i])
-            to->normal[i][row] = answer->normal[i];
-    }
-}
 
 static void answer_row(const cylint_shape *shape, const cylint_points *points,
                        size_t row, unsigned want,
@@ -46,7 +20,7 @@ static void answer_row(const cylint_shape *shape, const cylint_points *points,
     for (int k = 0; k < 3; k++)
         answer.point[k] = answer.normal[k] = NAN;
     cylint_distance(shape, point, want, &answer);
-    write_row(answers, row, &answer);
+    cylint_write_closest(answers, row, &answer);
 }
 
 /* `stride`: 1 if each point has a shape of its own, 0 if there is one shape. */
@@ -54,7 +28,7 @@ static void rows(const cylint_shape *shapes, size_t stride,
                  const cylint_points *points,
                  const cylint_closest_columns *answers)
 {
-    const unsigned want = wanted(answers);
+    const unsigned want = cylint_wanted_of_closest(answers);
     for (size_t i = 0; i < points->n; i++)
         answer_row(shapes + i * stride, points, i, want, answers);
 }
@@ -65,7 +39,8 @@ static int has_lanes(const cylint_closest_columns *to, size_t n)
 {
     const unsigned geometry = CYLINT_WANT_POINT | CYLINT_WANT_NORMAL;
     return n > 2 && cylint_rounds_to_nearest() &&
-           !(wanted(to) & geometry && cylint_flushes_subnormals());
+           !(cylint_wanted_of_closest(to) & geometry &&
+             cylint_flushes_subnormals());
 }
 
 static cylint_distance_lanes *kernel(void)
@@ -112,7 +87,8 @@ static void block(const cylint_shape *shapes, size_t each,
     double unwanted[3][CYLINT_POINT_BLOCK];
     signed char feature[CYLINT_POINT_BLOCK];
     int rest[CYLINT_POINT_BLOCK];
-    const unsigned want = wanted(answers), parted = want & CYLINT_WANT_PART;
+    const unsigned want = cylint_wanted_of_closest(answers),
+                   parted = want & CYLINT_WANT_PART;
     cylint_lane_columns to;
     const double *const xyz[3] = {
         points->xyz[0] + first, points->xyz[1] + first, points->xyz[2] + first};
