@@ -251,6 +251,9 @@ test_manual_examples()
     display cylint_scene.3 5 > "$scratch/example.c"
     display cylint_scene.3 6 > "$scratch/example.said"
     example_of cylint_scene.3_points cylint-scene
+    display cylint_scene.3 7 > "$scratch/example.c"
+    display cylint_scene.3 8 > "$scratch/example.said"
+    example_of cylint_scene.3_many cylint-scene
     display cylint_scene.3 1 > "$scratch/example.c"
     display cylint_scene.3 2 > "$scratch/example.said"
     command -v pkg-config > /dev/null &&
@@ -283,6 +286,7 @@ test_manual_structs()
     { echo '#include <stddef.h>'
       echo '#include <cylint_methods.h>'
       echo '#include <cylint_distance.h>'
+      echo '#include <cylint_scene.h>'
       awk '
         function equal(what, a, b) {
             print "typedef char same_" ++n "[" what "(" a ") == " \
@@ -316,7 +320,7 @@ test_manual_structs()
             }
         }' man/*.3
     } > "$scratch/structs.c"
-    [ "$(grep -c '^typedef struct {' "$scratch/structs.c")" -ge 5 ] &&
+    [ "$(grep -c '^typedef struct {' "$scratch/structs.c")" -ge 6 ] &&
         quiet $cc -std=c99 $(flags --cflags) -c -o "$scratch/structs.o" \
             "$scratch/structs.c"
     verdict the_manuals_show_the_structs_of_the_headers $?

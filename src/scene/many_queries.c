@@ -40,7 +40,7 @@ typedef struct {
     size_t *numbers;
     cylint_hit_columns hits;
     unsigned want; /* the members that the columns need */
-} nearest_lines;
+} nearest_query;
 
 static unsigned wanted_of_hits(const cylint_hit_columns *to)
 {
@@ -77,7 +77,7 @@ static void find_nearest(void *self, size_t from, size_t to)
                                     .phi = NAN,
                                     .part = -1,
                                     .side = -1};
-    const nearest_lines *q = self;
+    const nearest_query *q = self;
     for (size_t i = from; i < to; i++) {
         cylint_line line;
         cylint_hit hit = none;
@@ -96,7 +96,7 @@ void cylint_scene_nearest_lines(const cylint_scene *scene,
                                 int threads, size_t *numbers,
                                 const cylint_hit_columns *hits)
 {
-    nearest_lines q = {
+    nearest_query q = {
         .scene = scene, .lines = lines, .except = except, .numbers = numbers};
     if (hits)
         q.hits = *hits;
@@ -113,11 +113,11 @@ typedef struct {
     size_t enough;
     signed char *any;
     size_t *counts;
-} counted_lines;
+} counted_query;
 
 static void find_any(void *self, size_t from, size_t to)
 {
-    const counted_lines *q = self;
+    const counted_query *q = self;
     for (size_t i = from; i < to; i++) {
         cylint_line line;
         cylint_read_line(q->lines, i, &line);
@@ -133,7 +133,7 @@ void cylint_scene_any_lines(const cylint_scene *scene,
                             const cylint_lines *lines, const size_t *except,
                             int threads, signed char *any)
 {
-    counted_lines q = {
+    counted_query q = {
         .scene = scene, .lines = lines, .except = except, .any = any};
     if (any)
         run_blocks(threads, lines->n, find_any, &q);
@@ -141,7 +141,7 @@ void cylint_scene_any_lines(const cylint_scene *scene,
 
 static void count_hits(void *self, size_t from, size_t to)
 {
-    const counted_lines *q = self;
+    const counted_query *q = self;
     for (size_t i = from; i < to; i++) {
         cylint_line line;
         cylint_read_line(q->lines, i, &line);
@@ -153,7 +153,7 @@ void cylint_scene_count_lines(const cylint_scene *scene,
                               const cylint_lines *lines, size_t enough,
                               int threads, size_t *counts)
 {
-    counted_lines q = {
+    counted_query q = {
         .scene = scene, .lines = lines, .enough = enough, .counts = counts};
     if (counts)
         run_blocks(threads, lines->n, count_hits, &q);
@@ -168,7 +168,7 @@ typedef struct {
     size_t *numbers;
     cylint_closest_columns answers;
     unsigned want;
-} closest_points;
+} closest_query;
 
 static void find_closest(void *self, size_t from, size_t to)
 {
@@ -177,7 +177,7 @@ static void find_closest(void *self, size_t from, size_t to)
                                         .normal = {NAN, NAN, NAN},
                                         .part = -1,
                                         .feature = -1};
-    const closest_points *q = self;
+    const closest_query *q = self;
     for (size_t i = from; i < to; i++) {
         double point[3];
         cylint_closest answer = none;
@@ -197,7 +197,7 @@ void cylint_scene_closest_points(const cylint_scene *scene,
                                  size_t *numbers,
                                  const cylint_closest_columns *answers)
 {
-    closest_points q = {
+    closest_query q = {
         .scene = scene, .points = points, .radii = radii, .numbers = numbers};
     if (answers)
         q.answers = *answers;

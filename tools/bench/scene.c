@@ -7,7 +7,7 @@
  * variable KERNELS chooses the kernels.  The rays are
  * those of a camera, pixel by pixel, and random ones.  Times are processor
  * time of this thread or, with -j, elapsed time of THREADS threads that share
- * the rays.
+ * the rays.  Queries of all rays in one call have elapsed times.
  */
 #include <math.h>
 #include <pthread.h>
@@ -117,6 +117,50 @@ static double time_of(const struct turn *of, int threads, int turns,
     return least / (double)of->n;
 }
 
+/* The rays in columns, and their answers. */
+static double column[6][RAYS], t_of[RAYS];
+static size_t number_of[RAYS];
+static signed char part_of[RAYS];
+
+static void query_in_one_call(const cylint_scene *scene, question what,
+                              int threads)
+{
+    const cylint_lines lines = {RAYS,
+                                {column[0], column[1], column[2]},
+                                {column[3], column[4], column[5]},
+                                NULL,
+                                NULL};
+    const cylint_hit_columns hits = {.t = t_of, .part = part_of};
+    if (what == NEAREST)
+        cylint_scene_nearest_lines(scene, &lines, NULL, threads, number_of,
+                                   &hits);
+    else if (what == ANY)
+        cylint_scene_any_lines(scene, &lines, NULL, threads, part_of);
+    else
+        cylint_scene_count_lines(scene, &lines, 0, threads, number_of);
+}
+
+/* Prints the time of a ray among all rays in one call, of one thread and of two. */
+static void measure_one_call(const struct turn *of, question what)
+{
+    for (int i = 0; i < RAYS; i++)
+        for (int j = 0; j < 3; j++) {
+            column[j][i] = of->lines[i].o[j];
+            column[3 + j][i] = of->lines[i].d[j];
+        }
+    for (int threads = 1; threads <= 2; threads++) {
+        double least = HUGE_VAL;
+        for (int turn = 0; turn < TURNS; turn++) {
+            const double start = clock_now(CLOCK_MONOTONIC);
+            query_in_one_call(of->scene, what, threads);
+            least = fmin(least, clock_now(CLOCK_MONOTONIC) - start);
+        }
+        printf("%s %.0f", threads == 1 ? "  in one call" : " ns, 2 threads",
+               1e9 * least / RAYS);
+    }
+    printf(" ns");
+}
+
 /* The rays of a camera that shows the whole scene from a corner. */
 static void camera(const struct scene_shapes *s, cylint_line *lines)
 {
@@ -148,6 +192,8 @@ static void measure(const struct turn *of, const char *rays, int threads,
         const double by_scene = time_of(&t, threads, TURNS, &sum);
         printf("%-8s %-8s %10.0f ns  %8.3f Mray/s", rays, question_name[what],
                1e9 * by_scene, 1e-6 / by_scene);
+        if (what != ALL)
+            measure_one_call(&t, t.what);
         t.pack = pack;
         t.n = BRUTE_RAYS;
         t.lines += RAYS / 2;
