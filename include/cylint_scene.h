@@ -29,7 +29,7 @@ typedef struct cylint_scene cylint_scene;
 typedef enum cylint_scene_status {
     CYLINT_SCENE_OK = 0,
     CYLINT_SCENE_EMEMORY,     /* out of memory */
-    CYLINT_SCENE_ESIZE,       /* more than 2^28 shapes */
+    CYLINT_SCENE_ESIZE,       /* more than 2^28 shapes, or than there are */
     CYLINT_SCENE_ESTOPPED,    /* the progress function returned 0 */
     CYLINT_SCENE_EFINISHED,   /* cylint_scene_finish() was called before */
     CYLINT_SCENE_EUNFINISHED, /* cylint_scene_finish() was not called yet */
@@ -37,7 +37,11 @@ typedef enum cylint_scene_status {
     CYLINT_SCENE_EFORMAT,     /* not a file of a scene */
     CYLINT_SCENE_EVERSION, /* of another version, or of a machine with another
                               order of bytes: make the scene again */
-    CYLINT_SCENE_EDAMAGED /* the file is shorter, or differs from what was saved */
+    CYLINT_SCENE_EDAMAGED, /* the file is shorter, or differs from what was
+                              saved */
+    CYLINT_SCENE_EOPENED,  /* a scene that was opened does not change */
+    CYLINT_SCENE_EREPLACE /* a shape cannot take the place of the one before, see
+                             cylint_scene_refit() */
 } cylint_scene_status;
 
 /* A short English text for a status, static, lower case, no full stop. */
@@ -107,6 +111,31 @@ CYLINT_API size_t cylint_scene_size(const cylint_scene *scene);
 /* Writes shape `number`, as its constructor made it. */
 CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
                                    cylint_shape *shape);
+
+/*
+ * Moves shapes: shapes[0..n-1] take the places of shapes [first, first + n), and
+ * queries return what those of a new scene do.  Boxes are made larger or smaller;
+ * the tree above them stays, so lines take longer the more the shapes lie among
+ * other neighbours than before: see cylint_scene_worsening().
+ *
+ * Uses one thread, and about 5 bytes a shape while it works.  A few shapes that stay
+ * within the box of all cost least; if one leaves it, all are bounded again.  No
+ * other thread may use the scene at the same time.
+ *
+ * EUNFINISHED and EOPENED: not such a scene.  ESIZE: first + n is more than the
+ * number of shapes.  EREPLACE: a shape is elliptic and the one before is not, or
+ * the reverse; the constructor refused one of both; or a bounded shape became
+ * infinite or larger than 2^400.  A failure, EMEMORY too, changes nothing.
+ */
+CYLINT_API cylint_scene_status cylint_scene_refit(cylint_scene *scene,
+                                                  size_t first, size_t n,
+                                                  const cylint_shape *shapes);
+
+/* The mean number of boxes that a random line through the scene hits, divided by
+ * that number before the first cylint_scene_refit(): 1 for a scene as it was built.
+ * Where it is 2, a query takes up to about twice the time: make a new scene if many
+ * queries follow. */
+CYLINT_API double cylint_scene_worsening(const cylint_scene *scene);
 
 /*
  * Labels: bytes that belong to a shape, its name for example.  They have no effect

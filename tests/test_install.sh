@@ -254,6 +254,9 @@ test_manual_examples()
     display cylint_scene.3 7 > "$scratch/example.c"
     display cylint_scene.3 8 > "$scratch/example.said"
     example_of cylint_scene.3_many cylint-scene
+    display cylint_scene.3 9 > "$scratch/example.c"
+    display cylint_scene.3 10 > "$scratch/example.said"
+    example_of cylint_scene.3_file cylint-scene
     display cylint_scene.3 1 > "$scratch/example.c"
     display cylint_scene.3 2 > "$scratch/example.said"
     command -v pkg-config > /dev/null &&

@@ -408,7 +408,7 @@ static void every_status_has_its_text(void)
     static const char *const texts[] = {
         [CYLINT_SCENE_OK] = "no error",
         [CYLINT_SCENE_EMEMORY] = "out of memory",
-        [CYLINT_SCENE_ESIZE] = "too many shapes for one scene",
+        [CYLINT_SCENE_ESIZE] = "more shapes than the scene can have",
         [CYLINT_SCENE_ESTOPPED] = "stopped by the progress function",
         [CYLINT_SCENE_EFINISHED] = "the scene is finished already",
         [CYLINT_SCENE_EUNFINISHED] = "the scene is not finished",
@@ -416,7 +416,11 @@ static void every_status_has_its_text(void)
         [CYLINT_SCENE_EFORMAT] = "not a file of a scene",
         [CYLINT_SCENE_EVERSION] =
             "the file is of another version or machine: make it again",
-        [CYLINT_SCENE_EDAMAGED] = "the file is damaged"};
+        [CYLINT_SCENE_EDAMAGED] = "the file is damaged",
+        [CYLINT_SCENE_EOPENED] = "a scene that was opened does not change",
+        [CYLINT_SCENE_EREPLACE] =
+            "a shape cannot take the place of the one before: make a new "
+            "scene"};
     check_texts(cylint_scene_strerror, texts, sizeof texts / sizeof *texts);
 }
 

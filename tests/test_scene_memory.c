@@ -205,6 +205,34 @@ static void an_opened_scene_frees_all_memory(void)
     scene_release(&of);
 }
 
+/* The same failure again and again changes nothing; then the shapes move. */
+static void a_refused_refit_changes_nothing(void)
+{
+    static cylint_shape shapes[SHAPES];
+    cylint_line line;
+    cylint_hit hit;
+    for (size_t i = 0; i < SHAPES; i++)
+        cylint_sphere(&shapes[i], (double[]){(double)i, 0, 0}, 0.25,
+                      CYLINT_ENDS_CAPPED);
+    cylint_scene *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
+    for (size_t i = 0; i < SHAPES; i++)
+        cylint_sphere(&shapes[i], (double[]){(double)i, 0, 1}, 0.25,
+                      CYLINT_ENDS_CAPPED);
+    cylint_whole_line(&line, (double[]){3, 3, 0}, (double[]){0, 1, 0});
+    for (int k = 0; k < 4; k++) {
+        heap.requested = heap.held = 0;
+        heap.refuse = k < 3;
+        heap.watched = 1;
+        CHECK(cylint_scene_refit(scene, 0, SHAPES, shapes) ==
+              (k < 3 ? CYLINT_SCENE_EMEMORY : CYLINT_SCENE_OK));
+        heap.watched = 0;
+        CHECK(heap.held == 0);
+        CHECK(cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) ==
+              (k < 3 ? 3 : SHAPES));
+    }
+    cylint_scene_free(scene);
+}
+
 static int has_threads = 1; /* the library was built with them */
 
 /* Many lines with at most `most` threads beside the caller's.  The library calls
@@ -267,6 +295,7 @@ static void many_lines_need_no_memory_and_no_threads(void)
 int main(void)
 {
     RUN(an_opened_scene_frees_all_memory);
+    RUN(a_refused_refit_changes_nothing);
     RUN(many_lines_need_no_memory_and_no_threads);
     RUN(a_scene_frees_all_memory);
     RUN(a_scene_that_is_stopped_frees_all_memory);

@@ -39,6 +39,15 @@ static bounds bounds_of(const cylint_boxed_piece *b)
     return (bounds){v4_load(b->lower), v4_load(b->upper)};
 }
 
+static cylint_extent extent_of(bounds h)
+{
+    float lower[4], upper[4];
+    v4_store(lower, h.lower);
+    v4_store(upper, h.upper);
+    return (cylint_extent){{lower[0], lower[1], lower[2]},
+                           {upper[0], upper[1], upper[2]}};
+}
+
 /* Half the area; infinite for no boxes. */
 static float area(bounds h)
 {
@@ -339,30 +348,85 @@ static uint8_t steps_above(double distance, double step)
     return (uint8_t)ceil(distance / step * (1 + 0x1p-50));
 }
 
-static void place_children(cylint_node *node, const range *parts, int n,
-                           bounds all, const builder *b)
+/* The distances of a box from the node's corner. */
+typedef struct {
+    double from[3], to[3];
+} offset_box;
+
+static offset_box offset_of(const cylint_node *node, const cylint_extent *box,
+                            const float center[3])
 {
-    float from[4], to[4], lower[4], upper[4];
-    v4_store(from, all.lower);
-    v4_store(to, all.upper);
+    offset_box o;
     for (int j = 0; j < 3; j++) {
-        const double center = b->center[j];
-        const float corner = cylint_float_below((double)from[j] - center);
-        const double side = (double)to[j] - ((double)corner + center);
+        const double c = (double)node->corner[j] + (double)center[j];
+        o.from[j] = (double)box->lower[j] - c;
+        o.to[j] = (double)box->upper[j] - c;
+    }
+    return o;
+}
+
+/* Whether the faces are at most 255 steps from the corner. */
+static int fits(const cylint_node *node, const offset_box *o)
+{
+    int fits = 1;
+    for (int j = 0; j < 3; j++)
+        fits &= o->from[j] >= 0 &&
+                o->to[j] * (1 + 0x1p-50) <= 255 * (double)node->step[j];
+    return fits;
+}
+
+static void place_child(cylint_node *node, int child, const offset_box *o)
+{
+    for (int j = 0; j < 3; j++) {
+        const double step = node->step[j];
+        node->face[0][j][child] = steps_below(o->from[j], step);
+        node->face[1][j][child] = steps_above(o->to[j], step);
+    }
+}
+
+float cylint_node_least_step(const cylint_extent *all)
+{
+    float longest = 0;
+    for (int j = 0; j < 3; j++)
+        longest = all->upper[j] - all->lower[j] > longest
+                      ? all->upper[j] - all->lower[j]
+                      : longest;
+    const float least = longest * LEAST_STEP, tiny = 0x1p-100f;
+    return least > tiny ? least : tiny;
+}
+
+void cylint_node_place(cylint_node *node, const cylint_extent *boxes, int n,
+                       const float center[3], float least_step)
+{
+    cylint_extent all = cylint_extent_empty();
+    for (int i = 0; i < n; i++)
+        cylint_extent_include(&all, &boxes[i]);
+    for (int j = 0; j < 3; j++) {
+        const double c = center[j];
+        const float corner = cylint_float_below((double)all.lower[j] - c);
+        const double side = (double)all.upper[j] - ((double)corner + c);
         const float step = cylint_float_above(side * (1 + 0x1p-20) / 255);
         node->corner[j] = corner;
-        node->step[j] = step > b->least_step ? step : b->least_step;
+        node->step[j] = step > least_step ? step : least_step;
     }
     for (int i = 0; i < n; i++) {
-        v4_store(lower, parts[i].box.lower);
-        v4_store(upper, parts[i].box.upper);
-        for (int j = 0; j < 3; j++) {
-            const double step = node->step[j];
-            const double c = (double)node->corner[j] + (double)b->center[j];
-            node->face[0][j][i] = steps_below((double)lower[j] - c, step);
-            node->face[1][j][i] = steps_above((double)upper[j] - c, step);
-        }
+        const offset_box o = offset_of(node, &boxes[i], center);
+        place_child(node, i, &o);
     }
+}
+
+int cylint_node_replace(cylint_node *node, const cylint_extent *boxes, int n,
+                        const float center[3])
+{
+    for (int i = 0; i < n; i++) {
+        const offset_box o = offset_of(node, &boxes[i], center);
+        if (boxes[i].lower[0] > boxes[i].upper[0])
+            continue;
+        if (!fits(node, &o))
+            return 0;
+        place_child(node, i, &o);
+    }
+    return 1;
 }
 
 /* From this depth on, ranges are split into halves: that bounds the depth. */
@@ -407,7 +471,10 @@ static size_t make_nodes(builder *b, const task *t)
     if (n == 0)
         return 0;
     node->children = (uint8_t)((1u << n) - 1);
-    place_children(node, parts, n, t->all.box, b);
+    cylint_extent boxes[CYLINT_CHILDREN];
+    for (int i = 0; i < n; i++)
+        boxes[i] = extent_of(parts[i].box);
+    cylint_node_place(node, boxes, n, b->center, b->least_step);
     for (int i = 0; i < n; i++) {
         const range *part = &parts[i];
         if (part->n <= CYLINT_LEAF_SIZE) {
@@ -462,14 +529,10 @@ size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
                           cylint_watch *watch)
 {
     const range all = measured(boxes, n);
-    float side[4], longest = 0;
-    v4_store(side, v4_sub(all.box.upper, all.box.lower));
-    for (int j = 0; j < 3; j++)
-        longest = side[j] > longest ? side[j] : longest;
-    const float least = longest * LEAST_STEP, tiny = 0x1p-100f;
+    const cylint_extent box = extent_of(all.box);
     builder b = {.boxes = boxes,
                  .nodes = nodes,
-                 .least_step = least > tiny ? least : tiny,
+                 .least_step = cylint_node_least_step(&box),
                  .center = center,
                  .watch = watch,
                  .task_size = n / MOST_TASKS,

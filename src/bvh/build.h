@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "float_bounds.h"
 #include "watch.h"
 
 /* Pieces in a leaf, children of a node. */
@@ -57,5 +58,18 @@ size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
 
 /* Closes the gaps.  Each node stays before its children. */
 void cylint_build_compact(cylint_node *nodes);
+
+/* Writes the corner, the steps and the faces of n children with these boxes, which
+ * are relative to the centre of the hierarchy. */
+void cylint_node_place(cylint_node *node, const cylint_extent *boxes, int n,
+                       const float center[3], float least_step);
+
+/* Writes the faces of those children whose boxes are not empty; the others keep
+ * theirs.  Returns 0, with any faces, if the corner and the steps do not serve. */
+int cylint_node_replace(cylint_node *node, const cylint_extent *boxes, int n,
+                        const float center[3]);
+
+/* The least step of nodes in the hierarchy's box. */
+float cylint_node_least_step(const cylint_extent *all);
 
 #endif

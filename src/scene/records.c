@@ -108,23 +108,24 @@ static uint8_t tag_of(const cylint_shape *s)
                      (plain ? CYLINT_TAG_PLAIN : 0));
 }
 
-static void add_record(cylint_records *r, const cylint_shape *s)
+/* axes: the number of an elliptic shape among these. */
+static void write_record(cylint_records *r, size_t number,
+                         const cylint_shape *s, size_t axes)
 {
-    cylint_record *to = &r->record[r->n];
+    cylint_record *to = &r->record[number];
     const int reversed = cylint_is_reversed(s);
     const int two_points = cylint_has_end_points(s->kind);
     const double *end = two_points ? cylint_top(s) : cylint_axis(s);
-    r->tag[r->n++] = tag_of(s);
+    r->tag[number] = tag_of(s);
     copy_three(to->p0, reversed ? end : cylint_base(s));
     copy_three(to->p1, reversed ? cylint_base(s) : end);
     to->r0 = cylint_end_factor(s, reversed);
     to->r1 = cylint_end_factor(s, !reversed);
     if (!cylint_is_elliptic(s->kind))
         return;
-    cylint_semi_axes *axes = &r->semi_axes[r->n_elliptic];
-    to->r0 = (double)r->n_elliptic++;
-    copy_three(axes->a, cylint_a(s));
-    copy_three(axes->b, cylint_b(s));
+    to->r0 = (double)axes;
+    copy_three(r->semi_axes[axes].a, cylint_a(s));
+    copy_three(r->semi_axes[axes].b, cylint_b(s));
 }
 
 int cylint_records_add(cylint_records *r, const cylint_shape *shapes, size_t n)
@@ -138,9 +139,26 @@ int cylint_records_add(cylint_records *r, const cylint_shape *shapes, size_t n)
         (elliptic > r->elliptic_capacity &&
          !resize_elliptic(r, grown(r->elliptic_capacity, elliptic))))
         return 0;
-    for (size_t i = 0; i < n; i++)
-        add_record(r, &shapes[i]);
+    for (size_t i = 0; i < n; i++) {
+        write_record(r, r->n++, &shapes[i], r->n_elliptic);
+        r->n_elliptic += (size_t)cylint_is_elliptic(shapes[i].kind);
+    }
     return 1;
+}
+
+int cylint_record_takes(const cylint_records *r, size_t number,
+                        const cylint_shape *s)
+{
+    const int kind = cylint_record_kind(r, number);
+    return cylint_is_elliptic(kind) == cylint_is_elliptic(s->kind) &&
+           (kind == CYLINT_KIND_NONE) == (s->kind == CYLINT_KIND_NONE);
+}
+
+void cylint_record_replace(cylint_records *r, size_t number,
+                           const cylint_shape *s)
+{
+    const int has_axes = cylint_is_elliptic(s->kind);
+    write_record(r, number, s, has_axes ? (size_t)r->record[number].r0 : 0);
 }
 
 static const cylint_semi_axes *axes_of(const cylint_records *r,

@@ -50,6 +50,13 @@ int cylint_records_reserve(cylint_records *records, size_t n);
 int cylint_records_add(cylint_records *records, const cylint_shape *shapes,
                        size_t n);
 
+/* Whether a shape can take the place of another: both are elliptic or none is, and
+ * both are accepted by their constructors or none is. */
+int cylint_record_takes(const cylint_records *records, size_t number,
+                        const cylint_shape *shape);
+void cylint_record_replace(cylint_records *records, size_t number,
+                           const cylint_shape *shape);
+
 /* Returns the memory that is not used. */
 void cylint_records_trim(cylint_records *records);
 void cylint_records_free(cylint_records *records);

@@ -20,7 +20,7 @@ const char *cylint_scene_strerror(int status)
     case CYLINT_SCENE_EMEMORY:
         return "out of memory";
     case CYLINT_SCENE_ESIZE:
-        return "too many shapes for one scene";
+        return "more shapes than the scene can have";
     case CYLINT_SCENE_ESTOPPED:
         return "stopped by the progress function";
     case CYLINT_SCENE_EFINISHED:
@@ -35,6 +35,11 @@ const char *cylint_scene_strerror(int status)
         return "the file is of another version or machine: make it again";
     case CYLINT_SCENE_EDAMAGED:
         return "the file is damaged";
+    case CYLINT_SCENE_EOPENED:
+        return "a scene that was opened does not change";
+    case CYLINT_SCENE_EREPLACE:
+        return "a shape cannot take the place of the one before: make a new "
+               "scene";
     default:
         return "unknown status";
     }
@@ -42,10 +47,10 @@ const char *cylint_scene_strerror(int status)
 
 /* ------------------------------------------------------------ building -- */
 
-/* Whether a frame can contain the shape; if so, writes its box.  Each number has
- * at most 6 roundings and errors of its data.  Squares of lengths may underflow
- * later; multiplied by a larger factor, the lost part would matter. */
-static int has_box(const cylint_shape *s, double lo[3], double hi[3])
+/* Each number has at most 6 roundings and errors of its data.  Squares of lengths
+ * may underflow later; multiplied by a larger factor, the lost part would
+ * matter. */
+int cylint_scene_box(const cylint_shape *s, double lo[3], double hi[3])
 {
     const int has_factors = cylint_has_factors(s->kind);
     if (!cylint_is_bounded(s) ||
@@ -104,7 +109,7 @@ static void count_shapes(void *self, size_t from, size_t to)
         cylint_shape shape;
         cylint_record_data(sum->records, i, &shape);
         valid += shape.kind != CYLINT_KIND_NONE;
-        if (!has_box(&shape, least, most))
+        if (!cylint_scene_box(&shape, least, most))
             continue;
         bounded++;
         extend(lo, hi, least, most);
@@ -147,7 +152,7 @@ static void sort_into_lists(const cylint_scene *s, uint32_t *bounded,
     for (size_t i = 0; i < s->n && cylint_watch_item(watch, i); i++) {
         cylint_shape shape;
         cylint_record_data(&s->records, i, &shape);
-        if (s->n_bounded > 0 && has_box(&shape, lo, hi))
+        if (s->n_bounded > 0 && cylint_scene_box(&shape, lo, hi))
             *bounded++ = (uint32_t)i;
         else if (shape.kind != CYLINT_KIND_NONE)
             *others++ = (uint32_t)i;
@@ -170,30 +175,34 @@ static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
     return cylint_watch_add(watch, 0) ? CYLINT_SCENE_OK : CYLINT_SCENE_ESTOPPED;
 }
 
-/* Packs the shapes that are not in the hierarchy. */
-static int pack_others(cylint_scene *s)
+void cylint_scene_pack_others(cylint_scene *s)
 {
-    s->copies = allocate(s, s->n_others, sizeof *s->copies);
-    s->pack_memory = allocate(s, cylint_pack_bytes(s->n_others), 1);
-    if (!s->copies || !s->pack_memory)
-        return 0;
     for (size_t i = 0; i < s->n_others; i++)
         cylint_record_shape(&s->records, s->others[i], &s->copies[i]);
     cylint_pack_shapes(&s->pack, s->pack_memory, s->copies, s->n_others);
-    return 1;
 }
 
-int cylint_scene_complete(cylint_scene *s)
+void cylint_scene_set_view(cylint_scene *s)
 {
-    s->traverse = cylint_traversal_used()->line;
-    s->traverse_point = cylint_traverse_point_used();
     s->view = (cylint_view){
         .center = {s->frame.center[0], s->frame.center[1], s->frame.center[2]},
         .scale = s->frame.scale,
         .line_error = CYLINT_FRAME_ERROR,
         .write_shape = write_data,
         .owner = s};
-    return pack_others(s);
+}
+
+int cylint_scene_complete(cylint_scene *s)
+{
+    s->traverse = cylint_traversal_used()->line;
+    s->traverse_point = cylint_traverse_point_used();
+    cylint_scene_set_view(s);
+    s->copies = allocate(s, s->n_others, sizeof *s->copies);
+    s->pack_memory = allocate(s, cylint_pack_bytes(s->n_others), 1);
+    if (!s->copies || !s->pack_memory)
+        return 0;
+    cylint_scene_pack_others(s);
+    return 1;
 }
 
 static cylint_scene_status build_hierarchy(cylint_scene *s, int threads,

@@ -31,11 +31,21 @@ struct cylint_scene {
     cylint_shape *copies; /* of the other shapes, in a pack */
     void *pack_memory;
     cylint_pack pack;
+    double built_cost;          /* of the hierarchy; 0: it is as it was built */
     size_t own_bytes;           /* without the hierarchy's */
     cylint_scene_labels labels; /* end is NULL: none */
     cylint_mapping file; /* of an opened scene; then the records, the hierarchy,
                             the lists and the labels lie in it */
 };
+
+/* Whether a frame can contain the shape; if so, writes its box. */
+int cylint_scene_box(const cylint_shape *shape, double lo[3], double hi[3]);
+
+/* Sets the view to that of the frame. */
+void cylint_scene_set_view(cylint_scene *scene);
+
+/* Writes the shapes that are not in the hierarchy into their pack. */
+void cylint_scene_pack_others(cylint_scene *scene);
 
 /* Makes the parts of a scene that are not in its file: its functions and its
  * pack.  All other members are set.  Returns 0 if there is no memory. */

@@ -204,6 +204,24 @@ static void measure(const struct turn *of, const char *rays, int threads,
     }
 }
 
+/* Prints the time to move shapes [first, first + n), beside that to build. */
+static void measure_refit(cylint_scene *scene, const struct scene_shapes *of,
+                          size_t first, size_t n, double build)
+{
+    double least = HUGE_VAL;
+    for (int turn = 0; turn < TURNS; turn++) {
+        const double start = clock_now(CLOCK_PROCESS_CPUTIME_ID);
+        if (cylint_scene_refit(scene, first, n, of->shapes + first) !=
+            CYLINT_SCENE_OK)
+            abort();
+        least = fmin(least, clock_now(CLOCK_PROCESS_CPUTIME_ID) - start);
+    }
+    printf("refit of %zu shapes: %.1f ns a shape of the scene, %.3f of the "
+           "build's "
+           "processor time\n",
+           n, 1e9 * least / (double)of->n, least / build);
+}
+
 int main(int argc, char **argv)
 {
     struct scene_shapes of;
@@ -232,10 +250,10 @@ int main(int argc, char **argv)
     cylint_scene *scene = cylint_scene_new(of.shapes, of.n, threads, NULL);
     if (!scene)
         return 3;
+    const double build = clock_now(CLOCK_PROCESS_CPUTIME_ID) - cpu;
     printf("%s: %zu shapes, built in %.3f s (%.3f s of processor time), %.1f "
            "bytes a shape; ns: lower is better, Mray/s: higher is better\n",
-           of.name, of.n, clock_now(CLOCK_MONOTONIC) - wall,
-           clock_now(CLOCK_PROCESS_CPUTIME_ID) - cpu,
+           of.name, of.n, clock_now(CLOCK_MONOTONIC) - wall, build,
            (double)cylint_scene_bytes(scene) / (double)of.n);
     struct turn turn = {
         .scene = scene, .pack = &pack, .lines = lines, .n = RAYS};
@@ -244,6 +262,8 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < RAYS; i++)
         scene_line(&of, LINES_RANDOM, 1, i, &lines[i]);
     measure(&turn, "random", threads, 0);
+    measure_refit(scene, &of, of.n / 2, of.n / 100, build);
+    measure_refit(scene, &of, 0, of.n, build);
     cylint_scene_free(scene);
     free(memory);
     free(lines);

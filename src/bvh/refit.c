@@ -1,0 +1,216 @@
+/*
+ * refit.c - adapts a bounding volume hierarchy to shapes that have moved
+ */
+#include "refit.h"
+
+#include <math.h>
+
+/* The box of what has not moved: empty. */
+static int has_moved(const cylint_extent *box)
+{
+    return box->lower[0] <= box->upper[0];
+}
+
+/* ---------------------------------------------------------------- leaves -- */
+
+/* The swept discs and boxes of the pieces in a leaf. */
+typedef struct {
+    cylint_swept_disc disc[CYLINT_LEAF_SIZE];
+    cylint_boxed_piece piece[CYLINT_LEAF_SIZE];
+    cylint_extent box; /* of all pieces */
+} leaf_pieces;
+
+static void read_pieces(leaf_pieces *to, const cylint_leaf *leaf,
+                        const cylint_view *view)
+{
+    const int used = cylint_leaf_used(leaf);
+    to->box = cylint_extent_empty();
+    for (int i = 0; i < used; i++) {
+        cylint_shape spare;
+        cylint_swept_disc_of(&to->disc[i], view,
+                             cylint_view_shape(view, leaf->number[i], &spare));
+    }
+    for (int i = 0; i < used; i++) {
+        const cylint_piece piece = cylint_leaf_piece(leaf, i);
+        double reach[3];
+        cylint_swept_disc_reach(&to->disc[i], reach);
+        const cylint_extent b = cylint_piece_box(&to->disc[i], reach, piece);
+        cylint_extent_include(&to->box, &b);
+        to->piece[i] =
+            (cylint_boxed_piece){{b.lower[0], b.lower[1], b.lower[2]},
+                                 leaf->number[i],
+                                 {b.upper[0], b.upper[1], b.upper[2]},
+                                 (uint16_t)piece.index,
+                                 (uint16_t)piece.count};
+    }
+}
+
+static int contains_one(const cylint_leaf *leaf, uint32_t first, uint32_t n)
+{
+    int contains = 0;
+    for (int i = 0; i < CYLINT_LEAF_SIZE; i++)
+        contains |= leaf->number[i] - first < n;
+    return contains;
+}
+
+static void refit_leaves(const cylint_bvh *bvh, const cylint_view *view,
+                         uint32_t first, uint32_t n, cylint_extent *leaf_box)
+{
+    cylint_leaf *leaves = bvh->leaf_memory.data;
+    for (size_t i = 0; i < bvh->n_leaves; i++) {
+        leaf_box[i] = cylint_extent_empty();
+        if (!contains_one(&leaves[i], first, n))
+            continue;
+        leaf_pieces pieces;
+        read_pieces(&pieces, &leaves[i], view);
+        cylint_leaf_fill(&leaves[i], pieces.disc, pieces.piece,
+                         cylint_leaf_used(&leaves[i]), view->line_error);
+        leaf_box[i] = pieces.box;
+    }
+}
+
+/* ----------------------------------------------------------------- nodes -- */
+
+/* The box of a child, as the node has it.  The sum has errors of 2^-53 of its
+ * parts. */
+static cylint_extent child_box(const cylint_bvh *bvh, const cylint_node *node,
+                               int child)
+{
+    double side[2][3];
+    for (int j = 0; j < 3; j++) {
+        const double corner = (double)node->corner[j] + (double)bvh->center[j];
+        const double step = (double)node->step[j];
+        const double more = (fabs((double)node->corner[j]) +
+                             fabs((double)bvh->center[j]) + 255 * step) *
+                            0x1p-50;
+        side[0][j] = corner + step * node->face[0][j][child] - more;
+        side[1][j] = corner + step * node->face[1][j][child] + more;
+    }
+    return cylint_float_box(side[0], side[1]);
+}
+
+/* The box of an unmoved leaf or node from its own pieces or children. */
+static cylint_extent unmoved_box(const cylint_bvh *bvh, const cylint_view *view,
+                                 uint32_t child)
+{
+    if (child & CYLINT_LEAF_FLAG) {
+        leaf_pieces pieces;
+        read_pieces(&pieces, &bvh->leaves[child & ~CYLINT_LEAF_FLAG], view);
+        return pieces.box;
+    }
+    const cylint_node *node = &bvh->nodes[child];
+    cylint_extent box = cylint_extent_empty();
+    for (int i = 0; i < CYLINT_CHILDREN && node->children >> i; i++) {
+        const cylint_extent b = child_box(bvh, node, i);
+        cylint_extent_include(&box, &b);
+    }
+    return box;
+}
+
+/* Whether the steps are more than twice as long as the box needs. */
+static int has_long_steps(const cylint_node *node, const cylint_extent *box,
+                          float least_step)
+{
+    int has = 0;
+    for (int j = 0; j < 3; j++)
+        has |= node->step[j] > least_step &&
+               2 * ((double)box->upper[j] - (double)box->lower[j]) <
+                   255 * (double)node->step[j];
+    return has;
+}
+
+/* The children that have not moved keep their faces, if the corner and the steps
+ * serve the others: so refitting again and again adds nothing to them.  Returns 0
+ * if they do not serve; otherwise writes the box of all. */
+static int keep_faces(const cylint_bvh *bvh, cylint_node *node,
+                      const cylint_extent *box, int n, cylint_extent *all)
+{
+    if (!cylint_node_replace(node, box, n, bvh->center))
+        return 0;
+    for (int i = 0; i < n; i++) {
+        const cylint_extent b =
+            has_moved(&box[i]) ? box[i] : child_box(bvh, node, i);
+        cylint_extent_include(all, &b);
+    }
+    return !has_long_steps(node, all, cylint_node_least_step(&bvh->box));
+}
+
+/* Bounds a node again, where a child has moved.  Returns the box of its children. */
+static cylint_extent refit_node(const cylint_bvh *bvh, const cylint_view *view,
+                                cylint_node *node,
+                                cylint_extent box[CYLINT_CHILDREN])
+{
+    int n = 0, moved = 0;
+    cylint_extent all = cylint_extent_empty();
+    for (; n < CYLINT_CHILDREN && node->children >> n; n++)
+        moved += has_moved(&box[n]);
+    if (moved < n && keep_faces(bvh, node, box, n, &all))
+        return all;
+    all = cylint_extent_empty();
+    for (int i = 0; i < n; i++) {
+        if (!has_moved(&box[i]))
+            box[i] = unmoved_box(bvh, view, node->child[i]);
+        cylint_extent_include(&all, &box[i]);
+    }
+    cylint_node_place(node, box, n, bvh->center,
+                      cylint_node_least_step(&bvh->box));
+    return all;
+}
+
+void cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view, uint32_t first,
+                      uint32_t n, cylint_extent *extents)
+{
+    cylint_node *nodes = bvh->node_memory.data;
+    cylint_extent *leaf_box = extents, *node_box = extents + bvh->n_leaves;
+    refit_leaves(bvh, view, first, n, leaf_box);
+    for (size_t i = bvh->n_nodes; i-- > 0;) { /* children come after nodes */
+        cylint_extent box[CYLINT_CHILDREN];
+        int moved = 0;
+        for (int k = 0; k < CYLINT_CHILDREN && nodes[i].children >> k; k++) {
+            const uint32_t child = nodes[i].child[k];
+            box[k] = child & CYLINT_LEAF_FLAG
+                         ? leaf_box[child & ~CYLINT_LEAF_FLAG]
+                         : node_box[child];
+            moved |= has_moved(&box[k]);
+        }
+        node_box[i] = moved ? refit_node(bvh, view, &nodes[i], box)
+                            : cylint_extent_empty();
+    }
+}
+
+size_t cylint_bvh_extents(const cylint_bvh *bvh)
+{
+    return bvh->n_leaves + bvh->n_nodes;
+}
+
+/* Half the area of a box of `faces` steps along each coordinate. */
+static double half_area(const cylint_node *node, const int faces[3])
+{
+    const double x = (double)node->step[0] * faces[0],
+                 y = (double)node->step[1] * faces[1],
+                 z = (double)node->step[2] * faces[2];
+    return x * y + y * z + z * x;
+}
+
+double cylint_bvh_cost(const cylint_bvh *bvh)
+{
+    double sum = 0, root = 0;
+    for (size_t i = 0; i < bvh->n_nodes; i++) {
+        const cylint_node *node = &bvh->nodes[i];
+        int all[2][3] = {{255, 255, 255}, {0, 0, 0}}, side[3];
+        for (int k = 0; k < CYLINT_CHILDREN && node->children >> k; k++) {
+            for (int j = 0; j < 3; j++) {
+                const int from = node->face[0][j][k], to = node->face[1][j][k];
+                all[0][j] = from < all[0][j] ? from : all[0][j];
+                all[1][j] = to > all[1][j] ? to : all[1][j];
+                side[j] = to - from;
+            }
+            sum += half_area(node, side);
+        }
+        for (int j = 0; j < 3; j++)
+            side[j] = all[1][j] - all[0][j];
+        if (i == 0)
+            root = half_area(node, side);
+    }
+    return root > 0 ? sum / root : 0;
+}

@@ -1,0 +1,194 @@
+/*
+ * refit.c - moves shapes of a scene
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "../bvh/refit.h"
+#include "scene.h"
+
+/* The shapes that take the places of [first, first + n). */
+typedef struct {
+    cylint_scene *scene;
+    size_t first, n;
+    const cylint_shape *shapes;
+    double lo[3], hi[3]; /* the box of those in the hierarchy */
+    size_t bounded;      /* their number */
+} replacement;
+
+/* The first of ascending numbers that is not below x. */
+static size_t first_not_below(const uint32_t *numbers, size_t n, size_t x)
+{
+    size_t from = 0;
+    while (from < n) {
+        const size_t middle = from + (n - from) / 2;
+        if (numbers[middle] < x)
+            from = middle + 1;
+        else
+            n = middle;
+    }
+    return from;
+}
+
+/* Measures one shape that is in the hierarchy. */
+static int measure_one(replacement *r, size_t number)
+{
+    const cylint_shape *shape = &r->shapes[number - r->first];
+    double lo[3], hi[3];
+    if (!cylint_scene_box(shape, lo, hi))
+        return 0;
+    for (int j = 0; j < 3; j++) {
+        r->lo[j] = fmin(r->lo[j], lo[j]);
+        r->hi[j] = fmax(r->hi[j], hi[j]);
+    }
+    r->bounded++;
+    return 1;
+}
+
+/* Returns 0 if a shape cannot take the place of another. */
+static int measure_all(replacement *r)
+{
+    const cylint_scene *s = r->scene;
+    for (size_t i = 0; i < r->n; i++)
+        if (!cylint_record_takes(&s->records, r->first + i, &r->shapes[i]))
+            return 0;
+    if (!s->bounded) {
+        for (size_t i = 0; i < r->n && s->n_bounded > 0; i++)
+            if (!measure_one(r, r->first + i))
+                return 0;
+        return 1;
+    }
+    for (size_t i = first_not_below(s->bounded, s->n_bounded, r->first);
+         i < s->n_bounded && s->bounded[i] - r->first < r->n; i++)
+        if (!measure_one(r, s->bounded[i]))
+            return 0;
+    return 1;
+}
+
+/* Whether the box of the shapes lies in those of the frame and of the hierarchy.  A
+ * piece's box is larger by less than 2^-20, the rounding of its floats. */
+static int is_within(const replacement *r)
+{
+    const cylint_frame *f = &r->scene->frame;
+    const cylint_extent *box = &r->scene->bvh.box;
+    int is = 1;
+    for (int j = 0; j < 3; j++) {
+        const double lo = (r->lo[j] - f->center[j]) * f->scale - 0x1p-20,
+                     hi = (r->hi[j] - f->center[j]) * f->scale + 0x1p-20;
+        is &= r->lo[j] >= f->lo[j] && r->hi[j] <= f->hi[j] &&
+              lo >= (double)box->lower[j] && hi <= (double)box->upper[j];
+    }
+    return is;
+}
+
+static double longest_side(const double lo[3], const double hi[3])
+{
+    return fmax(hi[0] - lo[0], fmax(hi[1] - lo[1], hi[2] - lo[2]));
+}
+
+/* Makes a frame with room for shapes that move on: of the shapes that move if these
+ * are all, otherwise of all that were in the old frame too. */
+static int make_frame(const replacement *r, cylint_frame *frame)
+{
+    const cylint_frame *old = &r->scene->frame;
+    const int all = r->bounded == r->scene->n_bounded;
+    double lo[3], hi[3];
+    for (int j = 0; j < 3; j++) {
+        lo[j] = all ? r->lo[j] : fmin(r->lo[j], old->lo[j]);
+        hi[j] = all ? r->hi[j] : fmax(r->hi[j], old->hi[j]);
+    }
+    const double room = longest_side(lo, hi) / 16;
+    for (int j = 0; j < 3; j++) {
+        lo[j] -= room;
+        hi[j] += room;
+    }
+    return cylint_frame_make(frame, lo, hi);
+}
+
+/* Whether the frame no longer suits the shapes. */
+static int needs_frame(const replacement *r)
+{
+    const cylint_frame *f = &r->scene->frame;
+    return !is_within(r) ||
+           (r->bounded == r->scene->n_bounded &&
+            longest_side(r->lo, r->hi) < longest_side(f->lo, f->hi) / 4);
+}
+
+/* Sets the frame, and the hierarchy's box to that of the frame. */
+static void set_frame(cylint_scene *s, const cylint_frame *frame)
+{
+    double lo[3], hi[3];
+    s->frame = *frame;
+    cylint_scene_set_view(s);
+    for (int j = 0; j < 3; j++) {
+        lo[j] = (frame->lo[j] - frame->center[j]) * frame->scale;
+        hi[j] = (frame->hi[j] - frame->center[j]) * frame->scale;
+    }
+    const cylint_extent box = cylint_float_box(lo, hi);
+    cylint_bvh_set_box(&s->bvh, &box, CYLINT_FRAME_ERROR);
+}
+
+static void replace_records(const replacement *r)
+{
+    for (size_t i = 0; i < r->n; i++)
+        cylint_record_replace(&r->scene->records, r->first + i, &r->shapes[i]);
+}
+
+/* Bounds the shapes that moved, or all in a new frame. */
+static cylint_scene_status refit_hierarchy(replacement *r)
+{
+    cylint_scene *s = r->scene;
+    cylint_frame frame;
+    const int reframes = needs_frame(r);
+    if (reframes && !make_frame(r, &frame))
+        return CYLINT_SCENE_EREPLACE;
+    cylint_extent *extents =
+        malloc(cylint_bvh_extents(&s->bvh) * sizeof *extents);
+    if (!extents)
+        return CYLINT_SCENE_EMEMORY;
+    if (s->built_cost == 0)
+        s->built_cost = cylint_bvh_cost(&s->bvh);
+    if (reframes)
+        set_frame(s, &frame);
+    replace_records(r);
+    cylint_bvh_refit(&s->bvh, &s->view, reframes ? 0 : (uint32_t)r->first,
+                     reframes ? UINT32_MAX : (uint32_t)r->n, extents);
+    free(extents);
+    return CYLINT_SCENE_OK;
+}
+
+cylint_scene_status cylint_scene_refit(cylint_scene *scene, size_t first,
+                                       size_t n, const cylint_shape *shapes)
+{
+    replacement r = {.scene = scene,
+                     .first = first,
+                     .n = n,
+                     .shapes = shapes,
+                     .lo = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
+                     .hi = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    if (!scene->is_finished)
+        return CYLINT_SCENE_EUNFINISHED;
+    if (scene->file.data)
+        return CYLINT_SCENE_EOPENED;
+    if (first > scene->n || n > scene->n - first)
+        return CYLINT_SCENE_ESIZE;
+    if (!measure_all(&r))
+        return CYLINT_SCENE_EREPLACE;
+    if (r.bounded > 0) {
+        const cylint_scene_status status = refit_hierarchy(&r);
+        if (status != CYLINT_SCENE_OK)
+            return status;
+    } else {
+        replace_records(&r);
+    }
+    if (r.bounded < n)
+        cylint_scene_pack_others(scene);
+    return CYLINT_SCENE_OK;
+}
+
+double cylint_scene_worsening(const cylint_scene *scene)
+{
+    return scene->built_cost > 0
+               ? cylint_bvh_cost(&scene->bvh) / scene->built_cost
+               : 1;
+}
