@@ -19,8 +19,8 @@ $(bench_programs) $(BUILD)/tools/bench/stages: libs := $(test_libs)
 
 $(BUILD)/tools/bench/scene $(BUILD)/tools/bench/distance_scene: $(BUILD)/tests/scenes.o
 $(BUILD)/tools/bench/distance_scene: $(call bench_objects,timing)
-$(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene): %: %.o $(scene_library)
-$(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene): libs := $(threads_link)
+$(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene large): %: %.o $(scene_library)
+$(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene large): libs := $(threads_link)
 
 $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_many embree_packets): $(call bench_objects,timing)
 $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_many): $(call bench_objects,embree_race)
@@ -32,7 +32,7 @@ $(BUILD)/tools/bench/embree_counts: wrapped := $(call wrap,cylint_float_filter_u
 $(BUILD)/tools/bench/measure: $(BUILD)/tools/bench/measure.o
 $(BUILD)/tools/bench/kernels: $(BUILD)/tools/bench/kernels.o $(BUILD)/libcylint.a
 
-$(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene distance_scene python_scene measure kernels):
+$(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene distance_scene python_scene large measure kernels):
 	$(link)
 
 # Where the processor has fused multiply-add, a second build with it.
@@ -49,6 +49,10 @@ gate: bench_programs ## answers and times beside those of COMMIT=...; ONLY=hash:
 
 bench-scene: $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene kernels) ## time of scenes and of batches of all shapes
 	@BUILD='$(BUILD)' sh tools/bench/scene.sh
+
+N ?= 10000000
+bench-large: $(BUILD)/tools/bench/large ## make, save and open a scene of N=... thin cylinders; 1e8 take 22 GB
+	@$(BUILD)/tools/bench/large $(N) $(BUILD)/large.scene && rm -f $(BUILD)/large.scene
 
 bench-text: $(commands) $(BUILD)/tools/bench/measure ## time of the command and of programs that read numbers; QUICK=1
 	@BUILD='$(BUILD)' QUICK='$(QUICK)' sh tools/bench/text.sh
@@ -81,4 +85,4 @@ count_stages: $(BUILD)/tools/bench/stages
 stages: ## share of queries that reach each stage (pairs, exact digits), by family
 	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
 
-.PHONY: bench bench_programs gate bench-scene bench-text bench-embree bench-python count_visits stages count_stages
+.PHONY: bench bench_programs gate bench-scene bench-large bench-text bench-embree bench-python count_visits stages count_stages
