@@ -51,8 +51,9 @@ bench-scene: $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene kernels) #
 	@BUILD='$(BUILD)' sh tools/bench/scene.sh
 
 N ?= 10000000
-bench-large: $(BUILD)/tools/bench/large ## make, save and open a scene of N=... thin cylinders; 1e8 take 22 GB
-	@$(BUILD)/tools/bench/large $(N) $(BUILD)/large.scene && rm -f $(BUILD)/large.scene
+KIND ?= thin
+bench-large: $(BUILD)/tools/bench/large ## make, save and open a scene of N=... cylinders, KIND=thin, fat or fibres
+	@$(BUILD)/tools/bench/large $(N) $(BUILD)/large.scene $(KIND) && rm -f $(BUILD)/large.scene
 
 bench-text: $(commands) $(BUILD)/tools/bench/measure ## time of the command and of programs that read numbers; QUICK=1
 	@BUILD='$(BUILD)' QUICK='$(QUICK)' sh tools/bench/text.sh

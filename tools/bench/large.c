@@ -1,17 +1,17 @@
 /*
- * large.c - makes, saves, opens and queries a scene of very many thin cylinders
+ * large.c - makes, saves, opens and queries a scene of very many cylinders
  *
- *     large N FILE [THREADS]
+ *     large N FILE [fat | thin | fibres [THREADS]]
  *
- * The cylinders fill a cube in random directions.  They are 3 times as long as the
- * mean distance of neighbours, their radius is 0.15 times it; they are added in
- * blocks.  Prints the seconds and the greatest memory of each step; "lines" are
- * LINES random segments.
+ * The cylinders fill a cube in random directions and are added in blocks.  Prints
+ * the seconds and the greatest memory of each step; "lines" are LINES random
+ * segments.
  */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <time.h>
 
@@ -20,8 +20,11 @@
 
 enum { BLOCK = 4096, LINES = 1000 };
 
-/* In mean distances of neighbours. */
-static const double length_of_stick = 3, radius_of_stick = 0.15;
+/* Length and radius in mean distances of neighbours. */
+static const struct stick {
+    const char *name;
+    double length, radius;
+} sticks[] = {{"thin", 3, 0.15}, {"fat", 1.2, 0.4}, {"fibres", 10, 0.02}};
 
 static double seconds(void)
 {
@@ -52,7 +55,8 @@ static void point_in_cube(uint64_t *random, double side, double p[3])
         p[j] = side * random_unit(random);
 }
 
-static void make_stick(uint64_t *random, double side, cylint_shape *shape)
+static void make_stick(const struct stick *of, uint64_t *random, double side,
+                       cylint_shape *shape)
 {
     double p0[3], p1[3], d[3], square = 0;
     point_in_cube(random, side, p0);
@@ -64,11 +68,11 @@ static void make_stick(uint64_t *random, double side, cylint_shape *shape)
         }
     } while (square > 1 || square < 1e-6);
     for (int j = 0; j < 3; j++)
-        p1[j] = p0[j] + length_of_stick / sqrt(square) * d[j];
-    cylint_cylinder(shape, p0, p1, radius_of_stick, CYLINT_ENDS_CAPPED);
+        p1[j] = p0[j] + of->length / sqrt(square) * d[j];
+    cylint_cylinder(shape, p0, p1, of->radius, CYLINT_ENDS_CAPPED);
 }
 
-static cylint_scene *make(size_t n, int threads)
+static cylint_scene *make(const struct stick *of, size_t n, int threads)
 {
     static cylint_shape block[BLOCK];
     uint64_t random = 1;
@@ -77,7 +81,7 @@ static cylint_scene *make(size_t n, int threads)
     for (size_t i = 0; scene && i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
         for (size_t k = 0; k < count; k++)
-            make_stick(&random, side, &block[k]);
+            make_stick(of, &random, side, &block[k]);
         if (cylint_scene_add(scene, block, count) != CYLINT_SCENE_OK)
             return NULL;
     }
@@ -131,14 +135,17 @@ int main(int argc, char **argv)
     if (argc < 3)
         return 2;
     const size_t n = (size_t)atof(argv[1]);
-    const int threads = argc > 3 ? atoi(argv[3]) : 1;
+    const int threads = argc > 4 ? atoi(argv[4]) : 1;
+    const struct stick *of = sticks;
+    for (int i = 1; i < 3 && argc > 3; i++)
+        of = strcmp(argv[3], sticks[i].name) == 0 ? &sticks[i] : of;
     print_step(NULL, n);
-    cylint_scene *scene = make(n, threads);
+    cylint_scene *scene = make(of, n, threads);
     if (!scene) {
         puts("there is not enough memory");
         return 1;
     }
-    printf("%zu cylinders, %.1f bytes a shape\n", n,
+    printf("%zu cylinders, %s, %.1f bytes a shape\n", n, of->name,
            (double)cylint_scene_bytes(scene) / (double)n);
     const size_t sum = query(scene, LINES);
     print_step("lines", n);
