@@ -1,8 +1,8 @@
 #!/bin/sh
-# Floors intersect and command: the fuzz targets of tests/fuzz hold on the kept
+# Floors intersect, scene and command: the fuzz targets of tests/fuzz hold on the kept
 # inputs.  `make fuzz` searches for more inputs.
 . "$(dirname "$0")/verdict.sh"
-for target in record command shapes; do
+for target in record command shapes scene_file; do
     program=$build/tests/fuzz/$target
     [ -x "$program" ] || skip_all 'no linker that wraps calls'
     # All in one process; if that fails, one by one, to name the input.

@@ -45,11 +45,12 @@ $(BUILD)/tests/faulty: wrapped := $(call wrap,read write poll open close fsync r
 
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
 # replays files; in the fuzzed command the test reads and writes.
-fuzz_programs := $(patsubst %,$(BUILD)/tests/fuzz/%,record command shapes)
+fuzz_programs := $(patsubst %,$(BUILD)/tests/fuzz/%,record command shapes scene_file)
 $(BUILD)/tests/fuzz/main.o: tools/cylint/main.c $(BUILD)/tests/fuzz/flags
 	$(call say,CC $<)$(compile) -Dmain=command_main -c -o $@ $<
 $(fuzz_programs): %: %.o $(BUILD)/tests/fuzz/main.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/replay.o) \
 	$(filter-out %/main.o,$(tool_objects)) $(scene_library)
+$(BUILD)/tests/fuzz/scene_file: $(BUILD)/tests/scenes.o
 $(fuzz_programs): libs := $(if $(FUZZER),-fsanitize=fuzzer)
 $(BUILD)/tests/fuzz/command: wrapped := $(call wrap,open read write close)
 
