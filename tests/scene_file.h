@@ -22,15 +22,16 @@ static inline void scene_file_repair(void *data, size_t bytes)
     }
 }
 
-/* Lines from all sides to the shape, and points about it. */
-static inline void scene_file_query_at(const cylint_scene *scene, size_t number)
+/* `most` lines from all sides to the shape, and points about it. */
+static inline void scene_file_query_at(const cylint_scene *scene, size_t number,
+                                       int most)
 {
     static const double d[][3] = {{1, 0, 0}, {0.25, -1, 0.5}, {-3, 2, 1}};
     double lo[3], hi[3], o[3];
     cylint_shape shape;
     cylint_scene_shape(scene, number, &shape);
     cylint_bounds(&shape, lo, hi);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3 && k < most; k++) {
         cylint_line line;
         cylint_hit hit;
         cylint_closest closest;
@@ -51,8 +52,10 @@ static inline void scene_file_query_at(const cylint_scene *scene, size_t number)
     }
 }
 
-/* Opens the bytes and makes some queries.  Returns the status. */
-static inline cylint_scene_status scene_file_try(const void *data, size_t bytes)
+/* Opens the bytes and makes queries, `most` lines and points for each of 4 shapes.
+ * Returns the status. */
+static inline cylint_scene_status scene_file_try(const void *data, size_t bytes,
+                                                 int most)
 {
     cylint_scene_status status;
     cylint_scene *scene = cylint_scene_open_memory(data, bytes, 0, &status);
@@ -65,7 +68,7 @@ static inline cylint_scene_status scene_file_try(const void *data, size_t bytes)
         sum += (uint64_t)labels->text[i];
     const size_t step = n / 4 + 1 + (size_t)(sum & 1);
     for (size_t i = 0; i < n; i += step)
-        scene_file_query_at(scene, i);
+        scene_file_query_at(scene, i, most);
     cylint_scene_free(scene);
     return status;
 }

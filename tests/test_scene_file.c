@@ -262,11 +262,11 @@ static void every_changed_byte_is_refused(void)
 {
     struct bytes b = {NULL, NULL, 0, 0};
     write_small(&b);
-    CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_OK);
+    CHECK(scene_file_try(b.data, b.n, 3) == CYLINT_SCENE_OK);
     for (size_t i = 0; i < b.n; i++)
         for (int change = 1; change != 0; change = next_change(change)) {
             b.data[i] = (char)(b.data[i] ^ change);
-            const cylint_scene_status status = scene_file_try(b.data, b.n);
+            const cylint_scene_status status = scene_file_try(b.data, b.n, 3);
             if (!CHECK(status != CYLINT_SCENE_OK))
                 REPORT("byte %zu ^ %d", i, change);
             CHECK(i >= 8 || status == CYLINT_SCENE_EFORMAT);
@@ -285,12 +285,12 @@ static void every_shorter_file_is_refused(void)
     for (size_t n = 0; n < b.n; n++) {
         char *copy = malloc(n + 1); /* so that a read beyond it is found */
         memcpy(copy, b.data, n);
-        const cylint_scene_status status = scene_file_try(copy, n);
+        const cylint_scene_status status = scene_file_try(copy, n, 3);
         CHECK(status == (n < 8 ? CYLINT_SCENE_EFORMAT : CYLINT_SCENE_EDAMAGED));
         free(copy);
     }
     b.n += 64;
-    CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_EDAMAGED);
+    CHECK(scene_file_try(b.data, b.n, 3) == CYLINT_SCENE_EDAMAGED);
     free(b.memory);
 }
 
@@ -304,7 +304,7 @@ static void no_changed_byte_makes_a_query_fail(void)
         for (int change = 1; change != 0; change = next_change(change)) {
             b.data[i] = (char)(b.data[i] ^ change);
             scene_file_repair(b.data, b.n);
-            opened += scene_file_try(b.data, b.n) == CYLINT_SCENE_OK;
+            opened += scene_file_try(b.data, b.n, 3) == CYLINT_SCENE_OK;
             b.data[i] = (char)(b.data[i] ^ change);
         }
     CHECK(opened > 100);
@@ -348,7 +348,7 @@ static void no_changed_numbers_make_a_query_fail(void)
             }
         }
         scene_file_repair(c.data, b.n);
-        opened += scene_file_try(c.data, b.n) == CYLINT_SCENE_OK;
+        opened += scene_file_try(c.data, b.n, 3) == CYLINT_SCENE_OK;
     }
     CHECK(opened > cases / 10);
     CHECK(opened < cases);

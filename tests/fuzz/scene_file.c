@@ -3,7 +3,7 @@
  *
  * An input chooses a small scene, whose file is then changed by edits; after them
  * the checksum is made right, so that the other checks must find what is wrong.
- * Byte 0 is the kind of the scene, byte 1 its size; each edit has 11 bytes: what,
+ * Byte 0 is the kind of the scene, byte 1 its size and (128) more queries; each edit has 11 bytes: what,
  * where (2) and a number (8).  Queries of a file that opens must end, and read
  * nothing beyond the bytes.
  */
@@ -91,7 +91,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
          edit += EDIT)
         apply_edit(edit, copy, f->n);
     scene_file_repair(copy, f->n);
-    scene_file_try(copy, f->n);
+    scene_file_try(copy, f->n, data[1] & 128 ? 3 : 1);
     free(copy);
     return 0;
 }
