@@ -325,7 +325,7 @@ static void pieces_contain_the_hits_that_they_own(void)
         for (int j = 0; j < 3; j++) {
             const double along =
                 cylint_base(&shape)[j] + z * cylint_axis(&shape)[j];
-            o[j] = along + 30 * (random_unit(&state) - 0.5);
+            o[j] = along + (i % 3 ? 30 : 3e5) * (random_unit(&state) - 0.5);
             d[j] = along + 1.6 * (random_unit(&state) - 0.5) - o[j];
         }
         CHECK(cylint_whole_line(&line, o, d) == CYLINT_OK);

@@ -239,6 +239,12 @@ CYLINT_INLINE unsigned test_cylinders(const cylint_leaf *b,
 #define E_LIMIT 0x1p10f
 #define CYLINDER_REACH 0x1p11f
 
+/* Whether floats are accurate enough for a ray's direction of this size. */
+static inline int is_fit(float E)
+{
+    return (E > 1 / E_LIMIT) & (E < E_LIMIT);
+}
+
 /* --------------------------------------------- lines in doubles, far rays -- */
 
 static inline unsigned all_lanes(const cylint_leaf *b, double tmin,
@@ -259,6 +265,19 @@ static inline float clamped(double s)
     return (float)(s < -most ? -most : s > most ? most : s);
 }
 
+/* Writes least[] of the lanes that are hit, where s is a lower bound of
+ * t / per_length + before. */
+static inline void write_least(const cylint_leaf *b, unsigned hit,
+                               const float *s, double before, double per_length,
+                               double tmin, double *least)
+{
+    for (; hit; hit &= hit - 1) {
+        const int lane = cylint_lowest(hit);
+        const double t = ((double)s[lane] - before) * per_length;
+        least[lane] = t > tmin && !(b->always >> lane & 1) ? t : tmin;
+    }
+}
+
 /*
  * Moves the line's origin to its point nearest to the leaf's centre, in doubles,
  * and makes e a unit vector.  o - c, the unit vector, the distance along it and
@@ -266,9 +285,9 @@ static inline float clamped(double s)
  * roundings of |o - c|; q_error allows 16.  If q is still far, the line misses:
  * a sum of sizes of components is at most sqrt(3) times the length.
  */
-static inline unsigned test_line(const cylint_leaf *b, const double o[3],
-                                 const double d[3], double tmin, double tmax,
-                                 double least[CYLINT_LEAF_SIZE])
+ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
+                             const double d[3], double tmin, double tmax,
+                             double least[CYLINT_LEAF_SIZE])
 {
     const double dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     if (!(dd > 0x1p-900 && dd < 0x1p900))
@@ -278,7 +297,7 @@ static inline unsigned test_line(const cylint_leaf *b, const double o[3],
     double from[3], along = 0, far = 0, apart = 0;
     leaf_line l;
     l.E = f_set(2);
-    l.t_per_s = f_set(1);
+    l.t_per_s = f_set((float)(1 / steps));
     for (int j = 0; j < 3; j++) {
         from[j] = o[j] - (double)b->center[j];
         along += from[j] * (d[j] * per_length);
@@ -302,15 +321,36 @@ static inline unsigned test_line(const cylint_leaf *b, const double o[3],
     l.last = f_set(clamped((tmax * length + along) * steps + q_error));
     float s[CYLINT_LEAF_SIZE] = {0};
     const unsigned hit = test_cylinders(b, NULL, &l, s, NULL);
-    for (unsigned lanes = hit; lanes; lanes &= lanes - 1) {
-        const int lane = cylint_lowest(lanes);
-        least[lane] = tmin;
-        if (b->always >> lane & 1)
-            continue;
-        const double t =
-            (((double)s[lane] - q_error) / steps - along) * per_length;
-        least[lane] = t > tmin ? t : tmin;
+    write_least(b, hit, s, along + q_error / steps, per_length, tmin, least);
+    return hit;
+}
+
+/* Near the leaf floats are accurate enough without that: q, e and the domain are
+ * rounded once, which the errors above contain. */
+CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const double o[3],
+                                 const double d[3], double tmin, double tmax,
+                                 double least[CYLINT_LEAF_SIZE])
+{
+    const double steps = cylint_leaf_steps(b);
+    float s[CYLINT_LEAF_SIZE] = {0}, E = 0, far = 0;
+    leaf_line l;
+    EACH(j, 3) {
+        const float q = (float)((o[j] - (double)b->center[j]) * steps);
+        const float e = (float)d[j];
+        l.q[j] = f_set(q);
+        l.e[j] = f_set(e);
+        far += fabsf(q);
+        E += fabsf(e);
     }
+    if (!(is_fit(E) & (far < FAR_LIMIT)))
+        return test_far_line(b, o, d, tmin, tmax, least);
+    l.E = f_set(E);
+    l.k = f_set((far + CYLINDER_REACH) * 0x1p-20f);
+    l.first = f_set((float)(tmin * steps));
+    l.last = f_set((float)(tmax * steps));
+    l.t_per_s = f_set((float)(1 / steps));
+    const unsigned hit = test_cylinders(b, NULL, &l, s, NULL);
+    write_least(b, hit, s, 0, 1, tmin, least);
     return hit;
 }
 
@@ -322,7 +362,7 @@ ASIDE unsigned test_far_ray(const cylint_leaf *b, const cylint_float_ray *ray,
     const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
     const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
     double t[CYLINT_LEAF_SIZE];
-    const unsigned hit = test_line(b, o, d, ray->tnear, ray->tfar, t);
+    const unsigned hit = test_far_line(b, o, d, ray->tnear, ray->tfar, t);
     for (int lane = 0; lane < cylint_leaf_used(b); lane++)
         if (hit >> lane & 1)
             least[lane] = cylint_float_below(t[lane]);
@@ -338,12 +378,6 @@ static inline float size_of(const cylint_float_ray *ray)
 typedef struct {
     vf o[3], d[3], tnear, tfar, E;
 } ray_lanes;
-
-/* Whether floats are accurate enough for a ray's direction of this size. */
-static inline int is_fit(float E)
-{
-    return (E > 1 / E_LIMIT) & (E < E_LIMIT);
-}
 
 /* Sets e = d, q = (o - c) steps, so that s = t steps.  Returns the distance of q
  * from the centre.  The result is accurate enough if the ray is_fit() and that
