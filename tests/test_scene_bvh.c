@@ -334,8 +334,72 @@ static void pieces_contain_the_hits_that_they_own(void)
     CHECK(hits > 20000);
 }
 
+/* ------------------------------------------------------------- stacks --- */
+
+enum { MOST_COUNTED = 50000 };
+
+static int count_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
+                      const double least[CYLINT_LEAF_SIZE])
+{
+    long *count = self;
+    (void)leaf;
+    (void)least;
+    CHECK(lanes == 1);
+    return ++*count == MOST_COUNTED;
+}
+
+/* All children of a node are the same: the next node, or, of the first `n_leaves`
+ * and in the last node, the leaf.  The line hits all boxes. */
+static void traverse_equal_boxes(int depth, int n_leaves, long leaves)
+{
+    static const double o[3] = {0.5, 0.25, -2}, d[3] = {0.25, 0.125, 1};
+    static const cylint_extent box = {{-1, -1, -1}, {1, 1, 1}};
+    const double tmax = 4;
+    const cylint_leaf leaf = {.steps = 0x3c00, .used = 1, .always = 1};
+    cylint_node nodes[CYLINT_BVH_DEPTH];
+    cylint_bvh bvh = {.leaves = &leaf, .nodes = nodes};
+    cylint_bvh_set_box(&bvh, &box, 0);
+    for (int i = 0; i < depth; i++) {
+        nodes[i] = (cylint_node){{-1, -1, -1}, {1, 1, 1}, .children = 0xff};
+        memset(nodes[i].face[1], 2, sizeof nodes[i].face[1]);
+        for (int k = 0; k < CYLINT_CHILDREN; k++)
+            nodes[i].child[k] = k < n_leaves || i == depth - 1
+                                    ? CYLINT_LEAF_FLAG
+                                    : (uint32_t)i + 1;
+    }
+    const cylint_traversal *const builds[] = {&cylint_traversal_plain,
+                                              cylint_traversal_used()};
+    for (int k = 0; k < 2; k++) {
+        long line = 0, all = 0;
+        builds[k]->line(&bvh, o, d, 0, &tmax, count_leaf, &line);
+        builds[k]->all(&bvh, o, d, 0, &tmax, count_leaf, &all);
+        CHECK(line == leaves && all == leaves);
+    }
+}
+
+/* Run by `make sanitize`, which detects an access outside a stack. */
+static void stacks_hold_the_greatest_depth(void)
+{
+    for (int n = 0; n < CYLINT_CHILDREN - 1; n++)
+        traverse_equal_boxes(CYLINT_BVH_DEPTH, n, MOST_COUNTED);
+}
+
+static void each_leaf_is_visited(void)
+{
+    for (int n = 0; n < CYLINT_CHILDREN; n++) {
+        const long nodes = CYLINT_CHILDREN - n;
+        long leaves = CYLINT_CHILDREN;
+        for (int depth = 1; depth <= 5; depth++) {
+            traverse_equal_boxes(depth, n, leaves);
+            leaves = n + nodes * leaves;
+        }
+    }
+}
+
 int main(void)
 {
+    RUN(stacks_hold_the_greatest_depth);
+    RUN(each_leaf_is_visited);
     RUN(pieces_contain_the_hits_that_they_own);
     RUN(every_leaf_has_one_parent_and_nodes_have_no_gaps);
     RUN(scenes_without_good_splits_have_correct_nodes);

@@ -124,5 +124,63 @@ static void traverse_line(const cylint_bvh *bvh, const double o[3],
     }
 }
 
+/* Nodes that are visited together, leaves that are, and the most children of such
+ * nodes. */
+enum { AHEAD = 16, LEAVES = 32, MOST_PUSHED = AHEAD * CYLINT_CHILDREN };
+
+/*
+ * In no order, so that loads overlap: the last AHEAD nodes of the stack are visited
+ * together, and leaves wait until there are LEAVES of them.
+ *
+ * The levels of nodes do not decrease from the bottom of the stack to its top: the
+ * nodes of a batch are visited from its bottom, and their children are one level
+ * deeper.  So when nodes of some level are pushed, the others of that level, which
+ * lay above their parents, were taken with these: at most MOST_PUSHED nodes of each
+ * level are on the stack.
+ */
+static void traverse_all(const cylint_bvh *bvh, const double o[3],
+                         const double d[3], double tmin, const double *tmax,
+                         cylint_line_leaf_callback *callback, void *self)
+{
+    uint32_t stack[MOST_PUSHED * CYLINT_BVH_DEPTH], batch[AHEAD];
+    uint32_t leaves[LEAVES + MOST_PUSHED];
+    double least[CYLINT_LEAF_SIZE];
+    ray_state state;
+    traversal t;
+    int n = 1, n_leaves = 0;
+    start_line(&state, bvh, o, d, tmin, *tmax);
+    t.ray = &state;
+    stack[0] = 0;
+    while (n > 0) {
+        const int taken = n < AHEAD ? n : AHEAD;
+        n -= taken;
+        memcpy(batch, stack + n, (size_t)taken * sizeof *stack);
+        for (int i = 0; i < taken; i++) {
+            const cylint_node *node = &bvh->nodes[batch[i]];
+            child_hits hits;
+            unsigned hit = hit_children(&t, NULL, node, &hits);
+            for (; hit; hit &= hit - 1) {
+                const uint32_t child = node->child[cylint_lowest(hit)];
+                const int is_leaf = child >= CYLINT_LEAF_FLAG;
+                prefetch_child(bvh, child);
+                leaves[n_leaves] = child & ~CYLINT_LEAF_FLAG;
+                stack[n] = child;
+                n_leaves += is_leaf;
+                n += !is_leaf;
+            }
+        }
+        if (n > 0 && n_leaves < LEAVES)
+            continue;
+        for (int i = 0; i < n_leaves; i++) {
+            const cylint_leaf *leaf = &bvh->leaves[leaves[i]];
+            const unsigned lanes = test_line(leaf, o, d, tmin, *tmax, least);
+            if (lanes && callback(self, leaf, lanes, least))
+                return;
+        }
+        n_leaves = 0;
+    }
+}
+
 const cylint_traversal CYLINT_TRAVERSAL = {traverse_ray, traverse_occluded,
-                                           traverse_subtree, traverse_line};
+                                           traverse_subtree, traverse_line,
+                                           traverse_all};

@@ -74,6 +74,7 @@ typedef struct cylint_traversal {
     cylint_traverse_occluded *occluded;
     cylint_traverse_subtree *subtree;
     cylint_traverse_line *line;
+    cylint_traverse_line *all; /* in no order; does not read *tmax again */
 } cylint_traversal;
 
 /* `make bench-embree` counts visits, in one thread. */

@@ -97,6 +97,7 @@ size_t cylint_scene_count(const cylint_scene *scene, const cylint_line *line,
 {
     const cylint_visit_options options = {.except = scene->n,
                                           .often = enough == 1,
+                                          .in_no_order = enough == 0,
                                           .first_other = scene->n_others};
     hit_counter q = {cylint_count(&scene->pack, line, enough), enough};
     if (enough == 0 || q.count < enough)
@@ -129,7 +130,8 @@ size_t cylint_scene_all(const cylint_scene *scene, const cylint_line *line,
         .numbers = numbers, .capacity = capacity, .first = first};
     if (capacity == 0)
         return 0;
-    cylint_scene_visit(scene, line, 0, collect_hit, &heap);
+    const cylint_visit_options options = {.except = scene->n, .in_no_order = 1};
+    cylint_visit_line(scene, line, &options, HUGE_VAL, collect_hit, &heap);
     cylint_heap_sort(&heap);
     return heap.n;
 }

@@ -194,7 +194,7 @@ void cylint_scene_set_view(cylint_scene *s)
 
 int cylint_scene_complete(cylint_scene *s)
 {
-    s->traverse = cylint_traversal_used()->line;
+    s->traversal = cylint_traversal_used();
     s->traverse_point = cylint_traverse_point_used();
     cylint_scene_set_view(s);
     s->copies = allocate(s, s->n_others, sizeof *s->copies);

@@ -22,7 +22,7 @@ struct cylint_scene {
     cylint_frame frame;
     cylint_view view; /* the shapes in the frame */
     cylint_bvh bvh;
-    cylint_traverse_line *traverse;
+    const cylint_traversal *traversal;
     cylint_traverse_point *traverse_point;
     const uint32_t
         *bounded; /* numbers of the shapes in the hierarchy; NULL: all */

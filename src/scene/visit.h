@@ -13,6 +13,7 @@ typedef struct cylint_visit_options {
                       all shapes */
     unsigned want;
     int often;          /* a shape may come more than once: faster */
+    int in_no_order;    /* no nearer hit makes others unwanted: faster */
     size_t first_other; /* the first of scene->others that is tested */
 } cylint_visit_options;
 

@@ -21,6 +21,9 @@
  * decides. */
 enum { RECENT = 16 };
 
+/* The most lanes that wait while their shapes are loaded. */
+enum { LATER = 64 };
+
 typedef struct {
     const cylint_scene *scene;
     cylint_line line;     /* its tmax decreases with `last` */
@@ -33,6 +36,11 @@ typedef struct {
     void *context;
     uint32_t recent[RECENT];
     cylint_number_set visited; /* not used if `often` */
+    struct {
+        const cylint_leaf *leaf;
+        int lane;
+    } later[LATER];
+    int n_later;
 } line_visit;
 
 /* ---------------------------------------------------------- one shape --- */
@@ -135,6 +143,15 @@ static void test_line_piece(line_visit *v, const cylint_leaf *leaf, int lane)
     }
 }
 
+static inline void test_line_lane(line_visit *v, const cylint_leaf *leaf,
+                                  int lane)
+{
+    if (is_split_lane(leaf, lane))
+        test_line_piece(v, leaf, lane);
+    else
+        test_line_at(v, leaf->number[lane]);
+}
+
 /* Begins to load the lanes' shapes.  Always inlined: GCC removes calls of a function
  * which only prefetches. */
 CYLINT_INLINE void prefetch_shapes(const line_visit *v, const cylint_leaf *leaf,
@@ -145,6 +162,7 @@ CYLINT_INLINE void prefetch_shapes(const line_visit *v, const cylint_leaf *leaf,
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t number = leaf->number[cylint_lowest(lanes)];
         __builtin_prefetch(&r->record[number]);
+        __builtin_prefetch(&r->record[number].r1); /* in another line */
         __builtin_prefetch(&r->tag[number]);
     }
 #else
@@ -177,10 +195,7 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
         if (least[lane] > v->ray.length)
             break;
         lanes &= ~(1u << lane);
-        if (is_split_lane(leaf, lane))
-            test_line_piece(v, leaf, lane);
-        else
-            test_line_at(v, leaf->number[lane]);
+        test_line_lane(v, leaf, lane);
         if (v->last < last)
             v->ray.length =
                 fmin(v->ray.length, cylint_frame_reach(&v->ray, v->last));
@@ -188,11 +203,32 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
     return v->stopped;
 }
 
+static int test_later(line_visit *v)
+{
+    for (int i = 0; i < v->n_later && !v->stopped; i++)
+        test_line_lane(v, v->later[i].leaf, v->later[i].lane);
+    v->n_later = 0;
+    return v->stopped;
+}
+
+static int keep_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
+                          const double least[CYLINT_LEAF_SIZE])
+{
+    line_visit *v = self;
+    (void)least;
+    prefetch_shapes(v, leaf, lanes);
+    for (; lanes; lanes &= lanes - 1) {
+        v->later[v->n_later].leaf = leaf;
+        v->later[v->n_later++].lane = cylint_lowest(lanes);
+    }
+    return v->n_later > LATER - CYLINT_LEAF_SIZE && test_later(v);
+}
+
 /* ------------------------------------------------------------- visits --- */
 
 /* Traverses the hierarchy or, where the frame cannot hold the line, tests every
  * shape in it. */
-static void traverse_lines(line_visit *v)
+static void traverse_lines(line_visit *v, int in_no_order)
 {
     const cylint_scene *s = v->scene;
     if (s->n_bounded == 0 || v->stopped)
@@ -201,8 +237,14 @@ static void traverse_lines(line_visit *v)
     case CYLINT_FRAME_MISSED:
         return;
     case CYLINT_FRAME_ENTERED:
-        s->traverse(&s->bvh, v->ray.o, v->ray.d, 0, &v->ray.length,
-                    test_line_leaf, v);
+        if (in_no_order) {
+            s->traversal->all(&s->bvh, v->ray.o, v->ray.d, 0, &v->ray.length,
+                              keep_line_leaf, v);
+            test_later(v);
+            return;
+        }
+        s->traversal->line(&s->bvh, v->ray.o, v->ray.d, 0, &v->ray.length,
+                           test_line_leaf, v);
         return;
     default:
         for (size_t i = 0; i < s->n_bounded && !v->stopped; i++)
@@ -222,6 +264,7 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
     v.want = options->want;
     v.often = options->often;
     v.stopped = 0;
+    v.n_later = 0;
     v.callback = callback;
     v.context = context;
     memset(v.recent, 0xff, sizeof v.recent); /* CYLINT_NO_SHAPE */
@@ -231,7 +274,7 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
     for (size_t i = options->first_other; i < scene->n_others && !v.stopped;
          i++)
         test_line_at(&v, scene->others[i]);
-    traverse_lines(&v);
+    traverse_lines(&v, options->in_no_order);
 }
 
 void cylint_scene_visit(const cylint_scene *scene, const cylint_line *line,
