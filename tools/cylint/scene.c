@@ -113,6 +113,10 @@ static unsigned long long count_by_search(const struct scene *scene,
                                           unsigned long long most)
 {
     struct counter c = {.left_out = q->left_out, .most = most};
+    if (!scene->search.shapes && q->left_out->count == 0) {
+        return cylint_scene_count(scene->search.scene, q->line,
+                                  most == ~0ULL ? 0 : (size_t)most);
+    }
     search_visit(&scene->search, q->line, 0, q->hits, count_hit, &c);
     return c.count;
 }
