@@ -6,6 +6,7 @@
 #ifndef CYLINT_SCENE_VISIT_H
 #define CYLINT_SCENE_VISIT_H
 
+#include "../numbers/compiler.h"
 #include "scene.h"
 
 typedef struct cylint_visit_options {
@@ -26,5 +27,26 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
 void cylint_visit_point(const cylint_scene *scene, const double point[3],
                         double radius, int often, cylint_scene_near *callback,
                         void *context);
+
+/* Begins to load the lanes' shapes.  Always inlined: GCC removes calls of a
+ * function which only prefetches. */
+CYLINT_INLINE void cylint_prefetch_shapes(const cylint_scene *scene,
+                                          const cylint_leaf *leaf,
+                                          unsigned lanes)
+{
+#ifdef __GNUC__
+    const cylint_records *r = &scene->records;
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t number = leaf->number[cylint_lowest(lanes)];
+        __builtin_prefetch(&r->record[number]);
+        __builtin_prefetch(&r->record[number].r1); /* in another line */
+        __builtin_prefetch(&r->tag[number]);
+    }
+#else
+    (void)scene;
+    (void)leaf;
+    (void)lanes;
+#endif
+}
 
 #endif

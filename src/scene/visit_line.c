@@ -152,26 +152,6 @@ static inline void test_line_lane(line_visit *v, const cylint_leaf *leaf,
         test_line_at(v, leaf->number[lane]);
 }
 
-/* Begins to load the lanes' shapes.  Always inlined: GCC removes calls of a function
- * which only prefetches. */
-CYLINT_INLINE void prefetch_shapes(const line_visit *v, const cylint_leaf *leaf,
-                                   unsigned lanes)
-{
-#ifdef __GNUC__
-    const cylint_records *r = &v->scene->records;
-    for (; lanes; lanes &= lanes - 1) {
-        const uint32_t number = leaf->number[cylint_lowest(lanes)];
-        __builtin_prefetch(&r->record[number]);
-        __builtin_prefetch(&r->record[number].r1); /* in another line */
-        __builtin_prefetch(&r->tag[number]);
-    }
-#else
-    (void)v;
-    (void)leaf;
-    (void)lanes;
-#endif
-}
-
 /* The lane with the least t. */
 static int first_lane(unsigned lanes, const double least[CYLINT_LEAF_SIZE])
 {
@@ -187,7 +167,7 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
 {
     line_visit *v = self;
     if (v->want == 0)
-        prefetch_shapes(v, leaf, lanes);
+        cylint_prefetch_shapes(v->scene, leaf, lanes);
     while (lanes && !v->stopped) {
         const int lane =
             v->want ? first_lane(lanes, least) : cylint_lowest(lanes);
@@ -216,7 +196,7 @@ static int keep_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
 {
     line_visit *v = self;
     (void)least;
-    prefetch_shapes(v, leaf, lanes);
+    cylint_prefetch_shapes(v->scene, leaf, lanes);
     for (; lanes; lanes &= lanes - 1) {
         v->later[v->n_later].leaf = leaf;
         v->later[v->n_later++].lane = cylint_lowest(lanes);

@@ -157,6 +157,11 @@ static int test_point_leaf(void *self, const cylint_leaf *leaf,
 {
     point_visit *v = self;
     unsigned lanes = (1u << cylint_leaf_used(leaf)) - 1;
+    if (!v->often) { /* then most shapes within reach are tested */
+        for (int lane = 0; lane < cylint_leaf_used(leaf); lane++)
+            lanes &= ~((unsigned)(least[lane] > v->reach) << lane);
+        cylint_prefetch_shapes(v->scene, leaf, lanes);
+    }
     while (lanes && !v->stopped) {
         const int lane = nearest_lane(lanes, least);
         if (least[lane] > v->reach)
