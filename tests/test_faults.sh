@@ -52,19 +52,22 @@ awk 'BEGIN { for (i = 0; i < 2500; i++) print i, 0, i % 20, int(i / 20) % 20,
 "$cylint" --binary-out -f x0,y0,z0,nx0,ny0,nz0,x1,y1,z1,nx1,ny1,nz1,chord \
     pairs >doubles 2>/dev/null
 
-jobs='pairs scene binary'
+"$cylint" --save shapes.saved -s shapes 2>/dev/null
+
+jobs='pairs scene saved binary'
 answer() { # PROGRAM JOB [OPTION]...: reads standard input
     program=$1 job=$2
     shift 2
     case $job in
     pairs) "$program" -f relation,n,t0,t1,part0,part1,id "$@" ;;
     scene) "$program" -s shapes -q all --not label -f id,shape,label,t0,t1 "$@" ;;
+    saved) "$program" -s shapes.saved -q all --not label -f id,shape,label,t0,t1 "$@" ;;
     neuron) "$program" -s neuron.swc "$@" ;;
     binary) "$program" -b -k ray,cylinder -f n,t0,t1,id "$@" ;;
     esac
 }
 input_of() {
-    case $1 in pairs) echo pairs ;; scene | neuron) echo rays ;; binary) echo doubles ;; esac
+    case $1 in pairs) echo pairs ;; scene | saved | neuron) echo rays ;; binary) echo doubles ;; esac
 }
 
 # One worker without failures gives the expected answers.  The tails show that
@@ -74,6 +77,7 @@ for job in $jobs neuron; do
     [ $? -eq 1 ] && [ -s $job.out ] && [ "$(wc -l <$job.err)" -ge 4 ] ||
         wrong="$wrong $job"
 done
+cmp -s scene.out saved.out && cmp -s scene.err saved.err || wrong="$wrong saved"
 cut -f 8 pairs.out | grep -v '^$' >ids
 awk 'BEGIN { for (i = 1; i <= 9000; i++) if (i % 701) print "r" i }' | cmp -s - ids ||
     wrong="$wrong ids"
@@ -234,6 +238,25 @@ for j in $WORKERS; do
         <doubles 2>err
     stopped $? 3 'kept/old: No space left on device' "npy -j $j"
     unchanged "npy -j $j"
+    for name in old new; do
+        for fault in write=0 write=10000 fsync=1 rename=1; do
+            CYLINT_FAULTS="$fault leaks=1" "$faulty" -j $j --save kept/$name -s shapes \
+                2>err
+            stopped $? 3 "kept/$name: No space left on device" "$fault --save $name -j $j"
+            unchanged "$fault --save $name -j $j"
+        done
+    done
+    n=1
+    while [ $n -lt 300 ] &&
+        ! CYLINT_FAULTS="alloc=$n leaks=1" "$faulty" -j $j --save kept/new -s shapes 2>err; do
+        stopped 4 4 'out of memory' "alloc=$n --save -j $j"
+        unchanged "alloc=$n --save -j $j"
+        n=$((n + 1))
+    done
+    cmp -s kept/new shapes.saved || wrong="$wrong alloc=$n --save -j $j: other bytes;"
+    CYLINT_FAULTS='short=4 eintr=4 again=4' "$faulty" -j $j --save kept/new -s shapes 2>err
+    cmp -s kept/new shapes.saved || wrong="$wrong interrupted --save -j $j;"
+    rm kept/new
     CYLINT_FAULTS='short=4 eintr=4 again=4' answer "$faulty" pairs -j $j -o kept/new \
         <pairs 2>err
     code=$?

@@ -1,11 +1,11 @@
 /*
  * labels.c - the tails of a scene's lines: names of its shapes
  */
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "labels.h"
+#include "main.h"
 #include "report.h"
 
 /* Makes space for `more` bytes; at least doubles the capacity. */
@@ -33,9 +33,9 @@ static int grow_ends(struct labels *labels)
     }
     const size_t end_capacity =
         labels->end_capacity > 0 ? 2 * labels->end_capacity : 64;
-    size_t *end = end_capacity <= SIZE_MAX / sizeof *end
-                      ? realloc(labels->end, end_capacity * sizeof *end)
-                      : NULL;
+    uint64_t *end = end_capacity <= SIZE_MAX / sizeof *end
+                        ? realloc(labels->end, end_capacity * sizeof *end)
+                        : NULL;
     if (!end) {
         return out_of_memory();
     }
@@ -72,6 +72,36 @@ void labels_collect(struct labels *labels, struct scene *scene)
     scene->context = labels;
 }
 
+void labels_give(struct labels *labels, struct scene *scene)
+{
+    if (labels->length > 0) {
+        labels->table = (cylint_scene_labels){labels->end, labels->bytes};
+        cylint_scene_set_labels(scene->shapes, &labels->table);
+    }
+}
+
+int labels_take(struct labels *labels, const struct scene *scene,
+                const char *file)
+{
+    const cylint_scene_labels *of = cylint_scene_get_labels(scene->shapes);
+    if (!of) {
+        return 0;
+    }
+    labels->table = *of;
+    for (size_t i = 0; i < scene->count; i++) {
+        const size_t length = labels_get(labels, i).length;
+        if (length > labels->longest) {
+            labels->longest = length;
+        }
+    }
+    if (labels->longest > 0 &&
+        memchr(of->text, '\n', (size_t)of->end[scene->count - 1])) {
+        complain(file, "a label of the scene has a line feed");
+        return EXIT_BAD;
+    }
+    return 0;
+}
+
 void labels_free(struct labels *labels)
 {
     free(labels->bytes);
@@ -80,7 +110,8 @@ void labels_free(struct labels *labels)
 
 struct label labels_get(const struct labels *labels, size_t shape)
 {
-    const size_t begin = shape > 0 ? labels->end[shape - 1] : 0;
-    const size_t length = labels->end[shape] - begin;
-    return (struct label){length > 0 ? labels->bytes + begin : "", length};
+    const cylint_scene_labels *t = &labels->table;
+    const size_t begin = t->end && shape > 0 ? (size_t)t->end[shape - 1] : 0;
+    const size_t length = t->end ? (size_t)t->end[shape] - begin : 0;
+    return (struct label){length > 0 ? t->text + begin : "", length};
 }

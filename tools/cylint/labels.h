@@ -7,6 +7,7 @@
 #define CYLINT_LABELS_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "scene.h"
 
@@ -14,9 +15,10 @@
 struct labels {
     char *bytes; /* of all labels, one after the other */
     size_t length, capacity;
-    size_t *end; /* end of each shape's label in bytes */
+    uint64_t *end; /* end of each shape's label in bytes */
     size_t count, end_capacity;
-    size_t longest; /* bytes of the longest label */
+    size_t longest;            /* bytes of the longest label */
+    cylint_scene_labels table; /* the labels; end is NULL if there are none */
 };
 
 struct label {
@@ -24,8 +26,14 @@ struct label {
     size_t length;
 };
 
-/* Makes scene_read() store the labels here. */
+/* Makes scene_add() store the labels here. */
 void labels_collect(struct labels *labels, struct scene *scene);
+/* Gives the scene the labels that were collected, after all its shapes. */
+void labels_give(struct labels *labels, struct scene *scene);
+/* Uses the labels of a scene that was opened from `file`, in their place.  Returns
+ * 0, or an exit status after a message. */
+int labels_take(struct labels *labels, const struct scene *scene,
+                const char *file);
 void labels_free(struct labels *labels);
 
 /* The label of a shape, counted from 0.  Its length is 0 if there is none. */

@@ -8,6 +8,7 @@
 #include "main.h"
 #include "message.h"
 #include "processors.h"
+#include "saved.h"
 #include "scene_read.h"
 #include "workers.h"
 
@@ -52,16 +53,32 @@ struct shapes {
     struct groups groups;
 };
 
+static int load_shapes(const struct options *o, struct scene *scene,
+                       struct labels *labels)
+{
+    const int uses_labels = needs_labels(o) || o->not_label;
+    int status = saved_open(scene, o->scene, o->grammar.ends);
+    if (status != NOT_SAVED) {
+        return status == 0 && uses_labels ? labels_take(labels, scene, o->scene)
+                                          : status;
+    }
+    if (uses_labels || o->save) {
+        labels_collect(labels, scene);
+    }
+    status = scene_read_text(scene, o->scene, o->grammar.ends,
+                             (enum swc_form)o->swc);
+    if (status == 0) {
+        labels_give(labels, scene);
+    }
+    return status;
+}
+
 static int read_scene(const struct options *o, struct shapes *shapes)
 {
     struct scene *scene = &shapes->scene;
     struct labels *labels = &shapes->labels;
-    if (needs_labels(o) || o->not_label) {
-        labels_collect(labels, scene);
-    }
-    int status =
-        scene_read(scene, o->scene, o->grammar.ends, (enum swc_form)o->swc);
-    if (status == 0 && !o->method) {
+    int status = load_shapes(o, scene, labels);
+    if (status == 0 && (!o->method || o->save)) {
         status = scene_prepare(scene, o->accel, o->workers);
     }
     return status == 0 ? groups_make(&shapes->groups, scene->count,
@@ -74,11 +91,18 @@ static int is_terminal(const struct options *o)
     return strcmp(o->files[0], "-") == 0 && isatty(0);
 }
 
+static int save_scene(const struct options *o, struct shapes *shapes)
+{
+    int status = output_is_input(o->save, o) ? EXIT_IO : read_scene(o, shapes);
+    return status == 0 ? saved_write(&shapes->scene, o->workers, o->save)
+                       : status;
+}
+
 /* The scene of an input without a byte is not read.  It must exist. */
 static int read_scene_if_needed(struct job *job, struct shapes *shapes)
 {
     const struct options *o = job->options;
-    if (!o->scene) {
+    if (!o->scene || o->save) {
         return 0;
     }
     if (is_terminal(o) || !input_is_empty(&job->in)) {
@@ -118,7 +142,12 @@ static int answer_input(struct job *job, struct shapes *shapes)
 
 static int run(struct job *job, struct shapes *shapes)
 {
-    int status = output_open(&job->out, job->options);
+    const struct options *o = job->options;
+    int status = o->save ? save_scene(o, shapes) : 0;
+    if (status != 0 || o->only_saves) {
+        return status;
+    }
+    status = output_open(&job->out, o);
     if (status != 0) {
         return status;
     }

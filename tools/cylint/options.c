@@ -25,6 +25,7 @@ enum option_id {
     OPT_NOT,
     OPT_NPY,
     OPT_PROGRESS,
+    OPT_SAVE,
     OPT_SWC,
     OPT_TAIL,
     OPT_VERSION,
@@ -58,6 +59,7 @@ static const struct option options_known[] = {{"b", 'b', 0},
                                               {"not", OPT_NOT, 1},
                                               {"npy", OPT_NPY, 0},
                                               {"progress", OPT_PROGRESS, 0},
+                                              {"save", OPT_SAVE, 1},
                                               {"swc", OPT_SWC, 1},
                                               {"tail", OPT_TAIL, 0},
                                               {"version", OPT_VERSION, 0},
@@ -229,6 +231,9 @@ static int take_value(struct options *options, struct pending *pending,
         return read_radius(value, &options->radius)
                    ? 0
                    : usage_value(o, value, "a radius >= 0");
+    case OPT_SAVE:
+        options->save = value;
+        return 0;
     case OPT_SWC:
         pending->has_swc = 1;
         return read_word(o, value, swc_forms, SWC_FORMS, &options->swc);
@@ -471,6 +476,27 @@ static int uses_stdin(const struct options *options)
     return 0;
 }
 
+/* Before the files are completed: --save without one answers no records. */
+static int settle_save(struct options *options, const struct pending *pending)
+{
+    const char *const o = options->output;
+    if (!options->save) {
+        return 0;
+    }
+    if (!options->scene) {
+        return usage("--save needs a scene, -s FILE");
+    }
+    if (o && strcmp(options->save, o) == 0) {
+        return usage("--save and -o name the same file");
+    }
+    options->only_saves = options->file_count == 0;
+    return options->only_saves &&
+                   (o || pending->query || pending->fields || pending->kinds)
+               ? usage("--save: answers need an input file; - is standard "
+                       "input")
+               : 0;
+}
+
 static int settle(struct options *options, const struct pending *pending)
 {
     static char dash[] = "-";
@@ -478,12 +504,16 @@ static int settle(struct options *options, const struct pending *pending)
     struct grammar *g = &options->grammar;
     g->has_line = 1;
     g->has_shape = options->scene == NULL;
+    int status = settle_save(options, pending);
+    if (status != 0) {
+        return status;
+    }
     if (options->file_count == 0) {
         options->files = standard_input;
         options->file_count = 1;
     }
     if (options->scene && strcmp(options->scene, "-") == 0 &&
-        uses_stdin(options)) {
+        uses_stdin(options) && !options->only_saves) {
         return usage("the scene and the records are both standard input");
     }
     if (pending->not_what && !options->scene) {
@@ -492,7 +522,7 @@ static int settle(struct options *options, const struct pending *pending)
     if (pending->has_swc && !(options->scene && swc_is_name(options->scene))) {
         return usage("--swc needs a neuron, -s NAME.swc");
     }
-    int status = pending->kinds ? settle_kinds(g, pending->kinds) : 0;
+    status = pending->kinds ? settle_kinds(g, pending->kinds) : 0;
     options->remarks = wanted_remarks(g, pending->tail);
     if (status == 0) {
         status = settle_query(options, pending->query);

@@ -15,6 +15,8 @@ enum bad_policy { BAD_MARK, BAD_SKIP, BAD_STOP };
 struct options {
     struct grammar grammar;
     const char *scene; /* NULL: pairs */
+    const char *save;  /* the file to save the scene to, or NULL */
+    int only_saves;    /* answers no records */
     int swc;           /* enum swc_form of a neuron */
     enum accel accel;
     enum query query;

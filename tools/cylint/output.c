@@ -39,16 +39,18 @@ static int put_array_header(struct output *out, unsigned long long rows)
     return output_write(out, header, sizeof header);
 }
 
-/* Whether the file of -o is a regular file that is read, too. */
-static int is_read_too(const struct options *o)
+int output_is_input(const char *file, const struct options *o)
 {
     struct stat s;
-    if (!o->output || stat(o->output, &s) != 0 || !S_ISREG(s.st_mode)) {
+    if (stat(file, &s) != 0 || !S_ISREG(s.st_mode)) {
         return 0;
     }
     int read_too = o->scene != NULL && is_output(&s, o->scene);
     for (int i = 0; i < o->file_count; i++) {
         read_too |= is_output(&s, o->files[i]);
+    }
+    if (read_too) {
+        complain(file, "is both input and output");
     }
     return read_too;
 }
@@ -72,8 +74,7 @@ int output_open(struct output *out, const struct options *o)
     out->array = -1;
     out->row =
         o->style.binary ? sizeof(double) * (size_t)options_fields(o)->count : 0;
-    if (is_read_too(o)) {
-        complain(o->output, "is both input and output");
+    if (o->output && output_is_input(o->output, o)) {
         return EXIT_IO;
     }
     int status = target_open(&out->target, o->output);

@@ -20,6 +20,9 @@ struct output {
  * file opened would become standard output.  Call it first. */
 void guard_standard_streams(void);
 
+/* Whether this regular file is an input file, too; prints a message if so. */
+int output_is_input(const char *file, const struct options *options);
+
 /* All three return 0, or an exit status after a message.  The file of -o must
  * not be an input file; it takes its place if it is whole.  Output that cannot
  * take all bytes ends with a whole row.  A .npy header is completed at the

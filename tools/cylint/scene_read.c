@@ -7,6 +7,7 @@
 #include "block.h"
 #include "input.h"
 #include "main.h"
+#include "saved.h"
 #include "scene_read.h"
 
 static int read_shapes(struct scene *scene, const struct grammar *g,
@@ -22,6 +23,9 @@ static int read_shapes(struct scene *scene, const struct grammar *g,
             continue;
         }
         if (!read_record(g, p, stop, &b->parsed, &fault)) {
+            if (saved_begins(b->text, b->length)) {
+                fault.remedy = "a saved scene cannot be read from a pipe";
+            }
             take_note(&b->notes, number, 0, p, end, &fault);
             print_note(&b->notes.note[0], b->name);
             return EXIT_BAD;
@@ -55,8 +59,8 @@ static const char *converter_of(const char *file)
     return NULL;
 }
 
-int scene_read(struct scene *scene, const char *file, int ends,
-               enum swc_form form)
+int scene_read_text(struct scene *scene, const char *file, int ends,
+                    enum swc_form form)
 {
     const struct grammar g = {.has_shape = 1,
                               .line = NOT_GIVEN,
@@ -84,5 +88,20 @@ int scene_read(struct scene *scene, const char *file, int ends,
     }
     swc_free(&swc);
     block_free(&block);
+    return status;
+}
+
+int scene_read(struct scene *scene, const char *file, int ends,
+               enum swc_form form)
+{
+    struct scene saved = {0};
+    int status = saved_open(&saved, file, ends);
+    if (status == NOT_SAVED) {
+        return scene_read_text(scene, file, ends, form);
+    }
+    if (status == 0) {
+        status = saved_add(&saved, file, scene);
+    }
+    scene_free(&saved);
     return status;
 }

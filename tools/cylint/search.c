@@ -31,25 +31,27 @@ static int make_pack(struct search *s)
     return 0;
 }
 
+int search_build(cylint_scene *scene, int threads)
+{
+    const cylint_scene_status status =
+        cylint_scene_finish(scene, threads, NULL, NULL);
+    if (status == CYLINT_SCENE_OK || status == CYLINT_SCENE_EFINISHED) {
+        return 0;
+    }
+    if (status == CYLINT_SCENE_EMEMORY) {
+        return out_of_memory();
+    }
+    complain("-s", cylint_scene_strerror((int)status));
+    return EXIT_USAGE;
+}
+
 int search_make(struct search *s, cylint_scene *scene, enum accel accel,
                 int threads)
 {
     memset(s, 0, sizeof *s);
     s->scene = scene;
     s->count = cylint_scene_size(scene);
-    if (accel == ACCEL_NONE) {
-        return make_pack(s);
-    }
-    const cylint_scene_status status =
-        cylint_scene_finish(scene, threads, NULL, NULL);
-    if (status == CYLINT_SCENE_EMEMORY) {
-        return out_of_memory();
-    }
-    if (status != CYLINT_SCENE_OK) {
-        complain("-s", cylint_scene_strerror((int)status));
-        return EXIT_USAGE;
-    }
-    return 0;
+    return accel == ACCEL_NONE ? make_pack(s) : search_build(scene, threads);
 }
 
 void search_free(struct search *s)

@@ -24,8 +24,12 @@ struct search {
     cylint_pack pack;
 };
 
-/* Builds the scene with this number of threads; 0: one for each processor.
- * Returns 0, or an exit status after a message. */
+/* Builds the scene, unless that was done, with this number of threads; 0: one
+ * for each processor.  Returns 0, or an exit status after a message. */
+int search_build(cylint_scene *scene, int threads);
+
+/* Builds the scene, or packs its shapes.  Returns 0, or an exit status after a
+ * message. */
 int search_make(struct search *s, cylint_scene *scene, enum accel accel,
                 int threads);
 void search_free(struct search *s);

@@ -12,7 +12,7 @@ typedef struct cylint_python_scene {
     cylint_scene *shapes; /* begun; NULL: there are none */
     size_t count;
     char *label_bytes;
-    size_t *label_end;
+    uint64_t *label_end;
 } cylint_python_scene;
 
 /* Returns 0 or an exit status.  ends: of shapes whose line does not say, or
