@@ -14,7 +14,7 @@ from ._arrays import shapes_of
 from ._shapes import Shapes, _codes
 
 _NOT_GIVEN = -1
-_BAD, _MEMORY = 1, 4
+_BAD, _USAGE, _MEMORY = 1, 2, 4
 _AT_ONCE = 1 << 16  # shapes; Ctrl-C ends the writing between them
 
 
@@ -30,7 +30,7 @@ def read_scene(
     neuron each node that has a parent gives a frustum, capped; with swc="round"
     it gives a rounded cone, and each root a sphere.  swc="cones" is the default.
     What follows a shape on its line is its label, see `Shapes.labels`; that of a
-    neuron's shape is the number of its node.
+    neuron's shape is the number of its node.  A scene of `Scene.save` is read, too.
     ends: for shapes whose line does not say.  Raises ValueError for the first
     bad line, OSError if the file cannot be read.
 
@@ -68,8 +68,8 @@ def read_begun(
     )
     if status != 0:
         text = "; ".join(messages)
-        error = {_BAD: ValueError, _MEMORY: MemoryError}.get(status, OSError)
-        raise error(text)
+        errors = {_BAD: ValueError, _USAGE: ValueError, _MEMORY: MemoryError}
+        raise errors.get(status, OSError)(text)
     for text in messages:
         warnings.warn(text, stacklevel=2)
     return (

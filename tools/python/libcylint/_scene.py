@@ -128,7 +128,7 @@ class Scene:
         progress: Progress | None,
     ) -> None:
         self._scene = begun
-        self._labels = labels
+        self._labels = labels  # in place of the cached property
         self._threads = threads
         begun.finish(workers(threads), progress)
 
@@ -164,8 +164,79 @@ class Scene:
     def __repr__(self) -> str:
         return f"<libcylint.Scene: {counted(len(self), 'shape')}>"
 
+    @cached_property
+    def _labels(self) -> NDArray[np.object_] | None:
+        """Those in the file of a scene that was opened."""
+        labels = self._scene.labels()
+        return None if labels is None else np.array(labels, np.object_)
+
+    def _with_labels(self) -> _core.Scene:
+        """The scene, which then holds its labels as bytes."""
+        labels = self.__dict__.get("_labels")
+        if labels is not None:
+            encoded = [x.encode("utf-8", "surrogateescape") for x in labels]
+            self._scene.set_labels(encoded)
+        return self._scene
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Saves the scene with its labels in a file, for `open`.
+
+        `cylint -s` opens it, too, and cylint_scene_open() of C.  A file of about
+        100 bytes a shape is written beside `path` and renamed, so who has opened
+        an older file keeps it.  Raises OSError if that fails.
+
+        >>> import os, tempfile
+        >>> folder = tempfile.TemporaryDirectory()
+        >>> name = os.path.join(folder.name, "rods")
+        >>> rods = cylint.cylinder([0, 0, 0], [[0, 0, 1], [0, 0, 2]], 1)
+        >>> cylint.Scene(rods.with_labels(["short", "long"])).save(name)
+        >>> scene = cylint.Scene.open(name)
+        >>> scene, scene.shapes.labels
+        (<libcylint.Scene: 2 shapes>, array(['short', 'long'], dtype='<U5'))
+        """
+        error = self._with_labels().save(_file_name(path))
+        if error:
+            raise OSError(error, os.strerror(error), os.fspath(path))
+
+    @classmethod
+    def open(
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        trusted: bool = False,
+        read: bool = False,
+        threads: int | None = None,
+    ) -> Scene:
+        """Opens a scene that `save` or `cylint --save` wrote.
+
+        The file is mapped into memory, so nothing is built, and all processes that
+        open it share its memory.  It must not be shortened or rewritten in place
+        as long as the scene is used; `save` does not do that.
+        read: read the file into memory of this process instead.
+        trusted: do not check the whole file, which takes 0.05 s for 100 MB, but
+        only that it is complete.  A file that is damaged then makes queries crash.
+        threads: of all queries that do not say; None: one per processor.
+
+        Raises OSError if the file cannot be read, ValueError if it is no saved
+        scene, damaged, or of another version or machine.
+        """
+        made, error, text = _core.Scene.open(_file_name(path), read, trusted)
+        if error:
+            raise OSError(error, os.strerror(error), os.fspath(path))
+        if made is None:
+            raise ValueError(f"{os.fspath(path)}: {text}")
+        return cls._opened(made, threads)
+
+    @classmethod
+    def _opened(cls, made: _core.Scene, threads: int | None) -> Scene:
+        workers(threads)  # checks the number
+        scene = cls.__new__(cls)
+        scene._scene = made
+        scene._threads = threads
+        return scene
+
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restore, (self.shapes, self._threads)
+        return _restore, (self._with_labels().to_bytes(), self._threads)
 
     def _choose(self, threads: int | None) -> int | None:
         return self._threads if threads is None else threads
@@ -346,5 +417,15 @@ def _joined(labels: list[Any]) -> NDArray[np.object_] | None:
     )
 
 
-def _restore(shapes: Shapes, threads: int | None) -> Scene:
-    return Scene(shapes, threads=threads)
+def _file_name(path: str | os.PathLike[str]) -> bytes:
+    name = os.fsencode(path)
+    if b"\0" in name:
+        raise ValueError("embedded null byte")
+    return name
+
+
+def _restore(data: bytes, threads: int | None) -> Scene:
+    made, _, text = _core.Scene.open_bytes(data)
+    if made is None:
+        raise ValueError(f"pickled scene: {text}")
+    return Scene._opened(made, threads)

@@ -102,6 +102,9 @@ void register_scene(nb::module_ &module);
 nb::tuple read_scene(const char *file, int ends, bool round);
 nb::bytes write_scene(nb::handle shapes, size_t first, nb::handle labels);
 
+/* Labels, one behind the other, as texts. */
+nb::object label_texts(const uint64_t *end, const char *text, size_t count);
+
 /* Takes a scene that was begun; None for NULL. */
 nb::object scene_object(cylint_scene *begun);
 

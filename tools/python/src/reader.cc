@@ -42,18 +42,9 @@ extern "C" void message(const char *format, ...)
 /* The labels as texts, or None if there are none. */
 static nb::object labels_of(const cylint_python_scene &scene)
 {
-    if (!scene.label_bytes)
-        return nb::none();
-    nb::list labels;
-    size_t begin = 0;
-    for (size_t i = 0; i < scene.count; i++) {
-        const size_t end = scene.label_end[i];
-        labels.append(nb::steal(PyUnicode_DecodeUTF8(
-            scene.label_bytes + begin, static_cast<Py_ssize_t>(end - begin),
-            "surrogateescape")));
-        begin = end;
-    }
-    return labels;
+    return scene.label_bytes
+               ? label_texts(scene.label_end, scene.label_bytes, scene.count)
+               : nb::none();
 }
 
 /* Returns (status, a scene that is begun, labels, messages); None instead of a scene

@@ -1,10 +1,12 @@
 /*
  * scene.cc - libcylint-scene: many lines or points, and many shapes
  */
+#include <cerrno>
 #include <exception>
 #include <initializer_list>
 #include <memory>
 #include <new>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -122,6 +124,96 @@ class Scene
         n += more;
     }
 
+    /* Opens a file, or the bytes of one.  Returns (Scene or None, errno or 0, a
+     * message or None). */
+    static nb::tuple open(const nb::bytes &path, bool read, bool trusted)
+    {
+        const unsigned flags = (read ? CYLINT_SCENE_READ : 0U) |
+                               (trusted ? CYLINT_SCENE_TRUSTED : 0U);
+        cylint_scene_status status;
+        cylint_scene *opened;
+        int error;
+        {
+            nb::gil_scoped_release released;
+            opened = cylint_scene_open(path.c_str(), flags, &status);
+            error = errno;
+        }
+        return opened_or_not(opened, status, error, nb::object());
+    }
+
+    static nb::tuple open_bytes(const nb::bytes &bytes)
+    {
+        cylint_scene_status status;
+        cylint_scene *opened;
+        {
+            nb::gil_scoped_release released;
+            opened = cylint_scene_open_memory(bytes.data(), bytes.size(), 0,
+                                              &status);
+        }
+        /* The library copies bytes at other addresses. */
+        const bool in_place =
+            reinterpret_cast<uintptr_t>(bytes.data()) % 64 == 0;
+        return opened_or_not(opened, status, 0,
+                             in_place ? nb::object(bytes) : nb::object());
+    }
+
+    /* Returns errno, or 0. */
+    int save(const nb::bytes &path) const
+    {
+        cylint_scene_status status;
+        int error;
+        {
+            nb::gil_scoped_release released;
+            status = cylint_scene_save(scene.get(), path.c_str());
+            error = errno;
+        }
+        if (status == CYLINT_SCENE_EFILE)
+            return error;
+        check(status);
+        return 0;
+    }
+
+    /* The bytes of the file that save() writes. */
+    nb::object to_bytes() const
+    {
+        size_t size = 0;
+        check(cylint_scene_write(scene.get(), count_bytes, &size));
+        nb::object bytes = nb::steal(
+            PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size)));
+        if (!bytes.is_valid())
+            throw std::bad_alloc();
+        char *to = PyBytes_AsString(bytes.ptr());
+        nb::gil_scoped_release released;
+        cylint_scene_write(scene.get(), copy_bytes, &to);
+        return bytes;
+    }
+
+    /* Gives a finished scene its labels, a list of bytes, once. */
+    void set_labels(const nb::list &labels)
+    {
+        if (cylint_scene_get_labels(scene.get()))
+            return;
+        std::vector<uint64_t> ends;
+        std::string text;
+        for (nb::handle label : labels) {
+            const auto bytes = nb::cast<nb::bytes>(label);
+            text.append(bytes.c_str(), bytes.size());
+            ends.push_back(text.size());
+        }
+        label_ends = std::move(ends);
+        label_text = std::move(text);
+        const cylint_scene_labels all{label_ends.data(), label_text.data()};
+        cylint_scene_set_labels(scene.get(), &all);
+    }
+
+    /* The labels as texts, or None if there are none. */
+    nb::object labels() const
+    {
+        const cylint_scene_labels *const all =
+            cylint_scene_get_labels(scene.get());
+        return all ? label_texts(all->end, all->text, n) : nb::none();
+    }
+
     void finish(int threads, nb::handle progress)
     {
         cylint_scene_status status;
@@ -207,14 +299,15 @@ class Scene
                int threads, nb::handle progress) const
     {
         const Array to(counts, true);
-        return each_line(
-            lines, exclude, {&to}, threads, progress,
-            [this](const cylint_line &line, size_t except, char *const *at,
-                   size_t) {
-                const size_t count = cylint_scene_count(scene.get(), &line, 0);
-                const int left_out = except < n && is_hit(except, line);
-                put(at[0], static_cast<int64_t>(count) - left_out);
-            });
+        return each_line(lines, exclude, {&to}, threads, progress,
+                         [this](const cylint_line &line, size_t except,
+                                char *const *at, size_t) {
+                             const size_t count =
+                                 cylint_scene_count(scene.get(), &line, 0);
+                             const int left_out =
+                                 except < n && is_hit(except, line);
+                             put(at[0], static_cast<int64_t>(count) - left_out);
+                         });
     }
 
     /* The hits of all lines, which have one axis, in order; nullptr if a line
@@ -341,10 +434,9 @@ class Scene
                 cylint_shape shape;
                 cylint_closest answer;
                 cylint_scene_shape(scene.get(), index, &shape);
-                rows.push_back(
-                    {static_cast<int64_t>(asked),
-                     static_cast<int64_t>(index),
-                     {cylint_distance(&shape, point, 0, &answer)}});
+                rows.push_back({static_cast<int64_t>(asked),
+                                static_cast<int64_t>(index),
+                                {cylint_distance(&shape, point, 0, &answer)}});
             });
     }
 
@@ -353,6 +445,35 @@ class Scene
         cylint_shape shape;
         cylint_scene_shape(scene.get(), index, &shape);
         return cylint_occluded(&shape, &line) != 0;
+    }
+
+    static nb::tuple opened_or_not(cylint_scene *opened,
+                                   cylint_scene_status status, int error,
+                                   nb::object memory)
+    {
+        if (opened) {
+            auto made = std::make_unique<Scene>(opened);
+            made->memory = std::move(memory);
+            return nb::make_tuple(nb::cast(std::move(made)), 0, nb::none());
+        }
+        if (status == CYLINT_SCENE_EMEMORY)
+            throw std::bad_alloc();
+        return nb::make_tuple(nb::none(),
+                              status == CYLINT_SCENE_EFILE ? error : 0,
+                              nb::str(cylint_scene_strerror(status)));
+    }
+
+    static int count_bytes(void *size, const void *, size_t more)
+    {
+        *static_cast<size_t *>(size) += more;
+        return 1;
+    }
+
+    static int copy_bytes(void *to, const void *from, size_t size)
+    {
+        std::memcpy(*static_cast<char **>(to), from, size);
+        *static_cast<char **>(to) += size;
+        return 1;
     }
 
     static void check(cylint_scene_status status)
@@ -415,11 +536,27 @@ class Scene
                      });
     }
 
+    nb::object memory; /* of the scene, if it was opened there */
+    std::vector<uint64_t> label_ends;
+    std::string label_text;
     std::unique_ptr<cylint_scene, Free> scene;
     size_t n;
 };
 
 } // namespace
+
+nb::object label_texts(const uint64_t *end, const char *text, size_t count)
+{
+    nb::list labels;
+    uint64_t begin = 0;
+    for (size_t i = 0; i < count; i++) {
+        labels.append(nb::steal(PyUnicode_DecodeUTF8(
+            text + begin, static_cast<Py_ssize_t>(end[i] - begin),
+            "surrogateescape")));
+        begin = end[i];
+    }
+    return labels;
+}
 
 nb::object scene_object(cylint_scene *begun)
 {
@@ -433,6 +570,13 @@ void register_scene(nb::module_ &module)
         .def("add", &Scene::add, nb::arg("records"))
         .def("finish", &Scene::finish, nb::arg("threads"),
              nb::arg("progress").none())
+        .def_static("open", &Scene::open, nb::arg("path"), nb::arg("read"),
+                    nb::arg("trusted"))
+        .def_static("open_bytes", &Scene::open_bytes, nb::arg("bytes"))
+        .def("save", &Scene::save, nb::arg("path"))
+        .def("to_bytes", &Scene::to_bytes)
+        .def("set_labels", &Scene::set_labels, nb::arg("labels"))
+        .def("labels", &Scene::labels)
         .def("size", &Scene::size)
         .def("take", &Scene::take, nb::arg("numbers").none(),
              nb::arg("records"))
