@@ -37,6 +37,8 @@ make_input()
             -f tools/demo/scanner.awk |
         awk '{ print $0, "ray" NR }' > "$scratch/rays.txt" &&
         [ "$(wc -l < "$scratch/rays.txt")" -eq "$records" ] &&
+        sh tests/recipe.sh save-scene > "$scratch/save" &&
+        (cd "$scratch" && sh save) &&
         { [ -z "$python" ] || "$python" tests/cluster/table.py make \
             "$scratch/rays.txt" "$scratch/rays.parquet"; } &&
         split -n l/$pieces -d --additional-suffix=.txt "$scratch/rays.txt" \
