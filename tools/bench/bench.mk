@@ -58,6 +58,9 @@ bench-large: $(BUILD)/tools/bench/large ## make, save and open a scene of N=... 
 bench-text: $(commands) $(BUILD)/tools/bench/measure ## time of the command and of programs that read numbers; QUICK=1
 	@BUILD='$(BUILD)' QUICK='$(QUICK)' sh tools/bench/text.sh
 
+bench-saved: $(commands) $(BUILD)/tools/bench/measure ## time and memory of the command with scenes of text and saved ones
+	@BUILD='$(BUILD)' sh tools/bench/saved.sh
+
 bench-embree: $(filter-out %_counts,$(embree_programs)) ## time of scenes and of Embree's own curves; QUICK=1: in a minute
 	$(BUILD)/tools/bench/embree $(if $(QUICK),0.5 1e5,5 1e7) | tee $(BUILD)/embree.tsv
 	$(BUILD)/tools/bench/embree_round $(if $(QUICK),0.5 1e5,5 1e6) | tee $(BUILD)/embree-round.tsv
@@ -86,4 +89,4 @@ count_stages: $(BUILD)/tools/bench/stages
 stages: ## share of queries that reach each stage (pairs, exact digits), by family
 	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
 
-.PHONY: bench bench_programs gate bench-scene bench-large bench-text bench-embree bench-python count_visits stages count_stages
+.PHONY: bench bench_programs gate bench-scene bench-large bench-text bench-saved bench-embree bench-python count_visits stages count_stages
