@@ -400,9 +400,12 @@ test_symbols()
     threads="$threads pthread_mutex_unlock pthread_mutex_destroy"
     threads="$threads pthread_cond_wait pthread_cond_broadcast"
     threads="$threads pthread_cond_destroy pthread_self"
+    # of a saved scene
+    files='open close fstat mmap munmap getpid fopen fread fwrite fclose ferror fseek'
+    files="$files ftell rewind rename remove snprintf __errno_location"
     none "$(foreign_to libcylint-scene \
-        "$math $memory $others $heap $threads sqrtf")" \
-        scenes_use_memory_and_threads_and_nothing_else
+        "$math $memory $others $heap $threads $files sqrtf")" \
+        scenes_use_memory_threads_and_files_and_nothing_else
 }
 
 test_without_makefile()
