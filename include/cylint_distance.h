@@ -29,6 +29,15 @@ typedef enum cylint_feature {
                            round cone whose radius is 0 */
 } cylint_feature;
 
+/*
+ * A bit of `want` of the functions below and of cylint_scene.h: signed distances
+ * to closed solids.  The closed solid of a shape has both caps or round ends,
+ * whatever `ends` says; infinite and nappe shapes remain unbounded.  The distance
+ * is negative inside the solid, 0 on its boundary and positive outside.  So it is
+ * that of the shape of the same arguments with CYLINT_ENDS_CAPPED.
+ */
+enum { CYLINT_SIGNED = 1 << 7 };
+
 /* The point of a surface that is nearest to a given point. */
 typedef struct cylint_closest {
     double distance;
@@ -53,16 +62,17 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * The surface consists of the parts that `ends` leaves present.  For capped,
  * infinite and nappe it is the whole boundary of the solid.  Then the distance
  * is negative inside the solid: its sign is that of -cylint_contains().  For
- * open, cap0 and cap1 the distance is never negative.
+ * open, cap0 and cap1 the distance is never negative.  With CYLINT_SIGNED in
+ * `want` the surface is the whole boundary of the closed solid for these too.
  *
  * Writes answer->distance and answer->flags, and returns answer->distance.
  * `point` must not be a member of *answer.
- * `want` is a sum of CYLINT_WANT_PART (part and feature), CYLINT_WANT_POINT and
- * CYLINT_WANT_NORMAL; other values have no effect.  Members that are not wanted
+ * `want` is a sum of CYLINT_WANT_PART (part and feature), CYLINT_WANT_POINT,
+ * CYLINT_WANT_NORMAL and CYLINT_SIGNED; other values have no effect.  Members that are not wanted
  * are not written.  If the shape was refused, if the point is not finite, or if
  * there is no surface, the distance is HUGE_VAL, part is -1, wanted or not, and
  * point and normal are not written.  There is no surface if a round cone is the
- * ball about one end and `ends` leaves out that end.
+ * ball about one end and `ends` leaves out that end, unless CYLINT_SIGNED is set.
  *
  * If several points of the surface are nearest, the answer is the first of
  * these:
@@ -178,8 +188,9 @@ CYLINT_API void cylint_on_surface_pairs(const cylint_shape *shapes,
                                         const cylint_points *points,
                                         double ulps, signed char *on);
 
-/* Returns the number of the shape with the least absolute distance, if that is
- * at most `within`; of equal ones the lowest number.  Writes the wanted members
+/* Returns the number of the shape with the least absolute distance or, with
+ * CYLINT_SIGNED, the least signed distance, if that is at most `within`; of equal
+ * ones the lowest number.  Writes the wanted members
  * of its answer as cylint_distance() does.  Returns n, and writes nothing, if
  * there is none.  Compares the doubles that cylint_distance() returns.  `point`
  * must not be a member of *answer.  Where shapes overlap, the nearest surface may

@@ -258,55 +258,82 @@ CYLINT_API void cylint_scene_visit(const cylint_scene *scene,
                                    const cylint_line *line, unsigned want,
                                    cylint_scene_hit *callback, void *context);
 
+/* Returns the number of shapes whose closed solid holds the point, at most
+ * `enough` unless that is 0: those for which cylint_contains() returns 1 or 0, so
+ * that the boundary belongs to the solid.  With enough = 1: whether the union of
+ * all solids holds it.  Exact, whatever the `ends` of the shapes.  Infinite and
+ * nappe shapes count.  A refused shape holds no point, and no shape holds a point
+ * with an infinite or NaN coordinate. */
+CYLINT_API size_t cylint_scene_contains(const cylint_scene *scene,
+                                        const double point[3], size_t enough);
+
 /*
- * Distances of points.  The functions below compare the absolute values of the
- * doubles that cylint_distance() of cylint_distance.h returns: of the distance
- * to the surface, also inside a solid.  They return what a loop over all shapes
- * returns, bit for bit.  A refused shape has no distance.  If the point is
- * invalid, or the radius is negative or NaN, no shape is within it.  The radius
- * may be HUGE_VAL.
+ * Distances of points.  The functions below return what a loop over all shapes
+ * returns, bit for bit.  `want` decides which distances they compare.
  *
- * Each shape counts alone.  Where shapes overlap, the nearest surface may lie
- * inside another shape, and the surface of their union is farther away:
- * cylint_scene(3), section Overlapping shapes.
+ * Without CYLINT_SIGNED: the absolute values of the doubles that
+ * cylint_distance() of cylint_distance.h returns: of the distance to the surface,
+ * also inside a solid.  Each shape counts alone.  Where shapes overlap, the
+ * nearest surface may lie inside another shape, and the surface of their union is
+ * farther away: cylint_scene(3), section Overlapping shapes.  If the radius is
+ * negative, no shape is within it.
+ *
+ * With CYLINT_SIGNED: the doubles that cylint_distance() returns with
+ * CYLINT_SIGNED: negative inside the closed solid, 0 on its boundary, whatever
+ * `ends` says.  A shape is within the radius if its distance is at most the
+ * radius, so each shape that holds the point is within the radius 0.  A negative
+ * radius selects the shapes in which the point is at least so deep.
+ * The least distance of all shapes is
+ *
+ *   - outside all solids: the distance from their union;
+ *   - on a boundary, if no solid has the point inside: 0;
+ *   - inside: minus the depth in the deepest solid, where the depth is the
+ *     distance from the solid's surface.  The depth in the union is at least
+ *     that; where solids overlap, it may be greater.
+ *
+ * A refused shape has no distance.  If the point is invalid, or the radius is NaN,
+ * no shape is within the radius.  It may be HUGE_VAL.
  */
 
-/* Gets shape `number`, whose surface is within the radius, its distance (negative
- * inside) and its flags, as of cylint_distance().  Returns the largest absolute
- * distance that is wanted from now on, or NaN to end the visit.  A value larger
- * than one before has no effect. */
+/* Gets shape `number`, which is within the radius, its distance and its flags, as
+ * of cylint_distance() with the visit's CYLINT_SIGNED.  Returns the largest
+ * distance, in absolute value without CYLINT_SIGNED, that is wanted from now on,
+ * or NaN to end the visit.  A value larger than one before has no effect. */
 typedef double cylint_scene_near(void *context, size_t number, double distance,
                                  int flags);
 
-/* Calls back once for each shape whose surface is within the radius, nearer ones
- * rather first, in an order that is the same each time. */
+/* Calls back once for each shape within the radius, nearer ones rather first, in
+ * an order that is the same each time.  `want` is 0 or CYLINT_SIGNED. */
 CYLINT_API void cylint_scene_visit_point(const cylint_scene *scene,
                                          const double point[3], double radius,
+                                         unsigned want,
                                          cylint_scene_near *callback,
                                          void *context);
 
-/* Returns the number of the shape whose surface is nearest to the point, if it
- * is within the radius; of equal distances the lowest number.  Writes *answer
- * as cylint_distance() does.  If there is none, returns n and writes nothing.
- * `point` must not be a member of *answer. */
+/* Returns the number of the shape with the least distance, if it is within the
+ * radius; of equal distances the lowest number.  Writes *answer as
+ * cylint_distance() does with the same `want`.  If there is none, returns n and
+ * writes nothing.  `point` must not be a member of *answer. */
 CYLINT_API size_t cylint_scene_closest(const cylint_scene *scene,
                                        const double point[3], double radius,
                                        unsigned want, cylint_closest *answer);
 
-/* Returns the number of shapes whose surfaces are within the radius, at most
- * `enough` unless that is 0. */
+/* Returns the number of shapes within the radius, at most `enough` unless that is
+ * 0.  `want` is 0 or CYLINT_SIGNED. */
 CYLINT_API size_t cylint_scene_within_count(const cylint_scene *scene,
                                             const double point[3],
-                                            double radius, size_t enough);
+                                            double radius, unsigned want,
+                                            size_t enough);
 
-/* Writes the numbers of the shapes whose surfaces are within the radius,
- * ascending from `first`, at most `capacity` of them, and their distances,
- * unless `distances` is NULL.  Returns how many.  If it returns `capacity`,
- * call again with first = last + 1. */
+/* Writes the numbers of the shapes within the radius, ascending from `first`, at
+ * most `capacity` of them, and the distances that were compared, unless
+ * `distances` is NULL.  Returns how many.  If it returns `capacity`, call again
+ * with first = last + 1.  `want` is 0 or CYLINT_SIGNED. */
 CYLINT_API size_t cylint_scene_within(const cylint_scene *scene,
                                       const double point[3], double radius,
-                                      size_t first, size_t *numbers,
-                                      double *distances, size_t capacity);
+                                      unsigned want, size_t first,
+                                      size_t *numbers, double *distances,
+                                      size_t capacity);
 
 /*
  * Many lines or points in one call, by several threads.

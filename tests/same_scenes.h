@@ -59,8 +59,8 @@ static inline int same_for_point(const cylint_scene *x, const cylint_scene *y,
            same_doubles(&first.distance, &second.distance, 1) &&
            same_doubles(first.point, second.point, 3) &&
            same_doubles(first.normal, second.normal, 3) &&
-           cylint_scene_within_count(x, point, radius, 0) ==
-               cylint_scene_within_count(y, point, radius, 0);
+           cylint_scene_within_count(x, point, radius, 0, 0) ==
+               cylint_scene_within_count(y, point, radius, 0, 0);
 }
 
 static inline int same_shapes(const cylint_scene *x, const cylint_scene *y)

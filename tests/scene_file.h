@@ -48,7 +48,7 @@ static inline void scene_file_query_at(const cylint_scene *scene, size_t number,
         cylint_scene_count(scene, &line, 0);
         cylint_scene_all(scene, &line, 0, found, 8);
         cylint_scene_closest(scene, o, 2.0, 0, &closest);
-        cylint_scene_within(scene, o, 1.0, 0, found, away, 8);
+        cylint_scene_within(scene, o, 1.0, 0, 0, found, away, 8);
     }
 }
 

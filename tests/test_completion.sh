@@ -56,7 +56,7 @@ for shell in in_bash in_zsh; do
         [ $list = methods ] || option=-f
         is_offered $list "$(cylint --list=$list | cut -f 1)" cylint $option ''
     done
-    is_offered 'queries' 'nearest any count all' cylint -s scene -q ''
+    is_offered 'queries' 'nearest any count all inside' cylint -s scene -q ''
     is_offered 'a query' 'nearest' cylint -q n
     is_offered 'ends' 'capped open cap0 cap1 infinite nappe' cylint --ends ''
     is_offered 'bad records' 'mark skip stop' cylint -e ''

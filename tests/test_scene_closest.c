@@ -1,5 +1,6 @@
 /*
- * test_scene_closest.c - the shapes near a point, beside a loop over all shapes
+ * test_scene_closest.c - the shapes near a point and those that hold it, beside a
+ * loop over all shapes
  *
  *     test_scene_closest [POINTS]
  *
@@ -22,20 +23,51 @@
 enum { SHAPES = 400, THREADS = 4 };
 
 static size_t points_of_a_family = 2;
-static size_t n_points, n_near;
+static size_t n_points, n_near, n_inside;
 
 /* ---------------------------------------------------------- brute force -- */
 
-/* Absolute distances of all shapes; NaN if there is no surface. */
-static void all_distances(const struct scene_shapes *of, const double point[3],
-                          double *distance)
+/* Makes the closed solid by the shape's constructor. */
+static void make_closed(const cylint_shape *s, cylint_shape *closed)
 {
-    for (size_t i = 0; i < of->n; i++) {
+    const int reversed = cylint_is_reversed(s);
+    const double *const begin = reversed ? cylint_top(s) : cylint_base(s);
+    const double *const end = reversed ? cylint_base(s) : cylint_top(s);
+    const double r0 = cylint_end_factor(s, reversed);
+    const double r1 = cylint_end_factor(s, !reversed);
+    *closed = *s;
+    if (!cylint_is_bounded(s))
+        return;
+    switch (cylint_constructor_kind(s)) {
+    case CYLINT_KIND_CONE:
+        cylint_cone(closed, begin, r0, end, r1, CYLINT_ENDS_CAPPED);
+        break;
+    case CYLINT_KIND_ACONE:
+        cylint_tangent_cone(closed, cylint_base(s), cylint_axis(s), r1,
+                            CYLINT_ENDS_CAPPED);
+        break;
+    case CYLINT_KIND_ECONE:
+        cylint_elliptic_cone(closed, cylint_base(s), cylint_a(s), cylint_b(s),
+                             cylint_axis(s), r1, CYLINT_ENDS_CAPPED);
+        break;
+    case CYLINT_KIND_SPHERE:
+        cylint_sphere(closed, cylint_base(s), r0, CYLINT_ENDS_CAPPED);
+        break;
+    default:
+        cylint_round_cone(closed, begin, r0, end, r1, CYLINT_ENDS_CAPPED);
+    }
+}
+
+/* Absolute distances of all shapes, or signed ones of closed solids; NaN if there
+ * is no surface. */
+static void all_distances(const cylint_shape *shapes, size_t n, unsigned want,
+                          const double point[3], double *distance)
+{
+    for (size_t i = 0; i < n; i++) {
         cylint_closest a;
         a.part = 0;
-        distance[i] = fabs(cylint_distance(&of->shapes[i], point, 0, &a));
-        if (a.part < 0)
-            distance[i] = NAN;
+        const double d = cylint_distance(&shapes[i], point, 0, &a);
+        distance[i] = a.part < 0 ? NAN : want & CYLINT_SIGNED ? d : fabs(d);
     }
 }
 
@@ -53,8 +85,10 @@ static size_t nearest_of(const double *distance, size_t n, double radius)
 
 struct question {
     const struct scene_shapes *of;
+    const cylint_shape *closed; /* the closed solids */
     const cylint_scene *scene;
     const double *point;
+    unsigned want;    /* 0 or CYLINT_SIGNED */
     double *distance; /* of all shapes */
     double *found;    /* places for cylint_scene_within() */
     size_t *numbers;
@@ -62,20 +96,28 @@ struct question {
 
 static void show(const struct question *q, double radius, const char *what)
 {
-    REPORT("point %a %a %a  # scene %s, radius %a: %s", q->point[0],
-           q->point[1], q->point[2], q->of->name, radius, what);
+    REPORT("point %a %a %a  # scene %s, radius %a%s: %s", q->point[0],
+           q->point[1], q->point[2], q->of->name, radius,
+           q->want ? ", signed" : "", what);
+}
+
+/* The shapes, or their closed solids. */
+static const cylint_shape *compared_shapes(const struct question *q)
+{
+    return q->want ? q->closed : q->of->shapes;
 }
 
 static void check_closest(const struct question *q, double radius)
 {
-    const unsigned want = CYLINT_WANT_PART | CYLINT_WANT_POINT;
+    const unsigned members = CYLINT_WANT_PART | CYLINT_WANT_POINT;
+    const unsigned want = members | q->want;
     const size_t n = q->of->n;
     const size_t nearest = nearest_of(q->distance, n, radius);
     cylint_closest a, b, c;
     memset(&a, 0x55, sizeof a);
     b = c = a;
     if (nearest < n)
-        cylint_distance(&q->of->shapes[nearest], q->point, want, &a);
+        cylint_distance(&compared_shapes(q)[nearest], q->point, members, &a);
     const int same =
         cylint_scene_closest(q->scene, q->point, radius, want, &b) == nearest &&
         memcmp(&a, &b, sizeof a) == 0;
@@ -85,6 +127,12 @@ static void check_closest(const struct question *q, double radius)
                                     &c) == nearest &&
                memcmp(&a, &c, sizeof a) == 0))
         show(q, radius, "the nearest shape of the array");
+    if (nearest < n &&
+        cylint_scene_closest(q->scene, q->point, radius, q->want, &c) ==
+            nearest &&
+        !CHECK(memcmp(&a.distance, &c.distance, sizeof a.distance) == 0 &&
+               a.flags == c.flags))
+        show(q, radius, "the distance without other members");
     n_near += nearest < n;
 }
 
@@ -94,7 +142,7 @@ static size_t list_within(const struct question *q, double radius,
 {
     size_t n = 0, found, first = 0;
     do {
-        found = cylint_scene_within(q->scene, q->point, radius, first,
+        found = cylint_scene_within(q->scene, q->point, radius, q->want, first,
                                     q->numbers + n, q->found + n, capacity);
         n += found;
         first = found > 0 ? q->numbers[n - 1] + 1 : 0;
@@ -117,37 +165,67 @@ static void check_within(const struct question *q, double radius,
         }
     if (!CHECK(same && n == count))
         show(q, radius, "all within the radius");
-    if (!CHECK(cylint_scene_within_count(q->scene, q->point, radius, 0) ==
-               count))
+    if (!CHECK(cylint_scene_within_count(q->scene, q->point, radius, q->want,
+                                         0) == count))
         show(q, radius, "the count");
-    if (!CHECK(cylint_scene_within_count(q->scene, q->point, radius, 3) ==
-               (count < 3 ? count : 3)))
+    if (!CHECK(cylint_scene_within_count(q->scene, q->point, radius, q->want,
+                                         3) == (count < 3 ? count : 3)))
         show(q, radius, "the count up to 3");
+}
+
+/* How many shapes hold the point, and that these are the shapes with distances of
+ * at most 0.  The number of all distances is ready. */
+static void check_contains(const struct question *q)
+{
+    size_t count = 0, wrong = 0;
+    for (size_t i = 0; i < q->of->n; i++) {
+        const int side = cylint_contains(&q->of->shapes[i], q->point);
+        const double d = q->distance[i];
+        count += side >= 0;
+        wrong += side >= 0 ? !(d <= 0) || (side > 0) != (d < 0) : d <= 0;
+    }
+    for (size_t enough = 0; enough <= 4; enough++)
+        if (!CHECK(cylint_scene_contains(q->scene, q->point, enough) ==
+                   (enough > 0 && enough < count ? enough : count)))
+            show(q, 0, "the number of solids that hold the point");
+    if (!CHECK(wrong == 0))
+        show(q, 0, "the signs of the distances");
+    n_inside += count > 0;
 }
 
 /* Radii about the least distance and about those of a few other shapes, where a
  * step of the doubles decides. */
-static void check_point(struct question *q, uint64_t *random)
+static void check_radii(struct question *q, uint64_t *random)
 {
     double radii[8] = {HUGE_VAL, 0};
     int n = 2;
-    all_distances(q->of, q->point, q->distance);
+    all_distances(compared_shapes(q), q->of->n, q->want, q->point, q->distance);
     const size_t nearest = nearest_of(q->distance, q->of->n, HUGE_VAL);
     const size_t other = (size_t)random_below(random, q->of->n);
     if (nearest < q->of->n) {
         const double least = q->distance[nearest];
         radii[n++] = least;
-        radii[n++] = nextafter(least, 0);
+        radii[n++] = nextafter(least, -HUGE_VAL);
         radii[n++] = 3 * least;
     }
     if (q->distance[other] <= DBL_MAX) {
         radii[n++] = q->distance[other];
-        radii[n++] = nextafter(q->distance[other], 0);
+        radii[n++] = nextafter(q->distance[other], -HUGE_VAL);
     }
+    if (q->want)
+        check_contains(q);
     for (int i = 0; i < n; i++) {
         check_closest(q, radii[i]);
         check_within(q, radii[i], i % 2 ? 3 : q->of->n + 1);
     }
+}
+
+static void check_point(struct question *q, uint64_t *random)
+{
+    q->want = 0;
+    check_radii(q, random);
+    q->want = CYLINT_SIGNED;
+    check_radii(q, random);
     n_points++;
 }
 
@@ -223,7 +301,11 @@ static void *allocate(size_t n, size_t size)
 static void check_scene(const struct scene_shapes *of, uint64_t seed)
 {
     double point[3];
+    cylint_shape *closed = allocate(of->n, sizeof *closed);
+    for (size_t i = 0; i < of->n; i++)
+        make_closed(&of->shapes[i], &closed[i]);
     struct question q = {.of = of,
+                         .closed = closed,
                          .scene = cylint_scene_new(of->shapes, of->n, 1, NULL),
                          .point = point,
                          .distance = allocate(of->n, sizeof(double)),
@@ -237,6 +319,7 @@ static void check_scene(const struct scene_shapes *of, uint64_t seed)
                 check_point(&q, &random);
             }
     cylint_scene_free((cylint_scene *)(uintptr_t)q.scene);
+    free(closed);
     free(q.distance);
     free(q.found);
     free(q.numbers);
@@ -281,7 +364,9 @@ static void nothing_is_near_an_empty_scene(void)
     if (!CHECK(scene))
         return;
     CHECK(cylint_scene_closest(scene, point, HUGE_VAL, 0, &a) == 0);
-    CHECK(cylint_scene_within_count(scene, point, HUGE_VAL, 0) == 0);
+    CHECK(cylint_scene_within_count(scene, point, HUGE_VAL, 0, 0) == 0);
+    CHECK(cylint_scene_closest(scene, point, HUGE_VAL, CYLINT_SIGNED, &a) == 0);
+    CHECK(cylint_scene_contains(scene, point, 0) == 0);
     cylint_scene_free(scene);
 }
 
@@ -298,20 +383,27 @@ static void a_bad_point_or_radius_has_no_shape(void)
     double distance;
     if (!CHECK(scene))
         return;
-    for (int i = 0; i < 9; i++) {
+    for (int i = 0; i < 18; i++) {
+        const unsigned want = i < 9 ? 0 : CYLINT_SIGNED;
         double bad[3] = {0, 0, 0};
-        bad[i % 3] = wrong[i / 3];
-        CHECK(cylint_scene_closest(scene, bad, HUGE_VAL, 0, &a) == of.n);
-        CHECK(cylint_scene_within_count(scene, bad, HUGE_VAL, 0) == 0);
-        CHECK(cylint_scene_within(scene, bad, HUGE_VAL, 0, &number, &distance,
-                                  1) == 0);
+        bad[i % 3] = wrong[i / 3 % 3];
+        CHECK(cylint_scene_closest(scene, bad, HUGE_VAL, want, &a) == of.n);
+        CHECK(cylint_scene_within_count(scene, bad, HUGE_VAL, want, 0) == 0);
+        CHECK(cylint_scene_within(scene, bad, HUGE_VAL, want, 0, &number,
+                                  &distance, 1) == 0);
+        CHECK(cylint_scene_contains(scene, bad, 0) == 0);
     }
     for (int i = 0; i < 4; i++) {
         CHECK(cylint_scene_closest(scene, good, radii[i], 0, &a) == of.n);
-        CHECK(cylint_scene_within_count(scene, good, radii[i], 0) == 0);
+        CHECK(cylint_scene_within_count(scene, good, radii[i], 0, 0) == 0);
     }
-    CHECK(cylint_scene_within(scene, good, HUGE_VAL, 0, NULL, NULL, 0) == 0);
-    CHECK(cylint_scene_within(scene, good, HUGE_VAL, 0, &number, NULL, 1) == 1);
+    CHECK(cylint_scene_closest(scene, good, NAN, CYLINT_SIGNED, &a) == of.n);
+    CHECK(cylint_scene_within_count(scene, good, -NAN, CYLINT_SIGNED, 0) == 0);
+    CHECK(cylint_scene_closest(scene, good, -HUGE_VAL, CYLINT_SIGNED, &a) ==
+          of.n);
+    CHECK(cylint_scene_within(scene, good, HUGE_VAL, 0, 0, NULL, NULL, 0) == 0);
+    CHECK(cylint_scene_within(scene, good, HUGE_VAL, 0, 0, &number, NULL, 1) ==
+          1);
     cylint_scene_free(scene);
     scene_release(&of);
 }
@@ -334,13 +426,13 @@ static void a_shape_of_many_pieces_counts_once(void)
         cylint_closest a;
         const double d = fabs(cylint_distance(shapes, points[i], 0, &a));
         CHECK(cylint_scene_closest(scene, points[i], d, 0, &a) == 0);
-        CHECK(cylint_scene_within_count(scene, points[i], d, 0) == COPIES);
-        CHECK(cylint_scene_within_count(scene, points[i], nextafter(d, 0), 0) ==
-              0);
-        CHECK(cylint_scene_within(scene, points[i], 2 * d, 0, numbers, NULL,
+        CHECK(cylint_scene_within_count(scene, points[i], d, 0, 0) == COPIES);
+        CHECK(cylint_scene_within_count(scene, points[i], nextafter(d, 0), 0,
+                                        0) == 0);
+        CHECK(cylint_scene_within(scene, points[i], 2 * d, 0, 0, numbers, NULL,
                                   COPIES + 1) == COPIES);
-        CHECK(cylint_scene_within(scene, points[i], 2 * d, 290, numbers, NULL,
-                                  4) == 4 &&
+        CHECK(cylint_scene_within(scene, points[i], 2 * d, 0, 290, numbers,
+                                  NULL, 4) == 4 &&
               numbers[0] == 290 && numbers[3] == 293);
     }
     cylint_scene_free(scene);
@@ -351,8 +443,8 @@ static void a_shape_of_many_pieces_counts_once(void)
 
 /* Bytes of the answers to one point. */
 struct answers {
-    size_t nearest, count, numbers[5];
-    double distance, distances[5];
+    size_t nearest, count, numbers[5], deepest, inside, inside_count;
+    double distance, distances[5], depth;
 };
 
 static void answer_point(const cylint_scene *scene, const double point[3],
@@ -362,8 +454,15 @@ static void answer_point(const cylint_scene *scene, const double point[3],
     memset(to, 0, sizeof *to);
     to->nearest = cylint_scene_closest(scene, point, HUGE_VAL, 0, &a);
     to->distance = a.distance;
-    to->count = cylint_scene_within_count(scene, point, radius, 0);
-    cylint_scene_within(scene, point, radius, 0, to->numbers, to->distances, 5);
+    to->count = cylint_scene_within_count(scene, point, radius, 0, 0);
+    cylint_scene_within(scene, point, radius, 0, 0, to->numbers, to->distances,
+                        5);
+    to->deepest =
+        cylint_scene_closest(scene, point, HUGE_VAL, CYLINT_SIGNED, &a);
+    to->depth = a.distance;
+    to->inside = cylint_scene_contains(scene, point, 0);
+    to->inside_count =
+        cylint_scene_within_count(scene, point, 0, CYLINT_SIGNED, 0);
 }
 
 /* Of circular and round shapes, whose distances are correctly rounded. */
@@ -420,7 +519,7 @@ static void *answer_part(void *argument)
         memcpy(&d, &a.distance, sizeof d);
         p->sum = p->sum * 31 + d;
         p->sum = p->sum * 31 + cylint_scene_within(p->scene, point,
-                                                   2 * fabs(a.distance), 0,
+                                                   2 * fabs(a.distance), 0, 0,
                                                    numbers, distance, 8);
     }
     return NULL;
@@ -445,7 +544,8 @@ static void threads_share_a_scene_with_the_same_answers(void)
     scene_release(&of);
 }
 
-/* The case of cylint_scene(3), section Overlapping shapes. */
+/* The case of cylint_scene(3), section Overlapping shapes, and its points on the
+ * surface of the union. */
 static void the_nearest_surface_may_lie_inside_another_shape(void)
 {
     const double center[3] = {0, 0, 0}, end[3] = {30, 0, 0}, p[3] = {0, 3, 0};
@@ -460,7 +560,100 @@ static void the_nearest_surface_may_lie_inside_another_shape(void)
           near.distance == 2);
     CHECK(cylint_contains(&shapes[0], p) == 1 &&
           cylint_distance(&shapes[0], p, 0, &near) == -7);
+    CHECK(cylint_scene_closest(scene, p, HUGE_VAL, CYLINT_SIGNED, &near) == 0 &&
+          near.distance == -7);
+    CHECK(cylint_scene_contains(scene, p, 0) == 1);
     cylint_scene_free(scene);
+}
+
+/* Two sectors of one pipe, end to end, so that the cap between them lies inside
+ * the union; and a nappe.  All numbers are small whole ones, so that points lie
+ * exactly on caps, lateral surfaces and rims. */
+static void the_boundary_belongs_to_the_solid(void)
+{
+    static const double begin[3] = {0, 0, 0}, middle[3] = {0, 0, 4},
+                        end[3] = {0, 0, 8}, apex[3] = {20, 0, 0},
+                        up[3] = {0, 0, 1};
+    static const struct {
+        double point[3];
+        size_t holding, least;
+        double distance;
+    } cases[] = {
+        {{0, 0, 4}, 2, 0, 0},      /* on the cap between them */
+        {{5, 0, 2}, 1, 0, 0},      /* on the lateral surface */
+        {{3, 4, 8}, 1, 1, 0},      /* on a rim */
+        {{3, 4, 4}, 2, 0, 0},      /* on two rims */
+        {{0, 0, 0}, 1, 0, 0},      /* on a cap that is missing */
+        {{0, 0, 2}, 1, 0, -2},     /* as near to both caps */
+        {{0, 4.5, 5}, 1, 1, -0.5}, /* near the lateral surface */
+        {{0, 0, 9}, 0, 1, 1},      /* before a cap that is missing */
+        {{0, 8, 12}, 0, 1, 5},     /* before its rim */
+        {{20, 0, 0}, 1, 2, 0},     /* on the apex of the nappe */
+        {{23, 0, 3}, 1, 2, 0},     /* on its lateral surface */
+        {{20, 0, 0x1p900}, 1, 2, -0x1.6a09e667f3bcdp899}, /* far inside it */
+        {{20, 0, -2}, 0, 2, 2}};
+    for (int ends = CYLINT_ENDS_CAPPED; ends <= CYLINT_ENDS_CAP1; ends++) {
+        cylint_shape shapes[3];
+        CHECK(
+            !cylint_cylinder(&shapes[0], begin, middle, 5, (cylint_ends)ends) &&
+            !cylint_cylinder(&shapes[1], middle, end, 5, (cylint_ends)ends) &&
+            !cylint_tangent_cone(&shapes[2], apex, up, 1, CYLINT_ENDS_NAPPE));
+        cylint_scene *scene = cylint_scene_new(shapes, 3, 1, NULL);
+        for (size_t i = 0; scene && i < sizeof cases / sizeof *cases; i++) {
+            const double *p = cases[i].point;
+            cylint_closest near;
+            const size_t least =
+                cylint_scene_closest(scene, p, HUGE_VAL, CYLINT_SIGNED, &near);
+            if (!CHECK(cylint_scene_contains(scene, p, 0) == cases[i].holding &&
+                       least == cases[i].least &&
+                       fabs(near.distance - cases[i].distance) <= 0))
+                REPORT("case %zu, ends %d: %zu, %g", i, ends, least,
+                       near.distance);
+        }
+        cylint_scene_free(scene);
+    }
+}
+
+/* Points inside a neuron's soma and branches, of tapered pieces whose inner ends
+ * lie in each other: the nearest surface is often such an end. */
+static void a_point_of_the_union_has_no_positive_signed_distance(void)
+{
+    enum { BRANCHES = 12, PIECES = 25, N = BRANCHES * PIECES };
+    cylint_shape *shapes = allocate(N, sizeof *shapes);
+    uint64_t random = seed() + 300;
+    size_t n = 0, positive = 0, outside = 0, wrong = 0;
+    for (int b = 0; b < BRANCHES; b++) {
+        double from[3] = {0, 0, 0}, r = 4;
+        for (int i = 0; i < PIECES; i++) {
+            double to[3];
+            for (int j = 0; j < 3; j++)
+                to[j] = from[j] + (b >> j & 1 ? 1 : -1) * 3 *
+                                      (random_unit(&random) - 0.2);
+            CHECK(!cylint_cone(&shapes[n++], from, r, to, 0.9 * r,
+                               i % 2 ? CYLINT_ENDS_OPEN : CYLINT_ENDS_CAPPED));
+            memcpy(from, to, sizeof from);
+            r *= 0.9;
+        }
+    }
+    cylint_scene *scene = cylint_scene_new(shapes, n, 1, NULL);
+    for (int i = 0; scene && i < 400; i++) {
+        const cylint_shape *s = &shapes[random_below(&random, n)];
+        const double z = random_unit(&random);
+        cylint_closest surface, solid;
+        double p[3];
+        for (int j = 0; j < 3; j++)
+            p[j] = cylint_base(s)[j] + z * cylint_axis(s)[j] +
+                   0.4 * cylint_r1(s) * (random_unit(&random) - 0.5);
+        cylint_scene_closest(scene, p, HUGE_VAL, 0, &surface);
+        cylint_scene_closest(scene, p, HUGE_VAL, CYLINT_SIGNED, &solid);
+        const size_t holding = cylint_scene_contains(scene, p, 0);
+        positive += holding > 0 && surface.distance > 0;
+        outside += holding == 0;
+        wrong += (holding > 0) != (solid.distance <= 0);
+    }
+    CHECK(wrong == 0 && positive > 100 && outside < 100);
+    cylint_scene_free(scene);
+    free(shapes);
 }
 
 int main(int argc, char **argv)
@@ -475,7 +668,10 @@ int main(int argc, char **argv)
     RUN(every_environment_has_the_same_answers);
     RUN(threads_share_a_scene_with_the_same_answers);
     RUN(the_nearest_surface_may_lie_inside_another_shape);
-    printf("note: %zu points, %zu questions with a nearest shape\n", n_points,
-           n_near);
+    RUN(the_boundary_belongs_to_the_solid);
+    RUN(a_point_of_the_union_has_no_positive_signed_distance);
+    printf("note: %zu points, %zu of them inside, %zu questions with a nearest "
+           "shape\n",
+           n_points, n_inside, n_near);
     return check_end();
 }

@@ -48,6 +48,7 @@ static cylint_scene *bundle(uint64_t *random, double width)
 /* What the callbacks found. */
 struct found {
     int times[SHAPES];
+    unsigned want;   /* 0 or CYLINT_SIGNED */
     int calls, most; /* most: of calls; 0: any number */
     double bound;    /* returned */
     double least;    /* of the t or distances that came */
@@ -68,8 +69,9 @@ static double take_near(void *context, size_t number, double distance,
     struct found *f = context;
     (void)flags;
     f->times[number]++;
-    if (fabs(distance) < f->least)
-        f->least = fabs(distance);
+    const double size = f->want ? distance : fabs(distance);
+    if (size < f->least)
+        f->least = size;
     return ++f->calls == f->most ? (double)NAN : f->bound;
 }
 
@@ -127,28 +129,28 @@ static void each_shape_that_a_line_hits_comes_once(void)
 }
 
 static int check_point(const cylint_scene *scene, const double point[3],
-                       double radius)
+                       double radius, unsigned want)
 {
     int near = 0, wrong = 0;
-    struct found all = {.bound = radius, .least = HUGE_VAL};
+    struct found all = {.want = want, .bound = radius, .least = HUGE_VAL};
     cylint_closest answer;
-    cylint_scene_visit_point(scene, point, radius, take_near, &all);
+    cylint_scene_visit_point(scene, point, radius, want, take_near, &all);
     for (int i = 0; i < SHAPES; i++) {
-        const int is =
-            fabs(cylint_distance(&shapes[i], point, 0, &answer)) <= radius;
+        const double d = cylint_distance(&shapes[i], point, want, &answer);
+        const int is = (want ? d : fabs(d)) <= radius;
         wrong += all.times[i] != is;
         near += is;
     }
     if (!CHECK(wrong == 0))
-        REPORT("point %a %a %a, radius %a: %d wrong", point[0], point[1],
-               point[2], radius, wrong);
+        REPORT("point %a %a %a, radius %a%s: %d wrong", point[0], point[1],
+               point[2], radius, want ? ", signed" : "", wrong);
     if (near == 0)
         return 0;
-    cylint_scene_closest(scene, point, radius, 0, &answer);
-    CHECK(all.least <= fabs(answer.distance) &&
-          all.least >= fabs(answer.distance));
+    cylint_scene_closest(scene, point, radius, want, &answer);
+    const double least = want ? answer.distance : fabs(answer.distance);
+    CHECK(all.least <= least && all.least >= least);
     struct found one = {.bound = radius, .most = 1};
-    cylint_scene_visit_point(scene, point, radius, take_near, &one);
+    cylint_scene_visit_point(scene, point, radius, want, take_near, &one);
     CHECK(one.calls == 1);
     return near;
 }
@@ -164,8 +166,46 @@ static void each_shape_that_is_near_a_point_comes_once(void)
             double p[3];
             for (int j = 0; j < 3; j++)
                 p[j] = 0.7 * along + 0.3 * (random_unit(&random) - 0.5);
-            const int near = check_point(scene, p, 0.4 * random_unit(&random));
+            const double radius = 0.4 * random_unit(&random);
+            const int near = check_point(scene, p, radius, 0);
+            check_point(scene, p, radius, CYLINT_SIGNED);
             most = near > most ? near : most;
+        }
+        cylint_scene_free(scene);
+    }
+    CHECK(most > 250);
+}
+
+/* How many solids hold the point. */
+static int check_holding(const cylint_scene *scene, const double point[3])
+{
+    int holding = 0;
+    for (int i = 0; i < SHAPES; i++)
+        holding += cylint_contains(&shapes[i], point) >= 0;
+    if (!CHECK((int)cylint_scene_contains(scene, point, 0) == holding))
+        REPORT("point %a %a %a: not %d", point[0], point[1], point[2], holding);
+    CHECK((int)cylint_scene_contains(scene, point, 1) == (holding > 0));
+    return holding;
+}
+
+/* Points near the bundle's axis, so that more solids of several pieces hold them
+ * than the set of a visit holds. */
+static void each_shape_that_holds_a_point_counts_once(void)
+{
+    uint64_t random = 6;
+    int most = 0;
+    for (int k = 0; k < BUNDLES; k++) {
+        cylint_scene *scene = bundle(&random, 0.0005 * k);
+        for (int i = 0; i < QUESTIONS; i++) {
+            const double along = 0.65 * random_unit(&random);
+            double p[3];
+            for (int j = 0; j < 3; j++)
+                p[j] = along * (i % 4 ? 0.1 : 1) +
+                       0.002 * (random_unit(&random) - 0.5);
+            const int holding = check_holding(scene, p);
+            check_point(scene, p, 0, CYLINT_SIGNED);
+            check_point(scene, p, -0.001, CYLINT_SIGNED);
+            most = holding > most ? holding : most;
         }
         cylint_scene_free(scene);
     }
@@ -199,6 +239,7 @@ int main(void)
 {
     RUN(each_shape_that_a_line_hits_comes_once);
     RUN(each_shape_that_is_near_a_point_comes_once);
+    RUN(each_shape_that_holds_a_point_counts_once);
     RUN(a_callback_may_query_the_scene);
     return check_end();
 }

@@ -183,9 +183,21 @@ static int contradicts(const cylint_shape *shape, const double point[3],
 }
 #endif
 
+/* From the closed solid.  Only the member `ends` differs from that of the shape. */
+ASIDE double from_closed_solid(const cylint_shape *shape, const double point[3],
+                               unsigned want, cylint_closest *answer)
+{
+    cylint_shape closed = *shape;
+    closed.ends = cylint_closed_ends(shape->ends);
+    return cylint_distance(&closed, point, want & ~(unsigned)CYLINT_SIGNED,
+                           answer);
+}
+
 double cylint_distance(const cylint_shape *shape, const double point[3],
                        unsigned want, cylint_closest *answer)
 {
+    if (want & CYLINT_SIGNED && !is_closed(shape))
+        return from_closed_solid(shape, point, want, answer);
     want &= CYLINT_WANT_PART | CYLINT_WANT_GEOMETRY;
     if (!cylint_prepared(shape) ||
         left_by_doubles(shape, point, want | CYLINT_WANT_DISTANCE, answer) != 0)

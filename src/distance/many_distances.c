@@ -143,8 +143,9 @@ void cylint_distance_pairs(const cylint_shape *shapes,
 }
 
 /*
- * Whether the surface of a shape is certainly farther away than `least`,
- * because the ball about the shape is.  The slack covers the roundings of both
+ * Whether the surface and the solid of a shape are certainly farther away than
+ * `least`, because the ball about the shape is.  Where that is negative, whether
+ * the point is outside.  The slack covers the roundings of both
  * squares, eight at most each.  If the smaller one overflows, to infinity or to
  * the largest double, they are equal.  2^-400 covers what underflows.
  */
@@ -157,7 +158,8 @@ static int is_farther(const cylint_shape *s, const double point[3],
     const double radius = cylint_ball_about(s, center);
     const double X = point[0] - center[0], Y = point[1] - center[1],
                  Z = point[2] - center[2];
-    const double most = (least + radius) * CYLINT_SLACK + 0x1p-400;
+    const double most =
+        (cylint_larger(least, 0) + radius) * CYLINT_SLACK + 0x1p-400;
     return X * X + Y * Y + Z * Z > most * most;
 }
 
@@ -175,7 +177,9 @@ size_t cylint_closest_shape(const cylint_shape *shapes, size_t n,
         one.part = 0;
         if (is_farther(shapes + i, point, least))
             continue;
-        const double size = fabs(cylint_distance(shapes + i, point, 0, &one));
+        const double distance =
+            cylint_distance(shapes + i, point, want & CYLINT_SIGNED, &one);
+        const double size = want & CYLINT_SIGNED ? distance : fabs(distance);
         if (cylint_rank(size) < limit && one.part >= 0) {
             best = i;
             least = size;

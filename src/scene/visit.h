@@ -23,10 +23,24 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
                        const cylint_visit_options *options, double last,
                        cylint_scene_hit *callback, void *context);
 
+/* Which shapes a visit of a point finds. */
+typedef enum cylint_nearness {
+    CYLINT_NEAR_SURFACE, /* those whose surface is within the radius */
+    CYLINT_NEAR_SOLID, /* those whose closed solid is, by the signed distance */
+    CYLINT_HOLDING     /* those whose closed solid holds the point; the radius
+                            is 0, and the callback gets no distance */
+} cylint_nearness;
+
+/* Of the `want` of a query. */
+static inline cylint_nearness cylint_nearness_of(unsigned want)
+{
+    return want & CYLINT_SIGNED ? CYLINT_NEAR_SOLID : CYLINT_NEAR_SURFACE;
+}
+
 /* As cylint_scene_visit_point(); often: as above. */
 void cylint_visit_point(const cylint_scene *scene, const double point[3],
-                        double radius, int often, cylint_scene_near *callback,
-                        void *context);
+                        double radius, cylint_nearness nearness, int often,
+                        cylint_scene_near *callback, void *context);
 
 /* Begins to load the lanes' shapes.  Always inlined: GCC removes calls of a
  * function which only prefetches. */

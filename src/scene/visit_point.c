@@ -1,12 +1,18 @@
 /*
- * visit_point.c - the shapes of a scene that are near a point
+ * visit_point.c - the shapes of a scene that are near a point or hold it
  *
  * The hierarchy rejects shapes that are certainly farther than the radius
  * (traverse_point.h), and cylint_safety() rejects others.  cylint_distance()
  * computes the distances to the rest.
  *
- * A box contains the surface of its shapes, so the distance to the box, which
- * is 0 for a point inside, is a lower bound of the distance to the surface.
+ * The box of a piece contains the surface and the solid of the piece, whatever
+ * its ends: a piece is the convex hull of two sections (leaf.c), and the pieces
+ * of a shape cover its solid.  The distance to a box is 0 for a point inside.  So
+ * it is a lower bound of the distance to the surface, and of the distance to the
+ * closed solid, which is 0 inside.  A traversal with the radius 0 therefore finds
+ * a piece of each solid that holds the point: the bounds of traverse_point.h are
+ * lower by more than their roundings, so they are 0 for such a piece.  Solids
+ * deeper than a negative radius hold the point, so that they are found too.
  */
 #include <string.h>
 
@@ -23,11 +29,12 @@ enum { RECENT = 16 };
 typedef struct {
     const cylint_scene *scene;
     const double *point;
-    double radius;  /* no larger distance is wanted */
-    double reject;  /* a lower bound of a distance above this is too far */
-    double reach;   /* the same in the frame */
-    double x[3];    /* the point in the frame */
+    double radius; /* no larger distance is wanted; negative: no lesser depth */
+    double reject; /* a lower bound of a distance above this is too far */
+    double reach;  /* the same in the frame */
+    double x[3];   /* the point in the frame */
     int to_nearest; /* doubles are rounded to nearest */
+    cylint_nearness nearness;
     int often, stopped;
     cylint_scene_near *callback;
     void *context;
@@ -38,27 +45,62 @@ typedef struct {
 /* More than the error of cylint_distance(). */
 #define SLACK (1 + 0x1p-40)
 
-static void set_point_radius(point_visit *v, double radius)
+/* Whether no shape can be within the radius. */
+static int is_no_radius(cylint_nearness nearness, double radius)
 {
-    v->radius = radius;
-    v->reject = radius * SLACK + DBL_MIN;
-    v->reach = v->reject * v->scene->frame.scale * SLACK + 0x1p-400;
-    v->stopped = !(radius >= 0);
+    return nearness == CYLINT_NEAR_SURFACE ? !(radius >= 0) : radius != radius;
 }
 
-/* Whether the shape's surface is at most v->radius away.  Writes distance and
- * flags.  cylint_safety() pays for elliptic shapes only. */
+static void set_point_radius(point_visit *v, double radius)
+{
+    const double outside = cylint_larger(radius, 0);
+    v->radius = radius;
+    v->reject = outside * SLACK + DBL_MIN;
+    v->reach = v->reject * v->scene->frame.scale * SLACK + 0x1p-400;
+    v->stopped = is_no_radius(v->nearness, radius);
+}
+
+/* Makes the shape, or its closed solid. */
+static void make_tested(const point_visit *v, size_t number,
+                        cylint_shape *shape)
+{
+    cylint_record_shape(&v->scene->records, number, shape);
+    if (v->nearness != CYLINT_NEAR_SURFACE)
+        shape->ends = cylint_closed_ends(shape->ends);
+}
+
+/* Whether cylint_safety() shows that the shape is beyond the radius.  It pays for
+ * elliptic shapes only.  It is positive inside a solid too. */
+static int is_safely_far(const point_visit *v, const cylint_shape *shape)
+{
+    return cylint_is_elliptic(shape->kind) && v->to_nearest &&
+           cylint_safety(shape, v->point) > v->reject &&
+           (v->nearness == CYLINT_NEAR_SURFACE ||
+            cylint_contains(shape, v->point) < 0);
+}
+
+/* Whether the shape's surface or solid is at most v->radius away.  Writes distance
+ * and flags.  cylint_contains() takes less time than the distance, and decides
+ * about shapes that must hold the point. */
 static int point_is_near(const point_visit *v, size_t number,
                          cylint_closest *answer)
 {
     cylint_shape shape;
-    cylint_record_shape(&v->scene->records, number, &shape);
-    if (cylint_is_elliptic(shape.kind) && v->to_nearest &&
-        cylint_safety(&shape, v->point) > v->reject)
+    make_tested(v, number, &shape);
+    answer->distance = answer->flags = 0;
+    if (v->nearness != CYLINT_NEAR_SURFACE && cylint_sign(v->radius) <= 0 &&
+        cylint_contains(&shape, v->point) < 0)
+        return 0;
+    if (v->nearness == CYLINT_HOLDING)
+        return 1;
+    if (is_safely_far(v, &shape))
         return 0;
     answer->part = 0; /* written only if there is no surface */
     cylint_distance(&shape, v->point, 0, answer);
-    return answer->part >= 0 && !cylint_less(v->radius, fabs(answer->distance));
+    return answer->part >= 0 &&
+           !cylint_less(v->radius, v->nearness == CYLINT_NEAR_SURFACE
+                                       ? fabs(answer->distance)
+                                       : answer->distance);
 }
 
 /* Returns whether the shape is near. */
@@ -101,8 +143,8 @@ static double axial_of(const cylint_swept_disc *disc, const double x[3])
 }
 
 /*
- * Whether the lane's piece contains the shape's nearest point, computed in doubles.
- * That piece is within v->radius, but for an error that is less than the bounds of
+ * Whether the lane's piece contains the nearest point of the surface or solid,
+ * computed in doubles; of a solid that holds the point it is the point.  That piece is within v->radius, but for an error that is less than the bounds of
  * traverse_point.h allow for, so its lane is never rejected; and it is the same
  * piece whenever the shape is tested.
  */
@@ -114,10 +156,13 @@ static int owns_nearest_point(const point_visit *v, const cylint_leaf *leaf,
     cylint_swept_disc disc;
     cylint_closest answer;
     double x[3];
-    cylint_record_shape(&v->scene->records, leaf->number[lane], &shape);
+    make_tested(v, leaf->number[lane], &shape);
     cylint_distance(&shape, v->point, CYLINT_WANT_POINT, &answer);
+    const int is_point =
+        v->nearness != CYLINT_NEAR_SURFACE && answer.distance < 0;
+    const double *nearest = is_point ? v->point : answer.point;
     for (int j = 0; j < 3; j++)
-        x[j] = (answer.point[j] - frame->center[j]) * frame->scale;
+        x[j] = (nearest[j] - frame->center[j]) * frame->scale;
     cylint_swept_disc_of(&disc, &v->scene->view, &shape);
     return cylint_leaf_owns(leaf, lane, axial_of(&disc, x));
 }
@@ -205,15 +250,16 @@ static void traverse_points(point_visit *v)
 }
 
 void cylint_visit_point(const cylint_scene *scene, const double point[3],
-                        double radius, int often, cylint_scene_near *callback,
-                        void *context)
+                        double radius, cylint_nearness nearness, int often,
+                        cylint_scene_near *callback, void *context)
 {
     point_visit v;
-    if (!(radius >= 0) || !cylint_is_finite(point))
+    if (is_no_radius(nearness, radius) || !cylint_is_finite(point))
         return;
     v.scene = scene;
     v.point = point;
     v.to_nearest = cylint_rounds_to_nearest();
+    v.nearness = nearness;
     v.often = often;
     v.callback = callback;
     v.context = context;
@@ -227,8 +273,9 @@ void cylint_visit_point(const cylint_scene *scene, const double point[3],
 }
 
 void cylint_scene_visit_point(const cylint_scene *scene, const double point[3],
-                              double radius, cylint_scene_near *callback,
-                              void *context)
+                              double radius, unsigned want,
+                              cylint_scene_near *callback, void *context)
 {
-    cylint_visit_point(scene, point, radius, 0, callback, context);
+    cylint_visit_point(scene, point, radius, cylint_nearness_of(want), 0,
+                       callback, context);
 }

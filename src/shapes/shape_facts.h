@@ -100,6 +100,12 @@ CYLINT_INLINE int cylint_ends_are_planes(int ends)
     return ends < CYLINT_ENDS_INFINITE;
 }
 
+/* The ends of the closed solid: both caps where planes bound it. */
+CYLINT_INLINE int cylint_closed_ends(int ends)
+{
+    return cylint_ends_are_planes(ends) ? CYLINT_ENDS_CAPPED : ends;
+}
+
 /* The caps that can be hit: bit 0 and bit 1. */
 CYLINT_INLINE unsigned cylint_caps_present(int ends)
 {

@@ -358,6 +358,35 @@ def test_a_scene_equals_brute_force(seed, n, count, radius):
     )
 
 
+def test_signed_distances_are_those_of_closed_solids():
+    random = np.random.default_rng(77)
+    n, count = 120, 3000
+    p0 = random.random((n, 3))
+    p1 = p0 + random.normal(0, 0.2, (n, 3))
+    ends = random.choice(["capped", "open", "cap0", "cap1"], n)
+    radius = random.uniform(0.02, 0.1, n)
+    tubes = cylint.cylinder(p0, p1, radius, ends=ends)
+    solids = cylint.cylinder(p0, p1, radius)
+    points = random.random((count, 3))
+    size = solids[:, None].distance(points)
+    first = size.argmin(axis=0)
+    column = np.arange(count)
+    scene = cylint.Scene(tubes)
+    near = scene.closest(points, signed=True)
+    assert np.array_equal(near.index, first)
+    assert same(near.distance, size[first, column])
+    assert same(near.point, solids[first].closest(points).point)
+    assert np.array_equal(scene.contains(points), (size <= 0).sum(axis=0))
+    assert 100 < (scene.contains(points) > 1).sum()
+    for r in (-0.03, 0.0, 0.05):
+        counts = scene.within_count(points, r, signed=True)
+        assert np.array_equal(counts, (size <= r).sum(axis=0))
+        every = scene.within(points, r, signed=True)
+        assert same(every.distance, size[every.index, every.point])
+        assert len(every.index) == counts.sum()
+    assert scene.contains([[np.nan, 0, 0], [0, np.inf, 0]]).tolist() == [0, 0]
+
+
 def test_20000_points_equal_the_command(command, tmp_path):
     n, count, radius = 500, 20_000, 0.03
     random = np.random.default_rng(57)

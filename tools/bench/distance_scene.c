@@ -61,7 +61,7 @@ static double answer(const struct scene_shapes *of, const cylint_scene *scene,
 {
     cylint_closest a = {.distance = 0};
     if (call == WITHIN)
-        return (double)cylint_scene_within_count(scene, point, 0.5, 0);
+        return (double)cylint_scene_within_count(scene, point, 0.5, 0, 0);
     if (call == CLOSEST)
         cylint_scene_closest(scene, point, HUGE_VAL, 0, &a);
     else

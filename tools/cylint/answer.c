@@ -232,7 +232,8 @@ static struct nearby nearby_of(const struct task *task)
 {
     const struct job *job = task->job;
     return (struct nearby){&job->scene->search, task->block->parsed.point,
-                           job->options->radius, &task->block->left_out};
+                           job->options->radius, job->options->point_want,
+                           &task->block->left_out};
 }
 
 /* Writes the columns' members; part is -1 only if there is no surface. */
@@ -240,7 +241,8 @@ static void measure(const struct task *task, const cylint_shape *shape,
                     cylint_closest *closest)
 {
     closest->part = 0;
-    cylint_distance(shape, task->block->parsed.point, fields_of(task)->want,
+    cylint_distance(shape, task->block->parsed.point,
+                    fields_of(task)->want | task->job->options->point_want,
                     closest);
 }
 
@@ -275,6 +277,16 @@ static void answer_within_count(struct task *task, unsigned long long most)
     put_answer(task, task->row.count > 0);
 }
 
+/* A solid holds the point if its signed distance is at most 0. */
+static void answer_inside(struct task *task)
+{
+    struct nearby n = nearby_of(task);
+    n.radius = 0;
+    n.want = CYLINT_SIGNED;
+    task->row.count = nearby_count(&n, ~0ULL);
+    put_answer(task, task->row.count > 0);
+}
+
 /* Writes a row for a shape within the radius. */
 static void answer_one_within(struct task *task, size_t shape)
 {
@@ -298,8 +310,8 @@ static void answer_all_within(struct task *task)
     size_t number[HITS_AT_ONCE], found, first = 0;
     double distance[HITS_AT_ONCE];
     do {
-        found = search_within(n.search, n.point, n.radius, first, number,
-                              distance, HITS_AT_ONCE);
+        found = search_within(n.search, n.point, n.radius, n.want, first,
+                              number, distance, HITS_AT_ONCE);
         for (size_t i = 0; i < found && task->status == ANSWERED; i++) {
             answer_one_within(task, number[i]);
         }
@@ -321,6 +333,9 @@ static void answer_point(struct task *task)
         break;
     case QUERY_COUNT:
         answer_within_count(task, ~0ULL);
+        break;
+    case QUERY_INSIDE:
+        answer_inside(task);
         break;
     default:
         answer_all_within(task);

@@ -42,12 +42,15 @@ struct column {
 };
 
 const char *const query_words[] = {
-    [QUERY_PAIRS] = "pairs", [QUERY_NEAREST] = "nearest", [QUERY_ANY] = "any",
-    [QUERY_COUNT] = "count", [QUERY_ALL] = "all",         [QUERIES] = NULL};
+    [QUERY_PAIRS] = "pairs", [QUERY_NEAREST] = "nearest",
+    [QUERY_ANY] = "any",     [QUERY_COUNT] = "count",
+    [QUERY_ALL] = "all",     [QUERY_INSIDE] = "inside",
+    [QUERIES] = NULL};
 
 /* For --list=columns. */
-static const char *const point_query_words[] = {
-    "point-pairs", "point-nearest", "point-any", "point-count", "point-all"};
+static const char *const point_query_words[] = {"point-pairs", "point-nearest",
+                                                "point-any",   "point-count",
+                                                "point-all",   "point-inside"};
 
 enum {
     PAIRS = 1 << QUERY_PAIRS,
@@ -60,9 +63,10 @@ enum {
     POINT_ANY = 1 << QUERY_POINT_ANY,
     POINT_COUNT = 1 << QUERY_POINT_COUNT,
     POINT_ALL = 1 << QUERY_POINT_ALL,
+    POINT_INSIDE = 1 << QUERY_POINT_INSIDE,
     POINTS = POINT | POINT_NEAREST | POINT_ALL,
-    EVERY =
-        PAIRS | NEAREST | ANY | COUNT | ALL | POINTS | POINT_ANY | POINT_COUNT
+    EVERY = PAIRS | NEAREST | ANY | COUNT | ALL | POINTS | POINT_ANY |
+            POINT_COUNT | POINT_INSIDE
 };
 
 /* Of both hits; of the nearest hit and, with POINTS, of the nearest point. */
@@ -99,8 +103,8 @@ static const struct column columns[] = {
      "the tail of the shape's line in the scene"},
     {"any", VALUE_COUNT, 0, ANY | POINT_ANY,
      "1 if a shape is hit or within the radius, else 0"},
-    {"count", VALUE_COUNT, 0, COUNT | POINT_COUNT,
-     "number of shapes that are hit or within the radius"},
+    {"count", VALUE_COUNT, 0, COUNT | POINT_COUNT | POINT_INSIDE,
+     "number of shapes that are hit, are within the radius or hold the point"},
     {"id", VALUE_RECORD, 0, EVERY, "number of the record, from 1"},
     {"record", VALUE_RECORD, 0, ALL | POINT_ALL, "the same as id"},
 };
@@ -115,11 +119,13 @@ const char *default_fields(enum query query, int binary)
         [QUERY_ANY] = "any",
         [QUERY_COUNT] = "count",
         [QUERY_ALL] = "record,shape,t0,t1",
+        [QUERY_INSIDE] = "count",
         [QUERY_POINT] = "distance,part",
         [QUERY_POINT_NEAREST] = "shape,distance,part,label",
         [QUERY_POINT_ANY] = "any",
         [QUERY_POINT_COUNT] = "count",
         [QUERY_POINT_ALL] = "record,shape,distance",
+        [QUERY_POINT_INSIDE] = "count",
     };
     return binary && query == QUERY_POINT_NEAREST ? "shape,distance,part"
                                                   : defaults[query];

@@ -17,14 +17,16 @@ enum query {
     QUERY_ANY,     /* whether one is hit */
     QUERY_COUNT,   /* how many are hit */
     QUERY_ALL,     /* all that are hit, a row for each */
+    QUERY_INSIDE,  /* of points only */
     QUERIES,
 
     /* the same of points */
     QUERY_POINT = QUERIES,
-    QUERY_POINT_NEAREST, /* the shape whose surface is nearest */
+    QUERY_POINT_NEAREST, /* the shape with the least distance */
     QUERY_POINT_ANY,     /* whether one is within the radius */
     QUERY_POINT_COUNT,
     QUERY_POINT_ALL,
+    QUERY_POINT_INSIDE, /* how many solids hold the point */
     ALL_QUERIES
 };
 

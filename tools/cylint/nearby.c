@@ -15,7 +15,7 @@ static double keep_closest(void *context, size_t number, double distance,
                            int flags)
 {
     struct closest *c = context;
-    const double size = fabs(distance);
+    const double size = search_compared(c->query->want, distance);
     (void)flags;
     if (!left_out_has(c->query->left_out, number) &&
         (c->shape == 0 || size < c->distance ||
@@ -29,7 +29,8 @@ static double keep_closest(void *context, size_t number, double distance,
 size_t nearby_closest(const struct nearby *n)
 {
     struct closest c = {.query = n};
-    search_visit_point(n->search, n->point, n->radius, keep_closest, &c);
+    search_visit_point(n->search, n->point, n->radius, n->want, keep_closest,
+                       &c);
     return c.shape;
 }
 
@@ -51,6 +52,6 @@ static double count_near(void *context, size_t number, double distance,
 unsigned long long nearby_count(const struct nearby *n, unsigned long long most)
 {
     struct counter c = {.query = n, .most = most};
-    search_visit_point(n->search, n->point, n->radius, count_near, &c);
+    search_visit_point(n->search, n->point, n->radius, n->want, count_near, &c);
     return c.count;
 }

@@ -8,12 +8,13 @@
 #include "left_out.h"
 #include "search.h"
 
-/* A point and a radius.  A shape is near if its surface is within the radius
- * and it is not left out. */
+/* A point and a radius.  A shape is near if it is within the radius, as of
+ * cylint_scene.h, and it is not left out. */
 struct nearby {
     const struct search *search;
     const double *point;
     double radius;
+    unsigned want; /* 0 or CYLINT_SIGNED */
     const struct left_out *left_out;
 };
 

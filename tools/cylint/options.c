@@ -26,6 +26,7 @@ enum option_id {
     OPT_NPY,
     OPT_PROGRESS,
     OPT_SAVE,
+    OPT_SIGNED,
     OPT_SWC,
     OPT_TAIL,
     OPT_VERSION,
@@ -60,6 +61,7 @@ static const struct option options_known[] = {{"b", 'b', 0},
                                               {"npy", OPT_NPY, 0},
                                               {"progress", OPT_PROGRESS, 0},
                                               {"save", OPT_SAVE, 1},
+                                              {"signed", OPT_SIGNED, 0},
                                               {"swc", OPT_SWC, 1},
                                               {"tail", OPT_TAIL, 0},
                                               {"version", OPT_VERSION, 0},
@@ -104,7 +106,7 @@ static int read_domain(const char *value, struct grammar *g)
 static int read_radius(const char *value, double *radius)
 {
     const char *p = read_bound(value, radius);
-    return p && *p == '\0' && *radius >= 0;
+    return p && *p == '\0';
 }
 
 static int read_separator(const char *value, char *separator)
@@ -230,7 +232,7 @@ static int take_value(struct options *options, struct pending *pending,
         pending->within = 1;
         return read_radius(value, &options->radius)
                    ? 0
-                   : usage_value(o, value, "a radius >= 0");
+                   : usage_value(o, value, "a radius");
     case OPT_SAVE:
         options->save = value;
         return 0;
@@ -273,6 +275,9 @@ static void take_flag(struct options *options, struct pending *pending,
         break;
     case OPT_PROGRESS:
         options->progress = 1;
+        break;
+    case OPT_SIGNED:
+        options->point_want = CYLINT_SIGNED;
         break;
     case OPT_TAIL:
     case OPT_NO_TAIL:
@@ -327,7 +332,7 @@ static int settle_query(struct options *options, const char *query)
     }
     const int index = find_word(query_words, query, strlen(query));
     if (index == NOT_GIVEN || index == QUERY_PAIRS) {
-        return usage("-q: expected nearest, any, count or all");
+        return usage("-q: expected nearest, any, count, all or inside");
     }
     options->query = (enum query)index;
     return options->scene ? 0 : usage("-q needs a scene, -s FILE");
@@ -380,24 +385,48 @@ static int settle_fields(struct options *o, const char *names)
     return 0;
 }
 
+/* The radius of --within: a radius below 0 is a depth in a solid. */
+static int settle_radius(const struct options *o, const struct pending *pending)
+{
+    if (pending->within && !o->scene) {
+        return usage("--within needs a scene, -s FILE");
+    }
+    if (pending->within && o->query == QUERY_INSIDE) {
+        return usage("--within: the query inside has no radius");
+    }
+    return o->radius < 0 && !o->point_want
+               ? usage("--within: a radius below 0 needs --signed")
+               : 0;
+}
+
+/* Why a line is a fault, or NULL. */
+static const char *refusal_of_lines(const struct options *o,
+                                    const struct pending *pending)
+{
+    return pending->within                 ? "the option --within is for points"
+           : o->query == QUERY_INSIDE      ? "the query inside is for points"
+           : o->point_want                 ? "the option --signed is for points"
+           : o->grammar.line == LINE_POINT ? ""
+                                           : NULL;
+}
+
 /* Whether the options allow only lines or only points. */
 static int settle_records(struct options *o, const struct pending *pending)
 {
     struct grammar *g = &o->grammar;
-    if (g->line == LINE_POINT || pending->within) {
-        g->no_lines = "the option --within is for points";
+    const int status = settle_radius(o, pending);
+    if (status != 0) {
+        return status;
     }
-    if (pending->within && !o->scene) {
-        return usage("--within needs a scene, -s FILE");
-    }
+    g->no_lines = refusal_of_lines(o, pending);
     if (g->line != NOT_GIVEN && g->line != LINE_POINT) {
         g->no_points = "";
     } else if (o->method) {
         g->no_points = "a method computes no distances";
     }
     if (g->no_lines && g->no_points) {
-        return usage(o->method ? "--method is for lines, not for points"
-                               : "--within is for points, not for lines");
+        return o->method ? usage("--method is for lines, not for points")
+                         : usage("%s, not for lines", g->no_lines);
     }
     return 0;
 }

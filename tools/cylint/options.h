@@ -22,6 +22,7 @@ struct options {
     enum query query;
     struct fields fields, point_fields; /* of lines, of points */
     double radius;                      /* of points, by --within */
+    unsigned point_want;                /* CYLINT_SIGNED by --signed, or 0 */
     struct style style;
     const cylint_method *method; /* NULL: cylint_intersect() */
     enum bad_policy bad;

@@ -137,12 +137,14 @@ size_t search_hits(const struct search *s, const cylint_line *line,
 
 /* The next shape from `from` that is near, or `count`. */
 static size_t next_near(const struct search *s, const double point[3],
-                        double radius, size_t from, cylint_closest *closest)
+                        double radius, unsigned want, size_t from,
+                        cylint_closest *closest)
 {
     for (; from < s->count; from++) {
         closest->part = 0; /* written only if there is no surface */
-        cylint_distance(&s->shapes[from], point, 0, closest);
-        if (closest->part >= 0 && fabs(closest->distance) <= radius) {
+        cylint_distance(&s->shapes[from], point, want, closest);
+        if (closest->part >= 0 &&
+            search_compared(want, closest->distance) <= radius) {
             break;
         }
     }
@@ -150,16 +152,17 @@ static size_t next_near(const struct search *s, const double point[3],
 }
 
 void search_visit_point(const struct search *s, const double point[3],
-                        double radius, cylint_scene_near *callback,
-                        void *context)
+                        double radius, unsigned want,
+                        cylint_scene_near *callback, void *context)
 {
     cylint_closest closest;
     if (!s->shapes) {
-        cylint_scene_visit_point(s->scene, point, radius, callback, context);
+        cylint_scene_visit_point(s->scene, point, radius, want, callback,
+                                 context);
         return;
     }
-    for (size_t i = next_near(s, point, radius, 0, &closest); i < s->count;
-         i = next_near(s, point, radius, i + 1, &closest)) {
+    for (size_t i = next_near(s, point, radius, want, 0, &closest);
+         i < s->count; i = next_near(s, point, radius, want, i + 1, &closest)) {
         if (isnan(callback(context, i, closest.distance, closest.flags))) {
             return;
         }
@@ -167,20 +170,20 @@ void search_visit_point(const struct search *s, const double point[3],
 }
 
 size_t search_within(const struct search *s, const double point[3],
-                     double radius, size_t first, size_t *numbers,
-                     double *distances, size_t capacity)
+                     double radius, unsigned want, size_t first,
+                     size_t *numbers, double *distances, size_t capacity)
 {
     size_t found = 0;
     cylint_closest closest;
     if (!s->shapes) {
-        return cylint_scene_within(s->scene, point, radius, first, numbers,
-                                   distances, capacity);
+        return cylint_scene_within(s->scene, point, radius, want, first,
+                                   numbers, distances, capacity);
     }
-    for (size_t i = next_near(s, point, radius, first, &closest);
+    for (size_t i = next_near(s, point, radius, want, first, &closest);
          i < s->count && found < capacity;
-         i = next_near(s, point, radius, i + 1, &closest)) {
+         i = next_near(s, point, radius, want, i + 1, &closest)) {
         numbers[found] = i;
-        distances[found++] = fabs(closest.distance);
+        distances[found++] = search_compared(want, closest.distance);
     }
     return found;
 }

@@ -52,10 +52,16 @@ size_t search_hits(const struct search *s, const cylint_line *line,
 
 /* As cylint_scene_visit_point() and cylint_scene_within(). */
 void search_visit_point(const struct search *s, const double point[3],
-                        double radius, cylint_scene_near *callback,
-                        void *context);
+                        double radius, unsigned want,
+                        cylint_scene_near *callback, void *context);
 size_t search_within(const struct search *s, const double point[3],
-                     double radius, size_t first, size_t *numbers,
-                     double *distances, size_t capacity);
+                     double radius, unsigned want, size_t first,
+                     size_t *numbers, double *distances, size_t capacity);
+
+/* The distance that these compare. */
+static inline double search_compared(unsigned want, double distance)
+{
+    return want & CYLINT_SIGNED || !(distance < 0) ? distance : -distance;
+}
 
 #endif

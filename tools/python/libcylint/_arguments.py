@@ -227,13 +227,17 @@ class Points:
 
 
 class Balls:
-    """Points with radii, broadcast.  name: of the radii, for messages."""
+    """Points with radii, broadcast.  name: of the radii, for messages.  signed:
+    compare signed distances."""
 
-    def __init__(self, points: Points, name: str, radii: ArrayLike) -> None:
+    def __init__(
+        self, points: Points, name: str, radii: ArrayLike, signed: bool = False
+    ) -> None:
         numbers = doubles(name, radii)
         self.shape = broadcast(("points", points.shape), (name, numbers.shape))
         self.points = points.broadcast_to(self.shape)
         self.radii = np.broadcast_to(numbers, self.shape)
+        self.signed = signed
         self.threads = points.threads
         self.progress = points.progress
 
@@ -242,7 +246,9 @@ def balls(
     points: ArrayLike,
     r: ArrayLike,
     *,
+    signed: bool = False,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> Balls:
-    return Balls(Points(points, threads=threads, progress=progress), "r", r)
+    asked = Points(points, threads=threads, progress=progress)
+    return Balls(asked, "r", r, signed)

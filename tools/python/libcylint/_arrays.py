@@ -114,16 +114,17 @@ def place(index: int, shape: tuple[int, ...]) -> str:
 
 
 def shapes_of(
-    scene: _core.Scene, index: NDArray[np.int64] | None
+    scene: _core.Scene, index: NDArray[np.int64] | None, closed: bool = False
 ) -> tuple[NDArray[np.void], NDArray[np.int64]]:
     """Records of the shapes of a scene with these numbers, each once, and an index
-    into the records for each number; -1 stays.  None: all shapes, in order."""
+    into the records for each number; -1 stays.  None: all shapes, in order.
+    closed: as closed solids."""
     record = np.dtype((np.void, _core.shape_members()["size"]))
     if index is None:
         records = np.empty(scene.size(), record)
-        scene.take(None, records)
+        scene.take(None, records, closed)
         return records, np.arange(len(records))
     numbers, places = np.unique(index, return_inverse=True)
     records = np.empty(len(numbers), record)
-    scene.take(numbers, records)
+    scene.take(numbers, records, closed)
     return records, np.where(index < 0, -1, places.reshape(index.shape))

@@ -124,7 +124,8 @@ class ClosestShapes(ClosestPoints):
 
     index: (...) int64, the number of the shape; -1 for none within the radius.
     distance: (...), from the point to its surface, negative inside; nan for
-    none.
+    none.  If signed distances were compared, the surface is that of the closed
+    solid.
 
     part, feature, point and normal are as of `ClosestPoints`.
     """
@@ -138,14 +139,16 @@ class ClosestShapes(ClosestPoints):
         points: NDArray[np.float64],
         distance: NDArray[np.float64],
         threads: int | None,
+        signed: bool,
     ) -> None:
         super().__init__(None, index.copy(), points, distance, threads)
         self.index = index
         self._scene = scene
+        self._signed = signed
 
     @cached_property
     def _shapes(self) -> tuple[NDArray[np.void], NDArray[np.int64]]:  # type: ignore[override]
-        return shapes_of(self._scene, self._source[1])
+        return shapes_of(self._scene, self._source[1], self._signed)
 
 
 class ShapesWithin(NamedTuple):

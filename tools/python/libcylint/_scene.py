@@ -329,6 +329,7 @@ class Scene:
         points: ArrayLike,
         within: ArrayLike = np.inf,
         *,
+        signed: bool = False,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> ClosestShapes:
@@ -342,28 +343,39 @@ class Scene:
         negative or nan, and none for a point with a coordinate that is infinite
         or nan.
 
+        signed: the least signed distance from the closed solids (both caps are
+        there, whatever the ends).  Inside one it is minus the depth in the deepest
+        solid, a lower bound of the depth in their union; outside it is the
+        distance from the union.  A negative radius is a depth.
+
         >>> posts = cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 1)
         >>> near = cylint.Scene(posts).closest([[2.5, 0, 0.5], [3.5, 0, 0.5], [9, 0, 0.5]], within=3)
         >>> near.index, near.distance
         (array([ 1,  1, -1]), array([ 0.5, -0.5,  nan]))
         >>> near.point[0], near.normal[0]
         (array([3. , 0. , 0.5]), array([-1.,  0.,  0.]))
+        >>> chain = cylint.Scene(cylint.capsule([[0, 0, 0], [2, 0, 0]], [[2, 0, 0], [4, 0, 0]], 1))
+        >>> chain.closest([2.25, 0, 0.75]).distance
+        array(-0.20943058)
+        >>> chain.closest([2.25, 0, 0.75], signed=True).distance
+        array(-0.25)
         """
         chosen = self._choose(threads)
         asked = Points(points, threads=threads, progress=progress)
         asked.keep()
-        around = Balls(asked, "within", within)
+        around = Balls(asked, "within", within, signed)
         index = np.empty(around.shape, np.int64)
         distance = np.empty(around.shape)
         self._scene.closest(
             around.points,
             around.radii,
+            signed,
             (index, distance),
             workers(chosen),
             progress,
         )
         return ClosestShapes(
-            self._scene, index, around.points, distance, chosen
+            self._scene, index, around.points, distance, chosen, signed
         )
 
     @takes(balls)
@@ -372,7 +384,8 @@ class Scene:
 
         Near are those whose surface is at most r from the point.
         points: (..., 3); r: (...), the radius, inf for all shapes.  They
-        broadcast.  Distances are compared as by `closest`.
+        broadcast.  Distances are compared as by `closest`; signed: those whose
+        signed distance is at most r.
 
         >>> posts = cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 1)
         >>> cylint.Scene(posts).within([[2.5, 0, 0.5], [3.5, 0, 0.5]], 1.5)
@@ -381,6 +394,7 @@ class Scene:
         found = self._scene.within(
             around.points.reshape(-1, 3),
             around.radii.reshape(-1),
+            around.signed,
             workers(self._choose(around.threads)),
             around.progress,
         )
@@ -401,9 +415,31 @@ class Scene:
         self._scene.within_count(
             around.points,
             around.radii,
+            around.signed,
             counts,
             workers(self._choose(around.threads)),
             around.progress,
+        )
+        return counts
+
+    @takes(Points)
+    def contains(self, points: Points) -> NDArray[np.int64]:
+        """How many closed solids hold each point: (...) int64.
+
+        points: (..., 3).  The boundary belongs to the solid, and both caps are
+        there, whatever the ends.  Exact.
+
+        >>> posts = cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 2)
+        >>> cylint.Scene(posts).contains([[2, 0, 0.5], [5, 0, 1], [9, 0, 0]])
+        array([2, 1, 0])
+        """
+        counts = np.empty(points.shape, np.int64)
+        self._scene.contains(
+            points.array,
+            np.broadcast_to(0.0, points.shape),
+            counts,
+            workers(self._choose(points.threads)),
+            points.progress,
         )
         return counts
 

@@ -235,8 +235,9 @@ class Scene
     }
 
     /* Writes the shapes with these numbers (int64, contiguous), -1 for a shape
-     * that nothing hits, or all shapes if numbers is None. */
-    void take(nb::handle numbers, nb::handle records) const
+     * that nothing hits, or all shapes if numbers is None.  closed: as closed
+     * solids. */
+    void take(nb::handle numbers, nb::handle records, bool closed) const
     {
         const Array wanted(numbers), to(records, true);
         auto *const shape = reinterpret_cast<cylint_shape *>(to.data());
@@ -251,6 +252,8 @@ class Scene
             else
                 cylint_scene_shape(scene.get(), static_cast<size_t>(at),
                                    &shape[i]);
+            if (closed && shape[i].ends < CYLINT_ENDS_INFINITE)
+                shape[i].ends = CYLINT_ENDS_CAPPED;
         }
     }
 
@@ -327,44 +330,61 @@ class Scene
     }
 
     /* columns: index (int64), distance */
-    void closest(nb::handle points, nb::handle radii, nb::tuple columns,
-                 int threads, nb::handle progress) const
+    void closest(nb::handle points, nb::handle radii, bool is_signed,
+                 nb::tuple columns, int threads, nb::handle progress) const
     {
+        const unsigned want = is_signed ? CYLINT_SIGNED : 0;
         const Array index(columns[0], true), distance(columns[1], true);
         each_ball(points, radii, {&index, &distance}, threads, progress,
-                  [this](const double(&point)[3], double radius,
-                         char *const *to, size_t) {
+                  [this, want](const double(&point)[3], double radius,
+                               char *const *to, size_t) {
                       cylint_closest answer;
                       const size_t found = cylint_scene_closest(
-                          scene.get(), point, radius, 0, &answer);
+                          scene.get(), point, radius, want, &answer);
                       put(to[0], number_of(found));
                       put(to[1], found < n ? answer.distance : not_a_number);
                   });
     }
 
     /* counts: int64 */
-    void within_count(nb::handle points, nb::handle radii, nb::handle counts,
-                      int threads, nb::handle progress) const
+    void within_count(nb::handle points, nb::handle radii, bool is_signed,
+                      nb::handle counts, int threads, nb::handle progress) const
     {
+        const unsigned want = is_signed ? CYLINT_SIGNED : 0;
         const Array to(counts, true);
         each_ball(points, radii, {&to}, threads, progress,
-                  [this](const double(&point)[3], double radius,
-                         char *const *at, size_t) {
+                  [this, want](const double(&point)[3], double radius,
+                               char *const *at, size_t) {
                       put(at[0], static_cast<int64_t>(cylint_scene_within_count(
-                                     scene.get(), point, radius, 0)));
+                                     scene.get(), point, radius, want, 0)));
                   });
+    }
+
+    /* counts: int64.  radii: of no effect. */
+    void contains(nb::handle points, nb::handle radii, nb::handle counts,
+                  int threads, nb::handle progress) const
+    {
+        const Array to(counts, true);
+        each_ball(
+            points, radii, {&to}, threads, progress,
+            [this](const double(&point)[3], double, char *const *at, size_t) {
+                put(at[0], static_cast<int64_t>(
+                               cylint_scene_contains(scene.get(), point, 0)));
+            });
     }
 
     /* The shapes within the radius of each point, in order.  Points and radii
      * have one axis. */
     std::unique_ptr<Found> within(nb::handle points, nb::handle radii,
-                                  int threads, nb::handle progress) const
+                                  bool is_signed, int threads,
+                                  nb::handle progress) const
     {
+        const unsigned want = is_signed ? CYLINT_SIGNED : 0;
         auto found = std::make_unique<Found>(nb::len(radii), 1);
         each_ball(points, radii, {}, threads, progress,
                   [&](const double(&point)[3], double radius, char *const *,
                       size_t number) {
-                      add_shapes(point, radius, number,
+                      add_shapes(point, radius, want, number,
                                  found->blocks[number / BLOCK]);
                   });
         return found;
@@ -422,21 +442,22 @@ class Scene
             });
     }
 
-    void add_shapes(const double (&point)[3], double radius, size_t asked,
-                    std::vector<Row> &rows) const
+    void add_shapes(const double (&point)[3], double radius, unsigned want,
+                    size_t asked, std::vector<Row> &rows) const
     {
         each_found(
             [&](size_t from, size_t *numbers) {
-                return cylint_scene_within(scene.get(), point, radius, from,
-                                           numbers, nullptr, CAPACITY);
+                return cylint_scene_within(scene.get(), point, radius, want,
+                                           from, numbers, nullptr, CAPACITY);
             },
             [&](size_t index) {
                 cylint_shape shape;
                 cylint_closest answer;
                 cylint_scene_shape(scene.get(), index, &shape);
-                rows.push_back({static_cast<int64_t>(asked),
-                                static_cast<int64_t>(index),
-                                {cylint_distance(&shape, point, 0, &answer)}});
+                rows.push_back(
+                    {static_cast<int64_t>(asked),
+                     static_cast<int64_t>(index),
+                     {cylint_distance(&shape, point, want, &answer)}});
             });
     }
 
@@ -579,7 +600,7 @@ void register_scene(nb::module_ &module)
         .def("labels", &Scene::labels)
         .def("size", &Scene::size)
         .def("take", &Scene::take, nb::arg("numbers").none(),
-             nb::arg("records"))
+             nb::arg("records"), nb::arg("closed"))
         .def("bytes", &Scene::bytes)
         .def("nearest", &Scene::nearest, nb::arg("lines"), nb::arg("exclude"),
              nb::arg("columns"), nb::arg("threads"), nb::arg("progress").none())
@@ -590,12 +611,16 @@ void register_scene(nb::module_ &module)
         .def("all", &Scene::all, nb::arg("lines"), nb::arg("exclude"),
              nb::arg("threads"), nb::arg("progress").none())
         .def("closest", &Scene::closest, nb::arg("points"), nb::arg("radii"),
-             nb::arg("columns"), nb::arg("threads"), nb::arg("progress").none())
-        .def("within_count", &Scene::within_count, nb::arg("points"),
-             nb::arg("radii"), nb::arg("counts"), nb::arg("threads"),
+             nb::arg("is_signed"), nb::arg("columns"), nb::arg("threads"),
              nb::arg("progress").none())
+        .def("within_count", &Scene::within_count, nb::arg("points"),
+             nb::arg("radii"), nb::arg("is_signed"), nb::arg("counts"),
+             nb::arg("threads"), nb::arg("progress").none())
+        .def("contains", &Scene::contains, nb::arg("points"), nb::arg("radii"),
+             nb::arg("counts"), nb::arg("threads"), nb::arg("progress").none())
         .def("within", &Scene::within, nb::arg("points"), nb::arg("radii"),
-             nb::arg("threads"), nb::arg("progress").none());
+             nb::arg("is_signed"), nb::arg("threads"),
+             nb::arg("progress").none());
     nb::class_<Found>(module, "Found")
         .def("size", &Found::size)
         .def("write", &Found::write, nb::arg("columns"));
