@@ -16,7 +16,6 @@
 #include "cylint_scene.h"
 #include "same_scenes.h"
 #include "scene_file.h"
-#include "scenes.h"
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/stat.h>
@@ -28,31 +27,6 @@
 enum { SHAPES = 400, SMALL = 6 };
 
 static char path[64]; /* of a file that may be written */
-
-/* Bytes at the begin of a cache line. */
-struct bytes {
-    char *memory, *data;
-    size_t n, capacity;
-};
-
-static void bytes_reserve(struct bytes *b, size_t capacity)
-{
-    free(b->memory);
-    b->memory = malloc(capacity + 64);
-    b->data = b->memory + (64 - (uintptr_t)b->memory % 64);
-    b->capacity = capacity;
-    b->n = 0;
-}
-
-static int append_bytes(void *context, const void *data, size_t n)
-{
-    struct bytes *b = context;
-    if (n > b->capacity - b->n)
-        return 0;
-    memcpy(b->data + b->n, data, n);
-    b->n += n;
-    return 1;
-}
 
 /* ---------------------------------------------------------------- tests -- */
 
@@ -87,8 +61,28 @@ static void an_opened_scene_answers_as_the_saved_one(void)
 /* The bytes of a scene's file; bytes->data is freed by the caller. */
 static void write_bytes(const cylint_scene *scene, struct bytes *b)
 {
-    bytes_reserve(b, (size_t)1 << 20);
-    CHECK(cylint_scene_write(scene, append_bytes, b) == CYLINT_SCENE_OK);
+    scene_file_write(scene, b, (size_t)1 << 20);
+}
+
+/* A cylinder, a ball, an elliptic cone, a rounded cone, an infinite cylinder and
+ * a tangent cone, with labels. */
+static void write_small(struct bytes *b)
+{
+    static const uint64_t ends[SMALL] = {1, 2, 2, 4, 5, 6};
+    static const cylint_scene_labels labels = {ends, "abcdef"};
+    const double p[3] = {0, 0, 0}, q[3] = {3, 1, 2}, h[3] = {0, 0, 2},
+                 x[3] = {1, 0.5, 0}, y[3] = {0, 1, 0.25};
+    cylint_shape shape[SMALL];
+    cylint_cylinder(&shape[0], p, q, 0.125, CYLINT_ENDS_CAPPED);
+    cylint_sphere(&shape[1], q, 0.5, CYLINT_ENDS_CAPPED);
+    cylint_elliptic_cone(&shape[2], q, x, y, h, 0.5, CYLINT_ENDS_OPEN);
+    cylint_round_cone(&shape[3], p, 0.5, x, 0.25, CYLINT_ENDS_CAPPED);
+    cylint_cylinder(&shape[4], p, q, 0.25, CYLINT_ENDS_INFINITE);
+    cylint_tangent_cone(&shape[5], x, q, 0.5, CYLINT_ENDS_CAPPED);
+    cylint_scene *scene = cylint_scene_new(shape, SMALL, 1, NULL);
+    cylint_scene_set_labels(scene, &labels);
+    write_bytes(scene, b);
+    cylint_scene_free(scene);
 }
 
 static void bytes_in_memory_open_at_every_address(void)
@@ -228,27 +222,6 @@ static void two_processes_map_one_file(void)
 
 /* ------------------------------------------------------- damaged files -- */
 
-/* A cylinder, a ball, an elliptic cone, a rounded cone, an infinite cylinder and
- * a tangent cone, with labels. */
-static void write_small(struct bytes *b)
-{
-    static const uint64_t ends[SMALL] = {1, 2, 2, 4, 5, 6};
-    static const cylint_scene_labels labels = {ends, "abcdef"};
-    const double p[3] = {0, 0, 0}, q[3] = {3, 1, 2}, h[3] = {0, 0, 2},
-                 x[3] = {1, 0.5, 0}, y[3] = {0, 1, 0.25};
-    cylint_shape shape[SMALL];
-    cylint_cylinder(&shape[0], p, q, 0.125, CYLINT_ENDS_CAPPED);
-    cylint_sphere(&shape[1], q, 0.5, CYLINT_ENDS_CAPPED);
-    cylint_elliptic_cone(&shape[2], q, x, y, h, 0.5, CYLINT_ENDS_OPEN);
-    cylint_round_cone(&shape[3], p, 0.5, x, 0.25, CYLINT_ENDS_CAPPED);
-    cylint_cylinder(&shape[4], p, q, 0.25, CYLINT_ENDS_INFINITE);
-    cylint_tangent_cone(&shape[5], x, q, 0.5, CYLINT_ENDS_CAPPED);
-    cylint_scene *scene = cylint_scene_new(shape, SMALL, 1, NULL);
-    cylint_scene_set_labels(scene, &labels);
-    write_bytes(scene, b);
-    cylint_scene_free(scene);
-}
-
 /* Changes of a byte, by exclusive or: of one bit, of all; or, for many cases, all.
  * Returns 0 after the last. */
 static int next_change(int change)
@@ -262,11 +235,11 @@ static void every_changed_byte_is_refused(void)
 {
     struct bytes b = {NULL, NULL, 0, 0};
     write_small(&b);
-    CHECK(scene_file_try(b.data, b.n, 3) == CYLINT_SCENE_OK);
+    CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_OK);
     for (size_t i = 0; i < b.n; i++)
         for (int change = 1; change != 0; change = next_change(change)) {
             b.data[i] = (char)(b.data[i] ^ change);
-            const cylint_scene_status status = scene_file_try(b.data, b.n, 3);
+            const cylint_scene_status status = scene_file_try(b.data, b.n);
             if (!CHECK(status != CYLINT_SCENE_OK))
                 REPORT("byte %zu ^ %d", i, change);
             CHECK(i >= 8 || status == CYLINT_SCENE_EFORMAT);
@@ -285,12 +258,12 @@ static void every_shorter_file_is_refused(void)
     for (size_t n = 0; n < b.n; n++) {
         char *copy = malloc(n + 1); /* so that a read beyond it is found */
         memcpy(copy, b.data, n);
-        const cylint_scene_status status = scene_file_try(copy, n, 3);
+        const cylint_scene_status status = scene_file_try(copy, n);
         CHECK(status == (n < 8 ? CYLINT_SCENE_EFORMAT : CYLINT_SCENE_EDAMAGED));
         free(copy);
     }
     b.n += 64;
-    CHECK(scene_file_try(b.data, b.n, 3) == CYLINT_SCENE_EDAMAGED);
+    CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_EDAMAGED);
     free(b.memory);
 }
 
@@ -304,7 +277,7 @@ static void no_changed_byte_makes_a_query_fail(void)
         for (int change = 1; change != 0; change = next_change(change)) {
             b.data[i] = (char)(b.data[i] ^ change);
             scene_file_repair(b.data, b.n);
-            opened += scene_file_try(b.data, b.n, 3) == CYLINT_SCENE_OK;
+            opened += scene_file_try(b.data, b.n) == CYLINT_SCENE_OK;
             b.data[i] = (char)(b.data[i] ^ change);
         }
     CHECK(opened > 100);
@@ -348,7 +321,7 @@ static void no_changed_numbers_make_a_query_fail(void)
             }
         }
         scene_file_repair(c.data, b.n);
-        opened += scene_file_try(c.data, b.n, 3) == CYLINT_SCENE_OK;
+        opened += scene_file_try(c.data, b.n) == CYLINT_SCENE_OK;
     }
     CHECK(opened > cases / 10);
     CHECK(opened < cases);
