@@ -14,6 +14,7 @@
 
 #include "check.h"
 #include "cylint_scene.h"
+#include "environment.h"
 #include "same_scenes.h"
 #include "scene_file.h"
 
@@ -220,6 +221,51 @@ static void two_processes_map_one_file(void)
 
 #endif
 
+/* A file that was saved in one environment opens in each other one: shapes whose
+ * axes and radii are subnormal, or nearly, in some coordinates. */
+static void saved_anywhere(struct environment there)
+{
+    static const double tiny[] = {0, 0x1p-1074, 0x1p-1023, 0x1p-1021, 0x1p-400};
+    struct bytes b = {NULL, NULL, 0, 0};
+    cylint_shape shape[4 * 5];
+    for (int i = 0; i < 20; i++) {
+        const double x = tiny[i / 4], y = i % 2 ? x : 0;
+        const double p[3] = {i, y, 0.25}, q[3] = {i + 1, 0, y};
+        if (i % 4 == 0)
+            cylint_cylinder(&shape[i], p, q, x > 0 ? x : 1, CYLINT_ENDS_OPEN);
+        else if (i % 4 == 1)
+            cylint_cone(&shape[i], p, x, q, 0.5, CYLINT_ENDS_CAPPED);
+        else if (i % 4 == 2)
+            cylint_round_cone(&shape[i], p, x, q, 0.9979, CYLINT_ENDS_CAPPED);
+        else
+            cylint_sphere(&shape[i], p, x > 0 ? x : 1, CYLINT_ENDS_CAPPED);
+    }
+    environment_set(there);
+    cylint_scene *built = cylint_scene_new(shape, 20, 1, NULL);
+    write_bytes(built, &b);
+    environment_reset();
+    for (int i = 0; i < ENVIRONMENTS; i++) {
+        cylint_scene_status status;
+        const struct environment other = environment_of(i);
+        if (!can_treat_subnormals(other.tiny))
+            continue;
+        environment_set(other);
+        cylint_scene *opened =
+            cylint_scene_open_memory(b.data, b.n, 0, &status);
+        environment_reset();
+        if (!CHECK(opened && same_shapes(built, opened)))
+            REPORT("in environment %d: status %d", i, (int)status);
+        cylint_scene_free(opened);
+    }
+    cylint_scene_free(built);
+    free(b.memory);
+}
+
+static void a_file_opens_in_every_environment(void)
+{
+    everywhere(saved_anywhere);
+}
+
 /* ------------------------------------------------------- damaged files -- */
 
 /* Changes of a byte, by exclusive or: of one bit, of all; or, for many cases, all.
@@ -284,6 +330,52 @@ static void no_changed_byte_makes_a_query_fail(void)
     free(b.memory);
 }
 
+/* Opens a file of rounded cones, cylinders and a cone after number `at`, counted in
+ * doubles, has become x. */
+static cylint_scene_status status_with(size_t at, double x)
+{
+    const double p[3] = {0, 0, 0}, q[3] = {1, 0, 0};
+    struct bytes b = {NULL, NULL, 0, 0};
+    cylint_shape shape[4];
+    cylint_round_cone(&shape[0], p, 1, q, 1.5, CYLINT_ENDS_CAPPED);
+    cylint_cylinder(&shape[1], p, q, 1, CYLINT_ENDS_CAPPED);
+    cylint_capsule(&shape[2], p, q, 1, CYLINT_ENDS_OPEN);
+    cylint_cone(&shape[3], p, 1, q, 2, CYLINT_ENDS_CAPPED);
+    cylint_scene *scene = cylint_scene_new(shape, 4, 1, NULL);
+    write_bytes(scene, &b);
+    cylint_scene_free(scene);
+    memcpy(b.data + at * sizeof x, &x, sizeof x);
+    scene_file_repair(b.data, b.n);
+    const cylint_scene_status status = scene_file_try(b.data, b.n);
+    free(b.memory);
+    return status;
+}
+
+enum { FIRST_RECORD = 512 / 8, RECORD = 64 / 8, FRAME = 144 / 8 };
+
+/* NaN is in no order with other numbers. */
+static void numbers_that_constructors_refuse_are_refused(void)
+{
+    CHECK(status_with(FIRST_RECORD, 0) == CYLINT_SCENE_OK);
+    for (size_t i = FIRST_RECORD; i < FIRST_RECORD + 4 * RECORD; i++) {
+        CHECK(status_with(i, (double)NAN) == CYLINT_SCENE_EDAMAGED);
+        CHECK(status_with(i, HUGE_VAL) == CYLINT_SCENE_EDAMAGED);
+        CHECK(status_with(i, -HUGE_VAL) == CYLINT_SCENE_EDAMAGED);
+    }
+    for (size_t i = FRAME; i < FRAME + 6; i++)
+        CHECK(status_with(i, (double)NAN) == CYLINT_SCENE_EDAMAGED);
+    CHECK(status_with(FRAME, 9) == CYLINT_SCENE_EDAMAGED);
+}
+
+/* One ball of a rounded cone holds the other, or nearly. */
+static void a_rounded_cone_that_is_a_ball_is_refused(void)
+{
+    static const double r[] = {1.9979, 1.99999, 2 - 0x1p-52, 2, 2.1, 4};
+    for (int i = 0; i < 6; i++)
+        CHECK(status_with(FIRST_RECORD + 7, r[i]) ==
+              (i == 0 ? CYLINT_SCENE_OK : CYLINT_SCENE_EDAMAGED));
+}
+
 /* Several numbers of larger files at once, of 1, 2, 4 or 8 bytes. */
 static void no_changed_numbers_make_a_query_fail(void)
 {
@@ -346,9 +438,12 @@ int main(void)
 #ifdef HAS_PROCESSES
     RUN(two_processes_map_one_file);
 #endif
+    RUN(a_file_opens_in_every_environment);
     RUN(every_changed_byte_is_refused);
     RUN(every_shorter_file_is_refused);
     RUN(no_changed_byte_makes_a_query_fail);
+    RUN(numbers_that_constructors_refuse_are_refused);
+    RUN(a_rounded_cone_that_is_a_ball_is_refused);
     RUN(no_changed_numbers_make_a_query_fail);
     return check_end();
 }

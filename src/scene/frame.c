@@ -16,15 +16,16 @@ int cylint_frame_make(cylint_frame *frame, const double lo[3],
                       const double hi[3])
 {
     double half[3];
-    int e;
+    int e, is_box = 1;
     for (int j = 0; j < 3; j++) {
+        is_box &= lo[j] <= hi[j]; /* else a NaN, in a file */
         frame->lo[j] = lo[j];
         frame->hi[j] = hi[j];
         frame->center[j] = lo[j] / 2 + hi[j] / 2;
         half[j] = fmax(hi[j] - frame->center[j], frame->center[j] - lo[j]);
     }
     const double size = largest(half);
-    if (!(largest(lo) <= CYLINT_FRAME_MOST) ||
+    if (!is_box || !(largest(lo) <= CYLINT_FRAME_MOST) ||
         !(largest(hi) <= CYLINT_FRAME_MOST) || !(size >= CYLINT_FRAME_LEAST))
         return 0;
     frexp(size, &e);

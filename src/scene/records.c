@@ -230,9 +230,10 @@ static int is_radius(double x)
     return cylint_sign(x) >= 0 && x <= CYLINT_WINDOW;
 }
 
-/* What is true of each record whose tag has CYLINT_TAG_PLAIN.  A comparison with
- * NaN is false.  Of lengths twice the axis is compared, so that the rounding mode
- * does not matter. */
+/* What is true of each record whose tag has CYLINT_TAG_PLAIN.  Of lengths twice the
+ * axis is compared, and of sines more than CYLINT_LOCAL_STEEPEST^2, so that the
+ * rounding mode does not matter.  A shape so made is one that its constructor
+ * accepts. */
 static int is_plain(const cylint_records *r, size_t number)
 {
     const cylint_record *at = &r->record[number];
@@ -251,10 +252,12 @@ static int is_plain(const cylint_records *r, size_t number)
                                                        : is_tapered) &&
            cylint_ends_fit(kind, ends) && cylint_ends_are_planes(ends) &&
            is_radius(at->r0) && is_radius(at->r1) &&
-           cylint_sign(at->r0 + at->r1) > 0 &&
+           cylint_sign(at->r0) + cylint_sign(at->r1) > 0 &&
+           cylint_is_finite(at->p0) && cylint_is_finite(at->p1) &&
            cylint_largest(at->p0) <= CYLINT_FAR && size <= 4 * CYLINT_WINDOW &&
            cylint_is_long_enough(w) && growth <= CYLINT_LOCAL_MOST * size &&
-           (kind != CYLINT_KIND_RCONE || growth * growth <= length2 / 4);
+           (kind != CYLINT_KIND_RCONE ||
+            growth * growth <= CYLINT_LOCAL_STEEPEST * (length2 / 4));
 }
 
 /* Whether a record that is not plain makes a shape of its tag.  Whether a shape is
