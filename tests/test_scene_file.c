@@ -193,6 +193,26 @@ static void a_failure_leaves_the_old_file(void)
 
 #ifdef HAS_PROCESSES
 
+/* Such a file has one reader, who must not close and open it again. */
+static void a_named_pipe_is_read(void)
+{
+    struct bytes b = {NULL, NULL, 0, 0};
+    int status = 1;
+    write_small(&b);
+    CHECK(mkfifo(path, 0600) == 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        FILE *to = fopen(path, "wb");
+        _exit(!to || fwrite(b.data, 1, b.n, to) != b.n || fclose(to) != 0);
+    }
+    cylint_scene *opened = cylint_scene_open(path, 0, NULL);
+    CHECK(opened && cylint_scene_size(opened) == SMALL);
+    CHECK(waitpid(child, &status, 0) == child && status == 0);
+    cylint_scene_free(opened);
+    remove(path);
+    free(b.memory);
+}
+
 /* The file is replaced while it is mapped: the mapping stays as it was. */
 static void two_processes_map_one_file(void)
 {
@@ -436,6 +456,7 @@ int main(void)
     RUN(labels_are_saved);
     RUN(a_failure_leaves_the_old_file);
 #ifdef HAS_PROCESSES
+    RUN(a_named_pipe_is_read);
     RUN(two_processes_map_one_file);
 #endif
     RUN(a_file_opens_in_every_environment);

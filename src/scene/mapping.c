@@ -2,14 +2,12 @@
  * mapping.c - the bytes of a file in memory
  */
 #ifdef __linux__
-#define _DEFAULT_SOURCE 1 /* open() and mmap() with -std=c99 */
+#define _DEFAULT_SOURCE 1 /* fileno() and mmap() with -std=c99 */
 #endif
 #if defined(__unix__) || defined(__APPLE__)
 #define CYLINT_HAS_MMAP
-#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <unistd.h>
 #endif
 
 #include "mapping.h"
@@ -76,19 +74,14 @@ static cylint_mapping_status read_file(cylint_mapping *m, FILE *file)
 #ifdef CYLINT_HAS_MMAP
 
 /* Returns 0 if the file cannot be mapped. */
-static int map_file(cylint_mapping *m, const char *path, size_t least)
+static int map_file(cylint_mapping *m, FILE *file, size_t least)
 {
     struct stat about;
-    void *data = MAP_FAILED;
-    const int file = open(path, O_RDONLY);
-    if (file < 0)
+    if (fstat(fileno(file), &about) != 0 || !S_ISREG(about.st_mode) ||
+        (uintmax_t)about.st_size < least || (uintmax_t)about.st_size > SIZE_MAX)
         return 0;
-    if (fstat(file, &about) == 0 && S_ISREG(about.st_mode) &&
-        (uintmax_t)about.st_size >= least &&
-        (uintmax_t)about.st_size <= SIZE_MAX)
-        data =
-            mmap(NULL, (size_t)about.st_size, PROT_READ, MAP_SHARED, file, 0);
-    close(file);
+    void *data = mmap(NULL, (size_t)about.st_size, PROT_READ, MAP_SHARED,
+                      fileno(file), 0);
     if (data == MAP_FAILED)
         return 0;
     *m = (cylint_mapping){
@@ -103,10 +96,10 @@ static void unmap_file(cylint_mapping *m)
 
 #else
 
-static int map_file(cylint_mapping *m, const char *path, size_t least)
+static int map_file(cylint_mapping *m, FILE *file, size_t least)
 {
     (void)m;
-    (void)path;
+    (void)file;
     (void)least;
     return 0;
 }
@@ -118,15 +111,16 @@ static void unmap_file(cylint_mapping *m)
 
 #endif
 
+/* The file is opened once: a pipe's writer must not see it closed. */
 cylint_mapping_status cylint_mapping_open(cylint_mapping *m, const char *path,
                                           size_t least, int is_read)
 {
-    if (!is_read && map_file(m, path, least))
-        return CYLINT_MAPPING_OK;
     FILE *file = fopen(path, "rb");
     if (!file)
         return CYLINT_MAPPING_EFILE;
-    const cylint_mapping_status status = read_file(m, file);
+    const cylint_mapping_status status = !is_read && map_file(m, file, least)
+                                             ? CYLINT_MAPPING_OK
+                                             : read_file(m, file);
     fclose(file);
     return status;
 }
