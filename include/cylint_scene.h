@@ -164,9 +164,9 @@ CYLINT_API const cylint_scene_labels *cylint_scene_get_labels(
  *
  * A file has a version, an order of bytes and a checksum.  Where these are not as
  * expected, or a number in the file is out of range, opening fails: no file makes
- * a query read outside it, run without end or crash.  Only a file that becomes
- * shorter while it is mapped does; open files that others may change with
- * CYLINT_SCENE_READ.
+ * a query read outside it, run without end or crash.  Only a file that changes
+ * while it is mapped does; open files that others may write to with
+ * CYLINT_SCENE_READ.  (cylint_scene_save() replaces a file and does not change it.)
  */
 enum {
     CYLINT_SCENE_READ = 1, /* read the file into memory; systems without mmap()

@@ -65,6 +65,28 @@ static void write_bytes(const cylint_scene *scene, struct bytes *b)
     scene_file_write(scene, b, (size_t)1 << 20);
 }
 
+static void an_opened_scene_saves_the_same_bytes(void)
+{
+    struct bytes first = {NULL, NULL, 0, 0}, again = {NULL, NULL, 0, 0};
+    for (int kind = 0; kind < SCENE_KINDS; kind++)
+        for (size_t n = 1; n <= 16; n *= 4) {
+            struct scene_shapes of;
+            scene_generate(kind, n, 5, &of);
+            cylint_scene *built = cylint_scene_new(of.shapes, n, 1, NULL);
+            write_bytes(built, &first);
+            cylint_scene *opened =
+                cylint_scene_open_memory(first.data, first.n, 0, NULL);
+            write_bytes(opened, &again);
+            CHECK(first.n == again.n &&
+                  memcmp(first.data, again.data, first.n) == 0);
+            cylint_scene_free(opened);
+            cylint_scene_free(built);
+            scene_release(&of);
+        }
+    free(first.memory);
+    free(again.memory);
+}
+
 /* A cylinder, a ball, an elliptic cone, a rounded cone, an infinite cylinder and
  * a tangent cone, with labels. */
 static void write_small(struct bytes *b)
@@ -192,6 +214,20 @@ static void a_failure_leaves_the_old_file(void)
 }
 
 #ifdef HAS_PROCESSES
+
+/* A link of this name would lead the writer to another file. */
+static void a_file_beside_the_new_one_is_not_written(void)
+{
+    char beside[96], target[96];
+    cylint_scene *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    snprintf(beside, sizeof beside, "%s.%ld.new", path, (long)getpid());
+    snprintf(target, sizeof target, "%s.target", path);
+    CHECK(symlink(target, beside) == 0);
+    CHECK(cylint_scene_save(empty, path) == CYLINT_SCENE_OK);
+    CHECK(access(target, F_OK) != 0 && access(path, F_OK) == 0);
+    CHECK(remove(beside) == 0 && remove(path) == 0);
+    cylint_scene_free(empty);
+}
 
 /* Such a file has one reader, who must not close and open it again. */
 static void a_named_pipe_is_read(void)
@@ -451,11 +487,13 @@ int main(void)
              0L);
 #endif
     RUN(an_opened_scene_answers_as_the_saved_one);
+    RUN(an_opened_scene_saves_the_same_bytes);
     RUN(bytes_in_memory_open_at_every_address);
     RUN(an_empty_scene_can_be_saved);
     RUN(labels_are_saved);
     RUN(a_failure_leaves_the_old_file);
 #ifdef HAS_PROCESSES
+    RUN(a_file_beside_the_new_one_is_not_written);
     RUN(a_named_pipe_is_read);
     RUN(two_processes_map_one_file);
 #endif

@@ -164,9 +164,11 @@ static file_header header_of(const cylint_scene *s)
     h.order = FILE_ORDER;
     h.n = s->n;
     h.n_bounded = s->n_bounded;
-    h.box = s->bvh.box;
-    memcpy(h.lo, s->frame.lo, sizeof h.lo);
-    memcpy(h.hi, s->frame.hi, sizeof h.hi);
+    if (s->n_bounded > 0) {
+        h.box = s->bvh.box;
+        memcpy(h.lo, s->frame.lo, sizeof h.lo);
+        memcpy(h.hi, s->frame.hi, sizeof h.hi);
+    }
     set_sizes(&h, s);
     h.file_bytes = sizeof h;
     for (int i = 0; i < SECTIONS; i++)
@@ -219,13 +221,29 @@ static int write_to_file(void *context, const void *data, size_t bytes)
     return fwrite(data, 1, bytes, context) == bytes;
 }
 
-/* Writes the file `beside` and renames it. */
-static cylint_scene_status save_beside(const cylint_scene *s, const char *path,
-                                       const char *beside)
+#ifdef _WIN32
+#define NEW_FILE "wb"
+#else
+#define NEW_FILE "wbx" /* fails if the file or a link of this name exists */
+#endif
+
+/* Creates PATH.NUMBER.new and writes its name.  Another thread, or a process of
+ * this number on another machine, may write beside the same path. */
+static FILE *create_beside(const char *path, char *beside, size_t bytes)
 {
-    FILE *file = fopen(beside, "wb");
-    if (!file)
-        return CYLINT_SCENE_EFILE;
+    enum { TRIES = 100 };
+    FILE *file = NULL;
+    for (long i = 0; !file && (i == 0 || (i < TRIES && errno == EEXIST)); i++) {
+        snprintf(beside, bytes, "%s.%ld.new", path, (long)getpid() + i);
+        file = fopen(beside, NEW_FILE);
+    }
+    return file;
+}
+
+/* Writes the file `beside` and renames it. */
+static cylint_scene_status save_beside(const cylint_scene *s, FILE *file,
+                                       const char *path, const char *beside)
+{
     cylint_scene_status status = cylint_scene_write(s, write_to_file, file);
     const int why = errno;
     if (fclose(file) != 0 && status == CYLINT_SCENE_OK)
@@ -251,8 +269,9 @@ cylint_scene_status cylint_scene_save(const cylint_scene *scene,
     char *beside = malloc(bytes);
     if (!beside)
         return CYLINT_SCENE_EMEMORY;
-    snprintf(beside, bytes, "%s.%ld.new", path, (long)getpid());
-    const cylint_scene_status status = save_beside(scene, path, beside);
+    FILE *file = create_beside(path, beside, bytes);
+    const cylint_scene_status status =
+        file ? save_beside(scene, file, path, beside) : CYLINT_SCENE_EFILE;
     free(beside);
     return status;
 }
