@@ -134,7 +134,7 @@ static inline void scene_file_query_point(const cylint_scene *scene,
         cylint_scene_within(scene, o, 1.0, 0, 0, found, away, SCENE_FILE_FOUND);
     scene_file_check_order(found, count, n);
     cylint_scene_within_count(scene, o, 1.0, 0, 0);
-    cylint_scene_visit_point(scene, o, 2.0, scene_file_count_near, &left);
+    cylint_scene_visit_point(scene, o, 2.0, 0, scene_file_count_near, &left);
 }
 
 enum { SCENE_FILE_SIDES = 3 };
