@@ -118,9 +118,9 @@ CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
  * the tree above them stays, so lines take longer the more the shapes lie among
  * other neighbours than before: see cylint_scene_worsening().
  *
- * Uses one thread, and about 5 bytes a shape while it works.  A few shapes that stay
- * within the box of all cost least; if one leaves it, all are bounded again.  No
- * other thread may use the scene at the same time.
+ * Uses one thread, and about 5 bytes a shape while it works.  A few shapes that
+ * stay within the box of all cost least; if one leaves it, all are bounded
+ * again.  No other thread may use the scene at the same time.
  *
  * EUNFINISHED and EOPENED: not such a scene.  ESIZE: first + n is more than the
  * number of shapes.  EREPLACE: a shape is elliptic and the one before is not, or
@@ -355,8 +355,8 @@ CYLINT_API size_t cylint_scene_within(const cylint_scene *scene,
  * others do its work.  Several threads may make such calls for one scene.
  */
 
-/* The first hit of each line.  Where a line hits no shape, part and side are -1, and
- * the other members are NaN.  Set members that are not wanted to NULL:
+/* The first hit of each line.  Where a line hits no shape, part and side are
+ * -1, and the other members are NaN.  Set members that are not wanted to NULL:
  * `cylint_hit_columns hits = {0}`. */
 typedef struct cylint_hit_columns {
     double *t;
@@ -394,11 +394,11 @@ CYLINT_API void cylint_scene_count_lines(const cylint_scene *scene,
                                          size_t *counts);
 
 /*
- * cylint_scene_closest() for each point, within radii[i]; radii = NULL stands for
- * HUGE_VAL for all.  numbers[i] is that of the shape whose surface is nearest.  If
- * no surface is within the radius, if the radius is negative or NaN, or if the point
- * is invalid, numbers[i] is the number of all shapes, part and feature are -1, and
- * the other members are NaN.  `answers` may be NULL.
+ * cylint_scene_closest() for each point, within radii[i]; radii = NULL stands
+ * for HUGE_VAL for all.  numbers[i] is that of the shape whose surface is
+ * nearest.  If no surface is within the radius, if the radius is negative or
+ * NaN, or if the point is invalid, numbers[i] is the number of all shapes, part
+ * and feature are -1, and the other members are NaN.  `answers` may be NULL.
  */
 CYLINT_API void cylint_scene_closest_points(
     const cylint_scene *scene, const cylint_points *points, const double *radii,

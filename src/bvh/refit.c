@@ -135,7 +135,8 @@ static int keep_faces(const cylint_bvh *bvh, cylint_node *node,
     return !has_long_steps(node, all, cylint_node_least_step(&bvh->box));
 }
 
-/* Bounds a node again, where a child has moved.  Returns the box of its children. */
+/* Bounds a node again, where a child has moved.  Returns the box of its
+ * children. */
 static cylint_extent refit_node(const cylint_bvh *bvh, const cylint_view *view,
                                 cylint_node *node,
                                 cylint_extent box[CYLINT_CHILDREN])

@@ -202,8 +202,9 @@ CYLINT_INLINE int is_second(angle at)
     return at.sin < 0 || (at.sin == 0 && at.cos < 0);
 }
 
-/* Writes the angle, and its tangent plane.  rough: an angle with an error
- * of about CYLINT_ROUGH_ANGLE is enough.  Returns 0 if the iteration did not come to an end. */
+/* Writes the angle, and its tangent plane.  rough: an angle with an error of
+ * about CYLINT_ROUGH_ANGLE is enough.  Returns 0 if the iteration did not come
+ * to an end. */
 ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
                              const elliptic_place *p, int rough)
 {

@@ -3,8 +3,8 @@
  * and pairs make them certain
  *
  * Doubles find the angle (elliptic_angle.h) and decide which feature is nearest
- * (elliptic_feature.h), where their errors leave no doubt; elliptic_pairs.h computes
- * the answer.
+ * (elliptic_feature.h), where their errors leave no doubt; elliptic_pairs.h
+ * computes the answer.
  *
  * Compiled once as it is and again for processors with a fused multiply-add: an
  * answer that is certain is the same in both.

@@ -93,9 +93,10 @@ static inline double turn_of_normal(const tangent_plane *t)
     return sqrt(dot_of(x, x));
 }
 
-/* l: at most so large.  rho: at the foot.  The normals of the nearest point and of
- * the angle differ by 2 away / h at most, and (x, y) of the nearest point and of the
- * foot, which is l beside the direction of the angle, by away times the norm. */
+/* l: at most so large.  rho: at the foot.  The normals of the nearest point and
+ * of the angle differ by 2 away / h at most, and (x, y) of the nearest point
+ * and of the foot, which is l beside the direction of the angle, by away times
+ * the norm. */
 static inline uncertainty outside_lateral(const tangent_plane *t,
                                           const elliptic_place *p, double l,
                                           double rho)

@@ -1,13 +1,13 @@
 /*
  * elliptic_feature.h - which feature of an elliptic shape is nearest, in doubles
  *
- * Where the errors of doubles leave a doubt, none is: CYLINT_NO_FEATURE.  Bounded shapes
- * are convex.  Of a point outside, the nearest point of the solid is on the lateral
- * surface, if the foot of the perpendicular on it is between the ends; else on the
- * end beyond which it is: on the cap, if the foot on its plane is in the ellipse,
- * else on the rim.  Of a point inside, no plane of a cap and no tangent plane is
- * nearer than the surface, so it does not matter whether a foot is within the
- * ends.
+ * Where the errors of doubles leave a doubt, none is: CYLINT_NO_FEATURE.
+ * Bounded shapes are convex.  Of a point outside, the nearest point of the
+ * solid is on the lateral surface, if the foot of the perpendicular on it is
+ * between the ends; else on the end beyond which it is: on the cap, if the foot
+ * on its plane is in the ellipse, else on the rim.  Of a point inside, no plane
+ * of a cap and no tangent plane is nearer than the surface, so it does not
+ * matter whether a foot is within the ends.
  */
 #ifndef CYLINT_ELLIPTIC_FEATURE_H
 #define CYLINT_ELLIPTIC_FEATURE_H

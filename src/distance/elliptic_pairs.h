@@ -2,11 +2,11 @@
  * elliptic_pairs.h - the distance, nearest point and normal of an elliptic shape in
  * pairs, given the feature and the angle in doubles
  *
- * The distance is computed once: its error by that of the angle is of the second
- * order.  The point and the normal, and a distance that is not certain by then, need
- * the angle in pairs: one more step of Newton's iteration.  Near the surface n is
- * computed in triples.  With U = b x h, V = h x a and W = a x b, which are the rows of
- * the inverse matrix times a.(b x h),
+ * The distance is computed once: its error by that of the angle is of the
+ * second order.  The point and the normal, and a distance that is not certain
+ * by then, need the angle in pairs: one more step of Newton's iteration.  Near
+ * the surface n is computed in triples.  With U = b x h, V = h x a and W = a x
+ * b, which are the rows of the inverse matrix times a.(b x h),
  *     n = cos D.U + sin D.V - (a.(b x h) + (k - 1) D.W)
  *     N = cos U + sin V - (k - 1) W.
  */

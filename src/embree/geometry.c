@@ -379,6 +379,6 @@ size_t cylint_embree_bytes(RTCGeometry geometry)
 {
     const cylint_embree_data *data = rtcGetGeometryUserData(geometry);
     return data->self.bytes + data->bvh.node_memory.bytes +
-           data->bvh.leaf_memory.bytes +
-           data->filter_memory.bytes + data->number_memory.bytes;
+           data->bvh.leaf_memory.bytes + data->filter_memory.bytes +
+           data->number_memory.bytes;
 }

@@ -22,6 +22,7 @@
 #include <string.h>
 
 #include "../bvh/sound.h"
+#include "../numbers/bits.h"
 #include "file.h"
 #include "scene.h"
 
@@ -312,7 +313,7 @@ static cylint_scene_status check_header(const file_header *h, size_t bytes)
     if (bytes < sizeof *h)
         return CYLINT_SCENE_EDAMAGED;
     if (h->version != FILE_VERSION || h->sections != SECTIONS ||
-        memcmp(&h->order, &(double){FILE_ORDER}, sizeof h->order) != 0 ||
+        cylint_rank(h->order) != cylint_rank(FILE_ORDER) ||
         h->bytes[SOLIDS] > 0 || h->bytes[RANKS] > 0)
         return CYLINT_SCENE_EVERSION;
     return sizes_fit(h, bytes) ? CYLINT_SCENE_OK : CYLINT_SCENE_EDAMAGED;

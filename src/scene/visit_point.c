@@ -144,7 +144,8 @@ static double axial_of(const cylint_swept_disc *disc, const double x[3])
 
 /*
  * Whether the lane's piece contains the nearest point of the surface or solid,
- * computed in doubles; of a solid that holds the point it is the point.  That piece is within v->radius, but for an error that is less than the bounds of
+ * computed in doubles; of a solid that holds the point it is the point.  That
+ * piece is within v->radius, but for an error that is less than the bounds of
  * traverse_point.h allow for, so its lane is never rejected; and it is the same
  * piece whenever the shape is tested.
  */
