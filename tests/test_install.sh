@@ -401,7 +401,7 @@ test_symbols()
     threads="$threads pthread_cond_wait pthread_cond_broadcast"
     threads="$threads pthread_cond_destroy pthread_self"
     # of a saved scene
-    files='open close fstat mmap munmap getpid fopen fread fwrite fclose ferror fseek'
+    files='fileno fstat mmap munmap getpid fopen fread fwrite fclose ferror fseek'
     files="$files ftell rewind rename remove snprintf __errno_location"
     none "$(foreign_to libcylint-scene \
         "$math $memory $others $heap $threads $files sqrtf")" \
