@@ -134,6 +134,12 @@ static inline void scene_file_query_point(const cylint_scene *scene,
         cylint_scene_within(scene, o, 1.0, 0, 0, found, away, SCENE_FILE_FOUND);
     scene_file_check_order(found, count, n);
     cylint_scene_within_count(scene, o, 1.0, 0, 0);
+    const size_t inside = cylint_scene_contains(scene, o, 0);
+    MUST(inside <= n &&
+         (cylint_scene_contains(scene, o, 1) == 1) == (inside > 0));
+    const size_t deepest =
+        cylint_scene_closest(scene, o, HUGE_VAL, CYLINT_SIGNED, &closest);
+    MUST(inside == 0 || (deepest < n && closest.distance <= 0));
     cylint_scene_visit_point(scene, o, 2.0, 0, scene_file_count_near, &left);
 }
 
