@@ -320,7 +320,7 @@ static cylint_scene_status check_header(const file_header *h, size_t bytes)
 }
 
 /* Sets the members that lie in the file.  It is never written. */
-static void set_members(cylint_scene *s, const file_header *h)
+static void point_into_file(cylint_scene *s, const file_header *h)
 {
     char *data[SECTIONS], *at = (char *)(uintptr_t)h + sizeof *h;
     for (int i = 0; i < SECTIONS; i++) {
@@ -384,7 +384,7 @@ static cylint_scene_status open_file(cylint_scene *s, unsigned flags)
     const cylint_scene_status status = check_header(h, s->file.bytes);
     if (status != CYLINT_SCENE_OK)
         return status;
-    set_members(s, h);
+    point_into_file(s, h);
     if ((s->n_bounded > 0 && (!cylint_frame_make(&s->frame, h->lo, h->hi) ||
                               !cylint_extent_is_valid(&h->box))) ||
         (!(flags & CYLINT_SCENE_TRUSTED) && !is_sound(s, h)))

@@ -67,7 +67,7 @@ static int measure_all(replacement *r)
 
 /* Whether the box of the shapes lies in those of the frame and of the hierarchy.  A
  * piece's box is larger by less than 2^-20, the rounding of its floats. */
-static int is_within(const replacement *r)
+static int stays_in_frame(const replacement *r)
 {
     const cylint_frame *f = &r->scene->frame;
     const cylint_extent *box = &r->scene->bvh.box;
@@ -109,7 +109,7 @@ static int make_frame(const replacement *r, cylint_frame *frame)
 static int needs_frame(const replacement *r)
 {
     const cylint_frame *f = &r->scene->frame;
-    return !is_within(r) ||
+    return !stays_in_frame(r) ||
            (r->bounded == r->scene->n_bounded &&
             longest_side(r->lo, r->hi) < longest_side(f->lo, f->hi) / 4);
 }
