@@ -19,7 +19,7 @@ test_install()
         lib/libcylint-scene.a "lib/libcylint-scene.so.$major" \
         lib/pkgconfig/cylint.pc lib/pkgconfig/cylint-scene.pc \
         include/cylint.h include/cylint_methods.h include/cylint_scene.h \
-        include/cylint_distance.h share/man/man3/cylint_distance.3 \
+        include/cylint_distance.h include/cylint_pieces.h share/man/man3/cylint_distance.3 \
         share/man/man1/cylint.1 share/man/man3/cylint.3 \
         share/man/man3/cylint_methods.3 share/man/man3/cylint_scene.3 \
         bin/cylint-convert share/cylint/common.awk share/cylint/autumn.awk \
@@ -372,7 +372,7 @@ test_symbols()
             awk 'NF == 3 && $3 !~ /^(cylint_|__odr_asan)/ { print $3 }')" \
             "static_${library}_defines_only_its_own_names"
     done
-    none "$(declared cylint.h cylint_distance.h cylint_methods.h |
+    none "$(declared cylint.h cylint_distance.h cylint_pieces.h cylint_methods.h |
         missing_from "$lib/libcylint.so")" \
         libcylint_exports_every_function_of_its_headers
     none "$(declared cylint_scene.h | missing_from "$lib/libcylint-scene.so")" \

@@ -420,7 +420,9 @@ static void every_status_has_its_text(void)
         [CYLINT_SCENE_EOPENED] = "a scene that was opened does not change",
         [CYLINT_SCENE_EREPLACE] =
             "a shape cannot take the place of the one before: make a new "
-            "scene"};
+            "scene",
+        "a member of a solid has no clause, or two solids have the same "
+        "number"};
     check_texts(cylint_scene_strerror, texts, sizeof texts / sizeof *texts);
 }
 

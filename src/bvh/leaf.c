@@ -74,7 +74,7 @@ static int store_cylinder(cylint_leaf *leaf, int lane, const step_cylinder *h)
 }
 
 /* Stores the piece's index and count and the shape's ends. */
-static void store_numbers(cylint_leaf *leaf, int lane, cylint_piece piece,
+static void store_numbers(cylint_leaf *leaf, int lane, cylint_shape_piece piece,
                           int ends)
 {
     const uint32_t more = (uint32_t)piece.count - 1;
@@ -113,7 +113,7 @@ static void store_numbers(cylint_leaf *leaf, int lane, cylint_piece piece,
  * of an axis shorter than 4: so every lane has one.
  */
 static int bound_piece(cylint_leaf *leaf, int lane, const cylint_swept_disc *s,
-                       cylint_piece piece, double line_error)
+                       cylint_shape_piece piece, double line_error)
 {
     const int capsule = leaf->used & CYLINT_LEAF_ROUND;
     const double steps = cylint_leaf_steps(leaf);
@@ -174,7 +174,7 @@ void cylint_leaf_fill(cylint_leaf *leaf, const cylint_swept_disc *discs,
     leaf->used = (uint8_t)(used | solid | round);
     for (int lane = 0; lane < used; lane++) {
         const cylint_swept_disc *disc = discs + lane;
-        const cylint_piece piece = {boxes[lane].index, boxes[lane].count};
+        const cylint_shape_piece piece = {boxes[lane].index, boxes[lane].count};
         leaf->number[lane] = boxes[lane].number;
         store_numbers(leaf, lane, piece, disc->ends);
         if (!bound_piece(leaf, lane, disc, piece, line_error))

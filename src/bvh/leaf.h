@@ -50,9 +50,10 @@ void cylint_leaf_fill(cylint_leaf *leaf, const cylint_swept_disc *discs,
                       const cylint_boxed_piece *boxes, int used,
                       double line_error);
 
-static inline cylint_piece cylint_leaf_piece(const cylint_leaf *b, int lane)
+static inline cylint_shape_piece cylint_leaf_piece(const cylint_leaf *b,
+                                                   int lane)
 {
-    return (cylint_piece){
+    return (cylint_shape_piece){
         b->r[lane] >> CYLINT_LEAF_R_BITS & 15,
         (int)(b->p[0][lane] >> 30 | b->p[1][lane] >> 30 << 2) + 1};
 }
@@ -81,7 +82,7 @@ static inline float cylint_leaf_steps(const cylint_leaf *b)
  */
 static inline int cylint_leaf_owns(const cylint_leaf *leaf, int lane, double z)
 {
-    const cylint_piece piece = cylint_leaf_piece(leaf, lane);
+    const cylint_shape_piece piece = cylint_leaf_piece(leaf, lane);
     return cylint_piece_at(z, piece.count) == piece.index;
 }
 

@@ -31,7 +31,7 @@ static void read_pieces(leaf_pieces *to, const cylint_leaf *leaf,
                              cylint_view_shape(view, leaf->number[i], &spare));
     }
     for (int i = 0; i < used; i++) {
-        const cylint_piece piece = cylint_leaf_piece(leaf, i);
+        const cylint_shape_piece piece = cylint_leaf_piece(leaf, i);
         double reach[3];
         cylint_swept_disc_reach(&to->disc[i], reach);
         const cylint_extent b = cylint_piece_box(&to->disc[i], reach, piece);

@@ -49,7 +49,7 @@ static int leaf_is_sound(const cylint_leaf *leaf, size_t n)
     int sound = used >= 1 && used <= CYLINT_LEAF_SIZE &&
                 are_finite(leaf->center, 3) && steps > 0 && steps <= FLT_MAX;
     for (int i = 0; i < CYLINT_LEAF_SIZE && sound; i++) {
-        const cylint_piece piece = cylint_leaf_piece(leaf, i);
+        const cylint_shape_piece piece = cylint_leaf_piece(leaf, i);
         sound &=
             i >= used || (leaf->number[i] < n && piece.index < piece.count);
     }

@@ -32,7 +32,7 @@ static double surface_area(const cylint_swept_disc *t)
  */
 enum { FEW = 4, MANY = 8, NEEDLE = 64 };
 
-static const cylint_piece whole = {0, 1};
+static const cylint_shape_piece whole = {0, 1};
 
 static int piece_count(const cylint_swept_disc *t, const cylint_extent *box)
 {
@@ -71,7 +71,7 @@ static void write_pieces(cylint_boxed_piece *to, const cut_shape *from,
                          uint32_t number, cylint_extent *all)
 {
     for (int i = 0; i < from->count; i++) {
-        const cylint_piece piece = {i, from->count};
+        const cylint_shape_piece piece = {i, from->count};
         const cylint_extent b =
             cylint_piece_box(&from->disc, from->reach, piece);
         to[i] = (cylint_boxed_piece){{b.lower[0], b.lower[1], b.lower[2]},

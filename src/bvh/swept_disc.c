@@ -104,8 +104,8 @@ static double radius_at(double k0, double k1, double z)
  * cone, and each section is at most as wide as that ball.  Else, which takes a
  * shape too thick for several pieces, each piece is bounded as the whole.
  */
-cylint_piece_hull cylint_piece_hull_of(cylint_piece piece, double k0, double k1,
-                                       int round, double shift)
+cylint_piece_hull cylint_piece_hull_of(cylint_shape_piece piece, double k0,
+                                       double k1, int round, double shift)
 {
     const double overlap = 0x1p-20, count = piece.count;
     const int is_whole = round && !(shift * count < 1 - 2 * overlap);
@@ -129,7 +129,7 @@ cylint_piece_hull cylint_piece_hull_of(cylint_piece piece, double k0, double k1,
  * for underflow.
  */
 cylint_extent cylint_piece_box(const cylint_swept_disc *t,
-                               const double reach[3], cylint_piece piece)
+                               const double reach[3], cylint_shape_piece piece)
 {
     const cylint_piece_hull h =
         cylint_piece_hull_of(piece, t->k[0], t->k[1], t->round, t->shift);
@@ -158,5 +158,5 @@ cylint_extent cylint_swept_disc_box(const cylint_view *view, uint32_t number)
     double reach[3];
     cylint_swept_disc_of(&disc, view, cylint_view_shape(view, number, &spare));
     cylint_swept_disc_reach(&disc, reach);
-    return cylint_piece_box(&disc, reach, (cylint_piece){0, 1});
+    return cylint_piece_box(&disc, reach, (cylint_shape_piece){0, 1});
 }

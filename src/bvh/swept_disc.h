@@ -29,9 +29,9 @@ typedef struct cylint_swept_disc {
 } cylint_swept_disc;
 
 /* A piece of a shape: number `index` of `count` equal ones along z. */
-typedef struct cylint_piece {
+typedef struct cylint_shape_piece {
     int index, count;
-} cylint_piece;
+} cylint_shape_piece;
 
 /* Shapes in coordinates (x - center) scale, where scale is a power of two.
  * line_error: the most by which a line's points are wrong, in these
@@ -89,10 +89,10 @@ typedef struct cylint_piece_hull {
 /* Pieces overlap by 2^-20 of their length, so that a z with a rounding error
  * still lies in the piece that cylint_piece_at() returns.  round: the shape is
  * round, with this shift. */
-cylint_piece_hull cylint_piece_hull_of(cylint_piece piece, double k0, double k1,
-                                       int round, double shift);
+cylint_piece_hull cylint_piece_hull_of(cylint_shape_piece piece, double k0,
+                                       double k1, int round, double shift);
 cylint_extent cylint_piece_box(const cylint_swept_disc *disc,
-                               const double reach[3], cylint_piece piece);
+                               const double reach[3], cylint_shape_piece piece);
 
 /* The box of a whole shape. */
 cylint_extent cylint_swept_disc_box(const cylint_view *view, uint32_t number);

@@ -280,7 +280,7 @@ static ownership owner_of(const ray_test *r, const bounded_hit *hit)
 {
     if (!r->leaf)
         return OWNED;
-    const cylint_piece piece = cylint_leaf_piece(r->leaf, r->lane);
+    const cylint_shape_piece piece = cylint_leaf_piece(r->leaf, r->lane);
     if (piece.count == 1)
         return OWNED;
     const int lowest = cylint_piece_at(hit->z - hit->z_error, piece.count);
@@ -352,7 +352,7 @@ static int test_nearest(ray_test *r, unsigned rank, int *hit)
         cylint_float_filter_at(&r->data->filter_shapes, rank),
         r->data->filter_shapes.small, r->data->shapes + number,
         cylint_leaf_ends(r->leaf, r->lane)};
-    const cylint_piece piece = cylint_leaf_piece(r->leaf, r->lane);
+    const cylint_shape_piece piece = cylint_leaf_piece(r->leaf, r->lane);
     const cylint_float_filter_limits limits = {
         r->ray->tfar, piece.index, piece.count, needs_description(r)};
     const cylint_float_filter_result is =

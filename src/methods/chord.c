@@ -29,7 +29,7 @@ cylint_affine cylint_axial(const cylint_shape *shape, const cylint_line *line)
  * and counts as lateral.  A chord in the plane has the relation along.  A
  * chord clipped to one point touches the rim.
  */
-void cylint_chord_clip(cylint_chord *chord, cylint_affine f, int part)
+void cylint_chord_clip(cylint_method_chord *chord, cylint_affine f, int part)
 {
     if (chord->relation == CYLINT_RELATION_MISS)
         return;
@@ -58,7 +58,7 @@ void cylint_chord_clip(cylint_chord *chord, cylint_affine f, int part)
 }
 
 /* A pointed end has no cap, so its plane does not clip. */
-void cylint_chord_ends(cylint_chord *chord, const cylint_shape *shape,
+void cylint_chord_ends(cylint_method_chord *chord, const cylint_shape *shape,
                        cylint_affine z)
 {
     if (!cylint_is_bounded(shape))
@@ -77,7 +77,7 @@ void cylint_chord_ends(cylint_chord *chord, const cylint_shape *shape,
  *   unbounded  parallel to a ruling: rho at the infinite end decides
  *   bounded    the chord lies on one nappe: rho at its middle decides
  */
-void cylint_chord_nappe(cylint_chord *chord, cylint_affine rho)
+void cylint_chord_nappe(cylint_method_chord *chord, cylint_affine rho)
 {
     if (chord->relation == CYLINT_RELATION_MISS)
         return;

@@ -26,8 +26,8 @@
  */
 #include "methods.h"
 
-static cylint_chord when_parallel(const double RC[3], const double axis[3],
-                                  double radius)
+static cylint_method_chord when_parallel(const double RC[3],
+                                         const double axis[3], double radius)
 {
     double D[3];
 
@@ -35,8 +35,8 @@ static cylint_chord when_parallel(const double RC[3], const double axis[3],
     return parallel_chord(length(D) - radius);
 }
 
-static cylint_chord intcyl(const double RC[3], const double raycos[3],
-                           const double axis[3], double radius)
+static cylint_method_chord intcyl(const double RC[3], const double raycos[3],
+                                  const double axis[3], double radius)
 {
     double n[3], O[3];
 
@@ -59,7 +59,7 @@ static cylint_chord intcyl(const double RC[3], const double raycos[3],
 }
 
 /* Clips by the planes normal.p + distance = 0 with outward normals. */
-static void clipobj(cylint_chord *chord, const cylint_line *line,
+static void clipobj(cylint_method_chord *chord, const cylint_line *line,
                     const double raycos[3], const double axis[3],
                     const cylint_shape *shape)
 {
@@ -84,7 +84,7 @@ cylint_status cylint_cychosz_waggenspack(const cylint_shape *shape,
     const double speed = unit(line->d, raycos);
     unit(cylint_axis(shape), axis);
     minus(line->o, cylint_base(shape), RC);
-    cylint_chord chord = intcyl(RC, raycos, axis, cylint_r0(shape));
+    cylint_method_chord chord = intcyl(RC, raycos, axis, cylint_r0(shape));
     if (cylint_is_bounded(shape))
         clipobj(&chord, line, raycos, axis, shape);
     chord.t[0] /= speed; /* from distance along the ray to multiples of d */

@@ -74,28 +74,29 @@ static inline double unit(const double a[3], double out[3])
  * complement, t <= t[0] and t >= t[1]: the line crosses both nappes of a
  * double cone.
  */
-typedef struct cylint_chord {
+typedef struct cylint_method_chord {
     int relation; /* cylint_relation; of a miss the rest is unset */
     int gap;
     double t[2];
     int part[2]; /* cylint_part at t[0] and t[1] */
-} cylint_chord;
+} cylint_method_chord;
 
-static inline cylint_chord no_chord(void)
+static inline cylint_method_chord no_chord(void)
 {
-    const cylint_chord none = {CYLINT_RELATION_MISS, 0, {0, 0}, {0, 0}};
+    const cylint_method_chord none = {CYLINT_RELATION_MISS, 0, {0, 0}, {0, 0}};
     return none;
 }
 
-static inline cylint_chord chord_between(int relation, double t0, double t1)
+static inline cylint_method_chord chord_between(int relation, double t0,
+                                                double t1)
 {
-    const cylint_chord chord = {relation, 0, {t0, t1}, {0, 0}};
+    const cylint_method_chord chord = {relation, 0, {t0, t1}, {0, 0}};
     return chord;
 }
 
 /* The chord of a line parallel to a cylinder's axis.  `excess` has the sign
  * of the line's distance from the axis minus the radius. */
-static inline cylint_chord parallel_chord(double excess)
+static inline cylint_method_chord parallel_chord(double excess)
 {
     if (!(excess <= 0))
         return no_chord();
@@ -113,14 +114,14 @@ typedef struct cylint_affine {
 cylint_affine cylint_axial(const cylint_shape *shape, const cylint_line *line);
 
 /* Clips the chord to f >= 0.  `part` is the part on the plane f = 0. */
-void cylint_chord_clip(cylint_chord *chord, cylint_affine f, int part);
+void cylint_chord_clip(cylint_method_chord *chord, cylint_affine f, int part);
 
 /* Clips the chord to 0 <= z <= 1 if the shape's ends bound it. */
-void cylint_chord_ends(cylint_chord *chord, const cylint_shape *shape,
+void cylint_chord_ends(cylint_method_chord *chord, const cylint_shape *shape,
                        cylint_affine z);
 
 /* Reduces a double cone's chord to the nappe where rho >= 0. */
-void cylint_chord_nappe(cylint_chord *chord, cylint_affine rho);
+void cylint_chord_nappe(cylint_method_chord *chord, cylint_affine rho);
 
 /* -------------------------------------------------------------- answer -- */
 
@@ -136,7 +137,7 @@ cylint_status cylint_method_not_applicable(cylint_answer *answer);
  * is a miss with CYLINT_FLAG_INVALID. */
 cylint_status cylint_method_report(const cylint_shape *shape,
                                    const cylint_line *line, unsigned want,
-                                   const cylint_chord *chord,
+                                   const cylint_method_chord *chord,
                                    cylint_answer *answer);
 
 /* Writes the wanted members of a hit. */

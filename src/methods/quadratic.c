@@ -98,7 +98,7 @@ static quadric elliptic(const cylint_shape *shape, const cylint_line *line)
 /* A = 0: the line is parallel to a ruling.  There is one root, except where
  * the line is parallel to a cylinder's axis or lies in a cone's tangent
  * plane (B = 0). */
-static cylint_chord linear_chord(const quadric *q, int is_cone)
+static cylint_method_chord linear_chord(const quadric *q, int is_cone)
 {
     if (!is_cone || q->B == 0)
         return parallel_chord(q->C);
@@ -107,7 +107,7 @@ static cylint_chord linear_chord(const quadric *q, int is_cone)
                     : chord_between(CYLINT_RELATION_CROSS, t, INFINITY);
 }
 
-static cylint_chord chord_of(const quadric *q, int is_cone)
+static cylint_method_chord chord_of(const quadric *q, int is_cone)
 {
     if (q->A == 0)
         return linear_chord(q, is_cone);
@@ -122,7 +122,7 @@ static cylint_chord chord_of(const quadric *q, int is_cone)
         return chord_between(
             disc > 0 ? CYLINT_RELATION_CROSS : CYLINT_RELATION_TOUCH, t0, t1);
     /* steeper than the rulings: outside only between the nappes */
-    cylint_chord chord = chord_between(CYLINT_RELATION_CROSS, t1, t0);
+    cylint_method_chord chord = chord_between(CYLINT_RELATION_CROSS, t1, t0);
     chord.gap = 1;
     return chord;
 }
@@ -149,7 +149,7 @@ cylint_status cylint_quadratic(const cylint_shape *shape,
         return cylint_method_not_applicable(answer);
     }
     const int is_cone = cylint_r0(shape) != cylint_r1(shape);
-    cylint_chord chord = chord_of(&q, is_cone);
+    cylint_method_chord chord = chord_of(&q, is_cone);
     if (is_cone && shape->ends != CYLINT_ENDS_INFINITE)
         cylint_chord_nappe(&chord, q.rho);
     cylint_chord_ends(&chord, shape, q.z);

@@ -37,7 +37,7 @@ static void add_hit(const cylint_shape *shape, const cylint_line *line,
 
 cylint_status cylint_method_report(const cylint_shape *shape,
                                    const cylint_line *line, unsigned want,
-                                   const cylint_chord *chord,
+                                   const cylint_method_chord *chord,
                                    cylint_answer *answer)
 {
     if (!line->valid) {

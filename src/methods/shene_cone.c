@@ -57,16 +57,16 @@ static cone cone_of(const cylint_shape *shape)
     return c;
 }
 
-static cylint_chord chord_with_gap(double t0, double t1)
+static cylint_method_chord chord_with_gap(double t0, double t1)
 {
-    cylint_chord chord = chord_between(CYLINT_RELATION_CROSS, t0, t1);
+    cylint_method_chord chord = chord_between(CYLINT_RELATION_CROSS, t0, t1);
     chord.gap = 1;
     return chord;
 }
 
 /* The line passes through V. */
-static cylint_chord through_apex(const cone *c, const double to_V[3],
-                                 const double d[3])
+static cylint_method_chord through_apex(const cone *c, const double to_V[3],
+                                        const double d[3])
 {
     const double steep = fabs(dot(d, c->v));
     const double t = dot(to_V, d);
@@ -97,9 +97,9 @@ static int intersect_ruling(const double to_V[3], const double d[3],
 /* The chord of a line that meets the ruling `met` at t and is parallel to the
  * ruling `other`.  From a hit with s > 0 the chord extends towards +other,
  * from one with s < 0 towards -other. */
-static cylint_chord half_line(const double to_V[3], const double d[3],
-                              const double met[3], const double other[3],
-                              double t)
+static cylint_method_chord half_line(const double to_V[3], const double d[3],
+                                     const double met[3], const double other[3],
+                                     double t)
 {
     const double s = t * dot(d, met) - dot(to_V, met);
     const int ahead = (s > 0) == (dot(d, other) > 0);
@@ -109,8 +109,9 @@ static cylint_chord half_line(const double to_V[3], const double d[3],
 }
 
 /* The chord where the plane cuts the cone in two rulings. */
-static cylint_chord across_rulings(const cone *c, const double to_V[3],
-                                   const double d[3], const double delta[2][3])
+static cylint_method_chord across_rulings(const cone *c, const double to_V[3],
+                                          const double d[3],
+                                          const double delta[2][3])
 {
     double t0, t1;
     const int met0 = intersect_ruling(to_V, d, delta[0], &t0);
@@ -130,8 +131,8 @@ static cylint_chord across_rulings(const cone *c, const double to_V[3],
     return chord_between(CYLINT_RELATION_CROSS, low, high);
 }
 
-static cylint_chord chord_of(const cone *c, const double to_V[3],
-                             const double d[3])
+static cylint_method_chord chord_of(const cone *c, const double to_V[3],
+                                    const double d[3])
 {
     double n[3], m[3], k[3], delta[2][3];
 
@@ -173,7 +174,7 @@ cylint_status cylint_shene_cone(const cylint_shape *shape,
     const cone c = cone_of(shape);
     const double speed = unit(line->d, d);
     minus(c.V, line->o, to_V);
-    cylint_chord chord = chord_of(&c, to_V, d);
+    cylint_method_chord chord = chord_of(&c, to_V, d);
     chord.t[0] /= speed; /* from distance along d to multiples of it */
     chord.t[1] /= speed;
     return cylint_method_report(shape, line, want, &chord, answer);

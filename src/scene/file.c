@@ -5,7 +5,7 @@
  * memory, each from a multiple of 64 bytes on, with zeros between them.  The order
  * of the arrays is that of `section`; the header has the bytes of each.
  *
- * Sections SOLIDS and RANKS are empty in this version.
+ * Section RANKS is empty in this version.
  */
 #ifdef __linux__
 #define _DEFAULT_SOURCE 1 /* getpid() with -std=c99 */
@@ -129,7 +129,8 @@ static const void *section_data(const cylint_scene *s, section i)
                                         [BOUNDED] = s->bounded,
                                         [OTHERS] = s->others,
                                         [LABEL_ENDS] = s->labels.end,
-                                        [LABEL_TEXT] = s->labels.text};
+                                        [LABEL_TEXT] = s->labels.text,
+                                        [SOLIDS] = s->solids.given};
     return data[i];
 }
 
@@ -144,6 +145,7 @@ static void set_sizes(file_header *h, const cylint_scene *s)
     h->bytes[LEAVES] = (uint64_t)s->bvh.n_leaves * sizeof *s->bvh.leaves;
     h->bytes[BOUNDED] = s->bounded ? (uint64_t)s->n_bounded * 4 : 0;
     h->bytes[OTHERS] = (uint64_t)s->n_others * 4;
+    h->bytes[SOLIDS] = (uint64_t)s->solids.n_members * sizeof *s->solids.given;
     if (s->labels.end && s->n > 0) {
         h->bytes[LABEL_ENDS] = (uint64_t)s->n * sizeof *s->labels.end;
         h->bytes[LABEL_TEXT] = s->labels.end[s->n - 1];
@@ -299,6 +301,9 @@ static int sizes_fit(const file_header *h, size_t bytes)
            h->bytes[BOUNDED] == (is_mixed ? 4 * h->n_bounded : 0) &&
            h->bytes[OTHERS] % 4 == 0 &&
            h->bytes[OTHERS] / 4 <= h->n - h->n_bounded &&
+           h->bytes[SOLIDS] % sizeof(cylint_membership) == 0 &&
+           h->bytes[SOLIDS] / sizeof(cylint_membership) <=
+               CYLINT_SCENE_MOST_SHAPES &&
            (h->n_bounded > 0) == (h->bytes[NODES] > 0) &&
            (h->n_bounded > 0) == (h->bytes[LEAVES] > 0) &&
            (h->bytes[LABEL_ENDS] == h->n * sizeof(uint64_t) ||
@@ -313,8 +318,7 @@ static cylint_scene_status check_header(const file_header *h, size_t bytes)
     if (bytes < sizeof *h)
         return CYLINT_SCENE_EDAMAGED;
     if (h->version != FILE_VERSION || h->sections != SECTIONS ||
-        cylint_rank(h->order) != cylint_rank(FILE_ORDER) ||
-        h->bytes[SOLIDS] > 0 || h->bytes[RANKS] > 0)
+        cylint_rank(h->order) != cylint_rank(FILE_ORDER) || h->bytes[RANKS] > 0)
         return CYLINT_SCENE_EVERSION;
     return sizes_fit(h, bytes) ? CYLINT_SCENE_OK : CYLINT_SCENE_EDAMAGED;
 }
@@ -345,6 +349,8 @@ static void point_into_file(cylint_scene *s, const file_header *h)
     s->others = (void *)data[OTHERS];
     s->labels.end = (void *)data[LABEL_ENDS];
     s->labels.text = data[LABEL_TEXT];
+    s->solids.given = (void *)data[SOLIDS];
+    s->solids.n_members = (size_t)h->bytes[SOLIDS] / sizeof(cylint_membership);
     s->own_bytes = sizeof *s;
     cylint_bvh_set_box(&s->bvh, &h->box, CYLINT_FRAME_ERROR);
 }
@@ -389,7 +395,16 @@ static cylint_scene_status open_file(cylint_scene *s, unsigned flags)
                               !cylint_extent_is_valid(&h->box))) ||
         (!(flags & CYLINT_SCENE_TRUSTED) && !is_sound(s, h)))
         return CYLINT_SCENE_EDAMAGED;
-    return cylint_scene_complete(s) ? CYLINT_SCENE_OK : CYLINT_SCENE_EMEMORY;
+    if (!cylint_scene_complete(s))
+        return CYLINT_SCENE_EMEMORY;
+    switch (cylint_solids_make(&s->solids, s)) {
+    case CYLINT_SCENE_OK:
+        return CYLINT_SCENE_OK;
+    case CYLINT_SCENE_EMEMORY:
+        return CYLINT_SCENE_EMEMORY;
+    default:
+        return CYLINT_SCENE_EDAMAGED;
+    }
 }
 
 static cylint_scene *open_mapping(const cylint_mapping *file,

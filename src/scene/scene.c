@@ -40,6 +40,9 @@ const char *cylint_scene_strerror(int status)
     case CYLINT_SCENE_EREPLACE:
         return "a shape cannot take the place of the one before: make a new "
                "scene";
+    case CYLINT_SCENE_ESOLID:
+        return "a member of a solid has no clause, or two solids have the same "
+               "number";
     default:
         return "unknown status";
     }
@@ -317,6 +320,8 @@ void cylint_scene_free(cylint_scene *scene)
         free((void *)(uintptr_t)scene->bounded);
         free((void *)(uintptr_t)scene->others);
     }
+    cylint_solids_free(&scene->solids);
+    free(scene->given);
     free(scene->copies);
     free(scene->pack_memory);
     free(scene);
@@ -326,7 +331,8 @@ size_t cylint_scene_bytes(const cylint_scene *scene)
 {
     return scene->own_bytes + scene->file.bytes +
            cylint_records_bytes(&scene->records) +
-           scene->bvh.node_memory.bytes + scene->bvh.leaf_memory.bytes;
+           scene->bvh.node_memory.bytes + scene->bvh.leaf_memory.bytes +
+           cylint_solids_bytes(&scene->solids, scene->n);
 }
 
 void cylint_scene_set_labels(cylint_scene *scene,

@@ -12,6 +12,7 @@
 #include "frame.h"
 #include "mapping.h"
 #include "records.h"
+#include "solids.h"
 
 enum { CYLINT_SCENE_MOST_SHAPES = 1 << 28 };
 
@@ -34,6 +35,8 @@ struct cylint_scene {
     double built_cost;          /* of the hierarchy; 0: it is as it was built */
     size_t own_bytes;           /* without the hierarchy's */
     cylint_scene_labels labels; /* end is NULL: none */
+    cylint_solids solids;
+    cylint_membership *given; /* the members of solids, unless in the file */
     cylint_mapping file; /* of an opened scene; then the records, the hierarchy,
                             the lists and the labels lie in it */
 };

@@ -7,6 +7,7 @@
 #define CYLINT_SCENE_VISIT_H
 
 #include "../numbers/compiler.h"
+#include "cylint_pieces.h"
 #include "scene.h"
 
 typedef struct cylint_visit_options {
@@ -22,6 +23,18 @@ typedef struct cylint_visit_options {
 void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
                        const cylint_visit_options *options, double last,
                        cylint_scene_hit *callback, void *context);
+
+/* Gets a chord of shape `number`.  A shape may come more than once, with the same
+ * chords.  Returns what cylint_scene_hit does. */
+typedef double cylint_scene_chord(void *context, size_t number,
+                                  cylint_interval chord);
+
+/* Calls back for the chords of the shapes in the hierarchy.  in_order: nearer shapes
+ * tend to come first, and chords that begin beyond the t that the callback returned
+ * last are not wanted. */
+void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
+                         int in_order, cylint_scene_chord *callback,
+                         void *context);
 
 /* Which shapes a visit of a point finds. */
 typedef enum cylint_nearness {

@@ -26,13 +26,16 @@ enum { LATER = 64 };
 
 typedef struct {
     const cylint_scene *scene;
-    cylint_line line;     /* its tmax decreases with `last` */
-    cylint_frame_ray ray; /* its length does too */
-    double last;          /* the last t that is wanted */
+    cylint_line line;          /* its tmax decreases with `last` */
+    const cylint_line *domain; /* of chords */
+    cylint_line whole;         /* the line of chords, all t */
+    cylint_frame_ray ray;      /* its length does too */
+    double last;               /* the last t that is wanted */
     size_t except;
     unsigned want;
     int often, stopped;
-    cylint_scene_hit *callback;
+    cylint_scene_hit *callback; /* NULL: a visit of chords */
+    cylint_scene_chord *chord;
     void *context;
     uint32_t recent[RECENT];
     cylint_number_set visited; /* not used if `often` */
@@ -88,10 +91,37 @@ static void shorten_line(line_visit *v, double t)
     v->line.tmax = cylint_next_above(t);
 }
 
+/* Whether the whole line certainly misses the closed solid. */
+static int misses_in_doubles(const line_visit *v, size_t number)
+{
+    const cylint_records *r = &v->scene->records;
+    const cylint_record *at = &r->record[number];
+    return r->tag[number] & CYLINT_TAG_PLAIN &&
+           cylint_occluded_in_doubles(cylint_record_kind(r, number),
+                                      CYLINT_ENDS_CAPPED, at->p0, at->r0,
+                                      at->p1, at->r1, &v->whole) == 0;
+}
+
+/* Returns whether the shape has chords. */
+static int visit_chords_at(line_visit *v, size_t number)
+{
+    cylint_shape shape;
+    cylint_interval chord[2];
+    if (misses_in_doubles(v, number))
+        return 0;
+    cylint_record_shape(&v->scene->records, number, &shape);
+    const int n = cylint_chord(&shape, v->domain, chord);
+    for (int i = 0; i < n; i++)
+        shorten_line(v, v->chord(v->context, number, chord[i]));
+    return n > 0;
+}
+
 /* Returns whether the line hits the shape. */
 static int test_line_at(line_visit *v, size_t number)
 {
     cylint_hit hit;
+    if (!v->callback)
+        return visit_chords_at(v, number);
     if (number == v->except || !line_hits(v, number, v->want, &hit))
         return 0;
     shorten_line(v, v->callback(v->context, number, v->want ? &hit : NULL));
@@ -255,6 +285,27 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
          i++)
         test_line_at(&v, scene->others[i]);
     traverse_lines(&v, options->in_no_order);
+}
+
+void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
+                         int in_order, cylint_scene_chord *callback,
+                         void *context)
+{
+    line_visit v;
+    v.scene = scene;
+    v.line = v.whole = *line;
+    v.domain = line;
+    v.last = line->tmax;
+    v.whole.tmin = -HUGE_VAL;
+    v.whole.tmax = HUGE_VAL;
+    v.want = CYLINT_WANT_T;
+    v.often = 1;
+    v.stopped = v.n_later = 0;
+    v.callback = NULL;
+    v.chord = callback;
+    v.context = context;
+    memset(v.recent, 0xff, sizeof v.recent); /* CYLINT_NO_SHAPE */
+    traverse_lines(&v, !in_order);
 }
 
 void cylint_scene_visit(const cylint_scene *scene, const cylint_line *line,

@@ -27,7 +27,13 @@ DEFINED = re.compile(
     r"^(?:static|INLINE|CYLINT_INLINE|ASIDE) [^=;(]*?\b(\w+)\("
     r"|^typedef [^(]*?\b(\w+);|^} (\w+);"
 )
-PUBLIC = {"cylint.h", "cylint_distance.h", "cylint_methods.h", "cylint_scene.h"}
+PUBLIC = {
+    "cylint.h",
+    "cylint_distance.h",
+    "cylint_methods.h",
+    "cylint_pieces.h",
+    "cylint_scene.h",
+}
 X86 = "defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))"
 
 
@@ -340,6 +346,7 @@ PREAMBLE = """/*
 #include "cylint.h"
 #include "cylint_distance.h"
 #include "cylint_methods.h"
+#include "cylint_pieces.h"
 #include "cylint_scene.h"
 
 #if {x86}

@@ -3,7 +3,7 @@
 # ---------------------------------------------------------- amalgamation --
 amalgamated := $(patsubst $(BUILD)/%.o,%.c,$(filter-out $(isa_builds:%=$(BUILD)/%.o),$(library_objects) $(scene_objects)))
 one_file    := $(BUILD)/amalgamation/cylint.c
-one_headers := include/cylint.h $(patsubst %,include/cylint_%.h,distance methods scene)
+one_headers := include/cylint.h $(patsubst %,include/cylint_%.h,distance methods pieces scene)
 isa_options  = $(filter-out -Wa$(comma)%,$(isa.$(1)))
 comma       := ,
 $(one_file): tools/package/amalgamate.py $(wildcard src/*.[ch] src/*/*.[ch]) $(one_headers) LICENSE

@@ -1,0 +1,71 @@
+/*
+ * exact_sum.h - the sum of doubles, exactly: an integer times 2^-1074
+ *
+ * Integers, so that neither the rounding mode nor flushed subnormals matter [Kulisch,
+ * Computer Arithmetic and Validity, 2008].
+ */
+#ifndef CYLINT_EXACT_SUM_H
+#define CYLINT_EXACT_SUM_H
+
+#include <math.h>
+#include <stdint.h>
+
+#include "bits.h"
+
+/* Of 2098 bits and the carries of 2^32 doubles and more. */
+enum { CYLINT_SUM_LIMBS = 34 };
+
+/* In two's complement. */
+typedef struct cylint_exact_sum {
+    uint64_t limb[CYLINT_SUM_LIMBS];
+} cylint_exact_sum;
+
+/* Adds a finite double. */
+static inline void cylint_sum_add(cylint_exact_sum *sum, double x)
+{
+    const uint64_t bits = cylint_bits(x), below = (UINT64_C(1) << 52) - 1;
+    const uint64_t sign = -(bits >> 63); /* all bits of a negative number */
+    const unsigned e = (unsigned)(bits >> 52 & 2047);
+    const uint64_t m = e > 0 ? (bits & below) | (below + 1) : bits & below;
+    const unsigned at = e > 0 ? e - 1 : 0, shift = at % 64;
+    uint64_t part[2] = {m << shift, shift > 0 ? m >> (64 - shift) : 0};
+    uint64_t carry = sign & 1;
+    for (unsigned i = at / 64, j = 0; i < CYLINT_SUM_LIMBS; i++, j++) {
+        const uint64_t more = (j < 2 ? part[j] : 0) ^ sign;
+        const uint64_t half = sum->limb[i] + carry;
+        sum->limb[i] = half + more;
+        carry = (uint64_t)(half < carry) + (uint64_t)(sum->limb[i] < more);
+        if (j >= 1 && carry == (sign & 1))
+            return; /* the limbs above do not change */
+    }
+}
+
+/* The double nearest to a sum that is not negative; ties to even. */
+static inline double cylint_sum_rounded(const cylint_exact_sum *sum)
+{
+    int top = CYLINT_SUM_LIMBS - 1, high = 63;
+    uint64_t m = 0, tail = 0;
+    while (top > 0 && sum->limb[top] == 0)
+        top--;
+    while (high > 0 && !(sum->limb[top] >> high & 1))
+        high--;
+    /* the bits [low, low + 52], where the highest is 1 if low > 0 */
+    const int highest = 64 * top + high, low = highest > 52 ? highest - 52 : 0;
+    for (int i = 0; i < 53; i++) {
+        const int at = low + i;
+        m |= (sum->limb[at / 64] >> at % 64 & 1) << i;
+    }
+    if (low == 0)
+        return cylint_from_bits(m);
+    const int half = low - 1;
+    for (int i = 0; i < half / 64; i++)
+        tail |= sum->limb[i];
+    tail |= sum->limb[half / 64] & ((UINT64_C(1) << half % 64) - 1);
+    if ((sum->limb[half / 64] >> half % 64 & 1) && (tail > 0 || (m & 1)))
+        m++;
+    /* m = 2^53 carries into the exponent */
+    return low + 1 > 2046 ? HUGE_VAL
+                          : cylint_from_bits(((uint64_t)low << 52) + m);
+}
+
+#endif

@@ -1,0 +1,143 @@
+/*
+ * pieces.c - the pieces of a line that are inside one shape, or one solid
+ */
+#include "cylint_pieces.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "numbers/double_double.h"
+#include "shapes/shape_facts.h"
+#include "solid_sweep.h"
+
+#define SORTED cylint_event
+#define IS_BEFORE(x, y) cylint_less((x)->t, (y)->t)
+#define SORT sort_events_of_solid
+#include "merge_sort_template.h"
+
+/* -------------------------------------------------------------- chords -- */
+
+/* Adds the part of [t0, t1] in the domain. */
+static int add_chord(const cylint_line *line, double t0, double t1,
+                     cylint_interval *to)
+{
+    to->t0 = cylint_less(t0, line->tmin) ? line->tmin : t0;
+    to->t1 = cylint_less(line->tmax, t1) ? line->tmax : t1;
+    return cylint_less(to->t0, to->t1);
+}
+
+/* The overlap of the whole line with a closed solid, in the domain of `line`. */
+static int chord_of_answer(const cylint_answer *a, const cylint_line *line,
+                           cylint_interval chord[2])
+{
+    const cylint_hit *hit = a->hit;
+    if (a->relation < CYLINT_RELATION_ALONG)
+        return 0;
+    if (a->n == 2 && hit[0].side == CYLINT_SIDE_LEAVING) {
+        /* from one nappe to the other */
+        const int n = add_chord(line, -HUGE_VAL, hit[0].t, chord);
+        return n + add_chord(line, hit[1].t, HUGE_VAL, chord + n);
+    }
+    const int is_passed = a->n == 1 && hit[0].side == CYLINT_SIDE_BOTH;
+    double t0 = -HUGE_VAL, t1 = HUGE_VAL;
+    for (int i = 0; i < a->n && !is_passed; i++)
+        *(hit[i].side == CYLINT_SIDE_ENTERING ? &t0 : &t1) = hit[i].t;
+    return add_chord(line, t0, t1, chord);
+}
+
+int cylint_chord(const cylint_shape *shape, const cylint_line *line,
+                 cylint_interval chord[2])
+{
+    const int ends = cylint_closed_ends(shape->ends);
+    cylint_line whole = *line;
+    cylint_answer answer;
+    cylint_shape closed;
+    whole.tmin = -HUGE_VAL;
+    whole.tmax = HUGE_VAL;
+    if (ends != shape->ends) {
+        closed = *shape;
+        closed.ends = ends;
+        shape = &closed;
+    }
+    cylint_intersect(shape, &whole, CYLINT_WANT_T | CYLINT_WANT_PART, &answer);
+    return chord_of_answer(&answer, line, chord);
+}
+
+/* -------------------------------------------------------------- solids -- */
+
+/* Numbers the clauses of n members from 1 in the order in which they come.  Returns
+ * how many there are, or -1 if one is 0. */
+static int number_clauses(const int *clause, size_t n, int32_t *number)
+{
+    int clauses = 0;
+    for (size_t i = 0; i < n; i++) {
+        size_t j = 0;
+        if (clause[i] == 0)
+            return -1;
+        while (j < i && clause[j] != clause[i] && clause[j] != -clause[i])
+            j++;
+        number[i] = j < i ? number[j] : ++clauses;
+    }
+    return clauses;
+}
+
+typedef struct {
+    cylint_interval *pieces;
+    size_t n, capacity;
+} solid_pieces;
+
+static int add_solid_piece(void *self, double t0, double t1)
+{
+    solid_pieces *to = self;
+    to->pieces[to->n++] = (cylint_interval){t0, t1};
+    return to->n < to->capacity;
+}
+
+int cylint_solid_pieces(const cylint_shape *shapes, const int *clause, size_t n,
+                        const cylint_line *line, cylint_interval *pieces,
+                        size_t capacity)
+{
+    enum { EVENTS = 4 * CYLINT_SOLID_MEMBERS };
+    int32_t number[CYLINT_SOLID_MEMBERS], holding[CYLINT_SOLID_MEMBERS] = {0};
+    cylint_event event[EVENTS], spare[EVENTS];
+    solid_pieces to = {pieces, 0, capacity};
+    size_t events = 0, failing = 0;
+    const int clauses =
+        n > CYLINT_SOLID_MEMBERS ? -1 : number_clauses(clause, n, number);
+    if (clauses <= 0 || !line->valid || capacity == 0)
+        return clauses < 0 ? -1 : 0;
+    for (size_t i = 0; i < n; i++) {
+        const int is_complement = clause[i] < 0;
+        cylint_interval chord[2];
+        const int chords = cylint_chord(&shapes[i], line, chord);
+        holding[number[i] - 1] += is_complement;
+        for (int j = 0; j < chords; j++, events += 2)
+            cylint_add_events(&event[events], chord[j], 0,
+                              is_complement ? -number[i] : number[i]);
+    }
+    for (int i = 0; i < clauses; i++)
+        failing += holding[i] == 0;
+    sort_events_of_solid(event, events, spare);
+    cylint_sweep_solid(event, events, holding, failing, line->tmin, line->tmax,
+                       add_solid_piece, &to);
+    return (int)to.n;
+}
+
+/* -------------------------------------------------------------- length -- */
+
+double cylint_line_length(const cylint_line *line)
+{
+    const double size = cylint_largest(line->d);
+    pair square = {0, 0};
+    if (!line->valid)
+        return 0;
+    if (size > DBL_MAX) /* a segment */
+        return HUGE_VAL;
+    const int e = cylint_any_exponent(size);
+    for (int i = 0; i < 3; i++) {
+        const pair d =
+            cylint_scaled_pair((pair){line->d[i], line->d_lo[i]}, -e);
+        square = pair_add(square, pair_mul(d, d));
+    }
+    return cylint_scaled(pair_sqrt(square).hi, e);
+}

@@ -1,0 +1,223 @@
+/*
+ * boundary.c - where a line first enters or leaves the solids of a scene, and which
+ * solids contain a point
+ */
+#include "../numbers/bits.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../intersect.h"
+#include "../shapes/shape_facts.h"
+#include "pieces.h"
+
+/* ------------------------------------------------------ first boundary -- */
+
+/* Of the shapes on whose surface the line is at t. */
+typedef struct {
+    const cylint_scene *scene;
+    const cylint_line *line;
+    double t;
+    int enters;          /* the line enters the solid */
+    size_t solid_number; /* the solid has this number */
+    size_t number;       /* of the shape with the lowest number so far */
+    int is_complement;
+} boundary_search;
+
+/* A chord of a shape begins or ends at t. */
+static void consider_end(boundary_search *q, size_t number, double t,
+                         int is_entered)
+{
+    const cylint_solids *s = &q->scene->solids;
+    if (number >= q->number || cylint_less(t, q->t) || cylint_less(q->t, t))
+        return;
+    if (!cylint_is_member(s, number)) {
+        if (number == q->solid_number && is_entered == q->enters)
+            q->number = number;
+        return;
+    }
+    for (uint32_t i = s->first_of_shape[number];
+         i < s->first_of_shape[number + 1]; i++) {
+        const int is_complement = s->of_shapes[i].clause < 0;
+        if (s->solid[s->of_shapes[i].solid].number == q->solid_number &&
+            (is_entered != is_complement) == q->enters) {
+            q->number = number;
+            q->is_complement = is_complement;
+        }
+    }
+}
+
+static double consider_chord(void *context, size_t number,
+                             cylint_interval chord)
+{
+    boundary_search *q = context;
+    consider_end(q, number, chord.t0, 1);
+    consider_end(q, number, chord.t1, 0);
+    return HUGE_VAL;
+}
+
+static void consider_shape(boundary_search *q, uint32_t number)
+{
+    cylint_shape shape;
+    cylint_interval chord[2];
+    cylint_record_shape(&q->scene->records, number, &shape);
+    const int n = cylint_chord(&shape, q->line, chord);
+    for (int i = 0; i < n; i++)
+        consider_chord(q, number, chord[i]);
+}
+
+/* The shapes beside the hierarchy that are members of the solid. */
+static void consider_others(boundary_search *q)
+{
+    const cylint_solids *s = &q->scene->solids;
+    const size_t number = q->solid_number;
+    const uint32_t *always = s->n > 0 ? s->always : q->scene->others;
+    const size_t n_always = s->n > 0 ? s->n_always : q->scene->n_others;
+    for (size_t i = 0; i < n_always; i++)
+        consider_shape(q, always[i]);
+    if (!cylint_is_member(s, number))
+        return;
+    for (uint32_t i = s->first_of_shape[number];
+         i < s->first_of_shape[number + 1]; i++) {
+        const cylint_scene_solid *solid = &s->solid[s->of_shapes[i].solid];
+        for (uint32_t j = 0; solid->number == number && j < solid->n_late; j++)
+            consider_shape(q, s->late[solid->first_late + j].shape);
+    }
+}
+
+/* Writes the wanted members of the hit at t. */
+static void describe_boundary(const boundary_search *q, unsigned want,
+                              cylint_hit *hit)
+{
+    cylint_shape shape;
+    cylint_answer answer;
+    cylint_line whole = *q->line;
+    whole.tmin = -HUGE_VAL;
+    whole.tmax = HUGE_VAL;
+    cylint_record_shape(&q->scene->records, q->number, &shape);
+    shape.ends = cylint_closed_ends(shape.ends);
+    cylint_intersect(&shape, &whole, want | CYLINT_WANT_T | CYLINT_WANT_PART,
+                     &answer);
+    for (int i = 0; i < answer.n; i++) {
+        cylint_hit found = answer.hit[i];
+        const int enters = found.side == CYLINT_SIDE_ENTERING;
+        if (cylint_less(found.t, q->t) || cylint_less(q->t, found.t) ||
+            enters == (q->enters == q->is_complement))
+            continue;
+        found.side = q->enters ? CYLINT_SIDE_ENTERING : CYLINT_SIDE_LEAVING;
+        for (int j = 0;
+             j < 3 && q->is_complement && (want & CYLINT_WANT_NORMAL); j++)
+            found.normal[j] = cylint_positive_zero(-found.normal[j]);
+        cylint_copy_hit(hit, &found, want);
+    }
+}
+
+/* The piece that contains the cell before t. */
+static size_t piece_before(const cylint_scene *scene, const cylint_line *line,
+                           double t, cylint_piece *piece,
+                           cylint_workspace *work)
+{
+    const cylint_piece_rule owners = {.mode = CYLINT_PIECES_OWNER};
+    cylint_line last = *line;
+    last.tmin = cylint_next(t, 0);
+    return cylint_scene_pieces(scene, &last, &owners, piece, 1, work);
+}
+
+size_t cylint_scene_first_boundary(const cylint_scene *scene,
+                                   const cylint_line *line, unsigned want,
+                                   cylint_hit *hit, cylint_workspace *work)
+{
+    const cylint_piece_rule unions = {.mode = CYLINT_PIECES_UNION};
+    cylint_piece piece;
+    size_t n = cylint_scene_pieces(scene, line, &unions, &piece, 1, work);
+    if (n == 0 || n == CYLINT_NO_ROOM)
+        return n == 0 ? scene->n : n;
+    boundary_search q = {.scene = scene,
+                         .line = line,
+                         .enters = cylint_less(line->tmin, piece.t0),
+                         .number = scene->n};
+    q.t = q.enters ? piece.t0 : piece.t1;
+    if (!cylint_less(q.t, line->tmax))
+        return scene->n;
+    if (!q.enters) {
+        n = piece_before(scene, line, q.t, &piece, work);
+        if (n == CYLINT_NO_ROOM)
+            return n;
+    }
+    q.solid_number = piece.shape;
+    consider_others(&q);
+    cylint_visit_chords(scene, line, 0, consider_chord, &q);
+    describe_boundary(&q, want, hit);
+    return q.number;
+}
+
+/* ------------------------------------------------------------- a point -- */
+
+/* A shape that contains the point has the chord [0, 1] of the domain [0, 1]. */
+static const cylint_interval whole_domain = {0, 1};
+
+static int chord_of_point(const void *point, const cylint_shape *shape,
+                          cylint_interval chord[2])
+{
+    chord[0] = whole_domain;
+    return cylint_contains(shape, point) >= 0;
+}
+
+typedef struct {
+    cylint_numbered_chord *chord;
+    size_t n, capacity; /* n counts those without room too */
+} containers;
+
+static double keep_container(void *context, size_t number, double distance,
+                             int flags)
+{
+    containers *c = context;
+    (void)distance;
+    (void)flags;
+    if (c->n < c->capacity)
+        c->chord[c->n] = (cylint_numbered_chord){0, 1, (uint32_t)number};
+    c->n++;
+    return 0;
+}
+
+/* The one of least rank, of equal ranks the lowest number; or n_shapes. */
+static size_t owner_of(const cylint_numbered_chord *chord, size_t n,
+                       const int *rank, size_t n_shapes)
+{
+    size_t owner = n_shapes;
+    for (size_t i = 0; i < n; i++) {
+        const size_t x = chord[i].number;
+        if (i == 0 || (rank && rank[x] != rank[owner] ? rank[x] < rank[owner]
+                                                      : x < owner))
+            owner = x;
+    }
+    return owner;
+}
+
+size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
+                          const int *rank, size_t *owner,
+                          cylint_workspace *work)
+{
+    const cylint_domain domain = {0, 1, chord_of_point, point};
+    containers c = {.chord = work->memory,
+                    .capacity = work->bytes / sizeof *c.chord};
+    cylint_numbered_chord *chord, *spare;
+    *owner = scene->n;
+    if (!cylint_is_finite(point))
+        return 0;
+    cylint_visit_point(scene, point, 0, CYLINT_HOLDING, 0, keep_container, &c);
+    size_t n = c.n, used = c.n * sizeof *c.chord;
+    work->wanted = used;
+    if (c.n > c.capacity)
+        return CYLINT_NO_ROOM;
+    chord = c.chord;
+    if (scene->solids.n > 0) {
+        cylint_room room = {(char *)(c.chord + c.n), work->bytes - used, used};
+        n = cylint_chords_of_solids(scene, &domain, c.chord, c.n, &room, &chord,
+                                    &spare);
+        work->wanted = room.wanted;
+    }
+    if (n != CYLINT_NO_ROOM)
+        *owner = owner_of(chord, n, rank, scene->n);
+    return n;
+}

@@ -1,0 +1,315 @@
+/*
+ * many_pieces.c - the pieces of many lines, and sums of their lengths by label
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "../bvh/threads.h"
+#include "../intersect.h"
+#include "../numbers/exact_sum.h"
+#include "scene.h"
+
+enum {
+    LINES_AT_ONCE = 64, /* that a thread takes */
+    LINES_A_THREAD = 256,
+    FIRST_BYTES = 1 << 14,
+    FIRST_PIECES = 256
+};
+
+/* ------------------------------------------------- memory of a thread -- */
+
+/* The pieces of a line, and memory to find them. */
+typedef struct {
+    cylint_workspace work;
+    cylint_piece *pieces;
+    size_t n, capacity;
+} line_pieces;
+
+static void *grown_array(void *array, size_t n, size_t size)
+{
+    return n > SIZE_MAX / size ? NULL : realloc(array, n * size);
+}
+
+static int grow_workspace(cylint_workspace *work, size_t bytes)
+{
+    free(work->memory); /* nothing stays in it */
+    work->memory = malloc(bytes);
+    work->bytes = work->memory ? bytes : 0;
+    return work->memory != NULL;
+}
+
+static int grow_pieces(line_pieces *p)
+{
+    const size_t capacity = 2 * p->capacity + FIRST_PIECES;
+    cylint_piece *more = grown_array(p->pieces, capacity, sizeof *more);
+    if (!more)
+        return 0;
+    p->pieces = more;
+    p->capacity = capacity;
+    return 1;
+}
+
+/* Finds all pieces, or the first `most`.  Returns 0 if there is no memory. */
+static int find_pieces(const cylint_scene *scene, const cylint_line *line,
+                       const cylint_piece_rule *rule, size_t most,
+                       line_pieces *p)
+{
+    for (;;) {
+        const size_t wanted =
+            most > 0 && most < p->capacity ? most : p->capacity;
+        p->n =
+            cylint_scene_pieces(scene, line, rule, p->pieces, wanted, &p->work);
+        if (p->n == CYLINT_NO_ROOM) {
+            if (!grow_workspace(&p->work, p->work.wanted + p->work.wanted / 2))
+                return 0;
+        } else if (p->n < p->capacity || p->n == most) {
+            return 1;
+        } else if (!grow_pieces(p)) {
+            return 0;
+        }
+    }
+}
+
+static int begin_pieces(line_pieces *p)
+{
+    *p = (line_pieces){.n = 0};
+    return grow_workspace(&p->work, FIRST_BYTES) && grow_pieces(p);
+}
+
+static void end_pieces(line_pieces *p)
+{
+    free(p->work.memory);
+    free(p->pieces);
+}
+
+/* --------------------------------------------------------------- lines -- */
+
+/* Uses the pieces of line i.  Returns 0 if there is no memory. */
+typedef struct pieces_query pieces_query;
+typedef int use_of_pieces(const pieces_query *q, size_t i,
+                          const cylint_line *line, const line_pieces *pieces);
+
+/* The pieces of the lines of one block. */
+typedef struct {
+    int has_failed;
+    cylint_piece *pieces;
+    size_t n, capacity;
+} piece_block;
+
+struct pieces_query {
+    const cylint_scene *scene;
+    const cylint_lines *lines;
+    const cylint_piece_rule *rule;
+    size_t most;
+    use_of_pieces *use;
+    piece_block *block;
+    size_t *first; /* rows: [i + 1] is the number of pieces of line i */
+    const int *label;
+    size_t labels;
+    int in_units;
+    double *sums;
+};
+
+static int find_each(const pieces_query *q, size_t from, size_t to,
+                     line_pieces *p)
+{
+    for (size_t i = from; i < to; i++) {
+        cylint_line line;
+        cylint_read_line(q->lines, i, &line);
+        if (!find_pieces(q->scene, &line, q->rule, q->most, p) ||
+            !q->use(q, i, &line, p))
+            return 0;
+    }
+    return 1;
+}
+
+static void find_block(void *self, size_t from, size_t to)
+{
+    const pieces_query *q = self;
+    line_pieces p;
+    q->block[from / LINES_AT_ONCE].has_failed =
+        !begin_pieces(&p) || !find_each(q, from, to, &p);
+    end_pieces(&p);
+}
+
+static size_t blocks_of(size_t lines)
+{
+    return lines / LINES_AT_ONCE + 1;
+}
+
+static void free_blocks(pieces_query *q)
+{
+    for (size_t i = 0; q->block && i < blocks_of(q->lines->n); i++)
+        free(q->block[i].pieces);
+    free(q->block);
+}
+
+/* Returns whether there was enough memory. */
+static int find_all(pieces_query *q, int threads)
+{
+    int has_failed = 0;
+    q->block = calloc(blocks_of(q->lines->n), sizeof *q->block);
+    if (!q->block)
+        return 0;
+    cylint_threads_share(threads, q->lines->n, LINES_AT_ONCE, LINES_A_THREAD,
+                         find_block, q);
+    for (size_t i = 0; i < blocks_of(q->lines->n); i++)
+        has_failed |= q->block[i].has_failed;
+    return !has_failed;
+}
+
+/* ---------------------------------------------------------------- rows -- */
+
+static int add_row(const pieces_query *q, size_t i, const cylint_line *line,
+                   const line_pieces *from)
+{
+    piece_block *to = &q->block[i / LINES_AT_ONCE];
+    (void)line;
+    if (from->n > to->capacity - to->n) {
+        const size_t capacity = 2 * (to->n + from->n);
+        cylint_piece *more = grown_array(to->pieces, capacity, sizeof *more);
+        if (!more)
+            return 0;
+        to->pieces = more;
+        to->capacity = capacity;
+    }
+    if (from->n > 0)
+        memcpy(to->pieces + to->n, from->pieces, from->n * sizeof *to->pieces);
+    to->n += from->n;
+    q->first[i + 1] = from->n;
+    return 1;
+}
+
+/* Makes one array of those of all blocks. */
+static int unite_rows(const pieces_query *q, cylint_piece_rows *rows)
+{
+    size_t n = 0;
+    rows->first[0] = 0;
+    for (size_t i = 0; i < q->lines->n; i++)
+        rows->first[i + 1] += rows->first[i];
+    rows->pieces =
+        grown_array(NULL, rows->first[q->lines->n] + 1, sizeof *rows->pieces);
+    if (!rows->pieces)
+        return 0;
+    for (size_t i = 0; i < blocks_of(q->lines->n); i++) {
+        const piece_block *b = &q->block[i];
+        if (b->n > 0)
+            memcpy(rows->pieces + n, b->pieces, b->n * sizeof *b->pieces);
+        n += b->n;
+    }
+    return 1;
+}
+
+cylint_scene_status cylint_scene_pieces_lines(const cylint_scene *scene,
+                                              const cylint_lines *lines,
+                                              const cylint_piece_rule *rule,
+                                              size_t most, int threads,
+                                              cylint_piece_rows *rows)
+{
+    cylint_piece_rule from_first = *rule;
+    pieces_query q = {.scene = scene,
+                      .lines = lines,
+                      .rule = &from_first,
+                      .most = most,
+                      .use = add_row};
+    from_first.after = NULL;
+    rows->pieces = NULL;
+    rows->first = grown_array(NULL, lines->n + 1, sizeof *rows->first);
+    q.first = rows->first;
+    const int has_rows =
+        rows->first && find_all(&q, threads) && unite_rows(&q, rows);
+    free_blocks(&q);
+    if (has_rows)
+        return CYLINT_SCENE_OK;
+    cylint_piece_rows_free(rows);
+    return CYLINT_SCENE_EMEMORY;
+}
+
+void cylint_piece_rows_free(cylint_piece_rows *rows)
+{
+    free(rows->first);
+    free(rows->pieces);
+    rows->first = NULL;
+    rows->pieces = NULL;
+}
+
+/* ---------------------------------------------------------------- sums -- */
+
+/* A piece and its label. */
+typedef struct {
+    double t0, t1;
+    int label;
+} labelled_piece;
+
+#define SORTED labelled_piece
+#define IS_BEFORE(x, y) ((x)->label < (y)->label)
+#define SORT sort_by_label
+#include "../merge_sort_template.h"
+
+/* The pieces that have a label, sorted by it. */
+static size_t label_pieces(const pieces_query *q, const line_pieces *from,
+                           labelled_piece *to)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < from->n; i++) {
+        const cylint_piece *p = &from->pieces[i];
+        const int label = q->label ? q->label[p->shape] : 0;
+        if (label >= 0 && (size_t)label < q->labels)
+            to[n++] = (labelled_piece){p->t0, p->t1, label};
+    }
+    sort_by_label(to, n, to + n);
+    return n;
+}
+
+static double sum_of_lengths(const labelled_piece *p, size_t n)
+{
+    cylint_exact_sum sum = {{0}};
+    for (size_t i = 0; i < n; i++) {
+        if (!(p[i].t0 >= -DBL_MAX && p[i].t1 <= DBL_MAX))
+            return HUGE_VAL;
+        cylint_sum_add(&sum, p[i].t1);
+        cylint_sum_add(&sum, -p[i].t0);
+    }
+    return cylint_sum_rounded(&sum);
+}
+
+static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
+                    const line_pieces *pieces)
+{
+    double *to = q->sums + i * q->labels;
+    labelled_piece *p = grown_array(NULL, 2 * pieces->n + 1, sizeof *p);
+    if (!p)
+        return 0;
+    const size_t n = label_pieces(q, pieces, p);
+    for (size_t j = 0; j < q->labels; j++)
+        to[j] = 0;
+    for (size_t j = 0, m; j < n; j += m) {
+        for (m = 1; j + m < n && p[j + m].label == p[j].label;)
+            m++;
+        const double sum = sum_of_lengths(p + j, m);
+        to[p[j].label] = q->in_units ? sum * cylint_line_length(line) : sum;
+    }
+    free(p);
+    return 1;
+}
+
+cylint_scene_status cylint_scene_sums(const cylint_scene *scene,
+                                      const cylint_lines *lines,
+                                      const cylint_piece_rule *rule,
+                                      const int *label, size_t labels,
+                                      int in_units, int threads, double *sums)
+{
+    cylint_piece_rule all = *rule;
+    pieces_query q = {.scene = scene,
+                      .lines = lines,
+                      .rule = &all,
+                      .use = add_sums,
+                      .label = label,
+                      .labels = labels,
+                      .in_units = in_units,
+                      .sums = sums};
+    all.after = NULL;
+    const int has_sums = find_all(&q, threads);
+    free_blocks(&q);
+    return has_sums ? CYLINT_SCENE_OK : CYLINT_SCENE_EMEMORY;
+}

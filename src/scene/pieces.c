@@ -1,0 +1,356 @@
+/*
+ * pieces.c - the pieces of a line that are inside the solids of a scene
+ *
+ * Chords are collected, sorted by t0, and swept: at each end of a chord the set of
+ * solids that contain the line changes.  As a chord is one record, an entry without
+ * an exit is not possible.
+ */
+#include "../numbers/bits.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "pieces.h"
+
+#define SORTED cylint_numbered_chord
+#define IS_BEFORE(x, y) cylint_chord_is_before(x, y)
+#define SORT sort_chords
+#include "../merge_sort_template.h"
+
+#define SORTED double
+#define IS_BEFORE(x, y) cylint_less(*(x), *(y))
+#define SORT sort_ends
+#include "../merge_sort_template.h"
+
+void *cylint_take_room(cylint_room *room, size_t n, size_t size)
+{
+    const size_t bytes = (n * size + 7) / 8 * 8;
+    char *const taken = room->at;
+    room->wanted += bytes;
+    if (bytes > room->left)
+        return NULL;
+    room->at += bytes;
+    room->left -= bytes;
+    return taken;
+}
+
+/* ----------------------------------------------------------- collecting -- */
+
+/* All chords that begin at `complete` or before are collected. */
+typedef struct {
+    cylint_numbered_chord *chord;
+    size_t n, capacity; /* n counts those without room too */
+    double complete;
+    /* a search for the first pieces; the chords are sorted */
+    size_t pieces;
+    double floor; /* at least to here */
+} collector;
+
+static double keep_chord(void *context, size_t number, cylint_interval chord)
+{
+    collector *c = context;
+    if (c->n < c->capacity)
+        c->chord[c->n] =
+            (cylint_numbered_chord){chord.t0, chord.t1, (uint32_t)number};
+    c->n++;
+    return HUGE_VAL;
+}
+
+/* The end of piece number c->pieces of the union so far, or infinity. */
+static double end_of_last_piece(const collector *c)
+{
+    size_t pieces = 0;
+    double end = -HUGE_VAL;
+    for (size_t i = 0; i < c->n; i++) {
+        const cylint_numbered_chord *x = &c->chord[i];
+        if (pieces == 0 || cylint_less(end, x->t0)) {
+            if (pieces++ == c->pieces)
+                return end;
+            end = x->t1;
+        } else if (cylint_less(end, x->t1)) {
+            end = x->t1;
+        }
+    }
+    return pieces == c->pieces ? end : HUGE_VAL;
+}
+
+/* More chords than this are not kept sorted as they come. */
+enum { SORTED_CHORDS = 64 };
+
+/* Later chords can join two pieces, and so move the end of the last piece: the search
+ * is complete up to the least of these ends. */
+static double keep_first_chord(void *context, size_t number,
+                               cylint_interval chord)
+{
+    collector *c = context;
+    const cylint_numbered_chord x = {chord.t0, chord.t1, (uint32_t)number};
+    if (c->n >= c->capacity || c->n >= SORTED_CHORDS) {
+        keep_chord(c, number, chord);
+        return c->complete;
+    }
+    size_t i = c->n;
+    while (i > 0 && cylint_chord_is_before(&x, &c->chord[i - 1]))
+        i--;
+    if (i > 0 && !cylint_chord_is_before(&c->chord[i - 1], &x))
+        return c->complete; /* found again */
+    memmove(&c->chord[i + 1], &c->chord[i], (c->n++ - i) * sizeof x);
+    c->chord[i] = x;
+    const double end = end_of_last_piece(c),
+                 limit = cylint_less(end, c->floor) ? c->floor : end;
+    if (cylint_less(limit, c->complete))
+        c->complete = limit;
+    return c->complete;
+}
+
+/* Adds the chords of shapes beside the hierarchy. */
+static void collect_others(const cylint_scene *scene, const cylint_line *line,
+                           cylint_scene_chord *keep, collector *c)
+{
+    const int has_solids = scene->solids.n > 0;
+    const uint32_t *number = has_solids ? scene->solids.always : scene->others;
+    const size_t n = has_solids ? scene->solids.n_always : scene->n_others;
+    for (size_t i = 0; i < n; i++) {
+        cylint_shape shape;
+        cylint_interval chord[2];
+        cylint_record_shape(&scene->records, number[i], &shape);
+        const int chords = cylint_chord(&shape, line, chord);
+        for (int j = 0; j < chords; j++)
+            keep(c, number[i], chord[j]);
+    }
+}
+
+/* Sorts the chords and removes those that were found several times. */
+static size_t sort_and_unite(cylint_numbered_chord *chord, size_t n,
+                             cylint_numbered_chord *spare)
+{
+    size_t kept = 0;
+    sort_chords(chord, n, spare);
+    for (size_t i = 0; i < n; i++)
+        if (kept == 0 || cylint_chord_is_before(&chord[kept - 1], &chord[i]))
+            chord[kept++] = chord[i];
+    return kept;
+}
+
+/* ------------------------------------------------------------ sweeping -- */
+
+typedef struct {
+    const cylint_piece_rule *rule;
+    const cylint_numbered_chord *chord; /* sorted */
+    size_t n;
+    double complete; /* pieces that end later are not certain */
+    double *end;     /* of all chords, sorted */
+    uint32_t *heap;  /* chords that have begun; the owner is heap[0] */
+    size_t open;     /* how many; some have ended */
+    cylint_piece *pieces;
+    size_t n_pieces, capacity;
+} sweep;
+
+/* Whether chord x owns a place that both contain. */
+static int outranks(const sweep *s, uint32_t x, uint32_t y)
+{
+    const uint32_t i = s->chord[x].number, j = s->chord[y].number;
+    const int *rank = s->rule->rank;
+    return rank && rank[i] != rank[j] ? rank[i] < rank[j] : i < j;
+}
+
+static void push_chord(sweep *s, uint32_t x)
+{
+    size_t i = s->open++;
+    for (; i > 0 && outranks(s, x, s->heap[(i - 1) / 2]); i = (i - 1) / 2)
+        s->heap[i] = s->heap[(i - 1) / 2];
+    s->heap[i] = x;
+}
+
+static void pop_chord(sweep *s)
+{
+    const uint32_t x = s->heap[--s->open];
+    size_t i = 0, child;
+    while ((child = 2 * i + 1) < s->open) {
+        child += child + 1 < s->open &&
+                 outranks(s, s->heap[child + 1], s->heap[child]);
+        if (!outranks(s, s->heap[child], x))
+            break;
+        s->heap[i] = s->heap[child];
+        i = child;
+    }
+    s->heap[i] = x;
+}
+
+/* The owner at t. */
+static uint32_t owner_at(sweep *s, double t)
+{
+    while (!cylint_less(t, s->chord[s->heap[0]].t1))
+        pop_chord(s);
+    return s->chord[s->heap[0]].number;
+}
+
+/* Adds the cell [t0, t1], or makes the last piece longer by it.  Returns 0 if no
+ * more pieces are wanted. */
+static int add_cell(sweep *s, double t0, double t1, size_t depth)
+{
+    const cylint_piece_mode mode = s->rule->mode;
+    cylint_piece *last = s->n_pieces > 0 ? &s->pieces[s->n_pieces - 1] : NULL;
+    const int follows = last && !cylint_less(last->t1, t0);
+    const size_t owner =
+        follows && mode == CYLINT_PIECES_UNION ? last->shape : owner_at(s, t0);
+    if (follows && mode != CYLINT_PIECES_CELLS && owner == last->shape) {
+        last->t1 = t1;
+        last->depth = last->depth < depth ? depth : last->depth;
+        return 1;
+    }
+    if (s->n_pieces == s->capacity)
+        return 0;
+    s->pieces[s->n_pieces++] = (cylint_piece){t0, t1, owner, depth};
+    return 1;
+}
+
+static void sweep_chords(sweep *s)
+{
+    size_t begun = 0, ended = 0;
+    double t = 0;
+    for (;;) {
+        if (begun == ended) {
+            if (begun == s->n)
+                return;
+            t = s->chord[begun].t0;
+            s->open = 0;
+        }
+        for (; begun < s->n && !cylint_less(t, s->chord[begun].t0); begun++)
+            push_chord(s, (uint32_t)begun);
+        double next = s->end[ended];
+        if (begun < s->n && cylint_less(s->chord[begun].t0, next))
+            next = s->chord[begun].t0;
+        if (!add_cell(s, t, next, begun - ended))
+            return;
+        t = next;
+        while (ended < begun && !cylint_less(t, s->end[ended]))
+            ended++;
+    }
+}
+
+/* Writes chords as pieces, after the one of the rule. */
+static void list_chords(sweep *s)
+{
+    const cylint_piece *after = s->rule->after;
+    for (size_t i = 0; i < s->n && s->n_pieces < s->capacity; i++) {
+        const cylint_numbered_chord *x = &s->chord[i];
+        if (after &&
+            (cylint_less(x->t0, after->t0) ||
+             (!cylint_less(after->t0, x->t0) && x->number <= after->shape)))
+            continue;
+        s->pieces[s->n_pieces++] = (cylint_piece){x->t0, x->t1, x->number, 1};
+    }
+}
+
+/* Writes the pieces of sorted chords.  spare: as much memory as the chords. */
+static size_t write_pieces(sweep *s, void *spare)
+{
+    s->n_pieces = 0;
+    if (s->rule->mode == CYLINT_PIECES_CHORDS) {
+        list_chords(s);
+        return s->n_pieces;
+    }
+    s->end = spare;
+    s->heap = (uint32_t *)(void *)(s->end + 2 * s->n);
+    for (size_t i = 0; i < s->n; i++)
+        s->end[i] = s->chord[i].t1;
+    sort_ends(s->end, s->n, s->end + s->n);
+    sweep_chords(s);
+    while (s->n_pieces > 0 &&
+           cylint_less(s->complete, s->pieces[s->n_pieces - 1].t1))
+        s->n_pieces--;
+    return s->n_pieces;
+}
+
+/* ----------------------------------------------------------- the query -- */
+
+static int chords_of_line(const void *line, const cylint_shape *shape,
+                          cylint_interval chord[2])
+{
+    return cylint_chord(shape, line, chord);
+}
+
+/* Writes the pieces of n chords in shapes, which c->capacity chords of spare memory
+ * follow. */
+static size_t pieces_of_chords(const cylint_scene *scene,
+                               const cylint_line *line, const collector *c,
+                               cylint_workspace *work, sweep *s)
+{
+    cylint_numbered_chord *spare = c->chord + c->capacity, *of_solids;
+    s->complete = c->complete;
+    s->n = sort_and_unite(c->chord, c->n, spare);
+    s->chord = c->chord;
+    if (scene->solids.n == 0)
+        return write_pieces(s, spare);
+    const size_t used = s->n * sizeof *c->chord;
+    const cylint_domain domain = {line->tmin, line->tmax, chords_of_line, line};
+    cylint_room room = {(char *)(c->chord + s->n), work->bytes - used, used};
+    s->n = cylint_chords_of_solids(scene, &domain, c->chord, s->n, &room,
+                                   &of_solids, &spare);
+    if (s->n == CYLINT_NO_ROOM) {
+        work->wanted = room.wanted;
+        return CYLINT_NO_ROOM;
+    }
+    sort_chords(of_solids, s->n, spare);
+    s->chord = of_solids;
+    return write_pieces(s, spare);
+}
+
+/* Collects all chords, or enough for some pieces. */
+static void collect(const cylint_scene *scene, const cylint_line *line,
+                    size_t pieces, double floor, collector *c)
+{
+    cylint_scene_chord *keep = pieces > 0 ? keep_first_chord : keep_chord;
+    c->n = 0;
+    c->complete = HUGE_VAL;
+    c->pieces = pieces;
+    c->floor = floor;
+    collect_others(scene, line, keep, c);
+    cylint_visit_chords(scene, line, pieces > 0, keep, c);
+}
+
+/* The most pieces for which the line is searched in order, and how often. */
+enum { FEW_PIECES = 4, SEARCHES = 2 };
+
+/* Returns whether the wanted pieces are written, or all.  Each search is complete up to
+ * farther on than the one before. */
+static int has_first_pieces(const cylint_scene *scene, const cylint_line *line,
+                            collector *c, cylint_workspace *work, sweep *s)
+{
+    double floor = -HUGE_VAL;
+    for (int i = 0; i < SEARCHES; i++) {
+        collect(scene, line, s->capacity, floor, c);
+        if (c->n > c->capacity)
+            return 0;
+        const int are_all = !cylint_less(c->complete, line->tmax);
+        const double begin = c->n > 0 ? c->chord[0].t0 : 0,
+                     end = end_of_last_piece(c);
+        const size_t n = pieces_of_chords(scene, line, c, work, s);
+        if (n == CYLINT_NO_ROOM)
+            return 0;
+        if (n == s->capacity || are_all)
+            return 1;
+        floor = end + 2 * (end - begin);
+    }
+    return 0;
+}
+
+size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
+                           const cylint_piece_rule *rule, cylint_piece *pieces,
+                           size_t capacity, cylint_workspace *work)
+{
+    sweep s = {.rule = rule, .pieces = pieces, .capacity = capacity};
+    collector c = {.chord = work->memory,
+                   .capacity = work->bytes / (2 * sizeof *c.chord)};
+    if (!line->valid || capacity == 0)
+        return 0;
+    if (capacity <= FEW_PIECES && rule->mode != CYLINT_PIECES_CHORDS &&
+        has_first_pieces(scene, line, &c, work, &s))
+        return s.n_pieces;
+    collect(scene, line, 0, 0, &c);
+    if (c.n > c.capacity) {
+        work->wanted = c.n * 2 * sizeof *c.chord;
+        return CYLINT_NO_ROOM;
+    }
+    return pieces_of_chords(scene, line, &c, work, &s);
+}

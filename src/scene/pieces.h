@@ -1,0 +1,54 @@
+/*
+ * pieces.h - the chords of a line in the shapes and in the solids of a scene
+ */
+#ifndef CYLINT_SCENE_PIECES_H
+#define CYLINT_SCENE_PIECES_H
+
+#include "visit.h"
+
+/* A chord in a shape, or a piece in a solid. */
+typedef struct cylint_numbered_chord {
+    double t0, t1;
+    uint32_t number;
+} cylint_numbered_chord;
+
+/* By t0, then by number. */
+static inline int cylint_chord_is_before(const cylint_numbered_chord *x,
+                                         const cylint_numbered_chord *y)
+{
+    const int64_t a = cylint_rank(x->t0), b = cylint_rank(y->t0);
+    return a != b ? a < b : x->number < y->number;
+}
+
+/* Memory of a workspace that is not used yet.  `wanted` also counts what did not
+ * fit. */
+typedef struct cylint_room {
+    char *at;
+    size_t left, wanted;
+} cylint_room;
+
+/* Returns memory for n elements, or NULL. */
+void *cylint_take_room(cylint_room *room, size_t n, size_t size);
+
+/* The chords of a shape, as cylint_chord() writes them, for a line or for what
+ * stands for one. */
+typedef int cylint_chords_of_shape(const void *line, const cylint_shape *shape,
+                                   cylint_interval chord[2]);
+
+typedef struct cylint_domain {
+    double tmin, tmax;
+    cylint_chords_of_shape *chords;
+    const void *line;
+} cylint_domain;
+
+/* Makes the chords in solids of the chords in shapes, which have no duplicates.
+ * Returns how many there are, in the room and in no order, or CYLINT_NO_ROOM.  *spare:
+ * as much memory as they take. */
+size_t cylint_chords_of_solids(const cylint_scene *scene,
+                               const cylint_domain *domain,
+                               const cylint_numbered_chord *of_shapes, size_t n,
+                               cylint_room *room,
+                               cylint_numbered_chord **of_solids,
+                               cylint_numbered_chord **spare);
+
+#endif

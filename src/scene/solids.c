@@ -1,0 +1,296 @@
+/*
+ * solids.c - the solids of a scene that are made of shapes
+ */
+#include "solids.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene.h"
+
+/* A sort by these in turn: solid, clause, shape. */
+static int is_before_in_solid(const cylint_membership *x,
+                              const cylint_membership *y)
+{
+    const int32_t c = abs(x->clause), d = abs(y->clause);
+    if (x->solid != y->solid)
+        return x->solid < y->solid;
+    return c != d ? c < d : x->shape < y->shape;
+}
+
+#define SORTED cylint_membership
+#define IS_BEFORE(x, y) is_before_in_solid(x, y)
+#define SORT sort_by_solid
+#include "../merge_sort_template.h"
+
+#define SORTED cylint_membership
+#define IS_BEFORE(x, y) ((x)->shape < (y)->shape)
+#define SORT sort_by_shape
+#include "../merge_sort_template.h"
+
+void cylint_solids_free(cylint_solids *s)
+{
+    free(s->of_shapes);
+    free(s->first_of_shape);
+    free(s->late);
+    free(s->solid);
+    free(s->complements);
+    free(s->always);
+    free(s->holding);
+    s->of_shapes = s->late = NULL;
+    s->first_of_shape = s->always = s->holding = NULL;
+    s->solid = NULL;
+    s->complements = NULL;
+}
+
+size_t cylint_solids_bytes(const cylint_solids *s, size_t shapes)
+{
+    return s->n == 0
+               ? 0
+               : s->n_members *
+                         (2 * sizeof *s->of_shapes + sizeof *s->complements) +
+                     (shapes + 1) * sizeof *s->first_of_shape +
+                     s->n * sizeof *s->solid + s->n_always * sizeof *s->always;
+}
+
+/* Whether a shape is beside the hierarchy. */
+static int is_other(const cylint_scene *scene, uint32_t shape)
+{
+    size_t from = 0, to = scene->n_others;
+    while (from < to) {
+        const size_t middle = from + (to - from) / 2;
+        if (scene->others[middle] < shape)
+            from = middle + 1;
+        else
+            to = middle;
+    }
+    return from < scene->n_others && scene->others[from] == shape;
+}
+
+static cylint_scene_status allocate_solids(cylint_solids *s, size_t shapes,
+                                           size_t n_others)
+{
+    const size_t n = s->n_members;
+    s->of_shapes = malloc(n * sizeof *s->of_shapes);
+    s->late = malloc(n * sizeof *s->late); /* first all, sorted by solid */
+    s->complements = malloc(n * sizeof *s->complements);
+    s->first_of_shape = calloc(shapes + 1, sizeof *s->first_of_shape);
+    s->solid = calloc(s->n, sizeof *s->solid);
+    s->always = malloc((n_others + 1) * sizeof *s->always);
+    s->holding = malloc(s->n * sizeof *s->holding);
+    return s->of_shapes && s->holding && s->late && s->complements &&
+                   s->first_of_shape && s->solid && s->always
+               ? CYLINT_SCENE_OK
+               : CYLINT_SCENE_EMEMORY;
+}
+
+static cylint_scene_status check_members(cylint_solids *s, size_t shapes)
+{
+    s->n = 0;
+    for (size_t i = 0; i < s->n_members; i++) {
+        const cylint_membership *m = &s->given[i];
+        if (m->clause == 0 || m->clause == INT32_MIN)
+            return CYLINT_SCENE_ESOLID;
+        if (m->shape >= shapes || m->solid >= s->n_members)
+            return CYLINT_SCENE_ESIZE;
+        if (m->solid >= s->n)
+            s->n = (size_t)m->solid + 1;
+    }
+    return CYLINT_SCENE_OK;
+}
+
+/* Numbers the clauses of a solid and counts the complements in each.  `member` has
+ * its n members, sorted by clause. */
+static void number_clauses_of(cylint_scene_solid *solid,
+                              cylint_membership *member, size_t n,
+                              int32_t *complements)
+{
+    int32_t given = 0;
+    for (size_t i = 0; i < n; i++) {
+        const int is_complement = member[i].clause < 0;
+        if (abs(member[i].clause) != given) {
+            given = abs(member[i].clause);
+            complements[solid->clauses++] = 0;
+        }
+        complements[solid->clauses - 1] += is_complement;
+        member[i].clause =
+            is_complement ? -(int32_t)solid->clauses : (int32_t)solid->clauses;
+    }
+    for (uint32_t c = 0; c < solid->clauses; c++)
+        solid->failing += complements[c] == 0;
+}
+
+/* The number of the shape that stands for a solid of these members. */
+static uint32_t number_of_solid(const cylint_membership *member, size_t n)
+{
+    uint32_t least = UINT32_MAX, least_complement = UINT32_MAX;
+    for (size_t i = 0; i < n; i++) {
+        uint32_t *smallest = member[i].clause < 0 ? &least_complement : &least;
+        if (member[i].shape < *smallest)
+            *smallest = member[i].shape;
+    }
+    return least < UINT32_MAX ? least : least_complement;
+}
+
+/* Whether a clause consists of shapes in the hierarchy. */
+static int has_bounded_clause(const cylint_scene *scene,
+                              const cylint_membership *member, size_t n)
+{
+    int is_bounded = 0;
+    for (size_t i = 0; i < n; i++) {
+        if (i > 0 && member[i].clause != member[i - 1].clause &&
+            member[i].clause != -member[i - 1].clause && is_bounded)
+            return 1;
+        if (i == 0 || abs(member[i].clause) != abs(member[i - 1].clause))
+            is_bounded = 1;
+        is_bounded &= member[i].clause > 0 && !is_other(scene, member[i].shape);
+    }
+    return is_bounded;
+}
+
+static void make_each_solid(cylint_solids *s, const cylint_scene *scene)
+{
+    uint32_t clauses = 0;
+    s->most_clauses = 0;
+    for (size_t i = 0, n; i < s->n_members; i += n) {
+        cylint_membership *const member = &s->late[i];
+        cylint_scene_solid *solid = &s->solid[member->solid];
+        for (n = 1; i + n < s->n_members && member[n].solid == member->solid;)
+            n++;
+        solid->first_clause = clauses;
+        number_clauses_of(solid, member, n, s->complements + clauses);
+        solid->number = number_of_solid(member, n);
+        solid->is_bounded = has_bounded_clause(scene, member, n);
+        clauses += solid->clauses;
+        if (solid->clauses > s->most_clauses)
+            s->most_clauses = solid->clauses;
+    }
+}
+
+/* Whether all solids have different numbers.  first_of_shape is 0, before and
+ * afterwards. */
+static int have_own_numbers(cylint_solids *s)
+{
+    int are_own = 1;
+    for (size_t i = 0; i < s->n; i++)
+        if (s->solid[i].clauses > 0 &&
+            s->first_of_shape[s->solid[i].number]++ > 0)
+            are_own = 0;
+    for (size_t i = 0; i < s->n; i++)
+        s->first_of_shape[s->solid[i].number] = 0;
+    return are_own;
+}
+
+/* Sorts the members by shape.  `late` has them all, with numbered clauses. */
+static void list_by_shape(cylint_solids *s, size_t shapes,
+                          cylint_membership *spare)
+{
+    size_t i = 0;
+    memcpy(s->of_shapes, s->late, s->n_members * sizeof *s->late);
+    sort_by_shape(s->of_shapes, s->n_members, spare);
+    for (size_t shape = 0; shape <= shapes; shape++) {
+        while (i < s->n_members && s->of_shapes[i].shape < shape)
+            i++;
+        s->first_of_shape[shape] = (uint32_t)i;
+    }
+}
+
+/* Keeps the late members only, and lists what all lines test. */
+static void choose_late(cylint_solids *s, const cylint_scene *scene)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < s->n_members; i++) {
+        const cylint_membership m = s->late[i];
+        cylint_scene_solid *solid = &s->solid[m.solid];
+        if (!solid->is_bounded || !is_other(scene, m.shape))
+            continue;
+        if (solid->n_late++ == 0)
+            solid->first_late = (uint32_t)n;
+        s->late[n++] = m;
+    }
+    s->n_always = s->n_holding = 0;
+    for (size_t i = 0; i < s->n; i++)
+        if (s->solid[i].clauses > 0 && s->solid[i].failing == 0)
+            s->holding[s->n_holding++] = (uint32_t)i;
+    for (size_t i = 0; i < scene->n_others; i++) {
+        const uint32_t shape = scene->others[i],
+                       first = s->first_of_shape[shape],
+                       end = s->first_of_shape[shape + 1];
+        int is_wanted = first == end;
+        for (uint32_t j = first; j < end; j++)
+            is_wanted |= !s->solid[s->of_shapes[j].solid].is_bounded;
+        if (is_wanted)
+            s->always[s->n_always++] = shape;
+    }
+}
+
+cylint_scene_status cylint_solids_make(cylint_solids *s,
+                                       const cylint_scene *scene)
+{
+    cylint_scene_status status = check_members(s, scene->n);
+    if (status != CYLINT_SCENE_OK || s->n == 0)
+        return status;
+    cylint_membership *spare = malloc(s->n_members * sizeof *spare);
+    status = allocate_solids(s, scene->n, scene->n_others);
+    if (!spare || status != CYLINT_SCENE_OK) {
+        free(spare);
+        return CYLINT_SCENE_EMEMORY;
+    }
+    memcpy(s->late, s->given, s->n_members * sizeof *s->late);
+    sort_by_solid(s->late, s->n_members, spare);
+    make_each_solid(s, scene);
+    if (have_own_numbers(s)) {
+        list_by_shape(s, scene->n, spare);
+        choose_late(s, scene);
+    } else {
+        status = CYLINT_SCENE_ESOLID;
+    }
+    free(spare);
+    return status;
+}
+
+/* ------------------------------------------------------ of the caller -- */
+
+cylint_scene_status cylint_scene_set_solids(cylint_scene *scene,
+                                            const cylint_member *members,
+                                            size_t n)
+{
+    cylint_solids solids = {.n_members = n};
+    if (!scene->is_finished)
+        return CYLINT_SCENE_EUNFINISHED;
+    if (n > CYLINT_SCENE_MOST_SHAPES)
+        return CYLINT_SCENE_ESIZE;
+    cylint_membership *given = malloc((n + 1) * sizeof *given);
+    if (!given)
+        return CYLINT_SCENE_EMEMORY;
+    solids.given = given;
+    for (size_t i = 0; i < n; i++)
+        given[i] = (cylint_membership){
+            members[i].shape < scene->n ? (uint32_t)members[i].shape
+                                        : UINT32_MAX,
+            members[i].solid < n ? (uint32_t)members[i].solid : UINT32_MAX,
+            members[i].clause};
+    const cylint_scene_status status = cylint_solids_make(&solids, scene);
+    if (status != CYLINT_SCENE_OK) {
+        cylint_solids_free(&solids);
+        free(given);
+        return status;
+    }
+    cylint_solids_free(&scene->solids);
+    free(scene->given);
+    scene->solids = solids;
+    scene->given = given;
+    return CYLINT_SCENE_OK;
+}
+
+size_t cylint_scene_members(const cylint_scene *scene)
+{
+    return scene->solids.n_members;
+}
+
+void cylint_scene_member(const cylint_scene *scene, size_t i,
+                         cylint_member *member)
+{
+    const cylint_membership *from = &scene->solids.given[i];
+    *member = (cylint_member){from->shape, from->solid, from->clause};
+}
