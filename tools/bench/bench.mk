@@ -18,9 +18,9 @@ $(bench_programs) $(BUILD)/tools/bench/stages: %: %.o $(test_common) $(BUILD)/li
 $(bench_programs) $(BUILD)/tools/bench/stages: libs := $(test_libs)
 
 $(BUILD)/tools/bench/scene $(BUILD)/tools/bench/distance_scene: $(BUILD)/tests/scenes.o
-$(BUILD)/tools/bench/distance_scene: $(call bench_objects,timing)
-$(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene large): %: %.o $(scene_library)
-$(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene large): libs := $(threads_link)
+$(patsubst %,$(BUILD)/tools/bench/%,distance_scene pieces): $(call bench_objects,timing)
+$(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene large pieces): %: %.o $(scene_library)
+$(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene large pieces): libs := $(threads_link)
 
 $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_many embree_packets): $(call bench_objects,timing)
 $(patsubst %,$(BUILD)/tools/bench/%,embree embree_round embree_many): $(call bench_objects,embree_race)
@@ -32,7 +32,7 @@ $(BUILD)/tools/bench/embree_counts: wrapped := $(call wrap,cylint_float_filter_u
 $(BUILD)/tools/bench/measure: $(BUILD)/tools/bench/measure.o
 $(BUILD)/tools/bench/kernels: $(BUILD)/tools/bench/kernels.o $(BUILD)/libcylint.a
 
-$(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene distance_scene python_scene large measure kernels):
+$(bench_programs) $(embree_programs) $(patsubst %,$(BUILD)/tools/bench/%,stages scene distance_scene python_scene large pieces measure kernels):
 	$(link)
 
 # Where the processor has fused multiply-add, a second build with it.
@@ -49,6 +49,9 @@ gate: bench_programs ## answers and times beside those of COMMIT=...; ONLY=hash:
 
 bench-scene: $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene kernels) ## time of scenes and of batches of all shapes
 	@BUILD='$(BUILD)' sh tools/bench/scene.sh
+
+bench-pieces: $(BUILD)/tools/bench/pieces ## time of the pieces of a line, and of what callers do without them
+	@$(BUILD)/tools/bench/pieces
 
 N ?= 10000000
 KIND ?= thin
@@ -89,4 +92,4 @@ count_stages: $(BUILD)/tools/bench/stages
 stages: ## share of queries that reach each stage (pairs, exact digits), by family
 	$(MAKE) -s BUILD=$(BUILD)/stages CPPFLAGS='$(CPPFLAGS) -DCYLINT_COUNT_STAGES' count_stages
 
-.PHONY: bench bench_programs gate bench-scene bench-large bench-text bench-saved bench-embree bench-python count_visits stages count_stages
+.PHONY: bench bench_programs gate bench-scene bench-pieces bench-large bench-text bench-saved bench-embree bench-python count_visits stages count_stages

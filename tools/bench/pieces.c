@@ -1,0 +1,216 @@
+/*
+ * pieces.c - the time of the pieces of a line, beside what a caller does without them
+ *
+ *     pieces [N...]
+ *
+ * Cylinders in random directions fill a cube; rays begin in it.  The contestants take
+ * turns in one run, pinned; the least time of each counts, in ns a hit and beside the
+ * recipe: numbers of all shapes, both roots of each, sorted, merged.
+ */
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "cylint_scene.h"
+#include "random.h"
+#include "timing.h"
+
+enum { RAYS = 2000, ROUNDS = 5, MOST = 1 << 16, WORK = 1 << 23 };
+
+/* Length in mean distances of neighbours, radius in lengths. */
+static const struct stick {
+    const char *name;
+    double length, radius;
+} sticks[] = {{"thin", 4, 0.02}, {"fat", 1.36, 0.2}};
+
+static struct {
+    cylint_shape *shapes;
+    cylint_scene *scene;
+    cylint_line rays[RAYS];
+    size_t numbers[MOST];
+    cylint_piece pieces[MOST];
+    char work[WORK];
+    double end[2 * MOST][2]; /* t, and 1 or -1 */
+    double sum;              /* of lengths, so that nothing is left out */
+} bench;
+
+static void direction(uint64_t *random, double d[3])
+{
+    double dd;
+    do {
+        for (int j = 0; j < 3; j++)
+            d[j] = 2 * random_unit(random) - 1;
+        dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    } while (dd > 1 || dd < 0.01);
+    for (int j = 0; j < 3; j++)
+        d[j] /= sqrt(dd);
+}
+
+static void make_scene(size_t n, const struct stick *of)
+{
+    uint64_t random = 1;
+    const double length = of->length / cbrt((double)n);
+    bench.shapes = malloc(n * sizeof *bench.shapes);
+    if (!bench.shapes)
+        exit(4);
+    for (size_t i = 0; i < n; i++) {
+        double p[3], q[3], d[3];
+        direction(&random, d);
+        for (int j = 0; j < 3; j++) {
+            p[j] = random_unit(&random);
+            q[j] = p[j] + length * d[j];
+        }
+        cylint_cylinder(&bench.shapes[i], p, q, of->radius * length,
+                        CYLINT_ENDS_CAPPED);
+    }
+    bench.scene = cylint_scene_new(bench.shapes, n, 0, NULL);
+    if (!bench.scene)
+        exit(4);
+    for (int i = 0; i < RAYS; i++) {
+        double o[3], d[3];
+        direction(&random, d);
+        for (int j = 0; j < 3; j++)
+            o[j] = random_unit(&random);
+        cylint_ray(&bench.rays[i], o, d);
+    }
+}
+
+/* ---------------------------------------------------------- contestants -- */
+
+static size_t find_nearest(const cylint_line *ray)
+{
+    cylint_hit hit;
+    return cylint_scene_nearest(bench.scene, ray, CYLINT_WANT_T, &hit) <
+           cylint_scene_size(bench.scene);
+}
+
+static size_t count_hits(const cylint_line *ray)
+{
+    return cylint_scene_count(bench.scene, ray, 0);
+}
+
+static int compare_ends(const void *x, const void *y)
+{
+    const double a = *(const double *)x, b = *(const double *)y;
+    return (a > b) - (a < b);
+}
+
+/* What a careful caller writes: the union of the lengths. */
+static size_t use_recipe(const cylint_line *ray)
+{
+    const size_t n = cylint_scene_all(bench.scene, ray, 0, bench.numbers, MOST);
+    size_t ends = 0;
+    for (size_t i = 0; i < n; i++) {
+        cylint_answer a;
+        const int hits = cylint_intersect(&bench.shapes[bench.numbers[i]], ray,
+                                          CYLINT_WANT_T, &a);
+        for (int j = 0; j < 2; j++) {
+            bench.end[ends][0] =
+                j + hits < 2 ? ray->tmin : a.hit[j + hits - 2].t;
+            bench.end[ends++][1] = j == 0 ? 1 : -1;
+        }
+    }
+    qsort(bench.end, ends, sizeof *bench.end, compare_ends);
+    double depth = 0, begin = 0;
+    size_t pieces = 0;
+    for (size_t i = 0; i < ends; i++) {
+        if (depth == 0)
+            begin = bench.end[i][0];
+        depth += bench.end[i][1];
+        if (depth == 0) {
+            bench.sum += bench.end[i][0] - begin;
+            pieces++;
+        }
+    }
+    return pieces;
+}
+
+static size_t find_pieces(const cylint_line *ray, cylint_piece_mode mode,
+                          size_t most)
+{
+    const cylint_piece_rule rule = {.mode = mode};
+    cylint_workspace work = {bench.work, sizeof bench.work, 0};
+    const size_t n =
+        cylint_scene_pieces(bench.scene, ray, &rule, bench.pieces, most, &work);
+    for (size_t i = 0; i < n; i++)
+        bench.sum += bench.pieces[i].t1 - bench.pieces[i].t0;
+    return n;
+}
+
+static size_t find_union(const cylint_line *ray)
+{
+    return find_pieces(ray, CYLINT_PIECES_UNION, MOST);
+}
+
+static size_t find_owners(const cylint_line *ray)
+{
+    return find_pieces(ray, CYLINT_PIECES_OWNER, MOST);
+}
+
+static size_t find_chords(const cylint_line *ray)
+{
+    return find_pieces(ray, CYLINT_PIECES_CHORDS, MOST);
+}
+
+static size_t find_first(const cylint_line *ray)
+{
+    return find_pieces(ray, CYLINT_PIECES_UNION, 1);
+}
+
+static size_t find_four(const cylint_line *ray)
+{
+    return find_pieces(ray, CYLINT_PIECES_UNION, 4);
+}
+
+enum { NEAREST, COUNT, RECIPE };
+static const struct {
+    const char *name;
+    size_t (*answer)(const cylint_line *ray);
+} contestants[] = {{"nearest", find_nearest}, {"count", count_hits},
+                   {"recipe", use_recipe},    {"union", find_union},
+                   {"owner", find_owners},    {"chords", find_chords},
+                   {"first", find_first},     {"first 4", find_four}};
+enum { CONTESTANTS = sizeof contestants / sizeof *contestants };
+
+static void race_pieces(size_t n, const struct stick *of)
+{
+    struct timing least[CONTESTANTS];
+    size_t found[CONTESTANTS];
+    make_scene(n, of);
+    for (int round = 0; round < ROUNDS; round++)
+        for (int c = 0; c < CONTESTANTS; c++) {
+            const struct timing start = timing_now();
+            found[c] = 0;
+            for (int i = 0; i < RAYS; i++)
+                found[c] += contestants[c].answer(&bench.rays[i]);
+            const struct timing sample = timing_since(start);
+            if (round == 0)
+                least[c] = sample;
+            timing_keep_least(&least[c], sample);
+        }
+    printf("%zu %s: %.1f hits a ray, nearest %.0f ns\n", n, of->name,
+           (double)found[COUNT] / RAYS, least[NEAREST].ns / RAYS);
+    for (int c = 1; c < CONTESTANTS; c++)
+        printf("  %-8s %7.0f ns a ray, %5.0f a hit, %5.2f of the recipe, "
+               "%5.2f of nearest; %.2f pieces a ray\n",
+               contestants[c].name, least[c].ns / RAYS,
+               least[c].ns / (double)found[COUNT],
+               least[c].ns / least[RECIPE].ns, least[c].ns / least[NEAREST].ns,
+               (double)found[c] / RAYS);
+    fflush(stdout);
+    cylint_scene_free(bench.scene);
+    free(bench.shapes);
+}
+
+int main(int argc, char **argv)
+{
+    static const char *const usual[] = {"10000", "200000", "1000000"};
+    const int n = argc > 1 ? argc - 1 : 3;
+    timing_begin();
+    for (int i = 0; i < n; i++)
+        for (size_t j = 0; j < sizeof sticks / sizeof *sticks; j++)
+            race_pieces(strtoull(argc > 1 ? argv[i + 1] : usual[i], NULL, 10),
+                        &sticks[j]);
+    return !(bench.sum > 0);
+}
