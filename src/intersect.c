@@ -278,6 +278,8 @@ ASIDE int contains_by_signs(const cylint_shape *shape, const double point[3])
     cylint_query_open(&q, shape, &line);
     if (cylint_is_round(q.kind))
         return cylint_round_contains(&q);
+    if (cylint_is_plane(q.kind))
+        return -cylint_form_sign(&q, FORM_ALPHA, 0);
     int within = 1; /* the least of the signs */
     if (cylint_ends_are_planes(q.ends)) {
         const int above = cylint_form_sign(&q, FORM_ALPHA, 0);
