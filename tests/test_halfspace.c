@@ -12,6 +12,7 @@
 #include "cylint_distance.h"
 #include "cylint_methods.h"
 #include "cylint_pieces.h"
+#include "intersect.h"
 #include "random.h"
 
 enum { CASES = 20000, MOST = 9 };
@@ -281,8 +282,36 @@ static void chords_are_half_lines(void)
     }
 }
 
+/* Random doubles, also nearly parallel and far, of all sizes. */
+static void pairs_and_signs_agree(void)
+{
+    rng = 7;
+    for (int i = 0; i < 10 * CASES; i++) {
+        double x[4][3];
+        cylint_answer a, b;
+        for (int k = 0; k < 4; k++)
+            for (int j = 0; j < 3; j++)
+                x[k][j] = ldexp(random_mantissa(&rng) *
+                                    (random_int(&rng, 2) ? 1 : -1),
+                                i % 3 ? random_int(&rng, 1 + i % 60) : 0);
+        if (i % 5 == 0) /* nearly parallel */
+            x[3][2] = -(x[3][0] * x[1][0] + x[3][1] * x[1][1]) / x[1][2];
+        if (cylint_halfspace(&c.shape, x[0], x[1]) != CYLINT_OK ||
+            cylint_ray(&c.line, x[2], x[3]) != CYLINT_OK)
+            continue;
+        cylint_intersect(&c.shape, &c.line, CYLINT_WANT_T | CYLINT_WANT_PART,
+                         &a);
+        cylint_intersect_by_signs(&c.shape, &c.line,
+                                  CYLINT_WANT_T | CYLINT_WANT_PART, &b);
+        CHECK(a.n == b.n && a.relation == b.relation);
+        CHECK(a.n == 0 ||
+              (a.hit[0].t == b.hit[0].t && a.hit[0].side == b.hit[0].side));
+    }
+}
+
 int main(void)
 {
+    RUN(pairs_and_signs_agree);
     RUN(a_line_has_the_hit_of_the_plane);
     RUN(a_segment_has_its_exact_difference);
     RUN(distances_and_sides_are_those_of_the_plane);
