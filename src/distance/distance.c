@@ -2,6 +2,7 @@
  * distance.c - one point and one shape
  */
 #include "../dispatch.h"
+#include "../filter/plane.h"
 #include "cylint_distance.h"
 #include "boundary.h"
 #include "elliptic.h"
@@ -154,6 +155,10 @@ ASIDE double answer_rest(const cylint_shape *shape, const double point[3],
         return nowhere(answer);
     }
     answer->flags = 0;
+    if (cylint_is_plane(shape->kind) && want == 0 && cylint_in_range(shape) &&
+        cylint_rounds_to_nearest() &&
+        cylint_plane_distance(shape, point, &answer->distance))
+        return answer->distance;
     if (!(want & (CYLINT_WANT_PART | CYLINT_WANT_GEOMETRY)) &&
         is_closed(shape) && cylint_contains(shape, point) == 0)
         return answer->distance = 0;

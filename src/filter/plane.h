@@ -34,6 +34,45 @@ static inline plane_number cylint_along_normal(const pair x[3],
     return (plane_number){sum, 0x1.1p-102 * size + 0x1p-900};
 }
 
+/* Whether all numbers within the error of x round to x.v.hi, which is far from 0 and
+ * from the largest double. */
+static inline int cylint_is_rounded(plane_number x)
+{
+    const double size = fabs(x.v.hi);
+    return size > 0x1p-400 && size < 0x1p400 &&
+           x.v.hi + (x.v.lo + x.error) == x.v.hi &&
+           x.v.hi + (x.v.lo - x.error) == x.v.hi;
+}
+
+/* x - p as pairs, exactly. */
+static inline void cylint_from_plane(const cylint_shape *s, const double x[3],
+                                     pair from[3])
+{
+    for (int i = 0; i < 3; i++)
+        from[i] = cylint_difference(x[i], cylint_base(s)[i]);
+}
+
+/* Writes the signed distance of a point.  Returns 0 if its rounding is uncertain.  The
+ * thread rounds to nearest, and the shape is in range. */
+static inline int cylint_plane_distance(const cylint_shape *s,
+                                        const double point[3], double *distance)
+{
+    pair from[3], square = {0, 0};
+    const double *n = cylint_axis(s);
+    cylint_from_plane(s, point, from);
+    const plane_number above = cylint_along_normal(from, n);
+    for (int i = 0; i < 3; i++)
+        square = pair_add(square, two_prod(n[i], n[i]));
+    const pair length = pair_sqrt(square);
+    const pair d = pair_div(above.v, length);
+    /* relative errors: of the square 2^-103, of the others */
+    const plane_number x = {d, above.error / length.hi * 0x1.01p0 +
+                                   fabs(d.hi) * (0x1p-103 + CYLINT_PAIR_SQRT +
+                                                 2 * CYLINT_PAIR_DIV)};
+    *distance = d.hi;
+    return cylint_is_rounded(x);
+}
+
 /* The root -above / slope.  Its error: those of both numbers, and the quotient's. */
 static inline plane_number cylint_plane_root(plane_number above,
                                              plane_number slope)
@@ -61,19 +100,15 @@ static inline int cylint_meets_plane(const cylint_shape *s,
                                      cylint_answer *answer)
 {
     pair from[3], d[3];
-    for (int i = 0; i < 3; i++) {
-        from[i] = cylint_difference(line->o[i], cylint_base(s)[i]);
+    cylint_from_plane(s, line->o, from);
+    for (int i = 0; i < 3; i++)
         d[i] = (pair){line->d[i], line->d_lo[i]};
-    }
     const plane_number slope = cylint_along_normal(d, cylint_axis(s));
     if (!(fabs(slope.v.hi) > 0x1p60 * slope.error))
         return CYLINT_UNDECIDED;
     const plane_number t =
         cylint_plane_root(cylint_along_normal(from, cylint_axis(s)), slope);
-    const double size = fabs(t.v.hi);
-    if (!(size > 0x1p-400 && size < 0x1p400 &&
-          t.v.hi + (t.v.lo + t.error) == t.v.hi &&
-          t.v.hi + (t.v.lo - t.error) == t.v.hi))
+    if (!cylint_is_rounded(t))
         return CYLINT_UNDECIDED;
     const int after_first = cylint_root_side(t, line->tmin),
               after_last = cylint_root_side(t, line->tmax);

@@ -195,33 +195,43 @@ static void list_by_shape(cylint_solids *s, size_t shapes,
     }
 }
 
-/* Keeps the late members only, and lists what all lines test. */
+/* Whether all lines test a shape beside the hierarchy: it is itself a solid, or a member
+ * of a solid that is not bounded. */
+static int is_always_tested(const cylint_solids *s, uint32_t shape)
+{
+    const uint32_t first = s->first_of_shape[shape],
+                   end = s->first_of_shape[shape + 1];
+    int is_tested = first == end;
+    for (uint32_t i = first; i < end; i++)
+        is_tested |= !s->solid[s->of_shapes[i].solid].is_bounded;
+    return is_tested;
+}
+
+/* Keeps the late members only: those that not all lines test. */
 static void choose_late(cylint_solids *s, const cylint_scene *scene)
 {
     size_t n = 0;
     for (size_t i = 0; i < s->n_members; i++) {
         const cylint_membership m = s->late[i];
         cylint_scene_solid *solid = &s->solid[m.solid];
-        if (!solid->is_bounded || !is_other(scene, m.shape))
+        if (!is_other(scene, m.shape) || is_always_tested(s, m.shape))
             continue;
         if (solid->n_late++ == 0)
             solid->first_late = (uint32_t)n;
         s->late[n++] = m;
     }
+}
+
+/* Lists what all lines test. */
+static void list_always(cylint_solids *s, const cylint_scene *scene)
+{
     s->n_always = s->n_holding = 0;
     for (size_t i = 0; i < s->n; i++)
         if (s->solid[i].clauses > 0 && s->solid[i].failing == 0)
             s->holding[s->n_holding++] = (uint32_t)i;
-    for (size_t i = 0; i < scene->n_others; i++) {
-        const uint32_t shape = scene->others[i],
-                       first = s->first_of_shape[shape],
-                       end = s->first_of_shape[shape + 1];
-        int is_wanted = first == end;
-        for (uint32_t j = first; j < end; j++)
-            is_wanted |= !s->solid[s->of_shapes[j].solid].is_bounded;
-        if (is_wanted)
-            s->always[s->n_always++] = shape;
-    }
+    for (size_t i = 0; i < scene->n_others; i++)
+        if (is_always_tested(s, scene->others[i]))
+            s->always[s->n_always++] = scene->others[i];
 }
 
 cylint_scene_status cylint_solids_make(cylint_solids *s,
@@ -242,6 +252,7 @@ cylint_scene_status cylint_solids_make(cylint_solids *s,
     if (have_own_numbers(s)) {
         list_by_shape(s, scene->n, spare);
         choose_late(s, scene);
+        list_always(s, scene);
     } else {
         status = CYLINT_SCENE_ESOLID;
     }

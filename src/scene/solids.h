@@ -18,7 +18,7 @@ typedef struct cylint_membership {
 } cylint_membership;
 
 /* The hierarchy finds all lines that meet a bounded solid.  Its members beside the
- * hierarchy are tested by those lines only. */
+ * hierarchy that are in bounded solids only are late: those lines test them. */
 typedef struct cylint_scene_solid {
     uint32_t number;             /* of the shape that stands for it */
     uint32_t clauses;            /* how many; 0: no member has this solid */
@@ -34,9 +34,8 @@ typedef struct cylint_solids {
     /* In these the clauses of a solid have the numbers 1, 2, ... */
     cylint_membership *of_shapes; /* sorted by shape ... */
     uint32_t *first_of_shape; /* ... where those of each begin, and the end */
-    cylint_membership
-        *late;              /* members beside the hierarchy of bounded solids */
-    size_t n, most_clauses; /* of solids; of the clauses of one */
+    cylint_membership *late;  /* late members, sorted by solid */
+    size_t n, most_clauses;   /* of solids; of the clauses of one */
     cylint_scene_solid *solid;
     int32_t *complements; /* of each clause of each solid, how many */
     uint32_t *always;     /* shapes beside the hierarchy that all lines test */
