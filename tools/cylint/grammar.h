@@ -57,7 +57,7 @@ struct grammar {
     int line; /* enum line_kind by -k, or NOT_GIVEN: a word names it */
     const char *no_lines, *no_points; /* why a line or a point is a fault; NULL:
                                          it is none */
-    const char *no_left_out; /* why not=NAME is a fault, or NULL */
+    const char *no_left_out;          /* why not=NAME is a fault, or NULL */
     int shape;                        /* enum shape_kind likewise */
     int ends; /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
     int has_domain; /* -t: for lines and rays */
