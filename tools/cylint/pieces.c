@@ -99,8 +99,9 @@ int first_boundary(const cylint_scene *scene, const cylint_line *line,
                    unsigned want, cylint_hit *hit, struct piece_memory *m,
                    unsigned long long *shape)
 {
+    const unsigned members = want & (unsigned)CYLINT_WANT_ALL;
     size_t number;
-    while ((number = cylint_scene_first_boundary(scene, line, want, hit,
+    while ((number = cylint_scene_first_boundary(scene, line, members, hit,
                                                  &m->work)) == CYLINT_NO_ROOM) {
         if (!grow_work(&m->work)) {
             return 0;
