@@ -533,7 +533,7 @@ CYLINT_API void cylint_scene_closest_points(
     int threads, size_t *numbers, const cylint_closest_columns *answers);
 
 /*
- * Pieces of many lines.  These two functions allocate memory, and can fail with
+ * Pieces of many lines, and sums.  These functions allocate memory, and can fail with
  * EMEMORY; then nothing is to be freed.  An invalid line has no pieces.
  */
 
@@ -569,6 +569,12 @@ CYLINT_API cylint_scene_status cylint_scene_sums(const cylint_scene *scene,
                                                  const int *label,
                                                  size_t labels, int in_units,
                                                  int threads, double *sums);
+
+/* The same for one line, a segment too: writes sums[0] to sums[labels - 1]. */
+CYLINT_API cylint_scene_status cylint_scene_line_sums(
+    const cylint_scene *scene, const cylint_line *line,
+    const cylint_piece_rule *rule, const int *label, size_t labels,
+    int in_units, double *sums);
 
 #ifdef __cplusplus
 }

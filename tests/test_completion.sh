@@ -56,11 +56,13 @@ for shell in in_bash in_zsh; do
         [ $list = methods ] || option=-f
         is_offered $list "$(cylint --list=$list | cut -f 1)" cylint $option ''
     done
-    is_offered 'queries' 'nearest any count all inside' cylint -s scene -q ''
+    is_offered 'queries' 'nearest first any count all pieces inside' cylint -s scene -q ''
     is_offered 'a query' 'nearest' cylint -q n
     is_offered 'ends' 'capped open cap0 cap1 infinite nappe' cylint --ends ''
     is_offered 'bad records' 'mark skip stop' cylint -e ''
     is_offered 'searches' 'auto none tree' cylint --accel ''
+    is_offered 'modes of pieces' 'owner union cells chords' cylint --pieces ''
+    is_offered 'sums' 'label label:t' cylint --sum ''
     is_offered 'what is left out' 'number label' cylint --not ''
     is_offered 'forms of neurons' 'cones round' cylint --swc ''
     is_offered 'lists' 'methods shapes columns' cylint --list ''

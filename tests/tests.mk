@@ -43,6 +43,13 @@ $(BUILD)/tests/faulty: $(BUILD)/tests/faults.o $(tool_objects) $(scene_library)
 $(BUILD)/tests/faulty: wrapped := $(call wrap,read write poll open close fsync rename \
 	malloc calloc realloc posix_memalign free pipe pthread_create)
 
+# Pieces and sums by a loop over all shapes, to compare with the command's.
+$(BUILD)/tests/path_lengths: $(BUILD)/tests/path_lengths.o $(BUILD)/tools/cylint.a $(scene_library)
+$(BUILD)/tests/path_lengths.o: extra += -Itools/cylint
+$(BUILD)/tests/path_lengths: linker = $(with_numbers) -pthread
+$(BUILD)/tests/path_lengths:
+	$(link)
+
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
 # replays files; in the fuzzed command the test reads and writes.
 fuzz_programs := $(patsubst %,$(BUILD)/tests/fuzz/%,record command shapes scene_file)
@@ -75,7 +82,7 @@ run_tests = BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(
 	MISSING='$(call missing,MPFR,MPFR) $(call missing,GSL,GSL) $(call missing,EMBREE,Embree) $(call missing,PNG,libpng) $(call missing,CXX17,C++17)' \
 	sh tests/run.sh
 
-check: all $(test_programs) $(if $(WRAP),$(BUILD)/tests/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/pixels) ## run every test (PARANOID=1: each decision twice)
+check: all $(test_programs) $(if $(POSIX),$(BUILD)/tests/path_lengths) $(if $(WRAP),$(BUILD)/tests/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/pixels) ## run every test (PARANOID=1: each decision twice)
 	@$(run_tests) $(test_programs) $(test_scripts)
 
 check-embree: $(if $(EMBREE),$(embree_tests)) ## run the tests that need Embree, with the installed one

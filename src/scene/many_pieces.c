@@ -313,3 +313,23 @@ cylint_scene_status cylint_scene_sums(const cylint_scene *scene,
     free_blocks(&q);
     return has_sums ? CYLINT_SCENE_OK : CYLINT_SCENE_EMEMORY;
 }
+
+cylint_scene_status cylint_scene_line_sums(const cylint_scene *scene,
+                                           const cylint_line *line,
+                                           const cylint_piece_rule *rule,
+                                           const int *label, size_t labels,
+                                           int in_units, double *sums)
+{
+    cylint_piece_rule all = *rule;
+    line_pieces pieces;
+    const pieces_query q = {.label = label,
+                            .labels = labels,
+                            .in_units = in_units,
+                            .sums = sums};
+    all.after = NULL;
+    const int has_sums = begin_pieces(&pieces) &&
+                         find_pieces(scene, line, &all, 0, &pieces) &&
+                         add_sums(&q, 0, line, &pieces);
+    end_pieces(&pieces);
+    return has_sums ? CYLINT_SCENE_OK : CYLINT_SCENE_EMEMORY;
+}

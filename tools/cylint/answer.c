@@ -5,20 +5,23 @@
  * the block is finished: one line may hit a million shapes of a scene.
  */
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "answer.h"
-#include "nearby.h"
 #include "main.h"
+#include "nearby.h"
+#include "sums.h"
 
 void job_prepare(struct job *job, const struct options *options,
                  const struct scene *scene, const struct labels *labels,
-                 const struct groups *groups)
+                 const struct groups *groups, const struct names *names)
 {
     memset(job, 0, sizeof *job);
     job->options = options;
     job->scene = scene;
     job->labels = labels;
     job->groups = groups;
+    job->names = names;
     if (options->method) {
         snprintf(job->refusal, sizeof job->refusal,
                  "method '%s' does not support this shape",
@@ -40,11 +43,17 @@ int job_block(const struct job *job, struct block *block)
 {
     const struct options *o = job->options;
     const size_t longest = job->labels->longest;
-    const size_t row = row_capacity(&o->fields, &o->style, longest);
-    const size_t other = row_capacity(&o->point_fields, &o->style, longest);
-    if (!block_allocate(block, row > other ? row : other,
-                        search_bytes(&job->scene->search))) {
+    const size_t lines = row_capacity(&o->fields, &o->style, longest);
+    const size_t points = row_capacity(&o->point_fields, &o->style, longest);
+    const size_t row = o->sum           ? sums_capacity(job->names, &o->style)
+                       : lines > points ? lines
+                                        : points;
+    if (!block_allocate(block, row, search_bytes(&job->scene->search))) {
         return 0;
+    }
+    if (o->sum) {
+        block->sums = malloc(job->names->columns * sizeof *block->sums);
+        return block->sums != NULL;
     }
     if (answers_by_batches(o)) {
         block->pairs = pairs_make();
@@ -111,10 +120,21 @@ static void put_answer(struct task *task, int hit)
     }
 }
 
+/* Ends the work after the answers so far. */
+static void end_without_memory(struct task *task)
+{
+    task->status = deliver(task->job, task->block);
+    if (task->status == ANSWERED) {
+        task->job->status = out_of_memory();
+        task->status = ANSWERED_LAST;
+    }
+}
+
 /* If a column needs it, sets the row's label to that of its shape. */
 static void find_label(struct task *task)
 {
     const struct job *job = task->job;
+    task->row.label_length = 0;
     if (fields_of(task)->labels > 0 && task->row.shape > 0) {
         const struct label label =
             labels_get(job->labels, (size_t)task->row.shape - 1);
@@ -226,6 +246,99 @@ static int answer_all(struct task *task)
     return 1;
 }
 
+/* ------------------------------------------------------------- solids -- */
+
+static void answer_first(struct task *task)
+{
+    const struct options *o = task->job->options;
+    struct block *b = task->block;
+    cylint_answer answer = {.n = 1};
+    if (!first_boundary(task->job->scene->shapes, &b->parsed.line,
+                        o->fields.want, &answer.hit[0], &b->pieces,
+                        &task->row.shape)) {
+        end_without_memory(task);
+        return;
+    }
+    task->row.answer = task->row.shape > 0 ? &answer : NULL;
+    find_label(task);
+    put_answer(task, task->row.shape > 0);
+    task->row.answer = NULL;
+}
+
+static cylint_piece_rule rule_of(const struct job *job)
+{
+    return (cylint_piece_rule){.mode = job->options->mode,
+                               .rank = job->names->rank};
+}
+
+static void answer_one_piece(struct task *task, const cylint_piece *piece)
+{
+    task->row.piece = piece;
+    task->row.shape = piece->shape + 1;
+    task->row.depth = piece->depth;
+    find_label(task);
+    put_answer(task, 1);
+    task->status = deliver_if_full(task->job, task->block);
+}
+
+static void answer_pieces(struct task *task)
+{
+    struct piece_memory *found = &task->block->pieces;
+    const cylint_line *line = &task->block->parsed.line;
+    const cylint_piece_rule rule = rule_of(task->job);
+    struct piece_search search;
+    task->row.unit = cylint_line_length(line);
+    pieces_begin(&search, task->job->scene->shapes, line, &rule,
+                 task->job->options->most_pieces);
+    do {
+        if (!pieces_next(&search, found)) {
+            end_without_memory(task);
+            break;
+        }
+        for (size_t i = 0; i < found->count && task->status == ANSWERED; i++) {
+            answer_one_piece(task, &found->piece[i]);
+        }
+    } while (found->count > 0 && task->status == ANSWERED);
+    task->row.piece = NULL;
+}
+
+static void answer_sums(struct task *task)
+{
+    const struct job *job = task->job;
+    const struct names *names = job->names;
+    double *sums = task->block->sums;
+    const cylint_piece_rule rule = rule_of(job);
+    int hit = 0;
+    if (cylint_scene_line_sums(job->scene->shapes, &task->block->parsed.line,
+                               &rule, names->column, names->columns,
+                               job->options->sum == SUM_LENGTH,
+                               sums) != CYLINT_SCENE_OK) {
+        end_without_memory(task);
+        return;
+    }
+    for (size_t i = 0; i < names->columns; i++) {
+        hit |= sums[i] > 0;
+    }
+    if (hit || !job->options->hits_only) {
+        put_sums(&task->block->out, names, &job->options->style, sums,
+                 &task->row);
+    }
+}
+
+/* Writes the depth of a point and its owner.  Returns 0 if there is no memory. */
+static int find_depth(struct task *task)
+{
+    struct row *row = &task->row;
+    if (!depth_of_point(task->job->scene->shapes, task->block->parsed.point,
+                        task->job->names->rank, &task->block->pieces,
+                        &row->depth, &row->shape)) {
+        end_without_memory(task);
+        return 0;
+    }
+    find_label(task);
+    return 1;
+}
+
 /* ------------------------------------------------------------- points -- */
 
 static struct nearby nearby_of(const struct task *task)
@@ -277,14 +390,18 @@ static void answer_within_count(struct task *task, unsigned long long most)
     put_answer(task, task->row.count > 0);
 }
 
-/* A solid holds the point if its signed distance is at most 0. */
+/* A shape holds the point if its signed distance is at most 0. */
 static void answer_inside(struct task *task)
 {
+    const struct fields *fields = fields_of(task);
     struct nearby n = nearby_of(task);
     n.radius = 0;
     n.want = CYLINT_SIGNED;
-    task->row.count = nearby_count(&n, ~0ULL);
-    put_answer(task, task->row.count > 0);
+    task->row.count = fields->counts ? nearby_count(&n, ~0ULL) : 0;
+    task->row.depth = 0;
+    if (!fields->solids || find_depth(task)) {
+        put_answer(task, task->row.count > 0 || task->row.depth > 0);
+    }
 }
 
 /* Writes a row for a shape within the radius. */
@@ -365,6 +482,12 @@ static int answer_record(struct task *task)
         return answer_count(task, 1);
     case QUERY_COUNT:
         return answer_count(task, ~0ULL);
+    case QUERY_FIRST:
+        answer_first(task);
+        return 1;
+    case QUERY_PIECES:
+        (task->job->options->sum ? answer_sums : answer_pieces)(task);
+        return 1;
     default:
         return answer_all(task);
     }
@@ -410,7 +533,9 @@ static void mark_bad(struct task *task, unsigned long long line,
     answer_pairs(task);
     take_note(&b->notes, line, task->row.record, text, b->text + b->length,
               &task->fault);
-    if (o->bad == BAD_MARK) {
+    if (o->bad == BAD_MARK && o->sum) {
+        put_sums_error(&b->out, task->job->names, &o->style);
+    } else if (o->bad == BAD_MARK) {
         put_error(&b->out, fields_of(task), &o->style);
     }
     b->stopped = o->bad == BAD_STOP;

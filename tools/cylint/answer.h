@@ -7,6 +7,7 @@
 #include "block.h"
 #include "input.h"
 #include "labels.h"
+#include "names.h"
 #include "options.h"
 #include "output.h"
 #include "progress.h"
@@ -20,6 +21,7 @@ struct job {
     const struct scene *scene;
     const struct labels *labels; /* of the shapes, if they are kept */
     const struct groups *groups; /* of shapes that records may leave out */
+    const struct names *names;   /* their ranks and columns of sums */
     char refusal[96];            /* message: the method does not support this */
 
     struct input in;
@@ -34,7 +36,7 @@ struct job {
 
 void job_prepare(struct job *job, const struct options *options,
                  const struct scene *scene, const struct labels *labels,
-                 const struct groups *groups);
+                 const struct groups *groups, const struct names *names);
 
 /* Allocates the buffers of a block.  Returns 0 if there is no memory. */
 int job_block(const struct job *job, struct block *block);

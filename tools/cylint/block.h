@@ -11,6 +11,7 @@
 #include "grammar.h"
 #include "left_out.h"
 #include "pairs.h"
+#include "pieces.h"
 #include "report.h"
 #include "text.h"
 
@@ -45,6 +46,8 @@ struct block {
     struct pairs *pairs;      /* the present batch of pairs; NULL: one by one */
     struct left_out left_out; /* shapes that the record leaves out */
     signed char *hits; /* the number of hits with each shape of the scene */
+    struct piece_memory pieces; /* of the present line */
+    double *sums; /* of the present line; NULL: no sums are wanted */
 };
 
 #endif

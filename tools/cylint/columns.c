@@ -30,7 +30,9 @@ enum value {
     VALUE_RECORD,
     VALUE_SHAPE,
     VALUE_LABEL,
-    VALUE_COUNT
+    VALUE_COUNT,
+    VALUE_DEPTH,
+    VALUE_LENGTH
 };
 
 struct column {
@@ -42,15 +44,17 @@ struct column {
 };
 
 const char *const query_words[] = {
-    [QUERY_PAIRS] = "pairs", [QUERY_NEAREST] = "nearest",
-    [QUERY_ANY] = "any",     [QUERY_COUNT] = "count",
-    [QUERY_ALL] = "all",     [QUERY_INSIDE] = "inside",
+    [QUERY_PAIRS] = "pairs",   [QUERY_NEAREST] = "nearest",
+    [QUERY_ANY] = "any",       [QUERY_COUNT] = "count",
+    [QUERY_ALL] = "all",       [QUERY_FIRST] = "first",
+    [QUERY_PIECES] = "pieces", [QUERY_INSIDE] = "inside",
     [QUERIES] = NULL};
 
-/* For --list=columns. */
-static const char *const point_query_words[] = {"point-pairs", "point-nearest",
-                                                "point-any",   "point-count",
-                                                "point-all",   "point-inside"};
+/* For --list=columns; by query without QUERY_POINT. */
+static const char *const point_query_words[] = {
+    [QUERY_PAIRS] = "point-pairs", [QUERY_NEAREST] = "point-nearest",
+    [QUERY_ANY] = "point-any",     [QUERY_COUNT] = "point-count",
+    [QUERY_ALL] = "point-all",     [QUERY_INSIDE] = "point-inside"};
 
 enum {
     PAIRS = 1 << QUERY_PAIRS,
@@ -58,6 +62,8 @@ enum {
     ANY = 1 << QUERY_ANY,
     COUNT = 1 << QUERY_COUNT,
     ALL = 1 << QUERY_ALL,
+    FIRST = 1 << QUERY_FIRST,
+    PIECES = 1 << QUERY_PIECES,
     POINT = 1 << QUERY_POINT,
     POINT_NEAREST = 1 << QUERY_POINT_NEAREST,
     POINT_ANY = 1 << QUERY_POINT_ANY,
@@ -65,23 +71,28 @@ enum {
     POINT_ALL = 1 << QUERY_POINT_ALL,
     POINT_INSIDE = 1 << QUERY_POINT_INSIDE,
     POINTS = POINT | POINT_NEAREST | POINT_ALL,
-    EVERY = PAIRS | NEAREST | ANY | COUNT | ALL | POINTS | POINT_ANY |
-            POINT_COUNT | POINT_INSIDE
+    OF_SHAPES = NEAREST | ALL | FIRST | PIECES | POINT_NEAREST | POINT_ALL |
+                POINT_INSIDE,
+    EVERY = PAIRS | ANY | COUNT | POINT | POINT_ANY | POINT_COUNT | OF_SHAPES
 };
 
-/* Of both hits; of the nearest hit and, with POINTS, of the nearest point. */
+/* Of both hits; of the one hit and, with POINTS, of the nearest point. */
 #define HIT(name, value, points, about)                          \
     {name "0", value, 0, PAIRS | ALL, about ", first hit"},      \
         {name "1", value, 1, PAIRS | ALL, about ", second hit"}, \
     {                                                            \
-        name, value, 0, NEAREST | (points), about                \
+        name, value, 0, NEAREST | FIRST | (points), about        \
     }
 
 static const struct column columns[] = {
     {"relation", VALUE_RELATION, 0, PAIRS | NEAREST | ALL,
      "miss, touch, along or cross: the whole line and the closed solid"},
     {"n", VALUE_N, 0, PAIRS | ALL, "number of hits"},
-    HIT("t", VALUE_T, 0, "where on the line"),
+    {"t0", VALUE_T, 0, PAIRS | ALL | PIECES,
+     "where on the line, first hit or begin of the piece"},
+    {"t1", VALUE_T, 1, PAIRS | ALL | PIECES,
+     "where on the line, second hit or end of the piece"},
+    {"t", VALUE_T, 0, NEAREST | FIRST, "where on the line"},
     {"distance", VALUE_DISTANCE, 0, POINTS,
      "of a point from the surface, negative inside the solid"},
     HIT("part", VALUE_PART, POINTS, "lateral, cap0 or cap1"),
@@ -97,16 +108,20 @@ static const struct column columns[] = {
     HIT("h", VALUE_H, 0, "axial coordinate, 0 at the base, 1 at the top"),
     HIT("phi", VALUE_PHI, 0, "angle about the axis over 2 pi, in [0,1)"),
     {"chord", VALUE_CHORD, 0, PAIRS | ALL, "t1 - t0"},
-    {"shape", VALUE_SHAPE, 0, NEAREST | ALL | POINT_NEAREST | POINT_ALL,
+    {"shape", VALUE_SHAPE, 0, OF_SHAPES,
      "number of the shape in the scene, from 1; 0 for none"},
-    {"label", VALUE_LABEL, 0, NEAREST | ALL | POINT_NEAREST | POINT_ALL,
+    {"label", VALUE_LABEL, 0, OF_SHAPES,
      "the tail of the shape's line in the scene"},
+    {"depth", VALUE_DEPTH, 0, PIECES | POINT_INSIDE,
+     "number of solids that contain the piece or the point"},
+    {"length", VALUE_LENGTH, 0, PIECES,
+     "t1 - t0, times the length of the direction"},
     {"any", VALUE_COUNT, 0, ANY | POINT_ANY,
      "1 if a shape is hit or within the radius, else 0"},
     {"count", VALUE_COUNT, 0, COUNT | POINT_COUNT | POINT_INSIDE,
      "number of shapes that are hit, are within the radius or hold the point"},
     {"id", VALUE_RECORD, 0, EVERY, "number of the record, from 1"},
-    {"record", VALUE_RECORD, 0, ALL | POINT_ALL, "the same as id"},
+    {"record", VALUE_RECORD, 0, ALL | PIECES | POINT_ALL, "the same as id"},
 };
 
 enum { COLUMNS = sizeof columns / sizeof *columns };
@@ -119,12 +134,16 @@ const char *default_fields(enum query query, int binary)
         [QUERY_ANY] = "any",
         [QUERY_COUNT] = "count",
         [QUERY_ALL] = "record,shape,t0,t1",
+        [QUERY_FIRST] = "shape,t,part",
+        [QUERY_PIECES] = "record,t0,t1,shape,depth",
         [QUERY_INSIDE] = "count",
         [QUERY_POINT] = "distance,part",
         [QUERY_POINT_NEAREST] = "shape,distance,part,label",
         [QUERY_POINT_ANY] = "any",
         [QUERY_POINT_COUNT] = "count",
         [QUERY_POINT_ALL] = "record,shape,distance",
+        [QUERY_POINT_FIRST] = "",
+        [QUERY_POINT_PIECES] = "",
         [QUERY_POINT_INSIDE] = "count",
     };
     return binary && query == QUERY_POINT_NEAREST ? "shape,distance,part"
@@ -204,10 +223,18 @@ int fields_need_sides(const struct fields *fields)
     return 0;
 }
 
+static int is_of_solids(enum value value, enum query query)
+{
+    return value == VALUE_DEPTH ||
+           (query == QUERY_POINT_INSIDE &&
+            (value == VALUE_SHAPE || value == VALUE_LABEL));
+}
+
 const char *find_fields(struct fields *fields, const char *names,
                         enum query query, size_t *length)
 {
     fields->count = fields->labels = fields->relation = 0;
+    fields->counts = fields->solids = 0;
     fields->want = 0;
     for (;;) {
         *length = strcspn(names, ",");
@@ -219,6 +246,8 @@ const char *find_fields(struct fields *fields, const char *names,
         fields->want |= want_of(c->value);
         fields->labels += c->value == VALUE_LABEL;
         fields->relation |= c->value == VALUE_RELATION;
+        fields->counts |= c->value == VALUE_COUNT;
+        fields->solids |= is_of_solids(c->value, query);
         if (names[*length] == '\0') {
             break;
         }
@@ -281,19 +310,30 @@ static inline int is_missing(const struct column *c, const struct row *row)
     case VALUE_RECORD:
     case VALUE_COUNT:
     case VALUE_SHAPE:
+    case VALUE_DEPTH:
+    case VALUE_LENGTH:
         return 0;
     case VALUE_LABEL:
-        return (row->answer == NULL && row->closest == NULL) ||
-               row->label_length == 0;
+        return row->label_length == 0;
     case VALUE_RELATION:
     case VALUE_N:
         return row->answer == NULL;
     case VALUE_CHORD:
         return row->answer == NULL || row->answer->n < 2;
     default:
-        return row->closest ? row->closest->part < 0
-                            : row->answer == NULL || row->answer->n <= c->hit;
+        return row->piece     ? 0
+               : row->closest ? row->closest->part < 0
+                              : row->answer == NULL || row->answer->n <= c->hit;
     }
+}
+
+static inline double value_of_piece(const struct column *c,
+                                    const struct row *row)
+{
+    const cylint_piece *p = row->piece;
+    return c->value == VALUE_LENGTH ? (p->t1 - p->t0) * row->unit
+           : c->hit                 ? p->t1
+                                    : p->t0;
 }
 
 /* The value of a column that is not missing and not a label. */
@@ -307,6 +347,8 @@ static inline double value_of(const struct column *c, const struct row *row)
         return (double)row->shape;
     case VALUE_COUNT:
         return (double)row->count;
+    case VALUE_DEPTH:
+        return (double)row->depth;
     case VALUE_RELATION:
         return a->relation;
     case VALUE_N:
@@ -314,8 +356,9 @@ static inline double value_of(const struct column *c, const struct row *row)
     case VALUE_CHORD:
         return a->hit[1].t - a->hit[0].t;
     default:
-        return row->closest ? value_of_closest(c->value, row->closest)
-                            : value_of_hit(c->value, &a->hit[c->hit]);
+        return row->piece     ? value_of_piece(c, row)
+               : row->closest ? value_of_closest(c->value, row->closest)
+                              : value_of_hit(c->value, &a->hit[c->hit]);
     }
 }
 
@@ -346,7 +389,7 @@ static const char *const *words_of(enum value value)
 static int is_whole(enum value value)
 {
     return value == VALUE_N || value == VALUE_RECORD || value == VALUE_SHAPE ||
-           value == VALUE_COUNT;
+           value == VALUE_COUNT || value == VALUE_DEPTH;
 }
 
 /* --------------------------------------------------------------- rows -- */
@@ -462,7 +505,7 @@ void list_columns(void (*print)(const char *name, const char *queries,
 {
     for (int i = 0; i < COLUMNS; i++) {
         struct text where;
-        char buffer[128];
+        char buffer[160];
         where.data = buffer;
         where.length = 0;
         for (int q = 0; q < ALL_QUERIES; q++) {

@@ -9,6 +9,7 @@
 
 #include "cylint.h"
 #include "cylint_distance.h"
+#include "cylint_scene.h"
 #include "text.h"
 
 enum query {
@@ -17,6 +18,8 @@ enum query {
     QUERY_ANY,     /* whether one is hit */
     QUERY_COUNT,   /* how many are hit */
     QUERY_ALL,     /* all that are hit, a row for each */
+    QUERY_FIRST,   /* of lines only: where it enters or leaves a solid first */
+    QUERY_PIECES,  /* of lines only: the pieces inside solids */
     QUERY_INSIDE,  /* of points only */
     QUERIES,
 
@@ -26,7 +29,9 @@ enum query {
     QUERY_POINT_ANY,     /* whether one is within the radius */
     QUERY_POINT_COUNT,
     QUERY_POINT_ALL,
-    QUERY_POINT_INSIDE, /* how many solids hold the point */
+    QUERY_POINT_FIRST,
+    QUERY_POINT_PIECES,
+    QUERY_POINT_INSIDE, /* how many shapes or solids hold the point */
     ALL_QUERIES
 };
 
@@ -49,6 +54,8 @@ struct fields {
     int count;
     int labels;   /* number of columns that are labels */
     int relation; /* whether a column is the relation */
+    int counts;   /* whether a column is a count */
+    int solids; /* whether a column is of pieces or of solids that hold a point */
     unsigned want;
 };
 
@@ -65,11 +72,13 @@ struct style {
 
 /* The values of a row. */
 struct row {
-    unsigned long long record, shape, count;
+    unsigned long long record, shape, count, depth;
     const cylint_answer *answer;   /* NULL: there is none */
     const cylint_closest *closest; /* of a point; NULL: there is none */
+    const cylint_piece *piece;     /* of a line; NULL: there is none */
+    double unit;                   /* the length of its direction */
     const char *label;             /* the shape's, if a column needs it */
-    size_t label_length;
+    size_t label_length;           /* 0: there is none */
     const char *tail;
     size_t tail_length;
 };

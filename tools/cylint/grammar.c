@@ -42,6 +42,7 @@ const char *const ends_words[] = {[CYLINT_ENDS_CAPPED] = "capped",
 #define SHAPE_WORDS \
     "cylinder, cone, ecylinder, econe, acone, sphere, capsule or rcone"
 #define LINE_WORDS "line, ray, segment, span or point"
+#define ENDS_WORD "ends="
 #define ENDS_WORDS "capped, open, cap0, cap1, infinite or nappe"
 
 static int is_word(const char *word, const char *text, size_t length)
@@ -161,7 +162,7 @@ static cylint_status make_shape(int kind, int ends, const double *v,
 struct reader {
     const char *p, *end;
     struct fault *fault;
-    int has_word; /* ends=WORD or not=NAME was read */
+    int has_word; /* ends=WORD, not=NAME, in=NAME or out=NAME was read */
 };
 
 static void skip_to(struct reader *r, const char *p)
@@ -360,11 +361,10 @@ static int begins_with(const struct reader *r, const char *word)
 
 static int read_ends(struct reader *r, int *ends)
 {
-    static const char key[] = "ends=";
-    if (!begins_with(r, key)) {
+    if (!begins_with(r, ENDS_WORD)) {
         return 1;
     }
-    r->p += strlen(key);
+    r->p += strlen(ENDS_WORD);
     const char *after = end_of_field(r);
     *ends = find_word(ends_words, r->p, (size_t)(after - r->p));
     if (*ends == NOT_GIVEN) {
@@ -403,9 +403,37 @@ static int read_shape(struct reader *r, const struct grammar *g,
                                                    : NOT_GIVEN);
 }
 
-/* Finds the end of the names.  left_out_read() reads them with the scene. */
-static int read_left_out(struct reader *r, const struct parts *parts)
+static int begins_with_solid(const struct reader *r)
 {
+    return begins_with(r, IN_WORD) || begins_with(r, OUT_WORD);
+}
+
+/* Finds the end of the words.  solids_read() reads them. */
+static int read_solids(struct reader *r, const struct grammar *g,
+                       const struct parts *parts)
+{
+    if (g->has_line) {
+        return !begins_with_solid(r) ||
+               refuse(r, "in= and out= are for the shapes of a scene, -s FILE",
+                      0);
+    }
+    *parts->solids = r->p;
+    while (begins_with_solid(r)) {
+        r->has_word = 1;
+        skip_to(r, end_of_field(r));
+    }
+    *parts->solids_length = (size_t)(r->p - *parts->solids);
+    return *parts->solids_length == 0 || !begins_with(r, ENDS_WORD) ||
+           refuse(r, "ends= must stand before in= and out=", 0);
+}
+
+/* Finds the end of the names.  left_out_read() reads them with the scene. */
+static int read_left_out(struct reader *r, const struct grammar *g,
+                         const struct parts *parts)
+{
+    if (g->no_left_out && begins_with(r, NOT_WORD)) {
+        return refuse(r, g->no_left_out, 0);
+    }
     *parts->left_out = r->p;
     while (begins_with(r, NOT_WORD)) {
         r->has_word = 1;
@@ -505,8 +533,9 @@ int read_parts(const struct grammar *g, const char *text, const char *end,
         parts->remarks->found = 0;
     }
     return (!g->has_line || read_line(&r, g, parts)) &&
-           (g->has_shape ? read_shape(&r, g, parts->shape)
-                         : read_left_out(&r, parts)) &&
+           (g->has_shape
+                ? read_shape(&r, g, parts->shape) && read_solids(&r, g, parts)
+                : read_left_out(&r, g, parts)) &&
            read_tail(&r, g, parts);
 }
 
@@ -528,6 +557,8 @@ int take_parts(const struct grammar *g, const double *numbers,
     }
     if (!g->has_shape) {
         *parts->left_out_length = 0;
+    } else if (!g->has_line) {
+        *parts->solids_length = 0;
     }
     if (status != CYLINT_OK) {
         *fault = (struct fault){.what = cylint_strerror((int)status)};
@@ -544,7 +575,9 @@ struct parts parts_of(struct record *r)
                           .tail = &r->tail,
                           .tail_length = &r->tail_length,
                           .left_out = &r->left_out,
-                          .left_out_length = &r->left_out_length};
+                          .left_out_length = &r->left_out_length,
+                          .solids = &r->solids,
+                          .solids_length = &r->solids_length};
 }
 
 int read_record(const struct grammar *g, const char *text, const char *end,

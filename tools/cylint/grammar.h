@@ -3,7 +3,8 @@
  *
  *   record = LINE SHAPE [ends=WORD] [TAIL]     a pair
  *            LINE [not=NAME]... [TAIL]         a line or point, with a scene
- *            SHAPE [ends=WORD] [TAIL]          a shape of a scene
+ *            SHAPE [ends=WORD] [SOLID]... [TAIL]   a shape of a scene
+ *   SOLID  = in=NAME[/CLAUSE] | out=NAME[/CLAUSE]
  *
  * With -k the words for LINE and SHAPE are left out.
  */
@@ -56,6 +57,7 @@ struct grammar {
     int line; /* enum line_kind by -k, or NOT_GIVEN: a word names it */
     const char *no_lines, *no_points; /* why a line or a point is a fault; NULL:
                                          it is none */
+    const char *no_left_out;          /* why not=NAME is a fault, or NULL */
     int shape;                        /* enum shape_kind likewise */
     int ends; /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */
     int has_domain; /* -t: for lines and rays */
@@ -74,9 +76,14 @@ struct record {
     size_t tail_length;
     const char *left_out; /* the words not=NAME, of a line without a shape */
     size_t left_out_length;
+    const char *solids; /* the words in=NAME and out=NAME, of a shape without a
+                           line */
+    size_t solids_length;
 };
 
 #define NOT_WORD "not="
+#define IN_WORD "in="
+#define OUT_WORD "out="
 
 /* The fault of a record.  at..end is the wrong text; NULL in binary input.
  * expected: 1 if `what` was expected there; 0 if `what` describes the fault. */
@@ -166,6 +173,8 @@ struct parts {
     size_t *tail_length;
     const char **left_out; /* used only if there is no shape */
     size_t *left_out_length;
+    const char **solids; /* used only if there is no line */
+    size_t *solids_length;
     struct remarks *remarks; /* NULL: no remarks */
 };
 

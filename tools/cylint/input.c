@@ -426,4 +426,6 @@ void block_free(struct block *block)
     free(block->out.data);
     free(block->hits);
     pairs_free(block->pairs);
+    piece_memory_free(&block->pieces);
+    free(block->sums);
 }

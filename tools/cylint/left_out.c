@@ -8,8 +8,7 @@
 #include "left_out.h"
 #include "report.h"
 
-/* The first field of a label. */
-static struct label name_of(const struct labels *labels, size_t shape)
+struct label groups_name(const struct labels *labels, size_t shape)
 {
     struct label name = labels_get(labels, shape);
     name.length =
@@ -34,8 +33,9 @@ static void merge(const struct groups *g, size_t *merged, size_t begin,
     for (size_t i = begin; i < end; i++) {
         const int takes_a =
             b == end ||
-            (a < middle && compare_names(name_of(g->labels, g->order[a]),
-                                         name_of(g->labels, g->order[b])) <= 0);
+            (a < middle &&
+             compare_names(groups_name(g->labels, g->order[a]),
+                           groups_name(g->labels, g->order[b])) <= 0);
         merged[i] = g->order[takes_a ? a++ : b++];
     }
     memcpy(g->order + begin, merged + begin, (end - begin) * sizeof *merged);
@@ -65,8 +65,8 @@ static void find_groups(const struct groups *g)
 {
     size_t begin = 0;
     for (size_t i = 0; i < g->shapes; i++) {
-        if (compare_names(name_of(g->labels, g->order[begin]),
-                          name_of(g->labels, g->order[i])) != 0) {
+        if (compare_names(groups_name(g->labels, g->order[begin]),
+                          groups_name(g->labels, g->order[i])) != 0) {
             begin = i;
         }
         g->first[g->order[i]] = begin;
@@ -96,20 +96,20 @@ void groups_free(struct groups *g)
     free(g->first);
 }
 
-/* The group with this label, or `shapes`. */
-static size_t find_label(const struct groups *g, struct label name)
+size_t groups_find(const struct groups *g, struct label name)
 {
     size_t begin = 0, end = g->shapes;
     while (begin < end) {
         const size_t middle = begin + (end - begin) / 2;
-        if (compare_names(name_of(g->labels, g->order[middle]), name) < 0) {
+        if (compare_names(groups_name(g->labels, g->order[middle]), name) < 0) {
             begin = middle + 1;
         } else {
             end = middle;
         }
     }
     return begin < g->shapes &&
-                   compare_names(name_of(g->labels, g->order[begin]), name) == 0
+                   compare_names(groups_name(g->labels, g->order[begin]),
+                                 name) == 0
                ? begin
                : g->shapes;
 }
@@ -167,7 +167,8 @@ static int leave_out(struct left_out *l, struct label name,
     if (name.length == 0) {
         return refuse(fault, "not= without a number or label", 0, name);
     }
-    const size_t group = g->labels ? find_label(g, name) : find_number(g, name);
+    const size_t group =
+        g->labels ? groups_find(g, name) : find_number(g, name);
     if (group == g->shapes && !g->labels) {
         return refuse(fault, "the number of a shape of the scene", 1, name);
     }

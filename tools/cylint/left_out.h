@@ -23,6 +23,11 @@ int groups_make(struct groups *groups, size_t shapes,
                 const struct labels *labels);
 void groups_free(struct groups *groups);
 
+/* The first field of a shape's label. */
+struct label groups_name(const struct labels *labels, size_t shape);
+/* By label: the group with this name, or `shapes` if there is none. */
+size_t groups_find(const struct groups *groups, struct label name);
+
 enum { LEFT_OUT_MOST = 64 };
 
 /* The groups that a record leaves out, without repetition. */

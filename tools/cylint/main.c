@@ -10,6 +10,7 @@
 #include "processors.h"
 #include "saved.h"
 #include "scene_read.h"
+#include "sums.h"
 #include "workers.h"
 
 const char *const program = "cylint";
@@ -23,9 +24,16 @@ static int put_first_line(struct job *job)
         return 0;
     }
     int status =
-        block_make(&b, row_capacity(options_fields(o), &o->style, 0), 0);
+        block_make(&b,
+                   o->sum ? sums_capacity(job->names, &o->style)
+                          : row_capacity(options_fields(o), &o->style, 0),
+                   0);
     if (status == 0) {
-        put_header(&b.out, options_fields(o), &o->style);
+        if (o->sum) {
+            put_sums_header(&b.out, job->names, &o->style);
+        } else {
+            put_header(&b.out, options_fields(o), &o->style);
+        }
         status = output_write(&job->out, b.out.data, b.out.length);
     }
     block_free(&b);
@@ -51,12 +59,21 @@ struct shapes {
     struct scene scene;
     struct labels labels;
     struct groups groups;
+    struct names names;
 };
+
+/* Whether the answers are about solids, so that the hierarchy is needed. */
+static int is_about_solids(const struct options *o)
+{
+    return o->query == QUERY_FIRST || o->query == QUERY_PIECES ||
+           o->point_fields.solids;
+}
 
 static int load_shapes(const struct options *o, struct scene *scene,
                        struct labels *labels)
 {
-    const int uses_labels = needs_labels(o) || o->not_label;
+    const int uses_labels =
+        needs_labels(o) || o->not_label || o->rank || o->sum;
     int status = saved_open(scene, o->scene, o->grammar.ends);
     if (status != NOT_SAVED) {
         return status == 0 && uses_labels ? labels_take(labels, scene, o->scene)
@@ -78,8 +95,13 @@ static int read_scene(const struct options *o, struct shapes *shapes)
     struct scene *scene = &shapes->scene;
     struct labels *labels = &shapes->labels;
     int status = load_shapes(o, scene, labels);
+    if (status == 0) {
+        status = names_make(&shapes->names, labels, scene->count, o->rank,
+                            o->sum != SUM_NONE);
+    }
     if (status == 0 && (!o->method || o->save)) {
-        status = scene_prepare(scene, o->accel, o->workers);
+        status = scene_prepare(
+            scene, is_about_solids(o) ? ACCEL_TREE : o->accel, o->workers);
     }
     return status == 0 ? groups_make(&shapes->groups, scene->count,
                                      o->not_label ? labels : NULL)
@@ -98,14 +120,15 @@ static int save_scene(const struct options *o, struct shapes *shapes)
                        : status;
 }
 
-/* The scene of an input without a byte is not read.  It must exist. */
+/* The scene of an input without a byte is not read, unless its labels are the
+ * columns.  It must exist. */
 static int read_scene_if_needed(struct job *job, struct shapes *shapes)
 {
     const struct options *o = job->options;
     if (!o->scene || o->save) {
         return 0;
     }
-    if (is_terminal(o) || !input_is_empty(&job->in)) {
+    if (is_terminal(o) || o->sum || !input_is_empty(&job->in)) {
         return read_scene(o, shapes);
     }
     if (strcmp(o->scene, "-") != 0 && access(o->scene, R_OK) != 0) {
@@ -121,6 +144,9 @@ static int answer_input(struct job *job, struct shapes *shapes)
     int status = open_input(job);
     if (status == 0) {
         status = read_scene_if_needed(job, shapes);
+    }
+    if (o->sum && o->style.binary) {
+        job->out.row = sizeof(double) * shapes->names.columns;
     }
     if (status == 0) {
         status = put_first_line(job);
@@ -173,11 +199,13 @@ int main(int argc, char **argv)
     if (options.print) {
         return print_about(options.print);
     }
-    job_prepare(&job, &options, &shapes.scene, &shapes.labels, &shapes.groups);
+    job_prepare(&job, &options, &shapes.scene, &shapes.labels, &shapes.groups,
+                &shapes.names);
     status = run(&job, &shapes);
     write_order_destroy(&job.order);
     scene_free(&shapes.scene);
     labels_free(&shapes.labels);
     groups_free(&shapes.groups);
+    names_free(&shapes.names);
     return status;
 }

@@ -15,6 +15,7 @@ enum option_id {
     OPT_BINARY_IN,
     OPT_BINARY_OUT,
     OPT_ENDS,
+    OPT_FIRST,
     OPT_HEADER,
     OPT_HELP,
     OPT_HITS_ONLY,
@@ -24,11 +25,15 @@ enum option_id {
     OPT_NO_TAIL,
     OPT_NOT,
     OPT_NPY,
+    OPT_PIECES,
     OPT_PROGRESS,
+    OPT_RANK,
     OPT_SAVE,
     OPT_SIGNED,
+    OPT_SUM,
     OPT_SWC,
     OPT_TAIL,
+    OPT_UNION,
     OPT_VERSION,
     OPT_WITHIN
 };
@@ -50,6 +55,7 @@ static const struct option options_known[] = {{"b", 'b', 0},
                                               {"binary-in", OPT_BINARY_IN, 0},
                                               {"binary-out", OPT_BINARY_OUT, 0},
                                               {"ends", OPT_ENDS, 1},
+                                              {"first", OPT_FIRST, 1},
                                               {"header", OPT_HEADER, 0},
                                               {"help", OPT_HELP, 0},
                                               {"hits-only", OPT_HITS_ONLY, 0},
@@ -59,11 +65,15 @@ static const struct option options_known[] = {{"b", 'b', 0},
                                               {"no-tail", OPT_NO_TAIL, 0},
                                               {"not", OPT_NOT, 1},
                                               {"npy", OPT_NPY, 0},
+                                              {"pieces", OPT_PIECES, 1},
                                               {"progress", OPT_PROGRESS, 0},
+                                              {"rank", OPT_RANK, 1},
                                               {"save", OPT_SAVE, 1},
                                               {"signed", OPT_SIGNED, 0},
+                                              {"sum", OPT_SUM, 1},
                                               {"swc", OPT_SWC, 1},
                                               {"tail", OPT_TAIL, 0},
+                                              {"union", OPT_UNION, 0},
                                               {"version", OPT_VERSION, 0},
                                               {"within", OPT_WITHIN, 1},
                                               {NULL, 0, 0}};
@@ -71,11 +81,12 @@ static const struct option options_known[] = {{"b", 'b', 0},
 /* Values that are checked after all options were read. */
 struct pending {
     const char *kinds, *query, *fields;
-    int tail;     /* --tail: no remark on it */
-    int not_what; /* --not was given */
-    int has_swc;  /* --swc was given */
-    int hex;      /* -x */
-    int within;   /* --within */
+    int tail;              /* --tail: no remark on it */
+    int not_what;          /* --not was given */
+    int has_swc;           /* --swc was given */
+    int hex;               /* -x */
+    int within;            /* --within */
+    const char *of_pieces; /* an option that needs -q pieces */
 };
 
 /* ------------------------------------------------------------- values -- */
@@ -169,6 +180,46 @@ static int read_not(struct options *options, const struct option *o,
     return read_word(o, value, words, "number or label", &options->not_label);
 }
 
+static int read_mode(struct options *options, const struct option *o,
+                     const char *value)
+{
+    static const char *const words[] = {[CYLINT_PIECES_UNION] = "union",
+                                        [CYLINT_PIECES_OWNER] = "owner",
+                                        [CYLINT_PIECES_CELLS] = "cells",
+                                        [CYLINT_PIECES_CHORDS] = "chords",
+                                        NULL};
+    int index;
+    const int status =
+        read_word(o, value, words, "owner, union, cells or chords", &index);
+    options->mode = (cylint_piece_mode)index;
+    return status;
+}
+
+static int read_sum(struct options *options, const struct option *o,
+                    const char *value)
+{
+    static const char *const words[] = {"label", "label:t", NULL};
+    int index;
+    const int status = read_word(o, value, words, "label or label:t", &index);
+    options->sum = index == 0 ? SUM_LENGTH : SUM_T;
+    return status;
+}
+
+/* Reads the value of an option that needs -q pieces. */
+static int take_value_of_pieces(struct options *options,
+                                struct pending *pending, const struct option *o,
+                                const char *value)
+{
+    pending->of_pieces = o->name;
+    if (o->id == OPT_FIRST) {
+        return read_count(value, INT_MAX / 10 - 1, &options->most_pieces)
+                   ? 0
+                   : usage_value(o, value, "a number of pieces");
+    }
+    return o->id == OPT_SUM ? read_sum(options, o, value)
+                            : read_mode(options, o, value);
+}
+
 static int read_list(struct options *options, const struct option *o,
                      const char *value)
 {
@@ -233,6 +284,13 @@ static int take_value(struct options *options, struct pending *pending,
         return read_radius(value, &options->radius)
                    ? 0
                    : usage_value(o, value, "a radius");
+    case OPT_FIRST:
+    case OPT_PIECES:
+    case OPT_SUM:
+        return take_value_of_pieces(options, pending, o, value);
+    case OPT_RANK:
+        options->rank = value;
+        return 0;
     case OPT_SAVE:
         options->save = value;
         return 0;
@@ -275,6 +333,10 @@ static void take_flag(struct options *options, struct pending *pending,
         break;
     case OPT_PROGRESS:
         options->progress = 1;
+        break;
+    case OPT_UNION:
+        pending->of_pieces = o->name;
+        options->mode = CYLINT_PIECES_UNION;
         break;
     case OPT_SIGNED:
         options->point_want = CYLINT_SIGNED;
@@ -332,10 +394,33 @@ static int settle_query(struct options *options, const char *query)
     }
     const int index = find_word(query_words, query, strlen(query));
     if (index == NOT_GIVEN || index == QUERY_PAIRS) {
-        return usage("-q: expected nearest, any, count, all or inside");
+        return usage("-q: expected nearest, first, any, count, all, pieces or "
+                     "inside");
     }
     options->query = (enum query)index;
     return options->scene ? 0 : usage("-q needs a scene, -s FILE");
+}
+
+/* The options of pieces, after the query. */
+static int settle_pieces(const struct options *o, const struct pending *pending)
+{
+    const int is_pieces = o->query == QUERY_PIECES;
+    if (pending->of_pieces && !is_pieces) {
+        return usage("--%s needs the query -q pieces", pending->of_pieces);
+    }
+    if (o->rank && !is_pieces && o->query != QUERY_INSIDE) {
+        return usage("--rank needs the query -q pieces or -q inside");
+    }
+    if (o->rank && strcmp(o->rank, "-") == 0) {
+        return usage("--rank: needs a file, not standard input");
+    }
+    if (o->sum && o->most_pieces > 0) {
+        return usage("--first and --sum exclude each other");
+    }
+    return o->sum && pending->fields
+               ? usage("-f and --sum exclude each other: the columns of --sum "
+                       "are labels")
+               : 0;
 }
 
 /* Prints the fault of -f at the name `bad`. */
@@ -382,6 +467,9 @@ static int settle_fields(struct options *o, const char *names)
     if (point_bad && !g->no_points) {
         g->no_points = "the columns of -f are those of lines";
     }
+    if (o->point_fields.solids) {
+        g->no_left_out = "depth, shape and label leave out no shapes";
+    }
     return 0;
 }
 
@@ -410,6 +498,23 @@ static const char *refusal_of_lines(const struct options *o,
                                            : NULL;
 }
 
+/* Of the queries first and pieces. */
+static int settle_lines_only(struct options *o)
+{
+    struct grammar *g = &o->grammar;
+    const int is_first = o->query == QUERY_FIRST;
+    const char *word = query_words[o->query];
+    g->no_points = is_first ? "the query first is for lines"
+                            : "the query pieces is for lines";
+    g->no_left_out = is_first ? "the query first leaves out no shapes"
+                              : "the query pieces leaves out no shapes";
+    if (g->no_lines) {
+        return usage("the query %s is for lines, not for points", word);
+    }
+    return o->method ? usage("--method: no method answers the query %s", word)
+                     : 0;
+}
+
 /* Whether the options allow only lines or only points. */
 static int settle_records(struct options *o, const struct pending *pending)
 {
@@ -419,6 +524,9 @@ static int settle_records(struct options *o, const struct pending *pending)
         return status;
     }
     g->no_lines = refusal_of_lines(o, pending);
+    if (o->query == QUERY_FIRST || o->query == QUERY_PIECES) {
+        return settle_lines_only(o);
+    }
     if (g->line != NOT_GIVEN && g->line != LINE_POINT) {
         g->no_points = "";
     } else if (o->method) {
@@ -557,6 +665,9 @@ static int settle(struct options *options, const struct pending *pending)
         status = settle_query(options, pending->query);
     }
     if (status == 0) {
+        status = settle_pieces(options, pending);
+    }
+    if (status == 0) {
         status = settle_records(options, pending);
     }
     if (status == 0) {
@@ -571,11 +682,12 @@ static int settle(struct options *options, const struct pending *pending)
 
 int read_options(struct options *options, int argc, char **argv)
 {
-    struct parsed_options parsed = {options, {NULL, NULL, NULL, 0, 0, 0, 0, 0}};
+    struct parsed_options parsed = {.options = options};
     memset(options, 0, sizeof *options);
     options->grammar.line = NOT_GIVEN;
     options->grammar.shape = NOT_GIVEN;
     options->grammar.ends = NOT_GIVEN;
+    options->mode = CYLINT_PIECES_OWNER;
     options->style.separator = '\t';
     options->radius = HUGE_VAL;
     options->files = argv;

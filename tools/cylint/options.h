@@ -12,6 +12,9 @@
 
 enum bad_policy { BAD_MARK, BAD_SKIP, BAD_STOP };
 
+/* --sum: no sums; of lengths; of lengths in units of the line's direction. */
+enum sum { SUM_NONE, SUM_LENGTH, SUM_T };
+
 struct options {
     struct grammar grammar;
     const char *scene; /* NULL: pairs */
@@ -20,6 +23,10 @@ struct options {
     int swc;           /* enum swc_form of a neuron */
     enum accel accel;
     enum query query;
+    cylint_piece_mode mode;
+    enum sum sum;
+    int most_pieces;                    /* of a line; 0: all */
+    const char *rank;                   /* the file of --rank, or NULL */
     struct fields fields, point_fields; /* of lines, of points */
     double radius;                      /* of points, by --within */
     unsigned point_want;                /* CYLINT_SIGNED by --signed, or 0 */

@@ -45,7 +45,8 @@ int output_is_input(const char *file, const struct options *o)
     if (stat(file, &s) != 0 || !S_ISREG(s.st_mode)) {
         return 0;
     }
-    int read_too = o->scene != NULL && is_output(&s, o->scene);
+    int read_too = (o->scene != NULL && is_output(&s, o->scene)) ||
+                   (o->rank != NULL && is_output(&s, o->rank));
     for (int i = 0; i < o->file_count; i++) {
         read_too |= is_output(&s, o->files[i]);
     }

@@ -59,6 +59,12 @@ int saved_add(const struct scene *saved, const char *file, struct scene *scene)
         scene_shape(saved, i, &record.shape);
         status = scene_add(scene, &record);
     }
+    for (size_t i = 0; i < cylint_scene_members(saved->shapes) && status == 0;
+         i++) {
+        cylint_member member;
+        cylint_scene_member(saved->shapes, i, &member);
+        status = solids_add(&scene->solids, &member);
+    }
     return status;
 }
 

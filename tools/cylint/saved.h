@@ -19,7 +19,7 @@ int saved_open(struct scene *scene, const char *file, int ends);
 int saved_begins(const char *bytes, size_t length);
 
 /* Adds the shapes of a scene, opened from `file`, to another, with their labels
- * as tails.  Returns 0, or an exit status after a message. */
+ * as tails, and their solids.  Returns 0, or an exit status after a message. */
 int saved_add(const struct scene *saved, const char *file, struct scene *scene);
 
 /* Builds the scene by this number of threads and saves it with its labels.

@@ -44,12 +44,19 @@ int scene_prepare(struct scene *scene, enum accel accel, int threads)
     if (!scene->shapes && !(scene->shapes = cylint_scene_begin(0))) {
         return out_of_memory();
     }
-    return search_make(&scene->search, scene->shapes, accel, threads);
+    int status = search_make(&scene->search, scene->shapes, accel, threads);
+    if (status == 0 && scene->solids.count > 0) {
+        status = search_build(scene->shapes, threads);
+        status =
+            status == 0 ? solids_give(&scene->solids, scene->shapes) : status;
+    }
+    return status;
 }
 
 void scene_free(struct scene *scene)
 {
     search_free(&scene->search);
+    solids_free(&scene->solids);
     cylint_scene_free(scene->shapes);
     scene->shapes = NULL;
 }

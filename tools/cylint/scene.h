@@ -9,11 +9,13 @@
 #include "cylint_methods.h"
 #include "grammar.h"
 #include "search.h"
+#include "solids.h"
 
 struct scene {
     cylint_scene *shapes; /* NULL: none yet */
     size_t count;
     struct search search; /* once scene_prepare() was called */
+    struct solids solids; /* that were read, for scene_prepare() */
 
     /* Called with the record of shape number `count`, unless NULL.  Returns
      * 0 or an exit status. */
@@ -27,8 +29,8 @@ int scene_add(struct scene *scene, const struct record *record);
 /* Writes shape number i, from 0. */
 void scene_shape(const struct scene *scene, size_t i, cylint_shape *shape);
 
-/* Prepares the shapes for all queries without a method.  Returns 0 or an exit
- * status. */
+/* Prepares the shapes for all queries without a method, and sets their solids.
+ * Returns 0 or an exit status. */
 int scene_prepare(struct scene *scene, enum accel accel, int threads);
 void scene_free(struct scene *scene);
 

@@ -10,6 +10,27 @@
 #include "saved.h"
 #include "scene_read.h"
 
+/* Prints the message about a bad line. */
+static int refuse_line(struct block *b, unsigned long long number,
+                       const char *line, const struct fault *fault)
+{
+    take_note(&b->notes, number, 0, line, b->text + b->length, fault);
+    print_note(&b->notes.note[0], b->name);
+    return EXIT_BAD;
+}
+
+/* Adds the shape of the record, and to the solids that it names. */
+static int add_shape(struct scene *scene, const struct record *r,
+                     struct fault *fault)
+{
+    const size_t shape = scene->count;
+    const int status = scene_add(scene, r);
+    return status != 0 || r->solids_length == 0
+               ? status
+               : solids_read(&scene->solids, shape, r->solids, r->solids_length,
+                             fault);
+}
+
 static int read_shapes(struct scene *scene, const struct grammar *g,
                        struct block *b)
 {
@@ -26,13 +47,12 @@ static int read_shapes(struct scene *scene, const struct grammar *g,
             if (saved_begins(b->text, b->length)) {
                 fault.remedy = "a saved scene cannot be read from a pipe";
             }
-            take_note(&b->notes, number, 0, p, end, &fault);
-            print_note(&b->notes.note[0], b->name);
-            return EXIT_BAD;
+            return refuse_line(b, number, p, &fault);
         }
-        const int status = scene_add(scene, &b->parsed);
+        fault.what = NULL;
+        const int status = add_shape(scene, &b->parsed, &fault);
         if (status != 0) {
-            return status;
+            return fault.what ? refuse_line(b, number, p, &fault) : status;
         }
         p = stop + 1;
     }
@@ -72,6 +92,7 @@ int scene_read_text(struct scene *scene, const char *file, int ends,
     struct swc swc = {0};
     struct input in;
     struct block block;
+    scene->solids.file = file;
     int status = block_make(&block, 0, 0);
     if (status == 0) {
         status = input_open(&in, files, 1, 0);
