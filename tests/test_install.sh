@@ -20,6 +20,7 @@ test_install()
         lib/pkgconfig/cylint.pc lib/pkgconfig/cylint-scene.pc \
         include/cylint.h include/cylint_methods.h include/cylint_scene.h \
         include/cylint_distance.h include/cylint_pieces.h share/man/man3/cylint_distance.3 \
+        share/man/man3/cylint_pieces.3 \
         share/man/man1/cylint.1 share/man/man3/cylint.3 \
         share/man/man3/cylint_methods.3 share/man/man3/cylint_scene.3 \
         bin/cylint-convert share/cylint/common.awk share/cylint/autumn.awk \
@@ -232,7 +233,8 @@ test_manual_examples()
     verdict the_header_begins_with_an_example $?
     example the_headers_example static $cc -std=c99
     for shown in cylint.3,1 cylint.3,3 cylint.3,5 cylint.3,7 cylint_methods.3,1 \
-        cylint_distance.3,1 cylint_distance.3,3 cylint_distance.3,5; do
+        cylint_distance.3,1 cylint_distance.3,3 cylint_distance.3,5 \
+        cylint_pieces.3,1 cylint_pieces.3,3; do
         page=${shown%,*} number=${shown#*,}
         display $page $number > "$scratch/example.c"
         display $page $((number + 1)) > "$scratch/example.said"
@@ -289,6 +291,7 @@ test_manual_structs()
     { echo '#include <stddef.h>'
       echo '#include <cylint_methods.h>'
       echo '#include <cylint_distance.h>'
+      echo '#include <cylint_pieces.h>'
       echo '#include <cylint_scene.h>'
       awk '
         function equal(what, a, b) {
