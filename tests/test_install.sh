@@ -259,6 +259,9 @@ test_manual_examples()
     display cylint_scene.3 9 > "$scratch/example.c"
     display cylint_scene.3 10 > "$scratch/example.said"
     example_of cylint_scene.3_file cylint-scene
+    display cylint_scene.3 11 > "$scratch/example.c"
+    display cylint_scene.3 12 > "$scratch/example.said"
+    example_of cylint_scene.3_pieces cylint-scene
     display cylint_scene.3 1 > "$scratch/example.c"
     display cylint_scene.3 2 > "$scratch/example.said"
     command -v pkg-config > /dev/null &&
@@ -381,7 +384,7 @@ test_symbols()
     none "$(declared cylint_scene.h | missing_from "$lib/libcylint-scene.so")" \
         libcylint_scene_exports_every_function_of_its_header
     none "$(nm -D --defined-only "$lib/libcylint-scene.so" |
-        awk '$3 !~ /^(cylint_scene_|__odr_asan)/ { print $3 }')" \
+        awk '$3 !~ /^(cylint_scene_|cylint_piece_rows_|__odr_asan)/ { print $3 }')" \
         a_scenes_library_exports_only_scenes
     if [ -n "$(sanitizers_of)" ]; then
         echo 'note: sanitized, so what the libraries use is not looked at'
