@@ -122,7 +122,8 @@ typedef enum cylint_kind {
     CYLINT_KIND_ECONE,     /* elliptic, size of the section linear in z */
     CYLINT_KIND_SPHERE,    /* one ball */
     CYLINT_KIND_CAPSULE,   /* the convex hull of two balls of equal radius */
-    CYLINT_KIND_RCONE      /* the convex hull of two balls */
+    CYLINT_KIND_RCONE,     /* the convex hull of two balls */
+    CYLINT_KIND_HALFSPACE  /* all points on one side of a plane */
 } cylint_kind;
 
 /* A shape, written by one of the constructors below: 400 bytes.  Programs may
@@ -217,6 +218,15 @@ CYLINT_API cylint_status cylint_round_cone(cylint_shape *shape,
                                            const double p0[3], double r0,
                                            const double p1[3], double r1,
                                            cylint_ends ends);
+
+/* All points x with (x - p).n <= 0: n points out, and need not have length 1.  The
+ * shape is unbounded: its `ends` are CYLINT_ENDS_INFINITE.  Its surface, a plane, is
+ * the part lateral; z and phi of a hit are 0.  A line has one hit; a line parallel to
+ * the plane has none: inside it is `cross`, in the plane `along`, outside `miss`.
+ * The boxes are infinite, but where n has one component that is not 0 they end at
+ * the plane.  Published methods (cylint_methods.h) refuse it.  EAXIS: n = 0. */
+CYLINT_API cylint_status cylint_halfspace(cylint_shape *shape,
+                                          const double p[3], const double n[3]);
 
 /* --------------------------------------------------------------- lines -- */
 

@@ -184,6 +184,20 @@ static void write_nappe_box(const cylint_shape *s, double lo[3], double hi[3])
     }
 }
 
+/* The plane bounds the box on one side, if it is perpendicular to an axis. */
+static void write_half_space_box(const cylint_shape *s, double lo[3],
+                                 double hi[3])
+{
+    const double *n = cylint_axis(s);
+    for (int j = 0; j < 3; j++) {
+        const int k = (j + 1) % 3, m = (j + 2) % 3;
+        const int side =
+            cylint_sign(n[k]) || cylint_sign(n[m]) ? 0 : cylint_sign(n[j]);
+        write_side(lo, hi, j, side < 0 ? cylint_base(s)[j] : -HUGE_VAL,
+                   side > 0 ? cylint_base(s)[j] : HUGE_VAL);
+    }
+}
+
 void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
 {
     const int kind = shape->kind, bounded = cylint_is_bounded(shape);
@@ -191,6 +205,10 @@ void cylint_bounds(const cylint_shape *shape, double lo[3], double hi[3])
         write_side(lo, hi, j, HUGE_VAL, -HUGE_VAL);
     if (kind == CYLINT_KIND_NONE)
         return;
+    if (cylint_is_plane(kind)) {
+        write_half_space_box(shape, lo, hi);
+        return;
+    }
     if (cylint_is_nappe(shape)) {
         write_nappe_box(shape, lo, hi);
         return;

@@ -10,6 +10,7 @@
 #include "roots/overlap.h"
 #include "shapes/local_doubles.h"
 #include "dispatch.h"
+#include "filter/plane.h"
 
 static cylint_overlap overlap_of(cylint_query *q)
 {
@@ -116,6 +117,24 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
     return answer->n;
 }
 
+/* What the filter leaves: half-spaces, and the others by signs. */
+ASIDE int answer_undecided(const cylint_shape *shape, const cylint_line *line,
+                           unsigned want, cylint_answer *answer)
+{
+    cylint_answer known;
+    const unsigned members = CYLINT_WANT_T | CYLINT_WANT_PART;
+    if (cylint_is_plane(shape->kind) && line->in_range &&
+        cylint_in_range(shape) && !(want & CYLINT_WANT_BESIDE_T) &&
+        cylint_rounds_to_nearest() &&
+        cylint_meets_plane(shape, line, &known) != CYLINT_UNDECIDED) {
+        answer->relation = known.relation;
+        if (known.n > 0)
+            cylint_copy_hit(&answer->hit[0], &known.hit[0], want & members);
+        return answer->n = known.n;
+    }
+    return cylint_intersect_by_signs(shape, line, want, answer);
+}
+
 /* The members that are left of a hit that the filter decided. */
 ASIDE void describe_left(const cylint_shape *shape, const cylint_line *line,
                          const cylint_hit *known, unsigned want,
@@ -167,7 +186,7 @@ ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
                                     want | CYLINT_WANT_T | CYLINT_WANT_PART,
                                     &known, &question);
     if (n == CYLINT_UNDECIDED)
-        return cylint_intersect_by_signs(shape, line, want, answer);
+        return answer_undecided(shape, line, want, answer);
     answer->relation = known.relation;
     answer->n = n;
     write_hits(&question, want, &known, answer);
@@ -199,7 +218,7 @@ CYLINT_INLINE int answer_t(const cylint_shape *shape, const cylint_line *line,
     const int n =
         cylint_filter_one(cylint_one_used(), shape, line, want, answer, &q);
     if (n == CYLINT_UNDECIDED)
-        return cylint_intersect_by_signs(q.shape, q.line, q.want, q.answer);
+        return answer_undecided(q.shape, q.line, q.want, q.answer);
     return n;
 }
 
@@ -278,6 +297,8 @@ ASIDE int contains_by_signs(const cylint_shape *shape, const double point[3])
     cylint_query_open(&q, shape, &line);
     if (cylint_is_round(q.kind))
         return cylint_round_contains(&q);
+    if (cylint_is_plane(q.kind))
+        return -cylint_form_sign(&q, FORM_ALPHA, 0);
     int within = 1; /* the least of the signs */
     if (cylint_ends_are_planes(q.ends)) {
         const int above = cylint_form_sign(&q, FORM_ALPHA, 0);

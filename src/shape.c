@@ -245,6 +245,18 @@ cylint_status cylint_angle_cone(cylint_shape *shape, const double v[3],
     return cylint_tangent_cone(shape, v, u, cylint_tangent(degrees), ends);
 }
 
+cylint_status cylint_halfspace(cylint_shape *shape, const double p[3],
+                               const double n[3])
+{
+    if (!cylint_is_finite(p) || !cylint_is_finite(n))
+        return refuse_shape(shape, CYLINT_ENONFINITE);
+    if (cylint_is_zero(n))
+        return refuse_shape(shape, CYLINT_EAXIS);
+    write_shape(shape, CYLINT_KIND_HALFSPACE, CYLINT_ENDS_INFINITE, p, n, none,
+                none, none, 0, 0);
+    return CYLINT_OK;
+}
+
 /* --------------------------------------------------------------- lines -- */
 
 static cylint_status refuse_line(cylint_line *line, cylint_status why)

@@ -250,10 +250,18 @@ static nearest on_sphere(meridian *m)
     return n;
 }
 
+static nearest on_half_space(meridian *m)
+{
+    nearest n = lateral();
+    n.sign = m->height[0].sign;
+    return n;
+}
+
 nearest cylint_nearest_feature(meridian *m)
 {
     const int kind = m->L->kind;
     return kind == CYLINT_KIND_SPHERE               ? on_sphere(m)
+           : cylint_is_plane(kind)                  ? on_half_space(m)
            : cylint_is_round(kind)                  ? on_hull(m)
            : cylint_ends_are_planes(m->shape->ends) ? between_planes(m)
                                                     : on_unbounded(m);
@@ -339,6 +347,8 @@ surd_sum cylint_square_of_distance(meridian *m, const nearest *n,
     const int round = cylint_is_round(m->L->kind);
     if (m->L->kind == CYLINT_KIND_SPHERE)
         return from_ball(m, 0, denominator);
+    if (cylint_is_plane(m->L->kind))
+        return from_plane(m, 0, denominator);
     switch (n->feature) {
     case CYLINT_FEATURE_LATERAL:
         return from_lateral(m, denominator);

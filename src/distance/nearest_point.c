@@ -188,6 +188,8 @@ static surd_sum coordinate(meridian *m, const nearest *n, const radial *d,
 {
     if (is_on_ball(m, n))
         return on_ball(m, d, n->end, i, denominator);
+    if (cylint_is_plane(m->L->kind))
+        return on_plane(m, 0, i, denominator);
     switch (n->feature) {
     case CYLINT_FEATURE_LATERAL:
         return foot(m, d, i, denominator);
@@ -256,11 +258,12 @@ static void write_normal(meridian *m, const nearest *n, const radial *d,
     const int on_ball = is_on_ball(m, n);
     const int is_cap = !on_ball && n->part != CYLINT_PART_LATERAL;
     const int is_apex = n->feature == CYLINT_FEATURE_APEX;
+    const int is_plane = is_cap || cylint_is_plane(m->L->kind);
     floating x[3];
     for (int i = 0; i < 3; i++)
-        x[i] = on_ball             ? cylint_floating(d->V[i])
-               : is_cap || is_apex ? cylint_floating(m->L->w[i])
-                                   : lateral_normal(m, d, i);
+        x[i] = on_ball               ? cylint_floating(d->V[i])
+               : is_plane || is_apex ? cylint_floating(m->L->w[i])
+                                     : lateral_normal(m, d, i);
     const int sign = is_apex  ? cylint_apex_normal_sign(m->shape, 0)
                      : is_cap ? (n->end ? 1 : -1)
                               : 1;

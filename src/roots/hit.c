@@ -96,7 +96,8 @@ static int is_on_cap(const cylint_query *q, cylint_root root)
 /* Whether the normal is that of a quadric. */
 static int is_curved(const cylint_query *q, int part)
 {
-    return part == CYLINT_PART_LATERAL || cylint_is_round(q->kind);
+    return (part == CYLINT_PART_LATERAL && !cylint_is_plane(q->kind)) ||
+           cylint_is_round(q->kind);
 }
 
 /* A hit, with the terms at the line's origin, and those whose D[0] is the line's
@@ -193,7 +194,7 @@ static void write_normal(const described *at, int part, int apex,
     int sign = 1;
     if (!is_curved(at->q, part)) {
         memcpy(x, cylint_axial_exact(&at->at_o), sizeof x);
-        sign = part == CYLINT_PART_CAP1 ? 1 : -1;
+        sign = part == CYLINT_PART_CAP0 ? -1 : 1;
     } else if (apex) {
         memcpy(x, at->at_o.w, sizeof x);
         sign = apex_sign(at->q);
@@ -242,7 +243,7 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
 {
     const int has_axis = !cylint_has_no_axis(q->shape);
     const int has_z = has_axis && !is_on_cap(q, root),
-              has_phi = has_axis && !apex;
+              has_phi = has_axis && !apex && !cylint_is_plane(q->kind);
     const unsigned left =
         want & CYLINT_WANT_POINT ? fixed_coordinates(q, root, hit->point) : 0;
     if ((want & CYLINT_WANT_Z) && !has_z)

@@ -204,8 +204,26 @@ static cylint_overlap nappe(cylint_query *q)
     return cylint_one_stop(CYLINT_RELATION_CROSS, root, side, 0);
 }
 
+/* A half-space, whose plane is that of cap 0. */
+static cylint_overlap half_space(cylint_query *q)
+{
+    const int slope = cylint_form_sign(q, FORM_BETA, 0);
+    if (slope != 0)
+        return cylint_one_stop(
+            CYLINT_RELATION_CROSS, ROOT_CAP0,
+            slope > 0 ? CYLINT_SIDE_LEAVING : CYLINT_SIDE_ENTERING, 0);
+    const int above = cylint_form_sign(q, FORM_ALPHA, 0);
+    cylint_overlap v = cylint_no_overlap();
+    v.relation = above < 0    ? CYLINT_RELATION_CROSS
+                 : above == 0 ? CYLINT_RELATION_ALONG
+                              : CYLINT_RELATION_MISS;
+    return v;
+}
+
 cylint_overlap cylint_overlap_of(cylint_query *q)
 {
+    if (cylint_is_plane(q->kind))
+        return half_space(q);
     if (cylint_ends_are_planes(q->ends))
         return bounded(q);
     if (!cylint_is_tapered(q->kind))

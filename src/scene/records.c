@@ -199,6 +199,9 @@ void cylint_record_shape(const cylint_records *r, size_t number,
     case CYLINT_KIND_RCONE:
         cylint_round_cone(shape, from->p0, from->r0, from->p1, from->r1, ends);
         return;
+    case CYLINT_KIND_HALFSPACE:
+        cylint_halfspace(shape, from->p0, from->p1);
+        return;
     default:
         memset(shape, 0, sizeof *shape);
     }

@@ -20,6 +20,7 @@
  *   two points    p0     r0       p1      r1
  *   sphere        c      r        c       r
  *   acone         v      0        u       the tangent
+ *   halfspace     p      0        n       0
  *   elliptic      c      index    h       k
  *
  * The index is that of the elliptic shape's semi-axes.

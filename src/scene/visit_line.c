@@ -28,7 +28,6 @@ typedef struct {
     const cylint_scene *scene;
     cylint_line line;          /* its tmax decreases with `last` */
     const cylint_line *domain; /* of chords */
-    cylint_line whole;         /* the line of chords, all t */
     cylint_frame_ray ray;      /* its length does too */
     double last;               /* the last t that is wanted */
     size_t except;
@@ -91,24 +90,11 @@ static void shorten_line(line_visit *v, double t)
     v->line.tmax = cylint_next_above(t);
 }
 
-/* Whether the whole line certainly misses the closed solid. */
-static int misses_in_doubles(const line_visit *v, size_t number)
-{
-    const cylint_records *r = &v->scene->records;
-    const cylint_record *at = &r->record[number];
-    return r->tag[number] & CYLINT_TAG_PLAIN &&
-           cylint_occluded_in_doubles(cylint_record_kind(r, number),
-                                      CYLINT_ENDS_CAPPED, at->p0, at->r0,
-                                      at->p1, at->r1, &v->whole) == 0;
-}
-
 /* Returns whether the shape has chords. */
 static int visit_chords_at(line_visit *v, size_t number)
 {
     cylint_shape shape;
     cylint_interval chord[2];
-    if (misses_in_doubles(v, number))
-        return 0;
     cylint_record_shape(&v->scene->records, number, &shape);
     const int n = cylint_chord(&shape, v->domain, chord);
     for (int i = 0; i < n; i++)
@@ -293,11 +279,9 @@ void cylint_visit_chords(const cylint_scene *scene, const cylint_line *line,
 {
     line_visit v;
     v.scene = scene;
-    v.line = v.whole = *line;
+    v.line = *line;
     v.domain = line;
     v.last = line->tmax;
-    v.whole.tmin = -HUGE_VAL;
-    v.whole.tmax = HUGE_VAL;
     v.want = CYLINT_WANT_T;
     v.often = 1;
     v.stopped = v.n_later = 0;

@@ -13,6 +13,10 @@
  *   sphere        -         -         yes        -      round: one ball
  *   capsule       -         -         yes        -      round: two balls
  *   rcone         -        yes        yes        -      round: two balls
+ *   halfspace     -         -          -         -      none: a plane
+ *
+ * A half-space has the point p as base and the normal n as axis: its plane is that of
+ * the cap at z = 0, and its ends are infinite.  It has no local coordinates.
  *
  * A shape is bounded by the planes z = 0 and z = 1 or, where it is tapered, by
  * the plane through its apex (a nappe), or it is unbounded.  A round shape is
@@ -30,7 +34,7 @@
 #include "../numbers/bits.h"
 #include "layout.h"
 
-enum { CYLINT_KINDS = CYLINT_KIND_RCONE + 1 };
+enum { CYLINT_KINDS = CYLINT_KIND_HALFSPACE + 1 };
 
 /* ------------------------------------------------------- of a kind ----- */
 
@@ -43,14 +47,21 @@ CYLINT_INLINE int cylint_is_elliptic(int kind)
 /* The solid is a ball, or the convex hull of two. */
 CYLINT_INLINE int cylint_is_round(int kind)
 {
-    return kind >= CYLINT_KIND_SPHERE;
+    return kind >= CYLINT_KIND_SPHERE && kind <= CYLINT_KIND_RCONE;
+}
+
+/* One plane bounds the solid. */
+CYLINT_INLINE int cylint_is_plane(int kind)
+{
+    return kind == CYLINT_KIND_HALFSPACE;
 }
 
 /* The section changes with z. */
 CYLINT_INLINE int cylint_is_tapered(int kind)
 {
     return kind != CYLINT_KIND_CYLINDER && kind != CYLINT_KIND_ECYLINDER &&
-           kind != CYLINT_KIND_SPHERE && kind != CYLINT_KIND_CAPSULE;
+           kind != CYLINT_KIND_SPHERE && kind != CYLINT_KIND_CAPSULE &&
+           kind != CYLINT_KIND_HALFSPACE;
 }
 
 /* The convex hull of two balls, neither of which holds the other. */
@@ -75,7 +86,7 @@ CYLINT_INLINE int cylint_has_tangent(int kind)
 /* r0 and r1 are factors; else they are lengths. */
 CYLINT_INLINE int cylint_has_factors(int kind)
 {
-    return kind >= CYLINT_KIND_ACONE && !cylint_is_round(kind);
+    return kind >= CYLINT_KIND_ACONE && kind <= CYLINT_KIND_ECONE;
 }
 
 /* The rows of the matrix have other lengths than 1 (local.h). */
@@ -127,6 +138,7 @@ CYLINT_INLINE int cylint_ends_fit(int kind, int ends)
     return ends >= CYLINT_ENDS_CAPPED && ends <= CYLINT_ENDS_NAPPE &&
            (kind == CYLINT_KIND_SPHERE ? ends == CYLINT_ENDS_CAPPED
             : cylint_is_round(kind)    ? cylint_ends_are_planes(ends)
+            : cylint_is_plane(kind)    ? ends == CYLINT_ENDS_INFINITE
                                        : 1);
 }
 
@@ -146,7 +158,7 @@ CYLINT_INLINE int cylint_is_nappe(const cylint_shape *s)
 /* What a shape is in local coordinates (local.h): its section and what bounds
  * it. */
 enum {
-    CYLINT_SOLID_NONE, /* refused */
+    CYLINT_SOLID_NONE, /* refused, or a half-space */
     CYLINT_SOLID_CYLINDER,
     CYLINT_SOLID_CONE,
     CYLINT_SOLID_WHOLE_CYLINDER,
@@ -172,7 +184,7 @@ enum {
 
 CYLINT_INLINE int cylint_solid(const cylint_shape *s)
 {
-    if (s->kind == CYLINT_KIND_NONE)
+    if (s->kind == CYLINT_KIND_NONE || cylint_is_plane(s->kind))
         return CYLINT_SOLID_NONE;
     if (cylint_is_round(s->kind))
         return CYLINT_SOLID_SPHERE + (s->kind - CYLINT_KIND_SPHERE);

@@ -51,7 +51,7 @@ bench-scene: $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene kernels) #
 	@BUILD='$(BUILD)' sh tools/bench/scene.sh
 
 bench-pieces: $(BUILD)/tools/bench/pieces ## time of the pieces of a line, and of what callers do without them
-	@$(BUILD)/tools/bench/pieces
+	@$(BUILD)/tools/bench/pieces && $(BUILD)/tools/bench/pieces --sums
 
 N ?= 10000000
 KIND ?= thin

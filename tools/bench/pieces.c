@@ -2,21 +2,31 @@
  * pieces.c - the time of the pieces of a line, beside what a caller does without them
  *
  *     pieces [N...]
+ *     pieces --sums [N...]
  *
  * Cylinders in random directions fill a cube; rays begin in it.  The contestants take
  * turns in one run, pinned; the least time of each counts, in ns a hit and beside the
- * recipe: numbers of all shapes, both roots of each, sorted, merged.
+ * recipe: numbers of all shapes, both roots of each, sorted, merged.  --sums: the seconds that the sums of a million rays take
+ * with two threads.
  */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <time.h>
 
 #include "cylint_scene.h"
 #include "random.h"
 #include "timing.h"
 
-enum { RAYS = 2000, ROUNDS = 5, MOST = 1 << 16, WORK = 1 << 23 };
+enum {
+    RAYS = 2000,
+    ROUNDS = 5,
+    MOST = 1 << 16,
+    WORK = 1 << 23,
+    LINES = 1000000
+};
 
 /* Length in mean distances of neighbours, radius in lengths. */
 static const struct stick {
@@ -173,6 +183,47 @@ static const struct {
                    {"first", find_first},     {"first 4", find_four}};
 enum { CONTESTANTS = sizeof contestants / sizeof *contestants };
 
+/* The sums of many lines, two threads, in seconds of the clock. */
+static void time_sums(size_t n, const struct stick *of)
+{
+    const cylint_piece_rule owners = {.mode = CYLINT_PIECES_OWNER};
+    double *column[6], *sums = malloc(LINES * sizeof *sums);
+    uint64_t random = 2;
+    make_scene(n, of);
+    for (int k = 0; k < 6; k++) {
+        column[k] = malloc(LINES * sizeof **column);
+        if (!column[k] || !sums)
+            exit(4);
+    }
+    for (size_t i = 0; i < LINES; i++) {
+        double d[3];
+        direction(&random, d);
+        for (int j = 0; j < 3; j++) {
+            column[j][i] = random_unit(&random);
+            column[j + 3][i] = d[j];
+        }
+    }
+    const cylint_lines lines = {.n = LINES,
+                                .o = {column[0], column[1], column[2]},
+                                .d = {column[3], column[4], column[5]}};
+    struct timespec begin, end;
+    clock_gettime(CLOCK_MONOTONIC, &begin);
+    if (cylint_scene_sums(bench.scene, &lines, &owners, NULL, 1, 1, 2, sums) !=
+        CYLINT_SCENE_OK)
+        exit(4);
+    clock_gettime(CLOCK_MONOTONIC, &end);
+    printf("%zu %s: sums of %d lines, 2 threads: %.2f s\n", n, of->name,
+           (int)LINES,
+           (double)(end.tv_sec - begin.tv_sec) +
+               1e-9 * (double)(end.tv_nsec - begin.tv_nsec));
+    bench.sum += sums[0];
+    for (int k = 0; k < 6; k++)
+        free(column[k]);
+    free(sums);
+    cylint_scene_free(bench.scene);
+    free(bench.shapes);
+}
+
 static void race_pieces(size_t n, const struct stick *of)
 {
     struct timing least[CONTESTANTS];
@@ -206,11 +257,14 @@ static void race_pieces(size_t n, const struct stick *of)
 int main(int argc, char **argv)
 {
     static const char *const usual[] = {"10000", "200000", "1000000"};
-    const int n = argc > 1 ? argc - 1 : 3;
-    timing_begin();
+    const int sums = argc > 1 && strcmp(argv[1], "--sums") == 0;
+    const int given = argc - 1 - sums, n = given > 0 ? given : 3;
+    if (!sums)
+        timing_begin();
     for (int i = 0; i < n; i++)
         for (size_t j = 0; j < sizeof sticks / sizeof *sticks; j++)
-            race_pieces(strtoull(argc > 1 ? argv[i + 1] : usual[i], NULL, 10),
-                        &sticks[j]);
+            (sums ? time_sums : race_pieces)(
+                strtoull(given > 0 ? argv[1 + sums + i] : usual[i], NULL, 10),
+                &sticks[j]);
     return !(bench.sum > 0);
 }
