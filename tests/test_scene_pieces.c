@@ -50,7 +50,7 @@ static cylint_status any_shape(cylint_shape *s)
     point_of_integers(b, 2);
     for (int i = 0; i < 3; i++)
         q[i] = p[i] + integer(4);
-    switch (choice(8)) {
+    switch (choice(9)) {
     case 0:
         return cylint_cone(s, p, choice(3), q, choice(3), ends);
     case 1:
@@ -63,6 +63,8 @@ static cylint_status any_shape(cylint_shape *s)
         return cylint_elliptic_cone(s, p, a, b, q, choice(3), ends);
     case 5:
         return cylint_round_cone(s, p, choice(3), q, choice(3), ends);
+    case 6:
+        return cylint_halfspace(s, p, a);
     default:
         return cylint_cylinder(s, p, q, 1 + choice(2), ends);
     }

@@ -1,0 +1,92 @@
+/*
+ * tube.c - hollow cylinders and cones, and sectors of them, as members of a solid
+ */
+#include "cylint_pieces.h"
+
+#include "numbers/bits.h"
+#include "numbers/double_double.h"
+
+/* x divided by a power of two, so that products neither over- nor underflow.  Of n
+ * numbers. */
+static void to_size_of_one(const double *x, int n, double *to)
+{
+    double most = 0;
+    for (int i = 0; i < n; i++)
+        most = cylint_larger(most, fabs(x[i]));
+    const int e = cylint_sign(most) == 0 ? 0 : cylint_any_exponent(most);
+    for (int i = 0; i < n; i++)
+        to[i] = cylint_scaled(x[i], -e);
+}
+
+static void cross_product(const double x[3], const double y[3], double to[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        to[i] = pair_sub(two_prod(x[j], y[k]), two_prod(x[k], y[j])).hi;
+    }
+}
+
+static pair dot_product(const double x[3], const double y[3])
+{
+    pair sum = {0, 0};
+    for (int i = 0; i < 3; i++)
+        sum = pair_add(sum, two_prod(x[i], y[i]));
+    return sum;
+}
+
+/* Writes the two half-spaces of a sector, and their clauses from 3 on. */
+static cylint_status make_sector(const double p0[3], const double p1[3],
+                                 const double sector[2][3],
+                                 cylint_shape shape[2], int clause[2])
+{
+    double axis[3], direction[2][3], normal[2][3];
+    for (int i = 0; i < 3; i++)
+        axis[i] = cylint_difference(cylint_scaled(p1[i], -1),
+                                    cylint_scaled(p0[i], -1))
+                      .hi;
+    to_size_of_one(axis, 3, axis);
+    for (int i = 0; i < 2; i++) {
+        if (!cylint_is_finite(sector[i]))
+            return CYLINT_ENONFINITE;
+        to_size_of_one(sector[i], 3, direction[i]);
+    }
+    cross_product(direction[0], axis, normal[0]);
+    cross_product(axis, direction[1], normal[1]);
+    /* the sine of the sector's angle, and where it is 0 whether that is 0 */
+    const double sine = -dot_product(normal[0], direction[1]).hi;
+    if (sine == 0 && dot_product(normal[0], normal[1]).hi < 0)
+        return CYLINT_EDIRECTION;
+    for (int i = 0; i < 2; i++) {
+        const cylint_status status = cylint_halfspace(&shape[i], p0, normal[i]);
+        if (status != CYLINT_OK)
+            return status == CYLINT_EAXIS ? CYLINT_EDIRECTION : status;
+        clause[i] = sine >= 0 ? 3 + i : 3;
+    }
+    return CYLINT_OK;
+}
+
+cylint_status cylint_tube(const double p0[3], const double p1[3],
+                          const double outer[2], const double inner[2],
+                          const double sector[2][3],
+                          cylint_shape shapes[CYLINT_TUBE_MEMBERS],
+                          int clauses[CYLINT_TUBE_MEMBERS], size_t *n)
+{
+    const int is_hollow =
+        inner && (cylint_sign(inner[0]) != 0 || cylint_sign(inner[1]) != 0);
+    cylint_status status =
+        cylint_cone(&shapes[0], p0, outer[0], p1, outer[1], CYLINT_ENDS_CAPPED);
+    size_t members = 1;
+    clauses[0] = 1;
+    if (status == CYLINT_OK && is_hollow) {
+        status = cylint_cone(&shapes[1], p0, inner[0], p1, inner[1],
+                             CYLINT_ENDS_CAPPED);
+        clauses[members++] = -2;
+    }
+    if (status == CYLINT_OK && sector) {
+        status =
+            make_sector(p0, p1, sector, &shapes[members], &clauses[members]);
+        members += 2;
+    }
+    *n = status == CYLINT_OK ? members : 0;
+    return status;
+}

@@ -1,0 +1,210 @@
+/*
+ * test_tube.c - hollow cylinders and cones and their sectors, at sampled points
+ *
+ * A point of a line is inside a piece if its radius, height and angle say so.  Points
+ * next to a surface are left out.
+ */
+#include <math.h>
+
+#include "check.h"
+#include "cylint_pieces.h"
+#include "random.h"
+
+enum { TUBES = 2000, LINES = 20, POINTS = 20 };
+
+static uint64_t rng;
+
+static double within(double from, double to)
+{
+    return from + (to - from) * random_unit(&rng);
+}
+
+static void random_vector(double x[3])
+{
+    for (int i = 0; i < 3; i++)
+        x[i] = within(-1, 1);
+}
+
+static double dot(const double x[3], const double y[3])
+{
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
+static void cross(const double x[3], const double y[3], double to[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] =
+            x[(i + 1) % 3] * y[(i + 2) % 3] - x[(i + 2) % 3] * y[(i + 1) % 3];
+}
+
+static struct {
+    double p0[3], p1[3], outer[2], inner[2], sector[2][3];
+    int is_hollow, has_sector;
+    cylint_shape shapes[CYLINT_TUBE_MEMBERS];
+    int clauses[CYLINT_TUBE_MEMBERS];
+    size_t n;
+} tube;
+
+static cylint_status make_tube(void)
+{
+    tube.is_hollow = random_int(&rng, 2);
+    tube.has_sector = random_int(&rng, 4) > 0;
+    random_vector(tube.p0);
+    random_vector(tube.p1);
+    for (int i = 0; i < 2; i++) {
+        tube.outer[i] = within(0.2, 1);
+        tube.inner[i] = tube.is_hollow ? within(0, tube.outer[i]) : 0;
+        random_vector(tube.sector[i]);
+    }
+    return cylint_tube(tube.p0, tube.p1, tube.outer, tube.inner,
+                       tube.has_sector ? (const double(*)[3])tube.sector : NULL,
+                       tube.shapes, tube.clauses, &tube.n);
+}
+
+/* The angle from the first direction to x about the axis, in [0, 2 pi). */
+static double angle_of(const double axis[3], const double x[3])
+{
+    double across[3];
+    const double ww = dot(axis, axis), *u = tube.sector[0];
+    cross(u, x, across);
+    const double sine = dot(axis, across) * sqrt(ww),
+                 cosine = ww * dot(u, x) - dot(axis, u) * dot(axis, x);
+    const double angle = atan2(sine, cosine);
+    return angle < 0 ? angle + 2 * acos(-1) : angle;
+}
+
+/* 1 inside, 0 outside, -1: next to a surface. */
+static int is_inside(const double point[3])
+{
+    enum { LIMITS = 6 };
+    double axis[3], x[3], limit[LIMITS] = {1, 1, 1, 1, 1, 1};
+    for (int i = 0; i < 3; i++) {
+        axis[i] = tube.p1[i] - tube.p0[i];
+        x[i] = point[i] - tube.p0[i];
+    }
+    const double z = dot(axis, x) / dot(axis, axis);
+    const double r = sqrt(fmax(0, dot(x, x) - z * z * dot(axis, axis)));
+    limit[0] = z;
+    limit[1] = 1 - z;
+    limit[2] = tube.outer[0] + z * (tube.outer[1] - tube.outer[0]) - r;
+    if (tube.is_hollow)
+        limit[3] = r - tube.inner[0] - z * (tube.inner[1] - tube.inner[0]);
+    if (tube.has_sector) {
+        const double angle = angle_of(axis, x),
+                     end = angle_of(axis, tube.sector[1]);
+        limit[4] = end - angle;
+        limit[5] = fmin(angle, 2 * acos(-1) - angle) > 1e-9 ? 1 : 0;
+    }
+    int inside = 1;
+    for (int i = 0; i < LIMITS; i++) {
+        if (fabs(limit[i]) < 1e-9)
+            return -1;
+        inside &= limit[i] > 0;
+    }
+    return inside;
+}
+
+static long points_inside;
+
+static void check_line(void)
+{
+    double o[3], d[3];
+    cylint_interval piece[CYLINT_SOLID_PIECES];
+    cylint_line line;
+    random_vector(o);
+    random_vector(d);
+    if (cylint_span(&line, o, d, -3, 3) != CYLINT_OK)
+        return;
+    const int n = cylint_solid_pieces(tube.shapes, tube.clauses, tube.n, &line,
+                                      piece, CYLINT_SOLID_PIECES);
+    for (int i = 0; i < POINTS; i++) {
+        const double t = within(-1.5, 1.5);
+        double point[3];
+        int is = 0;
+        for (int j = 0; j < 3; j++)
+            point[j] = o[j] + t * d[j];
+        for (int j = 0; j < n; j++)
+            is |= piece[j].t0 <= t && t <= piece[j].t1;
+        const int expected = is_inside(point);
+        points_inside += is;
+        if (expected >= 0 && !CHECK(is == expected))
+            REPORT("t = %g: inside %d, not %d; %zu members", t, is, expected,
+                   tube.n);
+    }
+}
+
+static void pieces_are_where_radius_height_and_angle_say(void)
+{
+    rng = 1;
+    points_inside = 0;
+    for (int i = 0; i < TUBES; i++) {
+        if (!CHECK(make_tube() == CYLINT_OK))
+            continue;
+        CHECK(tube.n ==
+              1 + (size_t)tube.is_hollow + 2 * (size_t)tube.has_sector);
+        for (int j = 0; j < LINES; j++)
+            check_line();
+    }
+    CHECK(points_inside > TUBES * LINES * POINTS / 40);
+}
+
+static void sectors_of_simple_directions_are_exact(void)
+{
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 2},
+                 inner[2] = {1, 1};
+    const double quarter[2][3] = {{1, 0, 0}, {0, 1, 0}},
+                 rest[2][3] = {{0, 1, 0}, {1, 0, 0}},
+                 half[2][3] = {{1, 0, 0}, {-1, 0, 5}};
+    const double o[3] = {-5, 0, 1}, d[3] = {1, 0, 0};
+    cylint_interval piece[CYLINT_SOLID_PIECES];
+    cylint_shape s[CYLINT_TUBE_MEMBERS];
+    cylint_line line;
+    int clauses[CYLINT_TUBE_MEMBERS];
+    size_t n;
+    cylint_whole_line(&line, o, d);
+    /* The line lies in the plane y = 0 that bounds the sectors, and is inside. */
+    CHECK(cylint_tube(p0, p1, outer, inner, quarter, s, clauses, &n) ==
+              CYLINT_OK &&
+          clauses[2] != clauses[3]);
+    CHECK(cylint_solid_pieces(s, clauses, n, &line, piece, 9) == 1 &&
+          piece[0].t0 == 6 && piece[0].t1 == 7);
+    CHECK(cylint_tube(p0, p1, outer, inner, rest, s, clauses, &n) ==
+              CYLINT_OK &&
+          clauses[2] == clauses[3]);
+    CHECK(cylint_solid_pieces(s, clauses, n, &line, piece, 9) == 2 &&
+          piece[0].t0 == 3 && piece[0].t1 == 4 && piece[1].t0 == 6);
+    CHECK(cylint_tube(p0, p1, outer, inner, half, s, clauses, &n) == CYLINT_OK);
+    CHECK(cylint_solid_pieces(s, clauses, n, &line, piece, 9) == 2);
+}
+
+static void bad_sectors_are_refused(void)
+{
+    const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 2};
+    const double along[2][3] = {{0, 0, 1}, {0, 1, 0}},
+                 same[2][3] = {{1, 0, 0}, {2, 0, 3}},
+                 bad[2][3] = {{1, 0, 0}, {NAN, 0, 3}};
+    const double zeros[2] = {0, 0};
+    cylint_shape s[CYLINT_TUBE_MEMBERS];
+    int clauses[CYLINT_TUBE_MEMBERS];
+    size_t n;
+    CHECK(cylint_tube(p0, p1, outer, NULL, along, s, clauses, &n) ==
+              CYLINT_EDIRECTION &&
+          n == 0);
+    CHECK(cylint_tube(p0, p1, outer, NULL, same, s, clauses, &n) ==
+          CYLINT_EDIRECTION);
+    CHECK(cylint_tube(p0, p1, outer, NULL, bad, s, clauses, &n) ==
+          CYLINT_ENONFINITE);
+    CHECK(cylint_tube(p0, p1, zeros, NULL, NULL, s, clauses, &n) ==
+          CYLINT_ERADIUS);
+    CHECK(cylint_tube(p0, p1, outer, zeros, NULL, s, clauses, &n) ==
+              CYLINT_OK &&
+          n == 1);
+}
+
+int main(void)
+{
+    RUN(pieces_are_where_radius_height_and_angle_say);
+    RUN(sectors_of_simple_directions_are_exact);
+    RUN(bad_sectors_are_refused);
+    return check_end();
+}
