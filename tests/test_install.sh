@@ -234,7 +234,7 @@ test_manual_examples()
     example the_headers_example static $cc -std=c99
     for shown in cylint.3,1 cylint.3,3 cylint.3,5 cylint.3,7 cylint_methods.3,1 \
         cylint_distance.3,1 cylint_distance.3,3 cylint_distance.3,5 \
-        cylint_pieces.3,1 cylint_pieces.3,3; do
+        cylint_pieces.3,1 cylint_pieces.3,3 cylint_pieces.3,5; do
         page=${shown%,*} number=${shown#*,}
         display $page $number > "$scratch/example.c"
         display $page $((number + 1)) > "$scratch/example.said"
