@@ -210,7 +210,7 @@ include tools/package/package.mk
 # -------------------------------------------------------------- install --
 fill_in = sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(version)|' \
 	  -e 's|@THREADS@|$(threads_link)|; s|@EMBREE@|$(EMBREE)|; s|@EMBREE_LIBS@|$(EMBREE_LIBS)|; s|@EMBREE_CFLAGS@|$(EMBREE_CFLAGS)|'
-headers  = $(patsubst %,include/%.h,cylint cylint_distance cylint_methods cylint_scene $(if $(EMBREE),cylint_embree))
+headers  = $(patsubst %,include/%.h,cylint cylint_distance cylint_methods cylint_pieces cylint_scene $(if $(EMBREE),cylint_embree))
 
 # $(call install_library,NAME)
 ifneq ($(windows),)

@@ -69,7 +69,8 @@ for shell in in_bash in_zsh; do
     is_offered 'kinds of files' 'swc pdb qsm pov forest' cylint-convert ''
     is_offered 'options of cylint-convert' '--swc --round --skip -b -n -r -t' cylint-convert pdb -
     command -v cylint-render > /dev/null &&
-        is_offered 'shades' 'light plain normal' cylint-render --shade ''
+        is_offered 'shades' 'light plain normal' cylint-render --shade '' &&
+        is_offered 'X-rays' 'auto linear' cylint-render --xray ''
     for words in 'cylint' 'cylint -o' 'cylint -s' 'cylint --header' 'cylint -p' \
         'cylint-convert swc'; do
         is_offered "files after $words" '' $words ''

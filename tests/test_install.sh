@@ -20,6 +20,7 @@ test_install()
         lib/pkgconfig/cylint.pc lib/pkgconfig/cylint-scene.pc \
         include/cylint.h include/cylint_methods.h include/cylint_scene.h \
         include/cylint_distance.h include/cylint_pieces.h share/man/man3/cylint_distance.3 \
+        share/man/man3/cylint_pieces.3 \
         share/man/man1/cylint.1 share/man/man3/cylint.3 \
         share/man/man3/cylint_methods.3 share/man/man3/cylint_scene.3 \
         bin/cylint-convert share/cylint/common.awk share/cylint/autumn.awk \
@@ -232,7 +233,8 @@ test_manual_examples()
     verdict the_header_begins_with_an_example $?
     example the_headers_example static $cc -std=c99
     for shown in cylint.3,1 cylint.3,3 cylint.3,5 cylint.3,7 cylint_methods.3,1 \
-        cylint_distance.3,1 cylint_distance.3,3 cylint_distance.3,5; do
+        cylint_distance.3,1 cylint_distance.3,3 cylint_distance.3,5 \
+        cylint_pieces.3,1 cylint_pieces.3,3 cylint_pieces.3,5; do
         page=${shown%,*} number=${shown#*,}
         display $page $number > "$scratch/example.c"
         display $page $((number + 1)) > "$scratch/example.said"
@@ -257,6 +259,9 @@ test_manual_examples()
     display cylint_scene.3 9 > "$scratch/example.c"
     display cylint_scene.3 10 > "$scratch/example.said"
     example_of cylint_scene.3_file cylint-scene
+    display cylint_scene.3 11 > "$scratch/example.c"
+    display cylint_scene.3 12 > "$scratch/example.said"
+    example_of cylint_scene.3_pieces cylint-scene
     display cylint_scene.3 1 > "$scratch/example.c"
     display cylint_scene.3 2 > "$scratch/example.said"
     command -v pkg-config > /dev/null &&
@@ -289,6 +294,7 @@ test_manual_structs()
     { echo '#include <stddef.h>'
       echo '#include <cylint_methods.h>'
       echo '#include <cylint_distance.h>'
+      echo '#include <cylint_pieces.h>'
       echo '#include <cylint_scene.h>'
       awk '
         function equal(what, a, b) {
@@ -378,7 +384,7 @@ test_symbols()
     none "$(declared cylint_scene.h | missing_from "$lib/libcylint-scene.so")" \
         libcylint_scene_exports_every_function_of_its_header
     none "$(nm -D --defined-only "$lib/libcylint-scene.so" |
-        awk '$3 !~ /^(cylint_scene_|__odr_asan)/ { print $3 }')" \
+        awk '$3 !~ /^(cylint_scene_|cylint_piece_rows_|__odr_asan)/ { print $3 }')" \
         a_scenes_library_exports_only_scenes
     if [ -n "$(sanitizers_of)" ]; then
         echo 'note: sanitized, so what the libraries use is not looked at'

@@ -2,7 +2,7 @@
 # Floor tools: cylint-render writes PNG files whose bytes do not depend on the
 # number of workers; shapes, shadows and colours are at the right pixels; errors
 # give a message and leave no incomplete file; the manual's examples run.
-# tests/pixels prints the pixels of a file.
+# tests/pixels and tests/greys print the pixels of a file.
 . "$(dirname "$0")/verdict.sh"
 page=$top/man/cylint-render.1
 [ -x "$build/cylint-render" ] ||
@@ -188,6 +188,76 @@ test_inside()
     verdict the_other_nappe_shades_the_first $?
 }
 
+# ------------------------------------------------------------------ X-rays --
+
+# xray FILE SCENE ARGUMENT...: a ball of radius 1 as tests/greys expects it
+xray()
+{
+    file=$1 scene=$2
+    shift 2
+    cylint-render "$scene" -o "$file" --eye 0,0,10 --look-at 0,0,0 --up 0,1,0 \
+        --fov 14 --size 61x40 --samples 1 "$@"
+}
+
+test_xray()
+{
+    echo 'sphere 0 0 0  1' > ball.scene
+    xray mu.png ball.scene --xray 0.75 && "$build/tests/greys" mu.png ball 14 0.75
+    verdict an_x_ray_of_a_ball_has_the_lengths_of_its_chords $?
+    [ "$("$build/tests/greys" mu.png | head -n 1)" = '65535 exp(-0.75 length)' ]
+    verdict an_x_ray_describes_itself $?
+    xray linear.png ball.scene --xray linear &&
+        largest=$("$build/tests/greys" linear.png | sed -n '1s/65535 length . //p') &&
+        "$build/tests/greys" linear.png ball 14 linear "$largest" &&
+        [ "$("$build/tests/greys" linear.png | awk '$3 > m { m = $3 } END { print m }')" = 65535 ]
+    verdict the_longest_ray_is_white_on_a_linear_scale $?
+    xray auto.png ball.scene --xray auto &&
+        "$build/tests/greys" auto.png | awk '
+            NR == 1 { sub(/.*-/, ""); mu = $1; next }
+            $3 < 65535 { n++; sum += -log($3 / 65535) / mu }
+            END { f = mu * sum / n; exit !(f > 0.69310 && f < 0.69319) }'
+    verdict a_ray_of_the_mean_length_is_half_as_bright $?
+    # within the ball, twice, and as an open tube's closed solid
+    printf '%s\n' 'sphere 0 0 0 1' 'sphere 0.25 0 0 0.5' 'sphere 0 0 0 1' \
+        'cylinder 0 0 -0.5 0 0 0.5 0.5 ends=open' > balls.scene
+    xray balls.png balls.scene --xray 0.75 && cmp mu.png balls.png
+    verdict places_in_several_shapes_count_once $?
+    for j in 1 2 7; do
+        cylint-render some.scene -o $j.png --size 90x61 --samples 16 -j $j \
+            --xray auto || return 1
+    done
+    cmp 1.png 2.png && cmp 1.png 7.png
+    verdict an_x_ray_is_the_same_for_any_number_of_workers $?
+    # a plane's edge through the middle: half of the samples hit a slab of 2
+    echo 'econe 0 0 -1  1 0 0  0 1 0  0 0 2  1' > disc.scene
+    cylint-render disc.scene -o edge.png --ortho --eye 1,0,5 --look-at 1,0,0 \
+        --up 0,1,0 --zoom 1e6 --size 1x1 --samples 64 --xray 0.5 &&
+        "$build/tests/greys" edge.png | awk '
+            NR > 1 { length_of = -log($3 / 65535) / 0.5
+                     exit !(length_of > 0.99 && length_of < 1.01) }'
+    verdict the_length_of_a_pixel_is_the_mean_of_its_rays $?
+}
+
+# Nothing in the picture, and solids without an end.
+test_xray_extremes()
+{
+    : > empty.scene
+    for how in auto 2 linear; do
+        xray empty.png empty.scene --xray $how &&
+            "$build/tests/greys" empty.png | awk -v how=$how '
+                NR > 1 && $3 != (how == "linear" ? 0 : 65535) { bad++ }
+                END { exit NR < 9 || bad }'
+        verdict "an_x_ray_of_nothing_is_empty_$how" $?
+        printf '%s\n' 'cylinder 0 0 0  0 0 1  1 ends=infinite' \
+            'cylinder 0 0 0  0 0 1  1' > endless.scene
+        xray endless.png endless.scene --xray $how --ortho &&
+            "$build/tests/greys" endless.png | awk -v how=$how '
+                $1 == 30 && $2 == 20 { middle = $3 }
+                END { exit middle != (how == "linear" ? 65535 : 0) }'
+        verdict "an_endless_solid_is_opaque_$how" $?
+    done
+}
+
 # ---------------------------------------------------------------- colours --
 
 # shows NAME COLOURS ARGUMENT...: the caps have COLOURS different colours
@@ -272,6 +342,13 @@ test_faults()
     refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full
     refuses 2 "--swc needs a neuron, NAME.swc" some.scene -o x.png --swc=round
     refuses 2 "--swc: expected cones or round, found 'oval'" --swc oval
+    refuses 2 "--xray: expected MU, auto or linear, found '0'" --xray 0
+    refuses 2 "--xray: expected MU, auto or linear, found 'inf'" --xray inf
+    refuses 2 "--xray and --ground exclude each other" some.scene -o x.png \
+        --xray auto --ground none
+    refuses 2 "--xray and --shade exclude each other" some.scene -o x.png \
+        --shade plain --xray linear
+    refuses 3 "/dev/full: No space left on device" some.scene -o /dev/full --xray 1
     echo 'cylinder 0 0 0  0 0 zero 1' > bad.scene
     refuses 1 "bad.scene:1:21: expected a number, found 'zero'" \
         bad.scene -o x.png
@@ -398,6 +475,8 @@ test_bytes
 test_framing
 test_shadow
 test_inside
+test_xray
+test_xray_extremes
 test_colours
 test_joints
 test_faults

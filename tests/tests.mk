@@ -22,10 +22,11 @@ $(embree_tests): $(patsubst %,$(BUILD)/tests/%.o,embree_rays embree_world)
 $(embree_tests) $(BUILD)/tests/scene_curves: %: %.o $(BUILD)/tests/scenes.o $(test_common) \
 	$(BUILD)/libcylint-embree.a $(BUILD)/libcylint.a
 $(BUILD)/tests/pixels: $(BUILD)/tests/pixels.o
+$(BUILD)/tests/greys: $(BUILD)/tests/greys.o $(BUILD)/libcylint.a
 
 $(core_tests) $(scene_tests): libs := $(test_libs) $(threads_link)
 $(embree_tests) $(BUILD)/tests/scene_curves: libs := $(EMBREE_LIBS) $(test_libs) $(threads_link)
-$(BUILD)/tests/pixels: libs := -lpng
+$(BUILD)/tests/pixels $(BUILD)/tests/greys: libs := -lpng
 
 # turns_of() in every width.
 $(BUILD)/tests/test_turns: $(patsubst %,$(BUILD)/%.o,tests/turn_points $(filter tests/turn_points-%,$(isa_builds)))
@@ -35,7 +36,7 @@ $(BUILD)/tests/test_turns.o: extra += $(x86)
 wrap = $(foreach c,$(1),-Wl,--wrap=$c)
 $(BUILD)/tests/test_scene_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc free pthread_create))
 
-$(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/scene_curves $(BUILD)/tests/pixels:
+$(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/scene_curves $(BUILD)/tests/pixels $(BUILD)/tests/greys:
 	$(link)
 
 # The command, with system calls that fail as tests/faults.c says.
@@ -82,7 +83,7 @@ run_tests = BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(
 	MISSING='$(call missing,MPFR,MPFR) $(call missing,GSL,GSL) $(call missing,EMBREE,Embree) $(call missing,PNG,libpng) $(call missing,CXX17,C++17)' \
 	sh tests/run.sh
 
-check: all $(test_programs) $(if $(POSIX),$(BUILD)/tests/path_lengths) $(if $(WRAP),$(BUILD)/tests/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/pixels) ## run every test (PARANOID=1: each decision twice)
+check: all $(test_programs) $(if $(POSIX),$(BUILD)/tests/path_lengths) $(if $(WRAP),$(BUILD)/tests/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/pixels $(BUILD)/tests/greys) ## run every test (PARANOID=1: each decision twice)
 	@$(run_tests) $(test_programs) $(test_scripts)
 
 check-embree: $(if $(EMBREE),$(embree_tests)) ## run the tests that need Embree, with the installed one

@@ -40,6 +40,8 @@ static const char help[] =
     "  --light X,Y,Z      the direction to the sun\n"
     "  --ground HOW       #rrggbb below the scene, or none (default)\n"
     "  --background HOW   sky (default), #rrggbb or none: transparent\n"
+    "  --xray HOW         grey, by the length inside the solids: MU for\n"
+    "                     exp(-MU length), auto for a fitting MU, or linear\n"
     "  --ends WORD        the ends of shapes whose records do not state them\n"
     "  --swc FORM         of a neuron, NAME.swc: cones (default) or round\n"
     "  --progress         report the progress on standard error\n"
@@ -91,6 +93,7 @@ static int draw_picture(const struct options *o, struct scene *scene,
 {
     const unsigned long long pixels =
         (unsigned long long)o->width * (unsigned long long)o->height;
+    const int is_xray = o->xray.scale != XRAY_NONE;
     struct picture picture;
     /* More builders than processors are not faster. */
     const int processors_here = processors();
@@ -104,10 +107,14 @@ static int draw_picture(const struct options *o, struct scene *scene,
     stages_end(stages, "built a scene of", cylint_scene_bytes(stage->scene),
                "bytes");
     status = picture_make(&picture, o->width, o->height,
-                          o->backdrop.transparent ? 4 : 3);
+                          is_xray                   ? 1
+                          : o->backdrop.transparent ? 4
+                                                    : 3);
     if (status == 0) {
-        status = trace(&picture, stage, view, &o->backdrop, o->samples, workers,
-                       o->progress);
+        status = is_xray ? xray_picture(&picture, &o->xray, stage->scene, view,
+                                        o->samples, workers, o->progress)
+                         : trace(&picture, stage, view, &o->backdrop,
+                                 o->samples, workers, o->progress);
     }
     stages_end(stages, "traced", pixels, "pixels");
     if (status == 0) {

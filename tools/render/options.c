@@ -30,6 +30,7 @@ enum option_id {
     OPT_SWC,
     OPT_UP,
     OPT_VERSION,
+    OPT_XRAY,
     OPT_ZOOM
 };
 
@@ -54,6 +55,7 @@ static const struct option options_known[] = {{"j", 'j', 1},
                                               {"swc", OPT_SWC, 1},
                                               {"up", OPT_UP, 1},
                                               {"version", OPT_VERSION, 0},
+                                              {"xray", OPT_XRAY, 1},
                                               {"zoom", OPT_ZOOM, 1},
                                               {NULL, 0, 0}};
 
@@ -157,6 +159,15 @@ static int read_ground(const char *value, const char **ground)
     return !*ground || read_colour(value, strlen(value), &colour);
 }
 
+static int read_xray(const char *value, struct xray *xray)
+{
+    xray->scale = strcmp(value, "auto") == 0     ? XRAY_AUTO
+                  : strcmp(value, "linear") == 0 ? XRAY_LINEAR
+                                                 : XRAY_GIVEN;
+    return xray->scale != XRAY_GIVEN ||
+           read_between(value, 0, HUGE_VAL, &xray->mu);
+}
+
 /* ------------------------------------------------------------ options -- */
 
 /* Returns NULL, or a text that names the expected value. */
@@ -212,6 +223,8 @@ static const char *read_look_options(struct options *options, int id,
         return read_size(value, &options->width, &options->height)
                    ? NULL
                    : "WIDTHxHEIGHT";
+    case OPT_XRAY:
+        return read_xray(value, &options->xray) ? NULL : "MU, auto or linear";
     default: /* 'j' */
         return read_count(value, INT_MAX / 10 - 1, &options->workers)
                    ? NULL
@@ -267,9 +280,18 @@ static int take_value(struct options *options, const struct option *o,
     return expected ? usage_value(o, value, expected) : 0;
 }
 
+static int is_about_surfaces(int id)
+{
+    return id == OPT_BACKGROUND || id == OPT_COLOUR || id == OPT_GROUND ||
+           id == OPT_LIGHT || id == OPT_SHADE;
+}
+
 static int take_option(void *context, const struct option *o, const char *value)
 {
     struct options *options = context;
+    if (is_about_surfaces(o->id)) {
+        options->surface = o->name;
+    }
     switch (o->id) {
     case OPT_ORTHO:
         options->viewing.parallel = 1;
@@ -302,6 +324,9 @@ static int settle(struct options *options, char **argv, int files)
     }
     if (v->has_target && !v->has_eye) {
         return usage("--look-at needs --eye");
+    }
+    if (options->xray.scale != XRAY_NONE && options->surface) {
+        return usage("--xray and --%s exclude each other", options->surface);
     }
     if (v->has_from && v->has_eye) {
         return usage("--from and --eye exclude each other");

@@ -10,6 +10,7 @@
 #include "light.h"
 #include "trace.h"
 #include "view.h"
+#include "xray.h"
 
 struct options {
     const char *scene, *output;
@@ -26,6 +27,8 @@ struct options {
     uint32_t colour;    /* of shapes without a colour of their own */
     const char *ground; /* #rrggbb, or NULL */
     struct backdrop backdrop;
+    const char *surface; /* the last option about light and colour, or NULL */
+    struct xray xray;
 
     const char *print; /* the text of --help or --version, or NULL */
 };

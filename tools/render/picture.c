@@ -9,10 +9,15 @@
 #include "picture.h"
 #include "report.h"
 
+static size_t row_bytes(const struct picture *p)
+{
+    return (size_t)p->width * (p->channels == 1 ? 2 : (size_t)p->channels);
+}
+
 int picture_make(struct picture *picture, int width, int height, int channels)
 {
-    const size_t row = (size_t)width * (size_t)channels;
-    *picture = (struct picture){width, height, channels, NULL};
+    *picture = (struct picture){width, height, channels, NULL, ""};
+    const size_t row = row_bytes(picture);
     if (row <= SIZE_MAX / (size_t)height) {
         picture->pixels = malloc(row * (size_t)height);
     }
@@ -58,19 +63,41 @@ static void keep_silent(png_structp png, png_const_charp what)
     (void)what;
 }
 
+static void describe(png_structp png, png_infop info, const struct picture *p)
+{
+    static char key[] = "Description";
+    char note[sizeof p->note];
+    png_text text = {0};
+    memcpy(note, p->note, sizeof note);
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    text.key = key;
+    text.text = note;
+    if (*note) {
+        png_set_text(png, info, &text, 1);
+    }
+}
+
+static int colour_type(const struct picture *p)
+{
+    return p->channels == 1   ? PNG_COLOR_TYPE_GRAY
+           : p->channels == 3 ? PNG_COLOR_TYPE_RGB
+                              : PNG_COLOR_TYPE_RGB_ALPHA;
+}
+
 /* Returns 0 if libpng failed. */
 static int encode(png_structp png, png_infop info, const struct picture *p)
 {
-    const size_t row = (size_t)p->width * (size_t)p->channels;
+    const size_t row = row_bytes(p);
     if (setjmp(png_jmpbuf(png))) {
         return 0;
     }
-    png_set_IHDR(png, info, (png_uint_32)p->width, (png_uint_32)p->height, 8,
-                 p->channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA
-                                  : PNG_COLOR_TYPE_RGB,
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_IHDR(png, info, (png_uint_32)p->width, (png_uint_32)p->height,
+                 p->channels == 1 ? 16 : 8, colour_type(p), PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (p->channels > 1) {
+        png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    }
+    describe(png, info, p);
     png_write_info(png, info);
     for (int y = 0; y < p->height; y++) {
         png_write_row(png, p->pixels + (size_t)y * row);

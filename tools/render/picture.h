@@ -8,9 +8,11 @@
 
 struct picture {
     int width, height;
-    int channels;          /* 3: red, green, blue; 4: and opacity */
-    unsigned char *pixels; /* height x width x channels, top row first, sRGB,
-                              colour not multiplied by opacity */
+    int channels;          /* 3: red, green, blue; 4: and opacity; both sRGB,
+                              colour not multiplied by opacity.  1: grey, numbers of
+                              16 bits, the high byte first, not a colour space */
+    unsigned char *pixels; /* height x width x channels, top row first */
+    char note[64];         /* a description in the file, if not empty */
 };
 
 /* All return 0, or report the fault and return an exit status. */

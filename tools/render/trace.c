@@ -25,20 +25,14 @@ struct work {
     struct progress progress;
 };
 
-/* Samples have the same places in all pixels, so that edges are even. */
 static struct sample pixel_of_samples(const struct work *w, int x, int y)
 {
     const struct picture *p = w->picture;
     const uint32_t seed = hash_words((uint32_t)x, (uint32_t)y);
     struct sample sum = {vector(0, 0, 0), 0};
     for (int i = 0; i < w->samples; i++) {
-        double at[2] = {0.5, 0.5};
         cylint_line ray;
-        if (w->samples > 1) {
-            sample_square((uint32_t)i, 0, at);
-        }
-        view_ray(w->view, 2 * (x + at[0]) / p->width - 1,
-                 1 - 2 * (y + at[1]) / p->height, &ray);
+        view_sample(w->view, p->width, p->height, x, y, i, w->samples, &ray);
         const struct sample one =
             trace_sample(w->stage, &ray, (uint32_t)i, seed);
         sum.light = plus(sum.light, 1, one.light);

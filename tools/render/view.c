@@ -4,6 +4,7 @@
  * The eye is placed so that all boxes of shapes lie within the four planes
  * through the picture's edges and touch them.
  */
+#include "sampling.h"
 #include "view.h"
 
 static const double MARGIN =
@@ -174,4 +175,15 @@ void view_ray(const struct view *view, double x, double y, cylint_line *ray)
     const struct vector d =
         view->parallel ? view->forward : plus(view->forward, 1, across);
     cylint_ray(ray, o.v, d.v);
+}
+
+void view_sample(const struct view *view, int width, int height, int x, int y,
+                 int i, int samples, cylint_line *ray)
+{
+    double at[2] = {0.5, 0.5};
+    if (samples > 1) {
+        sample_square((uint32_t)i, 0, at);
+    }
+    view_ray(view, 2 * (x + at[0]) / width - 1, 1 - 2 * (y + at[1]) / height,
+             ray);
 }

@@ -1,0 +1,192 @@
+/*
+ * xray.c - a picture of how much of each ray is inside the scene's solids
+ *
+ * The rays of some pixels at a time go to cylint_scene_sums(), which shares them
+ * among threads.  When all lengths are known, the scale is.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "main.h"
+#include "progress.h"
+#include "report.h"
+#include "xray.h"
+
+static const double LN_2 = 0.6931471805599453;
+
+enum { RAYS_AT_ONCE = 1 << 16 /* no pixel has more samples */ };
+
+struct ray_block {
+    double o[3][RAYS_AT_ONCE], d[3][RAYS_AT_ONCE];
+    double sums[RAYS_AT_ONCE];
+};
+
+/* What the lengths of all pixels are computed from. */
+struct rays {
+    const struct picture *picture;
+    const cylint_scene *scene;
+    const struct view *view;
+    int samples, workers;
+    struct ray_block *block;
+};
+
+/* ------------------------------------------------------------- lengths -- */
+
+/* The rays of `count` pixels from pixel `first` on, in the order of rows. */
+static size_t fill_block(const struct rays *rays, size_t first, size_t count)
+{
+    const size_t width = (size_t)rays->picture->width;
+    struct ray_block *b = rays->block;
+    size_t n = 0;
+    for (size_t p = first; p < first + count; p++) {
+        for (int i = 0; i < rays->samples; i++, n++) {
+            cylint_line ray = {.tmax = 0}; /* d = 0: no pieces */
+            view_sample(rays->view, rays->picture->width, rays->picture->height,
+                        (int)(p % width), (int)(p / width), i, rays->samples,
+                        &ray);
+            for (int k = 0; k < 3; k++) {
+                b->o[k][n] = ray.o[k];
+                b->d[k][n] = ray.d[k];
+            }
+        }
+    }
+    return n;
+}
+
+static void take_means(const struct rays *rays, size_t count, double *lengths)
+{
+    const double *sum = rays->block->sums;
+    for (size_t p = 0; p < count; p++) {
+        double all = 0;
+        for (int i = 0; i < rays->samples; i++) {
+            all += *sum++;
+        }
+        lengths[p] = all / rays->samples;
+    }
+}
+
+static int measure_block(const struct rays *rays, size_t first, size_t count,
+                         double *lengths)
+{
+    const cylint_piece_rule all = {CYLINT_PIECES_UNION, NULL, NULL};
+    const struct ray_block *b = rays->block;
+    const cylint_lines lines = {fill_block(rays, first, count),
+                                {b->o[0], b->o[1], b->o[2]},
+                                {b->d[0], b->d[1], b->d[2]},
+                                NULL,
+                                NULL};
+    if (cylint_scene_sums(rays->scene, &lines, &all, NULL, 1, 1, rays->workers,
+                          rays->block->sums) != CYLINT_SCENE_OK) {
+        return out_of_memory();
+    }
+    take_means(rays, count, lengths + first);
+    return 0;
+}
+
+static int measure(const struct rays *rays, size_t pixels, int progress,
+                   double *lengths)
+{
+    const size_t most = RAYS_AT_ONCE / (size_t)rays->samples;
+    struct progress shown;
+    int status = 0;
+    progress_start(&shown, progress, "pixels", 0);
+    for (size_t done = 0, n; status == 0 && done < pixels; done += n) {
+        n = pixels - done < most ? pixels - done : most;
+        status = measure_block(rays, done, n, lengths);
+        progress_add(&shown, n, (double)(done + n), (double)pixels);
+    }
+    progress_end(&shown);
+    return status;
+}
+
+/* --------------------------------------------------------------- scale -- */
+
+/* Over the lengths that are finite and not 0; both 0 if there are none. */
+struct summary {
+    double mean, largest;
+};
+
+static struct summary summary_of(const double *lengths, size_t pixels)
+{
+    struct summary s = {0, 0};
+    double sum = 0, n = 0;
+    for (size_t p = 0; p < pixels; p++) {
+        if (lengths[p] > s.largest && lengths[p] < HUGE_VAL) {
+            s.largest = lengths[p];
+        }
+    }
+    for (size_t p = 0; p < pixels; p++) {
+        if (lengths[p] > 0 && lengths[p] < HUGE_VAL) {
+            sum += lengths[p] / s.largest;
+            n++;
+        }
+    }
+    s.mean = n > 0 ? s.largest * (sum / n) : 0;
+    return s;
+}
+
+/* 0 and infinity need no scale, so that may be 0. */
+static double brightness(const struct xray *how, double largest, double length)
+{
+    if (how->scale == XRAY_LINEAR) {
+        return length > 0 ? fmin(length / largest, 1) : 0;
+    }
+    return length > 0 ? exp(-how->mu * length) : 1;
+}
+
+static void put_pixels(struct picture *picture, const struct xray *how,
+                       double largest, const double *lengths, size_t pixels)
+{
+    for (size_t p = 0; p < pixels; p++) {
+        const double share = brightness(how, largest, lengths[p]);
+        const unsigned value = (unsigned)(65535 * share + 0.5);
+        picture->pixels[2 * p] = (unsigned char)(value >> 8);
+        picture->pixels[2 * p + 1] = (unsigned char)(value & 0xff);
+    }
+}
+
+/* Writes what the picture shows to its note. */
+static void scale(struct picture *picture, const struct xray *how,
+                  const double *lengths, size_t pixels)
+{
+    const struct summary s = summary_of(lengths, pixels);
+    struct xray used = *how;
+    if (how->scale == XRAY_LINEAR) {
+        snprintf(picture->note, sizeof picture->note, "65535 length / %.17g",
+                 s.largest);
+    } else {
+        if (how->scale == XRAY_AUTO) {
+            used.mu = s.mean > 0 ? LN_2 / s.mean : 1;
+        }
+        snprintf(picture->note, sizeof picture->note,
+                 "65535 exp(-%.17g length)", used.mu);
+    }
+    put_pixels(picture, &used, s.largest, lengths, pixels);
+}
+
+/* ------------------------------------------------------------- picture -- */
+
+int xray_picture(struct picture *picture, const struct xray *how,
+                 const cylint_scene *scene, const struct view *view,
+                 int samples, int workers, int progress)
+{
+    const size_t width = (size_t)picture->width;
+    const size_t pixels = width * (size_t)picture->height;
+    double *lengths = pixels <= SIZE_MAX / sizeof *lengths
+                          ? malloc(pixels * sizeof *lengths)
+                          : NULL;
+    const struct rays rays = {picture, scene,   view,
+                              samples, workers, malloc(sizeof *rays.block)};
+    int status = lengths && rays.block
+                     ? measure(&rays, pixels, progress, lengths)
+                     : out_of_memory();
+    if (status == 0) {
+        scale(picture, how, lengths, pixels);
+        if (progress) {
+            fprintf(stderr, "%s: a pixel is %s\n", program, picture->note);
+        }
+    }
+    free(lengths);
+    free(rays.block);
+    return status;
+}
