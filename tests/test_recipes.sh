@@ -83,6 +83,25 @@ test_stand_in()
  4 to  5 cm     40'
 }
 
+# Volumes by random lines, here of a union whose volume is known, and radiation
+# lengths.
+test_lengths()
+{
+    printf 'sphere 0 0 0  10  soma\ncapsule 0 0 0  30 0 0  1  branch\n' \
+        > "$scratch/cell"
+    prints random_lines_measure_the_volume_in_cylint_7 volume \
+        "$(sh tests/recipe.sh volume-said)"
+    awk '{ off = $2 - 4253.8; exit !(off * off < 9 * $5 * $5) }' \
+        "$scratch/output"
+    verdict the_volume_is_within_three_standard_errors $?
+    prints the_detector_has_the_radiation_lengths_in_cylint_7 detector \
+        "$(sh tests/recipe.sh detector-said)"
+    # at eta = 0: the pipe and the tracker, and 10 cm of lead beside the hole
+    awk '$1 == 0 { fine = $3 == 0.008 && $2 < 17.827 && $2 > 16
+                   exit !fine }' "$scratch/output"
+    verdict the_hole_for_cables_has_no_lead $?
+}
+
 test_real_tree()
 {
     cp $data/tree_archi.csv "$scratch/tree.csv"
@@ -91,6 +110,8 @@ test_real_tree()
         lidar "$(sh tests/recipe.sh lidar-said)"
     prints the_fit_of_a_real_tree_has_the_residuals_in_cylint_7 \
         residuals "$(sh tests/recipe.sh residuals-said)"
+    prints the_light_in_a_real_tree_has_the_shares_in_cylint_7 \
+        crown "$(sh tests/recipe.sh crown-said)"
 }
 
 # Two parallel bonds, the second 2 above the first.  Rays from the two lower atoms
@@ -128,6 +149,7 @@ test_all_are_run
 test_foreign_shapes
 test_stand_in
 test_molecule
+test_lengths
 if [ -d $data ]; then
     test_real_tree
 else
