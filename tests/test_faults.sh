@@ -46,6 +46,10 @@ awk 'BEGIN { for (i = 0; i < 400; i++) print "cylinder", i % 20, int(i / 20),
 awk 'BEGIN { srand(5); for (i = 1; i <= 4000; i++) print (i % 999 ? "ray" : "rye"),
     20 * rand(), 20 * rand(), "5  " rand() - 0.5, rand() - 0.5,
     i % 3 ? "-1 q" i : "-1 not=s" i % 150 " q" i }' >rays
+sed 's/not=[^ ]* //' rays | head -n 1200 >walk
+awk '{ n = int(NR / 3); word = NR % 3 ? (NR % 3 == 1 ? "in=w" : "out=w") n : ""
+    $8 += NR % 3 / 9; $9 = word " " $9; print }' shapes >walls
+for i in 1 2 3 4 5 6; do echo s$i $((i % 4 - 2)); done >ranks
 awk 'BEGIN { for (i = 0; i < 2500; i++) print i, 0, i % 20, int(i / 20) % 20,
     i % 7 / 9, i / 9000, i ? int((i - 1) * 0.99) : -1 }' >neuron.swc
 # The hits of the pairs are 13 doubles each; they serve as rays and cylinders.
@@ -63,18 +67,26 @@ answer() { # PROGRAM JOB [OPTION]...: reads standard input
     scene) "$program" -s shapes -q all --not label -f id,shape,label,t0,t1 "$@" ;;
     saved) "$program" -s shapes.saved -q all --not label -f id,shape,label,t0,t1 "$@" ;;
     neuron) "$program" -s neuron.swc "$@" ;;
+    pieces) "$program" -s walls -q pieces --pieces cells --rank ranks "$@" ;;
+    sums) "$program" -s walls -q pieces --sum label "$@" ;;
+    first) "$program" -s walls -q first -f shape,label,t,nx "$@" ;;
     binary) "$program" -b -k ray,cylinder -f n,t0,t1,id "$@" ;;
     esac
 }
 input_of() {
-    case $1 in pairs) echo pairs ;; scene | saved | neuron) echo rays ;; binary) echo doubles ;; esac
+    case $1 in
+    pairs) echo pairs ;;
+    scene | saved | neuron) echo rays ;;
+    pieces | sums | first) echo walk ;;
+    binary) echo doubles ;;
+    esac
 }
 
 # One worker without failures gives the expected answers.  The tails show that
 # they are complete and in order.
-for job in $jobs neuron; do
+for job in $jobs neuron pieces sums first; do
     answer "$cylint" $job -j 1 <"$(input_of $job)" >$job.out 2>$job.err
-    [ $? -eq 1 ] && [ -s $job.out ] && [ "$(wc -l <$job.err)" -ge 4 ] ||
+    [ $? -eq 1 ] && [ -s $job.out ] && [ -s $job.err ] ||
         wrong="$wrong $job"
 done
 cmp -s scene.out saved.out && cmp -s scene.err saved.err || wrong="$wrong saved"
@@ -314,7 +326,7 @@ done
 check_wrong 'a signal leaves the old file and no other'
 
 # For every n the n-th allocation fails, alone or with all later ones.
-for job in $jobs neuron; do
+for job in $jobs neuron pieces sums first; do
     for j in $WORKERS; do
         CYLINT_FAULTS='count=1' answer "$faulty" $job -j $j <"$(input_of $job)" 2>&1 >out |
             sed -n 's/^faults: \(.*\) allocations/\1/p' >count

@@ -180,18 +180,15 @@ static double keep_container(void *context, size_t number, double distance,
     return 0;
 }
 
-/* The one of least rank, of equal ranks the lowest number; or n_shapes. */
-static size_t owner_of(const cylint_numbered_chord *chord, size_t n,
-                       const int *rank, size_t n_shapes)
+/* The number that outranks all others; or n_shapes. */
+static size_t best_container(const cylint_numbered_chord *chord, size_t n,
+                             const int *rank, size_t n_shapes)
 {
-    size_t owner = n_shapes;
-    for (size_t i = 0; i < n; i++) {
-        const size_t x = chord[i].number;
-        if (i == 0 || (rank && rank[x] != rank[owner] ? rank[x] < rank[owner]
-                                                      : x < owner))
-            owner = x;
-    }
-    return owner;
+    size_t best = n_shapes;
+    for (size_t i = 0; i < n; i++)
+        if (i == 0 || cylint_outranks(rank, chord[i].number, best))
+            best = chord[i].number;
+    return best;
 }
 
 size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
@@ -218,6 +215,6 @@ size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
         work->wanted = room.wanted;
     }
     if (n != CYLINT_NO_ROOM)
-        *owner = owner_of(chord, n, rank, scene->n);
+        *owner = best_container(chord, n, rank, scene->n);
     return n;
 }

@@ -148,9 +148,8 @@ typedef struct {
 /* Whether chord x owns a place that both contain. */
 static int outranks(const sweep *s, uint32_t x, uint32_t y)
 {
-    const uint32_t i = s->chord[x].number, j = s->chord[y].number;
-    const int *rank = s->rule->rank;
-    return rank && rank[i] != rank[j] ? rank[i] < rank[j] : i < j;
+    return cylint_outranks(s->rule->rank, s->chord[x].number,
+                           s->chord[y].number);
 }
 
 static void push_chord(sweep *s, uint32_t x)
@@ -243,7 +242,7 @@ static void list_chords(sweep *s)
 }
 
 /* Writes the pieces of sorted chords.  spare: as much memory as the chords. */
-static size_t write_pieces(sweep *s, void *spare)
+static size_t write_swept_pieces(sweep *s, void *spare)
 {
     s->n_pieces = 0;
     if (s->rule->mode == CYLINT_PIECES_CHORDS) {
@@ -281,7 +280,7 @@ static size_t pieces_of_chords(const cylint_scene *scene,
     s->n = sort_and_unite(c->chord, c->n, spare);
     s->chord = c->chord;
     if (scene->solids.n == 0)
-        return write_pieces(s, spare);
+        return write_swept_pieces(s, spare);
     const size_t used = s->n * sizeof *c->chord;
     const cylint_domain domain = {line->tmin, line->tmax, chords_of_line, line};
     cylint_room room = {(char *)(c->chord + s->n), work->bytes - used, used};
@@ -293,7 +292,7 @@ static size_t pieces_of_chords(const cylint_scene *scene,
     }
     sort_chords(of_solids, s->n, spare);
     s->chord = of_solids;
-    return write_pieces(s, spare);
+    return write_swept_pieces(s, spare);
 }
 
 /* Collects all chords, or enough for some pieces. */

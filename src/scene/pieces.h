@@ -20,6 +20,13 @@ static inline int cylint_chord_is_before(const cylint_numbered_chord *x,
     return a != b ? a < b : x->number < y->number;
 }
 
+/* Whether solid x owns a place that y contains too: it has the lesser rank, or the same
+ * rank and the lower number. */
+static inline int cylint_outranks(const int *rank, size_t x, size_t y)
+{
+    return rank && rank[x] != rank[y] ? rank[x] < rank[y] : x < y;
+}
+
 /* Memory of a workspace that is not used yet.  `wanted` also counts what did not
  * fit. */
 typedef struct cylint_room {

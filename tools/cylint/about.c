@@ -28,6 +28,7 @@ static const char help[] =
     "  SHAPE   cylinder p0 p1 r   cone p0 r0 p1 r1   ecylinder c a b h\n"
     "          econe c a b h k    acone v u degrees\n"
     "          sphere c r   capsule p0 p1 r   rcone p0 r0 p1 r1\n"
+    "          halfspace p n\n"
     "  WORD    capped open cap0 cap1 infinite nappe\n"
     "\n"
     "  -k LINE,SHAPE      records are bare numbers of these kinds; -s: -k "

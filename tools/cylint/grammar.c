@@ -29,6 +29,7 @@ const struct kind shape_kinds[SHAPE_KINDS] = {
     [SHAPE_SPHERE] = {"sphere", 4, "cx cy cz  r"},
     [SHAPE_CAPSULE] = {"capsule", 7, "p0x p0y p0z  p1x p1y p1z  r"},
     [SHAPE_RCONE] = {"rcone", 8, "p0x p0y p0z  r0  p1x p1y p1z  r1"},
+    [SHAPE_HALFSPACE] = {"halfspace", 6, "px py pz  nx ny nz"},
 };
 
 const char *const ends_words[] = {[CYLINT_ENDS_CAPPED] = "capped",
@@ -40,7 +41,8 @@ const char *const ends_words[] = {[CYLINT_ENDS_CAPPED] = "capped",
                                   NULL};
 
 #define SHAPE_WORDS \
-    "cylinder, cone, ecylinder, econe, acone, sphere, capsule or rcone"
+    "cylinder, cone, ecylinder, econe, acone, sphere, capsule, rcone or " \
+    "halfspace"
 #define LINE_WORDS "line, ray, segment, span or point"
 #define ENDS_WORD "ends="
 #define ENDS_WORDS "capped, open, cap0, cap1, infinite or nappe"
@@ -130,6 +132,17 @@ static cylint_status make_line(const struct grammar *g, int kind,
                             : cylint_whole_line(line, v, v + 3);
 }
 
+/* It has no ends: `capped`, the usual word, and `infinite` change nothing. */
+static cylint_status make_halfspace(const double *v, cylint_ends ends,
+                                    cylint_shape *shape)
+{
+    if (ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_INFINITE) {
+        return cylint_halfspace(shape, v, v + 3);
+    }
+    memset(shape, 0, sizeof *shape);
+    return CYLINT_EENDS;
+}
+
 static cylint_status make_shape(int kind, int ends, const double *v,
                                 cylint_shape *shape)
 {
@@ -151,6 +164,8 @@ static cylint_status make_shape(int kind, int ends, const double *v,
         return cylint_capsule(shape, v, v + 3, v[6], e);
     case SHAPE_RCONE:
         return cylint_round_cone(shape, v, v[3], v + 4, v[7], e);
+    case SHAPE_HALFSPACE:
+        return make_halfspace(v, e, shape);
     default:
         return cylint_angle_cone(shape, v, v + 3, v[6], e);
     }

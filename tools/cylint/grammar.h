@@ -35,6 +35,7 @@ enum shape_kind {
     SHAPE_SPHERE,
     SHAPE_CAPSULE,
     SHAPE_RCONE,
+    SHAPE_HALFSPACE,
     SHAPE_KINDS
 };
 
