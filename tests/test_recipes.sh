@@ -47,6 +47,27 @@ test_foreign_shapes()
     done
 }
 
+# Each solid of the display has the pieces of its definition.
+test_foreign_solids()
+{
+    sh tests/recipe.sh solids > "$scratch/solids"
+    awk 'function pick(reach) { return (2 * rand() - 1) * reach }
+         BEGIN { srand(11)
+                 for (n = 0; n < 400; n++) {
+                     reach = 2 ^ (n % 5 + 1)
+                     ox = pick(60); oy = pick(60); oz = pick(60)
+                     printf "line %.6f %.6f %.6f  %.6f %.6f %.6f\n", ox, oy, oz,
+                            pick(reach) - ox, pick(reach) - oy, pick(reach) - oz
+                 } }' > "$scratch/lines"
+    cylint -s "$scratch/solids" -q pieces --pieces chords -f record,shape,t0,t1 \
+        "$scratch/lines" > "$scratch/pieces" &&
+        awk -f tests/solids.awk "$scratch/solids" "$scratch/lines" \
+            "$scratch/pieces" > "$scratch/log"
+    status=$?
+    [ $status -eq 0 ] || tail -5 "$scratch/log"
+    verdict solids_of_other_programs_have_the_pieces_of_their_manuals $status
+}
+
 # prints NAME RECIPE TEXT: the recipe prints TEXT in a folder with its files.
 prints()
 {
@@ -147,6 +168,7 @@ test_all_are_run()
 
 test_all_are_run
 test_foreign_shapes
+test_foreign_solids
 test_stand_in
 test_molecule
 test_lengths
