@@ -47,6 +47,27 @@ test_foreign_shapes()
     done
 }
 
+# Each solid of the display has the pieces of its definition.
+test_foreign_solids()
+{
+    sh tests/recipe.sh solids > "$scratch/solids"
+    awk 'function pick(reach) { return (2 * rand() - 1) * reach }
+         BEGIN { srand(11)
+                 for (n = 0; n < 400; n++) {
+                     reach = 2 ^ (n % 5 + 1)
+                     ox = pick(60); oy = pick(60); oz = pick(60)
+                     printf "line %.6f %.6f %.6f  %.6f %.6f %.6f\n", ox, oy, oz,
+                            pick(reach) - ox, pick(reach) - oy, pick(reach) - oz
+                 } }' > "$scratch/lines"
+    cylint -s "$scratch/solids" -q pieces --pieces chords -f record,shape,t0,t1 \
+        "$scratch/lines" > "$scratch/pieces" &&
+        awk -f tests/solids.awk "$scratch/solids" "$scratch/lines" \
+            "$scratch/pieces" > "$scratch/log"
+    status=$?
+    [ $status -eq 0 ] || tail -5 "$scratch/log"
+    verdict solids_of_other_programs_have_the_pieces_of_their_manuals $status
+}
+
 # prints NAME RECIPE TEXT: the recipe prints TEXT in a folder with its files.
 prints()
 {
@@ -83,6 +104,25 @@ test_stand_in()
  4 to  5 cm     40'
 }
 
+# Volumes by random lines, here of a union whose volume is known, and radiation
+# lengths.
+test_lengths()
+{
+    printf 'sphere 0 0 0  10  soma\ncapsule 0 0 0  30 0 0  1  branch\n' \
+        > "$scratch/cell"
+    prints random_lines_measure_the_volume_in_cylint_7 volume \
+        "$(sh tests/recipe.sh volume-said)"
+    awk '{ off = $2 - 4253.8; exit !(off * off < 9 * $5 * $5) }' \
+        "$scratch/output"
+    verdict the_volume_is_within_three_standard_errors $?
+    prints the_detector_has_the_radiation_lengths_in_cylint_7 detector \
+        "$(sh tests/recipe.sh detector-said)"
+    # at eta = 0: the pipe and the tracker, and 10 cm of lead beside the hole
+    awk '$1 == 0 { fine = $3 == 0.008 && $2 < 17.827 && $2 > 16
+                   exit !fine }' "$scratch/output"
+    verdict the_hole_for_cables_has_no_lead $?
+}
+
 test_real_tree()
 {
     cp $data/tree_archi.csv "$scratch/tree.csv"
@@ -91,6 +131,8 @@ test_real_tree()
         lidar "$(sh tests/recipe.sh lidar-said)"
     prints the_fit_of_a_real_tree_has_the_residuals_in_cylint_7 \
         residuals "$(sh tests/recipe.sh residuals-said)"
+    prints the_light_in_a_real_tree_has_the_shares_in_cylint_7 \
+        crown "$(sh tests/recipe.sh crown-said)"
 }
 
 # Two parallel bonds, the second 2 above the first.  Rays from the two lower atoms
@@ -126,8 +168,10 @@ test_all_are_run()
 
 test_all_are_run
 test_foreign_shapes
+test_foreign_solids
 test_stand_in
 test_molecule
+test_lengths
 if [ -d $data ]; then
     test_real_tree
 else
