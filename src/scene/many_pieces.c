@@ -322,10 +322,8 @@ cylint_scene_status cylint_scene_line_sums(const cylint_scene *scene,
 {
     cylint_piece_rule all = *rule;
     line_pieces pieces;
-    const pieces_query q = {.label = label,
-                            .labels = labels,
-                            .in_units = in_units,
-                            .sums = sums};
+    const pieces_query q = {
+        .label = label, .labels = labels, .in_units = in_units, .sums = sums};
     all.after = NULL;
     const int has_sums = begin_pieces(&pieces) &&
                          find_pieces(scene, line, &all, 0, &pieces) &&
