@@ -238,6 +238,30 @@ test_xray()
     verdict the_length_of_a_pixel_is_the_mean_of_its_rays $?
 }
 
+# A shell: the ball without a smaller one.
+test_solids()
+{
+    printf '%s\n' 'sphere 0 0 0  1  in=shell' 'sphere 0 0 0  0.5  out=shell' \
+        > shell.scene
+    printf '%s\n' 'sphere 0 0 0  0.5' > core.scene
+    for s in ball core shell; do
+        xray $s.png $s.scene --xray 0.75 && "$build/tests/greys" $s.png |
+            awk 'NR > 1 { print -log($3 / 65535) / 0.75 }' > $s.lengths
+    done
+    paste ball.lengths core.lengths shell.lengths | awk '
+        { off = $1 - $2 - $3; bad += off * off > 1e-8; hollow += $2 > 0 }
+        END { exit bad || !hollow }'
+    verdict an_x_ray_of_a_shell_is_the_difference_of_two_balls $?
+    # what is cut off does not count for the view
+    printf '%s\n' 'sphere 0 0 0  1  in=a' 'cylinder -99 0 0  99 0 0  99  in=a/2' \
+        'halfspace 0 0 5  0 0 1  in=a/3' 'sphere 0 0 99  9  out=a' > cut.scene
+    for s in ball cut; do
+        cylint-render $s.scene -o $s.png --size 61x40 --xray 0.75 || return 1
+    done
+    cmp ball.png cut.png
+    verdict a_solid_fills_the_picture_not_its_members $?
+}
+
 # Nothing in the picture, and solids without an end.
 test_xray_extremes()
 {
@@ -476,6 +500,7 @@ test_framing
 test_shadow
 test_inside
 test_xray
+test_solids
 test_xray_extremes
 test_colours
 test_joints

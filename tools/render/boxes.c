@@ -1,5 +1,5 @@
 /*
- * boxes.c - the boxes of a scene's bounded shapes
+ * boxes.c - the boxes of a scene's bounded solids
  */
 #include <stdint.h>
 #include <stdlib.h>
@@ -8,10 +8,16 @@
 #include "report.h"
 #include "scene.h"
 
+static const struct box NOWHERE = {{{HUGE_VAL, HUGE_VAL, HUGE_VAL}},
+                                   {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}}};
+static const struct box EVERYWHERE = {{{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}},
+                                      {{HUGE_VAL, HUGE_VAL, HUGE_VAL}}};
+
 static int is_bounded(const struct box *box)
 {
     for (int i = 0; i < 3; i++) {
-        if (!(box->high.v[i] - box->low.v[i] < HUGE_VAL)) {
+        if (!(box->low.v[i] <= box->high.v[i] &&
+              box->high.v[i] - box->low.v[i] < HUGE_VAL)) {
             return 0;
         }
     }
@@ -23,41 +29,129 @@ struct vector box_middle(const struct box *box)
     return mixed(box->low, box->high, 0.5);
 }
 
+static void enclose(struct box *box, const struct box *other)
+{
+    for (int k = 0; k < 3; k++) {
+        box->low.v[k] = fmin(box->low.v[k], other->low.v[k]);
+        box->high.v[k] = fmax(box->high.v[k], other->high.v[k]);
+    }
+}
+
+static void cut(struct box *box, const struct box *other)
+{
+    for (int k = 0; k < 3; k++) {
+        box->low.v[k] = fmax(box->low.v[k], other->low.v[k]);
+        box->high.v[k] = fmin(box->high.v[k], other->high.v[k]);
+    }
+}
+
 static void measure_all(struct boxes *boxes)
 {
-    struct box all = {{{HUGE_VAL, HUGE_VAL, HUGE_VAL}},
-                      {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}}};
+    struct box all = NOWHERE;
     for (size_t i = 0; i < boxes->count; i++) {
-        for (int k = 0; k < 3; k++) {
-            all.low.v[k] = fmin(all.low.v[k], boxes->box[i].low.v[k]);
-            all.high.v[k] = fmax(all.high.v[k], boxes->box[i].high.v[k]);
-        }
+        enclose(&all, &boxes->box[i]);
     }
     boxes->middle = box_middle(&all);
     boxes->size = length(minus(all.high, all.low));
 }
 
-int boxes_make(struct boxes *boxes, const struct scene *scene)
+static struct box box_of_shape(const struct scene *scene, size_t number)
 {
-    const size_t n = scene->count;
-    *boxes = (struct boxes){NULL, 0, {{0, 0, 0}}, 0};
-    if (n < SIZE_MAX / sizeof *boxes->box) {
-        boxes->box = malloc((n + 1) * sizeof *boxes->box);
+    struct box box;
+    cylint_shape shape;
+    scene_shape(scene, number, &shape);
+    cylint_bounds(&shape, box.low.v, box.high.v);
+    return box;
+}
+
+static void add_box(struct boxes *boxes, const struct box *box)
+{
+    if (is_bounded(box)) {
+        boxes->box[boxes->count++] = *box;
     }
-    if (!boxes->box) {
-        return out_of_memory();
+}
+
+/* ------------------------------------------------------------- solids -- */
+
+/* By solid, then by clause.  Clause 0 is a complement alone. */
+static int compare_members(const void *a, const void *b)
+{
+    const cylint_member *x = a, *y = b;
+    const long p = labs((long)x->clause), q = labs((long)y->clause);
+    return x->solid != y->solid ? (x->solid < y->solid ? -1 : 1)
+                                : (p > q) - (p < q);
+}
+
+/* The box of the clause that begins with member `first`; complements have no box.
+ * Returns the number of the next member. */
+static size_t box_of_clause(const struct scene *scene, const cylint_member *m,
+                            size_t count, size_t first, struct box *box)
+{
+    size_t i = first;
+    *box = NOWHERE;
+    for (; i < count && compare_members(&m[i], &m[first]) == 0; i++) {
+        const struct box one =
+            m[i].clause > 0 ? box_of_shape(scene, m[i].shape) : EVERYWHERE;
+        enclose(box, &one);
     }
-    for (size_t i = 0; i < n; i++) {
-        struct box *box = &boxes->box[boxes->count];
-        cylint_shape shape;
-        scene_shape(scene, i, &shape);
-        cylint_bounds(&shape, box->low.v, box->high.v);
-        boxes->count += (size_t)is_bounded(box);
+    return i;
+}
+
+static void add_solids(struct boxes *boxes, const struct scene *scene,
+                       const cylint_member *m, size_t count)
+{
+    for (size_t i = 0; i < count;) {
+        const size_t solid = m[i].solid;
+        struct box box = EVERYWHERE, clause;
+        while (i < count && m[i].solid == solid) {
+            i = box_of_clause(scene, m, count, i, &clause);
+            cut(&box, &clause);
+        }
+        add_box(boxes, &box);
+    }
+}
+
+/* A box for each solid, and for each shape that is in no solid. */
+static void add_all(struct boxes *boxes, const struct scene *scene,
+                    cylint_member *m, char *is_member)
+{
+    const size_t count = scene->solids.count;
+    for (size_t i = 0; i < count; i++) {
+        m[i] = scene->solids.member[i];
+        is_member[m[i].shape] = 1;
+    }
+    for (size_t i = 0; i < scene->count; i++) {
+        if (!is_member[i]) {
+            const struct box box = box_of_shape(scene, i);
+            add_box(boxes, &box);
+        }
+    }
+    if (count > 0) {
+        qsort(m, count, sizeof *m, compare_members);
+        add_solids(boxes, scene, m, count);
     }
     if (boxes->count > 0) {
         measure_all(boxes);
     }
-    return 0;
+}
+
+int boxes_make(struct boxes *boxes, const struct scene *scene)
+{
+    const size_t members = scene->solids.count;
+    const size_t most = scene->count + members + 1;
+    cylint_member *m = malloc((members + 1) * sizeof *m);
+    char *is_member = calloc(scene->count + 1, 1);
+    *boxes = (struct boxes){NULL, 0, {{0, 0, 0}}, 0};
+    if (most <= SIZE_MAX / sizeof *boxes->box) {
+        boxes->box = malloc(most * sizeof *boxes->box);
+    }
+    const int status = m && is_member && boxes->box ? 0 : out_of_memory();
+    if (status == 0) {
+        add_all(boxes, scene, m, is_member);
+    }
+    free(m);
+    free(is_member);
+    return status;
 }
 
 void boxes_free(struct boxes *boxes)

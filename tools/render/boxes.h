@@ -1,5 +1,8 @@
 /*
- * boxes.h - the boxes of a scene's bounded shapes
+ * boxes.h - the boxes of a scene's bounded solids
+ *
+ * A shape that is in no solid is itself a solid.  The box of a solid contains it: it is
+ * the common part of the boxes of its clauses.
  */
 #ifndef CYLINT_BOXES_H
 #define CYLINT_BOXES_H
@@ -17,8 +20,8 @@ struct box {
 struct boxes {
     struct box *box;
     size_t count;
-    struct vector middle; /* of the box of all shapes */
-    double size;          /* the diagonal of that box; 0: no shape is bounded */
+    struct vector middle; /* of the box of all */
+    double size;          /* the diagonal of that box; 0: none is bounded */
 };
 
 /* Returns 0 or an exit status. */
