@@ -73,6 +73,35 @@ brightest()
     }'
 }
 
+# A pipe along the view, of which a quarter is left out.
+cat > pipe.scene << 'END'
+cylinder 0 0 -1  0 0 1  2  in=pipe  #00ff00
+cylinder 0 0 -1  0 0 1  1  out=pipe
+halfspace 0 0 0  1 0 0  in=pipe/3
+halfspace 0 0 0  0 1 0  in=pipe/3
+END
+
+test_cut_solids()
+{
+    cylint-render pipe.scene -o pipe.png --ortho --from 0,0,1 --up 0,1,0 \
+        --size 212x212 --shade light --background none --samples 1 || return 1
+    # 50 pixels for a unit, the axis at 106, 106, x to the right and y up
+    "$build/tests/pixels" pipe.png | awk '
+        { x = ($1 + 0.5 - 106) / 50; y = (106 - $2 - 0.5) / 50
+          r = sqrt(x * x + y * y) }
+        r < 0.97 || r > 2.03 || (x > 0.03 && y > 0.03) { out++; shown += $6 > 0 }
+        r > 1.03 && r < 1.97 && (x < -0.03 || y < -0.03) {
+            inside++; green += $6 == 255 && $4 > 60 && $4 > 2 * $3 }
+        END { exit !(out > 9000 && !shown && inside > 15000 &&
+                     green == inside) }'
+    verdict solids_are_hollow_and_cut $?
+    sed 's/ *in=pipe  #/  ends=open  in=pipe  #/; s/ *out=/  ends=cap1  out=/' pipe.scene > open.scene
+    cylint-render open.scene -o open.png --ortho --from 0,0,1 --up 0,1,0 \
+        --size 212x212 --shade light --background none --samples 1 &&
+        cmp pipe.png open.png
+    verdict members_of_solids_count_with_their_caps $?
+}
+
 test_framing()
 {
     cylint-render level.scene -o level.png --ortho --from 1,0,0 \
@@ -501,6 +530,7 @@ test_shadow
 test_inside
 test_xray
 test_solids
+test_cut_solids
 test_xray_extremes
 test_colours
 test_joints
