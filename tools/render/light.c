@@ -9,7 +9,6 @@
 #include "colours.h"
 #include "light.h"
 #include "sampling.h"
-#include "solids.h"
 
 /* Light on a surface perpendicular to it.  Under an open sky both together show
  * white as nearly white. */
@@ -31,12 +30,6 @@ struct place {
     int leaves; /* a convex solid, from outside */
 };
 
-/* Shapes that are parts of solids. */
-static int has_solids(const struct stage *stage)
-{
-    return cylint_scene_members(stage->scene) > 0;
-}
-
 /* ------------------------------------------------------------- shadows -- */
 
 /* Whether nothing is in the way of a ray along d.  The place is certainly on the
@@ -46,13 +39,8 @@ static int is_free(const struct stage *stage, const struct place *at,
                    struct vector d)
 {
     cylint_line ray;
-    if (cylint_ray(&ray, at->point.v, d.v) != CYLINT_OK) {
-        return 0;
-    }
-    if (has_solids(stage)) {
-        return !solids_hide(stage->scene, &ray);
-    }
-    return !cylint_scene_occluded(stage->scene, &ray,
+    return cylint_ray(&ray, at->point.v, d.v) == CYLINT_OK &&
+           !cylint_scene_occluded(stage->scene, &ray,
                                   at->leaves ? at->number : stage->count);
 }
 
@@ -134,13 +122,9 @@ struct sample trace_sample(const struct stage *stage, const cylint_line *ray,
 {
     cylint_hit hit;
     cylint_shape hit_shape;
-    const size_t shape =
-        has_solids(stage)
-            ? solids_first(stage->scene, ray, &hit)
-            : cylint_scene_nearest(stage->scene, ray,
-                                   CYLINT_WANT_POINT | CYLINT_WANT_NORMAL |
-                                       CYLINT_WANT_PART,
-                                   &hit);
+    const size_t shape = cylint_scene_nearest(
+        stage->scene, ray,
+        CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_PART, &hit);
     if (shape == stage->count) {
         return (struct sample){vector(0, 0, 0), 0};
     }
@@ -152,12 +136,7 @@ struct sample trace_sample(const struct stage *stage, const cylint_line *ray,
     struct place at = {shape, vector(0, 0, 0),
                        inside ? times(-1, normal) : normal,
                        !inside && is_convex(&hit_shape)};
-    if (has_solids(stage)) {
-        at.leaves = 0;
-        solids_beside(&hit_shape, ray, &hit, inside, at.point.v);
-    } else {
-        cylint_outside(&hit_shape, &hit, inside ? 1 : -1, at.point.v);
-    }
+    cylint_outside(&hit_shape, &hit, inside ? 1 : -1, at.point.v);
     const double covered = opacity(stage, &at);
     const struct vector light = shaded(
         stage, &at, ray, light_of_colour(stage->colours[shape]), i, seed);
