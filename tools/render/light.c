@@ -30,18 +30,58 @@ struct place {
     int leaves; /* a convex solid, from outside */
 };
 
-/* ------------------------------------------------------------- shadows -- */
+/* ------------------------------------------------------------ surfaces -- */
+
+/* The shape where the ray first enters or leaves the union of all solids, or the
+ * number of all shapes. */
+static size_t first_of_solids(struct tracer *tracer, const cylint_line *ray,
+                              unsigned want, cylint_hit *hit)
+{
+    const struct stage *stage = tracer->stage;
+    unsigned long long number = 0;
+    if (!first_boundary(stage->scene, ray, want, hit, &tracer->memory,
+                        &number)) {
+        tracer->has_failed = 1;
+    }
+    return number > 0 ? (size_t)number - 1 : stage->count;
+}
+
+/* The normal of a boundary points out of the solid.  Writes the same hit as one of
+ * the shape, which can be a bore: its normal points out of the shape.  Missing caps
+ * count as present. */
+static void make_hit_of_shape(cylint_shape *shape, const cylint_line *ray,
+                              unsigned want, cylint_hit *hit)
+{
+    cylint_answer answer;
+    if (shape->ends == CYLINT_ENDS_OPEN || shape->ends == CYLINT_ENDS_CAP0 ||
+        shape->ends == CYLINT_ENDS_CAP1) {
+        shape->ends = CYLINT_ENDS_CAPPED;
+    }
+    const double t = hit->t;
+    cylint_intersect(shape, ray, want, &answer);
+    for (int i = 0; i < answer.n; i++) {
+        if (answer.hit[i].t == t) {
+            *hit = answer.hit[i];
+        }
+    }
+}
 
 /* Whether nothing is in the way of a ray along d.  The place is certainly on the
  * viewer's side of its shape.  If that is convex and the ray leaves it, it does
  * not hit the shape again, so that need not be tested. */
-static int is_free(const struct stage *stage, const struct place *at,
+static int is_free(struct tracer *tracer, const struct place *at,
                    struct vector d)
 {
+    const struct stage *stage = tracer->stage;
     cylint_line ray;
-    return cylint_ray(&ray, at->point.v, d.v) == CYLINT_OK &&
-           !cylint_scene_occluded(stage->scene, &ray,
-                                  at->leaves ? at->number : stage->count);
+    cylint_hit hit;
+    if (cylint_ray(&ray, at->point.v, d.v) != CYLINT_OK) {
+        return 0;
+    }
+    return stage->has_solids
+               ? first_of_solids(tracer, &ray, 0, &hit) == stage->count
+               : !cylint_scene_occluded(stage->scene, &ray,
+                                        at->leaves ? at->number : stage->count);
 }
 
 /* -------------------------------------------------------------- light -- */
@@ -53,9 +93,10 @@ static struct vector sky(const struct stage *stage, struct vector d)
                   : mixed(HORIZON, BELOW, sqrt(-up));
 }
 
-static struct vector from_sun(const struct stage *stage, const struct place *at,
+static struct vector from_sun(struct tracer *tracer, const struct place *at,
                               uint32_t i, uint32_t seed)
 {
+    const struct stage *stage = tracer->stage;
     double disc[2];
     sample_disc(i, hash_words(seed, FOR_SUN), disc);
     const struct vector u = perpendicular(stage->sun);
@@ -63,40 +104,40 @@ static struct vector from_sun(const struct stage *stage, const struct place *at,
     const struct vector d = unit(plus(plus(stage->sun, SUN_RADIUS * disc[0], u),
                                       SUN_RADIUS * disc[1], v));
     const double cosine = dot(d, at->facing);
-    return cosine > 0 && is_free(stage, at, d) ? times(cosine, SUN)
-                                               : vector(0, 0, 0);
+    return cosine > 0 && is_free(tracer, at, d) ? times(cosine, SUN)
+                                                : vector(0, 0, 0);
 }
 
-static struct vector from_sky(const struct stage *stage, const struct place *at,
+static struct vector from_sky(struct tracer *tracer, const struct place *at,
                               uint32_t i, uint32_t seed)
 {
     const struct vector d =
         sample_hemisphere(i, hash_words(seed, FOR_SKY), at->facing);
-    const struct vector light = sky(stage, d);
-    return is_free(stage, at, d) ? light : times(BOUNCE, light);
+    const struct vector light = sky(tracer->stage, d);
+    return is_free(tracer, at, d) ? light : times(BOUNCE, light);
 }
 
-static struct vector lit(const struct stage *stage, const struct place *at,
+static struct vector lit(struct tracer *tracer, const struct place *at,
                          struct vector colour, uint32_t i, uint32_t seed)
 {
-    return filtered(colour, plus(from_sun(stage, at, i, seed), 1,
-                                 from_sky(stage, at, i, seed)));
+    return filtered(colour, plus(from_sun(tracer, at, i, seed), 1,
+                                 from_sky(tracer, at, i, seed)));
 }
 
 /* ------------------------------------------------------------- shading -- */
 
-static struct vector shaded(const struct stage *stage, const struct place *at,
+static struct vector shaded(struct tracer *tracer, const struct place *at,
                             const cylint_line *ray, struct vector colour,
                             uint32_t i, uint32_t seed)
 {
     const struct vector d = vector(ray->d[0], ray->d[1], ray->d[2]);
-    switch (stage->shading) {
+    switch (tracer->stage->shading) {
     case SHADE_NORMAL:
         return plus(vector(0.5, 0.5, 0.5), 0.5, at->facing);
     case SHADE_PLAIN:
         return times(-dot(unit(d), at->facing), colour);
     default:
-        return lit(stage, at, colour, i, seed);
+        return lit(tracer, at, colour, i, seed);
     }
 }
 
@@ -117,28 +158,34 @@ static int is_convex(const cylint_shape *s)
            s->kind == CYLINT_KIND_ECYLINDER;
 }
 
-struct sample trace_sample(const struct stage *stage, const cylint_line *ray,
+struct sample trace_sample(struct tracer *tracer, const cylint_line *ray,
                            uint32_t i, uint32_t seed)
 {
+    const unsigned want = CYLINT_WANT_T | CYLINT_WANT_POINT |
+                          CYLINT_WANT_NORMAL | CYLINT_WANT_PART;
+    const struct stage *stage = tracer->stage;
     cylint_hit hit;
     cylint_shape hit_shape;
-    const size_t shape = cylint_scene_nearest(
-        stage->scene, ray,
-        CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_PART, &hit);
+    const size_t shape =
+        stage->has_solids ? first_of_solids(tracer, ray, want, &hit)
+                          : cylint_scene_nearest(stage->scene, ray, want, &hit);
     if (shape == stage->count) {
         return (struct sample){vector(0, 0, 0), 0};
+    }
+    cylint_scene_shape(stage->scene, shape, &hit_shape);
+    if (stage->has_solids) {
+        make_hit_of_shape(&hit_shape, ray, want, &hit);
     }
     const struct vector normal =
         vector(hit.normal[0], hit.normal[1], hit.normal[2]);
     const struct vector d = vector(ray->d[0], ray->d[1], ray->d[2]);
     const int inside = dot(normal, d) > 0;
-    cylint_scene_shape(stage->scene, shape, &hit_shape);
     struct place at = {shape, vector(0, 0, 0),
                        inside ? times(-1, normal) : normal,
                        !inside && is_convex(&hit_shape)};
     cylint_outside(&hit_shape, &hit, inside ? 1 : -1, at.point.v);
     const double covered = opacity(stage, &at);
     const struct vector light = shaded(
-        stage, &at, ray, light_of_colour(stage->colours[shape]), i, seed);
+        tracer, &at, ray, light_of_colour(stage->colours[shape]), i, seed);
     return (struct sample){times(covered, light), covered};
 }

@@ -9,6 +9,7 @@
 
 #include "cylint.h"
 #include "cylint_scene.h"
+#include "pieces.h"
 #include "vector.h"
 
 enum shading {
@@ -22,12 +23,20 @@ struct stage {
     const cylint_scene *scene;
     size_t count;            /* the number of shapes; the ground is the last */
     const uint32_t *colours; /* of shapes, 0xrrggbb */
+    int has_solids; /* made of several shapes: their first boundaries are drawn */
     int has_ground;
     struct vector middle; /* of the scene without the ground */
     double size;
     enum shading shading;
     struct vector sun; /* unit vector towards it */
     struct vector up;  /* unit vector */
+};
+
+/* The stage as one thread traces it.  Its memory is zero before use. */
+struct tracer {
+    const struct stage *stage;
+    struct piece_memory memory;
+    int has_failed; /* there was no memory: the samples are wrong */
 };
 
 /* Light times opacity, and opacity: 1 on a shape, 0 on none, between these where
@@ -38,7 +47,7 @@ struct sample {
 };
 
 /* Sample i of the pixel whose hash is `seed`. */
-struct sample trace_sample(const struct stage *stage, const cylint_line *ray,
+struct sample trace_sample(struct tracer *tracer, const cylint_line *ray,
                            uint32_t i, uint32_t seed);
 
 #endif

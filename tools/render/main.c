@@ -142,9 +142,16 @@ static int set_stage(const struct options *o, struct scene *scene,
         status = add_ground(scene, o->ground, up, boxes);
     }
     if (status == 0) {
-        *stage = (struct stage){NULL,       scene->count,    colours->of,
-                                has_ground, boxes->middle,   boxes->size,
-                                o->shading, sun_of(o, view), up};
+        *stage = (struct stage){NULL,
+                                scene->count,
+                                colours->of,
+                                scene->solids.count > 0,
+                                has_ground,
+                                boxes->middle,
+                                boxes->size,
+                                o->shading,
+                                sun_of(o, view),
+                                up};
     }
     return status;
 }

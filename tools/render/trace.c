@@ -5,6 +5,7 @@
  */
 #include <pthread.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "colours.h"
 #include "main.h"
@@ -21,11 +22,12 @@ struct work {
     int samples;
 
     pthread_mutex_t lock; /* protects the members below */
-    int next_row, rows_done;
+    int next_row, rows_done, status;
     struct progress progress;
 };
 
-static struct sample pixel_of_samples(const struct work *w, int x, int y)
+static struct sample pixel_of_samples(const struct work *w,
+                                      struct tracer *tracer, int x, int y)
 {
     const struct picture *p = w->picture;
     const uint32_t seed = hash_words((uint32_t)x, (uint32_t)y);
@@ -33,8 +35,7 @@ static struct sample pixel_of_samples(const struct work *w, int x, int y)
     for (int i = 0; i < w->samples; i++) {
         cylint_line ray;
         view_sample(w->view, p->width, p->height, x, y, i, w->samples, &ray);
-        const struct sample one =
-            trace_sample(w->stage, &ray, (uint32_t)i, seed);
+        const struct sample one = trace_sample(tracer, &ray, (uint32_t)i, seed);
         sum.light = plus(sum.light, 1, one.light);
         sum.opacity += one.opacity;
     }
@@ -67,29 +68,36 @@ static void put_pixel(const struct work *w, int y, struct sample mean,
     }
 }
 
-static void trace_row(const struct work *w, int y)
+static void trace_row(const struct work *w, struct tracer *tracer, int y)
 {
     const struct picture *p = w->picture;
     unsigned char *bytes =
         p->pixels + (size_t)y * (size_t)p->width * (size_t)p->channels;
     for (int x = 0; x < p->width; x++, bytes += p->channels) {
-        put_pixel(w, y, pixel_of_samples(w, x, y), bytes);
+        put_pixel(w, y, pixel_of_samples(w, tracer, x, y), bytes);
     }
 }
 
 static void *take_rows(void *context)
 {
     struct work *w = context;
+    struct tracer tracer;
+    memset(&tracer, 0, sizeof tracer);
+    tracer.stage = w->stage;
     pthread_mutex_lock(&w->lock);
-    while (w->next_row < w->picture->height) {
+    while (w->next_row < w->picture->height && w->status == 0) {
         const int y = w->next_row++;
         pthread_mutex_unlock(&w->lock);
-        trace_row(w, y);
+        trace_row(w, &tracer, y);
         pthread_mutex_lock(&w->lock);
+        if (tracer.has_failed && w->status == 0) {
+            w->status = out_of_memory();
+        }
         w->rows_done++;
         progress_add(&w->progress, 1, w->rows_done, w->picture->height);
     }
     pthread_mutex_unlock(&w->lock);
+    piece_memory_free(&tracer.memory);
     return NULL;
 }
 
@@ -99,9 +107,11 @@ int trace(struct picture *picture, const struct stage *stage,
           const struct view *view, const struct backdrop *backdrop, int samples,
           int workers, int progress)
 {
-    struct work w = {picture,  stage,   view,
-                     backdrop, samples, PTHREAD_MUTEX_INITIALIZER,
-                     0,        0,       {NULL, 0, 0, 0, 0, 0, 0, 0}};
+    struct work w = {picture, stage,
+                     view,    backdrop,
+                     samples, PTHREAD_MUTEX_INITIALIZER,
+                     0,       0,
+                     0,       {NULL, 0, 0, 0, 0, 0, 0, 0}};
     const int most = workers < picture->height ? workers : picture->height;
     pthread_t *others = malloc((size_t)most * sizeof *others);
     int started = 0;
@@ -119,5 +129,5 @@ int trace(struct picture *picture, const struct stage *stage,
     }
     progress_end(&w.progress);
     free(others);
-    return 0;
+    return w.status;
 }
