@@ -571,10 +571,10 @@ CYLINT_API cylint_scene_status cylint_scene_sums(const cylint_scene *scene,
                                                  int threads, double *sums);
 
 /* The same for one line, a segment too: writes sums[0] to sums[labels - 1]. */
-CYLINT_API cylint_scene_status cylint_scene_line_sums(
-    const cylint_scene *scene, const cylint_line *line,
-    const cylint_piece_rule *rule, const int *label, size_t labels,
-    int in_units, double *sums);
+CYLINT_API cylint_scene_status
+cylint_scene_line_sums(const cylint_scene *scene, const cylint_line *line,
+                       const cylint_piece_rule *rule, const int *label,
+                       size_t labels, int in_units, double *sums);
 
 #ifdef __cplusplus
 }

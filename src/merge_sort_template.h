@@ -39,7 +39,7 @@ static void SORT(SORTED *from, size_t n, SORTED *spare)
         from = to;
         to = swap;
     }
-    if (from == spare)
+    if (from == spare && n > 0)
         memcpy(to, from, n * sizeof *to);
 }
 

@@ -31,6 +31,13 @@ static void fail(const char *what)
     exit(1);
 }
 
+static void *array_of(size_t n, size_t size)
+{
+    void *array = calloc(n, size);
+    MUST(array != NULL);
+    return array;
+}
+
 /* ---------------------------------------------------------- exact sums -- */
 
 /* A sum of doubles without rounding: partials that do not overlap, ascending. */
@@ -120,7 +127,7 @@ static size_t number_of_solid(size_t solid)
 static void read_solids(void)
 {
     all.members = cylint_scene_members(all.scene.shapes);
-    all.member = calloc(all.members + 1, sizeof *all.member);
+    all.member = array_of(all.members + 1, sizeof *all.member);
     for (size_t i = 0; i < all.members; i++) {
         cylint_scene_member(all.scene.shapes, i, &all.member[i]);
         all.is_member[all.member[i].shape] = 1;
@@ -128,7 +135,7 @@ static void read_solids(void)
             all.solids = all.member[i].solid + 1;
         }
     }
-    all.number = calloc(all.solids + 1, sizeof *all.number);
+    all.number = array_of(all.solids + 1, sizeof *all.number);
     for (size_t i = 0; i < all.solids; i++) {
         all.number[i] = number_of_solid(i);
     }
@@ -142,12 +149,12 @@ static void read_all(const char *file, const char *ranks)
     MUST(scene_prepare(&all.scene, ACCEL_TREE, 2) == 0);
     MUST(names_make(&all.names, &all.labels, all.scene.count, ranks, 1) == 0);
     all.n = all.scene.count;
-    all.shape = calloc(all.n + 1, sizeof *all.shape);
-    all.is_member = calloc(all.n + 1, 1);
-    all.contains = calloc(all.n + 1, 1);
-    all.chord = calloc(2 * all.n + 2, sizeof *all.chord);
-    all.shape_of_chord = calloc(2 * all.n + 2, sizeof *all.shape_of_chord);
-    all.end = calloc(4 * all.n + 2, sizeof *all.end);
+    all.shape = array_of(all.n + 1, sizeof *all.shape);
+    all.is_member = array_of(all.n + 1, 1);
+    all.contains = array_of(all.n + 1, 1);
+    all.chord = array_of(2 * all.n + 2, sizeof *all.chord);
+    all.shape_of_chord = array_of(2 * all.n + 2, sizeof *all.shape_of_chord);
+    all.end = array_of(4 * all.n + 2, sizeof *all.end);
     for (size_t i = 0; i < all.n; i++) {
         scene_shape(&all.scene, i, &all.shape[i]);
     }
@@ -299,7 +306,7 @@ static void compare_sums(const cylint_line *line, const double *expected)
                                 {&line->d[0], &line->d[1], &line->d[2]},
                                 &line->tmin,
                                 &line->tmax};
-    double *sums = calloc(names->columns, sizeof *sums);
+    double *sums = array_of(names->columns, sizeof *sums);
     MUST(cylint_scene_line_sums(all.scene.shapes, line, &rule, names->column,
                                 names->columns, 1, sums) == CYLINT_SCENE_OK);
     MUST(memcmp(sums, expected, names->columns * sizeof *sums) == 0);
@@ -314,8 +321,8 @@ static void compare_sums(const cylint_line *line, const double *expected)
 static void write_sums(const cylint_line *line)
 {
     const size_t ends = find_ends(line), columns = all.names.columns;
-    struct sum *sum = calloc(columns, sizeof *sum);
-    double *sums = calloc(columns, sizeof *sums);
+    struct sum *sum = array_of(columns, sizeof *sum);
+    double *sums = array_of(columns, sizeof *sums);
     for (size_t i = 1; i < ends; i++) {
         const double t0 = all.end[i - 1], t1 = all.end[i];
         const cylint_piece cell = owner_of_cell(t0, t1);

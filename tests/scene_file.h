@@ -117,6 +117,32 @@ static inline void scene_file_query_line(const cylint_scene *scene,
     cylint_scene_visit(scene, line, CYLINT_WANT_T, scene_file_count_hit, &left);
 }
 
+/* In every mode, and the first boundary. */
+static inline void scene_file_query_pieces(const cylint_scene *scene,
+                                           const cylint_line *line)
+{
+    enum { PIECES = 5, BYTES = 1 << 15 };
+    static double memory[BYTES / sizeof(double)];
+    const size_t n = cylint_scene_size(scene);
+    cylint_workspace work = {memory, BYTES, 0};
+    cylint_hit hit;
+    for (int mode = 0; mode <= CYLINT_PIECES_CHORDS; mode++) {
+        const cylint_piece_rule rule = {.mode = (cylint_piece_mode)mode};
+        cylint_piece piece[PIECES];
+        const size_t count =
+            cylint_scene_pieces(scene, line, &rule, piece, PIECES, &work);
+        MUST(count != CYLINT_NO_ROOM && count <= PIECES);
+        for (size_t i = 0; i < count; i++)
+            MUST(piece[i].t0 < piece[i].t1 && piece[i].shape < n &&
+                 piece[i].depth > 0 &&
+                 (i == 0 || piece[i].t0 >= piece[i - 1].t0));
+    }
+    cylint_scene_first_boundary(scene, line, CYLINT_WANT_ALL, &hit, &work);
+    size_t owner;
+    cylint_scene_depth(scene, line->o, NULL, &owner, &work);
+    MUST(owner <= n);
+}
+
 static inline void scene_file_query_point(const cylint_scene *scene,
                                           const double o[3])
 {
@@ -169,6 +195,8 @@ static inline void scene_file_query_line_at(const cylint_scene *scene,
     cylint_line line;
     if (scene_file_line(scene, number, side, &line) == CYLINT_OK)
         scene_file_query_line(scene, &line, number);
+    if (line.valid)
+        scene_file_query_pieces(scene, &line);
 }
 
 static inline void scene_file_query_point_at(const cylint_scene *scene,

@@ -31,6 +31,16 @@ static size_t next_place(struct input *in)
 
 enum { SIZES = 8, FILE_MOST = 1 << 16 };
 
+/* Solids of three shapes; the second of each is a complement. */
+static void set_solids(cylint_scene *scene, size_t n)
+{
+    cylint_member members[36];
+    for (size_t i = 0; i < n; i++)
+        members[i] =
+            (cylint_member){i, i / 3, i % 3 == 1 ? -2 : 1 + (int)(i % 2)};
+    MUST(cylint_scene_set_solids(scene, members, n) == CYLINT_SCENE_OK);
+}
+
 /* The file of a scene of this kind and size, one shape in two with a label. */
 static struct bytes make_file(int kind, size_t n)
 {
@@ -46,6 +56,8 @@ static struct bytes make_file(int kind, size_t n)
     MUST(scene);
     if (n % 2 == 1)
         cylint_scene_set_labels(scene, &labels);
+    if (n % 3 == 2)
+        set_solids(scene, n);
     scene_file_write(scene, &file, FILE_MOST);
     cylint_scene_free(scene);
     scene_release(&of);

@@ -1,6 +1,7 @@
 /*
  * arguments.c - a command line, argument by argument
  */
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,6 +9,7 @@
 #include "arguments.h"
 #include "grammar.h"
 #include "main.h"
+#include "numbers.h"
 #include "similar.h"
 #include "text.h"
 
@@ -48,6 +50,27 @@ int read_count(const char *value, int most, int *count)
         }
     }
     return 0;
+}
+
+const char *read_bound(const char *p, double *bound)
+{
+    const char *word = p + (*p == '-' || *p == '+');
+    if (strncmp(word, "inf", 3) == 0) {
+        *bound = *p == '-' ? -HUGE_VAL : HUGE_VAL;
+        return word + 3;
+    }
+    const char *after = cylint_read_number(p, p + strlen(p), bound);
+    return after && *bound - *bound == 0 ? after : NULL;
+}
+
+int read_separator(const char *value, char *separator)
+{
+    if (strcmp(value, "\\t") == 0) {
+        *separator = '\t';
+        return 1;
+    }
+    *separator = value[0];
+    return value[0] != '\0' && value[0] != '\n' && value[1] == '\0';
 }
 
 int read_word(const struct option *o, const char *value,

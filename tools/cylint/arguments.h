@@ -27,6 +27,13 @@ int usage_similar(const struct option *o, const char *value,
 /* Reads a whole number from 1 to `most`.  Returns whether it is one. */
 int read_count(const char *value, int most, int *count);
 
+/* Reads a number, inf or -inf at p.  Returns the byte after it, or NULL.  The ends
+ * of a domain may be infinite; the numbers of a record may not. */
+const char *read_bound(const char *p, double *bound);
+
+/* Reads one character, or \t for a tab.  Returns whether it is that. */
+int read_separator(const char *value, char *separator);
+
 /* Finds the value in `words` (NULL at the end).  Returns 0 or EXIT_USAGE. */
 int read_word(const struct option *o, const char *value,
               const char *const *words, const char *expected, int *index);

@@ -175,14 +175,16 @@ static int read_file(struct rank_file *f, const char *file)
 static int read_ranks(struct names *n, const struct groups *g, const char *file)
 {
     struct rank_file f = {.groups = g};
-    int status;
+    int status = EXIT_MEMORY;
     n->rank = malloc((g->shapes + 1) * sizeof *n->rank);
     f.rank = calloc(g->shapes + 1, sizeof *f.rank);
     f.seen = calloc(g->shapes + 1, 1);
-    status =
-        n->rank && f.rank && f.seen ? read_file(&f, file) : out_of_memory();
-    for (size_t i = 0; i < g->shapes && status == 0; i++) {
-        n->rank[i] = f.rank[g->first[i]];
+    if (!n->rank || !f.rank || !f.seen) {
+        out_of_memory();
+    } else if ((status = read_file(&f, file)) == 0) {
+        for (size_t i = 0; i < g->shapes; i++) {
+            n->rank[i] = f.rank[g->first[i]];
+        }
     }
     free(f.rank);
     free(f.seen);

@@ -91,18 +91,6 @@ struct pending {
 
 /* ------------------------------------------------------------- values -- */
 
-/* The ends of a domain may be infinite; the numbers of a record may not. */
-static const char *read_bound(const char *p, double *bound)
-{
-    const char *word = p + (*p == '-' || *p == '+');
-    if (strncmp(word, "inf", 3) == 0) {
-        *bound = *p == '-' ? -HUGE_VAL : HUGE_VAL;
-        return word + 3;
-    }
-    const char *after = cylint_read_number(p, p + strlen(p), bound);
-    return after && *bound - *bound == 0 ? after : NULL;
-}
-
 static int read_domain(const char *value, struct grammar *g)
 {
     const char *p = read_bound(value, &g->tmin);
@@ -118,16 +106,6 @@ static int read_radius(const char *value, double *radius)
 {
     const char *p = read_bound(value, radius);
     return p && *p == '\0';
-}
-
-static int read_separator(const char *value, char *separator)
-{
-    if (strcmp(value, "\\t") == 0) {
-        *separator = '\t';
-        return 1;
-    }
-    *separator = value[0];
-    return value[0] != '\0' && value[0] != '\n' && value[1] == '\0';
 }
 
 static const cylint_method *find_method(const char *name)
@@ -229,6 +207,32 @@ static int read_list(struct options *options, const struct option *o,
     return read_word(o, value, words, "methods, shapes or columns", &index);
 }
 
+/* The place of a value that is kept as it is, or NULL. */
+static const char **place_of_text(struct options *options,
+                                  struct pending *pending, int id)
+{
+    switch (id) {
+    case 'f':
+        return &pending->fields;
+    case 'k':
+        return &pending->kinds;
+    case 'o':
+        return &options->output;
+    case 'q':
+        return &pending->query;
+    case 's':
+        return &options->scene;
+    case OPT_MISS:
+        return &options->style.missing;
+    case OPT_RANK:
+        return &options->rank;
+    case OPT_SAVE:
+        return &options->save;
+    default:
+        return NULL;
+    }
+}
+
 static int take_value(struct options *options, struct pending *pending,
                       const struct option *o, const char *value)
 {
@@ -239,29 +243,14 @@ static int take_value(struct options *options, struct pending *pending,
                    : usage_value(o, value, "one character");
     case 'e':
         return read_bad_policy(options, o, value);
-    case 'f':
-        pending->fields = value;
-        return 0;
     case 'j':
         return read_count(value, INT_MAX / 10 - 1, &options->workers)
                    ? 0
                    : usage_value(o, value, "a number of workers");
-    case 'k':
-        pending->kinds = value;
-        return 0;
-    case 'o':
-        options->output = value;
-        return 0;
     case 'p':
         return read_count(value, NUMBER_MAX_DIGITS, &options->style.digits)
                    ? 0
                    : usage_value(o, value, "1 to 17 digits");
-    case 'q':
-        pending->query = value;
-        return 0;
-    case 's':
-        options->scene = value;
-        return 0;
     case 't':
         return read_domain(value, &options->grammar)
                    ? 0
@@ -288,18 +277,9 @@ static int take_value(struct options *options, struct pending *pending,
     case OPT_PIECES:
     case OPT_SUM:
         return take_value_of_pieces(options, pending, o, value);
-    case OPT_RANK:
-        options->rank = value;
-        return 0;
-    case OPT_SAVE:
-        options->save = value;
-        return 0;
-    case OPT_SWC:
+    default: /* OPT_SWC */
         pending->has_swc = 1;
         return read_word(o, value, swc_forms, SWC_FORMS, &options->swc);
-    default: /* OPT_MISS */
-        options->style.missing = value;
-        return 0;
     }
 }
 
@@ -360,6 +340,11 @@ struct parsed_options {
 static int take_option(void *context, const struct option *o, const char *value)
 {
     struct parsed_options *parsed = context;
+    const char **text = place_of_text(parsed->options, &parsed->pending, o->id);
+    if (text) {
+        *text = value;
+        return 0;
+    }
     if (o->has_value) {
         return take_value(parsed->options, &parsed->pending, o, value);
     }

@@ -260,6 +260,61 @@ static uint32_t colour_of_shape(const struct colours *c,
     }
 }
 
+/* Writes for each shape the first one of its solid that is not a complement; shapes
+ * that are in no solid stand for themselves.  Returns NULL if there is no memory. */
+static size_t *first_of_solids(const struct scene *scene)
+{
+    const cylint_member *m = scene->solids.member;
+    const size_t n = scene->solids.count;
+    size_t solids = 0, *stand, *first;
+    for (size_t i = 0; i < n; i++) {
+        solids = m[i].solid < solids ? solids : m[i].solid + 1;
+    }
+    stand = malloc((scene->count + solids + 1) * sizeof *stand);
+    if (!stand) {
+        return NULL;
+    }
+    first = stand + scene->count;
+    for (size_t i = 0; i < scene->count + solids; i++) {
+        stand[i] = i < scene->count ? i : scene->count;
+    }
+    for (size_t i = 0; i < n; i++) {
+        if (m[i].clause > 0 && m[i].shape < first[m[i].solid]) {
+            first[m[i].solid] = m[i].shape;
+        }
+    }
+    for (size_t i = 0; i < n; i++) {
+        if (stand[m[i].shape] == m[i].shape &&
+            first[m[i].solid] < scene->count) {
+            stand[m[i].shape] = first[m[i].solid];
+        }
+    }
+    return stand;
+}
+
+/* Members of a solid without a colour of their own have that of its first one. */
+static int colour_others(struct colours *c, const struct scene *scene,
+                         enum colouring how, uint32_t one)
+{
+    size_t *stand = first_of_solids(scene);
+    if (!stand) {
+        return out_of_memory();
+    }
+    for (int members = 0; members < 2; members++) {
+        for (size_t i = 0; i < scene->count; i++) {
+            if (c->of[i] == NO_COLOUR && members) {
+                c->of[i] = c->of[stand[i]];
+            } else if (c->of[i] == NO_COLOUR && stand[i] == i) {
+                c->of[i] = how == COLOUR_CONNECTED
+                               ? colour_of_number(c->label[i])
+                               : colour_of_shape(c, scene, how, one, i);
+            }
+        }
+    }
+    free(stand);
+    return 0;
+}
+
 int colours_complete(struct colours *c, const struct scene *scene,
                      enum colouring how, uint32_t one, struct vector up)
 {
@@ -273,14 +328,7 @@ int colours_complete(struct colours *c, const struct scene *scene,
     if (how == COLOUR_RADIUS || how == COLOUR_HEIGHT) {
         by_measure(c, scene, how, up);
     }
-    for (size_t i = 0; i < scene->count; i++) {
-        if (c->of[i] == NO_COLOUR) {
-            c->of[i] = how == COLOUR_CONNECTED
-                           ? colour_of_number(c->label[i])
-                           : colour_of_shape(c, scene, how, one, i);
-        }
-    }
-    return status;
+    return status != 0 ? status : colour_others(c, scene, how, one);
 }
 
 void colours_free(struct colours *c)
