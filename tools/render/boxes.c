@@ -145,13 +145,13 @@ int boxes_make(struct boxes *boxes, const struct scene *scene)
     if (most <= SIZE_MAX / sizeof *boxes->box) {
         boxes->box = malloc(most * sizeof *boxes->box);
     }
-    const int status = m && is_member && boxes->box ? 0 : out_of_memory();
-    if (status == 0) {
+    const int has_memory = m && is_member && boxes->box;
+    if (has_memory) {
         add_all(boxes, scene, m, is_member);
     }
     free(m);
     free(is_member);
-    return status;
+    return has_memory ? 0 : out_of_memory();
 }
 
 void boxes_free(struct boxes *boxes)

@@ -166,26 +166,32 @@ static void scale(struct picture *picture, const struct xray *how,
 
 /* ------------------------------------------------------------- picture -- */
 
-int xray_picture(struct picture *picture, const struct xray *how,
-                 const cylint_scene *scene, const struct view *view,
-                 int samples, int workers, int progress)
+static int draw(struct picture *picture, const struct xray *how,
+                const struct rays *rays, size_t pixels, int progress,
+                double *lengths)
 {
-    const size_t width = (size_t)picture->width;
-    const size_t pixels = width * (size_t)picture->height;
-    double *lengths = pixels <= SIZE_MAX / sizeof *lengths
-                          ? malloc(pixels * sizeof *lengths)
-                          : NULL;
-    const struct rays rays = {picture, scene,   view,
-                              samples, workers, malloc(sizeof *rays.block)};
-    int status = lengths && rays.block
-                     ? measure(&rays, pixels, progress, lengths)
-                     : out_of_memory();
+    const int status = measure(rays, pixels, progress, lengths);
     if (status == 0) {
         scale(picture, how, lengths, pixels);
         if (progress) {
             fprintf(stderr, "%s: a pixel is %s\n", program, picture->note);
         }
     }
+    return status;
+}
+
+int xray_picture(struct picture *picture, const struct xray *how,
+                 const cylint_scene *scene, const struct view *view,
+                 int samples, int workers, int progress)
+{
+    const size_t width = (size_t)picture->width;
+    const size_t pixels = width * (size_t)picture->height;
+    double *lengths = calloc(pixels, sizeof *lengths);
+    const struct rays rays = {picture, scene,   view,
+                              samples, workers, malloc(sizeof *rays.block)};
+    const int status = lengths && rays.block ? draw(picture, how, &rays, pixels,
+                                                    progress, lengths)
+                                             : out_of_memory();
     free(lengths);
     free(rays.block);
     return status;
