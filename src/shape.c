@@ -252,8 +252,12 @@ cylint_status cylint_halfspace(cylint_shape *shape, const double p[3],
         return refuse_shape(shape, CYLINT_ENONFINITE);
     if (cylint_is_zero(n))
         return refuse_shape(shape, CYLINT_EAXIS);
-    write_shape(shape, CYLINT_KIND_HALFSPACE, CYLINT_ENDS_INFINITE, p, n, none,
-                none, none, 0, 0);
+    memset(shape, 0, sizeof *shape); /* no local coordinates */
+    shape->kind = CYLINT_KIND_HALFSPACE;
+    shape->ends = CYLINT_ENDS_INFINITE;
+    copy3(shape->library.number + CYLINT_AT_BASE, p);
+    copy3(shape->library.number + CYLINT_AT_AXIS, n);
+    shape->library.flag[CYLINT_AT_IN_RANGE] = cylint_is_in_window(shape);
     return CYLINT_OK;
 }
 

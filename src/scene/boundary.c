@@ -164,6 +164,7 @@ static int chord_of_point(const void *point, const cylint_shape *shape,
 }
 
 typedef struct {
+    const cylint_scene *scene;
     cylint_numbered_chord *chord;
     size_t n, capacity; /* n counts those without room too */
 } containers;
@@ -174,6 +175,8 @@ static double keep_container(void *context, size_t number, double distance,
     containers *c = context;
     (void)distance;
     (void)flags;
+    if (c->scene->solids.n > 0 && cylint_is_late(c->scene, (uint32_t)number))
+        return 0;
     if (c->n < c->capacity)
         c->chord[c->n] = (cylint_numbered_chord){0, 1, (uint32_t)number};
     c->n++;
@@ -196,7 +199,8 @@ size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
                           cylint_workspace *work)
 {
     const cylint_domain domain = {0, 1, chord_of_point, point};
-    containers c = {.chord = work->memory,
+    containers c = {.scene = scene,
+                    .chord = work->memory,
                     .capacity = work->bytes / sizeof *c.chord};
     cylint_numbered_chord *chord, *spare;
     *owner = scene->n;

@@ -207,6 +207,11 @@ static int is_always_tested(const cylint_solids *s, uint32_t shape)
     return is_tested;
 }
 
+int cylint_is_late(const cylint_scene *scene, uint32_t shape)
+{
+    return is_other(scene, shape) && !is_always_tested(&scene->solids, shape);
+}
+
 /* Keeps the late members only: those that not all lines test. */
 static void choose_late(cylint_solids *s, const cylint_scene *scene)
 {

@@ -50,6 +50,9 @@ struct cylint_scene;
 cylint_scene_status cylint_solids_make(cylint_solids *solids,
                                        const struct cylint_scene *scene);
 
+/* Whether a shape is a late member, see cylint_scene_solid.  The scene has solids. */
+int cylint_is_late(const struct cylint_scene *scene, uint32_t shape);
+
 /* Frees all but `given`. */
 void cylint_solids_free(cylint_solids *solids);
 size_t cylint_solids_bytes(const cylint_solids *solids, size_t shapes);

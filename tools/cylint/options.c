@@ -207,29 +207,38 @@ static int read_list(struct options *options, const struct option *o,
     return read_word(o, value, words, "methods, shapes or columns", &index);
 }
 
-/* The place of a value that is kept as it is, or NULL. */
-static const char **place_of_text(struct options *options,
-                                  struct pending *pending, int id)
+/* Keeps a value that is tested later or not at all.  Returns 0 if this option's
+ * value is tested now. */
+static int keep_value(struct options *options, struct pending *pending, int id,
+                      const char *value)
 {
     switch (id) {
     case 'f':
-        return &pending->fields;
+        pending->fields = value;
+        return 1;
     case 'k':
-        return &pending->kinds;
+        pending->kinds = value;
+        return 1;
     case 'o':
-        return &options->output;
+        options->output = value;
+        return 1;
     case 'q':
-        return &pending->query;
+        pending->query = value;
+        return 1;
     case 's':
-        return &options->scene;
+        options->scene = value;
+        return 1;
     case OPT_MISS:
-        return &options->style.missing;
+        options->style.missing = value;
+        return 1;
     case OPT_RANK:
-        return &options->rank;
+        options->rank = value;
+        return 1;
     case OPT_SAVE:
-        return &options->save;
+        options->save = value;
+        return 1;
     default:
-        return NULL;
+        return 0;
     }
 }
 
@@ -340,13 +349,10 @@ struct parsed_options {
 static int take_option(void *context, const struct option *o, const char *value)
 {
     struct parsed_options *parsed = context;
-    const char **text = place_of_text(parsed->options, &parsed->pending, o->id);
-    if (text) {
-        *text = value;
-        return 0;
-    }
     if (o->has_value) {
-        return take_value(parsed->options, &parsed->pending, o, value);
+        return keep_value(parsed->options, &parsed->pending, o->id, value)
+                   ? 0
+                   : take_value(parsed->options, &parsed->pending, o, value);
     }
     take_flag(parsed->options, &parsed->pending, o);
     return 0;

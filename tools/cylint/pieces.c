@@ -7,7 +7,7 @@
 
 #include "pieces.h"
 
-enum { PIECES_FIRST = 256, WORK_FIRST = 1 << 14 };
+enum { PIECES_FIRST = 256, GROWTH = 8, WORK_FIRST = 1 << 14 };
 
 void piece_memory_free(struct piece_memory *m)
 {
@@ -30,7 +30,8 @@ static int grow_work(cylint_workspace *work)
 
 static int grow_pieces(struct piece_memory *m)
 {
-    const size_t capacity = m->capacity > 0 ? 2 * m->capacity : PIECES_FIRST;
+    const size_t capacity =
+        m->capacity > 0 ? GROWTH * m->capacity : PIECES_FIRST;
     cylint_piece *more = capacity <= SIZE_MAX / sizeof *more
                              ? realloc(m->piece, capacity * sizeof *more)
                              : NULL;
@@ -67,8 +68,8 @@ static void move_on(struct piece_search *s, const struct piece_memory *m)
     }
 }
 
-/* A search that continues takes as long as the one before, so it has space for
- * twice as many pieces. */
+/* A search that continues takes as long as the one before, so it has space for more
+ * pieces. */
 int pieces_next(struct piece_search *s, struct piece_memory *m)
 {
     m->count = 0;
