@@ -28,6 +28,12 @@ static int grow_work(cylint_workspace *work)
     return work->memory != NULL;
 }
 
+/* Whether there is memory to begin with. */
+static int has_work(struct piece_memory *m)
+{
+    return m->work.memory || grow_work(&m->work);
+}
+
 static int grow_pieces(struct piece_memory *m)
 {
     const size_t capacity =
@@ -76,7 +82,7 @@ int pieces_next(struct piece_search *s, struct piece_memory *m)
     if (s->wanted == 0) {
         return 1;
     }
-    if ((s->is_continued || !m->piece) && !grow_pieces(m)) {
+    if (!has_work(m) || ((s->is_continued || !m->piece) && !grow_pieces(m))) {
         return 0;
     }
     const size_t capacity = s->wanted < m->capacity ? s->wanted : m->capacity;
@@ -102,6 +108,9 @@ int first_boundary(const cylint_scene *scene, const cylint_line *line,
 {
     const unsigned members = want & (unsigned)CYLINT_WANT_ALL;
     size_t number;
+    if (!has_work(m)) {
+        return 0;
+    }
     while ((number = cylint_scene_first_boundary(scene, line, members, hit,
                                                  &m->work)) == CYLINT_NO_ROOM) {
         if (!grow_work(&m->work)) {
@@ -117,6 +126,9 @@ int depth_of_point(const cylint_scene *scene, const double point[3],
                    unsigned long long *depth, unsigned long long *owner)
 {
     size_t number, found;
+    if (!has_work(m)) {
+        return 0;
+    }
     while ((found = cylint_scene_depth(scene, point, rank, &number,
                                        &m->work)) == CYLINT_NO_ROOM) {
         if (!grow_work(&m->work)) {
