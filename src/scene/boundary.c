@@ -147,7 +147,7 @@ size_t cylint_scene_first_boundary(const cylint_scene *scene,
     q.solid_number = piece.shape;
     consider_others(&q);
     cylint_visit_chords(scene, line, 0, consider_chord, &q);
-    describe_boundary(&q, want, hit);
+    describe_boundary(&q, want & CYLINT_WANT_ALL, hit);
     return q.number;
 }
 
@@ -206,6 +206,8 @@ size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
     *owner = scene->n;
     if (!cylint_is_finite(point))
         return 0;
+    if (!cylint_has_room(work))
+        return CYLINT_NO_ROOM;
     cylint_visit_point(scene, point, 0, CYLINT_HOLDING, 0, keep_container, &c);
     size_t n = c.n, used = c.n * sizeof *c.chord;
     work->wanted = used;

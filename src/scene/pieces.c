@@ -22,18 +22,6 @@
 #define SORT sort_ends
 #include "../merge_sort_template.h"
 
-void *cylint_take_room(cylint_room *room, size_t n, size_t size)
-{
-    const size_t bytes = (n * size + 7) / 8 * 8;
-    char *const taken = room->at;
-    room->wanted += bytes;
-    if (bytes > room->left)
-        return NULL;
-    room->at += bytes;
-    room->left -= bytes;
-    return taken;
-}
-
 /* ----------------------------------------------------------- collecting -- */
 
 /* All chords that begin at `complete` or before are collected. */
@@ -343,6 +331,8 @@ size_t cylint_scene_pieces(const cylint_scene *scene, const cylint_line *line,
                    .capacity = work->bytes / (2 * sizeof *c.chord)};
     if (!line->valid || capacity == 0)
         return 0;
+    if (!cylint_has_room(work))
+        return CYLINT_NO_ROOM;
     if (capacity <= FEW_PIECES && rule->mode != CYLINT_PIECES_CHORDS &&
         has_first_pieces(scene, line, &c, work, &s))
         return s.n_pieces;

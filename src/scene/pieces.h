@@ -35,7 +35,27 @@ typedef struct cylint_room {
 } cylint_room;
 
 /* Returns memory for n elements, or NULL. */
-void *cylint_take_room(cylint_room *room, size_t n, size_t size);
+static inline void *cylint_take_room(cylint_room *room, size_t n, size_t size)
+{
+    const size_t bytes = (n * size + 7) / 8 * 8;
+    char *const taken = room->at;
+    room->wanted += bytes;
+    if (bytes > room->left)
+        return NULL;
+    room->at += bytes;
+    room->left -= bytes;
+    return taken;
+}
+
+/* Whether the workspace has memory at all; else writes how much to try. */
+static inline int cylint_has_room(cylint_workspace *work)
+{
+    enum { SOME = 16 * sizeof(cylint_numbered_chord) };
+    if (work->bytes >= SOME)
+        return 1;
+    work->wanted = SOME;
+    return 0;
+}
 
 /* The chords of a shape, as cylint_chord() writes them, for a line or for what
  * stands for one. */

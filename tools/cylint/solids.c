@@ -276,13 +276,18 @@ static int refuse_numbers(const struct solids *s, size_t shapes)
     return status;
 }
 
-int solids_give(struct solids *s, cylint_scene *scene)
+void solids_complete(struct solids *s)
 {
     for (size_t i = 0; i < s->count; i++) {
         if (s->member[i].clause == 0) {
             s->member[i].clause = -++s->last_clause;
         }
     }
+}
+
+int solids_give(struct solids *s, cylint_scene *scene)
+{
+    solids_complete(s);
     const cylint_scene_status status =
         cylint_scene_set_solids(scene, s->member, s->count);
     if (status == CYLINT_SCENE_OK) {

@@ -42,6 +42,9 @@ int solids_read(struct solids *solids, size_t shape, const char *words,
  * after a message. */
 int solids_add(struct solids *solids, const cylint_member *member);
 
+/* Numbers the clauses of their own, when all members are added. */
+void solids_complete(struct solids *solids);
+
 /* Gives a finished scene its solids.  Returns 0, or an exit status after a
  * message. */
 int solids_give(struct solids *solids, cylint_scene *scene);

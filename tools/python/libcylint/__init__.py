@@ -20,7 +20,7 @@ from ._core import version as __version__
 from ._enums import Ends, Feature, Kind, Part, Relation, Side
 from ._intersect import Hits, intersect
 from ._read import read_scene, write_scene
-from ._scene import AllHits, NearestHits, Scene
+from ._scene import AllHits, Boundaries, NearestHits, Pieces, Scene
 from ._shapes import (
     Shapes,
     angle_cone,
@@ -30,6 +30,7 @@ from ._shapes import (
     cylinder,
     elliptic_cone,
     elliptic_cylinder,
+    halfspace,
     round_cone,
     sphere,
     tangent_cone,
@@ -37,6 +38,7 @@ from ._shapes import (
 
 __all__ = [
     "AllHits",
+    "Boundaries",
     "ClosestPoints",
     "ClosestShapes",
     "Ends",
@@ -45,6 +47,7 @@ __all__ = [
     "Kind",
     "NearestHits",
     "Part",
+    "Pieces",
     "Relation",
     "Scene",
     "Shapes",
@@ -58,6 +61,7 @@ __all__ = [
     "cylinder",
     "elliptic_cone",
     "elliptic_cylinder",
+    "halfspace",
     "intersect",
     "read_scene",
     "round_cone",

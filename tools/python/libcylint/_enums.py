@@ -14,6 +14,7 @@ class Kind(IntEnum):
     SPHERE = 6
     CAPSULE = 7
     RCONE = 8
+    HALFSPACE = 9
 
 
 class Ends(IntEnum):

@@ -31,6 +31,7 @@ def read_scene(
     it gives a rounded cone, and each root a sphere.  swc="cones" is the default.
     What follows a shape on its line is its label, see `Shapes.labels`; that of a
     neuron's shape is the number of its node.  A scene of `Scene.save` is read, too.
+    Solids (in=NAME, out=NAME) are not kept: see `Scene.read`.
     ends: for shapes whose line does not say.  Raises ValueError for the first
     bad line, OSError if the file cannot be read.
 
@@ -44,14 +45,17 @@ def read_scene(
     >>> cylint.read_scene(name, swc="round")
     <libcylint.Shapes (2,): 1 sphere, 1 rcone>
     """
-    begun, labels = read_begun(path, ends=ends, swc=swc)
+    begun, labels, _ = read_begun(path, ends=ends, swc=swc)
     return Shapes(shapes_of(begun, None)[0], labels)
 
 
 def read_begun(
     path: str | os.PathLike[str], *, ends: Any, swc: str | None
-) -> tuple[_core.Scene, NDArray[np.object_] | None]:
-    """A scene that is begun and its labels, by the arguments of `read_scene`."""
+) -> tuple[
+    _core.Scene, NDArray[np.object_] | None, list[tuple[int, int, int]]
+]:
+    """A scene that is begun, its labels, and members (shape, solid, clause) of its
+    solids, by the arguments of `read_scene`."""
     code = _NOT_GIVEN if ends is None else int(_codes(ends))
     name = os.fspath(path)
     if swc not in (None, "cones", "round"):
@@ -63,7 +67,7 @@ def read_begun(
     if not os.access(name, os.R_OK):
         with open(name, "rb"):
             pass
-    status, begun, labels, messages = _core.read_scene(
+    status, begun, labels, members, messages = _core.read_scene(
         name, code, swc == "round"
     )
     if status != 0:
@@ -75,6 +79,7 @@ def read_begun(
     return (
         begun or _core.Scene(0),
         None if labels is None else np.array(labels, np.object_),
+        members,
     )
 
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import Balls, Points, SceneLines, balls, takes
-from ._arrays import Progress, counted, shapes_of, workers
+from ._arrays import Progress, counted, integers, shapes_of, workers
 from ._closest import ClosestShapes, ShapesWithin
 from ._hits import DescribedHits
 from ._read import read_begun
@@ -69,6 +69,48 @@ class AllHits(NamedTuple):
     line: NDArray[np.int64]
     index: NDArray[np.int64]  # type: ignore[assignment]
     t: NDArray[np.float64]
+
+
+class Pieces(NamedTuple):
+    """What `Scene.pieces` returns: an element for each piece.
+
+    line: (k,) int64, the number of the line, ascending; of lines in several axes the
+    number in C order.
+    shape: (k,) int64, the number of the owner, a shape or the first of its solid.
+    depth: (k,) int64, how many solids contain the piece, at most.
+    t0, t1: (k,), where it begins and ends; infinite where a solid has no end.
+    """
+
+    line: NDArray[np.int64]
+    shape: NDArray[np.int64]
+    depth: NDArray[np.int64]
+    t0: NDArray[np.float64]
+    t1: NDArray[np.float64]
+
+
+class Boundaries(NamedTuple):
+    """What `Scene.first_boundary` returns.
+
+    index: (...) int64, the number of the shape on whose surface it is; -1: none.
+    t: (...); point, normal: (..., 3); nan for none.  The normal points out of the
+    solid.
+    side: (...) int8, a value of `Side`; -1 for none.
+    """
+
+    index: NDArray[np.int64]  # type: ignore[assignment]
+    t: NDArray[np.float64]
+    point: NDArray[np.float64]
+    normal: NDArray[np.float64]
+    side: NDArray[np.int8]
+
+
+_MODES = ("union", "owner", "cells", "chords")
+
+
+def _mode(word: str) -> int:
+    if word not in _MODES:
+        raise ValueError(f"mode: expected {', '.join(_MODES)}, found {word!r}")
+    return _MODES.index(word)
 
 
 class Scene:
@@ -142,10 +184,15 @@ class Scene:
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> Scene:
-        """`Scene(read_scene(path, ends=ends, swc=swc))` in a sixth of the memory."""
-        begun, labels = read_begun(path, ends=ends, swc=swc)
+        """`Scene(read_scene(path, ends=ends, swc=swc))` in a sixth of the memory.
+
+        With the solids that the file states by in=NAME and out=NAME.
+        """
+        begun, labels, members = read_begun(path, ends=ends, swc=swc)
         scene = cls.__new__(cls)
         scene._start(begun, labels, threads, progress)
+        if members:
+            scene.set_solids(*np.array(members, np.int64).T)
         return scene
 
     @property
@@ -323,6 +370,248 @@ class Scene:
         )
         found.write(tuple(hits))
         return hits
+
+    def _integers(
+        self, name: str, values: ArrayLike | None
+    ) -> NDArray[np.int32] | None:
+        """One 32-bit integer for each shape."""
+        if values is None:
+            return None
+        array = integers(name, values)
+        if array.shape != (len(self),):
+            raise ValueError(
+                f"{name}: expected {len(self)} integers, one a shape, found the shape {array.shape}"
+            )
+        limits = np.iinfo(np.int32)
+        if array.size and not (
+            limits.min <= array.min() and array.max() <= limits.max
+        ):
+            raise ValueError(f"{name}: a number does not fit 32 bits")
+        return np.ascontiguousarray(array, np.int32)
+
+    def set_solids(
+        self, shape: ArrayLike, solid: ArrayLike, clause: ArrayLike
+    ) -> None:
+        """Sets solids made of shapes, in place of those before.
+
+        shape, solid, clause: integers that broadcast to one axis.  Shape number
+        `shape` is a member of a clause of solid number `solid`; of a negative
+        clause its complement is.  A point is in a solid if each clause has a member
+        that contains the point.  A shape in no solid is itself a solid.  The number
+        of a solid is that of its first shape that is not a complement.
+
+        `pieces`, `sums`, `depth` and `first_boundary` are about solids, all others
+        about shapes.
+
+        >>> pipe = cylint.cylinder([0, 0, 0], [0, 0, 9], [2, 1])
+        >>> scene = cylint.Scene(pipe)
+        >>> scene.set_solids([0, 1], 0, [1, -2])
+        >>> scene.pieces([-5, 0, 3], [1, 0, 0])[3:]
+        (array([3., 6.]), array([4., 7.]))
+        """
+        given = np.broadcast_arrays(
+            integers("shape", shape),
+            integers("solid", solid),
+            integers("clause", clause),
+        )
+        rows = np.column_stack([column.reshape(-1) for column in given])
+        for name, bad in (
+            ("shape", (rows[:, 0] < 0) | (rows[:, 0] >= len(self))),
+            ("solid", (rows[:, 1] < 0) | (rows[:, 1] >= len(rows))),
+            ("clause", (rows[:, 2] == 0) | (abs(rows[:, 2]) >= 2**31)),
+        ):
+            if bad.any():
+                row = int(np.argmax(bad))
+                raise ValueError(
+                    f"{name}[{row}]: {rows[row, ('shape', 'solid', 'clause').index(name)]} is not possible"
+                )
+        self._scene.set_solids(np.ascontiguousarray(rows, np.int64))
+
+    @property
+    def solids(self) -> NDArray[np.int64]:
+        """The members of solids: (k, 3), each a shape, a solid and a clause."""
+        members = np.empty((self._scene.members(), 3), np.int64)
+        self._scene.solids(members)
+        return members
+
+    def pieces(
+        self,
+        origins: ArrayLike,
+        directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0,
+        tmax: ArrayLike = np.inf,
+        *,
+        to: ArrayLike | None = None,
+        mode: str = "owner",
+        rank: ArrayLike | None = None,
+        first: int | None = None,
+        errors: str = "raise",
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Pieces:
+        """The pieces of each line that are inside solids, in order.
+
+        Lines as of `intersect`.
+        mode: "owner": each place belongs to the solid of least rank, of equal ranks
+        to the lowest number; "union": maximal intervals inside any solid; "cells":
+        divided wherever a solid begins or ends; "chords": of each solid, not merged.
+        rank: (len(scene),) integers.  first: so many pieces of each line.
+
+        >>> balls = cylint.sphere([[0, 0, 0], [1, 0, 0], [9, 0, 0]], 1)
+        >>> cylint.Scene(balls).pieces([-5, 0, 0], [1, 0, 0], mode="union")
+        Pieces(line=array([0, 0]), shape=array([0, 2]), depth=array([2, 1]), t0=array([ 4., 13.]), t1=array([ 7., 15.]))
+        """
+        lines = SceneLines(
+            origins, directions, tmin, tmax, to=to, errors=errors
+        )
+        most = 0 if first is None else int(first)
+        if most < 0 or (first is not None and most == 0):
+            raise ValueError(f"first: expected a number above 0, found {first}")
+        found = self._scene.pieces(
+            lines.flat(),
+            lines.excluded(len(self)).reshape(-1),
+            _mode(mode),
+            self._integers("rank", rank),
+            most,
+            workers(self._choose(threads)),
+            progress,
+        )
+        if found is None:
+            raise lines.refuse()
+        size = found.size()
+        columns = Pieces(
+            *(np.empty(size, np.int64) for _ in range(3)),
+            np.empty(size),
+            np.empty(size),
+        )
+        found.write(tuple(columns))
+        return columns
+
+    def sums(
+        self,
+        origins: ArrayLike,
+        directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0,
+        tmax: ArrayLike = np.inf,
+        *,
+        to: ArrayLike | None = None,
+        labels: ArrayLike | None = None,
+        columns: int | None = None,
+        mode: str = "owner",
+        rank: ArrayLike | None = None,
+        units: str = "length",
+        errors: str = "raise",
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> NDArray[np.float64]:
+        """The lengths of each line inside solids, added by label.
+
+        Arguments as of `pieces`.
+        labels: (len(scene),) integers from 0; negative ones are not counted.  The
+        answer is (..., columns), one column a label; columns: default the greatest
+        label and 1.  None: all shapes count, and the answer is (...).
+        units: "length" in those of the scene; "t": in units of the directions.
+
+        Each sum is rounded once, and once more for "length"; inf if a piece is
+        infinite.
+
+        >>> balls = cylint.sphere([[0, 0, 0], [1, 0, 0], [9, 0, 0]], 1)
+        >>> scene = cylint.Scene(balls)
+        >>> scene.sums([-5, 0, 0], [2, 0, 0])
+        array(5.)
+        >>> scene.sums([-5, 0, 0], [2, 0, 0], labels=[0, 0, 1], units="t")
+        array([1.5, 1. ])
+        """
+        if units not in ("length", "t"):
+            raise ValueError(f"units: expected length or t, found {units!r}")
+        lines = SceneLines(
+            origins,
+            directions,
+            tmin,
+            tmax,
+            to=to,
+            errors=errors,
+            threads=threads,
+            progress=progress,
+        )
+        label = self._integers("labels", labels)
+        width = 1
+        if label is not None:
+            width = int(label.max(initial=-1)) + 1
+        if columns is not None:
+            width = int(columns)
+        if width < 0:
+            raise ValueError(f"columns: found {width}")
+        sums = np.empty((*lines.shape, width))
+        if not self._scene.sums(
+            lines.broadcast_to(lines.shape),
+            lines.excluded(len(self)),
+            _mode(mode),
+            self._integers("rank", rank),
+            label,
+            units == "length",
+            sums,
+            workers(self._choose(threads)),
+            progress,
+        ):
+            raise lines.refuse()
+        return sums[..., 0] if labels is None and columns is None else sums
+
+    def depth(
+        self,
+        points: ArrayLike,
+        *,
+        rank: ArrayLike | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """How many solids contain each point, and which one owns it: (...), (...).
+
+        points: (..., 3).  Boundaries belong to solids; complements are without
+        theirs.  The owner has the least rank, of equal ranks the lowest number; -1:
+        there is none.
+
+        >>> balls = cylint.sphere([[0, 0, 0], [1, 0, 0]], 1)
+        >>> cylint.Scene(balls).depth([[0.5, 0, 0], [1.5, 0, 0], [3, 0, 0]])
+        (array([2, 1, 0]), array([ 0,  1, -1]))
+        """
+        around = Balls(
+            Points(points, threads=threads, progress=progress), "r", 0.0
+        )
+        deep = np.empty(around.shape, np.int64)
+        index = np.empty(around.shape, np.int64)
+        self._scene.depth(
+            around.points,
+            around.radii,
+            self._integers("rank", rank),
+            (deep, index),
+            workers(self._choose(threads)),
+            progress,
+        )
+        return deep, index
+
+    @takes(SceneLines)
+    def first_boundary(self, lines: SceneLines) -> Boundaries:
+        """Where each line first enters or leaves the union of all solids.
+
+        Arguments as of `intersect`.  Places at tmin and tmax do not count.
+
+        >>> pipe = cylint.Scene(cylint.cylinder([0, 0, 0], [0, 0, 9], [2, 1]))
+        >>> pipe.set_solids([0, 1], 0, [1, -2])
+        >>> wall = pipe.first_boundary([[-5, 0, 3], [0, 0, 3]], [1, 0, 0])
+        >>> wall.index, wall.t, wall.normal[1]
+        (array([0, 1]), array([3., 1.]), array([-1.,  0.,  0.]))
+        """
+        shape = lines.shape
+        found = Boundaries(
+            np.empty(shape, np.int64),
+            np.empty(shape),
+            np.empty((*shape, 3)),
+            np.empty((*shape, 3)),
+            np.empty(shape, np.int8),
+        )
+        self._ask(self._scene.first_boundary, lines, tuple(found))
+        return found
 
     def closest(
         self,

@@ -588,6 +588,19 @@ def sphere(c: ArrayLike, r: ArrayLike, *, ends: Any = "capped") -> Shapes:
     return _make("sphere", ends, c=c, r=r)
 
 
+def halfspace(p: ArrayLike, n: ArrayLike) -> Shapes:
+    """Half-spaces: the points x with (x - p).n <= 0.
+
+    p, n: (..., 3); n points out and need not have length 1.  They are unbounded; a
+    line hits the plane at most once.  With other shapes they make sectors and cuts,
+    see `Scene.set_solids`.
+
+    >>> cylint.intersect(cylint.halfspace([5, 0, 0], [-2, 0, 0]), [0, 0, 0], [1, 0, 0]).t
+    array([ 5., nan])
+    """
+    return _make("halfspace", "capped", p=p, n=n)
+
+
 def capsule(
     p0: ArrayLike, p1: ArrayLike, r: ArrayLike, *, ends: Any = "capped"
 ) -> Shapes:

@@ -47,7 +47,18 @@ static nb::object labels_of(const cylint_python_scene &scene)
                : nb::none();
 }
 
-/* Returns (status, a scene that is begun, labels, messages); None instead of a scene
+/* The members of solids: (shape, solid, clause). */
+static nb::list members_of(const cylint_python_scene &scene)
+{
+    nb::list members;
+    for (size_t i = 0; i < scene.n_members; i++) {
+        const cylint_member &m = scene.members[i];
+        members.append(nb::make_tuple(m.shape, m.solid, m.clause));
+    }
+    return members;
+}
+
+/* Returns (status, a scene that is begun, labels, members of solids, messages); None instead of a scene
  * without shapes. */
 nb::tuple read_scene(const char *file, int ends, bool round)
 {
@@ -62,10 +73,12 @@ nb::tuple read_scene(const char *file, int ends, bool round)
     }
     const nb::object begun = scene_object(scene.shapes);
     const nb::object labels = labels_of(scene);
+    const nb::list members = members_of(scene);
+    std::free(scene.members);
     std::free(scene.label_bytes);
     std::free(scene.label_end);
     nb::list texts;
     for (const std::string &text : said)
         texts.append(nb::str(text.data(), text.size()));
-    return nb::make_tuple(status, begun, labels, texts);
+    return nb::make_tuple(status, begun, labels, members, texts);
 }

@@ -10,6 +10,8 @@
  * NULL if no shape has one.  The caller frees the scene and the arrays. */
 typedef struct cylint_python_scene {
     cylint_scene *shapes; /* begun; NULL: there are none */
+    cylint_member *members; /* of solids, for the finished scene */
+    size_t n_members;
     size_t count;
     char *label_bytes;
     uint64_t *label_end;

@@ -66,6 +66,63 @@ struct Found {
     }
 };
 
+/* The pieces of each block of lines. */
+struct Pieces {
+    struct Row {
+        int64_t line;
+        cylint_piece piece;
+    };
+    explicit Pieces(size_t count) : blocks((count + BLOCK - 1) / BLOCK)
+    {
+    }
+    std::vector<std::vector<Row>> blocks;
+
+    size_t size() const
+    {
+        size_t sum = 0;
+        for (const auto &block : blocks)
+            sum += block.size();
+        return sum;
+    }
+
+    /* columns: line, shape, depth (int64), t0, t1, contiguous */
+    void write(nb::tuple columns) const
+    {
+        const Array line(columns[0], true), shape(columns[1], true),
+            depth(columns[2], true), t0(columns[3], true), t1(columns[4], true);
+        size_t i = 0;
+        for (const auto &block : blocks) {
+            for (const Row &row : block) {
+                at<int64_t>(line, i) = row.line;
+                at<int64_t>(shape, i) = static_cast<int64_t>(row.piece.shape);
+                at<int64_t>(depth, i) = static_cast<int64_t>(row.piece.depth);
+                at<double>(t0, i) = row.piece.t0;
+                at<double>(t1, i++) = row.piece.t1;
+            }
+        }
+    }
+
+  private:
+    template <class T> static T &at(const Array &array, size_t i)
+    {
+        return reinterpret_cast<T *>(array.data())[i];
+    }
+};
+
+/* Memory of the thread for one query at a time, which query(work) uses; it is called
+ * again as long as it returns CYLINT_NO_ROOM. */
+template <class Query> size_t with_workspace(const Query &query)
+{
+    thread_local std::vector<double> memory(2048);
+    for (;;) {
+        cylint_workspace work{memory.data(), memory.size() * sizeof(double), 0};
+        const size_t answer = query(&work);
+        if (answer != CYLINT_NO_ROOM)
+            return answer;
+        memory.resize(work.wanted / sizeof(double) + 1);
+    }
+}
+
 void put(char *to, int64_t value)
 {
     *reinterpret_cast<int64_t *>(to) = value;
@@ -329,6 +386,126 @@ class Scene
         return good ? std::move(found) : nullptr;
     }
 
+    /* Members of solids: (k, 3) int64, contiguous: shape, solid, clause. */
+    void set_solids(nb::handle members)
+    {
+        const Array from(members);
+        const auto *const row = reinterpret_cast<const int64_t *>(from.data());
+        std::vector<cylint_member> all;
+        for (ptrdiff_t i = 0; i < from.size(0); i++)
+            all.push_back({static_cast<size_t>(row[3 * i]),
+                           static_cast<size_t>(row[3 * i + 1]),
+                           static_cast<int>(row[3 * i + 2])});
+        check(cylint_scene_set_solids(scene.get(), all.data(), all.size()));
+    }
+
+    size_t members() const
+    {
+        return cylint_scene_members(scene.get());
+    }
+
+    void solids(nb::handle members) const
+    {
+        const Array to(members, true);
+        auto *const row = reinterpret_cast<int64_t *>(to.data());
+        for (ptrdiff_t i = 0; i < to.size(0); i++) {
+            cylint_member member;
+            cylint_scene_member(scene.get(), static_cast<size_t>(i), &member);
+            row[3 * i] = static_cast<int64_t>(member.shape);
+            row[3 * i + 1] = static_cast<int64_t>(member.solid);
+            row[3 * i + 2] = member.clause;
+        }
+    }
+
+    /* rank: int32 for each shape, contiguous, or None; first: 0 for all.  The
+     * lines have one axis. */
+    std::unique_ptr<Pieces> pieces(const Lines &lines, nb::handle exclude,
+                                   int mode, nb::handle rank, size_t first,
+                                   int threads, nb::handle progress) const
+    {
+        const Array ranks(rank);
+        const cylint_piece_rule rule = rule_of(mode, ranks);
+        auto found =
+            std::make_unique<Pieces>(static_cast<size_t>(lines.starts.size(0)));
+        const bool good = each_line(
+            lines, exclude, {}, threads, progress,
+            [&](const cylint_line &line, size_t, char *const *, size_t number) {
+                add_pieces(line, rule, first, number,
+                           found->blocks[number / BLOCK]);
+            });
+        return good ? std::move(found) : nullptr;
+    }
+
+    /* label: int32 for each shape, contiguous, or None; sums: (..., labels), the
+     * last axis contiguous. */
+    bool sums(const Lines &lines, nb::handle exclude, int mode, nb::handle rank,
+              nb::handle label, bool in_units, nb::handle sums, int threads,
+              nb::handle progress) const
+    {
+        const Array ranks(rank), labels(label), to(sums, true);
+        const cylint_piece_rule rule = rule_of(mode, ranks);
+        const auto columns = static_cast<size_t>(to.size(to.axes() - 1));
+        return each_line(
+            lines, exclude, {&to}, threads, progress,
+            [&](const cylint_line &line, size_t, char *const *at, size_t) {
+                if (cylint_scene_line_sums(
+                        scene.get(), &line, &rule, integers_of(labels), columns,
+                        in_units,
+                        reinterpret_cast<double *>(at[0])) != CYLINT_SCENE_OK)
+                    throw std::bad_alloc();
+            });
+    }
+
+    /* columns: depth, index (int64).  radii: of no effect. */
+    void depth(nb::handle points, nb::handle radii, nb::handle rank,
+               nb::tuple columns, int threads, nb::handle progress) const
+    {
+        const Array ranks(rank), deep(columns[0], true),
+            index(columns[1], true);
+        each_ball(
+            points, radii, {&deep, &index}, threads, progress,
+            [&](const double(&point)[3], double, char *const *to, size_t) {
+                size_t owner = n;
+                const size_t count =
+                    with_workspace([&](cylint_workspace *work) {
+                        return cylint_scene_depth(scene.get(), point,
+                                                  integers_of(ranks), &owner,
+                                                  work);
+                    });
+                put(to[0], static_cast<int64_t>(count));
+                put(to[1], number_of(owner));
+            });
+    }
+
+    /* columns: index (int64), t, point (..., 3), normal (..., 3), side */
+    bool first_boundary(const Lines &lines, nb::handle exclude,
+                        nb::tuple columns, int threads,
+                        nb::handle progress) const
+    {
+        const Array index(columns[0], true), t(columns[1], true),
+            point(columns[2], true), normal(columns[3], true),
+            side(columns[4], true);
+        return each_line(
+            lines, exclude, {&index, &t, &point, &normal, &side}, threads,
+            progress,
+            [this](const cylint_line &line, size_t, char *const *to, size_t) {
+                cylint_hit hit;
+                const size_t found =
+                    with_workspace([&](cylint_workspace *work) {
+                        return cylint_scene_first_boundary(
+                            scene.get(), &line, CYLINT_WANT_ALL, &hit, work);
+                    });
+                const bool is_found = found < n;
+                put(to[0], number_of(found));
+                put(to[1], is_found ? hit.t : not_a_number);
+                for (size_t j = 0; j < 3; j++) {
+                    put(to[2] + 8 * j, is_found ? hit.point[j] : not_a_number);
+                    put(to[3] + 8 * j, is_found ? hit.normal[j] : not_a_number);
+                }
+                *to[4] = static_cast<char>(is_found ? hit.side : -1);
+            });
+    }
+
     /* columns: index (int64), distance */
     void closest(nb::handle points, nb::handle radii, bool is_signed,
                  nb::tuple columns, int threads, nb::handle progress) const
@@ -398,6 +575,37 @@ class Scene
         }
     };
     using Arrays = std::initializer_list<const Array *>;
+
+    /* int32, or nullptr for no array */
+    static const int *integers_of(const Array &array)
+    {
+        return array ? reinterpret_cast<const int *>(array.data()) : nullptr;
+    }
+
+    static cylint_piece_rule rule_of(int mode, const Array &ranks)
+    {
+        return {static_cast<cylint_piece_mode>(mode), integers_of(ranks),
+                nullptr};
+    }
+
+    void add_pieces(const cylint_line &line, const cylint_piece_rule &rule,
+                    size_t most, size_t number,
+                    std::vector<Pieces::Row> &rows) const
+    {
+        std::vector<cylint_piece> some(most > 0 ? most : CAPACITY);
+        size_t found;
+        for (;;) {
+            found = with_workspace([&](cylint_workspace *work) {
+                return cylint_scene_pieces(scene.get(), &line, &rule,
+                                           some.data(), some.size(), work);
+            });
+            if (most > 0 || found < some.size())
+                break;
+            some.resize(2 * some.size());
+        }
+        for (size_t i = 0; i < found; i++)
+            rows.push_back({static_cast<int64_t>(number), some[i]});
+    }
 
     /* -1 if none is found */
     int64_t number_of(size_t found) const
@@ -610,6 +818,22 @@ void register_scene(nb::module_ &module)
              nb::arg("counts"), nb::arg("threads"), nb::arg("progress").none())
         .def("all", &Scene::all, nb::arg("lines"), nb::arg("exclude"),
              nb::arg("threads"), nb::arg("progress").none())
+        .def("set_solids", &Scene::set_solids, nb::arg("members"))
+        .def("members", &Scene::members)
+        .def("solids", &Scene::solids, nb::arg("members"))
+        .def("pieces", &Scene::pieces, nb::arg("lines"), nb::arg("exclude"),
+             nb::arg("mode"), nb::arg("rank").none(), nb::arg("first"),
+             nb::arg("threads"), nb::arg("progress").none())
+        .def("sums", &Scene::sums, nb::arg("lines"), nb::arg("exclude"),
+             nb::arg("mode"), nb::arg("rank").none(), nb::arg("label").none(),
+             nb::arg("in_units"), nb::arg("sums"), nb::arg("threads"),
+             nb::arg("progress").none())
+        .def("depth", &Scene::depth, nb::arg("points"), nb::arg("radii"),
+             nb::arg("rank").none(), nb::arg("columns"), nb::arg("threads"),
+             nb::arg("progress").none())
+        .def("first_boundary", &Scene::first_boundary, nb::arg("lines"),
+             nb::arg("exclude"), nb::arg("columns"), nb::arg("threads"),
+             nb::arg("progress").none())
         .def("closest", &Scene::closest, nb::arg("points"), nb::arg("radii"),
              nb::arg("is_signed"), nb::arg("columns"), nb::arg("threads"),
              nb::arg("progress").none())
@@ -621,6 +845,9 @@ void register_scene(nb::module_ &module)
         .def("within", &Scene::within, nb::arg("points"), nb::arg("radii"),
              nb::arg("is_signed"), nb::arg("threads"),
              nb::arg("progress").none());
+    nb::class_<Pieces>(module, "Pieces")
+        .def("size", &Pieces::size)
+        .def("write", &Pieces::write, nb::arg("columns"));
     nb::class_<Found>(module, "Found")
         .def("size", &Found::size)
         .def("write", &Found::write, nb::arg("columns"));

@@ -82,6 +82,11 @@ const Constructor table[] = {
     {"tangent_cone", "v:3 u:3 tangent:1", "acone", CYLINT_KIND_ACONE,
      MAKE(cylint_tangent_cone(s, x, x + 3, x[6], e)),
      READ(*put(put(x, cylint_base(&s)), cylint_axis(&s)) = cylint_r1(&s))},
+    {"halfspace", "p:3 n:3", "halfspace", CYLINT_KIND_HALFSPACE,
+     [](Shape *s, Numbers x, Ends) -> int {
+         return cylint_halfspace(s, x, x + 3);
+     },
+     READ(put(put(x, cylint_base(&s)), cylint_axis(&s)))},
     {"angle_cone", "v:3 u:3 degrees:1", "acone", CYLINT_KIND_ACONE,
      MAKE(cylint_angle_cone(s, x, x + 3, x[6], e)), nullptr},
 };
