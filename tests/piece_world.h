@@ -1,0 +1,234 @@
+/*
+ * piece_world.h - a scene of integer shapes and random solids, and its pieces by a loop
+ * over all cells
+ */
+#ifndef CYLINT_PIECE_WORLD_H
+#define CYLINT_PIECE_WORLD_H
+
+#include <stdlib.h>
+
+#include "cylint_scene.h"
+#include "integer_shapes.h"
+
+enum { SHAPES = 24, MEMBERS = 48, SOLIDS = 8, MOST = 4096, LINES = 40 };
+
+/* ------------------------------------------------ a loop over all cells -- */
+
+static struct {
+    cylint_shape shape[SHAPES];
+    size_t n;
+    int rank[SHAPES];
+    cylint_member member[MEMBERS];
+    size_t members, solids;
+    cylint_scene *scene;
+    /* of a line */
+    cylint_line line;
+    cylint_interval chord[SHAPES][2];
+    int chords[SHAPES];
+    double end[4 * SHAPES + 2];
+    size_t ends;
+} world;
+
+/* The number of a solid, as the header defines it. */
+static inline size_t number_of(size_t solid)
+{
+    size_t least[2] = {SIZE_MAX, SIZE_MAX};
+    for (size_t i = 0; i < world.members; i++)
+        if (world.member[i].solid == solid) {
+            size_t *at = &least[world.member[i].clause < 0];
+            *at = world.member[i].shape < *at ? world.member[i].shape : *at;
+        }
+    return least[0] < SIZE_MAX ? least[0] : least[1];
+}
+
+static inline int shape_contains(size_t shape, double t0, double t1)
+{
+    for (int i = 0; i < world.chords[shape]; i++)
+        if (world.chord[shape][i].t0 <= t0 && t1 <= world.chord[shape][i].t1)
+            return 1;
+    return 0;
+}
+
+static inline int solid_contains(size_t solid, double t0, double t1)
+{
+    int has_members = 0;
+    for (size_t i = 0; i < world.members; i++) {
+        const cylint_member *m = &world.member[i];
+        int holds = 0;
+        if (m->solid != solid)
+            continue;
+        has_members = 1;
+        for (size_t j = 0; j < world.members; j++) {
+            const cylint_member *k = &world.member[j];
+            if (k->solid == solid && abs(k->clause) == abs(m->clause))
+                holds |= shape_contains(k->shape, t0, t1) == (k->clause > 0);
+        }
+        if (!holds)
+            return 0;
+    }
+    return has_members;
+}
+
+static inline int is_member(size_t shape)
+{
+    for (size_t i = 0; i < world.members; i++)
+        if (world.member[i].shape == shape)
+            return 1;
+    return 0;
+}
+
+static inline int compare_doubles(const void *x, const void *y)
+{
+    const double a = *(const double *)x, b = *(const double *)y;
+    return (a > b) - (a < b);
+}
+
+static inline void find_chords(const cylint_line *line)
+{
+    world.line = *line;
+    world.ends = 0;
+    world.end[world.ends++] = line->tmin;
+    world.end[world.ends++] = line->tmax;
+    for (size_t i = 0; i < world.n; i++) {
+        world.chords[i] = cylint_chord(&world.shape[i], line, world.chord[i]);
+        for (int j = 0; j < world.chords[i]; j++) {
+            world.end[world.ends++] = world.chord[i][j].t0;
+            world.end[world.ends++] = world.chord[i][j].t1;
+        }
+    }
+    qsort(world.end, world.ends, sizeof *world.end, compare_doubles);
+}
+
+static inline void add_owner(size_t number, const int *rank, size_t *owner,
+                             size_t *depth)
+{
+    ++*depth;
+    if (*owner == SIZE_MAX ||
+        (rank && rank[number] != rank[*owner] ? rank[number] < rank[*owner]
+                                              : number < *owner))
+        *owner = number;
+}
+
+/* The owner of a cell and how many solids contain it. */
+static inline size_t cell(double t0, double t1, const int *rank, size_t *owner)
+{
+    size_t depth = 0;
+    *owner = SIZE_MAX;
+    for (size_t i = 0; i < world.n; i++)
+        if (!is_member(i) && shape_contains(i, t0, t1))
+            add_owner(i, rank, owner, &depth);
+    for (size_t i = 0; i < world.solids; i++)
+        if (solid_contains(i, t0, t1))
+            add_owner(number_of(i), rank, owner, &depth);
+    return depth;
+}
+
+/* Divides [t0, t1] where the set of solids changes.  Chords of members that change no
+ * solid divide nothing, so neighbours with the same set are joined. */
+static inline int same_set(double a0, double a1, double b0, double b1)
+{
+    for (size_t i = 0; i < world.n; i++)
+        if (!is_member(i) &&
+            (shape_contains(i, a0, a1) != shape_contains(i, b0, b1)))
+            return 0;
+    for (size_t i = 0; i < world.solids; i++)
+        if (solid_contains(i, a0, a1) != solid_contains(i, b0, b1))
+            return 0;
+    return 1;
+}
+
+static inline size_t expected_pieces(const cylint_piece_rule *rule,
+                                     cylint_piece *to)
+{
+    size_t n = 0;
+    double before0 = 0, before1 = 0;
+    for (size_t i = 0; i + 1 < world.ends; i++) {
+        const double t0 = world.end[i], t1 = world.end[i + 1];
+        size_t owner;
+        if (!(t0 < t1))
+            continue;
+        const size_t depth = cell(t0, t1, rule->rank, &owner);
+        const int follows = n > 0 && to[n - 1].t1 == t0;
+        if (depth > 0 && follows &&
+            (rule->mode == CYLINT_PIECES_UNION ||
+             (rule->mode == CYLINT_PIECES_OWNER && owner == to[n - 1].shape) ||
+             (rule->mode == CYLINT_PIECES_CELLS &&
+              same_set(before0, before1, t0, t1)))) {
+            to[n - 1].t1 = t1;
+            if (to[n - 1].depth < depth)
+                to[n - 1].depth = depth;
+        } else if (depth > 0) {
+            to[n++] = (cylint_piece){t0, t1, owner, depth};
+        }
+        before0 = t0;
+        before1 = t1;
+    }
+    return n;
+}
+
+static inline int compare_pieces(const void *x, const void *y)
+{
+    const cylint_piece *a = x, *b = y;
+    return a->t0 != b->t0 ? (a->t0 > b->t0) - (a->t0 < b->t0)
+                          : (a->shape > b->shape) - (a->shape < b->shape);
+}
+
+static inline size_t expected_chords(cylint_piece *to)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < world.n; i++)
+        for (int j = 0; j < world.chords[i] && !is_member(i); j++)
+            to[n++] = (cylint_piece){world.chord[i][j].t0, world.chord[i][j].t1,
+                                     i, 1};
+    for (size_t i = 0; i < world.solids; i++) {
+        int was = 0;
+        for (size_t j = 0; j + 1 < world.ends; j++) {
+            const double t0 = world.end[j], t1 = world.end[j + 1];
+            if (!(t0 < t1))
+                continue;
+            const int is = solid_contains(i, t0, t1);
+            if (is && was)
+                to[n - 1].t1 = t1;
+            else if (is)
+                to[n++] = (cylint_piece){t0, t1, number_of(i), 1};
+            was = is;
+        }
+    }
+    qsort(to, n, sizeof *to, compare_pieces);
+    return n;
+}
+
+/* ------------------------------------------------------ random scenes -- */
+
+static inline void make_shapes(void)
+{
+    world.n = 0;
+    while (world.n < SHAPES)
+        if (choice(8) == 0 && world.n > 0) {
+            world.shape[world.n] = world.shape[choice((int)world.n)];
+            world.n++;
+        } else if (any_shape(&world.shape[world.n]) == CYLINT_OK) {
+            world.n++;
+        }
+    for (size_t i = 0; i < world.n; i++)
+        world.rank[i] = choice(3);
+    world.scene = cylint_scene_new(world.shape, world.n, 1, NULL);
+    world.members = world.solids = 0;
+}
+
+/* Of up to 8 shapes and 4 clauses.  Solids may share shapes. */
+static inline void make_solids(void)
+{
+    do {
+        world.members = 0;
+        world.solids = 1 + (size_t)choice(4);
+        for (size_t i = 0; i < world.solids; i++)
+            for (int n = 1 + choice(8); n > 0; n--)
+                world.member[world.members++] =
+                    (cylint_member){(size_t)choice(SHAPES), i,
+                                    (1 + choice(4)) * (choice(3) ? 1 : -1)};
+    } while (cylint_scene_set_solids(world.scene, world.member,
+                                     world.members) != CYLINT_SCENE_OK);
+}
+
+#endif
