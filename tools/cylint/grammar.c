@@ -40,7 +40,7 @@ const char *const ends_words[] = {[CYLINT_ENDS_CAPPED] = "capped",
                                   [CYLINT_ENDS_NAPPE] = "nappe",
                                   NULL};
 
-#define SHAPE_WORDS \
+#define SHAPE_WORDS                                                       \
     "cylinder, cone, ecylinder, econe, acone, sphere, capsule, rcone or " \
     "halfspace"
 #define LINE_WORDS "line, ray, segment, span or point"

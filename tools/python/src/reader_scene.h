@@ -9,7 +9,7 @@
 /* Labels are one behind the other; label i ends at label_end[i].  label_bytes is
  * NULL if no shape has one.  The caller frees the scene and the arrays. */
 typedef struct cylint_python_scene {
-    cylint_scene *shapes; /* begun; NULL: there are none */
+    cylint_scene *shapes;   /* begun; NULL: there are none */
     cylint_member *members; /* of solids, for the finished scene */
     size_t n_members;
     size_t count;
