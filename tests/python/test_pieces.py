@@ -174,6 +174,17 @@ def test_solids_of_a_file(tmp_path):
     assert (back == scene.shapes).all()
 
 
+def test_half_spaces_keep_their_arguments():
+    planes = cylint.halfspace([[1, 2, 3], [4, 5, 6]], [0, 0, 2])
+    assert planes.p.tolist() == [[1, 2, 3], [4, 5, 6]]
+    assert planes.n.tolist() == [[0, 0, 2], [0, 0, 2]]
+    assert planes.contains([0, 0, 3]).tolist() == [0, 1]
+    mixed = cylint.concatenate([planes, cylint.sphere([0, 0, 0], 1)])
+    assert np.isnan(mixed.n[2]).all()
+    assert np.isnan(mixed.r[:2]).all()
+    assert set(mixed.to_dict()) >= {"p", "n", "c", "r"}
+
+
 def test_unbounded_pieces_have_infinite_sums():
     scene = cylint.Scene(cylint.halfspace([1, 0, 0], [-1, 0, 0]))
     assert scene.pieces([0, 0, 0], [1, 0, 0]).t1.tolist() == [math.inf]

@@ -216,6 +216,8 @@ class Shapes:
     b = _Argument("(..., 3): the other semi-axis, of elliptic kinds.")
     h = _Argument("(..., 3): from the base to the top, of elliptic kinds.")
     k = _Argument("(...): what the top is scaled by, of elliptic cones.")
+    p = _Argument("(..., 3): a point of the plane, of half-spaces.")
+    n = _Argument("(..., 3): the outward normal as given, of half-spaces.")
     v = _Argument("(..., 3): the apex, of cones with an angle.")
     u = _Argument("(..., 3): the axis, of cones with an angle.")
     tangent = _Argument(
