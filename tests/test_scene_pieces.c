@@ -124,8 +124,36 @@ static void pieces_of_solids_are_those_of_a_loop(void)
     check_worlds(cases_of(100), 1);
 }
 
+/* A half-space in a bounded solid and in another one counts once in each. */
+static void a_shape_is_in_bounded_and_unbounded_solids(void)
+{
+    const double o[3] = {0, 0, 0}, up[3] = {0, 0, 1}, far[3] = {0, 0, 9},
+                 down[3] = {0, 0, -1}, ex[3] = {1, 0, 0}, low[3] = {0, 0, -5};
+    const cylint_member members[] = {
+        {2, 0, 1}, {0, 0, -2}, {1, 0, -2}, {0, 1, -1}};
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+    double memory[512];
+    cylint_workspace work = {memory, sizeof memory, 0};
+    cylint_piece piece[2];
+    cylint_shape shape[3];
+    cylint_line line;
+    size_t owner;
+    cylint_halfspace(&shape[0], o, up);
+    cylint_halfspace(&shape[1], far, down);
+    cylint_sphere(&shape[2], low, 1, CYLINT_ENDS_CAPPED);
+    cylint_scene *scene = cylint_scene_new(shape, 3, 1, NULL);
+    CHECK(cylint_scene_set_solids(scene, members, 4) == CYLINT_SCENE_OK);
+    cylint_whole_line(&line, low, ex);
+    CHECK(cylint_scene_pieces(scene, &line, &rule, piece, 2, &work) == 1 &&
+          piece[0].t0 == -1 && piece[0].t1 == 1 && piece[0].shape == 2);
+    CHECK(cylint_scene_depth(scene, low, NULL, &owner, &work) == 1 &&
+          owner == 2);
+    cylint_scene_free(scene);
+}
+
 int main(void)
 {
+    RUN(a_shape_is_in_bounded_and_unbounded_solids);
     RUN(pieces_of_shapes_are_those_of_a_loop);
     RUN(pieces_of_solids_are_those_of_a_loop);
     return check_end();
