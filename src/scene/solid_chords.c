@@ -39,18 +39,8 @@ static int add_solid_chord(void *self, double t0, double t1)
     return 1;
 }
 
-/* Whether add_late_members() adds the events of this member. */
-static int is_late(const cylint_solids *s, const cylint_membership *member)
-{
-    const cylint_scene_solid *solid = &s->solid[member->solid];
-    for (uint32_t i = 0; i < solid->n_late; i++)
-        if (s->late[solid->first_late + i].shape == member->shape)
-            return 1;
-    return 0;
-}
-
-/* Adds the events of a chord for each membership of its shape, except late ones.  A
- * shape in no solid is its own. */
+/* Adds the events of a chord for each membership of its shape.  A shape in no solid
+ * is its own. */
 static void add_chord_of_shape(assembly *a, const cylint_numbered_chord *chord)
 {
     const cylint_solids *s = &a->scene->solids;
@@ -58,14 +48,10 @@ static void add_chord_of_shape(assembly *a, const cylint_numbered_chord *chord)
                    end = s->first_of_shape[chord->number + 1];
     if (first == end)
         a->chord[a->n++] = *chord;
-    for (uint32_t i = first; i < end; i++) {
-        if (is_late(s, &s->of_shapes[i]))
-            continue;
+    for (uint32_t i = first; i < end; i++, a->n_events += 2)
         cylint_add_events(a->event + a->n_events,
                           (cylint_interval){chord->t0, chord->t1},
                           s->of_shapes[i].solid, s->of_shapes[i].clause);
-        a->n_events += 2;
-    }
 }
 
 static void add_late_member(assembly *a, const cylint_membership *member)
