@@ -93,8 +93,9 @@ void take_note(struct notes *notes, unsigned long long line,
     notes->bad++;
     if (notes->kept_bad < NOTES_MOST) {
         notes->kept_bad++;
+        /* `end` depends on how much of a pipe was read */
         add_note(notes, line, record, text, fault)->binary =
-            looks_binary(text, end);
+            !fault->remedy && looks_binary(text, end);
     }
 }
 
