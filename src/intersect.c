@@ -34,6 +34,13 @@ static int members_differ(const cylint_hit *x, const cylint_hit *y,
 }
 #endif
 
+/* Whether the plane of a half-space is within reach of pairs. */
+static int decides_plane(const cylint_shape *shape, const cylint_line *line)
+{
+    return line->in_range && cylint_in_range(shape) &&
+           cylint_rounds_to_nearest();
+}
+
 /* Writes the wanted members beside t of a hit with known t, part and side as far
  * as pairs are certain; returns the others. */
 static unsigned describe_in_pairs(const cylint_shape *shape,
@@ -41,6 +48,8 @@ static unsigned describe_in_pairs(const cylint_shape *shape,
                                   const cylint_hit *known, cylint_hit *hit)
 {
     const unsigned left = want & CYLINT_WANT_BESIDE_T;
+    if (cylint_is_plane(shape->kind) && decides_plane(shape, line))
+        return cylint_plane_members(shape, line, left, hit);
     /* the root of a touch is double, or the apex */
     return left && known->side != CYLINT_SIDE_BOTH
                ? cylint_one_used()->describe(shape, line, left, known, hit)
@@ -117,24 +126,6 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
     return answer->n;
 }
 
-/* What the filter leaves: half-spaces, and the others by signs. */
-ASIDE int answer_undecided(const cylint_shape *shape, const cylint_line *line,
-                           unsigned want, cylint_answer *answer)
-{
-    cylint_answer known;
-    const unsigned members = CYLINT_WANT_T | CYLINT_WANT_PART;
-    if (cylint_is_plane(shape->kind) && line->in_range &&
-        cylint_in_range(shape) && !(want & CYLINT_WANT_BESIDE_T) &&
-        cylint_rounds_to_nearest() &&
-        cylint_meets_plane(shape, line, &known) != CYLINT_UNDECIDED) {
-        answer->relation = known.relation;
-        if (known.n > 0)
-            cylint_copy_hit(&answer->hit[0], &known.hit[0], want & members);
-        return answer->n = known.n;
-    }
-    return cylint_intersect_by_signs(shape, line, want, answer);
-}
-
 /* The members that are left of a hit that the filter decided. */
 ASIDE void describe_left(const cylint_shape *shape, const cylint_line *line,
                          const cylint_hit *known, unsigned want,
@@ -146,7 +137,8 @@ ASIDE void describe_left(const cylint_shape *shape, const cylint_line *line,
     const int on_plane =
         known->part != CYLINT_PART_LATERAL && !cylint_is_round(shape->kind);
     const cylint_root root =
-        on_plane ? (known->part == CYLINT_PART_CAP0 ? ROOT_CAP0 : ROOT_CAP1)
+        cylint_is_plane(shape->kind) ? ROOT_CAP0
+        : on_plane ? (known->part == CYLINT_PART_CAP0 ? ROOT_CAP0 : ROOT_CAP1)
         : known->side == CYLINT_SIDE_ENTERING ? ROOT_ENTRY
                                               : ROOT_EXIT;
     const cylint_stop at = {root, known->part, known->side, 0};
@@ -155,6 +147,24 @@ ASIDE void describe_left(const cylint_shape *shape, const cylint_line *line,
     cylint_query_open(&q, shape, line);
     open_part(&q, shape, line, known->part, &ball);
     describe_exactly(&q, &at, want, left, hit);
+}
+
+/* What the filter leaves: half-spaces, and the others by signs. */
+ASIDE int answer_undecided(const cylint_shape *shape, const cylint_line *line,
+                           unsigned want, cylint_answer *answer)
+{
+    cylint_answer known;
+    if (!cylint_is_plane(shape->kind) || !decides_plane(shape, line) ||
+        cylint_meets_plane(shape, line, &known) == CYLINT_UNDECIDED)
+        return cylint_intersect_by_signs(shape, line, want, answer);
+    answer->relation = known.relation;
+    if (known.n > 0) {
+        const unsigned members = CYLINT_WANT_T | CYLINT_WANT_PART;
+        cylint_copy_hit(&answer->hit[0], &known.hit[0], want & members);
+        if (want & CYLINT_WANT_BESIDE_T)
+            describe_left(shape, line, &known.hit[0], want, &answer->hit[0]);
+    }
+    return answer->n = known.n;
 }
 
 /* The wanted members of hits that the filter decided. */

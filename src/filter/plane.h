@@ -1,5 +1,6 @@
 /*
- * plane.h - where a line meets the plane of a half-space, in pairs
+ * plane.h - where a line meets the plane of a half-space, and the members of that
+ * hit, in pairs
  */
 #ifndef CYLINT_PLANE_H
 #define CYLINT_PLANE_H
@@ -52,25 +53,36 @@ static inline void cylint_from_plane(const cylint_shape *s, const double x[3],
         from[i] = cylint_difference(x[i], cylint_base(s)[i]);
 }
 
+/* The length of the normal, with a relative error of 2^-103 + CYLINT_PAIR_SQRT. */
+static inline pair cylint_normal_length(const double n[3])
+{
+    pair square = {0, 0};
+    for (int i = 0; i < 3; i++)
+        square = pair_add(square, two_prod(n[i], n[i]));
+    return pair_sqrt(square);
+}
+
+/* x over the length of the normal. */
+static inline plane_number cylint_over_length(plane_number x, pair length)
+{
+    const pair q = pair_div(x.v, length);
+    return (plane_number){q, x.error / length.hi * 0x1.01p0 +
+                                 fabs(q.hi) * (0x1p-103 + CYLINT_PAIR_SQRT +
+                                               2 * CYLINT_PAIR_DIV)};
+}
+
 /* Writes the signed distance of a point.  Returns 0 if its rounding is uncertain.  The
  * thread rounds to nearest, and the shape is in range. */
 static inline int cylint_plane_distance(const cylint_shape *s,
                                         const double point[3], double *distance)
 {
-    pair from[3], square = {0, 0};
+    pair from[3];
     const double *n = cylint_axis(s);
     cylint_from_plane(s, point, from);
-    const plane_number above = cylint_along_normal(from, n);
-    for (int i = 0; i < 3; i++)
-        square = pair_add(square, two_prod(n[i], n[i]));
-    const pair length = pair_sqrt(square);
-    const pair d = pair_div(above.v, length);
-    /* relative errors: of the square 2^-103, of the others */
-    const plane_number x = {d, above.error / length.hi * 0x1.01p0 +
-                                   fabs(d.hi) * (0x1p-103 + CYLINT_PAIR_SQRT +
-                                                 2 * CYLINT_PAIR_DIV)};
-    *distance = d.hi;
-    return cylint_is_rounded(x);
+    const plane_number d = cylint_over_length(cylint_along_normal(from, n),
+                                              cylint_normal_length(n));
+    *distance = d.v.hi;
+    return cylint_is_rounded(d);
 }
 
 /* The root -above / slope.  Its error: those of both numbers, and the quotient's. */
@@ -92,6 +104,23 @@ static inline int cylint_root_side(plane_number t, double limit)
     return t.v.lo > t.error ? 1 : t.v.lo < -t.error ? -1 : 0;
 }
 
+/* The slope of the height above the plane along the line, in *slope, and the root.
+ * Returns 0 if the slope is not certainly far from 0. */
+static inline int cylint_line_to_plane(const cylint_shape *s,
+                                       const cylint_line *line,
+                                       plane_number *slope, plane_number *t)
+{
+    pair from[3], d[3];
+    cylint_from_plane(s, line->o, from);
+    for (int i = 0; i < 3; i++)
+        d[i] = (pair){line->d[i], line->d_lo[i]};
+    *slope = cylint_along_normal(d, cylint_axis(s));
+    if (!(fabs(slope->v.hi) > 0x1p60 * slope->error))
+        return 0;
+    *t = cylint_plane_root(cylint_along_normal(from, cylint_axis(s)), *slope);
+    return 1;
+}
+
 /* Relation, n, t, part and side of a line that meets the plane at one point; or
  * CYLINT_UNDECIDED.  The thread rounds to nearest.  A number that overflowed fails the
  * comparisons. */
@@ -99,16 +128,8 @@ static inline int cylint_meets_plane(const cylint_shape *s,
                                      const cylint_line *line,
                                      cylint_answer *answer)
 {
-    pair from[3], d[3];
-    cylint_from_plane(s, line->o, from);
-    for (int i = 0; i < 3; i++)
-        d[i] = (pair){line->d[i], line->d_lo[i]};
-    const plane_number slope = cylint_along_normal(d, cylint_axis(s));
-    if (!(fabs(slope.v.hi) > 0x1p60 * slope.error))
-        return CYLINT_UNDECIDED;
-    const plane_number t =
-        cylint_plane_root(cylint_along_normal(from, cylint_axis(s)), slope);
-    if (!cylint_is_rounded(t))
+    plane_number slope, t;
+    if (!cylint_line_to_plane(s, line, &slope, &t) || !cylint_is_rounded(t))
         return CYLINT_UNDECIDED;
     const int after_first = cylint_root_side(t, line->tmin),
               after_last = cylint_root_side(t, line->tmax);
@@ -121,6 +142,68 @@ static inline int cylint_meets_plane(const cylint_shape *s,
     answer->hit[0].side =
         slope.v.hi > 0 ? CYLINT_SIDE_LEAVING : CYLINT_SIDE_ENTERING;
     return answer->n;
+}
+
+/* ------------------------------------------------------------ members -- */
+
+/* Coordinate i of the hit at t.  Where the plane is perpendicular to its direction, all
+ * points of the plane have that of p. */
+static inline int cylint_plane_coordinate(const cylint_shape *s,
+                                          const cylint_line *line,
+                                          plane_number t, int i, double *x)
+{
+    const double *n = cylint_axis(s);
+    const pair d = {line->d[i], line->d_lo[i]}, o = {line->o[i], 0};
+    const int level =
+        cylint_sign(n[(i + 1) % 3]) == 0 && cylint_sign(n[(i + 2) % 3]) == 0;
+    if (level || cylint_sign(d.hi) == 0) {
+        *x = level ? cylint_base(s)[i] : line->o[i];
+        *x = cylint_sign(*x) ? *x : 0.0; /* no -0 */
+        return 1;
+    }
+    const pair step = pair_mul(t.v, d);
+    const double size = fabs(step.hi) + fabs(o.hi);
+    const plane_number at = {pair_add(o, step),
+                             fabs(d.hi) * t.error * 0x1.01p0 + 0x1p-102 * size};
+    *x = at.v.hi;
+    return cylint_is_rounded(at);
+}
+
+static inline int cylint_plane_normal(const cylint_shape *s, double normal[3])
+{
+    const double *n = cylint_axis(s);
+    const pair length = cylint_normal_length(n);
+    int certain = 1;
+    for (int i = 0; i < 3; i++) {
+        const plane_number x = {{n[i], 0}, 0};
+        const plane_number unit = cylint_over_length(x, length);
+        normal[i] = unit.v.hi + 0.0; /* no -0 */
+        certain &= cylint_sign(n[i]) == 0 || cylint_is_rounded(unit);
+    }
+    return certain;
+}
+
+/* Writes the wanted members beside t of the hit, as far as they are certain; returns
+ * the others.  The thread rounds to nearest. */
+static inline unsigned cylint_plane_members(const cylint_shape *s,
+                                            const cylint_line *line,
+                                            unsigned want, cylint_hit *hit)
+{
+    plane_number slope, t;
+    unsigned left = want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL);
+    if (want & CYLINT_WANT_Z)
+        hit->z = 0;
+    if (want & CYLINT_WANT_PHI)
+        hit->phi = 0;
+    if ((left & CYLINT_WANT_NORMAL) && cylint_plane_normal(s, hit->normal))
+        left &= ~CYLINT_WANT_NORMAL;
+    if ((left & CYLINT_WANT_POINT) &&
+        cylint_line_to_plane(s, line, &slope, &t) &&
+        cylint_plane_coordinate(s, line, t, 0, &hit->point[0]) &&
+        cylint_plane_coordinate(s, line, t, 1, &hit->point[1]) &&
+        cylint_plane_coordinate(s, line, t, 2, &hit->point[2]))
+        left &= ~CYLINT_WANT_POINT;
+    return left;
 }
 
 #endif
