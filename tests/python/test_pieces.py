@@ -145,6 +145,7 @@ def test_a_hollow_solid_with_a_sector():
     wall = scene.first_boundary([-1, 1, 0], [-1, 0, 0])
     assert int(wall.index) == 1
     assert wall.side == cylint.Side.ENTERING
+    assert wall.part == cylint.Part.LATERAL
     assert wall.normal[0] > 0
     none = scene.first_boundary([9, 9, 9], [1, 0, 0])
     assert int(none.index) == -1
@@ -153,6 +154,40 @@ def test_a_hollow_solid_with_a_sector():
     again = scene.__reduce__()[0](*scene.__reduce__()[1])
     assert again.solids.tolist() == scene.solids.tolist()
     assert again.shapes[2].kind == cylint.Kind.HALFSPACE
+
+
+@pytest.mark.parametrize(
+    ("sector", "clauses", "ends"),
+    [
+        (None, [1, -2], [(3.0, 4.0), (6.0, 7.0)]),
+        ([[1, 0, 0], [0, 1, 0]], [1, -2, 3, 4], [(6.0, 7.0)]),
+        ([[0, 1, 0], [1, 0, 0]], [1, -2, 3, 3], [(3.0, 4.0), (6.0, 7.0)]),
+    ],
+)
+def test_tubes(sector, clauses, ends):
+    shapes, found = cylint.tube([0, 0, 0], [0, 0, 9], 2, 1, sector=sector)
+    assert found.tolist() == clauses
+    scene = cylint.Scene(shapes)
+    scene.set_solids(range(len(shapes)), 0, found)
+    pieces = scene.pieces([-5, 0, 3], [1, 0, 0])
+    assert list(zip(pieces.t0.tolist(), pieces.t1.tolist(), strict=True)) == ends
+
+
+def test_tubes_that_are_refused():
+    cone, clauses = cylint.tube([0, 0, 0], [0, 0, 9], [2, 1])
+    assert cone.kind.tolist() == [cylint.Kind.CONE]
+    assert clauses.tolist() == [1]
+    for arguments in (
+        {"outer": -1},
+        {"p1": [0, 0, 0]},
+        {"p1": [[0, 0, 1]]},
+        {"sector": [1, 0, 0]},
+        {"sector": [[0, 0, 1], [1, 0, 0]]},
+    ):
+        with pytest.raises(ValueError, match=r"tube|p1|sector"):
+            cylint.tube(
+                **({"p0": [0, 0, 0], "p1": [0, 0, 9], "outer": 2} | arguments)
+            )
 
 
 def test_solids_of_a_file(tmp_path):

@@ -34,6 +34,7 @@ from ._shapes import (
     round_cone,
     sphere,
     tangent_cone,
+    tube,
 )
 
 __all__ = [
@@ -67,5 +68,6 @@ __all__ = [
     "round_cone",
     "sphere",
     "tangent_cone",
+    "tube",
     "write_scene",
 ]

@@ -94,7 +94,7 @@ class Boundaries(NamedTuple):
     index: (...) int64, the number of the shape on whose surface it is; -1: none.
     t: (...); point, normal: (..., 3); nan for none.  The normal points out of the
     solid.
-    side: (...) int8, a value of `Side`; -1 for none.
+    side, part: (...) int8, values of `Side` and `Part`; -1 for none.
     """
 
     index: NDArray[np.int64]  # type: ignore[assignment]
@@ -102,6 +102,7 @@ class Boundaries(NamedTuple):
     point: NDArray[np.float64]
     normal: NDArray[np.float64]
     side: NDArray[np.int8]
+    part: NDArray[np.int8]
 
 
 _MODES = ("union", "owner", "cells", "chords")
@@ -608,6 +609,7 @@ class Scene:
             np.empty(shape),
             np.empty((*shape, 3)),
             np.empty((*shape, 3)),
+            np.empty(shape, np.int8),
             np.empty(shape, np.int8),
         )
         self._ask(self._scene.first_boundary, lines, tuple(found))

@@ -46,6 +46,7 @@ def _places(widths: dict[str, int]) -> dict[str, tuple[int, int]]:
 
 _constructors = {name: _widths(text) for name, text in _core.constructors()}
 _places_of = {name: _places(each) for name, each in _constructors.items()}
+_TUBE_MEMBERS = 4
 _MOST_NUMBERS = max(sum(each.values()) for each in _constructors.values())
 
 
@@ -601,6 +602,57 @@ def halfspace(p: ArrayLike, n: ArrayLike) -> Shapes:
     array([ 5., nan])
     """
     return _make("halfspace", "capped", p=p, n=n)
+
+
+def tube(
+    p0: ArrayLike,
+    p1: ArrayLike,
+    outer: ArrayLike,
+    inner: ArrayLike = 0,
+    *,
+    sector: ArrayLike | None = None,
+) -> tuple[Shapes, NDArray[np.intc]]:
+    """The shapes and clauses of a hollow cylinder or cone, or of a sector of one.
+
+    p0, p1: (3,), the axis.  outer, inner: the radii at p0 and p1, (2,), or one for
+    both; inner radii of 0: no bore.
+    sector: (2, 3), two directions from the axis: the solid is the part from the first
+    to the second, right-handed about the axis from p0 to p1.  None: a full turn.
+
+    The shapes are 1 to 4: the outer one, the bore and the half-spaces of the sector.
+    The clauses are those of `Scene.set_solids`.  Directions along coordinates are
+    exact; others are rounded once, as cylint_pieces(3) says.
+
+    >>> shapes, clauses = cylint.tube([0, 0, 0], [0, 0, 9], 2, 1, sector=[[1, 0, 0], [0, 1, 0]])
+    >>> shapes, clauses
+    (<libcylint.Shapes (4,): 2 cylinders, 2 halfspaces>, array([ 1, -2,  3,  4], dtype=int32))
+    >>> scene = cylint.Scene(shapes)
+    >>> scene.set_solids(range(4), 0, clauses)
+    >>> scene.pieces([-5, 0, 3], [1, 0, 0])[3:]
+    (array([6.]), array([7.]))
+    """
+    radii = [
+        np.broadcast_to(doubles(name, value, 1), 2)
+        for name, value in (("outer", outer), ("inner", inner))
+    ]
+    points = [doubles(n, value, 3) for n, value in (("p0", p0), ("p1", p1))]
+    sides = doubles("sector", np.zeros((2, 3)) if sector is None else sector, 3)
+    for name, value, expected in (
+        ("p0", points[0], (3,)),
+        ("p1", points[1], (3,)),
+        ("sector", sides, (2, 3)),
+    ):
+        if value.shape != expected:
+            raise ValueError(
+                f"{name}: expected the shape {expected}, found {value.shape}"
+            )
+    numbers = np.concatenate([*points, *radii, sides.reshape(-1)])
+    records = np.empty(_TUBE_MEMBERS, _record)
+    clauses = np.empty(_TUBE_MEMBERS, np.intc)
+    status, n = _core.make_tube(numbers, sector is not None, records, clauses)
+    if status:
+        raise ValueError(f"tube: {_core.strerror(status)}")
+    return Shapes(records[:n]), clauses[:n]
 
 
 def capsule(

@@ -64,6 +64,8 @@ class Lines
 };
 
 /* shapes.cc */
+nb::tuple make_tube(nb::handle numbers, bool is_sector, nb::handle shapes,
+                    nb::handle clauses);
 int make_shapes(const char *name, nb::handle numbers, nb::handle ends,
                 nb::handle shapes, nb::handle statuses);
 void read_shapes(nb::handle shapes, nb::handle kinds, nb::handle numbers);

@@ -22,6 +22,8 @@ NB_MODULE(_core, m)
 
     m.def("make_shapes", &make_shapes, nb::arg("name"), nb::arg("numbers"),
           nb::arg("ends"), nb::arg("shapes"), nb::arg("statuses"));
+    m.def("make_tube", &make_tube, nb::arg("numbers"), nb::arg("is_sector"),
+          nb::arg("shapes"), nb::arg("clauses"));
     m.def("read_shapes", &read_shapes, nb::arg("shapes"), nb::arg("kinds"),
           nb::arg("numbers"));
     m.def("contains", &contains, nb::arg("shapes"), nb::arg("points"),

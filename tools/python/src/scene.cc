@@ -484,10 +484,10 @@ class Scene
     {
         const Array index(columns[0], true), t(columns[1], true),
             point(columns[2], true), normal(columns[3], true),
-            side(columns[4], true);
+            side(columns[4], true), part(columns[5], true);
         return each_line(
-            lines, exclude, {&index, &t, &point, &normal, &side}, threads,
-            progress,
+            lines, exclude, {&index, &t, &point, &normal, &side, &part},
+            threads, progress,
             [this](const cylint_line &line, size_t, char *const *to, size_t) {
                 cylint_hit hit;
                 const size_t found =
@@ -503,6 +503,7 @@ class Scene
                     put(to[3] + 8 * j, is_found ? hit.normal[j] : not_a_number);
                 }
                 *to[4] = static_cast<char>(is_found ? hit.side : -1);
+                *to[5] = static_cast<char>(is_found ? hit.part : -1);
             });
     }
 

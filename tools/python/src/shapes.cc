@@ -171,7 +171,26 @@ int make_shapes(const char *name, nb::handle numbers, nb::handle ends,
     return refused;
 }
 
-/* The inverse: shapes (n) to kinds, as rows of the table, and numbers (n, k). */
+/* numbers (16): p0, p1, outer, inner, sector; shapes and clauses (4).  Returns the
+ * status and how many members the tube has. */
+nb::tuple make_tube(nb::handle numbers, bool is_sector, nb::handle shapes,
+                    nb::handle clauses)
+{
+    const Array x(numbers), s(shapes, true), c(clauses, true);
+    const auto from = reinterpret_cast<const double *>(x.data());
+    const double sector[2][3] = {{from[10], from[11], from[12]},
+                                 {from[13], from[14], from[15]}};
+    size_t n = 0;
+    std::memset(s.data(), 0, CYLINT_TUBE_MEMBERS * sizeof(cylint_shape));
+    const int status =
+        cylint_tube(from, from + 3, from + 6, from + 8,
+                    is_sector ? sector : nullptr,
+                    reinterpret_cast<cylint_shape *>(s.data()),
+                    reinterpret_cast<int *>(c.data()), &n);
+    return nb::make_tuple(status, n);
+}
+
+/* The inverse of make_shapes: shapes (n) to kinds, as rows of the table, and numbers (n, k). */
 void read_shapes(nb::handle shapes, nb::handle kinds, nb::handle numbers)
 {
     const Array s(shapes), k(kinds, true), x(numbers, true);
