@@ -98,8 +98,8 @@ CYLINT_API int cylint_solid_pieces(const cylint_shape *shapes,
  * one or the other.  Their planes contain p0; their normals are the cross products of
  * the axis and the directions, each component within 0.501 units in its last place,
  * if the thread rounds to nearest.  So the planes contain the axis but for that
- * rounding; exactly, if the axis and the directions lie along coordinates, or their
- * products have no more than 53 bits.  The axis is the double nearest to p1 - p0 then.
+ * rounding; exactly, if the axis lies along a coordinate, or the products have no more
+ * than 53 bits.  The axis is the double nearest to p1 - p0 then.
  *
  * Fails as the constructors do.  EDIRECTION: a direction is parallel to the axis, or
  * both are on the same side of it and parallel to each other.

@@ -10,7 +10,6 @@
 #include "roots/overlap.h"
 #include "shapes/local_doubles.h"
 #include "dispatch.h"
-#include "filter/plane.h"
 
 static cylint_overlap overlap_of(cylint_query *q)
 {
@@ -34,13 +33,6 @@ static int members_differ(const cylint_hit *x, const cylint_hit *y,
 }
 #endif
 
-/* Whether the plane of a half-space is within reach of pairs. */
-static int decides_plane(const cylint_shape *shape, const cylint_line *line)
-{
-    return line->in_range && cylint_in_range(shape) &&
-           cylint_rounds_to_nearest();
-}
-
 /* Writes the wanted members beside t of a hit with known t, part and side as far
  * as pairs are certain; returns the others. */
 static unsigned describe_in_pairs(const cylint_shape *shape,
@@ -48,8 +40,6 @@ static unsigned describe_in_pairs(const cylint_shape *shape,
                                   const cylint_hit *known, cylint_hit *hit)
 {
     const unsigned left = want & CYLINT_WANT_BESIDE_T;
-    if (cylint_is_plane(shape->kind) && decides_plane(shape, line))
-        return cylint_plane_members(shape, line, left, hit);
     /* the root of a touch is double, or the apex */
     return left && known->side != CYLINT_SIDE_BOTH
                ? cylint_one_used()->describe(shape, line, left, known, hit)
@@ -149,24 +139,6 @@ ASIDE void describe_left(const cylint_shape *shape, const cylint_line *line,
     describe_exactly(&q, &at, want, left, hit);
 }
 
-/* What the filter leaves: half-spaces, and the others by signs. */
-ASIDE int answer_undecided(const cylint_shape *shape, const cylint_line *line,
-                           unsigned want, cylint_answer *answer)
-{
-    cylint_answer known;
-    if (!cylint_is_plane(shape->kind) || !decides_plane(shape, line) ||
-        cylint_meets_plane(shape, line, &known) == CYLINT_UNDECIDED)
-        return cylint_intersect_by_signs(shape, line, want, answer);
-    answer->relation = known.relation;
-    if (known.n > 0) {
-        const unsigned members = CYLINT_WANT_T | CYLINT_WANT_PART;
-        cylint_copy_hit(&answer->hit[0], &known.hit[0], want & members);
-        if (want & CYLINT_WANT_BESIDE_T)
-            describe_left(shape, line, &known.hit[0], want, &answer->hit[0]);
-    }
-    return answer->n = known.n;
-}
-
 /* The wanted members of hits that the filter decided. */
 static void write_hits(const cylint_question *from, unsigned want,
                        const cylint_answer *known, cylint_answer *answer)
@@ -196,7 +168,7 @@ ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
                                     want | CYLINT_WANT_T | CYLINT_WANT_PART,
                                     &known, &question);
     if (n == CYLINT_UNDECIDED)
-        return answer_undecided(shape, line, want, answer);
+        return cylint_intersect_by_signs(shape, line, want, answer);
     answer->relation = known.relation;
     answer->n = n;
     write_hits(&question, want, &known, answer);
@@ -228,7 +200,7 @@ CYLINT_INLINE int answer_t(const cylint_shape *shape, const cylint_line *line,
     const int n =
         cylint_filter_one(cylint_one_used(), shape, line, want, answer, &q);
     if (n == CYLINT_UNDECIDED)
-        return answer_undecided(q.shape, q.line, q.want, q.answer);
+        return cylint_intersect_by_signs(q.shape, q.line, q.want, q.answer);
     return n;
 }
 

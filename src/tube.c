@@ -18,6 +18,18 @@ static void to_size_of_one(const double *x, int n, double *to)
         to[i] = cylint_scaled(x[i], -e);
 }
 
+/* The direction of the axis: of one along a coordinate, that of length 1, so that cross
+ * products with it are exact. */
+static void along_axis(const double x[3], double to[3])
+{
+    int components = 0;
+    to_size_of_one(x, 3, to);
+    for (int i = 0; i < 3; i++)
+        components += cylint_sign(to[i]) != 0;
+    for (int i = 0; i < 3; i++)
+        to[i] = components == 1 ? cylint_sign(to[i]) : to[i];
+}
+
 static void cross_product(const double x[3], const double y[3], double to[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -44,7 +56,7 @@ static cylint_status make_sector(const double p0[3], const double p1[3],
         axis[i] = cylint_difference(cylint_scaled(p1[i], -1),
                                     cylint_scaled(p0[i], -1))
                       .hi;
-    to_size_of_one(axis, 3, axis);
+    along_axis(axis, axis);
     for (int i = 0; i < 2; i++) {
         if (!cylint_is_finite(sector[i]))
             return CYLINT_ENONFINITE;

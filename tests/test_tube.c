@@ -177,6 +177,28 @@ static void sectors_of_simple_directions_are_exact(void)
     CHECK(cylint_solid_pieces(s, clauses, n, &line, piece, 9) == 2);
 }
 
+/* The planes contain their directions exactly. */
+static void sectors_about_a_coordinate_are_exact(void)
+{
+    rng = 3;
+    for (int i = 0; i < TUBES; i++) {
+        const int axis = i % 3;
+        const double p0[3] = {0, 0, 0}, outer[2] = {2, 3};
+        double p1[3] = {0, 0, 0}, sector[2][3];
+        cylint_shape s[CYLINT_TUBE_MEMBERS];
+        int clauses[CYLINT_TUBE_MEMBERS];
+        size_t n;
+        p1[axis] = within(-3, 3);
+        random_vector(sector[0]);
+        random_vector(sector[1]);
+        if (cylint_tube(p0, p1, outer, NULL, (const double(*)[3])sector, s,
+                        clauses, &n) != CYLINT_OK)
+            continue;
+        CHECK(n == 3 && cylint_contains(&s[1], sector[0]) == 0 &&
+              cylint_contains(&s[2], sector[1]) == 0);
+    }
+}
+
 static void bad_sectors_are_refused(void)
 {
     const double p0[3] = {0, 0, 0}, p1[3] = {0, 0, 2}, outer[2] = {2, 2};
@@ -205,6 +227,7 @@ int main(void)
 {
     RUN(pieces_are_where_radius_height_and_angle_say);
     RUN(sectors_of_simple_directions_are_exact);
+    RUN(sectors_about_a_coordinate_are_exact);
     RUN(bad_sectors_are_refused);
     return check_end();
 }

@@ -8,6 +8,7 @@
 
 #include "levels.h"
 #include "members.h"
+#include "plane.h"
 
 static int has_tiny_numbers(const cylint_line *line)
 {
@@ -165,8 +166,9 @@ static unsigned describe_again(const cylint_shape *shape,
     const int solid = cylint_prepared(shape);
     cylint_hit_lanes m;
     pair_line in;
-    if (solid == CYLINT_SOLID_NONE || !line->in_range ||
-        !cylint_rounds_to_nearest())
+    if (solid == CYLINT_SOLID_NONE)
+        return cylint_plane_members(shape, line, want, hit);
+    if (!line->in_range || !cylint_rounds_to_nearest())
         return want;
     load_pairs(&in, &from, 1, solid);
     for (int levels = 0; levels < 2 && want; levels++) {

@@ -10,6 +10,7 @@
 #include "../numbers/double_double.h" /* before simd.h */
 #include "../numbers/simd.h"
 #include "filter.h"
+#include "plane.h"
 
 #ifndef CYLINT_ONE
 #define CYLINT_ONE cylint_one_plain
@@ -18,17 +19,15 @@
 #define CYLINT_SIGN_AT_ORIGIN cylint_sign_at_origin
 #endif
 
-/* For questions that the filter does not serve. */
-static int useless(const cylint_shape *shape, const cylint_line *line,
-                   unsigned want, cylint_answer *answer,
-                   cylint_question *question)
+/* Half-spaces, and shapes and lines that the filter does not serve. */
+static int no_solid(const cylint_shape *shape, const cylint_line *line,
+                    unsigned want, cylint_answer *answer,
+                    cylint_question *question)
 {
-    (void)shape;
-    (void)line;
-    (void)want;
-    (void)answer;
+    const int n = cylint_meets_plane(shape, line, want, answer);
     question->known = CYLINT_KNOWN_USELESS;
-    return CYLINT_UNDECIDED;
+    question->left[0] = want & CYLINT_WANT_BESIDE_T;
+    return n;
 }
 
 static int no_side(const cylint_shape *shape, const double point[3])
@@ -216,20 +215,17 @@ static unsigned describe_again(const cylint_shape *shape,
                                const cylint_line *line, unsigned want,
                                const cylint_hit *known, cylint_hit *hit)
 {
-    (void)shape;
-    (void)line;
     (void)known;
-    (void)hit;
-    return want;
+    return cylint_plane_members(shape, line, want, hit);
 }
 
-#define ONE(name, solid) [solid] = {useless, useless},
+#define ONE(name, solid) [solid] = {no_solid, no_solid},
 #define SIDE(name, solid) [solid] = no_side,
 
 #endif
 
 const cylint_one_kernels CYLINT_ONE = {
-    {[CYLINT_SOLID_NONE] = {useless, useless}, CYLINT_EACH_SOLID(ONE)},
+    {[CYLINT_SOLID_NONE] = {no_solid, no_solid}, CYLINT_EACH_SOLID(ONE)},
     refine,
     {[CYLINT_SOLID_NONE] = no_side, CYLINT_EACH_SOLID(SIDE)},
     describe_again};

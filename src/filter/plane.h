@@ -16,23 +16,18 @@ typedef struct {
     double error;
 } plane_number;
 
-/*
- * x.n.  Each product has an error of CYLINT_PAIR_MUL of its size, and two sums have
- * CYLINT_PAIR_ADD each of the sum of sizes: in all less than 16 2^-106 of that.  The
- * first part of the slack covers the roundings of the bound; 2^-900 covers products
- * that underflow.
- */
+/* x.n.  2^-900 covers products that underflow. */
 static inline plane_number cylint_along_normal(const pair x[3],
                                                const double n[3])
 {
-    pair sum = {0, 0};
-    double size = 0;
-    for (int i = 0; i < 3; i++) {
-        const pair product = pair_mul(x[i], (pair){n[i], 0});
-        sum = pair_add(sum, product);
-        size += fabs(product.hi);
-    }
-    return (plane_number){sum, 0x1.1p-102 * size + 0x1p-900};
+    const pair X = two_prod(x[0].hi, n[0]), Y = two_prod(x[1].hi, n[1]),
+               Z = two_prod(x[2].hi, n[2]);
+    const pair two = two_sum(X.hi, Y.hi), all = two_sum(two.hi, Z.hi);
+    const double low = (x[0].lo * n[0] + x[1].lo * n[1]) + x[2].lo * n[2];
+    const double rest = ((X.lo + Y.lo) + Z.lo) + (two.lo + all.lo);
+    const double size = fabs(X.hi) + fabs(Y.hi) + fabs(Z.hi);
+    return (plane_number){two_sum(all.hi, low + rest),
+                          CYLINT_PLANE_ERROR * size + 0x1p-900};
 }
 
 /* Whether all numbers within the error of x round to x.v.hi, which is far from 0 and
@@ -121,15 +116,23 @@ static inline int cylint_line_to_plane(const cylint_shape *s,
     return 1;
 }
 
-/* Relation, n, t, part and side of a line that meets the plane at one point; or
- * CYLINT_UNDECIDED.  The thread rounds to nearest.  A number that overflowed fails the
- * comparisons. */
+/* Whether pairs serve.  A number that overflows fails later comparisons. */
+static inline int cylint_pairs_serve(const cylint_shape *s,
+                                     const cylint_line *line)
+{
+    return cylint_is_plane(s->kind) && line->in_range && cylint_in_range(s) &&
+           cylint_rounds_to_nearest();
+}
+
+/* Relation, n, and the wanted t, part and side of a line that meets the plane at one
+ * point; or CYLINT_UNDECIDED. */
 static inline int cylint_meets_plane(const cylint_shape *s,
-                                     const cylint_line *line,
+                                     const cylint_line *line, unsigned want,
                                      cylint_answer *answer)
 {
     plane_number slope, t;
-    if (!cylint_line_to_plane(s, line, &slope, &t) || !cylint_is_rounded(t))
+    if (!cylint_pairs_serve(s, line) ||
+        !cylint_line_to_plane(s, line, &slope, &t) || !cylint_is_rounded(t))
         return CYLINT_UNDECIDED;
     const int after_first = cylint_root_side(t, line->tmin),
               after_last = cylint_root_side(t, line->tmax);
@@ -137,10 +140,13 @@ static inline int cylint_meets_plane(const cylint_shape *s,
         return CYLINT_UNDECIDED;
     answer->relation = CYLINT_RELATION_CROSS;
     answer->n = after_first > 0 && after_last < 0;
-    answer->hit[0].t = t.v.hi;
-    answer->hit[0].part = CYLINT_PART_LATERAL;
-    answer->hit[0].side =
-        slope.v.hi > 0 ? CYLINT_SIDE_LEAVING : CYLINT_SIDE_ENTERING;
+    if (answer->n && want & CYLINT_WANT_T)
+        answer->hit[0].t = t.v.hi;
+    if (answer->n && want & CYLINT_WANT_PART) {
+        answer->hit[0].part = CYLINT_PART_LATERAL;
+        answer->hit[0].side =
+            slope.v.hi > 0 ? CYLINT_SIDE_LEAVING : CYLINT_SIDE_ENTERING;
+    }
     return answer->n;
 }
 
@@ -169,6 +175,7 @@ static inline int cylint_plane_coordinate(const cylint_shape *s,
     return cylint_is_rounded(at);
 }
 
+/* The normal of length 1.  Returns whether all components are certain. */
 static inline int cylint_plane_normal(const cylint_shape *s, double normal[3])
 {
     const double *n = cylint_axis(s);
@@ -184,25 +191,27 @@ static inline int cylint_plane_normal(const cylint_shape *s, double normal[3])
 }
 
 /* Writes the wanted members beside t of the hit, as far as they are certain; returns
- * the others.  The thread rounds to nearest. */
+ * the others. */
 static inline unsigned cylint_plane_members(const cylint_shape *s,
                                             const cylint_line *line,
                                             unsigned want, cylint_hit *hit)
 {
     plane_number slope, t;
     unsigned left = want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL);
+    if (!cylint_pairs_serve(s, line))
+        return want;
     if (want & CYLINT_WANT_Z)
         hit->z = 0;
     if (want & CYLINT_WANT_PHI)
         hit->phi = 0;
     if ((left & CYLINT_WANT_NORMAL) && cylint_plane_normal(s, hit->normal))
-        left &= ~CYLINT_WANT_NORMAL;
+        left &= ~(unsigned)CYLINT_WANT_NORMAL;
     if ((left & CYLINT_WANT_POINT) &&
         cylint_line_to_plane(s, line, &slope, &t) &&
         cylint_plane_coordinate(s, line, t, 0, &hit->point[0]) &&
         cylint_plane_coordinate(s, line, t, 1, &hit->point[1]) &&
         cylint_plane_coordinate(s, line, t, 2, &hit->point[2]))
-        left &= ~CYLINT_WANT_POINT;
+        left &= ~(unsigned)CYLINT_WANT_POINT;
     return left;
 }
 

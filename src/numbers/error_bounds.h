@@ -357,4 +357,12 @@
 #define CYLINT_MEMBER_TIE 0x1p-90
 #define CYLINT_MEMBER_SLOPE 0x1p-48
 
+/*
+ * Half-spaces (filter/plane.h): the error of a scalar product of a vector of pairs and
+ * one of doubles, relative to the sum of the sizes of its terms.
+ * CYLINT_PLANE_ROUNDING is proved and is smaller.
+ */
+#define CYLINT_PLANE_ERROR 0x1p-101
+#define CYLINT_PLANE_ROUNDING 0x1c.12p-106
+
 #endif

@@ -620,8 +620,8 @@ def tube(
     to the second, right-handed about the axis from p0 to p1.  None: a full turn.
 
     The shapes are 1 to 4: the outer one, the bore and the half-spaces of the sector.
-    The clauses are those of `Scene.set_solids`.  Directions along coordinates are
-    exact; others are rounded once, as cylint_pieces(3) says.
+    The clauses are those of `Scene.set_solids`.  The planes are exact if the axis lies
+    along a coordinate; others are rounded once, as cylint_pieces(3) says.
 
     >>> shapes, clauses = cylint.tube([0, 0, 0], [0, 0, 9], 2, 1, sector=[[1, 0, 0], [0, 1, 0]])
     >>> shapes, clauses
