@@ -86,6 +86,17 @@ typedef struct {
     size_t n, capacity;
 } solid_pieces;
 
+/* Whether member i, which the line does not meet, leaves its clause without a point of
+ * the line: no other member is in the clause, and it is no complement. */
+static int is_empty_clause(const int *clause, const int32_t *number, size_t n,
+                           size_t i)
+{
+    for (size_t j = 0; j < n; j++)
+        if (number[j] == number[i] && (j != i || clause[j] < 0))
+            return 0;
+    return 1;
+}
+
 static int add_solid_piece(void *self, double t0, double t1)
 {
     solid_pieces *to = self;
@@ -110,6 +121,8 @@ int cylint_solid_pieces(const cylint_shape *shapes, const int *clause, size_t n,
         const int is_complement = clause[i] < 0;
         cylint_interval chord[2];
         const int chords = cylint_chord(&shapes[i], line, chord);
+        if (chords == 0 && is_empty_clause(clause, number, n, i))
+            return 0;
         holding[number[i] - 1] += is_complement;
         for (int j = 0; j < chords; j++, events += 2)
             cylint_add_events(&event[events], chord[j], 0,

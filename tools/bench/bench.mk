@@ -77,10 +77,11 @@ rivals := $(BUILD)/rivals
 bench-python: $(BUILD)/tools/bench/python_scene $(BUILD)/cylint ## time of the Python package and of its rivals, fetched by pip
 	@BUILD=$(BUILD) sh tests/run.sh tests/test_python.sh
 	@[ -x $(rivals)/bin/python ] || python3 -m venv $(rivals)
-	@$(rivals)/bin/pip install -q numpy scikit-spatial trimesh embreex rtree vtk open3d
+	@$(rivals)/bin/pip install -q numpy scikit-spatial trimesh embreex rtree vtk open3d itk-rtk
 	@$(rivals)/bin/pip install -q --no-deps --force-reinstall $(BUILD)/python/wheel/*.whl
 	$(rivals)/bin/python tools/bench/python_rays.py $(BUILD)/tools/bench/python_scene $(rivals)/input
 	$(rivals)/bin/python tools/bench/python_distance.py $(BUILD)/tools/bench/python_scene $(rivals)/input
+	$(rivals)/bin/python tools/bench/python_sums.py
 
 # An adapter that counts the nodes and leaves that a ray visits.
 count_visits: $(BUILD)/tools/bench/embree_counts
