@@ -1,6 +1,6 @@
 # tools/bench/bench.mk: the benchmarks; the Makefile includes it.
 
-$(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests $(embree) \
+$(BUILD)/tools/bench/%: extra := $(floats) $(posix) $(static) -Isrc -Itests/support $(embree) \
 	$(if $(MPFR),-DHAVE_MPFR) $(if $(GSL),-DHAVE_GSL)
 bench_objects = $(patsubst %,$(BUILD)/tools/bench/%.o,$(1))
 
@@ -17,7 +17,7 @@ $(bench_programs): %: %.o $(bench_common)
 $(bench_programs) $(BUILD)/tools/bench/stages: %: %.o $(test_common) $(BUILD)/libcylint.a
 $(bench_programs) $(BUILD)/tools/bench/stages: libs := $(test_libs)
 
-$(BUILD)/tools/bench/scene $(BUILD)/tools/bench/distance_scene: $(BUILD)/tests/scenes.o
+$(BUILD)/tools/bench/scene $(BUILD)/tools/bench/distance_scene: $(BUILD)/tests/support/scenes.o
 $(patsubst %,$(BUILD)/tools/bench/%,distance_scene pieces): $(call bench_objects,timing)
 $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene large pieces): %: %.o $(scene_library)
 $(patsubst %,$(BUILD)/tools/bench/%,scene distance_scene python_scene large pieces): libs := $(threads_link)
@@ -75,7 +75,7 @@ bench-embree: $(filter-out %_counts,$(embree_programs)) ## time of scenes and of
 # The rivals have an environment of their own; the wheel is that of the tests.
 rivals := $(BUILD)/rivals
 bench-python: $(BUILD)/tools/bench/python_scene $(BUILD)/cylint ## time of the Python package and of its rivals, fetched by pip
-	@BUILD=$(BUILD) sh tests/run.sh tests/test_python.sh
+	@BUILD=$(BUILD) sh tests/support/run.sh tests/python/test_python.sh
 	@[ -x $(rivals)/bin/python ] || python3 -m venv $(rivals)
 	@$(rivals)/bin/pip install -q numpy scikit-spatial trimesh embreex rtree vtk open3d itk-rtk
 	@$(rivals)/bin/pip install -q --no-deps --force-reinstall $(BUILD)/python/wheel/*.whl
