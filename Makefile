@@ -146,8 +146,8 @@ $(BUILD)/tools/cylint/numbers_cxx.o: tools/cylint/numbers.cc $$(@D)/flags
 # change, the file is written and the folder's objects are compiled again.
 folders := $(patsubst %/,%,$(sort $(dir $(wildcard src/*.c src/*/*.c tools/*/*.c tests/*.c tests/*/*.c))))
 $(folders:%=$(BUILD)/%/flags): $(BUILD)/%/flags: FORCE
-	@mkdir -p $(@D); printf '%s\n' $(call quote,$(compile) $(foreach b,$(filter $*/%,$(isa_builds)),$(isa.$b)) $(CXX) $(CXXFLAGS)) >$@.new; \
-	  if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+	@mkdir -p $(@D); flags=$(call quote,$(compile) $(foreach b,$(filter $*/%,$(isa_builds)),$(isa.$b)) $(CXX) $(CXXFLAGS)); \
+	  printf '%s\n' "$$flags" | cmp -s - $@ || printf '%s\n' "$$flags" >$@
 
 # ------------------------------------------------ libraries and programs --
 # $(call shared,NAME) and $(call shared,NAME,VERSION) are file names, $(soname)
