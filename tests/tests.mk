@@ -80,21 +80,25 @@ deps-cross: ## what check-cross and lint need as well (Debian)
 deps-cluster: ## what check-cluster needs as well (Debian; Spark by pip)
 	@BUILD=$(BUILD) sh tools/deps.sh cluster
 
+# $(call run_tests,TEST...): each is a target of run.mk; the long ones start first.
 # MISSING: what `make deps` installs and was not found, unless the user said so
-missing   = $(if $($(1))$(filter-out file undefined,$(origin $(1))),,$(2))
-run_tests = BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' \
+long_tests = $(addprefix tests/,package/test_amalgamation.sh python/test_python.sh command/test_faults.sh package/test_build.sh package/test_packages.sh package/test_install.sh) \
+             $(addprefix $(BUILD)/tests/,scene/test_closest library/test_environment library/test_batch bounds/test_local_bounds)
+missing    = $(if $($(1))$(filter-out file undefined,$(origin $(1))),,$(2))
+run_tests  = +@TESTS='$(filter $(1),$(long_tests)) $(filter-out $(long_tests),$(1))' \
+	BUILD=$(BUILD) CC='$(CC)' CXX='$(CXX)' CXX17='$(CXX17)' PARANOID='$(PARANOID)' \
 	MISSING='$(call missing,MPFR,MPFR) $(call missing,GSL,GSL) $(call missing,EMBREE,Embree) $(call missing,PNG,libpng) $(call missing,CXX17,C++17)' \
-	sh tests/support/run.sh
+	$(MAKE) --no-print-directory -f tests/support/run.mk
 
 check: all $(test_programs) $(if $(POSIX),$(BUILD)/tests/command/path_lengths) $(if $(WRAP),$(BUILD)/tests/command/faulty $(fuzz_programs)) $(if $(PNG),$(BUILD)/tests/command/pixels $(BUILD)/tests/command/greys) ## run every test (PARANOID=1: each decision twice)
-	@$(run_tests) $(test_programs) $(test_scripts)
+	$(call run_tests,$(test_programs) $(test_scripts))
 
 check-embree: $(if $(EMBREE),$(embree_tests)) ## run the tests that need Embree, with the installed one
 	@$(if $(EMBREE),,echo 'check-embree: no Embree (make deps)'; exit 1)
-	@$(run_tests) $(embree_tests)
+	$(call run_tests,$(embree_tests))
 
 check-embree4: all ## the same with Embree 4, downloaded from PyPI
-	@$(run_tests) tests/embree/test_embree4.sh
+	$(call run_tests,tests/embree/test_embree4.sh)
 
 check-scene: $(BUILD)/tests/scene/test_queries $(if $(EMBREE),$(BUILD)/tests/embree/scene_curves) ## compare scenes with brute force, about two minutes
 	$(BUILD)/tests/scene/test_queries 1000
@@ -145,7 +149,7 @@ lint: all ## static analysis, the ladder of floors, the format of sources
 	@BUILD=$(BUILD) CC='$(CC)' sh tests/support/lint.sh
 
 covered: all $(test_programs)
-	@$(run_tests) $(test_programs) tests/library/test_hard.sh
+	$(call run_tests,$(test_programs) tests/library/test_hard.sh)
 
 # Counters that threads share are wrong, even negative, unless they are atomic.
 counting := -g -O0 --coverage -fprofile-update=atomic -fno-math-errno

@@ -128,18 +128,50 @@ fi
 printf '#!/bin/sh\necho "no MPFR: no oracle (make deps)"\nexit 77\n' \
     > "$scratch/lacks.sh"
 printf '#!/bin/sh\necho "no disk can be filled"\nexit 77\n' > "$scratch/other.sh"
-MISSING=Embree CI='' sh tests/support/run.sh "$scratch/lacks.sh" "$scratch/other.sh" \
-    > "$scratch/output" &&
+# run_tests TEST...: in parallel; $scratch/output is what `make check` prints
+run_tests()
+{
+    TESTS=$* BUILD=$scratch/results $make -s -j2 -f tests/support/run.mk \
+        > "$scratch/output" 2> "$scratch/messages"
+}
+
+MISSING=Embree CI='' run_tests "$scratch/lacks.sh" "$scratch/other.sh" &&
     grep -q '^not tested: .*lacks.sh: no MPFR' "$scratch/output" &&
     grep -q '^not tested: what needs Embree' "$scratch/output" &&
     grep -q 'make deps' "$scratch/output" &&
     [ "$(tail -n 1 "$scratch/output")" = '0 passed, 0 failed, 2 skipped' ]
 verdict skipped_tests_are_named_at_the_end $?
-MISSING=Embree CI=true sh tests/support/run.sh "$scratch/lacks.sh" "$scratch/other.sh" \
-    > "$scratch/output"
+MISSING=Embree CI=true run_tests "$scratch/lacks.sh" "$scratch/other.sh"
 [ $? -ne 0 ] && [ "$(tail -n 1 "$scratch/output")" = '0 passed, 2 failed, 2 skipped' ]
 verdict with_CI_a_missing_package_fails $?
-MISSING='' CI=true sh tests/support/run.sh "$scratch/other.sh" > "$scratch/output"
+MISSING='' CI=true run_tests "$scratch/other.sh"
 verdict with_CI_other_reasons_do_not_fail $?
 
+# Of four tests one fails, two wait for each other, and one ends without counts.
+printf 'echo "what is wrong"\necho "4 passed, 1 failed"\nexit 1\n' > "$scratch/0.sh"
+for i in 1 2; do
+    cat > "$scratch/$i.sh" << END
+touch "$scratch/met$i"
+for second in 1 2 3 4 5 6 7 8 9; do
+    [ ! -e "$scratch/met$((3 - i))" ] || { echo '$i passed, 0 failed'; exit; }
+    sleep 1
+done
+echo '0 passed, 1 failed'
+END
+done
+echo 'exit 3' > "$scratch/3.sh"
+MISSING='' CI='' run_tests "$scratch/3.sh" "$scratch/0.sh" "$scratch/2.sh" "$scratch/1.sh"
+[ $? -ne 0 ] && sed "s|$scratch/||; s/([0-9.]* s)/(S s)/" "$scratch/output" > "$scratch/said" &&
+    diff - "$scratch/said" << END
+FAIL 0.sh (S s)
+what is wrong
+4 passed, 1 failed
+ok   1.sh: 1 passed (S s)
+ok   2.sh: 2 passed (S s)
+FAIL 3.sh (S s)
+
+(no counts; exit status 3)
+7 passed, 2 failed
+END
+verdict tests_run_side_by_side_and_a_failure_stops_none $?
 check_end

@@ -75,7 +75,7 @@ bench-embree: $(filter-out %_counts,$(embree_programs)) ## time of scenes and of
 # The rivals have an environment of their own; the wheel is that of the tests.
 rivals := $(BUILD)/rivals
 bench-python: $(BUILD)/tools/bench/python_scene $(BUILD)/cylint ## time of the Python package and of its rivals, fetched by pip
-	@BUILD=$(BUILD) sh tests/support/run.sh tests/python/test_python.sh
+	@BUILD=$(BUILD) sh tests/python/test_python.sh
 	@[ -x $(rivals)/bin/python ] || python3 -m venv $(rivals)
 	@$(rivals)/bin/pip install -q numpy scikit-spatial trimesh embreex rtree vtk open3d itk-rtk
 	@$(rivals)/bin/pip install -q --no-deps --force-reinstall $(BUILD)/python/wheel/*.whl
