@@ -88,11 +88,11 @@ static int keep_group(void *self, cylint_filter_batch *from,
     for (unsigned found = g->found; found; found &= found - 1) {
         const int lane = cylint_lowest(found);
         const size_t i = first + (size_t)lane;
-        to->count[i] = (signed char)(g->undecided >> lane & 1
-                                         ? CYLINT_UNDECIDED
-                                         : add_chord(to->line, g->t[0][lane],
-                                                     g->t[1][lane],
-                                                     &to->chord[i]));
+        to->count[i] =
+            (signed char)(g->undecided >> lane & 1
+                              ? CYLINT_UNDECIDED
+                              : add_chord(to->line, g->t[0][lane],
+                                          g->t[1][lane], &to->chord[i]));
     }
     return 0;
 }

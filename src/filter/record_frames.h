@@ -40,7 +40,8 @@ ASIDE void frames_of_records(frames *to, const char *const record[LANES],
     v_columns(record, offsetof(cylint_record, p1), top);
     EACH(i, 4)
         axis.part[i] = v_two_sum(top[i], -base[i]);
-    const inverse_lengths inverse = upright_rows(&m, &axis, is_hull ? -1 : 1, 0);
+    const inverse_lengths inverse =
+        upright_rows(&m, &axis, is_hull ? -1 : 1, 0);
     const vpair height = last_of(&m.x), slope = last_of(&m.z);
     EACH(i, 4)
         to->of[CYLINT_AT_BASE + i] = base[i]; /* and r0 */
@@ -55,8 +56,7 @@ ASIDE void frames_of_records(frames *to, const char *const record[LANES],
         const vpair cosine = cosine_of_hull(&inverse);
         set_pair(to, CYLINT_AT_SINE, slope);
         set_pair(to, CYLINT_AT_COSINE, cosine);
-        set_pair(to, CYLINT_AT_SLOPE,
-                 one_mul(axis.part[3], inverse.lateral));
+        set_pair(to, CYLINT_AT_SLOPE, one_mul(axis.part[3], inverse.lateral));
         to->of[CYLINT_AT_ERROR] =
             v_set(CYLINT_LOCAL_ERROR) / (cosine.hi * cosine.hi);
     }

@@ -207,8 +207,8 @@ INLINE coordinate least_of_axis(const real hi[4], const real lo[4])
     const vm y_first = v_lt(y, x);
     const vm last = v_lt(z, v_select(y_first, y, x));
     (void)lo;
-    return (coordinate){{m_and_not(m_not(last), y_first),
-                         m_and_not(y_first, last), last}};
+    return (coordinate){
+        {m_and_not(m_not(last), y_first), m_and_not(y_first, last), last}};
 }
 
 /* x at a coordinate, and at the two others. */
@@ -353,8 +353,8 @@ INLINE inverse_lengths upright_rows(rows *m, const four *axis, double sign,
     const real along = number_of(least, hi);
     near[0] = hi[0] * hi[0] + hi[1] * hi[1] + hi[2] * hi[2];
     near[1] = near[0] - along * along;
-    near[2] = (has_tangent ? real_of(1) : near[0]) +
-              real_of(sign) * (hi[3] * hi[3]);
+    near[2] =
+        (has_tangent ? real_of(1) : near[0]) + real_of(sign) * (hi[3] * hi[3]);
     const four all_along = all_four((one){along, number_of(least, lo)});
     const four e = direction_of(least), e1 = turned(&e), e2 = turned(&e1);
     four square, x, y;
@@ -366,13 +366,12 @@ INLINE inverse_lengths upright_rows(rows *m, const four *axis, double sign,
         y.part[k] = vpair_mul(w.part[k], all_along.part[k]);
     }
     store_four(square_hi, square_lo, &square);
-    const one aside =
-        one_sum((one){number_of_first_other(least, square_hi),
-                      number_of_first_other(least, square_lo)},
-                (one){number_of_second_other(least, square_hi),
-                      number_of_second_other(least, square_lo)});
-    const one length2 = one_sum(aside, (one){number_of(least, square_hi),
-                                             number_of(least, square_lo)});
+    const one aside = one_sum((one){number_of_first_other(least, square_hi),
+                                    number_of_first_other(least, square_lo)},
+                              (one){number_of_second_other(least, square_hi),
+                                    number_of_second_other(least, square_lo)});
+    const one length2 = one_sum(
+        aside, (one){number_of(least, square_hi), number_of(least, square_lo)});
     const one lateral2 = one_sum(
         has_tangent ? (one){real_of(1), real_of(0)} : length2,
         (one){real_of(sign) * square_hi[3], real_of(sign) * square_lo[3]});
