@@ -499,12 +499,14 @@ test_manual()
 test_pictures()
 {
     mkdir readme && cd readme && ln -s "$top/tools" tools || return 1
-    data=$top/../shared/data/medulla_top24.swc
-    if [ -e "$data" ]; then
-        ln -s "$data" medulla_top24.swc
-    else
-        printf '1 1 0 0 0 2 -1\n2 3 0 9 9 1 1\n' > medulla_top24.swc
-    fi
+    for neuron in medulla_top24 medulla_7114; do
+        data=$top/../shared/data/$neuron.swc
+        if [ -e "$data" ]; then
+            ln -s "$data" $neuron.swc
+        else
+            printf '1 1 0 0 0 2 -1\n2 3 0 9 9 1 1\n' > $neuron.swc
+        fi
+    done
     molecule=$top/../shared/data/1hvr.pdb
     if [ -e "$molecule" ]; then
         ln -s "$molecule" molecule.pdb
@@ -512,9 +514,9 @@ test_pictures()
         printf 'ATOM  %5d  %s   GLY A   1    %8.3f   0.000   0.000\n' \
             1 C 0 2 N 1.5 3 O -1.4 > molecule.pdb
     fi
-    for p in forest neurons protein; do
+    for p in forest neurons xray protein; do
         sh "$top/tests/support/recipe.sh" $p cylint-render.1 |
-            sed 's/forest -n 48/forest -n 1/; s/960x540/96x54/; s/640x540/64x54/; s/samples 64/samples 1/' > small
+            sed 's/forest -n 48/forest -n 1/; s/960x540/96x54/; s/640x540/64x54/; s/720x405/72x40/; s/samples [0-9]*/samples 1/' > small
         sh small > out 2>&1 && [ -s $p.png ] || { cat small out; false; }
         verdict "the manual's command draws $p" $?
     done
@@ -523,11 +525,12 @@ test_pictures()
         $5 > 2 * $3 { blue++ }
         END { exit !(red > 9 && blue > 9) }'
     verdict "the manual's command gives atoms the colours of elements" $?
-    for p in forest neurons; do
-        "$build/tests/command/pixels" "$top/tools/render/$p.png" | awk '
+    for p in forest:518400:100 neurons:518400:100 xray:291600:20; do
+        "$build/tests/command/pixels" "$top/tools/render/${p%%:*}.png" | awk -v p=$p '
+            BEGIN { split(p, of, ":") }
             !(($3, $4, $5) in seen) { seen[$3, $4, $5] = 1; n++ }
-            END { exit !(NR == 960 * 540 && n > 100) }'
-        verdict "the shipped $p is a picture of the size in its command" $?
+            END { exit !(NR == of[2] && n > of[3]) }'
+        verdict "the shipped ${p%%:*} is a picture of the size in its command" $?
     done
     cd ..
 }
