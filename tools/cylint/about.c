@@ -101,24 +101,22 @@ static void list_shapes(void)
 
 static void list_methods(void)
 {
-    for (const cylint_method *m = cylint_methods(); m->name; m++) {
+    for (const cylint_method *m = cylint_methods(); m->name; m++)
         print_row(m->name, m->source, m->shapes);
-    }
 }
 
 int print_about(const char *what)
 {
-    if (strcmp(what, "help") == 0) {
+    if (strcmp(what, "help") == 0)
         fputs(help, stdout);
-    } else if (strcmp(what, "version") == 0) {
+    else if (strcmp(what, "version") == 0)
         puts("cylint " CYLINT_VERSION);
-    } else if (strcmp(what, "methods") == 0) {
+    else if (strcmp(what, "methods") == 0)
         list_methods();
-    } else if (strcmp(what, "shapes") == 0) {
+    else if (strcmp(what, "shapes") == 0)
         list_shapes();
-    } else {
+    else
         list_columns(print_row);
-    }
     if (fflush(stdout) != 0 || ferror(stdout)) {
         complain_errno("standard output");
         return EXIT_IO;

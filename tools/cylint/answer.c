@@ -48,9 +48,8 @@ int job_block(const struct job *job, struct block *block)
     const size_t row = o->sum           ? sums_capacity(job->names, &o->style)
                        : lines > points ? lines
                                         : points;
-    if (!block_allocate(block, row, search_bytes(&job->scene->search))) {
+    if (!block_allocate(block, row, search_bytes(&job->scene->search)))
         return 0;
-    }
     if (o->sum) {
         block->sums = malloc(job->names->columns * sizeof *block->sums);
         return block->sums != NULL;
@@ -65,9 +64,8 @@ int job_block(const struct job *job, struct block *block)
 /* Keeps the ticket, because the other answers of the block follow. */
 static enum answered deliver(struct job *job, struct block *b)
 {
-    if (!write_order_wait(&job->order, b->ticket)) {
+    if (!write_order_wait(&job->order, b->ticket))
         return OVERTAKEN;
-    }
     job->status = output_write(&job->out, b->out.data, b->out.length);
     b->out.length = 0;
     report_notes(&job->report, &b->notes, b->name);
@@ -115,9 +113,8 @@ static const struct fields *fields_of(const struct task *task)
 static void put_answer(struct task *task, int hit)
 {
     const struct options *o = task->job->options;
-    if (hit || !o->hits_only) {
+    if (hit || !o->hits_only)
         put_row(&task->block->out, fields_of(task), &o->style, &task->row);
-    }
 }
 
 /* Ends the work after the answers so far. */
@@ -155,9 +152,8 @@ static int answer_pair(struct task *task)
     const struct options *o = task->job->options;
     const struct record *r = &task->block->parsed;
     cylint_answer answer;
-    if (!solve(solver_of(o), &r->shape, &r->line, o->fields.want, &answer)) {
+    if (!solve(solver_of(o), &r->shape, &r->line, o->fields.want, &answer))
         return refuse_method(task, 0);
-    }
     task->row.answer = &answer;
     put_answer(task, answer.n > 0);
     return 1;
@@ -170,9 +166,8 @@ static int answer_nearest(struct task *task)
     const struct scene_query q = query_of(task->job, task->block);
     const size_t refused =
         scene_nearest(task->job->scene, &q, &o->fields, &answer, &task->row);
-    if (refused > 0) {
+    if (refused > 0)
         return refuse_method(task, refused);
-    }
     find_label(task);
     put_answer(task, task->row.shape > 0);
     return 1;
@@ -182,9 +177,8 @@ static int answer_count(struct task *task, unsigned long long most)
 {
     const struct scene_query q = query_of(task->job, task->block);
     const size_t refused = scene_count(task->job->scene, &q, most, &task->row);
-    if (refused > 0) {
+    if (refused > 0)
         return refuse_method(task, refused);
-    }
     put_answer(task, task->row.count > 0);
     return 1;
 }
@@ -195,9 +189,8 @@ static void answer_one_of_all(struct task *task, size_t shape)
     const struct options *o = task->job->options;
     cylint_shape made;
     cylint_answer answer;
-    if (left_out_has(&task->block->left_out, shape)) {
+    if (left_out_has(&task->block->left_out, shape))
         return;
-    }
     scene_shape(task->job->scene, shape, &made);
     solve(solver_of(o), &made, &task->block->parsed.line, o->fields.want,
           &answer);
@@ -217,12 +210,10 @@ static int answer_all_by_method(struct task *task)
     const struct scene *scene = task->job->scene;
     const struct scene_query q = query_of(task->job, task->block);
     const size_t refused = scene_count(scene, &q, ~0ULL, &task->row);
-    if (refused > 0) {
+    if (refused > 0)
         return refuse_method(task, refused);
-    }
-    for (size_t i = 0; i < scene->count && task->status == ANSWERED; i++) {
+    for (size_t i = 0; i < scene->count && task->status == ANSWERED; i++)
         answer_one_of_all(task, i);
-    }
     return 1;
 }
 
@@ -231,16 +222,14 @@ enum { HITS_AT_ONCE = 256 };
 static int answer_all(struct task *task)
 {
     size_t number[HITS_AT_ONCE], found, first = 0;
-    if (task->job->options->method) {
+    if (task->job->options->method)
         return answer_all_by_method(task);
-    }
     do {
         found =
             search_hits(&task->job->scene->search, &task->block->parsed.line,
                         task->block->hits, first, number, HITS_AT_ONCE);
-        for (size_t i = 0; i < found && task->status == ANSWERED; i++) {
+        for (size_t i = 0; i < found && task->status == ANSWERED; i++)
             answer_one_of_all(task, number[i]);
-        }
         first = found > 0 ? number[found - 1] + 1 : 0;
     } while (found == HITS_AT_ONCE && task->status == ANSWERED);
     return 1;
@@ -295,9 +284,8 @@ static void answer_pieces(struct task *task)
             end_without_memory(task);
             break;
         }
-        for (size_t i = 0; i < found->count && task->status == ANSWERED; i++) {
+        for (size_t i = 0; i < found->count && task->status == ANSWERED; i++)
             answer_one_piece(task, &found->piece[i]);
-        }
     } while (found->count > 0 && task->status == ANSWERED);
     task->row.piece = NULL;
 }
@@ -316,9 +304,8 @@ static void answer_sums(struct task *task)
         end_without_memory(task);
         return;
     }
-    for (size_t i = 0; i < names->columns; i++) {
+    for (size_t i = 0; i < names->columns; i++)
         hit |= sums[i] > 0;
-    }
     if (hit || !job->options->hits_only) {
         put_sums(&task->block->out, names, &job->options->style, sums,
                  &task->row);
@@ -399,9 +386,8 @@ static void answer_inside(struct task *task)
     n.want = CYLINT_SIGNED;
     task->row.count = fields->counts ? nearby_count(&n, ~0ULL) : 0;
     task->row.depth = 0;
-    if (!fields->solids || find_depth(task)) {
+    if (!fields->solids || find_depth(task))
         put_answer(task, task->row.count > 0 || task->row.depth > 0);
-    }
 }
 
 /* Writes a row for a shape within the radius. */
@@ -409,9 +395,8 @@ static void answer_one_within(struct task *task, size_t shape)
 {
     cylint_shape made;
     cylint_closest closest;
-    if (left_out_has(&task->block->left_out, shape)) {
+    if (left_out_has(&task->block->left_out, shape))
         return;
-    }
     scene_shape(task->job->scene, shape, &made);
     measure(task, &made, &closest);
     task->row.closest = &closest;
@@ -429,9 +414,8 @@ static void answer_all_within(struct task *task)
     do {
         found = search_within(n.search, n.point, n.radius, n.want, first,
                               number, distance, HITS_AT_ONCE);
-        for (size_t i = 0; i < found && task->status == ANSWERED; i++) {
+        for (size_t i = 0; i < found && task->status == ANSWERED; i++)
             answer_one_within(task, number[i]);
-        }
         first = found > 0 ? number[found - 1] + 1 : 0;
     } while (found == HITS_AT_ONCE && task->status == ANSWERED);
 }
@@ -498,9 +482,8 @@ static void answer_pairs(struct task *task)
 {
     struct pairs *p = task->block->pairs;
     const unsigned want = task->job->options->fields.want;
-    if (!p || p->count == 0) {
+    if (!p || p->count == 0)
         return;
-    }
     pairs_intersect(p, want);
     for (int i = 0; i < p->count && task->status == ANSWERED; i++) {
         cylint_answer answer;
@@ -520,9 +503,8 @@ static void take_pair(struct task *task)
 {
     struct pairs *p = task->block->pairs;
     pairs_take(p);
-    if (p->count == PAIRS_MOST) {
+    if (p->count == PAIRS_MOST)
         answer_pairs(task);
-    }
 }
 
 static void mark_bad(struct task *task, unsigned long long line,
@@ -533,11 +515,10 @@ static void mark_bad(struct task *task, unsigned long long line,
     answer_pairs(task);
     take_note(&b->notes, line, task->row.record, text, b->text + b->length,
               &task->fault);
-    if (o->bad == BAD_MARK && o->sum) {
+    if (o->bad == BAD_MARK && o->sum)
         put_sums_error(&b->out, task->job->names, &o->style);
-    } else if (o->bad == BAD_MARK) {
+    else if (o->bad == BAD_MARK)
         put_error(&b->out, fields_of(task), &o->style);
-    }
     b->stopped = o->bad == BAD_STOP;
     task->row.record++;
 }
@@ -552,16 +533,14 @@ static void answer_or_mark(struct task *task, int good, unsigned long long line,
         take_remarks(&b->notes, &b->remarks, line, task->row.record + waiting,
                      text);
     }
-    if (good && b->pairs) {
+    if (good && b->pairs)
         take_pair(task);
-    } else if (good && answer_record(task)) {
+    else if (good && answer_record(task))
         task->row.record++;
-    } else {
+    else
         mark_bad(task, line, text);
-    }
-    if (task->status == ANSWERED) {
+    if (task->status == ANSWERED)
         task->status = deliver_if_full(task->job, task->block);
-    }
 }
 
 /* ------------------------------------------------------------- blocks -- */
@@ -570,22 +549,19 @@ static void copy_comment(struct task *task, const char *line, const char *end)
 {
     struct block *b = task->block;
     answer_pairs(task);
-    if (end > line && end[-1] == '\r') {
+    if (end > line && end[-1] == '\r')
         end--;
-    }
     put_bytes(&b->out, line, (size_t)(end - line));
     put_char(&b->out, '\n');
-    if (task->status == ANSWERED) {
+    if (task->status == ANSWERED)
         task->status = deliver_if_full(task->job, b);
-    }
 }
 
 /* Returns the places for the next record. */
 static const struct parts *next_places(struct task *task)
 {
-    if (task->block->pairs) {
+    if (task->block->pairs)
         pairs_place(task->block->pairs, &task->parts);
-    }
     return &task->parts;
 }
 
@@ -623,11 +599,10 @@ static void answer_text(struct task *task)
          line < end && task->status == ANSWERED && !b->stopped;
          line = stop + 1, number++) {
         stop = end_of_line(line, end);
-        if (is_record(line, stop)) {
+        if (is_record(line, stop))
             answer_or_mark(task, read_text(task, line, stop), number, line);
-        } else if (o->comments) {
+        else if (o->comments)
             copy_comment(task, line, stop);
-        }
     }
 }
 
@@ -640,9 +615,8 @@ static int take_doubles(struct task *task, const char *bytes, size_t size,
         task->fault = (struct fault){.what = "the input ends within it"};
         return 0;
     }
-    for (size_t i = 0; i < size / 8; i++) {
+    for (size_t i = 0; i < size / 8; i++)
         numbers[i] = get_little_endian(bytes + 8 * i);
-    }
     return take_parts(g, numbers, next_places(task), &task->fault);
 }
 
@@ -681,16 +655,13 @@ enum answered answer_block(struct job *job, struct block *b)
     b->remarks.found = 0;
     task.parts = parts_of(&b->parsed);
     task.parts.remarks = b->remarks.wanted ? &b->remarks : NULL;
-    if (job->in.record_size > 0) {
+    if (job->in.record_size > 0)
         answer_doubles(&task);
-    } else {
+    else
         answer_text(&task);
-    }
-    if (task.status == ANSWERED) {
+    if (task.status == ANSWERED)
         answer_pairs(&task);
-    }
-    if (task.status == ANSWERED) {
+    if (task.status == ANSWERED)
         task.status = deliver(job, b);
-    }
     return task.status == ANSWERED ? finish_block(job, b) : task.status;
 }

@@ -96,11 +96,9 @@ struct arguments {
 static const struct option *find_option(const struct option *known,
                                         const char *name, size_t length)
 {
-    for (const struct option *o = known; o->name; o++) {
-        if (strlen(o->name) == length && memcmp(o->name, name, length) == 0) {
+    for (const struct option *o = known; o->name; o++)
+        if (strlen(o->name) == length && memcmp(o->name, name, length) == 0)
             return o;
-        }
-    }
     return NULL;
 }
 
@@ -111,11 +109,9 @@ static int refuse_option(const struct option *known, const char *dashes,
     struct similar similar = similar_to(name, length);
     char shown[4 * 64 + 4];
     escape_bytes(shown, name, name + length, 64);
-    for (const struct option *o = known; o->name; o++) {
-        if (o->name[1]) {
+    for (const struct option *o = known; o->name; o++)
+        if (o->name[1])
             similar_try(&similar, o->name);
-        }
-    }
     return similar.word ? usage("unknown option '%s%s'; did you mean --%s?",
                                 dashes, shown, similar.word)
                         : usage("unknown option '%s%s'", dashes, shown);
@@ -128,16 +124,14 @@ static int take_long(struct arguments *args, const char *name)
         length > 1 ? find_option(args->known, name, length) : NULL;
     char shown[4 * 64 + 4];
     escape_bytes(shown, name, name + length, 64);
-    if (!o) {
+    if (!o)
         return refuse_option(args->known, "--", name, length);
-    }
     if (!o->has_value) {
         return name[length] == '=' ? usage("--%s takes no value", shown)
                                    : args->handle(args->context, o, NULL);
     }
-    if (name[length] == '=') {
+    if (name[length] == '=')
         return args->handle(args->context, o, name + length + 1);
-    }
     return args->next < args->count
                ? args->handle(args->context, o, args->argv[args->next++])
                : usage("--%s needs a value", shown);
@@ -155,15 +149,14 @@ static int take_short(struct arguments *args, const char *letters)
                        ? refuse_option(args->known, "-", p, strlen(p))
                        : usage("unknown option '-%s'", shown);
         }
-        if (!o->has_value) {
+        if (!o->has_value)
             status = args->handle(args->context, o, NULL);
-        } else if (p[1]) {
+        else if (p[1])
             return args->handle(args->context, o, p + 1);
-        } else if (args->next < args->count) {
+        else if (args->next < args->count)
             return args->handle(args->context, o, args->argv[args->next++]);
-        } else {
+        else
             return usage("-%s needs a value", shown);
-        }
     }
     return status;
 }
@@ -176,15 +169,14 @@ int take_arguments(const struct option *known, int argc, char **argv,
     *files = 0;
     while (status == 0 && args.next < args.count) {
         char *arg = args.argv[args.next++];
-        if (only_files || arg[0] != '-' || arg[1] == '\0') {
+        if (only_files || arg[0] != '-' || arg[1] == '\0')
             argv[(*files)++] = arg;
-        } else if (strcmp(arg, "--") == 0) {
+        else if (strcmp(arg, "--") == 0)
             only_files = 1;
-        } else if (arg[1] == '-') {
+        else if (arg[1] == '-')
             status = take_long(&args, arg + 2);
-        } else {
+        else
             status = take_short(&args, arg + 1);
-        }
     }
     return status;
 }

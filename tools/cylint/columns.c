@@ -180,24 +180,20 @@ static unsigned want_of(enum value value)
 static const struct column *find_column(const char *name, size_t length,
                                         enum query query)
 {
-    for (int i = 0; i < COLUMNS; i++) {
+    for (int i = 0; i < COLUMNS; i++)
         if ((columns[i].queries >> query & 1) &&
             strlen(columns[i].name) == length &&
-            memcmp(columns[i].name, name, length) == 0) {
+            memcmp(columns[i].name, name, length) == 0)
             return &columns[i];
-        }
-    }
     return NULL;
 }
 
 const char *similar_field(const char *name, size_t length, enum query query)
 {
     struct similar similar = similar_to(name, length);
-    for (int i = 0; i < COLUMNS; i++) {
-        if (columns[i].queries >> query & 1) {
+    for (int i = 0; i < COLUMNS; i++)
+        if (columns[i].queries >> query & 1)
             similar_try(&similar, columns[i].name);
-        }
-    }
     return similar.word;
 }
 
@@ -206,20 +202,17 @@ static int needs_both_hits(const struct fields *fields)
 {
     for (int i = 0; i < fields->count; i++) {
         const struct column *c = fields->column[i];
-        if (c->hit || c->value == VALUE_N || c->value == VALUE_CHORD) {
+        if (c->hit || c->value == VALUE_N || c->value == VALUE_CHORD)
             return 1;
-        }
     }
     return 0;
 }
 
 int fields_need_sides(const struct fields *fields)
 {
-    for (int i = 0; i < fields->count; i++) {
-        if (fields->column[i]->value == VALUE_SIDE) {
+    for (int i = 0; i < fields->count; i++)
+        if (fields->column[i]->value == VALUE_SIDE)
             return 1;
-        }
-    }
     return 0;
 }
 
@@ -239,23 +232,20 @@ const char *find_fields(struct fields *fields, const char *names,
     for (;;) {
         *length = strcspn(names, ",");
         const struct column *c = find_column(names, *length, query);
-        if (!c || fields->count == MOST_FIELDS) {
+        if (!c || fields->count == MOST_FIELDS)
             return names;
-        }
         fields->column[fields->count++] = c;
         fields->want |= want_of(c->value);
         fields->labels += c->value == VALUE_LABEL;
         fields->relation |= c->value == VALUE_RELATION;
         fields->counts |= c->value == VALUE_COUNT;
         fields->solids |= is_of_solids(c->value, query);
-        if (names[*length] == '\0') {
+        if (names[*length] == '\0')
             break;
-        }
         names += *length + 1;
     }
-    if (query < QUERIES && !needs_both_hits(fields)) {
+    if (query < QUERIES && !needs_both_hits(fields))
         fields->want |= CYLINT_WANT_NEAREST;
-    }
     return NULL;
 }
 
@@ -419,13 +409,12 @@ static void put_value(struct text *out, const struct style *style,
 static void put_field(struct text *out, const struct style *style,
                       const struct column *c, const struct row *row)
 {
-    if (is_missing(c, row)) {
+    if (is_missing(c, row))
         put_missing(out, style, c);
-    } else if (c->value == VALUE_LABEL) {
+    else if (c->value == VALUE_LABEL)
         put_bytes(out, row->label, row->label_length);
-    } else {
+    else
         put_value(out, style, c, row);
-    }
 }
 
 static void put_doubles(struct text *out, const struct fields *fields,
@@ -447,9 +436,8 @@ void put_row(struct text *out, const struct fields *fields,
         return;
     }
     for (int i = 0; i < fields->count; i++) {
-        if (i > 0) {
+        if (i > 0)
             put_char(out, style->separator);
-        }
         put_field(out, style, fields->column[i], row);
     }
     if (row->tail_length > 0) {
@@ -462,9 +450,8 @@ void put_row(struct text *out, const struct fields *fields,
 void put_error(struct text *out, const struct fields *fields,
                const struct style *style)
 {
-    if (!style->binary) {
+    if (!style->binary)
         put_string(out, "error");
-    }
     for (int i = 0; i < fields->count; i++) {
         if (style->binary) {
             put_little_endian(out, NAN);
@@ -473,18 +460,16 @@ void put_error(struct text *out, const struct fields *fields,
             put_missing(out, style, fields->column[i]);
         }
     }
-    if (!style->binary) {
+    if (!style->binary)
         put_char(out, '\n');
-    }
 }
 
 void put_header(struct text *out, const struct fields *fields,
                 const struct style *style)
 {
     for (int i = 0; i < fields->count; i++) {
-        if (i > 0) {
+        if (i > 0)
             put_char(out, style->separator);
-        }
         put_string(out, fields->column[i]->name);
     }
     put_char(out, '\n');

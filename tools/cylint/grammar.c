@@ -54,22 +54,18 @@ static int is_word(const char *word, const char *text, size_t length)
 
 int find_word(const char *const *words, const char *text, size_t length)
 {
-    for (int i = 0; words[i]; i++) {
-        if (is_word(words[i], text, length)) {
+    for (int i = 0; words[i]; i++)
+        if (is_word(words[i], text, length))
             return i;
-        }
-    }
     return NOT_GIVEN;
 }
 
 int find_kind(const struct kind *kinds, int count, const char *text,
               size_t length)
 {
-    for (int i = 0; i < count; i++) {
-        if (is_word(kinds[i].word, text, length)) {
+    for (int i = 0; i < count; i++)
+        if (is_word(kinds[i].word, text, length))
             return i;
-        }
-    }
     return NOT_GIVEN;
 }
 
@@ -103,9 +99,8 @@ int numbers_of_record(const struct grammar *g)
 static cylint_status make_point(const double *v, double point[3])
 {
     for (int i = 0; i < 3; i++) {
-        if (v[i] - v[i] != 0) {
+        if (v[i] - v[i] != 0)
             return CYLINT_ENONFINITE;
-        }
         point[i] = v[i];
     }
     return CYLINT_OK;
@@ -116,18 +111,14 @@ static cylint_status make_line(const struct grammar *g, int kind,
 {
     cylint_line *line = parts->line;
     *parts->is_point = kind == LINE_POINT;
-    if (kind == LINE_POINT) {
+    if (kind == LINE_POINT)
         return make_point(v, parts->point);
-    }
-    if (kind == LINE_SEGMENT) {
+    if (kind == LINE_SEGMENT)
         return cylint_segment(line, v, v + 3);
-    }
-    if (kind == LINE_SPAN) {
+    if (kind == LINE_SPAN)
         return cylint_span(line, v, v + 3, v[6], v[7]);
-    }
-    if (g->has_domain) {
+    if (g->has_domain)
         return cylint_span(line, v, v + 3, g->tmin, g->tmax);
-    }
     return kind == LINE_RAY ? cylint_ray(line, v, v + 3)
                             : cylint_whole_line(line, v, v + 3);
 }
@@ -136,9 +127,8 @@ static cylint_status make_line(const struct grammar *g, int kind,
 static cylint_status make_halfspace(const double *v, cylint_ends ends,
                                     cylint_shape *shape)
 {
-    if (ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_INFINITE) {
+    if (ends == CYLINT_ENDS_CAPPED || ends == CYLINT_ENDS_INFINITE)
         return cylint_halfspace(shape, v, v + 3);
-    }
     memset(shape, 0, sizeof *shape);
     return CYLINT_EENDS;
 }
@@ -194,9 +184,8 @@ static const char *end_of_field(const struct reader *r)
 static int refuse(struct reader *r, const char *what, int expected)
 {
     const char *after = end_of_field(r);
-    if (after == r->p && after < r->end) {
+    if (after == r->p && after < r->end)
         after++;
-    }
     *r->fault = (struct fault){
         .what = what, .expected = expected, .at = r->p, .end = after};
     return 0;
@@ -216,9 +205,8 @@ static int count_numbers(const char *p, const char *end)
     double value;
     int count = 0;
     for (const char *after; p < end && (after = end_of_number(p, end, &value));
-         p = skip_separator(after, end)) {
+         p = skip_separator(after, end))
         count++;
-    }
     return count;
 }
 
@@ -227,12 +215,10 @@ static int read_numbers(struct reader *r, double *v, int count)
     const char *const end = r->end;
     for (int i = 0; i < count; i++) {
         const char *after = end_of_number(r->p, end, &v[i]);
-        if (!after) {
+        if (!after)
             return refuse(r, "a number", 1);
-        }
-        if (v[i] - v[i] != 0) {
+        if (v[i] - v[i] != 0)
             return refuse(r, "number too large", 0);
-        }
         r->p = skip_separator(after, end);
     }
     return 1;
@@ -242,9 +228,8 @@ static int read_kind(struct reader *r, const struct kind *kinds, int count)
 {
     const char *after = end_of_field(r);
     const int kind = find_kind(kinds, count, r->p, (size_t)(after - r->p));
-    if (kind != NOT_GIVEN) {
+    if (kind != NOT_GIVEN)
         skip_to(r, after);
-    }
     return kind;
 }
 
@@ -254,9 +239,8 @@ static const char *similar_kind(const struct reader *r,
 {
     const char *after = end_of_field(r);
     struct similar similar = similar_to(r->p, (size_t)(after - r->p));
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++)
         similar_try(&similar, kinds[i].word);
-    }
     return similar.word;
 }
 
@@ -283,13 +267,12 @@ static int refuse_line_kind(struct reader *r, const struct grammar *g)
 static int refuse_shape_kind(struct reader *r, const struct grammar *g)
 {
     refuse(r, SHAPE_WORDS, 1);
-    if (!g->has_line && is_kind(r, line_kinds, LINE_KINDS)) {
+    if (!g->has_line && is_kind(r, line_kinds, LINE_KINDS))
         r->fault->remedy = "a scene has shapes only; for records leave out -s";
-    } else if (g->convert) {
+    else if (g->convert)
         r->fault->remedy = g->convert;
-    } else {
+    else
         r->fault->meant = similar_kind(r, shape_kinds, SHAPE_KINDS);
-    }
     return 0;
 }
 
@@ -315,13 +298,11 @@ static int refuse_status(struct reader *r, const char *at, int has_word,
                          int status, int wrong)
 {
     r->p = at;
-    for (int i = wrong == NOT_GIVEN ? 0 : wrong + has_word; i > 0; i--) {
+    for (int i = wrong == NOT_GIVEN ? 0 : wrong + has_word; i > 0; i--)
         skip_to(r, end_of_field(r));
-    }
     refuse(r, cylint_strerror(status), 0);
-    if (wrong == NOT_GIVEN) {
+    if (wrong == NOT_GIVEN)
         r->fault->end = at;
-    }
     return 0;
 }
 
@@ -348,9 +329,8 @@ static int read_line(struct reader *r, const struct grammar *g,
     int kind = g->line;
     if (kind == NOT_GIVEN) {
         kind = read_kind(r, line_kinds, LINE_KINDS);
-        if (kind == NOT_GIVEN) {
+        if (kind == NOT_GIVEN)
             return refuse_line_kind(r, g);
-        }
     }
     *parts->is_point = kind == LINE_POINT;
     const char *reason = kind == LINE_POINT ? g->no_points : g->no_lines;
@@ -358,9 +338,8 @@ static int read_line(struct reader *r, const struct grammar *g,
         r->p = at;
         return refuse(r, reason, 0);
     }
-    if (!read_numbers(r, v, line_kinds[kind].numbers)) {
+    if (!read_numbers(r, v, line_kinds[kind].numbers))
         return 0;
-    }
     remark_domain(g, kind, at, parts->remarks);
     const cylint_status status = make_line(g, kind, v, parts);
     return status == CYLINT_OK ||
@@ -376,9 +355,8 @@ static int begins_with(const struct reader *r, const char *word)
 
 static int read_ends(struct reader *r, int *ends)
 {
-    if (!begins_with(r, ENDS_WORD)) {
+    if (!begins_with(r, ENDS_WORD))
         return 1;
-    }
     r->p += strlen(ENDS_WORD);
     const char *after = end_of_field(r);
     *ends = find_word(ends_words, r->p, (size_t)(after - r->p));
@@ -401,15 +379,12 @@ static int read_shape(struct reader *r, const struct grammar *g,
     int kind = g->shape;
     if (kind == NOT_GIVEN) {
         kind = read_kind(r, shape_kinds, SHAPE_KINDS);
-        if (kind == NOT_GIVEN) {
+        if (kind == NOT_GIVEN)
             return refuse_shape_kind(r, g);
-        }
     }
     int ends = g->ends;
-    if (!read_numbers(r, v, shape_kinds[kind].numbers) ||
-        !read_ends(r, &ends)) {
+    if (!read_numbers(r, v, shape_kinds[kind].numbers) || !read_ends(r, &ends))
         return 0;
-    }
     const cylint_status status = make_shape(kind, ends, v, shape);
     return status == CYLINT_OK ||
            refuse_status(r, at, g->shape == NOT_GIVEN, (int)status,
@@ -446,9 +421,8 @@ static int read_solids(struct reader *r, const struct grammar *g,
 static int read_left_out(struct reader *r, const struct grammar *g,
                          const struct parts *parts)
 {
-    if (g->no_left_out && begins_with(r, NOT_WORD)) {
+    if (g->no_left_out && begins_with(r, NOT_WORD))
         return refuse(r, g->no_left_out, 0);
-    }
     *parts->left_out = r->p;
     while (begins_with(r, NOT_WORD)) {
         r->has_word = 1;
@@ -481,9 +455,8 @@ static int read_tail(struct reader *r, const struct grammar *g,
                      const struct parts *parts)
 {
     const char *end = r->end;
-    while (end > r->p && is_blank(end[-1])) {
+    while (end > r->p && is_blank(end[-1]))
         end--;
-    }
     *parts->tail = r->p;
     *parts->tail_length = (size_t)(end - r->p);
     const char *nul = memchr(r->p, '\0', *parts->tail_length);
@@ -514,12 +487,10 @@ const char *end_of_line(const char *p, const char *end)
 
 int is_record(const char *line, const char *end)
 {
-    if (end - line > LINE_MOST) {
+    if (end - line > LINE_MOST)
         return 1;
-    }
-    while (line < end && (is_blank(*line) || *line == '\r')) {
+    while (line < end && (is_blank(*line) || *line == '\r'))
         line++;
-    }
     return line < end && *line != '#';
 }
 
@@ -530,23 +501,20 @@ int trim_line(const char *text, const char **end, struct fault *fault)
             .what = "line longer than 1 MiB", .at = text, .end = text};
         return 0;
     }
-    if (*end > text && (*end)[-1] == '\r') {
+    if (*end > text && (*end)[-1] == '\r')
         --*end;
-    }
     return 1;
 }
 
 int read_parts(const struct grammar *g, const char *text, const char *end,
                const struct parts *parts, struct fault *fault)
 {
-    if (!trim_line(text, &end, fault)) {
+    if (!trim_line(text, &end, fault))
         return 0;
-    }
     struct reader r = {skip_blanks(text, end), end, fault, 0};
     *parts->is_point = g->no_lines != NULL;
-    if (parts->remarks) {
+    if (parts->remarks)
         parts->remarks->found = 0;
-    }
     return (!g->has_line || read_line(&r, g, parts)) &&
            (g->has_shape
                 ? read_shape(&r, g, parts->shape) && read_solids(&r, g, parts)
@@ -559,25 +527,21 @@ int take_parts(const struct grammar *g, const double *numbers,
 {
     cylint_status status = CYLINT_OK;
     *parts->tail_length = 0;
-    if (parts->remarks) {
+    if (parts->remarks)
         parts->remarks->found = 0;
-    }
     if (g->has_line) {
         remark_domain(g, g->line, NULL, parts->remarks);
         status = make_line(g, g->line, numbers, parts);
         numbers += line_kinds[g->line].numbers;
     }
-    if (g->has_shape && status == CYLINT_OK) {
+    if (g->has_shape && status == CYLINT_OK)
         status = make_shape(g->shape, g->ends, numbers, parts->shape);
-    }
-    if (!g->has_shape) {
+    if (!g->has_shape)
         *parts->left_out_length = 0;
-    } else if (!g->has_line) {
+    else if (!g->has_line)
         *parts->solids_length = 0;
-    }
-    if (status != CYLINT_OK) {
+    if (status != CYLINT_OK)
         *fault = (struct fault){.what = cylint_strerror((int)status)};
-    }
     return status == CYLINT_OK;
 }
 

@@ -131,18 +131,16 @@ static inline int is_blank(char c)
 
 static inline const char *skip_blanks(const char *p, const char *end)
 {
-    while (p < end && is_blank(*p)) {
+    while (p < end && is_blank(*p))
         p++;
-    }
     return p;
 }
 
 /* Returns the end of the field at p. */
 static inline const char *field_end(const char *p, const char *end)
 {
-    while (p < end && !is_blank(*p) && *p != ',') {
+    while (p < end && !is_blank(*p) && *p != ',')
         p++;
-    }
     return p;
 }
 

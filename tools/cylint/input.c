@@ -30,9 +30,8 @@ static double total_size(char *const *files, int count)
     for (int i = 0; i < count; i++) {
         struct stat s;
         if ((is_stdin(files[i]) ? fstat(0, &s) : stat(files[i], &s)) != 0 ||
-            !S_ISREG(s.st_mode)) {
+            !S_ISREG(s.st_mode))
             return 0;
-        }
         total += (double)s.st_size;
     }
     return total;
@@ -54,9 +53,8 @@ int input_open(struct input *in, char *const *files, int count,
 
 static void close_file(struct input *in)
 {
-    if (in->fd > 0) {
+    if (in->fd > 0)
         close(in->fd);
-    }
     in->fd = -1;
 }
 
@@ -80,9 +78,8 @@ static int open_next(struct input *in, struct block *b)
     const char *file = in->files[in->next++];
     in->name = b->name = is_stdin(file) ? "stdin" : file;
     in->fd = is_stdin(file) ? 0 : open_file(file, O_RDONLY, 0);
-    if (in->fd < 0) {
+    if (in->fd < 0)
         return fail(b, NULL, errno);
-    }
     struct stat s;
     in->regular = fstat(in->fd, &s) == 0 && S_ISREG(s.st_mode);
     in->line = 1;
@@ -119,9 +116,8 @@ static void end_lines_at_cr(struct block *b, size_t from)
     char *last = b->text + b->length - 1;
     char *p = b->text + (from > 0 ? from - 1 : 0);
     while (p < last && (p = memchr(p, '\r', (size_t)(last - p))) != NULL) {
-        if (p[1] != '\n') {
+        if (p[1] != '\n')
             *p = '\n';
-        }
         p++;
     }
 }
@@ -134,15 +130,13 @@ static void read_more(struct input *in, struct block *b)
         const ssize_t n = read(in->fd, b->text + b->length, BLOCK_GOAL);
         if (n > 0) {
             b->length += (size_t)n;
-            if (in->cr_ends_lines) {
+            if (in->cr_ends_lines)
                 end_lines_at_cr(b, b->length - (size_t)n);
-            }
             in->bytes += (unsigned long long)n;
             return;
         }
-        if (n == 0) {
+        if (n == 0)
             break;
-        }
         if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) {
             in->error = errno;
             break;
@@ -182,14 +176,11 @@ static void skip_line(struct input *in, struct block *b)
 static size_t find_whole(const struct input *in, const struct block *b,
                          size_t known, size_t searched)
 {
-    if (in->record_size > 0) {
+    if (in->record_size > 0)
         return b->length - b->length % in->record_size;
-    }
-    for (size_t i = b->length; i > searched; i--) {
-        if (b->text[i - 1] == '\n') {
+    for (size_t i = b->length; i > searched; i--)
+        if (b->text[i - 1] == '\n')
             return i;
-        }
-    }
     return known;
 }
 
@@ -228,11 +219,10 @@ static void count_records(struct input *in, struct block *b)
     b->line = in->record_size > 0 ? 0 : in->line;
     b->record = in->record;
     b->records = 0;
-    if (in->record_size > 0) {
+    if (in->record_size > 0)
         b->records = (b->length + in->record_size - 1) / in->record_size;
-    } else {
+    else
         count_lines(in, b);
-    }
     in->record += b->records;
     in->bytes_given += b->length;
 }
@@ -241,16 +231,14 @@ static void count_records(struct input *in, struct block *b)
 
 static void skip_byte_order_mark(struct block *b)
 {
-    if (b->length >= 3 && memcmp(b->text, "\xef\xbb\xbf", 3) == 0) {
+    if (b->length >= 3 && memcmp(b->text, "\xef\xbb\xbf", 3) == 0)
         drop_front(b, 3);
-    }
 }
 
 static int read_until(struct input *in, struct block *b, size_t length)
 {
-    while (b->length < length && npy_begins(b->text, b->length) && !in->ended) {
+    while (b->length < length && npy_begins(b->text, b->length) && !in->ended)
         read_more(in, b);
-    }
     return b->length >= length;
 }
 
@@ -263,17 +251,15 @@ static int skip_npy_header(struct input *in, struct block *b)
     }
     const size_t length = npy_length(b->text, in->npy_wrong);
     unsigned long long rows = 0;
-    if (length == 0) {
+    if (length == 0)
         return fail(b, in->npy_wrong, 0);
-    }
     if (!read_until(in, b, length)) {
         return fail(b, ".npy header: length: the file ends within the header",
                     0);
     }
     if (!npy_read(b->text, length, in->record_size / sizeof(double), &rows,
-                  in->npy_wrong)) {
+                  in->npy_wrong))
         return fail(b, in->npy_wrong, 0);
-    }
     drop_front(b, length);
     in->promised = 1;
     in->bytes_promised = rows * in->record_size;
@@ -287,9 +273,8 @@ static int finish_file(struct input *in, struct block *b)
     const int kept = !in->promised || in->bytes_given == in->bytes_promised;
     close_file(in);
     b->name = in->name;
-    if (in->error) {
+    if (in->error)
         return fail(b, NULL, in->error);
-    }
     return kept ||
            fail(b, "the .npy header has another number of rows than the file",
                 0);
@@ -341,9 +326,8 @@ static void cut_block(struct input *in, struct block *b, size_t whole)
         memcpy(in->carry, b->text + whole, in->carried);
     }
     b->length = whole;
-    if (in->fresh && in->record_size == 0) {
+    if (in->fresh && in->record_size == 0)
         skip_byte_order_mark(b);
-    }
     in->fresh = 0;
     b->text[b->length] = '\0';
 }
@@ -358,12 +342,10 @@ static int is_compressed(const struct input *in, const struct block *b)
 static void fill_block(struct input *in, struct block *b)
 {
     while (b->length == 0) {
-        if ((in->fd < 0 || in->ended) && !change_file(in, b)) {
+        if ((in->fd < 0 || in->ended) && !change_file(in, b))
             return;
-        }
-        if (!begin_block(in, b)) {
+        if (!begin_block(in, b))
             return;
-        }
         const size_t whole = gather(in, b);
         if (is_compressed(in, b)) {
             fail(b, "is compressed by gzip; pipe it through zcat", 0);
@@ -400,9 +382,8 @@ void input_complain(const struct block *b)
 int input_next(struct input *in, struct block *b)
 {
     input_read(in, b);
-    if (b->failure.status != 0) {
+    if (b->failure.status != 0)
         input_complain(b);
-    }
     return b->failure.status;
 }
 

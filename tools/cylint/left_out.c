@@ -50,9 +50,8 @@ static size_t least(size_t a, size_t b)
  * first[] is the second array. */
 static void sort_by_name(const struct groups *g)
 {
-    for (size_t i = 0; i < g->shapes; i++) {
+    for (size_t i = 0; i < g->shapes; i++)
         g->order[i] = i;
-    }
     for (size_t half = 1; half < g->shapes; half *= 2) {
         for (size_t begin = 0; begin + half < g->shapes; begin += 2 * half) {
             merge(g, g->first, begin, begin + half,
@@ -66,9 +65,8 @@ static void find_groups(const struct groups *g)
     size_t begin = 0;
     for (size_t i = 0; i < g->shapes; i++) {
         if (compare_names(groups_name(g->labels, g->order[begin]),
-                          groups_name(g->labels, g->order[i])) != 0) {
+                          groups_name(g->labels, g->order[i])) != 0)
             begin = i;
-        }
         g->first[g->order[i]] = begin;
     }
 }
@@ -77,14 +75,12 @@ int groups_make(struct groups *g, size_t shapes, const struct labels *labels)
 {
     g->shapes = shapes;
     g->labels = labels;
-    if (!labels) {
+    if (!labels)
         return 0;
-    }
     g->order = malloc((shapes + 1) * sizeof *g->order);
     g->first = malloc((shapes + 1) * sizeof *g->first);
-    if (!g->order || !g->first) {
+    if (!g->order || !g->first)
         return out_of_memory();
-    }
     sort_by_name(g);
     find_groups(g);
     return 0;
@@ -101,11 +97,10 @@ size_t groups_find(const struct groups *g, struct label name)
     size_t begin = 0, end = g->shapes;
     while (begin < end) {
         const size_t middle = begin + (end - begin) / 2;
-        if (compare_names(groups_name(g->labels, g->order[middle]), name) < 0) {
+        if (compare_names(groups_name(g->labels, g->order[middle]), name) < 0)
             begin = middle + 1;
-        } else {
+        else
             end = middle;
-        }
     }
     return begin < g->shapes &&
                    compare_names(groups_name(g->labels, g->order[begin]),
@@ -120,9 +115,8 @@ static size_t find_number(const struct groups *g, struct label name)
     size_t number = 0;
     for (size_t i = 0; i < name.length; i++) {
         const char c = name.text[i];
-        if (c < '0' || c > '9' || number > g->shapes) {
+        if (c < '0' || c > '9' || number > g->shapes)
             return g->shapes;
-        }
         number = 10 * number + (size_t)(c - '0');
     }
     return number >= 1 && number <= g->shapes ? number - 1 : g->shapes;
@@ -132,11 +126,9 @@ static size_t find_number(const struct groups *g, struct label name)
 
 static int has_group(const struct left_out *l, size_t group)
 {
-    for (int i = 0; i < l->count; i++) {
-        if (l->group[i] == group) {
+    for (int i = 0; i < l->count; i++)
+        if (l->group[i] == group)
             return 1;
-        }
-    }
     return 0;
 }
 
@@ -164,20 +156,17 @@ static int leave_out(struct left_out *l, struct label name,
                      struct remarks *remarks, struct fault *fault)
 {
     const struct groups *g = l->groups;
-    if (name.length == 0) {
+    if (name.length == 0)
         return refuse(fault, "not= without a number or label", 0, name);
-    }
     const size_t group =
         g->labels ? groups_find(g, name) : find_number(g, name);
-    if (group == g->shapes && !g->labels) {
+    if (group == g->shapes && !g->labels)
         return refuse(fault, "the number of a shape of the scene", 1, name);
-    }
     if (group == g->shapes) {
         remark_label(remarks, name);
     } else if (!has_group(l, group)) {
-        if (l->count == LEFT_OUT_MOST) {
+        if (l->count == LEFT_OUT_MOST)
             return refuse(fault, "more than 64 words not=", 0, name);
-        }
         l->group[l->count++] = group;
     }
     return 1;
@@ -194,9 +183,8 @@ int left_out_read(struct left_out *l, const struct groups *groups,
         const char *name = p + strlen(NOT_WORD);
         const char *after = field_end(name, end);
         if (!leave_out(l, (struct label){name, (size_t)(after - name)}, remarks,
-                       fault)) {
+                       fault))
             return 0;
-        }
         p = skip_separator(after, end);
     }
     return 1;

@@ -20,20 +20,18 @@ static int put_first_line(struct job *job)
 {
     const struct options *o = job->options;
     struct block b;
-    if (!o->header) {
+    if (!o->header)
         return 0;
-    }
     int status =
         block_make(&b,
                    o->sum ? sums_capacity(job->names, &o->style)
                           : row_capacity(options_fields(o), &o->style, 0),
                    0);
     if (status == 0) {
-        if (o->sum) {
+        if (o->sum)
             put_sums_header(&b.out, job->names, &o->style);
-        } else {
+        else
             put_header(&b.out, options_fields(o), &o->style);
-        }
         status = output_write(&job->out, b.out.data, b.out.length);
     }
     block_free(&b);
@@ -79,14 +77,12 @@ static int load_shapes(const struct options *o, struct scene *scene,
         return status == 0 && uses_labels ? labels_take(labels, scene, o->scene)
                                           : status;
     }
-    if (uses_labels || o->save) {
+    if (uses_labels || o->save)
         labels_collect(labels, scene);
-    }
     status = scene_read_text(scene, o->scene, o->grammar.ends,
                              (enum swc_form)o->swc);
-    if (status == 0) {
+    if (status == 0)
         labels_give(labels, scene);
-    }
     return status;
 }
 
@@ -125,12 +121,10 @@ static int save_scene(const struct options *o, struct shapes *shapes)
 static int read_scene_if_needed(struct job *job, struct shapes *shapes)
 {
     const struct options *o = job->options;
-    if (!o->scene || o->save) {
+    if (!o->scene || o->save)
         return 0;
-    }
-    if (is_terminal(o) || o->sum || !input_is_empty(&job->in)) {
+    if (is_terminal(o) || o->sum || !input_is_empty(&job->in))
         return read_scene(o, shapes);
-    }
     if (strcmp(o->scene, "-") != 0 && access(o->scene, R_OK) != 0) {
         complain_errno(o->scene);
         return EXIT_IO;
@@ -142,15 +136,12 @@ static int answer_input(struct job *job, struct shapes *shapes)
 {
     const struct options *o = job->options;
     int status = open_input(job);
-    if (status == 0) {
+    if (status == 0)
         status = read_scene_if_needed(job, shapes);
-    }
-    if (o->sum && o->style.binary) {
+    if (o->sum && o->style.binary)
         job->out.row = sizeof(double) * shapes->names.columns;
-    }
-    if (status == 0) {
+    if (status == 0)
         status = put_first_line(job);
-    }
     if (status == 0 && is_terminal(o)) {
         message("waiting for records from the terminal, %s, one a line (see "
                 "--help); Ctrl-D ends them",
@@ -170,18 +161,15 @@ static int run(struct job *job, struct shapes *shapes)
 {
     const struct options *o = job->options;
     int status = o->save ? save_scene(o, shapes) : 0;
-    if (status != 0 || o->only_saves) {
+    if (status != 0 || o->only_saves)
         return status;
-    }
     status = output_open(&job->out, o);
-    if (status != 0) {
+    if (status != 0)
         return status;
-    }
     status = answer_input(job, shapes);
     const int closed = output_close(&job->out, status == 0);
-    if (status != 0 || closed != 0) {
+    if (status != 0 || closed != 0)
         return status != 0 ? status : closed;
-    }
     return job->report.bad > 0 ? EXIT_BAD : EXIT_ANSWERED;
 }
 
@@ -193,12 +181,10 @@ int main(int argc, char **argv)
     memset(&shapes, 0, sizeof shapes);
     guard_standard_streams();
     int status = read_options(&options, argc, argv);
-    if (status != 0) {
+    if (status != 0)
         return status;
-    }
-    if (options.print) {
+    if (options.print)
         return print_about(options.print);
-    }
     job_prepare(&job, &options, &shapes.scene, &shapes.labels, &shapes.groups,
                 &shapes.names);
     status = run(&job, &shapes);

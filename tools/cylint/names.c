@@ -19,9 +19,8 @@ static int number_columns(struct names *n, const struct groups *g)
 {
     n->column = malloc((g->shapes + 1) * sizeof *n->column);
     n->shape = malloc((g->shapes + 1) * sizeof *n->shape);
-    if (!n->column || !n->shape) {
+    if (!n->column || !n->shape)
         return out_of_memory();
-    }
     for (size_t i = 0; i < g->shapes; i++) {
         const size_t first = g->order[g->first[i]];
         if (first == i) {
@@ -31,9 +30,8 @@ static int number_columns(struct names *n, const struct groups *g)
             n->column[i] = n->column[first];
         }
     }
-    if (g->shapes == 0) {
+    if (g->shapes == 0)
         n->shape[n->columns++] = 0; /* so that each row has a column */
-    }
     return 0;
 }
 
@@ -73,9 +71,8 @@ static const char *read_integer(const char *p, const char *end, int *value)
     long long n = 0;
     p += p < end && (*p == '-' || *p == '+');
     const char *const digits = p;
-    for (; p < end && *p >= '0' && *p <= '9' && n <= INT_MAX; p++) {
+    for (; p < end && *p >= '0' && *p <= '9' && n <= INT_MAX; p++)
         n = 10 * n + (*p - '0');
-    }
     *value = (int)(is_negative ? -n : n);
     return p > digits && p == field_end(p, end) && n <= INT_MAX ? p : NULL;
 }
@@ -83,14 +80,12 @@ static const char *read_integer(const char *p, const char *end, int *value)
 static int read_ranking(const char *text, const char *end, struct ranking *r,
                         struct fault *fault)
 {
-    if (!trim_line(text, &end, fault)) {
+    if (!trim_line(text, &end, fault))
         return 0;
-    }
     const char *p = skip_blanks(text, end);
     const char *after = field_end(p, end);
-    if (after == p) {
+    if (after == p)
         return refuse(fault, "a label", 1, p, after < end ? after + 1 : after);
-    }
     r->name = (struct label){p, (size_t)(after - p)};
     p = skip_separator(after, end);
     after = read_integer(p, end, &r->rank);
@@ -138,9 +133,8 @@ static int read_rankings(struct rank_file *f, struct block *b)
         struct ranking ranking;
         struct fault fault = {0};
         stop = end_of_line(p, end);
-        if (!is_record(p, stop)) {
+        if (!is_record(p, stop))
             continue;
-        }
         if (!read_ranking(p, stop, &ranking, &fault) ||
             !take_ranking(f, &ranking, &fault)) {
             print_fault(b, number, p, &fault);
@@ -162,9 +156,8 @@ static int read_file(struct rank_file *f, const char *file)
     int status = block_make(&block, 0, 0);
     if (status == 0 && (status = input_open(&in, files, 1, 0)) == 0) {
         while (status == 0 && (status = input_next(&in, &block)) == 0 &&
-               block.length > 0) {
+               block.length > 0)
             status = read_rankings(f, &block);
-        }
         input_close(&in);
     }
     block_free(&block);
@@ -179,13 +172,11 @@ static int read_ranks(struct names *n, const struct groups *g, const char *file)
     n->rank = malloc((g->shapes + 1) * sizeof *n->rank);
     f.rank = calloc(g->shapes + 1, sizeof *f.rank);
     f.seen = calloc(g->shapes + 1, 1);
-    if (!n->rank || !f.rank || !f.seen) {
+    if (!n->rank || !f.rank || !f.seen)
         out_of_memory();
-    } else if ((status = read_file(&f, file)) == 0) {
-        for (size_t i = 0; i < g->shapes; i++) {
+    else if ((status = read_file(&f, file)) == 0)
+        for (size_t i = 0; i < g->shapes; i++)
             n->rank[i] = f.rank[g->first[i]];
-        }
-    }
     free(f.rank);
     free(f.seen);
     return status;
@@ -198,16 +189,13 @@ int names_make(struct names *n, const struct labels *labels, size_t shapes,
 {
     struct groups groups = {0};
     n->labels = labels;
-    if (!rank_file && !has_sums) {
+    if (!rank_file && !has_sums)
         return 0;
-    }
     int status = groups_make(&groups, shapes, labels);
-    if (status == 0 && rank_file) {
+    if (status == 0 && rank_file)
         status = read_ranks(n, &groups, rank_file);
-    }
-    if (status == 0 && has_sums) {
+    if (status == 0 && has_sums)
         status = number_columns(n, &groups);
-    }
     groups_free(&groups);
     return status;
 }

@@ -48,9 +48,8 @@ size_t npy_length(const char *bytes, char wrong[NPY_WRONG])
         return 0;
     }
     unsigned long text = b[2] + ((unsigned long)b[3] << 8);
-    if (b[0] > 1) {
+    if (b[0] > 1)
         text += ((unsigned long)b[4] << 16) + ((unsigned long)b[5] << 24);
-    }
     if (text < 2 || text > NPY_HEADER_MOST) {
         snprintf(wrong, NPY_WRONG,
                  ".npy header: length: expected 2 to %d bytes, found %lu",
@@ -62,9 +61,8 @@ size_t npy_length(const char *bytes, char wrong[NPY_WRONG])
 
 static const char *skip_spaces(const char *p)
 {
-    while (*p == ' ') {
+    while (*p == ' ')
         p++;
-    }
     return p;
 }
 
@@ -72,9 +70,8 @@ static const char *skip_spaces(const char *p)
 static const char *value_of_key(const char *dictionary, const char *key)
 {
     const char *p = strstr(dictionary, key);
-    if (!p) {
+    if (!p)
         return NULL;
-    }
     p = skip_spaces(p + strlen(key));
     return *p == ':' ? skip_spaces(p + 1) : NULL;
 }
@@ -84,24 +81,20 @@ static const char *read_extent(const char *p, unsigned long long *extent)
 {
     const char *first = p = skip_spaces(p);
     *extent = 0;
-    while (*p >= '0' && *p <= '9' && p - first < 18) {
+    while (*p >= '0' && *p <= '9' && p - first < 18)
         *extent = 10 * *extent + (unsigned long long)(*p++ - '0');
-    }
-    if (p == first) {
+    if (p == first)
         return NULL;
-    }
     return skip_spaces(p);
 }
 
 static int read_shape(const char *p, unsigned long long extents[2])
 {
-    if (!p || *p != '(') {
+    if (!p || *p != '(')
         return 0;
-    }
     p = read_extent(p + 1, &extents[0]);
-    if (!p || *p != ',') {
+    if (!p || *p != ',')
         return 0;
-    }
     p = read_extent(p + 1, &extents[1]);
     return p && (*p == ')' || (*p == ',' && *skip_spaces(p + 1) == ')'));
 }
@@ -132,12 +125,10 @@ int npy_read(char *header, size_t length, size_t columns,
     const char *fortran = value_of_key(dictionary, "'fortran_order'");
     const char *shape = value_of_key(dictionary, "'shape'");
     unsigned long long extents[2];
-    if (!descr || strncmp(descr, "'<f8'", 5) != 0) {
+    if (!descr || strncmp(descr, "'<f8'", 5) != 0)
         return refuse(wrong, "descr", "'<f8'", descr, ',');
-    }
-    if (!fortran || strncmp(fortran, "False", 5) != 0) {
+    if (!fortran || strncmp(fortran, "False", 5) != 0)
         return refuse(wrong, "fortran_order", "False", fortran, ',');
-    }
     if (!read_shape(shape, extents) || extents[1] != columns) {
         char expected[40];
         snprintf(expected, sizeof expected, "(ROWS, %lu)",

@@ -10,20 +10,16 @@
 const char *cylint_read_number(const char *text, const char *end, double *value)
 {
     const char *const after_short = read_short(text, end, value);
-    if (after_short) {
+    if (after_short)
         return after_short;
-    }
     const char *digits = text;
-    if (digits < end && (*digits == '+' || *digits == '-')) {
+    if (digits < end && (*digits == '+' || *digits == '-'))
         digits++;
-    }
-    if (begins_hex(digits, end)) {
+    if (begins_hex(digits, end))
         return read_hex(text, digits + 2, end, value);
-    }
     const char *after = skip_mantissa(digits, end, is_digit);
-    if (!after) {
+    if (!after)
         return NULL;
-    }
     *value = strtod(text, NULL);
     return skip_exponent(after, end, 'e');
 }
@@ -42,9 +38,8 @@ static void round_decimal(struct decimal *d, double value, int count)
     snprintf(text, sizeof text, "%.*e", count - 1, value);
     d->count = count;
     d->digits[0] = text[0];
-    if (count > 1) {
+    if (count > 1)
         memcpy(d->digits + 1, text + 2, (size_t)count - 1);
-    }
     d->exponent = atoi(text + (count > 1 ? count + 2 : 2));
 }
 
@@ -52,9 +47,8 @@ static void round_decimal(struct decimal *d, double value, int count)
 static void next_decimal(struct decimal *d)
 {
     int i = d->count - 1;
-    while (i >= 0 && d->digits[i] == '9') {
+    while (i >= 0 && d->digits[i] == '9')
         d->digits[i--] = '0';
-    }
     if (i >= 0) {
         d->digits[i]++;
         return;
@@ -95,34 +89,29 @@ static void shortest_decimal(struct decimal *d, double value)
 {
     for (int count = 1; count < NUMBER_MAX_DIGITS; count++) {
         round_decimal(d, value, count);
-        if (reads_back(d, value)) {
+        if (reads_back(d, value))
             return;
-        }
         next_decimal(d);
-        if (reads_back(d, value)) {
+        if (reads_back(d, value))
             return;
-        }
     }
     round_decimal(d, value, NUMBER_MAX_DIGITS);
 }
 
 static size_t write_fixed(char *out, const struct decimal *d, double value)
 {
-    if (d->exponent >= d->count - 1) {
+    if (d->exponent >= d->count - 1)
         return (size_t)snprintf(out, NUMBER_CAPACITY, "%.0f", value);
-    }
     char *p = out;
     if (d->exponent < 0) {
         p += write_bytes(p, "0.");
-        for (int i = -1; i > d->exponent; i--) {
+        for (int i = -1; i > d->exponent; i--)
             *p++ = '0';
-        }
     }
     for (int i = 0; i < d->count; i++) {
         *p++ = d->digits[i];
-        if (i == d->exponent) {
+        if (i == d->exponent)
             *p++ = '.';
-        }
     }
     return (size_t)(p - out);
 }
@@ -136,23 +125,19 @@ static int scientific_length(const struct decimal *d)
 
 static int fixed_length(const struct decimal *d)
 {
-    if (d->exponent < 0) {
+    if (d->exponent < 0)
         return d->count - d->exponent + 1;
-    }
     return d->exponent >= d->count - 1 ? d->exponent + 1 : d->count + 1;
 }
 
 size_t cylint_write_number(char out[NUMBER_CAPACITY], double value, int digits)
 {
-    if (!is_finite(value)) {
+    if (!is_finite(value))
         return write_not_finite(out, value);
-    }
-    if (digits == NUMBER_HEX) {
+    if (digits == NUMBER_HEX)
         return write_hex(out, value);
-    }
-    if (digits != NUMBER_SHORTEST) {
+    if (digits != NUMBER_SHORTEST)
         return (size_t)snprintf(out, NUMBER_CAPACITY, "%.*g", digits, value);
-    }
     char *p = out;
     if (value < 0 || (value == 0 && 1 / value < 0)) {
         *p++ = '-';

@@ -27,9 +27,8 @@ static int is_hex_digit(char c)
 #if FLT_EVAL_METHOD == 0
 static const char *skip_and_count(const char *p, uint64_t *count)
 {
-    for (; is_digit(*p); p++) {
+    for (; is_digit(*p); p++)
         *count = 10 * *count + (uint64_t)(*p - '0');
-    }
     return p;
 }
 
@@ -64,9 +63,8 @@ static const char *read_short(const char *text, const char *end, double *value)
         {-1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10,
          -1e11, -1e12, -1e13, -1e14, -1e15, -1e16, -1e17, -1e18}};
     enum { DIGITS_MOST = 18 /* 10^18 < 2^64, so M is not wrapped round */ };
-    if (is_long(text, end)) {
+    if (is_long(text, end))
         return NULL;
-    }
     const int minus = *text == '-';
     const char *const digits = text + (minus || *text == '+');
     uint64_t m = 0;
@@ -79,9 +77,8 @@ static const char *read_short(const char *text, const char *end, double *value)
         count += parts;
     }
     if (count == 0 || count > DIGITS_MOST || m >= (uint64_t)1 << 53 ||
-        (*after | 0x20) == 'e' || (*after | 0x20) == 'x') {
+        (*after | 0x20) == 'e' || (*after | 0x20) == 'x')
         return NULL;
-    }
     *value = (double)(int64_t)m / powers[minus][parts];
     return after;
 }
@@ -104,28 +101,23 @@ static int begins_hex(const char *p, const char *end)
 /* An exponent is part of the number only if it has digits. */
 static const char *skip_exponent(const char *p, const char *end, char letter)
 {
-    if (p == end || (*p | 0x20) != letter) {
+    if (p == end || (*p | 0x20) != letter)
         return p;
-    }
     const char *q = p + 1;
-    if (q < end && (*q == '+' || *q == '-')) {
+    if (q < end && (*q == '+' || *q == '-'))
         q++;
-    }
-    if (q == end || !is_digit(*q)) {
+    if (q == end || !is_digit(*q))
         return p;
-    }
-    while (q < end && is_digit(*q)) {
+    while (q < end && is_digit(*q))
         q++;
-    }
     return q;
 }
 
 static const char *skip_digits(const char *p, const char *end,
                                int (*belongs)(char))
 {
-    while (p < end && belongs(*p)) {
+    while (p < end && belongs(*p))
         p++;
-    }
     return p;
 }
 
@@ -149,9 +141,8 @@ static const char *read_hex(const char *text, const char *digits,
                             const char *end, double *value)
 {
     const char *after = skip_mantissa(digits, end, is_hex_digit);
-    if (!after) {
+    if (!after)
         return NULL;
-    }
     *value = strtod(text, NULL);
     return skip_exponent(after, end, 'p');
 }
@@ -173,33 +164,26 @@ static size_t write_hex(char *out, double value)
     uint64_t fraction = bits & 0xfffffffffffffU;
     int exponent = (int)(bits >> 52 & 0x7ff) - 1023;
     char *p = out;
-    if (bits >> 63) {
+    if (bits >> 63)
         *p++ = '-';
-    }
-    if (exponent == -1023 && fraction == 0) {
+    if (exponent == -1023 && fraction == 0)
         return (size_t)(p - out) + write_bytes(p, "0x0p+0");
-    }
     if (exponent == -1023) {
-        for (exponent = -1022; !(fraction >> 52); exponent--) {
+        for (exponent = -1022; !(fraction >> 52); exponent--)
             fraction <<= 1;
-        }
         fraction &= 0xfffffffffffffU;
     }
     p += write_bytes(p, "0x1");
-    if (fraction) {
+    if (fraction)
         *p++ = '.';
-    }
-    for (; fraction; fraction = fraction << 4 & 0xfffffffffffffU) {
+    for (; fraction; fraction = fraction << 4 & 0xfffffffffffffU)
         *p++ = hex[fraction >> 48];
-    }
     *p++ = 'p';
     *p++ = exponent < 0 ? '-' : '+';
     const int size = exponent < 0 ? -exponent : exponent;
-    for (int unit = 1000; unit; unit /= 10) {
-        if (size >= unit || unit == 1) {
+    for (int unit = 1000; unit; unit /= 10)
+        if (size >= unit || unit == 1)
             *p++ = (char)('0' + size / unit % 10);
-        }
-    }
     return (size_t)(p - out);
 }
 

@@ -94,9 +94,8 @@ struct pending {
 static int read_domain(const char *value, struct grammar *g)
 {
     const char *p = read_bound(value, &g->tmin);
-    if (!p || *p != ',') {
+    if (!p || *p != ',')
         return 0;
-    }
     p = read_bound(p + 1, &g->tmax);
     g->has_domain = 1;
     return p && *p == '\0' && g->tmin <= g->tmax;
@@ -111,9 +110,8 @@ static int read_radius(const char *value, double *radius)
 static const cylint_method *find_method(const char *name)
 {
     const cylint_method *m = cylint_methods();
-    while (m->name && strcmp(m->name, name) != 0) {
+    while (m->name && strcmp(m->name, name) != 0)
         m++;
-    }
     return m->name ? m : NULL;
 }
 
@@ -132,12 +130,10 @@ static int read_method(struct options *options, const struct option *o,
 {
     struct similar similar = similar_to(value, strlen(value));
     options->method = find_method(value);
-    if (options->method) {
+    if (options->method)
         return 0;
-    }
-    for (const cylint_method *m = cylint_methods(); m->name; m++) {
+    for (const cylint_method *m = cylint_methods(); m->name; m++)
         similar_try(&similar, m->name);
-    }
     return usage_similar(o, value, "a method of --list=methods", similar.word);
 }
 
@@ -380,9 +376,8 @@ static int settle_kinds(struct grammar *g, const char *kinds)
 static int settle_query(struct options *options, const char *query)
 {
     options->query = options->scene ? QUERY_NEAREST : QUERY_PAIRS;
-    if (!query) {
+    if (!query)
         return 0;
-    }
     const int index = find_word(query_words, query, strlen(query));
     if (index == NOT_GIVEN || index == QUERY_PAIRS) {
         return usage("-q: expected nearest, first, any, count, all, pieces or "
@@ -396,18 +391,14 @@ static int settle_query(struct options *options, const char *query)
 static int settle_pieces(const struct options *o, const struct pending *pending)
 {
     const int is_pieces = o->query == QUERY_PIECES;
-    if (pending->of_pieces && !is_pieces) {
+    if (pending->of_pieces && !is_pieces)
         return usage("--%s needs the query -q pieces", pending->of_pieces);
-    }
-    if (o->rank && !is_pieces && o->query != QUERY_INSIDE) {
+    if (o->rank && !is_pieces && o->query != QUERY_INSIDE)
         return usage("--rank needs the query -q pieces or -q inside");
-    }
-    if (o->rank && strcmp(o->rank, "-") == 0) {
+    if (o->rank && strcmp(o->rank, "-") == 0)
         return usage("--rank: needs a file, not standard input");
-    }
-    if (o->sum && o->most_pieces > 0) {
+    if (o->sum && o->most_pieces > 0)
         return usage("--first and --sum exclude each other");
-    }
     return o->sum && pending->fields
                ? usage("-f and --sum exclude each other: the columns of --sum "
                        "are labels")
@@ -418,9 +409,8 @@ static int settle_pieces(const struct options *o, const struct pending *pending)
 static int refuse_field(const struct fields *fields, const char *bad,
                         size_t length, enum query query)
 {
-    if (fields->count == MOST_FIELDS) {
+    if (fields->count == MOST_FIELDS)
         return usage("-f: more than %d columns", MOST_FIELDS);
-    }
     char shown[4 * 64 + 4];
     escape_bytes(shown, bad, bad + length, 64);
     const char *meant = similar_field(bad, length, query);
@@ -449,30 +439,24 @@ static int settle_fields(struct options *o, const char *names)
                                         point_length, points)
                          : refuse_field(&o->fields, bad, length, o->query);
     }
-    if (point_bad && g->no_lines) {
+    if (point_bad && g->no_lines)
         return refuse_field(&o->point_fields, point_bad, point_length, points);
-    }
-    if (bad && !g->no_lines) {
+    if (bad && !g->no_lines)
         g->no_lines = "the columns of -f are those of points";
-    }
-    if (point_bad && !g->no_points) {
+    if (point_bad && !g->no_points)
         g->no_points = "the columns of -f are those of lines";
-    }
-    if (o->point_fields.solids) {
+    if (o->point_fields.solids)
         g->no_left_out = "depth, shape and label leave out no shapes";
-    }
     return 0;
 }
 
 /* The radius of --within: a radius below 0 is a depth in a solid. */
 static int settle_radius(const struct options *o, const struct pending *pending)
 {
-    if (pending->within && !o->scene) {
+    if (pending->within && !o->scene)
         return usage("--within needs a scene, -s FILE");
-    }
-    if (pending->within && o->query == QUERY_INSIDE) {
+    if (pending->within && o->query == QUERY_INSIDE)
         return usage("--within: the query inside has no radius");
-    }
     return o->radius < 0 && !o->point_want
                ? usage("--within: a radius below 0 needs --signed")
                : 0;
@@ -499,9 +483,8 @@ static int settle_lines_only(struct options *o)
                             : "the query pieces is for lines";
     g->no_left_out = is_first ? "the query first leaves out no shapes"
                               : "the query pieces leaves out no shapes";
-    if (g->no_lines) {
+    if (g->no_lines)
         return usage("the query %s is for lines, not for points", word);
-    }
     return o->method ? usage("--method: no method answers the query %s", word)
                      : 0;
 }
@@ -511,18 +494,15 @@ static int settle_records(struct options *o, const struct pending *pending)
 {
     struct grammar *g = &o->grammar;
     const int status = settle_radius(o, pending);
-    if (status != 0) {
+    if (status != 0)
         return status;
-    }
     g->no_lines = refusal_of_lines(o, pending);
-    if (o->query == QUERY_FIRST || o->query == QUERY_PIECES) {
+    if (o->query == QUERY_FIRST || o->query == QUERY_PIECES)
         return settle_lines_only(o);
-    }
-    if (g->line != NOT_GIVEN && g->line != LINE_POINT) {
+    if (g->line != NOT_GIVEN && g->line != LINE_POINT)
         g->no_points = "";
-    } else if (o->method) {
+    else if (o->method)
         g->no_points = "a method computes no distances";
-    }
     if (g->no_lines && g->no_points) {
         return o->method ? usage("--method is for lines, not for points")
                          : usage("%s, not for lines", g->no_lines);
@@ -544,15 +524,12 @@ static void settle_one_set(struct options *o)
 /* -x or -p, of numbers in text. */
 static int settle_digits(struct options *options, int hex)
 {
-    if (hex && options->style.digits > 0) {
+    if (hex && options->style.digits > 0)
         return usage("-x and -p exclude each other");
-    }
-    if (options->style.binary && (hex || options->style.digits > 0)) {
+    if (options->style.binary && (hex || options->style.digits > 0))
         return usage("-%c: binary output has no digits", hex ? 'x' : 'p');
-    }
-    if (hex) {
+    if (hex)
         options->style.digits = NUMBER_HEX;
-    }
     return 0;
 }
 
@@ -563,18 +540,14 @@ static int settle_binary(const struct options *options)
         return usage("binary input needs the kinds, -k %s",
                      g->has_shape ? "LINE,SHAPE" : "LINE");
     }
-    if (options->style.binary && options->header) {
+    if (options->style.binary && options->header)
         return usage("--header: binary output has none");
-    }
-    if (options->style.binary && options_fields(options)->labels > 0) {
+    if (options->style.binary && options_fields(options)->labels > 0)
         return usage("-f label: binary output has numbers only");
-    }
-    if (options->style.binary && options->style.missing) {
+    if (options->style.binary && options->style.missing)
         return usage("--miss: in binary output what is missing is NaN");
-    }
-    if (options->comments && (options->binary_in || options->style.binary)) {
+    if (options->comments && (options->binary_in || options->style.binary))
         return usage("-C: only text has comments");
-    }
     return 0;
 }
 
@@ -582,25 +555,20 @@ static int settle_binary(const struct options *options)
 static unsigned wanted_remarks(const struct grammar *g, int tail)
 {
     unsigned wanted = 0;
-    if (g->bare[0] && !tail && !g->no_tail) {
+    if (g->bare[0] && !tail && !g->no_tail)
         wanted |= 1u << REMARK_SURPLUS;
-    }
-    if (g->has_domain) {
+    if (g->has_domain)
         wanted |= 1u << REMARK_DOMAIN;
-    }
-    if (!g->has_shape) {
+    if (!g->has_shape)
         wanted |= 1u << REMARK_LABEL;
-    }
     return wanted;
 }
 
 static int uses_stdin(const struct options *options)
 {
-    for (int i = 0; i < options->file_count; i++) {
-        if (strcmp(options->files[i], "-") == 0) {
+    for (int i = 0; i < options->file_count; i++)
+        if (strcmp(options->files[i], "-") == 0)
             return 1;
-        }
-    }
     return 0;
 }
 
@@ -608,15 +576,12 @@ static int uses_stdin(const struct options *options)
 static int settle_save(struct options *options, const struct pending *pending)
 {
     const char *const o = options->output;
-    if (!options->save) {
+    if (!options->save)
         return 0;
-    }
-    if (!options->scene) {
+    if (!options->scene)
         return usage("--save needs a scene, -s FILE");
-    }
-    if (o && strcmp(options->save, o) == 0) {
+    if (o && strcmp(options->save, o) == 0)
         return usage("--save and -o name the same file");
-    }
     options->only_saves = options->file_count == 0;
     return options->only_saves &&
                    (o || pending->query || pending->fields || pending->kinds)
@@ -633,41 +598,33 @@ static int settle(struct options *options, const struct pending *pending)
     g->has_line = 1;
     g->has_shape = options->scene == NULL;
     int status = settle_save(options, pending);
-    if (status != 0) {
+    if (status != 0)
         return status;
-    }
     if (options->file_count == 0) {
         options->files = standard_input;
         options->file_count = 1;
     }
     if (options->scene && strcmp(options->scene, "-") == 0 &&
-        uses_stdin(options) && !options->only_saves) {
+        uses_stdin(options) && !options->only_saves)
         return usage("the scene and the records are both standard input");
-    }
-    if (pending->not_what && !options->scene) {
+    if (pending->not_what && !options->scene)
         return usage("--not needs a scene, -s FILE");
-    }
-    if (pending->has_swc && !(options->scene && swc_is_name(options->scene))) {
+    if (pending->has_swc && !(options->scene && swc_is_name(options->scene)))
         return usage("--swc needs a neuron, -s NAME.swc");
-    }
     status = pending->kinds ? settle_kinds(g, pending->kinds) : 0;
     options->remarks = wanted_remarks(g, pending->tail);
-    if (status == 0) {
+    if (status == 0)
         status = settle_query(options, pending->query);
-    }
-    if (status == 0) {
+    if (status == 0)
         status = settle_pieces(options, pending);
-    }
-    if (status == 0) {
+    if (status == 0)
         status = settle_records(options, pending);
-    }
     if (status == 0) {
         status = settle_fields(options, pending->fields);
         settle_one_set(options);
     }
-    if (status == 0) {
+    if (status == 0)
         status = settle_digits(options, pending->hex);
-    }
     return status == 0 ? settle_binary(options) : status;
 }
 

@@ -18,11 +18,9 @@
  * its use fails. */
 void guard_standard_streams(void)
 {
-    for (int fd = 0; fd < 3; fd++) {
-        if (fcntl(fd, F_GETFD) == -1 && errno == EBADF) {
+    for (int fd = 0; fd < 3; fd++)
+        if (fcntl(fd, F_GETFD) == -1 && errno == EBADF)
             (void)open("/dev/null", fd == 0 ? O_WRONLY : O_RDONLY);
-        }
-    }
 }
 
 static int is_output(const struct stat *out, const char *file)
@@ -42,17 +40,14 @@ static int put_array_header(struct output *out, unsigned long long rows)
 int output_is_input(const char *file, const struct options *o)
 {
     struct stat s;
-    if (stat(file, &s) != 0 || !S_ISREG(s.st_mode)) {
+    if (stat(file, &s) != 0 || !S_ISREG(s.st_mode))
         return 0;
-    }
     int read_too = (o->scene != NULL && is_output(&s, o->scene)) ||
                    (o->rank != NULL && is_output(&s, o->rank));
-    for (int i = 0; i < o->file_count; i++) {
+    for (int i = 0; i < o->file_count; i++)
         read_too |= is_output(&s, o->files[i]);
-    }
-    if (read_too) {
+    if (read_too)
         complain(file, "is both input and output");
-    }
     return read_too;
 }
 
@@ -75,13 +70,11 @@ int output_open(struct output *out, const struct options *o)
     out->array = -1;
     out->row =
         o->style.binary ? sizeof(double) * (size_t)options_fields(o)->count : 0;
-    if (o->output && output_is_input(o->output, o)) {
+    if (o->output && output_is_input(o->output, o))
         return EXIT_IO;
-    }
     int status = target_open(&out->target, o->output);
-    if (status != 0) {
+    if (status != 0)
         return status;
-    }
     /* Reports a closed standard output even if there is no output. */
     if ((fcntl(out->target.fd, F_GETFL) & O_ACCMODE) == O_RDONLY) {
         errno = EBADF;
@@ -90,9 +83,8 @@ int output_open(struct output *out, const struct options *o)
     } else if (o->array) {
         status = begin_array(out);
     }
-    if (status != 0) {
+    if (status != 0)
         target_close(&out->target, 0);
-    }
     return status;
 }
 
@@ -100,13 +92,11 @@ int output_open(struct output *out, const struct options *o)
 static size_t half_row(const struct output *out, const char *data,
                        size_t length)
 {
-    if (out->row > 0) {
+    if (out->row > 0)
         return length % out->row;
-    }
     size_t whole = length;
-    while (whole > 0 && data[whole - 1] != '\n') {
+    while (whole > 0 && data[whole - 1] != '\n')
         whole--;
-    }
     return length - whole;
 }
 
@@ -117,9 +107,8 @@ static void take_back(const struct output *out, size_t length)
     struct stat s;
     const off_t at = lseek(out->target.fd, 0, SEEK_CUR);
     if (fstat(out->target.fd, &s) == 0 && S_ISREG(s.st_mode) &&
-        at == s.st_size && ftruncate(out->target.fd, at - (off_t)length) != 0) {
+        at == s.st_size && ftruncate(out->target.fd, at - (off_t)length) != 0)
         complain_errno(out->target.name);
-    }
 }
 
 int output_write(struct output *out, const char *data, size_t length)

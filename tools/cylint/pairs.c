@@ -8,9 +8,8 @@
 struct pairs *pairs_make(void)
 {
     struct pairs *p = malloc(sizeof *p);
-    if (!p) {
+    if (!p)
         return NULL;
-    }
     p->count = 0;
     p->memory = malloc(cylint_pack_bytes(PAIRS_MOST));
     if (!p->memory) {

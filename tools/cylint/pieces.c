@@ -22,9 +22,8 @@ static int grow_work(cylint_workspace *work)
     free(work->memory);
     work->bytes = wanted > WORK_FIRST ? wanted : WORK_FIRST;
     work->memory = malloc(work->bytes);
-    if (!work->memory) {
+    if (!work->memory)
         work->bytes = 0;
-    }
     return work->memory != NULL;
 }
 
@@ -65,13 +64,12 @@ static void move_on(struct piece_search *s, const struct piece_memory *m)
 {
     s->is_continued = 1;
     s->last = m->piece[m->count - 1];
-    if (s->rule.mode == CYLINT_PIECES_CHORDS) {
+    if (s->rule.mode == CYLINT_PIECES_CHORDS)
         s->rule.after = &s->last;
-    } else if (s->last.t1 < s->line.tmax) {
+    else if (s->last.t1 < s->line.tmax)
         s->line.tmin = s->last.t1;
-    } else {
+    else
         s->wanted = 0;
-    }
 }
 
 /* A search that continues takes as long as the one before, so it has space for more
@@ -79,26 +77,20 @@ static void move_on(struct piece_search *s, const struct piece_memory *m)
 int pieces_next(struct piece_search *s, struct piece_memory *m)
 {
     m->count = 0;
-    if (s->wanted == 0) {
+    if (s->wanted == 0)
         return 1;
-    }
-    if (!has_work(m) || ((s->is_continued || !m->piece) && !grow_pieces(m))) {
+    if (!has_work(m) || ((s->is_continued || !m->piece) && !grow_pieces(m)))
         return 0;
-    }
     const size_t capacity = s->wanted < m->capacity ? s->wanted : m->capacity;
     size_t found;
     while ((found = cylint_scene_pieces(s->scene, &s->line, &s->rule, m->piece,
-                                        capacity, &m->work)) ==
-           CYLINT_NO_ROOM) {
-        if (!grow_work(&m->work)) {
+                                        capacity, &m->work)) == CYLINT_NO_ROOM)
+        if (!grow_work(&m->work))
             return 0;
-        }
-    }
     m->count = found;
     s->wanted = found < capacity ? 0 : s->wanted - found;
-    if (s->wanted > 0) {
+    if (s->wanted > 0)
         move_on(s, m);
-    }
     return 1;
 }
 
@@ -108,15 +100,12 @@ int first_boundary(const cylint_scene *scene, const cylint_line *line,
 {
     const unsigned members = want & (unsigned)CYLINT_WANT_ALL;
     size_t number;
-    if (!has_work(m)) {
+    if (!has_work(m))
         return 0;
-    }
     while ((number = cylint_scene_first_boundary(scene, line, members, hit,
-                                                 &m->work)) == CYLINT_NO_ROOM) {
-        if (!grow_work(&m->work)) {
+                                                 &m->work)) == CYLINT_NO_ROOM)
+        if (!grow_work(&m->work))
             return 0;
-        }
-    }
     *shape = number < cylint_scene_size(scene) ? number + 1 : 0;
     return 1;
 }
@@ -126,15 +115,12 @@ int depth_of_point(const cylint_scene *scene, const double point[3],
                    unsigned long long *depth, unsigned long long *owner)
 {
     size_t number, found;
-    if (!has_work(m)) {
+    if (!has_work(m))
         return 0;
-    }
     while ((found = cylint_scene_depth(scene, point, rank, &number,
-                                       &m->work)) == CYLINT_NO_ROOM) {
-        if (!grow_work(&m->work)) {
+                                       &m->work)) == CYLINT_NO_ROOM)
+        if (!grow_work(&m->work))
             return 0;
-        }
-    }
     *depth = found;
     *owner = number < cylint_scene_size(scene) ? number + 1 : 0;
     return 1;

@@ -17,9 +17,8 @@ static long bound(void)
 {
 #if defined(__linux__) && defined(CPU_COUNT)
     cpu_set_t set;
-    if (sched_getaffinity(0, sizeof set, &set) == 0) {
+    if (sched_getaffinity(0, sizeof set, &set) == 0)
         return CPU_COUNT(&set);
-    }
 #endif
     return 0;
 }
@@ -27,8 +26,7 @@ static long bound(void)
 int processors(void)
 {
     long n = bound();
-    if (n == 0) {
+    if (n == 0)
         n = sysconf(_SC_NPROCESSORS_ONLN);
-    }
     return n > 1 ? (int)n : 1;
 }

@@ -18,9 +18,8 @@ static int describe_matter(char text[NOTE_CAPACITY], const struct fault *fault)
 {
     char found[4 * SHOWN_MOST + 4];
     const int shown = fault->at != fault->end;
-    if (shown) {
+    if (shown)
         escape_bytes(found, fault->at, fault->end, SHOWN_MOST);
-    }
     if (fault->shape > 0) {
         return snprintf(text, NOTE_CAPACITY, "%s: shape %llu of the scene",
                         fault->what, fault->shape);
@@ -59,9 +58,8 @@ static void describe(char text[NOTE_CAPACITY], const struct fault *fault)
 static int looks_binary(const char *text, const char *end)
 {
     enum { LOOKED_AT = 512, ONE_IN = 20, SLIPS = 3 };
-    if (!text) {
+    if (!text)
         return 0;
-    }
     const size_t length = (size_t)(end - text);
     const size_t looked_at = length < LOOKED_AT ? length : LOOKED_AT;
     size_t control = 0;
@@ -103,11 +101,9 @@ void take_remarks(struct notes *notes, struct remarks *remarks,
                   unsigned long long line, unsigned long long record,
                   const char *text)
 {
-    for (int i = 0; i < REMARKS; i++) {
-        if (remarks->found & 1u << i) {
+    for (int i = 0; i < REMARKS; i++)
+        if (remarks->found & 1u << i)
             add_note(notes, line, record, text, &remarks->fault[i])->remark = i;
-        }
-    }
     remarks->wanted &= ~remarks->found;
     remarks->found = 0;
 }
@@ -135,9 +131,8 @@ static int must_print(struct report *report, const struct note *note,
         report->remarks |= bit;
         return is_first;
     }
-    if (report->shown == NOTES_MOST || report->binary == name) {
+    if (report->shown == NOTES_MOST || report->binary == name)
         return 0;
-    }
     report->binary = note->binary ? name : NULL;
     report->shown++;
     return 1;
@@ -145,11 +140,9 @@ static int must_print(struct report *report, const struct note *note,
 
 void report_notes(struct report *report, struct notes *notes, const char *name)
 {
-    for (int i = 0; i < notes->kept; i++) {
-        if (must_print(report, &notes->note[i], name)) {
+    for (int i = 0; i < notes->kept; i++)
+        if (must_print(report, &notes->note[i], name))
             print_note(&notes->note[i], name);
-        }
-    }
     report->bad += notes->bad;
     notes->kept = notes->kept_bad = 0;
     notes->bad = 0;
@@ -157,9 +150,8 @@ void report_notes(struct report *report, struct notes *notes, const char *name)
 
 void report_end(const struct report *report)
 {
-    if (report->bad > report->shown) {
+    if (report->bad > report->shown)
         message("%llu bad records in all", report->bad);
-    }
 }
 
 void complain(const char *name, const char *what)

@@ -20,15 +20,12 @@ static int is_regular(const char *file)
 int saved_open(struct scene *scene, const char *file, int ends)
 {
     cylint_scene_status status = CYLINT_SCENE_EFORMAT;
-    if (is_regular(file)) {
+    if (is_regular(file))
         scene->shapes = cylint_scene_open(file, 0, &status);
-    }
-    if (status == CYLINT_SCENE_EFORMAT || status == CYLINT_SCENE_EFILE) {
+    if (status == CYLINT_SCENE_EFORMAT || status == CYLINT_SCENE_EFILE)
         return NOT_SAVED;
-    }
-    if (status == CYLINT_SCENE_EMEMORY) {
+    if (status == CYLINT_SCENE_EMEMORY)
         return out_of_memory();
-    }
     if (status != CYLINT_SCENE_OK) {
         complain(file, cylint_scene_strerror((int)status));
         return EXIT_IO;
@@ -92,9 +89,8 @@ int saved_write(struct scene *scene, int threads, const char *file)
 {
     struct writing w = {.out = {.row = 1, .array = -1}};
     int status = search_build(scene->shapes, threads);
-    if (status != 0 || (status = target_open(&w.out.target, file)) != 0) {
+    if (status != 0 || (status = target_open(&w.out.target, file)) != 0)
         return status;
-    }
     cylint_scene_write(scene->shapes, write_part, &w);
     const int closed = output_close(&w.out, w.status == 0);
     return w.status != 0 ? w.status : closed;

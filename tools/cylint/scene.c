@@ -14,18 +14,15 @@
 int scene_add(struct scene *scene, const struct record *record)
 {
     const int status = scene->also ? scene->also(scene, record) : 0;
-    if (status != 0) {
+    if (status != 0)
         return status;
-    }
-    if (!scene->shapes) {
+    if (!scene->shapes)
         scene->shapes = cylint_scene_begin(0);
-    }
     const cylint_scene_status added =
         scene->shapes ? cylint_scene_add(scene->shapes, &record->shape, 1)
                       : CYLINT_SCENE_EMEMORY;
-    if (added == CYLINT_SCENE_EMEMORY) {
+    if (added == CYLINT_SCENE_EMEMORY)
         return out_of_memory();
-    }
     if (added != CYLINT_SCENE_OK) {
         complain("-s", cylint_scene_strerror((int)added));
         return EXIT_USAGE;
@@ -41,9 +38,8 @@ void scene_shape(const struct scene *scene, size_t i, cylint_shape *shape)
 
 int scene_prepare(struct scene *scene, enum accel accel, int threads)
 {
-    if (!scene->shapes && !(scene->shapes = cylint_scene_begin(0))) {
+    if (!scene->shapes && !(scene->shapes = cylint_scene_begin(0)))
         return out_of_memory();
-    }
     int status = search_make(&scene->search, scene->shapes, accel, threads);
     if (status == 0 && scene->solids.count > 0) {
         status = search_build(scene->shapes, threads);
@@ -64,9 +60,8 @@ void scene_free(struct scene *scene)
 int solve(solver method, const cylint_shape *shape, const cylint_line *line,
           unsigned want, cylint_answer *answer)
 {
-    if (method) {
+    if (method)
         return method(shape, line, want, answer) == CYLINT_OK;
-    }
     cylint_intersect(shape, line, want, answer);
     return 1;
 }
@@ -140,13 +135,11 @@ static size_t nearest_by_method(const struct scene *scene,
     for (size_t i = 0; i < scene->count; i++) {
         cylint_shape shape;
         cylint_answer answer;
-        if (left_out_has(q->left_out, i)) {
+        if (left_out_has(q->left_out, i))
             continue;
-        }
         scene_shape(scene, i, &shape);
-        if (!solve(q->method, &shape, q->line, first, &answer)) {
+        if (!solve(q->method, &shape, q->line, first, &answer))
             return i + 1;
-        }
         if (answer.n > 0 && (row->shape == 0 || answer.hit[0].t < t)) {
             row->shape = i + 1;
             t = answer.hit[0].t;
@@ -163,13 +156,11 @@ static size_t count_by_method(const struct scene *scene,
     for (size_t i = 0; i < scene->count && row->count < most; i++) {
         cylint_shape shape;
         cylint_answer answer;
-        if (left_out_has(q->left_out, i)) {
+        if (left_out_has(q->left_out, i))
             continue;
-        }
         scene_shape(scene, i, &shape);
-        if (!solve(q->method, &shape, q->line, CYLINT_WANT_COUNT, &answer)) {
+        if (!solve(q->method, &shape, q->line, CYLINT_WANT_COUNT, &answer))
             return i + 1;
-        }
         row->count += answer.n > 0;
     }
     return 0;
@@ -183,11 +174,10 @@ size_t scene_nearest(const struct scene *scene, const struct scene_query *q,
     cylint_shape shape;
     size_t refused = 0;
     row->answer = NULL;
-    if (q->method) {
+    if (q->method)
         refused = nearest_by_method(scene, q, row);
-    } else {
+    else
         row->shape = nearest_by_search(scene, q);
-    }
     if (refused == 0 && row->shape > 0) {
         scene_shape(scene, row->shape - 1, &shape);
         solve(q->method, &shape, q->line, fields->want | CYLINT_WANT_NEAREST,
@@ -200,9 +190,8 @@ size_t scene_nearest(const struct scene *scene, const struct scene_query *q,
 size_t scene_count(const struct scene *scene, const struct scene_query *q,
                    unsigned long long most, struct row *row)
 {
-    if (q->method) {
+    if (q->method)
         return count_by_method(scene, q, most, row);
-    }
     row->count = count_by_search(scene, q, most);
     return 0;
 }

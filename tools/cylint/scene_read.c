@@ -44,16 +44,14 @@ static int read_shapes(struct scene *scene, const struct grammar *g,
             continue;
         }
         if (!read_record(g, p, stop, &b->parsed, &fault)) {
-            if (saved_begins(b->text, b->length)) {
+            if (saved_begins(b->text, b->length))
                 fault.remedy = "a saved scene cannot be read from a pipe";
-            }
             return refuse_line(b, number, p, &fault);
         }
         fault.what = NULL;
         const int status = add_shape(scene, &b->parsed, &fault);
-        if (status != 0) {
+        if (status != 0)
             return fault.what ? refuse_line(b, number, p, &fault) : status;
-        }
         p = stop + 1;
     }
     return 0;
@@ -71,11 +69,9 @@ static const char *converter_of(const char *file)
         {".pov", "convert it with cylint-convert pov"},
         {".inc", "convert it with cylint-convert pov"}};
     const char *dot = strrchr(file, '.');
-    for (size_t i = 0; dot && i < sizeof remedies / sizeof *remedies; i++) {
-        if (strcmp(dot, remedies[i][0]) == 0) {
+    for (size_t i = 0; dot && i < sizeof remedies / sizeof *remedies; i++)
+        if (strcmp(dot, remedies[i][0]) == 0)
             return remedies[i][1];
-        }
-    }
     return NULL;
 }
 
@@ -102,9 +98,8 @@ int scene_read_text(struct scene *scene, const char *file, int ends,
             status = is_swc ? swc_read_nodes(&swc, &block)
                             : read_shapes(scene, &g, &block);
         }
-        if (status == 0 && is_swc) {
+        if (status == 0 && is_swc)
             status = swc_add_shapes(&swc, scene, ends, form, file);
-        }
         input_close(&in);
     }
     swc_free(&swc);
@@ -117,12 +112,10 @@ int scene_read(struct scene *scene, const char *file, int ends,
 {
     struct scene saved = {0};
     int status = saved_open(&saved, file, ends);
-    if (status == NOT_SAVED) {
+    if (status == NOT_SAVED)
         return scene_read_text(scene, file, ends, form);
-    }
-    if (status == 0) {
+    if (status == 0)
         status = saved_add(&saved, file, scene);
-    }
     scene_free(&saved);
     return status;
 }

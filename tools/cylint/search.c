@@ -21,12 +21,10 @@ static int make_pack(struct search *s)
                     ? malloc((s->count + 1) * sizeof *s->shapes)
                     : NULL;
     s->memory = malloc(cylint_pack_bytes(s->count));
-    if (!s->shapes || !s->memory) {
+    if (!s->shapes || !s->memory)
         return out_of_memory();
-    }
-    for (size_t i = 0; i < s->count; i++) {
+    for (size_t i = 0; i < s->count; i++)
         cylint_scene_shape(s->scene, i, &s->shapes[i]);
-    }
     cylint_pack_shapes(&s->pack, s->memory, s->shapes, s->count);
     return 0;
 }
@@ -35,12 +33,10 @@ int search_build(cylint_scene *scene, int threads)
 {
     const cylint_scene_status status =
         cylint_scene_finish(scene, threads, NULL, NULL);
-    if (status == CYLINT_SCENE_OK || status == CYLINT_SCENE_EFINISHED) {
+    if (status == CYLINT_SCENE_OK || status == CYLINT_SCENE_EFINISHED)
         return 0;
-    }
-    if (status == CYLINT_SCENE_EMEMORY) {
+    if (status == CYLINT_SCENE_EMEMORY)
         return out_of_memory();
-    }
     complain("-s", cylint_scene_strerror((int)status));
     return EXIT_USAGE;
 }
@@ -83,14 +79,12 @@ static size_t next_hit(const signed char *n, size_t from, size_t count)
     uint64_t eight = 0;
     while (count - from >= sizeof eight) {
         memcpy(&eight, n + from, sizeof eight);
-        if (eight != 0) {
+        if (eight != 0)
             break;
-        }
         from += sizeof eight;
     }
-    while (from < count && n[from] == 0) {
+    while (from < count && n[from] == 0)
         from++;
-    }
     return from;
 }
 
@@ -108,9 +102,8 @@ void search_visit(const struct search *s, const cylint_line *line,
         cylint_answer answer;
         cylint_intersect(&s->shapes[i], line, want | CYLINT_WANT_NEAREST,
                          &answer);
-        if (isnan(callback(context, i, &answer.hit[0]))) {
+        if (isnan(callback(context, i, &answer.hit[0])))
             return;
-        }
     }
 }
 
@@ -119,17 +112,13 @@ size_t search_hits(const struct search *s, const cylint_line *line,
                    size_t capacity)
 {
     size_t found = 0;
-    if (!s->shapes) {
+    if (!s->shapes)
         return cylint_scene_all(s->scene, line, first, numbers, capacity);
-    }
-    if (first == 0) {
+    if (first == 0)
         find_hits(s, line, hits);
-    }
     for (size_t i = next_hit(hits, first, s->count);
-         i < s->count && found < capacity;
-         i = next_hit(hits, i + 1, s->count)) {
+         i < s->count && found < capacity; i = next_hit(hits, i + 1, s->count))
         numbers[found++] = i;
-    }
     return found;
 }
 
@@ -144,9 +133,8 @@ static size_t next_near(const struct search *s, const double point[3],
         closest->part = 0; /* written only if there is no surface */
         cylint_distance(&s->shapes[from], point, want, closest);
         if (closest->part >= 0 &&
-            search_compared(want, closest->distance) <= radius) {
+            search_compared(want, closest->distance) <= radius)
             break;
-        }
     }
     return from;
 }
@@ -162,11 +150,9 @@ void search_visit_point(const struct search *s, const double point[3],
         return;
     }
     for (size_t i = next_near(s, point, radius, want, 0, &closest);
-         i < s->count; i = next_near(s, point, radius, want, i + 1, &closest)) {
-        if (isnan(callback(context, i, closest.distance, closest.flags))) {
+         i < s->count; i = next_near(s, point, radius, want, i + 1, &closest))
+        if (isnan(callback(context, i, closest.distance, closest.flags)))
             return;
-        }
-    }
 }
 
 size_t search_within(const struct search *s, const double point[3],

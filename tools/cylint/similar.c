@@ -47,9 +47,8 @@ static unsigned distance(const char *a, size_t a_length, const char *b,
             unsigned d = cost[i - 1][j - 1] + replaced;
             d = least(d, least(cost[i - 1][j], cost[i][j - 1]) + 1);
             if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) &&
-                same(a[i - 2], b[j - 1])) {
+                same(a[i - 2], b[j - 1]))
                 d = least(d, cost[i - 2][j - 2] + 1);
-            }
             cost[i][j] = d;
         }
     }
@@ -59,9 +58,8 @@ static unsigned distance(const char *a, size_t a_length, const char *b,
 void similar_try(struct similar *similar, const char *word)
 {
     const size_t length = strlen(word);
-    if (length > LENGTH_MOST || similar->length > LENGTH_MOST) {
+    if (length > LENGTH_MOST || similar->length > LENGTH_MOST)
         return;
-    }
     const size_t d = distance(similar->text, similar->length, word, length);
     const size_t third = similar->length / 3;
     if (d <= (third > 1 ? third : 1) && d < similar->length &&
@@ -75,8 +73,7 @@ const char *similar_word(const char *const *words, const char *text,
                          size_t length)
 {
     struct similar similar = similar_to(text, length);
-    for (int i = 0; words[i]; i++) {
+    for (int i = 0; words[i]; i++)
         similar_try(&similar, words[i]);
-    }
     return similar.word;
 }

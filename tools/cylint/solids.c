@@ -20,14 +20,12 @@ enum {
  * the capacity if there is none. */
 static void *grown(void *array, size_t count, size_t *capacity, size_t size)
 {
-    if (count < *capacity) {
+    if (count < *capacity)
         return array;
-    }
     const size_t more = *capacity > 0 ? 2 * *capacity : 64;
     void *larger = more <= SIZE_MAX / size ? realloc(array, more * size) : NULL;
-    if (larger) {
+    if (larger)
         *capacity = more;
-    }
     return larger;
 }
 
@@ -35,9 +33,8 @@ int solids_add(struct solids *s, const cylint_member *member)
 {
     cylint_member *more =
         grown(s->member, s->count, &s->capacity, sizeof *s->member);
-    if (!more) {
+    if (!more)
         return out_of_memory();
-    }
     s->member = more;
     s->member[s->count++] = *member;
     return 0;
@@ -57,9 +54,8 @@ void solids_free(struct solids *s)
 static size_t hash(const char *text, size_t length)
 {
     uint64_t h = 14695981039346656037u; /* FNV-1a */
-    for (size_t i = 0; i < length; i++) {
+    for (size_t i = 0; i < length; i++)
         h = (h ^ (unsigned char)text[i]) * 1099511628211u;
-    }
     return (size_t)(h ^ h >> 32);
 }
 
@@ -71,9 +67,8 @@ static size_t *bucket_of(const struct solids *s, const char *text,
     for (; s->bucket[i] > 0; i = (i + 1) & (s->buckets - 1)) {
         const struct solid_name *n = &s->name[s->bucket[i] - 1];
         if (n->length == length &&
-            memcmp(s->bytes + n->begin, text, length) == 0) {
+            memcmp(s->bytes + n->begin, text, length) == 0)
             break;
-        }
     }
     return &s->bucket[i];
 }
@@ -81,14 +76,12 @@ static size_t *bucket_of(const struct solids *s, const char *text,
 /* Keeps at least half of the buckets empty.  Returns 0 if there is no memory. */
 static int grow_buckets(struct solids *s)
 {
-    if (2 * (s->names + 1) <= s->buckets) {
+    if (2 * (s->names + 1) <= s->buckets)
         return 1;
-    }
     const size_t buckets = s->buckets > 0 ? 2 * s->buckets : 64;
     size_t *bucket = calloc(buckets, sizeof *bucket);
-    if (!bucket) {
+    if (!bucket)
         return 0;
-    }
     free(s->bucket);
     s->bucket = bucket;
     s->buckets = buckets;
@@ -104,15 +97,13 @@ static int store_name(struct solids *s, const char *text, size_t length)
 {
     struct solid_name *name =
         grown(s->name, s->names, &s->names_capacity, sizeof *s->name);
-    if (!name) {
+    if (!name)
         return 0;
-    }
     s->name = name;
     while (s->bytes_capacity - s->length < length) {
         char *bytes = grown(s->bytes, s->bytes_capacity, &s->bytes_capacity, 1);
-        if (!bytes) {
+        if (!bytes)
             return 0;
-        }
         s->bytes = bytes;
     }
     memcpy(s->bytes + s->length, text, length);
@@ -126,14 +117,12 @@ static int store_name(struct solids *s, const char *text, size_t length)
 static int find_solid(struct solids *s, const char *text, size_t length,
                       size_t *solid)
 {
-    if (!grow_buckets(s)) {
+    if (!grow_buckets(s))
         return out_of_memory();
-    }
     size_t *bucket = bucket_of(s, text, length);
     if (*bucket == 0) {
-        if (!store_name(s, text, length)) {
+        if (!store_name(s, text, length))
             return out_of_memory();
-        }
         *bucket = s->names;
     }
     *solid = *bucket - 1;
@@ -155,9 +144,8 @@ static int read_clause(const char *p, const char *end)
 {
     int clause = 0;
     for (; p < end; p++) {
-        if (*p < '0' || *p > '9' || clause > CLAUSE_MOST / 10 - 1) {
+        if (*p < '0' || *p > '9' || clause > CLAUSE_MOST / 10 - 1)
             return 0;
-        }
         clause = 10 * clause + (*p - '0');
     }
     return clause;
@@ -186,9 +174,8 @@ static int read_word_of_solid(struct solids *s, size_t shape, const char *text,
         return refuse(fault, "a clause, an integer from 1 to 999999999", 1,
                       slash + 1, end);
     }
-    if (clause > s->last_clause) {
+    if (clause > s->last_clause)
         s->last_clause = clause;
-    }
     member.clause = is_out ? -clause : clause;
     const int status =
         find_solid(s, name, (size_t)(name_end - name), &member.solid);
@@ -213,16 +200,14 @@ int solids_read(struct solids *s, size_t shape, const char *words,
 /* Writes the number that the library gives to each solid. */
 static void number_solids(const struct solids *s, size_t *number)
 {
-    for (size_t i = 0; i < s->names; i++) {
+    for (size_t i = 0; i < s->names; i++)
         number[i] = SIZE_MAX;
-    }
     for (int is_complement = 0; is_complement < 2; is_complement++) {
         for (size_t i = 0; i < s->count; i++) {
             const cylint_member *m = &s->member[i];
             if (number[m->solid] == SIZE_MAX &&
-                (m->clause < 0) == is_complement) {
+                (m->clause < 0) == is_complement)
                 number[m->solid] = m->shape; /* shapes ascend */
-            }
         }
     }
 }
@@ -278,11 +263,9 @@ static int refuse_numbers(const struct solids *s, size_t shapes)
 
 void solids_complete(struct solids *s)
 {
-    for (size_t i = 0; i < s->count; i++) {
-        if (s->member[i].clause == 0) {
+    for (size_t i = 0; i < s->count; i++)
+        if (s->member[i].clause == 0)
             s->member[i].clause = -++s->last_clause;
-        }
-    }
 }
 
 int solids_give(struct solids *s, cylint_scene *scene)
@@ -290,15 +273,12 @@ int solids_give(struct solids *s, cylint_scene *scene)
     solids_complete(s);
     const cylint_scene_status status =
         cylint_scene_set_solids(scene, s->member, s->count);
-    if (status == CYLINT_SCENE_OK) {
+    if (status == CYLINT_SCENE_OK)
         return 0;
-    }
-    if (status == CYLINT_SCENE_EMEMORY) {
+    if (status == CYLINT_SCENE_EMEMORY)
         return out_of_memory();
-    }
-    if (status == CYLINT_SCENE_ESOLID) {
+    if (status == CYLINT_SCENE_ESOLID)
         return refuse_numbers(s, cylint_scene_size(scene));
-    }
     complain(s->file, cylint_scene_strerror((int)status));
     return EXIT_BAD;
 }

@@ -20,9 +20,8 @@ size_t sums_capacity(const struct names *names, const struct style *style)
 
 static void put_separator(struct text *out, const struct style *style, size_t i)
 {
-    if (i > 0) {
+    if (i > 0)
         put_char(out, style->separator);
-    }
 }
 
 void put_sums(struct text *out, const struct names *names,
@@ -38,9 +37,8 @@ void put_sums(struct text *out, const struct names *names,
                                                style->digits);
         }
     }
-    if (style->binary) {
+    if (style->binary)
         return;
-    }
     if (row->tail_length > 0) {
         put_char(out, style->separator);
         put_bytes(out, row->tail, row->tail_length);
@@ -61,9 +59,8 @@ void put_sums_error(struct text *out, const struct names *names,
                                              : "nan");
         }
     }
-    if (!style->binary) {
+    if (!style->binary)
         put_char(out, '\n');
-    }
 }
 
 void put_sums_header(struct text *out, const struct names *names,
@@ -72,11 +69,10 @@ void put_sums_header(struct text *out, const struct names *names,
     for (size_t i = 0; i < names->columns; i++) {
         const struct label name = names_of_column(names, i);
         put_separator(out, style, i);
-        if (name.length > 0) {
+        if (name.length > 0)
             put_bytes(out, name.text, name.length);
-        } else {
+        else
             put_string(out, style->missing ? style->missing : "-");
-        }
     }
     put_char(out, '\n');
 }

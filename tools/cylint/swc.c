@@ -66,9 +66,8 @@ static size_t *find_place(const struct swc *swc, uint64_t number)
     const size_t mask = ((size_t)1 << swc->bits) - 1;
     size_t i = first_place(swc, number);
     while (swc->places[i] > 0 &&
-           swc->nodes[swc->places[i] - 1].number != number) {
+           swc->nodes[swc->places[i] - 1].number != number)
         i = (i + 1) & mask;
-    }
     return &swc->places[i];
 }
 
@@ -77,25 +76,21 @@ static int grow(struct swc *swc)
 {
     const int bits = swc->bits > 0 ? swc->bits + 1 : 12;
     const size_t capacity = (size_t)1 << (bits - 1);
-    if (capacity > SIZE_MAX / sizeof *swc->nodes) {
+    if (capacity > SIZE_MAX / sizeof *swc->nodes)
         return out_of_memory();
-    }
     struct swc_node *nodes = realloc(swc->nodes, capacity * sizeof *nodes);
-    if (!nodes) {
+    if (!nodes)
         return out_of_memory();
-    }
     swc->nodes = nodes;
     size_t *places = calloc(2 * capacity, sizeof *places);
-    if (!places) {
+    if (!places)
         return out_of_memory();
-    }
     free(swc->places);
     swc->places = places;
     swc->bits = bits;
     swc->capacity = capacity;
-    for (size_t i = 0; i < swc->count; i++) {
+    for (size_t i = 0; i < swc->count; i++)
         *find_place(swc, nodes[i].number) = i + 1;
-    }
     return 0;
 }
 
@@ -116,9 +111,8 @@ struct reader {
 static const char *end_of_field(const struct reader *r)
 {
     const char *p = r->p;
-    while (p < r->end && !is_blank(*p) && *p != ',') {
+    while (p < r->end && !is_blank(*p) && *p != ',')
         p++;
-    }
     return p;
 }
 
@@ -133,9 +127,8 @@ static void skip_to(struct reader *r, const char *field_end)
 static int refuse(struct reader *r, const char *what, int expected)
 {
     const char *end = end_of_field(r);
-    if (end == r->p && end < r->end) {
+    if (end == r->p && end < r->end)
         end++;
-    }
     *r->fault = (struct fault){
         .what = what, .expected = expected, .at = r->p, .end = end};
     return 0;
@@ -157,13 +150,11 @@ static int is_digits(const struct reader *r, uint64_t *number)
     const char *end = end_of_field(r);
     const char *p = r->p;
     *number = 0;
-    while (p < end && end - p > DIGITS_MOST && *p == '0') {
+    while (p < end && end - p > DIGITS_MOST && *p == '0')
         p++;
-    }
     const int fits = p < end && end - p <= DIGITS_MOST;
-    while (fits && p < end && *p >= '0' && *p <= '9') {
+    while (fits && p < end && *p >= '0' && *p <= '9')
         *number = 10 * *number + (uint64_t)(*p++ - '0');
-    }
     return fits && p == end;
 }
 
@@ -173,9 +164,8 @@ static int read_whole(struct reader *r, uint64_t *number, const char *expected)
     double value;
     if (!is_digits(r, number)) {
         if (!is_decimal(r, &value) || *r->p == '-' || !(value < DECIMAL_MOST) ||
-            (double)(uint64_t)value != value) {
+            (double)(uint64_t)value != value)
             return refuse(r, expected, 1);
-        }
         *number = (uint64_t)value;
     }
     skip_to(r, end_of_field(r));
@@ -194,12 +184,10 @@ static int read_parent(struct reader *r, uint64_t *parent)
 
 static int read_decimal(struct reader *r, double *value)
 {
-    if (!is_decimal(r, value)) {
+    if (!is_decimal(r, value))
         return refuse(r, "a number", 1);
-    }
-    if (*value - *value != 0) {
+    if (*value - *value != 0)
         return refuse(r, "number too large", 0);
-    }
     skip_to(r, end_of_field(r));
     return 1;
 }
@@ -216,18 +204,14 @@ static int read_node(const char *text, const char *end, struct swc_node *node,
                      struct fault *fault)
 {
     struct reader r = {skip_blanks(text, end), end, fault};
-    if (!read_whole(&r, &node->number, "a node's number")) {
+    if (!read_whole(&r, &node->number, "a node's number"))
         return 0;
-    }
     skip_to(&r, end_of_field(&r)); /* the type */
-    for (int i = 0; i < 3; i++) {
-        if (!read_decimal(&r, &node->centre[i])) {
+    for (int i = 0; i < 3; i++)
+        if (!read_decimal(&r, &node->centre[i]))
             return 0;
-        }
-    }
-    if (!read_radius(&r, &node->radius)) {
+    if (!read_radius(&r, &node->radius))
         return 0;
-    }
     node->column = (unsigned long long)(r.p - text) + 1;
     return read_parent(&r, &node->parent);
 }
@@ -248,15 +232,12 @@ static int read_line(struct swc *swc, struct block *b, const char *text,
     struct swc_node node = {0};
     struct fault fault;
     node.line = line;
-    if (!trim_line(text, &end, &fault) ||
-        !read_node(text, end, &node, &fault)) {
+    if (!trim_line(text, &end, &fault) || !read_node(text, end, &node, &fault))
         return print_fault(b, line, text, &fault);
-    }
     if (swc->count == swc->capacity) {
         const int status = grow(swc);
-        if (status != 0) {
+        if (status != 0)
             return status;
-        }
     }
     size_t *place = find_place(swc, node.number);
     if (*place > 0) {
@@ -276,9 +257,8 @@ int swc_read_nodes(struct swc *swc, struct block *b)
     int status = 0;
     for (const char *p = b->text; p < end && status == 0; line++) {
         const char *feed = end_of_line(p, end);
-        if (is_record(p, feed)) {
+        if (is_record(p, feed))
             status = read_line(swc, b, p, feed, line);
-        }
         p = feed + 1;
     }
     return status;
@@ -303,9 +283,8 @@ static size_t first_of_cycle(const struct swc *swc, size_t start)
 {
     size_t first = start;
     for (size_t i = swc->nodes[start - 1].up; i != start;
-         i = swc->nodes[i - 1].up) {
+         i = swc->nodes[i - 1].up)
         first = i < first ? i : first;
-    }
     return first;
 }
 
@@ -319,9 +298,8 @@ static int refuse_cycles(const struct swc *swc, const char *name)
             swc->nodes[i - 1].path = start;
             i = swc->nodes[i - 1].up;
         }
-        if (i > 0 && swc->nodes[i - 1].path == start) {
+        if (i > 0 && swc->nodes[i - 1].path == start)
             return refuse_cycle(swc, first_of_cycle(swc, i), name);
-        }
     }
     return 0;
 }
@@ -409,9 +387,8 @@ static cylint_status make_shape(const struct conversion *c,
 {
     const cylint_ends ends =
         c->ends == NOT_GIVEN ? CYLINT_ENDS_CAPPED : (cylint_ends)c->ends;
-    if (!parent) {
+    if (!parent)
         return cylint_sphere(shape, node->centre, node->radius, ends);
-    }
     if (c->form == SWC_ROUND) {
         return cylint_round_cone(shape, node->centre, node->radius,
                                  parent->centre, parent->radius, ends);
@@ -461,12 +438,10 @@ int swc_add_shapes(struct swc *swc, struct scene *scene, int ends,
     }
     const size_t missing = find_parents(swc);
     int status = refuse_cycles(swc, name);
-    for (size_t i = 0; i < swc->count && status == 0; i++) {
+    for (size_t i = 0; i < swc->count && status == 0; i++)
         status = convert_node(&c, swc, &swc->nodes[i]);
-    }
-    if (status != 0) {
+    if (status != 0)
         return status;
-    }
     print_missing(missing, name);
     print_skipped(c.without_length, "edge", "length", name);
     print_skipped(c.without_radius, "edge", "radius", name);

@@ -41,9 +41,8 @@ static volatile sig_atomic_t has_part;
 /* The disposition is the default again, so that raise() ends the command. */
 static void remove_and_die(int number)
 {
-    if (has_part) {
+    if (has_part)
         unlink(part_of_signal);
-    }
     raise(number);
 }
 
@@ -54,9 +53,8 @@ static void block_deadly(sigset_t *before)
 {
     sigset_t set;
     sigemptyset(&set);
-    for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++) {
+    for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++)
         sigaddset(&set, deadly[i]);
-    }
     sigprocmask(SIG_BLOCK, &set, before);
 }
 
@@ -67,12 +65,9 @@ static void remove_at_signals(const char *part)
     memset(&action, 0, sizeof action);
     action.sa_handler = remove_and_die;
     action.sa_flags = (int)SA_RESETHAND;
-    for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++) {
-        if (sigaction(deadly[i], NULL, &old) == 0 &&
-            old.sa_handler == SIG_DFL) {
+    for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++)
+        if (sigaction(deadly[i], NULL, &old) == 0 && old.sa_handler == SIG_DFL)
             sigaction(deadly[i], &action, NULL);
-        }
-    }
     part_of_signal = part;
     has_part = 1;
 }
@@ -148,12 +143,10 @@ int target_open(struct target *t, const char *name)
         return 0;
     }
     const int fd = t->fd = open_file(name, O_WRONLY, 0);
-    if (fd < 0) {
+    if (fd < 0)
         return errno == ENOENT ? open_new(t) : failed(t);
-    }
-    if (fstat(fd, &old) != 0 || !S_ISREG(old.st_mode)) {
+    if (fstat(fd, &old) != 0 || !S_ISREG(old.st_mode))
         return 0;
-    }
     if (realpath(name, t->place) && begin_part(t, &old)) {
         close(fd);
         return 0;
@@ -175,19 +168,14 @@ static int is_stored(int fd)
 int target_close(struct target *t, int is_whole)
 {
     int status = 0;
-    if (t->part[0] && is_whole && !is_stored(t->fd)) {
+    if (t->part[0] && is_whole && !is_stored(t->fd))
         status = failed(t);
-    }
-    if (close(t->fd) != 0 && errno != EINTR && status == 0) {
+    if (close(t->fd) != 0 && errno != EINTR && status == 0)
         status = failed(t);
-    }
-    if (t->part[0] && is_whole && status == 0 &&
-        rename(t->part, t->place) != 0) {
+    if (t->part[0] && is_whole && status == 0 && rename(t->part, t->place) != 0)
         status = failed(t);
-    }
-    if (t->part[0] && (!is_whole || status != 0)) {
+    if (t->part[0] && (!is_whole || status != 0))
         unlink(t->part);
-    }
     has_part = 0;
     return status;
 }

@@ -44,9 +44,8 @@ static struct worker *make_worker(struct team *team)
     if (w) {
         w->team = team;
         w->next = NULL;
-        if (job_block(team->job, &w->block)) {
+        if (job_block(team->job, &w->block))
             return w;
-        }
         block_free(&w->block);
         free(w);
     }
@@ -76,9 +75,8 @@ enum { STACK_BYTES = 1 << 20 };
 static int start_thread(struct worker *w)
 {
     pthread_attr_t attributes;
-    if (pthread_attr_init(&attributes) != 0) {
+    if (pthread_attr_init(&attributes) != 0)
         return 0;
-    }
     pthread_attr_setstacksize(&attributes, STACK_BYTES);
     const int started = pthread_create(&w->thread, &attributes, work, w) == 0;
     pthread_attr_destroy(&attributes);
@@ -95,9 +93,8 @@ static void start_worker(struct team *team)
         team->count++;
         return;
     }
-    if (w) {
+    if (w)
         free_worker(w);
-    }
     team->most = team->count;
 }
 
@@ -109,9 +106,8 @@ static int read_block(struct team *team, struct block *b)
     if (!ended) {
         input_read(&team->job->in, b);
         b->ticket = team->tickets++;
-        if (b->full && team->count < team->most) {
+        if (b->full && team->count < team->most)
             start_worker(team);
-        }
     }
     pthread_mutex_unlock(&team->reading);
     return !ended;
@@ -119,9 +115,8 @@ static int read_block(struct team *team, struct block *b)
 
 static void close_end(int fd)
 {
-    if (fd >= 0) {
+    if (fd >= 0)
         close(fd);
-    }
 }
 
 static void *work(void *worker)
@@ -167,9 +162,8 @@ int workers_run(struct job *job, int most)
     struct team team = {job,     PTHREAD_MUTEX_INITIALIZER, 0, most, 1, NULL,
                         {-1, -1}};
     struct worker *first = make_worker(&team);
-    if (!first) {
+    if (!first)
         return out_of_memory();
-    }
     work(first);
     join_workers(&team);
     free_worker(first);

@@ -20,9 +20,8 @@ void write_order_destroy(struct write_order *order)
 int write_order_wait(struct write_order *order, unsigned long long ticket)
 {
     pthread_mutex_lock(&order->lock);
-    while (!order->ended && order->next != ticket) {
+    while (!order->ended && order->next != ticket)
         pthread_cond_wait(&order->changed, &order->lock);
-    }
     const int mine = !order->ended;
     pthread_mutex_unlock(&order->lock);
     return mine;
